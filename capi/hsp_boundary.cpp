@@ -1,0 +1,294 @@
+#include "boundary/assembly.hpp"
+#include "conversion.hpp"
+#include "measure/arc_angles.hpp"
+#include "measure/areas.hpp"
+#include "topology/shells.hpp"
+
+namespace {
+
+using hsp::capi::check_output;
+using hsp::capi::has_results;
+
+int32_t check_limits(const hsp_boundary_limits *limits) {
+  if (limits == nullptr || limits->struct_size != sizeof(hsp_boundary_limits) || limits->reserved != 0) {
+    return HSP_E_ARGUMENT;
+  }
+  const bool representable = limits->balls <= HSP_MAX_BALLS && limits->neighbours <= HSP_MAX_BALLS &&
+                             limits->vertices <= HSP_MAX_BALLS && limits->circles <= HSP_MAX_BALLS;
+  return representable ? HSP_OK : HSP_E_RANGE;
+}
+
+hsp_boundary *carve(hsp::Workspace &workspace, const hsp::BoundaryLimits &limits, hsp::BoundaryBuilder &builder) {
+  const hsp::Span<hsp_boundary> handle = workspace.take<hsp_boundary>(1);
+  builder.carve(workspace, limits);
+  return handle.data();
+}
+
+hsp::BoundaryLimits from_c(const hsp_boundary_limits &limits) {
+  return {limits.balls, limits.neighbours, limits.vertices, limits.circles};
+}
+
+// The caller's indices of a vertex's balls, ascending, and the sign in that order: each exchange turns it.
+struct CallerVertex {
+  uint32_t ball[3];
+  int32_t sign;
+};
+CallerVertex to_caller(const hsp::BallSet &balls, const hsp::VertexRecord &vertex) {
+  CallerVertex result{{balls.caller[vertex.ball[0]], balls.caller[vertex.ball[1]], balls.caller[vertex.ball[2]]},
+                      vertex.positive() ? 1 : -1};
+  const auto order = [&result](int a, int b) {
+    if (result.ball[a] < result.ball[b]) return;
+    const uint32_t larger = result.ball[a];
+    result.ball[a] = result.ball[b];
+    result.ball[b] = larger;
+    result.sign = -result.sign;
+  };
+  order(0, 1);
+  order(1, 2);
+  order(0, 1);
+  return result;
+}
+
+// Position of a vertex, computed from its ball of lowest rank, so that ids have no effect on it.
+void vertex_position(const hsp::BallSet &balls, const hsp::BoundaryStructure &structure, uint32_t v, double xyz[3]) {
+  const hsp::VertexRecord &vertex = structure.vertices[v];
+  uint32_t first = 0;
+  for (uint32_t t = 1; t < 3; ++t) {
+    if (hsp::exact::ranks_before(balls.ball(vertex.ball[t]), balls.ball(vertex.ball[first]))) first = t;
+  }
+  uint32_t second = vertex.ball[(first + 1) % 3];
+  uint32_t third = vertex.ball[(first + 2) % 3];
+  int sign = vertex.positive() ? 1 : -1;
+  if (hsp::exact::ranks_before(balls.ball(third), balls.ball(second))) {
+    const uint32_t exchanged = second;
+    second = third;
+    third = exchanged;
+    sign = -sign;
+  }
+  const uint32_t origin = vertex.ball[first];
+  const hsp::exact::LatticeBall own = balls.ball(origin);
+  double offset[3];
+  hsp::vertex_offset(hsp::exact::plane_of(own, balls.ball(second)), hsp::exact::plane_of(own, balls.ball(third)), sign,
+                     structure.root_discriminant[v], offset);
+  xyz[0] = balls.lattice.length(balls.x[origin] + offset[0]);
+  xyz[1] = balls.lattice.length(balls.y[origin] + offset[1]);
+  xyz[2] = balls.lattice.length(balls.z[origin] + offset[2]);
+}
+
+// Angle of the arc that starts at a use, computed from its ball of lower rank.
+double arc_angle(const hsp::BallSet &balls, const hsp::BoundaryStructure &structure, uint32_t use, uint32_t ball) {
+  const hsp::VertexUse &walk = structure.uses[use];
+  const hsp::VertexUse &end = structure.uses[walk.next];
+  const hsp::exact::LatticeBall own = balls.ball(ball);
+  const auto plane = [&](uint32_t j) { return hsp::exact::plane_of(own, balls.ball(j)); };
+  return hsp::free_arc_angle(plane(walk.out), plane(end.out), structure.root_discriminant[end.vertex], plane(walk.in),
+                             structure.root_discriminant[walk.vertex]);
+}
+
+// The ball a use belongs to: that of its face.
+uint32_t ball_of(const hsp::BoundaryStructure &structure, uint32_t use) {
+  return structure.faces[structure.loop_face[structure.uses[use].loop]].ball;
+}
+
+uint32_t exposed(const hsp::BoundaryStructure &structure, uint32_t n) {
+  uint32_t count = 0;
+  for (uint32_t i = 0; i < n; ++i) count += structure.first_face[i + 1] > structure.first_face[i] ? 1U : 0U;
+  return count;
+}
+
+}  // namespace
+
+int32_t hsp_boundary_limits_init(hsp_boundary_limits *limits, uint32_t struct_size, uint32_t balls) {
+  if (limits == nullptr || struct_size != sizeof(hsp_boundary_limits)) return HSP_E_ARGUMENT;
+  if (balls > (HSP_MAX_BALLS - 64) / 8) return HSP_E_RANGE;
+  *limits = {struct_size, balls, balls < 256 ? balls : 256, 8 * balls + 64, 2 * balls + 16, 0};
+  return HSP_OK;
+}
+
+int32_t hsp_boundary_bytes(const hsp_boundary_limits *limits, size_t *bytes) {
+  if (bytes == nullptr) return HSP_E_ARGUMENT;
+  if (const int32_t status = check_limits(limits); status != HSP_OK) return status;
+  hsp::Workspace measure;
+  hsp::BoundaryBuilder builder;
+  carve(measure, from_c(*limits), builder);
+  if (measure.bytes() == 0) return HSP_E_RANGE;
+  *bytes = measure.bytes();
+  return HSP_OK;
+}
+
+int32_t hsp_boundary_init(void *memory, size_t bytes, const hsp_boundary_limits *limits, hsp_boundary **boundary) {
+  if (memory == nullptr || boundary == nullptr) return HSP_E_ARGUMENT;
+  size_t required = 0;
+  if (const int32_t status = hsp_boundary_bytes(limits, &required); status != HSP_OK) return status;
+  if (bytes < required) return HSP_E_MEMORY;
+  hsp::Workspace workspace(memory, bytes);
+  hsp::BoundaryBuilder builder;
+  hsp_boundary *handle = carve(workspace, from_c(*limits), builder);
+  *handle = {builder, from_c(*limits), nullptr, 0, false, false};
+  *boundary = handle;
+  return HSP_OK;
+}
+
+int32_t hsp_boundary_compute(hsp_boundary *boundary, const hsp_model *model) {
+  if (boundary == nullptr || model == nullptr) return HSP_E_ARGUMENT;
+  const hsp::Status status = boundary->builder.build(model->grid);
+  boundary->model = model;
+  boundary->revision = model->revision;
+  boundary->attempted = true;
+  boundary->complete = status == hsp::Status::ok;
+  if (boundary->complete) hsp::gather_shells(boundary->builder.structure());
+  return hsp::capi::to_c(status);
+}
+
+int32_t hsp_boundary_get_needed(const hsp_boundary *boundary, hsp_boundary_limits *needed) {
+  if (boundary == nullptr || needed == nullptr) return HSP_E_ARGUMENT;
+  if (!boundary->attempted) return HSP_E_STATE;
+  const hsp::BoundaryLimits &limits = boundary->builder.needed();
+  *needed = {sizeof(hsp_boundary_limits), limits.balls, limits.neighbours, limits.vertices, limits.circles, 0};
+  return HSP_OK;
+}
+
+int32_t hsp_boundary_get_counts(const hsp_boundary *boundary, hsp_boundary_counts *counts) {
+  if (boundary == nullptr || counts == nullptr) return HSP_E_ARGUMENT;
+  if (!has_results(*boundary)) return HSP_E_STATE;
+  const hsp::BoundaryStructure &structure = boundary->builder.structure();
+  const uint32_t n = boundary->model->grid.balls().n;
+  *counts = {};
+  counts->balls = n;
+  counts->exposed_balls = exposed(structure, n);
+  counts->vertices = structure.vertices.size();
+  counts->arcs = 3 * counts->vertices / 2;
+  counts->circles = structure.circles.size();
+  counts->faces = structure.face_count;
+  counts->loops = structure.loop_count;
+  counts->shells = structure.shell_count;
+  for (uint32_t i = 0; i < n; ++i) {
+    counts->contained_balls += (structure.ball_state[i] & hsp::BoundaryStructure::contained) != 0 ? 1U : 0U;
+    counts->components += structure.components.root(i) == i ? 1U : 0U;
+  }
+  counts->voids = counts->shells - counts->components;
+  for (const hsp::VertexRecord &vertex : structure.vertices.items()) counts->tied_vertices += vertex.tied() ? 1U : 0U;
+  counts->euler = static_cast<int64_t>(counts->vertices) - static_cast<int64_t>(counts->arcs) +
+                  2 * static_cast<int64_t>(counts->faces) - static_cast<int64_t>(counts->loops);
+  return HSP_OK;
+}
+
+int32_t hsp_boundary_get_vertices(const hsp_boundary *boundary, hsp_vertex *out, uint32_t capacity, uint32_t *needed) {
+  if (boundary == nullptr || needed == nullptr || (out == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
+  if (!has_results(*boundary)) return HSP_E_STATE;
+  const hsp::BoundaryStructure &structure = boundary->builder.structure();
+  const hsp::BallSet &balls = boundary->model->grid.balls();
+  const int32_t status = check_output(out, capacity, structure.vertices.size(), needed);
+  if (status != HSP_OK) return status;
+  for (uint32_t v = 0; v < structure.vertices.size(); ++v) {
+    const hsp::VertexRecord &vertex = structure.vertices[v];
+    const CallerVertex named = to_caller(balls, vertex);
+    hsp_vertex &record = out[v];
+    vertex_position(balls, structure, v, record.xyz);
+    for (int t = 0; t < 3; ++t) record.ball[t] = named.ball[t];
+    record.sign = named.sign;
+    record.flags = vertex.tied() ? HSP_VERTEX_TIED : 0;
+    record.reserved = 0;
+  }
+  return HSP_OK;
+}
+
+int32_t hsp_boundary_get_arcs(const hsp_boundary *boundary, hsp_arc *out, uint32_t capacity, uint32_t *needed) {
+  if (boundary == nullptr || needed == nullptr || (out == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
+  if (!has_results(*boundary)) return HSP_E_STATE;
+  const hsp::BoundaryStructure &structure = boundary->builder.structure();
+  const hsp::BallSet &balls = boundary->model->grid.balls();
+  const uint32_t uses = 3 * structure.vertices.size();
+  const int32_t status = check_output(out, capacity, uses / 2, needed);
+  if (status != HSP_OK) return status;
+  uint32_t written = 0;
+  for (uint32_t use = 0; use < uses; ++use) {
+    const uint32_t twin = hsp::twin_use(structure, use);
+    if (twin < use) continue;
+    const uint32_t own = ball_of(structure, use);
+    const uint32_t other = structure.uses[use].out;
+    // A loop walks clockwise about the axis away from its own ball; the twin walks the same arc backwards,
+    // counter-clockwise about the axis that leaves this ball. So as seen from ball a the arc starts where its own walk
+    // ends.
+    const bool own_first = balls.caller[own] < balls.caller[other];
+    const uint32_t walk_of_a = own_first ? use : twin;
+    const uint32_t walk_of_b = own_first ? twin : use;
+    const bool own_lower = hsp::exact::ranks_before(balls.ball(own), balls.ball(other));
+    hsp_arc &arc = out[written++];
+    arc.ball[0] = balls.caller[own_first ? own : other];
+    arc.ball[1] = balls.caller[own_first ? other : own];
+    arc.vertex[0] = structure.uses[structure.uses[walk_of_a].next].vertex;
+    arc.vertex[1] = structure.uses[walk_of_a].vertex;
+    arc.face[0] = structure.loop_face[structure.uses[walk_of_a].loop];
+    arc.face[1] = structure.loop_face[structure.uses[walk_of_b].loop];
+    arc.angle = arc_angle(balls, structure, own_lower ? use : twin, own_lower ? own : other);
+  }
+  return HSP_OK;
+}
+
+int32_t hsp_boundary_get_circles(const hsp_boundary *boundary, hsp_circle *out, uint32_t capacity, uint32_t *needed) {
+  if (boundary == nullptr || needed == nullptr || (out == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
+  if (!has_results(*boundary)) return HSP_E_STATE;
+  const hsp::BoundaryStructure &structure = boundary->builder.structure();
+  const hsp::BallSet &balls = boundary->model->grid.balls();
+  const int32_t status = check_output(out, capacity, structure.circles.size(), needed);
+  if (status != HSP_OK) return status;
+  for (uint32_t c = 0; c < structure.circles.size(); ++c) {
+    const hsp::CircleRecord &circle = structure.circles[c];
+    const uint32_t first = balls.caller[circle.ball[0]] < balls.caller[circle.ball[1]] ? 0 : 1;
+    hsp_circle &record = out[c];
+    for (uint32_t side = 0; side < 2; ++side) {
+      const uint32_t k = side == 0 ? first : 1 - first;
+      record.ball[side] = balls.caller[circle.ball[k]];
+      record.face[side] = structure.loop_face[circle.loop[k]];
+    }
+    const bool swap = hsp::exact::ranks_before(balls.ball(circle.ball[1]), balls.ball(circle.ball[0]));
+    const uint32_t lower = circle.ball[swap ? 1 : 0];
+    const uint32_t higher = circle.ball[swap ? 0 : 1];
+    const hsp::CirclePlace place = hsp::circle_place(balls, lower, higher);
+    const double direction = circle.ball[first] == lower ? 1.0 : -1.0;
+    for (int axis = 0; axis < 3; ++axis) {
+      record.centre[axis] = balls.lattice.length(place.centre[axis]);
+      record.axis[axis] = direction * place.axis[axis];
+    }
+    record.radius = balls.lattice.length(place.radius);
+  }
+  return HSP_OK;
+}
+
+int32_t hsp_boundary_get_faces(const hsp_boundary *boundary, hsp_face *out, uint32_t capacity, uint32_t *needed) {
+  if (boundary == nullptr || needed == nullptr || (out == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
+  if (!has_results(*boundary)) return HSP_E_STATE;
+  const hsp::BoundaryStructure &structure = boundary->builder.structure();
+  const hsp::BallSet &balls = boundary->model->grid.balls();
+  const int32_t status = check_output(out, capacity, structure.face_count, needed);
+  if (status != HSP_OK) return status;
+  for (uint32_t f = 0; f < structure.face_count; ++f) {
+    out[f] = {balls.caller[structure.faces[f].ball], structure.faces[f].loops, structure.faces[f].shell, 0};
+  }
+  return HSP_OK;
+}
+
+int32_t hsp_boundary_get_balls(const hsp_boundary *boundary, hsp_ball *out, uint32_t capacity, uint32_t *needed) {
+  if (boundary == nullptr || needed == nullptr || (out == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
+  if (!has_results(*boundary)) return HSP_E_STATE;
+  const hsp::BoundaryStructure &structure = boundary->builder.structure();
+  const hsp::CubeGrid &grid = boundary->model->grid;
+  const uint32_t n = grid.balls().n;
+  const int32_t status = check_output(out, capacity, n, needed);
+  if (status != HSP_OK) return status;
+  // Components are numbered in the order of their first ball. A component's number waits at its representative.
+  for (uint32_t i = 0; i < n; ++i) out[i].component = HSP_NONE;
+  uint32_t components = 0;
+  for (uint32_t i = 0; i < n; ++i) {
+    const uint32_t place = grid.place(i);
+    const uint32_t faces = structure.first_face[place + 1] - structure.first_face[place];
+    uint32_t &number = out[grid.balls().caller[structure.components.root(place)]].component;
+    if (number == HSP_NONE) number = components++;
+    out[i].component = number;
+    out[i].faces = faces;
+    out[i].first_face = faces > 0 ? structure.first_face[place] : HSP_NONE;
+    out[i].flags = (structure.ball_state[place] & hsp::BoundaryStructure::contained) != 0 ? HSP_BALL_CONTAINED : 0;
+  }
+  return HSP_OK;
+}

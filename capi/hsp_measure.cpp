@@ -1,0 +1,26 @@
+#include "conversion.hpp"
+#include "core/summation.hpp"
+#include "measure/areas.hpp"
+
+int32_t hsp_boundary_measure(const hsp_boundary *boundary, hsp_totals *totals, double *area, double *volume,
+                             uint32_t capacity) {
+  if (boundary == nullptr) return HSP_E_ARGUMENT;
+  if (!hsp::capi::has_results(*boundary)) return HSP_E_STATE;
+  const hsp::CubeGrid &grid = boundary->model->grid;
+  const hsp::BallSet &balls = grid.balls();
+  if ((area != nullptr || volume != nullptr) && capacity < balls.n) return HSP_E_CAPACITY;
+  hsp::TreeSum area_sum;
+  hsp::TreeSum volume_sum;
+  for (uint32_t i = 0; i < balls.n; ++i) {
+    const hsp::BallMeasure ball = hsp::measure_ball(balls, boundary->builder.structure(), grid.place(i));
+    area_sum.add(ball.area);
+    volume_sum.add(ball.volume);
+    if (area != nullptr) area[i] = balls.lattice.area(ball.area);
+    if (volume != nullptr) volume[i] = balls.lattice.volume(ball.volume);
+  }
+  if (totals != nullptr) {
+    totals->area = balls.lattice.area(area_sum.total());
+    totals->volume = balls.lattice.volume(volume_sum.total());
+  }
+  return HSP_OK;
+}

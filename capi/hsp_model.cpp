@@ -1,0 +1,102 @@
+#include "conversion.hpp"
+#include "grid/figures.hpp"
+
+namespace {
+
+// The handle lies at the start of the workspace, the grid's arrays behind it.
+hsp_model *carve(hsp::Workspace &workspace, uint32_t balls, hsp::CubeGrid &grid) {
+  const hsp::Span<hsp_model> handle = workspace.take<hsp_model>(1);
+  grid.carve(workspace, balls);
+  return handle.data();
+}
+
+}  // namespace
+
+int32_t hsp_model_bytes(uint32_t balls, size_t *bytes) {
+  if (bytes == nullptr) return HSP_E_ARGUMENT;
+  if (balls > HSP_MAX_BALLS) return HSP_E_RANGE;
+  hsp::Workspace measure;
+  hsp::CubeGrid grid;
+  carve(measure, balls, grid);
+  if (measure.bytes() == 0) return HSP_E_RANGE;
+  *bytes = measure.bytes();
+  return HSP_OK;
+}
+
+int32_t hsp_model_init(void *memory, size_t bytes, uint32_t balls, hsp_model **model) {
+  if (memory == nullptr || model == nullptr) return HSP_E_ARGUMENT;
+  size_t required = 0;
+  if (const int32_t status = hsp_model_bytes(balls, &required); status != HSP_OK) return status;
+  if (bytes < required) return HSP_E_MEMORY;
+  hsp::Workspace workspace(memory, bytes);
+  hsp::CubeGrid grid;
+  hsp_model *handle = carve(workspace, balls, grid);
+  handle->grid = grid;
+  handle->revision = 0;
+  uint32_t first_bad = 0;
+  static_cast<void>(handle->grid.build({}, first_bad));
+  *model = handle;
+  return HSP_OK;
+}
+
+int32_t hsp_model_options_init(hsp_model_options *options, uint32_t struct_size) {
+  if (options == nullptr || struct_size != sizeof(hsp_model_options)) return HSP_E_ARGUMENT;
+  *options = {struct_size, 0, 0.0, 0.0};
+  return HSP_OK;
+}
+
+int32_t hsp_model_set(hsp_model *model, uint32_t n, const double *xyz, const double *radius,
+                      const hsp_model_options *options, uint32_t *first_bad) {
+  if (model == nullptr) return HSP_E_ARGUMENT;
+  ++model->revision;
+  uint32_t ignored = 0;
+  uint32_t &bad = first_bad != nullptr ? *first_bad : ignored;
+  hsp::BallInput input;
+  const auto refuse = [&](int32_t status) {
+    static_cast<void>(model->grid.build({}, ignored));
+    bad = HSP_NONE;
+    return status;
+  };
+  if (n > 0 && (xyz == nullptr || radius == nullptr)) return refuse(HSP_E_ARGUMENT);
+  if (options != nullptr) {
+    if (options->struct_size != sizeof(hsp_model_options) || options->reserved != 0) return refuse(HSP_E_ARGUMENT);
+    input.probe = options->probe;
+    input.step = options->step;
+  }
+  if (n > model->grid.capacity()) return refuse(HSP_E_CAPACITY);
+  input.n = n;
+  input.xyz = xyz;
+  input.radius = radius;
+  return hsp::capi::to_c(model->grid.build(input, bad));
+}
+
+int32_t hsp_model_get_info(const hsp_model *model, hsp_model_info *info) {
+  if (model == nullptr || info == nullptr) return HSP_E_ARGUMENT;
+  const hsp::BallSet &balls = model->grid.balls();
+  const hsp::CubeTable &table = model->grid.table();
+  info->balls = balls.n;
+  info->cubes = table.count();
+  info->table_slots = table.slots();
+  info->longest_probe = table.longest_probe();
+  info->step = balls.lattice.step();
+  info->probe = balls.lattice.length(static_cast<double>(balls.probe_steps));
+  info->largest_radius = balls.lattice.length(static_cast<double>(balls.largest_radius));
+  return HSP_OK;
+}
+
+int32_t hsp_model_get_figures(hsp_model *model, hsp_figures *figures) {
+  if (model == nullptr || figures == nullptr) return HSP_E_ARGUMENT;
+  const hsp::HardSphereFigures found = hsp::hard_sphere_figures(model->grid);
+  *figures = {};
+  figures->k = found.k;
+  figures->rho = found.rho;
+  figures->mean_overlaps = found.mean_overlaps;
+  figures->max_overlaps = found.max_overlaps;
+  figures->flags = (found.zero_radius ? HSP_FIGURES_ZERO_RADIUS : 0) | (found.coincident ? HSP_FIGURES_COINCIDENT : 0) |
+                   (found.no_pair ? HSP_FIGURES_NO_PAIR : 0);
+  if (figures->flags == 0) {
+    const double ratio = found.k / found.rho;
+    figures->neighbour_bound = 216 * ratio * ratio * ratio;
+  }
+  return HSP_OK;
+}

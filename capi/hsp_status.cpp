@@ -1,0 +1,30 @@
+#include "conversion.hpp"
+
+uint32_t hsp_version(void) {
+  return HSP_VERSION_NUMBER;
+}
+
+const char *hsp_status_text(int32_t status) {
+  switch (status) {
+    case HSP_OK:
+      return "success";
+    case HSP_E_ARGUMENT:
+      return "invalid argument: null pointer, wrong struct_size or reserved field not 0";
+    case HSP_E_CAPACITY:
+      return "an output array or a limit is too small";
+    case HSP_E_MEMORY:
+      return "the memory is smaller than required";
+    case HSP_E_STATE:
+      return "nothing computed, or the model has changed since";
+    case HSP_E_ID:
+      return "no such ball";
+    case HSP_E_NOT_FINITE:
+      return "a value is NaN or infinite";
+    case HSP_E_NEGATIVE:
+      return "a radius, the probe or the step is negative";
+    case HSP_E_RANGE:
+      return "a value lies beyond the lattice or the largest size";
+    default:
+      return "unknown status";
+  }
+}

@@ -1,0 +1,15 @@
+// From vertices, each decided once, to loops: every vertex is handed to its three balls, and each use finds the use
+// that follows it.
+#pragma once
+
+#include "boundary/structure.hpp"
+
+namespace hsp {
+
+// Fills uses, circle sides and loops from vertices and circles.
+void assemble_loops(const BallSet &balls, BoundaryStructure &boundary);
+
+// The use on the other ball that walks the same arc the other way: it starts where this one ends.
+uint32_t twin_use(const BoundaryStructure &boundary, uint32_t use);
+
+}  // namespace hsp

@@ -1,0 +1,32 @@
+#include "boundary/vertices.hpp"
+
+namespace hsp {
+
+bool find_vertices_exactly(const Caps &caps, const CapTests &tests, uint32_t j, uint32_t k,
+                           FixedVector<VertexRecord> &vertices) {
+  const exact::Predicates predicates = caps.predicates();
+  const exact::Plane &P = caps.plane[j];
+  const exact::Plane &Q = caps.plane[k];
+  const exact::Sign crossing = predicates.crossing(P, Q);
+  if (crossing.sign < 0) return false;
+
+  bool free[2] = {true, true};
+  bool tied[2] = {crossing.tied, crossing.tied};
+  for (uint32_t t = 0; t < tests.count && (free[0] || free[1]); ++t) {
+    const uint32_t l = tests.cap[t];
+    if (l == j || l == k) continue;
+    const exact::PointStatus status = predicates.point_status(P, Q, caps.plane[l]);
+    for (int point = 0; point < 2; ++point) {
+      free[point] = free[point] && status.side[point] < 0;
+      tied[point] = tied[point] || status.tied[point];
+    }
+  }
+  for (uint32_t point = 0; point < 2; ++point) {
+    if (!free[point]) continue;
+    vertices.push({{caps.origin, caps.ball[j], caps.ball[k]},
+                   (point == 1 ? VertexRecord::positive_bit : 0U) | (tied[point] ? VertexRecord::tied_bit : 0U)});
+  }
+  return true;
+}
+
+}  // namespace hsp

@@ -1,0 +1,26 @@
+// From loops to faces: which loops of one sphere bound the same free piece.
+#pragma once
+
+#include "boundary/caps.hpp"
+#include "boundary/structure.hpp"
+
+namespace hsp {
+
+// Scratch memory for one ball with several loops, for as many caps as a ball may have.
+struct FaceScratch {
+  Span<uint32_t> cluster;   // caps joined where they touch or overlap
+  Span<uint32_t> crossing;  // caps that a meridian crosses
+  Span<uint32_t> owner;     // of these, the ones that own a free end point: 4 * cap + free entry + 2 * free exit
+
+  void carve(Workspace &workspace, uint32_t capacity);
+};
+
+// Gathers the loops of every ball into faces. The caps of balls with several loops are gathered again.
+void gather_faces(const CubeGrid &grid, Caps &caps, FaceScratch &scratch, BoundaryStructure &boundary);
+
+// The general case: several clusters of caps and several faces on one sphere. Joins, in `loops` (indices from the
+// ball's first loop), the loops that bound a common face.
+void join_loops_by_meridians(const Caps &caps, const FaceScratch &scratch, const BoundaryStructure &boundary,
+                             const DisjointSets &loops);
+
+}  // namespace hsp

@@ -1,0 +1,101 @@
+#include "core/elementary.hpp"
+
+namespace hsp {
+namespace {
+
+// atan(k/8), each as the sum of two doubles.
+constexpr double table_high[9] = {0x0.0p+0,
+                                  0x1.fd5ba9aac2f6ep-4,
+                                  0x1.f5b75f92c80ddp-3,
+                                  0x1.6f61941e4def1p-2,
+                                  0x1.dac670561bb4fp-2,
+                                  0x1.1e00babdefeb4p-1,
+                                  0x1.4978fa3269ee1p-1,
+                                  0x1.700a7c5784634p-1,
+                                  0x1.921fb54442d18p-1};
+constexpr double table_low[9] = {0x0.0p+0,
+                                 -0x1.cd37686760c17p-59,
+                                 0x1.8ab6e3cf7afbdp-57,
+                                 -0x1.c63aae6f6e918p-56,
+                                 0x1.a2b7f222f65e2p-56,
+                                 -0x1.928df287a668fp-58,
+                                 0x1.2419a87f2a458p-56,
+                                 -0x1.8c34d25aadef6p-56,
+                                 0x1.1a62633145c07p-55};
+
+constexpr double half_pi_high = 0x1.921fb54442d18p+0;
+constexpr double half_pi_low = 0x1.1a62633145c07p-54;
+constexpr double pi_high = 0x1.921fb54442d18p+1;
+constexpr double pi_low = 0x1.1a62633145c07p-53;
+
+// atan(t) - t for |t| <= 1/16 + 2^-8 by the Taylor series; the first term left out, t^17/17, is below 2^-69 t.
+double correction_near_zero(double t) {
+  const double z = t * t;
+  return t * z *
+         (-1.0 / 3 +
+          z * (1.0 / 5 + z * (-1.0 / 7 + z * (1.0 / 9 + z * (-1.0 / 11 + z * (1.0 / 13 - z * (1.0 / 15)))))));
+}
+
+// The same for |t| <= 3/16 + 2^-8; the first term left out, t^27/27, is below 2^-66 t.
+double correction_near_origin(double t) {
+  const double z = t * t;
+  const double tail = 1.0 / 17 + z * (-1.0 / 19 + z * (1.0 / 21 + z * (-1.0 / 23 + z * (1.0 / 25))));
+  return t * z *
+         (-1.0 / 3 +
+          z * (1.0 / 5 +
+               z * (-1.0 / 7 + z * (1.0 / 9 + z * (-1.0 / 11 + z * (1.0 / 13 + z * (-1.0 / 15 + z * tail)))))));
+}
+
+}  // namespace
+
+// With u = 2^-53 and 0 <= y <= x: below 3/16 the result is t + correction(t), t = y/x; errors u t from the division, 4u
+// times the correction (under t/80) and u from the last addition. Above, let c = k/8 be the multiple of 1/8 nearest to
+// y/x and t = (y - c x)/(x + c y), so that atan(y/x) = atan(c) + atan(t) and |t| <= 1/16. x is split into a high part
+// of 48 bits and a low part, so that both products by c are exact and y - c x is rounded once, relative to itself; with
+// the denominator (2u) and the division (u), |dt| <= 4u |t| <= u/4, which is 1.35u of the result at its smallest, 3/16;
+// the last addition adds u. An ulp is between u and 2u of the result, at most 1.35u where |dt| weighs most; the
+// reflections at pi/2 and pi keep their errors in the low part and enlarge the result. Hence less than 2 ulp.
+double arc_tangent(double y, double x) {
+  const double ay = y < 0.0 ? -y : y;
+  const double ax = x < 0.0 ? -x : x;
+  const bool steep = ay > ax;
+  double small = steep ? ax : ay;
+  double large = steep ? ay : ax;
+  if (large == 0.0) return 0.0;
+
+  const double ratio = small / large;
+  const int k = static_cast<int>(ratio * 8.0 + 0.5);
+  double high = ratio;
+  double low = 0.0;
+  if (k <= 1) {
+    low = correction_near_origin(ratio);
+  } else {
+    if (large > 0x1p900) {  // keeps the split below from overflowing; the ratio is what matters
+      small *= 0x1p-64;
+      large *= 0x1p-64;
+    }
+    const double c = 0.125 * k;
+    const double spread = large * 33.0;  // Dekker's split, factor 2^5 + 1
+    const double large_high = spread - (spread - large);
+    const double t = ((small - c * large_high) - c * (large - large_high)) / (large + c * small);
+    high = table_high[k];
+    low = table_low[k] + (t + correction_near_zero(t));
+  }
+  if (steep) {
+    // pi/2 - (high + low), the two high parts first: their difference is exact or rounded far below the result's ulp.
+    const double difference = half_pi_high - high;
+    const double error = (half_pi_high - difference) - high;
+    low = half_pi_low + error - low;
+    high = difference;
+  }
+  if (x < 0.0) {
+    const double difference = pi_high - high;
+    const double error = (pi_high - difference) - high;
+    low = pi_low + error - low;
+    high = difference;
+  }
+  const double angle = high + low;
+  return y < 0.0 ? -angle : angle;
+}
+
+}  // namespace hsp

@@ -1,0 +1,17 @@
+// Elementary functions in plain IEEE arithmetic, so that nothing but sqrt comes from the platform: the C libraries in
+// use differ in the last bit of their transcendental functions, even between processors of one family.
+#pragma once
+
+#include "core/floating_point.hpp"
+
+namespace hsp {
+
+// Largest error of arc_tangent in units in the last place. Derivation beside the definition;
+// tests/inner/elementary_test.cpp measures it against a longer format.
+inline constexpr double arc_tangent_max_ulp = 2.0;
+
+// The angle of the point (x, y), in [-pi, pi]. Differs from the C function only at (0, 0), where the result is 0 for
+// either sign of the zeros.
+double arc_tangent(double y, double x);
+
+}  // namespace hsp

@@ -1,0 +1,29 @@
+// The floating-point environment every result relies on: IEEE doubles, every operation rounded once. Included wherever
+// doubles are computed with, so that a build that breaks the promise of equal bits does not compile.
+#pragma once
+
+#include <cfloat>
+#include <cmath>
+#include <limits>
+
+#if defined(__FAST_MATH__)
+#error "hardsphere must not be compiled with -ffast-math: its results are defined by IEEE arithmetic"
+#endif
+#if defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0
+#error "hardsphere needs doubles without excess precision (on i686: -msse2 -mfpmath=sse)"
+#endif
+static_assert(std::numeric_limits<double>::is_iec559 && std::numeric_limits<double>::digits == 53);
+
+namespace hsp {
+
+// Half an ulp of 1: the largest relative error of one rounding.
+inline constexpr double unit_roundoff = 0x1p-53;
+
+inline constexpr double pi = 0x1.921fb54442d18p+1;
+
+// True for everything but NaN and infinities; plain comparison, so that no library call is needed.
+inline bool is_finite(double x) {
+  return x - x == 0.0;
+}
+
+}  // namespace hsp

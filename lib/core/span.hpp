@@ -1,0 +1,29 @@
+// A pointer with a length. std::span is not used because its checked operator[] imports a run-time function in builds
+// with _GLIBCXX_ASSERTIONS, and the archive promises to import none.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace hsp {
+
+template <class T>
+class Span {
+ public:
+  constexpr Span() = default;
+  constexpr Span(T *data, uint32_t size) : data_(data), size_(size) {}
+
+  constexpr T &operator[](uint32_t k) const { return data_[k]; }
+  constexpr uint32_t size() const { return size_; }
+  constexpr bool empty() const { return size_ == 0; }
+  constexpr T *data() const { return data_; }
+  constexpr T *begin() const { return data_; }
+  constexpr T *end() const { return data_ + size_; }
+  constexpr Span part(uint32_t first, uint32_t last) const { return {data_ + first, last - first}; }
+
+ private:
+  T *data_ = nullptr;
+  uint32_t size_ = 0;
+};
+
+}  // namespace hsp

@@ -1,0 +1,23 @@
+// What an operation of the library reports. The numbers are those of hardsphere.h (checked in capi/conversion.hpp).
+#pragma once
+
+#include <cstdint>
+
+namespace hsp {
+
+enum class Status : int32_t {
+  ok = 0,
+  argument = -1,
+  capacity = -2,
+  memory = -3,
+  state = -4,
+  id = -5,
+  not_finite = -10,
+  negative = -11,
+  range = -12,
+};
+
+// The id that no ball, vertex, loop or face has.
+inline constexpr uint32_t no_id = UINT32_C(0xFFFFFFFF);
+
+}  // namespace hsp

@@ -1,0 +1,60 @@
+// Carves arrays out of one block of caller memory.
+//
+//   memory              first multiple of 64
+//   |  slack (0..63)    |  array 0  | pad |  array 1  | pad |  ...  |
+//
+// The same layout function runs twice: over a null base it only measures, over the caller's block it carves. So the
+// size that is reported and the memory that is used cannot disagree.
+#pragma once
+
+#include <new>
+
+#include "core/span.hpp"
+
+namespace hsp {
+
+class Workspace {
+ public:
+  static constexpr size_t alignment = 64;
+
+  // A workspace that only measures.
+  Workspace() = default;
+  Workspace(void *memory, size_t bytes)
+      : base_(reinterpret_cast<uintptr_t>(memory)), end_(reinterpret_cast<uintptr_t>(memory) + bytes), carving_(true) {
+    used_ = (alignment - base_ % alignment) % alignment;
+  }
+
+  // An array of `count` default-initialised T, or an empty span while measuring.
+  template <class T>
+  Span<T> take(uint64_t count) {
+    void *place = reserve(count, sizeof(T));
+    if (place == nullptr) return {};
+    T *first = static_cast<T *>(place);
+    for (uint64_t k = 0; k < count; ++k) ::new (static_cast<void *>(first + k)) T;
+    return {first, static_cast<uint32_t>(count)};
+  }
+
+  // Bytes that suffice for any alignment of the block; 0 if they do not fit a size_t.
+  size_t bytes() const { return overflow_ || used_ > SIZE_MAX - alignment ? 0 : used_ + alignment; }
+
+ private:
+  void *reserve(uint64_t count, size_t size) {
+    if (count > (SIZE_MAX / 2 - used_) / size) {
+      overflow_ = true;
+      return nullptr;
+    }
+    const size_t place = used_;
+    used_ += static_cast<size_t>(count) * size;
+    used_ += (alignment - (base_ + used_) % alignment) % alignment;
+    if (!carving_ || base_ + place + static_cast<size_t>(count) * size > end_) return nullptr;
+    return reinterpret_cast<void *>(base_ + place);
+  }
+
+  uintptr_t base_ = 0;
+  uintptr_t end_ = 0;
+  size_t used_ = 0;
+  bool carving_ = false;
+  bool overflow_ = false;
+};
+
+}  // namespace hsp

@@ -1,0 +1,34 @@
+// The order of directions around an axis, exactly. Used for the mid-points of the covered arcs of a circle: ball Q
+// covers an arc whose mid-point lies in the direction of v_Q, whatever the arc's size. Among the planes that own a free
+// end point this order is that of the free arcs, and no two of them tie (exact-predicates, section 4: of two arcs with
+// one mid-point the inner one owns nothing), so no square root and no tie rule is needed.
+#pragma once
+
+#include "exact/exact_predicates.hpp"
+
+namespace hsp::exact {
+
+// 0 if v lies in the half-turn [0, pi) counter-clockwise from reference about axis, else 1. Directions are taken modulo
+// the axis.
+inline int half_turn(const Vector &axis, const Vector &reference, const Vector &v) {
+  const int side = Exact::triple_product_sign(axis, reference, v);
+  if (side != 0) return side > 0 ? 0 : 1;
+  return Exact::cross_dot_cross_sign(axis, reference, v) > 0 ? 0 : 1;
+}
+
+// Whether v comes strictly before w when turning counter-clockwise from reference about axis.
+inline bool counter_clockwise_before(const Vector &axis, const Vector &reference, const Vector &v, const Vector &w) {
+  const int half_v = half_turn(axis, reference, v);
+  const int half_w = half_turn(axis, reference, w);
+  if (half_v != half_w) return half_v < half_w;
+  return Exact::triple_product_sign(axis, v, w) > 0;
+}
+
+// Whether x lies strictly between the directions from and to, counter-clockwise; if they are equal, the way is the
+// whole turn.
+inline bool strictly_between(const Vector &axis, const Vector &from, const Vector &x, const Vector &to) {
+  if (Exact::triple_product_sign(axis, from, to) == 0 && Exact::cross_dot_cross_sign(axis, from, to) > 0) return true;
+  return counter_clockwise_before(axis, from, x, to);
+}
+
+}  // namespace hsp::exact

@@ -1,0 +1,55 @@
+// The exact rung of the predicates and the symbolic tie rule behind it. Source: Simulation of Simplicity (Edelsbrunner
+// and Muecke, ACM TOG 9, 1990) applied to the weights alone: w_i -> w_i + eps_i with eps of lower rank infinitely
+// larger. Every predicate is a polynomial of degree at most 2 in the eps, so its sign is that of: the value; else one
+// derivative, by the eps of the lowest rank; else the constant sign of the second derivative.
+#pragma once
+
+#include "exact/plane.hpp"
+#include "exact/wide_integer.hpp"
+
+namespace hsp::exact {
+
+// A sign that is never 0, and whether the unperturbed value was.
+struct Sign {
+  int sign;
+  bool tied;
+};
+
+// Where the two common points p+ and p- of the circles of P and Q lie with respect to a third ball R: +1 inside, -1
+// outside. A point is tied if it lies exactly on the third sphere (or plane) before the perturbation. Index 0: p-,
+// index 1: p+.
+struct PointStatus {
+  int side[2];
+  bool tied[2];
+};
+
+// p+ and p- are (q x n + s sqrt(D) n)/N for s = +1 and -1, n = u x v. Seen from outside along u, circle P runs
+// counter-clockwise and its part inside Q goes from p- to p+.
+template <class Limb>
+struct ExactPredicates {
+  // +1: the circles of P and Q on the sphere cross (in two points); -1: they do not.
+  static Sign crossing(const Sphere &sphere, const Plane &P, const Plane &Q);
+  // For circles that do not cross: +1 if circle P lies inside half-space R, else -1.
+  static Sign side(const Sphere &sphere, const Plane &P, const Plane &R);
+  // For circles P, Q that cross: where their common points lie with respect to R.
+  static PointStatus point_status(const Sphere &sphere, const Plane &P, const Plane &Q, const Plane &R);
+
+  // Exact values, rounded once, for metric quantities.
+  static double discriminant(const Sphere &sphere, const Plane &P,
+                             const Plane &Q);                               // D, half a Cayley-Menger determinant
+  static double radical_coordinate(const Plane &P, const Plane &R);         // beta = h_R u.u - h_P u.z
+  static double circle_discriminant(const Sphere &sphere, const Plane &P);  // Delta = W u.u - h_P^2
+  static double exterior_cosine(const Sphere &sphere, const Plane &P, const Plane &Q);  // W u.v - h_P h_Q
+  static double triple_product(const Vector &u, const Vector &v, const Vector &z);      // (u x v).z
+  static int triple_product_sign(const Vector &u, const Vector &v, const Vector &z);
+  static double cross_dot_cross(const Vector &u, const Vector &v, const Vector &z);  // (u x v).(u x z)
+  static int cross_dot_cross_sign(const Vector &u, const Vector &v, const Vector &z);
+  static void radical_vector(const Plane &P, const Plane &Q, double q[3]);  // q = h_P v - h_Q u
+
+  // Squared distance of two lattice points against a squared length: sign(|d|^2 - s^2) for |d_k|, s < 2^53.
+  static int compare_distance(const Vector &d, int64_t s);
+};
+
+using Exact = ExactPredicates<FastLimb>;
+
+}  // namespace hsp::exact

@@ -1,0 +1,79 @@
+// The floating-point rung of the predicates: the polynomials of plane.hpp in double, with static error bounds for one
+// sphere. The answer is +1 or -1 when it is certain, 0 when the question has to be passed on.
+//
+// With L^2 = max(W, |v|^2) over the planes in use and e = 2^-53, n, h and W exact integers converted with one rounding
+// each:
+//   q: 6e L^3      D: W N relative 7e, q.q 36e L^6, last subtraction 5e L^6     |D error| <= 48e L^6, used 64
+//   H: 18.5e L^4   A: 18.5 + 3 + 9                                              |A error| <= 30.5e L^6, used 64
+//   B: 4e L^3, used 8         F: W B B 11, H.H 2*3*18.5 + 27 = 138, last 10       |F error| <= 159e L^8, used 256
+//   beta: 8e L^4, used 10
+// The slack of more than a quarter absorbs terms in e^2, the rounding of the bounds and any order of additions. L^8 <
+// 2^248, so nothing overflows.
+#pragma once
+
+#include "core/floating_point.hpp"
+#include "exact/exact_predicates.hpp"
+
+namespace hsp::exact {
+
+struct FilterBounds {
+  double D, A, F, B, beta;
+
+  static FilterBounds for_length_squared(double L2) {
+    const double L4 = L2 * L2;
+    const double L = std::sqrt(L2);
+    return {64 * unit_roundoff * L4 * L2, 64 * unit_roundoff * L4 * L2, 256 * unit_roundoff * L4 * L4,
+            8 * unit_roundoff * L2 * L, 10 * unit_roundoff * L4};
+  }
+};
+
+inline int certain_sign(double value, double bound) {
+  return value > bound ? 1 : value < -bound ? -1 : 0;
+}
+
+struct DoubleVector {
+  double x, y, z;
+};
+inline DoubleVector to_double(const Vector &a) {
+  return {static_cast<double>(a.x), static_cast<double>(a.y), static_cast<double>(a.z)};
+}
+inline double dot(const DoubleVector &a, const DoubleVector &b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+inline DoubleVector cross(const DoubleVector &a, const DoubleVector &b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+// s a + t b
+inline DoubleVector combine(double s, const DoubleVector &a, double t, const DoubleVector &b) {
+  return {s * a.x + t * b.x, s * a.y + t * b.y, s * a.z + t * b.z};
+}
+
+inline int filter_crossing(const FilterBounds &bounds, const Sphere &sphere, const Plane &P, const Plane &Q) {
+  const DoubleVector n = to_double(cross(P.v, Q.v));
+  const DoubleVector q = combine(static_cast<double>(P.h), to_double(Q.v), -static_cast<double>(Q.h), to_double(P.v));
+  return certain_sign(static_cast<double>(sphere.W) * dot(n, n) - dot(q, q), bounds.D);
+}
+
+inline int filter_side(const FilterBounds &bounds, const Plane &P, const Plane &R) {
+  const double beta = static_cast<double>(R.h) * static_cast<double>(dot(P.v, P.v)) -
+                      static_cast<double>(P.h) * static_cast<double>(dot(P.v, R.v));
+  return -certain_sign(beta, bounds.beta);
+}
+
+// True if both points' status is certain; then it is stored.
+inline bool filter_point_status(const FilterBounds &bounds, const Sphere &sphere, const Plane &P, const Plane &Q,
+                                const Plane &R, PointStatus &status) {
+  const DoubleVector n = to_double(cross(P.v, Q.v));
+  const DoubleVector q = combine(static_cast<double>(P.h), to_double(Q.v), -static_cast<double>(Q.h), to_double(P.v));
+  const DoubleVector z = to_double(R.v);
+  const double B = dot(n, z);
+  const DoubleVector H = combine(1.0, cross(q, z), static_cast<double>(R.h), n);
+  const int F = certain_sign(static_cast<double>(sphere.W) * B * B - dot(H, H), bounds.F);
+  if (F == 0) return false;
+  const int decider = F > 0 ? certain_sign(B, bounds.B) : certain_sign(-dot(H, n), bounds.A);
+  if (decider == 0) return false;
+  status = {{F > 0 ? -decider : decider, decider}, {false, false}};
+  return true;
+}
+
+}  // namespace hsp::exact

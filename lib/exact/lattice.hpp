@@ -1,0 +1,73 @@
+// The decimal lattice: lengths become integers once, at the door. A step that is a power of ten represents text input
+// exactly, and a multiplication or division by an exactly representable power of ten is one IEEE operation, so rounding
+// is the same everywhere.
+#pragma once
+
+#include "core/floating_point.hpp"
+#include "core/status.hpp"
+
+namespace hsp::exact {
+
+inline constexpr double coordinate_limit = 0x1p50;    // steps, inclusive
+inline constexpr double radius_limit = 0x1p30;        // steps, exclusive
+inline constexpr double query_radius_limit = 0x1p51;  // steps, inclusive
+
+// Powers of ten that are doubles.
+inline constexpr int largest_decade = 22;
+inline constexpr double decade[largest_decade + 1] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                                      1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                                      1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+
+// Nearest integer, halves away from zero, for |x| < 2^62.
+inline int64_t nearest(double x) {
+  const int64_t truncated = static_cast<int64_t>(x);
+  const double rest = x - static_cast<double>(truncated);
+  return truncated + (rest >= 0.5 ? 1 : 0) - (rest <= -0.5 ? 1 : 0);
+}
+
+class Lattice {
+ public:
+  // Step 1.
+  Lattice() = default;
+
+  // A step that was given: finite and > 0. Steps that are the nearest double of a power of ten are taken as that power.
+  static Lattice with_step(double step) {
+    for (int k = 0; k <= largest_decade; ++k) {
+      if (step == 1.0 / decade[k]) return Lattice(k);
+      if (step == decade[k]) return Lattice(-k);
+    }
+    Lattice lattice;
+    lattice.divisor_ = step;
+    return lattice;
+  }
+  // The smallest power of ten that keeps a largest radius below the limit; 1e-8 for 0. False if there is none.
+  static bool for_largest_radius(double radius, Lattice &lattice) {
+    if (radius == 0.0) {
+      lattice = Lattice(8);
+      return true;
+    }
+    for (int digits = largest_decade; digits >= -largest_decade; --digits) {
+      lattice = Lattice(digits);
+      // One step of room: radius and probe are rounded on their own.
+      if (lattice.steps(radius) < radius_limit - 1.0) return true;
+    }
+    return false;
+  }
+
+  double step() const { return length(1.0); }
+  // A length in steps, not yet an integer: one rounding.
+  double steps(double length) const { return length * factor_ / divisor_; }
+  double length(double steps) const { return steps * divisor_ / factor_; }
+  double area(double square_steps) const { return length(length(square_steps)); }
+  double volume(double cubic_steps) const { return length(length(length(cubic_steps))); }
+
+ private:
+  // 10^-digits; one of factor and divisor is 1, so multiplying by one and dividing by the other rounds once.
+  explicit Lattice(int digits)
+      : factor_(digits > 0 ? decade[digits] : 1.0), divisor_(digits < 0 ? decade[-digits] : 1.0) {}
+
+  double factor_ = 1.0;
+  double divisor_ = 1.0;
+};
+
+}  // namespace hsp::exact

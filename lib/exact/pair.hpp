@@ -1,0 +1,61 @@
+// How two closed balls of the lattice lie to each other, ties decided by the symbolic inflation.
+#pragma once
+
+#include "exact/plane.hpp"
+
+namespace hsp::exact {
+
+struct LatticeBall {
+  Vector centre;
+  int64_t radius;
+  uint32_t index;
+};
+
+// Rank of the tie rule: lexicographic (x, y, z, R, index).
+constexpr bool ranks_before(const LatticeBall &a, const LatticeBall &b) {
+  if (a.centre.x != b.centre.x) return a.centre.x < b.centre.x;
+  if (a.centre.y != b.centre.y) return a.centre.y < b.centre.y;
+  if (a.centre.z != b.centre.z) return a.centre.z < b.centre.z;
+  if (a.radius != b.radius) return a.radius < b.radius;
+  return a.index < b.index;
+}
+
+enum class PairRelation { disjoint, circle, first_in_second, second_in_first };
+
+// 64-bit arithmetic alone: radii below 2^30, coordinates at most 2^50.
+constexpr PairRelation pair_relation(const LatticeBall &a, const LatticeBall &b) {
+  const int64_t sum = a.radius + b.radius;
+  const int64_t difference = a.radius - b.radius;
+  const Vector u{b.centre.x - a.centre.x, b.centre.y - a.centre.y, b.centre.z - a.centre.z};
+  if (u.x > sum || u.y > sum || u.z > sum || -u.x > sum || -u.y > sum || -u.z > sum) return PairRelation::disjoint;
+  const uint64_t U =
+      static_cast<uint64_t>(u.x * u.x) + static_cast<uint64_t>(u.y * u.y) + static_cast<uint64_t>(u.z * u.z);
+  const uint64_t sum_squared = static_cast<uint64_t>(sum * sum);
+  const uint64_t difference_squared = static_cast<uint64_t>(difference * difference);
+  if (U > sum_squared) return PairRelation::disjoint;
+  if (U < difference_squared) {
+    return difference < 0 ? PairRelation::first_in_second : PairRelation::second_in_first;
+  }
+  if (U != sum_squared && U != difference_squared) return PairRelation::circle;
+  // Tangent (or equal): the derivative of Delta by the weight of the ball of lower rank is U + w_higher - w_lower, the
+  // second is negative. Positive: an infinitesimal circle. Else the ball of lower rank, inflated more, swallows the
+  // other.
+  const bool a_first = ranks_before(a, b);
+  const int64_t w_lower = a_first ? a.radius * a.radius : b.radius * b.radius;
+  const int64_t w_higher = a_first ? b.radius * b.radius : a.radius * a.radius;
+  if (static_cast<int64_t>(U) + w_higher - w_lower > 0) return PairRelation::circle;
+  return a_first ? PairRelation::second_in_first : PairRelation::first_in_second;
+}
+
+// Ball b as a plane seen from ball a, for two balls that meet in a circle.
+constexpr Plane plane_of(const LatticeBall &a, const LatticeBall &b) {
+  const Vector v{b.centre.x - a.centre.x, b.centre.y - a.centre.y, b.centre.z - a.centre.z};
+  // Factored, so that no term exceeds 2^62.
+  return {v, dot(v, v) + (a.radius - b.radius) * (a.radius + b.radius), 1, b.index};
+}
+
+constexpr Sphere sphere_of(const LatticeBall &a) {
+  return {4 * a.radius * a.radius, a.index};
+}
+
+}  // namespace hsp::exact

@@ -1,0 +1,71 @@
+// One ball of the set as the origin, its neighbours as half-spaces: the form in which all predicates of the boundary
+// are evaluated.
+//
+// With c the centre and w = r^2 the weight of the origin ball, put y = 2 (x - c). Its sphere is |y|^2 = W = 4 w, and
+// ball j with v = c_j - c and h = |v|^2 + w - w_j is the half-space v.y >= h: a point of the sphere lies in ball j iff
+// it lies in the half-space.
+//
+// Contract (lengths in lattice steps): radii below 2^30, |v| < 2^31, and planes only of spheres that meet in a proper
+// circle or touch, so that |h| <= 2 r |v| < 2^62. Then, with L = 2^31, by Cauchy-Schwarz:
+//   h, v.v, u.v, n = u x v, W  <= L^2          64 bits        B = n.z                <= L^3       128 bits
+//   q = h_P v - h_Q u          <= 2 L^3       128 bits        H = q x z + h_R n      <= 3 L^4     128 bits
+//   D = W n.n - q.q            <= 4 L^6       192 bits        A = -H.n               <= 3 L^6     192 bits
+//   F = W B^2 - H.H            <= 9 L^8       256 bits
+// Only differences of centres enter, so the extent of the set does not matter.
+#pragma once
+
+#include <cstdint>
+
+namespace hsp::exact {
+
+struct Vector {
+  int64_t x, y, z;
+};
+
+constexpr int64_t dot(const Vector &a, const Vector &b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+constexpr Vector cross(const Vector &a, const Vector &b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+constexpr bool is_zero(const Vector &a) {
+  return (a.x | a.y | a.z) == 0;
+}
+
+// The sphere of the origin ball.
+struct Sphere {
+  int64_t W;       // 4 r^2
+  uint32_t index;  // the caller's index, the last resort of the rank
+};
+
+struct Plane {
+  Vector v;
+  int64_t h;
+  // 1 for a ball, whose plane moves when the origin ball is inflated; 0 for a virtual plane (meridian, ray), which does
+  // not.
+  int32_t tau;
+  uint32_t index;
+};
+
+constexpr Plane virtual_plane(const Vector &v, int64_t h) {
+  return {v, h, 0, 0};
+}
+
+// The rank of the tie rule: lexicographic (x, y, z, R, index), compared on the fly. The ball of lower rank is inflated
+// infinitely more. Seen from one origin the centres order as the v do, and of two balls with one centre the smaller has
+// the larger h. Virtual planes come after all balls.
+constexpr bool ranks_before(const Plane &a, const Plane &b) {
+  if (a.tau != b.tau) return a.tau > b.tau;
+  if (a.v.x != b.v.x) return a.v.x < b.v.x;
+  if (a.v.y != b.v.y) return a.v.y < b.v.y;
+  if (a.v.z != b.v.z) return a.v.z < b.v.z;
+  if (a.h != b.h) return a.h > b.h;
+  return a.index < b.index;
+}
+
+// The origin ball itself, in the same form, for comparing ranks.
+constexpr Plane origin_plane(const Sphere &sphere) {
+  return {{0, 0, 0}, 0, 1, sphere.index};
+}
+
+}  // namespace hsp::exact

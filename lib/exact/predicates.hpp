@@ -1,0 +1,39 @@
+// The predicates as everybody uses them: the filter first, the exact rung and its tie rule where the filter is not
+// certain.
+#pragma once
+
+#include "exact/filter.hpp"
+
+namespace hsp::exact {
+
+class Predicates {
+ public:
+  // length_squared >= max(W, |v|^2) over all planes that will be used.
+  Predicates(const Sphere &sphere, double length_squared)
+      : sphere_(sphere), bounds_(FilterBounds::for_length_squared(length_squared)) {}
+
+  const Sphere &sphere() const { return sphere_; }
+
+  Sign crossing(const Plane &P, const Plane &Q) const {
+    const int sign = filter_crossing(bounds_, sphere_, P, Q);
+    return sign != 0 ? Sign{sign, false} : Exact::crossing(sphere_, P, Q);
+  }
+  Sign side(const Plane &P, const Plane &R) const {
+    const int sign = filter_side(bounds_, P, R);
+    return sign != 0 ? Sign{sign, false} : Exact::side(sphere_, P, R);
+  }
+  PointStatus point_status(const Plane &P, const Plane &Q, const Plane &R) const {
+    PointStatus status;
+    return filter_point_status(bounds_, sphere_, P, Q, R, status) ? status : Exact::point_status(sphere_, P, Q, R);
+  }
+  // +1 if the point p^sign of circles P, Q lies inside R, else -1.
+  int inside(const Plane &P, const Plane &Q, int sign, const Plane &R) const {
+    return point_status(P, Q, R).side[sign > 0 ? 1 : 0];
+  }
+
+ private:
+  Sphere sphere_;
+  FilterBounds bounds_;
+};
+
+}  // namespace hsp::exact

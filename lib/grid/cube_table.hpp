@@ -1,0 +1,89 @@
+// The cubes of Section 3 in an open-addressing table with double hashing: cube coordinates -> cube number. The memory
+// is that of the balls, whatever the extent of the set.
+//
+// The number of slots is a power of two at least twice the number of cubes, the second hash is odd: every probe
+// sequence visits all slots and ends at an empty one. With load at most 1/2 and independent hashes a search that fails
+// looks at 1/(1 - load) <= 2 slots on average and one that succeeds at no more than 1.39 (Knuth, TAOCP 3, section 6.4,
+// eq. for double hashing); the longest probe met while building is recorded and reported.
+#pragma once
+
+#include "core/span.hpp"
+#include "core/status.hpp"
+
+namespace hsp {
+
+struct CubeCoordinates {
+  int64_t x, y, z;
+  friend constexpr bool operator==(const CubeCoordinates &, const CubeCoordinates &) = default;
+};
+
+// The slots to look at for a cube, one after the other.
+struct CubeProbe {
+  CubeProbe(const CubeCoordinates &cube, uint32_t slots) : mask(slots - 1) {
+    // Odd multipliers spread each coordinate over the high bits, the finalizer mixes them down.
+    uint64_t h = static_cast<uint64_t>(cube.x) * UINT64_C(0x9E3779B97F4A7C15) +
+                 static_cast<uint64_t>(cube.y) * UINT64_C(0xC2B2AE3D27D4EB4F) +
+                 static_cast<uint64_t>(cube.z) * UINT64_C(0x165667B19E3779F9);
+    h = (h ^ (h >> 32)) * UINT64_C(0xD6E8FEB86659FD93);
+    h ^= h >> 32;
+    slot = static_cast<uint32_t>(h) & mask;
+    stride = static_cast<uint32_t>(h >> 32) | 1U;
+  }
+  void next() { slot = (slot + stride) & mask; }
+  uint32_t mask, slot, stride;
+};
+
+class CubeTable {
+ public:
+  // Slots for at most `cubes` cubes.
+  static constexpr uint64_t slots_for(uint32_t cubes) {
+    uint64_t slots = 4;
+    while (slots < 2 * static_cast<uint64_t>(cubes)) slots *= 2;
+    return slots;
+  }
+
+  CubeTable() = default;
+  CubeTable(Span<uint32_t> slots, Span<CubeCoordinates> cubes) : slots_(slots), cubes_(cubes) {}
+
+  // Forget all cubes; use the slots that `cubes` cubes need.
+  void clear(uint32_t cubes) {
+    count_ = 0;
+    longest_probe_ = 0;
+    used_slots_ = static_cast<uint32_t>(slots_for(cubes));
+    for (uint32_t k = 0; k < used_slots_; ++k) slots_[k] = no_id;
+  }
+
+  uint32_t find(const CubeCoordinates &cube) const {
+    for (CubeProbe probe(cube, used_slots_);; probe.next()) {
+      const uint32_t number = slots_[probe.slot];
+      if (number == no_id || cubes_[number] == cube) return number;
+    }
+  }
+  uint32_t find_or_insert(const CubeCoordinates &cube) {
+    uint32_t length = 1;
+    for (CubeProbe probe(cube, used_slots_);; probe.next(), ++length) {
+      const uint32_t number = slots_[probe.slot];
+      if (number != no_id && cubes_[number] == cube) return number;
+      if (number == no_id) {
+        slots_[probe.slot] = count_;
+        cubes_[count_] = cube;
+        if (length > longest_probe_) longest_probe_ = length;
+        return count_++;
+      }
+    }
+  }
+
+  uint32_t count() const { return count_; }
+  uint32_t slots() const { return used_slots_; }
+  uint32_t longest_probe() const { return longest_probe_; }
+  const CubeCoordinates &coordinates(uint32_t number) const { return cubes_[number]; }
+
+ private:
+  Span<uint32_t> slots_;  // cube numbers, no_id = empty
+  Span<CubeCoordinates> cubes_;
+  uint32_t used_slots_ = 0;
+  uint32_t count_ = 0;
+  uint32_t longest_probe_ = 0;
+};
+
+}  // namespace hsp

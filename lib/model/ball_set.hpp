@@ -1,0 +1,61 @@
+// The balls on their lattice. Coordinates and radii are integers carried in doubles, which is exact below 2^53, because
+// the hot loops subtract and square them; the exact predicates get them back as int64.
+#pragma once
+
+#include "core/span.hpp"
+#include "core/status.hpp"
+#include "exact/lattice.hpp"
+#include "exact/pair.hpp"
+
+namespace hsp {
+
+// What the caller handed in, by reference.
+struct BallInput {
+  uint32_t n = 0;
+  const double *xyz = nullptr;     // [n][3]
+  const double *radius = nullptr;  // [n]
+  double probe = 0.0;
+  double step = 0.0;  // 0: chosen from the largest radius
+};
+
+// Rounds balls of an input to their lattice one at a time, so that no second copy of the set is needed.
+class BallRounding {
+ public:
+  // Checks probe, step and all radii, and fixes the lattice. first_bad: the offending ball, or no_id.
+  Status prepare(const BallInput &input, uint32_t &first_bad);
+  // Ball i of the input on the lattice.
+  Status round(uint32_t i, exact::LatticeBall &ball) const;
+
+  const exact::Lattice &lattice() const { return lattice_; }
+  int64_t probe_steps() const { return probe_steps_; }
+
+ private:
+  BallInput input_;
+  exact::Lattice lattice_;
+  int64_t probe_steps_ = 0;
+};
+
+// The balls in the order of the grid's cubes.
+struct BallSet {
+  Span<double> x, y, z, r;  // lattice steps, integers
+  Span<uint32_t> caller;    // the caller's index of each ball
+  uint32_t n = 0;
+  exact::Lattice lattice;
+  int64_t probe_steps = 0;
+  int64_t largest_radius = 0;
+
+  exact::LatticeBall ball(uint32_t i) const {
+    return {{static_cast<int64_t>(x[i]), static_cast<int64_t>(y[i]), static_cast<int64_t>(z[i])},
+            static_cast<int64_t>(r[i]),
+            caller[i]};
+  }
+  void store(uint32_t i, const exact::LatticeBall &ball) const {
+    x[i] = static_cast<double>(ball.centre.x);
+    y[i] = static_cast<double>(ball.centre.y);
+    z[i] = static_cast<double>(ball.centre.z);
+    r[i] = static_cast<double>(ball.radius);
+    caller[i] = ball.index;
+  }
+};
+
+}  // namespace hsp
