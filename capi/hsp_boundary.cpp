@@ -81,8 +81,9 @@ double arc_angle(const hsp::BallSet &balls, const hsp::BoundaryStructure &struct
   const hsp::VertexUse &end = structure.uses[walk.next];
   const hsp::exact::LatticeBall own = balls.ball(ball);
   const auto plane = [&](uint32_t j) { return hsp::exact::plane_of(own, balls.ball(j)); };
-  return hsp::free_arc_angle(plane(walk.out), plane(end.out), structure.root_discriminant[end.vertex], plane(walk.in),
-                             structure.root_discriminant[walk.vertex]);
+  return hsp::FreeArc(plane(walk.out), plane(end.out), structure.root_discriminant[end.vertex], plane(walk.in),
+                      structure.root_discriminant[walk.vertex])
+      .angle();
 }
 
 // The ball a use belongs to: that of its face.

@@ -3,6 +3,13 @@
 #include "boundary/assembly.hpp"
 
 namespace hsp {
+namespace {
+
+// With few caps, as on van der Waals surfaces, most balls have several loops and counting the clusters at once is
+// cheaper than gathering the caps again; with many caps few balls have several loops.
+constexpr uint32_t few_caps = 16;
+
+}  // namespace
 
 void BoundaryStructure::carve(Workspace &workspace, const BoundaryLimits &limits) {
   const uint64_t n = limits.balls;
@@ -22,6 +29,7 @@ void BoundaryStructure::carve(Workspace &workspace, const BoundaryLimits &limits
   first_face = workspace.take<uint32_t>(n + 1);
   faces = workspace.take<FaceRecord>(loops + n);
   ball_state = workspace.take<uint8_t>(n);
+  cluster_count = workspace.take<uint8_t>(n);
   component_parent = workspace.take<uint32_t>(n);
   face_parent = workspace.take<uint32_t>(loops + n);
 }
@@ -54,7 +62,10 @@ void BoundaryBuilder::find_vertices(const CubeGrid &grid) {
       if (caps_.contained) continue;
       if (caps_.met > needed_.neighbours) needed_.neighbours = caps_.met;
       // Once a ball has more neighbours than there is room for, the rest is only counted.
-      if (needed_.neighbours <= limits_.neighbours) finder_.find(caps_, structure_.vertices, structure_.circles);
+      if (needed_.neighbours > limits_.neighbours) continue;
+      finder_.find(caps_, structure_.vertices, structure_.circles);
+      structure_.cluster_count[i] = caps_.count <= few_caps ? static_cast<uint8_t>(count_clusters(caps_, scratch_))
+                                                            : BoundaryStructure::not_counted;
     }
   }
 }

@@ -28,15 +28,19 @@ void Caps::gather(const BallSet &balls, const CubeBlock &block, uint32_t i, cons
   // Of two balls that meet, one is earlier in rank; the representative of a component is its ball of lowest rank.
   const auto by_rank = [&balls](uint32_t p, uint32_t q) { return exact::ranks_before(balls.ball(p), balls.ball(q)); };
 
+  const double *const xs = balls.x.data();
+  const double *const ys = balls.y.data();
+  const double *const zs = balls.z.data();
+  const double *const rs = balls.r.data();
   for (uint32_t k = 0; k < block.ranges; ++k) {
     const BallRange range = block.range[k];
     for (uint32_t j = range.first; j < range.last; ++j) {
       // The differences and the sum are exact, the squares have a relative error below 4e: a surely disjoint pair stops
       // here.
-      const double dx = balls.x[j] - x;
-      const double dy = balls.y[j] - y;
-      const double dz = balls.z[j] - z;
-      const double s = balls.r[j] + radius;
+      const double dx = xs[j] - x;
+      const double dy = ys[j] - y;
+      const double dz = zs[j] - z;
+      const double s = rs[j] + radius;
       if (dx * dx + dy * dy + dz * dz > s * s * (1.0 + 8 * unit_roundoff)) continue;
       if (j == i) continue;
       const exact::LatticeBall other = balls.ball(j);

@@ -15,31 +15,6 @@ bool caps_meet(const Caps &caps, const exact::Predicates &predicates, uint32_t j
   return predicates.crossing(P, Q).sign > 0 || predicates.side(P, Q).sign > 0 || predicates.side(Q, P).sign > 0;
 }
 
-// The clusters of a ball are the connected components of the union of its caps. Every cluster has a loop, so their
-// number is that of the clusters that the loops run along. Leaves the clusters in scratch.cluster.
-uint32_t count_clusters(const Caps &caps, const FaceScratch &scratch, const BoundaryStructure &boundary) {
-  const DisjointSets clusters(scratch.cluster.part(0, caps.count));
-  clusters.reset();
-  const uint32_t first = boundary.first_loop[caps.origin];
-  const uint32_t last = boundary.first_loop[caps.origin + 1];
-  const exact::Predicates predicates = caps.predicates();
-  for (uint32_t j = 0; j < caps.count; ++j) {
-    for (uint32_t k = j + 1; k < caps.count; ++k) {
-      if (clusters.find(j) != clusters.find(k) && caps_meet(caps, predicates, j, k)) clusters.join(j, k);
-    }
-  }
-  uint32_t count = 0;
-  for (uint32_t loop = first; loop < last; ++loop) {
-    const uint32_t own = clusters.find(caps.cap_of(boundary.loop_cap[loop]));
-    bool seen = false;
-    for (uint32_t other = first; other < loop && !seen; ++other) {
-      seen = clusters.find(caps.cap_of(boundary.loop_cap[other])) == own;
-    }
-    if (!seen) ++count;
-  }
-  return count;
-}
-
 // Numbers the faces of one ball from the partition of its loops in face_parent, which starts at the ball's first loop.
 void number_faces(const DisjointSets &sets, uint32_t ball, BoundaryStructure &boundary) {
   const uint32_t first = boundary.first_loop[ball];
@@ -57,6 +32,22 @@ void number_faces(const DisjointSets &sets, uint32_t ball, BoundaryStructure &bo
 }
 
 }  // namespace
+
+uint32_t count_clusters(const Caps &caps, const FaceScratch &scratch) {
+  const DisjointSets clusters(scratch.cluster.part(0, caps.count));
+  clusters.reset();
+  const exact::Predicates predicates = caps.predicates();
+  uint32_t count = caps.count;
+  for (uint32_t j = 0; j < caps.count && count > 1; ++j) {
+    for (uint32_t k = j + 1; k < caps.count; ++k) {
+      if (clusters.find(j) != clusters.find(k) && caps_meet(caps, predicates, j, k)) {
+        clusters.join(j, k);
+        --count;
+      }
+    }
+  }
+  return count;
+}
 
 void FaceScratch::carve(Workspace &workspace, uint32_t capacity) {
   cluster = workspace.take<uint32_t>(capacity);
@@ -83,11 +74,16 @@ void gather_faces(const CubeGrid &grid, Caps &caps, FaceScratch &scratch, Bounda
     const DisjointSets sets(boundary.face_parent.part(first, first + loops));
     sets.reset();
     if (loops > 1) {
-      caps.gather(balls, grid.block_around(grid.cube_at(balls.ball(i).centre)), i, nullptr);
-      const uint32_t clusters = count_clusters(caps, scratch, boundary);
+      uint32_t clusters = boundary.cluster_count[i];
+      const auto gather_again = [&]() {
+        caps.gather(balls, grid.block_around(grid.cube_at(balls.ball(i).centre)), i, nullptr);
+        clusters = count_clusters(caps, scratch);
+      };
+      if (clusters == BoundaryStructure::not_counted) gather_again();
       if (loops == clusters) {  // one face
         for (uint32_t loop = 1; loop < loops; ++loop) sets.join(0, loop);
       } else if (clusters > 1) {
+        if (boundary.cluster_count[i] != BoundaryStructure::not_counted) gather_again();
         join_loops_by_meridians(caps, scratch, boundary, sets);
       }
     }

@@ -15,7 +15,11 @@ struct FaceScratch {
   void carve(Workspace &workspace, uint32_t capacity);
 };
 
-// Gathers the loops of every ball into faces. The caps of balls with several loops are gathered again.
+// The number of clusters of a ball's caps: the connected components of their union. Leaves them in scratch.cluster.
+uint32_t count_clusters(const Caps &caps, const FaceScratch &scratch);
+
+// Gathers the loops of every ball into faces. The caps of a ball are gathered again if it has several loops and their
+// clusters were not counted, or if only walks over the sphere can tell which loops belong together.
 void gather_faces(const CubeGrid &grid, Caps &caps, FaceScratch &scratch, BoundaryStructure &boundary);
 
 // The general case: several clusters of caps and several faces on one sphere. Joins, in `loops` (indices from the

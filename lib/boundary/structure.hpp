@@ -60,7 +60,10 @@ struct BoundaryStructure {
   Span<uint8_t> ball_state;  // [balls]
   static constexpr uint8_t contained = 1;
   static constexpr uint8_t without_caps =
-      2;                            // no other sphere meets it: the whole sphere is free unless it is contained
+      2;  // no other sphere meets it: the whole sphere is free unless it is contained
+  // Clusters of the ball's caps (faces.hpp), counted while the caps are at hand if they are few.
+  Span<uint8_t> cluster_count;
+  static constexpr uint8_t not_counted = 0;
   Span<uint32_t> component_parent;  // [balls]
   DisjointSets components;
   Span<uint32_t> face_parent;  // [faces]

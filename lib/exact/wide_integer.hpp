@@ -82,23 +82,30 @@ struct WideInteger {
     int top = limbs - 1;
     while (top >= 0 && magnitude.limb[top] == 0) --top;
     if (top < 0) return 0.0;
-    const int length = (top + 1) * limb_bits - std::countl_zero(magnitude.limb[top]);
+    const int spare = std::countl_zero(magnitude.limb[top]);
+    const int length = (top + 1) * limb_bits - spare;
     const int shift = length > 64 ? length - 64 : 0;
     uint64_t leading = 0;
     Limb lost = 0;
-    for (int k = 0; k <= top; ++k) {
-      const int place = k * limb_bits - shift;
-      if (place <= -limb_bits) {
-        lost |= magnitude.limb[k];
-      } else if (place < 0) {
-        leading |= static_cast<uint64_t>(magnitude.limb[k]) >> -place;
-        lost |= static_cast<Limb>(magnitude.limb[k] << (limb_bits + place));
-      } else {
-        leading |= static_cast<uint64_t>(magnitude.limb[k]) << place;
+    if constexpr (limb_bits == 64) {
+      const Limb next = top > 0 ? magnitude.limb[top - 1] : 0;
+      // With one limb nothing is shifted out: it is the leading part as it stands.
+      leading = spare == 0 || top == 0 ? magnitude.limb[top] : magnitude.limb[top] << spare | next >> (64 - spare);
+      lost = next << spare;
+      for (int k = 0; k < top - 1; ++k) lost |= magnitude.limb[k];
+    } else {
+      for (int k = 0; k <= top; ++k) {
+        const int place = k * limb_bits - shift;
+        if (place <= -limb_bits) {
+          lost |= magnitude.limb[k];
+        } else if (place < 0) {
+          leading |= static_cast<uint64_t>(magnitude.limb[k]) >> -place;
+          lost |= static_cast<Limb>(magnitude.limb[k] << (limb_bits + place));
+        } else {
+          leading |= static_cast<uint64_t>(magnitude.limb[k]) << place;
+        }
       }
     }
-    // A power of two below 2^256 is exact, so this is the only rounding but for the one into 64 bits made harmless by
-    // the sticky bit.
     const double result = static_cast<double>(leading | (lost != 0 ? 1U : 0U)) * power_of_two(shift);
     return is_negative ? -result : result;
   }
@@ -109,6 +116,17 @@ struct WideInteger {
     return std::bit_cast<double>(static_cast<uint64_t>(exponent + 1023) << 52);
   }
 };
+
+#if defined(__SIZEOF_INT128__)
+template <int bits>
+constexpr uint128 sign_extended(const WideInteger<uint64_t, bits> &a) {
+  if constexpr (WideInteger<uint64_t, bits>::limbs == 1) {
+    return static_cast<uint128>(static_cast<int64_t>(a.limb[0]));
+  } else {
+    return static_cast<uint128>(a.limb[1]) << 64 | a.limb[0];
+  }
+}
+#endif
 
 // The product, truncated to `out` bits: schoolbook over unsigned limbs, then one conditional subtraction for each
 // negative factor, since the pattern of a negative number is its value plus 2^width.
@@ -121,6 +139,16 @@ constexpr WideInteger<Limb, out> product(const WideInteger<Limb, a_bits> &a, con
   constexpr int n = Result::limbs;
   constexpr int w = Result::limb_bits;
   Result result{};
+#if defined(__SIZEOF_INT128__)
+  // Two's complement products do not depend on signs up to the width of the result, so that the compiler's own
+  // type does.
+  if constexpr (sizeof(Limb) == 8 && n == 2 && na <= 2 && nb <= 2) {
+    const uint128 whole = sign_extended(a) * sign_extended(b);
+    result.limb[0] = static_cast<Limb>(whole);
+    result.limb[1] = static_cast<Limb>(whole >> 64);
+    return result;
+  }
+#endif
   for (int i = 0; i < na && i < n; ++i) {
     Wide carry = 0;
     int j = 0;

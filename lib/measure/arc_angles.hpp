@@ -16,31 +16,51 @@ inline double length(const exact::Vector &v) {
   return std::sqrt(static_cast<double>(exact::dot(v, v)));
 }
 
-// Half the angle of the part of circle P that ball R covers; root_D belongs to the vertices of P and R.
-inline double covered_half_angle(double root_D, const exact::Plane &P, const exact::Plane &R) {
-  return limit_angle(root_D * length(P.v), exact::Exact::radical_coordinate(P, R));
-}
-
 // The angle by which a loop turns at a vertex of circles P and Q, in [0, pi].
 inline double exterior_angle(double root_D, const exact::Sphere &sphere, const exact::Plane &P, const exact::Plane &Q) {
   return limit_angle(std::sqrt(static_cast<double>(sphere.W)) * root_D, exact::Exact::exterior_cosine(sphere, P, Q));
 }
 
-// The angle from the direction of Q to that of R about the axis of P, in (0, 2 pi]; the branch is decided exactly.
-inline double turn(const exact::Plane &P, const exact::Plane &Q, const exact::Plane &R) {
-  const double sine = exact::Exact::triple_product(P.v, Q.v, R.v);
-  const double cosine = exact::Exact::cross_dot_cross(P.v, Q.v, R.v);
-  const double angle = arc_tangent(sine * length(P.v), cosine);
-  return angle > 0.0 ? angle : angle + 2 * pi;
-}
+// A direction in the plane, of any length: an angle before its arc tangent is taken.
+struct Phase {
+  double x, y;
 
-// The angle of the free arc of circle P from the exit of ball Q to the entry of ball R, in [0, 2 pi].
-inline double free_arc_angle(const exact::Plane &P, const exact::Plane &Q, double root_D_exit, const exact::Plane &R,
-                             double root_D_entry) {
-  const bool same = Q.index == R.index;
-  const double angle =
-      (same ? 2 * pi : turn(P, Q, R)) - covered_half_angle(root_D_exit, P, Q) - covered_half_angle(root_D_entry, P, R);
-  return angle > 0.0 ? angle : 0.0;
-}
+  friend Phase operator*(const Phase &a, const Phase &b) { return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x}; }
+  Phase conjugate() const { return {x, -y}; }
+};
+
+// The angle of the free arc of circle P from the exit of ball Q to the entry of ball R, in [0, 2 pi]: from the
+// direction of Q to that of R about the axis of P, less half of what Q covers and half of what R covers.
+class FreeArc {
+ public:
+  FreeArc(const exact::Plane &P, const exact::Plane &Q, double root_D_exit, const exact::Plane &R, double root_D_entry)
+      : same_(Q.index == R.index) {
+    const double distance = length(P.v);
+    turn_ = same_ ? Phase{1.0, 0.0}
+                  : Phase{exact::Exact::cross_dot_cross(P.v, Q.v, R.v),
+                          exact::Exact::triple_product(P.v, Q.v, R.v) * distance};
+    half_exit_ = {exact::Exact::radical_coordinate(P, Q), root_D_exit * distance};
+    half_entry_ = {exact::Exact::radical_coordinate(P, R), root_D_entry * distance};
+  }
+
+  double angle() const {
+    // One arc tangent of the product; every factor has a relative error of a few units, so the angle has an absolute
+    // one. Close to the cut at angle 0 rounding could turn 0 into 2 pi, so there the exact signs of the three parts
+    // decide.
+    constexpr double near_the_cut = 0x1p-20;
+    const Phase product = turn_ * (half_exit_ * half_entry_).conjugate();
+    const double angle = arc_tangent(product.y, product.x);
+    if (angle > near_the_cut) return angle;
+    if (angle < -near_the_cut) return angle + 2 * pi;
+    const double turned = same_ ? 2 * pi : arc_tangent(turn_.y, turn_.x);
+    const double parts = (turned > 0.0 ? turned : turned + 2 * pi) - limit_angle(half_exit_.y, half_exit_.x) -
+                         limit_angle(half_entry_.y, half_entry_.x);
+    return parts > 0.0 ? parts : 0.0;
+  }
+
+ private:
+  bool same_;
+  Phase turn_, half_exit_, half_entry_;
+};
 
 }  // namespace hsp

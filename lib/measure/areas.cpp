@@ -8,9 +8,15 @@ namespace {
 
 using exact::DoubleVector;
 
+// The centre of circle P relative to the ball's centre: h v / (2 |v|^2).
+DoubleVector circle_centre(const exact::Plane &P) {
+  const double along = static_cast<double>(P.h) / (2 * static_cast<double>(exact::dot(P.v, P.v)));
+  const DoubleVector v = exact::to_double(P.v);
+  return {v.x * along, v.y * along, v.z * along};
+}
+
 // Circle P of a sphere of radius r in its own terms.
 struct CircleGeometry {
-  DoubleVector centre;    // relative to the ball's centre: h v / (2 |v|^2)
   DoubleVector axis;      // unit vector v / |v|
   double radius_squared;  // Delta / (4 |v|^2)
   double cap_cosine;      // h / (2 r |v|)
@@ -20,7 +26,6 @@ struct CircleGeometry {
     const double distance = std::sqrt(U);
     const double h = static_cast<double>(P.h);
     const DoubleVector v = exact::to_double(P.v);
-    centre = {v.x * (h / (2 * U)), v.y * (h / (2 * U)), v.z * (h / (2 * U))};
     axis = {v.x / distance, v.y / distance, v.z / distance};
     const double Delta = exact::Exact::circle_discriminant(sphere, P);
     radius_squared = Delta > 0.0 ? Delta / (4 * U) : 0.0;
@@ -44,9 +49,9 @@ struct Sums {
     vector_area = exact::combine(1.0, vector_area, weight, circle.axis);
   }
   // Counter-clockwise, the arc on the circle `out` ends here and the one on `in` starts.
-  void add_vertex(const CircleGeometry &out, const CircleGeometry &in, const DoubleVector &offset, double exterior) {
+  void add_vertex(const exact::Plane &out, const exact::Plane &in, const DoubleVector &offset, double exterior) {
     exteriors += exterior;
-    const DoubleVector difference = exact::combine(1.0, out.centre, -1.0, in.centre);
+    const DoubleVector difference = exact::combine(1.0, circle_centre(out), -1.0, circle_centre(in));
     vector_area = exact::combine(1.0, vector_area, -0.5, exact::cross(difference, offset));
   }
 };
@@ -69,8 +74,10 @@ void vertex_offset(const exact::Plane &P, const exact::Plane &Q, int sign, doubl
 
 CirclePlace circle_place(const BallSet &balls, uint32_t first, uint32_t second) {
   const exact::LatticeBall own = balls.ball(first);
-  const CircleGeometry circle(exact::sphere_of(own), balls.r[first], exact::plane_of(own, balls.ball(second)));
-  return {{balls.x[first] + circle.centre.x, balls.y[first] + circle.centre.y, balls.z[first] + circle.centre.z},
+  const exact::Plane P = exact::plane_of(own, balls.ball(second));
+  const CircleGeometry circle(exact::sphere_of(own), balls.r[first], P);
+  const DoubleVector centre = circle_centre(P);
+  return {{balls.x[first] + centre.x, balls.y[first] + centre.y, balls.z[first] + centre.z},
           {circle.axis.x, circle.axis.y, circle.axis.z},
           std::sqrt(circle.radius_squared)};
 }
@@ -91,14 +98,13 @@ BallMeasure measure_ball(const BallSet &balls, const BoundaryStructure &boundary
     const exact::Plane P = plane(use.out);
     const exact::Plane R = plane(use.in);
     const exact::Plane Q = plane(end.out);
-    const CircleGeometry out(sphere, radius, P);
     const double root_D = boundary.root_discriminant[use.vertex];
-    sums.add_arc(out, free_arc_angle(P, Q, boundary.root_discriminant[end.vertex], R, root_D));
+    sums.add_arc(CircleGeometry(sphere, radius, P),
+                 FreeArc(P, Q, boundary.root_discriminant[end.vertex], R, root_D).angle());
     // The loop leaves along P at the entry into ball R: the point p- of P and R.
     double offset[3];
     vertex_offset(P, R, -1, root_D, offset);
-    sums.add_vertex(out, CircleGeometry(sphere, radius, R), {offset[0], offset[1], offset[2]},
-                    exterior_angle(root_D, sphere, P, R));
+    sums.add_vertex(P, R, {offset[0], offset[1], offset[2]}, exterior_angle(root_D, sphere, P, R));
   }
   for (uint32_t s = boundary.first_circle_side[i]; s < boundary.first_circle_side[i + 1]; ++s) {
     const uint32_t side = boundary.circle_side[s] % 2;
