@@ -37,9 +37,10 @@ struct CapPair {
   // Comparisons are false for NaN (radius 0), so that such pairs are certain of nothing.
   bool surely_cross() const { return q > certain_discriminant; }
   bool surely_apart() const { return q < -certain_discriminant; }
-  // For circles that do not cross: circle j lies inside cap k.
+  // For circles that do not cross: circle j lies inside cap k, or circle k inside cap j, or neither.
   bool surely_inside() const { return g * bj - bk > certain_centre; }
   bool surely_contains() const { return g * bk - bj > certain_centre; }
+  bool surely_separate() const { return g * bj - bk < -certain_centre && g * bk - bj < -certain_centre; }
 };
 
 // The points p+ and p- of a pair that surely crosses.

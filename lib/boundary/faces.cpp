@@ -9,7 +9,10 @@ namespace {
 bool caps_meet(const Caps &caps, const exact::Predicates &predicates, uint32_t j, uint32_t k) {
   const CapPair pair(caps, j, k);
   if (pair.surely_cross()) return true;
-  if (pair.surely_apart() && (pair.surely_inside() || pair.surely_contains())) return true;
+  if (pair.surely_apart()) {
+    if (pair.surely_inside() || pair.surely_contains()) return true;
+    if (pair.surely_separate()) return false;
+  }
   const exact::Plane &P = caps.plane[j];
   const exact::Plane &Q = caps.plane[k];
   return predicates.crossing(P, Q).sign > 0 || predicates.side(P, Q).sign > 0 || predicates.side(Q, P).sign > 0;

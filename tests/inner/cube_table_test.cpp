@@ -1,0 +1,79 @@
+// The open-addressing table: every cube is found again, absent ones are not, whatever the coordinates.
+#include "grid/cube_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <random>
+#include <tuple>
+#include <vector>
+
+namespace {
+
+struct Table {
+  explicit Table(uint32_t cubes) : slots(hsp::CubeTable::slots_for(cubes)), coordinates(cubes) {
+    table = hsp::CubeTable(hsp::Span<uint32_t>(slots.data(), static_cast<uint32_t>(slots.size())),
+                           hsp::Span<hsp::CubeCoordinates>(coordinates.data(), cubes));
+    table.clear(cubes);
+  }
+  std::vector<uint32_t> slots;
+  std::vector<hsp::CubeCoordinates> coordinates;
+  hsp::CubeTable table;
+};
+
+void expect_like_a_map(const std::vector<hsp::CubeCoordinates> &cubes, uint32_t most_probes) {
+  Table own(static_cast<uint32_t>(cubes.size()));
+  std::map<std::tuple<int64_t, int64_t, int64_t>, uint32_t> expected;
+  for (const hsp::CubeCoordinates &cube : cubes) {
+    const auto [place, inserted] = expected.insert({{cube.x, cube.y, cube.z}, static_cast<uint32_t>(expected.size())});
+    EXPECT_EQ(own.table.find(cube), inserted ? hsp::no_id : place->second);
+    EXPECT_EQ(own.table.find_or_insert(cube), place->second);
+  }
+  EXPECT_EQ(own.table.count(), expected.size());
+  EXPECT_GE(own.table.slots(), 2 * own.table.count());
+  for (const auto &[cube, number] : expected) {
+    const auto [x, y, z] = cube;
+    EXPECT_EQ(own.table.find({x, y, z}), number);
+    EXPECT_EQ(own.table.find({x, y, z + (int64_t{1} << 40)}), hsp::no_id);
+  }
+  EXPECT_LE(own.table.longest_probe(), most_probes);
+}
+
+TEST(CubeTable, BlocksOfNeighbours) {
+  std::vector<hsp::CubeCoordinates> cubes;
+  for (int64_t x = -10; x < 10; ++x)
+    for (int64_t y = -10; y < 10; ++y)
+      for (int64_t z = -10; z < 10; ++z) cubes.push_back({x, y, z});
+  expect_like_a_map(cubes, 40);
+}
+
+TEST(CubeTable, LinesWithLargeStrides) {
+  std::vector<hsp::CubeCoordinates> cubes;
+  for (int64_t k = 0; k < 3000; ++k) {
+    cubes.push_back({k << 32, 0, 0});
+    cubes.push_back({0, k << 20, -k});
+    cubes.push_back({k << 16, k << 16, k << 16});
+  }
+  expect_like_a_map(cubes, 60);
+}
+
+TEST(CubeTable, RandomWithRepeats) {
+  std::mt19937_64 random(1);
+  std::vector<hsp::CubeCoordinates> cubes;
+  for (int k = 0; k < 20000; ++k) {
+    cubes.push_back({static_cast<int64_t>(random() % 20) - 10, static_cast<int64_t>(random() % 20) - 10,
+                     static_cast<int64_t>(random() % 40) - 20});
+  }
+  expect_like_a_map(cubes, 40);
+}
+
+TEST(CubeTable, SmallestTablesAreNeverFull) {
+  for (uint32_t n = 0; n < 70; ++n) {
+    EXPECT_GE(hsp::CubeTable::slots_for(n), 2ULL * n);
+    std::vector<hsp::CubeCoordinates> cubes;
+    for (uint32_t k = 0; k < n; ++k) cubes.push_back({k, 7, -3});
+    expect_like_a_map(cubes, 70);
+  }
+}
+
+}  // namespace
