@@ -1,0 +1,68 @@
+#!/bin/bash
+# Builds the program hardsphere and shows on crambin (PDB 1CRN, 327 atoms) what it does.
+# Runs from any folder; installs the Debian packages it misses; builds in build/demo and is quick when run again.
+set -u
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd) || exit 1
+build=$root/build/demo
+crambin=bench/molecules/crambin.pdb
+
+fail() {
+  echo "demo: $*" >&2
+  exit 1
+}
+
+# What is needed, as "command:package".
+missing=()
+for pair in cmake:cmake ninja:ninja-build gcc:gcc g++:g++ ld:binutils; do
+  command -v "${pair%%:*}" >/dev/null 2>&1 || missing+=("${pair##*:}")
+done
+# g++ brings the C library's headers only by recommendation.
+if command -v gcc >/dev/null 2>&1 && ! echo '#include <math.h>' | gcc -E -x c - >/dev/null 2>&1; then
+  missing+=(libc6-dev)
+fi
+
+if [ ${#missing[@]} -gt 0 ]; then
+  as_root=()
+  if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null 2>&1 || fail "cannot install ${missing[*]}: neither root nor sudo"
+    as_root=(sudo)
+  fi
+  command -v apt-get >/dev/null 2>&1 || fail "cannot install ${missing[*]}: no apt-get"
+  echo "Installing ${missing[*]} ..."
+  "${as_root[@]}" apt-get update -qq >/dev/null 2>&1 || fail "cannot install ${missing[*]}: apt-get update failed"
+  for package in "${missing[@]}"; do
+    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "$package" \
+      libc6-dev >/dev/null 2>&1 || fail "cannot install the package $package"
+  done
+fi
+
+mkdir -p "$build" || fail "cannot create $build"
+log=$build/log.txt
+# A build folder that was made for another place is of no use here.
+if ! grep -qsxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$build/CMakeCache.txt"; then
+  rm -rf "$build/CMakeCache.txt" "$build/CMakeFiles"
+fi
+echo "Building the library and the program in $build ..."
+if ! { cmake -S "$root" -B "$build" -G Ninja -DCMAKE_C_COMPILER=gcc -DCMAKE_CXX_COMPILER=g++ \
+         -DCMAKE_BUILD_TYPE=Release -DHSP_TOOL=ON -DHSP_TESTS=OFF -DHSP_BENCH=OFF -DHSP_FUZZ=OFF -DHSP_FORTRAN=OFF &&
+       cmake --build "$build"; } >"$log" 2>&1; then
+  cat "$log" >&2
+  fail "the build failed; see above"
+fi
+program=$build/capi/hardsphere
+
+cd "$root" || exit 1
+show() {
+  printf '\n== %s\n\n$ hardsphere' "$1"
+  shift
+  printf ' %s' "$@"
+  printf '\n'
+  "$program" "$@" || fail "hardsphere $1 failed"
+}
+
+show "How well the balls behave: the crambin row of Section 2" model $crambin --radii chem3d
+show "The boundary of the van der Waals surface, exactly" boundary $crambin
+show "Its area and volume" measure $crambin
+show "The same of the solvent-accessible surface, for a water probe" boundary $crambin --probe 1.4
+show "Its area and volume" measure $crambin --probe 1.4
+show "Which atoms touch a water molecule there" query $crambin --ball 10 10 10 1.4

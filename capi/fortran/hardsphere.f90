@@ -1,0 +1,390 @@
+! The Fortran module of hardsphere: the C interface of include/hardsphere.h, name for name.
+!
+! EVERY BALL, VERTEX, FACE, SHELL AND COMPONENT ID IN THIS MODULE IS 0-BASED, AS IN C.
+! THE FORTRAN ARRAY ELEMENT OF ID i IS THEREFORE i + 1; hsp_index(i) COMPUTES THAT.
+!
+! What each function does, its statuses and its costs are documented in hardsphere.h; nothing of that changes here.
+! How C maps to Fortran:
+!   double xyz[n][3]             real(c_double) :: xyz(3, n)
+!   uint32_t                     integer(c_int32_t); values above huge() appear negative: HSP_NONE is -1
+!   hsp_model *, hsp_boundary *  type(c_ptr)
+!   void *memory                 type(c_ptr) from c_loc of an array with the TARGET attribute; the handle lives in it,
+!                                so the array must outlive the handle and must not be reallocated
+!   a pointer that may be NULL   an optional argument that is left out
+module hardsphere
+  use, intrinsic :: iso_c_binding, only: c_char, c_double, c_f_pointer, c_int32_t, c_int64_t, c_null_char, c_ptr, &
+                                         c_size_t
+  implicit none
+  private :: c_char, c_double, c_f_pointer, c_int32_t, c_int64_t, c_null_char, c_ptr, c_size_t
+
+  integer(c_int32_t), parameter :: HSP_VERSION_NUMBER = 100_c_int32_t
+
+  integer(c_int32_t), parameter :: HSP_OK = 0_c_int32_t
+  integer(c_int32_t), parameter :: HSP_E_ARGUMENT = -1_c_int32_t
+  integer(c_int32_t), parameter :: HSP_E_CAPACITY = -2_c_int32_t
+  integer(c_int32_t), parameter :: HSP_E_MEMORY = -3_c_int32_t
+  integer(c_int32_t), parameter :: HSP_E_STATE = -4_c_int32_t
+  integer(c_int32_t), parameter :: HSP_E_ID = -5_c_int32_t
+  integer(c_int32_t), parameter :: HSP_E_NOT_FINITE = -10_c_int32_t
+  integer(c_int32_t), parameter :: HSP_E_NEGATIVE = -11_c_int32_t
+  integer(c_int32_t), parameter :: HSP_E_RANGE = -12_c_int32_t
+
+  integer(c_int32_t), parameter :: HSP_NONE = -1_c_int32_t              ! 0xFFFFFFFF
+  integer(c_int32_t), parameter :: HSP_MAX_BALLS = 268435455_c_int32_t  ! 0x0FFFFFFF
+
+  integer(c_int32_t), parameter :: HSP_FIGURES_ZERO_RADIUS = 1_c_int32_t
+  integer(c_int32_t), parameter :: HSP_FIGURES_COINCIDENT = 2_c_int32_t
+  integer(c_int32_t), parameter :: HSP_FIGURES_NO_PAIR = 4_c_int32_t
+  integer(c_int32_t), parameter :: HSP_VERTEX_TIED = 1_c_int32_t
+  integer(c_int32_t), parameter :: HSP_BALL_CONTAINED = 1_c_int32_t
+
+  type, bind(C) :: hsp_model_options
+    integer(c_int32_t) :: struct_size  ! hsp_model_options_init sets it
+    integer(c_int32_t) :: reserved
+    real(c_double) :: probe            ! length, >= 0
+    real(c_double) :: step             ! length; 0: chosen from the largest radius
+  end type
+
+  type, bind(C) :: hsp_model_info
+    integer(c_int32_t) :: balls
+    integer(c_int32_t) :: cubes
+    integer(c_int32_t) :: table_slots
+    integer(c_int32_t) :: longest_probe
+    real(c_double) :: step             ! length
+    real(c_double) :: probe            ! length
+    real(c_double) :: largest_radius   ! length
+  end type
+
+  type, bind(C) :: hsp_figures
+    real(c_double) :: k
+    real(c_double) :: rho
+    real(c_double) :: mean_overlaps
+    real(c_double) :: neighbour_bound
+    integer(c_int32_t) :: max_overlaps
+    integer(c_int32_t) :: flags        ! HSP_FIGURES_*
+  end type
+
+  type, bind(C) :: hsp_boundary_limits
+    integer(c_int32_t) :: struct_size  ! hsp_boundary_limits_init sets it
+    integer(c_int32_t) :: balls
+    integer(c_int32_t) :: neighbours
+    integer(c_int32_t) :: vertices
+    integer(c_int32_t) :: circles
+    integer(c_int32_t) :: reserved
+  end type
+
+  type, bind(C) :: hsp_boundary_counts
+    integer(c_int32_t) :: balls
+    integer(c_int32_t) :: exposed_balls
+    integer(c_int32_t) :: contained_balls
+    integer(c_int32_t) :: vertices
+    integer(c_int32_t) :: arcs
+    integer(c_int32_t) :: circles
+    integer(c_int32_t) :: faces
+    integer(c_int32_t) :: loops
+    integer(c_int32_t) :: shells
+    integer(c_int32_t) :: components
+    integer(c_int32_t) :: voids
+    integer(c_int32_t) :: tied_vertices
+    integer(c_int64_t) :: euler
+  end type
+
+  type, bind(C) :: hsp_vertex
+    real(c_double) :: xyz(3)           ! length
+    integer(c_int32_t) :: ball(3)      ! 0-based
+    integer(c_int32_t) :: sign         ! +1 or -1
+    integer(c_int32_t) :: flags        ! HSP_VERTEX_*
+    integer(c_int32_t) :: reserved
+  end type
+
+  type, bind(C) :: hsp_arc
+    integer(c_int32_t) :: ball(2)      ! 0-based
+    integer(c_int32_t) :: vertex(2)    ! 0-based
+    integer(c_int32_t) :: face(2)      ! 0-based
+    real(c_double) :: angle            ! radians
+  end type
+
+  type, bind(C) :: hsp_circle
+    real(c_double) :: centre(3)        ! length
+    real(c_double) :: axis(3)          ! unit vector
+    real(c_double) :: radius           ! length
+    integer(c_int32_t) :: ball(2)      ! 0-based
+    integer(c_int32_t) :: face(2)      ! 0-based
+  end type
+
+  type, bind(C) :: hsp_face
+    integer(c_int32_t) :: ball         ! 0-based
+    integer(c_int32_t) :: loops
+    integer(c_int32_t) :: shell        ! 0-based
+    integer(c_int32_t) :: reserved
+  end type
+
+  type, bind(C) :: hsp_ball
+    integer(c_int32_t) :: faces
+    integer(c_int32_t) :: first_face   ! 0-based, HSP_NONE if the ball is buried
+    integer(c_int32_t) :: component    ! 0-based
+    integer(c_int32_t) :: flags        ! HSP_BALL_*
+  end type
+
+  type, bind(C) :: hsp_totals
+    real(c_double) :: area             ! length^2
+    real(c_double) :: volume           ! length^3
+  end type
+
+  interface
+    function hsp_version() result(version) bind(C, name="hsp_version")
+      import :: c_int32_t
+      integer(c_int32_t) :: version
+    end function
+
+    ! A pointer to C characters; hsp_status_message below returns the same as a Fortran string.
+    function hsp_status_text(status) result(text) bind(C, name="hsp_status_text")
+      import :: c_int32_t, c_ptr
+      integer(c_int32_t), value :: status
+      type(c_ptr) :: text
+    end function
+
+    ! ---- model -----------------------------------------------------------------------------------------------------
+
+    function hsp_model_bytes(balls, bytes) result(status) bind(C, name="hsp_model_bytes")
+      import :: c_int32_t, c_size_t
+      integer(c_int32_t), value :: balls
+      integer(c_size_t), intent(inout) :: bytes
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_model_init(memory, bytes, balls, model) result(status) bind(C, name="hsp_model_init")
+      import :: c_int32_t, c_ptr, c_size_t
+      type(c_ptr), value :: memory
+      integer(c_size_t), value :: bytes
+      integer(c_int32_t), value :: balls
+      type(c_ptr), intent(inout) :: model
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_model_options_init(options, struct_size) result(status) bind(C, name="hsp_model_options_init")
+      import :: c_int32_t, hsp_model_options
+      type(hsp_model_options), intent(inout) :: options
+      integer(c_int32_t), value :: struct_size
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_model_set(model, n, xyz, radius, options, first_bad) result(status) bind(C, name="hsp_model_set")
+      import :: c_double, c_int32_t, c_ptr, hsp_model_options
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: n
+      real(c_double), intent(in), optional :: xyz(3, *)
+      real(c_double), intent(in), optional :: radius(*)
+      type(hsp_model_options), intent(in), optional :: options
+      integer(c_int32_t), intent(inout), optional :: first_bad
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_model_get_info(model, info) result(status) bind(C, name="hsp_model_get_info")
+      import :: c_int32_t, c_ptr, hsp_model_info
+      type(c_ptr), value :: model
+      type(hsp_model_info), intent(inout) :: info
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_model_get_figures(model, figures) result(status) bind(C, name="hsp_model_get_figures")
+      import :: c_int32_t, c_ptr, hsp_figures
+      type(c_ptr), value :: model
+      type(hsp_figures), intent(inout) :: figures
+      integer(c_int32_t) :: status
+    end function
+
+    ! ---- queries ---------------------------------------------------------------------------------------------------
+
+    function hsp_query_point(model, xyz, ids, capacity, needed) result(status) bind(C, name="hsp_query_point")
+      import :: c_double, c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      real(c_double), intent(in) :: xyz(3)
+      integer(c_int32_t), intent(inout), optional :: ids(*)
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_query_ball(model, xyz, radius, ids, capacity, needed) result(status) bind(C, name="hsp_query_ball")
+      import :: c_double, c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      real(c_double), intent(in) :: xyz(3)
+      real(c_double), value :: radius
+      integer(c_int32_t), intent(inout), optional :: ids(*)
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_query_meets(model, xyz, radius, meets) result(status) bind(C, name="hsp_query_meets")
+      import :: c_double, c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      real(c_double), intent(in) :: xyz(3)
+      real(c_double), value :: radius
+      integer(c_int32_t), intent(inout) :: meets
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_query_neighbours(model, ball, ids, capacity, needed) result(status) &
+      bind(C, name="hsp_query_neighbours")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: ball
+      integer(c_int32_t), intent(inout), optional :: ids(*)
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    ! ---- boundary --------------------------------------------------------------------------------------------------
+
+    function hsp_boundary_limits_init(limits, struct_size, balls) result(status) &
+      bind(C, name="hsp_boundary_limits_init")
+      import :: c_int32_t, hsp_boundary_limits
+      type(hsp_boundary_limits), intent(inout) :: limits
+      integer(c_int32_t), value :: struct_size
+      integer(c_int32_t), value :: balls
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_boundary_bytes(limits, bytes) result(status) bind(C, name="hsp_boundary_bytes")
+      import :: c_int32_t, c_size_t, hsp_boundary_limits
+      type(hsp_boundary_limits), intent(in) :: limits
+      integer(c_size_t), intent(inout) :: bytes
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_boundary_init(memory, bytes, limits, boundary) result(status) bind(C, name="hsp_boundary_init")
+      import :: c_int32_t, c_ptr, c_size_t, hsp_boundary_limits
+      type(c_ptr), value :: memory
+      integer(c_size_t), value :: bytes
+      type(hsp_boundary_limits), intent(in) :: limits
+      type(c_ptr), intent(inout) :: boundary
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_boundary_compute(boundary, model) result(status) bind(C, name="hsp_boundary_compute")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: boundary
+      type(c_ptr), value :: model
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_boundary_get_needed(boundary, needed) result(status) bind(C, name="hsp_boundary_get_needed")
+      import :: c_int32_t, c_ptr, hsp_boundary_limits
+      type(c_ptr), value :: boundary
+      type(hsp_boundary_limits), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_boundary_get_counts(boundary, counts) result(status) bind(C, name="hsp_boundary_get_counts")
+      import :: c_int32_t, c_ptr, hsp_boundary_counts
+      type(c_ptr), value :: boundary
+      type(hsp_boundary_counts), intent(inout) :: counts
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_boundary_get_vertices(boundary, out, capacity, needed) result(status) &
+      bind(C, name="hsp_boundary_get_vertices")
+      import :: c_int32_t, c_ptr, hsp_vertex
+      type(c_ptr), value :: boundary
+      type(hsp_vertex), intent(inout), optional :: out(*)
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_boundary_get_arcs(boundary, out, capacity, needed) result(status) &
+      bind(C, name="hsp_boundary_get_arcs")
+      import :: c_int32_t, c_ptr, hsp_arc
+      type(c_ptr), value :: boundary
+      type(hsp_arc), intent(inout), optional :: out(*)
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_boundary_get_circles(boundary, out, capacity, needed) result(status) &
+      bind(C, name="hsp_boundary_get_circles")
+      import :: c_int32_t, c_ptr, hsp_circle
+      type(c_ptr), value :: boundary
+      type(hsp_circle), intent(inout), optional :: out(*)
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_boundary_get_faces(boundary, out, capacity, needed) result(status) &
+      bind(C, name="hsp_boundary_get_faces")
+      import :: c_int32_t, c_ptr, hsp_face
+      type(c_ptr), value :: boundary
+      type(hsp_face), intent(inout), optional :: out(*)
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_boundary_get_balls(boundary, out, capacity, needed) result(status) &
+      bind(C, name="hsp_boundary_get_balls")
+      import :: c_int32_t, c_ptr, hsp_ball
+      type(c_ptr), value :: boundary
+      type(hsp_ball), intent(inout), optional :: out(*)
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    ! ---- areas and volume ------------------------------------------------------------------------------------------
+
+    function hsp_boundary_measure(boundary, totals, area, volume, capacity) result(status) &
+      bind(C, name="hsp_boundary_measure")
+      import :: c_double, c_int32_t, c_ptr, hsp_totals
+      type(c_ptr), value :: boundary
+      type(hsp_totals), intent(inout), optional :: totals
+      real(c_double), intent(inout), optional :: area(*)
+      real(c_double), intent(inout), optional :: volume(*)
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t) :: status
+    end function
+  end interface
+
+contains
+
+  !> The element of a Fortran array (lower bound 1) that belongs to a 0-based id.
+  elemental function hsp_index(id) result(index)
+    integer(c_int32_t), intent(in) :: id
+    integer(c_int32_t) :: index
+    index = id + 1_c_int32_t
+  end function
+
+  !> HSP_MODEL_BYTES of the header, for the size of an allocation.
+  pure function hsp_model_bytes_bound(balls) result(bytes)
+    integer(c_int32_t), intent(in) :: balls
+    integer(c_size_t) :: bytes
+    bytes = 1024_c_size_t + 128_c_size_t*int(balls, c_size_t)
+  end function
+
+  !> HSP_BOUNDARY_BYTES of the header, for the size of an allocation.
+  pure function hsp_boundary_bytes_bound(balls, neighbours, vertices, circles) result(bytes)
+    integer(c_int32_t), intent(in) :: balls, neighbours, vertices, circles
+    integer(c_size_t) :: bytes
+    bytes = 2048_c_size_t + 64_c_size_t*int(balls, c_size_t) + 256_c_size_t*int(neighbours, c_size_t) &
+            + 160_c_size_t*int(vertices, c_size_t) + 48_c_size_t*int(circles, c_size_t)
+  end function
+
+  !> hsp_status_text as a Fortran string.
+  function hsp_status_message(status) result(message)
+    integer(c_int32_t), intent(in) :: status
+    character(len=:), allocatable :: message
+    integer, parameter :: longest = 256
+    character(kind=c_char), pointer :: text(:)
+    integer :: i
+    call c_f_pointer(hsp_status_text(status), text, [longest])
+    message = ''
+    do i = 1, longest
+      if (text(i) == c_null_char) exit
+      message = message//text(i)
+    end do
+  end function
+end module hardsphere

@@ -1,0 +1,216 @@
+#include "arguments.h"
+
+#include <string.h>
+
+#include "number.h"
+#include "read_molecule.h"
+
+struct reading {
+  struct request *request;
+  char **rest; /* arguments not looked at yet */
+  int left;    /* how many */
+  bool probe_seen;
+  bool radii_seen;
+  bool radius_seen;
+  struct failure *failure;
+};
+
+bool command_find(const char *name, enum command *command) {
+  static const char *const names[] = {"model", "boundary", "measure", "query"};
+  static const enum command commands[] = {COMMAND_MODEL, COMMAND_BOUNDARY, COMMAND_MEASURE, COMMAND_QUERY};
+  for (size_t i = 0; i < sizeof commands / sizeof commands[0]; ++i) {
+    if (strcmp(name, names[i]) == 0) {
+      *command = commands[i];
+      return true;
+    }
+  }
+  return false;
+}
+
+/* If the argument is the option, alone or as --option=value, step over it and set *value (NULL: not given that way). */
+static bool option_is(const char *argument, const char *option, const char **value) {
+  const size_t length = strlen(option);
+  if (strncmp(argument, option, length) != 0 || (argument[length] != '\0' && argument[length] != '=')) return false;
+  *value = argument[length] == '=' ? argument + length + 1 : NULL;
+  return true;
+}
+
+static const char *next_argument(struct reading *reading) {
+  if (reading->left == 0) return NULL;
+  --reading->left;
+  return *reading->rest++;
+}
+
+static bool parse_number(struct reading *reading, const char *option, const char *text, double *value) {
+  const enum number_status status = number_parse(text, strlen(text), value);
+  if (status == NUMBER_OK) return true;
+  char shown[EXCERPT_BYTES];
+  return failure_in_usage(reading->failure, "%s: '%s' %s", option, excerpt(shown, text, strlen(text)),
+                          number_complaint(status));
+}
+
+static bool parse_length(struct reading *reading, const char *option, const char *text, double *value) {
+  if (!parse_number(reading, option, text, value)) return false;
+  if (*value < 0.0) return failure_in_usage(reading->failure, "%s must not be negative", option);
+  return true;
+}
+
+static bool take_probe(struct reading *reading, const char *value) {
+  if (value == NULL) value = next_argument(reading);
+  if (value == NULL) return failure_in_usage(reading->failure, "--probe needs a length");
+  if (reading->probe_seen) return failure_in_usage(reading->failure, "--probe is given twice");
+  reading->probe_seen = true;
+  return parse_length(reading, "--probe", value, &reading->request->probe);
+}
+
+static bool take_radii(struct reading *reading, const char *value) {
+  if (value == NULL) value = next_argument(reading);
+  if (value == NULL) return failure_in_usage(reading->failure, "--radii needs a set: bondi or chem3d");
+  if (reading->radii_seen) return failure_in_usage(reading->failure, "--radii is given twice");
+  reading->radii_seen = true;
+  const struct radii_set *set = radii_set_find(value);
+  if (set == NULL) {
+    char shown[EXCERPT_BYTES];
+    return failure_in_usage(reading->failure, "--radii: no set '%s'; there are bondi and chem3d",
+                            excerpt(shown, value, strlen(value)));
+  }
+  reading->request->set = set;
+  return true;
+}
+
+/* Gather the text of --radius; it is applied by apply_overrides when the set is known. */
+static bool take_radius(struct reading *reading, const char *value) {
+  if (value == NULL) value = next_argument(reading);
+  if (value == NULL) return failure_in_usage(reading->failure, "--radius needs EL=R, for instance ZN=1.39");
+  struct text_buffer *overrides = &reading->request->overrides;
+  text_buffer_add(overrides, "%s%s", reading->radius_seen ? "," : "", value);
+  if (overrides->out_of_memory) return failure_of_memory(reading->failure);
+  reading->radius_seen = true;
+  return true;
+}
+
+static bool apply_override(struct reading *reading, const char *text, size_t length) {
+  char shown[EXCERPT_BYTES];
+  const char *equals = memchr(text, '=', length);
+  if (equals == NULL) {
+    return failure_in_usage(reading->failure, "--radius: '%s' is not of the form EL=R", excerpt(shown, text, length));
+  }
+  const size_t name_length = (size_t)(equals - text);
+  const size_t number_length = length - name_length - 1;
+  struct element_symbol symbol;
+  if (!element_symbol_parse(text, name_length, &symbol)) {
+    return failure_in_usage(reading->failure, "--radius: '%s' is not an element symbol",
+                            excerpt(shown, text, name_length));
+  }
+  double radius;
+  const enum number_status status = number_parse(equals + 1, number_length, &radius);
+  if (status != NUMBER_OK) {
+    return failure_in_usage(reading->failure, "--radius: '%s' %s", excerpt(shown, equals + 1, number_length),
+                            number_complaint(status));
+  }
+  if (radius < 0.0) {
+    return failure_in_usage(reading->failure, "--radius: the radius of '%s' must not be negative", symbol.text);
+  }
+  radii_put(&reading->request->radii, symbol, radius);
+  return true;
+}
+
+static bool apply_overrides(struct reading *reading) {
+  radii_take_set(&reading->request->radii, reading->request->set);
+  if (!reading->radius_seen) return true;
+  const char *text = reading->request->overrides.text;
+  for (;;) {
+    const size_t length = strcspn(text, ",");
+    if (!apply_override(reading, text, length)) return false;
+    if (text[length] == '\0') return true;
+    text += length + 1;
+  }
+}
+
+static bool take_query(struct reading *reading, enum query_kind kind) {
+  struct request *request = reading->request;
+  const char *option = kind == QUERY_POINT ? "--point" : "--ball";
+  if (request->query != QUERY_NONE) {
+    return failure_in_usage(reading->failure, "one query at a time: either --point X Y Z or --ball X Y Z R");
+  }
+  request->query = kind;
+  const int wanted = kind == QUERY_POINT ? 3 : 4;
+  for (int i = 0; i < wanted; ++i) {
+    const char *text = next_argument(reading);
+    if (text == NULL) {
+      return failure_in_usage(reading->failure, "%s needs %d numbers: X Y Z%s", option, wanted,
+                              kind == QUERY_BALL ? " R" : "");
+    }
+    const bool taken = i < 3 ? parse_number(reading, option, text, &request->position[i])
+                             : parse_length(reading, "--ball: R", text, &request->query_radius);
+    if (!taken) return false;
+  }
+  return true;
+}
+
+static bool take_file(struct reading *reading, const char *argument) {
+  if (reading->request->file != NULL) {
+    char shown[EXCERPT_BYTES];
+    return failure_in_usage(reading->failure, "one file at a time; '%s' is one too many",
+                            excerpt(shown, argument, strlen(argument)));
+  }
+  reading->request->file = argument;
+  return true;
+}
+
+static bool take_argument(struct reading *reading, const char *argument) {
+  struct request *request = reading->request;
+  const char *value = NULL;
+  if (argument[0] != '-' || argument[1] == '\0') return take_file(reading, argument);
+  if (strcmp(argument, "--json") == 0) {
+    request->json = true;
+    return true;
+  }
+  if (option_is(argument, "--probe", &value)) return take_probe(reading, value);
+  if (option_is(argument, "--radii", &value)) return take_radii(reading, value);
+  if (option_is(argument, "--radius", &value)) return take_radius(reading, value);
+  if (request->command == COMMAND_MEASURE && strcmp(argument, "--per-ball") == 0) {
+    request->per_ball = true;
+    return true;
+  }
+  if (request->command == COMMAND_QUERY && strcmp(argument, "--point") == 0) return take_query(reading, QUERY_POINT);
+  if (request->command == COMMAND_QUERY && strcmp(argument, "--ball") == 0) return take_query(reading, QUERY_BALL);
+  char shown[EXCERPT_BYTES];
+  return failure_in_usage(reading->failure, "unknown option '%s'", excerpt(shown, argument, strlen(argument)));
+}
+
+static bool check(struct reading *reading) {
+  struct request *request = reading->request;
+  if (request->file == NULL) return failure_in_usage(reading->failure, "no file is given");
+  if (request->command == COMMAND_QUERY && request->query == QUERY_NONE) {
+    return failure_in_usage(reading->failure, "query needs --point X Y Z or --ball X Y Z R");
+  }
+  if (!molecule_format_of(request->file, &request->format, reading->failure)) return false;
+  if (format_has_radii(request->format) && (reading->radii_seen || reading->radius_seen)) {
+    return failure_in_usage(reading->failure, "%s has no use here: .xyzr and .pqr files bring their own radii",
+                            reading->radii_seen ? "--radii" : "--radius");
+  }
+  return apply_overrides(reading);
+}
+
+bool request_parse(struct request *request, enum command command, int count, char **arguments,
+                   struct failure *failure) {
+  memset(request, 0, sizeof *request);
+  request->command = command;
+  request->set = &radii_bondi;
+  struct reading reading = {request, arguments, count, false, false, false, failure};
+  bool options_end = false;
+  for (;;) {
+    const char *argument = next_argument(&reading);
+    if (argument == NULL) return check(&reading);
+    if (!options_end && strcmp(argument, "--") == 0) {
+      options_end = true;
+    } else if (!(options_end ? take_file(&reading, argument) : take_argument(&reading, argument))) {
+      return false;
+    }
+  }
+}
+
+void request_free(struct request *request) {
+  text_buffer_free(&request->overrides);
+}

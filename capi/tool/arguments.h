@@ -1,0 +1,40 @@
+/* The command line. */
+#ifndef HARDSPHERE_TOOL_ARGUMENTS_H
+#define HARDSPHERE_TOOL_ARGUMENTS_H
+
+#include <stdbool.h>
+
+#include "failure.h"
+#include "molecule.h"
+#include "radii.h"
+#include "text_buffer.h"
+
+enum command { COMMAND_MODEL, COMMAND_BOUNDARY, COMMAND_MEASURE, COMMAND_QUERY };
+
+/* The command of that name; false if there is none. */
+bool command_find(const char *name, enum command *command);
+
+enum query_kind { QUERY_NONE, QUERY_POINT, QUERY_BALL };
+
+/* What a user asks for. */
+struct request {
+  enum command command;
+  const char *file;
+  enum molecule_format format;
+  bool json;
+  bool per_ball;
+  double probe; /* 0 if none was given */
+  enum query_kind query;
+  double position[3];
+  double query_radius;
+  const struct radii_set *set;
+  struct radii radii;
+  struct text_buffer overrides; /* "C=1.7, ZN=1.4": what --radius changed, as the user wrote it */
+};
+
+/* Read the arguments after the command. Free the request with request_free on true and on false. */
+bool request_parse(struct request *request, enum command command, int count, char **arguments, struct failure *failure);
+
+void request_free(struct request *request);
+
+#endif

@@ -1,0 +1,80 @@
+/* hardsphere model: the figures of Section 2, and whether Theorem 2.1 holds for the molecule. */
+#include <inttypes.h>
+#include <math.h>
+
+#include "commands.h"
+#include "report.h"
+
+static bool has_k(const struct molecule *molecule, const hsp_figures *figures) {
+  return molecule->atoms > 0 && (figures->flags & HSP_FIGURES_ZERO_RADIUS) == 0;
+}
+
+static bool has_rho(const hsp_figures *figures) {
+  return (figures->flags & HSP_FIGURES_NO_PAIR) == 0;
+}
+
+static void print_json(const struct molecule *molecule, const hsp_figures *figures, struct text_buffer *out) {
+  text_buffer_add(out, "{\"n\": %" PRIu32 ", \"k\": ", molecule->atoms);
+  json_number(out, has_k(molecule, figures) ? figures->k : (double)NAN);
+  text_buffer_add(out, ", \"rho\": ");
+  json_number(out, has_rho(figures) ? figures->rho : (double)NAN);
+  text_buffer_add(out, ", \"max_overlaps\": %" PRIu32 ", \"mean_overlaps\": ", figures->max_overlaps);
+  json_number(out, figures->mean_overlaps);
+  text_buffer_add(out, "}\n");
+}
+
+static void print_verdict(const struct molecule *molecule, const hsp_figures *figures, struct text_buffer *out) {
+  if (figures->flags == 0 && molecule->atoms > 0) {
+    char bound[NUMBER_BYTES];
+    text_buffer_add(out, "Theorem 2.1 holds with these figures: no ball meets more than 216 (k/rho)^3 = %s others.\n",
+                    grouped_number(bound, floor(figures->neighbour_bound), 0));
+    return;
+  }
+  text_buffer_add(out, "Theorem 2.1 does not apply:");
+  const char *separator = " ";
+  if (molecule->atoms < 2) {
+    text_buffer_add(out, "%sthere are fewer than two balls, so rho has no value", separator);
+    separator = "; ";
+  } else if (!has_rho(figures)) {
+    text_buffer_add(out, "%sall radii are 0, so rho has no value", separator);
+    separator = "; ";
+  }
+  if ((figures->flags & HSP_FIGURES_ZERO_RADIUS) != 0) {
+    text_buffer_add(out, "%sa ball has radius 0, so k has no value", separator);
+    separator = "; ";
+  }
+  if ((figures->flags & HSP_FIGURES_COINCIDENT) != 0) {
+    text_buffer_add(out, "%stwo centres coincide, so rho is 0", separator);
+  }
+  text_buffer_add(out, ".\n");
+  if (molecule->atoms >= 2) {
+    text_buffer_add(out, "All results stay exact; only the bounds on time and memory are lost.\n");
+  }
+}
+
+static void print_table(const struct request *request, const struct molecule *molecule, const hsp_figures *figures,
+                        struct text_buffer *out) {
+  char value[NUMBER_BYTES];
+  report_heading(out, request, molecule);
+  report_row(out, "k", has_k(molecule, figures) ? grouped_number(value, figures->k, 4) : "-",
+             "largest radius / smallest radius");
+  report_row(out, "rho", has_rho(figures) ? grouped_number(value, figures->rho, 4) : "-",
+             "least of: distance of two centres / larger of their radii");
+  report_row_count(out, "max overlaps", figures->max_overlaps, "most balls that one ball overlaps");
+  report_row(out, "mean overlaps", grouped_number(value, figures->mean_overlaps, 4), "balls that a ball overlaps");
+  text_buffer_add(out, "\n");
+  print_verdict(molecule, figures, out);
+}
+
+bool command_model(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
+                   struct text_buffer *out, struct failure *failure) {
+  hsp_figures figures;
+  const int32_t status = hsp_model_get_figures(geometry->model, &figures);
+  if (status != HSP_OK) return failure_in_library(failure, status);
+  if (request->json) {
+    print_json(molecule, &figures, out);
+  } else {
+    print_table(request, molecule, &figures, out);
+  }
+  return true;
+}

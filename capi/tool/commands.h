@@ -1,0 +1,22 @@
+/* What each command does with a molecule: write its results into out, or say in failure why it cannot. */
+#ifndef HARDSPHERE_TOOL_COMMANDS_H
+#define HARDSPHERE_TOOL_COMMANDS_H
+
+#include <stdbool.h>
+
+#include "arguments.h"
+#include "failure.h"
+#include "geometry.h"
+#include "molecule.h"
+#include "text_buffer.h"
+
+bool command_model(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
+                   struct text_buffer *out, struct failure *failure);
+bool command_boundary(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
+                      struct text_buffer *out, struct failure *failure);
+bool command_measure(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
+                     struct text_buffer *out, struct failure *failure);
+bool command_query(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
+                   struct text_buffer *out, struct failure *failure);
+
+#endif

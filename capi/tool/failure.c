@@ -1,0 +1,60 @@
+#include "failure.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Input may hold anything; what is shown to a person must stay on its line. Bytes from 0x80 up pass: they are UTF-8. */
+static char printable(char c) {
+  return ((unsigned char)c < 0x20 || c == 0x7F) ? '?' : c;
+}
+
+bool failure_in_input(struct failure *failure, uint64_t line, const char *format, ...) {
+  va_list arguments;
+  va_start(arguments, format);
+  vsnprintf(failure->reason, sizeof failure->reason, format, arguments);
+  va_end(arguments);
+  failure->exit_status = EXIT_BAD_INPUT;
+  failure->line = line;
+  return false;
+}
+
+bool failure_in_usage(struct failure *failure, const char *format, ...) {
+  va_list arguments;
+  va_start(arguments, format);
+  vsnprintf(failure->reason, sizeof failure->reason, format, arguments);
+  va_end(arguments);
+  failure->exit_status = EXIT_BAD_USAGE;
+  failure->file = NULL;
+  failure->line = 0;
+  return false;
+}
+
+bool failure_of_memory(struct failure *failure) {
+  return failure_in_input(failure, 0, "out of memory");
+}
+
+static void put_printable(const char *text) {
+  for (; *text != '\0'; ++text) fputc(printable(*text), stderr);
+}
+
+void failure_print(const struct failure *failure) {
+  fputs("hardsphere: ", stderr);
+  if (failure->file != NULL) {
+    put_printable(failure->file);
+    if (failure->line != 0) fprintf(stderr, ":%llu", (unsigned long long)failure->line);
+    fputs(": ", stderr);
+  }
+  put_printable(failure->reason);
+  fputc('\n', stderr);
+}
+
+const char *excerpt(char out[EXCERPT_BYTES], const char *text, size_t length) {
+  static const char more[] = "...";
+  const size_t room = EXCERPT_BYTES - sizeof more;
+  const size_t shown = length <= room ? length : room;
+  for (size_t i = 0; i < shown; ++i) out[i] = printable(text[i]);
+  out[shown] = '\0';
+  if (shown < length) memcpy(out + shown, more, sizeof more);
+  return out;
+}

@@ -1,0 +1,43 @@
+/* Why the program gives up: one line for stderr and an exit status. */
+#ifndef HARDSPHERE_TOOL_FAILURE_H
+#define HARDSPHERE_TOOL_FAILURE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#define EXIT_BAD_INPUT 1 /* the input, or a resource, is at fault */
+#define EXIT_BAD_USAGE 2 /* the command line is at fault */
+
+struct failure {
+  int exit_status;  /* 0 as long as nothing failed */
+  const char *file; /* the file at fault, or NULL; not owned */
+  uint64_t line;    /* its line, counted from 1; 0 where no line applies */
+  char reason[512];
+};
+
+#ifdef __GNUC__
+#define FAILURE_FORMAT(text, first) __attribute__((format(printf, text, first)))
+#else
+#define FAILURE_FORMAT(text, first)
+#endif
+
+/* Record a fault of the input at a line (0: none). Always false, so that callers can return it. */
+bool failure_in_input(struct failure *failure, uint64_t line, const char *format, ...) FAILURE_FORMAT(3, 4);
+
+/* Record a fault of the command line. Always false. */
+bool failure_in_usage(struct failure *failure, const char *format, ...) FAILURE_FORMAT(2, 3);
+
+/* Record that memory is short. Always false. */
+bool failure_of_memory(struct failure *failure);
+
+/* "hardsphere: FILE:LINE: reason" on stderr, always exactly one line. */
+void failure_print(const struct failure *failure);
+
+/* Room for a piece of input as it is quoted in a reason. */
+#define EXCERPT_BYTES 48
+
+/* Copy text into out for quoting: shortened if it is long, bytes that would disturb a terminal replaced by '?'. */
+const char *excerpt(char out[EXCERPT_BYTES], const char *text, size_t length);
+
+#endif

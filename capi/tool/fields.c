@@ -1,0 +1,53 @@
+#include "fields.h"
+
+#include "characters.h"
+#include "number.h"
+
+size_t fields_split(const char *line, size_t length, struct field *fields, size_t capacity) {
+  size_t count = 0;
+  size_t at = 0;
+  for (;;) {
+    while (at < length && is_blank(line[at])) ++at;
+    if (at == length) return count;
+    const size_t begin = at;
+    while (at < length && !is_blank(line[at])) ++at;
+    if (count < capacity) {
+      fields[count].text = line + begin;
+      fields[count].length = at - begin;
+    }
+    ++count;
+  }
+}
+
+struct field field_in_columns(const char *line, size_t length, size_t first, size_t last) {
+  size_t begin = first - 1 < length ? first - 1 : length;
+  size_t end = last < length ? last : length;
+  while (begin < end && line[begin] == ' ') ++begin;
+  while (begin < end && line[end - 1] == ' ') --end;
+  const struct field found = {line + begin, end - begin};
+  return found;
+}
+
+bool field_is(struct field field, const char *word) {
+  size_t i = 0;
+  while (i < field.length && word[i] != '\0' && to_upper(field.text[i]) == word[i]) ++i;
+  return i == field.length && word[i] == '\0';
+}
+
+bool field_number(struct field field, const char *name, double *value, uint64_t line, struct failure *failure) {
+  if (field.length == 0) return failure_in_input(failure, line, "%s is missing", name);
+  const enum number_status status = number_parse(field.text, field.length, value);
+  if (status == NUMBER_OK) return true;
+  char shown[EXCERPT_BYTES];
+  return failure_in_input(failure, line, "%s: '%s' %s", name, excerpt(shown, field.text, field.length),
+                          number_complaint(status));
+}
+
+bool field_radius(struct field field, double *value, uint64_t line, struct failure *failure) {
+  if (!field_number(field, "radius", value, line, failure)) return false;
+  if (*value < 0.0) {
+    char shown[EXCERPT_BYTES];
+    return failure_in_input(failure, line, "radius: '%s' is negative", excerpt(shown, field.text, field.length));
+  }
+  return true;
+}

@@ -1,0 +1,86 @@
+#include "geometry.h"
+
+#include <stdlib.h>
+
+bool failure_in_library(struct failure *failure, int32_t status) {
+  return failure_in_input(failure, 0, "%s", hsp_status_text(status));
+}
+
+static void *allocate(size_t bytes, struct failure *failure) {
+  void *memory = malloc(bytes == 0 ? 1 : bytes);
+  if (memory == NULL) failure_in_input(failure, 0, "out of memory: %zu bytes are needed at once", bytes);
+  return memory;
+}
+
+bool geometry_set_model(struct geometry *geometry, const struct molecule *molecule, double probe,
+                        struct failure *failure) {
+  size_t bytes = 0;
+  int32_t status = hsp_model_bytes(molecule->atoms, &bytes);
+  if (status != HSP_OK) return failure_in_library(failure, status);
+  geometry->model_memory = allocate(bytes, failure);
+  if (geometry->model_memory == NULL) return false;
+  status = hsp_model_init(geometry->model_memory, bytes, molecule->atoms, &geometry->model);
+  if (status != HSP_OK) return failure_in_library(failure, status);
+
+  hsp_model_options options;
+  status = hsp_model_options_init(&options, (uint32_t)sizeof options);
+  if (status != HSP_OK) return failure_in_library(failure, status);
+  options.probe = probe;
+  uint32_t first_bad = HSP_NONE;
+  status = hsp_model_set(geometry->model, molecule->atoms, molecule->xyz, molecule->radius, &options, &first_bad);
+  if (status != HSP_OK && first_bad < molecule->atoms) {
+    const uint64_t line = molecule->line[first_bad];
+    if (probe == 0.0) {
+      return failure_in_input(failure, line, "ball %lu: %s", (unsigned long)first_bad, hsp_status_text(status));
+    }
+    return failure_in_input(failure, line, "ball %lu, probe %g added: %s", (unsigned long)first_bad, probe,
+                            hsp_status_text(status));
+  }
+  if (status != HSP_OK) return failure_in_library(failure, status);
+  return true;
+}
+
+/* Raise *limit to what is needed; whether that changed it. */
+static bool raise(uint32_t *limit, uint32_t needed) {
+  if (needed <= *limit) return false;
+  *limit = needed;
+  return true;
+}
+
+bool geometry_compute_boundary(struct geometry *geometry, const struct molecule *molecule, struct failure *failure) {
+  hsp_boundary_limits limits;
+  int32_t status = hsp_boundary_limits_init(&limits, (uint32_t)sizeof limits, molecule->atoms);
+  if (status != HSP_OK) return failure_in_library(failure, status);
+  for (;;) {
+    size_t bytes = 0;
+    status = hsp_boundary_bytes(&limits, &bytes);
+    if (status != HSP_OK) return failure_in_library(failure, status);
+    free(geometry->boundary_memory);
+    geometry->boundary = NULL;
+    geometry->boundary_memory = allocate(bytes, failure);
+    if (geometry->boundary_memory == NULL) return false;
+    status = hsp_boundary_init(geometry->boundary_memory, bytes, &limits, &geometry->boundary);
+    if (status != HSP_OK) return failure_in_library(failure, status);
+
+    status = hsp_boundary_compute(geometry->boundary, geometry->model);
+    if (status == HSP_OK) return true;
+    hsp_boundary_limits needed;
+    if (status != HSP_E_CAPACITY || hsp_boundary_get_needed(geometry->boundary, &needed) != HSP_OK) {
+      return failure_in_library(failure, status);
+    }
+    /* Each round raises a limit, or the library contradicts its header and the loop must end. */
+    const bool more_neighbours = raise(&limits.neighbours, needed.neighbours);
+    const bool more_vertices = raise(&limits.vertices, needed.vertices);
+    const bool more_circles = raise(&limits.circles, needed.circles);
+    if (!more_neighbours && !more_vertices && !more_circles) return failure_in_library(failure, status);
+  }
+}
+
+void geometry_free(struct geometry *geometry) {
+  free(geometry->model_memory);
+  free(geometry->boundary_memory);
+  geometry->model_memory = NULL;
+  geometry->boundary_memory = NULL;
+  geometry->model = NULL;
+  geometry->boundary = NULL;
+}

@@ -1,0 +1,33 @@
+/* The library's handles for one molecule, in memory that the program owns. */
+#ifndef HARDSPHERE_TOOL_GEOMETRY_H
+#define HARDSPHERE_TOOL_GEOMETRY_H
+
+#include <stdbool.h>
+
+#include "failure.h"
+#include "hardsphere.h"
+#include "molecule.h"
+
+struct geometry {
+  void *model_memory;
+  void *boundary_memory;
+  hsp_model *model;
+  hsp_boundary *boundary;
+};
+
+#define GEOMETRY_NONE \
+  { NULL, NULL, NULL, NULL }
+
+/* Make the model. A ball that the library refuses is named by its line. */
+bool geometry_set_model(struct geometry *geometry, const struct molecule *molecule, double probe,
+                        struct failure *failure);
+
+/* Compute the boundary of the model, with as much memory as it turns out to need. */
+bool geometry_compute_boundary(struct geometry *geometry, const struct molecule *molecule, struct failure *failure);
+
+void geometry_free(struct geometry *geometry);
+
+/* Record a status of the library that is not HSP_OK. Always false. */
+bool failure_in_library(struct failure *failure, int32_t status);
+
+#endif

@@ -1,0 +1,101 @@
+#include "line_reader.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+bool line_reader_open(struct line_reader *reader, const char *path, struct failure *failure) {
+  reader->text = NULL;
+  reader->length = 0;
+  reader->number = 0;
+  reader->capacity = 0;
+  reader->next = 0;
+  reader->filled = 0;
+  errno = 0;
+  reader->file = fopen(path, "rb");
+  if (reader->file == NULL) {
+    return failure_in_input(failure, 0, "%s", errno != 0 ? strerror(errno) : "cannot be opened");
+  }
+  return true;
+}
+
+/* Fill the chunk anew if it is used up. LINE_END: the file has ended. */
+static enum line_status refill(struct line_reader *reader, struct failure *failure) {
+  if (reader->next < reader->filled) return LINE_READ;
+  errno = 0;
+  reader->next = 0;
+  reader->filled = fread(reader->chunk, 1, sizeof reader->chunk, reader->file);
+  if (reader->filled > 0) return LINE_READ;
+  if (ferror(reader->file)) {
+    failure_in_input(failure, 0, "%s", errno != 0 ? strerror(errno) : "cannot be read");
+    return LINE_FAILED;
+  }
+  return LINE_END;
+}
+
+static bool append(struct line_reader *reader, const unsigned char *bytes, size_t count) {
+  if (reader->capacity - reader->length <= count) {
+    if (count > SIZE_MAX / 4 - reader->length) return false;
+    const size_t capacity = 2 * (reader->length + count) + 128;
+    char *text = realloc(reader->text, capacity);
+    if (text == NULL) return false;
+    reader->text = text;
+    reader->capacity = capacity;
+  }
+  if (count > 0) memcpy(reader->text + reader->length, bytes, count);
+  reader->length += count;
+  reader->text[reader->length] = '\0';
+  return true;
+}
+
+static bool ends_or_breaks_line(unsigned char byte) {
+  return (byte < 0x20 && byte != '\t') || byte == 0x7F;
+}
+
+static void drop_byte_order_mark(struct line_reader *reader) {
+  static const char mark[] = "\xEF\xBB\xBF";
+  if (reader->length >= 3 && memcmp(reader->text, mark, 3) == 0) {
+    memmove(reader->text, reader->text + 3, reader->length - 3 + 1);
+    reader->length -= 3;
+  }
+}
+
+enum line_status line_reader_next(struct line_reader *reader, struct failure *failure) {
+  reader->length = 0;
+  enum line_status status = refill(reader, failure);
+  if (status != LINE_READ) return status;
+  ++reader->number;
+  while (status == LINE_READ) {
+    size_t end = reader->next;
+    while (end < reader->filled && !ends_or_breaks_line(reader->chunk[end])) ++end;
+    if (!append(reader, reader->chunk + reader->next, end - reader->next)) {
+      failure_of_memory(failure);
+      return LINE_FAILED;
+    }
+    reader->next = end;
+    if (end < reader->filled) break;
+    status = refill(reader, failure);
+    if (status == LINE_FAILED) return LINE_FAILED;
+  }
+  if (status == LINE_READ) {
+    const unsigned char byte = reader->chunk[reader->next++];
+    if (byte != '\n' && byte != '\r') {
+      failure_in_input(failure, reader->number, "binary data (byte 0x%02X); expected text", (unsigned)byte);
+      return LINE_FAILED;
+    }
+    if (byte == '\r') {
+      status = refill(reader, failure);
+      if (status == LINE_FAILED) return LINE_FAILED;
+      if (status == LINE_READ && reader->chunk[reader->next] == '\n') ++reader->next;
+    }
+  }
+  if (reader->number == 1) drop_byte_order_mark(reader);
+  return LINE_READ;
+}
+
+void line_reader_close(struct line_reader *reader) {
+  free(reader->text);
+  reader->text = NULL;
+  if (reader->file != NULL) fclose(reader->file);
+  reader->file = NULL;
+}

@@ -1,0 +1,84 @@
+/* The program hardsphere: molecule files in, exact geometry out, over the library's C interface alone.
+ * Results are gathered first and printed last, so that a run that fails prints nothing on stdout. */
+#include <string.h>
+
+#include "arguments.h"
+#include "commands.h"
+#include "failure.h"
+#include "geometry.h"
+#include "read_molecule.h"
+#include "text_buffer.h"
+#include "usage.h"
+
+typedef bool command_function(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
+                              struct text_buffer *out, struct failure *failure);
+
+static command_function *function_of(enum command command) {
+  switch (command) {
+    case COMMAND_MODEL:
+      return command_model;
+    case COMMAND_BOUNDARY:
+      return command_boundary;
+    case COMMAND_MEASURE:
+      return command_measure;
+    case COMMAND_QUERY:
+      return command_query;
+  }
+  return command_model;
+}
+
+static bool run_command(const struct request *request, struct text_buffer *out, struct failure *failure) {
+  struct molecule molecule;
+  struct geometry geometry = GEOMETRY_NONE;
+  const bool done = read_molecule(request->file, &request->radii, &molecule, failure) &&
+                    geometry_set_model(&geometry, &molecule, request->probe, failure) &&
+                    function_of(request->command)(request, &molecule, &geometry, out, failure);
+  geometry_free(&geometry);
+  molecule_free(&molecule);
+  return done;
+}
+
+static bool asks_for_help(int count, char **arguments) {
+  for (int i = 0; i < count && strcmp(arguments[i], "--") != 0; ++i) {
+    if (strcmp(arguments[i], "--help") == 0 || strcmp(arguments[i], "-h") == 0) return true;
+  }
+  return false;
+}
+
+static bool run(int count, char **arguments, struct text_buffer *out, struct failure *failure) {
+  if (count < 1) return failure_in_usage(failure, "no command is given; see hardsphere --help");
+  const char *first = arguments[0];
+  if (strcmp(first, "--help") == 0 || strcmp(first, "-h") == 0 || strcmp(first, "--version") == 0) {
+    if (count > 1) return failure_in_usage(failure, "%s stands alone", first);
+    if (strcmp(first, "--version") == 0) {
+      usage_version(out);
+    } else {
+      usage_of_program(out);
+    }
+    return true;
+  }
+  enum command command;
+  if (!command_find(first, &command)) {
+    char shown[EXCERPT_BYTES];
+    return failure_in_usage(failure, "unknown command '%s'; see hardsphere --help",
+                            excerpt(shown, first, strlen(first)));
+  }
+  if (asks_for_help(count - 1, arguments + 1)) {
+    usage_of_command(out, command);
+    return true;
+  }
+  struct request request;
+  const bool done =
+      request_parse(&request, command, count - 1, arguments + 1, failure) && run_command(&request, out, failure);
+  request_free(&request);
+  return done;
+}
+
+int main(int count, char **arguments) {
+  struct failure failure = {0, NULL, 0, ""};
+  struct text_buffer out = TEXT_BUFFER_EMPTY;
+  const bool done = run(count > 0 ? count - 1 : 0, arguments + 1, &out, &failure) && text_buffer_print(&out, &failure);
+  text_buffer_free(&out);
+  if (!done) failure_print(&failure);
+  return failure.exit_status;
+}

@@ -1,0 +1,126 @@
+#include "number.h"
+
+#include <float.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "characters.h"
+
+/* No double, and no midpoint between two doubles, has more than 768 significant decimal digits (the subnormals' last
+ * midpoint has). So of a longer number it is enough to keep this many digits and one more that says whether anything
+ * but zeros was dropped: the result is rounded as if all digits had been read. */
+#define KEPT_DIGITS 800
+
+/* Exponents are held between these: both lie far outside what the digits of a file can make up for. */
+#define EXPONENT_LIMIT INT64_C(1000000000000000)
+
+static bool matches(const char *text, size_t length, const char *word) {
+  size_t i = 0;
+  while (i < length && word[i] != '\0' && to_lower(text[i]) == word[i]) ++i;
+  return i == length && word[i] == '\0';
+}
+
+/* Text that is no decimal number: tell the names of what is not finite from other words. */
+static enum number_status classify(const char *text, size_t length) {
+  if (length > 0 && (text[0] == '+' || text[0] == '-')) ++text, --length;
+  const bool not_finite =
+      matches(text, length, "nan") || matches(text, length, "inf") || matches(text, length, "infinity");
+  return not_finite ? NUMBER_NOT_FINITE : NUMBER_SYNTAX;
+}
+
+/* Read "e12", "D-3" and so on from text[*at]; false if what stands there is no exponent. */
+static bool parse_exponent(const char *text, size_t length, size_t *at, int64_t *exponent) {
+  size_t i = *at;
+  const char mark = to_lower(text[i]);
+  if (mark != 'e' && mark != 'd') return false;
+  ++i;
+  const bool negative = i < length && text[i] == '-';
+  if (i < length && (text[i] == '+' || text[i] == '-')) ++i;
+  if (i == length || !is_digit(text[i])) return false;
+  int64_t value = 0;
+  for (; i < length && is_digit(text[i]); ++i) {
+    if (value < EXPONENT_LIMIT) value = 10 * value + (text[i] - '0');
+  }
+  *exponent += negative ? -value : value;
+  *at = i;
+  return true;
+}
+
+enum number_status number_parse(const char *text, size_t length, double *value) {
+  size_t at = 0;
+  const bool negative = length > 0 && text[0] == '-';
+  if (length > 0 && (text[0] == '+' || text[0] == '-')) ++at;
+
+  /* The number is gathered as digits x 10^exponent with whole digits, so that no decimal point, which a locale could
+   * change, ever reaches strtod. */
+  char digits[KEPT_DIGITS + 40];
+  size_t kept = 0;
+  int64_t exponent = 0;
+  bool any_digit = false;
+  bool after_point = false;
+  bool dropped = false;
+  for (; at < length; ++at) {
+    const char c = text[at];
+    if (c == '.' && !after_point) {
+      after_point = true;
+      continue;
+    }
+    if (!is_digit(c)) break;
+    any_digit = true;
+    const bool leading_zero = kept == 0 && c == '0';
+    if (leading_zero || kept < KEPT_DIGITS) {
+      if (!leading_zero) digits[kept++] = c;
+      if (after_point) --exponent;
+    } else {
+      dropped = dropped || c != '0';
+      if (!after_point) ++exponent;
+    }
+  }
+  if (!any_digit) return classify(text, length);
+  if (at < length && (!parse_exponent(text, length, &at, &exponent) || at != length)) return NUMBER_SYNTAX;
+
+  if (kept == 0) {
+    *value = negative ? -0.0 : 0.0;
+    return NUMBER_OK;
+  }
+  if (dropped) {
+    digits[kept++] = '1';
+    --exponent;
+  }
+  if (exponent > 400) exponent = 400;     /* at least 1e400: too large */
+  if (exponent < -2000) exponent = -2000; /* less than 1e-1199: rounds to zero */
+  snprintf(digits + kept, sizeof digits - kept, "e%d", (int)exponent);
+  const double magnitude = strtod(digits, NULL);
+  if (magnitude > DBL_MAX) return NUMBER_TOO_LARGE;
+  *value = negative ? -magnitude : magnitude;
+  return NUMBER_OK;
+}
+
+enum number_status number_parse_count(const char *text, size_t length, uint64_t *value) {
+  size_t at = length > 0 && text[0] == '+' ? 1 : 0;
+  if (at == length) return NUMBER_SYNTAX;
+  uint64_t count = 0;
+  for (; at < length; ++at) {
+    if (!is_digit(text[at])) return NUMBER_SYNTAX;
+    const uint64_t digit = (uint64_t)(text[at] - '0');
+    if (count > (UINT64_MAX - digit) / 10) return NUMBER_TOO_LARGE;
+    count = 10 * count + digit;
+  }
+  *value = count;
+  return NUMBER_OK;
+}
+
+const char *number_complaint(enum number_status status) {
+  switch (status) {
+    case NUMBER_OK:
+      return "is a number";
+    case NUMBER_SYNTAX:
+      return "is not a decimal number";
+    case NUMBER_NOT_FINITE:
+      return "is not finite";
+    case NUMBER_TOO_LARGE:
+      return "is too large";
+  }
+  return "is not a number";
+}

@@ -1,0 +1,26 @@
+/* Decimal numbers as molecule files and command lines write them. */
+#ifndef HARDSPHERE_TOOL_NUMBER_H
+#define HARDSPHERE_TOOL_NUMBER_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+enum number_status {
+  NUMBER_OK,
+  NUMBER_SYNTAX,     /* not a decimal number: words, hexadecimal, a decimal comma, something left over */
+  NUMBER_NOT_FINITE, /* nan, inf or infinity in any spelling */
+  NUMBER_TOO_LARGE   /* a number too large for a double */
+};
+
+/* The double nearest to the decimal number that text[0 .. length) is, all of it and without blanks around:
+ *   [+-] digits [. digits] [(e|E|d|D) [+-] digits]     with at least one digit before the exponent.
+ * Any number of digits is read, and rounded correctly. The locale has no say. *value is set on NUMBER_OK alone. */
+enum number_status number_parse(const char *text, size_t length, double *value);
+
+/* The same for a plain count: digits only, optionally after a '+'. NUMBER_TOO_LARGE if it exceeds a uint64_t. */
+enum number_status number_parse_count(const char *text, size_t length, uint64_t *value);
+
+/* What is wrong, to be put after the quoted text: "is not a number", ... */
+const char *number_complaint(enum number_status status);
+
+#endif

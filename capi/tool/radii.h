@@ -1,0 +1,46 @@
+/* Element symbols and the radii that stand for them. Lengths are in angstrom. */
+#ifndef HARDSPHERE_TOOL_RADII_H
+#define HARDSPHERE_TOOL_RADII_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* A symbol as chemists write it, "H" or "Ca", NUL-terminated. */
+struct element_symbol {
+  char text[3];
+};
+
+/* Make a symbol of one or two letters in any case; deuterium, D, becomes H. False if the text is no such thing.
+ * Whether an element has that symbol is another question. */
+bool element_symbol_parse(const char *text, size_t length, struct element_symbol *symbol);
+
+/* Whether the periodic table has the symbol. */
+bool element_symbol_exists(struct element_symbol symbol);
+
+/* The radius of every symbol of one or two letters: negative where there is none. */
+struct radii {
+  double of[27 * 27];
+};
+
+/* The sets that can be asked for by name. */
+struct radii_set;
+
+extern const struct radii_set radii_bondi;
+extern const struct radii_set radii_chem3d;
+
+/* The set of that name, or NULL. */
+const struct radii_set *radii_set_find(const char *name);
+
+const char *radii_set_name(const struct radii_set *set);
+
+/* Where a set was published, in a few words. */
+const char *radii_set_source(const struct radii_set *set);
+
+/* Begin with a set; radii_put then adds or replaces single radii. */
+void radii_take_set(struct radii *radii, const struct radii_set *set);
+void radii_put(struct radii *radii, struct element_symbol symbol, double radius);
+
+/* False: the symbol has no radius. */
+bool radii_find(const struct radii *radii, struct element_symbol symbol, double *radius);
+
+#endif

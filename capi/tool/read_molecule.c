@@ -1,0 +1,53 @@
+#include "read_molecule.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+bool molecule_format_of(const char *path, enum molecule_format *format, struct failure *failure) {
+  const char *slash = strrchr(path, '/');
+  const char *name = slash == NULL ? path : slash + 1;
+  const char *dot = strrchr(name, '.');
+  if (dot != NULL) {
+    const struct field extension = {dot + 1, strlen(dot + 1)};
+    static const char *const names[] = {"XYZR", "PDB", "PQR", "XYZ"};
+    static const enum molecule_format formats[] = {FORMAT_XYZR, FORMAT_PDB, FORMAT_PQR, FORMAT_XYZ};
+    for (size_t i = 0; i < sizeof formats / sizeof formats[0]; ++i) {
+      if (field_is(extension, names[i])) {
+        *format = formats[i];
+        return true;
+      }
+    }
+  }
+  failure->file = path;
+  return failure_in_input(failure, 0, "unknown extension; expected .xyzr, .pdb, .pqr or .xyz");
+}
+
+bool read_molecule(const char *path, const struct radii *radii, struct molecule *molecule, struct failure *failure) {
+  enum molecule_format format = FORMAT_XYZR;
+  const bool known = molecule_format_of(path, &format, failure);
+  molecule_init(molecule, format);
+  if (!known) return false;
+  failure->file = path;
+  struct line_reader *reader = malloc(sizeof *reader);
+  if (reader == NULL) return failure_of_memory(failure);
+  bool done = line_reader_open(reader, path, failure);
+  if (done) {
+    switch (format) {
+      case FORMAT_XYZR:
+        done = read_xyzr(reader, molecule, failure);
+        break;
+      case FORMAT_PDB:
+        done = read_pdb(reader, radii, molecule, failure);
+        break;
+      case FORMAT_PQR:
+        done = read_pqr(reader, molecule, failure);
+        break;
+      case FORMAT_XYZ:
+        done = read_xyz(reader, radii, molecule, failure);
+        break;
+    }
+    line_reader_close(reader);
+  }
+  free(reader);
+  return done;
+}

@@ -1,0 +1,28 @@
+/* From a file to a molecule. The extension of the name tells the format:
+ *   .xyzr  x y z r          .pdb  fixed columns          .pqr  PDB records with charge and radius          .xyz */
+#ifndef HARDSPHERE_TOOL_READ_MOLECULE_H
+#define HARDSPHERE_TOOL_READ_MOLECULE_H
+
+#include <stdbool.h>
+
+#include "failure.h"
+#include "line_reader.h"
+#include "molecule.h"
+#include "radii.h"
+
+/* The format that a file name's extension asks for, in any case of its letters; false if it is none of the four. */
+bool molecule_format_of(const char *path, enum molecule_format *format, struct failure *failure);
+
+/* Read the first model of a file into a molecule that was not initialised; free it with molecule_free on true and on
+ * false. Radii count only for formats without radii. Every file is either read in full or refused. */
+bool read_molecule(const char *path, const struct radii *radii, struct molecule *molecule, struct failure *failure);
+
+/* One reader per format, from the first line on. */
+bool read_xyzr(struct line_reader *reader, struct molecule *molecule, struct failure *failure);
+bool read_pdb(struct line_reader *reader, const struct radii *radii, struct molecule *molecule,
+              struct failure *failure);
+bool read_pqr(struct line_reader *reader, struct molecule *molecule, struct failure *failure);
+bool read_xyz(struct line_reader *reader, const struct radii *radii, struct molecule *molecule,
+              struct failure *failure);
+
+#endif

@@ -1,0 +1,118 @@
+/* .pdb: records in fixed columns, after "Protein Data Bank contents guide", version 3.3. Of an atom record count, in
+ * columns from 1: name 13-16, alternate location 17, residue 18-20, chain 22, number and insertion code 23-27,
+ * x 31-38, y 39-46, z 47-54, element 77-78. Neighbouring fields may touch. Serial numbers are not looked at. */
+#include <stdio.h>
+#include <string.h>
+
+#include "alternate_locations.h"
+#include "characters.h"
+#include "pdb_records.h"
+#include "read_molecule.h"
+
+enum { LAST_COORDINATE_COLUMN = 54, LAST_COLUMN = 80 };
+
+/* The character in a column, blank beyond the end. */
+static char column(const struct line_reader *reader, size_t number) {
+  return number <= reader->length ? reader->text[number - 1] : ' ';
+}
+
+/* The element by columns 77-78: right-justified as the format wants it, or left-justified; a charge that begins in
+ * column 78 is no part of it. Old files have line numbers there, or nothing: false. */
+static bool element_by_columns(const struct line_reader *reader, struct element_symbol *element) {
+  const char pair[2] = {column(reader, 77), column(reader, 78)};
+  if (is_letter(pair[0])) return element_symbol_parse(pair, is_letter(pair[1]) ? 2 : 1, element);
+  if (is_letter(pair[1]) && pair[0] == ' ') return element_symbol_parse(pair + 1, 1, element);
+  return false;
+}
+
+/* The element by the atom name: its symbol stands right-justified in columns 13-14, so that " CA " is a carbon (the
+ * alpha carbon) and "CA  " is calcium. Names of four characters have no room for that: hydrogens ("HG11", "DD21")
+ * begin in column 13, and so do others ("CL12", "CAA1"), where two letters are a symbol only if no third one follows.
+ * Leading digits, as in "1HB ", only number the atom. */
+static bool element_by_name(const struct line_reader *reader, const struct radii *radii,
+                            struct element_symbol *element) {
+  const char name[4] = {column(reader, 13), column(reader, 14), column(reader, 15), column(reader, 16)};
+  if (is_letter(name[0]) && is_letter(name[1])) {
+    const bool full = name[2] != ' ' && name[3] != ' ';
+    const char first = to_upper(name[0]);
+    const bool hydrogen = full && (first == 'H' || first == 'D');
+    double radius;
+    if (!hydrogen && !(full && is_letter(name[2])) && element_symbol_parse(name, 2, element) &&
+        (element_symbol_exists(*element) || radii_find(radii, *element, &radius))) {
+      return true;
+    }
+    return element_symbol_parse(name, 1, element);
+  }
+  size_t at = 0;
+  while (at < 4 && (name[at] == ' ' || is_digit(name[at]))) ++at;
+  return at < 4 && element_symbol_parse(name + at, 1, element);
+}
+
+static void label_residue(const struct line_reader *reader, struct atom_label *label) {
+  const struct field residue = field_in_columns(reader->text, reader->length, 18, 20);
+  const struct field number = field_in_columns(reader->text, reader->length, 23, 27);
+  const char chain = column(reader, 22);
+  char pieces[2][8];
+  label_copy(pieces[0], sizeof pieces[0], residue);
+  label_copy(pieces[1], sizeof pieces[1], number);
+  if (chain == ' ') {
+    snprintf(label->residue, sizeof label->residue, "%s %s", pieces[0], pieces[1]);
+  } else {
+    snprintf(label->residue, sizeof label->residue, "%s %c %s", pieces[0], chain, pieces[1]);
+  }
+}
+
+static bool check_columns(const struct line_reader *reader, struct failure *failure) {
+  const uint64_t line = reader->number;
+  const size_t looked_at = reader->length < LAST_COLUMN ? reader->length : LAST_COLUMN;
+  if (memchr(reader->text, '\t', looked_at) != NULL) {
+    return failure_in_input(failure, line, "a tab in a record of fixed columns");
+  }
+  if (reader->text[0] == ' ') return failure_in_input(failure, line, "the record does not begin in column 1");
+  if (reader->length < LAST_COORDINATE_COLUMN) {
+    return failure_in_input(failure, line, "short record: it ends in column %u, x y z need columns 31-54",
+                            (unsigned)reader->length);
+  }
+  return true;
+}
+
+static bool read_atom(const struct line_reader *reader, const struct radii *radii, struct alternate_locations *seen,
+                      struct molecule *molecule, struct failure *failure) {
+  const uint64_t line = reader->number;
+  if (!check_columns(reader, failure)) return false;
+  double xyz[3];
+  static const char *const names[3] = {"x (columns 31-38)", "y (columns 39-46)", "z (columns 47-54)"};
+  for (size_t axis = 0; axis < 3; ++axis) {
+    const struct field number = field_in_columns(reader->text, reader->length, 31 + 8 * axis, 38 + 8 * axis);
+    if (!field_number(number, names[axis], &xyz[axis], line, failure)) return false;
+  }
+  bool keep;
+  if (!alternate_locations_keep(seen, reader->text, reader->length, &keep)) return failure_of_memory(failure);
+  if (!keep) return true;
+
+  struct atom_label label = {"", "", {""}};
+  const struct field name = field_in_columns(reader->text, reader->length, 13, 16);
+  label_copy(label.name, sizeof label.name, name);
+  label_residue(reader, &label);
+  if (!element_by_columns(reader, &label.element) && !element_by_name(reader, radii, &label.element)) {
+    char shown[EXCERPT_BYTES];
+    return failure_in_input(failure, line, "no element in columns 77-78, and none in the atom name '%s'",
+                            excerpt(shown, name.text, name.length));
+  }
+  return molecule_add_element(molecule, xyz, radii, &label, line, failure);
+}
+
+bool read_pdb(struct line_reader *reader, const struct radii *radii, struct molecule *molecule,
+              struct failure *failure) {
+  struct alternate_locations seen = ALTERNATE_LOCATIONS_NONE;
+  bool record_seen = false;
+  bool model_seen = false;
+  enum line_status status;
+  for (;;) {
+    status = pdb_next_atom(reader, &record_seen, &model_seen, failure);
+    if (status == LINE_READ && !read_atom(reader, radii, &seen, molecule, failure)) status = LINE_FAILED;
+    if (status != LINE_READ) break;
+  }
+  alternate_locations_free(&seen);
+  return status == LINE_END;
+}

@@ -1,0 +1,114 @@
+#include "report.h"
+
+#include <float.h>
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "characters.h"
+
+void report_row(struct text_buffer *out, const char *name, const char *value, const char *remark) {
+  if (remark[0] == '\0') {
+    text_buffer_add(out, "  %-16s %s\n", name, value);
+  } else {
+    text_buffer_add(out, "  %-16s %-14s %s\n", name, value, remark);
+  }
+}
+
+void report_row_count(struct text_buffer *out, const char *name, int64_t value, const char *remark) {
+  char shown[NUMBER_BYTES];
+  report_row(out, name, grouped_count(shown, value), remark);
+}
+
+/* Put commas between the thousands of the digits that a number begins with, after its sign. */
+static const char *group(char out[NUMBER_BYTES], const char *number) {
+  const char *digits = number[0] == '-' ? number + 1 : number;
+  size_t whole = 0;
+  while (is_digit(digits[whole])) ++whole;
+  size_t at = 0;
+  if (number[0] == '-') out[at++] = '-';
+  for (size_t i = 0; i < whole; ++i) {
+    if (i > 0 && (whole - i) % 3 == 0) out[at++] = ',';
+    out[at++] = digits[i];
+  }
+  memcpy(out + at, digits + whole, strlen(digits + whole) + 1);
+  return out;
+}
+
+const char *grouped_count(char out[NUMBER_BYTES], int64_t value) {
+  char plain[24]; /* at most 20 characters, 26 with commas */
+  snprintf(plain, sizeof plain, "%" PRId64, value);
+  return group(out, plain);
+}
+
+const char *grouped_number(char out[NUMBER_BYTES], double value, int decimals) {
+  const double magnitude = value < 0.0 ? -value : value;
+  if (magnitude >= 1e12 || (magnitude > 0.0 && magnitude < 1e-2)) {
+    snprintf(out, NUMBER_BYTES, "%.8e", value);
+    return out;
+  }
+  char plain[32]; /* 12 digits, 10 decimals at most */
+  snprintf(plain, sizeof plain, "%.*f", decimals < 10 ? decimals : 10, value);
+  return group(out, plain);
+}
+
+static void report_probe(struct text_buffer *out, const struct request *request) {
+  if (request->probe == 0.0) {
+    report_row(out, "probe", "none: the van der Waals surface, by the radii as they are", "");
+    return;
+  }
+  char value[160];
+  snprintf(value, sizeof value, "%.10g %s, added to every radius: the solvent-accessible surface", request->probe,
+           format_unit(request->format));
+  report_row(out, "probe", value, "");
+}
+
+void report_heading(struct text_buffer *out, const struct request *request, const struct molecule *molecule) {
+  const size_t begin = out->length;
+  text_buffer_add(out, "%s\n", request->file);
+  for (size_t i = begin; i + 1 < out->length; ++i) {
+    if ((unsigned char)out->text[i] < 0x20 || out->text[i] == 0x7F) out->text[i] = '?';
+  }
+  report_row_count(out, "balls", molecule->atoms, "");
+  if (format_has_radii(request->format)) {
+    report_row(out, "radii", "from the file", "");
+  } else {
+    text_buffer_add(out, "  %-16s %s (%s)\n", "radii", radii_set_name(request->set), radii_set_source(request->set));
+    if (request->overrides.length > 0) text_buffer_add(out, "  %-16s with %s\n", "", request->overrides.text);
+  }
+  report_probe(out, request);
+  text_buffer_add(out, "\n");
+}
+
+struct ball_columns ball_columns_of(const struct molecule *molecule) {
+  struct ball_columns columns = {false, false};
+  for (uint32_t i = 0; i < molecule->atoms; ++i) {
+    columns.names = columns.names || molecule->label[i].name[0] != '\0' || molecule->label[i].residue[0] != '\0';
+    columns.elements = columns.elements || molecule->label[i].element.text[0] != '\0';
+  }
+  return columns;
+}
+
+void report_ball_titles(struct text_buffer *out, struct ball_columns columns) {
+  text_buffer_add(out, "  %9s", "ball");
+  if (columns.names) text_buffer_add(out, "  %-6s %-17s", "atom", "residue");
+  if (columns.elements) text_buffer_add(out, "  %-7s", "element");
+  text_buffer_add(out, "  %10s", "radius");
+}
+
+void report_ball(struct text_buffer *out, struct ball_columns columns, const struct molecule *molecule, uint32_t ball) {
+  const struct atom_label *label = &molecule->label[ball];
+  char radius[NUMBER_BYTES];
+  text_buffer_add(out, "  %9" PRIu32, ball);
+  if (columns.names) text_buffer_add(out, "  %-6s %-17s", label->name, label->residue);
+  if (columns.elements) text_buffer_add(out, "  %-7s", label->element.text);
+  text_buffer_add(out, "  %10s", grouped_number(radius, molecule->radius[ball], 4));
+}
+
+void json_number(struct text_buffer *out, double value) {
+  if (value >= -DBL_MAX && value <= DBL_MAX) {
+    text_buffer_add(out, "%.17g", value + 0.0); /* + 0.0: no "-0" */
+  } else {
+    text_buffer_add(out, "null");
+  }
+}

@@ -1,0 +1,42 @@
+/* Results as a person likes to read them, and the numbers of JSON. */
+#ifndef HARDSPHERE_TOOL_REPORT_H
+#define HARDSPHERE_TOOL_REPORT_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "arguments.h"
+#include "molecule.h"
+#include "text_buffer.h"
+
+/* What was read and how: file, number of balls, radii, probe. Every table begins with it. */
+void report_heading(struct text_buffer *out, const struct request *request, const struct molecule *molecule);
+
+/* "  name   value   remark", in columns; remark may be "". */
+void report_row(struct text_buffer *out, const char *name, const char *value, const char *remark);
+void report_row_count(struct text_buffer *out, const char *name, int64_t value, const char *remark);
+
+/* Room for a number as the functions below write it. */
+#define NUMBER_BYTES 40
+
+/* A count with commas between thousands: 1,234,567. */
+const char *grouped_count(char out[NUMBER_BYTES], int64_t value);
+
+/* A quantity with `decimals` decimals and commas between thousands, or in powers of ten where that would be long or
+ * would show nothing. */
+const char *grouped_number(char out[NUMBER_BYTES], double value, int decimals);
+
+/* One line per ball: what it is called; see report_ball. Shows only the columns that the file has something for. */
+struct ball_columns {
+  bool names;
+  bool elements;
+};
+
+struct ball_columns ball_columns_of(const struct molecule *molecule);
+void report_ball_titles(struct text_buffer *out, struct ball_columns columns);
+void report_ball(struct text_buffer *out, struct ball_columns columns, const struct molecule *molecule, uint32_t ball);
+
+/* A number of JSON with 17 significant digits, which tell every double from every other; null unless it is finite. */
+void json_number(struct text_buffer *out, double value);
+
+#endif

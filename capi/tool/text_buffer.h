@@ -1,0 +1,30 @@
+/* Text that grows in memory: results go there and reach stdout whole or not at all. */
+#ifndef HARDSPHERE_TOOL_TEXT_BUFFER_H
+#define HARDSPHERE_TOOL_TEXT_BUFFER_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "failure.h"
+
+struct text_buffer {
+  char *text; /* NUL-terminated as soon as anything was added */
+  size_t length;
+  size_t capacity;
+  bool out_of_memory; /* stays set; later additions are ignored */
+};
+
+#define TEXT_BUFFER_EMPTY \
+  { NULL, 0, 0, false }
+
+/* Make room for `more` bytes and a closing NUL; false when memory is short. */
+bool text_buffer_reserve(struct text_buffer *buffer, size_t more);
+
+void text_buffer_add(struct text_buffer *buffer, const char *format, ...) FAILURE_FORMAT(2, 3);
+
+/* Everything to stdout, errors of writing included. */
+bool text_buffer_print(const struct text_buffer *buffer, struct failure *failure);
+
+void text_buffer_free(struct text_buffer *buffer);
+
+#endif

@@ -1,0 +1,12 @@
+/* What the program says about itself. */
+#ifndef HARDSPHERE_TOOL_USAGE_H
+#define HARDSPHERE_TOOL_USAGE_H
+
+#include "arguments.h"
+#include "text_buffer.h"
+
+void usage_of_program(struct text_buffer *out);
+void usage_of_command(struct text_buffer *out, enum command command);
+void usage_version(struct text_buffer *out);
+
+#endif

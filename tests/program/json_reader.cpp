@@ -1,0 +1,156 @@
+#include "json_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <string_view>
+
+namespace {
+
+class Reader {
+ public:
+  explicit Reader(std::string_view text) : text_(text) {}
+
+  std::optional<Json> whole() {
+    Json value;
+    skip_space();
+    if (!read_value(value, 0)) return std::nullopt;
+    skip_space();
+    if (at_ != text_.size()) return std::nullopt;
+    return value;
+  }
+
+ private:
+  static constexpr int deepest = 100;
+
+  char peek() const { return at_ < text_.size() ? text_[at_] : '\0'; }
+
+  bool take(char c) {
+    if (at_ == text_.size() || text_[at_] != c) return false;
+    ++at_;
+    return true;
+  }
+
+  bool take_word(std::string_view word) {
+    if (text_.substr(at_, word.size()) != word) return false;
+    at_ += word.size();
+    return true;
+  }
+
+  void skip_space() {
+    while (peek() == ' ' || peek() == '\t' || peek() == '\n' || peek() == '\r') ++at_;
+  }
+
+  bool read_value(Json &value, int depth) {
+    if (depth > deepest) return false;
+    switch (peek()) {
+      case '{':
+        return read_object(value, depth);
+      case '[':
+        return read_array(value, depth);
+      case '"':
+        value.kind = Json::Kind::string;
+        return read_string(value.text);
+      case 't':
+        value.kind = Json::Kind::boolean;
+        value.boolean = true;
+        return take_word("true");
+      case 'f':
+        value.kind = Json::Kind::boolean;
+        return take_word("false");
+      case 'n':
+        return take_word("null");
+      default:
+        return read_number(value);
+    }
+  }
+
+  bool read_object(Json &value, int depth) {
+    value.kind = Json::Kind::object;
+    take('{');
+    skip_space();
+    if (take('}')) return true;
+    do {
+      skip_space();
+      std::string key;
+      if (!read_string(key)) return false;
+      if (std::find(value.keys.begin(), value.keys.end(), key) != value.keys.end()) return false;
+      skip_space();
+      if (!take(':')) return false;
+      skip_space();
+      Json item;
+      if (!read_value(item, depth + 1)) return false;
+      value.keys.push_back(key);
+      value.items.push_back(item);
+      skip_space();
+    } while (take(','));
+    return take('}');
+  }
+
+  bool read_array(Json &value, int depth) {
+    value.kind = Json::Kind::array;
+    take('[');
+    skip_space();
+    if (take(']')) return true;
+    do {
+      skip_space();
+      Json item;
+      if (!read_value(item, depth + 1)) return false;
+      value.items.push_back(item);
+      skip_space();
+    } while (take(','));
+    return take(']');
+  }
+
+  // Strings without escapes are all that this program needs to write; any escape is refused.
+  bool read_string(std::string &string) {
+    if (!take('"')) return false;
+    while (at_ < text_.size() && text_[at_] != '"') {
+      if (text_[at_] == '\\' || static_cast<unsigned char>(text_[at_]) < 0x20) return false;
+      string.push_back(text_[at_++]);
+    }
+    return take('"');
+  }
+
+  std::size_t digits() {
+    const std::size_t begin = at_;
+    while (peek() >= '0' && peek() <= '9') ++at_;
+    return at_ - begin;
+  }
+
+  // -? (0 | [1-9][0-9]*) (. [0-9]+)? ([eE] [+-]? [0-9]+)?
+  bool read_number(Json &value) {
+    const std::size_t begin = at_;
+    take('-');
+    const bool zero = peek() == '0';
+    const std::size_t whole = digits();
+    if (whole == 0 || (zero && whole > 1)) return false;
+    if (take('.') && digits() == 0) return false;
+    if (peek() == 'e' || peek() == 'E') {
+      ++at_;
+      if (peek() == '+' || peek() == '-') ++at_;
+      if (digits() == 0) return false;
+    }
+    value.kind = Json::Kind::number;
+    value.text = text_.substr(begin, at_ - begin);
+    value.number = std::strtod(value.text.c_str(), nullptr);
+    return std::isfinite(value.number);
+  }
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+};
+
+}  // namespace
+
+const Json &Json::operator[](const std::string &key) const {
+  static const Json none;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    if (keys[i] == key) return items[i];
+  }
+  return none;
+}
+
+std::optional<Json> read_json(const std::string &text) {
+  return Reader(text).whole();
+}

@@ -1,0 +1,105 @@
+// Real molecules against figures that were found by other means: areas, volumes and vertex counts by numerical
+// quadrature and by a regular triangulation, and the figures that Halperin and Overmars print in Section 2.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "json_reader.hpp"
+#include "program_runner.hpp"
+
+namespace {
+
+Json run_json(std::vector<std::string> arguments) {
+  arguments.push_back("--json");
+  const Outcome outcome = run_program(arguments);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  return read_json(outcome.out).value_or(Json());
+}
+
+struct Reference {
+  const char *file;
+  const char *probe;
+  int balls;
+  double area;
+  double volume;
+  int vertices;
+};
+
+// Radii: C 1.70, N 1.55, O 1.52, S 1.80, H 1.10. Areas and volumes are sums of slices by tanh-sinh quadrature, the
+// numbers of vertices are exposed triple points counted one by one, confirmed by the alpha complex.
+constexpr Reference references[] = {
+    {"caffeine.pdb", "0", 24, 195.00674996282, 156.45605721238, 44},
+    {"caffeine.pdb", "1.4", 24, 359.26018591633, 537.89953553947, 58},
+    {"crambin.pdb", "0", 327, 4247.6562115516, 3571.7031090322, 898},
+    {"crambin.pdb", "1.4", 327, 2971.3230159967, 8357.3215455062, 480},
+};
+
+TEST(ReferenceValues, AreaVolumeAndVertices) {
+  for (const Reference &reference : references) {
+    const std::string file = molecules_folder() + "/" + reference.file;
+    SCOPED_TRACE(file + " probe " + reference.probe);
+    const Json measure = run_json({"measure", file, "--probe", reference.probe});
+    EXPECT_EQ(measure["n"].number, reference.balls);
+    EXPECT_NEAR(measure["area"].number, reference.area, 1e-12 * reference.area);
+    EXPECT_NEAR(measure["volume"].number, reference.volume, 1e-12 * reference.volume);
+    const Json boundary = run_json({"boundary", file, "--probe", reference.probe});
+    EXPECT_EQ(boundary["n"].number, reference.balls);
+    EXPECT_EQ(boundary["vertices"].number, reference.vertices);
+    EXPECT_EQ(2 * boundary["arcs"].number, 3 * boundary["vertices"].number);
+    EXPECT_EQ(boundary["voids"].number, boundary["shells"].number - boundary["components"].number);
+  }
+}
+
+TEST(ReferenceValues, BallsSumToTheTotal) {
+  for (const Reference &reference : references) {
+    const std::string file = molecules_folder() + "/" + reference.file;
+    const Json measure = run_json({"measure", file, "--probe", reference.probe, "--per-ball"});
+    double sum = 0;
+    double exposed = 0;
+    for (const Json &ball : measure["balls"].items) {
+      EXPECT_GE(ball["area"].number, 0.0);
+      sum += ball["area"].number;
+      exposed += ball["area"].number > 0 ? 1 : 0;
+    }
+    EXPECT_NEAR(sum, reference.area, 1e-12 * reference.area) << file;
+    EXPECT_EQ(run_json({"boundary", file, "--probe", reference.probe})["exposed_balls"].number, exposed) << file;
+  }
+}
+
+struct PaperRow {
+  const char *file;
+  int balls;
+  double k;
+  double rho;
+  int most;
+  double mean;
+};
+
+// The table of Section 2, as printed.
+constexpr PaperRow paper_rows[] = {
+    {"caffeine.pdb", 24, 2.17, 0.71, 10, 4.5},
+    {"crambin.pdb", 327, 1.64, 0.78, 10, 5.5},
+};
+
+// A printed figure may be rounded or cut off: it differs by less than one unit of its last digit, and by no more
+// than half a unit upwards.
+void expect_printed(double value, double printed, double unit) {
+  EXPECT_GE(value, printed - 0.5 * unit);
+  EXPECT_LT(value, printed + unit);
+}
+
+TEST(ReferenceValues, SectionTwoOfThePaper) {
+  for (const PaperRow &row : paper_rows) {
+    SCOPED_TRACE(row.file);
+    const Json model = run_json({"model", molecules_folder() + "/" + row.file, "--radii", "chem3d"});
+    EXPECT_EQ(model["n"].number, row.balls);
+    expect_printed(model["k"].number, row.k, 0.01);
+    expect_printed(model["rho"].number, row.rho, 0.01);
+    EXPECT_EQ(model["max_overlaps"].number, row.most);
+    expect_printed(model["mean_overlaps"].number, row.mean, 0.1);
+  }
+}
+
+}  // namespace
