@@ -228,8 +228,8 @@ HSP_API int32_t hsp_boundary_bytes(const hsp_boundary_limits *limits, size_t *by
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
 #define HSP_BOUNDARY_BYTES(balls, neighbours, vertices, circles)                      \
-  ((size_t)2048 + (size_t)64 * (size_t)(balls) + (size_t)256 * (size_t)(neighbours) + \
-   (size_t)160 * (size_t)(vertices) + (size_t)64 * (size_t)(circles))
+  ((size_t)4096 + (size_t)64 * (size_t)(balls) + (size_t)256 * (size_t)(neighbours) + \
+   (size_t)160 * (size_t)(vertices) + (size_t)80 * (size_t)(circles))
 
 /** Make an empty boundary in caller memory of any alignment; sets *boundary.
  *  HSP_E_ARGUMENT, HSP_E_RANGE as hsp_boundary_bytes; HSP_E_MEMORY: bytes too small (nothing is written). */

@@ -36,6 +36,9 @@ bool geometry_set_model(struct geometry *geometry, const struct molecule *molecu
     return failure_in_input(failure, line, "ball %lu, probe %g added: %s", (unsigned long)first_bad, probe,
                             hsp_status_text(status));
   }
+  if (status == HSP_E_RANGE && probe > 0.0) {
+    return failure_in_input(failure, 0, "probe %g: %s", probe, hsp_status_text(status));
+  }
   if (status != HSP_OK) return failure_in_library(failure, status);
   return true;
 }

@@ -63,7 +63,7 @@ void BoundaryBuilder::find_vertices(const CubeGrid &grid) {
       if (caps_.met > needed_.neighbours) needed_.neighbours = caps_.met;
       // Once a ball has more neighbours than there is room for, the rest is only counted.
       if (needed_.neighbours > limits_.neighbours) continue;
-      finder_.find(caps_, structure_.vertices, structure_.circles);
+      finder_.find(balls, caps_, structure_.vertices, structure_.circles);
       structure_.cluster_count[i] = caps_.count <= few_caps ? static_cast<uint8_t>(count_clusters(caps_, scratch_))
                                                             : BoundaryStructure::not_counted;
     }

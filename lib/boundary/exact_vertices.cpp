@@ -2,7 +2,15 @@
 
 namespace hsp {
 
-bool find_vertices_exactly(const Caps &caps, const CapTests &tests, uint32_t j, uint32_t k,
+namespace {
+
+bool lies_inside(const BallSet &balls, uint32_t inner, uint32_t outer) {
+  return exact::pair_relation(balls.ball(inner), balls.ball(outer)) == exact::PairRelation::first_in_second;
+}
+
+}  // namespace
+
+bool find_vertices_exactly(const BallSet &balls, const Caps &caps, const CapTests &tests, uint32_t j, uint32_t k,
                            FixedVector<VertexRecord> &vertices) {
   const exact::Predicates predicates = caps.predicates();
   const exact::Plane &P = caps.plane[j];
@@ -16,9 +24,12 @@ bool find_vertices_exactly(const Caps &caps, const CapTests &tests, uint32_t j, 
     const uint32_t l = tests.cap[t];
     if (l == j || l == k) continue;
     const exact::PointStatus status = predicates.point_status(P, Q, caps.plane[l]);
+    // Balls inside the origin ball have no cap here, so only the other two are left to ask.
+    const bool ties = (status.tied[0] || status.tied[1]) && !lies_inside(balls, caps.ball[l], caps.ball[j]) &&
+                      !lies_inside(balls, caps.ball[l], caps.ball[k]);
     for (int point = 0; point < 2; ++point) {
       free[point] = free[point] && status.side[point] < 0;
-      tied[point] = tied[point] || status.tied[point];
+      tied[point] = tied[point] || (ties && status.tied[point]);
     }
   }
   for (uint32_t point = 0; point < 2; ++point) {

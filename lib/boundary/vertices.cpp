@@ -74,7 +74,8 @@ void VertexFinder::carve(Workspace &workspace, uint32_t capacity) {
   state_ = workspace.take<uint8_t>(capacity);
 }
 
-void VertexFinder::find(const Caps &caps, FixedVector<VertexRecord> &vertices, FixedVector<CircleRecord> &circles) {
+void VertexFinder::find(const BallSet &balls, const Caps &caps, FixedVector<VertexRecord> &vertices,
+                        FixedVector<CircleRecord> &circles) {
   tests_.fill(caps);
   for (uint32_t j = caps.first_later; j < caps.count; ++j) state_[j] = 0;
 
@@ -88,7 +89,7 @@ void VertexFinder::find(const Caps &caps, FixedVector<VertexRecord> &vertices, F
         continue;
       }
       if (!pair.surely_cross()) {
-        if (find_vertices_exactly(caps, tests_, j, k, vertices)) {
+        if (find_vertices_exactly(balls, caps, tests_, j, k, vertices)) {
           state_[j] |= crossed;
           state_[k] |= crossed;
         }
@@ -99,7 +100,7 @@ void VertexFinder::find(const Caps &caps, FixedVector<VertexRecord> &vertices, F
       const CrossingPoints points(caps, j, k, pair);
       const PairAnswer answer = test_points(tests_, points);
       if (answer.point[0] == PointAnswer::unsure || answer.point[1] == PointAnswer::unsure) {
-        find_vertices_exactly(caps, tests_, j, k, vertices);
+        find_vertices_exactly(balls, caps, tests_, j, k, vertices);
         continue;
       }
       for (uint32_t point = 0; point < 2; ++point) {

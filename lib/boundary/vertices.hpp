@@ -22,7 +22,8 @@ struct CapTests {
 class VertexFinder {
  public:
   void carve(Workspace &workspace, uint32_t capacity);
-  void find(const Caps &caps, FixedVector<VertexRecord> &vertices, FixedVector<CircleRecord> &circles);
+  void find(const BallSet &balls, const Caps &caps, FixedVector<VertexRecord> &vertices,
+            FixedVector<CircleRecord> &circles);
 
  private:
   // What is known of a cap while the pairs are gone through.
@@ -34,8 +35,10 @@ class VertexFinder {
 };
 
 // The exact rung: pushes the free points among p+ and p- of the circles of caps j < k. Returns whether the circles
-// cross.
-bool find_vertices_exactly(const Caps &caps, const CapTests &tests, uint32_t j, uint32_t k,
+// cross. A further sphere ties with a point if it passes through it before the perturbation, unless its ball lies
+// inside one of the vertex's three balls, touching it there from inside: so the flag does not depend on the ball the
+// vertex is decided at.
+bool find_vertices_exactly(const BallSet &balls, const Caps &caps, const CapTests &tests, uint32_t j, uint32_t k,
                            FixedVector<VertexRecord> &vertices);
 
 // Whether the circle of cap j is free as a whole.

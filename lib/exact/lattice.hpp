@@ -14,9 +14,8 @@ inline constexpr double query_radius_limit = 0x1p51;  // steps, inclusive
 
 // Powers of ten that are doubles.
 inline constexpr int largest_decade = 22;
-inline constexpr double decade[largest_decade + 1] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                                      1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
-                                                      1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+constexpr double decade[largest_decade + 1] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
+                                               1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 
 // Nearest integer, halves away from zero, for |x| < 2^62.
 inline int64_t nearest(double x) {
@@ -40,16 +39,21 @@ class Lattice {
     lattice.divisor_ = step;
     return lattice;
   }
-  // The smallest power of ten that keeps a largest radius below the limit; 1e-8 for 0. False if there is none.
-  static bool for_largest_radius(double radius, Lattice &lattice) {
-    if (radius == 0.0) {
+  // The smallest power of ten that keeps the largest radius plus the probe below the limit, each rounded on its own;
+  // 1e-8 if both are 0. False if there is none.
+  static bool for_largest_radius(double radius, double probe, Lattice &lattice) {
+    if (radius == 0.0 && probe == 0.0) {
       lattice = Lattice(8);
       return true;
     }
     for (int digits = largest_decade; digits >= -largest_decade; --digits) {
       lattice = Lattice(digits);
-      // One step of room: radius and probe are rounded on their own.
-      if (lattice.steps(radius) < radius_limit - 1.0) return true;
+      const double radius_steps = lattice.steps(radius);
+      const double probe_steps = lattice.steps(probe);
+      if (radius_steps < radius_limit && probe_steps < radius_limit &&
+          static_cast<double>(nearest(radius_steps) + nearest(probe_steps)) < radius_limit) {
+        return true;
+      }
     }
     return false;
   }

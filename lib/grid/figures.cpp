@@ -13,13 +13,13 @@ double distance_squared(const BallSet &balls, uint32_t i, uint32_t j) {
 // Keeps the smallest |c_i c_j| / max(r_i, r_j).
 struct ClosestPair {
   double ratio = std::numeric_limits<double>::infinity();
+  bool coincident = false;
 
   void offer(const BallSet &balls, uint32_t i, uint32_t j) {
     const double larger = balls.r[i] > balls.r[j] ? balls.r[i] : balls.r[j];
     const double squared = distance_squared(balls, i, j);
-    if (squared == 0.0) {
-      ratio = 0.0;
-    } else if (larger > 0.0) {
+    coincident = coincident || squared == 0.0;
+    if (larger > 0.0) {
       const double candidate = std::sqrt(squared) / larger;
       if (candidate < ratio) ratio = candidate;
     }
@@ -119,9 +119,9 @@ HardSphereFigures hard_sphere_figures(const CubeGrid &grid) {
     side *= 4;
     offer_neighbouring_cubes(grid, side, closest);
   }
-  figures.coincident = closest.ratio == 0.0;
+  figures.coincident = closest.coincident;
   figures.no_pair = !is_finite(closest.ratio);
-  figures.rho = figures.no_pair ? 0.0 : closest.ratio;
+  figures.rho = figures.no_pair || figures.coincident ? 0.0 : closest.ratio;
   return figures;
 }
 

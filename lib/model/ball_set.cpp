@@ -24,9 +24,9 @@ Status BallRounding::prepare(const BallInput &input, uint32_t &first_bad) {
   if (input.step != 0.0) {
     lattice_ = exact::Lattice::with_step(input.step);
     if (!is_finite(lattice_.steps(1.0))) return Status::range;
-  } else if (!exact::Lattice::for_largest_radius(largest + input.probe, lattice_)) {
+  } else if (!exact::Lattice::for_largest_radius(largest, input.probe, lattice_)) {
     // The ball is to blame only if the lattice could not hold it without the probe either.
-    if (!exact::Lattice::for_largest_radius(largest, lattice_)) first_bad = largest_ball;
+    if (!exact::Lattice::for_largest_radius(largest, 0.0, lattice_)) first_bad = largest_ball;
     return Status::range;
   }
   const double probe = lattice_.steps(input.probe);

@@ -37,7 +37,7 @@ TEST(Lattice, DecimalTextIsExactUpToTheLimit) {
 TEST(Lattice, DefaultStepIsTheSmallestPowerOfTenThatHoldsTheLargestRadius) {
   const auto step_for = [](double radius) {
     Lattice lattice;
-    EXPECT_TRUE(Lattice::for_largest_radius(radius, lattice)) << radius;
+    EXPECT_TRUE(Lattice::for_largest_radius(radius, 0.0, lattice)) << radius;
     return lattice.step();
   };
   EXPECT_EQ(step_for(1.8), 1e-8);
@@ -46,12 +46,17 @@ TEST(Lattice, DefaultStepIsTheSmallestPowerOfTenThatHoldsTheLargestRadius) {
   EXPECT_EQ(step_for(10.8), 1e-7);
   EXPECT_EQ(step_for(1.07), 1e-9);
   EXPECT_EQ(step_for(0.0), 1e-8);
+  EXPECT_EQ(step_for(1.073741823), 1e-9);
+  EXPECT_EQ(step_for(1.073741824), 1e-8);
   EXPECT_EQ(step_for(1.8e6), 1e-2);
   EXPECT_EQ(step_for(1.8e-6), 1e-14);
   EXPECT_EQ(step_for(1e-300), 1e-22);
   EXPECT_EQ(step_for(1e30), 1e22 / 10);
   Lattice lattice;
-  EXPECT_FALSE(Lattice::for_largest_radius(1e300, lattice));
+  // Radius and probe are rounded on their own: here each rounds up, and the sum would be 2^30.
+  EXPECT_TRUE(Lattice::for_largest_radius(0.5368709115, 0.5368709115, lattice));
+  EXPECT_EQ(lattice.step(), 1e-8);
+  EXPECT_FALSE(Lattice::for_largest_radius(1e300, 0.0, lattice));
 }
 
 TEST(Lattice, HalvesRoundAwayFromZero) {

@@ -1,0 +1,102 @@
+// Time over size: van der Waals and solvent-accessible balls (probe 1.4) from caffeine to a million balls.
+#include "suite.hpp"
+#include "tiling.hpp"
+
+namespace bench {
+namespace {
+
+constexpr double water_probe = 1.4;
+
+void build(benchmark::State &state, Subject &subject) {
+  for (auto iteration : state) {
+    static_cast<void>(iteration);
+    subject.model->set();
+  }
+}
+
+void lists(benchmark::State &state, Subject &subject) {
+  std::size_t neighbours = 0;
+  for (auto iteration : state) {
+    static_cast<void>(iteration);
+    neighbours = query_all_neighbours(*subject.model);
+  }
+  state.counters["neighbours_per_atom"] = static_cast<double>(neighbours) / subject.model->size();
+}
+
+void boundary(benchmark::State &state, Subject &subject) {
+  for (auto iteration : state) {
+    static_cast<void>(iteration);
+    subject.boundary->compute();
+  }
+  const hsp_boundary_counts counts = subject.boundary->counts();
+  state.counters["vertices_per_atom"] = static_cast<double>(counts.vertices) / subject.model->size();
+  state.counters["exposed_share"] = static_cast<double>(counts.exposed_balls) / subject.model->size();
+  state.counters["bytes_per_atom"] = static_cast<double>(subject.boundary->bytes()) / subject.model->size();
+}
+
+void measure(benchmark::State &state, Subject &subject) {
+  // An earlier benchmark of this subject may have set its model anew, which makes the boundary invalid.
+  subject.boundary->compute();
+  hsp_totals totals{};
+  for (auto iteration : state) {
+    static_cast<void>(iteration);
+    totals = subject.boundary->measure();
+  }
+  state.counters["area"] = totals.area;
+  state.counters["volume"] = totals.volume;
+}
+
+void everything(benchmark::State &state, Subject &subject) {
+  for (auto iteration : state) {
+    static_cast<void>(iteration);
+    subject.model->set();
+    subject.boundary->compute();
+    benchmark::DoNotOptimize(subject.boundary->measure());
+  }
+}
+
+struct Surface {
+  const char *name;
+  double probe;
+};
+
+void register_subject(const std::string &name, const Surface &surface, std::function<Balls()> balls) {
+  const SubjectRecipe recipe{std::string(surface.name) + '/' + name, std::move(balls), surface.probe, true};
+  const std::string group = std::string("scaling/") + surface.name + '/';
+  register_case(group + "build/" + name, recipe, build)->Unit(benchmark::kMicrosecond);
+  register_case(group + "lists/" + name, recipe, lists)->Unit(benchmark::kMicrosecond);
+  register_case(group + "boundary/" + name, recipe, boundary)->Unit(benchmark::kMicrosecond);
+  register_case(group + "measure/" + name, recipe, measure)->Unit(benchmark::kMicrosecond);
+  register_case(group + "everything/" + name, recipe, everything)->Unit(benchmark::kMicrosecond);
+}
+
+}  // namespace
+
+void register_suite() {
+  constexpr Surface surfaces[] = {{"van_der_waals", 0}, {"solvent_accessible", water_probe}};
+  const std::vector<Molecule> molecules = paper_molecules();
+  const std::pair<const char *, const char *> further[] = {{"1ubq.pdb", "ubiquitin_1ubq"},
+                                                           {"sod_model_4392.pdb", "sod_model"}};
+  for (const Surface &surface : surfaces) {
+    for (const Molecule &molecule : molecules) {
+      register_subject(molecule.name, surface, [molecule] { return with_radii(molecule, Radii::van_der_waals); });
+    }
+    for (const auto &[file, name] : further) {
+      const auto molecule = further_molecule(file, name);
+      if (!molecule) {
+        register_skipped(std::string("scaling/") + surface.name + "/everything/" + name,
+                         std::string("no ") + file + " in HARDSPHERE_MOLECULES");
+        continue;
+      }
+      register_subject(name, surface, [molecule] { return with_radii(*molecule, Radii::van_der_waals); });
+    }
+    for (const int copies : {2, 3, 6}) {
+      const Molecule &stand_in = molecules.back();
+      const std::string name = stand_in.name + "_x" + std::to_string(copies * copies * copies);
+      register_subject(name, surface,
+                       [stand_in, copies] { return tiled(with_radii(stand_in, Radii::van_der_waals), copies); });
+    }
+  }
+}
+
+}  // namespace bench

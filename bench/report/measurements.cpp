@@ -1,0 +1,89 @@
+#include "measurements.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <utility>
+
+#include "json_value.hpp"
+
+namespace report {
+namespace {
+
+double seconds_per(const std::string &unit) {
+  if (unit == "ns") return 1e-9;
+  if (unit == "us") return 1e-6;
+  if (unit == "ms") return 1e-3;
+  if (unit == "s") return 1;
+  throw std::runtime_error("unknown time unit: " + unit);
+}
+
+void add(Run &run, const JsonValue &entry) {
+  if (entry["run_type"].text != "iteration") return;
+  const std::string &name = entry["run_name"].text;
+  if (!run.benchmarks.contains(name)) run.order.push_back(name);
+  Measurement &measurement = run.benchmarks[name];
+  if (entry["error_occurred"].boolean) {
+    measurement.error = entry["error_message"].text;
+    return;
+  }
+  measurement.seconds.push_back(entry["cpu_time"].number * seconds_per(entry["time_unit"].text));
+  for (const auto &[key, value] : entry.object) {
+    if (value.kind == JsonValue::Kind::number) measurement.counters[key] = value.number;
+  }
+}
+
+void add_context(Run &run, const JsonValue &context) {
+  for (const auto &[key, value] : context.object) {
+    if (value.kind == JsonValue::Kind::text) run.context[key] = value.text;
+    if (value.kind == JsonValue::Kind::number) run.context[key] = std::to_string(static_cast<long>(value.number));
+  }
+}
+
+}  // namespace
+
+double Measurement::median() const {
+  std::vector<double> sorted = seconds;
+  std::sort(sorted.begin(), sorted.end());
+  const std::size_t middle = sorted.size() / 2;
+  return sorted.size() % 2 == 1 ? sorted[middle] : (sorted[middle - 1] + sorted[middle]) / 2;
+}
+
+double Measurement::least() const {
+  return *std::min_element(seconds.begin(), seconds.end());
+}
+
+double Measurement::counter(const std::string &name) const {
+  const auto found = counters.find(name);
+  return found == counters.end() ? 0 : found->second;
+}
+
+const Measurement *Run::find(const std::string &name) const {
+  const auto found = benchmarks.find(name);
+  return found == benchmarks.end() || !found->second.measured() ? nullptr : &found->second;
+}
+
+Run read_run(const std::filesystem::path &folder) {
+  std::vector<std::filesystem::path> files;
+  for (const auto &entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() == ".json") files.push_back(entry.path());
+  }
+  if (files.empty()) throw std::runtime_error(folder.string() + ": no .json files");
+  std::sort(files.begin(), files.end());
+  Run run;
+  for (const auto &file : files) {
+    std::ifstream in(file);
+    const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+    try {
+      const JsonValue document = parse_json(text);
+      add_context(run, document["context"]);
+      for (const JsonValue &entry : document["benchmarks"].array) add(run, entry);
+    } catch (const std::exception &error) {
+      throw std::runtime_error(file.string() + ": " + error.what());
+    }
+  }
+  return run;
+}
+
+}  // namespace report

@@ -1,0 +1,97 @@
+#include "paper_tables.hpp"
+
+#include <string>
+
+#include "markdown.hpp"
+
+namespace report {
+namespace {
+
+/// The paper's figures for one molecule: Sections 2, 3 and 4.2; times in seconds on an Indigo R3000.
+struct PaperRow {
+  const char *name;       ///< in the paper
+  const char *benchmark;  ///< in our benchmarks
+  int balls;
+  double k, rho;
+  int max;
+  double mean;
+  double build, point_queries, ball_queries;
+  double step_1, step_2;
+};
+
+constexpr PaperRow paper[] = {
+    {"caffeine", "caffeine", 24, 2.17, 0.71, 10, 4.5, 0.01, 0.13, 0.18, 0.01, 0.08},
+    {"acetyl", "acetyl", 85, 3.11, 0.67, 16, 5.4, 0.01, 0.08, 0.12, 0.03, 0.32},
+    {"crambin", "crambin", 327, 1.64, 0.78, 10, 5.5, 0.08, 0.13, 0.21, 0.17, 1.55},
+    {"felix (our model)", "felix_model", 613, 1.64, 0.81, 9, 4.9, 0.08, 0.13, 0.24, 0.30, 2.40},
+    {"SOD (our stand-in)", "sod_stand_in", 4392, 1.95, 0.76, 16, 5.5, 0.58, 0.14, 0.23, 2.40, 22.0},
+};
+
+std::string factor(double paper_seconds, double our_seconds) {
+  return three_digits(paper_seconds / our_seconds);
+}
+
+/// Three cells: the paper's seconds, ours, the factor; dashes where there is no measurement.
+void append(std::vector<std::string> &cells, double paper_seconds, const Measurement *measurement) {
+  cells.push_back(fixed(paper_seconds, 2));
+  cells.push_back(measurement != nullptr ? scientific(measurement->median()) : "-");
+  cells.push_back(measurement != nullptr ? factor(paper_seconds, measurement->median()) : "-");
+}
+
+}  // namespace
+
+void write_section_2(std::ostream &out, const Run &run) {
+  out << "## Section 2: how well molecules behave\n\nThe paper's figure, then ours with three decimals.\n\n";
+  Table table({"molecule", "n", "k", "ours", "rho", "ours", "max", "ours", "aver.", "ours", "µs"});
+  for (const PaperRow &row : paper) {
+    const Measurement *m = run.find(std::string("section_2/figures/") + row.benchmark);
+    if (m == nullptr) continue;
+    table.row({row.name, grouped(m->counter("atoms")), fixed(row.k, 2), fixed(m->counter("k"), 3), fixed(row.rho, 2),
+               fixed(m->counter("rho"), 3), std::to_string(row.max), fixed(m->counter("max"), 0), fixed(row.mean, 1),
+               fixed(m->counter("mean"), 3), three_digits(m->median() * 1e6)});
+  }
+  table.write(out);
+}
+
+void write_section_3(std::ostream &out, const Run &run) {
+  out << "## Section 3: the structure and its queries\n\n"
+         "Seconds: the paper's (Indigo R3000), ours, and the factor between. Queries: 1000 centres uniform in the box\n"
+         "around the balls, the same 1000 in every iteration; the balls that are asked about have radius r_max.\n\n";
+  Table table({"molecule", "n", "build", "ours", "factor", "1000 points", "ours", "factor", "1000 balls", "ours",
+               "factor", "hits per ball"});
+  for (const PaperRow &row : paper) {
+    const Measurement *balls = run.find(std::string("section_3/ball_queries_1000/") + row.benchmark);
+    std::vector<std::string> cells{row.name, grouped(row.balls)};
+    append(cells, row.build, run.find(std::string("section_3/build/") + row.benchmark));
+    append(cells, row.point_queries, run.find(std::string("section_3/point_queries_1000/") + row.benchmark));
+    append(cells, row.ball_queries, balls);
+    cells.push_back(balls != nullptr ? fixed(balls->counter("hits_per_query"), 2) : "-");
+    table.row(cells);
+  }
+  table.write(out);
+}
+
+void write_section_4_2(std::ostream &out, const Run &run) {
+  out << "## Section 4.2: the boundary of the union\n\n"
+         "Seconds. Step 1 is hsp_query_neighbours for every ball, with the paper's Step 1 beside it. Steps 1 and 2 "
+         "are\n"
+         "hsp_boundary_compute, which finds the neighbours itself and also links faces and shells (Step 3), beside "
+         "the\n"
+         "sum of the paper's two steps, which did not. The last column adds areas and volumes of every ball.\n\n";
+  Table table({"molecule", "n", "Step 1", "ours", "factor", "Steps 1 + 2", "ours", "factor", "with areas, volumes",
+               "vertices", "faces"});
+  for (const PaperRow &row : paper) {
+    const Measurement *boundary = run.find(std::string("section_4_2/boundary/") + row.benchmark);
+    const Measurement *measure = run.find(std::string("section_4_2/boundary_and_measure/") + row.benchmark);
+    std::vector<std::string> cells{row.name, grouped(row.balls)};
+    append(cells, row.step_1, run.find(std::string("section_4_2/step_1/") + row.benchmark));
+    append(cells, row.step_1 + row.step_2, boundary);
+    cells.push_back(measure != nullptr ? scientific(measure->median()) : "-");
+    cells.push_back(boundary != nullptr ? grouped(boundary->counter("vertices")) : "-");
+    cells.push_back(boundary != nullptr ? grouped(boundary->counter("faces")) : "-");
+    table.row(cells);
+  }
+  table.write(out);
+}
+
+}  // namespace report

@@ -1,0 +1,60 @@
+// write_report FOLDER > report.md: a Markdown report of the benchmark results (*.json) in the folder, and of what
+// run.sh measured of other programs (peers.txt, if it is there).
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <string>
+
+#include "goals_tables.hpp"
+#include "measurements.hpp"
+#include "paper_tables.hpp"
+
+namespace {
+
+std::string context(const report::Run &run, const std::string &key) {
+  const auto found = run.context.find(key);
+  return found == run.context.end() ? "unknown" : found->second;
+}
+
+void write_head(std::ostream &out, const report::Run &run) {
+  out << "# Benchmark report\n\n"
+      << "- date: " << context(run, "date") << '\n'
+      << "- machine: " << context(run, "cpu_model") << ", " << context(run, "num_cpus")
+      << " processors; one thread is used\n"
+      << "- compiler: " << context(run, "compiler") << '\n'
+      << "- flags: `" << context(run, "flags") << "`\n"
+      << "- hardsphere: version number " << context(run, "hardsphere_version") << '\n'
+      << "- radii of the paper's tables, in Angstrom: " << context(run, "radii_paper") << '\n'
+      << "- radii of the other tables: " << context(run, "radii_van_der_waals")
+      << "; solvent-accessible: plus a probe of 1.4\n"
+      << "- times: CPU time, median of the repetitions; memory is taken before the clock starts and used again\n"
+      << "- molecules: bench/molecules/README.md; felix is a model, SOD a generated stand-in of the same figures\n\n";
+}
+
+}  // namespace
+
+int main(int argc, char **argv) {
+  if (argc != 2) {
+    std::fprintf(stderr, "usage: write_report FOLDER > report.md\n");
+    return 2;
+  }
+  try {
+    const std::filesystem::path folder(argv[1]);
+    const report::Run run = report::read_run(folder);
+    write_head(std::cout, run);
+    report::write_section_2(std::cout, run);
+    report::write_section_3(std::cout, run);
+    report::write_section_4_2(std::cout, run);
+    report::write_goals(std::cout, run);
+    report::write_scaling(std::cout, run);
+    report::write_queries(std::cout, run);
+    std::ifstream peers(folder / "peers.txt");
+    if (peers) std::cout << "## Other programs\n\n" << peers.rdbuf();
+  } catch (const std::exception &error) {
+    std::fprintf(stderr, "write_report: %s\n", error.what());
+    return 1;
+  }
+  return std::cout.flush() ? 0 : 1;
+}

@@ -1,0 +1,93 @@
+#!/bin/bash
+# Runs every benchmark and writes build/bench/report/report.md, with the paper's figures beside ours.
+# Usage: bash bench/run.sh [--quick] [--peers]
+#   --quick  one repetition of each benchmark, as short as it gets: for trying out, not for quoting
+#   --peers  install the Debian package freesasa as well, if it is missing, and time it on the same molecule
+# Missing packages are installed with apt-get (as root, or through sudo).
+set -euo pipefail
+
+quick=no
+peers=no
+for argument in "$@"; do
+  case "$argument" in
+    --quick) quick=yes ;;
+    --peers) peers=yes ;;
+    *) sed -n '2,6s/^# //p' "$0" >&2; exit 2 ;;
+  esac
+done
+
+source_folder=$(cd "$(dirname "$0")/.." && pwd)
+build_folder=${BENCH_BUILD:-$source_folder/build/bench}
+report_folder=$build_folder/report
+
+as_root() {
+  if [ "$(id -u)" -eq 0 ]; then "$@"; else sudo "$@"; fi
+}
+
+install_missing() {
+  local missing=() package
+  for package in "$@"; do
+    dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'install ok installed' || missing+=("$package")
+  done
+  if [ ${#missing[@]} -eq 0 ]; then return; fi
+  as_root apt-get update -qq
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}"
+}
+
+install_missing binutils cmake g++ libbenchmark-dev ninja-build
+if [ "$peers" = yes ]; then install_missing freesasa; fi
+
+cmake -S "$source_folder" -B "$build_folder" -G Ninja -DCMAKE_BUILD_TYPE=Release -DHSP_BENCH=ON \
+  -DHSP_TESTS=OFF -DHSP_TOOL=OFF -DHSP_FUZZ=OFF -DHSP_FORTRAN=OFF
+cmake --build "$build_folder"
+
+rm -rf "$report_folder"
+mkdir -p "$report_folder"
+# Repetitions: fewer for the suite that goes up to a million balls, to stay within a few minutes.
+if [ "$quick" = yes ]; then
+  repetitions=1 repetitions_of_scaling=1 seconds=0.001
+else
+  repetitions=5 repetitions_of_scaling=3 seconds=0.02
+fi
+for suite in bench_paper_section_2 bench_paper_section_3 bench_paper_section_4_2 bench_scaling bench_queries; do
+  printf '== %s\n' "$suite"
+  count=$repetitions
+  if [ "$suite" = bench_scaling ]; then count=$repetitions_of_scaling; fi
+  "$build_folder/bench/$suite" --benchmark_repetitions="$count" --benchmark_min_time="$seconds" \
+    --benchmark_display_aggregates_only=true --benchmark_out_format=json --benchmark_out="$report_folder/$suite.json"
+done
+
+# Seconds of the fastest of five runs of a command, output thrown away.
+least_seconds() {
+  local best='' run begin end
+  for run in 1 2 3 4 5; do
+    begin=$(date +%s%N)
+    "$@" >/dev/null 2>&1 || return 1
+    end=$(date +%s%N)
+    if [ -z "$best" ] || [ $((end - begin)) -lt "$best" ]; then best=$((end - begin)); fi
+  done
+  awk -v ns="$best" 'BEGIN { printf "%.6f", ns / 1e9 }'
+}
+
+# FreeSASA as a whole program, Lee and Richards with 20 slices, less the same program with one Shrake-Rupley point per
+# atom: that is nearly nothing but starting and reading the file.
+time_freesasa() {
+  local molecule=$source_folder/bench/molecules/sod_stand_in.pdb whole reading
+  local common=(--hetatm --no-warnings --n-threads=1 --radii=protor "$molecule")
+  whole=$(least_seconds freesasa --lee-richards --resolution=20 "${common[@]}") || return 1
+  reading=$(least_seconds freesasa --shrake-rupley --resolution=1 "${common[@]}") || return 1
+  awk -v whole="$whole" -v reading="$reading" -v version="$(freesasa --version | head -n 1)" 'BEGIN {
+    printf "%s, Lee and Richards, 20 slices, one thread, its own radii, probe 1.4, on the stand-in for SOD:\n", version
+    printf "%.1f ms for the whole program, of which %.1f ms are left with one Shrake-Rupley point per atom (starting,\n", whole * 1e3, reading * 1e3
+    printf "reading the file). The difference, %.1f ms or **%.1f us per atom**, is for areas alone, to about three digits;\n", (whole - reading) * 1e3, (whole - reading) / 4392 * 1e6
+    printf "beside it stands the column \"everything\" of the solvent-accessible balls: exact boundary, areas and volumes.\n"
+  }'
+}
+if ! command -v freesasa >/dev/null; then
+  printf 'freesasa: skipped: not installed (bench/run.sh --peers installs it).\n'
+elif ! time_freesasa; then
+  printf 'freesasa: skipped: it failed on the stand-in.\n'
+fi >"$report_folder/peers.txt"
+
+"$build_folder/bench/write_report" "$report_folder" >"$report_folder/report.md"
+printf 'The report is %s\n' "$report_folder/report.md"

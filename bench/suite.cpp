@@ -1,0 +1,165 @@
+#include "suite.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <exception>
+#include <fstream>
+#include <random>
+#include <utility>
+
+namespace bench {
+namespace {
+
+constexpr std::uint64_t seed = 1994;
+constexpr std::uint32_t most_hits = 4096;
+
+std::unique_ptr<Subject> alive;
+std::string alive_key;
+
+Subject &subject_of(const SubjectRecipe &recipe) {
+  if (alive == nullptr || alive_key != recipe.key) {
+    alive.reset();
+    auto subject = std::make_unique<Subject>();
+    subject->balls = recipe.balls();
+    subject->model = std::make_unique<Model>(subject->balls, recipe.probe);
+    if (recipe.with_boundary) subject->boundary = std::make_unique<Boundary>(*subject->model);
+    alive = std::move(subject);
+    alive_key = recipe.key;
+  }
+  return *alive;
+}
+
+/// Uniform in [0, 1): the standard leaves the values of its distributions to each library, not those of its engines.
+double uniform(std::mt19937_64 &engine) {
+  return static_cast<double>(engine() >> 11) * 0x1p-53;
+}
+
+std::string cpu_model() {
+  std::ifstream in("/proc/cpuinfo");
+  for (std::string line; std::getline(in, line);) {
+    const std::size_t colon = line.find(": ");
+    if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
+  }
+  return "unknown";
+}
+
+}  // namespace
+
+benchmark::internal::Benchmark *register_case(const std::string &name, const SubjectRecipe &recipe, Body body) {
+  auto run = [recipe, body = std::move(body)](benchmark::State &state) {
+    try {
+      Subject &subject = subject_of(recipe);
+      state.counters["atoms"] = static_cast<double>(subject.model->size());
+      body(state, subject);
+    } catch (const std::exception &error) {
+      state.SkipWithError(error.what());
+    }
+  };
+  return benchmark::RegisterBenchmark(name.c_str(), run);
+}
+
+void register_skipped(const std::string &name, const std::string &reason) {
+  benchmark::RegisterBenchmark(
+      name.c_str(), [reason](benchmark::State &state) { state.SkipWithError(("skipped: " + reason).c_str()); });
+}
+
+std::vector<double> random_points_in_box(const Model &model, std::size_t count) {
+  const std::vector<double> &xyz = model.balls().xyz;
+  const double margin = model.largest_radius();
+  std::array<double, 3> low{};
+  std::array<double, 3> size{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    low[axis] = xyz[axis];
+    double high = xyz[axis];
+    for (std::size_t i = axis; i < xyz.size(); i += 3) {
+      low[axis] = std::min(low[axis], xyz[i]);
+      high = std::max(high, xyz[i]);
+    }
+    low[axis] -= margin;
+    size[axis] = high + margin - low[axis];
+  }
+  std::mt19937_64 engine(seed);
+  std::vector<double> points;
+  for (std::size_t i = 0; i < 3 * count; ++i) points.push_back(low[i % 3] + size[i % 3] * uniform(engine));
+  return points;
+}
+
+std::vector<double> random_points_near_atoms(const Model &model, std::size_t count) {
+  const std::vector<double> &xyz = model.balls().xyz;
+  std::mt19937_64 engine(seed);
+  std::vector<double> points;
+  while (points.size() < 3 * count) {
+    std::array<double, 3> offset{};
+    double square = 0;
+    for (double &component : offset) {
+      component = 2 * uniform(engine) - 1;
+      square += component * component;
+    }
+    if (square > 1) continue;
+    const std::size_t atom = engine() % model.size();
+    for (std::size_t axis = 0; axis < 3; ++axis) points.push_back(xyz[3 * atom + axis] + offset[axis]);
+  }
+  return points;
+}
+
+std::size_t query_points(const Model &model, const std::vector<double> &points) {
+  std::array<std::uint32_t, most_hits> ids;
+  std::size_t hits = 0;
+  for (std::size_t i = 0; i < points.size(); i += 3) {
+    std::uint32_t needed = 0;
+    const int32_t status = hsp_query_point(model.get(), &points[i], ids.data(), most_hits, &needed);
+    if (status != HSP_OK) require_ok(status, "hsp_query_point");
+    hits += needed;
+  }
+  benchmark::DoNotOptimize(ids);
+  return hits;
+}
+
+std::size_t query_balls(const Model &model, const std::vector<double> &points, double radius) {
+  std::array<std::uint32_t, most_hits> ids;
+  std::size_t hits = 0;
+  for (std::size_t i = 0; i < points.size(); i += 3) {
+    std::uint32_t needed = 0;
+    const int32_t status = hsp_query_ball(model.get(), &points[i], radius, ids.data(), most_hits, &needed);
+    if (status != HSP_OK) require_ok(status, "hsp_query_ball");
+    hits += needed;
+  }
+  benchmark::DoNotOptimize(ids);
+  return hits;
+}
+
+std::size_t query_all_neighbours(const Model &model) {
+  std::array<std::uint32_t, most_hits> ids;
+  std::size_t hits = 0;
+  for (std::uint32_t ball = 0; ball < model.size(); ++ball) {
+    std::uint32_t needed = 0;
+    const int32_t status = hsp_query_neighbours(model.get(), ball, ids.data(), most_hits, &needed);
+    if (status != HSP_OK) require_ok(status, "hsp_query_neighbours");
+    hits += needed;
+  }
+  benchmark::DoNotOptimize(ids);
+  return hits;
+}
+
+}  // namespace bench
+
+int main(int argc, char **argv) {
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+  benchmark::AddCustomContext("cpu_model", bench::cpu_model());
+  benchmark::AddCustomContext("compiler", BENCH_COMPILER);
+  benchmark::AddCustomContext("flags", BENCH_FLAGS);
+  benchmark::AddCustomContext("radii_paper", std::string(bench::describe(bench::Radii::paper)));
+  benchmark::AddCustomContext("radii_van_der_waals", std::string(bench::describe(bench::Radii::van_der_waals)));
+  benchmark::AddCustomContext("hardsphere_version", std::to_string(hsp_version()));
+  try {
+    bench::register_suite();
+  } catch (const std::exception &error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+  return 0;
+}

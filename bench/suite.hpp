@@ -1,0 +1,58 @@
+// What the benchmark programs share: their main function, how a case is registered, random query centres.
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "handles.hpp"
+#include "molecule_file.hpp"
+
+namespace bench {
+
+/// Every program defines this; main calls it once.
+void register_suite();
+
+/// A model and, if it was asked for, the boundary of one set of balls.
+struct Subject {
+  Balls balls;
+  std::unique_ptr<Model> model;
+  std::unique_ptr<Boundary> boundary;
+};
+
+/// Makes a subject. It is called when the first benchmark that needs it runs, not when benchmarks are registered.
+struct SubjectRecipe {
+  std::string key;  ///< tells recipes apart
+  std::function<Balls()> balls;
+  double probe = 0;
+  bool with_boundary = false;
+};
+
+using Body = std::function<void(benchmark::State &, Subject &)>;
+
+/// Register a benchmark over a subject. Benchmarks of the same recipe key that are registered one after the other share
+/// the subject, with all repetitions; only one subject is alive at a time. Exceptions become the benchmark's error.
+benchmark::internal::Benchmark *register_case(const std::string &name, const SubjectRecipe &recipe, Body body);
+
+/// Register a benchmark that only says why it was skipped.
+void register_skipped(const std::string &name, const std::string &reason);
+
+/// `count` points [count][3], uniform in the box around all balls (centres and radii).
+std::vector<double> random_points_in_box(const Model &model, std::size_t count);
+
+/// `count` points [count][3], each uniform in the ball of radius 1 Angstrom around a random centre.
+std::vector<double> random_points_near_atoms(const Model &model, std::size_t count);
+
+/// Ask for the balls that contain each of the points [count][3], or that meet the ball of this radius around it.
+/// Returns the number of hits.
+std::size_t query_points(const Model &model, const std::vector<double> &points);
+std::size_t query_balls(const Model &model, const std::vector<double> &points, double radius);
+
+/// Ask for the neighbours of every ball of the model (Step 1). Returns the number of neighbours listed.
+std::size_t query_all_neighbours(const Model &model);
+
+}  // namespace bench

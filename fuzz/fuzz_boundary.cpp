@@ -1,0 +1,159 @@
+// The boundary of any set: everything the header promises about its records, the same bytes twice, and no effect of the
+// order of the balls, of the place and of the names of the axes.
+#include <computed.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numeric>
+
+#include "checked_model.hpp"
+
+namespace {
+
+// A computation whose memory goes with it.
+class Result {
+ public:
+  explicit Result(const fuzz::BallSet &set) {
+    const std::vector<double> xyz = set.xyz(), radius = set.radius();
+    const hsp_model_options options = fuzz::options_of(set);
+    const int32_t status = computed_make(set.n(), xyz.data(), radius.data(), &options, &computed_);
+    FUZZ_REQUIRE(status == HSP_OK, hsp_status_text(status));
+  }
+  ~Result() { computed_release(&computed_); }
+  Result(const Result &) = delete;
+  Result &operator=(const Result &) = delete;
+
+  const computed &get() const { return computed_; }
+
+ private:
+  computed computed_{};
+};
+
+void require_sound(const computed &c) {
+  const char *broken = broken_structure(&c);
+  FUZZ_REQUIRE(broken == nullptr, broken);
+  broken = broken_measure(&c);
+  FUZZ_REQUIRE(broken == nullptr, broken);
+}
+
+bool close(double a, double b) {
+  return std::fabs(a - b) <= 1e-10 * (1 + std::fabs(a));
+}
+
+template <class Record>
+bool same(const Record *a, const Record *b, uint32_t count) {
+  return count == 0 || std::memcmp(a, b, count * sizeof(Record)) == 0;
+}
+
+void require_same_bytes(const computed &a, const computed &b) {
+  FUZZ_REQUIRE(std::memcmp(&a.counts, &b.counts, sizeof a.counts) == 0, "counts differ the second time");
+  FUZZ_REQUIRE(same(a.vertices, b.vertices, a.counts.vertices), "vertices differ the second time");
+  FUZZ_REQUIRE(same(a.arcs, b.arcs, a.counts.arcs), "arcs differ the second time");
+  FUZZ_REQUIRE(same(a.circles, b.circles, a.counts.circles), "circles differ the second time");
+  FUZZ_REQUIRE(same(a.faces, b.faces, a.counts.faces), "faces differ the second time");
+  FUZZ_REQUIRE(same(a.balls, b.balls, a.n), "balls differ the second time");
+  FUZZ_REQUIRE(same(a.area, b.area, a.n) && same(a.volume, b.volume, a.n), "areas differ the second time");
+  FUZZ_REQUIRE(same(&a.totals, &b.totals, 1), "totals differ the second time");
+}
+
+// hsp_model_set, hsp_boundary_compute and hsp_boundary_measure, property 1 each.
+void require_no_order(const fuzz::BallSet &set, const computed &reference, fuzz::Bytes &bytes) {
+  std::vector<uint32_t> order(set.n());
+  std::iota(order.begin(), order.end(), 0U);
+  for (uint32_t i = set.n(); i > 1; --i) std::swap(order[i - 1], order[bytes.below(i)]);
+  fuzz::BallSet permuted = set;
+  for (uint32_t i = 0; i < set.n(); ++i) permuted.balls[i] = set.balls[order[i]];
+  const Result other(permuted);
+  require_sound(other.get());
+  const char *what = difference_after_permutation(&reference, &other.get(), order.data());
+  FUZZ_REQUIRE(what == nullptr, what);
+}
+
+void require_no_place(const fuzz::BallSet &set, const computed &reference, fuzz::Bytes &bytes) {
+  fuzz::BallSet moved = set;
+  for (size_t axis = 0; axis < 3; ++axis) {
+    const int64_t shift = (bytes.below(1001) - int64_t{500}) * (bytes.one_in(2) ? set.steps_per_unit : 1);
+    for (fuzz::StepBall &ball : moved.balls) ball.centre[axis] += shift;
+  }
+  const Result other(moved);
+  require_sound(other.get());
+  const computed &c = other.get();
+  FUZZ_REQUIRE(std::memcmp(&c.counts, &reference.counts, sizeof c.counts) == 0, "counts differ at another place");
+  for (uint32_t i = 0; i < set.n(); ++i) {
+    FUZZ_REQUIRE(c.balls[i].faces == reference.balls[i].faces, "faces of a ball differ at another place");
+    FUZZ_REQUIRE(c.balls[i].flags == reference.balls[i].flags, "flags of a ball differ at another place");
+    FUZZ_REQUIRE(close(c.area[i], reference.area[i]), "area of a ball differs at another place");
+  }
+  FUZZ_REQUIRE(close(reference.totals.volume, c.totals.volume), "volume differs at another place");
+}
+
+// Ties may be broken otherwise when axes change names; the topology of the closed balls stays.
+void require_no_axes(const fuzz::BallSet &set, const computed &reference, fuzz::Bytes &bytes) {
+  fuzz::BallSet turned = set;
+  const uint32_t turn = 1 + bytes.below(2);
+  const int64_t mirror = bytes.below(2) == 0 ? 1 : -1;
+  for (uint32_t i = 0; i < set.n(); ++i) {
+    for (uint32_t axis = 0; axis < 3; ++axis) {
+      turned.balls[i].centre[axis] = mirror * set.balls[i].centre[(axis + turn) % 3];
+    }
+  }
+  const Result other(turned);
+  require_sound(other.get());
+  const hsp_boundary_counts &counts = other.get().counts;
+  FUZZ_REQUIRE(counts.components == reference.counts.components, "components differ with other axes");
+  FUZZ_REQUIRE(counts.voids == reference.counts.voids, "voids differ with other axes");
+  FUZZ_REQUIRE(counts.euler == reference.counts.euler, "euler differs with other axes");
+  FUZZ_REQUIRE(close(reference.totals.area, other.get().totals.area), "area differs with other axes");
+  FUZZ_REQUIRE(close(reference.totals.volume, other.get().totals.volume), "volume differs with other axes");
+}
+
+// Each component on its own gives its part of everything.
+void require_sum_over_components(const fuzz::BallSet &set, const computed &reference) {
+  if (reference.counts.components < 2) return;
+  hsp_boundary_counts sum{};
+  double area = 0, volume = 0;
+  for (uint32_t k = 0; k < reference.counts.components; ++k) {
+    fuzz::BallSet part = set;
+    part.balls.clear();
+    for (uint32_t i = 0; i < set.n(); ++i) {
+      if (reference.balls[i].component == k) part.balls.push_back(set.balls[i]);
+    }
+    const Result result(part);
+    const computed &c = result.get();
+    FUZZ_REQUIRE(c.counts.components == 1, "a component falls apart on its own");
+    sum.vertices += c.counts.vertices;
+    sum.circles += c.counts.circles;
+    sum.faces += c.counts.faces;
+    sum.loops += c.counts.loops;
+    sum.voids += c.counts.voids;
+    sum.contained_balls += c.counts.contained_balls;
+    sum.euler += c.counts.euler;
+    area += c.totals.area;
+    volume += c.totals.volume;
+  }
+  const hsp_boundary_counts &all = reference.counts;
+  FUZZ_REQUIRE(sum.vertices == all.vertices && sum.circles == all.circles, "vertices or circles of the components");
+  FUZZ_REQUIRE(sum.faces == all.faces && sum.loops == all.loops, "faces or loops of the components");
+  FUZZ_REQUIRE(sum.voids == all.voids && sum.euler == all.euler, "voids or euler of the components");
+  FUZZ_REQUIRE(sum.contained_balls == all.contained_balls, "contained balls of the components");
+  FUZZ_REQUIRE(close(reference.totals.area, area) && close(reference.totals.volume, volume), "area of the components");
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+  fuzz::Bytes bytes(data, size);
+  const fuzz::BallSet set = fuzz::ball_set(bytes, 32);
+  const Result reference(set);
+  require_sound(reference.get());
+  {
+    const Result again(set);
+    require_same_bytes(reference.get(), again.get());
+  }
+  require_no_order(set, reference.get(), bytes);
+  require_no_place(set, reference.get(), bytes);
+  require_no_axes(set, reference.get(), bytes);
+  require_sum_over_components(set, reference.get());
+  return 0;
+}

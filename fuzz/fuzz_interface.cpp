@@ -1,0 +1,397 @@
+// Random sequences of calls with null pointers, wrong sizes, NaNs, short and misaligned memory. A small model of what
+// each handle holds says which status must come; outputs must be untouched whenever the header says so.
+#include <hardsphere.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "fuzz_input.hpp"
+
+namespace {
+
+// An output array of exactly `capacity` records between guards, or none at all.
+template <class Record>
+class Output {
+ public:
+  Output(uint32_t capacity, bool null)
+      : capacity_(capacity), null_(null), memory_((capacity + 2) * sizeof(Record), 0xA5) {}
+
+  Record *data() { return null_ ? nullptr : reinterpret_cast<Record *>(memory_.data()) + 1; }
+  uint32_t capacity() const { return capacity_; }
+
+  // Nothing but the first `written` records was touched.
+  bool untouched_from(uint32_t written) const {
+    for (size_t i = 0; i < memory_.size(); ++i) {
+      const bool inside = i >= sizeof(Record) && i < (1 + size_t{written}) * sizeof(Record);
+      if (!inside && memory_[i] != 0xA5) return false;
+    }
+    return true;
+  }
+
+ private:
+  uint32_t capacity_;
+  bool null_;
+  std::vector<uint8_t> memory_;
+};
+
+class Session {
+ public:
+  explicit Session(fuzz::Bytes &bytes) : bytes_(bytes) {
+    // Most sessions begin in the usual order; else few would ever hold results.
+    if (bytes_.one_in(4)) return;
+    init_model();
+    set_model();
+    init_boundary();
+    compute();
+  }
+
+  void step() {
+    switch (bytes_.below(12)) {
+      case 0:
+        init_model();
+        break;
+      case 1:
+      case 2:
+        set_model();
+        break;
+      case 3:
+        describe_model();
+        break;
+      case 4:
+        query_places();
+        break;
+      case 5:
+        query_neighbours();
+        break;
+      case 6:
+        init_boundary();
+        break;
+      case 7:
+      case 8:
+        compute();
+        break;
+      case 9:
+        read_records();
+        break;
+      case 10:
+        measure();
+        break;
+      default:
+        constants();
+    }
+  }
+
+ private:
+  bool null() { return bytes_.one_in(40); }
+
+  double number() {
+    static constexpr double special[] = {std::numeric_limits<double>::quiet_NaN(),
+                                         std::numeric_limits<double>::infinity(),
+                                         -std::numeric_limits<double>::infinity(),
+                                         -0.0,
+                                         -1.0,
+                                         1e300,
+                                         -1e300,
+                                         std::numeric_limits<double>::denorm_min(),
+                                         1e-300,
+                                         1e16,
+                                         1e-9,
+                                         std::numeric_limits<double>::max()};
+    if (odd_numbers_ && bytes_.one_in(12)) return special[bytes_.below(static_cast<uint32_t>(std::size(special)))];
+    return bytes_.below(8);
+  }
+
+  void constants() {
+    FUZZ_REQUIRE(hsp_version() == HSP_VERSION_NUMBER, "version");
+    const int32_t status = -static_cast<int32_t>(bytes_.below(20));
+    FUZZ_REQUIRE(hsp_status_text(status) != nullptr && hsp_status_text(status)[0] != 0, "status text");
+  }
+
+  void init_model() {
+    const uint32_t limit = bytes_.below(24);
+    const size_t misalignment = bytes_.below(16);
+    const bool no_memory = null(), no_handle = null();
+    size_t bytes = 0;
+    FUZZ_REQUIRE(hsp_model_bytes(limit, &bytes) == HSP_OK, "hsp_model_bytes");
+    const size_t missing = bytes_.one_in(8) ? 1 + bytes_.below(200) : 0;
+    const size_t given = missing < bytes ? bytes - missing : 0;
+    // what referred to the old memory goes first
+    boundary_ = nullptr;
+    model_ = nullptr;
+    model_memory_.assign(misalignment + given + 1, 0x3C);
+    uint8_t *memory = no_memory ? nullptr : model_memory_.data() + misalignment;
+    hsp_model *made = nullptr;
+    const int32_t status = hsp_model_init(memory, given, limit, no_handle ? nullptr : &made);
+    const int32_t expected = no_memory || no_handle ? HSP_E_ARGUMENT : missing > 0 ? HSP_E_MEMORY : HSP_OK;
+    FUZZ_REQUIRE(status == expected, "hsp_model_init");
+    FUZZ_REQUIRE(model_memory_.back() == 0x3C, "written past the model's memory");
+    if (status != HSP_OK) {
+      FUZZ_REQUIRE(made == nullptr, "a handle after failure");
+      for (const uint8_t byte : model_memory_) FUZZ_REQUIRE(byte == 0x3C, "written although refused");
+      return;
+    }
+    model_ = made;
+    limit_ = limit;
+    balls_ = 0;
+  }
+
+  void set_model() {
+    const uint32_t n = bytes_.one_in(8) ? bytes_.below(28) : bytes_.below(limit_ + 1);
+    std::vector<double> xyz(3 * size_t{n}), radius(n);
+    odd_numbers_ = bytes_.one_in(3);
+    for (double &x : xyz) x = number();
+    for (double &r : radius) r = number();
+    const bool no_model = model_ == nullptr || null(), no_xyz = null(), no_radius = null(),
+               no_options = bytes_.below(2) == 0;
+    hsp_model_options options;
+    const uint32_t struct_size = bytes_.one_in(40) ? bytes_.below(256) : uint32_t{sizeof options};
+    const int32_t filled = hsp_model_options_init(&options, struct_size);
+    FUZZ_REQUIRE(filled == (struct_size == sizeof options ? HSP_OK : HSP_E_ARGUMENT), "hsp_model_options_init");
+    if (filled != HSP_OK) std::memset(&options, 0, sizeof options);
+    options.struct_size = struct_size;
+    options.reserved = bytes_.one_in(40) ? 1 : 0;
+    options.probe = bytes_.one_in(3) ? number() : 0;
+    options.step = bytes_.one_in(3) ? (bytes_.below(2) == 0 ? 1e-3 : number()) : 0;
+    const bool bad_options = !no_options && (struct_size != sizeof options || options.reserved != 0);
+
+    uint32_t bad = 12345;
+    const int32_t status = hsp_model_set(no_model ? nullptr : model_, n, no_xyz ? nullptr : xyz.data(),
+                                         no_radius ? nullptr : radius.data(), no_options ? nullptr : &options, &bad);
+    FUZZ_REQUIRE(model_memory_.empty() || model_memory_.back() == 0x3C, "written past the model's memory");
+    const bool bad_pointer = no_model || (n > 0 && (xyz.data() == nullptr || no_xyz || no_radius)) || bad_options;
+    if (!no_model) {
+      complete_ = false;
+      balls_ = status == HSP_OK ? n : 0;
+    }
+    if (bad_pointer) {
+      FUZZ_REQUIRE(status == HSP_E_ARGUMENT, "hsp_model_set, arguments");
+      return;
+    }
+    if (n > limit_) {
+      FUZZ_REQUIRE(status == HSP_E_CAPACITY, "hsp_model_set, capacity");
+      return;
+    }
+    bool finite = true, negative = false;
+    for (const double x : xyz) finite = finite && std::isfinite(x);
+    for (const double r : radius) finite = finite && std::isfinite(r);
+    for (const double r : radius) negative = negative || r < 0;
+    if (!no_options) {
+      finite = finite && std::isfinite(options.probe) && std::isfinite(options.step);
+      negative = negative || options.probe < 0 || options.step < 0;
+    }
+    switch (status) {
+      case HSP_OK:
+        FUZZ_REQUIRE(finite && !negative && bad == HSP_NONE, "taken although it should be refused");
+        break;
+      case HSP_E_NOT_FINITE:
+        FUZZ_REQUIRE(!finite, "refused as not finite");
+        break;
+      case HSP_E_NEGATIVE:
+        FUZZ_REQUIRE(negative, "refused as negative");
+        break;
+      case HSP_E_RANGE:
+        break;
+      default:
+        FUZZ_REQUIRE(false, "a status that hsp_model_set does not have");
+    }
+    FUZZ_REQUIRE(bad == HSP_NONE || bad < n, "first_bad is no ball");
+  }
+
+  void describe_model() {
+    hsp_model *model = null() ? nullptr : model_;
+    hsp_model_info info;
+    hsp_figures figures;
+    const int32_t expected = model == nullptr ? HSP_E_ARGUMENT : HSP_OK;
+    FUZZ_REQUIRE(hsp_model_get_info(model, &info) == expected, "hsp_model_get_info");
+    FUZZ_REQUIRE(hsp_model_get_figures(model, &figures) == expected, "hsp_model_get_figures");
+    if (expected == HSP_OK) FUZZ_REQUIRE(info.balls == balls_, "number of balls");
+  }
+
+  // The rules for (out, capacity, needed), the same for all functions.
+  template <class Record, class Ask>
+  void check_array(uint32_t most, int32_t argument_status, const Ask &ask) {
+    const bool no_out = null(), no_needed = null();
+    Output<Record> out(bytes_.below(most + 3), no_out);
+    uint32_t needed = 12345;
+    const int32_t status = ask(out.data(), out.capacity(), no_needed ? nullptr : &needed);
+    if (argument_status == HSP_E_ARGUMENT || no_needed || (no_out && out.capacity() > 0)) {
+      FUZZ_REQUIRE(status == HSP_E_ARGUMENT, "null pointer");
+    } else if (argument_status != HSP_OK) {
+      FUZZ_REQUIRE(status == argument_status, "state or argument");
+    } else {
+      FUZZ_REQUIRE(status == HSP_OK || status == HSP_E_CAPACITY, "status of an array function");
+      FUZZ_REQUIRE((status == HSP_OK) == (needed <= out.capacity()), "capacity");
+    }
+    const bool tells = status == HSP_OK || status == HSP_E_CAPACITY;
+    FUZZ_REQUIRE(tells || needed == 12345, "needed written on failure");
+    FUZZ_REQUIRE(out.untouched_from(status == HSP_OK ? needed : 0), "written where nothing belongs");
+  }
+
+  void query_places() {
+    const hsp_model *model = null() ? nullptr : model_;
+    double xyz[3];
+    odd_numbers_ = bytes_.one_in(3);
+    for (double &x : xyz) x = number();
+    const double radius = number();
+    const double *place = null() ? nullptr : xyz;
+    int32_t meets = 12345;
+    const int32_t status = hsp_query_meets(model, place, radius, &meets);
+    const bool pointers = model != nullptr && place != nullptr;
+    const bool finite = std::isfinite(xyz[0]) && std::isfinite(xyz[1]) && std::isfinite(xyz[2]);
+    FUZZ_REQUIRE(pointers || status == HSP_E_ARGUMENT, "hsp_query_meets, arguments");
+    FUZZ_REQUIRE(!pointers || (finite && std::isfinite(radius)) || status < 0,
+                 "hsp_query_meets takes what is not finite");
+    FUZZ_REQUIRE(status != HSP_OK || meets == 0 || meets == 1, "meets");
+    FUZZ_REQUIRE(status == HSP_OK || meets == 12345, "meets written on failure");
+    FUZZ_REQUIRE(status == HSP_OK || status == HSP_E_ARGUMENT || status == HSP_E_NOT_FINITE ||
+                     status == HSP_E_NEGATIVE || status == HSP_E_RANGE,
+                 "a status that hsp_query_meets does not have");
+    check_array<uint32_t>(24, status, [&](uint32_t *out, uint32_t capacity, uint32_t *needed) {
+      return hsp_query_ball(model, place, radius, out, capacity, needed);
+    });
+    int32_t point_status = 12345;
+    const int32_t whether = hsp_query_meets(model, place, 0, &point_status);
+    check_array<uint32_t>(24, whether, [&](uint32_t *out, uint32_t capacity, uint32_t *needed) {
+      return hsp_query_point(model, place, out, capacity, needed);
+    });
+  }
+
+  void query_neighbours() {
+    const hsp_model *model = null() ? nullptr : model_;
+    const uint32_t ball = bytes_.below(30);
+    const int32_t expected = model == nullptr ? HSP_E_ARGUMENT : ball >= balls_ ? HSP_E_ID : HSP_OK;
+    check_array<uint32_t>(24, expected, [&](uint32_t *out, uint32_t capacity, uint32_t *needed) {
+      return hsp_query_neighbours(model, ball, out, capacity, needed);
+    });
+  }
+
+  void init_boundary() {
+    hsp_boundary_limits limits;
+    FUZZ_REQUIRE(hsp_boundary_limits_init(&limits, sizeof limits, bytes_.below(28)) == HSP_OK, "limits");
+    if (bytes_.below(2) == 0) {
+      limits.neighbours = bytes_.below(28);
+      limits.vertices = bytes_.below(100);
+      limits.circles = bytes_.below(30);
+    }
+    if (bytes_.one_in(40)) limits.struct_size = bytes_.below(256);
+    if (bytes_.one_in(40)) limits.reserved = 1;
+    if (bytes_.one_in(16)) limits.vertices = 0xFFFFFFFF;
+    size_t bytes = 12345;
+    const int32_t status = hsp_boundary_bytes(&limits, &bytes);
+    const int32_t expected = limits.struct_size != sizeof limits || limits.reserved != 0 ? HSP_E_ARGUMENT
+                             : limits.vertices > HSP_MAX_BALLS                           ? HSP_E_RANGE
+                                                                                         : HSP_OK;
+    FUZZ_REQUIRE(status == expected, "hsp_boundary_bytes");
+    FUZZ_REQUIRE(status == HSP_OK || bytes == 12345, "bytes written on failure");
+    if (status != HSP_OK) bytes = 4096;
+    const size_t missing = bytes_.one_in(8) ? 1 + bytes_.below(200) : 0;
+    const size_t misalignment = bytes_.below(16);
+    const size_t given = missing < bytes ? bytes - missing : 0;
+    boundary_ = nullptr;
+    boundary_memory_.assign(misalignment + given + 1, 0x3C);
+    hsp_boundary *made = nullptr;
+    const int32_t done = hsp_boundary_init(boundary_memory_.data() + misalignment, given, &limits, &made);
+    FUZZ_REQUIRE(done == (status != HSP_OK ? status : missing > 0 ? HSP_E_MEMORY : HSP_OK), "hsp_boundary_init");
+    FUZZ_REQUIRE(boundary_memory_.back() == 0x3C, "written past the boundary's memory");
+    if (done != HSP_OK) {
+      FUZZ_REQUIRE(made == nullptr, "a handle after failure");
+      return;
+    }
+    boundary_ = made;
+    limits_ = limits;
+    attempted_ = false;
+    complete_ = false;
+  }
+
+  void compute() {
+    hsp_boundary *boundary = null() ? nullptr : boundary_;
+    const hsp_model *model = null() ? nullptr : model_;
+    const int32_t status = hsp_boundary_compute(boundary, model);
+    FUZZ_REQUIRE(boundary_memory_.empty() || boundary_memory_.back() == 0x3C, "written past the boundary's memory");
+    if (boundary == nullptr || model == nullptr) {
+      FUZZ_REQUIRE(status == HSP_E_ARGUMENT, "hsp_boundary_compute, arguments");
+      return;
+    }
+    attempted_ = true;
+    complete_ = status == HSP_OK;
+    hsp_boundary_limits needed;
+    FUZZ_REQUIRE(status == HSP_OK || status == HSP_E_CAPACITY, "a status that hsp_boundary_compute does not have");
+    FUZZ_REQUIRE(hsp_boundary_get_needed(boundary, &needed) == HSP_OK, "hsp_boundary_get_needed");
+    const bool more = needed.balls > limits_.balls || needed.neighbours > limits_.neighbours ||
+                      needed.vertices > limits_.vertices || needed.circles > limits_.circles;
+    FUZZ_REQUIRE(more == (status == HSP_E_CAPACITY), "a limit is reported as too small exactly after HSP_E_CAPACITY");
+    if (status == HSP_OK) {
+      hsp_boundary_counts counts;
+      FUZZ_REQUIRE(hsp_boundary_get_counts(boundary, &counts) == HSP_OK, "hsp_boundary_get_counts");
+      FUZZ_REQUIRE(counts.balls == balls_ && counts.vertices == needed.vertices && counts.circles == needed.circles,
+                   "counts and needed limits");
+    }
+  }
+
+  int32_t reader_status(const hsp_boundary *boundary) const {
+    return boundary == nullptr ? HSP_E_ARGUMENT : complete_ ? HSP_OK : HSP_E_STATE;
+  }
+
+  void read_records() {
+    const hsp_boundary *boundary = null() ? nullptr : boundary_;
+    const int32_t expected = reader_status(boundary);
+    hsp_boundary_counts counts;
+    hsp_boundary_limits needed;
+    FUZZ_REQUIRE(hsp_boundary_get_counts(boundary, &counts) == expected, "hsp_boundary_get_counts");
+    if (!attempted_ && boundary != nullptr) {
+      FUZZ_REQUIRE(hsp_boundary_get_needed(boundary, &needed) == HSP_E_STATE, "hsp_boundary_get_needed");
+    }
+    check_array<hsp_vertex>(40, expected, [&](hsp_vertex *out, uint32_t capacity, uint32_t *count) {
+      return hsp_boundary_get_vertices(boundary, out, capacity, count);
+    });
+    check_array<hsp_arc>(60, expected, [&](hsp_arc *out, uint32_t capacity, uint32_t *count) {
+      return hsp_boundary_get_arcs(boundary, out, capacity, count);
+    });
+    check_array<hsp_circle>(10, expected, [&](hsp_circle *out, uint32_t capacity, uint32_t *count) {
+      return hsp_boundary_get_circles(boundary, out, capacity, count);
+    });
+    check_array<hsp_face>(40, expected, [&](hsp_face *out, uint32_t capacity, uint32_t *count) {
+      return hsp_boundary_get_faces(boundary, out, capacity, count);
+    });
+    check_array<hsp_ball>(24, expected, [&](hsp_ball *out, uint32_t capacity, uint32_t *count) {
+      return hsp_boundary_get_balls(boundary, out, capacity, count);
+    });
+  }
+
+  void measure() {
+    const hsp_boundary *boundary = null() ? nullptr : boundary_;
+    const bool no_totals = null(), no_area = null(), no_volume = null();
+    Output<double> area(bytes_.below(30), no_area);
+    Output<double> volume(area.capacity(), no_volume);
+    Output<hsp_totals> totals(1, no_totals);
+    const int32_t status = hsp_boundary_measure(boundary, totals.data(), area.data(), volume.data(), area.capacity());
+    int32_t expected = reader_status(boundary);
+    if (expected == HSP_OK && !(no_area && no_volume) && area.capacity() < balls_) expected = HSP_E_CAPACITY;
+    FUZZ_REQUIRE(status == expected, "hsp_boundary_measure");
+    const uint32_t written = status == HSP_OK ? balls_ : 0;
+    FUZZ_REQUIRE(area.untouched_from(no_area ? 0 : written), "area written where nothing belongs");
+    FUZZ_REQUIRE(volume.untouched_from(no_volume ? 0 : written), "volume written where nothing belongs");
+    FUZZ_REQUIRE(totals.untouched_from(status == HSP_OK && !no_totals ? 1 : 0), "totals written on failure");
+  }
+
+  fuzz::Bytes &bytes_;
+  std::vector<uint8_t> model_memory_, boundary_memory_;
+  hsp_model *model_ = nullptr;
+  hsp_boundary *boundary_ = nullptr;
+  hsp_boundary_limits limits_{};
+  uint32_t limit_ = 0;        // of the model
+  uint32_t balls_ = 0;        // that the model holds
+  bool odd_numbers_ = false;  // NaN and the like may occur in the current call
+  bool attempted_ = false;    // the boundary was given a model
+  bool complete_ = false;     // the boundary holds results, and the model has not changed since
+};
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+  fuzz::Bytes bytes(data, size);
+  Session session(bytes);
+  for (int calls = 0; calls < 200 && !bytes.empty(); ++calls) session.step();
+  return 0;
+}

@@ -1,0 +1,85 @@
+// The queries of Section 3 against all balls one by one, in integers, with arrays of exactly and of less than the size.
+#include <algorithm>
+
+#include "checked_model.hpp"
+
+namespace {
+
+using Place = std::array<int64_t, 3>;
+
+std::vector<uint32_t> hits_by_definition(const fuzz::BallSet &set, const Place &place, int64_t reach, uint32_t but) {
+  std::vector<uint32_t> hits;
+  for (uint32_t i = 0; i < set.n(); ++i) {
+    const int64_t within = set.radius_of(i) + reach;
+    if (i != but && fuzz::squared_distance(set.balls[i].centre, place) <= within * within) hits.push_back(i);
+  }
+  return hits;
+}
+
+// ask(out, capacity, needed) with every interesting capacity must give the expected hits.
+template <class Ask>
+void check_hits(const std::vector<uint32_t> &expected, fuzz::Bytes &bytes, const Ask &ask) {
+  const auto hits = static_cast<uint32_t>(expected.size());
+  uint32_t needed = 77;
+  FUZZ_REQUIRE(ask(nullptr, 0, &needed) == (hits == 0 ? HSP_OK : HSP_E_CAPACITY), "the query of the number");
+  FUZZ_REQUIRE(needed == hits, "number of hits");
+  std::vector<uint32_t> out(hits, 0xDEAD);
+  FUZZ_REQUIRE(ask(out.data(), hits, &needed) == HSP_OK && needed == hits, "room for all hits");
+  FUZZ_REQUIRE(out == expected, "the hits");
+  if (hits > 0) {
+    const uint32_t less = bytes.below(hits);
+    std::vector<uint32_t> small(less, 0xDEAD);
+    needed = 77;
+    FUZZ_REQUIRE(ask(small.data(), less, &needed) == HSP_E_CAPACITY && needed == hits, "too little room");
+    FUZZ_REQUIRE(std::count(small.begin(), small.end(), 0xDEADU) == less, "written although there is no room");
+  }
+}
+
+// A place near a ball, on its sphere, or anywhere.
+Place next_place(fuzz::Bytes &bytes, const fuzz::BallSet &set) {
+  Place place{};
+  if (set.n() > 0 && !bytes.one_in(4)) {
+    const uint32_t i = bytes.below(set.n());
+    place = set.balls[i].centre;
+    const uint32_t axis = bytes.below(3);
+    if (bytes.below(2) == 0) place[axis] += set.radius_of(i);
+    if (bytes.below(2) == 0) place[axis] += bytes.below(5) - int64_t{2};
+  } else {
+    for (int64_t &coordinate : place) coordinate = (bytes.below(41) - int64_t{20}) * set.steps_per_unit;
+  }
+  return place;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+  fuzz::Bytes bytes(data, size);
+  const size_t misalignment = bytes.below(16);
+  const fuzz::BallSet set = fuzz::ball_set(bytes, 48);
+  const fuzz::CheckedModel checked(set, misalignment);
+  const hsp_model *model = checked.get();
+  for (uint32_t i = 0; i < set.n(); ++i) {
+    check_hits(hits_by_definition(set, set.balls[i].centre, set.radius_of(i), i), bytes,
+               [&](uint32_t *out, uint32_t capacity, uint32_t *needed) {
+                 return hsp_query_neighbours(model, i, out, capacity, needed);
+               });
+  }
+  for (int round = 0; round < 12; ++round) {
+    const Place place = next_place(bytes, set);
+    const double xyz[3] = {set.length(place[0]), set.length(place[1]), set.length(place[2])};
+    check_hits(hits_by_definition(set, place, 0, HSP_NONE), bytes,
+               [&](uint32_t *out, uint32_t capacity, uint32_t *needed) {
+                 return hsp_query_point(model, xyz, out, capacity, needed);
+               });
+    const int64_t scale = bytes.one_in(4) ? 100 * set.steps_per_unit : set.steps_per_unit;
+    const int64_t reach = bytes.below(9) * scale + bytes.below(2);
+    const std::vector<uint32_t> hits = hits_by_definition(set, place, reach, HSP_NONE);
+    check_hits(hits, bytes, [&](uint32_t *out, uint32_t capacity, uint32_t *needed) {
+      return hsp_query_ball(model, xyz, set.length(reach), out, capacity, needed);
+    });
+    int32_t meets = -1;
+    FUZZ_REQUIRE(hsp_query_meets(model, xyz, set.length(reach), &meets) == HSP_OK, "hsp_query_meets");
+    FUZZ_REQUIRE(meets == (hits.empty() ? 0 : 1), "meets");
+  }
+  return 0;
+}

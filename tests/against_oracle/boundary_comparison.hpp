@@ -1,0 +1,33 @@
+// The library's boundary against the brute-force one.
+#ifndef HARDSPHERE_TESTS_AGAINST_ORACLE_BOUNDARY_COMPARISON_HPP
+#define HARDSPHERE_TESTS_AGAINST_ORACLE_BOUNDARY_COMPARISON_HPP
+
+#include <string>
+
+#include "brute_boundary.hpp"
+#include "library_run.hpp"
+#include "random_balls.hpp"
+#include "smallest_failing.hpp"
+
+/// Compare the boundary in the given order of the balls and in `orders` random ones. Balls are named by their rank in
+/// the tie rule, which the order does not change.
+inline Complaint boundary_differs(int orders, std::uint64_t seed) {
+  return [orders, seed](const oracle::Balls &balls) {
+    oracle::RandomSource random(seed);
+    const oracle::BoundaryRecord record = oracle::brute_boundary(balls);
+    const auto expected = oracle::canonical(record, oracle::tie_ranks(balls));
+    // The interface leaves open whether the sphere of a contained ball makes a vertex tied.
+    const auto open = oracle::ties_with_contained_balls(record, oracle::tie_ranks(balls));
+    for (int k = 0; k <= orders; ++k) {
+      const oracle::Balls mixed = k == 0 ? balls : oracle::permuted(balls, random.permutation(balls.size()));
+      auto found = oracle::canonical(LibraryBoundary(mixed).record(), oracle::tie_ranks(mixed));
+      oracle::forget_ties(found, open);
+      if (found == expected) continue;
+      return "library and oracle differ in " + oracle::differences(found, expected) + "for the order " +
+             oracle::to_text(mixed);
+    }
+    return std::string();
+  };
+}
+
+#endif

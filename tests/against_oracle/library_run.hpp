@@ -1,0 +1,59 @@
+// Models and boundaries of the C interface that own their memory, and their results in the oracles' terms.
+#ifndef HARDSPHERE_TESTS_AGAINST_ORACLE_LIBRARY_RUN_HPP
+#define HARDSPHERE_TESTS_AGAINST_ORACLE_LIBRARY_RUN_HPP
+
+#include <cstdint>
+#include <vector>
+
+#include "boundary_record.hpp"
+#include "hardsphere.h"
+#include "lattice_ball.hpp"
+
+/// Throws std::runtime_error with the call's name and the status text unless the status is HSP_OK.
+void expect_ok(std::int32_t status, const char *call);
+
+/// A model of lattice balls: the doubles passed are exact multiples of the step, a power of two, so that nothing is
+/// rounded.
+class LibraryModel {
+ public:
+  explicit LibraryModel(const oracle::Balls &balls, double step = 1);
+
+  [[nodiscard]] hsp_model *handle() const { return model_; }
+  [[nodiscard]] std::uint32_t balls() const { return balls_; }
+
+ private:
+  std::vector<unsigned char> memory_;
+  hsp_model *model_ = nullptr;
+  std::uint32_t balls_ = 0;
+};
+
+/// The boundary of such a model, with its limits enlarged until they suffice.
+class LibraryBoundary {
+ public:
+  explicit LibraryBoundary(const oracle::Balls &balls, double step = 1);
+
+  [[nodiscard]] const hsp_boundary *handle() const { return boundary_; }
+  [[nodiscard]] hsp_boundary_counts counts() const;
+  [[nodiscard]] std::vector<hsp_vertex> vertices() const;
+  [[nodiscard]] std::vector<hsp_arc> arcs() const;
+  [[nodiscard]] std::vector<hsp_circle> circles() const;
+  [[nodiscard]] std::vector<hsp_face> faces() const;
+  [[nodiscard]] std::vector<hsp_ball> balls() const;
+
+  /// All of it as the oracle writes it. Throws std::runtime_error where the numbers contradict each other.
+  [[nodiscard]] oracle::BoundaryRecord record() const;
+
+  struct Measures {
+    hsp_totals totals{};
+    std::vector<double> area;
+    std::vector<double> volume;
+  };
+  [[nodiscard]] Measures measure() const;
+
+ private:
+  LibraryModel model_;
+  std::vector<unsigned char> memory_;
+  hsp_boundary *boundary_ = nullptr;
+};
+
+#endif

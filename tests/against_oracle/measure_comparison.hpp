@@ -1,0 +1,35 @@
+// The library's areas and volume against quadrature over slices.
+#ifndef HARDSPHERE_TESTS_AGAINST_ORACLE_MEASURE_COMPARISON_HPP
+#define HARDSPHERE_TESTS_AGAINST_ORACLE_MEASURE_COMPARISON_HPP
+
+#include <cmath>
+#include <numbers>
+#include <sstream>
+#include <string>
+
+#include "library_run.hpp"
+#include "slice_quadrature.hpp"
+#include "smallest_failing.hpp"
+
+/// Errors are relative to the surface of the largest ball for single balls and to the totals for totals.
+inline std::string measures_differ(const oracle::Balls &balls) {
+  constexpr long double tolerance = 1e-12L;
+  const oracle::SliceMeasures expected = oracle::measure_by_slices(oracle::real_balls(balls));
+  const LibraryBoundary::Measures found = LibraryBoundary(balls).measure();
+  std::ostringstream text;
+  text.precision(17);
+  const auto compare = [&](const char *name, double value, long double reference, long double scale) {
+    if (!(std::abs(static_cast<long double>(value) - reference) <= tolerance * scale))
+      text << name << " " << value << " instead of " << reference << "\n";
+  };
+  long double largest = 0;
+  for (const oracle::LatticeBall &ball : balls) largest = std::max(largest, static_cast<long double>(ball.radius));
+  compare("area", found.totals.area, expected.area, expected.area);
+  compare("volume", found.totals.volume, expected.volume, expected.volume);
+  for (std::size_t i = 0; i < balls.size(); ++i)
+    compare("area of a ball", found.area[i], expected.ball_area[i],
+            4 * std::numbers::pi_v<long double> * largest * largest);
+  return text.str();
+}
+
+#endif

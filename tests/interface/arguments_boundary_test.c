@@ -1,0 +1,237 @@
+/* Every argument of the boundary's functions that the header refuses, and every call out of order. */
+#include <hardsphere.h>
+
+#include "check.h"
+#include "untouched.h"
+
+enum { BALLS = 3 };
+static unsigned char model_memory[HSP_MODEL_BYTES(BALLS)];
+static unsigned char boundary_memory[HSP_BOUNDARY_BYTES(BALLS, BALLS, 16, 16)];
+static hsp_model *model;
+static hsp_boundary *boundary;
+
+static const double xyz[3 * BALLS] = {0, 0, 0, 2, 0, 0, 1, 1.5, 0};
+static const double radius[BALLS] = {1.5, 1.5, 1.25};
+
+/* Every output of the reading functions, to be found untouched after a refusal. */
+static hsp_boundary_counts counts;
+static hsp_boundary_limits needed_limits;
+static hsp_vertex vertices[16];
+static hsp_arc arcs[24];
+static hsp_circle circles[16];
+static hsp_face faces[16];
+static hsp_ball balls[BALLS];
+static hsp_totals totals;
+static double area[BALLS], volume[BALLS];
+static uint32_t needed;
+
+static void fill_outputs(void) {
+  FILL(counts);
+  FILL(needed_limits);
+  FILL(vertices);
+  FILL(arcs);
+  FILL(circles);
+  FILL(faces);
+  FILL(balls);
+  FILL(totals);
+  FILL(area);
+  FILL(volume);
+  FILL(needed);
+}
+
+static void check_outputs_untouched(void) {
+  CHECK_UNTOUCHED(counts);
+  CHECK_UNTOUCHED(needed_limits);
+  CHECK_UNTOUCHED(vertices);
+  CHECK_UNTOUCHED(arcs);
+  CHECK_UNTOUCHED(circles);
+  CHECK_UNTOUCHED(faces);
+  CHECK_UNTOUCHED(balls);
+  CHECK_UNTOUCHED(totals);
+  CHECK_UNTOUCHED(area);
+  CHECK_UNTOUCHED(volume);
+  CHECK_UNTOUCHED(needed);
+}
+
+/* All reading functions with good arguments must say `status` and write nothing. */
+static void check_all_readers(const hsp_boundary *which, int32_t status) {
+  fill_outputs();
+  CHECK_EQUAL(hsp_boundary_get_counts(which, &counts), status);
+  CHECK_EQUAL(hsp_boundary_get_vertices(which, vertices, 16, &needed), status);
+  CHECK_EQUAL(hsp_boundary_get_arcs(which, arcs, 24, &needed), status);
+  CHECK_EQUAL(hsp_boundary_get_circles(which, circles, 16, &needed), status);
+  CHECK_EQUAL(hsp_boundary_get_faces(which, faces, 16, &needed), status);
+  CHECK_EQUAL(hsp_boundary_get_balls(which, balls, BALLS, &needed), status);
+  CHECK_EQUAL(hsp_boundary_measure(which, &totals, area, volume, BALLS), status);
+  CHECK_EQUAL(hsp_boundary_measure(which, &totals, NULL, NULL, 0), status);
+  check_outputs_untouched();
+}
+
+static hsp_boundary_limits good_limits(void) {
+  hsp_boundary_limits limits;
+  CHECK_EQUAL(hsp_boundary_limits_init(&limits, (uint32_t)sizeof limits, BALLS), HSP_OK);
+  limits.neighbours = BALLS;
+  limits.vertices = 16;
+  limits.circles = 16;
+  return limits;
+}
+
+static void limits_init(void) {
+  static const uint32_t numbers[] = {0, 1, 2, 255, 256, 257, 4392, 1000000};
+  hsp_boundary_limits limits;
+  size_t i;
+  FILL(limits);
+  CHECK_EQUAL(hsp_boundary_limits_init(NULL, (uint32_t)sizeof limits, 1), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_limits_init(&limits, 0, 1), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_limits_init(&limits, (uint32_t)sizeof limits + 4, 1), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_limits_init(&limits, (uint32_t)sizeof limits, HSP_MAX_BALLS + 1), HSP_E_RANGE);
+  CHECK_EQUAL(hsp_boundary_limits_init(&limits, (uint32_t)sizeof limits, HSP_NONE), HSP_E_RANGE);
+  CHECK_UNTOUCHED(limits);
+  for (i = 0; i < sizeof numbers / sizeof numbers[0]; ++i) {
+    const uint32_t n = numbers[i];
+    check_scene("limits for %u balls", (unsigned)n);
+    FILL(limits);
+    CHECK_EQUAL(hsp_boundary_limits_init(&limits, (uint32_t)sizeof limits, n), HSP_OK);
+    CHECK_EQUAL(limits.struct_size, sizeof limits);
+    CHECK_EQUAL(limits.balls, n);
+    CHECK_EQUAL(limits.neighbours, n < 256 ? n : 256);
+    CHECK_EQUAL(limits.vertices, 8 * n + 64);
+    CHECK_EQUAL(limits.circles, 2 * n + 16);
+    CHECK_EQUAL(limits.reserved, 0);
+  }
+  check_scene("%s", "");
+}
+
+static void check_bad_limits(const hsp_boundary_limits *limits, int32_t expected) {
+  size_t bytes;
+  hsp_boundary *made;
+  FILL(bytes);
+  FILL(made);
+  FILL(boundary_memory);
+  CHECK_EQUAL(hsp_boundary_bytes(limits, &bytes), expected);
+  CHECK_UNTOUCHED(bytes);
+  CHECK_EQUAL(hsp_boundary_init(boundary_memory, sizeof boundary_memory, limits, &made), expected);
+  CHECK_UNTOUCHED(made);
+  CHECK_UNTOUCHED(boundary_memory);
+}
+
+static void bytes_and_init(void) {
+  hsp_boundary_limits limits = good_limits();
+  hsp_boundary *made;
+  FILL(made);
+  CHECK_EQUAL(hsp_boundary_bytes(&limits, NULL), HSP_E_ARGUMENT);
+  check_bad_limits(NULL, HSP_E_ARGUMENT);
+  limits.struct_size = 0;
+  check_bad_limits(&limits, HSP_E_ARGUMENT);
+  limits.struct_size = (uint32_t)sizeof limits - 4;
+  check_bad_limits(&limits, HSP_E_ARGUMENT);
+  limits.struct_size = (uint32_t)sizeof limits + 8;
+  check_bad_limits(&limits, HSP_E_ARGUMENT);
+  limits = good_limits();
+  limits.reserved = 1;
+  check_bad_limits(&limits, HSP_E_ARGUMENT);
+  limits = good_limits();
+  limits.balls = HSP_MAX_BALLS + 1;
+  check_bad_limits(&limits, HSP_E_RANGE);
+  limits = good_limits();
+  limits.vertices = HSP_MAX_BALLS + 1;
+  check_bad_limits(&limits, HSP_E_RANGE);
+  limits = good_limits();
+  limits.circles = HSP_NONE;
+  check_bad_limits(&limits, HSP_E_RANGE);
+
+  limits = good_limits();
+  CHECK_EQUAL(hsp_boundary_init(NULL, sizeof boundary_memory, &limits, &made), HSP_E_ARGUMENT);
+  FILL(boundary_memory);
+  CHECK_EQUAL(hsp_boundary_init(boundary_memory, sizeof boundary_memory, &limits, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_init(boundary_memory, 0, &limits, &made), HSP_E_MEMORY);
+  CHECK_EQUAL(hsp_boundary_init(boundary_memory, 100, &limits, &made), HSP_E_MEMORY);
+  CHECK_UNTOUCHED(made);
+  CHECK_UNTOUCHED(boundary_memory);
+}
+
+static void compute_and_read(void) {
+  hsp_boundary_limits limits = good_limits();
+  CHECK_EQUAL(hsp_boundary_init(boundary_memory, sizeof boundary_memory, &limits, &boundary), HSP_OK);
+
+  check_scene("nothing computed");
+  check_all_readers(boundary, HSP_E_STATE);
+  CHECK_EQUAL(hsp_boundary_get_needed(boundary, &needed_limits), HSP_E_STATE);
+  check_outputs_untouched();
+
+  check_scene("null pointers");
+  CHECK_EQUAL(hsp_boundary_compute(NULL, model), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, NULL), HSP_E_ARGUMENT);
+  check_all_readers(boundary, HSP_E_STATE);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
+  check_all_readers(NULL, HSP_E_ARGUMENT);
+  fill_outputs();
+  CHECK_EQUAL(hsp_boundary_get_needed(NULL, &needed_limits), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_get_needed(boundary, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_get_counts(boundary, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_get_vertices(boundary, NULL, 16, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_get_vertices(boundary, vertices, 16, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_get_arcs(boundary, NULL, 24, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_get_arcs(boundary, arcs, 24, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_get_circles(boundary, NULL, 1, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_get_circles(boundary, circles, 16, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_get_faces(boundary, NULL, 16, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_get_faces(boundary, faces, 16, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_get_balls(boundary, NULL, BALLS, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_get_balls(boundary, balls, BALLS, NULL), HSP_E_ARGUMENT);
+  check_outputs_untouched();
+
+  check_scene("every output of hsp_boundary_measure may be left out");
+  CHECK_EQUAL(hsp_boundary_measure(boundary, NULL, NULL, NULL, 0), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_measure(boundary, NULL, area, NULL, BALLS), HSP_OK);
+  CHECK(area[0] > 0);
+  CHECK_UNTOUCHED(volume);
+  CHECK_EQUAL(hsp_boundary_measure(boundary, NULL, NULL, volume, BALLS), HSP_OK);
+  CHECK_UNTOUCHED(totals);
+  CHECK_EQUAL(hsp_boundary_measure(boundary, &totals, NULL, NULL, 0), HSP_OK);
+  CHECK_NEAR(area[0] + area[1] + area[2], totals.area, 1e-13 * totals.area);
+  CHECK_NEAR(volume[0] + volume[1] + volume[2], totals.volume, 1e-13 * totals.volume);
+}
+
+/* A changed model makes earlier results unreadable, whether or not the change succeeded, until the next computation. */
+static void model_changed(void) {
+  static const double bad_radius[BALLS] = {1, -1, 1};
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_get_counts(boundary, &counts), HSP_OK);
+  check_scene("model set to the same balls");
+  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
+  check_all_readers(boundary, HSP_E_STATE);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_get_counts(boundary, &counts), HSP_OK);
+  check_scene("model set to nothing");
+  CHECK_EQUAL(hsp_model_set(model, 0, NULL, NULL, NULL, NULL), HSP_OK);
+  check_all_readers(boundary, HSP_E_STATE);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_get_counts(boundary, &counts), HSP_OK);
+  CHECK_EQUAL(counts.balls, 0);
+  check_scene("model emptied by a refusal");
+  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, bad_radius, NULL, NULL), HSP_E_NEGATIVE);
+  check_all_readers(boundary, HSP_E_STATE);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
+  check_scene("figures and queries change nothing");
+  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
+  {
+    hsp_figures figures;
+    CHECK_EQUAL(hsp_model_get_figures(model, &figures), HSP_OK);
+    CHECK_EQUAL(hsp_query_point(model, xyz, NULL, 0, &needed), HSP_E_CAPACITY);
+    CHECK_EQUAL(hsp_boundary_get_counts(boundary, &counts), HSP_OK);
+    CHECK_EQUAL(counts.balls, BALLS);
+  }
+  check_scene("%s", "");
+}
+
+int main(void) {
+  CHECK_EQUAL(hsp_model_init(model_memory, sizeof model_memory, BALLS, &model), HSP_OK);
+  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
+  limits_init();
+  bytes_and_init();
+  compute_and_read();
+  model_changed();
+  return check_report();
+}

@@ -1,0 +1,152 @@
+/* Every argument of the queries that the header refuses, and queries of models without balls. */
+#include <hardsphere.h>
+#include <math.h>
+
+#include "check.h"
+#include "untouched.h"
+
+enum { BALLS = 3 };
+static unsigned char memory[HSP_MODEL_BYTES(BALLS)];
+static hsp_model *model;
+static const double origin[3] = {0, 0, 0};
+static uint32_t ids[4], needed;
+static int32_t meets;
+
+static void fill_outputs(void) {
+  FILL(ids);
+  FILL(needed);
+  FILL(meets);
+}
+
+static void check_outputs_untouched(void) {
+  CHECK_UNTOUCHED(ids);
+  CHECK_UNTOUCHED(needed);
+  CHECK_UNTOUCHED(meets);
+}
+
+static void null_pointers(void) {
+  fill_outputs();
+  CHECK_EQUAL(hsp_query_point(NULL, origin, ids, 4, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_query_point(model, NULL, ids, 4, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_query_point(model, origin, NULL, 1, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_query_point(model, origin, ids, 4, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_query_ball(NULL, origin, 1, ids, 4, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_query_ball(model, NULL, 1, ids, 4, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_query_ball(model, origin, 1, NULL, 1, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_query_ball(model, origin, 1, ids, 4, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_query_meets(NULL, origin, 1, &meets), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_query_meets(model, NULL, 1, &meets), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_query_meets(model, origin, 1, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_query_neighbours(NULL, 0, ids, 4, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_query_neighbours(model, 0, NULL, 1, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_query_neighbours(model, 0, ids, 4, NULL), HSP_E_ARGUMENT);
+  check_outputs_untouched();
+}
+
+static void bad_numbers(void) {
+  static const double not_finite[3] = {NAN, INFINITY, -INFINITY};
+  static const double far[4] = {1e30, -1e30, 1e300, -1.7e308};
+  int v, axis;
+  double xyz[3] = {0, 0, 0};
+  fill_outputs();
+  for (v = 0; v < 3; ++v) {
+    for (axis = 0; axis < 3; ++axis) {
+      xyz[axis] = not_finite[v];
+      CHECK_EQUAL(hsp_query_point(model, xyz, ids, 4, &needed), HSP_E_NOT_FINITE);
+      CHECK_EQUAL(hsp_query_ball(model, xyz, 1, ids, 4, &needed), HSP_E_NOT_FINITE);
+      CHECK_EQUAL(hsp_query_meets(model, xyz, 1, &meets), HSP_E_NOT_FINITE);
+      xyz[axis] = 0;
+    }
+    CHECK_EQUAL(hsp_query_ball(model, xyz, not_finite[v], ids, 4, &needed), HSP_E_NOT_FINITE);
+    CHECK_EQUAL(hsp_query_meets(model, xyz, not_finite[v], &meets), HSP_E_NOT_FINITE);
+  }
+  for (v = 0; v < 4; ++v) {
+    for (axis = 0; axis < 3; ++axis) {
+      xyz[axis] = far[v];
+      CHECK_EQUAL(hsp_query_point(model, xyz, ids, 4, &needed), HSP_E_RANGE);
+      CHECK_EQUAL(hsp_query_ball(model, xyz, 1, ids, 4, &needed), HSP_E_RANGE);
+      CHECK_EQUAL(hsp_query_meets(model, xyz, 1, &meets), HSP_E_RANGE);
+      xyz[axis] = 0;
+    }
+  }
+  CHECK_EQUAL(hsp_query_ball(model, xyz, -1, ids, 4, &needed), HSP_E_NEGATIVE);
+  CHECK_EQUAL(hsp_query_meets(model, xyz, -1, &meets), HSP_E_NEGATIVE);
+  CHECK_EQUAL(hsp_query_ball(model, xyz, -1e-300, ids, 4, &needed), HSP_E_NEGATIVE);
+  CHECK_EQUAL(hsp_query_ball(model, xyz, 1e300, ids, 4, &needed), HSP_E_RANGE);
+  CHECK_EQUAL(hsp_query_meets(model, xyz, 1e300, &meets), HSP_E_RANGE);
+  CHECK_EQUAL(hsp_query_neighbours(model, BALLS, ids, 4, &needed), HSP_E_ID);
+  CHECK_EQUAL(hsp_query_neighbours(model, HSP_NONE, ids, 4, &needed), HSP_E_ID);
+  check_outputs_untouched();
+  CHECK_EQUAL(hsp_query_ball(model, xyz, -0.0, ids, 4, &needed), HSP_OK);
+}
+
+/* Positions up to 2^50 and radii up to 2^51 steps are answered; one step further is refused. */
+static void lattice_limits(void) {
+  static const double most = 1125899906842624.0;
+  static const double xyz[9] = {0, 0, 0, 0, 0, 0, 0, 0, 0};
+  static const double radius[3] = {2, 3, 4};
+  double corner[3] = {0, 0, 0};
+  hsp_model_options options;
+  CHECK_EQUAL(hsp_model_options_init(&options, (uint32_t)sizeof options), HSP_OK);
+  options.step = 1;
+  CHECK_EQUAL(hsp_model_set(model, 3, xyz, radius, &options, NULL), HSP_OK);
+  corner[0] = most;
+  CHECK_EQUAL(hsp_query_point(model, corner, ids, 4, &needed), HSP_OK);
+  CHECK_EQUAL(needed, 0);
+  CHECK_EQUAL(hsp_query_ball(model, corner, most, ids, 4, &needed), HSP_OK);
+  CHECK_EQUAL(needed, 3);
+  CHECK_EQUAL(hsp_query_ball(model, corner, most - 3, ids, 4, &needed), HSP_OK);
+  CHECK_EQUAL(needed, 2);
+  CHECK_EQUAL(ids[0], 1);
+  CHECK_EQUAL(ids[1], 2);
+  CHECK_EQUAL(hsp_query_ball(model, corner, most - 4, ids, 4, &needed), HSP_OK);
+  CHECK_EQUAL(needed, 1);
+  CHECK_EQUAL(hsp_query_ball(model, corner, most - 5, ids, 4, &needed), HSP_OK);
+  CHECK_EQUAL(needed, 0);
+  CHECK_EQUAL(hsp_query_meets(model, corner, most - 4, &meets), HSP_OK);
+  CHECK_EQUAL(meets, 1);
+  CHECK_EQUAL(hsp_query_meets(model, corner, most - 5, &meets), HSP_OK);
+  CHECK_EQUAL(meets, 0);
+  CHECK_EQUAL(hsp_query_ball(model, corner, 2 * most, ids, 4, &needed), HSP_OK);
+  CHECK_EQUAL(needed, 3);
+  corner[1] = -most;
+  corner[2] = most;
+  CHECK_EQUAL(hsp_query_ball(model, corner, 2 * most, ids, 4, &needed), HSP_OK);
+  CHECK_EQUAL(needed, 3);
+  CHECK_EQUAL(hsp_query_ball(model, corner, 2 * most + 1, ids, 4, &needed), HSP_E_RANGE);
+  corner[0] = most + 1;
+  CHECK_EQUAL(hsp_query_point(model, corner, ids, 4, &needed), HSP_E_RANGE);
+}
+
+static void empty_models(void) {
+  int round;
+  for (round = 0; round < 2; ++round) {
+    /* first as initialised, then as set to nothing */
+    CHECK_EQUAL(hsp_model_init(memory, sizeof memory, BALLS, &model), HSP_OK);
+    if (round == 1) CHECK_EQUAL(hsp_model_set(model, 0, NULL, NULL, NULL, NULL), HSP_OK);
+    needed = 7;
+    CHECK_EQUAL(hsp_query_point(model, origin, NULL, 0, &needed), HSP_OK);
+    CHECK_EQUAL(needed, 0);
+    needed = 7;
+    CHECK_EQUAL(hsp_query_ball(model, origin, 10, NULL, 0, &needed), HSP_OK);
+    CHECK_EQUAL(needed, 0);
+    meets = 7;
+    CHECK_EQUAL(hsp_query_meets(model, origin, 10, &meets), HSP_OK);
+    CHECK_EQUAL(meets, 0);
+    fill_outputs();
+    CHECK_EQUAL(hsp_query_neighbours(model, 0, ids, 4, &needed), HSP_E_ID);
+    check_outputs_untouched();
+  }
+}
+
+int main(void) {
+  static const double xyz[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+  static const double radius[3] = {1, 1, 1};
+  CHECK_EQUAL(hsp_model_init(memory, sizeof memory, BALLS, &model), HSP_OK);
+  CHECK_EQUAL(hsp_model_set(model, 3, xyz, radius, NULL, NULL), HSP_OK);
+  null_pointers();
+  bad_numbers();
+  lattice_limits();
+  empty_models();
+  return check_report();
+}

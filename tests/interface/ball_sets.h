@@ -1,0 +1,40 @@
+/* The sets of balls that the interface tests go through: ordinary ones, and every degenerate position with a name.
+ * All coordinates and radii are multiples of the set's step, so that nothing is lost in rounding. */
+#ifndef HSP_TESTS_BALL_SETS_H
+#define HSP_TESTS_BALL_SETS_H
+
+#include <stdint.h>
+
+enum { BALL_SET_MOST = 400 };
+
+typedef struct ball_set {
+  const char *name;
+  uint32_t n;
+  double step; /* every number below is an integer multiple of it */
+  double xyz[3 * BALL_SET_MOST];
+  double radius[BALL_SET_MOST];
+} ball_set;
+
+uint32_t ball_set_count(void);
+
+/* Set number `which`, always the same. */
+void ball_set_make(uint32_t which, ball_set *set);
+
+/* ---- building blocks, for tests with sets of their own ---- */
+
+void ball_set_start(ball_set *set, const char *name, double step);
+void ball_set_add(ball_set *set, double x, double y, double z, double radius);
+
+/* The full grid counts[0] x counts[1] x counts[2] with the given spacings, first ball at the origin. */
+void ball_set_add_grid(ball_set *set, const int counts[3], const double spacing[3], double radius);
+
+/* A self-avoiding walk of atoms with van der Waals radii and bonds of about 1.5, coordinates with 3 decimals. */
+void ball_set_add_chain(ball_set *set, uint32_t atoms, uint64_t seed);
+
+/* The balls of `set` in the order order[0], order[1], ... */
+void ball_set_permute(const ball_set *set, const uint32_t *order, ball_set *permuted);
+
+/* A permutation of 0 .. n-1. */
+void ball_set_shuffle(uint32_t n, uint64_t seed, uint32_t *order);
+
+#endif

@@ -1,0 +1,58 @@
+/* Everything the interface tells about one set of balls, in memory of its own. */
+#ifndef HSP_TESTS_COMPUTED_H
+#define HSP_TESTS_COMPUTED_H
+
+#include <hardsphere.h>
+
+/* The fuzz harnesses, which are C++, use these checks as well. */
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct computed {
+  uint32_t n;
+  double *xyz;     /* copy of the input */
+  double *radius;  /* radius plus probe */
+  double rounding; /* the most by which the lattice moves a coordinate or radius */
+  void *model_memory;
+  void *boundary_memory;
+  hsp_model *model;
+  hsp_boundary *boundary;
+  hsp_model_info info;
+  hsp_boundary_limits needed; /* what the boundary needed, exactly */
+  uint32_t enlargements;      /* how often limits had to be raised, starting from none of anything but balls */
+  hsp_boundary_counts counts;
+  hsp_vertex *vertices;
+  hsp_arc *arcs;
+  hsp_circle *circles;
+  hsp_face *faces;
+  hsp_ball *balls;
+  hsp_totals totals;
+  double *area;
+  double *volume;
+} computed;
+
+/* Sets the model and computes and reads everything. The first status that is not HSP_OK, or HSP_OK. To be followed by
+ * computed_release in either case. */
+int32_t computed_make(uint32_t n, const double *xyz, const double *radius, const hsp_model_options *options,
+                      computed *result);
+
+void computed_release(computed *result);
+
+/* NULL, or a sentence about the first promise of the header that the result breaks: structure and numbers of records.
+ * Time is at most quadratic in n. */
+const char *broken_structure(const computed *result);
+
+/* The same for positions, angles, areas and volumes, within rounding errors. */
+const char *broken_measure(const computed *result);
+
+/* NULL, or a sentence about where two results differ although ball i of `other` is ball order[i] of `result`.
+ * Everything but ids must agree, positions and areas bit for bit. Balls with equal centre and radius are
+ * interchangeable. */
+const char *difference_after_permutation(const computed *result, const computed *other, const uint32_t *order);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

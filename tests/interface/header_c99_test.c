@@ -1,0 +1,23 @@
+/* The header on its own in C99: included first, twice, and with nothing before it. Static arrays of the size macros
+ * serve as memory. */
+#include <hardsphere.h>
+/* A second time: the guard holds. */
+#include <hardsphere.h>
+
+#include "check.h"
+#include "struct_layout.h"
+
+static unsigned char model_memory[HSP_MODEL_BYTES(4)];
+static unsigned char boundary_memory[HSP_BOUNDARY_BYTES(4, 4, 8, 8)];
+
+int main(void) {
+  static const hsp_boundary_limits limits = {sizeof(hsp_boundary_limits), 4, 4, 8, 8, 0};
+  hsp_model *model = NULL;
+  hsp_boundary *boundary = NULL;
+  CHECK_EQUAL(hsp_version(), HSP_VERSION_NUMBER);
+  CHECK_EQUAL(hsp_model_init(model_memory, sizeof model_memory, 4, &model), HSP_OK);
+  CHECK(model != NULL);
+  CHECK_EQUAL(hsp_boundary_init(boundary_memory, sizeof boundary_memory, &limits, &boundary), HSP_OK);
+  CHECK(boundary != NULL);
+  return check_report();
+}

@@ -1,0 +1,98 @@
+/* The queries of Section 3 against all balls one by one, in integers: points and balls at centres, on spheres, between,
+ * far away, with radius 0 and with radii much larger than any ball. */
+#include <hardsphere.h>
+#include <math.h>
+#include <string.h>
+
+#include "ball_sets.h"
+#include "check.h"
+
+static unsigned char memory[HSP_MODEL_BYTES(BALL_SET_MOST)];
+static hsp_model *model;
+static const double probe = 0.25;
+
+/* The lattice of these tests is 0.001, so that squares of distances fit 64 bits. */
+static int64_t steps(double value) {
+  return (int64_t)floor(value * 1000 + 0.5);
+}
+
+/* The balls that meet the ball (xyz, reach), without ball `but`. */
+static uint32_t expected_hits(const ball_set *set, const double *xyz, int64_t reach, uint32_t but, uint32_t *ids) {
+  uint32_t i, hits = 0;
+  for (i = 0; i < set->n; ++i) {
+    const int64_t within = steps(set->radius[i]) + steps(probe) + reach;
+    int64_t squared = 0;
+    int axis;
+    for (axis = 0; axis < 3; ++axis) {
+      const int64_t d = steps(set->xyz[3 * i + (uint32_t)axis]) - steps(xyz[axis]);
+      squared += d * d;
+    }
+    if (i != but && squared <= within * within) ids[hits++] = i;
+  }
+  return hits;
+}
+
+static void check_place(const ball_set *set, const double *xyz, double reach) {
+  uint32_t expected[BALL_SET_MOST], ids[BALL_SET_MOST], hits, needed = 0;
+  int32_t meets = -1;
+  hits = expected_hits(set, xyz, 0, HSP_NONE, expected);
+  CHECK_EQUAL(hsp_query_point(model, xyz, ids, BALL_SET_MOST, &needed), HSP_OK);
+  if (CHECK_EQUAL(needed, hits)) CHECK_BYTES(ids, expected, hits * sizeof ids[0]);
+  hits = expected_hits(set, xyz, steps(reach), HSP_NONE, expected);
+  CHECK_EQUAL(hsp_query_ball(model, xyz, reach, ids, BALL_SET_MOST, &needed), HSP_OK);
+  if (CHECK_EQUAL(needed, hits)) CHECK_BYTES(ids, expected, hits * sizeof ids[0]);
+  CHECK_EQUAL(hsp_query_meets(model, xyz, reach, &meets), HSP_OK);
+  CHECK_EQUAL(meets, hits > 0);
+}
+
+static void check_set(const ball_set *set) {
+  static const double reaches[] = {0, 0.001, 0.5, 1, 1.25, 3, 10, 777, 20000};
+  static const double around[][3] = {{0, 0, 0},        {1, 0, 0}, {0, -1, 0},      {0, 0, 1.001},
+                                     {0.5, 0.5, -0.5}, {2, 2, 2}, {-3.5, 1, 0.25}, {6000, -6000, 6000}};
+  uint32_t i;
+  size_t a, r;
+  hsp_model_options options;
+  CHECK_EQUAL(hsp_model_options_init(&options, (uint32_t)sizeof options), HSP_OK);
+  options.step = 1e-3;
+  options.probe = probe;
+  CHECK_EQUAL(hsp_model_set(model, set->n, set->xyz, set->radius, &options, NULL), HSP_OK);
+  for (i = 0; i < set->n; i += 1 + set->n / 25) {
+    uint32_t expected[BALL_SET_MOST], ids[BALL_SET_MOST], hits, needed = 0;
+    const double *centre = set->xyz + 3 * i;
+    double xyz[3];
+    int axis;
+    check_scene("%s, neighbours of %u", set->name, (unsigned)i);
+    hits = expected_hits(set, centre, steps(set->radius[i]) + steps(probe), i, expected);
+    CHECK_EQUAL(hsp_query_neighbours(model, i, ids, BALL_SET_MOST, &needed), HSP_OK);
+    if (CHECK_EQUAL(needed, hits)) CHECK_BYTES(ids, expected, hits * sizeof ids[0]);
+    for (a = 0; a < sizeof around / sizeof around[0]; ++a) {
+      for (r = 0; r < sizeof reaches / sizeof reaches[0]; ++r) {
+        check_scene("%s, near %u, offset %u, reach %g", set->name, (unsigned)i, (unsigned)a, reaches[r]);
+        for (axis = 0; axis < 3; ++axis) xyz[axis] = centre[axis] + around[a][axis];
+        check_place(set, xyz, reaches[r]);
+      }
+    }
+    /* exactly on the sphere, one step outside, and a ball that touches */
+    memcpy(xyz, centre, sizeof xyz);
+    check_scene("%s, on sphere %u", set->name, (unsigned)i);
+    xyz[0] = centre[0] + set->radius[i] + probe;
+    check_place(set, xyz, 0);
+    xyz[0] += 0.001;
+    check_place(set, xyz, 0);
+    check_place(set, xyz, 0.001);
+    xyz[0] = centre[0] - set->radius[i] - probe - 2.5;
+    check_place(set, xyz, 2.5);
+    check_place(set, xyz, 2.499);
+  }
+}
+
+int main(void) {
+  uint32_t which;
+  CHECK_EQUAL(hsp_model_init(memory, sizeof memory, BALL_SET_MOST, &model), HSP_OK);
+  for (which = 0; which < ball_set_count(); ++which) {
+    static ball_set set;
+    ball_set_make(which, &set);
+    check_set(&set);
+  }
+  return check_report();
+}

@@ -1,0 +1,47 @@
+// Numbers of the ordered ring Z[eps_0, eps_1, eps_2, eps_3] with 1 >> eps_0 >> eps_1 >> eps_2 >> eps_3 > 0, each
+// infinitely small against every power of the one before.
+#ifndef HARDSPHERE_TESTS_ORACLE_INFINITESIMAL_HPP
+#define HARDSPHERE_TESTS_ORACLE_INFINITESIMAL_HPP
+
+#include <cstdint>
+#include <map>
+
+#include "big_integer.hpp"
+
+namespace oracle {
+
+/// A polynomial in the four infinitesimals.
+class Infinitesimal {
+ public:
+  static constexpr unsigned variables = 4;
+
+  Infinitesimal() = default;
+  explicit Infinitesimal(Int128 value);
+
+  /// eps_k
+  static Infinitesimal epsilon(unsigned k);
+
+  friend Infinitesimal operator+(const Infinitesimal &a, const Infinitesimal &b);
+  friend Infinitesimal operator-(const Infinitesimal &a, const Infinitesimal &b);
+  friend Infinitesimal operator*(const Infinitesimal &a, const Infinitesimal &b);
+
+  /// The sign of the largest monomial's coefficient; 0 for the zero polynomial only.
+  [[nodiscard]] int sign() const { return terms_.empty() ? 0 : terms_.begin()->second.sign(); }
+
+ private:
+  // The exponent of eps_k in byte k. Of two monomials that one is larger which has the smaller exponent in the smallest
+  // infinitesimal where they differ, so ascending keys are descending monomials; multiplication adds keys. Exponents
+  // stay below 256: no predicate has a degree above 4.
+  using Monomial = std::uint32_t;
+  void add_term(Monomial monomial, const BigInteger &coefficient);
+
+  std::map<Monomial, BigInteger> terms_;  // no zero coefficients
+};
+
+inline int sign_of(const Infinitesimal &value) {
+  return value.sign();
+}
+
+}  // namespace oracle
+
+#endif

@@ -1,0 +1,64 @@
+// Balls on the integer lattice, as every oracle of this folder sees them, and the order in which ties are broken.
+//
+// The oracles are slow and meant to be obviously right. They share no code with the library and may allocate.
+#ifndef HARDSPHERE_TESTS_ORACLE_LATTICE_BALL_HPP
+#define HARDSPHERE_TESTS_ORACLE_LATTICE_BALL_HPP
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace oracle {
+
+__extension__ typedef __int128 Int128;
+
+/// A vector of lattice steps; 128 bits because products of two such vectors occur as directions too.
+using Vector = std::array<Int128, 3>;
+
+/// The index that no ball has.
+inline constexpr std::uint32_t no_ball = 0xFFFFFFFFU;
+
+/// A closed ball: centre and radius in lattice steps.
+struct LatticeBall {
+  std::int64_t x = 0;
+  std::int64_t y = 0;
+  std::int64_t z = 0;
+  std::int64_t radius = 0;
+
+  auto operator<=>(const LatticeBall &) const = default;
+};
+
+using Balls = std::vector<LatticeBall>;
+
+inline Vector centre_difference(const LatticeBall &from, const LatticeBall &to) {
+  return {Int128{to.x} - from.x, Int128{to.y} - from.y, Int128{to.z} - from.z};
+}
+
+inline Int128 dot(const Vector &a, const Vector &b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+inline Vector cross(const Vector &a, const Vector &b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+inline bool is_zero(const Vector &a) {
+  return a[0] == 0 && a[1] == 0 && a[2] == 0;
+}
+
+inline int sign_of(Int128 value) {
+  return (value > 0) - (value < 0);
+}
+
+/// rank[i] = place of ball i in the lexicographic order of (x, y, z, radius, index). Lower ranks are inflated by
+/// infinitely larger amounts.
+std::vector<std::uint32_t> tie_ranks(const Balls &balls);
+
+/// "{x, y, z, radius}, ..." for messages: a failing set can be pasted into a test.
+std::string to_text(const Balls &balls);
+
+}  // namespace oracle
+
+#endif

@@ -1,0 +1,20 @@
+#!/usr/bin/env bash
+# Every function of the header is called in the fuzz harnesses and in the interface tests.
+#   fuzz_covers_header.sh SOURCE-FOLDER
+set -euo pipefail
+cd "$1"
+here=$(cd "$(dirname "$0")" && pwd)
+failed=0
+functions=0
+for function in $(bash "$here/header_functions.sh" include/hardsphere.h); do
+  functions=$((functions + 1))
+  for folder in fuzz tests/interface; do
+    if ! grep -rqE "(^|[^A-Za-z0-9_])$function\(" --include='*.c' --include='*.cpp' --include='*.hpp' "$folder"; then
+      echo "$folder never calls $function"
+      failed=1
+    fi
+  done
+done
+[ $functions -gt 0 ] || failed=1
+[ $failed -eq 0 ] && echo "$functions functions are fuzzed and tested"
+exit $failed

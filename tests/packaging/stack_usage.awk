@@ -1,0 +1,93 @@
+# Reads the list of entry points, then the call graphs of all object files; prints the deepest path of each entry.
+
+FNR == 1 { ++file }
+file == 1 { entry[++entries] = $1; next }
+
+# The text between the quotes that follow `key: `.
+function quoted(key,    from, rest) {
+  from = index($0, key ": \"")
+  if (from == 0) return ""
+  rest = substr($0, from + length(key) + 3)
+  return substr(rest, 1, index(rest, "\"") - 1)
+}
+
+/^node:/ {
+  title = quoted("title")
+  label = quoted("label")
+  if (match(label, /[0-9]+ bytes \([a-z,]+\)/)) {
+    text = substr(label, RSTART, RLENGTH)
+    split(text, part, " ")
+    # an inline function may be compiled several times
+    if (!(title in frame) || part[1] + 0 > frame[title]) frame[title] = part[1] + 0
+    if (text !~ /\(static\)/) dynamic[title] = text
+  }
+}
+
+/^edge:/ {
+  from = quoted("sourcename")
+  to = quoted("targetname")
+  if (!((from, to) in seen)) {
+    seen[from, to] = 1
+    callee[from, ++callees[from]] = to
+  }
+}
+
+# The most stack below and including f. Call graphs without recursion are as deep as awk can go.
+function deepest(f,    i, below, most, to) {
+  if (f in depth) return depth[f]
+  if (f in active) {
+    if (!(f in recursive)) print "recursion through " f
+    recursive[f] = 1
+    failed = 1
+    return 0
+  }
+  if (f == "__indirect_call") {
+    if (!indirect) print "a call through a pointer"
+    indirect = 1
+    failed = 1
+    return 0
+  }
+  active[f] = 1
+  most = 0
+  for (i = 1; i <= callees[f]; ++i) {
+    to = callee[f, i]
+    below = deepest(to)
+    if (below > most) {
+      most = below
+      next_on_path[f] = to
+    }
+  }
+  delete active[f]
+  if (f in dynamic) {
+    print "a frame whose size is not fixed: " f ", " dynamic[f]
+    failed = 1
+  }
+  depth[f] = frame[f] + most
+  return depth[f]
+}
+
+END {
+  for (e = 1; e <= entries; ++e) {
+    f = entry[e]
+    if (!(f in frame)) {
+      print "no frame known for " f
+      failed = 1
+      continue
+    }
+    bytes = deepest(f)
+    ++counted
+    printf "%7d  %s\n", bytes, f
+    if (bytes > worst) {
+      worst = bytes
+      worst_entry = f
+    }
+    if (bytes > limit) {
+      printf "         more than %d:\n", limit
+      for (g = f; g != ""; g = next_on_path[g]) printf "         %6d %s\n", frame[g], g
+      failed = 1
+    }
+  }
+  if (counted == 0) failed = 1
+  printf "deepest: %d bytes in %s, limit %d\n", worst, worst_entry, limit
+  exit failed ? 1 : 0
+}
