@@ -30,6 +30,7 @@ constexpr int32_t to_c(Status status) {
 static_assert(to_c(Status::ok) == HSP_OK && to_c(Status::argument) == HSP_E_ARGUMENT);
 static_assert(to_c(Status::capacity) == HSP_E_CAPACITY && to_c(Status::memory) == HSP_E_MEMORY);
 static_assert(to_c(Status::state) == HSP_E_STATE && to_c(Status::id) == HSP_E_ID);
+static_assert(to_c(Status::check) == HSP_E_CHECK);
 static_assert(to_c(Status::not_finite) == HSP_E_NOT_FINITE && to_c(Status::negative) == HSP_E_NEGATIVE);
 static_assert(to_c(Status::range) == HSP_E_RANGE);
 static_assert(no_id == HSP_NONE);

@@ -71,6 +71,7 @@ HSP_API uint32_t hsp_version(void);
 #define HSP_E_MEMORY (-3)   /**< the memory handed to an init function is smaller than its bytes function says */
 #define HSP_E_STATE (-4)    /**< the handle does not hold what is asked for (nothing computed, or the model changed) */
 #define HSP_E_ID (-5)       /**< a ball index is not below the number of balls */
+#define HSP_E_CHECK (-6) /**< the self-check found a law that does not hold: a defect of the library, please report */
 
 #define HSP_E_NOT_FINITE (-10) /**< a coordinate, radius, probe or step is NaN or infinite */
 #define HSP_E_NEGATIVE (-11)   /**< a radius, the probe or the step is negative */
@@ -356,6 +357,26 @@ typedef struct hsp_totals {
  *  Accuracy: about 1e-14 of the total for molecules. Cost: O(vertices + circles). */
 HSP_API int32_t hsp_boundary_measure(const hsp_boundary *boundary, hsp_totals *totals, double *area, double *volume,
                                      uint32_t capacity);
+
+/* ---- self-check
+ * ------------------------------------------------------------------------------------------------------- */
+
+/** Check a computed boundary against its own laws: what fuzzers and careful callers call. *law becomes 0, or the number
+ * of the first law that does not hold, and *where the id of the vertex, arc end, loop, face, shell or ball concerned:
+ *     1  a vertex lies on three different balls, none of them inside another
+ *     2  each of its balls is visited by exactly one loop there, between the two circles that its sign gives
+ *     3  an arc ends on the ball and circle it started on
+ *     4  every arc is walked once on each of its two balls, in opposite directions
+ *     5  loops keep to one ball and have at least two arcs, or are one circle
+ *     6  every loop bounds one face of its own ball; only a whole sphere has a face without loops
+ *     7  the faces on both sides of an arc or circle belong to one shell
+ *     8  the Euler characteristic of each shell is even and at most 2, and there are no fewer shells than components
+ *     9  every vertex lies on its three spheres, up to rounding
+ *    10  no ball's area is negative or beyond its sphere, and it equals the area from angles between positions
+ *    11  the volume equals the volume about another origin from positions: every component's surface is closed
+ *  HSP_OK: all hold. HSP_E_CHECK: one does not. HSP_E_ARGUMENT: a null pointer. HSP_E_STATE as above.
+ *  Uses the boundary's scratch memory, hence not const; results stay valid. Cost: O(size of the boundary). */
+HSP_API int32_t hsp_boundary_check(hsp_boundary *boundary, uint32_t *law, uint32_t *where);
 
 #ifdef __cplusplus
 }

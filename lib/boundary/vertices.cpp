@@ -89,6 +89,7 @@ void VertexFinder::find(const BallSet &balls, const Caps &caps, FixedVector<Vert
         continue;
       }
       if (!pair.surely_cross()) {
+        exact::count_answer(exact::Question::vertex_pair, exact::Rung::exact);
         if (find_vertices_exactly(balls, caps, tests_, j, k, vertices)) {
           state_[j] |= crossed;
           state_[k] |= crossed;
@@ -100,9 +101,11 @@ void VertexFinder::find(const BallSet &balls, const Caps &caps, FixedVector<Vert
       const CrossingPoints points(caps, j, k, pair);
       const PairAnswer answer = test_points(tests_, points);
       if (answer.point[0] == PointAnswer::unsure || answer.point[1] == PointAnswer::unsure) {
+        exact::count_answer(exact::Question::vertex_pair, exact::Rung::exact);
         find_vertices_exactly(balls, caps, tests_, j, k, vertices);
         continue;
       }
+      exact::count_answer(exact::Question::vertex_pair, exact::Rung::filter);
       for (uint32_t point = 0; point < 2; ++point) {
         if (answer.point[point] != PointAnswer::free) continue;
         vertices.push({{caps.origin, caps.ball[j], caps.ball[k]}, point == 1 ? VertexRecord::positive_bit : 0U});

@@ -12,6 +12,7 @@ enum class Status : int32_t {
   memory = -3,
   state = -4,
   id = -5,
+  check = -6,
   not_finite = -10,
   negative = -11,
   range = -12,

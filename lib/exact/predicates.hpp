@@ -3,6 +3,7 @@
 #pragma once
 
 #include "exact/filter.hpp"
+#include "exact/rung_counters.hpp"
 
 namespace hsp::exact {
 
@@ -16,15 +17,21 @@ class Predicates {
 
   Sign crossing(const Plane &P, const Plane &Q) const {
     const int sign = filter_crossing(bounds_, sphere_, P, Q);
-    return sign != 0 ? Sign{sign, false} : Exact::crossing(sphere_, P, Q);
+    return sign != 0 ? filtered(Question::crossing, sign) : counted(Question::crossing, Exact::crossing(sphere_, P, Q));
   }
   Sign side(const Plane &P, const Plane &R) const {
     const int sign = filter_side(bounds_, P, R);
-    return sign != 0 ? Sign{sign, false} : Exact::side(sphere_, P, R);
+    return sign != 0 ? filtered(Question::side, sign) : counted(Question::side, Exact::side(sphere_, P, R));
   }
   PointStatus point_status(const Plane &P, const Plane &Q, const Plane &R) const {
     PointStatus status;
-    return filter_point_status(bounds_, sphere_, P, Q, R, status) ? status : Exact::point_status(sphere_, P, Q, R);
+    if (filter_point_status(bounds_, sphere_, P, Q, R, status)) {
+      count_answer(Question::point_status, Rung::filter);
+      return status;
+    }
+    status = Exact::point_status(sphere_, P, Q, R);
+    count_answer(Question::point_status, status.tied[0] || status.tied[1] ? Rung::tie_rule : Rung::exact);
+    return status;
   }
   // +1 if the point p^sign of circles P, Q lies inside R, else -1.
   int inside(const Plane &P, const Plane &Q, int sign, const Plane &R) const {
@@ -32,6 +39,15 @@ class Predicates {
   }
 
  private:
+  static Sign filtered(Question question, int sign) {
+    count_answer(question, Rung::filter);
+    return {sign, false};
+  }
+  static Sign counted(Question question, const Sign &sign) {
+    count_answer(question, sign.tied ? Rung::tie_rule : Rung::exact);
+    return sign;
+  }
+
   Sphere sphere_;
   FilterBounds bounds_;
 };
