@@ -248,8 +248,9 @@ int32_t hsp_boundary_get_circles(const hsp_boundary *boundary, hsp_circle *out, 
     const uint32_t higher = circle.ball[swap ? 0 : 1];
     const hsp::CirclePlace place = hsp::circle_place(balls, lower, higher);
     const double direction = circle.ball[first] == lower ? 1.0 : -1.0;
+    const double origin[3] = {balls.x[lower], balls.y[lower], balls.z[lower]};
     for (int axis = 0; axis < 3; ++axis) {
-      record.centre[axis] = balls.lattice.length(place.centre[axis]);
+      record.centre[axis] = balls.lattice.length(origin[axis] + place.centre[axis]);
       record.axis[axis] = direction * place.axis[axis];
     }
     record.radius = balls.lattice.length(place.radius);

@@ -41,10 +41,16 @@ void Caps::gather(const BallSet &balls, const CubeBlock &block, uint32_t i, cons
       const double dy = ys[j] - y;
       const double dz = zs[j] - z;
       const double s = rs[j] + radius;
-      if (dx * dx + dy * dy + dz * dz > s * s * (1.0 + 8 * unit_roundoff)) continue;
+      const double squared = dx * dx + dy * dy + dz * dz;
+      if (squared > s * s * (1.0 + 8 * unit_roundoff)) continue;
       if (j == i) continue;
       const exact::LatticeBall other = balls.ball(j);
-      const exact::PairRelation relation = exact::pair_relation(own, other);
+      // Likewise a surely proper circle needs no integers.
+      const double difference = rs[j] - radius;
+      const bool surely_circle =
+          squared < s * s * (1.0 - 8 * unit_roundoff) && squared > difference * difference * (1.0 + 8 * unit_roundoff);
+      const exact::PairRelation relation =
+          surely_circle ? exact::PairRelation::circle : exact::pair_relation(own, other);
       if (relation == exact::PairRelation::disjoint) continue;
       if (components != nullptr && (j > i || relation == exact::PairRelation::first_in_second)) {
         components->join(i, j, by_rank);

@@ -16,41 +16,47 @@ uint32_t size_class(double b) {
 
 enum class PointAnswer { covered, free, unsure };
 
-struct PairAnswer {
-  PointAnswer point[2];
+// A point, for testing against pairs of caps.
+struct LanePoint {
+  Lanes x, y, z;
+
+  // Depth in the test caps t and t + 1.
+  Lanes depths(const CapTests &tests, uint32_t t) const {
+    return x * load_lanes(&tests.ux[t]) + y * load_lanes(&tests.uy[t]) + z * load_lanes(&tests.uz[t]) -
+           load_lanes(&tests.b[t]);
+  }
+  bool inside_any(const CapTests &tests, uint32_t t, const Lanes &bound) const {
+    static_assert(CapTests::group == 2 * lane_count);
+    return any((depths(tests, t) > bound) | (depths(tests, t + lane_count) > bound));
+  }
 };
 
-// Tests both points of a pair against all caps. A point beyond the error bound inside one cap is covered. It is free if
-// it is beyond the bound outside all caps but its own two, on which it lies by construction.
-PairAnswer test_points(const CapTests &tests, const CrossingPoints &points) {
-  const double error = points.error;
-  double deepest[2] = {-2.0, -2.0};
-  uint32_t near[2] = {0, 0};
-  for (uint32_t t = 0; t < tests.count; ++t) {
-    for (int point = 0; point < 2; ++point) {
-      const double depth =
-          points.x[point] * tests.ux[t] + points.y[point] * tests.uy[t] + points.z[point] * tests.uz[t] - tests.b[t];
-      deepest[point] = depth > deepest[point] ? depth : deepest[point];
-      near[point] += depth >= -error ? 1U : 0U;
+// A point that is beyond the error bound inside one cap is covered. It is free if it is beyond the bound outside all
+// caps but its own two, on which it lies by construction. `hint` is the group that covered the last point: points of
+// one circle are near each other.
+PointAnswer test_point(const CapTests &tests, double x, double y, double z, double error, uint32_t &hint) {
+  const LanePoint point{all_lanes(x), all_lanes(y), all_lanes(z)};
+  const Lanes bound = all_lanes(error);
+  if (point.inside_any(tests, hint, bound)) return PointAnswer::covered;
+  for (uint32_t t = 0; t < tests.count; t += CapTests::group) {
+    if (point.inside_any(tests, t, bound)) {
+      hint = t;
+      return PointAnswer::covered;
     }
-    if (deepest[0] > error && deepest[1] > error) break;
   }
-  PairAnswer answer;
-  for (int point = 0; point < 2; ++point) {
-    answer.point[point] = deepest[point] > error ? PointAnswer::covered
-                          : near[point] == 2     ? PointAnswer::free
-                                                 : PointAnswer::unsure;
-  }
-  return answer;
+  uint32_t near = 0;
+  for (uint32_t t = 0; t < tests.count; t += lane_count) near += count(point.depths(tests, t) >= -bound);
+  return near == 2 ? PointAnswer::free : PointAnswer::unsure;
 }
 
 }  // namespace
 
 void CapTests::carve(Workspace &workspace, uint32_t capacity) {
-  ux = workspace.take<double>(capacity);
-  uy = workspace.take<double>(capacity);
-  uz = workspace.take<double>(capacity);
-  b = workspace.take<double>(capacity);
+  const uint64_t padded = static_cast<uint64_t>(capacity) + group;
+  ux = workspace.take<double>(padded);
+  uy = workspace.take<double>(padded);
+  uz = workspace.take<double>(padded);
+  b = workspace.take<double>(padded);
   cap = workspace.take<uint32_t>(capacity);
 }
 
@@ -67,6 +73,11 @@ void CapTests::fill(const Caps &caps) {
     b[place] = caps.b[k];
     cap[place] = k;
   }
+  // Caps that nothing lies in, to fill the last group.
+  for (uint32_t place = count; place < count + group; ++place) {
+    ux[place] = uy[place] = uz[place] = 0.0;
+    b[place] = 4.0;
+  }
 }
 
 void VertexFinder::carve(Workspace &workspace, uint32_t capacity) {
@@ -79,6 +90,7 @@ void VertexFinder::find(const BallSet &balls, const Caps &caps, FixedVector<Vert
   tests_.fill(caps);
   for (uint32_t j = caps.first_later; j < caps.count; ++j) state_[j] = 0;
 
+  uint32_t hint[2] = {0, 0};
   for (uint32_t j = caps.first_later; j < caps.count; ++j) {
     for (uint32_t k = j + 1; k < caps.count; ++k) {
       if ((state_[j] | state_[k]) & covered) continue;
@@ -99,15 +111,19 @@ void VertexFinder::find(const BallSet &balls, const Caps &caps, FixedVector<Vert
       state_[j] |= crossed;
       state_[k] |= crossed;
       const CrossingPoints points(caps, j, k, pair);
-      const PairAnswer answer = test_points(tests_, points);
-      if (answer.point[0] == PointAnswer::unsure || answer.point[1] == PointAnswer::unsure) {
+      PointAnswer answer[2];
+      for (uint32_t point = 0; point < 2; ++point) {
+        answer[point] =
+            test_point(tests_, points.x[point], points.y[point], points.z[point], points.error, hint[point]);
+      }
+      if (answer[0] == PointAnswer::unsure || answer[1] == PointAnswer::unsure) {
         exact::count_answer(exact::Question::vertex_pair, exact::Rung::exact);
         find_vertices_exactly(balls, caps, tests_, j, k, vertices);
         continue;
       }
       exact::count_answer(exact::Question::vertex_pair, exact::Rung::filter);
       for (uint32_t point = 0; point < 2; ++point) {
-        if (answer.point[point] != PointAnswer::free) continue;
+        if (answer[point] != PointAnswer::free) continue;
         vertices.push({{caps.origin, caps.ball[j], caps.ball[k]}, point == 1 ? VertexRecord::positive_bit : 0U});
       }
     }

@@ -5,12 +5,14 @@
 #include "boundary/caps.hpp"
 #include "boundary/records.hpp"
 #include "core/fixed_vector.hpp"
+#include "core/lanes.hpp"
 
 namespace hsp {
 
 // The caps once more, largest first by coarse classes of size: a point that is covered is most likely covered by one of
 // the first.
 struct CapTests {
+  static constexpr uint32_t group = 2 * lane_count;  // caps that are tested at once; the arrays are padded by one group
   Span<double> ux, uy, uz, b;
   Span<uint32_t> cap;  // index in Caps
   uint32_t count = 0;

@@ -77,9 +77,8 @@ CirclePlace circle_place(const BallSet &balls, uint32_t first, uint32_t second) 
   const exact::Plane P = exact::plane_of(own, balls.ball(second));
   const CircleGeometry circle(exact::sphere_of(own), balls.r[first], P);
   const DoubleVector centre = circle_centre(P);
-  return {{balls.x[first] + centre.x, balls.y[first] + centre.y, balls.z[first] + centre.z},
-          {circle.axis.x, circle.axis.y, circle.axis.z},
-          std::sqrt(circle.radius_squared)};
+  return {
+      {centre.x, centre.y, centre.z}, {circle.axis.x, circle.axis.y, circle.axis.z}, std::sqrt(circle.radius_squared)};
 }
 
 BallMeasure measure_ball(const BallSet &balls, const BoundaryStructure &boundary, uint32_t i) {

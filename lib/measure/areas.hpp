@@ -17,7 +17,8 @@ BallMeasure measure_ball(const BallSet &balls, const BoundaryStructure &boundary
 // Where a vertex lies relative to the centre of one of its balls, in lattice steps.
 void vertex_offset(const exact::Plane &P, const exact::Plane &Q, int sign, double root_D, double offset[3]);
 
-// The circle of two spheres, in lattice steps; the axis is a unit vector from the first ball towards the second.
+// The circle of two spheres, in lattice steps, relative to the centre of the first ball; the axis is a unit vector from
+// that ball towards the second.
 struct CirclePlace {
   double centre[3];
   double axis[3];

@@ -27,7 +27,7 @@ struct CheckCircle {
   CheckCircle(const BallSet &balls, uint32_t ball, uint32_t other) {
     const CirclePlace place = circle_place(balls, ball, other);
     axis = {place.axis[0], place.axis[1], place.axis[2]};
-    centre = {place.centre[0] - balls.x[ball], place.centre[1] - balls.y[ball], place.centre[2] - balls.z[ball]};
+    centre = {place.centre[0], place.centre[1], place.centre[2]};
     radius = place.radius;
     cosine = balls.r[ball] > 0.0 ? dot(axis, centre) / balls.r[ball] : 0.0;
   }
