@@ -273,8 +273,9 @@ typedef struct hsp_boundary_counts {
  *  Property 3: 2 arcs = 3 vertices. */
 HSP_API int32_t hsp_boundary_get_counts(const hsp_boundary *boundary, hsp_boundary_counts *counts);
 
-#define HSP_VERTEX_TIED \
-  UINT32_C(1) /**< some further sphere or a tangency goes through this point: the tie rule decided */
+/** The tie rule decided about this vertex: a further sphere goes through the point (of a ball that lies inside no
+ * other), or two of its circles only touch there. */
+#define HSP_VERTEX_TIED UINT32_C(1)
 
 typedef struct hsp_vertex {
   double xyz[3];    /**< position, length */

@@ -100,23 +100,6 @@ CanonicalBoundary canonical(const BoundaryRecord &record, const std::vector<std:
   return result;
 }
 
-std::vector<VertexName> ties_with_contained_balls(const BoundaryRecord &record,
-                                                  const std::vector<std::uint32_t> &label) {
-  std::vector<VertexName> names;
-  for (const auto &vertex : record.vertices)
-    if (vertex.on_contained_sphere && !vertex.tied)
-      names.push_back(vertex_name(label[vertex.ball[0]], label[vertex.ball[1]], label[vertex.ball[2]], vertex.sign));
-  return names;
-}
-
-void forget_ties(CanonicalBoundary &boundary, const std::vector<VertexName> &vertices) {
-  for (CanonicalBoundary::Vertex &vertex : boundary.vertices) {
-    if (!vertex.tied || std::find(vertices.begin(), vertices.end(), vertex.name) == vertices.end()) continue;
-    vertex.tied = false;
-    --boundary.counts.tied_vertices;
-  }
-}
-
 std::string differences(const CanonicalBoundary &a, const CanonicalBoundary &b) {
   std::ostringstream text;
   const auto compare = [&](const char *name, const auto &x, const auto &y) {

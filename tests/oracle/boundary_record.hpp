@@ -15,7 +15,6 @@ struct BoundaryRecord {
     std::array<std::uint32_t, 3> ball;  // a < b < c
     int sign;                           // side along (c_b - c_a) x (c_c - c_a)
     bool tied;  // for the balls as given: a tangency at this point or the sphere of a further ball not contained
-    bool on_contained_sphere = false;  // the sphere of a contained ball goes through this point (oracle only)
   };
   struct Arc {
     std::array<std::uint32_t, 2> ball;    // a < b
@@ -101,13 +100,6 @@ struct CanonicalBoundary {
 
 /// label[i]: a name for ball i, a permutation of 0 .. n - 1.
 CanonicalBoundary canonical(const BoundaryRecord &record, const std::vector<std::uint32_t> &label);
-
-/// The names of the vertices that are tied by spheres of contained balls only.
-std::vector<VertexName> ties_with_contained_balls(const BoundaryRecord &record,
-                                                  const std::vector<std::uint32_t> &label);
-
-/// Take the tie flags of some vertices away, in the count too.
-void forget_ties(CanonicalBoundary &boundary, const std::vector<VertexName> &vertices);
 
 /// Which members differ, with both sizes; empty if the two are equal.
 std::string differences(const CanonicalBoundary &a, const CanonicalBoundary &b);

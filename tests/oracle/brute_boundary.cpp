@@ -27,15 +27,10 @@ class BruteBoundary {
   }
 
  private:
-  /// What else goes through a vertex, for the balls as given.
-  struct Ties {
-    bool sphere_or_tangency = false;
-    bool contained_sphere = false;
-  };
   void relate_pairs();
   void find_vertices();
   [[nodiscard]] bool is_free(std::uint32_t a, std::uint32_t b, std::uint32_t c, int side,
-                             const std::vector<std::uint32_t> &others, Ties *ties) const;
+                             const std::vector<std::uint32_t> &others, bool *tied) const;
   void find_loops(std::uint32_t a);
   void find_faces();
   void find_edges();
@@ -87,7 +82,7 @@ void BruteBoundary::relate_pairs() {
 }
 
 bool BruteBoundary::is_free(std::uint32_t a, std::uint32_t b, std::uint32_t c, int side,
-                            const std::vector<std::uint32_t> &others, Ties *ties) const {
+                            const std::vector<std::uint32_t> &others, bool *tied) const {
   const Crossing point = {set_.cap(a, b), set_.cap(a, c), side};
   std::vector<std::uint32_t> undecided;
   for (const std::uint32_t d : others) {
@@ -97,11 +92,7 @@ bool BruteBoundary::is_free(std::uint32_t a, std::uint32_t b, std::uint32_t c, i
   }
   for (const std::uint32_t d : undecided)
     if (set_.crossing_inside(a, point, set_.cap(a, d))) return false;
-  ties->sphere_or_tangency = !undecided.empty() || set_.circles_cross_as_given(a, point.first, point.second) == 0;
-  ties->contained_sphere = false;
-  for (std::uint32_t d = 0; d < set_.size(); ++d)
-    if (record_.balls[d].contained && set_.crossing_inside_as_given(a, point, set_.cap(a, d)) == 0)
-      ties->contained_sphere = true;
+  *tied = !undecided.empty() || set_.circles_cross_as_given(a, point.first, point.second) == 0;
   return true;
 }
 
@@ -120,11 +111,11 @@ void BruteBoundary::find_vertices() {
         for (const std::uint32_t d : of_a)
           if (d != b && d != c && !record_.balls[d].contained) others.push_back(d);
         for (const int side : {+1, -1}) {
-          Ties ties;
-          if (!is_free(a, b, c, side, others, &ties)) continue;
+          bool tied = false;
+          if (!is_free(a, b, c, side, others, &tied)) continue;
           vertex_of_name_[{{a, b, c}, side}] = static_cast<std::uint32_t>(record_.vertices.size());
-          record_.vertices.push_back({{a, b, c}, side, ties.sphere_or_tangency, ties.contained_sphere});
-          record_.counts.tied_vertices += ties.sphere_or_tangency ? 1U : 0U;
+          record_.vertices.push_back({{a, b, c}, side, tied});
+          record_.counts.tied_vertices += tied ? 1U : 0U;
         }
       }
   }
