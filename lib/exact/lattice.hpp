@@ -60,8 +60,8 @@ class Lattice {
 
   double step() const { return length(1.0); }
   // A length in steps, not yet an integer: one rounding.
-  double steps(double length) const { return length * factor_ / divisor_; }
-  double length(double steps) const { return steps * divisor_ / factor_; }
+  double steps(double length) const { return divisor_ == 1.0 ? length * factor_ : length / divisor_; }
+  double length(double steps) const { return divisor_ == 1.0 ? steps / factor_ : steps * divisor_; }
   double area(double square_steps) const { return length(length(square_steps)); }
   double volume(double cubic_steps) const { return length(length(length(cubic_steps))); }
 

@@ -1,13 +1,14 @@
 #include "grid/cube_grid.hpp"
 
 #include "core/sorting.hpp"
+#include "grid/cube_order.hpp"
 
 namespace hsp {
 namespace {
 
-// floor(value / side). The estimate in double is off by at most one, the remainder corrects it.
-int64_t floor_divide(int64_t value, int64_t side) {
-  int64_t quotient = static_cast<int64_t>(static_cast<double>(value) / static_cast<double>(side));
+// floor(value / side) for |value| < 2^52. The estimate in double is off by at most one, the remainder corrects it.
+int64_t floor_divide(int64_t value, int64_t side, double reciprocal) {
+  int64_t quotient = static_cast<int64_t>(static_cast<double>(value) * reciprocal);
   const int64_t rest = value - quotient * side;
   if (rest < 0) --quotient;
   if (rest >= side) ++quotient;
@@ -17,7 +18,9 @@ int64_t floor_divide(int64_t value, int64_t side) {
 }  // namespace
 
 CubeCoordinates CubeGrid::cube_at(const exact::Vector &point, int64_t side) {
-  return {floor_divide(point.x, side), floor_divide(point.y, side), floor_divide(point.z, side)};
+  const double reciprocal = 1.0 / static_cast<double>(side);
+  return {floor_divide(point.x, side, reciprocal), floor_divide(point.y, side, reciprocal),
+          floor_divide(point.z, side, reciprocal)};
 }
 
 void CubeGrid::carve(Workspace &workspace, uint32_t n) {
@@ -34,6 +37,7 @@ void CubeGrid::carve(Workspace &workspace, uint32_t n) {
   balls_.caller = workspace.take<uint32_t>(n);
   scratch_slots_ = workspace.take<uint32_t>(CubeTable::slots_for(n));
   scratch_links_ = workspace.take<uint32_t>(n);
+  scratch_order_ = workspace.take<uint32_t>(n);
 }
 
 void CubeGrid::clear() {
@@ -67,18 +71,18 @@ Status CubeGrid::build(const BallInput &input, uint32_t &first_bad) {
   balls_.probe_steps = rounding.probe_steps();
   balls_.largest_radius = largest;
 
-  // Count sort by cube number, cubes numbered in the order of their first ball. place_ holds the cube numbers in
-  // between.
+  // Count sort by cube. place_ holds the cubes' numbers in between.
   table_.clear(input.n);
   for (uint32_t i = 0; i < input.n; ++i) {
     static_cast<void>(rounding.round(i, ball));
-    const uint32_t before = table_.count();
-    const uint32_t cube = table_.find_or_insert(cube_at(ball.centre, side_));
-    if (table_.count() != before) first_ball_[cube + 1] = 0;
-    ++first_ball_[cube + 1];
-    place_[i] = cube;
+    place_[i] = table_.find_or_insert(cube_at(ball.centre, side_));
   }
-  first_ball_[0] = 0;
+  order_cubes_by_rows(table_, {scratch_slots_, scratch_links_, scratch_order_});
+  for (uint32_t cube = 0; cube <= table_.count(); ++cube) first_ball_[cube] = 0;
+  for (uint32_t i = 0; i < input.n; ++i) {
+    place_[i] = scratch_links_[place_[i]];
+    ++first_ball_[place_[i] + 1];
+  }
   for (uint32_t cube = 0; cube < table_.count(); ++cube) first_ball_[cube + 1] += first_ball_[cube];
   for (uint32_t i = 0; i < input.n; ++i) {
     static_cast<void>(rounding.round(i, ball));
@@ -92,27 +96,33 @@ Status CubeGrid::build(const BallInput &input, uint32_t &first_bad) {
   return Status::ok;
 }
 
+BallRange CubeGrid::balls_in_row(int64_t x_low, int64_t x_high, int64_t y, int64_t z) const {
+  const uint64_t along_x = linear_hash({1, 0, 0});
+  uint64_t linear = linear_hash({x_low, y, z});
+  for (int64_t x = x_low; x <= x_high; ++x, linear += along_x) {
+    const uint32_t cube = table_.find({x, y, z}, linear);
+    if (cube == no_id) continue;
+    // The rest of the row follows in the numbering.
+    uint32_t end = cube + 1;
+    for (; end < table_.count(); ++end) {
+      const CubeCoordinates &next = table_.coordinates(end);
+      if (next.x > x_high || next.y != y || next.z != z) break;
+    }
+    return {first_ball_[cube], first_ball_[end]};
+  }
+  return {0, 0};
+}
+
 CubeBlock CubeGrid::block_around(const CubeCoordinates &centre) const {
   CubeBlock block;
   for (int64_t dz = -1; dz <= 1; ++dz) {
     for (int64_t dy = -1; dy <= 1; ++dy) {
-      for (int64_t dx = -1; dx <= 1; ++dx) {
-        const uint32_t cube = table_.find({centre.x + dx, centre.y + dy, centre.z + dz});
-        if (cube != no_id) block.range[block.ranges++] = balls_in(cube);
-      }
+      const BallRange range = balls_in_row(centre.x - 1, centre.x + 1, centre.y + dy, centre.z + dz);
+      if (!range.empty()) block.range[block.ranges++] = range;
     }
   }
   sort_in_place(Span<BallRange>(block.range, block.ranges),
                 [](const BallRange &a, const BallRange &b) { return a.first < b.first; });
-  uint32_t joined = 0;
-  for (uint32_t k = 0; k < block.ranges; ++k) {
-    if (joined > 0 && block.range[joined - 1].last == block.range[k].first) {
-      block.range[joined - 1].last = block.range[k].last;
-    } else {
-      block.range[joined++] = block.range[k];
-    }
-  }
-  block.ranges = joined;
   return block;
 }
 

@@ -11,11 +11,12 @@ namespace hsp {
 // Balls first .. last - 1 of the grid's order.
 struct BallRange {
   uint32_t first, last;
+  bool empty() const { return first == last; }
 };
 
-// The ranges of the up to 27 cubes around a place, ascending and with neighbouring ranges joined.
+// The balls of the up to 27 cubes around a place, a range for each row of cubes, ascending.
 struct CubeBlock {
-  BallRange range[27];
+  BallRange range[9];
   uint32_t ranges = 0;
 };
 
@@ -38,6 +39,8 @@ class CubeGrid {
   BallRange balls_in(uint32_t cube) const { return {first_ball_[cube], first_ball_[cube + 1]}; }
   CubeCoordinates cube_at(const exact::Vector &point) const { return cube_at(point, side_); }
   static CubeCoordinates cube_at(const exact::Vector &point, int64_t side);
+  // The balls of the cubes (x_low .. x_high, y, z).
+  BallRange balls_in_row(int64_t x_low, int64_t x_high, int64_t y, int64_t z) const;
   CubeBlock block_around(const CubeCoordinates &centre) const;
 
   // Memory of O(n) slots and links for other groupings of the same balls (figures.cpp).
@@ -51,7 +54,7 @@ class CubeGrid {
   CubeTable table_;
   Span<uint32_t> first_ball_;  // [cubes + 1]
   Span<uint32_t> place_;       // [n] caller -> grid order
-  Span<uint32_t> scratch_slots_, scratch_links_;
+  Span<uint32_t> scratch_slots_, scratch_links_, scratch_order_;
   uint32_t capacity_ = 0;
   int64_t side_ = 1;
 };

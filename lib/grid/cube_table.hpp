@@ -17,14 +17,18 @@ struct CubeCoordinates {
   friend constexpr bool operator==(const CubeCoordinates &, const CubeCoordinates &) = default;
 };
 
+// The hash is a linear form in the coordinates, so that neighbours are a constant away, and a finalizer that mixes its
+// high bits down.
+constexpr uint64_t linear_hash(const CubeCoordinates &cube) {
+  return static_cast<uint64_t>(cube.x) * UINT64_C(0x9E3779B97F4A7C15) +
+         static_cast<uint64_t>(cube.y) * UINT64_C(0xC2B2AE3D27D4EB4F) +
+         static_cast<uint64_t>(cube.z) * UINT64_C(0x165667B19E3779F9);
+}
+
 // The slots to look at for a cube, one after the other.
 struct CubeProbe {
-  CubeProbe(const CubeCoordinates &cube, uint32_t slots) : mask(slots - 1) {
-    // Odd multipliers spread each coordinate over the high bits, the finalizer mixes them down.
-    uint64_t h = static_cast<uint64_t>(cube.x) * UINT64_C(0x9E3779B97F4A7C15) +
-                 static_cast<uint64_t>(cube.y) * UINT64_C(0xC2B2AE3D27D4EB4F) +
-                 static_cast<uint64_t>(cube.z) * UINT64_C(0x165667B19E3779F9);
-    h = (h ^ (h >> 32)) * UINT64_C(0xD6E8FEB86659FD93);
+  CubeProbe(uint64_t linear, uint32_t slots) : mask(slots - 1) {
+    uint64_t h = (linear ^ (linear >> 32)) * UINT64_C(0xD6E8FEB86659FD93);
     h ^= h >> 32;
     slot = static_cast<uint32_t>(h) & mask;
     stride = static_cast<uint32_t>(h >> 32) | 1U;
@@ -53,15 +57,17 @@ class CubeTable {
     for (uint32_t k = 0; k < used_slots_; ++k) slots_[k] = no_id;
   }
 
-  uint32_t find(const CubeCoordinates &cube) const {
-    for (CubeProbe probe(cube, used_slots_);; probe.next()) {
+  uint32_t find(const CubeCoordinates &cube) const { return find(cube, linear_hash(cube)); }
+  // The same for callers that step from cube to cube.
+  uint32_t find(const CubeCoordinates &cube, uint64_t linear) const {
+    for (CubeProbe probe(linear, used_slots_);; probe.next()) {
       const uint32_t number = slots_[probe.slot];
       if (number == no_id || cubes_[number] == cube) return number;
     }
   }
   uint32_t find_or_insert(const CubeCoordinates &cube) {
     uint32_t length = 1;
-    for (CubeProbe probe(cube, used_slots_);; probe.next(), ++length) {
+    for (CubeProbe probe(linear_hash(cube), used_slots_);; probe.next(), ++length) {
       const uint32_t number = slots_[probe.slot];
       if (number != no_id && cubes_[number] == cube) return number;
       if (number == no_id) {
@@ -70,6 +76,25 @@ class CubeTable {
         if (length > longest_probe_) longest_probe_ = length;
         return count_++;
       }
+    }
+  }
+
+  // Gives cube k the number new_number[k]; old_number is the inverse permutation and is used up.
+  void renumber(Span<uint32_t> new_number, Span<uint32_t> old_number) {
+    for (uint32_t k = 0; k < used_slots_; ++k) {
+      if (slots_[k] != no_id) slots_[k] = new_number[slots_[k]];
+    }
+    for (uint32_t start = 0; start < count_; ++start) {
+      const CubeCoordinates moved = cubes_[start];
+      uint32_t hole = start;
+      while (old_number[hole] != start) {
+        const uint32_t source = old_number[hole];
+        cubes_[hole] = cubes_[source];
+        old_number[hole] = hole;
+        hole = source;
+      }
+      cubes_[hole] = moved;
+      old_number[hole] = hole;
     }
   }
 

@@ -48,7 +48,7 @@ void offer_neighbouring_cubes(const CubeGrid &grid, int64_t side, ClosestPair &c
   for (uint32_t k = 0; k < size; ++k) slots[k] = no_id;
 
   const auto slot_of = [&](const CubeCoordinates &cube) {
-    CubeProbe probe(cube, size);
+    CubeProbe probe(linear_hash(cube), size);
     while (slots[probe.slot] != no_id && !(CubeGrid::cube_at(balls.ball(slots[probe.slot]).centre, side) == cube)) {
       probe.next();
     }

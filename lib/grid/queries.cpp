@@ -24,8 +24,9 @@ class Reach {
     const double s = balls_.r[j] + radius_;
     const double excess = (dx * dx + dy * dy + dz * dz) - s * s;
     const double doubt = 8 * unit_roundoff * s * s;
-    if (excess < -doubt) return true;
-    if (excess > 2 * doubt) return false;
+    // One branch that is nearly always taken; the sign itself cannot be predicted and must not be branched on.
+    if (std::fabs(excess) > 2 * doubt) [[likely]]
+      return excess < 0.0;
     return exact::Exact::compare_distance(
                {static_cast<int64_t>(dx), static_cast<int64_t>(dy), static_cast<int64_t>(dz)},
                static_cast<int64_t>(s)) <= 0;
@@ -36,31 +37,48 @@ class Reach {
   double x_, y_, z_, radius_;
 };
 
+template <class Visit>
+bool visit_range(const BallRange &range, Visit &visit) {
+  for (uint32_t j = range.first; j < range.last; ++j) {
+    if (!visit(j)) return false;
+  }
+  return true;
+}
+
+// Calls visit(j) for every ball that can contain the point, until it returns false. Such a ball's centre is at most
+// r_max away, half a cube's side, so that along each axis it lies in the point's cube or in the next one on the side of
+// the nearer wall.
+template <class Visit>
+void visit_point_candidates(const CubeGrid &grid, const exact::Vector &point, Visit visit) {
+  const CubeCoordinates own = grid.cube_at(point);
+  const int64_t half = grid.side() - grid.balls().largest_radius;
+  const auto lower_neighbour = [&grid, half](int64_t value, int64_t cube) {
+    return value - cube * grid.side() < half ? int64_t{1} : int64_t{0};
+  };
+  const int64_t x = own.x - lower_neighbour(point.x, own.x);
+  const int64_t y = own.y - lower_neighbour(point.y, own.y);
+  const int64_t z = own.z - lower_neighbour(point.z, own.z);
+  for (int row = 0; row < 4; ++row) {
+    if (!visit_range(grid.balls_in_row(x, x + 1, y + (row & 1), z + (row >> 1)), visit)) return;
+  }
+}
+
 // Calls visit(j) for every ball that can come within query.radius of the centre, until it returns false.
 template <class Visit>
-void visit_candidates(const CubeGrid &grid, const LatticeQuery &query, Visit visit) {
+void visit_ball_candidates(const CubeGrid &grid, const LatticeQuery &query, Visit visit) {
   const int64_t reach = query.radius + grid.balls().largest_radius;
   const exact::Vector &c = query.centre;
   const CubeCoordinates low = grid.cube_at({c.x - reach, c.y - reach, c.z - reach});
   const CubeCoordinates high = grid.cube_at({c.x + reach, c.y + reach, c.z + reach});
-  const auto visit_range = [&](const BallRange &range) {
-    for (uint32_t j = range.first; j < range.last; ++j) {
-      if (!visit(j)) return false;
-    }
-    return true;
-  };
   const double within_reach = static_cast<double>(high.x - low.x + 1) * static_cast<double>(high.y - low.y + 1) *
                               static_cast<double>(high.z - low.z + 1);
-  if (within_reach > static_cast<double>(grid.cubes())) {
-    visit_range({0, grid.balls().n});
+  if (within_reach > 27.0 && within_reach > static_cast<double>(grid.cubes())) {
+    visit_range({0, grid.balls().n}, visit);
     return;
   }
   for (int64_t z = low.z; z <= high.z; ++z) {
     for (int64_t y = low.y; y <= high.y; ++y) {
-      for (int64_t x = low.x; x <= high.x; ++x) {
-        const uint32_t cube = grid.table().find({x, y, z});
-        if (cube != no_id && !visit_range(grid.balls_in(cube))) return;
-      }
+      if (!visit_range(grid.balls_in_row(low.x, high.x, y, z), visit)) return;
     }
   }
 }
@@ -68,31 +86,47 @@ void visit_candidates(const CubeGrid &grid, const LatticeQuery &query, Visit vis
 // Hits wait here, so that nothing is written to the caller's array before their number is known to fit. Longer answers
 // are found twice.
 constexpr uint32_t waiting_room = 128;
+constexpr uint32_t few_hits = 24;
 
-void collect(const CubeGrid &grid, const LatticeQuery &query, uint32_t excluded, QueryResult &result) {
-  const BallSet &balls = grid.balls();
+// candidates(visit) calls visit(j) for all balls that may be hits.
+template <class Candidates>
+void collect(const BallSet &balls, const LatticeQuery &query, uint32_t excluded, Candidates candidates,
+             QueryResult &result) {
   const Reach reach(balls, query);
-  uint32_t waiting[waiting_room];
+  uint32_t waiting[waiting_room + 1];
   uint32_t hits = 0;
-  visit_candidates(grid, query, [&](uint32_t j) {
-    if (reach.meets(j) && j != excluded) {
-      if (hits < waiting_room) waiting[hits] = balls.caller[j];
-      ++hits;
-    }
+  candidates([&](uint32_t j) {
+    // Stored in any case and kept if it is a hit: whether it is one cannot be predicted.
+    waiting[hits < waiting_room ? hits : waiting_room] = balls.caller[j];
+    hits += static_cast<uint32_t>(reach.meets(j)) & static_cast<uint32_t>(j != excluded);
     return true;
   });
   result.hits = hits;
   if (hits > result.capacity) return;
+  if (hits <= few_hits) {
+    // Each hit goes straight to its place, the number of smaller ones: a loop without branches on the values.
+    for (uint32_t k = 0; k < hits; ++k) {
+      uint32_t smaller = 0;
+      for (uint32_t other = 0; other < hits; ++other) smaller += waiting[other] < waiting[k] ? 1U : 0U;
+      result.ids[smaller] = waiting[k];
+    }
+    return;
+  }
   if (hits <= waiting_room) {
     for (uint32_t k = 0; k < hits; ++k) result.ids[k] = waiting[k];
   } else {
     uint32_t stored = 0;
-    visit_candidates(grid, query, [&](uint32_t j) {
+    candidates([&](uint32_t j) {
       if (reach.meets(j) && j != excluded) result.ids[stored++] = balls.caller[j];
       return true;
     });
   }
   sort_in_place(Span<uint32_t>(result.ids, hits), [](uint32_t a, uint32_t b) { return a < b; });
+}
+
+void collect_at_ball(const CubeGrid &grid, const LatticeQuery &query, uint32_t excluded, QueryResult &result) {
+  collect(
+      grid.balls(), query, excluded, [&](auto visit) { visit_ball_candidates(grid, query, visit); }, result);
 }
 
 }  // namespace
@@ -116,17 +150,19 @@ Status round_query(const BallSet &balls, const double *xyz, double radius, Latti
 }
 
 void find_balls_at_point(const CubeGrid &grid, const LatticeQuery &point, QueryResult &result) {
-  collect(grid, {point.centre, 0}, no_id, result);
+  collect(
+      grid.balls(), {point.centre, 0}, no_id, [&](auto visit) { visit_point_candidates(grid, point.centre, visit); },
+      result);
 }
 
 void find_balls_at_ball(const CubeGrid &grid, const LatticeQuery &query, QueryResult &result) {
-  collect(grid, query, no_id, result);
+  collect_at_ball(grid, query, no_id, result);
 }
 
 bool any_ball_meets(const CubeGrid &grid, const LatticeQuery &query) {
   const Reach reach(grid.balls(), query);
   bool found = false;
-  visit_candidates(grid, query, [&](uint32_t j) {
+  visit_ball_candidates(grid, query, [&](uint32_t j) {
     found = reach.meets(j);
     return !found;
   });
@@ -135,7 +171,7 @@ bool any_ball_meets(const CubeGrid &grid, const LatticeQuery &query) {
 
 void find_neighbours(const CubeGrid &grid, uint32_t place, QueryResult &result) {
   const exact::LatticeBall ball = grid.balls().ball(place);
-  collect(grid, {ball.centre, ball.radius}, place, result);
+  collect_at_ball(grid, {ball.centre, ball.radius}, place, result);
 }
 
 }  // namespace hsp
