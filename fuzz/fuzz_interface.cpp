@@ -7,33 +7,9 @@
 #include <limits>
 
 #include "fuzz_input.hpp"
+#include "guarded_output.hpp"
 
 namespace {
-
-// An output array of exactly `capacity` records between guards, or none at all.
-template <class Record>
-class Output {
- public:
-  Output(uint32_t capacity, bool null)
-      : capacity_(capacity), null_(null), memory_((capacity + 2) * sizeof(Record), 0xA5) {}
-
-  Record *data() { return null_ ? nullptr : reinterpret_cast<Record *>(memory_.data()) + 1; }
-  uint32_t capacity() const { return capacity_; }
-
-  // Nothing but the first `written` records was touched.
-  bool untouched_from(uint32_t written) const {
-    for (size_t i = 0; i < memory_.size(); ++i) {
-      const bool inside = i >= sizeof(Record) && i < (1 + size_t{written}) * sizeof(Record);
-      if (!inside && memory_[i] != 0xA5) return false;
-    }
-    return true;
-  }
-
- private:
-  uint32_t capacity_;
-  bool null_;
-  std::vector<uint8_t> memory_;
-};
 
 class Session {
  public:
@@ -212,7 +188,7 @@ class Session {
   template <class Record, class Ask>
   void check_array(uint32_t most, int32_t argument_status, const Ask &ask) {
     const bool no_out = null(), no_needed = null();
-    Output<Record> out(bytes_.below(most + 3), no_out);
+    fuzz::Output<Record> out(bytes_.below(most + 3), no_out);
     uint32_t needed = 12345;
     const int32_t status = ask(out.data(), out.capacity(), no_needed ? nullptr : &needed);
     if (argument_status == HSP_E_ARGUMENT || no_needed || (no_out && out.capacity() > 0)) {
@@ -342,6 +318,11 @@ class Session {
     if (!attempted_ && boundary != nullptr) {
       FUZZ_REQUIRE(hsp_boundary_get_needed(boundary, &needed) == HSP_E_STATE, "hsp_boundary_get_needed");
     }
+    uint32_t law = 12345, where = 12345;
+    hsp_boundary *checked = boundary == nullptr ? nullptr : boundary_;
+    FUZZ_REQUIRE(hsp_boundary_check(checked, &law, &where) == expected, "hsp_boundary_check");
+    FUZZ_REQUIRE(law == (expected == HSP_OK ? 0U : 12345U), "law");
+    FUZZ_REQUIRE(expected == HSP_OK || where == 12345, "where written on failure");
     check_array<hsp_vertex>(40, expected, [&](hsp_vertex *out, uint32_t capacity, uint32_t *count) {
       return hsp_boundary_get_vertices(boundary, out, capacity, count);
     });
@@ -362,9 +343,9 @@ class Session {
   void measure() {
     const hsp_boundary *boundary = null() ? nullptr : boundary_;
     const bool no_totals = null(), no_area = null(), no_volume = null();
-    Output<double> area(bytes_.below(30), no_area);
-    Output<double> volume(area.capacity(), no_volume);
-    Output<hsp_totals> totals(1, no_totals);
+    fuzz::Output<double> area(bytes_.below(30), no_area);
+    fuzz::Output<double> volume(area.capacity(), no_volume);
+    fuzz::Output<hsp_totals> totals(1, no_totals);
     const int32_t status = hsp_boundary_measure(boundary, totals.data(), area.data(), volume.data(), area.capacity());
     int32_t expected = reader_status(boundary);
     if (expected == HSP_OK && !(no_area && no_volume) && area.capacity() < balls_) expected = HSP_E_CAPACITY;

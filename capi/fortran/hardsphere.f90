@@ -25,6 +25,7 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_E_MEMORY = -3_c_int32_t
   integer(c_int32_t), parameter :: HSP_E_STATE = -4_c_int32_t
   integer(c_int32_t), parameter :: HSP_E_ID = -5_c_int32_t
+  integer(c_int32_t), parameter :: HSP_E_CHECK = -6_c_int32_t
   integer(c_int32_t), parameter :: HSP_E_NOT_FINITE = -10_c_int32_t
   integer(c_int32_t), parameter :: HSP_E_NEGATIVE = -11_c_int32_t
   integer(c_int32_t), parameter :: HSP_E_RANGE = -12_c_int32_t
@@ -345,6 +346,16 @@ module hardsphere
       real(c_double), intent(inout), optional :: area(*)
       real(c_double), intent(inout), optional :: volume(*)
       integer(c_int32_t), value :: capacity
+      integer(c_int32_t) :: status
+    end function
+
+    ! ---- self-check ------------------------------------------------------------------------------------------------
+
+    function hsp_boundary_check(boundary, law, where) result(status) bind(C, name="hsp_boundary_check")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: boundary
+      integer(c_int32_t), intent(inout) :: law
+      integer(c_int32_t), intent(inout) :: where
       integer(c_int32_t) :: status
     end function
   end interface

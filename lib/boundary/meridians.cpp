@@ -15,15 +15,18 @@ namespace {
 using exact::Plane;
 using exact::Vector;
 
-constexpr Plane pole_plane_x = exact::virtual_plane({1, 0, 0}, 0);
-constexpr Plane pole_plane_y = exact::virtual_plane({0, 1, 0}, 0);
-
 // The great circle through the axis v and the poles.
 Plane meridian_through(const Vector &v) {
   return exact::virtual_plane(v.x != 0 || v.y != 0 ? Vector{-v.y, v.x, 0} : Vector{1, 0, 0}, 0);
 }
 
+// The pole is p+ of two coordinate planes. Their normals may have any length; the filter is sharpest if it is that of
+// the others.
 bool pole_is_free(const Caps &caps, const exact::Predicates &predicates) {
+  int64_t scale = 1;
+  while (4.0 * static_cast<double>(scale) * static_cast<double>(scale) <= caps.length_squared) scale *= 2;
+  const Plane pole_plane_x = exact::virtual_plane({scale, 0, 0}, 0);
+  const Plane pole_plane_y = exact::virtual_plane({0, scale, 0}, 0);
   for (uint32_t l = 0; l < caps.count; ++l) {
     if (predicates.inside(pole_plane_x, pole_plane_y, +1, caps.plane[l]) > 0) return false;
   }

@@ -9,7 +9,8 @@
 
 namespace hsp::exact {
 
-// A sign that is never 0, and whether the unperturbed value was.
+// A sign that is never 0, and whether the tie rule had to find it because the value was. (Circles with parallel axes
+// never cross, whatever the inflation, so they are no tie even where D is 0.)
 struct Sign {
   int sign;
   bool tied;

@@ -227,8 +227,8 @@ void expect_doubles_decide(const Answers &run) {
       EXPECT_EQ(counters.of(question, Rung::exact), 0U);
     }
   }
-  EXPECT_LE(10 * counters.of(Question::point_status, Rung::exact), total(counters, Question::point_status));
-  EXPECT_LE(100 * counters.of(Question::point_status, Rung::exact), grand_total(counters));
+  EXPECT_LE(4 * counters.of(Question::point_status, Rung::exact), total(counters, Question::point_status));
+  EXPECT_LE(50 * counters.of(Question::point_status, Rung::exact), grand_total(counters));
   EXPECT_EQ(run.counts.tied_vertices, 0U);
 }
 
@@ -260,7 +260,7 @@ TEST(RungCounters, ASetWithoutRule) {
   EXPECT_EQ(counters.of(Question::vertex_pair, Rung::exact), 0U);
   EXPECT_EQ(counters.of(Question::crossing, Rung::exact), 0U);
   EXPECT_EQ(counters.of(Question::side, Rung::exact), 0U);
-  EXPECT_LE(10 * counters.of(Question::point_status, Rung::exact), total(counters, Question::point_status));
+  EXPECT_LE(4 * counters.of(Question::point_status, Rung::exact), total(counters, Question::point_status));
 }
 
 // On the cubic lattice with these radii the four spheres of every square pass through two points; nothing else ties. On

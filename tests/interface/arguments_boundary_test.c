@@ -23,7 +23,7 @@ static hsp_face faces[16];
 static hsp_ball balls[BALLS];
 static hsp_totals totals;
 static double area[BALLS], volume[BALLS];
-static uint32_t needed;
+static uint32_t needed, law, where;
 
 static void fill_outputs(void) {
   FILL(counts);
@@ -37,6 +37,8 @@ static void fill_outputs(void) {
   FILL(area);
   FILL(volume);
   FILL(needed);
+  FILL(law);
+  FILL(where);
 }
 
 static void check_outputs_untouched(void) {
@@ -51,10 +53,12 @@ static void check_outputs_untouched(void) {
   CHECK_UNTOUCHED(area);
   CHECK_UNTOUCHED(volume);
   CHECK_UNTOUCHED(needed);
+  CHECK_UNTOUCHED(law);
+  CHECK_UNTOUCHED(where);
 }
 
 /* All reading functions with good arguments must say `status` and write nothing. */
-static void check_all_readers(const hsp_boundary *which, int32_t status) {
+static void check_all_readers(hsp_boundary *which, int32_t status) {
   fill_outputs();
   CHECK_EQUAL(hsp_boundary_get_counts(which, &counts), status);
   CHECK_EQUAL(hsp_boundary_get_vertices(which, vertices, 16, &needed), status);
@@ -64,6 +68,7 @@ static void check_all_readers(const hsp_boundary *which, int32_t status) {
   CHECK_EQUAL(hsp_boundary_get_balls(which, balls, BALLS, &needed), status);
   CHECK_EQUAL(hsp_boundary_measure(which, &totals, area, volume, BALLS), status);
   CHECK_EQUAL(hsp_boundary_measure(which, &totals, NULL, NULL, 0), status);
+  CHECK_EQUAL(hsp_boundary_check(which, &law, &where), status);
   check_outputs_untouched();
 }
 
@@ -179,6 +184,8 @@ static void compute_and_read(void) {
   CHECK_EQUAL(hsp_boundary_get_faces(boundary, faces, 16, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_get_balls(boundary, NULL, BALLS, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_get_balls(boundary, balls, BALLS, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_check(boundary, NULL, &where), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_check(boundary, &law, NULL), HSP_E_ARGUMENT);
   check_outputs_untouched();
 
   check_scene("every output of hsp_boundary_measure may be left out");

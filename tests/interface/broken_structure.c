@@ -249,6 +249,27 @@ static const char *broken_components(const computed *c) {
   return broken;
 }
 
+/* The library's check of itself must agree with the checks from outside. */
+static const char *broken_law(const computed *c) {
+  static const char *const laws[] = {"hsp_boundary_check fails without a law",
+                                     "hsp_boundary_check: law 1",
+                                     "hsp_boundary_check: law 2",
+                                     "hsp_boundary_check: law 3",
+                                     "hsp_boundary_check: law 4",
+                                     "hsp_boundary_check: law 5",
+                                     "hsp_boundary_check: law 6",
+                                     "hsp_boundary_check: law 7",
+                                     "hsp_boundary_check: law 8",
+                                     "hsp_boundary_check: law 9",
+                                     "hsp_boundary_check: law 10",
+                                     "hsp_boundary_check: law 11"};
+  uint32_t law = HSP_NONE, where = HSP_NONE;
+  const int32_t status = hsp_boundary_check(c->boundary, &law, &where);
+  if (law >= sizeof laws / sizeof laws[0]) return "hsp_boundary_check: a law that there is not";
+  if (status == HSP_OK) return law == 0 ? NULL : "hsp_boundary_check: HSP_OK with a law";
+  return laws[law];
+}
+
 const char *broken_structure(const computed *c) {
   uint32_t *ends = calloc((size_t)c->counts.vertices + 1, sizeof *ends);
   const char *broken = broken_counts(c);
@@ -266,5 +287,6 @@ const char *broken_structure(const computed *c) {
   if (broken == NULL) broken = broken_shells(c);
   if (broken == NULL) broken = broken_components(c);
   free(ends);
+  if (broken == NULL) broken = broken_law(c);
   return broken;
 }

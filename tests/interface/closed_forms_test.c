@@ -1,121 +1,13 @@
 /* Sets of balls whose area, volume and topology are known in closed form, most of them degenerate: coincident, nested,
- * touching, collinear, gridded balls, many spheres through one point. Peers fail on these in various ways.
- *
- * The formulas: a sphere cut by planes at distances h < r from its centre keeps what inclusion and exclusion over its
- * caps leaves; the area of an intersection of caps follows from the Gauss-Bonnet theorem, its volume from the
- * divergence theorem. In a grid of equal balls the planes are those half-way between neighbours. */
+ * touching, collinear, gridded balls, many spheres through one point. Peers fail on these in various ways. */
 #include <hardsphere.h>
 #include <math.h>
 #include <string.h>
 
+#include "ball_formulas.h"
 #include "ball_sets.h"
 #include "check.h"
 #include "computed.h"
-
-static const double pi = 3.14159265358979323846;
-
-typedef struct amount {
-  double area, volume;
-} amount;
-
-static amount whole_ball(double r) {
-  amount a;
-  a.area = 4 * pi * r * r;
-  a.volume = a.area * r / 3;
-  return a;
-}
-
-/* The cap beyond a plane at distance h: Archimedes. */
-static amount cap(double r, double h) {
-  amount a;
-  a.area = 2 * pi * r * (r - h);
-  a.volume = pi * (r - h) * (r - h) * (2 * r + h) / 3;
-  return a;
-}
-
-/* Two balls whose centres are d apart, neither inside the other. */
-static amount two_balls(double r, double s, double d) {
-  const double h = (d * d + r * r - s * s) / (2 * d);
-  const amount a = whole_ball(r), b = whole_ball(s), c = cap(r, h), e = cap(s, d - h);
-  amount both;
-  both.area = a.area + b.area - c.area - e.area;
-  both.volume = a.volume + b.volume - c.volume - e.volume;
-  return both;
-}
-
-/* The part of a ball beyond two planes at distances h[0], h[1] whose normals make an angle psi; 0 if they do not meet
- * inside. An arc on plane i turns by cos(polar angle) times its angle 2 phi_i; theta is the exterior angle. */
-static amount double_cap(double r, const double h[2], double psi) {
-  amount a = {0, 0};
-  double phi[2], rho[2], flat = 0, arcs = 0, theta;
-  int i;
-  for (i = 0; i < 2; ++i) {
-    const double mine = h[i] / r, other = h[1 - i] / r;
-    double cosine;
-    rho[i] = sqrt(1 - mine * mine);
-    cosine = (other - mine * cos(psi)) / (rho[i] * sin(psi));
-    if (cosine >= 1) return a;
-    phi[i] = acos(cosine);
-    arcs += mine * 2 * phi[i];
-    flat += mine * rho[i] * rho[i] * (phi[i] - sin(phi[i]) * cos(phi[i]));
-  }
-  theta = acos((cos(psi) - h[0] * h[1] / (r * r)) / (rho[0] * rho[1]));
-  a.area = r * r * (2 * pi - arcs - 2 * theta);
-  a.volume = r * r * r * (a.area / (r * r) - flat) / 3;
-  return a;
-}
-
-/* The part beyond three mutually perpendicular planes; 0 if their common point is not inside. */
-static amount corner(double r, const double h[3]) {
-  amount a = {0, 0};
-  double area = 2 * pi, flat = 0;
-  int i;
-  if (h[0] * h[0] + h[1] * h[1] + h[2] * h[2] >= r * r) return a;
-  for (i = 0; i < 3; ++i) {
-    const double mine = h[i] / r, u = h[(i + 1) % 3] / r, v = h[(i + 2) % 3] / r;
-    const double rho = sqrt(1 - mine * mine), next = sqrt(1 - u * u);
-    const double turn = acos(u / rho) - asin(v / rho); /* on circle i, from v at its plane to u at its plane */
-    area -= mine * turn + acos(-mine * u / (rho * next));
-    /* sector less the two triangles between the origin, (u, v) and an end of the arc */
-    flat += mine * (rho * rho * turn - v * (sqrt(rho * rho - v * v) - u) - u * (sqrt(rho * rho - u * u) - v)) / 2;
-  }
-  a.area = r * r * area;
-  a.volume = r * r * r * (area - flat) / 3;
-  return a;
-}
-
-static void add(amount *to, double times, amount what) {
-  to->area += times * what.area;
-  to->volume += times * what.volume;
-}
-
-/* The union of a full grid of equal balls that overlap along every axis. */
-static amount grid(const int counts[3], const double spacing[3], double r) {
-  amount all = {0, 0};
-  double h[3];
-  int x, y, z, i;
-  for (i = 0; i < 3; ++i) h[i] = spacing[i] / 2;
-  for (x = 0; x < counts[0]; ++x) {
-    for (y = 0; y < counts[1]; ++y) {
-      for (z = 0; z < counts[2]; ++z) {
-        double sides[3]; /* how many of the two planes across each axis cut this ball */
-        sides[0] = (x > 0) + (x + 1 < counts[0]);
-        sides[1] = (y > 0) + (y + 1 < counts[1]);
-        sides[2] = (z > 0) + (z + 1 < counts[2]);
-        add(&all, 1, whole_ball(r));
-        for (i = 0; i < 3; ++i) {
-          double pair[2];
-          pair[0] = h[i];
-          pair[1] = h[(i + 1) % 3];
-          if (h[i] < r) add(&all, -sides[i], cap(r, h[i]));
-          add(&all, sides[i] * sides[(i + 1) % 3], double_cap(r, pair, pi / 2));
-        }
-        add(&all, -sides[0] * sides[1] * sides[2], corner(r, h));
-      }
-    }
-  }
-  return all;
-}
 
 typedef struct topology {
   uint32_t components, voids;
@@ -148,7 +40,7 @@ static void check_form(const ball_set *set, amount expected, topology topo, doub
 static const amount unknown = {-1, -1};
 
 static amount sum(amount a, amount b) {
-  add(&a, 1, b);
+  amount_add(&a, 1, b);
   return a;
 }
 
@@ -161,45 +53,45 @@ static void few_balls(void) {
   check_form(&s, zero, nothing, exact);
   ball_set_add(&s, -3.25, 7, 1e5, 1.25);
   s.name = "one ball";
-  check_form(&s, whole_ball(1.25), ball, exact);
+  check_form(&s, amount_of_ball(1.25), ball, exact);
   ball_set_add(&s, 30, 7, 1e5, 0.5);
   s.name = "two balls apart";
-  check_form(&s, sum(whole_ball(1.25), whole_ball(0.5)), apart, exact);
+  check_form(&s, sum(amount_of_ball(1.25), amount_of_ball(0.5)), apart, exact);
   for (d = 1.25; d < 3.75; d += 0.25) {
     ball_set_start(&s, "two overlapping balls", 1e-8);
     ball_set_add(&s, 0, 0, 0, 1.5);
     ball_set_add(&s, 0, d, 0, 2.5);
-    check_form(&s, two_balls(1.5, 2.5, d), ball, exact);
+    check_form(&s, amount_of_two_balls(1.5, 2.5, d), ball, exact);
     s.name = "two overlapping balls and a second copy of one";
     ball_set_add(&s, 0, 0, 0, 1.5);
-    check_form(&s, two_balls(1.5, 2.5, d), ball, exact);
+    check_form(&s, amount_of_two_balls(1.5, 2.5, d), ball, exact);
   }
   /* the lattice is 1e-8 here: one step from touching on either side */
   ball_set_start(&s, "two balls that touch", 1e-8);
   ball_set_add(&s, 0, 0, 0, 1.5);
   ball_set_add(&s, 0, 4, 0, 2.5);
-  check_form(&s, sum(whole_ball(1.5), whole_ball(2.5)), ball, exact);
+  check_form(&s, sum(amount_of_ball(1.5), amount_of_ball(2.5)), ball, exact);
   s.xyz[4] = 4.00000001;
   s.name = "two balls, one lattice step from touching";
-  check_form(&s, sum(whole_ball(1.5), whole_ball(2.5)), apart, exact);
+  check_form(&s, sum(amount_of_ball(1.5), amount_of_ball(2.5)), apart, exact);
   s.xyz[4] = 3.99999999;
   s.name = "two balls that overlap by one lattice step";
-  check_form(&s, two_balls(1.5, 2.5, 3.99999999), ball, exact);
+  check_form(&s, amount_of_two_balls(1.5, 2.5, 3.99999999), ball, exact);
   s.xyz[4] = 1;
   s.name = "a ball that touches another from inside";
-  check_form(&s, whole_ball(2.5), ball, exact);
+  check_form(&s, amount_of_ball(2.5), ball, exact);
   s.xyz[4] = 1.00000001;
   s.name = "a ball that pierces another from inside by one lattice step";
-  check_form(&s, two_balls(1.5, 2.5, 1.00000001), ball, 1e-11);
+  check_form(&s, amount_of_two_balls(1.5, 2.5, 1.00000001), ball, 1e-11);
   s.xyz[4] = 0.5;
   s.name = "a ball inside another";
-  check_form(&s, whole_ball(2.5), ball, exact);
+  check_form(&s, amount_of_ball(2.5), ball, exact);
   s.xyz[4] = 0;
   s.name = "concentric balls";
-  check_form(&s, whole_ball(2.5), ball, exact);
+  check_form(&s, amount_of_ball(2.5), ball, exact);
   s.radius[0] = 2.5;
   s.name = "two identical balls";
-  check_form(&s, whole_ball(2.5), ball, exact);
+  check_form(&s, amount_of_ball(2.5), ball, exact);
 }
 
 static void points(void) {
@@ -218,13 +110,13 @@ static void points(void) {
   ball_set_start(&s, "a point inside a ball", 1e-8);
   ball_set_add(&s, 0, 0, 0, 2);
   ball_set_add(&s, 1, 0, 0, 0);
-  check_form(&s, whole_ball(2), ball, exact);
+  check_form(&s, amount_of_ball(2), ball, exact);
   s.xyz[3] = 2;
   s.name = "a point on a sphere";
-  check_form(&s, whole_ball(2), ball, exact);
+  check_form(&s, amount_of_ball(2), ball, exact);
   s.xyz[3] = 2.00000001;
   s.name = "a point outside a ball";
-  check_form(&s, whole_ball(2), two, exact);
+  check_form(&s, amount_of_ball(2), two, exact);
 }
 
 static void collinear(void) {
@@ -240,8 +132,8 @@ static void collinear(void) {
       amount all = {0, 0};
       ball_set_start(&s, "collinear balls", 1e-8);
       for (i = 0; i < balls; ++i) ball_set_add(&s, i * u[0], i * u[1], i * u[2], r);
-      add(&all, balls, whole_ball(r));
-      add(&all, -2 * (balls - 1), cap(r, gap / 2));
+      amount_add(&all, balls, amount_of_ball(r));
+      amount_add(&all, -2 * (balls - 1), amount_of_cap(r, gap / 2));
       check_form(&s, all, ball, exact);
     }
   }
@@ -256,36 +148,36 @@ static void grids(void) {
   int i;
   ball_set_start(&s, "5 x 5 x 5 grid, spacing 1, radius 1", 1e-8);
   ball_set_add_grid(&s, five, one, 1);
-  check_form(&s, grid(five, one, 1), t, exact);
+  check_form(&s, amount_of_grid(five, one, 1), t, exact);
 
   /* between 8 balls with radius < sqrt(3)/2 there is a pore; its windows are closed for radius > sqrt(2)/2 */
   t.voids = 64;
   t.euler = 2 * 65;
   ball_set_start(&s, "5 x 5 x 5 grid, spacing 1, radius 0.75", 1e-8);
   ball_set_add_grid(&s, five, one, 0.75);
-  check_form(&s, grid(five, one, 0.75), t, exact);
+  check_form(&s, amount_of_grid(five, one, 0.75), t, exact);
 
   /* sqrt(3)/2 rounds up to the lattice: the pores are closed by less than a step */
   t.voids = 0;
   t.euler = 2;
   ball_set_start(&s, "5 x 5 x 5 grid, spacing 1, radius sqrt(3)/2", 1e-8);
   ball_set_add_grid(&s, five, one, 0.866025404);
-  check_form(&s, grid(five, one, sqrt(0.75)), t, 1e-8);
+  check_form(&s, amount_of_grid(five, one, sqrt(0.75)), t, 1e-8);
 
   /* 1 + 4 + 4 = 9: eight spheres of radius 3 meet exactly in the middle of each cell */
   ball_set_start(&s, "eight spheres through the middle of each cell", 1e-8);
   ball_set_add_grid(&s, three, eightfold, 3);
-  check_form(&s, grid(three, eightfold, 3), t, exact);
+  check_form(&s, amount_of_grid(three, eightfold, 3), t, exact);
 
   ball_set_start(&s, "uneven grid", 1e-8);
   ball_set_add_grid(&s, box, uneven, 3);
-  check_form(&s, grid(box, uneven, 3), t, exact);
+  check_form(&s, amount_of_grid(box, uneven, 3), t, exact);
 
   /* 27 points of contact along 54 edges: a graph with 54 - 27 + 1 cycles, whose thickening has a boundary of that genus
    */
   ball_set_start(&s, "grid of touching balls", 1e-8);
   ball_set_add_grid(&s, three, two, 1);
-  for (i = 0; i < 27; ++i) add(&all, 1, whole_ball(1));
+  for (i = 0; i < 27; ++i) amount_add(&all, 1, amount_of_ball(1));
   t.euler = 2 - 2 * (54 - 27 + 1);
   check_form(&s, all, t, exact);
 }
@@ -336,9 +228,9 @@ static void hexagon(void) {
   ball_set_add(&s, -1, 0, 0, 1);
   ball_set_add(&s, -0.5, -y, 0, 1);
   ball_set_add(&s, 0.5, -y, 0, 1);
-  add(&all, 7, whole_ball(1));
-  add(&all, -(6 + 6 * 3), cap(1, 0.5));
-  add(&all, 6 + 6 * 2, double_cap(1, half, pi / 3));
+  amount_add(&all, 7, amount_of_ball(1));
+  amount_add(&all, -(6 + 6 * 3), amount_of_cap(1, 0.5));
+  amount_add(&all, 6 + 6 * 2, amount_of_double_cap(1, half, acos(-1.0) / 3));
   check_form(&s, all, ball, 1e-8);
 }
 

@@ -9,6 +9,9 @@
 #include "computed.h"
 #include "guarded_memory.h"
 
+/* Whether results are checked by the library itself before they are read. */
+static int all_are_checked;
+
 /* All results of one computation as one run of bytes. */
 typedef struct snapshot {
   unsigned char *bytes;
@@ -23,8 +26,9 @@ static void append(snapshot *to, const void *from, size_t bytes) {
   to->size += bytes;
 }
 
-static snapshot read_everything(const hsp_boundary *boundary, uint32_t n) {
+static snapshot read_everything(hsp_boundary *boundary, uint32_t n) {
   snapshot all = {NULL, 0};
+  uint32_t law = 77, where = 77;
   hsp_boundary_counts counts;
   hsp_boundary_limits needed;
   hsp_totals totals;
@@ -32,6 +36,11 @@ static snapshot read_everything(const hsp_boundary *boundary, uint32_t n) {
   size_t largest;
   void *records;
   double *area = malloc((2 * (size_t)n + 1) * sizeof *area);
+  /* uses the scratch memory; what is read afterwards must be the same */
+  if (all_are_checked) {
+    CHECK_EQUAL(hsp_boundary_check(boundary, &law, &where), HSP_OK);
+    CHECK_EQUAL(law, 0);
+  }
   CHECK_EQUAL(hsp_boundary_get_counts(boundary, &counts), HSP_OK);
   CHECK_EQUAL(hsp_boundary_get_needed(boundary, &needed), HSP_OK);
   append(&all, &counts, sizeof counts);
@@ -103,6 +112,12 @@ static void same_bytes(const ball_set *set, const ball_set *other) {
         check_same(&first, &again);
         free(again.bytes);
       }
+      /* checking changes no result */
+      all_are_checked = 1;
+      again = read_everything(boundary, set->n);
+      check_same(&first, &again);
+      free(again.bytes);
+      all_are_checked = 0;
       /* reading is repeatable, and so is computing without setting the model again */
       CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
       again = read_everything(boundary, set->n);

@@ -58,7 +58,7 @@ static int call_everything(const ball_set *set) {
   hsp_boundary_limits limits, needed_limits;
   hsp_boundary_counts counts;
   hsp_totals totals;
-  uint32_t ids[BALLS], needed;
+  uint32_t ids[BALLS], needed, law, where;
   int32_t meets;
   size_t bytes;
   int bad = 0;
@@ -86,6 +86,7 @@ static int call_everything(const ball_set *set) {
   bad += hsp_boundary_get_faces(boundary, faces, 2 * VERTICES, &needed) != HSP_OK;
   bad += hsp_boundary_get_balls(boundary, balls, BALLS, &needed) != HSP_OK;
   bad += hsp_boundary_measure(boundary, &totals, area, volume, BALLS) != HSP_OK;
+  bad += hsp_boundary_check(boundary, &law, &where) != HSP_OK;
   return bad;
 }
 

@@ -19,7 +19,8 @@ function quoted(key,    from, rest) {
     split(text, part, " ")
     # an inline function may be compiled several times
     if (!(title in frame) || part[1] + 0 > frame[title]) frame[title] = part[1] + 0
-    if (text !~ /\(static\)/) dynamic[title] = text
+    # "dynamic,bounded" is a frame that is aligned at run time; its number is a reliable maximum
+    if (text ~ /\(dynamic\)/) dynamic[title] = text
   }
 }
 

@@ -1,0 +1,113 @@
+// The file readers of the program: any bytes are either read in full or refused with one line; what is read is sound,
+// does not depend on line ends, and survives being written as .xyzr and read again. The first byte chooses the format.
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "fuzz_input.hpp"
+
+extern "C" {
+#include "failure.h"
+#include "molecule.h"
+#include "radii.h"
+#include "read_molecule.h"
+}
+
+namespace {
+
+struct Reading {
+  bool done = false;
+  int exit_status = 0;
+  std::string reason;
+  uint64_t line = 0;
+  std::vector<double> numbers;  // x y z r of every atom
+};
+
+Reading read(const std::string &text, const char *extension) {
+  static const std::string folder = [] {
+    const char *given = std::getenv("TMPDIR");
+    return std::string(given != nullptr ? given : "/tmp");
+  }();
+  const std::string path = folder + "/hardsphere-fuzz-" + std::to_string(getpid()) + extension;
+  std::FILE *file = std::fopen(path.c_str(), "wb");
+  FUZZ_REQUIRE(file != nullptr, path.c_str());
+  FUZZ_REQUIRE(std::fwrite(text.data(), 1, text.size(), file) == text.size(), "temporary file");
+  FUZZ_REQUIRE(std::fclose(file) == 0, "temporary file");
+
+  radii table;
+  radii_take_set(&table, &radii_bondi);
+  molecule atoms;
+  failure why;
+  std::memset(&why, 0, sizeof why);
+  Reading reading;
+  reading.done = read_molecule(path.c_str(), &table, &atoms, &why);
+  reading.exit_status = why.exit_status;
+  reading.reason = why.reason;
+  reading.line = why.line;
+  if (reading.done) {
+    FUZZ_REQUIRE(why.exit_status == 0, "success with an exit status");
+    for (uint32_t i = 0; i < atoms.atoms; ++i) {
+      for (int k = 0; k < 3; ++k) reading.numbers.push_back(atoms.xyz[3 * i + static_cast<uint32_t>(k)]);
+      reading.numbers.push_back(atoms.radius[i]);
+      FUZZ_REQUIRE(atoms.radius[i] >= 0.0, "negative radius");
+      FUZZ_REQUIRE(atoms.line[i] > 0 && (i == 0 || atoms.line[i] > atoms.line[i - 1]), "line numbers");
+    }
+    for (const double number : reading.numbers) FUZZ_REQUIRE(std::isfinite(number), "not finite");
+  } else {
+    FUZZ_REQUIRE(why.exit_status == EXIT_BAD_INPUT, "refusal without exit status 1");
+    FUZZ_REQUIRE(why.reason[0] != '\0', "refusal without a reason");
+  }
+  molecule_free(&atoms);
+  std::remove(path.c_str());
+  return reading;
+}
+
+bool same(const Reading &a, const Reading &b) {
+  return a.done == b.done && a.numbers.size() == b.numbers.size() &&
+         (a.numbers.empty() ||
+          std::memcmp(a.numbers.data(), b.numbers.data(), a.numbers.size() * sizeof(double)) == 0) &&
+         a.reason == b.reason && a.line == b.line;
+}
+
+std::string with_line_ends(const std::string &text, const char *line_end) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '\n') {
+      result += line_end;
+    } else {
+      result += c;
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+  if (size == 0) return 0;
+  static constexpr const char *extensions[] = {".xyzr", ".pdb", ".pqr", ".xyz"};
+  const char *extension = extensions[data[0] % 4];
+  const std::string text(reinterpret_cast<const char *>(data) + 1, size - 1);
+  const Reading reading = read(text, extension);
+  FUZZ_REQUIRE(same(reading, read(text, extension)), "another answer the second time");
+  if (text.find('\r') == std::string::npos) {
+    FUZZ_REQUIRE(same(reading, read(with_line_ends(text, "\r\n"), extension)), "CRLF");
+    FUZZ_REQUIRE(same(reading, read(with_line_ends(text, "\r"), extension)), "CR");
+  }
+  if (reading.done) {
+    std::string plain;
+    for (size_t k = 0; k < reading.numbers.size(); k += 4) {
+      char line[160];
+      std::snprintf(line, sizeof line, "%.17g %.17g %.17g %.17g\n", reading.numbers[k], reading.numbers[k + 1],
+                    reading.numbers[k + 2], reading.numbers[k + 3]);
+      plain += line;
+    }
+    const Reading again = read(plain, ".xyzr");
+    FUZZ_REQUIRE(again.done && again.numbers == reading.numbers, "written and read again");
+  }
+  return 0;
+}

@@ -1,0 +1,30 @@
+// A boundary with its inner records open, for tests that look at them or break them.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "boundary/boundary.hpp"
+#include "grid/cube_grid.hpp"
+
+struct TestBall {
+  double x, y, z, radius;
+};
+
+class BuiltBoundary {
+ public:
+  // Lattice step 1, so that the numbers stand for themselves.
+  explicit BuiltBoundary(const std::vector<TestBall> &balls);
+
+  const hsp::BallSet &balls() const { return grid_.balls(); }
+  hsp::BoundaryStructure &structure() { return builder_.structure(); }
+  // The id in the grid's order of the ball that was given as number `caller`.
+  uint32_t place(uint32_t caller) const { return grid_.place(caller); }
+  hsp::Status status() const { return status_; }
+
+ private:
+  hsp::CubeGrid grid_;
+  hsp::BoundaryBuilder builder_;
+  std::vector<unsigned char> grid_memory_, boundary_memory_;
+  hsp::Status status_ = hsp::Status::ok;
+};
