@@ -104,8 +104,9 @@ HSP_API int32_t hsp_model_bytes(uint32_t balls, size_t *bytes);
 #define HSP_MODEL_BYTES(balls) ((size_t)1024 + (size_t)128 * (size_t)(balls))
 
 /** Make an empty model (0 balls) for at most `balls` balls in caller memory of any alignment; sets *model.
- *  HSP_E_ARGUMENT: memory or model is NULL. HSP_E_MEMORY: bytes is less than hsp_model_bytes says (nothing is written).
- */
+ *  HSP_E_ARGUMENT: memory or model is NULL. HSP_E_RANGE: as hsp_model_bytes. HSP_E_MEMORY: bytes is less than
+ *  hsp_model_bytes says (nothing is written). Boundaries computed from a model that was in this memory before
+ *  must be computed again before they are read. */
 HSP_API int32_t hsp_model_init(void *memory, size_t bytes, uint32_t balls, hsp_model **model);
 
 /** How hsp_model_set reads the balls. Zero means default in every field but the first. */
@@ -211,7 +212,7 @@ typedef struct hsp_boundary hsp_boundary;
 typedef struct hsp_boundary_limits {
   uint32_t struct_size; /**< sizeof(hsp_boundary_limits) */
   uint32_t balls;       /**< number of balls of the model */
-  uint32_t neighbours;  /**< most balls that meet any one ball */
+  uint32_t neighbours;  /**< most balls that meet any one ball that lies inside no other */
   uint32_t vertices;    /**< vertices of the boundary */
   uint32_t circles;     /**< free circles */
   uint32_t reserved;    /**< 0 */
@@ -219,11 +220,12 @@ typedef struct hsp_boundary_limits {
 
 /** Limits that suffice for molecules of `balls` atoms, van der Waals or solvent-accessible: neighbours
  *  min(balls, 256), vertices 8 balls + 64, circles 2 balls + 16. Ask hsp_boundary_get_needed if a set wants more.
- *  HSP_E_ARGUMENT: limits is NULL or struct_size is not sizeof(hsp_boundary_limits). HSP_E_RANGE: too many balls. */
+ *  HSP_E_ARGUMENT: limits is NULL or struct_size is not sizeof(hsp_boundary_limits). HSP_E_RANGE: more than
+ *  (HSP_MAX_BALLS - 64) / 8 balls; set the limits by hand then. */
 HSP_API int32_t hsp_boundary_limits_init(hsp_boundary_limits *limits, uint32_t struct_size, uint32_t balls);
 
 /** Bytes that hsp_boundary_init needs. HSP_E_ARGUMENT: null pointer, bad struct_size, reserved not 0.
- *  HSP_E_RANGE: balls > HSP_MAX_BALLS, vertices or circles > HSP_MAX_BALLS, or the size does not fit a size_t.
+ *  HSP_E_RANGE: a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t.
  *  Property 1: at most HSP_BOUNDARY_BYTES of the four limits. Property 2: grows with each limit. */
 HSP_API int32_t hsp_boundary_bytes(const hsp_boundary_limits *limits, size_t *bytes);
 
@@ -246,8 +248,9 @@ HSP_API int32_t hsp_boundary_init(void *memory, size_t bytes, const hsp_boundary
 HSP_API int32_t hsp_boundary_compute(hsp_boundary *boundary, const hsp_model *model);
 
 /** The limits that the last hsp_boundary_compute needed: exact numbers after HSP_OK. After HSP_E_CAPACITY every limit
- *  that was too small is reported with a number larger than given; `vertices` and `circles` are known only once
- *  `neighbours` suffices (they are then 0 if not yet known), so at most two enlargements lead to success.
+ *  that was too small is reported with a number larger than given. `neighbours` is known only once `balls` suffices,
+ *  `vertices` and `circles` once `neighbours` does, and 0 stands for what is not known yet, so that at most three
+ *  enlargements lead to success. The numbers stay readable after the model has changed.
  *  HSP_E_ARGUMENT: a null pointer. HSP_E_STATE: nothing was computed. */
 HSP_API int32_t hsp_boundary_get_needed(const hsp_boundary *boundary, hsp_boundary_limits *needed);
 

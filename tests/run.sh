@@ -44,16 +44,16 @@ if [ ${#missing[@]} -gt 0 ]; then
   echo "installing: ${missing[*]}"
   log=$(mktemp)
   as_root apt-get update -qq >"$log" 2>&1 ||
-    { tail -n 3 "$log" >&2; fail "apt-get update failed; missing packages: ${missing[*]}"; }
+    fail "apt-get update failed ($(tail -n 1 "$log")); missing packages: ${missing[*]}"
   for package in "${missing[@]}"; do
     as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "$package" >"$log" 2>&1 ||
-      { tail -n 3 "$log" >&2; fail "the package $package cannot be installed"; }
+      fail "the package $package cannot be installed ($(tail -n 1 "$log"))"
   done
   rm -f "$log"
 fi
 command -v cmake >/dev/null || fail "cmake is missing"
 
-# The machine's memory rather than its cores limits how many compilers can run.
+# As many jobs as there are cores, unless the caller says otherwise.
 export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
 export CTEST_PARALLEL_LEVEL=${CTEST_PARALLEL_LEVEL:-$(nproc)}
 

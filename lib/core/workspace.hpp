@@ -19,9 +19,8 @@ class Workspace {
 
   // A workspace that only measures.
   Workspace() = default;
-  Workspace(void *memory, size_t bytes)
-      : base_(reinterpret_cast<uintptr_t>(memory)), end_(reinterpret_cast<uintptr_t>(memory) + bytes), carving_(true) {
-    used_ = (alignment - base_ % alignment) % alignment;
+  Workspace(void *memory, size_t bytes) : base_(static_cast<unsigned char *>(memory)), bytes_(bytes) {
+    used_ = padding();
   }
 
   // An array of `count` default-initialised T, or an empty span while measuring.
@@ -45,15 +44,16 @@ class Workspace {
     }
     const size_t place = used_;
     used_ += static_cast<size_t>(count) * size;
-    used_ += (alignment - (base_ + used_) % alignment) % alignment;
-    if (!carving_ || base_ + place + static_cast<size_t>(count) * size > end_) return nullptr;
-    return reinterpret_cast<void *>(base_ + place);
+    const size_t end = used_;
+    used_ += padding();
+    return base_ == nullptr || end > bytes_ ? nullptr : base_ + place;
   }
+  // Bytes to the next aligned address. While measuring the block is taken to be aligned; bytes() adds the slack.
+  size_t padding() const { return (alignment - (reinterpret_cast<uintptr_t>(base_) + used_) % alignment) % alignment; }
 
-  uintptr_t base_ = 0;
-  uintptr_t end_ = 0;
+  unsigned char *base_ = nullptr;
+  size_t bytes_ = 0;
   size_t used_ = 0;
-  bool carving_ = false;
   bool overflow_ = false;
 };
 

@@ -1,0 +1,40 @@
+// What the rows of crambin in the degenerate list rest on: its boundary by brute force, its measures by slices.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "brute_boundary.hpp"
+#include "crambin_atoms.hpp"
+#include "peers_inputs.hpp"
+#include "set_checks.hpp"
+#include "slice_quadrature.hpp"
+
+namespace {
+
+using degenerate::Molecule;
+
+/// On the lattice of 1e-3 angstrom, which holds the file's decimals.
+oracle::Balls crambin_in_thousandths() {
+  const Molecule atoms = degenerate::read_heavy_atoms(HSP_MOLECULE_FOLDER "/crambin.pdb");
+  const auto thousandths = [](double length) { return static_cast<std::int64_t>(std::llround(length * 1000)); };
+  oracle::Balls balls;
+  for (std::size_t i = 0; i < atoms.radius.size(); ++i)
+    balls.push_back({thousandths(atoms.xyz[3 * i]), thousandths(atoms.xyz[3 * i + 1]),
+                     thousandths(atoms.xyz[3 * i + 2]), thousandths(atoms.radius[i])});
+  return balls;
+}
+
+TEST(CrambinSlow, BoundaryOfBruteForce) {
+  const oracle::BoundaryRecord record = oracle::brute_boundary(crambin_in_thousandths());
+  EXPECT_EQ(record.vertices.size(), degenerate::crambin_vertices);
+  EXPECT_EQ(degenerate::to_text(degenerate::topology_of(record)), degenerate::to_text(degenerate::crambin_topology));
+  EXPECT_EQ(degenerate::brute_force_disagrees(crambin_in_thousandths()), "");
+}
+
+TEST(CrambinSlow, AreaAndVolumeOfSlices) {
+  const oracle::SliceMeasures measures = oracle::measure_by_slices(oracle::real_balls(crambin_in_thousandths()));
+  EXPECT_LE(std::abs(measures.area * 1e-6L - degenerate::crambin_area), 1e-13L * degenerate::crambin_area);
+  EXPECT_LE(std::abs(measures.volume * 1e-9L - degenerate::crambin_volume), 1e-13L * degenerate::crambin_volume);
+}
+
+}  // namespace
