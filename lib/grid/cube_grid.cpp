@@ -6,7 +6,9 @@
 namespace hsp {
 namespace {
 
-// floor(value / side) for |value| < 2^52. The estimate in double is off by at most one, the remainder corrects it.
+// floor(value / side) for |value| < 2^52. The estimate has an error below |value| 2^-52 / side < 1 / side, while a
+// quotient that is no integer is at least 1 / side away from the next one: so truncation is off by at most one, and the
+// remainder tells.
 int64_t floor_divide(int64_t value, int64_t side, double reciprocal) {
   int64_t quotient = static_cast<int64_t>(static_cast<double>(value) * reciprocal);
   const int64_t rest = value - quotient * side;
