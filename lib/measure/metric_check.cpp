@@ -58,9 +58,9 @@ class MetricCheck {
       const SecondMeasure second = measure_again(i);
       const double difference = first.area - r * r * second.steradians;
       const double doubt = r * r * second.doubt;
-      if (first.area < 0.0 || first.area > 4 * pi * r * r + doubt || difference > doubt || -difference > doubt) {
-        return {BoundaryLaw::areas, i};
-      }
+      // Written so that a value that is not a number fails.
+      const bool on_the_sphere = first.area >= 0.0 && first.area <= 4 * pi * r * r + doubt;
+      if (!on_the_sphere || !(std::fabs(difference) <= doubt)) return {BoundaryLaw::areas, i};
       volume += first.volume;
       // Another origin: the centre of the component's first ball, moved by that ball's own radius along each axis.
       const uint32_t origin = boundary_.components.root(i);
@@ -71,7 +71,7 @@ class MetricCheck {
       scale += r * r * second.doubt * (r + norm(arm));
     }
     const double difference = volume - second_volume;
-    return difference > scale || -difference > scale ? Violation{BoundaryLaw::closure, 0} : Violation{};
+    return std::fabs(difference) <= scale ? Violation{} : Violation{BoundaryLaw::closure, 0};
   }
 
  private:

@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# Which lines of the library the tests run:
+#   bash tests/coverage/run.sh
+# Builds and runs the workflow preset `coverage` (g++, no optimisation, all tests but the slow ones and those that look
+# at what is shipped), prints the lines run of lib/ and capi/*.cpp and fails if they are fewer than 95 of 100. The
+# program's lines are printed as well but decide nothing. Installs gcovr if it is missing (Debian).
+# Lines marked GCOVR_EXCL_LINE do not count; each says why no input reaches it.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+least=95
+
+fail() {
+  echo "coverage/run.sh: $*" >&2
+  exit 1
+}
+
+as_root() {
+  if [ "$(id -u)" -eq 0 ]; then "$@"; else sudo "$@"; fi
+}
+
+if ! command -v gcovr >/dev/null; then
+  echo "installing: gcovr"
+  as_root apt-get update -qq >/dev/null || fail "apt-get update failed"
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends gcovr >/dev/null ||
+    fail "the package gcovr cannot be installed"
+fi
+
+build=build/coverage
+cmake --preset coverage >/dev/null
+cmake --build --preset coverage --parallel "${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}" | tail -n 1
+# Counts of an earlier run would be added to.
+find "$build" -name '*.gcda' -delete
+ctest --preset coverage --parallel "${CTEST_PARALLEL_LEVEL:-$(nproc)}"
+
+# Where there are objects of the library, of its tests, which compile parts of its headers, and of the program. The
+# counters of rungs are no part of the library as it ships, and a function of theirs has two bodies, which gcovr 5.2
+# cannot merge.
+covered() {
+  gcovr --root . --exclude 'lib/exact/rung_counters\.hpp' --print-summary "$@" \
+    "$build/CMakeFiles" "$build/capi" "$build/tests" "$build/fuzz"
+}
+rm -rf "$build"/CMakeFiles/[0-9]*/CompilerId*
+echo "== the program"
+covered --filter 'capi/tool/'
+echo "== the library"
+covered --filter 'lib/' --filter 'capi/[^/]*\.[ch]pp$' --fail-under-line "$least" ||
+  fail "fewer than $least % of the library's lines were run"
