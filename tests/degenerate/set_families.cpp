@@ -1,18 +1,19 @@
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <stdexcept>
 #include <utility>
 
 #include "box_lattice.hpp"
 #include "degenerate_set.hpp"
 #include "named_balls.hpp"
+#include "point_lattices.hpp"
 
 namespace degenerate {
 namespace {
 
 using Integer = std::int64_t;
 using oracle::Balls;
+using oracle::chosen_points;
 using oracle::LatticeBall;
 
 /// All integer points at a whole distance from the origin, times scale: centres on a sphere, to the last bit.
@@ -30,17 +31,6 @@ Balls on_circle(Integer distance, Integer scale, Integer radius) {
   Balls balls;
   for (const LatticeBall &ball : on_sphere(distance, scale, radius))
     if (ball.z == 0) balls.push_back(ball);
-  return balls;
-}
-
-/// The points of 0 .. n - 1 cubed that satisfy a condition, times scale.
-Balls chosen_points(Integer n, Integer scale, Integer radius,
-                    const std::function<bool(Integer, Integer, Integer)> &chosen) {
-  Balls balls;
-  for (Integer x = 0; x < n; ++x)
-    for (Integer y = 0; y < n; ++y)
-      for (Integer z = 0; z < n; ++z)
-        if (chosen(x, y, z)) balls.push_back({scale * x, scale * y, scale * z, radius});
   return balls;
 }
 

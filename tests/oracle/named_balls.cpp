@@ -2,8 +2,9 @@
 
 #include <array>
 #include <cmath>
-#include <functional>
 #include <numbers>
+
+#include "point_lattices.hpp"
 
 namespace oracle {
 namespace {
@@ -28,17 +29,6 @@ Balls slanted_lattice(std::array<Integer, 3> counts, std::array<Integer, 3> scal
   Balls balls;
   for (const LatticeBall &b : box_lattice(counts, scale, radius))
     balls.push_back({2 * b.x + 3 * b.y + 6 * b.z, 3 * b.x - 6 * b.y + 2 * b.z, 6 * b.x + 2 * b.y - 3 * b.z, radius});
-  return balls;
-}
-
-/// The points of 0 .. n - 1 cubed that satisfy a condition, times scale.
-Balls chosen_points(Integer n, Integer scale, Integer radius,
-                    const std::function<bool(Integer, Integer, Integer)> &chosen) {
-  Balls balls;
-  for (Integer x = 0; x < n; ++x)
-    for (Integer y = 0; y < n; ++y)
-      for (Integer z = 0; z < n; ++z)
-        if (chosen(x, y, z)) balls.push_back({scale * x, scale * y, scale * z, radius});
   return balls;
 }
 
