@@ -1,6 +1,5 @@
 #include "boundary/assembly.hpp"
 #include "conversion.hpp"
-#include "measure/arc_angles.hpp"
 #include "measure/areas.hpp"
 #include "topology/shells.hpp"
 
@@ -8,6 +7,14 @@ namespace {
 
 using hsp::capi::check_output;
 using hsp::capi::has_results;
+
+// What every copying function checks: arguments, state, and that exactly count(*boundary) records fit.
+template <class Count>
+int32_t check_request(const hsp_boundary *boundary, const void *out, uint32_t capacity, uint32_t *needed, Count count) {
+  if (boundary == nullptr || needed == nullptr || (out == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
+  if (!has_results(*boundary)) return HSP_E_STATE;
+  return check_output(out, capacity, count(*boundary), needed);
+}
 
 int32_t check_limits(const hsp_boundary_limits *limits) {
   if (limits == nullptr || limits->struct_size != sizeof(hsp_boundary_limits) || limits->reserved != 0) {
@@ -73,17 +80,6 @@ void vertex_position(const hsp::BallSet &balls, const hsp::BoundaryStructure &st
   xyz[0] = balls.lattice.length(balls.x[origin] + offset[0]);
   xyz[1] = balls.lattice.length(balls.y[origin] + offset[1]);
   xyz[2] = balls.lattice.length(balls.z[origin] + offset[2]);
-}
-
-// Angle of the arc that starts at a use, computed from its ball of lower rank.
-double arc_angle(const hsp::BallSet &balls, const hsp::BoundaryStructure &structure, uint32_t use, uint32_t ball) {
-  const hsp::VertexUse &walk = structure.uses[use];
-  const hsp::VertexUse &end = structure.uses[walk.next];
-  const hsp::exact::LatticeBall own = balls.ball(ball);
-  const auto plane = [&](uint32_t j) { return hsp::exact::plane_of(own, balls.ball(j)); };
-  return hsp::FreeArc(plane(walk.out), plane(end.out), structure.root_discriminant[end.vertex], plane(walk.in),
-                      structure.root_discriminant[walk.vertex])
-      .angle();
 }
 
 // The ball a use belongs to: that of its face.
@@ -175,12 +171,11 @@ int32_t hsp_boundary_get_counts(const hsp_boundary *boundary, hsp_boundary_count
 }
 
 int32_t hsp_boundary_get_vertices(const hsp_boundary *boundary, hsp_vertex *out, uint32_t capacity, uint32_t *needed) {
-  if (boundary == nullptr || needed == nullptr || (out == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
-  if (!has_results(*boundary)) return HSP_E_STATE;
+  const int32_t status = check_request(boundary, out, capacity, needed,
+                                       [](const hsp_boundary &b) { return b.builder.structure().vertices.size(); });
+  if (status != HSP_OK) return status;
   const hsp::BoundaryStructure &structure = boundary->builder.structure();
   const hsp::BallSet &balls = boundary->model->grid.balls();
-  const int32_t status = check_output(out, capacity, structure.vertices.size(), needed);
-  if (status != HSP_OK) return status;
   for (uint32_t v = 0; v < structure.vertices.size(); ++v) {
     const hsp::VertexRecord &vertex = structure.vertices[v];
     const CallerVertex named = to_caller(balls, vertex);
@@ -195,13 +190,13 @@ int32_t hsp_boundary_get_vertices(const hsp_boundary *boundary, hsp_vertex *out,
 }
 
 int32_t hsp_boundary_get_arcs(const hsp_boundary *boundary, hsp_arc *out, uint32_t capacity, uint32_t *needed) {
-  if (boundary == nullptr || needed == nullptr || (out == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
-  if (!has_results(*boundary)) return HSP_E_STATE;
+  const int32_t status = check_request(boundary, out, capacity, needed, [](const hsp_boundary &b) {
+    return 3 * b.builder.structure().vertices.size() / 2;
+  });
+  if (status != HSP_OK) return status;
   const hsp::BoundaryStructure &structure = boundary->builder.structure();
   const hsp::BallSet &balls = boundary->model->grid.balls();
   const uint32_t uses = 3 * structure.vertices.size();
-  const int32_t status = check_output(out, capacity, uses / 2, needed);
-  if (status != HSP_OK) return status;
   uint32_t written = 0;
   for (uint32_t use = 0; use < uses; ++use) {
     const uint32_t twin = hsp::twin_use(structure, use);
@@ -222,18 +217,18 @@ int32_t hsp_boundary_get_arcs(const hsp_boundary *boundary, hsp_arc *out, uint32
     arc.vertex[1] = structure.uses[walk_of_a].vertex;
     arc.face[0] = structure.loop_face[structure.uses[walk_of_a].loop];
     arc.face[1] = structure.loop_face[structure.uses[walk_of_b].loop];
-    arc.angle = arc_angle(balls, structure, own_lower ? use : twin, own_lower ? own : other);
+    // Computed from the ball of lower rank, so that ids have no effect on it.
+    arc.angle = hsp::arc_angle(balls, structure, own_lower ? own : other, own_lower ? use : twin);
   }
   return HSP_OK;
 }
 
 int32_t hsp_boundary_get_circles(const hsp_boundary *boundary, hsp_circle *out, uint32_t capacity, uint32_t *needed) {
-  if (boundary == nullptr || needed == nullptr || (out == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
-  if (!has_results(*boundary)) return HSP_E_STATE;
+  const int32_t status = check_request(boundary, out, capacity, needed,
+                                       [](const hsp_boundary &b) { return b.builder.structure().circles.size(); });
+  if (status != HSP_OK) return status;
   const hsp::BoundaryStructure &structure = boundary->builder.structure();
   const hsp::BallSet &balls = boundary->model->grid.balls();
-  const int32_t status = check_output(out, capacity, structure.circles.size(), needed);
-  if (status != HSP_OK) return status;
   for (uint32_t c = 0; c < structure.circles.size(); ++c) {
     const hsp::CircleRecord &circle = structure.circles[c];
     const uint32_t first = balls.caller[circle.ball[0]] < balls.caller[circle.ball[1]] ? 0 : 1;
@@ -259,12 +254,11 @@ int32_t hsp_boundary_get_circles(const hsp_boundary *boundary, hsp_circle *out, 
 }
 
 int32_t hsp_boundary_get_faces(const hsp_boundary *boundary, hsp_face *out, uint32_t capacity, uint32_t *needed) {
-  if (boundary == nullptr || needed == nullptr || (out == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
-  if (!has_results(*boundary)) return HSP_E_STATE;
+  const int32_t status = check_request(boundary, out, capacity, needed,
+                                       [](const hsp_boundary &b) { return b.builder.structure().face_count; });
+  if (status != HSP_OK) return status;
   const hsp::BoundaryStructure &structure = boundary->builder.structure();
   const hsp::BallSet &balls = boundary->model->grid.balls();
-  const int32_t status = check_output(out, capacity, structure.face_count, needed);
-  if (status != HSP_OK) return status;
   for (uint32_t f = 0; f < structure.face_count; ++f) {
     out[f] = {balls.caller[structure.faces[f].ball], structure.faces[f].loops, structure.faces[f].shell, 0};
   }
@@ -272,13 +266,12 @@ int32_t hsp_boundary_get_faces(const hsp_boundary *boundary, hsp_face *out, uint
 }
 
 int32_t hsp_boundary_get_balls(const hsp_boundary *boundary, hsp_ball *out, uint32_t capacity, uint32_t *needed) {
-  if (boundary == nullptr || needed == nullptr || (out == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
-  if (!has_results(*boundary)) return HSP_E_STATE;
+  const int32_t status =
+      check_request(boundary, out, capacity, needed, [](const hsp_boundary &b) { return b.model->grid.balls().n; });
+  if (status != HSP_OK) return status;
   const hsp::BoundaryStructure &structure = boundary->builder.structure();
   const hsp::CubeGrid &grid = boundary->model->grid;
   const uint32_t n = grid.balls().n;
-  const int32_t status = check_output(out, capacity, n, needed);
-  if (status != HSP_OK) return status;
   // Components are numbered in the order of their first ball. A component's number waits at its representative.
   for (uint32_t i = 0; i < n; ++i) out[i].component = HSP_NONE;
   uint32_t components = 0;

@@ -81,6 +81,16 @@ CirclePlace circle_place(const BallSet &balls, uint32_t first, uint32_t second) 
       {centre.x, centre.y, centre.z}, {circle.axis.x, circle.axis.y, circle.axis.z}, std::sqrt(circle.radius_squared)};
 }
 
+double arc_angle(const BallSet &balls, const BoundaryStructure &boundary, uint32_t ball, uint32_t use) {
+  const VertexUse &walk = boundary.uses[use];
+  const VertexUse &end = boundary.uses[walk.next];
+  const exact::LatticeBall own = balls.ball(ball);
+  const auto plane = [&](uint32_t j) { return exact::plane_of(own, balls.ball(j)); };
+  return FreeArc(plane(walk.out), plane(end.out), boundary.root_discriminant[end.vertex], plane(walk.in),
+                 boundary.root_discriminant[walk.vertex])
+      .angle();
+}
+
 BallMeasure measure_ball(const BallSet &balls, const BoundaryStructure &boundary, uint32_t i) {
   const uint32_t faces = boundary.first_face[i + 1] - boundary.first_face[i];
   if (faces == 0) return {};

@@ -14,6 +14,9 @@ struct BallMeasure {
 // Ball i of the grid's order. Sums run in the order of its uses and circles, which does not depend on ids.
 BallMeasure measure_ball(const BallSet &balls, const BoundaryStructure &boundary, uint32_t i);
 
+// Angle of the arc that the walk at a use of a ball leaves along.
+double arc_angle(const BallSet &balls, const BoundaryStructure &boundary, uint32_t ball, uint32_t use);
+
 // Where a vertex lies relative to the centre of one of its balls, in lattice steps.
 void vertex_offset(const exact::Plane &P, const exact::Plane &Q, int sign, double root_D, double offset[3]);
 

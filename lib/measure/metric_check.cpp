@@ -125,7 +125,7 @@ class MetricCheck {
       if (angle < 0.0) angle += 2 * pi;
       // Where rounding cannot tell a full turn from none, the exact order does.
       constexpr double unclear = 0x1p-16;
-      const double known = arc_angle(i, use, end);
+      const double known = arc_angle(balls_, boundary_, i, u);
       if (angle < unclear || angle > 2 * pi - unclear) angle = known;
       // On the way in along circle `in`, out along circle `out`, clockwise about both axes.
       const DoubleVector arriving = cross(q, in.axis);
@@ -146,14 +146,6 @@ class MetricCheck {
       sum.doubt += 0x1p-44;
     }
     return sum;
-  }
-
-  double arc_angle(uint32_t i, const VertexUse &use, const VertexUse &end) const {
-    const exact::LatticeBall own = balls_.ball(i);
-    const auto plane = [&](uint32_t j) { return exact::plane_of(own, balls_.ball(j)); };
-    return FreeArc(plane(use.out), plane(end.out), boundary_.root_discriminant[end.vertex], plane(use.in),
-                   boundary_.root_discriminant[use.vertex])
-        .angle();
   }
 
   // A position has an error of some units of r, which is a wider angle on a smaller circle; beyond a full turn it says
