@@ -12,6 +12,12 @@ struct FaceScratch {
   Span<uint32_t> crossing;  // caps that a meridian crosses
   Span<uint32_t> owner;     // of these, the ones that own a free end point: 4 * cap + free entry + 2 * free exit
 
+  static constexpr uint32_t owner_of(uint32_t cap, bool free_entry, bool free_exit) {
+    return 4 * cap + (free_entry ? 1U : 0U) + (free_exit ? 2U : 0U);
+  }
+  static constexpr uint32_t cap_of_owner(uint32_t owner) { return owner / 4; }
+  static constexpr bool has_free_exit(uint32_t owner) { return (owner & 2U) != 0; }
+
   void carve(Workspace &workspace, uint32_t capacity);
 };
 
