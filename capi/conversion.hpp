@@ -6,6 +6,8 @@
 #include "core/workspace.hpp"
 #include "grid/cube_grid.hpp"
 #include "hardsphere.h"
+#include "measure/places.hpp"
+#include "topology/topology.hpp"
 
 struct hsp_model {
   hsp::CubeGrid grid;
@@ -17,8 +19,17 @@ struct hsp_boundary {
   hsp::BoundaryLimits limits;
   const hsp_model *model;  // what was computed last, or null
   uint64_t revision;
-  bool attempted;  // the builder's needed() means something
-  bool complete;   // and the structure is there
+  uint64_t computed;  // counts hsp_boundary_compute, so that a topology notices when its boundary has changed
+  bool attempted;     // the builder's needed() means something
+  bool complete;      // and the structure is there
+};
+
+struct hsp_topology {
+  hsp::TopologyBuilder builder;
+  const hsp_boundary *boundary;  // what was computed last, or null
+  uint64_t computed;
+  bool attempted;
+  bool complete;
 };
 
 namespace hsp::capi {
@@ -40,11 +51,31 @@ inline bool has_results(const hsp_boundary &boundary) {
   return boundary.complete && boundary.revision == boundary.model->revision;
 }
 
+inline bool has_results(const hsp_topology &topology) {
+  return topology.complete && topology.computed == topology.boundary->computed && has_results(*topology.boundary);
+}
+
+// A place in the caller's coordinates.
+inline void to_position(const BallSet &balls, const Place &place, double xyz[3]) {
+  xyz[0] = balls.lattice.length(balls.x[place.ball] + place.offset[0]);
+  xyz[1] = balls.lattice.length(balls.y[place.ball] + place.offset[1]);
+  xyz[2] = balls.lattice.length(balls.z[place.ball] + place.offset[2]);
+}
+
 // The part every (out, capacity, needed) function shares: HSP_OK means that exactly `count` records are to be written.
 inline int32_t check_output(const void *out, uint32_t capacity, uint32_t count, uint32_t *needed) {
   *needed = count;
   if (count > capacity) return HSP_E_CAPACITY;
   return out == nullptr && count > 0 ? HSP_E_ARGUMENT : HSP_OK;
+}
+
+// What every copying function of a computed handle checks: arguments, state, and that exactly count(*handle) records
+// fit.
+template <class Handle, class Count>
+int32_t check_request(const Handle *handle, const void *out, uint32_t capacity, uint32_t *needed, Count count) {
+  if (handle == nullptr || needed == nullptr || (out == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
+  if (!has_results(*handle)) return HSP_E_STATE;
+  return check_output(out, capacity, count(*handle), needed);
 }
 
 }  // namespace hsp::capi

@@ -1,20 +1,13 @@
 #include "boundary/assembly.hpp"
 #include "conversion.hpp"
 #include "measure/areas.hpp"
+#include "measure/places.hpp"
 #include "topology/shells.hpp"
 
 namespace {
 
-using hsp::capi::check_output;
+using hsp::capi::check_request;
 using hsp::capi::has_results;
-
-// What every copying function checks: arguments, state, and that exactly count(*boundary) records fit.
-template <class Count>
-int32_t check_request(const hsp_boundary *boundary, const void *out, uint32_t capacity, uint32_t *needed, Count count) {
-  if (boundary == nullptr || needed == nullptr || (out == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
-  if (!has_results(*boundary)) return HSP_E_STATE;
-  return check_output(out, capacity, count(*boundary), needed);
-}
 
 int32_t check_limits(const hsp_boundary_limits *limits) {
   if (limits == nullptr || limits->struct_size != sizeof(hsp_boundary_limits) || limits->reserved != 0) {
@@ -56,32 +49,6 @@ CallerVertex to_caller(const hsp::BallSet &balls, const hsp::VertexRecord &verte
   return result;
 }
 
-// Position of a vertex, computed from its ball of lowest rank, so that ids have no effect on it.
-void vertex_position(const hsp::BallSet &balls, const hsp::BoundaryStructure &structure, uint32_t v, double xyz[3]) {
-  const hsp::VertexRecord &vertex = structure.vertices[v];
-  uint32_t first = 0;
-  for (uint32_t t = 1; t < 3; ++t) {
-    if (hsp::exact::ranks_before(balls.ball(vertex.ball[t]), balls.ball(vertex.ball[first]))) first = t;
-  }
-  uint32_t second = vertex.ball[(first + 1) % 3];
-  uint32_t third = vertex.ball[(first + 2) % 3];
-  int sign = vertex.positive() ? 1 : -1;
-  if (hsp::exact::ranks_before(balls.ball(third), balls.ball(second))) {
-    const uint32_t exchanged = second;
-    second = third;
-    third = exchanged;
-    sign = -sign;
-  }
-  const uint32_t origin = vertex.ball[first];
-  const hsp::exact::LatticeBall own = balls.ball(origin);
-  double offset[3];
-  hsp::vertex_offset(hsp::exact::plane_of(own, balls.ball(second)), hsp::exact::plane_of(own, balls.ball(third)), sign,
-                     structure.root_discriminant[v], offset);
-  xyz[0] = balls.lattice.length(balls.x[origin] + offset[0]);
-  xyz[1] = balls.lattice.length(balls.y[origin] + offset[1]);
-  xyz[2] = balls.lattice.length(balls.z[origin] + offset[2]);
-}
-
 // The ball a use belongs to: that of its face.
 uint32_t ball_of(const hsp::BoundaryStructure &structure, uint32_t use) {
   return structure.faces[structure.loop_face[structure.uses[use].loop]].ball;
@@ -121,7 +88,7 @@ int32_t hsp_boundary_init(void *memory, size_t bytes, const hsp_boundary_limits 
   hsp::Workspace workspace(memory, bytes);
   hsp::BoundaryBuilder builder;
   hsp_boundary *handle = carve(workspace, from_c(*limits), builder);
-  *handle = {builder, from_c(*limits), nullptr, 0, false, false};
+  *handle = {builder, from_c(*limits), nullptr, 0, 0, false, false};
   *boundary = handle;
   return HSP_OK;
 }
@@ -132,6 +99,7 @@ int32_t hsp_boundary_compute(hsp_boundary *boundary, const hsp_model *model) {
   boundary->model = model;
   boundary->revision = model->revision;
   boundary->attempted = true;
+  ++boundary->computed;
   boundary->complete = status == hsp::Status::ok;
   if (boundary->complete) hsp::gather_shells(boundary->builder.structure());
   return hsp::capi::to_c(status);
@@ -180,7 +148,7 @@ int32_t hsp_boundary_get_vertices(const hsp_boundary *boundary, hsp_vertex *out,
     const hsp::VertexRecord &vertex = structure.vertices[v];
     const CallerVertex named = to_caller(balls, vertex);
     hsp_vertex &record = out[v];
-    vertex_position(balls, structure, v, record.xyz);
+    hsp::capi::to_position(balls, hsp::place_of_vertex(balls, structure, v), record.xyz);
     for (int t = 0; t < 3; ++t) record.ball[t] = named.ball[t];
     record.sign = named.sign;
     record.flags = vertex.tied() ? HSP_VERTEX_TIED : 0;

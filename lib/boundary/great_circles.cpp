@@ -7,8 +7,10 @@ namespace hsp {
 using exact::Plane;
 using exact::Vector;
 
+// Odd in the axis, so that both balls of a circle name its points in the plane by the same signs.
 Plane meridian_through(const Vector &axis) {
-  return exact::virtual_plane(axis.x != 0 || axis.y != 0 ? Vector{-axis.y, axis.x, 0} : Vector{1, 0, 0}, 0);
+  if (axis.x != 0 || axis.y != 0) return exact::virtual_plane({-axis.y, axis.x, 0}, 0);
+  return exact::virtual_plane({axis.z > 0 ? 1 : -1, 0, 0}, 0);
 }
 
 // The poles are p+ and p- of two coordinate planes. Their normals may have any length; the filter is sharpest if it is

@@ -14,6 +14,17 @@ struct BallMeasure {
 // Ball i of the grid's order. Sums run in the order of its uses and circles, which does not depend on ids.
 BallMeasure measure_ball(const BallSet &balls, const BoundaryStructure &boundary, uint32_t i);
 
+// The same for one face alone: its area, and its term of the volume about the same origin.
+BallMeasure measure_face(const BallSet &balls, const BoundaryStructure &boundary, uint32_t face);
+
+// Calls sink(face, measure) for every face of ball i, ascending.
+template <class Sink>
+void measure_faces(const BallSet &balls, const BoundaryStructure &boundary, uint32_t i, Sink sink) {
+  for (uint32_t face = boundary.first_face[i]; face < boundary.first_face[i + 1]; ++face) {
+    sink(face, measure_face(balls, boundary, face));
+  }
+}
+
 // Angle of the arc that the walk at a use of a ball leaves along.
 double arc_angle(const BallSet &balls, const BoundaryStructure &boundary, uint32_t ball, uint32_t use);
 

@@ -1,0 +1,48 @@
+// The order of the points where spheres are entered along a vertical line, exactly: sums of two square roots, by
+// squaring twice (degree 4).
+#pragma once
+
+#include "exact/pair.hpp"
+#include "exact/wide_integer.hpp"
+
+namespace hsp::exact {
+
+// Sign of E + T sqrt(b) for |E| < 2^63, |T| < 2^31, 0 <= b < 2^60.
+inline int sign_with_root(int64_t E, int64_t T, int64_t b) {
+  const int sign_E = (E > 0) - (E < 0);
+  const int sign_T = b == 0 ? 0 : (T > 0) - (T < 0);
+  if (sign_E == 0 || sign_T == 0 || sign_E == sign_T) return sign_E != 0 ? sign_E : sign_T;
+  using I64 = WideInteger<FastLimb, 64>;
+  const auto squared = product<128>(I64::from(E), I64::from(E)) - product<128>(I64::from(T * T), I64::from(b));
+  return sign_E * squared.sign();
+}
+
+// Sign of (z_a - sqrt(a)) - (z_b - sqrt(b)) for z = z_a - z_b, |z| <= 2^51 and 0 <= a, b < 2^60.
+inline int compare_entries(int64_t z, int64_t a, int64_t b) {
+  constexpr int64_t beyond_roots = INT64_C(1) << 30;
+  if (z >= beyond_roots) return 1;
+  if (z <= -beyond_roots) return -1;
+  // z + sqrt(b) against sqrt(a).
+  const int side = sign_with_root(z, 1, b);
+  if (side < 0) return -1;
+  if (side == 0) return a > 0 ? -1 : 0;
+  return sign_with_root(z * z + b - a, 2 * z, b);
+}
+
+// What a vertical line up from a point meets of a ball.
+struct VerticalCut {
+  int64_t below;  // from the point up to the ball's centre
+  int64_t power;  // r^2 - distance^2 of the line: the line is inside from below - sqrt(power) to below + sqrt(power)
+};
+
+// False if the line misses the closed ball.
+inline bool cut_vertically(const Vector &point, const LatticeBall &ball, VerticalCut &cut) {
+  const int64_t dx = ball.centre.x - point.x;
+  const int64_t dy = ball.centre.y - point.y;
+  const int64_t r = ball.radius;
+  if (dx > r || dy > r || -dx > r || -dy > r) return false;
+  cut = {ball.centre.z - point.z, r * r - dx * dx - dy * dy};
+  return cut.power >= 0;
+}
+
+}  // namespace hsp::exact

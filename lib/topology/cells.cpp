@@ -1,0 +1,163 @@
+#include "topology/cells.hpp"
+
+#include "grid/vertical_ray.hpp"
+#include "topology/simple_faces.hpp"
+
+namespace hsp {
+namespace {
+
+// Of two balls with their highest points at one height the one of lower rank is higher: it is inflated more.
+bool reaches_higher(const exact::LatticeBall &a, const exact::LatticeBall &b) {
+  const int64_t top_a = a.centre.z + a.radius;
+  const int64_t top_b = b.centre.z + b.radius;
+  return top_a != top_b ? top_a > top_b : exact::ranks_before(a, b);
+}
+
+// First k in [0, count) with not_before(k); count if there is none.
+template <class NotBefore>
+uint32_t first_that(uint32_t count, NotBefore not_before) {
+  uint32_t low = 0;
+  uint32_t high = count;
+  while (low < high) {
+    const uint32_t middle = low + (high - low) / 2;
+    if (not_before(middle)) {
+      high = middle;
+    } else {
+      low = middle + 1;
+    }
+  }
+  return low;
+}
+
+// The simple face that holds the highest point of a ball, given the maximal face that does. Every great circle that
+// cuts this face passes the highest point inside it.
+uint32_t simple_face_of_top(const BoundaryStructure &boundary, const TopologyStructure &topology, uint32_t ball,
+                            uint32_t face) {
+  const FixedVector<ExtraArc> &arcs = topology.extra_arcs;
+  uint32_t k = first_that(arcs.size(), [&](uint32_t arc) { return arcs[arc].ball >= ball; });
+  for (; k < arcs.size() && arcs[k].ball == ball; ++k) {
+    const uint32_t poles = arcs[k].poles;
+    if ((poles & ExtraArc::passes_north) == 0 || arcs[k].face != face) continue;
+    const bool behind_south = (poles & ExtraArc::south_first) != 0 && (poles & ExtraArc::vertex_at_south) != 0;
+    return topology.quads.left(quarter_edge(topology.extra_first_edge[k] + (behind_south ? 1U : 0U)));
+  }
+  uint32_t simple = first_that(topology.face_count,
+                               [&](uint32_t candidate) { return topology.ball_of(boundary, candidate) >= ball; });
+  while (topology.faces[simple].face != face) ++simple;
+  return simple;
+}
+
+// Which shell the ray upwards from a point enters first; no_id if none.
+uint32_t shell_above(const CubeGrid &grid, const BoundaryStructure &boundary, const TopologyStructure &topology,
+                     const exact::Vector &point, GatheredBall &gathered) {
+  const uint32_t ball = first_ball_above(grid, point, topology.highest_centre);
+  if (ball == no_id) return no_id;
+  return boundary.faces[face_of_entry(grid, boundary, ball, point.x, point.y, gathered)].shell;
+}
+
+// Where the components lie. Each looks up once; then chains of components that lie beside each other, each under a
+// higher one, end in a void or outside.
+void nest_components(const CubeGrid &grid, const BoundaryStructure &boundary, TopologyStructure &topology,
+                     GatheredBall &gathered) {
+  for (uint32_t c = 0; c < topology.component_count; ++c) topology.components[c].cell = no_id;
+  for (uint32_t c = 0; c < topology.component_count; ++c) {
+    ComponentRecord &component = topology.components[c];
+    const exact::LatticeBall top = grid.balls().ball(component.top_ball);
+    const uint32_t shell =
+        shell_above(grid, boundary, topology, {top.centre.x, top.centre.y, top.centre.z + top.radius}, gathered);
+    component.above = no_id;
+    if (shell == no_id) {
+      component.cell = 0;
+    } else if (topology.shells[shell].is_void) {
+      component.cell = topology.shells[shell].cell;
+    } else {
+      component.above = topology.shells[shell].component;
+    }
+  }
+  for (uint32_t c = 0; c < topology.component_count; ++c) {
+    uint32_t end = c;
+    while (topology.components[end].cell == no_id) end = topology.components[end].above;
+    const uint32_t cell = topology.components[end].cell;
+    for (uint32_t along = c; topology.components[along].cell == no_id; along = topology.components[along].above) {
+      topology.components[along].cell = cell;
+    }
+  }
+}
+
+}  // namespace
+
+void gather_components(const CubeGrid &grid, const BoundaryStructure &boundary, TopologyStructure &topology) {
+  const BallSet &balls = grid.balls();
+  for (uint32_t i = 0; i < balls.n; ++i) topology.component[i] = no_id;
+  topology.component_count = 0;
+  topology.highest_centre = balls.n > 0 ? balls.ball(0).centre.z : 0;
+  for (uint32_t caller = 0; caller < balls.n; ++caller) {
+    const uint32_t i = grid.place(caller);
+    const exact::LatticeBall ball = balls.ball(i);
+    uint32_t &number = topology.component[boundary.components.root(i)];
+    if (number == no_id) {
+      number = topology.component_count++;
+      topology.components[number] = {0, i, no_id, 0, 0, no_id};
+    }
+    topology.component[i] = number;
+    ComponentRecord &component = topology.components[number];
+    ++component.balls;
+    if (reaches_higher(ball, balls.ball(component.top_ball))) component.top_ball = i;
+    if (ball.centre.z > topology.highest_centre) topology.highest_centre = ball.centre.z;
+  }
+}
+
+void gather_cells(const CubeGrid &grid, const BoundaryStructure &boundary, TopologyStructure &topology,
+                  GatheredBall &gathered) {
+  topology.shell_count = boundary.shell_count;
+  for (uint32_t s = 0; s < topology.shell_count; ++s) {
+    topology.shells[s] = {no_id, 0, true, 0, 0, 0, 0, no_id, 0};
+  }
+  for (uint32_t f = 0; f < topology.face_count; ++f) {
+    ShellRecord &shell = topology.shells[topology.shell_of(boundary, f)];
+    const uint32_t ball = topology.ball_of(boundary, f);
+    if (shell.start_face != no_id) {
+      const uint32_t start_ball = topology.ball_of(boundary, shell.start_face);
+      if (ball == start_ball || !exact::ranks_before(grid.balls().ball(ball), grid.balls().ball(start_ball))) continue;
+    }
+    shell.start_face = f;
+    shell.component = topology.component[ball];
+  }
+  for (uint32_t c = 0; c < topology.component_count; ++c) {
+    ComponentRecord &component = topology.components[c];
+    const uint32_t face = face_of_top(grid, boundary, component.top_ball, gathered);
+    component.outer_shell = boundary.faces[face].shell;
+    ShellRecord &shell = topology.shells[component.outer_shell];
+    shell.is_void = false;
+    shell.start_face = simple_face_of_top(boundary, topology, component.top_ball, face);
+  }
+  topology.start_face = no_id;
+  uint32_t highest = no_id;
+  for (uint32_t c = 0; c < topology.component_count; ++c) {
+    const ComponentRecord &component = topology.components[c];
+    const exact::LatticeBall top = grid.balls().ball(component.top_ball);
+    if (highest != no_id && !reaches_higher(top, grid.balls().ball(highest))) continue;
+    highest = component.top_ball;
+    topology.start_face = topology.shells[component.outer_shell].start_face;
+  }
+  topology.cell_count = 1;
+  for (uint32_t s = 0; s < topology.shell_count; ++s) {
+    ShellRecord &shell = topology.shells[s];
+    ++topology.components[shell.component].shells;
+    if (shell.is_void) shell.cell = topology.cell_count++;
+  }
+  // Without voids there is but one cell.
+  if (topology.cell_count > 1) nest_components(grid, boundary, topology, gathered);
+  for (uint32_t c = 0; c < topology.component_count; ++c) {
+    topology.shells[topology.components[c].outer_shell].cell = topology.components[c].cell;
+  }
+}
+
+uint32_t cell_of_point(const CubeGrid &grid, const BoundaryStructure &boundary, const TopologyStructure &topology,
+                       const exact::Vector &point, GatheredBall &gathered) {
+  if (topology.cell_count == 1) return 0;
+  const uint32_t shell = shell_above(grid, boundary, topology, point, gathered);
+  return shell == no_id ? 0 : topology.shells[shell].cell;
+}
+
+}  // namespace hsp

@@ -1,0 +1,25 @@
+// What lies inside what: the components of the union, their outer shells and voids, and the cells of the complement.
+//
+// The highest point of a component is free and belongs to its outer shell; all its other shells wall voids. A component
+// lies in the cell that the vertical ray from its highest point meets first: in a void, if the face it enters belongs
+// to the shell of a void, else in the cell of the component it enters, whose highest point is higher still. This is the
+// case of a union in several pieces, which the paper leaves to the reader.
+#pragma once
+
+#include "topology/face_location.hpp"
+#include "topology/topology_structure.hpp"
+
+namespace hsp {
+
+// Numbers the components in the order of their first ball in the caller's order, and finds their topmost balls.
+void gather_components(const CubeGrid &grid, const BoundaryStructure &boundary, TopologyStructure &topology);
+
+// Finds for every shell its component, kind, cell and start face, and the cells of the components.
+void gather_cells(const CubeGrid &grid, const BoundaryStructure &boundary, TopologyStructure &topology,
+                  GatheredBall &gathered);
+
+// The cell of a point in no closed ball: that of the first shell a vertical ray from it enters.
+uint32_t cell_of_point(const CubeGrid &grid, const BoundaryStructure &boundary, const TopologyStructure &topology,
+                       const exact::Vector &point, GatheredBall &gathered);
+
+}  // namespace hsp

@@ -1,0 +1,49 @@
+// The quad-edge structure of Guibas and Stolfi (ACM TOG 4, 1985): pure connectivity over arrays of ids.
+//
+// An edge has four directed forms, its quarter-edges 4 e + k: k = 0 the edge, k = 2 the edge the other way, k = 1 and 3
+// the dual edges from its right to its left face and back. One table, onext, holds the rings of quarter-edges about
+// their origins, vertices for even k and faces for odd k; every other step is a few rotations around it.
+#pragma once
+
+#include "core/span.hpp"
+#include "core/status.hpp"
+
+namespace hsp {
+
+constexpr uint32_t rot(uint32_t q) {
+  return (q & ~3U) | ((q + 1) & 3U);
+}
+constexpr uint32_t inverse_rot(uint32_t q) {
+  return (q & ~3U) | ((q + 3) & 3U);
+}
+constexpr uint32_t sym(uint32_t q) {
+  return q ^ 2U;
+}
+constexpr uint32_t edge_of(uint32_t q) {
+  return q / 4;
+}
+constexpr uint32_t quarter_edge(uint32_t edge) {
+  return 4 * edge;
+}
+
+struct QuadEdges {
+  Span<uint32_t> next;   // [4 edges] onext
+  Span<uint32_t> start;  // [4 edges] vertex or face
+  uint32_t edges = 0;
+
+  uint32_t onext(uint32_t q) const { return next[q]; }
+  uint32_t oprev(uint32_t q) const { return rot(next[rot(q)]); }
+  uint32_t lnext(uint32_t q) const { return rot(next[inverse_rot(q)]); }
+  uint32_t lprev(uint32_t q) const { return sym(next[q]); }
+  uint32_t origin(uint32_t q) const { return start[q]; }
+  uint32_t left(uint32_t q) const { return start[inverse_rot(q)]; }
+
+  // Makes `after` the edge that follows `before` about the face on the left of both. The rings are complete once every
+  // even quarter-edge has been given its successor.
+  void follow(uint32_t before, uint32_t after) const {
+    next[after] = sym(before);                       // lprev(after) = before
+    next[inverse_rot(before)] = inverse_rot(after);  // lnext(before) = after
+  }
+};
+
+}  // namespace hsp

@@ -1,0 +1,62 @@
+#include "topology/shell_scan.hpp"
+
+namespace hsp {
+namespace {
+
+void tally_shells(const BoundaryStructure &boundary, TopologyStructure &topology) {
+  for (uint32_t s = 0; s < topology.shell_count; ++s) {
+    ShellRecord &shell = topology.shells[s];
+    shell.faces = shell.simple_faces = shell.edges = shell.vertices = 0;
+  }
+  for (uint32_t f = 0; f < boundary.face_count; ++f) ++topology.shells[boundary.faces[f].shell].faces;
+  for (uint32_t f = 0; f < topology.face_count; ++f) ++topology.shells[topology.shell_of(boundary, f)].simple_faces;
+  for (uint32_t e = 0; e < topology.quads.edges; ++e) {
+    ++topology.shells[topology.shell_of(boundary, topology.quads.left(quarter_edge(e)))].edges;
+  }
+  for (uint32_t v = 0; v < topology.vertex_count; ++v) {
+    ++topology.shells[topology.shell_of(boundary, topology.quads.left(topology.vertex_edge[v]))].vertices;
+  }
+}
+
+// Depth first, each face counter-clockwise from the edge by which it was entered; that edge is all that has to be
+// remembered of a face to come back from it, so that no stack is needed. Returns the number of faces visited.
+uint32_t scan_shell(const TopologyStructure &topology, uint32_t start, Span<uint32_t> order, Span<uint32_t> entered) {
+  const QuadEdges &quads = topology.quads;
+  uint32_t at = topology.faces[start].q;
+  uint32_t visited = 0;
+  entered[start] = at;
+  order[visited++] = start;
+  for (;;) {
+    const uint32_t across = quads.left(sym(at));
+    if (entered[across] == no_id) {
+      if (visited == order.size()) return visited + 1;
+      entered[across] = sym(at);
+      order[visited++] = across;
+      at = sym(at);
+    }
+    at = quads.lnext(at);
+    while (at == entered[quads.left(at)]) {  // once around
+      if (quads.left(at) == start) return visited;
+      at = quads.lnext(sym(at));
+    }
+  }
+}
+
+}  // namespace
+
+bool scan_shells(const BoundaryStructure &boundary, TopologyStructure &topology, Span<uint32_t> entered) {
+  tally_shells(boundary, topology);
+  for (uint32_t f = 0; f < topology.face_count; ++f) entered[f] = no_id;
+  uint32_t first = 0;
+  for (uint32_t s = 0; s < topology.shell_count; ++s) {
+    ShellRecord &shell = topology.shells[s];
+    shell.first_scan = first;
+    first += shell.simple_faces;
+    const uint32_t visited =
+        scan_shell(topology, shell.start_face, topology.scan.part(shell.first_scan, first), entered);
+    if (visited != shell.simple_faces) return false;
+  }
+  return true;
+}
+
+}  // namespace hsp

@@ -1,0 +1,32 @@
+// The laws of a topology, checked from its tables alone. A correct build violates none of them for any input.
+#pragma once
+
+#include "topology/topology_structure.hpp"
+
+namespace hsp {
+
+// Numbered as in hardsphere.h.
+enum class TopologyLaw : uint32_t {
+  none = 0,
+  algebra = 1,
+  vertices = 2,
+  faces = 3,
+  sides = 4,
+  euler = 5,
+  scan = 6,
+  cells = 7,
+  volumes = 8,
+};
+
+// The first law that does not hold, and the id of the quarter-edge, vertex, simple face, shell or component where it
+// fails.
+struct TopologyViolation {
+  TopologyLaw law = TopologyLaw::none;
+  uint32_t where = 0;
+};
+
+// Laws 1 to 7, in order. marks [edges] is scratch memory. O(size).
+TopologyViolation check_topology(const BoundaryStructure &boundary, const TopologyStructure &topology,
+                                 Span<uint32_t> marks);
+
+}  // namespace hsp
