@@ -1,4 +1,3 @@
-#include "boundary/assembly.hpp"
 #include "conversion.hpp"
 
 namespace {
@@ -77,7 +76,7 @@ hsp_topology_edge edge_record(const View &view, uint32_t id) {
     record.source = (view.topology.edge_source[id] - 3 * view.boundary.vertices.size()) / 2;
   } else {
     record.kind = HSP_EDGE_ARC;
-    record.source = view.topology.first_edge[hsp::twin_use(view.boundary, view.topology.edge_source[id])];
+    record.source = view.topology.edge_source[id];
   }
   return record;
 }

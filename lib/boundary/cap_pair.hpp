@@ -39,6 +39,7 @@ struct CapPair {
   bool surely_apart() const { return q < -certain_discriminant; }
   // For circles that do not cross: circle j lies inside cap k, or circle k inside cap j, or neither.
   bool surely_inside() const { return g * bj - bk > certain_centre; }
+  bool surely_outside() const { return g * bj - bk < -certain_centre; }
   bool surely_contains() const { return g * bk - bj > certain_centre; }
   bool surely_separate() const { return g * bj - bk < -certain_centre && g * bk - bj < -certain_centre; }
 };

@@ -3,10 +3,11 @@
 namespace hsp {
 
 void Caps::carve(Workspace &workspace, uint32_t capacity) {
-  ux = workspace.take<double>(capacity);
-  uy = workspace.take<double>(capacity);
-  uz = workspace.take<double>(capacity);
-  b = workspace.take<double>(capacity);
+  const uint64_t one_more = static_cast<uint64_t>(capacity) + 1;
+  ux = workspace.take<double>(one_more);
+  uy = workspace.take<double>(one_more);
+  uz = workspace.take<double>(one_more);
+  b = workspace.take<double>(one_more);
   plane = workspace.take<exact::Plane>(capacity);
   ball = workspace.take<uint32_t>(capacity);
 }
@@ -76,6 +77,14 @@ void Caps::gather(const BallSet &balls, const CubeBlock &block, uint32_t i, cons
       ++count;
     }
   }
+}
+
+void Caps::add_great_circle(const exact::Vector &normal) const {
+  const double inverse = 1.0 / std::sqrt(static_cast<double>(exact::dot(normal, normal)));
+  ux[count] = static_cast<double>(normal.x) * inverse;
+  uy[count] = static_cast<double>(normal.y) * inverse;
+  uz[count] = static_cast<double>(normal.z) * inverse;
+  b[count] = 0.0;
 }
 
 uint32_t Caps::cap_of(uint32_t other) const {

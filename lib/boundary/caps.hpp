@@ -15,7 +15,7 @@ namespace hsp {
 
 // Caps in ascending order of the grid's ball ids, structure of arrays over scratch memory of fixed capacity.
 struct Caps {
-  Span<double> ux, uy, uz, b;
+  Span<double> ux, uy, uz, b;  // with room for one more
   Span<exact::Plane> plane;
   Span<uint32_t> ball;  // the other ball, grid order
   uint32_t count = 0;
@@ -33,6 +33,10 @@ struct Caps {
   // Finds the caps of ball i, whose neighbours lie in the block. Every ball that meets it is joined to it in
   // components, if given.
   void gather(const BallSet &balls, const CubeBlock &block, uint32_t i, const DisjointSets *components);
+
+  // A great circle of the sphere in the form of one more cap, number `count`, for cap_pair.hpp. Its errors are those of
+  // caps, as its normal is exact.
+  void add_great_circle(const exact::Vector &normal) const;
 
   exact::Predicates predicates() const { return {sphere, length_squared}; }
   // Index of the cap of a ball; it must be there.

@@ -12,11 +12,8 @@ namespace hsp {
 // The great circle through the axis v and the poles; the one across x if the axis is the direction z itself.
 exact::Plane meridian_through(const exact::Vector &axis);
 
-// Whether the highest (+1) or lowest (-1) point of the sphere lies outside all caps.
-bool pole_is_free(const Caps &caps, const exact::Predicates &predicates, int pole);
-
-// The caps that own free end points of the circle, in cyclic order, go to scratch.owner; their number is returned. None
-// if the circle is free as a whole or covered as a whole.
+// The caps that own free end points of a great circle, in cyclic order, go to scratch.owner; their number is returned.
+// None if the circle is free as a whole or covered as a whole.
 uint32_t find_owners(const Caps &caps, const exact::Predicates &predicates, const exact::Plane &circle,
                      const FaceScratch &scratch);
 
@@ -47,7 +44,7 @@ LoopPlace place_on_loops(const Caps &caps, const exact::Predicates &predicates, 
                          uint32_t cap, const exact::Plane &other, int sign);
 
 // Which of several gaps of circle P, each from the exit of a plane to the entry of another, holds the free point of P
-// and M with this sign. gap(g, exit, entry) stores the planes of gap g, 0 <= g < gaps.
+// and M with this sign. gap(g, leave, entry) stores the planes of gap g, 0 <= g < gaps.
 //
 // The exit and entry of a gap lie inside or outside M. A gap that M enters or leaves holds the entry or exit. If there
 // is none, all ends lie on one side and one gap holds both points: the one around the mid-point of what M covers, or of
@@ -55,26 +52,25 @@ LoopPlace place_on_loops(const Caps &caps, const exact::Predicates &predicates, 
 template <class Gap>
 uint32_t gap_that_holds(const exact::Predicates &predicates, const exact::Plane &P, uint32_t gaps, Gap gap,
                         const exact::Plane &M, int sign) {
-  exact::Plane exit, entry;
+  exact::Plane leave, entry;
   bool ends_inside = false;
   for (uint32_t g = 0; g < gaps && gaps > 1; ++g) {
-    gap(g, exit, entry);
-    const bool exit_inside = predicates.inside(P, exit, +1, M) > 0;
+    gap(g, leave, entry);
+    const bool exit_inside = predicates.inside(P, leave, +1, M) > 0;
     const bool entry_inside = predicates.inside(P, entry, -1, M) > 0;
     if (exit_inside != entry_inside && (sign < 0) == entry_inside) return g;
     if (exit_inside == entry_inside) ends_inside = exit_inside;
   }
   const exact::Vector middle = ends_inside ? exact::Vector{-M.v.x, -M.v.y, -M.v.z} : M.v;
   for (uint32_t g = 0; g + 1 < gaps; ++g) {
-    gap(g, exit, entry);
-    if (exact::strictly_between(P.v, exit.v, middle, entry.v)) return g;
+    gap(g, leave, entry);
+    if (exact::strictly_between(P.v, leave.v, middle, entry.v)) return g;
   }
   return gaps - 1;
 }
 
-// Whether a free arc of a meridian, about the axis of its plane, contains a free pole.
-inline bool arc_contains_pole(const Caps &caps, const exact::Plane &meridian, const OwnedArc &arc, int pole) {
-  return exact::strictly_between(meridian.v, caps.plane[arc.exit_cap].v, {0, 0, pole}, caps.plane[arc.entry_cap].v);
-}
+// Whether a free arc of a meridian contains the sphere's highest (+1) or lowest (-1) point.
+bool arc_contains_pole(const Caps &caps, const exact::Predicates &predicates, const exact::Plane &meridian,
+                       const OwnedArc &arc, int pole);
 
 }  // namespace hsp

@@ -13,7 +13,6 @@ void join_loops_by_meridians(const Caps &caps, const FaceScratch &scratch, const
                              const DisjointSets &loops) {
   const exact::Predicates predicates = caps.predicates();
   const uint32_t first_loop = boundary.first_loop[caps.origin];
-  const bool free_pole = pole_is_free(caps, predicates, +1);
   uint32_t pole_loop = no_id;
   for (uint32_t representative = 0; representative < caps.count; ++representative) {
     if (scratch.cluster[representative] != representative) continue;
@@ -25,7 +24,7 @@ void join_loops_by_meridians(const Caps &caps, const FaceScratch &scratch, const
       const uint32_t entry_loop =
           place_on_loops(caps, predicates, boundary, arc.entry_cap, meridian, -1).loop - first_loop;
       loops.join(exit_loop, entry_loop);
-      if (free_pole && arc_contains_pole(caps, meridian, arc, +1)) {
+      if (arc_contains_pole(caps, predicates, meridian, arc, +1)) {
         if (pole_loop == no_id) pole_loop = exit_loop;
         loops.join(pole_loop, exit_loop);
       }

@@ -11,6 +11,7 @@ class DisjointSets {
   DisjointSets() = default;
   explicit DisjointSets(Span<uint32_t> parent) : parent_(parent) {}
 
+  uint32_t size() const { return parent_.size(); }
   void reset() const {
     for (uint32_t k = 0; k < parent_.size(); ++k) parent_[k] = k;
   }

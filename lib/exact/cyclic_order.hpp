@@ -4,14 +4,25 @@
 // one mid-point the inner one owns nothing), so no square root and no tie rule is needed.
 #pragma once
 
-#include "exact/exact_predicates.hpp"
+#include "exact/filter.hpp"
 
 namespace hsp::exact {
+
+// Sign of (u x v).z. The cross product is exact, so the sum of three products of doubles has an error of at most 5e
+// times the sum of their sizes: e each for the two conversions and the product, two additions.
+inline int orientation(const Vector &u, const Vector &v, const Vector &z) {
+  const DoubleVector n = to_double(cross(u, v));
+  const double x = n.x * static_cast<double>(z.x);
+  const double y = n.y * static_cast<double>(z.y);
+  const double w = n.z * static_cast<double>(z.z);
+  const int sign = certain_sign(x + y + w, 8 * unit_roundoff * (std::fabs(x) + std::fabs(y) + std::fabs(w)));
+  return sign != 0 ? sign : Exact::triple_product_sign(u, v, z);
+}
 
 // 0 if v lies in the half-turn [0, pi) counter-clockwise from reference about axis, else 1. Directions are taken modulo
 // the axis.
 inline int half_turn(const Vector &axis, const Vector &reference, const Vector &v) {
-  const int side = Exact::triple_product_sign(axis, reference, v);
+  const int side = orientation(axis, reference, v);
   if (side != 0) return side > 0 ? 0 : 1;
   return Exact::cross_dot_cross_sign(axis, reference, v) > 0 ? 0 : 1;
 }
@@ -21,13 +32,13 @@ inline bool counter_clockwise_before(const Vector &axis, const Vector &reference
   const int half_v = half_turn(axis, reference, v);
   const int half_w = half_turn(axis, reference, w);
   if (half_v != half_w) return half_v < half_w;
-  return Exact::triple_product_sign(axis, v, w) > 0;
+  return orientation(axis, v, w) > 0;
 }
 
 // Whether x lies strictly between the directions from and to, counter-clockwise; if they are equal, the way is the
 // whole turn.
 inline bool strictly_between(const Vector &axis, const Vector &from, const Vector &x, const Vector &to) {
-  if (Exact::triple_product_sign(axis, from, to) == 0 && Exact::cross_dot_cross_sign(axis, from, to) > 0) return true;
+  if (orientation(axis, from, to) == 0 && Exact::cross_dot_cross_sign(axis, from, to) > 0) return true;
   return counter_clockwise_before(axis, from, x, to);
 }
 

@@ -62,9 +62,12 @@ double turn_about(const DoubleVector &axis, const DoubleVector &from, const Doub
   return angle < 0.0 ? angle + 2 * pi : angle;
 }
 
-// The same for a turn that is known to be at most `largest`: what rounding puts beyond goes to the nearer end.
+// The same for a turn that is known to be at most `largest`: what rounding puts beyond goes to the nearer end, and a
+// whole turn between two points that rounding cannot tell apart counts as none.
 double turn_within(const DoubleVector &axis, const DoubleVector &from, const DoubleVector &to, double largest) {
+  constexpr double rounding = 0x1p-36;
   const double angle = turn_about(axis, from, to);
+  if (2 * pi - angle < rounding) return 0.0;
   if (angle <= largest) return angle;
   return angle - largest < 2 * pi - angle ? largest : 0.0;
 }
@@ -113,21 +116,22 @@ EdgePlace place_on_carrier(const BallSet &balls, const BoundaryStructure &bounda
   const DoubleVector axis = to_vector(place.axis);
   const DoubleVector centre = to_vector(circle.centre);
   const auto from_centre = [&](const DoubleVector &p) { return exact::combine(1.0, p, -1.0, centre); };
-  const DoubleVector start = from_centre(on_arc ? start_of_arc(balls, boundary, carrier, carrier_id)
-                                                : carrier.split(balls, topology.split_points[carrier_id - uses]));
-  double before = 0.0;
+  DoubleVector from = from_centre(on_arc ? start_of_arc(balls, boundary, carrier, carrier_id)
+                                         : carrier.split(balls, topology.split_points[carrier_id - uses]));
+  // From point to point; the last piece has what is left, so that the pieces sum to the arc.
+  double left = whole;
   uint32_t split = first_split;
   for (uint32_t k = 0; split != no_id; ++k, split = topology.split_points[split].next) {
     const DoubleVector point = from_centre(carrier.split(balls, topology.split_points[split]));
-    const double turn = turn_within(axis, start, point, whole);
-    const double after = turn > before ? turn : before;
+    const double turn = turn_within(axis, from, point, left);
     if (k == piece) {
-      place.angle = after - before;
+      place.angle = turn;
       return place;
     }
-    before = after;
+    left -= turn;
+    from = point;
   }
-  place.angle = whole - before;
+  place.angle = left;
   return place;
 }
 
@@ -215,7 +219,8 @@ EdgePlace place_of_edge(const BallSet &balls, const BoundaryStructure &boundary,
                         uint32_t edge) {
   const uint32_t source = topology.edge_source[edge];
   if (edge < topology.first_extra_edge) {
-    return place_on_carrier(balls, boundary, topology, source, edge - topology.first_edge[source]);
+    const uint32_t carrier = topology.carrier_of_edge(edge);
+    return place_on_carrier(balls, boundary, topology, carrier, edge - edge_of(topology.walk_start[carrier]));
   }
   if (edge < topology.first_sphere_edge) {
     return place_on_extra_arc(balls, boundary, topology, source, edge - topology.extra_first_edge[source]);

@@ -1,8 +1,5 @@
 #include "topology/extra_arcs.hpp"
 
-#include "boundary/great_circles.hpp"
-#include "core/sorting.hpp"
-
 namespace hsp {
 namespace {
 
@@ -10,13 +7,26 @@ uint32_t code_of(const LoopPlace &place) {
   return place.use != no_id ? place.use : ExtraArc::circle_bit | place.circle_side;
 }
 
-bool has_face_with_several_loops(const BoundaryStructure &boundary, uint32_t i) {
-  const uint32_t loops = boundary.first_loop[i + 1] - boundary.first_loop[i];
-  const uint32_t faces = boundary.first_face[i + 1] - boundary.first_face[i];
-  return faces > 0 && loops > faces;
+uint32_t loop_at_end(const BoundaryStructure &boundary, const ExtraArc &arc, uint32_t end) {
+  if ((arc.end[end] & ExtraArc::circle_bit) == 0) return boundary.uses[arc.end[end]].loop;
+  const uint32_t circle_side = arc.end[end] & ~ExtraArc::circle_bit;
+  return boundary.circles[circle_side / 2].loop[circle_side % 2];
 }
 
-// All arcs of one ball that pass a pole lie in the face that holds it.
+// Which poles a free arc of a meridian passes.
+uint32_t poles_on(const Caps &caps, const exact::Predicates &predicates, const exact::Plane &meridian,
+                  const OwnedArc &arc) {
+  const bool north = arc_contains_pole(caps, predicates, meridian, arc, +1);
+  const bool south = arc_contains_pole(caps, predicates, meridian, arc, -1);
+  uint32_t poles = (north ? ExtraArc::passes_north : 0U) | (south ? ExtraArc::passes_south : 0U);
+  if (north && south &&
+      exact::counter_clockwise_before(meridian.v, caps.plane[arc.exit_cap].v, {0, 0, -1}, {0, 0, 1})) {
+    poles |= ExtraArc::south_first;
+  }
+  return poles;
+}
+
+// All extra arcs of one face; those that pass a pole meet there.
 void make_pole_vertices(Span<ExtraArc> arcs) {
   uint32_t north = 0;
   uint32_t south = 0;
@@ -33,103 +43,117 @@ void make_pole_vertices(Span<ExtraArc> arcs) {
 }  // namespace
 
 void ExtraArcFinder::carve(Workspace &workspace, uint32_t neighbours, uint32_t edges) {
-  representative_ = workspace.take<uint32_t>(neighbours);
   pending_ = workspace.take<ExtraArc>(neighbours);
-  loop_parent_ = workspace.take<uint32_t>(static_cast<uint64_t>(edges) + 2);
-  joined_by_ = workspace.take<uint32_t>(edges);
+  node_parent_ = workspace.take<uint32_t>(static_cast<uint64_t>(edges) + 2);
 }
 
 void ExtraArcFinder::find(const CubeGrid &grid, const BoundaryStructure &boundary, GatheredBall &gathered,
                           FixedVector<ExtraArc> &arcs) {
   arcs.clear();
-  for (uint32_t i = 0; i < grid.balls().n; ++i) {
-    if (!has_face_with_several_loops(boundary, i)) continue;
-    gathered.gather(grid, i);
-    cut_ball(boundary, gathered, arcs);
+  // Balls of one cube follow each other and share the block of cubes around it.
+  uint32_t gathered_ball = no_id;
+  BallRange cube_balls{0, 0};
+  CubeBlock block;
+  for (uint32_t face = 0; face < boundary.face_count; ++face) {
+    if (boundary.faces[face].loops < 2) continue;
+    const uint32_t i = boundary.faces[face].ball;
+    if (i != gathered_ball) {
+      if (i >= cube_balls.last) {
+        const CubeCoordinates cube = GatheredBall::cube_of(grid, i);
+        cube_balls = grid.balls_in_row(cube.x, cube.x, cube.y, cube.z);
+        block = grid.block_around(cube);
+      }
+      gathered.gather(grid, block, i);
+      gathered_ball = i;
+    }
+    cut_face(boundary, face, gathered, arcs);
   }
 }
 
-// One cap per cluster, in the order of rank. Leaves their number.
-uint32_t ExtraArcFinder::sort_representatives(const GatheredBall &gathered) {
-  const Caps &caps = gathered.caps;
-  count_clusters(caps, gathered.scratch);
-  const DisjointSets clusters(gathered.scratch.cluster.part(0, caps.count));
-  const Span<uint32_t> lowest = gathered.scratch.owner;  // by cluster
-  for (uint32_t j = 0; j < caps.count; ++j) lowest[j] = no_id;
-  for (uint32_t j = 0; j < caps.count; ++j) {
-    uint32_t &best = lowest[clusters.find(j)];
-    if (best == no_id || exact::ranks_before(caps.plane[j], caps.plane[best])) best = j;
-  }
-  uint32_t count = 0;
-  for (uint32_t j = 0; j < caps.count; ++j) {
-    if (lowest[j] != no_id) representative_[count++] = lowest[j];
-  }
-  sort_in_place(representative_.part(0, count),
-                [&caps](uint32_t a, uint32_t b) { return exact::ranks_before(caps.plane[a], caps.plane[b]); });
-  return count;
-}
-
-void ExtraArcFinder::cut_ball(const BoundaryStructure &boundary, const GatheredBall &gathered,
+void ExtraArcFinder::cut_face(const BoundaryStructure &boundary, uint32_t face, const GatheredBall &gathered,
                               FixedVector<ExtraArc> &arcs) {
-  const Caps &caps = gathered.caps;
-  const FaceScratch &scratch = gathered.scratch;
-  const uint32_t i = caps.origin;
-  const uint32_t first_loop = boundary.first_loop[i];
-  const uint32_t loops = boundary.first_loop[i + 1] - first_loop;
-  const uint32_t first_face = boundary.first_face[i];
-  const uint32_t faces = boundary.first_face[i + 1] - first_face;
-  const exact::Predicates predicates = caps.predicates();
-  const bool north_free = pole_is_free(caps, predicates, +1);
-  const bool south_free = pole_is_free(caps, predicates, -1);
-  const uint32_t clusters = sort_representatives(gathered);
-
-  // The poles are nodes like the loops: circles that meet in a pole are joined there.
-  const uint32_t north = loops;
-  const uint32_t south = loops + 1;
-  const DisjointSets nodes(loop_parent_.part(0, loops + 2));
-  nodes.reset();
-  for (uint32_t f = 0; f < faces; ++f) joined_by_[f] = no_id;
-  uint32_t to_join = loops - faces;  // until every face is joined
-  bool pole_joined[2] = {false, false};
+  const uint32_t i = boundary.faces[face].ball;
+  reset_nodes(boundary, face);
   const uint32_t first_arc = arcs.size();
-
-  for (uint32_t c = 0; c < clusters && to_join > 0; ++c) {
-    const exact::Plane meridian = meridian_through(caps.plane[representative_[c]].v);
-    const uint32_t owners = find_owners(caps, predicates, meridian, scratch);
-    uint32_t count = 0;
-    visit_owned_arcs(scratch, owners, [&](const OwnedArc &arc) {
-      const LoopPlace exit = place_on_loops(caps, predicates, boundary, arc.exit_cap, meridian, +1);
-      const uint32_t face = boundary.loop_face[exit.loop];
-      if (boundary.faces[face].loops == 1) return;
-      const LoopPlace entry = place_on_loops(caps, predicates, boundary, arc.entry_cap, meridian, -1);
-      const bool passes_north = north_free && arc_contains_pole(caps, meridian, arc, +1);
-      const bool passes_south = south_free && arc_contains_pole(caps, meridian, arc, -1);
-      uint32_t poles = (passes_north ? ExtraArc::passes_north : 0U) | (passes_south ? ExtraArc::passes_south : 0U);
-      if (passes_north && passes_south &&
-          exact::strictly_between(meridian.v, caps.plane[arc.exit_cap].v, {0, 0, -1}, {0, 0, 1})) {
-        poles |= ExtraArc::south_first;
-      }
-      pending_[count++] = {i, caps.ball[representative_[c]], face, {code_of(exit), code_of(entry)}, poles};
-
-      const uint32_t node = exit.loop - first_loop;
-      const auto join_pole = [&](uint32_t pole) {
-        if (!nodes.join(node, pole)) return;
-        joined_by_[face - first_face] = c;
-        if (pole_joined[pole - north]) --to_join;
-        pole_joined[pole - north] = true;
-      };
-      if (nodes.join(node, entry.loop - first_loop)) {
-        joined_by_[face - first_face] = c;
-        --to_join;
-      }
-      if (passes_north) join_pole(north);
-      if (passes_south) join_pole(south);
-    });
-    for (uint32_t a = 0; a < count; ++a) {
-      if (joined_by_[pending_[a].face - first_face] == c) arcs.push(pending_[a]);
+  bool through_poles = false;
+  for (uint32_t loop = boundary.first_loop[i]; loop < boundary.first_loop[i + 1] && to_join_ > 0; ++loop) {
+    if (boundary.loop_face[loop] != face) continue;
+    find_pieces(boundary, face, boundary.loop_cap[loop], gathered);
+    const Joined joined = join_pieces(boundary);
+    if (!joined.loops && !joined.poles) continue;
+    if (!joined.loops) through_poles = true;
+    for (uint32_t k = 0; k < pending_count_; ++k) {
+      if (!joined.loops) pending_[k].poles |= ExtraArc::for_a_pole;
+      arcs.push(pending_[k]);
     }
   }
+  if (through_poles && !arcs.overflowed()) drop_circles_through_poles(boundary, first_arc, arcs);
   make_pole_vertices(arcs.items().part(first_arc, arcs.size()));
+}
+
+void ExtraArcFinder::reset_nodes(const BoundaryStructure &boundary, uint32_t face) {
+  const uint32_t i = boundary.faces[face].ball;
+  nodes_ = DisjointSets(node_parent_.part(0, boundary.first_loop[i + 1] - boundary.first_loop[i] + 2));
+  nodes_.reset();
+  pole_joined_[0] = pole_joined_[1] = false;
+  to_join_ = boundary.faces[face].loops - 1;
+}
+
+void ExtraArcFinder::drop_circles_through_poles(const BoundaryStructure &boundary, uint32_t first_arc,
+                                                FixedVector<ExtraArc> &arcs) {
+  const Span<ExtraArc> own = arcs.items().part(first_arc, arcs.size());
+  reset_nodes(boundary, own[0].face);
+  const uint32_t first_loop = boundary.first_loop[own[0].ball];
+  for (const ExtraArc &arc : own) {
+    if ((arc.poles & ExtraArc::for_a_pole) != 0) continue;
+    const uint32_t node = loop_at_end(boundary, arc, 0) - first_loop;
+    if (nodes_.join(node, loop_at_end(boundary, arc, 1) - first_loop)) --to_join_;
+  }
+  uint32_t kept = first_arc;
+  for (ExtraArc &arc : own) {
+    const bool for_a_pole = (arc.poles & ExtraArc::for_a_pole) != 0;
+    arc.poles &= ~ExtraArc::for_a_pole;
+    if (to_join_ > 0 || !for_a_pole) arcs[kept++] = arc;
+  }
+  arcs.shorten(kept);
+}
+
+void ExtraArcFinder::find_pieces(const BoundaryStructure &boundary, uint32_t face, uint32_t cap,
+                                 const GatheredBall &gathered) {
+  const Caps &caps = gathered.caps;
+  const exact::Predicates predicates = caps.predicates();
+  const exact::Plane meridian = meridian_through(caps.plane[caps.cap_of(cap)].v);
+  const uint32_t owners = find_owners(caps, predicates, meridian, gathered.scratch);
+  pending_count_ = 0;
+  visit_owned_arcs(gathered.scratch, owners, [&](const OwnedArc &arc) {
+    const LoopPlace leave = place_on_loops(caps, predicates, boundary, arc.exit_cap, meridian, +1);
+    if (boundary.loop_face[leave.loop] != face) return;
+    const LoopPlace entry = place_on_loops(caps, predicates, boundary, arc.entry_cap, meridian, -1);
+    pending_[pending_count_++] = {
+        caps.origin, cap, face, {code_of(leave), code_of(entry)}, poles_on(caps, predicates, meridian, arc)};
+  });
+}
+
+ExtraArcFinder::Joined ExtraArcFinder::join_pieces(const BoundaryStructure &boundary) {
+  Joined joined{false, false};
+  for (uint32_t k = 0; k < pending_count_; ++k) {
+    const ExtraArc &arc = pending_[k];
+    const uint32_t first_loop = boundary.first_loop[arc.ball];
+    const uint32_t node = loop_at_end(boundary, arc, 0) - first_loop;
+    if (nodes_.join(node, loop_at_end(boundary, arc, 1) - first_loop)) {
+      --to_join_;
+      joined.loops = true;
+    }
+    for (uint32_t pole = 0; pole < 2; ++pole) {
+      if ((arc.poles & (pole == 0 ? ExtraArc::passes_north : ExtraArc::passes_south)) == 0) continue;
+      if (!nodes_.join(node, nodes_.size() - 2 + pole)) continue;
+      // The first circle through a pole joins no loops there.
+      if (pole_joined_[pole]) --to_join_;
+      pole_joined_[pole] = true;
+      joined.poles = true;
+    }
+  }
+  return joined;
 }
 
 }  // namespace hsp

@@ -1,17 +1,17 @@
 // Where faces with several loops are cut: along pieces of great circles in planes that contain the direction z, as the
 // paper has it (Section 4.2, Step 3).
 //
-// For one cap of every cluster of a ball take the great circle through the cap's axis and the poles. Its pieces inside
-// a face, together with those of the others, join all loops of the face (meridians.cpp). A circle that joins nothing
-// new in a face is not used there; of one that does, all pieces inside the face are. The circle is closed, so its
-// pieces inside the face form closed trails together with what the face leaves out: none of them is a bridge, and each
-// has different faces on its sides. Circles are tried in the rank of their caps' balls, so the cuts do not depend on
-// ids.
+// For one cap on every loop of a face take the great circle through the cap's axis and the poles. Together their pieces
+// inside the face join all its loops (meridians.cpp): most often directly, else by way of a pole that several of them
+// pass. A circle that joins nothing new is not used; of one that does, all pieces inside the face are. The circle
+// is closed, so its pieces inside the face form closed trails together with what the face leaves out: none of them is a
+// bridge, and each has different faces on its sides. Loops are tried in an order that does not depend on ids.
 //
 // Two great circles meet in the poles and nowhere else. A free pole that two or more of a face's circles pass becomes a
 // vertex.
 #pragma once
 
+#include "boundary/great_circles.hpp"
 #include "boundary/structure.hpp"
 #include "topology/gathered_ball.hpp"
 
@@ -31,6 +31,7 @@ struct ExtraArc {
   static constexpr uint32_t south_first = 4;  // if it passes both
   static constexpr uint32_t vertex_at_north = 8;
   static constexpr uint32_t vertex_at_south = 16;
+  static constexpr uint32_t for_a_pole = 32;  // its circle joins nothing but poles; while faces are cut
 
   // Edges that it is cut into.
   uint32_t pieces() const {
@@ -48,13 +49,26 @@ class ExtraArcFinder {
             FixedVector<ExtraArc> &arcs);
 
  private:
-  void cut_ball(const BoundaryStructure &boundary, const GatheredBall &gathered, FixedVector<ExtraArc> &arcs);
-  uint32_t sort_representatives(const GatheredBall &gathered);
+  void cut_face(const BoundaryStructure &boundary, uint32_t face, const GatheredBall &gathered,
+                FixedVector<ExtraArc> &arcs);
+  // The pieces of one great circle inside a face, in pending_.
+  void find_pieces(const BoundaryStructure &boundary, uint32_t face, uint32_t cap, const GatheredBall &gathered);
+  // Joins the ends of the pieces in pending_, and the poles they pass.
+  struct Joined {
+    bool loops;  // that were not joined before
+    bool poles;
+  };
+  Joined join_pieces(const BoundaryStructure &boundary);
+  // Leaves out the circles that joined nothing but poles, if the loops are joined without them.
+  void drop_circles_through_poles(const BoundaryStructure &boundary, uint32_t first_arc, FixedVector<ExtraArc> &arcs);
+  void reset_nodes(const BoundaryStructure &boundary, uint32_t face);
 
-  Span<uint32_t> representative_;  // [neighbours] a cap of every cluster, the one of lowest rank
-  Span<ExtraArc> pending_;         // [neighbours] the free arcs of one great circle
-  Span<uint32_t> loop_parent_;     // [edges + 2] the loops of one ball, and its poles
-  Span<uint32_t> joined_by_;       // [edges] by face of the ball: the last circle that joined loops of it
+  Span<ExtraArc> pending_;  // [neighbours]
+  uint32_t pending_count_ = 0;
+  Span<uint32_t> node_parent_;  // [edges + 2] the loops of one ball, and its two poles
+  DisjointSets nodes_;
+  bool pole_joined_[2] = {false, false};
+  uint32_t to_join_ = 0;  // until the face's loops are one set
 };
 
 }  // namespace hsp

@@ -15,7 +15,7 @@ uint32_t face_of_pole(const BoundaryStructure &boundary, const GatheredBall &gat
   const uint32_t owners = find_owners(caps, predicates, meridian, gathered.scratch);
   uint32_t face = boundary.first_face[caps.origin];
   visit_owned_arcs(gathered.scratch, owners, [&](const OwnedArc &arc) {
-    if (!arc_contains_pole(caps, meridian, arc, pole)) return;
+    if (!arc_contains_pole(caps, predicates, meridian, arc, pole)) return;
     face = boundary.loop_face[place_on_loops(caps, predicates, boundary, arc.exit_cap, meridian, +1).loop];
   });
   return face;
@@ -54,9 +54,9 @@ uint32_t face_of_entry(const CubeGrid &grid, const BoundaryStructure &boundary, 
     });
     return found;
   };
-  const auto planes_of_gap = [&](uint32_t gap, exact::Plane &exit, exact::Plane &entry) {
+  const auto planes_of_gap = [&](uint32_t gap, exact::Plane &leave, exact::Plane &entry) {
     const OwnedArc arc = arc_of_gap(gap);
-    exit = caps.plane[arc.exit_cap];
+    leave = caps.plane[arc.exit_cap];
     entry = caps.plane[arc.entry_cap];
   };
   const OwnedArc arc = arc_of_gap(gap_that_holds(predicates, meridian, gaps, planes_of_gap, across, +1));

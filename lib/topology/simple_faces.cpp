@@ -14,12 +14,7 @@ class Assembly {
   void run() {
     number_edges();
     start_vertices();
-    for (uint32_t use = 0; use < 3 * boundary_.vertices.size(); ++use) {
-      if (is_first_side(use)) link_carrier(use, boundary_.uses[use].vertex, end_of(use));
-      // Around the end of the walk: on to the arc of the next use.
-      quads_.follow(walk_of_use(boundary_, topology_, use).last,
-                    walk_of_use(boundary_, topology_, boundary_.uses[use].next).first);
-    }
+    for (uint32_t arc = 0; arc < arcs_; ++arc) link_arc(topology_.carrier_of_arc[arc]);
     for (uint32_t c = 0; c < boundary_.circles.size(); ++c) link_circle(c);
     for (uint32_t first = 0; first < topology_.extra_arcs.size();) first = link_extra_arcs(first);
     link_spheres();
@@ -27,30 +22,33 @@ class Assembly {
   }
 
  private:
-  // Arcs are numbered by the use that comes first, on the first of their balls.
-  bool is_first_side(uint32_t use) const { return twin_use(boundary_, use) > use; }
-  uint32_t end_of(uint32_t use) const { return boundary_.uses[boundary_.uses[use].next].vertex; }
   uint32_t vertex_of_split(uint32_t split) const { return boundary_.vertices.size() + split; }
 
+  // Arcs are numbered by the use that comes first, on the first of their balls.
   void number_edges() {
     uint32_t edges = 0;
-    const auto number_carrier = [&](uint32_t carrier) {
-      topology_.first_edge[carrier] = edges;
-      topology_.edge_source[edges++] = carrier;
+    // As many edges as the carrier has pieces; the walk on its other side starts with the last of them, reversed.
+    const auto number_carrier = [&](uint32_t carrier, uint32_t source) {
+      topology_.walk_start[carrier] = quarter_edge(edges);
+      topology_.edge_source[edges++] = source;
       for (uint32_t s = topology_.split_points.first(carrier); s != no_id; s = topology_.split_points[s].next) {
-        topology_.edge_source[edges++] = carrier;
+        topology_.edge_source[edges++] = source;
       }
+      return sym(quarter_edge(edges - 1));
     };
-    uint32_t arcs = 0;
+    arcs_ = 0;
     for (uint32_t use = 0; use < 3 * boundary_.vertices.size(); ++use) {
       const uint32_t twin = twin_use(boundary_, use);
       if (twin < use) continue;
-      number_carrier(use);
-      topology_.first_edge[twin] = arcs++;
+      topology_.carrier_of_arc[arcs_] = use;
+      topology_.walk_start[twin] = number_carrier(use, arcs_++);
     }
     topology_.first_circle_edge = edges;
     for (uint32_t c = 0; c < boundary_.circles.size(); ++c) {
-      for (uint32_t half = 0; half < 2; ++half) number_carrier(SplitPoints::half_circle(boundary_, c, half));
+      for (uint32_t half = 0; half < 2; ++half) {
+        const uint32_t carrier = SplitPoints::half_circle(boundary_, c, half);
+        number_carrier(carrier, carrier);
+      }
     }
     topology_.first_extra_edge = edges;
     for (uint32_t k = 0; k < topology_.extra_arcs.size(); ++k) {
@@ -105,8 +103,9 @@ class Assembly {
   }
 
   // The edges of one carrier, from vertex `from` to vertex `to` as the loop of its first ball walks it.
-  void link_carrier(uint32_t carrier, uint32_t from, uint32_t to) {
-    uint32_t q = quarter_edge(topology_.first_edge[carrier]);
+  // Returns the last of them.
+  uint32_t link_carrier(uint32_t carrier, uint32_t from, uint32_t to) {
+    uint32_t q = topology_.walk_start[carrier];
     for (uint32_t s = topology_.split_points.first(carrier); s != no_id; s = topology_.split_points[s].next) {
       const SplitPoint &point = topology_.split_points[s];
       set_ends(q, from, vertex_of_split(s));
@@ -117,18 +116,28 @@ class Assembly {
       q = following;
     }
     set_ends(q, from, to);
+    return q;
+  }
+
+  // An arc: around its two ends the walks go on to the arcs of the next uses.
+  void link_arc(uint32_t use) {
+    const VertexUse &walk = boundary_.uses[use];
+    const VertexUse &end = boundary_.uses[walk.next];
+    const uint32_t last = link_carrier(use, walk.vertex, end.vertex);
+    quads_.follow(last, topology_.walk_start[walk.next]);
+    const VertexUse &twin = boundary_.uses[twin_use(boundary_, use)];
+    quads_.follow(sym(topology_.walk_start[use]), topology_.walk_start[twin.next]);
   }
 
   void link_circle(uint32_t circle) {
     const uint32_t half[2] = {SplitPoints::half_circle(boundary_, circle, 0),
                               SplitPoints::half_circle(boundary_, circle, 1)};
     for (uint32_t h = 0; h < 2; ++h) {
-      link_carrier(half[h], vertex_of_split(2 * circle + h), vertex_of_split(2 * circle + 1 - h));
+      const uint32_t last = link_carrier(half[h], vertex_of_split(2 * circle + h), vertex_of_split(2 * circle + 1 - h));
       const SplitPoint &end = topology_.split_points[2 * circle + 1 - h];
-      const Walk here = walk_of_carrier(topology_, half[h], 0);
-      const Walk other = walk_of_carrier(topology_, half[1 - h], 0);
-      pass_split(end, 0, here.last, other.first);
-      pass_split(end, 1, sym(other.first), sym(here.last));
+      const uint32_t following = topology_.walk_start[half[1 - h]];
+      pass_split(end, 0, last, following);
+      pass_split(end, 1, sym(following), sym(last));
     }
   }
 
@@ -260,8 +269,7 @@ class Assembly {
     uint32_t sphere = quarter_edge(topology_.first_sphere_edge);
     for (uint32_t i = 0; i < balls_.n; ++i) {
       for (uint32_t u = boundary_.first_use[i]; u < boundary_.first_use[i + 1]; ++u) {
-        const Walk walk = walk_of_use(boundary_, topology_, u);
-        number_walk(walk, boundary_.loop_face[boundary_.uses[u].loop]);
+        number_walk(topology_.walk_start[u], boundary_.loop_face[boundary_.uses[u].loop]);
       }
       for (uint32_t s = boundary_.first_circle_side[i]; s < boundary_.first_circle_side[i + 1]; ++s) {
         const uint32_t circle = boundary_.circle_side[s] / 2;
@@ -269,7 +277,8 @@ class Assembly {
         // From the circle's first point on either side: ids must have no effect on where a ring starts.
         for (uint32_t turn = 0; turn < 2; ++turn) {
           const uint32_t half = side == 0 ? turn : 1 - turn;
-          number_walk(walk_of_carrier(topology_, SplitPoints::half_circle(boundary_, circle, half), side),
+          const uint32_t start = topology_.walk_start[SplitPoints::half_circle(boundary_, circle, half)];
+          number_walk(side == 0 ? start : sym(topology_.end_of_walk(start)),
                       boundary_.loop_face[boundary_.circles[circle].loop[side]]);
         }
       }
@@ -287,10 +296,11 @@ class Assembly {
       }
     }
   }
-  void number_walk(const Walk &walk, uint32_t face) {
-    const uint32_t step = walk.first <= walk.last ? 4U : 0U - 4U;
-    for (uint32_t q = walk.first; q != walk.last; q += step) number_ring(q, face);
-    number_ring(walk.last, face);
+  void number_walk(uint32_t start, uint32_t face) {
+    number_ring(start, face);
+    const uint32_t last = topology_.end_of_walk(start);
+    const uint32_t step = start < last ? 4U : 0U - 4U;
+    for (uint32_t q = start; q != last;) number_ring(q += step, face);
   }
   void number_ring(uint32_t q, uint32_t face) {
     if (quads_.left(q) != no_id) return;
@@ -309,21 +319,10 @@ class Assembly {
   const BoundaryStructure &boundary_;
   TopologyStructure &topology_;
   QuadEdges &quads_;
+  uint32_t arcs_ = 0;
 };
 
 }  // namespace
-
-Walk walk_of_carrier(const TopologyStructure &topology, uint32_t carrier, uint32_t side) {
-  const uint32_t first = quarter_edge(topology.first_edge[carrier]);
-  uint32_t last = first;
-  for (uint32_t s = topology.split_points.first(carrier); s != no_id; s = topology.split_points[s].next) last += 4;
-  return side == 0 ? Walk{first, last} : Walk{sym(last), sym(first)};
-}
-
-Walk walk_of_use(const BoundaryStructure &boundary, const TopologyStructure &topology, uint32_t use) {
-  const uint32_t twin = twin_use(boundary, use);
-  return twin > use ? walk_of_carrier(topology, use, 0) : walk_of_carrier(topology, twin, 1);
-}
 
 uint64_t count_uncut_edges(const BallSet &balls, const BoundaryStructure &boundary) {
   uint64_t edges =

@@ -19,11 +19,4 @@ inline bool is_whole_sphere(const BoundaryStructure &boundary, uint32_t i) {
   return boundary.first_face[i + 1] > boundary.first_face[i] && boundary.first_loop[i + 1] == boundary.first_loop[i];
 }
 
-// The first and the last quarter-edge of a use's walk, with its face on their left.
-struct Walk {
-  uint32_t first, last;
-};
-Walk walk_of_use(const BoundaryStructure &boundary, const TopologyStructure &topology, uint32_t use);
-Walk walk_of_carrier(const TopologyStructure &topology, uint32_t carrier, uint32_t side);
-
 }  // namespace hsp

@@ -1,12 +1,13 @@
 #include "topology/split_points.hpp"
 
+#include <initializer_list>
+
 #include "boundary/assembly.hpp"
 #include "boundary/great_circles.hpp"
 
 namespace hsp {
 namespace {
 
-using exact::Exact;
 using exact::Plane;
 using exact::Vector;
 
@@ -34,10 +35,28 @@ struct Carrier {
   exact::Sphere sphere;
   Plane circle;
   Plane anchor;
+};
 
-  bool inside(const Plane &Q, int sign, const Plane &R) const {
-    return Exact::point_status(sphere, circle, Q, R).side[sign > 0 ? 1 : 0] > 0;
+// Questions about points of a carrier and two of the planes through them, for the filter of one set of planes.
+class PointTest {
+ public:
+  PointTest(const Carrier &carrier, const Plane &plane, const Plane &other)
+      : predicates_(carrier.sphere, length_squared(carrier, plane, other)), circle_(carrier.circle) {}
+
+  bool inside(const Plane &Q, int sign, const Plane &R) const { return predicates_.inside(circle_, Q, sign, R) > 0; }
+
+ private:
+  static double length_squared(const Carrier &carrier, const Plane &plane, const Plane &other) {
+    double largest = static_cast<double>(carrier.sphere.W);
+    for (const Vector *v : {&carrier.circle.v, &carrier.anchor.v, &plane.v, &other.v}) {
+      const double squared = static_cast<double>(exact::dot(*v, *v));
+      if (squared > largest) largest = squared;
+    }
+    return largest;
   }
+
+  exact::Predicates predicates_;
+  Plane circle_;
 };
 
 // The plane of an extra arc of `ball` as ball a sees it: it goes through the centre of `ball`, so that with y = 2 (x -
@@ -54,23 +73,23 @@ struct PlacedPoint {
   int sign;
   bool leaves_carrier;  // the plane's other point with the circle is covered by the anchor
 
-  PlacedPoint(const Carrier &carrier, const Plane &own, int own_sign) : plane(own), sign(own_sign) {
-    if (carrier.inside(carrier.anchor, +1, plane)) {
+  PlacedPoint(const PointTest &test, const Plane &anchor, const Plane &own, int own_sign) : plane(own), sign(own_sign) {
+    if (test.inside(anchor, +1, plane)) {
       plane = complement(plane);
       sign = -sign;
     }
-    leaves_carrier = carrier.inside(plane, -sign, carrier.anchor);
+    leaves_carrier = test.inside(plane, -sign, anchor);
   }
 };
 
 // Whether split point X comes before Y, of another plane, counter-clockwise from the exit of the anchor. Cut open
 // there, the circle is a line and what a plane covers is an interval [l, r] of it; X is l if its sign is negative.
-bool comes_before(const Carrier &carrier, const PlacedPoint &X, const PlacedPoint &Y) {
+bool comes_before(const Carrier &carrier, const PointTest &test, const PlacedPoint &X, const PlacedPoint &Y) {
   // The other end of X's interval lies in the anchor: on the carrier it covers all after X.
-  if (X.leaves_carrier) return carrier.inside(Y.plane, Y.sign, X.plane);
-  if (Y.leaves_carrier) return !carrier.inside(X.plane, X.sign, Y.plane);
-  if (carrier.inside(Y.plane, Y.sign, X.plane)) return X.sign < 0;
-  if (carrier.inside(X.plane, X.sign, Y.plane)) return Y.sign > 0;
+  if (X.leaves_carrier) return test.inside(Y.plane, Y.sign, X.plane);
+  if (Y.leaves_carrier) return !test.inside(X.plane, X.sign, Y.plane);
+  if (test.inside(Y.plane, Y.sign, X.plane)) return X.sign < 0;
+  if (test.inside(X.plane, X.sign, Y.plane)) return Y.sign > 0;
   // Neither covers the other's point, so neither interval holds the other one: they and their mid-points are ordered as
   // the points are. The anchor's own mid-point lies outside the carrier.
   return exact::counter_clockwise_before(carrier.circle.v, carrier.anchor.v, X.plane.v, Y.plane.v);
@@ -143,7 +162,8 @@ void SplitPoints::insert_end(const BallSet &balls, const BoundaryStructure &boun
       points_[2 * circle + (same_sign > 0 ? 1 : 0)].extra[side] = reference;
       return;
     }
-    const bool covered = carrier.inside(plane, sign, halves);
+    carrier.anchor = halves;
+    const bool covered = PointTest(carrier, plane, halves).inside(plane, sign, halves);
     carrier.anchor = covered ? complement(halves) : halves;
     if (covered) ++carrier_id;
   } else {
@@ -152,7 +172,6 @@ void SplitPoints::insert_end(const BallSet &balls, const BoundaryStructure &boun
   }
 
   // Insertion into a list that is sorted as the loop of ball a walks it, clockwise. The points of one list are few.
-  const PlacedPoint placed(carrier, plane, sign);
   uint32_t *link = &first_[carrier_id];
   while (*link != no_id) {
     SplitPoint &point = points_[*link];
@@ -169,9 +188,11 @@ void SplitPoints::insert_end(const BallSet &balls, const BoundaryStructure &boun
       }
       return;
     }
-    const PlacedPoint there(carrier, other, point.sign);
+    const PointTest test(carrier, plane, other);
+    const PlacedPoint placed(test, carrier.anchor, plane, sign);
+    const PlacedPoint there(test, carrier.anchor, other, point.sign);
     // Of two ends of one interval the entry comes first.
-    if (one_plane ? there.sign < 0 : comes_before(carrier, there, placed)) break;
+    if (one_plane ? there.sign < 0 : comes_before(carrier, test, there, placed)) break;
     link = &point.next;
   }
   const uint32_t following = *link;

@@ -11,9 +11,10 @@ void TopologyStructure::carve(Workspace &workspace, const TopologyLimits &limits
   split_points.carve(workspace, limits.edges, limits.extra_arcs);
   quads.next = workspace.take<uint32_t>(4 * edges);
   quads.start = workspace.take<uint32_t>(4 * edges);
-  first_edge = workspace.take<uint32_t>(2 * edges);
+  walk_start = workspace.take<uint32_t>(2 * edges);
   extra_first_edge = workspace.take<uint32_t>(limits.extra_arcs);
   edge_source = workspace.take<uint32_t>(edges);
+  carrier_of_arc = workspace.take<uint32_t>(edges);
   // Every vertex starts at least two edges, every simple face has at least two, and a shell is no less than two edges.
   vertex_edge = workspace.take<uint32_t>(edges);
   pole = workspace.take<uint32_t>(edges);

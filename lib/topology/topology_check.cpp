@@ -85,7 +85,7 @@ class TopologyCheck {
       if (e >= topology_.first_extra_edge) {
         good = topology_.faces[left].face == topology_.faces[right].face;
       } else {
-        const CarrierBalls pair = balls_of_carrier(boundary_, topology_.edge_source[e]);
+        const CarrierBalls pair = balls_of_carrier(boundary_, topology_.carrier_of_edge(e));
         good = topology_.ball_of(boundary_, left) == pair.a && topology_.ball_of(boundary_, right) == pair.b;
       }
       if (!good) return fail(TopologyLaw::sides, quarter_edge(e));

@@ -52,9 +52,10 @@ struct TopologyStructure {
 
   QuadEdges quads;
   uint32_t first_circle_edge = 0, first_extra_edge = 0, first_sphere_edge = 0;
-  Span<uint32_t> first_edge;  // [2 edges] by carrier; at an arc's other use, which names no carrier, the arc's number
+  Span<uint32_t> walk_start;        // [2 edges] by use or half circle: the first quarter-edge of its walk
   Span<uint32_t> extra_first_edge;  // [extra arcs]
-  Span<uint32_t> edge_source;       // [edges] carrier, extra arc, or ball of a whole sphere
+  Span<uint32_t> edge_source;       // [edges] arc, half circle, extra arc, or ball of a whole sphere
+  Span<uint32_t> carrier_of_arc;    // [arcs]
 
   uint32_t first_pole = 0;  // vertex ids from here on are poles
   uint32_t vertex_count = 0;
@@ -76,6 +77,17 @@ struct TopologyStructure {
 
   void carve(Workspace &workspace, const TopologyLimits &limits);
 
+  // The carrier of an edge that is part of an arc or circle.
+  uint32_t carrier_of_edge(uint32_t edge) const {
+    return edge < first_circle_edge ? carrier_of_arc[edge_source[edge]] : edge_source[edge];
+  }
+  // The last quarter-edge of the walk that starts with this one: an arc's edges have consecutive numbers.
+  uint32_t end_of_walk(uint32_t start) const {
+    const uint32_t step = (start & 2U) == 0 ? 4U : 0U - 4U;
+    uint32_t q = start;
+    while (edge_of(q + step) < first_extra_edge && edge_source[edge_of(q + step)] == edge_source[edge_of(q)]) q += step;
+    return q;
+  }
   uint32_t ball_of(const BoundaryStructure &boundary, uint32_t simple_face) const {
     return boundary.faces[faces[simple_face].face].ball;
   }
