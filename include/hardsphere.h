@@ -686,9 +686,10 @@ HSP_API int32_t hsp_topology_get_cells(const hsp_topology *topology, hsp_cell *o
 HSP_API int32_t hsp_topology_get_cell_shells(const hsp_topology *topology, uint32_t cell, uint32_t *shells,
                                              uint32_t capacity, uint32_t *needed);
 
-/** The paper's scan of one shell: its simple faces in the order in which a walk from start_face over the edges of each
- *  face in turn (counter-clockwise, neighbours first) comes to them. With the shell of hsp_topology_counts.start_face
- *  it is the outer boundary component from the topmost ball. HSP_E_ID: no such shell. Else statuses as above. */
+/** The paper's scan of one shell: its simple faces in the order in which its recursion from start_face visits them,
+ *  around each face counter-clockwise from the edge by which it was entered (hsp_simple_face.q for start_face) and
+ *  at once into every neighbour not visited before. With the shell of hsp_topology_counts.start_face it is the outer
+ *  boundary component from the topmost ball. HSP_E_ID: no such shell. Else statuses as above. */
 HSP_API int32_t hsp_topology_get_scan(const hsp_topology *topology, uint32_t shell, uint32_t *faces, uint32_t capacity,
                                       uint32_t *needed);
 
