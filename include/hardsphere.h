@@ -3,8 +3,9 @@
  * A molecule is n balls. This header answers, exactly and without allocating memory:
  *   - how well the set behaves (Section 2 of the paper): k, rho, numbers of overlaps;
  *   - which balls contain a point, meet a ball, or meet each other (Section 3);
- *   - the boundary of the union: vertices, arcs, circles, faces, shells, voids (Section 4.2);
- *   - areas and volumes.
+  *   - the boundary of the union: vertices, arcs, circles, faces, shells, voids (Section 4.2, Steps 1 and 2);
+ *   - areas and volumes, and their gradients;
+ *   - the boundary's topology: quad-edges with simple faces, shells, cells, point location (Section 4.2, Step 3).
  * The paper is Halperin and Overmars, "Spheres, Molecules, and Hidden Surface Removal", UU-CS-1994-36.
  *
  * ARRAYS
@@ -371,8 +372,8 @@ HSP_API int32_t hsp_boundary_measure_selected(const hsp_boundary *boundary, cons
 
 /** Area, and term of the volume, of each face: area [faces] and volume [faces], each may be NULL, face ids as in
  *  hsp_boundary_get_faces. A face's volume term is that of the divergence theorem about its ball's origin o (see
- *  hsp_boundary_measure). HSP_E_ARGUMENT, HSP_E_STATE as above; HSP_E_CAPACITY: capacity is less than the number of
- *  faces (nothing is written).
+ *  hsp_boundary_measure). HSP_E_ARGUMENT, HSP_E_STATE as above; HSP_E_CAPACITY: an array is given and capacity is
+ *  less than the number of faces (nothing is written).
  *  Property 1: the faces of a ball sum to that ball's area and volume, up to rounding. */
 HSP_API int32_t hsp_boundary_measure_faces(const hsp_boundary *boundary, double *area, double *volume,
                                            uint32_t capacity);
@@ -502,8 +503,8 @@ typedef struct hsp_topology_limits {
  *  (HSP_MAX_BALLS - 96) / 16 balls. */
 HSP_API int32_t hsp_topology_limits_init(hsp_topology_limits *limits, uint32_t struct_size, uint32_t balls);
 
-/** Limits for a computed boundary that nearly always suffice: its balls and neighbours, edges for its arcs, circles and
- *  whole spheres and for extra arcs in twice the number of loops beyond the first of their faces.
+/** Limits for a computed boundary that nearly always suffice: its balls and neighbours, four extra arcs for every loop
+ *  of a face beyond the first, and edges for its arcs, circles and whole spheres and four for every extra arc.
  *  HSP_E_ARGUMENT: a null pointer or wrong struct_size. HSP_E_STATE: nothing computed, or the model has changed. */
 HSP_API int32_t hsp_topology_limits_for(hsp_topology_limits *limits, uint32_t struct_size,
                                         const hsp_boundary *boundary);
@@ -576,8 +577,9 @@ HSP_API uint32_t hsp_topology_left(const hsp_topology *topology, uint32_t q);
 HSP_API uint32_t hsp_topology_ball(const hsp_topology *topology, uint32_t q);
 
 /** The whole structure as two flat arrays: onext [edges][4] and origin [edges][4], as the functions above give them;
- *  all else follows by rot. Each may be NULL. capacity in edges.
- *  HSP_E_ARGUMENT: topology or needed is NULL. HSP_E_STATE, HSP_E_CAPACITY as above. */
+ *  all else follows by rot. Either may be NULL; both with capacity 0 is the query. capacity and *needed count edges.
+ *  HSP_E_ARGUMENT: topology or needed is NULL, or both arrays with a capacity above 0. HSP_E_STATE, HSP_E_CAPACITY as
+ *  above. Property 1: the arrays hold what the functions above say. */
 HSP_API int32_t hsp_topology_get_quad_edges(const hsp_topology *topology, uint32_t *onext, uint32_t *origin,
                                             uint32_t capacity, uint32_t *needed);
 
@@ -646,7 +648,8 @@ typedef struct hsp_shell {
   uint32_t simple_faces; /**< and what they are cut into */
   uint32_t edges;
   uint32_t vertices;
-  uint32_t start_face; /**< simple face where its scan starts: of an outer shell the one with its highest point */
+  uint32_t start_face; /**< simple face where its scan starts: of an outer shell the one with its highest point, of a
+                          void the first one on its ball of lowest rank (x, y, z, radius) */
 } hsp_shell;
 
 /** The shells. HSP_E_ARGUMENT, HSP_E_STATE, HSP_E_CAPACITY as above.
