@@ -163,13 +163,12 @@ uint32_t hsp_topology_ball(const hsp_topology *topology, uint32_t q) {
 
 int32_t hsp_topology_get_quad_edges(const hsp_topology *topology, uint32_t *onext, uint32_t *origin, uint32_t capacity,
                                     uint32_t *needed) {
-  if (topology == nullptr || needed == nullptr) return HSP_E_ARGUMENT;
-  if (!has_results(*topology)) return HSP_E_STATE;
+  const void *any = onext != nullptr ? onext : origin;
+  const int32_t status = check_request(topology, any, capacity, needed, [](const hsp_topology &handle) {
+    return handle.builder.structure().quads.edges;
+  });
+  if (status != HSP_OK) return status;
   const hsp::QuadEdges &quads = topology->builder.structure().quads;
-  *needed = quads.edges;
-  const bool wanted = onext != nullptr || origin != nullptr;
-  if (capacity < quads.edges) return HSP_E_CAPACITY;
-  if (!wanted) return quads.edges > 0 ? HSP_E_ARGUMENT : HSP_OK;
   for (uint32_t q = 0; q < 4 * quads.edges; ++q) {
     if (onext != nullptr) onext[q] = quads.onext(q);
     if (origin != nullptr) origin[q] = quads.origin(q);
