@@ -1,10 +1,11 @@
 #!/bin/bash
-# Builds the program hardsphere and shows on crambin (PDB 1CRN, 327 atoms) what it does.
+# Builds the program hardsphere and shows on crambin (PDB 1CRN, 327 atoms) and caffeine what it does.
 # Runs from any folder; installs the Debian packages it misses; builds in build/demo and is quick when run again.
 set -u
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd) || exit 1
 build=$root/build/demo
 crambin=bench/molecules/crambin.pdb
+caffeine=bench/molecules/caffeine.pdb
 
 fail() {
   echo "demo: $*" >&2
@@ -66,3 +67,5 @@ show "Its area and volume" measure $crambin
 show "The same of the solvent-accessible surface, for a water probe" boundary $crambin --probe 1.4
 show "Its area and volume" measure $crambin --probe 1.4
 show "Which atoms touch a water molecule there" query $crambin --ball 10 10 10 1.4
+show "The cavity in crambin: a water molecule fits there and cannot get out" voids $crambin --probe 1.4
+show "How area and volume of caffeine change when an atom moves or grows" measure $caffeine --gradient

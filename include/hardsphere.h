@@ -3,7 +3,7 @@
  * A molecule is n balls. This header answers, exactly and without allocating memory:
  *   - how well the set behaves (Section 2 of the paper): k, rho, numbers of overlaps;
  *   - which balls contain a point, meet a ball, or meet each other (Section 3);
-  *   - the boundary of the union: vertices, arcs, circles, faces, shells, voids (Section 4.2, Steps 1 and 2);
+ *   - the boundary of the union: vertices, arcs, circles, faces, shells, voids (Section 4.2, Steps 1 and 2);
  *   - areas and volumes, and their gradients;
  *   - the boundary's topology: quad-edges with simple faces, shells, cells, point location (Section 4.2, Step 3).
  * The paper is Halperin and Overmars, "Spheres, Molecules, and Hidden Surface Removal", UU-CS-1994-36.

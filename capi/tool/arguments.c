@@ -16,8 +16,9 @@ struct reading {
 };
 
 bool command_find(const char *name, enum command *command) {
-  static const char *const names[] = {"model", "boundary", "measure", "query"};
-  static const enum command commands[] = {COMMAND_MODEL, COMMAND_BOUNDARY, COMMAND_MEASURE, COMMAND_QUERY};
+  static const char *const names[] = {"model", "boundary", "measure", "query", "voids"};
+  static const enum command commands[] = {COMMAND_MODEL, COMMAND_BOUNDARY, COMMAND_MEASURE, COMMAND_QUERY,
+                                          COMMAND_VOIDS};
   for (size_t i = 0; i < sizeof commands / sizeof commands[0]; ++i) {
     if (strcmp(name, names[i]) == 0) {
       *command = commands[i];
@@ -148,6 +149,51 @@ static bool take_query(struct reading *reading, enum query_kind kind) {
   return true;
 }
 
+/* An option with the name of a file. */
+static bool take_path(struct reading *reading, const char *option, const char *value, const char **path) {
+  if (value == NULL) value = next_argument(reading);
+  if (value == NULL || value[0] == '\0') return failure_in_usage(reading->failure, "%s needs a file", option);
+  if (*path != NULL) return failure_in_usage(reading->failure, "%s is given twice", option);
+  *path = value;
+  return true;
+}
+
+static bool take_grouping(struct reading *reading, const char *value) {
+  if (value == NULL) value = next_argument(reading);
+  if (value == NULL) return failure_in_usage(reading->failure, "--by needs residue or chain");
+  if (reading->request->by != GROUPING_NONE) return failure_in_usage(reading->failure, "--by is given twice");
+  if (strcmp(value, "residue") == 0) {
+    reading->request->by = GROUPING_RESIDUE;
+  } else if (strcmp(value, "chain") == 0) {
+    reading->request->by = GROUPING_CHAIN;
+  } else {
+    char shown[EXCERPT_BYTES];
+    return failure_in_usage(reading->failure, "--by: '%s' is neither residue nor chain",
+                            excerpt(shown, value, strlen(value)));
+  }
+  return true;
+}
+
+/* The options of `measure` alone; *known tells whether it is one of them. */
+static bool take_measure_option(struct reading *reading, const char *argument, bool *known) {
+  struct request *request = reading->request;
+  const char *value = NULL;
+  *known = true;
+  bool *flag = NULL;
+  if (strcmp(argument, "--per-ball") == 0) flag = &request->per_ball;
+  if (strcmp(argument, "--gradient") == 0) flag = &request->gradient;
+  if (strcmp(argument, "--csv") == 0) flag = &request->csv;
+  if (flag != NULL) {
+    *flag = true;
+    return true;
+  }
+  if (option_is(argument, "--by", &value)) return take_grouping(reading, value);
+  if (option_is(argument, "--weights", &value)) return take_path(reading, "--weights", value, &request->weights);
+  if (option_is(argument, "--pdb-out", &value)) return take_path(reading, "--pdb-out", value, &request->pdb_out);
+  *known = false;
+  return true;
+}
+
 static bool take_file(struct reading *reading, const char *argument) {
   if (reading->request->file != NULL) {
     char shown[EXCERPT_BYTES];
@@ -169,14 +215,42 @@ static bool take_argument(struct reading *reading, const char *argument) {
   if (option_is(argument, "--probe", &value)) return take_probe(reading, value);
   if (option_is(argument, "--radii", &value)) return take_radii(reading, value);
   if (option_is(argument, "--radius", &value)) return take_radius(reading, value);
-  if (request->command == COMMAND_MEASURE && strcmp(argument, "--per-ball") == 0) {
-    request->per_ball = true;
+  if (request->command == COMMAND_MEASURE) {
+    bool known = false;
+    if (!take_measure_option(reading, argument, &known)) return false;
+    if (known) return true;
+  }
+  if (request->command == COMMAND_BOUNDARY && strcmp(argument, "--shells") == 0) {
+    request->shells = true;
     return true;
   }
   if (request->command == COMMAND_QUERY && strcmp(argument, "--point") == 0) return take_query(reading, QUERY_POINT);
   if (request->command == COMMAND_QUERY && strcmp(argument, "--ball") == 0) return take_query(reading, QUERY_BALL);
   char shown[EXCERPT_BYTES];
   return failure_in_usage(reading->failure, "unknown option '%s'", excerpt(shown, argument, strlen(argument)));
+}
+
+/* Which options of `measure` go together, and with the format of the file. */
+static bool check_measure(struct reading *reading) {
+  const struct request *request = reading->request;
+  if (request->csv && request->json) {
+    return failure_in_usage(reading->failure, "one form of output at a time: either --csv or --json");
+  }
+  if (request->csv && request->by != GROUPING_NONE && (request->per_ball || request->gradient)) {
+    return failure_in_usage(reading->failure, "--csv prints one table: either of balls or --by %s",
+                            request->by == GROUPING_RESIDUE ? "residue" : "chain");
+  }
+  if (request->by != GROUPING_NONE && !format_has_residues(request->format)) {
+    return failure_in_usage(reading->failure, "--by has no use here: .xyzr and .xyz files have no residues");
+  }
+  if (request->pdb_out == NULL) return true;
+  if (request->format != FORMAT_PDB) {
+    return failure_in_usage(reading->failure, "--pdb-out has no use here: it writes a .pdb file again");
+  }
+  if (strcmp(request->pdb_out, request->file) == 0) {
+    return failure_in_usage(reading->failure, "--pdb-out would write over the file that is read");
+  }
+  return true;
 }
 
 static bool check(struct reading *reading) {
@@ -190,6 +264,7 @@ static bool check(struct reading *reading) {
     return failure_in_usage(reading->failure, "%s has no use here: .xyzr and .pqr files bring their own radii",
                             reading->radii_seen ? "--radii" : "--radius");
   }
+  if (!check_measure(reading)) return false;
   return apply_overrides(reading);
 }
 
@@ -209,6 +284,14 @@ bool request_parse(struct request *request, enum command command, int count, cha
       return false;
     }
   }
+}
+
+bool request_wants_balls(const struct request *request) {
+  return request->per_ball || request->gradient || (request->csv && request->by == GROUPING_NONE);
+}
+
+bool request_wants_areas(const struct request *request) {
+  return request_wants_balls(request) || request->by != GROUPING_NONE || request->pdb_out != NULL;
 }
 
 void request_free(struct request *request) {

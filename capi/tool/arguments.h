@@ -7,9 +7,10 @@
 #include "failure.h"
 #include "molecule.h"
 #include "radii.h"
+#include "residues.h"
 #include "text_buffer.h"
 
-enum command { COMMAND_MODEL, COMMAND_BOUNDARY, COMMAND_MEASURE, COMMAND_QUERY };
+enum command { COMMAND_MODEL, COMMAND_BOUNDARY, COMMAND_MEASURE, COMMAND_QUERY, COMMAND_VOIDS };
 
 /* The command of that name; false if there is none. */
 bool command_find(const char *name, enum command *command);
@@ -22,8 +23,14 @@ struct request {
   const char *file;
   enum molecule_format format;
   bool json;
+  bool csv;
   bool per_ball;
-  double probe; /* 0 if none was given */
+  bool gradient;
+  bool shells;
+  enum grouping by;
+  const char *weights; /* a file, or NULL */
+  const char *pdb_out; /* a file, or NULL */
+  double probe;        /* 0 if none was given */
   enum query_kind query;
   double position[3];
   double query_radius;
@@ -31,6 +38,12 @@ struct request {
   struct radii radii;
   struct text_buffer overrides; /* "C=1.7, ZN=1.4": what --radius changed, as the user wrote it */
 };
+
+/* Whether a list of the balls is asked for. */
+bool request_wants_balls(const struct request *request);
+
+/* Whether the area of each ball is asked for, in whatever form. */
+bool request_wants_areas(const struct request *request);
 
 /* Read the arguments after the command. Free the request with request_free on true and on false. */
 bool request_parse(struct request *request, enum command command, int count, char **arguments, struct failure *failure);

@@ -1,20 +1,80 @@
 /* hardsphere boundary: what the boundary of the union consists of. */
 #include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
 
 #include "commands.h"
 #include "report.h"
 
-static void print_json(const hsp_boundary_counts *counts, struct text_buffer *out) {
+/* The pieces of spheres are counted as the boundary has them; what hangs together is the topology's matter. */
+struct counted {
+  hsp_boundary_counts boundary;
+  hsp_topology_counts topology;
+  hsp_shell *shells;
+  uint32_t shell_count;
+};
+
+static int64_t euler_of(const struct counted *counted) {
+  return (int64_t)counted->topology.vertices - (int64_t)counted->topology.edges +
+         (int64_t)counted->topology.simple_faces;
+}
+
+static uint32_t voids_of(const struct counted *counted) {
+  return counted->topology.cells - 1;
+}
+
+static const char *kind_of(const hsp_shell *shell) {
+  return shell->kind == HSP_SHELL_VOID ? "void" : "outer";
+}
+
+static void json_shells(const struct counted *counted, struct text_buffer *out) {
+  text_buffer_add(out, ", \"shell_list\": [");
+  for (uint32_t i = 0; i < counted->shell_count; ++i) {
+    const hsp_shell *shell = &counted->shells[i];
+    text_buffer_add(out, "%s{\"kind\": \"%s\", \"component\": %" PRIu32 ", \"cell\": %" PRIu32 ", \"faces\": %" PRIu32,
+                    i == 0 ? "" : ", ", kind_of(shell), shell->component, shell->cell, shell->faces);
+    text_buffer_add(out, ", \"euler\": %" PRId32 ", \"genus\": %" PRIu32 ", \"area\": ", shell->euler, shell->genus);
+    json_number(out, shell->area);
+    text_buffer_add(out, ", \"volume\": ");
+    json_number(out, shell->volume);
+    text_buffer_add(out, "}");
+  }
+  text_buffer_add(out, "]");
+}
+
+static void print_json(const struct request *request, const struct counted *counted, struct text_buffer *out) {
+  const hsp_boundary_counts *counts = &counted->boundary;
   text_buffer_add(out, "{\"n\": %" PRIu32 ", \"vertices\": %" PRIu32 ", \"arcs\": %" PRIu32 ", \"circles\": %" PRIu32,
                   counts->balls, counts->vertices, counts->arcs, counts->circles);
   text_buffer_add(out, ", \"faces\": %" PRIu32 ", \"exposed_balls\": %" PRIu32 ", \"shells\": %" PRIu32, counts->faces,
-                  counts->exposed_balls, counts->shells);
-  text_buffer_add(out, ", \"components\": %" PRIu32 ", \"voids\": %" PRIu32 ", \"euler\": %" PRId64 "}\n",
-                  counts->components, counts->voids, counts->euler);
+                  counts->exposed_balls, counted->topology.shells);
+  text_buffer_add(out, ", \"components\": %" PRIu32 ", \"voids\": %" PRIu32 ", \"euler\": %" PRId64,
+                  counted->topology.components, voids_of(counted), euler_of(counted));
+  if (request->shells) json_shells(counted, out);
+  text_buffer_add(out, "}\n");
 }
 
-static void print_table(const struct request *request, const struct molecule *molecule,
-                        const hsp_boundary_counts *counts, struct text_buffer *out) {
+static void print_shells(const struct molecule *molecule, const struct counted *counted, struct text_buffer *out) {
+  char value[NUMBER_BYTES];
+  const char *unit = format_unit(molecule->format);
+  char titles[2][32];
+  snprintf(titles[0], sizeof titles[0], "area, %s^2", unit);
+  snprintf(titles[1], sizeof titles[1], "encloses, %s^3", unit);
+  text_buffer_add(out, "\n  %9s  %-5s  %9s  %9s  %9s  %20s  %20s\n", "shell", "kind", "component", "faces", "genus",
+                  titles[0], titles[1]);
+  for (uint32_t i = 0; i < counted->shell_count; ++i) {
+    const hsp_shell *shell = &counted->shells[i];
+    text_buffer_add(out, "  %9" PRIu32 "  %-5s  %9" PRIu32, i, kind_of(shell), shell->component);
+    text_buffer_add(out, "  %9s", grouped_count(value, shell->faces));
+    text_buffer_add(out, "  %9s", grouped_count(value, shell->genus));
+    text_buffer_add(out, "  %20s", grouped_number(value, shell->area, 6));
+    text_buffer_add(out, "  %20s\n", grouped_number(value, shell->volume, 6));
+  }
+}
+
+static void print_table(const struct request *request, const struct molecule *molecule, const struct counted *counted,
+                        struct text_buffer *out) {
+  const hsp_boundary_counts *counts = &counted->boundary;
   report_heading(out, request, molecule);
   report_row_count(out, "vertices", counts->vertices, "points on three spheres, outside all other balls");
   report_row_count(out, "arcs", counts->arcs, "pieces of circles between two vertices");
@@ -23,26 +83,31 @@ static void print_table(const struct request *request, const struct molecule *mo
   report_row_count(out, "exposed balls", counts->exposed_balls, "balls with a face");
   report_row_count(out, "buried balls", (int64_t)counts->balls - (int64_t)counts->exposed_balls,
                    "balls without a face");
-  report_row_count(out, "components", counts->components, "connected pieces of the union");
-  report_row_count(out, "voids", counts->voids, "cavities enclosed by the union");
-  report_row_count(out, "shells", counts->shells, "connected pieces of the boundary: components + voids");
-  report_row_count(out, "euler", counts->euler, "Euler characteristic, summed over the shells");
+  report_row_count(out, "components", counted->topology.components, "connected pieces of the union");
+  report_row_count(out, "voids", voids_of(counted), "cavities enclosed by the union");
+  report_row_count(out, "shells", counted->topology.shells, "connected pieces of the boundary: components + voids");
+  report_row_count(out, "euler", euler_of(counted), "Euler characteristic, summed over the shells");
   if (counts->tied_vertices > 0) {
     report_row_count(out, "tied vertices", counts->tied_vertices,
                      "vertices with a fourth sphere or a tangency, decided by the tie rule");
   }
+  const bool list_them = counted->shell_count > 1 || (request->shells && counted->shell_count > 0);
+  if (list_them) print_shells(molecule, counted, out);
 }
 
 bool command_boundary(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                       struct text_buffer *out, struct failure *failure) {
-  if (!geometry_compute_boundary(geometry, molecule, failure)) return false;
-  hsp_boundary_counts counts;
-  const int32_t status = hsp_boundary_get_counts(geometry->boundary, &counts);
+  if (!geometry_compute_topology(geometry, molecule, failure)) return false;
+  struct counted counted;
+  int32_t status = hsp_boundary_get_counts(geometry->boundary, &counted.boundary);
+  if (status == HSP_OK) status = hsp_topology_get_counts(geometry->topology, &counted.topology);
   if (status != HSP_OK) return failure_in_library(failure, status);
+  if (!geometry_list_shells(geometry, &counted.shells, &counted.shell_count, failure)) return false;
   if (request->json) {
-    print_json(&counts, out);
+    print_json(request, &counted, out);
   } else {
-    print_table(request, molecule, &counts, out);
+    print_table(request, molecule, &counted, out);
   }
+  free(counted.shells);
   return true;
 }

@@ -19,7 +19,10 @@ static void print_json(const uint32_t *ids, uint32_t count, struct text_buffer *
 }
 
 static double distance(const double *a, const double *b) {
-  return hypot(hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
+  const double x = a[0] - b[0];
+  const double y = a[1] - b[1];
+  const double z = a[2] - b[2];
+  return sqrt(x * x + y * y + z * z); /* hypot differs from one mathematics library to the next; sqrt does not */
 }
 
 static void print_table(const struct request *request, const struct molecule *molecule, const uint32_t *ids,

@@ -16,6 +16,8 @@ bool command_boundary(const struct request *request, const struct molecule *mole
                       struct text_buffer *out, struct failure *failure);
 bool command_measure(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                      struct text_buffer *out, struct failure *failure);
+bool command_voids(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
+                   struct text_buffer *out, struct failure *failure);
 bool command_query(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                    struct text_buffer *out, struct failure *failure);
 

@@ -79,11 +79,51 @@ bool geometry_compute_boundary(struct geometry *geometry, const struct molecule 
   }
 }
 
+bool geometry_compute_topology(struct geometry *geometry, const struct molecule *molecule, struct failure *failure) {
+  if (!geometry_compute_boundary(geometry, molecule, failure)) return false;
+  hsp_topology_limits limits;
+  int32_t status = hsp_topology_limits_for(&limits, (uint32_t)sizeof limits, geometry->boundary);
+  if (status != HSP_OK) return failure_in_library(failure, status);
+  for (;;) {
+    size_t bytes = 0;
+    status = hsp_topology_bytes(&limits, &bytes);
+    if (status != HSP_OK) return failure_in_library(failure, status);
+    free(geometry->topology_memory);
+    geometry->topology = NULL;
+    geometry->topology_memory = allocate(bytes, failure);
+    if (geometry->topology_memory == NULL) return false;
+    status = hsp_topology_init(geometry->topology_memory, bytes, &limits, &geometry->topology);
+    if (status != HSP_OK) return failure_in_library(failure, status);
+
+    status = hsp_topology_compute(geometry->topology, geometry->boundary);
+    if (status == HSP_OK) return true;
+    hsp_topology_limits needed;
+    if (status != HSP_E_CAPACITY || hsp_topology_get_needed(geometry->topology, &needed) != HSP_OK) {
+      return failure_in_library(failure, status);
+    }
+    const bool more_neighbours = raise(&limits.neighbours, needed.neighbours);
+    const bool more_edges = raise(&limits.edges, needed.edges);
+    const bool more_extra_arcs = raise(&limits.extra_arcs, needed.extra_arcs);
+    if (!more_neighbours && !more_edges && !more_extra_arcs) return failure_in_library(failure, status);
+  }
+}
+
+bool geometry_list_shells(const struct geometry *geometry, hsp_shell **shells, uint32_t *count,
+                          struct failure *failure) {
+  *count = 0;
+  int32_t status = hsp_topology_get_shells(geometry->topology, NULL, 0, count);
+  if (status != HSP_OK && status != HSP_E_CAPACITY) return failure_in_library(failure, status);
+  *shells = calloc((size_t)*count + 1, sizeof **shells);
+  if (*shells == NULL) return failure_of_memory(failure);
+  status = hsp_topology_get_shells(geometry->topology, *shells, *count, count);
+  if (status == HSP_OK) return true;
+  free(*shells);
+  return failure_in_library(failure, status);
+}
+
 void geometry_free(struct geometry *geometry) {
   free(geometry->model_memory);
   free(geometry->boundary_memory);
-  geometry->model_memory = NULL;
-  geometry->boundary_memory = NULL;
-  geometry->model = NULL;
-  geometry->boundary = NULL;
+  free(geometry->topology_memory);
+  *geometry = (struct geometry)GEOMETRY_NONE;
 }

@@ -11,12 +11,14 @@
 struct geometry {
   void *model_memory;
   void *boundary_memory;
+  void *topology_memory;
   hsp_model *model;
   hsp_boundary *boundary;
+  hsp_topology *topology;
 };
 
 #define GEOMETRY_NONE \
-  { NULL, NULL, NULL, NULL }
+  { NULL, NULL, NULL, NULL, NULL, NULL }
 
 /* Make the model. A ball that the library refuses is named by its line. */
 bool geometry_set_model(struct geometry *geometry, const struct molecule *molecule, double probe,
@@ -24,6 +26,13 @@ bool geometry_set_model(struct geometry *geometry, const struct molecule *molecu
 
 /* Compute the boundary of the model, with as much memory as it turns out to need. */
 bool geometry_compute_boundary(struct geometry *geometry, const struct molecule *molecule, struct failure *failure);
+
+/* Compute the boundary and its topology. */
+bool geometry_compute_topology(struct geometry *geometry, const struct molecule *molecule, struct failure *failure);
+
+/* The shells of a computed topology; *shells is to be freed on true. */
+bool geometry_list_shells(const struct geometry *geometry, hsp_shell **shells, uint32_t *count,
+                          struct failure *failure);
 
 void geometry_free(struct geometry *geometry);
 

@@ -7,6 +7,8 @@
 bool line_reader_open(struct line_reader *reader, const char *path, struct failure *failure) {
   reader->text = NULL;
   reader->length = 0;
+  reader->ending = "";
+  reader->marked = false;
   reader->number = 0;
   reader->capacity = 0;
   reader->next = 0;
@@ -57,11 +59,14 @@ static void drop_byte_order_mark(struct line_reader *reader) {
   if (reader->length >= 3 && memcmp(reader->text, mark, 3) == 0) {
     memmove(reader->text, reader->text + 3, reader->length - 3 + 1);
     reader->length -= 3;
+    reader->marked = true;
   }
 }
 
 enum line_status line_reader_next(struct line_reader *reader, struct failure *failure) {
   reader->length = 0;
+  reader->ending = "";
+  reader->marked = false;
   enum line_status status = refill(reader, failure);
   if (status != LINE_READ) return status;
   ++reader->number;
@@ -83,10 +88,14 @@ enum line_status line_reader_next(struct line_reader *reader, struct failure *fa
       failure_in_input(failure, reader->number, "binary data (byte 0x%02X); expected text", (unsigned)byte);
       return LINE_FAILED;
     }
+    reader->ending = byte == '\n' ? "\n" : "\r";
     if (byte == '\r') {
       status = refill(reader, failure);
       if (status == LINE_FAILED) return LINE_FAILED;
-      if (status == LINE_READ && reader->chunk[reader->next] == '\n') ++reader->next;
+      if (status == LINE_READ && reader->chunk[reader->next] == '\n') {
+        ++reader->next;
+        reader->ending = "\r\n";
+      }
     }
   }
   if (reader->number == 1) drop_byte_order_mark(reader);

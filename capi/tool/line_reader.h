@@ -12,9 +12,11 @@
 #define LINE_READER_CHUNK 65536
 
 struct line_reader {
-  char *text;      /* the current line without its end, NUL-terminated; valid until the next call */
-  size_t length;   /* its length */
-  uint64_t number; /* its number, counted from 1; 0 before the first line */
+  char *text;         /* the current line without its end, NUL-terminated; valid until the next call */
+  size_t length;      /* its length */
+  const char *ending; /* what ended it: "\n", "\r\n", "\r", or "" at the end of the file */
+  bool marked;        /* a byte-order mark was dropped from it */
+  uint64_t number;    /* its number, counted from 1; 0 before the first line */
   FILE *file;
   size_t capacity; /* of text */
   size_t next;     /* first byte of the chunk that was not looked at */

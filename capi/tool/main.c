@@ -23,6 +23,8 @@ static command_function *function_of(enum command command) {
       return command_measure;
     case COMMAND_QUERY:
       return command_query;
+    case COMMAND_VOIDS:
+      return command_voids;
   }
   return command_model;
 }

@@ -77,6 +77,10 @@ bool format_has_radii(enum molecule_format format) {
   return format == FORMAT_XYZR || format == FORMAT_PQR;
 }
 
+bool format_has_residues(enum molecule_format format) {
+  return format == FORMAT_PDB || format == FORMAT_PQR;
+}
+
 const char *format_unit(enum molecule_format format) {
   return format == FORMAT_XYZR ? "unit" : "angstrom";
 }

@@ -12,12 +12,27 @@
 
 enum molecule_format { FORMAT_XYZR, FORMAT_PDB, FORMAT_PQR, FORMAT_XYZ };
 
+/* What a person calls a residue; empty where the file does not say. */
+struct residue_label {
+  char chain[12];
+  char name[8];
+  char number[12]; /* as written, without the insertion code */
+  char insertion[2];
+};
+
 /* What a person calls an atom; empty where the file does not say. */
 struct atom_label {
   char name[8];
-  char residue[20];
+  struct residue_label residue;
   struct element_symbol element;
 };
+
+#define ATOM_LABEL_NONE     \
+  {                         \
+    "", {"", "", "", ""}, { \
+      ""                    \
+    }                       \
+  }
 
 struct molecule {
   enum molecule_format format;
@@ -46,6 +61,9 @@ void label_copy(char *out, size_t room, struct field text);
 
 /* Whether a format's files bring their own radii. */
 bool format_has_radii(enum molecule_format format);
+
+/* Whether a format's files say to which residue an atom belongs. */
+bool format_has_residues(enum molecule_format format);
 
 /* The unit of length of a format's files: "angstrom", or "unit" where everybody has their own. */
 const char *format_unit(enum molecule_format format);

@@ -1,7 +1,6 @@
 /* .pdb: records in fixed columns, after "Protein Data Bank contents guide", version 3.3. Of an atom record count, in
  * columns from 1: name 13-16, alternate location 17, residue 18-20, chain 22, number and insertion code 23-27,
  * x 31-38, y 39-46, z 47-54, element 77-78. Neighbouring fields may touch. Serial numbers are not looked at. */
-#include <stdio.h>
 #include <string.h>
 
 #include "alternate_locations.h"
@@ -48,18 +47,13 @@ static bool element_by_name(const struct line_reader *reader, const struct radii
   return at < 4 && element_symbol_parse(name + at, 1, element);
 }
 
-static void label_residue(const struct line_reader *reader, struct atom_label *label) {
-  const struct field residue = field_in_columns(reader->text, reader->length, 18, 20);
-  const struct field number = field_in_columns(reader->text, reader->length, 23, 27);
-  const char chain = column(reader, 22);
-  char pieces[2][8];
-  label_copy(pieces[0], sizeof pieces[0], residue);
-  label_copy(pieces[1], sizeof pieces[1], number);
-  if (chain == ' ') {
-    snprintf(label->residue, sizeof label->residue, "%s %s", pieces[0], pieces[1]);
-  } else {
-    snprintf(label->residue, sizeof label->residue, "%s %c %s", pieces[0], chain, pieces[1]);
-  }
+static void label_residue(const struct line_reader *reader, struct residue_label *label) {
+  const char *text = reader->text;
+  const size_t length = reader->length;
+  label_copy(label->name, sizeof label->name, field_in_columns(text, length, 18, 20));
+  label_copy(label->chain, sizeof label->chain, field_in_columns(text, length, 22, 22));
+  label_copy(label->number, sizeof label->number, field_in_columns(text, length, 23, 26));
+  label_copy(label->insertion, sizeof label->insertion, field_in_columns(text, length, 27, 27));
 }
 
 static bool check_columns(const struct line_reader *reader, struct failure *failure) {
@@ -90,10 +84,10 @@ static bool read_atom(const struct line_reader *reader, const struct radii *radi
   if (!alternate_locations_keep(seen, reader->text, reader->length, &keep)) return failure_of_memory(failure);
   if (!keep) return true;
 
-  struct atom_label label = {"", "", {""}};
+  struct atom_label label = ATOM_LABEL_NONE;
   const struct field name = field_in_columns(reader->text, reader->length, 13, 16);
   label_copy(label.name, sizeof label.name, name);
-  label_residue(reader, &label);
+  label_residue(reader, &label.residue);
   if (!element_by_columns(reader, &label.element) && !element_by_name(reader, radii, &label.element)) {
     char shown[EXCERPT_BYTES];
     return failure_in_input(failure, line, "no element in columns 77-78, and none in the atom name '%s'",

@@ -1,9 +1,9 @@
 /* .pqr: the atom records of a PDB file as fields between blanks, with charge and radius at the end:
  *   ATOM serial name residue [chain] number x y z charge radius
  * (see the format's description by Dolinsky, Nielsen, McCammon and Baker for PDB2PQR). */
-#include <stdio.h>
 #include <string.h>
 
+#include "characters.h"
 #include "pdb_records.h"
 #include "read_molecule.h"
 
@@ -12,6 +12,15 @@ enum { MOST_FIELDS = 11 };
 /* The record name may run into the serial number: HETATM12345. */
 static bool serial_is_joined(struct field record) {
   return !field_is(record, "ATOM") && !field_is(record, "HETATM");
+}
+
+/* A residue number may end in its insertion code: 52A. */
+static void label_number(struct field number, struct residue_label *label) {
+  if (number.length >= 2 && is_digit(number.text[number.length - 2]) && is_letter(number.text[number.length - 1])) {
+    label_copy(label->insertion, sizeof label->insertion, (struct field){number.text + number.length - 1, 1});
+    --number.length;
+  }
+  label_copy(label->number, sizeof label->number, number);
 }
 
 static bool read_atom(const struct line_reader *reader, struct molecule *molecule, struct failure *failure) {
@@ -39,14 +48,11 @@ static bool read_atom(const struct line_reader *reader, struct molecule *molecul
   }
   if (!field_radius(part[count - 1], &radius, line, failure)) return false;
 
-  struct atom_label label = {"", "", {""}};
+  struct atom_label label = ATOM_LABEL_NONE;
   label_copy(label.name, sizeof label.name, part[first]);
-  char piece[3][8] = {"", "", ""};
-  label_copy(piece[0], sizeof piece[0], part[first + 1]);
-  if (after_serial == 9) label_copy(piece[1], sizeof piece[1], part[first + 2]);
-  label_copy(piece[2], sizeof piece[2], *number);
-  snprintf(label.residue, sizeof label.residue, "%.5s%s%.4s %.6s", piece[0], piece[1][0] != '\0' ? " " : "", piece[1],
-           piece[2]);
+  label_copy(label.residue.name, sizeof label.residue.name, part[first + 1]);
+  if (after_serial == 9) label_copy(label.residue.chain, sizeof label.residue.chain, part[first + 2]);
+  label_number(*number, &label.residue);
   return molecule_add(molecule, value, radius, &label, line, failure);
 }
 

@@ -22,7 +22,7 @@ static bool read_atom(struct line_reader *reader, const struct field column[4], 
   if (columns < 4) {
     return failure_in_input(failure, line, "expected element x y z, found %u of 4 columns", (unsigned)columns);
   }
-  struct atom_label label = {"", "", {""}};
+  struct atom_label label = ATOM_LABEL_NONE;
   if (!element_symbol_parse(column[0].text, column[0].length, &label.element)) {
     char shown[EXCERPT_BYTES];
     return failure_in_input(failure, line, "unknown element '%s'; expected a symbol such as C or Cl",

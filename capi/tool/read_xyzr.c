@@ -5,7 +5,7 @@
 #include "read_molecule.h"
 
 bool read_xyzr(struct line_reader *reader, struct molecule *molecule, struct failure *failure) {
-  const struct atom_label no_label = {"", "", {""}};
+  const struct atom_label no_label = ATOM_LABEL_NONE;
   for (;;) {
     const enum line_status status = line_reader_next(reader, failure);
     if (status != LINE_READ) return status == LINE_END;

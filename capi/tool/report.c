@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "characters.h"
+#include "residues.h"
 
 void report_row(struct text_buffer *out, const char *name, const char *value, const char *remark) {
   if (remark[0] == '\0') {
@@ -42,7 +43,9 @@ const char *grouped_count(char out[NUMBER_BYTES], int64_t value) {
 }
 
 const char *grouped_number(char out[NUMBER_BYTES], double value, int decimals) {
+  value += 0.0; /* no "-0" */
   const double magnitude = value < 0.0 ? -value : value;
+  if (!(magnitude <= DBL_MAX)) return memcpy(out, "-", 2);
   if (magnitude >= 1e12 || (magnitude > 0.0 && magnitude < 1e-2)) {
     snprintf(out, NUMBER_BYTES, "%.8e", value);
     return out;
@@ -83,7 +86,9 @@ void report_heading(struct text_buffer *out, const struct request *request, cons
 struct ball_columns ball_columns_of(const struct molecule *molecule) {
   struct ball_columns columns = {false, false};
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
-    columns.names = columns.names || molecule->label[i].name[0] != '\0' || molecule->label[i].residue[0] != '\0';
+    char residue[RESIDUE_TEXT_BYTES];
+    columns.names = columns.names || molecule->label[i].name[0] != '\0' ||
+                    residue_text(residue, &molecule->label[i].residue)[0] != '\0';
     columns.elements = columns.elements || molecule->label[i].element.text[0] != '\0';
   }
   return columns;
@@ -99,8 +104,9 @@ void report_ball_titles(struct text_buffer *out, struct ball_columns columns) {
 void report_ball(struct text_buffer *out, struct ball_columns columns, const struct molecule *molecule, uint32_t ball) {
   const struct atom_label *label = &molecule->label[ball];
   char radius[NUMBER_BYTES];
+  char residue[RESIDUE_TEXT_BYTES];
   text_buffer_add(out, "  %9" PRIu32, ball);
-  if (columns.names) text_buffer_add(out, "  %-6s %-17s", label->name, label->residue);
+  if (columns.names) text_buffer_add(out, "  %-6s %-17s", label->name, residue_text(residue, &label->residue));
   if (columns.elements) text_buffer_add(out, "  %-7s", label->element.text);
   text_buffer_add(out, "  %10s", grouped_number(radius, molecule->radius[ball], 4));
 }
@@ -111,4 +117,27 @@ void json_number(struct text_buffer *out, double value) {
   } else {
     text_buffer_add(out, "null");
   }
+}
+
+void json_vector(struct text_buffer *out, const double xyz[3]) {
+  for (int axis = 0; axis < 3; ++axis) {
+    text_buffer_add(out, axis == 0 ? "[" : ", ");
+    json_number(out, xyz[axis]);
+  }
+  text_buffer_add(out, "]");
+}
+
+void json_text(struct text_buffer *out, const char *text) {
+  text_buffer_add(out, "\"");
+  for (; *text != '\0'; ++text) {
+    const unsigned char byte = (unsigned char)*text;
+    if (byte >= 0x80) {
+      text_buffer_add(out, "\\ufffd");
+    } else if (byte < 0x20 || byte == 0x7F) {
+      text_buffer_add(out, "\\u%04x", (unsigned)byte);
+    } else {
+      text_buffer_add(out, "%s%c", byte == '"' || byte == '\\' ? "\\" : "", *text);
+    }
+  }
+  text_buffer_add(out, "\"");
 }

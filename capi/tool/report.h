@@ -23,7 +23,7 @@ void report_row_count(struct text_buffer *out, const char *name, int64_t value, 
 const char *grouped_count(char out[NUMBER_BYTES], int64_t value);
 
 /* A quantity with `decimals` decimals and commas between thousands, or in powers of ten where that would be long or
- * would show nothing. */
+ * would show nothing. "-" unless it is finite. */
 const char *grouped_number(char out[NUMBER_BYTES], double value, int decimals);
 
 /* One line per ball: what it is called; see report_ball. Shows only the columns that the file has something for. */
@@ -38,5 +38,10 @@ void report_ball(struct text_buffer *out, struct ball_columns columns, const str
 
 /* A number of JSON with 17 significant digits, which tell every double from every other; null unless it is finite. */
 void json_number(struct text_buffer *out, double value);
+void json_vector(struct text_buffer *out, const double xyz[3]);
+
+/* A string of JSON, quotes included. Columns of bytes beyond ASCII may cut a character in two, so such bytes become
+ * U+FFFD, the replacement character. */
+void json_text(struct text_buffer *out, const char *text);
 
 #endif

@@ -41,6 +41,13 @@ void text_buffer_add(struct text_buffer *buffer, const char *format, ...) {
   va_end(again);
 }
 
+void text_buffer_append(struct text_buffer *buffer, const char *bytes, size_t count) {
+  if (count == 0 || !text_buffer_reserve(buffer, count)) return;
+  memcpy(buffer->text + buffer->length, bytes, count);
+  buffer->length += count;
+  buffer->text[buffer->length] = '\0';
+}
+
 bool text_buffer_print(const struct text_buffer *buffer, struct failure *failure) {
   failure->file = NULL;
   if (buffer->out_of_memory) return failure_of_memory(failure);

@@ -22,6 +22,9 @@ bool text_buffer_reserve(struct text_buffer *buffer, size_t more);
 
 void text_buffer_add(struct text_buffer *buffer, const char *format, ...) FAILURE_FORMAT(2, 3);
 
+/* Add bytes, whatever they are. */
+void text_buffer_append(struct text_buffer *buffer, const char *bytes, size_t count);
+
 /* Everything to stdout, errors of writing included. */
 bool text_buffer_print(const struct text_buffer *buffer, struct failure *failure);
 

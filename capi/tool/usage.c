@@ -7,7 +7,8 @@ static const char overview[] =
     "\n"
     "  hardsphere model    FILE [options]   how well the balls behave: k, rho, overlaps\n"
     "  hardsphere boundary FILE [options]   the boundary of the union: vertices, arcs, faces, voids\n"
-    "  hardsphere measure  FILE [options]   area and volume\n"
+    "  hardsphere measure  FILE [options]   area and volume, in total, by ball, residue or chain, and their gradients\n"
+    "  hardsphere voids    FILE [options]   the cavities in the union and the balls around them\n"
     "  hardsphere query    FILE [options]   which balls contain a point or meet a ball\n"
     "  hardsphere COMMAND --help            more about a command\n"
     "  hardsphere --version\n"
@@ -37,19 +38,48 @@ static const char model_text[] =
     "\n";
 
 static const char boundary_text[] =
-    "hardsphere boundary FILE [options]\n"
+    "hardsphere boundary FILE [--shells] [options]\n"
     "\n"
-    "Counts what the boundary of the union of the balls consists of, exactly, ties and all.\n"
-    "JSON: n, vertices, arcs, circles, faces, exposed_balls, shells, components, voids, euler.\n"
+    "Counts what the boundary of the union of the balls consists of, exactly, ties and all. The shells, the connected\n"
+    "pieces of the boundary, are listed if there are several.\n"
+    "  --shells               list them in any case, in JSON too\n"
+    "JSON: n, vertices, arcs, circles, faces, exposed_balls, shells, components, voids, euler, and with --shells\n"
+    "shell_list: [{kind, component, cell, faces, euler, genus, area, volume}, ...]; kind is \"outer\" or \"void\", "
+    "volume\n"
+    "is that of the space enclosed, whatever lies in it.\n"
     "\n";
 
 static const char measure_text[] =
-    "hardsphere measure FILE [--per-ball] [options]\n"
+    "hardsphere measure FILE [--per-ball] [--gradient] [--weights FILE] [--by residue|chain] [--csv] [--pdb-out FILE]\n"
+    "                   [options]\n"
     "\n"
     "Prints the area of the boundary, walls of voids included, and the volume of the union. Without --probe that is\n"
     "the van der Waals surface, with --probe the solvent-accessible surface.\n"
     "  --per-ball             also the free area of every ball\n"
-    "JSON: n, area, volume, and with --per-ball balls: [{area}, ...] in the order of the file.\n"
+    "  --gradient             also the derivatives of area and volume by every centre and radius\n"
+    "  --weights FILE         also the sum of weight x free area; one number per ball, each on its own line, # "
+    "comments\n"
+    "  --by residue|chain     also sums over residues or chains, for .pdb and .pqr. A residue is a run of atoms with "
+    "the\n"
+    "                         same chain, name, number and insertion code; a chain is all atoms with its letter\n"
+    "  --csv                  print the balls, or with --by the sums, as comma-separated values and nothing else\n"
+    "  --pdb-out FILE         write the .pdb file again with the free area of each atom in columns 61-66. Decimals "
+    "that\n"
+    "                         do not fit are left off; atoms that are not read are left out\n"
+    "JSON: n, area, volume; with --weights weighted_area; with --per-ball or --gradient balls: [{area, and with\n"
+    "--gradient area_gradient: [x, y, z], volume_gradient, area_dr, volume_dr, and with --weights weighted_gradient,\n"
+    "weighted_dr}, ...] in the order of the file; with --by residues: [{chain, name, number, insertion, atoms, area},\n"
+    "...] or chains: [{chain, atoms, area}, ...].\n"
+    "\n";
+
+static const char voids_text[] =
+    "hardsphere voids FILE [options]\n"
+    "\n"
+    "Lists the cavities that the union encloses, largest volume first: area, volume, and the balls with a face on "
+    "them.\n"
+    "With --probe they are the places where the centre of a probe fits without a way out.\n"
+    "JSON: n, voids: [{cell, area, volume, components, balls: [...]}, ...]; components is the number of pieces of the\n"
+    "union that lie in it, balls are their indices in the order of the file, counted from 0, ascending.\n"
     "\n";
 
 static const char query_text[] =
@@ -78,6 +108,9 @@ void usage_of_command(struct text_buffer *out, enum command command) {
       break;
     case COMMAND_QUERY:
       text = query_text;
+      break;
+    case COMMAND_VOIDS:
+      text = voids_text;
       break;
   }
   text_buffer_add(out, "%s%s%s", text, files_and_radii, statuses);

@@ -4,40 +4,31 @@
 #include <string>
 #include <vector>
 
-#include "json_reader.hpp"
+#include "json_outcome.hpp"
 #include "program_runner.hpp"
 
 namespace {
 
 using Keys = std::vector<std::string>;
 
-Json run_json(std::vector<std::string> arguments) {
-  arguments.push_back("--json");
-  const Outcome outcome = run_program(arguments);
-  EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_EQ(outcome.err, "");
-  const std::optional<Json> json = read_json(outcome.out);
-  EXPECT_TRUE(json.has_value()) << outcome.out;
-  EXPECT_TRUE(outcome.out.ends_with("}\n")) << outcome.out;
-  return json.value_or(Json());
-}
-
 const std::vector<std::string> files = {"good/none.xyzr", "good/one.xyzr",  "good/point.xyzr", "good/points.xyzr",
                                         "good/same.xyzr", "good/two.xyzr",  "good/cage.xyzr",  "good/water.pdb",
                                         "good/water.pqr", "good/water.xyz", "good/none.pdb",   "good/none.xyz"};
 
 TEST(JsonReader, IsStrict) {
-  for (const char *good : {"{}", " [1, -2.5e-3, 0, 0.0] ", "{\"a\": null, \"b\": [true, false]}", "\"text\"", "1E+2"}) {
+  for (const char *good : {"{}", " [1, -2.5e-3, 0, 0.0] ", "{\"a\": null, \"b\": [true, false]}", "\"text\"", "1E+2",
+                           R"("\"\\\/\b\f\n\r\t\u00e9\uFFFD")"}) {
     EXPECT_TRUE(read_json(good).has_value()) << good;
   }
-  for (const char *bad : {"",          "{",           "{,}",        "[1,]",   "[1 2]",
-                          "{\"a\" 1}", "{\"a\": 1,}", "{a: 1}",     "nan",    "NaN",
-                          "Infinity",  "-inf",        "01",         "1.",     ".5",
-                          "+1",        "1e",          "0x1",        "1e999",  "{\"a\": 1, \"a\": 2}",
-                          "1 2",       "'a'",         "{\"a\": -}", "[-nan]", "\"a",
-                          "nul"}) {
+  for (const char *bad : {"",          "{",           "{,}",        "[1,]",        "[1 2]",
+                          "{\"a\" 1}", "{\"a\": 1,}", "{a: 1}",     "nan",         "NaN",
+                          "Infinity",  "-inf",        "01",         "1.",          ".5",
+                          "+1",        "1e",          "0x1",        "1e999",       "{\"a\": 1, \"a\": 2}",
+                          "1 2",       "'a'",         "{\"a\": -}", "[-nan]",      "\"a",
+                          "nul",       R"("\a")",     R"("\u12")",  R"("\ud800")", "\"\n\""}) {
     EXPECT_FALSE(read_json(bad).has_value()) << bad;
   }
+  EXPECT_EQ(read_json(R"("\"\\ \u0041\u00e9\ufffd")")->text, "\"\\ A\u00E9\uFFFD");
 }
 
 TEST(JsonOutput, ModelHasItsKeys) {
@@ -64,6 +55,71 @@ TEST(JsonOutput, MeasureHasItsKeys) {
     for (const Json &ball : json["balls"].items) {
       EXPECT_EQ(ball.keys, Keys{"area"}) << file;
       EXPECT_EQ(ball["area"].kind, Json::Kind::number) << file;
+    }
+  }
+}
+
+TEST(JsonOutput, GradientsHaveTheirKeys) {
+  const Keys plain = {"area", "area_gradient", "volume_gradient", "area_dr", "volume_dr"};
+  for (const std::string &file : files) {
+    const Json json = run_json({"measure", file, "--gradient"});
+    EXPECT_EQ(json.keys, (Keys{"n", "area", "volume", "balls"})) << file;
+    EXPECT_EQ(static_cast<double>(json["balls"].items.size()), json["n"].number) << file;
+    for (const Json &ball : json["balls"].items) {
+      EXPECT_EQ(ball.keys, plain) << file;
+      for (const char *key : {"area_gradient", "volume_gradient"}) {
+        EXPECT_EQ(ball[key].kind, Json::Kind::array) << file;
+        EXPECT_EQ(ball[key].items.size(), 3u) << file;
+      }
+    }
+    EXPECT_EQ(run_program({"measure", file, "--gradient", "--per-ball", "--json"}).out,
+              run_program({"measure", file, "--gradient", "--json"}).out);
+  }
+}
+
+TEST(JsonOutput, WeightsHaveTheirKeys) {
+  EXPECT_EQ(run_json({"measure", "good/water.pdb", "--weights", "good/water.weights"}).keys,
+            (Keys{"n", "area", "volume", "weighted_area"}));
+  const Json json = run_json({"measure", "good/water.pdb", "--weights=good/water.weights", "--gradient"});
+  EXPECT_EQ(json.keys, (Keys{"n", "area", "volume", "weighted_area", "balls"}));
+  for (const Json &ball : json["balls"].items) {
+    EXPECT_EQ(ball.keys, (Keys{"area", "area_gradient", "volume_gradient", "area_dr", "volume_dr", "weighted_gradient",
+                               "weighted_dr"}));
+  }
+}
+
+TEST(JsonOutput, GroupsHaveTheirKeys) {
+  for (const char *file :
+       {"good/water.pdb", "good/water.pqr", "good/insertion.pdb", "good/none.pdb", "good/none.pqr"}) {
+    const Json residues = run_json({"measure", file, "--by", "residue"});
+    EXPECT_EQ(residues.keys, (Keys{"n", "area", "volume", "residues"})) << file;
+    EXPECT_EQ(residues["residues"].items.empty(), residues["n"].number == 0) << file;
+    for (const Json &residue : residues["residues"].items) {
+      EXPECT_EQ(residue.keys, (Keys{"chain", "name", "number", "insertion", "atoms", "area"})) << file;
+      EXPECT_EQ(residue["number"].kind, Json::Kind::number) << file;
+      EXPECT_EQ(residue["insertion"].kind, Json::Kind::string) << file;
+    }
+    const Json chains = run_json({"measure", file, "--by=chain", "--per-ball"});
+    EXPECT_EQ(chains.keys, (Keys{"n", "area", "volume", "balls", "chains"})) << file;
+    for (const Json &chain : chains["chains"].items) EXPECT_EQ(chain.keys, (Keys{"chain", "atoms", "area"})) << file;
+  }
+}
+
+TEST(JsonOutput, ShellsAndVoidsHaveTheirKeys) {
+  for (const std::string &file : files) {
+    const Json boundary = run_json({"boundary", file, "--shells"});
+    EXPECT_EQ(boundary.keys, (Keys{"n", "vertices", "arcs", "circles", "faces", "exposed_balls", "shells", "components",
+                                   "voids", "euler", "shell_list"}))
+        << file;
+    EXPECT_EQ(static_cast<double>(boundary["shell_list"].items.size()), boundary["shells"].number) << file;
+    for (const Json &shell : boundary["shell_list"].items) {
+      EXPECT_EQ(shell.keys, (Keys{"kind", "component", "cell", "faces", "euler", "genus", "area", "volume"})) << file;
+    }
+    const Json voids = run_json({"voids", file});
+    EXPECT_EQ(voids.keys, (Keys{"n", "voids"})) << file;
+    EXPECT_EQ(static_cast<double>(voids["voids"].items.size()), boundary["voids"].number) << file;
+    for (const Json &cavity : voids["voids"].items) {
+      EXPECT_EQ(cavity.keys, (Keys{"cell", "area", "volume", "components", "balls"})) << file;
     }
   }
 }
@@ -95,6 +151,14 @@ TEST(JsonOutput, MissingValuesAreNull) {
   const Json same = run_json({"model", "good/same.xyzr"});
   EXPECT_EQ(same["rho"].kind, Json::Kind::number);
   EXPECT_EQ(same["rho"].number, 0.0);
+}
+
+// Weights may carry a sum beyond the largest double; JSON has no word for that.
+TEST(JsonOutput, SumsThatOverflowAreNull) {
+  const Json json = run_json({"measure", "good/water.pdb", "--gradient", "--weights", "good/huge.weights"});
+  EXPECT_EQ(json["area"].kind, Json::Kind::number);
+  EXPECT_EQ(json["weighted_area"].kind, Json::Kind::null);
+  EXPECT_EQ(json["balls"].items[0]["weighted_dr"].kind, Json::Kind::null);
 }
 
 // The digits tell each double from its neighbours: reading and writing again changes nothing.

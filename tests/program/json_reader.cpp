@@ -102,14 +102,55 @@ class Reader {
     return take(']');
   }
 
-  // Strings without escapes are all that this program needs to write; any escape is refused.
   bool read_string(std::string &string) {
     if (!take('"')) return false;
     while (at_ < text_.size() && text_[at_] != '"') {
-      if (text_[at_] == '\\' || static_cast<unsigned char>(text_[at_]) < 0x20) return false;
-      string.push_back(text_[at_++]);
+      if (static_cast<unsigned char>(text_[at_]) < 0x20) return false;
+      if (take('\\')) {
+        if (!read_escape(string)) return false;
+      } else {
+        string.push_back(text_[at_++]);
+      }
     }
     return take('"');
+  }
+
+  // What follows a backslash. Pairs of surrogates are refused: this program has no use for them.
+  bool read_escape(std::string &string) {
+    static constexpr std::string_view letters = "\"\\/bfnrt";
+    static constexpr std::string_view meanings = "\"\\/\b\f\n\r\t";
+    const std::size_t which = letters.find(peek());
+    if (at_ < text_.size() && which != std::string_view::npos) {
+      ++at_;
+      string.push_back(meanings[which]);
+      return true;
+    }
+    if (!take('u')) return false;
+    unsigned code = 0;
+    for (int i = 0; i < 4; ++i) {
+      static constexpr std::string_view digits = "0123456789abcdef";
+      const char c = peek();
+      const std::size_t digit = digits.find(c >= 'A' && c <= 'F' ? static_cast<char>(c - 'A' + 'a') : c);
+      if (at_ == text_.size() || digit == std::string_view::npos) return false;
+      code = 16 * code + static_cast<unsigned>(digit);
+      ++at_;
+    }
+    if (code >= 0xD800 && code < 0xE000) return false;
+    append_utf8(string, code);
+    return true;
+  }
+
+  static void append_utf8(std::string &string, unsigned code) {
+    if (code < 0x80) {
+      string.push_back(static_cast<char>(code));
+    } else if (code < 0x800) {
+      string.push_back(static_cast<char>(0xC0 | (code >> 6)));
+      string.push_back(static_cast<char>(0x80 | (code & 0x3F)));
+    } else {
+      string.push_back(static_cast<char>(0xE0 | (code >> 12)));
+      string.push_back(static_cast<char>(0x80 | ((code >> 6) & 0x3F)));
+      string.push_back(static_cast<char>(0x80 | (code & 0x3F)));
+    }
   }
 
   std::size_t digits() {

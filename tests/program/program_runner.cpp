@@ -38,17 +38,62 @@ class Capture {
   std::FILE *file_;
 };
 
-[[noreturn]] void become_program(const std::vector<std::string> &arguments, int out, int err) {
+// A terminal without a person: what is written to one side can be read from the other.
+class Terminal {
+ public:
+  Terminal() : near_(posix_openpt(O_RDWR | O_NOCTTY)) {
+    if (near_ >= 0 && grantpt(near_) == 0 && unlockpt(near_) == 0) far_ = open(ptsname(near_), O_RDWR | O_NOCTTY);
+  }
+  ~Terminal() {
+    hang_up();
+    if (near_ >= 0) close(near_);
+  }
+  Terminal(const Terminal &) = delete;
+  Terminal &operator=(const Terminal &) = delete;
+
+  bool works() const { return far_ >= 0; }
+  int descriptor() const { return far_; }
+
+  // Everything up to the end, which comes when nobody holds the other side.
+  std::string text() {
+    hang_up();
+    std::string all;
+    char chunk[256];
+    for (ssize_t got = read(near_, chunk, sizeof chunk); got > 0; got = read(near_, chunk, sizeof chunk)) {
+      all.append(chunk, static_cast<std::size_t>(got));
+    }
+    return all;
+  }
+
+ private:
+  void hang_up() {
+    if (far_ >= 0) close(far_);
+    far_ = -1;
+  }
+
+  int near_;
+  int far_ = -1;
+};
+
+[[noreturn]] void become(const std::string &program, const std::vector<std::string> &arguments, int out, int err) {
   std::vector<char *> argv;
-  std::string name = "hardsphere";
+  std::string name = program.substr(program.rfind('/') + 1);
   argv.push_back(name.data());
   std::vector<std::string> copies = arguments;
   for (std::string &argument : copies) argv.push_back(argument.data());
   argv.push_back(nullptr);
   if (chdir(HSP_PROGRAM_INPUTS) == 0 && dup2(out, STDOUT_FILENO) >= 0 && dup2(err, STDERR_FILENO) >= 0) {
-    execv(HSP_PROGRAM, argv.data());
+    execv(program.c_str(), argv.data());
   }
   _exit(127);
+}
+
+int run_child(const std::string &program, const std::vector<std::string> &arguments, int out, int err) {
+  const pid_t child = fork();
+  if (child == 0) become(program, arguments, out, err);
+  int state = 0;
+  if (child <= 0 || waitpid(child, &state, 0) != child) return -1;
+  return WIFEXITED(state) ? WEXITSTATUS(state) : 128 + WTERMSIG(state);
 }
 
 }  // namespace
@@ -59,15 +104,31 @@ Outcome run_program(const std::vector<std::string> &arguments, const std::string
   int out_descriptor = out.descriptor();
   if (!out_path.empty()) out_descriptor = open(out_path.c_str(), O_WRONLY | O_CLOEXEC);
   Outcome outcome;
-  const pid_t child = fork();
-  if (child == 0) become_program(arguments, out_descriptor, err.descriptor());
-  int state = 0;
-  if (child > 0 && waitpid(child, &state, 0) == child) {
-    outcome.status = WIFEXITED(state) ? WEXITSTATUS(state) : 128 + WTERMSIG(state);
-  }
+  outcome.status = run_child(HSP_PROGRAM, arguments, out_descriptor, err.descriptor());
   if (!out_path.empty() && out_descriptor >= 0) close(out_descriptor);
   outcome.out = out.text();
   outcome.err = err.text();
+  return outcome;
+}
+
+Outcome run_example(const std::string &name, const std::vector<std::string> &arguments) {
+  const Capture out;
+  const Capture err;
+  Outcome outcome;
+  outcome.status = run_child(HSP_EXAMPLES + name, arguments, out.descriptor(), err.descriptor());
+  outcome.out = out.text();
+  outcome.err = err.text();
+  return outcome;
+}
+
+std::optional<Outcome> run_example_watched(const std::string &name, const std::vector<std::string> &arguments) {
+  const Capture out;
+  Terminal terminal;
+  if (!terminal.works()) return std::nullopt;
+  Outcome outcome;
+  outcome.status = run_child(HSP_EXAMPLES + name, arguments, out.descriptor(), terminal.descriptor());
+  outcome.out = out.text();
+  outcome.err = terminal.text();
   return outcome;
 }
 

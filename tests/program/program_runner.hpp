@@ -1,6 +1,7 @@
-// Runs the program as a shell would, and keeps what it prints.
+// Runs the program and the examples as a shell would, and keeps what they print.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,11 @@ struct Outcome {
 // Run the program with these arguments in the folder of the test inputs. If out_path is given, standard output goes
 // there instead of into Outcome::out.
 Outcome run_program(const std::vector<std::string> &arguments, const std::string &out_path = "");
+
+// Run an example of capi/examples in the same folder. Watched: with a terminal for its stderr; nothing if the system
+// has none to give.
+Outcome run_example(const std::string &name, const std::vector<std::string> &arguments);
+std::optional<Outcome> run_example_watched(const std::string &name, const std::vector<std::string> &arguments);
 
 // The folders of this project that tests read from.
 std::string inputs_folder();

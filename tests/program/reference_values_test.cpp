@@ -6,17 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "json_reader.hpp"
+#include "json_outcome.hpp"
 #include "program_runner.hpp"
 
 namespace {
-
-Json run_json(std::vector<std::string> arguments) {
-  arguments.push_back("--json");
-  const Outcome outcome = run_program(arguments);
-  EXPECT_EQ(outcome.status, 0) << outcome.err;
-  return read_json(outcome.out).value_or(Json());
-}
 
 struct Reference {
   const char *file;

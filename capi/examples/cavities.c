@@ -1,0 +1,212 @@
+/* Cavities of a molecule, and whether something inside can get out.
+ *   cavities                               six balls that close a cage, and a seventh inside
+ *   cavities FILE.xyzr [PROBE [X Y Z]]     x y z r on each line; where the point lies, and whether it is shut in
+ */
+#include <hardsphere.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct balls {
+  uint32_t count;
+  double *xyz;    /* [count][3] */
+  double *radius; /* [count] */
+};
+
+static int add_ball(struct balls *balls, const double ball[4]) {
+  double *xyz = realloc(balls->xyz, ((size_t)balls->count + 1) * 3 * sizeof *xyz);
+  if (xyz != NULL) balls->xyz = xyz;
+  double *radius = realloc(balls->radius, ((size_t)balls->count + 1) * sizeof *radius);
+  if (radius != NULL) balls->radius = radius;
+  if (xyz == NULL || radius == NULL) return 0;
+  memcpy(xyz + 3 * (size_t)balls->count, ball, 3 * sizeof *xyz);
+  radius[balls->count++] = ball[3];
+  return 1;
+}
+
+static int read_balls(const char *path, struct balls *balls) {
+  FILE *file = fopen(path, "r");
+  if (file == NULL) {
+    perror(path);
+    return 0;
+  }
+  char line[512];
+  int good = 1;
+  while (good && fgets(line, sizeof line, file) != NULL) {
+    double ball[4];
+    line[strcspn(line, "#")] = '\0';
+    if (line[strspn(line, " \t\r\n")] == '\0') continue;
+    good = sscanf(line, "%lf %lf %lf %lf", &ball[0], &ball[1], &ball[2], &ball[3]) == 4 && add_ball(balls, ball);
+  }
+  fclose(file);
+  if (!good) fprintf(stderr, "%s: expected x y z r on each line\n", path);
+  return good;
+}
+
+static int take_cage(struct balls *balls) {
+  static const double cage[7][4] = {{1, 0, 0, 0.9}, {-1, 0, 0, 0.9}, {0, 1, 0, 0.9},    {0, -1, 0, 0.9},
+                                    {0, 0, 1, 0.9}, {0, 0, -1, 0.9}, {0.05, 0, 0, 0.02}};
+  for (int i = 0; i < 7; ++i) {
+    if (!add_ball(balls, cage[i])) return 0;
+  }
+  return 1;
+}
+
+/* The three handles, each in memory of its own. */
+struct workspace {
+  void *memory[3];
+  hsp_model *model;
+  hsp_boundary *boundary;
+  hsp_topology *topology;
+};
+
+/* Handles grow until the limits suffice; the library tells what it needs. */
+static int32_t compute_boundary(struct workspace *work, uint32_t count) {
+  hsp_boundary_limits limits;
+  int32_t status = hsp_boundary_limits_init(&limits, sizeof limits, count);
+  for (int attempt = 0; attempt < 4 && status == HSP_OK; ++attempt) {
+    size_t bytes = 0;
+    status = hsp_boundary_bytes(&limits, &bytes);
+    if (status != HSP_OK) break;
+    free(work->memory[1]);
+    work->memory[1] = malloc(bytes);
+    if (work->memory[1] == NULL) return HSP_E_MEMORY;
+    status = hsp_boundary_init(work->memory[1], bytes, &limits, &work->boundary);
+    if (status == HSP_OK) status = hsp_boundary_compute(work->boundary, work->model);
+    if (status != HSP_E_CAPACITY) return status;
+    hsp_boundary_limits needed;
+    status = hsp_boundary_get_needed(work->boundary, &needed);
+    if (needed.neighbours > limits.neighbours) limits.neighbours = needed.neighbours;
+    if (needed.vertices > limits.vertices) limits.vertices = needed.vertices;
+    if (needed.circles > limits.circles) limits.circles = needed.circles;
+  }
+  return status == HSP_OK ? HSP_E_CAPACITY : status;
+}
+
+static int32_t compute_topology(struct workspace *work) {
+  hsp_topology_limits limits;
+  int32_t status = hsp_topology_limits_for(&limits, sizeof limits, work->boundary);
+  for (int attempt = 0; attempt < 4 && status == HSP_OK; ++attempt) {
+    size_t bytes = 0;
+    status = hsp_topology_bytes(&limits, &bytes);
+    if (status != HSP_OK) break;
+    free(work->memory[2]);
+    work->memory[2] = malloc(bytes);
+    if (work->memory[2] == NULL) return HSP_E_MEMORY;
+    status = hsp_topology_init(work->memory[2], bytes, &limits, &work->topology);
+    if (status == HSP_OK) status = hsp_topology_compute(work->topology, work->boundary);
+    if (status != HSP_E_CAPACITY) return status;
+    hsp_topology_limits needed;
+    status = hsp_topology_get_needed(work->topology, &needed);
+    if (needed.neighbours > limits.neighbours) limits.neighbours = needed.neighbours;
+    if (needed.edges > limits.edges) limits.edges = needed.edges;
+    if (needed.extra_arcs > limits.extra_arcs) limits.extra_arcs = needed.extra_arcs;
+  }
+  return status == HSP_OK ? HSP_E_CAPACITY : status;
+}
+
+static int32_t compute(struct workspace *work, const struct balls *balls, double probe) {
+  size_t bytes = 0;
+  int32_t status = hsp_model_bytes(balls->count, &bytes);
+  if (status != HSP_OK) return status;
+  work->memory[0] = malloc(bytes);
+  if (work->memory[0] == NULL) return HSP_E_MEMORY;
+  hsp_model_options options;
+  status = hsp_model_options_init(&options, sizeof options);
+  options.probe = probe;
+  if (status == HSP_OK) status = hsp_model_init(work->memory[0], bytes, balls->count, &work->model);
+  if (status == HSP_OK) status = hsp_model_set(work->model, balls->count, balls->xyz, balls->radius, &options, NULL);
+  if (status == HSP_OK) status = compute_boundary(work, balls->count);
+  if (status == HSP_OK) status = compute_topology(work);
+  return status;
+}
+
+/* The balls with a face on one of the cell's shells. */
+static int32_t print_wall(const struct workspace *work, uint32_t cell, uint32_t ball_count) {
+  uint32_t shell_count = 0;
+  uint32_t face_count = 0;
+  hsp_topology_get_cell_shells(work->topology, cell, NULL, 0, &shell_count);
+  hsp_boundary_get_faces(work->boundary, NULL, 0, &face_count);
+  uint32_t *shells = malloc(((size_t)shell_count + 1) * sizeof *shells);
+  hsp_face *faces = malloc(((size_t)face_count + 1) * sizeof *faces);
+  unsigned char *in_wall = calloc((size_t)ball_count + 1, 1);
+  int32_t status = HSP_E_MEMORY;
+  if (shells != NULL && faces != NULL && in_wall != NULL) {
+    status = hsp_topology_get_cell_shells(work->topology, cell, shells, shell_count, &shell_count);
+    if (status == HSP_OK) status = hsp_boundary_get_faces(work->boundary, faces, face_count, &face_count);
+  }
+  for (uint32_t face = 0; status == HSP_OK && face < face_count; ++face) {
+    for (uint32_t i = 0; i < shell_count; ++i) {
+      if (faces[face].shell == shells[i]) in_wall[faces[face].ball] = 1;
+    }
+  }
+  for (uint32_t ball = 0; status == HSP_OK && ball < ball_count; ++ball) {
+    if (in_wall[ball]) printf(" %u", (unsigned)ball);
+  }
+  printf("\n");
+  free(shells);
+  free(faces);
+  free(in_wall);
+  return status;
+}
+
+static int32_t print_cavities(const struct workspace *work, uint32_t ball_count) {
+  uint32_t count = 0;
+  hsp_topology_get_cells(work->topology, NULL, 0, &count);
+  hsp_cell *cells = malloc(((size_t)count + 1) * sizeof *cells);
+  if (cells == NULL) return HSP_E_MEMORY;
+  int32_t status = hsp_topology_get_cells(work->topology, cells, count, &count);
+  if (status == HSP_OK) printf("cavities: %u\n", (unsigned)count - 1);
+  for (uint32_t cell = 1; status == HSP_OK && cell < count; ++cell) { /* cell 0 is the outside */
+    printf("cavity %u: volume %.6f, area %.6f, pieces inside %u, balls around:", (unsigned)cell, cells[cell].volume,
+           cells[cell].area, (unsigned)cells[cell].components);
+    status = print_wall(work, cell, ball_count);
+  }
+  free(cells);
+  return status;
+}
+
+/* A point beyond all balls on the x axis is outside for certain. */
+static int32_t print_way_out(const struct workspace *work, const struct balls *balls, double probe,
+                             const double *point) {
+  double outside[3] = {point[0], point[1], point[2]};
+  for (uint32_t i = 0; i < balls->count; ++i) {
+    const double right = balls->xyz[3 * (size_t)i] + 2 * (balls->radius[i] + probe);
+    if (right > outside[0]) outside[0] = right;
+  }
+  uint32_t cell = HSP_NONE;
+  int32_t same = 0;
+  int32_t status = hsp_topology_locate(work->topology, point, &cell, NULL, 0, NULL);
+  if (status == HSP_OK) status = hsp_topology_same_cell(work->topology, point, outside, &same);
+  if (status != HSP_OK) return status;
+  printf("the point %g %g %g lies ", point[0], point[1], point[2]);
+  if (cell == HSP_NONE) {
+    printf("in a ball\n");
+  } else if (same) {
+    printf("outside\n");
+  } else {
+    printf("in cavity %u and cannot get out\n", (unsigned)cell);
+  }
+  return status;
+}
+
+int main(int count, char **arguments) {
+  double point[3] = {-0.05, 0.0, 0.0};
+  double probe = 0.0;
+  struct balls balls = {0, NULL, NULL};
+  struct workspace work = {{NULL, NULL, NULL}, NULL, NULL, NULL};
+  int done = count == 1 ? take_cage(&balls) : read_balls(arguments[1], &balls);
+  if (count > 2) probe = strtod(arguments[2], NULL);
+  for (int axis = 0; axis < 3 && axis + 3 < count; ++axis) point[axis] = strtod(arguments[axis + 3], NULL);
+  if (done) {
+    int32_t status = compute(&work, &balls, probe);
+    if (status == HSP_OK) status = print_cavities(&work, balls.count);
+    if (status == HSP_OK && (count == 1 || count > 5)) status = print_way_out(&work, &balls, probe, point);
+    if (status != HSP_OK) fprintf(stderr, "cavities: %s\n", hsp_status_text(status));
+    done = status == HSP_OK;
+  }
+  for (int i = 0; i < 3; ++i) free(work.memory[i]);
+  free(balls.xyz);
+  free(balls.radius);
+  return done ? 0 : 1;
+}

@@ -1,0 +1,13 @@
+/* Tables for other programs: comma-separated values, quoted as RFC 4180 says; lines end with LF. */
+#ifndef HARDSPHERE_TOOL_CSV_H
+#define HARDSPHERE_TOOL_CSV_H
+
+#include "text_buffer.h"
+
+/* A field of text, in quotes if it holds a comma, a quote or a line break. */
+void csv_text(struct text_buffer *out, const char *text);
+
+/* A number with 17 significant digits, which tell every double from every other; nothing unless it is finite. */
+void csv_number(struct text_buffer *out, double value);
+
+#endif

@@ -1,0 +1,84 @@
+#include "group_table.h"
+
+#include <inttypes.h>
+#include <string.h>
+
+#include "characters.h"
+#include "csv.h"
+#include "report.h"
+
+static const struct residue_label *label_of(const struct molecule *molecule, const struct atom_group *group) {
+  return &molecule->label[group->first].residue;
+}
+
+void group_table_print(const struct molecule *molecule, const struct atom_groups *groups, struct text_buffer *out) {
+  const bool residues = groups->grouping == GROUPING_RESIDUE;
+  char value[NUMBER_BYTES];
+  text_buffer_add(out, "\n");
+  report_row_count(out, residues ? "residues" : "chains", groups->count, "");
+  text_buffer_add(out, "\n  %-5s", "chain");
+  if (residues) text_buffer_add(out, "  %-7s  %7s", "residue", "number");
+  text_buffer_add(out, "  %9s  %16s\n", "atoms", "free area");
+  for (uint32_t i = 0; i < groups->count; ++i) {
+    const struct atom_group *group = &groups->group[i];
+    const struct residue_label *label = label_of(molecule, group);
+    text_buffer_add(out, "  %-5s", label->chain);
+    /* Insertion codes have a column of their own, so that the numbers stand under each other. */
+    if (residues) text_buffer_add(out, "  %-7s  %6s%-1s", label->name, label->number, label->insertion);
+    text_buffer_add(out, "  %9s", grouped_count(value, group->atoms));
+    text_buffer_add(out, "  %16s\n", grouped_number(value, group->area, 4));
+  }
+}
+
+/* Residue numbers are whole numbers, but files with more residues than columns write letters, and some write nothing:
+ * these remain texts. */
+static void json_residue_number(struct text_buffer *out, const char *text) {
+  const char *digits = text[0] == '-' ? text + 1 : text;
+  size_t length = 0;
+  while (is_digit(digits[length])) ++length;
+  if (length == 0 || digits[length] != '\0') {
+    json_text(out, text);
+    return;
+  }
+  while (digits[0] == '0' && length > 1) ++digits, --length; /* JSON has no leading zeros */
+  text_buffer_add(out, "%s%s", text[0] == '-' && digits[0] != '0' ? "-" : "", digits);
+}
+
+void group_table_json(const struct molecule *molecule, const struct atom_groups *groups, struct text_buffer *out) {
+  text_buffer_add(out, "[");
+  for (uint32_t i = 0; i < groups->count; ++i) {
+    const struct atom_group *group = &groups->group[i];
+    const struct residue_label *label = label_of(molecule, group);
+    text_buffer_add(out, "%s{\"chain\": ", i == 0 ? "" : ", ");
+    json_text(out, label->chain);
+    if (groups->grouping == GROUPING_RESIDUE) {
+      text_buffer_add(out, ", \"name\": ");
+      json_text(out, label->name);
+      text_buffer_add(out, ", \"number\": ");
+      json_residue_number(out, label->number);
+      text_buffer_add(out, ", \"insertion\": ");
+      json_text(out, label->insertion);
+    }
+    text_buffer_add(out, ", \"atoms\": %" PRIu32 ", \"area\": ", group->atoms);
+    json_number(out, group->area);
+    text_buffer_add(out, "}");
+  }
+  text_buffer_add(out, "]");
+}
+
+void group_table_csv(const struct molecule *molecule, const struct atom_groups *groups, struct text_buffer *out) {
+  const bool residues = groups->grouping == GROUPING_RESIDUE;
+  text_buffer_add(out, "%s\n", residues ? "chain,residue,number,insertion,atoms,area" : "chain,atoms,area");
+  for (uint32_t i = 0; i < groups->count; ++i) {
+    const struct atom_group *group = &groups->group[i];
+    const struct residue_label *label = label_of(molecule, group);
+    const char *const texts[] = {label->chain, label->name, label->number, label->insertion};
+    for (int k = 0; k < (residues ? 4 : 1); ++k) {
+      csv_text(out, texts[k]);
+      text_buffer_add(out, ",");
+    }
+    text_buffer_add(out, "%" PRIu32 ",", group->atoms);
+    csv_number(out, group->area);
+    text_buffer_add(out, "\n");
+  }
+}

@@ -1,0 +1,15 @@
+/* Residues and chains with their areas, as a table, JSON or CSV. */
+#ifndef HARDSPHERE_TOOL_GROUP_TABLE_H
+#define HARDSPHERE_TOOL_GROUP_TABLE_H
+
+#include "molecule.h"
+#include "residues.h"
+#include "text_buffer.h"
+
+void group_table_print(const struct molecule *molecule, const struct atom_groups *groups, struct text_buffer *out);
+void group_table_csv(const struct molecule *molecule, const struct atom_groups *groups, struct text_buffer *out);
+
+/* The list, in brackets, that stands under "residues" or "chains". */
+void group_table_json(const struct molecule *molecule, const struct atom_groups *groups, struct text_buffer *out);
+
+#endif

@@ -1,0 +1,88 @@
+#include "measurement.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "weights.h"
+
+static double *allocate(const struct molecule *molecule, size_t numbers_per_atom, struct failure *failure) {
+  /* An atom has at least 80 bytes in memory already, so that the size cannot overflow. */
+  double *numbers = malloc((numbers_per_atom * molecule->atoms + 1) * sizeof *numbers);
+  if (numbers == NULL) failure_of_memory(failure);
+  return numbers;
+}
+
+static bool allocate_gradient(const struct molecule *molecule, struct gradient *gradient, struct failure *failure) {
+  gradient->centre = allocate(molecule, 3, failure);
+  gradient->radius = allocate(molecule, 1, failure);
+  return gradient->centre != NULL && gradient->radius != NULL;
+}
+
+static bool measure_gradient(const struct molecule *molecule, const struct geometry *geometry, double tension,
+                             double pressure, const double *weights, struct gradient *gradient, uint32_t *flags,
+                             struct failure *failure) {
+  if (!allocate_gradient(molecule, gradient, failure)) return false;
+  const int32_t status = hsp_boundary_gradient(geometry->boundary, weights, tension, pressure, HSP_TANGENT_MEETING,
+                                               NULL, gradient->centre, gradient->radius, flags, molecule->atoms);
+  return status == HSP_OK || failure_in_library(failure, status);
+}
+
+/* Which balls touch another is a matter of the balls, not of the quantity, so the area's flags count for all. */
+static bool measure_area_gradient(const struct molecule *molecule, const struct geometry *geometry,
+                                  struct measurement *measurement, struct failure *failure) {
+  uint32_t *flags = calloc((size_t)molecule->atoms + 1, sizeof *flags);
+  if (flags == NULL) return failure_of_memory(failure);
+  const bool done = measure_gradient(molecule, geometry, 1.0, 0.0, NULL, &measurement->of_area, flags, failure);
+  for (uint32_t i = 0; done && i < molecule->atoms; ++i) {
+    if ((flags[i] & HSP_GRADIENT_ONE_SIDED) != 0) ++measurement->one_sided;
+  }
+  free(flags);
+  return done;
+}
+
+static bool measure_weighted_area(const struct geometry *geometry, struct measurement *measurement,
+                                  struct failure *failure) {
+  hsp_energy energy;
+  const int32_t status = hsp_boundary_gradient(geometry->boundary, measurement->weights, 1.0, 0.0, HSP_TANGENT_MEETING,
+                                               &energy, NULL, NULL, NULL, 0);
+  if (status != HSP_OK) return failure_in_library(failure, status);
+  measurement->weighted_area = energy.area;
+  return true;
+}
+
+static bool measure_areas(const struct request *request, const struct molecule *molecule,
+                          const struct geometry *geometry, struct measurement *measurement, struct failure *failure) {
+  if (request_wants_areas(request)) {
+    measurement->area = allocate(molecule, 1, failure);
+    if (measurement->area == NULL) return false;
+  }
+  const int32_t status = hsp_boundary_measure(geometry->boundary, &measurement->totals, measurement->area, NULL,
+                                              measurement->area == NULL ? 0 : molecule->atoms);
+  return status == HSP_OK || failure_in_library(failure, status);
+}
+
+bool measurement_make(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
+                      struct measurement *measurement, struct failure *failure) {
+  memset(measurement, 0, sizeof *measurement);
+  const bool weighted = request->weights != NULL;
+  if (weighted && !weights_read(request->weights, molecule->atoms, &measurement->weights, failure)) return false;
+  if (!geometry_compute_boundary(geometry, molecule, failure)) return false;
+  if (!measure_areas(request, molecule, geometry, measurement, failure)) return false;
+  if (weighted && !measure_weighted_area(geometry, measurement, failure)) return false;
+  if (!request->gradient) return true;
+  return measure_area_gradient(molecule, geometry, measurement, failure) &&
+         measure_gradient(molecule, geometry, 0.0, 1.0, NULL, &measurement->of_volume, NULL, failure) &&
+         (!weighted || measure_gradient(molecule, geometry, 1.0, 0.0, measurement->weights,
+                                        &measurement->of_weighted_area, NULL, failure));
+}
+
+void measurement_free(struct measurement *measurement) {
+  free(measurement->area);
+  free(measurement->weights);
+  struct gradient *const gradients[] = {&measurement->of_area, &measurement->of_volume, &measurement->of_weighted_area};
+  for (size_t i = 0; i < sizeof gradients / sizeof gradients[0]; ++i) {
+    free(gradients[i]->centre);
+    free(gradients[i]->radius);
+  }
+  memset(measurement, 0, sizeof *measurement);
+}

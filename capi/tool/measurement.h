@@ -1,0 +1,36 @@
+/* What `hardsphere measure` found out about a molecule: the numbers, before anybody prints them. */
+#ifndef HARDSPHERE_TOOL_MEASUREMENT_H
+#define HARDSPHERE_TOOL_MEASUREMENT_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "arguments.h"
+#include "geometry.h"
+#include "molecule.h"
+
+/* The derivatives of one quantity with respect to every centre and every radius. */
+struct gradient {
+  double *centre; /* [atoms][3] */
+  double *radius; /* [atoms] */
+};
+
+/* Arrays that were not asked for are NULL. */
+struct measurement {
+  hsp_totals totals;
+  double *area;         /* [atoms], free area of each ball */
+  double *weights;      /* [atoms], as the user gave them */
+  double weighted_area; /* sum of weight x free area */
+  struct gradient of_area;
+  struct gradient of_volume;
+  struct gradient of_weighted_area;
+  uint32_t one_sided; /* balls whose derivatives are one-sided because they touch another */
+};
+
+/* Compute the boundary and measure it as far as the request asks for it. Free the measurement on true and on false. */
+bool measurement_make(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
+                      struct measurement *measurement, struct failure *failure);
+
+void measurement_free(struct measurement *measurement);
+
+#endif

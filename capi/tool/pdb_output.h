@@ -1,0 +1,22 @@
+/* The PDB file once more, with the free area of each atom where its temperature factor stood. */
+#ifndef HARDSPHERE_TOOL_PDB_OUTPUT_H
+#define HARDSPHERE_TOOL_PDB_OUTPUT_H
+
+#include <stdbool.h>
+
+#include "failure.h"
+#include "molecule.h"
+
+/* Read the molecule's file `from` again and write it to `to`:
+ *   1. Of an atom record of the molecule columns 61-66 become its area, and all else stays byte for byte, line ends
+ *      included; lines that end earlier are filled up with blanks. The area has two decimals, and fewer where it would
+ *      be wider than its columns: from 999.995 on one, from 9999.95 on none. From 999999.5 on it is refused.
+ *   2. Atoms that do not belong to the molecule are left out, with their ANISOU, SIGATM and SIGUIJ records: other
+ *      alternate locations, and all models but the first.
+ *   3. Other lines are copied as they are. Once the first model is over, these are the CONECT and MASTER records and
+ *      the first END.
+ * False, with `to` named, if that file cannot be written in full; it says so if a part of it stands there. */
+bool pdb_output_write(const char *from, const struct molecule *molecule, const double *area, const char *to,
+                      struct failure *failure);
+
+#endif

@@ -1,0 +1,92 @@
+#include "residues.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+const char *residue_text(char out[RESIDUE_TEXT_BYTES], const struct residue_label *label) {
+  if (label->name[0] == '\0' && label->number[0] == '\0' && label->chain[0] == '\0' && label->insertion[0] == '\0') {
+    out[0] = '\0';
+  } else {
+    snprintf(out, RESIDUE_TEXT_BYTES, "%s %s%s%s%s", label->name, label->chain, label->chain[0] == '\0' ? "" : " ",
+             label->number, label->insertion);
+  }
+  return out;
+}
+
+static bool same_residue(const struct residue_label *a, const struct residue_label *b) {
+  return strcmp(a->number, b->number) == 0 && strcmp(a->insertion, b->insertion) == 0 &&
+         strcmp(a->name, b->name) == 0 && strcmp(a->chain, b->chain) == 0;
+}
+
+static void begin_group(struct atom_groups *groups, uint32_t first) {
+  groups->group[groups->count++] = (struct atom_group){first, 0, 0.0};
+}
+
+static void add_atom(struct atom_groups *groups, double area) {
+  struct atom_group *last = &groups->group[groups->count - 1];
+  ++last->atoms;
+  last->area += area;
+}
+
+static void group_residues(const struct molecule *molecule, const double *area, struct atom_groups *groups) {
+  for (uint32_t i = 0; i < molecule->atoms; ++i) {
+    const bool begins = i == 0 || !same_residue(&molecule->label[i - 1].residue, &molecule->label[i].residue);
+    if (begins) begin_group(groups, i);
+    add_atom(groups, area[i]);
+  }
+}
+
+/* An atom and its chain, for sorting: chains together, each in the order of the file. */
+struct chain_member {
+  const char *chain;
+  uint32_t atom;
+};
+
+static int order_of_numbers(uint32_t a, uint32_t b) {
+  return (a > b) - (a < b);
+}
+
+static int order_of_members(const void *left, const void *right) {
+  const struct chain_member *a = left;
+  const struct chain_member *b = right;
+  const int by_chain = strcmp(a->chain, b->chain);
+  return by_chain != 0 ? by_chain : order_of_numbers(a->atom, b->atom);
+}
+
+static int order_of_groups(const void *left, const void *right) {
+  return order_of_numbers(((const struct atom_group *)left)->first, ((const struct atom_group *)right)->first);
+}
+
+static bool group_chains(const struct molecule *molecule, const double *area, struct atom_groups *groups) {
+  struct chain_member *members = malloc(((size_t)molecule->atoms + 1) * sizeof *members);
+  if (members == NULL) return false;
+  for (uint32_t i = 0; i < molecule->atoms; ++i) {
+    members[i] = (struct chain_member){molecule->label[i].residue.chain, i};
+  }
+  qsort(members, molecule->atoms, sizeof *members, order_of_members);
+  for (uint32_t i = 0; i < molecule->atoms; ++i) {
+    if (i == 0 || strcmp(members[i - 1].chain, members[i].chain) != 0) begin_group(groups, members[i].atom);
+    add_atom(groups, area[members[i].atom]);
+  }
+  qsort(groups->group, groups->count, sizeof *groups->group, order_of_groups);
+  free(members);
+  return true;
+}
+
+bool atom_groups_make(const struct molecule *molecule, enum grouping grouping, const double *area,
+                      struct atom_groups *groups, struct failure *failure) {
+  groups->grouping = grouping;
+  groups->count = 0;
+  groups->group = malloc(((size_t)molecule->atoms + 1) * sizeof *groups->group);
+  if (groups->group == NULL) return failure_of_memory(failure);
+  if (grouping == GROUPING_CHAIN) return group_chains(molecule, area, groups) || failure_of_memory(failure);
+  group_residues(molecule, area, groups);
+  return true;
+}
+
+void atom_groups_free(struct atom_groups *groups) {
+  free(groups->group);
+  groups->group = NULL;
+  groups->count = 0;
+}

@@ -1,0 +1,48 @@
+/* Residues and chains: which atoms belong together, and what they sum to. */
+#ifndef HARDSPHERE_TOOL_RESIDUES_H
+#define HARDSPHERE_TOOL_RESIDUES_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "failure.h"
+#include "molecule.h"
+
+/* What a person calls the residue: "THR A 1", as far as the file says. */
+#define RESIDUE_TEXT_BYTES 40
+const char *residue_text(char out[RESIDUE_TEXT_BYTES], const struct residue_label *label);
+
+enum grouping {
+  GROUPING_NONE,
+  /* A residue: neighbours in the file with the same chain, name, number and insertion code. Numbers may begin anew in
+   * the same chain, as those of water do after 9999; so residues of one name that lie apart are two. */
+  GROUPING_RESIDUE,
+  /* A chain: all atoms with its letter, wherever they stand: ligands and water often follow all the chains. */
+  GROUPING_CHAIN
+};
+
+/* Atoms that belong together. */
+struct atom_group {
+  uint32_t first; /* the first of them in the file; its label names the group */
+  uint32_t atoms;
+  double area; /* sum over them, in the order of the file */
+};
+
+/* The groups of a molecule, in the order of their first atoms. */
+struct atom_groups {
+  enum grouping grouping;
+  uint32_t count;
+  struct atom_group *group; /* [count] */
+};
+
+#define ATOM_GROUPS_NONE \
+  { GROUPING_NONE, 0, NULL }
+
+/* Group the atoms, by residue or by chain, and sum area [atoms] over each group. False: memory is short. */
+bool atom_groups_make(const struct molecule *molecule, enum grouping grouping, const double *area,
+                      struct atom_groups *groups, struct failure *failure);
+
+void atom_groups_free(struct atom_groups *groups);
+
+#endif

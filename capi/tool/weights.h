@@ -1,0 +1,14 @@
+/* A weight for every ball, from a text file. */
+#ifndef HARDSPHERE_TOOL_WEIGHTS_H
+#define HARDSPHERE_TOOL_WEIGHTS_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "failure.h"
+
+/* Read one number per ball in the order of the molecule: one on each line, blank lines skipped, what follows a '#' is
+ * a comment. Any other number of numbers is refused. *weights [count] is to be freed on true. */
+bool weights_read(const char *path, uint32_t count, double **weights, struct failure *failure);
+
+#endif

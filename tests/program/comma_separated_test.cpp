@@ -1,0 +1,151 @@
+// The tables that --csv prints, read by the rules of RFC 4180: every row has the columns of the header, and every
+// number is the one that JSON gives, to the last digit.
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "json_outcome.hpp"
+#include "program_runner.hpp"
+
+namespace {
+
+using Row = std::vector<std::string>;
+
+// The rows of a text whose lines end with LF; nothing if a quote stands where none may.
+std::optional<std::vector<Row>> read_table(const std::string &text) {
+  std::vector<Row> rows;
+  std::size_t at = 0;
+  while (at < text.size()) {
+    Row row(1);
+    while (at < text.size() && text[at] != '\n') {
+      if (text[at] == ',') {
+        row.emplace_back();
+        ++at;
+      } else if (text[at] == '"') {
+        if (!row.back().empty()) return std::nullopt;
+        for (++at; at < text.size(); ++at) {
+          if (text[at] == '"' && (at + 1 == text.size() || text[at + 1] != '"')) break;
+          if (text[at] == '"') ++at;
+          row.back().push_back(text[at]);
+        }
+        if (at == text.size()) return std::nullopt;
+        ++at;
+        if (at < text.size() && text[at] != ',' && text[at] != '\n') return std::nullopt;
+      } else {
+        row.back().push_back(text[at++]);
+      }
+    }
+    if (at == text.size()) return std::nullopt;
+    ++at;
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+std::vector<Row> run_csv(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), "measure");
+  arguments.push_back("--csv");
+  const Outcome outcome = run_program(arguments);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  const std::optional<std::vector<Row>> rows = read_table(outcome.out);
+  EXPECT_TRUE(rows.has_value()) << outcome.out;
+  if (!rows || rows->empty()) return {{}};
+  for (const Row &row : *rows) EXPECT_EQ(row.size(), rows->front().size()) << outcome.out;
+  return *rows;
+}
+
+const Row place = {"x", "y", "z", "radius", "area"};
+const Row slopes = {"area_gradient_x",   "area_gradient_y",   "area_gradient_z", "volume_gradient_x",
+                    "volume_gradient_y", "volume_gradient_z", "area_dr",         "volume_dr"};
+const Row weighted = {"weighted_gradient_x", "weighted_gradient_y", "weighted_gradient_z", "weighted_dr"};
+
+Row operator+(Row a, const Row &b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+TEST(CommaSeparated, ReaderIsStrict) {
+  EXPECT_EQ(read_table("a,\"b,\"\"c\",\n"), (std::vector<Row>{{"a", "b,\"c", ""}}));
+  EXPECT_EQ(read_table("\"a\nb\"\nc\n"), (std::vector<Row>{{"a\nb"}, {"c"}}));
+  for (const char *bad : {"a", "\"a\n", "a\"b\"\n", "\"a\"b\n"}) EXPECT_FALSE(read_table(bad).has_value()) << bad;
+}
+
+TEST(CommaSeparated, ColumnsFollowFromTheFormat) {
+  const Row pdb = Row{"ball", "atom", "element", "chain", "residue", "number", "insertion"} + place;
+  const Row pqr = Row{"ball", "atom", "chain", "residue", "number", "insertion"} + place;
+  EXPECT_EQ(run_csv({"good/water.pdb"})[0], pdb);
+  EXPECT_EQ(run_csv({"good/none.pdb"})[0], pdb);
+  EXPECT_EQ(run_csv({"good/water.pqr"})[0], pqr);
+  EXPECT_EQ(run_csv({"good/water.xyz"})[0], (Row{"ball", "element"} + place));
+  EXPECT_EQ(run_csv({"good/two.xyzr"})[0], (Row{"ball"} + place));
+  EXPECT_EQ(run_csv({"good/two.xyzr", "--per-ball"})[0], (Row{"ball"} + place));
+  EXPECT_EQ(run_csv({"good/two.xyzr", "--gradient"})[0], (Row{"ball"} + place + slopes));
+  EXPECT_EQ(run_csv({"good/water.pdb", "--weights", "good/water.weights"})[0], (pdb + Row{"weight"}));
+  EXPECT_EQ(run_csv({"good/water.pdb", "--weights", "good/water.weights", "--gradient"})[0],
+            (pdb + Row{"weight"} + slopes + weighted));
+  for (const char *none : {"good/none.pdb", "good/none.xyzr"}) EXPECT_EQ(run_csv({none, "--gradient"}).size(), 1u);
+}
+
+TEST(CommaSeparated, NumbersAreThoseOfJson) {
+  const std::vector<std::string> arguments = {"good/water.pdb", "--gradient",        "--probe", "0.3",
+                                              "--weights",      "good/water.weights"};
+  const std::vector<Row> rows = run_csv(arguments);
+  const Json balls = run_json(std::vector<std::string>{"measure"} + arguments)["balls"];
+  ASSERT_EQ(rows.size(), 4u);
+  ASSERT_EQ(balls.items.size(), 3u);
+  const std::vector<Row> expected_begin = {
+      {"0", "O", "O", "A", "HOH", "1", "", "0", "0", "0", "1.52"},
+      {"1", "H1", "H", "A", "HOH", "1", "", "0.75700000000000001", "0.58599999999999997", "0", "1.1000000000000001"},
+      {"2", "H2", "H", "A", "HOH", "1", "", "-0.75700000000000001", "0.58599999999999997", "0", "1.1000000000000001"}};
+  const Row weights = {"1", "-0.5", "2"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Json &ball = balls.items[i];
+    Row expected = expected_begin[i] + Row{ball["area"].text, weights[i]};
+    for (const char *key :
+         {"area_gradient", "volume_gradient", "area_dr", "volume_dr", "weighted_gradient", "weighted_dr"}) {
+      if (ball[key].kind == Json::Kind::number) expected.push_back(ball[key].text);
+      for (const Json &item : ball[key].items) expected.push_back(item.text);
+    }
+    EXPECT_EQ(rows[i + 1], expected);
+  }
+}
+
+TEST(CommaSeparated, WhatIsNotFiniteIsEmpty) {
+  const std::vector<Row> rows = run_csv({"good/water.pdb", "--gradient", "--weights", "good/huge.weights"});
+  for (std::size_t i = 1; i < rows.size(); ++i) EXPECT_EQ(rows[i].back(), "");
+}
+
+TEST(CommaSeparated, NamesAreQuoted) {
+  const Outcome outcome = run_program({"measure", "good/residues.pdb", "--csv"});
+  EXPECT_NE(outcome.out.find("\n11,\"C\"\"\",C,\",\",\"U\\\"\"\",A000,,110,0,0,1.7,"), std::string::npos)
+      << outcome.out;
+  const std::vector<Row> rows = run_csv({"good/residues.pdb"});
+  ASSERT_EQ(rows.size(), 14u);
+  EXPECT_EQ(rows[12][1], "C\"");
+  EXPECT_EQ(rows[12][3], ",");
+  EXPECT_EQ(rows[12][4], "U\\\"");
+  EXPECT_EQ(rows[13][1], "C1,");
+}
+
+TEST(CommaSeparated, Groups) {
+  const std::vector<Row> residues = run_csv({"good/residues.pdb", "--by", "residue"});
+  ASSERT_EQ(residues.size(), 13u);
+  EXPECT_EQ(residues[0], (Row{"chain", "residue", "number", "insertion", "atoms", "area"}));
+  const Json json = run_json({"measure", "good/residues.pdb", "--by", "residue"})["residues"];
+  for (std::size_t i = 0; i < json.items.size(); ++i) {
+    EXPECT_EQ(residues[i + 1][2], json.items[i]["number"].text);
+    EXPECT_EQ(residues[i + 1][3], json.items[i]["insertion"].text);
+    EXPECT_EQ(residues[i + 1][5], json.items[i]["area"].text);
+  }
+  const std::vector<Row> chains = run_csv({"good/residues.pdb", "--by", "chain"});
+  ASSERT_EQ(chains.size(), 5u);
+  EXPECT_EQ(chains[0], (Row{"chain", "atoms", "area"}));
+  EXPECT_EQ(chains[1][0] + " " + chains[1][1], "A 6");
+  EXPECT_EQ(chains[4][0] + " " + chains[4][1], ", 2");
+  EXPECT_EQ(run_csv({"good/none.pqr", "--by", "chain"}).size(), 1u);
+}
+
+}  // namespace

@@ -1,0 +1,191 @@
+// The examples of the interface: what they print for sets with a known answer, and where they print it.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "json_outcome.hpp"
+#include "program_runner.hpp"
+#include "temporary_file.hpp"
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+std::vector<std::string> lines_of(const std::string &text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+std::vector<double> numbers_of(const std::string &line) {
+  std::istringstream stream(line);
+  std::vector<double> numbers;
+  for (double number; stream >> number;) numbers.push_back(number);
+  return numbers;
+}
+
+// The ring is a torus of six balls and six free circles. Every face but the first is reached across an edge of
+// an earlier one, and who lies across whom is mutual.
+TEST(Examples, WalkShellVisitsATorus) {
+  const Outcome outcome = run_example("walk_shell", {});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  const std::vector<std::string> lines = lines_of(outcome.out);
+  EXPECT_EQ(lines.front(), "shell 0 of kind outer");
+  int vertices = 0;
+  int edges = 0;
+  int faces = 0;
+  ASSERT_EQ(std::sscanf(lines.back().c_str(), "  V - E + F = %d - %d + %d = 0, genus 1: as the library says", &vertices,
+                        &edges, &faces),
+            3)
+      << lines.back();
+  EXPECT_EQ(vertices - edges + faces, 0);
+  ASSERT_EQ(lines.size(), static_cast<std::size_t>(faces) + 2);
+  std::vector<std::vector<int>> across(static_cast<std::size_t>(faces));
+  std::vector<bool> seen(static_cast<std::size_t>(faces));
+  int sides = 0;
+  for (std::size_t i = 1; i + 1 < lines.size(); ++i) {
+    std::istringstream line(lines[i]);
+    std::string word;
+    std::size_t face = 0;
+    line >> word >> face;
+    ASSERT_LT(face, across.size());
+    EXPECT_TRUE(i == 1 || seen[face]) << lines[i];
+    seen[face] = true;
+    line.ignore(200, ':');
+    for (int other = 0; line >> other; ++sides) {
+      across[face].push_back(other);
+      seen[static_cast<std::size_t>(other)] = true;
+    }
+    EXPECT_GE(across[face].size(), 2u);
+  }
+  EXPECT_EQ(sides, 2 * edges);
+  for (std::size_t a = 0; a < across.size(); ++a) {
+    for (std::size_t b = 0; b < across.size(); ++b) {
+      EXPECT_EQ(std::count(across[a].begin(), across[a].end(), static_cast<int>(b)),
+                std::count(across[b].begin(), across[b].end(), static_cast<int>(a)));
+    }
+  }
+}
+
+TEST(Examples, CavitiesOfTheCage) {
+  const Outcome built_in = run_example("cavities", {});
+  EXPECT_EQ(built_in.status, 0) << built_in.err;
+  const std::vector<std::string> lines = lines_of(built_in.out);
+  ASSERT_EQ(lines.size(), 3u);
+  EXPECT_EQ(lines[0], "cavities: 1");
+  EXPECT_NE(lines[1].find("pieces inside 1, balls around: 0 1 2 3 4 5 6"), std::string::npos) << lines[1];
+  EXPECT_EQ(lines[2], "the point -0.05 0 0 lies in cavity 1 and cannot get out");
+  const std::vector<std::pair<std::vector<std::string>, std::string>> places = {
+      {{"0", "0", "0", "0"}, "the point 0 0 0 lies in cavity 1 and cannot get out"},
+      {{"0.09", "0", "0", "0"}, "the point 0 0 0 lies in cavity 1 and cannot get out"},
+      {{"0.11", "0", "0", "0"}, "the point 0 0 0 lies in a ball"},
+      {{"0", "1.89", "0", "0"}, "the point 1.89 0 0 lies in a ball"},
+      {{"0", "-3", "4", "0.5"}, "the point -3 4 0.5 lies outside"},
+      {{"0", "0", "0", "1.91"}, "the point 0 0 1.91 lies outside"}};
+  for (const auto &[place, answer] : places) {
+    std::vector<std::string> arguments = {"good/cage.xyzr"};
+    arguments.insert(arguments.end(), place.begin(), place.end());
+    const Outcome outcome = run_example("cavities", arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(lines_of(outcome.out).back(), answer);
+  }
+}
+
+// Its cavities are those that the program lists.
+TEST(Examples, CavitiesAgreeWithTheProgram) {
+  const Outcome outcome = run_example("cavities", {"good/cage.xyzr", "0.02"});
+  const Json cavity = run_json({"voids", "good/cage.xyzr", "--probe", "0.02"})["voids"].items.at(0);
+  double volume = 0;
+  double area = 0;
+  ASSERT_EQ(std::sscanf(outcome.out.c_str(), "cavities: 1\ncavity 1: volume %lf, area %lf", &volume, &area), 2);
+  EXPECT_NEAR(volume, cavity["volume"].number, 1e-6);
+  EXPECT_NEAR(area, cavity["area"].number, 1e-6);
+}
+
+TEST(Examples, CavitiesRefuseBadFiles) {
+  const TemporaryFile bad("bad.xyzr", "0 0 0 1\n0 0 1\n");
+  for (const std::string &file : {bad.path(), std::string("no_such_file.xyzr")}) {
+    const Outcome outcome = run_example("cavities", {file});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(outcome.err.rfind(file + ":", 0), 0u) << outcome.err;
+  }
+}
+
+// inputs/frames.pdb: two oxygens 1 and 2 apart, then three atoms that do not meet. Two equal balls at distance d have
+// the area 2 (2 pi r^2 + pi r d), so the gradient is 2 pi r whatever d is.
+TEST(Examples, FramesOfAKnownTrajectory) {
+  for (const double probe : {0.0, 0.25}) {
+    const Outcome outcome = run_example("frames", {"frames.pdb", std::to_string(probe)});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    const std::vector<std::string> lines = lines_of(outcome.out);
+    ASSERT_EQ(lines.size(), 5u);
+    const double r = 1.52 + probe;
+    const double c = 1.70 + probe;
+    const double sphere = 4 * pi * r * r;
+    for (int frame = 1; frame <= 2; ++frame) {
+      const double h = 0.5 * frame;  // of the circle's plane, from both centres
+      const std::vector<double> row = numbers_of(lines[static_cast<std::size_t>(frame)]);
+      ASSERT_EQ(row.size(), 5u);
+      EXPECT_EQ(row[0], frame);
+      EXPECT_EQ(row[1], 2);
+      EXPECT_NEAR(row[2], sphere + 4 * pi * r * h, 1e-6);
+      EXPECT_NEAR(row[3], 2 * pi * (2 * r * r * r / 3 + r * r * h - h * h * h / 3), 1e-6);
+      EXPECT_NEAR(row[4], 2 * pi * r, 1e-6);
+    }
+    const std::vector<double> last = numbers_of(lines[3]);
+    ASSERT_EQ(last.size(), 5u);
+    EXPECT_EQ(last[1], 3);
+    EXPECT_NEAR(last[2], 2 * sphere + 4 * pi * c * c, 1e-6);
+    EXPECT_NEAR(last[3], 4 * pi / 3 * (2 * r * r * r + c * c * c), 1e-6);
+    EXPECT_EQ(last[4], 0);
+    // Two atoms, then once more for the third.
+    EXPECT_EQ(lines[4], "# frames: 3; memory sized: 2");
+  }
+}
+
+// Frames alike in size share the memory of the first.
+TEST(Examples, FramesShareTheirMemory) {
+  const std::string crambin = read_file(molecules_folder() + "/crambin.pdb");
+  std::string text;
+  for (int frame = 0; frame < 3; ++frame) text += "MODEL\n" + crambin.substr(0, crambin.find("\nEND") + 1) + "ENDMDL\n";
+  const TemporaryFile file("trajectory.pdb", text);
+  const Outcome outcome = run_example("frames", {file.path(), "1.4"});
+  const std::vector<std::string> lines = lines_of(outcome.out);
+  ASSERT_EQ(lines.size(), 5u) << outcome.err;
+  EXPECT_EQ(lines[4], "# frames: 3; memory sized: 1");
+  const Json measure = run_json({"measure", molecules_folder() + "/crambin.pdb", "--probe", "1.4"});
+  for (std::size_t frame = 1; frame <= 3; ++frame) {
+    EXPECT_NEAR(numbers_of(lines[frame])[2], measure["area"].number, 1e-6);
+    EXPECT_NEAR(numbers_of(lines[frame])[3], measure["volume"].number, 1e-6);
+  }
+}
+
+// Progress is for a person who watches: on a terminal there is some, in a log file none.
+TEST(Examples, FramesShowProgressOnTerminalsOnly) {
+  EXPECT_EQ(run_example("frames", {"frames.pdb"}).err, "");
+  const std::optional<Outcome> watched = run_example_watched("frames", {"frames.pdb"});
+  if (!watched) GTEST_SKIP() << "the system has no terminal to give";
+  EXPECT_EQ(watched->status, 0);
+  EXPECT_EQ(watched->out, run_example("frames", {"frames.pdb"}).out);
+  for (const char *shown : {"frame 1", "frame 2", "frame 3"}) {
+    EXPECT_NE(watched->err.find(shown), std::string::npos) << watched->err;
+  }
+}
+
+TEST(Examples, FramesRefuseBadFiles) {
+  const TemporaryFile bad("bad_frames.pdb", "ATOM      1  O   HOH A   1       0.000\n");
+  EXPECT_EQ(run_example("frames", {bad.path()}).status, 1);
+  EXPECT_EQ(run_example("frames", {bad.path()}).err, "frames: frame 1: not an atom record\n");
+  EXPECT_EQ(run_example("frames", {"no_such_file.pdb"}).status, 1);
+  EXPECT_EQ(run_example("frames", {}).status, 2);
+}
+
+}  // namespace

@@ -1,0 +1,16 @@
+#include "json_outcome.hpp"
+
+#include <gtest/gtest.h>
+
+#include "program_runner.hpp"
+
+Json run_json(std::vector<std::string> arguments) {
+  arguments.push_back("--json");
+  const Outcome outcome = run_program(arguments);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  const std::optional<Json> json = read_json(outcome.out);
+  EXPECT_TRUE(json.has_value()) << outcome.out;
+  EXPECT_TRUE(outcome.out.ends_with("}\n")) << outcome.out;
+  return json.value_or(Json());
+}

@@ -1,0 +1,209 @@
+// Voids and shells as the program lists them: cages of six balls, one in another, and a ring.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <numbers>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "json_outcome.hpp"
+#include "program_runner.hpp"
+#include "temporary_file.hpp"
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+// Six balls of radius 0.9 at distance 1 from a centre, in every direction of the axes, all times a scale.
+std::string cage(double scale, double x = 0) {
+  std::ostringstream text;
+  for (const double side : {1.0, -1.0}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      double centre[3] = {x, 0, 0};
+      centre[axis] += side * scale;
+      text << centre[0] << ' ' << centre[1] << ' ' << centre[2] << ' ' << 0.9 * scale << '\n';
+    }
+  }
+  return text.str();
+}
+
+// The volume inside the cage of scale 1: over each point (y, z) of a quadrant stands a piece of a line along x, between
+// the caps of the balls on the x axis and outside the other four.
+double volume_in_cage() {
+  constexpr int steps = 1000;
+  const double corner = (2 - std::sqrt(4 - 2.28)) / 6;  // where three spheres meet: (1 - t)^2 + 2 t^2 = 0.81
+  const double width = corner / steps;
+  double sum = 0;
+  for (int i = 0; i < steps; ++i) {
+    for (int k = 0; k < steps; ++k) {
+      const double y = (i + 0.5) * width;
+      const double z = (k + 0.5) * width;
+      const double end = 1 - std::sqrt(0.81 - y * y - z * z);
+      const double inside_y = 0.81 - (1 - y) * (1 - y) - z * z;
+      const double inside_z = 0.81 - (1 - z) * (1 - z) - y * y;
+      const double begin = std::sqrt(std::max({inside_y, inside_z, 0.0}));
+      sum += std::max(0.0, end - begin);
+    }
+  }
+  return 8 * sum * width * width;
+}
+
+std::vector<double> balls_of(const Json &cavity) {
+  std::vector<double> balls;
+  for (const Json &ball : cavity["balls"].items) balls.push_back(ball.number);
+  return balls;
+}
+
+std::vector<double> from_to(int first, int last) {
+  std::vector<double> numbers;
+  for (int i = first; i <= last; ++i) numbers.push_back(i);
+  return numbers;
+}
+
+TEST(Voids, OneCage) {
+  const Json json = run_json({"voids", "good/cage.xyzr"});
+  EXPECT_EQ(json["n"].number, 6);
+  ASSERT_EQ(json["voids"].items.size(), 1u);
+  const Json &cavity = json["voids"].items[0];
+  EXPECT_EQ(cavity["cell"].number, 1);
+  EXPECT_EQ(cavity["components"].number, 0);
+  EXPECT_EQ(balls_of(cavity), from_to(0, 5));
+  EXPECT_NEAR(cavity["volume"].number, volume_in_cage(), 1e-5 * volume_in_cage());
+}
+
+// A probe of 0.09 still fits, one of 0.1 closes the cage.
+TEST(Voids, ProbesShrinkThem) {
+  EXPECT_EQ(run_json({"voids", "good/cage.xyzr", "--probe", "0.09"})["voids"].items.size(), 1u);
+  EXPECT_EQ(run_json({"voids", "good/cage.xyzr", "--probe", "0.11"})["voids"].items.size(), 0u);
+}
+
+TEST(Voids, NothingToList) {
+  for (const char *file : {"good/none.xyzr", "good/one.xyzr", "good/two.xyzr", "good/touching.xyzr"}) {
+    EXPECT_TRUE(run_json({"voids", file})["voids"].items.empty()) << file;
+  }
+}
+
+// A ball inside takes its volume away and adds its sphere, and is one of the balls around the void.
+TEST(Voids, AGuestInTheCage) {
+  const TemporaryFile file("guest.xyzr", cage(1) + "0 0 0 0.05\n");
+  const Json empty = run_json({"voids", "good/cage.xyzr"})["voids"].items.at(0);
+  const Json json = run_json({"voids", file.path()});
+  ASSERT_EQ(json["voids"].items.size(), 1u);
+  const Json &cavity = json["voids"].items[0];
+  EXPECT_EQ(cavity["components"].number, 1);
+  EXPECT_EQ(balls_of(cavity), from_to(0, 6));
+  EXPECT_NEAR(cavity["volume"].number, empty["volume"].number - 4 * pi * 0.05 * 0.05 * 0.05 / 3, 1e-13);
+  EXPECT_NEAR(cavity["area"].number, empty["area"].number + 4 * pi * 0.05 * 0.05, 1e-13);
+}
+
+// A ball in the void with a belt around it shows two faces, and is listed once.
+TEST(Voids, ABallWithTwoFacesOnTheVoid) {
+  std::ostringstream belt;
+  belt << std::setprecision(17) << "0 0 0 1\n";
+  for (int i = 0; i < 8; ++i) belt << std::cos(pi * i / 4) << ' ' << std::sin(pi * i / 4) << " 0 0.5\n";
+  const TemporaryFile file("belt.xyzr", cage(20) + belt.str());
+  EXPECT_EQ(run_json({"boundary", file.path()})["faces"].number, 12 + 2 + 8);
+  const Json json = run_json({"voids", file.path()});
+  ASSERT_EQ(json["voids"].items.size(), 1u);
+  EXPECT_EQ(json["voids"].items[0]["components"].number, 1);
+  EXPECT_EQ(balls_of(json["voids"].items[0]), from_to(0, 14));
+}
+
+// Largest volume first, whatever the order in the file; of equal ones the lower cell.
+TEST(Voids, LargestFirst) {
+  const TemporaryFile file("cages.xyzr", cage(1) + cage(3, 20) + cage(2, 40) + cage(1, 60));
+  const std::vector<Json> voids = run_json({"voids", file.path()})["voids"].items;
+  ASSERT_EQ(voids.size(), 4u);
+  EXPECT_EQ(balls_of(voids[0]), from_to(6, 11));
+  EXPECT_EQ(balls_of(voids[1]), from_to(12, 17));
+  for (std::size_t i = 0; i + 1 < voids.size(); ++i) {
+    const double more = voids[i]["volume"].number - voids[i + 1]["volume"].number;
+    EXPECT_TRUE(more > 0 || (more == 0 && voids[i]["cell"].number < voids[i + 1]["cell"].number)) << i;
+  }
+  EXPECT_NEAR(voids[0]["volume"].number, 27 * volume_in_cage(), 1e-3);
+  EXPECT_NEAR(voids[1]["volume"].number, 8 * volume_in_cage(), 1e-3);
+}
+
+// A cage in the void of a cage twenty times as large: its outside is a wall of the large void.
+TEST(Voids, ACageInACage) {
+  const TemporaryFile file("nested.xyzr", cage(20) + cage(1));
+  const std::vector<Json> voids = run_json({"voids", file.path()})["voids"].items;
+  ASSERT_EQ(voids.size(), 2u);
+  EXPECT_EQ(voids[0]["components"].number, 1);
+  EXPECT_EQ(balls_of(voids[0]), from_to(0, 11));
+  EXPECT_EQ(voids[1]["components"].number, 0);
+  EXPECT_EQ(balls_of(voids[1]), from_to(6, 11));
+
+  const Json boundary = run_json({"boundary", file.path(), "--shells"});
+  EXPECT_EQ(boundary["components"].number, 2);
+  EXPECT_EQ(boundary["voids"].number, 2);
+  EXPECT_EQ(boundary["shells"].number, 4);
+  EXPECT_EQ(boundary["euler"].number, 8);
+  double inner_outside = 0;
+  for (const Json &shell : boundary["shell_list"].items) {
+    const bool wall = shell["kind"].text == "void";
+    EXPECT_EQ(shell["euler"].number, 2);
+    EXPECT_EQ(shell["genus"].number, 0);
+    EXPECT_EQ(shell["faces"].number, 6);
+    EXPECT_GT(shell["volume"].number, 0);
+    if (!wall && shell["cell"].number != 0) inner_outside = shell["volume"].number;
+  }
+  EXPECT_GT(inner_outside, 0);
+  EXPECT_NEAR(voids[0]["volume"].number, 8000 * volume_in_cage() - inner_outside, 1e-1);
+}
+
+// A ring of balls is a torus.
+TEST(Voids, ARingHasAHandle) {
+  std::ostringstream text;
+  text << std::setprecision(17);
+  for (int i = 0; i < 12; ++i) text << 2 * std::cos(pi * i / 6) << ' ' << 2 * std::sin(pi * i / 6) << " 0 0.8\n";
+  const TemporaryFile file("ring.xyzr", text.str());
+  const Json json = run_json({"boundary", file.path(), "--shells"});
+  EXPECT_EQ(json["euler"].number, 0);
+  EXPECT_EQ(json["circles"].number, 12);
+  ASSERT_EQ(json["shell_list"].items.size(), 1u);
+  EXPECT_EQ(json["shell_list"].items[0]["genus"].number, 1);
+  EXPECT_EQ(json["shell_list"].items[0]["kind"].text, "outer");
+}
+
+// Shells and voids of molecules add up to what `measure` says, which does not know of them.
+TEST(Voids, ShellsAddUpToTheMeasure) {
+  for (const char *name : {"caffeine.pdb", "crambin.pdb"}) {
+    for (const char *probe : {"0", "0.5", "1.4"}) {
+      const std::string file = molecules_folder() + "/" + name;
+      SCOPED_TRACE(file + " probe " + probe);
+      const Json measure = run_json({"measure", file, "--probe", probe});
+      const Json boundary = run_json({"boundary", file, "--probe", probe, "--shells"});
+      const Json voids = run_json({"voids", file, "--probe", probe});
+      double area = 0;
+      double volume = 0;
+      double void_area = 0;
+      double euler = 0;
+      for (const Json &shell : boundary["shell_list"].items) {
+        const bool wall = shell["kind"].text == "void";
+        area += shell["area"].number;
+        volume += (wall ? -1 : 1) * shell["volume"].number;
+        void_area += wall ? shell["area"].number : 0;
+        euler += shell["euler"].number;
+        EXPECT_EQ(shell["euler"].number, 2 - 2 * shell["genus"].number);
+      }
+      EXPECT_EQ(euler, boundary["euler"].number);
+      EXPECT_NEAR(area, measure["area"].number, 1e-11 * area);
+      EXPECT_NEAR(volume, measure["volume"].number, 1e-11 * volume);
+      double listed = 0;
+      for (const Json &cavity : voids["voids"].items) {
+        listed += cavity["area"].number;
+        EXPECT_GE(cavity["balls"].items.size(), 4u);
+        const std::vector<double> balls = balls_of(cavity);
+        EXPECT_TRUE(std::is_sorted(balls.begin(), balls.end()));
+        EXPECT_EQ(std::adjacent_find(balls.begin(), balls.end()), balls.end());
+      }
+      EXPECT_NEAR(listed, void_area, 1e-11 * area);
+    }
+  }
+}
+
+}  // namespace
