@@ -17,9 +17,12 @@ hsp::TouchingBalls to_touching_balls(uint32_t tangency) {
 void flag_inner_touching(const hsp_boundary &boundary, uint32_t *flags) {
   const hsp::CubeGrid &grid = boundary.model->grid;
   const hsp::BallSet &balls = grid.balls();
+  const hsp::BoundaryStructure &structure = boundary.builder.structure();
   for (uint32_t i = 0; i < balls.n; ++i) {
-    if ((boundary.builder.structure().ball_state[i] & hsp::BoundaryStructure::contained) == 0) continue;
+    if ((structure.ball_state[i] & hsp::BoundaryStructure::contained) == 0) continue;
     hsp::visit_balls_touched_from_inside(grid, i, [&](uint32_t j) {
+      // Of equal balls at most one has faces; if it has none, moving another of them bares nothing.
+      if (balls.r[i] == balls.r[j] && structure.first_face[j] == structure.first_face[j + 1]) return;
       flags[balls.caller[i]] |= HSP_GRADIENT_ONE_SIDED;
       flags[balls.caller[j]] |= HSP_GRADIENT_ONE_SIDED;
     });

@@ -1,21 +1,26 @@
 ! The Fortran module of hardsphere: the C interface of include/hardsphere.h, name for name.
 !
-! EVERY BALL, VERTEX, FACE, SHELL AND COMPONENT ID IN THIS MODULE IS 0-BASED, AS IN C.
+! EVERY ID IN THIS MODULE IS 0-BASED, AS IN C: OF BALLS, VERTICES, ARCS, CIRCLES, FACES, SHELLS, COMPONENTS, EDGES,
+! QUARTER-EDGES, SIMPLE FACES AND CELLS.
 ! THE FORTRAN ARRAY ELEMENT OF ID i IS THEREFORE i + 1; hsp_index(i) COMPUTES THAT.
 !
 ! What each function does, its statuses and its costs are documented in hardsphere.h; nothing of that changes here.
 ! How C maps to Fortran:
 !   double xyz[n][3]             real(c_double) :: xyz(3, n)
+!   uint32_t onext[edges][4]     integer(c_int32_t) :: onext(0:3, 0:edges - 1), and indices are ids
 !   uint32_t                     integer(c_int32_t); values above huge() appear negative: HSP_NONE is -1
-!   hsp_model *, hsp_boundary *  type(c_ptr)
+!   uint8_t selected[n]          integer(c_int8_t) :: selected(n), 0 or not 0
+!   hsp_model *, hsp_boundary *,
+!   hsp_topology *               type(c_ptr)
 !   void *memory                 type(c_ptr) from c_loc of an array with the TARGET attribute; the handle lives in it,
 !                                so the array must outlive the handle and must not be reallocated
+!   T *out, uint32_t capacity    out(*) with capacity elements; other extents stand behind the declarations
 !   a pointer that may be NULL   an optional argument that is left out
 module hardsphere
-  use, intrinsic :: iso_c_binding, only: c_char, c_double, c_f_pointer, c_int32_t, c_int64_t, c_null_char, c_ptr, &
-                                         c_size_t
+  use, intrinsic :: iso_c_binding, only: c_char, c_double, c_f_pointer, c_int8_t, c_int32_t, c_int64_t, c_null_char, &
+                                         c_ptr, c_size_t
   implicit none
-  private :: c_char, c_double, c_f_pointer, c_int32_t, c_int64_t, c_null_char, c_ptr, c_size_t
+  private :: c_char, c_double, c_f_pointer, c_int8_t, c_int32_t, c_int64_t, c_null_char, c_ptr, c_size_t
 
   integer(c_int32_t), parameter :: HSP_VERSION_NUMBER = 100_c_int32_t
 
@@ -38,6 +43,19 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_FIGURES_NO_PAIR = 4_c_int32_t
   integer(c_int32_t), parameter :: HSP_VERTEX_TIED = 1_c_int32_t
   integer(c_int32_t), parameter :: HSP_BALL_CONTAINED = 1_c_int32_t
+
+  integer(c_int32_t), parameter :: HSP_TANGENT_MEETING = 0_c_int32_t
+  integer(c_int32_t), parameter :: HSP_TANGENT_APART = 1_c_int32_t
+  integer(c_int32_t), parameter :: HSP_GRADIENT_ONE_SIDED = 1_c_int32_t
+
+  integer(c_int32_t), parameter :: HSP_POINT_VERTEX = 0_c_int32_t
+  integer(c_int32_t), parameter :: HSP_POINT_CIRCLE = 1_c_int32_t
+  integer(c_int32_t), parameter :: HSP_POINT_POLE = 2_c_int32_t
+  integer(c_int32_t), parameter :: HSP_EDGE_ARC = 0_c_int32_t
+  integer(c_int32_t), parameter :: HSP_EDGE_CIRCLE = 1_c_int32_t
+  integer(c_int32_t), parameter :: HSP_EDGE_EXTRA = 2_c_int32_t
+  integer(c_int32_t), parameter :: HSP_SHELL_OUTER = 0_c_int32_t
+  integer(c_int32_t), parameter :: HSP_SHELL_VOID = 1_c_int32_t
 
   type, bind(C) :: hsp_model_options
     integer(c_int32_t) :: struct_size  ! hsp_model_options_init sets it
@@ -132,6 +150,104 @@ module hardsphere
     real(c_double) :: volume           ! length^3
   end type
 
+  type, bind(C) :: hsp_energy
+    real(c_double) :: value            ! tension*area + pressure*volume
+    real(c_double) :: area             ! length^2
+    real(c_double) :: volume           ! length^3
+    real(c_double) :: probe            ! dE/d(probe)
+  end type
+
+  type, bind(C) :: hsp_area_derivative
+    real(c_double) :: centre(3)        ! dA_i/dc_j, length
+    real(c_double) :: radius           ! dA_i/dr_j, length
+    real(c_double) :: angle            ! radians
+    integer(c_int32_t) :: ball         ! j, 0-based
+    integer(c_int32_t) :: flags        ! HSP_GRADIENT_*
+  end type
+
+  type, bind(C) :: hsp_topology_limits
+    integer(c_int32_t) :: struct_size  ! hsp_topology_limits_init sets it
+    integer(c_int32_t) :: balls
+    integer(c_int32_t) :: neighbours
+    integer(c_int32_t) :: edges
+    integer(c_int32_t) :: extra_arcs
+    integer(c_int32_t) :: reserved
+  end type
+
+  type, bind(C) :: hsp_topology_counts
+    integer(c_int32_t) :: vertices
+    integer(c_int32_t) :: edges
+    integer(c_int32_t) :: simple_faces
+    integer(c_int32_t) :: extra_edges
+    integer(c_int32_t) :: shells
+    integer(c_int32_t) :: components
+    integer(c_int32_t) :: cells
+    integer(c_int32_t) :: start_face   ! 0-based, HSP_NONE if there are no balls
+  end type
+
+  type, bind(C) :: hsp_topology_vertex
+    real(c_double) :: xyz(3)           ! length
+    integer(c_int32_t) :: ball(3)      ! 0-based, HSP_NONE for those there are not
+    integer(c_int32_t) :: kind         ! HSP_POINT_*
+    integer(c_int32_t) :: q            ! 0-based
+    integer(c_int32_t) :: reserved
+  end type
+
+  type, bind(C) :: hsp_topology_edge
+    real(c_double) :: centre(3)        ! length
+    real(c_double) :: axis(3)          ! unit vector
+    real(c_double) :: radius           ! length
+    real(c_double) :: angle            ! radians
+    integer(c_int32_t) :: vertex(2)    ! 0-based, origin and destination
+    integer(c_int32_t) :: face(2)      ! 0-based, left and right
+    integer(c_int32_t) :: ball(2)      ! 0-based, left and right
+    integer(c_int32_t) :: kind         ! HSP_EDGE_*
+    integer(c_int32_t) :: source       ! 0-based, HSP_NONE for extra edges
+  end type
+
+  type, bind(C) :: hsp_simple_face
+    integer(c_int32_t) :: ball         ! 0-based
+    integer(c_int32_t) :: face         ! 0-based
+    integer(c_int32_t) :: edges
+    integer(c_int32_t) :: q            ! 0-based
+    integer(c_int32_t) :: shell        ! 0-based
+    integer(c_int32_t) :: reserved
+  end type
+
+  type, bind(C) :: hsp_shell
+    real(c_double) :: area             ! length^2
+    real(c_double) :: volume           ! length^3
+    real(c_double) :: point(3)         ! length
+    integer(c_int32_t) :: euler
+    integer(c_int32_t) :: genus
+    integer(c_int32_t) :: kind         ! HSP_SHELL_*
+    integer(c_int32_t) :: component    ! 0-based
+    integer(c_int32_t) :: cell         ! 0-based
+    integer(c_int32_t) :: faces
+    integer(c_int32_t) :: simple_faces
+    integer(c_int32_t) :: edges
+    integer(c_int32_t) :: vertices
+    integer(c_int32_t) :: start_face   ! 0-based
+  end type
+
+  type, bind(C) :: hsp_component
+    integer(c_int32_t) :: balls
+    integer(c_int32_t) :: top_ball     ! 0-based
+    integer(c_int32_t) :: outer_shell  ! 0-based
+    integer(c_int32_t) :: shells
+    integer(c_int32_t) :: cell         ! 0-based
+    integer(c_int32_t) :: reserved
+  end type
+
+  type, bind(C) :: hsp_cell
+    real(c_double) :: area             ! length^2
+    real(c_double) :: volume           ! length^3
+    integer(c_int32_t) :: wall         ! 0-based, HSP_NONE for cell 0
+    integer(c_int32_t) :: components
+    integer(c_int32_t) :: shells
+    integer(c_int32_t) :: reserved
+  end type
+
   interface
     function hsp_version() result(version) bind(C, name="hsp_version")
       import :: c_int32_t
@@ -174,8 +290,8 @@ module hardsphere
       import :: c_double, c_int32_t, c_ptr, hsp_model_options
       type(c_ptr), value :: model
       integer(c_int32_t), value :: n
-      real(c_double), intent(in), optional :: xyz(3, *)
-      real(c_double), intent(in), optional :: radius(*)
+      real(c_double), intent(in), optional :: xyz(3, *)         ! 3, n
+      real(c_double), intent(in), optional :: radius(*)         ! n
       type(hsp_model_options), intent(in), optional :: options
       integer(c_int32_t), intent(inout), optional :: first_bad
       integer(c_int32_t) :: status
@@ -343,9 +459,61 @@ module hardsphere
       import :: c_double, c_int32_t, c_ptr, hsp_totals
       type(c_ptr), value :: boundary
       type(hsp_totals), intent(inout), optional :: totals
-      real(c_double), intent(inout), optional :: area(*)
-      real(c_double), intent(inout), optional :: volume(*)
+      real(c_double), intent(inout), optional :: area(*)        ! n
+      real(c_double), intent(inout), optional :: volume(*)      ! n
       integer(c_int32_t), value :: capacity
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_boundary_measure_selected(boundary, selected, totals, area, volume, capacity) result(status) &
+      bind(C, name="hsp_boundary_measure_selected")
+      import :: c_double, c_int32_t, c_int8_t, c_ptr, hsp_totals
+      type(c_ptr), value :: boundary
+      integer(c_int8_t), intent(in), optional :: selected(*)    ! n; 0 or not 0
+      type(hsp_totals), intent(inout), optional :: totals
+      real(c_double), intent(inout), optional :: area(*)        ! n
+      real(c_double), intent(inout), optional :: volume(*)      ! n
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_boundary_measure_faces(boundary, area, volume, capacity) result(status) &
+      bind(C, name="hsp_boundary_measure_faces")
+      import :: c_double, c_int32_t, c_ptr
+      type(c_ptr), value :: boundary
+      real(c_double), intent(inout), optional :: area(*)        ! faces
+      real(c_double), intent(inout), optional :: volume(*)      ! faces
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t) :: status
+    end function
+
+    ! ---- gradients -------------------------------------------------------------------------------------------------
+
+    function hsp_boundary_gradient(boundary, sigma, tension, pressure, tangency, energy, centre, radius, flags, &
+                                   capacity) result(status) bind(C, name="hsp_boundary_gradient")
+      import :: c_double, c_int32_t, c_ptr, hsp_energy
+      type(c_ptr), value :: boundary
+      real(c_double), intent(in), optional :: sigma(*)          ! n
+      real(c_double), value :: tension
+      real(c_double), value :: pressure
+      integer(c_int32_t), value :: tangency                     ! HSP_TANGENT_*
+      type(hsp_energy), intent(inout), optional :: energy
+      real(c_double), intent(inout), optional :: centre(3, *)   ! 3, n
+      real(c_double), intent(inout), optional :: radius(*)      ! n
+      integer(c_int32_t), intent(inout), optional :: flags(*)   ! n; HSP_GRADIENT_*
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_boundary_get_area_row(boundary, ball, tangency, out, capacity, needed) result(status) &
+      bind(C, name="hsp_boundary_get_area_row")
+      import :: c_int32_t, c_ptr, hsp_area_derivative
+      type(c_ptr), value :: boundary
+      integer(c_int32_t), value :: ball
+      integer(c_int32_t), value :: tangency                     ! HSP_TANGENT_*
+      type(hsp_area_derivative), intent(inout), optional :: out(*)
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -354,6 +522,280 @@ module hardsphere
     function hsp_boundary_check(boundary, law, where) result(status) bind(C, name="hsp_boundary_check")
       import :: c_int32_t, c_ptr
       type(c_ptr), value :: boundary
+      integer(c_int32_t), intent(inout) :: law
+      integer(c_int32_t), intent(inout) :: where
+      integer(c_int32_t) :: status
+    end function
+
+    ! ---- topology --------------------------------------------------------------------------------------------------
+
+    function hsp_topology_limits_init(limits, struct_size, balls) result(status) &
+      bind(C, name="hsp_topology_limits_init")
+      import :: c_int32_t, hsp_topology_limits
+      type(hsp_topology_limits), intent(inout) :: limits
+      integer(c_int32_t), value :: struct_size
+      integer(c_int32_t), value :: balls
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_topology_limits_for(limits, struct_size, boundary) result(status) &
+      bind(C, name="hsp_topology_limits_for")
+      import :: c_int32_t, c_ptr, hsp_topology_limits
+      type(hsp_topology_limits), intent(inout) :: limits
+      integer(c_int32_t), value :: struct_size
+      type(c_ptr), value :: boundary
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_topology_bytes(limits, bytes) result(status) bind(C, name="hsp_topology_bytes")
+      import :: c_int32_t, c_size_t, hsp_topology_limits
+      type(hsp_topology_limits), intent(in) :: limits
+      integer(c_size_t), intent(inout) :: bytes
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_topology_init(memory, bytes, limits, topology) result(status) bind(C, name="hsp_topology_init")
+      import :: c_int32_t, c_ptr, c_size_t, hsp_topology_limits
+      type(c_ptr), value :: memory
+      integer(c_size_t), value :: bytes
+      type(hsp_topology_limits), intent(in) :: limits
+      type(c_ptr), intent(inout) :: topology
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_topology_compute(topology, boundary) result(status) bind(C, name="hsp_topology_compute")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: topology
+      type(c_ptr), value :: boundary
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_topology_get_needed(topology, needed) result(status) bind(C, name="hsp_topology_get_needed")
+      import :: c_int32_t, c_ptr, hsp_topology_limits
+      type(c_ptr), value :: topology
+      type(hsp_topology_limits), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_topology_get_counts(topology, counts) result(status) bind(C, name="hsp_topology_get_counts")
+      import :: c_int32_t, c_ptr, hsp_topology_counts
+      type(c_ptr), value :: topology
+      type(hsp_topology_counts), intent(inout) :: counts
+      integer(c_int32_t) :: status
+    end function
+
+    ! Functions of a quarter-edge alone.
+
+    pure function hsp_quad_rot(q) result(turned) bind(C, name="hsp_quad_rot")
+      import :: c_int32_t
+      integer(c_int32_t), value :: q
+      integer(c_int32_t) :: turned
+    end function
+
+    pure function hsp_quad_inverse_rot(q) result(turned) bind(C, name="hsp_quad_inverse_rot")
+      import :: c_int32_t
+      integer(c_int32_t), value :: q
+      integer(c_int32_t) :: turned
+    end function
+
+    pure function hsp_quad_sym(q) result(turned) bind(C, name="hsp_quad_sym")
+      import :: c_int32_t
+      integer(c_int32_t), value :: q
+      integer(c_int32_t) :: turned
+    end function
+
+    ! Steps from a quarter-edge: to another one, to its origin, to what lies left of it. HSP_NONE if there is none.
+
+    function hsp_topology_onext(topology, q) result(found) bind(C, name="hsp_topology_onext")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: topology
+      integer(c_int32_t), value :: q
+      integer(c_int32_t) :: found
+    end function
+
+    function hsp_topology_oprev(topology, q) result(found) bind(C, name="hsp_topology_oprev")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: topology
+      integer(c_int32_t), value :: q
+      integer(c_int32_t) :: found
+    end function
+
+    function hsp_topology_lnext(topology, q) result(found) bind(C, name="hsp_topology_lnext")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: topology
+      integer(c_int32_t), value :: q
+      integer(c_int32_t) :: found
+    end function
+
+    function hsp_topology_lprev(topology, q) result(found) bind(C, name="hsp_topology_lprev")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: topology
+      integer(c_int32_t), value :: q
+      integer(c_int32_t) :: found
+    end function
+
+    function hsp_topology_origin(topology, q) result(found) bind(C, name="hsp_topology_origin")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: topology
+      integer(c_int32_t), value :: q
+      integer(c_int32_t) :: found
+    end function
+
+    function hsp_topology_left(topology, q) result(found) bind(C, name="hsp_topology_left")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: topology
+      integer(c_int32_t), value :: q
+      integer(c_int32_t) :: found
+    end function
+
+    function hsp_topology_ball(topology, q) result(found) bind(C, name="hsp_topology_ball")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: topology
+      integer(c_int32_t), value :: q
+      integer(c_int32_t) :: found
+    end function
+
+    function hsp_topology_get_quad_edges(topology, onext, origin, capacity, needed) result(status) &
+      bind(C, name="hsp_topology_get_quad_edges")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: topology
+      integer(c_int32_t), intent(inout), optional :: onext(0:3, 0:*)  ! 4, edges
+      integer(c_int32_t), intent(inout), optional :: origin(0:3, 0:*)  ! 4, edges
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_topology_get_vertex(topology, id, out) result(status) bind(C, name="hsp_topology_get_vertex")
+      import :: c_int32_t, c_ptr, hsp_topology_vertex
+      type(c_ptr), value :: topology
+      integer(c_int32_t), value :: id
+      type(hsp_topology_vertex), intent(inout) :: out
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_topology_get_edge(topology, id, out) result(status) bind(C, name="hsp_topology_get_edge")
+      import :: c_int32_t, c_ptr, hsp_topology_edge
+      type(c_ptr), value :: topology
+      integer(c_int32_t), value :: id
+      type(hsp_topology_edge), intent(inout) :: out
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_topology_get_face(topology, id, out) result(status) bind(C, name="hsp_topology_get_face")
+      import :: c_int32_t, c_ptr, hsp_simple_face
+      type(c_ptr), value :: topology
+      integer(c_int32_t), value :: id
+      type(hsp_simple_face), intent(inout) :: out
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_topology_get_vertices(topology, out, capacity, needed) result(status) &
+      bind(C, name="hsp_topology_get_vertices")
+      import :: c_int32_t, c_ptr, hsp_topology_vertex
+      type(c_ptr), value :: topology
+      type(hsp_topology_vertex), intent(inout), optional :: out(*)
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_topology_get_edges(topology, out, capacity, needed) result(status) &
+      bind(C, name="hsp_topology_get_edges")
+      import :: c_int32_t, c_ptr, hsp_topology_edge
+      type(c_ptr), value :: topology
+      type(hsp_topology_edge), intent(inout), optional :: out(*)
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_topology_get_faces(topology, out, capacity, needed) result(status) &
+      bind(C, name="hsp_topology_get_faces")
+      import :: c_int32_t, c_ptr, hsp_simple_face
+      type(c_ptr), value :: topology
+      type(hsp_simple_face), intent(inout), optional :: out(*)
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_topology_get_shells(topology, out, capacity, needed) result(status) &
+      bind(C, name="hsp_topology_get_shells")
+      import :: c_int32_t, c_ptr, hsp_shell
+      type(c_ptr), value :: topology
+      type(hsp_shell), intent(inout), optional :: out(*)
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_topology_get_components(topology, out, capacity, needed) result(status) &
+      bind(C, name="hsp_topology_get_components")
+      import :: c_int32_t, c_ptr, hsp_component
+      type(c_ptr), value :: topology
+      type(hsp_component), intent(inout), optional :: out(*)
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_topology_get_cells(topology, out, capacity, needed) result(status) &
+      bind(C, name="hsp_topology_get_cells")
+      import :: c_int32_t, c_ptr, hsp_cell
+      type(c_ptr), value :: topology
+      type(hsp_cell), intent(inout), optional :: out(*)
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_topology_get_cell_shells(topology, cell, shells, capacity, needed) result(status) &
+      bind(C, name="hsp_topology_get_cell_shells")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: topology
+      integer(c_int32_t), value :: cell
+      integer(c_int32_t), intent(inout), optional :: shells(*)
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_topology_get_scan(topology, shell, faces, capacity, needed) result(status) &
+      bind(C, name="hsp_topology_get_scan")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: topology
+      integer(c_int32_t), value :: shell
+      integer(c_int32_t), intent(inout), optional :: faces(*)
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_topology_locate(topology, xyz, cell, ids, capacity, needed) result(status) &
+      bind(C, name="hsp_topology_locate")
+      import :: c_double, c_int32_t, c_ptr
+      type(c_ptr), value :: topology
+      real(c_double), intent(in) :: xyz(3)
+      integer(c_int32_t), intent(inout) :: cell
+      integer(c_int32_t), intent(inout), optional :: ids(*)
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_topology_same_cell(topology, a, b, same) result(status) bind(C, name="hsp_topology_same_cell")
+      import :: c_double, c_int32_t, c_ptr
+      type(c_ptr), value :: topology
+      real(c_double), intent(in) :: a(3)
+      real(c_double), intent(in) :: b(3)
+      integer(c_int32_t), intent(inout) :: same
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_topology_check(topology, law, where) result(status) bind(C, name="hsp_topology_check")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: topology
       integer(c_int32_t), intent(inout) :: law
       integer(c_int32_t), intent(inout) :: where
       integer(c_int32_t) :: status
@@ -382,6 +824,14 @@ contains
     integer(c_size_t) :: bytes
     bytes = 4096_c_size_t + 64_c_size_t*int(balls, c_size_t) + 256_c_size_t*int(neighbours, c_size_t) &
             + 160_c_size_t*int(vertices, c_size_t) + 80_c_size_t*int(circles, c_size_t)
+  end function
+
+  !> HSP_TOPOLOGY_BYTES of the header, for the size of an allocation.
+  pure function hsp_topology_bytes_bound(balls, neighbours, edges, extra_arcs) result(bytes)
+    integer(c_int32_t), intent(in) :: balls, neighbours, edges, extra_arcs
+    integer(c_size_t) :: bytes
+    bytes = 4096_c_size_t + 64_c_size_t*int(balls, c_size_t) + 192_c_size_t*int(neighbours, c_size_t) &
+            + 160_c_size_t*int(edges, c_size_t) + 160_c_size_t*int(extra_arcs, c_size_t)
   end function
 
   !> hsp_status_text as a Fortran string.

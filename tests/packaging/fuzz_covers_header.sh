@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Every function of the header is called in the fuzz harnesses and in the interface tests.
+# Every function of the header is called in the fuzz harnesses and in the interface tests, and with the heap trapped.
 #   fuzz_covers_header.sh SOURCE-FOLDER
 set -euo pipefail
 cd "$1"
@@ -14,6 +14,10 @@ for function in $(bash "$here/header_functions.sh" include/hardsphere.h); do
       failed=1
     fi
   done
+  if ! grep -qE "(^|[^A-Za-z0-9_])$function\(" tests/interface/*malloc_trap_test.c; then
+    echo "nobody calls $function with the heap trapped"
+    failed=1
+  fi
 done
 [ $functions -gt 0 ] || failed=1
 [ $failed -eq 0 ] && echo "$functions functions are fuzzed and tested"
