@@ -134,19 +134,21 @@ void ExtraArcFinder::find_pieces(const BoundaryStructure &boundary, uint32_t fac
   });
 }
 
+// First directly, then by the poles: what is joined must not depend on where the circle's pieces start.
 ExtraArcFinder::Joined ExtraArcFinder::join_pieces(const BoundaryStructure &boundary) {
   Joined joined{false, false};
+  const auto node_at = [&boundary](const ExtraArc &arc, uint32_t end) {
+    return loop_at_end(boundary, arc, end) - boundary.first_loop[arc.ball];
+  };
   for (uint32_t k = 0; k < pending_count_; ++k) {
-    const ExtraArc &arc = pending_[k];
-    const uint32_t first_loop = boundary.first_loop[arc.ball];
-    const uint32_t node = loop_at_end(boundary, arc, 0) - first_loop;
-    if (nodes_.join(node, loop_at_end(boundary, arc, 1) - first_loop)) {
-      --to_join_;
-      joined.loops = true;
-    }
+    if (!nodes_.join(node_at(pending_[k], 0), node_at(pending_[k], 1))) continue;
+    --to_join_;
+    joined.loops = true;
+  }
+  for (uint32_t k = 0; k < pending_count_; ++k) {
     for (uint32_t pole = 0; pole < 2; ++pole) {
-      if ((arc.poles & (pole == 0 ? ExtraArc::passes_north : ExtraArc::passes_south)) == 0) continue;
-      if (!nodes_.join(node, nodes_.size() - 2 + pole)) continue;
+      if ((pending_[k].poles & (pole == 0 ? ExtraArc::passes_north : ExtraArc::passes_south)) == 0) continue;
+      if (!nodes_.join(node_at(pending_[k], 0), nodes_.size() - 2 + pole)) continue;
       // The first circle through a pole joins no loops there.
       if (pole_joined_[pole]) --to_join_;
       pole_joined_[pole] = true;
