@@ -1,49 +1,18 @@
 // The boundary of any set: everything the header promises about its records, the same bytes twice, and no effect of the
 // order of the balls, of the place and of the names of the axes.
-#include <computed.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstring>
-#include <numeric>
-
-#include "checked_model.hpp"
+#include "computed_set.hpp"
 
 namespace {
 
-// A computation whose memory goes with it.
-class Result {
- public:
-  explicit Result(const fuzz::BallSet &set) {
-    const std::vector<double> xyz = set.xyz(), radius = set.radius();
-    const hsp_model_options options = fuzz::options_of(set);
-    const int32_t status = computed_make(set.n(), xyz.data(), radius.data(), &options, &computed_);
-    FUZZ_REQUIRE(status == HSP_OK, hsp_status_text(status));
-  }
-  ~Result() { computed_release(&computed_); }
-  Result(const Result &) = delete;
-  Result &operator=(const Result &) = delete;
-
-  const computed &get() const { return computed_; }
-
- private:
-  computed computed_{};
-};
+using fuzz::close;
+using fuzz::same;
+using Result = fuzz::ComputedSet;
 
 void require_sound(const computed &c) {
   const char *broken = broken_structure(&c);
   FUZZ_REQUIRE(broken == nullptr, broken);
   broken = broken_measure(&c);
   FUZZ_REQUIRE(broken == nullptr, broken);
-}
-
-bool close(double a, double b) {
-  return std::fabs(a - b) <= 1e-10 * (1 + std::fabs(a));
-}
-
-template <class Record>
-bool same(const Record *a, const Record *b, uint32_t count) {
-  return count == 0 || std::memcmp(a, b, count * sizeof(Record)) == 0;
 }
 
 void require_same_bytes(const computed &a, const computed &b) {
@@ -59,12 +28,8 @@ void require_same_bytes(const computed &a, const computed &b) {
 
 // hsp_model_set, hsp_boundary_compute and hsp_boundary_measure, property 1 each.
 void require_no_order(const fuzz::BallSet &set, const computed &reference, fuzz::Bytes &bytes) {
-  std::vector<uint32_t> order(set.n());
-  std::iota(order.begin(), order.end(), 0U);
-  for (uint32_t i = set.n(); i > 1; --i) std::swap(order[i - 1], order[bytes.below(i)]);
-  fuzz::BallSet permuted = set;
-  for (uint32_t i = 0; i < set.n(); ++i) permuted.balls[i] = set.balls[order[i]];
-  const Result other(permuted);
+  const std::vector<uint32_t> order = fuzz::shuffled(set.n(), bytes);
+  const Result other(fuzz::permuted(set, order));
   require_sound(other.get());
   const char *what = difference_after_permutation(&reference, &other.get(), order.data());
   FUZZ_REQUIRE(what == nullptr, what);

@@ -4,26 +4,27 @@
 
 #include <cmath>
 #include <cstring>
-#include <limits>
 
-#include "fuzz_input.hpp"
-#include "guarded_output.hpp"
+#include "gradient_calls.hpp"
+#include "topology_calls.hpp"
 
 namespace {
 
 class Session {
  public:
-  explicit Session(fuzz::Bytes &bytes) : bytes_(bytes) {
+  explicit Session(fuzz::Bytes &bytes) : bytes_(bytes), topology_(bytes) {
     // Most sessions begin in the usual order; else few would ever hold results.
     if (bytes_.one_in(4)) return;
     init_model();
     set_model();
     init_boundary();
     compute();
+    topology_.init(boundary_, complete_);
+    topology_.compute(boundary_, complete_, version_);
   }
 
   void step() {
-    switch (bytes_.below(12)) {
+    switch (bytes_.below(20)) {
       case 0:
         init_model();
         break;
@@ -53,30 +54,34 @@ class Session {
       case 10:
         measure();
         break;
+      case 11:
+        topology_.init(boundary_, complete_);
+        break;
+      case 12:
+      case 13:
+        topology_.compute(null() ? nullptr : boundary_, complete_, version_);
+        break;
+      case 14:
+      case 15:
+        topology_.read(version_);
+        break;
+      case 16:
+        topology_.locate(version_);
+        break;
+      case 17:
+        call_parts();
+        break;
+      case 18:
+        call_derivatives();
+        break;
       default:
         constants();
     }
   }
 
  private:
-  bool null() { return bytes_.one_in(40); }
-
-  double number() {
-    static constexpr double special[] = {std::numeric_limits<double>::quiet_NaN(),
-                                         std::numeric_limits<double>::infinity(),
-                                         -std::numeric_limits<double>::infinity(),
-                                         -0.0,
-                                         -1.0,
-                                         1e300,
-                                         -1e300,
-                                         std::numeric_limits<double>::denorm_min(),
-                                         1e-300,
-                                         1e16,
-                                         1e-9,
-                                         std::numeric_limits<double>::max()};
-    if (odd_numbers_ && bytes_.one_in(12)) return special[bytes_.below(static_cast<uint32_t>(std::size(special)))];
-    return bytes_.below(8);
-  }
+  bool null() { return fuzz::null(bytes_); }
+  double number() { return fuzz::number(bytes_, odd_numbers_); }
 
   void constants() {
     FUZZ_REQUIRE(hsp_version() == HSP_VERSION_NUMBER, "version");
@@ -93,6 +98,7 @@ class Session {
     const size_t missing = bytes_.one_in(8) ? 1 + bytes_.below(200) : 0;
     const size_t given = missing < bytes ? bytes - missing : 0;
     // what referred to the old memory goes first
+    topology_.drop();
     boundary_ = nullptr;
     model_ = nullptr;
     model_memory_.assign(misalignment + given + 1, 0x3C);
@@ -137,6 +143,7 @@ class Session {
     FUZZ_REQUIRE(model_memory_.empty() || model_memory_.back() == 0x3C, "written past the model's memory");
     const bool bad_pointer = no_model || (n > 0 && (xyz.data() == nullptr || no_xyz || no_radius)) || bad_options;
     if (!no_model) {
+      ++version_;
       complete_ = false;
       balls_ = status == HSP_OK ? n : 0;
     }
@@ -184,24 +191,9 @@ class Session {
     if (expected == HSP_OK) FUZZ_REQUIRE(info.balls == balls_, "number of balls");
   }
 
-  // The rules for (out, capacity, needed), the same for all functions.
   template <class Record, class Ask>
   void check_array(uint32_t most, int32_t argument_status, const Ask &ask) {
-    const bool no_out = null(), no_needed = null();
-    fuzz::Output<Record> out(bytes_.below(most + 3), no_out);
-    uint32_t needed = 12345;
-    const int32_t status = ask(out.data(), out.capacity(), no_needed ? nullptr : &needed);
-    if (argument_status == HSP_E_ARGUMENT || no_needed || (no_out && out.capacity() > 0)) {
-      FUZZ_REQUIRE(status == HSP_E_ARGUMENT, "null pointer");
-    } else if (argument_status != HSP_OK) {
-      FUZZ_REQUIRE(status == argument_status, "state or argument");
-    } else {
-      FUZZ_REQUIRE(status == HSP_OK || status == HSP_E_CAPACITY, "status of an array function");
-      FUZZ_REQUIRE((status == HSP_OK) == (needed <= out.capacity()), "capacity");
-    }
-    const bool tells = status == HSP_OK || status == HSP_E_CAPACITY;
-    FUZZ_REQUIRE(tells || needed == 12345, "needed written on failure");
-    FUZZ_REQUIRE(out.untouched_from(status == HSP_OK ? needed : 0), "written where nothing belongs");
+    fuzz::check_array<Record>(bytes_, most, argument_status, ask);
   }
 
   void query_places() {
@@ -264,6 +256,7 @@ class Session {
     const size_t missing = bytes_.one_in(8) ? 1 + bytes_.below(200) : 0;
     const size_t misalignment = bytes_.below(16);
     const size_t given = missing < bytes ? bytes - missing : 0;
+    topology_.drop();
     boundary_ = nullptr;
     boundary_memory_.assign(misalignment + given + 1, 0x3C);
     hsp_boundary *made = nullptr;
@@ -291,6 +284,7 @@ class Session {
     }
     attempted_ = true;
     complete_ = status == HSP_OK;
+    ++version_;
     hsp_boundary_limits needed;
     FUZZ_REQUIRE(status == HSP_OK || status == HSP_E_CAPACITY, "a status that hsp_boundary_compute does not have");
     FUZZ_REQUIRE(hsp_boundary_get_needed(boundary, &needed) == HSP_OK, "hsp_boundary_get_needed");
@@ -356,7 +350,18 @@ class Session {
     FUZZ_REQUIRE(totals.untouched_from(status == HSP_OK && !no_totals ? 1 : 0), "totals written on failure");
   }
 
+  void call_parts() {
+    const hsp_boundary *boundary = null() ? nullptr : boundary_;
+    fuzz::call_measure_parts(bytes_, boundary, reader_status(boundary), balls_);
+  }
+
+  void call_derivatives() {
+    const hsp_boundary *boundary = null() ? nullptr : boundary_;
+    fuzz::call_gradient(bytes_, boundary, reader_status(boundary), balls_);
+  }
+
   fuzz::Bytes &bytes_;
+  fuzz::TopologyCalls topology_;
   std::vector<uint8_t> model_memory_, boundary_memory_;
   hsp_model *model_ = nullptr;
   hsp_boundary *boundary_ = nullptr;
@@ -366,6 +371,7 @@ class Session {
   bool odd_numbers_ = false;  // NaN and the like may occur in the current call
   bool attempted_ = false;    // the boundary was given a model
   bool complete_ = false;     // the boundary holds results, and the model has not changed since
+  uint64_t version_ = 0;      // of the boundary's results
 };
 
 }  // namespace

@@ -72,59 +72,69 @@ double turn_within(const DoubleVector &axis, const DoubleVector &from, const Dou
   return angle - largest < 2 * pi - angle ? largest : 0.0;
 }
 
-// Where the loop of ball a comes onto an arc, relative to the frame's centre.
-DoubleVector start_of_arc(const BallSet &balls, const BoundaryStructure &boundary, const CarrierFrame &carrier,
-                          uint32_t use) {
-  const exact::LatticeBall own = balls.ball(carrier.frame);
-  const auto plane = [&](uint32_t j) { return exact::plane_of(own, balls.ball(j)); };
-  double offset[3];
-  const VertexUse &walk = boundary.uses[use];
-  if (carrier.frame == carrier.a) {
-    vertex_offset(plane(walk.out), plane(walk.in), -1, boundary.root_discriminant[walk.vertex], offset);
-  } else {  // the loop of b arrives there
-    const VertexUse &twin = boundary.uses[twin_use(boundary, use)];
-    const VertexUse &end = boundary.uses[twin.next];
-    vertex_offset(plane(twin.out), plane(end.out), +1, boundary.root_discriminant[end.vertex], offset);
-  }
-  return to_vector(offset);
+uint32_t count_splits(const TopologyStructure &topology, uint32_t carrier) {
+  uint32_t count = 0;
+  for (uint32_t s = topology.split_points.first(carrier); s != no_id; s = topology.split_points[s].next) ++count;
+  return count;
+}
+
+// A carrier's split number k, as the loop of its ball a walks it.
+const SplitPoint &split_on(const TopologyStructure &topology, uint32_t carrier, uint32_t k) {
+  uint32_t split = topology.split_points.first(carrier);
+  for (; k > 0; --k) split = topology.split_points[split].next;
+  return topology.split_points[split];
 }
 
 // An arc or half of a free circle: its circle, and the angle of one of the edges it is cut into.
 EdgePlace place_on_carrier(const BallSet &balls, const BoundaryStructure &boundary, const TopologyStructure &topology,
                            uint32_t carrier_id, uint32_t piece) {
   const CarrierFrame carrier(balls, balls_of_carrier(boundary, carrier_id));
+  const bool frame_is_a = carrier.frame == carrier.a;
   const CirclePlace circle = circle_place(balls, carrier.frame, carrier.other);
   EdgePlace place;
   // The loop of a runs clockwise about the axis towards b.
-  const double direction = carrier.frame == carrier.a ? -1.0 : 1.0;
   place.centre.ball = carrier.frame;
   for (int k = 0; k < 3; ++k) {
     place.centre.offset[k] = circle.centre[k];
-    place.axis[k] = direction * circle.axis[k];
+    place.axis[k] = frame_is_a ? -circle.axis[k] : circle.axis[k];
   }
   place.radius = circle.radius;
 
   const uint32_t uses = 3 * boundary.vertices.size();
   const bool on_arc = carrier_id < uses;
-  const uint32_t own_use = on_arc && carrier.frame != carrier.a ? twin_use(boundary, carrier_id) : carrier_id;
+  const uint32_t own_use = on_arc && !frame_is_a ? twin_use(boundary, carrier_id) : carrier_id;
   const double whole = on_arc ? arc_angle(balls, boundary, carrier.frame, own_use) : pi;
-  const uint32_t first_split = topology.split_points.first(carrier_id);
-  if (first_split == no_id) {
+  const uint32_t splits = count_splits(topology, carrier_id);
+  if (splits == 0) {
     place.angle = whole;
     return place;
   }
-  const DoubleVector axis = to_vector(place.axis);
+
+  // From point to point as the loop of the frame walks; the last piece has what is left, so that they sum to the arc.
   const DoubleVector centre = to_vector(circle.centre);
   const auto from_centre = [&](const DoubleVector &p) { return exact::combine(1.0, p, -1.0, centre); };
-  DoubleVector from = from_centre(on_arc ? start_of_arc(balls, boundary, carrier, carrier_id)
-                                         : carrier.split(balls, topology.split_points[carrier_id - uses]));
-  // From point to point; the last piece has what is left, so that the pieces sum to the arc.
+  const DoubleVector axis{-circle.axis[0], -circle.axis[1], -circle.axis[2]};
+  DoubleVector from;
+  if (on_arc) {
+    const VertexUse &walk = boundary.uses[own_use];
+    const exact::LatticeBall own = balls.ball(carrier.frame);
+    double offset[3];
+    vertex_offset(exact::plane_of(own, balls.ball(walk.out)), exact::plane_of(own, balls.ball(walk.in)), -1,
+                  boundary.root_discriminant[walk.vertex], offset);
+    from = from_centre(to_vector(offset));
+  } else {
+    // The loop of a walks half h of a circle from its point h to the other one.
+    const uint32_t start = frame_is_a ? carrier_id - uses : (carrier_id - uses) ^ 1U;
+    from = from_centre(carrier.split(balls, topology.split_points[start]));
+  }
+  // Splits and pieces are numbered as the loop of a walks them.
+  const uint32_t wanted = frame_is_a ? piece : splits - piece;
   double left = whole;
-  uint32_t split = first_split;
-  for (uint32_t k = 0; split != no_id; ++k, split = topology.split_points[split].next) {
-    const DoubleVector point = from_centre(carrier.split(balls, topology.split_points[split]));
+  for (uint32_t k = 0; k < splits; ++k) {
+    const SplitPoint &split = split_on(topology, carrier_id, frame_is_a ? k : splits - 1 - k);
+    const DoubleVector point = from_centre(carrier.split(balls, split));
     const double turn = turn_within(axis, from, point, left);
-    if (k == piece) {
+    if (k == wanted) {
       place.angle = turn;
       return place;
     }

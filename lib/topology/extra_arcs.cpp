@@ -50,6 +50,7 @@ void ExtraArcFinder::carve(Workspace &workspace, uint32_t neighbours, uint32_t e
 void ExtraArcFinder::find(const CubeGrid &grid, const BoundaryStructure &boundary, GatheredBall &gathered,
                           FixedVector<ExtraArc> &arcs) {
   arcs.clear();
+  needed_ = 0;
   // Balls of one cube follow each other and share the block of cubes around it.
   uint32_t gathered_ball = no_id;
   BallRange cube_balls{0, 0};
@@ -87,6 +88,7 @@ void ExtraArcFinder::cut_face(const BoundaryStructure &boundary, uint32_t face, 
       arcs.push(pending_[k]);
     }
   }
+  if (arcs.wanted() > needed_) needed_ = arcs.wanted() < no_id ? static_cast<uint32_t>(arcs.wanted()) : no_id;
   if (through_poles && !arcs.overflowed()) drop_circles_through_poles(boundary, first_arc, arcs);
   make_pole_vertices(arcs.items().part(first_arc, arcs.size()));
 }

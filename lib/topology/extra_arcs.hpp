@@ -47,6 +47,8 @@ class ExtraArcFinder {
   // neighbours of every ball and for as many edges as the boundary has arcs and circles.
   void find(const CubeGrid &grid, const BoundaryStructure &boundary, GatheredBall &gathered,
             FixedVector<ExtraArc> &arcs);
+  // The most arcs that were there at a time: a face's arcs that turn out not to be needed are dropped again.
+  uint32_t needed() const { return needed_; }
 
  private:
   void cut_face(const BoundaryStructure &boundary, uint32_t face, const GatheredBall &gathered,
@@ -69,6 +71,7 @@ class ExtraArcFinder {
   DisjointSets nodes_;
   bool pole_joined_[2] = {false, false};
   uint32_t to_join_ = 0;  // until the face's loops are one set
+  uint32_t needed_ = 0;
 };
 
 }  // namespace hsp

@@ -42,7 +42,7 @@ Status TopologyBuilder::build(const CubeGrid &grid, const BoundaryStructure &bou
   if (!fits || needed_.edges > limits_.edges) return Status::capacity;
 
   finder_.find(grid, boundary, gathered_, structure_.extra_arcs);
-  needed_.extra_arcs = clamp(structure_.extra_arcs.wanted());
+  needed_.extra_arcs = finder_.needed();
   if (structure_.extra_arcs.overflowed()) {
     needed_.edges = 0;
     return Status::capacity;

@@ -3,6 +3,7 @@
 program fortran_interface_test
   use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int64_t, c_int8_t, c_loc, c_null_ptr, c_ptr, c_size_t, &
                                          c_sizeof, c_associated
+  use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
   use hardsphere
   implicit none
 
@@ -23,6 +24,9 @@ program fortran_interface_test
   call model_functions()
   call query_functions()
   call boundary_functions()
+  call measure_of_parts()
+  call gradient_functions()
+  call area_rows()
   call reports_errors()
   print '(i0, a, i0, a)', checks, ' checks, ', failures, ' failed'
   if (failures > 0 .or. checks == 0) stop 1
@@ -56,6 +60,8 @@ contains
     type(hsp_face) :: face
     type(hsp_ball) :: ball
     type(hsp_totals) :: totals
+    type(hsp_energy) :: energy
+    type(hsp_area_derivative) :: derivative
     type(c_ptr) :: text
     call check(c_sizeof(options) == 24, 'size of hsp_model_options')
     call check(c_sizeof(info) == 40, 'size of hsp_model_info')
@@ -68,6 +74,8 @@ contains
     call check(c_sizeof(face) == 16, 'size of hsp_face')
     call check(c_sizeof(ball) == 16, 'size of hsp_ball')
     call check(c_sizeof(totals) == 16, 'size of hsp_totals')
+    call check(c_sizeof(energy) == 32, 'size of hsp_energy')
+    call check(c_sizeof(derivative) == 48, 'size of hsp_area_derivative')
     call check(hsp_version() == HSP_VERSION_NUMBER, 'version')
     text = hsp_status_text(HSP_OK)
     call check(c_associated(text), 'status text')
@@ -230,6 +238,131 @@ contains
     call check(abs(circle(1)%radius - sqrt(1.25_c_double)) < 1e-14_c_double, 'radius of a circle')
     call check(all(circle(1)%ball == [0, 1]), 'balls of a circle')
     call check(circle(1)%face(1) /= circle(1)%face(2), 'faces of a circle')
+  end subroutine
+
+  subroutine compute_all()
+    call expect(hsp_model_set(model, n, xyz, radius), HSP_OK, 'hsp_model_set')
+    call expect(hsp_boundary_compute(boundary, model), HSP_OK, 'hsp_boundary_compute')
+  end subroutine
+
+  subroutine measure_of_parts()
+    type(hsp_totals) :: totals
+    type(hsp_face) :: faces(4)
+    real(c_double) :: all_area(n), all_volume(n), area(n), volume(n), face_area(4), face_volume(4)
+    integer(c_int32_t) :: needed, f
+    integer(c_int8_t), parameter :: selected(n) = [0_c_int8_t, 1_c_int8_t, 0_c_int8_t, -1_c_int8_t]
+    call compute_all()
+    call expect(hsp_boundary_measure(boundary, area=all_area, volume=all_volume, capacity=n), HSP_OK, 'all balls')
+    call expect(hsp_boundary_measure_selected(boundary, selected, totals, area, volume, n), HSP_OK, &
+                'hsp_boundary_measure_selected')
+    call check(all(area == merge(all_area, 0.0_c_double, selected /= 0)), 'areas of selected balls')
+    call check(all(volume == merge(all_volume, 0.0_c_double, selected /= 0)), 'volume terms of selected balls')
+    call check(abs(totals%area - all_area(2) - all_area(4)) < 1e-13_c_double, 'area of selected balls')
+    call check(abs(totals%volume - all_volume(2) - all_volume(4)) < 1e-13_c_double, 'volume of selected balls')
+    area = -1
+    call expect(hsp_boundary_measure_selected(boundary, area=area, capacity=n), HSP_OK, 'no selection selects all')
+    call check(all(area == all_area), 'no selection selects all')
+    call expect(hsp_boundary_measure_faces(boundary, face_area, face_volume, 4_c_int32_t), HSP_OK, &
+                'hsp_boundary_measure_faces')
+    call expect(hsp_boundary_get_faces(boundary, faces, 4_c_int32_t, needed), HSP_OK, 'hsp_boundary_get_faces')
+    do f = 1, 4
+      call check(abs(face_area(f) - all_area(hsp_index(faces(f)%ball))) < 1e-13_c_double, 'area of a ball''s only face')
+      call check(abs(face_volume(f) - all_volume(hsp_index(faces(f)%ball))) < 1e-13_c_double, 'volume of a face')
+    end do
+    call expect(hsp_boundary_measure_faces(boundary, volume=face_volume, capacity=3_c_int32_t), HSP_E_CAPACITY, 'faces')
+  end subroutine
+
+  subroutine gradient_functions()
+    real(c_double), parameter :: sigma(n) = [1.0_c_double, -2.0_c_double, 0.5_c_double, 3.0_c_double]
+    real(c_double), parameter :: h = 1e-4_c_double
+    type(hsp_energy) :: energy
+    type(hsp_totals) :: totals
+    real(c_double) :: centre(3, n), by_radius(n), area(n), moved(3, n), at(-1:1)
+    integer(c_int32_t) :: flags(n)
+    integer :: axis, step
+    call compute_all()
+    flags = 7
+    call expect(hsp_boundary_gradient(boundary, sigma, 0.5_c_double, 2.0_c_double, HSP_TANGENT_MEETING, energy, centre, &
+                                      by_radius, flags, n), HSP_OK, 'hsp_boundary_gradient')
+    call expect(hsp_boundary_measure(boundary, totals, area, capacity=n), HSP_OK, 'hsp_boundary_measure')
+    call check(abs(energy%area - sum(sigma*area)) < 1e-12_c_double, 'energy%area')
+    call check(abs(energy%volume - totals%volume) < 1e-12_c_double, 'energy%volume')
+    call check(abs(energy%value - 0.5_c_double*energy%area - 2*energy%volume) < 1e-12_c_double, 'energy%value')
+    call check(abs(energy%probe - sum(by_radius)) < 1e-11_c_double, 'energy%probe')
+    call check(all(flags == 0), 'no balls touch')
+    call check(all(abs(sum(centre, dim=2)) < 1e-12_c_double), 'forces sum to nothing')
+    call check(all(centre(:, 4) == 0), 'nothing pulls the ball apart')
+    call check(abs(by_radius(4) - 1.5_c_double*4*pi - 2*pi) < 1e-12_c_double, 'radius of the ball apart')
+    do axis = 1, 3
+      do step = -1, 1, 2
+        moved = xyz
+        moved(axis, 3) = moved(axis, 3) + step*h
+        call expect(hsp_model_set(model, n, moved, radius), HSP_OK, 'moved')
+        call expect(hsp_boundary_compute(boundary, model), HSP_OK, 'moved')
+        call expect(hsp_boundary_measure(boundary, totals, area, capacity=n), HSP_OK, 'moved')
+        at(step) = 0.5_c_double*sum(sigma*area) + 2*totals%volume
+      end do
+      call check(abs((at(1) - at(-1))/(2*h) - centre(axis, 3)) < 1e-5_c_double, 'centre against differences')
+    end do
+    call compute_all()
+    energy%value = 0
+    call expect(hsp_boundary_gradient(boundary, tension=1.0_c_double, pressure=0.0_c_double, &
+                                      tangency=HSP_TANGENT_APART, energy=energy, capacity=0_c_int32_t), HSP_OK, 'energy')
+    call expect(hsp_boundary_measure(boundary, totals, capacity=0_c_int32_t), HSP_OK, 'totals')
+    call check(abs(energy%value - totals%area) < 1e-12_c_double, 'without weights all are 1')
+    call expect(hsp_boundary_gradient(boundary, sigma, 1.0_c_double, 0.0_c_double, 2_c_int32_t, capacity=0_c_int32_t), &
+                HSP_E_ARGUMENT, 'unknown tangency')
+    call expect(hsp_boundary_gradient(boundary, sigma, ieee_value(pi, ieee_quiet_nan), 0.0_c_double, &
+                                      HSP_TANGENT_APART, capacity=0_c_int32_t), HSP_E_NOT_FINITE, 'tension that is no number')
+    call touching_balls()
+  end subroutine
+
+  ! Both derivatives where two balls touch: radii 1.5 and 0.5, hence 2 pi r s / (r + s) for each of the two areas.
+  subroutine touching_balls()
+    real(c_double), parameter :: places(3, 2) = reshape([0.0_c_double, 0.0_c_double, 0.0_c_double, &
+                                                         0.0_c_double, 2.0_c_double, 0.0_c_double], [3, 2])
+    real(c_double), parameter :: radii(2) = [1.5_c_double, 0.5_c_double]
+    real(c_double) :: centre(3, 2)
+    integer(c_int32_t) :: flags(2)
+    call expect(hsp_model_set(model, 2_c_int32_t, places, radii), HSP_OK, 'touching balls')
+    call expect(hsp_boundary_compute(boundary, model), HSP_OK, 'touching balls')
+    call expect(hsp_boundary_gradient(boundary, tension=1.0_c_double, pressure=0.0_c_double, &
+                                      tangency=HSP_TANGENT_MEETING, centre=centre, flags=flags, capacity=2_c_int32_t), &
+                HSP_OK, 'touching balls')
+    call check(all(flags == HSP_GRADIENT_ONE_SIDED), 'flags of touching balls')
+    call check(abs(centre(2, 2) - 1.5_c_double*pi) < 1e-13_c_double, 'touching balls as if they met')
+    call expect(hsp_boundary_gradient(boundary, tension=1.0_c_double, pressure=0.0_c_double, &
+                                      tangency=HSP_TANGENT_APART, centre=centre, capacity=2_c_int32_t), HSP_OK, 'apart')
+    call check(all(centre == 0), 'touching balls as if they were apart')
+  end subroutine
+
+  subroutine area_rows()
+    type(hsp_area_derivative) :: row(3)
+    type(hsp_arc) :: arcs(3)
+    real(c_double) :: centre(3, n), sigma(n)
+    integer(c_int32_t) :: needed
+    call compute_all()
+    call expect(hsp_boundary_get_area_row(boundary, 1_c_int32_t, HSP_TANGENT_MEETING, capacity=0_c_int32_t, &
+                                          needed=needed), HSP_E_CAPACITY, 'length of a row')
+    call check(needed == 3, 'length of a row')
+    call expect(hsp_boundary_get_area_row(boundary, 1_c_int32_t, HSP_TANGENT_MEETING, row, 3_c_int32_t, needed), HSP_OK, &
+                'hsp_boundary_get_area_row')
+    call check(all(row%ball == [0, 1, 2]) .and. all(row%flags == 0), 'balls and flags of a row')
+    call expect(hsp_boundary_get_arcs(boundary, arcs, 3_c_int32_t, needed), HSP_OK, 'hsp_boundary_get_arcs')
+    call check(abs(sum(pack(arcs%angle, arcs%ball(1) == 0 .and. arcs%ball(2) == 1)) - row(1)%angle) < 1e-13_c_double, &
+               'angle of an entry')
+    call check(row(2)%angle == 0, 'angle of the ball itself')
+    sigma = [0, 1, 0, 0]
+    call expect(hsp_boundary_gradient(boundary, sigma, 1.0_c_double, 0.0_c_double, HSP_TANGENT_MEETING, centre=centre, &
+                                      capacity=n), HSP_OK, 'gradient of one area')
+    call check(all(abs(centre(:, 1) - row(1)%centre) < 1e-13_c_double), 'first entry is the gradient')
+    call check(all(abs(centre(:, 2) - row(2)%centre) < 1e-13_c_double), 'second entry is the gradient')
+    call check(all(abs(centre(:, 3) - row(3)%centre) < 1e-13_c_double), 'third entry is the gradient')
+    call check(row(1)%radius < 0 .and. row(2)%radius > 0 .and. row(3)%radius < 0, 'neighbours take area away')
+    call expect(hsp_boundary_get_area_row(boundary, n, HSP_TANGENT_APART, row, 3_c_int32_t, needed), HSP_E_ID, 'no ball')
+    call expect(hsp_boundary_get_area_row(boundary, 3_c_int32_t, HSP_TANGENT_APART, row, 3_c_int32_t, needed), HSP_OK, &
+                'row of the ball apart')
+    call check(needed == 1 .and. row(1)%ball == 3 .and. abs(row(1)%radius - 4*pi) < 1e-13_c_double, 'row of one entry')
   end subroutine
 
   subroutine reports_errors()

@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# The Fortran module against the header: every function, every constant and its value, every struct and its fields, in
-# both directions.
+# The Fortran module against the header: every function with its arguments, every constant and its value, every struct
+# with its size and the place of its fields, in both directions.
 #   fortran_module_matches_header.sh HEADER MODULE.f90 C-COMPILER FORTRAN-COMPILER ARCHIVE WORK-FOLDER
 set -euo pipefail
 export LC_ALL=C
 header=$1 module=$2 cc=$3 fc=$4 archive=$5 work=$6
+here=$(cd "$(dirname "$0")" && pwd)
 rm -rf "$work"
 mkdir -p "$work"
 failed=0
@@ -23,9 +24,17 @@ same() {
 }
 
 # ---- functions
-bash "$(dirname "$0")/../packaging/header_functions.sh" "$header" >"$work/functions.header"
+bash "$here/../packaging/header_functions.sh" "$header" >"$work/functions.header"
 grep -oE 'bind\(C, name="[a-z0-9_]+"\)' "$module" | sed 's/.*"\(.*\)".*/\1/' | sort >"$work/functions.module"
 same functions "$work/functions.header" "$work/functions.module"
+
+# ---- their results and arguments: names, types, by value or by reference, and what is only read
+"$cc" -std=c99 -fpreprocessed -dD -E -P "$header" 2>/dev/null >"$work/bare_header"
+sed '/^#/d' "$work/bare_header" | tr '\n' ' ' | tr -s ' ' | awk -f "$here/signatures_of_header.awk" |
+  sort >"$work/signatures.header"
+awk -f "$here/signatures_of_module.awk" "$module" | sort >"$work/signatures.module"
+same signatures "$work/signatures.header" "$work/signatures.module"
+cut -d' ' -f1 "$work/signatures.header" | diff -u --label header --label signatures "$work/functions.header" - || failed=1
 
 # ---- constants: the compilers themselves say what each is worth, as a 32-bit number
 echo "#include \"$header\"" >"$work/header.c"
@@ -44,6 +53,7 @@ same "names of constants" "$work/constants" "$work/constants.module"
   echo '  printf("model bytes %zu %zu\n", HSP_MODEL_BYTES(0), HSP_MODEL_BYTES(1000));'
   for limits in 0,0,0,0 1000,0,0,0 0,1000,0,0 0,0,1000,0 0,0,0,1000; do
     echo "  printf(\"boundary bytes %zu\n\", HSP_BOUNDARY_BYTES($limits));"
+    echo "  printf(\"topology bytes %zu\n\", HSP_TOPOLOGY_BYTES($limits));"
   done
   echo '  return 0; }'
 } >"$work/constants.c"
@@ -59,6 +69,7 @@ same "names of constants" "$work/constants" "$work/constants.module"
   echo "  print '(a, i0, 1x, i0)', 'model bytes ', hsp_model_bytes_bound(0), hsp_model_bytes_bound(1000)"
   for limits in 0,0,0,0 1000,0,0,0 0,1000,0,0 0,0,1000,0 0,0,0,1000; do
     echo "  print '(a, i0)', 'boundary bytes ', hsp_boundary_bytes_bound($limits)"
+    echo "  print '(a, i0)', 'topology bytes ', hsp_topology_bytes_bound($limits)"
   done
   echo 'end program'
 } >"$work/constants.f90"
@@ -66,8 +77,8 @@ same "names of constants" "$work/constants" "$work/constants.module"
 "$work/constants.f90.out" >"$work/values.module"
 same "values of constants and size macros" "$work/values.header" "$work/values.module"
 
-# ---- structs: names and fields in order, one line each. Offsets follow, since both sides are laid out as C.
-"$cc" -std=c99 -fpreprocessed -dD -E -P "$header" 2>/dev/null | tr '\n' ' ' |
+# ---- structs: names and fields in order, one line each
+tr '\n' ' ' <"$work/bare_header" |
   grep -oE 'typedef struct hsp_[a-z_]+ \{[^}]*\}' |
   sed -E 's/typedef struct (hsp_[a-z_]+) \{/\1/; s/\}//; s/uint32_t/int32/g; s/int32_t/int32/g; s/int64_t/int64/g; s/[[:space:]]+/ /g' |
   awk '{n = split($0, part, ";"); split(part[1], first, " ");
@@ -82,4 +93,43 @@ awk '/^ *type, bind\(C\) ::/ {line = $NF; inside = 1; next}
      inside && /::/ {sub(/!.*/, ""); type = $0 ~ /real\(c_double\)/ ? "double" : $0 ~ /c_int64_t/ ? "int64" : "int32";
                      line = line " " type ":" $NF}' "$module" | sort >"$work/structs.module"
 same structs "$work/structs.header" "$work/structs.module"
+
+# ---- and where the two compilers put each field
+{
+  echo "#include \"$header\""
+  echo '#include <stdio.h>'
+  echo 'int main(void) {'
+  while read -r name fields; do
+    echo "  printf(\"$name %zu\n\", sizeof($name));"
+    for field in $fields; do
+      field=${field#*:}
+      field=${field%(*}
+      echo "  printf(\"$name $field %zu %zu\n\", offsetof($name, $field), sizeof((($name *)0)->$field));"
+    done
+  done <"$work/structs.header"
+  echo '  return 0; }'
+} >"$work/layout.c"
+"$cc" -std=c99 -o "$work/layout.c.out" "$work/layout.c"
+"$work/layout.c.out" >"$work/layout.header"
+{
+  echo 'program layout'
+  echo '  use, intrinsic :: iso_c_binding'
+  echo '  use hardsphere'
+  echo '  implicit none'
+  while read -r name _; do echo "  type($name), target :: a_$name"; done <"$work/structs.header"
+  while read -r name fields; do
+    echo "  print '(a, i0)', '$name ', c_sizeof(a_$name)"
+    for field in $fields; do
+      field=${field#*:}
+      field=${field%(*}
+      echo "  print '(a, i0, 1x, i0)', '$name $field ', &"
+      echo "    transfer(c_loc(a_$name%$field), 0_c_intptr_t) - transfer(c_loc(a_$name), 0_c_intptr_t), &"
+      echo "    c_sizeof(a_$name%$field)"
+    done
+  done <"$work/structs.header"
+  echo 'end program'
+} >"$work/layout.f90"
+(cd "$work" && "$fc" -o layout.f90.out "$module" layout.f90 "$archive" -lm)
+"$work/layout.f90.out" >"$work/layout.module"
+same "sizes of structs and places of fields" "$work/layout.header" "$work/layout.module"
 exit $failed

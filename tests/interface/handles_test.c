@@ -26,6 +26,31 @@ static void append(snapshot *to, const void *from, size_t bytes) {
   to->size += bytes;
 }
 
+/* What the library computes on request. */
+static void append_derived(snapshot *to, const hsp_boundary *boundary, uint32_t faces, uint32_t n) {
+  double *numbers = malloc((2 * (size_t)faces + 4 * (size_t)n + 1) * sizeof *numbers);
+  uint32_t *flags = malloc(((size_t)n + 1) * sizeof *flags);
+  hsp_area_derivative *row = malloc(((size_t)n + 1) * sizeof *row);
+  hsp_energy energy;
+  uint32_t i, count = 0;
+  if (numbers == NULL || flags == NULL || row == NULL) exit(2);
+  CHECK_EQUAL(hsp_boundary_measure_faces(boundary, numbers, numbers + faces, faces), HSP_OK);
+  append(to, numbers, 2 * (size_t)faces * sizeof *numbers);
+  CHECK_EQUAL(hsp_boundary_gradient(boundary, NULL, 1, 0.5, HSP_TANGENT_MEETING, &energy, numbers,
+                                    numbers + 3 * (size_t)n, flags, n),
+              HSP_OK);
+  append(to, &energy, sizeof energy);
+  append(to, numbers, 4 * (size_t)n * sizeof *numbers);
+  append(to, flags, n * sizeof *flags);
+  for (i = 0; i < n; i += 1 + n / 4) {
+    CHECK_EQUAL(hsp_boundary_get_area_row(boundary, i, HSP_TANGENT_APART, row, n, &count), HSP_OK);
+    append(to, row, count * sizeof *row);
+  }
+  free(numbers);
+  free(flags);
+  free(row);
+}
+
 static snapshot read_everything(hsp_boundary *boundary, uint32_t n) {
   snapshot all = {NULL, 0};
   uint32_t law = 77, where = 77;
@@ -61,6 +86,7 @@ static snapshot read_everything(hsp_boundary *boundary, uint32_t n) {
   CHECK_EQUAL(hsp_boundary_measure(boundary, &totals, area, area + n, n), HSP_OK);
   append(&all, &totals, sizeof totals);
   append(&all, area, 2 * (size_t)n * sizeof *area);
+  append_derived(&all, boundary, counts.faces, n);
   free(records);
   free(area);
   return all;

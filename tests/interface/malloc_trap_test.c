@@ -47,8 +47,13 @@ static hsp_circle circles[CIRCLES];
 static hsp_face faces[2 * VERTICES];
 static hsp_ball balls[BALLS];
 static double area[BALLS], volume[BALLS];
+static double face_area[2 * VERTICES], face_volume[2 * VERTICES];
+static double by_centre[3 * BALLS], by_radius[BALLS];
+static uint32_t flags[BALLS];
+static hsp_area_derivative row[BALLS];
+static const uint8_t selected[BALLS] = {1, 0, 1};
 
-/* Every entry point of the header once; the number of calls that did not succeed. */
+/* Every entry point but the topology's, which have a test of their own; the number of calls that did not succeed. */
 static int call_everything(const ball_set *set) {
   hsp_model *model = NULL;
   hsp_boundary *boundary = NULL;
@@ -58,6 +63,7 @@ static int call_everything(const ball_set *set) {
   hsp_boundary_limits limits, needed_limits;
   hsp_boundary_counts counts;
   hsp_totals totals;
+  hsp_energy energy;
   uint32_t ids[BALLS], needed, law, where;
   int32_t meets;
   size_t bytes;
@@ -86,6 +92,11 @@ static int call_everything(const ball_set *set) {
   bad += hsp_boundary_get_faces(boundary, faces, 2 * VERTICES, &needed) != HSP_OK;
   bad += hsp_boundary_get_balls(boundary, balls, BALLS, &needed) != HSP_OK;
   bad += hsp_boundary_measure(boundary, &totals, area, volume, BALLS) != HSP_OK;
+  bad += hsp_boundary_measure_selected(boundary, selected, &totals, area, volume, BALLS) != HSP_OK;
+  bad += hsp_boundary_measure_faces(boundary, face_area, face_volume, 2 * VERTICES) != HSP_OK;
+  bad += hsp_boundary_gradient(boundary, NULL, 1, 1, HSP_TANGENT_MEETING, &energy, by_centre, by_radius, flags,
+                               BALLS) != HSP_OK;
+  bad += hsp_boundary_get_area_row(boundary, 0, HSP_TANGENT_APART, row, BALLS, &needed) != HSP_OK;
   bad += hsp_boundary_check(boundary, &law, &where) != HSP_OK;
   return bad;
 }

@@ -94,10 +94,100 @@ LAYOUT_SIZE(hsp_totals, 16);
 LAYOUT_FIELD(hsp_totals, area, 0, 8);
 LAYOUT_FIELD(hsp_totals, volume, 8, 8);
 
+LAYOUT_SIZE(hsp_energy, 32);
+LAYOUT_FIELD(hsp_energy, value, 0, 8);
+LAYOUT_FIELD(hsp_energy, area, 8, 8);
+LAYOUT_FIELD(hsp_energy, volume, 16, 8);
+LAYOUT_FIELD(hsp_energy, probe, 24, 8);
+
+LAYOUT_SIZE(hsp_area_derivative, 48);
+LAYOUT_FIELD(hsp_area_derivative, centre, 0, 24);
+LAYOUT_FIELD(hsp_area_derivative, radius, 24, 8);
+LAYOUT_FIELD(hsp_area_derivative, angle, 32, 8);
+LAYOUT_FIELD(hsp_area_derivative, ball, 40, 4);
+LAYOUT_FIELD(hsp_area_derivative, flags, 44, 4);
+
+LAYOUT_SIZE(hsp_topology_limits, 24);
+LAYOUT_FIELD(hsp_topology_limits, struct_size, 0, 4);
+LAYOUT_FIELD(hsp_topology_limits, balls, 4, 4);
+LAYOUT_FIELD(hsp_topology_limits, neighbours, 8, 4);
+LAYOUT_FIELD(hsp_topology_limits, edges, 12, 4);
+LAYOUT_FIELD(hsp_topology_limits, extra_arcs, 16, 4);
+LAYOUT_FIELD(hsp_topology_limits, reserved, 20, 4);
+
+LAYOUT_SIZE(hsp_topology_counts, 32);
+LAYOUT_FIELD(hsp_topology_counts, vertices, 0, 4);
+LAYOUT_FIELD(hsp_topology_counts, edges, 4, 4);
+LAYOUT_FIELD(hsp_topology_counts, simple_faces, 8, 4);
+LAYOUT_FIELD(hsp_topology_counts, extra_edges, 12, 4);
+LAYOUT_FIELD(hsp_topology_counts, shells, 16, 4);
+LAYOUT_FIELD(hsp_topology_counts, components, 20, 4);
+LAYOUT_FIELD(hsp_topology_counts, cells, 24, 4);
+LAYOUT_FIELD(hsp_topology_counts, start_face, 28, 4);
+
+LAYOUT_SIZE(hsp_topology_vertex, 48);
+LAYOUT_FIELD(hsp_topology_vertex, xyz, 0, 24);
+LAYOUT_FIELD(hsp_topology_vertex, ball, 24, 12);
+LAYOUT_FIELD(hsp_topology_vertex, kind, 36, 4);
+LAYOUT_FIELD(hsp_topology_vertex, q, 40, 4);
+LAYOUT_FIELD(hsp_topology_vertex, reserved, 44, 4);
+
+LAYOUT_SIZE(hsp_topology_edge, 96);
+LAYOUT_FIELD(hsp_topology_edge, centre, 0, 24);
+LAYOUT_FIELD(hsp_topology_edge, axis, 24, 24);
+LAYOUT_FIELD(hsp_topology_edge, radius, 48, 8);
+LAYOUT_FIELD(hsp_topology_edge, angle, 56, 8);
+LAYOUT_FIELD(hsp_topology_edge, vertex, 64, 8);
+LAYOUT_FIELD(hsp_topology_edge, face, 72, 8);
+LAYOUT_FIELD(hsp_topology_edge, ball, 80, 8);
+LAYOUT_FIELD(hsp_topology_edge, kind, 88, 4);
+LAYOUT_FIELD(hsp_topology_edge, source, 92, 4);
+
+LAYOUT_SIZE(hsp_simple_face, 24);
+LAYOUT_FIELD(hsp_simple_face, ball, 0, 4);
+LAYOUT_FIELD(hsp_simple_face, face, 4, 4);
+LAYOUT_FIELD(hsp_simple_face, edges, 8, 4);
+LAYOUT_FIELD(hsp_simple_face, q, 12, 4);
+LAYOUT_FIELD(hsp_simple_face, shell, 16, 4);
+LAYOUT_FIELD(hsp_simple_face, reserved, 20, 4);
+
+LAYOUT_SIZE(hsp_shell, 80);
+LAYOUT_FIELD(hsp_shell, area, 0, 8);
+LAYOUT_FIELD(hsp_shell, volume, 8, 8);
+LAYOUT_FIELD(hsp_shell, point, 16, 24);
+LAYOUT_FIELD(hsp_shell, euler, 40, 4);
+LAYOUT_FIELD(hsp_shell, genus, 44, 4);
+LAYOUT_FIELD(hsp_shell, kind, 48, 4);
+LAYOUT_FIELD(hsp_shell, component, 52, 4);
+LAYOUT_FIELD(hsp_shell, cell, 56, 4);
+LAYOUT_FIELD(hsp_shell, faces, 60, 4);
+LAYOUT_FIELD(hsp_shell, simple_faces, 64, 4);
+LAYOUT_FIELD(hsp_shell, edges, 68, 4);
+LAYOUT_FIELD(hsp_shell, vertices, 72, 4);
+LAYOUT_FIELD(hsp_shell, start_face, 76, 4);
+
+LAYOUT_SIZE(hsp_component, 24);
+LAYOUT_FIELD(hsp_component, balls, 0, 4);
+LAYOUT_FIELD(hsp_component, top_ball, 4, 4);
+LAYOUT_FIELD(hsp_component, outer_shell, 8, 4);
+LAYOUT_FIELD(hsp_component, shells, 12, 4);
+LAYOUT_FIELD(hsp_component, cell, 16, 4);
+LAYOUT_FIELD(hsp_component, reserved, 20, 4);
+
+LAYOUT_SIZE(hsp_cell, 32);
+LAYOUT_FIELD(hsp_cell, area, 0, 8);
+LAYOUT_FIELD(hsp_cell, volume, 8, 8);
+LAYOUT_FIELD(hsp_cell, wall, 16, 4);
+LAYOUT_FIELD(hsp_cell, components, 20, 4);
+LAYOUT_FIELD(hsp_cell, shells, 24, 4);
+LAYOUT_FIELD(hsp_cell, reserved, 28, 4);
+
 /* The size macros are constant expressions of type size_t, and preprocessor conditions may use the version. */
 LAYOUT_HOLDS(model_bytes, HSP_MODEL_BYTES(1000) > 0 && sizeof(HSP_MODEL_BYTES(1)) == sizeof(size_t));
 LAYOUT_HOLDS(boundary_bytes,
              HSP_BOUNDARY_BYTES(10, 9, 8, 7) > 0 && sizeof(HSP_BOUNDARY_BYTES(1, 1, 1, 1)) == sizeof(size_t));
+LAYOUT_HOLDS(topology_bytes,
+             HSP_TOPOLOGY_BYTES(10, 9, 8, 7) > 0 && sizeof(HSP_TOPOLOGY_BYTES(1, 1, 1, 1)) == sizeof(size_t));
 #if HSP_VERSION_NUMBER < 1
 #error "HSP_VERSION_NUMBER is not a number that the preprocessor can compare"
 #endif

@@ -38,9 +38,16 @@ static void *read_and_compute(void *argument) {
   void *memory;
   double *area = malloc(shared->n * sizeof *area);
   hsp_vertex *vertices = malloc((shared->counts.vertices + 1) * sizeof *vertices);
+  double *faces = malloc((2 * (size_t)shared->counts.faces + 1) * sizeof *faces);
+  double *gradient = malloc((4 * (size_t)shared->n + 1) * sizeof *gradient);
+  uint32_t *flags = malloc((shared->n + 1) * sizeof *flags);
+  hsp_area_derivative *row = malloc((shared->n + 1) * sizeof *row);
   mine->failed = hsp_boundary_bytes(&shared->needed, &bytes) != HSP_OK;
   memory = malloc(bytes);
-  if (memory == NULL || area == NULL || vertices == NULL) exit(2);
+  if (memory == NULL || area == NULL || vertices == NULL || faces == NULL || gradient == NULL || flags == NULL ||
+      row == NULL) {
+    exit(2);
+  }
   mine->failed |= hsp_boundary_init(memory, bytes, &shared->needed, &own) != HSP_OK;
   for (round = 0; round < ROUNDS && !mine->failed; ++round) {
     hsp_boundary_counts counts;
@@ -55,6 +62,21 @@ static void *read_and_compute(void *argument) {
     hash = mixed(hash, vertices, needed * sizeof *vertices);
     mine->failed |= hsp_boundary_measure(boundary, &totals, area, NULL, shared->n) != HSP_OK;
     hash = mixed(hash, area, shared->n * sizeof *area);
+    {
+      const size_t face_count = shared->counts.faces;
+      hsp_energy energy;
+      mine->failed |= hsp_boundary_measure_faces(boundary, faces, faces + face_count, shared->counts.faces) != HSP_OK;
+      hash = mixed(hash, faces, 2 * face_count * sizeof *faces);
+      mine->failed |= hsp_boundary_gradient(boundary, area, 1, -0.5, HSP_TANGENT_MEETING, &energy, gradient,
+                                            gradient + 3 * (size_t)shared->n, flags, shared->n) != HSP_OK;
+      hash = mixed(hash, &energy, sizeof energy);
+      hash = mixed(hash, gradient, 4 * (size_t)shared->n * sizeof *gradient);
+      hash = mixed(hash, flags, shared->n * sizeof *flags);
+      for (i = 0; i < shared->n; ++i) {
+        mine->failed |= hsp_boundary_get_area_row(boundary, i, HSP_TANGENT_APART, row, shared->n, &needed) != HSP_OK;
+        hash = mixed(hash, row, needed * sizeof *row);
+      }
+    }
     mine->failed |= hsp_boundary_compute(own, model) != HSP_OK;
     mine->failed |= hsp_boundary_get_counts(own, &counts) != HSP_OK;
     mine->failed |= memcmp(&counts, &shared->counts, sizeof counts) != 0;
@@ -64,6 +86,10 @@ static void *read_and_compute(void *argument) {
   free(memory);
   free(area);
   free(vertices);
+  free(faces);
+  free(gradient);
+  free(flags);
+  free(row);
   mine->answers = hash;
   return NULL;
 }

@@ -1,0 +1,59 @@
+// What calls of the interface have in common when their arguments may be anything.
+#ifndef HARDSPHERE_FUZZ_CALL_CHECKS_HPP
+#define HARDSPHERE_FUZZ_CALL_CHECKS_HPP
+
+#include <hardsphere.h>
+
+#include <limits>
+
+#include "fuzz_input.hpp"
+#include "guarded_output.hpp"
+
+namespace fuzz {
+
+// Whether a pointer argument is to be null this time.
+inline bool null(Bytes &bytes) {
+  return bytes.one_in(40);
+}
+
+// A small whole number, or, if odd numbers may occur, now and then something else.
+inline double number(Bytes &bytes, bool odd) {
+  static constexpr double special[] = {std::numeric_limits<double>::quiet_NaN(),
+                                       std::numeric_limits<double>::infinity(),
+                                       -std::numeric_limits<double>::infinity(),
+                                       -0.0,
+                                       -1.0,
+                                       1e300,
+                                       -1e300,
+                                       std::numeric_limits<double>::denorm_min(),
+                                       1e-300,
+                                       1e16,
+                                       1e-9,
+                                       std::numeric_limits<double>::max()};
+  if (odd && bytes.one_in(12)) return special[bytes.below(static_cast<uint32_t>(std::size(special)))];
+  return bytes.below(8);
+}
+
+// The rules for (out, capacity, needed), the same for all functions; argument_status is what other arguments lead to.
+template <class Record, class Ask>
+void check_array(Bytes &bytes, uint32_t most, int32_t argument_status, const Ask &ask) {
+  const bool no_out = null(bytes), no_needed = null(bytes);
+  Output<Record> out(bytes.below(most + 3), no_out);
+  uint32_t needed = 12345;
+  const int32_t status = ask(out.data(), out.capacity(), no_needed ? nullptr : &needed);
+  if (argument_status == HSP_E_ARGUMENT || no_needed || (no_out && out.capacity() > 0)) {
+    FUZZ_REQUIRE(status == HSP_E_ARGUMENT, "null pointer");
+  } else if (argument_status != HSP_OK) {
+    FUZZ_REQUIRE(status == argument_status, "state or argument");
+  } else {
+    FUZZ_REQUIRE(status == HSP_OK || status == HSP_E_CAPACITY, "status of an array function");
+    FUZZ_REQUIRE((status == HSP_OK) == (needed <= out.capacity()), "capacity");
+  }
+  const bool tells = status == HSP_OK || status == HSP_E_CAPACITY;
+  FUZZ_REQUIRE(tells || needed == 12345, "needed written on failure");
+  FUZZ_REQUIRE(out.untouched_from(status == HSP_OK ? needed : 0), "written where nothing belongs");
+}
+
+}  // namespace fuzz
+
+#endif

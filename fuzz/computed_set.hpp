@@ -1,0 +1,60 @@
+// The computation of a set by the checks of the interface tests, with memory that goes with it.
+#ifndef HARDSPHERE_FUZZ_COMPUTED_SET_HPP
+#define HARDSPHERE_FUZZ_COMPUTED_SET_HPP
+
+#include <computed.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numeric>
+
+#include "checked_model.hpp"
+
+namespace fuzz {
+
+class ComputedSet {
+ public:
+  explicit ComputedSet(const BallSet &set) {
+    const std::vector<double> xyz = set.xyz(), radius = set.radius();
+    const hsp_model_options options = options_of(set);
+    const int32_t status = computed_make(set.n(), xyz.data(), radius.data(), &options, &computed_);
+    FUZZ_REQUIRE(status == HSP_OK, hsp_status_text(status));
+  }
+  ~ComputedSet() { computed_release(&computed_); }
+  ComputedSet(const ComputedSet &) = delete;
+  ComputedSet &operator=(const ComputedSet &) = delete;
+
+  const computed &get() const { return computed_; }
+
+ private:
+  computed computed_{};
+};
+
+inline bool close(double a, double b) {
+  return std::fabs(a - b) <= 1e-10 * (1 + std::fabs(a));
+}
+
+template <class Record>
+bool same(const Record *a, const Record *b, uint32_t count) {
+  return count == 0 || std::memcmp(a, b, count * sizeof(Record)) == 0;
+}
+
+// An order of 0 .. n-1 that the input chooses.
+inline std::vector<uint32_t> shuffled(uint32_t n, Bytes &bytes) {
+  std::vector<uint32_t> order(n);
+  std::iota(order.begin(), order.end(), 0U);
+  for (uint32_t i = n; i > 1; --i) std::swap(order[i - 1], order[bytes.below(i)]);
+  return order;
+}
+
+// Ball i of the result is ball order[i] of the set.
+inline BallSet permuted(const BallSet &set, const std::vector<uint32_t> &order) {
+  BallSet result = set;
+  for (uint32_t i = 0; i < set.n(); ++i) result.balls[i] = set.balls[order[i]];
+  return result;
+}
+
+}  // namespace fuzz
+
+#endif

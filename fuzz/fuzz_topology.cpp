@@ -1,0 +1,270 @@
+// The topology of any set: everything the header promises about its records, the same bytes twice, no effect of the
+// order of the balls, limits that are too small, each component on its own, and places against the balls in integers.
+#include <topology_result.h>
+
+#include <map>
+
+#include "computed_set.hpp"
+#include "guarded_output.hpp"
+#include "topology_input.hpp"
+
+namespace {
+
+using fuzz::same;
+
+class Result {
+ public:
+  explicit Result(const fuzz::BallSet &set) : set_(set) {
+    const int32_t status = topology_result_make(&set_.get(), &topology_);
+    FUZZ_REQUIRE(status == HSP_OK, hsp_status_text(status));
+  }
+  ~Result() { topology_result_release(&topology_); }
+  Result(const Result &) = delete;
+  Result &operator=(const Result &) = delete;
+
+  const topology_result &get() const { return topology_; }
+  hsp_topology *topology() const { return topology_.topology; }
+
+ private:
+  fuzz::ComputedSet set_;
+  topology_result topology_{};
+};
+
+void require_sound(const topology_result &t) {
+  const char *broken = broken_topology(&t);
+  FUZZ_REQUIRE(broken == nullptr, broken);
+}
+
+void require_same_bytes(const topology_result &a, const topology_result &b) {
+  FUZZ_REQUIRE(std::memcmp(&a.counts, &b.counts, sizeof a.counts) == 0, "counts differ the second time");
+  FUZZ_REQUIRE(same(a.onext, b.onext, 4 * a.counts.edges), "onext differs the second time");
+  FUZZ_REQUIRE(same(a.origin, b.origin, 4 * a.counts.edges), "origin differs the second time");
+  FUZZ_REQUIRE(same(a.vertices, b.vertices, a.counts.vertices), "vertices differ the second time");
+  FUZZ_REQUIRE(same(a.edges, b.edges, a.counts.edges), "edges differ the second time");
+  FUZZ_REQUIRE(same(a.faces, b.faces, a.counts.simple_faces), "simple faces differ the second time");
+  FUZZ_REQUIRE(same(a.shells, b.shells, a.counts.shells), "shells differ the second time");
+  FUZZ_REQUIRE(same(a.components, b.components, a.counts.components), "components differ the second time");
+  FUZZ_REQUIRE(same(a.cells, b.cells, a.counts.cells), "cells differ the second time");
+}
+
+// hsp_topology_compute, property 1.
+void require_no_order(const fuzz::BallSet &set, const topology_result &reference, fuzz::Bytes &bytes) {
+  const Result other(fuzz::permuted(set, fuzz::shuffled(set.n(), bytes)));
+  require_sound(other.get());
+  const char *what = topology_difference_after_permutation(&reference, &other.get());
+  FUZZ_REQUIRE(what == nullptr, what);
+}
+
+// Each component on its own gives its shells: as many of each kind, Euler number and number of maximal faces.
+void require_components_alone(const fuzz::BallSet &set, const topology_result &reference) {
+  if (reference.counts.components < 2) return;
+  for (uint32_t k = 0; k < reference.counts.components; ++k) {
+    fuzz::BallSet part = set;
+    part.balls.clear();
+    for (uint32_t i = 0; i < set.n(); ++i) {
+      if (reference.base->balls[i].component == k) part.balls.push_back(set.balls[i]);
+    }
+    const Result alone(part);
+    std::map<std::array<int64_t, 5>, int> balance;
+    const auto key = [](const hsp_shell &s) {
+      return std::array<int64_t, 5>{s.kind, s.euler, s.faces, s.simple_faces, s.edges};
+    };
+    for (uint32_t s = 0; s < reference.counts.shells; ++s) {
+      if (reference.shells[s].component == k) ++balance[key(reference.shells[s])];
+    }
+    for (uint32_t s = 0; s < alone.get().counts.shells; ++s) --balance[key(alone.get().shells[s])];
+    for (const auto &entry : balance) FUZZ_REQUIRE(entry.second == 0, "shells of a component on its own");
+  }
+}
+
+// Limits below what is needed: HSP_E_CAPACITY, nothing written beside the memory, and at most three enlargements.
+void require_capacities(const topology_result &reference, fuzz::Bytes &bytes) {
+  hsp_topology_limits limits = reference.needed;
+  uint32_t *const numbers[4] = {&limits.balls, &limits.neighbours, &limits.edges, &limits.extra_arcs};
+  const uint32_t which = bytes.below(16);
+  for (uint32_t k = 0; k < 4; ++k) {
+    if ((which >> k & 1U) != 0) *numbers[k] = bytes.below(*numbers[k] + 1);
+  }
+  for (int enlargements = 0;; ++enlargements) {
+    const hsp_topology_limits &exact = reference.needed;
+    const bool enough = limits.balls >= exact.balls && limits.neighbours >= exact.neighbours &&
+                        limits.edges >= exact.edges && limits.extra_arcs >= exact.extra_arcs;
+    size_t size = 0;
+    hsp_topology *topology = nullptr;
+    FUZZ_REQUIRE(hsp_topology_bytes(&limits, &size) == HSP_OK, "hsp_topology_bytes");
+    std::vector<uint8_t> memory(size + 1, 0x3C);
+    FUZZ_REQUIRE(hsp_topology_init(memory.data(), size, &limits, &topology) == HSP_OK, "hsp_topology_init");
+    const int32_t status = hsp_topology_compute(topology, reference.base->boundary);
+    FUZZ_REQUIRE(memory.back() == 0x3C, "written past the topology's memory");
+    FUZZ_REQUIRE(status == (enough ? HSP_OK : HSP_E_CAPACITY), "hsp_topology_compute, limits");
+    hsp_topology_limits needed{};
+    FUZZ_REQUIRE(hsp_topology_get_needed(topology, &needed) == HSP_OK, "hsp_topology_get_needed");
+    hsp_topology_counts counts{};
+    FUZZ_REQUIRE(hsp_topology_get_counts(topology, &counts) == (enough ? HSP_OK : HSP_E_STATE), "after a failure");
+    if (enough) {
+      FUZZ_REQUIRE(std::memcmp(&needed, &exact, sizeof exact) == 0, "needed limits differ with more room");
+      FUZZ_REQUIRE(std::memcmp(&counts, &reference.counts, sizeof counts) == 0, "counts differ with more room");
+      return;
+    }
+    FUZZ_REQUIRE(enlargements < 3, "hsp_topology_get_needed: more than three enlargements");
+    limits.balls = std::max(limits.balls, needed.balls);
+    limits.neighbours = std::max(limits.neighbours, needed.neighbours);
+    limits.edges = std::max(limits.edges, needed.edges);
+    limits.extra_arcs = std::max(limits.extra_arcs, needed.extra_arcs);
+  }
+}
+
+// ---- places ----
+
+using Place = std::array<int64_t, 3>;
+
+bool in_ball(const fuzz::BallSet &set, size_t i, const Place &at) {
+  return fuzz::squared_distance(set.balls[i].centre, at) <= set.radius_of(i) * set.radius_of(i);
+}
+
+// Whether the line from a to b, which differ along one axis, misses every closed ball.
+bool line_is_free(const fuzz::BallSet &set, const Place &a, const Place &b) {
+  for (size_t i = 0; i < set.balls.size(); ++i) {
+    Place nearest = set.balls[i].centre;
+    for (size_t axis = 0; axis < 3; ++axis) {
+      nearest[axis] = std::clamp(nearest[axis], std::min(a[axis], b[axis]), std::max(a[axis], b[axis]));
+    }
+    if (in_ball(set, i, nearest)) return false;
+  }
+  return true;
+}
+
+std::array<double, 3> lengths(const fuzz::BallSet &set, const Place &at) {
+  return {set.length(at[0]), set.length(at[1]), set.length(at[2])};
+}
+
+// The cell of a place; checked against the balls, with an array that may be too short.
+uint32_t located(const fuzz::BallSet &set, const Result &result, const Place &at, uint32_t capacity) {
+  std::vector<uint32_t> expected;
+  for (uint32_t i = 0; i < set.n(); ++i) {
+    if (in_ball(set, i, at)) expected.push_back(i);
+  }
+  const auto inside = static_cast<uint32_t>(expected.size());
+  fuzz::Output<uint32_t> ids(capacity, false);
+  uint32_t cell = 12345, needed = 12345;
+  const int32_t status =
+      hsp_topology_locate(result.topology(), lengths(set, at).data(), &cell, ids.data(), capacity, &needed);
+  FUZZ_REQUIRE(status == (capacity < inside ? HSP_E_CAPACITY : HSP_OK), "hsp_topology_locate");
+  FUZZ_REQUIRE(needed == inside, "hsp_topology_locate, needed");
+  FUZZ_REQUIRE((cell == HSP_NONE) == (inside > 0), "in a cell exactly if in no ball");
+  FUZZ_REQUIRE(cell == HSP_NONE || cell < result.get().counts.cells, "no such cell");
+  FUZZ_REQUIRE(ids.untouched_from(status == HSP_OK ? inside : 0), "ids written where nothing belongs");
+  if (status == HSP_OK) FUZZ_REQUIRE(same(ids.data(), expected.data(), inside), "ids");
+  return cell;
+}
+
+uint32_t cell_of(const fuzz::BallSet &set, const Result &result, const Place &at) {
+  uint32_t cell = 12345;
+  FUZZ_REQUIRE(hsp_topology_locate(result.topology(), lengths(set, at).data(), &cell, nullptr, 0, nullptr) == HSP_OK,
+               "locate");
+  return cell;
+}
+
+// Near a ball of the set, mostly between it and another.
+Place some_place(const fuzz::BallSet &set, fuzz::Bytes &bytes) {
+  Place at{};
+  const int64_t unit = set.steps_per_unit;
+  if (set.n() > 0) {
+    const Place &a = set.balls[bytes.below(set.n())].centre, &b = set.balls[bytes.below(set.n())].centre;
+    for (size_t axis = 0; axis < 3; ++axis) at[axis] = (a[axis] + b[axis]) / 2;
+  }
+  for (int64_t &coordinate : at) coordinate += (bytes.below(15) - int64_t{7}) * unit + bytes.below(3) - 1;
+  return at;
+}
+
+void require_places(const fuzz::BallSet &set, const Result &result, fuzz::Bytes &bytes) {
+  static constexpr int64_t far_away = int64_t{1} << 22;
+  Place before{};
+  uint32_t before_cell = HSP_NONE;
+  for (int k = 0; k < 16; ++k) {
+    const Place at = some_place(set, bytes);
+    const uint32_t cell = located(set, result, at, bytes.one_in(4) ? bytes.below(4) : set.n());
+    if (cell != HSP_NONE) {
+      for (size_t axis = 0; axis < 3; ++axis) {
+        for (const int64_t end : {-far_away, far_away}) {
+          Place away = at;
+          away[axis] = end;
+          if (line_is_free(set, at, away)) FUZZ_REQUIRE(cell == 0, "a free way out, but not in the outer cell");
+        }
+      }
+    }
+    if (k > 0) {
+      // from `before` to `at` along x, y and z in turn
+      const Place first{at[0], before[1], before[2]}, second{at[0], at[1], before[2]};
+      const bool joined =
+          line_is_free(set, before, first) && line_is_free(set, first, second) && line_is_free(set, second, at);
+      FUZZ_REQUIRE(!joined || cell == before_cell, "joined by a free way, but in different cells");
+      int32_t together = 12345;
+      FUZZ_REQUIRE(hsp_topology_same_cell(result.topology(), lengths(set, before).data(), lengths(set, at).data(),
+                                          &together) == HSP_OK,
+                   "hsp_topology_same_cell");
+      FUZZ_REQUIRE(together == (cell == before_cell && cell != HSP_NONE ? 1 : 0), "same_cell and locate differ");
+    }
+    before = at;
+    before_cell = cell;
+  }
+  FUZZ_REQUIRE(cell_of(set, result, {far_away, 0, 0}) == 0, "far away, but not in the outer cell");
+}
+
+// Places all over a box around the balls, joined along the axes wherever that is free: what is joined is one cell, and
+// what the box's surface reaches is the outer one.
+void require_flood(const fuzz::BallSet &set, const Result &result) {
+  int64_t spacing = set.steps_per_unit;
+  Place low{}, high{};
+  for (size_t axis = 0; axis < 3; ++axis) {
+    low[axis] = std::numeric_limits<int64_t>::max();
+    high[axis] = std::numeric_limits<int64_t>::min();
+    for (size_t i = 0; i < set.balls.size(); ++i) {
+      low[axis] = std::min(low[axis], set.balls[i].centre[axis] - set.radius_of(i));
+      high[axis] = std::max(high[axis], set.balls[i].centre[axis] + set.radius_of(i));
+    }
+    spacing = std::max(spacing, (high[axis] - low[axis]) / 16 + 1);
+  }
+  for (int64_t &coordinate : low) coordinate -= 1 + spacing / 3;
+  std::map<Place, uint32_t> cells;
+  for (int64_t x = low[0]; x <= high[0] + spacing; x += spacing) {
+    for (int64_t y = low[1]; y <= high[1] + spacing; y += spacing) {
+      for (int64_t z = low[2]; z <= high[2] + spacing; z += spacing) {
+        const Place at{x, y, z};
+        const uint32_t cell = cell_of(set, result, at);
+        cells[at] = cell;
+        FUZZ_REQUIRE((cell == HSP_NONE) == !line_is_free(set, at, at), "in a cell exactly if in no ball");
+        bool border = false;
+        for (size_t axis = 0; axis < 3; ++axis) {
+          border = border || at[axis] == low[axis] || at[axis] > high[axis];
+          Place neighbour = at;
+          neighbour[axis] -= spacing;
+          const auto there = cells.find(neighbour);
+          if (there == cells.end() || !line_is_free(set, neighbour, at)) continue;
+          FUZZ_REQUIRE(there->second == cell, "neighbours in the box joined by a free line, but in different cells");
+        }
+        if (border) FUZZ_REQUIRE(cell == 0, "on the box's surface, but not in the outer cell");
+      }
+    }
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+  fuzz::Bytes bytes(data, size);
+  const bool flood = bytes.one_in(6);
+  const fuzz::BallSet set = fuzz::topology_set(bytes);
+  const Result reference(set);
+  require_sound(reference.get());
+  {
+    const Result again(set);
+    require_same_bytes(reference.get(), again.get());
+  }
+  require_no_order(set, reference.get(), bytes);
+  require_components_alone(set, reference.get());
+  require_capacities(reference.get(), bytes);
+  require_places(set, reference, bytes);
+  if (flood && set.n() > 0) require_flood(set, reference);
+  return 0;
+}

@@ -1,0 +1,88 @@
+// Calls of the functions for parts and derivatives of areas with anything for arguments.
+#ifndef HARDSPHERE_FUZZ_GRADIENT_CALLS_HPP
+#define HARDSPHERE_FUZZ_GRADIENT_CALLS_HPP
+
+#include <cmath>
+
+#include "call_checks.hpp"
+
+namespace fuzz {
+
+// reader_status: what a function that reads the boundary says, HSP_OK if there are results.
+inline void call_measure_parts(Bytes &bytes, const hsp_boundary *boundary, int32_t reader_status, uint32_t balls) {
+  std::vector<uint8_t> selected(balls + 1);
+  for (uint8_t &byte : selected) byte = bytes.byte();
+  Output<double> area(bytes.below(30), null(bytes)), volume(area.capacity(), null(bytes));
+  Output<hsp_totals> totals(1, null(bytes));
+  const bool arrays = area.data() != nullptr || volume.data() != nullptr;
+  int32_t status = hsp_boundary_measure_selected(boundary, null(bytes) ? nullptr : selected.data(), totals.data(),
+                                                 area.data(), volume.data(), area.capacity());
+  int32_t expected = reader_status;
+  if (expected == HSP_OK && arrays && area.capacity() < balls) expected = HSP_E_CAPACITY;
+  FUZZ_REQUIRE(status == expected, "hsp_boundary_measure_selected");
+  const uint32_t written = status == HSP_OK ? balls : 0;
+  FUZZ_REQUIRE(area.untouched_from(area.data() == nullptr ? 0 : written), "area written where nothing belongs");
+  FUZZ_REQUIRE(volume.untouched_from(volume.data() == nullptr ? 0 : written), "volume written where nothing belongs");
+  FUZZ_REQUIRE(totals.untouched_from(status == HSP_OK && totals.data() != nullptr ? 1 : 0), "totals on failure");
+
+  hsp_boundary_counts counts{};
+  if (reader_status == HSP_OK) FUZZ_REQUIRE(hsp_boundary_get_counts(boundary, &counts) == HSP_OK, "counts");
+  Output<double> face_area(bytes.below(50), null(bytes)), face_volume(face_area.capacity(), null(bytes));
+  status = hsp_boundary_measure_faces(boundary, face_area.data(), face_volume.data(), face_area.capacity());
+  expected = reader_status;
+  const bool face_arrays = face_area.data() != nullptr || face_volume.data() != nullptr;
+  if (expected == HSP_OK && face_arrays && face_area.capacity() < counts.faces) expected = HSP_E_CAPACITY;
+  // without arrays there is nothing that the capacity could be too small for
+  FUZZ_REQUIRE(status == expected || (!face_arrays && status == HSP_E_CAPACITY), "hsp_boundary_measure_faces");
+  const uint32_t faces = status == HSP_OK ? counts.faces : 0;
+  FUZZ_REQUIRE(face_area.untouched_from(face_area.data() == nullptr ? 0 : faces), "areas of faces");
+  FUZZ_REQUIRE(face_volume.untouched_from(face_volume.data() == nullptr ? 0 : faces), "volumes of faces");
+}
+
+inline void call_gradient(Bytes &bytes, const hsp_boundary *boundary, int32_t reader_status, uint32_t balls) {
+  const bool odd = bytes.one_in(3);
+  std::vector<double> sigma(balls + 1);
+  for (double &x : sigma) x = number(bytes, odd);
+  const double tension = number(bytes, odd), pressure = number(bytes, odd);
+  const uint32_t tangency = bytes.one_in(20) ? 2 + bytes.byte() : bytes.below(2);
+  const bool no_sigma = null(bytes);
+  bool finite = std::isfinite(tension) && std::isfinite(pressure);
+  for (uint32_t i = 0; i < balls && !no_sigma; ++i) finite = finite && std::isfinite(sigma[i]);
+  const uint32_t capacity = bytes.below(30);
+  Output<hsp_energy> energy(1, null(bytes));
+  Output<double> centre(3 * capacity, null(bytes)), radius(capacity, null(bytes));
+  Output<uint32_t> flags(capacity, null(bytes));
+  const int32_t status = hsp_boundary_gradient(boundary, no_sigma ? nullptr : sigma.data(), tension, pressure, tangency,
+                                               energy.data(), centre.data(), radius.data(), flags.data(), capacity);
+  if (boundary == nullptr || tangency > HSP_TANGENT_APART) {
+    FUZZ_REQUIRE(status == HSP_E_ARGUMENT, "hsp_boundary_gradient, arguments");
+  } else if (reader_status != HSP_OK) {
+    FUZZ_REQUIRE(status < 0, "hsp_boundary_gradient without results");
+  } else {
+    const bool arrays = centre.data() != nullptr || radius.data() != nullptr || flags.data() != nullptr;
+    const bool too_small = arrays && capacity < balls;
+    const bool good = status == HSP_OK           ? finite && !too_small
+                      : status == HSP_E_CAPACITY ? too_small
+                                                 : status == HSP_E_NOT_FINITE && !finite;
+    FUZZ_REQUIRE(good, "hsp_boundary_gradient");
+  }
+  const uint32_t written = status == HSP_OK ? balls : 0;
+  FUZZ_REQUIRE(energy.untouched_from(status == HSP_OK && energy.data() != nullptr ? 1 : 0), "energy on failure");
+  FUZZ_REQUIRE(centre.untouched_from(centre.data() == nullptr ? 0 : 3 * written), "centre where nothing belongs");
+  FUZZ_REQUIRE(radius.untouched_from(radius.data() == nullptr ? 0 : written), "radius where nothing belongs");
+  FUZZ_REQUIRE(flags.untouched_from(flags.data() == nullptr ? 0 : written), "flags where nothing belongs");
+
+  const uint32_t ball = bytes.below(30);
+  const int32_t row_status = boundary == nullptr || tangency > HSP_TANGENT_APART ? HSP_E_ARGUMENT
+                             : reader_status != HSP_OK                           ? reader_status
+                             : ball >= balls                                     ? HSP_E_ID
+                                                                                 : HSP_OK;
+  check_array<hsp_area_derivative>(bytes, 24, row_status,
+                                   [&](hsp_area_derivative *out, uint32_t room, uint32_t *needed) {
+                                     return hsp_boundary_get_area_row(boundary, ball, tangency, out, room, needed);
+                                   });
+}
+
+}  // namespace fuzz
+
+#endif

@@ -1,0 +1,222 @@
+// One topology handle in a random sequence of calls, and what each call must say.
+#ifndef HARDSPHERE_FUZZ_TOPOLOGY_CALLS_HPP
+#define HARDSPHERE_FUZZ_TOPOLOGY_CALLS_HPP
+
+#include <algorithm>
+#include <cmath>
+
+#include "call_checks.hpp"
+
+namespace fuzz {
+
+class TopologyCalls {
+ public:
+  explicit TopologyCalls(Bytes &bytes) : bytes_(bytes) {}
+
+  // To be called before the boundary's memory goes.
+  void drop() { topology_ = nullptr; }
+
+  void init(const hsp_boundary *boundary, bool boundary_complete) {
+    hsp_topology_limits limits{};
+    const bool suited = boundary != nullptr && bytes_.below(2) == 0;
+    if (suited) {
+      const int32_t status = hsp_topology_limits_for(&limits, sizeof limits, boundary);
+      FUZZ_REQUIRE(status == (boundary_complete ? HSP_OK : HSP_E_STATE), "hsp_topology_limits_for");
+    }
+    if (!suited || !boundary_complete) {
+      FUZZ_REQUIRE(hsp_topology_limits_init(&limits, sizeof limits, bytes_.below(28)) == HSP_OK, "limits");
+    }
+    if (bytes_.below(3) == 0) {
+      limits.neighbours = bytes_.below(28);
+      limits.edges = bytes_.below(200);
+      limits.extra_arcs = bytes_.below(40);
+    }
+    if (bytes_.one_in(40)) limits.struct_size = bytes_.below(256);
+    if (bytes_.one_in(40)) limits.reserved = 1;
+    if (bytes_.one_in(16)) limits.edges = 0xFFFFFFFF;
+    size_t size = 12345;
+    const int32_t status = hsp_topology_bytes(&limits, &size);
+    const int32_t expected = limits.struct_size != sizeof limits || limits.reserved != 0 ? HSP_E_ARGUMENT
+                             : limits.edges > HSP_MAX_BALLS                              ? HSP_E_RANGE
+                                                                                         : HSP_OK;
+    FUZZ_REQUIRE(status == expected, "hsp_topology_bytes");
+    FUZZ_REQUIRE(status == HSP_OK || size == 12345, "bytes written on failure");
+    if (status != HSP_OK) {
+      size = 4096;
+    } else {
+      FUZZ_REQUIRE(size <= HSP_TOPOLOGY_BYTES(limits.balls, limits.neighbours, limits.edges, limits.extra_arcs),
+                   "hsp_topology_bytes, property 1");
+    }
+    const size_t missing = bytes_.one_in(8) ? 1 + bytes_.below(200) : 0;
+    const size_t misalignment = bytes_.below(16);
+    const size_t given = missing < size ? size - missing : 0;
+    topology_ = nullptr;
+    memory_.assign(misalignment + given + 1, 0x3C);
+    hsp_topology *made = nullptr;
+    const int32_t done = hsp_topology_init(memory_.data() + misalignment, given, &limits, &made);
+    FUZZ_REQUIRE(done == (status != HSP_OK ? status : missing > 0 ? HSP_E_MEMORY : HSP_OK), "hsp_topology_init");
+    FUZZ_REQUIRE(memory_.back() == 0x3C, "written past the topology's memory");
+    if (done != HSP_OK) {
+      FUZZ_REQUIRE(made == nullptr, "a handle after failure");
+      return;
+    }
+    topology_ = made;
+    limits_ = limits;
+    attempted_ = false;
+    complete_ = false;
+  }
+
+  // version: changes with the boundary's results.
+  void compute(const hsp_boundary *boundary, bool boundary_complete, uint64_t version) {
+    hsp_topology *topology = null(bytes_) ? nullptr : topology_;
+    const int32_t status = hsp_topology_compute(topology, boundary);
+    FUZZ_REQUIRE(memory_.empty() || memory_.back() == 0x3C, "written past the topology's memory");
+    if (topology == nullptr || boundary == nullptr) {
+      FUZZ_REQUIRE(status == HSP_E_ARGUMENT, "hsp_topology_compute, arguments");
+      return;
+    }
+    if (!boundary_complete) {
+      FUZZ_REQUIRE(status == HSP_E_STATE, "hsp_topology_compute, state");
+      return;
+    }
+    attempted_ = true;
+    complete_ = status == HSP_OK;
+    version_ = version;
+    hsp_topology_limits needed;
+    FUZZ_REQUIRE(status == HSP_OK || status == HSP_E_CAPACITY, "a status that hsp_topology_compute does not have");
+    FUZZ_REQUIRE(hsp_topology_get_needed(topology, &needed) == HSP_OK, "hsp_topology_get_needed");
+    const bool more = needed.balls > limits_.balls || needed.neighbours > limits_.neighbours ||
+                      needed.edges > limits_.edges || needed.extra_arcs > limits_.extra_arcs;
+    FUZZ_REQUIRE(more == (status == HSP_E_CAPACITY), "a limit is reported as too small exactly after HSP_E_CAPACITY");
+  }
+
+  void read(uint64_t version) {
+    hsp_topology *topology = null(bytes_) ? nullptr : topology_;
+    const int32_t expected = status_of(topology, version);
+    hsp_topology_counts counts{};
+    hsp_topology_limits needed;
+    FUZZ_REQUIRE(hsp_topology_get_counts(topology, &counts) == expected, "hsp_topology_get_counts");
+    if (topology != nullptr && !attempted_) {
+      FUZZ_REQUIRE(hsp_topology_get_needed(topology, &needed) == HSP_E_STATE, "hsp_topology_get_needed");
+    }
+    uint32_t law = 12345, where = 12345;
+    FUZZ_REQUIRE(hsp_topology_check(topology, &law, &where) == expected, "hsp_topology_check");
+    FUZZ_REQUIRE(law == (expected == HSP_OK ? 0U : 12345U), "law");
+    read_arrays(topology, expected, counts);
+    read_steps(topology, expected, counts);
+  }
+
+  void locate(uint64_t version) {
+    hsp_topology *topology = null(bytes_) ? nullptr : topology_;
+    const bool odd = bytes_.one_in(3);
+    double a[3], b[3];
+    for (double &x : a) x = number(bytes_, odd);
+    for (double &x : b) x = number(bytes_, odd);
+    int32_t expected = status_of(topology, version);
+    if (expected == HSP_OK) {
+      for (const double x : a) {
+        if (!std::isfinite(x)) expected = HSP_E_NOT_FINITE;
+      }
+    }
+    uint32_t cell = 12345;
+    int32_t status = hsp_topology_locate(topology, a, &cell, nullptr, 0, nullptr);
+    FUZZ_REQUIRE(status == expected || (expected == HSP_OK && odd && status == HSP_E_RANGE), "hsp_topology_locate");
+    FUZZ_REQUIRE(status == HSP_OK || cell == 12345, "cell written on failure");
+    check_array<uint32_t>(bytes_, 24, status, [&](uint32_t *out, uint32_t capacity, uint32_t *count) {
+      // with neither ids nor their number it would be the call above
+      if (out == nullptr && count == nullptr) return int32_t{HSP_E_ARGUMENT};
+      return hsp_topology_locate(topology, a, &cell, out, capacity, count);
+    });
+    int32_t same = 12345;
+    status = hsp_topology_same_cell(topology, a, null(bytes_) ? nullptr : b, &same);
+    FUZZ_REQUIRE(status == HSP_OK ? same == 0 || same == 1 : same == 12345, "hsp_topology_same_cell");
+    FUZZ_REQUIRE(expected == HSP_OK || status < 0, "hsp_topology_same_cell takes what locate does not");
+  }
+
+ private:
+  int32_t status_of(const hsp_topology *topology, uint64_t version) const {
+    return topology == nullptr ? HSP_E_ARGUMENT : complete_ && version_ == version ? HSP_OK : HSP_E_STATE;
+  }
+
+  void read_arrays(const hsp_topology *topology, int32_t expected, const hsp_topology_counts &counts) {
+    check_array<hsp_topology_vertex>(bytes_, 60, expected,
+                                     [&](hsp_topology_vertex *out, uint32_t capacity, uint32_t *count) {
+                                       return hsp_topology_get_vertices(topology, out, capacity, count);
+                                     });
+    check_array<hsp_topology_edge>(bytes_, 90, expected,
+                                   [&](hsp_topology_edge *out, uint32_t capacity, uint32_t *count) {
+                                     return hsp_topology_get_edges(topology, out, capacity, count);
+                                   });
+    check_array<hsp_simple_face>(bytes_, 60, expected, [&](hsp_simple_face *out, uint32_t capacity, uint32_t *count) {
+      return hsp_topology_get_faces(topology, out, capacity, count);
+    });
+    check_array<hsp_shell>(bytes_, 8, expected, [&](hsp_shell *out, uint32_t capacity, uint32_t *count) {
+      return hsp_topology_get_shells(topology, out, capacity, count);
+    });
+    check_array<hsp_component>(bytes_, 8, expected, [&](hsp_component *out, uint32_t capacity, uint32_t *count) {
+      return hsp_topology_get_components(topology, out, capacity, count);
+    });
+    check_array<hsp_cell>(bytes_, 4, expected, [&](hsp_cell *out, uint32_t capacity, uint32_t *count) {
+      return hsp_topology_get_cells(topology, out, capacity, count);
+    });
+    const uint32_t cell = bytes_.below(4), shell = bytes_.below(6);
+    check_array<uint32_t>(bytes_, 8, with_id(expected, cell, counts.cells),
+                          [&](uint32_t *out, uint32_t capacity, uint32_t *count) {
+                            return hsp_topology_get_cell_shells(topology, cell, out, capacity, count);
+                          });
+    check_array<uint32_t>(bytes_, 60, with_id(expected, shell, counts.shells),
+                          [&](uint32_t *out, uint32_t capacity, uint32_t *count) {
+                            return hsp_topology_get_scan(topology, shell, out, capacity, count);
+                          });
+    // records of four numbers an edge; either array may be left out
+    const bool no_onext = bytes_.one_in(6);
+    Output<std::array<uint32_t, 4>> onext(bytes_.below(90), no_onext), origin(onext.capacity(), false);
+    uint32_t edges = 12345;
+    const int32_t status = hsp_topology_get_quad_edges(topology, no_onext ? nullptr : onext.data()->data(),
+                                                       origin.data()->data(), origin.capacity(), &edges);
+    const bool fits = origin.capacity() >= counts.edges;
+    FUZZ_REQUIRE(status == (expected != HSP_OK ? expected : fits ? HSP_OK : HSP_E_CAPACITY), "get_quad_edges");
+    FUZZ_REQUIRE(edges == (expected == HSP_OK ? counts.edges : 12345U), "get_quad_edges, needed");
+    FUZZ_REQUIRE(onext.untouched_from(status == HSP_OK && !no_onext ? counts.edges : 0), "onext");
+    FUZZ_REQUIRE(origin.untouched_from(status == HSP_OK ? counts.edges : 0), "origin");
+  }
+
+  void read_steps(const hsp_topology *topology, int32_t expected, const hsp_topology_counts &counts) {
+    const uint32_t id = bytes_.below(60);
+    hsp_topology_vertex vertex;
+    hsp_topology_edge edge;
+    hsp_simple_face face;
+    FUZZ_REQUIRE(hsp_topology_get_vertex(topology, id, &vertex) == with_id(expected, id, counts.vertices), "vertex");
+    FUZZ_REQUIRE(hsp_topology_get_edge(topology, id, &edge) == with_id(expected, id, counts.edges), "edge");
+    FUZZ_REQUIRE(hsp_topology_get_face(topology, id, &face) == with_id(expected, id, counts.simple_faces), "face");
+    const uint32_t q = bytes_.one_in(12) ? HSP_NONE - bytes_.below(5) : bytes_.below(400);
+    const bool there = expected == HSP_OK && q / 4 < counts.edges;
+    for (const uint32_t to : {hsp_topology_onext(topology, q), hsp_topology_oprev(topology, q),
+                              hsp_topology_lnext(topology, q), hsp_topology_lprev(topology, q)}) {
+      FUZZ_REQUIRE(there ? to < 4 * counts.edges : to == HSP_NONE, "a step from a quarter-edge");
+    }
+    const uint32_t most = std::max(counts.vertices, counts.simple_faces);
+    for (const uint32_t to : {hsp_topology_origin(topology, q), hsp_topology_left(topology, q)}) {
+      FUZZ_REQUIRE(there ? to < most : to == HSP_NONE, "where a quarter-edge starts");
+    }
+    FUZZ_REQUIRE((hsp_topology_ball(topology, q) != HSP_NONE) == (there && q % 2 == 0), "ball of a quarter-edge");
+    FUZZ_REQUIRE(hsp_quad_rot(hsp_quad_rot(q)) == hsp_quad_sym(q) || q == HSP_NONE - 1, "rot twice is sym");
+    FUZZ_REQUIRE(hsp_quad_inverse_rot(hsp_quad_rot(q)) == q || q == HSP_NONE - 1, "rot there and back");
+  }
+
+  static int32_t with_id(int32_t expected, uint32_t id, uint32_t count) {
+    return expected == HSP_OK && id >= count ? HSP_E_ID : expected;
+  }
+
+  Bytes &bytes_;
+  std::vector<uint8_t> memory_;
+  hsp_topology *topology_ = nullptr;
+  hsp_topology_limits limits_{};
+  bool attempted_ = false;  // it was given a boundary with results
+  bool complete_ = false;   // it got results, from that version of the boundary's
+  uint64_t version_ = 0;
+};
+
+}  // namespace fuzz
+
+#endif

@@ -1,0 +1,249 @@
+/* Every argument that measuring parts, gradients and rows of the Jacobian refuse, every call out of order, and every
+ * output that may be left out. Nothing is written by a call that fails. */
+#include <hardsphere.h>
+#include <math.h>
+
+#include "check.h"
+#include "untouched.h"
+
+enum { BALLS = 3, FACES = 3, ENTRIES = 3 };
+static unsigned char model_memory[HSP_MODEL_BYTES(BALLS)];
+static unsigned char boundary_memory[HSP_BOUNDARY_BYTES(BALLS, BALLS, 16, 16)];
+static hsp_model *model;
+static hsp_boundary *boundary;
+
+/* Three balls that meet in two points: one face each, and rows of three entries. */
+static const double xyz[3 * BALLS] = {0, 0, 0, 2, 0, 0, 1, 1.5, 0};
+static const double radius[BALLS] = {1.5, 1.5, 1.25};
+static const uint8_t selected[BALLS] = {1, 0, 1};
+static const double sigma[BALLS] = {1, -2, 0};
+
+static hsp_totals totals;
+static double area[BALLS], volume[BALLS], face_area[FACES], face_volume[FACES];
+static hsp_energy energy;
+static double by_centre[BALLS][3], by_radius[BALLS];
+static uint32_t flags[BALLS], needed;
+static hsp_area_derivative row[ENTRIES];
+
+static void fill_outputs(void) {
+  FILL(totals);
+  FILL(area);
+  FILL(volume);
+  FILL(face_area);
+  FILL(face_volume);
+  FILL(energy);
+  FILL(by_centre);
+  FILL(by_radius);
+  FILL(flags);
+  FILL(needed);
+  FILL(row);
+}
+
+static void check_outputs_untouched(void) {
+  CHECK_UNTOUCHED(totals);
+  CHECK_UNTOUCHED(area);
+  CHECK_UNTOUCHED(volume);
+  CHECK_UNTOUCHED(face_area);
+  CHECK_UNTOUCHED(face_volume);
+  CHECK_UNTOUCHED(energy);
+  CHECK_UNTOUCHED(by_centre);
+  CHECK_UNTOUCHED(by_radius);
+  CHECK_UNTOUCHED(flags);
+  CHECK_UNTOUCHED(needed);
+  CHECK_UNTOUCHED(row);
+}
+
+static int32_t gradient_with(const hsp_boundary *of, const double *weights, double tension, double pressure,
+                             uint32_t tangency) {
+  return hsp_boundary_gradient(of, weights, tension, pressure, tangency, &energy, &by_centre[0][0], by_radius, flags,
+                               BALLS);
+}
+
+/* All of them with good arguments must say `status` and write nothing. */
+static void check_all_refuse(const hsp_boundary *which, int32_t status) {
+  fill_outputs();
+  CHECK_EQUAL(hsp_boundary_measure_selected(which, selected, &totals, area, volume, BALLS), status);
+  CHECK_EQUAL(hsp_boundary_measure_selected(which, NULL, &totals, NULL, NULL, 0), status);
+  CHECK_EQUAL(hsp_boundary_measure_faces(which, face_area, face_volume, FACES), status);
+  CHECK_EQUAL(gradient_with(which, sigma, 1, 1, HSP_TANGENT_MEETING), status);
+  CHECK_EQUAL(gradient_with(which, NULL, 1, 1, HSP_TANGENT_APART), status);
+  CHECK_EQUAL(hsp_boundary_gradient(which, NULL, 1, 1, HSP_TANGENT_APART, &energy, NULL, NULL, NULL, 0), status);
+  CHECK_EQUAL(hsp_boundary_get_area_row(which, 0, HSP_TANGENT_MEETING, row, ENTRIES, &needed), status);
+  CHECK_EQUAL(hsp_boundary_get_area_row(which, 0, HSP_TANGENT_APART, NULL, 0, &needed), status);
+  check_outputs_untouched();
+}
+
+static void out_of_order(void) {
+  static const double bad_radius[BALLS] = {1, -1, 1};
+  hsp_boundary_limits limits;
+  CHECK_EQUAL(hsp_boundary_limits_init(&limits, (uint32_t)sizeof limits, BALLS), HSP_OK);
+  limits.vertices = limits.circles = 16;
+  CHECK_EQUAL(hsp_boundary_init(boundary_memory, sizeof boundary_memory, &limits, &boundary), HSP_OK);
+  check_scene("no boundary");
+  check_all_refuse(NULL, HSP_E_ARGUMENT);
+  check_scene("nothing computed");
+  check_all_refuse(boundary, HSP_E_STATE);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
+  check_scene("model set to the same balls");
+  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
+  check_all_refuse(boundary, HSP_E_STATE);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
+  check_scene("model emptied by a refusal");
+  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, bad_radius, NULL, NULL), HSP_E_NEGATIVE);
+  check_all_refuse(boundary, HSP_E_STATE);
+  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
+  check_scene("a limit was too small");
+  limits.vertices = 1;
+  CHECK_EQUAL(hsp_boundary_init(boundary_memory, sizeof boundary_memory, &limits, &boundary), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_E_CAPACITY);
+  check_all_refuse(boundary, HSP_E_STATE);
+  limits.vertices = 16;
+  CHECK_EQUAL(hsp_boundary_init(boundary_memory, sizeof boundary_memory, &limits, &boundary), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
+}
+
+static void bad_arguments(void) {
+  static const double not_finite[3] = {NAN, INFINITY, -INFINITY};
+  static const uint32_t unknown[3] = {2, 77, HSP_NONE};
+  double weights[BALLS] = {1, 1, 1};
+  int v, i;
+  fill_outputs();
+  check_scene("unknown tangency");
+  for (v = 0; v < 3; ++v) {
+    CHECK_EQUAL(gradient_with(boundary, NULL, 1, 1, unknown[v]), HSP_E_ARGUMENT);
+    CHECK_EQUAL(hsp_boundary_get_area_row(boundary, 0, unknown[v], row, ENTRIES, &needed), HSP_E_ARGUMENT);
+    CHECK_EQUAL(hsp_boundary_get_area_row(boundary, 0, unknown[v], NULL, 0, &needed), HSP_E_ARGUMENT);
+  }
+  check_scene("numbers that are not finite");
+  for (v = 0; v < 3; ++v) {
+    CHECK_EQUAL(gradient_with(boundary, NULL, not_finite[v], 1, HSP_TANGENT_MEETING), HSP_E_NOT_FINITE);
+    CHECK_EQUAL(gradient_with(boundary, NULL, 1, not_finite[v], HSP_TANGENT_MEETING), HSP_E_NOT_FINITE);
+    CHECK_EQUAL(hsp_boundary_gradient(boundary, NULL, not_finite[v], 0, HSP_TANGENT_APART, NULL, NULL, NULL, NULL, 0),
+                HSP_E_NOT_FINITE);
+    for (i = 0; i < BALLS; ++i) {
+      weights[i] = not_finite[v];
+      CHECK_EQUAL(gradient_with(boundary, weights, 1, 1, HSP_TANGENT_APART), HSP_E_NOT_FINITE);
+      /* whatever it is multiplied with, and whether or not anybody wants the results */
+      CHECK_EQUAL(gradient_with(boundary, weights, 0, 1, HSP_TANGENT_MEETING), HSP_E_NOT_FINITE);
+      CHECK_EQUAL(hsp_boundary_gradient(boundary, weights, 1, 0, HSP_TANGENT_APART, NULL, NULL, NULL, NULL, 0),
+                  HSP_E_NOT_FINITE);
+      weights[i] = 1;
+    }
+  }
+  check_scene("rows");
+  CHECK_EQUAL(hsp_boundary_get_area_row(boundary, 0, HSP_TANGENT_MEETING, NULL, ENTRIES, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_get_area_row(boundary, 0, HSP_TANGENT_MEETING, row, ENTRIES, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_get_area_row(boundary, BALLS, HSP_TANGENT_MEETING, row, ENTRIES, &needed), HSP_E_ID);
+  CHECK_EQUAL(hsp_boundary_get_area_row(boundary, HSP_NONE, HSP_TANGENT_APART, NULL, 0, &needed), HSP_E_ID);
+  check_outputs_untouched();
+}
+
+/* One array, or all, and a capacity that is too small by one, or 0. */
+static void too_small(void) {
+  uint32_t capacity;
+  fill_outputs();
+  check_scene("too small");
+  for (capacity = 0; capacity < BALLS; ++capacity) {
+    CHECK_EQUAL(hsp_boundary_measure_selected(boundary, selected, &totals, area, NULL, capacity), HSP_E_CAPACITY);
+    CHECK_EQUAL(hsp_boundary_measure_selected(boundary, NULL, &totals, NULL, volume, capacity), HSP_E_CAPACITY);
+    CHECK_EQUAL(hsp_boundary_measure_selected(boundary, selected, NULL, area, volume, capacity), HSP_E_CAPACITY);
+    CHECK_EQUAL(hsp_boundary_measure_faces(boundary, face_area, NULL, capacity), HSP_E_CAPACITY);
+    CHECK_EQUAL(hsp_boundary_measure_faces(boundary, NULL, face_volume, capacity), HSP_E_CAPACITY);
+    CHECK_EQUAL(hsp_boundary_measure_faces(boundary, face_area, face_volume, capacity), HSP_E_CAPACITY);
+    CHECK_EQUAL(hsp_boundary_gradient(boundary, sigma, 1, 1, HSP_TANGENT_MEETING, &energy, &by_centre[0][0], NULL, NULL,
+                                      capacity),
+                HSP_E_CAPACITY);
+    CHECK_EQUAL(
+        hsp_boundary_gradient(boundary, sigma, 1, 1, HSP_TANGENT_MEETING, &energy, NULL, by_radius, NULL, capacity),
+        HSP_E_CAPACITY);
+    CHECK_EQUAL(hsp_boundary_gradient(boundary, NULL, 1, 1, HSP_TANGENT_APART, &energy, NULL, NULL, flags, capacity),
+                HSP_E_CAPACITY);
+    CHECK_EQUAL(hsp_boundary_gradient(boundary, NULL, 1, 1, HSP_TANGENT_APART, NULL, &by_centre[0][0], by_radius, flags,
+                                      capacity),
+                HSP_E_CAPACITY);
+  }
+  check_outputs_untouched();
+  CHECK_EQUAL(hsp_boundary_get_area_row(boundary, 0, HSP_TANGENT_MEETING, row, ENTRIES - 1, &needed), HSP_E_CAPACITY);
+  CHECK_EQUAL(needed, ENTRIES);
+  CHECK_UNTOUCHED(row);
+}
+
+/* Whatever is left out, the rest is the same. */
+static void left_out(void) {
+  hsp_energy all_energy;
+  double all_centre[BALLS][3], all_radius[BALLS];
+  uint32_t all_flags[BALLS];
+  int given;
+  CHECK_EQUAL(gradient_with(boundary, sigma, 3, -0.5, HSP_TANGENT_MEETING), HSP_OK);
+  all_energy = energy;
+  memcpy(all_centre, by_centre, sizeof all_centre);
+  memcpy(all_radius, by_radius, sizeof all_radius);
+  memcpy(all_flags, flags, sizeof all_flags);
+  for (given = 0; given < 16; ++given) {
+    check_scene("gradient without those outputs that 15 - %d stands for", given);
+    fill_outputs();
+    CHECK_EQUAL(hsp_boundary_gradient(boundary, sigma, 3, -0.5, HSP_TANGENT_MEETING, (given & 1) != 0 ? &energy : NULL,
+                                      (given & 2) != 0 ? &by_centre[0][0] : NULL, (given & 4) != 0 ? by_radius : NULL,
+                                      (given & 8) != 0 ? flags : NULL, (given & 14) != 0 ? BALLS : 0),
+                HSP_OK);
+    if ((given & 1) != 0) CHECK_BYTES(&energy, &all_energy, sizeof energy);
+    if ((given & 2) != 0) CHECK_BYTES(by_centre, all_centre, sizeof by_centre);
+    if ((given & 4) != 0) CHECK_BYTES(by_radius, all_radius, sizeof by_radius);
+    if ((given & 8) != 0) CHECK_BYTES(flags, all_flags, sizeof flags);
+    if ((given & 1) == 0) CHECK_UNTOUCHED(energy);
+    if ((given & 2) == 0) CHECK_UNTOUCHED(by_centre);
+    if ((given & 4) == 0) CHECK_UNTOUCHED(by_radius);
+    if ((given & 8) == 0) CHECK_UNTOUCHED(flags);
+  }
+  check_scene("measures of parts, left out");
+  fill_outputs();
+  CHECK_EQUAL(hsp_boundary_measure_selected(boundary, selected, NULL, NULL, NULL, 0), HSP_OK);
+  check_outputs_untouched();
+  CHECK_EQUAL(hsp_boundary_measure_selected(boundary, selected, NULL, area, NULL, BALLS), HSP_OK);
+  CHECK(area[0] > 0 && area[1] == 0 && area[2] > 0);
+  CHECK_UNTOUCHED(volume);
+  CHECK_EQUAL(hsp_boundary_measure_selected(boundary, selected, NULL, NULL, volume, BALLS), HSP_OK);
+  CHECK(volume[0] > 0 && volume[1] == 0 && volume[2] > 0);
+  CHECK_UNTOUCHED(totals);
+  CHECK_EQUAL(hsp_boundary_measure_selected(boundary, selected, &totals, NULL, NULL, 0), HSP_OK);
+  CHECK_NEAR(totals.area, area[0] + area[2], 1e-13);
+  CHECK_NEAR(totals.volume, volume[0] + volume[2], 1e-13);
+  CHECK_EQUAL(hsp_boundary_measure_faces(boundary, face_area, NULL, FACES), HSP_OK);
+  CHECK_UNTOUCHED(face_volume);
+  CHECK(face_area[0] > 0 && face_area[1] > 0 && face_area[2] > 0);
+  CHECK_EQUAL(hsp_boundary_measure_faces(boundary, NULL, face_volume, FACES), HSP_OK);
+  CHECK(face_volume[0] > 0 && face_volume[1] > 0 && face_volume[2] > 0);
+}
+
+/* Without balls there is nothing to give room to. */
+static void no_balls(void) {
+  check_scene("no balls");
+  CHECK_EQUAL(hsp_model_set(model, 0, NULL, NULL, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
+  fill_outputs();
+  CHECK_EQUAL(hsp_boundary_measure_selected(boundary, NULL, NULL, area, volume, 0), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_measure_faces(boundary, face_area, face_volume, 0), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_measure_faces(boundary, NULL, NULL, 0), HSP_OK);
+  CHECK_EQUAL(
+      hsp_boundary_gradient(boundary, sigma, 1, 1, HSP_TANGENT_APART, NULL, &by_centre[0][0], by_radius, flags, 0),
+      HSP_OK);
+  CHECK_EQUAL(hsp_boundary_get_area_row(boundary, 0, HSP_TANGENT_MEETING, row, ENTRIES, &needed), HSP_E_ID);
+  CHECK_EQUAL(gradient_with(boundary, NULL, NAN, 1, HSP_TANGENT_MEETING), HSP_E_NOT_FINITE);
+  CHECK_EQUAL(gradient_with(boundary, NULL, 1, 1, 2), HSP_E_ARGUMENT);
+  check_outputs_untouched();
+  CHECK_EQUAL(hsp_boundary_measure_selected(boundary, selected, &totals, NULL, NULL, 0), HSP_OK);
+  CHECK(totals.area == 0 && totals.volume == 0);
+  CHECK_EQUAL(hsp_boundary_gradient(boundary, NULL, 1, 1, HSP_TANGENT_APART, &energy, NULL, NULL, NULL, 0), HSP_OK);
+  CHECK(energy.value == 0 && energy.area == 0 && energy.volume == 0 && energy.probe == 0);
+}
+
+int main(void) {
+  CHECK_EQUAL(hsp_model_init(model_memory, sizeof model_memory, BALLS, &model), HSP_OK);
+  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
+  out_of_order();
+  bad_arguments();
+  too_small();
+  left_out();
+  no_balls();
+  return check_report();
+}

@@ -1,0 +1,287 @@
+! The topology section of the interface as a Fortran program sees it: every function is called, records arrive field by
+! field, the two flat arrays hold what the steps say, ids are 0-based indices.
+program fortran_topology_test
+  use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int8_t, c_loc, c_null_ptr, c_ptr, c_size_t, c_sizeof
+  use hardsphere
+  implicit none
+
+  ! Eight balls on a cube's corners, near enough to close the room between them, and one ball apart.
+  integer(c_int32_t), parameter :: n = 9
+  real(c_double), parameter :: apart(3) = [9.0_c_double, 0.5_c_double, 0.5_c_double]
+  real(c_double), parameter :: middle(3) = 0.5_c_double, outside(3) = [-5.0_c_double, 2.0_c_double, 1.0_c_double]
+
+  integer :: checks = 0, failures = 0
+  real(c_double) :: xyz(3, n), radius(n)
+  integer(c_int8_t), allocatable, target :: model_memory(:), boundary_memory(:), topology_memory(:)
+  type(c_ptr) :: model, boundary, topology = c_null_ptr
+  type(hsp_topology_counts) :: counts
+
+  call compute_boundary()
+  call sizes_and_quarter_edges()
+  call compute_topology()
+  call steps_and_arrays()
+  call records()
+  call shells_and_cells()
+  call scan_and_places()
+  call check_and_errors()
+  print '(i0, a, i0, a)', checks, ' checks, ', failures, ' failed'
+  if (failures > 0 .or. checks == 0) stop 1
+
+contains
+
+  subroutine check(holds, what)
+    logical, intent(in) :: holds
+    character(len=*), intent(in) :: what
+    checks = checks + 1
+    if (holds) return
+    failures = failures + 1
+    print '(a, a)', 'failed: ', what
+  end subroutine
+
+  subroutine expect(status, expected, what)
+    integer(c_int32_t), intent(in) :: status, expected
+    character(len=*), intent(in) :: what
+    call check(status == expected, what//': '//hsp_status_message(status)//', expected '//hsp_status_message(expected))
+  end subroutine
+
+  subroutine compute_boundary()
+    integer(c_size_t) :: bytes
+    type(hsp_boundary_limits) :: limits
+    integer :: i
+    do i = 0, 7
+      xyz(:, i + 1) = [iand(i, 1), iand(i/2, 1), i/4]
+    end do
+    xyz(:, n) = apart
+    radius = 0.75_c_double
+    call expect(hsp_model_bytes(n, bytes), HSP_OK, 'hsp_model_bytes')
+    allocate (model_memory(bytes))
+    call expect(hsp_model_init(c_loc(model_memory), bytes, n, model), HSP_OK, 'hsp_model_init')
+    call expect(hsp_model_set(model, n, xyz, radius), HSP_OK, 'hsp_model_set')
+    call expect(hsp_boundary_limits_init(limits, int(c_sizeof(limits), c_int32_t), n), HSP_OK, 'limits')
+    call expect(hsp_boundary_bytes(limits, bytes), HSP_OK, 'hsp_boundary_bytes')
+    allocate (boundary_memory(bytes))
+    call expect(hsp_boundary_init(c_loc(boundary_memory), bytes, limits, boundary), HSP_OK, 'hsp_boundary_init')
+    call expect(hsp_boundary_compute(boundary, model), HSP_OK, 'hsp_boundary_compute')
+  end subroutine
+
+  subroutine sizes_and_quarter_edges()
+    type(hsp_topology_limits) :: limits
+    type(hsp_topology_vertex) :: vertex
+    type(hsp_topology_edge) :: edge
+    type(hsp_simple_face) :: face
+    type(hsp_shell) :: shell
+    type(hsp_component) :: component
+    type(hsp_cell) :: cell
+    integer(c_int32_t) :: q
+    call check(c_sizeof(limits) == 24, 'size of hsp_topology_limits')
+    call check(c_sizeof(counts) == 32, 'size of hsp_topology_counts')
+    call check(c_sizeof(vertex) == 48, 'size of hsp_topology_vertex')
+    call check(c_sizeof(edge) == 96, 'size of hsp_topology_edge')
+    call check(c_sizeof(face) == 24, 'size of hsp_simple_face')
+    call check(c_sizeof(shell) == 80, 'size of hsp_shell')
+    call check(c_sizeof(component) == 24, 'size of hsp_component')
+    call check(c_sizeof(cell) == 32, 'size of hsp_cell')
+    do q = 0, 11
+      call check(hsp_quad_sym(q) == 4*(q/4) + mod(q + 2, 4), 'hsp_quad_sym')
+      call check(hsp_quad_rot(hsp_quad_rot(q)) == hsp_quad_sym(q), 'hsp_quad_rot')
+      call check(hsp_quad_inverse_rot(hsp_quad_rot(q)) == q, 'hsp_quad_inverse_rot')
+    end do
+    call check(hsp_quad_rot(HSP_NONE) == HSP_NONE .and. hsp_quad_inverse_rot(HSP_NONE) == HSP_NONE, 'rot of nothing')
+    call check(hsp_quad_sym(HSP_NONE) == HSP_NONE, 'sym of nothing')
+  end subroutine
+
+  subroutine compute_topology()
+    integer(c_size_t) :: bytes
+    type(hsp_topology_limits) :: limits, needed
+    type(hsp_boundary_counts) :: boundary_counts
+    integer(c_int32_t) :: bytes_of_limits
+    bytes_of_limits = int(c_sizeof(limits), c_int32_t)
+    call expect(hsp_topology_limits_init(limits, bytes_of_limits, n), HSP_OK, 'hsp_topology_limits_init')
+    call check(limits%balls == n .and. limits%neighbours == n .and. limits%edges == 16*n + 96, 'default limits')
+    call check(limits%extra_arcs == 2*n + 16 .and. limits%reserved == 0, 'default limits')
+    call expect(hsp_topology_limits_for(limits, bytes_of_limits, boundary), HSP_OK, 'hsp_topology_limits_for')
+    call check(limits%balls == n .and. limits%struct_size == bytes_of_limits, 'limits for a boundary')
+    call expect(hsp_topology_bytes(limits, bytes), HSP_OK, 'hsp_topology_bytes')
+    call check(bytes > 0 .and. bytes <= hsp_topology_bytes_bound(limits%balls, limits%neighbours, limits%edges, &
+                                                                 limits%extra_arcs), 'hsp_topology_bytes_bound')
+    allocate (topology_memory(bytes))
+    call expect(hsp_topology_init(c_loc(topology_memory), bytes, limits, topology), HSP_OK, 'hsp_topology_init')
+    call expect(hsp_topology_get_counts(topology, counts), HSP_E_STATE, 'nothing computed')
+    call expect(hsp_topology_compute(topology, boundary), HSP_OK, 'hsp_topology_compute')
+    call expect(hsp_topology_get_needed(topology, needed), HSP_OK, 'hsp_topology_get_needed')
+    call check(needed%edges <= limits%edges .and. needed%extra_arcs <= limits%extra_arcs, 'what was needed')
+    call expect(hsp_topology_get_counts(topology, counts), HSP_OK, 'hsp_topology_get_counts')
+    call check(counts%edges == needed%edges, 'edges are what limits count')
+    call check(counts%shells == 3 .and. counts%components == 2 .and. counts%cells == 2, 'counts of shells and cells')
+    call expect(hsp_boundary_get_counts(boundary, boundary_counts), HSP_OK, 'hsp_boundary_get_counts')
+    call check(counts%vertices - counts%edges + counts%simple_faces == boundary_counts%euler, 'Euler characteristic')
+    call check(counts%extra_edges >= 2, 'the ball apart is cut in two')
+  end subroutine
+
+  subroutine steps_and_arrays()
+    integer(c_int32_t), allocatable :: onext(:, :), origin(:, :)
+    integer(c_int32_t) :: needed, q, edge, k
+    type(hsp_simple_face) :: face
+    call expect(hsp_topology_get_quad_edges(topology, capacity=0_c_int32_t, needed=needed), HSP_E_CAPACITY, 'how many')
+    call check(needed == counts%edges, 'number of edges')
+    allocate (onext(0:3, 0:needed - 1), origin(0:3, 0:needed - 1))
+    call expect(hsp_topology_get_quad_edges(topology, onext, origin, needed, needed), HSP_OK, 'hsp_topology_get_quad_edges')
+    do edge = 0, needed - 1
+      do k = 0, 3
+        q = 4*edge + k
+        call check(hsp_topology_onext(topology, q) == onext(k, edge), 'hsp_topology_onext')
+        call check(hsp_topology_origin(topology, q) == origin(k, edge), 'hsp_topology_origin')
+        call check(hsp_topology_oprev(topology, onext(k, edge)) == q, 'hsp_topology_oprev')
+        call check(hsp_topology_lprev(topology, hsp_topology_lnext(topology, q)) == q, 'hsp_topology_lnext and lprev')
+        call check(hsp_topology_lnext(topology, q) == hsp_quad_rot(hsp_topology_onext(topology, hsp_quad_inverse_rot(q))), &
+                   'lnext from onext')
+        call check(hsp_topology_left(topology, q) == hsp_topology_origin(topology, hsp_quad_inverse_rot(q)), &
+                   'hsp_topology_left')
+      end do
+      call expect(hsp_topology_get_face(topology, hsp_topology_left(topology, 4*edge), face), HSP_OK, 'hsp_topology_get_face')
+      call check(hsp_topology_ball(topology, 4*edge) == face%ball, 'hsp_topology_ball')
+      call check(hsp_topology_ball(topology, 4*edge + 1) == HSP_NONE, 'no ball left of a dual edge')
+    end do
+    call check(hsp_topology_onext(topology, 4*needed) == HSP_NONE, 'no such quarter-edge')
+    call check(hsp_topology_left(c_null_ptr, 0_c_int32_t) == HSP_NONE, 'no topology')
+    onext = -7
+    call expect(hsp_topology_get_quad_edges(topology, origin=onext, capacity=needed, needed=needed), HSP_OK, 'one array')
+    call check(all(onext == origin), 'one array')
+  end subroutine
+
+  subroutine records()
+    type(hsp_topology_vertex) :: vertex, vertices(counts%vertices)
+    type(hsp_topology_edge) :: edge, edges(counts%edges)
+    type(hsp_simple_face) :: face, faces(counts%simple_faces)
+    integer(c_int32_t) :: needed, i
+    call expect(hsp_topology_get_vertices(topology, vertices, counts%vertices, needed), HSP_OK, 'hsp_topology_get_vertices')
+    call check(needed == counts%vertices, 'number of vertices')
+    call expect(hsp_topology_get_edges(topology, edges, counts%edges, needed), HSP_OK, 'hsp_topology_get_edges')
+    call check(needed == counts%edges, 'number of edges')
+    call expect(hsp_topology_get_faces(topology, faces, counts%simple_faces, needed), HSP_OK, 'hsp_topology_get_faces')
+    call check(needed == counts%simple_faces, 'number of simple faces')
+    do i = 0, counts%vertices - 1
+      call expect(hsp_topology_get_vertex(topology, i, vertex), HSP_OK, 'hsp_topology_get_vertex')
+      call check(all(vertex%ball == vertices(hsp_index(i))%ball) .and. vertex%q == vertices(hsp_index(i))%q, 'a vertex')
+      call check(hsp_topology_origin(topology, vertex%q) == i .and. vertex%reserved == 0, 'quarter-edge of a vertex')
+      call check(vertex%kind >= HSP_POINT_VERTEX .and. vertex%kind <= HSP_POINT_POLE, 'kind of a vertex')
+      call check(on_sphere(vertex%xyz, vertex%ball(1)), 'a vertex lies on its sphere')
+      call check((vertex%kind == HSP_POINT_POLE) .eqv. (vertex%ball(2) == HSP_NONE), 'a pole lies on one sphere')
+    end do
+    do i = 0, counts%edges - 1
+      call expect(hsp_topology_get_edge(topology, i, edge), HSP_OK, 'hsp_topology_get_edge')
+      call check(all(edge%vertex == edges(hsp_index(i))%vertex) .and. all(edge%face == edges(hsp_index(i))%face), 'an edge')
+      call check(edge%vertex(1) == hsp_topology_origin(topology, 4*i), 'an edge''s origin')
+      call check(edge%vertex(2) == hsp_topology_origin(topology, hsp_quad_sym(4*i)), 'an edge''s destination')
+      call check(all(edge%ball == [faces(hsp_index(edge%face(1)))%ball, faces(hsp_index(edge%face(2)))%ball]), 'its balls')
+      call check((edge%kind == HSP_EDGE_EXTRA) .eqv. (edge%source == HSP_NONE), 'source of an edge')
+      call check(abs(norm2(vertices(hsp_index(edge%vertex(2)))%xyz - edge%centre) - edge%radius) < 1e-13_c_double, 'circle')
+      call check(abs(norm2(edge%axis) - 1) < 1e-14_c_double, 'axis of an edge')
+      ! four spheres meet on each side of the cube: some arcs have length 0
+      call check(edge%angle >= 0 .and. edge%angle < 7, 'angle of an edge')
+    end do
+    do i = 0, counts%simple_faces - 1
+      face = faces(hsp_index(i))
+      call check(hsp_topology_left(topology, face%q) == i .and. face%edges >= 2 .and. face%reserved == 0, 'a simple face')
+      call check(face%shell >= 0 .and. face%shell < counts%shells .and. face%face >= 0, 'shell of a simple face')
+    end do
+    call expect(hsp_topology_get_vertex(topology, counts%vertices, vertex), HSP_E_ID, 'no such vertex')
+    call expect(hsp_topology_get_edge(topology, counts%edges, edge), HSP_E_ID, 'no such edge')
+    call expect(hsp_topology_get_face(topology, HSP_NONE, face), HSP_E_ID, 'no such face')
+  end subroutine
+
+  logical function on_sphere(place, ball)
+    real(c_double), intent(in) :: place(3)
+    integer(c_int32_t), intent(in) :: ball
+    on_sphere = abs(norm2(place - xyz(:, hsp_index(ball))) - radius(hsp_index(ball))) < 1e-13_c_double
+  end function
+
+  subroutine shells_and_cells()
+    type(hsp_shell) :: shells(3)
+    type(hsp_component) :: components(2)
+    type(hsp_cell) :: cells(2)
+    type(hsp_totals) :: totals
+    integer(c_int32_t) :: needed, around(3), wall
+    integer :: i
+    call expect(hsp_topology_get_shells(topology, shells, 3_c_int32_t, needed), HSP_OK, 'hsp_topology_get_shells')
+    call check(needed == 3, 'number of shells')
+    call expect(hsp_boundary_measure(boundary, totals, capacity=0_c_int32_t), HSP_OK, 'hsp_boundary_measure')
+    call check(abs(sum(shells%area) - totals%area) < 1e-12_c_double, 'areas of shells')
+    call check(abs(sum(merge(1, -1, shells%kind == HSP_SHELL_OUTER)*abs(shells%volume)) - totals%volume) < 1e-12_c_double, &
+               'volumes of shells')
+    call check(count(shells%kind == HSP_SHELL_VOID) == 1, 'one shell around a void')
+    call check(all(shells%euler == 2 .and. shells%genus == 0), 'shells without handles')
+    call check(sum(shells%simple_faces) == counts%simple_faces .and. sum(shells%edges) == counts%edges, 'parts of shells')
+    call check(sum(shells%vertices) == counts%vertices .and. all(shells%faces > 0), 'parts of shells')
+    do i = 1, 3
+      call check(shells(i)%start_face >= 0 .and. shells(i)%start_face < counts%simple_faces, 'start face of a shell')
+      call check(any([on_sphere(shells(i)%point, 0), on_sphere(shells(i)%point, 1), on_sphere(shells(i)%point, 2), &
+                      on_sphere(shells(i)%point, 3), on_sphere(shells(i)%point, 4), on_sphere(shells(i)%point, 5), &
+                      on_sphere(shells(i)%point, 6), on_sphere(shells(i)%point, 7), on_sphere(shells(i)%point, 8)]), &
+                 'point of a shell')
+    end do
+    call expect(hsp_topology_get_components(topology, components, 2_c_int32_t, needed), HSP_OK, 'hsp_topology_get_components')
+    call check(needed == 2, 'number of components')
+    call check(components(1)%balls == 8 .and. components(2)%balls == 1, 'balls of components')
+    call check(components(1)%top_ball >= 4 .and. components(2)%top_ball == 8, 'top balls')
+    call check(components(1)%shells == 2 .and. components(2)%shells == 1 .and. all(components%cell == 0), 'shells, cells')
+    call check(all(shells(hsp_index(components%outer_shell))%kind == HSP_SHELL_OUTER), 'outer shells')
+    call expect(hsp_topology_get_cells(topology, cells, 2_c_int32_t, needed), HSP_OK, 'hsp_topology_get_cells')
+    call check(needed == 2 .and. cells(1)%wall == HSP_NONE .and. cells(1)%components == 2, 'the outer cell')
+    call check(cells(1)%shells == 2 .and. cells(2)%shells == 1 .and. cells(2)%components == 0, 'shells of cells')
+    wall = cells(2)%wall
+    call check(shells(hsp_index(wall))%kind == HSP_SHELL_VOID .and. shells(hsp_index(wall))%cell == 1, 'wall of the void')
+    call check(abs(cells(2)%area - shells(hsp_index(wall))%area) < 1e-13_c_double, 'area of the void')
+    call check(cells(2)%volume > 0 .and. cells(2)%volume < 0.1_c_double, 'volume of the void')
+    call expect(hsp_topology_get_cell_shells(topology, 1_c_int32_t, around, 3_c_int32_t, needed), HSP_OK, &
+                'hsp_topology_get_cell_shells')
+    call check(needed == 1 .and. around(1) == wall, 'shells around the void')
+    call expect(hsp_topology_get_cell_shells(topology, 2_c_int32_t, around, 3_c_int32_t, needed), HSP_E_ID, 'no such cell')
+  end subroutine
+
+  subroutine scan_and_places()
+    type(hsp_shell) :: shells(3)
+    integer(c_int32_t) :: faces(counts%simple_faces), ids(n), needed, shell, cell, same
+    logical :: seen(0:counts%simple_faces - 1)
+    integer :: i
+    call expect(hsp_topology_get_shells(topology, shells, 3_c_int32_t, needed), HSP_OK, 'hsp_topology_get_shells')
+    seen = .false.
+    do shell = 0, 2
+      call expect(hsp_topology_get_scan(topology, shell, faces, counts%simple_faces, needed), HSP_OK, 'hsp_topology_get_scan')
+      call check(needed == shells(hsp_index(shell))%simple_faces, 'length of a scan')
+      call check(faces(1) == shells(hsp_index(shell))%start_face, 'start of a scan')
+      do i = 1, needed
+        call check(.not. seen(faces(i)), 'a scan visits no face twice')
+        seen(faces(i)) = .true.
+      end do
+    end do
+    call check(all(seen), 'scans visit every face')
+    cell = 7
+    call expect(hsp_topology_locate(topology, middle, cell, capacity=0_c_int32_t), HSP_OK, 'hsp_topology_locate')
+    call check(cell == 1, 'the middle lies in the void')
+    call expect(hsp_topology_locate(topology, outside, cell, ids, n, needed), HSP_OK, 'locate outside')
+    call check(cell == 0 .and. needed == 0, 'outside')
+    call expect(hsp_topology_locate(topology, apart, cell, ids, n, needed), HSP_OK, 'locate in a ball')
+    call check(cell == HSP_NONE .and. needed == 1 .and. ids(1) == 8, 'in a ball')
+    call expect(hsp_topology_same_cell(topology, middle, outside, same), HSP_OK, 'hsp_topology_same_cell')
+    call check(same == 0, 'no way out of the void')
+    call expect(hsp_topology_same_cell(topology, outside, 2*outside, same), HSP_OK, 'hsp_topology_same_cell')
+    call check(same == 1, 'a way outside')
+  end subroutine
+
+  subroutine check_and_errors()
+    integer(c_int32_t) :: law, where
+    type(hsp_topology_limits) :: limits
+    integer(c_size_t) :: bytes
+    law = 7
+    call expect(hsp_topology_check(topology, law, where), HSP_OK, 'hsp_topology_check')
+    call check(law == 0, 'no law is broken')
+    call expect(hsp_topology_compute(c_null_ptr, boundary), HSP_E_ARGUMENT, 'no topology')
+    call expect(hsp_topology_limits_init(limits, int(c_sizeof(limits), c_int32_t), HSP_MAX_BALLS), HSP_E_RANGE, 'too many')
+    call expect(hsp_topology_limits_init(limits, int(c_sizeof(limits), c_int32_t), n), HSP_OK, 'limits')
+    limits%reserved = 1
+    call expect(hsp_topology_bytes(limits, bytes), HSP_E_ARGUMENT, 'reserved')
+    call expect(hsp_boundary_compute(boundary, model), HSP_OK, 'hsp_boundary_compute')
+    call expect(hsp_topology_get_counts(topology, counts), HSP_E_STATE, 'the boundary was computed again')
+  end subroutine
+end program fortran_topology_test

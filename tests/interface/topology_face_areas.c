@@ -1,0 +1,87 @@
+/* The areas of simple faces from nothing but their loops, by the theorem of Gauss and Bonnet: a loop that does not
+ * bound one disc on the left of its edges, or that runs the wrong way, has the wrong area. The simple faces of a ball
+ * sum to its free area. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "topology_result.h"
+
+static const double pi = 3.14159265358979323846;
+
+static double dot(const double u[3], const double v[3]) {
+  return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+}
+
+/* Where the walk along q stands when it starts (end = 0) or arrives (end = 1): its unit tangent. */
+static void tangent(const topology_result *t, uint32_t q, int end, double along[3]) {
+  const hsp_topology_edge *edge = t->edges + q / 4;
+  const double *at = t->vertices[edge->vertex[q % 4 == 0 ? end : 1 - end]].xyz;
+  const double sense = q % 4 == 0 ? 1 : -1;
+  double u[3];
+  int axis;
+  for (axis = 0; axis < 3; ++axis) u[axis] = sense * (at[axis] - edge->centre[axis]) / edge->radius;
+  along[0] = edge->axis[1] * u[2] - edge->axis[2] * u[1];
+  along[1] = edge->axis[2] * u[0] - edge->axis[0] * u[2];
+  along[2] = edge->axis[0] * u[1] - edge->axis[1] * u[0];
+}
+
+/* How far the walk turns to the left, seen from outside, where it goes from q to next. */
+static double turn(const topology_result *t, uint32_t q, uint32_t next, const double centre[3], double radius) {
+  const double *at = t->vertices[t->origin[next]].xyz;
+  double in[3], out[3], side[3], outward[3];
+  int axis;
+  tangent(t, q, 1, in);
+  tangent(t, next, 0, out);
+  side[0] = in[1] * out[2] - in[2] * out[1];
+  side[1] = in[2] * out[0] - in[0] * out[2];
+  side[2] = in[0] * out[1] - in[1] * out[0];
+  for (axis = 0; axis < 3; ++axis) outward[axis] = (at[axis] - centre[axis]) / radius;
+  return atan2(dot(side, outward), dot(in, out));
+}
+
+/* The area over radius squared; NaN where directions are too uncertain: circles of nearly no size, and cusps, where a
+ * turn to the left is no different from one to the right. */
+static double face_angle(const topology_result *t, const hsp_simple_face *face) {
+  const computed *c = t->base;
+  const double *centre = c->xyz + 3 * face->ball;
+  const double radius = c->radius[face->ball];
+  double angle = 2 * pi;
+  uint32_t q = face->q;
+  do {
+    const hsp_topology_edge *edge = t->edges + q / 4;
+    const uint32_t next = hsp_topology_lnext(t->topology, q);
+    const double sense = q % 4 == 0 ? 1 : -1;
+    double height[3], turned;
+    int axis;
+    if (edge->radius < 1e-4 * radius || t->edges[next / 4].radius < 1e-4 * radius) return NAN;
+    for (axis = 0; axis < 3; ++axis) height[axis] = edge->centre[axis] - centre[axis];
+    turned = turn(t, q, next, centre, radius);
+    if (fabs(turned) > pi - 1e-3) return NAN;
+    angle -= edge->angle * sense * dot(height, edge->axis) / radius + turned;
+    q = next;
+  } while (q != face->q);
+  return angle;
+}
+
+const char *broken_face_areas(const topology_result *t) {
+  const computed *c = t->base;
+  const char *broken = NULL;
+  uint32_t i;
+  double *sum = calloc((size_t)c->n + 1, sizeof *sum);
+  if (sum == NULL) exit(2);
+  for (i = 0; i < t->counts.simple_faces && broken == NULL; ++i) {
+    const hsp_simple_face *face = t->faces + i;
+    const double angle = c->radius[face->ball] > 0 ? face_angle(t, face) : NAN;
+    if (angle < -1e-8 || angle > 4 * pi + 1e-8) broken = "simple face: its loop bounds no disc on its left";
+    sum[face->ball] += angle;
+  }
+  for (i = 0; i < c->n && broken == NULL; ++i) {
+    const double square = c->radius[i] * c->radius[i];
+    if (isnan(sum[i])) continue;
+    if (!(fabs(sum[i] * square - c->area[i]) <= 1e-7 * square + 100 * c->rounding * c->radius[i])) {
+      broken = "simple faces of a ball do not sum to its free area";
+    }
+  }
+  free(sum);
+  return broken;
+}

@@ -1,0 +1,40 @@
+/* The sets of balls that the topology's tests go through: those of ball_sets.h and more, chosen for their shells,
+ * voids, handles and faces with holes, and for special positions of a sphere's highest and lowest point. */
+#ifndef HSP_TESTS_TOPOLOGY_SETS_H
+#define HSP_TESTS_TOPOLOGY_SETS_H
+
+#include "ball_sets.h"
+
+uint32_t topology_set_count(void);
+
+/* Set number `which`, always the same. */
+void topology_set_make(uint32_t which, ball_set *set);
+
+/* ---- sets with a known topology, by name ---- */
+
+/* A closed wall of 26 balls, 3 x 3 x 3 without the middle. It reaches to 1.75 spacings from its centre along each
+ * axis; its void holds the points up to 1/4 of the spacing along each axis. */
+void topology_set_add_hollow(ball_set *set, double x, double y, double z, double spacing);
+
+/* Hollow walls of spacing 64, 8 and 1 about the origin, in this order, and a ball of radius 1/8 in the middle. */
+void topology_set_nested(ball_set *set);
+
+/* A hollow wall of spacing 8 about the origin, and in its void two balls of radius 1/2 at -1 and 1 on the x axis. */
+void topology_set_two_in_a_void(ball_set *set);
+
+/* Two rings of eight balls each, linked. */
+void topology_set_linked_rings(ball_set *set);
+
+/* A hollow wall of spacing 1 about (1, 1, 1) with three of its six sides open: genus 2. */
+void topology_set_cage(ball_set *set);
+
+/* A block of 67 balls around a ring-shaped cavity: genus 0 outside, 1 inside. */
+void topology_set_ring_cavity(ball_set *set);
+
+/* A grid of 5 x 5 x 5 balls along whose cubes' edges balls overlap, not across: 125 - 300 is its Euler number. */
+void topology_set_scaffold(ball_set *set);
+
+/* A ball of radius 10 with 30 small ones on it, all apart: one face has 30 holes. */
+void topology_set_thirty_on_one(ball_set *set);
+
+#endif

@@ -1,0 +1,310 @@
+/* Shells, components and cells against tallies over the arrays, the scans against their definition, and the library's
+ * check of itself. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "topology_result.h"
+
+static const double pi = 3.14159265358979323846;
+
+static uint32_t *take_numbers(size_t count) {
+  uint32_t *numbers = calloc(count + 1, sizeof *numbers);
+  if (numbers == NULL) exit(2);
+  return numbers;
+}
+
+/* Areas are known up to roundings of what whole spheres have: spheres may nearly close a space, and its shell has next
+ * to no area. Volumes: times the largest radius. */
+static double area_rounding(const topology_result *t, uint32_t faces) {
+  const double r = t->base->info.largest_radius;
+  return 1e-12 * r * r * (1 + faces);
+}
+
+/* What is counted per shell. */
+typedef struct tally {
+  uint32_t vertices, edges, simple_faces, faces;
+  int64_t euler; /* of the boundary: vertices - arcs + sum over maximal faces of 2 - loops */
+} tally;
+
+static uint32_t shell_of_edge(const topology_result *t, uint32_t edge) {
+  return t->faces[t->edges[edge].face[0]].shell;
+}
+
+static const char *tally_up(const topology_result *t, tally *tallies) {
+  const computed *c = t->base;
+  uint32_t i;
+  for (i = 0; i < t->counts.simple_faces; ++i) ++tallies[t->faces[i].shell].simple_faces;
+  for (i = 0; i < t->counts.edges; ++i) {
+    const uint32_t shell = shell_of_edge(t, i);
+    if (t->faces[t->edges[i].face[1]].shell != shell) return "edge: between two shells";
+    ++tallies[shell].edges;
+  }
+  for (i = 0; i < t->counts.vertices; ++i) {
+    const uint32_t shell = shell_of_edge(t, t->vertices[i].q / 4);
+    ++tallies[shell].vertices;
+    if (i < c->counts.vertices) ++tallies[shell].euler;
+  }
+  for (i = 0; i < c->counts.arcs; ++i) --tallies[c->faces[c->arcs[i].face[0]].shell].euler;
+  for (i = 0; i < c->counts.faces; ++i) {
+    ++tallies[c->faces[i].shell].faces;
+    tallies[c->faces[i].shell].euler += 2 - (int64_t)c->faces[i].loops;
+  }
+  return NULL;
+}
+
+static const char *broken_shell(const topology_result *t, uint32_t id, const tally *counted) {
+  const hsp_shell *s = t->shells + id;
+  const double rounding = area_rounding(t, s->faces), r = t->base->info.largest_radius;
+  const double bound = (s->area + rounding) * (s->area + rounding) * (s->area + rounding);
+  if (s->vertices != counted->vertices || s->edges != counted->edges || s->simple_faces != counted->simple_faces ||
+      s->faces != counted->faces) {
+    return "shell: its numbers are not those of its records";
+  }
+  if (s->euler != (int64_t)s->vertices - s->edges + s->simple_faces) {
+    return "shell: euler is not vertices - edges + simple faces";
+  }
+  if (s->euler != counted->euler) return "shell: euler is not that of its maximal faces";
+  if (s->euler > 2 || s->euler % 2 != 0 || s->genus != (uint32_t)((2 - s->euler) / 2)) {
+    return "shell: genus is not 1 - euler/2";
+  }
+  if (s->kind > HSP_SHELL_VOID) return "shell: unknown kind";
+  if (s->component >= t->counts.components || s->cell >= t->counts.cells) return "shell: no such component or cell";
+  if (s->kind == HSP_SHELL_OUTER && t->components[s->component].outer_shell != id) {
+    return "shell: outer, but not the outer shell of its component";
+  }
+  if (s->kind == HSP_SHELL_VOID && t->cells[s->cell].wall != id) return "shell: of a void whose wall it is not";
+  if (s->start_face >= t->counts.simple_faces || t->faces[s->start_face].shell != id) {
+    return "shell: start_face is none of its simple faces";
+  }
+  if (!(s->area >= -rounding && s->volume >= -rounding * r)) return "shell: negative area or volume";
+  if (!(36 * pi * s->volume * s->volume <= bound * (1 + 1e-9) + rounding * rounding * r * r)) {
+    return "shell: encloses more than the ball of its area";
+  }
+  return NULL;
+}
+
+static const char *broken_shells(const topology_result *t) {
+  const computed *c = t->base;
+  const double rounding = area_rounding(t, c->counts.faces), r = c->info.largest_radius;
+  double area = 0, volume = 0, volumes = 0;
+  const char *broken;
+  uint32_t i;
+  tally *tallies = calloc((size_t)t->counts.shells + 1, sizeof *tallies);
+  if (tallies == NULL) exit(2);
+  broken = tally_up(t, tallies);
+  for (i = 0; i < t->counts.shells && broken == NULL; ++i) {
+    const hsp_shell *s = t->shells + i;
+    broken = broken_shell(t, i, tallies + i);
+    area += s->area;
+    volume += s->kind == HSP_SHELL_OUTER ? s->volume : -s->volume;
+    volumes += s->volume;
+  }
+  free(tallies);
+  if (broken != NULL) return broken;
+  for (i = 0; i < t->counts.simple_faces; ++i) {
+    if (t->shells[t->faces[i].shell].component != c->balls[t->faces[i].ball].component) {
+      return "simple face: its shell is not of its ball's component";
+    }
+  }
+  if (!(fabs(area - c->totals.area) <= 1e-12 * area + rounding)) {
+    return "hsp_topology_get_shells, property 1: areas sum to the area of the union";
+  }
+  if (!(fabs(volume - c->totals.volume) <= 1e-11 * volumes + rounding * r)) {
+    return "hsp_topology_get_shells, property 1: volumes of outer shells less those of voids are the volume";
+  }
+  return NULL;
+}
+
+static const char *broken_components(const topology_result *t) {
+  const computed *c = t->base;
+  const char *broken = NULL;
+  uint32_t i;
+  double top_of_all = -HUGE_VAL;
+  uint32_t *balls = take_numbers(t->counts.components), *shells = take_numbers(t->counts.components);
+  double *top = malloc(((size_t)t->counts.components + 1) * sizeof *top);
+  if (top == NULL) exit(2);
+  for (i = 0; i < t->counts.components; ++i) top[i] = -HUGE_VAL;
+  for (i = 0; i < c->n; ++i) {
+    const uint32_t k = c->balls[i].component;
+    ++balls[k];
+    top[k] = fmax(top[k], c->xyz[3 * i + 2] + c->radius[i]);
+    top_of_all = fmax(top_of_all, top[k]);
+  }
+  for (i = 0; i < t->counts.shells; ++i) ++shells[t->shells[i].component];
+  for (i = 0; i < t->counts.components && broken == NULL; ++i) {
+    const hsp_component *k = t->components + i;
+    const double allowed = 4 * c->rounding + 1e-13 * (fabs(top[i]) + c->info.largest_radius);
+    if (k->reserved != 0) broken = "component: reserved is not 0";
+    if (k->balls != balls[i]) broken = "component: balls is not the number of its balls";
+    if (k->shells != shells[i]) broken = "component: shells is not the number of its shells";
+    if (k->outer_shell >= t->counts.shells || k->top_ball >= c->n) {
+      broken = "component: no such shell or ball";
+      break;
+    }
+    if (t->shells[k->outer_shell].component != i || t->shells[k->outer_shell].kind != HSP_SHELL_OUTER) {
+      broken = "component: its outer shell is none";
+    }
+    if (k->cell != t->shells[k->outer_shell].cell) broken = "component: not in the cell of its outer shell";
+    if (c->balls[k->top_ball].component != i) broken = "component: its top ball belongs to another";
+    if (!(c->xyz[3 * k->top_ball + 2] + c->radius[k->top_ball] >= top[i] - allowed)) {
+      broken = "component: another ball reaches higher than its top ball";
+    }
+    if (t->faces[t->shells[k->outer_shell].start_face].ball != k->top_ball) {
+      broken = "component: the scan of its outer shell does not start on its top ball";
+    }
+    if (t->faces[t->shells[k->outer_shell].start_face].shell != k->outer_shell) {
+      broken = "component: its highest point is not on its outer shell";
+    }
+  }
+  if (broken == NULL && t->counts.start_face != HSP_NONE) {
+    const hsp_simple_face *start = t->faces + t->counts.start_face;
+    const hsp_shell *shell = t->shells + start->shell;
+    const double allowed = 4 * c->rounding + 1e-13 * (fabs(top_of_all) + c->info.largest_radius);
+    if (shell->start_face != t->counts.start_face || shell->kind != HSP_SHELL_OUTER || shell->cell != 0) {
+      broken = "start_face is not where an outer shell of cell 0 starts";
+    }
+    if (!(top[shell->component] >= top_of_all - allowed)) broken = "start_face is not in the highest component";
+  }
+  free(balls);
+  free(shells);
+  free(top);
+  return broken;
+}
+
+static const char *broken_cell(const topology_result *t, uint32_t id) {
+  const hsp_cell *cell = t->cells + id;
+  const double rounding = area_rounding(t, t->base->counts.faces), r = t->base->info.largest_radius;
+  double area = 0, volume = 0, sizes = 0;
+  uint32_t i, components = 0, shells = 0, needed = HSP_NONE;
+  int good = 1;
+  uint32_t *ids = take_numbers(t->counts.shells);
+  if (hsp_topology_get_cell_shells(t->topology, id, ids, t->counts.shells, &needed) != HSP_OK) good = 0;
+  for (i = 0; i < t->counts.shells; ++i) {
+    const hsp_shell *s = t->shells + i;
+    if (s->cell != id) continue;
+    if (!(shells < needed && ids[shells] == i)) good = 0;
+    ++shells;
+    area += s->area;
+    volume += s->kind == HSP_SHELL_VOID ? s->volume : -s->volume;
+    sizes += s->volume;
+    if (s->kind == HSP_SHELL_OUTER) ++components;
+  }
+  free(ids);
+  if (!good || shells != needed) return "hsp_topology_get_cell_shells: not its wall and outer shells, ascending";
+  if (cell->reserved != 0) return "cell: reserved is not 0";
+  if (cell->components != components || cell->shells != shells) return "cell: wrong numbers of components or shells";
+  if ((cell->wall == HSP_NONE) != (id == 0)) return "cell: cell 0 alone has no wall";
+  if (id > 0) {
+    if (cell->wall >= t->counts.shells || t->shells[cell->wall].kind != HSP_SHELL_VOID ||
+        t->shells[cell->wall].cell != id) {
+      return "cell: its wall is no shell of a void around it";
+    }
+    if (id > 1 && t->cells[id - 1].wall >= cell->wall) return "cells are not in the order of their shells";
+  }
+  if (!(fabs(cell->area - area) <= 1e-12 * area + rounding)) return "cell: area is not that of its shells";
+  if (id == 0 ? cell->volume != 0 : !(fabs(cell->volume - volume) <= 1e-12 * sizes + rounding * r)) {
+    return "cell: volume is not that of its wall less what lies in it";
+  }
+  if (!(cell->volume >= -1e-12 * sizes - rounding * r)) return "cell: negative volume";
+  return NULL;
+}
+
+/* From any cell, outwards over the component that walls it to the cell that this one lies in, one comes to cell 0. */
+static const char *broken_nesting(const topology_result *t) {
+  uint32_t i;
+  for (i = 0; i < t->counts.cells; ++i) {
+    uint32_t at = i, steps = 0;
+    while (at != 0) {
+      const hsp_component *around = t->components + t->shells[t->cells[at].wall].component;
+      if (around->cell >= t->counts.cells) return "component: no such cell";
+      at = around->cell;
+      if (++steps > t->counts.components) return "cells lie in each other in a circle";
+    }
+  }
+  return NULL;
+}
+
+static const char *broken_cells(const topology_result *t) {
+  const char *broken = NULL;
+  uint32_t i, needed = 12345;
+  for (i = 0; i < t->counts.cells && broken == NULL; ++i) broken = broken_cell(t, i);
+  if (broken == NULL) broken = broken_nesting(t);
+  if (broken == NULL && (hsp_topology_get_cell_shells(t->topology, t->counts.cells, NULL, 0, &needed) != HSP_E_ID ||
+                         hsp_topology_get_scan(t->topology, t->counts.shells, NULL, 0, &needed) != HSP_E_ID)) {
+    broken = "a cell or shell that there is not";
+  }
+  return broken;
+}
+
+/* Whether the simple faces share an edge; with other == HSP_NONE, whether a neighbour of the face is not visited. */
+static int has_neighbour(const topology_result *t, uint32_t face, uint32_t other, const uint32_t *visited) {
+  uint32_t q = t->faces[face].q;
+  do {
+    const uint32_t across = t->origin[q - q % 4 + (q + 1) % 4]; /* rot: starts in the right face */
+    if (other == HSP_NONE ? !visited[across] : across == other) return 1;
+    q = hsp_topology_lnext(t->topology, q);
+  } while (q != t->faces[face].q);
+  return 0;
+}
+
+/* Depth first: the next face is a neighbour of the last one on the way from the start that has any left. */
+static const char *broken_scan(const topology_result *t, uint32_t shell, uint32_t *faces, uint32_t *visited,
+                               uint32_t *way) {
+  const uint32_t count = t->shells[shell].simple_faces;
+  uint32_t i, needed = 0, length = 0;
+  if (hsp_topology_get_scan(t->topology, shell, faces, count, &needed) != HSP_OK || needed != count) {
+    return "hsp_topology_get_scan: not as many simple faces as its shell has";
+  }
+  if (faces[0] != t->shells[shell].start_face) return "hsp_topology_get_scan: does not begin with start_face";
+  for (i = 0; i < count; ++i) {
+    if (faces[i] >= t->counts.simple_faces || t->faces[faces[i]].shell != shell) {
+      return "hsp_topology_get_scan: a simple face of another shell";
+    }
+    if (visited[faces[i]]) return "hsp_topology_get_scan: a simple face twice";
+    while (length > 0 && !has_neighbour(t, way[length - 1], HSP_NONE, visited)) --length;
+    if (i > 0 && (length == 0 || !has_neighbour(t, way[length - 1], faces[i], visited))) {
+      return "hsp_topology_get_scan: not over an edge of the last face that has neighbours left";
+    }
+    visited[faces[i]] = 1;
+    way[length++] = faces[i];
+  }
+  return NULL;
+}
+
+static const char *broken_scans(const topology_result *t) {
+  const char *broken = NULL;
+  uint32_t i;
+  uint32_t *faces = take_numbers(t->counts.simple_faces), *visited = take_numbers(t->counts.simple_faces);
+  uint32_t *way = take_numbers(t->counts.simple_faces);
+  for (i = 0; i < t->counts.shells && broken == NULL; ++i) broken = broken_scan(t, i, faces, visited, way);
+  free(faces);
+  free(visited);
+  free(way);
+  return broken;
+}
+
+static const char *broken_law(const topology_result *t) {
+  static const char *const laws[] = {"hsp_topology_check fails without a law",
+                                     "hsp_topology_check: law 1",
+                                     "hsp_topology_check: law 2",
+                                     "hsp_topology_check: law 3",
+                                     "hsp_topology_check: law 4",
+                                     "hsp_topology_check: law 5",
+                                     "hsp_topology_check: law 6",
+                                     "hsp_topology_check: law 7",
+                                     "hsp_topology_check: law 8"};
+  uint32_t law = HSP_NONE, where = HSP_NONE;
+  const int32_t status = hsp_topology_check(t->topology, &law, &where);
+  if (law >= sizeof laws / sizeof laws[0]) return "hsp_topology_check: a law that there is not";
+  if (status == HSP_OK) return law == 0 ? NULL : "hsp_topology_check: HSP_OK with a law";
+  return laws[law];
+}
+
+const char *broken_shell_records(const topology_result *t) {
+  const char *broken = broken_shells(t);
+  if (broken == NULL) broken = broken_components(t);
+  if (broken == NULL) broken = broken_cells(t);
+  if (broken == NULL) broken = broken_scans(t);
+  if (broken == NULL) broken = broken_law(t);
+  return broken;
+}
