@@ -384,8 +384,9 @@ HSP_API int32_t hsp_boundary_measure_faces(const hsp_boundary *boundary, double 
  * The area A_i of ball i and the volume V of the union as functions of all centres and radii. V is continuously
  * differentiable. A_i is continuous; its derivative jumps where two spheres begin to touch, and has an unbounded slope,
  * but no jump, where an arc is born or dies. Where two spheres touch the derivatives here are one-sided
- * (HSP_TANGENT_*), and flags tell which balls are concerned. Radii include the probe. The lattice's rounding is not
- * differentiated. */
+ * (HSP_TANGENT_*), and flags tell which balls are concerned; a ball that touches another from inside counts as lying
+ * inside it either way. Where three spheres share a free circle derivatives are one-sided too: those of the side that
+ * the tie rule takes, without a flag. Radii include the probe. The lattice's rounding is not differentiated. */
 
 #define HSP_TANGENT_MEETING UINT32_C(0) /**< as if balls that touch overlapped by an infinitely small amount */
 #define HSP_TANGENT_APART UINT32_C(1)   /**< as if they were apart by an infinitely small amount */

@@ -25,7 +25,8 @@ void expect_ok(std::int32_t status, const char *call) {
   if (status != HSP_OK) throw std::runtime_error(std::string(call) + ": " + hsp_status_text(status));
 }
 
-LibraryModel::LibraryModel(const oracle::Balls &balls, double step) : balls_(static_cast<std::uint32_t>(balls.size())) {
+LibraryModel::LibraryModel(const oracle::Balls &balls, double step, double probe)
+    : balls_(static_cast<std::uint32_t>(balls.size())) {
   std::size_t bytes = 0;
   expect_ok(hsp_model_bytes(balls_, &bytes), "hsp_model_bytes");
   memory_.resize(bytes);
@@ -40,10 +41,11 @@ LibraryModel::LibraryModel(const oracle::Balls &balls, double step) : balls_(sta
   hsp_model_options options;
   expect_ok(hsp_model_options_init(&options, sizeof options), "hsp_model_options_init");
   options.step = step;
+  options.probe = probe;
   expect_ok(hsp_model_set(model_, balls_, xyz.data(), radius.data(), &options, nullptr), "hsp_model_set");
 }
 
-LibraryBoundary::LibraryBoundary(const oracle::Balls &balls, double step) : model_(balls, step) {
+LibraryBoundary::LibraryBoundary(const oracle::Balls &balls, double step, double probe) : model_(balls, step, probe) {
   hsp_boundary_limits limits;
   expect_ok(hsp_boundary_limits_init(&limits, sizeof limits, model_.balls()), "hsp_boundary_limits_init");
   // Two enlargements must do.

@@ -13,10 +13,10 @@
 void expect_ok(std::int32_t status, const char *call);
 
 /// A model of lattice balls: the doubles passed are exact multiples of the step, a power of two, so that nothing is
-/// rounded.
+/// rounded. The probe, in the same lengths, is a multiple of the step too.
 class LibraryModel {
  public:
-  explicit LibraryModel(const oracle::Balls &balls, double step = 1);
+  explicit LibraryModel(const oracle::Balls &balls, double step = 1, double probe = 0);
 
   [[nodiscard]] hsp_model *handle() const { return model_; }
   [[nodiscard]] std::uint32_t balls() const { return balls_; }
@@ -30,7 +30,7 @@ class LibraryModel {
 /// The boundary of such a model, with its limits enlarged until they suffice.
 class LibraryBoundary {
  public:
-  explicit LibraryBoundary(const oracle::Balls &balls, double step = 1);
+  explicit LibraryBoundary(const oracle::Balls &balls, double step = 1, double probe = 0);
 
   [[nodiscard]] const hsp_boundary *handle() const { return boundary_; }
   [[nodiscard]] hsp_boundary_counts counts() const;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -37,6 +38,30 @@ TEST(SliceQuadrature, TwoOverlappingBallsInAnyDirection) {
     expect_near(measures.ball_area[0], first_area, 1e-15L);
     expect_near(measures.ball_area[1], second_area, 1e-15L);
     expect_near(measures.volume, volume, 1e-15L);
+  }
+}
+
+TEST(SliceQuadrature, VectorAreasOfTwoOverlappingBalls) {
+  // The free part of a sphere and the disc that the circle bounds are a closed surface: its vector area is zero.
+  const Real h = (49.0L + 25 - 16) / 14;
+  const Real disc = pi * (5 - h) * (5 + h);
+  const std::array<Real, 3> direction = {2.0L / 7, 3.0L / 7, 6.0L / 7};
+  const SliceMeasures measures = measure_by_slices({{1, 0, -1, 5}, {3, 3, 5, 4}});
+  for (std::size_t k = 0; k < 3; ++k) {
+    expect_near(measures.ball_vector_area[0][k], -disc * direction[k], 1e-15L);
+    expect_near(measures.ball_vector_area[1][k], disc * direction[k], 1e-15L);
+  }
+}
+
+TEST(SliceQuadrature, VectorAreasSumToZero) {
+  RandomSource random(9);
+  for (int k = 0; k < 4; ++k) {
+    const Balls balls = loose_balls(random, 15);
+    const SliceMeasures measures = measure_by_slices(real_balls(balls));
+    std::array<Real, 3> sum = {0, 0, 0};
+    for (const std::array<Real, 3> &part : measures.ball_vector_area)
+      for (std::size_t c = 0; c < 3; ++c) sum[c] += part[c];
+    for (const Real component : sum) EXPECT_LE(std::abs(component), 1e-14L * measures.area) << to_text(balls);
   }
 }
 

@@ -1,0 +1,65 @@
+// Gradients against difference quotients, and faces against slices, on many more and larger sets.
+#include <gtest/gtest.h>
+
+#include <iostream>
+#include <vector>
+
+#include "face_comparison.hpp"
+#include "gradient_comparison.hpp"
+#include "gradient_sets.hpp"
+
+namespace {
+
+using oracle::Balls;
+
+std::vector<std::size_t> every(std::size_t nth, const Balls &balls) {
+  std::vector<std::size_t> chosen;
+  for (std::size_t i = 0; i < balls.size(); i += nth) chosen.push_back(i);
+  return chosen;
+}
+
+void expect_nearly_all_known(const GradientTally &tally) {
+  std::cout << to_text(tally) << "\n";
+  EXPECT_LE(tally.beyond * 50, tally.compared);
+}
+
+TEST(DerivativesSlow, GradientsOfAllBallsOfSetsOfEveryKind) {
+  GradientTally tally;
+  for (std::uint64_t seed = 201; seed < 206; ++seed)
+    for (const GradientSet &set : sets_of_every_kind(seed))
+      EXPECT_EQ(gradients_differ(set.balls, every(1, set.balls), measured_by_library, tally), "") << set.name;
+  expect_nearly_all_known(tally);
+}
+
+TEST(DerivativesSlow, GradientsOfManyAtoms) {
+  GradientTally tally;
+  for (const GradientSet &set : molecules_of_gradient_tests())
+    EXPECT_EQ(gradients_differ(set.balls, every(set.balls.size() > 100 ? 5 : 1, set.balls), measured_by_library, tally),
+              "")
+        << set.name;
+  expect_nearly_all_known(tally);
+}
+
+TEST(DerivativesSlow, GradientsOfSlices) {
+  GradientTally tally;
+  for (const GradientSet &set : sets_of_every_kind(211))
+    if (set.balls.size() <= 16) {
+      EXPECT_EQ(gradients_differ(set.balls, every(2, set.balls), measured_by_slices, tally), "") << set.name;
+    }
+  for (const GradientSet &set : molecules_of_gradient_tests()) {
+    const Balls piece = nearest_to_first(set.balls, 12);
+    EXPECT_EQ(gradients_differ(piece, every(3, piece), measured_by_slices, tally), "") << set.name;
+  }
+  expect_nearly_all_known(tally);
+}
+
+TEST(DerivativesSlow, FacesOfSetsOfEveryKind) {
+  for (std::uint64_t seed = 221; seed < 225; ++seed)
+    for (const GradientSet &set : sets_of_every_kind(seed)) EXPECT_EQ(faces_differ(set.balls), "") << set.name;
+}
+
+TEST(DerivativesSlow, FacesOfMolecules) {
+  for (const GradientSet &set : molecules_of_gradient_tests()) EXPECT_EQ(faces_differ(set.balls), "") << set.name;
+}
+
+}  // namespace
