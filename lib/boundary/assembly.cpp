@@ -138,12 +138,4 @@ void assemble_loops(const BallSet &balls, BoundaryStructure &boundary) {
   boundary.loop_count = loops;
 }
 
-uint32_t twin_use(const BoundaryStructure &boundary, uint32_t use) {
-  const VertexUse &walk = boundary.uses[use];
-  const uint32_t end = boundary.uses[walk.next].vertex;
-  const VertexRecord &vertex = boundary.vertices[end];
-  const uint32_t t = vertex.ball[0] == walk.out ? 0 : vertex.ball[1] == walk.out ? 1 : 2;
-  return boundary.use_at[3 * end + t];
-}
-
 }  // namespace hsp

@@ -60,6 +60,22 @@ struct FreeEnds {
   }
 };
 
+// Counter-clockwise about the normal m of a meridian's plane: two half-turns from the direction z, first the one on the
+// side of m x z.
+void sort_along_meridian(const Caps &caps, const Vector &m, Span<uint32_t> owners) {
+  const auto half = [&m](const Vector &v) {
+    const int64_t e = v.x * m.y - v.y * m.x;
+    return e > 0 || (e == 0 && v.z > 0) ? 0 : 1;
+  };
+  sort_in_place(owners, [&](uint32_t a, uint32_t b) {
+    const Vector &v = caps.plane[FaceScratch::cap_of_owner(a)].v;
+    const Vector &w = caps.plane[FaceScratch::cap_of_owner(b)].v;
+    const int half_v = half(v);
+    const int half_w = half(w);
+    return half_v != half_w ? half_v < half_w : exact::orientation(m, v, w) > 0;
+  });
+}
+
 }  // namespace
 
 uint32_t find_owners(const Caps &caps, const exact::Predicates &predicates, const Plane &circle,
@@ -77,13 +93,7 @@ uint32_t find_owners(const Caps &caps, const exact::Predicates &predicates, cons
     const FreeEnds ends(caps, predicates, circle, scratch.crossing.part(0, crossings), own);
     if (ends.entry || ends.leave) scratch.owner[owners++] = FaceScratch::owner_of(own, ends.entry, ends.leave);
   }
-  if (owners > 2) {
-    const Vector reference = caps.plane[FaceScratch::cap_of_owner(scratch.owner[0])].v;
-    sort_in_place(scratch.owner.part(1, owners), [&](uint32_t a, uint32_t b) {
-      return exact::counter_clockwise_before(circle.v, reference, caps.plane[FaceScratch::cap_of_owner(a)].v,
-                                             caps.plane[FaceScratch::cap_of_owner(b)].v);
-    });
-  }
+  if (owners > 2) sort_along_meridian(caps, circle.v, scratch.owner.part(0, owners));
   return owners;
 }
 

@@ -9,10 +9,12 @@ void tally_shells(const BoundaryStructure &boundary, TopologyStructure &topology
     shell.faces = shell.simple_faces = shell.edges = shell.vertices = 0;
   }
   for (uint32_t f = 0; f < boundary.face_count; ++f) ++topology.shells[boundary.faces[f].shell].faces;
-  for (uint32_t f = 0; f < topology.face_count; ++f) ++topology.shells[topology.shell_of(boundary, f)].simple_faces;
-  for (uint32_t e = 0; e < topology.quads.edges; ++e) {
-    ++topology.shells[topology.shell_of(boundary, topology.quads.left(quarter_edge(e)))].edges;
+  for (uint32_t f = 0; f < topology.face_count; ++f) {
+    ShellRecord &shell = topology.shells[topology.shell_of(boundary, f)];
+    ++shell.simple_faces;
+    shell.edges += topology.faces[f].edges;  // each twice
   }
+  for (uint32_t s = 0; s < topology.shell_count; ++s) topology.shells[s].edges /= 2;
   for (uint32_t v = 0; v < topology.vertex_count; ++v) {
     ++topology.shells[topology.shell_of(boundary, topology.quads.left(topology.vertex_edge[v]))].vertices;
   }

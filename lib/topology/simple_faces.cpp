@@ -14,7 +14,14 @@ class Assembly {
   void run() {
     number_edges();
     start_vertices();
-    for (uint32_t arc = 0; arc < arcs_; ++arc) link_arc(topology_.carrier_of_arc[arc]);
+    for (uint32_t arc = 0; arc < arcs_; ++arc) {
+      const uint32_t use = topology_.carrier_of_arc[arc];
+      link_carrier(use, boundary_.uses[use].vertex, boundary_.uses[boundary_.uses[use].next].vertex);
+    }
+    // Around the ends of the arcs every walk goes on to that of the next use.
+    for (uint32_t use = 0; use < 3 * boundary_.vertices.size(); ++use) {
+      quads_.follow(topology_.end_of_walk(topology_.walk_start[use]), topology_.walk_start[boundary_.uses[use].next]);
+    }
     for (uint32_t c = 0; c < boundary_.circles.size(); ++c) link_circle(c);
     for (uint32_t first = 0; first < topology_.extra_arcs.size();) first = link_extra_arcs(first);
     link_spheres();
@@ -117,16 +124,6 @@ class Assembly {
     }
     set_ends(q, from, to);
     return q;
-  }
-
-  // An arc: around its two ends the walks go on to the arcs of the next uses.
-  void link_arc(uint32_t use) {
-    const VertexUse &walk = boundary_.uses[use];
-    const VertexUse &end = boundary_.uses[walk.next];
-    const uint32_t last = link_carrier(use, walk.vertex, end.vertex);
-    quads_.follow(last, topology_.walk_start[walk.next]);
-    const VertexUse &twin = boundary_.uses[twin_use(boundary_, use)];
-    quads_.follow(sym(topology_.walk_start[use]), topology_.walk_start[twin.next]);
   }
 
   void link_circle(uint32_t circle) {
