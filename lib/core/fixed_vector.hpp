@@ -17,8 +17,6 @@ class FixedVector {
     if (wanted_ < storage_.size()) storage_[static_cast<uint32_t>(wanted_)] = value;
     ++wanted_;
   }
-  // Keeps the first records alone. There must have been room for all.
-  constexpr void shorten(uint32_t size) { wanted_ = size; }
   // Records pushed since clear(), stored or not.
   constexpr uint64_t wanted() const { return wanted_; }
   constexpr bool overflowed() const { return wanted_ > storage_.size(); }

@@ -47,6 +47,21 @@ uint32_t simple_face_of_top(const BoundaryStructure &boundary, const TopologyStr
   return simple;
 }
 
+// The scan of a void starts at the first face on its ball of lowest rank.
+void start_void_scans(const BallSet &balls, const BoundaryStructure &boundary, TopologyStructure &topology) {
+  if (topology.shell_count == topology.component_count) return;
+  for (uint32_t f = 0; f < topology.face_count; ++f) {
+    ShellRecord &shell = topology.shells[topology.shell_of(boundary, f)];
+    if (!shell.is_void) continue;
+    const uint32_t ball = topology.ball_of(boundary, f);
+    if (shell.start_face != no_id) {
+      const uint32_t start_ball = topology.ball_of(boundary, shell.start_face);
+      if (ball == start_ball || !exact::ranks_before(balls.ball(ball), balls.ball(start_ball))) continue;
+    }
+    shell.start_face = f;
+  }
+}
+
 // Which shell the ray upwards from a point enters first; no_id if none.
 uint32_t shell_above(const CubeGrid &grid, const BoundaryStructure &boundary, const TopologyStructure &topology,
                      const exact::Vector &point, GatheredBall &gathered) {
@@ -113,15 +128,8 @@ void gather_cells(const CubeGrid &grid, const BoundaryStructure &boundary, Topol
   for (uint32_t s = 0; s < topology.shell_count; ++s) {
     topology.shells[s] = {no_id, 0, true, 0, 0, 0, 0, no_id, 0};
   }
-  for (uint32_t f = 0; f < topology.face_count; ++f) {
-    ShellRecord &shell = topology.shells[topology.shell_of(boundary, f)];
-    const uint32_t ball = topology.ball_of(boundary, f);
-    if (shell.start_face != no_id) {
-      const uint32_t start_ball = topology.ball_of(boundary, shell.start_face);
-      if (ball == start_ball || !exact::ranks_before(grid.balls().ball(ball), grid.balls().ball(start_ball))) continue;
-    }
-    shell.start_face = f;
-    shell.component = topology.component[ball];
+  for (uint32_t f = 0; f < boundary.face_count; ++f) {
+    topology.shells[boundary.faces[f].shell].component = topology.component[boundary.faces[f].ball];
   }
   for (uint32_t c = 0; c < topology.component_count; ++c) {
     ComponentRecord &component = topology.components[c];
@@ -131,6 +139,7 @@ void gather_cells(const CubeGrid &grid, const BoundaryStructure &boundary, Topol
     shell.is_void = false;
     shell.start_face = simple_face_of_top(boundary, topology, component.top_ball, face);
   }
+  start_void_scans(grid.balls(), boundary, topology);
   topology.start_face = no_id;
   uint32_t highest = no_id;
   for (uint32_t c = 0; c < topology.component_count; ++c) {

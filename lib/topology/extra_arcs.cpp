@@ -45,12 +45,13 @@ void make_pole_vertices(Span<ExtraArc> arcs) {
 void ExtraArcFinder::carve(Workspace &workspace, uint32_t neighbours, uint32_t edges) {
   pending_ = workspace.take<ExtraArc>(neighbours);
   node_parent_ = workspace.take<uint32_t>(static_cast<uint64_t>(edges) + 2);
+  direct_parent_ = workspace.take<uint32_t>(edges);
+  reserve_ = workspace.take<uint32_t>(edges);
 }
 
 void ExtraArcFinder::find(const CubeGrid &grid, const BoundaryStructure &boundary, GatheredBall &gathered,
                           FixedVector<ExtraArc> &arcs) {
   arcs.clear();
-  needed_ = 0;
   // Balls of one cube follow each other and share the block of cubes around it.
   uint32_t gathered_ball = no_id;
   BallRange cube_balls{0, 0};
@@ -71,53 +72,44 @@ void ExtraArcFinder::find(const CubeGrid &grid, const BoundaryStructure &boundar
   }
 }
 
+// A circle that joins nothing but poles waits in reserve: it is needed only if the others do not join the loops without
+// the poles.
 void ExtraArcFinder::cut_face(const BoundaryStructure &boundary, uint32_t face, const GatheredBall &gathered,
                               FixedVector<ExtraArc> &arcs) {
   const uint32_t i = boundary.faces[face].ball;
   reset_nodes(boundary, face);
   const uint32_t first_arc = arcs.size();
-  bool through_poles = false;
+  uint32_t reserved = 0;
   for (uint32_t loop = boundary.first_loop[i]; loop < boundary.first_loop[i + 1] && to_join_ > 0; ++loop) {
     if (boundary.loop_face[loop] != face) continue;
     find_pieces(boundary, face, boundary.loop_cap[loop], gathered);
     const Joined joined = join_pieces(boundary);
-    if (!joined.loops && !joined.poles) continue;
-    if (!joined.loops) through_poles = true;
-    for (uint32_t k = 0; k < pending_count_; ++k) {
-      if (!joined.loops) pending_[k].poles |= ExtraArc::for_a_pole;
-      arcs.push(pending_[k]);
+    if (joined.loops) {
+      push_pieces(arcs);
+    } else if (joined.poles) {
+      reserve_[reserved++] = loop;
     }
   }
-  if (arcs.wanted() > needed_) needed_ = arcs.wanted() < no_id ? static_cast<uint32_t>(arcs.wanted()) : no_id;
-  if (through_poles && !arcs.overflowed()) drop_circles_through_poles(boundary, first_arc, arcs);
+  for (uint32_t k = 0; k < reserved && to_join_directly_ > 0; ++k) {
+    find_pieces(boundary, face, boundary.loop_cap[reserve_[k]], gathered);
+    push_pieces(arcs);
+  }
   make_pole_vertices(arcs.items().part(first_arc, arcs.size()));
 }
 
 void ExtraArcFinder::reset_nodes(const BoundaryStructure &boundary, uint32_t face) {
   const uint32_t i = boundary.faces[face].ball;
-  nodes_ = DisjointSets(node_parent_.part(0, boundary.first_loop[i + 1] - boundary.first_loop[i] + 2));
+  const uint32_t loops = boundary.first_loop[i + 1] - boundary.first_loop[i];
+  nodes_ = DisjointSets(node_parent_.part(0, loops + 2));
   nodes_.reset();
+  direct_ = DisjointSets(direct_parent_.part(0, loops));
+  direct_.reset();
   pole_joined_[0] = pole_joined_[1] = false;
-  to_join_ = boundary.faces[face].loops - 1;
+  to_join_ = to_join_directly_ = boundary.faces[face].loops - 1;
 }
 
-void ExtraArcFinder::drop_circles_through_poles(const BoundaryStructure &boundary, uint32_t first_arc,
-                                                FixedVector<ExtraArc> &arcs) {
-  const Span<ExtraArc> own = arcs.items().part(first_arc, arcs.size());
-  reset_nodes(boundary, own[0].face);
-  const uint32_t first_loop = boundary.first_loop[own[0].ball];
-  for (const ExtraArc &arc : own) {
-    if ((arc.poles & ExtraArc::for_a_pole) != 0) continue;
-    const uint32_t node = loop_at_end(boundary, arc, 0) - first_loop;
-    if (nodes_.join(node, loop_at_end(boundary, arc, 1) - first_loop)) --to_join_;
-  }
-  uint32_t kept = first_arc;
-  for (ExtraArc &arc : own) {
-    const bool for_a_pole = (arc.poles & ExtraArc::for_a_pole) != 0;
-    arc.poles &= ~ExtraArc::for_a_pole;
-    if (to_join_ > 0 || !for_a_pole) arcs[kept++] = arc;
-  }
-  arcs.shorten(kept);
+void ExtraArcFinder::push_pieces(FixedVector<ExtraArc> &arcs) const {
+  for (uint32_t k = 0; k < pending_count_; ++k) arcs.push(pending_[k]);
 }
 
 void ExtraArcFinder::find_pieces(const BoundaryStructure &boundary, uint32_t face, uint32_t cap,
@@ -132,7 +124,8 @@ void ExtraArcFinder::find_pieces(const BoundaryStructure &boundary, uint32_t fac
     if (boundary.loop_face[leave.loop] != face) return;
     const LoopPlace entry = place_on_loops(caps, predicates, boundary, arc.entry_cap, meridian, -1);
     pending_[pending_count_++] = {
-        caps.origin, cap, face, {code_of(leave), code_of(entry)}, poles_on(caps, predicates, meridian, arc)};
+        caps.origin,   cap, face, {code_of(leave), code_of(entry)}, poles_on(caps, predicates, meridian, arc),
+        {no_id, no_id}};
   });
 }
 
@@ -146,6 +139,9 @@ ExtraArcFinder::Joined ExtraArcFinder::join_pieces(const BoundaryStructure &boun
     if (!nodes_.join(node_at(pending_[k], 0), node_at(pending_[k], 1))) continue;
     --to_join_;
     joined.loops = true;
+  }
+  for (uint32_t k = 0; k < pending_count_ && joined.loops; ++k) {
+    if (direct_.join(node_at(pending_[k], 0), node_at(pending_[k], 1))) --to_join_directly_;
   }
   for (uint32_t k = 0; k < pending_count_; ++k) {
     for (uint32_t pole = 0; pole < 2; ++pole) {

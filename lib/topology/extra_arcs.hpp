@@ -22,8 +22,9 @@ struct ExtraArc {
   uint32_t ball;
   uint32_t cap;  // the ball whose circle's axis the plane goes through
   uint32_t face;
-  uint32_t end[2];  // uses of `ball`, or circle sides + circle_bit
-  uint32_t poles;   // passes_*, vertex_at_*
+  uint32_t end[2];    // uses of `ball`, or circle sides + circle_bit
+  uint32_t poles;     // passes_*, vertex_at_*
+  uint32_t split[2];  // the split points at its ends, once these are inserted
 
   static constexpr uint32_t circle_bit = UINT32_C(1) << 31;
   static constexpr uint32_t passes_north = 1;
@@ -31,7 +32,6 @@ struct ExtraArc {
   static constexpr uint32_t south_first = 4;  // if it passes both
   static constexpr uint32_t vertex_at_north = 8;
   static constexpr uint32_t vertex_at_south = 16;
-  static constexpr uint32_t for_a_pole = 32;  // its circle joins nothing but poles; while faces are cut
 
   // Edges that it is cut into.
   uint32_t pieces() const {
@@ -47,8 +47,6 @@ class ExtraArcFinder {
   // neighbours of every ball and for as many edges as the boundary has arcs and circles.
   void find(const CubeGrid &grid, const BoundaryStructure &boundary, GatheredBall &gathered,
             FixedVector<ExtraArc> &arcs);
-  // The most arcs that were there at a time: a face's arcs that turn out not to be needed are dropped again.
-  uint32_t needed() const { return needed_; }
 
  private:
   void cut_face(const BoundaryStructure &boundary, uint32_t face, const GatheredBall &gathered,
@@ -61,17 +59,19 @@ class ExtraArcFinder {
     bool poles;
   };
   Joined join_pieces(const BoundaryStructure &boundary);
-  // Leaves out the circles that joined nothing but poles, if the loops are joined without them.
-  void drop_circles_through_poles(const BoundaryStructure &boundary, uint32_t first_arc, FixedVector<ExtraArc> &arcs);
+  void push_pieces(FixedVector<ExtraArc> &arcs) const;
   void reset_nodes(const BoundaryStructure &boundary, uint32_t face);
 
   Span<ExtraArc> pending_;  // [neighbours]
   uint32_t pending_count_ = 0;
-  Span<uint32_t> node_parent_;  // [edges + 2] the loops of one ball, and its two poles
-  DisjointSets nodes_;
+  // The loops of one ball, and its two poles: what the circles tried so far join, and what those that join loops
+  // directly do without the poles.
+  Span<uint32_t> node_parent_;    // [edges + 2]
+  Span<uint32_t> direct_parent_;  // [edges]
+  DisjointSets nodes_, direct_;
   bool pole_joined_[2] = {false, false};
-  uint32_t to_join_ = 0;  // until the face's loops are one set
-  uint32_t needed_ = 0;
+  uint32_t to_join_ = 0, to_join_directly_ = 0;  // until the face's loops are one set
+  Span<uint32_t> reserve_;                       // [edges] loops whose circles join nothing but poles
 };
 
 }  // namespace hsp

@@ -26,10 +26,32 @@ constexpr uint32_t quarter_edge(uint32_t edge) {
   return 4 * edge;
 }
 
+// A number for every quarter-edge. An edge's four numbers of one kind and its four of the other lie side by side, as
+// they are read together and a boundary has more edges than fit a cache.
+class QuarterEdgeNumbers {
+ public:
+  QuarterEdgeNumbers() = default;
+  QuarterEdgeNumbers(uint32_t *first, uint32_t size) : first_(first), size_(size) {}
+
+  uint32_t &operator[](uint32_t q) const { return first_[q + (q & ~3U)]; }
+  uint32_t size() const { return size_; }
+
+ private:
+  uint32_t *first_ = nullptr;
+  uint32_t size_ = 0;
+};
+
 struct QuadEdges {
-  Span<uint32_t> next;   // [4 edges] onext
-  Span<uint32_t> start;  // [4 edges] vertex or face
+  QuarterEdgeNumbers next;   // onext
+  QuarterEdgeNumbers start;  // vertex or face
   uint32_t edges = 0;
+
+  static constexpr uint32_t numbers_per_edge = 8;
+  void place(Span<uint32_t> memory) {
+    const uint32_t quarter_edges = memory.size() / 2;
+    next = {memory.data(), quarter_edges};
+    start = {memory.data() + 4, quarter_edges};
+  }
 
   uint32_t onext(uint32_t q) const { return next[q]; }
   uint32_t oprev(uint32_t q) const { return rot(next[rot(q)]); }

@@ -24,22 +24,27 @@ void tally_shells(const BoundaryStructure &boundary, TopologyStructure &topology
 // remembered of a face to come back from it, so that no stack is needed. Returns the number of faces visited.
 uint32_t scan_shell(const TopologyStructure &topology, uint32_t start, Span<uint32_t> order, Span<uint32_t> entered) {
   const QuadEdges &quads = topology.quads;
-  uint32_t at = topology.faces[start].q;
+  uint32_t face = start;
+  uint32_t entry = topology.faces[start].q;
+  uint32_t at = entry;
   uint32_t visited = 0;
-  entered[start] = at;
+  entered[start] = entry;
   order[visited++] = start;
   for (;;) {
     const uint32_t across = quads.left(sym(at));
     if (entered[across] == no_id) {
       if (visited == order.size()) return visited + 1;
-      entered[across] = sym(at);
-      order[visited++] = across;
-      at = sym(at);
+      face = across;
+      at = entry = sym(at);
+      entered[face] = entry;
+      order[visited++] = face;
     }
     at = quads.lnext(at);
-    while (at == entered[quads.left(at)]) {  // once around
-      if (quads.left(at) == start) return visited;
-      at = quads.lnext(sym(at));
+    while (at == entry) {  // once around: back to the face that this one was entered from
+      if (face == start) return visited;
+      face = quads.left(sym(entry));
+      at = quads.lnext(sym(entry));
+      entry = entered[face];
     }
   }
 }

@@ -44,11 +44,12 @@ class Assembly {
       return sym(quarter_edge(edges - 1));
     };
     arcs_ = 0;
-    for (uint32_t use = 0; use < 3 * boundary_.vertices.size(); ++use) {
-      const uint32_t twin = twin_use(boundary_, use);
-      if (twin < use) continue;
-      topology_.carrier_of_arc[arcs_] = use;
-      topology_.walk_start[twin] = number_carrier(use, arcs_++);
+    for (uint32_t i = 0; i < balls_.n; ++i) {
+      for (uint32_t use = boundary_.first_use[i]; use < boundary_.first_use[i + 1]; ++use) {
+        if (boundary_.uses[use].out < i) continue;
+        topology_.carrier_of_arc[arcs_] = use;
+        topology_.walk_start[twin_use(boundary_, use)] = number_carrier(use, arcs_++);
+      }
     }
     topology_.first_circle_edge = edges;
     for (uint32_t c = 0; c < boundary_.circles.size(); ++c) {
@@ -69,7 +70,10 @@ class Assembly {
       topology_.edge_source[edges++] = i;
     }
     quads_.edges = edges;
-    for (uint32_t q = 0; q < 4 * edges; ++q) quads_.start[q] = no_id;
+    for (uint32_t e = 0; e < edges; ++e) {
+      quads_.start[rot(quarter_edge(e))] = no_id;
+      quads_.start[inverse_rot(quarter_edge(e))] = no_id;
+    }
   }
 
   void start_vertices() {
@@ -84,8 +88,7 @@ class Assembly {
   void set_ends(uint32_t q, uint32_t from, uint32_t to) {
     quads_.start[q] = from;
     quads_.start[sym(q)] = to;
-    topology_.vertex_edge[from] = q;
-    topology_.vertex_edge[to] = sym(q);
+    topology_.vertex_edge[from] = q;  // some edge leaves every vertex: loops go on where they arrive
   }
 
   // The extra arc that leaves a split point into the face on one side, as a quarter-edge away from it; no_id if none.
@@ -161,7 +164,7 @@ class Assembly {
       if ((arc.poles & ExtraArc::vertex_at_north) != 0 && pole_vertex[0] == no_id) pole_vertex[0] = add_pole(ball, 0);
       if ((arc.poles & ExtraArc::vertex_at_south) != 0 && pole_vertex[1] == no_id) pole_vertex[1] = add_pole(ball, 1);
       uint32_t q = quarter_edge(topology_.extra_first_edge[last]);
-      uint32_t from = vertex_at_end(arc, last, 0);
+      uint32_t from = vertex_of_split(arc.split[0]);
       const bool south_first = (arc.poles & ExtraArc::south_first) != 0;
       for (uint32_t turn = 0; turn < 2; ++turn) {
         const uint32_t lowest = (turn == 0) == south_first ? 1 : 0;
@@ -170,37 +173,12 @@ class Assembly {
         from = pole_vertex[lowest];
         q += 4;
       }
-      set_ends(q, from, vertex_at_end(arc, last, 1));
+      set_ends(q, from, vertex_of_split(arc.split[1]));
     }
     for (uint32_t lowest = 0; lowest < 2; ++lowest) {
       if (pole_vertex[lowest] != no_id) link_pole(arcs.items().part(first, last), first, lowest);
     }
     return last;
-  }
-
-  // The vertex of an extra arc's end: the split point that names it.
-  uint32_t vertex_at_end(const ExtraArc &arc, uint32_t arc_id, uint32_t end) const {
-    const uint32_t reference = 2 * arc_id + end;
-    const auto names_it = [&](uint32_t split) {
-      const SplitPoint &point = topology_.split_points[split];
-      return point.extra[0] == reference || point.extra[1] == reference;
-    };
-    uint32_t carrier = 0;
-    if ((arc.end[end] & ExtraArc::circle_bit) != 0) {
-      const uint32_t circle = (arc.end[end] & ~ExtraArc::circle_bit) / 2;
-      for (uint32_t point = 2 * circle; point < 2 * circle + 2; ++point) {
-        if (names_it(point)) return vertex_of_split(point);
-      }
-      carrier = SplitPoints::half_circle(boundary_, circle, 0);
-    } else {
-      const uint32_t twin = twin_use(boundary_, arc.end[end]);
-      carrier = twin < arc.end[end] ? twin : arc.end[end];
-    }
-    for (;; ++carrier) {  // a circle's second half follows its first
-      for (uint32_t s = topology_.split_points.first(carrier); s != no_id; s = topology_.split_points[s].next) {
-        if (names_it(s)) return vertex_of_split(s);
-      }
-    }
   }
 
   // About the normal m of its plane an extra arc passes the highest point in the direction m x z and the lowest one in

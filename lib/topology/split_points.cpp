@@ -31,7 +31,6 @@ bool same_direction(const Plane &a, const Plane &b) {
 
 // A carrier as seen from its ball a.
 struct Carrier {
-  uint32_t a;
   exact::Sphere sphere;
   Plane circle;
   Plane anchor;
@@ -123,83 +122,92 @@ void SplitPoints::insert(const BallSet &balls, const BoundaryStructure &boundary
     points_.push({carrier, circle.ball[0], circle.ball[1], +1, {no_id, no_id}, no_id});
   }
   for (uint32_t k = 0; k < arcs.size(); ++k) {
-    for (uint32_t end = 0; end < 2; ++end) insert_end(balls, boundary, arcs[k], k, end);
+    for (uint32_t end = 0; end < 2; ++end) arcs[k].split[end] = insert_end(balls, boundary, arcs[k], k, end);
   }
 }
 
-void SplitPoints::insert_end(const BallSet &balls, const BoundaryStructure &boundary, const ExtraArc &arc,
-                             uint32_t arc_id, uint32_t end) {
+uint32_t SplitPoints::insert_end(const BallSet &balls, const BoundaryStructure &boundary, const ExtraArc &arc,
+                                 uint32_t arc_id, uint32_t end) {
   // The arc leaves the circle it starts on: as that circle sees it, in the entry into the arc's plane; it ends in an
   // exit. The other ball sees the circle the other way round.
   int sign = end == 0 ? -1 : +1;
   uint32_t side = 0;
   uint32_t carrier_id = 0;
+  CarrierBalls pair{arc.ball, no_id};
   const bool on_circle = (arc.end[end] & ExtraArc::circle_bit) != 0;
   if (on_circle) {
     const uint32_t circle_side = arc.end[end] & ~ExtraArc::circle_bit;
     side = circle_side % 2;
     carrier_id = half_circle(boundary, circle_side / 2, 0);
+    pair = {boundary.circles[circle_side / 2].ball[0], boundary.circles[circle_side / 2].ball[1]};
   } else {
-    const uint32_t twin = twin_use(boundary, arc.end[end]);
-    side = twin < arc.end[end] ? 1 : 0;
-    carrier_id = side == 0 ? arc.end[end] : twin;
+    const uint32_t other = boundary.uses[arc.end[end]].out;
+    side = other < arc.ball ? 1 : 0;
+    carrier_id = side == 0 ? arc.end[end] : twin_use(boundary, arc.end[end]);
+    pair = side == 0 ? CarrierBalls{arc.ball, other} : CarrierBalls{other, arc.ball};
   }
-  const CarrierBalls pair = balls_of_carrier(boundary, carrier_id);
-  Carrier carrier;
-  carrier.a = pair.a;
   if (side == 1) sign = -sign;
-  const exact::LatticeBall own = balls.ball(carrier.a);
-  carrier.sphere = exact::sphere_of(own);
-  carrier.circle = exact::plane_of(own, balls.ball(pair.b));
-  Plane plane = plane_of_cut(balls, carrier.a, arc.ball, arc.cap);
-
   const uint32_t reference = 2 * arc_id + end;
-  if (on_circle) {
-    const Plane halves = meridian_through(carrier.circle.v);
-    const uint32_t circle = (carrier_id - half_circle(boundary, 0, 0)) / 2;
-    if (are_parallel(plane, halves)) {  // both contain the direction z and the centre of a or b: the same plane
-      const int same_sign = same_direction(plane, halves) ? sign : -sign;
-      points_[2 * circle + (same_sign > 0 ? 1 : 0)].extra[side] = reference;
-      return;
-    }
-    carrier.anchor = halves;
-    const bool covered = PointTest(carrier, plane, halves).inside(plane, sign, halves);
-    carrier.anchor = covered ? complement(halves) : halves;
-    if (covered) ++carrier_id;
-  } else {
-    const VertexUse &walk = boundary.uses[carrier_id];
-    carrier.anchor = exact::plane_of(own, balls.ball(boundary.uses[walk.next].out));
-  }
+  const uint32_t circle = (carrier_id - half_circle(boundary, 0, 0)) / 2;
+  const auto end_on_point_of_circle = [&](int point_sign) {
+    const uint32_t split = 2 * circle + (point_sign > 0 ? 1 : 0);
+    points_[split].extra[side] = reference;
+    return split;
+  };
+  // An extra arc through the circle's own axis; seen from b the plane of the halves is turned round.
+  if (on_circle && arc.cap == (side == 0 ? pair.b : pair.a)) return end_on_point_of_circle(side == 0 ? sign : -sign);
 
-  // Insertion into a list that is sorted as the loop of ball a walks it, clockwise. The points of one list are few.
   uint32_t *link = &first_[carrier_id];
-  while (*link != no_id) {
-    SplitPoint &point = points_[*link];
-    const Plane other = plane_of_cut(balls, carrier.a, point.ball, point.cap);
-    const bool one_plane =
-        are_parallel(plane, other) && exact::dot(plane.v, difference(balls, arc.ball, point.ball)) == 0;
-    if (one_plane && point.sign == (same_direction(plane, other) ? sign : -sign)) {
-      point.extra[side] = reference;
-      // The plane is told by the ball of lower rank, so that the position does not depend on ids.
-      if (exact::ranks_before(balls.ball(arc.ball), balls.ball(point.ball))) {
-        point.ball = arc.ball;
-        point.cap = arc.cap;
-        point.sign = sign;
+  if (on_circle || *link != no_id) {
+    Carrier carrier;
+    const exact::LatticeBall own = balls.ball(pair.a);
+    carrier.sphere = exact::sphere_of(own);
+    carrier.circle = exact::plane_of(own, balls.ball(pair.b));
+    const Plane plane = plane_of_cut(balls, pair.a, arc.ball, arc.cap);
+    if (on_circle) {
+      const Plane halves = meridian_through(carrier.circle.v);
+      if (are_parallel(plane, halves)) {  // both contain the direction z and the centre of a or b: the same plane
+        return end_on_point_of_circle(same_direction(plane, halves) ? sign : -sign);
       }
-      return;
+      carrier.anchor = halves;
+      if (PointTest(carrier, plane, halves).inside(plane, sign, halves)) {
+        carrier.anchor = complement(halves);
+        link = &first_[++carrier_id];
+      }
+    } else {
+      const VertexUse &walk = boundary.uses[carrier_id];
+      carrier.anchor = exact::plane_of(own, balls.ball(boundary.uses[walk.next].out));
     }
-    const PointTest test(carrier, plane, other);
-    const PlacedPoint placed(test, carrier.anchor, plane, sign);
-    const PlacedPoint there(test, carrier.anchor, other, point.sign);
-    // Of two ends of one interval the entry comes first.
-    if (one_plane ? there.sign < 0 : comes_before(carrier, test, there, placed)) break;
-    link = &point.next;
+
+    // The list is sorted as the loop of ball a walks it, clockwise. The points of one list are few.
+    for (; *link != no_id; link = &points_[*link].next) {
+      SplitPoint &point = points_[*link];
+      const Plane other = plane_of_cut(balls, pair.a, point.ball, point.cap);
+      const bool one_plane =
+          are_parallel(plane, other) && exact::dot(plane.v, difference(balls, arc.ball, point.ball)) == 0;
+      if (one_plane && point.sign == (same_direction(plane, other) ? sign : -sign)) {
+        point.extra[side] = reference;
+        // The plane is told by the ball of lower rank, so that the position does not depend on ids.
+        if (exact::ranks_before(balls.ball(arc.ball), balls.ball(point.ball))) {
+          point.ball = arc.ball;
+          point.cap = arc.cap;
+          point.sign = sign;
+        }
+        return *link;
+      }
+      const PointTest test(carrier, plane, other);
+      const PlacedPoint placed(test, carrier.anchor, plane, sign);
+      const PlacedPoint there(test, carrier.anchor, other, point.sign);
+      // Of two ends of one interval the entry comes first.
+      if (one_plane ? there.sign < 0 : comes_before(carrier, test, there, placed)) break;
+    }
   }
   const uint32_t following = *link;
   *link = points_.size();
   SplitPoint point{carrier_id, arc.ball, arc.cap, sign, {no_id, no_id}, following};
   point.extra[side] = reference;
   points_.push(point);
+  return points_.size() - 1;
 }
 
 }  // namespace hsp

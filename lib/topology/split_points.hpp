@@ -35,8 +35,8 @@ class SplitPoints {
  public:
   void carve(Workspace &workspace, uint32_t edges, uint32_t extra_arcs);
 
-  // Splits the carriers at the ends of the extra arcs. Every free circle is split in its two points in the plane of its
-  // halves, whether or not an extra arc ends there.
+  // Splits the carriers at the ends of the extra arcs, and stores in these where they end. Every free circle is split
+  // in its two points in the plane of its halves, whether or not an extra arc ends there.
   void insert(const BallSet &balls, const BoundaryStructure &boundary, Span<ExtraArc> arcs);
 
   // Carriers of arcs are named by the use that walks them on ball a, those of circles by their number and half: the
@@ -50,8 +50,9 @@ class SplitPoints {
   uint32_t size() const { return points_.size(); }
 
  private:
-  void insert_end(const BallSet &balls, const BoundaryStructure &boundary, const ExtraArc &arc, uint32_t arc_id,
-                  uint32_t end);
+  // The number of the split point at one end of an extra arc.
+  uint32_t insert_end(const BallSet &balls, const BoundaryStructure &boundary, const ExtraArc &arc, uint32_t arc_id,
+                      uint32_t end);
 
   Span<uint32_t> first_;  // [carriers] first split point inside it
   FixedVector<SplitPoint> points_;

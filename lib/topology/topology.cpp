@@ -9,8 +9,7 @@ void TopologyStructure::carve(Workspace &workspace, const TopologyLimits &limits
   const uint64_t edges = limits.edges;
   extra_arcs = FixedVector<ExtraArc>(workspace.take<ExtraArc>(limits.extra_arcs));
   split_points.carve(workspace, limits.edges, limits.extra_arcs);
-  quads.next = workspace.take<uint32_t>(4 * edges);
-  quads.start = workspace.take<uint32_t>(4 * edges);
+  quads.place(workspace.take<uint32_t>(QuadEdges::numbers_per_edge * edges));
   walk_start = workspace.take<uint32_t>(2 * edges);
   extra_first_edge = workspace.take<uint32_t>(limits.extra_arcs);
   edge_source = workspace.take<uint32_t>(edges);
@@ -42,7 +41,7 @@ Status TopologyBuilder::build(const CubeGrid &grid, const BoundaryStructure &bou
   if (!fits || needed_.edges > limits_.edges) return Status::capacity;
 
   finder_.find(grid, boundary, gathered_, structure_.extra_arcs);
-  needed_.extra_arcs = finder_.needed();
+  needed_.extra_arcs = clamp(structure_.extra_arcs.wanted());
   if (structure_.extra_arcs.overflowed()) {
     needed_.edges = 0;
     return Status::capacity;
