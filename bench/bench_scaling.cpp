@@ -1,11 +1,9 @@
 // Time over size: van der Waals and solvent-accessible balls (probe 1.4) from caffeine to a million balls.
+#include "sizes.hpp"
 #include "suite.hpp"
-#include "tiling.hpp"
 
 namespace bench {
 namespace {
-
-constexpr double water_probe = 1.4;
 
 void build(benchmark::State &state, Subject &subject) {
   for (auto iteration : state) {
@@ -55,13 +53,8 @@ void everything(benchmark::State &state, Subject &subject) {
   }
 }
 
-struct Surface {
-  const char *name;
-  double probe;
-};
-
 void register_subject(const std::string &name, const Surface &surface, std::function<Balls()> balls) {
-  const SubjectRecipe recipe{std::string(surface.name) + '/' + name, std::move(balls), surface.probe, true};
+  const SubjectRecipe recipe{std::string(surface.name) + '/' + name, std::move(balls), surface.probe, Stage::boundary};
   const std::string group = std::string("scaling/") + surface.name + '/';
   register_case(group + "build/" + name, recipe, build)->Unit(benchmark::kMicrosecond);
   register_case(group + "lists/" + name, recipe, lists)->Unit(benchmark::kMicrosecond);
@@ -73,14 +66,10 @@ void register_subject(const std::string &name, const Surface &surface, std::func
 }  // namespace
 
 void register_suite() {
-  constexpr Surface surfaces[] = {{"van_der_waals", 0}, {"solvent_accessible", water_probe}};
-  const std::vector<Molecule> molecules = paper_molecules();
   const std::pair<const char *, const char *> further[] = {{"1ubq.pdb", "ubiquitin_1ubq"},
                                                            {"sod_model_4392.pdb", "sod_model"}};
   for (const Surface &surface : surfaces) {
-    for (const Molecule &molecule : molecules) {
-      register_subject(molecule.name, surface, [molecule] { return with_radii(molecule, Radii::van_der_waals); });
-    }
+    for (const NamedBalls &size : all_sizes()) register_subject(size.name, surface, size.balls);
     for (const auto &[file, name] : further) {
       const auto molecule = further_molecule(file, name);
       if (!molecule) {
@@ -89,12 +78,6 @@ void register_suite() {
         continue;
       }
       register_subject(name, surface, [molecule] { return with_radii(*molecule, Radii::van_der_waals); });
-    }
-    for (const int copies : {2, 3, 6}) {
-      const Molecule &stand_in = molecules.back();
-      const std::string name = stand_in.name + "_x" + std::to_string(copies * copies * copies);
-      register_subject(name, surface,
-                       [stand_in, copies] { return tiled(with_radii(stand_in, Radii::van_der_waals), copies); });
     }
   }
 }

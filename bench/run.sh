@@ -3,7 +3,8 @@
 # Usage: bash bench/run.sh [--quick] [--peers]
 #   --quick  one repetition of each benchmark, as short as it gets: for trying out, not for quoting
 #   --peers  install the Debian package freesasa as well, if it is missing, and time it on the same molecule
-# Missing packages are installed with apt-get (as root, or through sudo).
+# Missing packages are installed with apt-get (as root, or through sudo). The environment variable BENCH_BUILD names
+# another folder to build in. Takes five to ten minutes, once the machine has come to rest after building.
 set -euo pipefail
 
 quick=no
@@ -12,7 +13,7 @@ for argument in "$@"; do
   case "$argument" in
     --quick) quick=yes ;;
     --peers) peers=yes ;;
-    *) sed -n '2,6s/^# //p' "$0" >&2; exit 2 ;;
+    *) sed -n '2,7s/^# //p' "$0" >&2; exit 2 ;;
   esac
 done
 
@@ -41,21 +42,41 @@ cmake -S "$source_folder" -B "$build_folder" -G Ninja -DCMAKE_BUILD_TYPE=Release
   -DHSP_TESTS=OFF -DHSP_TOOL=OFF -DHSP_FUZZ=OFF -DHSP_FORTRAN=OFF
 cmake --build "$build_folder"
 
+# Building leaves a load average that takes a minute or two to fall. A benchmark by itself is a load of 1.
+is_busy() {
+  awk '{ exit !($1 > 1.5) }' /proc/loadavg
+}
+wait_for_rest() {
+  local seconds
+  for ((seconds = 0; seconds < 180; seconds += 5)); do
+    if ! is_busy; then return; fi
+    if [ "$seconds" -eq 0 ]; then printf 'Waiting up to three minutes for the load average to fall below 1.5.\n'; fi
+    sleep 5
+  done
+  printf 'The machine stays busy (load average %s): the report says so, and its times are not for quoting.\n' \
+    "$(cut -d ' ' -f 1 /proc/loadavg)"
+}
+if [ "$quick" = no ] && [ -r /proc/loadavg ]; then wait_for_rest; fi
+
 rm -rf "$report_folder"
 mkdir -p "$report_folder"
-# Repetitions: fewer for the suite that goes up to a million balls, to stay within a few minutes.
-if [ "$quick" = yes ]; then
-  repetitions=1 repetitions_of_scaling=1 seconds=0.001
-else
-  repetitions=5 repetitions_of_scaling=3 seconds=0.02
-fi
-for suite in bench_paper_section_2 bench_paper_section_3 bench_paper_section_4_2 bench_scaling bench_queries; do
+
+# run_suite NAME REPETITIONS SECONDS: a repetition iterates for at least so long. The suites that go up to a million
+# balls take one iteration of those in a repetition, so the repetitions are what their medians and ratios come from.
+run_suite() {
+  local suite=$1 repetitions=$2 seconds=$3
+  if [ "$quick" = yes ]; then repetitions=1 seconds=0.001; fi
   printf '== %s\n' "$suite"
-  count=$repetitions
-  if [ "$suite" = bench_scaling ]; then count=$repetitions_of_scaling; fi
-  "$build_folder/bench/$suite" --benchmark_repetitions="$count" --benchmark_min_time="$seconds" \
+  "$build_folder/bench/$suite" --benchmark_repetitions="$repetitions" --benchmark_min_time="$seconds" \
     --benchmark_display_aggregates_only=true --benchmark_out_format=json --benchmark_out="$report_folder/$suite.json"
-done
+}
+run_suite bench_paper_section_2 5 0.02
+run_suite bench_paper_section_3 5 0.02
+run_suite bench_paper_section_4_2 5 0.02
+run_suite bench_topology 7 0.05
+run_suite bench_gradients 7 0.05
+run_suite bench_scaling 3 0.02
+run_suite bench_queries 5 0.02
 
 # Seconds of the fastest of five runs of a command, output thrown away.
 least_seconds() {

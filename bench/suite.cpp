@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <fstream>
@@ -23,7 +24,8 @@ Subject &subject_of(const SubjectRecipe &recipe) {
     auto subject = std::make_unique<Subject>();
     subject->balls = recipe.balls();
     subject->model = std::make_unique<Model>(subject->balls, recipe.probe);
-    if (recipe.with_boundary) subject->boundary = std::make_unique<Boundary>(*subject->model);
+    if (recipe.last >= Stage::boundary) subject->boundary = std::make_unique<Boundary>(*subject->model);
+    if (recipe.last >= Stage::topology) subject->topology = std::make_unique<Topology>(*subject->boundary);
     alive = std::move(subject);
     alive_key = recipe.key;
   }
@@ -33,6 +35,19 @@ Subject &subject_of(const SubjectRecipe &recipe) {
 /// Uniform in [0, 1): the standard leaves the values of its distributions to each library, not those of its engines.
 double uniform(std::mt19937_64 &engine) {
   return static_cast<double>(engine() >> 11) * 0x1p-53;
+}
+
+/// Uniform in the ball of radius 1.
+std::array<double, 3> uniform_in_ball(std::mt19937_64 &engine) {
+  for (;;) {
+    std::array<double, 3> point{};
+    double square = 0;
+    for (double &component : point) {
+      component = 2 * uniform(engine) - 1;
+      square += component * component;
+    }
+    if (square <= 1) return point;
+  }
 }
 
 std::string cpu_model() {
@@ -90,15 +105,30 @@ std::vector<double> random_points_near_atoms(const Model &model, std::size_t cou
   std::mt19937_64 engine(seed);
   std::vector<double> points;
   while (points.size() < 3 * count) {
-    std::array<double, 3> offset{};
-    double square = 0;
-    for (double &component : offset) {
-      component = 2 * uniform(engine) - 1;
-      square += component * component;
-    }
-    if (square > 1) continue;
+    const std::array<double, 3> offset = uniform_in_ball(engine);
     const std::size_t atom = engine() % model.size();
     for (std::size_t axis = 0; axis < 3; ++axis) points.push_back(xyz[3 * atom + axis] + offset[axis]);
+  }
+  return points;
+}
+
+std::vector<double> random_points_near_surface(const Model &model, std::size_t count) {
+  const Balls &balls = model.balls();
+  std::mt19937_64 engine(seed);
+  std::vector<double> points;
+  while (points.size() < 3 * count) {
+    const std::array<double, 3> direction = uniform_in_ball(engine);
+    const std::size_t atom = engine() % model.size();
+    const double distance = balls.radius[atom] + model.probe() + uniform(engine);
+    const double length = std::hypot(direction[0], direction[1], direction[2]);
+    if (length < 0.01) continue;
+    std::array<double, 3> point{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      point[axis] = balls.xyz[3 * atom + axis] + distance / length * direction[axis];
+    }
+    int32_t meets = 0;
+    require_ok(hsp_query_meets(model.get(), point.data(), 0, &meets), "hsp_query_meets");
+    if (meets == 0) points.insert(points.end(), point.begin(), point.end());
   }
   return points;
 }

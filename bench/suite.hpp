@@ -17,11 +17,15 @@ namespace bench {
 /// Every program defines this; main calls it once.
 void register_suite();
 
-/// A model and, if it was asked for, the boundary of one set of balls.
+/// What is computed of a set of balls, one thing after the other.
+enum class Stage { model, boundary, topology };
+
+/// A model and, as far as it was asked for, boundary and topology of one set of balls.
 struct Subject {
   Balls balls;
   std::unique_ptr<Model> model;
   std::unique_ptr<Boundary> boundary;
+  std::unique_ptr<Topology> topology;
 };
 
 /// Makes a subject. It is called when the first benchmark that needs it runs, not when benchmarks are registered.
@@ -29,7 +33,7 @@ struct SubjectRecipe {
   std::string key;  ///< tells recipes apart
   std::function<Balls()> balls;
   double probe = 0;
-  bool with_boundary = false;
+  Stage last = Stage::model;
 };
 
 using Body = std::function<void(benchmark::State &, Subject &)>;
@@ -46,6 +50,10 @@ std::vector<double> random_points_in_box(const Model &model, std::size_t count);
 
 /// `count` points [count][3], each uniform in the ball of radius 1 Angstrom around a random centre.
 std::vector<double> random_points_near_atoms(const Model &model, std::size_t count);
+
+/// `count` points [count][3] within 1 Angstrom of the surface, outside all balls: a random direction from a random
+/// centre, uniform between the sphere and 1 Angstrom above it, those inside other balls left out.
+std::vector<double> random_points_near_surface(const Model &model, std::size_t count);
 
 /// Ask for the balls that contain each of the points [count][3], or that meet the ball of this radius around it.
 /// Returns the number of hits.

@@ -1,6 +1,7 @@
 #include "conversion.hpp"
 #include "core/sorting.hpp"
 #include "core/summation.hpp"
+#include "measure/callers_order.hpp"
 #include "measure/gradients.hpp"
 #include "measure/inner_touching.hpp"
 
@@ -45,12 +46,13 @@ int32_t hsp_boundary_gradient(const hsp_boundary *boundary, const double *sigma,
     if (!hsp::is_finite(sigma[i])) return HSP_E_NOT_FINITE;
   }
 
+  const hsp::BoundaryStructure &structure = boundary->builder.structure();
   const hsp::AreaWeights weights{sigma, to_touching_balls(tangency)};
   hsp::TreeSum area_sum;
   hsp::TreeSum volume_sum;
   hsp::TreeSum radius_sum;
-  for (uint32_t i = 0; i < n; ++i) {
-    const hsp::BallGradient ball = hsp::gradient_of_ball(balls, boundary->builder.structure(), weights, grid.place(i));
+  hsp::visit_in_callers_order(grid, structure, [&](uint32_t i, uint32_t place) {
+    const hsp::BallGradient ball = hsp::gradient_of_ball(balls, structure, weights, place);
     // Tension and pressure times derivatives of an area and of a volume: a step may be any power of ten, so each is
     // converted on its own.
     const double by_radius =
@@ -68,7 +70,7 @@ int32_t hsp_boundary_gradient(const hsp_boundary *boundary, const double *sigma,
     }
     if (radius != nullptr) radius[i] = by_radius;
     if (flags != nullptr) flags[i] = ball.one_sided ? HSP_GRADIENT_ONE_SIDED : 0;
-  }
+  });
   if (flags != nullptr) flag_inner_touching(*boundary, flags);
   if (energy != nullptr) {
     energy->area = balls.lattice.area(area_sum.total());

@@ -1,6 +1,7 @@
 #include "conversion.hpp"
 #include "core/summation.hpp"
 #include "measure/areas.hpp"
+#include "measure/callers_order.hpp"
 
 int32_t hsp_boundary_measure(const hsp_boundary *boundary, hsp_totals *totals, double *area, double *volume,
                              uint32_t capacity) {
@@ -14,18 +15,19 @@ int32_t hsp_boundary_measure_selected(const hsp_boundary *boundary, const uint8_
   const hsp::CubeGrid &grid = boundary->model->grid;
   const hsp::BallSet &balls = grid.balls();
   if ((area != nullptr || volume != nullptr) && capacity < balls.n) return HSP_E_CAPACITY;
+  const hsp::BoundaryStructure &structure = boundary->builder.structure();
   hsp::TreeSum area_sum;
   hsp::TreeSum volume_sum;
-  for (uint32_t i = 0; i < balls.n; ++i) {
+  hsp::visit_in_callers_order(grid, structure, [&](uint32_t i, uint32_t place) {
     hsp::BallMeasure ball;
     if (selected == nullptr || selected[i] != 0) {
-      ball = hsp::measure_ball(balls, boundary->builder.structure(), grid.place(i));
+      ball = hsp::measure_ball(balls, structure, place);
     }
     area_sum.add(ball.area);
     volume_sum.add(ball.volume);
     if (area != nullptr) area[i] = balls.lattice.area(ball.area);
     if (volume != nullptr) volume[i] = balls.lattice.volume(ball.volume);
-  }
+  });
   if (totals != nullptr) {
     totals->area = balls.lattice.area(area_sum.total());
     totals->volume = balls.lattice.volume(volume_sum.total());

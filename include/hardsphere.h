@@ -385,8 +385,10 @@ HSP_API int32_t hsp_boundary_measure_faces(const hsp_boundary *boundary, double 
  * differentiable. A_i is continuous; its derivative jumps where two spheres begin to touch, and has an unbounded slope,
  * but no jump, where an arc is born or dies. Where two spheres touch the derivatives here are one-sided
  * (HSP_TANGENT_*), and flags tell which balls are concerned; a ball that touches another from inside counts as lying
- * inside it either way. Where three spheres share a free circle derivatives are one-sided too: those of the side that
- * the tie rule takes, without a flag. Radii include the probe. The lattice's rounding is not differentiated. */
+ * inside it either way. Where balls are equal A_i jumps and V has a kink: the one of them that counts has the
+ * derivatives that it would have alone, the others have 0, and all are flagged. Where three spheres share a free circle
+ * derivatives are one-sided too: those of the side that the tie rule takes, without a flag. Radii include the probe.
+ * The lattice's rounding is not differentiated. */
 
 #define HSP_TANGENT_MEETING UINT32_C(0) /**< as if balls that touch overlapped by an infinitely small amount */
 #define HSP_TANGENT_APART UINT32_C(1)   /**< as if they were apart by an infinitely small amount */

@@ -1,73 +1,32 @@
 #include "goals_tables.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "growth.hpp"
 #include "markdown.hpp"
+#include "surfaces.hpp"
 
 namespace report {
 namespace {
 
-constexpr double large = 4000;  // balls: below that a repeated input trains the branch predictor
-
 constexpr const char *parts[] = {"build", "lists", "boundary", "measure", "everything"};
 
-/// Names of the molecules of "scaling/<surface>/everything/", by size; those that were skipped come last.
-std::vector<std::string> molecules_of(const Run &run, const std::string &surface) {
-  const std::string prefix = "scaling/" + surface + "/everything/";
-  std::vector<std::string> names;
-  for (const std::string &name : run.order) {
-    if (name.starts_with(prefix)) names.push_back(name.substr(prefix.size()));
-  }
-  const auto size = [&](const std::string &name) {
-    const Measurement *m = run.find(prefix + name);
-    return m != nullptr ? m->counter("atoms") : std::numeric_limits<double>::infinity();
-  };
-  std::stable_sort(names.begin(), names.end(),
-                   [&](const std::string &a, const std::string &b) { return size(a) < size(b); });
-  return names;
+std::string prefix_of(const std::string &surface, const std::string &part) {
+  return "scaling/" + surface + '/' + part + '/';
 }
 
-std::string name_of(const std::string &surface, const std::string &part, const std::string &molecule) {
-  return "scaling/" + surface + '/' + part + '/' + molecule;
-}
-
-/// The slope of log(time) over log(n) by least squares; NaN with fewer than three sizes.
-double fitted_exponent(const Run &run, const std::string &surface, const std::string &part) {
-  std::vector<double> x;
-  std::vector<double> y;
-  for (const std::string &molecule : molecules_of(run, surface)) {
-    const Measurement *m = run.find(name_of(surface, part, molecule));
-    if (m == nullptr || m->counter("atoms") < large) continue;
-    x.push_back(std::log(m->counter("atoms")));
-    y.push_back(std::log(m->median()));
-  }
-  if (x.size() < 3) return std::nan("");
-  double mean_x = 0;
-  double mean_y = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    mean_x += x[i] / static_cast<double>(x.size());
-    mean_y += y[i] / static_cast<double>(x.size());
-  }
-  double products = 0;
-  double squares = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    products += (x[i] - mean_x) * (y[i] - mean_y);
-    squares += (x[i] - mean_x) * (x[i] - mean_x);
-  }
-  return products / squares;
+double median_seconds(const Measurement &m) {
+  return m.median();
 }
 
 void write_surface(std::ostream &out, const Run &run, const std::string &surface) {
   Table table({"molecule", "n", "build", "lists", "boundary", "measure", "everything", "vertices per atom", "exposed",
                "bytes per atom"});
   std::string remarks;
-  for (const std::string &molecule : molecules_of(run, surface)) {
-    const auto whole = run.benchmarks.find(name_of(surface, "everything", molecule));
+  for (const std::string &molecule : molecules_by_size(run, prefix_of(surface, "everything"))) {
+    const auto whole = run.benchmarks.find(prefix_of(surface, "everything") + molecule);
     if (!whole->second.measured()) {
       table.row({molecule, "skipped", "-", "-", "-", "-", "-", "-", "-", "-"});
       remarks += "- " + molecule + ": " + whole->second.error + '\n';
@@ -75,18 +34,18 @@ void write_surface(std::ostream &out, const Run &run, const std::string &surface
     }
     std::vector<std::string> cells{molecule, grouped(whole->second.counter("atoms"))};
     for (const char *part : parts) {
-      const Measurement *m = run.find(name_of(surface, part, molecule));
+      const Measurement *m = run.find(prefix_of(surface, part) + molecule);
       cells.push_back(m != nullptr ? three_digits(m->per_atom() * 1e6) : "-");
     }
-    const Measurement *boundary = run.find(name_of(surface, "boundary", molecule));
+    const Measurement *boundary = run.find(prefix_of(surface, "boundary") + molecule);
     cells.push_back(boundary != nullptr ? fixed(boundary->counter("vertices_per_atom"), 2) : "-");
     cells.push_back(boundary != nullptr ? fixed(100 * boundary->counter("exposed_share"), 0) + " %" : "-");
     cells.push_back(boundary != nullptr ? fixed(boundary->counter("bytes_per_atom"), 0) : "-");
     table.row(cells);
   }
-  std::vector<std::string> exponents{"fitted exponent of n", "from " + grouped(large)};
+  std::vector<std::string> exponents{"fitted exponent of n", "from " + grouped(large_set)};
   for (const char *part : parts) {
-    const double exponent = fitted_exponent(run, surface, part);
+    const double exponent = growth_exponent(run, prefix_of(surface, part), large_set, median_seconds);
     exponents.push_back(std::isnan(exponent) ? "-" : fixed(exponent, 3));
   }
   exponents.insert(exponents.end(), {"", "", ""});
@@ -128,6 +87,46 @@ PerAtom per_atom(const Run &run, const std::vector<std::string> &benchmarks, con
   return sum;
 }
 
+/// A figure for each surface, none of which may be larger than the goal.
+struct GrowthGoal {
+  const char *what;
+  const char *suite;
+  const char *counter;
+  double from;  // balls
+  bool exponent;
+  double goal;
+};
+
+void write_growth_goals(std::ostream &out, const Run &run) {
+  const GrowthGoal goals[] = {
+      {"Step 3 / Steps 1 + 2, largest ratio", "topology", "topology_ratio", large_set, false, 0.6},
+      {"exponent of Step 3's time", "topology", "topology_seconds", 0, true, 1.05},
+      {"exponent of Step 3's time", "topology", "topology_seconds", large_set, true, 1.05},
+      {"exponent of Step 3's memory", "topology", "bytes", 0, true, 1.05},
+      {"gradient / Steps 1 + 2, largest ratio", "gradients", "gradient_ratio", large_set, false, 0.35},
+  };
+  out << "Step 3 and gradients, one figure for all sets from so many balls on, up to a million:\n\n";
+  Table table({"what", "n", "goal, at most", "van der Waals", "solvent-accessible", "verdict"});
+  for (const GrowthGoal &goal : goals) {
+    std::vector<std::string> cells{goal.what, goal.from > 0 ? "from " + grouped(goal.from) : "all",
+                                   fixed(goal.goal, 2)};
+    bool known = true;
+    bool kept = true;
+    for (const Surface &surface : surfaces) {
+      const std::string prefix = std::string(goal.suite) + '/' + surface.name + "/compute/";
+      const Amount amount = counter_of(goal.counter);
+      const double value = goal.exponent ? growth_exponent(run, prefix, goal.from, amount)
+                                         : largest_amount(run, prefix, goal.from, amount);
+      known = known && !std::isnan(value);
+      kept = kept && value <= goal.goal;
+      cells.push_back(std::isnan(value) ? "-" : fixed(value, 3));
+    }
+    cells.emplace_back(!known ? "not measured" : kept ? "goal" : "**missed**");
+    table.row(cells);
+  }
+  table.write(out);
+}
+
 }  // namespace
 
 void write_scaling(std::ostream &out, const Run &run) {
@@ -136,10 +135,11 @@ void write_scaling(std::ostream &out, const Run &run) {
          "hsp_boundary_compute; measure: hsp_boundary_measure with areas and volumes of every ball; everything: "
          "build,\n"
          "boundary and measure. bytes per atom: the boundary's memory at the limits this molecule needs. An exponent\n"
-         "of 1 is linear time.\n\n### Van der Waals balls\n\n";
-  write_surface(out, run, "van_der_waals");
-  out << "### Solvent-accessible balls (probe 1.4)\n\n";
-  write_surface(out, run, "solvent_accessible");
+         "of 1 is linear time.\n\n";
+  for (const Surface &surface : surfaces) {
+    out << "### " << surface.heading << "\n\n";
+    write_surface(out, run, surface.name);
+  }
 }
 
 void write_queries(std::ostream &out, const Run &run) {
@@ -201,11 +201,12 @@ void write_goals(std::ostream &out, const Run &run) {
   }
   table.write(out);
   const auto exponent = [&](const char *surface) {
-    const double fitted = fitted_exponent(run, surface, "everything");
+    const double fitted = growth_exponent(run, prefix_of(surface, "everything"), large_set, median_seconds);
     return std::isnan(fitted) ? std::string("not measured") : fixed(fitted, 3);
   };
-  out << "Linear time: everything, from " << grouped(large) << " balls, grows as n to the power "
+  out << "Linear time: everything, from " << grouped(large_set) << " balls, grows as n to the power "
       << exponent("van_der_waals") << " (v) and " << exponent("solvent_accessible") << " (s).\n\n";
+  write_growth_goals(out, run);
 }
 
 }  // namespace report

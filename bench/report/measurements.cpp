@@ -1,6 +1,7 @@
 #include "measurements.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -19,6 +20,12 @@ double seconds_per(const std::string &unit) {
   throw std::runtime_error("unknown time unit: " + unit);
 }
 
+double median_of(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t middle = values.size() / 2;
+  return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
+}
+
 void add(Run &run, const JsonValue &entry) {
   if (entry["run_type"].text != "iteration") return;
   const std::string &name = entry["run_name"].text;
@@ -30,7 +37,7 @@ void add(Run &run, const JsonValue &entry) {
   }
   measurement.seconds.push_back(entry["cpu_time"].number * seconds_per(entry["time_unit"].text));
   for (const auto &[key, value] : entry.object) {
-    if (value.kind == JsonValue::Kind::number) measurement.counters[key] = value.number;
+    if (value.kind == JsonValue::Kind::number) measurement.counters[key].push_back(value.number);
   }
 }
 
@@ -39,15 +46,14 @@ void add_context(Run &run, const JsonValue &context) {
     if (value.kind == JsonValue::Kind::text) run.context[key] = value.text;
     if (value.kind == JsonValue::Kind::number) run.context[key] = std::to_string(static_cast<long>(value.number));
   }
+  const JsonValue &load = context["load_avg"];
+  if (!load.array.empty()) run.loads.push_back(load.array.front().number);
 }
 
 }  // namespace
 
 double Measurement::median() const {
-  std::vector<double> sorted = seconds;
-  std::sort(sorted.begin(), sorted.end());
-  const std::size_t middle = sorted.size() / 2;
-  return sorted.size() % 2 == 1 ? sorted[middle] : (sorted[middle - 1] + sorted[middle]) / 2;
+  return median_of(seconds);
 }
 
 double Measurement::least() const {
@@ -56,7 +62,7 @@ double Measurement::least() const {
 
 double Measurement::counter(const std::string &name) const {
   const auto found = counters.find(name);
-  return found == counters.end() ? 0 : found->second;
+  return found == counters.end() ? 0 : median_of(found->second);
 }
 
 const Measurement *Run::find(const std::string &name) const {

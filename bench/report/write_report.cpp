@@ -1,5 +1,6 @@
 // write_report FOLDER > report.md: a Markdown report of the benchmark results (*.json) in the folder, and of what
 // run.sh measured of other programs (peers.txt, if it is there).
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -8,8 +9,11 @@
 #include <string>
 
 #include "goals_tables.hpp"
+#include "gradient_tables.hpp"
+#include "markdown.hpp"
 #include "measurements.hpp"
 #include "paper_tables.hpp"
+#include "topology_tables.hpp"
 
 namespace {
 
@@ -18,11 +22,24 @@ std::string context(const report::Run &run, const std::string &key) {
   return found == run.context.end() ? "unknown" : found->second;
 }
 
+constexpr double busy = 1.5;  // a benchmark itself is a load of 1
+
+/// Whether anything else was running, as far as the load average tells.
+std::string describe_load(const report::Run &run) {
+  if (run.loads.empty()) return "unknown";
+  const auto [least, most] = std::minmax_element(run.loads.begin(), run.loads.end());
+  std::string text = report::fixed(*least, 2) + " to " + report::fixed(*most, 2) +
+                     " when the programs began, of which up to 1 is the benchmarks' own";
+  if (*most > busy) text += ". **The machine was busy: do not quote these times**";
+  return text;
+}
+
 void write_head(std::ostream &out, const report::Run &run) {
   out << "# Benchmark report\n\n"
       << "- date: " << context(run, "date") << '\n'
       << "- machine: " << context(run, "cpu_model") << ", " << context(run, "num_cpus")
       << " processors; one thread is used\n"
+      << "- load average: " << describe_load(run) << '\n'
       << "- compiler: " << context(run, "compiler") << '\n'
       << "- flags: `" << context(run, "flags") << "`\n"
       << "- hardsphere: version number " << context(run, "hardsphere_version") << '\n'
@@ -47,6 +64,8 @@ int main(int argc, char **argv) {
     report::write_section_2(std::cout, run);
     report::write_section_3(std::cout, run);
     report::write_section_4_2(std::cout, run);
+    report::write_topology(std::cout, run);
+    report::write_gradients(std::cout, run);
     report::write_goals(std::cout, run);
     report::write_scaling(std::cout, run);
     report::write_queries(std::cout, run);

@@ -47,7 +47,7 @@ struct ExactPredicates {
   static int cross_dot_cross_sign(const Vector &u, const Vector &v, const Vector &z);
   static void radical_vector(const Plane &P, const Plane &Q, double q[3]);  // q = h_P v - h_Q u
 
-  // Squared distance of two lattice points against a squared length: sign(|d|^2 - s^2) for |d_k|, s < 2^53.
+  // Squared distance of two lattice points against a squared length: sign(|d|^2 - s^2) for |d_k|, s < 2^62.
   static int compare_distance(const Vector &d, int64_t s);
 };
 

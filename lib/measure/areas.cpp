@@ -3,7 +3,6 @@
 #include "exact/filter.hpp"
 #include "measure/arc_angles.hpp"
 #include "measure/free_surface.hpp"
-#include "measure/loop_walk.hpp"
 
 namespace hsp {
 namespace {
@@ -19,14 +18,12 @@ DoubleVector circle_centre(const exact::Plane &P) {
 
 BallMeasure measure(const BallSet &balls, const BoundaryStructure &boundary, uint32_t i, uint32_t face, uint32_t faces,
                     uint32_t loops) {
-  const LoopWalk walk(balls, boundary, i);
-  FreeSurface surface;
-  surface.exteriors = walk.visit(face, [&](const Circle &circle, double angle, const DoubleVector &X) {
-    surface.add_arc(walk.origin(), circle, angle, X);
-  });
   const double radius = balls.r[i];
+  FreeSurface surface(radius);
+  FreeArcs arcs(balls, boundary, i, face);
+  while (arcs.next()) surface.add(arcs.batch());
   BallMeasure result;
-  result.area = radius * radius * surface.steradians(faces, loops);
+  result.area = radius * radius * surface.steradians(faces, loops, arcs.exteriors());
   result.volume = (radius * result.area + exact::dot(arm_of(balls, boundary, i), surface.vector_area())) / 3;
   return result;
 }

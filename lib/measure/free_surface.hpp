@@ -4,32 +4,41 @@
 // (Gauss-Bonnet; vector area by Stokes), with u, m and rho the circle's axis, centre and radius.
 #pragma once
 
-#include "measure/circle_geometry.hpp"
+#include "exact/filter.hpp"
+#include "measure/free_arcs.hpp"
 
 namespace hsp {
 
-struct FreeSurface {
-  double cosines = 0.0;
-  double exteriors = 0.0;
-  exact::DoubleVector twice_vector_area{0.0, 0.0, 0.0};
+class FreeSurface {
+ public:
+  explicit FreeSurface(double radius) : radius_(radius) {}
 
-  // X = 2 (q - p) x u; as m = h u, m x (q - p) = -h X / 2.
-  void add_arc(const CircleOrigin &origin, const Circle &circle, double angle, const exact::DoubleVector &X) {
-    cosines += circle.cap_cosine * angle;
-    twice_vector_area =
-        exact::combine(1.0, twice_vector_area, 1.0,
-                       exact::combine(0.5 * circle.height, X, -origin.radius_squared(circle) * angle, circle.axis));
+  // With m = h u and X = 2 (q - p) x u: cos(cap) = h/r, m x (q - p) = -h X / 2, rho^2 = (r - h)(r + h).
+  void add(const ArcLanes &arc) {
+    const Lanes diameter = all_lanes(2 * radius_);
+    cosines_ += arc.twice_height * arc.angle;
+    const Lanes along = (diameter - arc.twice_height) * (diameter + arc.twice_height) * arc.angle;
+    vector_area_ = vector_area_ + (arc.twice_height * arc.X - along * arc.axis);
+  }
+  void add(const ArcBatch &batch) {
+    for (uint32_t c = 0; c < batch.count; c += lane_count) add(batch.lanes(c));
   }
 
   // A face can be infinitesimal: its area is 0 up to rounding, on either side.
-  double steradians(uint32_t faces, uint32_t loops) const {
+  double steradians(uint32_t faces, uint32_t loops, double exteriors) const {
     const double characteristic = 2.0 * static_cast<double>(faces) - static_cast<double>(loops);
+    const double cosines = radius_ > 0.0 ? sum_of(cosines_) * (0.5 / radius_) : 0.0;
     const double sum = 2 * pi * characteristic + cosines - exteriors;
     return sum > 0.0 ? sum : 0.0;
   }
   exact::DoubleVector vector_area() const {
-    return {0.5 * twice_vector_area.x, 0.5 * twice_vector_area.y, 0.5 * twice_vector_area.z};
+    return {0.125 * sum_of(vector_area_.x), 0.125 * sum_of(vector_area_.y), 0.125 * sum_of(vector_area_.z)};
   }
+
+ private:
+  double radius_;
+  Lanes cosines_{0.0, 0.0};                                     // sum of 2 h angle
+  LaneVector vector_area_{{0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}};  // eight times it
 };
 
 // Ball i's centre seen from the origin of its component, which is its ball of lowest rank, so that terms of the volume

@@ -11,7 +11,6 @@
 
 #include "measure/areas.hpp"
 #include "measure/free_surface.hpp"
-#include "measure/loop_walk.hpp"
 
 namespace hsp {
 
@@ -20,9 +19,8 @@ enum class TouchingBalls : uint8_t { meet, apart };
 // Whether the derivatives count the free arcs of this circle. Spheres that touch from outside meet in one of radius 0,
 // which counts as the caller wants it. A ball that touches another from inside counts as lying inside it, whatever the
 // tie rule made of it.
-inline bool counts(const Circle &circle, TouchingBalls touching_balls) {
-  if (circle.touching == Touching::no) return true;
-  return circle.touching == Touching::from_outside && touching_balls == TouchingBalls::meet;
+constexpr bool counts(Touching touching, TouchingBalls touching_balls) {
+  return touching == Touching::no || (touching == Touching::from_outside && touching_balls == TouchingBalls::meet);
 }
 
 // What is differentiated: S = sum over the balls of weight * area.
@@ -59,27 +57,36 @@ uint32_t area_row_length(const BoundaryStructure &boundary, uint32_t i);
 template <class OnPart>
 AreaDerivative visit_area_row(const BallSet &balls, const BoundaryStructure &boundary, uint32_t i,
                               TouchingBalls touching_balls, OnPart on_part) {
-  const LoopWalk walk(balls, boundary, i);
   const double R = balls.r[i];
-  FreeSurface surface;
+  FreeSurface surface(R);
+  FreeArcs arcs(balls, boundary, i);
   AreaDerivative own;
-  surface.exteriors = walk.visit(no_id, [&](const Circle &circle, double angle, const exact::DoubleVector &X) {
-    surface.add_arc(walk.origin(), circle, angle, X);
-    AreaDerivative part;
-    part.one_sided = circle.touching != Touching::no;
-    if (counts(circle, touching_balls)) {
-      const double ratio = R * circle.inverse_distance;
-      part.angle = angle;
-      part.centre = exact::combine((R - circle.height * ratio) * angle, circle.axis, -0.5 * ratio, X);
-      part.radius = -ratio * balls.r[circle.other] * angle;
-      own.radius += (R * ratio - circle.height) * angle;
+  while (arcs.next()) {
+    const ArcBatch &batch = arcs.batch();
+    surface.add(batch);
+    for (uint32_t c = 0; c < batch.count; ++c) {
+      if (batch.arc_use[c] == no_id) continue;
+      const Touching touching = batch.any_touching ? batch.touching[c] : Touching::no;
+      AreaDerivative part;
+      part.one_sided = touching != Touching::no;
+      if (counts(touching, touching_balls)) {
+        const double ratio = R * batch.inverse_distance[c];
+        const double height = 0.5 * batch.twice_height[c];
+        const double angle = batch.angle[c];
+        part.angle = angle;
+        part.centre = exact::combine((R - height * ratio) * angle, {batch.ux[c], batch.uy[c], batch.uz[c]},
+                                     -0.5 * ratio, {batch.Xx[c], batch.Xy[c], batch.Xz[c]});
+        part.radius = -ratio * balls.r[batch.other[c]] * angle;
+        own.radius += (R * ratio - height) * angle;
+      }
+      own.one_sided = own.one_sided || part.one_sided;
+      own.centre = exact::combine(1.0, own.centre, -1.0, part.centre);
+      on_part(batch.other[c], part);
     }
-    own.one_sided = own.one_sided || part.one_sided;
-    own.centre = exact::combine(1.0, own.centre, -1.0, part.centre);
-    on_part(circle.other, part);
-  });
+  }
   const uint32_t faces = boundary.first_face[i + 1] - boundary.first_face[i];
-  own.radius += 2 * R * surface.steradians(faces, boundary.first_loop[i + 1] - boundary.first_loop[i]);
+  own.radius +=
+      2 * R * surface.steradians(faces, boundary.first_loop[i + 1] - boundary.first_loop[i], arcs.exteriors());
   return own;
 }
 

@@ -3,9 +3,10 @@
 //
 // For one cap on every loop of a face take the great circle through the cap's axis and the poles. Together their pieces
 // inside the face join all its loops (meridians.cpp): most often directly, else by way of a pole that several of them
-// pass. A circle that joins nothing new is not used; of one that does, all pieces inside the face are. The circle
-// is closed, so its pieces inside the face form closed trails together with what the face leaves out: none of them is a
-// bridge, and each has different faces on its sides. Loops are tried in an order that does not depend on ids.
+// pass. Circles are tried in an order that does not depend on ids. One that joins loops is used, with all its pieces
+// inside the face; those that join nothing but poles are used if the others do not suffice. A circle is closed, so its
+// pieces inside the face form closed trails together with what the face leaves out: none of them is a bridge, and each
+// has different faces on its sides.
 //
 // Two great circles meet in the poles and nowhere else. A free pole that two or more of a face's circles pass becomes a
 // vertex.

@@ -50,7 +50,7 @@ struct QuadEdges {
   void place(Span<uint32_t> memory) {
     const uint32_t quarter_edges = memory.size() / 2;
     next = {memory.data(), quarter_edges};
-    start = {memory.data() + 4, quarter_edges};
+    start = {memory.empty() ? nullptr : memory.data() + 4, quarter_edges};
   }
 
   uint32_t onext(uint32_t q) const { return next[q]; }

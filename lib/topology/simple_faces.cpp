@@ -12,67 +12,72 @@ class Assembly {
       : balls_(balls), boundary_(boundary), topology_(topology), quads_(topology.quads) {}
 
   void run() {
-    number_edges();
     start_vertices();
-    for (uint32_t arc = 0; arc < arcs_; ++arc) {
-      const uint32_t use = topology_.carrier_of_arc[arc];
-      link_carrier(use, boundary_.uses[use].vertex, boundary_.uses[boundary_.uses[use].next].vertex);
-    }
-    // Around the ends of the arcs every walk goes on to that of the next use.
-    for (uint32_t use = 0; use < 3 * boundary_.vertices.size(); ++use) {
-      quads_.follow(topology_.end_of_walk(topology_.walk_start[use]), topology_.walk_start[boundary_.uses[use].next]);
+    number_edges();
+    for (uint32_t point = 0; point < topology_.split_points.size(); ++point) {
+      const uint32_t carrier = topology_.split_points[point].carrier;
+      if (topology_.split_points.first(carrier) == point && carrier < 3 * boundary_.vertices.size()) {
+        link_carrier(carrier, boundary_.uses[carrier].vertex, end_of(carrier));
+      }
     }
     for (uint32_t c = 0; c < boundary_.circles.size(); ++c) link_circle(c);
     for (uint32_t first = 0; first < topology_.extra_arcs.size();) first = link_extra_arcs(first);
     link_spheres();
-    number_faces();
+    link_loops_and_number_faces();
   }
 
  private:
+  uint32_t end_of(uint32_t use) const { return boundary_.uses[boundary_.uses[use].next].vertex; }
   uint32_t vertex_of_split(uint32_t split) const { return boundary_.vertices.size() + split; }
 
-  // Arcs are numbered by the use that comes first, on the first of their balls.
+  // Gives the next edge its source, and no faces yet.
+  void add_edge(uint32_t source) {
+    const uint32_t q = quarter_edge(quads_.edges);
+    topology_.edge_source[quads_.edges++] = source;
+    quads_.start[rot(q)] = quads_.start[inverse_rot(q)] = no_id;
+  }
+  // As many edges as the carrier has pieces; returns the last of them, reversed, with which the walk on the carrier's
+  // other side starts.
+  uint32_t add_carrier(uint32_t carrier, uint32_t source) {
+    topology_.walk_start[carrier] = quarter_edge(quads_.edges);
+    add_edge(source);
+    for (uint32_t s = topology_.split_points.first(carrier); s != no_id; s = topology_.split_points[s].next) {
+      add_edge(source);
+    }
+    return sym(quarter_edge(quads_.edges - 1));
+  }
+
+  // Arcs are numbered by their uses on the first of their balls. Those in one piece get their ends at once.
   void number_edges() {
-    uint32_t edges = 0;
-    // As many edges as the carrier has pieces; the walk on its other side starts with the last of them, reversed.
-    const auto number_carrier = [&](uint32_t carrier, uint32_t source) {
-      topology_.walk_start[carrier] = quarter_edge(edges);
-      topology_.edge_source[edges++] = source;
-      for (uint32_t s = topology_.split_points.first(carrier); s != no_id; s = topology_.split_points[s].next) {
-        topology_.edge_source[edges++] = source;
-      }
-      return sym(quarter_edge(edges - 1));
-    };
-    arcs_ = 0;
+    quads_.edges = 0;
+    uint32_t arcs = 0;
     for (uint32_t i = 0; i < balls_.n; ++i) {
       for (uint32_t use = boundary_.first_use[i]; use < boundary_.first_use[i + 1]; ++use) {
         if (boundary_.uses[use].out < i) continue;
-        topology_.carrier_of_arc[arcs_] = use;
-        topology_.walk_start[twin_use(boundary_, use)] = number_carrier(use, arcs_++);
+        topology_.carrier_of_arc[arcs] = use;
+        topology_.walk_start[twin_use(boundary_, use)] = add_carrier(use, arcs++);
+        if (topology_.split_points.first(use) == no_id) {
+          set_ends(topology_.walk_start[use], boundary_.uses[use].vertex, end_of(use));
+        }
       }
     }
-    topology_.first_circle_edge = edges;
+    topology_.first_circle_edge = quads_.edges;
     for (uint32_t c = 0; c < boundary_.circles.size(); ++c) {
       for (uint32_t half = 0; half < 2; ++half) {
         const uint32_t carrier = SplitPoints::half_circle(boundary_, c, half);
-        number_carrier(carrier, carrier);
+        add_carrier(carrier, carrier);
       }
     }
-    topology_.first_extra_edge = edges;
+    topology_.first_extra_edge = quads_.edges;
     for (uint32_t k = 0; k < topology_.extra_arcs.size(); ++k) {
-      topology_.extra_first_edge[k] = edges;
-      for (uint32_t piece = 0; piece < topology_.extra_arcs[k].pieces(); ++piece) topology_.edge_source[edges++] = k;
+      topology_.extra_first_edge[k] = quads_.edges;
+      for (uint32_t piece = 0; piece < topology_.extra_arcs[k].pieces(); ++piece) add_edge(k);
     }
-    topology_.first_sphere_edge = edges;
+    topology_.first_sphere_edge = quads_.edges;
     for (uint32_t i = 0; i < balls_.n; ++i) {
       if (!is_whole_sphere(boundary_, i)) continue;
-      topology_.edge_source[edges++] = i;
-      topology_.edge_source[edges++] = i;
-    }
-    quads_.edges = edges;
-    for (uint32_t e = 0; e < edges; ++e) {
-      quads_.start[rot(quarter_edge(e))] = no_id;
-      quads_.start[inverse_rot(quarter_edge(e))] = no_id;
+      add_edge(i);
+      add_edge(i);
     }
   }
 
@@ -237,12 +242,16 @@ class Assembly {
     }
   }
 
-  // Ball by ball, so that the simple faces of a ball are consecutive.
-  void number_faces() {
+  // Ball by ball, so that the simple faces of a ball are consecutive: around the end of every arc the walk goes on to
+  // that of the next use, and then all rings on the ball are closed.
+  void link_loops_and_number_faces() {
     topology_.face_count = 0;
     uint32_t extra = 0;
     uint32_t sphere = quarter_edge(topology_.first_sphere_edge);
     for (uint32_t i = 0; i < balls_.n; ++i) {
+      for (uint32_t u = boundary_.first_use[i]; u < boundary_.first_use[i + 1]; ++u) {
+        quads_.follow(topology_.end_of_walk(topology_.walk_start[u]), topology_.walk_start[boundary_.uses[u].next]);
+      }
       for (uint32_t u = boundary_.first_use[i]; u < boundary_.first_use[i + 1]; ++u) {
         number_walk(topology_.walk_start[u], boundary_.loop_face[boundary_.uses[u].loop]);
       }
@@ -294,7 +303,6 @@ class Assembly {
   const BoundaryStructure &boundary_;
   TopologyStructure &topology_;
   QuadEdges &quads_;
-  uint32_t arcs_ = 0;
 };
 
 }  // namespace

@@ -16,8 +16,11 @@ class BuiltBoundary {
   // Lattice step 1, so that the numbers stand for themselves.
   explicit BuiltBoundary(const std::vector<TestBall> &balls);
 
+  const hsp::CubeGrid &grid() const { return grid_; }
   const hsp::BallSet &balls() const { return grid_.balls(); }
   hsp::BoundaryStructure &structure() { return builder_.structure(); }
+  // Most balls that meet any one ball.
+  uint32_t neighbours() const { return builder_.needed().neighbours; }
   // The id in the grid's order of the ball that was given as number `caller`.
   uint32_t place(uint32_t caller) const { return grid_.place(caller); }
   hsp::Status status() const { return status_; }

@@ -40,6 +40,12 @@ TEST(Workspace, ReportsSizesThatDoNotFit) {
   measure.take<double>(UINT64_MAX / 4);
   measure.take<double>(UINT64_MAX / 4);
   EXPECT_EQ(measure.bytes(), 0U);
+  // The padding after the first array reaches half of the address space; the others would go once around it.
+  hsp::Workspace around;
+  around.take<char>(SIZE_MAX / 2 - 10);
+  around.take<char>(SIZE_MAX / 2);
+  around.take<char>(64);
+  EXPECT_EQ(around.bytes(), 0U);
 }
 
 TEST(FixedVector, CountsPastItsCapacityAndStoresNothingThere) {

@@ -254,7 +254,7 @@ TEST(RungCounters, ASetWithoutRule) {
   const Answers result = run_and_print("random", balls, 0.0);
   const RungCounters &counters = result.counters;
   for (const Question question : questions) {
-    EXPECT_GT(counters.of(question, Rung::filter), 1000U);
+    EXPECT_GT(counters.of(question, Rung::filter), 500U);
     EXPECT_EQ(counters.of(question, Rung::tie_rule), 0U);
   }
   EXPECT_EQ(counters.of(Question::vertex_pair, Rung::exact), 0U);

@@ -5,7 +5,8 @@
 # concerns and runs the tests without `slow`, those that are quick and look at much first, until one fails. A mutation
 # is killed if a test fails, crashes or takes longer than a minute, else it has survived; README.md of this folder
 # judges the survivors. The exit status is 0 if every survivor is named there in the list of survivors.
-# The copy is kept in HSP_MUTATION_FOLDER (default: build/mutation), so that a second run starts sooner.
+# The copy is kept in HSP_MUTATION_FOLDER (default: build/mutation), so that a second run starts sooner. With
+# HSP_MUTATION_TESTS only the tests named in it are run.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 source=$(cd "$here/../.." && pwd)
@@ -30,6 +31,12 @@ inner='pair_and_order_test far_pairs_test wide_integer_test lattice_test cap_pai
   structure_memory_test structure_check_test meridian_walks_test predicate_rungs_test tie_rule_test
   tie_rule_largest_values_test'
 oracle='boundary_against_brute_force_test measures_against_quadrature_test'
+# Tried first for mistakes in what the topology is made of.
+topology='quad_edges_test orientation_test start_faces_test topology_check_test topology_memory_test
+  shell_measures_test extra_arcs_test split_points_test topology_locate_test topology_capacity_test
+  topology_limits_test topology_properties_test topology_handles_test vertical_order_test vertical_ray_test
+  great_circles_test topology_built_sets_test topology_nesting_test topology_betti_numbers_test
+  topology_molecules_test'
 
 # What the build folder knows of the given targets.
 known() {
@@ -56,12 +63,22 @@ first_failure() {
   return 1
 }
 
+# The groups in the order that suits a file.
+groups_for() {
+  groups=("$interface" "$inner" "$oracle" "$topology")
+  case $1 in
+    lib/topology/* | lib/boundary/great_circles.* | lib/grid/vertical_ray.* | lib/exact/vertical_order.* | \
+      lib/measure/places.* | lib/measure/shell_measures.*) groups=("$topology" "$interface" "$inner" "$oracle") ;;
+  esac
+  if [ -n "${HSP_MUTATION_TESTS:-}" ]; then groups=("$HSP_MUTATION_TESTS"); fi
+}
+
 # Sets verdict, killer.
 try_tree() {
   local group tests
   verdict=survived
   killer=
-  for group in "$interface" "$inner" "$oracle"; do
+  for group in "${groups[@]}"; do
     # shellcheck disable=SC2086
     mapfile -t targets < <(known $group)
     if ! build_targets "${targets[@]}"; then
@@ -75,12 +92,13 @@ try_tree() {
       return
     fi
   done
+  if [ -n "${HSP_MUTATION_TESTS:-}" ]; then return; fi
   if ! build_targets all; then
     verdict='did not compile'
     return
   fi
   mapfile -t tests < <(ctest --test-dir "$build" -N -LE slow | sed -n 's/^ *Test *#[0-9]*: //p' |
-    grep -vxF -f <(printf '%s\n' $interface $inner $oracle | sed 's/^\(fuzz_.*\)_replay$/\1/') |
+    grep -vxF -f <(printf '%s\n' $interface $inner $oracle $topology | sed 's/^\(fuzz_.*\)_replay$/\1/') |
     grep -vE '^(format_check|words_kept_out|include_direction|archive_.*|stack_usage|package_.*|consumer_.*|oracle_test)$')
   if killer=$(first_failure "${tests[@]}"); then verdict=killed; fi
 }
@@ -100,6 +118,7 @@ if [ $# -gt 0 ]; then names=("$@"); else mapfile -t names < <(grep -oE '^[a-z][0
 
 # A kill means something only if the test passes without a mutation.
 left_out=()
+groups_for ''
 try_tree
 while [ "$verdict" = killed ]; do
   echo "left out, as it fails without a mutation: $killer"
@@ -116,6 +135,7 @@ for name in "${names[@]}"; do
   cp "$tree/$file" "$folder/pristine"
   LC_ALL=C awk -v name="$name" -v root="$tree" -f "$here/apply.awk" "$list" ||
     fail "$name: its text does not stand in $file exactly once"
+  groups_for "$file"
   try_tree
   cp "$folder/pristine" "$tree/$file"
   counted[$verdict]=$((counted[$verdict] + 1))

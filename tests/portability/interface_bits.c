@@ -1,0 +1,105 @@
+/* Prints every number that the interface gives for the ball sets of tests/interface, doubles as bit patterns, to be
+ * compared between processors and compilers. */
+#include <hardsphere.h>
+#include <inttypes.h>
+#include <stdio.h>
+
+#include "ball_sets.h"
+#include "computed.h"
+#include "interface_bits.h"
+
+static void print_model(const computed *c) {
+  hsp_figures figures = {0.0, 0.0, 0.0, 0.0, 0, 0};
+  printf("model %" PRIu32 " %" PRIu32 " %" PRIu32, c->info.cubes, c->info.table_slots, c->info.longest_probe);
+  print_doubles(&c->info.step, 1);
+  print_doubles(&c->info.probe, 1);
+  print_doubles(&c->info.largest_radius, 1);
+  end_line();
+  print_status("figures", hsp_model_get_figures(c->model, &figures));
+  printf(" %" PRIu32 " %" PRIu32, figures.max_overlaps, figures.flags);
+  print_doubles(&figures.k, 1);
+  print_doubles(&figures.rho, 1);
+  print_doubles(&figures.mean_overlaps, 1);
+  print_doubles(&figures.neighbour_bound, 1);
+  end_line();
+}
+
+static void print_boundary(const computed *c) {
+  const hsp_boundary_counts *n = &c->counts;
+  uint32_t i;
+  printf("counts %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRId64 "\n", n->loops,
+         n->shells, n->components, n->voids, n->tied_vertices, n->contained_balls, n->euler);
+  for (i = 0; i < n->vertices; ++i) {
+    const hsp_vertex *vertex = &c->vertices[i];
+    printf("vertex %" PRId32 " %" PRIu32, vertex->sign, vertex->flags);
+    print_numbers(vertex->ball, 3);
+    print_doubles(vertex->xyz, 3);
+    end_line();
+  }
+  for (i = 0; i < n->arcs; ++i) {
+    const hsp_arc *arc = &c->arcs[i];
+    printf("arc");
+    print_numbers(arc->ball, 2);
+    print_numbers(arc->vertex, 2);
+    print_numbers(arc->face, 2);
+    print_doubles(&arc->angle, 1);
+    end_line();
+  }
+  for (i = 0; i < n->circles; ++i) {
+    const hsp_circle *circle = &c->circles[i];
+    printf("circle");
+    print_numbers(circle->ball, 2);
+    print_numbers(circle->face, 2);
+    print_doubles(circle->centre, 3);
+    print_doubles(circle->axis, 3);
+    print_doubles(&circle->radius, 1);
+    end_line();
+  }
+  for (i = 0; i < n->faces; ++i) {
+    printf("face %" PRIu32 " %" PRIu32 " %" PRIu32 "\n", c->faces[i].ball, c->faces[i].loops, c->faces[i].shell);
+  }
+}
+
+static void print_balls(const computed *c) {
+  uint32_t i;
+  for (i = 0; i < c->n; ++i) {
+    const hsp_ball *ball = &c->balls[i];
+    printf("ball %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRIu32, ball->faces, ball->first_face, ball->component,
+           ball->flags);
+    print_doubles(&c->area[i], 1);
+    print_doubles(&c->volume[i], 1);
+    end_line();
+  }
+  printf("totals");
+  print_doubles(&c->totals.area, 1);
+  print_doubles(&c->totals.volume, 1);
+  end_line();
+}
+
+int main(void) {
+  static const double probes[] = {0.0, 0.4};
+  static ball_set set;
+  uint32_t which;
+  size_t p;
+  for (which = 0; which < ball_set_count(); ++which) {
+    ball_set_make(which, &set);
+    for (p = 0; p < sizeof probes / sizeof probes[0]; ++p) {
+      hsp_model_options options;
+      computed c;
+      int32_t status = hsp_model_options_init(&options, (uint32_t)sizeof options);
+      options.probe = probes[p];
+      if (status == HSP_OK) status = computed_make(set.n, set.xyz, set.radius, &options, &c);
+      printf("%s, probe %.1f\n", set.name, probes[p]);
+      print_status("computed", status);
+      end_line();
+      if (status != HSP_OK) return 1;
+      print_model(&c);
+      print_boundary(&c);
+      print_balls(&c);
+      print_gradients(&c);
+      print_topology(&c);
+      computed_release(&c);
+    }
+  }
+  return all_succeeded() && fflush(stdout) == 0 && ferror(stdout) == 0 ? 0 : 1;
+}

@@ -1,0 +1,23 @@
+/* Parts of the program interface_bits: what it prints of one set of balls. */
+#ifndef HSP_TESTS_INTERFACE_BITS_H
+#define HSP_TESTS_INTERFACE_BITS_H
+
+#include "computed.h"
+
+/* Append to the line: doubles as 16 hexadecimal digits of their bits, numbers as they are. */
+void print_doubles(const double *value, uint32_t count);
+void print_numbers(const uint32_t *number, uint32_t count);
+void end_line(void);
+
+/* Begins a line with what was asked for and the status it ended with. */
+void print_status(const char *what, int32_t status);
+/* Whether every status was HSP_OK. */
+int all_succeeded(void);
+
+/* Areas and volumes of selected balls and of faces, energies, gradients, rows of the area's Jacobian. */
+void print_gradients(const computed *c);
+
+/* Vertices, edges, simple faces, shells, components, cells and scans. */
+void print_topology(const computed *c);
+
+#endif

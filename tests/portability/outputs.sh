@@ -1,0 +1,63 @@
+#!/usr/bin/env bash
+# Runs a build's programs on a list of inputs and writes what they print, and their exit statuses, into a folder.
+#   outputs.sh SOURCE-FOLDER OUTPUT-FOLDER EMULATOR PROGRAM INTERFACE-BITS ARC-TANGENT-BITS
+# EMULATOR may be empty. Fails if a run that has to succeed does not.
+set -euo pipefail
+source=$1 outputs=$2 emulator=$3 program=$4 interface_bits=$5 arc_tangent_bits=$6
+export LC_ALL=C
+rm -rf "$outputs"
+mkdir -p "$outputs"
+cd "$source"
+failed=0
+
+record() { # name, command
+  local name=$1 status=0
+  shift
+  # shellcheck disable=SC2086 # no emulator is no word
+  $emulator "$@" >"$outputs/$name" 2>&1 </dev/null || status=$?
+  echo "exit status $status" >>"$outputs/$name"
+}
+
+succeed() { # name, command
+  record "$@"
+  if [ "$(tail -n 1 "$outputs/$1")" != "exit status 0" ]; then
+    echo "$emulator ${*:2}"
+    tail -n 2 "$outputs/$1" | cut -c 1-400
+    failed=1
+  fi
+}
+
+both_commands() { # record or succeed, name, options
+  local how=$1 name=$2
+  shift 2
+  $how "$name.measure" "$program" measure --per-ball --gradient --json "$@"
+  $how "$name.boundary" "$program" boundary --json --shells "$@"
+}
+
+succeed interface_bits "$interface_bits"
+succeed arc_tangent_bits "$arc_tangent_bits"
+
+for molecule in crambin caffeine acetyl_coa; do
+  both_commands succeed $molecule bench/molecules/$molecule.pdb
+  both_commands succeed $molecule.probe bench/molecules/$molecule.pdb --probe 1.4
+  succeed $molecule.model "$program" model --json bench/molecules/$molecule.pdb
+  succeed $molecule.query "$program" query --json bench/molecules/$molecule.pdb --ball 10 5 8 6.5
+done
+succeed crambin.table "$program" measure --per-ball bench/molecules/crambin.pdb
+succeed crambin.csv "$program" measure --gradient --csv bench/molecules/crambin.pdb
+succeed crambin.residues "$program" measure --by residue --json bench/molecules/crambin.pdb
+succeed crambin.voids "$program" voids --json bench/molecules/crambin.pdb --probe 1.4
+succeed crambin.output "$program" measure bench/molecules/crambin.pdb --pdb-out "$outputs/crambin.pdb"
+degenerate=tests/portability/inputs/degenerate.xyzr
+both_commands succeed degenerate $degenerate
+both_commands succeed degenerate.probe $degenerate --probe 0.5
+succeed degenerate.voids "$program" voids --json $degenerate
+succeed degenerate.query "$program" query --json $degenerate --point 4 0 0
+
+# All that the program's own tests read, and what it says to what it refuses: characters, signs, exponents.
+for input in tests/program/inputs/good/*; do both_commands record "good.${input##*/}" "$input"; done
+for input in tests/program/inputs/bad/*; do record "bad.${input##*/}" "$program" measure --json "$input"; done
+
+files=("$outputs"/*)
+echo "${#files[@]} outputs, $(cat "${files[@]}" | wc -c) bytes"
+exit $failed

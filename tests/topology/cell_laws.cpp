@@ -1,0 +1,186 @@
+#include "cell_laws.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "brute_queries.hpp"
+#include "cell_pairs.hpp"
+#include "dual_complex.hpp"
+#include "finding.hpp"
+#include "nerve.hpp"
+#include "random_balls.hpp"
+
+namespace {
+
+using oracle::Balls;
+using oracle::DualComplex;
+using oracle::LatticeBall;
+using oracle::LatticePoint;
+
+constexpr std::int64_t farthest = std::int64_t{1} << 18;
+
+/// A factor so large that a step above a ball's top lies in no other ball: a lattice point outside another ball of
+/// radius r is at least sqrt(r^2 + 1) - r > 1 / (2 r + 1) away from it.
+std::int64_t factor_for(const Balls &balls) {
+  std::int64_t largest = 0;
+  for (const LatticeBall &ball : balls) largest = std::max(largest, ball.radius);
+  std::int64_t factor = 2;
+  while (factor <= 2 * largest + 1) factor *= 2;
+  return factor;
+}
+
+Balls scaled(const Balls &balls, std::int64_t factor) {
+  Balls result;
+  for (const LatticeBall &b : balls) result.push_back({factor * b.x, factor * b.y, factor * b.z, factor * b.radius});
+  return result;
+}
+
+std::vector<Balls> members_of_components(const LibraryTopology &topology, const Balls &balls) {
+  std::vector<Balls> members(topology.components().size());
+  const std::vector<hsp_ball> records = topology.boundary().balls();
+  for (std::size_t i = 0; i < balls.size(); ++i) members[records[i].component].push_back(balls[i]);
+  return members;
+}
+
+LatticePoint above_top(const Balls &members) {
+  const auto top = std::max_element(members.begin(), members.end(), [](const LatticeBall &a, const LatticeBall &b) {
+    return a.z + a.radius < b.z + b.radius;
+  });
+  return {top->x, top->y, top->z + top->radius + 1};
+}
+
+std::uint32_t cell_of(const DualComplex &complex, const LatticePoint &point) {
+  return complex.cell_of(point[0], point[1], point[2]);
+}
+
+/// The components in whose voids a component lies, by the library.
+std::set<std::uint32_t> components_around(const LibraryTopology &topology, std::uint32_t component) {
+  const auto components = topology.components();
+  const auto cells = topology.cells();
+  const auto shells = topology.shells();
+  std::set<std::uint32_t> around;
+  for (std::uint32_t cell = components[component].cell; cell != 0;) {
+    const std::uint32_t outer = shells[cells[cell].wall].component;
+    if (!around.insert(outer).second) break;
+    cell = components[outer].cell;
+  }
+  return around;
+}
+
+std::string text_of(const LatticePoint &point) {
+  return std::to_string(point[0]) + " " + std::to_string(point[1]) + " " + std::to_string(point[2]);
+}
+
+}  // namespace
+
+std::string betti_numbers_disagree(const Balls &balls, int orders, std::uint64_t seed) {
+  oracle::RandomSource random(seed);
+  Finding finding;
+  for (int k = 0; k <= orders; ++k) {
+    const Balls mixed = k == 0 ? balls : oracle::permuted(balls, random.permutation(balls.size()));
+    const LibraryTopology topology(mixed);
+    const std::vector<Balls> members = members_of_components(topology, mixed);
+    std::vector<std::int64_t> genus(members.size(), 0);
+    std::vector<std::int64_t> voids(members.size(), 0);
+    for (const hsp_shell &shell : topology.shells()) {
+      genus[shell.component] += shell.genus;
+      voids[shell.component] += shell.kind == HSP_SHELL_VOID ? 1 : 0;
+    }
+    for (std::size_t c = 0; c < members.size(); ++c) {
+      const std::array<std::int64_t, 3> betti = oracle::nerve_betti_numbers(members[c]);
+      finding.require(betti[0] == 1, "a component of the library is in", betti[0], "pieces");
+      finding.require(genus[c] == betti[1], "genera add up to", genus[c], "instead of", betti[1]);
+      finding.require(voids[c] == betti[2], voids[c], "voids instead of", betti[2]);
+    }
+    // Balls of one piece are not taken apart either.
+    finding.require(static_cast<std::int64_t>(members.size()) == oracle::nerve_betti_numbers(mixed)[0],
+                    "number of components");
+    if (finding.any()) return finding.text() + "for the order " + oracle::to_text(mixed);
+  }
+  return "";
+}
+
+bool small_enough_for_dual_complex(const Balls &balls) {
+  const std::int64_t factor = factor_for(balls);
+  return balls.size() <= 300 && std::all_of(balls.begin(), balls.end(), [&](const LatticeBall &b) {
+           return std::max({std::abs(b.x), std::abs(b.y), std::abs(b.z), b.radius}) <= farthest / factor;
+         });
+}
+
+std::string nesting_disagrees(const Balls &small) {
+  const Balls balls = scaled(small, factor_for(small));
+  const LibraryTopology topology(balls);
+  const std::vector<Balls> members = members_of_components(topology, balls);
+  const auto components = topology.components();
+  const auto shells = topology.shells();
+  const DualComplex all(balls);
+  Finding finding;
+  finding.require(topology.counts().cells == all.cells(), topology.counts().cells, "cells instead of", all.cells());
+
+  CellPairs pairs;
+  for (std::uint32_t c = 0; c < members.size(); ++c) {
+    const LatticePoint top = above_top(members[c]);
+    const std::uint32_t expected = cell_of(all, top);
+    finding.require(pairs.pair(components[c].cell, expected), "component", c, "lies in the wrong cell,",
+                    components[c].cell);
+    const std::uint32_t located = topology.cell_of(top);
+    finding.require(located == components[c].cell, "the point", text_of(top), "above component", c, "lies in cell",
+                    located, "not in", components[c].cell);
+  }
+  for (std::uint32_t outer = 0; outer < members.size(); ++outer) {
+    const DualComplex alone(members[outer]);
+    finding.require(components[outer].shells == alone.cells(), "component", outer, "has", components[outer].shells,
+                    "shells instead of", alone.cells());
+    if (alone.cells() == 1) continue;
+    for (std::uint32_t c = 0; c < members.size(); ++c) {
+      if (c == outer) continue;
+      const bool inside = cell_of(alone, above_top(members[c])) != 0;
+      finding.require(inside == components_around(topology, c).contains(outer), "component", c,
+                      inside ? "lies in a void of" : "does not lie in a void of", outer);
+    }
+  }
+  return finding.text();
+}
+
+std::string locations_disagree(const Balls &small, int points, std::uint64_t seed) {
+  const std::int64_t factor = factor_for(small);
+  const Balls balls = scaled(small, factor);
+  const LibraryTopology topology(balls);
+  const DualComplex complex(balls);
+  const oracle::Box box = oracle::box_around(small, 2);
+  oracle::RandomSource random(seed);
+  CellPairs pairs;
+  Finding finding;
+  LatticePoint last_free = {0, 0, 0};
+  std::uint32_t last_cell = HSP_NONE;
+  for (int k = 0; k < points && !finding.any(); ++k) {
+    LatticePoint point{};
+    for (std::size_t axis = 0; axis < 3; ++axis) point[axis] = factor * random.in(box.low[axis], box.high[axis]);
+    const bool near_a_ball = !small.empty() && random.one_in(3);
+    if (near_a_ball) {
+      // Above or below a ball's centre, up to its surface or beyond.
+      const LatticeBall &ball =
+          balls[static_cast<std::size_t>(random.in(0, static_cast<std::int64_t>(balls.size()) - 1))];
+      point = {ball.x, ball.y, ball.z + random.in(-1, 1) * ball.radius + random.in(-1, 1)};
+    } else if (random.one_in(4)) {
+      point[static_cast<std::size_t>(random.in(0, 2))] += random.in(-factor / 2, factor / 2);
+    }
+    const LibraryTopology::Place place = topology.locate(point);
+    const auto containing = oracle::balls_meeting(balls, {point[0], point[1], point[2], 0});
+    finding.require(place.balls == containing, "balls that contain", text_of(point));
+    finding.require((place.cell == HSP_NONE) == !containing.empty(), "cell", place.cell, "of", text_of(point), "in",
+                    containing.size(), "balls");
+    finding.require(topology.cell_of(point) == place.cell, "the cell alone of", text_of(point));
+    if (finding.any() || !containing.empty()) continue;
+    const std::uint32_t expected = cell_of(complex, point);
+    finding.require(place.cell < topology.counts().cells && pairs.pair(place.cell, expected), "the free point",
+                    text_of(point), "is located in cell", place.cell);
+    if (last_cell != HSP_NONE)
+      finding.require(topology.same_cell(last_free, point) == (last_cell == expected), "same cell for",
+                      text_of(last_free), "and", text_of(point));
+    last_free = point;
+    last_cell = expected;
+  }
+  return finding.text();
+}

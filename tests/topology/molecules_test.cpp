@@ -1,0 +1,79 @@
+// The topology of the molecules of the benchmarks, van der Waals and accessible to a probe of 1.4 angstrom.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "cell_laws.hpp"
+#include "molecule_balls.hpp"
+#include "random_balls.hpp"
+#include "structure_laws.hpp"
+
+namespace {
+
+using oracle::Balls;
+
+/// As the default step of 1e-8 has them: radii of some 2^28 steps.
+Balls on_default_lattice(const Balls &balls) {
+  constexpr std::int64_t factor = 100000;
+  Balls result;
+  for (const oracle::LatticeBall &b : balls)
+    result.push_back({factor * b.x, factor * b.y, factor * b.z, factor * b.radius});
+  return result;
+}
+
+class Molecule : public testing::TestWithParam<const char *> {
+ protected:
+  [[nodiscard]] static Balls atoms() { return read_molecule(bench_molecule(GetParam()), Records::all); }
+};
+
+TEST_P(Molecule, KeepsTheLaws) {
+  for (const std::int64_t probe : {std::int64_t{0}, 14 * steps_per_angstrom / 10}) {
+    const Balls balls = on_default_lattice(grown(atoms(), probe));
+    oracle::RandomSource random(static_cast<std::uint64_t>(probe));
+    for (const Balls &order : {balls, oracle::permuted(balls, random.permutation(balls.size()))}) {
+      const LibraryTopology topology(order);
+      EXPECT_EQ(laws_broken_by(topology, order), "") << "probe " << probe;
+      EXPECT_EQ(face_areas_disagree(topology, order), "") << "probe " << probe;
+      EXPECT_EQ(start_faces_disagree(topology, order), "") << "probe " << probe;
+    }
+  }
+}
+
+TEST_P(Molecule, DoesNotDependOnTheOrder) {
+  for (const std::int64_t probe : {std::int64_t{0}, 14 * steps_per_angstrom / 10})
+    EXPECT_EQ(topology_orders_disagree(on_default_lattice(grown(atoms(), probe))), "") << "probe " << probe;
+}
+
+/// Turned, the extra arcs run elsewhere and nothing else changes.
+TEST_P(Molecule, HasTheSameShellsAlongOtherAxes) {
+  for (const std::int64_t probe : {std::int64_t{0}, 14 * steps_per_angstrom / 10}) {
+    const Balls balls = grown(atoms(), probe);
+    Balls turned;
+    for (const oracle::LatticeBall &b : balls) turned.push_back({b.z, b.x, b.y, b.radius});
+    const LibraryTopology one(balls);
+    const LibraryTopology other(turned);
+    EXPECT_EQ(laws_broken_by(other, turned), "");
+    const auto summary = [](const LibraryTopology &topology) {
+      std::vector<std::array<std::int64_t, 4>> shells;
+      for (const hsp_shell &shell : topology.shells())
+        shells.push_back({static_cast<std::int64_t>(shell.volume), shell.euler, shell.kind, shell.faces});
+      std::sort(shells.begin(), shells.end());
+      return shells;
+    };
+    const auto a = summary(one);
+    const auto b = summary(other);
+    ASSERT_EQ(a.size(), b.size()) << "probe " << probe;
+    for (std::size_t k = 0; k < a.size(); ++k) {
+      EXPECT_NEAR(static_cast<double>(a[k][0]), static_cast<double>(b[k][0]), 2 + 1e-9 * static_cast<double>(a[k][0]));
+      EXPECT_EQ(a[k][1], b[k][1]);
+      EXPECT_EQ(a[k][2], b[k][2]);
+      EXPECT_EQ(a[k][3], b[k][3]);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Bench, Molecule,
+                         testing::Values("caffeine.pdb", "acetyl_coa.pdb", "crambin.pdb", "felix_model.pdb",
+                                         "ubiquitin.pdb", "sod_stand_in.pdb"));
+
+}  // namespace
