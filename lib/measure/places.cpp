@@ -1,7 +1,6 @@
 #include "measure/places.hpp"
 
 #include "boundary/assembly.hpp"
-#include "boundary/great_circles.hpp"
 #include "core/elementary.hpp"
 #include "exact/filter.hpp"
 #include "measure/areas.hpp"
@@ -21,19 +20,12 @@ bool ranks_first(const BallSet &balls, uint32_t a, uint32_t b) {
   return exact::ranks_before(balls.ball(a), balls.ball(b));
 }
 
-exact::Vector difference(const BallSet &balls, uint32_t from, uint32_t to) {
-  const exact::Vector a = balls.ball(from).centre;
-  const exact::Vector b = balls.ball(to).centre;
-  return {b.x - a.x, b.y - a.y, b.z - a.z};
-}
-
 // The point p+ or p- of the circle of `other` and the plane of an extra arc of `cut_ball`, on ball `frame`.
 DoubleVector point_of_cut(const BallSet &balls, uint32_t frame, uint32_t other, uint32_t cut_ball, uint32_t cap,
                           int sign) {
   const exact::LatticeBall own = balls.ball(frame);
   const exact::Plane circle = exact::plane_of(own, balls.ball(other));
-  exact::Plane cut = meridian_through(difference(balls, cut_ball, cap));
-  if (cut_ball != frame) cut.h = 2 * exact::dot(cut.v, difference(balls, frame, cut_ball));
+  const exact::Plane cut = plane_of_cut(balls, frame, cut_ball, cap);
   const double root_D = std::sqrt(exact::Exact::discriminant(exact::sphere_of(own), circle, cut));
   double offset[3];
   vertex_offset(circle, cut, sign, root_D, offset);
@@ -150,7 +142,7 @@ EdgePlace place_on_carrier(const BallSet &balls, const BoundaryStructure &bounda
 EdgePlace place_on_extra_arc(const BallSet &balls, const BoundaryStructure &boundary, const TopologyStructure &topology,
                              uint32_t id, uint32_t piece) {
   const ExtraArc &arc = topology.extra_arcs[id];
-  const exact::Vector m = meridian_through(difference(balls, arc.ball, arc.cap)).v;
+  const exact::Vector m = plane_of_cut(balls, arc.ball, arc.ball, arc.cap).v;
   const double length = std::sqrt(static_cast<double>(exact::dot(m, m)));
   EdgePlace place;
   place.centre = {arc.ball, {0.0, 0.0, 0.0}};

@@ -1,7 +1,6 @@
 #include "topology/simple_faces.hpp"
 
 #include "boundary/assembly.hpp"
-#include "boundary/great_circles.hpp"
 
 namespace hsp {
 namespace {
@@ -195,7 +194,7 @@ class Assembly {
     const auto visit_rays = [&](auto visit) {
       for (uint32_t k = 0; k < arcs.size(); ++k) {
         if ((arcs[k].poles & at_vertex) == 0) continue;
-        const exact::Vector m = meridian_through(axis_of(arcs[k])).v;
+        const exact::Vector m = plane_of_cut(balls_, arcs[k].ball, arcs[k].ball, arcs[k].cap).v;
         const bool second = arcs[k].pieces() == 3 && ((arcs[k].poles & ExtraArc::south_first) != 0) == (lowest == 0);
         const uint32_t arriving = quarter_edge(topology_.extra_first_edge[first + k] + (second ? 1U : 0U));
         visit(Ray{-direction * m.y, direction * m.x, sym(arriving)});
@@ -217,11 +216,6 @@ class Assembly {
         quads_.follow(sym(before.q), ray.q);
       }
     });
-  }
-  exact::Vector axis_of(const ExtraArc &arc) const {
-    const exact::Vector a = balls_.ball(arc.ball).centre;
-    const exact::Vector b = balls_.ball(arc.cap).centre;
-    return {b.x - a.x, b.y - a.y, b.z - a.z};
   }
 
   // Whole spheres: the great circle across x, from the highest point to the lowest and back, counter-clockwise about x.

@@ -58,14 +58,6 @@ class PointTest {
   Plane circle_;
 };
 
-// The plane of an extra arc of `ball` as ball a sees it: it goes through the centre of `ball`, so that with y = 2 (x -
-// c_a) it is m.y >= 2 m.(c_ball - c_a).
-Plane plane_of_cut(const BallSet &balls, uint32_t a, uint32_t ball, uint32_t cap) {
-  Plane plane = meridian_through(difference(balls, ball, cap));
-  if (ball != a) plane.h = 2 * exact::dot(plane.v, difference(balls, a, ball));
-  return plane;
-}
-
 // A split point, its plane turned so that the carrier's start, the exit of the anchor, lies outside.
 struct PlacedPoint {
   Plane plane;
@@ -95,6 +87,13 @@ bool comes_before(const Carrier &carrier, const PointTest &test, const PlacedPoi
 }
 
 }  // namespace
+
+// It goes through the centre of `ball`, so that with y = 2 (x - c_origin) it is m.y >= 2 m.(c_ball - c_origin).
+Plane plane_of_cut(const BallSet &balls, uint32_t origin, uint32_t ball, uint32_t cap) {
+  Plane plane = meridian_through(difference(balls, ball, cap));
+  if (ball != origin) plane.h = 2 * exact::dot(plane.v, difference(balls, origin, ball));
+  return plane;
+}
 
 CarrierBalls balls_of_carrier(const BoundaryStructure &boundary, uint32_t carrier) {
   const uint32_t first_half = SplitPoints::half_circle(boundary, 0, 0);

@@ -31,6 +31,9 @@ struct CarrierBalls {
 };
 CarrierBalls balls_of_carrier(const BoundaryStructure &boundary, uint32_t carrier);
 
+// The plane of an extra arc of `ball` through the axis of the circle of `cap`, as ball `origin` sees it.
+exact::Plane plane_of_cut(const BallSet &balls, uint32_t origin, uint32_t ball, uint32_t cap);
+
 class SplitPoints {
  public:
   void carve(Workspace &workspace, uint32_t edges, uint32_t extra_arcs);

@@ -4,37 +4,9 @@
 #include <stdlib.h>
 
 #include "check.h"
+#include "malloc_trap.h"
 #include "topology_result.h"
 #include "topology_sets.h"
-
-extern void *__libc_malloc(size_t bytes);
-extern void *__libc_calloc(size_t count, size_t size);
-extern void *__libc_realloc(void *memory, size_t bytes);
-extern void __libc_free(void *memory);
-
-static volatile int armed;
-static volatile int caught;
-
-static void spring(void) {
-  if (armed) ++caught;
-}
-
-void *malloc(size_t bytes) {
-  spring();
-  return __libc_malloc(bytes);
-}
-void *calloc(size_t count, size_t size) {
-  spring();
-  return __libc_calloc(count, size);
-}
-void *realloc(void *memory, size_t bytes) {
-  spring();
-  return __libc_realloc(memory, bytes);
-}
-void free(void *memory) {
-  spring();
-  __libc_free(memory);
-}
 
 /* Every entry point once, into the arrays of `t`; the number of calls that did not succeed. */
 static int call_everything(topology_result *t, void *memory, size_t bytes, uint32_t *ids, uint32_t room) {

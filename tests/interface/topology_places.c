@@ -3,27 +3,9 @@
 #include <stdlib.h>
 
 #include "topology_result.h"
+#include "vectors.h"
 
 static const double pi = 3.14159265358979323846;
-
-static double length(const double v[3]) {
-  return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-}
-
-static double dot(const double u[3], const double v[3]) {
-  return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
-}
-
-static void cross(const double u[3], const double v[3], double w[3]) {
-  w[0] = u[1] * v[2] - u[2] * v[1];
-  w[1] = u[2] * v[0] - u[0] * v[2];
-  w[2] = u[0] * v[1] - u[1] * v[0];
-}
-
-static void difference(const double to[3], const double from[3], double v[3]) {
-  int axis;
-  for (axis = 0; axis < 3; ++axis) v[axis] = to[axis] - from[axis];
-}
 
 /* How far a position may be off, with what the lattice moved. */
 static double slack(const computed *c, const double xyz[3]) {

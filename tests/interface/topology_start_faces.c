@@ -4,16 +4,7 @@
 #include <math.h>
 
 #include "topology_result.h"
-
-static double dot(const double u[3], const double v[3]) {
-  return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
-}
-
-static void cross(const double u[3], const double v[3], double w[3]) {
-  w[0] = u[1] * v[2] - u[2] * v[1];
-  w[1] = u[2] * v[0] - u[0] * v[2];
-  w[2] = u[0] * v[1] - u[1] * v[0];
-}
+#include "vectors.h"
 
 /* An edge on the unit sphere about its ball's centre: centre + cos(turn) start + sin(turn) quarter, 0 <= turn <= angle.
  */

@@ -1,0 +1,26 @@
+/* Vectors of three doubles, for checks of positions. */
+#ifndef HARDSPHERE_TESTS_VECTORS_H
+#define HARDSPHERE_TESTS_VECTORS_H
+
+#include <math.h>
+
+static inline double dot(const double u[3], const double v[3]) {
+  return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+}
+
+static inline double length(const double v[3]) {
+  return sqrt(dot(v, v));
+}
+
+static inline void cross(const double u[3], const double v[3], double w[3]) {
+  w[0] = u[1] * v[2] - u[2] * v[1];
+  w[1] = u[2] * v[0] - u[0] * v[2];
+  w[2] = u[0] * v[1] - u[1] * v[0];
+}
+
+static inline void difference(const double to[3], const double from[3], double v[3]) {
+  int axis;
+  for (axis = 0; axis < 3; ++axis) v[axis] = to[axis] - from[axis];
+}
+
+#endif
