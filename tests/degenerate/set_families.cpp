@@ -13,23 +13,14 @@ namespace {
 
 using Integer = std::int64_t;
 using oracle::Balls;
+using oracle::balls_on_sphere;
 using oracle::chosen_points;
 using oracle::LatticeBall;
 
-/// All integer points at a whole distance from the origin, times scale: centres on a sphere, to the last bit.
-Balls on_sphere(Integer distance, Integer scale, Integer radius) {
-  Balls balls;
-  for (Integer x = -distance; x <= distance; ++x)
-    for (Integer y = -distance; y <= distance; ++y)
-      for (Integer z = -distance; z <= distance; ++z)
-        if (x * x + y * y + z * z == distance * distance) balls.push_back({scale * x, scale * y, scale * z, radius});
-  return balls;
-}
-
-/// The same in the plane z = 0.
+/// Those of balls_on_sphere in the plane z = 0.
 Balls on_circle(Integer distance, Integer scale, Integer radius) {
   Balls balls;
-  for (const LatticeBall &ball : on_sphere(distance, scale, radius))
+  for (const LatticeBall &ball : balls_on_sphere(distance, scale, radius))
     if (ball.z == 0) balls.push_back(ball);
   return balls;
 }
@@ -147,22 +138,22 @@ void add_rings(Collection &collection) {
 }
 
 void add_shells(Collection &collection) {
-  collection.add("shell of 30", on_sphere(3, 1, 2), topology(1, 1, 4));
-  collection.add("shell of 30 that closes at its centre", on_sphere(3, 1, 3), topology(1, 0, 2));
-  collection.add("shell of 30, wider apart", on_sphere(5, 1, 4), topology(1, 1, 4));
-  collection.add_unknown("shell of 30 with windows", on_sphere(5, 1, 2));
-  collection.add_unknown("shell of 30 with smaller windows", on_sphere(5, 1, 3));
-  collection.add("shell of 54", on_sphere(7, 1, 6), topology(1, 1, 4));
-  collection.add("shell of 54 that closes at its centre", on_sphere(7, 1, 7), topology(1, 0, 2));
-  collection.add("shell of 102", on_sphere(9, 1, 8), topology(1, 1, 4));
-  collection.add("shell of 102 that closes at its centre", on_sphere(9, 1, 9), topology(1, 0, 2));
-  const Balls small = on_sphere(3, 3, 6);
+  collection.add("shell of 30", balls_on_sphere(3, 1, 2), topology(1, 1, 4));
+  collection.add("shell of 30 that closes at its centre", balls_on_sphere(3, 1, 3), topology(1, 0, 2));
+  collection.add("shell of 30, wider apart", balls_on_sphere(5, 1, 4), topology(1, 1, 4));
+  collection.add_unknown("shell of 30 with windows", balls_on_sphere(5, 1, 2));
+  collection.add_unknown("shell of 30 with smaller windows", balls_on_sphere(5, 1, 3));
+  collection.add("shell of 54", balls_on_sphere(7, 1, 6), topology(1, 1, 4));
+  collection.add("shell of 54 that closes at its centre", balls_on_sphere(7, 1, 7), topology(1, 0, 2));
+  collection.add("shell of 102", balls_on_sphere(9, 1, 8), topology(1, 1, 4));
+  collection.add("shell of 102 that closes at its centre", balls_on_sphere(9, 1, 9), topology(1, 0, 2));
+  const Balls small = balls_on_sphere(3, 3, 6);
   collection.add("shell of 30 with a point in its middle", joined(small, {{0, 0, 0, 0}}), topology(2, 1, 6));
   collection.add("shell of 30 with a ball inside", joined(small, {{0, 0, 0, 2}}), topology(2, 1, 6));
   // Thirty contacts between core and shell: 29 tunnels through what is left of the void.
   collection.add("shell of 30 with a ball that touches all from inside", joined(small, {{0, 0, 0, 3}}),
                  topology(1, 1, 2 * (1 - 29 + 1)));
-  const Balls large = on_sphere(7, 10, 50);
+  const Balls large = balls_on_sphere(7, 10, 50);
   collection.add("shell in the void of a shell", joined(large, small), topology(2, 2, 8));
   collection.add("ball in the void of a shell in the void of a shell", joined(joined(large, small), {{0, 0, 0, 2}}),
                  topology(3, 2, 10));
@@ -179,10 +170,10 @@ void add_belts(Collection &collection) {
   collection.add("belt of 20 balls, bumps that touch each other on the sphere",
                  joined(joined(core, on_circle(25, 4, 20)), {{-8, 60, 80, 8}, {8, 60, 80, 8}, {0, 0, -100, 10}}),
                  topology(1, 0, 2));
-  collection.add("face with 30 holes", joined({{0, 0, 0, 90}}, on_sphere(3, 30, 10)), topology(1, 0, 2));
-  collection.add("face with 30 holes of radius 0", joined({{0, 0, 0, 3}}, on_sphere(3, 1, 0)), topology(1, 0, 2));
-  collection.add("face with 54 holes", joined({{0, 0, 0, 700}}, on_sphere(7, 100, 30)), topology(1, 0, 2));
-  collection.add("face with 102 holes", joined({{0, 0, 0, 900}}, on_sphere(9, 100, 30)), topology(1, 0, 2));
+  collection.add("face with 30 holes", joined({{0, 0, 0, 90}}, balls_on_sphere(3, 30, 10)), topology(1, 0, 2));
+  collection.add("face with 30 holes of radius 0", joined({{0, 0, 0, 3}}, balls_on_sphere(3, 1, 0)), topology(1, 0, 2));
+  collection.add("face with 54 holes", joined({{0, 0, 0, 700}}, balls_on_sphere(7, 100, 30)), topology(1, 0, 2));
+  collection.add("face with 102 holes", joined({{0, 0, 0, 900}}, balls_on_sphere(9, 100, 30)), topology(1, 0, 2));
   // The belt's own hole is filled by a core that touches it all around.
   collection.add("belt that touches its core", joined({{0, 0, 0, 80}}, on_circle(25, 4, 20)),
                  topology(1, 0, 2 * (1 - 20)));

@@ -9,12 +9,14 @@
 #include "flood_fill.hpp"
 #include "named_balls.hpp"
 #include "nerve.hpp"
+#include "point_lattices.hpp"
 #include "random_balls.hpp"
 
 namespace {
 
 using oracle::Balls;
 using oracle::Box;
+using oracle::cage_of_26;
 using oracle::DualComplex;
 using oracle::FloodFill;
 using oracle::LatticeBall;
@@ -23,14 +25,6 @@ Balls scaled(const Balls &balls, std::int64_t factor) {
   Balls result;
   for (const LatticeBall &b : balls) result.push_back({factor * b.x, factor * b.y, factor * b.z, factor * b.radius});
   return result;
-}
-
-/// Balls around the other points of a 3 x 3 x 3 lattice close up the one in the middle.
-Balls cage_of_26(std::int64_t spacing, std::int64_t radius) {
-  Balls balls;
-  for (std::int64_t k = 0; k < 27; ++k)
-    if (k != 13) balls.push_back({spacing * (k % 3 - 1), spacing * (k / 3 % 3 - 1), spacing * (k / 9 - 1), radius});
-  return balls;
 }
 
 TEST(DualComplex, CellsOfSmallSets) {

@@ -10,9 +10,11 @@
 #include "finding.hpp"
 #include "nerve.hpp"
 #include "random_balls.hpp"
+#include "set_arrangements.hpp"
 
 namespace {
 
+using degenerate::scaled;
 using oracle::Balls;
 using oracle::DualComplex;
 using oracle::LatticeBall;
@@ -28,12 +30,6 @@ std::int64_t factor_for(const Balls &balls) {
   std::int64_t factor = 2;
   while (factor <= 2 * largest + 1) factor *= 2;
   return factor;
-}
-
-Balls scaled(const Balls &balls, std::int64_t factor) {
-  Balls result;
-  for (const LatticeBall &b : balls) result.push_back({factor * b.x, factor * b.y, factor * b.z, factor * b.radius});
-  return result;
 }
 
 std::vector<Balls> members_of_components(const LibraryTopology &topology, const Balls &balls) {
@@ -172,7 +168,10 @@ std::string locations_disagree(const Balls &small, int points, std::uint64_t see
     finding.require((place.cell == HSP_NONE) == !containing.empty(), "cell", place.cell, "of", text_of(point), "in",
                     containing.size(), "balls");
     finding.require(topology.cell_of(point) == place.cell, "the cell alone of", text_of(point));
-    if (finding.any() || !containing.empty()) continue;
+    if (!containing.empty()) {
+      finding.require(!topology.same_cell(point, point), "a cell for", text_of(point), "in a ball");
+      continue;
+    }
     const std::uint32_t expected = cell_of(complex, point);
     finding.require(place.cell < topology.counts().cells && pairs.pair(place.cell, expected), "the free point",
                     text_of(point), "is located in cell", place.cell);

@@ -6,6 +6,7 @@
 #include "cell_laws.hpp"
 #include "molecule_balls.hpp"
 #include "random_balls.hpp"
+#include "set_arrangements.hpp"
 #include "structure_laws.hpp"
 
 namespace {
@@ -14,11 +15,7 @@ using oracle::Balls;
 
 /// As the default step of 1e-8 has them: radii of some 2^28 steps.
 Balls on_default_lattice(const Balls &balls) {
-  constexpr std::int64_t factor = 100000;
-  Balls result;
-  for (const oracle::LatticeBall &b : balls)
-    result.push_back({factor * b.x, factor * b.y, factor * b.z, factor * b.radius});
-  return result;
+  return degenerate::scaled(balls, 100000);
 }
 
 class Molecule : public testing::TestWithParam<const char *> {

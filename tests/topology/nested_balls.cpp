@@ -5,10 +5,15 @@
 #include <cstdlib>
 #include <utility>
 
+#include "point_lattices.hpp"
+#include "set_arrangements.hpp"
+
 namespace {
 
 using Integer = std::int64_t;
 using oracle::Balls;
+using oracle::balls_on_sphere;
+using oracle::cage_of_26;
 using oracle::LatticeBall;
 using oracle::RandomSource;
 
@@ -18,9 +23,7 @@ Balls joined(Balls balls, const Balls &more) {
 }
 
 Balls moved(const Balls &balls, Integer x, Integer y, Integer z) {
-  Balls result;
-  for (const LatticeBall &b : balls) result.push_back({b.x + x, b.y + y, b.z + z, b.radius});
-  return result;
+  return degenerate::moved(balls, {x, y, z});
 }
 
 /// The points of a circle around the origin in the plane of two axes.
@@ -43,14 +46,6 @@ Balls without(const Balls &balls, const std::vector<std::array<Integer, 3>> &cen
     if (std::find(centres.begin(), centres.end(), std::array<Integer, 3>{b.x, b.y, b.z}) == centres.end())
       result.push_back(b);
   return result;
-}
-
-/// Balls around the other points of a 3 x 3 x 3 lattice.
-Balls cage_of_26(Integer spacing, Integer radius) {
-  Balls balls;
-  for (Integer k = 0; k < 27; ++k)
-    if (k != 13) balls.push_back({spacing * (k % 3 - 1), spacing * (k / 3 % 3 - 1), spacing * (k / 9 - 1), radius});
-  return balls;
 }
 
 Balls box_of_8(const std::array<Integer, 3> &sides, Integer radius) {
@@ -137,15 +132,6 @@ Balls BuiltSet::balls() const {
   Balls all;
   for (const BuiltComponent &component : components) all = joined(std::move(all), component.balls);
   return all;
-}
-
-Balls balls_on_sphere(Integer distance, Integer scale, Integer radius) {
-  Balls balls;
-  for (Integer x = -distance; x <= distance; ++x)
-    for (Integer y = -distance; y <= distance; ++y)
-      for (Integer z = -distance; z <= distance; ++z)
-        if (x * x + y * y + z * z == distance * distance) balls.push_back({scale * x, scale * y, scale * z, radius});
-  return balls;
 }
 
 std::vector<BuiltSet> built_sets() {

@@ -40,7 +40,4 @@ std::vector<AwkwardSet> awkward_sets();
 /// walls are closed by single points only; often with copies and with balls inside others. Mostly below 100 balls.
 oracle::Balls nested_balls(oracle::RandomSource &random);
 
-/// All integer points at a whole distance from the origin, times scale.
-oracle::Balls balls_on_sphere(std::int64_t distance, std::int64_t scale, std::int64_t radius);
-
 #endif
