@@ -21,6 +21,7 @@ constexpr long double pi = std::numbers::pi_v<long double>;
 struct Seen {
   int points = 0, most = 0;
   int shared_on_circles = 0, shared_on_arcs = 0;  // ends of extra arcs on both sides
+  int cut_at_ends = 0;                            // whole circles from one point to the same point, cut there
 };
 
 class Check {
@@ -66,6 +67,8 @@ class Check {
     seen_.most = std::max(seen_.most, static_cast<int>(vertices.size()) - 2);
     if (circle.radius < 1) return;  // spheres that touch
     long double turned = 0;
+    long double angles = 0;
+    bool cut_at_end = false;
     for (size_t k = 1; k < vertices.size(); ++k) {
       const Vector from = position_of(vertices[k - 1]) - circle.centre;
       const Vector to = position_of(vertices[k]) - circle.centre;
@@ -74,9 +77,17 @@ class Check {
       if (vertices.size() > 2) {
         if (2 * pi - step < tie) step = 0;
         ASSERT_GE(step, least_gap_) << "piece " << k << " of carrier " << carrier << ": " << oracle::to_text(set_);
+        // The edge turns by as much, or by a whole turn more or less.
+        const uint32_t edge = hsp::edge_of(built_.structure().walk_start[carrier]) + static_cast<uint32_t>(k) - 1;
+        const long double angle = place_of_edge(built_.balls(), built_.boundary(), built_.structure(), edge).angle;
+        ASSERT_NEAR(static_cast<double>(std::remainder(angle - step, 2 * pi)), 0.0, static_cast<double>(tie))
+            << "piece " << k << " of carrier " << carrier << ": " << oracle::to_text(set_);
+        angles += angle;
+        if (step < 1e-9L && (k == 1 || k + 1 == vertices.size())) cut_at_end = true;
       }
       turned += step;
     }
+    if (cut_at_end && angles > 2 * pi - 1e-9L) ++seen_.cut_at_ends;
     if (vertices.size() > 2) {
       ASSERT_LE(turned, 2 * pi + tie) << "carrier " << carrier << ": " << oracle::to_text(set_);
     }
@@ -197,6 +208,59 @@ TEST(SplitPoints, AreInOrderInSetsWithTies) {
         check(oracle::degenerate_balls(random, static_cast<std::size_t>(random.in(2, 12))), 0.0L, seen));
   }
   EXPECT_GT(seen.points, 500);
+}
+
+// Spheres that touch each other in one point, with their centres in an upright plane: circles that are free but for
+// this point, where the plane of an extra arc cuts them. The plane is turned about z by rational angles, so that
+// positions are rounded.
+TEST(SplitPoints, AreInOrderWhereArcsStartAndEndInOnePoint) {
+  oracle::RandomSource random(4);
+  Seen seen;
+  const std::int64_t turns[][3] = {{1, 0, 1},    {3, 4, 5},       {5, 12, 13},    {8, 15, 17},
+                                   {20, 21, 29}, {119, 120, 169}, {696, 697, 985}};
+  const std::int64_t rays[][3] = {{3, 4, 5},  {4, 3, 5},  {-3, 4, 5}, {0, 1, 1},  {1, 0, 1},
+                                  {-1, 0, 1}, {0, -1, 1}, {3, -4, 5}, {-4, -3, 5}};
+  for (int k = 0; k < 4000; ++k) {
+    const auto &turn = turns[random.in(0, 6)];
+    const std::int64_t scale = random.in(1, 1000);
+    const auto turned = [&](std::int64_t x, std::int64_t y, std::int64_t z, std::int64_t radius) {
+      return oracle::LatticeBall{scale * (turn[0] * x - turn[1] * y), scale * (turn[1] * x + turn[0] * y),
+                                 scale * turn[2] * z, scale * turn[2] * radius};
+    };
+    Balls balls;
+    oracle::LatticeBall first;
+    for (std::int64_t n = random.in(3, 4); n > 0; --n) {
+      const auto &ray = rays[random.in(0, 8)];
+      const std::int64_t size = random.in(1, 4);
+      if (balls.empty()) first = {ray[0] * size, 0, ray[1] * size, ray[2] * size};
+      balls.push_back(turned(ray[0] * size, 0, ray[1] * size, ray[2] * size));
+    }
+    for (std::int64_t n = random.in(1, 4); n > 0; --n) {
+      const long double height = static_cast<long double>(random.in(-100, 100)) / 100;
+      const long double angle = static_cast<long double>(random.in(0, 628)) / 100;
+      const long double reach = static_cast<long double>(first.radius);
+      const long double across = reach * std::sqrt(1 - height * height);
+      balls.push_back(turned(first.x + std::llround(across * std::cos(angle)), std::llround(across * std::sin(angle)),
+                             first.z + std::llround(reach * height), random.in(0, 2)));
+    }
+    ASSERT_NO_FATAL_FAILURE(check(balls, 0.0L, seen));
+  }
+  EXPECT_GE(seen.cut_at_ends, 3);
+  // Found by a search: rounding puts the first cut a hair before the start of the arc.
+  const std::vector<Balls> found = {{{0, 0, 107835, 107835},
+                                     {24885, 59724, -86268, 107835},
+                                     {-11060, -26544, -21567, 35945},
+                                     {87374, -51982, 64701, 7189},
+                                     {-41475, -99540, 93457, 0},
+                                     {48111, 96775, 129402, 7189},
+                                     {-92904, 38710, 71890, 14378}},
+                                    {{0, 0, 788000, 788000},
+                                     {-890880, -892160, -945600, 1576000},
+                                     {222720, 223040, 236400, 394000},
+                                     {-668160, -669120, -709200, 1182000},
+                                     {167280, -167040, 1497200, 78800},
+                                     {556960, 334720, 315200, 157600}}};
+  for (const Balls &balls : found) ASSERT_NO_FATAL_FAILURE(check(balls, 0.0L, seen));
 }
 
 // Two large balls with bumps at mirrored places in the upright plane through both: extra arcs from both sides end on
