@@ -236,7 +236,8 @@ HSP_API int32_t hsp_boundary_bytes(const hsp_boundary_limits *limits, size_t *by
    (size_t)160 * (size_t)(vertices) + (size_t)80 * (size_t)(circles))
 
 /** Make an empty boundary in caller memory of any alignment; sets *boundary.
- *  HSP_E_ARGUMENT, HSP_E_RANGE as hsp_boundary_bytes; HSP_E_MEMORY: bytes too small (nothing is written). */
+ *  HSP_E_ARGUMENT, HSP_E_RANGE as hsp_boundary_bytes; HSP_E_MEMORY: bytes too small (nothing is written).
+ *  Topologies computed from a boundary that was in this memory before must be computed again before they are read. */
 HSP_API int32_t hsp_boundary_init(void *memory, size_t bytes, const hsp_boundary_limits *limits,
                                   hsp_boundary **boundary);
 
