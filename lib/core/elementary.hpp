@@ -14,4 +14,16 @@ inline constexpr double arc_tangent_max_ulp = 2.0;
 // either sign of the zeros.
 double arc_tangent(double y, double x);
 
+// Largest absolute error of each component of direction_of, in units of 2^-53. Derivation beside the definition.
+inline constexpr double direction_max_error = 3.0;
+
+// Largest |angle| that direction_of takes.
+inline constexpr double largest_angle = 0x1p20;
+
+// The point of the unit circle at an angle.
+struct Direction {
+  double cosine, sine;
+};
+Direction direction_of(double angle);
+
 }  // namespace hsp

@@ -13,6 +13,7 @@ enum class Status : int32_t {
   state = -4,
   id = -5,
   check = -6,
+  sink = -7,
   not_finite = -10,
   negative = -11,
   range = -12,

@@ -60,6 +60,29 @@ TEST(ArcTangent, AxesAndExtremes) {
   EXPECT_EQ(hsp::arc_tangent(huge, tiny), hsp::pi / 2);
 }
 
+TEST(DirectionOf, StaysWithinItsBound) {
+  if (std::numeric_limits<long double>::digits < 64) GTEST_SKIP() << "long double is no longer than double here";
+  std::mt19937_64 random(11);
+  long double worst = 0.0L;
+  const auto measure = [&worst](double angle) {
+    const hsp::Direction at = hsp::direction_of(angle);
+    worst = std::max(worst, std::fabs(at.cosine - std::cos(static_cast<long double>(angle))));
+    worst = std::max(worst, std::fabs(at.sine - std::sin(static_cast<long double>(angle))));
+  };
+  for (int k = 0; k < 2000000; ++k) {
+    const double unit = static_cast<double>(random() >> 11) * 0x1p-52 - 1.0;
+    measure(unit * (k % 3 == 0 ? 1.0 : k % 3 == 1 ? 8.0 : hsp::largest_angle));
+  }
+  for (int quarter = -40; quarter <= 40; ++quarter) measure(quarter * (hsp::pi / 4));
+  EXPECT_LT(worst, hsp::direction_max_error * 0x1p-53L);
+  EXPECT_GT(worst, 0x1p-54L);
+}
+
+TEST(DirectionOf, NoAngle) {
+  EXPECT_EQ(hsp::direction_of(0.0).cosine, 1.0);
+  EXPECT_EQ(hsp::direction_of(0.0).sine, 0.0);
+}
+
 TEST(FloatingPoint, FiniteIsWhatItSays) {
   EXPECT_TRUE(hsp::is_finite(0.0));
   EXPECT_TRUE(hsp::is_finite(std::numeric_limits<double>::max()));
