@@ -8,8 +8,8 @@ void Caps::carve(Workspace &workspace, uint32_t capacity) {
   uy = workspace.take<double>(one_more);
   uz = workspace.take<double>(one_more);
   b = workspace.take<double>(one_more);
-  plane = workspace.take<exact::Plane>(capacity);
-  ball = workspace.take<uint32_t>(capacity);
+  plane = workspace.take<exact::Plane>(one_more);
+  ball = workspace.take<uint32_t>(one_more);
 }
 
 void Caps::gather(const BallSet &balls, const CubeBlock &block, uint32_t i, const DisjointSets *components) {
@@ -85,6 +85,16 @@ void Caps::add_great_circle(const exact::Vector &normal) const {
   uy[count] = static_cast<double>(normal.y) * inverse;
   uz[count] = static_cast<double>(normal.z) * inverse;
   b[count] = 0.0;
+}
+
+void Caps::add_half_sphere(const exact::Vector &normal) {
+  add_great_circle(normal);
+  plane[count] = exact::virtual_plane(normal, 0);
+  plane[count].index = no_id;
+  ball[count] = no_id;
+  const double U = static_cast<double>(exact::dot(normal, normal));
+  if (U > length_squared) length_squared = U;
+  ++count;
 }
 
 uint32_t Caps::cap_of(uint32_t other) const {

@@ -15,7 +15,8 @@ namespace hsp {
 
 // Caps in ascending order of the grid's ball ids, structure of arrays over scratch memory of fixed capacity.
 struct Caps {
-  Span<double> ux, uy, uz, b;  // with room for one more
+  // All with room for one more.
+  Span<double> ux, uy, uz, b;
   Span<exact::Plane> plane;
   Span<uint32_t> ball;  // the other ball, grid order
   uint32_t count = 0;
@@ -28,7 +29,7 @@ struct Caps {
   uint32_t met = 0;             // balls that meet this one, whether or not there was room for their caps
 
   void carve(Workspace &workspace, uint32_t capacity);
-  bool overflowed() const { return met > plane.size(); }
+  bool overflowed() const { return met >= plane.size(); }
 
   // Finds the caps of ball i, whose neighbours lie in the block. Every ball that meets it is joined to it in
   // components, if given.
@@ -37,6 +38,24 @@ struct Caps {
   // A great circle of the sphere in the form of one more cap, number `count`, for cap_pair.hpp. Its errors are those of
   // caps, as its normal is exact.
   void add_great_circle(const exact::Vector &normal) const;
+  // The half of the sphere on the side of the normal as one more cap that counts, of ball no_id; at most one.
+  void add_half_sphere(const exact::Vector &normal);
+
+  // Drops the caps of balls that keep(ball) refuses.
+  template <class Keep>
+  void keep_if(Keep keep) {
+    uint32_t kept = 0;
+    for (uint32_t k = 0; k < count; ++k) {
+      if (!keep(ball[k])) continue;
+      ux[kept] = ux[k];
+      uy[kept] = uy[k];
+      uz[kept] = uz[k];
+      b[kept] = b[k];
+      plane[kept] = plane[k];
+      ball[kept++] = ball[k];
+    }
+    count = kept;
+  }
 
   exact::Predicates predicates() const { return {sphere, length_squared}; }
   // Index of the cap of a ball; it must be there.

@@ -4,7 +4,9 @@ namespace hsp {
 
 namespace {
 
+// A plane that belongs to no ball lies nowhere.
 bool lies_inside(const BallSet &balls, uint32_t inner, uint32_t outer) {
+  if (inner == no_id || outer == no_id) return false;
   return exact::pair_relation(balls.ball(inner), balls.ball(outer)) == exact::PairRelation::first_in_second;
 }
 

@@ -85,54 +85,72 @@ void VertexFinder::carve(Workspace &workspace, uint32_t capacity) {
   state_ = workspace.take<uint8_t>(capacity);
 }
 
+// The groups of test caps that covered the last p- and p+.
+struct VertexFinder::Hints {
+  uint32_t group[2] = {0, 0};
+};
+
+[[gnu::always_inline]] inline void VertexFinder::decide_pair(const BallSet &balls, const Caps &caps, uint32_t j,
+                                                             uint32_t k, Hints &hints,
+                                                             FixedVector<VertexRecord> &vertices) {
+  if ((state_[j] | state_[k]) & covered) return;
+  const CapPair pair(caps, j, k);
+  if (pair.surely_apart()) {
+    if (pair.surely_inside()) state_[j] |= covered;
+    if (pair.surely_contains()) state_[k] |= covered;
+    return;
+  }
+  if (!pair.surely_cross()) {
+    exact::count_answer(exact::Question::vertex_pair, exact::Rung::exact);
+    if (find_vertices_exactly(balls, caps, tests_, j, k, vertices)) {
+      state_[j] |= crossed;
+      state_[k] |= crossed;
+    }
+    return;
+  }
+  state_[j] |= crossed;
+  state_[k] |= crossed;
+  const CrossingPoints points(caps, j, k, pair);
+  PointAnswer answer[2];
+  for (uint32_t point = 0; point < 2; ++point) {
+    answer[point] =
+        test_point(tests_, points.x[point], points.y[point], points.z[point], points.error, hints.group[point]);
+  }
+  if (answer[0] == PointAnswer::unsure || answer[1] == PointAnswer::unsure) {
+    exact::count_answer(exact::Question::vertex_pair, exact::Rung::exact);
+    find_vertices_exactly(balls, caps, tests_, j, k, vertices);
+    return;
+  }
+  exact::count_answer(exact::Question::vertex_pair, exact::Rung::filter);
+  for (uint32_t point = 0; point < 2; ++point) {
+    if (answer[point] != PointAnswer::free) continue;
+    vertices.push({{caps.origin, caps.ball[j], caps.ball[k]}, point == 1 ? VertexRecord::positive_bit : 0U});
+  }
+}
+
+inline void VertexFinder::add_free_circle(const Caps &caps, uint32_t j, FixedVector<CircleRecord> &circles) const {
+  if (state_[j] == 0 && is_free_circle(caps, tests_, j)) circles.push({{caps.origin, caps.ball[j]}, {no_id, no_id}});
+}
+
 void VertexFinder::find(const BallSet &balls, const Caps &caps, FixedVector<VertexRecord> &vertices,
                         FixedVector<CircleRecord> &circles) {
   tests_.fill(caps);
   for (uint32_t j = caps.first_later; j < caps.count; ++j) state_[j] = 0;
+  Hints hints;
+  for (uint32_t j = caps.first_later; j < caps.count; ++j) {
+    for (uint32_t k = j + 1; k < caps.count; ++k) decide_pair(balls, caps, j, k, hints, vertices);
+  }
+  for (uint32_t j = caps.first_later; j < caps.count; ++j) add_free_circle(caps, j, circles);
+}
 
-  uint32_t hint[2] = {0, 0};
-  for (uint32_t j = caps.first_later; j < caps.count; ++j) {
-    for (uint32_t k = j + 1; k < caps.count; ++k) {
-      if ((state_[j] | state_[k]) & covered) continue;
-      const CapPair pair(caps, j, k);
-      if (pair.surely_apart()) {
-        if (pair.surely_inside()) state_[j] |= covered;
-        if (pair.surely_contains()) state_[k] |= covered;
-        continue;
-      }
-      if (!pair.surely_cross()) {
-        exact::count_answer(exact::Question::vertex_pair, exact::Rung::exact);
-        if (find_vertices_exactly(balls, caps, tests_, j, k, vertices)) {
-          state_[j] |= crossed;
-          state_[k] |= crossed;
-        }
-        continue;
-      }
-      state_[j] |= crossed;
-      state_[k] |= crossed;
-      const CrossingPoints points(caps, j, k, pair);
-      PointAnswer answer[2];
-      for (uint32_t point = 0; point < 2; ++point) {
-        answer[point] =
-            test_point(tests_, points.x[point], points.y[point], points.z[point], points.error, hint[point]);
-      }
-      if (answer[0] == PointAnswer::unsure || answer[1] == PointAnswer::unsure) {
-        exact::count_answer(exact::Question::vertex_pair, exact::Rung::exact);
-        find_vertices_exactly(balls, caps, tests_, j, k, vertices);
-        continue;
-      }
-      exact::count_answer(exact::Question::vertex_pair, exact::Rung::filter);
-      for (uint32_t point = 0; point < 2; ++point) {
-        if (answer[point] != PointAnswer::free) continue;
-        vertices.push({{caps.origin, caps.ball[j], caps.ball[k]}, point == 1 ? VertexRecord::positive_bit : 0U});
-      }
-    }
-  }
-  for (uint32_t j = caps.first_later; j < caps.count; ++j) {
-    if (state_[j] == 0 && is_free_circle(caps, tests_, j)) {
-      circles.push({{caps.origin, caps.ball[j]}, {no_id, no_id}});
-    }
-  }
+void VertexFinder::find_on_last(const BallSet &balls, const Caps &caps, FixedVector<VertexRecord> &vertices,
+                                FixedVector<CircleRecord> &circles) {
+  tests_.fill(caps);
+  for (uint32_t j = 0; j < caps.count; ++j) state_[j] = 0;
+  Hints hints;
+  const uint32_t last = caps.count - 1;
+  for (uint32_t j = 0; j < last; ++j) decide_pair(balls, caps, j, last, hints, vertices);
+  add_free_circle(caps, last, circles);
 }
 
 }  // namespace hsp

@@ -24,10 +24,19 @@ struct CapTests {
 class VertexFinder {
  public:
   void carve(Workspace &workspace, uint32_t capacity);
+  // Among caps from caps.first_later on.
   void find(const BallSet &balls, const Caps &caps, FixedVector<VertexRecord> &vertices,
             FixedVector<CircleRecord> &circles);
+  // On the circle of the last cap alone.
+  void find_on_last(const BallSet &balls, const Caps &caps, FixedVector<VertexRecord> &vertices,
+                    FixedVector<CircleRecord> &circles);
 
  private:
+  struct Hints;
+  void decide_pair(const BallSet &balls, const Caps &caps, uint32_t j, uint32_t k, Hints &hints,
+                   FixedVector<VertexRecord> &vertices);
+  void add_free_circle(const Caps &caps, uint32_t j, FixedVector<CircleRecord> &circles) const;
+
   // What is known of a cap while the pairs are gone through.
   static constexpr uint8_t crossed = 1;  // its circle crosses another one, so it is not a free circle
   static constexpr uint8_t covered = 2;  // its circle lies inside another cap, so it has no free point at all
