@@ -8,6 +8,7 @@
 #include "hardsphere.h"
 #include "measure/places.hpp"
 #include "topology/topology.hpp"
+#include "view/view.hpp"
 
 struct hsp_model {
   hsp::CubeGrid grid;
@@ -32,6 +33,14 @@ struct hsp_topology {
   bool complete;
 };
 
+struct hsp_view {
+  hsp::ViewBuilder builder;
+  const hsp_model *model;  // what was computed last, or null
+  uint64_t revision;
+  bool attempted;
+  bool complete;
+};
+
 namespace hsp::capi {
 
 constexpr int32_t to_c(Status status) {
@@ -41,7 +50,7 @@ constexpr int32_t to_c(Status status) {
 static_assert(to_c(Status::ok) == HSP_OK && to_c(Status::argument) == HSP_E_ARGUMENT);
 static_assert(to_c(Status::capacity) == HSP_E_CAPACITY && to_c(Status::memory) == HSP_E_MEMORY);
 static_assert(to_c(Status::state) == HSP_E_STATE && to_c(Status::id) == HSP_E_ID);
-static_assert(to_c(Status::check) == HSP_E_CHECK);
+static_assert(to_c(Status::check) == HSP_E_CHECK && to_c(Status::sink) == HSP_E_SINK);
 static_assert(to_c(Status::not_finite) == HSP_E_NOT_FINITE && to_c(Status::negative) == HSP_E_NEGATIVE);
 static_assert(to_c(Status::range) == HSP_E_RANGE);
 static_assert(no_id == HSP_NONE);
@@ -53,6 +62,10 @@ inline bool has_results(const hsp_boundary &boundary) {
 
 inline bool has_results(const hsp_topology &topology) {
   return topology.complete && topology.computed == topology.boundary->computed && has_results(*topology.boundary);
+}
+
+inline bool has_results(const hsp_view &view) {
+  return view.complete && view.revision == view.model->revision;
 }
 
 // A place in the caller's coordinates.

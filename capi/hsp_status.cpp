@@ -20,6 +20,8 @@ const char *hsp_status_text(int32_t status) {
       return "no such ball";
     case HSP_E_CHECK:
       return "the self-check found a law that does not hold";
+    case HSP_E_SINK:
+      return "the caller's byte sink refused bytes";
     case HSP_E_NOT_FINITE:
       return "a value is NaN or infinite";
     case HSP_E_NEGATIVE:

@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$1"
 # A room may include itself and the rooms before it.
-order="core exact model grid boundary topology measure"
+order="core exact model grid boundary topology measure view picture"
 failed=0
 files=0
 

@@ -27,6 +27,8 @@ function quoted(key,    from, rest) {
 /^edge:/ {
   from = quoted("sourcename")
   to = quoted("targetname")
+  # the caller's sink is the one function that may be called through a pointer; what it takes is not counted
+  if (to == "__indirect_call" && from ~ /8ByteSink5flushEv$/) next
   if (!((from, to) in seen)) {
     seen[from, to] = 1
     callee[from, ++callees[from]] = to

@@ -2,7 +2,7 @@
 # The most stack that each entry point can take, from the compiler's own call graph and frame sizes. Fails on recursion,
 # on frames whose size is known at run time only, on calls through pointers, and beyond the limit.
 #   stack_usage.sh SOURCE-FOLDER WORK-FOLDER G++ LIMIT-IN-BYTES
-# g++ alone writes the call graph (-fcallgraph-info). What memcpy, memset and sqrt take is not counted.
+# g++ alone writes the call graph (-fcallgraph-info). What memcpy, memset, sqrt and a caller's sink take is not counted.
 set -euo pipefail
 export LC_ALL=C
 source=$1 work=$2 cxx=$3 limit=$4

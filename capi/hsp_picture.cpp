@@ -1,0 +1,112 @@
+#include "conversion.hpp"
+#include "picture/palettes.hpp"
+#include "picture/picture.hpp"
+
+namespace {
+
+using hsp::capi::has_results;
+
+static_assert(static_cast<uint32_t>(hsp::PictureFormat::svg) == HSP_FORMAT_SVG &&
+              static_cast<uint32_t>(hsp::PictureFormat::eps) == HSP_FORMAT_EPS &&
+              static_cast<uint32_t>(hsp::PictureFormat::pdf) == HSP_FORMAT_PDF);
+static_assert(static_cast<uint32_t>(hsp::PictureStyle::flat) == HSP_STYLE_FLAT &&
+              static_cast<uint32_t>(hsp::PictureStyle::headlight) == HSP_STYLE_HEADLIGHT &&
+              static_cast<uint32_t>(hsp::PictureStyle::soft) == HSP_STYLE_SOFT);
+static_assert(static_cast<uint32_t>(hsp::Palette::soft) == HSP_PALETTE_SOFT &&
+              static_cast<uint32_t>(hsp::Palette::jmol) == HSP_PALETTE_JMOL &&
+              static_cast<uint32_t>(hsp::Palette::chain) == HSP_PALETTE_CHAIN);
+
+constexpr uint32_t largest_colour = 0xFFFFFF;
+constexpr double longest = 1e6;
+constexpr double largest_margin = 10.0;
+
+hsp_picture_options defaults() {
+  const hsp::PictureOptions chosen;
+  return {sizeof(hsp_picture_options),
+          static_cast<uint32_t>(chosen.format),
+          static_cast<uint32_t>(chosen.style),
+          HSP_UNIT_PX,
+          chosen.width,
+          chosen.height,
+          chosen.margin,
+          chosen.outline,
+          chosen.fog,
+          chosen.outline_colour,
+          chosen.background,
+          0,
+          0};
+}
+
+bool is_valid(const hsp_picture_options &options) {
+  return options.struct_size == sizeof(hsp_picture_options) && options.format <= HSP_FORMAT_PDF &&
+         options.style <= HSP_STYLE_SOFT && options.unit <= HSP_UNIT_MM &&
+         (options.flags & ~(HSP_PICTURE_NO_IDS | HSP_PICTURE_NO_BACKGROUND)) == 0 && options.reserved == 0 &&
+         !(options.width == 0.0 && options.height == 0.0) && options.outline_colour <= largest_colour &&
+         options.background <= largest_colour;
+}
+
+bool is_finite(const hsp_picture_options &options) {
+  return hsp::is_finite(options.width) && hsp::is_finite(options.height) && hsp::is_finite(options.margin) &&
+         hsp::is_finite(options.outline) && hsp::is_finite(options.fog);
+}
+
+bool is_in_range(const hsp_picture_options &options) {
+  const auto within = [](double value, double low, double high) { return low <= value && value <= high; };
+  return within(options.width, 0.0, longest) && within(options.height, 0.0, longest) &&
+         within(options.margin, 0.0, largest_margin) && options.outline <= longest && within(options.fog, 0.0, 1.0);
+}
+
+bool are_colours(const uint32_t *colour, uint32_t n) {
+  for (uint32_t i = 0; i < n; ++i) {
+    if (colour[i] > largest_colour) return false;
+  }
+  return true;
+}
+
+hsp::PictureOptions from_c(const hsp_picture_options &options) {
+  return {static_cast<hsp::PictureFormat>(options.format),
+          static_cast<hsp::PictureStyle>(options.style),
+          options.unit == HSP_UNIT_MM,
+          options.width,
+          options.height,
+          options.margin,
+          options.outline,
+          options.fog,
+          options.outline_colour,
+          options.background,
+          (options.flags & HSP_PICTURE_NO_IDS) == 0,
+          (options.flags & HSP_PICTURE_NO_BACKGROUND) == 0};
+}
+
+}  // namespace
+
+int32_t hsp_picture_options_init(hsp_picture_options *options, uint32_t struct_size) {
+  if (options == nullptr || struct_size != sizeof(hsp_picture_options)) return HSP_E_ARGUMENT;
+  *options = defaults();
+  return HSP_OK;
+}
+
+uint32_t hsp_palette_colour(uint32_t palette, uint32_t atomic_number, uint32_t chain) {
+  const bool known = palette <= HSP_PALETTE_CHAIN;
+  return hsp::palette_colour(known ? static_cast<hsp::Palette>(palette) : hsp::Palette::soft, atomic_number, chain);
+}
+
+int32_t hsp_picture_write(hsp_view *view, const uint32_t *colour, const hsp_picture_options *options, const char *title,
+                          const char *description, hsp_sink sink, void *context, uint64_t *bytes) {
+  if (bytes != nullptr) *bytes = 0;
+  if (view == nullptr || sink == nullptr) return HSP_E_ARGUMENT;
+  const hsp_picture_options wanted = options != nullptr ? *options : defaults();
+  if (!is_valid(wanted)) return HSP_E_ARGUMENT;
+  // Without results the number of colours is not known.
+  const bool ready = has_results(*view);
+  if (ready && colour != nullptr && !are_colours(colour, view->model->grid.balls().n)) return HSP_E_ARGUMENT;
+  if (!is_finite(wanted)) return HSP_E_NOT_FINITE;
+  if (!is_in_range(wanted)) return HSP_E_RANGE;
+  if (!ready) return HSP_E_STATE;
+  const hsp::ViewStructure &structure = view->builder.structure();
+  uint64_t taken = 0;
+  const hsp::Status status = hsp::write_picture({view->model->grid.balls(), structure, colour, title, description},
+                                                from_c(wanted), structure.scratch, sink, context, taken);
+  if (bytes != nullptr) *bytes = taken;
+  return hsp::capi::to_c(status);
+}

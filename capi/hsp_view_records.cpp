@@ -1,0 +1,131 @@
+#include "conversion.hpp"
+#include "core/elementary.hpp"
+#include "view/plane_arcs.hpp"
+
+namespace {
+
+using hsp::capi::check_request;
+using hsp::capi::has_results;
+
+// The library keeps loops and arcs in the order of the grid; here they come in the order of the pieces.
+
+// Lengths of a view in the caller's unit.
+struct ViewLengths {
+  const hsp::exact::Lattice &lattice;
+
+  double operator()(double steps) const { return lattice.length(steps); }
+  void point(const double steps[2], double out[2]) const {
+    out[0] = lattice.length(steps[0]);
+    out[1] = lattice.length(steps[1]);
+  }
+};
+
+double length_of(const double v[2]) {
+  return std::sqrt(v[0] * v[0] + v[1] * v[1]);
+}
+
+void copy(const hsp::exact::DoubleVector &v, double out[3]) {
+  out[0] = v.x;
+  out[1] = v.y;
+  out[2] = v.z;
+}
+
+hsp_view_arc to_c(const hsp::BallSet &balls, const hsp::PlaneArc &arc, uint32_t piece) {
+  const ViewLengths length{balls.lattice};
+  hsp_view_arc out{};
+  length.point(arc.ellipse.centre, out.centre);
+  out.semi_axis[0] = length(length_of(arc.ellipse.major));
+  out.semi_axis[1] = length(length_of(arc.ellipse.minor));
+  out.rotation = hsp::arc_tangent(arc.ellipse.major[1], arc.ellipse.major[0]);
+  out.from = arc.from;
+  out.to = arc.to;
+  length.point(arc.start, out.start);
+  length.point(arc.end, out.end);
+  out.piece = piece;
+  out.across = arc.across == hsp::no_id ? HSP_NONE : balls.caller[arc.across];
+  return out;
+}
+
+}  // namespace
+
+int32_t hsp_view_get_info(const hsp_view *view, hsp_view_info *info) {
+  if (view == nullptr || info == nullptr) return HSP_E_ARGUMENT;
+  if (!has_results(*view)) return HSP_E_STATE;
+  const hsp::BallSet &balls = view->model->grid.balls();
+  const hsp::ViewStructure &structure = view->builder.structure();
+  const ViewLengths length{balls.lattice};
+  *info = {};
+  copy(structure.frame.origin, info->origin);
+  for (double &coordinate : info->origin) coordinate = length(coordinate);
+  copy(structure.frame.right, info->right);
+  copy(structure.frame.up, info->up);
+  copy(structure.frame.towards, info->towards);
+  const hsp::ViewBox box = hsp::box_of(balls, structure);
+  length.point(box.low, info->low);
+  length.point(box.high, info->high);
+  info->depth_low = length(box.depth_low);
+  info->depth_high = length(box.depth_high);
+  info->pieces = structure.pieces.size();
+  info->loops = structure.loops.size();
+  info->arcs = structure.arcs.size();
+  info->kind = view->builder.kind() == hsp::PieceKind::outside_all ? HSP_PIECES_H : HSP_PIECES_G;
+  return HSP_OK;
+}
+
+int32_t hsp_view_get_pieces(const hsp_view *view, hsp_view_piece *out, uint32_t capacity, uint32_t *needed) {
+  const int32_t status = check_request(view, out, capacity, needed,
+                                       [](const hsp_view &handle) { return handle.builder.structure().pieces.size(); });
+  if (status != HSP_OK) return status;
+  const hsp::BallSet &balls = view->model->grid.balls();
+  const hsp::ViewStructure &structure = view->builder.structure();
+  const ViewLengths length{balls.lattice};
+  uint32_t loops = 0;
+  uint32_t arcs = 0;
+  for (uint32_t p = 0; p < structure.pieces.size(); ++p) {
+    const hsp::PieceRecord &piece = structure.pieces[p];
+    const hsp::exact::DoubleVector centre = structure.frame.centre_of(balls, piece.ball);
+    out[p] = {{length(centre.x), length(centre.y)},
+              length(centre.z),
+              length(balls.r[piece.ball]),
+              balls.caller[piece.ball],
+              loops,
+              piece.loops,
+              arcs,
+              piece.arcs,
+              0};
+    loops += piece.loops;
+    arcs += piece.arcs;
+  }
+  return HSP_OK;
+}
+
+int32_t hsp_view_get_loops(const hsp_view *view, hsp_view_loop *out, uint32_t capacity, uint32_t *needed) {
+  const int32_t status = check_request(view, out, capacity, needed,
+                                       [](const hsp_view &handle) { return handle.builder.structure().loops.size(); });
+  if (status != HSP_OK) return status;
+  const hsp::ViewStructure &structure = view->builder.structure();
+  uint32_t written = 0;
+  uint32_t arcs = 0;
+  for (uint32_t p = 0; p < structure.pieces.size(); ++p) {
+    for (uint32_t loop = structure.pieces[p].first_loop; loop < structure.end_of_loops(p); ++loop) {
+      const uint32_t length = structure.end_of_arcs(loop) - structure.loops[loop];
+      out[written++] = {p, arcs, length, 0};
+      arcs += length;
+    }
+  }
+  return HSP_OK;
+}
+
+int32_t hsp_view_get_arcs(const hsp_view *view, hsp_view_arc *out, uint32_t capacity, uint32_t *needed) {
+  const int32_t status = check_request(view, out, capacity, needed,
+                                       [](const hsp_view &handle) { return handle.builder.structure().arcs.size(); });
+  if (status != HSP_OK) return status;
+  const hsp::BallSet &balls = view->model->grid.balls();
+  const hsp::ViewStructure &structure = view->builder.structure();
+  uint32_t written = 0;
+  for (uint32_t p = 0; p < structure.pieces.size(); ++p) {
+    hsp::visit_arcs(balls, structure, p,
+                    [&](const hsp::PlaneArc &arc, bool, bool) { out[written++] = to_c(balls, arc, p); });
+  }
+  return HSP_OK;
+}

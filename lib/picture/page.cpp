@@ -1,0 +1,76 @@
+#include "picture/page.hpp"
+
+#include "core/elementary.hpp"
+
+namespace hsp {
+namespace {
+
+// The least and the most that a side which follows from the other one can become, in units.
+constexpr double shortest_side = 0.01;
+constexpr double longest_side = 1e6;
+
+double clamped(double value, double low, double high) {
+  return value < low ? low : value > high ? high : value;
+}
+
+// Lines that suit the balls: .9 px where their mean radius is 34 px.
+double chosen_line(const PictureInput &input, double scale) {
+  const uint32_t pieces = input.view.pieces.size();
+  if (pieces == 0) return 0.9;
+  double sum = 0.0;
+  for (uint32_t p = 0; p < pieces; ++p) sum += input.balls.r[input.view.pieces[p].ball];
+  return 0.9 * clamped(std::sqrt(sum / pieces * scale / 34.0), 0.45, 1.9);
+}
+
+}  // namespace
+
+PagePoint PageArc::at(double t) const {
+  const Direction d = direction_of(t);
+  return {centre.x + d.cosine * major.x + d.sine * minor.x, centre.y + d.cosine * major.y + d.sine * minor.y};
+}
+
+PageArc Page::place(const PlaneArc &arc) const {
+  const PlaneEllipse &e = arc.ellipse;
+  const PagePoint major{e.major[0] * scale, e.major[1] * scale};
+  const PagePoint minor{e.minor[0] * scale, e.minor[1] * scale};
+  return {place(e.centre),
+          major,
+          minor,
+          {std::sqrt(major.x * major.x + major.y * major.y), std::sqrt(minor.x * minor.x + minor.y * minor.y)},
+          arc.from,
+          arc.to,
+          place(arc.start),
+          place(arc.end),
+          arc.across == no_id};
+}
+
+Page lay_out(const PictureInput &input, const PictureOptions &options) {
+  const ViewBox box = box_of(input.balls, input.view);
+  const double size[2] = {box.high[0] - box.low[0], box.high[1] - box.low[1]};
+  const double margin = options.margin * (size[0] > size[1] ? size[0] : size[1]);
+  const double framed[2] = {size[0] + 2 * margin, size[1] + 2 * margin};
+  const bool empty = input.view.pieces.size() == 0;
+  double width = options.width;
+  double height = options.height;
+  if (height == 0.0) height = empty ? width : clamped(width * (framed[1] / framed[0]), shortest_side, longest_side);
+  if (width == 0.0) width = empty ? height : clamped(height * (framed[0] / framed[1]), shortest_side, longest_side);
+
+  Page page;
+  page.unit = options.millimetres ? px_per_millimetre : 1.0;
+  page.width = width * page.unit;
+  page.height = height * page.unit;
+  page.scale = 0.0;
+  if (!empty) {
+    const double by_width = page.width / framed[0];
+    const double by_height = page.height / framed[1];
+    page.scale = by_width < by_height ? by_width : by_height;
+  }
+  for (int k = 0; k < 2; ++k) page.middle[k] = box.low[k] + size[k] / 2;
+  page.line = options.outline < 0.0 ? chosen_line(input, page.scale) : options.outline * page.unit;
+  page.farthest = box.depth_low;
+  page.nearest = box.depth_high;
+  page.decimals = decimals_for((page.width > page.height ? page.width : page.height) / 1e4, 2, 6);
+  return page;
+}
+
+}  // namespace hsp

@@ -1,0 +1,77 @@
+// Where things lie on the page: px (1/96 inch) from its lower left corner, y up.
+#pragma once
+
+#include "picture/picture_input.hpp"
+#include "view/plane_arcs.hpp"
+
+namespace hsp {
+
+constexpr double points_per_px = 0.75;
+constexpr double px_per_millimetre = 480.0 / 127.0;
+
+struct PagePoint {
+  double x, y;
+};
+
+// The points centre + cos t major + sin t minor for t from `from` to `to`, which is less if the arc runs clockwise.
+struct PageArc {
+  PagePoint centre, major, minor;
+  double semi_axis[2];
+  double from, to;
+  PagePoint start, end;
+  bool circle;
+
+  PagePoint at(double t) const;
+  double span() const { return to > from ? to - from : from - to; }
+};
+
+struct Page {
+  double width, height;
+  double unit;               // px per unit of the options
+  double scale;              // px per lattice step
+  double middle[2];          // what lies in the middle of the page, in view coordinates
+  double line;               // width of the lines, px
+  double farthest, nearest;  // depths of centres, lattice steps
+  int decimals;              // that make steps of at most width / 10 000
+
+  PagePoint place(const double point[2]) const {
+    return {(point[0] - middle[0]) * scale + width / 2, (point[1] - middle[1]) * scale + height / 2};
+  }
+  PageArc place(const PlaneArc &arc) const;
+};
+
+Page lay_out(const PictureInput &input, const PictureOptions &options);
+
+// Pieces that leave no part of a span longer than `most`.
+inline uint32_t parts_of(double span, double most) {
+  uint32_t parts = 1;
+  while (span > most * parts) ++parts;
+  return parts;
+}
+
+// The smallest number of decimals, at least `decimals`, whose unit is at most `step`.
+inline int decimals_for(double step, int decimals, int most) {
+  while (decimals < most && 1.0 > step * exact::decade[decimals]) ++decimals;
+  return decimals;
+}
+
+// An ellipse narrower than this is drawn as a line: renderers are not to be trusted with it.
+constexpr double narrowest_ellipse = 1e-4;
+
+// Calls visit(point) for the corners of the line that a flat ellipse's arc is: the ends of the major axis that it
+// passes, so that it is seen in its full length, then its end.
+template <class Visit>
+void visit_line(const PageArc &arc, Visit visit) {
+  const bool forward = arc.to > arc.from;
+  // Parameters are within two turns.
+  for (int k = -4; k <= 4; ++k) {
+    const int half_turns = forward ? k : -k;
+    const double t = half_turns * pi;
+    if (forward ? t <= arc.from || t >= arc.to : t >= arc.from || t <= arc.to) continue;
+    const double side = half_turns % 2 == 0 ? 1.0 : -1.0;
+    visit(PagePoint{arc.centre.x + side * arc.major.x, arc.centre.y + side * arc.major.y});
+  }
+  visit(arc.end);
+}
+
+}  // namespace hsp

@@ -1,0 +1,78 @@
+#include "picture/paint.hpp"
+
+#include "core/sorting.hpp"
+
+namespace hsp {
+namespace {
+
+// Lines keep more of their colour than balls do.
+constexpr double fog_on_lines = 0.7;
+
+}  // namespace
+
+Paint::Paint(const PictureInput &input, const PictureOptions &options, const Page &page, Span<uint32_t> scratch)
+    : input_(input),
+      style_(options.style),
+      lines_(page.line > 0.0),
+      fog_(options.fog),
+      background_(options.background),
+      outline_(options.outline_colour),
+      farthest_(page.farthest),
+      nearest_(page.nearest),
+      shading_(options.style == PictureStyle::soft) {
+  if (flat()) return;
+  const uint32_t pieces = input.view.pieces.size();
+  for (uint32_t p = 0; p < pieces; ++p) scratch[p] = key_of(p);
+  sort_in_place(scratch.part(0, pieces), [](uint32_t a, uint32_t b) { return a < b; });
+  uint32_t distinct = 0;
+  for (uint32_t p = 0; p < pieces; ++p) {
+    if (p == 0 || scratch[p] != scratch[distinct - 1]) scratch[distinct++] = scratch[p];
+  }
+  shades_ = scratch.part(0, distinct);
+}
+
+// f^(5/4), f = 0 at the nearest and 1 at the farthest centre.
+double Paint::fog_share(uint32_t piece) const {
+  if (!(nearest_ > farthest_)) return 0.0;
+  const double depth = input_.view.frame.centre_of(input_.balls, input_.view.pieces[piece].ball).z;
+  const double f = (nearest_ - depth) / (nearest_ - farthest_);
+  if (!(f > 0.0)) return 0.0;
+  return f < 1.0 ? f * std::sqrt(std::sqrt(f)) : 1.0;
+}
+
+uint32_t Paint::fog_level(uint32_t piece) const {
+  return fog_ > 0.0 ? static_cast<uint32_t>(fog_levels * fog_share(piece) + 0.5) : 0;
+}
+
+uint32_t Paint::flat_colour(uint32_t piece) const {
+  return mixed(input_.colour_of(input_.view.pieces[piece].ball), background_, fog_ * fog_share(piece));
+}
+
+uint32_t Paint::line_colour(uint32_t level) const {
+  return mixed(outline_, background_, fog_on_lines * fog_ * level / fog_levels);
+}
+
+uint32_t Paint::key_of(uint32_t piece) const {
+  return fog_level(piece) << 24 | input_.colour_of(input_.view.pieces[piece].ball);
+}
+
+uint32_t Paint::shade_of(uint32_t piece) const {
+  const uint32_t key = key_of(piece);
+  uint32_t low = 0;
+  for (uint32_t high = shades_.size(); low < high;) {
+    const uint32_t middle = low + (high - low) / 2;
+    if (shades_[middle] < key) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return low;
+}
+
+uint32_t Paint::shade_colour(uint32_t shade, uint32_t stop) const {
+  const Rgb lit = shading_.lit(unpacked(shades_[shade] & 0xFFFFFF), stop);
+  return packed(mixed(lit, unpacked(background_), fog_ * (shades_[shade] >> 24) / fog_levels));
+}
+
+}  // namespace hsp

@@ -1,0 +1,50 @@
+// Which colour each piece gets: the ball's own, the light on it, and fog.
+#pragma once
+
+#include "picture/page.hpp"
+#include "picture/shading.hpp"
+
+namespace hsp {
+
+// Gradients and lines know so many levels of fog beside none. Fog is rounded before it is mixed in: channels rounded
+// one by one would turn greys into tints.
+constexpr uint32_t fog_levels = 10;
+
+class Paint {
+ public:
+  // scratch: as many entries as there are pieces.
+  Paint(const PictureInput &input, const PictureOptions &options, const Page &page, Span<uint32_t> scratch);
+
+  // Every piece in one colour, or shades.
+  bool flat() const { return style_ == PictureStyle::flat; }
+  bool lines() const { return lines_; }
+  uint32_t background() const { return background_; }
+
+  uint32_t flat_colour(uint32_t piece) const;
+
+  // The different shades, and which of them a piece has. None if the style is flat.
+  const Shading &shading() const { return shading_; }
+  uint32_t shades() const { return shades_.size(); }
+  uint32_t shade_of(uint32_t piece) const;
+  uint32_t shade_colour(uint32_t shade, uint32_t stop) const;
+
+  // Lines fade, too; never increases in drawing order.
+  uint32_t fog_level(uint32_t piece) const;
+  uint32_t line_colour(uint32_t level) const;
+
+ private:
+  // How far into the fog, from 0 to 1.
+  double fog_share(uint32_t piece) const;
+  uint32_t key_of(uint32_t piece) const;
+
+  const PictureInput &input_;
+  PictureStyle style_;
+  bool lines_;
+  double fog_;
+  uint32_t background_, outline_;
+  double farthest_, nearest_;
+  Shading shading_;
+  Span<uint32_t> shades_;  // fog level and colour, ascending
+};
+
+}  // namespace hsp

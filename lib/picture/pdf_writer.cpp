@@ -1,0 +1,243 @@
+#include "picture/pdf_writer.hpp"
+
+#include "core/elementary.hpp"
+#include "picture/escaped_text.hpp"
+#include "picture/number_text.hpp"
+
+namespace hsp {
+namespace {
+
+// A cubic with handles 4/3 tan(d/4) stays within 4.3e-6 of the semi-axis of an arc of d = 45 degrees.
+constexpr double longest_cubic = pi / 4 * (1 + 1e-12);
+
+constexpr uint32_t catalog = 1, page_tree = 2, only_page = 3, resources = 4, contents = 5, length = 6, about = 7;
+constexpr uint32_t objects = 7;
+
+class PdfWriter {
+ public:
+  PdfWriter(ByteSink &sink, const PictureInput &input, const PictureOptions &options, const Page &page,
+            const Paint &paint)
+      : sink_(sink), input_(input), options_(options), page_(page), paint_(paint), decimals_(page.decimals + 2) {}
+
+  void write() {
+    sink_.put("%PDF-1.4\n");
+    put_structure();
+    begin(resources);
+    put_resources();
+    end();
+    begin(contents);
+    sink_.put("<</Length 6 0 R>>\nstream\n");
+    const uint64_t start = sink_.position();
+    put_contents();
+    const uint64_t bytes = sink_.position() - start;
+    sink_.put("endstream");
+    end();
+    begin(length);
+    put_integer(sink_, bytes);
+    end();
+    begin(about);
+    put_about();
+    end();
+    put_trailer();
+  }
+
+ private:
+  void begin(uint32_t object) {
+    offset_[object] = sink_.position();
+    put_integer(sink_, object);
+    sink_.put(" 0 obj\n");
+  }
+  void end() { sink_.put("\nendobj\n"); }
+
+  void put_number(double value, int decimals) {
+    put_decimal(sink_, value, decimals);
+    sink_.put(' ');
+  }
+  void put_point(const PagePoint &point) {
+    put_number(point.x, decimals_);
+    put_number(point.y, decimals_);
+  }
+  void put_channels(uint32_t colour) {
+    for (const double channel : unpacked(colour).channel) put_number(channel / 255.0, 3);
+  }
+
+  void put_structure() {
+    begin(catalog);
+    sink_.put("<</Type/Catalog/Pages 2 0 R>>");
+    end();
+    begin(page_tree);
+    sink_.put("<</Type/Pages/Kids[3 0 R]/Count 1>>");
+    end();
+    begin(only_page);
+    sink_.put("<</Type/Page/Parent 2 0 R/Resources 4 0 R/Contents 5 0 R/MediaBox[0 0 ");
+    put_number(page_.width * points_per_px, 6);
+    put_decimal(sink_, page_.height * points_per_px, 6);
+    sink_.put("]>>");
+    end();
+  }
+
+  void put_resources() {
+    sink_.put("<</ProcSet[/PDF]");
+    if (paint_.shades() > 0) {
+      sink_.put("/Shading<<\n");
+      for (uint32_t s = 0; s < paint_.shades(); ++s) put_shade(s);
+      sink_.put(">>");
+    }
+    sink_.put(">>");
+  }
+
+  void put_shade(uint32_t shade) {
+    const Shading &shading = paint_.shading();
+    sink_.put("/S");
+    put_integer(sink_, shade);
+    sink_.put("<</ShadingType 3/ColorSpace/DeviceRGB/Extend[true true]/Coords[");
+    put_number(shading.focus_x(), 3);
+    put_number(shading.focus_y(), 3);
+    sink_.put("0 0 0 1]/Function<</FunctionType 3/Domain[0 1]/Bounds[");
+    for (uint32_t stop = 1; stop < shading.intervals(); ++stop) put_number(shading.offset(stop), 6);
+    sink_.put("]/Encode[");
+    for (uint32_t k = 0; k < shading.intervals(); ++k) sink_.put("0 1 ");
+    sink_.put("]/Functions[\n");
+    for (uint32_t k = 0; k < shading.intervals(); ++k) {
+      sink_.put("<</FunctionType 2/Domain[0 1]/N 1/C0[");
+      put_channels(paint_.shade_colour(shade, k));
+      sink_.put("]/C1[");
+      put_channels(paint_.shade_colour(shade, k + 1));
+      sink_.put("]>>\n");
+    }
+    sink_.put("]>>>>\n");
+  }
+
+  void put_contents() {
+    sink_.put(".75 0 0 .75 0 0 cm 1 j ");
+    put_number(page_.line, 4);
+    sink_.put("w\n");
+    if (options_.backdrop) {
+      put_channels(paint_.background());
+      sink_.put("rg 0 0 ");
+      put_number(page_.width, 6);
+      put_number(page_.height, 6);
+      sink_.put("re f\n");
+    }
+    uint32_t level = fog_levels + 1;  // of the colour in use, or of none
+    for (uint32_t p = 0; p < input_.view.pieces.size(); ++p) {
+      if (paint_.lines() && paint_.fog_level(p) != level) {
+        level = paint_.fog_level(p);
+        put_channels(paint_.line_colour(level));
+        sink_.put("RG\n");
+      }
+      if (paint_.flat()) {
+        put_channels(paint_.flat_colour(p));
+        sink_.put("rg\n");
+        put_path(p);
+        sink_.put(paint_.lines() ? "B\n" : "f\n");
+      } else {
+        put_shaded(p);
+      }
+    }
+  }
+
+  // The path twice: painting ends it, and a line along it must not be clipped by it.
+  void put_shaded(uint32_t piece) {
+    const uint32_t ball = input_.view.pieces[piece].ball;
+    const exact::DoubleVector centre = input_.view.frame.centre_of(input_.balls, ball);
+    const double place[2] = {centre.x, centre.y};
+    sink_.put("q\n");
+    put_path(piece);
+    sink_.put("W n ");
+    // A scale of 0 would be an error.
+    const int64_t rounded = scaled(input_.balls.r[ball] * page_.scale, decimals_);
+    const int64_t radius = rounded > 0 ? rounded : 1;
+    put_scaled(sink_, radius, decimals_);
+    sink_.put(" 0 0 ");
+    put_scaled(sink_, radius, decimals_);
+    sink_.put(' ');
+    put_point(page_.place(place));
+    sink_.put("cm /S");
+    put_integer(sink_, paint_.shade_of(piece));
+    sink_.put(" sh Q\n");
+    if (!paint_.lines()) return;
+    put_path(piece);
+    sink_.put("S\n");
+  }
+
+  void put_path(uint32_t piece) {
+    visit_arcs(input_.balls, input_.view, piece, [&](const PlaneArc &plane_arc, bool first, bool last) {
+      const PageArc arc = page_.place(plane_arc);
+      if (first) {
+        put_point(arc.start);
+        sink_.put("m\n");
+      }
+      put_cubics(arc);
+      if (last) sink_.put("h\n");
+    });
+  }
+
+  void put_cubics(const PageArc &arc) {
+    const uint32_t parts = parts_of(arc.span(), longest_cubic);
+    const double step = (arc.to - arc.from) / parts;
+    const Direction quarter = direction_of(step / 4);
+    const double handle = 4.0 / 3.0 * quarter.sine / quarter.cosine;
+    PagePoint from = arc.start;
+    Direction direction = direction_of(arc.from);
+    for (uint32_t k = 1; k <= parts; ++k) {
+      const double t = arc.from + step * k;
+      const Direction next = direction_of(t);
+      const PagePoint to = k == parts ? arc.end : arc.at(t);
+      put_point(beside(arc, from, direction, handle));
+      put_point(beside(arc, to, next, -handle));
+      put_point(to);
+      sink_.put("c\n");
+      from = to;
+      direction = next;
+    }
+  }
+
+  // A point of the arc, moved along the tangent.
+  static PagePoint beside(const PageArc &arc, const PagePoint &point, const Direction &d, double handle) {
+    return {point.x + handle * (d.cosine * arc.minor.x - d.sine * arc.major.x),
+            point.y + handle * (d.cosine * arc.minor.y - d.sine * arc.major.y)};
+  }
+
+  void put_about() {
+    sink_.put("<</Producer(hardsphere)");
+    if (!is_blank(input_.title)) {
+      sink_.put("/Title");
+      put_parenthesized(sink_, input_.title);
+    }
+    if (!is_blank(input_.description)) {
+      sink_.put("/Subject");
+      put_parenthesized(sink_, input_.description);
+    }
+    sink_.put(">>");
+  }
+
+  void put_trailer() {
+    const uint64_t start = sink_.position();
+    sink_.put("xref\n0 8\n0000000000 65535 f \n");
+    for (uint32_t object = 1; object <= objects; ++object) {
+      put_integer(sink_, offset_[object], 10);
+      sink_.put(" 00000 n \n");
+    }
+    sink_.put("trailer\n<</Size 8/Root 1 0 R/Info 7 0 R>>\nstartxref\n");
+    put_integer(sink_, start);
+    sink_.put("\n%%EOF\n");
+  }
+
+  ByteSink &sink_;
+  const PictureInput &input_;
+  const PictureOptions &options_;
+  const Page &page_;
+  const Paint &paint_;
+  int decimals_;
+  uint64_t offset_[objects + 1] = {};
+};
+
+}  // namespace
+
+void write_pdf(ByteSink &sink, const PictureInput &input, const PictureOptions &options, const Page &page,
+               const Paint &paint) {
+  PdfWriter(sink, input, options, page, paint).write();
+}
+
+}  // namespace hsp

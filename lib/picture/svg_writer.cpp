@@ -1,0 +1,233 @@
+#include "picture/svg_writer.hpp"
+
+#include "core/elementary.hpp"
+#include "picture/escaped_text.hpp"
+#include "picture/number_text.hpp"
+
+namespace hsp {
+namespace {
+
+// Arcs given by their ends are badly conditioned near half a turn.
+constexpr double longest_span = 0.9 * pi;
+
+constexpr int finest_decimals = 10;
+
+class SvgWriter {
+ public:
+  SvgWriter(ByteSink &sink, const PictureInput &input, const PictureOptions &options, const Page &page,
+            const Paint &paint)
+      : sink_(sink), input_(input), options_(options), page_(page), paint_(paint) {}
+
+  void write() {
+    put_head();
+    if (!paint_.flat()) put_gradients();
+    put_pieces();
+    sink_.put("</svg>\n");
+  }
+
+ private:
+  void put_attribute(const char *name, double value, int decimals) {
+    sink_.put(name);
+    sink_.put("=\"");
+    put_decimal(sink_, value, decimals);
+    sink_.put('"');
+  }
+  void put_paint(const char *name, uint32_t colour) {
+    sink_.put(name);
+    sink_.put("=\"#");
+    put_colour(sink_, colour);
+    sink_.put('"');
+  }
+  void put_element(const char *name, const char *text) {
+    if (is_blank(text)) return;
+    sink_.put('<');
+    sink_.put(name);
+    sink_.put('>');
+    put_xml_text(sink_, text);
+    sink_.put("</");
+    sink_.put(name);
+    sink_.put(">\n");
+  }
+  void put_length(const char *name, double length) {
+    sink_.put(name);
+    sink_.put("=\"");
+    put_decimal(sink_, length / page_.unit, 6);
+    sink_.put(options_.millimetres ? "mm\"" : "px\"");
+  }
+
+  void put_head() {
+    sink_.put("<svg xmlns=\"http://www.w3.org/2000/svg\"");
+    if (!paint_.flat()) sink_.put(" xmlns:xlink=\"http://www.w3.org/1999/xlink\"");
+    put_length(" width", page_.width);
+    put_length(" height", page_.height);
+    sink_.put(" viewBox=\"0 0 ");
+    put_decimal(sink_, page_.width, 6);
+    sink_.put(' ');
+    put_decimal(sink_, page_.height, 6);
+    sink_.put("\">\n");
+    put_element("title", input_.title);
+    put_element("desc", input_.description);
+    if (!options_.backdrop) return;
+    put_attribute("<rect width", page_.width, 6);
+    put_attribute(" height", page_.height, 6);
+    put_paint(" fill", paint_.background());
+    sink_.put("/>\n");
+  }
+
+  // A gradient of the unit disc for each shade, and one for each ball that refers to it and puts it into place.
+  void put_gradients() {
+    const Shading &shading = paint_.shading();
+    sink_.put("<defs>\n");
+    for (uint32_t s = 0; s < paint_.shades(); ++s) {
+      sink_.put("<radialGradient id=\"g");
+      put_integer(sink_, s);
+      sink_.put("\" gradientUnits=\"userSpaceOnUse\" cx=\"0\" cy=\"0\" r=\"1\"");
+      put_attribute(" fx", shading.focus_x(), 3);
+      put_attribute(" fy", -shading.focus_y(), 3);
+      sink_.put(">");
+      for (uint32_t stop = 0; stop <= shading.intervals(); ++stop) {
+        put_attribute("<stop offset", shading.offset(stop), 6);
+        put_paint(" stop-color", paint_.shade_colour(s, stop));
+        sink_.put("/>");
+      }
+      sink_.put("</radialGradient>\n");
+    }
+    for (uint32_t p = 0; p < input_.view.pieces.size(); ++p) {
+      const uint32_t ball = input_.view.pieces[p].ball;
+      const exact::DoubleVector centre = input_.view.frame.centre_of(input_.balls, ball);
+      const double place[2] = {centre.x, centre.y};
+      const PagePoint at = page_.place(place);
+      sink_.put("<radialGradient id=\"b");
+      put_integer(sink_, p);
+      sink_.put("\" xlink:href=\"#g");
+      put_integer(sink_, paint_.shade_of(p));
+      sink_.put("\" gradientTransform=\"translate(");
+      put_decimal(sink_, at.x, page_.decimals);
+      sink_.put(' ');
+      put_decimal(sink_, page_.height - at.y, page_.decimals);
+      sink_.put(")scale(");
+      // Renderers fail on a scale of 0.
+      const int64_t radius = scaled(input_.balls.r[ball] * page_.scale, page_.decimals);
+      put_scaled(sink_, radius > 0 ? radius : 1, page_.decimals);
+      sink_.put(")\"/>\n");
+    }
+    sink_.put("</defs>\n");
+  }
+
+  // A group of its own for each colour of lines.
+  void put_group(uint32_t level) {
+    sink_.put("<g");
+    if (paint_.lines()) {
+      put_paint(" stroke", paint_.line_colour(level));
+      put_attribute(" stroke-width", page_.line, 4);
+      sink_.put(" stroke-linejoin=\"round\"");
+    }
+    sink_.put(">\n");
+  }
+
+  void put_pieces() {
+    uint32_t level = fog_levels + 1;  // of the open group, or of none
+    for (uint32_t p = 0; p < input_.view.pieces.size(); ++p) {
+      const uint32_t own = paint_.lines() ? paint_.fog_level(p) : 0;
+      if (own != level) {
+        if (level <= fog_levels) sink_.put("</g>\n");
+        put_group(own);
+        level = own;
+      }
+      sink_.put("<path");
+      if (options_.ids) {
+        sink_.put(" data-ball=\"");
+        put_integer(sink_, input_.balls.caller[input_.view.pieces[p].ball]);
+        sink_.put('"');
+      }
+      if (paint_.flat()) {
+        put_paint(" fill", paint_.flat_colour(p));
+      } else {
+        sink_.put(" fill=\"url(#b");
+        put_integer(sink_, p);
+        sink_.put(")\"");
+      }
+      sink_.put(" d=\"");
+      put_path(p);
+      sink_.put("\"/>\n");
+    }
+    if (level <= fog_levels) sink_.put("</g>\n");
+  }
+
+  // A renderer finds the centre of an arc from its ends. Rounding these by u moves the centre of an ellipse with
+  // semi-axes a > b along the major axis by about u a / b, hence the finer the flatter the ellipse.
+  int decimals_of(uint32_t piece) const {
+    int decimals = page_.decimals;
+    visit_arcs(input_.balls, input_.view, piece, [&](const PlaneArc &plane_arc, bool, bool) {
+      const PageArc arc = page_.place(plane_arc);
+      if (arc.semi_axis[1] < narrowest_ellipse) return;
+      const double flatness = arc.semi_axis[1] / arc.semi_axis[0];
+      decimals = decimals_for((flatness < 1.0 ? flatness : 1.0) / 10, decimals, finest_decimals);
+    });
+    return decimals;
+  }
+
+  void put_path(uint32_t piece) {
+    const int decimals = decimals_of(piece);
+    visit_arcs(input_.balls, input_.view, piece, [&](const PlaneArc &plane_arc, bool first, bool last) {
+      const PageArc arc = page_.place(plane_arc);
+      if (first) {
+        sink_.put('M');
+        put_point(arc.start, decimals);
+      }
+      if (arc.semi_axis[1] < narrowest_ellipse) {
+        visit_line(arc, [&](const PagePoint &point) {
+          sink_.put('L');
+          put_point(point, decimals);
+        });
+      } else {
+        put_arc(arc, decimals);
+      }
+      if (last) sink_.put('Z');
+    });
+  }
+
+  void put_point(const PagePoint &point, int decimals) {
+    put_decimal(sink_, point.x, decimals);
+    sink_.put(' ');
+    put_decimal(sink_, page_.height - point.y, decimals);
+  }
+
+  // Counter-clockwise with y up is sweep 0 with y down. No part is longer than half a turn, hence no large arc.
+  void put_arc(const PageArc &arc, int decimals) {
+    double rotation = 0.0;
+    if (!arc.circle) {
+      rotation = arc_tangent(-arc.major.y, arc.major.x) * (180.0 / pi);
+      rotation += rotation > 90.0 ? -180.0 : rotation <= -90.0 ? 180.0 : 0.0;
+    }
+    // The ends of the major axis shall move as little as by the rounding of the points.
+    const double step = 60.0 / (arc.semi_axis[0] * exact::decade[decimals]);
+    const int rotation_decimals = decimals_for(step, 0, finest_decimals);
+    const uint32_t parts = parts_of(arc.span(), longest_span);
+    for (uint32_t k = 1; k <= parts; ++k) {
+      sink_.put('A');
+      put_decimal(sink_, arc.semi_axis[0], decimals);
+      sink_.put(' ');
+      put_decimal(sink_, arc.semi_axis[1], decimals);
+      sink_.put(' ');
+      put_decimal(sink_, rotation, rotation_decimals);
+      sink_.put(arc.to > arc.from ? " 0 0 " : " 0 1 ");
+      put_point(k == parts ? arc.end : arc.at(arc.from + (arc.to - arc.from) * k / parts), decimals);
+    }
+  }
+
+  ByteSink &sink_;
+  const PictureInput &input_;
+  const PictureOptions &options_;
+  const Page &page_;
+  const Paint &paint_;
+};
+
+}  // namespace
+
+void write_svg(ByteSink &sink, const PictureInput &input, const PictureOptions &options, const Page &page,
+               const Paint &paint) {
+  SvgWriter(sink, input, options, page, paint).write();
+}
+
+}  // namespace hsp

@@ -1,0 +1,59 @@
+// A grid over the view plane that holds for each cell a depth below which nothing is seen, because one ball fills the
+// cell above it. A ball whose front lies below that depth wherever it appears is hidden. All comparisons carry a margin
+// for rounding, so what is found hidden is hidden; not everything hidden is found. Coarse cells of 4 x 4 cells hold the
+// lowest floor among them, which suffices for whatever lies deep inside.
+#pragma once
+
+#include "core/workspace.hpp"
+#include "view/view_frame.hpp"
+
+namespace hsp {
+
+// A ball in view coordinates.
+struct Disc {
+  double x, y, z, r;
+};
+
+// What some balls take of the view plane.
+struct PlaneBox {
+  double left = 0.0, right = 0.0, bottom = 0.0, top = 0.0;
+
+  void widen(const Disc &disc, bool first) {
+    left = first || disc.x - disc.r < left ? disc.x - disc.r : left;
+    right = first || disc.x + disc.r > right ? disc.x + disc.r : right;
+    bottom = first || disc.y - disc.r < bottom ? disc.y - disc.r : bottom;
+    top = first || disc.y + disc.r > top ? disc.y + disc.r : top;
+  }
+};
+
+class DepthFloor {
+ public:
+  void carve(Workspace &workspace, uint32_t balls);
+
+  // Makes the grid for balls within a box, with coordinates up to `extent` in size and radii up to `largest` > 0, and
+  // lowers it below all of them.
+  void lay_out(const PlaneBox &box, double extent, double largest);
+
+  // Whether the floor lies above a height everywhere in a box.
+  bool is_above(const PlaneBox &box, double height);
+  // Whether the floor lies above the ball's front everywhere.
+  bool hides(const Disc &disc) const;
+  // Takes the ball's front into account.
+  void raise(const Disc &disc);
+
+ private:
+  struct Columns;
+
+  float lowest_of(uint32_t coarse_column, uint32_t coarse_row);
+
+  Span<float> floor_;                 // [columns * rows]
+  Span<float> coarse_;                // [coarse columns * coarse rows] the lowest of a coarse cell's floors, or less
+  Span<uint8_t> stale_;               // whether it may be less
+  double left_ = 0.0, bottom_ = 0.0;  // the corner of cell 0
+  double cell_ = 1.0, cells_per_length_ = 1.0;
+  double margin_ = 0.0;
+  uint32_t columns_ = 0, rows_ = 0;
+  uint32_t coarse_columns_ = 0;
+};
+
+}  // namespace hsp

@@ -1,0 +1,22 @@
+// The painter's order of Theorem 5.1: centres by their depth along the view, the farthest first. (The theorem says
+// "decreasing z" with viewing direction -z; with the viewer at z = +infinity it is increasing z.) Exact: depths are
+// products of integers, and equal ones go by the rank of the tie rule.
+#pragma once
+
+#include "view/view_frame.hpp"
+
+namespace hsp {
+
+// Whether ball a comes before ball b.
+bool is_farther(const BallSet &balls, const exact::Vector &direction, uint32_t a, uint32_t b);
+
+struct DepthKey {
+  double depth;  // along the direction, from the frame's origin, rounded
+  uint32_t ball;
+  uint32_t item;  // whatever goes with the ball
+};
+
+// Sorts by ball, farthest first; sets the depths of the keys itself.
+void sort_by_depth(const BallSet &balls, const ViewFrame &frame, Span<DepthKey> keys);
+
+}  // namespace hsp

@@ -1,0 +1,49 @@
+// What a view holds once it is computed: pieces in drawing order, their loops, and arcs in the view plane. All ids of
+// balls are the grid's, all lengths are in lattice steps, all places relative to the frame's origin.
+#pragma once
+
+#include "core/fixed_vector.hpp"
+#include "core/workspace.hpp"
+#include "model/ball_set.hpp"
+#include "view/view_frame.hpp"
+
+namespace hsp {
+
+struct ViewLimits {
+  uint32_t balls = 0;
+  uint32_t neighbours = 0;
+  uint32_t arcs = 0;
+};
+
+// The loops and the arcs of a piece are consecutive, loop after loop.
+struct PieceRecord {
+  uint32_t ball;
+  uint32_t first_loop, loops;
+  uint32_t first_arc, arcs;
+};
+
+struct ArcRecord {
+  double from, to;  // parameters on the ellipse of plane_arcs.hpp
+  double start[2];  // where it starts; it ends where the next one of its loop starts
+  uint32_t across;  // the ball whose sphere it lies on too, no_id on the silhouette
+};
+
+struct ViewStructure {
+  ViewFrame frame;
+  FixedVector<PieceRecord> pieces;  // farthest first
+  FixedVector<uint32_t> loops;      // their first arcs; loops and arcs are in the order of the grid
+  FixedVector<ArcRecord> arcs;
+  Span<uint32_t> scratch;  // [balls], for whoever reads the view
+
+  uint32_t end_of_loops(uint32_t piece) const { return pieces[piece].first_loop + pieces[piece].loops; }
+  uint32_t end_of_arcs(uint32_t loop) const { return loop + 1 < loops.size() ? loops[loop + 1] : arcs.size(); }
+
+  void carve(Workspace &workspace, const ViewLimits &limits) {
+    pieces = FixedVector<PieceRecord>(workspace.take<PieceRecord>(limits.balls));
+    loops = FixedVector<uint32_t>(workspace.take<uint32_t>(limits.arcs));
+    arcs = FixedVector<ArcRecord>(workspace.take<ArcRecord>(limits.arcs));
+    scratch = workspace.take<uint32_t>(limits.balls);
+  }
+};
+
+}  // namespace hsp

@@ -1,0 +1,113 @@
+// The painter's order against depths worked out in big integers.
+#include "view/depth_order.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "big_integer.hpp"
+
+namespace {
+
+// Balls in arrays of their own: the order needs no grid.
+struct Set {
+  std::vector<double> x, y, z, r;
+  std::vector<uint32_t> caller;
+
+  void add(int64_t cx, int64_t cy, int64_t cz, int64_t radius) {
+    x.push_back(static_cast<double>(cx));
+    y.push_back(static_cast<double>(cy));
+    z.push_back(static_cast<double>(cz));
+    r.push_back(static_cast<double>(radius));
+    caller.push_back(static_cast<uint32_t>(caller.size()));
+  }
+  hsp::BallSet balls() {
+    const uint32_t n = static_cast<uint32_t>(x.size());
+    return {{x.data(), n}, {y.data(), n}, {z.data(), n}, {r.data(), n}, {caller.data(), n}, n, {}, 0, 0};
+  }
+};
+
+oracle::BigInteger depth(const hsp::BallSet &balls, const hsp::exact::Vector &v, uint32_t i) {
+  const auto term = [](int64_t a, double b) {
+    return oracle::BigInteger(a) * oracle::BigInteger(static_cast<int64_t>(b));
+  };
+  return term(v.x, balls.x[i]) + term(v.y, balls.y[i]) + term(v.z, balls.z[i]);
+}
+
+bool comes_before(const hsp::BallSet &balls, const hsp::exact::Vector &v, uint32_t a, uint32_t b) {
+  const int sign = (depth(balls, v, a) - depth(balls, v, b)).sign();
+  if (sign != 0) return sign < 0;
+  const auto key = [&](uint32_t i) {
+    return std::array<double, 5>{balls.x[i], balls.y[i], balls.z[i], balls.r[i], static_cast<double>(balls.caller[i])};
+  };
+  return key(a) < key(b);
+}
+
+void expect_order(Set &set, const hsp::ViewDirection &direction) {
+  const hsp::BallSet balls = set.balls();
+  hsp::ViewFrame frame;
+  ASSERT_EQ(hsp::look_from(direction, frame), hsp::Status::ok);
+  hsp::centre_on(balls, frame);
+  std::vector<hsp::DepthKey> keys;
+  std::vector<uint32_t> expected;
+  for (uint32_t i = 0; i < balls.n; ++i) {
+    keys.push_back({0.0, i, 1000 + i});
+    expected.push_back(i);
+  }
+  hsp::sort_by_depth(balls, frame, {keys.data(), balls.n});
+  std::sort(expected.begin(), expected.end(),
+            [&](uint32_t a, uint32_t b) { return comes_before(balls, frame.direction, a, b); });
+  for (uint32_t k = 0; k < balls.n; ++k) {
+    ASSERT_EQ(keys[k].ball, expected[k]) << "place " << k;
+    ASSERT_EQ(keys[k].item, 1000 + expected[k]);
+    for (uint32_t l = 0; l < balls.n && l < 40; ++l) {
+      ASSERT_EQ(hsp::is_farther(balls, frame.direction, k, l), comes_before(balls, frame.direction, k, l));
+    }
+  }
+}
+
+hsp::ViewDirection towards(double x, double y, double z) {
+  return {{x, y, z}, {0, 1, 0}};
+}
+
+TEST(DepthOrder, OfRandomSets) {
+  std::mt19937_64 random(5);
+  for (const int bits : {3, 20, 31, 50}) {
+    for (int round = 0; round < 30; ++round) {
+      Set set;
+      const auto coordinate = [&] {
+        return static_cast<int64_t>(random() >> (64 - bits)) - (int64_t{1} << (bits - 1));
+      };
+      for (int k = 0; k < 100; ++k) {
+        set.add(coordinate(), coordinate(), coordinate(), static_cast<int64_t>(random() % 3));
+      }
+      expect_order(set, towards(0, 0, 1));
+      expect_order(set, towards(1, -1, 1));
+      expect_order(set, towards(0.3, -0.1 * round, 0.7));
+    }
+  }
+}
+
+// The largest coordinates and depths that differ by one unit, far below what doubles can tell.
+TEST(DepthOrder, OfDepthsThatDifferByOneUnit) {
+  Set set;
+  const int64_t far = (int64_t{1} << 50) - 1;
+  for (int64_t k = -20; k <= 20; ++k) {
+    set.add(far - k, -far + k, k % 3, 1);
+    set.add(-far + k, far - k, k % 3, 1);
+    set.add(far, far - 3 * k, -far, 1);
+  }
+  expect_order(set, towards(1, 1, 1));
+  expect_order(set, towards(1, 1, 0x1p-28));
+  expect_order(set, towards(1 - 0x1p-27, 1, 0x1p-28));
+}
+
+TEST(DepthOrder, EqualDepthsGoByPlaceRadiusAndIndex) {
+  Set set;
+  for (int k = 0; k < 60; ++k) set.add(k % 4, (k / 4) % 3, 7, k % 2);
+  expect_order(set, towards(0, 0, 1));
+  expect_order(set, towards(0, 0, -1));
+}
+
+}  // namespace
