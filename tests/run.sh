@@ -13,7 +13,8 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 packages=(cmake ninja-build gcc g++ libc6-dev gfortran clang-14 clang libclang-rt-14-dev clang-format clang-format-14 libgtest-dev
-  libbenchmark-dev binutils pkg-config g++-aarch64-linux-gnu g++-s390x-linux-gnu qemu-user)
+  libbenchmark-dev binutils pkg-config g++-aarch64-linux-gnu g++-s390x-linux-gnu qemu-user libxml2-utils ghostscript
+  poppler-utils librsvg2-bin)
 optional_packages=(g++-riscv64-linux-gnu g++-arm-linux-gnueabihf)
 
 fail() {

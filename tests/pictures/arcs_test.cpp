@@ -1,0 +1,261 @@
+// Every file, read again: loops are closed as the formats promise, and every arc is the one that the interface tells.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <numbers>
+#include <stdexcept>
+
+#include "drawn_view.hpp"
+#include "molecule_balls.hpp"
+#include "picture_paths.hpp"
+
+namespace {
+
+struct Scene {
+  std::string name;
+  DrawnView view;
+};
+
+/// Two balls whose circle is seen edge on, or nearly: their centres differ by dz in depth.
+oracle::Balls edge_on(std::int64_t size, std::int64_t dz) {
+  return {{0, 0, 0, size}, {size, size / 3, dz, size}};
+}
+
+oracle::Balls lattice() {
+  oracle::Balls balls;
+  for (std::int64_t k = 0; k < 27; ++k) balls.push_back({k % 3 * 1500, k / 3 % 3 * 1500, k / 9 * 1500, 1000});
+  return balls;
+}
+
+const std::vector<Scene> &scenes() {
+  static const std::vector<Scene> all = [] {
+    const oracle::Balls caffeine = read_molecule(bench_molecule("caffeine.pdb"), Records::all);
+    std::vector<Scene> made;
+    made.push_back({"caffeine, plane seen edge on", DrawnView(caffeine)});
+    made.push_back({"caffeine from the side", DrawnView(caffeine, {0, 1, 0})});
+    made.push_back({"crambin", DrawnView(read_molecule(bench_molecule("crambin.pdb"), Records::all))});
+    made.push_back({"caffeine, H-pieces", DrawnView(caffeine, {0, 1, 0}, HSP_PIECES_H)});
+    made.push_back({"caffeine, H-pieces, edge on", DrawnView(caffeine, {0, 0, 1}, HSP_PIECES_H)});
+    made.push_back({"a lattice", DrawnView(lattice(), {0, 0, 1}, HSP_PIECES_H)});
+    made.push_back({"one ball", DrawnView({{5, 7, 9, 1000}})});
+    made.push_back({"no ball", DrawnView({})});
+    made.push_back({"a hole", DrawnView({{0, 0, 0, 1000}, {0, 0, 800, 700}})});
+    for (const std::int64_t dz : {0, 1, 10, 100, 10000}) {
+      for (const std::uint32_t pieces : {HSP_PIECES_G, HSP_PIECES_H}) {
+        made.push_back({"edge on but for " + std::to_string(dz), DrawnView(edge_on(1000000, dz), {0, 0, 1}, pieces)});
+      }
+    }
+    return made;
+  }();
+  return all;
+}
+
+/// From the view plane to the page, as the header describes width and margin.
+class Mapping {
+ public:
+  Mapping(const hsp_view_info &info, const hsp_picture_options &options, const PictureFile &file) {
+    const double w = info.high[0] - info.low[0];
+    const double h = info.high[1] - info.low[1];
+    const double margin = options.margin * std::max(w, h);
+    scale_ = std::min(file.width / (w + 2 * margin), file.height / (h + 2 * margin));
+    for (std::size_t k = 0; k < 2; ++k) {
+      shift_[k] = (k == 0 ? file.width : file.height) / 2 - scale_ * (info.low[k] + info.high[k]) / 2;
+    }
+  }
+  [[nodiscard]] PagePoint place(const double point[2]) const {
+    return {scale_ * point[0] + shift_[0], scale_ * point[1] + shift_[1]};
+  }
+  [[nodiscard]] PagePoint place(const hsp_view_arc &arc, double t) const {
+    const double c = std::cos(arc.rotation);
+    const double s = std::sin(arc.rotation);
+    const double u = arc.semi_axis[0] * std::cos(t);
+    const double v = arc.semi_axis[1] * std::sin(t);
+    const double point[2] = {arc.centre[0] + u * c - v * s, arc.centre[1] + u * s + v * c};
+    return place(point);
+  }
+  [[nodiscard]] double scale() const { return scale_; }
+
+ private:
+  double scale_ = 0;
+  PagePoint shift_{};
+};
+
+struct Worst {
+  double gap = 0;   ///< between the end of a segment and the start of the next
+  double away = 0;  ///< from where the interface puts a point of an arc
+};
+
+/// How a format cuts arcs, and at which shares of a segment its point is known.
+struct Format {
+  std::uint32_t id;
+  const char *name;
+  PictureFile (*read)(const std::string &);
+  double longest;  ///< parameter span of a segment
+  std::vector<double> shares;
+  double gap;
+  double away;
+};
+
+/// SVG: two decimals, and what a renderer makes of them on narrow ellipses. EPS: 1e-6 px as lib/picture/eps_writer.hpp
+/// says. PDF: four decimals at the ends and in the middle of each cubic, where it touches the arc.
+const std::vector<Format> &formats() {
+  static const std::vector<Format> all = {
+      {HSP_FORMAT_SVG, "SVG", read_svg, 0.9 * std::numbers::pi, {0, 0.25, 0.5, 0.75, 1}, 0, 0.06},
+      {HSP_FORMAT_EPS, "EPS", read_eps, 7, {0, 0.125, 0.3, 0.5, 0.8, 1}, 1e-6, 1e-6},
+      {HSP_FORMAT_PDF, "PDF", read_pdf, std::numbers::pi / 4 * 1.0000001, {0, 0.5, 1}, 0, 1.5e-4}};
+  return all;
+}
+
+/// The corners of an ellipse that is drawn as a line.
+std::vector<PagePoint> corners(const Mapping &map, const hsp_view_arc &arc) {
+  std::vector<PagePoint> points;
+  for (int k = -2; k <= 2; ++k) {
+    const double t = k * std::numbers::pi;
+    if (std::min(arc.from, arc.to) < t && t < std::max(arc.from, arc.to)) points.push_back(map.place(arc, t));
+  }
+  if (arc.to < arc.from) std::reverse(points.begin(), points.end());
+  points.push_back(map.place(arc.end));
+  return points;
+}
+
+void compare_arc(const Format &format, const Mapping &map, const hsp_view_arc &arc, const Loop &loop, std::size_t &next,
+                 Worst &worst) {
+  const bool flat = map.scale() * arc.semi_axis[1] < 1e-4 && format.id != HSP_FORMAT_PDF;
+  if (flat) {
+    for (const PagePoint &corner : corners(map, arc)) {
+      const Segment &segment = loop.segments.at(next++);
+      ASSERT_EQ(segment.kind, Segment::Kind::line);
+      worst.away = std::max(worst.away, distance(segment.end, corner));
+    }
+    return;
+  }
+  // One more where rounding makes an arc a little longer than so many parts.
+  int parts = static_cast<int>(std::ceil(std::fabs(arc.to - arc.from) / format.longest));
+  const Segment &last = loop.segments.at(next + static_cast<std::size_t>(parts) - 1);
+  if (distance(last.end, map.place(arc.end)) > format.away) ++parts;
+  for (int k = 0; k < parts; ++k) {
+    const Segment &segment = loop.segments.at(next++);
+    ASSERT_NE(segment.kind, Segment::Kind::line);
+    for (const double share : format.shares) {
+      const double t = arc.from + (arc.to - arc.from) * (k + share) / parts;
+      worst.away = std::max(worst.away, distance(segment.at(share), map.place(arc, t)));
+    }
+  }
+}
+
+Worst compare(const Format &format, const Scene &scene, const hsp_picture_options &options) {
+  Worst worst;
+  const PictureFile file = format.read(scene.view.picture(options, "title", "description"));
+  EXPECT_EQ(file.paths.size(), scene.view.pieces().size());
+  if (file.paths.size() != scene.view.pieces().size()) return worst;
+  const Mapping map(scene.view.info(), options, file);
+  for (std::size_t p = 0; p < file.paths.size(); ++p) {
+    const hsp_view_piece &piece = scene.view.pieces()[p];
+    const PaintedPath &path = file.paths[p];
+    if (format.id == HSP_FORMAT_SVG) {
+      EXPECT_EQ(path.ball, piece.ball);
+    }
+    EXPECT_EQ(path.loops.size(), piece.loops);
+    for (std::size_t l = 0; l < path.loops.size(); ++l) {
+      const Loop &loop = path.loops[l];
+      const hsp_view_loop &told = scene.view.loops()[piece.first_loop + l];
+      EXPECT_TRUE(loop.closed);
+      std::size_t next = 0;
+      for (std::uint32_t a = 0; a < told.arcs; ++a) {
+        compare_arc(format, map, scene.view.arcs()[told.first_arc + a], loop, next, worst);
+      }
+      EXPECT_EQ(next, loop.segments.size());
+      PagePoint here = loop.start;
+      for (const Segment &segment : loop.segments) {
+        worst.gap = std::max(worst.gap, distance(here, segment.start));
+        here = segment.end;
+      }
+      worst.gap = std::max(worst.gap, distance(here, loop.start));
+    }
+  }
+  return worst;
+}
+
+class PictureArcs : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(PictureArcs, AreThoseOfTheView) {
+  const Format &format = formats()[GetParam()];
+  for (const Scene &scene : scenes()) {
+    for (const std::uint32_t style : {HSP_STYLE_FLAT, HSP_STYLE_HEADLIGHT, HSP_STYLE_SOFT}) {
+      SCOPED_TRACE(scene.name + ", style " + std::to_string(style));
+      const Worst worst = compare(format, scene, picture_options(format.id, style));
+      EXPECT_LE(worst.gap, format.gap);
+      EXPECT_LE(worst.away, format.away);
+      if (std::getenv("HSP_VERBOSE") != nullptr) {
+        std::printf("%s %s: gap %.3g, away %.3g\n", format.name, scene.name.c_str(), worst.gap, worst.away);
+      }
+    }
+  }
+}
+
+/// The promises are in px whatever the size of the page.
+TEST_P(PictureArcs, FitPagesOfAllShapes) {
+  const Format &format = formats()[GetParam()];
+  const Scene &scene = scenes()[1];
+  for (const double size : {20.0, 300.0, 4000.0}) {
+    for (const double ratio : {0.0, 0.5, 1.0, 3.0}) {
+      for (const std::uint32_t unit : {HSP_UNIT_PX, HSP_UNIT_MM}) {
+        SCOPED_TRACE(std::to_string(size) + " by " + std::to_string(size * ratio));
+        hsp_picture_options options = picture_options(format.id, HSP_STYLE_FLAT);
+        options.width = size;
+        options.height = size * ratio;
+        options.unit = unit;
+        const Worst worst = compare(format, scene, options);
+        EXPECT_LE(worst.gap, format.gap);
+        EXPECT_LE(worst.away, format.away);
+      }
+    }
+  }
+}
+
+/// The header: cubic pieces stay within 4.3e-6 of the semi-axis. On circles that can be seen from outside.
+TEST(PictureArcsInPdf, AreWithinTheirBound) {
+  const DrawnView one({{0, 0, 0, 1000}});
+  hsp_picture_options options = picture_options(HSP_FORMAT_PDF, HSP_STYLE_FLAT);
+  options.margin = 0;
+  options.width = 1e6;
+  const PictureFile file = read_pdf(one.picture(options));
+  ASSERT_EQ(file.paths.size(), 1U);
+  ASSERT_EQ(file.paths[0].loops.at(0).segments.size(), 8U);
+  double worst = 0;
+  for (const Segment &cubic : file.paths[0].loops[0].segments) {
+    for (int k = 0; k <= 50; ++k) {
+      worst = std::max(worst, std::fabs(distance(cubic.at(k / 50.0), {5e5, 5e5}) / 5e5 - 1));
+    }
+  }
+  EXPECT_LE(worst, 4.3e-6);
+  EXPECT_GE(worst, 4e-6);
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, PictureArcs, testing::Range<std::size_t>(0, 3));
+
+/// An arc that ends elsewhere is noticed: the readers do not repair files.
+TEST(PictureReaders, NoticeABrokenFile) {
+  const Scene &scene = scenes()[1];
+  std::string text = scene.view.picture(picture_options(HSP_FORMAT_EPS, HSP_STYLE_FLAT));
+  const std::size_t arc = text.find(" A\n");
+  ASSERT_NE(arc, std::string::npos);
+  text[arc - 3] = text[arc - 3] == '5' ? '6' : '5';
+  double gap = 0;
+  for (const PaintedPath &path : read_eps(text).paths) {
+    for (const Loop &loop : path.loops) {
+      for (std::size_t k = 0; k < loop.segments.size(); ++k) {
+        gap = std::max(gap, distance(loop.segments[k].end, loop.segments[(k + 1) % loop.segments.size()].start));
+      }
+    }
+  }
+  EXPECT_GT(gap, 1e-6);
+  std::string pdf = scene.view.picture(picture_options(HSP_FORMAT_PDF, HSP_STYLE_FLAT));
+  pdf.insert(pdf.find("/Contents"), " ");
+  EXPECT_THROW(read_pdf(pdf), std::exception);
+}
+
+}  // namespace

@@ -1,0 +1,153 @@
+// How large files become, that shades are shared, and what a picture's page is.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "drawn_view.hpp"
+#include "molecule_balls.hpp"
+#include "picture_paths.hpp"
+
+namespace {
+
+std::size_t count(const std::string &text, const std::string &part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+const DrawnView &crambin() {
+  static const DrawnView view(read_molecule(bench_molecule("crambin.pdb"), Records::all));
+  return view;
+}
+
+TEST(PictureSizes, StayWithinTheirBudgets) {
+  EXPECT_LT(crambin().picture(picture_options(HSP_FORMAT_SVG, HSP_STYLE_FLAT)).size(), 60000U);
+  EXPECT_LT(crambin().picture(picture_options(HSP_FORMAT_SVG, HSP_STYLE_HEADLIGHT)).size(), 170000U);
+  EXPECT_LT(crambin().picture(picture_options(HSP_FORMAT_SVG, HSP_STYLE_SOFT)).size(), 170000U);
+  const DrawnView large(read_molecule(bench_molecule("sod_stand_in.pdb"), Records::all));
+  EXPECT_LT(large.picture(picture_options(HSP_FORMAT_SVG, HSP_STYLE_FLAT)).size(), 750000U);
+}
+
+TEST(PictureSizes, ShadesAreShared) {
+  const std::string svg = crambin().picture(picture_options(HSP_FORMAT_SVG, HSP_STYLE_SOFT));
+  const std::size_t shades = count(svg, "<radialGradient id=\"g");
+  EXPECT_LE(shades, 4U * 11U);  // C, N, O, S in so many levels of fog
+  EXPECT_GT(shades, 4U);
+  EXPECT_EQ(count(svg, "<radialGradient id=\"b"), crambin().pieces().size());
+  EXPECT_EQ(count(svg, "<stop "), shades * 13);
+  EXPECT_EQ(count(crambin().picture(picture_options(HSP_FORMAT_EPS, HSP_STYLE_SOFT)), ">S\n"), shades);
+  EXPECT_EQ(count(crambin().picture(picture_options(HSP_FORMAT_PDF, HSP_STYLE_SOFT)), "/ShadingType 3"), shades);
+  const std::string headlight = crambin().picture(picture_options(HSP_FORMAT_SVG, HSP_STYLE_HEADLIGHT));
+  EXPECT_EQ(count(headlight, "<stop "), shades * 17);
+  hsp_picture_options clear = picture_options(HSP_FORMAT_SVG, HSP_STYLE_SOFT);
+  clear.fog = 0;
+  EXPECT_EQ(count(crambin().picture(clear), "<radialGradient id=\"g"), 4U);
+}
+
+TEST(PictureSizes, NoIdsAndNoBackground) {
+  hsp_picture_options options = picture_options(HSP_FORMAT_SVG, HSP_STYLE_FLAT);
+  const std::string with = crambin().picture(options);
+  EXPECT_EQ(count(with, "data-ball="), crambin().pieces().size());
+  EXPECT_EQ(count(with, "<rect "), 1U);
+  options.flags = HSP_PICTURE_NO_IDS | HSP_PICTURE_NO_BACKGROUND;
+  const std::string without = crambin().picture(options);
+  EXPECT_EQ(count(without, "data-ball="), 0U);
+  EXPECT_EQ(count(without, "<rect "), 0U);
+  options.format = HSP_FORMAT_EPS;
+  EXPECT_EQ(count(crambin().picture(options), "rectfill"), 0U);
+  options.format = HSP_FORMAT_PDF;
+  EXPECT_EQ(count(crambin().picture(options), "re f"), 0U);
+}
+
+TEST(PictureSizes, NoLines) {
+  hsp_picture_options options = picture_options(HSP_FORMAT_SVG, HSP_STYLE_FLAT);
+  options.outline = 0;
+  EXPECT_EQ(count(crambin().picture(options), "stroke"), 0U);
+  options.format = HSP_FORMAT_EPS;
+  EXPECT_EQ(count(crambin().picture(options), "stroke"), 0U);
+  options.format = HSP_FORMAT_PDF;
+  EXPECT_EQ(count(crambin().picture(options), "B\n"), 0U);
+}
+
+/// The chosen width: .9 px where the mean radius is 34 px.
+TEST(PictureSizes, LinesSuitTheBalls) {
+  const DrawnView one({{0, 0, 0, 1000}});
+  hsp_picture_options options = picture_options(HSP_FORMAT_SVG, HSP_STYLE_FLAT);
+  options.margin = 0;
+  for (const double radius : {1.0, 10.0, 34.0, 60.0, 500.0}) {
+    options.width = 2 * radius;
+    const std::string text = one.picture(options);
+    const std::size_t at = text.find("stroke-width=\"");
+    ASSERT_NE(at, std::string::npos);
+    const double expected = 0.9 * std::fmin(1.9, std::fmax(0.45, std::sqrt(radius / 34)));
+    EXPECT_NEAR(std::stod(text.substr(at + 14)), expected, 6e-5);
+  }
+  options.outline = 2;
+  options.unit = HSP_UNIT_MM;
+  EXPECT_NE(one.picture(options).find("stroke-width=\"7.5591\""), std::string::npos);
+}
+
+TEST(PicturePages, FollowFromTheOtherSide) {
+  const DrawnView wide({{0, 0, 0, 1000}, {6000, 0, 0, 1000}});  // 8 by 2
+  hsp_picture_options options = picture_options(HSP_FORMAT_SVG, HSP_STYLE_FLAT);
+  options.margin = 0.125;  // 10 by 4
+  options.width = 500;
+  PictureFile file = read_svg(wide.picture(options));
+  EXPECT_NEAR(file.width, 500, 1e-6);
+  EXPECT_NEAR(file.height, 200, 1e-6);
+  options.width = 0;
+  options.height = 100;
+  options.unit = HSP_UNIT_MM;
+  const std::string text = wide.picture(options);
+  EXPECT_NE(text.find("width=\"250mm\" height=\"100mm\""), std::string::npos);
+  file = read_svg(text);
+  EXPECT_NEAR(file.width, 250 / 25.4 * 96, 1e-5);
+  EXPECT_NEAR(file.height, 100 / 25.4 * 96, 1e-5);
+}
+
+TEST(PicturePages, CanBeExtreme) {
+  const DrawnView apart({{0, 0, 0, 1}, {int64_t{1} << 49, 0, 0, 1}});
+  for (const std::uint32_t format : {HSP_FORMAT_SVG, HSP_FORMAT_EPS, HSP_FORMAT_PDF}) {
+    for (const double size : {1e-9, 1e6}) {
+      for (const bool upright : {false, true}) {
+        hsp_picture_options options = picture_options(format, HSP_STYLE_SOFT);
+        options.margin = 0;
+        options.width = upright ? 0 : size;
+        options.height = upright ? size : 0;
+        const std::string text = apart.picture(options);
+        EXPECT_EQ(text.find("nan"), std::string::npos);
+        EXPECT_LT(text.size(), 20000U);
+      }
+    }
+  }
+}
+
+/// The headlight's shades are a + b sqrt(1 - rho^2) at the offsets, and linear in between within the promised .0034.
+TEST(PictureShades, FollowLambertsLaw) {
+  const DrawnView one({{0, 0, 0, 1000}});
+  const std::string text = one.picture(picture_options(HSP_FORMAT_SVG, HSP_STYLE_HEADLIGHT));
+  std::vector<double> offset;
+  std::vector<double> level;
+  for (std::size_t at = text.find("<stop "); at != std::string::npos; at = text.find("<stop ", at + 1)) {
+    offset.push_back(std::stod(text.substr(text.find("offset=\"", at) + 8)));
+    level.push_back(static_cast<double>(std::stoul(text.substr(text.find("#", at) + 1, 2), nullptr, 16)));
+  }
+  ASSERT_EQ(offset.size(), 17U);
+  ASSERT_EQ(offset.front(), 0);
+  ASSERT_EQ(offset.back(), 1);
+  const double rim = level.back();
+  const double rise = level.front() - rim;
+  ASSERT_GT(rise, 50);
+  for (std::size_t k = 0; k + 1 < offset.size(); ++k) {
+    ASSERT_LT(offset[k], offset[k + 1]);
+    for (int i = 0; i <= 100; ++i) {
+      const double share = i / 100.0;
+      const double rho = offset[k] + (offset[k + 1] - offset[k]) * share;
+      const double drawn = level[k] + (level[k + 1] - level[k]) * share;
+      EXPECT_NEAR(drawn, rim + rise * std::sqrt(1 - rho * rho), 0.0034 * rise + 1) << rho;
+    }
+  }
+}
+
+}  // namespace
