@@ -1,7 +1,7 @@
 ! The Fortran module of hardsphere: the C interface of include/hardsphere.h, name for name.
 !
 ! EVERY ID IN THIS MODULE IS 0-BASED, AS IN C: OF BALLS, VERTICES, ARCS, CIRCLES, FACES, SHELLS, COMPONENTS, EDGES,
-! QUARTER-EDGES, SIMPLE FACES AND CELLS.
+! QUARTER-EDGES, SIMPLE FACES, CELLS, PIECES AND LOOPS.
 ! THE FORTRAN ARRAY ELEMENT OF ID i IS THEREFORE i + 1; hsp_index(i) COMPUTES THAT.
 !
 ! What each function does, its statuses and its costs are documented in hardsphere.h; nothing of that changes here.
@@ -11,16 +11,19 @@
 !   uint32_t                     integer(c_int32_t); values above huge() appear negative: HSP_NONE is -1
 !   uint8_t selected[n]          integer(c_int8_t) :: selected(n), 0 or not 0
 !   hsp_model *, hsp_boundary *,
-!   hsp_topology *               type(c_ptr)
+!   hsp_topology *, hsp_view *   type(c_ptr)
 !   void *memory                 type(c_ptr) from c_loc of an array with the TARGET attribute; the handle lives in it,
 !                                so the array must outlive the handle and must not be reallocated
 !   T *out, uint32_t capacity    out(*) with capacity elements; other extents stand behind the declarations
 !   a pointer that may be NULL   an optional argument that is left out
+!   const char *title            character(kind=c_char) :: title(*); a string that ends with c_null_char may be passed
+!   hsp_sink                     type(c_funptr) from c_funloc of a function with the interface hsp_sink
+!   void *context                type(c_ptr), as it will be handed to the sink; c_null_ptr if the sink has no use for it
 module hardsphere
-  use, intrinsic :: iso_c_binding, only: c_char, c_double, c_f_pointer, c_int8_t, c_int32_t, c_int64_t, c_null_char, &
-                                         c_ptr, c_size_t
+  use, intrinsic :: iso_c_binding, only: c_char, c_double, c_f_pointer, c_funptr, c_int8_t, c_int32_t, c_int64_t, &
+                                         c_null_char, c_ptr, c_size_t
   implicit none
-  private :: c_char, c_double, c_f_pointer, c_int8_t, c_int32_t, c_int64_t, c_null_char, c_ptr, c_size_t
+  private :: c_char, c_double, c_f_pointer, c_funptr, c_int8_t, c_int32_t, c_int64_t, c_null_char, c_ptr, c_size_t
 
   integer(c_int32_t), parameter :: HSP_VERSION_NUMBER = 100_c_int32_t
 
@@ -31,6 +34,7 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_E_STATE = -4_c_int32_t
   integer(c_int32_t), parameter :: HSP_E_ID = -5_c_int32_t
   integer(c_int32_t), parameter :: HSP_E_CHECK = -6_c_int32_t
+  integer(c_int32_t), parameter :: HSP_E_SINK = -7_c_int32_t
   integer(c_int32_t), parameter :: HSP_E_NOT_FINITE = -10_c_int32_t
   integer(c_int32_t), parameter :: HSP_E_NEGATIVE = -11_c_int32_t
   integer(c_int32_t), parameter :: HSP_E_RANGE = -12_c_int32_t
@@ -56,6 +60,24 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_EDGE_EXTRA = 2_c_int32_t
   integer(c_int32_t), parameter :: HSP_SHELL_OUTER = 0_c_int32_t
   integer(c_int32_t), parameter :: HSP_SHELL_VOID = 1_c_int32_t
+
+  integer(c_int32_t), parameter :: HSP_PIECES_G = 0_c_int32_t
+  integer(c_int32_t), parameter :: HSP_PIECES_H = 1_c_int32_t
+  integer(c_int32_t), parameter :: HSP_VIEW_ALL_BALLS = 1_c_int32_t
+
+  integer(c_int32_t), parameter :: HSP_FORMAT_SVG = 0_c_int32_t
+  integer(c_int32_t), parameter :: HSP_FORMAT_EPS = 1_c_int32_t
+  integer(c_int32_t), parameter :: HSP_FORMAT_PDF = 2_c_int32_t
+  integer(c_int32_t), parameter :: HSP_STYLE_FLAT = 0_c_int32_t
+  integer(c_int32_t), parameter :: HSP_STYLE_HEADLIGHT = 1_c_int32_t
+  integer(c_int32_t), parameter :: HSP_STYLE_SOFT = 2_c_int32_t
+  integer(c_int32_t), parameter :: HSP_UNIT_PX = 0_c_int32_t
+  integer(c_int32_t), parameter :: HSP_UNIT_MM = 1_c_int32_t
+  integer(c_int32_t), parameter :: HSP_PICTURE_NO_IDS = 1_c_int32_t
+  integer(c_int32_t), parameter :: HSP_PICTURE_NO_BACKGROUND = 2_c_int32_t
+  integer(c_int32_t), parameter :: HSP_PALETTE_SOFT = 0_c_int32_t
+  integer(c_int32_t), parameter :: HSP_PALETTE_JMOL = 1_c_int32_t
+  integer(c_int32_t), parameter :: HSP_PALETTE_CHAIN = 2_c_int32_t
 
   type, bind(C) :: hsp_model_options
     integer(c_int32_t) :: struct_size  ! hsp_model_options_init sets it
@@ -247,6 +269,95 @@ module hardsphere
     integer(c_int32_t) :: shells
     integer(c_int32_t) :: reserved
   end type
+
+  type, bind(C) :: hsp_view_limits
+    integer(c_int32_t) :: struct_size  ! hsp_view_limits_init sets it
+    integer(c_int32_t) :: balls
+    integer(c_int32_t) :: neighbours
+    integer(c_int32_t) :: arcs
+  end type
+
+  type, bind(C) :: hsp_view_options
+    integer(c_int32_t) :: struct_size  ! hsp_view_options_init sets it
+    integer(c_int32_t) :: pieces       ! HSP_PIECES_*
+    integer(c_int32_t) :: flags        ! HSP_VIEW_*
+    integer(c_int32_t) :: reserved
+    real(c_double) :: towards(3)       ! of any length; 0 0 0: 0 0 1
+    real(c_double) :: up(3)            ! of any length; 0 0 0: 0 1 0
+  end type
+
+  type, bind(C) :: hsp_view_info
+    real(c_double) :: origin(3)        ! length
+    real(c_double) :: right(3)         ! unit vector
+    real(c_double) :: up(3)            ! unit vector
+    real(c_double) :: towards(3)       ! unit vector
+    real(c_double) :: low(2)           ! length
+    real(c_double) :: high(2)          ! length
+    real(c_double) :: depth_low        ! length
+    real(c_double) :: depth_high       ! length
+    integer(c_int32_t) :: pieces
+    integer(c_int32_t) :: loops
+    integer(c_int32_t) :: arcs
+    integer(c_int32_t) :: kind         ! HSP_PIECES_*
+  end type
+
+  type, bind(C) :: hsp_view_piece
+    real(c_double) :: centre(2)        ! length
+    real(c_double) :: depth            ! length
+    real(c_double) :: radius           ! length
+    integer(c_int32_t) :: ball         ! 0-based
+    integer(c_int32_t) :: first_loop   ! 0-based
+    integer(c_int32_t) :: loops
+    integer(c_int32_t) :: first_arc    ! 0-based
+    integer(c_int32_t) :: arcs
+    integer(c_int32_t) :: reserved
+  end type
+
+  type, bind(C) :: hsp_view_loop
+    integer(c_int32_t) :: piece        ! 0-based
+    integer(c_int32_t) :: first_arc    ! 0-based
+    integer(c_int32_t) :: arcs
+    integer(c_int32_t) :: reserved
+  end type
+
+  type, bind(C) :: hsp_view_arc
+    real(c_double) :: centre(2)        ! length
+    real(c_double) :: semi_axis(2)     ! length, the larger one first
+    real(c_double) :: rotation         ! radians
+    real(c_double) :: from             ! radians
+    real(c_double) :: to               ! radians
+    real(c_double) :: start(2)         ! length
+    real(c_double) :: end(2)           ! length
+    integer(c_int32_t) :: piece        ! 0-based
+    integer(c_int32_t) :: across       ! 0-based, HSP_NONE on the silhouette
+  end type
+
+  type, bind(C) :: hsp_picture_options
+    integer(c_int32_t) :: struct_size  ! hsp_picture_options_init sets it
+    integer(c_int32_t) :: format       ! HSP_FORMAT_*
+    integer(c_int32_t) :: style        ! HSP_STYLE_*
+    integer(c_int32_t) :: unit         ! HSP_UNIT_*
+    real(c_double) :: width            ! 0: follows from height
+    real(c_double) :: height           ! 0: follows from width
+    real(c_double) :: margin
+    real(c_double) :: outline
+    real(c_double) :: fog
+    integer(c_int32_t) :: outline_colour  ! 0xRRGGBB
+    integer(c_int32_t) :: background   ! 0xRRGGBB
+    integer(c_int32_t) :: flags        ! HSP_PICTURE_*
+    integer(c_int32_t) :: reserved
+  end type
+
+  ! What takes the bytes of a picture: 0 to go on, anything else to stop.
+  abstract interface
+    function hsp_sink(context, bytes, count) result(stop) bind(C)
+      import :: c_char, c_int32_t, c_ptr, c_size_t
+      type(c_ptr), value :: context
+      integer(c_size_t), value :: count
+      character(kind=c_char), intent(in) :: bytes(count)
+      integer(c_int32_t) :: stop
+    end function
+  end interface
 
   interface
     function hsp_version() result(version) bind(C, name="hsp_version")
@@ -800,6 +911,130 @@ module hardsphere
       integer(c_int32_t), intent(inout) :: where
       integer(c_int32_t) :: status
     end function
+
+    ! ---- view ------------------------------------------------------------------------------------------------------
+
+    function hsp_view_limits_init(limits, struct_size, balls) result(status) bind(C, name="hsp_view_limits_init")
+      import :: c_int32_t, hsp_view_limits
+      type(hsp_view_limits), intent(inout) :: limits
+      integer(c_int32_t), value :: struct_size
+      integer(c_int32_t), value :: balls
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_view_bytes(limits, bytes) result(status) bind(C, name="hsp_view_bytes")
+      import :: c_int32_t, c_size_t, hsp_view_limits
+      type(hsp_view_limits), intent(in) :: limits
+      integer(c_size_t), intent(inout) :: bytes
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_view_init(memory, bytes, limits, view) result(status) bind(C, name="hsp_view_init")
+      import :: c_int32_t, c_ptr, c_size_t, hsp_view_limits
+      type(c_ptr), value :: memory
+      integer(c_size_t), value :: bytes
+      type(hsp_view_limits), intent(in) :: limits
+      type(c_ptr), intent(inout) :: view
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_view_options_init(options, struct_size) result(status) bind(C, name="hsp_view_options_init")
+      import :: c_int32_t, hsp_view_options
+      type(hsp_view_options), intent(inout) :: options
+      integer(c_int32_t), value :: struct_size
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_view_options_turn(options, x, y, z) result(status) bind(C, name="hsp_view_options_turn")
+      import :: c_double, c_int32_t, hsp_view_options
+      type(hsp_view_options), intent(inout) :: options
+      real(c_double), value :: x                                ! degrees
+      real(c_double), value :: y                                ! degrees
+      real(c_double), value :: z                                ! degrees
+      integer(c_int32_t) :: status
+    end function
+
+    ! Without a boundary pass c_null_ptr.
+    function hsp_view_compute(view, model, boundary, options) result(status) bind(C, name="hsp_view_compute")
+      import :: c_int32_t, c_ptr, hsp_view_options
+      type(c_ptr), value :: view
+      type(c_ptr), value :: model
+      type(c_ptr), value :: boundary
+      type(hsp_view_options), intent(in), optional :: options
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_view_get_needed(view, needed) result(status) bind(C, name="hsp_view_get_needed")
+      import :: c_int32_t, c_ptr, hsp_view_limits
+      type(c_ptr), value :: view
+      type(hsp_view_limits), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_view_get_info(view, info) result(status) bind(C, name="hsp_view_get_info")
+      import :: c_int32_t, c_ptr, hsp_view_info
+      type(c_ptr), value :: view
+      type(hsp_view_info), intent(inout) :: info
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_view_get_pieces(view, out, capacity, needed) result(status) bind(C, name="hsp_view_get_pieces")
+      import :: c_int32_t, c_ptr, hsp_view_piece
+      type(c_ptr), value :: view
+      type(hsp_view_piece), intent(inout), optional :: out(*)
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_view_get_loops(view, out, capacity, needed) result(status) bind(C, name="hsp_view_get_loops")
+      import :: c_int32_t, c_ptr, hsp_view_loop
+      type(c_ptr), value :: view
+      type(hsp_view_loop), intent(inout), optional :: out(*)
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_view_get_arcs(view, out, capacity, needed) result(status) bind(C, name="hsp_view_get_arcs")
+      import :: c_int32_t, c_ptr, hsp_view_arc
+      type(c_ptr), value :: view
+      type(hsp_view_arc), intent(inout), optional :: out(*)
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    ! ---- pictures --------------------------------------------------------------------------------------------------
+
+    function hsp_picture_options_init(options, struct_size) result(status) bind(C, name="hsp_picture_options_init")
+      import :: c_int32_t, hsp_picture_options
+      type(hsp_picture_options), intent(inout) :: options
+      integer(c_int32_t), value :: struct_size
+      integer(c_int32_t) :: status
+    end function
+
+    pure function hsp_palette_colour(palette, atomic_number, chain) result(colour) bind(C, name="hsp_palette_colour")
+      import :: c_int32_t
+      integer(c_int32_t), value :: palette                      ! HSP_PALETTE_*
+      integer(c_int32_t), value :: atomic_number
+      integer(c_int32_t), value :: chain
+      integer(c_int32_t) :: colour
+    end function
+
+    function hsp_picture_write(view, colour, options, title, description, sink, context, bytes) result(status) &
+      bind(C, name="hsp_picture_write")
+      import :: c_char, c_funptr, c_int32_t, c_int64_t, c_ptr, hsp_picture_options
+      type(c_ptr), value :: view
+      integer(c_int32_t), intent(in), optional :: colour(*)     ! n; 0xRRGGBB
+      type(hsp_picture_options), intent(in), optional :: options
+      character(kind=c_char), intent(in), optional :: title(*)  ! ends with c_null_char
+      character(kind=c_char), intent(in), optional :: description(*)  ! ends with c_null_char
+      type(c_funptr), value :: sink                             ! of a function with the interface hsp_sink
+      type(c_ptr), value :: context
+      integer(c_int64_t), intent(inout), optional :: bytes
+      integer(c_int32_t) :: status
+    end function
   end interface
 
 contains
@@ -832,6 +1067,14 @@ contains
     integer(c_size_t) :: bytes
     bytes = 4096_c_size_t + 64_c_size_t*int(balls, c_size_t) + 192_c_size_t*int(neighbours, c_size_t) &
             + 160_c_size_t*int(edges, c_size_t) + 160_c_size_t*int(extra_arcs, c_size_t)
+  end function
+
+  !> HSP_VIEW_BYTES of the header, for the size of an allocation.
+  pure function hsp_view_bytes_bound(balls, neighbours, arcs) result(bytes)
+    integer(c_int32_t), intent(in) :: balls, neighbours, arcs
+    integer(c_size_t) :: bytes
+    bytes = 32768_c_size_t + 192_c_size_t*int(balls, c_size_t) + 384_c_size_t*int(neighbours, c_size_t) &
+            + 64_c_size_t*int(arcs, c_size_t)
   end function
 
   !> hsp_status_text as a Fortran string.

@@ -3,12 +3,12 @@
 #include <string.h>
 
 #include "number.h"
+#include "option_reader.h"
 #include "read_molecule.h"
 
 struct reading {
   struct request *request;
-  char **rest; /* arguments not looked at yet */
-  int left;    /* how many */
+  struct option_reader options;
   bool probe_seen;
   bool radii_seen;
   bool radius_seen;
@@ -16,9 +16,9 @@ struct reading {
 };
 
 bool command_find(const char *name, enum command *command) {
-  static const char *const names[] = {"model", "boundary", "measure", "query", "voids"};
-  static const enum command commands[] = {COMMAND_MODEL, COMMAND_BOUNDARY, COMMAND_MEASURE, COMMAND_QUERY,
-                                          COMMAND_VOIDS};
+  static const char *const names[] = {"model", "boundary", "measure", "query", "voids", "draw"};
+  static const enum command commands[] = {COMMAND_MODEL, COMMAND_BOUNDARY, COMMAND_MEASURE,
+                                          COMMAND_QUERY, COMMAND_VOIDS,    COMMAND_DRAW};
   for (size_t i = 0; i < sizeof commands / sizeof commands[0]; ++i) {
     if (strcmp(name, names[i]) == 0) {
       *command = commands[i];
@@ -28,44 +28,16 @@ bool command_find(const char *name, enum command *command) {
   return false;
 }
 
-/* If the argument is the option, alone or as --option=value, step over it and set *value (NULL: not given that way). */
-static bool option_is(const char *argument, const char *option, const char **value) {
-  const size_t length = strlen(option);
-  if (strncmp(argument, option, length) != 0 || (argument[length] != '\0' && argument[length] != '=')) return false;
-  *value = argument[length] == '=' ? argument + length + 1 : NULL;
-  return true;
-}
-
-static const char *next_argument(struct reading *reading) {
-  if (reading->left == 0) return NULL;
-  --reading->left;
-  return *reading->rest++;
-}
-
-static bool parse_number(struct reading *reading, const char *option, const char *text, double *value) {
-  const enum number_status status = number_parse(text, strlen(text), value);
-  if (status == NUMBER_OK) return true;
-  char shown[EXCERPT_BYTES];
-  return failure_in_usage(reading->failure, "%s: '%s' %s", option, excerpt(shown, text, strlen(text)),
-                          number_complaint(status));
-}
-
-static bool parse_length(struct reading *reading, const char *option, const char *text, double *value) {
-  if (!parse_number(reading, option, text, value)) return false;
-  if (*value < 0.0) return failure_in_usage(reading->failure, "%s must not be negative", option);
-  return true;
-}
-
 static bool take_probe(struct reading *reading, const char *value) {
-  if (value == NULL) value = next_argument(reading);
+  if (value == NULL) value = option_next(&reading->options);
   if (value == NULL) return failure_in_usage(reading->failure, "--probe needs a length");
   if (reading->probe_seen) return failure_in_usage(reading->failure, "--probe is given twice");
   reading->probe_seen = true;
-  return parse_length(reading, "--probe", value, &reading->request->probe);
+  return option_length(&reading->options, "--probe", value, &reading->request->probe);
 }
 
 static bool take_radii(struct reading *reading, const char *value) {
-  if (value == NULL) value = next_argument(reading);
+  if (value == NULL) value = option_next(&reading->options);
   if (value == NULL) return failure_in_usage(reading->failure, "--radii needs a set: bondi or chem3d");
   if (reading->radii_seen) return failure_in_usage(reading->failure, "--radii is given twice");
   reading->radii_seen = true;
@@ -81,7 +53,7 @@ static bool take_radii(struct reading *reading, const char *value) {
 
 /* Gather the text of --radius; it is applied by apply_overrides when the set is known. */
 static bool take_radius(struct reading *reading, const char *value) {
-  if (value == NULL) value = next_argument(reading);
+  if (value == NULL) value = option_next(&reading->options);
   if (value == NULL) return failure_in_usage(reading->failure, "--radius needs EL=R, for instance ZN=1.39");
   struct text_buffer *overrides = &reading->request->overrides;
   text_buffer_add(overrides, "%s%s", reading->radius_seen ? "," : "", value);
@@ -137,13 +109,13 @@ static bool take_query(struct reading *reading, enum query_kind kind) {
   request->query = kind;
   const int wanted = kind == QUERY_POINT ? 3 : 4;
   for (int i = 0; i < wanted; ++i) {
-    const char *text = next_argument(reading);
+    const char *text = option_next(&reading->options);
     if (text == NULL) {
       return failure_in_usage(reading->failure, "%s needs %d numbers: X Y Z%s", option, wanted,
                               kind == QUERY_BALL ? " R" : "");
     }
-    const bool taken = i < 3 ? parse_number(reading, option, text, &request->position[i])
-                             : parse_length(reading, "--ball: R", text, &request->query_radius);
+    const bool taken = i < 3 ? option_number(&reading->options, option, text, &request->position[i])
+                             : option_length(&reading->options, "--ball: R", text, &request->query_radius);
     if (!taken) return false;
   }
   return true;
@@ -151,7 +123,7 @@ static bool take_query(struct reading *reading, enum query_kind kind) {
 
 /* An option with the name of a file. */
 static bool take_path(struct reading *reading, const char *option, const char *value, const char **path) {
-  if (value == NULL) value = next_argument(reading);
+  if (value == NULL) value = option_next(&reading->options);
   if (value == NULL || value[0] == '\0') return failure_in_usage(reading->failure, "%s needs a file", option);
   if (*path != NULL) return failure_in_usage(reading->failure, "%s is given twice", option);
   *path = value;
@@ -159,7 +131,7 @@ static bool take_path(struct reading *reading, const char *option, const char *v
 }
 
 static bool take_grouping(struct reading *reading, const char *value) {
-  if (value == NULL) value = next_argument(reading);
+  if (value == NULL) value = option_next(&reading->options);
   if (value == NULL) return failure_in_usage(reading->failure, "--by needs residue or chain");
   if (reading->request->by != GROUPING_NONE) return failure_in_usage(reading->failure, "--by is given twice");
   if (strcmp(value, "residue") == 0) {
@@ -220,6 +192,11 @@ static bool take_argument(struct reading *reading, const char *argument) {
     if (!take_measure_option(reading, argument, &known)) return false;
     if (known) return true;
   }
+  if (request->command == COMMAND_DRAW) {
+    bool known = false;
+    if (!drawing_take_option(&request->drawing, &reading->options, argument, &known)) return false;
+    if (known) return true;
+  }
   if (request->command == COMMAND_BOUNDARY && strcmp(argument, "--shells") == 0) {
     request->shells = true;
     return true;
@@ -265,6 +242,7 @@ static bool check(struct reading *reading) {
                             reading->radii_seen ? "--radii" : "--radius");
   }
   if (!check_measure(reading)) return false;
+  if (request->command == COMMAND_DRAW && !drawing_check(&request->drawing, reading->failure)) return false;
   return apply_overrides(reading);
 }
 
@@ -273,10 +251,11 @@ bool request_parse(struct request *request, enum command command, int count, cha
   memset(request, 0, sizeof *request);
   request->command = command;
   request->set = &radii_bondi;
-  struct reading reading = {request, arguments, count, false, false, false, failure};
+  request->drawing = (struct drawing)DRAWING_DEFAULT;
+  struct reading reading = {request, {arguments, count, failure}, false, false, false, failure};
   bool options_end = false;
   for (;;) {
-    const char *argument = next_argument(&reading);
+    const char *argument = option_next(&reading.options);
     if (argument == NULL) return check(&reading);
     if (!options_end && strcmp(argument, "--") == 0) {
       options_end = true;

@@ -4,13 +4,14 @@
 
 #include <stdbool.h>
 
+#include "drawing.h"
 #include "failure.h"
 #include "molecule.h"
 #include "radii.h"
 #include "residues.h"
 #include "text_buffer.h"
 
-enum command { COMMAND_MODEL, COMMAND_BOUNDARY, COMMAND_MEASURE, COMMAND_QUERY, COMMAND_VOIDS };
+enum command { COMMAND_MODEL, COMMAND_BOUNDARY, COMMAND_MEASURE, COMMAND_QUERY, COMMAND_VOIDS, COMMAND_DRAW };
 
 /* The command of that name; false if there is none. */
 bool command_find(const char *name, enum command *command);
@@ -34,6 +35,7 @@ struct request {
   enum query_kind query;
   double position[3];
   double query_radius;
+  struct drawing drawing; /* of `draw` */
   const struct radii_set *set;
   struct radii radii;
   struct text_buffer overrides; /* "C=1.7, ZN=1.4": what --radius changed, as the user wrote it */

@@ -108,6 +108,34 @@ bool geometry_compute_topology(struct geometry *geometry, const struct molecule 
   }
 }
 
+bool geometry_compute_view(struct geometry *geometry, const struct molecule *molecule, const hsp_view_options *options,
+                           struct failure *failure) {
+  hsp_view_limits limits;
+  int32_t status = hsp_view_limits_init(&limits, (uint32_t)sizeof limits, molecule->atoms);
+  if (status != HSP_OK) return failure_in_library(failure, status);
+  for (;;) {
+    size_t bytes = 0;
+    status = hsp_view_bytes(&limits, &bytes);
+    if (status != HSP_OK) return failure_in_library(failure, status);
+    free(geometry->view_memory);
+    geometry->view = NULL;
+    geometry->view_memory = allocate(bytes, failure);
+    if (geometry->view_memory == NULL) return false;
+    status = hsp_view_init(geometry->view_memory, bytes, &limits, &geometry->view);
+    if (status != HSP_OK) return failure_in_library(failure, status);
+
+    status = hsp_view_compute(geometry->view, geometry->model, geometry->boundary, options);
+    if (status == HSP_OK) return true;
+    hsp_view_limits needed;
+    if (status != HSP_E_CAPACITY || hsp_view_get_needed(geometry->view, &needed) != HSP_OK) {
+      return failure_in_library(failure, status);
+    }
+    const bool more_neighbours = raise(&limits.neighbours, needed.neighbours);
+    const bool more_arcs = raise(&limits.arcs, needed.arcs);
+    if (!more_neighbours && !more_arcs) return failure_in_library(failure, status);
+  }
+}
+
 bool geometry_list_shells(const struct geometry *geometry, hsp_shell **shells, uint32_t *count,
                           struct failure *failure) {
   *count = 0;
@@ -125,5 +153,6 @@ void geometry_free(struct geometry *geometry) {
   free(geometry->model_memory);
   free(geometry->boundary_memory);
   free(geometry->topology_memory);
+  free(geometry->view_memory);
   *geometry = (struct geometry)GEOMETRY_NONE;
 }

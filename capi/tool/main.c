@@ -25,6 +25,8 @@ static command_function *function_of(enum command command) {
       return command_query;
     case COMMAND_VOIDS:
       return command_voids;
+    case COMMAND_DRAW:
+      return command_draw;
   }
   return command_model;
 }

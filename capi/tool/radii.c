@@ -1,6 +1,5 @@
 #include "radii.h"
 
-#include <stdint.h>
 #include <string.h>
 
 #include "characters.h"
@@ -45,11 +44,11 @@ const struct radii_set radii_bondi = {"bondi",
 const struct radii_set radii_chem3d = {"chem3d", "Chem3D Plus radii of Halperin & Overmars 1994", chem3d_elements,
                                        sizeof chem3d_elements / sizeof chem3d_elements[0]};
 
-/* The symbols of the periodic table that have two letters, one after the other, and those that have one. */
-static const char two_letter_symbols[] =
-    "HeLiBeNeNaMgAlSiClArCaScTiCrMnFeCoNiCuZnGaGeAsSeBrKrRbSrZrNbMoTcRuRhPdAgCdInSnSbTeXeCsBaLaCePrNdPmSmEuGdTbDyHoErTm"
-    "YbLuHfTaReOsIrPtAuHgTlPbBiPoAtRnFrRaAcThPaNpPuAmCmBkCfEsFmMdNoLrRfDbSgBhHsMtDsRgCnNhFlMcLvTsOg";
-static const char one_letter_symbols[] = "HBCNOFPSKVYIWU";
+/* The symbols of the periodic table by atomic number, in two columns each. */
+static const char symbols[] =
+    "H HeLiBeB C N O F NeNaMgAlSiP S ClArK CaScTiV CrMnFeCoNiCuZnGaGeAsSeBrKrRbSrY ZrNbMoTcRuRhPdAgCdInSnSbTeI XeCs"
+    "BaLaCePrNdPmSmEuGdTbDyHoErTmYbLuHfTaW ReOsIrPtAuHgTlPbBiPoAtRnFrRaAcThPaU NpPuAmCmBkCfEsFmMdNoLrRfDbSgBhHsMtDs"
+    "RgCnNhFlMcLvTsOg";
 
 bool element_symbol_parse(const char *text, size_t length, struct element_symbol *symbol) {
   if (length < 1 || length > 2 || !is_letter(text[0]) || (length == 2 && !is_letter(text[1]))) return false;
@@ -60,12 +59,16 @@ bool element_symbol_parse(const char *text, size_t length, struct element_symbol
   return true;
 }
 
-bool element_symbol_exists(struct element_symbol symbol) {
-  if (symbol.text[1] == '\0') return strchr(one_letter_symbols, symbol.text[0]) != NULL;
-  for (const char *known = two_letter_symbols; *known != '\0'; known += 2) {
-    if (known[0] == symbol.text[0] && known[1] == symbol.text[1]) return true;
+uint32_t element_atomic_number(struct element_symbol symbol) {
+  const char second = symbol.text[1] == '\0' ? ' ' : symbol.text[1];
+  for (size_t at = 0; symbols[at] != '\0'; at += 2) {
+    if (symbol.text[0] == symbols[at] && second == symbols[at + 1]) return (uint32_t)(at / 2 + 1);
   }
-  return false;
+  return 0;
+}
+
+bool element_symbol_exists(struct element_symbol symbol) {
+  return element_atomic_number(symbol) != 0;
 }
 
 static size_t place(struct element_symbol symbol) {

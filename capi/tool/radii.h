@@ -4,6 +4,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 /* A symbol as chemists write it, "H" or "Ca", NUL-terminated. */
 struct element_symbol {
@@ -13,6 +14,9 @@ struct element_symbol {
 /* Make a symbol of one or two letters in any case; deuterium, D, becomes H. False if the text is no such thing.
  * Whether an element has that symbol is another question. */
 bool element_symbol_parse(const char *text, size_t length, struct element_symbol *symbol);
+
+/* The atomic number of the element with that symbol; 0 if there is none. */
+uint32_t element_atomic_number(struct element_symbol symbol);
 
 /* Whether the periodic table has the symbol. */
 bool element_symbol_exists(struct element_symbol symbol);

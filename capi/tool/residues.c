@@ -58,18 +58,51 @@ static int order_of_groups(const void *left, const void *right) {
   return order_of_numbers(((const struct atom_group *)left)->first, ((const struct atom_group *)right)->first);
 }
 
-static bool group_chains(const struct molecule *molecule, const double *area, struct atom_groups *groups) {
+/* The atoms sorted by chain; to be freed, NULL: memory is short. */
+static struct chain_member *sorted_members(const struct molecule *molecule) {
   struct chain_member *members = malloc(((size_t)molecule->atoms + 1) * sizeof *members);
-  if (members == NULL) return false;
+  if (members == NULL) return NULL;
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
     members[i] = (struct chain_member){molecule->label[i].residue.chain, i};
   }
   qsort(members, molecule->atoms, sizeof *members, order_of_members);
+  return members;
+}
+
+static bool begins_chain(const struct chain_member *members, uint32_t i) {
+  return i == 0 || strcmp(members[i - 1].chain, members[i].chain) != 0;
+}
+
+static bool group_chains(const struct molecule *molecule, const double *area, struct atom_groups *groups) {
+  struct chain_member *members = sorted_members(molecule);
+  if (members == NULL) return false;
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
-    if (i == 0 || strcmp(members[i - 1].chain, members[i].chain) != 0) begin_group(groups, members[i].atom);
+    if (begins_chain(members, i)) begin_group(groups, members[i].atom);
     add_atom(groups, area[members[i].atom]);
   }
   qsort(groups->group, groups->count, sizeof *groups->group, order_of_groups);
+  free(members);
+  return true;
+}
+
+bool chain_numbers_make(const struct molecule *molecule, uint32_t **number, struct failure *failure) {
+  struct chain_member *members = sorted_members(molecule);
+  *number = malloc(((size_t)molecule->atoms + 1) * sizeof **number);
+  if (members == NULL || *number == NULL) {
+    free(members);
+    free(*number);
+    return failure_of_memory(failure);
+  }
+  uint32_t first = 0;
+  for (uint32_t i = 0; i < molecule->atoms; ++i) {
+    if (begins_chain(members, i)) first = members[i].atom;
+    (*number)[members[i].atom] = first;
+  }
+  /* From the first atom of its chain to the number of the chain: earlier atoms have theirs already. */
+  uint32_t chains = 0;
+  for (uint32_t i = 0; i < molecule->atoms; ++i) {
+    (*number)[i] = (*number)[i] == i ? chains++ : (*number)[(*number)[i]];
+  }
   free(members);
   return true;
 }

@@ -43,6 +43,10 @@ struct atom_groups {
 bool atom_groups_make(const struct molecule *molecule, enum grouping grouping, const double *area,
                       struct atom_groups *groups, struct failure *failure);
 
+/* The chain of each atom as a number, 0, 1, ..: chains count in the order of their first atoms. *number [atoms] is to
+ * be freed on true. False: memory is short. */
+bool chain_numbers_make(const struct molecule *molecule, uint32_t **number, struct failure *failure);
+
 void atom_groups_free(struct atom_groups *groups);
 
 #endif

@@ -10,6 +10,7 @@ static const char overview[] =
     "  hardsphere measure  FILE [options]   area and volume, in total, by ball, residue or chain, and their gradients\n"
     "  hardsphere voids    FILE [options]   the cavities in the union and the balls around them\n"
     "  hardsphere query    FILE [options]   which balls contain a point or meet a ball\n"
+    "  hardsphere draw     FILE -o OUT      a picture with hidden parts removed: .svg, .eps or .pdf\n"
     "  hardsphere COMMAND --help            more about a command\n"
     "  hardsphere --version\n"
     "\n";
@@ -90,6 +91,38 @@ static const char query_text[] =
     "JSON: hits, the indices of the balls in the order of the file, counted from 0, ascending.\n"
     "\n";
 
+static const char draw_text[] =
+    "hardsphere draw FILE -o OUT [options]\n"
+    "\n"
+    "Draws the balls with hidden parts removed, as true arcs: OUT is .svg, .eps or .pdf.\n"
+    "  --view X,Y,Z           the direction towards the viewer; default 0,0,1\n"
+    "  --up X,Y,Z             the direction that appears upwards; default 0,1,0\n"
+    "  --rotate X,Y,Z         instead of both: turn the balls by X, then Y, then Z degrees about the axes to the\n"
+    "                         right, upwards and towards the viewer, counter-clockwise seen from their ends\n"
+    "  --style flat|headlight|soft\n"
+    "                         one colour a ball, light from the viewer, or light from the upper left; default\n"
+    "                         soft up to 2000 balls, flat above\n"
+    "  --palette soft|jmol|chain\n"
+    "                         muted colours or Jmol's by element, or a tint for each chain; default soft. .xyzr and\n"
+    "                         .pqr files name no elements: all balls count as carbon\n"
+    "  --occlusion S          darken buried balls, from 0, not at all, to 1. Default 0.5 with style soft, and above\n"
+    "                         2000 balls with any style; 0 above 20000 balls and else. It takes less than 1 s up to\n"
+    "                         20000 balls, 15 us a ball beyond; a coarser rule serves above 1000 and above 20000\n"
+    "  --fog F                fade far balls to the background, from 0, not at all, to 1; default 0.3\n"
+    "  --outline W            the width of lines along silhouettes and intersections, 0: none; default by size\n"
+    "  --width W, --height H  the size of the picture, one follows from the other; default width 1000 px or 170 mm\n"
+    "  --unit px|mm           of width, height and outline; default px, 1/96 inch\n"
+    "  --margin M             around the balls, as a part of their larger side; default 0.03\n"
+    "  --background RRGGBB|none\n"
+    "                         default FFFFFF\n"
+    "  --title TEXT           the title in the file; default the name of FILE\n"
+    "  --pieces g|h           cut balls by farther ones, or by all others, which leaves seams; default g\n"
+    "  --all-balls            paint hidden balls too\n"
+    "The same input gives the same bytes. If the picture cannot be written in full, no file is left.\n"
+    "JSON: n, pieces, arcs, bytes, style, width, height; pieces is how many balls are painted, arcs how many parts of\n"
+    "circles and ellipses bound them, bytes the size of OUT; width and height are in the given unit.\n"
+    "\n";
+
 void usage_of_program(struct text_buffer *out) {
   text_buffer_add(out, "%s%s%s", overview, files_and_radii, statuses);
 }
@@ -111,6 +144,9 @@ void usage_of_command(struct text_buffer *out, enum command command) {
       break;
     case COMMAND_VOIDS:
       text = voids_text;
+      break;
+    case COMMAND_DRAW:
+      text = draw_text;
       break;
   }
   text_buffer_add(out, "%s%s%s", text, files_and_radii, statuses);

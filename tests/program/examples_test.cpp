@@ -1,7 +1,9 @@
 // The examples of the interface: what they print for sets with a known answer, and where they print it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 #include <sstream>
 #include <string>
@@ -116,6 +118,113 @@ TEST(Examples, CavitiesRefuseBadFiles) {
     EXPECT_EQ(outcome.out, "");
     EXPECT_EQ(outcome.err.rfind(file + ":", 0), 0u) << outcome.err;
   }
+}
+
+// The polygons of draw_with_your_plotter, painted one over the other, against the nearest sphere at each point: the
+// example turns the balls by 60 degrees about x, then by 25 about y.
+TEST(Examples, YourPlotterShowsWhatIsInFront) {
+  struct Ball {
+    double x, y, z, r;
+    std::string element;
+  };
+  const double a = 60 * pi / 180;
+  const double b = 25 * pi / 180;
+  std::vector<Ball> balls;
+  double low[2] = {1e9, 1e9};
+  double high[2] = {-1e9, -1e9};
+  for (const std::string &line : lines_of(read_file(molecules_folder() + "/caffeine.pdb"))) {
+    if (line.rfind("HETATM", 0) != 0) continue;
+    const double x = std::stod(line.substr(30, 8));
+    const double y = std::stod(line.substr(38, 8));
+    const double z = std::stod(line.substr(46, 8));
+    const double turned_z = std::sin(a) * y + std::cos(a) * z;
+    const std::string element = line.substr(76, 2);
+    const double r = element == " H" ? 1.10 : element == " C" ? 1.70 : element == " N" ? 1.55 : 1.52;
+    const Ball ball = {std::cos(b) * x + std::sin(b) * turned_z, std::cos(a) * y - std::sin(a) * z,
+                       std::cos(b) * turned_z - std::sin(b) * x, r, element};
+    balls.push_back(ball);
+    low[0] = std::min(low[0], ball.x - r);
+    low[1] = std::min(low[1], ball.y - r);
+    high[0] = std::max(high[0], ball.x + r);
+    high[1] = std::max(high[1], ball.y + r);
+  }
+  ASSERT_EQ(balls.size(), 24u);
+
+  const Outcome outcome = run_example("draw_with_your_plotter", {});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::vector<std::string> lines = lines_of(outcome.out);
+  double box[4];
+  ASSERT_EQ(std::sscanf(lines.at(0).c_str(),
+                        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"600\" viewBox=\"%lf %lf %lf %lf", &box[0],
+                        &box[1], &box[2], &box[3]),
+            4);
+  EXPECT_EQ(lines.back(), "</svg>");
+  // The balls' box lies in the middle of the picture: so much for where the view's origin is.
+  const double shift[2] = {(low[0] + high[0]) / 2 - (box[0] + box[2] / 2),
+                           (low[1] + high[1]) / 2 + box[1] + box[3] / 2};
+  EXPECT_NEAR(box[2], high[0] - low[0] + 0.2, 1e-3);
+  EXPECT_NEAR(box[3], high[1] - low[1] + 0.2, 1e-3);
+
+  struct Piece {
+    std::size_t ball;
+    std::vector<std::vector<std::pair<double, double>>> loops;
+  };
+  std::vector<Piece> pieces;
+  for (std::size_t i = 1; i + 1 < lines.size(); ++i) {
+    unsigned ball = 0;
+    ASSERT_EQ(std::sscanf(lines[i].c_str(), "<path data-ball=\"%u\"", &ball), 1) << lines[i];
+    ASSERT_LT(ball, balls.size());
+    Piece piece{ball, {}};
+    const std::size_t begin = lines[i].find(" d=\"") + 4;
+    std::istringstream loops(lines[i].substr(begin, lines[i].rfind('"') - begin));
+    for (std::string loop; std::getline(loops, loop, 'Z');) {
+      ASSERT_EQ(loop.at(0), 'M');
+      std::istringstream points(loop.substr(1));
+      piece.loops.emplace_back();
+      double x = 0;
+      double y = 0;
+      for (char comma = 0; points >> x >> comma >> y;) piece.loops.back().emplace_back(x + shift[0], shift[1] - y);
+      EXPECT_GE(piece.loops.back().size(), 3u);
+    }
+    pieces.push_back(piece);
+  }
+
+  const auto inside = [](const Piece &piece, double x, double y) {
+    bool odd = false;
+    for (const auto &loop : piece.loops) {
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        const auto &[x0, y0] = loop[i];
+        const auto &[x1, y1] = loop[(i + 1) % loop.size()];
+        if ((y0 > y) != (y1 > y) && x < x0 + (y - y0) / (y1 - y0) * (x1 - x0)) odd = !odd;
+      }
+    }
+    return odd;
+  };
+  int shown = 0;
+  int wrong = 0;
+  const int steps = 100;
+  for (int at = 0; at < steps * steps; ++at) {
+    const double x = low[0] + (high[0] - low[0]) * (at % steps + 0.5) / steps;
+    const double y = low[1] + (high[1] - low[1]) * (at / steps + 0.5) / steps;
+    std::size_t nearest = balls.size();
+    double height = -1e9;
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+      const double rest = balls[i].r * balls[i].r - std::pow(x - balls[i].x, 2) - std::pow(y - balls[i].y, 2);
+      if (rest > 0 && balls[i].z + std::sqrt(rest) > height) {
+        height = balls[i].z + std::sqrt(rest);
+        nearest = i;
+      }
+    }
+    std::size_t painted = balls.size();
+    for (const Piece &piece : pieces) {
+      if (inside(piece, x, y)) painted = piece.ball;
+    }
+    if (nearest < balls.size()) ++shown;
+    if (painted != nearest) ++wrong;
+  }
+  EXPECT_GT(shown, steps * steps / 2);
+  // Chords of 0.1 rad leave up to 0.002 of a radius beside the arcs.
+  EXPECT_LT(wrong, 60);
 }
 
 // inputs/frames.pdb: two oxygens 1 and 2 apart, then three atoms that do not meet. Two equal balls at distance d have

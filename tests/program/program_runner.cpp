@@ -96,6 +96,17 @@ int run_child(const std::string &program, const std::vector<std::string> &argume
   return WIFEXITED(state) ? WEXITSTATUS(state) : 128 + WTERMSIG(state);
 }
 
+std::optional<Outcome> run_watched(const std::string &program, const std::vector<std::string> &arguments) {
+  const Capture out;
+  Terminal terminal;
+  if (!terminal.works()) return std::nullopt;
+  Outcome outcome;
+  outcome.status = run_child(program, arguments, out.descriptor(), terminal.descriptor());
+  outcome.out = out.text();
+  outcome.err = terminal.text();
+  return outcome;
+}
+
 }  // namespace
 
 Outcome run_program(const std::vector<std::string> &arguments, const std::string &out_path) {
@@ -121,15 +132,12 @@ Outcome run_example(const std::string &name, const std::vector<std::string> &arg
   return outcome;
 }
 
+std::optional<Outcome> run_program_watched(const std::vector<std::string> &arguments) {
+  return run_watched(HSP_PROGRAM, arguments);
+}
+
 std::optional<Outcome> run_example_watched(const std::string &name, const std::vector<std::string> &arguments) {
-  const Capture out;
-  Terminal terminal;
-  if (!terminal.works()) return std::nullopt;
-  Outcome outcome;
-  outcome.status = run_child(HSP_EXAMPLES + name, arguments, out.descriptor(), terminal.descriptor());
-  outcome.out = out.text();
-  outcome.err = terminal.text();
-  return outcome;
+  return run_watched(HSP_EXAMPLES + name, arguments);
 }
 
 std::string inputs_folder() {
@@ -140,6 +148,9 @@ std::string transcripts_folder() {
 }
 std::string molecules_folder() {
   return HSP_PROGRAM_MOLECULES;
+}
+std::string pictures_folder() {
+  return HSP_PROGRAM_PICTURES;
 }
 
 std::string read_file(const std::string &path) {

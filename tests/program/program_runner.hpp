@@ -15,8 +15,10 @@ struct Outcome {
 // there instead of into Outcome::out.
 Outcome run_program(const std::vector<std::string> &arguments, const std::string &out_path = "");
 
-// Run an example of capi/examples in the same folder. Watched: with a terminal for its stderr; nothing if the system
-// has none to give.
+// The same with a terminal for its stderr; nothing if the system has none to give.
+std::optional<Outcome> run_program_watched(const std::vector<std::string> &arguments);
+
+// Run an example of capi/examples in the same folder. Watched: as above.
 Outcome run_example(const std::string &name, const std::vector<std::string> &arguments);
 std::optional<Outcome> run_example_watched(const std::string &name, const std::vector<std::string> &arguments);
 
@@ -24,5 +26,6 @@ std::optional<Outcome> run_example_watched(const std::string &name, const std::v
 std::string inputs_folder();
 std::string transcripts_folder();
 std::string molecules_folder();
+std::string pictures_folder();
 
 std::string read_file(const std::string &path);

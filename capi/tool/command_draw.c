@@ -1,0 +1,194 @@
+/* hardsphere draw: a vector picture with hidden parts removed. */
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "commands.h"
+#include "occlusion.h"
+#include "picture_file.h"
+#include "progress.h"
+#include "report.h"
+#include "residues.h"
+
+/* As wide as a page of text. */
+static const double default_millimetres = 170.0;
+
+enum { carbon = 6 };
+
+/* What was drawn. */
+struct drawn {
+  hsp_view_info view;
+  hsp_picture_options options;
+  double width; /* in the picture's unit */
+  double height;
+  uint64_t bytes;
+};
+
+/* The colour of every ball; to be freed on true. */
+static bool make_colours(const struct request *request, const struct molecule *molecule,
+                         const struct geometry *geometry, uint32_t **colour, struct failure *failure) {
+  const struct drawing *drawing = &request->drawing;
+  const uint32_t palette = drawing->palette < 0 ? HSP_PALETTE_SOFT : (uint32_t)drawing->palette;
+  if (!chain_numbers_make(molecule, colour, failure)) return false;
+  for (uint32_t i = 0; i < molecule->atoms; ++i) {
+    const uint32_t chain = (*colour)[i];
+    const struct element_symbol element = molecule->label[i].element;
+    /* Where the file names no element, grey is better than the loud colour of elements that nobody knows. */
+    const uint32_t number = element.text[0] == '\0' ? carbon : element_atomic_number(element);
+    (*colour)[i] = hsp_palette_colour(palette, number, chain);
+  }
+  if (occlusion_darken(molecule, geometry, request->probe, drawing_occlusion(drawing, molecule->atoms), *colour,
+                       failure)) {
+    return true;
+  }
+  free(*colour);
+  return false;
+}
+
+static bool view_options_of(const struct drawing *drawing, hsp_view_options *options, struct failure *failure) {
+  int32_t status = hsp_view_options_init(options, (uint32_t)sizeof *options);
+  if (status != HSP_OK) return failure_in_library(failure, status);
+  if (drawing->pieces >= 0) options->pieces = (uint32_t)drawing->pieces;
+  if (drawing->all_balls) options->flags |= HSP_VIEW_ALL_BALLS;
+  if (drawing->view.given) memcpy(options->towards, drawing->view.xyz, sizeof options->towards);
+  if (drawing->up.given) memcpy(options->up, drawing->up.xyz, sizeof options->up);
+  if (drawing->rotate.given) {
+    const double *angle = drawing->rotate.xyz;
+    status = hsp_view_options_turn(options, angle[0], angle[1], angle[2]);
+  }
+  return status == HSP_OK || failure_in_library(failure, status);
+}
+
+static bool picture_options_of(const struct drawing *drawing, uint32_t balls, hsp_picture_options *options,
+                               struct failure *failure) {
+  const int32_t status = hsp_picture_options_init(options, (uint32_t)sizeof *options);
+  if (status != HSP_OK) return failure_in_library(failure, status);
+  options->format = (uint32_t)drawing->format;
+  options->style = drawing_style(drawing, balls);
+  if (drawing->unit >= 0) options->unit = (uint32_t)drawing->unit;
+  if (options->unit == HSP_UNIT_MM) options->width = default_millimetres;
+  if (drawing->height >= 0.0) {
+    options->height = drawing->height;
+    options->width = 0.0; /* follows, unless it is given too */
+  }
+  if (drawing->width >= 0.0) options->width = drawing->width;
+  if (drawing->outline >= 0.0) options->outline = drawing->outline;
+  if (drawing->fog >= 0.0) options->fog = drawing->fog;
+  if (drawing->margin >= 0.0) options->margin = drawing->margin;
+  if (drawing->background == DRAWING_NO_BACKGROUND) {
+    options->flags |= HSP_PICTURE_NO_BACKGROUND;
+  } else if (drawing->background >= 0) {
+    options->background = (uint32_t)drawing->background;
+  }
+  return true;
+}
+
+/* A side that follows from the other one stays in the range that hsp_picture_write keeps it in. */
+static double clamped(double side) {
+  return side < 0.01 ? 0.01 : side > 1e6 ? 1e6 : side;
+}
+
+/* The sides of the picture where only one is given; see hsp_picture_options. */
+static void find_size(struct drawn *drawn) {
+  const hsp_view_info *view = &drawn->view;
+  const double wide = view->high[0] - view->low[0];
+  const double high = view->high[1] - view->low[1];
+  const double margin = drawn->options.margin * (wide > high ? wide : high);
+  const double across = wide + 2.0 * margin;
+  const double upright = high + 2.0 * margin;
+  const double ratio = across > 0.0 && upright > 0.0 ? across / upright : 1.0;
+  drawn->width = drawn->options.width > 0.0 ? drawn->options.width : clamped(drawn->options.height * ratio);
+  drawn->height = drawn->options.height > 0.0 ? drawn->options.height : clamped(drawn->options.width / ratio);
+}
+
+/* A direction as a person reads it: with four decimals at most, and no "-0". */
+#define DIRECTION_BYTES 64
+static const char *direction_text(char out[DIRECTION_BYTES], const double direction[3]) {
+  double rounded[3];
+  for (int axis = 0; axis < 3; ++axis) rounded[axis] = floor(direction[axis] * 1e4 + 0.5) / 1e4 + 0.0;
+  snprintf(out, DIRECTION_BYTES, "(%.4g, %.4g, %.4g)", rounded[0], rounded[1], rounded[2]);
+  return out;
+}
+
+static const char *base_name(const char *path) {
+  const char *slash = strrchr(path, '/');
+  return slash == NULL ? path : slash + 1;
+}
+
+static bool write_picture(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
+                          const uint32_t *colour, const struct progress *progress, struct drawn *drawn,
+                          struct failure *failure) {
+  const int32_t status = hsp_view_get_info(geometry->view, &drawn->view);
+  if (status != HSP_OK) return failure_in_library(failure, status);
+  if (!picture_options_of(&request->drawing, molecule->atoms, &drawn->options, failure)) return false;
+  find_size(drawn);
+  char description[160];
+  char towards[DIRECTION_BYTES];
+  snprintf(description, sizeof description, "%" PRIu32 " balls, seen from %s", molecule->atoms,
+           direction_text(towards, drawn->view.towards));
+  const char *title = request->drawing.title != NULL ? request->drawing.title : base_name(request->file);
+  const struct picture picture = {colour, drawn->options, title, description};
+  progress_show(progress, "writing");
+  return picture_file_write(geometry->view, &picture, request->drawing.out, progress, &drawn->bytes, failure);
+}
+
+static bool draw(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
+                 const struct progress *progress, struct drawn *drawn, struct failure *failure) {
+  hsp_view_options options;
+  uint32_t *colour = NULL;
+  if (!view_options_of(&request->drawing, &options, failure)) return false;
+  if (drawing_occlusion(&request->drawing, molecule->atoms) > 0.0) progress_show(progress, "shading");
+  if (!make_colours(request, molecule, geometry, &colour, failure)) return false;
+  bool done = true;
+  if (options.pieces == HSP_PIECES_H) {
+    progress_show(progress, "computing the boundary");
+    done = geometry_compute_boundary(geometry, molecule, failure);
+  }
+  progress_show(progress, "cutting and sorting");
+  done = done && geometry_compute_view(geometry, molecule, &options, failure) &&
+         write_picture(request, molecule, geometry, colour, progress, drawn, failure);
+  free(colour);
+  return done;
+}
+
+static void print_json(const struct molecule *molecule, const struct drawn *drawn, struct text_buffer *out) {
+  text_buffer_add(out, "{\"n\": %" PRIu32 ", \"pieces\": %" PRIu32 ", \"arcs\": %" PRIu32 ", \"bytes\": %" PRIu64,
+                  molecule->atoms, drawn->view.pieces, drawn->view.arcs, drawn->bytes);
+  text_buffer_add(out, ", \"style\": \"%s\", \"width\": ", drawing_style_name(drawn->options.style));
+  json_number(out, drawn->width);
+  text_buffer_add(out, ", \"height\": ");
+  json_number(out, drawn->height);
+  text_buffer_add(out, "}\n");
+}
+
+static void print_table(const struct request *request, const struct molecule *molecule, const struct drawn *drawn,
+                        struct text_buffer *out) {
+  char value[160];
+  char towards[DIRECTION_BYTES];
+  char up[DIRECTION_BYTES];
+  report_heading(out, request, molecule);
+  snprintf(value, sizeof value, "%s, %s, %.6g x %.6g %s", drawing_format_name(drawn->options.format),
+           drawing_style_name(drawn->options.style), drawn->width, drawn->height,
+           drawn->options.unit == HSP_UNIT_MM ? "mm" : "px");
+  report_row(out, "picture", value, "");
+  snprintf(value, sizeof value, "%s towards the viewer, %s up", direction_text(towards, drawn->view.towards),
+           direction_text(up, drawn->view.up));
+  report_row(out, "view", value, "");
+  report_row_count(out, "pieces", drawn->view.pieces, "painted one over the other, farthest first");
+  report_row_count(out, "arcs", drawn->view.arcs, "of circles and ellipses around them");
+  report_row_count(out, "bytes", (int64_t)drawn->bytes, "");
+}
+
+bool command_draw(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
+                  struct text_buffer *out, struct failure *failure) {
+  struct drawn drawn;
+  memset(&drawn, 0, sizeof drawn);
+  const struct progress progress = progress_begin(molecule->atoms);
+  const bool done = draw(request, molecule, geometry, &progress, &drawn, failure);
+  progress_end(&progress);
+  if (done && request->json) print_json(molecule, &drawn, out);
+  if (done && !request->json) print_table(request, molecule, &drawn, out);
+  return done;
+}

@@ -1,0 +1,234 @@
+#include "drawing.h"
+
+#include <stddef.h>
+#include <string.h>
+
+#include "characters.h"
+#include "fields.h"
+#include "hardsphere.h"
+#include "number.h"
+
+enum { FORMATS = 3, STYLES = 3, PALETTES = 3, UNITS = 2, PIECES = 2 };
+
+/* In the order of their numbers in hardsphere.h. */
+static const char *const style_names[STYLES] = {"flat", "headlight", "soft"};
+static const char *const palette_names[PALETTES] = {"soft", "jmol", "chain"};
+static const char *const unit_names[UNITS] = {"px", "mm"};
+static const char *const piece_names[PIECES] = {"g", "h"};
+static const char *const format_names[FORMATS] = {"SVG", "EPS", "PDF"};
+
+/* Above MOST_SOFT_BALLS shading of single balls tells less than it costs in bytes. What tells something about molecules
+ * of that size is how deep their balls lie, but above MOST_OCCLUDED_BALLS finding out takes longer than drawing. */
+enum { MOST_SOFT_BALLS = 2000, MOST_OCCLUDED_BALLS = 20000 };
+
+struct number_option {
+  const char *name;
+  size_t place;      /* in struct drawing */
+  bool positive;     /* 0 is too small */
+  double most;       /* the largest that is allowed */
+  const char *range; /* how a person reads that */
+};
+
+static const struct number_option number_options[] = {
+    {"--width", offsetof(struct drawing, width), true, 1e6, "above 0 and at most 1000000"},
+    {"--height", offsetof(struct drawing, height), true, 1e6, "above 0 and at most 1000000"},
+    {"--outline", offsetof(struct drawing, outline), false, 1e6, "between 0 and 1000000"},
+    {"--fog", offsetof(struct drawing, fog), false, 1.0, "between 0 and 1"},
+    {"--margin", offsetof(struct drawing, margin), false, 10.0, "between 0 and 10"},
+    {"--occlusion", offsetof(struct drawing, occlusion), false, 1.0, "between 0 and 1"},
+};
+
+struct choice_option {
+  const char *name;
+  size_t place;
+  const char *const *words;
+  int count;
+  const char *what;
+};
+
+static const struct choice_option choice_options[] = {
+    {"--style", offsetof(struct drawing, style), style_names, STYLES, "flat, headlight or soft"},
+    {"--palette", offsetof(struct drawing, palette), palette_names, PALETTES, "soft, jmol or chain"},
+    {"--unit", offsetof(struct drawing, unit), unit_names, UNITS, "px or mm"},
+    {"--pieces", offsetof(struct drawing, pieces), piece_names, PIECES, "g or h"},
+};
+
+struct vector_option {
+  const char *name;
+  size_t place;
+  bool direction; /* 0,0,0 is none */
+};
+
+static const struct vector_option vector_options[] = {
+    {"--view", offsetof(struct drawing, view), true},
+    {"--rotate", offsetof(struct drawing, rotate), false},
+    {"--up", offsetof(struct drawing, up), true},
+};
+
+static bool twice(const struct option_reader *reader, const char *option) {
+  return failure_in_usage(reader->failure, "%s is given twice", option);
+}
+
+static bool take_number(struct option_reader *reader, const struct number_option *option, const char *value,
+                        double *number) {
+  if (!option_value(reader, option->name, &value, "a number")) return false;
+  if (*number >= 0.0) return twice(reader, option->name);
+  if (!option_number(reader, option->name, value, number)) return false;
+  if (*number >= 0.0 && *number <= option->most && !(option->positive && *number == 0.0)) return true;
+  return failure_in_usage(reader->failure, "%s must be %s", option->name, option->range);
+}
+
+static bool take_choice(struct option_reader *reader, const struct choice_option *option, const char *value,
+                        int *choice) {
+  if (!option_value(reader, option->name, &value, option->what)) return false;
+  if (*choice >= 0) return twice(reader, option->name);
+  *choice = option_choice(reader, option->name, value, option->words, option->count);
+  return *choice >= 0;
+}
+
+static bool take_vector(struct option_reader *reader, const struct vector_option *option, const char *value,
+                        struct drawing_vector *vector) {
+  if (!option_value(reader, option->name, &value, "three numbers: X,Y,Z")) return false;
+  if (vector->given) return twice(reader, option->name);
+  const char *text = value;
+  for (int axis = 0; axis < 3; ++axis) {
+    const size_t length = strcspn(text, ",");
+    const bool last = text[length] == '\0';
+    if (number_parse(text, length, &vector->xyz[axis]) != NUMBER_OK || last != (axis == 2)) {
+      char shown[EXCERPT_BYTES];
+      return failure_in_usage(reader->failure, "%s: '%s' is not of the form X,Y,Z", option->name,
+                              excerpt(shown, value, strlen(value)));
+    }
+    text += length + 1;
+  }
+  vector->given = true;
+  if (option->direction && vector->xyz[0] == 0.0 && vector->xyz[1] == 0.0 && vector->xyz[2] == 0.0) {
+    return failure_in_usage(reader->failure, "%s: 0,0,0 is no direction", option->name);
+  }
+  return true;
+}
+
+static int hexadecimal_digit(char c) {
+  if (is_digit(c)) return c - '0';
+  const char lower = to_lower(c);
+  return lower >= 'a' && lower <= 'f' ? lower - 'a' + 10 : -1;
+}
+
+static bool take_background(struct option_reader *reader, const char *value, int *background) {
+  if (!option_value(reader, "--background", &value, "RRGGBB or none")) return false;
+  if (*background >= 0) return twice(reader, "--background");
+  if (strcmp(value, "none") == 0) {
+    *background = DRAWING_NO_BACKGROUND;
+    return true;
+  }
+  const char *digits = value[0] == '#' ? value + 1 : value;
+  int colour = 0;
+  bool good = strlen(digits) == 6;
+  for (int i = 0; good && i < 6; ++i) {
+    const int digit = hexadecimal_digit(digits[i]);
+    good = digit >= 0;
+    colour = 16 * colour + digit;
+  }
+  if (good) {
+    *background = colour;
+    return true;
+  }
+  char shown[EXCERPT_BYTES];
+  return failure_in_usage(reader->failure, "--background: '%s' is neither RRGGBB nor none",
+                          excerpt(shown, value, strlen(value)));
+}
+
+static bool take_text(struct option_reader *reader, const char *option, const char *value, const char *what,
+                      const char **text) {
+  if (!option_value(reader, option, &value, what)) return false;
+  if (*text != NULL) return twice(reader, option);
+  *text = value;
+  return true;
+}
+
+bool drawing_take_option(struct drawing *drawing, struct option_reader *reader, const char *argument, bool *known) {
+  char *const base = (char *)drawing;
+  const char *value = NULL;
+  *known = true;
+  for (size_t i = 0; i < sizeof number_options / sizeof number_options[0]; ++i) {
+    const struct number_option *option = &number_options[i];
+    if (option_is(argument, option->name, &value)) {
+      return take_number(reader, option, value, (double *)(void *)(base + option->place));
+    }
+  }
+  for (size_t i = 0; i < sizeof choice_options / sizeof choice_options[0]; ++i) {
+    const struct choice_option *option = &choice_options[i];
+    if (option_is(argument, option->name, &value)) {
+      return take_choice(reader, option, value, (int *)(void *)(base + option->place));
+    }
+  }
+  for (size_t i = 0; i < sizeof vector_options / sizeof vector_options[0]; ++i) {
+    const struct vector_option *option = &vector_options[i];
+    if (option_is(argument, option->name, &value)) {
+      return take_vector(reader, option, value, (struct drawing_vector *)(void *)(base + option->place));
+    }
+  }
+  if (option_is(argument, "--background", &value)) return take_background(reader, value, &drawing->background);
+  if (option_is(argument, "--title", &value)) {
+    return take_text(reader, "--title", value, "a text", &drawing->title);
+  }
+  if (strcmp(argument, "-o") == 0) return take_text(reader, "-o", NULL, "a file", &drawing->out);
+  if (strcmp(argument, "--all-balls") == 0) {
+    drawing->all_balls = true;
+    return true;
+  }
+  *known = false;
+  return true;
+}
+
+static bool find_format(struct drawing *drawing) {
+  const char *slash = strrchr(drawing->out, '/');
+  const char *dot = strrchr(slash == NULL ? drawing->out : slash + 1, '.');
+  if (dot == NULL) return false;
+  const struct field extension = {dot + 1, strlen(dot + 1)};
+  for (int i = 0; i < FORMATS; ++i) {
+    if (field_is(extension, format_names[i])) {
+      drawing->format = i;
+      return true;
+    }
+  }
+  return false;
+}
+
+bool drawing_check(struct drawing *drawing, struct failure *failure) {
+  if (drawing->out == NULL) return failure_in_usage(failure, "draw needs -o OUT, a file .svg, .eps or .pdf");
+  if (!find_format(drawing)) {
+    char shown[EXCERPT_BYTES];
+    return failure_in_usage(failure, "-o: '%s' is no .svg, .eps or .pdf file",
+                            excerpt(shown, drawing->out, strlen(drawing->out)));
+  }
+  if (drawing->rotate.given && (drawing->view.given || drawing->up.given)) {
+    return failure_in_usage(failure, "one way to look at it: either --rotate or --view and --up");
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    const double angle = drawing->rotate.xyz[axis];
+    if (angle > 1e6 || angle < -1e6) {
+      return failure_in_usage(failure, "--rotate: angles must be between -1000000 and 1000000 degrees");
+    }
+  }
+  return true;
+}
+
+uint32_t drawing_style(const struct drawing *drawing, uint32_t balls) {
+  if (drawing->style >= 0) return (uint32_t)drawing->style;
+  return balls <= MOST_SOFT_BALLS ? HSP_STYLE_SOFT : HSP_STYLE_FLAT;
+}
+
+double drawing_occlusion(const struct drawing *drawing, uint32_t balls) {
+  if (drawing->occlusion >= 0.0) return drawing->occlusion;
+  if (balls > MOST_OCCLUDED_BALLS) return 0.0;
+  return balls > MOST_SOFT_BALLS || drawing_style(drawing, balls) == HSP_STYLE_SOFT ? 0.5 : 0.0;
+}
+
+const char *drawing_format_name(uint32_t format) {
+  return format_names[format];
+}
+
+const char *drawing_style_name(uint32_t style) {
+  return style_names[style];
+}

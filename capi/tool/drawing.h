@@ -1,0 +1,61 @@
+/* What a user of `draw` asks for. */
+#ifndef HARDSPHERE_TOOL_DRAWING_H
+#define HARDSPHERE_TOOL_DRAWING_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "failure.h"
+#include "option_reader.h"
+
+/* Three numbers of one option; `given` tells whether there are any. */
+struct drawing_vector {
+  bool given;
+  double xyz[3];
+};
+
+/* Numbers and choices are negative where the user has said nothing. Choices are numbered as in hardsphere.h. */
+struct drawing {
+  const char *out; /* a file, or NULL */
+  const char *title;
+  struct drawing_vector view;   /* towards the viewer */
+  struct drawing_vector rotate; /* degrees */
+  struct drawing_vector up;
+  int format; /* by the extension of out: drawing_check sets it */
+  int style;
+  int palette;
+  int unit;
+  int pieces;
+  int background; /* 0xRRGGBB, or DRAWING_NO_BACKGROUND */
+  double width;
+  double height;
+  double outline;
+  double fog;
+  double margin;
+  double occlusion;
+  bool all_balls;
+};
+
+#define DRAWING_NO_BACKGROUND 0x1000000
+
+#define DRAWING_DEFAULT                                                                                    \
+  {                                                                                                        \
+    .style = -1, .palette = -1, .unit = -1, .pieces = -1, .background = -1, .width = -1.0, .height = -1.0, \
+    .outline = -1.0, .fog = -1.0, .margin = -1.0, .occlusion = -1.0                                        \
+  }
+
+/* Take the argument if it is an option of `draw`, and its value from the reader; *known tells whether it is one. */
+bool drawing_take_option(struct drawing *drawing, struct option_reader *reader, const char *argument, bool *known);
+
+/* Which options go together, and what format the file's name asks for. */
+bool drawing_check(struct drawing *drawing, struct failure *failure);
+
+/* The style and the occlusion for a number of balls, defaults included. */
+uint32_t drawing_style(const struct drawing *drawing, uint32_t balls);
+double drawing_occlusion(const struct drawing *drawing, uint32_t balls);
+
+/* What people call the formats and styles. */
+const char *drawing_format_name(uint32_t format);
+const char *drawing_style_name(uint32_t style);
+
+#endif

@@ -1,0 +1,180 @@
+#include "occlusion.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* Lengths in angstrom where a typical large ball has the radius of carbon. */
+static const double carbon_radius = 1.7;
+static const double reach = 5.0; /* of the smoothing */
+
+/* Each step costs about five times the one before: the larger the probe, the more neighbours a ball has. */
+struct probe_rule {
+  uint32_t most_balls;
+  int count;
+  double probes[2];
+};
+static const struct probe_rule probe_rules[] = {
+    {1000, 2, {2.8, 7.0}}, {20000, 1, {2.8, 0.0}}, {HSP_MAX_BALLS, 1, {1.4, 0.0}}};
+
+/* Few balls shade each other little; their darkest would look dirty. */
+enum { SMALL_MOLECULE = 60 };
+
+/* Pictures write a colour once for all balls that have it, so there are only so many shades of each. */
+enum { SHADES = 16 };
+
+static const double pi = 3.14159265358979323846;
+
+static int order_of_doubles(const void *left, const void *right) {
+  const double a = *(const double *)left;
+  const double b = *(const double *)right;
+  return (a > b) - (a < b);
+}
+
+/* The value that a part of the others does not exceed; *found is set on true. */
+static bool quantile(const double *values, uint32_t count, double part, double *found, struct failure *failure) {
+  *found = 0.0;
+  if (count == 0) return true;
+  double *sorted = malloc(count * sizeof *sorted);
+  if (sorted == NULL) return failure_of_memory(failure);
+  memcpy(sorted, values, count * sizeof *sorted);
+  qsort(sorted, count, sizeof *sorted, order_of_doubles);
+  *found = sorted[(uint32_t)(part * (double)(count - 1))];
+  free(sorted);
+  return true;
+}
+
+/* Add to exposure the free part of each ball's area when a probe is added to all radii. */
+static bool add_free_part(const struct molecule *molecule, double probe, double *area, double *exposure,
+                          struct failure *failure) {
+  struct geometry inflated = GEOMETRY_NONE;
+  bool done = geometry_set_model(&inflated, molecule, probe, failure) &&
+              geometry_compute_boundary(&inflated, molecule, failure);
+  if (done) {
+    const int32_t status = hsp_boundary_measure(inflated.boundary, NULL, area, NULL, molecule->atoms);
+    done = status == HSP_OK || failure_in_library(failure, status);
+  }
+  geometry_free(&inflated);
+  for (uint32_t i = 0; done && i < molecule->atoms; ++i) {
+    const double radius = molecule->radius[i] + probe;
+    exposure[i] += area[i] / (4.0 * pi * radius * radius);
+  }
+  return done;
+}
+
+/* The balls near a ball, in memory that grows. */
+struct neighbourhood {
+  uint32_t *ids;
+  uint32_t count;
+  uint32_t capacity;
+};
+
+static bool find_neighbourhood(const struct geometry *geometry, const double xyz[3], double radius,
+                               struct neighbourhood *near, struct failure *failure) {
+  for (;;) {
+    const int32_t status = hsp_query_ball(geometry->model, xyz, radius, near->ids, near->capacity, &near->count);
+    if (status == HSP_OK) return true;
+    if (status != HSP_E_CAPACITY) return failure_in_library(failure, status);
+    near->capacity = near->count + near->count / 2;
+    free(near->ids);
+    near->ids = malloc(near->capacity * sizeof *near->ids);
+    if (near->ids == NULL) return failure_of_memory(failure);
+  }
+}
+
+/* (1 - (d/reach)^2)^3 falls off as exp(-d^2/8) does, and reaches 0. */
+static double weight_at(const double a[3], const double b[3], double radius) {
+  double part = 1.0;
+  for (int axis = 0; axis < 3; ++axis) part -= (a[axis] - b[axis]) / radius * ((a[axis] - b[axis]) / radius);
+  return part > 0.0 ? part * part * part : 0.0;
+}
+
+/* Sums of whole numbers do not depend on the order of their terms. */
+static int64_t whole(double part) {
+  return (int64_t)(part * 1099511627776.0 + 0.5); /* 2^40: room for millions of neighbours */
+}
+
+static bool smooth(const struct molecule *molecule, const struct geometry *geometry, double radius, const double *from,
+                   double *to, struct neighbourhood *near, struct failure *failure) {
+  for (uint32_t i = 0; i < molecule->atoms; ++i) {
+    const double *centre = molecule->xyz + 3 * (size_t)i;
+    if (!find_neighbourhood(geometry, centre, radius, near, failure)) return false;
+    int64_t sum = 0;
+    int64_t weights = 0;
+    for (uint32_t k = 0; k < near->count; ++k) {
+      const double weight = weight_at(centre, molecule->xyz + 3 * (size_t)near->ids[k], radius);
+      sum += whole(weight * from[near->ids[k]]);
+      weights += whole(weight);
+    }
+    to[i] = weights == 0 ? from[i] : (double)sum / (double)weights;
+  }
+  return true;
+}
+
+/* Relative to the most exposed balls: 1 for these, 0 for what no probe reaches. */
+static bool normalise(double *exposure, uint32_t count, struct failure *failure) {
+  double most;
+  if (!quantile(exposure, count, 0.8, &most, failure)) return false;
+  for (uint32_t i = 0; i < count; ++i) {
+    double part = most > 0.0 ? exposure[i] / most : 1.0;
+    if (part > 1.0) part = 1.0;
+    exposure[i] = count < SMALL_MOLECULE ? 0.6 + 0.4 * part : part;
+  }
+  return true;
+}
+
+/* Lengths are relative to this: 1 in angstrom. Nothing to shade where most balls are points. */
+static bool find_scale(const struct molecule *molecule, double probe, double *scale, struct failure *failure) {
+  if (!quantile(molecule->radius, molecule->atoms, 0.8, scale, failure)) return false;
+  *scale = (*scale + probe) / carbon_radius;
+  return true;
+}
+
+static bool find_exposure(const struct molecule *molecule, const struct geometry *geometry, double probe, double scale,
+                          double *exposure, double *scratch, struct failure *failure) {
+  const struct probe_rule *rule = probe_rules;
+  while (molecule->atoms > rule->most_balls) ++rule;
+  for (int i = 0; i < rule->count; ++i) {
+    if (!add_free_part(molecule, probe + rule->probes[i] * scale, scratch, exposure, failure)) return false;
+  }
+  struct neighbourhood near = {NULL, 0, 0};
+  const double radius = reach * scale;
+  const bool done = smooth(molecule, geometry, radius, exposure, scratch, &near, failure) &&
+                    smooth(molecule, geometry, radius, scratch, exposure, &near, failure) &&
+                    normalise(exposure, molecule->atoms, failure);
+  free(near.ids);
+  return done;
+}
+
+static uint32_t mixed(uint32_t channel, double factor, double offset, double darkness) {
+  const double light = channel / 255.0;
+  const double value = light + darkness * (factor * light + offset - light);
+  return (uint32_t)(255.0 * value + 0.5);
+}
+
+/* Shades are a little cool: blue falls off less than red and green. */
+static uint32_t darkened(uint32_t colour, double darkness) {
+  return mixed(colour >> 16 & 0xFF, 0.42, 0.03, darkness) << 16 | mixed(colour >> 8 & 0xFF, 0.40, 0.03, darkness) << 8 |
+         mixed(colour & 0xFF, 0.46, 0.06, darkness);
+}
+
+bool occlusion_darken(const struct molecule *molecule, const struct geometry *geometry, double probe, double strength,
+                      uint32_t *colour, struct failure *failure) {
+  double scale;
+  if (strength == 0.0 || molecule->atoms < 2) return true;
+  if (!find_scale(molecule, probe, &scale, failure)) return false;
+  if (scale == 0.0) return true;
+  double *exposure = calloc(molecule->atoms, sizeof *exposure);
+  double *scratch = calloc(molecule->atoms, sizeof *scratch);
+  bool done = exposure != NULL && scratch != NULL;
+  if (!done) failure_of_memory(failure);
+  done = done && find_exposure(molecule, geometry, probe, scale, exposure, scratch, failure);
+  for (uint32_t i = 0; done && i < molecule->atoms; ++i) {
+    const double hidden = 1.0 - exposure[i];
+    const double curved = hidden * (0.87 + 0.13 * hidden); /* within 0.01 of hidden^1.1 */
+    const int shade = (int)(curved * SHADES + 0.5);
+    colour[i] = darkened(colour[i], strength * shade / SHADES);
+  }
+  free(exposure);
+  free(scratch);
+  return done;
+}

@@ -1,0 +1,21 @@
+/* How deep each ball lies among the others, to draw it darker: an even light from all sides reaches less of it. */
+#ifndef HARDSPHERE_TOOL_OCCLUSION_H
+#define HARDSPHERE_TOOL_OCCLUSION_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "failure.h"
+#include "geometry.h"
+#include "molecule.h"
+
+/* Darken colour [atoms], 0xRRGGBB, by how deep the balls of geometry's model lie; strength in [0, 1], 0: not at all.
+ *   exposure   the free part of the ball's area as large probes see it, in the mean of the probes, smoothed over its
+ *              neighbourhood twice, relative to that of the most exposed balls
+ * All lengths are relative to the larger balls, so that any unit of length does. Probes are 2.8 and 7 angstrom where
+ * carbon has 1.7, which takes 0.3 ms a ball; above 1000 balls 2.8 alone, 0.04 ms, above 20000 1.4 alone, 0.015 ms. The
+ * result does not depend on the order of the balls. */
+bool occlusion_darken(const struct molecule *molecule, const struct geometry *geometry, double probe, double strength,
+                      uint32_t *colour, struct failure *failure);
+
+#endif

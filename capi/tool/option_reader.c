@@ -1,0 +1,52 @@
+#include "option_reader.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "number.h"
+
+bool option_is(const char *argument, const char *option, const char **value) {
+  const size_t length = strlen(option);
+  if (strncmp(argument, option, length) != 0 || (argument[length] != '\0' && argument[length] != '=')) return false;
+  *value = argument[length] == '=' ? argument + length + 1 : NULL;
+  return true;
+}
+
+const char *option_next(struct option_reader *reader) {
+  if (reader->left == 0) return NULL;
+  --reader->left;
+  return *reader->rest++;
+}
+
+bool option_number(struct option_reader *reader, const char *option, const char *text, double *value) {
+  const enum number_status status = number_parse(text, strlen(text), value);
+  if (status == NUMBER_OK) return true;
+  char shown[EXCERPT_BYTES];
+  return failure_in_usage(reader->failure, "%s: '%s' %s", option, excerpt(shown, text, strlen(text)),
+                          number_complaint(status));
+}
+
+bool option_length(struct option_reader *reader, const char *option, const char *text, double *value) {
+  if (!option_number(reader, option, text, value)) return false;
+  if (*value < 0.0) return failure_in_usage(reader->failure, "%s must not be negative", option);
+  return true;
+}
+
+bool option_value(struct option_reader *reader, const char *option, const char **value, const char *what) {
+  if (*value == NULL) *value = option_next(reader);
+  if (*value == NULL) return failure_in_usage(reader->failure, "%s needs %s", option, what);
+  return true;
+}
+
+int option_choice(struct option_reader *reader, const char *option, const char *word, const char *const *names,
+                  int count) {
+  char listed[120] = "";
+  for (int i = 0; i < count; ++i) {
+    if (strcmp(word, names[i]) == 0) return i;
+    const size_t length = strlen(listed);
+    snprintf(listed + length, sizeof listed - length, "%s%s", i == 0 ? "" : i + 1 < count ? ", " : " or ", names[i]);
+  }
+  char shown[EXCERPT_BYTES];
+  failure_in_usage(reader->failure, "%s: '%s' is not %s", option, excerpt(shown, word, strlen(word)), listed);
+  return -1;
+}

@@ -1,0 +1,35 @@
+/* The arguments of a command line, one after the other, and the values that stand behind options. */
+#ifndef HARDSPHERE_TOOL_OPTION_READER_H
+#define HARDSPHERE_TOOL_OPTION_READER_H
+
+#include <stdbool.h>
+
+#include "failure.h"
+
+struct option_reader {
+  char **rest; /* arguments not looked at yet */
+  int left;    /* how many */
+  struct failure *failure;
+};
+
+/* Whether the argument is the option, alone or as --option=value; then *value is set (NULL: not given that way). */
+bool option_is(const char *argument, const char *option, const char **value);
+
+/* Step over the next argument; NULL if there is none. */
+const char *option_next(struct option_reader *reader);
+
+/* A number that a person wrote behind an option. False: it is none, and the failure says so. */
+bool option_number(struct option_reader *reader, const char *option, const char *text, double *value);
+
+/* The same for a number that must not be negative. */
+bool option_length(struct option_reader *reader, const char *option, const char *text, double *value);
+
+/* The value of an option, behind '=' or as the next argument. False: there is none, and the failure says that `what`
+ * is needed, for instance "a length". */
+bool option_value(struct option_reader *reader, const char *option, const char **value, const char *what);
+
+/* The place in names [count] of the word that a person wrote; -1 and a failure if it is none of them. */
+int option_choice(struct option_reader *reader, const char *option, const char *word, const char *const *names,
+                  int count);
+
+#endif

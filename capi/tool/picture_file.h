@@ -1,0 +1,24 @@
+/* A picture of a computed view, in a file. */
+#ifndef HARDSPHERE_TOOL_PICTURE_FILE_H
+#define HARDSPHERE_TOOL_PICTURE_FILE_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "failure.h"
+#include "hardsphere.h"
+#include "progress.h"
+
+struct picture {
+  const uint32_t *colour; /* [balls of the model], 0xRRGGBB */
+  hsp_picture_options options;
+  const char *title;
+  const char *description;
+};
+
+/* Write the picture to the file `path`; *bytes becomes its size. False, with the file named, if it cannot be written in
+ * full; then no file of that name is left. */
+bool picture_file_write(hsp_view *view, const struct picture *picture, const char *path,
+                        const struct progress *progress, uint64_t *bytes, struct failure *failure);
+
+#endif

@@ -1,0 +1,26 @@
+/* What takes long, for a person who watches: one line on a terminal's stderr that vanishes at the end. */
+#ifndef HARDSPHERE_TOOL_PROGRESS_H
+#define HARDSPHERE_TOOL_PROGRESS_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+/* Progress is shown for more balls than that, and on terminals only. */
+#define PROGRESS_LEAST_BALLS 20000
+
+struct progress {
+  bool watched;
+};
+
+struct progress progress_begin(uint32_t balls);
+
+/* Replace the line. */
+void progress_show(const struct progress *progress, const char *text);
+
+/* The same with a number of megabytes behind the text. */
+void progress_show_bytes(const struct progress *progress, const char *text, uint64_t bytes);
+
+/* Take the line away: before the results, and before a failure is reported. */
+void progress_end(const struct progress *progress);
+
+#endif

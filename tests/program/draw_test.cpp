@@ -1,0 +1,325 @@
+// hardsphere draw from outside: its options, what they change in the file, and what is left when something fails.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "json_outcome.hpp"
+#include "program_runner.hpp"
+#include "temporary_file.hpp"
+
+namespace {
+
+const std::string water = "good/water.pdb";
+
+std::string crambin() {
+  return molecules_folder() + "/crambin.pdb";
+}
+
+Outcome draw_to(const std::string &out, const std::string &file, std::vector<std::string> options = {}) {
+  options.insert(options.begin(), {"draw", file, "-o", out});
+  return run_program(options);
+}
+
+// The bytes of a picture; empty after a failed test.
+std::string drawn(const std::string &file, const std::vector<std::string> &options = {},
+                  const std::string &extension = ".svg") {
+  const TemporaryFile out("drawn" + extension);
+  const Outcome outcome = draw_to(out.path(), file, options);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  return std::filesystem::exists(out.path()) ? read_file(out.path()) : "";
+}
+
+std::size_t occurrences(const std::string &text, const std::string &part) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++count;
+  return count;
+}
+
+TEST(Draw, EveryFormatBeginsWithItsMagicAndEndsWell) {
+  for (const std::vector<std::string> &input :
+       {std::vector<std::string>{crambin()}, std::vector<std::string>{"good/none.pdb"},
+        std::vector<std::string>{"good/point.xyzr"}, std::vector<std::string>{"good/points.xyzr"}}) {
+    for (const char *style : {"flat", "headlight", "soft"}) {
+      const std::vector<std::string> options = {"--style", style};
+      const std::string svg = drawn(input[0], options, ".svg");
+      EXPECT_EQ(svg.rfind("<?xml", 0) == 0 || svg.rfind("<svg", 0) == 0, true);
+      EXPECT_EQ(svg.substr(svg.size() < 7 ? 0 : svg.size() - 7), "</svg>\n");
+      const std::string eps = drawn(input[0], options, ".eps");
+      EXPECT_EQ(eps.rfind("%!PS-Adobe-3.", 0), 0u);
+      EXPECT_NE(eps.find("\n%%EOF\n"), std::string::npos);
+      const std::string pdf = drawn(input[0], options, ".pdf");
+      EXPECT_EQ(pdf.rfind("%PDF-1.", 0), 0u);
+      EXPECT_NE(pdf.find("\n%%EOF\n"), std::string::npos);
+    }
+  }
+}
+
+TEST(Draw, TheExtensionMayBeInCapitals) {
+  EXPECT_EQ(drawn(water, {}, ".SVG"), drawn(water));
+  EXPECT_EQ(drawn(water, {}, ".Pdf"), drawn(water, {}, ".pdf"));
+}
+
+TEST(Draw, SameBytesTwice) {
+  for (const char *extension : {".svg", ".eps", ".pdf"}) {
+    EXPECT_TRUE(drawn(crambin(), {}, extension) == drawn(crambin(), {}, extension)) << extension;
+  }
+}
+
+// The picture of the file in another order, its ids set back, is the same picture.
+TEST(Draw, TheOrderOfAtomsChangesNothingButIds) {
+  std::istringstream lines(read_file(crambin()));
+  std::vector<std::string> atoms;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.rfind("ATOM", 0) == 0) atoms.push_back(line);
+  }
+  ASSERT_EQ(atoms.size(), 327u);
+  std::string reversed;
+  std::for_each(atoms.rbegin(), atoms.rend(), [&](const std::string &line) { reversed += line + "\n"; });
+  const TemporaryFile other("reversed.pdb", reversed);
+  for (const char *style : {"flat", "soft"}) {
+    const std::vector<std::string> options = {"--title", "crambin", "--style", style, "--occlusion", "0.7"};
+    const std::string expected = drawn(crambin(), options);
+    std::string found = drawn(other.path(), options);
+    std::string renamed;
+    std::size_t begin = 0;
+    int ids = 0;
+    const std::string key = "data-ball=\"";
+    for (std::size_t at = found.find(key); at != std::string::npos; at = found.find(key, begin), ++ids) {
+      at += key.size();
+      renamed += found.substr(begin, at - begin) + std::to_string(326 - std::stoi(found.substr(at)));
+      begin = found.find('"', at);
+    }
+    renamed += found.substr(begin);
+    EXPECT_GT(ids, 100);
+    EXPECT_TRUE(renamed == expected) << style;
+    for (const char *extension : {".eps", ".pdf"}) {
+      EXPECT_TRUE(drawn(other.path(), options, extension) == drawn(crambin(), options, extension)) << extension;
+    }
+  }
+}
+
+// Turns are counter-clockwise seen from the positive end of the axis: a quarter turn about y brings what was at -x to
+// the front, one about x what was at y, and one about z lays x upwards.
+TEST(Draw, ViewsAndTurnsMeet) {
+  const std::string plain = drawn(crambin());
+  EXPECT_TRUE(drawn(crambin(), {"--view", "0,0,1"}) == plain);
+  EXPECT_TRUE(drawn(crambin(), {"--view=0,0,12.5", "--up", "0,1,0"}) == plain);
+  EXPECT_TRUE(drawn(crambin(), {"--rotate", "0,0,0"}) == plain);
+  EXPECT_TRUE(drawn(crambin(), {"--rotate", "360,-720,0"}) == plain);
+  struct Case {
+    std::string rotate, view, up;
+  };
+  for (const Case &it :
+       {Case{"0,90,0", "-1,0,0", "0,1,0"}, Case{"90,0,0", "0,1,0", "0,0,-1"}, Case{"0,0,90", "0,0,1", "1,0,0"},
+        Case{"90,90,0", "-1,0,0", "0,0,-1"}, Case{"0,180,0", "0,0,-1", "0,1,0"}, Case{"0,-90,0", "2,0,0", "0,5,0"}}) {
+    const std::string turned = drawn(crambin(), {"--rotate", it.rotate});
+    EXPECT_TRUE(turned == drawn(crambin(), {"--view", it.view, "--up", it.up})) << it.rotate;
+    EXPECT_FALSE(turned == plain) << it.rotate;
+  }
+}
+
+// Without --up y is up, and z where y is towards the viewer.
+TEST(Draw, UpwardsByDefault) {
+  EXPECT_TRUE(drawn(water, {"--view", "-1,0,0"}) == drawn(water, {"--rotate", "0,90,0"}));
+  EXPECT_TRUE(drawn(water, {"--view", "0,1,0"}) == drawn(water, {"--view", "0,1,0", "--up", "0,0,1"}));
+}
+
+TEST(Draw, JsonSaysWhatStandsInTheFile) {
+  struct Case {
+    std::vector<std::string> options;
+    double width;
+    std::string unit;
+  };
+  const std::vector<Case> cases = {{{}, 1000, "px"},
+                                   {{"--width", "250"}, 250, "px"},
+                                   {{"--unit", "mm"}, 170, "mm"},
+                                   {{"--width", "80", "--unit", "mm"}, 80, "mm"},
+                                   {{"--width", "300", "--height", "500"}, 300, "px"},
+                                   {{"--height", "500"}, 0, "px"},
+                                   {{"--margin", "0"}, 1000, "px"},
+                                   {{"--margin=1.5"}, 1000, "px"}};
+  for (const Case &it : cases) {
+    const TemporaryFile out("said.svg");
+    std::vector<std::string> arguments = {"draw", crambin(), "-o", out.path()};
+    arguments.insert(arguments.end(), it.options.begin(), it.options.end());
+    const Json json = run_json(arguments);
+    EXPECT_EQ(json.keys, (std::vector<std::string>{"n", "pieces", "arcs", "bytes", "style", "width", "height"}));
+    const std::string svg = read_file(out.path());
+    EXPECT_EQ(json["n"].number, 327);
+    EXPECT_EQ(json["bytes"].number, static_cast<double>(svg.size()));
+    EXPECT_EQ(json["style"].text, "soft");
+    EXPECT_EQ(json["pieces"].number, static_cast<double>(occurrences(svg, "data-ball=")));
+    EXPECT_GE(json["arcs"].number, 2 * json["pieces"].number);
+    double width = 0;
+    double height = 0;
+    char unit[2][3] = {};
+    ASSERT_EQ(std::sscanf(svg.substr(svg.find(" width=")).c_str(), " width=\"%lf%2[a-z]\" height=\"%lf%2[a-z]\"",
+                          &width, unit[0], &height, unit[1]),
+              4);
+    EXPECT_EQ(unit[0], it.unit);
+    EXPECT_EQ(unit[1], it.unit);
+    EXPECT_NEAR(json["width"].number, width, 1e-5);
+    EXPECT_NEAR(json["height"].number, height, 1e-5);
+    if (it.width > 0) {
+      EXPECT_EQ(json["width"].number, it.width);
+    }
+  }
+}
+
+// One ball: the picture is a square, whatever the margin, with a single piece and at least one arc.
+TEST(Draw, TableOfASingleBall) {
+  const TemporaryFile out("ball.svg");
+  const Outcome outcome = draw_to(out.path(), "good/one.xyzr");
+  const std::string size = std::to_string(std::filesystem::file_size(out.path()));
+  ASSERT_GT(size.size(), 3u);
+  EXPECT_EQ(outcome.out,
+            "good/one.xyzr\n"
+            "  balls            1\n"
+            "  radii            from the file\n"
+            "  probe            none: the van der Waals surface, by the radii as they are\n"
+            "\n"
+            "  picture          SVG, soft, 1000 x 1000 px\n"
+            "  view             (0, 0, 1) towards the viewer, (0, 1, 0) up\n"
+            "  pieces           1              painted one over the other, farthest first\n"
+            "  arcs             1              of circles and ellipses around them\n"
+            "  bytes            " +
+                size.substr(0, size.size() - 3) + "," + size.substr(size.size() - 3) + "\n");
+}
+
+TEST(Draw, NothingToSeeIsAPictureToo) {
+  for (const char *file :
+       {"good/none.pdb", "good/none.xyzr", "good/none_empty.pqr", "good/point.xyzr", "good/points.xyzr"}) {
+    for (const char *extension : {".svg", ".eps", ".pdf"}) {
+      const TemporaryFile out(std::string("nothing") + extension);
+      const Json json = run_json({"draw", file, "-o", out.path(), "--pieces", "h", "--occlusion", "1"});
+      EXPECT_EQ(json["pieces"].number, 0);
+      EXPECT_EQ(json["arcs"].number, 0);
+      EXPECT_EQ(json["bytes"].number, static_cast<double>(std::filesystem::file_size(out.path())));
+      EXPECT_GT(json["width"].number, 0);
+      EXPECT_GT(json["height"].number, 0);
+    }
+  }
+}
+
+// A ball behind a larger one is left out, unless all are asked for; the larger one comes last.
+TEST(Draw, HiddenBalls) {
+  const TemporaryFile file("hidden.xyzr", "0 0 9 2\n0.3 0 0 1\n");
+  EXPECT_EQ(occurrences(drawn(file.path()), "data-ball="), 1u);
+  const std::string all = drawn(file.path(), {"--all-balls"});
+  EXPECT_LT(all.find("data-ball=\"1\""), all.find("data-ball=\"0\""));
+  EXPECT_NE(all.find("data-ball=\"0\""), std::string::npos);
+  const std::string behind = drawn(file.path(), {"--view", "0,0,-1"});
+  EXPECT_LT(behind.find("data-ball=\"0\""), behind.find("data-ball=\"1\""));
+}
+
+// With G only the nearer of two crossing balls is cut, with H both are.
+TEST(Draw, Pieces) {
+  const TemporaryFile file("pair.xyzr", "0 0 0 1\n1 0 0.5 1\n");
+  const TemporaryFile out("pair.svg");
+  const Json g = run_json({"draw", file.path(), "-o", out.path()});
+  const Json h = run_json({"draw", file.path(), "-o", out.path(), "--pieces", "h"});
+  EXPECT_EQ(g["arcs"].number, 3);
+  EXPECT_EQ(h["arcs"].number, 4);
+  EXPECT_EQ(h["pieces"].number, 2);
+}
+
+TEST(Draw, ProbeMakesBallsLarger) {
+  const TemporaryFile out("probe.svg");
+  const TemporaryFile small("small.xyzr", "0 0 0 1\n3 0 0 1\n");
+  const TemporaryFile large("large.xyzr", "0 0 0 2.5\n3 0 0 2.5\n");
+  EXPECT_TRUE(drawn(small.path(), {"--probe", "1.5", "--title", "x"}) == drawn(large.path(), {"--title", "x"}));
+}
+
+TEST(Draw, TitlesAndBackgrounds) {
+  EXPECT_NE(drawn(water).find("<title>water.pdb</title>"), std::string::npos);
+  const std::string titled = drawn(water, {"--title", "2 < 3 & \"4\""});
+  EXPECT_NE(titled.find("<title>2 &lt; 3 &amp; "), std::string::npos);
+  EXPECT_EQ(drawn(water, {"--title", ""}).find("<title>"), std::string::npos);
+  const std::string blue = drawn(water, {"--background", "1A2b3C", "--fog", "0"});
+  EXPECT_NE(blue.find("1a2b3c"), std::string::npos);
+  EXPECT_TRUE(blue == drawn(water, {"--background=#1a2b3c", "--fog", "0"}));
+  const std::string none = drawn(water, {"--background", "none", "--fog", "0"});
+  EXPECT_TRUE(none.size() < blue.size());
+}
+
+TEST(Draw, OptionsThatChangeThePicture) {
+  std::vector<std::string> seen = {drawn(crambin())};
+  for (const std::vector<std::string> &options :
+       {std::vector<std::string>{"--style", "headlight"}, std::vector<std::string>{"--palette", "jmol"},
+        std::vector<std::string>{"--palette", "chain"}, std::vector<std::string>{"--fog", "0"},
+        std::vector<std::string>{"--outline", "0"}, std::vector<std::string>{"--outline", "4"},
+        std::vector<std::string>{"--margin", "0.2"}, std::vector<std::string>{"--occlusion", "0"},
+        std::vector<std::string>{"--occlusion", "1"}, std::vector<std::string>{"--width", "200"},
+        std::vector<std::string>{"--pieces", "h"}, std::vector<std::string>{"--all-balls"},
+        std::vector<std::string>{"--probe", "1.4"}, std::vector<std::string>{"--radii", "chem3d"},
+        std::vector<std::string>{"--background", "none"}}) {
+    const std::string picture = drawn(crambin(), options);
+    EXPECT_EQ(std::count(seen.begin(), seen.end(), picture), 0) << options.front();
+    seen.push_back(picture);
+  }
+}
+
+void expect_refusal(const Outcome &outcome, const std::string &line) {
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(outcome.err, "hardsphere: " + line + "\n");
+}
+
+TEST(Draw, NoFileIsLeftAfterAFailure) {
+  const TemporaryFile out("left.svg");
+  EXPECT_EQ(draw_to(out.path(), "bad/nan.xyzr").status, 1);
+  EXPECT_EQ(draw_to(out.path(), water, {"--fog", "2"}).status, 2);
+  EXPECT_FALSE(std::filesystem::exists(out.path()));
+  const std::string nowhere = out.path() + ".none/out.svg";
+  expect_refusal(draw_to(nowhere, water), nowhere + ": No such file or directory");
+}
+
+TEST(Draw, AnOlderPictureStaysWhenTheInputIsBad) {
+  const TemporaryFile out("older.svg", "old");
+  EXPECT_EQ(draw_to(out.path(), "bad/nan.xyzr").status, 1);
+  EXPECT_EQ(read_file(out.path()), "old");
+  EXPECT_EQ(draw_to(out.path(), water).status, 0);
+  EXPECT_EQ(read_file(out.path()).rfind("</svg>\n"), read_file(out.path()).size() - 7);
+}
+
+// The link stands for a file on a full disk; it is what is removed.
+TEST(Draw, FullDisk) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
+  for (const std::string &file : {water, crambin()}) {
+    const TemporaryFile out("full.svg");
+    std::filesystem::create_symlink("/dev/full", out.path());
+    expect_refusal(draw_to(out.path(), file), out.path() + ": No space left on device");
+    EXPECT_FALSE(std::filesystem::is_symlink(out.path()));
+    EXPECT_TRUE(std::filesystem::exists("/dev/full"));
+  }
+}
+
+// On a terminal large inputs show what is going on, and the line is gone at the end.
+TEST(Draw, ProgressOnTerminalsOnly) {
+  std::string text;
+  for (int i = 0; i < 20001; ++i)
+    text += std::to_string(3 * (i % 150)) + " " + std::to_string(3 * (i / 150)) + " 0 1\n";
+  const TemporaryFile file("many.xyzr", text);
+  const TemporaryFile out("many.svg");
+  EXPECT_EQ(draw_to(out.path(), file.path()).err, "");
+  const auto watched = run_program_watched({"draw", file.path(), "-o", out.path()});
+  const auto small = run_program_watched({"draw", water, "-o", out.path()});
+  if (!watched || !small) GTEST_SKIP() << "the system has no terminal to give";
+  EXPECT_EQ(small->err, "");
+  EXPECT_EQ(watched->status, 0);
+  EXPECT_NE(watched->err.find("\rcutting"), std::string::npos) << watched->err;
+  EXPECT_NE(watched->err.find("\rwriting"), std::string::npos) << watched->err;
+  EXPECT_EQ(watched->err.find('\n'), std::string::npos) << watched->err;
+  const std::size_t last = watched->err.size() - 1;
+  EXPECT_EQ(watched->err[last], '\r');
+  const std::size_t before = watched->err.rfind('\r', last - 1);
+  EXPECT_EQ(watched->err.find_first_not_of(' ', before + 1), last);
+}
+
+}  // namespace
