@@ -8,6 +8,7 @@
 #include <iostream>
 #include <string>
 
+#include "frame_tables.hpp"
 #include "goals_tables.hpp"
 #include "gradient_tables.hpp"
 #include "markdown.hpp"
@@ -65,6 +66,7 @@ int main(int argc, char **argv) {
     report::write_section_3(std::cout, run);
     report::write_section_4_2(std::cout, run);
     report::write_topology(std::cout, run);
+    report::write_frames(std::cout, run);
     report::write_gradients(std::cout, run);
     report::write_goals(std::cout, run);
     report::write_scaling(std::cout, run);

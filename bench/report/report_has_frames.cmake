@@ -1,0 +1,60 @@
+# cmake -DSUITE=bench_paper_section_5_1 -DWRITE_REPORT=write_report -P report_has_frames.cmake: the way from the suite to
+# the report for crambin, without looking at times; and verdicts from made-up results, in which the z-buffer of triangles
+# takes twice the analytic one's time. Times in seconds there, three repetitions, of which the median counts.
+set(folder ${CMAKE_CURRENT_BINARY_DIR}/report_has_frames)
+file(REMOVE_RECURSE ${folder})
+file(MAKE_DIRECTORY ${folder})
+function(write_report)
+  execute_process(COMMAND ${WRITE_REPORT} ${folder} OUTPUT_VARIABLE report ERROR_VARIABLE error RESULT_VARIABLE status)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "the report failed: ${status} ${error}")
+  endif()
+  string(REGEX REPLACE " +" " " report "${report}")
+  set(report "${report}" PARENT_SCOPE)
+endfunction()
+function(expect_row row)
+  if(NOT report MATCHES "${row}")
+    message(FATAL_ERROR "the report lacks a row like ${row}\n${report}")
+  endif()
+endfunction()
+
+execute_process(COMMAND ${SUITE} --benchmark_filter=/crambin/ --benchmark_repetitions=2 --benchmark_out_format=json
+    --benchmark_out=${folder}/section_5_1.json
+  OUTPUT_QUIET ERROR_QUIET RESULT_VARIABLE status)
+if(NOT status EQUAL 0)
+  message(FATAL_ERROR "the suite failed: ${status}")
+endif()
+write_report()
+# A positive number with three significant digits, one with a fixed number of decimals, and a count of at least 100.
+set(time "[0-9,.]*[1-9][0-9,.]*")
+set(number "[0-9,]+[.]?[0-9]*")
+set(many "[0-9,]*[1-9][0-9,]*[0-9][0-9]")
+expect_row("[|] crambin [|] 327 [|] 1[.]72 [|] 3[.]40 [|] 1[.]40 [|] 0[.]85 [|] 1[.]10 [|] ${time} [|] ${time} [|] ${time} [|] ${time} [|] ${time} [|] ${time} [|]\n")
+expect_row("[|] crambin [|] 0[.]412 [|] ${time} [|] ${time} [|] ${time} [|] ${time} [|] ${time} [|] ${many} [|] ${many} [|] ${many} [|] ${many} [|] ${many} [|]\n")
+expect_row("[|] crambin [|] 327 [|] ${time} [|] ${time} [|] ${time} [|] ${time} [|] ${time} [|] ${time} [|] ${time} [|] ${many} [|] ${many} [|] ${many} [|]\n")
+expect_row("[|] frame / z-buffer of triangles, the five molecules [|] 1[.]00 [|] ${time} [|] ${time} [|] ${time} [|] [^|]+ [|]\n")
+
+file(REMOVE ${folder}/section_5_1.json)
+set(entries "")
+function(add_result name atoms h g g_alone)
+  foreach(wrong 0 0 9)
+    string(APPEND entries ",{\"run_type\": \"iteration\", \"run_name\": \"${name}\", \"cpu_time\": 1, \"time_unit\": \"us\", "
+      "\"atoms\": ${atoms}, \"analytic_seconds\": ${atoms}, \"h_seconds\": ${atoms}, \"g_seconds\": 1, "
+      "\"g_alone_seconds\": 1, \"triangle_ratio\": 2, \"h_ratio\": ${wrong}${h}, \"g_ratio\": ${wrong}${g}, "
+      "\"g_alone_ratio\": ${wrong}${g_alone}}")
+  endforeach()
+  set(entries "${entries}" PARENT_SCOPE)
+endfunction()
+add_result(section_5_1/caffeine 24 0.5 0.25 1)
+add_result(section_5_1/sod_stand_in 4392 1.5 2 2)
+add_result(frames/caffeine 24 0.5 0.75 2.5)
+add_result(frames/sod_stand_in 4392 0.25 3.25 0.5)
+add_result(frames/sod_stand_in_x8 35136 0.25 0.5 0.5)
+string(SUBSTRING "${entries}" 1 -1 entries)
+string(REGEX REPLACE ": 0+([0-9])" ": \\1" entries "${entries}")
+file(WRITE ${folder}/made_up.json "{\"context\": {}, \"benchmarks\": [${entries}]}")
+write_report()
+expect_row("[|] frame / z-buffer of triangles, the five molecules [|] 1[.]00 [|] 0[.]750 [|] 1[.]000 [|] 1[.]000 [|] goal [|]\n")
+expect_row("[|] frame / analytic z-buffer, the five molecules [|] 3[.]00 [|] 1[.]500 [|] 2[.]000 [|] 2[.]000 [|] goal [|]\n")
+expect_row("[|] frame / analytic z-buffer, every size [|] 3[.]00 [|] 0[.]500 [|] 3[.]250 [|] 2[.]500 [|] [*][*]missed[*][*] [|]\n")
+expect_row("[|] fitted exponent of n [|] all [|] 1[.]000 [|] 1[.]000 [|] 0[.]000 [|] 0[.]000 [|]")
