@@ -54,6 +54,7 @@ same "names of constants" "$work/constants" "$work/constants.module"
   for limits in 0,0,0,0 1000,0,0,0 0,1000,0,0 0,0,1000,0 0,0,0,1000; do
     echo "  printf(\"boundary bytes %zu\n\", HSP_BOUNDARY_BYTES($limits));"
     echo "  printf(\"topology bytes %zu\n\", HSP_TOPOLOGY_BYTES($limits));"
+    echo "  printf(\"view bytes %zu\n\", HSP_VIEW_BYTES(${limits%,*}));"
   done
   echo '  return 0; }'
 } >"$work/constants.c"
@@ -70,6 +71,7 @@ same "names of constants" "$work/constants" "$work/constants.module"
   for limits in 0,0,0,0 1000,0,0,0 0,1000,0,0 0,0,1000,0 0,0,0,1000; do
     echo "  print '(a, i0)', 'boundary bytes ', hsp_boundary_bytes_bound($limits)"
     echo "  print '(a, i0)', 'topology bytes ', hsp_topology_bytes_bound($limits)"
+    echo "  print '(a, i0)', 'view bytes ', hsp_view_bytes_bound(${limits%,*})"
   done
   echo 'end program'
 } >"$work/constants.f90"

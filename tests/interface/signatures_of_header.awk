@@ -10,7 +10,9 @@ function without_spaces(text) {
 function type_name(text) {
   if (text ~ /^u?int32_t$/) return "int32"
   if (text ~ /^u?int8_t$/) return "int8"
+  if (text ~ /^u?int64_t$/) return "int64"
   if (text == "size_t") return "size"
+  if (text in functions) return "function"
   return text
 }
 
@@ -40,6 +42,13 @@ function argument(text,    name, type, stars, way) {
     name = substr(rest, RSTART, RLENGTH - 1)
     sub(/.* /, "", name)
     opaque[name] = 1
+    rest = substr(rest, RSTART + RLENGTH)
+  }
+  rest = $0
+  while (match(rest, /typedef [a-z0-9_]+ \(\*hsp_[a-z_]+\)/)) {
+    name = substr(rest, RSTART, RLENGTH - 1)
+    sub(/.*\*/, "", name)
+    functions[name] = 1
     rest = substr(rest, RSTART + RLENGTH)
   }
   rest = $0

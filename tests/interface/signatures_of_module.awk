@@ -1,12 +1,19 @@
 # The functions that the Fortran module binds to C names, in the form of signatures_of_header.awk. An optional argument
 # passes by reference as any other does, so that it does not show here.
 
+# Characters are an address, as the address of a handle is: passed by value.
+function is_text(text) {
+  return text ~ /^character\(kind=c_char\)/
+}
+
 function type_name(text) {
   if (text ~ /^integer\(c_int32_t\)/) return "int32"
   if (text ~ /^integer\(c_int8_t\)/) return "int8"
   if (text ~ /^integer\(c_size_t\)/) return "size"
+  if (text ~ /^integer\(c_int64_t\)/) return "int64"
   if (text ~ /^real\(c_double\)/) return "double"
-  if (text ~ /^type\(c_ptr\)/) return "address"
+  if (text ~ /^type\(c_ptr\)/ || is_text(text)) return "address"
+  if (text ~ /^type\(c_funptr\)/) return "function"
   if (text ~ /^type\(hsp_[a-z_]+\)/) return substr(text, 6, index(text, ")") - 6)
   return "?" text
 }
@@ -51,7 +58,7 @@ inside && /::/ && !/^import/ {
   sub(/.*:: */, "", dummy)
   sub(/\(.*/, "", dummy)
   # `text(3)` and `text(*)` alike are an address to C
-  way = /, value/ ? "value" : /intent\(in\)/ ? "in" : /intent\(inout\)/ ? "inout" : "result"
+  way = /, value/ || is_text($0) ? "value" : /intent\(in\)/ ? "in" : /intent\(inout\)/ ? "inout" : "result"
   declared[dummy] = type_name($0) ":" way
 }
 

@@ -182,12 +182,84 @@ LAYOUT_FIELD(hsp_cell, components, 20, 4);
 LAYOUT_FIELD(hsp_cell, shells, 24, 4);
 LAYOUT_FIELD(hsp_cell, reserved, 28, 4);
 
+LAYOUT_SIZE(hsp_view_limits, 16);
+LAYOUT_FIELD(hsp_view_limits, struct_size, 0, 4);
+LAYOUT_FIELD(hsp_view_limits, balls, 4, 4);
+LAYOUT_FIELD(hsp_view_limits, neighbours, 8, 4);
+LAYOUT_FIELD(hsp_view_limits, arcs, 12, 4);
+
+LAYOUT_SIZE(hsp_view_options, 64);
+LAYOUT_FIELD(hsp_view_options, struct_size, 0, 4);
+LAYOUT_FIELD(hsp_view_options, pieces, 4, 4);
+LAYOUT_FIELD(hsp_view_options, flags, 8, 4);
+LAYOUT_FIELD(hsp_view_options, reserved, 12, 4);
+LAYOUT_FIELD(hsp_view_options, towards, 16, 24);
+LAYOUT_FIELD(hsp_view_options, up, 40, 24);
+
+LAYOUT_SIZE(hsp_view_info, 160);
+LAYOUT_FIELD(hsp_view_info, origin, 0, 24);
+LAYOUT_FIELD(hsp_view_info, right, 24, 24);
+LAYOUT_FIELD(hsp_view_info, up, 48, 24);
+LAYOUT_FIELD(hsp_view_info, towards, 72, 24);
+LAYOUT_FIELD(hsp_view_info, low, 96, 16);
+LAYOUT_FIELD(hsp_view_info, high, 112, 16);
+LAYOUT_FIELD(hsp_view_info, depth_low, 128, 8);
+LAYOUT_FIELD(hsp_view_info, depth_high, 136, 8);
+LAYOUT_FIELD(hsp_view_info, pieces, 144, 4);
+LAYOUT_FIELD(hsp_view_info, loops, 148, 4);
+LAYOUT_FIELD(hsp_view_info, arcs, 152, 4);
+LAYOUT_FIELD(hsp_view_info, kind, 156, 4);
+
+LAYOUT_SIZE(hsp_view_piece, 56);
+LAYOUT_FIELD(hsp_view_piece, centre, 0, 16);
+LAYOUT_FIELD(hsp_view_piece, depth, 16, 8);
+LAYOUT_FIELD(hsp_view_piece, radius, 24, 8);
+LAYOUT_FIELD(hsp_view_piece, ball, 32, 4);
+LAYOUT_FIELD(hsp_view_piece, first_loop, 36, 4);
+LAYOUT_FIELD(hsp_view_piece, loops, 40, 4);
+LAYOUT_FIELD(hsp_view_piece, first_arc, 44, 4);
+LAYOUT_FIELD(hsp_view_piece, arcs, 48, 4);
+LAYOUT_FIELD(hsp_view_piece, reserved, 52, 4);
+
+LAYOUT_SIZE(hsp_view_loop, 16);
+LAYOUT_FIELD(hsp_view_loop, piece, 0, 4);
+LAYOUT_FIELD(hsp_view_loop, first_arc, 4, 4);
+LAYOUT_FIELD(hsp_view_loop, arcs, 8, 4);
+LAYOUT_FIELD(hsp_view_loop, reserved, 12, 4);
+
+LAYOUT_SIZE(hsp_view_arc, 96);
+LAYOUT_FIELD(hsp_view_arc, centre, 0, 16);
+LAYOUT_FIELD(hsp_view_arc, semi_axis, 16, 16);
+LAYOUT_FIELD(hsp_view_arc, rotation, 32, 8);
+LAYOUT_FIELD(hsp_view_arc, from, 40, 8);
+LAYOUT_FIELD(hsp_view_arc, to, 48, 8);
+LAYOUT_FIELD(hsp_view_arc, start, 56, 16);
+LAYOUT_FIELD(hsp_view_arc, end, 72, 16);
+LAYOUT_FIELD(hsp_view_arc, piece, 88, 4);
+LAYOUT_FIELD(hsp_view_arc, across, 92, 4);
+
+LAYOUT_SIZE(hsp_picture_options, 72);
+LAYOUT_FIELD(hsp_picture_options, struct_size, 0, 4);
+LAYOUT_FIELD(hsp_picture_options, format, 4, 4);
+LAYOUT_FIELD(hsp_picture_options, style, 8, 4);
+LAYOUT_FIELD(hsp_picture_options, unit, 12, 4);
+LAYOUT_FIELD(hsp_picture_options, width, 16, 8);
+LAYOUT_FIELD(hsp_picture_options, height, 24, 8);
+LAYOUT_FIELD(hsp_picture_options, margin, 32, 8);
+LAYOUT_FIELD(hsp_picture_options, outline, 40, 8);
+LAYOUT_FIELD(hsp_picture_options, fog, 48, 8);
+LAYOUT_FIELD(hsp_picture_options, outline_colour, 56, 4);
+LAYOUT_FIELD(hsp_picture_options, background, 60, 4);
+LAYOUT_FIELD(hsp_picture_options, flags, 64, 4);
+LAYOUT_FIELD(hsp_picture_options, reserved, 68, 4);
+
 /* The size macros are constant expressions of type size_t, and preprocessor conditions may use the version. */
 LAYOUT_HOLDS(model_bytes, HSP_MODEL_BYTES(1000) > 0 && sizeof(HSP_MODEL_BYTES(1)) == sizeof(size_t));
 LAYOUT_HOLDS(boundary_bytes,
              HSP_BOUNDARY_BYTES(10, 9, 8, 7) > 0 && sizeof(HSP_BOUNDARY_BYTES(1, 1, 1, 1)) == sizeof(size_t));
 LAYOUT_HOLDS(topology_bytes,
              HSP_TOPOLOGY_BYTES(10, 9, 8, 7) > 0 && sizeof(HSP_TOPOLOGY_BYTES(1, 1, 1, 1)) == sizeof(size_t));
+LAYOUT_HOLDS(view_bytes, HSP_VIEW_BYTES(10, 9, 8) > 0 && sizeof(HSP_VIEW_BYTES(1, 1, 1)) == sizeof(size_t));
 #if HSP_VERSION_NUMBER < 1
 #error "HSP_VERSION_NUMBER is not a number that the preprocessor can compare"
 #endif

@@ -98,6 +98,7 @@ int main(void) {
       print_balls(&c);
       print_gradients(&c);
       print_topology(&c);
+      print_views(&c);
       computed_release(&c);
     }
   }

@@ -20,4 +20,7 @@ void print_gradients(const computed *c);
 /* Vertices, edges, simple faces, shells, components, cells and scans. */
 void print_topology(const computed *c);
 
+/* Pieces, loops and arcs of several views; bytes of pictures as hashes; colours. */
+void print_views(const computed *c);
+
 #endif

@@ -34,6 +34,13 @@ both_commands() { # record or succeed, name, options
   $how "$name.boundary" "$program" boundary --json --shells "$@"
 }
 
+# A picture is compared as a file of its own. Without occlusion, which is the program's, not the library's.
+draw() { # name with the format's ending, options
+  local name=$1
+  shift
+  succeed "draw.$name" "$program" draw --json --occlusion 0 --title "$name" -o "$outputs/$name" "$@"
+}
+
 succeed interface_bits "$interface_bits"
 succeed arc_tangent_bits "$arc_tangent_bits"
 
@@ -53,6 +60,18 @@ both_commands succeed degenerate $degenerate
 both_commands succeed degenerate.probe $degenerate --probe 0.5
 succeed degenerate.voids "$program" voids --json $degenerate
 succeed degenerate.query "$program" query --json $degenerate --point 4 0 0
+
+for style in flat headlight soft; do
+  for format in svg eps pdf; do
+    draw caffeine.$style.$format bench/molecules/caffeine.pdb --style $style --rotate 30,-20,10.5
+    draw degenerate.$style.$format $degenerate --style $style --all-balls
+  done
+  draw crambin.$style.svg bench/molecules/crambin.pdb --style $style --palette jmol
+done
+draw crambin.up.eps bench/molecules/crambin.pdb --style flat --view 1,2,-3 --up 0,0,1 --outline 0 --width 80 --unit mm
+draw crambin.faces.pdf bench/molecules/crambin.pdb --style flat --pieces h --rotate 90,0,0 --fog 0 --background none
+draw degenerate.faces.svg $degenerate --style flat --pieces h --view 1,1,1 --height 300
+draw degenerate.probe.svg $degenerate --style headlight --probe 0.5 --rotate 0,90,0 --palette chain
 
 # All that the program's own tests read, and what it says to what it refuses: characters, signs, exponents.
 for input in tests/program/inputs/good/*; do both_commands record "good.${input##*/}" "$input"; done

@@ -1,0 +1,249 @@
+/* Every argument of the functions for pictures that the header refuses, calls out of order, and sinks that refuse. */
+#include <hardsphere.h>
+#include <math.h>
+
+#include "check.h"
+#include "picture_sink.h"
+#include "untouched.h"
+
+enum { BALLS = 3, ARCS = 40 };
+static unsigned char model_memory[HSP_MODEL_BYTES(BALLS)];
+static unsigned char view_memory[HSP_VIEW_BYTES(BALLS, BALLS, ARCS)];
+static hsp_model *model;
+static hsp_view *view;
+
+static const double xyz[3 * BALLS] = {0, 0, 0, 2, 0, 0, 1, 1.5, 0};
+static const double radius[BALLS] = {1.5, 1.5, 1.25};
+static const uint32_t colours[BALLS] = {0x000000, 0xFFFFFF, 0x123456};
+
+static hsp_picture_options good_options(void) {
+  hsp_picture_options options;
+  CHECK_EQUAL(hsp_picture_options_init(&options, (uint32_t)sizeof options), HSP_OK);
+  return options;
+}
+
+static void options_init(void) {
+  hsp_picture_options options;
+  FILL(options);
+  CHECK_EQUAL(hsp_picture_options_init(NULL, (uint32_t)sizeof options), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_picture_options_init(&options, 0), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_picture_options_init(&options, (uint32_t)sizeof options - 8), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_picture_options_init(&options, (uint32_t)sizeof options + 8), HSP_E_ARGUMENT);
+  CHECK_UNTOUCHED(options);
+  CHECK_EQUAL(hsp_picture_options_init(&options, (uint32_t)sizeof options), HSP_OK);
+  CHECK_EQUAL(options.struct_size, sizeof options);
+  CHECK_EQUAL(options.format, HSP_FORMAT_SVG);
+  CHECK_EQUAL(options.style, HSP_STYLE_FLAT);
+  CHECK_EQUAL(options.unit, HSP_UNIT_PX);
+  CHECK(options.width == 1000 && options.height == 0 && options.margin == 0.03 && options.outline == -1);
+  CHECK(options.fog == 0.3);
+  CHECK_EQUAL(options.outline_colour, 0x23202B);
+  CHECK_EQUAL(options.background, 0xFFFFFF);
+  CHECK_EQUAL(options.flags, 0);
+  CHECK_EQUAL(options.reserved, 0);
+}
+
+/* The call is refused before the sink hears of it. */
+static void check_refused(hsp_view *which, const uint32_t *colour, const hsp_picture_options *options,
+                          int32_t expected) {
+  picture_sink sink;
+  picture_sink_start(&sink, SIZE_MAX);
+  CHECK_EQUAL(hsp_picture_write(which, colour, options, "title", NULL, picture_sink_take, &sink, NULL), expected);
+  CHECK_EQUAL(sink.calls, 0);
+  picture_sink_release(&sink);
+}
+
+static void check_written(const uint32_t *colour, const hsp_picture_options *options) {
+  picture_sink sink;
+  uint64_t bytes = 77;
+  picture_sink_start(&sink, SIZE_MAX);
+  CHECK_EQUAL(hsp_picture_write(view, colour, options, NULL, "", picture_sink_take, &sink, &bytes), HSP_OK);
+  CHECK(sink.count > 100 && sink.odd == 0);
+  CHECK_EQUAL(bytes, sink.count);
+  picture_sink_release(&sink);
+}
+
+static void bad_choices(void) {
+  static const uint32_t too_large[3] = {0x1000000, 0x80000000, HSP_NONE};
+  hsp_picture_options options;
+  int k;
+  check_refused(NULL, colours, NULL, HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_picture_write(view, colours, NULL, NULL, NULL, NULL, NULL, NULL), HSP_E_ARGUMENT);
+  options = good_options();
+  options.struct_size = 0;
+  check_refused(view, colours, &options, HSP_E_ARGUMENT);
+  options.struct_size = (uint32_t)sizeof options + 8;
+  check_refused(view, colours, &options, HSP_E_ARGUMENT);
+  options = good_options();
+  options.format = HSP_FORMAT_PDF + 1;
+  check_refused(view, colours, &options, HSP_E_ARGUMENT);
+  options = good_options();
+  options.style = HSP_STYLE_SOFT + 1;
+  check_refused(view, colours, &options, HSP_E_ARGUMENT);
+  options = good_options();
+  options.unit = HSP_UNIT_MM + 1;
+  check_refused(view, colours, &options, HSP_E_ARGUMENT);
+  options = good_options();
+  options.reserved = 1;
+  check_refused(view, colours, &options, HSP_E_ARGUMENT);
+  options = good_options();
+  options.width = options.height = 0;
+  check_refused(view, colours, &options, HSP_E_ARGUMENT);
+  for (k = 2; k < 32; ++k) {
+    options = good_options();
+    options.flags = HSP_PICTURE_NO_IDS | HSP_PICTURE_NO_BACKGROUND | (UINT32_C(1) << k);
+    check_refused(view, colours, &options, HSP_E_ARGUMENT);
+  }
+  for (k = 0; k < 3; ++k) {
+    uint32_t colour[BALLS] = {1, 2, 3};
+    check_scene("colour %lx", (unsigned long)too_large[k]);
+    options = good_options();
+    options.background = too_large[k];
+    check_refused(view, colours, &options, HSP_E_ARGUMENT);
+    options = good_options();
+    options.outline_colour = too_large[k];
+    check_refused(view, colours, &options, HSP_E_ARGUMENT);
+    colour[k] = too_large[k];
+    check_refused(view, colour, NULL, HSP_E_ARGUMENT);
+  }
+  check_scene("%s", "");
+}
+
+static double *value_of(hsp_picture_options *options, int which) {
+  double *const values[5] = {&options->width, &options->height, &options->margin, &options->outline, &options->fog};
+  return values[which];
+}
+
+static void bad_values(void) {
+  static const double odd[3] = {NAN, INFINITY, -INFINITY};
+  /* in the order of value_of: the least and the largest, if there is one, and what lies beyond */
+  static const double least[5] = {0, 0, 0, -1e300, 0}, most[5] = {1e6, 1e6, 10, 1e6, 1};
+  hsp_picture_options options;
+  int which, k;
+  for (which = 0; which < 5; ++which) {
+    for (k = 0; k < 3; ++k) {
+      check_scene("value %d is %g", which, odd[k]);
+      options = good_options();
+      *value_of(&options, which) = odd[k];
+      check_refused(view, colours, &options, HSP_E_NOT_FINITE);
+    }
+    check_scene("value %d", which);
+    options = good_options();
+    options.height = 500;
+    *value_of(&options, which) = nextafter(most[which], INFINITY);
+    check_refused(view, colours, &options, HSP_E_RANGE);
+    *value_of(&options, which) = 1e300;
+    check_refused(view, colours, &options, HSP_E_RANGE);
+    *value_of(&options, which) = most[which];
+    check_written(colours, &options);
+    *value_of(&options, which) = least[which];
+    check_written(colours, &options);
+    if (which == 3) continue; /* any negative width of lines is good */
+    *value_of(&options, which) = -5e-324;
+    check_refused(view, colours, &options, HSP_E_RANGE);
+    *value_of(&options, which) = -10;
+    check_refused(view, colours, &options, HSP_E_RANGE);
+  }
+  check_scene("%s", "");
+}
+
+static void states(void) {
+  hsp_view_limits limits;
+  hsp_view_options options;
+  CHECK_EQUAL(hsp_view_limits_init(&limits, (uint32_t)sizeof limits, BALLS), HSP_OK);
+  limits.arcs = ARCS;
+  check_scene("nothing computed");
+  CHECK_EQUAL(hsp_view_init(view_memory, sizeof view_memory, &limits, &view), HSP_OK);
+  check_refused(view, colours, NULL, HSP_E_STATE);
+  check_scene("a failed computation");
+  CHECK_EQUAL(hsp_view_options_init(&options, (uint32_t)sizeof options), HSP_OK);
+  options.towards[1] = NAN;
+  CHECK_EQUAL(hsp_view_compute(view, model, NULL, &options), HSP_E_NOT_FINITE);
+  check_refused(view, colours, NULL, HSP_E_STATE);
+  check_scene("the model was set again");
+  CHECK_EQUAL(hsp_view_compute(view, model, NULL, NULL), HSP_OK);
+  check_written(colours, NULL);
+  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
+  check_refused(view, colours, NULL, HSP_E_STATE);
+  CHECK_EQUAL(hsp_view_compute(view, model, NULL, NULL), HSP_OK);
+  check_written(colours, NULL);
+  check_written(NULL, NULL);
+  check_scene("%s", "");
+}
+
+/* A sink that refuses: at every byte of a small picture the status, the number of bytes taken, and no call after. */
+static void refusing_sinks(void) {
+  hsp_picture_options options = good_options();
+  picture_sink all;
+  uint32_t format, style;
+  for (format = HSP_FORMAT_SVG; format <= HSP_FORMAT_PDF; ++format) {
+    for (style = HSP_STYLE_FLAT; style <= HSP_STYLE_SOFT; ++style) {
+      size_t accepts;
+      options.format = format;
+      options.style = style;
+      picture_sink_start(&all, SIZE_MAX);
+      CHECK_EQUAL(hsp_picture_write(view, colours, &options, "t", "d", picture_sink_take, &all, NULL), HSP_OK);
+      for (accepts = 0; accepts < all.count; accepts += accepts < 40 || accepts + 40 > all.count ? 1 : 37) {
+        picture_sink sink;
+        uint64_t bytes = 77;
+        check_scene("format %u, style %u, %u of %u bytes", (unsigned)format, (unsigned)style, (unsigned)accepts,
+                    (unsigned)all.count);
+        picture_sink_start(&sink, accepts);
+        CHECK_EQUAL(hsp_picture_write(view, colours, &options, "t", "d", picture_sink_take, &sink, &bytes), HSP_E_SINK);
+        CHECK_EQUAL(bytes, sink.count);
+        CHECK_EQUAL(sink.refused, 1);
+        CHECK_EQUAL(sink.odd, 0);
+        CHECK(sink.count <= accepts);
+        CHECK_BYTES(sink.bytes, all.bytes, sink.count);
+        picture_sink_release(&sink);
+      }
+      check_scene("exactly enough");
+      {
+        picture_sink sink;
+        picture_sink_start(&sink, all.count);
+        CHECK_EQUAL(hsp_picture_write(view, colours, &options, "t", "d", picture_sink_take, &sink, NULL), HSP_OK);
+        CHECK_EQUAL(sink.count, all.count);
+        picture_sink_release(&sink);
+      }
+      picture_sink_release(&all);
+    }
+  }
+  check_scene("%s", "");
+}
+
+static void palettes(void) {
+  uint32_t palette, number, chain;
+  for (palette = 0; palette < 5; ++palette) {
+    for (number = 0; number < 130; ++number) {
+      const uint32_t colour = hsp_palette_colour(palette, number, 0);
+      check_scene("palette %u, element %u", (unsigned)palette, (unsigned)number);
+      CHECK(colour <= 0xFFFFFF);
+      if (number == 0 || number > 118) CHECK_EQUAL(colour, hsp_palette_colour(palette, HSP_NONE, 0));
+      if (palette > HSP_PALETTE_CHAIN) CHECK_EQUAL(colour, hsp_palette_colour(HSP_PALETTE_SOFT, number, 0));
+      for (chain = 1; chain < 30; ++chain) {
+        const uint32_t other = hsp_palette_colour(palette, number, chain);
+        if (palette != HSP_PALETTE_CHAIN || chain % 12 == 0) CHECK_EQUAL(other, colour);
+        CHECK_EQUAL(other, hsp_palette_colour(palette, number, chain + 12));
+        if (palette == HSP_PALETTE_CHAIN && chain < 12) CHECK(other != colour);
+      }
+    }
+  }
+  CHECK_EQUAL(hsp_palette_colour(HSP_NONE, 6, 0), hsp_palette_colour(HSP_PALETTE_SOFT, 6, 0));
+  CHECK_EQUAL(hsp_palette_colour(HSP_PALETTE_JMOL, 6, 5), 0x909090);
+  CHECK_EQUAL(hsp_palette_colour(HSP_PALETTE_JMOL, 7, 5), 0x3050F8);
+  CHECK_EQUAL(hsp_palette_colour(HSP_PALETTE_JMOL, 8, 5), 0xFF0D0D);
+  CHECK(hsp_palette_colour(HSP_PALETTE_CHAIN, 6, 3) != hsp_palette_colour(HSP_PALETTE_CHAIN, 8, 3));
+  check_scene("%s", "");
+}
+
+int main(void) {
+  CHECK_EQUAL(hsp_model_init(model_memory, sizeof model_memory, BALLS, &model), HSP_OK);
+  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
+  options_init();
+  palettes();
+  states();
+  bad_choices();
+  bad_values();
+  refusing_sinks();
+  return check_report();
+}

@@ -1,0 +1,264 @@
+/* Every argument of the view's functions that the header refuses, and every call out of order. */
+#include <hardsphere.h>
+#include <math.h>
+
+#include "check.h"
+#include "untouched.h"
+
+enum { BALLS = 3, ARCS = 40 };
+static unsigned char model_memory[HSP_MODEL_BYTES(BALLS)], other_memory[HSP_MODEL_BYTES(BALLS)];
+static unsigned char boundary_memory[HSP_BOUNDARY_BYTES(BALLS, BALLS, 16, 16)];
+static unsigned char other_boundary_memory[HSP_BOUNDARY_BYTES(BALLS, BALLS, 16, 16)];
+static unsigned char view_memory[HSP_VIEW_BYTES(BALLS, BALLS, ARCS)];
+static hsp_model *model, *other_model;
+static hsp_boundary *boundary, *other_boundary;
+static hsp_view *view;
+
+static const double xyz[3 * BALLS] = {0, 0, 0, 2, 0, 0, 1, 1.5, 0};
+static const double radius[BALLS] = {1.5, 1.5, 1.25};
+
+/* Every output of the reading functions, to be found untouched after a refusal. */
+static hsp_view_limits needed_limits;
+static hsp_view_info info;
+static hsp_view_piece pieces[BALLS];
+static hsp_view_loop loops[ARCS];
+static hsp_view_arc arcs[ARCS];
+static uint32_t needed;
+
+static void fill_outputs(void) {
+  FILL(needed_limits);
+  FILL(info);
+  FILL(pieces);
+  FILL(loops);
+  FILL(arcs);
+  FILL(needed);
+}
+
+static void check_outputs_untouched(void) {
+  CHECK_UNTOUCHED(needed_limits);
+  CHECK_UNTOUCHED(info);
+  CHECK_UNTOUCHED(pieces);
+  CHECK_UNTOUCHED(loops);
+  CHECK_UNTOUCHED(arcs);
+  CHECK_UNTOUCHED(needed);
+}
+
+/* All reading functions with good arguments must say `status` and write nothing. */
+static void check_all_readers(const hsp_view *which, int32_t status) {
+  fill_outputs();
+  CHECK_EQUAL(hsp_view_get_info(which, &info), status);
+  CHECK_EQUAL(hsp_view_get_pieces(which, pieces, BALLS, &needed), status);
+  CHECK_EQUAL(hsp_view_get_pieces(which, NULL, 0, &needed), status);
+  CHECK_EQUAL(hsp_view_get_loops(which, loops, ARCS, &needed), status);
+  CHECK_EQUAL(hsp_view_get_loops(which, NULL, 0, &needed), status);
+  CHECK_EQUAL(hsp_view_get_arcs(which, arcs, ARCS, &needed), status);
+  CHECK_EQUAL(hsp_view_get_arcs(which, NULL, 0, &needed), status);
+  check_outputs_untouched();
+}
+
+static void check_has_results(void) {
+  CHECK_EQUAL(hsp_view_get_info(view, &info), HSP_OK);
+  CHECK_EQUAL(info.pieces, 3);
+  CHECK_EQUAL(hsp_view_get_arcs(view, arcs, ARCS, &needed), HSP_OK);
+  CHECK_EQUAL(needed, info.arcs);
+}
+
+static hsp_view_options good_options(void) {
+  hsp_view_options options;
+  CHECK_EQUAL(hsp_view_options_init(&options, (uint32_t)sizeof options), HSP_OK);
+  return options;
+}
+
+static void options_init(void) {
+  hsp_view_options options;
+  int axis;
+  FILL(options);
+  CHECK_EQUAL(hsp_view_options_init(NULL, (uint32_t)sizeof options), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_view_options_init(&options, 0), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_view_options_init(&options, (uint32_t)sizeof options - 8), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_view_options_init(&options, (uint32_t)sizeof options + 8), HSP_E_ARGUMENT);
+  CHECK_UNTOUCHED(options);
+  CHECK_EQUAL(hsp_view_options_init(&options, (uint32_t)sizeof options), HSP_OK);
+  CHECK_EQUAL(options.struct_size, sizeof options);
+  CHECK_EQUAL(options.pieces, HSP_PIECES_G);
+  CHECK_EQUAL(options.flags, 0);
+  CHECK_EQUAL(options.reserved, 0);
+  /* zero and what is documented as default are the same view */
+  for (axis = 0; axis < 3; ++axis) {
+    CHECK(options.towards[axis] == 0 || options.towards[axis] == (axis == 2));
+    CHECK(options.up[axis] == 0 || options.up[axis] == (axis == 1));
+  }
+}
+
+static void null_pointers(void) {
+  CHECK_EQUAL(hsp_view_compute(view, model, NULL, NULL), HSP_OK);
+  check_all_readers(NULL, HSP_E_ARGUMENT);
+  fill_outputs();
+  CHECK_EQUAL(hsp_view_get_needed(NULL, &needed_limits), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_view_get_needed(view, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_view_get_info(view, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_view_get_pieces(view, NULL, 1, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_view_get_pieces(view, pieces, BALLS, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_view_get_loops(view, NULL, 1, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_view_get_loops(view, loops, ARCS, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_view_get_arcs(view, NULL, ARCS, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_view_get_arcs(view, arcs, ARCS, NULL), HSP_E_ARGUMENT);
+  check_outputs_untouched();
+  check_has_results();
+  CHECK_EQUAL(hsp_view_compute(NULL, model, NULL, NULL), HSP_E_ARGUMENT);
+  check_has_results();
+}
+
+/* A computation that must fail, after one that succeeded: the view holds no results. */
+static void check_refused(const hsp_model *from, const hsp_boundary *cut_from, const hsp_view_options *options,
+                          int32_t expected) {
+  CHECK_EQUAL(hsp_view_compute(view, model, NULL, NULL), HSP_OK);
+  check_has_results();
+  CHECK_EQUAL(hsp_view_compute(view, from, cut_from, options), expected);
+  check_all_readers(view, HSP_E_STATE);
+}
+
+static void bad_options(void) {
+  static const double odd[3] = {NAN, INFINITY, -INFINITY};
+  hsp_view_options options = good_options();
+  int axis, k;
+  check_scene("no model");
+  check_refused(NULL, NULL, NULL, HSP_E_ARGUMENT);
+  check_scene("struct_size");
+  options.struct_size = 0;
+  check_refused(model, NULL, &options, HSP_E_ARGUMENT);
+  options.struct_size = (uint32_t)sizeof options + 8;
+  check_refused(model, NULL, &options, HSP_E_ARGUMENT);
+  check_scene("unknown pieces");
+  options = good_options();
+  options.pieces = HSP_PIECES_H + 1;
+  check_refused(model, boundary, &options, HSP_E_ARGUMENT);
+  options.pieces = HSP_NONE;
+  check_refused(model, boundary, &options, HSP_E_ARGUMENT);
+  check_scene("unknown flags");
+  options = good_options();
+  for (k = 1; k < 32; ++k) {
+    options.flags = HSP_VIEW_ALL_BALLS | (UINT32_C(1) << k);
+    CHECK_EQUAL(hsp_view_compute(view, model, NULL, &options), HSP_E_ARGUMENT);
+  }
+  options.flags = 2;
+  check_refused(model, NULL, &options, HSP_E_ARGUMENT);
+  check_scene("reserved");
+  options = good_options();
+  options.reserved = 1;
+  check_refused(model, NULL, &options, HSP_E_ARGUMENT);
+  check_scene("not finite");
+  for (axis = 0; axis < 3; ++axis) {
+    for (k = 0; k < 3; ++k) {
+      options = good_options();
+      options.towards[axis] = odd[k];
+      check_refused(model, NULL, &options, HSP_E_NOT_FINITE);
+      options = good_options();
+      options.up[axis] = odd[k];
+      check_refused(model, NULL, &options, HSP_E_NOT_FINITE);
+    }
+  }
+  check_scene("%s", "");
+}
+
+/* A boundary that does not go with the model or holds nothing. */
+static void bad_boundaries(void) {
+  hsp_view_options options = good_options();
+  check_scene("another model's boundary");
+  CHECK_EQUAL(hsp_boundary_compute(other_boundary, other_model), HSP_OK);
+  check_refused(model, other_boundary, NULL, HSP_E_ARGUMENT);
+  check_refused(other_model, boundary, NULL, HSP_E_ARGUMENT);
+  options.pieces = HSP_PIECES_H;
+  check_refused(model, other_boundary, &options, HSP_E_ARGUMENT);
+  check_scene("H-pieces without a boundary");
+  check_refused(model, NULL, &options, HSP_E_ARGUMENT);
+  check_scene("H-pieces");
+  CHECK_EQUAL(hsp_view_compute(view, model, boundary, &options), HSP_OK);
+  check_has_results();
+  CHECK_EQUAL(info.kind, HSP_PIECES_H);
+  check_scene("a boundary without results");
+  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
+  check_refused(model, boundary, &options, HSP_E_STATE);
+  check_refused(model, boundary, NULL, HSP_E_STATE);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
+  CHECK_EQUAL(hsp_view_compute(view, model, boundary, &options), HSP_OK);
+  check_has_results();
+  check_scene("the boundary is not needed after the call");
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
+  check_has_results();
+  FILL(boundary_memory);
+  check_has_results();
+  check_scene("%s", "");
+}
+
+static void order_of_calls(void) {
+  static const double bad_radius[BALLS] = {1, -1, 1};
+  hsp_view_limits limits;
+  CHECK_EQUAL(hsp_view_limits_init(&limits, (uint32_t)sizeof limits, BALLS), HSP_OK);
+  limits.neighbours = BALLS;
+  limits.arcs = ARCS;
+  CHECK_EQUAL(hsp_view_init(view_memory, sizeof view_memory, &limits, &view), HSP_OK);
+  check_scene("nothing computed");
+  check_all_readers(view, HSP_E_STATE);
+  CHECK_EQUAL(hsp_view_get_needed(view, &needed_limits), HSP_E_STATE);
+  check_outputs_untouched();
+  CHECK_EQUAL(hsp_view_compute(view, model, NULL, NULL), HSP_OK);
+  check_has_results();
+  CHECK_EQUAL(hsp_view_get_needed(view, &needed_limits), HSP_OK);
+  CHECK_EQUAL(needed_limits.struct_size, sizeof needed_limits);
+  CHECK_EQUAL(needed_limits.balls, BALLS);
+  CHECK_EQUAL(needed_limits.neighbours, BALLS - 1);
+  check_scene("model set to the same balls");
+  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
+  check_all_readers(view, HSP_E_STATE);
+  CHECK_EQUAL(hsp_view_compute(view, model, NULL, NULL), HSP_OK);
+  check_has_results();
+  check_scene("model emptied by a refusal");
+  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, bad_radius, NULL, NULL), HSP_E_NEGATIVE);
+  check_all_readers(view, HSP_E_STATE);
+  CHECK_EQUAL(hsp_view_compute(view, model, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_view_get_info(view, &info), HSP_OK);
+  CHECK_EQUAL(info.pieces, 0);
+  CHECK_EQUAL(hsp_view_get_pieces(view, NULL, 0, &needed), HSP_OK);
+  CHECK_EQUAL(needed, 0);
+  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_view_compute(view, model, NULL, NULL), HSP_OK);
+  check_scene("figures and queries change nothing");
+  {
+    hsp_figures figures;
+    CHECK_EQUAL(hsp_model_get_figures(model, &figures), HSP_OK);
+    CHECK_EQUAL(hsp_query_point(model, xyz, NULL, 0, &needed), HSP_E_CAPACITY);
+    check_has_results();
+  }
+  check_scene("initialised again");
+  CHECK_EQUAL(hsp_view_init(view_memory, sizeof view_memory, &limits, &view), HSP_OK);
+  check_all_readers(view, HSP_E_STATE);
+  check_scene("%s", "");
+}
+
+static hsp_boundary *a_boundary(void *memory, size_t bytes) {
+  hsp_boundary_limits limits;
+  hsp_boundary *made = NULL;
+  CHECK_EQUAL(hsp_boundary_limits_init(&limits, (uint32_t)sizeof limits, BALLS), HSP_OK);
+  limits.neighbours = BALLS;
+  limits.vertices = limits.circles = 16;
+  CHECK_EQUAL(hsp_boundary_init(memory, bytes, &limits, &made), HSP_OK);
+  return made;
+}
+
+int main(void) {
+  CHECK_EQUAL(hsp_model_init(model_memory, sizeof model_memory, BALLS, &model), HSP_OK);
+  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_model_init(other_memory, sizeof other_memory, BALLS, &other_model), HSP_OK);
+  CHECK_EQUAL(hsp_model_set(other_model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
+  boundary = a_boundary(boundary_memory, sizeof boundary_memory);
+  other_boundary = a_boundary(other_boundary_memory, sizeof other_boundary_memory);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
+  options_init();
+  order_of_calls();
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
+  null_pointers();
+  bad_options();
+  bad_boundaries();
+  return check_report();
+}

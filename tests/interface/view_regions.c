@@ -1,0 +1,205 @@
+/* The regions that a view's loops enclose, at sample points, against the definition of a piece: the part of the front
+ * hemisphere outside farther balls (G) or outside all balls (H). And what is painted last against what is seen. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "vectors.h"
+#include "view_result.h"
+
+static const double pi = 3.14159265358979323846;
+
+/* The balls in view coordinates, from the caller's own numbers. */
+typedef struct scene {
+  const view_result *v;
+  double (*place)[3];
+  uint32_t *piece;     /* of each ball, or HSP_NONE */
+  uint32_t *contained; /* lies in another ball, of equal ones all */
+  double margin;       /* what is nearer than this to a sphere is left undecided */
+} scene;
+
+static void *take(size_t count, size_t size) {
+  void *memory = calloc(count + 1, size);
+  if (memory == NULL) exit(2);
+  return memory;
+}
+
+static void scene_make(const view_result *v, scene *s) {
+  const computed *c = v->base;
+  uint32_t i, j;
+  double largest = 0, extent = 0;
+  s->v = v;
+  s->place = take(c->n, sizeof *s->place);
+  s->piece = take(c->n, sizeof *s->piece);
+  s->contained = take(c->n, sizeof *s->contained);
+  for (i = 0; i < c->n; ++i) {
+    double from_origin[3];
+    difference(&c->xyz[3 * i], v->info.origin, from_origin);
+    s->place[i][0] = dot(from_origin, v->info.right);
+    s->place[i][1] = dot(from_origin, v->info.up);
+    s->place[i][2] = dot(from_origin, v->info.towards);
+    s->piece[i] = HSP_NONE;
+    largest = fmax(largest, c->radius[i]);
+    extent = fmax(extent, length(from_origin));
+  }
+  for (i = 0; i < v->info.pieces; ++i) s->piece[v->pieces[i].ball] = i;
+  s->margin = 1e-7 * largest + 1e-12 * extent + 8 * c->rounding;
+  for (i = 0; i < c->n; ++i) {
+    for (j = 0; j < c->n; ++j) {
+      double apart[3];
+      difference(s->place[i], s->place[j], apart);
+      if (j != i && length(apart) + c->radius[i] <= c->radius[j] + s->margin) s->contained[i] = 1;
+    }
+  }
+}
+
+static void scene_release(scene *s) {
+  free(s->place);
+  free(s->piece);
+  free(s->contained);
+}
+
+/* How often the loops of a piece wind about a point: crossings of a ray to the right. */
+static int winding(const view_result *v, uint32_t piece, const double p[2]) {
+  uint32_t k;
+  int turns = 0, root, lap;
+  for (k = 0; k < v->pieces[piece].arcs; ++k) {
+    const hsp_view_arc *arc = &v->arcs[v->pieces[piece].first_arc + k];
+    const double turned_x = cos(arc->rotation), turned_y = sin(arc->rotation);
+    const double a = arc->semi_axis[0] * turned_y, b = arc->semi_axis[1] * turned_x;
+    const double level = p[1] - arc->centre[1], reach = hypot(a, b);
+    const double low = fmin(arc->from, arc->to), high = fmax(arc->from, arc->to);
+    double middle, half;
+    if (!(fabs(level) < reach)) continue;
+    middle = atan2(b, a);
+    half = acos(level / reach);
+    for (root = -1; root <= 1; root += 2) {
+      const double t = middle + root * half;
+      const double x = arc->centre[0] + arc->semi_axis[0] * cos(t) * turned_x - arc->semi_axis[1] * sin(t) * turned_y;
+      if (x < p[0]) continue;
+      for (lap = -3; lap <= 3; ++lap) {
+        const double at = t + 2 * pi * lap;
+        if (at < low || at >= high) continue;
+        /* upwards at the root before the top, that is root -1 */
+        turns += (root < 0) == (arc->to > arc->from) ? 1 : -1;
+      }
+    }
+  }
+  return turns;
+}
+
+/* 1 if ball j is farther than ball i, 0 if not, -1 if that is not for sure. */
+static int farther(const scene *s, uint32_t j, uint32_t i) {
+  const double gap = s->place[i][2] - s->place[j][2];
+  if (s->piece[i] != HSP_NONE && s->piece[j] != HSP_NONE) return s->piece[j] < s->piece[i];
+  return fabs(gap) <= s->margin ? -1 : gap > 0;
+}
+
+/* Whether the point of ball i's front hemisphere over p is cut away: 1, 0, or -1 if that is not for sure. */
+static int cut_away(const scene *s, uint32_t i, const double p[2]) {
+  const view_result *v = s->v;
+  const computed *c = v->base;
+  const double x = p[0] - s->place[i][0], y = p[1] - s->place[i][1];
+  const double point[3] = {p[0], p[1], s->place[i][2] + sqrt(fmax(0, c->radius[i] * c->radius[i] - x * x - y * y))};
+  const int all_cut = (v->options.flags & HSP_VIEW_ALL_BALLS) != 0 && !v->with_boundary;
+  int perhaps = 0;
+  uint32_t j;
+  for (j = 0; j < c->n; ++j) {
+    double apart[3], depth;
+    int sure = 1;
+    if (j == i) continue;
+    difference(point, s->place[j], apart);
+    depth = c->radius[j] - length(apart);
+    if (depth < -s->margin) continue;
+    if (depth < s->margin) sure = 0;
+    if (v->options.pieces == HSP_PIECES_G) {
+      const int is_farther = farther(s, j, i);
+      if (is_farther == 0) continue;
+      if (is_farther < 0) sure = 0;
+      /* hidden balls may be left out, and balls inside others do not matter */
+      if (s->piece[j] == HSP_NONE && (!all_cut || s->contained[j])) sure = 0;
+    }
+    if (sure) return 1;
+    perhaps = 1;
+  }
+  return perhaps ? -1 : 0;
+}
+
+/* The ball that is seen over p, HSP_NONE if none is, HSP_NONE - 1 if that is not for sure. */
+static uint32_t seen(const scene *s, const double p[2]) {
+  const computed *c = s->v->base;
+  double best = -INFINITY, second = -INFINITY;
+  uint32_t i, found = HSP_NONE;
+  for (i = 0; i < c->n; ++i) {
+    const double x = p[0] - s->place[i][0], y = p[1] - s->place[i][1];
+    const double inside = c->radius[i] * c->radius[i] - x * x - y * y;
+    double height;
+    if (fabs(sqrt(x * x + y * y) - c->radius[i]) <= s->margin) return HSP_NONE - 1;
+    if (inside < 0) continue;
+    height = s->place[i][2] + sqrt(inside);
+    if (height > best) {
+      second = best;
+      best = height;
+      found = i;
+    } else if (height > second) {
+      second = height;
+    }
+  }
+  return found != HSP_NONE && best - second <= s->margin ? HSP_NONE - 1 : found;
+}
+
+/* Steele, Lea, Flood: "Fast splittable pseudorandom number generators" (2014): the mixing function of SplitMix64. */
+static double next_part(uint64_t *state) {
+  uint64_t z = (*state += UINT64_C(0x9E3779B97F4A7C15));
+  z = (z ^ (z >> 30)) * UINT64_C(0xBF58476D1CE4E5B9);
+  z = (z ^ (z >> 27)) * UINT64_C(0x94D049BB133111EB);
+  return (double)((z ^ (z >> 31)) >> 11) * 0x1p-53;
+}
+
+static const char *broken_at(const scene *s, uint32_t i, const double p[2]) {
+  const view_result *v = s->v;
+  const int cut = cut_away(s, i, p);
+  const uint32_t visible = seen(s, p);
+  if (s->piece[i] != HSP_NONE) {
+    const int turns = winding(v, s->piece[i], p);
+    if (turns != 0 && turns != 1) return "loops of a piece wind about a point neither once nor not at all";
+    if (cut == 0 && turns != 1) return "a point of a piece is not inside its loops";
+    if (cut == 1 && turns != 0) return "a point that is cut away is inside the loops of a piece";
+  } else if (cut == 0 && (v->options.flags & HSP_VIEW_ALL_BALLS) != 0 && !s->contained[i] &&
+             (v->options.pieces == HSP_PIECES_H || !v->with_boundary)) {
+    /* with a boundary, balls without faces have no G-piece */
+    return "a ball has no piece although something is left of it";
+  }
+  if (visible < HSP_NONE - 1) {
+    uint32_t k = v->info.pieces;
+    while (k > 0 && winding(v, k - 1, p) == 0) --k;
+    if (k == 0) return "nothing is painted where a ball is seen";
+    if (v->pieces[k - 1].ball != visible) return "what is painted last is not what is seen";
+  }
+  return NULL;
+}
+
+const char *broken_view_regions(const view_result *v, uint32_t samples, uint64_t seed) {
+  const computed *c = v->base;
+  const char *broken = NULL;
+  uint64_t state = seed;
+  scene s;
+  uint32_t i, k;
+  scene_make(v, &s);
+  for (i = 0; i < c->n && broken == NULL; ++i) {
+    if (c->radius[i] <= 1000 * s.margin) continue;
+    for (k = 0; k < samples && broken == NULL; ++k) {
+      const double part = 0.999 * sqrt(next_part(&state)), angle = 2 * pi * next_part(&state);
+      int tries;
+      /* a defect covers an area; what rounding does to an arc is gone a little aside */
+      for (tries = 0; tries < 3; ++tries) {
+        const double aside = 1e-5 * tries;
+        const double p[2] = {s.place[i][0] + (part - aside) * c->radius[i] * cos(angle + aside),
+                             s.place[i][1] + (part - aside) * c->radius[i] * sin(angle + aside)};
+        broken = broken_at(&s, i, p);
+        if (broken == NULL) break;
+      }
+    }
+  }
+  scene_release(&s);
+  return broken;
+}
