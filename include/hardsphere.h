@@ -847,7 +847,7 @@ HSP_API int32_t hsp_view_get_info(const hsp_view *view, hsp_view_info *info);
 
 typedef struct hsp_view_piece {
   double centre[2];    /**< of the ball, in the view plane, length */
-  double depth;        /**< z of the ball's centre, length */
+  double depth;        /**< z of the ball's centre, length; rounded, while the order of the pieces is exact */
   double radius;       /**< of the ball, length */
   uint32_t ball;       /**< the caller's index */
   uint32_t first_loop; /**< its loops are first_loop .. first_loop + loops - 1 */
@@ -873,7 +873,7 @@ HSP_API int32_t hsp_view_get_loops(const hsp_view *view, hsp_view_loop *out, uin
 
 /** An arc of a circle or ellipse in the view plane: the points
  *      centre + semi_axis[0] cos(t) (cos rotation, sin rotation) + semi_axis[1] sin(t) (-sin rotation, cos rotation)
- *  for t from `from` to `to`; to > from: counter-clockwise. */
+ *  for t from `from` to `to`; to > from: counter-clockwise, to < from: clockwise. */
 typedef struct hsp_view_arc {
   double centre[2];    /**< length */
   double semi_axis[2]; /**< the larger and the smaller one, length; the smaller is 0 for a circle seen edge on */

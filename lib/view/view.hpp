@@ -1,5 +1,11 @@
 // Hidden surface removal by the painter's order (Section 5.1): balls that may be seen, sorted by depth, each with the
 // piece of it that is painted.
+//
+// Why pieces cut by farther balls alone show what is seen: at a point of the view plane let ball m have the highest
+// front. That point of it lies in no ball, so it is in m's piece. Let j be painted later, so that its centre is no
+// farther, and let its disc hold the point too. Its front there is at least as high as its centre, hence as m's centre,
+// and at most as high as m's front: it lies inside ball m, which is farther, so it is not in j's piece. Balls that are
+// hidden as a whole are never m, so they need neither be painted nor cut.
 #pragma once
 
 #include "view/depth_order.hpp"

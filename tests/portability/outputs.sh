@@ -73,6 +73,8 @@ draw crambin.faces.pdf bench/molecules/crambin.pdb --style flat --pieces h --rot
 draw degenerate.faces.svg $degenerate --style flat --pieces h --view 1,1,1 --height 300
 draw degenerate.probe.svg $degenerate --style headlight --probe 0.5 --rotate 0,90,0 --palette chain
 
+succeed crambin.drawn "$program" draw --json bench/molecules/crambin.pdb -o "$outputs/crambin.svg"
+
 # All that the program's own tests read, and what it says to what it refuses: characters, signs, exponents.
 for input in tests/program/inputs/good/*; do both_commands record "good.${input##*/}" "$input"; done
 for input in tests/program/inputs/bad/*; do record "bad.${input##*/}" "$program" measure --json "$input"; done

@@ -228,15 +228,20 @@ TEST(DrawColours, OcclusionOfManyBalls) {
   EXPECT_LT(brightness(found.at(665)), 0.6 * brightness(found.at(1330)));  // the middle
 }
 
-// Whole pictures of caffeine. If they are meant to change: hardsphere draw with these arguments, -o the file.
+void expect_golden(const std::string &molecule, const std::string &extension, const std::vector<std::string> &options) {
+  const std::string golden = read_file(pictures_folder() + "/" + molecule + extension);
+  const std::string found = drawn(molecules_folder() + "/" + molecule + ".pdb", options, extension);
+  EXPECT_TRUE(found == golden) << molecule << extension << " differs: " << found.size() << " bytes, expected "
+                               << golden.size();
+}
+
+// Whole pictures. If they are meant to change: hardsphere draw with these arguments, -o the file.
 TEST(DrawColours, GoldenPictures) {
   for (const char *extension : {".svg", ".eps", ".pdf"}) {
-    const std::string golden = read_file(pictures_folder() + "/caffeine" + extension);
-    const std::string found =
-        drawn(molecules_folder() + "/caffeine.pdb", {"--rotate", "60,25,0", "--width", "240"}, extension);
-    EXPECT_TRUE(found == golden) << "caffeine" << extension << " differs: " << found.size() << " bytes, expected "
-                                 << golden.size();
+    expect_golden("caffeine", extension, {"--rotate", "60,25,0", "--width", "240"});
   }
+  // The picture in README.md.
+  expect_golden("crambin", ".svg", {});
 }
 
 }  // namespace
