@@ -95,8 +95,9 @@ int32_t hsp_picture_write(hsp_view *view, const uint32_t *colour, const hsp_pict
                           const char *description, hsp_sink sink, void *context, uint64_t *bytes) {
   if (bytes != nullptr) *bytes = 0;
   if (view == nullptr || sink == nullptr) return HSP_E_ARGUMENT;
+  // A record of another size is not even copied.
+  if (options != nullptr && !is_valid(*options)) return HSP_E_ARGUMENT;
   const hsp_picture_options wanted = options != nullptr ? *options : defaults();
-  if (!is_valid(wanted)) return HSP_E_ARGUMENT;
   // Without results the number of colours is not known.
   const bool ready = has_results(*view);
   if (ready && colour != nullptr && !are_colours(colour, view->model->grid.balls().n)) return HSP_E_ARGUMENT;

@@ -756,7 +756,7 @@ typedef struct hsp_view hsp_view;
 typedef struct hsp_view_limits {
   uint32_t struct_size; /**< sizeof(hsp_view_limits) */
   uint32_t balls;       /**< number of balls of the model */
-  uint32_t neighbours;  /**< most balls that meet any one ball that gets a piece */
+  uint32_t neighbours;  /**< most balls that meet any one ball that is not left out and lies inside no other */
   uint32_t arcs;        /**< arcs of all pieces; pieces and loops are never more */
 } hsp_view_limits;
 
@@ -809,8 +809,9 @@ HSP_API int32_t hsp_view_options_turn(hsp_view_options *options, double x, doubl
 /** Cut and sort the pieces for one direction; any number of times, from any directions. boundary: one computed from the
  *  same model, so that a new direction costs only the cut and the sort; it may be NULL for G-pieces, which then
  *  come from the model alone (with it, balls without faces are skipped). options may be NULL (defaults). The model
- *  must outlive the view: after hsp_model_set the functions below return HSP_E_STATE until this one is called again.
- *  The boundary is not needed after the call.
+ *  must outlive the view: after hsp_model_set the functions below return HSP_E_STATE until this one is called again;
+ *  after hsp_model_init in the model's memory it must be called again before them. The boundary is not needed after
+ *  the call.
  *  towards is rounded to integers with a largest component of 2^28, so that axes and diagonals are exact.
  *  HSP_E_ARGUMENT: view or model NULL, bad options, no boundary for H-pieces or one of another model. HSP_E_STATE: the
  *  boundary holds no results. HSP_E_NOT_FINITE: a component of towards or up is NaN or infinite. HSP_E_CAPACITY: a
@@ -922,15 +923,16 @@ typedef int32_t (*hsp_sink)(void *context, const char *bytes, size_t count);
 
 /** What a picture looks like. hsp_picture_options_init sets the defaults; every field means what it says. */
 typedef struct hsp_picture_options {
-  uint32_t struct_size; /**< sizeof(hsp_picture_options) */
-  uint32_t format;      /**< HSP_FORMAT_*; default SVG */
-  uint32_t style;       /**< HSP_STYLE_*; default flat */
-  uint32_t unit;        /**< HSP_UNIT_* of width, height and outline; default px */
-  double width;         /**< of the picture; 0: follows from height; default 1000 */
-  double height;        /**< 0: follows from width; default 0. With both given the balls are centred */
-  double margin;        /**< around the balls, as a part of the larger side of their box, in [0, 10]; default 0.03 */
-  double outline;       /**< width of the lines along silhouettes and intersections; 0: none; < 0: chosen; default -1 */
-  double fog;           /**< how far the farthest ball fades to the background, in [0, 1]; default 0.3 */
+  uint32_t struct_size;    /**< sizeof(hsp_picture_options) */
+  uint32_t format;         /**< HSP_FORMAT_*; default SVG */
+  uint32_t style;          /**< HSP_STYLE_*; default flat */
+  uint32_t unit;           /**< HSP_UNIT_* of width, height and outline; default px */
+  double width;            /**< of the picture; 0: follows from height; less than 0.01 counts as 0.01; default 1000 */
+  double height;           /**< likewise, from width; default 0. With both given the balls are centred */
+  double margin;           /**< around the balls, as a part of the larger side of their box, in [0, 10]; default 0.03 */
+  double outline;          /**< width of the lines along silhouettes and intersections; 0 (or less than 5e-5 px): none;
+                                < 0: chosen; default -1 */
+  double fog;              /**< how far the farthest ball fades to the background, in [0, 1]; default 0.3 */
   uint32_t outline_colour; /**< 0xRRGGBB; default 0x23202B */
   uint32_t background;     /**< 0xRRGGBB; default 0xFFFFFF */
   uint32_t flags;          /**< HSP_PICTURE_*; default 0 */
@@ -958,7 +960,8 @@ HSP_API uint32_t hsp_palette_colour(uint32_t palette, uint32_t atomic_number, ui
  *  negative or beyond 1e6, margin or fog beyond its range, outline beyond 1e6. HSP_E_STATE: the view holds no results.
  *  HSP_E_SINK: the sink refused. Apart from that the sink is called only if all is well.
  *  Uses the view's scratch memory, hence not const; results stay valid.
- *  Property 1: the same bytes for every order of the balls, up to the values of data-ball.
+ *  Property 1: the same bytes for every order of the balls, up to the values of data-ball. (Of balls that are equal in
+ *  centre and radius the first one counts, with its colour.)
  *  Cost: O(pieces log pieces + arcs); bytes proportional to arcs. */
 HSP_API int32_t hsp_picture_write(hsp_view *view, const uint32_t *colour, const hsp_picture_options *options,
                                   const char *title, const char *description, hsp_sink sink, void *context,

@@ -1,4 +1,4 @@
-// Compiled with -O3 -fno-math-errno -fno-trapping-math: with these the row of pixels becomes vector instructions.
+// Compiled with -O3 -fno-math-errno: with these the row of pixels becomes vector instructions.
 #include "z_buffer/analytic_z_buffer.hpp"
 
 #include <algorithm>

@@ -29,16 +29,14 @@ bool command_find(const char *name, enum command *command) {
 }
 
 static bool take_probe(struct reading *reading, const char *value) {
-  if (value == NULL) value = option_next(&reading->options);
-  if (value == NULL) return failure_in_usage(reading->failure, "--probe needs a length");
+  if (!option_value(&reading->options, "--probe", &value, "a length")) return false;
   if (reading->probe_seen) return failure_in_usage(reading->failure, "--probe is given twice");
   reading->probe_seen = true;
   return option_length(&reading->options, "--probe", value, &reading->request->probe);
 }
 
 static bool take_radii(struct reading *reading, const char *value) {
-  if (value == NULL) value = option_next(&reading->options);
-  if (value == NULL) return failure_in_usage(reading->failure, "--radii needs a set: bondi or chem3d");
+  if (!option_value(&reading->options, "--radii", &value, "a set: bondi or chem3d")) return false;
   if (reading->radii_seen) return failure_in_usage(reading->failure, "--radii is given twice");
   reading->radii_seen = true;
   const struct radii_set *set = radii_set_find(value);
@@ -53,8 +51,7 @@ static bool take_radii(struct reading *reading, const char *value) {
 
 /* Gather the text of --radius; it is applied by apply_overrides when the set is known. */
 static bool take_radius(struct reading *reading, const char *value) {
-  if (value == NULL) value = option_next(&reading->options);
-  if (value == NULL) return failure_in_usage(reading->failure, "--radius needs EL=R, for instance ZN=1.39");
+  if (!option_value(&reading->options, "--radius", &value, "EL=R, for instance ZN=1.39")) return false;
   struct text_buffer *overrides = &reading->request->overrides;
   text_buffer_add(overrides, "%s%s", reading->radius_seen ? "," : "", value);
   if (overrides->out_of_memory) return failure_of_memory(reading->failure);
@@ -131,8 +128,7 @@ static bool take_path(struct reading *reading, const char *option, const char *v
 }
 
 static bool take_grouping(struct reading *reading, const char *value) {
-  if (value == NULL) value = option_next(&reading->options);
-  if (value == NULL) return failure_in_usage(reading->failure, "--by needs residue or chain");
+  if (!option_value(&reading->options, "--by", &value, "residue or chain")) return false;
   if (reading->request->by != GROUPING_NONE) return failure_in_usage(reading->failure, "--by is given twice");
   if (strcmp(value, "residue") == 0) {
     reading->request->by = GROUPING_RESIDUE;

@@ -39,10 +39,9 @@ static bool make_colours(const struct request *request, const struct molecule *m
     const uint32_t number = element.text[0] == '\0' ? carbon : element_atomic_number(element);
     (*colour)[i] = hsp_palette_colour(palette, number, chain);
   }
-  if (occlusion_darken(molecule, geometry, request->probe, drawing_occlusion(drawing, molecule->atoms), *colour,
-                       failure)) {
-    return true;
-  }
+  const double strength = drawing_occlusion(drawing, molecule->atoms);
+  const bool by_default = drawing->occlusion < 0.0;
+  if (occlusion_darken(molecule, geometry, request->probe, strength, by_default, *colour, failure)) return true;
   free(*colour);
   return false;
 }

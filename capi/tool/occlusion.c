@@ -6,6 +6,7 @@
 /* Lengths in angstrom where a typical large ball has the radius of carbon. */
 static const double carbon_radius = 1.7;
 static const double reach = 5.0; /* of the smoothing */
+static const double largest_probe = 7.0;
 
 /* Each step costs about five times the one before: the larger the probe, the more neighbours a ball has. */
 struct probe_rule {
@@ -43,12 +44,33 @@ static bool quantile(const double *values, uint32_t count, double part, double *
   return true;
 }
 
-/* Add to exposure the free part of each ball's area when a probe is added to all radii. */
-static bool add_free_part(const struct molecule *molecule, double probe, double *area, double *exposure,
-                          struct failure *failure) {
+/* Whether so many balls meet each other, far more than in molecules, that the boundary would take longer than a picture
+ * may. Finding it takes about the square of the number of neighbours for each ball; some balls stand for all. */
+static bool is_crowded(const struct geometry *geometry, uint32_t balls) {
+  const uint32_t step = balls / 64 + 1;
+  uint32_t asked = 0;
+  double squares = 0.0;
+  for (uint32_t i = 0; i < balls; i += step) {
+    uint32_t neighbours = 0;
+    (void)hsp_query_neighbours(geometry->model, i, NULL, 0, &neighbours);
+    squares += (double)neighbours * neighbours;
+    ++asked;
+  }
+  return squares / asked * balls > 5e9;
+}
+
+/* Add to exposure the free part of each ball's area when a probe is added to all radii. With a limit, *crowded may be
+ * set instead. */
+static bool add_free_part(const struct molecule *molecule, double probe, bool limited, double *area, double *exposure,
+                          bool *crowded, struct failure *failure) {
   struct geometry inflated = GEOMETRY_NONE;
-  bool done = geometry_set_model(&inflated, molecule, probe, failure) &&
-              geometry_compute_boundary(&inflated, molecule, failure);
+  bool done = geometry_set_model(&inflated, molecule, probe, failure);
+  if (done && limited && is_crowded(&inflated, molecule->atoms)) {
+    *crowded = true;
+    geometry_free(&inflated);
+    return true;
+  }
+  done = done && geometry_compute_boundary(&inflated, molecule, failure);
   if (done) {
     const int32_t status = hsp_boundary_measure(inflated.boundary, NULL, area, NULL, molecule->atoms);
     done = status == HSP_OK || failure_in_library(failure, status);
@@ -122,19 +144,30 @@ static bool normalise(double *exposure, uint32_t count, struct failure *failure)
   return true;
 }
 
-/* Lengths are relative to this: 1 in angstrom. Nothing to shade where most balls are points. */
+/* Where the library's lattice ends: below its finest step balls are points, and larger balls than this are refused. The
+ * probes must stay within it too. */
+static const double finest_step = 1e-22;
+static const double largest_ball = 1e31;
+
+/* Lengths are relative to this: 1 in angstrom. 0, nothing to shade, where most balls are points, or where the largest
+ * probe makes balls too large. */
 static bool find_scale(const struct molecule *molecule, double probe, double *scale, struct failure *failure) {
+  double largest;
   if (!quantile(molecule->radius, molecule->atoms, 0.8, scale, failure)) return false;
+  if (!quantile(molecule->radius, molecule->atoms, 1.0, &largest, failure)) return false;
   *scale = (*scale + probe) / carbon_radius;
+  if (*scale < finest_step || largest + probe + largest_probe * *scale > largest_ball) *scale = 0.0;
   return true;
 }
 
 static bool find_exposure(const struct molecule *molecule, const struct geometry *geometry, double probe, double scale,
-                          double *exposure, double *scratch, struct failure *failure) {
+                          bool limited, double *exposure, double *scratch, bool *crowded, struct failure *failure) {
   const struct probe_rule *rule = probe_rules;
   while (molecule->atoms > rule->most_balls) ++rule;
   for (int i = 0; i < rule->count; ++i) {
-    if (!add_free_part(molecule, probe + rule->probes[i] * scale, scratch, exposure, failure)) return false;
+    const double grown = probe + rule->probes[i] * scale;
+    if (!add_free_part(molecule, grown, limited, scratch, exposure, crowded, failure)) return false;
+    if (*crowded) return true;
   }
   struct neighbourhood near = {NULL, 0, 0};
   const double radius = reach * scale;
@@ -158,8 +191,9 @@ static uint32_t darkened(uint32_t colour, double darkness) {
 }
 
 bool occlusion_darken(const struct molecule *molecule, const struct geometry *geometry, double probe, double strength,
-                      uint32_t *colour, struct failure *failure) {
+                      bool limited, uint32_t *colour, struct failure *failure) {
   double scale;
+  bool crowded = false;
   if (strength == 0.0 || molecule->atoms < 2) return true;
   if (!find_scale(molecule, probe, &scale, failure)) return false;
   if (scale == 0.0) return true;
@@ -167,8 +201,8 @@ bool occlusion_darken(const struct molecule *molecule, const struct geometry *ge
   double *scratch = calloc(molecule->atoms, sizeof *scratch);
   bool done = exposure != NULL && scratch != NULL;
   if (!done) failure_of_memory(failure);
-  done = done && find_exposure(molecule, geometry, probe, scale, exposure, scratch, failure);
-  for (uint32_t i = 0; done && i < molecule->atoms; ++i) {
+  done = done && find_exposure(molecule, geometry, probe, scale, limited, exposure, scratch, &crowded, failure);
+  for (uint32_t i = 0; done && !crowded && i < molecule->atoms; ++i) {
     const double hidden = 1.0 - exposure[i];
     const double curved = hidden * (0.87 + 0.13 * hidden); /* within 0.01 of hidden^1.1 */
     const int shade = (int)(curved * SHADES + 0.5);

@@ -13,9 +13,10 @@
  *   exposure   the free part of the ball's area as large probes see it, in the mean of the probes, smoothed over its
  *              neighbourhood twice, relative to that of the most exposed balls
  * All lengths are relative to the larger balls, so that any unit of length does. Probes are 2.8 and 7 angstrom where
- * carbon has 1.7, which takes 0.3 ms a ball; above 1000 balls 2.8 alone, 0.04 ms, above 20000 1.4 alone, 0.015 ms. The
- * result does not depend on the order of the balls. */
+ * carbon has 1.7, which takes 0.3 ms a ball; above 1000 balls 2.8 alone, 0.04 ms, above 20000 1.4 alone, 0.015 ms. With
+ * `limited`, sets that are far more crowded than molecules, which would take much longer, are left as they are. The
+ * result does not depend on the order of the balls, but for crowded sets, of which a sample is looked at. */
 bool occlusion_darken(const struct molecule *molecule, const struct geometry *geometry, double probe, double strength,
-                      uint32_t *colour, struct failure *failure);
+                      bool limited, uint32_t *colour, struct failure *failure);
 
 #endif

@@ -5,12 +5,20 @@
 namespace hsp {
 namespace {
 
-// The least and the most that a side which follows from the other one can become, in units.
+// The least and the most that a side can become, in units. No format has pages without a width or a height.
 constexpr double shortest_side = 0.01;
 constexpr double longest_side = 1e6;
 
+// px. To EPS and PDF a line of width 0, as which this would be written, is the thinnest that there is, not none.
+constexpr double thinnest_line = 5e-5;
+
 double clamped(double value, double low, double high) {
   return value < low ? low : value > high ? high : value;
+}
+
+// A side as the options give it; 0 stays 0.
+double given_side(double side) {
+  return side == 0.0 ? 0.0 : clamped(side, shortest_side, longest_side);
 }
 
 // Lines that suit the balls: .9 px where their mean radius is 34 px.
@@ -50,8 +58,8 @@ Page lay_out(const PictureInput &input, const PictureOptions &options) {
   const double margin = options.margin * (size[0] > size[1] ? size[0] : size[1]);
   const double framed[2] = {size[0] + 2 * margin, size[1] + 2 * margin};
   const bool empty = input.view.pieces.size() == 0;
-  double width = options.width;
-  double height = options.height;
+  double width = given_side(options.width);
+  double height = given_side(options.height);
   if (height == 0.0) height = empty ? width : clamped(width * (framed[1] / framed[0]), shortest_side, longest_side);
   if (width == 0.0) width = empty ? height : clamped(height * (framed[0] / framed[1]), shortest_side, longest_side);
 
@@ -67,6 +75,7 @@ Page lay_out(const PictureInput &input, const PictureOptions &options) {
   }
   for (int k = 0; k < 2; ++k) page.middle[k] = box.low[k] + size[k] / 2;
   page.line = options.outline < 0.0 ? chosen_line(input, page.scale) : options.outline * page.unit;
+  if (page.line < thinnest_line) page.line = 0.0;
   page.farthest = box.depth_low;
   page.nearest = box.depth_high;
   page.decimals = decimals_for((page.width > page.height ? page.width : page.height) / 1e4, 2, 6);

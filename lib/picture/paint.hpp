@@ -28,7 +28,7 @@ class Paint {
   uint32_t shade_of(uint32_t piece) const;
   uint32_t shade_colour(uint32_t shade, uint32_t stop) const;
 
-  // Lines fade, too; never increases in drawing order.
+  // Lines fade, too; does not increase in drawing order, up to rounding.
   uint32_t fog_level(uint32_t piece) const;
   uint32_t line_colour(uint32_t level) const;
 

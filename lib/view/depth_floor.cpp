@@ -8,6 +8,7 @@ namespace {
 constexpr double cell_in_radii = 0.2;
 constexpr uint64_t cells_per_ball = 16;
 constexpr uint64_t further_cells = 4096;
+constexpr uint64_t most_cells = 0xFFFFFFFF;
 constexpr uint32_t coarse_side = 4;  // cells
 
 constexpr uint32_t coarse_cells(uint32_t cells) {
@@ -61,16 +62,18 @@ struct DepthFloor::Columns {
 };
 
 void DepthFloor::carve(Workspace &workspace, uint32_t balls) {
-  const uint64_t cells = cells_per_ball * balls + further_cells;
+  const uint64_t wanted = cells_per_ball * balls + further_cells;
+  const uint64_t cells = wanted < most_cells ? wanted : most_cells;
   floor_ = workspace.take<float>(cells);
   // c columns and r rows have at most (c + 3)(r + 3)/16 coarse cells, and c + r <= c r + 1.
   coarse_ = workspace.take<float>(cells / 4 + 1);
   stale_ = workspace.take<uint8_t>(cells / 4 + 1);
 }
 
-// Coordinates of a view are sums of three products of exact differences by components of axes that are off by 3e each,
-// so that they are within 16e of the largest distance from the origin; the margin is 64 times that. Cells are so much
-// larger than the margin that it adds less than half a cell to a disc.
+// Coordinates of a view are sums of three products of exact differences by components of an axis. The axes are off by
+// at most 10e (towards 3.5e, right 4.5e, their cross product 2e more) and the sums by 3e, so that coordinates are
+// within 16e of the largest distance from the origin; the margin is 64 times that. Cells are so much larger than the
+// margin that it adds less than half a cell to a disc.
 void DepthFloor::lay_out(const PlaneBox &box, double extent, double largest) {
   margin_ = 0x1p-43 * extent;
   left_ = box.left;
@@ -147,7 +150,9 @@ bool DepthFloor::hides(const Disc &disc) const {
 }
 
 // The ball made smaller by the margin raises the floor of the cells that it fills, to the height above their farthest
-// corner, less what rounding to a float could add.
+// corner, less what rounding to a float could add. One more margin makes sure that a ball whose square root is saved
+// would not have raised the floor: heights near 0 lie closer together than sums of a base and a root can tell, and the
+// order in which balls raise the floor must have no effect.
 void DepthFloor::raise(const Disc &disc) {
   const double R = disc.r - 4 * margin_;
   if (R <= 0.0) return;
@@ -166,7 +171,7 @@ void DepthFloor::raise(const Disc &disc) {
       const double above = static_cast<double>(cell[k]) - base;
       if (above > 0.0 && above * above >= left_over) continue;  // saves the square root
       const double height = base + std::sqrt(left_over);
-      const float lowered = static_cast<float>(height - 0x1p-22 * std::fabs(height));
+      const float lowered = static_cast<float>(height - 0x1p-22 * std::fabs(height) - margin_);
       cell[k] = lowered > cell[k] ? lowered : cell[k];
       stale_[row / coarse_side * coarse_columns_ + (columns.first + k) / coarse_side] = 1;
     }

@@ -27,8 +27,9 @@ class CornerFinder {
         well_conditioned_(precise * exact::FilterBounds::for_length_squared(caps.length_squared).D) {}
 
   // With q and D as in plane.hpp. Doubles have D within the filter's bound and q within 6e L^3. Where D is so far above
-  // its bound, at least L^6/128, its relative error is below 2^-40, and as D <= W N the offset's error is below 70e L.
-  // Elsewhere D and q are taken from the integers.
+  // its bound, at least L^6/128, its relative error is below 2^-40. As D <= W N and |q| <= L |n|, the error of D is at
+  // most 12e L^4 |n| + 11e L^2 |n|^2 and that of the offset below 100e L. Elsewhere D and q are taken from the
+  // integers.
   Corner at(const PieceUse &use) const {
     const Plane &P = caps_.plane[use.in];
     const Plane &Q = caps_.plane[use.out];

@@ -214,6 +214,31 @@ TEST(DrawColours, OcclusionInAnyUnit) {
   EXPECT_EQ(found[2], found[0]);
 }
 
+// More balls within a probe's reach of each other than any molecule has: not shaded unless that is asked for.
+TEST(DrawColours, CrowdedSetsAreNotShadedByDefault) {
+  std::string text;
+  for (int i = 0; i < 2000; ++i) {
+    text += std::to_string(i % 20 * 0.03) + " " + std::to_string(i / 20 % 10 * 0.03) + " " +
+            std::to_string(i / 200 * 0.03) + " 0.01\n";
+  }
+  for (int i = 0; i < 600; ++i) text += std::to_string(2.5 * i) + " 5 0 1.7\n";
+  const TemporaryFile file("crowded.xyzr", text);
+  EXPECT_EQ(fills(file.path(), {}), fills(file.path(), {"--occlusion", "0"}));
+}
+
+// At both ends of what the library takes, where probes would be too large or too small for it: no shades, no failure.
+TEST(DrawColours, OcclusionAtTheEndsOfTheLattice) {
+  for (const char *unit : {"e30", "e-25", "e-160", "e-300"}) {
+    const TemporaryFile file(
+        "ends.xyzr", std::string("0 0 0 9") + unit + "\n1" + unit + " 0 0 9" + unit + "\n0 0 0 2" + unit + "\n");
+    const TemporaryFile out("ends.svg");
+    const Outcome outcome = run_program({"draw", file.path(), "-o", out.path(), "--occlusion", "1"});
+    EXPECT_EQ(outcome.status, 0) << unit << outcome.err;
+    EXPECT_EQ(outcome.err, "") << unit;
+    EXPECT_EQ(fills(file.path(), {"--occlusion", "1"}), fills(file.path(), {"--occlusion", "0"})) << unit;
+  }
+}
+
 // Larger molecules take a cheaper way; it must tell the inside from the outside as well. A grid has corners.
 TEST(DrawColours, OcclusionOfManyBalls) {
   std::string text;
