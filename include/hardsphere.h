@@ -108,8 +108,8 @@ HSP_API int32_t hsp_model_bytes(uint32_t balls, size_t *bytes);
 
 /** Make an empty model (0 balls) for at most `balls` balls in caller memory of any alignment; sets *model.
  *  HSP_E_ARGUMENT: memory or model is NULL. HSP_E_RANGE: as hsp_model_bytes. HSP_E_MEMORY: bytes is less than
- *  hsp_model_bytes says (nothing is written). Boundaries computed from a model that was in this memory before
- *  must be computed again before they are read. */
+ *  hsp_model_bytes says (nothing is written). Boundaries and views computed from a model that was in this
+ *  memory before must be computed again before they are read. */
 HSP_API int32_t hsp_model_init(void *memory, size_t bytes, uint32_t balls, hsp_model **model);
 
 /** How hsp_model_set reads the balls. Zero means default in every field but the first. */

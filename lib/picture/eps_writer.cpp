@@ -153,9 +153,7 @@ class EpsWriter {
 
   void put_shaded(uint32_t piece) {
     const uint32_t ball = input_.view.pieces[piece].ball;
-    const exact::DoubleVector centre = input_.view.frame.centre_of(input_.balls, ball);
-    const double place[2] = {centre.x, centre.y};
-    const PagePoint at = page_.place(place);
+    const PagePoint at = page_.centre_of(input_, piece);
     put_number(at.x, 4);
     put_number(at.y, 4);
     // A scale of 0 would be an error.

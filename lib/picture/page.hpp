@@ -38,6 +38,11 @@ struct Page {
     return {(point[0] - middle[0]) * scale + width / 2, (point[1] - middle[1]) * scale + height / 2};
   }
   PageArc place(const PlaneArc &arc) const;
+  PagePoint centre_of(const PictureInput &input, uint32_t piece) const {
+    const exact::DoubleVector centre = input.view.frame.centre_of(input.balls, input.view.pieces[piece].ball);
+    const double point[2] = {centre.x, centre.y};
+    return place(point);
+  }
 };
 
 Page lay_out(const PictureInput &input, const PictureOptions &options);

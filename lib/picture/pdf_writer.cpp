@@ -140,8 +140,6 @@ class PdfWriter {
   // The path twice: painting ends it, and a line along it must not be clipped by it.
   void put_shaded(uint32_t piece) {
     const uint32_t ball = input_.view.pieces[piece].ball;
-    const exact::DoubleVector centre = input_.view.frame.centre_of(input_.balls, ball);
-    const double place[2] = {centre.x, centre.y};
     sink_.put("q\n");
     put_path(piece);
     sink_.put("W n ");
@@ -152,7 +150,7 @@ class PdfWriter {
     sink_.put(" 0 0 ");
     put_scaled(sink_, radius, decimals_);
     sink_.put(' ');
-    put_point(page_.place(place));
+    put_point(page_.centre_of(input_, piece));
     sink_.put("cm /S");
     put_integer(sink_, paint_.shade_of(piece));
     sink_.put(" sh Q\n");

@@ -94,9 +94,7 @@ class SvgWriter {
     }
     for (uint32_t p = 0; p < input_.view.pieces.size(); ++p) {
       const uint32_t ball = input_.view.pieces[p].ball;
-      const exact::DoubleVector centre = input_.view.frame.centre_of(input_.balls, ball);
-      const double place[2] = {centre.x, centre.y};
-      const PagePoint at = page_.place(place);
+      const PagePoint at = page_.centre_of(input_, p);
       sink_.put("<radialGradient id=\"b");
       put_integer(sink_, p);
       sink_.put("\" xlink:href=\"#g");
