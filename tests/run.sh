@@ -3,10 +3,11 @@
 #   bash tests/run.sh
 # as root, or as a user who may use sudo. Installs the packages that are missing, then runs the workflow presets
 #   dev       g++, release, warnings are errors: all tests
-#   clang     clang++ with address and undefined-behaviour sanitizers: all but the slow tests
-#   portable  g++ without 128-bit integers: all but the slow tests
+#   clang     clang++ with address and undefined-behaviour sanitizers: all but slow tests and what no compiler changes
+#   portable  g++ without 128-bit integers: the same, without the program
 # and prints what ctest said of each. The exit status is 0 only if all three succeeded. Run again it builds only what
-# has changed. HSP_WORKFLOWS="dev" runs a part.
+# has changed. HSP_WORKFLOWS="dev" runs a part; HSP_WORKFLOWS="long" runs dev with the long form of the slow tests and all
+# other processors and compilers.
 # Some of dev's tests build for other processors. The compilers for aarch64 and s390x are installed like all the rest;
 # if those for riscv64 and armhf cannot be had, their tests are skipped.
 set -euo pipefail

@@ -9,6 +9,7 @@
 #include "degenerate_set.hpp"
 #include "set_arrangements.hpp"
 #include "set_checks.hpp"
+#include "sweep_length.hpp"
 
 namespace degenerate {
 
@@ -37,13 +38,16 @@ inline std::string complaint_about(const oracle::Balls &balls, Check check) {
 /// After so many failures the rest of a corpus is left out.
 inline constexpr int enough_failures = 5;
 
-/// The sets with at least `least` and at most `most` balls pass the check.
-inline void expect_of_all(std::size_t least, std::size_t most, Check check) {
+/// The sets with at least `least` and at most `most` balls pass the check. Of every `part` of them one is tried, all in
+/// the long form of the slow tests.
+inline void expect_of_all(std::size_t least, std::size_t most, Check check, std::size_t part = 1) {
   std::size_t seen = 0;
+  std::size_t met = 0;
   int failures = 0;
   for (const DegenerateSet &set : corpus()) {
     if (set.balls.size() < least || set.balls.size() > most) continue;
     if (check == nerve_disagrees && !small_enough_for_nerve(set.balls)) continue;
+    if (!oracle::long_tests() && met++ % part != 0) continue;
     ++seen;
     const std::string complaint = complaint_about(set.balls, check);
     EXPECT_EQ(complaint, "") << set.name;
@@ -52,16 +56,19 @@ inline void expect_of_all(std::size_t least, std::size_t most, Check check) {
   EXPECT_GT(seen, 0U);
 }
 
-/// Every set that is one lattice step from one with `least` to `most` balls passes the check, scaled or not.
+/// Every set that is one lattice step from one with `least` to `most` balls passes the check, scaled or not; `part` as
+/// above.
 enum class Scale { as_given, half_of_lattice };
-inline void expect_one_step_off(std::size_t least, std::size_t most, Scale scale, Check check) {
+inline void expect_one_step_off(std::size_t least, std::size_t most, Scale scale, Check check, std::size_t part = 1) {
   std::size_t seen = 0;
+  std::size_t met = 0;
   for (const DegenerateSet &set : corpus()) {
     if (set.balls.size() < least || set.balls.size() > most) continue;
     const std::int64_t factor = scale == Scale::as_given ? 1 : largest_scale(set.balls) / 2;
     if (factor == 0) continue;  // fills the lattice as it is
     for (const oracle::Balls &balls : one_step_off(scaled(set.balls, factor))) {
       if (check == nerve_disagrees && !small_enough_for_nerve(balls)) continue;
+      if (!oracle::long_tests() && met++ % part != 0) continue;
       ASSERT_EQ(complaint_about(balls, check), "") << "one step from " << set.name;
       ++seen;
     }

@@ -103,6 +103,35 @@ TEST(DepthOrder, OfDepthsThatDifferByOneUnit) {
   expect_order(set, towards(1 - 0x1p-27, 1, 0x1p-28));
 }
 
+// Far vectors a depth of one unit long: the products with the first two components are rounded differently, the third
+// is exact, so that the sum in doubles has any sign. The last ball lies in the middle.
+TEST(DepthOrder, OfDepthsThatRoundingWouldExchange) {
+  constexpr int64_t modulus = int64_t{1} << 28;
+  constexpr int64_t a = modulus - 3;
+  constexpr int64_t b = modulus - 5;
+  uint64_t inverse = 1;  // of b, modulo the modulus
+  for (int k = 0; k < 6; ++k) inverse *= 2 - static_cast<uint64_t>(b) * inverse;
+  std::mt19937_64 random(7);
+  Set set;
+  for (int k = 0; k < 40; ++k) {
+    const int64_t depth = k % 2 == 0 ? 1 : -1;
+    const int64_t x = (int64_t{1} << 47) + static_cast<int64_t>(random() >> 17);
+    const int64_t remainder =
+        static_cast<int64_t>(static_cast<uint64_t>(depth - a * (x % modulus)) * inverse % modulus);
+    const int64_t y = remainder - ((int64_t{1} << 18) + static_cast<int64_t>(random() >> 46)) * modulus;
+    const oracle::BigInteger rest =
+        oracle::BigInteger(a) * oracle::BigInteger(x) + oracle::BigInteger(b) * oracle::BigInteger(y);
+    const int64_t low = a * (x % modulus) + b * (y % modulus) - depth;
+    const int64_t z = -(a * (x / modulus) + b * (y / modulus) + low / modulus);
+    ASSERT_EQ((rest + oracle::BigInteger(modulus) * oracle::BigInteger(z) - oracle::BigInteger(depth)).sign(), 0);
+    set.add(x, y, z, 1);
+    set.add(-x, -y, -z, 1);
+    set.add(k, k, -2 * k, 1);
+  }
+  set.add(0, 0, 0, 1);
+  expect_order(set, towards(a * 0x1p-28, b * 0x1p-28, 1));
+}
+
 TEST(DepthOrder, EqualDepthsGoByPlaceRadiusAndIndex) {
   Set set;
   for (int k = 0; k < 60; ++k) set.add(k % 4, (k / 4) % 3, 7, k % 2);

@@ -7,14 +7,7 @@
 #include "check.h"
 #include "gradients.h"
 #include "guarded_memory.h"
-
-static void capacities_around(uint32_t needed, uint32_t capacities[5]) {
-  capacities[0] = 0;
-  capacities[1] = 1;
-  capacities[2] = needed == 0 ? 0 : needed - 1;
-  capacities[3] = needed;
-  capacities[4] = needed + 1;
-}
+#include "output_sweep.h"
 
 static double *doubles(const guarded_memory *memory) {
   return (double *)(void *)memory->block;
@@ -55,12 +48,12 @@ static void sweep_measure(const computed *c, measuring measure, uint32_t count, 
   const size_t bytes = count * sizeof(double);
   guarded_memory area = guarded_take(bytes, 0, 0), volume = guarded_take(bytes, 0, 0);
   hsp_totals totals;
-  uint32_t capacities[5], i, arrays;
+  uint32_t capacities[AROUND], i, arrays;
   memset(&totals, 0, sizeof totals);
   CHECK_EQUAL(measure(c, &totals, doubles(&area), doubles(&volume), count), HSP_OK);
   CHECK(guarded_clean(&area) && guarded_clean(&volume));
-  capacities_around(count, capacities);
-  for (i = 0; i < 5; ++i) {
+  values_around(count, capacities);
+  for (i = 0; i < AROUND; ++i) {
     for (arrays = 1; arrays < 4; ++arrays) {
       const int enough = capacities[i] >= count;
       guarded_memory a = guarded_take(capacities[i] * sizeof(double), 0, GUARDED_PATTERN);
@@ -86,10 +79,10 @@ static void sweep_measure(const computed *c, measuring measure, uint32_t count, 
 static void sweep_gradient(const computed *c) {
   static gradients g;
   const uint32_t n = c->n;
-  uint32_t capacities[5], i, arrays;
+  uint32_t capacities[AROUND], i, arrays;
   CHECK_EQUAL(gradients_make(c, NULL, 2, 0.5, HSP_TANGENT_MEETING, &g), HSP_OK);
-  capacities_around(n, capacities);
-  for (i = 0; i < 5; ++i) {
+  values_around(n, capacities);
+  for (i = 0; i < AROUND; ++i) {
     for (arrays = 0; arrays < 8; ++arrays) {
       const uint32_t capacity = capacities[i];
       const int enough = capacity >= n || arrays == 0;
@@ -117,7 +110,7 @@ static void sweep_gradient(const computed *c) {
 }
 
 static void sweep_row(const computed *c, uint32_t ball, uint32_t tangency) {
-  uint32_t capacities[5], i, length = 12345;
+  uint32_t capacities[AROUND], i, length = 12345;
   const int32_t status = hsp_boundary_get_area_row(c->boundary, ball, tangency, NULL, 0, &length);
   guarded_memory row;
   CHECK_EQUAL(status, length == 0 ? HSP_OK : HSP_E_CAPACITY);
@@ -127,8 +120,8 @@ static void sweep_row(const computed *c, uint32_t ball, uint32_t tangency) {
       hsp_boundary_get_area_row(c->boundary, ball, tangency, (hsp_area_derivative *)(void *)row.block, length, &length),
       HSP_OK);
   CHECK(guarded_clean(&row));
-  capacities_around(length, capacities);
-  for (i = 0; i < 5; ++i) {
+  values_around(length, capacities);
+  for (i = 0; i < AROUND; ++i) {
     const int enough = capacities[i] >= length;
     guarded_memory out = guarded_take(capacities[i] * sizeof(hsp_area_derivative), 0, GUARDED_PATTERN);
     uint32_t needed = 12345;

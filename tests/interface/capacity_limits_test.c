@@ -7,15 +7,13 @@
 #include "check.h"
 #include "computed.h"
 #include "guarded_memory.h"
+#include "limit_sweep.h"
+#include "output_sweep.h"
 
 static void sweep_model(const ball_set *set) {
-  uint32_t limits[5], i;
-  limits[0] = 0;
-  limits[1] = 1;
-  limits[2] = set->n == 0 ? 0 : set->n - 1;
-  limits[3] = set->n;
-  limits[4] = set->n + 1;
-  for (i = 0; i < 5; ++i) {
+  uint32_t limits[AROUND], i;
+  values_around(set->n, limits);
+  for (i = 0; i < AROUND; ++i) {
     size_t bytes = 0;
     guarded_memory memory;
     hsp_model *model = NULL;
@@ -35,101 +33,50 @@ static void sweep_model(const ball_set *set) {
   }
 }
 
-/* A boundary with room for `limits`; what it says about them must agree with what the full computation needed. */
-static void try_limits(const computed *all, const hsp_boundary_limits *limits, size_t misalignment) {
-  const hsp_boundary_limits *suffices = &all->needed;
-  const int enough = limits->balls >= suffices->balls && limits->neighbours >= suffices->neighbours &&
-                     limits->vertices >= suffices->vertices && limits->circles >= suffices->circles;
-  size_t bytes = 0;
-  guarded_memory memory;
-  hsp_boundary *boundary = NULL;
-  hsp_boundary_limits needed;
+static void check_results(const void *boundary, const void *source) {
+  const computed *all = source;
   hsp_boundary_counts counts;
-  uint32_t count = 12345;
-  if (!CHECK_EQUAL(hsp_boundary_bytes(limits, &bytes), HSP_OK)) return;
-  memory = guarded_take(bytes, misalignment, GUARDED_RANDOM);
-  CHECK_EQUAL(hsp_boundary_init(memory.block, bytes, limits, &boundary), HSP_OK);
-  memset(&needed, 0, sizeof needed);
-  if (enough) {
-    hsp_totals totals;
-    CHECK_EQUAL(hsp_boundary_compute(boundary, all->model), HSP_OK);
-    CHECK_EQUAL(hsp_boundary_get_needed(boundary, &needed), HSP_OK);
-    CHECK_BYTES(&needed, suffices, sizeof needed);
-    CHECK_EQUAL(hsp_boundary_get_counts(boundary, &counts), HSP_OK);
-    CHECK_BYTES(&counts, &all->counts, sizeof counts);
-    CHECK_EQUAL(hsp_boundary_measure(boundary, &totals, NULL, NULL, 0), HSP_OK);
-    CHECK_BYTES(&totals, &all->totals, sizeof totals);
-  } else {
-    CHECK_EQUAL(hsp_boundary_compute(boundary, all->model), HSP_E_CAPACITY);
-    CHECK_EQUAL(hsp_boundary_get_needed(boundary, &needed), HSP_OK);
-    CHECK_EQUAL(needed.struct_size, sizeof needed);
-    CHECK_EQUAL(needed.reserved, 0);
-    /* exactly the limits that are too small are reported with more than was given */
-    CHECK_EQUAL(needed.balls > limits->balls, suffices->balls > limits->balls);
-    if (limits->balls >= suffices->balls) {
-      CHECK_EQUAL(needed.neighbours > limits->neighbours, suffices->neighbours > limits->neighbours);
-      CHECK(needed.neighbours <= limits->neighbours || needed.neighbours == suffices->neighbours);
-      if (limits->neighbours >= suffices->neighbours) {
-        CHECK_EQUAL(needed.vertices > limits->vertices, suffices->vertices > limits->vertices);
-        CHECK_EQUAL(needed.circles > limits->circles, suffices->circles > limits->circles);
-        CHECK(needed.vertices <= limits->vertices || needed.vertices == suffices->vertices);
-        CHECK(needed.circles <= limits->circles || needed.circles == suffices->circles);
-      }
-    }
-    check_scene("%s", "no results after HSP_E_CAPACITY");
-    CHECK_EQUAL(hsp_boundary_get_counts(boundary, &counts), HSP_E_STATE);
-    CHECK_EQUAL(hsp_boundary_get_faces(boundary, NULL, 0, &count), HSP_E_STATE);
-    CHECK_EQUAL(hsp_boundary_measure(boundary, NULL, NULL, NULL, 0), HSP_E_STATE);
-    CHECK_EQUAL(count, 12345);
-  }
-  CHECK(guarded_clean(&memory));
-  guarded_give_back(&memory);
+  hsp_totals totals;
+  CHECK_EQUAL(hsp_boundary_get_counts(boundary, &counts), HSP_OK);
+  CHECK_BYTES(&counts, &all->counts, sizeof counts);
+  CHECK_EQUAL(hsp_boundary_measure(boundary, &totals, NULL, NULL, 0), HSP_OK);
+  CHECK_BYTES(&totals, &all->totals, sizeof totals);
 }
 
-static uint32_t *limit_number(hsp_boundary_limits *limits, int which) {
-  switch (which) {
-    case 0:
-      return &limits->balls;
-    case 1:
-      return &limits->neighbours;
-    case 2:
-      return &limits->vertices;
-    default:
-      return &limits->circles;
+static void check_no_results(const void *boundary) {
+  hsp_boundary_counts counts;
+  uint32_t count = 12345;
+  CHECK_EQUAL(hsp_boundary_get_counts(boundary, &counts), HSP_E_STATE);
+  CHECK_EQUAL(hsp_boundary_get_faces(boundary, NULL, 0, &count), HSP_E_STATE);
+  CHECK_EQUAL(hsp_boundary_measure(boundary, NULL, NULL, NULL, 0), HSP_E_STATE);
+  CHECK_EQUAL(count, 12345);
+}
+
+/* Exactly the limits that are too small are reported with more than was given, and with what the full computation
+ * needs: balls first, then neighbours, then vertices and circles. */
+static void check_asked(const limit_numbers *given, const limit_numbers *says, const limit_numbers *exact) {
+  static const int stages[3][2] = {{1, 1}, {2, 2}, {3, 4}};
+  int stage, which, enough = 1;
+  for (stage = 0; stage < 3 && enough; ++stage) {
+    for (which = stages[stage][0]; which <= stages[stage][1]; ++which) {
+      const int more = says->number[which] > given->number[which];
+      CHECK_EQUAL(more, exact->number[which] > given->number[which]);
+      CHECK(!more || says->number[which] == exact->number[which]);
+      if (more) enough = 0;
+    }
   }
 }
 
 static void sweep_boundary(const computed *all, const char *name) {
-  static const char *const names[4] = {"balls", "neighbours", "vertices", "circles"};
-  hsp_boundary_limits limits = all->needed;
-  int which, i;
-  check_scene("%s, all limits exact", name);
-  try_limits(all, &limits, 1);
-  for (which = 0; which < 4; ++which) {
-    const uint32_t needed = *limit_number(&limits, which);
-    uint32_t values[5];
-    values[0] = 0;
-    values[1] = 1;
-    values[2] = needed == 0 ? 0 : needed - 1;
-    values[3] = needed;
-    values[4] = needed + 1;
-    for (i = 0; i < 5; ++i) {
-      check_scene("%s, %s %u of %u", name, names[which], (unsigned)values[i], (unsigned)needed);
-      *limit_number(&limits, which) = values[i];
-      try_limits(all, &limits, (size_t)(3 * i + which));
-    }
-    *limit_number(&limits, which) = needed;
-  }
+  const known_handle known = {&boundary_handle, all, &all->needed, check_results, check_no_results, check_asked};
+  sweep_limits(&known, name);
   if (all->needed.vertices > 0 || all->needed.circles > 0) {
+    limit_numbers limits = {{0}};
+    memcpy(&limits, &all->needed, sizeof all->needed);
+    limits.number[3] = limits.number[4] = 0;
     check_scene("%s, neither vertices nor circles", name);
-    limits.vertices = 0;
-    limits.circles = 0;
-    try_limits(all, &limits, 5);
+    try_limits(&known, &limits, 5);
   }
-  check_scene("%s, nothing at all", name);
-  limits = all->needed;
-  limits.balls = limits.neighbours = limits.vertices = limits.circles = 0;
-  try_limits(all, &limits, 7);
 }
 
 /* One boundary goes from failure to success and back; nothing of the failure stays. */

@@ -1,53 +1,50 @@
 #include "computed.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-static void *take(size_t count, size_t size) {
-  void *memory = calloc(count == 0 ? 1 : count, size);
-  if (memory == NULL) {
-    fprintf(stderr, "out of memory in a test\n");
-    exit(2);
-  }
-  return memory;
+static int32_t bytes_of_limits(const void *limits, size_t *bytes) {
+  return hsp_boundary_bytes(limits, bytes);
+}
+static int32_t init_handle(void *memory, size_t bytes, const void *limits, void **handle) {
+  hsp_boundary *made = *handle;
+  const int32_t status = hsp_boundary_init(memory, bytes, limits, &made);
+  *handle = made;
+  return status;
+}
+static int32_t compute_handle(void *handle, const void *source) {
+  const computed *c = source;
+  return hsp_boundary_compute(handle, c->model);
+}
+static int32_t get_needed(const void *handle, void *needed) {
+  return hsp_boundary_get_needed(handle, needed);
 }
 
-/* From no room for anything but the balls: the header promises that the second enlargement suffices. */
+const handle_kind boundary_handle = {(uint32_t)sizeof(hsp_boundary_limits),
+                                     4,
+                                     {"", "balls", "neighbours", "vertices", "circles"},
+                                     bytes_of_limits,
+                                     init_handle,
+                                     compute_handle,
+                                     get_needed};
+
 static int32_t compute_boundary(computed *c) {
-  hsp_boundary_limits limits;
-  memset(&limits, 0, sizeof limits);
-  limits.struct_size = (uint32_t)sizeof limits;
-  limits.balls = c->n;
-  for (c->enlargements = 0;; ++c->enlargements) {
-    size_t bytes = 0;
-    int32_t status = hsp_boundary_bytes(&limits, &bytes);
-    if (status != HSP_OK) return status;
-    free(c->boundary_memory);
-    c->boundary_memory = take(bytes, 1);
-    status = hsp_boundary_init(c->boundary_memory, bytes, &limits, &c->boundary);
-    if (status != HSP_OK) return status;
-    status = hsp_boundary_compute(c->boundary, c->model);
-    if (status == HSP_OK) return hsp_boundary_get_needed(c->boundary, &c->needed);
-    if (status != HSP_E_CAPACITY || c->enlargements == 2) return status;
-    status = hsp_boundary_get_needed(c->boundary, &c->needed);
-    if (status != HSP_OK) return status;
-    if (c->needed.balls > limits.balls) limits.balls = c->needed.balls;
-    if (c->needed.neighbours > limits.neighbours) limits.neighbours = c->needed.neighbours;
-    if (c->needed.vertices > limits.vertices) limits.vertices = c->needed.vertices;
-    if (c->needed.circles > limits.circles) limits.circles = c->needed.circles;
-  }
+  void *boundary = NULL;
+  const int32_t status =
+      grow_until_computed(&boundary_handle, c, c->n, &c->boundary_memory, &boundary, &c->needed, &c->enlargements);
+  c->boundary = boundary;
+  return status;
 }
 
 static int32_t read_boundary(computed *c) {
   uint32_t needed = 0;
   int32_t status = hsp_boundary_get_counts(c->boundary, &c->counts);
   if (status != HSP_OK) return status;
-  c->vertices = take(c->counts.vertices, sizeof *c->vertices);
-  c->arcs = take(c->counts.arcs, sizeof *c->arcs);
-  c->circles = take(c->counts.circles, sizeof *c->circles);
-  c->faces = take(c->counts.faces, sizeof *c->faces);
+  c->vertices = test_zeros(c->counts.vertices, sizeof *c->vertices);
+  c->arcs = test_zeros(c->counts.arcs, sizeof *c->arcs);
+  c->circles = test_zeros(c->counts.circles, sizeof *c->circles);
+  c->faces = test_zeros(c->counts.faces, sizeof *c->faces);
   status = hsp_boundary_get_vertices(c->boundary, c->vertices, c->counts.vertices, &needed);
   if (status == HSP_OK) status = hsp_boundary_get_arcs(c->boundary, c->arcs, c->counts.arcs, &needed);
   if (status == HSP_OK) status = hsp_boundary_get_circles(c->boundary, c->circles, c->counts.circles, &needed);
@@ -68,16 +65,16 @@ int32_t computed_make(uint32_t n, const double *xyz, const double *radius, const
   int32_t status;
   memset(c, 0, sizeof *c);
   c->n = n;
-  c->xyz = take(n, 3 * sizeof(double));
-  c->radius = take(n, sizeof(double));
-  c->balls = take(n, sizeof *c->balls);
-  c->area = take(n, sizeof(double));
-  c->volume = take(n, sizeof(double));
+  c->xyz = test_zeros(n, 3 * sizeof(double));
+  c->radius = test_zeros(n, sizeof(double));
+  c->balls = test_zeros(n, sizeof *c->balls);
+  c->area = test_zeros(n, sizeof(double));
+  c->volume = test_zeros(n, sizeof(double));
   if (n > 0) memcpy(c->xyz, xyz, n * 3 * sizeof(double));
 
   status = hsp_model_bytes(n, &bytes);
   if (status != HSP_OK) return status;
-  c->model_memory = take(bytes, 1);
+  c->model_memory = test_zeros(bytes, 1);
   status = hsp_model_init(c->model_memory, bytes, n, &c->model);
   if (status == HSP_OK) status = hsp_model_set(c->model, n, xyz, radius, options, NULL);
   if (status == HSP_OK) status = hsp_model_get_info(c->model, &c->info);

@@ -4,6 +4,8 @@
 
 #include <hardsphere.h>
 
+#include "handle_kind.h"
+
 /* The fuzz harnesses, which are C++, use these checks as well. */
 #ifdef __cplusplus
 extern "C" {
@@ -38,6 +40,9 @@ int32_t computed_make(uint32_t n, const double *xyz, const double *radius, const
                       computed *result);
 
 void computed_release(computed *result);
+
+/* How boundaries are made; they are computed from a `computed`, which needs but its model. */
+extern const handle_kind boundary_handle;
 
 /* NULL, or a sentence about the first promise of the header that the result breaks: structure and numbers of records.
  * Time is at most quadratic in n. */

@@ -1,10 +1,13 @@
 /* Sizes of handles: the macros bound the functions (properties numbered as in the header), sizes grow with the limits,
  * memory of any alignment and exactly the told size serves, one byte less is refused without a write. */
 #include <hardsphere.h>
+#include <string.h>
 
 #include "ball_sets.h"
 #include "check.h"
+#include "computed.h"
 #include "guarded_memory.h"
+#include "limit_sweep.h"
 
 static const uint32_t numbers[] = {
     0,    1,    2,     3,     4,     7,       8,         9,          15,         16,         17,        31,   32,
@@ -37,52 +40,26 @@ static void model_sizes(void) {
   }
 }
 
-/* SIZE_MAX stands for sizes that are refused, so that property 2 covers them. */
-static size_t boundary_bytes(uint32_t balls, uint32_t neighbours, uint32_t vertices, uint32_t circles) {
-  hsp_boundary_limits limits;
-  size_t bytes = 0;
-  limits.struct_size = (uint32_t)sizeof limits;
-  limits.balls = balls;
-  limits.neighbours = neighbours;
-  limits.vertices = vertices;
-  limits.circles = circles;
-  limits.reserved = 0;
-  if (hsp_boundary_bytes(&limits, &bytes) == HSP_OK) return bytes;
-  CHECK_EQUAL(hsp_boundary_bytes(&limits, &bytes), HSP_E_RANGE);
-  CHECK(too_large(4096.0 + 64.0 * balls + 256.0 * neighbours + 160.0 * vertices + 80.0 * circles));
-  return SIZE_MAX;
+static size_t macro(const limit_numbers *limits) {
+  const uint32_t *n = limits->number;
+  return HSP_BOUNDARY_BYTES(n[1], n[2], n[3], n[4]);
 }
 
 static void boundary_sizes(void) {
+  static const size_bound bound = {macro, {4096, 64, 256, 160, 80}};
   static const uint32_t box[] = {0, 1, 2, 3, 7, 8, 9, 64, 65, 1000, 4097, 1000000, 0x0FFFFFFF};
-  enum { BOX = sizeof box / sizeof box[0] };
-  int a, b, c, d;
-  for (a = 0; a < BOX; ++a) {
-    for (b = 0; b < BOX; ++b) {
-      for (c = 0; c < BOX; ++c) {
-        for (d = 0; d < BOX; ++d) {
-          const size_t bytes = boundary_bytes(box[a], box[b], box[c], box[d]);
-          check_scene("limits %u %u %u %u", (unsigned)box[a], (unsigned)box[b], (unsigned)box[c], (unsigned)box[d]);
-          /* hsp_boundary_bytes, property 1: at most HSP_BOUNDARY_BYTES of the four limits */
-          CHECK(bytes == SIZE_MAX || bytes <= HSP_BOUNDARY_BYTES(box[a], box[b], box[c], box[d]));
-          /* hsp_boundary_bytes, property 2: grows with each limit */
-          if (a > 0) CHECK(bytes >= boundary_bytes(box[a - 1], box[b], box[c], box[d]));
-          if (b > 0) CHECK(bytes >= boundary_bytes(box[a], box[b - 1], box[c], box[d]));
-          if (c > 0) CHECK(bytes >= boundary_bytes(box[a], box[b], box[c - 1], box[d]));
-          if (d > 0) CHECK(bytes >= boundary_bytes(box[a], box[b], box[c], box[d - 1]));
-        }
-      }
-    }
-  }
+  int a;
+  sweep_sizes(&boundary_handle, &bound, box, sizeof box / sizeof box[0]);
   check_scene("%s", "the limits of hsp_boundary_limits_init");
   for (a = 0; a < NUMBERS; ++a) {
     hsp_boundary_limits limits;
-    size_t bytes = 0;
+    limit_numbers same = {{0}};
+    size_t bytes;
     if (numbers[a] > 30000000) continue; /* 8 vertices a ball pass HSP_MAX_BALLS */
     CHECK_EQUAL(hsp_boundary_limits_init(&limits, (uint32_t)sizeof limits, numbers[a]), HSP_OK);
-    bytes = boundary_bytes(limits.balls, limits.neighbours, limits.vertices, limits.circles);
-    CHECK(bytes == SIZE_MAX ||
-          bytes <= HSP_BOUNDARY_BYTES(limits.balls, limits.neighbours, limits.vertices, limits.circles));
+    memcpy(&same, &limits, sizeof limits);
+    bytes = size_of(&boundary_handle, &bound, &same);
+    CHECK(bytes == SIZE_MAX || bytes <= macro(&same));
   }
 }
 

@@ -1,6 +1,7 @@
 /* Every argument of the functions for pictures that the header refuses, calls out of order, and sinks that refuse. */
 #include <hardsphere.h>
 #include <math.h>
+#include <stdlib.h>
 
 #include "check.h"
 #include "picture_sink.h"
@@ -74,6 +75,15 @@ static void bad_choices(void) {
   check_refused(view, colours, &options, HSP_E_ARGUMENT);
   options.struct_size = (uint32_t)sizeof options + 8;
   check_refused(view, colours, &options, HSP_E_ARGUMENT);
+  {
+    /* nothing behind the size is read; the sanitizers see it if it is */
+    uint32_t *size_alone = malloc(sizeof *size_alone);
+    CHECK(size_alone != NULL);
+    if (size_alone == NULL) return;
+    *size_alone = (uint32_t)sizeof *size_alone;
+    check_refused(view, colours, (const hsp_picture_options *)(const void *)size_alone, HSP_E_ARGUMENT);
+    free(size_alone);
+  }
   options = good_options();
   options.format = HSP_FORMAT_PDF + 1;
   check_refused(view, colours, &options, HSP_E_ARGUMENT);

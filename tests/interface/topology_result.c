@@ -1,46 +1,39 @@
 #include "topology_result.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-static void *take(size_t count, size_t size) {
-  void *memory = calloc(count == 0 ? 1 : count, size);
-  if (memory == NULL) {
-    fprintf(stderr, "out of memory in a test\n");
-    exit(2);
-  }
-  return memory;
+static int32_t bytes_of_limits(const void *limits, size_t *bytes) {
+  return hsp_topology_bytes(limits, bytes);
+}
+static int32_t init_handle(void *memory, size_t bytes, const void *limits, void **handle) {
+  hsp_topology *made = *handle;
+  const int32_t status = hsp_topology_init(memory, bytes, limits, &made);
+  *handle = made;
+  return status;
+}
+static int32_t compute_handle(void *handle, const void *source) {
+  const topology_result *t = source;
+  return hsp_topology_compute(handle, t->base->boundary);
+}
+static int32_t get_needed(const void *handle, void *needed) {
+  return hsp_topology_get_needed(handle, needed);
 }
 
-static void raise_to(uint32_t *limit, uint32_t needed) {
-  if (needed > *limit) *limit = needed;
-}
+const handle_kind topology_handle = {(uint32_t)sizeof(hsp_topology_limits),
+                                     4,
+                                     {"", "balls", "neighbours", "edges", "extra arcs"},
+                                     bytes_of_limits,
+                                     init_handle,
+                                     compute_handle,
+                                     get_needed};
 
-/* From no room for anything but the balls: the header promises that the third enlargement suffices. */
 static int32_t compute_topology(topology_result *t) {
-  hsp_topology_limits limits;
-  memset(&limits, 0, sizeof limits);
-  limits.struct_size = (uint32_t)sizeof limits;
-  limits.balls = t->base->n;
-  for (t->enlargements = 0;; ++t->enlargements) {
-    size_t bytes = 0;
-    int32_t status = hsp_topology_bytes(&limits, &bytes);
-    if (status != HSP_OK) return status;
-    free(t->memory);
-    t->memory = take(bytes, 1);
-    status = hsp_topology_init(t->memory, bytes, &limits, &t->topology);
-    if (status != HSP_OK) return status;
-    status = hsp_topology_compute(t->topology, t->base->boundary);
-    if (status == HSP_OK) return hsp_topology_get_needed(t->topology, &t->needed);
-    if (status != HSP_E_CAPACITY || t->enlargements == 3) return status;
-    status = hsp_topology_get_needed(t->topology, &t->needed);
-    if (status != HSP_OK) return status;
-    raise_to(&limits.balls, t->needed.balls);
-    raise_to(&limits.neighbours, t->needed.neighbours);
-    raise_to(&limits.edges, t->needed.edges);
-    raise_to(&limits.extra_arcs, t->needed.extra_arcs);
-  }
+  void *topology = NULL;
+  const int32_t status =
+      grow_until_computed(&topology_handle, t, t->base->n, &t->memory, &topology, &t->needed, &t->enlargements);
+  t->topology = topology;
+  return status;
 }
 
 static int32_t read_topology(topology_result *t) {
@@ -48,14 +41,14 @@ static int32_t read_topology(topology_result *t) {
   const hsp_topology_counts *k = &t->counts;
   int32_t status = hsp_topology_get_counts(t->topology, &t->counts);
   if (status != HSP_OK) return status;
-  t->onext = take(k->edges, 4 * sizeof *t->onext);
-  t->origin = take(k->edges, 4 * sizeof *t->origin);
-  t->vertices = take(k->vertices, sizeof *t->vertices);
-  t->edges = take(k->edges, sizeof *t->edges);
-  t->faces = take(k->simple_faces, sizeof *t->faces);
-  t->shells = take(k->shells, sizeof *t->shells);
-  t->components = take(k->components, sizeof *t->components);
-  t->cells = take(k->cells, sizeof *t->cells);
+  t->onext = test_zeros(k->edges, 4 * sizeof *t->onext);
+  t->origin = test_zeros(k->edges, 4 * sizeof *t->origin);
+  t->vertices = test_zeros(k->vertices, sizeof *t->vertices);
+  t->edges = test_zeros(k->edges, sizeof *t->edges);
+  t->faces = test_zeros(k->simple_faces, sizeof *t->faces);
+  t->shells = test_zeros(k->shells, sizeof *t->shells);
+  t->components = test_zeros(k->components, sizeof *t->components);
+  t->cells = test_zeros(k->cells, sizeof *t->cells);
   status = hsp_topology_get_quad_edges(t->topology, t->onext, t->origin, k->edges, &needed);
   if (status == HSP_OK) status = hsp_topology_get_vertices(t->topology, t->vertices, k->vertices, &needed);
   if (status == HSP_OK) status = hsp_topology_get_edges(t->topology, t->edges, k->edges, &needed);

@@ -31,6 +31,9 @@ int32_t topology_result_make(const computed *base, topology_result *result);
 
 void topology_result_release(topology_result *result);
 
+/* How such handles are made; they are computed from a `topology_result`, which needs but its base. */
+extern const handle_kind topology_handle;
+
 /* NULL, or a sentence about the first promise of the header that the result breaks. Each of the following, one
  * after the other: */
 const char *broken_topology(const topology_result *result);

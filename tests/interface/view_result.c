@@ -1,55 +1,49 @@
 #include "view_result.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-static void *take(size_t count, size_t size) {
-  void *memory = calloc(count == 0 ? 1 : count, size);
-  if (memory == NULL) {
-    fprintf(stderr, "out of memory in a test\n");
-    exit(2);
-  }
-  return memory;
+static int32_t bytes_of_limits(const void *limits, size_t *bytes) {
+  return hsp_view_bytes(limits, bytes);
 }
-
-static void raise_to(uint32_t *limit, uint32_t needed) {
-  if (needed > *limit) *limit = needed;
+static int32_t init_handle(void *memory, size_t bytes, const void *limits, void **handle) {
+  hsp_view *made = *handle;
+  const int32_t status = hsp_view_init(memory, bytes, limits, &made);
+  *handle = made;
+  return status;
 }
-
-/* From no room for anything but the balls: the header promises that the third enlargement suffices. */
-static int32_t compute_view(view_result *v) {
+static int32_t compute_handle(void *handle, const void *source) {
+  const view_result *v = source;
   const hsp_boundary *boundary = v->with_boundary ? v->base->boundary : NULL;
-  hsp_view_limits limits;
-  memset(&limits, 0, sizeof limits);
-  limits.struct_size = (uint32_t)sizeof limits;
-  limits.balls = v->base->n;
-  for (v->enlargements = 0;; ++v->enlargements) {
-    size_t bytes = 0;
-    int32_t status = hsp_view_bytes(&limits, &bytes);
-    if (status != HSP_OK) return status;
-    free(v->memory);
-    v->memory = take(bytes, 1);
-    status = hsp_view_init(v->memory, bytes, &limits, &v->view);
-    if (status != HSP_OK) return status;
-    status = hsp_view_compute(v->view, v->base->model, boundary, &v->options);
-    if (status == HSP_OK) return hsp_view_get_needed(v->view, &v->needed);
-    if (status != HSP_E_CAPACITY || v->enlargements == 3) return status;
-    status = hsp_view_get_needed(v->view, &v->needed);
-    if (status != HSP_OK) return status;
-    raise_to(&limits.balls, v->needed.balls);
-    raise_to(&limits.neighbours, v->needed.neighbours);
-    raise_to(&limits.arcs, v->needed.arcs);
-  }
+  return hsp_view_compute(handle, v->base->model, boundary, &v->options);
+}
+static int32_t get_needed(const void *handle, void *needed) {
+  return hsp_view_get_needed(handle, needed);
+}
+
+const handle_kind view_handle = {(uint32_t)sizeof(hsp_view_limits),
+                                 3,
+                                 {"", "balls", "neighbours", "arcs", ""},
+                                 bytes_of_limits,
+                                 init_handle,
+                                 compute_handle,
+                                 get_needed};
+
+static int32_t compute_view(view_result *v) {
+  void *view = NULL;
+  const int32_t status =
+      grow_until_computed(&view_handle, v, v->base->n, &v->memory, &view, &v->needed, &v->enlargements);
+  v->view = view;
+  return status;
 }
 
 static int32_t read_view(view_result *v) {
   uint32_t needed = 0;
   int32_t status = hsp_view_get_info(v->view, &v->info);
   if (status != HSP_OK) return status;
-  v->pieces = take(v->info.pieces, sizeof *v->pieces);
-  v->loops = take(v->info.loops, sizeof *v->loops);
-  v->arcs = take(v->info.arcs, sizeof *v->arcs);
+  v->pieces = test_zeros(v->info.pieces, sizeof *v->pieces);
+  v->loops = test_zeros(v->info.loops, sizeof *v->loops);
+  v->arcs = test_zeros(v->info.arcs, sizeof *v->arcs);
   status = hsp_view_get_pieces(v->view, v->pieces, v->info.pieces, &needed);
   if (status == HSP_OK) status = hsp_view_get_loops(v->view, v->loops, v->info.loops, &needed);
   if (status == HSP_OK) status = hsp_view_get_arcs(v->view, v->arcs, v->info.arcs, &needed);

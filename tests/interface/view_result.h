@@ -28,6 +28,9 @@ int32_t view_result_make(const computed *base, const hsp_view_options *options, 
 
 void view_result_release(view_result *result);
 
+/* How such handles are made; they are computed from a `view_result`, which needs but its base and options. */
+extern const handle_kind view_handle;
+
 /* NULL, or a sentence about the first promise of the header that the records break: how pieces, loops and arcs are
  * numbered and joined, their order, the numbers of each arc, and the areas that loops enclose. Time is quadratic in the
  * number of balls. */

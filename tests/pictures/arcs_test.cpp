@@ -216,6 +216,37 @@ TEST_P(PictureArcs, FitPagesOfAllShapes) {
   }
 }
 
+/// Numbers have as many decimals as a small page needs, and none that a large one does not.
+TEST(PictureArcsInSvg, AreRoundedToTheSizeOfThePage) {
+  const Scene &hole = scenes()[8];
+  for (const double size : {1.0, 9.0, 11.0, 90.0, 1000.0}) {
+    hsp_picture_options options = picture_options(HSP_FORMAT_SVG, HSP_STYLE_FLAT);
+    options.width = size;
+    const Worst worst = compare(formats()[0], hole, options);
+    const double step = std::fmin(0.01, std::pow(10.0, std::floor(std::log10(size / 1e4) + 1e-9)));
+    EXPECT_LE(worst.away, 2 * step) << size;
+    EXPECT_GE(worst.away, 0.02 * step) << size;
+  }
+}
+
+/// A small picture of circles that are seen nearly edge on: lines that turn at the ends of the major axis, which those
+/// of H-pieces pass by a hair.
+TEST_P(PictureArcs, OfFlatEllipsesAreLines) {
+  const Format &format = formats()[GetParam()];
+  int looked_at = 0;
+  for (const Scene &scene : scenes()) {
+    if (!scene.name.starts_with("edge on but for 1")) continue;
+    SCOPED_TRACE(scene.name);
+    ++looked_at;
+    hsp_picture_options options = picture_options(format.id, HSP_STYLE_FLAT);
+    options.width = 40;
+    const Worst worst = compare(format, scene, options);
+    EXPECT_LE(worst.gap, format.gap);
+    EXPECT_LE(worst.away, format.away);
+  }
+  EXPECT_EQ(looked_at, 8);
+}
+
 /// The header: cubic pieces stay within 4.3e-6 of the semi-axis. On circles that can be seen from outside.
 TEST(PictureArcsInPdf, AreWithinTheirBound) {
   const DrawnView one({{0, 0, 0, 1000}});

@@ -70,6 +70,23 @@ TEST(PictureSizes, NoLines) {
   EXPECT_EQ(count(crambin().picture(options), "B\n"), 0U);
 }
 
+/// To EPS and PDF a line of width 0 is a hairline: what would be written as 0 is no line.
+TEST(PictureSizes, LinesTooThinToWriteAreNone) {
+  for (const std::uint32_t format : {HSP_FORMAT_SVG, HSP_FORMAT_EPS, HSP_FORMAT_PDF}) {
+    for (const std::uint32_t style : {HSP_STYLE_FLAT, HSP_STYLE_SOFT}) {
+      hsp_picture_options options = picture_options(format, style);
+      options.outline = 0;
+      const std::string without = crambin().picture(options);
+      for (const double outline : {5e-324, 1e-9, 4.9e-5}) {
+        options.outline = outline;
+        EXPECT_EQ(crambin().picture(options), without) << format << ' ' << outline;
+      }
+      options.outline = 6e-5;
+      EXPECT_NE(crambin().picture(options).find(".0001"), std::string::npos) << format;
+    }
+  }
+}
+
 /// The chosen width: .9 px where the mean radius is 34 px.
 TEST(PictureSizes, LinesSuitTheBalls) {
   const DrawnView one({{0, 0, 0, 1000}});
@@ -106,6 +123,28 @@ TEST(PicturePages, FollowFromTheOtherSide) {
   EXPECT_NEAR(file.height, 100 / 25.4 * 96, 1e-5);
 }
 
+/// Neither a page without a width nor one without a height; what is smaller than 0.01 counts as that.
+TEST(PicturePages, HaveAWidthAndAHeight) {
+  const DrawnView wide({{0, 0, 0, 1000}, {6000, 0, 0, 1000}});
+  hsp_picture_options options = picture_options(HSP_FORMAT_SVG, HSP_STYLE_FLAT);
+  for (const double size : {5e-324, 1e-9, 0.0099, 0.01}) {
+    options.width = size;
+    options.height = 7;
+    EXPECT_NE(wide.picture(options).find("width=\".01px\" height=\"7px\""), std::string::npos) << size;
+    options.width = 0;
+    options.height = size;
+    const PictureFile file = read_svg(wide.picture(options));
+    EXPECT_NEAR(file.height, 0.01, 1e-9);
+    EXPECT_NEAR(file.width, 0.01 * 8.48 / 2.48, 1e-6);  // the margin is .03 of 8 on each side
+    options.width = size;
+    options.format = HSP_FORMAT_PDF;
+    EXPECT_NE(wide.picture(options).find("/MediaBox[0 0 .0075 .0075]"), std::string::npos);
+    options.format = HSP_FORMAT_EPS;
+    EXPECT_NE(wide.picture(options).find("%%HiResBoundingBox: 0 0 .0075 .0075\n"), std::string::npos);
+    options.format = HSP_FORMAT_SVG;
+  }
+}
+
 TEST(PicturePages, CanBeExtreme) {
   const DrawnView apart({{0, 0, 0, 1}, {int64_t{1} << 49, 0, 0, 1}});
   for (const std::uint32_t format : {HSP_FORMAT_SVG, HSP_FORMAT_EPS, HSP_FORMAT_PDF}) {
@@ -121,6 +160,54 @@ TEST(PicturePages, CanBeExtreme) {
       }
     }
   }
+}
+
+/// Gradients of balls that are smaller than any number in the file: renderers fail on a scale of 0.
+TEST(PicturePages, NoGradientIsScaledToNothing) {
+  const DrawnView apart({{0, 0, 0, 1}, {std::int64_t{1} << 49, 0, 0, 1}});
+  hsp_picture_options options = picture_options(HSP_FORMAT_SVG, HSP_STYLE_SOFT);
+  options.fog = 0;
+  EXPECT_EQ(count(apart.picture(options), ")scale(.01)"), 2U);
+  options.format = HSP_FORMAT_EPS;
+  EXPECT_EQ(count(apart.picture(options), " .0000001 0 G\n"), 2U);
+  options.format = HSP_FORMAT_PDF;
+  EXPECT_EQ(count(apart.picture(options), "W n .0001 0 0 .0001 "), 2U);
+}
+
+TEST(PicturePages, BoundingBoxesAreRoundedUp) {
+  const DrawnView one({{0, 0, 0, 1000}});
+  hsp_picture_options options = picture_options(HSP_FORMAT_EPS, HSP_STYLE_FLAT);
+  options.width = 100.1;
+  options.height = 200;
+  const std::string text = one.picture(options);
+  EXPECT_NE(text.find("\n%%BoundingBox: 0 0 76 150\n"), std::string::npos);
+  EXPECT_NE(text.find("\n%%HiResBoundingBox: 0 0 75.075 150\n"), std::string::npos);
+}
+
+/// A PostScript comment goes on with %%+, as lines have at most 255 characters.
+TEST(PicturePages, LongTitlesTakeSeveralLines) {
+  const DrawnView one({{0, 0, 0, 1000}});
+  const std::string title(250, 't');
+  const std::string text = one.picture(picture_options(HSP_FORMAT_EPS, HSP_STYLE_FLAT), title.c_str());
+  const auto part = [&](std::size_t first) { return "(" + title.substr(first, 120) + ")\n"; };
+  EXPECT_NE(text.find("\n%%Title: " + part(0) + "%%+ " + part(120) + "%%+ " + part(240) + "%%Creator"),
+            std::string::npos);
+}
+
+/// However narrow the balls' box is, a side that follows from the other one is neither nothing nor endless.
+TEST(PicturePages, SidesThatFollowHaveBounds) {
+  const std::int64_t far = std::int64_t{1} << 49;
+  const DrawnView wide({{0, 0, 0, 1}, {far, 0, 0, 1}});
+  const DrawnView high({{0, 0, 0, 1}, {0, far, 0, 1}});
+  hsp_picture_options options = picture_options(HSP_FORMAT_SVG, HSP_STYLE_FLAT);
+  options.margin = 0;
+  options.width = 1000;
+  EXPECT_NE(wide.picture(options).find(" height=\".01px\""), std::string::npos);
+  EXPECT_NE(high.picture(options).find(" height=\"1000000px\""), std::string::npos);
+  options.width = 0;
+  options.height = 1000;
+  EXPECT_NE(wide.picture(options).find(" width=\"1000000px\""), std::string::npos);
+  EXPECT_NE(high.picture(options).find(" width=\".01px\""), std::string::npos);
 }
 
 /// The headlight's shades are a + b sqrt(1 - rho^2) at the offsets, and linear in between within the promised .0034.

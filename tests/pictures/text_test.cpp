@@ -1,4 +1,4 @@
-// What files are put together from: numbers, texts, and blocks of bytes.
+// What files are put together from: numbers, texts, shades, and blocks of bytes.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,6 +8,7 @@
 
 #include "picture/escaped_text.hpp"
 #include "picture/number_text.hpp"
+#include "picture/shading.hpp"
 
 namespace {
 
@@ -91,6 +92,24 @@ TEST(Numbers, OfNote) {
   EXPECT_EQ(text_of([](hsp::ByteSink &sink) { hsp::put_colour(sink, 0x0A1B2C); }), "0a1b2c");
 }
 
+/// The headlight's stops before they are rounded to colours: linear in between, within .0034 of the light's range.
+TEST(Shades, OfTheHeadlightAreWhereTheyServeBest) {
+  const hsp::Shading shading(false);
+  const auto light = [&](std::uint32_t stop) { return shading.lit({{255, 255, 255}}, stop).channel[1]; };
+  const double rim = light(shading.intervals());
+  const double rise = light(0) - rim;
+  double worst = 0;
+  for (std::uint32_t k = 0; k < shading.intervals(); ++k) {
+    for (int i = 0; i <= 100; ++i) {
+      const double share = i / 100.0;
+      const double rho = shading.offset(k) + (shading.offset(k + 1) - shading.offset(k)) * share;
+      const double drawn = light(k) + (light(k + 1) - light(k)) * share;
+      worst = std::fmax(worst, std::fabs((drawn - rim) / rise - std::sqrt(1 - rho * rho)));
+    }
+  }
+  EXPECT_LE(worst, 0.0034);
+}
+
 std::string xml(const char *text) {
   return text_of([text](hsp::ByteSink &sink) { hsp::put_xml_text(sink, text); });
 }
@@ -118,6 +137,7 @@ TEST(Texts, InParentheses) {
             "(?t??"
             "?)");
   EXPECT_EQ(parenthesized("((((", 2), "(\\(\\()((");
+  EXPECT_EQ(parenthesized("\x1F ~\x7F", 0), "(? ~?)");
   EXPECT_EQ(parenthesized("", 0), "()");
 }
 

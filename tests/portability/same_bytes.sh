@@ -69,7 +69,7 @@ if [ -e "$fused" ]; then
 fi
 
 if [ "$what" = all ]; then
-  ctest --test-dir "$work/build" --exclude-regex malloc_trap --output-on-failure >"$work/tests" || {
+  ctest --test-dir "$work/build" --parallel 2 --exclude-regex malloc_trap --output-on-failure >"$work/tests" || {
     cat "$work/tests"
     failed=1
   }

@@ -3,6 +3,7 @@
 #include "nested_balls.hpp"
 #include "smallest_failing.hpp"
 #include "structure_laws.hpp"
+#include "sweep_length.hpp"
 #include "void_expectations.hpp"
 
 namespace {
@@ -11,7 +12,7 @@ using oracle::Balls;
 
 TEST(Slow, BettiNumbersOfDegenerateSets) {
   oracle::RandomSource random(81);
-  for (int k = 0; k < 20000; ++k) {
+  for (int k = 0; k < oracle::rounds(2000, 20000); ++k) {
     const Balls balls = oracle::degenerate_balls(random, static_cast<std::size_t>(random.in(4, 11)));
     ASSERT_EQ(complaint_about_smallest(balls, [](const Balls &set) { return betti_numbers_disagree(set, 2, 82); }), "");
     ASSERT_EQ(complaint_about_smallest(balls, topology_laws_broken), "");
@@ -20,7 +21,7 @@ TEST(Slow, BettiNumbersOfDegenerateSets) {
 
 TEST(Slow, LawsAndOrdersOfAnySets) {
   oracle::RandomSource random(83);
-  for (int k = 0; k < 6000; ++k) {
+  for (int k = 0; k < oracle::rounds(750, 6000); ++k) {
     const Balls balls = oracle::any_balls(random, static_cast<std::size_t>(random.in(10, 50)));
     ASSERT_EQ(complaint_about_smallest(balls, topology_laws_broken), "");
     ASSERT_EQ(complaint_about_smallest(balls, topology_orders_disagree), "");
@@ -29,7 +30,7 @@ TEST(Slow, LawsAndOrdersOfAnySets) {
 
 TEST(Slow, NestingOfShellsInShells) {
   oracle::RandomSource random(84);
-  for (int k = 0; k < 1000; ++k) {
+  for (int k = 0; k < oracle::rounds(250, 1000); ++k) {
     const Balls balls = nested_balls(random);
     ASSERT_EQ(complaint_about_smallest(balls, nesting_disagrees), "");
     ASSERT_EQ(complaint_about_smallest(balls, [](const Balls &set) { return locations_disagree(set, 40, 85); }), "");
@@ -38,7 +39,7 @@ TEST(Slow, NestingOfShellsInShells) {
 
 TEST(Slow, LocationInDegenerateSets) {
   oracle::RandomSource random(86);
-  for (int k = 0; k < 15000; ++k) {
+  for (int k = 0; k < oracle::rounds(4000, 15000); ++k) {
     const Balls balls = oracle::degenerate_balls(random, static_cast<std::size_t>(random.in(3, 14)));
     ASSERT_EQ(complaint_about_smallest(balls, [](const Balls &set) { return locations_disagree(set, 40, 87); }), "");
   }

@@ -1,6 +1,8 @@
 // Pieces are what the header says: laws of their records, the balls' points that belong to them, their order, areas.
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <ostream>
 
 #include "exact_depth.hpp"
@@ -104,6 +106,78 @@ TEST(DepthOrder, IsThatOfIntegers) {
       ASSERT_EQ(depths_disagree(view, balls, choice), "") << oracle::to_text(balls);
       ASSERT_TRUE((choice.flags & HSP_VIEW_ALL_BALLS) == 0 || view.pieces.size() == balls.size());
     }
+  }
+}
+
+/// A large ball about the origin and small ones at an integer point of it, all spheres through that point: arcs without
+/// length, whose parameters rounding puts to either side of it.
+Balls balls_at_a_point(oracle::RandomSource &random, const std::array<std::int64_t, 3> &point, std::int64_t radius) {
+  static constexpr std::int64_t quadruples[][4] = {{1, 2, 2, 3},  {2, 3, 6, 7},  {1, 4, 8, 9},
+                                                   {2, 6, 9, 11}, {6, 6, 7, 11}, {3, 4, 12, 13}};
+  Balls balls = {{0, 0, 0, radius}};
+  for (std::int64_t k = random.in(3, 6); k > 0; --k) {
+    const std::int64_t *const q = quadruples[random.in(0, 5)];
+    const std::int64_t times = random.in(100, 20000);
+    const std::int64_t first = random.in(0, 2);
+    std::int64_t centre[3];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::int64_t side = random.one_in(2) ? times : -times;
+      centre[axis] = point[axis] + side * q[(first + static_cast<std::int64_t>(axis)) % 3];
+    }
+    balls.push_back({centre[0], centre[1], centre[2], times * q[3]});
+  }
+  return balls;
+}
+
+TEST(ViewArcs, OfNoLengthAreNoWholeTurns) {
+  oracle::RandomSource random(97);
+  for (int k = 0; k < 100; ++k) {
+    const Balls balls = balls_at_a_point(random, {3000000, 4000000, 0}, 5000000);
+    for (const Law law : {Law{laws}, Law{opposite_areas_disagree}}) {
+      expect_law(law, balls, {{0, 0, 1}, {0, 1, 1}, uneven_directions()[0]}, "");
+    }
+  }
+}
+
+/// Ties on the silhouette from a direction whose integers are much larger than those of the balls: the point is at a
+/// right angle to it.
+TEST(ViewArcs, MeetInAPointOfTheSilhouette) {
+  oracle::RandomSource random(98);
+  constexpr std::int64_t largest = std::int64_t{1} << 28;
+  for (int k = 0; k < 100; ++k) {
+    const std::int64_t z = 2 * random.in(0, 3000000) + 1;
+    const std::int64_t y = 3 * (largest / 4) + 3 * z;  // 3 x - 4 y + 12 z = 0
+    const Direction towards = {static_cast<double>(largest), static_cast<double>(y), static_cast<double>(z)};
+    ASSERT_EQ(integer_direction(towards)[1], y);
+    const std::int64_t times = random.in(1000, 400000);
+    const Balls balls = balls_at_a_point(random, {3 * times, -4 * times, 12 * times}, 13 * times);
+    for (const Law law : {Law{laws}, Law{orders}, Law{opposite_areas_disagree}}) expect_law(law, balls, {towards}, "");
+  }
+}
+
+/// A circle that the silhouette nearly touches: vertices are as exact as elsewhere, however close to each other they
+/// are. Such a vertex is (h / v_x, +-sqrt(r^2 - x^2)) with h = v.c / 2, seen from the ball's centre.
+TEST(ViewArcs, StartAtPreciseVertices) {
+  for (const std::int64_t closer : {1, 2, 7, 100, 12345, 1000000}) {
+    constexpr std::int64_t unit = std::int64_t{1} << 24;
+    const oracle::LatticeBall other = {32 * unit, 0, -24 * unit + closer, 25 * unit};
+    const LibraryScene scene({{0, 0, 0, 25 * unit}, other});
+    const ViewRecords view = view_of(scene, {HSP_PIECES_G, HSP_VIEW_ALL_BALLS, false, {}, {}});
+    const long double r = 25 * unit;
+    const long double x =
+        static_cast<long double>(oracle::dot({other.x, other.y, other.z}, {other.x, other.y, other.z})) /
+        (2 * static_cast<long double>(other.x));
+    const long double y = std::sqrt((r - x) * (r + x));
+    int starts = 0;
+    for (const hsp_view_arc &arc : view.arcs) {
+      const hsp_view_piece &piece = view.pieces[arc.piece];
+      if (piece.ball != 0) continue;
+      ++starts;
+      const double error = std::hypot(static_cast<double>(arc.start[0] - piece.centre[0] - x),
+                                      static_cast<double>(std::fabs(arc.start[1] - piece.centre[1]) - y));
+      EXPECT_LE(error, 200 * 0x1p-53 * static_cast<double>(r)) << closer;
+    }
+    EXPECT_EQ(starts, 2) << closer;
   }
 }
 

@@ -1,0 +1,35 @@
+/* What boundaries, topologies and views have in common: limits, of which each is a number, memory of a size that
+ * follows from them, and a computation that tells what it needed. */
+#ifndef HSP_TESTS_HANDLE_KIND_H
+#define HSP_TESTS_HANDLE_KIND_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+/* Limits as the numbers that they consist of: struct_size, balls, neighbours and so on, and zeros. By the header at
+ * most three enlargements by what a handle asks for lead to success. */
+enum { LIMIT_NUMBERS = 6, MOST_ENLARGEMENTS = 3 };
+typedef struct limit_numbers {
+  uint32_t number[LIMIT_NUMBERS];
+} limit_numbers;
+
+typedef struct handle_kind {
+  uint32_t struct_size; /* of the limits */
+  int limits;           /* how many there are: number[1] to number[limits] */
+  const char *names[5]; /* by their places in limit_numbers */
+  int32_t (*bytes)(const void *limits, size_t *bytes);
+  int32_t (*init)(void *memory, size_t bytes, const void *limits, void **handle);
+  int32_t (*compute)(void *handle, const void *source); /* source: a computed, topology_result or view_result */
+  int32_t (*get_needed)(const void *handle, void *needed);
+} handle_kind;
+
+/* Zeros, to be freed by the caller; at least one byte. Ends the program if there is no memory. */
+void *test_zeros(size_t count, size_t size);
+
+/* From no room for anything but the balls, with what the handle asks for, until its computation succeeds. What was
+ * needed goes to `needed`, which has struct_size bytes; memory was allocated and is the caller's in any case. The first
+ * status that is neither HSP_OK nor an HSP_E_CAPACITY that may be, or HSP_OK. */
+int32_t grow_until_computed(const handle_kind *kind, const void *source, uint32_t balls, void **memory, void **handle,
+                            void *needed, uint32_t *enlargements);
+
+#endif

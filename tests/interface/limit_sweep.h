@@ -1,0 +1,46 @@
+/* Every limit of a kind of handle at every value that matters, and its memory at every size and alignment that matters.
+ */
+#ifndef HSP_TESTS_LIMIT_SWEEP_H
+#define HSP_TESTS_LIMIT_SWEEP_H
+
+#include "handle_kind.h"
+
+/* A computation of which everything is known. */
+typedef struct known_handle {
+  const handle_kind *kind;
+  const void *source; /* what handle_kind.compute takes */
+  const void *needed; /* the limits that it needs, exactly */
+  /* Checks that a handle's results are those of `source`. */
+  void (*check_results)(const void *handle, const void *source);
+  /* Checks that a handle has no results. */
+  void (*check_no_results)(const void *handle);
+  /* Checks what a handle with the limits `given` says it needs; NULL: nothing beyond what holds of all kinds. */
+  void (*check_asked)(const limit_numbers *given, const limit_numbers *says, const limit_numbers *exact);
+} known_handle;
+
+/* Computes with every limit at 0, 1, needed-1, needed and needed+1, with every limit as the only one that suffices, and
+ * with none, in memory of exactly the told size between guard bytes: the known results, or HSP_E_CAPACITY without
+ * results. From each, what the handle says it needs must lead to success. */
+void sweep_limits(const known_handle *known, const char *name);
+
+/* A computation with room for these limits, enlarged by what it asks for until it succeeds. */
+void try_limits(const known_handle *known, const limit_numbers *from, size_t misalignment);
+
+/* Computes in memory of exactly the told size at 16 alignments; one byte less is refused without a write. `more` is
+ * called with each computed handle, NULL for nothing. */
+void sweep_alignments(const known_handle *known, void (*more)(void *handle, const void *source));
+
+/* What a kind's macro bounds the size of its memory by, and the macro's factors: of 1, and of every limit. */
+typedef struct size_bound {
+  size_t (*macro)(const limit_numbers *limits);
+  double factors[5];
+} size_bound;
+
+/* Sizes of a kind's memory for all limits out of `values`, which ascend: property 1, the macro bounds them; property 2,
+ * they grow with each limit. Where size_t has 32 bits sizes of 2 GiB and more are refused, and only they. */
+void sweep_sizes(const handle_kind *kind, const size_bound *bound, const uint32_t *values, int count);
+
+/* The size of the memory for such limits; SIZE_MAX stands for one that is rightly refused. */
+size_t size_of(const handle_kind *kind, const size_bound *bound, const limit_numbers *limits);
+
+#endif
