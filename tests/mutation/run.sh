@@ -29,7 +29,7 @@ interface='closed_forms_test properties_test queries_test query_lengths_test mod
   topology_against_nerve_test fuzz_model_replay fuzz_queries_replay fuzz_boundary_replay fuzz_interface_replay'
 inner='pair_and_order_test far_pairs_test wide_integer_test lattice_test cap_pair_test cube_table_test cube_order_test
   structure_memory_test structure_check_test meridian_walks_test predicate_rungs_test tie_rule_test
-  tie_rule_largest_values_test'
+  tie_rule_largest_values_test elementary_test'
 oracle='boundary_against_brute_force_test measures_against_quadrature_test'
 # Tried first for mistakes in what the topology is made of.
 topology='quad_edges_test orientation_test start_faces_test topology_check_test topology_memory_test
@@ -37,6 +37,12 @@ topology='quad_edges_test orientation_test start_faces_test topology_check_test 
   topology_limits_test topology_properties_test topology_handles_test vertical_order_test vertical_ray_test
   great_circles_test topology_built_sets_test topology_nesting_test topology_betti_numbers_test
   topology_molecules_test'
+# Tried first for mistakes in views and in pictures.
+views='view_frame_test depth_order_test hidden_balls_test view_arguments_test view_limits_test view_turn_test
+  view_handles_test view_turned_views_test view_capacity_test view_properties_test fuzz_view_replay view_painter_test
+  view_pieces_test view_molecules_test'
+pictures='picture_text_test picture_sizes_test picture_arcs_test picture_arguments_test picture_properties_test
+  program_draw_colours_test program_draw_test picture_renderers_test'
 
 # What the build folder knows of the given targets.
 known() {
@@ -44,6 +50,11 @@ known() {
   for target in "$@"; do
     if grep -qx "$target: phony" "$folder/targets" || grep -q "^$target: " "$folder/targets"; then echo "$target"; fi
   done
+}
+
+# The test of a fuzz harness is called as its area, one of the program without its ending.
+tests_of() {
+  printf '%s\n' "$@" | sed -E 's/^(fuzz_.*)_replay$/\1/; s/^(program_.*)_test$/\1/'
 }
 
 build_targets() {
@@ -65,10 +76,14 @@ first_failure() {
 
 # The groups in the order that suits a file.
 groups_for() {
-  groups=("$interface" "$inner" "$oracle" "$topology")
+  groups=("$interface" "$inner" "$oracle" "$topology" "$views" "$pictures")
   case $1 in
     lib/topology/* | lib/boundary/great_circles.* | lib/grid/vertical_ray.* | lib/exact/vertical_order.* | \
-      lib/measure/places.* | lib/measure/shell_measures.*) groups=("$topology" "$interface" "$inner" "$oracle") ;;
+      lib/measure/places.* | lib/measure/shell_measures.*)
+      groups=("$topology" "$interface" "$inner" "$oracle" "$views" "$pictures") ;;
+    lib/view/*) groups=("$views" "$pictures" "$interface" "$inner" "$oracle" "$topology") ;;
+    lib/picture/*) groups=("$pictures" "$views" "$interface" "$inner" "$oracle" "$topology") ;;
+    lib/core/elementary.*) groups=("$inner" "$pictures" "$views" "$interface" "$oracle" "$topology") ;;
   esac
   if [ -n "${HSP_MUTATION_TESTS:-}" ]; then groups=("$HSP_MUTATION_TESTS"); fi
 }
@@ -85,8 +100,7 @@ try_tree() {
       verdict='did not compile'
       return
     fi
-    # The test of a fuzz harness is called as its area.
-    mapfile -t tests < <(printf '%s\n' "${targets[@]}" | sed 's/^\(fuzz_.*\)_replay$/\1/')
+    mapfile -t tests < <(tests_of "${targets[@]}")
     if killer=$(first_failure "${tests[@]}"); then
       verdict=killed
       return
@@ -98,7 +112,7 @@ try_tree() {
     return
   fi
   mapfile -t tests < <(ctest --test-dir "$build" -N -LE slow | sed -n 's/^ *Test *#[0-9]*: //p' |
-    grep -vxF -f <(printf '%s\n' $interface $inner $oracle $topology | sed 's/^\(fuzz_.*\)_replay$/\1/') |
+    grep -vxF -f <(tests_of $interface $inner $oracle $topology $views $pictures) |
     grep -vE '^(format_check|words_kept_out|include_direction|archive_.*|stack_usage|package_.*|consumer_.*|oracle_test)$')
   if killer=$(first_failure "${tests[@]}"); then verdict=killed; fi
 }
