@@ -189,7 +189,7 @@ TEST(PicturePages, LongTitlesTakeSeveralLines) {
   const DrawnView one({{0, 0, 0, 1000}});
   const std::string title(250, 't');
   const std::string text = one.picture(picture_options(HSP_FORMAT_EPS, HSP_STYLE_FLAT), title.c_str());
-  const auto part = [&](std::size_t first) { return "(" + title.substr(first, 120) + ")\n"; };
+  const auto part = [&](std::size_t first) { return std::string(1, '(').append(title, first, 120).append(")\n"); };
   EXPECT_NE(text.find("\n%%Title: " + part(0) + "%%+ " + part(120) + "%%+ " + part(240) + "%%Creator"),
             std::string::npos);
 }
