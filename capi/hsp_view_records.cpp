@@ -7,8 +7,6 @@ namespace {
 using hsp::capi::check_request;
 using hsp::capi::has_results;
 
-// The library keeps loops and arcs in the order of the grid; here they come in the order of the pieces.
-
 // Lengths of a view in the caller's unit.
 struct ViewLengths {
   const hsp::exact::Lattice &lattice;
@@ -72,6 +70,7 @@ int32_t hsp_view_get_info(const hsp_view *view, hsp_view_info *info) {
   return HSP_OK;
 }
 
+// The library keeps loops and arcs in the order of the grid; here they come in the order of the pieces.
 int32_t hsp_view_get_pieces(const hsp_view *view, hsp_view_piece *out, uint32_t capacity, uint32_t *needed) {
   const int32_t status = check_request(view, out, capacity, needed,
                                        [](const hsp_view &handle) { return handle.builder.structure().pieces.size(); });

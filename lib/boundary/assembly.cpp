@@ -1,7 +1,7 @@
 #include "boundary/assembly.hpp"
 
+#include "boundary/arc_ends.hpp"
 #include "core/sorting.hpp"
-#include "exact/cyclic_order.hpp"
 
 namespace hsp {
 namespace {
@@ -62,33 +62,16 @@ bool ranks_before(const BallSet &balls, uint32_t a, uint32_t b) {
   return balls.r[a] < balls.r[b];  // GCOVR_EXCL_LINE: of two balls with one centre the inner one owns nothing
 }
 
-// Finds where the arcs that start at the uses of one ball end. Several arcs on one circle are told apart by the order
-// of the mid-points of the covered arcs: the free arc that a loop walks backwards from entry R ends at the exit that
-// comes last before R, counter-clockwise.
+// Finds where the arcs that start at the uses of one ball end.
 void chain_uses(const BallSet &balls, uint32_t i, BoundaryStructure &boundary) {
   const uint32_t first = boundary.first_use[i];
-  const uint32_t last = boundary.first_use[i + 1];
+  const Span<VertexUse> uses = boundary.uses.part(first, boundary.first_use[i + 1]);
   const auto direction = [&balls, i](uint32_t j) {
     return exact::Vector{static_cast<int64_t>(balls.x[j] - balls.x[i]), static_cast<int64_t>(balls.y[j] - balls.y[i]),
                          static_cast<int64_t>(balls.z[j] - balls.z[i])};
   };
-  for (uint32_t u = first; u < last; ++u) {
-    VertexUse &use = boundary.uses[u];
-    uint32_t best = no_id;
-    for (uint32_t w = first; w < last; ++w) {
-      const VertexUse &candidate = boundary.uses[w];
-      if (candidate.in != use.out) continue;
-      if (best == no_id || boundary.uses[best].out == use.in) {
-        best = w;
-        continue;
-      }
-      if (candidate.out == use.in) continue;  // a whole turn away
-      if (exact::counter_clockwise_before(direction(use.out), direction(use.in), direction(boundary.uses[best].out),
-                                          direction(candidate.out))) {
-        best = w;
-      }
-    }
-    use.next = best;
+  for (VertexUse &use : uses) {
+    use.next = first + end_of_arc(uses, use, direction);
     use.loop = no_id;
   }
 }

@@ -1,8 +1,8 @@
 #include "view/front_piece.hpp"
 
+#include "boundary/arc_ends.hpp"
 #include "boundary/cap_pair.hpp"
 #include "core/sorting.hpp"
-#include "exact/cyclic_order.hpp"
 
 namespace hsp {
 namespace {
@@ -99,8 +99,7 @@ void FrontPiece::add_front_of_faces(const BoundaryStructure &boundary) {
   }
 }
 
-// As in lib/boundary/assembly.cpp: uses in an order that does not depend on ids, and several arcs of one circle told
-// apart by the order of the mid-points of what is covered.
+// As in lib/boundary/assembly.cpp: uses in an order that does not depend on ids.
 void FrontPiece::chain() {
   for (const VertexRecord &vertex : vertices_.items()) {
     const uint32_t first = caps_.cap_of(vertex.ball[1]);
@@ -114,19 +113,8 @@ void FrontPiece::chain() {
   sort_in_place(items, [&by_rank](const PieceUse &a, const PieceUse &b) {
     return a.out != b.out ? by_rank(a.out, b.out) : by_rank(a.in, b.in);
   });
-  for (PieceUse &use : items) {
-    for (uint32_t w = 0; w < items.size(); ++w) {
-      const PieceUse &candidate = items[w];
-      if (candidate.in != use.out) continue;
-      if (use.next == no_id || items[use.next].out == use.in) {
-        use.next = w;
-      } else if (candidate.out != use.in &&
-                 exact::counter_clockwise_before(caps_.plane[use.out].v, caps_.plane[use.in].v,
-                                                 caps_.plane[items[use.next].out].v, caps_.plane[candidate.out].v)) {
-        use.next = w;
-      }
-    }
-  }
+  const auto direction = [this](uint32_t cap) { return caps_.plane[cap].v; };
+  for (PieceUse &use : items) use.next = end_of_arc(items, use, direction);
 }
 
 }  // namespace hsp
