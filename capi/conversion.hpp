@@ -55,6 +55,21 @@ static_assert(to_c(Status::not_finite) == HSP_E_NOT_FINITE && to_c(Status::negat
 static_assert(to_c(Status::range) == HSP_E_RANGE);
 static_assert(no_id == HSP_NONE);
 
+// The rule of the header for every computation: a call that fails leaves the handle without results, and only a lack of
+// capacity leaves limits to be read. `forget` comes before the first refusal, `remember` after the computation.
+template <class Handle>
+void forget(Handle &handle) {
+  handle.attempted = false;
+  handle.complete = false;
+}
+
+template <class Handle>
+int32_t remember(Handle &handle, Status status) {
+  handle.attempted = status == Status::ok || status == Status::capacity;
+  handle.complete = status == Status::ok;
+  return to_c(status);
+}
+
 // Whether results may be read: computed, and the model unchanged since.
 inline bool has_results(const hsp_boundary &boundary) {
   return boundary.complete && boundary.revision == boundary.model->revision;

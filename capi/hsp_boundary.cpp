@@ -94,15 +94,15 @@ int32_t hsp_boundary_init(void *memory, size_t bytes, const hsp_boundary_limits 
 }
 
 int32_t hsp_boundary_compute(hsp_boundary *boundary, const hsp_model *model) {
-  if (boundary == nullptr || model == nullptr) return HSP_E_ARGUMENT;
+  if (boundary == nullptr) return HSP_E_ARGUMENT;
+  hsp::capi::forget(*boundary);
+  if (model == nullptr) return HSP_E_ARGUMENT;
   const hsp::Status status = boundary->builder.build(model->grid);
   boundary->model = model;
   boundary->revision = model->revision;
-  boundary->attempted = true;
   ++boundary->computed;
-  boundary->complete = status == hsp::Status::ok;
-  if (boundary->complete) hsp::gather_shells(boundary->builder.structure());
-  return hsp::capi::to_c(status);
+  if (status == hsp::Status::ok) hsp::gather_shells(boundary->builder.structure());
+  return hsp::capi::remember(*boundary, status);
 }
 
 int32_t hsp_boundary_get_needed(const hsp_boundary *boundary, hsp_boundary_limits *needed) {

@@ -86,15 +86,15 @@ int32_t hsp_topology_init(void *memory, size_t bytes, const hsp_topology_limits 
 }
 
 int32_t hsp_topology_compute(hsp_topology *topology, const hsp_boundary *boundary) {
-  if (topology == nullptr || boundary == nullptr) return HSP_E_ARGUMENT;
+  if (topology == nullptr) return HSP_E_ARGUMENT;
+  hsp::capi::forget(*topology);
+  if (boundary == nullptr) return HSP_E_ARGUMENT;
   if (!has_results(*boundary)) return HSP_E_STATE;
   const hsp::Status status = topology->builder.build(boundary->model->grid, boundary->builder.structure(),
                                                      boundary->builder.needed().neighbours);
   topology->boundary = boundary;
   topology->computed = boundary->computed;
-  topology->attempted = true;
-  topology->complete = status == hsp::Status::ok;
-  return hsp::capi::to_c(status);
+  return hsp::capi::remember(*topology, status);
 }
 
 int32_t hsp_topology_get_needed(const hsp_topology *topology, hsp_topology_limits *needed) {

@@ -105,9 +105,8 @@ int32_t hsp_view_options_turn(hsp_view_options *options, double x, double y, dou
 int32_t hsp_view_compute(hsp_view *view, const hsp_model *model, const hsp_boundary *boundary,
                          const hsp_view_options *options) {
   if (view == nullptr) return HSP_E_ARGUMENT;
+  hsp::capi::forget(*view);
   hsp::ViewRequest request;
-  view->attempted = false;
-  view->complete = false;
   if (model == nullptr) return HSP_E_ARGUMENT;
   if (options != nullptr) {
     if (!is_valid(*options)) return HSP_E_ARGUMENT;
@@ -128,9 +127,7 @@ int32_t hsp_view_compute(hsp_view *view, const hsp_model *model, const hsp_bound
       view->builder.build(model->grid, boundary == nullptr ? nullptr : &boundary->builder.structure(), request);
   view->model = model;
   view->revision = model->revision;
-  view->attempted = status == hsp::Status::ok || status == hsp::Status::capacity;
-  view->complete = status == hsp::Status::ok;
-  return hsp::capi::to_c(status);
+  return hsp::capi::remember(*view, status);
 }
 
 int32_t hsp_view_get_needed(const hsp_view *view, hsp_view_limits *needed) {

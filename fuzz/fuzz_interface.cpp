@@ -116,6 +116,7 @@ class Session {
     model_ = made;
     limit_ = limit;
     balls_ = 0;
+    as_made_ = true;
   }
 
   void set_model() {
@@ -146,6 +147,7 @@ class Session {
       ++version_;
       complete_ = false;
       balls_ = status == HSP_OK ? n : 0;
+      as_made_ = status != HSP_OK;
     }
     if (bad_pointer) {
       FUZZ_REQUIRE(status == HSP_E_ARGUMENT, "hsp_model_set, arguments");
@@ -188,7 +190,9 @@ class Session {
     const int32_t expected = model == nullptr ? HSP_E_ARGUMENT : HSP_OK;
     FUZZ_REQUIRE(hsp_model_get_info(model, &info) == expected, "hsp_model_get_info");
     FUZZ_REQUIRE(hsp_model_get_figures(model, &figures) == expected, "hsp_model_get_figures");
-    if (expected == HSP_OK) FUZZ_REQUIRE(info.balls == balls_, "number of balls");
+    if (expected != HSP_OK) return;
+    FUZZ_REQUIRE(info.balls == balls_, "number of balls");
+    FUZZ_REQUIRE(!as_made_ || (info.step == 1e-8 && info.probe == 0 && info.cubes == 0), "an empty model");
   }
 
   template <class Record, class Ask>
@@ -278,13 +282,18 @@ class Session {
     const hsp_model *model = null() ? nullptr : model_;
     const int32_t status = hsp_boundary_compute(boundary, model);
     FUZZ_REQUIRE(boundary_memory_.empty() || boundary_memory_.back() == 0x3C, "written past the boundary's memory");
-    if (boundary == nullptr || model == nullptr) {
+    if (boundary == nullptr) {
       FUZZ_REQUIRE(status == HSP_E_ARGUMENT, "hsp_boundary_compute, arguments");
       return;
     }
-    attempted_ = true;
+    // Whatever comes of it, earlier results are gone.
+    attempted_ = model != nullptr;
     complete_ = status == HSP_OK;
     ++version_;
+    if (model == nullptr) {
+      FUZZ_REQUIRE(status == HSP_E_ARGUMENT, "hsp_boundary_compute, arguments");
+      return;
+    }
     hsp_boundary_limits needed;
     FUZZ_REQUIRE(status == HSP_OK || status == HSP_E_CAPACITY, "a status that hsp_boundary_compute does not have");
     FUZZ_REQUIRE(hsp_boundary_get_needed(boundary, &needed) == HSP_OK, "hsp_boundary_get_needed");
@@ -316,7 +325,7 @@ class Session {
     hsp_boundary *checked = boundary == nullptr ? nullptr : boundary_;
     FUZZ_REQUIRE(hsp_boundary_check(checked, &law, &where) == expected, "hsp_boundary_check");
     FUZZ_REQUIRE(law == (expected == HSP_OK ? 0U : 12345U), "law");
-    FUZZ_REQUIRE(expected == HSP_OK || where == 12345, "where written on failure");
+    FUZZ_REQUIRE(where == (expected == HSP_OK ? HSP_NONE : 12345U), "where");
     check_array<hsp_vertex>(40, expected, [&](hsp_vertex *out, uint32_t capacity, uint32_t *count) {
       return hsp_boundary_get_vertices(boundary, out, capacity, count);
     });
@@ -368,6 +377,7 @@ class Session {
   hsp_boundary_limits limits_{};
   uint32_t limit_ = 0;        // of the model
   uint32_t balls_ = 0;        // that the model holds
+  bool as_made_ = false;      // nothing set since it was made, or the last set failed
   bool odd_numbers_ = false;  // NaN and the like may occur in the current call
   bool attempted_ = false;    // the boundary was given a model
   bool complete_ = false;     // the boundary holds results, and the model has not changed since

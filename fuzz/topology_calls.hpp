@@ -71,16 +71,17 @@ class TopologyCalls {
     hsp_topology *topology = null(bytes_) ? nullptr : topology_;
     const int32_t status = hsp_topology_compute(topology, boundary);
     FUZZ_REQUIRE(memory_.empty() || memory_.back() == 0x3C, "written past the topology's memory");
-    if (topology == nullptr || boundary == nullptr) {
+    if (topology == nullptr) {
       FUZZ_REQUIRE(status == HSP_E_ARGUMENT, "hsp_topology_compute, arguments");
       return;
     }
-    if (!boundary_complete) {
-      FUZZ_REQUIRE(status == HSP_E_STATE, "hsp_topology_compute, state");
+    // Whatever comes of it, earlier results are gone.
+    attempted_ = boundary != nullptr && boundary_complete;
+    complete_ = status == HSP_OK;
+    if (!attempted_) {
+      FUZZ_REQUIRE(status == (boundary == nullptr ? HSP_E_ARGUMENT : HSP_E_STATE), "hsp_topology_compute, refused");
       return;
     }
-    attempted_ = true;
-    complete_ = status == HSP_OK;
     version_ = version;
     hsp_topology_limits needed;
     FUZZ_REQUIRE(status == HSP_OK || status == HSP_E_CAPACITY, "a status that hsp_topology_compute does not have");
@@ -102,6 +103,7 @@ class TopologyCalls {
     uint32_t law = 12345, where = 12345;
     FUZZ_REQUIRE(hsp_topology_check(topology, &law, &where) == expected, "hsp_topology_check");
     FUZZ_REQUIRE(law == (expected == HSP_OK ? 0U : 12345U), "law");
+    FUZZ_REQUIRE(where == (expected == HSP_OK ? HSP_NONE : 12345U), "where");
     read_arrays(topology, expected, counts);
     read_steps(topology, expected, counts);
   }

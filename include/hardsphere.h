@@ -40,6 +40,13 @@
  * STATUS
  *   Every function that can fail returns an int32_t: HSP_OK (0) or a negative number. On failure nothing but what the
  *   function's comment names is written. Treat an unknown negative number as a general failure.
+ *
+ * HANDLES AFTER A FAILURE
+ *   hsp_model_set and hsp_X_compute replace what the handle held, whether they succeed or not. One that fails, for
+ *   whatever reason, leaves the handle as hsp_X_init makes it: a model is empty (hsp_model_get_info says so: 0 balls,
+ *   step 1e-8); a boundary, topology or view holds no results, and reading it yields HSP_E_STATE. There is one thing
+ *   more after HSP_E_CAPACITY: hsp_X_get_needed tells the limits that suffice. All other functions leave what a handle
+ *   holds as it is, whatever they return.
  */
 #ifndef HARDSPHERE_H
 #define HARDSPHERE_H
@@ -134,7 +141,8 @@ HSP_API int32_t hsp_model_options_init(hsp_model_options *options, uint32_t stru
  * most 2^50 steps. Centres that coincide, balls inside others, and balls that touch are all valid.
  *
  *  HSP_E_ARGUMENT: model NULL, xyz or radius NULL with n > 0, bad options. HSP_E_CAPACITY: n exceeds the model's limit.
- *  HSP_E_NOT_FINITE, HSP_E_NEGATIVE, HSP_E_RANGE: as named. On failure the model is empty (0 balls).
+ *  HSP_E_NOT_FINITE, HSP_E_NEGATIVE, HSP_E_RANGE: as named. On failure the model is empty (0 balls), as
+ *  hsp_model_init makes it.
  *  Property 1: the order of the balls has no effect but on the ids.
  *  Cost: O(n) expected; the hash table's load is at most 1/2. */
 HSP_API int32_t hsp_model_set(hsp_model *model, uint32_t n, const double *xyz, const double *radius,
@@ -151,7 +159,8 @@ typedef struct hsp_model_info {
   double largest_radius;  /**< r_max, probe included, as rounded to the lattice, length */
 } hsp_model_info;
 
-/** Describe the model. HSP_E_ARGUMENT: a null pointer. */
+/** Describe the model. Without balls the step is the one that hsp_model_set was given, else 1e-8.
+ *  HSP_E_ARGUMENT: a null pointer. */
 HSP_API int32_t hsp_model_get_info(const hsp_model *model, hsp_model_info *info);
 
 #define HSP_FIGURES_ZERO_RADIUS UINT32_C(1) /**< a ball has radius 0 (probe included): k has no value */
@@ -246,7 +255,7 @@ HSP_API int32_t hsp_boundary_init(void *memory, size_t bytes, const hsp_boundary
 /** Compute the boundary of the union of the model's balls. The model must outlive the boundary and stay unchanged while
  *  results are read: after hsp_model_set the functions below return HSP_E_STATE until this one is called again.
  *  HSP_E_ARGUMENT: a null pointer. HSP_E_CAPACITY: a limit is too small; hsp_boundary_get_needed tells which
- *  and what suffices, and the boundary is empty of results.
+ *  and what suffices. On failure the boundary holds no results.
  *  Property 1: the order of the balls has no effect but on ids.
  *  Cost: O(n) for sets as in Theorem 2.1; O(m^3) per ball with m neighbours at worst. */
 HSP_API int32_t hsp_boundary_compute(hsp_boundary *boundary, const hsp_model *model);
@@ -255,7 +264,8 @@ HSP_API int32_t hsp_boundary_compute(hsp_boundary *boundary, const hsp_model *mo
  *  that was too small is reported with a number larger than given. `neighbours` is known only once `balls` suffices,
  *  `vertices` and `circles` once `neighbours` does, and 0 stands for what is not known yet, so that at most three
  *  enlargements lead to success. The numbers stay readable after the model has changed.
- *  HSP_E_ARGUMENT: a null pointer. HSP_E_STATE: nothing was computed. */
+ *  HSP_E_ARGUMENT: a null pointer. HSP_E_STATE: nothing was computed, or the last hsp_boundary_compute failed for
+ *  another reason. */
 HSP_API int32_t hsp_boundary_get_needed(const hsp_boundary *boundary, hsp_boundary_limits *needed);
 
 /** How many of everything. */
@@ -442,8 +452,9 @@ HSP_API int32_t hsp_boundary_get_area_row(const hsp_boundary *boundary, uint32_t
 /* ---- self-check
  * ------------------------------------------------------------------------------------------------------- */
 
-/** Check a computed boundary against its own laws: what fuzzers and careful callers call. *law becomes 0, or the number
- * of the first law that does not hold, and *where the id of the vertex, arc end, loop, face, shell or ball concerned:
+/** Check a computed boundary against its own laws: what fuzzers and careful callers call. If all hold, *law becomes 0
+ *  and *where HSP_NONE. Else *law becomes the number of the first that does not, and *where the id of the vertex, arc
+ *  end, loop, face, shell or ball concerned:
  *     1  a vertex lies on three different balls, none of them inside another
  *     2  each of its balls is visited by exactly one loop there, between the two circles that its sign gives
  *     3  an arc ends on the ball and circle it started on
@@ -533,7 +544,7 @@ HSP_API int32_t hsp_topology_init(void *memory, size_t bytes, const hsp_topology
 /** Compute the topology of a computed boundary. Boundary and model must outlive the topology; after hsp_model_set or
  *  hsp_boundary_compute the functions below return HSP_E_STATE until this one is called again.
  *  HSP_E_ARGUMENT: a null pointer. HSP_E_STATE: the boundary holds no results. HSP_E_CAPACITY: a limit is too small;
- *  hsp_topology_get_needed tells which and what suffices, and the topology is empty of results.
+ *  hsp_topology_get_needed tells which and what suffices. On failure the topology holds no results.
  *  Property 1: the order of the balls has no effect but on ids.
  *  Cost: O(n) for sets as in Theorem 2.1 without voids; with voids, for every component of the union one vertical ray
  *  through the grid, at most O(n) each. */
@@ -541,8 +552,9 @@ HSP_API int32_t hsp_topology_compute(hsp_topology *topology, const hsp_boundary 
 
 /** The limits that the last hsp_topology_compute needed: exact numbers after HSP_OK; after HSP_E_CAPACITY every limit
  *  that was too small is reported with a number that is larger than given, and 0 stands for what is not known yet, so
- *  that at most three enlargements lead to success.
- *  HSP_E_ARGUMENT: a null pointer. HSP_E_STATE: nothing was computed. */
+ *  that at most three enlargements lead to success. The numbers stay readable after model or boundary have changed.
+ *  HSP_E_ARGUMENT: a null pointer. HSP_E_STATE: nothing was computed, or the last hsp_topology_compute failed for
+ *  another reason. */
 HSP_API int32_t hsp_topology_get_needed(const hsp_topology *topology, hsp_topology_limits *needed);
 
 /** How many of everything. */
@@ -715,8 +727,8 @@ HSP_API int32_t hsp_topology_locate(hsp_topology *topology, const double *xyz, u
  *  hsp_topology_locate. */
 HSP_API int32_t hsp_topology_same_cell(hsp_topology *topology, const double *a, const double *b, int32_t *same);
 
-/** Check a computed topology against its laws. *law becomes 0, or the number of the first that does not hold, and
- *  *where the quarter-edge, simple face, shell or component concerned:
+/** Check a computed topology against its laws. If all hold, *law becomes 0 and *where HSP_NONE. Else *law becomes the
+ *  number of the first that does not, and *where the quarter-edge, vertex, simple face, shell or component concerned:
  *     1  the quad-edge algebra: properties 1 to 5 above
  *     2  origins are vertices, and every vertex starts an edge and is one ring of onext
  *     3  every simple face is one ring of at least two edges, on one ball, and no edge has it on both sides
@@ -824,7 +836,9 @@ HSP_API int32_t hsp_view_compute(hsp_view *view, const hsp_model *model, const h
 
 /** The limits that the last hsp_view_compute needed: exact numbers after HSP_OK; after HSP_E_CAPACITY every limit that
  *  was too small is reported with a number larger than given, and 0 stands for what is not known yet, so that at most
- *  three enlargements lead to success. HSP_E_ARGUMENT: a null pointer. HSP_E_STATE: nothing was computed. */
+ *  three enlargements lead to success. The numbers stay readable after the model has changed.
+ *  HSP_E_ARGUMENT: a null pointer. HSP_E_STATE: nothing was computed, or the last hsp_view_compute failed for another
+ *  reason. */
 HSP_API int32_t hsp_view_get_needed(const hsp_view *view, hsp_view_limits *needed);
 
 /** What the view shows, and where. */
@@ -946,7 +960,7 @@ HSP_API int32_t hsp_picture_options_init(hsp_picture_options *options, uint32_t 
 #define HSP_PALETTE_JMOL UINT32_C(1)  /**< Jmol's colours by element */
 #define HSP_PALETTE_CHAIN UINT32_C(2) /**< a tint for each chain, carbon lighter than other elements */
 
-/** A palette's colour, 0xRRGGBB, for an atomic number (0 or above 118: unknown) and a chain number 0, 1, ..: tints
+/** A palette's colour, 0xRRGGBB, for an atomic number (0 or above 109: unknown) and a chain number 0, 1, ..: tints
  *  repeat after 12 chains. Palettes by element ignore the chain. An unknown palette counts as HSP_PALETTE_SOFT. */
 HSP_API uint32_t hsp_palette_colour(uint32_t palette, uint32_t atomic_number, uint32_t chain);
 

@@ -44,7 +44,7 @@ void CubeGrid::carve(Workspace &workspace, uint32_t n) {
 
 void CubeGrid::clear() {
   balls_.n = 0;
-  balls_.lattice = {};
+  static_cast<void>(exact::Lattice::for_largest_radius(0.0, 0.0, balls_.lattice));
   balls_.probe_steps = 0;
   balls_.largest_radius = 0;
   side_ = 1;

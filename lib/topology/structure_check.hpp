@@ -22,10 +22,11 @@ enum class BoundaryLaw : uint32_t {
   closure = 11,
 };
 
-// The first law that does not hold, and the id of the vertex, use, loop, face, shell or ball where it fails.
+// The first law that does not hold, and the id of the vertex, use, loop, face, shell or ball where it fails; no_id
+// where none does.
 struct Violation {
   BoundaryLaw law = BoundaryLaw::none;
-  uint32_t where = 0;
+  uint32_t where = no_id;
 };
 
 // Laws 1 to 8, in order. O(size); overwrites the boundary's scratch face_parent, which nothing reads once shells are

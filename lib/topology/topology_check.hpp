@@ -19,10 +19,10 @@ enum class TopologyLaw : uint32_t {
 };
 
 // The first law that does not hold, and the id of the quarter-edge, vertex, simple face, shell or component where it
-// fails.
+// fails; no_id where none does.
 struct TopologyViolation {
   TopologyLaw law = TopologyLaw::none;
-  uint32_t where = 0;
+  uint32_t where = no_id;
 };
 
 // Laws 1 to 7, in order. marks [edges] is scratch memory. O(size).

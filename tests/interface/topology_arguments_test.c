@@ -132,7 +132,6 @@ static hsp_topology_limits good_limits(void) {
 static void null_pointers(void) {
   fill_outputs();
   CHECK_EQUAL(hsp_topology_compute(NULL, boundary), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_topology_compute(topology, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_topology_get_needed(NULL, &needed_limits), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_topology_get_needed(topology, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_topology_get_counts(topology, NULL), HSP_E_ARGUMENT);
@@ -227,6 +226,8 @@ static void compute_and_read(void) {
   CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
   check_all_readers(topology, HSP_E_STATE);
   check_scene("null pointers");
+  CHECK_EQUAL(hsp_topology_compute(topology, NULL), HSP_E_ARGUMENT);
+  check_all_readers(topology, HSP_E_STATE);
   CHECK_EQUAL(hsp_topology_compute(topology, boundary), HSP_OK);
   check_has_results();
   check_all_readers(NULL, HSP_E_ARGUMENT);
@@ -276,7 +277,9 @@ static void changes(void) {
   CHECK_EQUAL(hsp_boundary_init(small_memory, sizeof small_memory, &small, &too_small), HSP_OK);
   CHECK_EQUAL(hsp_boundary_compute(too_small, model), HSP_E_CAPACITY);
   CHECK_EQUAL(hsp_topology_compute(topology, too_small), HSP_E_STATE);
-  check_has_results(); /* on failure nothing but what the comment names is written */
+  check_all_readers(topology, HSP_E_STATE); /* results of the other boundary are gone, too */
+  CHECK_EQUAL(hsp_topology_compute(topology, boundary), HSP_OK);
+  check_has_results();
   check_scene("figures, queries, measures and checks change nothing");
   {
     hsp_figures figures;
