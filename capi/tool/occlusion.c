@@ -8,17 +8,32 @@ static const double carbon_radius = 1.7;
 static const double reach = 5.0; /* of the smoothing */
 static const double largest_probe = 7.0;
 
-/* Each step costs about five times the one before: the larger the probe, the more neighbours a ball has. */
+/* The larger the probe, the more neighbours a ball has: 7 costs about five times as much as 2.8, and that as 1.4. So
+ * large sets do without the larger probes. Weights change gradually with the number of balls: a ball more or less makes
+ * no visible difference. */
 struct probe_rule {
-  uint32_t most_balls;
-  int count;
-  double probes[2];
+  double probe;
+  uint32_t none_at, all_from; /* its weight rises from 0 to 1 between these numbers of balls */
+  uint32_t all_to, none_from; /* and falls to 0 between these */
 };
 static const struct probe_rule probe_rules[] = {
-    {1000, 2, {2.8, 7.0}}, {20000, 1, {2.8, 0.0}}, {HSP_MAX_BALLS, 1, {1.4, 0.0}}};
+    {2.8, 0, 1, 5000, 15000}, {7.0, 0, 1, 500, 1000}, {1.4, 5000, 15000, UINT32_MAX - 1, UINT32_MAX}};
+enum { PROBE_RULES = sizeof probe_rules / sizeof probe_rules[0] };
 
-/* Few balls shade each other little; their darkest would look dirty. */
-enum { SMALL_MOLECULE = 60 };
+/* Few balls shade each other little; their darkest would look dirty. So exposure does not fall below this in sets of up
+ * to 30 balls, and the limit fades out up to 90. */
+static const double least_exposure_of_few = 0.6;
+enum { FEW = 30, NOT_FEW = 90 };
+
+/* 0 up to `low`, 1 from `high` on, linear between. */
+static double ramp(uint32_t value, uint32_t low, uint32_t high) {
+  if (value <= low) return 0.0;
+  return value >= high ? 1.0 : (double)(value - low) / (double)(high - low);
+}
+
+static double probe_weight(const struct probe_rule *rule, uint32_t balls) {
+  return ramp(balls, rule->none_at, rule->all_from) - ramp(balls, rule->all_to, rule->none_from);
+}
 
 /* Pictures write a colour once for all balls that have it, so there are only so many shades of each. */
 enum { SHADES = 16 };
@@ -59,10 +74,10 @@ static bool is_crowded(const struct geometry *geometry, uint32_t balls) {
   return squares / asked * balls > 5e9;
 }
 
-/* Add to exposure the free part of each ball's area when a probe is added to all radii. With a limit, *crowded may be
- * set instead. */
-static bool add_free_part(const struct molecule *molecule, double probe, bool limited, double *area, double *exposure,
-                          bool *crowded, struct failure *failure) {
+/* Add to exposure the free part of each ball's area when a probe is added to all radii, times the weight. With a limit,
+ * *crowded may be set instead. */
+static bool add_free_part(const struct molecule *molecule, double probe, double weight, bool limited, double *area,
+                          double *exposure, bool *crowded, struct failure *failure) {
   struct geometry inflated = GEOMETRY_NONE;
   bool done = geometry_set_model(&inflated, molecule, probe, failure);
   if (done && limited && is_crowded(&inflated, molecule->atoms)) {
@@ -78,7 +93,7 @@ static bool add_free_part(const struct molecule *molecule, double probe, bool li
   geometry_free(&inflated);
   for (uint32_t i = 0; done && i < molecule->atoms; ++i) {
     const double radius = molecule->radius[i] + probe;
-    exposure[i] += area[i] / (4.0 * pi * radius * radius);
+    exposure[i] += weight * (area[i] / (4.0 * pi * radius * radius));
   }
   return done;
 }
@@ -134,12 +149,13 @@ static bool smooth(const struct molecule *molecule, const struct geometry *geome
 
 /* Relative to the most exposed balls: 1 for these, 0 for what no probe reaches. */
 static bool normalise(double *exposure, uint32_t count, struct failure *failure) {
+  const double least = least_exposure_of_few * (1.0 - ramp(count, FEW, NOT_FEW));
   double most;
   if (!quantile(exposure, count, 0.8, &most, failure)) return false;
   for (uint32_t i = 0; i < count; ++i) {
     double part = most > 0.0 ? exposure[i] / most : 1.0;
     if (part > 1.0) part = 1.0;
-    exposure[i] = count < SMALL_MOLECULE ? 0.6 + 0.4 * part : part;
+    exposure[i] = least + (1.0 - least) * part;
   }
   return true;
 }
@@ -162,11 +178,11 @@ static bool find_scale(const struct molecule *molecule, double probe, double *sc
 
 static bool find_exposure(const struct molecule *molecule, const struct geometry *geometry, double probe, double scale,
                           bool limited, double *exposure, double *scratch, bool *crowded, struct failure *failure) {
-  const struct probe_rule *rule = probe_rules;
-  while (molecule->atoms > rule->most_balls) ++rule;
-  for (int i = 0; i < rule->count; ++i) {
-    const double grown = probe + rule->probes[i] * scale;
-    if (!add_free_part(molecule, grown, limited, scratch, exposure, crowded, failure)) return false;
+  for (int i = 0; i < PROBE_RULES; ++i) {
+    const double weight = probe_weight(&probe_rules[i], molecule->atoms);
+    const double grown = probe + probe_rules[i].probe * scale;
+    if (weight == 0.0) continue;
+    if (!add_free_part(molecule, grown, weight, limited, scratch, exposure, crowded, failure)) return false;
     if (*crowded) return true;
   }
   struct neighbourhood near = {NULL, 0, 0};

@@ -1,0 +1,20 @@
+// The colours in which hardsphere draw shows balls.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+std::string crambin();
+
+// The lines of a file's atoms.
+std::vector<std::string> atoms_of(const std::string &file);
+
+// The picture that the program writes; empty, and a failure of the test, if it writes none.
+std::string drawn(const std::string &file, std::vector<std::string> options, const std::string &extension = ".svg");
+
+// The colour of every ball that has a piece, RRGGBB in capitals, as a flat picture without fog shows it.
+std::map<int, std::string> fills(const std::string &file, std::vector<std::string> options);
+
+// The sum of a colour's channels.
+double brightness(const std::string &colour);
