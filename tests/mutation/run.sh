@@ -23,26 +23,27 @@ fail() {
 
 # Tests in the order in which they are tried, with the targets that they need, in groups: what a group needs is built
 # only if the groups before it found nothing. The last group is all that is left.
-interface='closed_forms_test properties_test queries_test query_lengths_test model_test handles_test arguments_model_test
-  arguments_query_test arguments_boundary_test capacity_limits_test capacity_outputs_test memory_size_test
-  figures_against_brute_force_test queries_against_brute_force_test boundary_numbers_against_geometry_test
-  topology_against_nerve_test fuzz_model_replay fuzz_queries_replay fuzz_boundary_replay fuzz_interface_replay'
+interface='api_boundary_closed_forms api_boundary_properties api_query_hits api_query_lengths api_model_figures
+  api_boundary_handles api_model_arguments api_query_arguments api_boundary_arguments api_boundary_limits
+  api_boundary_capacity api_boundary_memory differential_model_figures differential_query_hits
+  differential_boundary_geometry differential_boundary_nerve fuzz_model_replay fuzz_queries_replay
+  fuzz_boundary_replay fuzz_interface_replay'
 inner='pair_and_order_test far_pairs_test wide_integer_test lattice_test cap_pair_test cube_table_test cube_order_test
   structure_memory_test structure_check_test meridian_walks_test predicate_rungs_test tie_rule_test
   tie_rule_largest_values_test elementary_test'
-oracle='boundary_against_brute_force_test measures_against_quadrature_test'
+oracle='differential_boundary_brute_force differential_measure_quadrature'
 # Tried first for mistakes in what the topology is made of.
 topology='quad_edges_test orientation_test start_faces_test topology_check_test topology_memory_test
-  shell_measures_test extra_arcs_test split_points_test topology_locate_test topology_capacity_test
-  topology_limits_test topology_properties_test topology_handles_test vertical_order_test vertical_ray_test
-  great_circles_test topology_built_sets_test topology_nesting_test topology_betti_numbers_test
-  topology_molecules_test'
+  shell_measures_test extra_arcs_test split_points_test api_topology_locate api_topology_capacity api_topology_limits
+  api_topology_properties api_topology_handles vertical_order_test vertical_ray_test great_circles_test
+  differential_topology_built_sets differential_topology_nesting differential_topology_betti_numbers
+  differential_topology_molecules'
 # Tried first for mistakes in views and in pictures.
-views='view_frame_test depth_order_test hidden_balls_test view_arguments_test view_limits_test view_turn_test
-  view_handles_test view_turned_views_test view_capacity_test view_properties_test fuzz_view_replay view_painter_test
-  view_pieces_test view_molecules_test'
-pictures='picture_text_test picture_sizes_test picture_arcs_test picture_arguments_test picture_properties_test
-  program_draw_colours_test program_draw_test picture_renderers_test'
+views='view_frame_test depth_order_test hidden_balls_test api_view_arguments api_view_limits api_view_turn
+  api_view_handles differential_view_turned_views api_view_capacity api_view_properties fuzz_view_replay
+  differential_view_painter differential_view_pieces differential_view_molecules'
+pictures='pictures_text pictures_sizes pictures_arcs api_picture_arguments api_picture_properties program_draw_colours
+  program_draw pictures_renderers'
 
 # What the build folder knows of the given targets.
 known() {
@@ -52,9 +53,9 @@ known() {
   done
 }
 
-# The test of a fuzz harness is called as its area, one of the program without its ending.
+# The test of a fuzz harness is called as its area.
 tests_of() {
-  printf '%s\n' "$@" | sed -E 's/^(fuzz_.*)_replay$/\1/; s/^(program_.*)_test$/\1/'
+  printf '%s\n' "$@" | sed -E 's/^(fuzz_.*)_replay$/\1/'
 }
 
 build_targets() {
@@ -113,7 +114,7 @@ try_tree() {
   fi
   mapfile -t tests < <(ctest --test-dir "$build" -N -LE slow | sed -n 's/^ *Test *#[0-9]*: //p' |
     grep -vxF -f <(tests_of $interface $inner $oracle $topology $views $pictures) |
-    grep -vE '^(format_check|words_kept_out|include_direction|archive_.*|stack_usage|package_.*|consumer_.*|oracle_test)$')
+    grep -vE '^(packaging|oracle)_')
   if killer=$(first_failure "${tests[@]}"); then verdict=killed; fi
 }
 

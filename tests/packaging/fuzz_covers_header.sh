@@ -8,13 +8,13 @@ failed=0
 functions=0
 for function in $(bash "$here/header_functions.sh" include/hardsphere.h); do
   functions=$((functions + 1))
-  for folder in fuzz tests/interface; do
+  for folder in fuzz tests/api; do
     if ! grep -rqE "(^|[^A-Za-z0-9_])$function\(" --include='*.c' --include='*.cpp' --include='*.hpp' "$folder"; then
       echo "$folder never calls $function"
       failed=1
     fi
   done
-  if ! grep -qE "(^|[^A-Za-z0-9_])$function\(" tests/interface/*malloc_trap_test.c; then
+  if ! grep -qE "(^|[^A-Za-z0-9_])$function\(" tests/api/*malloc_trap_test.c; then
     echo "nobody calls $function with the heap trapped"
     failed=1
   fi

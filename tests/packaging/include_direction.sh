@@ -57,7 +57,7 @@ for header in capi/*.hpp; do
     complain "$name is for capi/*.cpp alone"
   fi
 done
-if grep -rnE '#[[:space:]]*include[[:space:]]*"('"${order// /|}"')/' capi/tool capi/examples tests/interface tests/program 2>/dev/null; then
+if grep -rnE '#[[:space:]]*include[[:space:]]*"('"${order// /|}"')/' capi/tool capi/examples tests/api tests/program 2>/dev/null; then
   complain "programs and interface tests go through hardsphere.h"
 fi
 

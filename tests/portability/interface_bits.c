@@ -1,4 +1,4 @@
-/* Prints every number that the interface gives for the ball sets of tests/interface, doubles as bit patterns, to be
+/* Prints every number that the interface gives for the ball sets of tests/api, doubles as bit patterns, to be
  * compared between processors and compilers. */
 #include <hardsphere.h>
 #include <inttypes.h>

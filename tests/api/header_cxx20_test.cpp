@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "struct_layout.h"
+#include "support/struct_layout.h"
 
 template <class Record>
 constexpr bool is_plain = std::is_standard_layout_v<Record> &&std::is_trivial_v<Record>;
