@@ -169,6 +169,10 @@ static void compute_and_read(void) {
   CHECK_EQUAL(hsp_boundary_compute(boundary, NULL), HSP_E_ARGUMENT);
   check_all_readers(boundary, HSP_E_STATE);
   CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, NULL), HSP_E_ARGUMENT);
+  check_all_readers(boundary, HSP_E_STATE);
+  CHECK_EQUAL(hsp_boundary_get_needed(boundary, &needed_limits), HSP_E_STATE);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
   check_all_readers(NULL, HSP_E_ARGUMENT);
   fill_outputs();
   CHECK_EQUAL(hsp_boundary_get_needed(NULL, &needed_limits), HSP_E_ARGUMENT);

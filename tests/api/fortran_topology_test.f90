@@ -274,8 +274,9 @@ contains
     type(hsp_topology_limits) :: limits
     integer(c_size_t) :: bytes
     law = 7
+    where = 7
     call expect(hsp_topology_check(topology, law, where), HSP_OK, 'hsp_topology_check')
-    call check(law == 0, 'no law is broken')
+    call check(law == 0 .and. where == HSP_NONE, 'no law is broken')
     call expect(hsp_topology_compute(c_null_ptr, boundary), HSP_E_ARGUMENT, 'no topology')
     call expect(hsp_topology_limits_init(limits, int(c_sizeof(limits), c_int32_t), HSP_MAX_BALLS), HSP_E_RANGE, 'too many')
     call expect(hsp_topology_limits_init(limits, int(c_sizeof(limits), c_int32_t), n), HSP_OK, 'limits')

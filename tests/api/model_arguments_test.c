@@ -19,6 +19,21 @@ static uint32_t balls_held(void) {
   return info.balls;
 }
 
+/* The model describes itself as it did when it was made. */
+static void check_as_made(void) {
+  static unsigned char other_memory[HSP_MODEL_BYTES(BALLS)];
+  hsp_model *made = NULL;
+  hsp_model_info info, expected;
+  memset(&info, 0, sizeof info);
+  memset(&expected, 0, sizeof expected);
+  CHECK_EQUAL(hsp_model_init(other_memory, sizeof other_memory, BALLS, &made), HSP_OK);
+  CHECK_EQUAL(hsp_model_get_info(made, &expected), HSP_OK);
+  CHECK_EQUAL(hsp_model_get_info(model, &info), HSP_OK);
+  CHECK_EQUAL(info.balls, 0);
+  CHECK(info.step == 1e-8);
+  CHECK_BYTES(&info, &expected, sizeof info);
+}
+
 /* A refused call leaves an empty model, whatever it held before. */
 static void check_refused(uint32_t n, const double *xyz, const double *radius, const hsp_model_options *options,
                           int32_t expected, uint32_t expected_bad) {
@@ -27,10 +42,10 @@ static void check_refused(uint32_t n, const double *xyz, const double *radius, c
   CHECK_EQUAL(balls_held(), BALLS);
   CHECK_EQUAL(hsp_model_set(model, n, xyz, radius, options, &bad), expected);
   CHECK_EQUAL(bad, expected_bad);
-  CHECK_EQUAL(balls_held(), 0);
+  check_as_made();
   CHECK_EQUAL(hsp_model_set(model, BALLS, good_xyz, good_radius, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_model_set(model, n, xyz, radius, options, NULL), expected);
-  CHECK_EQUAL(balls_held(), 0);
+  check_as_made();
 }
 
 static void bytes_and_init(void) {
@@ -117,7 +132,7 @@ static void bad_options(void) {
     options.step = numbers[i].step;
     CHECK_EQUAL(hsp_model_set(model, BALLS, good_xyz, good_radius, &options, &bad), numbers[i].expected);
     CHECK(bad == HSP_NONE || (numbers[i].expected == HSP_E_RANGE && bad < BALLS));
-    CHECK_EQUAL(balls_held(), 0);
+    check_as_made();
   }
   check_scene("options are checked without balls, too");
   options.probe = NAN;

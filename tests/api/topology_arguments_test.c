@@ -278,6 +278,7 @@ static void changes(void) {
   CHECK_EQUAL(hsp_boundary_compute(too_small, model), HSP_E_CAPACITY);
   CHECK_EQUAL(hsp_topology_compute(topology, too_small), HSP_E_STATE);
   check_all_readers(topology, HSP_E_STATE); /* results of the other boundary are gone, too */
+  CHECK_EQUAL(hsp_topology_get_needed(topology, &needed_limits), HSP_E_STATE);
   CHECK_EQUAL(hsp_topology_compute(topology, boundary), HSP_OK);
   check_has_results();
   check_scene("figures, queries, measures and checks change nothing");

@@ -116,6 +116,7 @@ static void check_refused(const hsp_model *from, const hsp_boundary *cut_from, c
   check_has_results();
   CHECK_EQUAL(hsp_view_compute(view, from, cut_from, options), expected);
   check_all_readers(view, HSP_E_STATE);
+  CHECK_EQUAL(hsp_view_get_needed(view, &needed_limits), HSP_E_STATE);
 }
 
 static void bad_options(void) {

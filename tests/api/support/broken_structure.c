@@ -263,10 +263,11 @@ static const char *broken_law(const computed *c) {
                                      "hsp_boundary_check: law 9",
                                      "hsp_boundary_check: law 10",
                                      "hsp_boundary_check: law 11"};
-  uint32_t law = HSP_NONE, where = HSP_NONE;
+  uint32_t law = 77, where = 77;
   const int32_t status = hsp_boundary_check(c->boundary, &law, &where);
   if (law >= sizeof laws / sizeof laws[0]) return "hsp_boundary_check: a law that there is not";
-  if (status == HSP_OK) return law == 0 ? NULL : "hsp_boundary_check: HSP_OK with a law";
+  if (status == HSP_OK)
+    return law == 0 && where == HSP_NONE ? NULL : "hsp_boundary_check: HSP_OK with a law or a place";
   return laws[law];
 }
 

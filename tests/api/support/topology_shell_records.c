@@ -293,10 +293,11 @@ static const char *broken_law(const topology_result *t) {
                                      "hsp_topology_check: law 6",
                                      "hsp_topology_check: law 7",
                                      "hsp_topology_check: law 8"};
-  uint32_t law = HSP_NONE, where = HSP_NONE;
+  uint32_t law = 77, where = 77;
   const int32_t status = hsp_topology_check(t->topology, &law, &where);
   if (law >= sizeof laws / sizeof laws[0]) return "hsp_topology_check: a law that there is not";
-  if (status == HSP_OK) return law == 0 ? NULL : "hsp_topology_check: HSP_OK with a law";
+  if (status == HSP_OK)
+    return law == 0 && where == HSP_NONE ? NULL : "hsp_topology_check: HSP_OK with a law or a place";
   return laws[law];
 }
 

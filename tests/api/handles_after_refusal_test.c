@@ -1,0 +1,160 @@
+/* A refused call of any function but set and compute leaves what a handle holds as it is. */
+#include <hardsphere.h>
+#include <math.h>
+
+#include "check.h"
+#include "four_handles.h"
+
+static int32_t refuse_bytes(void *context, const char *bytes, size_t count) {
+  (void)context;
+  (void)bytes;
+  return count > 0;
+}
+
+static void refused_of_model(void) {
+  const four_handles h = four_handles_make(BALLS);
+  static const double nowhere[3] = {0, NAN, 0}, far_away[3] = {0, 0, 1e300};
+  hsp_model *made = NULL;
+  model_contents before, after;
+  uint32_t ids[BALLS], count;
+  int32_t meets;
+  four_handles_set(&h, BALLS);
+  before = contents_of_model(h.model);
+  CHECK_EQUAL(before.hit_count, 3);
+  CHECK_EQUAL(hsp_model_init(h.model_memory, 10, BALLS, &made), HSP_E_MEMORY);
+  CHECK_EQUAL(hsp_model_init(h.model_memory, SIZE, BALLS, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_model_init(h.model_memory, SIZE, HSP_NONE, &made), HSP_E_RANGE);
+  CHECK_EQUAL(hsp_model_set(NULL, BALLS, four_xyz, four_radius, NULL, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_model_get_info(h.model, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_model_get_figures(h.model, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_query_point(h.model, NULL, ids, BALLS, &count), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_query_point(h.model, nowhere, ids, BALLS, &count), HSP_E_NOT_FINITE);
+  CHECK_EQUAL(hsp_query_ball(h.model, far_away, 1, ids, BALLS, &count), HSP_E_RANGE);
+  CHECK_EQUAL(hsp_query_ball(h.model, four_inside, 1, ids, 1, &count), HSP_E_CAPACITY);
+  CHECK_EQUAL(hsp_query_meets(h.model, four_inside, -1, &meets), HSP_E_NEGATIVE);
+  CHECK_EQUAL(hsp_query_neighbours(h.model, BALLS, ids, BALLS, &count), HSP_E_ID);
+  CHECK_EQUAL(hsp_boundary_compute(NULL, h.model), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_view_compute(NULL, h.model, NULL, NULL), HSP_E_ARGUMENT);
+  after = contents_of_model(h.model);
+  CHECK_BYTES(&after, &before, sizeof after);
+}
+
+static void refused_of_boundary(void) {
+  const four_handles h = four_handles_make(BALLS);
+  hsp_boundary_limits limits = four_boundary_limits(BALLS);
+  hsp_topology_limits of_topology;
+  hsp_boundary *made = NULL;
+  contents before;
+  double number[3 * BALLS];
+  hsp_vertex vertex;
+  uint32_t law, where, count;
+  four_handles_compute(&h);
+  before = contents_of_boundary(h.boundary);
+  CHECK_EQUAL(hsp_boundary_init(h.boundary_memory, 10, &limits, &made), HSP_E_MEMORY);
+  limits.reserved = 1;
+  CHECK_EQUAL(hsp_boundary_init(h.boundary_memory, SIZE, &limits, &made), HSP_E_ARGUMENT);
+  limits = four_boundary_limits(BALLS);
+  limits.circles = HSP_NONE;
+  CHECK_EQUAL(hsp_boundary_init(h.boundary_memory, SIZE, &limits, &made), HSP_E_RANGE);
+  CHECK_EQUAL(hsp_boundary_get_needed(h.boundary, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_get_counts(h.boundary, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_get_vertices(h.boundary, &vertex, 1, &count), HSP_E_CAPACITY);
+  CHECK_EQUAL(hsp_boundary_get_arcs(h.boundary, NULL, 0, &count), HSP_E_CAPACITY);
+  CHECK_EQUAL(hsp_boundary_get_circles(h.boundary, NULL, 1, &count), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_get_faces(h.boundary, NULL, 0, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_get_balls(h.boundary, NULL, 0, &count), HSP_E_CAPACITY);
+  CHECK_EQUAL(hsp_boundary_measure(h.boundary, NULL, number, NULL, BALLS - 1), HSP_E_CAPACITY);
+  CHECK_EQUAL(hsp_boundary_measure_selected(h.boundary, NULL, NULL, NULL, number, 0), HSP_E_CAPACITY);
+  CHECK_EQUAL(hsp_boundary_measure_faces(h.boundary, number, NULL, 1), HSP_E_CAPACITY);
+  CHECK_EQUAL(hsp_boundary_gradient(h.boundary, NULL, NAN, 0, HSP_TANGENT_MEETING, NULL, NULL, NULL, NULL, 0),
+              HSP_E_NOT_FINITE);
+  CHECK_EQUAL(hsp_boundary_gradient(h.boundary, NULL, 1, 0, 2, NULL, NULL, NULL, NULL, 0), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_get_area_row(h.boundary, BALLS, HSP_TANGENT_APART, NULL, 0, &count), HSP_E_ID);
+  CHECK_EQUAL(hsp_boundary_check(h.boundary, NULL, &where), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_check(h.boundary, &law, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_limits_for(&of_topology, 0, h.boundary), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_compute(NULL, h.boundary), HSP_E_ARGUMENT);
+  check_same_contents(&before, contents_of_boundary(h.boundary));
+}
+
+static void refused_of_topology(void) {
+  const four_handles h = four_handles_make(BALLS);
+  static const double nowhere[3] = {0, NAN, 0};
+  hsp_topology_limits limits = four_topology_limits(BALLS);
+  hsp_topology *made = NULL;
+  contents before;
+  hsp_topology_edge edge;
+  hsp_simple_face face;
+  hsp_topology_vertex vertex;
+  uint32_t ids[2], cell, law, where, count;
+  int32_t same;
+  four_handles_compute(&h);
+  before = contents_of_topology(h.topology);
+  CHECK_EQUAL(hsp_topology_init(h.topology_memory, 10, &limits, &made), HSP_E_MEMORY);
+  limits.struct_size = 0;
+  CHECK_EQUAL(hsp_topology_init(h.topology_memory, SIZE, &limits, &made), HSP_E_ARGUMENT);
+  limits = four_topology_limits(BALLS);
+  limits.edges = HSP_NONE;
+  CHECK_EQUAL(hsp_topology_init(h.topology_memory, SIZE, &limits, &made), HSP_E_RANGE);
+  CHECK_EQUAL(hsp_topology_get_needed(h.topology, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_get_counts(h.topology, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_get_quad_edges(h.topology, ids, NULL, 0, &count), HSP_E_CAPACITY);
+  CHECK_EQUAL(hsp_topology_get_vertex(h.topology, HSP_NONE, &vertex), HSP_E_ID);
+  CHECK_EQUAL(hsp_topology_get_edge(h.topology, HSP_NONE, &edge), HSP_E_ID);
+  CHECK_EQUAL(hsp_topology_get_face(h.topology, HSP_NONE, &face), HSP_E_ID);
+  CHECK_EQUAL(hsp_topology_get_vertices(h.topology, &vertex, 1, &count), HSP_E_CAPACITY);
+  CHECK_EQUAL(hsp_topology_get_edges(h.topology, &edge, 1, &count), HSP_E_CAPACITY);
+  CHECK_EQUAL(hsp_topology_get_faces(h.topology, &face, 1, &count), HSP_E_CAPACITY);
+  CHECK_EQUAL(hsp_topology_get_shells(h.topology, NULL, 0, &count), HSP_E_CAPACITY);
+  CHECK_EQUAL(hsp_topology_get_components(h.topology, NULL, 1, &count), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_get_cells(h.topology, NULL, 0, &count), HSP_E_CAPACITY);
+  CHECK_EQUAL(hsp_topology_get_cell_shells(h.topology, HSP_NONE, ids, 2, &count), HSP_E_ID);
+  CHECK_EQUAL(hsp_topology_get_scan(h.topology, 0, ids, 1, &count), HSP_E_CAPACITY);
+  CHECK_EQUAL(hsp_topology_locate(h.topology, nowhere, &cell, NULL, 0, NULL), HSP_E_NOT_FINITE);
+  CHECK_EQUAL(hsp_topology_locate(h.topology, four_inside, &cell, ids, 1, &count), HSP_E_CAPACITY);
+  CHECK_EQUAL(hsp_topology_same_cell(h.topology, four_inside, nowhere, &same), HSP_E_NOT_FINITE);
+  CHECK_EQUAL(hsp_topology_check(h.topology, NULL, &where), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_check(h.topology, &law, NULL), HSP_E_ARGUMENT);
+  check_same_contents(&before, contents_of_topology(h.topology));
+}
+
+static void refused_of_view(void) {
+  const four_handles h = four_handles_make(BALLS);
+  static const uint32_t no_colours[BALLS] = {0, 0, 0, 0x1000000};
+  hsp_view_limits limits = four_view_limits(BALLS);
+  hsp_view *made = NULL;
+  contents before;
+  hsp_view_piece piece;
+  hsp_view_loop loop;
+  hsp_view_arc arc;
+  hsp_picture_options options;
+  uint32_t count;
+  four_handles_compute(&h);
+  before = contents_of_view(h.view);
+  CHECK_EQUAL(hsp_view_init(h.view_memory, 10, &limits, &made), HSP_E_MEMORY);
+  limits.arcs = HSP_NONE;
+  CHECK_EQUAL(hsp_view_init(h.view_memory, SIZE, &limits, &made), HSP_E_RANGE);
+  CHECK_EQUAL(hsp_view_init(h.view_memory, SIZE, NULL, &made), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_view_get_needed(h.view, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_view_get_info(h.view, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_view_get_pieces(h.view, &piece, 1, &count), HSP_E_CAPACITY);
+  CHECK_EQUAL(hsp_view_get_loops(h.view, &loop, 1, &count), HSP_E_CAPACITY);
+  CHECK_EQUAL(hsp_view_get_arcs(h.view, &arc, 1, &count), HSP_E_CAPACITY);
+  CHECK_EQUAL(hsp_picture_options_init(&options, (uint32_t)sizeof options), HSP_OK);
+  options.margin = NAN;
+  CHECK_EQUAL(hsp_picture_write(h.view, NULL, &options, NULL, NULL, refuse_bytes, NULL, NULL), HSP_E_NOT_FINITE);
+  options.margin = -1;
+  CHECK_EQUAL(hsp_picture_write(h.view, NULL, &options, NULL, NULL, refuse_bytes, NULL, NULL), HSP_E_RANGE);
+  CHECK_EQUAL(hsp_picture_write(h.view, no_colours, NULL, NULL, NULL, refuse_bytes, NULL, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_picture_write(h.view, NULL, NULL, NULL, NULL, NULL, NULL, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_picture_write(h.view, NULL, NULL, NULL, NULL, refuse_bytes, NULL, NULL), HSP_E_SINK);
+  check_same_contents(&before, contents_of_view(h.view));
+}
+
+int main(void) {
+  refused_of_model();
+  refused_of_boundary();
+  refused_of_topology();
+  refused_of_view();
+  return check_report();
+}

@@ -1,0 +1,74 @@
+/* One handle of each kind over a small set of balls, and what they hold, to be compared before and after a call. */
+#ifndef HSP_TESTS_FOUR_HANDLES_H
+#define HSP_TESTS_FOUR_HANDLES_H
+
+#include <hardsphere.h>
+
+enum { BALLS = 4, FEW = 1, VERTICES = 8, EDGES = 64, ARCS = 64, SIZE = 65536 };
+
+/* Three balls that have two vertices in common, one apart. */
+extern const double four_xyz[3 * BALLS];
+extern const double four_radius[BALLS];
+extern const double four_inside[3]; /* a point that three of them contain */
+
+/* The handles and their memory, SIZE bytes each. */
+typedef struct four_handles {
+  hsp_model *model;
+  hsp_boundary *boundary;
+  hsp_topology *topology;
+  hsp_view *view;
+  void *model_memory, *boundary_memory, *topology_memory, *view_memory;
+} four_handles;
+
+/* Limits that suffice for all balls, or for so few of them. */
+hsp_boundary_limits four_boundary_limits(uint32_t balls);
+hsp_topology_limits four_topology_limits(uint32_t balls);
+hsp_view_limits four_view_limits(uint32_t balls);
+
+/* Empty handles: model and boundary have room for all balls, the others for so many. Always in the same memory. */
+four_handles four_handles_make(uint32_t balls);
+
+/* Sets the model to the first balls. */
+void four_handles_set(const four_handles *h, uint32_t balls);
+
+/* Sets the model to all balls and computes everything, which must succeed. */
+void four_handles_compute(const four_handles *h);
+
+/* What a model holds. */
+typedef struct model_contents {
+  hsp_model_info info;
+  uint32_t hits[BALLS], neighbours[BALLS], hit_count;
+  int32_t neighbours_status;
+} model_contents;
+
+model_contents contents_of_model(const hsp_model *model);
+
+/* What another handle holds, as its functions tell: the statuses of reading it and of its get_needed, and what they
+ * wrote. */
+typedef struct contents {
+  union {
+    hsp_boundary_counts boundary;
+    hsp_topology_counts topology;
+    hsp_view_info view;
+  } counts;
+  union {
+    hsp_boundary_limits boundary;
+    hsp_topology_limits topology;
+    hsp_view_limits view;
+  } needed;
+  union {
+    hsp_vertex vertices[VERTICES];
+    hsp_topology_edge edges[EDGES];
+    hsp_view_arc arcs[ARCS];
+  } records;
+  int32_t status, needed_status;
+} contents;
+
+contents contents_of_boundary(const hsp_boundary *boundary);
+contents contents_of_topology(const hsp_topology *topology);
+contents contents_of_view(const hsp_view *view);
+
+void check_statuses(contents read, int32_t status, int32_t needed_status);
+void check_same_contents(const contents *a, contents b);
+
+#endif
