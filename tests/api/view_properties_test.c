@@ -165,6 +165,40 @@ static void few_balls(void) {
   }
 }
 
+/* A ball buried by six others, inside none of them. Its front outside farther balls is not empty, but with a boundary
+ * it has no piece, as it has no face. */
+static void buried_ball(void) {
+  ball_set s;
+  int way, direction;
+  ball_set_start(&s, "a buried ball", 1e-8);
+  ball_set_add(&s, 1, 0, 0, 1.3);
+  ball_set_add(&s, -1, 0, 0, 1.3);
+  ball_set_add(&s, 0, 1, 0, 1.3);
+  ball_set_add(&s, 0, 0, 0, 1);
+  ball_set_add(&s, 0, -1, 0, 1.3);
+  ball_set_add(&s, 0, 0, 1, 1.3);
+  ball_set_add(&s, 0, 0, -1, 1.3);
+  for (way = 0; way < WAYS; ++way) {
+    for (direction = 0; direction < DIRECTIONS; ++direction) {
+      const hsp_view_options options = options_for(direction, way);
+      const int cut_from_all = options.pieces == HSP_PIECES_H || ways[way].with_boundary;
+      computed c;
+      view_result v;
+      uint32_t i, buried = 0;
+      check_scene("%s, direction %d, way %d", s.name, direction, way);
+      CHECK_EQUAL(computed_make(s.n, s.xyz, s.radius, NULL, &c), HSP_OK);
+      CHECK_EQUAL(c.balls[3].faces, 0);
+      CHECK_EQUAL(c.counts.contained_balls, 0);
+      CHECK_EQUAL(view_result_make(&c, &options, ways[way].with_boundary, &v), HSP_OK);
+      for (i = 0; i < v.info.pieces; ++i) buried += v.pieces[i].ball == 3;
+      if (cut_from_all) CHECK_EQUAL(buried, 0);
+      if (!cut_from_all && (options.flags & HSP_VIEW_ALL_BALLS) != 0) CHECK_EQUAL(buried, 1);
+      check_nothing_broken(broken_view_records(&v));
+      release(&v, &c);
+    }
+  }
+}
+
 /* Which balls are found hidden does not depend on the order either, nor do the limits: the second ball sticks out of
  * the first one behind, and no piece of it is seen. */
 static void hidden_in_any_order(void) {
@@ -283,6 +317,7 @@ static void touching_balls(void) {
 int main(void) {
   every_set();
   few_balls();
+  buried_ball();
   hidden_in_any_order();
   two_balls();
   touching_balls();

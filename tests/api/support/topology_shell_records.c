@@ -52,6 +52,30 @@ static const char *tally_up(const topology_result *t, tally *tallies) {
   return NULL;
 }
 
+/* Whether ball i comes before ball j by (x, y, z, radius), whatever rounding to the lattice does to them. */
+static int surely_ranks_before(const computed *c, uint32_t i, uint32_t j) {
+  int k;
+  for (k = 0; k < 4; ++k) {
+    const double a = k < 3 ? c->xyz[3 * i + (uint32_t)k] : c->radius[i];
+    const double b = k < 3 ? c->xyz[3 * j + (uint32_t)k] : c->radius[j];
+    if (a != b) return b - a > 4 * c->rounding;
+  }
+  return 0;
+}
+
+/* Whether a simple face of the shell lies on a ball of lower rank than its start_face, or comes before it on its ball.
+ */
+static int starts_late(const topology_result *t, uint32_t shell) {
+  const uint32_t start = t->shells[shell].start_face;
+  uint32_t i;
+  for (i = 0; i < t->counts.simple_faces; ++i) {
+    if (t->faces[i].shell != shell) continue;
+    if (surely_ranks_before(t->base, t->faces[i].ball, t->faces[start].ball)) return 1;
+    if (t->faces[i].ball == t->faces[start].ball && i < start) return 1;
+  }
+  return 0;
+}
+
 static const char *broken_shell(const topology_result *t, uint32_t id, const tally *counted) {
   const hsp_shell *s = t->shells + id;
   const double rounding = area_rounding(t, s->faces), r = t->base->info.largest_radius;
@@ -75,6 +99,9 @@ static const char *broken_shell(const topology_result *t, uint32_t id, const tal
   if (s->kind == HSP_SHELL_VOID && t->cells[s->cell].wall != id) return "shell: of a void whose wall it is not";
   if (s->start_face >= t->counts.simple_faces || t->faces[s->start_face].shell != id) {
     return "shell: start_face is none of its simple faces";
+  }
+  if (s->kind == HSP_SHELL_VOID && starts_late(t, id)) {
+    return "shell: the start_face of a void is not the first on its ball of lowest rank";
   }
   if (!(s->area >= -rounding && s->volume >= -rounding * r)) return "shell: negative area or volume";
   if (!(36 * pi * s->volume * s->volume <= bound * (1 + 1e-9) + rounding * rounding * r * r)) {

@@ -141,6 +141,7 @@ static const char *broken_pieces(const view_result *v) {
     const hsp_view_piece *piece = &v->pieces[i];
     double from_origin[3];
     if (piece->ball >= c->n) return "piece of no ball";
+    if (v->with_boundary && c->balls[piece->ball].faces == 0) return "piece of a ball without faces";
     for (j = 0; j < i; ++j) {
       if (v->pieces[j].ball == piece->ball) return "two pieces of one ball";
     }
