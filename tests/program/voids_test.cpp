@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <iterator>
 #include <numbers>
 #include <sstream>
 #include <string>
@@ -153,6 +154,58 @@ TEST(Voids, ACageInACage) {
   }
   EXPECT_GT(inner_outside, 0);
   EXPECT_NEAR(voids[0]["volume"].number, 8000 * volume_in_cage() - inner_outside, 1e-1);
+}
+
+// A ball apart, a cage, and a ball in the cage's void: components in the order of their first balls. The table lists
+// the shells as the JSON does.
+TEST(Voids, ShellsOfABallApartACageAndABallInIt) {
+  const TemporaryFile file("three.xyzr", "100 0 0 2\n" + cage(20) + "0 0 0 1\n");
+  const Json json = run_json({"boundary", file.path(), "--shells"});
+  EXPECT_EQ(json["components"].number, 3);
+  EXPECT_EQ(json["voids"].number, 1);
+  const std::vector<Json> &shells = json["shell_list"].items;
+  ASSERT_EQ(shells.size(), 4u);
+  struct Expected {
+    const char *kind;
+    double component, cell, faces;
+    double radius;  // of the ball with this volume; 0: not known in closed form
+  };
+  const Expected all[] = {{"outer", 0, 0, 1, 2},
+                          {"outer", 1, 0, 6, 0},
+                          {"void", 1, 1, 6, 20 * std::cbrt(volume_in_cage() * 3 / (4 * pi))},
+                          {"outer", 2, 1, 1, 1}};
+  std::istringstream table(run_program({"boundary", file.path()}).out);
+  for (std::string line; std::getline(table, line) && line.find("encloses") == std::string::npos;) continue;
+  for (size_t i = 0; i < 4; ++i) {
+    const Json &shell = shells[i];
+    const auto expected = std::find_if(std::begin(all), std::end(all), [&](const Expected &one) {
+      return shell["component"].number == one.component && shell["kind"].text == one.kind;
+    });
+    ASSERT_NE(expected, std::end(all)) << i;
+    EXPECT_EQ(shell["cell"].number, expected->cell) << i;
+    EXPECT_EQ(shell["faces"].number, expected->faces) << i;
+    EXPECT_EQ(shell["euler"].number, 2) << i;
+    EXPECT_EQ(shell["genus"].number, 0) << i;
+    if (expected->radius > 0) {
+      EXPECT_NEAR(std::cbrt(shell["volume"].number * 3 / (4 * pi)), expected->radius, 1e-4) << i;
+    }
+    size_t number = 77;
+    std::string kind;
+    double component = 77;
+    double faces = 77;
+    double genus = 77;
+    table >> number >> kind >> component >> faces >> genus;
+    EXPECT_EQ(number, i);
+    EXPECT_EQ(kind, expected->kind) << i;
+    EXPECT_EQ(component, expected->component) << i;
+    EXPECT_EQ(faces, expected->faces) << i;
+    EXPECT_EQ(genus, 0) << i;
+    std::getline(table, kind);
+    for (size_t other = 0; other < i; ++other) {
+      EXPECT_TRUE(shells[other]["component"].number != expected->component ||
+                  shells[other]["kind"].text != expected->kind);
+    }
+  }
 }
 
 // A ring of balls is a torus.

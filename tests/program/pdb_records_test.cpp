@@ -1,0 +1,148 @@
+// Which records of a .pdb file are atoms of their own, and of which element: alternate locations that differ in one
+// part of their label alone, and elements where columns 77-78 and the atom name leave room for doubt.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "program_runner.hpp"
+#include "temporary_file.hpp"
+
+namespace {
+
+// The parts of an ATOM record that tell atoms apart, as they stand in their columns.
+struct Record {
+  const char *name = " CA ";     // columns 13-16
+  char letter = ' ';             // 17: alternate location
+  const char *residue = "ALA";   // 18-20
+  const char *place = "A  52 ";  // 22-27: chain, number, insertion code
+  const char *segment = "    ";  // 73-76
+  const char *element = " C";    // 77-78
+};
+
+// One record after the other, 10 angstrom apart along x.
+std::string pdb(const std::vector<Record> &records) {
+  std::string text;
+  for (size_t i = 0; i < records.size(); ++i) {
+    const Record &r = records[i];
+    char line[100];
+    std::snprintf(line, sizeof line, "ATOM  %5d %4s%c%3s %6s   %8.3f%8.3f%8.3f  1.00  0.00      %4s%2s\n",
+                  static_cast<int>(i) + 1, r.name, r.letter, r.residue, r.place, 10.0 * static_cast<double>(i), 0.0,
+                  0.0, r.segment, r.element);
+    text += line;
+  }
+  return text;
+}
+
+// Which of the records are read, and the element of each.
+struct Atoms {
+  std::vector<int> records;
+  std::vector<std::string> elements;
+};
+
+Atoms atoms_of(const std::vector<Record> &records) {
+  const TemporaryFile file("records.pdb", pdb(records));
+  const Outcome outcome = run_program({"measure", file.path(), "--per-ball", "--csv"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  Atoms atoms;
+  std::istringstream lines(outcome.out);
+  std::string line;
+  std::getline(lines, line);
+  EXPECT_EQ(line, "ball,atom,element,chain,residue,number,insertion,x,y,z,radius,area");
+  while (std::getline(lines, line)) {
+    std::vector<std::string> fields;
+    std::istringstream parts(line);
+    for (std::string part; std::getline(parts, part, ',');) fields.push_back(part);
+    if (fields.size() != 12) {
+      ADD_FAILURE() << line;
+      break;
+    }
+    atoms.records.push_back(static_cast<int>(std::stod(fields[7]) / 10.0 + 0.5));
+    atoms.elements.push_back(fields[2]);
+  }
+  return atoms;
+}
+
+Record with_letter(Record record, char letter) {
+  record.letter = letter;
+  return record;
+}
+
+// Two atoms with locations A and B, then B and C: the first of each counts if they differ in any part of their label.
+// If a part were left out, the second atom would be an alternate of the first one, which has location A.
+TEST(PdbRecords, AlternatesOfAtomsThatDifferInOnePart) {
+  Record name, chain, number, insertion, segment;
+  name.name = " CB ";
+  chain.place = "B  52 ";
+  number.place = "A  53 ";
+  insertion.place = "A  52A";
+  segment.segment = "SEGB";
+  for (const Record &other : {name, chain, number, insertion, segment}) {
+    const std::string label = std::string(other.name) + other.place + other.segment;
+    EXPECT_EQ(atoms_of({with_letter({}, 'A'), with_letter({}, 'B'), with_letter(other, 'B'), with_letter(other, 'C')})
+                  .records,
+              (std::vector<int>{0, 2}))
+        << label;
+    // the other way round, and in turn
+    EXPECT_EQ(atoms_of({with_letter(other, 'A'), with_letter(other, 'B'), with_letter({}, 'B'), with_letter({}, 'C')})
+                  .records,
+              (std::vector<int>{0, 2}))
+        << label;
+    EXPECT_EQ(atoms_of({with_letter({}, 'A'), with_letter(other, 'B'), with_letter({}, 'B'), with_letter(other, 'C')})
+                  .records,
+              (std::vector<int>{0, 1}))
+        << label;
+  }
+}
+
+// Alternates of one atom in residues of different names: what counts is the location of the residue's first record.
+TEST(PdbRecords, AlternatesOfAResidueWithTwoNames) {
+  Record serine;
+  serine.residue = "SER";
+  EXPECT_EQ(atoms_of({with_letter({}, 'A'), with_letter(serine, 'B')}).records, (std::vector<int>{0}));
+  Record beta = serine;
+  beta.name = " OG ";
+  beta.element = " O";
+  EXPECT_EQ(atoms_of({with_letter({}, 'A'), with_letter(beta, 'B')}).records, (std::vector<int>{0}));
+  beta.segment = "SEGB";
+  EXPECT_EQ(atoms_of({with_letter({}, 'A'), with_letter(beta, 'B')}).records, (std::vector<int>{0, 1}));
+  beta.segment = serine.segment;
+  beta.place = "A  52A";
+  EXPECT_EQ(atoms_of({with_letter({}, 'A'), with_letter(beta, 'B')}).records, (std::vector<int>{0, 1}));
+}
+
+std::string element_of(const char *name, const char *element) {
+  Record record;
+  record.name = name;
+  record.element = element;
+  const std::vector<std::string> elements = atoms_of({record}).elements;
+  return elements.size() == 1 ? elements[0] : "";
+}
+
+// Columns 77-78 decide, wherever the symbol stands in them; the name would say calcium, mercury, or nothing.
+TEST(PdbRecords, ElementsByTheirColumns) {
+  EXPECT_EQ(element_of("CA  ", " C"), "C");
+  EXPECT_EQ(element_of("CA  ", "C "), "C");
+  EXPECT_EQ(element_of("CA  ", "C1"), "C");  // a charge
+  EXPECT_EQ(element_of("HG  ", "H "), "H");
+  EXPECT_EQ(element_of("CA  ", "CA"), "Ca");
+  EXPECT_EQ(element_of(" CA ", "CA"), "Ca");
+  EXPECT_EQ(element_of("1234", "N "), "N");
+  EXPECT_EQ(element_of("CA  ", "  "), "Ca");
+  EXPECT_EQ(element_of(" CA ", "  "), "C");
+}
+
+// Names of four characters that begin with D are deuterium, though dubnium, darmstadtium and dysprosium are elements
+// too; likewise with H, which begins hafnium, mercury, holmium, hassium and helium.
+TEST(PdbRecords, HydrogensByTheirNames) {
+  for (const char *name : {"DB11", "DS12", "DY21", "DD21", "db11", "HF11", "HG11", "HO11", "HS12", "HE21", "HH22"}) {
+    EXPECT_EQ(element_of(name, "  "), "H") << name;
+  }
+  EXPECT_EQ(element_of("HG  ", "  "), "Hg");
+  EXPECT_EQ(element_of("CL12", "  "), "Cl");
+  EXPECT_EQ(element_of("CAA1", "  "), "C");
+}
+
+}  // namespace
