@@ -83,7 +83,10 @@ int32_t computed_make(uint32_t n, const double *xyz, const double *radius, const
     c->radius[i] = radius[i] + c->info.probe;
     c->rounding = fmax(c->rounding, moved_by_lattice(radius[i], c->info.step));
   }
-  for (i = 0; i < 3 * n; ++i) c->rounding = fmax(c->rounding, moved_by_lattice(xyz[i], c->info.step));
+  for (i = 0; i < 3 * n; ++i) {
+    c->extent = fmax(c->extent, fabs(xyz[i]));
+    c->rounding = fmax(c->rounding, moved_by_lattice(xyz[i], c->info.step));
+  }
 
   status = compute_boundary(c);
   if (status == HSP_OK) status = read_boundary(c);

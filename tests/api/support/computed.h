@@ -15,6 +15,7 @@ typedef struct computed {
   uint32_t n;
   double *xyz;     /* copy of the input */
   double *radius;  /* radius plus probe */
+  double extent;   /* the largest coordinate of a centre, without its sign */
   double rounding; /* the most by which the lattice moves a coordinate or radius */
   void *model_memory;
   void *boundary_memory;

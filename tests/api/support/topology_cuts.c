@@ -120,12 +120,6 @@ static const char *broken_edge_records(const topology_result *t) {
   return extra == t->counts.extra_edges ? NULL : "extra_edges is not the number of edges of that kind";
 }
 
-/* What the pieces of one arc or circle add up to. */
-typedef struct pieces {
-  uint32_t count;
-  double angle;
-} pieces;
-
 /* An edge's left side lies on the axis's side, so with ball a on its left, the lower one, it runs against the
  * boundary's sense. `start` and `end` as the boundary has them. */
 static const char *broken_piece(const topology_result *t, const hsp_topology_edge *edge, const uint32_t ball[2],
@@ -142,54 +136,117 @@ static const char *broken_piece(const topology_result *t, const hsp_topology_edg
   return NULL;
 }
 
-/* The pieces of an arc or circle are as many edges, end to end: the balance of starts and ends at every vertex is that
- * of the source's ends, and the angles sum to the source's. */
+/* An edge as a piece of the arc or circle that it comes from, in the boundary's sense. */
+typedef struct piece {
+  uint32_t kind, source;
+  uint32_t start, end; /* vertices */
+  double angle;
+} piece;
+
+static int by_source_and_start(const void *a, const void *b) {
+  const piece *p = a, *q = b;
+  if (p->kind != q->kind) return p->kind < q->kind ? -1 : 1;
+  if (p->source != q->source) return p->source < q->source ? -1 : 1;
+  return p->start < q->start ? -1 : p->start > q->start;
+}
+
+/* Whether the pieces lead one after the other from a vertex to another (or around, if they are the same), each once,
+ * and turn by the angle in all. */
+static const char *broken_chain(const piece *pieces, uint32_t count, uint32_t from, uint32_t to, double angle) {
+  piece next = pieces[0];
+  uint32_t k;
+  double sum = 0;
+  next.start = from;
+  for (k = 0; k < count; ++k) {
+    const piece *found = bsearch(&next, pieces, count, sizeof *pieces, by_source_and_start);
+    if (k > 0 && pieces[k].start == pieces[k - 1].start) return "two pieces of an arc or circle start at one vertex";
+    if (found == NULL) return "a gap between the pieces of an arc or circle";
+    next.start = found->end;
+    if (next.start == to && k + 1 < count) return "pieces of an arc or circle beside those from its start to its end";
+    sum += pieces[k].angle;
+  }
+  if (next.start != to) return "the pieces of an arc or circle do not end where it ends";
+  return fabs(sum - angle) <= 1e-9 ? NULL : "the pieces of an arc or circle do not add up to its angle";
+}
+
+/* `pieces` has room for all edges; *count becomes the number of those that are pieces of arcs and circles. */
+static const char *sorted_pieces(const topology_result *t, piece *pieces, uint32_t *count) {
+  uint32_t i;
+  *count = 0;
+  for (i = 0; i < t->counts.edges; ++i) {
+    const hsp_topology_edge *edge = t->edges + i;
+    piece *p = pieces + *count;
+    const int of_arc = edge->kind == HSP_EDGE_ARC;
+    const char *broken;
+    if (edge->kind == HSP_EDGE_EXTRA) continue;
+    broken = broken_piece(t, edge, of_arc ? t->base->arcs[edge->source].ball : t->base->circles[edge->source].ball,
+                          of_arc ? t->base->arcs[edge->source].face : t->base->circles[edge->source].face, &p->start,
+                          &p->end);
+    if (broken != NULL) return broken;
+    p->kind = edge->kind;
+    p->source = edge->source;
+    p->angle = edge->angle;
+    ++*count;
+  }
+  qsort(pieces, *count, sizeof *pieces, by_source_and_start);
+  return NULL;
+}
+
+/* Every arc is one chain of edges, every free circle one ring of at least two. */
 static const char *broken_pieces(const topology_result *t) {
   const computed *c = t->base;
-  const char *broken = NULL;
-  uint32_t i, e, start = 0, end = 0;
-  /* per vertex and source: the sum of hashes of the sources that start there less that of those that end there */
-  uint64_t *balance = calloc((size_t)t->counts.vertices + 1, sizeof *balance);
-  pieces *of_arc = calloc((size_t)c->counts.arcs + 1, sizeof *of_arc);
-  pieces *of_circle = calloc((size_t)c->counts.circles + 1, sizeof *of_circle);
-  if (balance == NULL || of_arc == NULL || of_circle == NULL) exit(2);
-  for (i = 0; i < t->counts.edges && broken == NULL; ++i) {
-    const hsp_topology_edge *edge = t->edges + i;
-    pieces *of;
-    uint64_t name;
-    if (edge->kind == HSP_EDGE_EXTRA) continue;
-    if (edge->kind == HSP_EDGE_ARC) {
-      const hsp_arc *arc = c->arcs + edge->source;
-      broken = broken_piece(t, edge, arc->ball, arc->face, &start, &end);
-      of = of_arc + edge->source;
+  uint32_t i, count = 0, first = 0, arcs = 0, circles = 0;
+  piece *pieces = calloc((size_t)t->counts.edges + 1, sizeof *pieces);
+  const char *broken;
+  if (pieces == NULL) exit(2);
+  broken = sorted_pieces(t, pieces, &count);
+  for (i = 0; i < count && broken == NULL; ++i) {
+    const piece *p = pieces + i;
+    if (i + 1 < count && p[1].kind == p->kind && p[1].source == p->source) continue;
+    if (p->kind == HSP_EDGE_ARC) {
+      const hsp_arc *arc = c->arcs + p->source;
+      broken = broken_chain(pieces + first, i + 1 - first, arc->vertex[0], arc->vertex[1], arc->angle);
+      ++arcs;
     } else {
-      const hsp_circle *circle = c->circles + edge->source;
-      broken = broken_piece(t, edge, circle->ball, circle->face, &start, &end);
-      of = of_circle + edge->source;
+      if (i == first) broken = "a free circle of fewer than two edges";
+      if (broken == NULL) broken = broken_chain(pieces + first, i + 1 - first, p->start, p->start, 2 * pi);
+      ++circles;
     }
-    name = (2 * (uint64_t)edge->source + (edge->kind == HSP_EDGE_ARC) + 1) * UINT64_C(0x9E3779B97F4A7C15);
-    name ^= name >> 31;
-    balance[start] += name;
-    balance[end] -= name;
-    ++of->count;
-    of->angle += edge->angle;
+    first = i + 1;
   }
-  for (i = 0; i < c->counts.arcs && broken == NULL; ++i) {
-    const uint64_t name = (2 * (uint64_t)i + 2) * UINT64_C(0x9E3779B97F4A7C15);
-    if (of_arc[i].count == 0) broken = "an arc without an edge";
-    if (!(fabs(of_arc[i].angle - c->arcs[i].angle) <= 1e-9)) broken = "the pieces of an arc do not sum to its angle";
-    for (e = 0; e < 2; ++e) balance[c->arcs[i].vertex[e]] += e == 0 ? -(name ^ name >> 31) : name ^ name >> 31;
+  if (broken == NULL && (arcs != c->counts.arcs || circles != c->counts.circles)) {
+    broken = "an arc or circle without an edge";
   }
-  for (i = 0; i < c->counts.circles && broken == NULL; ++i) {
-    if (of_circle[i].count < 2) broken = "a free circle of fewer than two edges";
-    if (!(fabs(of_circle[i].angle - 2 * pi) <= 1e-9)) broken = "the pieces of a circle do not go round it once";
+  free(pieces);
+  return broken;
+}
+
+/* Every maximal face of so many loops falls apart into discs: vertices inside it - extra edges + simple faces =
+ * 2 - loops. Poles, and no other vertices, lie inside maximal faces: all their edges are extra. */
+static const char *broken_discs(const topology_result *t) {
+  const computed *c = t->base;
+  const char *broken = NULL;
+  uint32_t i, e;
+  uint8_t *on_boundary = calloc((size_t)t->counts.vertices + 1, 1);
+  int64_t *euler = calloc((size_t)c->counts.faces + 1, sizeof *euler);
+  if (on_boundary == NULL || euler == NULL) exit(2);
+  for (i = 0; i < t->counts.simple_faces; ++i) ++euler[t->faces[i].face];
+  for (i = 0; i < t->counts.edges; ++i) {
+    const hsp_topology_edge *edge = t->edges + i;
+    if (edge->kind == HSP_EDGE_EXTRA) --euler[t->faces[edge->face[0]].face];
+    for (e = 0; e < 2; ++e) on_boundary[edge->vertex[e]] |= edge->kind != HSP_EDGE_EXTRA;
   }
   for (i = 0; i < t->counts.vertices && broken == NULL; ++i) {
-    if (balance[i] != 0) broken = "the pieces of an arc or circle do not follow each other";
+    if (on_boundary[i] == (t->vertices[i].kind == HSP_POINT_POLE)) {
+      broken = "vertex: a pole on an arc or circle, or another one inside a maximal face";
+    }
+    if (!on_boundary[i]) ++euler[t->faces[t->edges[t->vertices[i].q / 4].face[0]].face];
   }
-  free(balance);
-  free(of_arc);
-  free(of_circle);
+  for (i = 0; i < c->counts.faces && broken == NULL; ++i) {
+    if (euler[i] != 2 - (int64_t)c->faces[i].loops) broken = "a maximal face is not cut into discs";
+  }
+  free(on_boundary);
+  free(euler);
   return broken;
 }
 
@@ -199,5 +256,6 @@ const char *broken_cuts(const topology_result *t) {
   if (broken == NULL) broken = broken_face_records(t);
   if (broken == NULL) broken = broken_edge_records(t);
   if (broken == NULL) broken = broken_pieces(t);
+  if (broken == NULL) broken = broken_discs(t);
   return broken;
 }

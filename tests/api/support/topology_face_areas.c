@@ -1,16 +1,13 @@
 /* The areas of simple faces from nothing but their loops, by the theorem of Gauss and Bonnet: a loop that does not
- * bound one disc on the left of its edges, or that runs the wrong way, has the wrong area. The simple faces of a ball
- * sum to its free area. */
+ * bound one disc on the left of its edges, or that runs the wrong way, has the wrong area. The simple faces of a
+ * maximal face sum to its area. */
 #include <math.h>
 #include <stdlib.h>
 
 #include "topology_result.h"
+#include "vectors.h"
 
 static const double pi = 3.14159265358979323846;
-
-static double dot(const double u[3], const double v[3]) {
-  return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
-}
 
 /* Where the walk along q stands when it starts (end = 0) or arrives (end = 1): its unit tangent. */
 static void tangent(const topology_result *t, uint32_t q, int end, double along[3]) {
@@ -39,8 +36,14 @@ static double turn(const topology_result *t, uint32_t q, uint32_t next, const do
   return atan2(dot(side, outward), dot(in, out));
 }
 
-/* The area over radius squared; NaN where directions are too uncertain: circles of nearly no size, and cusps, where a
- * turn to the left is no different from one to the right. */
+/* Whether positions on the circle of an edge are too coarse for directions: circles of nearly no size, and coordinates
+ * of which few digits are left for the circle. */
+static int is_too_small(const hsp_topology_edge *edge, double sphere_radius) {
+  return edge->radius < 1e-4 * sphere_radius || position_error(edge->centre) > 1e-9 * edge->radius;
+}
+
+/* The area over radius squared; NaN where directions are too uncertain: on small circles, and at cusps, where a turn to
+ * the left is no different from one to the right. */
 static double face_angle(const topology_result *t, const hsp_simple_face *face) {
   const computed *c = t->base;
   const double *centre = c->xyz + 3 * face->ball;
@@ -53,7 +56,7 @@ static double face_angle(const topology_result *t, const hsp_simple_face *face) 
     const double sense = q % 4 == 0 ? 1 : -1;
     double height[3], turned;
     int axis;
-    if (edge->radius < 1e-4 * radius || t->edges[next / 4].radius < 1e-4 * radius) return NAN;
+    if (is_too_small(edge, radius) || is_too_small(t->edges + next / 4, radius)) return NAN;
     for (axis = 0; axis < 3; ++axis) height[axis] = edge->centre[axis] - centre[axis];
     turned = turn(t, q, next, centre, radius);
     if (fabs(turned) > pi - 1e-3) return NAN;
@@ -67,21 +70,24 @@ const char *broken_face_areas(const topology_result *t) {
   const computed *c = t->base;
   const char *broken = NULL;
   uint32_t i;
-  double *sum = calloc((size_t)c->n + 1, sizeof *sum);
-  if (sum == NULL) exit(2);
+  double *sum = calloc((size_t)c->counts.faces + 1, sizeof *sum);
+  double *area = calloc((size_t)c->counts.faces + 1, sizeof *area);
+  if (sum == NULL || area == NULL) exit(2);
+  if (hsp_boundary_measure_faces(c->boundary, area, NULL, c->counts.faces) != HSP_OK) broken = "areas of maximal faces";
   for (i = 0; i < t->counts.simple_faces && broken == NULL; ++i) {
     const hsp_simple_face *face = t->faces + i;
     const double angle = c->radius[face->ball] > 0 ? face_angle(t, face) : NAN;
     if (angle < -1e-8 || angle > 4 * pi + 1e-8) broken = "simple face: its loop bounds no disc on its left";
-    sum[face->ball] += angle;
+    sum[face->face] += angle;
   }
-  for (i = 0; i < c->n && broken == NULL; ++i) {
-    const double square = c->radius[i] * c->radius[i];
+  for (i = 0; i < c->counts.faces && broken == NULL; ++i) {
+    const double r = c->radius[c->faces[i].ball];
     if (isnan(sum[i])) continue;
-    if (!(fabs(sum[i] * square - c->area[i]) <= 1e-7 * square + 100 * c->rounding * c->radius[i])) {
-      broken = "simple faces of a ball do not sum to its free area";
+    if (!(fabs(sum[i] * r * r - area[i]) <= 1e-7 * r * r + 100 * c->rounding * r)) {
+      broken = "the simple faces of a maximal face do not sum to its area";
     }
   }
   free(sum);
+  free(area);
   return broken;
 }

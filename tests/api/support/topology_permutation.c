@@ -16,6 +16,7 @@ typedef struct plain_record {
 
 typedef struct plain_form {
   plain_record *vertices, *edges, *faces, *shells;
+  uint64_t start; /* the simple face where the scan of the outermost highest shell starts */
 } plain_form;
 
 static plain_record *take(uint32_t count) {
@@ -41,14 +42,47 @@ static uint64_t mixed(uint64_t hash, uint64_t word) {
   return hash ^ hash >> 29;
 }
 
-static uint64_t vertex_name(const hsp_topology_vertex *v) {
+/* Equal balls have equal names. */
+static uint64_t ball_name(const computed *c, uint32_t ball) {
+  uint64_t hash = 1;
+  uint32_t axis;
+  if (ball == HSP_NONE) return 0;
+  for (axis = 0; axis < 3; ++axis) hash = mixed(hash, bits(c->xyz[3 * ball + axis]));
+  return mixed(hash, bits(c->radius[ball]));
+}
+
+static uint64_t vertex_name(const computed *c, const hsp_topology_vertex *v) {
   uint64_t hash = v->kind + 1;
   int axis;
   for (axis = 0; axis < 3; ++axis) hash = mixed(hash, bits(v->xyz[axis]));
+  return mixed(hash, ball_name(c, v->ball[0]) + ball_name(c, v->ball[1]) + ball_name(c, v->ball[2]));
+}
+
+/* By its ball and the ends of its edges. */
+static uint64_t face_name(const topology_result *t, const hsp_simple_face *f, const uint64_t *names) {
+  uint32_t q = f->q;
+  uint64_t loop = 0;
+  do {
+    const uint32_t next = hsp_topology_lnext(t->topology, q);
+    loop += mixed(names[t->origin[q]], names[t->origin[next]]);
+    q = next;
+  } while (q != f->q);
+  return mixed(loop, ball_name(t->base, f->ball));
+}
+
+/* By the order of its simple faces. */
+static uint64_t scan_name(const topology_result *t, uint32_t shell, const uint64_t *face_names) {
+  const uint32_t count = t->shells[shell].simple_faces;
+  uint32_t needed = 0, k;
+  uint64_t hash = 1;
+  uint32_t *faces = calloc((size_t)count + 1, sizeof *faces);
+  if (faces == NULL || hsp_topology_get_scan(t->topology, shell, faces, count, &needed) != HSP_OK) exit(2);
+  for (k = 0; k < count; ++k) hash = mixed(hash, face_names[faces[k]]);
+  free(faces);
   return hash;
 }
 
-static void plain_edge(const hsp_topology_edge *edge, const uint64_t *names, plain_record *plain) {
+static void plain_edge(const computed *c, const hsp_topology_edge *edge, const uint64_t *names, plain_record *plain) {
   /* which ball is on the left is a matter of ids; the axis that points to greater x, y, z is not */
   const double *u = edge->axis;
   const int turned = u[0] != 0 ? u[0] < 0 : u[1] != 0 ? u[1] < 0 : u[2] < 0;
@@ -62,6 +96,27 @@ static void plain_edge(const hsp_topology_edge *edge, const uint64_t *names, pla
     plain->word[5 + axis] = bits(edge->centre[axis]);
     plain->word[8 + axis] = bits(turned ? -u[axis] : u[axis]);
   }
+  plain->word[11] = ball_name(c, edge->ball[turned]);
+  plain->word[12] = ball_name(c, edge->ball[1 - turned]);
+}
+
+static void plain_shell(const topology_result *t, uint32_t id, const uint64_t *face_names, plain_record *plain) {
+  const hsp_shell *s = t->shells + id;
+  const hsp_component *component = t->components + s->component;
+  const uint32_t wall = t->cells[s->cell].wall;
+  plain->word[0] = s->kind;
+  plain->word[1] = (uint64_t)(int64_t)s->euler;
+  plain->word[2] = s->faces;
+  plain->word[3] = s->simple_faces;
+  plain->word[4] = s->edges;
+  plain->word[5] = s->vertices;
+  plain->word[6] = s->cell == 0;
+  plain->word[7] = component->shells;
+  plain->word[8] = scan_name(t, id, face_names);
+  plain->word[9] = ball_name(t->base, component->top_ball);
+  plain->word[10] = wall == HSP_NONE ? 0 : face_names[t->shells[wall].start_face];
+  plain->size[0] = s->area;
+  plain->size[1] = s->volume;
 }
 
 static plain_form plain_form_of(const topology_result *t) {
@@ -70,47 +125,29 @@ static plain_form plain_form_of(const topology_result *t) {
   uint32_t i;
   int axis;
   uint64_t *names = calloc((size_t)k->vertices + 1, sizeof *names);
-  if (names == NULL) exit(2);
+  uint64_t *face_names = calloc((size_t)k->simple_faces + 1, sizeof *face_names);
+  if (names == NULL || face_names == NULL) exit(2);
   form.vertices = take(k->vertices);
   form.edges = take(k->edges);
   form.faces = take(k->simple_faces);
   form.shells = take(k->shells);
   for (i = 0; i < k->vertices; ++i) {
     const hsp_topology_vertex *v = t->vertices + i;
-    names[i] = vertex_name(v);
-    form.vertices[i].word[0] = v->kind;
+    names[i] = vertex_name(t->base, v);
+    form.vertices[i].word[0] = names[i];
     for (axis = 0; axis < 3; ++axis) form.vertices[i].word[1 + axis] = bits(v->xyz[axis]);
-    form.shells[t->faces[t->edges[v->q / 4].face[0]].shell].word[8] += names[i];
   }
-  for (i = 0; i < k->edges; ++i) plain_edge(t->edges + i, names, form.edges + i);
+  for (i = 0; i < k->edges; ++i) plain_edge(t->base, t->edges + i, names, form.edges + i);
   for (i = 0; i < k->simple_faces; ++i) {
     const hsp_simple_face *f = t->faces + i;
-    uint32_t q = f->q;
-    uint64_t loop = 0;
-    do {
-      const uint32_t next = hsp_topology_lnext(t->topology, q);
-      loop += mixed(names[t->origin[q]], names[t->origin[next]]);
-      q = next;
-    } while (q != f->q);
+    face_names[i] = face_name(t, f, names);
     form.faces[i].word[0] = f->edges;
-    form.faces[i].word[1] = loop;
-    form.faces[i].word[2] = bits(t->base->radius[f->ball]);
+    form.faces[i].word[1] = face_names[i];
   }
-  for (i = 0; i < k->shells; ++i) {
-    const hsp_shell *s = t->shells + i;
-    plain_record *plain = form.shells + i;
-    plain->word[0] = s->kind;
-    plain->word[1] = (uint64_t)(int64_t)s->euler;
-    plain->word[2] = s->faces;
-    plain->word[3] = s->simple_faces;
-    plain->word[4] = s->edges;
-    plain->word[5] = s->vertices;
-    plain->word[6] = s->cell == 0;
-    plain->word[7] = t->components[s->component].shells;
-    plain->size[0] = s->area;
-    plain->size[1] = s->volume;
-  }
+  for (i = 0; i < k->shells; ++i) plain_shell(t, i, face_names, form.shells + i);
+  form.start = k->start_face == HSP_NONE ? 0 : face_names[k->start_face];
   free(names);
+  free(face_names);
   qsort(form.vertices, k->vertices, sizeof(plain_record), by_words);
   qsort(form.edges, k->edges, sizeof(plain_record), by_words);
   qsort(form.faces, k->simple_faces, sizeof(plain_record), by_words);
@@ -155,6 +192,7 @@ const char *topology_difference_after_permutation(const topology_result *a, cons
   if (what == NULL && !same(form_a.edges, form_b.edges, k->edges)) what = "the topology's edges differ";
   if (what == NULL && !same(form_a.faces, form_b.faces, k->simple_faces)) what = "the simple faces differ";
   if (what == NULL && !same(form_a.shells, form_b.shells, k->shells)) what = "the shells differ";
+  if (what == NULL && form_a.start != form_b.start) what = "the start faces differ";
   for (i = 0; i < k->shells && what == NULL; ++i) {
     if (!close_to(form_a.shells[i].size[0], form_b.shells[i].size[0], rounding) ||
         !close_to(form_a.shells[i].size[1], form_b.shells[i].size[1], rounding * r)) {

@@ -9,7 +9,7 @@ static const double pi = 3.14159265358979323846;
 
 /* How far a position may be off, with what the lattice moved. */
 static double slack(const computed *c, const double xyz[3]) {
-  return 1e-9 * c->info.largest_radius + 1e-13 * (fabs(xyz[0]) + fabs(xyz[1]) + fabs(xyz[2])) + 8 * c->rounding;
+  return 1e-9 * c->info.largest_radius + 4 * position_error(xyz) + 8 * c->rounding;
 }
 
 /* How far a position lies outside a sphere, negative inside. */
@@ -58,6 +58,16 @@ static void point_of_edge(const topology_result *t, const hsp_topology_edge *edg
   for (axis = 0; axis < 3; ++axis) xyz[axis] = edge->centre[axis] + cos(angle) * u[axis] + sin(angle) * quarter[axis];
 }
 
+/* Whether the edge's circle lies on a ball's sphere: its axis goes through the centre, at the right distance. */
+static int on_sphere(const computed *c, const hsp_topology_edge *edge, uint32_t ball) {
+  const double allowed = slack(c, edge->centre), r = c->radius[ball];
+  double off[3], beside[3];
+  difference(edge->centre, c->xyz + 3 * ball, off);
+  cross(off, edge->axis, beside);
+  return length(beside) <= allowed &&
+         fabs(dot(off, off) + edge->radius * edge->radius - r * r) <= 2 * allowed * (r + allowed);
+}
+
 static const char *broken_edge(const topology_result *t, const hsp_topology_edge *edge) {
   const computed *c = t->base;
   const double allowed = slack(c, edge->centre);
@@ -74,6 +84,7 @@ static const char *broken_edge(const topology_result *t, const hsp_topology_edge
     if (!(fabs(off_sphere(c, end, edge->ball[0])) <= allowed && fabs(off_sphere(c, end, edge->ball[1])) <= allowed)) {
       return "edge: an end is not on its balls' spheres";
     }
+    if (!on_sphere(c, edge, edge->ball[e])) return "edge: its circle is not on its balls' spheres";
   }
   point_of_edge(t, edge, edge->angle, place);
   difference(place, t->vertices[edge->vertex[1]].xyz, off);
@@ -90,7 +101,7 @@ static const char *broken_edge(const topology_result *t, const hsp_topology_edge
 static const char *broken_side(const computed *c, const hsp_topology_edge *edge) {
   double away[3];
   difference(c->xyz + 3 * edge->ball[0], c->xyz + 3 * edge->ball[1], away);
-  if (!(dot(away, edge->axis) >= length(away) - slack(c, edge->centre))) {
+  if (!(dot(away, edge->axis) >= (1 - 1e-9) * length(away) - 8 * c->rounding)) {
     return "edge: axis does not point from its right ball to its left one";
   }
   return NULL;

@@ -77,7 +77,8 @@ static const char *broken_rings(const topology_result *t) {
       at = t->onext[at];
     } while (at != q && !seen[at]);
     if (at != q) broken = "onext is no permutation: two rings run into each other";
-    if (q % 2 == 1 && length < 2) broken = "a simple face with fewer than two edges";
+    if (length < 2)
+      broken = q % 2 == 0 ? "a vertex with fewer than two edges" : "a simple face with fewer than two edges";
     if (q % 2 == 1 && broken == NULL && t->faces[t->origin[q]].edges != length) {
       broken = "hsp_simple_face: edges is not the length of its loop";
     }

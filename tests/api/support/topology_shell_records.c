@@ -142,6 +142,18 @@ static const char *broken_shells(const topology_result *t) {
   return NULL;
 }
 
+/* How high a ball reaches; in whole lattice steps if the lattice moved nothing, so that heights compare exactly. */
+static double top_of_ball(const computed *c, uint32_t i) {
+  const double z = c->xyz[3 * i + 2], step = c->info.step;
+  if (c->rounding > 0) return z + c->radius[i];
+  return floor(z / step + 0.5) + floor((c->radius[i] - c->info.probe) / step + 0.5);
+}
+
+/* How far tops may be below the highest one and still be it. */
+static double top_rounding(const computed *c, double top) {
+  return c->rounding > 0 ? 4 * c->rounding + 1e-13 * (fabs(top) + c->info.largest_radius) : 0;
+}
+
 static const char *broken_components(const topology_result *t) {
   const computed *c = t->base;
   const char *broken = NULL;
@@ -154,13 +166,12 @@ static const char *broken_components(const topology_result *t) {
   for (i = 0; i < c->n; ++i) {
     const uint32_t k = c->balls[i].component;
     ++balls[k];
-    top[k] = fmax(top[k], c->xyz[3 * i + 2] + c->radius[i]);
+    top[k] = fmax(top[k], top_of_ball(c, i));
     top_of_all = fmax(top_of_all, top[k]);
   }
   for (i = 0; i < t->counts.shells; ++i) ++shells[t->shells[i].component];
   for (i = 0; i < t->counts.components && broken == NULL; ++i) {
     const hsp_component *k = t->components + i;
-    const double allowed = 4 * c->rounding + 1e-13 * (fabs(top[i]) + c->info.largest_radius);
     if (k->reserved != 0) broken = "component: reserved is not 0";
     if (k->balls != balls[i]) broken = "component: balls is not the number of its balls";
     if (k->shells != shells[i]) broken = "component: shells is not the number of its shells";
@@ -173,7 +184,7 @@ static const char *broken_components(const topology_result *t) {
     }
     if (k->cell != t->shells[k->outer_shell].cell) broken = "component: not in the cell of its outer shell";
     if (c->balls[k->top_ball].component != i) broken = "component: its top ball belongs to another";
-    if (!(c->xyz[3 * k->top_ball + 2] + c->radius[k->top_ball] >= top[i] - allowed)) {
+    if (!(top_of_ball(c, k->top_ball) >= top[i] - top_rounding(c, top[i]))) {
       broken = "component: another ball reaches higher than its top ball";
     }
     if (t->faces[t->shells[k->outer_shell].start_face].ball != k->top_ball) {
@@ -186,11 +197,12 @@ static const char *broken_components(const topology_result *t) {
   if (broken == NULL && t->counts.start_face != HSP_NONE) {
     const hsp_simple_face *start = t->faces + t->counts.start_face;
     const hsp_shell *shell = t->shells + start->shell;
-    const double allowed = 4 * c->rounding + 1e-13 * (fabs(top_of_all) + c->info.largest_radius);
     if (shell->start_face != t->counts.start_face || shell->kind != HSP_SHELL_OUTER || shell->cell != 0) {
       broken = "start_face is not where an outer shell of cell 0 starts";
     }
-    if (!(top[shell->component] >= top_of_all - allowed)) broken = "start_face is not in the highest component";
+    if (!(top[shell->component] >= top_of_all - top_rounding(c, top_of_all))) {
+      broken = "start_face is not in the highest component";
+    }
   }
   free(balls);
   free(shells);
@@ -263,50 +275,46 @@ static const char *broken_cells(const topology_result *t) {
   return broken;
 }
 
-/* Whether the simple faces share an edge; with other == HSP_NONE, whether a neighbour of the face is not visited. */
-static int has_neighbour(const topology_result *t, uint32_t face, uint32_t other, const uint32_t *visited) {
-  uint32_t q = t->faces[face].q;
-  do {
-    const uint32_t across = t->origin[q - q % 4 + (q + 1) % 4]; /* rot: starts in the right face */
-    if (other == HSP_NONE ? !visited[across] : across == other) return 1;
-    q = hsp_topology_lnext(t->topology, q);
-  } while (q != t->faces[face].q);
-  return 0;
-}
-
-/* Depth first: the next face is a neighbour of the last one on the way from the start that has any left. */
+/* The paper's recursion, with a stack: around each face counter-clockwise from the edge by which it was entered, and at
+ * once into every neighbour not visited before. `faces`, `visited`, `entered` and `at` have room for all simple faces.
+ */
 static const char *broken_scan(const topology_result *t, uint32_t shell, uint32_t *faces, uint32_t *visited,
-                               uint32_t *way) {
-  const uint32_t count = t->shells[shell].simple_faces;
-  uint32_t i, needed = 0, length = 0;
+                               uint32_t *entered, uint32_t *at) {
+  const uint32_t count = t->shells[shell].simple_faces, start = t->shells[shell].start_face;
+  uint32_t needed = 0, depth = 1, reached = 1;
   if (hsp_topology_get_scan(t->topology, shell, faces, count, &needed) != HSP_OK || needed != count) {
     return "hsp_topology_get_scan: not as many simple faces as its shell has";
   }
-  if (faces[0] != t->shells[shell].start_face) return "hsp_topology_get_scan: does not begin with start_face";
-  for (i = 0; i < count; ++i) {
-    if (faces[i] >= t->counts.simple_faces || t->faces[faces[i]].shell != shell) {
-      return "hsp_topology_get_scan: a simple face of another shell";
-    }
-    if (visited[faces[i]]) return "hsp_topology_get_scan: a simple face twice";
-    while (length > 0 && !has_neighbour(t, way[length - 1], HSP_NONE, visited)) --length;
-    if (i > 0 && (length == 0 || !has_neighbour(t, way[length - 1], faces[i], visited))) {
-      return "hsp_topology_get_scan: not over an edge of the last face that has neighbours left";
-    }
-    visited[faces[i]] = 1;
-    way[length++] = faces[i];
+  if (faces[0] != start) return "hsp_topology_get_scan: does not begin with start_face";
+  visited[start] = 1;
+  entered[0] = at[0] = t->faces[start].q;
+  while (depth > 0) {
+    const uint32_t q = at[depth - 1], across = q - q % 4 + (q + 2) % 4, face = hsp_topology_left(t->topology, across);
+    at[depth - 1] = hsp_topology_lnext(t->topology, q);
+    if (at[depth - 1] == entered[depth - 1]) --depth;
+    if (visited[face]) continue;
+    if (reached == count) return "hsp_topology_get_scan: ends before its recursion";
+    if (faces[reached] != face) return "hsp_topology_get_scan: not in the order of the recursion";
+    if (t->faces[face].shell != shell) return "hsp_topology_get_scan: a simple face of another shell";
+    ++reached;
+    visited[face] = 1;
+    entered[depth] = at[depth] = across;
+    ++depth;
   }
-  return NULL;
+  return reached == count ? NULL : "hsp_topology_get_scan: goes on after its recursion";
 }
 
 static const char *broken_scans(const topology_result *t) {
   const char *broken = NULL;
+  const uint32_t count = t->counts.simple_faces;
   uint32_t i;
-  uint32_t *faces = take_numbers(t->counts.simple_faces), *visited = take_numbers(t->counts.simple_faces);
-  uint32_t *way = take_numbers(t->counts.simple_faces);
-  for (i = 0; i < t->counts.shells && broken == NULL; ++i) broken = broken_scan(t, i, faces, visited, way);
+  uint32_t *faces = take_numbers(count), *visited = take_numbers(count);
+  uint32_t *entered = take_numbers(count), *at = take_numbers(count);
+  for (i = 0; i < t->counts.shells && broken == NULL; ++i) broken = broken_scan(t, i, faces, visited, entered, at);
   free(faces);
   free(visited);
-  free(way);
+  free(entered);
+  free(at);
   return broken;
 }
 

@@ -116,8 +116,9 @@ const char *broken_start_faces(const topology_result *t) {
   uint32_t i;
   for (i = 0; i < t->counts.components; ++i) {
     const uint32_t start = t->shells[t->components[i].outer_shell].start_face;
+    const uint32_t ball = t->faces[start].ball;
     uint32_t q = t->faces[start].q;
-    if (!(t->base->radius[t->faces[start].ball] > 0) || touches_top(t, start)) continue;
+    if (!(position_error(t->base->xyz + 3 * ball) < 1e-9 * t->base->radius[ball]) || touches_top(t, start)) continue;
     do {
       const int holds = holds_top(t, start, q);
       if (holds == 0) return "start_face: does not hold the highest point";

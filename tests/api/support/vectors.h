@@ -23,4 +23,9 @@ static inline void difference(const double to[3], const double from[3], double v
   for (axis = 0; axis < 3; ++axis) v[axis] = to[axis] - from[axis];
 }
 
+/* More than a position computed from coordinates of this size is off by the roundings of coordinates. */
+static inline double position_error(const double xyz[3]) {
+  return 1e-15 * (fabs(xyz[0]) + fabs(xyz[1]) + fabs(xyz[2]));
+}
+
 #endif

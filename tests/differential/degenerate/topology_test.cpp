@@ -1,39 +1,39 @@
-// The quad-edge topology of the corpus of degenerate sets: its laws, order, axes, one step off, and nesting.
+// The quad-edge topology of the corpus of degenerate sets: its invariants, order, axes, one step off, and nesting.
 #include <gtest/gtest.h>
 
-#include "cell_laws.hpp"
+#include "cell_comparison.hpp"
 #include "corpus_expectations.hpp"
 #include "random_balls.hpp"
-#include "structure_laws.hpp"
+#include "topology_invariants.hpp"
 
 namespace {
 
 using degenerate::DegenerateSet;
 using oracle::Balls;
 
-std::string laws_broken_in_some_order(const Balls &balls) {
+std::string invariant_broken_in_some_order(const Balls &balls) {
   oracle::RandomSource random(balls.size());
   const Balls mixed = oracle::permuted(balls, random.permutation(balls.size()));
   for (const Balls &order : {balls, Balls(balls.rbegin(), balls.rend()), mixed})
-    if (const std::string broken = topology_laws_broken(order); !broken.empty())
+    if (const std::string broken = topology_invariant_broken(order); !broken.empty())
       return broken + "in the order " + oracle::to_text(order);
   return "";
 }
 
-std::string laws_broken_along_other_axes(const Balls &balls) {
+std::string invariant_broken_along_other_axes(const Balls &balls) {
   for (const Balls &turned : degenerate::axis_images(balls))
-    if (const std::string broken = topology_laws_broken(turned); !broken.empty())
+    if (const std::string broken = topology_invariant_broken(turned); !broken.empty())
       return broken + "for " + oracle::to_text(turned);
   return "";
 }
 
-std::string laws_broken_elsewhere(const Balls &balls) {
+std::string invariant_broken_elsewhere(const Balls &balls) {
   for (const auto &shift : degenerate::shifts_within_lattice(balls))
-    if (const std::string broken = topology_laws_broken(degenerate::moved(balls, shift)); !broken.empty())
+    if (const std::string broken = topology_invariant_broken(degenerate::moved(balls, shift)); !broken.empty())
       return broken + "when moved by " + std::to_string(shift[0]) + " " + std::to_string(shift[1]) + " " +
              std::to_string(shift[2]);
   const Balls large = degenerate::scaled(balls, degenerate::largest_scale(balls));
-  const std::string broken = topology_laws_broken(large);
+  const std::string broken = topology_invariant_broken(large);
   return broken.empty() ? broken : broken + "when scaled to fill the lattice";
 }
 
@@ -43,14 +43,14 @@ std::string cells_disagree(const Balls &balls) {
   return nesting.empty() ? locations_disagree(balls, 30, balls.size()) : nesting;
 }
 
-TEST(DegenerateTopology, KeepsTheLawsInAnyOrder) {
-  degenerate::expect_of_all(0, 1000, laws_broken_in_some_order);
+TEST(DegenerateTopology, KeepsTheInvariantsInAnyOrder) {
+  degenerate::expect_of_all(0, 1000, invariant_broken_in_some_order);
 }
-TEST(DegenerateTopology, KeepsTheLawsAlongOtherAxes) {
-  degenerate::expect_of_all(0, 1000, laws_broken_along_other_axes);
+TEST(DegenerateTopology, KeepsTheInvariantsAlongOtherAxes) {
+  degenerate::expect_of_all(0, 1000, invariant_broken_along_other_axes);
 }
-TEST(DegenerateTopology, KeepsTheLawsElsewhere) {
-  degenerate::expect_of_all(0, 1000, laws_broken_elsewhere);
+TEST(DegenerateTopology, KeepsTheInvariantsElsewhere) {
+  degenerate::expect_of_all(0, 1000, invariant_broken_elsewhere);
 }
 TEST(DegenerateTopology, DoesNotDependOnTheOrder) {
   degenerate::expect_of_all(0, 1000, topology_orders_disagree);
@@ -59,8 +59,8 @@ TEST(DegenerateTopology, CellsAreThoseOfTheDualComplex) {
   degenerate::expect_of_all(0, 70, cells_disagree);
 }
 TEST(DegenerateTopology, OneStepOff) {
-  degenerate::expect_one_step_off(1, 12, degenerate::Scale::as_given, topology_laws_broken);
-  degenerate::expect_one_step_off(1, 9, degenerate::Scale::half_of_lattice, topology_laws_broken);
+  degenerate::expect_one_step_off(1, 12, degenerate::Scale::as_given, topology_invariant_broken);
+  degenerate::expect_one_step_off(1, 9, degenerate::Scale::half_of_lattice, topology_invariant_broken);
   degenerate::expect_one_step_off(1, 8, degenerate::Scale::as_given, cells_disagree);
 }
 

@@ -1,12 +1,12 @@
 // Shells in shells, rings and cages have the components, genera, voids and nesting they were built with; sets that are
-// awkward to cut keep all laws, in any order and along any axes.
+// awkward to cut keep all invariants, in any order and along any axes.
 #include <gtest/gtest.h>
 
-#include "cell_laws.hpp"
+#include "cell_comparison.hpp"
 #include "nested_balls.hpp"
 #include "set_arrangements.hpp"
 #include "smallest_failing.hpp"
-#include "structure_laws.hpp"
+#include "topology_invariants.hpp"
 
 namespace {
 
@@ -66,9 +66,9 @@ TEST(BuiltSets, AreAsBuiltAlongAllAxes) {
     }
 }
 
-TEST(BuiltSets, KeepTheLaws) {
+TEST(BuiltSets, KeepTheInvariants) {
   for (const BuiltSet &set : built_sets()) {
-    EXPECT_EQ(topology_laws_broken(set.balls()), "") << set.name;
+    EXPECT_EQ(topology_invariant_broken(set.balls()), "") << set.name;
     EXPECT_EQ(topology_orders_disagree(set.balls()), "") << set.name;
   }
 }
@@ -114,12 +114,12 @@ TEST(BuiltSets, CellsFromTheInsideOut) {
     EXPECT_EQ(components[shells[walls[k]].component].cell, shells[walls[k + 1]].cell);
 }
 
-TEST(AwkwardSets, KeepTheLawsInAnyOrderAndAlongAnyAxes) {
+TEST(AwkwardSets, KeepTheInvariantsInAnyOrderAndAlongAnyAxes) {
   for (const AwkwardSet &set : awkward_sets()) {
-    EXPECT_EQ(complaint_about_smallest(set.balls, topology_laws_broken), "") << set.name;
+    EXPECT_EQ(complaint_about_smallest(set.balls, topology_invariant_broken), "") << set.name;
     EXPECT_EQ(complaint_about_smallest(set.balls, topology_orders_disagree), "") << set.name;
     for (const Balls &turned : degenerate::axis_images(set.balls))
-      EXPECT_EQ(complaint_about_smallest(turned, topology_laws_broken), "") << set.name;
+      EXPECT_EQ(complaint_about_smallest(turned, topology_invariant_broken), "") << set.name;
   }
 }
 

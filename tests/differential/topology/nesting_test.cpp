@@ -4,19 +4,19 @@
 
 #include <array>
 
-#include "cell_laws.hpp"
+#include "cell_comparison.hpp"
 #include "dual_complex.hpp"
 #include "nested_balls.hpp"
 #include "smallest_failing.hpp"
-#include "structure_laws.hpp"
+#include "topology_invariants.hpp"
 
 namespace {
 
 using oracle::Balls;
 
-std::string nesting_or_laws(const Balls &balls) {
+std::string nesting_or_invariants(const Balls &balls) {
   const std::string complaint = nesting_disagrees(balls);
-  return complaint.empty() ? topology_laws_broken(balls) : complaint;
+  return complaint.empty() ? topology_invariant_broken(balls) : complaint;
 }
 
 std::string locations_of(const Balls &balls) {
@@ -30,7 +30,7 @@ TEST(Nesting, OfShellsInShells) {
   for (int k = 0; k < 400; ++k) {
     const Balls balls = nested_balls(random);
     ASSERT_TRUE(small_enough_for_dual_complex(balls)) << oracle::to_text(balls);
-    ASSERT_EQ(complaint_about_smallest(balls, nesting_or_laws), "");
+    ASSERT_EQ(complaint_about_smallest(balls, nesting_or_invariants), "");
     const LibraryTopology topology(balls);
     const auto cells = topology.cells();
     const auto shells = topology.shells();
@@ -83,7 +83,7 @@ TEST(Location, InBoxesThatNearlyClose) {
     if (random.one_in(2))
       for (std::size_t i = 0; i < 8; ++i) balls.push_back({balls[i].x, balls[i].y, balls[i].z + 20, balls[i].radius});
     ASSERT_EQ(complaint_about_smallest(balls, [](const Balls &set) { return locations_disagree(set, 150, 57); }), "");
-    ASSERT_EQ(complaint_about_smallest(balls, nesting_or_laws), "");
+    ASSERT_EQ(complaint_about_smallest(balls, nesting_or_invariants), "");
   }
 }
 

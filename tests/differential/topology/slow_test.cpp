@@ -1,9 +1,9 @@
 // The comparisons of this folder on larger molecules and on many more sets.
-#include "cell_laws.hpp"
+#include "cell_comparison.hpp"
 #include "nested_balls.hpp"
 #include "smallest_failing.hpp"
-#include "structure_laws.hpp"
 #include "sweep_length.hpp"
+#include "topology_invariants.hpp"
 #include "void_expectations.hpp"
 
 namespace {
@@ -15,15 +15,15 @@ TEST(Slow, BettiNumbersOfDegenerateSets) {
   for (int k = 0; k < oracle::rounds(2000, 20000); ++k) {
     const Balls balls = oracle::degenerate_balls(random, static_cast<std::size_t>(random.in(4, 11)));
     ASSERT_EQ(complaint_about_smallest(balls, [](const Balls &set) { return betti_numbers_disagree(set, 2, 82); }), "");
-    ASSERT_EQ(complaint_about_smallest(balls, topology_laws_broken), "");
+    ASSERT_EQ(complaint_about_smallest(balls, topology_invariant_broken), "");
   }
 }
 
-TEST(Slow, LawsAndOrdersOfAnySets) {
+TEST(Slow, InvariantsAndOrdersOfAnySets) {
   oracle::RandomSource random(83);
   for (int k = 0; k < oracle::rounds(750, 6000); ++k) {
     const Balls balls = oracle::any_balls(random, static_cast<std::size_t>(random.in(10, 50)));
-    ASSERT_EQ(complaint_about_smallest(balls, topology_laws_broken), "");
+    ASSERT_EQ(complaint_about_smallest(balls, topology_invariant_broken), "");
     ASSERT_EQ(complaint_about_smallest(balls, topology_orders_disagree), "");
   }
 }

@@ -1,4 +1,4 @@
-#include "cell_laws.hpp"
+#include "cell_comparison.hpp"
 
 #include <algorithm>
 #include <map>

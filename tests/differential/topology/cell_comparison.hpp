@@ -1,7 +1,7 @@
-// Topologies against the oracles: genera and voids of each component, nesting, location; and that the order of the
-// balls has no effect. Complaints for complaint_about_smallest.
-#ifndef HARDSPHERE_TESTS_TOPOLOGY_CELL_LAWS_HPP
-#define HARDSPHERE_TESTS_TOPOLOGY_CELL_LAWS_HPP
+// Topologies against the oracles: genera and voids of each component, nesting, location. Complaints for
+// complaint_about_smallest.
+#ifndef HARDSPHERE_TESTS_TOPOLOGY_CELL_COMPARISON_HPP
+#define HARDSPHERE_TESTS_TOPOLOGY_CELL_COMPARISON_HPP
 
 #include <cstdint>
 #include <string>
@@ -11,13 +11,6 @@
 /// Of every component b0 is 1, b1 the sum of the genera of its shells (Alexander duality), b2 its number of voids, with
 /// the Betti numbers of the nerve of its balls; in the given order of the balls and in `orders` random ones.
 std::string betti_numbers_disagree(const oracle::Balls &balls, int orders, std::uint64_t seed);
-
-/// Four orders give the same topology: positions, circles and ends of edges to the last bit, areas and volumes of
-/// shells up to rounding. Angles of edges are not compared.
-std::string topology_orders_disagree(const oracle::Balls &balls);
-
-/// They give the same angles of edges, to the last bit.
-std::string angles_of_orders_disagree(const oracle::Balls &balls);
 
 /// Small enough for what follows: coordinates within 2^19 steps of each other when scaled.
 bool small_enough_for_dual_complex(const oracle::Balls &balls);

@@ -1,0 +1,39 @@
+// Lattice balls as the invariants of the C interface want them: a computed set that goes with its memory.
+#pragma once
+
+#include <computed.h>
+
+#include <string>
+#include <vector>
+
+#include "library_run.hpp"
+
+class ComputedBalls {
+ public:
+  explicit ComputedBalls(const oracle::Balls &balls) {
+    std::vector<double> xyz;
+    std::vector<double> radius;
+    for (const oracle::LatticeBall &ball : balls) {
+      for (const int64_t coordinate : {ball.x, ball.y, ball.z}) xyz.push_back(static_cast<double>(coordinate));
+      radius.push_back(static_cast<double>(ball.radius));
+    }
+    hsp_model_options options;
+    expect_ok(hsp_model_options_init(&options, sizeof options), "hsp_model_options_init");
+    options.step = 1;
+    const auto n = static_cast<uint32_t>(balls.size());
+    expect_ok(computed_make(n, xyz.data(), radius.data(), &options, &computed_), "computed_make");
+  }
+  ~ComputedBalls() { computed_release(&computed_); }
+  ComputedBalls(const ComputedBalls &) = delete;
+  ComputedBalls &operator=(const ComputedBalls &) = delete;
+
+  const computed *get() const { return &computed_; }
+
+ private:
+  computed computed_{};
+};
+
+// What an invariant says is broken, as a complaint.
+inline std::string complaint_of(const char *broken) {
+  return broken == nullptr ? "" : std::string(broken) + "; ";
+}
