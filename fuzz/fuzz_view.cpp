@@ -67,7 +67,7 @@ class Result {
 };
 
 void require_sound(const view_result &v, fuzz::Bytes &bytes) {
-  const char *broken = broken_view_records(&v);
+  const char *broken = broken_view(&v);
   FUZZ_REQUIRE(broken == nullptr, broken);
   broken = broken_view_regions(&v, 4, bytes.below(65536));
   FUZZ_REQUIRE(broken == nullptr, broken);

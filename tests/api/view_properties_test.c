@@ -59,7 +59,7 @@ static void every_set(void) {
         if (CHECK_EQUAL(view_result_make(&c, &options, ways[way].with_boundary, &v), HSP_OK) &&
             CHECK_EQUAL(view_result_make(&other, &options, ways[way].with_boundary, &w), HSP_OK)) {
           CHECK(v.enlargements <= 3);
-          check_nothing_broken(broken_view_records(&v));
+          check_nothing_broken(broken_view(&v));
           check_nothing_broken(broken_view_regions(&v, set.n < 40 ? 24 : 6, which));
           /* hsp_view_compute, property 1 */
           check_nothing_broken(view_difference_after_permutation(&v, &w));
@@ -85,7 +85,7 @@ static void known(const ball_set *set, int direction, int way, uint32_t pieces, 
   CHECK_EQUAL(v->info.pieces, pieces);
   CHECK_EQUAL(v->info.loops, loops);
   CHECK_EQUAL(v->info.arcs, arcs);
-  check_nothing_broken(broken_view_records(v));
+  check_nothing_broken(broken_view(v));
 }
 
 static void release(view_result *v, computed *c) {
@@ -307,7 +307,7 @@ static void touching_balls(void) {
       check_scene("%s, direction %d, way %d", s.name, direction, way);
       CHECK_EQUAL(computed_make(s.n, s.xyz, s.radius, NULL, &c), HSP_OK);
       CHECK_EQUAL(view_result_make(&c, &options, ways[way].with_boundary, &v), HSP_OK);
-      check_nothing_broken(broken_view_records(&v));
+      check_nothing_broken(broken_view(&v));
       check_nothing_broken(broken_view_regions(&v, 400, 9));
       release(&v, &c);
     }

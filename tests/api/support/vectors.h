@@ -1,4 +1,4 @@
-/* Vectors of three doubles, for checks of positions. */
+/* Vectors of three doubles, for checks of positions, and how close numbers are. */
 #ifndef HARDSPHERE_TESTS_VECTORS_H
 #define HARDSPHERE_TESTS_VECTORS_H
 
@@ -21,6 +21,10 @@ static inline void cross(const double u[3], const double v[3], double w[3]) {
 static inline void difference(const double to[3], const double from[3], double v[3]) {
   int axis;
   for (axis = 0; axis < 3; ++axis) v[axis] = to[axis] - from[axis];
+}
+
+static inline int near(double a, double b, double tolerance) {
+  return fabs(a - b) <= tolerance; /* false for NaN */
 }
 
 /* More than a position computed from coordinates of this size is off by the roundings of coordinates. */

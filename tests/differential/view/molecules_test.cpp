@@ -3,7 +3,7 @@
 
 #include "molecule_balls.hpp"
 #include "picture_comparison.hpp"
-#include "view_laws.hpp"
+#include "view_invariants.hpp"
 #include "view_sets.hpp"
 
 namespace {
@@ -23,11 +23,11 @@ TEST_P(ViewOfMolecule, ShowsWhatIsVisible) {
   }
 }
 
-TEST_P(ViewOfMolecule, KeepsTheLaws) {
+TEST_P(ViewOfMolecule, KeepsTheInvariants) {
   for (const std::int64_t probe : {0, 1400}) {
     const Balls balls = grown(atoms(), probe);
-    EXPECT_EQ(view_laws_broken(balls, {0, 0, 1}), "") << "probe " << probe;
-    EXPECT_EQ(view_laws_broken(balls, uneven_directions()[3]), "") << "probe " << probe;
+    EXPECT_EQ(view_invariant_broken(balls, {0, 0, 1}), "") << "probe " << probe;
+    EXPECT_EQ(view_invariant_broken(balls, uneven_directions()[3]), "") << "probe " << probe;
     EXPECT_EQ(view_orders_disagree(balls, {0, 0, 1}), "") << "probe " << probe;
     EXPECT_EQ(opposite_areas_disagree(balls, {0, 0, 1}), "") << "probe " << probe;
     EXPECT_EQ(opposite_areas_disagree(balls, uneven_directions()[1]), "") << "probe " << probe;

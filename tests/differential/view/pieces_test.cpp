@@ -1,4 +1,5 @@
-// Pieces are what the header says: laws of their records, the balls' points that belong to them, their order, areas.
+// Pieces are what the header says: invariants of their records, the balls' points that belong to them, their order,
+// areas.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -7,51 +8,49 @@
 
 #include "exact_depth.hpp"
 #include "smallest_failing.hpp"
-#include "view_laws.hpp"
+#include "view_invariants.hpp"
 #include "view_sets.hpp"
 
 namespace {
 
 using oracle::Balls;
 
-using Law = std::string (*)(const Balls &, const Direction &);
-struct NamedLaw {
+using Invariant = std::string (*)(const Balls &, const Direction &);
+struct NamedInvariant {
   const char *name;
-  Law law;
+  Invariant invariant;
 };
-void PrintTo(const NamedLaw &law, std::ostream *stream) {
-  *stream << law.name;
+void PrintTo(const NamedInvariant &invariant, std::ostream *stream) {
+  *stream << invariant.name;
 }
 
-std::string laws(const Balls &balls, const Direction &towards) {
-  return view_laws_broken(balls, towards);
+std::string records(const Balls &balls, const Direction &towards) {
+  return view_invariant_broken(balls, towards);
 }
-std::string orders(const Balls &balls, const Direction &towards) {
-  return view_orders_disagree(balls, towards);
-}
-std::string members(const Balls &balls, const Direction &towards) {
-  return members_disagree(balls, 12, towards);
+std::string regions(const Balls &balls, const Direction &towards) {
+  return view_regions_disagree(balls, 100, towards);
 }
 
-void expect_law(Law law, const Balls &balls, const std::vector<Direction> &directions, const std::string &name) {
+void expect_invariant(Invariant invariant, const Balls &balls, const std::vector<Direction> &directions,
+                      const std::string &name) {
   for (const Direction &towards : directions)
-    ASSERT_EQ(complaint_about_smallest(balls, [&](const Balls &set) { return law(set, towards); }), "") << name;
+    ASSERT_EQ(complaint_about_smallest(balls, [&](const Balls &set) { return invariant(set, towards); }), "") << name;
 }
 
-class Pieces : public testing::TestWithParam<NamedLaw> {};
+class Pieces : public testing::TestWithParam<NamedInvariant> {};
 
 TEST_P(Pieces, OfSmallSetsAndLattices) {
   for (const auto &views : {small_views(), lattice_views()})
     for (const NamedView &view : views) {
-      expect_law(GetParam().law, view.balls, even_directions(), view.name);
-      expect_law(GetParam().law, view.balls, {uneven_directions()[0], uneven_directions()[2]}, view.name);
+      expect_invariant(GetParam().invariant, view.balls, even_directions(), view.name);
+      expect_invariant(GetParam().invariant, view.balls, {uneven_directions()[0], uneven_directions()[2]}, view.name);
     }
 }
 
 TEST_P(Pieces, OfDegenerateSets) {
   for (const NamedView &view : degenerate_views(60)) {
-    expect_law(GetParam().law, view.balls, {even_directions()[0], even_directions()[4]}, view.name);
-    expect_law(GetParam().law, view.balls, {uneven_directions()[0]}, view.name);
+    expect_invariant(GetParam().invariant, view.balls, {even_directions()[0], even_directions()[4]}, view.name);
+    expect_invariant(GetParam().invariant, view.balls, {uneven_directions()[0]}, view.name);
   }
 }
 
@@ -60,25 +59,26 @@ TEST_P(Pieces, OfRandomSets) {
   for (int k = 0; k < 4; ++k)
     for (const auto make : {oracle::loose_balls, oracle::dense_balls, oracle::clustered_balls, oracle::belted_balls,
                             sparse_balls, mixed_balls, flat_balls})
-      expect_law(GetParam().law, make(random, 50), {{0, 0, 1}, uneven_directions()[1]}, "");
+      expect_invariant(GetParam().invariant, make(random, 50), {{0, 0, 1}, uneven_directions()[1]}, "");
 }
 
 TEST_P(Pieces, OfRandomDegenerateSets) {
   oracle::RandomSource random(95);
   for (int k = 0; k < 400; ++k) {
     const Balls balls = oracle::degenerate_balls(random, static_cast<std::size_t>(random.in(2, 16)));
-    expect_law(GetParam().law, balls, {even_directions()[static_cast<std::size_t>(random.in(0, 4))]}, "");
+    expect_invariant(GetParam().invariant, balls, {even_directions()[static_cast<std::size_t>(random.in(0, 4))]}, "");
   }
 }
 
-std::string name_of(const testing::TestParamInfo<NamedLaw> &info) {
+std::string name_of(const testing::TestParamInfo<NamedInvariant> &info) {
   return info.param.name;
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Pieces,
-                         testing::Values(NamedLaw{"KeepTheLaws", laws}, NamedLaw{"DoNotDependOnTheOrder", orders},
-                                         NamedLaw{"HoldTheirPoints", members},
-                                         NamedLaw{"HaveEqualBackAreas", opposite_areas_disagree}),
+                         testing::Values(NamedInvariant{"KeepTheInvariants", records},
+                                         NamedInvariant{"DoNotDependOnTheOrder", view_orders_disagree},
+                                         NamedInvariant{"HoldTheirPoints", regions},
+                                         NamedInvariant{"HaveEqualBackAreas", opposite_areas_disagree}),
                          name_of);
 
 /// Centres as far apart as the lattice allows, of which pairs differ in depth by a few units of the integer direction
@@ -100,10 +100,10 @@ TEST(DepthOrder, IsThatOfIntegers) {
     }
     const Direction towards = {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
     ASSERT_EQ(integer_direction(towards), v);
+    ASSERT_EQ(depths_disagree(balls, towards), "") << oracle::to_text(balls);
     const LibraryScene scene(balls);
     for (const ViewChoice &choice : all_choices(towards)) {
       const ViewRecords view = view_of(scene, choice);
-      ASSERT_EQ(depths_disagree(view, balls, choice), "") << oracle::to_text(balls);
       ASSERT_TRUE((choice.flags & HSP_VIEW_ALL_BALLS) == 0 || view.pieces.size() == balls.size());
     }
   }
@@ -133,8 +133,8 @@ TEST(ViewArcs, OfNoLengthAreNoWholeTurns) {
   oracle::RandomSource random(97);
   for (int k = 0; k < 100; ++k) {
     const Balls balls = balls_at_a_point(random, {3000000, 4000000, 0}, 5000000);
-    for (const Law law : {Law{laws}, Law{opposite_areas_disagree}}) {
-      expect_law(law, balls, {{0, 0, 1}, {0, 1, 1}, uneven_directions()[0]}, "");
+    for (const Invariant invariant : {records, opposite_areas_disagree}) {
+      expect_invariant(invariant, balls, {{0, 0, 1}, {0, 1, 1}, uneven_directions()[0]}, "");
     }
   }
 }
@@ -151,7 +151,8 @@ TEST(ViewArcs, MeetInAPointOfTheSilhouette) {
     ASSERT_EQ(integer_direction(towards)[1], y);
     const std::int64_t times = random.in(1000, 400000);
     const Balls balls = balls_at_a_point(random, {3 * times, -4 * times, 12 * times}, 13 * times);
-    for (const Law law : {Law{laws}, Law{orders}, Law{opposite_areas_disagree}}) expect_law(law, balls, {towards}, "");
+    for (const Invariant invariant : {records, view_orders_disagree, opposite_areas_disagree})
+      expect_invariant(invariant, balls, {towards}, "");
   }
 }
 

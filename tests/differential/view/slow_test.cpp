@@ -5,7 +5,7 @@
 #include "picture_comparison.hpp"
 #include "smallest_failing.hpp"
 #include "sweep_length.hpp"
-#include "view_laws.hpp"
+#include "view_invariants.hpp"
 #include "view_sets.hpp"
 
 namespace {
@@ -57,9 +57,9 @@ TEST(SlowViews, OfAnySets) {
     const Direction towards = k % 3 == 0 ? uneven_directions()[0] : even[static_cast<std::size_t>(random.in(0, 4))];
     const auto expect = [&](const Complaint &complaint) { ASSERT_EQ(complaint_about_smallest(balls, complaint), ""); };
     expect([&](const Balls &set) { return pictures_disagree(LibraryScene(set), 60, towards); });
-    expect([&](const Balls &set) { return view_laws_broken(set, towards); });
+    expect([&](const Balls &set) { return view_invariant_broken(set, towards); });
     expect([&](const Balls &set) { return view_orders_disagree(set, towards); });
-    expect([&](const Balls &set) { return members_disagree(set, 10, towards); });
+    expect([&](const Balls &set) { return view_regions_disagree(set, 80, towards); });
     expect([&](const Balls &set) { return opposite_areas_disagree(set, towards); });
     if (HasFatalFailure()) return;
   }
