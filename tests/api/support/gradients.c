@@ -1,6 +1,5 @@
 #include "gradients.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -37,23 +36,4 @@ const hsp_area_derivative *jacobian_entry(const jacobian *all, uint32_t i, uint3
     if (row[k].ball == j) return row + k;
   }
   return NULL;
-}
-
-static long long steps(double value, double step) {
-  return (long long)floor(value / step + 0.5);
-}
-
-int spheres_touch(const ball_set *set, uint32_t i, uint32_t j) {
-  const long long r = steps(set->radius[i], set->step), s = steps(set->radius[j], set->step);
-  /* Compared as distance^2 - (r - s)^2 = 4 r s or 0, modulo 2^64, which decides as both sides are far below that. */
-  unsigned long long squared = 0, difference = (unsigned long long)(r - s) * (unsigned long long)(r - s);
-  int axis;
-  for (axis = 0; axis < 3; ++axis) {
-    const long long d =
-        steps(set->xyz[3 * i + (uint32_t)axis], set->step) - steps(set->xyz[3 * j + (uint32_t)axis], set->step);
-    /* farther apart than any two radii reach */
-    if (d > (1LL << 31) || d < -(1LL << 31)) return 0;
-    squared += (unsigned long long)d * (unsigned long long)d;
-  }
-  return squared == difference || squared - difference == 4 * (unsigned long long)r * (unsigned long long)s;
 }

@@ -32,8 +32,4 @@ void jacobian_release(jacobian *result);
 /* The entry for ball j in row i, or NULL: then all these derivatives are 0. */
 const hsp_area_derivative *jacobian_entry(const jacobian *all, uint32_t i, uint32_t j);
 
-/* Whether the spheres of two balls of the set touch, from outside or inside: decided in integers, of which the set's
- * numbers are multiples. */
-int spheres_touch(const ball_set *set, uint32_t i, uint32_t j);
-
 #endif
