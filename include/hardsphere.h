@@ -44,9 +44,9 @@
  * HANDLES AFTER A FAILURE
  *   hsp_model_set and hsp_X_compute replace what the handle held, whether they succeed or not. One that fails, for
  *   whatever reason, leaves the handle as hsp_X_init makes it: a model is empty (hsp_model_get_info says so: 0 balls,
- *   step 1e-8); a boundary, topology or view holds no results, and reading it yields HSP_E_STATE. After
- *   HSP_E_CAPACITY alone hsp_X_get_needed reports the limits that suffice. A failure of any other function
- *   leaves the contents of a handle as they are.
+ *   step 1e-8); a boundary, topology or view holds no results, and reading it yields HSP_E_STATE. There is one thing
+ *   more after HSP_E_CAPACITY: hsp_X_get_needed tells the limits that suffice. All other functions leave what a handle
+ *   holds as it is, whatever they return.
  */
 #ifndef HARDSPHERE_H
 #define HARDSPHERE_H

@@ -43,7 +43,8 @@ typedef struct model_contents {
 
 model_contents contents_of_model(const hsp_model *model);
 
-/* What another handle holds: the statuses of reading it and of its get_needed, and what they wrote. */
+/* What another handle holds, as its functions tell: the statuses of reading it and of its get_needed, and what they
+ * wrote. */
 typedef struct contents {
   union {
     hsp_boundary_counts boundary;

@@ -1,0 +1,23 @@
+#!/usr/bin/env bash
+# Holds mutations.txt against the code, and results.csv and survivors.txt against mutations.txt. Builds nothing.
+#   fits_the_code.sh SOURCE-FOLDER
+set -euo pipefail
+source=$1
+here=$source/tests/mutation
+export LC_ALL=C
+
+# Every mutation can be made: its text stands in its file exactly once.
+status=0
+awk -v root="$source" -f "$here/mutations.awk" "$here/mutations.txt" || status=1
+
+# What survived is explained, and nothing else is.
+differ() { # what, expected, found
+  if diff <(echo "$2") <(echo "$3") | sed -n "s/^</$1 lacks/p; s/^>/$1 has too much:/p" | grep .; then status=1; fi
+}
+differ survivors.txt "$(sed -n 's/,survived,$//p' "$here/results.csv" | sort)" \
+  "$(sed -nE 's/^([a-z][0-9]{2}) .*/\1/p' "$here/survivors.txt" | sort)"
+if grep -nvE '^(name,verdict,test|[a-z][0-9]{2},(killed,[a-z0-9_]+|survived,))$' "$here/results.csv"; then
+  echo "results.csv: neither killed nor survived"
+  status=1
+fi
+exit $status

@@ -1,0 +1,103 @@
+#!/usr/bin/env bash
+# Makes one mutant in one of the copies that run.sh has prepared, and runs the tests until one fails. Called by run.sh:
+#   HSP_MUTATION_COPY=NUMBER try.sh FOLDER MUTATIONS RESULTS NAME
+# Appends a line to FOLDER/verdicts: the name, `killed`, `survived` or `did not compile`, and the test that killed it.
+set -euo pipefail
+here=$(cd "$(dirname "$0")" && pwd)
+folder=$1 mutations=$2 results=$3 name=$4
+tree=$folder/$HSP_MUTATION_COPY/tree
+build=$tree/build/mutation
+work=$folder/$HSP_MUTATION_COPY/work
+file=$(awk -v name="$name" '$1 == name { print $2; exit }' "$mutations")
+export LC_ALL=C
+# No object of a mutant is worth keeping.
+export CCACHE_DISABLE=1
+
+# What is overwritten for a mutant is put back afterwards as it was, with its time, so that the next mutant need not
+# build it again. The source comes last: should this be interrupted, run.sh sees that it differs.
+saved=$work/saved
+put_back() {
+  if [ -d "$saved/build" ]; then cp -a "$saved/build/." "$build/"; fi
+  if [ -f "$saved/source" ]; then cp -a "$saved/source" "$tree/$file"; fi
+  rm -rf "$saved"
+}
+
+# What building these targets would write.
+outputs_of() {
+  ninja -C "$build" -n "$@" | awk '/^\[.*\] (Building|Linking) / { print $NF }'
+}
+
+build_targets() {
+  outputs_of "$@" | (
+    cd "$build"
+    while read -r output; do
+      if [ -e "$output" ] && [ ! -e "$saved/build/$output" ]; then cp -a --parents "$output" "$saved/build"; fi
+    done
+  )
+  ninja -C "$build" -j 1 "$@" >"$work/build.log" 2>&1
+}
+
+# Tests fail that take far more processor time than without a mutation, or more memory than any needs.
+test_passes() { # name, seconds without a mutation
+  (
+    ulimit -t $((5 + 4 * ${2%.*}))
+    ulimit -v $((8 << 20))
+    ctest --test-dir "$build" -R "^$1\$" --timeout 600 >"$work/test.log" 2>&1
+  )
+}
+
+# The tests of FOLDER/tests in the order in which they are tried: the one that killed this mutant before; those that
+# killed others of the same file, then of the same folder, the most frequent first; then the quickest first, at the end
+# those that have to be linked again. A line is the test's seconds, its name and what has to be built for it, if anything.
+ordered_tests() {
+  awk -F '[,\t]' -v name="$name" -v file="$file" -v mutations="$mutations" -v affected="$work/affected" '
+    function folder_of(path) { sub("/[^/]*$", "", path); return path }
+    BEGIN {
+      while ((getline line < mutations) > 0) if (split(line, word, " ") == 2 && word[1] ~ /^[a-z][0-9][0-9]$/) file_of[word[1]] = word[2]
+      while ((getline line < affected) > 0) executables[++count] = line
+    }
+    FILENAME == ARGV[1] {
+      if ($3 == "") next
+      if ($1 == name) score[$3] += 1000000
+      if (file_of[$1] == file) score[$3] += 1000
+      if (folder_of(file_of[$1]) == folder_of(file)) score[$3] += 1
+      next
+    }
+    {
+      target = ""
+      for (k = 1; k <= count; ++k) if (index($3 " ", "/" executables[k] " ") || index($3, "/" executables[k] "\"")) target = executables[k]
+      printf "%d %d %s %s %s\n", score[$1], target != "", $2, $1, target
+    }' <(cat "$results" "$folder/verdicts") "$folder/tests" | sort -k1,1nr -k2,2n -k3,3n | cut -d ' ' -f 3-
+}
+
+# Sets verdict and killer.
+try_mutant() {
+  local seconds test target
+  verdict='did not compile' killer=
+  # Executables that are no test are what tests run: built at once. Tests are built when their turn comes.
+  outputs_of all | awk '!/\.(o|a|so)$/' >"$work/affected"
+  mapfile -t programs < <(while read -r executable; do
+    grep -qE "/$executable( |\"|\$)" "$folder/tests" || echo "$executable"
+  done <"$work/affected")
+  build_targets hardsphere_mutant "${programs[@]}" || return 0
+  ordered_tests >"$work/order"
+  while read -r seconds test target <&3; do
+    if [ -n "$target" ]; then build_targets "$target" || return 0; fi
+    if ! test_passes "$test" "$seconds"; then
+      verdict=killed killer=$test
+      return 0
+    fi
+  done 3<"$work/order"
+  verdict=survived
+}
+
+mkdir -p "$work"
+put_back
+mkdir -p "$saved/build"
+cp -a "$tree/$file" "$saved/source"
+trap put_back EXIT
+awk -v name="$name" -v root="$tree" -f "$here/mutations.awk" "$mutations" >&2
+start=$SECONDS
+try_mutant
+printf '%s,%s,%s\n' "$name" "$verdict" "$killer" >>"$folder/verdicts"
+printf '%-4s %-34s %s%s, %d s\n' "$name" "$file" "$verdict" "${killer:+ by $killer}" $((SECONDS - start))
