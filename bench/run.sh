@@ -21,22 +21,10 @@ source_folder=$(cd "$(dirname "$0")/.." && pwd)
 build_folder=${BENCH_BUILD:-$source_folder/build/bench}
 report_folder=$build_folder/report
 
-as_root() {
-  if [ "$(id -u)" -eq 0 ]; then "$@"; else sudo "$@"; fi
-}
-
-install_missing() {
-  local missing=() package
-  for package in "$@"; do
-    dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'install ok installed' || missing+=("$package")
-  done
-  if [ ${#missing[@]} -eq 0 ]; then return; fi
-  as_root apt-get update -qq
-  as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}"
-}
-
-install_missing binutils cmake g++ libbenchmark-dev ninja-build
-if [ "$peers" = yes ]; then install_missing freesasa; fi
+# shellcheck source=.ci/install.sh
+. "$source_folder/.ci/install.sh"
+install_packages binutils cmake g++ libbenchmark-dev ninja-build
+if [ "$peers" = yes ]; then install_packages freesasa; fi
 
 cmake -S "$source_folder" -B "$build_folder" -G Ninja -DCMAKE_BUILD_TYPE=Release -DHSP_BENCH=ON \
   -DHSP_TESTS=OFF -DHSP_TOOL=OFF -DHSP_FUZZ=OFF -DHSP_FORTRAN=OFF

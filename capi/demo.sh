@@ -12,30 +12,9 @@ fail() {
   exit 1
 }
 
-# What is needed, as "command:package".
-missing=()
-for pair in cmake:cmake ninja:ninja-build gcc:gcc g++:g++ ld:binutils; do
-  command -v "${pair%%:*}" >/dev/null 2>&1 || missing+=("${pair##*:}")
-done
-# g++ brings the C library's headers only by recommendation.
-if command -v gcc >/dev/null 2>&1 && ! echo '#include <math.h>' | gcc -E -x c - >/dev/null 2>&1; then
-  missing+=(libc6-dev)
-fi
-
-if [ ${#missing[@]} -gt 0 ]; then
-  as_root=()
-  if [ "$(id -u)" -ne 0 ]; then
-    command -v sudo >/dev/null 2>&1 || fail "cannot install ${missing[*]}: neither root nor sudo"
-    as_root=(sudo)
-  fi
-  command -v apt-get >/dev/null 2>&1 || fail "cannot install ${missing[*]}: no apt-get"
-  echo "Installing ${missing[*]} ..."
-  "${as_root[@]}" apt-get update -qq >/dev/null 2>&1 || fail "cannot install ${missing[*]}: apt-get update failed"
-  for package in "${missing[@]}"; do
-    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "$package" \
-      libc6-dev >/dev/null 2>&1 || fail "cannot install the package $package"
-  done
-fi
+# shellcheck source=.ci/install.sh
+. "$root/.ci/install.sh"
+install_packages cmake ninja-build gcc g++ libc6-dev binutils || exit 1
 
 mkdir -p "$build" || fail "cannot create $build"
 log=$build/log.txt

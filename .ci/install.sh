@@ -1,0 +1,77 @@
+# shellcheck shell=bash disable=SC2034
+# Debian packages that the scripts of this repository need. To be sourced by bash:
+#   . .ci/install.sh
+#   install_packages PACKAGE...            installs those that are missing; fails if one cannot be had
+#   install_optional_packages PACKAGE...   says which cannot be had, and goes on
+# As root, or as a user who may use sudo. Where there is no dpkg, people install what is missing themselves.
+
+# What tests/run.sh needs: compilers, GoogleTest, and the programs that read pictures and look at the format.
+packages_for_tests=(cmake ninja-build gcc g++ libc6-dev binutils gfortran pkg-config libgtest-dev libbenchmark-dev
+  clang-format-14 libxml2-utils ghostscript poppler-utils librsvg2-bin)
+# What `tests/run.sh --all` needs besides: sanitizers of clang, and other processors.
+packages_for_all_tests=(clang clang-14 libclang-rt-14-dev g++-aarch64-linux-gnu g++-s390x-linux-gnu qemu-user)
+optional_packages_for_all_tests=(g++-riscv64-linux-gnu g++-arm-linux-gnueabihf)
+
+as_root() {
+  if [ "$(id -u)" -eq 0 ]; then
+    "$@"
+  elif command -v sudo >/dev/null; then
+    sudo "$@"
+  else
+    echo "not root and no sudo"
+    return 1
+  fi
+}
+
+apt_install() {
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "$@"
+}
+
+# Most packages have a program of their name. It may have come from elsewhere.
+is_there() {
+  local program=$1
+  case $program in
+    ninja-build) program=ninja ;;
+    binutils) program=ld ;;
+  esac
+  command -v "$program" >/dev/null || [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
+}
+
+# Installs what is missing of the packages named. What could not be installed is left in `missing`, the reason in `reason`.
+try_to_install() {
+  missing=() reason=
+  command -v dpkg-query >/dev/null || return 0
+  local package
+  for package in "$@"; do
+    is_there "$package" || missing+=("$package")
+  done
+  [ ${#missing[@]} -gt 0 ] || return 0
+  echo "installing: ${missing[*]}"
+  local log
+  log=$(mktemp)
+  if as_root apt-get update -qq >"$log" 2>&1; then
+    if apt_install "${missing[@]}" >"$log" 2>&1; then
+      missing=()
+    else
+      # One by one, so that one that does not exist does not keep out the others.
+      local left=()
+      for package in "${missing[@]}"; do
+        apt_install "$package" >"$log" 2>&1 || { left+=("$package") && reason=$(tail -n 1 "$log"); }
+      done
+      missing=("${left[@]}")
+    fi
+  else
+    reason="apt-get update: $(tail -n 1 "$log")"
+  fi
+  rm -f "$log"
+}
+
+install_packages() {
+  try_to_install "$@"
+  [ ${#missing[@]} -eq 0 ] || { echo "cannot install ${missing[*]}: $reason" >&2 && return 1; }
+}
+
+install_optional_packages() {
+  try_to_install "$@"
+  [ ${#missing[@]} -eq 0 ] || echo "cannot install ${missing[*]}: $reason"
+}
