@@ -74,7 +74,7 @@ void register_suite() {
       const auto molecule = further_molecule(file, name);
       if (!molecule) {
         register_skipped(std::string("scaling/") + surface.name + "/everything/" + name,
-                         std::string("no ") + file + " in HARDSPHERE_MOLECULES");
+                         std::string("no ") + file + " in HSP_MOLECULES");
         continue;
       }
       register_subject(name, surface, [molecule] { return with_radii(*molecule, Radii::van_der_waals); });

@@ -53,7 +53,7 @@ const std::map<std::string, double> &table(Radii radii) {
 }
 
 std::filesystem::path further_folder() {
-  const char *folder = std::getenv("HARDSPHERE_MOLECULES");
+  const char *folder = std::getenv("HSP_MOLECULES");
   return folder != nullptr ? std::filesystem::path(folder) : std::filesystem::path(BENCH_FURTHER_MOLECULES);
 }
 

@@ -14,16 +14,9 @@ fail() {
   exit 1
 }
 
-as_root() {
-  if [ "$(id -u)" -eq 0 ]; then "$@"; else sudo "$@"; fi
-}
-
-if ! command -v gcovr >/dev/null; then
-  echo "installing: gcovr"
-  as_root apt-get update -qq >/dev/null || fail "apt-get update failed"
-  as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends gcovr >/dev/null ||
-    fail "the package gcovr cannot be installed"
-fi
+# shellcheck source=.ci/install.sh
+. .ci/install.sh
+install_packages "${packages_for_tests[@]}" gcovr
 
 build=build/coverage
 cmake --preset coverage >/dev/null

@@ -6,9 +6,9 @@
 
 namespace oracle {
 
-/// Whether the environment variable HARDSPHERE_LONG_TESTS asks for the long form of the slow tests.
+/// Whether the environment variable HSP_LONG_TESTS asks for the long form of the slow tests.
 inline bool long_tests() {
-  const char *asked = std::getenv("HARDSPHERE_LONG_TESTS");
+  const char *asked = std::getenv("HSP_LONG_TESTS");
   return asked != nullptr && *asked != '\0';
 }
 

@@ -117,7 +117,7 @@ std::filesystem::path own_molecule(const std::string &name) {
 }
 
 std::optional<std::filesystem::path> further_molecule(const std::string &name) {
-  const char *chosen = std::getenv("HARDSPHERE_MOLECULES");
+  const char *chosen = std::getenv("HSP_MOLECULES");
   const std::filesystem::path folder = chosen != nullptr ? chosen : HSP_FURTHER_MOLECULES;
   if (folder.empty() || !std::filesystem::exists(folder / name)) return std::nullopt;
   return folder / name;

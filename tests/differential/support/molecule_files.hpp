@@ -26,8 +26,8 @@ oracle::Balls balls_of_atoms(const std::vector<Atom> &atoms, double probe, doubl
 /// A file of the project's own molecules.
 std::filesystem::path own_molecule(const std::string &name);
 
-/// A file of the folder of further molecules: the environment variable HARDSPHERE_MOLECULES or else the folder chosen
-/// when the tests were configured. Nothing if it is not there.
+/// A file of the folder of further molecules: the environment variable HSP_MOLECULES or else the CMake
+/// variable of this name gives it. Nothing if it is not there.
 std::optional<std::filesystem::path> further_molecule(const std::string &name);
 
 #endif

@@ -93,7 +93,7 @@ std::filesystem::path bench_molecule(const std::string &file) {
 }
 
 std::optional<std::filesystem::path> further_molecule(const std::string &file) {
-  const char *named = std::getenv("HARDSPHERE_MOLECULES");
+  const char *named = std::getenv("HSP_MOLECULES");
   const std::filesystem::path folder = named != nullptr ? named : HSP_FURTHER_MOLECULES;
   if (folder.empty() || !std::filesystem::exists(folder / file)) return std::nullopt;
   return folder / file;

@@ -26,8 +26,8 @@ oracle::Balls grown(const oracle::Balls &balls, std::int64_t probe);
 /// A file of bench/molecules.
 std::filesystem::path bench_molecule(const std::string &file);
 
-/// A file of the folder of further molecules, which the environment variable HARDSPHERE_MOLECULES or else the CMake
-/// variable HSP_MOLECULES names; nothing if it is not there.
+/// A file of the folder of further molecules, which the environment variable HSP_MOLECULES or else the CMake
+/// variable of this name gives; nothing if it is not there.
 std::optional<std::filesystem::path> further_molecule(const std::string &file);
 
 #endif
