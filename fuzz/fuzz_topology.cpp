@@ -1,6 +1,6 @@
 // The topology of any set: everything the header promises about its records, the same bytes twice, no effect of the
 // order of the balls, limits that are too small, each component on its own, and places against the balls in integers.
-#include <topology_result.h>
+#include <topology_invariants.h>
 
 #include <map>
 

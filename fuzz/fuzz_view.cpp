@@ -2,7 +2,7 @@
 // seen, the same bytes twice, no effect of the order of the balls, short arrays and limits that are too small; pictures
 // with any options, and sinks that refuse.
 #include <picture_sink.h>
-#include <view_result.h>
+#include <view_invariants.h>
 
 #include <string>
 

@@ -6,8 +6,8 @@
 
 #include "ball_formulas.h"
 #include "ball_sets.h"
+#include "boundary_invariants.h"
 #include "check.h"
-#include "computed.h"
 
 typedef struct topology {
   uint32_t components, voids;
@@ -22,9 +22,7 @@ static void check_form(const ball_set *set, amount expected, topology topo, doub
   const char *broken;
   check_scene("%s", set->name);
   if (CHECK_EQUAL(computed_make(set->n, set->xyz, set->radius, NULL, &c), HSP_OK)) {
-    broken = broken_structure(&c);
-    check_true(broken == NULL, broken == NULL ? "" : broken, __FILE__, __LINE__);
-    broken = broken_measure(&c);
+    broken = broken_boundary(&c);
     check_true(broken == NULL, broken == NULL ? "" : broken, __FILE__, __LINE__);
     CHECK_EQUAL(c.counts.components, topo.components);
     CHECK_EQUAL(c.counts.voids, topo.voids);

@@ -5,14 +5,12 @@
 #include <string.h>
 
 #include "ball_sets.h"
+#include "boundary_invariants.h"
 #include "check.h"
-#include "computed.h"
 
 static void check_sound(const computed *c) {
-  const char *broken = broken_structure(c);
-  check_true(broken == NULL, broken == NULL ? "structure" : broken, __FILE__, __LINE__);
-  broken = broken_measure(c);
-  check_true(broken == NULL, broken == NULL ? "measure" : broken, __FILE__, __LINE__);
+  const char *broken = broken_boundary(c);
+  check_true(broken == NULL, broken == NULL ? "boundary" : broken, __FILE__, __LINE__);
 }
 
 /* hsp_model_set, property 1; hsp_boundary_compute, property 1; hsp_boundary_measure, property 1. */
@@ -30,7 +28,7 @@ static void any_order(const ball_set *set, const computed *reference) {
     check_scene("%s, order %d", set->name, round);
     ball_set_permute(set, order, &permuted);
     if (CHECK_EQUAL(computed_make(permuted.n, permuted.xyz, permuted.radius, NULL, &other), HSP_OK)) {
-      const char *what = difference_after_permutation(reference, &other, order);
+      const char *what = boundary_difference_after_permutation(reference, &other, order);
       check_sound(&other);
       check_true(what == NULL, what == NULL ? "order" : what, __FILE__, __LINE__);
       CHECK_NEAR(other.totals.area, reference->totals.area, 1e-14 * reference->totals.area);

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "check.h"
-#include "topology_result.h"
+#include "topology_invariants.h"
 #include "topology_sets.h"
 
 static int made(const ball_set *set, computed *c, topology_result *t) {

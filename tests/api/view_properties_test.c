@@ -7,7 +7,7 @@
 
 #include "check.h"
 #include "topology_sets.h"
-#include "view_result.h"
+#include "view_invariants.h"
 
 static const double pi = 3.14159265358979323846;
 

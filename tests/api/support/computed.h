@@ -45,18 +45,6 @@ void computed_release(computed *result);
 /* How boundaries are made; they are computed from a `computed`, which needs but its model. */
 extern const handle_kind boundary_handle;
 
-/* NULL, or a sentence about the first promise of the header that the result breaks: structure and numbers of records.
- * Time is at most quadratic in n. */
-const char *broken_structure(const computed *result);
-
-/* The same for positions, angles, areas and volumes, within rounding errors. */
-const char *broken_measure(const computed *result);
-
-/* NULL, or a sentence about where two results differ although ball i of `other` is ball order[i] of `result`.
- * Everything but ids must agree, positions and areas bit for bit. Balls with equal centre and radius are
- * interchangeable. */
-const char *difference_after_permutation(const computed *result, const computed *other, const uint32_t *order);
-
 #ifdef __cplusplus
 }
 #endif

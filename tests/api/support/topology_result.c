@@ -80,13 +80,3 @@ void topology_result_release(topology_result *t) {
   free(t->cells);
   memset(t, 0, sizeof *t);
 }
-
-const char *broken_topology(const topology_result *t) {
-  const char *broken = broken_quad_edges(t);
-  if (broken == NULL) broken = broken_cuts(t);
-  if (broken == NULL) broken = broken_shell_records(t);
-  if (broken == NULL) broken = broken_topology_places(t);
-  if (broken == NULL) broken = broken_face_areas(t);
-  if (broken == NULL) broken = broken_start_faces(t);
-  return broken;
-}

@@ -34,32 +34,6 @@ void topology_result_release(topology_result *result);
 /* How such handles are made; they are computed from a `topology_result`, which needs but its base. */
 extern const handle_kind topology_handle;
 
-/* NULL, or a sentence about the first promise of the header that the result breaks. Each of the following, one
- * after the other: */
-const char *broken_topology(const topology_result *result);
-
-/* the quad-edge algebra, and that flat arrays and accessors agree; */
-const char *broken_quad_edges(const topology_result *result);
-
-/* records of vertices, edges and simple faces, and how they cut the boundary's arcs, circles and faces; */
-const char *broken_cuts(const topology_result *result);
-
-/* shells, components and cells, scans, and the library's own check; time is quadratic in the number of shells; */
-const char *broken_shell_records(const topology_result *result);
-
-/* positions, axes and angles within rounding errors; time is edges times balls; */
-const char *broken_topology_places(const topology_result *result);
-
-/* the areas that the loops of simple faces enclose; */
-const char *broken_face_areas(const topology_result *result);
-
-/* and that scans of outer shells start where the highest point is. */
-const char *broken_start_faces(const topology_result *result);
-
-/* NULL, or a sentence about where two results differ although the balls of `other` are those of `result` in another
- * order. Everything but ids must agree: positions and angles bit for bit, sums up to rounding. */
-const char *topology_difference_after_permutation(const topology_result *result, const topology_result *other);
-
 #ifdef __cplusplus
 }
 #endif

@@ -31,32 +31,6 @@ void view_result_release(view_result *result);
 /* How such handles are made; they are computed from a `view_result`, which needs but its base and options. */
 extern const handle_kind view_handle;
 
-/* Rounding of positions: parts of the set's extent and of the radius that matters. */
-double view_rounding(const view_result *result, double radius);
-
-/* NULL, or a sentence about the first invariant of the records that does not hold: the frame, how pieces, loops and
- * arcs are numbered and joined, and their order. Time is quadratic in the number of balls. */
-const char *broken_view_records(const view_result *result);
-
-/* The same for the numbers of each arc, and for the areas that arcs enclose. The records must be sound. */
-const char *broken_view_arcs(const view_result *result);
-
-/* Both, one after the other. */
-const char *broken_view(const view_result *result);
-
-/* NULL, or a sentence about where the regions that the loops enclose are not the pieces as they are defined, and about
- * where the last piece painted is not the ball that is seen. Looks at `samples` points of every ball, chosen by seed.
- */
-const char *broken_view_regions(const view_result *result, uint32_t samples, uint64_t seed);
-
-/* NULL, or a sentence about where two results differ although the balls of `other` are those of `result` in another
- * order. Everything but ids must agree, doubles bit for bit and records in their order. */
-const char *view_difference_after_permutation(const view_result *result, const view_result *other);
-
-/* NULL, or a sentence, if front parts of the boundary have another area in the view plane than back parts: two views of
- * HSP_PIECES_H and HSP_VIEW_ALL_BALLS from opposite directions. */
-const char *view_difference_from_behind(const view_result *front, const view_result *back);
-
 #ifdef __cplusplus
 }
 #endif

@@ -4,7 +4,7 @@
 #include "cell_comparison.hpp"
 #include "corpus_expectations.hpp"
 #include "random_balls.hpp"
-#include "topology_invariants.hpp"
+#include "topology_complaints.hpp"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include "nerve.hpp"
 #include "random_balls.hpp"
 #include "smallest_failing.hpp"
-#include "topology_invariants.hpp"
+#include "topology_complaints.hpp"
 
 namespace {
 

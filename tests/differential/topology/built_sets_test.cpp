@@ -6,7 +6,7 @@
 #include "nested_balls.hpp"
 #include "set_arrangements.hpp"
 #include "smallest_failing.hpp"
-#include "topology_invariants.hpp"
+#include "topology_complaints.hpp"
 
 namespace {
 

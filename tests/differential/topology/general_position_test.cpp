@@ -4,7 +4,7 @@
 
 #include "random_balls.hpp"
 #include "smallest_failing.hpp"
-#include "topology_invariants.hpp"
+#include "topology_complaints.hpp"
 #include "topology_run.hpp"
 
 namespace {

@@ -6,7 +6,7 @@
 #include "molecule_balls.hpp"
 #include "random_balls.hpp"
 #include "set_arrangements.hpp"
-#include "topology_invariants.hpp"
+#include "topology_complaints.hpp"
 #include "topology_run.hpp"
 
 namespace {

@@ -8,7 +8,7 @@
 #include "dual_complex.hpp"
 #include "nested_balls.hpp"
 #include "smallest_failing.hpp"
-#include "topology_invariants.hpp"
+#include "topology_complaints.hpp"
 
 namespace {
 

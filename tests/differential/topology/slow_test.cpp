@@ -3,7 +3,7 @@
 #include "nested_balls.hpp"
 #include "smallest_failing.hpp"
 #include "sweep_length.hpp"
-#include "topology_invariants.hpp"
+#include "topology_complaints.hpp"
 #include "void_expectations.hpp"
 
 namespace {

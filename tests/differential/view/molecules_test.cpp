@@ -3,7 +3,7 @@
 
 #include "molecule_balls.hpp"
 #include "picture_comparison.hpp"
-#include "view_invariants.hpp"
+#include "view_complaints.hpp"
 #include "view_sets.hpp"
 
 namespace {

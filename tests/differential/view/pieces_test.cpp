@@ -8,7 +8,7 @@
 
 #include "exact_depth.hpp"
 #include "smallest_failing.hpp"
-#include "view_invariants.hpp"
+#include "view_complaints.hpp"
 #include "view_sets.hpp"
 
 namespace {

@@ -5,7 +5,7 @@
 #include "picture_comparison.hpp"
 #include "smallest_failing.hpp"
 #include "sweep_length.hpp"
-#include "view_invariants.hpp"
+#include "view_complaints.hpp"
 #include "view_sets.hpp"
 
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "view_invariants.hpp"
+#include "view_complaints.hpp"
 #include "view_sets.hpp"
 
 namespace {

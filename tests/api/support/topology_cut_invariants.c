@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "topology_result.h"
+#include "topology_invariants.h"
 
 static const double pi = 3.14159265358979323846;
 
@@ -250,7 +250,7 @@ static const char *broken_discs(const topology_result *t) {
   return broken;
 }
 
-const char *broken_cuts(const topology_result *t) {
+const char *broken_topology_cuts(const topology_result *t) {
   const char *broken = broken_counts(t);
   if (broken == NULL) broken = broken_vertex_records(t);
   if (broken == NULL) broken = broken_face_records(t);

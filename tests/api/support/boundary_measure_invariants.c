@@ -2,7 +2,7 @@
  * double, not of the library: a few hundred roundings relative to the sizes that enter. */
 #include <math.h>
 
-#include "computed.h"
+#include "boundary_invariants.h"
 #include "vectors.h"
 
 static const double pi = 3.14159265358979323846;
@@ -131,7 +131,7 @@ static const char *broken_areas(const computed *c) {
   return NULL;
 }
 
-const char *broken_measure(const computed *c) {
+const char *broken_boundary_measures(const computed *c) {
   const char *broken = broken_vertex_places(c);
   if (broken == NULL) broken = broken_vertex_signs(c);
   if (broken == NULL) broken = broken_arc_angles(c);

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "computed.h"
+#include "boundary_invariants.h"
 
 /* Everything about one vertex, arc, circle, face or ball; what a kind has no use for stays 0. */
 typedef struct plain_record {
@@ -142,7 +142,7 @@ static int same(const plain_record *a, const plain_record *b, uint32_t count) {
   return memcmp(a, b, count * sizeof *a) == 0;
 }
 
-const char *difference_after_permutation(const computed *a, const computed *b, const uint32_t *order) {
+const char *boundary_difference_after_permutation(const computed *a, const computed *b, const uint32_t *order) {
   const char *what = NULL;
   plain_form form_a, form_b;
   uint32_t i;

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "topology_result.h"
+#include "topology_invariants.h"
 
 enum { WORDS = 16 };
 

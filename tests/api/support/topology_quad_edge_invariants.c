@@ -2,7 +2,7 @@
  * subdivisions", ACM Transactions on Graphics 4 (1985), Section 2, with the header's property numbers. */
 #include <stdlib.h>
 
-#include "topology_result.h"
+#include "topology_invariants.h"
 
 static uint32_t rot(uint32_t q) {
   return q - q % 4 + (q + 1) % 4;
@@ -114,7 +114,7 @@ static const char *broken_ends(const topology_result *t) {
   return NULL;
 }
 
-const char *broken_quad_edges(const topology_result *t) {
+const char *broken_topology_quad_edges(const topology_result *t) {
   const char *broken = broken_ends(t);
   uint32_t q;
   if (broken == NULL) broken = broken_ranges(t);

@@ -2,7 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "topology_result.h"
+#include "topology_invariants.h"
 #include "vectors.h"
 
 static const double pi = 3.14159265358979323846;
@@ -177,7 +177,7 @@ static const char *broken_shell_points(const topology_result *t) {
   return NULL;
 }
 
-const char *broken_topology_places(const topology_result *t) {
+const char *broken_topology_positions(const topology_result *t) {
   const char *broken = broken_vertices(t);
   uint32_t i;
   for (i = 0; i < t->counts.edges && broken == NULL; ++i) {

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "computed.h"
+#include "boundary_invariants.h"
 
 /* ---- classes: a plain union-find over 0 .. n-1 ---- */
 
@@ -271,7 +271,7 @@ static const char *broken_law(const computed *c) {
   return laws[law];
 }
 
-const char *broken_structure(const computed *c) {
+const char *broken_boundary_records(const computed *c) {
   uint32_t *ends = calloc((size_t)c->counts.vertices + 1, sizeof *ends);
   const char *broken = broken_counts(c);
   if (ends == NULL) exit(2);

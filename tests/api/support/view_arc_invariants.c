@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 #include "vectors.h"
-#include "view_result.h"
+#include "view_invariants.h"
 
 static const double pi = 3.14159265358979323846;
 

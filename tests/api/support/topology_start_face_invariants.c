@@ -3,7 +3,7 @@
  * goes through the point itself. */
 #include <math.h>
 
-#include "topology_result.h"
+#include "topology_invariants.h"
 #include "vectors.h"
 
 /* An edge on the unit sphere about its ball's centre: centre + cos(turn) start + sin(turn) quarter, 0 <= turn <= angle.
@@ -112,7 +112,7 @@ static int touches_top(const topology_result *t, uint32_t face) {
   return 0;
 }
 
-const char *broken_start_faces(const topology_result *t) {
+const char *broken_topology_start_faces(const topology_result *t) {
   uint32_t i;
   for (i = 0; i < t->counts.components; ++i) {
     const uint32_t start = t->shells[t->components[i].outer_shell].start_face;

@@ -4,11 +4,7 @@
 #include <string.h>
 
 #include "vectors.h"
-#include "view_result.h"
-
-double view_rounding(const view_result *v, double radius) {
-  return 1e-10 * radius + 1e-13 * v->base->extent + 4 * v->base->rounding;
-}
+#include "view_invariants.h"
 
 /* v of any size as a unit vector; 0 if it is 0. */
 static int unit_vector(const double v[3], double unit[3]) {
@@ -231,9 +227,4 @@ const char *broken_view_records(const view_result *v) {
   if (broken == NULL) broken = broken_order(v);
   if (broken == NULL) broken = broken_box(v);
   return broken;
-}
-
-const char *broken_view(const view_result *v) {
-  const char *broken = broken_view_records(v);
-  return broken == NULL ? broken_view_arcs(v) : broken;
 }

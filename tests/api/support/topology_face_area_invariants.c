@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "topology_result.h"
+#include "topology_invariants.h"
 #include "vectors.h"
 
 static const double pi = 3.14159265358979323846;
@@ -66,7 +66,7 @@ static double face_angle(const topology_result *t, const hsp_simple_face *face) 
   return angle;
 }
 
-const char *broken_face_areas(const topology_result *t) {
+const char *broken_topology_face_areas(const topology_result *t) {
   const computed *c = t->base;
   const char *broken = NULL;
   uint32_t i;

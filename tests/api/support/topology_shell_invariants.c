@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "topology_result.h"
+#include "topology_invariants.h"
 
 static const double pi = 3.14159265358979323846;
 
@@ -336,7 +336,7 @@ static const char *broken_law(const topology_result *t) {
   return laws[law];
 }
 
-const char *broken_shell_records(const topology_result *t) {
+const char *broken_topology_shells(const topology_result *t) {
   const char *broken = broken_shells(t);
   if (broken == NULL) broken = broken_components(t);
   if (broken == NULL) broken = broken_cells(t);

@@ -1,6 +1,6 @@
-#include "topology_invariants.hpp"
+#include "topology_complaints.hpp"
 
-#include <topology_result.h>
+#include <topology_invariants.h>
 
 #include <algorithm>
 #include <array>

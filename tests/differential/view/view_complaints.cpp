@@ -1,6 +1,6 @@
-#include "view_invariants.hpp"
+#include "view_complaints.hpp"
 
-#include <view_result.h>
+#include <view_invariants.h>
 
 #include "computed_balls.hpp"
 #include "exact_depth.hpp"

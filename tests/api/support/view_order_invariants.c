@@ -2,7 +2,7 @@
  * name any of several equal balls. */
 #include <string.h>
 
-#include "view_result.h"
+#include "view_invariants.h"
 
 static int same_ball(const computed *a, uint32_t i, const computed *b, uint32_t j) {
   if (i == HSP_NONE || j == HSP_NONE) return i == j;

@@ -1,0 +1,29 @@
+/* Invariants of any computed boundary: what the header promises of it. Each function returns NULL, or a sentence about
+ * the first one that does not hold. */
+#ifndef HSP_TESTS_BOUNDARY_INVARIANTS_H
+#define HSP_TESTS_BOUNDARY_INVARIANTS_H
+
+#include "computed.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* All that follow, one after the other. */
+const char *broken_boundary(const computed *c);
+
+/* Structure and numbers of records. Time is at most quadratic in the number of balls. */
+const char *broken_boundary_records(const computed *c);
+
+/* Positions, angles, areas and volumes, within rounding errors. The records must be sound. */
+const char *broken_boundary_measures(const computed *c);
+
+/* The order of the balls has no effect but on ids: ball i of `other` is ball order[i] of c. Positions and areas agree
+ * bit for bit. Balls with equal centre and radius are interchangeable. */
+const char *boundary_difference_after_permutation(const computed *c, const computed *other, const uint32_t *order);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,41 @@
+/* Invariants of any computed topology: what the header promises of it. Each function returns NULL, or a sentence about
+ * the first one that does not hold. Later ones rely on what the earlier ones have found sound. */
+#ifndef HSP_TESTS_TOPOLOGY_INVARIANTS_H
+#define HSP_TESTS_TOPOLOGY_INVARIANTS_H
+
+#include "topology_result.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* All but the last of those that follow, one after the other. */
+const char *broken_topology(const topology_result *t);
+
+/* The quad-edge algebra, and that flat arrays and functions agree. */
+const char *broken_topology_quad_edges(const topology_result *t);
+
+/* Records of vertices, edges and simple faces, and how they cut the boundary's arcs, circles and faces. */
+const char *broken_topology_cuts(const topology_result *t);
+
+/* Shells, components and cells, scans, and the library's own check. Time is quadratic in the number of shells. */
+const char *broken_topology_shells(const topology_result *t);
+
+/* Positions, axes and angles within rounding errors. Time is edges times balls. */
+const char *broken_topology_positions(const topology_result *t);
+
+/* The areas that the loops of simple faces enclose. */
+const char *broken_topology_face_areas(const topology_result *t);
+
+/* Scans of outer shells start where the highest point is. */
+const char *broken_topology_start_faces(const topology_result *t);
+
+/* The order of the balls has no effect but on ids: those of `other` are those of t in another order. Positions and
+ * angles agree bit for bit, areas and volumes up to rounding. */
+const char *topology_difference_after_permutation(const topology_result *t, const topology_result *other);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,41 @@
+/* Invariants of any computed view: what the header promises of it. Each function returns NULL, or a sentence about the
+ * first one that does not hold. Later ones rely on what the earlier ones have found sound. */
+#ifndef HSP_TESTS_VIEW_INVARIANTS_H
+#define HSP_TESTS_VIEW_INVARIANTS_H
+
+#include "view_result.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The two that follow, one after the other. */
+const char *broken_view(const view_result *v);
+
+/* The frame, how pieces, loops and arcs are numbered and joined, and their order. Time is quadratic in the number of
+ * balls. */
+const char *broken_view_records(const view_result *v);
+
+/* The numbers of each arc, and the areas that arcs enclose. */
+const char *broken_view_arcs(const view_result *v);
+
+/* The regions that loops enclose are the pieces as they are defined, and the last piece painted is the ball that is
+ * seen: looks at `samples` points of every ball, chosen by seed. */
+const char *broken_view_regions(const view_result *v, uint32_t samples, uint64_t seed);
+
+/* The order of the balls has no effect but on ids: those of `other` are those of v in another order. Doubles agree bit
+ * for bit, and records in their order. */
+const char *view_difference_after_permutation(const view_result *v, const view_result *other);
+
+/* Front parts of the boundary have the same area in the view plane as back parts: two views of HSP_PIECES_H and
+ * HSP_VIEW_ALL_BALLS from opposite directions. */
+const char *view_difference_from_behind(const view_result *front, const view_result *back);
+
+/* How far a position may be off: parts of the set's extent and of the radius that matters. */
+double view_rounding(const view_result *v, double radius);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
