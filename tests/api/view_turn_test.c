@@ -7,8 +7,6 @@
 #include "untouched.h"
 #include "vectors.h"
 
-static const double pi = 3.14159265358979323846;
-
 enum { BALLS = 2 };
 static unsigned char model_memory[HSP_MODEL_BYTES(BALLS)];
 static unsigned char view_memory[HSP_VIEW_BYTES(BALLS, BALLS, 16)];

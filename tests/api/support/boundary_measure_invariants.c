@@ -5,8 +5,6 @@
 #include "boundary_invariants.h"
 #include "vectors.h"
 
-static const double pi = 3.14159265358979323846;
-
 static double distance_to_centre(const computed *c, const double xyz[3], uint32_t ball) {
   double v[3];
   difference(xyz, c->xyz + 3 * ball, v);
@@ -16,11 +14,19 @@ static double distance_to_centre(const computed *c, const double xyz[3], uint32_
 /* How far a position may be off a sphere: roundings of the largest radius and of the coordinates, and what the
  * lattice moved. */
 static double slack(const computed *c, const double xyz[3]) {
-  return 1e-14 * (fabs(xyz[0]) + fabs(xyz[1]) + fabs(xyz[2])) + 1e-13 * c->info.largest_radius + 4 * c->rounding;
+  return position_error(xyz) + 1e-14 * c->info.largest_radius + 4 * c->rounding;
+}
+
+static int exposed(const computed *c, const double xyz[3], double allowed) {
+  uint32_t j;
+  for (j = 0; j < c->n; ++j) {
+    if (!(distance_to_centre(c, xyz, j) >= c->radius[j] - allowed)) return 0;
+  }
+  return 1;
 }
 
 static const char *broken_vertex_places(const computed *c) {
-  uint32_t i, j, m;
+  uint32_t i, m;
   for (i = 0; i < c->counts.vertices; ++i) {
     const hsp_vertex *v = c->vertices + i;
     const double allowed = slack(c, v->xyz);
@@ -28,9 +34,7 @@ static const char *broken_vertex_places(const computed *c) {
       const double off = distance_to_centre(c, v->xyz, v->ball[m]) - c->radius[v->ball[m]];
       if (!(fabs(off) <= allowed)) return "vertex: not on its three spheres";
     }
-    for (j = 0; j < c->n; ++j) {
-      if (!(distance_to_centre(c, v->xyz, j) >= c->radius[j] - allowed)) return "vertex: inside a ball";
-    }
+    if (!exposed(c, v->xyz, allowed)) return "vertex: inside a ball";
   }
   return NULL;
 }
@@ -45,8 +49,9 @@ static const char *broken_vertex_signs(const computed *c) {
     difference(v->xyz, c->xyz + 3 * v->ball[0], w);
     cross(ab, ac, normal);
     side = dot(normal, w);
-    /* a normal of nearly collinear centres is itself known only up to the slack of the centres */
-    allowed = length(normal) * slack(c, v->xyz) + 8 * slack(c, v->xyz) * (length(ab) + length(ac)) * length(w);
+    /* a normal of nearly collinear centres is itself known only as well as the centres, and up to its rounding */
+    allowed = length(normal) * slack(c, v->xyz) + 1e-15 * length(ab) * length(ac) * length(w) +
+              8 * (c->rounding + position_error(v->xyz)) * (length(ab) + length(ac)) * length(w);
     if (v->sign > 0 ? side < -allowed : side > allowed) return "vertex: on the other side than its sign says";
   }
   return NULL;
@@ -65,7 +70,7 @@ static const char *broken_arc_angles(const computed *c) {
   for (i = 0; i < c->counts.arcs; ++i) {
     const hsp_arc *arc = c->arcs + i;
     const double *from = c->vertices[arc->vertex[0]].xyz, *to = c->vertices[arc->vertex[1]].xyz;
-    double u[3], w[3], start[3], end[3], quarter[3], turned[3], off[3], distance, allowed;
+    double u[3], w[3], start[3], end[3], quarter[3], turned[3], off[3], middle[3], distance, allowed;
     if (!(arc->angle >= 0 && arc->angle <= 2 * pi)) return "arc: angle is not in [0, 2 pi]";
     difference(c->xyz + 3 * arc->ball[1], c->xyz + 3 * arc->ball[0], u);
     distance = length(u);
@@ -79,6 +84,11 @@ static const char *broken_arc_angles(const computed *c) {
     difference(turned, end, off);
     allowed = 8 * slack(c, from) * (1 + c->radius[arc->ball[0]] / distance);
     if (!(length(off) <= allowed)) return "arc: turning by its angle about the axis does not lead to its end";
+    /* the angle is right, not just up to a whole turn */
+    for (axis = 0; axis < 3; ++axis) {
+      middle[axis] = from[axis] - start[axis] + cos(arc->angle / 2) * start[axis] + sin(arc->angle / 2) * quarter[axis];
+    }
+    if (!exposed(c, middle, allowed)) return "arc: its middle is inside a ball";
   }
   return NULL;
 }
@@ -88,17 +98,21 @@ static const char *broken_circle_places(const computed *c) {
   for (i = 0; i < c->counts.circles; ++i) {
     const hsp_circle *circle = c->circles + i;
     const double allowed = 4 * slack(c, circle->centre);
-    double u[3], w[3];
+    double u[3], w[3], off[3];
     difference(c->xyz + 3 * circle->ball[1], c->xyz + 3 * circle->ball[0], u);
     if (!(fabs(length(circle->axis) - 1) <= 1e-14)) return "circle: axis is not a unit vector";
-    if (!(dot(circle->axis, u) >= length(u) - allowed)) return "circle: axis does not point from c_a to c_b";
+    cross(circle->axis, u, off);
+    if (!(dot(circle->axis, u) > 0 && length(off) <= 1e-14 * length(u) + 8 * (c->rounding + 1e-16 * c->extent))) {
+      return "circle: axis does not point from c_a to c_b";
+    }
     if (!(circle->radius >= 0)) return "circle: negative radius";
     for (e = 0; e < 2; ++e) {
       const double r = c->radius[circle->ball[e]];
       double from_centre;
       difference(circle->centre, c->xyz + 3 * circle->ball[e], w);
       from_centre = sqrt(dot(w, w) + circle->radius * circle->radius);
-      if (!(fabs(from_centre - r) <= allowed)) return "circle: not on its two spheres";
+      cross(circle->axis, w, off);
+      if (!(length(off) <= allowed && fabs(from_centre - r) <= allowed)) return "circle: not on its two spheres";
     }
   }
   return NULL;

@@ -20,12 +20,6 @@ typedef struct plain_form {
   plain_record *balls;
 } plain_form;
 
-static plain_record *take(uint32_t count) {
-  plain_record *records = calloc((size_t)count + 1, sizeof *records);
-  if (records == NULL) exit(2);
-  return records;
-}
-
 static int by_bytes(const void *a, const void *b) {
   return memcmp(a, b, sizeof(plain_record));
 }
@@ -70,13 +64,12 @@ static void plain_vertex(const hsp_vertex *v, const uint32_t *class_of_ball, pla
 static plain_form plain_form_of(const computed *c, const uint32_t *class_of_ball) {
   plain_form form;
   uint32_t i, e;
-  uint32_t *faces_of_shell = calloc((size_t)c->counts.shells + 1, sizeof *faces_of_shell);
-  if (faces_of_shell == NULL) exit(2);
-  form.vertices = take(c->counts.vertices);
-  form.arcs = take(c->counts.arcs);
-  form.circles = take(c->counts.circles);
-  form.faces = take(c->counts.faces);
-  form.balls = take(c->n);
+  uint32_t *faces_of_shell = test_zeros(c->counts.shells, sizeof *faces_of_shell);
+  form.vertices = test_zeros(c->counts.vertices, sizeof(plain_record));
+  form.arcs = test_zeros(c->counts.arcs, sizeof(plain_record));
+  form.circles = test_zeros(c->counts.circles, sizeof(plain_record));
+  form.faces = test_zeros(c->counts.faces, sizeof(plain_record));
+  form.balls = test_zeros(c->n, sizeof(plain_record));
   for (i = 0; i < c->counts.vertices; ++i) plain_vertex(c->vertices + i, class_of_ball, form.vertices + i);
   for (i = 0; i < c->counts.arcs; ++i) {
     const hsp_arc *arc = c->arcs + i;
@@ -146,9 +139,8 @@ const char *boundary_difference_after_permutation(const computed *a, const compu
   const char *what = NULL;
   plain_form form_a, form_b;
   uint32_t i;
-  uint32_t *class_a = malloc(((size_t)a->n + 1) * sizeof *class_a);
-  uint32_t *class_b = malloc(((size_t)a->n + 1) * sizeof *class_b);
-  if (class_a == NULL || class_b == NULL) exit(2);
+  uint32_t *class_a = test_zeros(a->n, sizeof *class_a);
+  uint32_t *class_b = test_zeros(a->n, sizeof *class_b);
   if (a->n != b->n || memcmp(&a->counts, &b->counts, sizeof a->counts) != 0) {
     free(class_a);
     free(class_b);

@@ -9,8 +9,7 @@
 
 static uint32_t *classes_start(uint32_t n) {
   uint32_t i;
-  uint32_t *parent = malloc(((size_t)n + 1) * sizeof *parent);
-  if (parent == NULL) exit(2);
+  uint32_t *parent = test_zeros(n, sizeof *parent);
   for (i = 0; i < n; ++i) parent[i] = i;
   return parent;
 }
@@ -31,8 +30,7 @@ static void classes_join(uint32_t *parent, uint32_t i, uint32_t j) {
 static int labels_are_classes(uint32_t *parent, uint32_t n, const uint32_t *label, uint32_t labels) {
   uint32_t i, roots = 0;
   int good = 1;
-  uint32_t *of_label = malloc(((size_t)labels + 1) * sizeof *of_label);
-  if (of_label == NULL) exit(2);
+  uint32_t *of_label = test_zeros(labels, sizeof *of_label);
   for (i = 0; i < labels; ++i) of_label[i] = HSP_NONE;
   for (i = 0; i < n && good; ++i) {
     const uint32_t root = classes_find(parent, i);
@@ -154,9 +152,8 @@ static const char *broken_loops(const computed *c) {
   uint32_t i, e, s;
   uint64_t all = 0;
   uint32_t *side_class = classes_start(sides);
-  uint32_t *loops = calloc((size_t)c->counts.faces + 1, sizeof *loops);
-  uint32_t *passing = malloc(3 * ((size_t)c->counts.vertices + 1) * sizeof *passing);
-  if (loops == NULL || passing == NULL) exit(2);
+  uint32_t *loops = test_zeros(c->counts.faces, sizeof *loops);
+  uint32_t *passing = test_zeros(3 * (size_t)c->counts.vertices, sizeof *passing);
   /* passing[3 v + m]: a side at vertex v whose ball is the m-th of the vertex; the second one seen closes the corner */
   for (i = 0; i < 3 * c->counts.vertices; ++i) passing[i] = HSP_NONE;
   for (s = 0; s < sides && broken == NULL; ++s) {
@@ -196,8 +193,7 @@ static const char *broken_shells(const computed *c) {
   int good;
   uint32_t i;
   uint32_t *face_class = classes_start(faces);
-  uint32_t *label = malloc(((size_t)faces + 1) * sizeof *label);
-  if (label == NULL) exit(2);
+  uint32_t *label = test_zeros(faces, sizeof *label);
   for (i = 0; i < c->counts.arcs; ++i) classes_join(face_class, c->arcs[i].face[0], c->arcs[i].face[1]);
   for (i = 0; i < c->counts.circles; ++i) classes_join(face_class, c->circles[i].face[0], c->circles[i].face[1]);
   for (i = 0; i < faces; ++i) label[i] = c->faces[i].shell;
@@ -213,10 +209,9 @@ static const char *broken_components(const computed *c) {
   uint32_t i, j, needed, most = 0;
   int good;
   uint32_t *ball_class = classes_start(c->n);
-  uint32_t *ids = malloc(((size_t)c->n + 1) * sizeof *ids);
-  uint32_t *label = malloc(((size_t)c->n + 1) * sizeof *label);
+  uint32_t *ids = test_zeros(c->n, sizeof *ids);
+  uint32_t *label = test_zeros(c->n, sizeof *label);
   uint64_t balance = 0; /* sum of a hash of (i, j) minus that of (j, i) */
-  if (ids == NULL || label == NULL) exit(2);
   for (i = 0; i < c->n && broken == NULL; ++i) {
     label[i] = c->balls[i].component;
     if (hsp_query_neighbours(c->model, i, ids, c->n, &needed) != HSP_OK) {
@@ -272,9 +267,8 @@ static const char *broken_law(const computed *c) {
 }
 
 const char *broken_boundary_records(const computed *c) {
-  uint32_t *ends = calloc((size_t)c->counts.vertices + 1, sizeof *ends);
+  uint32_t *ends = test_zeros(c->counts.vertices, sizeof *ends);
   const char *broken = broken_counts(c);
-  if (ends == NULL) exit(2);
   if (c->enlargements > 2) broken = "hsp_boundary_get_needed: more than two enlargements";
   if (broken == NULL && (c->needed.balls != c->n || c->needed.vertices != c->counts.vertices ||
                          c->needed.circles != c->counts.circles || c->needed.reserved != 0)) {

@@ -14,19 +14,13 @@ typedef struct gradient {
   uint32_t *flags;
 } gradient;
 
-static void *take(size_t count, size_t size) {
-  void *memory = calloc(count + 1, size);
-  if (memory == NULL) exit(2);
-  return memory;
-}
-
 static const char *gradient_make(const computed *c, const double *sigma, double tension, double pressure,
                                  uint32_t tangency, gradient *g) {
   uint32_t i;
   g->n = c->n;
-  g->centre = take(c->n, 3 * sizeof *g->centre);
-  g->radius = take(c->n, sizeof *g->radius);
-  g->flags = take(c->n, sizeof *g->flags);
+  g->centre = test_zeros(c->n, 3 * sizeof *g->centre);
+  g->radius = test_zeros(c->n, sizeof *g->radius);
+  g->flags = test_zeros(c->n, sizeof *g->flags);
   if (hsp_boundary_gradient(c->boundary, sigma, tension, pressure, tangency, &g->energy, g->centre, g->radius, g->flags,
                             c->n) != HSP_OK) {
     return "hsp_boundary_gradient: not HSP_OK";
@@ -252,7 +246,7 @@ static int by_bytes(const void *a, const void *b) {
 }
 
 static plain_part *plain_parts(const computed *c, const gradient *g) {
-  plain_part *parts = take(c->n, sizeof *parts);
+  plain_part *parts = test_zeros(c->n, sizeof *parts);
   uint32_t i;
   for (i = 0; i < c->n; ++i) {
     memcpy(parts[i].xyz, c->xyz + 3 * i, sizeof parts[i].xyz);

@@ -15,12 +15,6 @@ typedef struct row_set {
   const hsp_area_derivative **find; /* [n][n] the entry for ball j in row i, or NULL */
 } row_set;
 
-static void *take(size_t count, size_t size) {
-  void *memory = calloc(count + 1, size);
-  if (memory == NULL) exit(2);
-  return memory;
-}
-
 static void add_angle(row_set *s, const uint32_t ball[2], double angle) {
   const size_t n = s->c->n, there = ball[0] * n + ball[1], back = ball[1] * n + ball[0];
   s->angle[there] = s->angle[back] = fmax(s->angle[there], 0) + angle;
@@ -31,8 +25,8 @@ static const char *row_set_make(const computed *c, uint32_t tangency, row_set *s
   const int32_t status = jacobian_make(c, tangency, &s->rows);
   uint32_t i, k;
   s->c = c;
-  s->angle = take(n * n, sizeof *s->angle);
-  s->find = take(n * n, sizeof *s->find);
+  s->angle = test_zeros(n * n, sizeof *s->angle);
+  s->find = test_zeros(n * n, sizeof *s->find);
   for (k = 0; k < n * n; ++k) s->angle[k] = -1;
   for (k = 0; k < c->counts.arcs; ++k) add_angle(s, c->arcs[k].ball, c->arcs[k].angle);
   for (k = 0; k < c->counts.circles; ++k) add_angle(s, c->circles[k].ball, 2 * acos(-1.0));
@@ -129,8 +123,8 @@ static const char *broken_weighted_sum(const row_set *s, const double *sigma, ui
   const computed *c = s->c;
   const char *broken = NULL;
   const size_t n = c->n;
-  double *centre = take(3 * n, sizeof *centre), *radius = take(n, sizeof *radius);
-  uint32_t *flags = take(n, sizeof *flags);
+  double *centre = test_zeros(3 * n, sizeof *centre), *radius = test_zeros(n, sizeof *radius);
+  uint32_t *flags = test_zeros(n, sizeof *flags);
   uint32_t i, j, k;
   if (hsp_boundary_gradient(c->boundary, sigma, 1, 0, tangency, NULL, centre, radius, flags, c->n) != HSP_OK) {
     broken = "hsp_boundary_gradient: not HSP_OK";
@@ -167,7 +161,7 @@ static const char *broken_weighted_sum(const row_set *s, const double *sigma, ui
  * gradients are computed. */
 static const char *broken_single_sums(const row_set *s, uint32_t tangency) {
   const char *broken = NULL;
-  double *sigma = take(s->c->n, sizeof *sigma);
+  double *sigma = test_zeros(s->c->n, sizeof *sigma);
   uint32_t i;
   for (i = 0; i < s->c->n && s->c->n <= 40 && broken == NULL; ++i) {
     sigma[i] = 1;

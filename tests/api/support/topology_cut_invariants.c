@@ -4,8 +4,7 @@
 #include <string.h>
 
 #include "topology_invariants.h"
-
-static const double pi = 3.14159265358979323846;
+#include "vectors.h"
 
 static const char *broken_counts(const topology_result *t) {
   const hsp_topology_counts *k = &t->counts;
@@ -57,8 +56,7 @@ static const char *broken_face_records(const topology_result *t) {
   const computed *c = t->base;
   const char *broken = NULL;
   uint32_t i;
-  uint32_t *pieces = calloc((size_t)c->counts.faces + 1, sizeof *pieces);
-  if (pieces == NULL) exit(2);
+  uint32_t *pieces = test_zeros(c->counts.faces, sizeof *pieces);
   for (i = 0; i < t->counts.simple_faces && broken == NULL; ++i) {
     const hsp_simple_face *f = t->faces + i;
     hsp_simple_face one;
@@ -196,9 +194,8 @@ static const char *sorted_pieces(const topology_result *t, piece *pieces, uint32
 static const char *broken_pieces(const topology_result *t) {
   const computed *c = t->base;
   uint32_t i, count = 0, first = 0, arcs = 0, circles = 0;
-  piece *pieces = calloc((size_t)t->counts.edges + 1, sizeof *pieces);
+  piece *pieces = test_zeros(t->counts.edges, sizeof *pieces);
   const char *broken;
-  if (pieces == NULL) exit(2);
   broken = sorted_pieces(t, pieces, &count);
   for (i = 0; i < count && broken == NULL; ++i) {
     const piece *p = pieces + i;
@@ -227,9 +224,8 @@ static const char *broken_discs(const topology_result *t) {
   const computed *c = t->base;
   const char *broken = NULL;
   uint32_t i, e;
-  uint8_t *on_boundary = calloc((size_t)t->counts.vertices + 1, 1);
-  int64_t *euler = calloc((size_t)c->counts.faces + 1, sizeof *euler);
-  if (on_boundary == NULL || euler == NULL) exit(2);
+  uint8_t *on_boundary = test_zeros(t->counts.vertices, 1);
+  int64_t *euler = test_zeros(c->counts.faces, sizeof *euler);
   for (i = 0; i < t->counts.simple_faces; ++i) ++euler[t->faces[i].face];
   for (i = 0; i < t->counts.edges; ++i) {
     const hsp_topology_edge *edge = t->edges + i;

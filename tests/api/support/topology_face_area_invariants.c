@@ -7,8 +7,6 @@
 #include "topology_invariants.h"
 #include "vectors.h"
 
-static const double pi = 3.14159265358979323846;
-
 /* Where the walk along q stands when it starts (end = 0) or arrives (end = 1): its unit tangent. */
 static void tangent(const topology_result *t, uint32_t q, int end, double along[3]) {
   const hsp_topology_edge *edge = t->edges + q / 4;
@@ -70,9 +68,8 @@ const char *broken_topology_face_areas(const topology_result *t) {
   const computed *c = t->base;
   const char *broken = NULL;
   uint32_t i;
-  double *sum = calloc((size_t)c->counts.faces + 1, sizeof *sum);
-  double *area = calloc((size_t)c->counts.faces + 1, sizeof *area);
-  if (sum == NULL || area == NULL) exit(2);
+  double *sum = test_zeros(c->counts.faces, sizeof *sum);
+  double *area = test_zeros(c->counts.faces, sizeof *area);
   if (hsp_boundary_measure_faces(c->boundary, area, NULL, c->counts.faces) != HSP_OK) broken = "areas of maximal faces";
   for (i = 0; i < t->counts.simple_faces && broken == NULL; ++i) {
     const hsp_simple_face *face = t->faces + i;

@@ -19,12 +19,6 @@ typedef struct plain_form {
   uint64_t start; /* the simple face where the scan of the outermost highest shell starts */
 } plain_form;
 
-static plain_record *take(uint32_t count) {
-  plain_record *records = calloc((size_t)count + 1, sizeof *records);
-  if (records == NULL) exit(2);
-  return records;
-}
-
 static int by_words(const void *a, const void *b) {
   return memcmp(((const plain_record *)a)->word, ((const plain_record *)b)->word, sizeof(uint64_t) * WORDS);
 }
@@ -75,8 +69,8 @@ static uint64_t scan_name(const topology_result *t, uint32_t shell, const uint64
   const uint32_t count = t->shells[shell].simple_faces;
   uint32_t needed = 0, k;
   uint64_t hash = 1;
-  uint32_t *faces = calloc((size_t)count + 1, sizeof *faces);
-  if (faces == NULL || hsp_topology_get_scan(t->topology, shell, faces, count, &needed) != HSP_OK) exit(2);
+  uint32_t *faces = test_zeros(count, sizeof *faces);
+  if (hsp_topology_get_scan(t->topology, shell, faces, count, &needed) != HSP_OK) hash = 0;
   for (k = 0; k < count; ++k) hash = mixed(hash, face_names[faces[k]]);
   free(faces);
   return hash;
@@ -124,13 +118,12 @@ static plain_form plain_form_of(const topology_result *t) {
   const hsp_topology_counts *k = &t->counts;
   uint32_t i;
   int axis;
-  uint64_t *names = calloc((size_t)k->vertices + 1, sizeof *names);
-  uint64_t *face_names = calloc((size_t)k->simple_faces + 1, sizeof *face_names);
-  if (names == NULL || face_names == NULL) exit(2);
-  form.vertices = take(k->vertices);
-  form.edges = take(k->edges);
-  form.faces = take(k->simple_faces);
-  form.shells = take(k->shells);
+  uint64_t *names = test_zeros(k->vertices, sizeof *names);
+  uint64_t *face_names = test_zeros(k->simple_faces, sizeof *face_names);
+  form.vertices = test_zeros(k->vertices, sizeof(plain_record));
+  form.edges = test_zeros(k->edges, sizeof(plain_record));
+  form.faces = test_zeros(k->simple_faces, sizeof(plain_record));
+  form.shells = test_zeros(k->shells, sizeof(plain_record));
   for (i = 0; i < k->vertices; ++i) {
     const hsp_topology_vertex *v = t->vertices + i;
     names[i] = vertex_name(t->base, v);

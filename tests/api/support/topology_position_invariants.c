@@ -5,8 +5,6 @@
 #include "topology_invariants.h"
 #include "vectors.h"
 
-static const double pi = 3.14159265358979323846;
-
 /* How far a position may be off, with what the lattice moved. */
 static double slack(const computed *c, const double xyz[3]) {
   return 1e-9 * c->info.largest_radius + 4 * position_error(xyz) + 8 * c->rounding;
@@ -135,8 +133,7 @@ static const char *broken_circle_points(const topology_result *t) {
   const computed *c = t->base;
   const char *broken = NULL;
   uint32_t i, e;
-  uint32_t *ends = calloc((size_t)c->counts.circles + 1, sizeof *ends);
-  if (ends == NULL) exit(2);
+  uint32_t *ends = test_zeros(c->counts.circles, sizeof *ends);
   for (i = 0; i < t->counts.edges; ++i) {
     const hsp_topology_edge *edge = t->edges + i;
     const hsp_circle *circle;

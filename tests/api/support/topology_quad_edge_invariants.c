@@ -62,11 +62,10 @@ static const char *broken_rings(const topology_result *t) {
   const uint32_t quarters = 4 * t->counts.edges;
   const char *broken = NULL;
   uint32_t q, parity;
-  uint8_t *seen = calloc((size_t)quarters + 1, 1);
+  uint8_t *seen = test_zeros(quarters, 1);
   uint32_t *rings[2];
-  rings[0] = calloc((size_t)t->counts.vertices + 1, sizeof **rings);
-  rings[1] = calloc((size_t)t->counts.simple_faces + 1, sizeof **rings);
-  if (seen == NULL || rings[0] == NULL || rings[1] == NULL) exit(2);
+  rings[0] = test_zeros(t->counts.vertices, sizeof **rings);
+  rings[1] = test_zeros(t->counts.simple_faces, sizeof **rings);
   for (q = 0; q < quarters && broken == NULL; ++q) {
     uint32_t at = q, length = 0;
     if (seen[q]) continue;

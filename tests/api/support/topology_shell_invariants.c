@@ -4,14 +4,7 @@
 #include <stdlib.h>
 
 #include "topology_invariants.h"
-
-static const double pi = 3.14159265358979323846;
-
-static uint32_t *take_numbers(size_t count) {
-  uint32_t *numbers = calloc(count + 1, sizeof *numbers);
-  if (numbers == NULL) exit(2);
-  return numbers;
-}
+#include "vectors.h"
 
 /* Areas are known up to roundings of what whole spheres have: spheres may nearly close a space, and its shell has next
  * to no area. Volumes: times the largest radius. */
@@ -116,8 +109,7 @@ static const char *broken_shells(const topology_result *t) {
   double area = 0, volume = 0, volumes = 0;
   const char *broken;
   uint32_t i;
-  tally *tallies = calloc((size_t)t->counts.shells + 1, sizeof *tallies);
-  if (tallies == NULL) exit(2);
+  tally *tallies = test_zeros(t->counts.shells, sizeof *tallies);
   broken = tally_up(t, tallies);
   for (i = 0; i < t->counts.shells && broken == NULL; ++i) {
     const hsp_shell *s = t->shells + i;
@@ -159,9 +151,9 @@ static const char *broken_components(const topology_result *t) {
   const char *broken = NULL;
   uint32_t i;
   double top_of_all = -HUGE_VAL;
-  uint32_t *balls = take_numbers(t->counts.components), *shells = take_numbers(t->counts.components);
-  double *top = malloc(((size_t)t->counts.components + 1) * sizeof *top);
-  if (top == NULL) exit(2);
+  uint32_t *balls = test_zeros(t->counts.components, sizeof(uint32_t)),
+           *shells = test_zeros(t->counts.components, sizeof(uint32_t));
+  double *top = test_zeros(t->counts.components, sizeof *top);
   for (i = 0; i < t->counts.components; ++i) top[i] = -HUGE_VAL;
   for (i = 0; i < c->n; ++i) {
     const uint32_t k = c->balls[i].component;
@@ -216,7 +208,7 @@ static const char *broken_cell(const topology_result *t, uint32_t id) {
   double area = 0, volume = 0, sizes = 0;
   uint32_t i, components = 0, shells = 0, needed = HSP_NONE;
   int good = 1;
-  uint32_t *ids = take_numbers(t->counts.shells);
+  uint32_t *ids = test_zeros(t->counts.shells, sizeof(uint32_t));
   if (hsp_topology_get_cell_shells(t->topology, id, ids, t->counts.shells, &needed) != HSP_OK) good = 0;
   for (i = 0; i < t->counts.shells; ++i) {
     const hsp_shell *s = t->shells + i;
@@ -308,8 +300,8 @@ static const char *broken_scans(const topology_result *t) {
   const char *broken = NULL;
   const uint32_t count = t->counts.simple_faces;
   uint32_t i;
-  uint32_t *faces = take_numbers(count), *visited = take_numbers(count);
-  uint32_t *entered = take_numbers(count), *at = take_numbers(count);
+  uint32_t *faces = test_zeros(count, sizeof(uint32_t)), *visited = test_zeros(count, sizeof(uint32_t));
+  uint32_t *entered = test_zeros(count, sizeof(uint32_t)), *at = test_zeros(count, sizeof(uint32_t));
   for (i = 0; i < t->counts.shells && broken == NULL; ++i) broken = broken_scan(t, i, faces, visited, entered, at);
   free(faces);
   free(visited);

@@ -35,7 +35,6 @@ enum { UNSURE = -1 };
 
 /* How often the arc of the great circle from `from` to `to`, less than half of it, crosses the edge. */
 static int crossings(const unit_edge *edge, const double from[3], const double to[3]) {
-  static const double pi = 3.14159265358979323846;
   double normal[3], a, b, c, size, middle, spread;
   int count = 0, k;
   cross(from, to, normal);
@@ -103,7 +102,7 @@ static int touches_top(const topology_result *t, uint32_t face) {
     static const double top[3] = {0, 0, 1};
     unit_edge_of(t, ball, t->edges + q / 4, &edge);
     turn = atan2(dot(edge.quarter, top), dot(edge.start, top)); /* the highest point of the circle */
-    if (turn < -1e-3) turn += 2 * 3.14159265358979323846;
+    if (turn < -1e-3) turn += 2 * pi;
     turn = fmin(fmax(turn, 0), edge.angle);
     point_of_edge(&edge, turn, point);
     if (point[2] > 1 - 1e-8) return 1;

@@ -4,6 +4,8 @@
 
 #include <math.h>
 
+static const double pi = 3.14159265358979323846;
+
 static inline double dot(const double u[3], const double v[3]) {
   return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
 }

@@ -6,8 +6,6 @@
 #include "vectors.h"
 #include "view_invariants.h"
 
-static const double pi = 3.14159265358979323846;
-
 static void ellipse_point(const hsp_view_arc *arc, double t, double point[2]) {
   const double u = arc->semi_axis[0] * cos(t), w = arc->semi_axis[1] * sin(t);
   point[0] = arc->centre[0] + u * cos(arc->rotation) - w * sin(arc->rotation);
@@ -114,8 +112,7 @@ static const char *broken_arc(const view_result *v, const hsp_view_arc *arc, con
 static const char *broken_each(const view_result *v) {
   const char *broken = NULL;
   uint32_t i;
-  uint32_t *piece_of = malloc(((size_t)v->base->n + 1) * sizeof *piece_of);
-  if (piece_of == NULL) exit(2);
+  uint32_t *piece_of = test_zeros(v->base->n, sizeof *piece_of);
   for (i = 0; i < v->base->n; ++i) piece_of[i] = HSP_NONE;
   for (i = 0; i < v->info.pieces; ++i) piece_of[v->pieces[i].ball] = i;
   for (i = 0; i < v->info.arcs && broken == NULL; ++i) broken = broken_arc(v, &v->arcs[i], piece_of);

@@ -6,8 +6,6 @@
 #include "vectors.h"
 #include "view_invariants.h"
 
-static const double pi = 3.14159265358979323846;
-
 /* The balls in view coordinates, from the caller's own numbers. */
 typedef struct scene {
   const view_result *v;
@@ -17,20 +15,14 @@ typedef struct scene {
   double margin;       /* what is nearer than this to a sphere is left undecided */
 } scene;
 
-static void *take(size_t count, size_t size) {
-  void *memory = calloc(count + 1, size);
-  if (memory == NULL) exit(2);
-  return memory;
-}
-
 static void scene_make(const view_result *v, scene *s) {
   const computed *c = v->base;
   uint32_t i, j;
   double largest = 0, extent = 0;
   s->v = v;
-  s->place = take(c->n, sizeof *s->place);
-  s->piece = take(c->n, sizeof *s->piece);
-  s->contained = take(c->n, sizeof *s->contained);
+  s->place = test_zeros(c->n, sizeof *s->place);
+  s->piece = test_zeros(c->n, sizeof *s->piece);
+  s->contained = test_zeros(c->n, sizeof *s->contained);
   for (i = 0; i < c->n; ++i) {
     double from_origin[3];
     difference(&c->xyz[3 * i], v->info.origin, from_origin);

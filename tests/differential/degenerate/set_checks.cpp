@@ -89,16 +89,6 @@ std::string to_text(const Topology &topology) {
   return text.str();
 }
 
-std::string laws_broken(const Balls &balls) {
-  const LibraryBoundary boundary(balls);
-  std::uint32_t law = 0;
-  std::uint32_t where = 0;
-  // The handle is handed out as const to those who only read; the check uses the boundary's scratch memory.
-  const std::int32_t status = hsp_boundary_check(const_cast<hsp_boundary *>(boundary.handle()), &law, &where);
-  if (status == HSP_OK && law == 0) return "";
-  return std::string(hsp_status_text(status)) + ": law " + std::to_string(law) + " at " + std::to_string(where);
-}
-
 std::string orders_disagree(const Balls &balls) {
   const Outcome expected = outcome_of(balls);
   Balls reversed(balls.rbegin(), balls.rend());

@@ -19,9 +19,6 @@ bool small_enough_for_nerve(const oracle::Balls &balls);
 
 std::string to_text(const Topology &topology);
 
-/// hsp_boundary_check finds nothing.
-std::string laws_broken(const oracle::Balls &balls);
-
 /// Four input orders give one boundary, and areas and volumes of single balls to the last bit.
 std::string orders_disagree(const oracle::Balls &balls);
 

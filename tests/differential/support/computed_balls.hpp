@@ -1,7 +1,7 @@
 // Lattice balls as the invariants of the C interface want them: a computed set that goes with its memory.
 #pragma once
 
-#include <computed.h>
+#include <boundary_invariants.h>
 
 #include <string>
 #include <vector>
@@ -36,4 +36,9 @@ class ComputedBalls {
 // What an invariant says is broken, as a complaint.
 inline std::string complaint_of(const char *broken) {
   return broken == nullptr ? "" : std::string(broken) + "; ";
+}
+
+// The first invariant of the boundary that does not hold.
+inline std::string boundary_invariant_broken(const oracle::Balls &balls) {
+  return complaint_of(broken_boundary(ComputedBalls(balls).get()));
 }
