@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# What the archive asks of a link and what it offers to it.
+# What the archive asks of a link, what it offers to it, and that it has no state.
 #   archive_symbols.sh ARCHIVE HEADER
 # It may ask for memory copies, sqrt and the compiler's own arithmetic only: no heap, no exceptions, no C++ run time. It
-# must offer the header's functions and nothing else that a user's program could clash with.
+# must offer the header's functions and nothing else that a user's program could clash with. It must not hold anything that
+# can be written to while the program runs: no variables, no initialisation at run time.
 set -euo pipefail
 export LC_ALL=C
 archive=$1 header=$2
@@ -27,6 +28,14 @@ fi
 offered=$(echo "$symbols" | awk '$1 != "UND" {print $2}' | sort)
 if ! diff -u --label header --label archive <(bash "$here/header_functions.sh" "$header") <(echo "$offered"); then
   echo "the archive does not define exactly the functions of the header"
+  failed=1
+fi
+# Name, type, address, offset, size, size of an entry, flags. Tables of pointers are written to by the loader only.
+written=$(readelf -SW "$archive" | sed -n 's/^ *\[ *[0-9]*\] *//p' |
+  awk '$7 ~ /W/ && $5 !~ /^0+$/ && $1 !~ /^\.data\.rel\.ro/ {print $1, "of size 0x" $5}')
+if [ -n "$written" ]; then
+  echo "the archive has sections that are written to at run time:"
+  echo "$written" | sed 's/^/  /'
   failed=1
 fi
 [ $failed -eq 0 ] && echo "asks for: $(echo $asked); offers $(echo "$offered" | wc -l) functions"

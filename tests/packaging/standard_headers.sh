@@ -1,0 +1,15 @@
+#!/usr/bin/env bash
+# Which headers of the standard library the sources of the library include: none that brings heap, exceptions, streams or
+# state. archive_symbols.sh looks at what the sources were compiled to.
+#   standard_headers.sh SOURCE-FOLDER
+set -euo pipefail
+cd "$1"
+allowed='bit|cfloat|cmath|cstddef|cstdint|cstring|initializer_list|limits|new|type_traits|utility'
+
+includes=$(grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]*<' -r lib capi/*.cpp capi/*.hpp)
+if refused=$(grep -vE "include[[:space:]]*<($allowed)>" <<<"$includes"); then
+  echo "not among the headers that the library may include:"
+  echo "$refused"
+  exit 1
+fi
+echo "$(wc -l <<<"$includes") includes of the standard library"
