@@ -25,7 +25,7 @@ static int exposed(const computed *c, const double xyz[3], double allowed) {
   return 1;
 }
 
-static const char *broken_vertex_places(const computed *c) {
+static const char *broken_vertex_positions(const computed *c) {
   uint32_t i, m;
   for (i = 0; i < c->counts.vertices; ++i) {
     const hsp_vertex *v = c->vertices + i;
@@ -52,7 +52,7 @@ static const char *broken_vertex_signs(const computed *c) {
     /* a normal of nearly collinear centres is itself known only as well as the centres, and up to its rounding */
     allowed = length(normal) * slack(c, v->xyz) + 1e-15 * length(ab) * length(ac) * length(w) +
               8 * (c->rounding + position_error(v->xyz)) * (length(ab) + length(ac)) * length(w);
-    if (v->sign > 0 ? side < -allowed : side > allowed) return "vertex: on the other side than its sign says";
+    if (v->sign > 0 ? side < -allowed : side > allowed) return "vertex: on the wrong side for its sign";
   }
   return NULL;
 }
@@ -93,7 +93,7 @@ static const char *broken_arc_angles(const computed *c) {
   return NULL;
 }
 
-static const char *broken_circle_places(const computed *c) {
+static const char *broken_circle_positions(const computed *c) {
   uint32_t i, e;
   for (i = 0; i < c->counts.circles; ++i) {
     const hsp_circle *circle = c->circles + i;
@@ -146,10 +146,10 @@ static const char *broken_areas(const computed *c) {
 }
 
 const char *broken_boundary_measures(const computed *c) {
-  const char *broken = broken_vertex_places(c);
+  const char *broken = broken_vertex_positions(c);
   if (broken == NULL) broken = broken_vertex_signs(c);
   if (broken == NULL) broken = broken_arc_angles(c);
-  if (broken == NULL) broken = broken_circle_places(c);
+  if (broken == NULL) broken = broken_circle_positions(c);
   if (broken == NULL) broken = broken_areas(c);
   return broken;
 }

@@ -26,6 +26,10 @@ const char *broken_area_rows(const computed *c, const double *sigma, uint32_t ta
 const char *gradient_difference_after_permutation(const computed *c, const double *sigma, const computed *other,
                                                   const double *other_sigma, uint32_t tangency);
 
+/* r_i r_j / d of two balls with an arc or circle, by which its angle is multiplied: large where balls are nearly
+ * concentric, so that terms cancel. */
+double slope_of_arcs(const computed *c, uint32_t i, uint32_t j);
+
 /* Whether the spheres of two balls touch, from outside or inside: decided in whole lattice steps. */
 int spheres_touch(const computed *c, uint32_t i, uint32_t j);
 

@@ -59,8 +59,8 @@ static const char *broken_entry(const row_set *s, uint32_t i, const hsp_area_der
   difference(c->xyz + 3 * j, c->xyz + 3 * i, off);
   distance = length(off);
   if (!(distance > 0)) return "a row: an entry for a concentric ball";
-  by_angle = r * other / distance;
-  tolerance = 1e-14 * by_angle + 8 * moved * (r + other + by_angle) / distance;
+  by_angle = slope_of_arcs(c, i, j);
+  tolerance = 1e-13 * by_angle + 8 * moved * (r + other + by_angle) / distance;
   if (mirrored == NULL) return "rows: an entry without its mirror image";
   if (!near(mirrored->radius, entry->radius, tolerance)) {
     return "hsp_boundary_get_area_row, property 2: dA_i/dr_j = dA_j/dr_i";
@@ -68,14 +68,14 @@ static const char *broken_entry(const row_set *s, uint32_t i, const hsp_area_der
   if (!near(entry->radius, -by_angle * entry->angle, tolerance * (1 + entry->angle))) {
     return "a row: the angle is not that of the derivative by the radius";
   }
-  if (!near(mirrored->angle, entry->angle, 1e-14) || mirrored->flags != entry->flags) {
+  if (!near(mirrored->angle, entry->angle, 1e-13) || mirrored->flags != entry->flags) {
     return "rows: angles or flags are not symmetric";
   }
   if (entry->flags != (spheres_touch(c, i, j) ? HSP_GRADIENT_ONE_SIDED : 0)) {
     return "a row: flagged without touching, or not flagged";
   }
   /* where spheres touch, the angle that counts can be 0 */
-  if (entry->flags == 0 && !near(entry->angle, s->angle[(size_t)i * c->n + j], 1e-14)) {
+  if (entry->flags == 0 && !near(entry->angle, s->angle[(size_t)i * c->n + j], 1e-13)) {
     return "a row: the angle is not that of the boundary's arcs";
   }
   return NULL;
@@ -85,9 +85,10 @@ static const char *broken_row(const row_set *s, uint32_t i) {
   const computed *c = s->c;
   const size_t n = c->n;
   const hsp_area_derivative *row = s->rows.entries + i * n, *own = s->find[i * n + i];
-  double sum[3] = {0, 0, 0}, size[3] = {0, 0, 0};
+  double sum[3] = {0, 0, 0}, size = 0;
   uint32_t k, j, axis, one_sided = 0;
-  if ((s->rows.length[i] == 0) != (c->balls[i].faces == 0)) return "a row is empty exactly for a ball without faces";
+  if ((s->rows.length[i] == 0) != (c->balls[i].faces == 0))
+    return "a row: empty, but not exactly for a ball without faces";
   if (s->rows.length[i] == 0) return NULL;
   if (own == NULL || own->angle != 0) return "a row: no entry for the ball itself, or one with an angle";
   for (k = 0; k < s->rows.length[i]; ++k) {
@@ -95,13 +96,15 @@ static const char *broken_row(const row_set *s, uint32_t i) {
     if (broken != NULL) return broken;
     for (axis = 0; axis < 3; ++axis) {
       sum[axis] += row[k].centre[axis];
-      size[axis] += fabs(row[k].centre[axis]);
+      size += fabs(row[k].centre[axis]);
     }
-    if (row + k != own) one_sided |= row[k].flags;
+    if (row + k == own) continue;
+    one_sided |= row[k].flags;
+    size += slope_of_arcs(c, i, row[k].ball);
   }
   if (own->flags != one_sided) return "a row: the ball's own flag is not that of its entries";
   for (axis = 0; axis < 3; ++axis) {
-    if (!near(sum[axis], 0, 1e-14 * fmax(fmax(size[0], size[1]), size[2]))) {
+    if (!near(sum[axis], 0, 1e-13 * size)) {
       return "hsp_boundary_get_area_row, property 1: the derivatives by all centres add up to 0";
     }
   }
@@ -137,6 +140,7 @@ static const char *broken_weighted_sum(const row_set *s, const double *sigma, ui
       const double weight = sigma == NULL ? 1 : sigma[i];
       double sizes = fabs(weight) * c->radius[i]; /* what parts of an entry may cancel to */
       if (entry == NULL) continue;
+      if (i != j) sizes += fabs(weight) * slope_of_arcs(c, i, j);
       for (k = 0; k < 4; ++k) {
         sum[k] += weight * number_of(entry, k);
         sizes += fabs(weight * number_of(entry, k));
@@ -145,10 +149,10 @@ static const char *broken_weighted_sum(const row_set *s, const double *sigma, ui
       if (i == j) one_sided = entry->flags;
     }
     for (k = 0; k < 4; ++k) {
-      if (!near(sum[k], k < 3 ? centre[3 * j + k] : radius[j], 1e-13 * size))
+      if (!near(sum[k], k < 3 ? centre[3 * j + k] : radius[j], 1e-12 * size))
         broken = "rows do not add up to the gradient";
     }
-    /* what a row says is in the ball's flags as well; these also tell of balls that touch from inside */
+    /* the ball's flags include the row's; they also mark balls that touch from inside */
     if ((one_sided & ~flags[j]) != 0) broken = "a flag of a row that the gradient lacks";
   }
   free(centre);

@@ -7,7 +7,7 @@
 #include "topology_invariants.h"
 #include "vectors.h"
 
-/* Where the walk along q stands when it starts (end = 0) or arrives (end = 1): its unit tangent. */
+/* The unit tangent at the start (end = 0) or at the end (end = 1) of q. */
 static void tangent(const topology_result *t, uint32_t q, int end, double along[3]) {
   const hsp_topology_edge *edge = t->edges + q / 4;
   const double *at = t->vertices[edge->vertex[q % 4 == 0 ? end : 1 - end]].xyz;
@@ -20,7 +20,7 @@ static void tangent(const topology_result *t, uint32_t q, int end, double along[
   along[2] = edge->axis[0] * u[1] - edge->axis[1] * u[0];
 }
 
-/* How far the walk turns to the left, seen from outside, where it goes from q to next. */
+/* The angle by which the loop turns left, seen from outside, between q and next. */
 static double turn(const topology_result *t, uint32_t q, uint32_t next, const double centre[3], double radius) {
   const double *at = t->vertices[t->origin[next]].xyz;
   double in[3], out[3], side[3], outward[3];

@@ -69,7 +69,7 @@ static int on_sphere(const computed *c, const hsp_topology_edge *edge, uint32_t 
 static const char *broken_edge(const topology_result *t, const hsp_topology_edge *edge) {
   const computed *c = t->base;
   const double allowed = slack(c, edge->centre);
-  double place[3], off[3];
+  double position[3], off[3];
   uint32_t e;
   if (!(fabs(length(edge->axis) - 1) <= 1e-12)) return "edge: axis is not a unit vector";
   if (!(edge->radius >= 0 && edge->radius <= c->info.largest_radius * (1 + 1e-12))) return "edge: radius of no circle";
@@ -84,14 +84,14 @@ static const char *broken_edge(const topology_result *t, const hsp_topology_edge
     }
     if (!on_sphere(c, edge, edge->ball[e])) return "edge: its circle is not on its balls' spheres";
   }
-  point_of_edge(t, edge, edge->angle, place);
-  difference(place, t->vertices[edge->vertex[1]].xyz, off);
+  point_of_edge(t, edge, edge->angle, position);
+  difference(position, t->vertices[edge->vertex[1]].xyz, off);
   if (!(length(off) <= 4 * allowed))
     return "edge: turning by its angle about the axis does not lead to its destination";
-  point_of_edge(t, edge, edge->angle / 2, place);
-  if (!(fabs(off_sphere(c, place, edge->ball[0])) <= 4 * allowed))
+  point_of_edge(t, edge, edge->angle / 2, position);
+  if (!(fabs(off_sphere(c, position, edge->ball[0])) <= 4 * allowed))
     return "edge: its middle is not on its ball's sphere";
-  if (!exposed(c, place)) return "edge: its middle is inside a ball";
+  if (!exposed(c, position)) return "edge: its middle is inside a ball";
   return NULL;
 }
 

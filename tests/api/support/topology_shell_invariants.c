@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "boundary_invariants.h"
 #include "topology_invariants.h"
 #include "vectors.h"
 
@@ -310,22 +311,10 @@ static const char *broken_scans(const topology_result *t) {
   return broken;
 }
 
-static const char *broken_law(const topology_result *t) {
-  static const char *const laws[] = {"hsp_topology_check fails without a law",
-                                     "hsp_topology_check: law 1",
-                                     "hsp_topology_check: law 2",
-                                     "hsp_topology_check: law 3",
-                                     "hsp_topology_check: law 4",
-                                     "hsp_topology_check: law 5",
-                                     "hsp_topology_check: law 6",
-                                     "hsp_topology_check: law 7",
-                                     "hsp_topology_check: law 8"};
+static const char *broken_own_check(const topology_result *t) {
   uint32_t law = 77, where = 77;
   const int32_t status = hsp_topology_check(t->topology, &law, &where);
-  if (law >= sizeof laws / sizeof laws[0]) return "hsp_topology_check: a law that there is not";
-  if (status == HSP_OK)
-    return law == 0 && where == HSP_NONE ? NULL : "hsp_topology_check: HSP_OK with a law or a place";
-  return laws[law];
+  return broken_by_own_check(status, law, where);
 }
 
 const char *broken_topology_shells(const topology_result *t) {
@@ -333,6 +322,6 @@ const char *broken_topology_shells(const topology_result *t) {
   if (broken == NULL) broken = broken_components(t);
   if (broken == NULL) broken = broken_cells(t);
   if (broken == NULL) broken = broken_scans(t);
-  if (broken == NULL) broken = broken_law(t);
+  if (broken == NULL) broken = broken_own_check(t);
   return broken;
 }

@@ -64,7 +64,7 @@ static int crossings(const unit_edge *edge, const double from[3], const double t
   return count;
 }
 
-/* 1: the face holds the highest point of its sphere; 0: it does not; UNSURE: too close to tell from here. */
+/* 1: the face contains the highest point of its sphere; 0: it does not; UNSURE: undecided, as seen from this edge. */
 static int holds_top(const topology_result *t, uint32_t face, uint32_t from_q) {
   static const double top[3] = {0, 0, 1};
   const uint32_t ball = t->faces[face].ball;

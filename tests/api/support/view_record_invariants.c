@@ -33,7 +33,7 @@ static const char *broken_direction(const view_result *v) {
   double towards[3], up[3], right[3];
   int which;
   if (!unit_vector(v->options.towards, towards)) unit_vector(default_towards, towards);
-  if (far_apart(v->info.towards, towards, 1e-8)) return "towards is not what was asked for";
+  if (far_apart(v->info.towards, towards, 1e-8)) return "towards is not that of the options";
   ups[0] = v->options.up;
   ups[1] = defaults[0];
   ups[2] = defaults[1];
@@ -43,9 +43,9 @@ static const char *broken_direction(const view_result *v) {
     cross(up, towards, right);
     sine = length(right);
     if (sine < 1e-12) continue;
-    if (sine < 1e-5) return NULL; /* too close to parallel to tell */
+    if (sine < 1e-5) return NULL; /* too close to parallel to decide */
     unit_vector(right, right);
-    return far_apart(v->info.right, right, 4e-8 / sine) ? "up is not what was asked for" : NULL;
+    return far_apart(v->info.right, right, 4e-8 / sine) ? "up is not that of the options" : NULL;
   }
   return "no direction was left for up";
 }
@@ -54,7 +54,7 @@ static const char *broken_frame(const view_result *v) {
   const hsp_view_info *info = &v->info;
   double across[3];
   int axis;
-  if (info->kind != v->options.pieces) return "info.kind is not what was asked for";
+  if (info->kind != v->options.pieces) return "info.kind is not that of the options";
   cross(info->right, info->up, across);
   for (axis = 0; axis < 3; ++axis) {
     if (!near(across[axis], info->towards[axis], 1e-15 * 8)) return "right, up and towards are not right-handed";
@@ -64,7 +64,6 @@ static const char *broken_frame(const view_result *v) {
     return "right, up and towards are not unit vectors";
   }
   if (!near(dot(info->right, info->up), 0, 1e-15 * 4)) return "right and up are not across each other";
-  if (broken_direction(v) != NULL) return broken_direction(v);
   for (axis = 0; axis < 3; ++axis) {
     double low = INFINITY, high = -INFINITY;
     uint32_t i;
@@ -119,7 +118,7 @@ static int rank_order(const computed *c, uint32_t i, uint32_t j) {
 }
 
 /* Whether depths of this direction are integers times a common factor, so that sums of coordinates are exact enough to
- * tell equal depths. */
+ * recognise equal depths. */
 static int axis_or_diagonal(const double towards[3]) {
   double largest = 0;
   int axis;
@@ -217,10 +216,11 @@ static const char *broken_loops(const view_result *v) {
 
 const char *broken_view_records(const view_result *v) {
   const char *broken = broken_frame(v);
+  if (broken == NULL) broken = broken_direction(v);
   if (broken == NULL && !(v->info.pieces <= v->info.loops && v->info.loops <= v->info.arcs)) {
     broken = "more pieces than loops, or more loops than arcs";
   }
-  if (broken == NULL && v->needed.arcs < v->info.arcs) broken = "more arcs than hsp_view_get_needed says";
+  if (broken == NULL && v->needed.arcs < v->info.arcs) broken = "more arcs than hsp_view_get_needed reports";
   if (broken == NULL && v->enlargements > MOST_ENLARGEMENTS) broken = "more than three enlargements";
   if (broken == NULL) broken = broken_pieces(v);
   if (broken == NULL) broken = broken_loops(v);

@@ -9,7 +9,7 @@
 /* The balls in view coordinates, from the caller's own numbers. */
 typedef struct scene {
   const view_result *v;
-  double (*place)[3];
+  double (*position)[3];
   uint32_t *piece;     /* of each ball, or HSP_NONE */
   uint32_t *contained; /* lies in another ball, of equal ones all */
   double margin;       /* what is nearer than this to a sphere is left undecided */
@@ -20,15 +20,15 @@ static void scene_make(const view_result *v, scene *s) {
   uint32_t i, j;
   double largest = 0, extent = 0;
   s->v = v;
-  s->place = test_zeros(c->n, sizeof *s->place);
+  s->position = test_zeros(c->n, sizeof *s->position);
   s->piece = test_zeros(c->n, sizeof *s->piece);
   s->contained = test_zeros(c->n, sizeof *s->contained);
   for (i = 0; i < c->n; ++i) {
     double from_origin[3];
     difference(&c->xyz[3 * i], v->info.origin, from_origin);
-    s->place[i][0] = dot(from_origin, v->info.right);
-    s->place[i][1] = dot(from_origin, v->info.up);
-    s->place[i][2] = dot(from_origin, v->info.towards);
+    s->position[i][0] = dot(from_origin, v->info.right);
+    s->position[i][1] = dot(from_origin, v->info.up);
+    s->position[i][2] = dot(from_origin, v->info.towards);
     s->piece[i] = HSP_NONE;
     largest = fmax(largest, c->radius[i]);
     extent = fmax(extent, length(from_origin));
@@ -38,14 +38,14 @@ static void scene_make(const view_result *v, scene *s) {
   for (i = 0; i < c->n; ++i) {
     for (j = 0; j < c->n; ++j) {
       double apart[3];
-      difference(s->place[i], s->place[j], apart);
+      difference(s->position[i], s->position[j], apart);
       if (j != i && length(apart) + c->radius[i] <= c->radius[j] + s->margin) s->contained[i] = 1;
     }
   }
 }
 
 static void scene_release(scene *s) {
-  free(s->place);
+  free(s->position);
   free(s->piece);
   free(s->contained);
 }
@@ -81,7 +81,7 @@ static int winding(const view_result *v, uint32_t piece, const double p[2]) {
 
 /* 1 if ball j is farther than ball i, 0 if not, -1 if that is not for sure. */
 static int farther(const scene *s, uint32_t j, uint32_t i) {
-  const double gap = s->place[i][2] - s->place[j][2];
+  const double gap = s->position[i][2] - s->position[j][2];
   if (s->piece[i] != HSP_NONE && s->piece[j] != HSP_NONE) return s->piece[j] < s->piece[i];
   return fabs(gap) <= s->margin ? -1 : gap > 0;
 }
@@ -90,8 +90,8 @@ static int farther(const scene *s, uint32_t j, uint32_t i) {
 static int cut_away(const scene *s, uint32_t i, const double p[2]) {
   const view_result *v = s->v;
   const computed *c = v->base;
-  const double x = p[0] - s->place[i][0], y = p[1] - s->place[i][1];
-  const double point[3] = {p[0], p[1], s->place[i][2] + sqrt(fmax(0, c->radius[i] * c->radius[i] - x * x - y * y))};
+  const double x = p[0] - s->position[i][0], y = p[1] - s->position[i][1];
+  const double point[3] = {p[0], p[1], s->position[i][2] + sqrt(fmax(0, c->radius[i] * c->radius[i] - x * x - y * y))};
   const int all_cut = (v->options.flags & HSP_VIEW_ALL_BALLS) != 0 && !v->with_boundary;
   int perhaps = 0;
   uint32_t j;
@@ -99,7 +99,7 @@ static int cut_away(const scene *s, uint32_t i, const double p[2]) {
     double apart[3], depth;
     int sure = 1;
     if (j == i) continue;
-    difference(point, s->place[j], apart);
+    difference(point, s->position[j], apart);
     depth = c->radius[j] - length(apart);
     if (depth < -s->margin) continue;
     if (depth < s->margin) sure = 0;
@@ -122,12 +122,12 @@ static uint32_t seen(const scene *s, const double p[2]) {
   double best = -INFINITY, second = -INFINITY;
   uint32_t i, found = HSP_NONE;
   for (i = 0; i < c->n; ++i) {
-    const double x = p[0] - s->place[i][0], y = p[1] - s->place[i][1];
+    const double x = p[0] - s->position[i][0], y = p[1] - s->position[i][1];
     const double inside = c->radius[i] * c->radius[i] - x * x - y * y;
     double height;
     if (fabs(sqrt(x * x + y * y) - c->radius[i]) <= s->margin) return HSP_NONE - 1;
     if (inside < 0) continue;
-    height = s->place[i][2] + sqrt(inside);
+    height = s->position[i][2] + sqrt(inside);
     if (height > best) {
       second = best;
       best = height;
@@ -185,8 +185,8 @@ const char *broken_view_regions(const view_result *v, uint32_t samples, uint64_t
       /* a defect covers an area; what rounding does to an arc is gone a little aside */
       for (tries = 0; tries < 3; ++tries) {
         const double aside = 1e-5 * tries;
-        const double p[2] = {s.place[i][0] + (part - aside) * c->radius[i] * cos(angle + aside),
-                             s.place[i][1] + (part - aside) * c->radius[i] * sin(angle + aside)};
+        const double p[2] = {s.position[i][0] + (part - aside) * c->radius[i] * cos(angle + aside),
+                             s.position[i][1] + (part - aside) * c->radius[i] * sin(angle + aside)};
         broken = broken_at(&s, i, p);
         if (broken == NULL) break;
       }
