@@ -15,11 +15,11 @@ static_assert(is_plain<hsp_model_options> && is_plain<hsp_model_info> && is_plai
 static_assert(is_plain<hsp_boundary_limits> && is_plain<hsp_boundary_counts> && is_plain<hsp_vertex>);
 static_assert(is_plain<hsp_arc> && is_plain<hsp_circle> && is_plain<hsp_face> && is_plain<hsp_ball>);
 static_assert(is_plain<hsp_totals>);
-static_assert(std::is_same_v<decltype(hsp_version()), std::uint32_t>);
+static_assert(std::is_same_v<decltype(hsp_version()), uint32_t>);
 static_assert(std::is_same_v<decltype(HSP_NONE), decltype(UINT32_C(1))>);
 
 // Two declarations with C linkage and the same type are the same function; otherwise this does not compile or link.
-extern "C" std::uint32_t hsp_version(void);
+extern "C" uint32_t hsp_version(void);
 
 int main() {
   return hsp_version() == HSP_VERSION_NUMBER ? 0 : 1;

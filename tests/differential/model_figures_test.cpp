@@ -57,7 +57,7 @@ TEST(Figures, OfNamedSets) {
 TEST(Figures, OfRandomSets) {
   RandomSource random(41);
   for (int k = 0; k < 1000; ++k) {
-    expect_figures(oracle::any_balls(random, static_cast<std::size_t>(random.in(1, 30))));
+    expect_figures(oracle::any_balls(random, static_cast<size_t>(random.in(1, 30))));
     if (k % 20 == 0) expect_figures(oracle::loose_balls(random, 300));
   }
 }
@@ -65,8 +65,8 @@ TEST(Figures, OfRandomSets) {
 TEST(Figures, OfSparseSetsWhoseClosestPairIsManyCubesApart) {
   RandomSource random(42);
   for (int k = 0; k < 300; ++k) {
-    const std::int64_t reach = std::int64_t{1} << random.in(4, 48);
-    const auto n = static_cast<std::size_t>(random.in(2, 40));
+    const int64_t reach = int64_t{1} << random.in(4, 48);
+    const auto n = static_cast<size_t>(random.in(2, 40));
     Balls balls;
     while (balls.size() < n)
       balls.push_back({random.in(-reach, reach), random.in(-reach, reach), random.in(-reach, reach), random.in(1, 3)});

@@ -13,24 +13,24 @@ namespace {
 using oracle::Balls;
 using oracle::LatticeBall;
 using oracle::RandomSource;
-using Ids = std::vector<std::uint32_t>;
+using Ids = std::vector<uint32_t>;
 
-/// Ask with no, too little, exact and ample capacity; the answers must fit together.
+// Ask with no, too little, exact and ample capacity; the answers must fit together.
 template <class Query>
 Ids ask(const Query &query) {
-  constexpr std::uint32_t untouched = 0xABCDEF01U;
-  std::uint32_t needed = untouched;
-  const std::int32_t status = query(nullptr, 0, &needed);
+  constexpr uint32_t untouched = 0xABCDEF01U;
+  uint32_t needed = untouched;
+  const int32_t status = query(nullptr, 0, &needed);
   EXPECT_EQ(status, needed == 0 ? HSP_OK : HSP_E_CAPACITY);
   if (needed > 0) {
     Ids little(needed, untouched);
-    std::uint32_t still_needed = 0;
+    uint32_t still_needed = 0;
     EXPECT_EQ(query(little.data(), needed - 1, &still_needed), HSP_E_CAPACITY);
     EXPECT_EQ(still_needed, needed);
     EXPECT_EQ(little, Ids(needed, untouched)) << "something was written";
   }
   Ids exact(needed + 1, untouched);
-  std::uint32_t found = 0;
+  uint32_t found = 0;
   EXPECT_EQ(query(exact.data(), needed, &found), HSP_OK);
   EXPECT_EQ(found, needed);
   EXPECT_EQ(exact[needed], untouched) << "one too many was written";
@@ -46,34 +46,34 @@ void expect_queries(const LibraryModel &model, const Balls &balls, const Lattice
                                      static_cast<double>(query.z) * step};
   const double radius = static_cast<double>(query.radius) * step;
   const Ids point_hits = oracle::balls_meeting(balls, {query.x, query.y, query.z, 0});
-  EXPECT_EQ(ask([&](std::uint32_t *ids, std::uint32_t capacity, std::uint32_t *needed) {
+  EXPECT_EQ(ask([&](uint32_t *ids, uint32_t capacity, uint32_t *needed) {
               return hsp_query_point(model.handle(), xyz.data(), ids, capacity, needed);
             }),
             point_hits)
       << oracle::to_text({query}) << " in " << oracle::to_text(balls);
   const Ids ball_hits = oracle::balls_meeting(balls, query);
-  EXPECT_EQ(ask([&](std::uint32_t *ids, std::uint32_t capacity, std::uint32_t *needed) {
+  EXPECT_EQ(ask([&](uint32_t *ids, uint32_t capacity, uint32_t *needed) {
               return hsp_query_ball(model.handle(), xyz.data(), radius, ids, capacity, needed);
             }),
             ball_hits)
       << oracle::to_text({query}) << " in " << oracle::to_text(balls);
-  std::int32_t meets = -1;
+  int32_t meets = -1;
   EXPECT_EQ(hsp_query_meets(model.handle(), xyz.data(), radius, &meets), HSP_OK);
   EXPECT_EQ(meets, ball_hits.empty() ? 0 : 1);
 }
 
 void expect_neighbours(const LibraryModel &model, const Balls &balls) {
-  for (std::uint32_t i = 0; i < balls.size(); ++i)
-    EXPECT_EQ(ask([&](std::uint32_t *ids, std::uint32_t capacity, std::uint32_t *needed) {
+  for (uint32_t i = 0; i < balls.size(); ++i)
+    EXPECT_EQ(ask([&](uint32_t *ids, uint32_t capacity, uint32_t *needed) {
                 return hsp_query_neighbours(model.handle(), i, ids, capacity, needed);
               }),
               oracle::neighbours(balls, i))
         << i << " of " << oracle::to_text(balls);
 }
 
-/// Query balls around the set: everywhere, at the balls, touching them, small, large, and larger than all.
+// Query balls around the set: everywhere, at the balls, touching them, small, large, and larger than all.
 std::vector<LatticeBall> query_balls(RandomSource &random, const Balls &balls, int count) {
-  std::int64_t largest = 1;
+  int64_t largest = 1;
   LatticeBall low = {0, 0, 0, 0};
   LatticeBall high = {0, 0, 0, 0};
   if (!balls.empty()) low = high = balls.front();
@@ -82,18 +82,17 @@ std::vector<LatticeBall> query_balls(RandomSource &random, const Balls &balls, i
     low = {std::min(low.x, ball.x), std::min(low.y, ball.y), std::min(low.z, ball.z), 0};
     high = {std::max(high.x, ball.x), std::max(high.y, ball.y), std::max(high.z, ball.z), 0};
   }
-  const std::int64_t extent = std::max({high.x - low.x, high.y - low.y, high.z - low.z}) + largest;
+  const int64_t extent = std::max({high.x - low.x, high.y - low.y, high.z - low.z}) + largest;
   std::vector<LatticeBall> queries;
-  while (queries.size() < static_cast<std::size_t>(count)) {
+  while (queries.size() < static_cast<size_t>(count)) {
     LatticeBall query = {random.in(low.x - 2 * largest, high.x + 2 * largest),
                          random.in(low.y - 2 * largest, high.y + 2 * largest),
                          random.in(low.z - 2 * largest, high.z + 2 * largest), 0};
     if (!balls.empty() && random.one_in(2)) {
       // On or just off a ball's surface along an axis or a diagonal of integer length.
-      const LatticeBall &ball =
-          balls[static_cast<std::size_t>(random.in(0, static_cast<std::int64_t>(balls.size()) - 1))];
+      const LatticeBall &ball = balls[static_cast<size_t>(random.in(0, static_cast<int64_t>(balls.size()) - 1))];
       query.radius = random.in(0, 2 * largest);
-      const std::int64_t reach = ball.radius + query.radius + random.in(-1, 1);
+      const int64_t reach = ball.radius + query.radius + random.in(-1, 1);
       query = {ball.x, ball.y, ball.z, query.radius};
       switch (random.in(0, 4)) {
         case 0:
@@ -114,8 +113,8 @@ std::vector<LatticeBall> query_balls(RandomSource &random, const Balls &balls, i
           break;
       }
     } else {
-      const std::array<std::int64_t, 6> radii = {0, 1, largest, 3 * largest, 100 * largest, 2 * extent};
-      query.radius = radii[static_cast<std::size_t>(random.in(0, 5))];
+      const std::array<int64_t, 6> radii = {0, 1, largest, 3 * largest, 100 * largest, 2 * extent};
+      query.radius = radii[static_cast<size_t>(random.in(0, 5))];
     }
     queries.push_back(query);
   }
@@ -128,7 +127,7 @@ void expect_all(const Balls &balls, RandomSource &random, int queries, double st
   expect_neighbours(model, balls);
 }
 
-Balls moved(Balls balls, std::int64_t x, std::int64_t y, std::int64_t z) {
+Balls moved(Balls balls, int64_t x, int64_t y, int64_t z) {
   for (LatticeBall &ball : balls) ball = {ball.x + x, ball.y + y, ball.z + z, ball.radius};
   return balls;
 }
@@ -143,7 +142,7 @@ TEST(Queries, OfNoBallAndOfOneBall) {
 TEST(Queries, OfRandomSets) {
   RandomSource random(32);
   for (int k = 0; k < 600; ++k) {
-    const auto n = static_cast<std::size_t>(random.in(2, 200));
+    const auto n = static_cast<size_t>(random.in(2, 200));
     expect_all(random.one_in(2) ? oracle::loose_balls(random, n) : oracle::clustered_balls(random, n), random, 60);
   }
 }
@@ -151,13 +150,13 @@ TEST(Queries, OfRandomSets) {
 TEST(Queries, OfDegenerateSets) {
   RandomSource random(33);
   for (int k = 0; k < 2500; ++k)
-    expect_all(oracle::degenerate_balls(random, static_cast<std::size_t>(random.in(1, 25))), random, 40);
+    expect_all(oracle::degenerate_balls(random, static_cast<size_t>(random.in(1, 25))), random, 40);
 }
 
 TEST(Queries, FarFromTheOriginAndAtNegativeCoordinates) {
   RandomSource random(34);
-  constexpr std::int64_t limit = (std::int64_t{1} << 50) - 2000;
-  for (const std::int64_t far : {std::int64_t{1000000}, std::int64_t{-1000000}, std::int64_t{1} << 40, limit, -limit})
+  constexpr int64_t limit = (int64_t{1} << 50) - 2000;
+  for (const int64_t far : {int64_t{1000000}, int64_t{-1000000}, int64_t{1} << 40, limit, -limit})
     for (int k = 0; k < 40; ++k) {
       const Balls balls = oracle::loose_balls(random, 40);
       const LibraryModel model(moved(balls, far, -far, far), 0.25);
@@ -171,7 +170,7 @@ TEST(Queries, FarFromTheOriginAndAtNegativeCoordinates) {
 
 TEST(Queries, WithOneBallFarAway) {
   RandomSource random(35);
-  for (const std::int64_t far : {std::int64_t{100000}, std::int64_t{1} << 45}) {
+  for (const int64_t far : {int64_t{100000}, int64_t{1} << 45}) {
     Balls balls = oracle::loose_balls(random, 60);
     balls.push_back({far, far / 2, -far, 80});
     expect_all(balls, random, 300);
@@ -195,7 +194,7 @@ TEST(Queries, WithOneLargeBallAmongSmallOnes) {
 TEST(Queries, AtTheBordersOfCubes) {
   // Centres and queries at multiples of r_max and one step beside them, on both sides of zero.
   RandomSource random(37);
-  for (const std::int64_t r : {1, 2, 5, 64}) {
+  for (const int64_t r : {1, 2, 5, 64}) {
     Balls balls;
     for (int k = 0; k < 60; ++k)
       balls.push_back({r * random.in(-6, 6) + random.in(-1, 1), r * random.in(-6, 6),

@@ -7,12 +7,12 @@ namespace oracle {
 BigInteger::BigInteger(Int128 value) : negative_(value < 0) {
   __extension__ typedef unsigned __int128 Unsigned128;
   Unsigned128 rest = negative_ ? Unsigned128{0} - static_cast<Unsigned128>(value) : static_cast<Unsigned128>(value);
-  for (; rest != 0; rest >>= 32) limbs_.push_back(static_cast<std::uint32_t>(rest));
+  for (; rest != 0; rest >>= 32) limbs_.push_back(static_cast<uint32_t>(rest));
 }
 
 int BigInteger::compare_magnitudes(const Limbs &a, const Limbs &b) {
   if (a.size() != b.size()) return a.size() < b.size() ? -1 : 1;
-  for (std::size_t k = a.size(); k-- > 0;)
+  for (size_t k = a.size(); k-- > 0;)
     if (a[k] != b[k]) return a[k] < b[k] ? -1 : 1;
   return 0;
 }
@@ -20,14 +20,14 @@ int BigInteger::compare_magnitudes(const Limbs &a, const Limbs &b) {
 BigInteger::Limbs BigInteger::add_magnitudes(const Limbs &a, const Limbs &b) {
   Limbs sum;
   sum.reserve(std::max(a.size(), b.size()) + 1);
-  std::uint64_t carry = 0;
-  for (std::size_t k = 0; k < std::max(a.size(), b.size()); ++k) {
+  uint64_t carry = 0;
+  for (size_t k = 0; k < std::max(a.size(), b.size()); ++k) {
     carry += (k < a.size() ? a[k] : 0U);
     carry += (k < b.size() ? b[k] : 0U);
-    sum.push_back(static_cast<std::uint32_t>(carry));
+    sum.push_back(static_cast<uint32_t>(carry));
     carry >>= 32;
   }
-  sum.push_back(static_cast<std::uint32_t>(carry));
+  sum.push_back(static_cast<uint32_t>(carry));
   drop_leading_zeros(sum);
   return sum;
 }
@@ -35,11 +35,11 @@ BigInteger::Limbs BigInteger::add_magnitudes(const Limbs &a, const Limbs &b) {
 BigInteger::Limbs BigInteger::subtract_magnitudes(const Limbs &larger, const Limbs &smaller) {
   Limbs difference;
   difference.reserve(larger.size());
-  std::uint64_t borrow = 0;
-  for (std::size_t k = 0; k < larger.size(); ++k) {
-    const std::uint64_t take = borrow + (k < smaller.size() ? smaller[k] : 0U);
+  uint64_t borrow = 0;
+  for (size_t k = 0; k < larger.size(); ++k) {
+    const uint64_t take = borrow + (k < smaller.size() ? smaller[k] : 0U);
     borrow = larger[k] < take ? 1 : 0;
-    difference.push_back(static_cast<std::uint32_t>((borrow << 32) + larger[k] - take));
+    difference.push_back(static_cast<uint32_t>((borrow << 32) + larger[k] - take));
   }
   drop_leading_zeros(difference);
   return difference;
@@ -75,14 +75,14 @@ BigInteger operator*(const BigInteger &a, const BigInteger &b) {
   BigInteger product;
   if (a.limbs_.empty() || b.limbs_.empty()) return product;
   product.limbs_.assign(a.limbs_.size() + b.limbs_.size(), 0);
-  for (std::size_t i = 0; i < a.limbs_.size(); ++i) {
-    std::uint64_t carry = 0;
-    for (std::size_t k = 0; k < b.limbs_.size(); ++k) {
-      carry += std::uint64_t{a.limbs_[i]} * b.limbs_[k] + product.limbs_[i + k];
-      product.limbs_[i + k] = static_cast<std::uint32_t>(carry);
+  for (size_t i = 0; i < a.limbs_.size(); ++i) {
+    uint64_t carry = 0;
+    for (size_t k = 0; k < b.limbs_.size(); ++k) {
+      carry += uint64_t{a.limbs_[i]} * b.limbs_[k] + product.limbs_[i + k];
+      product.limbs_[i + k] = static_cast<uint32_t>(carry);
       carry >>= 32;
     }
-    product.limbs_[i + b.limbs_.size()] = static_cast<std::uint32_t>(carry);
+    product.limbs_[i + b.limbs_.size()] = static_cast<uint32_t>(carry);
   }
   BigInteger::drop_leading_zeros(product.limbs_);
   product.negative_ = a.negative_ != b.negative_;
@@ -92,7 +92,7 @@ BigInteger operator*(const BigInteger &a, const BigInteger &b) {
 BigInteger BigInteger::times_power_of_two(unsigned bits) const {
   BigInteger power;
   power.limbs_.assign(bits / 32 + 1, 0);
-  power.limbs_.back() = std::uint32_t{1} << (bits % 32);
+  power.limbs_.back() = uint32_t{1} << (bits % 32);
   return *this * power;
 }
 
@@ -100,10 +100,10 @@ std::string BigInteger::to_string() const {
   if (limbs_.empty()) return "0";
   std::string digits;
   for (Limbs rest = limbs_; !rest.empty(); drop_leading_zeros(rest)) {
-    std::uint64_t remainder = 0;
-    for (std::size_t k = rest.size(); k-- > 0;) {
+    uint64_t remainder = 0;
+    for (size_t k = rest.size(); k-- > 0;) {
       remainder = (remainder << 32) + rest[k];
-      rest[k] = static_cast<std::uint32_t>(remainder / 10);
+      rest[k] = static_cast<uint32_t>(remainder / 10);
       remainder %= 10;
     }
     digits.push_back(static_cast<char>('0' + remainder));

@@ -1,6 +1,5 @@
 // Signed integers of any size, by the methods taught at school.
-#ifndef HARDSPHERE_TESTS_ORACLE_BIG_INTEGER_HPP
-#define HARDSPHERE_TESTS_ORACLE_BIG_INTEGER_HPP
+#pragma once
 
 #include <cstdint>
 #include <string>
@@ -10,7 +9,7 @@
 
 namespace oracle {
 
-/// A sign and a magnitude in base 2^32, lowest limb first, without leading zero limbs; zero has no limbs.
+// A sign and a magnitude in base 2^32, lowest limb first, without leading zero limbs; zero has no limbs.
 class BigInteger {
  public:
   BigInteger() = default;
@@ -24,14 +23,14 @@ class BigInteger {
   friend BigInteger operator*(const BigInteger &a, const BigInteger &b);
   friend bool operator==(const BigInteger &a, const BigInteger &b) = default;
 
-  /// This number times 2^bits.
+  // This number times 2^bits.
   [[nodiscard]] BigInteger times_power_of_two(unsigned bits) const;
 
-  /// Decimal digits with a sign in front if negative.
+  // Decimal digits with a sign in front if negative.
   [[nodiscard]] std::string to_string() const;
 
  private:
-  using Limbs = std::vector<std::uint32_t>;
+  using Limbs = std::vector<uint32_t>;
   static int compare_magnitudes(const Limbs &a, const Limbs &b);
   static Limbs add_magnitudes(const Limbs &a, const Limbs &b);
   static Limbs subtract_magnitudes(const Limbs &larger, const Limbs &smaller);
@@ -46,5 +45,3 @@ inline int sign_of(const BigInteger &value) {
 }
 
 }  // namespace oracle
-
-#endif

@@ -43,8 +43,8 @@ TEST(BigInteger, ObeysTheLawsOfARing) {
   RandomSource random(2);
   const auto large = [&] {
     BigInteger value = big(random.in(-9, 9));
-    for (std::int64_t k = random.in(0, 9); k > 0; --k)
-      value = value * big(Int128{random.in(-(std::int64_t{1} << 60), std::int64_t{1} << 60)}) + big(random.in(-1, 1));
+    for (int64_t k = random.in(0, 9); k > 0; --k)
+      value = value * big(Int128{random.in(-(int64_t{1} << 60), int64_t{1} << 60)}) + big(random.in(-1, 1));
     return value;
   };
   for (int k = 0; k < 2000; ++k) {

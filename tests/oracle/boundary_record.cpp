@@ -10,7 +10,7 @@ namespace oracle {
 namespace {
 
 EdgeName arc_name(const BoundaryRecord::Arc &arc, const std::vector<VertexName> &vertices,
-                  const std::vector<std::uint32_t> &label) {
+                  const std::vector<uint32_t> &label) {
   EdgeName name = {{label[arc.ball[0]], label[arc.ball[1]]}, vertices[arc.vertex[0]], vertices[arc.vertex[1]]};
   if (name.ball[0] > name.ball[1]) {
     // The axis turns round, and with it the sense in which the arc is run.
@@ -20,7 +20,7 @@ EdgeName arc_name(const BoundaryRecord::Arc &arc, const std::vector<VertexName> 
   return name;
 }
 
-EdgeName circle_name(const BoundaryRecord::Circle &circle, const std::vector<std::uint32_t> &label) {
+EdgeName circle_name(const BoundaryRecord::Circle &circle, const std::vector<uint32_t> &label) {
   return {
       {std::min(label[circle.ball[0]], label[circle.ball[1]]), std::max(label[circle.ball[0]], label[circle.ball[1]])},
       {},
@@ -29,9 +29,9 @@ EdgeName circle_name(const BoundaryRecord::Circle &circle, const std::vector<std
 
 }  // namespace
 
-VertexName vertex_name(std::uint32_t a, std::uint32_t b, std::uint32_t c, int sign) {
+VertexName vertex_name(uint32_t a, uint32_t b, uint32_t c, int sign) {
   VertexName name = {{a, b, c}, sign};
-  const auto exchange = [&](std::size_t i, std::size_t k) {
+  const auto exchange = [&](size_t i, size_t k) {
     if (name.ball[i] < name.ball[k]) return;
     std::swap(name.ball[i], name.ball[k]);
     name.sign = -name.sign;
@@ -42,20 +42,20 @@ VertexName vertex_name(std::uint32_t a, std::uint32_t b, std::uint32_t c, int si
   return name;
 }
 
-CanonicalBoundary canonical(const BoundaryRecord &record, const std::vector<std::uint32_t> &label) {
+CanonicalBoundary canonical(const BoundaryRecord &record, const std::vector<uint32_t> &label) {
   CanonicalBoundary result;
   result.counts = record.counts;
 
-  const std::size_t n = record.balls.size();
+  const size_t n = record.balls.size();
   result.contained.resize(n);
   result.smallest_of_component.resize(n);
-  std::map<std::uint32_t, std::uint32_t> smallest;
-  for (std::size_t i = 0; i < n; ++i) {
+  std::map<uint32_t, uint32_t> smallest;
+  for (size_t i = 0; i < n; ++i) {
     result.contained[label[i]] = record.balls[i].contained ? 1 : 0;
     const auto [entry, is_new] = smallest.try_emplace(record.balls[i].component, label[i]);
     if (!is_new) entry->second = std::min(entry->second, label[i]);
   }
-  for (std::size_t i = 0; i < n; ++i) result.smallest_of_component[label[i]] = smallest.at(record.balls[i].component);
+  for (size_t i = 0; i < n; ++i) result.smallest_of_component[label[i]] = smallest.at(record.balls[i].component);
 
   std::vector<VertexName> vertices;
   for (const auto &vertex : record.vertices) {
@@ -65,12 +65,12 @@ CanonicalBoundary canonical(const BoundaryRecord &record, const std::vector<std:
   std::sort(result.vertices.begin(), result.vertices.end());
 
   std::vector<CanonicalBoundary::Face> faces(record.faces.size());
-  for (std::size_t f = 0; f < faces.size(); ++f) {
+  for (size_t f = 0; f < faces.size(); ++f) {
     faces[f].ball = label[record.faces[f].ball];
     faces[f].loops = record.faces[f].loops;
   }
   const auto put_edge = [&](const EdgeName &name, const auto &edge) {
-    for (std::size_t side = 0; side < 2; ++side) {
+    for (size_t side = 0; side < 2; ++side) {
       if (record.faces.at(edge.face[side]).ball != edge.ball[side])
         throw std::logic_error("an edge names a face of another ball");
       faces[edge.face[side]].edges.push_back(name);
@@ -88,12 +88,12 @@ CanonicalBoundary canonical(const BoundaryRecord &record, const std::vector<std:
   std::sort(result.circles.begin(), result.circles.end());
 
   for (auto &face : faces) std::sort(face.edges.begin(), face.edges.end());
-  std::vector<std::size_t> order(faces.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return faces[a] < faces[b]; });
-  std::map<std::uint32_t, std::uint32_t> first;
-  for (const std::size_t f : order) {
-    const auto place = static_cast<std::uint32_t>(result.faces.size());
+  std::vector<size_t> order(faces.size());
+  std::iota(order.begin(), order.end(), size_t{0});
+  std::sort(order.begin(), order.end(), [&](size_t a, size_t b) { return faces[a] < faces[b]; });
+  std::map<uint32_t, uint32_t> first;
+  for (const size_t f : order) {
+    const auto place = static_cast<uint32_t>(result.faces.size());
     result.first_of_shell.push_back(first.try_emplace(record.faces[f].shell, place).first->second);
     result.faces.push_back(faces[f]);
   }
@@ -105,7 +105,7 @@ std::string differences(const CanonicalBoundary &a, const CanonicalBoundary &b) 
   const auto compare = [&](const char *name, const auto &x, const auto &y) {
     if (x != y) text << name << " (" << x.size() << " and " << y.size() << "), ";
   };
-  const auto compare_count = [&](const char *name, std::int64_t x, std::int64_t y) {
+  const auto compare_count = [&](const char *name, int64_t x, int64_t y) {
     if (x != y) text << name << " " << x << " and " << y << ", ";
   };
   compare_count("exposed balls", a.counts.exposed_balls, b.counts.exposed_balls);

@@ -19,7 +19,7 @@ class BruteBoundary {
   BoundaryRecord build() {
     relate_pairs();
     find_vertices();
-    for (std::uint32_t a = 0; a < set_.size(); ++a) find_loops(a);
+    for (uint32_t a = 0; a < set_.size(); ++a) find_loops(a);
     find_faces();
     find_edges();
     find_shells();
@@ -29,18 +29,18 @@ class BruteBoundary {
  private:
   void relate_pairs();
   void find_vertices();
-  [[nodiscard]] bool is_free(std::uint32_t a, std::uint32_t b, std::uint32_t c, int side,
-                             const std::vector<std::uint32_t> &others, bool *tied) const;
-  void find_loops(std::uint32_t a);
+  [[nodiscard]] bool is_free(uint32_t a, uint32_t b, uint32_t c, int side, const std::vector<uint32_t> &others,
+                             bool *tied) const;
+  void find_loops(uint32_t a);
   void find_faces();
   void find_edges();
   void find_shells();
 
-  [[nodiscard]] std::uint32_t vertex(std::uint32_t a, std::uint32_t b, std::uint32_t c, int side) const {
+  [[nodiscard]] uint32_t vertex(uint32_t a, uint32_t b, uint32_t c, int side) const {
     const auto found = vertex_of_name_.find(vertex_name(a, b, c, side));
     return found == vertex_of_name_.end() ? no_ball : found->second;
   }
-  [[nodiscard]] std::uint32_t face(std::uint32_t a, std::size_t circle, std::size_t arc) const {
+  [[nodiscard]] uint32_t face(uint32_t a, size_t circle, size_t arc) const {
     return first_face_[a] + face_of_loop_[a][spheres_[a].loop_of_arc[circle].at(arc)];
   }
   [[noreturn]] void contradiction(const char *what) const {
@@ -49,20 +49,20 @@ class BruteBoundary {
 
   TiedBalls set_;
   BoundaryRecord record_;
-  std::vector<std::vector<std::uint32_t>> partners_;  // balls with a common circle
-  std::map<VertexName, std::uint32_t> vertex_of_name_;
+  std::vector<std::vector<uint32_t>> partners_;  // balls with a common circle
+  std::map<VertexName, uint32_t> vertex_of_name_;
   std::vector<SphereLoops> spheres_;
-  std::vector<std::vector<std::uint32_t>> face_of_loop_;
-  std::vector<std::uint32_t> first_face_;
+  std::vector<std::vector<uint32_t>> face_of_loop_;
+  std::vector<uint32_t> first_face_;
 };
 
 void BruteBoundary::relate_pairs() {
-  const std::uint32_t n = set_.size();
+  const uint32_t n = set_.size();
   partners_.resize(n);
   record_.balls.assign(n, {false, 0});
   DisjointSets components(n);
-  for (std::uint32_t a = 0; a < n; ++a)
-    for (std::uint32_t b = a + 1; b < n; ++b) {
+  for (uint32_t a = 0; a < n; ++a)
+    for (uint32_t b = a + 1; b < n; ++b) {
       const PairRelation relation = set_.pair(a, b);
       if (relation == PairRelation::disjoint) continue;
       components.join(a, b);
@@ -73,47 +73,47 @@ void BruteBoundary::relate_pairs() {
         partners_[b].push_back(a);
       }
     }
-  const std::vector<std::uint32_t> number = components.numbers();
-  for (std::uint32_t a = 0; a < n; ++a) {
+  const std::vector<uint32_t> number = components.numbers();
+  for (uint32_t a = 0; a < n; ++a) {
     record_.balls[a].component = number[a];
     record_.counts.contained_balls += record_.balls[a].contained ? 1U : 0U;
   }
   record_.counts.components = components.count();
 }
 
-bool BruteBoundary::is_free(std::uint32_t a, std::uint32_t b, std::uint32_t c, int side,
-                            const std::vector<std::uint32_t> &others, bool *tied) const {
+bool BruteBoundary::is_free(uint32_t a, uint32_t b, uint32_t c, int side, const std::vector<uint32_t> &others,
+                            bool *tied) const {
   const Crossing point = {set_.cap(a, b), set_.cap(a, c), side};
-  std::vector<std::uint32_t> undecided;
-  for (const std::uint32_t d : others) {
+  std::vector<uint32_t> undecided;
+  for (const uint32_t d : others) {
     const int inside = set_.crossing_inside_as_given(a, point, set_.cap(a, d));
     if (inside > 0) return false;
     if (inside == 0) undecided.push_back(d);
   }
-  for (const std::uint32_t d : undecided)
+  for (const uint32_t d : undecided)
     if (set_.crossing_inside(a, point, set_.cap(a, d))) return false;
   *tied = !undecided.empty() || set_.circles_cross_as_given(a, point.first, point.second) == 0;
   return true;
 }
 
 void BruteBoundary::find_vertices() {
-  for (std::uint32_t a = 0; a < set_.size(); ++a) {
+  for (uint32_t a = 0; a < set_.size(); ++a) {
     if (record_.balls[a].contained) continue;
-    for (const std::uint32_t b : partners_[a])
-      for (const std::uint32_t c : partners_[b]) {
+    for (const uint32_t b : partners_[a])
+      for (const uint32_t c : partners_[b]) {
         const auto &of_a = partners_[a];
         if (b <= a || c <= b || std::find(of_a.begin(), of_a.end(), c) == of_a.end()) continue;
         if (record_.balls[b].contained || record_.balls[c].contained) continue;
         if (!set_.circles_cross(a, set_.cap(a, b), set_.cap(a, c))) continue;
         // A ball that holds a point of a sphere but not the whole sphere has a circle on it: only such balls matter.
         // Contained balls hold nothing that their containers do not hold.
-        std::vector<std::uint32_t> others;
-        for (const std::uint32_t d : of_a)
+        std::vector<uint32_t> others;
+        for (const uint32_t d : of_a)
           if (d != b && d != c && !record_.balls[d].contained) others.push_back(d);
         for (const int side : {+1, -1}) {
           bool tied = false;
           if (!is_free(a, b, c, side, others, &tied)) continue;
-          vertex_of_name_[{{a, b, c}, side}] = static_cast<std::uint32_t>(record_.vertices.size());
+          vertex_of_name_[{{a, b, c}, side}] = static_cast<uint32_t>(record_.vertices.size());
           record_.vertices.push_back({{a, b, c}, side, tied});
           record_.counts.tied_vertices += tied ? 1U : 0U;
         }
@@ -121,19 +121,19 @@ void BruteBoundary::find_vertices() {
   }
 }
 
-void BruteBoundary::find_loops(std::uint32_t a) {
+void BruteBoundary::find_loops(uint32_t a) {
   SphereLoops &sphere = spheres_[a];
   sphere.ball = a;
   if (record_.balls[a].contained) return;
 
   struct Place {
-    std::size_t circle;
-    std::size_t arc;
+    size_t circle;
+    size_t arc;
   };
-  std::map<std::uint32_t, Place> arc_that_enters_at;  // by the vertex at which the arc ends
-  for (const std::uint32_t b : partners_[a]) {
+  std::map<uint32_t, Place> arc_that_enters_at;  // by the vertex at which the arc ends
+  for (const uint32_t b : partners_[a]) {
     std::vector<Cap> others;
-    for (const std::uint32_t c : partners_[a])
+    for (const uint32_t c : partners_[a])
       if (c != b) others.push_back(set_.cap(a, c));
     sphere.circles.emplace_back(set_, a, set_.cap(a, b), others,
                                 [&](const Cap &cap, int side) { return vertex(a, b, cap.ball, side) != no_ball; });
@@ -141,9 +141,9 @@ void BruteBoundary::find_loops(std::uint32_t a) {
     const bool whole = circle.kind() == FreePieces::Kind::whole;
     sphere.loop_of_arc.emplace_back(whole ? 1 : circle.arcs().size(), no_ball);
     if (whole) sphere.loop_of_arc.back()[0] = sphere.loops++;
-    for (std::size_t k = 0; k < circle.arcs().size(); ++k) {
+    for (size_t k = 0; k < circle.arcs().size(); ++k) {
       const Place place = {sphere.circles.size() - 1, k};
-      const std::uint32_t end = vertex(a, b, circle.arcs()[k].entry.ball, -1);
+      const uint32_t end = vertex(a, b, circle.arcs()[k].entry.ball, -1);
       if (!arc_that_enters_at.try_emplace(end, place).second) contradiction("two arcs end at one vertex");
     }
   }
@@ -151,7 +151,7 @@ void BruteBoundary::find_loops(std::uint32_t a) {
   // arc of the exit's cap takes over.
   for (const auto &[start, first] : arc_that_enters_at) {
     if (sphere.loop_of_arc[first.circle][first.arc] != no_ball) continue;
-    std::uint32_t at = start;
+    uint32_t at = start;
     do {
       const Place place = arc_that_enters_at.at(at);
       const FreePieces &circle = sphere.circles[place.circle];
@@ -164,17 +164,17 @@ void BruteBoundary::find_loops(std::uint32_t a) {
 }
 
 void BruteBoundary::find_faces() {
-  const std::uint32_t n = set_.size();
+  const uint32_t n = set_.size();
   face_of_loop_.resize(n);
   first_face_.resize(n);
-  for (std::uint32_t a = 0; a < n; ++a) {
-    first_face_[a] = static_cast<std::uint32_t>(record_.faces.size());
+  for (uint32_t a = 0; a < n; ++a) {
+    first_face_[a] = static_cast<uint32_t>(record_.faces.size());
     if (record_.balls[a].contained) continue;
     if (partners_[a].empty()) {
       record_.faces.push_back({a, 0, 0});
     } else {
       face_of_loop_[a] = faces_of_loops(set_, spheres_[a]);
-      for (const std::uint32_t face : face_of_loop_[a]) {
+      for (const uint32_t face : face_of_loop_[a]) {
         if (first_face_[a] + face >= record_.faces.size()) record_.faces.push_back({a, 0, 0});
         ++record_.faces[first_face_[a] + face].loops;
       }
@@ -185,14 +185,14 @@ void BruteBoundary::find_faces() {
 }
 
 void BruteBoundary::find_edges() {
-  std::vector<std::uint32_t> ends(record_.vertices.size(), 0);
-  for (std::uint32_t a = 0; a < set_.size(); ++a)
-    for (std::size_t p = 0; p < spheres_[a].circles.size(); ++p) {
+  std::vector<uint32_t> ends(record_.vertices.size(), 0);
+  for (uint32_t a = 0; a < set_.size(); ++a)
+    for (size_t p = 0; p < spheres_[a].circles.size(); ++p) {
       const FreePieces &circle = spheres_[a].circles[p];
-      const std::uint32_t b = circle.circle().ball;
+      const uint32_t b = circle.circle().ball;
       const SphereLoops &opposite = spheres_[b];
       if (b < a || circle.kind() == FreePieces::Kind::covered) continue;
-      std::size_t q = 0;
+      size_t q = 0;
       while (q < opposite.circles.size() && opposite.circles[q].circle().ball != a) ++q;
       if (q == opposite.circles.size() || opposite.circles[q].kind() != circle.kind())
         contradiction("a circle seen from one ball only");
@@ -202,22 +202,22 @@ void BruteBoundary::find_edges() {
         continue;
       }
       if (twin.arcs().size() != circle.arcs().size()) contradiction("circles with different numbers of arcs");
-      for (std::size_t k = 0; k < circle.arcs().size(); ++k) {
+      for (size_t k = 0; k < circle.arcs().size(); ++k) {
         const FreeArc &arc = circle.arcs()[k];
         // From the other ball the axis points the other way: exit and entry change places.
-        std::size_t m = 0;
+        size_t m = 0;
         while (m < twin.arcs().size() &&
                (twin.arcs()[m].exit.ball != arc.entry.ball || twin.arcs()[m].entry.ball != arc.exit.ball))
           ++m;
         if (m == twin.arcs().size()) contradiction("an arc seen from one ball only");
-        const std::uint32_t from = vertex(a, b, arc.exit.ball, +1);
-        const std::uint32_t to = vertex(a, b, arc.entry.ball, -1);
+        const uint32_t from = vertex(a, b, arc.exit.ball, +1);
+        const uint32_t to = vertex(a, b, arc.entry.ball, -1);
         ++ends[from];
         ++ends[to];
         record_.arcs.push_back({{a, b}, {from, to}, {face(a, p, k), face(b, q, m)}});
       }
     }
-  for (const std::uint32_t count : ends)
+  for (const uint32_t count : ends)
     if (count != 3) contradiction("a vertex without three arcs");
 }
 
@@ -225,12 +225,12 @@ void BruteBoundary::find_shells() {
   DisjointSets shells(record_.faces.size());
   for (const auto &arc : record_.arcs) shells.join(arc.face[0], arc.face[1]);
   for (const auto &circle : record_.circles) shells.join(circle.face[0], circle.face[1]);
-  const std::vector<std::uint32_t> number = shells.numbers();
+  const std::vector<uint32_t> number = shells.numbers();
   auto &counts = record_.counts;
-  counts.euler = static_cast<std::int64_t>(record_.vertices.size()) - static_cast<std::int64_t>(record_.arcs.size());
-  for (std::size_t f = 0; f < record_.faces.size(); ++f) {
+  counts.euler = static_cast<int64_t>(record_.vertices.size()) - static_cast<int64_t>(record_.arcs.size());
+  for (size_t f = 0; f < record_.faces.size(); ++f) {
     record_.faces[f].shell = number[f];
-    counts.euler += 2 - static_cast<std::int64_t>(record_.faces[f].loops);
+    counts.euler += 2 - static_cast<int64_t>(record_.faces[f].loops);
   }
   counts.shells = shells.count();
   if (counts.shells < counts.components) contradiction("a component without a shell");

@@ -16,9 +16,9 @@ namespace {
 TEST(BruteBoundary, HasTheTopologyOfTheNerve) {
   RandomSource random(4);
   for (int k = 0; k < 4000; ++k) {
-    const Balls balls = degenerate_balls(random, static_cast<std::size_t>(random.in(1, 9)));
+    const Balls balls = degenerate_balls(random, static_cast<size_t>(random.in(1, 9)));
     const BoundaryRecord record = brute_boundary(balls);
-    const std::array<std::int64_t, 3> betti = nerve_betti_numbers(balls);
+    const std::array<int64_t, 3> betti = nerve_betti_numbers(balls);
     EXPECT_EQ(record.counts.components, betti[0]) << to_text(balls);
     EXPECT_EQ(record.counts.voids, betti[2]) << to_text(balls);
     EXPECT_EQ(record.counts.euler, 2 * (betti[0] - betti[1] + betti[2])) << to_text(balls);
@@ -28,9 +28,9 @@ TEST(BruteBoundary, HasTheTopologyOfTheNerve) {
 TEST(BruteBoundary, HasTheTopologyOfTheNerveWithNestedLoopsAndTies) {
   RandomSource random(8);
   for (int k = 0; k < 100; ++k) {
-    const Balls balls = crowned_balls(random, static_cast<std::size_t>(random.in(9, 26)));
+    const Balls balls = crowned_balls(random, static_cast<size_t>(random.in(9, 26)));
     const BoundaryRecord record = brute_boundary(balls);
-    const std::array<std::int64_t, 3> betti = nerve_betti_numbers(balls);
+    const std::array<int64_t, 3> betti = nerve_betti_numbers(balls);
     EXPECT_EQ(record.counts.components, betti[0]) << to_text(balls);
     EXPECT_EQ(record.counts.voids, betti[2]) << to_text(balls);
     EXPECT_EQ(record.counts.euler, 2 * (betti[0] - betti[1] + betti[2])) << to_text(balls);
@@ -51,7 +51,7 @@ TEST(BruteBoundary, HasTheTopologyBuiltIn) {
 TEST(BruteBoundary, DoesNotDependOnTheOrderOfTheBalls) {
   RandomSource random(5);
   for (int k = 0; k < 300; ++k) {
-    const Balls balls = any_balls(random, static_cast<std::size_t>(random.in(2, 9)));
+    const Balls balls = any_balls(random, static_cast<size_t>(random.in(2, 9)));
     const Balls mixed = permuted(balls, random.permutation(balls.size()));
     const auto expected = canonical(brute_boundary(balls), tie_ranks(balls));
     EXPECT_EQ(differences(canonical(brute_boundary(mixed), tie_ranks(mixed)), expected), "") << to_text(balls);
@@ -60,7 +60,7 @@ TEST(BruteBoundary, DoesNotDependOnTheOrderOfTheBalls) {
 
 using Point = std::array<double, 3>;
 
-/// The point of a vertex, from the plane of its centres and the height above it.
+// The point of a vertex, from the plane of its centres and the height above it.
 Point position(const Balls &balls, const BoundaryRecord::Vertex &vertex) {
   const LatticeBall &a = balls[vertex.ball[0]];
   const auto real = [](const Vector &v) {
@@ -74,7 +74,7 @@ Point position(const Balls &balls, const BoundaryRecord::Vertex &vertex) {
   const Point u = real(iu);
   const Point v = real(iv);
   const Point n = real(cross(iu, iv));
-  const auto weight = [&](std::size_t k) {
+  const auto weight = [&](size_t k) {
     return static_cast<double>(balls[vertex.ball[k]].radius * balls[vertex.ball[k]].radius);
   };
   const double gu = (dot_product(u, u) + weight(0) - weight(1)) / 2;
@@ -86,16 +86,16 @@ Point position(const Balls &balls, const BoundaryRecord::Vertex &vertex) {
   const double s = (gu * vv - gv * uv) / det;
   const double t = (gv * uu - gu * uv) / det;
   Point point;
-  for (std::size_t k = 0; k < 3; ++k) point[k] = s * u[k] + t * v[k];
+  for (size_t k = 0; k < 3; ++k) point[k] = s * u[k] + t * v[k];
   const double height = std::sqrt(std::max(0.0, weight(0) - dot_product(point, point)) / det);
-  for (std::size_t k = 0; k < 3; ++k) point[k] += vertex.sign * height * n[k];
+  for (size_t k = 0; k < 3; ++k) point[k] += vertex.sign * height * n[k];
   return {point[0] + static_cast<double>(a.x), point[1] + static_cast<double>(a.y),
           point[2] + static_cast<double>(a.z)};
 }
 
 TEST(BruteBoundary, ArcsRunOutsideAllBalls) {
   RandomSource random(6);
-  std::size_t arcs = 0;
+  size_t arcs = 0;
   for (int k = 0; k < 60; ++k) {
     const Balls balls = random.one_in(2) ? loose_balls(random, 12) : belted_balls(random, 14);
     const BoundaryRecord record = brute_boundary(balls);

@@ -8,7 +8,7 @@
 namespace oracle {
 namespace {
 
-/// The sign of det [axis, a, b]: +1 if b is less than half a turn counter-clockwise of a about the axis.
+// The sign of det [axis, a, b]: +1 if b is less than half a turn counter-clockwise of a about the axis.
 int turn(const Vector &axis, const Vector &a, const Vector &b) {
   const Vector axis_a = cross(axis, a);
   return (BigInteger(axis_a[0]) * BigInteger(b[0]) + BigInteger(axis_a[1]) * BigInteger(b[1]) +
@@ -16,7 +16,7 @@ int turn(const Vector &axis, const Vector &a, const Vector &b) {
       .sign();
 }
 
-/// The sign of the cosine of the angle between a and b as seen along the axis.
+// The sign of the cosine of the angle between a and b as seen along the axis.
 int cosine(const Vector &axis, const Vector &a, const Vector &b) {
   const Vector axis_a = cross(axis, a);
   const Vector axis_b = cross(axis, b);
@@ -25,7 +25,7 @@ int cosine(const Vector &axis, const Vector &a, const Vector &b) {
       .sign();
 }
 
-/// Counter-clockwise angle from `start`, in [0, 2 pi): is that of a less than that of b?
+// Counter-clockwise angle from `start`, in [0, 2 pi): is that of a less than that of b?
 bool comes_first(const Vector &axis, const Vector &start, const Vector &a, const Vector &b) {
   const auto half = [&](const Vector &v) {
     const int s = turn(axis, start, v);
@@ -36,7 +36,7 @@ bool comes_first(const Vector &axis, const Vector &start, const Vector &a, const
 
 }  // namespace
 
-FreePieces::FreePieces(const TiedBalls &set, std::uint32_t a, const Cap &circle, const std::vector<Cap> &caps,
+FreePieces::FreePieces(const TiedBalls &set, uint32_t a, const Cap &circle, const std::vector<Cap> &caps,
                        const FreeTest &is_free)
     : set_(&set), ball_(a), circle_(circle) {
   std::vector<Cap> crossing;
@@ -52,7 +52,7 @@ FreePieces::FreePieces(const TiedBalls &set, std::uint32_t a, const Cap &circle,
     find_arcs(crossing, is_free);
 }
 
-FreePieces::FreePieces(const TiedBalls &set, std::uint32_t a, const Cap &circle, const std::vector<Cap> &caps)
+FreePieces::FreePieces(const TiedBalls &set, uint32_t a, const Cap &circle, const std::vector<Cap> &caps)
     : FreePieces(set, a, circle, caps, [&](const Cap &cap, int side) {
         return std::none_of(caps.begin(), caps.end(), [&](const Cap &other) {
           return other.ball != cap.ball && set.crossing_inside(a, {circle, cap, side}, other);
@@ -76,7 +76,7 @@ void FreePieces::find_arcs(const std::vector<Cap> &crossing, const FreeTest &is_
   const Vector start = directions_.front();
   std::sort(directions_.begin(), directions_.end(),
             [&](const Vector &a, const Vector &b) { return comes_first(axis, start, a, b); });
-  for (std::size_t k = 1; k < directions_.size(); ++k)
+  for (size_t k = 1; k < directions_.size(); ++k)
     if (!comes_first(axis, start, directions_[k - 1], directions_[k]))
       throw std::logic_error("two owners in one direction: " + to_text(set_->balls()));
 
@@ -93,7 +93,7 @@ void FreePieces::find_arcs(const std::vector<Cap> &crossing, const FreeTest &is_
     entry = cap;
   }
   arc_of_sector_.resize(directions_.size());
-  for (std::size_t k = 0; k < directions_.size(); ++k) {
+  for (size_t k = 0; k < directions_.size(); ++k) {
     if (exit_of_sector[k].has_value() != entry_of_sector[k].has_value())
       throw std::logic_error("an exit without an entry: " + to_text(set_->balls()));
     if (!exit_of_sector[k]) continue;
@@ -102,16 +102,16 @@ void FreePieces::find_arcs(const std::vector<Cap> &crossing, const FreeTest &is_
   }
 }
 
-std::size_t FreePieces::sector_of_crossing(const Cap &cap, int side) const {
-  const std::size_t n = directions_.size();
+size_t FreePieces::sector_of_crossing(const Cap &cap, int side) const {
+  const size_t n = directions_.size();
   if (n == 1) return 0;
   // left[k]: the side of the plane through the axis and direction k on which the point lies: +1 less than half a turn
   // counter-clockwise of the direction, 0 opposite to it (not in it, as the directions are covered).
   std::vector<int> left(n);
-  for (std::size_t k = 0; k < n; ++k)
+  for (size_t k = 0; k < n; ++k)
     left[k] = set_->crossing_side(ball_, {circle_, cap, side}, cross(circle_.normal, directions_[k]));
-  for (std::size_t k = 0; k < n; ++k) {
-    const std::size_t next = (k + 1) % n;
+  for (size_t k = 0; k < n; ++k) {
+    const size_t next = (k + 1) % n;
     const int width = turn(circle_.normal, directions_[k], directions_[next]);  // +1: below half a turn, -1: above
     const bool is_in = width > 0   ? left[k] > 0 && left[next] < 0
                        : width < 0 ? !(left[next] > 0 && left[k] < 0)
@@ -121,11 +121,11 @@ std::size_t FreePieces::sector_of_crossing(const Cap &cap, int side) const {
   throw std::logic_error("a point in no sector: " + to_text(set_->balls()));
 }
 
-std::size_t FreePieces::sector_of_direction(const Vector &direction) const {
+size_t FreePieces::sector_of_direction(const Vector &direction) const {
   const Vector &axis = circle_.normal;
   const Vector &start = directions_.front();
-  std::size_t sector = directions_.size() - 1;
-  for (std::size_t k = 1; k < directions_.size(); ++k)
+  size_t sector = directions_.size() - 1;
+  for (size_t k = 1; k < directions_.size(); ++k)
     if (comes_first(axis, start, direction, directions_[k])) {
       sector = k - 1;
       break;
@@ -133,13 +133,13 @@ std::size_t FreePieces::sector_of_direction(const Vector &direction) const {
   return sector;
 }
 
-std::size_t FreePieces::arc_with_crossing(const Cap &cap, int side) const {
+size_t FreePieces::arc_with_crossing(const Cap &cap, int side) const {
   const auto &arc = arc_of_sector_.at(sector_of_crossing(cap, side));
   if (!arc) throw std::logic_error("a free point in a covered sector: " + to_text(set_->balls()));
   return *arc;
 }
 
-std::size_t FreePieces::arc_with_direction(const Vector &direction) const {
+size_t FreePieces::arc_with_direction(const Vector &direction) const {
   const auto &arc = arc_of_sector_.at(sector_of_direction(direction));
   if (!arc) throw std::logic_error("a free direction in a covered sector: " + to_text(set_->balls()));
   return *arc;

@@ -21,7 +21,7 @@ using oracle::DualComplex;
 using oracle::FloodFill;
 using oracle::LatticeBall;
 
-Balls scaled(const Balls &balls, std::int64_t factor) {
+Balls scaled(const Balls &balls, int64_t factor) {
   Balls result;
   for (const LatticeBall &b : balls) result.push_back({factor * b.x, factor * b.y, factor * b.z, factor * b.radius});
   return result;
@@ -46,17 +46,17 @@ TEST(DualComplex, VoidsAreThoseOfTheNerve) {
   oracle::RandomSource random(31);
   int voids = 0;
   for (int k = 0; k < 3000; ++k) {
-    const Balls balls = oracle::degenerate_balls(random, static_cast<std::size_t>(random.in(1, 10)));
-    const std::int64_t expected = oracle::nerve_betti_numbers(balls)[2];
+    const Balls balls = oracle::degenerate_balls(random, static_cast<size_t>(random.in(1, 10)));
+    const int64_t expected = oracle::nerve_betti_numbers(balls)[2];
     ASSERT_EQ(DualComplex(balls).cells(), 1 + expected) << oracle::to_text(balls);
     voids += expected > 0 ? 1 : 0;
   }
   // Eight balls at the corners of boxes close a void or just do not.
   for (int k = 0; k < 300; ++k) {
     Balls balls;
-    for (std::int64_t corner = 0; corner < 8; ++corner)
+    for (int64_t corner = 0; corner < 8; ++corner)
       balls.push_back({4 * (corner & 1), 6 * (corner >> 1 & 1), 12 * (corner >> 2), random.in(6, 7)});
-    const std::int64_t expected = oracle::nerve_betti_numbers(balls)[2];
+    const int64_t expected = oracle::nerve_betti_numbers(balls)[2];
     ASSERT_EQ(DualComplex(balls).cells(), 1 + expected) << oracle::to_text(balls);
     voids += expected > 0 ? 1 : 0;
   }
@@ -90,7 +90,7 @@ TEST(DualComplex, DoesNotDependOnTheOrder) {
 }
 
 TEST(FloodFill, OneBall) {
-  const std::int64_t radius = 1000;
+  const int64_t radius = 1000;
   const FloodFill fill({{0, 0, 0, radius}}, {{-1100, -1100, -1100}, {1100, 1100, 1100}}, 20);
   ASSERT_EQ(fill.certain().size(), 1U);
   ASSERT_EQ(fill.perhaps().size(), 1U);
@@ -113,7 +113,7 @@ TEST(FloodFill, Cages) {
   long double difference = 1e30L;
   long double least = 0;
   long double most = 1e30L;
-  for (const std::int64_t side : {80, 40, 20, 10}) {
+  for (const int64_t side : {80, 40, 20, 10}) {
     const Box box = oracle::box_around(closed, 2 * side);
     const FloodFill fill(closed, box, side);
     const auto inner = fill.certain_at({0, 0, 0});
@@ -148,8 +148,8 @@ TEST(FloodFill, AgreesWithTheDualComplex) {
     const FloodFill fill(balls, oracle::box_around(balls, 20), 4);
     for (const FloodFill::Region &a : fill.certain())
       for (const FloodFill::Region &b : fill.certain()) {
-        const std::uint32_t cell_a = complex.cell_of(a.point[0], a.point[1], a.point[2]);
-        const std::uint32_t cell_b = complex.cell_of(b.point[0], b.point[1], b.point[2]);
+        const uint32_t cell_a = complex.cell_of(a.point[0], a.point[1], a.point[2]);
+        const uint32_t cell_b = complex.cell_of(b.point[0], b.point[1], b.point[2]);
         if (&a == &b || a.perhaps != b.perhaps) {
           ASSERT_EQ(&a == &b, cell_a == cell_b) << oracle::to_text(balls);
           ++same[cell_a == cell_b];

@@ -15,11 +15,11 @@ using Real = long double;
 
 constexpr Real pi = std::numbers::pi_v<Real>;
 
-/// Within a slab: the ball, and the ball at whose end the strip's arcs start.
-using StripName = std::pair<std::size_t, std::size_t>;
-using Strips = std::map<StripName, std::size_t>;  // index of each
+// Within a slab: the ball, and the ball at whose end the strip's arcs start.
+using StripName = std::pair<size_t, size_t>;
+using Strips = std::map<StripName, size_t>;  // index of each
 
-/// Do two arcs share an interval, as sets of directions?
+// Do two arcs share an interval, as sets of directions?
 bool overlap(const FreeSliceArc &a, const FreeSliceArc &b) {
   for (const Real turn : {-2 * pi, Real{0}, 2 * pi})
     if (std::max(a.from, b.from + turn) < std::min(a.to, b.to + turn)) return true;
@@ -44,14 +44,14 @@ class Faces {
   }
 
   std::vector<FaceMeasures> joined() {
-    std::map<std::size_t, FaceMeasures> faces;
+    std::map<size_t, FaceMeasures> faces;
     DisjointSets sets(strips_.size());
     for (const auto &[a, b] : links_) sets.join(a, b);
-    for (std::size_t s = 0; s < strips_.size(); ++s) {
+    for (size_t s = 0; s < strips_.size(); ++s) {
       FaceMeasures &face = faces[sets.find(s)];
       face.ball = strips_[s].ball;
       face.area += strips_[s].area;
-      for (std::size_t k = 0; k < 3; ++k) face.vector_area[k] += strips_[s].vector_area[k];
+      for (size_t k = 0; k < 3; ++k) face.vector_area[k] += strips_[s].vector_area[k];
     }
     std::vector<FaceMeasures> result;
     // The outermost nodes of a slab can see its ends' structure, by rounding: strips of next to no weight.
@@ -61,7 +61,7 @@ class Faces {
   }
 
  private:
-  std::size_t strip(Strips &strips, std::size_t ball, const FreeSliceArc &arc) {
+  size_t strip(Strips &strips, size_t ball, const FreeSliceArc &arc) {
     const auto [place, is_new] = strips.try_emplace({ball, arc.after}, strips_.size());
     if (is_new) strips_.push_back({ball, 0, {0, 0, 0}});
     return place->second;
@@ -88,7 +88,7 @@ class Faces {
 
   const std::vector<RealBall> &balls_;
   std::vector<FaceMeasures> strips_;  // the parts of faces within slabs
-  std::vector<std::pair<std::size_t, std::size_t>> links_;
+  std::vector<std::pair<size_t, size_t>> links_;
   std::vector<SliceCircle> top_;  // of the slab before
   Strips top_strips_;
 };

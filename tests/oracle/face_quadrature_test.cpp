@@ -15,8 +15,8 @@ namespace {
 using Real = long double;
 constexpr Real pi = std::numbers::pi_v<Real>;
 
-/// The faces of one ball, the smallest first.
-std::vector<FaceMeasures> faces_of(const std::vector<FaceMeasures> &all, std::size_t ball) {
+// The faces of one ball, the smallest first.
+std::vector<FaceMeasures> faces_of(const std::vector<FaceMeasures> &all, size_t ball) {
   std::vector<FaceMeasures> faces;
   for (const FaceMeasures &face : all)
     if (face.ball == ball) faces.push_back(face);
@@ -49,7 +49,7 @@ TEST(FaceQuadrature, ABeltCutsABallIntoTwoCaps) {
   EXPECT_GT(faces[0].vector_area[1], 10000);
   EXPECT_LT(faces[1].vector_area[1], -10000);
   for (const FaceMeasures &face : faces)
-    for (const std::size_t k : {0U, 2U}) expect_near(face.vector_area[k], 0, 1e-14L * 10000);
+    for (const size_t k : {0U, 2U}) expect_near(face.vector_area[k], 0, 1e-14L * 10000);
 }
 
 TEST(FaceQuadrature, ACapThatIsWhollyAHoleLeavesOneFace) {
@@ -57,7 +57,7 @@ TEST(FaceQuadrature, ACapThatIsWhollyAHoleLeavesOneFace) {
   const std::vector<RealBall> balls = {{0, 0, 0, 10}, {10, 1, 2, 3}, {-3, 9, 1, 2}, {1, 2, -11, 4}};
   const std::vector<FaceMeasures> faces = measure_faces_by_slices(balls);
   EXPECT_EQ(faces.size(), 4U);
-  for (const std::size_t i : {0U, 1U, 2U, 3U}) EXPECT_EQ(faces_of(faces, i).size(), 1U);
+  for (const size_t i : {0U, 1U, 2U, 3U}) EXPECT_EQ(faces_of(faces, i).size(), 1U);
 }
 
 TEST(FaceQuadrature, DoesNotDependOnTheDirection) {
@@ -68,14 +68,14 @@ TEST(FaceQuadrature, DoesNotDependOnTheDirection) {
     for (const LatticeBall &ball : balls) turned.push_back({ball.z, ball.x, ball.y, ball.radius});
     const std::vector<FaceMeasures> faces = measure_faces_by_slices(real_balls(balls));
     const std::vector<FaceMeasures> faces_turned = measure_faces_by_slices(real_balls(turned));
-    for (std::size_t i = 0; i < balls.size(); ++i) {
+    for (size_t i = 0; i < balls.size(); ++i) {
       const std::vector<FaceMeasures> here = faces_of(faces, i);
       const std::vector<FaceMeasures> there = faces_of(faces_turned, i);
       ASSERT_EQ(here.size(), there.size()) << "ball " << i << " of " << to_text(balls);
-      for (std::size_t f = 0; f < here.size(); ++f) {
+      for (size_t f = 0; f < here.size(); ++f) {
         const Real tolerance = 1e-13L * static_cast<Real>(balls[i].radius * balls[i].radius);
         expect_near(here[f].area, there[f].area, tolerance);
-        for (std::size_t c = 0; c < 3; ++c)
+        for (size_t c = 0; c < 3; ++c)
           expect_near(here[f].vector_area[c], there[f].vector_area[(c + 1) % 3], tolerance);
       }
     }

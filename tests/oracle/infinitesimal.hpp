@@ -1,7 +1,6 @@
 // Numbers of the ordered ring Z[eps_0, eps_1, eps_2, eps_3] with 1 >> eps_0 >> eps_1 >> eps_2 >> eps_3 > 0, each
 // infinitely small against every power of the one before.
-#ifndef HARDSPHERE_TESTS_ORACLE_INFINITESIMAL_HPP
-#define HARDSPHERE_TESTS_ORACLE_INFINITESIMAL_HPP
+#pragma once
 
 #include <cstdint>
 #include <map>
@@ -10,7 +9,7 @@
 
 namespace oracle {
 
-/// A polynomial in the four infinitesimals.
+// A polynomial in the four infinitesimals.
 class Infinitesimal {
  public:
   static constexpr unsigned variables = 4;
@@ -18,21 +17,21 @@ class Infinitesimal {
   Infinitesimal() = default;
   explicit Infinitesimal(Int128 value);
 
-  /// eps_k
+  // eps_k
   static Infinitesimal epsilon(unsigned k);
 
   friend Infinitesimal operator+(const Infinitesimal &a, const Infinitesimal &b);
   friend Infinitesimal operator-(const Infinitesimal &a, const Infinitesimal &b);
   friend Infinitesimal operator*(const Infinitesimal &a, const Infinitesimal &b);
 
-  /// The sign of the largest monomial's coefficient; 0 for the zero polynomial only.
+  // The sign of the largest monomial's coefficient; 0 for the zero polynomial only.
   [[nodiscard]] int sign() const { return terms_.empty() ? 0 : terms_.begin()->second.sign(); }
 
  private:
   // The exponent of eps_k in byte k. Of two monomials that one is larger which has the smaller exponent in the smallest
   // infinitesimal where they differ, so ascending keys are descending monomials; multiplication adds keys. Exponents
   // stay below 256: no predicate has a degree above 4.
-  using Monomial = std::uint32_t;
+  using Monomial = uint32_t;
   void add_term(Monomial monomial, const BigInteger &coefficient);
 
   std::map<Monomial, BigInteger> terms_;  // no zero coefficients
@@ -43,5 +42,3 @@ inline int sign_of(const Infinitesimal &value) {
 }
 
 }  // namespace oracle
-
-#endif

@@ -6,13 +6,13 @@
 
 namespace oracle {
 
-std::vector<std::uint32_t> tie_ranks(const Balls &balls) {
-  std::vector<std::uint32_t> order(balls.size());
+std::vector<uint32_t> tie_ranks(const Balls &balls) {
+  std::vector<uint32_t> order(balls.size());
   std::iota(order.begin(), order.end(), 0U);
   // Stable: equal balls keep the order of their indices.
-  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return balls[a] < balls[b]; });
-  std::vector<std::uint32_t> rank(balls.size());
-  for (std::uint32_t place = 0; place < order.size(); ++place) rank[order[place]] = place;
+  std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return balls[a] < balls[b]; });
+  std::vector<uint32_t> rank(balls.size());
+  for (uint32_t place = 0; place < order.size(); ++place) rank[order[place]] = place;
   return rank;
 }
 

@@ -1,8 +1,7 @@
 // Balls on the integer lattice, as every oracle of this folder sees them, and the order in which ties are broken.
 //
 // The oracles are slow and meant to be obviously right. They share no code with the library and may allocate.
-#ifndef HARDSPHERE_TESTS_ORACLE_LATTICE_BALL_HPP
-#define HARDSPHERE_TESTS_ORACLE_LATTICE_BALL_HPP
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -14,18 +13,18 @@ namespace oracle {
 
 __extension__ typedef __int128 Int128;
 
-/// A vector of lattice steps; 128 bits because products of two such vectors occur as directions too.
+// A vector of lattice steps; 128 bits because products of two such vectors occur as directions too.
 using Vector = std::array<Int128, 3>;
 
-/// The index that no ball has.
-inline constexpr std::uint32_t no_ball = 0xFFFFFFFFU;
+// The index that no ball has.
+inline constexpr uint32_t no_ball = 0xFFFFFFFFU;
 
-/// A closed ball: centre and radius in lattice steps.
+// A closed ball: centre and radius in lattice steps.
 struct LatticeBall {
-  std::int64_t x = 0;
-  std::int64_t y = 0;
-  std::int64_t z = 0;
-  std::int64_t radius = 0;
+  int64_t x = 0;
+  int64_t y = 0;
+  int64_t z = 0;
+  int64_t radius = 0;
 
   auto operator<=>(const LatticeBall &) const = default;
 };
@@ -52,13 +51,11 @@ inline int sign_of(Int128 value) {
   return (value > 0) - (value < 0);
 }
 
-/// rank[i] = place of ball i in the lexicographic order of (x, y, z, radius, index). Lower ranks are inflated by
-/// infinitely larger amounts.
-std::vector<std::uint32_t> tie_ranks(const Balls &balls);
+// rank[i] = place of ball i in the lexicographic order of (x, y, z, radius, index). Lower ranks are inflated by
+// infinitely larger amounts.
+std::vector<uint32_t> tie_ranks(const Balls &balls);
 
-/// "{x, y, z, radius}, ..." for messages: a failing set can be pasted into a test.
+// "{x, y, z, radius}, ..." for messages: a failing set can be pasted into a test.
 std::string to_text(const Balls &balls);
 
 }  // namespace oracle
-
-#endif

@@ -9,13 +9,13 @@
 namespace oracle {
 namespace {
 
-using Integer = std::int64_t;
+using Integer = int64_t;
 
 Integer nearest(double value) {
   return static_cast<Integer>(std::floor(value + 0.5));
 }
 
-/// A box lattice of nx x ny x nz balls.
+// A box lattice of nx x ny x nz balls.
 Balls box_lattice(std::array<Integer, 3> counts, std::array<Integer, 3> sides, Integer radius) {
   Balls balls;
   for (Integer i = 0; i < counts[0]; ++i)
@@ -24,7 +24,7 @@ Balls box_lattice(std::array<Integer, 3> counts, std::array<Integer, 3> sides, I
   return balls;
 }
 
-/// The same along the orthogonal directions (2, 3, 6), (3, -6, 2), (6, 2, -3), all of length 7, in steps of `scale`.
+// The same along the orthogonal directions (2, 3, 6), (3, -6, 2), (6, 2, -3), all of length 7, in steps of `scale`.
 Balls slanted_lattice(std::array<Integer, 3> counts, std::array<Integer, 3> scale, Integer radius) {
   Balls balls;
   for (const LatticeBall &b : box_lattice(counts, scale, radius))
@@ -36,7 +36,7 @@ bool is_fcc(Integer x, Integer y, Integer z) {
   return (x + y + z) % 2 == 0;
 }
 
-/// Diamond with cubes of side 4: the face-centred lattice of even points and its copy moved by (1, 1, 1).
+// Diamond with cubes of side 4: the face-centred lattice of even points and its copy moved by (1, 1, 1).
 bool is_diamond(Integer x, Integer y, Integer z) {
   const auto face_centred = [](Integer a, Integer b, Integer c) {
     return a % 2 == 0 && b % 2 == 0 && c % 2 == 0 && (a + b + c) % 4 == 0;
@@ -44,7 +44,7 @@ bool is_diamond(Integer x, Integer y, Integer z) {
   return face_centred(x, y, z) || (x > 0 && y > 0 && z > 0 && face_centred(x - 1, y - 1, z - 1));
 }
 
-/// Carbon and hydrogen rings of benzene; lengths in units of 1e-8 angstrom.
+// Carbon and hydrogen rings of benzene; lengths in units of 1e-8 angstrom.
 Balls benzene(double probe) {
   constexpr double unit = 1e8;
   Balls balls;
@@ -57,7 +57,7 @@ Balls benzene(double probe) {
   return balls;
 }
 
-/// The truncated icosahedron with edges of 1.42 units, the cage radius being 3.52 units.
+// The truncated icosahedron with edges of 1.42 units, the cage radius being 3.52 units.
 Balls fullerene(double unit, double radius) {
   const double golden = (1 + std::sqrt(5.0)) / 2;
   const std::array<std::array<double, 3>, 3> corners = {
@@ -67,15 +67,14 @@ Balls fullerene(double unit, double radius) {
     for (unsigned signs = 0; signs < 8; ++signs) {
       if (corner[0] == 0 && (signs & 1U) != 0) continue;
       std::array<Integer, 3> v{};
-      for (std::size_t k = 0; k < 3; ++k)
-        v[k] = nearest(((signs >> k & 1U) != 0 ? -1 : 1) * corner[k] / 2 * 1.42 * unit);
-      for (std::size_t turn = 0; turn < 3; ++turn)
+      for (size_t k = 0; k < 3; ++k) v[k] = nearest(((signs >> k & 1U) != 0 ? -1 : 1) * corner[k] / 2 * 1.42 * unit);
+      for (size_t turn = 0; turn < 3; ++turn)
         balls.push_back({v[turn], v[(turn + 1) % 3], v[(turn + 2) % 3], nearest(radius * unit)});
     }
   return balls;
 }
 
-/// A ring of balls around the z axis.
+// A ring of balls around the z axis.
 void add_ring(Balls &balls, int members, double ring_radius, Integer height, Integer radius) {
   for (int k = 0; k < members; ++k) {
     const double angle = 2 * std::numbers::pi * k / members;
@@ -90,11 +89,11 @@ Balls belted(const Balls &more) {
   return balls;
 }
 
-/// Balls all over a sphere, in rings whose members and distances overlap.
+// Balls all over a sphere, in rings whose members and distances overlap.
 Balls hollow_shell(double sphere_radius, Integer radius) {
   Balls balls = {{0, 0, nearest(sphere_radius), radius}, {0, 0, nearest(-sphere_radius), radius}};
   constexpr std::array<int, 5> members = {7, 12, 14, 12, 7};
-  for (std::size_t k = 0; k < members.size(); ++k) {
+  for (size_t k = 0; k < members.size(); ++k) {
     const double angle = std::numbers::pi * static_cast<double>(k + 1) / 6;
     add_ring(balls, members[k], sphere_radius * std::sin(angle), nearest(sphere_radius * std::cos(angle)), radius);
   }
@@ -203,7 +202,7 @@ void add_nested_sets(std::vector<NamedBalls> &sets) {
   Balls upright;
   for (const LatticeBall &ball : belted({{95, 0, 0, 20}, {-93, 20, 10, 20}, {-88, -40, 10, 10}}))
     upright.push_back(ball);
-  for (std::size_t k = 1; k <= 16; ++k) upright[k] = {0, upright[k].x, upright[k].y, upright[k].radius};
+  for (size_t k = 1; k <= 16; ++k) upright[k] = {0, upright[k].x, upright[k].y, upright[k].radius};
   sets.push_back({"upright belt with bumps", upright, 1, 0, 2});
   const Balls shell = hollow_shell(100, 42);
   sets.push_back({"hollow shell", shell, 1, 1, 4});

@@ -1,6 +1,5 @@
 // Sets of balls that have made trouble for somebody, with the topology that they have by construction.
-#ifndef HARDSPHERE_TESTS_ORACLE_NAMED_BALLS_HPP
-#define HARDSPHERE_TESTS_ORACLE_NAMED_BALLS_HPP
+#pragma once
 
 #include <cstdint>
 #include <optional>
@@ -14,14 +13,12 @@ namespace oracle {
 struct NamedBalls {
   std::string name;
   Balls balls;
-  std::uint32_t components = 1;
-  std::uint32_t voids = 0;
-  std::optional<std::int64_t> euler = std::nullopt;  // 2 (components + voids - tunnels), where the tunnels are obvious
+  uint32_t components = 1;
+  uint32_t voids = 0;
+  std::optional<int64_t> euler = std::nullopt;  // 2 (components + voids - tunnels), where the tunnels are obvious
 };
 
-/// At most about 60 balls each.
+// At most about 60 balls each.
 std::vector<NamedBalls> named_balls();
 
 }  // namespace oracle
-
-#endif

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// An arc's height is centre + height cos(t - top), with its highest points at t = top + 2 k pi.
+// An arc's height is centre + height cos(t - top), with its highest points at t = top + 2 k pi.
 struct Heights {
   double height = 0;
   double top = 0;
@@ -22,7 +22,7 @@ Heights heights_of(const PathArc &arc) {
   return {std::hypot(along, across), std::atan2(across, along)};
 }
 
-/// Adds where an arc crosses a line. The arc is cut at its highest and lowest points; each part goes one way only.
+// Adds where an arc crosses a line. The arc is cut at its highest and lowest points; each part goes one way only.
 void add_crossings(const PathArc &arc, double y, std::vector<Crossing> &found) {
   if (y > arc.centre[1] + 1.01 * arc.semi_axis[0] || y < arc.centre[1] - 1.01 * arc.semi_axis[0])
     if ((arc.start[1] <= y) == (arc.end[1] <= y)) return;
@@ -52,7 +52,7 @@ double distance(const std::array<double, 2> &a, double x, double y) {
   return std::hypot(a[0] - x, a[1] - y);
 }
 
-/// The distance of a point from an arc: the best of many points of the arc, and the best between its neighbours.
+// The distance of a point from an arc: the best of many points of the arc, and the best between its neighbours.
 double distance_from(const PathArc &arc, double x, double y) {
   constexpr int parts = 256;
   const auto parameter = [&](double part) { return arc.from + (arc.to - arc.from) * part / parts; };
@@ -106,30 +106,29 @@ PaintedImage painted(const std::vector<Path> &paths, const PixelGrid &grid) {
   PaintedImage image;
   image.even_odd.assign(grid.pixels(), no_ball);
   image.non_zero.assign(grid.pixels(), no_ball);
-  for (std::size_t p = 0; p < paths.size(); ++p) {
+  for (size_t p = 0; p < paths.size(); ++p) {
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
     for (const PathArc &arc : paths[p]) {
       low = std::min({low, arc.centre[1] - arc.semi_axis[0], arc.start[1], arc.end[1]});
       high = std::max({high, arc.centre[1] + arc.semi_axis[0], arc.start[1], arc.end[1]});
     }
-    const auto pixel_at = [](double position, std::size_t count) {
-      return static_cast<std::size_t>(std::clamp(std::ceil(position), 0.0, static_cast<double>(count)));
+    const auto pixel_at = [](double position, size_t count) {
+      return static_cast<size_t>(std::clamp(std::ceil(position), 0.0, static_cast<double>(count)));
     };
-    const std::size_t row_end = pixel_at((high - grid.bottom) / grid.side + 1, grid.rows);
-    for (std::size_t row = pixel_at((low - grid.bottom) / grid.side - 1, grid.rows); row < row_end; ++row) {
+    const size_t row_end = pixel_at((high - grid.bottom) / grid.side + 1, grid.rows);
+    for (size_t row = pixel_at((low - grid.bottom) / grid.side - 1, grid.rows); row < row_end; ++row) {
       const std::vector<Crossing> found = crossings(paths[p], grid.y(row));
       int winding = 0;
-      for (std::size_t k = 0; k + 1 < found.size(); ++k) {
+      for (size_t k = 0; k + 1 < found.size(); ++k) {
         winding -= found[k].up;
-        const std::size_t end = pixel_at((found[k + 1].x - grid.left) / grid.side, grid.columns);
-        for (std::size_t column = pixel_at((found[k].x - grid.left) / grid.side, grid.columns); column < end;
-             ++column) {
-          const std::size_t pixel = row * grid.columns + column;
-          if (k % 2 == 0) image.even_odd[pixel] = static_cast<std::uint32_t>(p);
-          if (winding != 0) image.non_zero[pixel] = static_cast<std::uint32_t>(p);
+        const size_t end = pixel_at((found[k + 1].x - grid.left) / grid.side, grid.columns);
+        for (size_t column = pixel_at((found[k].x - grid.left) / grid.side, grid.columns); column < end; ++column) {
+          const size_t pixel = row * grid.columns + column;
+          if (k % 2 == 0) image.even_odd[pixel] = static_cast<uint32_t>(p);
+          if (winding != 0) image.non_zero[pixel] = static_cast<uint32_t>(p);
           if (winding != static_cast<int>(k + 1) % 2)
-            image.windings.push_back({static_cast<std::uint32_t>(p), pixel, winding});
+            image.windings.push_back({static_cast<uint32_t>(p), pixel, winding});
         }
       }
     }

@@ -10,11 +10,11 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// A closed loop of arcs of one ellipse, cut at the given parameters, counter-clockwise or clockwise.
+// A closed loop of arcs of one ellipse, cut at the given parameters, counter-clockwise or clockwise.
 Path loop(PathArc ellipse, std::vector<double> cuts, bool counter_clockwise = true) {
   cuts.push_back(cuts.front() + 2 * pi);
   Path path;
-  for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
+  for (size_t k = 0; k + 1 < cuts.size(); ++k) {
     ellipse.from = cuts[k];
     ellipse.to = cuts[k + 1];
     ellipse.start = k == 0 ? ellipse.at(cuts[k]) : path.back().end;
@@ -52,7 +52,7 @@ TEST(PathPainter, PaintsEllipsesWhereTheirEquationHolds) {
       EXPECT_EQ(image.even_odd, image.non_zero);
       EXPECT_NEAR(area_of(path), 21 * pi, 1e-12);
       EXPECT_NEAR(area_of(loop(shape, cuts, false)), -21 * pi, 1e-12);
-      for (std::size_t k = 0; k < grid.pixels(); ++k) {
+      for (size_t k = 0; k < grid.pixels(); ++k) {
         const double x = grid.x(k % grid.columns) - 1;
         const double y = grid.y(k / grid.columns) + 2;
         const double u = (x * std::cos(rotation) + y * std::sin(rotation)) / 7;
@@ -81,14 +81,14 @@ TEST(PathPainter, LeavesHolesAndTellsTheRulesApart) {
   EXPECT_EQ(winding_number(ring, 9, 0), 0);
 
   const PaintedImage doubled = painted({joined(loop(hole, {1}))}, grid);  // the hole the wrong way round
-  std::size_t differ = 0;
-  for (std::size_t k = 0; k < grid.pixels(); ++k) differ += doubled.even_odd[k] != doubled.non_zero[k] ? 1 : 0;
+  size_t differ = 0;
+  for (size_t k = 0; k < grid.pixels(); ++k) differ += doubled.even_odd[k] != doubled.non_zero[k] ? 1 : 0;
   EXPECT_NEAR(static_cast<double>(differ) * grid.side * grid.side, 8 * pi, 0.3);
   ASSERT_EQ(doubled.windings.size(), differ);
   EXPECT_EQ(doubled.windings[0].times, 2);
 
   const PaintedImage covered = painted({outer, loop(hole, {0})}, grid);  // the later path on top
-  for (std::size_t k = 0; k < grid.pixels(); ++k)
+  for (size_t k = 0; k < grid.pixels(); ++k)
     EXPECT_EQ(covered.even_odd[k] == 1, doubled.windings.size() > 0 && doubled.even_odd[k] != doubled.non_zero[k]);
 }
 

@@ -1,6 +1,5 @@
 // Random sets of balls, the same on every machine.
-#ifndef HARDSPHERE_TESTS_ORACLE_RANDOM_BALLS_HPP
-#define HARDSPHERE_TESTS_ORACLE_RANDOM_BALLS_HPP
+#pragma once
 
 #include <cstdint>
 #include <random>
@@ -10,51 +9,49 @@
 
 namespace oracle {
 
-/// Random integers from a generator that the C++ standard fixes to the bit, unlike its distributions.
+// Random integers from a generator that the C++ standard fixes to the bit, unlike its distributions.
 class RandomSource {
  public:
-  explicit RandomSource(std::uint64_t seed) : engine_(seed) {}
+  explicit RandomSource(uint64_t seed) : engine_(seed) {}
 
-  /// Uniform in first .. last; the bias of the remainder is far below what tests could notice.
-  std::int64_t in(std::int64_t first, std::int64_t last) {
-    return first + static_cast<std::int64_t>(engine_() % static_cast<std::uint64_t>(last - first + 1));
+  // Uniform in first .. last; the bias of the remainder is far below what tests could notice.
+  int64_t in(int64_t first, int64_t last) {
+    return first + static_cast<int64_t>(engine_() % static_cast<uint64_t>(last - first + 1));
   }
-  bool one_in(std::int64_t n) { return in(1, n) == 1; }
+  bool one_in(int64_t n) { return in(1, n) == 1; }
 
-  std::vector<std::uint32_t> permutation(std::size_t n);
+  std::vector<uint32_t> permutation(size_t n);
 
  private:
   std::mt19937_64 engine_;
 };
 
-/// permuted[k] = balls[order[k]].
-Balls permuted(const Balls &balls, const std::vector<std::uint32_t> &order);
+// permuted[k] = balls[order[k]].
+Balls permuted(const Balls &balls, const std::vector<uint32_t> &order);
 
 // Sets in general position, or nearly.
-Balls loose_balls(RandomSource &random, std::size_t n);      ///< like atoms: a few overlaps per ball
-Balls dense_balls(RandomSource &random, std::size_t n);      ///< nearly all meet
-Balls clustered_balls(RandomSource &random, std::size_t n);  ///< a few groups of very different size
-Balls belted_balls(RandomSource &random, std::size_t n);     ///< a large ball with rings and bumps: nested loops
+Balls loose_balls(RandomSource &random, size_t n);      // like atoms: a few overlaps per ball
+Balls dense_balls(RandomSource &random, size_t n);      // nearly all meet
+Balls clustered_balls(RandomSource &random, size_t n);  // a few groups of very different size
+Balls belted_balls(RandomSource &random, size_t n);     // a large ball with rings and bumps: nested loops
 
 // Sets full of ties.
-Balls grid_balls(RandomSource &random, std::size_t n);            ///< centres and radii from very few integers
-Balls coplanar_balls(RandomSource &random, std::size_t n);        ///< grid_balls in one plane
-Balls collinear_balls(RandomSource &random, std::size_t n);       ///< grid_balls on one line
-Balls balls_through_point(RandomSource &random, std::size_t n);   ///< all spheres have a common point
-Balls balls_through_circle(RandomSource &random, std::size_t n);  ///< all spheres have a common circle
-Balls tangent_balls(RandomSource &random, std::size_t n);         ///< each touches an earlier one, within or without
-Balls lattice_balls(RandomSource &random, std::size_t n);         ///< part of a box lattice in which eight spheres meet
-Balls repeated_balls(RandomSource &random, std::size_t n);        ///< duplicates, concentric and contained balls
+Balls grid_balls(RandomSource &random, size_t n);            // centres and radii from very few integers
+Balls coplanar_balls(RandomSource &random, size_t n);        // grid_balls in one plane
+Balls collinear_balls(RandomSource &random, size_t n);       // grid_balls on one line
+Balls balls_through_point(RandomSource &random, size_t n);   // all spheres have a common point
+Balls balls_through_circle(RandomSource &random, size_t n);  // all spheres have a common circle
+Balls tangent_balls(RandomSource &random, size_t n);         // each touches an earlier one, within or without
+Balls lattice_balls(RandomSource &random, size_t n);         // part of a box lattice in which eight spheres meet
+Balls repeated_balls(RandomSource &random, size_t n);        // duplicates, concentric and contained balls
 
-/// A ball with whole rings of balls around integer points of a sphere: nested loops and ties at once. At least 9 balls.
-Balls crowned_balls(RandomSource &random, std::size_t n);
+// A ball with whole rings of balls around integer points of a sphere: nested loops and ties at once. At least 9 balls.
+Balls crowned_balls(RandomSource &random, size_t n);
 
-/// One of the tied kinds above but crowned_balls, or a mixture of two.
-Balls degenerate_balls(RandomSource &random, std::size_t n);
+// One of the tied kinds above but crowned_balls, or a mixture of two.
+Balls degenerate_balls(RandomSource &random, size_t n);
 
-/// One of all the kinds.
-Balls any_balls(RandomSource &random, std::size_t n);
+// One of all the kinds.
+Balls any_balls(RandomSource &random, size_t n);
 
 }  // namespace oracle
-
-#endif

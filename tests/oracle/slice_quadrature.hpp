@@ -1,6 +1,5 @@
 // Areas, vector areas and volume of a union of balls by slicing it with planes of constant z.
-#ifndef HARDSPHERE_TESTS_ORACLE_SLICE_QUADRATURE_HPP
-#define HARDSPHERE_TESTS_ORACLE_SLICE_QUADRATURE_HPP
+#pragma once
 
 #include <array>
 #include <vector>
@@ -16,12 +15,10 @@ struct SliceMeasures {
   std::vector<std::array<long double, 3>> ball_vector_area;  // integral of the outward unit normal over the free part
 };
 
-/// A plane cuts the balls into discs. A ball's free area is the integral over z of its radius times the free angle of
-/// its disc (Archimedes), its vector area that of the outward normal with the same measure, the volume that of the area
-/// of the union of the discs. step: that of the quadrature's parameter; 0.1 gives about 15 digits for sets of tens of
-/// balls of comparable size. Of equal balls the first has the area.
+// A plane cuts the balls into discs. A ball's free area is the integral over z of its radius times the free angle of
+// its disc (Archimedes), its vector area that of the outward normal with the same measure, the volume that of the area
+// of the union of the discs. step: that of the quadrature's parameter; 0.1 gives about 15 digits for sets of tens of
+// balls of comparable size. Of equal balls the first has the area.
 SliceMeasures measure_by_slices(const std::vector<RealBall> &balls, long double step = 0.1L);
 
 }  // namespace oracle
-
-#endif

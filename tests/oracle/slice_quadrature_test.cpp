@@ -47,7 +47,7 @@ TEST(SliceQuadrature, VectorAreasOfTwoOverlappingBalls) {
   const Real disc = pi * (5 - h) * (5 + h);
   const std::array<Real, 3> direction = {2.0L / 7, 3.0L / 7, 6.0L / 7};
   const SliceMeasures measures = measure_by_slices({{1, 0, -1, 5}, {3, 3, 5, 4}});
-  for (std::size_t k = 0; k < 3; ++k) {
+  for (size_t k = 0; k < 3; ++k) {
     expect_near(measures.ball_vector_area[0][k], -disc * direction[k], 1e-15L);
     expect_near(measures.ball_vector_area[1][k], disc * direction[k], 1e-15L);
   }
@@ -60,7 +60,7 @@ TEST(SliceQuadrature, VectorAreasSumToZero) {
     const SliceMeasures measures = measure_by_slices(real_balls(balls));
     std::array<Real, 3> sum = {0, 0, 0};
     for (const std::array<Real, 3> &part : measures.ball_vector_area)
-      for (std::size_t c = 0; c < 3; ++c) sum[c] += part[c];
+      for (size_t c = 0; c < 3; ++c) sum[c] += part[c];
     for (const Real component : sum) EXPECT_LE(std::abs(component), 1e-14L * measures.area) << to_text(balls);
   }
 }
@@ -69,7 +69,7 @@ TEST(SliceQuadrature, ContainedEqualAndTangentBalls) {
   const SliceMeasures measures =
       measure_by_slices({{0, 0, 0, 5}, {3, 0, 0, 2}, {0, 0, 0, 5}, {0, 1, 1, 1}, {0, 10, 0, 5}, {0, 0, 0, 4}});
   expect_near(measures.ball_area[0], 100 * pi, 1e-15L);
-  for (const std::size_t inside : {1U, 2U, 3U, 5U}) EXPECT_LT(std::abs(measures.ball_area[inside]), 1e-12L);
+  for (const size_t inside : {1U, 2U, 3U, 5U}) EXPECT_LT(std::abs(measures.ball_area[inside]), 1e-12L);
   expect_near(measures.volume, 1000 * pi / 3, 1e-15L);
 }
 
@@ -95,7 +95,7 @@ TEST(SliceQuadrature, DoesNotDependOnStepAndDirection) {
     const SliceMeasures fine = measure_by_slices(real_balls(turned), 0.07L);
     expect_near(coarse.area, fine.area, 1e-13L);
     expect_near(coarse.volume, fine.volume, 1e-13L);
-    for (std::size_t i = 0; i < balls.size(); ++i)
+    for (size_t i = 0; i < balls.size(); ++i)
       EXPECT_LE(std::abs(coarse.ball_area[i] - fine.ball_area[i]), 1e-13L * fine.area) << to_text(balls);
   }
 }

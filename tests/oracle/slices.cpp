@@ -21,16 +21,16 @@ Point between(const RealBall &a, const RealBall &b) {
   return {b.x - a.x, b.y - a.y, b.z - a.z};
 }
 
-/// Heights at which the slices change their structure, as far as they are not deep inside some ball.
+// Heights at which the slices change their structure, as far as they are not deep inside some ball.
 class BreakHeights {
  public:
   explicit BreakHeights(const std::vector<RealBall> &balls) : balls_(balls) {
-    for (std::size_t i = 0; i < balls.size(); ++i) {
+    for (size_t i = 0; i < balls.size(); ++i) {
       add({balls[i].x, balls[i].y, balls[i].z + balls[i].radius});
       add({balls[i].x, balls[i].y, balls[i].z - balls[i].radius});
-      for (std::size_t j = 0; j < i; ++j) {
+      for (size_t j = 0; j < i; ++j) {
         if (!add_circle(balls[i], balls[j])) continue;
-        for (std::size_t k = 0; k < j; ++k) add_triple(balls[i], balls[j], balls[k]);
+        for (size_t k = 0; k < j; ++k) add_triple(balls[i], balls[j], balls[k]);
       }
     }
     std::sort(heights_.begin(), heights_.end());
@@ -48,7 +48,7 @@ class BreakHeights {
     heights_.push_back(point[2]);
   }
 
-  /// The highest and lowest points of the circle of two spheres; false if they have none.
+  // The highest and lowest points of the circle of two spheres; false if they have none.
   bool add_circle(const RealBall &a, const RealBall &b) {
     const Point v = between(a, b);
     const Real d2 = dot(v, v);
@@ -81,7 +81,7 @@ class BreakHeights {
     const Point nu = cross(n, u);
     const Point vn = cross(v, n);
     Point foot;
-    for (std::size_t k = 0; k < 3; ++k) foot[k] = (gu * vn[k] + gv * nu[k]) / n2;
+    for (size_t k = 0; k < 3; ++k) foot[k] = (gu * vn[k] + gv * nu[k]) / n2;
     const Real height2 = a.radius * a.radius - dot(foot, foot);
     const Real tangency = 1e-12L * a.radius * a.radius;
     if (height2 < -tangency) return;
@@ -97,22 +97,22 @@ class BreakHeights {
 };
 
 struct Disc {
-  std::size_t ball = 0;
+  size_t ball = 0;
   Real x = 0;
   Real y = 0;
   Real radius2 = 0;
 };
 
-/// A closed interval of angles within 0 .. 2 pi that another ball covers.
+// A closed interval of angles within 0 .. 2 pi that another ball covers.
 struct Covered {
   Real from = 0;
   Real to = 0;
-  std::size_t by = 0;
+  size_t by = 0;
 
   bool operator<(const Covered &other) const { return from < other.from; }
 };
 
-/// Sorted intervals of a disc's circle in other discs; false if one of them covers the circle wholly.
+// Sorted intervals of a disc's circle in other discs; false if one of them covers the circle wholly.
 bool find_covered(const std::vector<Disc> &discs, const Disc &disc, std::vector<Covered> &covered) {
   covered.clear();
   for (const Disc &other : discs) {
@@ -139,7 +139,7 @@ bool find_covered(const std::vector<Disc> &discs, const Disc &disc, std::vector<
   return true;
 }
 
-/// What the sorted intervals leave of a circle.
+// What the sorted intervals leave of a circle.
 std::vector<FreeSliceArc> free_arcs(const std::vector<Covered> &covered) {
   std::vector<FreeSliceArc> arcs;
   if (covered.empty()) return {{FreeSliceArc::none, 0, 2 * pi}};
@@ -173,7 +173,7 @@ std::vector<RealBall> real_balls(const Balls &balls) {
 std::vector<RealBall> around_their_middle(const std::vector<RealBall> &balls) {
   Point middle = {0, 0, 0};
   for (const RealBall &ball : balls)
-    for (std::size_t k = 0; k < 3; ++k)
+    for (size_t k = 0; k < 3; ++k)
       middle[k] += (k == 0 ? ball.x : k == 1 ? ball.y : ball.z) / static_cast<Real>(balls.size());
   std::vector<RealBall> moved = balls;
   for (RealBall &ball : moved) {
@@ -190,20 +190,20 @@ std::vector<Slab> slabs_of(const std::vector<RealBall> &balls) {
   const std::vector<Real> &heights = breaks.sorted();
   const Real negligible = 1e-17L * (heights.back() - heights.front());
   std::vector<Slab> slabs;
-  for (std::size_t k = 1; k < heights.size(); ++k) {
+  for (size_t k = 1; k < heights.size(); ++k) {
     Slab slab = {heights[k - 1], heights[k], {}};
     if (slab.high - slab.low < negligible) continue;  // equal heights but for rounding
-    for (std::size_t i = 0; i < balls.size(); ++i)
+    for (size_t i = 0; i < balls.size(); ++i)
       if (balls[i].z - balls[i].radius < slab.high && balls[i].z + balls[i].radius > slab.low) slab.active.push_back(i);
     if (!slab.active.empty()) slabs.push_back(slab);
   }
   return slabs;
 }
 
-std::vector<SliceCircle> circles_of_slice(const std::vector<RealBall> &balls, const std::vector<std::size_t> &active,
+std::vector<SliceCircle> circles_of_slice(const std::vector<RealBall> &balls, const std::vector<size_t> &active,
                                           Real z) {
   std::vector<Disc> discs;
-  for (const std::size_t i : active) {
+  for (const size_t i : active) {
     const Real above = z - balls[i].z;
     const Real radius2 = (balls[i].radius - above) * (balls[i].radius + above);
     if (radius2 > 0) discs.push_back({i, balls[i].x, balls[i].y, radius2});

@@ -1,7 +1,6 @@
 // Horizontal slices through a union of balls: between which heights the picture in the slice keeps its structure, and
 // what of the circles in a slice is free.
-#ifndef HARDSPHERE_TESTS_ORACLE_SLICES_HPP
-#define HARDSPHERE_TESTS_ORACLE_SLICES_HPP
+#pragma once
 
 #include <cmath>
 #include <cstddef>
@@ -22,43 +21,43 @@ struct RealBall {
 
 std::vector<RealBall> real_balls(const Balls &balls);
 
-/// The balls moved so that the mean of their centres is the origin: terms that cancel stay as small as the set.
+// The balls moved so that the mean of their centres is the origin: terms that cancel stay as small as the set.
 std::vector<RealBall> around_their_middle(const std::vector<RealBall> &balls);
 
-/// Heights between two neighbouring changes (ends of balls, ends of intersection circles, points of three spheres),
-/// with the balls that reach into them. In between, free angles are smooth functions of the height, with roots at the
-/// ends.
+// Heights between two neighbouring changes (ends of balls, ends of intersection circles, points of three spheres),
+// with the balls that reach into them. In between, free angles are smooth functions of the height, with roots at the
+// ends.
 struct Slab {
   long double low = 0;
   long double high = 0;
-  std::vector<std::size_t> active;
+  std::vector<size_t> active;
 };
 
-/// From bottom to top; slabs without a ball and slabs as thin as rounding are left out.
+// From bottom to top; slabs without a ball and slabs as thin as rounding are left out.
 std::vector<Slab> slabs_of(const std::vector<RealBall> &balls);
 
-/// A free arc of the circle that a ball's sphere makes in a slice, counter-clockwise from an angle to a larger one.
+// A free arc of the circle that a ball's sphere makes in a slice, counter-clockwise from an angle to a larger one.
 struct FreeSliceArc {
-  /// The other ball that ends where the arc starts. No two arcs of one circle have the same; a whole circle has none.
-  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  // The other ball that ends where the arc starts. No two arcs of one circle have the same; a whole circle has none.
+  static constexpr size_t none = std::numeric_limits<size_t>::max();
 
-  std::size_t after = none;
+  size_t after = none;
   long double from = 0;
   long double to = 0;
 };
 
 struct SliceCircle {
-  std::size_t ball = 0;
+  size_t ball = 0;
   long double radius = 0;
   std::vector<FreeSliceArc> arcs;
 };
 
-/// The circles of a slice that are not covered wholly. Of equal circles the first is taken to be outside the others.
-std::vector<SliceCircle> circles_of_slice(const std::vector<RealBall> &balls, const std::vector<std::size_t> &active,
+// The circles of a slice that are not covered wholly. Of equal circles the first is taken to be outside the others.
+std::vector<SliceCircle> circles_of_slice(const std::vector<RealBall> &balls, const std::vector<size_t> &active,
                                           long double z);
 
-/// Tanh-sinh quadrature, which takes roots at the ends in its stride: visit(z, weight) for
-/// z = middle + half tanh(pi/2 sinh t), t = 0, +-step, ...; beyond |t| = 3.4 the weights are below 1e-19.
+// Tanh-sinh quadrature, which takes roots at the ends in its stride: visit(z, weight) for
+// z = middle + half tanh(pi/2 sinh t), t = 0, +-step, ...; beyond |t| = 3.4 the weights are below 1e-19.
 template <class Visit>
 void visit_tanh_sinh_nodes(long double low, long double high, long double step, const Visit &visit) {
   const long double half = (high - low) / 2;
@@ -74,5 +73,3 @@ void visit_tanh_sinh_nodes(long double low, long double high, long double step, 
 }
 
 }  // namespace oracle
-
-#endif

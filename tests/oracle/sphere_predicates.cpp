@@ -12,37 +12,36 @@
 namespace oracle {
 namespace {
 
-/// The weights of the balls as given, in one type of number.
+// The weights of the balls as given, in one type of number.
 template <class NumberType>
 class GivenWeights {
  public:
   using Number = NumberType;
   explicit GivenWeights(const Balls &balls) : balls_(balls) {}
-  Number operator()(std::uint32_t ball) const { return Number(Int128{balls_[ball].radius} * balls_[ball].radius); }
+  Number operator()(uint32_t ball) const { return Number(Int128{balls_[ball].radius} * balls_[ball].radius); }
 
  private:
   const Balls &balls_;
 };
 
-/// The inflated weights of the few balls of one question.
+// The inflated weights of the few balls of one question.
 class InflatedWeights {
  public:
   using Number = Infinitesimal;
-  InflatedWeights(const TiedBalls &set, std::initializer_list<std::uint32_t> balls) : set_(set) {
-    for (const std::uint32_t ball : balls)
+  InflatedWeights(const TiedBalls &set, std::initializer_list<uint32_t> balls) : set_(set) {
+    for (const uint32_t ball : balls)
       if (ball != no_ball) balls_.push_back(ball);
-    std::sort(balls_.begin(), balls_.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return set_.rank(a) < set_.rank(b); });
+    std::sort(balls_.begin(), balls_.end(), [&](uint32_t a, uint32_t b) { return set_.rank(a) < set_.rank(b); });
     if (balls_.size() > Infinitesimal::variables) throw std::logic_error("too many balls in one question");
   }
-  Number operator()(std::uint32_t ball) const {
+  Number operator()(uint32_t ball) const {
     const auto place = std::find(balls_.begin(), balls_.end(), ball) - balls_.begin();
     return GivenWeights<Infinitesimal>(set_.balls())(ball) + Infinitesimal::epsilon(static_cast<unsigned>(place));
   }
 
  private:
   const TiedBalls &set_;
-  std::vector<std::uint32_t> balls_;
+  std::vector<uint32_t> balls_;
 };
 
 template <class Number>
@@ -56,19 +55,18 @@ Number determinant(const std::array<std::array<Number, 3>, 3> &m) {
          m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
 }
 
-/// g of a cap: |v|^2 + w_a - w_b, or 0 for a plane through the centre.
+// g of a cap: |v|^2 + w_a - w_b, or 0 for a plane through the centre.
 template <class Weights>
-typename Weights::Number offset(const Weights &weight, std::uint32_t a, const Cap &cap) {
+typename Weights::Number offset(const Weights &weight, uint32_t a, const Cap &cap) {
   using Number = typename Weights::Number;
   if (cap.ball == no_ball) return Number(0);
   return dot_product<Number>(cap.normal, cap.normal) + weight(a) - weight(cap.ball);
 }
 
-/// D = det [[u.u, u.v, g_u], [u.v, v.v, g_v], [g_u, g_v, 4 w_a]] = 4 |u x v|^2 (w_a - |foot|^2), where the foot is the
-/// point of the plane of u and v on both cap planes: the circles cross where D > 0.
+// D = det [[u.u, u.v, g_u], [u.v, v.v, g_v], [g_u, g_v, 4 w_a]] = 4 |u x v|^2 (w_a - |foot|^2), where the foot is the
+// point of the plane of u and v on both cap planes: the circles cross where D > 0.
 template <class Weights>
-typename Weights::Number crossing_determinant(const Weights &weight, std::uint32_t a, const Cap &first,
-                                              const Cap &second) {
+typename Weights::Number crossing_determinant(const Weights &weight, uint32_t a, const Cap &first, const Cap &second) {
   using Number = typename Weights::Number;
   const Vector &u = first.normal;
   const Vector &v = second.normal;
@@ -79,7 +77,7 @@ typename Weights::Number crossing_determinant(const Weights &weight, std::uint32
       {{{dot_product<Number>(u, u), uv, gu}, {uv, dot_product<Number>(v, v), gv}, {gu, gv, Number(4) * weight(a)}}});
 }
 
-/// Sign of A + side B sqrt(D), D >= 0, by squaring.
+// Sign of A + side B sqrt(D), D >= 0, by squaring.
 template <class Number>
 int sign_with_root(const Number &A, const Number &B, const Number &D, int side) {
   const int sign_a = sign_of(A);
@@ -89,11 +87,11 @@ int sign_with_root(const Number &A, const Number &B, const Number &D, int side) 
   return sign_a * sign_of(A * A - B * B * D);
 }
 
-/// The crossing is y = foot + side sqrt(D) / (2 N) u x v, N = |u x v|^2. Solving for the foot by Cramer's rule,
-/// N (2 z.y - g_z) = A + side B sqrt(D) with A = -det [[u.u, u.v, g_u], [u.v, v.v, g_v], [z.u, z.v, g_z]] and
-/// B = det [u, v, z].
+// The crossing is y = foot + side sqrt(D) / (2 N) u x v, N = |u x v|^2. Solving for the foot by Cramer's rule,
+// N (2 z.y - g_z) = A + side B sqrt(D) with A = -det [[u.u, u.v, g_u], [u.v, v.v, g_v], [z.u, z.v, g_z]] and
+// B = det [u, v, z].
 template <class Weights>
-int side_of_crossing(const Weights &weight, std::uint32_t a, const Crossing &point, const Cap &cap) {
+int side_of_crossing(const Weights &weight, uint32_t a, const Crossing &point, const Cap &cap) {
   using Number = typename Weights::Number;
   const Vector &u = point.first.normal;
   const Vector &v = point.second.normal;
@@ -104,7 +102,7 @@ int side_of_crossing(const Weights &weight, std::uint32_t a, const Crossing &poi
                             {uv, dot_product<Number>(v, v), offset(weight, a, point.second)},
                             {dot_product<Number>(z, u), dot_product<Number>(z, v), offset(weight, a, cap)}}});
   std::array<std::array<Number, 3>, 3> rows;
-  for (std::size_t k = 0; k < 3; ++k) rows[k] = {Number(u[k]), Number(v[k]), Number(z[k])};
+  for (size_t k = 0; k < 3; ++k) rows[k] = {Number(u[k]), Number(v[k]), Number(z[k])};
   return sign_with_root(Number(0) - minus_a, determinant<Number>(rows),
                         crossing_determinant(weight, a, point.first, point.second), point.side);
 }
@@ -119,10 +117,10 @@ int bit_length(const Vector &v) {
   return std::max({bit_length(v[0]), bit_length(v[1]), bit_length(v[2])});
 }
 
-/// Is every number in side_of_crossing certainly below 2^127? With all components and radii below 2^bits, every entry
-/// of the determinants A and D is below 2^(2 bits + 2), so A and D are below 2^(6 bits + 9) and A^2 - B^2 D below
-/// 2^(12 bits + 19).
-bool fits_128_bits(const Balls &balls, std::uint32_t a, std::initializer_list<Cap> caps) {
+// Is every number in side_of_crossing certainly below 2^127? With all components and radii below 2^bits, every entry
+// of the determinants A and D is below 2^(2 bits + 2), so A and D are below 2^(6 bits + 9) and A^2 - B^2 D below
+// 2^(12 bits + 19).
+bool fits_128_bits(const Balls &balls, uint32_t a, std::initializer_list<Cap> caps) {
   int bits = bit_length(balls[a].radius);
   for (const Cap &cap : caps) {
     bits = std::max(bits, bit_length(cap.normal));
@@ -131,23 +129,22 @@ bool fits_128_bits(const Balls &balls, std::uint32_t a, std::initializer_list<Ca
   return 12 * bits + 19 <= 127;
 }
 
-/// The sign of a formula for the balls as given.
+// The sign of a formula for the balls as given.
 template <class Formula>
 int sign_as_given(const TiedBalls &set, bool fits, const Formula &formula) {
   return fits ? formula(GivenWeights<Int128>(set.balls())) : formula(GivenWeights<BigInteger>(set.balls()));
 }
 
-/// The sign of a formula for the inflated balls; 0 only if inflation does not change a value of 0.
+// The sign of a formula for the inflated balls; 0 only if inflation does not change a value of 0.
 template <class Formula>
-int sign_with_ties(const TiedBalls &set, bool fits, std::initializer_list<std::uint32_t> balls,
-                   const Formula &formula) {
+int sign_with_ties(const TiedBalls &set, bool fits, std::initializer_list<uint32_t> balls, const Formula &formula) {
   if (const int sign = sign_as_given(set, fits, formula); sign != 0) return sign;
   return formula(InflatedWeights(set, balls));
 }
 
-/// The same where inflation must break every tie.
+// The same where inflation must break every tie.
 template <class Formula>
-bool is_positive(const TiedBalls &set, bool fits, std::initializer_list<std::uint32_t> balls, const Formula &formula) {
+bool is_positive(const TiedBalls &set, bool fits, std::initializer_list<uint32_t> balls, const Formula &formula) {
   const int sign = sign_with_ties(set, fits, balls, formula);
   if (sign == 0) throw std::logic_error("a tie that inflation does not break: " + to_text(set.balls()));
   return sign > 0;
@@ -155,7 +152,7 @@ bool is_positive(const TiedBalls &set, bool fits, std::initializer_list<std::uin
 
 }  // namespace
 
-PairRelation TiedBalls::pair(std::uint32_t a, std::uint32_t b) const {
+PairRelation TiedBalls::pair(uint32_t a, uint32_t b) const {
   const Cap seen_from_a = cap(a, b);
   const Cap seen_from_b = cap(b, a);
   const auto decide = [&](const auto &formula) { return is_positive(*this, false, {a, b}, formula); };
@@ -174,17 +171,17 @@ PairRelation TiedBalls::pair(std::uint32_t a, std::uint32_t b) const {
   return PairRelation::disjoint;
 }
 
-bool TiedBalls::circles_cross(std::uint32_t a, const Cap &first, const Cap &second) const {
+bool TiedBalls::circles_cross(uint32_t a, const Cap &first, const Cap &second) const {
   return is_positive(*this, fits_128_bits(balls_, a, {first, second}), {a, first.ball, second.ball},
                      [&](const auto &weight) { return sign_of(crossing_determinant(weight, a, first, second)); });
 }
 
-int TiedBalls::circles_cross_as_given(std::uint32_t a, const Cap &first, const Cap &second) const {
+int TiedBalls::circles_cross_as_given(uint32_t a, const Cap &first, const Cap &second) const {
   return sign_as_given(*this, fits_128_bits(balls_, a, {first, second}),
                        [&](const auto &weight) { return sign_of(crossing_determinant(weight, a, first, second)); });
 }
 
-bool TiedBalls::circle_inside(std::uint32_t a, const Cap &circle, const Cap &other) const {
+bool TiedBalls::circle_inside(uint32_t a, const Cap &circle, const Cap &other) const {
   // 2 z.y - g_z has no zero on the circle, so its mean, the value at the circle's centre g_u / (2 u.u) u, tells.
   return is_positive(*this, fits_128_bits(balls_, a, {circle, other}), {a, circle.ball, other.ball},
                      [&](const auto &weight) {
@@ -196,20 +193,20 @@ bool TiedBalls::circle_inside(std::uint32_t a, const Cap &circle, const Cap &oth
                      });
 }
 
-bool TiedBalls::crossing_inside(std::uint32_t a, const Crossing &point, const Cap &cap) const {
+bool TiedBalls::crossing_inside(uint32_t a, const Crossing &point, const Cap &cap) const {
   return is_positive(*this, fits_128_bits(balls_, a, {point.first, point.second, cap}),
                      {a, point.first.ball, point.second.ball, cap.ball},
                      [&](const auto &weight) { return side_of_crossing(weight, a, point, cap); });
 }
 
-int TiedBalls::crossing_side(std::uint32_t a, const Crossing &point, const Vector &normal) const {
+int TiedBalls::crossing_side(uint32_t a, const Crossing &point, const Vector &normal) const {
   const Cap plane = {normal, no_ball};
   return sign_with_ties(*this, fits_128_bits(balls_, a, {point.first, point.second, plane}),
                         {a, point.first.ball, point.second.ball},
                         [&](const auto &weight) { return side_of_crossing(weight, a, point, plane); });
 }
 
-int TiedBalls::crossing_inside_as_given(std::uint32_t a, const Crossing &point, const Cap &cap) const {
+int TiedBalls::crossing_inside_as_given(uint32_t a, const Crossing &point, const Cap &cap) const {
   return sign_as_given(*this, fits_128_bits(balls_, a, {point.first, point.second, cap}),
                        [&](const auto &weight) { return side_of_crossing(weight, a, point, cap); });
 }

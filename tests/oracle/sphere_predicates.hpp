@@ -4,8 +4,7 @@
 //
 // Everything is seen from one ball a. With y = x - c_a its sphere is |y|^2 = w_a (w = radius squared), and a ball b
 // contains the points of that sphere with 2 v.y > g, where v = c_b - c_a and g = |v|^2 + w_a - w_b.
-#ifndef HARDSPHERE_TESTS_ORACLE_SPHERE_PREDICATES_HPP
-#define HARDSPHERE_TESTS_ORACLE_SPHERE_PREDICATES_HPP
+#pragma once
 
 #include <cstdint>
 #include <vector>
@@ -14,13 +13,13 @@
 
 namespace oracle {
 
-/// The open half space 2 v.y > g that a ball cuts off a sphere (a cap), or, without a ball, 2 v.y > 0.
+// The open half space 2 v.y > g that a ball cuts off a sphere (a cap), or, without a ball, 2 v.y > 0.
 struct Cap {
   Vector normal = {0, 0, 0};
-  std::uint32_t ball = no_ball;
+  uint32_t ball = no_ball;
 };
 
-/// One of the two points where the circles of two caps cross: foot + side * (positive number) * (first x second).
+// One of the two points where the circles of two caps cross: foot + side * (positive number) * (first x second).
 struct Crossing {
   Cap first;
   Cap second;
@@ -29,45 +28,43 @@ struct Crossing {
 
 enum class PairRelation { disjoint, circle, first_inside_second, second_inside_first };
 
-/// A set of balls whose weights w_i are enlarged by infinitesimals eps_i, the larger the lower the rank.
+// A set of balls whose weights w_i are enlarged by infinitesimals eps_i, the larger the lower the rank.
 class TiedBalls {
  public:
   explicit TiedBalls(Balls balls) : balls_(std::move(balls)), rank_(tie_ranks(balls_)) {}
 
   [[nodiscard]] const Balls &balls() const { return balls_; }
-  [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(balls_.size()); }
-  [[nodiscard]] std::uint32_t rank(std::uint32_t ball) const { return rank_[ball]; }
+  [[nodiscard]] uint32_t size() const { return static_cast<uint32_t>(balls_.size()); }
+  [[nodiscard]] uint32_t rank(uint32_t ball) const { return rank_[ball]; }
 
-  /// The cap that ball b cuts off the sphere of ball a.
-  [[nodiscard]] Cap cap(std::uint32_t a, std::uint32_t b) const { return {centre_difference(balls_[a], balls_[b]), b}; }
+  // The cap that ball b cuts off the sphere of ball a.
+  [[nodiscard]] Cap cap(uint32_t a, uint32_t b) const { return {centre_difference(balls_[a], balls_[b]), b}; }
 
-  [[nodiscard]] PairRelation pair(std::uint32_t a, std::uint32_t b) const;
+  [[nodiscard]] PairRelation pair(uint32_t a, uint32_t b) const;
 
-  /// Do the circles of two caps cross on the sphere of ball a? (If so, in two points.)
-  [[nodiscard]] bool circles_cross(std::uint32_t a, const Cap &first, const Cap &second) const;
+  // Do the circles of two caps cross on the sphere of ball a? (If so, in two points.)
+  [[nodiscard]] bool circles_cross(uint32_t a, const Cap &first, const Cap &second) const;
 
-  /// The same for the balls as given: +1 they cross, 0 they touch or coincide, -1 they are apart.
-  [[nodiscard]] int circles_cross_as_given(std::uint32_t a, const Cap &first, const Cap &second) const;
+  // The same for the balls as given: +1 they cross, 0 they touch or coincide, -1 they are apart.
+  [[nodiscard]] int circles_cross_as_given(uint32_t a, const Cap &first, const Cap &second) const;
 
-  /// Does the circle of a cap that another cap's circle does not cross lie inside that other cap?
-  [[nodiscard]] bool circle_inside(std::uint32_t a, const Cap &circle, const Cap &other) const;
+  // Does the circle of a cap that another cap's circle does not cross lie inside that other cap?
+  [[nodiscard]] bool circle_inside(uint32_t a, const Cap &circle, const Cap &other) const;
 
-  /// Does the point where two circles cross lie in a further cap?
-  [[nodiscard]] bool crossing_inside(std::uint32_t a, const Crossing &point, const Cap &cap) const;
+  // Does the point where two circles cross lie in a further cap?
+  [[nodiscard]] bool crossing_inside(uint32_t a, const Crossing &point, const Cap &cap) const;
 
-  /// On which side of a plane through the centre of ball a does that point lie? +1 where 2 normal.y > 0. A plane is not
-  /// inflated: 0 is possible if the point was made with a plane too.
-  [[nodiscard]] int crossing_side(std::uint32_t a, const Crossing &point, const Vector &normal) const;
+  // On which side of a plane through the centre of ball a does that point lie? +1 where 2 normal.y > 0. A plane is not
+  // inflated: 0 is possible if the point was made with a plane too.
+  [[nodiscard]] int crossing_side(uint32_t a, const Crossing &point, const Vector &normal) const;
 
-  /// crossing_inside for the balls as given: +1 inside, 0 on the cap's circle, -1 outside. The circles must cross or
-  /// touch.
-  [[nodiscard]] int crossing_inside_as_given(std::uint32_t a, const Crossing &point, const Cap &cap) const;
+  // crossing_inside for the balls as given: +1 inside, 0 on the cap's circle, -1 outside. The circles must cross or
+  // touch.
+  [[nodiscard]] int crossing_inside_as_given(uint32_t a, const Crossing &point, const Cap &cap) const;
 
  private:
   Balls balls_;
-  std::vector<std::uint32_t> rank_;
+  std::vector<uint32_t> rank_;
 };
 
 }  // namespace oracle
-
-#endif

@@ -24,13 +24,13 @@ Triple combination(const BigInteger &s, const Triple &a, const BigInteger &t, co
   return {s * a[0] + t * b[0], s * a[1] + t * b[1], s * a[2] + t * b[2]};
 }
 
-/// Up to four balls, scaled by 2^600 and with weights enlarged by 2^1200 / 2^80, / 2^240, / 2^560, / 2^1200 by rank:
-/// each far below the square of the one before times any coefficient that balls of a few steps can produce.
+// Up to four balls, scaled by 2^600 and with weights enlarged by 2^1200 / 2^80, / 2^240, / 2^560, / 2^1200 by rank:
+// each far below the square of the one before times any coefficient that balls of a few steps can produce.
 class ExplicitBalls {
  public:
   explicit ExplicitBalls(const TiedBalls &set) {
     constexpr std::array<unsigned, 4> exponent = {1120, 960, 640, 0};
-    for (std::uint32_t i = 0; i < set.size(); ++i) {
+    for (uint32_t i = 0; i < set.size(); ++i) {
       const LatticeBall &ball = set.balls()[i];
       centre_.push_back({scaled(ball.x, 600), scaled(ball.y, 600), scaled(ball.z, 600)});
       weight_.push_back(scaled(Int128{ball.radius} * ball.radius, 1200) + scaled(1, exponent[set.rank(i)]));
@@ -39,12 +39,12 @@ class ExplicitBalls {
 
   // Vector formulas: with y' = 2 (x - c_a) ball b is v.y' > h, and circles u, v cross at (q x n + s sqrt(D) n) / N
   // where n = u x v, q = h_u v - h_v u, N = n.n, D = 4 w N - q.q.
-  [[nodiscard]] int crossing(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+  [[nodiscard]] int crossing(uint32_t a, uint32_t b, uint32_t c) const {
     const View view(*this, a, b, c);
     return view.N.sign() == 0 ? -1 : view.D.sign();
   }
 
-  [[nodiscard]] int inside(std::uint32_t a, std::uint32_t b, std::uint32_t c, int side, std::uint32_t d) const {
+  [[nodiscard]] int inside(uint32_t a, uint32_t b, uint32_t c, int side, uint32_t d) const {
     const View view(*this, a, b, c);
     const Triple z = difference(a, d);
     const BigInteger rational = dot(z, cross(view.q, view.n)) - view.N * height(a, d);
@@ -54,7 +54,7 @@ class ExplicitBalls {
     return rational.sign() * (rational * rational - root * root * view.D).sign();
   }
 
-  [[nodiscard]] PairRelation pair(std::uint32_t a, std::uint32_t b) const {
+  [[nodiscard]] PairRelation pair(uint32_t a, uint32_t b) const {
     // Distances squared: |w_a + w_b - U| < 2 r_a r_b for a proper circle.
     const Triple v = difference(a, b);
     const BigInteger U = dot(v, v);
@@ -66,7 +66,7 @@ class ExplicitBalls {
 
  private:
   struct View {
-    View(const ExplicitBalls &balls, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    View(const ExplicitBalls &balls, uint32_t a, uint32_t b, uint32_t c) {
       const Triple u = balls.difference(a, b);
       const Triple v = balls.difference(a, c);
       n = cross(u, v);
@@ -78,10 +78,10 @@ class ExplicitBalls {
     BigInteger N, D;
   };
   static BigInteger scaled(Int128 value, unsigned bits) { return BigInteger(value).times_power_of_two(bits); }
-  [[nodiscard]] Triple difference(std::uint32_t a, std::uint32_t b) const {
+  [[nodiscard]] Triple difference(uint32_t a, uint32_t b) const {
     return combination(BigInteger(1), centre_[b], BigInteger(-1), centre_[a]);
   }
-  [[nodiscard]] BigInteger height(std::uint32_t a, std::uint32_t b) const {
+  [[nodiscard]] BigInteger height(uint32_t a, uint32_t b) const {
     const Triple v = difference(a, b);
     return dot(v, v) + weight_[a] - weight_[b];
   }
@@ -98,21 +98,21 @@ TEST(SpherePredicates, AgreeWithExplicitTinyInflations) {
     Balls balls = random.one_in(2) ? grid_balls(random, 4) : degenerate_balls(random, 4);
     for (LatticeBall &ball : balls) {
       // Keep coefficients below 2^60.
-      ball = {std::clamp<std::int64_t>(ball.x, -8, 8), std::clamp<std::int64_t>(ball.y, -8, 8),
-              std::clamp<std::int64_t>(ball.z, -8, 8), std::min<std::int64_t>(ball.radius, 8)};
+      ball = {std::clamp<int64_t>(ball.x, -8, 8), std::clamp<int64_t>(ball.y, -8, 8),
+              std::clamp<int64_t>(ball.z, -8, 8), std::min<int64_t>(ball.radius, 8)};
     }
     const TiedBalls set(balls);
     const ExplicitBalls explicit_balls(set);
-    for (std::uint32_t a = 0; a < 4; ++a)
-      for (std::uint32_t b = 0; b < 4; ++b) {
+    for (uint32_t a = 0; a < 4; ++a)
+      for (uint32_t b = 0; b < 4; ++b) {
         if (b == a) continue;
         ASSERT_EQ(set.pair(a, b), explicit_balls.pair(a, b)) << to_text(balls);
         if (set.pair(a, b) != PairRelation::circle) continue;
-        for (std::uint32_t c = 0; c < 4; ++c) {
+        for (uint32_t c = 0; c < 4; ++c) {
           if (c == a || c == b || set.pair(a, c) != PairRelation::circle) continue;
           const bool cross = set.circles_cross(a, set.cap(a, b), set.cap(a, c));
           ASSERT_EQ(cross, explicit_balls.crossing(a, b, c) > 0) << to_text(balls);
-          const std::uint32_t d = 6 - a - b - c;
+          const uint32_t d = 6 - a - b - c;
           if (!cross || set.pair(a, d) != PairRelation::circle) continue;
           for (const int side : {+1, -1}) {
             const Crossing point = {set.cap(a, b), set.cap(a, c), side};
@@ -130,7 +130,7 @@ TEST(SpherePredicates, AgreeWithExplicitTinyInflations) {
 
 TEST(SpherePredicates, RankIsLexicographic) {
   const Balls balls = {{1, 0, 0, 2}, {0, 5, 0, 1}, {1, 0, 0, 1}, {0, 5, 0, 1}, {1, -1, 9, 9}};
-  EXPECT_EQ(tie_ranks(balls), (std::vector<std::uint32_t>{4, 0, 3, 1, 2}));
+  EXPECT_EQ(tie_ranks(balls), (std::vector<uint32_t>{4, 0, 3, 1, 2}));
 }
 
 TEST(SpherePredicates, LowestRankSwallowsItsDuplicates) {

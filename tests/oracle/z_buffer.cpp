@@ -10,10 +10,10 @@ double product(const std::array<double, 3> &a, const std::array<double, 3> &b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// The first and the last pixel, one more than needed on either side, that a disc can meet along one axis.
-std::array<std::size_t, 2> pixel_range(double centre, double radius, double first, double side, std::size_t count) {
+// The first and the last pixel, one more than needed on either side, that a disc can meet along one axis.
+std::array<size_t, 2> pixel_range(double centre, double radius, double first, double side, size_t count) {
   const auto clamped = [&](double position) {
-    return static_cast<std::size_t>(std::clamp(position, 0.0, static_cast<double>(count)));
+    return static_cast<size_t>(std::clamp(position, 0.0, static_cast<double>(count)));
   };
   return {clamped(std::floor((centre - radius - first) / side) - 1),
           clamped(std::ceil((centre + radius - first) / side) + 2)};
@@ -41,13 +41,13 @@ std::vector<PlainBall> seen_along(const std::vector<PlainBall> &balls, const Vie
   return result;
 }
 
-PixelGrid grid_around(const std::vector<PlainBall> &seen, std::size_t pixels) {
+PixelGrid grid_around(const std::vector<PlainBall> &seen, size_t pixels) {
   PixelGrid grid{0, 0, 1, pixels, pixels};
   if (seen.empty()) return grid;
   std::array<double, 2> low = {seen[0].centre[0], seen[0].centre[1]};
   std::array<double, 2> high = low;
   for (const PlainBall &ball : seen)
-    for (std::size_t k = 0; k < 2; ++k) {
+    for (size_t k = 0; k < 2; ++k) {
       low[k] = std::min(low[k], ball.centre[k] - ball.radius);
       high[k] = std::max(high[k], ball.centre[k] + ball.radius);
     }
@@ -69,16 +69,16 @@ double front_of(const PlainBall &ball, double x, double y) {
 
 std::vector<SeenPixel> z_buffer(const std::vector<PlainBall> &seen, const PixelGrid &grid) {
   std::vector<SeenPixel> image(grid.pixels());
-  for (std::size_t i = 0; i < seen.size(); ++i) {
+  for (size_t i = 0; i < seen.size(); ++i) {
     const PlainBall &ball = seen[i];
     const auto columns = pixel_range(ball.centre[0], ball.radius, grid.left, grid.side, grid.columns);
     const auto rows = pixel_range(ball.centre[1], ball.radius, grid.bottom, grid.side, grid.rows);
-    for (std::size_t row = rows[0]; row < rows[1]; ++row)
-      for (std::size_t column = columns[0]; column < columns[1]; ++column) {
+    for (size_t row = rows[0]; row < rows[1]; ++row)
+      for (size_t column = columns[0]; column < columns[1]; ++column) {
         const double depth = front_of(ball, grid.x(column), grid.y(row));
         SeenPixel &pixel = image[row * grid.columns + column];
         if (depth > pixel.depth)
-          pixel = {static_cast<std::uint32_t>(i), depth, pixel.depth};
+          pixel = {static_cast<uint32_t>(i), depth, pixel.depth};
         else
           pixel.runner_up = std::max(pixel.runner_up, depth);
       }

@@ -1,6 +1,5 @@
 // What is seen of balls from infinitely far away: for every pixel centre the ball whose front is nearest there.
-#ifndef HARDSPHERE_TESTS_ORACLE_Z_BUFFER_HPP
-#define HARDSPHERE_TESTS_ORACLE_Z_BUFFER_HPP
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -12,7 +11,7 @@
 
 namespace oracle {
 
-/// A ball in lengths.
+// A ball in lengths.
 struct PlainBall {
   std::array<double, 3> centre{};
   double radius = 0;
@@ -20,7 +19,7 @@ struct PlainBall {
 
 std::vector<PlainBall> plain_balls(const Balls &balls, double step);
 
-/// View coordinates: three orthonormal axes and the point with coordinates 0 0 0; larger along towards is nearer.
+// View coordinates: three orthonormal axes and the point with coordinates 0 0 0; larger along towards is nearer.
 struct ViewAxes {
   std::array<double, 3> origin{};
   std::array<double, 3> right{1, 0, 0};
@@ -30,39 +29,37 @@ struct ViewAxes {
   [[nodiscard]] std::array<double, 3> coordinates(const std::array<double, 3> &point) const;
 };
 
-/// The same balls in view coordinates.
+// The same balls in view coordinates.
 std::vector<PlainBall> seen_along(const std::vector<PlainBall> &balls, const ViewAxes &axes);
 
-/// Square pixels in the view plane, given by their centres; row 0 is the lowest.
+// Square pixels in the view plane, given by their centres; row 0 is the lowest.
 struct PixelGrid {
   double left = 0;    // of column 0
   double bottom = 0;  // of row 0
   double side = 1;    // of a pixel
-  std::size_t columns = 0;
-  std::size_t rows = 0;
+  size_t columns = 0;
+  size_t rows = 0;
 
-  [[nodiscard]] double x(std::size_t column) const { return left + side * static_cast<double>(column); }
-  [[nodiscard]] double y(std::size_t row) const { return bottom + side * static_cast<double>(row); }
-  [[nodiscard]] std::size_t pixels() const { return columns * rows; }
+  [[nodiscard]] double x(size_t column) const { return left + side * static_cast<double>(column); }
+  [[nodiscard]] double y(size_t row) const { return bottom + side * static_cast<double>(row); }
+  [[nodiscard]] size_t pixels() const { return columns * rows; }
 };
 
-/// The grid with so many pixels on a side that shows all the balls, given in view coordinates, and a margin of about
-/// 3 %. It is shifted by a part of a pixel that no lattice knows, so that aligned balls have no edges on centres.
-PixelGrid grid_around(const std::vector<PlainBall> &seen, std::size_t pixels);
+// The grid with so many pixels on a side that shows all the balls, given in view coordinates, and a margin of about
+// 3 %. It is shifted by a part of a pixel that no lattice knows, so that aligned balls have no edges on centres.
+PixelGrid grid_around(const std::vector<PlainBall> &seen, size_t pixels);
 
-/// What is seen at a pixel centre.
+// What is seen at a pixel centre.
 struct SeenPixel {
-  std::uint32_t ball = no_ball;                                 // the first of those that are equally near
+  uint32_t ball = no_ball;                                      // the first of those that are equally near
   double depth = -std::numeric_limits<double>::infinity();      // z of its front there
   double runner_up = -std::numeric_limits<double>::infinity();  // the same for the next ball behind it
 };
 
-/// z of a ball's front at (x, y), minus infinity beside it. The ball is given in view coordinates.
+// z of a ball's front at (x, y), minus infinity beside it. The ball is given in view coordinates.
 double front_of(const PlainBall &ball, double x, double y);
 
-/// Pixels row by row. Balls of radius 0 are not seen.
+// Pixels row by row. Balls of radius 0 are not seen.
 std::vector<SeenPixel> z_buffer(const std::vector<PlainBall> &seen, const PixelGrid &grid);
 
 }  // namespace oracle
-
-#endif

@@ -11,8 +11,8 @@
 namespace oracle {
 namespace {
 
-std::size_t pixels_of(const std::vector<SeenPixel> &image, std::uint32_t ball) {
-  std::size_t count = 0;
+size_t pixels_of(const std::vector<SeenPixel> &image, uint32_t ball) {
+  size_t count = 0;
   for (const SeenPixel &pixel : image) count += pixel.ball == ball ? 1 : 0;
   return count;
 }
@@ -34,7 +34,7 @@ TEST(ZBuffer, CutsEqualBallsInTheMiddleAndHidesTheFartherOne) {
   const std::vector<PlainBall> side_by_side = {{{-3, 0, 0}, 5}, {{3, 0, 0}, 5}};
   const PixelGrid grid = grid_around(side_by_side, 300);
   const auto image = z_buffer(side_by_side, grid);
-  for (std::size_t k = 0; k < grid.pixels(); ++k)
+  for (size_t k = 0; k < grid.pixels(); ++k)
     if (image[k].ball != no_ball) {
       EXPECT_EQ(image[k].ball, grid.x(k % grid.columns) < 0 ? 0U : 1U);
       EXPECT_GE(image[k].depth, image[k].runner_up);
@@ -54,7 +54,7 @@ TEST(ZBuffer, AgreesWithWalksAlongRays) {
   const std::vector<PlainBall> seen = seen_along(balls, axes);
   const PixelGrid grid = grid_around(seen, 40);
   const auto image = z_buffer(seen, grid);
-  for (std::size_t k = 0; k < grid.pixels(); ++k) {
+  for (size_t k = 0; k < grid.pixels(); ++k) {
     // The first point that is in a ball, walking away from the viewer in small steps in the balls' own coordinates.
     const double x = grid.x(k % grid.columns);
     const double y = grid.y(k / grid.columns);
@@ -62,7 +62,7 @@ TEST(ZBuffer, AgreesWithWalksAlongRays) {
     for (double z = 600; z > -600 && found < -1e8; z -= 1)
       for (const PlainBall &ball : balls) {
         double square = 0;
-        for (std::size_t c = 0; c < 3; ++c)
+        for (size_t c = 0; c < 3; ++c)
           square +=
               std::pow(axes.origin[c] + x * axes.right[c] + y * axes.up[c] + z * axes.towards[c] - ball.centre[c], 2);
         if (square <= ball.radius * ball.radius) found = z;

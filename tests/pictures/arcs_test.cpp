@@ -19,14 +19,14 @@ struct Scene {
   DrawnView view;
 };
 
-/// Two balls whose circle is seen edge on, or nearly: their centres differ by dz in depth.
-oracle::Balls edge_on(std::int64_t size, std::int64_t dz) {
+// Two balls whose circle is seen edge on, or nearly: their centres differ by dz in depth.
+oracle::Balls edge_on(int64_t size, int64_t dz) {
   return {{0, 0, 0, size}, {size, size / 3, dz, size}};
 }
 
 oracle::Balls lattice() {
   oracle::Balls balls;
-  for (std::int64_t k = 0; k < 27; ++k) balls.push_back({k % 3 * 1500, k / 3 % 3 * 1500, k / 9 * 1500, 1000});
+  for (int64_t k = 0; k < 27; ++k) balls.push_back({k % 3 * 1500, k / 3 % 3 * 1500, k / 9 * 1500, 1000});
   return balls;
 }
 
@@ -43,8 +43,8 @@ const std::vector<Scene> &scenes() {
     made.push_back({"one ball", DrawnView({{5, 7, 9, 1000}})});
     made.push_back({"no ball", DrawnView({})});
     made.push_back({"a hole", DrawnView({{0, 0, 0, 1000}, {0, 0, 800, 700}})});
-    for (const std::int64_t dz : {0, 1, 10, 100, 10000}) {
-      for (const std::uint32_t pieces : {HSP_PIECES_G, HSP_PIECES_H}) {
+    for (const int64_t dz : {0, 1, 10, 100, 10000}) {
+      for (const uint32_t pieces : {HSP_PIECES_G, HSP_PIECES_H}) {
         made.push_back({"edge on but for " + std::to_string(dz), DrawnView(edge_on(1000000, dz), {0, 0, 1}, pieces)});
       }
     }
@@ -53,7 +53,7 @@ const std::vector<Scene> &scenes() {
   return all;
 }
 
-/// From the view plane to the page, as the header describes width and margin.
+// From the view plane to the page, as the header describes width and margin.
 class Mapping {
  public:
   Mapping(const hsp_view_info &info, const hsp_picture_options &options, const PictureFile &file) {
@@ -61,7 +61,7 @@ class Mapping {
     const double h = info.high[1] - info.low[1];
     const double margin = options.margin * std::max(w, h);
     scale_ = std::min(file.width / (w + 2 * margin), file.height / (h + 2 * margin));
-    for (std::size_t k = 0; k < 2; ++k) {
+    for (size_t k = 0; k < 2; ++k) {
       shift_[k] = (k == 0 ? file.width : file.height) / 2 - scale_ * (info.low[k] + info.high[k]) / 2;
     }
   }
@@ -84,23 +84,23 @@ class Mapping {
 };
 
 struct Worst {
-  double gap = 0;   ///< between the end of a segment and the start of the next
-  double away = 0;  ///< from where the interface puts a point of an arc
+  double gap = 0;   // between the end of a segment and the start of the next
+  double away = 0;  // from where the interface puts a point of an arc
 };
 
-/// How a format cuts arcs, and at which shares of a segment its point is known.
+// How a format cuts arcs, and at which shares of a segment its point is known.
 struct Format {
-  std::uint32_t id;
+  uint32_t id;
   const char *name;
   PictureFile (*read)(const std::string &);
-  double longest;  ///< parameter span of a segment
+  double longest;  // parameter span of a segment
   std::vector<double> shares;
   double gap;
   double away;
 };
 
-/// SVG: two decimals, and what a renderer makes of them on narrow ellipses. EPS: 1e-6 px as lib/picture/eps_writer.hpp
-/// says. PDF: four decimals at the ends and in the middle of each cubic, where it touches the arc.
+// SVG: two decimals, and what a renderer makes of them on narrow ellipses. EPS: 1e-6 px as lib/picture/eps_writer.hpp
+// says. PDF: four decimals at the ends and in the middle of each cubic, where it touches the arc.
 const std::vector<Format> &formats() {
   static const std::vector<Format> all = {
       {HSP_FORMAT_SVG, "SVG", read_svg, 0.9 * std::numbers::pi, {0, 0.25, 0.5, 0.75, 1}, 0, 0.06},
@@ -109,7 +109,7 @@ const std::vector<Format> &formats() {
   return all;
 }
 
-/// The corners of an ellipse that is drawn as a line.
+// The corners of an ellipse that is drawn as a line.
 std::vector<PagePoint> corners(const Mapping &map, const hsp_view_arc &arc) {
   std::vector<PagePoint> points;
   for (int k = -2; k <= 2; ++k) {
@@ -121,7 +121,7 @@ std::vector<PagePoint> corners(const Mapping &map, const hsp_view_arc &arc) {
   return points;
 }
 
-void compare_arc(const Format &format, const Mapping &map, const hsp_view_arc &arc, const Loop &loop, std::size_t &next,
+void compare_arc(const Format &format, const Mapping &map, const hsp_view_arc &arc, const Loop &loop, size_t &next,
                  Worst &worst) {
   const bool flat = map.scale() * arc.semi_axis[1] < 1e-4 && format.id != HSP_FORMAT_PDF;
   if (flat) {
@@ -134,7 +134,7 @@ void compare_arc(const Format &format, const Mapping &map, const hsp_view_arc &a
   }
   // One more where rounding makes an arc a little longer than so many parts.
   int parts = static_cast<int>(std::ceil(std::fabs(arc.to - arc.from) / format.longest));
-  const Segment &last = loop.segments.at(next + static_cast<std::size_t>(parts) - 1);
+  const Segment &last = loop.segments.at(next + static_cast<size_t>(parts) - 1);
   if (distance(last.end, map.place(arc.end)) > format.away) ++parts;
   for (int k = 0; k < parts; ++k) {
     const Segment &segment = loop.segments.at(next++);
@@ -152,19 +152,19 @@ Worst compare(const Format &format, const Scene &scene, const hsp_picture_option
   EXPECT_EQ(file.paths.size(), scene.view.pieces().size());
   if (file.paths.size() != scene.view.pieces().size()) return worst;
   const Mapping map(scene.view.info(), options, file);
-  for (std::size_t p = 0; p < file.paths.size(); ++p) {
+  for (size_t p = 0; p < file.paths.size(); ++p) {
     const hsp_view_piece &piece = scene.view.pieces()[p];
     const PaintedPath &path = file.paths[p];
     if (format.id == HSP_FORMAT_SVG) {
       EXPECT_EQ(path.ball, piece.ball);
     }
     EXPECT_EQ(path.loops.size(), piece.loops);
-    for (std::size_t l = 0; l < path.loops.size(); ++l) {
+    for (size_t l = 0; l < path.loops.size(); ++l) {
       const Loop &loop = path.loops[l];
       const hsp_view_loop &told = scene.view.loops()[piece.first_loop + l];
       EXPECT_TRUE(loop.closed);
-      std::size_t next = 0;
-      for (std::uint32_t a = 0; a < told.arcs; ++a) {
+      size_t next = 0;
+      for (uint32_t a = 0; a < told.arcs; ++a) {
         compare_arc(format, map, scene.view.arcs()[told.first_arc + a], loop, next, worst);
       }
       EXPECT_EQ(next, loop.segments.size());
@@ -179,12 +179,12 @@ Worst compare(const Format &format, const Scene &scene, const hsp_picture_option
   return worst;
 }
 
-class PictureArcs : public testing::TestWithParam<std::size_t> {};
+class PictureArcs : public testing::TestWithParam<size_t> {};
 
 TEST_P(PictureArcs, AreThoseOfTheView) {
   const Format &format = formats()[GetParam()];
   for (const Scene &scene : scenes()) {
-    for (const std::uint32_t style : {HSP_STYLE_FLAT, HSP_STYLE_HEADLIGHT, HSP_STYLE_SOFT}) {
+    for (const uint32_t style : {HSP_STYLE_FLAT, HSP_STYLE_HEADLIGHT, HSP_STYLE_SOFT}) {
       SCOPED_TRACE(scene.name + ", style " + std::to_string(style));
       const Worst worst = compare(format, scene, picture_options(format.id, style));
       EXPECT_LE(worst.gap, format.gap);
@@ -196,13 +196,13 @@ TEST_P(PictureArcs, AreThoseOfTheView) {
   }
 }
 
-/// The promises are in px whatever the size of the page.
+// The promises are in px whatever the size of the page.
 TEST_P(PictureArcs, FitPagesOfAllShapes) {
   const Format &format = formats()[GetParam()];
   const Scene &scene = scenes()[1];
   for (const double size : {20.0, 300.0, 4000.0}) {
     for (const double ratio : {0.0, 0.5, 1.0, 3.0}) {
-      for (const std::uint32_t unit : {HSP_UNIT_PX, HSP_UNIT_MM}) {
+      for (const uint32_t unit : {HSP_UNIT_PX, HSP_UNIT_MM}) {
         SCOPED_TRACE(std::to_string(size) + " by " + std::to_string(size * ratio));
         hsp_picture_options options = picture_options(format.id, HSP_STYLE_FLAT);
         options.width = size;
@@ -216,7 +216,7 @@ TEST_P(PictureArcs, FitPagesOfAllShapes) {
   }
 }
 
-/// Numbers have as many decimals as a small page needs, and none that a large one does not.
+// Numbers have as many decimals as a small page needs, and none that a large one does not.
 TEST(PictureArcsInSvg, AreRoundedToTheSizeOfThePage) {
   const Scene &hole = scenes()[8];
   for (const double size : {1.0, 9.0, 11.0, 90.0, 1000.0}) {
@@ -229,8 +229,8 @@ TEST(PictureArcsInSvg, AreRoundedToTheSizeOfThePage) {
   }
 }
 
-/// A small picture of circles that are seen nearly edge on: lines that turn at the ends of the major axis, which those
-/// of H-pieces pass by a hair.
+// A small picture of circles that are seen nearly edge on: lines that turn at the ends of the major axis, which those
+// of H-pieces pass by a hair.
 TEST_P(PictureArcs, OfFlatEllipsesAreLines) {
   const Format &format = formats()[GetParam()];
   int looked_at = 0;
@@ -247,7 +247,7 @@ TEST_P(PictureArcs, OfFlatEllipsesAreLines) {
   EXPECT_EQ(looked_at, 8);
 }
 
-/// The header: cubic pieces stay within 4.3e-6 of the semi-axis. On circles that can be seen from outside.
+// The header: cubic pieces stay within 4.3e-6 of the semi-axis. On circles that can be seen from outside.
 TEST(PictureArcsInPdf, AreWithinTheirBound) {
   const DrawnView one({{0, 0, 0, 1000}});
   hsp_picture_options options = picture_options(HSP_FORMAT_PDF, HSP_STYLE_FLAT);
@@ -266,19 +266,19 @@ TEST(PictureArcsInPdf, AreWithinTheirBound) {
   EXPECT_GE(worst, 4e-6);
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, PictureArcs, testing::Range<std::size_t>(0, 3));
+INSTANTIATE_TEST_SUITE_P(Formats, PictureArcs, testing::Range<size_t>(0, 3));
 
-/// An arc that ends elsewhere is noticed: the readers do not repair files.
+// An arc that ends elsewhere is noticed: the readers do not repair files.
 TEST(PictureReaders, NoticeABrokenFile) {
   const Scene &scene = scenes()[1];
   std::string text = scene.view.picture(picture_options(HSP_FORMAT_EPS, HSP_STYLE_FLAT));
-  const std::size_t arc = text.find(" A\n");
+  const size_t arc = text.find(" A\n");
   ASSERT_NE(arc, std::string::npos);
   text[arc - 3] = text[arc - 3] == '5' ? '6' : '5';
   double gap = 0;
   for (const PaintedPath &path : read_eps(text).paths) {
     for (const Loop &loop : path.loops) {
-      for (std::size_t k = 0; k < loop.segments.size(); ++k) {
+      for (size_t k = 0; k < loop.segments.size(); ++k) {
         gap = std::max(gap, distance(loop.segments[k].end, loop.segments[(k + 1) % loop.segments.size()].start));
       }
     }

@@ -7,7 +7,7 @@ namespace {
 
 constexpr double step = 0x1p-10;
 
-std::uint32_t atomic_number(std::int64_t radius) {
+uint32_t atomic_number(int64_t radius) {
   switch (radius) {
     case 1700:
       return 6;
@@ -22,19 +22,18 @@ std::uint32_t atomic_number(std::int64_t radius) {
   }
 }
 
-std::int32_t take(void *context, const char *bytes, std::size_t count) {
+int32_t take(void *context, const char *bytes, size_t count) {
   static_cast<std::string *>(context)->append(bytes, count);
   return 0;
 }
 
 }  // namespace
 
-DrawnView::DrawnView(const oracle::Balls &balls, Direction towards, std::uint32_t pieces) : scene_(balls, step) {
+DrawnView::DrawnView(const oracle::Balls &balls, Direction towards, uint32_t pieces) : scene_(balls, step) {
   const hsp_view_options options = ViewChoice{pieces, 0, false, towards, {}}.options();
   hsp_view_limits limits;
-  expect_ok(hsp_view_limits_init(&limits, sizeof limits, static_cast<std::uint32_t>(balls.size())),
-            "hsp_view_limits_init");
-  std::size_t bytes = 0;
+  expect_ok(hsp_view_limits_init(&limits, sizeof limits, static_cast<uint32_t>(balls.size())), "hsp_view_limits_init");
+  size_t bytes = 0;
   expect_ok(hsp_view_bytes(&limits, &bytes), "hsp_view_bytes");
   memory_.assign(bytes, 0);
   expect_ok(hsp_view_init(memory_.data(), bytes, &limits, &view_), "hsp_view_init");
@@ -44,7 +43,7 @@ DrawnView::DrawnView(const oracle::Balls &balls, Direction towards, std::uint32_
   pieces_.resize(info_.pieces);
   loops_.resize(info_.loops);
   arcs_.resize(info_.arcs);
-  std::uint32_t needed = 0;
+  uint32_t needed = 0;
   expect_ok(hsp_view_get_pieces(view_, pieces_.data(), info_.pieces, &needed), "hsp_view_get_pieces");
   expect_ok(hsp_view_get_loops(view_, loops_.data(), info_.loops, &needed), "hsp_view_get_loops");
   expect_ok(hsp_view_get_arcs(view_, arcs_.data(), info_.arcs, &needed), "hsp_view_get_arcs");
@@ -55,14 +54,14 @@ DrawnView::DrawnView(const oracle::Balls &balls, Direction towards, std::uint32_
 
 std::string DrawnView::picture(const hsp_picture_options &options, const char *title, const char *description) const {
   std::string text;
-  std::uint64_t bytes = 0;
+  uint64_t bytes = 0;
   expect_ok(hsp_picture_write(view_, colours_.data(), &options, title, description, take, &text, &bytes),
             "hsp_picture_write");
   if (bytes != text.size()) throw std::runtime_error("hsp_picture_write: another number of bytes");
   return text;
 }
 
-hsp_picture_options picture_options(std::uint32_t format, std::uint32_t style) {
+hsp_picture_options picture_options(uint32_t format, uint32_t style) {
   hsp_picture_options options;
   expect_ok(hsp_picture_options_init(&options, sizeof options), "hsp_picture_options_init");
   options.format = format;

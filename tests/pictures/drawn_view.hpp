@@ -1,6 +1,5 @@
 // A computed view that pictures are written of.
-#ifndef HARDSPHERE_TESTS_PICTURES_DRAWN_VIEW_HPP
-#define HARDSPHERE_TESTS_PICTURES_DRAWN_VIEW_HPP
+#pragma once
 
 #include <array>
 #include <string>
@@ -12,8 +11,8 @@
 
 class DrawnView {
  public:
-  /// Lattice steps are thousandths. Colours follow from the radii, as read_molecule gives them to elements.
-  explicit DrawnView(const oracle::Balls &balls, Direction towards = {0, 0, 1}, std::uint32_t pieces = HSP_PIECES_G);
+  // Lattice steps are thousandths. Colours follow from the radii, as read_molecule gives them to elements.
+  explicit DrawnView(const oracle::Balls &balls, Direction towards = {0, 0, 1}, uint32_t pieces = HSP_PIECES_G);
 
   [[nodiscard]] std::string picture(const hsp_picture_options &options, const char *title = nullptr,
                                     const char *description = nullptr) const;
@@ -27,13 +26,11 @@ class DrawnView {
   LibraryScene scene_;
   std::vector<unsigned char> memory_;
   hsp_view *view_ = nullptr;
-  std::vector<std::uint32_t> colours_;
+  std::vector<uint32_t> colours_;
   hsp_view_info info_{};
   std::vector<hsp_view_piece> pieces_;
   std::vector<hsp_view_loop> loops_;
   std::vector<hsp_view_arc> arcs_;
 };
 
-hsp_picture_options picture_options(std::uint32_t format, std::uint32_t style);
-
-#endif
+hsp_picture_options picture_options(uint32_t format, uint32_t style);

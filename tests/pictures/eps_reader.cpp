@@ -55,7 +55,7 @@ class Machine {
   }
 
  private:
-  std::vector<double> take(std::size_t count) {
+  std::vector<double> take(size_t count) {
     if (stack_.size() != count) throw std::runtime_error("eps: operands");
     std::vector<double> taken;
     taken.swap(stack_);
@@ -94,15 +94,15 @@ class Machine {
 
 PictureFile read_eps(const std::string &text) {
   PictureFile file;
-  const std::size_t box = text.find("%%HiResBoundingBox:");
+  const size_t box = text.find("%%HiResBoundingBox:");
   if (box == std::string::npos ||
       std::sscanf(text.c_str() + box, "%%%%HiResBoundingBox: 0 0 %lf %lf", &file.width, &file.height) != 2) {
     throw std::runtime_error("eps: no box");
   }
   file.width /= 0.75;
   file.height /= 0.75;
-  const std::size_t page = text.find("%%Page: 1 1\n");
-  const std::size_t end = text.find("showpage", page);
+  const size_t page = text.find("%%Page: 1 1\n");
+  const size_t end = text.find("showpage", page);
   if (page == std::string::npos || end == std::string::npos) throw std::runtime_error("eps: no page");
   std::string words;
   for (const char c : text.substr(page + 12, end - page - 12)) {

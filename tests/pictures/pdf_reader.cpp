@@ -7,11 +7,11 @@
 
 namespace {
 
-/// What stands between "n 0 obj" and "endobj", looked up as a reader of PDF does it.
+// What stands between "n 0 obj" and "endobj", looked up as a reader of PDF does it.
 std::string object(const std::string &text, unsigned number) {
-  const std::size_t last = text.rfind("startxref\n");
+  const size_t last = text.rfind("startxref\n");
   if (last == std::string::npos) throw std::runtime_error("pdf: no startxref");
-  const std::size_t table = std::stoul(text.substr(last + 10));
+  const size_t table = std::stoul(text.substr(last + 10));
   unsigned first = 0;
   unsigned count = 0;
   int read = 0;
@@ -19,12 +19,12 @@ std::string object(const std::string &text, unsigned number) {
     throw std::runtime_error("pdf: no table where startxref says");
   }
   if (first != 0 || number >= count) throw std::runtime_error("pdf: an object beyond the table");
-  const std::string entry = text.substr(table + static_cast<std::size_t>(read) + 20 * number, 20);
+  const std::string entry = text.substr(table + static_cast<size_t>(read) + 20 * number, 20);
   if (entry.substr(10) != " 00000 n \n") throw std::runtime_error("pdf: an entry that is not 20 bytes long");
-  const std::size_t offset = std::stoul(entry.substr(0, 10));
+  const size_t offset = std::stoul(entry.substr(0, 10));
   const std::string head = std::to_string(number) + " 0 obj\n";
   if (text.compare(offset, head.size(), head) != 0) throw std::runtime_error("pdf: object " + head + "is not there");
-  const std::size_t begin = offset + head.size();
+  const size_t begin = offset + head.size();
   return text.substr(begin, text.find("\nendobj\n", begin) - begin);
 }
 
@@ -40,7 +40,7 @@ PictureFile read_pdf(const std::string &text) {
   if (!text.starts_with("%PDF-1.4\n") || !text.ends_with("%%EOF\n")) throw std::runtime_error("pdf: head or tail");
   if (object(text, 1).find("/Type/Catalog") == std::string::npos) throw std::runtime_error("pdf: no catalogue");
   const std::string page = object(text, 3);
-  const std::size_t box = page.find("/MediaBox[");
+  const size_t box = page.find("/MediaBox[");
   if (box == std::string::npos ||
       std::sscanf(page.c_str() + box, "/MediaBox[0 0 %lf %lf]", &file.width, &file.height) != 2) {
     throw std::runtime_error("pdf: no box");
@@ -48,8 +48,8 @@ PictureFile read_pdf(const std::string &text) {
   file.width /= 0.75;
   file.height /= 0.75;
   const std::string contents = object(text, 5);
-  const std::size_t start = contents.find("stream\n") + 7;
-  const std::size_t length = std::stoul(object(text, 6));
+  const size_t start = contents.find("stream\n") + 7;
+  const size_t length = std::stoul(object(text, 6));
   if (contents.substr(start + length) != "endstream") throw std::runtime_error("pdf: the stream's length is wrong");
 
   std::istringstream input(contents.substr(start, length));

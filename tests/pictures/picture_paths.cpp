@@ -10,7 +10,7 @@ PagePoint Segment::at(double share) const {
   PagePoint point{};
   const double rest = 1 - share;
   const double t = from + (to - from) * share;
-  for (std::size_t k = 0; k < 2; ++k) {
+  for (size_t k = 0; k < 2; ++k) {
     switch (kind) {
       case Kind::line:
         point[k] = rest * start[k] + share * end[k];

@@ -1,6 +1,5 @@
 // What the readers of pictures hand back: painted paths, on a page with y up.
-#ifndef HARDSPHERE_TESTS_PICTURES_PICTURE_PATHS_HPP
-#define HARDSPHERE_TESTS_PICTURES_PICTURE_PATHS_HPP
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -11,21 +10,21 @@ using PagePoint = std::array<double, 2>;
 
 double distance(const PagePoint &a, const PagePoint &b);
 
-/// A part of a path as the file tells it. A line has no axes; start and end of an arc are computed from its numbers if
-/// the format has no numbers for them.
+// A part of a path as the file tells it. A line has no axes; start and end of an arc are computed from its numbers if
+// the format has no numbers for them.
 struct Segment {
   enum class Kind { line, arc, cubic };
   Kind kind = Kind::line;
   PagePoint start{};
   PagePoint end{};
-  /// centre + cos t axis[0] + sin t axis[1], t from `from` to `to`.
+  // centre + cos t axis[0] + sin t axis[1], t from `from` to `to`.
   PagePoint centre{};
   std::array<PagePoint, 2> axis{};
   double from = 0;
   double to = 0;
   std::array<PagePoint, 2> handle{};
 
-  /// The point at a share of the segment's parameters.
+  // The point at a share of the segment's parameters.
   [[nodiscard]] PagePoint at(double share) const;
 };
 
@@ -37,20 +36,18 @@ struct Loop {
 
 struct PaintedPath {
   std::vector<Loop> loops;
-  std::string paint;  ///< as in the file
-  std::uint32_t ball = 0xFFFFFFFFU;
+  std::string paint;  // as in the file
+  uint32_t ball = 0xFFFFFFFFU;
 };
 
-/// A file with all its paths in drawing order. Whatever is not understood throws std::runtime_error.
+// A file with all its paths in drawing order. Whatever is not understood throws std::runtime_error.
 struct PictureFile {
-  double width = 0;  ///< px
+  double width = 0;  // px
   double height = 0;
   std::vector<PaintedPath> paths;
 };
 
 PictureFile read_svg(const std::string &text);
 PictureFile read_eps(const std::string &text);
-/// Checks the file's structure too: objects where the table says, the stream's length.
+// Checks the file's structure too: objects where the table says, the stream's length.
 PictureFile read_pdf(const std::string &text);
-
-#endif

@@ -34,7 +34,7 @@ class Inflater {
   }
 
  private:
-  /// A canonical prefix code: how many codes have each length, and the symbols in the order of their codes.
+  // A canonical prefix code: how many codes have each length, and the symbols in the order of their codes.
   struct Code {
     std::array<unsigned, 16> count{};
     std::vector<unsigned> symbol;
@@ -83,8 +83,8 @@ class Inflater {
   void copy() {
     left_ = 0;
     if (place_ + 4 > bytes_.size()) throw std::runtime_error("PNG: cut off");
-    const std::size_t count = static_cast<unsigned char>(bytes_[place_]) +
-                              256U * static_cast<unsigned>(static_cast<unsigned char>(bytes_[place_ + 1]));
+    const size_t count = static_cast<unsigned char>(bytes_[place_]) +
+                         256U * static_cast<unsigned>(static_cast<unsigned char>(bytes_[place_ + 1]));
     out_ += bytes_.substr(place_ + 4, count);
     place_ += 4 + count;
   }
@@ -135,23 +135,23 @@ class Inflater {
       const unsigned k = symbol - 257;
       const unsigned length = base.at(k) + bits(k < 8 || k == 28 ? 0 : (k - 4) / 4);
       const unsigned d = decode(distance_);
-      const std::size_t back = far.at(d) + bits(d < 4 ? 0 : (d - 2) / 2);
+      const size_t back = far.at(d) + bits(d < 4 ? 0 : (d - 2) / 2);
       if (back > out_.size()) throw std::runtime_error("PNG: distance");
       for (unsigned i = 0; i < length; ++i) out_ += out_[out_.size() - back];
     }
   }
 
   const std::string &bytes_;
-  std::size_t place_;
+  size_t place_;
   unsigned byte_ = 0;
   unsigned left_ = 0;
   Code literal_, distance_;
   std::string out_;
 };
 
-unsigned number_at(const std::string &bytes, std::size_t place) {
+unsigned number_at(const std::string &bytes, size_t place) {
   unsigned value = 0;
-  for (std::size_t k = 0; k < 4; ++k) value = value << 8U | static_cast<unsigned char>(bytes.at(place + k));
+  for (size_t k = 0; k < 4; ++k) value = value << 8U | static_cast<unsigned char>(bytes.at(place + k));
   return value;
 }
 
@@ -168,9 +168,9 @@ int nearest_of(int a, int b, int c) {
 Raster read_png(const std::string &bytes) {
   Raster raster;
   std::string packed;
-  std::size_t channels = 0;
-  for (std::size_t place = 8; place + 12 <= bytes.size();) {
-    const std::size_t length = number_at(bytes, place);
+  size_t channels = 0;
+  for (size_t place = 8; place + 12 <= bytes.size();) {
+    const size_t length = number_at(bytes, place);
     const std::string kind = bytes.substr(place + 4, 4);
     if (kind == "IHDR") {
       raster.width = number_at(bytes, place + 8);
@@ -183,13 +183,11 @@ Raster read_png(const std::string &bytes) {
     place += length + 12;
   }
   std::string rows = Inflater(packed).inflate();
-  const std::size_t row = raster.width * channels;
+  const size_t row = raster.width * channels;
   if (rows.size() != raster.height * (row + 1)) throw std::runtime_error("PNG: size");
-  const auto value = [&](std::size_t y, std::size_t x) {
-    return static_cast<unsigned char>(rows[y * (row + 1) + 1 + x]);
-  };
-  for (std::size_t y = 0; y < raster.height; ++y) {
-    for (std::size_t x = 0; x < row; ++x) {
+  const auto value = [&](size_t y, size_t x) { return static_cast<unsigned char>(rows[y * (row + 1) + 1 + x]); };
+  for (size_t y = 0; y < raster.height; ++y) {
+    for (size_t x = 0; x < row; ++x) {
       const int left = x >= channels ? value(y, x - channels) : 0;
       const int up = y > 0 ? value(y - 1, x) : 0;
       const int corner = x >= channels && y > 0 ? value(y - 1, x - channels) : 0;
@@ -212,11 +210,11 @@ Raster read_png(const std::string &bytes) {
       }
       rows[y * (row + 1) + 1 + x] = static_cast<char>(value(y, x) + guess);
     }
-    for (std::size_t x = 0; x < raster.width; ++x) {
+    for (size_t x = 0; x < raster.width; ++x) {
       const unsigned opacity = channels == 4 ? value(y, 4 * x + 3) : 255U;
-      for (std::size_t k = 0; k < 3; ++k) {
+      for (size_t k = 0; k < 3; ++k) {
         const unsigned colour = value(y, channels * x + k);
-        raster.rgb.push_back(static_cast<std::uint8_t>((colour * opacity + 255 * (255 - opacity)) / 255));
+        raster.rgb.push_back(static_cast<uint8_t>((colour * opacity + 255 * (255 - opacity)) / 255));
       }
     }
   }

@@ -16,15 +16,15 @@ std::string contents_of(const std::filesystem::path &file) {
   return {std::istreambuf_iterator<char>(input), {}};
 }
 
-int largest_step(const std::uint8_t *a, const std::uint8_t *b) {
+int largest_step(const uint8_t *a, const uint8_t *b) {
   int step = 0;
   for (int k = 0; k < 3; ++k) step = std::max(step, std::abs(a[k] - b[k]));
   return step;
 }
 
-bool has_near(const Raster &picture, std::size_t x, std::size_t y, const std::uint8_t *pixel) {
-  for (std::size_t v = y > 0 ? y - 1 : 0; v <= y + 1 && v < picture.height; ++v) {
-    for (std::size_t u = x > 0 ? x - 1 : 0; u <= x + 1 && u < picture.width; ++u) {
+bool has_near(const Raster &picture, size_t x, size_t y, const uint8_t *pixel) {
+  for (size_t v = y > 0 ? y - 1 : 0; v <= y + 1 && v < picture.height; ++v) {
+    for (size_t u = x > 0 ? x - 1 : 0; u <= x + 1 && u < picture.width; ++u) {
       if (largest_step(picture.pixel(u, v), pixel) <= 64) return true;
     }
   }
@@ -43,25 +43,25 @@ Raster read_ppm(const std::string &bytes) {
       throw std::runtime_error("no PPM");
     }
   }
-  const std::size_t first = static_cast<std::size_t>(read) + 1;
+  const size_t first = static_cast<size_t>(read) + 1;
   if (most != 255 || bytes.size() != first + 3 * raster.width * raster.height) throw std::runtime_error("PPM: size");
-  raster.rgb.assign(bytes.begin() + static_cast<std::ptrdiff_t>(first), bytes.end());
+  raster.rgb.assign(bytes.begin() + static_cast<ptrdiff_t>(first), bytes.end());
   return raster;
 }
 
 RasterDifference difference(const Raster &a, const Raster &b) {
-  const std::size_t width = std::min(a.width, b.width);
-  const std::size_t height = std::min(a.height, b.height);
+  const size_t width = std::min(a.width, b.width);
+  const size_t height = std::min(a.height, b.height);
   if (std::max(a.width, b.width) > width + 1 || std::max(a.height, b.height) > height + 1) {
     throw std::runtime_error("pictures of different sizes");
   }
   double sum = 0;
   double far = 0;
   double displaced = 0;
-  for (std::size_t y = 0; y < height; ++y) {
-    for (std::size_t x = 0; x < width; ++x) {
-      const std::uint8_t *p = a.pixel(x, y);
-      const std::uint8_t *q = b.pixel(x, y);
+  for (size_t y = 0; y < height; ++y) {
+    for (size_t x = 0; x < width; ++x) {
+      const uint8_t *p = a.pixel(x, y);
+      const uint8_t *q = b.pixel(x, y);
       for (int k = 0; k < 3; ++k) sum += std::abs(p[k] - q[k]);
       if (largest_step(p, q) > 96) ++far;
       if (!has_near(b, x, y, p) || !has_near(a, x, y, q)) ++displaced;

@@ -15,13 +15,13 @@ const DrawnView &crambin() {
   static const DrawnView view(read_molecule(bench_molecule("crambin.pdb"), Records::all));
   return view;
 }
-/// Some of its arcs run clockwise, others are seen edge on.
+// Some of its arcs run clockwise, others are seen edge on.
 const DrawnView &caffeine() {
   static const DrawnView view(read_molecule(bench_molecule("caffeine.pdb"), Records::all), {0, 0, 1}, HSP_PIECES_H);
   return view;
 }
 
-hsp_picture_options options_of(std::uint32_t format, std::uint32_t style) {
+hsp_picture_options options_of(uint32_t format, uint32_t style) {
   hsp_picture_options options = picture_options(format, style);
   options.width = 500;
   options.height = 500;
@@ -33,22 +33,22 @@ const char *const description =
     "\xC3\xA9t\xC3\xA9; a long text to be wrapped, a long text to be wrapped, a long text, "
     "a long text to be wrapped, a long text to be wrapped.";
 
-Raster from_svg(const DrawnView &view, std::uint32_t style) {
+Raster from_svg(const DrawnView &view, uint32_t style) {
   const std::string file = view.picture(options_of(HSP_FORMAT_SVG, style), title, description);
   return read_png(run_on(file, "in.svg", "rsvg-convert -o out.png in.svg", "out.png"));
 }
-Raster from_eps(const DrawnView &view, std::uint32_t style) {
+Raster from_eps(const DrawnView &view, uint32_t style) {
   const std::string file = view.picture(options_of(HSP_FORMAT_EPS, style), title, description);
   return read_ppm(run_on(file, "in.eps",
                          "gs -q -dSAFER -dBATCH -dNOPAUSE -dEPSCrop -r96 -dGraphicsAlphaBits=4 -sDEVICE=ppmraw "
                          "-sOutputFile=out.ppm in.eps",
                          "out.ppm"));
 }
-Raster from_pdf(const DrawnView &view, std::uint32_t style) {
+Raster from_pdf(const DrawnView &view, uint32_t style) {
   const std::string file = view.picture(options_of(HSP_FORMAT_PDF, style), title, description);
   return read_ppm(run_on(file, "in.pdf", "pdftoppm -r 96 -singlefile in.pdf out", "out.ppm"));
 }
-Raster from_browser(const DrawnView &view, std::uint32_t style) {
+Raster from_browser(const DrawnView &view, uint32_t style) {
   const std::string file = view.picture(options_of(HSP_FORMAT_SVG, style), title, description);
   const std::string page = "<!DOCTYPE html><html><body style=\"margin:0\">" + file + "</body></html>";
   // It talks about buses and displays that are not there.
@@ -69,7 +69,7 @@ void expect_alike(const Raster &a, const Raster &b, const char *what) {
   EXPECT_LT(found.displaced, 0.002) << what;
 }
 
-class Renderers : public testing::TestWithParam<std::uint32_t> {};
+class Renderers : public testing::TestWithParam<uint32_t> {};
 
 TEST_P(Renderers, AgreeOnSvgAndPdf) {
   if (!has_program("rsvg-convert") || !has_program("pdftoppm")) GTEST_SKIP() << "rsvg-convert or pdftoppm is missing";
@@ -104,7 +104,7 @@ TEST_P(Renderers, FindValidXml) {
 
 INSTANTIATE_TEST_SUITE_P(Styles, Renderers, testing::Values(HSP_STYLE_FLAT, HSP_STYLE_HEADLIGHT, HSP_STYLE_SOFT));
 
-/// The comparison is not blind.
+// The comparison is not blind.
 TEST(RasterComparison, TellsPicturesApart) {
   if (!has_program("pdftoppm")) GTEST_SKIP() << "pdftoppm is missing";
   const DrawnView behind(read_molecule(bench_molecule("crambin.pdb"), Records::all), {0, 0, -1});

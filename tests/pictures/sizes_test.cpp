@@ -10,9 +10,9 @@
 
 namespace {
 
-std::size_t count(const std::string &text, const std::string &part) {
-  std::size_t found = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+size_t count(const std::string &text, const std::string &part) {
+  size_t found = 0;
+  for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
   return found;
 }
 
@@ -31,7 +31,7 @@ TEST(PictureSizes, StayWithinTheirBudgets) {
 
 TEST(PictureSizes, ShadesAreShared) {
   const std::string svg = crambin().picture(picture_options(HSP_FORMAT_SVG, HSP_STYLE_SOFT));
-  const std::size_t shades = count(svg, "<radialGradient id=\"g");
+  const size_t shades = count(svg, "<radialGradient id=\"g");
   EXPECT_LE(shades, 4U * 11U);  // C, N, O, S in so many levels of fog
   EXPECT_GT(shades, 4U);
   EXPECT_EQ(count(svg, "<radialGradient id=\"b"), crambin().pieces().size());
@@ -70,10 +70,10 @@ TEST(PictureSizes, NoLines) {
   EXPECT_EQ(count(crambin().picture(options), "B\n"), 0U);
 }
 
-/// To EPS and PDF a line of width 0 is a hairline: what would be written as 0 is no line.
+// To EPS and PDF a line of width 0 is a hairline: what would be written as 0 is no line.
 TEST(PictureSizes, LinesTooThinToWriteAreNone) {
-  for (const std::uint32_t format : {HSP_FORMAT_SVG, HSP_FORMAT_EPS, HSP_FORMAT_PDF}) {
-    for (const std::uint32_t style : {HSP_STYLE_FLAT, HSP_STYLE_SOFT}) {
+  for (const uint32_t format : {HSP_FORMAT_SVG, HSP_FORMAT_EPS, HSP_FORMAT_PDF}) {
+    for (const uint32_t style : {HSP_STYLE_FLAT, HSP_STYLE_SOFT}) {
       hsp_picture_options options = picture_options(format, style);
       options.outline = 0;
       const std::string without = crambin().picture(options);
@@ -87,7 +87,7 @@ TEST(PictureSizes, LinesTooThinToWriteAreNone) {
   }
 }
 
-/// The chosen width: .9 px where the mean radius is 34 px.
+// The chosen width: .9 px where the mean radius is 34 px.
 TEST(PictureSizes, LinesSuitTheBalls) {
   const DrawnView one({{0, 0, 0, 1000}});
   hsp_picture_options options = picture_options(HSP_FORMAT_SVG, HSP_STYLE_FLAT);
@@ -95,7 +95,7 @@ TEST(PictureSizes, LinesSuitTheBalls) {
   for (const double radius : {1.0, 10.0, 34.0, 60.0, 500.0}) {
     options.width = 2 * radius;
     const std::string text = one.picture(options);
-    const std::size_t at = text.find("stroke-width=\"");
+    const size_t at = text.find("stroke-width=\"");
     ASSERT_NE(at, std::string::npos);
     const double expected = 0.9 * std::fmin(1.9, std::fmax(0.45, std::sqrt(radius / 34)));
     EXPECT_NEAR(std::stod(text.substr(at + 14)), expected, 6e-5);
@@ -123,7 +123,7 @@ TEST(PicturePages, FollowFromTheOtherSide) {
   EXPECT_NEAR(file.height, 100 / 25.4 * 96, 1e-5);
 }
 
-/// Neither a page without a width nor one without a height; what is smaller than 0.01 counts as that.
+// Neither a page without a width nor one without a height; what is smaller than 0.01 counts as that.
 TEST(PicturePages, HaveAWidthAndAHeight) {
   const DrawnView wide({{0, 0, 0, 1000}, {6000, 0, 0, 1000}});
   hsp_picture_options options = picture_options(HSP_FORMAT_SVG, HSP_STYLE_FLAT);
@@ -147,7 +147,7 @@ TEST(PicturePages, HaveAWidthAndAHeight) {
 
 TEST(PicturePages, CanBeExtreme) {
   const DrawnView apart({{0, 0, 0, 1}, {int64_t{1} << 49, 0, 0, 1}});
-  for (const std::uint32_t format : {HSP_FORMAT_SVG, HSP_FORMAT_EPS, HSP_FORMAT_PDF}) {
+  for (const uint32_t format : {HSP_FORMAT_SVG, HSP_FORMAT_EPS, HSP_FORMAT_PDF}) {
     for (const double size : {1e-9, 1e6}) {
       for (const bool upright : {false, true}) {
         hsp_picture_options options = picture_options(format, HSP_STYLE_SOFT);
@@ -162,9 +162,9 @@ TEST(PicturePages, CanBeExtreme) {
   }
 }
 
-/// Gradients of balls that are smaller than any number in the file: renderers fail on a scale of 0.
+// Gradients of balls that are smaller than any number in the file: renderers fail on a scale of 0.
 TEST(PicturePages, NoGradientIsScaledToNothing) {
-  const DrawnView apart({{0, 0, 0, 1}, {std::int64_t{1} << 49, 0, 0, 1}});
+  const DrawnView apart({{0, 0, 0, 1}, {int64_t{1} << 49, 0, 0, 1}});
   hsp_picture_options options = picture_options(HSP_FORMAT_SVG, HSP_STYLE_SOFT);
   options.fog = 0;
   EXPECT_EQ(count(apart.picture(options), ")scale(.01)"), 2U);
@@ -184,19 +184,19 @@ TEST(PicturePages, BoundingBoxesAreRoundedUp) {
   EXPECT_NE(text.find("\n%%HiResBoundingBox: 0 0 75.075 150\n"), std::string::npos);
 }
 
-/// A PostScript comment goes on with %%+, as lines have at most 255 characters.
+// A PostScript comment goes on with %%+, as lines have at most 255 characters.
 TEST(PicturePages, LongTitlesTakeSeveralLines) {
   const DrawnView one({{0, 0, 0, 1000}});
   const std::string title(250, 't');
   const std::string text = one.picture(picture_options(HSP_FORMAT_EPS, HSP_STYLE_FLAT), title.c_str());
-  const auto part = [&](std::size_t first) { return std::string(1, '(').append(title, first, 120).append(")\n"); };
+  const auto part = [&](size_t first) { return std::string(1, '(').append(title, first, 120).append(")\n"); };
   EXPECT_NE(text.find("\n%%Title: " + part(0) + "%%+ " + part(120) + "%%+ " + part(240) + "%%Creator"),
             std::string::npos);
 }
 
-/// However narrow the balls' box is, a side that follows from the other one is neither nothing nor endless.
+// However narrow the balls' box is, a side that follows from the other one is neither nothing nor endless.
 TEST(PicturePages, SidesThatFollowHaveBounds) {
-  const std::int64_t far = std::int64_t{1} << 49;
+  const int64_t far = int64_t{1} << 49;
   const DrawnView wide({{0, 0, 0, 1}, {far, 0, 0, 1}});
   const DrawnView high({{0, 0, 0, 1}, {0, far, 0, 1}});
   hsp_picture_options options = picture_options(HSP_FORMAT_SVG, HSP_STYLE_FLAT);
@@ -210,13 +210,13 @@ TEST(PicturePages, SidesThatFollowHaveBounds) {
   EXPECT_NE(high.picture(options).find(" width=\".01px\""), std::string::npos);
 }
 
-/// The headlight's shades are a + b sqrt(1 - rho^2) at the offsets, and linear in between within the promised .0034.
+// The headlight's shades are a + b sqrt(1 - rho^2) at the offsets, and linear in between within the promised .0034.
 TEST(PictureShades, FollowLambertsLaw) {
   const DrawnView one({{0, 0, 0, 1000}});
   const std::string text = one.picture(picture_options(HSP_FORMAT_SVG, HSP_STYLE_HEADLIGHT));
   std::vector<double> offset;
   std::vector<double> level;
-  for (std::size_t at = text.find("<stop "); at != std::string::npos; at = text.find("<stop ", at + 1)) {
+  for (size_t at = text.find("<stop "); at != std::string::npos; at = text.find("<stop ", at + 1)) {
     offset.push_back(std::stod(text.substr(text.find("offset=\"", at) + 8)));
     level.push_back(static_cast<double>(std::stoul(text.substr(text.find("#", at) + 1, 2), nullptr, 16)));
   }
@@ -226,7 +226,7 @@ TEST(PictureShades, FollowLambertsLaw) {
   const double rim = level.back();
   const double rise = level.front() - rim;
   ASSERT_GT(rise, 50);
-  for (std::size_t k = 0; k + 1 < offset.size(); ++k) {
+  for (size_t k = 0; k + 1 < offset.size(); ++k) {
     ASSERT_LT(offset[k], offset[k + 1]);
     for (int i = 0; i <= 100; ++i) {
       const double share = i / 100.0;

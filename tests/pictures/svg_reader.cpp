@@ -11,9 +11,9 @@ namespace {
 
 std::string attribute(const std::string &element, const std::string &name) {
   const std::string key = " " + name + "=\"";
-  const std::size_t from = element.find(key);
+  const size_t from = element.find(key);
   if (from == std::string::npos) return "";
-  const std::size_t first = from + key.size();
+  const size_t first = from + key.size();
   return element.substr(first, element.find('"', first) - first);
 }
 
@@ -54,12 +54,12 @@ class PathReader {
   double number() {
     char *end = nullptr;
     const double value = std::strtod(text_.c_str() + place_, &end);
-    const auto read = static_cast<std::size_t>(end - text_.c_str());
+    const auto read = static_cast<size_t>(end - text_.c_str());
     if (read == place_) throw std::runtime_error("svg: no number in " + text_.substr(place_, 20));
     place_ = read;
     return value;
   }
-  /// With y up.
+  // With y up.
   PagePoint point() {
     const double x = number();
     return {x, height_ - number()};
@@ -93,7 +93,7 @@ class PathReader {
     if (large == counter_clockwise) away = -away;
     const double p = -v * away;
     const double q = u * away;
-    for (std::size_t k = 0; k < 2; ++k) {
+    for (size_t k = 0; k < 2; ++k) {
       arc.axis[0][k] = a * (k == 0 ? c : s);
       arc.axis[1][k] = b * (k == 0 ? -s : c);
       arc.centre[k] = (arc.start[k] + arc.end[k]) / 2 + p * arc.axis[0][k] + q * arc.axis[1][k];
@@ -107,7 +107,7 @@ class PathReader {
 
   const std::string &text_;
   double height_;
-  std::size_t place_ = 0;
+  size_t place_ = 0;
   PagePoint here_{};
   std::vector<Loop> loops_;
 };
@@ -116,9 +116,9 @@ class PathReader {
 
 PictureFile read_svg(const std::string &text) {
   PictureFile file;
-  std::size_t place = 0;
+  size_t place = 0;
   while ((place = text.find('<', place)) != std::string::npos) {
-    const std::size_t end = text.find('>', place);
+    const size_t end = text.find('>', place);
     if (end == std::string::npos) throw std::runtime_error("svg: an element without end");
     const std::string element = text.substr(place, end - place);
     place = end;
@@ -130,7 +130,7 @@ PictureFile read_svg(const std::string &text) {
     PaintedPath path;
     path.paint = attribute(element, "fill");
     const std::string ball = attribute(element, "data-ball");
-    if (!ball.empty()) path.ball = static_cast<std::uint32_t>(std::stoul(ball));
+    if (!ball.empty()) path.ball = static_cast<uint32_t>(std::stoul(ball));
     path.loops = PathReader(attribute(element, "d"), file.height).read();
     file.paths.push_back(path);
   }

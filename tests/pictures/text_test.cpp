@@ -14,12 +14,12 @@ namespace {
 
 struct Kept {
   std::string text;
-  std::size_t largest = 0;
-  std::size_t room = SIZE_MAX;
+  size_t largest = 0;
+  size_t room = SIZE_MAX;
   int calls = 0;
 };
 
-std::int32_t keep(void *context, const char *bytes, std::size_t count) {
+int32_t keep(void *context, const char *bytes, size_t count) {
   Kept &kept = *static_cast<Kept *>(context);
   ++kept.calls;
   kept.largest = std::max(kept.largest, count);
@@ -37,7 +37,7 @@ std::string text_of(Put put) {
   return kept.text;
 }
 
-/// What printf writes, without zeros that say nothing.
+// What printf writes, without zeros that say nothing.
 std::string by_printf(double value, int decimals) {
   char buffer[400];
   std::snprintf(buffer, sizeof buffer, "%.*f", decimals, value);
@@ -92,14 +92,14 @@ TEST(Numbers, OfNote) {
   EXPECT_EQ(text_of([](hsp::ByteSink &sink) { hsp::put_colour(sink, 0x0A1B2C); }), "0a1b2c");
 }
 
-/// The headlight's stops before they are rounded to colours: linear in between, within .0034 of the light's range.
+// The headlight's stops before they are rounded to colours: linear in between, within .0034 of the light's range.
 TEST(Shades, OfTheHeadlightAreWhereTheyServeBest) {
   const hsp::Shading shading(false);
-  const auto light = [&](std::uint32_t stop) { return shading.lit({{255, 255, 255}}, stop).channel[1]; };
+  const auto light = [&](uint32_t stop) { return shading.lit({{255, 255, 255}}, stop).channel[1]; };
   const double rim = light(shading.intervals());
   const double rise = light(0) - rim;
   double worst = 0;
-  for (std::uint32_t k = 0; k < shading.intervals(); ++k) {
+  for (uint32_t k = 0; k < shading.intervals(); ++k) {
     for (int i = 0; i <= 100; ++i) {
       const double share = i / 100.0;
       const double rho = shading.offset(k) + (shading.offset(k + 1) - shading.offset(k)) * share;
@@ -129,7 +129,7 @@ TEST(Texts, ForXml) {
 }
 
 TEST(Texts, InParentheses) {
-  const auto parenthesized = [](const char *text, std::uint32_t most) {
+  const auto parenthesized = [](const char *text, uint32_t most) {
     return text_of([&](hsp::ByteSink &sink) { sink.put(hsp::put_parenthesized(sink, text, most)); });
   };
   EXPECT_EQ(parenthesized("a(b)\\c", 0), "(a\\(b\\)\\\\c)");
@@ -142,11 +142,11 @@ TEST(Texts, InParentheses) {
 }
 
 TEST(ByteSinks, HandOnAllBytesInBlocks) {
-  for (const std::size_t count : {0U, 1U, 1023U, 1024U, 1025U, 2048U, 5000U}) {
+  for (const size_t count : {0U, 1U, 1023U, 1024U, 1025U, 2048U, 5000U}) {
     Kept kept;
     hsp::ByteSink sink(keep, &kept);
     std::string expected;
-    for (std::size_t k = 0; k < count; ++k) {
+    for (size_t k = 0; k < count; ++k) {
       expected += static_cast<char>('a' + k % 26);
       sink.put(expected.back());
       ASSERT_EQ(sink.position(), k + 1);
@@ -161,7 +161,7 @@ TEST(ByteSinks, HandOnAllBytesInBlocks) {
 }
 
 TEST(ByteSinks, StopWhereTheFunctionRefuses) {
-  for (const std::size_t room : {0U, 1U, 1023U, 1024U, 1025U, 3000U, 3072U}) {
+  for (const size_t room : {0U, 1U, 1023U, 1024U, 1025U, 3000U, 3072U}) {
     Kept kept;
     kept.room = room;
     hsp::ByteSink sink(keep, &kept);

@@ -1,6 +1,5 @@
 /* Parts of the program interface_bits: what it prints of one set of balls. */
-#ifndef HSP_TESTS_INTERFACE_BITS_H
-#define HSP_TESTS_INTERFACE_BITS_H
+#pragma once
 
 #include "computed.h"
 
@@ -22,5 +21,3 @@ void print_topology(const computed *c);
 
 /* Pieces, loops and arcs of several views; bytes of pictures as hashes; colours. */
 void print_views(const computed *c);
-
-#endif

@@ -16,7 +16,7 @@ using Row = std::vector<std::string>;
 // The rows of a text whose lines end with LF; nothing if a quote stands where none may.
 std::optional<std::vector<Row>> read_table(const std::string &text) {
   std::vector<Row> rows;
-  std::size_t at = 0;
+  size_t at = 0;
   while (at < text.size()) {
     Row row(1);
     while (at < text.size() && text[at] != '\n') {
@@ -101,7 +101,7 @@ TEST(CommaSeparated, NumbersAreThoseOfJson) {
       {"1", "H1", "H", "A", "HOH", "1", "", "0.75700000000000001", "0.58599999999999997", "0", "1.1000000000000001"},
       {"2", "H2", "H", "A", "HOH", "1", "", "-0.75700000000000001", "0.58599999999999997", "0", "1.1000000000000001"}};
   const Row weights = {"1", "-0.5", "2"};
-  for (std::size_t i = 0; i < 3; ++i) {
+  for (size_t i = 0; i < 3; ++i) {
     const Json &ball = balls.items[i];
     Row expected = expected_begin[i] + Row{ball["area"].text, weights[i]};
     for (const char *key :
@@ -115,7 +115,7 @@ TEST(CommaSeparated, NumbersAreThoseOfJson) {
 
 TEST(CommaSeparated, WhatIsNotFiniteIsEmpty) {
   const std::vector<Row> rows = run_csv({"good/water.pdb", "--gradient", "--weights", "good/huge.weights"});
-  for (std::size_t i = 1; i < rows.size(); ++i) EXPECT_EQ(rows[i].back(), "");
+  for (size_t i = 1; i < rows.size(); ++i) EXPECT_EQ(rows[i].back(), "");
 }
 
 TEST(CommaSeparated, NamesAreQuoted) {
@@ -135,7 +135,7 @@ TEST(CommaSeparated, Groups) {
   ASSERT_EQ(residues.size(), 13u);
   EXPECT_EQ(residues[0], (Row{"chain", "residue", "number", "insertion", "atoms", "area"}));
   const Json json = run_json({"measure", "good/residues.pdb", "--by", "residue"})["residues"];
-  for (std::size_t i = 0; i < json.items.size(); ++i) {
+  for (size_t i = 0; i < json.items.size(); ++i) {
     EXPECT_EQ(residues[i + 1][2], json.items[i]["number"].text);
     EXPECT_EQ(residues[i + 1][3], json.items[i]["insertion"].text);
     EXPECT_EQ(residues[i + 1][5], json.items[i]["area"].text);

@@ -26,7 +26,7 @@ TEST(DrawColours, EveryBallHasTheColourOfItsElement) {
       const std::map<int, std::string> found = fills(file, {"--palette", palette});
       EXPECT_GT(found.size(), atoms.size() / 2);
       for (const auto &[ball, colour] : found) {
-        EXPECT_EQ(colour, colour_of.at(atoms.at(static_cast<std::size_t>(ball)).substr(76, 2))) << palette << ball;
+        EXPECT_EQ(colour, colour_of.at(atoms.at(static_cast<size_t>(ball)).substr(76, 2))) << palette << ball;
       }
     }
   }
@@ -41,7 +41,7 @@ TEST(DrawColours, AtomicNumbers) {
       {"Mt", "EB0026"}, {"Og", "FF1493"}, {"D", "FFFFFF"},  {"Qq", "FF1493"}};
   std::string text = std::to_string(elements.size()) + "\ntitle\n";
   std::string radii;
-  for (std::size_t i = 0; i < elements.size(); ++i) {
+  for (size_t i = 0; i < elements.size(); ++i) {
     text += elements[i].first + " " + std::to_string(5 * i) + " 0 0\n";
     if (elements[i].first != "D") radii += (radii.empty() ? "" : ",") + elements[i].first + "=1";
   }
@@ -49,8 +49,7 @@ TEST(DrawColours, AtomicNumbers) {
   const std::map<int, std::string> found = fills(file.path(), {"--palette", "jmol", "--radius", radii});
   ASSERT_EQ(found.size(), elements.size());
   for (const auto &[ball, colour] : found) {
-    EXPECT_EQ(colour, elements[static_cast<std::size_t>(ball)].second)
-        << elements[static_cast<std::size_t>(ball)].first;
+    EXPECT_EQ(colour, elements[static_cast<size_t>(ball)].second) << elements[static_cast<size_t>(ball)].first;
   }
 }
 
@@ -58,7 +57,7 @@ TEST(DrawColours, AtomicNumbers) {
 TEST(DrawColours, Chains) {
   const auto file_of = [](const std::string &chains) {
     std::string text;
-    for (std::size_t i = 0; i < chains.size(); ++i) {
+    for (size_t i = 0; i < chains.size(); ++i) {
       char line[100];
       std::snprintf(line, sizeof line, "ATOM  %5d  CA  ALA %c   1    %8.3f%8.3f%8.3f  1.00  0.00           C\n",
                     static_cast<int>(i), chains[i], 5.0 * static_cast<double>(i), 0.0, 0.0);
@@ -74,7 +73,7 @@ TEST(DrawColours, Chains) {
   EXPECT_EQ(std::set<std::string>({tint.at(0), tint.at(1), tint.at(2), tint.at(3)}).size(), 4u);
   const std::vector<int> expected = {0, 1, 2, 0, 3, 1, 2};
   ASSERT_EQ(found.size(), expected.size());
-  for (const auto &[ball, colour] : found) EXPECT_EQ(colour, tint.at(expected[static_cast<std::size_t>(ball)])) << ball;
+  for (const auto &[ball, colour] : found) EXPECT_EQ(colour, tint.at(expected[static_cast<size_t>(ball)])) << ball;
   // Palettes by element take no notice.
   for (const auto &[ball, colour] : fills(file.path(), {})) EXPECT_EQ(colour, "D2CDC3") << ball;
 }

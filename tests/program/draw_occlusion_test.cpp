@@ -39,7 +39,7 @@ TEST(DrawOcclusion, DarkensWhatIsBuried) {
   int exposed_count = 0;
   for (const auto &[ball, colour] : full) {
     const double part = brightness(colour) / brightness(plain.at(ball));
-    const double area = balls.items.at(static_cast<std::size_t>(ball))["area"].number;
+    const double area = balls.items.at(static_cast<size_t>(ball))["area"].number;
     if (area == 0) buried += part, ++buried_count;
     if (area > 60) exposed += part, ++exposed_count;
   }

@@ -35,9 +35,9 @@ std::string drawn(const std::string &file, const std::vector<std::string> &optio
   return std::filesystem::exists(out.path()) ? read_file(out.path()) : "";
 }
 
-std::size_t occurrences(const std::string &text, const std::string &part) {
-  std::size_t count = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++count;
+size_t occurrences(const std::string &text, const std::string &part) {
+  size_t count = 0;
+  for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++count;
   return count;
 }
 
@@ -87,10 +87,10 @@ TEST(Draw, TheOrderOfAtomsChangesNothingButIds) {
     const std::string expected = drawn(crambin(), options);
     std::string found = drawn(other.path(), options);
     std::string renamed;
-    std::size_t begin = 0;
+    size_t begin = 0;
     int ids = 0;
     const std::string key = "data-ball=\"";
-    for (std::size_t at = found.find(key); at != std::string::npos; at = found.find(key, begin), ++ids) {
+    for (size_t at = found.find(key); at != std::string::npos; at = found.find(key, begin), ++ids) {
       at += key.size();
       renamed += found.substr(begin, at - begin) + std::to_string(326 - std::stoi(found.substr(at)));
       begin = found.find('"', at);
@@ -316,9 +316,9 @@ TEST(Draw, ProgressOnTerminalsOnly) {
   EXPECT_NE(watched->err.find("\rcutting"), std::string::npos) << watched->err;
   EXPECT_NE(watched->err.find("\rwriting"), std::string::npos) << watched->err;
   EXPECT_EQ(watched->err.find('\n'), std::string::npos) << watched->err;
-  const std::size_t last = watched->err.size() - 1;
+  const size_t last = watched->err.size() - 1;
   EXPECT_EQ(watched->err[last], '\r');
-  const std::size_t before = watched->err.rfind('\r', last - 1);
+  const size_t before = watched->err.rfind('\r', last - 1);
   EXPECT_EQ(watched->err.find_first_not_of(' ', before + 1), last);
 }
 

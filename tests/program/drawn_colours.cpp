@@ -35,7 +35,7 @@ std::map<int, std::string> fills(const std::string &file, std::vector<std::strin
   const std::string svg = drawn(file, options);
   const std::string path = "<path data-ball=\"";
   std::map<int, std::string> found;
-  for (std::size_t at = svg.find(path); at != std::string::npos; at = svg.find(path, at + 1)) {
+  for (size_t at = svg.find(path); at != std::string::npos; at = svg.find(path, at + 1)) {
     int ball = -1;
     char colour[7] = "";
     EXPECT_EQ(std::sscanf(svg.c_str() + at + path.size(), "%d\" fill=\"#%6[0-9A-Fa-f]\"", &ball, colour), 2);
@@ -47,6 +47,6 @@ std::map<int, std::string> fills(const std::string &file, std::vector<std::strin
 
 double brightness(const std::string &colour) {
   double sum = 0;
-  for (std::size_t at = 0; at < 6; at += 2) sum += std::stoi(colour.substr(at, 2), nullptr, 16);
+  for (size_t at = 0; at < 6; at += 2) sum += std::stoi(colour.substr(at, 2), nullptr, 16);
   return sum;
 }

@@ -47,14 +47,14 @@ TEST(Examples, WalkShellVisitsATorus) {
             3)
       << lines.back();
   EXPECT_EQ(vertices - edges + faces, 0);
-  ASSERT_EQ(lines.size(), static_cast<std::size_t>(faces) + 2);
-  std::vector<std::vector<int>> across(static_cast<std::size_t>(faces));
-  std::vector<bool> seen(static_cast<std::size_t>(faces));
+  ASSERT_EQ(lines.size(), static_cast<size_t>(faces) + 2);
+  std::vector<std::vector<int>> across(static_cast<size_t>(faces));
+  std::vector<bool> seen(static_cast<size_t>(faces));
   int sides = 0;
-  for (std::size_t i = 1; i + 1 < lines.size(); ++i) {
+  for (size_t i = 1; i + 1 < lines.size(); ++i) {
     std::istringstream line(lines[i]);
     std::string word;
-    std::size_t face = 0;
+    size_t face = 0;
     line >> word >> face;
     ASSERT_LT(face, across.size());
     EXPECT_TRUE(i == 1 || seen[face]) << lines[i];
@@ -62,13 +62,13 @@ TEST(Examples, WalkShellVisitsATorus) {
     line.ignore(200, ':');
     for (int other = 0; line >> other; ++sides) {
       across[face].push_back(other);
-      seen[static_cast<std::size_t>(other)] = true;
+      seen[static_cast<size_t>(other)] = true;
     }
     EXPECT_GE(across[face].size(), 2u);
   }
   EXPECT_EQ(sides, 2 * edges);
-  for (std::size_t a = 0; a < across.size(); ++a) {
-    for (std::size_t b = 0; b < across.size(); ++b) {
+  for (size_t a = 0; a < across.size(); ++a) {
+    for (size_t b = 0; b < across.size(); ++b) {
       EXPECT_EQ(std::count(across[a].begin(), across[a].end(), static_cast<int>(b)),
                 std::count(across[b].begin(), across[b].end(), static_cast<int>(a)));
     }
@@ -166,16 +166,16 @@ TEST(Examples, YourPlotterShowsWhatIsInFront) {
   EXPECT_NEAR(box[3], high[1] - low[1] + 0.2, 1e-3);
 
   struct Piece {
-    std::size_t ball;
+    size_t ball;
     std::vector<std::vector<std::pair<double, double>>> loops;
   };
   std::vector<Piece> pieces;
-  for (std::size_t i = 1; i + 1 < lines.size(); ++i) {
+  for (size_t i = 1; i + 1 < lines.size(); ++i) {
     unsigned ball = 0;
     ASSERT_EQ(std::sscanf(lines[i].c_str(), "<path data-ball=\"%u\"", &ball), 1) << lines[i];
     ASSERT_LT(ball, balls.size());
     Piece piece{ball, {}};
-    const std::size_t begin = lines[i].find(" d=\"") + 4;
+    const size_t begin = lines[i].find(" d=\"") + 4;
     std::istringstream loops(lines[i].substr(begin, lines[i].rfind('"') - begin));
     for (std::string loop; std::getline(loops, loop, 'Z');) {
       ASSERT_EQ(loop.at(0), 'M');
@@ -192,7 +192,7 @@ TEST(Examples, YourPlotterShowsWhatIsInFront) {
   const auto inside = [](const Piece &piece, double x, double y) {
     bool odd = false;
     for (const auto &loop : piece.loops) {
-      for (std::size_t i = 0; i < loop.size(); ++i) {
+      for (size_t i = 0; i < loop.size(); ++i) {
         const auto &[x0, y0] = loop[i];
         const auto &[x1, y1] = loop[(i + 1) % loop.size()];
         if ((y0 > y) != (y1 > y) && x < x0 + (y - y0) / (y1 - y0) * (x1 - x0)) odd = !odd;
@@ -206,16 +206,16 @@ TEST(Examples, YourPlotterShowsWhatIsInFront) {
   for (int at = 0; at < steps * steps; ++at) {
     const double x = low[0] + (high[0] - low[0]) * (at % steps + 0.5) / steps;
     const double y = low[1] + (high[1] - low[1]) * (at / steps + 0.5) / steps;
-    std::size_t nearest = balls.size();
+    size_t nearest = balls.size();
     double height = -1e9;
-    for (std::size_t i = 0; i < balls.size(); ++i) {
+    for (size_t i = 0; i < balls.size(); ++i) {
       const double rest = balls[i].r * balls[i].r - std::pow(x - balls[i].x, 2) - std::pow(y - balls[i].y, 2);
       if (rest > 0 && balls[i].z + std::sqrt(rest) > height) {
         height = balls[i].z + std::sqrt(rest);
         nearest = i;
       }
     }
-    std::size_t painted = balls.size();
+    size_t painted = balls.size();
     for (const Piece &piece : pieces) {
       if (inside(piece, x, y)) painted = piece.ball;
     }
@@ -241,7 +241,7 @@ TEST(Examples, FramesOfAKnownTrajectory) {
     const double sphere = 4 * pi * r * r;
     for (int frame = 1; frame <= 2; ++frame) {
       const double h = 0.5 * frame;  // of the circle's plane, from both centres
-      const std::vector<double> row = numbers_of(lines[static_cast<std::size_t>(frame)]);
+      const std::vector<double> row = numbers_of(lines[static_cast<size_t>(frame)]);
       ASSERT_EQ(row.size(), 5u);
       EXPECT_EQ(row[0], frame);
       EXPECT_EQ(row[1], 2);
@@ -271,7 +271,7 @@ TEST(Examples, FramesShareTheirMemory) {
   ASSERT_EQ(lines.size(), 5u) << outcome.err;
   EXPECT_EQ(lines[4], "# frames: 3; memory sized: 1");
   const Json measure = run_json({"measure", molecules_folder() + "/crambin.pdb", "--probe", "1.4"});
-  for (std::size_t frame = 1; frame <= 3; ++frame) {
+  for (size_t frame = 1; frame <= 3; ++frame) {
     EXPECT_NEAR(numbers_of(lines[frame])[2], measure["area"].number, 1e-6);
     EXPECT_NEAR(numbers_of(lines[frame])[3], measure["volume"].number, 1e-6);
   }

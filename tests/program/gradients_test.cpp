@@ -56,12 +56,12 @@ TEST(Gradients, TwoBallsInClosedForm) {
   const double sign[2] = {-1, 1};
   const double area_dr[2] = {by_r1, by_r2};
   const double volume_dr[2] = {2 * pi * r1 * (r1 + h1), 2 * pi * r2 * (r2 + h2)};
-  for (std::size_t i = 0; i < 2; ++i) {
+  for (size_t i = 0; i < 2; ++i) {
     const std::vector<double> of_area = vector_of(balls.items[i]["area_gradient"]);
     const std::vector<double> of_volume = vector_of(balls.items[i]["volume_gradient"]);
     EXPECT_NEAR(of_area[0], sign[i] * area_slope, 1e-13 * area_slope);
     EXPECT_NEAR(of_volume[0], sign[i] * volume_slope, 1e-13 * volume_slope);
-    for (std::size_t axis = 1; axis < 3; ++axis) {
+    for (size_t axis = 1; axis < 3; ++axis) {
       EXPECT_NEAR(of_area[axis], 0, 1e-14);
       EXPECT_NEAR(of_volume[axis], 0, 1e-14);
     }
@@ -92,10 +92,10 @@ TEST(Gradients, AreDifferenceQuotients) {
   const Json exact = run_json({"measure", base.path(), "--gradient", "--weights", weights.path()});
   ASSERT_EQ(exact["balls"].items.size(), balls.size());
   const double step = 2e-5;
-  for (std::size_t i = 0; i < balls.size(); ++i) {
-    for (std::size_t variable = 0; variable < 4; ++variable) {
+  for (size_t i = 0; i < balls.size(); ++i) {
+    for (size_t variable = 0; variable < 4; ++variable) {
       std::array<Json, 2> moved;
-      for (std::size_t side = 0; side < 2; ++side) {
+      for (size_t side = 0; side < 2; ++side) {
         std::vector<Ball> others = balls;
         others[i][variable] += side == 0 ? -step : step;
         const TemporaryFile file("moved.xyzr", write_balls(others));
@@ -104,7 +104,7 @@ TEST(Gradients, AreDifferenceQuotients) {
       const Json &ball = exact["balls"].items[i];
       const std::array<const char *, 3> totals = {"area", "volume", "weighted_area"};
       const std::array<const char *, 3> names = {"area", "volume", "weighted"};
-      for (std::size_t k = 0; k < 3; ++k) {
+      for (size_t k = 0; k < 3; ++k) {
         const double quotient = (moved[1][totals[k]].number - moved[0][totals[k]].number) / (2 * step);
         EXPECT_NEAR(derivatives(ball, names[k])[variable], quotient, 1e-6)
             << names[k] << " of ball " << i << " by variable " << variable;
@@ -128,7 +128,7 @@ TEST(Gradients, WeightedAreaIsTheSum) {
   const Json json = run_json({"measure", "good/water.pdb", "--per-ball", "--weights", "good/water.weights"});
   const double weight[3] = {1, -0.5, 2};
   double sum = 0;
-  for (std::size_t i = 0; i < 3; ++i) sum += weight[i] * json["balls"].items[i]["area"].number;
+  for (size_t i = 0; i < 3; ++i) sum += weight[i] * json["balls"].items[i]["area"].number;
   EXPECT_NEAR(json["weighted_area"].number, sum, 1e-14 * std::abs(sum));
 }
 
@@ -150,7 +150,7 @@ TEST(Gradients, KeepTheLawsOfMotionOnCrambin) {
       double sum[3] = {0, 0, 0};
       double largest = 0;
       for (const Json &ball : balls.items) {
-        for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (size_t axis = 0; axis < 3; ++axis) {
           sum[axis] += ball[key].items[axis].number;
           largest = std::max(largest, std::abs(ball[key].items[axis].number));
         }

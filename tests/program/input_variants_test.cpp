@@ -22,7 +22,7 @@ std::vector<Variant> all_variants() {
   for (const auto &entry : std::filesystem::directory_iterator(inputs_folder() + "/good")) {
     const std::string stem = entry.path().stem().string();
     const std::string extension = entry.path().extension().string();
-    const std::size_t underscore = stem.find('_');
+    const size_t underscore = stem.find('_');
     if (underscore == std::string::npos || entry.path().filename().string().front() == '.') continue;
     const std::string base = "good/" + stem.substr(0, underscore) + extension;
     if (std::filesystem::exists(inputs_folder() + "/" + base)) {

@@ -119,7 +119,7 @@ class Reader {
   bool read_escape(std::string &string) {
     static constexpr std::string_view letters = "\"\\/bfnrt";
     static constexpr std::string_view meanings = "\"\\/\b\f\n\r\t";
-    const std::size_t which = letters.find(peek());
+    const size_t which = letters.find(peek());
     if (at_ < text_.size() && which != std::string_view::npos) {
       ++at_;
       string.push_back(meanings[which]);
@@ -130,7 +130,7 @@ class Reader {
     for (int i = 0; i < 4; ++i) {
       static constexpr std::string_view digits = "0123456789abcdef";
       const char c = peek();
-      const std::size_t digit = digits.find(c >= 'A' && c <= 'F' ? static_cast<char>(c - 'A' + 'a') : c);
+      const size_t digit = digits.find(c >= 'A' && c <= 'F' ? static_cast<char>(c - 'A' + 'a') : c);
       if (at_ == text_.size() || digit == std::string_view::npos) return false;
       code = 16 * code + static_cast<unsigned>(digit);
       ++at_;
@@ -153,18 +153,18 @@ class Reader {
     }
   }
 
-  std::size_t digits() {
-    const std::size_t begin = at_;
+  size_t digits() {
+    const size_t begin = at_;
     while (peek() >= '0' && peek() <= '9') ++at_;
     return at_ - begin;
   }
 
   // -? (0 | [1-9][0-9]*) (. [0-9]+)? ([eE] [+-]? [0-9]+)?
   bool read_number(Json &value) {
-    const std::size_t begin = at_;
+    const size_t begin = at_;
     take('-');
     const bool zero = peek() == '0';
-    const std::size_t whole = digits();
+    const size_t whole = digits();
     if (whole == 0 || (zero && whole > 1)) return false;
     if (take('.') && digits() == 0) return false;
     if (peek() == 'e' || peek() == 'E') {
@@ -179,14 +179,14 @@ class Reader {
   }
 
   std::string_view text_;
-  std::size_t at_ = 0;
+  size_t at_ = 0;
 };
 
 }  // namespace
 
 const Json &Json::operator[](const std::string &key) const {
   static const Json none;
-  for (std::size_t i = 0; i < keys.size(); ++i) {
+  for (size_t i = 0; i < keys.size(); ++i) {
     if (keys[i] == key) return items[i];
   }
   return none;

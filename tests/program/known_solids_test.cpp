@@ -105,7 +105,7 @@ TEST(KnownSolids, TwoBallsThatOverlap) {
                  sphere_volume(2) - cap_volume(2, lost[0]) + sphere_volume(1.5) - cap_volume(1.5, lost[1]));
   const Json json = run_json({"measure", "good/two.xyzr", "--per-ball"});
   ASSERT_EQ(json["balls"].items.size(), 2u);
-  for (std::size_t i = 0; i < 2; ++i) expect_close(json["balls"].items[i]["area"].number, area[i]);
+  for (size_t i = 0; i < 2; ++i) expect_close(json["balls"].items[i]["area"].number, area[i]);
   expect_boundary({"good/two.xyzr"}, {2, 0, 0, 1, 2, 2, 1, 1, 0, 2});
 
   const Json model = run_json({"model", "good/two.xyzr"});

@@ -100,7 +100,7 @@ TEST(Number, TiesAndWhatBreaksThem) {
   const double above = 9007199254740994.0;
   EXPECT_EQ(parsed("9007199254740993"), below);
   for (const int zeros : {0, 1, 20, 700, 783, 784, 785, 799, 800, 801, 5000}) {
-    const std::string many(static_cast<std::size_t>(zeros), '0');
+    const std::string many(static_cast<size_t>(zeros), '0');
     EXPECT_EQ(parsed("9007199254740993." + many), below) << zeros;
     EXPECT_EQ(parsed("9007199254740993." + many + "1"), above) << zeros;
     EXPECT_EQ(parsed("9007199254740993" + many + "1e-" + std::to_string(zeros + 1)), above) << zeros;
@@ -141,7 +141,7 @@ TEST(Number, AgreesWithTheCLibraryOnRandomText) {
 TEST(Number, RoundTrips) {
   std::mt19937_64 random(7);
   for (int round = 0; round < 200000; ++round) {
-    const std::uint64_t bits = random();
+    const uint64_t bits = random();
     double value = 0;
     std::memcpy(&value, &bits, sizeof value);
     if (!std::isfinite(value)) continue;

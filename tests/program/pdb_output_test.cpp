@@ -36,8 +36,8 @@ const std::string rest = "      SEGM C  and more";
 
 std::vector<std::string> lines_of(const std::string &text) {
   std::vector<std::string> lines;
-  std::size_t begin = 0;
-  for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n', begin)) {
+  size_t begin = 0;
+  for (size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n', begin)) {
     lines.push_back(text.substr(begin, end - begin));
     begin = end + 1;
   }
@@ -53,8 +53,8 @@ TEST(PdbOutput, CrambinByteForByte) {
     const std::vector<std::string> after = lines_of(written(file, {"--probe", probe}));
     const Json balls = run_json({"measure", file, "--per-ball", "--probe", probe})["balls"];
     ASSERT_EQ(after.size(), before.size());
-    std::size_t atom = 0;
-    for (std::size_t i = 0; i < before.size(); ++i) {
+    size_t atom = 0;
+    for (size_t i = 0; i < before.size(); ++i) {
       if (before[i].rfind("ATOM", 0) != 0 && before[i].rfind("HETATM", 0) != 0) {
         EXPECT_EQ(after[i], before[i]);
         continue;

@@ -60,7 +60,7 @@ class Terminal {
     std::string all;
     char chunk[256];
     for (ssize_t got = read(near_, chunk, sizeof chunk); got > 0; got = read(near_, chunk, sizeof chunk)) {
-      all.append(chunk, static_cast<std::size_t>(got));
+      all.append(chunk, static_cast<size_t>(got));
     }
     return all;
   }

@@ -43,7 +43,7 @@ TEST(Residues, DifferInAnyPartOfTheirLabel) {
   };
   const Json residues = run_json({"measure", "good/residues.pdb", "--by", "residue"})["residues"];
   ASSERT_EQ(residues.items.size(), expected.size());
-  for (std::size_t i = 0; i < expected.size(); ++i) {
+  for (size_t i = 0; i < expected.size(); ++i) {
     SCOPED_TRACE(i);
     const Json &residue = residues.items[i];
     EXPECT_EQ(residue["chain"].text, expected[i].chain);
@@ -67,7 +67,7 @@ TEST(Residues, ChainsAreGatheredFromTheWholeFile) {
                                          {"", "", "", "", 2, 2 * carbon},
                                          {",", "", "", "", 2, 2 * carbon}};
   ASSERT_EQ(chains.items.size(), expected.size());
-  for (std::size_t i = 0; i < expected.size(); ++i) {
+  for (size_t i = 0; i < expected.size(); ++i) {
     EXPECT_EQ(chains.items[i]["chain"].text, expected[i].chain);
     EXPECT_EQ(chains.items[i]["atoms"].number, expected[i].atoms);
     EXPECT_NEAR(chains.items[i]["area"].number, expected[i].area, 1e-13 * expected[i].area);
@@ -87,7 +87,7 @@ TEST(Residues, NumbersWithLeadingZeros) {
   const Json residues = run_json({"measure", file.path(), "--by", "residue"})["residues"];
   const std::vector<std::string> numbers = {"7", "-2", "0", "52", "B", "1", "1"};
   ASSERT_EQ(residues.items.size(), numbers.size());
-  for (std::size_t i = 0; i < numbers.size(); ++i) EXPECT_EQ(residues.items[i]["number"].text, numbers[i]);
+  for (size_t i = 0; i < numbers.size(); ++i) EXPECT_EQ(residues.items[i]["number"].text, numbers[i]);
   EXPECT_EQ(residues.items[3]["insertion"].text, "B");
   EXPECT_EQ(run_json({"measure", file.path(), "--by", "chain"})["chains"].items.size(), 3u);
 }
@@ -102,9 +102,9 @@ TEST(Residues, SumUpToTheBallsOfCrambin) {
     ASSERT_EQ(residues.size(), 46u);
     EXPECT_EQ(residues.front()["name"].text, "THR");
     EXPECT_EQ(residues.back()["name"].text, "ASN");
-    std::size_t ball = 0;
+    size_t ball = 0;
     double total = 0;
-    for (std::size_t i = 0; i < residues.size(); ++i) {
+    for (size_t i = 0; i < residues.size(); ++i) {
       EXPECT_EQ(residues[i]["number"].number, i == 10 ? 10 : static_cast<double>(i + 1));
       EXPECT_EQ(residues[i]["insertion"].text, i == 9 ? "A" : i == 10 ? "B" : "");
       double sum = 0;

@@ -1,8 +1,7 @@
 /* Areas and volumes in closed form. A sphere cut by planes at distances h < r from its centre keeps what inclusion and
  * exclusion over its caps leaves; the area of an intersection of caps follows from the Gauss-Bonnet theorem, its volume
  * from the divergence theorem. In a grid of equal balls the planes are those half-way between neighbours. */
-#ifndef HSP_TESTS_BALL_FORMULAS_H
-#define HSP_TESTS_BALL_FORMULAS_H
+#pragma once
 
 typedef struct amount {
   double area, volume;
@@ -23,5 +22,3 @@ amount amount_of_two_balls(double r, double s, double d);
 
 /* The union of a full grid of equal balls that overlap along every axis. */
 amount amount_of_grid(const int counts[3], const double spacing[3], double r);
-
-#endif

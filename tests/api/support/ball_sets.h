@@ -1,7 +1,6 @@
 /* The sets of balls that the interface tests go through: ordinary ones, and every degenerate position with a name.
  * All coordinates and radii are multiples of the set's step, so that nothing is lost in rounding. */
-#ifndef HSP_TESTS_BALL_SETS_H
-#define HSP_TESTS_BALL_SETS_H
+#pragma once
 
 #include <stdint.h>
 
@@ -36,5 +35,3 @@ void ball_set_permute(const ball_set *set, const uint32_t *order, ball_set *perm
 
 /* A permutation of 0 .. n-1. */
 void ball_set_shuffle(uint32_t n, uint64_t seed, uint32_t *order);
-
-#endif

@@ -1,7 +1,6 @@
 /* Checks for test programs in plain C99: a failed check is printed with its place and counted, and the program goes on.
  * Each program ends with `return check_report();`. */
-#ifndef HSP_TESTS_CHECK_H
-#define HSP_TESTS_CHECK_H
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -30,5 +29,3 @@ int check_report(void);
 /* The same bytes, which for doubles is stricter than ==. */
 #define CHECK_BYTES(actual, expected, bytes) \
   check_bytes((actual), (expected), (bytes), #actual " same bytes as " #expected, __FILE__, __LINE__)
-
-#endif

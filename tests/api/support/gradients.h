@@ -1,6 +1,5 @@
 /* What the interface tells about derivatives of one set of balls. */
-#ifndef HSP_TESTS_GRADIENTS_H
-#define HSP_TESTS_GRADIENTS_H
+#pragma once
 
 #include "ball_sets.h"
 #include "computed.h"
@@ -31,5 +30,3 @@ void jacobian_release(jacobian *result);
 
 /* The entry for ball j in row i, or NULL: then all these derivatives are 0. */
 const hsp_area_derivative *jacobian_entry(const jacobian *all, uint32_t i, uint32_t j);
-
-#endif

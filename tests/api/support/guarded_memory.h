@@ -1,7 +1,6 @@
 /* Blocks of memory that tell whether somebody wrote beside them: each lies between two strips of a known pattern and is
  * itself filled before use. */
-#ifndef HSP_TESTS_GUARDED_MEMORY_H
-#define HSP_TESTS_GUARDED_MEMORY_H
+#pragma once
 
 #include <stddef.h>
 
@@ -26,5 +25,3 @@ int guarded_clean(const guarded_memory *memory);
 int guarded_untouched(const guarded_memory *memory, unsigned char byte);
 
 void guarded_give_back(guarded_memory *memory);
-
-#endif

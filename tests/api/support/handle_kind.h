@@ -1,7 +1,6 @@
 /* What boundaries, topologies and views have in common: limits, of which each is a number, memory of a size that
  * follows from them, and a computation that tells what it needed. */
-#ifndef HSP_TESTS_HANDLE_KIND_H
-#define HSP_TESTS_HANDLE_KIND_H
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -31,5 +30,3 @@ void *test_zeros(size_t count, size_t size);
  * status that is neither HSP_OK nor an HSP_E_CAPACITY that may be, or HSP_OK. */
 int32_t grow_until_computed(const handle_kind *kind, const void *source, uint32_t balls, void **memory, void **handle,
                             void *needed, uint32_t *enlargements);
-
-#endif

@@ -1,7 +1,6 @@
 /* Every limit of a kind of handle at every value that matters, and its memory at every size and alignment that matters.
  */
-#ifndef HSP_TESTS_LIMIT_SWEEP_H
-#define HSP_TESTS_LIMIT_SWEEP_H
+#pragma once
 
 #include "handle_kind.h"
 
@@ -42,5 +41,3 @@ void sweep_sizes(const handle_kind *kind, const size_bound *bound, const uint32_
 
 /* The size of the memory for such limits; SIZE_MAX stands for one that is rightly refused. */
 size_t size_of(const handle_kind *kind, const size_bound *bound, const limit_numbers *limits);
-
-#endif

@@ -1,7 +1,6 @@
 /* malloc and its relatives, replaced by functions that count their calls while armed. To be included by one source of a
  * program. For glibc only, and not for sanitizer builds, which bring their own malloc. */
-#ifndef HARDSPHERE_TESTS_MALLOC_TRAP_H
-#define HARDSPHERE_TESTS_MALLOC_TRAP_H
+#pragma once
 
 #include <stdlib.h>
 
@@ -34,5 +33,3 @@ void free(void *memory) {
   spring();
   __libc_free(memory);
 }
-
-#endif

@@ -1,6 +1,5 @@
 /* Output arrays at every capacity that matters. */
-#ifndef HSP_TESTS_OUTPUT_SWEEP_H
-#define HSP_TESTS_OUTPUT_SWEEP_H
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -16,5 +15,3 @@ typedef int32_t (*asking)(const void *question, void *out, uint32_t capacity, ui
  * right one, between guard bytes. Checks for HSP_E_CAPACITY with nothing written, or success with exactly that many
  * records, every byte of them, and nothing behind them. The number needed is always told. */
 void sweep_output(asking ask, const void *question, size_t record, uint32_t expected);
-
-#endif

@@ -1,6 +1,5 @@
 /* A sink for pictures that keeps what it is given, and one that refuses when it has enough. */
-#ifndef HSP_TESTS_PICTURE_SINK_H
-#define HSP_TESTS_PICTURE_SINK_H
+#pragma once
 
 #include <hardsphere.h>
 
@@ -29,6 +28,4 @@ char *picture_without_ids(const char *bytes, size_t count, size_t *length);
 
 #ifdef __cplusplus
 }
-#endif
-
 #endif

@@ -1,7 +1,6 @@
 /* Size and offsets of every public struct, checked while compiling; included by a C99 and by a C++20 file. The numbers
  * are part of the binary interface: Fortran types and callers' compiled code rely on them. */
-#ifndef HSP_TESTS_STRUCT_LAYOUT_H
-#define HSP_TESTS_STRUCT_LAYOUT_H
+#pragma once
 
 #include <hardsphere.h>
 
@@ -262,6 +261,4 @@ LAYOUT_HOLDS(topology_bytes,
 LAYOUT_HOLDS(view_bytes, HSP_VIEW_BYTES(10, 9, 8) > 0 && sizeof(HSP_VIEW_BYTES(1, 1, 1)) == sizeof(size_t));
 #if HSP_VERSION_NUMBER < 1
 #error "HSP_VERSION_NUMBER is not a number that the preprocessor can compare"
-#endif
-
 #endif

@@ -1,6 +1,5 @@
 /* Outputs filled with a pattern, to see that a failing call leaves them alone. */
-#ifndef HSP_TESTS_UNTOUCHED_H
-#define HSP_TESTS_UNTOUCHED_H
+#pragma once
 
 #include <string.h>
 
@@ -13,5 +12,3 @@
     memset(untouched_pattern, 0xA5, sizeof(object));           \
     CHECK_BYTES(&(object), untouched_pattern, sizeof(object)); \
   } while (0)
-
-#endif

@@ -10,14 +10,14 @@ namespace {
 using oracle::Balls;
 using oracle::RandomSource;
 
-using Maker = Balls (*)(RandomSource &, std::size_t);
+using Maker = Balls (*)(RandomSource &, size_t);
 
 struct Kind {
   const char *name;
   Maker make;
   int sets;
-  std::int64_t fewest;
-  std::int64_t most;
+  int64_t fewest;
+  int64_t most;
 };
 
 void PrintTo(const Kind &kind, std::ostream *out) {
@@ -30,8 +30,8 @@ TEST_P(RandomBoundary, IsThatOfBruteForce) {
   const Kind &kind = GetParam();
   RandomSource random(11);
   for (int k = 0; k < kind.sets; ++k) {
-    const Balls balls = kind.make(random, static_cast<std::size_t>(random.in(kind.fewest, kind.most)));
-    ASSERT_EQ(complaint_about_smallest(balls, boundary_differs(2, static_cast<std::uint64_t>(k))), "");
+    const Balls balls = kind.make(random, static_cast<size_t>(random.in(kind.fewest, kind.most)));
+    ASSERT_EQ(complaint_about_smallest(balls, boundary_differs(2, static_cast<uint64_t>(k))), "");
   }
 }
 
@@ -76,13 +76,13 @@ INSTANTIATE_TEST_SUITE_P(Named, NamedBoundary, testing::ValuesIn(oracle::named_b
 // A systematic sweep: one ball at the origin and two of a small grid around it, all radii up to 2.
 TEST(SmallGrid, EveryThreeBallsAreRight) {
   Balls others;
-  for (std::int64_t x = 0; x <= 2; ++x)
-    for (std::int64_t y = 0; y <= x; ++y)
-      for (std::int64_t z = -1; z <= 2; ++z)
-        for (std::int64_t radius = 0; radius <= 2; ++radius) others.push_back({x, y, z, radius});
-  for (std::int64_t radius = 0; radius <= 2; ++radius)
-    for (std::size_t i = 0; i < others.size(); ++i)
-      for (std::size_t j = 0; j <= i; ++j) {
+  for (int64_t x = 0; x <= 2; ++x)
+    for (int64_t y = 0; y <= x; ++y)
+      for (int64_t z = -1; z <= 2; ++z)
+        for (int64_t radius = 0; radius <= 2; ++radius) others.push_back({x, y, z, radius});
+  for (int64_t radius = 0; radius <= 2; ++radius)
+    for (size_t i = 0; i < others.size(); ++i)
+      for (size_t j = 0; j <= i; ++j) {
         const Balls balls = {{0, 0, 0, radius}, others[i], others[j]};
         ASSERT_EQ(complaint_about_smallest(balls, boundary_differs(1, 13)), "");
       }
@@ -92,11 +92,11 @@ TEST(SmallGrid, EveryThreeBallsAreRight) {
 TEST(Placement, ChangesNothing) {
   RandomSource random(14);
   for (int k = 0; k < 300; ++k) {
-    const Balls balls = oracle::any_balls(random, static_cast<std::size_t>(random.in(2, 12)));
+    const Balls balls = oracle::any_balls(random, static_cast<size_t>(random.in(2, 12)));
     const oracle::BoundaryRecord record = oracle::brute_boundary(balls);
     const auto expected = oracle::canonical(record, oracle::tie_ranks(balls));
-    const std::int64_t far = std::int64_t{1} << random.in(0, 49);
-    const std::int64_t factor = std::int64_t{1} << random.in(0, 22);
+    const int64_t far = int64_t{1} << random.in(0, 49);
+    const int64_t factor = int64_t{1} << random.in(0, 22);
     Balls moved;
     Balls scaled;
     for (const auto &b : balls) {

@@ -12,11 +12,11 @@ using oracle::Balls;
 
 std::string topology_differs(const Balls &balls) {
   oracle::RandomSource random(21);
-  const std::array<std::int64_t, 3> betti = oracle::nerve_betti_numbers(balls);
+  const std::array<int64_t, 3> betti = oracle::nerve_betti_numbers(balls);
   for (int k = 0; k < 4; ++k) {
     const Balls mixed = k == 0 ? balls : oracle::permuted(balls, random.permutation(balls.size()));
     const hsp_boundary_counts counts = LibraryBoundary(mixed).counts();
-    const std::int64_t tunnels = std::int64_t{counts.components} + counts.voids - counts.euler / 2;
+    const int64_t tunnels = int64_t{counts.components} + counts.voids - counts.euler / 2;
     if (counts.components == betti[0] && counts.voids == betti[2] && tunnels == betti[1] && counts.euler % 2 == 0)
       continue;
     return "components, tunnels, voids " + std::to_string(counts.components) + " " + std::to_string(tunnels) + " " +
@@ -30,10 +30,10 @@ TEST(Topology, IsThatOfTheNerve) {
   oracle::RandomSource random(22);
   std::array<int, 3> seen = {0, 0, 0};
   for (int k = 0; k < 10000; ++k) {
-    const Balls balls = oracle::degenerate_balls(random, static_cast<std::size_t>(random.in(1, 9)));
+    const Balls balls = oracle::degenerate_balls(random, static_cast<size_t>(random.in(1, 9)));
     ASSERT_EQ(complaint_about_smallest(balls, topology_differs), "");
-    const std::array<std::int64_t, 3> betti = oracle::nerve_betti_numbers(balls);
-    for (std::size_t d = 0; d < 3; ++d) seen[d] += betti[d] > (d == 0 ? 1 : 0) ? 1 : 0;
+    const std::array<int64_t, 3> betti = oracle::nerve_betti_numbers(balls);
+    for (size_t d = 0; d < 3; ++d) seen[d] += betti[d] > (d == 0 ? 1 : 0) ? 1 : 0;
   }
   // The sets are interesting: several components, tunnels, and even voids occur.
   EXPECT_GT(seen[0], 1000);
@@ -44,7 +44,7 @@ TEST(Topology, IsThatOfTheNerve) {
 TEST(Topology, OfCrownedBallsIsThatOfTheNerve) {
   oracle::RandomSource random(24);
   for (int k = 0; k < 300; ++k) {
-    const Balls balls = oracle::crowned_balls(random, static_cast<std::size_t>(random.in(9, 26)));
+    const Balls balls = oracle::crowned_balls(random, static_cast<size_t>(random.in(9, 26)));
     ASSERT_EQ(complaint_about_smallest(balls, topology_differs), "");
   }
 }
@@ -55,7 +55,7 @@ TEST(Topology, OfBoxesThatNearlyClose) {
   int voids = 0;
   for (int k = 0; k < 500; ++k) {
     Balls balls;
-    for (std::int64_t corner = 0; corner < 8; ++corner)
+    for (int64_t corner = 0; corner < 8; ++corner)
       balls.push_back({4 * (corner & 1), 6 * (corner >> 1 & 1), 12 * (corner >> 2), random.in(6, 7)});
     if (random.one_in(2)) balls.push_back({2, 3, 6, random.in(0, 1)});
     ASSERT_EQ(complaint_about_smallest(balls, topology_differs), "");

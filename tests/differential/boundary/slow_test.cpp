@@ -15,40 +15,40 @@ using oracle::RandomSource;
 TEST(Slow, BoundariesOfDegenerateSets) {
   RandomSource random(71);
   for (int k = 0; k < oracle::rounds(5000, 40000); ++k) {
-    const Balls balls = oracle::degenerate_balls(random, static_cast<std::size_t>(random.in(3, 14)));
-    ASSERT_EQ(complaint_about_smallest(balls, boundary_differs(1, static_cast<std::uint64_t>(k))), "");
+    const Balls balls = oracle::degenerate_balls(random, static_cast<size_t>(random.in(3, 14)));
+    ASSERT_EQ(complaint_about_smallest(balls, boundary_differs(1, static_cast<uint64_t>(k))), "");
   }
 }
 
 TEST(Slow, BoundariesOfAnySets) {
   RandomSource random(72);
   for (int k = 0; k < oracle::rounds(750, 6000); ++k) {
-    const Balls balls = oracle::any_balls(random, static_cast<std::size_t>(random.in(10, 40)));
-    ASSERT_EQ(complaint_about_smallest(balls, boundary_differs(1, static_cast<std::uint64_t>(k))), "");
+    const Balls balls = oracle::any_balls(random, static_cast<size_t>(random.in(10, 40)));
+    ASSERT_EQ(complaint_about_smallest(balls, boundary_differs(1, static_cast<uint64_t>(k))), "");
   }
 }
 
 TEST(Slow, BoundariesWithNestedLoops) {
   RandomSource random(73);
   for (int k = 0; k < oracle::rounds(750, 6000); ++k) {
-    const Balls balls = oracle::belted_balls(random, static_cast<std::size_t>(random.in(12, 45)));
-    ASSERT_EQ(complaint_about_smallest(balls, boundary_differs(1, static_cast<std::uint64_t>(k))), "");
+    const Balls balls = oracle::belted_balls(random, static_cast<size_t>(random.in(12, 45)));
+    ASSERT_EQ(complaint_about_smallest(balls, boundary_differs(1, static_cast<uint64_t>(k))), "");
   }
 }
 
 TEST(Slow, BoundariesWithNestedLoopsAndTies) {
   RandomSource random(76);
   for (int k = 0; k < oracle::rounds(500, 3000); ++k) {
-    const Balls balls = oracle::crowned_balls(random, static_cast<std::size_t>(random.in(12, 45)));
-    ASSERT_EQ(complaint_about_smallest(balls, boundary_differs(1, static_cast<std::uint64_t>(k))), "");
+    const Balls balls = oracle::crowned_balls(random, static_cast<size_t>(random.in(12, 45)));
+    ASSERT_EQ(complaint_about_smallest(balls, boundary_differs(1, static_cast<uint64_t>(k))), "");
   }
 }
 
 TEST(Slow, TopologyOfTheNerve) {
   RandomSource random(74);
   for (int k = 0; k < oracle::rounds(10000, 60000); ++k) {
-    const Balls balls = oracle::degenerate_balls(random, static_cast<std::size_t>(random.in(4, 11)));
-    const std::array<std::int64_t, 3> betti = oracle::nerve_betti_numbers(balls);
+    const Balls balls = oracle::degenerate_balls(random, static_cast<size_t>(random.in(4, 11)));
+    const std::array<int64_t, 3> betti = oracle::nerve_betti_numbers(balls);
     const hsp_boundary_counts counts = LibraryBoundary(balls).counts();
     ASSERT_EQ(counts.components, betti[0]) << oracle::to_text(balls);
     ASSERT_EQ(counts.voids, betti[2]) << oracle::to_text(balls);
@@ -59,7 +59,7 @@ TEST(Slow, TopologyOfTheNerve) {
 TEST(Slow, MeasuresOfDegenerateSets) {
   RandomSource random(75);
   for (int k = 0; k < oracle::rounds(500, 3000); ++k) {
-    const Balls balls = oracle::degenerate_balls(random, static_cast<std::size_t>(random.in(2, 12)));
+    const Balls balls = oracle::degenerate_balls(random, static_cast<size_t>(random.in(2, 12)));
     ASSERT_EQ(complaint_about_smallest(balls, measures_differ), "");
   }
 }

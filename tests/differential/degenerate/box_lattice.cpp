@@ -5,7 +5,7 @@
 namespace degenerate {
 
 std::string name_of(const BoxLattice &lattice) {
-  const auto text_of = [](const std::array<std::int64_t, 3> &three) {
+  const auto text_of = [](const std::array<int64_t, 3> &three) {
     std::ostringstream text;
     text << three[0] << "x" << three[1] << "x" << three[2];
     return text.str();
@@ -18,12 +18,12 @@ std::string name_of(const BoxLattice &lattice) {
 
 oracle::Balls balls_of(const BoxLattice &lattice) {
   oracle::Balls balls;
-  for (std::int64_t i = 0; i < lattice.counts[0]; ++i)
-    for (std::int64_t j = 0; j < lattice.counts[1]; ++j)
-      for (std::int64_t k = 0; k < lattice.counts[2]; ++k) {
-        const std::int64_t x = i * lattice.sides[0];
-        const std::int64_t y = j * lattice.sides[1];
-        const std::int64_t z = k * lattice.sides[2];
+  for (int64_t i = 0; i < lattice.counts[0]; ++i)
+    for (int64_t j = 0; j < lattice.counts[1]; ++j)
+      for (int64_t k = 0; k < lattice.counts[2]; ++k) {
+        const int64_t x = i * lattice.sides[0];
+        const int64_t y = j * lattice.sides[1];
+        const int64_t z = k * lattice.sides[2];
         if (lattice.slanted)
           balls.push_back({2 * x + 3 * y + 6 * z, 3 * x - 6 * y + 2 * z, 6 * x + 2 * y - 3 * z, lattice.radius});
         else
@@ -33,19 +33,19 @@ oracle::Balls balls_of(const BoxLattice &lattice) {
 }
 
 Topology topology_of(const BoxLattice &lattice) {
-  const std::int64_t diameter2 = 4 * lattice.radius * lattice.radius;
-  std::int64_t euler = 0;
+  const int64_t diameter2 = 4 * lattice.radius * lattice.radius;
+  int64_t euler = 0;
   bool all_rectangles = true;
   bool boxes = true;
   Topology topology{1, 0, 0, 0};
   // The cells that span a subset of the three directions.
   for (unsigned span = 0; span < 8; ++span) {
-    std::int64_t diagonal2 = 0;
-    std::int64_t cells = 1;
+    int64_t diagonal2 = 0;
+    int64_t cells = 1;
     int dimension = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
+    for (size_t k = 0; k < 3; ++k) {
       const bool along = (span >> k & 1U) != 0;
-      const std::int64_t side = lattice.sides[k] * (lattice.slanted ? 7 : 1);
+      const int64_t side = lattice.sides[k] * (lattice.slanted ? 7 : 1);
       cells *= along ? lattice.counts[k] - 1 : lattice.counts[k];
       diagonal2 += along ? side * side : 0;
       dimension += along ? 1 : 0;
@@ -53,7 +53,7 @@ Topology topology_of(const BoxLattice &lattice) {
     const bool closed = diagonal2 <= diameter2;
     if (closed) euler += dimension % 2 == 0 ? cells : -cells;
     if (dimension == 1 && !closed)
-      for (std::size_t k = 0; k < 3; ++k) topology.components *= (span >> k & 1U) != 0 ? lattice.counts[k] : 1;
+      for (size_t k = 0; k < 3; ++k) topology.components *= (span >> k & 1U) != 0 ? lattice.counts[k] : 1;
     if (dimension == 2) all_rectangles = all_rectangles && closed;
     if (dimension == 3) {
       boxes = closed;

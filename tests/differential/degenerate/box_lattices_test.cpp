@@ -26,7 +26,7 @@ Amount extrapolated(const BoxLattice &lattice) {
   for (unsigned corner = 0; corner < 8; ++corner) {
     BoxLattice small = lattice;
     long double weight = 1;
-    for (std::size_t k = 0; k < 3; ++k) {
+    for (size_t k = 0; k < 3; ++k) {
       small.counts[k] = (corner >> k & 1U) != 0 ? 2 : 1;
       weight *= static_cast<long double>((corner >> k & 1U) != 0 ? lattice.counts[k] - 1 : 2 - lattice.counts[k]);
     }
@@ -37,17 +37,17 @@ Amount extrapolated(const BoxLattice &lattice) {
   return sum;
 }
 
-/// Balls that reflections of the lattice exchange have equal areas.
+// Balls that reflections of the lattice exchange have equal areas.
 void expect_symmetry(const BoxLattice &lattice, const std::vector<double> &area) {
-  std::map<std::array<std::int64_t, 3>, double> of_class;
-  std::size_t ball = 0;
+  std::map<std::array<int64_t, 3>, double> of_class;
+  size_t ball = 0;
   const double sphere = 4 * std::numbers::pi * static_cast<double>(lattice.radius * lattice.radius);
-  for (std::int64_t i = 0; i < lattice.counts[0]; ++i)
-    for (std::int64_t j = 0; j < lattice.counts[1]; ++j)
-      for (std::int64_t k = 0; k < lattice.counts[2]; ++k, ++ball) {
-        const std::array<std::int64_t, 3> place = {std::min(i, lattice.counts[0] - 1 - i),
-                                                   std::min(j, lattice.counts[1] - 1 - j),
-                                                   std::min(k, lattice.counts[2] - 1 - k)};
+  for (int64_t i = 0; i < lattice.counts[0]; ++i)
+    for (int64_t j = 0; j < lattice.counts[1]; ++j)
+      for (int64_t k = 0; k < lattice.counts[2]; ++k, ++ball) {
+        const std::array<int64_t, 3> place = {std::min(i, lattice.counts[0] - 1 - i),
+                                              std::min(j, lattice.counts[1] - 1 - j),
+                                              std::min(k, lattice.counts[2] - 1 - k)};
         const auto [found, is_new] = of_class.try_emplace(place, area[ball]);
         EXPECT_NEAR(found->second, area[ball], 1e-13 * sphere) << degenerate::name_of(lattice) << ", ball " << ball;
       }
@@ -68,23 +68,23 @@ void expect_law(const BoxLattice &lattice) {
 }
 
 TEST(BoxLattices, CubicOfManyRadii) {
-  for (const std::int64_t radius : {40, 50, 51, 60, 70, 71, 80, 86, 87, 100, 120, 140, 141, 142, 150, 170, 180})
+  for (const int64_t radius : {40, 50, 51, 60, 70, 71, 80, 86, 87, 100, 120, 140, 141, 142, 150, 170, 180})
     expect_law({{6, 5, 7}, {100, 100, 100}, radius});
 }
 
 TEST(BoxLattices, OfBoxesThatCloseExactly) {
-  for (const std::int64_t radius : {1, 2, 3, 4, 5}) expect_law({{7, 6, 5}, {2, 4, 4}, radius});
-  for (const std::int64_t radius : {2, 3, 5, 6, 7, 8}) expect_law({{5, 6, 7}, {4, 6, 12}, radius});
-  for (const std::int64_t radius : {3, 4, 5, 12, 13, 14}) expect_law({{6, 6, 4}, {6, 8, 24}, radius});
+  for (const int64_t radius : {1, 2, 3, 4, 5}) expect_law({{7, 6, 5}, {2, 4, 4}, radius});
+  for (const int64_t radius : {2, 3, 5, 6, 7, 8}) expect_law({{5, 6, 7}, {4, 6, 12}, radius});
+  for (const int64_t radius : {3, 4, 5, 12, 13, 14}) expect_law({{6, 6, 4}, {6, 8, 24}, radius});
 }
 
 TEST(BoxLattices, OfThousandsOfBalls) {
-  for (const std::int64_t radius : {5, 6, 8, 9, 10}) expect_law({{13, 12, 11}, {10, 10, 10}, radius});
-  for (const std::int64_t radius : {2, 3}) expect_law({{12, 12, 12}, {2, 4, 4}, radius});
+  for (const int64_t radius : {5, 6, 8, 9, 10}) expect_law({{13, 12, 11}, {10, 10, 10}, radius});
+  for (const int64_t radius : {2, 3}) expect_law({{12, 12, 12}, {2, 4, 4}, radius});
 }
 
 TEST(BoxLattices, InAPlaneAndOnALine) {
-  for (const std::int64_t radius : {3, 4, 5, 6, 9}) {
+  for (const int64_t radius : {3, 4, 5, 6, 9}) {
     expect_law({{20, 30, 1}, {6, 8, 1}, radius});
     expect_law({{1, 1, 500}, {1, 1, 8}, radius});
   }

@@ -1,6 +1,5 @@
 // The corpus, and expectations of all its sets up to a size.
-#ifndef HARDSPHERE_TESTS_DEGENERATE_CORPUS_EXPECTATIONS_HPP
-#define HARDSPHERE_TESTS_DEGENERATE_CORPUS_EXPECTATIONS_HPP
+#pragma once
 
 #include <gtest/gtest.h>
 
@@ -25,7 +24,7 @@ inline std::vector<DegenerateSet> corpus() {
 
 using Check = std::string (*)(const oracle::Balls &);
 
-/// What is wrong, for a set small enough to be tried many times with balls left out.
+// What is wrong, for a set small enough to be tried many times with balls left out.
 inline std::string complaint_about(const oracle::Balls &balls, Check check) {
   if (balls.size() <= 40) return complaint_about_smallest(balls, check);
   try {
@@ -35,14 +34,14 @@ inline std::string complaint_about(const oracle::Balls &balls, Check check) {
   }
 }
 
-/// After so many failures the rest of a corpus is left out.
+// After so many failures the rest of a corpus is left out.
 inline constexpr int enough_failures = 5;
 
-/// The sets with at least `least` and at most `most` balls pass the check. Of every `part` of them one is tried, all in
-/// the long form of the slow tests.
-inline void expect_of_all(std::size_t least, std::size_t most, Check check, std::size_t part = 1) {
-  std::size_t seen = 0;
-  std::size_t met = 0;
+// The sets with at least `least` and at most `most` balls pass the check. Of every `part` of them one is tried, all in
+// the long form of the slow tests.
+inline void expect_of_all(size_t least, size_t most, Check check, size_t part = 1) {
+  size_t seen = 0;
+  size_t met = 0;
   int failures = 0;
   for (const DegenerateSet &set : corpus()) {
     if (set.balls.size() < least || set.balls.size() > most) continue;
@@ -56,15 +55,15 @@ inline void expect_of_all(std::size_t least, std::size_t most, Check check, std:
   EXPECT_GT(seen, 0U);
 }
 
-/// Every set that is one lattice step from one with `least` to `most` balls passes the check, scaled or not; `part` as
-/// above.
+// Every set that is one lattice step from one with `least` to `most` balls passes the check, scaled or not; `part` as
+// above.
 enum class Scale { as_given, half_of_lattice };
-inline void expect_one_step_off(std::size_t least, std::size_t most, Scale scale, Check check, std::size_t part = 1) {
-  std::size_t seen = 0;
-  std::size_t met = 0;
+inline void expect_one_step_off(size_t least, size_t most, Scale scale, Check check, size_t part = 1) {
+  size_t seen = 0;
+  size_t met = 0;
   for (const DegenerateSet &set : corpus()) {
     if (set.balls.size() < least || set.balls.size() > most) continue;
-    const std::int64_t factor = scale == Scale::as_given ? 1 : largest_scale(set.balls) / 2;
+    const int64_t factor = scale == Scale::as_given ? 1 : largest_scale(set.balls) / 2;
     if (factor == 0) continue;  // fills the lattice as it is
     for (const oracle::Balls &balls : one_step_off(scaled(set.balls, factor))) {
       if (check == nerve_disagrees && !small_enough_for_nerve(balls)) continue;
@@ -77,5 +76,3 @@ inline void expect_one_step_off(std::size_t least, std::size_t most, Scale scale
 }
 
 }  // namespace degenerate
-
-#endif

@@ -13,12 +13,12 @@ namespace {
 
 using degenerate::Molecule;
 
-/// On the lattice of 1e-3 angstrom, which holds the file's decimals.
+// On the lattice of 1e-3 angstrom, which holds the file's decimals.
 oracle::Balls crambin_in_thousandths() {
   const Molecule atoms = degenerate::read_heavy_atoms(HSP_MOLECULE_FOLDER "/crambin.pdb");
-  const auto thousandths = [](double length) { return static_cast<std::int64_t>(std::llround(length * 1000)); };
+  const auto thousandths = [](double length) { return static_cast<int64_t>(std::llround(length * 1000)); };
   oracle::Balls balls;
-  for (std::size_t i = 0; i < atoms.radius.size(); ++i)
+  for (size_t i = 0; i < atoms.radius.size(); ++i)
     balls.push_back({thousandths(atoms.xyz[3 * i]), thousandths(atoms.xyz[3 * i + 1]),
                      thousandths(atoms.xyz[3 * i + 2]), thousandths(atoms.radius[i])});
   return balls;

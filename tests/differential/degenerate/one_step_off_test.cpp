@@ -40,7 +40,7 @@ TEST(OneStepOff, AreasAndVolumesOfSlices) {
 
 // Half of each sphere and a strip half a step high: 2 pi r (r + 1/2), wherever the balls are.
 TEST(OneStepOff, EqualBallsOneStepApart) {
-  for (const std::int64_t radius : {10, 1000003, 1073741823}) {
+  for (const int64_t radius : {10, 1000003, 1073741823}) {
     const auto r = static_cast<double>(radius);
     for (const oracle::Balls &balls :
          {oracle::Balls{{0, 0, 0, radius}, {1, 0, 0, radius}}, oracle::Balls{{0, 0, 7, radius}, {0, 0, 6, radius}}}) {

@@ -27,13 +27,13 @@ Amount ball(Real radius) {
   return {4 * pi * radius * radius, 4 * pi / 3 * radius * radius * radius};
 }
 
-/// What a plane at a distance from the centre cuts off.
+// What a plane at a distance from the centre cuts off.
 Amount cap(Real radius, Real distance) {
   const Real height = radius - distance;
   return {2 * pi * radius * height, pi * height * height * (3 * radius - height) / 3};
 }
 
-/// Two balls that cross, at a distance.
+// Two balls that cross, at a distance.
 Amount pair(Real first, Real second, Real distance) {
   const Real to_circle = (distance * distance + first * first - second * second) / (2 * distance);
   return ball(first) + ball(second) - cap(first, to_circle) - cap(second, distance - to_circle);
@@ -43,7 +43,7 @@ Right formula(Amount amount) {
   return {Arbiter::formula, amount.area, amount.volume};
 }
 
-Right refused(std::int32_t status, std::uint32_t first_bad) {
+Right refused(int32_t status, uint32_t first_bad) {
   return {Arbiter::status, 0, 0, status, first_bad};
 }
 
@@ -77,12 +77,12 @@ Molecule changed(Molecule balls, double shift, double scale) {
 
 Molecule with_more(const Molecule &balls, double share) {
   Molecule all = balls;
-  for (std::size_t i = 0; i < balls.radius.size(); ++i)
+  for (size_t i = 0; i < balls.radius.size(); ++i)
     all.add(balls.xyz[3 * i], balls.xyz[3 * i + 1], balls.xyz[3 * i + 2], share * balls.radius[i]);
   return all;
 }
 
-/// The directions of the 26 neighbours in a cubic lattice.
+// The directions of the 26 neighbours in a cubic lattice.
 Molecule cage() {
   Molecule balls;
   for (int i = -1; i <= 1; ++i)

@@ -20,24 +20,24 @@ using degenerate::Molecule;
 using degenerate::PeersRow;
 using degenerate::Topology;
 
-/// Relative.
+// Relative.
 constexpr long double tolerance = 1e-12L;
 
-/// A caller's whole session with the library, with default options.
+// A caller's whole session with the library, with default options.
 struct Session {
-  std::int32_t set_status = HSP_OK;
-  std::uint32_t first_bad = 0;
+  int32_t set_status = HSP_OK;
+  uint32_t first_bad = 0;
   hsp_model_info info{};
   hsp_boundary_counts counts{};
   hsp_totals totals{};
-  std::int32_t check_status = HSP_OK;
+  int32_t check_status = HSP_OK;
   std::vector<double> area;
 };
 
 Session session_with(const Molecule &balls) {
   Session session;
-  const auto n = static_cast<std::uint32_t>(balls.radius.size());
-  std::size_t bytes = 0;
+  const auto n = static_cast<uint32_t>(balls.radius.size());
+  size_t bytes = 0;
   expect_ok(hsp_model_bytes(n, &bytes), "hsp_model_bytes");
   std::vector<unsigned char> model_memory(bytes);
   hsp_model *model = nullptr;
@@ -55,7 +55,7 @@ Session session_with(const Molecule &balls) {
     expect_ok(hsp_boundary_bytes(&limits, &bytes), "hsp_boundary_bytes");
     boundary_memory.assign(bytes, 0);
     expect_ok(hsp_boundary_init(boundary_memory.data(), bytes, &limits, &boundary), "hsp_boundary_init");
-    const std::int32_t status = hsp_boundary_compute(boundary, model);
+    const int32_t status = hsp_boundary_compute(boundary, model);
     if (status != HSP_E_CAPACITY) {
       expect_ok(status, "hsp_boundary_compute");
       break;
@@ -69,19 +69,19 @@ Session session_with(const Molecule &balls) {
   expect_ok(hsp_boundary_get_counts(boundary, &session.counts), "hsp_boundary_get_counts");
   session.area.resize(n);
   expect_ok(hsp_boundary_measure(boundary, &session.totals, session.area.data(), nullptr, n), "hsp_boundary_measure");
-  std::uint32_t law = 0;
-  std::uint32_t where = 0;
+  uint32_t law = 0;
+  uint32_t where = 0;
   session.check_status = hsp_boundary_check(boundary, &law, &where);
   return session;
 }
 
-/// The balls as the library documents to round them, in lengths.
+// The balls as the library documents to round them, in lengths.
 std::vector<oracle::RealBall> rounded(const Molecule &balls, double step) {
   const auto steps = [&](double length) {
     return std::nearbyint(static_cast<long double>(length) / static_cast<long double>(step));
   };
   std::vector<oracle::RealBall> result;
-  for (std::size_t i = 0; i < balls.radius.size(); ++i)
+  for (size_t i = 0; i < balls.radius.size(); ++i)
     result.push_back(
         {steps(balls.xyz[3 * i]), steps(balls.xyz[3 * i + 1]), steps(balls.xyz[3 * i + 2]), steps(balls.radius[i])});
   return result;
@@ -113,7 +113,7 @@ const char *name_of(Arbiter arbiter) {
   return "";
 }
 
-/// What the library does, for the table.
+// What the library does, for the table.
 std::string check_finite(const PeersRow &row, const Session &session) {
   EXPECT_EQ(session.set_status, HSP_OK);
   EXPECT_EQ(session.first_bad, HSP_NONE);
@@ -176,7 +176,7 @@ TEST(PeersList, CrambinIsTheSameBallByBall) {
     EXPECT_EQ(other.counts.euler, plain.counts.euler);
     EXPECT_EQ(other.counts.contained_balls, row.balls.radius.size() - 327);
     const double scale = row.balls.radius[0] / crambin.radius[0];
-    for (std::size_t i = 0; i < other.area.size(); ++i) {
+    for (size_t i = 0; i < other.area.size(); ++i) {
       if (i >= 327)
         EXPECT_EQ(other.area[i], 0);
       else if (std::abs(scale - 1) < 0.5)

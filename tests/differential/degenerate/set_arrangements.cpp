@@ -10,37 +10,36 @@ using oracle::LatticeBall;
 
 namespace {
 
-constexpr std::int64_t farthest = std::int64_t{1} << 50;
-constexpr std::int64_t largest_radius = (std::int64_t{1} << 30) - 1;
+constexpr int64_t farthest = int64_t{1} << 50;
+constexpr int64_t largest_radius = (int64_t{1} << 30) - 1;
 
 }  // namespace
 
-Balls moved(const Balls &balls, const std::array<std::int64_t, 3> &shift) {
+Balls moved(const Balls &balls, const std::array<int64_t, 3> &shift) {
   Balls result;
   for (const LatticeBall &b : balls) result.push_back({b.x + shift[0], b.y + shift[1], b.z + shift[2], b.radius});
   return result;
 }
 
-std::vector<std::array<std::int64_t, 3>> shifts_within_lattice(const Balls &balls) {
-  std::array<std::int64_t, 3> low = {0, 0, 0};
-  std::array<std::int64_t, 3> high = {0, 0, 0};
-  for (std::size_t i = 0; i < balls.size(); ++i) {
-    const std::array<std::int64_t, 3> centre = {balls[i].x, balls[i].y, balls[i].z};
-    for (std::size_t k = 0; k < 3; ++k) {
+std::vector<std::array<int64_t, 3>> shifts_within_lattice(const Balls &balls) {
+  std::array<int64_t, 3> low = {0, 0, 0};
+  std::array<int64_t, 3> high = {0, 0, 0};
+  for (size_t i = 0; i < balls.size(); ++i) {
+    const std::array<int64_t, 3> centre = {balls[i].x, balls[i].y, balls[i].z};
+    for (size_t k = 0; k < 3; ++k) {
       low[k] = i == 0 ? centre[k] : std::min(low[k], centre[k]);
       high[k] = i == 0 ? centre[k] : std::max(high[k], centre[k]);
     }
   }
-  const std::array<std::array<std::int64_t, 3>, 5> wanted = {
-      {{1, -2, 3},
-       {1000003, -999983, 1000033},
-       {farthest - high[0], farthest - high[1], farthest - high[2]},
-       {-farthest - low[0], -farthest - low[1], -farthest - low[2]},
-       {farthest - high[0], -farthest - low[1], -1}}};
-  std::vector<std::array<std::int64_t, 3>> shifts;
+  const std::array<std::array<int64_t, 3>, 5> wanted = {{{1, -2, 3},
+                                                         {1000003, -999983, 1000033},
+                                                         {farthest - high[0], farthest - high[1], farthest - high[2]},
+                                                         {-farthest - low[0], -farthest - low[1], -farthest - low[2]},
+                                                         {farthest - high[0], -farthest - low[1], -1}}};
+  std::vector<std::array<int64_t, 3>> shifts;
   for (const auto &shift : wanted) {
     bool fits = true;
-    for (std::size_t k = 0; k < 3; ++k) fits = fits && low[k] + shift[k] >= -farthest && high[k] + shift[k] <= farthest;
+    for (size_t k = 0; k < 3; ++k) fits = fits && low[k] + shift[k] >= -farthest && high[k] + shift[k] <= farthest;
     if (fits) shifts.push_back(shift);
   }
   return shifts;
@@ -59,17 +58,17 @@ std::vector<Balls> axis_images(const Balls &balls) {
   return images;
 }
 
-std::int64_t largest_scale(const Balls &balls) {
-  std::int64_t radius = 1;
-  std::int64_t coordinate = 1;
+int64_t largest_scale(const Balls &balls) {
+  int64_t radius = 1;
+  int64_t coordinate = 1;
   for (const LatticeBall &b : balls) {
     radius = std::max(radius, b.radius);
     coordinate = std::max({coordinate, std::abs(b.x), std::abs(b.y), std::abs(b.z)});
   }
-  return std::max<std::int64_t>(1, std::min(largest_radius / radius, farthest / coordinate));
+  return std::max<int64_t>(1, std::min(largest_radius / radius, farthest / coordinate));
 }
 
-Balls scaled(const Balls &balls, std::int64_t factor) {
+Balls scaled(const Balls &balls, int64_t factor) {
   Balls result;
   for (const LatticeBall &b : balls) result.push_back({b.x * factor, b.y * factor, b.z * factor, b.radius * factor});
   return result;
@@ -77,9 +76,9 @@ Balls scaled(const Balls &balls, std::int64_t factor) {
 
 std::vector<Balls> one_step_off(const Balls &balls) {
   std::vector<Balls> sets;
-  for (std::size_t i = 0; i < balls.size(); ++i)
-    for (std::int64_t LatticeBall::*number : {&LatticeBall::x, &LatticeBall::y, &LatticeBall::z, &LatticeBall::radius})
-      for (const std::int64_t step : {-1, 1}) {
+  for (size_t i = 0; i < balls.size(); ++i)
+    for (int64_t LatticeBall::*number : {&LatticeBall::x, &LatticeBall::y, &LatticeBall::z, &LatticeBall::radius})
+      for (const int64_t step : {-1, 1}) {
         Balls set = balls;
         set[i].*number += step;
         const LatticeBall &ball = set[i];
@@ -105,7 +104,7 @@ Balls with_half_sizes(const Balls &balls) {
 Balls with_tangents(const Balls &balls) {
   Balls set = balls;
   for (const LatticeBall &b : balls) {
-    const std::int64_t away = b.radius - b.radius / 2;
+    const int64_t away = b.radius - b.radius / 2;
     set.push_back({b.x, b.y + away > farthest ? b.y - away : b.y + away, b.z, b.radius / 2});
   }
   return set;

@@ -17,7 +17,7 @@ namespace {
 using oracle::Balls;
 using oracle::LatticeBall;
 
-/// What is compared to the last bit: the boundary and the measures of single balls, by their place in the tie rule.
+// What is compared to the last bit: the boundary and the measures of single balls, by their place in the tie rule.
 struct Outcome {
   oracle::CanonicalBoundary boundary;
   std::vector<double> area;
@@ -28,9 +28,9 @@ struct Outcome {
 Outcome outcome_of(const Balls &balls) {
   const LibraryBoundary boundary(balls);
   const LibraryBoundary::Measures measures = boundary.measure();
-  const std::vector<std::uint32_t> rank = oracle::tie_ranks(balls);
+  const std::vector<uint32_t> rank = oracle::tie_ranks(balls);
   Outcome outcome{oracle::canonical(boundary.record(), rank), measures.area, measures.volume, measures.totals};
-  for (std::size_t i = 0; i < balls.size(); ++i) {
+  for (size_t i = 0; i < balls.size(); ++i) {
     outcome.area[rank[i]] = measures.area[i];
     outcome.volume[rank[i]] = measures.volume[i];
   }
@@ -47,7 +47,7 @@ double largest_sphere(const Balls &balls) {
   return 4 * std::numbers::pi * largest * largest;
 }
 
-/// Empty if the two are the same to the last bit but for the totals, which are sums in the order of the input.
+// Empty if the two are the same to the last bit but for the totals, which are sums in the order of the input.
 std::string difference(const Outcome &found, const Outcome &expected) {
   if (found.boundary != expected.boundary) return oracle::differences(found.boundary, expected.boundary);
   if (found.area != expected.area) return "areas of balls";
@@ -69,12 +69,12 @@ Topology topology_of(const oracle::BoundaryRecord &record) {
 }
 
 Topology topology_of_nerve(const Balls &balls) {
-  const std::array<std::int64_t, 3> betti = oracle::nerve_betti_numbers(balls);
+  const std::array<int64_t, 3> betti = oracle::nerve_betti_numbers(balls);
   return {betti[0], betti[2], betti[0] + betti[2], 2 * (betti[0] - betti[1] + betti[2])};
 }
 
 bool small_enough_for_nerve(const Balls &balls) {
-  constexpr std::int64_t most = 100;
+  constexpr int64_t most = 100;
   return std::all_of(balls.begin(), balls.end(), [&](const LatticeBall &a) {
     return a.radius <= most && std::all_of(balls.begin(), balls.end(), [&](const LatticeBall &b) {
              return std::abs(a.x - b.x) <= most && std::abs(a.y - b.y) <= most && std::abs(a.z - b.z) <= most;
@@ -104,7 +104,7 @@ std::string orders_disagree(const Balls &balls) {
 
 std::string places_disagree(const Balls &balls) {
   const Outcome expected = outcome_of(balls);
-  for (const std::array<std::int64_t, 3> &shift : shifts_within_lattice(balls))
+  for (const std::array<int64_t, 3> &shift : shifts_within_lattice(balls))
     if (const std::string what = difference(outcome_of(moved(balls, shift)), expected); !what.empty())
       return what + " depend on the place: moved by " + std::to_string(shift[0]) + " " + std::to_string(shift[1]) +
              " " + std::to_string(shift[2]);
@@ -113,9 +113,8 @@ std::string places_disagree(const Balls &balls) {
 
 std::string scales_disagree(const Balls &balls) {
   const Outcome expected = outcome_of(balls);
-  const std::int64_t largest = largest_scale(balls);
-  for (const std::int64_t factor :
-       {std::min<std::int64_t>(7, largest), std::min<std::int64_t>(1000003, largest), largest}) {
+  const int64_t largest = largest_scale(balls);
+  for (const int64_t factor : {std::min<int64_t>(7, largest), std::min<int64_t>(1000003, largest), largest}) {
     const Outcome found = outcome_of(scaled(balls, factor));
     const auto length = static_cast<double>(factor);
     std::string what;
@@ -125,7 +124,7 @@ std::string scales_disagree(const Balls &balls) {
       what = "total area";
     else if (!near(found.totals.volume, expected.totals.volume * length * length * length, 1e-13))
       what = "total volume";
-    for (std::size_t i = 0; i < balls.size(); ++i)
+    for (size_t i = 0; i < balls.size(); ++i)
       if (std::abs(found.area[i] / length / length - expected.area[i]) > 1e-13 * largest_sphere(balls))
         what += "area of a ball ";
     if (!what.empty()) return what + " depend on the scale: times " + std::to_string(factor);
@@ -144,7 +143,7 @@ std::string axes_disagree(const Balls &balls) {
     if (topology_of(boundary) != expected) what = to_text(topology_of(boundary)) + " and " + to_text(expected) + " ";
     if (!near(found.totals.area, measures.totals.area, 1e-13)) what += "total area ";
     if (!near(found.totals.volume, measures.totals.volume, 1e-13)) what += "total volume ";
-    for (std::size_t i = 0; i < balls.size(); ++i)
+    for (size_t i = 0; i < balls.size(); ++i)
       if (std::abs(found.area[i] - measures.area[i]) > 1e-13 * largest_sphere(balls)) what += "area of a ball ";
     if (!what.empty()) return what + "depend on the axes, e.g. " + oracle::to_text(turned);
   }
@@ -155,7 +154,7 @@ std::string copies_disagree(const Balls &balls) {
   const LibraryBoundary plain(balls);
   const hsp_boundary_counts alone = plain.counts();
   const LibraryBoundary::Measures measures = plain.measure();
-  const auto n = static_cast<std::ptrdiff_t>(balls.size());
+  const auto n = static_cast<ptrdiff_t>(balls.size());
   const std::array<std::pair<const char *, Balls>, 3> more = {{{"every ball twice", with_copies(balls)},
                                                                {"balls of half the size", with_half_sizes(balls)},
                                                                {"balls that touch from inside", with_tangents(balls)}}};

@@ -11,13 +11,13 @@
 namespace degenerate {
 namespace {
 
-using Integer = std::int64_t;
+using Integer = int64_t;
 using oracle::Balls;
 using oracle::balls_on_sphere;
 using oracle::chosen_points;
 using oracle::LatticeBall;
 
-/// Those of balls_on_sphere in the plane z = 0.
+// Those of balls_on_sphere in the plane z = 0.
 Balls on_circle(Integer distance, Integer scale, Integer radius) {
   Balls balls;
   for (const LatticeBall &ball : balls_on_sphere(distance, scale, radius))
@@ -29,7 +29,7 @@ bool is_face_centred(Integer x, Integer y, Integer z) {
   return (x + y + z) % 2 == 0;
 }
 
-/// Bonds along (1, 1, 1) between the even face-centred points and their copies.
+// Bonds along (1, 1, 1) between the even face-centred points and their copies.
 bool is_diamond(Integer x, Integer y, Integer z) {
   const Integer odd = x % 2;
   return y % 2 == odd && z % 2 == odd && (x + y + z - 3 * odd) % 4 == 0;
@@ -103,7 +103,7 @@ void add_other_lattices(Collection &collection) {
     collection.add_unknown("diamond, radius " + std::to_string(radius), chosen_points(5, 6, radius, is_diamond));
 }
 
-/// The centres are those of tests/oracle; edges 71 long, pentagons close at 60.4, hexagons at 71, the cage at 176.
+// The centres are those of tests/oracle; edges 71 long, pentagons close at 60.4, hexagons at 71, the cage at 176.
 void add_fullerenes(Collection &collection) {
   const std::vector<oracle::NamedBalls> named = oracle::named_balls();
   const auto found = std::find_if(named.begin(), named.end(), [](const auto &set) { return set.name == "fullerene"; });

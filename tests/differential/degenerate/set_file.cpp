@@ -8,7 +8,7 @@
 namespace degenerate {
 namespace {
 
-/// The rest of a line without the blank in front.
+// The rest of a line without the blank in front.
 std::string rest_of(std::istringstream &line) {
   std::string text;
   std::getline(line >> std::ws, text);

@@ -100,9 +100,9 @@ TEST(DegenerateSets, DoNotDependOnCopies) {
   degenerate::expect_of_all(0, 1000, degenerate::copies_disagree);
 }
 
-/// Loops of the faces of ball 0, most first.
-std::vector<std::uint32_t> loops_of_first_ball(const std::string &name) {
-  std::vector<std::uint32_t> loops;
+// Loops of the faces of ball 0, most first.
+std::vector<uint32_t> loops_of_first_ball(const std::string &name) {
+  std::vector<uint32_t> loops;
   for (const DegenerateSet &set : degenerate::corpus()) {
     if (set.name != name) continue;
     for (const hsp_face &face : LibraryBoundary(set.balls).faces())
@@ -113,7 +113,7 @@ std::vector<std::uint32_t> loops_of_first_ball(const std::string &name) {
 }
 
 TEST(DegenerateSets, HaveFacesWithManyHoles) {
-  using Loops = std::vector<std::uint32_t>;
+  using Loops = std::vector<uint32_t>;
   EXPECT_EQ(loops_of_first_ball("belt of 20 separate balls"), (Loops{20}));
   EXPECT_EQ(loops_of_first_ball("belt of 20 balls"), (Loops{1, 1}));
   // Three bumps in the northern face, two in the southern.

@@ -19,20 +19,20 @@ bool meet(const LatticeBall &a, const LatticeBall &b) {
   return oracle::dot(between, between) <= reach * reach;
 }
 
-/// By connected component and about a ball of it, so that distances between components and from the origin cost no
-/// digits.
+// By connected component and about a ball of it, so that distances between components and from the origin cost no
+// digits.
 oracle::SliceMeasures measure_by_components(const Balls &balls) {
   oracle::DisjointSets sets(balls.size());
-  for (std::size_t i = 0; i < balls.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j)
+  for (size_t i = 0; i < balls.size(); ++i)
+    for (size_t j = 0; j < i; ++j)
       if (meet(balls[i], balls[j])) sets.join(i, j);
   oracle::SliceMeasures all;
   all.ball_area.assign(balls.size(), 0);
-  for (std::size_t first = 0; first < balls.size(); ++first) {
+  for (size_t first = 0; first < balls.size(); ++first) {
     if (sets.find(first) != first) continue;
-    std::vector<std::size_t> members;
+    std::vector<size_t> members;
     std::vector<oracle::RealBall> component;
-    for (std::size_t i = first; i < balls.size(); ++i) {
+    for (size_t i = first; i < balls.size(); ++i) {
       if (sets.find(i) != first) continue;
       const oracle::Vector centre = oracle::centre_difference(balls[first], balls[i]);
       members.push_back(i);
@@ -42,13 +42,13 @@ oracle::SliceMeasures measure_by_components(const Balls &balls) {
     const oracle::SliceMeasures measures = oracle::measure_by_slices(component);
     all.area += measures.area;
     all.volume += measures.volume;
-    for (std::size_t k = 0; k < members.size(); ++k) all.ball_area[members[k]] = measures.ball_area[k];
+    for (size_t k = 0; k < members.size(); ++k) all.ball_area[members[k]] = measures.ball_area[k];
   }
   return all;
 }
 
-/// Where centres are close together for the size of the balls, the oracle's 64-bit numbers lose the height at which one
-/// sphere takes over from the other: by a rounding error (5e-20) times this.
+// Where centres are close together for the size of the balls, the oracle's 64-bit numbers lose the height at which one
+// sphere takes over from the other: by a rounding error (5e-20) times this.
 long double worst_condition(const Balls &balls) {
   long double largest = 0;
   long double nearest2 = 0;
@@ -80,7 +80,7 @@ std::string slices_disagree(const Balls &balls) {
   for (const LatticeBall &ball : balls) largest = std::max(largest, static_cast<long double>(ball.radius));
   compare("area", found.totals.area, expected.area, tolerance * expected.area);
   compare("volume", found.totals.volume, expected.volume, tolerance * expected.volume);
-  for (std::size_t i = 0; i < balls.size(); ++i)
+  for (size_t i = 0; i < balls.size(); ++i)
     compare("area of a ball", found.area[i], expected.ball_area[i],
             tolerance_of_a_ball * 4 * std::numbers::pi_v<long double> * largest * largest);
   return text.str();

@@ -13,16 +13,16 @@ namespace {
 
 using oracle::Balls;
 
-/// Some of the balls, by a fixed choice.
-std::vector<std::size_t> some_of(const Balls &balls, std::size_t n, oracle::RandomSource &random) {
-  std::vector<std::size_t> chosen;
-  for (const std::uint32_t ball : random.permutation(balls.size()))
+// Some of the balls, by a fixed choice.
+std::vector<size_t> some_of(const Balls &balls, size_t n, oracle::RandomSource &random) {
+  std::vector<size_t> chosen;
+  for (const uint32_t ball : random.permutation(balls.size()))
     if (chosen.size() < n) chosen.push_back(ball);
   return chosen;
 }
 
-/// Near an arc that is about to be born or to die a quotient is known less well than to the tolerance; that must stay
-/// rare, or nothing is compared.
+// Near an arc that is about to be born or to die a quotient is known less well than to the tolerance; that must stay
+// rare, or nothing is compared.
 void expect_nearly_all_known(const GradientTally &tally) {
   std::cout << to_text(tally) << "\n";
   EXPECT_GT(tally.compared, 0U);
@@ -53,7 +53,7 @@ TEST(Gradients, SlicesAreAsExactAsAssumed) {
     for (const oracle::LatticeBall &ball : set.balls) turned.push_back({ball.z, ball.x, ball.y, ball.radius});
     const MeasuredValues here = measured_by_slices(set.balls);
     const MeasuredValues there = measured_by_slices(turned);
-    for (std::size_t i = 0; i < set.balls.size(); ++i)
+    for (size_t i = 0; i < set.balls.size(); ++i)
       EXPECT_LE(std::abs(here.area[i].value - there.area[i].value), here.area[i].noise) << set.name << ", ball " << i;
     EXPECT_LE(std::abs(here.volume[0].value - there.volume[0].value), here.volume[0].noise) << set.name;
   }

@@ -13,11 +13,11 @@ namespace {
 
 using oracle::Balls;
 
-/// Every nth ball, or, in the usual form, every (5 n)th.
-std::vector<std::size_t> every(std::size_t nth, const Balls &balls) {
+// Every nth ball, or, in the usual form, every (5 n)th.
+std::vector<size_t> every(size_t nth, const Balls &balls) {
   if (!oracle::long_tests()) nth *= 5;
-  std::vector<std::size_t> chosen;
-  for (std::size_t i = 0; i < balls.size(); i += nth) chosen.push_back(i);
+  std::vector<size_t> chosen;
+  for (size_t i = 0; i < balls.size(); i += nth) chosen.push_back(i);
   return chosen;
 }
 
@@ -29,7 +29,7 @@ void expect_nearly_all_known(const GradientTally &tally) {
 TEST(DerivativesSlow, GradientsOfAllBallsOfSetsOfEveryKind) {
   GradientTally tally;
   for (int k = 0; k < oracle::rounds(2, 5); ++k)
-    for (const GradientSet &set : sets_of_every_kind(201 + static_cast<std::uint64_t>(k)))
+    for (const GradientSet &set : sets_of_every_kind(201 + static_cast<uint64_t>(k)))
       EXPECT_EQ(gradients_differ(set.balls, every(1, set.balls), measured_by_library, tally), "") << set.name;
   expect_nearly_all_known(tally);
 }
@@ -58,7 +58,7 @@ TEST(DerivativesSlow, GradientsOfSlices) {
 
 TEST(DerivativesSlow, FacesOfSetsOfEveryKind) {
   for (int k = 0; k < oracle::rounds(1, 4); ++k)
-    for (const GradientSet &set : sets_of_every_kind(221 + static_cast<std::uint64_t>(k)))
+    for (const GradientSet &set : sets_of_every_kind(221 + static_cast<uint64_t>(k)))
       EXPECT_EQ(faces_differ(set.balls), "") << set.name;
 }
 

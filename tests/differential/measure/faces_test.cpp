@@ -35,16 +35,16 @@ TEST(MeasuresOfFaces, OfMolecules) {
 TEST(MeasuresOfFaces, SumToThoseOfTheBalls) {
   oracle::RandomSource random(104);
   for (int k = 0; k < 2000; ++k) {
-    const Balls balls = oracle::any_balls(random, static_cast<std::size_t>(random.in(1, 30)));
+    const Balls balls = oracle::any_balls(random, static_cast<size_t>(random.in(1, 30)));
     const LibraryBoundary boundary(balls);
     const LibraryFaceMeasures faces = measure_faces(boundary);
     const LibraryBoundary::Measures measures = boundary.measure();
     const std::vector<hsp_ball> records = boundary.balls();
-    for (std::size_t i = 0; i < balls.size(); ++i) {
+    for (size_t i = 0; i < balls.size(); ++i) {
       Real area = 0;
       Real volume = 0;
       Real size = 0;
-      for (std::uint32_t f = 0; f < records[i].faces; ++f) {
+      for (uint32_t f = 0; f < records[i].faces; ++f) {
         area += static_cast<Real>(faces.area[records[i].first_face + f]);
         volume += static_cast<Real>(faces.volume[records[i].first_face + f]);
         size += std::abs(static_cast<Real>(faces.volume[records[i].first_face + f]));

@@ -19,7 +19,7 @@ using Measures = LibraryBoundary::Measures;
 TEST(Measures, OfLooseSetsAreThoseOfSlices) {
   RandomSource random(61);
   for (int k = 0; k < 25; ++k) {
-    const Balls balls = oracle::loose_balls(random, static_cast<std::size_t>(random.in(5, 25)));
+    const Balls balls = oracle::loose_balls(random, static_cast<size_t>(random.in(5, 25)));
     ASSERT_EQ(complaint_about_smallest(balls, measures_differ), "");
   }
 }
@@ -36,7 +36,7 @@ TEST(Measures, OfDenseClusteredAndBeltedSetsAreThoseOfSlices) {
 TEST(Measures, OfDegenerateSetsAreThoseOfSlices) {
   RandomSource random(63);
   for (int k = 0; k < 500; ++k) {
-    const Balls balls = oracle::degenerate_balls(random, static_cast<std::size_t>(random.in(1, 10)));
+    const Balls balls = oracle::degenerate_balls(random, static_cast<size_t>(random.in(1, 10)));
     ASSERT_EQ(complaint_about_smallest(balls, measures_differ), "");
   }
 }
@@ -58,14 +58,14 @@ TEST(Measures, OfNamedSetsAreThoseOfSlices) {
 TEST(Measures, OfEachBallDoNotDependOnTheOrderOfTheBallsToTheBit) {
   RandomSource random(64);
   for (int k = 0; k < 1500; ++k) {
-    Balls balls = oracle::any_balls(random, static_cast<std::size_t>(random.in(2, 30)));
+    Balls balls = oracle::any_balls(random, static_cast<size_t>(random.in(2, 30)));
     std::sort(balls.begin(), balls.end());
     // Equal balls are told apart by their index only: here the area may wander from one to the other.
     balls.erase(std::unique(balls.begin(), balls.end()), balls.end());
     const Measures sorted = LibraryBoundary(balls).measure();
-    const std::vector<std::uint32_t> order = random.permutation(balls.size());
+    const std::vector<uint32_t> order = random.permutation(balls.size());
     const Measures mixed = LibraryBoundary(oracle::permuted(balls, order)).measure();
-    for (std::size_t i = 0; i < order.size(); ++i) {
+    for (size_t i = 0; i < order.size(); ++i) {
       ASSERT_EQ(mixed.area[i], sorted.area[order[i]]) << oracle::to_text(balls);
       ASSERT_EQ(mixed.volume[i], sorted.volume[order[i]]) << oracle::to_text(balls);
     }
@@ -75,8 +75,8 @@ TEST(Measures, OfEachBallDoNotDependOnTheOrderOfTheBallsToTheBit) {
 TEST(Measures, DoNotDependOnThePlace) {
   RandomSource random(65);
   for (int k = 0; k < 300; ++k) {
-    const Balls balls = oracle::any_balls(random, static_cast<std::size_t>(random.in(2, 25)));
-    const std::int64_t far = std::int64_t{1} << random.in(0, 49);
+    const Balls balls = oracle::any_balls(random, static_cast<size_t>(random.in(2, 25)));
+    const int64_t far = int64_t{1} << random.in(0, 49);
     Balls moved;
     for (const LatticeBall &b : balls) moved.push_back({b.x - far, b.y + far / 3, b.z + far, b.radius});
     const Measures here = LibraryBoundary(balls).measure();
@@ -91,8 +91,8 @@ TEST(Measures, DoNotDependOnThePlace) {
 TEST(Measures, ScaleAsAreasAndVolumes) {
   RandomSource random(66);
   for (int k = 0; k < 300; ++k) {
-    const Balls balls = oracle::any_balls(random, static_cast<std::size_t>(random.in(2, 25)));
-    const std::int64_t factor = random.in(2, 1000000);
+    const Balls balls = oracle::any_balls(random, static_cast<size_t>(random.in(2, 25)));
+    const int64_t factor = random.in(2, 1000000);
     Balls scaled;
     for (const LatticeBall &b : balls) scaled.push_back({b.x * factor, b.y * factor, b.z * factor, b.radius * factor});
     const double step = std::ldexp(1.0, static_cast<int>(random.in(-60, 60)));
@@ -109,7 +109,7 @@ TEST(Measures, ScaleAsAreasAndVolumes) {
 TEST(Measures, AddUpToTheTotals) {
   RandomSource random(67);
   for (int k = 0; k < 500; ++k) {
-    const Balls balls = oracle::any_balls(random, static_cast<std::size_t>(random.in(1, 60)));
+    const Balls balls = oracle::any_balls(random, static_cast<size_t>(random.in(1, 60)));
     const Measures measures = LibraryBoundary(balls).measure();
     long double area = 0;
     long double volume = 0;

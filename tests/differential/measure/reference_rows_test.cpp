@@ -13,15 +13,15 @@ namespace {
 struct Row {
   const char *file;
   double probe;
-  std::uint32_t balls;
+  uint32_t balls;
   long double area;    // angstrom^2
   long double volume;  // angstrom^3
-  std::uint32_t vertices;
+  uint32_t vertices;
 };
 
-/// Areas and volumes by quadrature over slices (tanh-sinh between all heights at which the slice changes), to as many
-/// digits as are known; the numbers of vertices as exposed triple points, and again as regular facets plus twice the
-/// singular ones of the alpha complex.
+// Areas and volumes by quadrature over slices (tanh-sinh between all heights at which the slice changes), to as many
+// digits as are known; the numbers of vertices as exposed triple points, and again as regular facets plus twice the
+// singular ones of the alpha complex.
 void compare(const Row &row, const std::filesystem::path &file) {
   // The files have at most three decimals, the radii two: nothing is rounded in thousandths.
   constexpr double units = 1000;

@@ -11,21 +11,21 @@
 
 namespace {
 
-constexpr std::int64_t unit = std::int64_t{1} << 22;
+constexpr int64_t unit = int64_t{1} << 22;
 
-/// Radii of about 100 units; the third ball is above the crease at the given height.
-oracle::Balls balls_at(std::int64_t height) {
+// Radii of about 100 units; the third ball is above the crease at the given height.
+oracle::Balls balls_at(int64_t height) {
   return {{0, 0, 0, 100 * unit},
           {120 * unit + 7, 3 * unit, -unit, 90 * unit},
           {40 * unit, height, 30 * unit + 11, 80 * unit}};
 }
 
-std::uint32_t vertices_at(std::int64_t height) {
+uint32_t vertices_at(int64_t height) {
   return LibraryBoundary(balls_at(height)).counts().vertices;
 }
 
-/// All derivatives of the area, relative to the unit.
-std::vector<double> gradient_at(std::int64_t height) {
+// All derivatives of the area, relative to the unit.
+std::vector<double> gradient_at(int64_t height) {
   std::vector<double> result;
   for (const FourDerivatives &ball : gradient(LibraryBoundary(balls_at(height)), EnergyTerms{}).by_ball)
     for (const double derivative : ball) result.push_back(derivative / static_cast<double>(unit));
@@ -34,27 +34,27 @@ std::vector<double> gradient_at(std::int64_t height) {
 
 double largest_difference(const std::vector<double> &a, const std::vector<double> &b) {
   double largest = 0;
-  for (std::size_t k = 0; k < a.size(); ++k) largest = std::max(largest, std::abs(a[k] - b[k]));
+  for (size_t k = 0; k < a.size(); ++k) largest = std::max(largest, std::abs(a[k] - b[k]));
   return largest;
 }
 
 class ArcBirth : public testing::Test {
  protected:
-  /// The lowest height without vertices, at which each two of the balls meet in a whole free circle.
+  // The lowest height without vertices, at which each two of the balls meet in a whole free circle.
   void SetUp() override {
-    std::int64_t with = 100 * unit;
-    std::int64_t without = 190 * unit;
+    int64_t with = 100 * unit;
+    int64_t without = 190 * unit;
     ASSERT_EQ(vertices_at(with), 2U);
     ASSERT_EQ(vertices_at(without), 0U);
     while (without - with > 1) {
-      const std::int64_t middle = (with + without) / 2;
+      const int64_t middle = (with + without) / 2;
       (vertices_at(middle) > 0 ? with : without) = middle;
     }
     birth_ = without;
     ASSERT_EQ(LibraryBoundary(balls_at(birth_)).counts().circles, 3U);
   }
 
-  std::int64_t birth_ = 0;
+  int64_t birth_ = 0;
 };
 
 TEST_F(ArcBirth, TheGradientDoesNotJump) {
@@ -72,7 +72,7 @@ TEST_F(ArcBirth, TheGradientDoesNotJump) {
 TEST_F(ArcBirth, TheGradientLeavesLikeARoot) {
   const std::vector<double> at_birth = gradient_at(birth_);
   double shallow = largest_difference(gradient_at(birth_ - 256), at_birth);
-  for (std::int64_t depth = 1024; depth <= 1024 * 1024; depth *= 4) {
+  for (int64_t depth = 1024; depth <= 1024 * 1024; depth *= 4) {
     const double deep = largest_difference(gradient_at(birth_ - depth), at_birth);
     EXPECT_NEAR(deep / shallow, 2, 0.1) << depth;
     shallow = deep;
@@ -83,7 +83,7 @@ TEST_F(ArcBirth, TheGradientLeavesLikeARoot) {
 TEST_F(ArcBirth, TheGradientArrivesSmoothly) {
   const std::vector<double> at_birth = gradient_at(birth_);
   double small = largest_difference(gradient_at(birth_ + 4096), at_birth);
-  for (std::int64_t distance = 4 * 4096; distance <= 256 * 4096; distance *= 4) {
+  for (int64_t distance = 4 * 4096; distance <= 256 * 4096; distance *= 4) {
     const double large = largest_difference(gradient_at(birth_ + distance), at_birth);
     EXPECT_NEAR(large / small, 4, 0.1) << distance;
     small = large;

@@ -14,7 +14,7 @@ constexpr const char *black = "#000000";
 constexpr const char *first_colour = "#d55e00";  // vermilion and blue are told apart by everybody
 constexpr const char *second_colour = "#0072b2";
 
-/// One column: areas above, the derivative below.
+// One column: areas above, the derivative below.
 struct Column {
   PairOfBalls pair;
   const char *title;
@@ -26,24 +26,24 @@ struct Column {
   PlotPoint legend;
 };
 
-double length_of(std::int64_t distance) {
+double length_of(int64_t distance) {
   return in_angstrom(static_cast<double>(distance));
 }
 
-/// Distances from one to the other, both included, a fiftieth of an angstrom apart but at the end.
-std::vector<std::int64_t> between(std::int64_t first, std::int64_t last) {
-  constexpr std::int64_t fiftieth = units_per_angstrom / 50;
-  std::vector<std::int64_t> distances;
-  for (std::int64_t d = first; d < last; d += fiftieth) distances.push_back(d);
+// Distances from one to the other, both included, a fiftieth of an angstrom apart but at the end.
+std::vector<int64_t> between(int64_t first, int64_t last) {
+  constexpr int64_t fiftieth = units_per_angstrom / 50;
+  std::vector<int64_t> distances;
+  for (int64_t d = first; d < last; d += fiftieth) distances.push_back(d);
   distances.push_back(last);
   return distances;
 }
 
 std::vector<PlotPanel> panels_of(const Column &column, double left) {
   const PairOfBalls &pair = column.pair;
-  const auto end = static_cast<std::int64_t>(column.bond_length.last * static_cast<double>(units_per_angstrom));
-  const std::int64_t inside = pair.touching_from_inside();
-  const std::int64_t touching = pair.touching();
+  const auto end = static_cast<int64_t>(column.bond_length.last * static_cast<double>(units_per_angstrom));
+  const int64_t inside = pair.touching_from_inside();
+  const int64_t touching = pair.touching();
 
   PlotPanel areas({left, 50, 240, 190}, column.bond_length, column.area);
   areas.title(column.title);
@@ -57,7 +57,7 @@ std::vector<PlotPanel> panels_of(const Column &column, double left) {
   std::vector<PlotPoint> total;
   std::vector<PlotPoint> first;
   std::vector<PlotPoint> second;
-  for (const std::int64_t d : between(0, end)) {
+  for (const int64_t d : between(0, end)) {
     const PairResults at = pair_at(pair, d, HSP_TANGENT_MEETING);
     // At length 0 equal balls have the area of one, and which of them has it is nobody's business.
     if (d > 0 || inside > 0) {
@@ -75,16 +75,16 @@ std::vector<PlotPanel> panels_of(const Column &column, double left) {
   if (two_names) areas.legend(column.legend, 2, column.second_name, second_colour, PlotStroke::dashed);
 
   // The pieces apart from each other: at their ends the derivative is the one-sided one of that piece.
-  const auto slope_piece = [&](std::int64_t from, std::int64_t to, std::uint32_t tangency) {
+  const auto slope_piece = [&](int64_t from, int64_t to, uint32_t tangency) {
     std::vector<PlotPoint> points;
-    for (const std::int64_t d : between(from, to))
+    for (const int64_t d : between(from, to))
       points.push_back({length_of(d), in_angstrom(pair_at(pair, d, tangency).total_by_distance)});
     slopes.curve(points, black, PlotStroke::thick);
   };
   if (inside > 0) slope_piece(0, inside, HSP_TANGENT_MEETING);
   slope_piece(inside > 0 ? inside : shortest_change, touching, HSP_TANGENT_MEETING);
   slope_piece(touching, end, HSP_TANGENT_APART);
-  for (const std::uint32_t tangency : {HSP_TANGENT_MEETING, HSP_TANGENT_APART})
+  for (const uint32_t tangency : {HSP_TANGENT_MEETING, HSP_TANGENT_APART})
     slopes.dot({length_of(touching), in_angstrom(pair_at(pair, touching, tangency).total_by_distance)}, black,
                tangency == HSP_TANGENT_MEETING);
   return {areas, slopes};
@@ -107,7 +107,7 @@ std::string picture() {
        {0, 24, 8, slope},
        {2.0, 192}}};
   std::vector<PlotPanel> panels;
-  for (std::size_t k = 0; k < columns.size(); ++k)
+  for (size_t k = 0; k < columns.size(); ++k)
     for (const PlotPanel &panel : panels_of(columns[k], 60 + 315 * static_cast<double>(k))) panels.push_back(panel);
   return svg_file(960, 490, "Area of two balls and its derivative over the bond length", panels);
 }

@@ -17,7 +17,7 @@ Real sphere_area(Real r) {
 Real ball_volume(Real r) {
   return 4 * pi / 3 * r * r * r;
 }
-/// Of a ball, beyond a plane that is h from its centre.
+// Of a ball, beyond a plane that is h from its centre.
 Real cap_volume(Real r, Real h) {
   return pi * (r - h) * (r - h) * (2 * r + h) / 3;
 }
@@ -37,7 +37,7 @@ Real PairFormulas::volume(Real d) const {
   if (d <= difference()) return ball_volume(std::max(r_[0], r_[1]));
   Real sum_of_balls = ball_volume(r_[0]) + ball_volume(r_[1]);
   if (d >= sum()) return sum_of_balls;
-  for (const std::size_t i : {0U, 1U}) sum_of_balls -= cap_volume(r_[i], height(i, d));
+  for (const size_t i : {0U, 1U}) sum_of_balls -= cap_volume(r_[i], height(i, d));
   return sum_of_balls;
 }
 

@@ -15,9 +15,9 @@ namespace {
 using Real = long double;
 
 constexpr Real pi = std::numbers::pi_v<Real>;
-constexpr std::int64_t thousandth = units_per_angstrom / 1000;
+constexpr int64_t thousandth = units_per_angstrom / 1000;
 
-Real real(std::int64_t length) {
+Real real(int64_t length) {
   return static_cast<Real>(length);
 }
 
@@ -25,18 +25,18 @@ PairFormulas formulas_of(const PairOfBalls &pair) {
   return {real(pair.radius[0]), real(pair.radius[1])};
 }
 
-/// Of a sphere of the larger radius: what rounding errors are relative to.
+// Of a sphere of the larger radius: what rounding errors are relative to.
 Real area_scale(const PairOfBalls &pair) {
   const Real r = real(std::max(pair.radius[0], pair.radius[1]));
   return 4 * pi * r * r;
 }
 
-/// Every thousandth of an angstrom from 0 to beyond touching, and around both kinds of touching every exact distance.
-std::vector<std::int64_t> scan_of(const PairOfBalls &pair) {
-  std::vector<std::int64_t> distances;
-  for (std::int64_t d = 0; d <= pair.touching() + 300 * thousandth; d += thousandth) distances.push_back(d);
-  for (const std::int64_t d : {pair.touching_from_inside(), pair.touching()})
-    for (std::int64_t k = -100; k <= 100; ++k)
+// Every thousandth of an angstrom from 0 to beyond touching, and around both kinds of touching every exact distance.
+std::vector<int64_t> scan_of(const PairOfBalls &pair) {
+  std::vector<int64_t> distances;
+  for (int64_t d = 0; d <= pair.touching() + 300 * thousandth; d += thousandth) distances.push_back(d);
+  for (const int64_t d : {pair.touching_from_inside(), pair.touching()})
+    for (int64_t k = -100; k <= 100; ++k)
       if (d + k * shortest_change >= 0) distances.push_back(d + k * shortest_change);
   std::sort(distances.begin(), distances.end());
   distances.erase(std::unique(distances.begin(), distances.end()), distances.end());
@@ -50,13 +50,13 @@ TEST_P(BondScan, ValuesAreThoseOfClosedForms) {
   const PairFormulas formulas = formulas_of(pair);
   const Real tolerance = 1e-15L * area_scale(pair);
   const Real radius = real(std::max(pair.radius[0], pair.radius[1]));
-  for (const std::int64_t d : scan_of(pair)) {
+  for (const int64_t d : scan_of(pair)) {
     SCOPED_TRACE(d);
     const PairResults found = pair_at(pair, d, HSP_TANGENT_MEETING);
     std::array<Real, 2> areas = formulas.areas(real(d));
     // Equal balls: either of them may have the area.
     if (d == 0 && pair.radius[0] == pair.radius[1] && found.area[0] == 0) std::swap(areas[0], areas[1]);
-    for (const std::size_t i : {0U, 1U}) ASSERT_LE(std::abs(static_cast<Real>(found.area[i]) - areas[i]), tolerance);
+    for (const size_t i : {0U, 1U}) ASSERT_LE(std::abs(static_cast<Real>(found.area[i]) - areas[i]), tolerance);
     ASSERT_LE(std::abs(static_cast<Real>(found.volume) - formulas.volume(real(d))), tolerance * radius);
 
     // Where one of the balls lies inside the other or touches it from there, nothing depends on the distance; where
@@ -65,8 +65,7 @@ TEST_P(BondScan, ValuesAreThoseOfClosedForms) {
     const std::array<Real, 2> slopes = constant ? std::array<Real, 2>{0, 0} : formulas.areas_by_distance(real(d));
     // Those of single areas are large of either sign where the balls nearly touch from inside.
     const Real size = 2e-15L * (std::abs(slopes[0]) + std::abs(slopes[1]) + 2 * pi * radius);
-    for (const std::size_t i : {0U, 1U})
-      ASSERT_LE(std::abs(static_cast<Real>(found.area_by_distance[i]) - slopes[i]), size);
+    for (const size_t i : {0U, 1U}) ASSERT_LE(std::abs(static_cast<Real>(found.area_by_distance[i]) - slopes[i]), size);
     ASSERT_LE(std::abs(static_cast<Real>(found.total_by_distance) - (slopes[0] + slopes[1])), size);
     const Real growth = constant ? 0 : formulas.volume_by_distance(real(d));
     ASSERT_LE(std::abs(static_cast<Real>(found.volume_by_distance) - growth), 1e-14L * radius * radius);
@@ -79,18 +78,18 @@ TEST_P(BondScan, AreasDoNotJump) {
   const PairOfBalls &pair = GetParam();
   const PairFormulas formulas = formulas_of(pair);
   const Real rounding = 1e-15L * area_scale(pair);
-  const std::vector<std::int64_t> scan = scan_of(pair);
+  const std::vector<int64_t> scan = scan_of(pair);
   PairResults last = pair_at(pair, scan[0], HSP_TANGENT_MEETING);
-  for (std::size_t k = 1; k < scan.size(); ++k) {
+  for (size_t k = 1; k < scan.size(); ++k) {
     SCOPED_TRACE(scan[k]);
     const PairResults next = pair_at(pair, scan[k], HSP_TANGENT_MEETING);
     const Real width = real(scan[k] - scan[k - 1]);
     const bool constant = scan[k] <= pair.touching_from_inside() || scan[k - 1] >= pair.touching();
     Real total_slope = 0;
-    for (const std::size_t i : {0U, 1U}) {
+    for (const size_t i : {0U, 1U}) {
       Real slope = 0;
       if (!constant)
-        for (const std::int64_t d : {scan[k - 1], scan[k]})
+        for (const int64_t d : {scan[k - 1], scan[k]})
           if (d > 0) slope = std::max(slope, std::abs(formulas.areas_by_distance(real(d))[i]));
       total_slope += slope;
       // From two balls at one place on, which of them has the area changes; the total does not.
@@ -106,19 +105,19 @@ TEST_P(BondScan, AreasDoNotJump) {
   }
 }
 
-/// Simpson's rule over an even number of intervals, each of this width, from the distance `from` on. The tangency is
-/// that of overlapping balls, so that the end where they touch belongs to the piece.
+// Simpson's rule over an even number of intervals, each of this width, from the distance `from` on. The tangency is
+// that of overlapping balls, so that the end where they touch belongs to the piece.
 struct Integrals {
   std::array<Real, 2> area{};
   Real total = 0;
   Real volume = 0;
 };
-Integrals integrate(const PairOfBalls &pair, std::int64_t from, std::int64_t width, std::int64_t intervals) {
+Integrals integrate(const PairOfBalls &pair, int64_t from, int64_t width, int64_t intervals) {
   Integrals sums;
-  for (std::int64_t k = 0; k <= intervals; ++k) {
+  for (int64_t k = 0; k <= intervals; ++k) {
     const PairResults at = pair_at(pair, from + k * width, HSP_TANGENT_MEETING);
     const Real weight = real(width) / 3 * (k == 0 || k == intervals ? 1 : k % 2 == 0 ? 2 : 4);
-    for (const std::size_t i : {0U, 1U}) sums.area[i] += weight * static_cast<Real>(at.area_by_distance[i]);
+    for (const size_t i : {0U, 1U}) sums.area[i] += weight * static_cast<Real>(at.area_by_distance[i]);
     sums.total += weight * static_cast<Real>(at.total_by_distance);
     sums.volume += weight * static_cast<Real>(at.volume_by_distance);
   }
@@ -133,10 +132,10 @@ TEST_P(BondScan, GradientsIntegrateBackToAreasAndVolume) {
   // The total's derivative and the volume's are continuous where the small ball begins to poke out of the large one:
   // that end is included. Those of single areas jump there, and equal balls at one place have no direction: a little
   // way from them they are included.
-  const std::int64_t inside = pair.touching_from_inside();
-  for (const std::int64_t from : {inside, inside + 20 * thousandth, inside + 200 * thousandth}) {
+  const int64_t inside = pair.touching_from_inside();
+  for (const int64_t from : {inside, inside + 20 * thousandth, inside + 200 * thousandth}) {
     if (from == 0) continue;
-    const std::int64_t intervals = (pair.touching() - from) / thousandth;
+    const int64_t intervals = (pair.touching() - from) / thousandth;
     ASSERT_EQ(intervals * thousandth, pair.touching() - from);
     ASSERT_EQ(intervals % 2, 0);
     const Integrals found = integrate(pair, from, thousandth, intervals);
@@ -152,7 +151,7 @@ TEST_P(BondScan, GradientsIntegrateBackToAreasAndVolume) {
               factor * formulas.fifth_derivative_of_volume(real(from)) + rounding * radius)
         << from;
     if (from == inside) continue;
-    for (const std::size_t i : {0U, 1U})
+    for (const size_t i : {0U, 1U})
       EXPECT_LE(std::abs(found.area[i] - (static_cast<Real>(end.area[i]) - static_cast<Real>(start.area[i]))),
                 factor * formulas.fifth_derivatives_of_areas(real(from))[i] + rounding)
           << from;
@@ -162,7 +161,7 @@ TEST_P(BondScan, GradientsIntegrateBackToAreasAndVolume) {
 // Where the balls touch from outside, both one-sided derivatives are there, the right one on either side of it.
 TEST_P(BondScan, TouchingBallsHaveBothOneSidedDerivatives) {
   const PairOfBalls &pair = GetParam();
-  const std::int64_t touching = pair.touching();
+  const int64_t touching = pair.touching();
   const Real slope = 4 * pi * real(pair.radius[0]) * real(pair.radius[1]) / real(touching);
   const PairResults meeting = pair_at(pair, touching, HSP_TANGENT_MEETING);
   const PairResults apart = pair_at(pair, touching, HSP_TANGENT_APART);
@@ -171,18 +170,18 @@ TEST_P(BondScan, TouchingBallsHaveBothOneSidedDerivatives) {
   EXPECT_EQ(apart.area, meeting.area);
   EXPECT_LE(std::abs(meeting.volume_by_distance), 1e-15 * static_cast<double>(area_scale(pair)));
   EXPECT_LE(std::abs(apart.volume_by_distance), 1e-15 * static_cast<double>(area_scale(pair)));
-  for (const std::size_t i : {0U, 1U}) {
+  for (const size_t i : {0U, 1U}) {
     EXPECT_EQ(meeting.flags[i], HSP_GRADIENT_ONE_SIDED);
     EXPECT_EQ(apart.flags[i], HSP_GRADIENT_ONE_SIDED);
     EXPECT_EQ(apart.area_by_distance[i], 0);
   }
   // d^2 A / dd^2 is at most 2 pi s t^2 / d^3: nothing that one step could show.
-  for (const std::uint32_t tangency : {HSP_TANGENT_MEETING, HSP_TANGENT_APART}) {
+  for (const uint32_t tangency : {HSP_TANGENT_MEETING, HSP_TANGENT_APART}) {
     const PairResults closer = pair_at(pair, touching - shortest_change, tangency);
     const PairResults farther = pair_at(pair, touching + shortest_change, tangency);
     EXPECT_NEAR(closer.total_by_distance, static_cast<double>(slope), static_cast<double>(1e-7L * slope));
     EXPECT_EQ(farther.total_by_distance, 0);
-    for (const std::size_t i : {0U, 1U}) {
+    for (const size_t i : {0U, 1U}) {
       EXPECT_EQ(closer.flags[i], 0U);
       EXPECT_EQ(farther.flags[i], 0U);
     }
@@ -193,12 +192,12 @@ TEST_P(BondScan, TouchingBallsHaveBothOneSidedDerivatives) {
 // total area's derivative is continuous: one step beyond it is pi s (1 - t^2 / (t + step)^2) < 2 pi s step / t.
 TEST_P(BondScan, BallsThatTouchFromInsideAreFlagged) {
   const PairOfBalls &pair = GetParam();
-  const std::int64_t inside = pair.touching_from_inside();
-  for (const std::uint32_t tangency : {HSP_TANGENT_MEETING, HSP_TANGENT_APART}) {
-    for (std::int64_t k = -1; k <= 1; ++k) {
+  const int64_t inside = pair.touching_from_inside();
+  for (const uint32_t tangency : {HSP_TANGENT_MEETING, HSP_TANGENT_APART}) {
+    for (int64_t k = -1; k <= 1; ++k) {
       if (inside + k * shortest_change < 0) continue;
       const PairResults at = pair_at(pair, inside + k * shortest_change, tangency);
-      for (const std::size_t i : {0U, 1U}) EXPECT_EQ(at.flags[i], k == 0 ? HSP_GRADIENT_ONE_SIDED : 0U) << k;
+      for (const size_t i : {0U, 1U}) EXPECT_EQ(at.flags[i], k == 0 ? HSP_GRADIENT_ONE_SIDED : 0U) << k;
       if (inside > 0) {
         EXPECT_LE(std::abs(static_cast<Real>(at.total_by_distance)),
                   2 * pi * real(pair.touching()) * real(shortest_change) / real(inside))

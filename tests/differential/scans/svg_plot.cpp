@@ -5,7 +5,7 @@
 
 namespace {
 
-/// A decimal number with so many digits behind the point, made from an integer: no locale, no binary fractions.
+// A decimal number with so many digits behind the point, made from an integer: no locale, no binary fractions.
 std::string decimal(double value, int digits) {
   const long long scale = digits == 0 ? 1 : digits == 1 ? 10 : 100;
   const long long hundredths = std::llround(value * static_cast<double>(scale));
@@ -14,14 +14,14 @@ std::string decimal(double value, int digits) {
   text += std::to_string(size / scale);
   if (digits == 0) return text;
   const std::string fraction = std::to_string(size % scale);
-  return text + "." + std::string(static_cast<std::size_t>(digits) - fraction.size(), '0') + fraction;
+  return text + "." + std::string(static_cast<size_t>(digits) - fraction.size(), '0') + fraction;
 }
 
 std::string pixel(double value) {
   return decimal(value, 2);
 }
 
-/// A minus sign instead of a hyphen, and as many digits as the step has.
+// A minus sign instead of a hyphen, and as many digits as the step has.
 std::string tick_label(double value, double step) {
   const std::string text = decimal(value, step == std::floor(step) ? 0 : 1);
   return text.front() == '-' ? "\xE2\x88\x92" + text.substr(1) : text;
@@ -95,7 +95,7 @@ void PlotPanel::mark(double x, const std::string &at_bottom, const std::string &
 
 void PlotPanel::curve(const std::vector<PlotPoint> &points, const std::string &colour, PlotStroke stroke) {
   svg_ += std::string("<polyline class=\"") + stroke_class(stroke) + "\" stroke=\"" + colour + "\" points=\"";
-  for (std::size_t k = 0; k < points.size(); ++k) {
+  for (size_t k = 0; k < points.size(); ++k) {
     if (k > 0) svg_ += ' ';
     svg_ += pixel_x(points[k].x) + "," + pixel_y(points[k].y);
   }

@@ -1,6 +1,5 @@
 // Plots of curves as SVG text, the same bytes on every machine.
-#ifndef HARDSPHERE_TESTS_SCANS_SVG_PLOT_HPP
-#define HARDSPHERE_TESTS_SCANS_SVG_PLOT_HPP
+#pragma once
 
 #include <string>
 #include <vector>
@@ -10,7 +9,7 @@ struct PlotPoint {
   double y = 0;
 };
 
-/// From first to last, with a number at every multiple of step.
+// From first to last, with a number at every multiple of step.
 struct PlotAxis {
   double first = 0;
   double last = 1;
@@ -18,7 +17,7 @@ struct PlotAxis {
   std::string label;
 };
 
-/// Where a panel's frame lies in the picture, in pixels.
+// Where a panel's frame lies in the picture, in pixels.
 struct PlotFrame {
   double left = 0;
   double top = 0;
@@ -28,18 +27,18 @@ struct PlotFrame {
 
 enum class PlotStroke { thick, thin, dashed };
 
-/// One pair of axes with what is drawn between them.
+// One pair of axes with what is drawn between them.
 class PlotPanel {
  public:
   PlotPanel(PlotFrame frame, PlotAxis x, PlotAxis y);
 
   void title(const std::string &text);
-  /// A vertical line over the whole panel, with words on its left at the bottom or on its right at the top.
+  // A vertical line over the whole panel, with words on its left at the bottom or on its right at the top.
   void mark(double x, const std::string &at_bottom, const std::string &at_top);
   void curve(const std::vector<PlotPoint> &points, const std::string &colour, PlotStroke stroke);
-  /// A value that belongs to the curve, or one that does not (an open dot).
+  // A value that belongs to the curve, or one that does not (an open dot).
   void dot(PlotPoint point, const std::string &colour, bool filled);
-  /// What a stroke means; rows count from the top, from a place in the panel's own numbers on.
+  // What a stroke means; rows count from the top, from a place in the panel's own numbers on.
   void legend(PlotPoint place, int row, const std::string &text, const std::string &colour, PlotStroke stroke);
 
   [[nodiscard]] const std::string &svg() const { return svg_; }
@@ -55,7 +54,5 @@ class PlotPanel {
   std::string svg_;
 };
 
-/// The panels as one SVG file.
+// The panels as one SVG file.
 std::string svg_file(double width, double height, const std::string &description, const std::vector<PlotPanel> &panels);
-
-#endif

@@ -1,6 +1,5 @@
 // The library's boundary against the brute-force one.
-#ifndef HARDSPHERE_TESTS_AGAINST_ORACLE_BOUNDARY_COMPARISON_HPP
-#define HARDSPHERE_TESTS_AGAINST_ORACLE_BOUNDARY_COMPARISON_HPP
+#pragma once
 
 #include <string>
 
@@ -9,9 +8,9 @@
 #include "random_balls.hpp"
 #include "smallest_failing.hpp"
 
-/// Compare the boundary in the given order of the balls and in `orders` random ones. Balls are named by their rank in
-/// the tie rule, which the order does not change.
-inline Complaint boundary_differs(int orders, std::uint64_t seed) {
+// Compare the boundary in the given order of the balls and in `orders` random ones. Balls are named by their rank in
+// the tie rule, which the order does not change.
+inline Complaint boundary_differs(int orders, uint64_t seed) {
   return [orders, seed](const oracle::Balls &balls) {
     oracle::RandomSource random(seed);
     const oracle::BoundaryRecord record = oracle::brute_boundary(balls);
@@ -26,5 +25,3 @@ inline Complaint boundary_differs(int orders, std::uint64_t seed) {
     return std::string();
   };
 }
-
-#endif

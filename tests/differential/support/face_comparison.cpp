@@ -21,11 +21,11 @@ Vector centre_of(const oracle::LatticeBall &ball) {
   return {static_cast<Real>(ball.x), static_cast<Real>(ball.y), static_cast<Real>(ball.z)};
 }
 
-/// The term of the divergence theorem, (r area + (c - origin) . N) / 3.
+// The term of the divergence theorem, (r area + (c - origin) . N) / 3.
 Real volume_term(const oracle::LatticeBall &ball, const Vector &origin, const FaceMeasures &face) {
   const Vector centre = centre_of(ball);
   Real sum = static_cast<Real>(ball.radius) * face.area;
-  for (std::size_t k = 0; k < 3; ++k) sum += (centre[k] - origin[k]) * face.vector_area[k];
+  for (size_t k = 0; k < 3; ++k) sum += (centre[k] - origin[k]) * face.vector_area[k];
   return sum / 3;
 }
 
@@ -41,25 +41,25 @@ class FaceComparison {
     for (const FaceMeasures &face : oracle::measure_faces_by_slices(oracle::real_balls(balls)))
       expected_[face.ball].push_back(face);
     for (const oracle::LatticeBall &a : balls)
-      for (std::size_t k = 0; k < 3; ++k) extent_ = std::max(extent_, std::abs(centre_of(a)[k]));
+      for (size_t k = 0; k < 3; ++k) extent_ = std::max(extent_, std::abs(centre_of(a)[k]));
   }
 
   std::string complaint() {
-    for (std::uint32_t component = 0; component < boundary_.counts().components; ++component) compare(component);
+    for (uint32_t component = 0; component < boundary_.counts().components; ++component) compare(component);
     return text_.str();
   }
 
  private:
-  /// The origin of the volume terms is the centre of one of the component's balls, and the header leaves open of which:
-  /// the terms of all its faces must fit one of them.
-  void compare(std::uint32_t component) {
+  // The origin of the volume terms is the centre of one of the component's balls, and the header leaves open of which:
+  // the terms of all its faces must fit one of them.
+  void compare(uint32_t component) {
     std::ostringstream best;
     bool first = true;
-    for (std::size_t o = 0; o < balls_.size(); ++o) {
+    for (size_t o = 0; o < balls_.size(); ++o) {
       if (library_balls_[o].component != component) continue;
       std::ostringstream text;
       text.precision(17);
-      for (std::uint32_t i = 0; i < balls_.size(); ++i)
+      for (uint32_t i = 0; i < balls_.size(); ++i)
         if (library_balls_[i].component == component) compare_ball(i, centre_of(balls_[o]), text);
       if (text.str().empty()) return;
       if (first || text.str().size() < best.str().size()) best.swap(text);
@@ -68,7 +68,7 @@ class FaceComparison {
     text_ << "component " << component << ":\n" << best.str();
   }
 
-  void compare_ball(std::uint32_t i, const Vector &origin, std::ostringstream &text) const {
+  void compare_ball(uint32_t i, const Vector &origin, std::ostringstream &text) const {
     const Real radius = static_cast<Real>(balls_[i].radius);
     const Real area_tolerance = 1e-12L * 4 * std::numbers::pi_v<Real> * radius * radius;
     const Real volume_tolerance = area_tolerance * (radius + 2 * extent_) / 3;
@@ -80,9 +80,9 @@ class FaceComparison {
     FaceMeasures whole;
     for (const FaceMeasures &face : left) {
       whole.area += face.area;
-      for (std::size_t k = 0; k < 3; ++k) whole.vector_area[k] += face.vector_area[k];
+      for (size_t k = 0; k < 3; ++k) whole.vector_area[k] += face.vector_area[k];
     }
-    for (std::uint32_t f = library_balls_[i].first_face; left.size() > 0; ++f) {
+    for (uint32_t f = library_balls_[i].first_face; left.size() > 0; ++f) {
       const auto agrees = [&](const FaceMeasures &face) {
         return std::abs(static_cast<Real>(by_face_.area[f]) - face.area) <= area_tolerance &&
                std::abs(static_cast<Real>(by_face_.volume[f]) - volume_term(balls_[i], origin, face)) <=

@@ -13,10 +13,10 @@ namespace {
 
 using Real = long double;
 
-/// dA_i/dx_j of the library's rows: entry [i] by ball j.
-std::vector<std::map<std::uint32_t, FourDerivatives>> all_rows(const LibraryBoundary &boundary, std::size_t n) {
-  std::vector<std::map<std::uint32_t, FourDerivatives>> rows(n);
-  for (std::uint32_t i = 0; i < n; ++i)
+// dA_i/dx_j of the library's rows: entry [i] by ball j.
+std::vector<std::map<uint32_t, FourDerivatives>> all_rows(const LibraryBoundary &boundary, size_t n) {
+  std::vector<std::map<uint32_t, FourDerivatives>> rows(n);
+  for (uint32_t i = 0; i < n; ++i)
     for (const hsp_area_derivative &entry : area_row(boundary, i))
       rows[i][entry.ball] = {entry.centre[0], entry.centre[1], entry.centre[2], entry.radius};
   return rows;
@@ -26,7 +26,7 @@ class Comparison {
  public:
   Comparison(Real scale, GradientTally &tally) : scale_(scale), tally_(tally) { text_.precision(17); }
 
-  /// power: of the largest radius that the derivative is relative to.
+  // power: of the largest radius that the derivative is relative to.
   void compare(double found, DifferenceQuotient expected, int power, const std::string &what) {
     const Real scale = power == 1 ? scale_ : scale_ * scale_;
     const Real bound = expected.error / scale;
@@ -49,13 +49,12 @@ class Comparison {
   std::ostringstream text_;
 };
 
-/// Weights of both signs, and some zeros.
-EnergyTerms weighted_energy(std::size_t n, Real scale) {
+// Weights of both signs, and some zeros.
+EnergyTerms weighted_energy(size_t n, Real scale) {
   EnergyTerms terms;
   terms.tension = 0.75;
   terms.pressure = static_cast<double>(-0.5L / scale);
-  for (std::size_t i = 0; i < n; ++i)
-    terms.sigma.push_back(0.25 * static_cast<double>(static_cast<int>(i * 5 % 9) - 4));
+  for (size_t i = 0; i < n; ++i) terms.sigma.push_back(0.25 * static_cast<double>(static_cast<int>(i * 5 % 9) - 4));
   return terms;
 }
 
@@ -76,9 +75,9 @@ std::string to_text(const GradientTally &tally) {
   return text.str();
 }
 
-std::string gradients_differ(const Balls &balls, const std::vector<std::size_t> &movers, const Measure &measure,
+std::string gradients_differ(const Balls &balls, const std::vector<size_t> &movers, const Measure &measure,
                              GradientTally &tally) {
-  const std::size_t n = balls.size();
+  const size_t n = balls.size();
   const Real scale = largest_radius(balls);
   const LibraryBoundary boundary(balls);
   const auto rows = all_rows(boundary, n);
@@ -88,8 +87,8 @@ std::string gradients_differ(const Balls &balls, const std::vector<std::size_t> 
   const LibraryGradient of_energy = gradient(boundary, weighted);
 
   Comparison comparison(scale, tally);
-  for (const std::size_t j : movers)
-    for (std::size_t number = 0; number < 4; ++number) {
+  for (const size_t j : movers)
+    for (size_t number = 0; number < 4; ++number) {
       const MeasureDerivatives expected =
           derivatives_by_differences(balls, {j, number}, measure, gradient_tolerance / 10);
       const auto name = [&](const std::string &quantity) {
@@ -99,8 +98,8 @@ std::string gradients_differ(const Balls &balls, const std::vector<std::size_t> 
       DifferenceQuotient area;
       DifferenceQuotient energy = {static_cast<Real>(weighted.pressure) * expected.volume.value,
                                    std::abs(static_cast<Real>(weighted.pressure)) * expected.volume.error};
-      for (std::size_t i = 0; i < n; ++i) {
-        const auto entry = rows[i].find(static_cast<std::uint32_t>(j));
+      for (size_t i = 0; i < n; ++i) {
+        const auto entry = rows[i].find(static_cast<uint32_t>(j));
         comparison.compare(entry == rows[i].end() ? 0 : entry->second[number], expected.area[i], 1,
                            name("area of " + std::to_string(i)));
         area.value += expected.area[i].value;

@@ -9,13 +9,13 @@ using oracle::Balls;
 using oracle::LatticeBall;
 
 Balls in_general_position(const Balls &balls, oracle::RandomSource &random) {
-  constexpr std::int64_t factor = std::int64_t{1} << 22;
+  constexpr int64_t factor = int64_t{1} << 22;
   Balls result;
   for (const LatticeBall &ball : balls) {
-    const auto fine = [&](std::int64_t value) { return value * factor + random.in(-factor / 2, factor / 2); };
-    const std::int64_t x = fine(ball.x);
-    const std::int64_t y = fine(ball.y);
-    const std::int64_t z = fine(ball.z);
+    const auto fine = [&](int64_t value) { return value * factor + random.in(-factor / 2, factor / 2); };
+    const int64_t x = fine(ball.x);
+    const int64_t y = fine(ball.y);
+    const int64_t z = fine(ball.z);
     result.push_back({x, y, z, fine(ball.radius)});
   }
   return result;
@@ -23,7 +23,7 @@ Balls in_general_position(const Balls &balls, oracle::RandomSource &random) {
 
 namespace {
 
-/// A large ball with bumps apart from each other: one face with many loops, bounded by whole circles.
+// A large ball with bumps apart from each other: one face with many loops, bounded by whole circles.
 Balls bumpy_ball() {
   Balls balls = {{0, 0, 0, 100}};
   for (const LatticeBall &direction : Balls{{0, 0, 1, 0},
@@ -39,21 +39,21 @@ Balls bumpy_ball() {
                                             {-1, -1, 1, 0},
                                             {-1, 1, -1, 0},
                                             {1, -1, -1, 0}}) {
-    const std::int64_t axes = std::abs(direction.x) + std::abs(direction.y) + std::abs(direction.z);
-    const std::int64_t length = axes == 1 ? 100 : 58;
+    const int64_t axes = std::abs(direction.x) + std::abs(direction.y) + std::abs(direction.z);
+    const int64_t length = axes == 1 ? 100 : 58;
     balls.push_back({length * direction.x, length * direction.y, length * direction.z, 20 + 2 * axes});
   }
   return balls;
 }
 
-/// Free balls, free pairs, a ball inside another.
+// Free balls, free pairs, a ball inside another.
 Balls scattered_balls() {
   return {{0, 0, 0, 70}, {400, 10, -30, 50}, {0, 300, 0, 80}, {70, 350, 40, 60}, {-300, 0, 20, 90}, {-310, 20, 30, 30}};
 }
 
 }  // namespace
 
-std::vector<GradientSet> sets_of_every_kind(std::uint64_t seed) {
+std::vector<GradientSet> sets_of_every_kind(uint64_t seed) {
   oracle::RandomSource random(seed);
   std::vector<GradientSet> sets;
   const auto add = [&](const std::string &name, const Balls &balls) {
@@ -83,7 +83,7 @@ std::vector<GradientSet> molecules_of_gradient_tests() {
   return sets;
 }
 
-Balls nearest_to_first(const Balls &balls, std::size_t n) {
+Balls nearest_to_first(const Balls &balls, size_t n) {
   Balls sorted = balls;
   const auto distance = [&](const LatticeBall &ball) {
     const oracle::Vector v = oracle::centre_difference(balls.front(), ball);

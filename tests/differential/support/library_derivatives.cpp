@@ -1,8 +1,8 @@
 #include "library_derivatives.hpp"
 
 LibraryGradient gradient(const LibraryBoundary &boundary, const EnergyTerms &terms) {
-  const std::uint32_t n = boundary.counts().balls;
-  std::vector<double> centre(3 * std::size_t{n});
+  const uint32_t n = boundary.counts().balls;
+  std::vector<double> centre(3 * size_t{n});
   std::vector<double> radius(n);
   LibraryGradient result;
   result.flags.resize(n);
@@ -10,14 +10,14 @@ LibraryGradient gradient(const LibraryBoundary &boundary, const EnergyTerms &ter
                                   terms.pressure, terms.tangency, &result.energy, centre.data(), radius.data(),
                                   result.flags.data(), n),
             "hsp_boundary_gradient");
-  for (std::size_t i = 0; i < n; ++i)
+  for (size_t i = 0; i < n; ++i)
     result.by_ball.push_back({centre[3 * i], centre[3 * i + 1], centre[3 * i + 2], radius[i]});
   return result;
 }
 
-std::vector<hsp_area_derivative> area_row(const LibraryBoundary &boundary, std::uint32_t ball, std::uint32_t tangency) {
-  std::uint32_t needed = 0;
-  const std::int32_t status = hsp_boundary_get_area_row(boundary.handle(), ball, tangency, nullptr, 0, &needed);
+std::vector<hsp_area_derivative> area_row(const LibraryBoundary &boundary, uint32_t ball, uint32_t tangency) {
+  uint32_t needed = 0;
+  const int32_t status = hsp_boundary_get_area_row(boundary.handle(), ball, tangency, nullptr, 0, &needed);
   if (status != HSP_E_CAPACITY) expect_ok(status, "hsp_boundary_get_area_row");
   std::vector<hsp_area_derivative> row(needed);
   expect_ok(hsp_boundary_get_area_row(boundary.handle(), ball, tangency, row.data(), needed, &needed),
@@ -26,7 +26,7 @@ std::vector<hsp_area_derivative> area_row(const LibraryBoundary &boundary, std::
 }
 
 LibraryFaceMeasures measure_faces(const LibraryBoundary &boundary) {
-  const std::uint32_t faces = boundary.counts().faces;
+  const uint32_t faces = boundary.counts().faces;
   LibraryFaceMeasures measures = {std::vector<double>(faces), std::vector<double>(faces)};
   expect_ok(hsp_boundary_measure_faces(boundary.handle(), measures.area.data(), measures.volume.data(), faces),
             "hsp_boundary_measure_faces");

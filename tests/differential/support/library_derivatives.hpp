@@ -1,6 +1,5 @@
 // Derivatives and face-wise measures of the C interface as owned arrays.
-#ifndef HARDSPHERE_TESTS_AGAINST_ORACLE_LIBRARY_DERIVATIVES_HPP
-#define HARDSPHERE_TESTS_AGAINST_ORACLE_LIBRARY_DERIVATIVES_HPP
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -8,27 +7,27 @@
 
 #include "library_run.hpp"
 
-/// E = tension * sum sigma_i A_i + pressure * V.
+// E = tension * sum sigma_i A_i + pressure * V.
 struct EnergyTerms {
   double tension = 1;
   double pressure = 0;
   std::vector<double> sigma;  // empty for all ones
-  std::uint32_t tangency = HSP_TANGENT_MEETING;
+  uint32_t tangency = HSP_TANGENT_MEETING;
 };
 
-/// By ball: the derivatives by the three coordinates of its centre and by its radius.
+// By ball: the derivatives by the three coordinates of its centre and by its radius.
 using FourDerivatives = std::array<double, 4>;
 
 struct LibraryGradient {
   hsp_energy energy{};
   std::vector<FourDerivatives> by_ball;
-  std::vector<std::uint32_t> flags;
+  std::vector<uint32_t> flags;
 };
 
 LibraryGradient gradient(const LibraryBoundary &boundary, const EnergyTerms &terms);
 
-std::vector<hsp_area_derivative> area_row(const LibraryBoundary &boundary, std::uint32_t ball,
-                                          std::uint32_t tangency = HSP_TANGENT_MEETING);
+std::vector<hsp_area_derivative> area_row(const LibraryBoundary &boundary, uint32_t ball,
+                                          uint32_t tangency = HSP_TANGENT_MEETING);
 
 struct LibraryFaceMeasures {
   std::vector<double> area;
@@ -36,5 +35,3 @@ struct LibraryFaceMeasures {
 };
 
 LibraryFaceMeasures measure_faces(const LibraryBoundary &boundary);
-
-#endif

@@ -7,8 +7,8 @@ namespace {
 
 template <class Record, class Getter>
 std::vector<Record> all_records(const hsp_boundary *boundary, Getter getter, const char *call) {
-  std::uint32_t needed = 0;
-  const std::int32_t status = getter(boundary, nullptr, 0, &needed);
+  uint32_t needed = 0;
+  const int32_t status = getter(boundary, nullptr, 0, &needed);
   if (status != (needed == 0 ? HSP_OK : HSP_E_CAPACITY)) expect_ok(status, call);
   std::vector<Record> records(needed);
   expect_ok(getter(boundary, records.data(), needed, &needed), call);
@@ -21,21 +21,20 @@ void require(bool condition, const char *what) {
 
 }  // namespace
 
-void expect_ok(std::int32_t status, const char *call) {
+void expect_ok(int32_t status, const char *call) {
   if (status != HSP_OK) throw std::runtime_error(std::string(call) + ": " + hsp_status_text(status));
 }
 
 LibraryModel::LibraryModel(const oracle::Balls &balls, double step, double probe)
-    : balls_(static_cast<std::uint32_t>(balls.size())) {
-  std::size_t bytes = 0;
+    : balls_(static_cast<uint32_t>(balls.size())) {
+  size_t bytes = 0;
   expect_ok(hsp_model_bytes(balls_, &bytes), "hsp_model_bytes");
   memory_.resize(bytes);
   expect_ok(hsp_model_init(memory_.data(), bytes, balls_, &model_), "hsp_model_init");
   std::vector<double> xyz;
   std::vector<double> radius;
   for (const oracle::LatticeBall &ball : balls) {
-    for (const std::int64_t coordinate : {ball.x, ball.y, ball.z})
-      xyz.push_back(static_cast<double>(coordinate) * step);
+    for (const int64_t coordinate : {ball.x, ball.y, ball.z}) xyz.push_back(static_cast<double>(coordinate) * step);
     radius.push_back(static_cast<double>(ball.radius) * step);
   }
   hsp_model_options options;
@@ -50,11 +49,11 @@ LibraryBoundary::LibraryBoundary(const oracle::Balls &balls, double step, double
   expect_ok(hsp_boundary_limits_init(&limits, sizeof limits, model_.balls()), "hsp_boundary_limits_init");
   // Two enlargements must do.
   for (int attempt = 0; attempt < 3; ++attempt) {
-    std::size_t bytes = 0;
+    size_t bytes = 0;
     expect_ok(hsp_boundary_bytes(&limits, &bytes), "hsp_boundary_bytes");
     memory_.assign(bytes, 0);
     expect_ok(hsp_boundary_init(memory_.data(), bytes, &limits, &boundary_), "hsp_boundary_init");
-    const std::int32_t status = hsp_boundary_compute(boundary_, model_.handle());
+    const int32_t status = hsp_boundary_compute(boundary_, model_.handle());
     if (status != HSP_E_CAPACITY || attempt == 2) {
       expect_ok(status, "hsp_boundary_compute");
       return;
@@ -97,18 +96,18 @@ oracle::BoundaryRecord LibraryBoundary::record() const {
   for (const hsp_arc &a : arcs())
     record.arcs.push_back({{a.ball[0], a.ball[1]}, {a.vertex[0], a.vertex[1]}, {a.face[0], a.face[1]}});
   for (const hsp_circle &c : circles()) record.circles.push_back({{c.ball[0], c.ball[1]}, {c.face[0], c.face[1]}});
-  std::uint32_t tied = 0;
+  uint32_t tied = 0;
   for (const auto &vertex : record.vertices) tied += vertex.tied ? 1U : 0U;
-  std::uint32_t loops = 0;
+  uint32_t loops = 0;
   for (const hsp_face &f : faces()) {
     record.faces.push_back({f.ball, f.loops, f.shell});
     loops += f.loops;
   }
-  std::uint32_t exposed = 0;
-  std::uint32_t contained = 0;
+  uint32_t exposed = 0;
+  uint32_t contained = 0;
   for (const hsp_ball &b : balls()) {
-    const auto i = static_cast<std::uint32_t>(record.balls.size());
-    for (std::uint32_t f = 0; f < b.faces; ++f)
+    const auto i = static_cast<uint32_t>(record.balls.size());
+    for (uint32_t f = 0; f < b.faces; ++f)
       require(record.faces.at(b.first_face + f).ball == i, "a ball's faces are other balls'");
     require((b.faces == 0) == (b.first_face == HSP_NONE), "first_face");
     exposed += b.faces > 0 ? 1U : 0U;

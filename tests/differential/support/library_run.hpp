@@ -1,6 +1,5 @@
 // Models and boundaries of the C interface that own their memory, and their results in the oracles' terms.
-#ifndef HARDSPHERE_TESTS_AGAINST_ORACLE_LIBRARY_RUN_HPP
-#define HARDSPHERE_TESTS_AGAINST_ORACLE_LIBRARY_RUN_HPP
+#pragma once
 
 #include <cstdint>
 #include <vector>
@@ -9,25 +8,25 @@
 #include "hardsphere.h"
 #include "lattice_ball.hpp"
 
-/// Throws std::runtime_error with the call's name and the status text unless the status is HSP_OK.
-void expect_ok(std::int32_t status, const char *call);
+// Throws std::runtime_error with the call's name and the status text unless the status is HSP_OK.
+void expect_ok(int32_t status, const char *call);
 
-/// A model of lattice balls: the doubles passed are exact multiples of the step, a power of two, so that nothing is
-/// rounded. The probe, in the same lengths, is a multiple of the step too.
+// A model of lattice balls: the doubles passed are exact multiples of the step, a power of two, so that nothing is
+// rounded. The probe, in the same lengths, is a multiple of the step too.
 class LibraryModel {
  public:
   explicit LibraryModel(const oracle::Balls &balls, double step = 1, double probe = 0);
 
   [[nodiscard]] hsp_model *handle() const { return model_; }
-  [[nodiscard]] std::uint32_t balls() const { return balls_; }
+  [[nodiscard]] uint32_t balls() const { return balls_; }
 
  private:
   std::vector<unsigned char> memory_;
   hsp_model *model_ = nullptr;
-  std::uint32_t balls_ = 0;
+  uint32_t balls_ = 0;
 };
 
-/// The boundary of such a model, with its limits enlarged until they suffice.
+// The boundary of such a model, with its limits enlarged until they suffice.
 class LibraryBoundary {
  public:
   explicit LibraryBoundary(const oracle::Balls &balls, double step = 1, double probe = 0);
@@ -40,7 +39,7 @@ class LibraryBoundary {
   [[nodiscard]] std::vector<hsp_face> faces() const;
   [[nodiscard]] std::vector<hsp_ball> balls() const;
 
-  /// All of it as the oracle writes it. Throws std::runtime_error where the numbers contradict each other.
+  // All of it as the oracle writes it. Throws std::runtime_error where the numbers contradict each other.
   [[nodiscard]] oracle::BoundaryRecord record() const;
 
   struct Measures {
@@ -55,5 +54,3 @@ class LibraryBoundary {
   std::vector<unsigned char> memory_;
   hsp_boundary *boundary_ = nullptr;
 };
-
-#endif

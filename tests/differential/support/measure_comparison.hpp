@@ -1,6 +1,5 @@
 // The library's areas and volume against quadrature over slices.
-#ifndef HARDSPHERE_TESTS_AGAINST_ORACLE_MEASURE_COMPARISON_HPP
-#define HARDSPHERE_TESTS_AGAINST_ORACLE_MEASURE_COMPARISON_HPP
+#pragma once
 
 #include <cmath>
 #include <numbers>
@@ -11,7 +10,7 @@
 #include "slice_quadrature.hpp"
 #include "smallest_failing.hpp"
 
-/// Errors are relative to the surface of the largest ball for single balls and to the totals for totals.
+// Errors are relative to the surface of the largest ball for single balls and to the totals for totals.
 inline std::string measures_differ(const oracle::Balls &balls) {
   constexpr long double tolerance = 1e-12L;
   const oracle::SliceMeasures expected = oracle::measure_by_slices(oracle::real_balls(balls));
@@ -26,10 +25,8 @@ inline std::string measures_differ(const oracle::Balls &balls) {
   for (const oracle::LatticeBall &ball : balls) largest = std::max(largest, static_cast<long double>(ball.radius));
   compare("area", found.totals.area, expected.area, expected.area);
   compare("volume", found.totals.volume, expected.volume, expected.volume);
-  for (std::size_t i = 0; i < balls.size(); ++i)
+  for (size_t i = 0; i < balls.size(); ++i)
     compare("area of a ball", found.area[i], expected.ball_area[i],
             4 * std::numbers::pi_v<long double> * largest * largest);
   return text.str();
 }
-
-#endif

@@ -19,9 +19,9 @@ namespace {
 using Real = long double;
 using Value = MeasuredValues::Value;
 
-Balls moved(const Balls &balls, Variable variable, std::int64_t amount) {
+Balls moved(const Balls &balls, Variable variable, int64_t amount) {
   Balls result = balls;
-  for (std::size_t i = 0; i < balls.size(); ++i)
+  for (size_t i = 0; i < balls.size(); ++i)
     if (variable.ball == i || variable.ball == Variable::all_balls) {
       LatticeBall &ball = result[i];
       (variable.number == 0   ? ball.x
@@ -32,8 +32,8 @@ Balls moved(const Balls &balls, Variable variable, std::int64_t amount) {
   return result;
 }
 
-/// Vertices and circles by their balls: where these stay the same, areas and volume are analytic functions.
-using Structure = std::vector<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::int32_t>>;
+// Vertices and circles by their balls: where these stay the same, areas and volume are analytic functions.
+using Structure = std::vector<std::tuple<uint32_t, uint32_t, uint32_t, int32_t>>;
 
 Structure structure_of(const Balls &balls) {
   const LibraryBoundary boundary(balls);
@@ -44,10 +44,10 @@ Structure structure_of(const Balls &balls) {
   return structure;
 }
 
-/// f(x + h) - f(x - h), value by value.
+// f(x + h) - f(x - h), value by value.
 std::vector<Value> differences_of(const std::vector<Value> &above, const std::vector<Value> &below) {
   std::vector<Value> result;
-  for (std::size_t i = 0; i < above.size(); ++i) {
+  for (size_t i = 0; i < above.size(); ++i) {
     const Real difference = above[i].value - below[i].value;
     // What does not change to the bit does not depend on the variable: there is no noise either.
     result.push_back({difference, difference == 0 ? 0 : above[i].noise + below[i].noise});
@@ -64,15 +64,15 @@ Value sum_of(const std::vector<Value> &terms) {
   return sum;
 }
 
-/// One step length: differences of all areas, and behind them that of the volume.
+// One step length: differences of all areas, and behind them that of the volume.
 using Level = std::vector<Value>;
 
 void improve(MeasureDerivatives &best, const std::vector<Level> &levels, Real h) {
-  const std::size_t first = levels.size() - quotient_levels;
-  for (std::size_t q = 0; q <= best.area.size(); ++q) {
+  const size_t first = levels.size() - quotient_levels;
+  for (size_t q = 0; q <= best.area.size(); ++q) {
     std::array<Real, quotient_levels> differences;
     Real noise = 0;
-    for (std::size_t k = 0; k < quotient_levels; ++k) {
+    for (size_t k = 0; k < quotient_levels; ++k) {
       differences[k] = levels[first + k][q].value;
       noise = std::max(noise, levels[first + k][q].noise);
     }
@@ -97,9 +97,9 @@ MeasuredValues measured_by_library(const Balls &balls) {
   // roundings each, every one as large as the largest partial sum can be, are granted.
   std::vector<Real> arcs(balls.size(), 2);
   for (const hsp_arc &arc : boundary.arcs())
-    for (const std::uint32_t ball : arc.ball) arcs[ball] += 1;
+    for (const uint32_t ball : arc.ball) arcs[ball] += 1;
   for (const hsp_circle &circle : boundary.circles())
-    for (const std::uint32_t ball : circle.ball) arcs[ball] += 1;
+    for (const uint32_t ball : circle.ball) arcs[ball] += 1;
   // A term of the volume has the area times the radius and the vector area times an arm, as long as the set at most.
   Real arm = 0;
   for (const LatticeBall &ball : balls) {
@@ -107,7 +107,7 @@ MeasuredValues measured_by_library(const Balls &balls) {
     arm = std::max(arm, 2 * std::sqrt(static_cast<Real>(oracle::dot(v, v))));
   }
   MeasuredValues values;
-  for (std::size_t i = 0; i < balls.size(); ++i) {
+  for (size_t i = 0; i < balls.size(); ++i) {
     const Real radius = static_cast<Real>(balls[i].radius);
     const Real noise = 8 * std::ldexp(2 * std::numbers::pi_v<Real>, -53) * arcs[i] * radius * radius;
     values.area.push_back({static_cast<Real>(measures.area[i]), noise});
@@ -137,10 +137,10 @@ MeasureDerivatives derivatives_by_differences(const Balls &balls, Variable varia
 
   const Structure structure = structure_of(balls);
   const Real scale = largest_radius(balls);
-  std::int64_t radius = balls[variable.ball == Variable::all_balls ? 0 : variable.ball].radius;
+  int64_t radius = balls[variable.ball == Variable::all_balls ? 0 : variable.ball].radius;
   if (variable.ball == Variable::all_balls)
     for (const LatticeBall &ball : balls) radius = std::min(radius, ball.radius);
-  std::int64_t step = 1;
+  int64_t step = 1;
   while (step * 16 <= radius) step *= 2;
 
   std::vector<Level> levels;

@@ -1,6 +1,5 @@
 // Derivatives of areas and volume by moving and growing one ball, with bounds on their errors.
-#ifndef HARDSPHERE_TESTS_AGAINST_ORACLE_MEASURE_DIFFERENCES_HPP
-#define HARDSPHERE_TESTS_AGAINST_ORACLE_MEASURE_DIFFERENCES_HPP
+#pragma once
 
 #include <cstddef>
 #include <functional>
@@ -9,7 +8,7 @@
 #include "difference_quotients.hpp"
 #include "lattice_ball.hpp"
 
-/// Free areas of the balls and terms that sum to the volume, in lattice steps, each with a bound of its rounding error.
+// Free areas of the balls and terms that sum to the volume, in lattice steps, each with a bound of its rounding error.
 struct MeasuredValues {
   struct Value {
     long double value = 0;
@@ -24,14 +23,14 @@ using Measure = std::function<MeasuredValues(const oracle::Balls &)>;
 MeasuredValues measured_by_library(const oracle::Balls &balls);
 MeasuredValues measured_by_slices(const oracle::Balls &balls);
 
-/// One of the numbers of a ball: 0, 1, 2 are its centre's coordinates, 3 its radius. all_balls: of all balls at once,
-/// which with number 3 is the probe.
+// One of the numbers of a ball: 0, 1, 2 are its centre's coordinates, 3 its radius. all_balls: of all balls at once,
+// which with number 3 is the probe.
 struct Variable {
-  static constexpr std::size_t all_balls = static_cast<std::size_t>(-1);
-  static constexpr std::size_t radius = 3;
+  static constexpr size_t all_balls = static_cast<size_t>(-1);
+  static constexpr size_t radius = 3;
 
-  std::size_t ball = 0;
-  std::size_t number = 0;
+  size_t ball = 0;
+  size_t number = 0;
 };
 
 struct MeasureDerivatives {
@@ -39,13 +38,11 @@ struct MeasureDerivatives {
   DifferenceQuotient volume;
 };
 
-/// By central differences over steps that are powers of two and at most an eighth of the ball's radius (so that moved
-/// balls are still exact on the lattice). Steps on which the boundary has other vertices or circles than the balls as
-/// given are not used; of the rest each quantity takes the four on which its error bound is least. They get shorter
-/// until all bounds are below accuracy * r_max for areas and accuracy * r_max^2 for the volume, or rounding takes over.
+// By central differences over steps that are powers of two and at most an eighth of the ball's radius (so that moved
+// balls are still exact on the lattice). Steps on which the boundary has other vertices or circles than the balls as
+// given are not used; of the rest each quantity takes the four on which its error bound is least. They get shorter
+// until all bounds are below accuracy * r_max for areas and accuracy * r_max^2 for the volume, or rounding takes over.
 MeasureDerivatives derivatives_by_differences(const oracle::Balls &balls, Variable variable, const Measure &measure,
                                               long double accuracy);
 
 long double largest_radius(const oracle::Balls &balls);
-
-#endif

@@ -12,7 +12,7 @@
 
 namespace {
 
-/// The lines of a file, unpacked where it is compressed.
+// The lines of a file, unpacked where it is compressed.
 std::vector<std::string> lines_of(const std::filesystem::path &file) {
   std::stringstream text;
   if (file.extension() == ".gz") {
@@ -21,8 +21,7 @@ std::vector<std::string> lines_of(const std::filesystem::path &file) {
     FILE *pipe = popen(("gzip -dc '" + file.string() + "'").c_str(), "r");
     if (pipe == nullptr) throw std::runtime_error(file.string() + ": gzip cannot be started");
     std::array<char, 65536> block;
-    for (std::size_t n = fread(block.data(), 1, block.size(), pipe); n > 0;
-         n = fread(block.data(), 1, block.size(), pipe))
+    for (size_t n = fread(block.data(), 1, block.size(), pipe); n > 0; n = fread(block.data(), 1, block.size(), pipe))
       text.write(block.data(), static_cast<std::streamsize>(n));
     if (pclose(pipe) != 0) throw std::runtime_error(file.string() + ": gzip fails");
   } else {
@@ -45,7 +44,7 @@ std::string without_blanks(const std::string &text) {
   return words.empty() ? "" : words.front();
 }
 
-/// Columns 31 to 54 hold the coordinates, 77 and 78 the element.
+// Columns 31 to 54 hold the coordinates, 77 and 78 the element.
 std::vector<Atom> atoms_of_pdb(const std::vector<std::string> &lines) {
   std::vector<Atom> atoms;
   for (const std::string &line : lines)
@@ -57,16 +56,16 @@ std::vector<Atom> atoms_of_pdb(const std::vector<std::string> &lines) {
 
 std::vector<Atom> atoms_of_xyz(const std::vector<std::string> &lines) {
   std::vector<Atom> atoms;
-  for (std::size_t k = 2; k < lines.size(); ++k) {
+  for (size_t k = 2; k < lines.size(); ++k) {
     const std::vector<std::string> words = words_of(lines[k]);
     atoms.push_back({words.at(0), {std::stod(words.at(1)), std::stod(words.at(2)), std::stod(words.at(3))}});
   }
   return atoms;
 }
 
-/// The columns of the loop over _atom_site are in the order in which its names are listed.
+// The columns of the loop over _atom_site are in the order in which its names are listed.
 std::vector<Atom> atoms_of_cif(const std::vector<std::string> &lines) {
-  std::map<std::string, std::size_t> columns;
+  std::map<std::string, size_t> columns;
   std::vector<Atom> atoms;
   for (const std::string &line : lines) {
     if (line.starts_with("_atom_site.")) {
@@ -102,9 +101,7 @@ std::vector<Atom> read_atoms(const std::filesystem::path &file) {
 }
 
 oracle::Balls balls_of_atoms(const std::vector<Atom> &atoms, double probe, double units_per_angstrom) {
-  const auto units = [&](double length) {
-    return static_cast<std::int64_t>(std::llround(length * units_per_angstrom));
-  };
+  const auto units = [&](double length) { return static_cast<int64_t>(std::llround(length * units_per_angstrom)); };
   oracle::Balls balls;
   for (const Atom &atom : atoms)
     balls.push_back(

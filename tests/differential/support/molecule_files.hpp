@@ -1,6 +1,5 @@
 // Molecules from files, as balls on the integer lattice.
-#ifndef HARDSPHERE_TESTS_AGAINST_ORACLE_MOLECULE_FILES_HPP
-#define HARDSPHERE_TESTS_AGAINST_ORACLE_MOLECULE_FILES_HPP
+#pragma once
 
 #include <array>
 #include <filesystem>
@@ -15,19 +14,17 @@ struct Atom {
   std::array<double, 3> centre;  // angstrom
 };
 
-/// All atoms of a .pdb file (ATOM and HETATM records), an .xyz file, or a .cif file (ATOM records), each of which may
-/// be compressed and then ends in .gz. Throws std::runtime_error if there are none or one cannot be read.
+// All atoms of a .pdb file (ATOM and HETATM records), an .xyz file, or a .cif file (ATOM records), each of which may
+// be compressed and then ends in .gz. Throws std::runtime_error if there are none or one cannot be read.
 std::vector<Atom> read_atoms(const std::filesystem::path &file);
 
-/// Radii C 1.70, N 1.55, O 1.52, S and P 1.80, H 1.10, others 1.80 angstrom, plus the probe. Centres and radii, in
-/// angstrom, become the nearest multiples of 1 / units_per_angstrom.
+// Radii C 1.70, N 1.55, O 1.52, S and P 1.80, H 1.10, others 1.80 angstrom, plus the probe. Centres and radii, in
+// angstrom, become the nearest multiples of 1 / units_per_angstrom.
 oracle::Balls balls_of_atoms(const std::vector<Atom> &atoms, double probe, double units_per_angstrom);
 
-/// A file of the project's own molecules.
+// A file of the project's own molecules.
 std::filesystem::path own_molecule(const std::string &name);
 
-/// A file of the folder of further molecules: the environment variable HSP_MOLECULES or else the CMake
-/// variable of this name gives it. Nothing if it is not there.
+// A file of the folder of further molecules: the environment variable HSP_MOLECULES or else the CMake
+// variable of this name gives it. Nothing if it is not there.
 std::optional<std::filesystem::path> further_molecule(const std::string &name);
-
-#endif

@@ -18,9 +18,9 @@ std::string complaint_about_smallest(const oracle::Balls &balls, const Complaint
   std::string text = complain(balls, complaint);
   if (text.empty()) return text;
   oracle::Balls smallest = balls;
-  for (std::size_t k = 0; k < smallest.size();) {
+  for (size_t k = 0; k < smallest.size();) {
     oracle::Balls fewer = smallest;
-    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(k));
+    fewer.erase(fewer.begin() + static_cast<ptrdiff_t>(k));
     const std::string still = complain(fewer, complaint);
     if (still.empty()) {
       ++k;

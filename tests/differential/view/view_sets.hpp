@@ -19,7 +19,8 @@ std::vector<NamedView> small_views();
 /// Lattices of equal balls, apart, touching and overlapping.
 std::vector<NamedView> lattice_views();
 
-/// All of small_views and lattice_views, and the degenerate sets of tests/differential/degenerate of at most so many balls.
+/// All of small_views and lattice_views, and the degenerate sets of tests/differential/degenerate of at most so many
+/// balls.
 std::vector<NamedView> degenerate_views(std::size_t most_balls);
 
 /// Along axes and diagonals, where lattices line up.
