@@ -9,7 +9,7 @@ namespace bench {
 namespace {
 
 // Runs of a part per round: at least this many balls altogether, some hundred microseconds.
-constexpr std::size_t balls_per_round = 1000;
+constexpr size_t balls_per_round = 1000;
 
 double cpu_seconds() {
   std::timespec now{};
@@ -19,28 +19,28 @@ double cpu_seconds() {
 
 double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
-  const std::size_t middle = values.size() / 2;
+  const size_t middle = values.size() / 2;
   return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
 }
 
 }  // namespace
 
-void alternate(benchmark::State &state, std::size_t balls, const std::vector<Part> &parts) {
-  const std::size_t runs = std::max<std::size_t>(1, balls_per_round / std::max<std::size_t>(1, balls));
+void alternate(benchmark::State &state, size_t balls, const std::vector<Part> &parts) {
+  const size_t runs = std::max<size_t>(1, balls_per_round / std::max<size_t>(1, balls));
   std::vector<std::vector<double>> seconds(parts.size());
   std::vector<std::vector<double>> ratios(parts.size());
   for (auto iteration : state) {
     static_cast<void>(iteration);
     double begin = cpu_seconds();
-    for (std::size_t part = 0; part < parts.size(); ++part) {
-      for (std::size_t run = 0; run < runs; ++run) parts[part].run();
+    for (size_t part = 0; part < parts.size(); ++part) {
+      for (size_t run = 0; run < runs; ++run) parts[part].run();
       const double end = cpu_seconds();
       seconds[part].push_back((end - begin) / static_cast<double>(runs));
       ratios[part].push_back(seconds[part].back() / seconds.front().back());
       begin = end;
     }
   }
-  for (std::size_t part = 0; part < parts.size(); ++part) {
+  for (size_t part = 0; part < parts.size(); ++part) {
     if (seconds[part].empty()) continue;
     state.counters[parts[part].name + "_seconds"] = median(seconds[part]);
     if (part > 0) state.counters[parts[part].name + "_ratio"] = median(ratios[part]);

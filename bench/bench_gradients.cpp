@@ -9,8 +9,8 @@
 namespace bench {
 namespace {
 
-constexpr std::uint64_t seed = 1994;
-constexpr std::size_t distinct_frames = 16;
+constexpr uint64_t seed = 1994;
+constexpr size_t distinct_frames = 16;
 constexpr double jitter = 0.1;  // Angstrom, largest shift of a coordinate
 
 void boundary_and_gradient(benchmark::State &state, Subject &subject) {
@@ -20,7 +20,7 @@ void boundary_and_gradient(benchmark::State &state, Subject &subject) {
              {"gradient", [&] { benchmark::DoNotOptimize(subject.boundary->gradient()); }}});
 }
 
-/// The balls' centres, every coordinate shifted at random.
+// The balls' centres, every coordinate shifted at random.
 std::vector<std::vector<double>> jittered(const Balls &balls) {
   std::mt19937_64 engine(seed);
   std::vector<std::vector<double>> frames(distinct_frames, balls.xyz);
@@ -35,7 +35,7 @@ void frames(benchmark::State &state, const Subject &subject) {
   Model model(subject.balls, subject.model->probe());
   Boundary boundary(model, Room::by_default);
   const std::vector<std::vector<double>> positions = jittered(subject.balls);
-  std::size_t frame = 0;
+  size_t frame = 0;
   for (auto iteration : state) {
     static_cast<void>(iteration);
     model.set(positions[frame]);

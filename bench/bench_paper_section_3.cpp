@@ -5,7 +5,7 @@
 namespace bench {
 namespace {
 
-constexpr std::size_t queries = 1000;
+constexpr size_t queries = 1000;
 
 void build(benchmark::State &state, Subject &subject) {
   for (auto iteration : state) {
@@ -13,14 +13,14 @@ void build(benchmark::State &state, Subject &subject) {
     subject.model->set();
   }
   hsp_model_info info{};
-  require_ok(hsp_model_get_info(subject.model->get(), &info), "hsp_model_get_info");
+  expect_ok(hsp_model_get_info(subject.model->get(), &info), "hsp_model_get_info");
   state.counters["cubes"] = info.cubes;
   state.counters["longest_probe"] = info.longest_probe;
 }
 
 void point_queries(benchmark::State &state, Subject &subject) {
   const std::vector<double> points = random_points_in_box(*subject.model, queries);
-  std::size_t hits = 0;
+  size_t hits = 0;
   for (auto iteration : state) {
     static_cast<void>(iteration);
     hits = query_points(*subject.model, points);
@@ -31,7 +31,7 @@ void point_queries(benchmark::State &state, Subject &subject) {
 void ball_queries(benchmark::State &state, Subject &subject) {
   const std::vector<double> points = random_points_in_box(*subject.model, queries);
   const double radius = subject.model->largest_radius();
-  std::size_t hits = 0;
+  size_t hits = 0;
   for (auto iteration : state) {
     static_cast<void>(iteration);
     hits = query_balls(*subject.model, points, radius);

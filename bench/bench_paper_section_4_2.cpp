@@ -9,7 +9,7 @@ namespace bench {
 namespace {
 
 void step_1(benchmark::State &state, Subject &subject) {
-  std::size_t neighbours = 0;
+  size_t neighbours = 0;
   for (auto iteration : state) {
     static_cast<void>(iteration);
     neighbours = query_all_neighbours(*subject.model);

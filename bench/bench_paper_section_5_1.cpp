@@ -15,12 +15,12 @@
 namespace bench {
 namespace {
 
-constexpr std::size_t many_directions = 16;
-constexpr std::size_t few_directions = 4;  // for sets so large that a frame takes long
+constexpr size_t many_directions = 16;
+constexpr size_t few_directions = 4;  // for sets so large that a frame takes long
 constexpr int meridians = 10;
 constexpr int bands = 6;
 
-/// The directions in turn, for one of several parts: all parts see the same ones in the same order.
+// The directions in turn, for one of several parts: all parts see the same ones in the same order.
 class Turns {
  public:
   explicit Turns(const std::vector<View::Direction> &directions) : directions_(&directions) {}
@@ -33,10 +33,10 @@ class Turns {
 
  private:
   const std::vector<View::Direction> *directions_;
-  std::size_t turn_ = 0;
+  size_t turn_ = 0;
 };
 
-/// Means over all directions.
+// Means over all directions.
 void count(benchmark::State &state, View &view, const std::vector<View::Direction> &directions, const char *pieces,
            bool picture) {
   double arcs = 0;
@@ -54,8 +54,8 @@ void count(benchmark::State &state, View &view, const std::vector<View::Directio
   if (picture) state.counters["picture_bytes"] = bytes / number;
 }
 
-/// with_drawing: the z-buffer of triangles and the picture as well.
-void frames(benchmark::State &state, const Subject &subject, std::size_t number, bool with_drawing) {
+// with_drawing: the z-buffer of triangles and the picture as well.
+void frames(benchmark::State &state, const Subject &subject, size_t number, bool with_drawing) {
   const std::vector<View::Direction> directions = spread_directions(number);
   View h(*subject.model, subject.boundary.get(), HSP_PIECES_H, directions);
   View g(*subject.model, subject.boundary.get(), HSP_PIECES_G, directions);
@@ -87,7 +87,7 @@ void frames(benchmark::State &state, const Subject &subject, std::size_t number,
   benchmark::DoNotOptimize(triangles.owner(image_side / 2, image_side / 2));
 }
 
-void register_frames(const std::string &name, const SubjectRecipe &recipe, std::size_t directions, bool with_drawing) {
+void register_frames(const std::string &name, const SubjectRecipe &recipe, size_t directions, bool with_drawing) {
   register_case(
       name, recipe,
       [=](benchmark::State &state, const Subject &subject) { frames(state, subject, directions, with_drawing); })
@@ -103,8 +103,8 @@ void register_suite() {
                                [molecule] { return with_radii(molecule, Radii::paper); }, 0, Stage::boundary};
     register_frames("section_5_1/" + molecule.name, recipe, many_directions, true);
   }
-  const std::size_t molecules = molecule_sizes().size();
-  std::size_t done = 0;
+  const size_t molecules = molecule_sizes().size();
+  size_t done = 0;
   for (const NamedBalls &size : all_sizes()) {
     const SubjectRecipe recipe{"frames/" + size.name, size.balls, 0, Stage::boundary};
     register_frames("frames/" + size.name, recipe, done <= molecules ? many_directions : few_directions, false);

@@ -7,15 +7,15 @@
 namespace bench {
 namespace {
 
-constexpr std::size_t queries = 100000;
+constexpr size_t queries = 100000;
 
-using Centres = std::vector<double> (*)(const Model &, std::size_t);
+using Centres = std::vector<double> (*)(const Model &, size_t);
 
 void register_queries(const SubjectRecipe &recipe, const std::string &where, Centres centres) {
   register_case("queries/point_" + where + '/' + recipe.key, recipe,
                 [centres](benchmark::State &state, Subject &subject) {
                   const std::vector<double> points = centres(*subject.model, queries);
-                  std::size_t hits = 0;
+                  size_t hits = 0;
                   for (auto iteration : state) {
                     static_cast<void>(iteration);
                     hits = query_points(*subject.model, points);
@@ -28,7 +28,7 @@ void register_queries(const SubjectRecipe &recipe, const std::string &where, Cen
                 [centres](benchmark::State &state, Subject &subject) {
                   const std::vector<double> points = centres(*subject.model, queries);
                   const double radius = subject.model->largest_radius();
-                  std::size_t hits = 0;
+                  size_t hits = 0;
                   for (auto iteration : state) {
                     static_cast<void>(iteration);
                     hits = query_balls(*subject.model, points, radius);

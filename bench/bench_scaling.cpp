@@ -13,7 +13,7 @@ void build(benchmark::State &state, Subject &subject) {
 }
 
 void lists(benchmark::State &state, Subject &subject) {
-  std::size_t neighbours = 0;
+  size_t neighbours = 0;
   for (auto iteration : state) {
     static_cast<void>(iteration);
     neighbours = query_all_neighbours(*subject.model);

@@ -12,16 +12,16 @@
 namespace bench {
 namespace {
 
-/// Columns first to last of a line, counted from 1 as in the PDB format, without blanks.
-std::string columns(const std::string &line, std::size_t first, std::size_t last) {
+// Columns first to last of a line, counted from 1 as in the PDB format, without blanks.
+std::string columns(const std::string &line, size_t first, size_t last) {
   std::string text;
-  for (std::size_t i = first - 1; i < last && i < line.size(); ++i) {
+  for (size_t i = first - 1; i < last && i < line.size(); ++i) {
     if (std::isspace(static_cast<unsigned char>(line[i])) == 0) text += line[i];
   }
   return text;
 }
 
-/// Columns 77-78; files without them align one-letter elements to column 14 and two-letter ones to column 13.
+// Columns 77-78; files without them align one-letter elements to column 14 and two-letter ones to column 13.
 std::string element_of(const std::string &line) {
   std::string element = columns(line, 77, 78);
   if (element.empty()) element = columns(line, 13, 14);
@@ -34,7 +34,7 @@ std::string element_of(const std::string &line) {
   return letters;
 }
 
-double coordinate(const std::string &line, std::size_t first, const std::filesystem::path &file) {
+double coordinate(const std::string &line, size_t first, const std::filesystem::path &file) {
   const std::string text = columns(line, first, first + 7);
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -78,7 +78,7 @@ Molecule read_pdb(const std::filesystem::path &file, std::string name) {
       const std::string atom = columns(line, 22, 27) + '/' + columns(line, 13, 16);
       if (location_of_atom.emplace(atom, location).first->second != location) continue;
     }
-    for (const std::size_t first : {31U, 39U, 47U}) molecule.xyz.push_back(coordinate(line, first, file));
+    for (const size_t first : {31U, 39U, 47U}) molecule.xyz.push_back(coordinate(line, first, file));
     molecule.elements.push_back(element_of(line));
   }
   if (molecule.elements.empty()) throw std::runtime_error(file.string() + ": no atoms");

@@ -11,20 +11,20 @@ namespace bench {
 
 struct Surface {
   const char *name;
-  double probe;  ///< Angstrom
+  double probe;  // Angstrom
 };
 
 constexpr Surface surfaces[] = {{"van_der_waals", 0}, {"solvent_accessible", 1.4}};
 
 struct NamedBalls {
   std::string name;
-  std::function<Balls()> balls;  ///< makes them, with van der Waals radii
+  std::function<Balls()> balls;  // makes them, with van der Waals radii
 };
 
-/// The paper's five molecules.
+// The paper's five molecules.
 std::vector<NamedBalls> molecule_sizes();
 
-/// The same and tilings of the largest, up to a million balls.
+// The same and tilings of the largest, up to a million balls.
 std::vector<NamedBalls> all_sizes();
 
 }  // namespace bench

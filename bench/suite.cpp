@@ -12,8 +12,8 @@
 namespace bench {
 namespace {
 
-constexpr std::uint64_t seed = 1994;
-constexpr std::uint32_t most_hits = 4096;
+constexpr uint64_t seed = 1994;
+constexpr uint32_t most_hits = 4096;
 
 std::unique_ptr<Subject> alive;
 std::string alive_key;
@@ -32,12 +32,12 @@ Subject &subject_of(const SubjectRecipe &recipe) {
   return *alive;
 }
 
-/// Uniform in [0, 1): the standard leaves the values of its distributions to each library, not those of its engines.
+// Uniform in [0, 1): the standard leaves the values of its distributions to each library, not those of its engines.
 double uniform(std::mt19937_64 &engine) {
   return static_cast<double>(engine() >> 11) * 0x1p-53;
 }
 
-/// Uniform in the ball of radius 1.
+// Uniform in the ball of radius 1.
 std::array<double, 3> uniform_in_ball(std::mt19937_64 &engine) {
   for (;;) {
     std::array<double, 3> point{};
@@ -53,7 +53,7 @@ std::array<double, 3> uniform_in_ball(std::mt19937_64 &engine) {
 std::string cpu_model() {
   std::ifstream in("/proc/cpuinfo");
   for (std::string line; std::getline(in, line);) {
-    const std::size_t colon = line.find(": ");
+    const size_t colon = line.find(": ");
     if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
   }
   return "unknown";
@@ -79,15 +79,15 @@ void register_skipped(const std::string &name, const std::string &reason) {
       name.c_str(), [reason](benchmark::State &state) { state.SkipWithError(("skipped: " + reason).c_str()); });
 }
 
-std::vector<double> random_points_in_box(const Model &model, std::size_t count) {
+std::vector<double> random_points_in_box(const Model &model, size_t count) {
   const std::vector<double> &xyz = model.balls().xyz;
   const double margin = model.largest_radius();
   std::array<double, 3> low{};
   std::array<double, 3> size{};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
+  for (size_t axis = 0; axis < 3; ++axis) {
     low[axis] = xyz[axis];
     double high = xyz[axis];
-    for (std::size_t i = axis; i < xyz.size(); i += 3) {
+    for (size_t i = axis; i < xyz.size(); i += 3) {
       low[axis] = std::min(low[axis], xyz[i]);
       high = std::max(high, xyz[i]);
     }
@@ -96,76 +96,76 @@ std::vector<double> random_points_in_box(const Model &model, std::size_t count) 
   }
   std::mt19937_64 engine(seed);
   std::vector<double> points;
-  for (std::size_t i = 0; i < 3 * count; ++i) points.push_back(low[i % 3] + size[i % 3] * uniform(engine));
+  for (size_t i = 0; i < 3 * count; ++i) points.push_back(low[i % 3] + size[i % 3] * uniform(engine));
   return points;
 }
 
-std::vector<double> random_points_near_atoms(const Model &model, std::size_t count) {
+std::vector<double> random_points_near_atoms(const Model &model, size_t count) {
   const std::vector<double> &xyz = model.balls().xyz;
   std::mt19937_64 engine(seed);
   std::vector<double> points;
   while (points.size() < 3 * count) {
     const std::array<double, 3> offset = uniform_in_ball(engine);
-    const std::size_t atom = engine() % model.size();
-    for (std::size_t axis = 0; axis < 3; ++axis) points.push_back(xyz[3 * atom + axis] + offset[axis]);
+    const size_t atom = engine() % model.size();
+    for (size_t axis = 0; axis < 3; ++axis) points.push_back(xyz[3 * atom + axis] + offset[axis]);
   }
   return points;
 }
 
-std::vector<double> random_points_near_surface(const Model &model, std::size_t count) {
+std::vector<double> random_points_near_surface(const Model &model, size_t count) {
   const Balls &balls = model.balls();
   std::mt19937_64 engine(seed);
   std::vector<double> points;
   while (points.size() < 3 * count) {
     const std::array<double, 3> direction = uniform_in_ball(engine);
-    const std::size_t atom = engine() % model.size();
+    const size_t atom = engine() % model.size();
     const double distance = balls.radius[atom] + model.probe() + uniform(engine);
     const double length = std::hypot(direction[0], direction[1], direction[2]);
     if (length < 0.01) continue;
     std::array<double, 3> point{};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (size_t axis = 0; axis < 3; ++axis) {
       point[axis] = balls.xyz[3 * atom + axis] + distance / length * direction[axis];
     }
     int32_t meets = 0;
-    require_ok(hsp_query_meets(model.get(), point.data(), 0, &meets), "hsp_query_meets");
+    expect_ok(hsp_query_meets(model.get(), point.data(), 0, &meets), "hsp_query_meets");
     if (meets == 0) points.insert(points.end(), point.begin(), point.end());
   }
   return points;
 }
 
-std::size_t query_points(const Model &model, const std::vector<double> &points) {
-  std::array<std::uint32_t, most_hits> ids;
-  std::size_t hits = 0;
-  for (std::size_t i = 0; i < points.size(); i += 3) {
-    std::uint32_t needed = 0;
+size_t query_points(const Model &model, const std::vector<double> &points) {
+  std::array<uint32_t, most_hits> ids;
+  size_t hits = 0;
+  for (size_t i = 0; i < points.size(); i += 3) {
+    uint32_t needed = 0;
     const int32_t status = hsp_query_point(model.get(), &points[i], ids.data(), most_hits, &needed);
-    if (status != HSP_OK) require_ok(status, "hsp_query_point");
+    if (status != HSP_OK) expect_ok(status, "hsp_query_point");
     hits += needed;
   }
   benchmark::DoNotOptimize(ids);
   return hits;
 }
 
-std::size_t query_balls(const Model &model, const std::vector<double> &points, double radius) {
-  std::array<std::uint32_t, most_hits> ids;
-  std::size_t hits = 0;
-  for (std::size_t i = 0; i < points.size(); i += 3) {
-    std::uint32_t needed = 0;
+size_t query_balls(const Model &model, const std::vector<double> &points, double radius) {
+  std::array<uint32_t, most_hits> ids;
+  size_t hits = 0;
+  for (size_t i = 0; i < points.size(); i += 3) {
+    uint32_t needed = 0;
     const int32_t status = hsp_query_ball(model.get(), &points[i], radius, ids.data(), most_hits, &needed);
-    if (status != HSP_OK) require_ok(status, "hsp_query_ball");
+    if (status != HSP_OK) expect_ok(status, "hsp_query_ball");
     hits += needed;
   }
   benchmark::DoNotOptimize(ids);
   return hits;
 }
 
-std::size_t query_all_neighbours(const Model &model) {
-  std::array<std::uint32_t, most_hits> ids;
-  std::size_t hits = 0;
-  for (std::uint32_t ball = 0; ball < model.size(); ++ball) {
-    std::uint32_t needed = 0;
+size_t query_all_neighbours(const Model &model) {
+  std::array<uint32_t, most_hits> ids;
+  size_t hits = 0;
+  for (uint32_t ball = 0; ball < model.size(); ++ball) {
+    uint32_t needed = 0;
     const int32_t status = hsp_query_neighbours(model.get(), ball, ids.data(), most_hits, &needed);
-    if (status != HSP_OK) require_ok(status, "hsp_query_neighbours");
+    if (status != HSP_OK) expect_ok(status, "hsp_query_neighbours");
     hits += needed;
   }
   benchmark::DoNotOptimize(ids);

@@ -20,9 +20,9 @@ struct Box {
 
 Box box_of(const Balls &balls) {
   Box box;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
+  for (size_t axis = 0; axis < 3; ++axis) {
     box.low[axis] = box.high[axis] = balls.xyz[axis];
-    for (std::size_t i = axis; i < balls.xyz.size(); i += 3) {
+    for (size_t i = axis; i < balls.xyz.size(); i += 3) {
       box.low[axis] = std::min(box.low[axis], balls.xyz[i]);
       box.high[axis] = std::max(box.high[axis], balls.xyz[i]);
     }
@@ -30,13 +30,13 @@ Box box_of(const Balls &balls) {
   return box;
 }
 
-/// The centres, shifted, that lie in the box grown by `closest`.
+// The centres, shifted, that lie in the box grown by `closest`.
 std::vector<Vector> centres_near(const Balls &balls, const Vector &shift, const Box &box) {
   std::vector<Vector> found;
-  for (std::size_t i = 0; i < balls.xyz.size(); i += 3) {
+  for (size_t i = 0; i < balls.xyz.size(); i += 3) {
     Vector centre{};
     bool inside = true;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (size_t axis = 0; axis < 3; ++axis) {
       centre[axis] = balls.xyz[i + axis] + shift[axis];
       inside = inside && centre[axis] >= box.low[axis] - closest && centre[axis] <= box.high[axis] + closest;
     }
@@ -45,10 +45,10 @@ std::vector<Vector> centres_near(const Balls &balls, const Vector &shift, const 
   return found;
 }
 
-/// Whether a copy shifted so has a centre nearer than `closest` to one of the original.
+// Whether a copy shifted so has a centre nearer than `closest` to one of the original.
 bool too_close(const Balls &balls, const Box &box, const Vector &shift) {
   Box shifted = box;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
+  for (size_t axis = 0; axis < 3; ++axis) {
     shifted.low[axis] += shift[axis];
     shifted.high[axis] += shift[axis];
   }
@@ -64,7 +64,7 @@ bool too_close(const Balls &balls, const Box &box, const Vector &shift) {
   return false;
 }
 
-/// Whether any of the 26 neighbours on the lattice comes too close; by symmetry half of them are enough.
+// Whether any of the 26 neighbours on the lattice comes too close; by symmetry half of them are enough.
 bool too_tight(const Balls &balls, const Box &box, const Vector &period) {
   for (int code = 14; code < 27; ++code) {
     const Vector shift{(code / 9 - 1) * period[0], (code / 3 % 3 - 1) * period[1], (code % 3 - 1) * period[2]};
@@ -73,12 +73,12 @@ bool too_tight(const Balls &balls, const Box &box, const Vector &period) {
   return false;
 }
 
-/// The box's size less as much as leaves no copies too close. Half the box stays: beyond that, copies that are not
-/// neighbours on the lattice would have to be looked at.
+// The box's size less as much as leaves no copies too close. Half the box stays: beyond that, copies that are not
+// neighbours on the lattice would have to be looked at.
 Vector tightest_period(const Balls &balls, const Box &box) {
   Vector period{};
   double most = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
+  for (size_t axis = 0; axis < 3; ++axis) {
     const double size = box.high[axis] - box.low[axis];
     period[axis] = size + closest;
     most = axis == 0 ? size / 2 : std::min(most, size / 2);
@@ -101,7 +101,7 @@ Balls tiled(const Balls &balls, int copies) {
     for (int y = 0; y < copies; ++y) {
       for (int z = 0; z < copies; ++z) {
         const Vector shift{x * period[0], y * period[1], z * period[2]};
-        for (std::size_t i = 0; i < balls.xyz.size(); ++i) all.xyz.push_back(balls.xyz[i] + shift[i % 3]);
+        for (size_t i = 0; i < balls.xyz.size(); ++i) all.xyz.push_back(balls.xyz[i] + shift[i % 3]);
         all.radius.insert(all.radius.end(), balls.radius.begin(), balls.radius.end());
       }
     }

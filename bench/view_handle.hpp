@@ -14,28 +14,24 @@ class View {
  public:
   using Direction = std::array<double, 3>;
 
-  /// pieces is HSP_PIECES_*. boundary: null for G-pieces cut from the model alone. Makes room for what any of these
-  /// directions needs.
-  View(const Model &model, const Boundary *boundary, std::uint32_t pieces, const std::vector<Direction> &directions);
+  // pieces is HSP_PIECES_*. boundary: null for G-pieces cut from the model alone. Makes room for what any of these
+  // directions needs.
+  View(const Model &model, const Boundary *boundary, uint32_t pieces, const std::vector<Direction> &directions);
 
   void compute(const Direction &towards);
 
-  /// Writes the flat SVG of the direction computed last to a sink that only counts. Returns the bytes.
-  std::uint64_t write_picture();
+  // Writes the flat SVG of the direction computed last to a sink that only counts. Returns the bytes.
+  uint64_t write_picture();
 
   hsp_view_info info() const;
 
  private:
-  int32_t try_compute(const Direction &towards);
-  void take(const hsp_view_limits &limits);
-
   const Model *model_;
   const Boundary *boundary_;
   hsp_view_options options_{};
   hsp_picture_options picture_{};
-  std::vector<std::byte> memory_;
-  std::vector<std::uint32_t> colour_;
-  hsp_view *view_ = nullptr;
+  std::vector<uint32_t> colour_;
+  support::OwnedView view_;
 };
 
 }  // namespace bench

@@ -10,7 +10,7 @@
 namespace report {
 namespace {
 
-/// The paper's seconds: Steps 1 and 2 of Section 4.2, and a frame by z-buffer and by the new method on two machines.
+// The paper's seconds: Steps 1 and 2 of Section 4.2, and a frame by z-buffer and by the new method on two machines.
 struct PaperRow {
   const char *name;
   const char *benchmark;
@@ -30,7 +30,7 @@ constexpr PaperRow paper[] = {
 const std::string table_prefix = "section_5_1/";
 const std::string sizes_prefix = "frames/";
 
-/// The ways to a frame that are timed, as their counters are called.
+// The ways to a frame that are timed, as their counters are called.
 constexpr const char *ways[] = {"h", "g", "g_alone"};
 constexpr const char *headings[] = {"H", "G", "G alone"};
 
@@ -38,12 +38,12 @@ std::string milliseconds(const Measurement &m, const std::string &part) {
   return three_digits(m.counter(part + "_seconds") * 1e3);
 }
 
-/// A frame over the analytic z-buffer, by which it is timed in turns.
+// A frame over the analytic z-buffer, by which it is timed in turns.
 double over_analytic(const Measurement &m, const std::string &way) {
   return m.counter(way + "_ratio");
 }
 
-/// A frame over the z-buffer of triangles.
+// A frame over the z-buffer of triangles.
 double over_triangles(const Measurement &m, const std::string &way) {
   return m.counter(way + "_ratio") / m.counter("triangle_ratio");
 }
@@ -120,7 +120,7 @@ void write_sizes(std::ostream &out, const Run &run) {
   table.write(out);
 }
 
-/// What a frame may cost at most, over all sets of one suite.
+// What a frame may cost at most, over all sets of one suite.
 struct FrameGoal {
   const char *what;
   const std::string &prefix;

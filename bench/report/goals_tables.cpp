@@ -58,14 +58,14 @@ struct Limit {
   double must, goal, stretch;
 };
 
-/// "stretch", "goal", "must" or "missed", by the tightest limit that is kept.
+// "stretch", "goal", "must" or "missed", by the tightest limit that is kept.
 std::string grade(double value, const Limit &limit) {
   if (value <= limit.stretch) return "stretch";
   if (value <= limit.goal) return "goal";
   return value <= limit.must ? "must" : "**missed**";
 }
 
-/// The median and the least time per atom of the stand-in's parts together, in nanoseconds.
+// The median and the least time per atom of the stand-in's parts together, in nanoseconds.
 struct PerAtom {
   double median = 0;
   double least = 0;
@@ -87,7 +87,7 @@ PerAtom per_atom(const Run &run, const std::vector<std::string> &benchmarks, con
   return sum;
 }
 
-/// A figure for each surface, none of which may be larger than the goal.
+// A figure for each surface, none of which may be larger than the goal.
 struct GrowthGoal {
   const char *what;
   const char *suite;

@@ -43,13 +43,13 @@ double growth_exponent(const Run &run, const std::string &prefix, double from, c
   if (x.size() < 3) return std::nan("");
   double mean_x = 0;
   double mean_y = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
+  for (size_t i = 0; i < x.size(); ++i) {
     mean_x += x[i] / static_cast<double>(x.size());
     mean_y += y[i] / static_cast<double>(x.size());
   }
   double products = 0;
   double squares = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
+  for (size_t i = 0; i < x.size(); ++i) {
     products += (x[i] - mean_x) * (y[i] - mean_y);
     squares += (x[i] - mean_x) * (x[i] - mean_x);
   }

@@ -26,7 +26,7 @@ class Parser {
   }
 
   void skip_blanks() {
-    const std::size_t first = rest_.find_first_not_of(" \t\r\n");
+    const size_t first = rest_.find_first_not_of(" \t\r\n");
     rest_.remove_prefix(first == std::string_view::npos ? rest_.size() : first);
   }
 
@@ -91,7 +91,7 @@ class Parser {
     result.kind = JsonValue::Kind::number;
     const auto [end, error] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), result.number);
     if (error != std::errc()) fail("not a value");
-    rest_.remove_prefix(static_cast<std::size_t>(end - rest_.data()));
+    rest_.remove_prefix(static_cast<size_t>(end - rest_.data()));
   }
 
   std::string string() {
@@ -119,7 +119,7 @@ class Parser {
   }
 
   std::string_view rest_;
-  std::size_t whole_;
+  size_t whole_;
 };
 
 }  // namespace

@@ -18,11 +18,11 @@ struct JsonValue {
   std::vector<JsonValue> array;
   std::map<std::string, JsonValue> object;
 
-  /// The member of an object; a null value if there is none.
+  // The member of an object; a null value if there is none.
   const JsonValue &operator[](const std::string &key) const;
 };
 
-/// Parse one document. Throws std::runtime_error with the offset where it stops being JSON. \u escapes become '?'.
+// Parse one document. Throws std::runtime_error with the offset where it stops being JSON. \u escapes become '?'.
 JsonValue parse_json(std::string_view document);
 
 }  // namespace report

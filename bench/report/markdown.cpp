@@ -10,9 +10,9 @@
 namespace report {
 namespace {
 
-/// Characters, not bytes: UTF-8 continuation bytes take no room.
-std::size_t width(const std::string &text) {
-  return static_cast<std::size_t>(
+// Characters, not bytes: UTF-8 continuation bytes take no room.
+size_t width(const std::string &text) {
+  return static_cast<size_t>(
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
@@ -27,20 +27,20 @@ void Table::row(std::vector<std::string> cells) {
 }
 
 void Table::write(std::ostream &out) const {
-  std::vector<std::size_t> widths(rows_.front().size(), 4);
+  std::vector<size_t> widths(rows_.front().size(), 4);
   for (const auto &row : rows_) {
-    for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::max(widths[i], width(row[i]));
+    for (size_t i = 0; i < widths.size(); ++i) widths[i] = std::max(widths[i], width(row[i]));
   }
-  for (std::size_t r = 0; r < rows_.size(); ++r) {
+  for (size_t r = 0; r < rows_.size(); ++r) {
     out << '|';
-    for (std::size_t i = 0; i < widths.size(); ++i) {
+    for (size_t i = 0; i < widths.size(); ++i) {
       const std::string padding(widths[i] - width(rows_[r][i]), ' ');
       out << ' ' << (i == 0 ? rows_[r][i] + padding : padding + rows_[r][i]) << " |";
     }
     out << '\n';
     if (r != 0) continue;
     out << '|';
-    for (std::size_t i = 0; i < widths.size(); ++i) {
+    for (size_t i = 0; i < widths.size(); ++i) {
       out << (i == 0 ? " :" + std::string(widths[i] - 1, '-') : ' ' + std::string(widths[i] - 1, '-') + ':') << " |";
     }
     out << '\n';
@@ -77,7 +77,7 @@ std::string fixed(double value, int decimals) {
 
 std::string grouped(double value) {
   std::string text = fixed(value, 0);
-  for (std::size_t i = text.size(); i > 3; i -= 3) text.insert(i - 3, 1, ',');
+  for (size_t i = text.size(); i > 3; i -= 3) text.insert(i - 3, 1, ',');
   return text;
 }
 

@@ -11,26 +11,26 @@ class Table {
  public:
   explicit Table(std::vector<std::string> heads);
 
-  /// One cell per head.
+  // One cell per head.
   void row(std::vector<std::string> cells);
 
-  /// Columns padded to one width, the first to the left, the others to the right.
+  // Columns padded to one width, the first to the left, the others to the right.
   void write(std::ostream &out) const;
 
  private:
   std::vector<std::vector<std::string>> rows_;
 };
 
-/// Three significant digits, no exponent: 0.00123, 12.3, 1230.
+// Three significant digits, no exponent: 0.00123, 12.3, 1230.
 std::string three_digits(double value);
 
-/// Three significant digits and a power of ten: 1.32e-4.
+// Three significant digits and a power of ten: 1.32e-4.
 std::string scientific(double value);
 
-/// A fixed number of decimals.
+// A fixed number of decimals.
 std::string fixed(double value, int decimals);
 
-/// A whole number with the thousands set apart by commas.
+// A whole number with the thousands set apart by commas.
 std::string grouped(double value);
 
 }  // namespace report

@@ -8,30 +8,30 @@
 
 namespace report {
 
-/// All repetitions of one benchmark.
+// All repetitions of one benchmark.
 struct Measurement {
-  std::vector<double> seconds;                          ///< CPU time of one iteration, one entry per repetition
-  std::map<std::string, std::vector<double>> counters;  ///< one entry per repetition
-  std::string error;                                    ///< why there are no times, or empty
+  std::vector<double> seconds;                          // CPU time of one iteration, one entry per repetition
+  std::map<std::string, std::vector<double>> counters;  // one entry per repetition
+  std::string error;                                    // why there are no times, or empty
 
   bool measured() const { return !seconds.empty(); }
-  double median() const;                          ///< seconds; only if measured
-  double least() const;                           ///< seconds; only if measured
-  double counter(const std::string &name) const;  ///< median; 0 if there is none of that name
+  double median() const;                          // seconds; only if measured
+  double least() const;                           // seconds; only if measured
+  double counter(const std::string &name) const;  // median; 0 if there is none of that name
   double per_atom() const { return median() / counter("atoms"); }
 };
 
 struct Run {
-  std::map<std::string, Measurement> benchmarks;  ///< by name
-  std::map<std::string, std::string> context;     ///< date, num_cpus, cpu_model, compiler, flags, ...
-  std::vector<std::string> order;                 ///< names in the order in which they ran
-  std::vector<double> loads;                      ///< the machine's load average when each program began
+  std::map<std::string, Measurement> benchmarks;  // by name
+  std::map<std::string, std::string> context;     // date, num_cpus, cpu_model, compiler, flags, ...
+  std::vector<std::string> order;                 // names in the order in which they ran
+  std::vector<double> loads;                      // the machine's load average when each program began
 
-  /// The measurement of this name, or nullptr if it is missing or failed.
+  // The measurement of this name, or nullptr if it is missing or failed.
   const Measurement *find(const std::string &name) const;
 };
 
-/// Read every .json file of the folder, in the order of their names. Throws std::runtime_error if there is none.
+// Read every .json file of the folder, in the order of their names. Throws std::runtime_error if there is none.
 Run read_run(const std::filesystem::path &folder);
 
 }  // namespace report

@@ -7,10 +7,10 @@
 namespace report {
 namespace {
 
-/// The paper's figures for one molecule: Sections 2, 3 and 4.2; times in seconds on an Indigo R3000.
+// The paper's figures for one molecule: Sections 2, 3 and 4.2; times in seconds on an Indigo R3000.
 struct PaperRow {
-  const char *name;       ///< in the paper
-  const char *benchmark;  ///< in our benchmarks
+  const char *name;       // in the paper
+  const char *benchmark;  // in our benchmarks
   int balls;
   double k, rho;
   int max;
@@ -31,7 +31,7 @@ std::string factor(double paper_seconds, double our_seconds) {
   return three_digits(paper_seconds / our_seconds);
 }
 
-/// Three cells: the paper's seconds, ours, the factor; dashes where there is no measurement.
+// Three cells: the paper's seconds, ours, the factor; dashes where there is no measurement.
 void append(std::vector<std::string> &cells, double paper_seconds, const Measurement *measurement) {
   cells.push_back(fixed(paper_seconds, 2));
   cells.push_back(measurement != nullptr ? scientific(measurement->median()) : "-");

@@ -4,8 +4,8 @@
 namespace report {
 
 struct Surface {
-  const char *name;     ///< in the benchmarks
-  const char *heading;  ///< in the report
+  const char *name;     // in the benchmarks
+  const char *heading;  // in the report
 };
 
 constexpr Surface surfaces[] = {{"van_der_waals", "Van der Waals balls"},

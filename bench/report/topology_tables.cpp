@@ -48,7 +48,7 @@ void write_times(std::ostream &out, const Run &run, const Surface &surface) {
   table.write(out);
 }
 
-/// Nanoseconds a query, and the share of one kind of answer.
+// Nanoseconds a query, and the share of one kind of answer.
 std::vector<std::string> location_cells(const Measurement *m) {
   if (m == nullptr) return {"-", "-", "-"};
   return {three_digits(m->median() / m->counter("queries") * 1e9), fixed(100 * m->counter("inside_share"), 0) + " %",

@@ -25,7 +25,7 @@ std::string context(const report::Run &run, const std::string &key) {
 
 constexpr double busy = 1.5;  // a benchmark itself is a load of 1
 
-/// Whether anything else was running, as far as the load average tells.
+// Whether anything else was running, as far as the load average tells.
 std::string describe_load(const report::Run &run) {
   if (run.loads.empty()) return "unknown";
   const auto [least, most] = std::minmax_element(run.loads.begin(), run.loads.end());

@@ -10,27 +10,25 @@
 
 namespace bench {
 
-/// What no ball covers has this owner.
-constexpr std::uint32_t no_owner = 0xFFFFFFFF;
+// What no ball covers has this owner.
+constexpr uint32_t no_owner = 0xFFFFFFFF;
 
 class AnalyticZBuffer {
  public:
   AnalyticZBuffer();
 
-  /// A new frame: clears the image and draws all balls.
+  // A new frame: clears the image and draws all balls.
   void draw(const PlacedBalls &balls);
 
-  /// The ball seen in pixel (x, y), row 0 at the bottom; no_owner for none.
-  std::uint32_t owner(int x, int y) const { return owner_[index(x, y)]; }
+  // The ball seen in pixel (x, y), row 0 at the bottom; no_owner for none.
+  uint32_t owner(int x, int y) const { return owner_[index(x, y)]; }
   float depth(int x, int y) const { return depth_[index(x, y)]; }
 
  private:
-  static std::size_t index(int x, int y) {
-    return static_cast<std::size_t>(y) * row_length + static_cast<std::size_t>(x);
-  }
+  static size_t index(int x, int y) { return static_cast<size_t>(y) * row_length + static_cast<size_t>(x); }
 
   std::vector<float> depth_;
-  std::vector<std::uint32_t> owner_;
+  std::vector<uint32_t> owner_;
 };
 
 }  // namespace bench

@@ -24,7 +24,7 @@ std::array<float, 3> rounded(const Vector &a) {
 
 void turn(const std::array<float, 3> &axis, const std::vector<float> &x, const std::vector<float> &y,
           const std::vector<float> &z, std::vector<float> &out) {
-  for (std::size_t i = 0; i < out.size(); ++i) out[i] = axis[0] * x[i] + axis[1] * y[i] + axis[2] * z[i];
+  for (size_t i = 0; i < out.size(); ++i) out[i] = axis[0] * x[i] + axis[1] * y[i] + axis[2] * z[i];
 }
 
 struct Range {
@@ -34,7 +34,7 @@ struct Range {
 
 Range range_of(const std::vector<float> &centre, const std::vector<float> &radius) {
   Range range;
-  for (std::size_t i = 0; i < centre.size(); ++i) {
+  for (size_t i = 0; i < centre.size(); ++i) {
     range.low = std::min(range.low, centre[i] - radius[i]);
     range.high = std::max(range.high, centre[i] + radius[i]);
   }
@@ -54,10 +54,10 @@ Axes axes_towards(const std::array<double, 3> &direction) {
   return {rounded(right), rounded(cross(towards, right)), rounded(towards)};
 }
 
-std::vector<std::array<double, 3>> spread_directions(std::size_t count) {
+std::vector<std::array<double, 3>> spread_directions(size_t count) {
   const double golden_angle = 2.399963229728653;
   std::vector<std::array<double, 3>> directions;
-  for (std::size_t i = 0; i < count; ++i) {
+  for (size_t i = 0; i < count; ++i) {
     const double height = 1 - (2 * static_cast<double>(i) + 1) / static_cast<double>(count);
     const double across = std::sqrt(1 - height * height);
     const double angle = golden_angle * static_cast<double>(i) + 0.3;
@@ -68,8 +68,8 @@ std::vector<std::array<double, 3>> spread_directions(std::size_t count) {
 
 Placement::Placement(const std::vector<double> &xyz, const std::vector<double> &radius) {
   Vector middle{};
-  for (std::size_t i = 0; i < xyz.size(); ++i) middle[i % 3] += xyz[i] / static_cast<double>(radius.size());
-  for (std::size_t ball = 0; ball < radius.size(); ++ball) {
+  for (size_t i = 0; i < xyz.size(); ++i) middle[i % 3] += xyz[i] / static_cast<double>(radius.size());
+  for (size_t ball = 0; ball < radius.size(); ++ball) {
     x_.push_back(static_cast<float>(xyz[3 * ball] - middle[0]));
     y_.push_back(static_cast<float>(xyz[3 * ball + 1] - middle[1]));
     z_.push_back(static_cast<float>(xyz[3 * ball + 2] - middle[2]));
@@ -89,7 +89,7 @@ const PlacedBalls &Placement::place(const Axes &axes) {
   scale(placed_.x, (across.low + across.high) / 2, factor, image_side / 2.0F);
   scale(placed_.y, (upwards.low + upwards.high) / 2, factor, image_side / 2.0F);
   scale(placed_.z, 0, factor, 0);
-  for (std::size_t i = 0; i < radius_.size(); ++i) placed_.radius[i] = radius_[i] * factor;
+  for (size_t i = 0; i < radius_.size(); ++i) placed_.radius[i] = radius_[i] * factor;
   return placed_;
 }
 

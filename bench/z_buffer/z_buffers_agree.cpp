@@ -21,24 +21,24 @@ void expect(bool holds, const char *what, double figure) {
   std::printf("%-60s %10.5f %s\n", what, figure, holds ? "" : "FAILED");
 }
 
-/// How high ball i is over the centre of pixel (x, y); NaN beside its disc.
-double height(const bench::PlacedBalls &balls, std::size_t i, int x, int y) {
+// How high ball i is over the centre of pixel (x, y); NaN beside its disc.
+double height(const bench::PlacedBalls &balls, size_t i, int x, int y) {
   const double dx = x + 0.5 - static_cast<double>(balls.x[i]);
   const double dy = y + 0.5 - static_cast<double>(balls.y[i]);
   const double radius = static_cast<double>(balls.radius[i]);
   return static_cast<double>(balls.z[i]) + std::sqrt(radius * radius - dx * dx - dy * dy);
 }
 
-/// The part of some 20,000 pixels whose owner is another ball than the one found by trying all, which is not equally
-/// high to a hundredth of a pixel. On a rim rounding decides whether a pixel belongs to the disc at all.
+// The part of some 20,000 pixels whose owner is another ball than the one found by trying all, which is not equally
+// high to a hundredth of a pixel. On a rim rounding decides whether a pixel belongs to the disc at all.
 double wrong_part(const bench::PlacedBalls &balls, const bench::AnalyticZBuffer &image) {
   int wrong = 0;
   int tried = 0;
   for (int y = 3; y < bench::image_side; y += 7) {
     for (int x = 5; x < bench::image_side; x += 7) {
       double best = -INFINITY;
-      for (std::size_t i = 0; i < balls.radius.size(); ++i) best = std::fmax(best, height(balls, i, x, y));
-      const std::uint32_t owner = image.owner(x, y);
+      for (size_t i = 0; i < balls.radius.size(); ++i) best = std::fmax(best, height(balls, i, x, y));
+      const uint32_t owner = image.owner(x, y);
       const double seen = owner == bench::no_owner ? -INFINITY : height(balls, owner, x, y);
       ++tried;
       const bool stored = owner == bench::no_owner || std::fabs(static_cast<double>(image.depth(x, y)) - seen) < 0.01;
@@ -49,7 +49,7 @@ double wrong_part(const bench::PlacedBalls &balls, const bench::AnalyticZBuffer 
 }
 
 struct Agreement {
-  double owners = 0;  ///< part of the pixels that either of them covers with the same owner in both
+  double owners = 0;  // part of the pixels that either of them covers with the same owner in both
   double worst_light = 0;
 };
 
@@ -59,7 +59,7 @@ Agreement compare(const bench::PlacedBalls &balls, const bench::AnalyticZBuffer 
   Agreement agreement;
   for (int y = 0; y < bench::image_side; ++y) {
     for (int x = 0; x < bench::image_side; ++x) {
-      const std::uint32_t owner = a.owner(x, y);
+      const uint32_t owner = a.owner(x, y);
       if (owner == bench::no_owner && b.owner(x, y) == bench::no_owner) continue;
       ++covered;
       if (owner != b.owner(x, y)) continue;

@@ -1,6 +1,5 @@
 #include "drawn_view.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 
 namespace {
@@ -29,24 +28,10 @@ int32_t take(void *context, const char *bytes, size_t count) {
 
 }  // namespace
 
-DrawnView::DrawnView(const oracle::Balls &balls, Direction towards, uint32_t pieces) : scene_(balls, step) {
-  const hsp_view_options options = ViewChoice{pieces, 0, false, towards, {}}.options();
-  hsp_view_limits limits;
-  expect_ok(hsp_view_limits_init(&limits, sizeof limits, static_cast<uint32_t>(balls.size())), "hsp_view_limits_init");
-  size_t bytes = 0;
-  expect_ok(hsp_view_bytes(&limits, &bytes), "hsp_view_bytes");
-  memory_.assign(bytes, 0);
-  expect_ok(hsp_view_init(memory_.data(), bytes, &limits, &view_), "hsp_view_init");
-  expect_ok(hsp_view_compute(view_, scene_.model(), pieces == HSP_PIECES_H ? scene_.boundary() : nullptr, &options),
-            "hsp_view_compute");
-  expect_ok(hsp_view_get_info(view_, &info_), "hsp_view_get_info");
-  pieces_.resize(info_.pieces);
-  loops_.resize(info_.loops);
-  arcs_.resize(info_.arcs);
-  uint32_t needed = 0;
-  expect_ok(hsp_view_get_pieces(view_, pieces_.data(), info_.pieces, &needed), "hsp_view_get_pieces");
-  expect_ok(hsp_view_get_loops(view_, loops_.data(), info_.loops, &needed), "hsp_view_get_loops");
-  expect_ok(hsp_view_get_arcs(view_, arcs_.data(), info_.arcs, &needed), "hsp_view_get_arcs");
+DrawnView::DrawnView(const oracle::Balls &balls, Direction towards, uint32_t pieces)
+    : scene_(balls, step),
+      view_(scene_, ViewChoice{pieces, 0, pieces == HSP_PIECES_H, towards, {}}),
+      records_(view_.records()) {
   for (const oracle::LatticeBall &ball : balls) {
     colours_.push_back(hsp_palette_colour(HSP_PALETTE_SOFT, atomic_number(ball.radius), 0));
   }
@@ -55,7 +40,7 @@ DrawnView::DrawnView(const oracle::Balls &balls, Direction towards, uint32_t pie
 std::string DrawnView::picture(const hsp_picture_options &options, const char *title, const char *description) const {
   std::string text;
   uint64_t bytes = 0;
-  expect_ok(hsp_picture_write(view_, colours_.data(), &options, title, description, take, &text, &bytes),
+  expect_ok(hsp_picture_write(view_.handle(), colours_.data(), &options, title, description, take, &text, &bytes),
             "hsp_picture_write");
   if (bytes != text.size()) throw std::runtime_error("hsp_picture_write: another number of bytes");
   return text;

@@ -17,20 +17,16 @@ class DrawnView {
   [[nodiscard]] std::string picture(const hsp_picture_options &options, const char *title = nullptr,
                                     const char *description = nullptr) const;
 
-  [[nodiscard]] const hsp_view_info &info() const { return info_; }
-  [[nodiscard]] const std::vector<hsp_view_piece> &pieces() const { return pieces_; }
-  [[nodiscard]] const std::vector<hsp_view_loop> &loops() const { return loops_; }
-  [[nodiscard]] const std::vector<hsp_view_arc> &arcs() const { return arcs_; }
+  [[nodiscard]] const hsp_view_info &info() const { return records_.info; }
+  [[nodiscard]] const std::vector<hsp_view_piece> &pieces() const { return records_.pieces; }
+  [[nodiscard]] const std::vector<hsp_view_loop> &loops() const { return records_.loops; }
+  [[nodiscard]] const std::vector<hsp_view_arc> &arcs() const { return records_.arcs; }
 
  private:
   LibraryScene scene_;
-  std::vector<unsigned char> memory_;
-  hsp_view *view_ = nullptr;
+  LibraryView view_;
+  ViewRecords records_;
   std::vector<uint32_t> colours_;
-  hsp_view_info info_{};
-  std::vector<hsp_view_piece> pieces_;
-  std::vector<hsp_view_loop> loops_;
-  std::vector<hsp_view_arc> arcs_;
 };
 
 hsp_picture_options picture_options(uint32_t format, uint32_t style);

@@ -120,7 +120,7 @@ TEST(Voids, LargestFirst) {
   ASSERT_EQ(voids.size(), 4u);
   EXPECT_EQ(balls_of(voids[0]), from_to(6, 11));
   EXPECT_EQ(balls_of(voids[1]), from_to(12, 17));
-  for (std::size_t i = 0; i + 1 < voids.size(); ++i) {
+  for (size_t i = 0; i + 1 < voids.size(); ++i) {
     const double more = voids[i]["volume"].number - voids[i + 1]["volume"].number;
     EXPECT_TRUE(more > 0 || (more == 0 && voids[i]["cell"].number < voids[i + 1]["cell"].number)) << i;
   }

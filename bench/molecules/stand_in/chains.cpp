@@ -12,19 +12,19 @@ constexpr Length rise = milliangstrom(3300);
 constexpr Length strand_spacing = milliangstrom(4800);
 constexpr Length sheet_spacing = milliangstrom(9000);
 
-constexpr std::size_t residues_per_chain = 141;  // times 7.7 atoms of a mean residue: what 1098 atoms have room for
-constexpr std::size_t metals_per_chain = 2;
-constexpr std::size_t ligands_per_metal = 4;
-constexpr std::size_t most_waters = 6;
+constexpr size_t residues_per_chain = 141;  // times 7.7 atoms of a mean residue: what 1098 atoms have room for
+constexpr size_t metals_per_chain = 2;
+constexpr size_t ligands_per_metal = 4;
+constexpr size_t most_waters = 6;
 
 // Each residue has its own bound about the lobe, this much further out or in at most: surfaces of proteins are rough.
 constexpr Length roughness = milliangstrom(5000);
 constexpr Length metal_to_ring_carbon = milliangstrom(3060);
 
 struct Place {
-  Point at;                              // of the alpha carbon
-  Point outwards;                        // where the side chain goes, about 1.5 Angstrom long
-  std::size_t metal = metals_per_chain;  // the metal that it binds, if less than metals_per_chain
+  Point at;                         // of the alpha carbon
+  Point outwards;                   // where the side chain goes, about 1.5 Angstrom long
+  size_t metal = metals_per_chain;  // the metal that it binds, if less than metals_per_chain
 };
 
 Point turned(Point p, int axis) {
@@ -41,18 +41,18 @@ Point shaken(Point p, Length by, RandomSequence &random) {
   return p;
 }
 
-/// A winding path through a sphere about the origin: strand after strand, sheet after sheet, each against the last.
+// A winding path through a sphere about the origin: strand after strand, sheet after sheet, each against the last.
 std::vector<Place> winding_path(Length radius) {
   std::vector<Place> path;
-  const std::int64_t reach = radius / rise + 1;
-  std::int64_t strand_direction = 1;
-  std::int64_t sheet_direction = 1;
-  for (std::int64_t sheet = -reach; sheet <= reach; ++sheet) {
-    const std::size_t before_sheet = path.size();
-    for (std::int64_t y = -reach; y <= reach; ++y) {
-      const std::size_t before_strand = path.size();
-      for (std::int64_t x = -reach; x <= reach; ++x) {
-        const std::int64_t along = strand_direction * x;
+  const int64_t reach = radius / rise + 1;
+  int64_t strand_direction = 1;
+  int64_t sheet_direction = 1;
+  for (int64_t sheet = -reach; sheet <= reach; ++sheet) {
+    const size_t before_sheet = path.size();
+    for (int64_t y = -reach; y <= reach; ++y) {
+      const size_t before_strand = path.size();
+      for (int64_t x = -reach; x <= reach; ++x) {
+        const int64_t along = strand_direction * x;
         const Point at{along * rise, sheet_direction * y * strand_spacing, sheet * sheet_spacing + sheet_spacing / 2};
         if (dot(at, at) > radius * radius) continue;
         path.push_back({at, {0, 0, milliangstrom(along % 2 == 0 ? 1500 : -1500)}});
@@ -79,13 +79,13 @@ std::array<Point, metals_per_chain> metal_places() {
   return {Point{milliangstrom(-3300), 0, 0}, Point{milliangstrom(3300), 0, 0}};
 }
 
-/// The places nearest to each metal are to bind it: their side chains point at it.
+// The places nearest to each metal are to bind it: their side chains point at it.
 void choose_ligands(std::vector<Place> &path) {
   const auto metals = metal_places();
-  for (std::size_t metal = 0; metal < metals_per_chain; ++metal) {
-    for (std::size_t ligand = 0; ligand < ligands_per_metal; ++ligand) {
+  for (size_t metal = 0; metal < metals_per_chain; ++metal) {
+    for (size_t ligand = 0; ligand < ligands_per_metal; ++ligand) {
       Place *nearest = nullptr;
-      std::int64_t least = 0;
+      int64_t least = 0;
       for (Place &place : path) {
         const Point apart = place.at - metals[metal];
         if (place.metal < metals_per_chain || (nearest != nullptr && dot(apart, apart) >= least)) continue;
@@ -106,9 +106,9 @@ const Residue *histidine() {
 }
 
 const Residue *random_residue(RandomSequence &random) {
-  std::int64_t whole = 0;
+  int64_t whole = 0;
   for (const Residue &residue : residues()) whole += residue.per_mille;
-  auto draw = static_cast<std::int64_t>(random.next() % static_cast<std::uint64_t>(whole));
+  auto draw = static_cast<int64_t>(random.next() % static_cast<uint64_t>(whole));
   for (const Residue &residue : residues()) {
     draw -= residue.per_mille;
     if (draw < 0) return &residue;
@@ -116,12 +116,11 @@ const Residue *random_residue(RandomSequence &random) {
   return nullptr;
 }
 
-/// Draw sequences until one leaves no more atoms over than a few waters.
-std::vector<const Residue *> random_sequence(const std::vector<Place> &path, std::size_t atoms,
-                                             RandomSequence &random) {
+// Draw sequences until one leaves no more atoms over than a few waters.
+std::vector<const Residue *> random_sequence(const std::vector<Place> &path, size_t atoms, RandomSequence &random) {
   for (;;) {
     std::vector<const Residue *> sequence;
-    std::size_t total = 1 + metals_per_chain;  // the oxygen that ends the chain, and the metals
+    size_t total = 1 + metals_per_chain;  // the oxygen that ends the chain, and the metals
     for (const Place &place : path) {
       sequence.push_back(place.metal < metals_per_chain ? histidine() : random_residue(random));
       total += backbone().size() + sequence.back()->side_chain.size();
@@ -130,13 +129,13 @@ std::vector<const Residue *> random_sequence(const std::vector<Place> &path, std
   }
 }
 
-/// The ring nitrogen that binds a metal, and the carbons beside it.
+// The ring nitrogen that binds a metal, and the carbons beside it.
 struct Ligand {
-  std::uint32_t nitrogen;
-  std::array<std::uint32_t, 2> carbons;
+  uint32_t nitrogen;
+  std::array<uint32_t, 2> carbons;
 };
 
-/// One chain while it grows.
+// One chain while it grows.
 class Builder {
  public:
   Builder(Assembly &assembly, char chain, int axis, RandomSequence &random)
@@ -144,10 +143,10 @@ class Builder {
     choose_ligands(path_);
   }
 
-  void build(std::size_t atoms) {
-    const std::size_t end = assembly_.atoms.size() + atoms;
+  void build(size_t atoms) {
+    const size_t end = assembly_.atoms.size() + atoms;
     const std::vector<const Residue *> sequence = random_sequence(path_, atoms, random_);
-    for (std::size_t i = 0; i < sequence.size(); ++i) append_residue(*sequence[i], i);
+    for (size_t i = 0; i < sequence.size(); ++i) append_residue(*sequence[i], i);
     append({"OXT", Element::oxygen, Shape::trigonal, "C"}, sequence.back()->name, path_.back().at);
     bond(last(), find("C"));
     append_metals();
@@ -159,13 +158,13 @@ class Builder {
 
  private:
   const Lobe &lobe() const { return assembly_.lobes.back(); }
-  std::uint32_t last() const { return static_cast<std::uint32_t>(assembly_.atoms.size() - 1); }
+  uint32_t last() const { return static_cast<uint32_t>(assembly_.atoms.size() - 1); }
 
-  /// The atom of this name in the residue that is being built, or in the one that many residues before it.
-  std::uint32_t find(std::string_view name, int residues_back = 0) const {
-    for (std::size_t i = assembly_.atoms.size(); i-- > 0;) {
+  // The atom of this name in the residue that is being built, or in the one that many residues before it.
+  uint32_t find(std::string_view name, int residues_back = 0) const {
+    for (size_t i = assembly_.atoms.size(); i-- > 0;) {
       const Atom &atom = assembly_.atoms[i];
-      if (atom.name == name && atom.residue_number == number_ - residues_back) return static_cast<std::uint32_t>(i);
+      if (atom.name == name && atom.residue_number == number_ - residues_back) return static_cast<uint32_t>(i);
     }
     return last();
   }
@@ -177,7 +176,7 @@ class Builder {
     atom.element = what.element;
     atom.shape = what.shape;
     atom.chain = chain_;
-    atom.lobe = static_cast<std::uint8_t>(assembly_.lobes.size() - 1);
+    atom.lobe = static_cast<uint8_t>(assembly_.lobes.size() - 1);
     atom.hetero = hetero;
     atom.residue_number = number_;
     atom.out = out_;
@@ -185,15 +184,15 @@ class Builder {
     assembly_.atoms.push_back(atom);
   }
 
-  void bond(std::uint32_t a, std::uint32_t b) {
+  void bond(uint32_t a, uint32_t b) {
     const Atom &first = assembly_.atoms[a];
     const Atom &second = assembly_.atoms[b];
     assembly_.bonds.push_back({a, b, bond_length(first.element, first.shape, second.element, second.shape)});
   }
 
-  void apart(std::uint32_t a, std::uint32_t b, Length length) { assembly_.distances.push_back({a, b, length}); }
+  void apart(uint32_t a, uint32_t b, Length length) { assembly_.distances.push_back({a, b, length}); }
 
-  void append_residue(const Residue &residue, std::size_t i) {
+  void append_residue(const Residue &residue, size_t i) {
     ++number_;
     out_ = random_.within(roughness);
     const Place &place = path_[i];
@@ -209,7 +208,7 @@ class Builder {
       append(atom, residue.name, shaken(at, milliangstrom(200), random_));
       if (!atom.parent.empty()) bond(find(atom.parent), last());
     }
-    std::int64_t count = 0;
+    int64_t count = 0;
     for (const ResidueAtom &atom : residue.side_chain) {
       ++count;
       append(atom, residue.name, shaken(place.at + scaled(place.outwards, 1 + count, 2), milliangstrom(500), random_));
@@ -224,14 +223,14 @@ class Builder {
     const auto ring = residue.ring;
     if (ring.empty()) return;
     if (ring.size() == 5) {
-      std::vector<std::uint32_t> members;
+      std::vector<uint32_t> members;
       for (const std::string_view name : ring) members.push_back(find(name));
       assembly_.five_rings.push_back(members);
     } else {
-      for (std::size_t i = 0; i < 3; ++i) apart(find(ring[i]), find(ring[i + 3]), milliangstrom(2780));
+      for (size_t i = 0; i < 3; ++i) apart(find(ring[i]), find(ring[i + 3]), milliangstrom(2780));
     }
     // The parents make a tree: the one bond of the ring that no parent names is the one that closes it.
-    for (std::size_t i = 0; i < ring.size(); ++i) {
+    for (size_t i = 0; i < ring.size(); ++i) {
       const std::string_view a = ring[i];
       const std::string_view b = ring[(i + 1) % ring.size()];
       if (!is_parent(residue, a, b) && !is_parent(residue, b, a)) bond(find(a), find(b));
@@ -246,7 +245,7 @@ class Builder {
     return false;
   }
 
-  /// The peptide bond, trans and flat.
+  // The peptide bond, trans and flat.
   void join_to_previous() {
     bond(find("C", 1), find("N"));
     apart(find("CA", 1), find("CA"), milliangstrom(3800));
@@ -255,13 +254,13 @@ class Builder {
 
   void append_metals() {
     const auto places = metal_places();
-    for (std::size_t metal = 0; metal < metals_per_chain; ++metal) {
+    for (size_t metal = 0; metal < metals_per_chain; ++metal) {
       ++number_;
       const Element element = metal == 0 ? Element::copper : Element::zinc;
       append({symbol(element), element, Shape::tetrahedral, ""}, symbol(element), places[metal], true);
       for (const Ligand &ligand : ligands_[metal]) {
         apart(last(), ligand.nitrogen, bond_length(element, Shape::tetrahedral, Element::nitrogen, Shape::trigonal));
-        for (const std::uint32_t carbon : ligand.carbons) apart(last(), carbon, metal_to_ring_carbon);
+        for (const uint32_t carbon : ligand.carbons) apart(last(), carbon, metal_to_ring_carbon);
       }
     }
   }
@@ -278,8 +277,7 @@ class Builder {
 
 }  // namespace
 
-void append_chain(Assembly &assembly, char chain, const Lobe &lobe, int axis, std::size_t atoms,
-                  RandomSequence &random) {
+void append_chain(Assembly &assembly, char chain, const Lobe &lobe, int axis, size_t atoms, RandomSequence &random) {
   assembly.lobes.push_back(lobe);
   Builder(assembly, chain, axis, random).build(atoms);
 }

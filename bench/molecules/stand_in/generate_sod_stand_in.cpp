@@ -16,10 +16,10 @@ namespace {
 
 using namespace stand_in;
 
-constexpr std::size_t atoms_per_chain = 1098;
+constexpr size_t atoms_per_chain = 1098;
 constexpr Length lobe_radius = milliangstrom(18500);
 constexpr Length lobe_offset = milliangstrom(15500);  // from the middle to a lobe along each axis
-constexpr std::int64_t strained_bond = 1161;          // milliangstrom: the C=O of each chain that makes rho 0.763
+constexpr int64_t strained_bond = 1161;               // milliangstrom: the C=O of each chain that makes rho 0.763
 
 Assembly assemble(RandomSequence &random) {
   Assembly assembly;
@@ -33,7 +33,7 @@ Assembly assemble(RandomSequence &random) {
   return assembly;
 }
 
-std::int64_t nearest_milliangstrom(Length length) {
+int64_t nearest_milliangstrom(Length length) {
   const Length half = steps_per_milliangstrom / 2;
   return (length >= 0 ? length + half : length - half) / steps_per_milliangstrom;
 }
@@ -48,20 +48,20 @@ std::vector<LatticeBall> lattice_balls(const Assembly &assembly) {
   return balls;
 }
 
-/// Every refined structure has bonds that are too short; here it is the first carbonyl of each chain.
+// Every refined structure has bonds that are too short; here it is the first carbonyl of each chain.
 void strain_first_carbonyls(const Assembly &assembly, std::vector<LatticeBall> &balls) {
-  for (std::size_t i = 1; i < balls.size(); ++i) {
+  for (size_t i = 1; i < balls.size(); ++i) {
     const Atom &oxygen = assembly.atoms[i];
     if (oxygen.residue_number != 1 || oxygen.name != "O" || assembly.atoms[i - 1].name != "C") continue;
     const Point bond = balls[i].centre - balls[i - 1].centre;
-    const std::int64_t length = integer_square_root(dot(bond, bond));
+    const int64_t length = integer_square_root(dot(bond, bond));
     balls[i].centre = balls[i - 1].centre + scaled(bond, strained_bond, length);
   }
 }
 
-/// "  -1.234" in columns 31-54 of the PDB format.
-std::string coordinate(std::int64_t milliangstroms) {
-  const std::int64_t size = milliangstroms < 0 ? -milliangstroms : milliangstroms;
+// "  -1.234" in columns 31-54 of the PDB format.
+std::string coordinate(int64_t milliangstroms) {
+  const int64_t size = milliangstroms < 0 ? -milliangstroms : milliangstroms;
   std::string decimals = std::to_string(size % 1000);
   decimals.insert(0, 3 - decimals.size(), '0');
   std::string text = std::to_string(size / 1000);
@@ -72,7 +72,7 @@ std::string coordinate(std::int64_t milliangstroms) {
   return text;
 }
 
-void write_atom(std::size_t serial, const Atom &atom, const LatticeBall &ball) {
+void write_atom(size_t serial, const Atom &atom, const LatticeBall &ball) {
   const std::string element(symbol(atom.element));
   // The atom's name begins in column 14, in column 13 where the element has two letters.
   std::string name(atom.name);
@@ -89,17 +89,17 @@ void write_file(const Assembly &assembly, const std::vector<LatticeBall> &balls)
       "REMARK  MADE BY bench/molecules/stand_in/generate_sod_stand_in.cpp.\n"
       "REMARK  FOUR RANDOM CHAINS OF PROTEIN-LIKE COMPOSITION, GEOMETRY AND DENSITY,\n"
       "REMARK  WITH THE SECTION 2 FIGURES OF THE PAPER'S SOD (CU AND ZN: RADIUS 2.50).\n");
-  for (std::size_t i = 0; i < balls.size(); ++i) write_atom(i + 1, assembly.atoms[i], balls[i]);
+  for (size_t i = 0; i < balls.size(); ++i) write_atom(i + 1, assembly.atoms[i], balls[i]);
   std::printf("END\n");
 }
 
-/// Whether the figures print as the paper's row: SOD, k 1.95, rho 0.76, max 16, aver. 5.5.
+// Whether the figures print as the paper's row: SOD, k 1.95, rho 0.76, max 16, aver. 5.5.
 bool prints_as_sod(const SectionTwoFigures &figures) {
-  const std::int64_t k = thousandths(figures.largest_radius, figures.smallest_radius);
+  const int64_t k = thousandths(figures.largest_radius, figures.smallest_radius);
   // 0.755 <= rho < 0.765, squared.
   const bool rho = figures.rho_numerator * 1000000 >= 755 * 755 * figures.rho_denominator &&
                    figures.rho_numerator * 1000000 < 765 * 765 * figures.rho_denominator;
-  const std::int64_t mean = thousandths(figures.overlaps, figures.balls);
+  const int64_t mean = thousandths(figures.overlaps, figures.balls);
   std::fprintf(
       stderr,
       "balls %" PRId64 ", k %" PRId64 "/1000, rho^2 %" PRId64 "/1000, max %" PRId64 ", aver. %" PRId64 "/1000\n",

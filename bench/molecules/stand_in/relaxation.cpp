@@ -16,15 +16,15 @@ constexpr Length list_reach = milliangstrom(4700);
 constexpr Length remote_contact = milliangstrom(2920);  // least distance of atoms three bonds apart
 
 struct Pair {
-  std::uint32_t a;
-  std::uint32_t b;
+  uint32_t a;
+  uint32_t b;
   Length least;
 };
 
-/// Move a pair `fraction`/8 of the way to the given distance, half of it each.
-void project(Point &a, Point &b, Length wanted, std::int64_t fraction) {
+// Move a pair `fraction`/8 of the way to the given distance, half of it each.
+void project(Point &a, Point &b, Length wanted, int64_t fraction) {
   Point apart = b - a;
-  std::int64_t distance = integer_square_root(dot(apart, apart));
+  int64_t distance = integer_square_root(dot(apart, apart));
   if (distance == 0) {
     apart = {1, 0, 0};
     distance = 1;
@@ -37,7 +37,7 @@ void project(Point &a, Point &b, Length wanted, std::int64_t fraction) {
 class Relaxation {
  public:
   Relaxation(Assembly &assembly, RandomSequence &random) : assembly_(assembly), random_(random) {
-    const std::size_t count = assembly_.atoms.size();
+    const size_t count = assembly_.atoms.size();
     bonded_.resize(count);
     fixed_.resize(count);
     third_.resize(count);
@@ -47,7 +47,7 @@ class Relaxation {
       fix(bond);
     }
     for (const Link &distance : assembly_.distances) fix(distance);
-    for (std::uint32_t centre = 0; centre < count; ++centre) fix_angles(centre);
+    for (uint32_t centre = 0; centre < count; ++centre) fix_angles(centre);
     find_third_neighbours();
   }
 
@@ -55,7 +55,7 @@ class Relaxation {
     for (int sweep = 0; sweep < sweeps; ++sweep) {
       if (sweep % sweeps_per_list == 0) list_pairs();
       if (sweep < shaking_sweeps) shake(milliangstrom(120) * (shaking_sweeps - sweep) / shaking_sweeps);
-      const std::int64_t grown = std::min(sweep + growing_sweeps, 2 * growing_sweeps);
+      const int64_t grown = std::min(sweep + growing_sweeps, 2 * growing_sweeps);
       keep_apart(grown);
       keep_in_lobes();
       const int repetitions = sweep < sweeps - final_sweeps ? 2 : 8;
@@ -70,17 +70,17 @@ class Relaxation {
     fixed_[link.b].push_back(link.a);
   }
 
-  bool is_fixed(std::uint32_t a, std::uint32_t b) const {
+  bool is_fixed(uint32_t a, uint32_t b) const {
     return std::find(fixed_[a].begin(), fixed_[a].end(), b) != fixed_[a].end();
   }
 
-  Length length_of(std::uint32_t a, std::uint32_t b) const {
+  Length length_of(uint32_t a, uint32_t b) const {
     const Atom &first = assembly_.atoms[a];
     const Atom &second = assembly_.atoms[b];
     return bond_length(first.element, first.shape, second.element, second.shape);
   }
 
-  bool share_five_ring(std::uint32_t a, std::uint32_t b) const {
+  bool share_five_ring(uint32_t a, uint32_t b) const {
     for (const auto &ring : assembly_.five_rings) {
       if (std::find(ring.begin(), ring.end(), a) != ring.end() &&
           std::find(ring.begin(), ring.end(), b) != ring.end()) {
@@ -90,24 +90,24 @@ class Relaxation {
     return false;
   }
 
-  /// The angle at `centre` fixes the distance of each two atoms bonded to it, by the law of cosines.
-  void fix_angles(std::uint32_t centre) {
+  // The angle at `centre` fixes the distance of each two atoms bonded to it, by the law of cosines.
+  void fix_angles(uint32_t centre) {
     const auto &around = bonded_[centre];
-    for (std::size_t i = 0; i < around.size(); ++i) {
-      for (std::size_t j = i + 1; j < around.size(); ++j) {
-        const std::uint32_t a = around[i];
-        const std::uint32_t b = around[j];
+    for (size_t i = 0; i < around.size(); ++i) {
+      for (size_t j = i + 1; j < around.size(); ++j) {
+        const uint32_t a = around[i];
+        const uint32_t b = around[j];
         if (is_fixed(a, b)) continue;
         const Length first = length_of(centre, a);
         const Length second = length_of(centre, b);
-        const std::int64_t square =
+        const int64_t square =
             first * first + second * second - 2 * first * second / 1000 * cosine_per_mille(centre, a, b);
         fix({a, b, integer_square_root(square)});
       }
     }
   }
 
-  std::int64_t cosine_per_mille(std::uint32_t centre, std::uint32_t a, std::uint32_t b) const {
+  int64_t cosine_per_mille(uint32_t centre, uint32_t a, uint32_t b) const {
     const bool trigonal = assembly_.atoms[centre].shape == Shape::trigonal;
     if (share_five_ring(centre, a) && share_five_ring(centre, b)) return trigonal ? -309 : -250;  // 108, 104.5 degrees
     if (trigonal && (share_five_ring(centre, a) || share_five_ring(centre, b))) return -588;      // 126 degrees
@@ -117,8 +117,8 @@ class Relaxation {
 
   void find_third_neighbours() {
     for (const Link &middle : assembly_.bonds) {
-      for (const std::uint32_t a : bonded_[middle.a]) {
-        for (const std::uint32_t b : bonded_[middle.b]) {
+      for (const uint32_t a : bonded_[middle.a]) {
+        for (const uint32_t b : bonded_[middle.b]) {
           if (a == b || a == middle.b || b == middle.a || is_fixed(a, b)) continue;
           third_[a].push_back(b);
           third_[b].push_back(a);
@@ -127,19 +127,19 @@ class Relaxation {
     }
   }
 
-  /// All pairs that are near enough to come into contact before the next list, found by sorting along x.
+  // All pairs that are near enough to come into contact before the next list, found by sorting along x.
   void list_pairs() {
     const auto &atoms = assembly_.atoms;
-    std::vector<std::uint32_t> order(atoms.size());
-    for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    std::vector<uint32_t> order(atoms.size());
+    for (uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
       return atoms[a].at.x != atoms[b].at.x ? atoms[a].at.x < atoms[b].at.x : a < b;
     });
     pairs_.clear();
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      for (std::size_t j = i + 1; j < order.size(); ++j) {
-        const std::uint32_t a = order[i];
-        const std::uint32_t b = order[j];
+    for (size_t i = 0; i < order.size(); ++i) {
+      for (size_t j = i + 1; j < order.size(); ++j) {
+        const uint32_t a = order[i];
+        const uint32_t b = order[j];
         const Point apart = atoms[b].at - atoms[a].at;
         if (apart.x > list_reach) break;
         if (dot(apart, apart) > list_reach * list_reach || is_fixed(a, b)) continue;
@@ -158,7 +158,7 @@ class Relaxation {
     }
   }
 
-  void keep_apart(std::int64_t grown) {
+  void keep_apart(int64_t grown) {
     for (const Pair &pair : pairs_) {
       Point &a = assembly_.atoms[pair.a].at;
       Point &b = assembly_.atoms[pair.b].at;
@@ -173,7 +173,7 @@ class Relaxation {
       const Lobe &lobe = assembly_.lobes[atom.lobe];
       const Length reach = lobe.radius + atom.out;
       const Point from_centre = atom.at - lobe.centre;
-      const std::int64_t distance = integer_square_root(dot(from_centre, from_centre));
+      const int64_t distance = integer_square_root(dot(from_centre, from_centre));
       if (distance <= reach) continue;
       atom.at = atom.at - scaled(from_centre, (distance - reach) / 4, distance);
     }
@@ -187,9 +187,9 @@ class Relaxation {
 
   Assembly &assembly_;
   RandomSequence &random_;
-  std::vector<std::vector<std::uint32_t>> bonded_;
-  std::vector<std::vector<std::uint32_t>> fixed_;  // partners at a fixed distance, at most two bonds away or in a plane
-  std::vector<std::vector<std::uint32_t>> third_;  // partners three bonds away
+  std::vector<std::vector<uint32_t>> bonded_;
+  std::vector<std::vector<uint32_t>> fixed_;  // partners at a fixed distance, at most two bonds away or in a plane
+  std::vector<std::vector<uint32_t>> third_;  // partners three bonds away
   std::vector<Link> links_;
   std::vector<Pair> pairs_;
 };

@@ -76,8 +76,8 @@ constexpr Residue residue_table[] = {
     {"TYR", tyrosine, benzene_ring, 33},
 };
 
-constexpr std::size_t index_of(Element element) {
-  return static_cast<std::size_t>(element);
+constexpr size_t index_of(Element element) {
+  return static_cast<size_t>(element);
 }
 
 }  // namespace
@@ -130,8 +130,8 @@ Length contact_distance(Element a, Element b) {
   return milliangstrom(table[index_of(a)][index_of(b)]);
 }
 
-std::int64_t paper_radius_milliangstrom(Element element) {
-  constexpr std::array<std::int64_t, element_count> radii{1520, 1360, 1280, 2100, 2500, 2500};
+int64_t paper_radius_milliangstrom(Element element) {
+  constexpr std::array<int64_t, element_count> radii{1520, 1360, 1280, 2100, 2500, 2500};
   return radii[index_of(element)];
 }
 

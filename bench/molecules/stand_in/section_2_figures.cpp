@@ -9,22 +9,22 @@ namespace stand_in {
 SectionTwoFigures section_2_figures(std::span<const LatticeBall> balls) {
   SectionTwoFigures figures;
   if (balls.empty()) return figures;
-  figures.balls = static_cast<std::int64_t>(balls.size());
+  figures.balls = static_cast<int64_t>(balls.size());
   figures.largest_radius = balls[0].radius;
   figures.smallest_radius = balls[0].radius;
-  std::vector<std::int64_t> overlaps(balls.size());
-  for (std::size_t i = 0; i < balls.size(); ++i) {
+  std::vector<int64_t> overlaps(balls.size());
+  for (size_t i = 0; i < balls.size(); ++i) {
     figures.largest_radius = std::max(figures.largest_radius, balls[i].radius);
     figures.smallest_radius = std::min(figures.smallest_radius, balls[i].radius);
-    for (std::size_t j = i + 1; j < balls.size(); ++j) {
+    for (size_t j = i + 1; j < balls.size(); ++j) {
       const Point apart = balls[j].centre - balls[i].centre;
-      const std::int64_t square = dot(apart, apart);
-      const std::int64_t sum = balls[i].radius + balls[j].radius;
+      const int64_t square = dot(apart, apart);
+      const int64_t sum = balls[i].radius + balls[j].radius;
       if (square < sum * sum) {
         ++overlaps[i];
         ++overlaps[j];
       }
-      const std::int64_t larger = std::max(balls[i].radius, balls[j].radius);
+      const int64_t larger = std::max(balls[i].radius, balls[j].radius);
       const bool first = figures.rho_numerator == 0 && figures.rho_denominator == 1;
       if (first || square * figures.rho_denominator < figures.rho_numerator * larger * larger) {
         figures.rho_numerator = square;
@@ -32,7 +32,7 @@ SectionTwoFigures section_2_figures(std::span<const LatticeBall> balls) {
       }
     }
   }
-  for (const std::int64_t count : overlaps) {
+  for (const int64_t count : overlaps) {
     figures.overlaps += count;
     figures.most_overlaps = std::max(figures.most_overlaps, count);
   }

@@ -1,6 +1,5 @@
 /* Everything the interface tells about one set of balls, in memory of its own. */
-#ifndef HSP_TESTS_COMPUTED_H
-#define HSP_TESTS_COMPUTED_H
+#pragma once
 
 #include <hardsphere.h>
 
@@ -47,6 +46,4 @@ extern const handle_kind boundary_handle;
 
 #ifdef __cplusplus
 }
-#endif
-
 #endif

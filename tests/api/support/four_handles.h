@@ -1,6 +1,5 @@
 /* One handle of each kind over a small set of balls, and what they hold, to be compared before and after a call. */
-#ifndef HSP_TESTS_FOUR_HANDLES_H
-#define HSP_TESTS_FOUR_HANDLES_H
+#pragma once
 
 #include <hardsphere.h>
 
@@ -70,5 +69,3 @@ contents contents_of_view(const hsp_view *view);
 
 void check_statuses(contents read, int32_t status, int32_t needed_status);
 void check_same_contents(const contents *a, contents b);
-
-#endif

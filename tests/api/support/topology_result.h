@@ -1,6 +1,5 @@
 /* The topology of a computed boundary and everything the interface tells about it, in memory of its own. */
-#ifndef HSP_TESTS_TOPOLOGY_RESULT_H
-#define HSP_TESTS_TOPOLOGY_RESULT_H
+#pragma once
 
 #include "computed.h"
 
@@ -36,6 +35,4 @@ extern const handle_kind topology_handle;
 
 #ifdef __cplusplus
 }
-#endif
-
 #endif

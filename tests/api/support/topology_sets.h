@@ -1,7 +1,6 @@
 /* The sets of balls that the topology's tests go through: those of ball_sets.h and more, chosen for their shells,
  * voids, handles and faces with holes, and for special positions of a sphere's highest and lowest point. */
-#ifndef HSP_TESTS_TOPOLOGY_SETS_H
-#define HSP_TESTS_TOPOLOGY_SETS_H
+#pragma once
 
 #include "ball_sets.h"
 
@@ -36,5 +35,3 @@ void topology_set_scaffold(ball_set *set);
 
 /* A ball of radius 10 with 30 small ones on it, all apart: one face has 30 holes. */
 void topology_set_thirty_on_one(ball_set *set);
-
-#endif

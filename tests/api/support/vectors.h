@@ -1,6 +1,5 @@
 /* Vectors of three doubles, for checks of positions, and how close numbers are. */
-#ifndef HARDSPHERE_TESTS_VECTORS_H
-#define HARDSPHERE_TESTS_VECTORS_H
+#pragma once
 
 #include <math.h>
 
@@ -33,5 +32,3 @@ static inline int near(double a, double b, double tolerance) {
 static inline double position_error(const double xyz[3]) {
   return 1e-15 * (fabs(xyz[0]) + fabs(xyz[1]) + fabs(xyz[2]));
 }
-
-#endif

@@ -1,6 +1,5 @@
 /* A view of a computed set and everything the interface tells about it, in memory of its own. */
-#ifndef HSP_TESTS_VIEW_RESULT_H
-#define HSP_TESTS_VIEW_RESULT_H
+#pragma once
 
 #include "computed.h"
 
@@ -33,6 +32,4 @@ extern const handle_kind view_handle;
 
 #ifdef __cplusplus
 }
-#endif
-
 #endif

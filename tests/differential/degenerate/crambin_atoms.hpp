@@ -2,20 +2,12 @@
 #pragma once
 
 #include <filesystem>
-#include <vector>
+
+#include "ball_list.hpp"
 
 namespace degenerate {
 
-// Balls as the C interface takes them.
-struct Molecule {
-  std::vector<double> xyz;
-  std::vector<double> radius;
-
-  void add(double x, double y, double z, double r) {
-    xyz.insert(xyz.end(), {x, y, z});
-    radius.push_back(r);
-  }
-};
+using Molecule = support::BallList;
 
 // The ATOM records of a PDB file of a protein without hydrogen atoms, with radii C 1.70, N 1.55, O 1.52, S 1.80.
 // Throws std::runtime_error on other elements and on a file without atoms.

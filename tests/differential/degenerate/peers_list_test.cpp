@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "hardsphere.h"
-#include "library_run.hpp"
+#include "owned_handle.hpp"
 #include "peers_inputs.hpp"
 #include "set_checks.hpp"
 #include "slice_quadrature.hpp"
@@ -19,6 +19,7 @@ using degenerate::Arbiter;
 using degenerate::Molecule;
 using degenerate::PeersRow;
 using degenerate::Topology;
+using support::expect_ok;
 
 // Relative.
 constexpr long double tolerance = 1e-12L;
@@ -37,35 +38,16 @@ struct Session {
 Session session_with(const Molecule &balls) {
   Session session;
   const auto n = static_cast<uint32_t>(balls.radius.size());
-  size_t bytes = 0;
-  expect_ok(hsp_model_bytes(n, &bytes), "hsp_model_bytes");
-  std::vector<unsigned char> model_memory(bytes);
-  hsp_model *model = nullptr;
-  expect_ok(hsp_model_init(model_memory.data(), bytes, n, &model), "hsp_model_init");
-  session.set_status = hsp_model_set(model, n, balls.xyz.data(), balls.radius.data(), nullptr, &session.first_bad);
-  expect_ok(hsp_model_get_info(model, &session.info), "hsp_model_get_info");
+  support::OwnedModel model(n);
+  session.set_status = model.set(balls, nullptr, &session.first_bad);
+  expect_ok(hsp_model_get_info(model.get(), &session.info), "hsp_model_get_info");
   if (session.set_status != HSP_OK) return session;
 
-  hsp_boundary_limits limits;
-  expect_ok(hsp_boundary_limits_init(&limits, sizeof limits, n), "hsp_boundary_limits_init");
-  std::vector<unsigned char> boundary_memory;
-  hsp_boundary *boundary = nullptr;
-  // Limits for molecules; lattices need more, and are told how much.
-  for (int attempt = 0; attempt < 3; ++attempt) {
-    expect_ok(hsp_boundary_bytes(&limits, &bytes), "hsp_boundary_bytes");
-    boundary_memory.assign(bytes, 0);
-    expect_ok(hsp_boundary_init(boundary_memory.data(), bytes, &limits, &boundary), "hsp_boundary_init");
-    const int32_t status = hsp_boundary_compute(boundary, model);
-    if (status != HSP_E_CAPACITY) {
-      expect_ok(status, "hsp_boundary_compute");
-      break;
-    }
-    hsp_boundary_limits needed;
-    expect_ok(hsp_boundary_get_needed(boundary, &needed), "hsp_boundary_get_needed");
-    limits.neighbours = std::max(limits.neighbours, needed.neighbours);
-    limits.vertices = std::max(limits.vertices, needed.vertices);
-    limits.circles = std::max(limits.circles, needed.circles);
-  }
+  // Limits for molecules; lattices need more.
+  support::OwnedBoundary owned;
+  owned.take(support::default_boundary_limits(n));
+  owned.compute([&](hsp_boundary *handle) { return hsp_boundary_compute(handle, model.get()); });
+  hsp_boundary *boundary = owned.get();
   expect_ok(hsp_boundary_get_counts(boundary, &session.counts), "hsp_boundary_get_counts");
   session.area.resize(n);
   expect_ok(hsp_boundary_measure(boundary, &session.totals, session.area.data(), nullptr, n), "hsp_boundary_measure");

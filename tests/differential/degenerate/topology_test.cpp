@@ -69,8 +69,8 @@ TEST(DegenerateTopology, HasTheShellsThatAreKnown) {
   for (const DegenerateSet &set : degenerate::corpus()) {
     if (!set.expected) continue;
     const LibraryTopology topology(set.balls, set.step);
-    std::int64_t euler = 0;
-    for (const hsp_shell &shell : topology.shells()) euler += 2 - 2 * std::int64_t{shell.genus};
+    int64_t euler = 0;
+    for (const hsp_shell &shell : topology.shells()) euler += 2 - 2 * int64_t{shell.genus};
     EXPECT_EQ(euler, set.expected->euler) << set.name;
     EXPECT_EQ(topology.counts().components, set.expected->components) << set.name;
     EXPECT_EQ(topology.counts().cells, 1 + set.expected->voids) << set.name;

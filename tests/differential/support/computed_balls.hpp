@@ -4,24 +4,17 @@
 #include <boundary_invariants.h>
 
 #include <string>
-#include <vector>
 
 #include "library_run.hpp"
 
 class ComputedBalls {
  public:
   explicit ComputedBalls(const oracle::Balls &balls) {
-    std::vector<double> xyz;
-    std::vector<double> radius;
-    for (const oracle::LatticeBall &ball : balls) {
-      for (const int64_t coordinate : {ball.x, ball.y, ball.z}) xyz.push_back(static_cast<double>(coordinate));
-      radius.push_back(static_cast<double>(ball.radius));
-    }
+    const support::BallList list = in_lengths(balls, 1);
     hsp_model_options options;
     expect_ok(hsp_model_options_init(&options, sizeof options), "hsp_model_options_init");
     options.step = 1;
-    const auto n = static_cast<uint32_t>(balls.size());
-    expect_ok(computed_make(n, xyz.data(), radius.data(), &options, &computed_), "computed_make");
+    expect_ok(computed_make(list.size(), list.xyz.data(), list.radius.data(), &options, &computed_), "computed_make");
   }
   ~ComputedBalls() { computed_release(&computed_); }
   ComputedBalls(const ComputedBalls &) = delete;

@@ -5,88 +5,59 @@
 
 namespace {
 
-template <class Record, class Getter>
-std::vector<Record> all_records(const hsp_boundary *boundary, Getter getter, const char *call) {
-  uint32_t needed = 0;
-  const int32_t status = getter(boundary, nullptr, 0, &needed);
-  if (status != (needed == 0 ? HSP_OK : HSP_E_CAPACITY)) expect_ok(status, call);
-  std::vector<Record> records(needed);
-  expect_ok(getter(boundary, records.data(), needed, &needed), call);
-  return records;
-}
-
 void require(bool condition, const char *what) {
   if (!condition) throw std::runtime_error(std::string("the library contradicts itself: ") + what);
 }
 
 }  // namespace
 
-void expect_ok(int32_t status, const char *call) {
-  if (status != HSP_OK) throw std::runtime_error(std::string(call) + ": " + hsp_status_text(status));
+support::BallList in_lengths(const oracle::Balls &balls, double step) {
+  support::BallList list;
+  const auto length = [&](int64_t steps) { return static_cast<double>(steps) * step; };
+  for (const oracle::LatticeBall &ball : balls)
+    list.add(length(ball.x), length(ball.y), length(ball.z), length(ball.radius));
+  return list;
 }
 
 LibraryModel::LibraryModel(const oracle::Balls &balls, double step, double probe)
-    : balls_(static_cast<uint32_t>(balls.size())) {
-  size_t bytes = 0;
-  expect_ok(hsp_model_bytes(balls_, &bytes), "hsp_model_bytes");
-  memory_.resize(bytes);
-  expect_ok(hsp_model_init(memory_.data(), bytes, balls_, &model_), "hsp_model_init");
-  std::vector<double> xyz;
-  std::vector<double> radius;
-  for (const oracle::LatticeBall &ball : balls) {
-    for (const int64_t coordinate : {ball.x, ball.y, ball.z}) xyz.push_back(static_cast<double>(coordinate) * step);
-    radius.push_back(static_cast<double>(ball.radius) * step);
-  }
+    : balls_(static_cast<uint32_t>(balls.size())), model_(balls_) {
   hsp_model_options options;
   expect_ok(hsp_model_options_init(&options, sizeof options), "hsp_model_options_init");
   options.step = step;
   options.probe = probe;
-  expect_ok(hsp_model_set(model_, balls_, xyz.data(), radius.data(), &options, nullptr), "hsp_model_set");
+  expect_ok(model_.set(in_lengths(balls, step), &options), "hsp_model_set");
 }
 
 LibraryBoundary::LibraryBoundary(const oracle::Balls &balls, double step, double probe) : model_(balls, step, probe) {
-  hsp_boundary_limits limits;
-  expect_ok(hsp_boundary_limits_init(&limits, sizeof limits, model_.balls()), "hsp_boundary_limits_init");
-  // Two enlargements must do.
-  for (int attempt = 0; attempt < 3; ++attempt) {
-    size_t bytes = 0;
-    expect_ok(hsp_boundary_bytes(&limits, &bytes), "hsp_boundary_bytes");
-    memory_.assign(bytes, 0);
-    expect_ok(hsp_boundary_init(memory_.data(), bytes, &limits, &boundary_), "hsp_boundary_init");
-    const int32_t status = hsp_boundary_compute(boundary_, model_.handle());
-    if (status != HSP_E_CAPACITY || attempt == 2) {
-      expect_ok(status, "hsp_boundary_compute");
-      return;
-    }
-    hsp_boundary_limits needed;
-    expect_ok(hsp_boundary_get_needed(boundary_, &needed), "hsp_boundary_get_needed");
-    if (needed.balls > limits.balls) limits.balls = needed.balls;
-    if (needed.neighbours > limits.neighbours) limits.neighbours = needed.neighbours;
-    if (needed.vertices > limits.vertices) limits.vertices = needed.vertices;
-    if (needed.circles > limits.circles) limits.circles = needed.circles;
-  }
+  boundary_.take(support::default_boundary_limits(model_.balls()));
+  boundary_.compute([&](hsp_boundary *boundary) { return hsp_boundary_compute(boundary, model_.handle()); });
 }
 
 hsp_boundary_counts LibraryBoundary::counts() const {
   hsp_boundary_counts counts;
-  expect_ok(hsp_boundary_get_counts(boundary_, &counts), "hsp_boundary_get_counts");
+  expect_ok(hsp_boundary_get_counts(boundary_.get(), &counts), "hsp_boundary_get_counts");
   return counts;
 }
 
+template <class Record, class Getter>
+std::vector<Record> LibraryBoundary::records(Getter getter, const char *call) const {
+  return support::all_records<Record>([&](auto... out) { return getter(boundary_.get(), out...); }, call);
+}
+
 std::vector<hsp_vertex> LibraryBoundary::vertices() const {
-  return all_records<hsp_vertex>(boundary_, hsp_boundary_get_vertices, "hsp_boundary_get_vertices");
+  return records<hsp_vertex>(hsp_boundary_get_vertices, "hsp_boundary_get_vertices");
 }
 std::vector<hsp_arc> LibraryBoundary::arcs() const {
-  return all_records<hsp_arc>(boundary_, hsp_boundary_get_arcs, "hsp_boundary_get_arcs");
+  return records<hsp_arc>(hsp_boundary_get_arcs, "hsp_boundary_get_arcs");
 }
 std::vector<hsp_circle> LibraryBoundary::circles() const {
-  return all_records<hsp_circle>(boundary_, hsp_boundary_get_circles, "hsp_boundary_get_circles");
+  return records<hsp_circle>(hsp_boundary_get_circles, "hsp_boundary_get_circles");
 }
 std::vector<hsp_face> LibraryBoundary::faces() const {
-  return all_records<hsp_face>(boundary_, hsp_boundary_get_faces, "hsp_boundary_get_faces");
+  return records<hsp_face>(hsp_boundary_get_faces, "hsp_boundary_get_faces");
 }
 std::vector<hsp_ball> LibraryBoundary::balls() const {
-  return all_records<hsp_ball>(boundary_, hsp_boundary_get_balls, "hsp_boundary_get_balls");
+  return records<hsp_ball>(hsp_boundary_get_balls, "hsp_boundary_get_balls");
 }
 
 oracle::BoundaryRecord LibraryBoundary::record() const {
@@ -133,8 +104,8 @@ LibraryBoundary::Measures LibraryBoundary::measure() const {
   Measures measures;
   measures.area.resize(model_.balls());
   measures.volume.resize(model_.balls());
-  expect_ok(
-      hsp_boundary_measure(boundary_, &measures.totals, measures.area.data(), measures.volume.data(), model_.balls()),
-      "hsp_boundary_measure");
+  expect_ok(hsp_boundary_measure(boundary_.get(), &measures.totals, measures.area.data(), measures.volume.data(),
+                                 model_.balls()),
+            "hsp_boundary_measure");
   return measures;
 }

@@ -7,9 +7,9 @@
 #include "boundary_record.hpp"
 #include "hardsphere.h"
 #include "lattice_ball.hpp"
+#include "owned_handle.hpp"
 
-// Throws std::runtime_error with the call's name and the status text unless the status is HSP_OK.
-void expect_ok(int32_t status, const char *call);
+using support::expect_ok;
 
 // A model of lattice balls: the doubles passed are exact multiples of the step, a power of two, so that nothing is
 // rounded. The probe, in the same lengths, is a multiple of the step too.
@@ -17,21 +17,24 @@ class LibraryModel {
  public:
   explicit LibraryModel(const oracle::Balls &balls, double step = 1, double probe = 0);
 
-  [[nodiscard]] hsp_model *handle() const { return model_; }
+  [[nodiscard]] hsp_model *handle() const { return model_.get(); }
   [[nodiscard]] uint32_t balls() const { return balls_; }
 
  private:
-  std::vector<unsigned char> memory_;
-  hsp_model *model_ = nullptr;
-  uint32_t balls_ = 0;
+  uint32_t balls_;
+  support::OwnedModel model_;
 };
 
-// The boundary of such a model, with its limits enlarged until they suffice.
+// The balls in lengths.
+support::BallList in_lengths(const oracle::Balls &balls, double step);
+
+// The boundary of such a model.
 class LibraryBoundary {
  public:
   explicit LibraryBoundary(const oracle::Balls &balls, double step = 1, double probe = 0);
 
-  [[nodiscard]] const hsp_boundary *handle() const { return boundary_; }
+  [[nodiscard]] const hsp_boundary *handle() const { return boundary_.get(); }
+  [[nodiscard]] const hsp_model *model() const { return model_.handle(); }
   [[nodiscard]] hsp_boundary_counts counts() const;
   [[nodiscard]] std::vector<hsp_vertex> vertices() const;
   [[nodiscard]] std::vector<hsp_arc> arcs() const;
@@ -50,7 +53,9 @@ class LibraryBoundary {
   [[nodiscard]] Measures measure() const;
 
  private:
+  template <class Record, class Getter>
+  std::vector<Record> records(Getter getter, const char *call) const;
+
   LibraryModel model_;
-  std::vector<unsigned char> memory_;
-  hsp_boundary *boundary_ = nullptr;
+  support::OwnedBoundary boundary_;
 };

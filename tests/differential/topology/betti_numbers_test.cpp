@@ -21,10 +21,10 @@ TEST(BettiNumbers, OfDegenerateSets) {
   oracle::RandomSource random(42);
   std::array<int, 3> seen = {0, 0, 0};
   for (int k = 0; k < 10000; ++k) {
-    const Balls balls = oracle::degenerate_balls(random, static_cast<std::size_t>(random.in(1, 9)));
+    const Balls balls = oracle::degenerate_balls(random, static_cast<size_t>(random.in(1, 9)));
     ASSERT_EQ(complaint_about_smallest(balls, betti_numbers_or_invariants), "");
-    const std::array<std::int64_t, 3> betti = oracle::nerve_betti_numbers(balls);
-    for (std::size_t d = 0; d < 3; ++d) seen[d] += betti[d] > (d == 0 ? 1 : 0) ? 1 : 0;
+    const std::array<int64_t, 3> betti = oracle::nerve_betti_numbers(balls);
+    for (size_t d = 0; d < 3; ++d) seen[d] += betti[d] > (d == 0 ? 1 : 0) ? 1 : 0;
   }
   EXPECT_GT(seen[0], 1000);
   EXPECT_GT(seen[1], 200);
@@ -34,7 +34,7 @@ TEST(BettiNumbers, OfDegenerateSets) {
 TEST(BettiNumbers, OfCrownedBalls) {
   oracle::RandomSource random(43);
   for (int k = 0; k < 200; ++k) {
-    const Balls balls = oracle::crowned_balls(random, static_cast<std::size_t>(random.in(9, 26)));
+    const Balls balls = oracle::crowned_balls(random, static_cast<size_t>(random.in(9, 26)));
     ASSERT_EQ(complaint_about_smallest(balls, betti_numbers_or_invariants), "");
   }
 }
@@ -43,7 +43,7 @@ TEST(BettiNumbers, OfBoxesThatNearlyClose) {
   oracle::RandomSource random(44);
   for (int k = 0; k < 300; ++k) {
     Balls balls;
-    for (std::int64_t corner = 0; corner < 8; ++corner)
+    for (int64_t corner = 0; corner < 8; ++corner)
       balls.push_back({4 * (corner & 1), 6 * (corner >> 1 & 1), 12 * (corner >> 2), random.in(6, 7)});
     if (random.one_in(2)) balls.push_back({2, 3, 6, random.in(0, 1)});
     ASSERT_EQ(complaint_about_smallest(balls, betti_numbers_or_invariants), "");
@@ -53,7 +53,7 @@ TEST(BettiNumbers, OfBoxesThatNearlyClose) {
 TEST(Invariants, OfAnySets) {
   oracle::RandomSource random(45);
   for (int k = 0; k < 1500; ++k) {
-    const Balls balls = oracle::any_balls(random, static_cast<std::size_t>(random.in(5, 40)));
+    const Balls balls = oracle::any_balls(random, static_cast<size_t>(random.in(5, 40)));
     ASSERT_EQ(complaint_about_smallest(balls, topology_invariant_broken), "");
   }
 }
@@ -61,7 +61,7 @@ TEST(Invariants, OfAnySets) {
 TEST(Invariants, OrdersOfAnySets) {
   oracle::RandomSource random(46);
   for (int k = 0; k < 1000; ++k) {
-    const Balls balls = oracle::any_balls(random, static_cast<std::size_t>(random.in(3, 30)));
+    const Balls balls = oracle::any_balls(random, static_cast<size_t>(random.in(3, 30)));
     ASSERT_EQ(complaint_about_smallest(balls, topology_orders_disagree), "");
   }
 }
@@ -75,7 +75,7 @@ TEST(Invariants, AnglesInAnyOrder) {
     EXPECT_EQ(topology_orders_disagree(balls), "");
   oracle::RandomSource random(47);
   for (int k = 0; k < 300; ++k) {
-    const Balls balls = oracle::any_balls(random, static_cast<std::size_t>(random.in(3, 30)));
+    const Balls balls = oracle::any_balls(random, static_cast<size_t>(random.in(3, 30)));
     ASSERT_EQ(complaint_about_smallest(balls, topology_orders_disagree), "");
   }
 }

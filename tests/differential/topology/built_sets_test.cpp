@@ -17,10 +17,10 @@ std::vector<Balls> orders_of(const Balls &balls) {
   return {balls, Balls(balls.rbegin(), balls.rend()), oracle::permuted(balls, random.permutation(balls.size()))};
 }
 
-/// The library's component of a built one.
-std::uint32_t component_of(const LibraryTopology &topology, const Balls &all, const BuiltComponent &built) {
+// The library's component of a built one.
+uint32_t component_of(const LibraryTopology &topology, const Balls &all, const BuiltComponent &built) {
   const std::vector<hsp_ball> records = topology.boundary().balls();
-  for (std::size_t i = 0; i < all.size(); ++i)
+  for (size_t i = 0; i < all.size(); ++i)
     if (all[i] == built.balls.front()) return records[i].component;
   return HSP_NONE;
 }
@@ -31,21 +31,21 @@ void expect_as_built(const BuiltSet &set, const Balls &balls) {
   const auto components = topology.components();
   const auto shells = topology.shells();
   const auto cells = topology.cells();
-  std::vector<std::uint32_t> found;
+  std::vector<uint32_t> found;
   for (const BuiltComponent &built : set.components) found.push_back(component_of(topology, balls, built));
-  std::uint32_t voids = 0;
-  for (std::size_t k = 0; k < found.size(); ++k) {
+  uint32_t voids = 0;
+  for (size_t k = 0; k < found.size(); ++k) {
     const BuiltComponent &built = set.components[k];
     ASSERT_LT(found[k], components.size()) << set.name;
     const hsp_component &component = components[found[k]];
     EXPECT_EQ(component.balls, built.balls.size()) << set.name << ", component " << k;
     EXPECT_EQ(component.shells, 1 + built.voids) << set.name << ", component " << k;
-    std::uint32_t genus = 0;
+    uint32_t genus = 0;
     for (const hsp_shell &shell : shells) genus += shell.component == found[k] ? shell.genus : 0;
     EXPECT_EQ(genus, built.genus) << set.name << ", component " << k;
     voids += built.voids;
-    const std::uint32_t expected = built.around ? found[*built.around] : HSP_NONE;
-    const std::uint32_t around = component.cell == 0 ? HSP_NONE : shells[cells[component.cell].wall].component;
+    const uint32_t expected = built.around ? found[*built.around] : HSP_NONE;
+    const uint32_t around = component.cell == 0 ? HSP_NONE : shells[cells[component.cell].wall].component;
     EXPECT_EQ(around, expected) << set.name << ", component " << k << " lies in the void of another";
   }
   EXPECT_EQ(topology.counts().cells, 1 + voids) << set.name;
@@ -58,7 +58,7 @@ TEST(BuiltSets, AreAsBuilt) {
 
 TEST(BuiltSets, AreAsBuiltAlongAllAxes) {
   for (const BuiltSet &set : built_sets())
-    for (std::size_t image = 0; image < 6; ++image) {
+    for (size_t image = 0; image < 6; ++image) {
       BuiltSet turned = set;
       for (BuiltComponent &component : turned.components)
         component.balls = degenerate::axis_images(component.balls)[image];
@@ -95,11 +95,11 @@ TEST(BuiltSets, CellsFromTheInsideOut) {
   const auto cells = topology.cells();
   const auto shells = topology.shells();
   // 0 is inside the first shell, 6 between it and the second, and so on.
-  std::vector<std::uint32_t> walls;
-  for (const std::int64_t x : {0, 6, 60, 600}) {
+  std::vector<uint32_t> walls;
+  for (const int64_t x : {0, 6, 60, 600}) {
     for (const oracle::LatticePoint &point :
          {oracle::LatticePoint{x, 0, 0}, {-x, 0, 0}, {0, x, 0}, {0, -x, 0}, {0, 0, x}, {0, 0, -x}}) {
-      const std::uint32_t cell = topology.cell_of(point);
+      const uint32_t cell = topology.cell_of(point);
       ASSERT_NE(cell, 0U) << x;
       ASSERT_LT(cell, cells.size()) << x;
       if (walls.empty() || walls.back() != cells[cell].wall) walls.push_back(cells[cell].wall);
@@ -110,7 +110,7 @@ TEST(BuiltSets, CellsFromTheInsideOut) {
   }
   EXPECT_EQ(topology.cell_of({0, 0, 3000}), 0U);
   ASSERT_EQ(walls.size(), 4U);
-  for (std::size_t k = 0; k + 1 < walls.size(); ++k)
+  for (size_t k = 0; k + 1 < walls.size(); ++k)
     EXPECT_EQ(components[shells[walls[k]].component].cell, shells[walls[k + 1]].cell);
 }
 

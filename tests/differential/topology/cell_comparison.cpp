@@ -20,14 +20,14 @@ using oracle::DualComplex;
 using oracle::LatticeBall;
 using oracle::LatticePoint;
 
-constexpr std::int64_t farthest = std::int64_t{1} << 18;
+constexpr int64_t farthest = int64_t{1} << 18;
 
-/// A factor so large that a step above a ball's top lies in no other ball: a lattice point outside another ball of
-/// radius r is at least sqrt(r^2 + 1) - r > 1 / (2 r + 1) away from it.
-std::int64_t factor_for(const Balls &balls) {
-  std::int64_t largest = 0;
+// A factor so large that a step above a ball's top lies in no other ball: a lattice point outside another ball of
+// radius r is at least sqrt(r^2 + 1) - r > 1 / (2 r + 1) away from it.
+int64_t factor_for(const Balls &balls) {
+  int64_t largest = 0;
   for (const LatticeBall &ball : balls) largest = std::max(largest, ball.radius);
-  std::int64_t factor = 2;
+  int64_t factor = 2;
   while (factor <= 2 * largest + 1) factor *= 2;
   return factor;
 }
@@ -35,7 +35,7 @@ std::int64_t factor_for(const Balls &balls) {
 std::vector<Balls> members_of_components(const LibraryTopology &topology, const Balls &balls) {
   std::vector<Balls> members(topology.components().size());
   const std::vector<hsp_ball> records = topology.boundary().balls();
-  for (std::size_t i = 0; i < balls.size(); ++i) members[records[i].component].push_back(balls[i]);
+  for (size_t i = 0; i < balls.size(); ++i) members[records[i].component].push_back(balls[i]);
   return members;
 }
 
@@ -46,18 +46,18 @@ LatticePoint above_top(const Balls &members) {
   return {top->x, top->y, top->z + top->radius + 1};
 }
 
-std::uint32_t cell_of(const DualComplex &complex, const LatticePoint &point) {
+uint32_t cell_of(const DualComplex &complex, const LatticePoint &point) {
   return complex.cell_of(point[0], point[1], point[2]);
 }
 
-/// The components in whose voids a component lies, by the library.
-std::set<std::uint32_t> components_around(const LibraryTopology &topology, std::uint32_t component) {
+// The components in whose voids a component lies, by the library.
+std::set<uint32_t> components_around(const LibraryTopology &topology, uint32_t component) {
   const auto components = topology.components();
   const auto cells = topology.cells();
   const auto shells = topology.shells();
-  std::set<std::uint32_t> around;
-  for (std::uint32_t cell = components[component].cell; cell != 0;) {
-    const std::uint32_t outer = shells[cells[cell].wall].component;
+  std::set<uint32_t> around;
+  for (uint32_t cell = components[component].cell; cell != 0;) {
+    const uint32_t outer = shells[cells[cell].wall].component;
     if (!around.insert(outer).second) break;
     cell = components[outer].cell;
   }
@@ -70,27 +70,27 @@ std::string text_of(const LatticePoint &point) {
 
 }  // namespace
 
-std::string betti_numbers_disagree(const Balls &balls, int orders, std::uint64_t seed) {
+std::string betti_numbers_disagree(const Balls &balls, int orders, uint64_t seed) {
   oracle::RandomSource random(seed);
   Finding finding;
   for (int k = 0; k <= orders; ++k) {
     const Balls mixed = k == 0 ? balls : oracle::permuted(balls, random.permutation(balls.size()));
     const LibraryTopology topology(mixed);
     const std::vector<Balls> members = members_of_components(topology, mixed);
-    std::vector<std::int64_t> genus(members.size(), 0);
-    std::vector<std::int64_t> voids(members.size(), 0);
+    std::vector<int64_t> genus(members.size(), 0);
+    std::vector<int64_t> voids(members.size(), 0);
     for (const hsp_shell &shell : topology.shells()) {
       genus[shell.component] += shell.genus;
       voids[shell.component] += shell.kind == HSP_SHELL_VOID ? 1 : 0;
     }
-    for (std::size_t c = 0; c < members.size(); ++c) {
-      const std::array<std::int64_t, 3> betti = oracle::nerve_betti_numbers(members[c]);
+    for (size_t c = 0; c < members.size(); ++c) {
+      const std::array<int64_t, 3> betti = oracle::nerve_betti_numbers(members[c]);
       finding.require(betti[0] == 1, "a component of the library is in", betti[0], "pieces");
       finding.require(genus[c] == betti[1], "genera add up to", genus[c], "instead of", betti[1]);
       finding.require(voids[c] == betti[2], voids[c], "voids instead of", betti[2]);
     }
     // Balls of one piece are not taken apart either.
-    finding.require(static_cast<std::int64_t>(members.size()) == oracle::nerve_betti_numbers(mixed)[0],
+    finding.require(static_cast<int64_t>(members.size()) == oracle::nerve_betti_numbers(mixed)[0],
                     "number of components");
     if (finding.any()) return finding.text() + "for the order " + oracle::to_text(mixed);
   }
@@ -98,7 +98,7 @@ std::string betti_numbers_disagree(const Balls &balls, int orders, std::uint64_t
 }
 
 bool small_enough_for_dual_complex(const Balls &balls) {
-  const std::int64_t factor = factor_for(balls);
+  const int64_t factor = factor_for(balls);
   return balls.size() <= 300 && std::all_of(balls.begin(), balls.end(), [&](const LatticeBall &b) {
            return std::max({std::abs(b.x), std::abs(b.y), std::abs(b.z), b.radius}) <= farthest / factor;
          });
@@ -115,21 +115,21 @@ std::string nesting_disagrees(const Balls &small) {
   finding.require(topology.counts().cells == all.cells(), topology.counts().cells, "cells instead of", all.cells());
 
   CellPairs pairs;
-  for (std::uint32_t c = 0; c < members.size(); ++c) {
+  for (uint32_t c = 0; c < members.size(); ++c) {
     const LatticePoint top = above_top(members[c]);
-    const std::uint32_t expected = cell_of(all, top);
+    const uint32_t expected = cell_of(all, top);
     finding.require(pairs.pair(components[c].cell, expected), "component", c, "lies in the wrong cell,",
                     components[c].cell);
-    const std::uint32_t located = topology.cell_of(top);
+    const uint32_t located = topology.cell_of(top);
     finding.require(located == components[c].cell, "the point", text_of(top), "above component", c, "lies in cell",
                     located, "not in", components[c].cell);
   }
-  for (std::uint32_t outer = 0; outer < members.size(); ++outer) {
+  for (uint32_t outer = 0; outer < members.size(); ++outer) {
     const DualComplex alone(members[outer]);
     finding.require(components[outer].shells == alone.cells(), "component", outer, "has", components[outer].shells,
                     "shells instead of", alone.cells());
     if (alone.cells() == 1) continue;
-    for (std::uint32_t c = 0; c < members.size(); ++c) {
+    for (uint32_t c = 0; c < members.size(); ++c) {
       if (c == outer) continue;
       const bool inside = cell_of(alone, above_top(members[c])) != 0;
       finding.require(inside == components_around(topology, c).contains(outer), "component", c,
@@ -139,8 +139,8 @@ std::string nesting_disagrees(const Balls &small) {
   return finding.text();
 }
 
-std::string locations_disagree(const Balls &small, int points, std::uint64_t seed) {
-  const std::int64_t factor = factor_for(small);
+std::string locations_disagree(const Balls &small, int points, uint64_t seed) {
+  const int64_t factor = factor_for(small);
   const Balls balls = scaled(small, factor);
   const LibraryTopology topology(balls);
   const DualComplex complex(balls);
@@ -149,18 +149,17 @@ std::string locations_disagree(const Balls &small, int points, std::uint64_t see
   CellPairs pairs;
   Finding finding;
   LatticePoint last_free = {0, 0, 0};
-  std::uint32_t last_cell = HSP_NONE;
+  uint32_t last_cell = HSP_NONE;
   for (int k = 0; k < points && !finding.any(); ++k) {
     LatticePoint point{};
-    for (std::size_t axis = 0; axis < 3; ++axis) point[axis] = factor * random.in(box.low[axis], box.high[axis]);
+    for (size_t axis = 0; axis < 3; ++axis) point[axis] = factor * random.in(box.low[axis], box.high[axis]);
     const bool near_a_ball = !small.empty() && random.one_in(3);
     if (near_a_ball) {
       // Above or below a ball's centre, up to its surface or beyond.
-      const LatticeBall &ball =
-          balls[static_cast<std::size_t>(random.in(0, static_cast<std::int64_t>(balls.size()) - 1))];
+      const LatticeBall &ball = balls[static_cast<size_t>(random.in(0, static_cast<int64_t>(balls.size()) - 1))];
       point = {ball.x, ball.y, ball.z + random.in(-1, 1) * ball.radius + random.in(-1, 1)};
     } else if (random.one_in(4)) {
-      point[static_cast<std::size_t>(random.in(0, 2))] += random.in(-factor / 2, factor / 2);
+      point[static_cast<size_t>(random.in(0, 2))] += random.in(-factor / 2, factor / 2);
     }
     const LibraryTopology::Place place = topology.locate(point);
     const auto containing = oracle::balls_meeting(balls, {point[0], point[1], point[2], 0});
@@ -172,7 +171,7 @@ std::string locations_disagree(const Balls &small, int points, std::uint64_t see
       finding.require(!topology.same_cell(point, point), "a cell for", text_of(point), "in a ball");
       continue;
     }
-    const std::uint32_t expected = cell_of(complex, point);
+    const uint32_t expected = cell_of(complex, point);
     finding.require(place.cell < topology.counts().cells && pairs.pair(place.cell, expected), "the free point",
                     text_of(point), "is located in cell", place.cell);
     if (last_cell != HSP_NONE)

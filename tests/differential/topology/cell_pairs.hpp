@@ -1,24 +1,21 @@
 // Cells by two numberings.
-#ifndef HARDSPHERE_TESTS_TOPOLOGY_CELL_PAIRS_HPP
-#define HARDSPHERE_TESTS_TOPOLOGY_CELL_PAIRS_HPP
+#pragma once
 
 #include <cstdint>
 #include <map>
 
-/// Cells of the library and of an oracle, paired one to one; cell 0 is the outer one for both.
+// Cells of the library and of an oracle, paired one to one; cell 0 is the outer one for both.
 class CellPairs {
  public:
   CellPairs() { pair(0, 0); }
 
-  /// Whether this pair agrees with all before.
-  bool pair(std::uint32_t library, std::uint32_t oracle) {
+  // Whether this pair agrees with all before.
+  bool pair(uint32_t library, uint32_t oracle) {
     return of_oracle_.try_emplace(oracle, library).first->second == library &&
            of_library_.try_emplace(library, oracle).first->second == oracle;
   }
 
  private:
-  std::map<std::uint32_t, std::uint32_t> of_oracle_;
-  std::map<std::uint32_t, std::uint32_t> of_library_;
+  std::map<uint32_t, uint32_t> of_oracle_;
+  std::map<uint32_t, uint32_t> of_library_;
 };
-
-#endif

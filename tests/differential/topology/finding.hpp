@@ -1,13 +1,12 @@
 // The first thing found to be wrong.
-#ifndef HARDSPHERE_TESTS_TOPOLOGY_FINDING_HPP
-#define HARDSPHERE_TESTS_TOPOLOGY_FINDING_HPP
+#pragma once
 
 #include <sstream>
 #include <string>
 
 class Finding {
  public:
-  /// Keeps the text, made of all parts, if this is the first condition that does not hold.
+  // Keeps the text, made of all parts, if this is the first condition that does not hold.
   template <class... Parts>
   bool require(bool condition, const Parts &...parts) {
     if (!condition && text_.empty()) {
@@ -24,5 +23,3 @@ class Finding {
  private:
   std::string text_;
 };
-
-#endif

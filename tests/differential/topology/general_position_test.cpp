@@ -20,13 +20,13 @@ Balls jittered(const Balls &balls, RandomSource &random) {
   return result;
 }
 
-using Maker = Balls (*)(RandomSource &, std::size_t);
+using Maker = Balls (*)(RandomSource &, size_t);
 
-void expect_invariants(Maker make, int sets, std::int64_t least, std::int64_t most) {
+void expect_invariants(Maker make, int sets, int64_t least, int64_t most) {
   RandomSource random(91);
-  std::uint32_t cut = 0;
+  uint32_t cut = 0;
   for (int k = 0; k < sets; ++k) {
-    const Balls balls = jittered(make(random, static_cast<std::size_t>(random.in(least, most))), random);
+    const Balls balls = jittered(make(random, static_cast<size_t>(random.in(least, most))), random);
     ASSERT_EQ(complaint_about_smallest(balls, topology_invariant_broken), "");
     cut += LibraryTopology(balls).counts().extra_edges;
   }

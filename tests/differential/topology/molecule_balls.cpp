@@ -10,13 +10,13 @@
 
 namespace {
 
-/// All bytes that a command writes.
+// All bytes that a command writes.
 std::string output_of(const std::string &command) {
   std::FILE *pipe = popen(command.c_str(), "r");
   if (pipe == nullptr) throw std::runtime_error("cannot run " + command);
   std::string text;
   char buffer[65536];
-  for (std::size_t n = 0; (n = std::fread(buffer, 1, sizeof buffer, pipe)) > 0;) text.append(buffer, n);
+  for (size_t n = 0; (n = std::fread(buffer, 1, sizeof buffer, pipe)) > 0;) text.append(buffer, n);
   if (pclose(pipe) != 0) throw std::runtime_error("failed: " + command);
   return text;
 }
@@ -33,9 +33,9 @@ std::string contents_of(const std::filesystem::path &file) {
   return text.str();
 }
 
-/// A number with three decimals, "%8.3f", in thousandths.
-std::int64_t thousandths(const std::string &columns) {
-  std::int64_t value = 0;
+// A number with three decimals, "%8.3f", in thousandths.
+int64_t thousandths(const std::string &columns) {
+  int64_t value = 0;
   int decimals = -1;
   bool negative = false;
   for (const char c : columns) {
@@ -49,10 +49,10 @@ std::int64_t thousandths(const std::string &columns) {
   return negative ? -value : value;
 }
 
-/// Columns 77 and 78, or where they are empty the letters of columns 13 and 14.
+// Columns 77 and 78, or where they are empty the letters of columns 13 and 14.
 std::string element_of(const std::string &line) {
   std::string element;
-  for (const std::size_t first : {76U, 12U}) {
+  for (const size_t first : {76U, 12U}) {
     if (!element.empty() || line.size() < first + 2) continue;
     for (const char c : line.substr(first, 2))
       if (std::isalpha(static_cast<unsigned char>(c)) != 0)
@@ -64,8 +64,8 @@ std::string element_of(const std::string &line) {
 }  // namespace
 
 oracle::Balls read_molecule(const std::filesystem::path &file, Records records) {
-  static const std::map<std::string, std::int64_t> radii = {{"C", 1700}, {"N", 1550}, {"O", 1520},  {"S", 1800},
-                                                            {"P", 1800}, {"H", 1100}, {"CU", 1400}, {"ZN", 1390}};
+  static const std::map<std::string, int64_t> radii = {{"C", 1700}, {"N", 1550}, {"O", 1520},  {"S", 1800},
+                                                       {"P", 1800}, {"H", 1100}, {"CU", 1400}, {"ZN", 1390}};
   std::istringstream input(contents_of(file));
   oracle::Balls balls;
   for (std::string line; std::getline(input, line);) {
@@ -82,7 +82,7 @@ oracle::Balls read_molecule(const std::filesystem::path &file, Records records) 
   return balls;
 }
 
-oracle::Balls grown(const oracle::Balls &balls, std::int64_t probe) {
+oracle::Balls grown(const oracle::Balls &balls, int64_t probe) {
   oracle::Balls result = balls;
   for (oracle::LatticeBall &ball : result) ball.radius += probe;
   return result;

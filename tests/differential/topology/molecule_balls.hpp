@@ -1,6 +1,5 @@
 // Molecules as lattice balls: PDB files give three decimals, so a step of 0.001 angstrom loses nothing.
-#ifndef HARDSPHERE_TESTS_TOPOLOGY_MOLECULE_BALLS_HPP
-#define HARDSPHERE_TESTS_TOPOLOGY_MOLECULE_BALLS_HPP
+#pragma once
 
 #include <cstdint>
 #include <filesystem>
@@ -9,25 +8,23 @@
 
 #include "lattice_ball.hpp"
 
-/// Lattice steps in an angstrom.
-inline constexpr std::int64_t steps_per_angstrom = 1000;
+// Lattice steps in an angstrom.
+inline constexpr int64_t steps_per_angstrom = 1000;
 
-/// Which records of a PDB file are read.
+// Which records of a PDB file are read.
 enum class Records { all, protein };
 
-/// The atoms of a PDB file, of the first model and the first alternate location, with radii C 1.70, N 1.55, O 1.52,
-/// S 1.80, P 1.80, H 1.10, Cu 1.40, Zn 1.39; `protein` means ATOM records alone. A name that ends in .gz is read
-/// through gzip. Throws std::runtime_error for elements without radius and for files without atoms.
+// The atoms of a PDB file, of the first model and the first alternate location, with radii C 1.70, N 1.55, O 1.52,
+// S 1.80, P 1.80, H 1.10, Cu 1.40, Zn 1.39; `protein` means ATOM records alone. A name that ends in .gz is read
+// through gzip. Throws std::runtime_error for elements without radius and for files without atoms.
 oracle::Balls read_molecule(const std::filesystem::path &file, Records records);
 
-/// Every ball larger by a probe, in steps.
-oracle::Balls grown(const oracle::Balls &balls, std::int64_t probe);
+// Every ball larger by a probe, in steps.
+oracle::Balls grown(const oracle::Balls &balls, int64_t probe);
 
-/// A file of bench/molecules.
+// A file of bench/molecules.
 std::filesystem::path bench_molecule(const std::string &file);
 
 /// A file of the folder of further molecules, which the environment variable HSP_MOLECULES or else the CMake
 /// variable of this name gives; nothing if it is not there.
 std::optional<std::filesystem::path> further_molecule(const std::string &file);
-
-#endif

@@ -13,7 +13,7 @@ namespace {
 
 using oracle::Balls;
 
-/// As the default step of 1e-8 has them: radii of some 2^28 steps.
+// As the default step of 1e-8 has them: radii of some 2^28 steps.
 Balls on_default_lattice(const Balls &balls) {
   return degenerate::scaled(balls, 100000);
 }
@@ -24,22 +24,22 @@ class Molecule : public testing::TestWithParam<const char *> {
 };
 
 TEST_P(Molecule, KeepsTheInvariants) {
-  for (const std::int64_t probe : {std::int64_t{0}, 14 * steps_per_angstrom / 10}) {
+  for (const int64_t probe : {int64_t{0}, 14 * steps_per_angstrom / 10}) {
     const Balls balls = on_default_lattice(grown(atoms(), probe));
-    oracle::RandomSource random(static_cast<std::uint64_t>(probe));
+    oracle::RandomSource random(static_cast<uint64_t>(probe));
     for (const Balls &order : {balls, oracle::permuted(balls, random.permutation(balls.size()))})
       EXPECT_EQ(topology_invariant_broken(order), "") << "probe " << probe;
   }
 }
 
 TEST_P(Molecule, DoesNotDependOnTheOrder) {
-  for (const std::int64_t probe : {std::int64_t{0}, 14 * steps_per_angstrom / 10})
+  for (const int64_t probe : {int64_t{0}, 14 * steps_per_angstrom / 10})
     EXPECT_EQ(topology_orders_disagree(on_default_lattice(grown(atoms(), probe))), "") << "probe " << probe;
 }
 
-/// Turned, the extra arcs run elsewhere and nothing else changes.
+// Turned, the extra arcs run elsewhere and nothing else changes.
 TEST_P(Molecule, HasTheSameShellsAlongOtherAxes) {
-  for (const std::int64_t probe : {std::int64_t{0}, 14 * steps_per_angstrom / 10}) {
+  for (const int64_t probe : {int64_t{0}, 14 * steps_per_angstrom / 10}) {
     const Balls balls = grown(atoms(), probe);
     Balls turned;
     for (const oracle::LatticeBall &b : balls) turned.push_back({b.z, b.x, b.y, b.radius});
@@ -47,16 +47,16 @@ TEST_P(Molecule, HasTheSameShellsAlongOtherAxes) {
     const LibraryTopology other(turned);
     EXPECT_EQ(topology_invariant_broken(turned), "");
     const auto summary = [](const LibraryTopology &topology) {
-      std::vector<std::array<std::int64_t, 4>> shells;
+      std::vector<std::array<int64_t, 4>> shells;
       for (const hsp_shell &shell : topology.shells())
-        shells.push_back({static_cast<std::int64_t>(shell.volume), shell.euler, shell.kind, shell.faces});
+        shells.push_back({static_cast<int64_t>(shell.volume), shell.euler, shell.kind, shell.faces});
       std::sort(shells.begin(), shells.end());
       return shells;
     };
     const auto a = summary(one);
     const auto b = summary(other);
     ASSERT_EQ(a.size(), b.size()) << "probe " << probe;
-    for (std::size_t k = 0; k < a.size(); ++k) {
+    for (size_t k = 0; k < a.size(); ++k) {
       EXPECT_NEAR(static_cast<double>(a[k][0]), static_cast<double>(b[k][0]), 2 + 1e-9 * static_cast<double>(a[k][0]));
       EXPECT_EQ(a[k][1], b[k][1]);
       EXPECT_EQ(a[k][2], b[k][2]);

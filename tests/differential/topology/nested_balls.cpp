@@ -10,7 +10,7 @@
 
 namespace {
 
-using Integer = std::int64_t;
+using Integer = int64_t;
 using oracle::Balls;
 using oracle::balls_on_sphere;
 using oracle::cage_of_26;
@@ -26,8 +26,8 @@ Balls moved(const Balls &balls, Integer x, Integer y, Integer z) {
   return degenerate::moved(balls, {x, y, z});
 }
 
-/// The points of a circle around the origin in the plane of two axes.
-Balls ring(Integer distance, Integer radius, std::size_t first, std::size_t second) {
+// The points of a circle around the origin in the plane of two axes.
+Balls ring(Integer distance, Integer radius, size_t first, size_t second) {
   Balls balls;
   for (Integer a = -distance; a <= distance; ++a)
     for (Integer b = -distance; b <= distance; ++b) {
@@ -56,11 +56,11 @@ Balls box_of_8(const std::array<Integer, 3> &sides, Integer radius) {
   return balls;
 }
 
-BuiltComponent solid(Balls balls, std::optional<std::size_t> around = std::nullopt) {
+BuiltComponent solid(Balls balls, std::optional<size_t> around = std::nullopt) {
   return {std::move(balls), 0, 0, around};
 }
 
-BuiltComponent hollow(Balls balls, std::optional<std::size_t> around = std::nullopt) {
+BuiltComponent hollow(Balls balls, std::optional<size_t> around = std::nullopt) {
   return {std::move(balls), 0, 1, around};
 }
 
@@ -99,7 +99,7 @@ void add_hollow_sets(std::vector<BuiltSet> &sets) {
 }
 
 void add_rings_and_cages(std::vector<BuiltSet> &sets) {
-  for (const std::array<std::size_t, 2> &plane : {std::array<std::size_t, 2>{0, 1}, {1, 2}, {0, 2}}) {
+  for (const std::array<size_t, 2> &plane : {std::array<size_t, 2>{0, 1}, {1, 2}, {0, 2}}) {
     sets.push_back({"ring across axis " + std::to_string(3 - plane[0] - plane[1]),
                     {{ring(25, 7, plane[0], plane[1]), 1, 0, std::nullopt}}});
   }
@@ -117,10 +117,9 @@ void add_rings_and_cages(std::vector<BuiltSet> &sets) {
   const Integer far = 70;
   const std::vector<std::array<Integer, 3>> poles = {{far, 0, 0},  {0, far, 0},  {0, 0, far},
                                                      {-far, 0, 0}, {0, -far, 0}, {0, 0, -far}};
-  for (const std::size_t openings : {1U, 2U, 3U, 6U}) {
-    const std::vector<std::array<Integer, 3>> left_out(poles.begin(),
-                                                       poles.begin() + static_cast<std::ptrdiff_t>(openings));
-    const auto genus = static_cast<std::uint32_t>(openings - 1);
+  for (const size_t openings : {1U, 2U, 3U, 6U}) {
+    const std::vector<std::array<Integer, 3>> left_out(poles.begin(), poles.begin() + static_cast<ptrdiff_t>(openings));
+    const auto genus = static_cast<uint32_t>(openings - 1);
     sets.push_back({"cage, openings: " + std::to_string(openings),
                     {{without(shell, left_out), genus, 0, std::nullopt}, solid({{0, 0, 0, 10}})}});
   }
@@ -212,13 +211,13 @@ std::vector<AwkwardSet> awkward_sets() {
 
 namespace {
 
-/// A closed wall around the origin, and how far it leaves the origin free.
+// A closed wall around the origin, and how far it leaves the origin free.
 struct Wall {
   Balls balls;
   Integer room;
 };
 
-Wall random_wall(RandomSource &random, Integer reach, std::size_t most) {
+Wall random_wall(RandomSource &random, Integer reach, size_t most) {
   switch (random.in(0, most < 30 ? 2 : 3)) {
     case 0: {  // triangles of an octahedron close at 0.8165 of the distance
       const Integer distance = reach * 100 / 190;
@@ -228,7 +227,7 @@ Wall random_wall(RandomSource &random, Integer reach, std::size_t most) {
     case 1: {  // two windows close exactly
       const Integer unit = reach / 22;
       std::array<Integer, 3> sides = {12 * unit, 16 * unit, 12 * unit};
-      std::swap(sides[1], sides[static_cast<std::size_t>(random.in(0, 2))]);
+      std::swap(sides[1], sides[static_cast<size_t>(random.in(0, 2))]);
       return {box_of_8(sides, 10 * unit), unit};  // half diagonal 11.66 units
     }
     case 2: {
@@ -243,8 +242,8 @@ Wall random_wall(RandomSource &random, Integer reach, std::size_t most) {
   }
 }
 
-/// Fills the ball of a free radius around a place.
-void fill(RandomSource &random, const LatticeBall &place, std::size_t most, Balls &balls) {
+// Fills the ball of a free radius around a place.
+void fill(RandomSource &random, const LatticeBall &place, size_t most, Balls &balls) {
   if (balls.size() >= most) return;
   const Integer reach = place.radius;
   if (reach >= 24 && (balls.empty() || !random.one_in(5))) {
@@ -271,10 +270,10 @@ void fill(RandomSource &random, const LatticeBall &place, std::size_t most, Ball
   }
 }
 
-/// Balls inside others, most of them touching these from inside where a vertical ray or a level one comes in.
+// Balls inside others, most of them touching these from inside where a vertical ray or a level one comes in.
 void add_contained(RandomSource &random, Balls &balls) {
-  const std::size_t given = balls.size();
-  for (std::size_t i = 0; i < given; ++i) {
+  const size_t given = balls.size();
+  for (size_t i = 0; i < given; ++i) {
     if (!random.one_in(3)) continue;
     LatticeBall inner = balls[i];
     inner.radius = random.in(0, inner.radius);
@@ -317,9 +316,8 @@ Balls nested_balls(RandomSource &random) {
                                 (random.one_in(2) ? 1 : -1) * (reach + random.in(0, 40)), random.in(1, 40)};
     balls.push_back(beside);
   }
-  std::array<std::size_t, 3> axes = {0, 1, 2};
-  for (std::size_t k = 2; k > 0; --k)
-    std::swap(axes[k], axes[static_cast<std::size_t>(random.in(0, static_cast<Integer>(k)))]);
+  std::array<size_t, 3> axes = {0, 1, 2};
+  for (size_t k = 2; k > 0; --k) std::swap(axes[k], axes[static_cast<size_t>(random.in(0, static_cast<Integer>(k)))]);
   const bool mirrored = random.one_in(2);
   for (LatticeBall &ball : balls) {
     const std::array<Integer, 3> v = {ball.x, ball.y, ball.z};

@@ -1,7 +1,6 @@
 // Sets whose components lie in voids of others, and sets that are awkward for cutting faces, with what is known of
 // them.
-#ifndef HARDSPHERE_TESTS_TOPOLOGY_NESTED_BALLS_HPP
-#define HARDSPHERE_TESTS_TOPOLOGY_NESTED_BALLS_HPP
+#pragma once
 
 #include <cstdint>
 #include <optional>
@@ -11,12 +10,12 @@
 #include "lattice_ball.hpp"
 #include "random_balls.hpp"
 
-/// One component as it was built.
+// One component as it was built.
 struct BuiltComponent {
   oracle::Balls balls;
-  std::uint32_t genus = 0;  ///< summed over its shells
-  std::uint32_t voids = 0;
-  std::optional<std::size_t> around = std::nullopt;  ///< the component in whose void it lies
+  uint32_t genus = 0;  // summed over its shells
+  uint32_t voids = 0;
+  std::optional<size_t> around = std::nullopt;  // the component in whose void it lies
 };
 
 struct BuiltSet {
@@ -25,19 +24,17 @@ struct BuiltSet {
   [[nodiscard]] oracle::Balls balls() const;
 };
 
-/// Hollow shells in hollow shells, rings, cages.
+// Hollow shells in hollow shells, rings, cages.
 std::vector<BuiltSet> built_sets();
 
-/// Sets made for faces with many loops, for extra arcs through the poles, level and
-/// upright neighbours, and upright planes that coincide on both sides of a circle.
+// Sets made for faces with many loops, for extra arcs through the poles, level and
+// upright neighbours, and upright planes that coincide on both sides of a circle.
 struct AwkwardSet {
   std::string name;
   oracle::Balls balls;
 };
 std::vector<AwkwardSet> awkward_sets();
 
-/// Shells of 6, 8, 26 or 30 balls in the voids of others, with loose balls and touching ones, along random axes; some
-/// walls are closed by single points only; often with copies and with balls inside others. Mostly below 100 balls.
+// Shells of 6, 8, 26 or 30 balls in the voids of others, with loose balls and touching ones, along random axes; some
+// walls are closed by single points only; often with copies and with balls inside others. Mostly below 100 balls.
 oracle::Balls nested_balls(oracle::RandomSource &random);
-
-#endif

@@ -49,7 +49,7 @@ TEST(Nesting, OfShellsInShells) {
 TEST(Nesting, OfDegenerateSets) {
   oracle::RandomSource random(53);
   for (int k = 0; k < 3000; ++k) {
-    const Balls balls = oracle::degenerate_balls(random, static_cast<std::size_t>(random.in(2, 12)));
+    const Balls balls = oracle::degenerate_balls(random, static_cast<size_t>(random.in(2, 12)));
     ASSERT_EQ(complaint_about_smallest(balls, nesting_disagrees), "");
   }
 }
@@ -62,7 +62,7 @@ TEST(Location, InShellsInShells) {
 TEST(Location, InDegenerateSets) {
   oracle::RandomSource random(55);
   for (int k = 0; k < 2500; ++k) {
-    const Balls balls = oracle::degenerate_balls(random, static_cast<std::size_t>(random.in(1, 12)));
+    const Balls balls = oracle::degenerate_balls(random, static_cast<size_t>(random.in(1, 12)));
     ASSERT_EQ(complaint_about_smallest(balls, locations_of), "");
   }
 }
@@ -71,17 +71,17 @@ TEST(Location, InDegenerateSets) {
 // single points.
 TEST(Location, InBoxesThatNearlyClose) {
   oracle::RandomSource random(56);
-  constexpr std::array<std::array<std::int64_t, 3>, 3> boxes = {{{6, 6, 8}, {6, 8, 6}, {8, 6, 6}}};
+  constexpr std::array<std::array<int64_t, 3>, 3> boxes = {{{6, 6, 8}, {6, 8, 6}, {8, 6, 6}}};
   for (int k = 0; k < 300; ++k) {
-    const auto &sides = boxes[static_cast<std::size_t>(random.in(0, 2))];
+    const auto &sides = boxes[static_cast<size_t>(random.in(0, 2))];
     Balls balls;
-    for (std::int64_t corner = 0; corner < 8; ++corner)
+    for (int64_t corner = 0; corner < 8; ++corner)
       balls.push_back(
           {sides[0] * (corner & 1), sides[1] * (corner >> 1 & 1), sides[2] * (corner >> 2), random.one_in(12) ? 4 : 5});
     if (random.one_in(2)) balls.push_back({sides[0] / 2, sides[1] / 2, sides[2] / 2, 0});
     // Copies above, through whose walls rays go on.
     if (random.one_in(2))
-      for (std::size_t i = 0; i < 8; ++i) balls.push_back({balls[i].x, balls[i].y, balls[i].z + 20, balls[i].radius});
+      for (size_t i = 0; i < 8; ++i) balls.push_back({balls[i].x, balls[i].y, balls[i].z + 20, balls[i].radius});
     ASSERT_EQ(complaint_about_smallest(balls, [](const Balls &set) { return locations_disagree(set, 150, 57); }), "");
     ASSERT_EQ(complaint_about_smallest(balls, nesting_or_invariants), "");
   }

@@ -13,7 +13,7 @@ using oracle::Balls;
 TEST(Slow, BettiNumbersOfDegenerateSets) {
   oracle::RandomSource random(81);
   for (int k = 0; k < oracle::rounds(2000, 20000); ++k) {
-    const Balls balls = oracle::degenerate_balls(random, static_cast<std::size_t>(random.in(4, 11)));
+    const Balls balls = oracle::degenerate_balls(random, static_cast<size_t>(random.in(4, 11)));
     ASSERT_EQ(complaint_about_smallest(balls, [](const Balls &set) { return betti_numbers_disagree(set, 2, 82); }), "");
     ASSERT_EQ(complaint_about_smallest(balls, topology_invariant_broken), "");
   }
@@ -22,7 +22,7 @@ TEST(Slow, BettiNumbersOfDegenerateSets) {
 TEST(Slow, InvariantsAndOrdersOfAnySets) {
   oracle::RandomSource random(83);
   for (int k = 0; k < oracle::rounds(750, 6000); ++k) {
-    const Balls balls = oracle::any_balls(random, static_cast<std::size_t>(random.in(10, 50)));
+    const Balls balls = oracle::any_balls(random, static_cast<size_t>(random.in(10, 50)));
     ASSERT_EQ(complaint_about_smallest(balls, topology_invariant_broken), "");
     ASSERT_EQ(complaint_about_smallest(balls, topology_orders_disagree), "");
   }
@@ -40,7 +40,7 @@ TEST(Slow, NestingOfShellsInShells) {
 TEST(Slow, LocationInDegenerateSets) {
   oracle::RandomSource random(86);
   for (int k = 0; k < oracle::rounds(4000, 15000); ++k) {
-    const Balls balls = oracle::degenerate_balls(random, static_cast<std::size_t>(random.in(3, 14)));
+    const Balls balls = oracle::degenerate_balls(random, static_cast<size_t>(random.in(3, 14)));
     ASSERT_EQ(complaint_about_smallest(balls, [](const Balls &set) { return locations_disagree(set, 40, 87); }), "");
   }
 }

@@ -18,11 +18,11 @@ using oracle::FloodFill;
 using oracle::LatticePoint;
 using Region = FloodFill::Region;
 
-/// Larger by a margin on all sides, with its low corner on columns of any width that divides the coarse one.
-Box widened(const Box &box, std::int64_t margin, const LatticePoint &origin, std::int64_t grid) {
+// Larger by a margin on all sides, with its low corner on columns of any width that divides the coarse one.
+Box widened(const Box &box, int64_t margin, const LatticePoint &origin, int64_t grid) {
   Box result = box;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::int64_t steps = (box.low[k] - margin - origin[k]) / grid - 1;
+  for (size_t k = 0; k < 3; ++k) {
+    const int64_t steps = (box.low[k] - margin - origin[k]) / grid - 1;
     result.low[k] = origin[k] + steps * grid;
     result.high[k] += margin;
   }
@@ -34,7 +34,7 @@ Balls balls_meeting_box(const Balls &balls, const Box &box) {
   for (const oracle::LatticeBall &b : balls) {
     const LatticePoint centre = {b.x, b.y, b.z};
     bool near = true;
-    for (std::size_t k = 0; k < 3; ++k)
+    for (size_t k = 0; k < 3; ++k)
       near = near && centre[k] + b.radius >= box.low[k] && centre[k] - b.radius <= box.high[k];
     if (near) result.push_back(b);
   }
@@ -42,7 +42,7 @@ Balls balls_meeting_box(const Balls &balls, const Box &box) {
 }
 
 void include(Box &box, const Box &other) {
-  for (std::size_t k = 0; k < 3; ++k) {
+  for (size_t k = 0; k < 3; ++k) {
     box.low[k] = std::min(box.low[k], other.low[k]);
     box.high[k] = std::max(box.high[k], other.high[k]);
   }
@@ -64,7 +64,7 @@ class Comparison {
     finding_.require(cells_.size() == complex_.cells(), cells_.size() - 1, "voids instead of", complex_.cells() - 1);
     locate_regions();
     locate_samples();
-    for (std::uint32_t cell = 1; cell < cells_.size() && !finding_.any(); ++cell) bound_void(cell);
+    for (uint32_t cell = 1; cell < cells_.size() && !finding_.any(); ++cell) bound_void(cell);
     findings_.regions = coarse_.certain().size();
     findings_.voids = cells_.size() - 1;
     for (const hsp_cell &cell : cells_) findings_.volume += static_cast<long double>(cell.volume);
@@ -73,11 +73,11 @@ class Comparison {
   }
 
  private:
-  /// The cell of a free point by the library, which is the dual complex's too.
-  std::uint32_t compared_cell(const LatticePoint &point) {
-    const std::uint32_t cell = topology_.cell_of(point);
+  // The cell of a free point by the library, which is the dual complex's too.
+  uint32_t compared_cell(const LatticePoint &point) {
+    const uint32_t cell = topology_.cell_of(point);
     finding_.require(cell < cells_.size(), "a free point is located in no cell:", text_of(point));
-    const std::uint32_t expected = complex_.cell_of(point[0], point[1], point[2]);
+    const uint32_t expected = complex_.cell_of(point[0], point[1], point[2]);
     finding_.require(pairs_.pair(cell, expected), "the point", text_of(point), "is located in cell", cell);
     return cell;
   }
@@ -90,21 +90,21 @@ class Comparison {
     }
   }
 
-  /// All points of a certain region lie in one cell.
+  // All points of a certain region lie in one cell.
   void locate_samples() {
     const std::vector<FloodFill::Sample> samples = coarse_.certain_samples();
     oracle::RandomSource random(61);
     for (int k = 0; k < settings_.samples; ++k) {
       const FloodFill::Sample &sample =
-          samples[static_cast<std::size_t>(random.in(0, static_cast<std::int64_t>(samples.size()) - 1))];
+          samples[static_cast<size_t>(random.in(0, static_cast<int64_t>(samples.size()) - 1))];
       finding_.require(compared_cell(sample.point) == cell_of_region_[sample.region], "the point",
                        text_of(sample.point), "is not where others of its region are");
     }
   }
 
-  [[nodiscard]] std::optional<Box> extent_of(std::uint32_t cell) const {
+  [[nodiscard]] std::optional<Box> extent_of(uint32_t cell) const {
     std::optional<Box> box;
-    for (std::size_t r = 0; r < coarse_.certain().size(); ++r) {
+    for (size_t r = 0; r < coarse_.certain().size(); ++r) {
       if (cell_of_region_[r] != cell) continue;
       if (!box) box = coarse_.certain()[r].extent;
       include(*box, coarse_.certain()[r].extent);
@@ -112,23 +112,23 @@ class Comparison {
     return box;
   }
 
-  void bound_void(std::uint32_t cell) {
+  void bound_void(uint32_t cell) {
     std::optional<Box> box = extent_of(cell);
     if (!box) {
       const double *point = shells_[cells_[cell].wall].point;
       box.emplace();
-      for (std::size_t k = 0; k < 3; ++k) box->low[k] = box->high[k] = static_cast<std::int64_t>(point[k]);
+      for (size_t k = 0; k < 3; ++k) box->low[k] = box->high[k] = static_cast<int64_t>(point[k]);
     }
-    for (const std::int64_t side : settings_.fine)
+    for (const int64_t side : settings_.fine)
       if (bounded_in(*box, side, cell)) return;
   }
 
-  /// Is the void closed off by columns of this width, alone if these are not the narrowest? Then its volume is
-  /// compared.
-  bool bounded_in(const Box &box, std::int64_t side, std::uint32_t cell) {
+  // Is the void closed off by columns of this width, alone if these are not the narrowest? Then its volume is
+  // compared.
+  bool bounded_in(const Box &box, int64_t side, uint32_t cell) {
     const Box local = widened(box, settings_.margin, whole_.low, settings_.coarse);
     const FloodFill fill(balls_meeting_box(balls_, local), local, side);
-    std::optional<std::uint32_t> around;
+    std::optional<uint32_t> around;
     for (const Region &region : fill.certain()) {
       if (fill.perhaps()[region.perhaps].reaches_border || region.perhaps == around) continue;
       if (topology_.cell_of(region.point) == cell) {
@@ -137,18 +137,18 @@ class Comparison {
       }
     }
     if (!around) return false;
-    std::set<std::uint32_t> cells;
-    std::map<std::uint32_t, long double> least;
+    std::set<uint32_t> cells;
+    std::map<uint32_t, long double> least;
     for (const Region &region : fill.certain()) {
       if (region.perhaps != *around) continue;
-      const std::uint32_t other = topology_.cell_of(region.point);
+      const uint32_t other = topology_.cell_of(region.point);
       finding_.require(other != 0 && other < cells_.size(), "a point of a void is located in cell", other);
       if (finding_.any()) return true;
       cells.insert(other);
       least[other] += region.volume;
     }
     long double sum = 0;
-    for (const std::uint32_t other : cells) sum += static_cast<long double>(cells_[other].volume);
+    for (const uint32_t other : cells) sum += static_cast<long double>(cells_[other].volume);
     const long double most = fill.perhaps()[*around].volume;
     const long double width = (most - least[cell]) / most;
     if ((cells.size() > 1 || width > settings_.width) && side != settings_.fine.back()) return false;
@@ -178,7 +178,7 @@ class Comparison {
   CellPairs pairs_;
   Box whole_;
   FloodFill coarse_;
-  std::vector<std::uint32_t> cell_of_region_;
+  std::vector<uint32_t> cell_of_region_;
   VoidFindings findings_;
   Finding finding_;
 };

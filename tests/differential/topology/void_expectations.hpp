@@ -1,6 +1,5 @@
 // Expectations of the voids of a molecule.
-#ifndef HARDSPHERE_TESTS_TOPOLOGY_VOID_EXPECTATIONS_HPP
-#define HARDSPHERE_TESTS_TOPOLOGY_VOID_EXPECTATIONS_HPP
+#pragma once
 
 #include <gtest/gtest.h>
 
@@ -15,9 +14,9 @@ inline oracle::Balls bench_atoms(const std::string &file) {
   return read_molecule(bench_molecule(file), Records::all);
 }
 
-/// A part of the volume, but for 0.01 cubic angstrom, must lie between bounds proved by flood fill, and those of voids
-/// larger than 0.1 cubic angstrom must be close. All else must agree always.
-inline void expect_voids(const std::string &name, const oracle::Balls &atoms, std::int64_t probe, long double part,
+// A part of the volume, but for 0.01 cubic angstrom, must lie between bounds proved by flood fill, and those of voids
+// larger than 0.1 cubic angstrom must be close. All else must agree always.
+inline void expect_voids(const std::string &name, const oracle::Balls &atoms, int64_t probe, long double part,
                          const VoidSettings &settings = {}) {
   const VoidFindings found = compare_voids(grown(atoms, probe), settings);
   std::cout << name << ": " << found.voids << " voids of " << static_cast<double>(found.volume) / 1e9
@@ -29,9 +28,9 @@ inline void expect_voids(const std::string &name, const oracle::Balls &atoms, st
   EXPECT_LE(found.widest, settings.width) << name;
 }
 
-/// Random points in the box around a molecule: the balls that contain them by brute force, and the cells of certain
-/// regions.
-inline void expect_locations(const oracle::Balls &atoms, std::int64_t probe, int points) {
+// Random points in the box around a molecule: the balls that contain them by brute force, and the cells of certain
+// regions.
+inline void expect_locations(const oracle::Balls &atoms, int64_t probe, int points) {
   const oracle::Balls balls = grown(atoms, probe);
   const LibraryTopology topology(balls);
   const oracle::Box box = oracle::box_around(balls, 200);
@@ -41,7 +40,7 @@ inline void expect_locations(const oracle::Balls &atoms, std::int64_t probe, int
   int in_regions = 0;
   for (int k = 0; k < points; ++k) {
     oracle::LatticePoint point{};
-    for (std::size_t axis = 0; axis < 3; ++axis) point[axis] = random.in(box.low[axis], box.high[axis] - 1);
+    for (size_t axis = 0; axis < 3; ++axis) point[axis] = random.in(box.low[axis], box.high[axis] - 1);
     const LibraryTopology::Place place = topology.locate(point);
     ASSERT_EQ(place.balls, oracle::balls_meeting(balls, {point[0], point[1], point[2], 0}));
     ASSERT_EQ(place.cell == HSP_NONE, !place.balls.empty());
@@ -57,5 +56,3 @@ inline void expect_locations(const oracle::Balls &atoms, std::int64_t probe, int
   EXPECT_GT(in_balls, points / 10);
   EXPECT_GT(in_regions, points / 10);
 }
-
-#endif

@@ -3,19 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
-std::array<std::int64_t, 3> integer_direction(const Direction &towards) {
+std::array<int64_t, 3> integer_direction(const Direction &towards) {
   const double largest = std::max({std::abs(towards[0]), std::abs(towards[1]), std::abs(towards[2])});
   if (largest == 0) return {0, 0, 1};
-  std::array<std::int64_t, 3> result{};
-  for (std::size_t k = 0; k < 3; ++k)
+  std::array<int64_t, 3> result{};
+  for (size_t k = 0; k < 3; ++k)
     result[k] = std::llround(static_cast<long double>(towards[k]) / static_cast<long double>(largest) * 0x1p28L);
   return result;
 }
 
-bool is_farther(const oracle::LatticeBall &a, const oracle::LatticeBall &b,
-                const std::array<std::int64_t, 3> &direction) {
+bool is_farther(const oracle::LatticeBall &a, const oracle::LatticeBall &b, const std::array<int64_t, 3> &direction) {
   using oracle::BigInteger;
-  const auto times = [](std::int64_t coordinate, std::int64_t component) {
+  const auto times = [](int64_t coordinate, int64_t component) {
     return BigInteger(coordinate) * BigInteger(component);
   };
   const BigInteger depth_a = times(a.x, direction[0]) + times(a.y, direction[1]) + times(a.z, direction[2]);

@@ -16,7 +16,7 @@ class ViewOfMolecule : public testing::TestWithParam<const char *> {
 };
 
 TEST_P(ViewOfMolecule, ShowsWhatIsVisible) {
-  for (const std::int64_t probe : {0, 1400}) {
+  for (const int64_t probe : {0, 1400}) {
     const LibraryScene scene(grown(atoms(), probe));
     for (const Direction &towards : {Direction{0, 0, 1}, {0, 1, 0}, {1, 1, 1}, uneven_directions()[0]})
       EXPECT_EQ(pictures_disagree(scene, 250, towards), "") << "probe " << probe;
@@ -24,7 +24,7 @@ TEST_P(ViewOfMolecule, ShowsWhatIsVisible) {
 }
 
 TEST_P(ViewOfMolecule, KeepsTheInvariants) {
-  for (const std::int64_t probe : {0, 1400}) {
+  for (const int64_t probe : {0, 1400}) {
     const Balls balls = grown(atoms(), probe);
     EXPECT_EQ(view_invariant_broken(balls, {0, 0, 1}), "") << "probe " << probe;
     EXPECT_EQ(view_invariant_broken(balls, uneven_directions()[3]), "") << "probe " << probe;

@@ -9,7 +9,7 @@ namespace {
 
 using oracle::Balls;
 
-void expect_right_pictures(const Balls &balls, const std::vector<Direction> &directions, std::size_t pixels,
+void expect_right_pictures(const Balls &balls, const std::vector<Direction> &directions, size_t pixels,
                            const std::string &name) {
   for (const Direction &towards : directions)
     ASSERT_EQ(complaint_about_smallest(
@@ -50,12 +50,12 @@ TEST(Painter, ShowsRandomSets) {
 TEST(Painter, ShowsRandomDegenerateSets) {
   oracle::RandomSource random(92);
   for (int k = 0; k < 300; ++k) {
-    const Balls balls = oracle::degenerate_balls(random, static_cast<std::size_t>(random.in(2, 20)));
-    expect_right_pictures(balls, {even_directions()[static_cast<std::size_t>(random.in(0, 4))]}, 60, "");
+    const Balls balls = oracle::degenerate_balls(random, static_cast<size_t>(random.in(2, 20)));
+    expect_right_pictures(balls, {even_directions()[static_cast<size_t>(random.in(0, 4))]}, 60, "");
   }
 }
 
-/// The same in lengths that are not lattice steps, with a probe and with up chosen.
+// The same in lengths that are not lattice steps, with a probe and with up chosen.
 TEST(Painter, ShowsOtherLengths) {
   oracle::RandomSource random(93);
   const Balls balls = oracle::loose_balls(random, 100);

@@ -8,9 +8,9 @@ namespace {
 
 using oracle::no_ball;
 
-constexpr std::size_t wrong_pixels_looked_at = 1000;  // a broken picture need not be searched for edges everywhere
+constexpr size_t wrong_pixels_looked_at = 1000;  // a broken picture need not be searched for edges everywhere
 
-std::string name_of(std::uint32_t ball) {
+std::string name_of(uint32_t ball) {
   return ball == no_ball ? "background" : "ball " + std::to_string(ball);
 }
 
@@ -25,7 +25,7 @@ PixelCount wrong_pixels(const ViewRecords &view, const std::vector<oracle::Plain
 
   PixelCount count;
   count.pixels = grid.pixels();
-  const auto judge = [&](std::size_t pixel, bool same_height, const std::string &what) {
+  const auto judge = [&](size_t pixel, bool same_height, const std::string &what) {
     const double x = grid.x(pixel % grid.columns);
     const double y = grid.y(pixel / grid.columns);
     const bool edge = same_height || (count.wrong < wrong_pixels_looked_at &&
@@ -43,10 +43,10 @@ PixelCount wrong_pixels(const ViewRecords &view, const std::vector<oracle::Plain
     count.first_wrong = text.str();
   };
 
-  for (std::size_t k = 0; k < grid.pixels(); ++k)
-    for (const std::uint32_t piece : {picture.even_odd[k], picture.non_zero[k]}) {
-      const std::uint32_t shown = piece == no_ball ? no_ball : view.pieces[piece].ball;
-      const std::uint32_t expected = image[k].ball;
+  for (size_t k = 0; k < grid.pixels(); ++k)
+    for (const uint32_t piece : {picture.even_odd[k], picture.non_zero[k]}) {
+      const uint32_t shown = piece == no_ball ? no_ball : view.pieces[piece].ball;
+      const uint32_t expected = image[k].ball;
       if (shown == expected) continue;
       bool same_height = false;
       if (shown < seen.size() && expected != no_ball) {
@@ -64,8 +64,7 @@ PixelCount wrong_pixels(const ViewRecords &view, const std::vector<oracle::Plain
   return count;
 }
 
-std::string pictures_disagree(const LibraryScene &scene, std::size_t pixels, const Direction &towards,
-                              const Direction &up) {
+std::string pictures_disagree(const LibraryScene &scene, size_t pixels, const Direction &towards, const Direction &up) {
   oracle::ViewAxes axes;
   std::vector<oracle::PlainBall> seen;
   oracle::PixelGrid grid;

@@ -65,8 +65,8 @@ TEST_P(Pieces, OfRandomSets) {
 TEST_P(Pieces, OfRandomDegenerateSets) {
   oracle::RandomSource random(95);
   for (int k = 0; k < 400; ++k) {
-    const Balls balls = oracle::degenerate_balls(random, static_cast<std::size_t>(random.in(2, 16)));
-    expect_invariant(GetParam().invariant, balls, {even_directions()[static_cast<std::size_t>(random.in(0, 4))]}, "");
+    const Balls balls = oracle::degenerate_balls(random, static_cast<size_t>(random.in(2, 16)));
+    expect_invariant(GetParam().invariant, balls, {even_directions()[static_cast<size_t>(random.in(0, 4))]}, "");
   }
 }
 
@@ -81,21 +81,21 @@ INSTANTIATE_TEST_SUITE_P(All, Pieces,
                                          NamedInvariant{"HaveEqualBackAreas", opposite_areas_disagree}),
                          name_of);
 
-/// Centres as far apart as the lattice allows, of which pairs differ in depth by a few units of the integer direction
-/// or not at all.
+// Centres as far apart as the lattice allows, of which pairs differ in depth by a few units of the integer direction
+// or not at all.
 TEST(DepthOrder, IsThatOfIntegers) {
   oracle::RandomSource random(96);
-  constexpr std::int64_t largest = std::int64_t{1} << 28;
+  constexpr int64_t largest = int64_t{1} << 28;
   for (int k = 0; k < 200; ++k) {
     // Of the largest component, so that the direction stays as it is.
-    const std::array<std::int64_t, 3> v = {largest, largest - random.in(1, 9), random.in(1, 3)};
+    const std::array<int64_t, 3> v = {largest, largest - random.in(1, 9), random.in(1, 3)};
     Balls balls;
     for (int pair = 0; pair < 15; ++pair) {
       const oracle::LatticeBall ball = {random.in(-largest, largest) * (largest >> 10),
                                         random.in(-largest, largest) * (largest >> 10), random.in(-50, 50),
                                         random.in(1, 5)};
       balls.push_back(ball);
-      const std::int64_t times = random.in(1, 1000);  // along a vector whose product with v is 0
+      const int64_t times = random.in(1, 1000);  // along a vector whose product with v is 0
       balls.push_back({ball.x + times * v[1], ball.y - times * v[0], ball.z + random.in(-1, 1), random.in(1, 5)});
     }
     const Direction towards = {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
@@ -109,20 +109,20 @@ TEST(DepthOrder, IsThatOfIntegers) {
   }
 }
 
-/// A large ball about the origin and small ones at an integer point of it, all spheres through that point: arcs without
-/// length, whose parameters rounding puts to either side of it.
-Balls balls_at_a_point(oracle::RandomSource &random, const std::array<std::int64_t, 3> &point, std::int64_t radius) {
-  static constexpr std::int64_t quadruples[][4] = {{1, 2, 2, 3},  {2, 3, 6, 7},  {1, 4, 8, 9},
-                                                   {2, 6, 9, 11}, {6, 6, 7, 11}, {3, 4, 12, 13}};
+// A large ball about the origin and small ones at an integer point of it, all spheres through that point: arcs without
+// length, whose parameters rounding puts to either side of it.
+Balls balls_at_a_point(oracle::RandomSource &random, const std::array<int64_t, 3> &point, int64_t radius) {
+  static constexpr int64_t quadruples[][4] = {{1, 2, 2, 3},  {2, 3, 6, 7},  {1, 4, 8, 9},
+                                              {2, 6, 9, 11}, {6, 6, 7, 11}, {3, 4, 12, 13}};
   Balls balls = {{0, 0, 0, radius}};
-  for (std::int64_t k = random.in(3, 6); k > 0; --k) {
-    const std::int64_t *const q = quadruples[random.in(0, 5)];
-    const std::int64_t times = random.in(100, 20000);
-    const std::int64_t first = random.in(0, 2);
-    std::int64_t centre[3];
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const std::int64_t side = random.one_in(2) ? times : -times;
-      centre[axis] = point[axis] + side * q[(first + static_cast<std::int64_t>(axis)) % 3];
+  for (int64_t k = random.in(3, 6); k > 0; --k) {
+    const int64_t *const q = quadruples[random.in(0, 5)];
+    const int64_t times = random.in(100, 20000);
+    const int64_t first = random.in(0, 2);
+    int64_t centre[3];
+    for (size_t axis = 0; axis < 3; ++axis) {
+      const int64_t side = random.one_in(2) ? times : -times;
+      centre[axis] = point[axis] + side * q[(first + static_cast<int64_t>(axis)) % 3];
     }
     balls.push_back({centre[0], centre[1], centre[2], times * q[3]});
   }
@@ -139,28 +139,28 @@ TEST(ViewArcs, OfNoLengthAreNoWholeTurns) {
   }
 }
 
-/// Ties on the silhouette from a direction whose integers are much larger than those of the balls: the point is at a
-/// right angle to it.
+// Ties on the silhouette from a direction whose integers are much larger than those of the balls: the point is at a
+// right angle to it.
 TEST(ViewArcs, MeetInAPointOfTheSilhouette) {
   oracle::RandomSource random(98);
-  constexpr std::int64_t largest = std::int64_t{1} << 28;
+  constexpr int64_t largest = int64_t{1} << 28;
   for (int k = 0; k < 100; ++k) {
-    const std::int64_t z = 2 * random.in(0, 3000000) + 1;
-    const std::int64_t y = 3 * (largest / 4) + 3 * z;  // 3 x - 4 y + 12 z = 0
+    const int64_t z = 2 * random.in(0, 3000000) + 1;
+    const int64_t y = 3 * (largest / 4) + 3 * z;  // 3 x - 4 y + 12 z = 0
     const Direction towards = {static_cast<double>(largest), static_cast<double>(y), static_cast<double>(z)};
     ASSERT_EQ(integer_direction(towards)[1], y);
-    const std::int64_t times = random.in(1000, 400000);
+    const int64_t times = random.in(1000, 400000);
     const Balls balls = balls_at_a_point(random, {3 * times, -4 * times, 12 * times}, 13 * times);
     for (const Invariant invariant : {records, view_orders_disagree, opposite_areas_disagree})
       expect_invariant(invariant, balls, {towards}, "");
   }
 }
 
-/// A circle that the silhouette nearly touches: vertices are as exact as elsewhere, however close to each other they
-/// are. Such a vertex is (h / v_x, +-sqrt(r^2 - x^2)) with h = v.c / 2, seen from the ball's centre.
+// A circle that the silhouette nearly touches: vertices are as exact as elsewhere, however close to each other they
+// are. Such a vertex is (h / v_x, +-sqrt(r^2 - x^2)) with h = v.c / 2, seen from the ball's centre.
 TEST(ViewArcs, StartAtPreciseVertices) {
-  for (const std::int64_t closer : {1, 2, 7, 100, 12345, 1000000}) {
-    constexpr std::int64_t unit = std::int64_t{1} << 24;
+  for (const int64_t closer : {1, 2, 7, 100, 12345, 1000000}) {
+    constexpr int64_t unit = int64_t{1} << 24;
     const oracle::LatticeBall other = {32 * unit, 0, -24 * unit + closer, 25 * unit};
     const LibraryScene scene({{0, 0, 0, 25 * unit}, other});
     const ViewRecords view = view_of(scene, {HSP_PIECES_G, HSP_VIEW_ALL_BALLS, false, {}, {}});

@@ -13,7 +13,7 @@ namespace {
 using oracle::Balls;
 
 void expect_right_pictures(const Balls &atoms) {
-  for (const std::int64_t probe : {0, 1400}) {
+  for (const int64_t probe : {0, 1400}) {
     const LibraryScene scene(grown(atoms, probe));
     for (const Direction &towards : {Direction{0, 0, 1}, {0, 1, 1}, uneven_directions()[0], uneven_directions()[3]})
       EXPECT_EQ(pictures_disagree(scene, 1000, towards), "") << "probe " << probe;
@@ -53,8 +53,8 @@ TEST(SlowViews, OfAnySets) {
   oracle::RandomSource random(102);
   const std::vector<Direction> even = even_directions();
   for (int k = 0; k < oracle::rounds(1250, 5000); ++k) {
-    const Balls balls = oracle::any_balls(random, static_cast<std::size_t>(random.in(2, 30)));
-    const Direction towards = k % 3 == 0 ? uneven_directions()[0] : even[static_cast<std::size_t>(random.in(0, 4))];
+    const Balls balls = oracle::any_balls(random, static_cast<size_t>(random.in(2, 30)));
+    const Direction towards = k % 3 == 0 ? uneven_directions()[0] : even[static_cast<size_t>(random.in(0, 4))];
     const auto expect = [&](const Complaint &complaint) { ASSERT_EQ(complaint_about_smallest(balls, complaint), ""); };
     expect([&](const Balls &set) { return pictures_disagree(LibraryScene(set), 60, towards); });
     expect([&](const Balls &set) { return view_invariant_broken(set, towards); });

@@ -14,17 +14,17 @@ using Matrix = std::array<Direction, 3>;  // rows
 
 Matrix product(const Matrix &a, const Matrix &b) {
   Matrix result{};
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j)
-      for (std::size_t k = 0; k < 3; ++k) result[i][j] += a[i][k] * b[k][j];
+  for (size_t i = 0; i < 3; ++i)
+    for (size_t j = 0; j < 3; ++j)
+      for (size_t k = 0; k < 3; ++k) result[i][j] += a[i][k] * b[k][j];
   return result;
 }
 
-/// Counter-clockwise about an axis, seen from its positive end.
-Matrix turn_about(std::size_t axis, double degrees) {
+// Counter-clockwise about an axis, seen from its positive end.
+Matrix turn_about(size_t axis, double degrees) {
   const double angle = degrees * std::numbers::pi / 180;
-  const std::size_t next = (axis + 1) % 3;
-  const std::size_t last = (axis + 2) % 3;
+  const size_t next = (axis + 1) % 3;
+  const size_t last = (axis + 2) % 3;
   Matrix m{};
   m[axis][axis] = 1;
   m[next][next] = m[last][last] = std::cos(angle);
@@ -33,7 +33,7 @@ Matrix turn_about(std::size_t axis, double degrees) {
   return m;
 }
 
-/// About x, then y, then z.
+// About x, then y, then z.
 Matrix turn(double x, double y, double z) {
   return product(turn_about(2, z), product(turn_about(1, y), turn_about(0, x)));
 }
@@ -41,7 +41,7 @@ Matrix turn(double x, double y, double z) {
 Balls turned(const Balls &balls, const Matrix &m) {
   Balls result;
   for (const oracle::LatticeBall &b : balls) {
-    const auto row = [&](std::size_t k) {
+    const auto row = [&](size_t k) {
       return std::llround(m[k][0] * static_cast<double>(b.x) + m[k][1] * static_cast<double>(b.y) +
                           m[k][2] * static_cast<double>(b.z));
     };
@@ -50,7 +50,7 @@ Balls turned(const Balls &balls, const Matrix &m) {
   return result;
 }
 
-/// Where each ball is seen relative to the first, and the area of its piece.
+// Where each ball is seen relative to the first, and the area of its piece.
 struct Seen {
   Direction place{};
   double area = 0;
@@ -60,10 +60,10 @@ std::vector<Seen> seen(const Balls &balls, const ViewChoice &choice) {
   const ViewRecords view = view_of(scene, choice);
   const std::vector<oracle::PlainBall> places = oracle::seen_along(scene.balls(), view.axes());
   std::vector<Seen> result(balls.size());
-  for (std::size_t i = 0; i < balls.size(); ++i)
-    for (std::size_t k = 0; k < 3; ++k) result[i].place[k] = places[i].centre[k] - places[0].centre[k];
+  for (size_t i = 0; i < balls.size(); ++i)
+    for (size_t k = 0; k < 3; ++k) result[i].place[k] = places[i].centre[k] - places[0].centre[k];
   const std::vector<oracle::Path> paths = view.paths();
-  for (std::size_t p = 0; p < paths.size(); ++p) result[view.pieces[p].ball].area = area_of(paths[p]);
+  for (size_t p = 0; p < paths.size(); ++p) result[view.pieces[p].ball].area = area_of(paths[p]);
   return result;
 }
 
@@ -75,18 +75,18 @@ void expect_same_view(const Balls &balls, const Matrix &m, const Direction &towa
     const std::vector<Seen> one = seen(balls, choice);
     choice.towards = choice.up = {};
     const std::vector<Seen> two = seen(other, choice);
-    for (std::size_t i = 0; i < balls.size(); ++i) {
+    for (size_t i = 0; i < balls.size(); ++i) {
       const auto r = static_cast<double>(balls[i].radius);
-      for (std::size_t k = 0; k < 3; ++k)
+      for (size_t k = 0; k < 3; ++k)
         ASSERT_NEAR(one[i].place[k], two[i].place[k], tolerance * static_cast<double>(balls[0].radius));
       ASSERT_NEAR(one[i].area, two[i].area, tolerance * r * r) << "ball " << i << ", " << choice.text();
     }
   }
 }
 
-/// Loose balls without equal coordinates, of which the order at equal depths would depend on the axes.
-Balls balls_without_ties(oracle::RandomSource &random, std::size_t n) {
-  constexpr std::int64_t factor = 1 << 20;
+// Loose balls without equal coordinates, of which the order at equal depths would depend on the axes.
+Balls balls_without_ties(oracle::RandomSource &random, size_t n) {
+  constexpr int64_t factor = 1 << 20;
   Balls balls = oracle::loose_balls(random, n);
   for (oracle::LatticeBall &ball : balls)
     ball = {ball.x * factor + random.in(0, factor - 1), ball.y * factor + random.in(0, factor - 1),
@@ -110,7 +110,7 @@ TEST(TurnedViews, ByQuarterTurnsAreTheSame) {
     const double z = 90 * (quarter / 16) - 90;
     const Matrix m = turn(x, y, z);
     const hsp_view_options options = options_turned(x, y, z);
-    for (std::size_t k = 0; k < 3; ++k) {
+    for (size_t k = 0; k < 3; ++k) {
       EXPECT_EQ(options.towards[k], std::round(m[2][k]));  // exact
       EXPECT_EQ(options.up[k], std::round(m[1][k]));
     }
@@ -145,7 +145,7 @@ TEST(TurnedViews, ByDirectionsOfAnyLength) {
     EXPECT_EQ(one.axes().towards, other.axes().towards);
     EXPECT_EQ(one.axes().up, other.axes().up);
     ASSERT_EQ(one.arcs.size(), other.arcs.size());
-    for (std::size_t a = 0; a < one.arcs.size(); ++a) EXPECT_EQ(one.arcs[a].start[0], other.arcs[a].start[0]);
+    for (size_t a = 0; a < one.arcs.size(); ++a) EXPECT_EQ(one.arcs[a].start[0], other.arcs[a].start[0]);
   }
 }
 

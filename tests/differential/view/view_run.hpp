@@ -1,6 +1,5 @@
 // Views of the C interface that own their memory, and their pieces as paths.
-#ifndef HARDSPHERE_TESTS_VIEW_VIEW_RUN_HPP
-#define HARDSPHERE_TESTS_VIEW_VIEW_RUN_HPP
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -13,10 +12,10 @@
 
 using Direction = std::array<double, 3>;
 
-/// What hsp_view_compute is asked for; directions of zeros mean the defaults.
+// What hsp_view_compute is asked for; directions of zeros mean the defaults.
 struct ViewChoice {
-  std::uint32_t pieces = HSP_PIECES_G;
-  std::uint32_t flags = 0;
+  uint32_t pieces = HSP_PIECES_G;
+  uint32_t flags = 0;
   bool boundary = false;
   Direction towards{};
   Direction up{};
@@ -25,27 +24,25 @@ struct ViewChoice {
   [[nodiscard]] std::string text() const;
 };
 
-/// G-pieces without and with boundary and H-pieces, each of the balls that may be seen and of all balls.
+// G-pieces without and with boundary and H-pieces, each of the balls that may be seen and of all balls.
 std::vector<ViewChoice> all_choices(const Direction &towards, const Direction &up = {});
 
-/// A model of lattice balls, and its boundary.
+// A model of lattice balls, and its boundary.
 class LibraryScene {
  public:
   explicit LibraryScene(const oracle::Balls &balls, double step = 1, double probe = 0);
 
-  [[nodiscard]] const hsp_model *model() const { return model_.handle(); }
-  [[nodiscard]] const hsp_boundary *boundary() const { return boundary_; }
-  /// The balls in lengths, probe included.
+  [[nodiscard]] const hsp_model *model() const { return boundary_.model(); }
+  [[nodiscard]] const hsp_boundary *boundary() const { return boundary_.handle(); }
+  // The balls in lengths, probe included.
   [[nodiscard]] const std::vector<oracle::PlainBall> &balls() const { return balls_; }
 
  private:
-  LibraryModel model_;
-  std::vector<unsigned char> memory_;
-  hsp_boundary *boundary_ = nullptr;
+  LibraryBoundary boundary_;
   std::vector<oracle::PlainBall> balls_;
 };
 
-/// All that a view says.
+// All that a view says.
 struct ViewRecords {
   hsp_view_info info{};
   std::vector<hsp_view_piece> pieces;
@@ -53,15 +50,24 @@ struct ViewRecords {
   std::vector<hsp_view_arc> arcs;
 
   [[nodiscard]] oracle::ViewAxes axes() const;
-  /// One path per piece. Throws std::out_of_range if a piece has arcs that are not there.
+  // One path per piece. Throws std::out_of_range if a piece has arcs that are not there.
   [[nodiscard]] std::vector<oracle::Path> paths() const;
 };
 
-/// The area within a path.
+// The area within a path.
 double area_of(const oracle::Path &path);
 
-/// Computes a view, with its limits enlarged until they suffice, at most three times. Calls that fail throw
-/// std::runtime_error.
-ViewRecords view_of(const LibraryScene &scene, const ViewChoice &choice);
+// A computed view. Calls that fail throw std::runtime_error.
+class LibraryView {
+ public:
+  LibraryView(const LibraryScene &scene, const ViewChoice &choice);
 
-#endif
+  [[nodiscard]] hsp_view *handle() const { return view_.get(); }
+  [[nodiscard]] ViewRecords records() const;
+
+ private:
+  support::OwnedView view_;
+};
+
+// The records of a view that is computed for them.
+ViewRecords view_of(const LibraryScene &scene, const ViewChoice &choice);

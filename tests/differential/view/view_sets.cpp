@@ -48,9 +48,9 @@ std::vector<NamedView> small_views() {
 
 std::vector<NamedView> lattice_views() {
   std::vector<NamedView> views;
-  for (const std::int64_t radius : {1, 2, 3, 4}) {
-    const auto even = [](std::int64_t x, std::int64_t y, std::int64_t z) { return (x + y + z) % 2 == 0; };
-    const auto all = [](std::int64_t, std::int64_t, std::int64_t) { return true; };
+  for (const int64_t radius : {1, 2, 3, 4}) {
+    const auto even = [](int64_t x, int64_t y, int64_t z) { return (x + y + z) % 2 == 0; };
+    const auto all = [](int64_t, int64_t, int64_t) { return true; };
     const std::string suffix = ", radius " + std::to_string(radius);
     views.push_back({"cubic lattice, spacing 4" + suffix, oracle::chosen_points(4, 4, radius, all)});
     views.push_back({"face-centred lattice, spacing 2" + suffix, oracle::chosen_points(5, 2, radius, even)});
@@ -61,7 +61,7 @@ std::vector<NamedView> lattice_views() {
   return views;
 }
 
-std::vector<NamedView> degenerate_views(std::size_t most_balls) {
+std::vector<NamedView> degenerate_views(size_t most_balls) {
   std::vector<NamedView> views = small_views();
   for (NamedView &view : lattice_views()) views.push_back(std::move(view));
   for (const auto &sets : {degenerate::made_sets(), degenerate::read_sets(HSP_DEGENERATE_SETS)})
@@ -78,23 +78,23 @@ std::vector<Direction> uneven_directions() {
   return {{0.3, -0.5, 0.8}, {-1, 0.123456789, 0.0567}, {1e-5, 2e-5, -1}, {-3.1, -4.7, 1.3}};
 }
 
-Balls sparse_balls(oracle::RandomSource &random, std::size_t n) {
+Balls sparse_balls(oracle::RandomSource &random, size_t n) {
   Balls balls;
   while (balls.size() < n)
     balls.push_back({random.in(-400, 400), random.in(-400, 400), random.in(-400, 400), random.in(10, 60)});
   return balls;
 }
 
-Balls mixed_balls(oracle::RandomSource &random, std::size_t n) {
+Balls mixed_balls(oracle::RandomSource &random, size_t n) {
   Balls balls;
   while (balls.size() < n) {
-    const std::int64_t size = random.one_in(6) ? 30 : random.one_in(2) ? 10 : 3;
+    const int64_t size = random.one_in(6) ? 30 : random.one_in(2) ? 10 : 3;
     balls.push_back({random.in(-60, 60), random.in(-60, 60), random.in(-60, 60), random.in(1, size)});
   }
   return balls;
 }
 
-Balls flat_balls(oracle::RandomSource &random, std::size_t n) {
+Balls flat_balls(oracle::RandomSource &random, size_t n) {
   Balls balls;
   while (balls.size() < n)
     balls.push_back({random.in(-100, 100), random.in(-100, 100), random.in(0, 2), random.in(5, 25)});

@@ -1,6 +1,5 @@
 // Sets and directions for tests of views.
-#ifndef HARDSPHERE_TESTS_VIEW_VIEW_SETS_HPP
-#define HARDSPHERE_TESTS_VIEW_VIEW_SETS_HPP
+#pragma once
 
 #include <string>
 #include <vector>
@@ -13,25 +12,23 @@ struct NamedView {
   oracle::Balls balls;
 };
 
-/// Balls beside, before and in each other, small enough to be looked through.
+// Balls beside, before and in each other, small enough to be looked through.
 std::vector<NamedView> small_views();
 
-/// Lattices of equal balls, apart, touching and overlapping.
+// Lattices of equal balls, apart, touching and overlapping.
 std::vector<NamedView> lattice_views();
 
-/// All of small_views and lattice_views, and the degenerate sets of tests/differential/degenerate of at most so many
-/// balls.
-std::vector<NamedView> degenerate_views(std::size_t most_balls);
+// All of small_views and lattice_views, and the degenerate sets of tests/differential/degenerate of at most so many
+// balls.
+std::vector<NamedView> degenerate_views(size_t most_balls);
 
-/// Along axes and diagonals, where lattices line up.
+// Along axes and diagonals, where lattices line up.
 std::vector<Direction> even_directions();
 
-/// Along nothing.
+// Along nothing.
 std::vector<Direction> uneven_directions();
 
 // Random sets of which parts are hidden.
-oracle::Balls sparse_balls(oracle::RandomSource &random, std::size_t n);  ///< most are seen and few meet
-oracle::Balls mixed_balls(oracle::RandomSource &random, std::size_t n);   ///< radii from 1 to 30 in one heap
-oracle::Balls flat_balls(oracle::RandomSource &random, std::size_t n);    ///< a heap with few different depths
-
-#endif
+oracle::Balls sparse_balls(oracle::RandomSource &random, size_t n);  // most are seen and few meet
+oracle::Balls mixed_balls(oracle::RandomSource &random, size_t n);   // radii from 1 to 30 in one heap
+oracle::Balls flat_balls(oracle::RandomSource &random, size_t n);    // a heap with few different depths

@@ -1,0 +1,144 @@
+// Handles of the C interface that own their memory. Those with limits take more memory until their computation
+// succeeds.
+#pragma once
+
+#include <hardsphere.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "ball_list.hpp"
+
+namespace support {
+
+// Throws std::runtime_error with the call's name and the status text unless the status is HSP_OK.
+void expect_ok(int32_t status, const char *call);
+
+class OwnedModel {
+ public:
+  explicit OwnedModel(uint32_t most_balls);
+
+  // The status of hsp_model_set. `options` and `first_bad` may be null.
+  [[nodiscard]] int32_t set(const BallList &balls, const hsp_model_options *options, uint32_t *first_bad = nullptr);
+
+  hsp_model *get() const { return model_; }
+
+ private:
+  std::vector<unsigned char> memory_;
+  hsp_model *model_ = nullptr;
+};
+
+// Kinds of handles with limits. By the header so many enlargements by what a handle asks for lead to success.
+struct BoundaryKind {
+  using Handle = hsp_boundary;
+  using Limits = hsp_boundary_limits;
+  static constexpr int enlargements = 2;
+  static constexpr std::array limits = {&Limits::balls, &Limits::neighbours, &Limits::vertices, &Limits::circles};
+  static constexpr const char *name = "hsp_boundary";
+  static constexpr auto bytes = hsp_boundary_bytes;
+  static constexpr auto init = hsp_boundary_init;
+  static constexpr auto get_needed = hsp_boundary_get_needed;
+};
+struct TopologyKind {
+  using Handle = hsp_topology;
+  using Limits = hsp_topology_limits;
+  static constexpr int enlargements = 3;
+  static constexpr std::array limits = {&Limits::balls, &Limits::neighbours, &Limits::edges, &Limits::extra_arcs};
+  static constexpr const char *name = "hsp_topology";
+  static constexpr auto bytes = hsp_topology_bytes;
+  static constexpr auto init = hsp_topology_init;
+  static constexpr auto get_needed = hsp_topology_get_needed;
+};
+struct ViewKind {
+  using Handle = hsp_view;
+  using Limits = hsp_view_limits;
+  static constexpr int enlargements = 3;
+  static constexpr std::array limits = {&Limits::balls, &Limits::neighbours, &Limits::arcs};
+  static constexpr const char *name = "hsp_view";
+  static constexpr auto bytes = hsp_view_bytes;
+  static constexpr auto init = hsp_view_init;
+  static constexpr auto get_needed = hsp_view_get_needed;
+};
+
+// A handle of such a kind. Calls that fail throw std::runtime_error.
+template <class Kind>
+class OwnedHandle {
+ public:
+  using Limits = typename Kind::Limits;
+  using Handle = typename Kind::Handle;
+
+  // Memory for these limits. What was computed is lost.
+  void take(const Limits &limits) {
+    size_t bytes = 0;
+    expect(Kind::bytes(&limits, &bytes), "_bytes");
+    std::vector<unsigned char>().swap(memory_);
+    memory_.resize(bytes);
+    expect(Kind::init(memory_.data(), bytes, &limits, &handle_), "_init");
+    limits_ = limits;
+  }
+
+  // `compute` takes the handle and returns the status of its computation. It is called again, with more memory, as long
+  // as limits are too small.
+  template <class Compute>
+  void compute(Compute compute) {
+    for (int left = Kind::enlargements;; --left) {
+      const int32_t status = compute(handle_);
+      if (status != HSP_E_CAPACITY || left == 0) {
+        expect(status, "_compute");
+        return;
+      }
+      Limits limits = limits_;
+      const Limits wanted = needed();
+      for (const auto limit : Kind::limits) limits.*limit = std::max(limits.*limit, wanted.*limit);
+      take(limits);
+    }
+  }
+
+  // The limits that the last computation needed.
+  Limits needed() const {
+    Limits limits{};
+    expect(Kind::get_needed(handle_, &limits), "_get_needed");
+    return limits;
+  }
+
+  Handle *get() const { return handle_; }
+  size_t bytes() const { return memory_.size(); }
+
+ private:
+  static void expect(int32_t status, const char *function) {
+    if (status != HSP_OK) expect_ok(status, (std::string(Kind::name) + function).c_str());
+  }
+
+  Limits limits_{};
+  std::vector<unsigned char> memory_;
+  Handle *handle_ = nullptr;
+};
+
+using OwnedBoundary = OwnedHandle<BoundaryKind>;
+using OwnedTopology = OwnedHandle<TopologyKind>;
+using OwnedView = OwnedHandle<ViewKind>;
+
+hsp_boundary_limits default_boundary_limits(uint32_t balls);
+hsp_topology_limits topology_limits_for(const hsp_boundary *boundary);
+hsp_view_limits default_view_limits(uint32_t balls);
+
+// All records of a getter, which is called with (Record *out, uint32_t capacity, uint32_t *needed).
+template <class Record, class Getter>
+std::vector<Record> all_records(Getter getter, const char *call) {
+  uint32_t needed = 0;
+  const int32_t status = getter(static_cast<Record *>(nullptr), 0U, &needed);
+  if (status != (needed == 0 ? HSP_OK : HSP_E_CAPACITY)) {
+    expect_ok(status, call);
+    throw std::runtime_error(std::string(call) + ": a capacity of 0 was accepted");
+  }
+  std::vector<Record> records(needed);
+  expect_ok(getter(records.data(), needed, &needed), call);
+  return records;
+}
+
+}  // namespace support
