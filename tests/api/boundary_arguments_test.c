@@ -81,80 +81,6 @@ static hsp_boundary_limits good_limits(void) {
   return limits;
 }
 
-static void limits_init(void) {
-  static const uint32_t numbers[] = {0, 1, 2, 255, 256, 257, 4392, 1000000};
-  hsp_boundary_limits limits;
-  size_t i;
-  FILL(limits);
-  CHECK_EQUAL(hsp_boundary_limits_init(NULL, (uint32_t)sizeof limits, 1), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_boundary_limits_init(&limits, 0, 1), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_boundary_limits_init(&limits, (uint32_t)sizeof limits + 4, 1), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_boundary_limits_init(&limits, (uint32_t)sizeof limits, HSP_MAX_BALLS + 1), HSP_E_RANGE);
-  CHECK_EQUAL(hsp_boundary_limits_init(&limits, (uint32_t)sizeof limits, HSP_NONE), HSP_E_RANGE);
-  CHECK_UNTOUCHED(limits);
-  for (i = 0; i < sizeof numbers / sizeof numbers[0]; ++i) {
-    const uint32_t n = numbers[i];
-    check_scene("limits for %u balls", (unsigned)n);
-    FILL(limits);
-    CHECK_EQUAL(hsp_boundary_limits_init(&limits, (uint32_t)sizeof limits, n), HSP_OK);
-    CHECK_EQUAL(limits.struct_size, sizeof limits);
-    CHECK_EQUAL(limits.balls, n);
-    CHECK_EQUAL(limits.neighbours, n < 256 ? n : 256);
-    CHECK_EQUAL(limits.vertices, 8 * n + 64);
-    CHECK_EQUAL(limits.circles, 2 * n + 16);
-    CHECK_EQUAL(limits.reserved, 0);
-  }
-  check_scene("%s", "");
-}
-
-static void check_bad_limits(const hsp_boundary_limits *limits, int32_t expected) {
-  size_t bytes;
-  hsp_boundary *made;
-  FILL(bytes);
-  FILL(made);
-  FILL(boundary_memory);
-  CHECK_EQUAL(hsp_boundary_bytes(limits, &bytes), expected);
-  CHECK_UNTOUCHED(bytes);
-  CHECK_EQUAL(hsp_boundary_init(boundary_memory, sizeof boundary_memory, limits, &made), expected);
-  CHECK_UNTOUCHED(made);
-  CHECK_UNTOUCHED(boundary_memory);
-}
-
-static void bytes_and_init(void) {
-  hsp_boundary_limits limits = good_limits();
-  hsp_boundary *made;
-  FILL(made);
-  CHECK_EQUAL(hsp_boundary_bytes(&limits, NULL), HSP_E_ARGUMENT);
-  check_bad_limits(NULL, HSP_E_ARGUMENT);
-  limits.struct_size = 0;
-  check_bad_limits(&limits, HSP_E_ARGUMENT);
-  limits.struct_size = (uint32_t)sizeof limits - 4;
-  check_bad_limits(&limits, HSP_E_ARGUMENT);
-  limits.struct_size = (uint32_t)sizeof limits + 8;
-  check_bad_limits(&limits, HSP_E_ARGUMENT);
-  limits = good_limits();
-  limits.reserved = 1;
-  check_bad_limits(&limits, HSP_E_ARGUMENT);
-  limits = good_limits();
-  limits.balls = HSP_MAX_BALLS + 1;
-  check_bad_limits(&limits, HSP_E_RANGE);
-  limits = good_limits();
-  limits.vertices = HSP_MAX_BALLS + 1;
-  check_bad_limits(&limits, HSP_E_RANGE);
-  limits = good_limits();
-  limits.circles = HSP_NONE;
-  check_bad_limits(&limits, HSP_E_RANGE);
-
-  limits = good_limits();
-  CHECK_EQUAL(hsp_boundary_init(NULL, sizeof boundary_memory, &limits, &made), HSP_E_ARGUMENT);
-  FILL(boundary_memory);
-  CHECK_EQUAL(hsp_boundary_init(boundary_memory, sizeof boundary_memory, &limits, NULL), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_boundary_init(boundary_memory, 0, &limits, &made), HSP_E_MEMORY);
-  CHECK_EQUAL(hsp_boundary_init(boundary_memory, 100, &limits, &made), HSP_E_MEMORY);
-  CHECK_UNTOUCHED(made);
-  CHECK_UNTOUCHED(boundary_memory);
-}
-
 static void compute_and_read(void) {
   hsp_boundary_limits limits = good_limits();
   CHECK_EQUAL(hsp_boundary_init(boundary_memory, sizeof boundary_memory, &limits, &boundary), HSP_OK);
@@ -240,8 +166,6 @@ static void model_changed(void) {
 int main(void) {
   CHECK_EQUAL(hsp_model_init(model_memory, sizeof model_memory, BALLS, &model), HSP_OK);
   CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
-  limits_init();
-  bytes_and_init();
   compute_and_read();
   model_changed();
   return check_report();

@@ -310,6 +310,24 @@ static void too_small(void) {
   check_scene("%s", "");
 }
 
+static void limits_for(void) {
+  hsp_topology_limits limits;
+  FILL(limits);
+  CHECK_EQUAL(hsp_topology_limits_for(NULL, (uint32_t)sizeof limits, boundary), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_limits_for(&limits, (uint32_t)sizeof limits, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_limits_for(&limits, 0, boundary), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_limits_for(&limits, (uint32_t)sizeof limits + 4, boundary), HSP_E_ARGUMENT);
+  CHECK_UNTOUCHED(limits);
+  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_topology_limits_for(&limits, (uint32_t)sizeof limits, boundary), HSP_E_STATE);
+  CHECK_UNTOUCHED(limits);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
+  CHECK_EQUAL(hsp_topology_limits_for(&limits, (uint32_t)sizeof limits, boundary), HSP_OK);
+  CHECK_EQUAL(limits.balls, BALLS);
+  CHECK_EQUAL(limits.neighbours, BALLS - 1);
+  CHECK_EQUAL(limits.reserved, 0);
+}
+
 int main(void) {
   hsp_boundary_limits limits;
   CHECK_EQUAL(hsp_model_init(model_memory, sizeof model_memory, BALLS, &model), HSP_OK);
@@ -319,6 +337,7 @@ int main(void) {
   limits.vertices = limits.circles = 16;
   CHECK_EQUAL(hsp_boundary_init(boundary_memory, sizeof boundary_memory, &limits, &boundary), HSP_OK);
   CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
+  limits_for();
   compute_and_read();
   changes();
   too_small();

@@ -4,26 +4,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-static int32_t bytes_of_limits(const void *limits, size_t *bytes) {
-  return hsp_boundary_bytes(limits, bytes);
-}
-static int32_t init_handle(void *memory, size_t bytes, const void *limits, void **handle) {
-  hsp_boundary *made = *handle;
-  const int32_t status = hsp_boundary_init(memory, bytes, limits, &made);
-  *handle = made;
-  return status;
-}
+HANDLE_FUNCTIONS(boundary)
+
 static int32_t compute_handle(void *handle, const void *source) {
   const computed *c = source;
   return hsp_boundary_compute(handle, c->model);
-}
-static int32_t get_needed(const void *handle, void *needed) {
-  return hsp_boundary_get_needed(handle, needed);
 }
 
 const handle_kind boundary_handle = {(uint32_t)sizeof(hsp_boundary_limits),
                                      4,
                                      {"", "balls", "neighbours", "vertices", "circles"},
+                                     init_limits,
                                      bytes_of_limits,
                                      init_handle,
                                      compute_handle,

@@ -1,7 +1,6 @@
 /* Invariants of the derivatives of areas and volume of any computed set. Each function returns NULL, or a sentence
  * about the first of them that does not hold. sigma: weights as for hsp_boundary_gradient, NULL for all ones. */
-#ifndef HSP_TESTS_GRADIENT_INVARIANTS_H
-#define HSP_TESTS_GRADIENT_INVARIANTS_H
+#pragma once
 
 #include "computed.h"
 
@@ -35,6 +34,4 @@ int spheres_touch(const computed *c, uint32_t i, uint32_t j);
 
 #ifdef __cplusplus
 }
-#endif
-
 #endif

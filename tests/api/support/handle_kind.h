@@ -2,6 +2,7 @@
  * follows from them, and a computation that tells what it needed. */
 #pragma once
 
+#include <hardsphere.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -16,11 +17,30 @@ typedef struct handle_kind {
   uint32_t struct_size; /* of the limits */
   int limits;           /* how many there are: number[1] to number[limits] */
   const char *names[5]; /* by their places in limit_numbers */
+  int32_t (*limits_init)(void *limits, uint32_t struct_size, uint32_t balls);
   int32_t (*bytes)(const void *limits, size_t *bytes);
   int32_t (*init)(void *memory, size_t bytes, const void *limits, void **handle);
   int32_t (*compute)(void *handle, const void *source); /* source: a computed, topology_result or view_result */
   int32_t (*get_needed)(const void *handle, void *needed);
 } handle_kind;
+
+/* The functions of hsp_boundary, hsp_topology or hsp_view as a handle_kind holds them, but for `compute`. */
+#define HANDLE_FUNCTIONS(noun)                                                                      \
+  static int32_t init_limits(void *limits, uint32_t struct_size, uint32_t balls) {                  \
+    return hsp_##noun##_limits_init(limits, struct_size, balls);                                    \
+  }                                                                                                 \
+  static int32_t bytes_of_limits(const void *limits, size_t *bytes) {                               \
+    return hsp_##noun##_bytes(limits, bytes);                                                       \
+  }                                                                                                 \
+  static int32_t init_handle(void *memory, size_t bytes, const void *limits, void **handle) {       \
+    hsp_##noun *made = handle != NULL ? *handle : NULL;                                             \
+    const int32_t status = hsp_##noun##_init(memory, bytes, limits, handle != NULL ? &made : NULL); \
+    if (handle != NULL) *handle = made;                                                             \
+    return status;                                                                                  \
+  }                                                                                                 \
+  static int32_t get_needed(const void *handle, void *needed) {                                     \
+    return hsp_##noun##_get_needed(handle, needed);                                                 \
+  }
 
 /* Zeros, to be freed by the caller; at least one byte. Ends the program if there is no memory. */
 void *test_zeros(size_t count, size_t size);

@@ -3,26 +3,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-static int32_t bytes_of_limits(const void *limits, size_t *bytes) {
-  return hsp_topology_bytes(limits, bytes);
-}
-static int32_t init_handle(void *memory, size_t bytes, const void *limits, void **handle) {
-  hsp_topology *made = *handle;
-  const int32_t status = hsp_topology_init(memory, bytes, limits, &made);
-  *handle = made;
-  return status;
-}
+HANDLE_FUNCTIONS(topology)
+
 static int32_t compute_handle(void *handle, const void *source) {
   const topology_result *t = source;
   return hsp_topology_compute(handle, t->base->boundary);
-}
-static int32_t get_needed(const void *handle, void *needed) {
-  return hsp_topology_get_needed(handle, needed);
 }
 
 const handle_kind topology_handle = {(uint32_t)sizeof(hsp_topology_limits),
                                      4,
                                      {"", "balls", "neighbours", "edges", "extra arcs"},
+                                     init_limits,
                                      bytes_of_limits,
                                      init_handle,
                                      compute_handle,

@@ -3,27 +3,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-static int32_t bytes_of_limits(const void *limits, size_t *bytes) {
-  return hsp_view_bytes(limits, bytes);
-}
-static int32_t init_handle(void *memory, size_t bytes, const void *limits, void **handle) {
-  hsp_view *made = *handle;
-  const int32_t status = hsp_view_init(memory, bytes, limits, &made);
-  *handle = made;
-  return status;
-}
+HANDLE_FUNCTIONS(view)
+
 static int32_t compute_handle(void *handle, const void *source) {
   const view_result *v = source;
   const hsp_boundary *boundary = v->with_boundary ? v->base->boundary : NULL;
   return hsp_view_compute(handle, v->base->model, boundary, &v->options);
 }
-static int32_t get_needed(const void *handle, void *needed) {
-  return hsp_view_get_needed(handle, needed);
-}
 
 const handle_kind view_handle = {(uint32_t)sizeof(hsp_view_limits),
                                  3,
                                  {"", "balls", "neighbours", "arcs", ""},
+                                 init_limits,
                                  bytes_of_limits,
                                  init_handle,
                                  compute_handle,

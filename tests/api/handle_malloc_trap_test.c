@@ -1,0 +1,293 @@
+/* The library never allocates: malloc and its relatives are replaced by functions that count while armed, and every
+ * entry point is called armed. For glibc only, and not for sanitizer builds, which bring their own malloc. */
+#include <hardsphere.h>
+#include <stdlib.h>
+
+#include "ball_sets.h"
+#include "check.h"
+#include "malloc_trap.h"
+#include "topology_result.h"
+#include "topology_sets.h"
+#include "view_result.h"
+
+/* What the functions write into besides the arrays of results. */
+typedef struct buffers {
+  size_t model_bytes, boundary_bytes;
+  void *model, *boundary;
+  uint32_t *ids, *flags;           /* [n] */
+  uint8_t *selected;               /* [n] */
+  double *face_area, *face_volume; /* [faces] */
+  double *by_centre;               /* [n][3] */
+  double *by_radius;               /* [n] */
+  hsp_area_derivative *row;        /* [n] */
+} buffers;
+
+static buffers buffers_for(const computed *c) {
+  buffers b;
+  CHECK_EQUAL(hsp_model_bytes(c->n, &b.model_bytes), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_bytes(&c->needed, &b.boundary_bytes), HSP_OK);
+  b.model = test_zeros(b.model_bytes, 1);
+  b.boundary = test_zeros(b.boundary_bytes, 1);
+  b.ids = test_zeros(c->n, sizeof *b.ids);
+  b.flags = test_zeros(c->n, sizeof *b.flags);
+  b.selected = test_zeros(c->n, sizeof *b.selected);
+  b.selected[0] = 1;
+  b.face_area = test_zeros(c->counts.faces, sizeof *b.face_area);
+  b.face_volume = test_zeros(c->counts.faces, sizeof *b.face_volume);
+  b.by_centre = test_zeros(c->n, 3 * sizeof *b.by_centre);
+  b.by_radius = test_zeros(c->n, sizeof *b.by_radius);
+  b.row = test_zeros(c->n, sizeof *b.row);
+  return b;
+}
+
+static void buffers_release(buffers *b) {
+  free(b->model);
+  free(b->boundary);
+  free(b->ids);
+  free(b->flags);
+  free(b->selected);
+  free(b->face_area);
+  free(b->face_volume);
+  free(b->by_centre);
+  free(b->by_radius);
+  free(b->row);
+}
+
+/* Every function but those of topologies, views and pictures, into the arrays of `c` and into `numbers`; the number of
+ * calls that did not succeed. */
+static int call_boundary(computed *c, const buffers *b) {
+  hsp_model *model = NULL;
+  hsp_boundary *boundary = NULL;
+  hsp_model_options options;
+  hsp_model_info info;
+  hsp_figures figures;
+  hsp_boundary_limits limits;
+  hsp_boundary_counts counts;
+  hsp_totals totals;
+  hsp_energy energy;
+  uint32_t needed, law, where;
+  int32_t meets;
+  size_t bytes;
+  int bad = 0;
+  bad += hsp_version() != HSP_VERSION_NUMBER;
+  bad += hsp_status_text(HSP_OK) == NULL;
+  bad += hsp_model_bytes(c->n, &bytes) != HSP_OK;
+  bad += hsp_model_init(b->model, b->model_bytes, c->n, &model) != HSP_OK;
+  bad += hsp_model_options_init(&options, (uint32_t)sizeof options) != HSP_OK;
+  bad += hsp_model_set(model, c->n, c->xyz, c->radius, &options, NULL) != HSP_OK;
+  bad += hsp_model_get_info(model, &info) != HSP_OK;
+  bad += hsp_model_get_figures(model, &figures) != HSP_OK;
+  bad += hsp_query_point(model, c->xyz, b->ids, c->n, &needed) != HSP_OK;
+  bad += hsp_query_ball(model, c->xyz, 3, b->ids, c->n, &needed) != HSP_OK;
+  bad += hsp_query_meets(model, c->xyz, 3, &meets) != HSP_OK;
+  bad += hsp_query_neighbours(model, 0, b->ids, c->n, &needed) != HSP_OK;
+  bad += hsp_boundary_limits_init(&limits, (uint32_t)sizeof limits, c->n) != HSP_OK;
+  bad += hsp_boundary_bytes(&c->needed, &bytes) != HSP_OK;
+  bad += hsp_boundary_init(b->boundary, b->boundary_bytes, &c->needed, &boundary) != HSP_OK;
+  bad += hsp_boundary_compute(boundary, model) != HSP_OK;
+  bad += hsp_boundary_get_needed(boundary, &limits) != HSP_OK;
+  bad += hsp_boundary_get_counts(boundary, &counts) != HSP_OK;
+  bad += hsp_boundary_get_vertices(boundary, c->vertices, counts.vertices, &needed) != HSP_OK;
+  bad += hsp_boundary_get_arcs(boundary, c->arcs, counts.arcs, &needed) != HSP_OK;
+  bad += hsp_boundary_get_circles(boundary, c->circles, counts.circles, &needed) != HSP_OK;
+  bad += hsp_boundary_get_faces(boundary, c->faces, counts.faces, &needed) != HSP_OK;
+  bad += hsp_boundary_get_balls(boundary, c->balls, c->n, &needed) != HSP_OK;
+  bad += hsp_boundary_measure(boundary, &totals, c->area, c->volume, c->n) != HSP_OK;
+  bad += hsp_boundary_measure_selected(boundary, b->selected, &totals, c->area, c->volume, c->n) != HSP_OK;
+  bad += hsp_boundary_measure_faces(boundary, b->face_area, b->face_volume, counts.faces) != HSP_OK;
+  bad += hsp_boundary_gradient(boundary, NULL, 1, 1, HSP_TANGENT_MEETING, &energy, b->by_centre, b->by_radius, b->flags,
+                               c->n) != HSP_OK;
+  bad += hsp_boundary_get_area_row(boundary, 0, HSP_TANGENT_APART, b->row, c->n, &needed) != HSP_OK;
+  bad += hsp_boundary_check(boundary, &law, &where) != HSP_OK;
+  return bad;
+}
+
+/* Every function of topologies, into the arrays of `t`; the number of calls that did not succeed. */
+static int call_topology(topology_result *t, void *memory, size_t bytes, uint32_t *ids, uint32_t room) {
+  const computed *c = t->base;
+  hsp_topology *topology = NULL;
+  hsp_topology_limits limits;
+  hsp_topology_counts counts;
+  hsp_topology_vertex vertex;
+  hsp_topology_edge edge;
+  hsp_simple_face face;
+  uint32_t needed, law, where, cell;
+  int32_t same;
+  size_t size;
+  int bad = 0;
+  bad += hsp_topology_limits_init(&limits, (uint32_t)sizeof limits, c->n) != HSP_OK;
+  bad += hsp_topology_limits_for(&limits, (uint32_t)sizeof limits, c->boundary) != HSP_OK;
+  bad += hsp_topology_bytes(&t->needed, &size) != HSP_OK;
+  bad += hsp_topology_init(memory, bytes, &t->needed, &topology) != HSP_OK;
+  bad += hsp_topology_compute(topology, c->boundary) != HSP_OK;
+  bad += hsp_topology_get_needed(topology, &limits) != HSP_OK;
+  bad += hsp_topology_get_counts(topology, &counts) != HSP_OK;
+  bad += hsp_topology_get_quad_edges(topology, t->onext, t->origin, counts.edges, &needed) != HSP_OK;
+  bad += hsp_quad_rot(hsp_quad_inverse_rot(hsp_quad_sym(0))) != 2;
+  bad += hsp_topology_oprev(topology, hsp_topology_onext(topology, 0)) != 0;
+  bad += hsp_topology_lprev(topology, hsp_topology_lnext(topology, 0)) != 0;
+  bad += hsp_topology_origin(topology, 0) == HSP_NONE || hsp_topology_left(topology, 0) == HSP_NONE;
+  bad += hsp_topology_ball(topology, 0) >= c->n;
+  bad += hsp_topology_get_vertex(topology, 0, &vertex) != HSP_OK;
+  bad += hsp_topology_get_edge(topology, 0, &edge) != HSP_OK;
+  bad += hsp_topology_get_face(topology, 0, &face) != HSP_OK;
+  bad += hsp_topology_get_vertices(topology, t->vertices, counts.vertices, &needed) != HSP_OK;
+  bad += hsp_topology_get_edges(topology, t->edges, counts.edges, &needed) != HSP_OK;
+  bad += hsp_topology_get_faces(topology, t->faces, counts.simple_faces, &needed) != HSP_OK;
+  bad += hsp_topology_get_shells(topology, t->shells, counts.shells, &needed) != HSP_OK;
+  bad += hsp_topology_get_components(topology, t->components, counts.components, &needed) != HSP_OK;
+  bad += hsp_topology_get_cells(topology, t->cells, counts.cells, &needed) != HSP_OK;
+  bad += hsp_topology_get_cell_shells(topology, 0, ids, room, &needed) != HSP_OK;
+  bad += hsp_topology_get_scan(topology, 0, ids, room, &needed) != HSP_OK;
+  bad += hsp_topology_locate(topology, c->xyz, &cell, ids, room, &needed) != HSP_OK;
+  bad += hsp_topology_same_cell(topology, c->xyz, c->xyz, &same) != HSP_OK;
+  bad += hsp_topology_check(topology, &law, &where) != HSP_OK;
+  return bad;
+}
+
+static int32_t count_bytes(void *context, const char *bytes, size_t count) {
+  (void)bytes;
+  *(uint64_t *)context += count;
+  return 0;
+}
+
+/* Every format in every style; the number of calls that did not succeed. */
+static int write_everything(hsp_view *view, const uint32_t *colour) {
+  hsp_picture_options options;
+  uint32_t format, style;
+  int bad = hsp_picture_options_init(&options, (uint32_t)sizeof options) != HSP_OK;
+  for (format = HSP_FORMAT_SVG; format <= HSP_FORMAT_PDF; ++format) {
+    for (style = HSP_STYLE_FLAT; style <= HSP_STYLE_SOFT; ++style) {
+      uint64_t taken = 0, said = 0;
+      options.format = format;
+      options.style = style;
+      bad +=
+          hsp_picture_write(view, colour, &options, "a title", "a description", count_bytes, &taken, &said) != HSP_OK;
+      bad += taken == 0 || taken != said;
+    }
+  }
+  return bad;
+}
+
+/* Every function of views and pictures, into the arrays of `v`; the number of calls that did not succeed. */
+static int call_view(view_result *v, void *memory, size_t bytes, uint32_t *colour) {
+  const computed *c = v->base;
+  hsp_view *view = NULL;
+  hsp_view_limits limits;
+  hsp_view_options options;
+  hsp_view_info info;
+  uint32_t needed, i;
+  size_t size;
+  int bad = 0;
+  bad += hsp_view_limits_init(&limits, (uint32_t)sizeof limits, c->n) != HSP_OK;
+  bad += hsp_view_bytes(&v->needed, &size) != HSP_OK;
+  bad += hsp_view_init(memory, bytes, &v->needed, &view) != HSP_OK;
+  bad += hsp_view_options_init(&options, (uint32_t)sizeof options) != HSP_OK;
+  bad += hsp_view_options_turn(&options, 10, 20, 30) != HSP_OK;
+  bad += hsp_view_compute(view, c->model, v->with_boundary ? c->boundary : NULL, &v->options) != HSP_OK;
+  bad += hsp_view_get_needed(view, &limits) != HSP_OK;
+  bad += hsp_view_get_info(view, &info) != HSP_OK;
+  bad += hsp_view_get_pieces(view, v->pieces, v->info.pieces, &needed) != HSP_OK;
+  bad += hsp_view_get_loops(view, v->loops, v->info.loops, &needed) != HSP_OK;
+  bad += hsp_view_get_arcs(view, v->arcs, v->info.arcs, &needed) != HSP_OK;
+  for (i = 0; i < c->n; ++i) colour[i] = hsp_palette_colour(i % 4, i % 120, i);
+  return bad + write_everything(view, colour);
+}
+
+/* The trap notices. */
+static void check_trap(void) {
+  void *volatile bait;
+  armed = 1;
+  bait = malloc(10);
+  free(bait);
+  armed = 0;
+  CHECK_EQUAL(caught, 2);
+}
+
+static void arm(void) {
+  caught = 0;
+  armed = 1;
+}
+
+static void disarm(int bad) {
+  int allocations;
+  armed = 0;
+  allocations = caught;
+  CHECK_EQUAL(bad, 0);
+  CHECK_EQUAL(allocations, 0);
+}
+
+static void trap_boundary(computed *c) {
+  buffers b = buffers_for(c);
+  int bad;
+  arm();
+  bad = call_boundary(c, &b);
+  disarm(bad);
+  buffers_release(&b);
+}
+
+static void trap_topology(const computed *c) {
+  topology_result t;
+  if (CHECK_EQUAL(topology_result_make(c, &t), HSP_OK)) {
+    const uint32_t room = t.counts.edges + t.counts.shells + c->n;
+    uint32_t *ids = test_zeros(room, sizeof *ids);
+    size_t bytes = 0;
+    void *memory;
+    int bad;
+    CHECK_EQUAL(hsp_topology_bytes(&t.needed, &bytes), HSP_OK);
+    memory = test_zeros(bytes, 1);
+    arm();
+    bad = call_topology(&t, memory, bytes, ids, room);
+    disarm(bad);
+    free(memory);
+    free(ids);
+  }
+  topology_result_release(&t);
+}
+
+static void trap_view(const computed *c, uint32_t pieces) {
+  hsp_view_options options;
+  view_result v;
+  CHECK_EQUAL(hsp_view_options_init(&options, (uint32_t)sizeof options), HSP_OK);
+  CHECK_EQUAL(hsp_view_options_turn(&options, 25, 35, 0), HSP_OK);
+  options.pieces = pieces;
+  if (CHECK_EQUAL(view_result_make(c, &options, pieces == HSP_PIECES_H, &v), HSP_OK)) {
+    uint32_t *colour = test_zeros(c->n, sizeof *colour);
+    size_t bytes = 0;
+    void *memory;
+    int bad;
+    CHECK_EQUAL(hsp_view_bytes(&v.needed, &bytes), HSP_OK);
+    memory = test_zeros(bytes, 1);
+    arm();
+    bad = call_view(&v, memory, bytes, colour);
+    disarm(bad);
+    free(memory);
+    free(colour);
+  }
+  view_result_release(&v);
+}
+
+int main(void) {
+  static ball_set set;
+  computed c;
+  uint32_t which;
+  check_trap();
+  for (which = 0; which < ball_set_count(); ++which) {
+    ball_set_make(which, &set);
+    if (set.n == 0) continue;
+    check_scene("%s", set.name);
+    if (CHECK_EQUAL(computed_make(set.n, set.xyz, set.radius, NULL, &c), HSP_OK)) trap_boundary(&c);
+    computed_release(&c);
+  }
+  for (which = 0; which < topology_set_count(); ++which) {
+    topology_set_make(which, &set);
+    check_scene("%s", set.name);
+    if (CHECK_EQUAL(computed_make(set.n, set.xyz, set.radius, NULL, &c), HSP_OK)) {
+      if (set.n > 0) trap_topology(&c);
+      trap_view(&c, HSP_PIECES_G);
+      trap_view(&c, HSP_PIECES_H);
+    }
+    computed_release(&c);
+  }
+  return check_report();
+}

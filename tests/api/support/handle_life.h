@@ -1,0 +1,42 @@
+/* What tests of the life of handles need: all that is computed of one set of balls, and a hash over everything that can
+ * be read of a handle, whatever its kind. */
+#pragma once
+
+#include "ball_sets.h"
+#include "topology_result.h"
+#include "view_result.h"
+
+typedef struct kind_of_life {
+  const handle_kind *kind;
+  const char *name;
+  /* A hash over everything that can be read, by way of a buffer of the caller's; 0 if a call fails. */
+  uint64_t (*hash)(const void *handle, const void *source, unsigned char *buffer, uint32_t room);
+  /* Calls what uses scratch memory; 0 if a call fails. */
+  int (*use)(void *handle);
+} kind_of_life;
+enum { BOUNDARY, TOPOLOGY, VIEW, KINDS };
+extern const kind_of_life kinds_of_life[KINDS];
+
+/* FNV-1a, goes on from a hash. */
+uint64_t mixed_hash(uint64_t hash, const void *bytes, size_t size);
+
+/* All that is computed of one set. */
+typedef struct computations {
+  computed boundary;
+  topology_result topology;
+  view_result view;
+  uint32_t room; /* what no number of records exceeds */
+} computations;
+
+/* Computes the boundary of a set, and unless `options` is NULL its topology and that view; false, after a failed check,
+ * if a call fails. To be followed by computations_release. */
+int computations_make(const ball_set *set, const hsp_view_options *options, computations *all);
+void computations_release(computations *all);
+
+/* The handle of a kind, what it was computed from, and the limits that it needs. */
+void *handle_of(const computations *all, int kind);
+const void *source_of(const computations *all, int kind);
+limit_numbers limits_of(const computations *all, int kind);
+
+/* Zeros, all->room of the largest record; to be freed by the caller. */
+unsigned char *buffer_for(const computations *all);
