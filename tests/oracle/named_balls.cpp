@@ -15,35 +15,6 @@ Integer nearest(double value) {
   return static_cast<Integer>(std::floor(value + 0.5));
 }
 
-// A box lattice of nx x ny x nz balls.
-Balls box_lattice(std::array<Integer, 3> counts, std::array<Integer, 3> sides, Integer radius) {
-  Balls balls;
-  for (Integer i = 0; i < counts[0]; ++i)
-    for (Integer j = 0; j < counts[1]; ++j)
-      for (Integer k = 0; k < counts[2]; ++k) balls.push_back({i * sides[0], j * sides[1], k * sides[2], radius});
-  return balls;
-}
-
-// The same along the orthogonal directions (2, 3, 6), (3, -6, 2), (6, 2, -3), all of length 7, in steps of `scale`.
-Balls slanted_lattice(std::array<Integer, 3> counts, std::array<Integer, 3> scale, Integer radius) {
-  Balls balls;
-  for (const LatticeBall &b : box_lattice(counts, scale, radius))
-    balls.push_back({2 * b.x + 3 * b.y + 6 * b.z, 3 * b.x - 6 * b.y + 2 * b.z, 6 * b.x + 2 * b.y - 3 * b.z, radius});
-  return balls;
-}
-
-bool is_fcc(Integer x, Integer y, Integer z) {
-  return (x + y + z) % 2 == 0;
-}
-
-// Diamond with cubes of side 4: the face-centred lattice of even points and its copy moved by (1, 1, 1).
-bool is_diamond(Integer x, Integer y, Integer z) {
-  const auto face_centred = [](Integer a, Integer b, Integer c) {
-    return a % 2 == 0 && b % 2 == 0 && c % 2 == 0 && (a + b + c) % 4 == 0;
-  };
-  return face_centred(x, y, z) || (x > 0 && y > 0 && z > 0 && face_centred(x - 1, y - 1, z - 1));
-}
-
 // Carbon and hydrogen rings of benzene; lengths in units of 1e-8 angstrom.
 Balls benzene(double probe) {
   constexpr double unit = 1e8;
@@ -97,11 +68,6 @@ Balls hollow_shell(double sphere_radius, Integer radius) {
     const double angle = std::numbers::pi * static_cast<double>(k + 1) / 6;
     add_ring(balls, members[k], sphere_radius * std::sin(angle), nearest(sphere_radius * std::cos(angle)), radius);
   }
-  return balls;
-}
-
-Balls joined(Balls balls, const Balls &more) {
-  balls.insert(balls.end(), more.begin(), more.end());
   return balls;
 }
 
@@ -167,8 +133,8 @@ void add_lattices(std::vector<NamedBalls> &sets) {
   sets.push_back({"slanted box that just closes", slanted_lattice({2, 2, 2}, {4, 6, 12}, 49), 1, 0, 2});
   sets.push_back({"slanted box that just does not close", slanted_lattice({2, 2, 2}, {4, 6, 12}, 48), 1, 1, 4});
   sets.push_back({"box lattice, radius 6", box_lattice({3, 3, 2}, {4, 6, 12}, 6), 1});
-  sets.push_back({"face-centred, octahedral holes close", chosen_points(4, 2, 2, is_fcc), 1});
-  sets.push_back({"face-centred, larger", chosen_points(4, 3, 4, is_fcc), 1});
+  sets.push_back({"face-centred, octahedral holes close", chosen_points(4, 2, 2, is_face_centred), 1});
+  sets.push_back({"face-centred, larger", chosen_points(4, 3, 4, is_face_centred), 1});
   sets.push_back({"diamond, holes close", chosen_points(5, 2, 4, is_diamond), 1});
   sets.push_back({"hexagon in a slanted plane",
                   {{1, -1, 0, 1}, {1, 0, -1, 1}, {0, 1, -1, 1}, {-1, 1, 0, 1}, {-1, 0, 1, 1}, {0, -1, 1, 1}},

@@ -2,12 +2,46 @@
 // spheres, and around a point.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 
 #include "lattice_ball.hpp"
 
 namespace oracle {
+
+inline Balls joined(Balls balls, const Balls &more) {
+  balls.insert(balls.end(), more.begin(), more.end());
+  return balls;
+}
+
+// A box lattice of so many balls along each axis.
+inline Balls box_lattice(const std::array<int64_t, 3> &counts, const std::array<int64_t, 3> &sides, int64_t radius) {
+  Balls balls;
+  for (int64_t i = 0; i < counts[0]; ++i)
+    for (int64_t j = 0; j < counts[1]; ++j)
+      for (int64_t k = 0; k < counts[2]; ++k) balls.push_back({i * sides[0], j * sides[1], k * sides[2], radius});
+  return balls;
+}
+
+// The same along the orthogonal directions (2, 3, 6), (3, -6, 2), (6, 2, -3), all of length 7.
+inline Balls slanted_lattice(const std::array<int64_t, 3> &counts, const std::array<int64_t, 3> &sides,
+                             int64_t radius) {
+  Balls balls;
+  for (const LatticeBall &b : box_lattice(counts, sides, radius))
+    balls.push_back({2 * b.x + 3 * b.y + 6 * b.z, 3 * b.x - 6 * b.y + 2 * b.z, 6 * b.x + 2 * b.y - 3 * b.z, radius});
+  return balls;
+}
+
+// Conditions for chosen_points: the face-centred lattice, and diamond in cubes of side 4, with bonds along (1, 1, 1)
+// between the even face-centred points and their copies.
+inline bool is_face_centred(int64_t x, int64_t y, int64_t z) {
+  return (x + y + z) % 2 == 0;
+}
+inline bool is_diamond(int64_t x, int64_t y, int64_t z) {
+  const int64_t odd = x % 2;
+  return y % 2 == odd && z % 2 == odd && (x + y + z - 3 * odd) % 4 == 0;
+}
 
 // The points of 0 .. n - 1 cubed that satisfy a condition, times scale.
 inline Balls chosen_points(int64_t n, int64_t scale, int64_t radius,
@@ -27,6 +61,14 @@ inline Balls balls_on_sphere(int64_t distance, int64_t scale, int64_t radius) {
     for (int64_t y = -distance; y <= distance; ++y)
       for (int64_t z = -distance; z <= distance; ++z)
         if (x * x + y * y + z * z == distance * distance) balls.push_back({scale * x, scale * y, scale * z, radius});
+  return balls;
+}
+
+// Those of them in the plane of two axes.
+inline Balls balls_on_circle(int64_t distance, int64_t scale, int64_t radius, size_t first = 0, size_t second = 1) {
+  Balls balls;
+  for (const LatticeBall &ball : balls_on_sphere(distance, scale, radius))
+    if (std::array{ball.x, ball.y, ball.z}[3 - first - second] == 0) balls.push_back(ball);
   return balls;
 }
 

@@ -2,6 +2,8 @@
 
 #include <sstream>
 
+#include "point_lattices.hpp"
+
 namespace degenerate {
 
 std::string name_of(const BoxLattice &lattice) {
@@ -17,19 +19,8 @@ std::string name_of(const BoxLattice &lattice) {
 }
 
 oracle::Balls balls_of(const BoxLattice &lattice) {
-  oracle::Balls balls;
-  for (int64_t i = 0; i < lattice.counts[0]; ++i)
-    for (int64_t j = 0; j < lattice.counts[1]; ++j)
-      for (int64_t k = 0; k < lattice.counts[2]; ++k) {
-        const int64_t x = i * lattice.sides[0];
-        const int64_t y = j * lattice.sides[1];
-        const int64_t z = k * lattice.sides[2];
-        if (lattice.slanted)
-          balls.push_back({2 * x + 3 * y + 6 * z, 3 * x - 6 * y + 2 * z, 6 * x + 2 * y - 3 * z, lattice.radius});
-        else
-          balls.push_back({x, y, z, lattice.radius});
-      }
-  return balls;
+  const auto make = lattice.slanted ? oracle::slanted_lattice : oracle::box_lattice;
+  return make(lattice.counts, lattice.sides, lattice.radius);
 }
 
 Topology topology_of(const BoxLattice &lattice) {

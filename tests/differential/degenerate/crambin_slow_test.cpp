@@ -15,7 +15,7 @@ using degenerate::Molecule;
 
 // On the lattice of 1e-3 angstrom, which holds the file's decimals.
 oracle::Balls crambin_in_thousandths() {
-  const Molecule atoms = degenerate::read_heavy_atoms(HSP_MOLECULE_FOLDER "/crambin.pdb");
+  const Molecule atoms = degenerate::crambin_atoms();
   const auto thousandths = [](double length) { return static_cast<int64_t>(std::llround(length * 1000)); };
   oracle::Balls balls;
   for (size_t i = 0; i < atoms.radius.size(); ++i)

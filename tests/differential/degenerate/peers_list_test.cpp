@@ -122,7 +122,7 @@ std::string check_refused(const PeersRow &row, const Session &session) {
 }
 
 TEST(PeersList, IsRightInEveryRow) {
-  const Molecule crambin = degenerate::read_heavy_atoms(HSP_MOLECULE_FOLDER "/crambin.pdb");
+  const Molecule crambin = degenerate::crambin_atoms();
   ASSERT_EQ(crambin.radius.size(), 327U);
   std::printf("| input | arbiter | hardsphere | Voronota-LT 1.1 | AlphaMol | libarvo | FreeSASA 2.1.2, L&R / S&R |\n");
   std::printf("|---|---|---|---|---|---|---|\n");
@@ -140,7 +140,7 @@ TEST(PeersList, IsRightInEveryRow) {
 
 // Crambin's rows are not only right in total.
 TEST(PeersList, CrambinIsTheSameBallByBall) {
-  const Molecule crambin = degenerate::read_heavy_atoms(HSP_MOLECULE_FOLDER "/crambin.pdb");
+  const Molecule crambin = degenerate::crambin_atoms();
   const Session plain = session_with(crambin);
   EXPECT_EQ(plain.counts.vertices, degenerate::crambin_vertices);
   EXPECT_LE(std::abs(static_cast<long double>(plain.totals.area) - degenerate::crambin_area),

@@ -13,32 +13,13 @@ namespace {
 
 using Integer = int64_t;
 using oracle::Balls;
+using oracle::balls_on_circle;
 using oracle::balls_on_sphere;
 using oracle::chosen_points;
+using oracle::is_diamond;
+using oracle::is_face_centred;
+using oracle::joined;
 using oracle::LatticeBall;
-
-// Those of balls_on_sphere in the plane z = 0.
-Balls on_circle(Integer distance, Integer scale, Integer radius) {
-  Balls balls;
-  for (const LatticeBall &ball : balls_on_sphere(distance, scale, radius))
-    if (ball.z == 0) balls.push_back(ball);
-  return balls;
-}
-
-bool is_face_centred(Integer x, Integer y, Integer z) {
-  return (x + y + z) % 2 == 0;
-}
-
-// Bonds along (1, 1, 1) between the even face-centred points and their copies.
-bool is_diamond(Integer x, Integer y, Integer z) {
-  const Integer odd = x % 2;
-  return y % 2 == odd && z % 2 == odd && (x + y + z - 3 * odd) % 4 == 0;
-}
-
-Balls joined(Balls balls, const Balls &more) {
-  balls.insert(balls.end(), more.begin(), more.end());
-  return balls;
-}
 
 Topology topology(Integer components, Integer voids, Integer euler) {
   return {components, voids, components + voids, euler};
@@ -123,17 +104,17 @@ void add_fullerenes(Collection &collection) {
 
 void add_rings(Collection &collection) {
   // Twenty points at 25 from the origin, of which twelve neighbours are at 7.07 and eight at 8.94.
-  collection.add("ring of 20, in eight parts", on_circle(25, 1, 4), topology(8, 0, 16));
+  collection.add("ring of 20, in eight parts", balls_on_circle(25, 1, 4), topology(8, 0, 16));
   for (const Integer radius : {5, 12, 24})
-    collection.add("ring of 20, radius " + std::to_string(radius), on_circle(25, 1, radius), topology(1, 0, 0));
-  collection.add("ring of 20 that closes at its centre", on_circle(25, 1, 25), topology(1, 0, 2));
-  collection.add("ring of 36, radius 64", on_circle(65, 1, 64), topology(1, 0, 0));
-  collection.add("ring of 36 that closes at its centre", on_circle(65, 1, 65), topology(1, 0, 2));
-  Balls linked = on_circle(25, 1, 5);
-  for (const LatticeBall &ball : on_circle(25, 1, 5)) linked.push_back({ball.x + 25, 0, ball.y, 5});
+    collection.add("ring of 20, radius " + std::to_string(radius), balls_on_circle(25, 1, radius), topology(1, 0, 0));
+  collection.add("ring of 20 that closes at its centre", balls_on_circle(25, 1, 25), topology(1, 0, 2));
+  collection.add("ring of 36, radius 64", balls_on_circle(65, 1, 64), topology(1, 0, 0));
+  collection.add("ring of 36 that closes at its centre", balls_on_circle(65, 1, 65), topology(1, 0, 2));
+  Balls linked = balls_on_circle(25, 1, 5);
+  for (const LatticeBall &ball : balls_on_circle(25, 1, 5)) linked.push_back({ball.x + 25, 0, ball.y, 5});
   collection.add("two rings, linked", linked, topology(2, 0, 0));
-  Balls crossing = on_circle(25, 1, 5);
-  for (const LatticeBall &ball : on_circle(25, 1, 5)) crossing.push_back({ball.x, 0, ball.y, 5});
+  Balls crossing = balls_on_circle(25, 1, 5);
+  for (const LatticeBall &ball : balls_on_circle(25, 1, 5)) crossing.push_back({ball.x, 0, ball.y, 5});
   collection.add("two rings through two common balls, each there twice", crossing, topology(1, 0, 2 * (1 - 3)));
 }
 
@@ -161,24 +142,24 @@ void add_shells(Collection &collection) {
 
 void add_belts(Collection &collection) {
   const Balls core = {{0, 0, 0, 100}};
-  collection.add("belt of 20 separate balls", joined(core, on_circle(25, 4, 10)), topology(1, 0, 2));
-  collection.add("belt of 20 balls", joined(core, on_circle(25, 4, 20)), topology(1, 0, 2));
+  collection.add("belt of 20 separate balls", joined(core, balls_on_circle(25, 4, 10)), topology(1, 0, 2));
+  collection.add("belt of 20 balls", joined(core, balls_on_circle(25, 4, 20)), topology(1, 0, 2));
   collection.add("belt of 20 balls, bumps at both poles and beside them",
-                 joined(joined(core, on_circle(25, 4, 20)),
+                 joined(joined(core, balls_on_circle(25, 4, 20)),
                         {{0, 0, 100, 8}, {36, 48, 80, 8}, {-48, 36, 80, 8}, {0, 0, -100, 8}, {60, 0, -80, 5}}),
                  topology(1, 0, 2));
   collection.add("belt of 20 balls, bumps that touch each other on the sphere",
-                 joined(joined(core, on_circle(25, 4, 20)), {{-8, 60, 80, 8}, {8, 60, 80, 8}, {0, 0, -100, 10}}),
+                 joined(joined(core, balls_on_circle(25, 4, 20)), {{-8, 60, 80, 8}, {8, 60, 80, 8}, {0, 0, -100, 10}}),
                  topology(1, 0, 2));
   collection.add("face with 30 holes", joined({{0, 0, 0, 90}}, balls_on_sphere(3, 30, 10)), topology(1, 0, 2));
   collection.add("face with 30 holes of radius 0", joined({{0, 0, 0, 3}}, balls_on_sphere(3, 1, 0)), topology(1, 0, 2));
   collection.add("face with 54 holes", joined({{0, 0, 0, 700}}, balls_on_sphere(7, 100, 30)), topology(1, 0, 2));
   collection.add("face with 102 holes", joined({{0, 0, 0, 900}}, balls_on_sphere(9, 100, 30)), topology(1, 0, 2));
   // The belt's own hole is filled by a core that touches it all around.
-  collection.add("belt that touches its core", joined({{0, 0, 0, 80}}, on_circle(25, 4, 20)),
+  collection.add("belt that touches its core", joined({{0, 0, 0, 80}}, balls_on_circle(25, 4, 20)),
                  topology(1, 0, 2 * (1 - 20)));
   collection.add("small ball across a large one's belt of radii 1:1000",
-                 joined({{0, 0, 0, 1000}}, on_circle(25, 40, 1)), topology(1, 0, 2));
+                 joined({{0, 0, 0, 1000}}, balls_on_circle(25, 40, 1)), topology(1, 0, 2));
 }
 
 }  // namespace

@@ -12,26 +12,6 @@
 
 namespace {
 
-// The lines of a file, unpacked where it is compressed.
-std::vector<std::string> lines_of(const std::filesystem::path &file) {
-  std::stringstream text;
-  if (file.extension() == ".gz") {
-    // Between single quotes a shell takes everything as it stands but single quotes themselves.
-    if (file.string().find('\'') != std::string::npos) throw std::runtime_error(file.string() + ": a quote in a path");
-    FILE *pipe = popen(("gzip -dc '" + file.string() + "'").c_str(), "r");
-    if (pipe == nullptr) throw std::runtime_error(file.string() + ": gzip cannot be started");
-    std::array<char, 65536> block;
-    for (size_t n = fread(block.data(), 1, block.size(), pipe); n > 0; n = fread(block.data(), 1, block.size(), pipe))
-      text.write(block.data(), static_cast<std::streamsize>(n));
-    if (pclose(pipe) != 0) throw std::runtime_error(file.string() + ": gzip fails");
-  } else {
-    text << std::ifstream(file).rdbuf();
-  }
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(text, line);) lines.push_back(line);
-  return lines;
-}
-
 std::vector<std::string> words_of(const std::string &line) {
   std::istringstream text(line);
   std::vector<std::string> words;
@@ -80,14 +60,35 @@ std::vector<Atom> atoms_of_cif(const std::vector<std::string> &lines) {
   return atoms;
 }
 
+}  // namespace
+
+std::vector<std::string> lines_of(const std::filesystem::path &file) {
+  std::stringstream text;
+  if (file.extension() == ".gz") {
+    // Between single quotes a shell takes everything as it stands but single quotes themselves.
+    if (file.string().find('\'') != std::string::npos) throw std::runtime_error(file.string() + ": a quote in a path");
+    FILE *pipe = popen(("gzip -dc '" + file.string() + "'").c_str(), "r");
+    if (pipe == nullptr) throw std::runtime_error(file.string() + ": gzip cannot be started");
+    std::array<char, 65536> block;
+    for (size_t n = fread(block.data(), 1, block.size(), pipe); n > 0; n = fread(block.data(), 1, block.size(), pipe))
+      text.write(block.data(), static_cast<std::streamsize>(n));
+    if (pclose(pipe) != 0) throw std::runtime_error(file.string() + ": gzip fails");
+  } else {
+    std::ifstream input(file);
+    if (!input) throw std::runtime_error(file.string() + ": cannot be read");
+    text << input.rdbuf();
+  }
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(text, line);) lines.push_back(line);
+  return lines;
+}
+
 double radius_of(const std::string &element) {
   static const std::map<std::string, double> radii = {{"C", 1.70}, {"N", 1.55}, {"O", 1.52},
                                                       {"S", 1.80}, {"P", 1.80}, {"H", 1.10}};
   const auto found = radii.find(element);
   return found == radii.end() ? 1.80 : found->second;
 }
-
-}  // namespace
 
 std::vector<Atom> read_atoms(const std::filesystem::path &file) {
   const std::vector<std::string> lines = lines_of(file);

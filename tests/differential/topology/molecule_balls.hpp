@@ -3,10 +3,9 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
 
-#include "lattice_ball.hpp"
+#include "molecule_files.hpp"
 
 // Lattice steps in an angstrom.
 inline constexpr int64_t steps_per_angstrom = 1000;
@@ -21,10 +20,3 @@ oracle::Balls read_molecule(const std::filesystem::path &file, Records records);
 
 // Every ball larger by a probe, in steps.
 oracle::Balls grown(const oracle::Balls &balls, int64_t probe);
-
-// A file of bench/molecules.
-std::filesystem::path bench_molecule(const std::string &file);
-
-/// A file of the folder of further molecules, which the environment variable HSP_MOLECULES or else the CMake
-/// variable of this name gives; nothing if it is not there.
-std::optional<std::filesystem::path> further_molecule(const std::string &file);

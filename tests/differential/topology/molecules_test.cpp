@@ -20,7 +20,7 @@ Balls on_default_lattice(const Balls &balls) {
 
 class Molecule : public testing::TestWithParam<const char *> {
  protected:
-  [[nodiscard]] static Balls atoms() { return read_molecule(bench_molecule(GetParam()), Records::all); }
+  [[nodiscard]] static Balls atoms() { return read_molecule(own_molecule(GetParam()), Records::all); }
 };
 
 TEST_P(Molecule, KeepsTheInvariants) {

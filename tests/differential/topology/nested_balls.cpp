@@ -12,32 +12,15 @@ namespace {
 
 using Integer = int64_t;
 using oracle::Balls;
+using oracle::balls_on_circle;
 using oracle::balls_on_sphere;
 using oracle::cage_of_26;
+using oracle::joined;
 using oracle::LatticeBall;
 using oracle::RandomSource;
 
-Balls joined(Balls balls, const Balls &more) {
-  balls.insert(balls.end(), more.begin(), more.end());
-  return balls;
-}
-
 Balls moved(const Balls &balls, Integer x, Integer y, Integer z) {
   return degenerate::moved(balls, {x, y, z});
-}
-
-// The points of a circle around the origin in the plane of two axes.
-Balls ring(Integer distance, Integer radius, size_t first, size_t second) {
-  Balls balls;
-  for (Integer a = -distance; a <= distance; ++a)
-    for (Integer b = -distance; b <= distance; ++b) {
-      if (a * a + b * b != distance * distance) continue;
-      std::array<Integer, 3> v = {0, 0, 0};
-      v[first] = a;
-      v[second] = b;
-      balls.push_back({v[0], v[1], v[2], radius});
-    }
-  return balls;
 }
 
 Balls without(const Balls &balls, const std::vector<std::array<Integer, 3>> &centres) {
@@ -101,16 +84,18 @@ void add_hollow_sets(std::vector<BuiltSet> &sets) {
 void add_rings_and_cages(std::vector<BuiltSet> &sets) {
   for (const std::array<size_t, 2> &plane : {std::array<size_t, 2>{0, 1}, {1, 2}, {0, 2}}) {
     sets.push_back({"ring across axis " + std::to_string(3 - plane[0] - plane[1]),
-                    {{ring(25, 7, plane[0], plane[1]), 1, 0, std::nullopt}}});
+                    {{balls_on_circle(25, 1, 7, plane[0], plane[1]), 1, 0, std::nullopt}}});
   }
   // Each goes through the other's hole.
   sets.push_back({"two linked rings",
-                  {{ring(25, 5, 0, 1), 1, 0, std::nullopt}, {moved(ring(25, 5, 0, 2), 25, 0, 0), 1, 0, std::nullopt}}});
+                  {{balls_on_circle(25, 1, 5, 0, 1), 1, 0, std::nullopt},
+                   {moved(balls_on_circle(25, 1, 5, 0, 2), 25, 0, 0), 1, 0, std::nullopt}}});
   sets.push_back({"two linked rings in a void",
                   {hollow(balls_on_sphere(9, 20, 100)),
-                   {ring(25, 5, 1, 2), 1, 0, 0},
-                   {moved(ring(25, 5, 0, 1), 0, 25, 0), 1, 0, 0}}});
-  sets.push_back({"a ring in a void", {hollow(balls_on_sphere(7, 20, 100)), {ring(25, 5, 0, 2), 1, 0, 0}}});
+                   {balls_on_circle(25, 1, 5, 1, 2), 1, 0, 0},
+                   {moved(balls_on_circle(25, 1, 5, 0, 1), 0, 25, 0), 1, 0, 0}}});
+  sets.push_back(
+      {"a ring in a void", {hollow(balls_on_sphere(7, 20, 100)), {balls_on_circle(25, 1, 5, 0, 2), 1, 0, 0}}});
   // Six of the 54 points at distance 7 are on the axes. What is left has windows there: a ball with n holes in its
   // shell is a solid of genus n - 1.
   const Balls shell = balls_on_sphere(7, 10, 36);
@@ -153,9 +138,9 @@ std::vector<AwkwardSet> awkward_sets() {
   add("level chain along y", {{0, 0, 0, 5}, {0, 6, 0, 5}, {0, 12, 0, 5}, {0, 19, 0, 4}});
   add("slanted chain in an upright plane", {{0, 0, 0, 7}, {6, 0, 8, 7}, {12, 0, 16, 7}, {18, 0, 24, 7}});
   add("bumps at both poles", {core, {0, 0, 100, 10}, {0, 0, -100, 10}});
-  add("bumps around the equator", joined({core}, ring(100, 6, 0, 1)));
-  add("bumps around a meridian across y", joined({core}, ring(100, 6, 0, 2)));
-  add("bumps around a meridian across x", joined({core}, ring(100, 6, 1, 2)));
+  add("bumps around the equator", joined({core}, balls_on_circle(100, 1, 6, 0, 1)));
+  add("bumps around a meridian across y", joined({core}, balls_on_circle(100, 1, 6, 0, 2)));
+  add("bumps around a meridian across x", joined({core}, balls_on_circle(100, 1, 6, 1, 2)));
   add("bumps at the ends of the axes", joined({core}, balls_on_sphere(1, 100, 12)));
   add("30 bumps", joined({{0, 0, 0, 90}}, balls_on_sphere(3, 30, 10)));
   add("54 bumps", joined({{0, 0, 0, 700}}, balls_on_sphere(7, 100, 30)));
@@ -163,10 +148,10 @@ std::vector<AwkwardSet> awkward_sets() {
   add("bumps straight above and below each other",
       {core, {60, 0, 80, 9}, {60, 0, -80, 9}, {-60, 0, 80, 9}, {-60, 0, -80, 9}, {0, 60, 80, 9}, {0, 60, -80, 9}});
   add("a belt and bumps on both sides of it",
-      joined(joined({core}, ring(100, 32, 0, 1)),
+      joined(joined({core}, balls_on_circle(100, 1, 32, 0, 1)),
              {{60, 0, 80, 9}, {-60, 0, 80, 9}, {0, 0, 100, 9}, {60, 0, -80, 9}, {0, 60, -80, 9}}));
   add("an upright belt and bumps on both sides of it",
-      joined(joined({core}, ring(100, 32, 0, 2)),
+      joined(joined({core}, balls_on_circle(100, 1, 32, 0, 2)),
              {{60, 80, 0, 9}, {-60, 80, 0, 9}, {0, 100, 0, 9}, {0, -80, 60, 9}, {0, -80, -60, 9}}));
   // Two large balls with holes in their faces and one circle between them: extra arcs from both sides come to it in one
   // upright plane.
@@ -205,7 +190,7 @@ std::vector<AwkwardSet> awkward_sets() {
       {core, {40, 0, 100, 40}, {-40, 0, 100, 40}, {0, 100, 0, 10}, {0, -100, 0, 10}});
   add("points of radius 0 on a sphere, at the poles too", joined({{0, 0, 0, 3}}, balls_on_sphere(3, 1, 0)));
   add("balls that touch a sphere from inside at the poles", {core, {0, 0, 50, 50}, {0, 0, -60, 40}, {100, 0, 0, 10}});
-  add("every bump twice", joined(joined({core}, ring(100, 6, 0, 2)), ring(100, 6, 0, 2)));
+  add("every bump twice", joined(joined({core}, balls_on_circle(100, 1, 6, 0, 2)), balls_on_circle(100, 1, 6, 0, 2)));
   return sets;
 }
 

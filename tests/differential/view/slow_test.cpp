@@ -23,7 +23,7 @@ void expect_right_pictures(const Balls &atoms) {
 class SlowView : public testing::TestWithParam<const char *> {};
 
 TEST_P(SlowView, OfMolecule) {
-  expect_right_pictures(read_molecule(bench_molecule(GetParam()), Records::all));
+  expect_right_pictures(read_molecule(own_molecule(GetParam()), Records::all));
 }
 
 INSTANTIATE_TEST_SUITE_P(Bench, SlowView,

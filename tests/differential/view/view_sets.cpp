@@ -1,6 +1,5 @@
 #include "view_sets.hpp"
 
-#include "box_lattice.hpp"
 #include "degenerate_set.hpp"
 #include "point_lattices.hpp"
 
@@ -49,13 +48,12 @@ std::vector<NamedView> small_views() {
 std::vector<NamedView> lattice_views() {
   std::vector<NamedView> views;
   for (const int64_t radius : {1, 2, 3, 4}) {
-    const auto even = [](int64_t x, int64_t y, int64_t z) { return (x + y + z) % 2 == 0; };
-    const auto all = [](int64_t, int64_t, int64_t) { return true; };
     const std::string suffix = ", radius " + std::to_string(radius);
-    views.push_back({"cubic lattice, spacing 4" + suffix, oracle::chosen_points(4, 4, radius, all)});
-    views.push_back({"face-centred lattice, spacing 2" + suffix, oracle::chosen_points(5, 2, radius, even)});
+    views.push_back({"cubic lattice, spacing 4" + suffix, oracle::box_lattice({4, 4, 4}, {4, 4, 4}, radius)});
+    views.push_back(
+        {"face-centred lattice, spacing 2" + suffix, oracle::chosen_points(5, 2, radius, oracle::is_face_centred)});
   }
-  views.push_back({"slanted box lattice", degenerate::balls_of({{3, 3, 3}, {2, 2, 2}, 9, true})});
+  views.push_back({"slanted box lattice", oracle::slanted_lattice({3, 3, 3}, {2, 2, 2}, 9)});
   views.push_back({"on a sphere", oracle::balls_on_sphere(9, 4, 13)});
   views.push_back({"cage", oracle::cage_of_26(8, 7)});
   return views;
