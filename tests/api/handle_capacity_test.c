@@ -1,0 +1,250 @@
+/* Every limit of models, boundaries, topologies and views, for sets of every kind, at 0, 1, needed-1, needed and
+ * needed+1: HSP_E_CAPACITY with nothing written beyond what the header names, or the same results as with ample memory.
+ * Memory is of exactly the size that the bytes function tells, with guard bytes around it. */
+#include <hardsphere.h>
+#include <string.h>
+
+#include "check.h"
+#include "guarded_memory.h"
+#include "limit_sweep.h"
+#include "output_sweep.h"
+#include "topology_result.h"
+#include "topology_sets.h"
+#include "view_result.h"
+
+/* ---- models ---- */
+
+static void sweep_model(const ball_set *set) {
+  uint32_t limits[AROUND], i;
+  values_around(set->n, limits);
+  for (i = 0; i < AROUND; ++i) {
+    size_t bytes = 0;
+    guarded_memory memory;
+    hsp_model *model = NULL;
+    hsp_model_info info;
+    uint32_t bad = 12345;
+    CHECK_EQUAL(hsp_model_bytes(limits[i], &bytes), HSP_OK);
+    memory = guarded_take(bytes, i, GUARDED_RANDOM);
+    if (CHECK_EQUAL(hsp_model_init(memory.block, bytes, limits[i], &model), HSP_OK)) {
+      CHECK_EQUAL(hsp_model_set(model, set->n, set->xyz, set->radius, NULL, &bad),
+                  limits[i] < set->n ? HSP_E_CAPACITY : HSP_OK);
+      CHECK_EQUAL(bad, HSP_NONE);
+      CHECK_EQUAL(hsp_model_get_info(model, &info), HSP_OK);
+      CHECK_EQUAL(info.balls, limits[i] < set->n ? 0 : set->n);
+    }
+    CHECK(guarded_clean(&memory));
+    guarded_give_back(&memory);
+  }
+}
+
+/* ---- boundaries ---- */
+
+static void boundary_results(const void *boundary, const void *source) {
+  const computed *all = source;
+  hsp_boundary_counts counts;
+  hsp_totals totals;
+  CHECK_EQUAL(hsp_boundary_get_counts(boundary, &counts), HSP_OK);
+  CHECK_BYTES(&counts, &all->counts, sizeof counts);
+  CHECK_EQUAL(hsp_boundary_measure(boundary, &totals, NULL, NULL, 0), HSP_OK);
+  CHECK_BYTES(&totals, &all->totals, sizeof totals);
+}
+
+static void no_boundary_results(const void *boundary) {
+  hsp_boundary_counts counts;
+  uint32_t count = 12345;
+  CHECK_EQUAL(hsp_boundary_get_counts(boundary, &counts), HSP_E_STATE);
+  CHECK_EQUAL(hsp_boundary_get_faces(boundary, NULL, 0, &count), HSP_E_STATE);
+  CHECK_EQUAL(hsp_boundary_measure(boundary, NULL, NULL, NULL, 0), HSP_E_STATE);
+  CHECK_EQUAL(count, 12345);
+}
+
+/* Exactly the limits that are too small are reported with more than was given, and with what the full computation
+ * needs: balls first, then neighbours, then vertices and circles. */
+static void check_asked(const limit_numbers *given, const limit_numbers *says, const limit_numbers *exact) {
+  static const int stages[3][2] = {{1, 1}, {2, 2}, {3, 4}};
+  int stage, which, enough = 1;
+  for (stage = 0; stage < 3 && enough; ++stage) {
+    for (which = stages[stage][0]; which <= stages[stage][1]; ++which) {
+      const int more = says->number[which] > given->number[which];
+      CHECK_EQUAL(more, exact->number[which] > given->number[which]);
+      CHECK(!more || says->number[which] == exact->number[which]);
+      if (more) enough = 0;
+    }
+  }
+}
+
+static void sweep_boundary(const computed *all, const char *name) {
+  const known_handle known = {&boundary_handle, all, &all->needed, boundary_results, no_boundary_results, check_asked};
+  sweep_limits(&known, name);
+  if (all->needed.vertices > 0 || all->needed.circles > 0) {
+    limit_numbers limits = {{0}};
+    memcpy(&limits, &all->needed, sizeof all->needed);
+    limits.number[3] = limits.number[4] = 0;
+    check_scene("%s, neither vertices nor circles", name);
+    try_limits(&known, &limits, 5);
+  }
+}
+
+/* One boundary goes from failure to success and back; nothing of the failure stays. */
+static void fail_and_succeed(const computed *all) {
+  static const double one_xyz[3] = {0, 0, 0};
+  static const double one_radius[1] = {1};
+  hsp_boundary_limits limits = all->needed, needed;
+  hsp_boundary_counts counts;
+  size_t bytes = 0, model_bytes = 0;
+  guarded_memory memory, model_memory;
+  hsp_boundary *boundary = NULL;
+  hsp_model *model = NULL;
+  if (limits.vertices == 0) return;
+  limits.vertices -= 1;
+  CHECK_EQUAL(hsp_boundary_bytes(&limits, &bytes), HSP_OK);
+  CHECK_EQUAL(hsp_model_bytes(1, &model_bytes), HSP_OK);
+  memory = guarded_take(bytes, 0, GUARDED_RANDOM);
+  model_memory = guarded_take(model_bytes, 0, GUARDED_RANDOM);
+  CHECK_EQUAL(hsp_boundary_init(memory.block, bytes, &limits, &boundary), HSP_OK);
+  CHECK_EQUAL(hsp_model_init(model_memory.block, model_bytes, 1, &model), HSP_OK);
+  CHECK_EQUAL(hsp_model_set(model, 1, one_xyz, one_radius, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, all->model), HSP_E_CAPACITY);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_get_counts(boundary, &counts), HSP_OK);
+  CHECK_EQUAL(counts.balls, 1);
+  CHECK_EQUAL(counts.faces, 1);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, all->model), HSP_E_CAPACITY);
+  CHECK_EQUAL(hsp_boundary_get_counts(boundary, &counts), HSP_E_STATE);
+  CHECK_EQUAL(hsp_boundary_get_needed(boundary, &needed), HSP_OK);
+  CHECK_EQUAL(needed.vertices, all->needed.vertices);
+  CHECK(guarded_clean(&memory) && guarded_clean(&model_memory));
+  guarded_give_back(&memory);
+  guarded_give_back(&model_memory);
+}
+
+/* ---- topologies ---- */
+
+static void topology_results(const void *topology, const void *source) {
+  const topology_result *all = source;
+  hsp_topology_counts counts;
+  uint32_t count = 0;
+  guarded_memory onext = guarded_take(4 * sizeof(uint32_t) * (size_t)all->counts.edges, 0, GUARDED_PATTERN);
+  guarded_memory origin = guarded_take(4 * sizeof(uint32_t) * (size_t)all->counts.edges, 0, GUARDED_PATTERN);
+  guarded_memory edges = guarded_take(sizeof(hsp_topology_edge) * all->counts.edges, 0, GUARDED_PATTERN);
+  guarded_memory shells = guarded_take(sizeof(hsp_shell) * all->counts.shells, 0, GUARDED_PATTERN);
+  CHECK_EQUAL(hsp_topology_get_counts(topology, &counts), HSP_OK);
+  CHECK_BYTES(&counts, &all->counts, sizeof counts);
+  CHECK_EQUAL(hsp_topology_get_quad_edges(topology, (uint32_t *)(void *)onext.block, (uint32_t *)(void *)origin.block,
+                                          all->counts.edges, &count),
+              HSP_OK);
+  CHECK_BYTES(onext.block, all->onext, onext.bytes);
+  CHECK_BYTES(origin.block, all->origin, origin.bytes);
+  CHECK_EQUAL(hsp_topology_get_edges(topology, (hsp_topology_edge *)(void *)edges.block, all->counts.edges, &count),
+              HSP_OK);
+  CHECK_BYTES(edges.block, all->edges, edges.bytes);
+  CHECK_EQUAL(hsp_topology_get_shells(topology, (hsp_shell *)(void *)shells.block, all->counts.shells, &count), HSP_OK);
+  CHECK_BYTES(shells.block, all->shells, shells.bytes);
+  CHECK(guarded_clean(&onext) && guarded_clean(&origin) && guarded_clean(&edges) && guarded_clean(&shells));
+  guarded_give_back(&onext);
+  guarded_give_back(&origin);
+  guarded_give_back(&edges);
+  guarded_give_back(&shells);
+}
+
+static void no_topology_results(const void *topology) {
+  hsp_topology_counts counts;
+  uint32_t count = 12345;
+  CHECK_EQUAL(hsp_topology_get_counts(topology, &counts), HSP_E_STATE);
+  CHECK_EQUAL(hsp_topology_get_shells(topology, NULL, 0, &count), HSP_E_STATE);
+  CHECK_EQUAL(hsp_topology_onext(topology, 0), HSP_NONE);
+  CHECK_EQUAL(count, 12345);
+}
+
+static void sweep_topology(const computed *c, const char *name) {
+  topology_result all;
+  if (CHECK_EQUAL(topology_result_make(c, &all), HSP_OK)) {
+    const known_handle known = {&topology_handle, &all, &all.needed, topology_results, no_topology_results, NULL};
+    sweep_limits(&known, name);
+  }
+  topology_result_release(&all);
+}
+
+/* ---- views ---- */
+
+static void view_results(const void *view, const void *source) {
+  const view_result *all = source;
+  hsp_view_info info;
+  uint32_t count = 0;
+  guarded_memory pieces = guarded_take(sizeof(hsp_view_piece) * all->info.pieces, 0, GUARDED_PATTERN);
+  guarded_memory loops = guarded_take(sizeof(hsp_view_loop) * all->info.loops, 0, GUARDED_PATTERN);
+  guarded_memory arcs = guarded_take(sizeof(hsp_view_arc) * all->info.arcs, 0, GUARDED_PATTERN);
+  memset(&info, 0, sizeof info);
+  CHECK_EQUAL(hsp_view_get_info(view, &info), HSP_OK);
+  CHECK_BYTES(&info, &all->info, sizeof info);
+  CHECK_EQUAL(hsp_view_get_pieces(view, (void *)pieces.block, all->info.pieces, &count), HSP_OK);
+  CHECK_BYTES(pieces.block, all->pieces, pieces.bytes);
+  CHECK_EQUAL(hsp_view_get_loops(view, (void *)loops.block, all->info.loops, &count), HSP_OK);
+  CHECK_BYTES(loops.block, all->loops, loops.bytes);
+  CHECK_EQUAL(hsp_view_get_arcs(view, (void *)arcs.block, all->info.arcs, &count), HSP_OK);
+  CHECK_BYTES(arcs.block, all->arcs, arcs.bytes);
+  CHECK(guarded_clean(&pieces) && guarded_clean(&loops) && guarded_clean(&arcs));
+  guarded_give_back(&pieces);
+  guarded_give_back(&loops);
+  guarded_give_back(&arcs);
+}
+
+static void no_view_results(const void *view) {
+  hsp_view_info info;
+  uint32_t count = 12345;
+  CHECK_EQUAL(hsp_view_get_info(view, &info), HSP_E_STATE);
+  CHECK_EQUAL(hsp_view_get_arcs(view, NULL, 0, &count), HSP_E_STATE);
+  CHECK_EQUAL(count, 12345);
+}
+
+static void sweep_view(const computed *c, const hsp_view_options *options, int with_boundary, const char *name) {
+  view_result all;
+  if (CHECK_EQUAL(view_result_make(c, options, with_boundary, &all), HSP_OK)) {
+    const known_handle known = {&view_handle, &all, &all.needed, view_results, no_view_results, NULL};
+    CHECK(all.enlargements <= 3);
+    sweep_limits(&known, name);
+  }
+  view_result_release(&all);
+}
+
+/* Every kind of pieces, without and with boundary, of balls that may be seen and of all. */
+static void sweep_views(const computed *c, uint32_t which, const char *name) {
+  hsp_view_options options;
+  CHECK_EQUAL(hsp_view_options_init(&options, (uint32_t)sizeof options), HSP_OK);
+  options.towards[0] = 3;
+  options.towards[1] = which % 3;
+  options.towards[2] = 1;
+  sweep_view(c, &options, 0, name);
+  options.flags = HSP_VIEW_ALL_BALLS;
+  sweep_view(c, &options, which % 2 == 0, name);
+  options.pieces = HSP_PIECES_H;
+  options.flags = which % 2 == 0 ? 0 : HSP_VIEW_ALL_BALLS;
+  sweep_view(c, &options, 1, name);
+}
+
+int main(void) {
+  static ball_set set;
+  computed all;
+  uint32_t which;
+  for (which = 0; which < ball_set_count(); ++which) {
+    ball_set_make(which, &set);
+    check_scene("%s", set.name);
+    sweep_model(&set);
+    if (CHECK_EQUAL(computed_make(set.n, set.xyz, set.radius, NULL, &all), HSP_OK)) {
+      sweep_boundary(&all, set.name);
+      check_scene("%s", set.name);
+      fail_and_succeed(&all);
+    }
+    computed_release(&all);
+  }
+  for (which = 0; which < topology_set_count(); ++which) {
+    topology_set_make(which, &set);
+    check_scene("%s", set.name);
+    if (CHECK_EQUAL(computed_make(set.n, set.xyz, set.radius, NULL, &all), HSP_OK)) {
+      sweep_topology(&all, set.name);
+      sweep_views(&all, which, set.name);
+    }
+    computed_release(&all);
+  }
+  return check_report();
+}
