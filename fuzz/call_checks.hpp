@@ -1,6 +1,5 @@
 // What calls of the interface have in common when their arguments may be anything.
-#ifndef HARDSPHERE_FUZZ_CALL_CHECKS_HPP
-#define HARDSPHERE_FUZZ_CALL_CHECKS_HPP
+#pragma once
 
 #include <hardsphere.h>
 
@@ -55,5 +54,3 @@ void check_array(Bytes &bytes, uint32_t most, int32_t argument_status, const Ask
 }
 
 }  // namespace fuzz
-
-#endif

@@ -1,7 +1,6 @@
 // A model of a set of balls in memory of exactly the size that is asked for, so that a sanitizer sees every byte
 // beyond.
-#ifndef HARDSPHERE_FUZZ_CHECKED_MODEL_HPP
-#define HARDSPHERE_FUZZ_CHECKED_MODEL_HPP
+#pragma once
 
 #include <hardsphere.h>
 
@@ -48,5 +47,3 @@ inline int64_t squared_distance(const std::array<int64_t, 3> &a, const std::arra
 }
 
 }  // namespace fuzz
-
-#endif

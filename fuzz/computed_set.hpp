@@ -1,6 +1,5 @@
 // The computation of a set by the checks of the interface tests, with memory that goes with it.
-#ifndef HARDSPHERE_FUZZ_COMPUTED_SET_HPP
-#define HARDSPHERE_FUZZ_COMPUTED_SET_HPP
+#pragma once
 
 #include <computed.h>
 
@@ -56,5 +55,3 @@ inline BallSet permuted(const BallSet &set, const std::vector<uint32_t> &order) 
 }
 
 }  // namespace fuzz
-
-#endif

@@ -1,8 +1,7 @@
 // Sets of balls made from bytes. Uniformly random balls are in general position almost always; these are not: small
 // integer coordinates, few different radii, copies, tangencies, several spheres through one point, and single steps of
 // the lattice between a tie and none.
-#ifndef HARDSPHERE_FUZZ_FUZZ_INPUT_HPP
-#define HARDSPHERE_FUZZ_FUZZ_INPUT_HPP
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -177,5 +176,3 @@ inline BallSet ball_set(Bytes &bytes, uint32_t most) {
 }
 
 }  // namespace fuzz
-
-#endif

@@ -6,6 +6,7 @@
 
 #include "computed_set.hpp"
 #include "guarded_output.hpp"
+#include "required_limits.hpp"
 #include "topology_input.hpp"
 
 namespace {
@@ -77,41 +78,16 @@ void require_components_alone(const fuzz::BallSet &set, const topology_result &r
   }
 }
 
-// Limits below what is needed: HSP_E_CAPACITY, nothing written beside the memory, and at most three enlargements.
 void require_capacities(const topology_result &reference, fuzz::Bytes &bytes) {
-  hsp_topology_limits limits = reference.needed;
-  uint32_t *const numbers[4] = {&limits.balls, &limits.neighbours, &limits.edges, &limits.extra_arcs};
-  const uint32_t which = bytes.below(16);
-  for (uint32_t k = 0; k < 4; ++k) {
-    if ((which >> k & 1U) != 0) *numbers[k] = bytes.below(*numbers[k] + 1);
-  }
-  for (int enlargements = 0;; ++enlargements) {
-    const hsp_topology_limits &exact = reference.needed;
-    const bool enough = limits.balls >= exact.balls && limits.neighbours >= exact.neighbours &&
-                        limits.edges >= exact.edges && limits.extra_arcs >= exact.extra_arcs;
-    size_t size = 0;
-    hsp_topology *topology = nullptr;
-    FUZZ_REQUIRE(hsp_topology_bytes(&limits, &size) == HSP_OK, "hsp_topology_bytes");
-    std::vector<uint8_t> memory(size + 1, 0x3C);
-    FUZZ_REQUIRE(hsp_topology_init(memory.data(), size, &limits, &topology) == HSP_OK, "hsp_topology_init");
-    const int32_t status = hsp_topology_compute(topology, reference.base->boundary);
-    FUZZ_REQUIRE(memory.back() == 0x3C, "written past the topology's memory");
-    FUZZ_REQUIRE(status == (enough ? HSP_OK : HSP_E_CAPACITY), "hsp_topology_compute, limits");
-    hsp_topology_limits needed{};
-    FUZZ_REQUIRE(hsp_topology_get_needed(topology, &needed) == HSP_OK, "hsp_topology_get_needed");
+  const auto compute = [&](hsp_topology *topology) { return hsp_topology_compute(topology, reference.base->boundary); };
+  const auto read = [&](const hsp_topology *topology) {
     hsp_topology_counts counts{};
-    FUZZ_REQUIRE(hsp_topology_get_counts(topology, &counts) == (enough ? HSP_OK : HSP_E_STATE), "after a failure");
-    if (enough) {
-      FUZZ_REQUIRE(std::memcmp(&needed, &exact, sizeof exact) == 0, "needed limits differ with more room");
+    const int32_t status = hsp_topology_get_counts(topology, &counts);
+    if (status == HSP_OK)
       FUZZ_REQUIRE(std::memcmp(&counts, &reference.counts, sizeof counts) == 0, "counts differ with more room");
-      return;
-    }
-    FUZZ_REQUIRE(enlargements < 3, "hsp_topology_get_needed: more than three enlargements");
-    limits.balls = std::max(limits.balls, needed.balls);
-    limits.neighbours = std::max(limits.neighbours, needed.neighbours);
-    limits.edges = std::max(limits.edges, needed.edges);
-    limits.extra_arcs = std::max(limits.extra_arcs, needed.extra_arcs);
-  }
+    return status;
+  };
+  fuzz::require_limits<support::TopologyKind>(reference.needed, bytes, compute, read);
 }
 
 // ---- places ----

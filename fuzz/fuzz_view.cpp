@@ -8,6 +8,7 @@
 
 #include "computed_set.hpp"
 #include "guarded_output.hpp"
+#include "required_limits.hpp"
 #include "topology_input.hpp"
 
 namespace {
@@ -98,45 +99,21 @@ void require_short_arrays(const view_result &v, fuzz::Bytes &bytes) {
   require_short_array<hsp_view_arc>(v.view, v.info.arcs, hsp_view_get_arcs, bytes);
 }
 
-// Limits below what is needed: HSP_E_CAPACITY, nothing written beside the memory, and at most three enlargements.
 void require_capacities(const view_result &reference, fuzz::Bytes &bytes) {
+  const hsp_boundary *boundary = reference.with_boundary != 0 ? reference.base->boundary : nullptr;
+  const auto compute = [&](hsp_view *view) {
+    return hsp_view_compute(view, reference.base->model, boundary, &reference.options);
+  };
+  const auto read = [&](const hsp_view *view) {
+    hsp_view_info info{};
+    const int32_t status = hsp_view_get_info(view, &info);
+    if (status == HSP_OK)
+      FUZZ_REQUIRE(std::memcmp(&info, &reference.info, sizeof info) == 0, "info differs with more room");
+    return status;
+  };
   hsp_view_limits limits;
   FUZZ_REQUIRE(hsp_view_limits_init(&limits, sizeof limits, reference.base->n) == HSP_OK, "hsp_view_limits_init");
-  limits = reference.needed;
-  uint32_t *const numbers[3] = {&limits.balls, &limits.neighbours, &limits.arcs};
-  const uint32_t which = bytes.below(8);
-  for (uint32_t k = 0; k < 3; ++k) {
-    if ((which >> k & 1U) != 0) *numbers[k] = bytes.below(*numbers[k] + 1);
-  }
-  for (int enlargements = 0;; ++enlargements) {
-    const hsp_view_limits &exact = reference.needed;
-    const bool enough =
-        limits.balls >= exact.balls && limits.neighbours >= exact.neighbours && limits.arcs >= exact.arcs;
-    size_t size = 0;
-    hsp_view *view = nullptr;
-    FUZZ_REQUIRE(hsp_view_bytes(&limits, &size) == HSP_OK, "hsp_view_bytes");
-    FUZZ_REQUIRE(size <= HSP_VIEW_BYTES(limits.balls, limits.neighbours, limits.arcs), "hsp_view_bytes, property 1");
-    std::vector<uint8_t> memory(size + 1, 0x3C);
-    FUZZ_REQUIRE(hsp_view_init(memory.data(), size, &limits, &view) == HSP_OK, "hsp_view_init");
-    const int32_t status =
-        hsp_view_compute(view, reference.base->model, reference.with_boundary != 0 ? reference.base->boundary : nullptr,
-                         &reference.options);
-    FUZZ_REQUIRE(memory.back() == 0x3C, "written past the view's memory");
-    FUZZ_REQUIRE(status == (enough ? HSP_OK : HSP_E_CAPACITY), "hsp_view_compute, limits");
-    hsp_view_limits needed{};
-    hsp_view_info info{};
-    FUZZ_REQUIRE(hsp_view_get_needed(view, &needed) == HSP_OK, "hsp_view_get_needed");
-    FUZZ_REQUIRE(hsp_view_get_info(view, &info) == (enough ? HSP_OK : HSP_E_STATE), "after a failure");
-    if (enough) {
-      FUZZ_REQUIRE(std::memcmp(&needed, &exact, sizeof exact) == 0, "needed limits differ with more room");
-      FUZZ_REQUIRE(std::memcmp(&info, &reference.info, sizeof info) == 0, "info differs with more room");
-      return;
-    }
-    FUZZ_REQUIRE(enlargements < 3, "hsp_view_get_needed: more than three enlargements");
-    limits.balls = std::max(limits.balls, needed.balls);
-    limits.neighbours = std::max(limits.neighbours, needed.neighbours);
-    limits.arcs = std::max(limits.arcs, needed.arcs);
-  }
+  fuzz::require_limits<support::ViewKind>(reference.needed, bytes, compute, read);
 }
 
 // What has been read can be read again.

@@ -1,6 +1,5 @@
 // Calls of the functions for parts and derivatives of areas with anything for arguments.
-#ifndef HARDSPHERE_FUZZ_GRADIENT_CALLS_HPP
-#define HARDSPHERE_FUZZ_GRADIENT_CALLS_HPP
+#pragma once
 
 #include <cmath>
 
@@ -84,5 +83,3 @@ inline void call_gradient(Bytes &bytes, const hsp_boundary *boundary, int32_t re
 }
 
 }  // namespace fuzz
-
-#endif

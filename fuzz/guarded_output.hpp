@@ -1,6 +1,5 @@
 // Output arrays that tell what was written to them.
-#ifndef HARDSPHERE_FUZZ_GUARDED_OUTPUT_HPP
-#define HARDSPHERE_FUZZ_GUARDED_OUTPUT_HPP
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -34,5 +33,3 @@ class Output {
 };
 
 }  // namespace fuzz
-
-#endif

@@ -1,6 +1,5 @@
 // One topology handle in a random sequence of calls, and what each call must say.
-#ifndef HARDSPHERE_FUZZ_TOPOLOGY_CALLS_HPP
-#define HARDSPHERE_FUZZ_TOPOLOGY_CALLS_HPP
+#pragma once
 
 #include <algorithm>
 #include <cmath>
@@ -220,5 +219,3 @@ class TopologyCalls {
 };
 
 }  // namespace fuzz
-
-#endif

@@ -1,7 +1,6 @@
 // Sets of balls with much topology: faces with many loops, among them circles with common and touching planes, and
 // walls around walls with holes here and there.
-#ifndef HARDSPHERE_FUZZ_TOPOLOGY_INPUT_HPP
-#define HARDSPHERE_FUZZ_TOPOLOGY_INPUT_HPP
+#pragma once
 
 #include <utility>
 
@@ -81,5 +80,3 @@ inline BallSet topology_set(Bytes &bytes) {
 }
 
 }  // namespace fuzz
-
-#endif

@@ -8,12 +8,15 @@ failed=0
 functions=0
 for function in $(bash "$here/header_functions.sh" include/hardsphere.h); do
   functions=$((functions + 1))
-  for folder in fuzz tests/api; do
-    if ! grep -rqE "(^|[^A-Za-z0-9_])$function\(" --include='*.c' --include='*.cpp' --include='*.hpp' "$folder"; then
-      echo "$folder never calls $function"
-      failed=1
-    fi
-  done
+  # Harnesses call some functions by way of the kinds of handles in tests/support, where these are members.
+  if ! grep -rqE "(^|[^A-Za-z0-9_])$function(\(|;)" --include='*.cpp' --include='*.hpp' fuzz tests/support; then
+    echo "fuzz never calls $function"
+    failed=1
+  fi
+  if ! grep -rqE "(^|[^A-Za-z0-9_])$function\(" --include='*.c' --include='*.cpp' tests/api; then
+    echo "tests/api never calls $function"
+    failed=1
+  fi
   if ! grep -qE "(^|[^A-Za-z0-9_])$function\(" tests/api/*malloc_trap_test.c; then
     echo "nobody calls $function with the heap trapped"
     failed=1

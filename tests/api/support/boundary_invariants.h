@@ -1,7 +1,6 @@
 /* Invariants of any computed boundary: what the header promises of it. Each function returns NULL, or a sentence about
  * the first one that does not hold. */
-#ifndef HSP_TESTS_BOUNDARY_INVARIANTS_H
-#define HSP_TESTS_BOUNDARY_INVARIANTS_H
+#pragma once
 
 #include "computed.h"
 
@@ -27,6 +26,4 @@ const char *boundary_difference_after_permutation(const computed *c, const compu
 
 #ifdef __cplusplus
 }
-#endif
-
 #endif

@@ -1,7 +1,6 @@
 /* Invariants of any computed topology: what the header promises of it. Each function returns NULL, or a sentence about
  * the first one that does not hold. Later ones rely on what the earlier ones have found sound. */
-#ifndef HSP_TESTS_TOPOLOGY_INVARIANTS_H
-#define HSP_TESTS_TOPOLOGY_INVARIANTS_H
+#pragma once
 
 #include "topology_result.h"
 
@@ -36,6 +35,4 @@ const char *topology_difference_after_permutation(const topology_result *t, cons
 
 #ifdef __cplusplus
 }
-#endif
-
 #endif

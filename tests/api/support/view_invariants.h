@@ -1,7 +1,6 @@
 /* Invariants of any computed view: what the header promises of it. Each function returns NULL, or a sentence about the
  * first one that does not hold. Later ones rely on what the earlier ones have found sound. */
-#ifndef HSP_TESTS_VIEW_INVARIANTS_H
-#define HSP_TESTS_VIEW_INVARIANTS_H
+#pragma once
 
 #include "view_result.h"
 
@@ -36,6 +35,4 @@ double view_rounding(const view_result *v, double radius);
 
 #ifdef __cplusplus
 }
-#endif
-
 #endif

@@ -14,7 +14,7 @@ using oracle::RandomSource;
 TEST(BoundaryInvariants, OfRandomSets) {
   RandomSource random(51);
   for (int k = 0; k < 4000; ++k) {
-    const Balls balls = oracle::any_balls(random, static_cast<std::size_t>(random.in(2, 25)));
+    const Balls balls = oracle::any_balls(random, static_cast<size_t>(random.in(2, 25)));
     ASSERT_EQ(complaint_about_smallest(balls, boundary_invariant_broken), "");
   }
 }
@@ -22,7 +22,7 @@ TEST(BoundaryInvariants, OfRandomSets) {
 TEST(BoundaryInvariants, OfDegenerateSets) {
   RandomSource random(52);
   for (int k = 0; k < 8000; ++k) {
-    const Balls balls = oracle::degenerate_balls(random, static_cast<std::size_t>(random.in(2, 14)));
+    const Balls balls = oracle::degenerate_balls(random, static_cast<size_t>(random.in(2, 14)));
     ASSERT_EQ(complaint_about_smallest(balls, boundary_invariant_broken), "");
   }
 }
