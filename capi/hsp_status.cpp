@@ -15,11 +15,11 @@ const char *hsp_status_text(int32_t status) {
     case HSP_E_MEMORY:
       return "the memory is smaller than required";
     case HSP_E_STATE:
-      return "nothing computed, or the model has changed since";
+      return "nothing computed, or the model or boundary behind it has changed since";
     case HSP_E_ID:
-      return "no such ball";
+      return "no ball, vertex, edge, quarter-edge, face, shell or cell has this id";
     case HSP_E_CHECK:
-      return "the self-check found a law that does not hold";
+      return "the self-check found a violated invariant";
     case HSP_E_SINK:
       return "the caller's byte sink refused bytes";
     case HSP_E_NOT_FINITE:

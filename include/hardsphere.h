@@ -78,10 +78,10 @@ HSP_API uint32_t hsp_version(void);
 #define HSP_E_ARGUMENT (-1) /**< a null pointer, a wrong struct_size, or a reserved field that is not 0 */
 #define HSP_E_CAPACITY (-2) /**< an output array or a limit is too small; the number that suffices is reported */
 #define HSP_E_MEMORY (-3)   /**< the memory handed to an init function is smaller than its bytes function says */
-#define HSP_E_STATE (-4)    /**< the handle does not hold what is asked for (nothing computed, or the model changed) */
-#define HSP_E_ID (-5)       /**< a ball index is not below the number of balls */
-#define HSP_E_CHECK (-6) /**< the self-check found a law that does not hold: a defect of the library, please report */
-#define HSP_E_SINK (-7)  /**< the caller's byte sink refused bytes */
+#define HSP_E_STATE (-4)    /**< nothing computed, or the model or boundary behind it has changed since */
+#define HSP_E_ID (-5)       /**< no ball, vertex, edge, quarter-edge, face, shell or cell has this id */
+#define HSP_E_CHECK (-6)    /**< the self-check found a violated invariant: a defect of the library, please report */
+#define HSP_E_SINK (-7)     /**< the caller's byte sink refused bytes */
 
 #define HSP_E_NOT_FINITE (-10) /**< a coordinate, radius, probe or step is NaN or infinite */
 #define HSP_E_NEGATIVE (-11)   /**< a radius, the probe or the step is negative */
