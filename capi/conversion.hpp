@@ -1,14 +1,14 @@
 // The only place where the C interface and the rooms of lib/ meet: what is behind the handles, and how values cross.
 #pragma once
 
-#include "boundary/boundary.hpp"
+#include "boundary/boundary_builder.hpp"
 #include "core/status.hpp"
 #include "core/workspace.hpp"
-#include "grid/cube_grid.hpp"
+#include "model/cube_grid.hpp"
 #include "hardsphere.h"
-#include "measure/places.hpp"
-#include "topology/topology.hpp"
-#include "view/view.hpp"
+#include "measure/positions.hpp"
+#include "topology/topology_builder.hpp"
+#include "view/view_builder.hpp"
 
 struct hsp_model {
   hsp::CubeGrid grid;

@@ -1,8 +1,8 @@
-#include "boundary/assembly.hpp"
+#include "boundary/half_edge_links.hpp"
 #include "conversion.hpp"
 #include "measure/areas.hpp"
-#include "measure/places.hpp"
-#include "topology/shells.hpp"
+#include "measure/positions.hpp"
+#include "boundary/shells.hpp"
 
 namespace {
 

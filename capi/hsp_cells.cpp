@@ -1,6 +1,6 @@
 #include "conversion.hpp"
-#include "grid/queries.hpp"
-#include "measure/shell_measures.hpp"
+#include "model/queries.hpp"
+#include "measure/shell_volumes.hpp"
 
 namespace {
 

@@ -1,6 +1,6 @@
 #include "conversion.hpp"
-#include "measure/metric_check.hpp"
-#include "measure/shell_measures.hpp"
+#include "measure/boundary_metric_check.hpp"
+#include "measure/shell_volumes.hpp"
 
 namespace {
 

@@ -1,9 +1,9 @@
 #include "conversion.hpp"
 #include "core/sorting.hpp"
 #include "core/summation.hpp"
-#include "measure/callers_order.hpp"
+#include "measure/input_order.hpp"
 #include "measure/gradients.hpp"
-#include "measure/inner_touching.hpp"
+#include "measure/tangency.hpp"
 
 namespace {
 

@@ -1,7 +1,7 @@
 #include "conversion.hpp"
 #include "core/summation.hpp"
 #include "measure/areas.hpp"
-#include "measure/callers_order.hpp"
+#include "measure/input_order.hpp"
 
 int32_t hsp_boundary_measure(const hsp_boundary *boundary, hsp_totals *totals, double *area, double *volume,
                              uint32_t capacity) {

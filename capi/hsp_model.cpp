@@ -1,5 +1,5 @@
 #include "conversion.hpp"
-#include "grid/figures.hpp"
+#include "model/packing_statistics.hpp"
 
 namespace {
 

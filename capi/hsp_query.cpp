@@ -1,5 +1,5 @@
 #include "conversion.hpp"
-#include "grid/queries.hpp"
+#include "model/queries.hpp"
 
 namespace {
 

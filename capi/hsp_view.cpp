@@ -1,6 +1,6 @@
 #include "conversion.hpp"
 #include "core/elementary.hpp"
-#include "view/view.hpp"
+#include "view/view_builder.hpp"
 
 namespace {
 

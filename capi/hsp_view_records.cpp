@@ -1,6 +1,6 @@
 #include "conversion.hpp"
 #include "core/elementary.hpp"
-#include "view/plane_arcs.hpp"
+#include "view/projected_arcs.hpp"
 
 namespace {
 

@@ -2,7 +2,7 @@
 // infinitesimals. The input makes four balls, mostly in special position.
 #include "exact/predicates.hpp"
 
-#include "exact/pair.hpp"
+#include "exact/lattice_ball.hpp"
 #include "fuzz_input.hpp"
 #include "sphere_predicates.hpp"
 

@@ -1,32 +1,79 @@
-// Steps 1 and 2 of Section 4.2 over all balls, and the assembly of what they find.
+// The boundary of a union as it is built: per ball its uses of vertices, chained to loops, gathered to faces. All ids
+// of balls are the grid's; the memory is carved once for given limits.
+//
+//   ball i --first_use--> uses (vertex, in, out) --next--> ... = one loop     circle_side --> free circles = loops on
+//   their own
+//          --first_loop--> loops --loop_face--> faces --first_face
+//
+// A use is the visit of a loop to a vertex: the loop comes in along the circle with ball `in` and leaves along the
+// circle with ball `out`, with the face on its left, that is clockwise about the axis towards the other ball.
 #pragma once
 
-#include "boundary/faces.hpp"
-#include "boundary/structure.hpp"
-#include "boundary/vertices.hpp"
+#include "boundary/records.hpp"
+#include "core/disjoint_sets.hpp"
+#include "core/fixed_vector.hpp"
+#include "core/workspace.hpp"
+#include "model/cube_grid.hpp"
 
 namespace hsp {
 
-class BoundaryBuilder {
- public:
+struct BoundaryLimits {
+  uint32_t balls = 0;
+  uint32_t neighbours = 0;
+  uint32_t vertices = 0;
+  uint32_t circles = 0;
+};
+
+struct VertexUse {
+  uint32_t vertex;
+  uint32_t in, out;  // balls
+  uint32_t next;     // the use at which the arc along `out` ends
+  uint32_t loop;
+};
+
+struct FaceRecord {
+  uint32_t ball;
+  uint32_t loops;
+  uint32_t shell;
+};
+
+struct BoundaryStructure {
+  FixedVector<VertexRecord> vertices;
+  FixedVector<CircleRecord> circles;
+  Span<double> root_discriminant;  // [vertices] sqrt(D), exact D rounded once
+
+  Span<VertexUse> uses;              // [3 vertices], by ball, in an order that does not depend on ids
+  Span<uint32_t> first_use;          // [balls + 1]
+  Span<uint32_t> use_at;             // [3 vertices] use of vertex v by its ball number t at 3 v + t
+  Span<uint32_t> circle_side;        // [2 circles] by ball: 2 * circle + side
+  Span<uint32_t> first_circle_side;  // [balls + 1]
+
+  Span<uint32_t> first_loop;  // [balls + 1]
+  Span<uint32_t> loop_cap;    // [loops] a ball whose circle the loop runs along
+  Span<uint32_t> loop_face;   // [loops]
+  Span<uint32_t> first_face;  // [balls + 1]
+  Span<FaceRecord> faces;
+  uint32_t loop_count = 0;
+  uint32_t face_count = 0;
+  uint32_t shell_count = 0;
+
+  Span<uint8_t> ball_state;  // [balls]
+  static constexpr uint8_t contained = 1;
+  static constexpr uint8_t without_caps =
+      2;  // no other sphere meets it: the whole sphere is free unless it is contained
+  // Clusters of the ball's caps (faces.hpp), counted while the caps are at hand if they are few.
+  Span<uint8_t> cluster_count;
+  static constexpr uint8_t not_counted = 0;
+  Span<uint32_t> component_parent;  // [balls]
+  DisjointSets components;
+  Span<uint32_t> face_parent;  // [faces]
+
   void carve(Workspace &workspace, const BoundaryLimits &limits);
 
-  // Builds everything up to faces. Status::capacity if a limit is too small; needed() then tells what suffices.
-  Status build(const CubeGrid &grid);
-
-  const BoundaryStructure &structure() const { return structure_; }
-  BoundaryStructure &structure() { return structure_; }
-  const BoundaryLimits &needed() const { return needed_; }
-
- private:
-  void find_vertices(const CubeGrid &grid);
-
-  BoundaryLimits limits_;
-  BoundaryLimits needed_;
-  BoundaryStructure structure_;
-  Caps caps_;
-  VertexFinder finder_;
-  FaceScratch scratch_;
+  // Loops have at least two arcs or are circles.
+  static uint64_t most_loops(const BoundaryLimits &limits) {
+    return 3 * static_cast<uint64_t>(limits.vertices) / 2 + 2 * static_cast<uint64_t>(limits.circles);
+  }
 };
 
 }  // namespace hsp

@@ -1,4 +1,4 @@
-#include "boundary/vertices.hpp"
+#include "sphere/vertex_finder.hpp"
 
 namespace hsp {
 

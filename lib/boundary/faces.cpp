@@ -1,6 +1,6 @@
 #include "boundary/faces.hpp"
 
-#include "boundary/cap_pair.hpp"
+#include "sphere/cap_pair.hpp"
 
 namespace hsp {
 namespace {

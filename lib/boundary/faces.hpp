@@ -1,8 +1,8 @@
 // From loops to faces: which loops of one sphere bound the same free piece.
 #pragma once
 
-#include "boundary/caps.hpp"
-#include "boundary/structure.hpp"
+#include "sphere/caps.hpp"
+#include "boundary/boundary.hpp"
 
 namespace hsp {
 

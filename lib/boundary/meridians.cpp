@@ -5,7 +5,7 @@
 // This joins all loops l_1 .. l_r of a face f: the sphere minus f is r discs. The walk from a cluster in disc a to the
 // pole leaves the disc through l_a, and each further disc it enters it leaves through that disc's loop, so the chain of
 // joins links l_a to the loop of the pole's disc, or to the pole if that is free.
-#include "boundary/great_circles.hpp"
+#include "sphere/great_circles.hpp"
 
 namespace hsp {
 

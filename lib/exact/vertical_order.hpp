@@ -2,7 +2,7 @@
 // squaring twice (degree 4).
 #pragma once
 
-#include "exact/pair.hpp"
+#include "exact/lattice_ball.hpp"
 #include "exact/wide_integer.hpp"
 
 namespace hsp::exact {

@@ -1,7 +1,7 @@
 #include "measure/areas.hpp"
 
 #include "exact/filter.hpp"
-#include "measure/arc_angles.hpp"
+#include "sphere/arc_geometry.hpp"
 #include "measure/free_surface.hpp"
 
 namespace hsp {

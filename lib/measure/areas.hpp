@@ -1,7 +1,7 @@
 // Areas and volume of the union: Gauss-Bonnet on each sphere, and the divergence theorem over all of them.
 #pragma once
 
-#include "boundary/structure.hpp"
+#include "boundary/boundary.hpp"
 
 namespace hsp {
 

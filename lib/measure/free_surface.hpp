@@ -5,7 +5,7 @@
 #pragma once
 
 #include "exact/filter.hpp"
-#include "measure/free_arcs.hpp"
+#include "measure/arc_batches.hpp"
 
 namespace hsp {
 

@@ -4,7 +4,7 @@
 #include <bit>
 
 #include "core/floating_point.hpp"
-#include "core/lanes.hpp"
+#include "core/simd.hpp"
 
 namespace hsp {
 

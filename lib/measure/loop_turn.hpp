@@ -2,7 +2,7 @@
 // the product of their phases, and the number of whole turns.
 #pragma once
 
-#include "measure/turn_angle.hpp"
+#include "core/elementary_simd.hpp"
 
 namespace hsp {
 

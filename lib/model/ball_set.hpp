@@ -5,7 +5,7 @@
 #include "core/span.hpp"
 #include "core/status.hpp"
 #include "exact/lattice.hpp"
-#include "exact/pair.hpp"
+#include "exact/lattice_ball.hpp"
 
 namespace hsp {
 

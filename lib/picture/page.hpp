@@ -2,7 +2,7 @@
 #pragma once
 
 #include "picture/picture_input.hpp"
-#include "view/plane_arcs.hpp"
+#include "view/projected_arcs.hpp"
 
 namespace hsp {
 

@@ -1,7 +1,7 @@
 // What a picture is made of. Ranges of the options are checked at the C interface.
 #pragma once
 
-#include "view/view_structure.hpp"
+#include "view/view.hpp"
 
 namespace hsp {
 

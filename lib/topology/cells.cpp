@@ -1,6 +1,6 @@
 #include "topology/cells.hpp"
 
-#include "grid/vertical_ray.hpp"
+#include "model/vertical_ray.hpp"
 #include "topology/simple_faces.hpp"
 
 namespace hsp {

@@ -6,8 +6,8 @@
 // case of a union in several pieces, which the paper leaves to the reader.
 #pragma once
 
-#include "topology/face_location.hpp"
-#include "topology/topology_structure.hpp"
+#include "boundary/point_location.hpp"
+#include "topology/topology.hpp"
 
 namespace hsp {
 

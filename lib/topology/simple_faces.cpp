@@ -1,6 +1,6 @@
 #include "topology/simple_faces.hpp"
 
-#include "boundary/assembly.hpp"
+#include "boundary/half_edge_links.hpp"
 
 namespace hsp {
 namespace {

@@ -1,7 +1,7 @@
 // From loops, split points and extra arcs to the quad-edge structure with simple faces.
 #pragma once
 
-#include "topology/topology_structure.hpp"
+#include "topology/topology.hpp"
 
 namespace hsp {
 

@@ -1,33 +1,99 @@
-// Step 3 of Section 4.2 over a computed boundary.
+// The boundary with simple faces, its shells, and the cells of the complement, as they are built. All ids of balls are
+// the grid's; the memory is carved once for given limits.
+//
+//   vertices   the boundary's | split points | poles
+//   edges      arcs, in the order of the uses that walk them on their first ball | circles | extra arcs | whole spheres
+//
+// Quarter-edge 4 e of an arc or circle has the face of the first of its balls in grid order on its left. The maximal
+// face and the shell of a simple face are those of the boundary's structure.
 #pragma once
 
-#include "topology/cells.hpp"
-#include "topology/topology_structure.hpp"
+#include "boundary/boundary.hpp"
+#include "topology/cut_arcs.hpp"
+#include "topology/quad_edges.hpp"
+#include "topology/subdivision.hpp"
 
 namespace hsp {
 
-class TopologyBuilder {
- public:
+struct TopologyLimits {
+  uint32_t balls = 0;
+  uint32_t neighbours = 0;
+  uint32_t edges = 0;
+  uint32_t extra_arcs = 0;
+};
+
+struct SimpleFace {
+  uint32_t face;  // the maximal face
+  uint32_t q;     // an even quarter-edge with this face on its left
+  uint32_t edges;
+};
+
+struct ShellRecord {
+  uint32_t component;
+  uint32_t cell;
+  bool is_void;
+  uint32_t faces, simple_faces, edges, vertices;
+  uint32_t start_face;  // simple face
+  uint32_t first_scan;  // its part of TopologyStructure::scan starts here
+};
+
+struct ComponentRecord {
+  uint32_t balls;
+  uint32_t top_ball;
+  uint32_t outer_shell;
+  uint32_t shells;
+  uint32_t cell;
+  uint32_t above;  // the component that a ray from its highest point enters from outside, or no_id
+};
+
+struct TopologyStructure {
+  FixedVector<ExtraArc> extra_arcs;
+  SplitPoints split_points;
+
+  QuadEdges quads;
+  uint32_t first_circle_edge = 0, first_extra_edge = 0, first_sphere_edge = 0;
+  Span<uint32_t> walk_start;        // [2 edges] by use or half circle: the first quarter-edge of its walk
+  Span<uint32_t> extra_first_edge;  // [extra arcs]
+  Span<uint32_t> edge_source;       // [edges] arc, half circle, extra arc, or ball of a whole sphere
+  Span<uint32_t> carrier_of_arc;    // [arcs]
+
+  uint32_t first_pole = 0;  // vertex ids from here on are poles
+  uint32_t vertex_count = 0;
+  Span<uint32_t> vertex_edge;  // [vertices] a quarter-edge that starts there
+  Span<uint32_t> pole;         // [poles] 2 * ball, + 1 for the lowest point
+
+  Span<SimpleFace> faces;
+  uint32_t face_count = 0;
+
+  Span<ShellRecord> shells;
+  Span<uint32_t> scan;       // [simple faces] shell by shell, in the order of the scan
+  Span<uint32_t> component;  // [balls]
+  Span<ComponentRecord> components;
+  uint32_t shell_count = 0;
+  uint32_t component_count = 0;
+  uint32_t cell_count = 0;
+  int64_t highest_centre = 0;   // largest z of all balls
+  uint32_t start_face = no_id;  // the simple face that holds the highest point of all
+
   void carve(Workspace &workspace, const TopologyLimits &limits);
 
-  // neighbours: the most balls that meet one ball of the boundary. Status::capacity if a limit is too small; needed()
-  // then tells what suffices, with 0 for what is not known yet.
-  Status build(const CubeGrid &grid, const BoundaryStructure &boundary, uint32_t neighbours);
-
-  const TopologyStructure &structure() const { return structure_; }
-  const TopologyLimits &needed() const { return needed_; }
-
-  // Scratch memory, for questions about single balls and for checks; [edges].
-  GatheredBall &gathered() { return gathered_; }
-  Span<uint32_t> marks() const { return marks_; }
-
- private:
-  TopologyLimits limits_;
-  TopologyLimits needed_;
-  TopologyStructure structure_;
-  ExtraArcFinder finder_;
-  GatheredBall gathered_;
-  Span<uint32_t> marks_;
+  // The carrier of an edge that is part of an arc or circle.
+  uint32_t carrier_of_edge(uint32_t edge) const {
+    return edge < first_circle_edge ? carrier_of_arc[edge_source[edge]] : edge_source[edge];
+  }
+  // The last quarter-edge of the walk that starts with this one: an arc's edges have consecutive numbers.
+  uint32_t end_of_walk(uint32_t start) const {
+    const uint32_t step = (start & 2U) == 0 ? 4U : 0U - 4U;
+    uint32_t q = start;
+    while (edge_of(q + step) < first_extra_edge && edge_source[edge_of(q + step)] == edge_source[edge_of(q)]) q += step;
+    return q;
+  }
+  uint32_t ball_of(const BoundaryStructure &boundary, uint32_t simple_face) const {
+    return boundary.faces[faces[simple_face].face].ball;
+  }
+  uint32_t shell_of(const BoundaryStructure &boundary, uint32_t simple_face) const {
+    return boundary.faces[faces[simple_face].face].shell;
+  }
 };
 
 }  // namespace hsp

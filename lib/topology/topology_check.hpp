@@ -1,7 +1,7 @@
 // The laws of a topology, checked from its tables alone. A correct build violates none of them for any input.
 #pragma once
 
-#include "topology/topology_structure.hpp"
+#include "topology/topology.hpp"
 
 namespace hsp {
 

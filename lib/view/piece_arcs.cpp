@@ -2,10 +2,10 @@
 
 #include "core/elementary.hpp"
 #include "exact/filter.hpp"
-#include "measure/arc_angles.hpp"
+#include "sphere/arc_geometry.hpp"
 #include "measure/areas.hpp"
 #include "view/circle_frame.hpp"
-#include "view/plane_arcs.hpp"
+#include "view/projected_arcs.hpp"
 
 namespace hsp {
 namespace {

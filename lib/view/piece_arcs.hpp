@@ -1,8 +1,8 @@
 // From the loops of a piece to arcs in the view plane.
 #pragma once
 
-#include "view/front_piece.hpp"
-#include "view/view_structure.hpp"
+#include "view/visible_piece.hpp"
+#include "view/view.hpp"
 
 namespace hsp {
 

@@ -1,55 +1,49 @@
-// Hidden surface removal by the painter's order (Section 5.1): balls that may be seen, sorted by depth, each with the
-// piece of it that is painted.
-//
-// Why pieces cut by farther balls alone show what is seen: at a point of the view plane let ball m have the highest
-// front. That point of it lies in no ball, so it is in m's piece. Let j be painted later, so that its centre is no
-// farther, and let its disc hold the point too. Its front there is at least as high as its centre, hence as m's centre,
-// and at most as high as m's front: it lies inside ball m, which is farther, so it is not in j's piece. Balls that are
-// hidden as a whole are never m, so they need neither be painted nor cut.
+// What a view holds once it is computed: pieces in drawing order, their loops, and arcs in the view plane. All ids of
+// balls are the grid's, all lengths are in lattice steps, all places relative to the frame's origin.
 #pragma once
 
-#include "view/depth_order.hpp"
-#include "view/front_piece.hpp"
-#include "view/hidden_balls.hpp"
-#include "view/view_structure.hpp"
+#include "core/fixed_vector.hpp"
+#include "core/workspace.hpp"
+#include "model/ball_set.hpp"
+#include "view/view_frame.hpp"
 
 namespace hsp {
 
-enum class PieceKind : uint32_t { outside_farther, outside_all };  // G and H of the paper
-
-struct ViewRequest {
-  ViewDirection direction{};
-  PieceKind kind = PieceKind::outside_farther;
-  bool all_balls = false;
+struct ViewLimits {
+  uint32_t balls = 0;
+  uint32_t neighbours = 0;
+  uint32_t arcs = 0;
 };
 
-class ViewBuilder {
- public:
-  void carve(Workspace &workspace, const ViewLimits &limits);
+// The loops and the arcs of a piece are consecutive, loop after loop.
+struct PieceRecord {
+  uint32_t ball;
+  uint32_t first_loop, loops;
+  uint32_t first_arc, arcs;
+};
 
-  // boundary may be null for pieces outside farther balls. Status::capacity if a limit is too small; needed() then
-  // tells what suffices, with 0 for what is not known yet.
-  Status build(const CubeGrid &grid, const BoundaryStructure *boundary, const ViewRequest &request);
+struct ArcRecord {
+  double from, to;  // parameters on the ellipse of plane_arcs.hpp
+  double start[2];  // where it starts; it ends where the next one of its loop starts
+  uint32_t across;  // the ball whose sphere it lies on too, no_id on the silhouette
+};
 
-  const ViewStructure &structure() const { return structure_; }
-  const ViewLimits &needed() const { return needed_; }
-  PieceKind kind() const { return kind_; }
+struct ViewStructure {
+  ViewFrame frame;
+  FixedVector<PieceRecord> pieces;  // farthest first
+  FixedVector<uint32_t> loops;      // their first arcs; loops and arcs are in the order of the grid
+  FixedVector<ArcRecord> arcs;
+  Span<uint32_t> scratch;  // [balls], for whoever reads the view
 
- private:
-  void choose_balls(const CubeGrid &grid, const BoundaryStructure *boundary, bool all_balls);
-  void cut_pieces(const CubeGrid &grid, const BoundaryStructure *boundary);
-  void add_piece(const BallSet &balls);
-  void sort_pieces(const BallSet &balls);
+  uint32_t end_of_loops(uint32_t piece) const { return pieces[piece].first_loop + pieces[piece].loops; }
+  uint32_t end_of_arcs(uint32_t loop) const { return loop + 1 < loops.size() ? loops[loop + 1] : arcs.size(); }
 
-  ViewLimits limits_;
-  ViewLimits needed_;
-  ViewStructure structure_;
-  PieceKind kind_ = PieceKind::outside_farther;
-  HiddenBalls hidden_;
-  FrontPiece piece_;
-  Span<uint8_t> visible_;         // [balls]
-  FixedVector<PieceRecord> cut_;  // [balls] pieces in the order of the grid
-  Span<DepthKey> keys_;           // [balls]
+  void carve(Workspace &workspace, const ViewLimits &limits) {
+    pieces = FixedVector<PieceRecord>(workspace.take<PieceRecord>(limits.balls));
+    loops = FixedVector<uint32_t>(workspace.take<uint32_t>(limits.arcs));
+    arcs = FixedVector<ArcRecord>(workspace.take<ArcRecord>(limits.arcs));
+    scratch = workspace.take<uint32_t>(limits.balls);
+  }
 };
 
 }  // namespace hsp

@@ -1,6 +1,6 @@
 #include "built_boundary.hpp"
 
-#include "topology/shells.hpp"
+#include "boundary/shells.hpp"
 
 BuiltBoundary::BuiltBoundary(const std::vector<TestBall> &balls) {
   const uint32_t n = static_cast<uint32_t>(balls.size());

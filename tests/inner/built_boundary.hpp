@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "boundary/boundary.hpp"
-#include "grid/cube_grid.hpp"
+#include "boundary/boundary_builder.hpp"
+#include "model/cube_grid.hpp"
 
 struct TestBall {
   double x, y, z, radius;

@@ -3,7 +3,7 @@
 
 #include "built_boundary.hpp"
 #include "lattice_ball.hpp"
-#include "topology/topology.hpp"
+#include "topology/topology_builder.hpp"
 
 class BuiltTopology {
  public:

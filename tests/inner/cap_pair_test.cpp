@@ -1,6 +1,6 @@
 // The floating-point rung of the vertex search against the exact rung: whenever it is certain, the exact predicates
 // agree; and the distance of the computed points from third caps is within the stated error of a longer evaluation.
-#include "boundary/cap_pair.hpp"
+#include "sphere/cap_pair.hpp"
 
 #include <gtest/gtest.h>
 

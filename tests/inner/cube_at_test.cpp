@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "grid/cube_grid.hpp"
+#include "model/cube_grid.hpp"
 
 namespace {
 

@@ -1,6 +1,6 @@
 // The numbering of cubes by rows: a permutation of what was there, rows together and ascending, and the table still
 // finds them.
-#include "grid/cube_order.hpp"
+#include "model/cube_order.hpp"
 
 #include <gtest/gtest.h>
 

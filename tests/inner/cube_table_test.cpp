@@ -1,5 +1,5 @@
 // The open-addressing table: every cube is found again, absent ones are not, whatever the coordinates.
-#include "grid/cube_table.hpp"
+#include "model/cube_table.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // How faces with several loops are cut: all their loops are joined, by one great circle a loop at most, no extra arc is
 // a bridge, and the poles that the arcs pass are those that lie between their ends.
-#include "topology/extra_arcs.hpp"
+#include "topology/cut_arcs.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,9 @@
 
 #include <vector>
 
-#include "exact/pair.hpp"
-#include "grid/cube_grid.hpp"
-#include "grid/figures.hpp"
+#include "exact/lattice_ball.hpp"
+#include "model/cube_grid.hpp"
+#include "model/packing_statistics.hpp"
 
 namespace {
 

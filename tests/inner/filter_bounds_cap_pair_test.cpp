@@ -9,7 +9,7 @@
 #include <iostream>
 #include <string>
 
-#include "boundary/cap_pair.hpp"
+#include "sphere/cap_pair.hpp"
 #include "filter_bounds_search.hpp"
 
 namespace {

@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "exact/pair.hpp"
+#include "exact/lattice_ball.hpp"
 #include "tie_rule_determinants.hpp"
 
 namespace filter_bounds {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "built_boundary.hpp"
-#include "measure/inner_touching.hpp"
+#include "measure/tangency.hpp"
 
 namespace {
 

@@ -1,6 +1,6 @@
 // Great circles on the spheres of random sets: what of them is free, with what ends, and on which free arc the poles
 // lie. The oracle answers in integers of any size, and finds the order of the ends by other means.
-#include "boundary/great_circles.hpp"
+#include "sphere/great_circles.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include "built_topology.hpp"
 #include "circle_order.hpp"
 #include "random_balls.hpp"
-#include "topology/gathered_ball.hpp"
+#include "sphere/gathered_ball.hpp"
 
 namespace {
 

@@ -1,6 +1,6 @@
 // The balls that are found hidden are hidden: every point of a front above which another ball was to be is looked at,
 // by samples. And they are nearly all that are.
-#include "view/hidden_balls.hpp"
+#include "view/occlusion.hpp"
 
 #include <gtest/gtest.h>
 

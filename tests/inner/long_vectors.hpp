@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "measure/places.hpp"
+#include "measure/positions.hpp"
 
 namespace long_vectors {
 

@@ -8,9 +8,9 @@
 #include <random>
 
 #include "built_boundary.hpp"
-#include "measure/arc_angles.hpp"
+#include "sphere/arc_geometry.hpp"
 #include "measure/areas.hpp"
-#include "measure/free_arcs.hpp"
+#include "measure/arc_batches.hpp"
 
 namespace {
 

@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "exact/cyclic_order.hpp"
+#include "exact/angular_order.hpp"
 
 namespace {
 

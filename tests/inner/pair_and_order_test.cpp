@@ -4,8 +4,8 @@
 #include <cmath>
 #include <random>
 
-#include "exact/cyclic_order.hpp"
-#include "exact/pair.hpp"
+#include "exact/angular_order.hpp"
+#include "exact/lattice_ball.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "exact/pair.hpp"
+#include "exact/lattice_ball.hpp"
 
 struct FourBalls {
   hsp::exact::LatticeBall ball[4];

@@ -1,5 +1,5 @@
 // Areas and enclosed volumes of shells against the balls' own measures and closed forms, and the law about their signs.
-#include "measure/shell_measures.hpp"
+#include "measure/shell_volumes.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // Where extra arcs end: in their order along every arc and free circle, by positions, and each end of an extra arc in
 // one place, where it comes from or goes to the face it cuts.
-#include "topology/split_points.hpp"
+#include "topology/subdivision.hpp"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
-#include "boundary/assembly.hpp"
+#include "boundary/half_edge_links.hpp"
 #include "built_topology.hpp"
 #include "long_vectors.hpp"
 #include "random_balls.hpp"

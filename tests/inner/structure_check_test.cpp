@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "built_boundary.hpp"
-#include "measure/metric_check.hpp"
-#include "topology/shells.hpp"
-#include "topology/structure_check.hpp"
+#include "measure/boundary_metric_check.hpp"
+#include "boundary/shells.hpp"
+#include "boundary/boundary_check.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "boundary/boundary.hpp"
+#include "boundary/boundary_builder.hpp"
 #include "built_boundary.hpp"
 
 namespace {

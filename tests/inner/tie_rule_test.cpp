@@ -9,7 +9,7 @@
 
 #include "big_integer.hpp"
 #include "exact/filter.hpp"
-#include "exact/pair.hpp"
+#include "exact/lattice_ball.hpp"
 #include "tie_rule_balls.hpp"
 
 namespace {

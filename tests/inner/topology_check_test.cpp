@@ -8,10 +8,10 @@
 #include <functional>
 #include <utility>
 
-#include "boundary/assembly.hpp"
+#include "boundary/half_edge_links.hpp"
 #include "built_topology.hpp"
-#include "measure/shell_measures.hpp"
-#include "topology/shell_scan.hpp"
+#include "measure/shell_volumes.hpp"
+#include "topology/traversal.hpp"
 
 namespace {
 

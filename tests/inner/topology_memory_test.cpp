@@ -6,7 +6,7 @@
 
 #include "built_topology.hpp"
 #include "random_balls.hpp"
-#include "topology/topology.hpp"
+#include "topology/topology_builder.hpp"
 
 namespace {
 

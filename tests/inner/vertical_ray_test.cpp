@@ -1,5 +1,5 @@
 // The first ball above a point against a look at every ball.
-#include "grid/vertical_ray.hpp"
+#include "model/vertical_ray.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,32 @@
+// Where vertices and edges lie. Everything is computed from the ball of lowest rank concerned, so that ids have no
+// effect on any bit.
+#pragma once
+
+#include "topology/topology.hpp"
+
+namespace hsp {
+
+// A point, relative to the centre of a ball, in lattice steps.
+struct Place {
+  uint32_t ball;
+  double offset[3];
+};
+
+// A vertex of the boundary.
+Place place_of_vertex(const BallSet &balls, const BoundaryStructure &boundary, uint32_t vertex);
+
+// A vertex of the topology.
+Place place_of_point(const BallSet &balls, const BoundaryStructure &boundary, const TopologyStructure &topology,
+                     uint32_t vertex);
+
+// The circle of an edge and its part of it. Quarter-edge 4 e runs counter-clockwise about the axis.
+struct EdgePlace {
+  Place centre;
+  double axis[3];
+  double radius;
+  double angle;
+};
+EdgePlace place_of_edge(const BallSet &balls, const BoundaryStructure &boundary, const TopologyStructure &topology,
+                        uint32_t edge);
+
+}  // namespace hsp

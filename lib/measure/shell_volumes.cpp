@@ -1,0 +1,66 @@
+#include "measure/shell_volumes.hpp"
+
+#include "core/summation.hpp"
+
+namespace hsp {
+namespace {
+
+// Whether a simple face is the first of those that its maximal face is cut into. They lie among the consecutive simple
+// faces of one ball.
+bool is_first_part(const BoundaryStructure &boundary, const TopologyStructure &topology, uint32_t simple) {
+  const uint32_t face = topology.faces[simple].face;
+  if (boundary.faces[face].loops == 1) return true;
+  const uint32_t ball = boundary.faces[face].ball;
+  for (uint32_t k = simple; k-- > 0 && topology.ball_of(boundary, k) == ball;) {
+    if (topology.faces[k].face == face) return false;
+  }
+  return true;
+}
+
+// Calls visit(face) for the maximal faces of a shell in the order of its scan.
+template <class Visit>
+void visit_faces(const BoundaryStructure &boundary, const TopologyStructure &topology, uint32_t shell, Visit visit) {
+  const ShellRecord &record = topology.shells[shell];
+  for (uint32_t k = 0; k < record.simple_faces; ++k) {
+    const uint32_t simple = topology.scan[record.first_scan + k];
+    if (is_first_part(boundary, topology, simple)) visit(topology.faces[simple].face);
+  }
+}
+
+}  // namespace
+
+BallMeasure measure_shell(const BallSet &balls, const BoundaryStructure &boundary, const TopologyStructure &topology,
+                          uint32_t shell) {
+  TreeSum area;
+  TreeSum volume;
+  visit_faces(boundary, topology, shell, [&](uint32_t face) {
+    const BallMeasure measure = measure_face(balls, boundary, face);
+    area.add(measure.area);
+    volume.add(measure.volume);
+  });
+  return {area.total(), volume.total()};
+}
+
+TopologyViolation check_enclosed_volumes(const BallSet &balls, const BoundaryStructure &boundary,
+                                         const TopologyStructure &topology) {
+  for (uint32_t s = 0; s < topology.shell_count; ++s) {
+    // Every term has an error of some units in the last place of r^2 times the distance to the origin of the terms.
+    double scale = 0.0;
+    visit_faces(boundary, topology, s, [&](uint32_t face) {
+      const uint32_t i = boundary.faces[face].ball;
+      const uint32_t origin = boundary.components.root(i);
+      const double x = balls.x[i] - balls.x[origin];
+      const double y = balls.y[i] - balls.y[origin];
+      const double z = balls.z[i] - balls.z[origin];
+      const double r = balls.r[i];
+      scale += r * r * (r + std::sqrt(x * x + y * y + z * z));
+    });
+    constexpr double tolerance = 0x1p-40;
+    const double volume = measure_shell(balls, boundary, topology, s).volume;
+    const double enclosed = topology.shells[s].is_void ? -volume : volume;
+    if (!(enclosed >= -tolerance * scale)) return {TopologyLaw::volumes, s};
+  }
+  return {};
+}
+
+}  // namespace hsp

@@ -1,0 +1,41 @@
+#include "measure/tangency.hpp"
+
+namespace hsp {
+namespace {
+
+exact::Vector between(const exact::LatticeBall &from, const exact::LatticeBall &to) {
+  return {to.centre.x - from.centre.x, to.centre.y - from.centre.y, to.centre.z - from.centre.z};
+}
+
+// Whether no component of v is beyond s: keeps the squares within their bits.
+bool within(const exact::Vector &v, int64_t s) {
+  return v.x <= s && v.y <= s && v.z <= s && -v.x <= s && -v.y <= s && -v.z <= s;
+}
+
+}  // namespace
+
+bool touches_freely_from_inside(const BallSet &balls, const CubeBlock &block, uint32_t inner, uint32_t outer) {
+  const exact::LatticeBall own = balls.ball(inner);
+  const exact::LatticeBall container = balls.ball(outer);
+  const int64_t D = container.radius - own.radius;
+  const exact::Vector v = between(container, own);
+  if (D < 0 || !within(v, D) || exact::dot(v, v) != D * D) return false;
+  if (D == 0) return true;  // equal balls
+
+  // They touch in the point c + R v/D, c and R of the outer ball. Seen from the centre c_k of a third ball, D times
+  // that is D (c - c_k) + R v, with components below 2^62.
+  for (uint32_t r = 0; r < block.ranges; ++r) {
+    for (uint32_t k = block.range[r].first; k < block.range[r].last; ++k) {
+      const exact::LatticeBall third = balls.ball(k);
+      const exact::Vector w = between(third, container);
+      if (!within(w, third.radius + container.radius)) continue;
+      const exact::Vector point{D * w.x + container.radius * v.x, D * w.y + container.radius * v.y,
+                                D * w.z + container.radius * v.z};
+      // On the spheres of the two themselves it lies exactly, and so outside their interiors.
+      if (exact::Exact::compare_distance(point, D * third.radius) < 0) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace hsp

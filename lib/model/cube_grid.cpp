@@ -1,0 +1,131 @@
+#include "model/cube_grid.hpp"
+
+#include "core/sorting.hpp"
+#include "model/cube_order.hpp"
+
+namespace hsp {
+namespace {
+
+// floor(value / side) for |value| < 2^52. The estimate has an error below |value| 2^-52 / side < 1 / side, while a
+// quotient that is no integer is at least 1 / side away from the next one: so truncation is off by at most one, and the
+// remainder tells.
+int64_t floor_divide(int64_t value, int64_t side, double reciprocal) {
+  int64_t quotient = static_cast<int64_t>(static_cast<double>(value) * reciprocal);
+  const int64_t rest = value - quotient * side;
+  if (rest < 0) --quotient;
+  if (rest >= side) ++quotient;
+  return quotient;
+}
+
+}  // namespace
+
+CubeCoordinates CubeGrid::cube_at(const exact::Vector &point, int64_t side) {
+  const double reciprocal = 1.0 / static_cast<double>(side);
+  return {floor_divide(point.x, side, reciprocal), floor_divide(point.y, side, reciprocal),
+          floor_divide(point.z, side, reciprocal)};
+}
+
+void CubeGrid::carve(Workspace &workspace, uint32_t n) {
+  capacity_ = n;
+  const auto slots = workspace.take<uint32_t>(CubeTable::slots_for(n));
+  const auto cubes = workspace.take<CubeCoordinates>(n);
+  table_ = CubeTable(slots, cubes);
+  first_ball_ = workspace.take<uint32_t>(static_cast<uint64_t>(n) + 1);
+  place_ = workspace.take<uint32_t>(n);
+  balls_.x = workspace.take<double>(n);
+  balls_.y = workspace.take<double>(n);
+  balls_.z = workspace.take<double>(n);
+  balls_.r = workspace.take<double>(n);
+  balls_.caller = workspace.take<uint32_t>(n);
+  scratch_slots_ = workspace.take<uint32_t>(CubeTable::slots_for(n));
+  scratch_links_ = workspace.take<uint32_t>(n);
+  scratch_order_ = workspace.take<uint32_t>(n);
+}
+
+void CubeGrid::clear() {
+  balls_.n = 0;
+  static_cast<void>(exact::Lattice::for_largest_radius(0.0, 0.0, balls_.lattice));
+  balls_.probe_steps = 0;
+  balls_.largest_radius = 0;
+  side_ = 1;
+  table_.clear(0);
+  first_ball_[0] = 0;
+}
+
+Status CubeGrid::build(const BallInput &input, uint32_t &first_bad) {
+  clear();
+  BallRounding rounding;
+  if (const Status status = rounding.prepare(input, first_bad); status != Status::ok) return status;
+
+  // Every ball is rounded twice, once to know r_max and hence the cubes, once to be stored: cheaper than a second copy.
+  int64_t largest = 0;
+  exact::LatticeBall ball;
+  for (uint32_t i = 0; i < input.n; ++i) {
+    if (const Status status = rounding.round(i, ball); status != Status::ok) {
+      first_bad = i;
+      return status;
+    }
+    if (ball.radius > largest) largest = ball.radius;
+  }
+  side_ = largest > 0 ? 2 * largest : 1;
+  balls_.n = input.n;
+  balls_.lattice = rounding.lattice();
+  balls_.probe_steps = rounding.probe_steps();
+  balls_.largest_radius = largest;
+
+  // Count sort by cube. place_ holds the cubes' numbers in between.
+  table_.clear(input.n);
+  for (uint32_t i = 0; i < input.n; ++i) {
+    static_cast<void>(rounding.round(i, ball));
+    place_[i] = table_.find_or_insert(cube_at(ball.centre, side_));
+  }
+  order_cubes_by_rows(table_, {scratch_slots_, scratch_links_, scratch_order_});
+  for (uint32_t cube = 0; cube <= table_.count(); ++cube) first_ball_[cube] = 0;
+  for (uint32_t i = 0; i < input.n; ++i) {
+    place_[i] = scratch_links_[place_[i]];
+    ++first_ball_[place_[i] + 1];
+  }
+  for (uint32_t cube = 0; cube < table_.count(); ++cube) first_ball_[cube + 1] += first_ball_[cube];
+  for (uint32_t i = 0; i < input.n; ++i) {
+    static_cast<void>(rounding.round(i, ball));
+    const uint32_t place = first_ball_[place_[i]]++;
+    balls_.store(place, ball);
+    place_[i] = place;
+  }
+  // The running starts have become the ends: shift them back by one cube.
+  for (uint32_t cube = table_.count(); cube > 0; --cube) first_ball_[cube] = first_ball_[cube - 1];
+  first_ball_[0] = 0;
+  return Status::ok;
+}
+
+BallRange CubeGrid::balls_in_row(int64_t x_low, int64_t x_high, int64_t y, int64_t z) const {
+  const uint64_t along_x = linear_hash({1, 0, 0});
+  uint64_t linear = linear_hash({x_low, y, z});
+  for (int64_t x = x_low; x <= x_high; ++x, linear += along_x) {
+    const uint32_t cube = table_.find({x, y, z}, linear);
+    if (cube == no_id) continue;
+    // The rest of the row follows in the numbering.
+    uint32_t end = cube + 1;
+    for (; end < table_.count(); ++end) {
+      const CubeCoordinates &next = table_.coordinates(end);
+      if (next.x > x_high || next.y != y || next.z != z) break;
+    }
+    return {first_ball_[cube], first_ball_[end]};
+  }
+  return {0, 0};
+}
+
+CubeBlock CubeGrid::block_around(const CubeCoordinates &centre) const {
+  CubeBlock block;
+  for (int64_t dz = -1; dz <= 1; ++dz) {
+    for (int64_t dy = -1; dy <= 1; ++dy) {
+      const BallRange range = balls_in_row(centre.x - 1, centre.x + 1, centre.y + dy, centre.z + dz);
+      if (!range.empty()) block.range[block.ranges++] = range;
+    }
+  }
+  sort_in_place(Span<BallRange>(block.range, block.ranges),
+                [](const BallRange &a, const BallRange &b) { return a.first < b.first; });
+  return block;
+}
+
+}  // namespace hsp

@@ -1,0 +1,62 @@
+// The balls of a set, count-sorted into cubes of side 2 r_max (Section 3). Centres alone are stored, each once: two
+// balls that meet lie in neighbouring cubes, so 27 cubes hold all neighbours of a ball.
+#pragma once
+
+#include "core/workspace.hpp"
+#include "model/cube_table.hpp"
+#include "model/ball_set.hpp"
+
+namespace hsp {
+
+// Balls first .. last - 1 of the grid's order.
+struct BallRange {
+  uint32_t first, last;
+  bool empty() const { return first == last; }
+};
+
+// The balls of the up to 27 cubes around a place, a range for each row of cubes, ascending.
+struct CubeBlock {
+  BallRange range[9];
+  uint32_t ranges = 0;
+};
+
+class CubeGrid {
+ public:
+  // Carves the arrays for at most n balls; with a measuring workspace it only counts.
+  void carve(Workspace &workspace, uint32_t n);
+
+  // Rounds and sorts the balls. On failure the grid is empty; first_bad names the ball.
+  Status build(const BallInput &input, uint32_t &first_bad);
+
+  const BallSet &balls() const { return balls_; }
+  uint32_t capacity() const { return capacity_; }
+  int64_t side() const { return side_; }
+  const CubeTable &table() const { return table_; }
+  // Position of the caller's ball in the grid's order.
+  uint32_t place(uint32_t caller) const { return place_[caller]; }
+
+  uint32_t cubes() const { return table_.count(); }
+  BallRange balls_in(uint32_t cube) const { return {first_ball_[cube], first_ball_[cube + 1]}; }
+  CubeCoordinates cube_at(const exact::Vector &point) const { return cube_at(point, side_); }
+  static CubeCoordinates cube_at(const exact::Vector &point, int64_t side);
+  // The balls of the cubes (x_low .. x_high, y, z).
+  BallRange balls_in_row(int64_t x_low, int64_t x_high, int64_t y, int64_t z) const;
+  CubeBlock block_around(const CubeCoordinates &centre) const;
+
+  // Memory of O(n) slots and links for other groupings of the same balls (figures.cpp).
+  Span<uint32_t> scratch_slots() const { return scratch_slots_; }
+  Span<uint32_t> scratch_links() const { return scratch_links_; }
+
+ private:
+  void clear();
+
+  BallSet balls_;
+  CubeTable table_;
+  Span<uint32_t> first_ball_;  // [cubes + 1]
+  Span<uint32_t> place_;       // [n] caller -> grid order
+  Span<uint32_t> scratch_slots_, scratch_links_, scratch_order_;
+  uint32_t capacity_ = 0;
+  int64_t side_ = 1;
+};
+
+}  // namespace hsp

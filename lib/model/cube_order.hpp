@@ -1,0 +1,18 @@
+// Numbers the cubes so that those of one row, with equal y and z, follow each other in order of x. The balls of
+// neighbouring cubes of a row then lie side by side, and a search for one of them finds the others without hashing.
+#pragma once
+
+#include "model/cube_table.hpp"
+
+namespace hsp {
+
+// Scratch memory: as many slots as the table of these cubes has, and one link and one place per cube.
+struct CubeOrderScratch {
+  Span<uint32_t> slots, links, order;
+};
+
+// Renumbers the cubes of the table; scratch.links then holds the new number of each old one. Rows keep the order of
+// their first cubes. O(cubes) for rows of bounded length, else O(cubes log cubes).
+void order_cubes_by_rows(CubeTable &table, const CubeOrderScratch &scratch);
+
+}  // namespace hsp

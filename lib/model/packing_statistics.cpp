@@ -1,0 +1,128 @@
+#include "model/packing_statistics.hpp"
+
+namespace hsp {
+namespace {
+
+double distance_squared(const BallSet &balls, uint32_t i, uint32_t j) {
+  const double dx = balls.x[i] - balls.x[j];
+  const double dy = balls.y[i] - balls.y[j];
+  const double dz = balls.z[i] - balls.z[j];
+  return dx * dx + dy * dy + dz * dz;
+}
+
+// Keeps the smallest |c_i c_j| / max(r_i, r_j).
+struct ClosestPair {
+  double ratio = std::numeric_limits<double>::infinity();
+  bool coincident = false;
+
+  void offer(const BallSet &balls, uint32_t i, uint32_t j) {
+    const double larger = balls.r[i] > balls.r[j] ? balls.r[i] : balls.r[j];
+    const double squared = distance_squared(balls, i, j);
+    coincident = coincident || squared == 0.0;
+    if (larger > 0.0) {
+      const double candidate = std::sqrt(squared) / larger;
+      if (candidate < ratio) ratio = candidate;
+    }
+  }
+};
+
+// Whether |c_i c_j| < r_i + r_j, exactly.
+bool overlap(const BallSet &balls, uint32_t i, uint32_t j) {
+  const exact::LatticeBall a = balls.ball(i);
+  const exact::LatticeBall b = balls.ball(j);
+  const int64_t sum = a.radius + b.radius;
+  const exact::Vector d{b.centre.x - a.centre.x, b.centre.y - a.centre.y, b.centre.z - a.centre.z};
+  if (d.x >= sum || d.y >= sum || d.z >= sum || -d.x >= sum || -d.y >= sum || -d.z >= sum) return false;
+  const uint64_t squared =
+      static_cast<uint64_t>(d.x * d.x) + static_cast<uint64_t>(d.y * d.y) + static_cast<uint64_t>(d.z * d.z);
+  return squared < static_cast<uint64_t>(sum * sum);
+}
+
+// Offers every pair whose centres lie in neighbouring cubes of the given side: all pairs up to that distance, each at
+// least once. Balls are chained per slot of an open-addressing table that is keyed by the cube of a slot's first ball.
+void offer_neighbouring_cubes(const CubeGrid &grid, int64_t side, ClosestPair &closest) {
+  const BallSet &balls = grid.balls();
+  const Span<uint32_t> slots = grid.scratch_slots();
+  const Span<uint32_t> next = grid.scratch_links();
+  const uint32_t size = static_cast<uint32_t>(CubeTable::slots_for(balls.n));
+  for (uint32_t k = 0; k < size; ++k) slots[k] = no_id;
+
+  const auto slot_of = [&](const CubeCoordinates &cube) {
+    CubeProbe probe(linear_hash(cube), size);
+    while (slots[probe.slot] != no_id && !(CubeGrid::cube_at(balls.ball(slots[probe.slot]).centre, side) == cube)) {
+      probe.next();
+    }
+    return probe.slot;
+  };
+  for (uint32_t i = 0; i < balls.n; ++i) {
+    const uint32_t slot = slot_of(CubeGrid::cube_at(balls.ball(i).centre, side));
+    next[i] = slots[slot];
+    slots[slot] = i;
+  }
+  for (uint32_t i = 0; i < balls.n && closest.ratio > 0.0; ++i) {
+    const CubeCoordinates centre = CubeGrid::cube_at(balls.ball(i).centre, side);
+    for (int64_t dz = -1; dz <= 1; ++dz) {
+      for (int64_t dy = -1; dy <= 1; ++dy) {
+        for (int64_t dx = -1; dx <= 1; ++dx) {
+          uint32_t j = slots[slot_of({centre.x + dx, centre.y + dy, centre.z + dz})];
+          for (; j != no_id; j = next[j]) {
+            if (j > i) closest.offer(balls, i, j);
+          }
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+
+HardSphereFigures hard_sphere_figures(const CubeGrid &grid) {
+  const BallSet &balls = grid.balls();
+  HardSphereFigures figures;
+  figures.no_pair = balls.n < 2;
+  if (balls.n == 0) return figures;
+
+  double smallest = balls.r[0];
+  for (uint32_t i = 1; i < balls.n; ++i) {
+    if (balls.r[i] < smallest) smallest = balls.r[i];
+  }
+  figures.zero_radius = smallest == 0.0;
+  if (!figures.zero_radius) figures.k = static_cast<double>(balls.largest_radius) / smallest;
+
+  // Overlaps, and the closest pair among neighbouring cubes.
+  ClosestPair closest;
+  uint64_t overlaps = 0;
+  for (uint32_t cube = 0; cube < grid.cubes(); ++cube) {
+    const CubeBlock block = grid.block_around(grid.table().coordinates(cube));
+    const BallRange own = grid.balls_in(cube);
+    for (uint32_t i = own.first; i < own.last; ++i) {
+      uint32_t count = 0;
+      for (uint32_t k = 0; k < block.ranges; ++k) {
+        for (uint32_t j = block.range[k].first; j < block.range[k].last; ++j) {
+          if (j == i) continue;
+          if (overlap(balls, i, j)) ++count;
+          if (j > i) closest.offer(balls, i, j);
+        }
+      }
+      overlaps += count;
+      if (count > figures.max_overlaps) figures.max_overlaps = count;
+    }
+  }
+  figures.mean_overlaps = static_cast<double>(overlaps) / static_cast<double>(balls.n);
+
+  // A pair outside neighbouring cubes of some side is further apart than the side, so its ratio exceeds side / r_max.
+  // Coarser cubes are needed only while that does not rule it out: for sets whose balls hardly meet.
+  const double r_max = static_cast<double>(balls.largest_radius);
+  constexpr int64_t widest_set = int64_t{1} << 52;
+  for (int64_t side = grid.side();
+       balls.n >= 2 && side < widest_set && closest.ratio * r_max > static_cast<double>(side);) {
+    side *= 4;
+    offer_neighbouring_cubes(grid, side, closest);
+  }
+  figures.coincident = closest.coincident;
+  figures.no_pair = !is_finite(closest.ratio);
+  figures.rho = figures.no_pair || figures.coincident ? 0.0 : closest.ratio;
+  return figures;
+}
+
+}  // namespace hsp

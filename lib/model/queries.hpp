@@ -1,0 +1,37 @@
+// Intersection queries (Section 3): the balls that contain a point, and the balls that meet a ball.
+#pragma once
+
+#include "model/cube_grid.hpp"
+
+namespace hsp {
+
+// A query position on the grid's lattice. Distances to it are decided exactly.
+struct LatticeQuery {
+  exact::Vector centre;
+  int64_t radius;  // at most 2^51
+};
+
+// Hits in ascending order of the caller's indices. With more hits than capacity only their number is stored.
+struct QueryResult {
+  uint32_t *ids;
+  uint32_t capacity;
+  uint32_t hits;
+};
+
+// Rounds a position and radius to the lattice of the balls.
+Status round_query(const BallSet &balls, const double *xyz, double radius, LatticeQuery &query);
+
+// The balls that contain the point: at most 8 cubes are looked at.
+void find_balls_at_point(const CubeGrid &grid, const LatticeQuery &point, QueryResult &result);
+
+// The balls that meet the query ball; 27 cubes for radii up to r_max, all cubes within reach or all balls for larger
+// ones.
+void find_balls_at_ball(const CubeGrid &grid, const LatticeQuery &query, QueryResult &result);
+
+// Whether any ball meets the query ball.
+bool any_ball_meets(const CubeGrid &grid, const LatticeQuery &query);
+
+// The balls that meet ball `place` of the grid's order, itself left out.
+void find_neighbours(const CubeGrid &grid, uint32_t place, QueryResult &result);
+
+}  // namespace hsp

@@ -1,0 +1,65 @@
+// The caps of one ball: the parts of its sphere that lie inside other balls (Step 1 of Section 4.2). A cap is kept as
+//   plane   the exact half-space of lib/exact, for the exact rung;
+//   u, b    the same on the unit sphere in doubles: x on the unit sphere lies in the cap iff u.x >= b, with u the unit
+//   vector to
+//           the other centre. |u error| <= 3.5e, |b error| <= 7e (e = 2^-53), as U = |v|^2, h and r are exact integers:
+//           sqrt(U) 1.5e, its inverse 2.5e, u one more; h 1e, times the inverse 4.5e, times 1/(2r) 6.5e.
+#pragma once
+
+#include "core/disjoint_sets.hpp"
+#include "core/workspace.hpp"
+#include "exact/predicates.hpp"
+#include "model/cube_grid.hpp"
+
+namespace hsp {
+
+// Caps in ascending order of the grid's ball ids, structure of arrays over scratch memory of fixed capacity.
+struct Caps {
+  // All with room for one more.
+  Span<double> ux, uy, uz, b;
+  Span<exact::Plane> plane;
+  Span<uint32_t> ball;  // the other ball, grid order
+  uint32_t count = 0;
+  uint32_t first_later = 0;  // caps from here on are of balls after the origin ball in grid order
+
+  uint32_t origin = 0;  // the ball they lie on, grid order
+  exact::Sphere sphere{};
+  double length_squared = 0.0;  // max(W, |v|^2), for the exact filter
+  bool contained = false;       // the ball lies inside another one and has no caps that matter
+  uint32_t met = 0;             // balls that meet this one, whether or not there was room for their caps
+
+  void carve(Workspace &workspace, uint32_t capacity);
+  bool overflowed() const { return met >= plane.size(); }
+
+  // Finds the caps of ball i, whose neighbours lie in the block. Every ball that meets it is joined to it in
+  // components, if given.
+  void gather(const BallSet &balls, const CubeBlock &block, uint32_t i, const DisjointSets *components);
+
+  // A great circle of the sphere in the form of one more cap, number `count`, for cap_pair.hpp. Its errors are those of
+  // caps, as its normal is exact.
+  void add_great_circle(const exact::Vector &normal) const;
+  // The half of the sphere on the side of the normal as one more cap that counts, of ball no_id; at most one.
+  void add_half_sphere(const exact::Vector &normal);
+
+  // Drops the caps of balls that keep(ball) refuses.
+  template <class Keep>
+  void keep_if(Keep keep) {
+    uint32_t kept = 0;
+    for (uint32_t k = 0; k < count; ++k) {
+      if (!keep(ball[k])) continue;
+      ux[kept] = ux[k];
+      uy[kept] = uy[k];
+      uz[kept] = uz[k];
+      b[kept] = b[k];
+      plane[kept] = plane[k];
+      ball[kept++] = ball[k];
+    }
+    count = kept;
+  }
+
+  exact::Predicates predicates() const { return {sphere, length_squared}; }
+  // Index of the cap of a ball; it must be there.
+  uint32_t cap_of(uint32_t other) const;
+};
+
+}  // namespace hsp

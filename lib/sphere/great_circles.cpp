@@ -1,0 +1,164 @@
+#include "sphere/great_circles.hpp"
+
+#include "sphere/cap_pair.hpp"
+#include "core/sorting.hpp"
+
+namespace hsp {
+
+using exact::Plane;
+using exact::Vector;
+
+// Odd in the axis, so that both balls of a circle name its points in the plane by the same signs.
+Plane meridian_through(const Vector &axis) {
+  if (axis.x != 0 || axis.y != 0) return exact::virtual_plane({-axis.y, axis.x, 0}, 0);
+  return exact::virtual_plane({axis.z > 0 ? 1 : -1, 0, 0}, 0);
+}
+
+namespace {
+
+enum class Cover { crosses, covers, apart };
+
+// How a cap lies to a great circle.
+Cover cover_of(const Caps &caps, const exact::Predicates &predicates, const Plane &circle, uint32_t l) {
+  const CapPair pair(caps, caps.count, l);
+  if (pair.surely_cross()) return Cover::crosses;
+  if (pair.surely_apart()) {
+    if (pair.surely_inside()) return Cover::covers;
+    if (pair.surely_outside()) return Cover::apart;
+  }
+  if (predicates.crossing(circle, caps.plane[l]).sign > 0) return Cover::crosses;
+  return predicates.side(circle, caps.plane[l]).sign > 0 ? Cover::covers : Cover::apart;
+}
+
+// Whether the entry and the exit of a cap on a great circle are free.
+struct FreeEnds {
+  bool entry = true;
+  bool leave = true;
+
+  FreeEnds(const Caps &caps, const exact::Predicates &predicates, const Plane &circle, Span<uint32_t> crossing,
+           uint32_t own) {
+    const CapPair pair(caps, caps.count, own);
+    const bool certain = pair.surely_cross();
+    const CrossingPoints points(caps, caps.count, own, pair);
+    for (uint32_t k = 0; k < crossing.size() && (entry || leave); ++k) {
+      const uint32_t l = crossing[k];
+      if (l == own) continue;
+      const auto value = [&](int s) {
+        return caps.ux[l] * points.x[s] + caps.uy[l] * points.y[s] + caps.uz[l] * points.z[s] - caps.b[l];
+      };
+      const double at_entry = value(0);
+      const double at_exit = value(1);
+      if (certain && std::fabs(at_entry) > points.error && std::fabs(at_exit) > points.error) {
+        entry = entry && at_entry < 0.0;
+        leave = leave && at_exit < 0.0;
+      } else {
+        const exact::PointStatus status = predicates.point_status(circle, caps.plane[own], caps.plane[l]);
+        entry = entry && status.side[0] < 0;
+        leave = leave && status.side[1] < 0;
+      }
+    }
+  }
+};
+
+// Counter-clockwise about the normal m of a meridian's plane: two half-turns from the direction z, first the one on the
+// side of m x z.
+void sort_along_meridian(const Caps &caps, const Vector &m, Span<uint32_t> owners) {
+  const auto half = [&m](const Vector &v) {
+    const int64_t e = v.x * m.y - v.y * m.x;
+    return e > 0 || (e == 0 && v.z > 0) ? 0 : 1;
+  };
+  sort_in_place(owners, [&](uint32_t a, uint32_t b) {
+    const Vector &v = caps.plane[FaceScratch::cap_of_owner(a)].v;
+    const Vector &w = caps.plane[FaceScratch::cap_of_owner(b)].v;
+    const int half_v = half(v);
+    const int half_w = half(w);
+    return half_v != half_w ? half_v < half_w : exact::orientation(m, v, w) > 0;
+  });
+}
+
+}  // namespace
+
+uint32_t find_owners(const Caps &caps, const exact::Predicates &predicates, const Plane &circle,
+                     const FaceScratch &scratch) {
+  caps.add_great_circle(circle.v);
+  uint32_t crossings = 0;
+  for (uint32_t l = 0; l < caps.count; ++l) {
+    const Cover cover = cover_of(caps, predicates, circle, l);
+    if (cover == Cover::covers) return 0;
+    if (cover == Cover::crosses) scratch.crossing[crossings++] = l;
+  }
+  uint32_t owners = 0;
+  for (uint32_t a = 0; a < crossings; ++a) {
+    const uint32_t own = scratch.crossing[a];
+    const FreeEnds ends(caps, predicates, circle, scratch.crossing.part(0, crossings), own);
+    if (ends.entry || ends.leave) scratch.owner[owners++] = FaceScratch::owner_of(own, ends.entry, ends.leave);
+  }
+  if (owners > 2) sort_along_meridian(caps, circle.v, scratch.owner.part(0, owners));
+  return owners;
+}
+
+LoopPlace place_on_loops(const Caps &caps, const exact::Predicates &predicates, const BoundaryStructure &boundary,
+                         uint32_t cap, const Plane &other, int sign) {
+  const uint32_t i = caps.origin;
+  const uint32_t neighbour = caps.ball[cap];
+  for (uint32_t s = boundary.first_circle_side[i]; s < boundary.first_circle_side[i + 1]; ++s) {
+    const uint32_t side = boundary.circle_side[s] % 2;
+    const CircleRecord &circle = boundary.circles[boundary.circle_side[s] / 2];
+    if (circle.ball[1 - side] == neighbour) return {no_id, boundary.circle_side[s], circle.loop[side]};
+  }
+  // The uses are sorted by the circle they leave along, so the arcs of one circle are consecutive.
+  uint32_t first = boundary.first_use[i];
+  while (boundary.uses[first].out != neighbour) ++first;
+  uint32_t last = first + 1;
+  while (last < boundary.first_use[i + 1] && boundary.uses[last].out == neighbour) ++last;
+  const auto gap = [&](uint32_t g, Plane &leave, Plane &entry) {
+    const VertexUse &walk = boundary.uses[first + g];
+    leave = caps.plane[caps.cap_of(boundary.uses[walk.next].out)];
+    entry = caps.plane[caps.cap_of(walk.in)];
+  };
+  const uint32_t use = first + gap_that_holds(predicates, caps.plane[cap], last - first, gap, other, -sign);
+  return {use, no_id, boundary.uses[use].loop};
+}
+
+namespace {
+
+// Whether a pole lies strictly between two directions, counter-clockwise about the normal m of a meridian's plane. From
+// the upper pole this turn goes first towards w = m x z, the lower pole lies half a turn away; so with e = v.w the
+// direction of v is told by the signs of e and v.z, and only two directions on one side of the poles need comparing.
+bool pole_lies_between(const Vector &m, const Vector &from, const Vector &to, int pole) {
+  const auto side = [&](const Vector &v) {
+    const int64_t e = v.x * m.y - v.y * m.x;
+    if (e != 0) return (e > 0) == (pole > 0) ? 1 : -1;
+    return (v.z > 0) == (pole > 0) ? 0 : 2;  // the direction of the pole, or of the other one
+  };
+  const int side_from = side(from);
+  const int side_to = side(to);
+  if (side_from == 0 || side_to == 0) return false;
+  if (side_from != side_to) {
+    // Behind the pole comes side 1, then 2, then -1: the pole is passed on the way down in this order.
+    const auto position = [](int where) { return where == 1 ? 1 : where == 2 ? 2 : 3; };
+    return position(side_from) > position(side_to);
+  }
+  // On one side: passed unless `to` comes first; the whole turn if they are equal.
+  return side_from == 2 || exact::orientation(m, from, to) <= 0;
+}
+
+}  // namespace
+
+// The pole lies on the arc iff it lies between the mid-points of the two caps and in neither of them. The poles are p+
+// and p- of two coordinate planes, whose normals may have any length: the filter is sharpest if it is that of the
+// others.
+bool arc_contains_pole(const Caps &caps, const exact::Predicates &predicates, const Plane &meridian,
+                       const OwnedArc &arc, int pole) {
+  const Plane &leave = caps.plane[arc.exit_cap];
+  const Plane &entry = caps.plane[arc.entry_cap];
+  if (!pole_lies_between(meridian.v, leave.v, entry.v, pole)) return false;
+  int64_t scale = 1;
+  while (4.0 * static_cast<double>(scale) * static_cast<double>(scale) <= caps.length_squared) scale *= 2;
+  const Plane across_x = exact::virtual_plane({scale, 0, 0}, 0);
+  const Plane across_y = exact::virtual_plane({0, scale, 0}, 0);
+  return predicates.inside(across_x, across_y, pole, leave) < 0 &&
+         predicates.inside(across_x, across_y, pole, entry) < 0;
+}
+
+}  // namespace hsp

@@ -1,0 +1,58 @@
+// Step 2 of Section 4.2 for one ball: its free vertices with two balls later in grid order, and its free circles with a
+// later ball. So each vertex and circle is decided exactly once, and the balls it lies on cannot disagree about it.
+#pragma once
+
+#include "sphere/caps.hpp"
+#include "boundary/records.hpp"
+#include "core/fixed_vector.hpp"
+#include "core/simd.hpp"
+
+namespace hsp {
+
+// The caps once more, largest first by coarse classes of size: a point that is covered is most likely covered by one of
+// the first.
+struct CapTests {
+  static constexpr uint32_t group = 2 * lane_count;  // caps that are tested at once; the arrays are padded by one group
+  Span<double> ux, uy, uz, b;
+  Span<uint32_t> cap;  // index in Caps
+  uint32_t count = 0;
+
+  void carve(Workspace &workspace, uint32_t capacity);
+  void fill(const Caps &caps);
+};
+
+class VertexFinder {
+ public:
+  void carve(Workspace &workspace, uint32_t capacity);
+  // Among caps from caps.first_later on.
+  void find(const BallSet &balls, const Caps &caps, FixedVector<VertexRecord> &vertices,
+            FixedVector<CircleRecord> &circles);
+  // On the circle of the last cap alone.
+  void find_on_last(const BallSet &balls, const Caps &caps, FixedVector<VertexRecord> &vertices,
+                    FixedVector<CircleRecord> &circles);
+
+ private:
+  struct Hints;
+  void decide_pair(const BallSet &balls, const Caps &caps, uint32_t j, uint32_t k, Hints &hints,
+                   FixedVector<VertexRecord> &vertices);
+  void add_free_circle(const Caps &caps, uint32_t j, FixedVector<CircleRecord> &circles) const;
+
+  // What is known of a cap while the pairs are gone through.
+  static constexpr uint8_t crossed = 1;  // its circle crosses another one, so it is not a free circle
+  static constexpr uint8_t covered = 2;  // its circle lies inside another cap, so it has no free point at all
+
+  CapTests tests_;
+  Span<uint8_t> state_;
+};
+
+// The exact rung: pushes the free points among p+ and p- of the circles of caps j < k. Returns whether the circles
+// cross. A further sphere ties with a point if it passes through it before the perturbation, unless its ball lies
+// inside one of the vertex's three balls, touching it there from inside: so the flag does not depend on the ball the
+// vertex is decided at.
+bool find_vertices_exactly(const BallSet &balls, const Caps &caps, const CapTests &tests, uint32_t j, uint32_t k,
+                           FixedVector<VertexRecord> &vertices);
+
+// Whether the circle of cap j is free as a whole.
+bool is_free_circle(const Caps &caps, const CapTests &tests, uint32_t j);
+
+}  // namespace hsp

@@ -1,0 +1,78 @@
+// Where faces with several loops are cut: along pieces of great circles in planes that contain the direction z, as the
+// paper has it (Section 4.2, Step 3).
+//
+// For one cap on every loop of a face take the great circle through the cap's axis and the poles. Together their pieces
+// inside the face join all its loops (meridians.cpp): most often directly, else by way of a pole that several of them
+// pass. Circles are tried in an order that does not depend on ids. One that joins loops is used, with all its pieces
+// inside the face; those that join nothing but poles are used if the others do not suffice. A circle is closed, so its
+// pieces inside the face form closed trails together with what the face leaves out: none of them is a bridge, and each
+// has different faces on its sides.
+//
+// Two great circles meet in the poles and nowhere else. A free pole that two or more of a face's circles pass becomes a
+// vertex.
+#pragma once
+
+#include "sphere/great_circles.hpp"
+#include "boundary/boundary.hpp"
+#include "sphere/gathered_ball.hpp"
+
+namespace hsp {
+
+// Counter-clockwise about the normal of its plane, from `end[0]` to `end[1]`; its left side is that of the normal.
+struct ExtraArc {
+  uint32_t ball;
+  uint32_t cap;  // the ball whose circle's axis the plane goes through
+  uint32_t face;
+  uint32_t end[2];    // uses of `ball`, or circle sides + circle_bit
+  uint32_t poles;     // passes_*, vertex_at_*
+  uint32_t split[2];  // the split points at its ends, once these are inserted
+
+  static constexpr uint32_t circle_bit = UINT32_C(1) << 31;
+  static constexpr uint32_t passes_north = 1;
+  static constexpr uint32_t passes_south = 2;
+  static constexpr uint32_t south_first = 4;  // if it passes both
+  static constexpr uint32_t vertex_at_north = 8;
+  static constexpr uint32_t vertex_at_south = 16;
+
+  // Edges that it is cut into.
+  uint32_t pieces() const {
+    return 1U + ((poles & vertex_at_north) != 0 ? 1U : 0U) + ((poles & vertex_at_south) != 0 ? 1U : 0U);
+  }
+};
+
+class ExtraArcFinder {
+ public:
+  void carve(Workspace &workspace, uint32_t neighbours, uint32_t edges);
+
+  // Finds the extra arcs of all balls, those of one ball consecutive, balls ascending. There must be room for the
+  // neighbours of every ball and for as many edges as the boundary has arcs and circles.
+  void find(const CubeGrid &grid, const BoundaryStructure &boundary, GatheredBall &gathered,
+            FixedVector<ExtraArc> &arcs);
+
+ private:
+  void cut_face(const BoundaryStructure &boundary, uint32_t face, const GatheredBall &gathered,
+                FixedVector<ExtraArc> &arcs);
+  // The pieces of one great circle inside a face, in pending_.
+  void find_pieces(const BoundaryStructure &boundary, uint32_t face, uint32_t cap, const GatheredBall &gathered);
+  // Joins the ends of the pieces in pending_, and the poles they pass.
+  struct Joined {
+    bool loops;  // that were not joined before
+    bool poles;
+  };
+  Joined join_pieces(const BoundaryStructure &boundary);
+  void push_pieces(FixedVector<ExtraArc> &arcs) const;
+  void reset_nodes(const BoundaryStructure &boundary, uint32_t face);
+
+  Span<ExtraArc> pending_;  // [neighbours]
+  uint32_t pending_count_ = 0;
+  // The loops of one ball, and its two poles: what the circles tried so far join, and what those that join loops
+  // directly do without the poles.
+  Span<uint32_t> node_parent_;    // [edges + 2]
+  Span<uint32_t> direct_parent_;  // [edges]
+  DisjointSets nodes_, direct_;
+  bool pole_joined_[2] = {false, false};
+  uint32_t to_join_ = 0, to_join_directly_ = 0;  // until the face's loops are one set
+  Span<uint32_t> reserve_;                       // [edges] loops whose circles join nothing but poles
+};
+
+}  // namespace hsp

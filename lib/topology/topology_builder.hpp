@@ -1,0 +1,33 @@
+// Step 3 of Section 4.2 over a computed boundary.
+#pragma once
+
+#include "topology/cells.hpp"
+#include "topology/topology.hpp"
+
+namespace hsp {
+
+class TopologyBuilder {
+ public:
+  void carve(Workspace &workspace, const TopologyLimits &limits);
+
+  // neighbours: the most balls that meet one ball of the boundary. Status::capacity if a limit is too small; needed()
+  // then tells what suffices, with 0 for what is not known yet.
+  Status build(const CubeGrid &grid, const BoundaryStructure &boundary, uint32_t neighbours);
+
+  const TopologyStructure &structure() const { return structure_; }
+  const TopologyLimits &needed() const { return needed_; }
+
+  // Scratch memory, for questions about single balls and for checks; [edges].
+  GatheredBall &gathered() { return gathered_; }
+  Span<uint32_t> marks() const { return marks_; }
+
+ private:
+  TopologyLimits limits_;
+  TopologyLimits needed_;
+  TopologyStructure structure_;
+  ExtraArcFinder finder_;
+  GatheredBall gathered_;
+  Span<uint32_t> marks_;
+};
+
+}  // namespace hsp

@@ -1,0 +1,69 @@
+#include "topology/traversal.hpp"
+
+namespace hsp {
+namespace {
+
+void tally_shells(const BoundaryStructure &boundary, TopologyStructure &topology) {
+  for (uint32_t s = 0; s < topology.shell_count; ++s) {
+    ShellRecord &shell = topology.shells[s];
+    shell.faces = shell.simple_faces = shell.edges = shell.vertices = 0;
+  }
+  for (uint32_t f = 0; f < boundary.face_count; ++f) ++topology.shells[boundary.faces[f].shell].faces;
+  for (uint32_t f = 0; f < topology.face_count; ++f) {
+    ShellRecord &shell = topology.shells[topology.shell_of(boundary, f)];
+    ++shell.simple_faces;
+    shell.edges += topology.faces[f].edges;  // each twice
+  }
+  for (uint32_t s = 0; s < topology.shell_count; ++s) topology.shells[s].edges /= 2;
+  for (uint32_t v = 0; v < topology.vertex_count; ++v) {
+    ++topology.shells[topology.shell_of(boundary, topology.quads.left(topology.vertex_edge[v]))].vertices;
+  }
+}
+
+// Depth first, each face counter-clockwise from the edge by which it was entered; that edge is all that has to be
+// remembered of a face to come back from it, so that no stack is needed. Returns the number of faces visited.
+uint32_t scan_shell(const TopologyStructure &topology, uint32_t start, Span<uint32_t> order, Span<uint32_t> entered) {
+  const QuadEdges &quads = topology.quads;
+  uint32_t face = start;
+  uint32_t entry = topology.faces[start].q;
+  uint32_t at = entry;
+  uint32_t visited = 0;
+  entered[start] = entry;
+  order[visited++] = start;
+  for (;;) {
+    const uint32_t across = quads.left(sym(at));
+    if (entered[across] == no_id) {
+      if (visited == order.size()) return visited + 1;
+      face = across;
+      at = entry = sym(at);
+      entered[face] = entry;
+      order[visited++] = face;
+    }
+    at = quads.lnext(at);
+    while (at == entry) {  // once around: back to the face that this one was entered from
+      if (face == start) return visited;
+      face = quads.left(sym(entry));
+      at = quads.lnext(sym(entry));
+      entry = entered[face];
+    }
+  }
+}
+
+}  // namespace
+
+bool scan_shells(const BoundaryStructure &boundary, TopologyStructure &topology, Span<uint32_t> entered) {
+  tally_shells(boundary, topology);
+  for (uint32_t f = 0; f < topology.face_count; ++f) entered[f] = no_id;
+  uint32_t first = 0;
+  for (uint32_t s = 0; s < topology.shell_count; ++s) {
+    ShellRecord &shell = topology.shells[s];
+    shell.first_scan = first;
+    first += shell.simple_faces;
+    const uint32_t visited =
+        scan_shell(topology, shell.start_face, topology.scan.part(shell.first_scan, first), entered);
+    if (visited != shell.simple_faces) return false;
+  }
+  return true;
+}
+
+}  // namespace hsp

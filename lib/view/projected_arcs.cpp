@@ -1,0 +1,40 @@
+#include "view/projected_arcs.hpp"
+
+#include "view/circle_frame.hpp"
+
+namespace hsp {
+
+PlaneEllipse ellipse_of(const BallSet &balls, const ViewFrame &frame, uint32_t ball, uint32_t other) {
+  const exact::DoubleVector centre = frame.centre_of(balls, ball);
+  const double r = balls.r[ball];
+  if (other == no_id) return {{centre.x, centre.y}, {r, 0.0}, {0.0, r}};
+  const exact::LatticeBall own = balls.ball(ball);
+  const exact::Plane P = exact::plane_of(own, balls.ball(other));
+  const CircleFrame circle(frame, P.v);
+  // The circle's centre is h v / (2 |v|^2), its radius sqrt(Delta / (4 |v|^2)).
+  const double U = static_cast<double>(exact::dot(P.v, P.v));
+  const double height = static_cast<double>(P.h) / (2 * std::sqrt(U));
+  const double Delta = exact::Exact::circle_discriminant(exact::sphere_of(own), P);
+  const double radius = Delta > 0.0 ? std::sqrt(Delta / (4 * U)) : 0.0;
+  return {{centre.x + height * circle.axis.x, centre.y + height * circle.axis.y},
+          {radius * circle.along.x, radius * circle.along.y},
+          {radius * circle.across.x, radius * circle.across.y}};
+}
+
+ViewBox box_of(const BallSet &balls, const ViewStructure &view) {
+  ViewBox box{};
+  for (uint32_t p = 0; p < view.pieces.size(); ++p) {
+    const exact::DoubleVector centre = view.frame.centre_of(balls, view.pieces[p].ball);
+    const double r = balls.r[view.pieces[p].ball];
+    const auto widen = [p](double low_value, double high_value, double &low, double &high) {
+      low = p == 0 || low_value < low ? low_value : low;
+      high = p == 0 || high_value > high ? high_value : high;
+    };
+    widen(centre.x - r, centre.x + r, box.low[0], box.high[0]);
+    widen(centre.y - r, centre.y + r, box.low[1], box.high[1]);
+    widen(centre.z, centre.z, box.depth_low, box.depth_high);
+  }
+  return box;
+}
+
+}  // namespace hsp

@@ -1,0 +1,94 @@
+#include "view/view_builder.hpp"
+
+#include "view/piece_arcs.hpp"
+
+namespace hsp {
+
+void ViewBuilder::carve(Workspace &workspace, const ViewLimits &limits) {
+  limits_ = limits;
+  needed_ = {};
+  structure_.carve(workspace, limits);
+  hidden_.carve(workspace, limits.balls);
+  piece_.carve(workspace, limits.neighbours);
+  cut_ = FixedVector<PieceRecord>(workspace.take<PieceRecord>(limits.balls));
+  visible_ = workspace.take<uint8_t>(limits.balls);
+  keys_ = workspace.take<DepthKey>(limits.balls);
+}
+
+// A ball of radius 0 has no front, a ball without faces is not seen. What is painted of the others covers it, so it
+// need not cut anything either.
+void ViewBuilder::choose_balls(const CubeGrid &grid, const BoundaryStructure *boundary, bool all_balls) {
+  const BallSet &balls = grid.balls();
+  for (uint32_t i = 0; i < balls.n; ++i) {
+    const bool has_face = boundary == nullptr || boundary->first_face[i] < boundary->first_face[i + 1];
+    visible_[i] = balls.r[i] > 0.0 && has_face ? 1 : 0;
+  }
+  if (!all_balls) hidden_.hide(grid, structure_.frame, visible_);
+}
+
+// Cube by cube, so that the block of neighbouring cubes is looked up once for all balls of a cube.
+void ViewBuilder::cut_pieces(const CubeGrid &grid, const BoundaryStructure *boundary) {
+  const BallSet &balls = grid.balls();
+  const exact::Vector &direction = structure_.frame.direction;
+  cut_.clear();
+  structure_.loops.clear();
+  structure_.arcs.clear();
+  needed_.neighbours = 0;
+  for (uint32_t cube = 0; cube < grid.cubes(); ++cube) {
+    CubeBlock block;
+    const BallRange own = grid.balls_in(cube);
+    for (uint32_t i = own.first; i < own.last; ++i) {
+      if (visible_[i] == 0) continue;
+      if (block.ranges == 0) block = grid.block_around(grid.table().coordinates(cube));
+      if (kind_ == PieceKind::outside_all) {
+        piece_.cut_faces(balls, block, *boundary, direction, i);
+      } else {
+        piece_.cut_hemisphere(balls, block, direction, i, [&](uint32_t other) {
+          return visible_[other] != 0 && is_farther(balls, direction, other, i);
+        });
+      }
+      add_piece(balls);
+    }
+  }
+}
+
+void ViewBuilder::add_piece(const BallSet &balls) {
+  if (piece_.caps().contained) return;
+  if (piece_.caps().met > needed_.neighbours) needed_.neighbours = piece_.caps().met;
+  // Once a ball has more neighbours than there is room for, the rest is only counted.
+  if (needed_.neighbours > limits_.neighbours) return;
+  if (piece_.uses().empty() && piece_.circles().empty()) return;
+  const uint32_t first_loop = static_cast<uint32_t>(structure_.loops.wanted());
+  const uint32_t first_arc = static_cast<uint32_t>(structure_.arcs.wanted());
+  add_loops(balls, piece_, structure_);
+  cut_.push({piece_.caps().origin, first_loop, static_cast<uint32_t>(structure_.loops.wanted()) - first_loop, first_arc,
+             static_cast<uint32_t>(structure_.arcs.wanted()) - first_arc});
+}
+
+void ViewBuilder::sort_pieces(const BallSet &balls) {
+  const Span<DepthKey> keys = keys_.part(0, cut_.size());
+  for (uint32_t k = 0; k < keys.size(); ++k) keys[k] = {0.0, cut_[k].ball, k};
+  sort_by_depth(balls, structure_.frame, keys);
+  structure_.pieces.clear();
+  for (const DepthKey &key : keys) structure_.pieces.push(cut_[key.item]);
+}
+
+Status ViewBuilder::build(const CubeGrid &grid, const BoundaryStructure *boundary, const ViewRequest &request) {
+  const BallSet &balls = grid.balls();
+  needed_ = {};
+  kind_ = request.kind;
+  if (const Status status = look_from(request.direction, structure_.frame); status != Status::ok) return status;
+  needed_.balls = balls.n;
+  if (balls.n > limits_.balls) return Status::capacity;
+  centre_on(balls, structure_.frame);
+  choose_balls(grid, boundary, request.all_balls);
+  cut_pieces(grid, boundary);
+  if (needed_.neighbours > limits_.neighbours) return Status::capacity;
+  const uint64_t arcs = structure_.arcs.wanted();
+  needed_.arcs = arcs < no_id ? static_cast<uint32_t>(arcs) : no_id;
+  if (structure_.arcs.overflowed()) return Status::capacity;
+  sort_pieces(balls);
+  return Status::ok;
+}
+
+}  // namespace hsp

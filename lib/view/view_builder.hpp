@@ -1,0 +1,55 @@
+// Hidden surface removal by the painter's order (Section 5.1): balls that may be seen, sorted by depth, each with the
+// piece of it that is painted.
+//
+// Why pieces cut by farther balls alone show what is seen: at a point of the view plane let ball m have the highest
+// front. That point of it lies in no ball, so it is in m's piece. Let j be painted later, so that its centre is no
+// farther, and let its disc hold the point too. Its front there is at least as high as its centre, hence as m's centre,
+// and at most as high as m's front: it lies inside ball m, which is farther, so it is not in j's piece. Balls that are
+// hidden as a whole are never m, so they need neither be painted nor cut.
+#pragma once
+
+#include "view/depth_order.hpp"
+#include "view/visible_piece.hpp"
+#include "view/occlusion.hpp"
+#include "view/view.hpp"
+
+namespace hsp {
+
+enum class PieceKind : uint32_t { outside_farther, outside_all };  // G and H of the paper
+
+struct ViewRequest {
+  ViewDirection direction{};
+  PieceKind kind = PieceKind::outside_farther;
+  bool all_balls = false;
+};
+
+class ViewBuilder {
+ public:
+  void carve(Workspace &workspace, const ViewLimits &limits);
+
+  // boundary may be null for pieces outside farther balls. Status::capacity if a limit is too small; needed() then
+  // tells what suffices, with 0 for what is not known yet.
+  Status build(const CubeGrid &grid, const BoundaryStructure *boundary, const ViewRequest &request);
+
+  const ViewStructure &structure() const { return structure_; }
+  const ViewLimits &needed() const { return needed_; }
+  PieceKind kind() const { return kind_; }
+
+ private:
+  void choose_balls(const CubeGrid &grid, const BoundaryStructure *boundary, bool all_balls);
+  void cut_pieces(const CubeGrid &grid, const BoundaryStructure *boundary);
+  void add_piece(const BallSet &balls);
+  void sort_pieces(const BallSet &balls);
+
+  ViewLimits limits_;
+  ViewLimits needed_;
+  ViewStructure structure_;
+  PieceKind kind_ = PieceKind::outside_farther;
+  HiddenBalls hidden_;
+  FrontPiece piece_;
+  Span<uint8_t> visible_;         // [balls]
+  FixedVector<PieceRecord> cut_;  // [balls] pieces in the order of the grid
+  Span<DepthKey> keys_;           // [balls]
+};
+
+}  // namespace hsp

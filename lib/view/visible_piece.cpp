@@ -1,0 +1,120 @@
+#include "view/visible_piece.hpp"
+
+#include "sphere/half_edges.hpp"
+#include "sphere/cap_pair.hpp"
+#include "core/sorting.hpp"
+
+namespace hsp {
+namespace {
+
+using exact::Plane;
+
+// Where a crossing point of two circles, or a circle that does not cross the silhouette, lies to the half of the sphere
+// behind the centre, which is the last cap.
+class BackHalf {
+ public:
+  explicit BackHalf(const Caps &caps) : caps_(caps), predicates_(caps.predicates()), back_(caps.count - 1) {}
+
+  bool holds_point(uint32_t in, uint32_t out) const {
+    const CapPair pair(caps_, in, out);
+    if (pair.surely_cross()) {
+      const CrossingPoints points(caps_, in, out, pair);
+      const double depth =
+          caps_.ux[back_] * points.x[1] + caps_.uy[back_] * points.y[1] + caps_.uz[back_] * points.z[1];
+      if (depth > points.error) return true;
+      if (depth < -points.error) return false;
+    }
+    return predicates_.inside(caps_.plane[in], caps_.plane[out], +1, caps_.plane[back_]) > 0;
+  }
+  bool meets_circle(uint32_t cap) const {
+    const CapPair pair(caps_, cap, back_);
+    if (pair.surely_cross()) return true;
+    if (pair.surely_apart() && pair.surely_inside()) return true;
+    if (pair.surely_apart() && pair.surely_outside()) return false;
+    return predicates_.crossing(caps_.plane[cap], caps_.plane[back_]).sign > 0 ||
+           predicates_.side(caps_.plane[cap], caps_.plane[back_]).sign > 0;
+  }
+
+ private:
+  const Caps &caps_;
+  const exact::Predicates predicates_;
+  const uint32_t back_;
+};
+
+exact::Vector opposite(const exact::Vector &v) {
+  return {-v.x, -v.y, -v.z};
+}
+
+}  // namespace
+
+// The union of m caps of one sphere has at most 6 m - 12 vertices, for m >= 3.
+void FrontPiece::carve(Workspace &workspace, uint32_t neighbours) {
+  const uint64_t caps = static_cast<uint64_t>(neighbours) + 1;
+  caps_.carve(workspace, neighbours);
+  finder_.carve(workspace, neighbours + 1);
+  vertices_ = FixedVector<VertexRecord>(workspace.take<VertexRecord>(6 * caps));
+  circles_ = FixedVector<CircleRecord>(workspace.take<CircleRecord>(caps));
+  uses_ = workspace.take<PieceUse>(6 * caps);
+  whole_ = workspace.take<uint32_t>(caps);
+}
+
+// False if the ball has no piece or there is no room for its caps.
+bool FrontPiece::gather(const BallSet &balls, const CubeBlock &block, uint32_t i) {
+  use_count_ = 0;
+  circle_count_ = 0;
+  vertices_.clear();
+  circles_.clear();
+  caps_.gather(balls, block, i, nullptr);
+  caps_.first_later = 0;
+  return !caps_.contained && !caps_.overflowed();
+}
+
+void FrontPiece::find_all(const BallSet &balls, const exact::Vector &direction) {
+  caps_.add_half_sphere(opposite(direction));
+  finder_.find(balls, caps_, vertices_, circles_);
+  chain();
+}
+
+void FrontPiece::cut_faces(const BallSet &balls, const CubeBlock &block, const BoundaryStructure &boundary,
+                           const exact::Vector &direction, uint32_t i) {
+  if (!gather(balls, block, i)) return;
+  caps_.add_half_sphere(opposite(direction));
+  finder_.find_on_last(balls, caps_, vertices_, circles_);
+  add_front_of_faces(boundary);
+  chain();
+}
+
+// A loop of a face comes in along circle j and leaves along circle k at p+ of j and k.
+void FrontPiece::add_front_of_faces(const BoundaryStructure &boundary) {
+  const BackHalf back(caps_);
+  const uint32_t i = caps_.origin;
+  for (uint32_t u = boundary.first_use[i]; u < boundary.first_use[i + 1]; ++u) {
+    const VertexUse &use = boundary.uses[u];
+    if (back.holds_point(caps_.cap_of(use.in), caps_.cap_of(use.out))) continue;
+    vertices_.push({{i, use.in, use.out}, VertexRecord::positive_bit});
+  }
+  for (uint32_t s = boundary.first_circle_side[i]; s < boundary.first_circle_side[i + 1]; ++s) {
+    const uint32_t other = boundary.circles[boundary.circle_side[s] / 2].ball[1 - boundary.circle_side[s] % 2];
+    if (!back.meets_circle(caps_.cap_of(other))) circles_.push({{i, other}, {no_id, no_id}});
+  }
+}
+
+// As in lib/boundary/assembly.cpp: uses in an order that does not depend on ids.
+void FrontPiece::chain() {
+  for (const VertexRecord &vertex : vertices_.items()) {
+    const uint32_t first = caps_.cap_of(vertex.ball[1]);
+    const uint32_t second = caps_.cap_of(vertex.ball[2]);
+    uses_[use_count_++] = {vertex.positive() ? first : second, vertex.positive() ? second : first, no_id, false};
+  }
+  for (const CircleRecord &circle : circles_.items()) whole_[circle_count_++] = caps_.cap_of(circle.ball[1]);
+  const auto by_rank = [this](uint32_t a, uint32_t b) { return exact::ranks_before(caps_.plane[a], caps_.plane[b]); };
+  sort_in_place(circles(), by_rank);
+  const Span<PieceUse> items = uses();
+  sort_in_place(items, [&by_rank](const PieceUse &a, const PieceUse &b) {
+    return a.out != b.out ? by_rank(a.out, b.out) : by_rank(a.in, b.in);
+  });
+  const auto direction = [this](uint32_t cap) { return caps_.plane[cap].v; };
+  for (PieceUse &use : items) use.next = end_of_arc(items, use, direction);
+}
+
+}  // namespace hsp
