@@ -7,10 +7,10 @@ void register_suite() {
   for (const Molecule &molecule : paper_molecules()) {
     const SubjectRecipe recipe{molecule.name, [molecule] { return with_radii(molecule, Radii::paper); }};
     register_case("section_2/figures/" + molecule.name, recipe, [](benchmark::State &state, Subject &subject) {
-      hsp_figures figures{};
+      hsp_packing figures{};
       for (auto iteration : state) {
         static_cast<void>(iteration);
-        expect_ok(hsp_model_get_figures(subject.model->get(), &figures), "hsp_model_get_figures");
+        expect_ok(hsp_model_get_packing(subject.model->get(), &figures), "hsp_model_get_packing");
       }
       state.counters["k"] = figures.k;
       state.counters["rho"] = figures.rho;

@@ -57,9 +57,9 @@ void count(benchmark::State &state, View &view, const std::vector<View::Directio
 // with_drawing: the z-buffer of triangles and the picture as well.
 void frames(benchmark::State &state, const Subject &subject, size_t number, bool with_drawing) {
   const std::vector<View::Direction> directions = spread_directions(number);
-  View h(*subject.model, subject.boundary.get(), HSP_PIECES_H, directions);
-  View g(*subject.model, subject.boundary.get(), HSP_PIECES_G, directions);
-  View g_alone(*subject.model, nullptr, HSP_PIECES_G, directions);
+  View h(*subject.model, subject.boundary.get(), HSP_PIECES_OUTSIDE_ALL, directions);
+  View g(*subject.model, subject.boundary.get(), HSP_PIECES_OUTSIDE_FARTHER, directions);
+  View g_alone(*subject.model, nullptr, HSP_PIECES_OUTSIDE_FARTHER, directions);
   count(state, h, directions, "h", false);
   count(state, g, directions, "g", true);
   count(state, g_alone, directions, "g_alone", false);

@@ -51,7 +51,7 @@ hsp_totals Boundary::measure() {
 hsp_energy Boundary::gradient() {
   hsp_energy energy{};
   expect_ok(
-      hsp_boundary_gradient(boundary_.get(), weight_.data(), 1.0, 1.0, HSP_TANGENT_MEETING, &energy, by_centre_.data(),
+      hsp_boundary_gradient(boundary_.get(), weight_.data(), 1.0, 1.0, HSP_TANGENT_OVERLAP, &energy, by_centre_.data(),
                             by_radius_.data(), nullptr, static_cast<uint32_t>(by_radius_.size())),
       "hsp_boundary_gradient");
   return energy;

@@ -4,9 +4,9 @@
 #include "boundary/boundary_builder.hpp"
 #include "core/status.hpp"
 #include "core/workspace.hpp"
-#include "model/cube_grid.hpp"
 #include "hardsphere.h"
 #include "measure/positions.hpp"
+#include "model/cube_grid.hpp"
 #include "topology/topology_builder.hpp"
 #include "view/view_builder.hpp"
 
@@ -17,7 +17,6 @@ struct hsp_model {
 
 struct hsp_boundary {
   hsp::BoundaryBuilder builder;
-  hsp::BoundaryLimits limits;
   const hsp_model *model;  // what was computed last, or null
   uint64_t revision;
   uint64_t computed;  // counts hsp_boundary_compute, so that a topology notices when its boundary has changed

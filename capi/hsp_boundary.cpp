@@ -1,8 +1,7 @@
-#include "boundary/half_edge_links.hpp"
 #include "conversion.hpp"
 #include "measure/areas.hpp"
 #include "measure/positions.hpp"
-#include "boundary/shells.hpp"
+#include "sphere/arc_geometry.hpp"
 
 namespace {
 
@@ -49,17 +48,6 @@ CallerVertex to_caller(const hsp::BallSet &balls, const hsp::VertexRecord &verte
   return result;
 }
 
-// The ball a use belongs to: that of its face.
-uint32_t ball_of(const hsp::BoundaryStructure &structure, uint32_t use) {
-  return structure.faces[structure.loop_face[structure.uses[use].loop]].ball;
-}
-
-uint32_t exposed(const hsp::BoundaryStructure &structure, uint32_t n) {
-  uint32_t count = 0;
-  for (uint32_t i = 0; i < n; ++i) count += structure.first_face[i + 1] > structure.first_face[i] ? 1U : 0U;
-  return count;
-}
-
 }  // namespace
 
 int32_t hsp_boundary_limits_init(hsp_boundary_limits *limits, uint32_t struct_size, uint32_t balls) {
@@ -88,7 +76,7 @@ int32_t hsp_boundary_init(void *memory, size_t bytes, const hsp_boundary_limits 
   hsp::Workspace workspace(memory, bytes);
   hsp::BoundaryBuilder builder;
   hsp_boundary *handle = carve(workspace, from_c(*limits), builder);
-  *handle = {builder, from_c(*limits), nullptr, 0, 0, false, false};
+  *handle = {builder, nullptr, 0, 0, false, false};
   *boundary = handle;
   return HSP_OK;
 }
@@ -101,7 +89,6 @@ int32_t hsp_boundary_compute(hsp_boundary *boundary, const hsp_model *model) {
   boundary->model = model;
   boundary->revision = model->revision;
   ++boundary->computed;
-  if (status == hsp::Status::ok) hsp::gather_shells(boundary->builder.structure());
   return hsp::capi::remember(*boundary, status);
 }
 
@@ -116,23 +103,23 @@ int32_t hsp_boundary_get_needed(const hsp_boundary *boundary, hsp_boundary_limit
 int32_t hsp_boundary_get_counts(const hsp_boundary *boundary, hsp_boundary_counts *counts) {
   if (boundary == nullptr || counts == nullptr) return HSP_E_ARGUMENT;
   if (!has_results(*boundary)) return HSP_E_STATE;
-  const hsp::BoundaryStructure &structure = boundary->builder.structure();
+  const hsp::Boundary &structure = boundary->builder.boundary();
   const uint32_t n = boundary->model->grid.balls().n;
   *counts = {};
   counts->balls = n;
-  counts->exposed_balls = exposed(structure, n);
-  counts->vertices = structure.vertices.size();
+  counts->vertices = structure.vertex_count();
   counts->arcs = 3 * counts->vertices / 2;
-  counts->circles = structure.circles.size();
-  counts->faces = structure.face_count;
-  counts->loops = structure.loop_count;
-  counts->shells = structure.shell_count;
+  counts->circles = structure.circle_count();
+  counts->faces = structure.face_count();
+  counts->loops = structure.loop_count();
+  counts->shells = structure.shell_count();
   for (uint32_t i = 0; i < n; ++i) {
-    counts->contained_balls += (structure.ball_state[i] & hsp::BoundaryStructure::contained) != 0 ? 1U : 0U;
-    counts->components += structure.components.root(i) == i ? 1U : 0U;
+    counts->contained_balls += structure.is_contained(i) ? 1U : 0U;
+    counts->exposed_balls += structure.is_exposed(i) ? 1U : 0U;
   }
+  counts->components = structure.component_count();
   counts->voids = counts->shells - counts->components;
-  for (const hsp::VertexRecord &vertex : structure.vertices.items()) counts->tied_vertices += vertex.tied() ? 1U : 0U;
+  for (uint32_t v = 0; v < counts->vertices; ++v) counts->tied_vertices += structure.vertex(v).tied() ? 1U : 0U;
   counts->euler = static_cast<int64_t>(counts->vertices) - static_cast<int64_t>(counts->arcs) +
                   2 * static_cast<int64_t>(counts->faces) - static_cast<int64_t>(counts->loops);
   return HSP_OK;
@@ -140,15 +127,15 @@ int32_t hsp_boundary_get_counts(const hsp_boundary *boundary, hsp_boundary_count
 
 int32_t hsp_boundary_get_vertices(const hsp_boundary *boundary, hsp_vertex *out, uint32_t capacity, uint32_t *needed) {
   const int32_t status = check_request(boundary, out, capacity, needed,
-                                       [](const hsp_boundary &b) { return b.builder.structure().vertices.size(); });
+                                       [](const hsp_boundary &b) { return b.builder.boundary().vertex_count(); });
   if (status != HSP_OK) return status;
-  const hsp::BoundaryStructure &structure = boundary->builder.structure();
+  const hsp::Boundary &structure = boundary->builder.boundary();
   const hsp::BallSet &balls = boundary->model->grid.balls();
-  for (uint32_t v = 0; v < structure.vertices.size(); ++v) {
-    const hsp::VertexRecord &vertex = structure.vertices[v];
+  for (uint32_t v = 0; v < structure.vertex_count(); ++v) {
+    const hsp::VertexRecord &vertex = structure.vertex(v);
     const CallerVertex named = to_caller(balls, vertex);
     hsp_vertex &record = out[v];
-    hsp::capi::to_position(balls, hsp::place_of_vertex(balls, structure, v), record.xyz);
+    hsp::capi::to_position(balls, hsp::position_of_vertex(balls, structure, v), record.xyz);
     for (int t = 0; t < 3; ++t) record.ball[t] = named.ball[t];
     record.sign = named.sign;
     record.flags = vertex.tied() ? HSP_VERTEX_TIED : 0;
@@ -159,57 +146,57 @@ int32_t hsp_boundary_get_vertices(const hsp_boundary *boundary, hsp_vertex *out,
 
 int32_t hsp_boundary_get_arcs(const hsp_boundary *boundary, hsp_arc *out, uint32_t capacity, uint32_t *needed) {
   const int32_t status = check_request(boundary, out, capacity, needed, [](const hsp_boundary &b) {
-    return 3 * b.builder.structure().vertices.size() / 2;
+    return b.builder.boundary().half_edge_count() / 2;
   });
   if (status != HSP_OK) return status;
-  const hsp::BoundaryStructure &structure = boundary->builder.structure();
+  const hsp::Boundary &structure = boundary->builder.boundary();
   const hsp::BallSet &balls = boundary->model->grid.balls();
-  const uint32_t uses = 3 * structure.vertices.size();
+  const uint32_t half_edges = structure.half_edge_count();
   uint32_t written = 0;
-  for (uint32_t use = 0; use < uses; ++use) {
-    const uint32_t twin = hsp::twin_use(structure, use);
-    if (twin < use) continue;
-    const uint32_t own = ball_of(structure, use);
-    const uint32_t other = structure.uses[use].out;
+  for (uint32_t half_edge = 0; half_edge < half_edges; ++half_edge) {
+    const uint32_t twin = structure.twin(half_edge);
+    if (twin < half_edge) continue;
+    const uint32_t own = structure.ball_of(half_edge);
+    const uint32_t other = structure.half_edge(half_edge).circle;
     // A loop walks clockwise about the axis away from its own ball; the twin walks the same arc backwards,
     // counter-clockwise about the axis that leaves this ball. So as seen from ball a the arc starts where its own walk
     // ends.
     const bool own_first = balls.caller[own] < balls.caller[other];
-    const uint32_t walk_of_a = own_first ? use : twin;
-    const uint32_t walk_of_b = own_first ? twin : use;
+    const uint32_t walk_of_a = own_first ? half_edge : twin;
+    const uint32_t walk_of_b = own_first ? twin : half_edge;
     const bool own_lower = hsp::exact::ranks_before(balls.ball(own), balls.ball(other));
     hsp_arc &arc = out[written++];
     arc.ball[0] = balls.caller[own_first ? own : other];
     arc.ball[1] = balls.caller[own_first ? other : own];
-    arc.vertex[0] = structure.uses[structure.uses[walk_of_a].next].vertex;
-    arc.vertex[1] = structure.uses[walk_of_a].vertex;
-    arc.face[0] = structure.loop_face[structure.uses[walk_of_a].loop];
-    arc.face[1] = structure.loop_face[structure.uses[walk_of_b].loop];
+    arc.vertex[0] = structure.half_edge(structure.half_edge(walk_of_a).next).vertex;
+    arc.vertex[1] = structure.half_edge(walk_of_a).vertex;
+    arc.face[0] = structure.face_of_loop(structure.half_edge(walk_of_a).loop);
+    arc.face[1] = structure.face_of_loop(structure.half_edge(walk_of_b).loop);
     // Computed from the ball of lower rank, so that ids have no effect on it.
-    arc.angle = hsp::arc_angle(balls, structure, own_lower ? own : other, own_lower ? use : twin);
+    arc.angle = hsp::arc_angle(balls, structure, own_lower ? own : other, own_lower ? half_edge : twin);
   }
   return HSP_OK;
 }
 
 int32_t hsp_boundary_get_circles(const hsp_boundary *boundary, hsp_circle *out, uint32_t capacity, uint32_t *needed) {
   const int32_t status = check_request(boundary, out, capacity, needed,
-                                       [](const hsp_boundary &b) { return b.builder.structure().circles.size(); });
+                                       [](const hsp_boundary &b) { return b.builder.boundary().circle_count(); });
   if (status != HSP_OK) return status;
-  const hsp::BoundaryStructure &structure = boundary->builder.structure();
+  const hsp::Boundary &structure = boundary->builder.boundary();
   const hsp::BallSet &balls = boundary->model->grid.balls();
-  for (uint32_t c = 0; c < structure.circles.size(); ++c) {
-    const hsp::CircleRecord &circle = structure.circles[c];
+  for (uint32_t c = 0; c < structure.circle_count(); ++c) {
+    const hsp::CircleRecord &circle = structure.circle(c);
     const uint32_t first = balls.caller[circle.ball[0]] < balls.caller[circle.ball[1]] ? 0 : 1;
     hsp_circle &record = out[c];
     for (uint32_t side = 0; side < 2; ++side) {
       const uint32_t k = side == 0 ? first : 1 - first;
       record.ball[side] = balls.caller[circle.ball[k]];
-      record.face[side] = structure.loop_face[circle.loop[k]];
+      record.face[side] = structure.face_of_loop(circle.loop[k]);
     }
     const bool swap = hsp::exact::ranks_before(balls.ball(circle.ball[1]), balls.ball(circle.ball[0]));
     const uint32_t lower = circle.ball[swap ? 1 : 0];
     const uint32_t higher = circle.ball[swap ? 0 : 1];
-    const hsp::CirclePlace place = hsp::circle_place(balls, lower, higher);
+    const hsp::CircleGeometry place = hsp::circle_geometry(balls, lower, higher);
     const double direction = circle.ball[first] == lower ? 1.0 : -1.0;
     const double origin[3] = {balls.x[lower], balls.y[lower], balls.z[lower]};
     for (int axis = 0; axis < 3; ++axis) {
@@ -223,12 +210,12 @@ int32_t hsp_boundary_get_circles(const hsp_boundary *boundary, hsp_circle *out, 
 
 int32_t hsp_boundary_get_faces(const hsp_boundary *boundary, hsp_face *out, uint32_t capacity, uint32_t *needed) {
   const int32_t status = check_request(boundary, out, capacity, needed,
-                                       [](const hsp_boundary &b) { return b.builder.structure().face_count; });
+                                       [](const hsp_boundary &b) { return b.builder.boundary().face_count(); });
   if (status != HSP_OK) return status;
-  const hsp::BoundaryStructure &structure = boundary->builder.structure();
+  const hsp::Boundary &structure = boundary->builder.boundary();
   const hsp::BallSet &balls = boundary->model->grid.balls();
-  for (uint32_t f = 0; f < structure.face_count; ++f) {
-    out[f] = {balls.caller[structure.faces[f].ball], structure.faces[f].loops, structure.faces[f].shell, 0};
+  for (uint32_t f = 0; f < structure.face_count(); ++f) {
+    out[f] = {balls.caller[structure.face(f).ball], structure.face(f).loops, structure.face(f).shell, 0};
   }
   return HSP_OK;
 }
@@ -237,21 +224,16 @@ int32_t hsp_boundary_get_balls(const hsp_boundary *boundary, hsp_ball *out, uint
   const int32_t status =
       check_request(boundary, out, capacity, needed, [](const hsp_boundary &b) { return b.model->grid.balls().n; });
   if (status != HSP_OK) return status;
-  const hsp::BoundaryStructure &structure = boundary->builder.structure();
+  const hsp::Boundary &structure = boundary->builder.boundary();
   const hsp::CubeGrid &grid = boundary->model->grid;
   const uint32_t n = grid.balls().n;
-  // Components are numbered in the order of their first ball. A component's number waits at its representative.
-  for (uint32_t i = 0; i < n; ++i) out[i].component = HSP_NONE;
-  uint32_t components = 0;
   for (uint32_t i = 0; i < n; ++i) {
-    const uint32_t place = grid.place(i);
-    const uint32_t faces = structure.first_face[place + 1] - structure.first_face[place];
-    uint32_t &number = out[grid.balls().caller[structure.components.root(place)]].component;
-    if (number == HSP_NONE) number = components++;
-    out[i].component = number;
-    out[i].faces = faces;
-    out[i].first_face = faces > 0 ? structure.first_face[place] : HSP_NONE;
-    out[i].flags = (structure.ball_state[place] & hsp::BoundaryStructure::contained) != 0 ? HSP_BALL_CONTAINED : 0;
+    const uint32_t ball = grid.grid_index(i);
+    const hsp::IdRange faces = structure.faces(ball);
+    out[i].component = structure.component(ball);
+    out[i].faces = faces.size();
+    out[i].first_face = faces.empty() ? HSP_NONE : faces.first;
+    out[i].flags = structure.is_contained(ball) ? HSP_BALL_CONTAINED : 0;
   }
   return HSP_OK;
 }

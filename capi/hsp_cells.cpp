@@ -1,6 +1,6 @@
 #include "conversion.hpp"
-#include "model/queries.hpp"
 #include "measure/shell_volumes.hpp"
+#include "model/queries.hpp"
 
 namespace {
 
@@ -8,7 +8,7 @@ using hsp::capi::check_output;
 using hsp::capi::check_request;
 using hsp::capi::has_results;
 
-const hsp::TopologyStructure &structure_of(const hsp_topology &topology) {
+const hsp::Topology &structure_of(const hsp_topology &topology) {
   return topology.builder.structure();
 }
 
@@ -18,8 +18,8 @@ int32_t hsp_topology_get_shells(const hsp_topology *topology, hsp_shell *out, ui
   const int32_t status = check_request(topology, out, capacity, needed,
                                        [](const hsp_topology &handle) { return structure_of(handle).shell_count; });
   if (status != HSP_OK) return status;
-  const hsp::TopologyStructure &structure = structure_of(*topology);
-  const hsp::BoundaryStructure &boundary = topology->boundary->builder.structure();
+  const hsp::Topology &structure = structure_of(*topology);
+  const hsp::Boundary &boundary = topology->boundary->builder.boundary();
   const hsp::BallSet &balls = topology->boundary->model->grid.balls();
   for (uint32_t s = 0; s < structure.shell_count; ++s) {
     const hsp::ShellRecord &shell = structure.shells[s];
@@ -28,7 +28,7 @@ int32_t hsp_topology_get_shells(const hsp_topology *topology, hsp_shell *out, ui
     record.area = balls.lattice.area(measure.area);
     record.volume = balls.lattice.volume(shell.is_void ? -measure.volume : measure.volume);
     const uint32_t vertex = structure.quads.origin(structure.faces[shell.start_face].q);
-    hsp::capi::to_position(balls, hsp::place_of_point(balls, boundary, structure, vertex), record.point);
+    hsp::capi::to_position(balls, hsp::position_of_point(balls, boundary, structure, vertex), record.point);
     record.euler = static_cast<int32_t>(shell.vertices - shell.edges + shell.simple_faces);
     record.genus = static_cast<uint32_t>(1 - record.euler / 2);
     record.kind = shell.is_void ? HSP_SHELL_VOID : HSP_SHELL_OUTER;
@@ -61,8 +61,8 @@ int32_t hsp_topology_get_cells(const hsp_topology *topology, hsp_cell *out, uint
   const int32_t status = check_request(topology, out, capacity, needed,
                                        [](const hsp_topology &handle) { return structure_of(handle).cell_count; });
   if (status != HSP_OK) return status;
-  const hsp::TopologyStructure &structure = structure_of(*topology);
-  const hsp::BoundaryStructure &boundary = topology->boundary->builder.structure();
+  const hsp::Topology &structure = structure_of(*topology);
+  const hsp::Boundary &boundary = topology->boundary->builder.boundary();
   const hsp::BallSet &balls = topology->boundary->model->grid.balls();
   for (uint32_t cell = 0; cell < *needed; ++cell) out[cell] = {0.0, 0.0, HSP_NONE, 0, 0, 0};
   for (uint32_t s = 0; s < structure.shell_count; ++s) {
@@ -87,7 +87,7 @@ int32_t hsp_topology_get_cell_shells(const hsp_topology *topology, uint32_t cell
                                      uint32_t *needed) {
   if (topology == nullptr || needed == nullptr || (shells == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
   if (!has_results(*topology)) return HSP_E_STATE;
-  const hsp::TopologyStructure &structure = structure_of(*topology);
+  const hsp::Topology &structure = structure_of(*topology);
   if (cell >= structure.cell_count) return HSP_E_ID;
   uint32_t count = 0;
   for (uint32_t s = 0; s < structure.shell_count; ++s) count += structure.shells[s].cell == cell ? 1U : 0U;
@@ -99,11 +99,11 @@ int32_t hsp_topology_get_cell_shells(const hsp_topology *topology, uint32_t cell
   return HSP_OK;
 }
 
-int32_t hsp_topology_get_scan(const hsp_topology *topology, uint32_t shell, uint32_t *faces, uint32_t capacity,
-                              uint32_t *needed) {
+int32_t hsp_topology_get_traversal(const hsp_topology *topology, uint32_t shell, uint32_t *faces, uint32_t capacity,
+                                   uint32_t *needed) {
   if (topology == nullptr || needed == nullptr || (faces == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
   if (!has_results(*topology)) return HSP_E_STATE;
-  const hsp::TopologyStructure &structure = structure_of(*topology);
+  const hsp::Topology &structure = structure_of(*topology);
   if (shell >= structure.shell_count) return HSP_E_ID;
   const hsp::ShellRecord &record = structure.shells[shell];
   if (const int32_t status = check_output(faces, capacity, record.simple_faces, needed); status != HSP_OK) {
@@ -127,7 +127,7 @@ int32_t hsp_topology_locate(hsp_topology *topology, const double *xyz, uint32_t 
   hsp::QueryResult result{ids, capacity, 0};
   hsp::find_balls_at_point(grid, point, result);
   *cell = result.hits > 0 ? HSP_NONE
-                          : hsp::cell_of_point(grid, topology->boundary->builder.structure(), structure_of(*topology),
+                          : hsp::cell_of_point(grid, topology->boundary->builder.boundary(), structure_of(*topology),
                                                point.centre, topology->builder.gathered());
   if (needed == nullptr) return HSP_OK;
   return check_output(ids, capacity, result.hits, needed);

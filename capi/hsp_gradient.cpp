@@ -1,29 +1,29 @@
 #include "conversion.hpp"
 #include "core/sorting.hpp"
 #include "core/summation.hpp"
-#include "measure/input_order.hpp"
 #include "measure/gradients.hpp"
+#include "measure/input_order.hpp"
 #include "measure/tangency.hpp"
 
 namespace {
 
 bool is_tangency(uint32_t tangency) {
-  return tangency == HSP_TANGENT_MEETING || tangency == HSP_TANGENT_APART;
+  return tangency == HSP_TANGENT_OVERLAP || tangency == HSP_TANGENT_DISJOINT;
 }
 hsp::TouchingBalls to_touching_balls(uint32_t tangency) {
-  return tangency == HSP_TANGENT_MEETING ? hsp::TouchingBalls::meet : hsp::TouchingBalls::apart;
+  return tangency == HSP_TANGENT_OVERLAP ? hsp::TouchingBalls::meet : hsp::TouchingBalls::apart;
 }
 
 // The flags of balls inside others, of which the boundary holds nothing, and of what they touch.
 void flag_inner_touching(const hsp_boundary &boundary, uint32_t *flags) {
   const hsp::CubeGrid &grid = boundary.model->grid;
   const hsp::BallSet &balls = grid.balls();
-  const hsp::BoundaryStructure &structure = boundary.builder.structure();
+  const hsp::Boundary &structure = boundary.builder.boundary();
   for (uint32_t i = 0; i < balls.n; ++i) {
-    if ((structure.ball_state[i] & hsp::BoundaryStructure::contained) == 0) continue;
+    if (!structure.is_contained(i)) continue;
     hsp::visit_balls_touched_from_inside(grid, i, [&](uint32_t j) {
       // Of equal balls at most one has faces; if it has none, moving another of them bares nothing.
-      if (balls.r[i] == balls.r[j] && structure.first_face[j] == structure.first_face[j + 1]) return;
+      if (balls.r[i] == balls.r[j] && !structure.is_exposed(j)) return;
       flags[balls.caller[i]] |= HSP_GRADIENT_ONE_SIDED;
       flags[balls.caller[j]] |= HSP_GRADIENT_ONE_SIDED;
     });
@@ -46,12 +46,12 @@ int32_t hsp_boundary_gradient(const hsp_boundary *boundary, const double *sigma,
     if (!hsp::is_finite(sigma[i])) return HSP_E_NOT_FINITE;
   }
 
-  const hsp::BoundaryStructure &structure = boundary->builder.structure();
+  const hsp::Boundary &structure = boundary->builder.boundary();
   const hsp::AreaWeights weights{sigma, to_touching_balls(tangency)};
   hsp::TreeSum area_sum;
   hsp::TreeSum volume_sum;
   hsp::TreeSum radius_sum;
-  hsp::visit_in_callers_order(grid, structure, [&](uint32_t i, uint32_t place) {
+  hsp::visit_in_input_order(grid, structure, [&](uint32_t i, uint32_t place) {
     const hsp::BallGradient ball = hsp::gradient_of_ball(balls, structure, weights, place);
     // Tension and pressure times derivatives of an area and of a volume: a step may be any power of ten, so each is
     // converted on its own.
@@ -90,8 +90,8 @@ int32_t hsp_boundary_get_area_row(const hsp_boundary *boundary, uint32_t ball, u
   const hsp::CubeGrid &grid = boundary->model->grid;
   const hsp::BallSet &balls = grid.balls();
   if (ball >= balls.n) return HSP_E_ID;
-  const hsp::BoundaryStructure &structure = boundary->builder.structure();
-  const uint32_t place = grid.place(ball);
+  const hsp::Boundary &structure = boundary->builder.boundary();
+  const uint32_t place = grid.grid_index(ball);
   const uint32_t length = hsp::area_row_length(structure, place);
   const int32_t status = hsp::capi::check_output(out, capacity, length, needed);
   if (status != HSP_OK || length == 0) return status;

@@ -15,10 +15,10 @@ int32_t hsp_boundary_measure_selected(const hsp_boundary *boundary, const uint8_
   const hsp::CubeGrid &grid = boundary->model->grid;
   const hsp::BallSet &balls = grid.balls();
   if ((area != nullptr || volume != nullptr) && capacity < balls.n) return HSP_E_CAPACITY;
-  const hsp::BoundaryStructure &structure = boundary->builder.structure();
+  const hsp::Boundary &structure = boundary->builder.boundary();
   hsp::TreeSum area_sum;
   hsp::TreeSum volume_sum;
-  hsp::visit_in_callers_order(grid, structure, [&](uint32_t i, uint32_t place) {
+  hsp::visit_in_input_order(grid, structure, [&](uint32_t i, uint32_t place) {
     hsp::BallMeasure ball;
     if (selected == nullptr || selected[i] != 0) {
       ball = hsp::measure_ball(balls, structure, place);
@@ -38,8 +38,8 @@ int32_t hsp_boundary_measure_selected(const hsp_boundary *boundary, const uint8_
 int32_t hsp_boundary_measure_faces(const hsp_boundary *boundary, double *area, double *volume, uint32_t capacity) {
   if (boundary == nullptr) return HSP_E_ARGUMENT;
   if (!hsp::capi::has_results(*boundary)) return HSP_E_STATE;
-  const hsp::BoundaryStructure &structure = boundary->builder.structure();
-  if ((area != nullptr || volume != nullptr) && capacity < structure.face_count) return HSP_E_CAPACITY;
+  const hsp::Boundary &structure = boundary->builder.boundary();
+  if ((area != nullptr || volume != nullptr) && capacity < structure.face_count()) return HSP_E_CAPACITY;
   if (area == nullptr && volume == nullptr) return HSP_OK;
   const hsp::BallSet &balls = boundary->model->grid.balls();
   for (uint32_t i = 0; i < balls.n; ++i) {

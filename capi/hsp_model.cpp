@@ -84,16 +84,16 @@ int32_t hsp_model_get_info(const hsp_model *model, hsp_model_info *info) {
   return HSP_OK;
 }
 
-int32_t hsp_model_get_figures(hsp_model *model, hsp_figures *figures) {
+int32_t hsp_model_get_packing(hsp_model *model, hsp_packing *figures) {
   if (model == nullptr || figures == nullptr) return HSP_E_ARGUMENT;
-  const hsp::HardSphereFigures found = hsp::hard_sphere_figures(model->grid);
+  const hsp::PackingStatistics found = hsp::packing_statistics(model->grid);
   *figures = {};
   figures->k = found.k;
   figures->rho = found.rho;
   figures->mean_overlaps = found.mean_overlaps;
   figures->max_overlaps = found.max_overlaps;
-  figures->flags = (found.zero_radius ? HSP_FIGURES_ZERO_RADIUS : 0) | (found.coincident ? HSP_FIGURES_COINCIDENT : 0) |
-                   (found.no_pair ? HSP_FIGURES_NO_PAIR : 0);
+  figures->flags = (found.zero_radius ? HSP_PACKING_ZERO_RADIUS : 0) | (found.coincident ? HSP_PACKING_COINCIDENT : 0) |
+                   (found.no_pair ? HSP_PACKING_NO_PAIR : 0);
   if (figures->flags == 0) {
     const double ratio = found.k / found.rho;
     figures->neighbour_bound = 216 * ratio * ratio * ratio;

@@ -21,18 +21,18 @@ constexpr double longest = 1e6;
 constexpr double largest_margin = 10.0;
 
 hsp_picture_options defaults() {
-  const hsp::PictureOptions chosen;
+  const hsp::PictureOptions select;
   return {sizeof(hsp_picture_options),
-          static_cast<uint32_t>(chosen.format),
-          static_cast<uint32_t>(chosen.style),
+          static_cast<uint32_t>(select.format),
+          static_cast<uint32_t>(select.style),
           HSP_UNIT_PX,
-          chosen.width,
-          chosen.height,
-          chosen.margin,
-          chosen.outline,
-          chosen.fog,
-          chosen.outline_colour,
-          chosen.background,
+          select.width,
+          select.height,
+          select.margin,
+          select.outline,
+          select.fog,
+          select.outline_colour,
+          select.background,
           0,
           0};
 }
@@ -104,7 +104,7 @@ int32_t hsp_picture_write(hsp_view *view, const uint32_t *colour, const hsp_pict
   if (!is_finite(wanted)) return HSP_E_NOT_FINITE;
   if (!is_in_range(wanted)) return HSP_E_RANGE;
   if (!ready) return HSP_E_STATE;
-  const hsp::ViewStructure &structure = view->builder.structure();
+  const hsp::View &structure = view->builder.structure();
   uint64_t taken = 0;
   const hsp::Status status = hsp::write_picture({view->model->grid.balls(), structure, colour, title, description},
                                                 from_c(wanted), structure.scratch, sink, context, taken);

@@ -42,6 +42,6 @@ int32_t hsp_query_neighbours(const hsp_model *model, uint32_t ball, uint32_t *id
   if (model == nullptr || needed == nullptr || (ids == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
   if (ball >= model->grid.balls().n) return HSP_E_ID;
   hsp::QueryResult result{ids, capacity, 0};
-  hsp::find_neighbours(model->grid, model->grid.place(ball), result);
+  hsp::find_neighbours(model->grid, model->grid.grid_index(ball), result);
   return hsp::capi::check_output(ids, capacity, result.hits, needed);
 }

@@ -11,12 +11,12 @@ int32_t check_limits(const hsp_topology_limits *limits) {
     return HSP_E_ARGUMENT;
   }
   const bool representable = limits->balls <= HSP_MAX_BALLS && limits->neighbours <= HSP_MAX_BALLS &&
-                             limits->edges <= HSP_MAX_BALLS && limits->extra_arcs <= HSP_MAX_BALLS;
+                             limits->edges <= HSP_MAX_BALLS && limits->cut_arcs <= HSP_MAX_BALLS;
   return representable ? HSP_OK : HSP_E_RANGE;
 }
 
 hsp::TopologyLimits from_c(const hsp_topology_limits &limits) {
-  return {limits.balls, limits.neighbours, limits.edges, limits.extra_arcs};
+  return {limits.balls, limits.neighbours, limits.edges, limits.cut_arcs};
 }
 
 hsp_topology *carve(hsp::Workspace &workspace, const hsp::TopologyLimits &limits, hsp::TopologyBuilder &builder) {
@@ -45,14 +45,14 @@ int32_t hsp_topology_limits_init(hsp_topology_limits *limits, uint32_t struct_si
 int32_t hsp_topology_limits_for(hsp_topology_limits *limits, uint32_t struct_size, const hsp_boundary *boundary) {
   if (limits == nullptr || struct_size != sizeof(hsp_topology_limits) || boundary == nullptr) return HSP_E_ARGUMENT;
   if (!has_results(*boundary)) return HSP_E_STATE;
-  const hsp::BoundaryStructure &structure = boundary->builder.structure();
+  const hsp::Boundary &structure = boundary->builder.boundary();
   const hsp::BallSet &balls = boundary->model->grid.balls();
   const uint64_t uncut = hsp::count_uncut_edges(balls, structure);
-  // A face with several loops needs an extra arc less than it has loops, and gets up to four times as many from great
+  // A face with several loops needs a cut arc less than it has loops, and gets up to four times as many from great
   // circles that cross it more than once.
   uint64_t extra = 0;
-  for (uint32_t f = 0; f < structure.face_count; ++f) {
-    if (structure.faces[f].loops > 1) extra += 4 * (static_cast<uint64_t>(structure.faces[f].loops) - 1);
+  for (uint32_t f = 0; f < structure.face_count(); ++f) {
+    if (structure.face(f).loops > 1) extra += 4 * (static_cast<uint64_t>(structure.face(f).loops) - 1);
   }
   const auto clamp = [](uint64_t wanted) {
     return wanted < HSP_MAX_BALLS ? static_cast<uint32_t>(wanted) : HSP_MAX_BALLS;
@@ -90,7 +90,7 @@ int32_t hsp_topology_compute(hsp_topology *topology, const hsp_boundary *boundar
   hsp::capi::forget(*topology);
   if (boundary == nullptr) return HSP_E_ARGUMENT;
   if (!has_results(*boundary)) return HSP_E_STATE;
-  const hsp::Status status = topology->builder.build(boundary->model->grid, boundary->builder.structure(),
+  const hsp::Status status = topology->builder.build(boundary->model->grid, boundary->builder.boundary(),
                                                      boundary->builder.needed().neighbours);
   topology->boundary = boundary;
   topology->computed = boundary->computed;
@@ -101,16 +101,16 @@ int32_t hsp_topology_get_needed(const hsp_topology *topology, hsp_topology_limit
   if (topology == nullptr || needed == nullptr) return HSP_E_ARGUMENT;
   if (!topology->attempted) return HSP_E_STATE;
   const hsp::TopologyLimits &limits = topology->builder.needed();
-  *needed = {sizeof(hsp_topology_limits), limits.balls, limits.neighbours, limits.edges, limits.extra_arcs, 0};
+  *needed = {sizeof(hsp_topology_limits), limits.balls, limits.neighbours, limits.edges, limits.cut_arcs, 0};
   return HSP_OK;
 }
 
 int32_t hsp_topology_get_counts(const hsp_topology *topology, hsp_topology_counts *counts) {
   if (topology == nullptr || counts == nullptr) return HSP_E_ARGUMENT;
   if (!has_results(*topology)) return HSP_E_STATE;
-  const hsp::TopologyStructure &structure = topology->builder.structure();
+  const hsp::Topology &structure = topology->builder.structure();
   *counts = {structure.vertex_count, structure.quads.edges,
-             structure.face_count,   structure.quads.edges - structure.first_extra_edge,
+             structure.face_count,   structure.quads.edges - structure.first_cut_edge,
              structure.shell_count,  structure.component_count,
              structure.cell_count,   structure.start_face};
   return HSP_OK;
@@ -155,7 +155,7 @@ uint32_t hsp_topology_left(const hsp_topology *topology, uint32_t q) {
 uint32_t hsp_topology_ball(const hsp_topology *topology, uint32_t q) {
   if (q % 2 != 0) return HSP_NONE;
   return step_from(topology, q, [q, topology](const hsp::QuadEdges &quads) {
-    const hsp::BoundaryStructure &boundary = topology->boundary->builder.structure();
+    const hsp::Boundary &boundary = topology->boundary->builder.boundary();
     return topology->boundary->model->grid.balls()
         .caller[topology->builder.structure().ball_of(boundary, quads.left(q))];
   });

@@ -8,12 +8,12 @@ using hsp::capi::has_results;
 // The structures behind a topology with results.
 struct View {
   const hsp::BallSet &balls;
-  const hsp::BoundaryStructure &boundary;
-  const hsp::TopologyStructure &topology;
+  const hsp::Boundary &boundary;
+  const hsp::Topology &topology;
 
   explicit View(const hsp_topology &handle)
       : balls(handle.boundary->model->grid.balls()),
-        boundary(handle.boundary->builder.structure()),
+        boundary(handle.boundary->builder.boundary()),
         topology(handle.builder.structure()) {}
 };
 
@@ -32,18 +32,17 @@ void sort_balls(uint32_t ball[3]) {
 
 hsp_topology_vertex vertex_record(const View &view, uint32_t id) {
   hsp_topology_vertex record{};
-  hsp::capi::to_position(view.balls, hsp::place_of_point(view.balls, view.boundary, view.topology, id), record.xyz);
+  hsp::capi::to_position(view.balls, hsp::position_of_point(view.balls, view.boundary, view.topology, id), record.xyz);
   const auto caller = [&view](uint32_t ball) { return view.balls.caller[ball]; };
   record.q = view.topology.vertex_edge[id];
   for (uint32_t &ball : record.ball) ball = HSP_NONE;
-  const uint32_t own_vertices = view.boundary.vertices.size();
+  const uint32_t own_vertices = view.boundary.vertex_count();
   if (id < own_vertices) {
     record.kind = HSP_POINT_VERTEX;
-    for (int t = 0; t < 3; ++t) record.ball[t] = caller(view.boundary.vertices[id].ball[t]);
+    for (int t = 0; t < 3; ++t) record.ball[t] = caller(view.boundary.vertex(id).ball[t]);
   } else if (id < view.topology.first_pole) {
     record.kind = HSP_POINT_CIRCLE;
-    const hsp::CarrierBalls pair =
-        hsp::balls_of_carrier(view.boundary, view.topology.split_points[id - own_vertices].carrier);
+    const hsp::HostBalls pair = hsp::balls_of_host(view.boundary, view.topology.subdivision[id - own_vertices].host);
     record.ball[0] = caller(pair.a);
     record.ball[1] = caller(pair.b);
   } else {
@@ -56,7 +55,7 @@ hsp_topology_vertex vertex_record(const View &view, uint32_t id) {
 
 hsp_topology_edge edge_record(const View &view, uint32_t id) {
   hsp_topology_edge record{};
-  const hsp::EdgePlace place = hsp::place_of_edge(view.balls, view.boundary, view.topology, id);
+  const hsp::EdgeGeometry place = hsp::geometry_of_edge(view.balls, view.boundary, view.topology, id);
   hsp::capi::to_position(view.balls, place.centre, record.centre);
   for (int axis = 0; axis < 3; ++axis) record.axis[axis] = place.axis[axis];
   record.radius = view.balls.lattice.length(place.radius);
@@ -68,12 +67,12 @@ hsp_topology_edge edge_record(const View &view, uint32_t id) {
     record.face[side] = view.topology.quads.left(directed);
     record.ball[side] = view.balls.caller[view.topology.ball_of(view.boundary, record.face[side])];
   }
-  if (id >= view.topology.first_extra_edge) {
-    record.kind = HSP_EDGE_EXTRA;
+  if (id >= view.topology.first_cut_edge) {
+    record.kind = HSP_EDGE_CUT;
     record.source = HSP_NONE;
   } else if (id >= view.topology.first_circle_edge) {
     record.kind = HSP_EDGE_CIRCLE;
-    record.source = (view.topology.edge_source[id] - 3 * view.boundary.vertices.size()) / 2;
+    record.source = (view.topology.edge_source[id] - 3 * view.boundary.vertex_count()) / 2;
   } else {
     record.kind = HSP_EDGE_ARC;
     record.source = view.topology.edge_source[id];
@@ -114,13 +113,13 @@ int32_t get_all(const hsp_topology *topology, Record *out, uint32_t capacity, ui
   return HSP_OK;
 }
 
-uint32_t count_vertices(const hsp::TopologyStructure &topology) {
+uint32_t count_vertices(const hsp::Topology &topology) {
   return topology.vertex_count;
 }
-uint32_t count_edges(const hsp::TopologyStructure &topology) {
+uint32_t count_edges(const hsp::Topology &topology) {
   return topology.quads.edges;
 }
-uint32_t count_faces(const hsp::TopologyStructure &topology) {
+uint32_t count_faces(const hsp::Topology &topology) {
   return topology.face_count;
 }
 

@@ -20,7 +20,7 @@ hsp_view *carve(hsp::Workspace &workspace, const hsp_view_limits &limits, hsp::V
 }
 
 bool is_valid(const hsp_view_options &options) {
-  return options.struct_size == sizeof(hsp_view_options) && options.pieces <= HSP_PIECES_H &&
+  return options.struct_size == sizeof(hsp_view_options) && options.pieces <= HSP_PIECES_OUTSIDE_ALL &&
          (options.flags & ~HSP_VIEW_ALL_BALLS) == 0 && options.reserved == 0;
 }
 
@@ -41,7 +41,7 @@ hsp::Direction direction_of_degrees(double degrees) {
         return {0.0, -1.0};
     }
   }
-  return hsp::direction_of(quarters * (hsp::pi / 2));
+  return hsp::sin_cos(quarters * (hsp::pi / 2));
 }
 
 }  // namespace
@@ -79,11 +79,11 @@ int32_t hsp_view_init(void *memory, size_t bytes, const hsp_view_limits *limits,
 
 int32_t hsp_view_options_init(hsp_view_options *options, uint32_t struct_size) {
   if (options == nullptr || struct_size != sizeof(hsp_view_options)) return HSP_E_ARGUMENT;
-  *options = {struct_size, HSP_PIECES_G, 0, 0, {0.0, 0.0, 1.0}, {0.0, 1.0, 0.0}};
+  *options = {struct_size, HSP_PIECES_OUTSIDE_FARTHER, 0, 0, {0.0, 0.0, 1.0}, {0.0, 1.0, 0.0}};
   return HSP_OK;
 }
 
-// The balls are turned by R = R_z R_y R_x; seen from them, the viewer's axes are the rows of R.
+// The balls are to_view by R = R_z R_y R_x; seen from them, the viewer's axes are the rows of R.
 int32_t hsp_view_options_turn(hsp_view_options *options, double x, double y, double z) {
   if (options == nullptr || options->struct_size != sizeof(hsp_view_options)) return HSP_E_ARGUMENT;
   if (!hsp::is_finite(x) || !hsp::is_finite(y) || !hsp::is_finite(z)) return HSP_E_NOT_FINITE;
@@ -114,7 +114,8 @@ int32_t hsp_view_compute(hsp_view *view, const hsp_model *model, const hsp_bound
       request.direction.towards[k] = options->towards[k];
       request.direction.up[k] = options->up[k];
     }
-    request.kind = options->pieces == HSP_PIECES_H ? hsp::PieceKind::outside_all : hsp::PieceKind::outside_farther;
+    request.kind =
+        options->pieces == HSP_PIECES_OUTSIDE_ALL ? hsp::PieceKind::outside_all : hsp::PieceKind::outside_farther;
     request.all_balls = (options->flags & HSP_VIEW_ALL_BALLS) != 0;
   }
   if (boundary == nullptr) {
@@ -124,7 +125,7 @@ int32_t hsp_view_compute(hsp_view *view, const hsp_model *model, const hsp_bound
     if (boundary->model != model) return HSP_E_ARGUMENT;
   }
   const hsp::Status status =
-      view->builder.build(model->grid, boundary == nullptr ? nullptr : &boundary->builder.structure(), request);
+      view->builder.build(model->grid, boundary == nullptr ? nullptr : &boundary->builder.boundary(), request);
   view->model = model;
   view->revision = model->revision;
   return hsp::capi::remember(*view, status);

@@ -22,13 +22,13 @@ double length_of(const double v[2]) {
   return std::sqrt(v[0] * v[0] + v[1] * v[1]);
 }
 
-void copy(const hsp::exact::DoubleVector &v, double out[3]) {
+void copy(const hsp::Vec3 &v, double out[3]) {
   out[0] = v.x;
   out[1] = v.y;
   out[2] = v.z;
 }
 
-hsp_view_arc to_c(const hsp::BallSet &balls, const hsp::PlaneArc &arc, uint32_t piece) {
+hsp_view_arc to_c(const hsp::BallSet &balls, const hsp::ProjectedArc &arc, uint32_t piece) {
   const ViewLengths length{balls.lattice};
   hsp_view_arc out{};
   length.point(arc.ellipse.centre, out.centre);
@@ -50,7 +50,7 @@ int32_t hsp_view_get_info(const hsp_view *view, hsp_view_info *info) {
   if (view == nullptr || info == nullptr) return HSP_E_ARGUMENT;
   if (!has_results(*view)) return HSP_E_STATE;
   const hsp::BallSet &balls = view->model->grid.balls();
-  const hsp::ViewStructure &structure = view->builder.structure();
+  const hsp::View &structure = view->builder.structure();
   const ViewLengths length{balls.lattice};
   *info = {};
   copy(structure.frame.origin, info->origin);
@@ -66,7 +66,8 @@ int32_t hsp_view_get_info(const hsp_view *view, hsp_view_info *info) {
   info->pieces = structure.pieces.size();
   info->loops = structure.loops.size();
   info->arcs = structure.arcs.size();
-  info->kind = view->builder.kind() == hsp::PieceKind::outside_all ? HSP_PIECES_H : HSP_PIECES_G;
+  info->kind =
+      view->builder.kind() == hsp::PieceKind::outside_all ? HSP_PIECES_OUTSIDE_ALL : HSP_PIECES_OUTSIDE_FARTHER;
   return HSP_OK;
 }
 
@@ -76,13 +77,13 @@ int32_t hsp_view_get_pieces(const hsp_view *view, hsp_view_piece *out, uint32_t 
                                        [](const hsp_view &handle) { return handle.builder.structure().pieces.size(); });
   if (status != HSP_OK) return status;
   const hsp::BallSet &balls = view->model->grid.balls();
-  const hsp::ViewStructure &structure = view->builder.structure();
+  const hsp::View &structure = view->builder.structure();
   const ViewLengths length{balls.lattice};
   uint32_t loops = 0;
   uint32_t arcs = 0;
   for (uint32_t p = 0; p < structure.pieces.size(); ++p) {
     const hsp::PieceRecord &piece = structure.pieces[p];
-    const hsp::exact::DoubleVector centre = structure.frame.centre_of(balls, piece.ball);
+    const hsp::Vec3 centre = structure.frame.centre_of(balls, piece.ball);
     out[p] = {{length(centre.x), length(centre.y)},
               length(centre.z),
               length(balls.r[piece.ball]),
@@ -102,7 +103,7 @@ int32_t hsp_view_get_loops(const hsp_view *view, hsp_view_loop *out, uint32_t ca
   const int32_t status = check_request(view, out, capacity, needed,
                                        [](const hsp_view &handle) { return handle.builder.structure().loops.size(); });
   if (status != HSP_OK) return status;
-  const hsp::ViewStructure &structure = view->builder.structure();
+  const hsp::View &structure = view->builder.structure();
   uint32_t written = 0;
   uint32_t arcs = 0;
   for (uint32_t p = 0; p < structure.pieces.size(); ++p) {
@@ -120,11 +121,11 @@ int32_t hsp_view_get_arcs(const hsp_view *view, hsp_view_arc *out, uint32_t capa
                                        [](const hsp_view &handle) { return handle.builder.structure().arcs.size(); });
   if (status != HSP_OK) return status;
   const hsp::BallSet &balls = view->model->grid.balls();
-  const hsp::ViewStructure &structure = view->builder.structure();
+  const hsp::View &structure = view->builder.structure();
   uint32_t written = 0;
   for (uint32_t p = 0; p < structure.pieces.size(); ++p) {
     hsp::visit_arcs(balls, structure, p,
-                    [&](const hsp::PlaneArc &arc, bool, bool) { out[written++] = to_c(balls, arc, p); });
+                    [&](const hsp::ProjectedArc &arc, bool, bool) { out[written++] = to_c(balls, arc, p); });
   }
   return HSP_OK;
 }

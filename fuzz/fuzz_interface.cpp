@@ -186,10 +186,10 @@ class Session {
   void describe_model() {
     hsp_model *model = null() ? nullptr : model_;
     hsp_model_info info;
-    hsp_figures figures;
+    hsp_packing figures;
     const int32_t expected = model == nullptr ? HSP_E_ARGUMENT : HSP_OK;
     FUZZ_REQUIRE(hsp_model_get_info(model, &info) == expected, "hsp_model_get_info");
-    FUZZ_REQUIRE(hsp_model_get_figures(model, &figures) == expected, "hsp_model_get_figures");
+    FUZZ_REQUIRE(hsp_model_get_packing(model, &figures) == expected, "hsp_model_get_packing");
     if (expected != HSP_OK) return;
     FUZZ_REQUIRE(info.balls == balls_, "number of balls");
     FUZZ_REQUIRE(!as_made_ || (info.step == 1e-8 && info.probe == 0 && info.cubes == 0), "an empty model");

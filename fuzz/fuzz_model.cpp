@@ -24,14 +24,14 @@ ExpectedFigures figures_by_definition(const fuzz::BallSet &set) {
     const int64_t r = set.radius_of(i);
     expected.smallest = std::min(expected.smallest, r);
     expected.largest = std::max(expected.largest, r);
-    if (r == 0) expected.flags |= HSP_FIGURES_ZERO_RADIUS;
+    if (r == 0) expected.flags |= HSP_PACKING_ZERO_RADIUS;
     for (uint32_t j = 0; j < set.n(); ++j) {
       if (i == j) continue;
       const int64_t s = set.radius_of(j);
       const int64_t squared = fuzz::squared_distance(set.balls[i].centre, set.balls[j].centre);
       if (squared < (r + s) * (r + s)) ++count;
       if (squared == 0) {
-        expected.flags |= HSP_FIGURES_COINCIDENT;
+        expected.flags |= HSP_PACKING_COINCIDENT;
         expected.rho = 0;
       }
       if (std::max(r, s) > 0) {
@@ -43,17 +43,17 @@ ExpectedFigures figures_by_definition(const fuzz::BallSet &set) {
     expected.most = std::max(expected.most, count);
   }
   if (set.n() < 2 || expected.largest == 0) {
-    expected.flags |= HSP_FIGURES_NO_PAIR;
+    expected.flags |= HSP_PACKING_NO_PAIR;
     expected.rho = 0;
   }
   return expected;
 }
 
 void check_figures(const fuzz::BallSet &set, hsp_model *model) {
-  hsp_figures figures, again;
+  hsp_packing figures, again;
   const ExpectedFigures expected = figures_by_definition(set);
-  FUZZ_REQUIRE(hsp_model_get_figures(model, &figures) == HSP_OK, "figures");
-  FUZZ_REQUIRE(hsp_model_get_figures(model, &again) == HSP_OK, "figures");
+  FUZZ_REQUIRE(hsp_model_get_packing(model, &figures) == HSP_OK, "figures");
+  FUZZ_REQUIRE(hsp_model_get_packing(model, &again) == HSP_OK, "figures");
   FUZZ_REQUIRE(std::memcmp(&figures, &again, sizeof figures) == 0, "figures differ the second time");
   FUZZ_REQUIRE(figures.flags == expected.flags, "flags");
   FUZZ_REQUIRE(figures.max_overlaps == expected.most, "max_overlaps");

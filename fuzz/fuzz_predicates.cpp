@@ -1,4 +1,4 @@
-// The predicates of lib/exact, every rung and both limb widths, against the oracle's naive determinants with symbolic
+// The predicates of lib/exact, every stage and both limb widths, against the oracle's naive determinants with symbolic
 // infinitesimals. The input makes four balls, mostly in special position.
 #include "exact/predicates.hpp"
 
@@ -42,12 +42,12 @@ void check_four(const oracle::TiedBalls &tied, const LatticeBall *ball, uint32_t
 
   const bool cross = tied.circles_cross(a, tied.cap(a, b), tied.cap(a, c));
   FUZZ_REQUIRE((predicates.crossing(P, Q).sign > 0) == cross, "crossing");
-  FUZZ_REQUIRE((Exact::crossing(sphere, P, Q).sign > 0) == cross, "crossing, exact rung");
+  FUZZ_REQUIRE((Exact::crossing(sphere, P, Q).sign > 0) == cross, "crossing, exact stage");
   FUZZ_REQUIRE((ExactPredicates<uint32_t>::crossing(sphere, P, Q).sign > 0) == cross, "crossing, 32-bit limbs");
   if (!cross) {
     const bool inside = tied.circle_inside(a, tied.cap(a, b), tied.cap(a, c));
     FUZZ_REQUIRE((predicates.side(P, Q).sign > 0) == inside, "side");
-    FUZZ_REQUIRE((Exact::side(sphere, P, Q).sign > 0) == inside, "side, exact rung");
+    FUZZ_REQUIRE((Exact::side(sphere, P, Q).sign > 0) == inside, "side, exact stage");
     FUZZ_REQUIRE((ExactPredicates<uint32_t>::side(sphere, P, Q).sign > 0) == inside, "side, 32-bit limbs");
     return;
   }
@@ -58,7 +58,7 @@ void check_four(const oracle::TiedBalls &tied, const LatticeBall *ball, uint32_t
     const oracle::Crossing crossing{tied.cap(a, b), tied.cap(a, c), point == 1 ? +1 : -1};
     const bool inside = tied.crossing_inside(a, crossing, tied.cap(a, d));
     FUZZ_REQUIRE((status.side[point] > 0) == inside, "point status");
-    FUZZ_REQUIRE((exact.side[point] > 0) == inside, "point status, exact rung");
+    FUZZ_REQUIRE((exact.side[point] > 0) == inside, "point status, exact stage");
     FUZZ_REQUIRE((narrow.side[point] > 0) == inside, "point status, 32-bit limbs");
     const bool on = tied.crossing_inside_as_given(a, crossing, tied.cap(a, d)) == 0;
     FUZZ_REQUIRE(exact.tied[point] == on, "tie of a point");

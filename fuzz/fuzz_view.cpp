@@ -234,7 +234,7 @@ void require_pictures(const view_result &v, const view_result &other, fuzz::Byte
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   fuzz::Bytes bytes(data, size);
   const hsp_view_options options = view_options(bytes);
-  const bool with_boundary = options.pieces == HSP_PIECES_H || bytes.one_in(3);
+  const bool with_boundary = options.pieces == HSP_PIECES_OUTSIDE_ALL || bytes.one_in(3);
   const fuzz::BallSet set = fuzz::topology_set(bytes);
   const Result reference(set, options, with_boundary);
   require_sound(reference.get(), bytes);

@@ -53,7 +53,7 @@ inline void call_gradient(Bytes &bytes, const hsp_boundary *boundary, int32_t re
   Output<uint32_t> flags(capacity, null(bytes));
   const int32_t status = hsp_boundary_gradient(boundary, no_sigma ? nullptr : sigma.data(), tension, pressure, tangency,
                                                energy.data(), centre.data(), radius.data(), flags.data(), capacity);
-  if (boundary == nullptr || tangency > HSP_TANGENT_APART) {
+  if (boundary == nullptr || tangency > HSP_TANGENT_DISJOINT) {
     FUZZ_REQUIRE(status == HSP_E_ARGUMENT, "hsp_boundary_gradient, arguments");
   } else if (reader_status != HSP_OK) {
     FUZZ_REQUIRE(status < 0, "hsp_boundary_gradient without results");
@@ -72,10 +72,10 @@ inline void call_gradient(Bytes &bytes, const hsp_boundary *boundary, int32_t re
   FUZZ_REQUIRE(flags.untouched_from(flags.data() == nullptr ? 0 : written), "flags where nothing belongs");
 
   const uint32_t ball = bytes.below(30);
-  const int32_t row_status = boundary == nullptr || tangency > HSP_TANGENT_APART ? HSP_E_ARGUMENT
-                             : reader_status != HSP_OK                           ? reader_status
-                             : ball >= balls                                     ? HSP_E_ID
-                                                                                 : HSP_OK;
+  const int32_t row_status = boundary == nullptr || tangency > HSP_TANGENT_DISJOINT ? HSP_E_ARGUMENT
+                             : reader_status != HSP_OK                              ? reader_status
+                             : ball >= balls                                        ? HSP_E_ID
+                                                                                    : HSP_OK;
   check_array<hsp_area_derivative>(bytes, 24, row_status,
                                    [&](hsp_area_derivative *out, uint32_t room, uint32_t *needed) {
                                      return hsp_boundary_get_area_row(boundary, ball, tangency, out, room, needed);

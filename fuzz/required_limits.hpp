@@ -11,7 +11,7 @@
 namespace fuzz {
 
 inline size_t most_bytes(const hsp_topology_limits &limits) {
-  return HSP_TOPOLOGY_BYTES(limits.balls, limits.neighbours, limits.edges, limits.extra_arcs);
+  return HSP_TOPOLOGY_BYTES(limits.balls, limits.neighbours, limits.edges, limits.cut_arcs);
 }
 inline size_t most_bytes(const hsp_view_limits &limits) {
   return HSP_VIEW_BYTES(limits.balls, limits.neighbours, limits.arcs);

@@ -28,7 +28,7 @@ class TopologyCalls {
     if (bytes_.below(3) == 0) {
       limits.neighbours = bytes_.below(28);
       limits.edges = bytes_.below(200);
-      limits.extra_arcs = bytes_.below(40);
+      limits.cut_arcs = bytes_.below(40);
     }
     if (bytes_.one_in(40)) limits.struct_size = bytes_.below(256);
     if (bytes_.one_in(40)) limits.reserved = 1;
@@ -43,7 +43,7 @@ class TopologyCalls {
     if (status != HSP_OK) {
       size = 4096;
     } else {
-      FUZZ_REQUIRE(size <= HSP_TOPOLOGY_BYTES(limits.balls, limits.neighbours, limits.edges, limits.extra_arcs),
+      FUZZ_REQUIRE(size <= HSP_TOPOLOGY_BYTES(limits.balls, limits.neighbours, limits.edges, limits.cut_arcs),
                    "hsp_topology_bytes, property 1");
     }
     const size_t missing = bytes_.one_in(8) ? 1 + bytes_.below(200) : 0;
@@ -86,7 +86,7 @@ class TopologyCalls {
     FUZZ_REQUIRE(status == HSP_OK || status == HSP_E_CAPACITY, "a status that hsp_topology_compute does not have");
     FUZZ_REQUIRE(hsp_topology_get_needed(topology, &needed) == HSP_OK, "hsp_topology_get_needed");
     const bool more = needed.balls > limits_.balls || needed.neighbours > limits_.neighbours ||
-                      needed.edges > limits_.edges || needed.extra_arcs > limits_.extra_arcs;
+                      needed.edges > limits_.edges || needed.cut_arcs > limits_.cut_arcs;
     FUZZ_REQUIRE(more == (status == HSP_E_CAPACITY), "a limit is reported as too small exactly after HSP_E_CAPACITY");
   }
 
@@ -167,7 +167,7 @@ class TopologyCalls {
                           });
     check_array<uint32_t>(bytes_, 60, with_id(expected, shell, counts.shells),
                           [&](uint32_t *out, uint32_t capacity, uint32_t *count) {
-                            return hsp_topology_get_scan(topology, shell, out, capacity, count);
+                            return hsp_topology_get_traversal(topology, shell, out, capacity, count);
                           });
     // records of four numbers an edge; either array may be left out
     const bool no_onext = bytes_.one_in(6);

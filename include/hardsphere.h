@@ -163,24 +163,24 @@ typedef struct hsp_model_info {
  *  HSP_E_ARGUMENT: a null pointer. */
 HSP_API int32_t hsp_model_get_info(const hsp_model *model, hsp_model_info *info);
 
-#define HSP_FIGURES_ZERO_RADIUS UINT32_C(1) /**< a ball has radius 0 (probe included): k has no value */
-#define HSP_FIGURES_COINCIDENT UINT32_C(2)  /**< two centres coincide: rho is 0 */
-#define HSP_FIGURES_NO_PAIR UINT32_C(4)     /**< fewer than two balls, or all radii 0: rho has no value */
+#define HSP_PACKING_ZERO_RADIUS UINT32_C(1) /**< a ball has radius 0 (probe included): k has no value */
+#define HSP_PACKING_COINCIDENT UINT32_C(2)  /**< two centres coincide: rho is 0 */
+#define HSP_PACKING_NO_PAIR UINT32_C(4)     /**< fewer than two balls, or all radii 0: rho has no value */
 
 /** The hard-sphere figures of Section 2, on the lattice. */
-typedef struct hsp_figures {
-  double k;               /**< r_max / r_min; 0 where it has no value (no balls, HSP_FIGURES_ZERO_RADIUS) */
+typedef struct hsp_packing {
+  double k;               /**< r_max / r_min; 0 where it has no value (no balls, HSP_PACKING_ZERO_RADIUS) */
   double rho;             /**< min over pairs of |c_i c_j| / max(r_i, r_j); 0 where it has no value */
   double mean_overlaps;   /**< mean over the balls of the number of others with |c_i c_j| < r_i + r_j; 0 if n = 0 */
   double neighbour_bound; /**< 216 (k/rho)^3 of Theorem 2.1: no ball meets more others; 0 where it says nothing */
   uint32_t max_overlaps;  /**< the largest of those numbers */
-  uint32_t flags;         /**< HSP_FIGURES_*; 0 means that Theorem 2.1 holds with this k and rho */
-} hsp_figures;
+  uint32_t flags;         /**< HSP_PACKING_*; 0 means that Theorem 2.1 holds with this k and rho */
+} hsp_packing;
 
 /** The figures of Section 2, and by flags whether the set meets the conditions of Theorem 2.1 at all. A set that does
  * not is still handled exactly; only the time and memory bounds are lost. Uses the model's scratch memory, hence not
  * const. HSP_E_ARGUMENT: a null pointer. Cost: O(n) for sets with bounded figures. */
-HSP_API int32_t hsp_model_get_figures(hsp_model *model, hsp_figures *figures);
+HSP_API int32_t hsp_model_get_packing(hsp_model *model, hsp_packing *figures);
 
 /* ---- queries (Section 3)
  * ------------------------------------------------------------------------------------------------
@@ -403,8 +403,8 @@ HSP_API int32_t hsp_boundary_measure_faces(const hsp_boundary *boundary, double 
  * derivatives are one-sided too: those of the side that the tie rule takes, without a flag. Radii include the probe.
  * The lattice's rounding is not differentiated. */
 
-#define HSP_TANGENT_MEETING UINT32_C(0) /**< as if balls that touch overlapped by an infinitely small amount */
-#define HSP_TANGENT_APART UINT32_C(1)   /**< as if they were apart by an infinitely small amount */
+#define HSP_TANGENT_OVERLAP UINT32_C(0)  /**< as if balls that touch overlapped by an infinitely small amount */
+#define HSP_TANGENT_DISJOINT UINT32_C(1) /**< as if they were apart by an infinitely small amount */
 
 #define HSP_GRADIENT_ONE_SIDED \
   UINT32_C(1) /**< the ball touches another at a free point: its derivatives are one-sided */
@@ -475,10 +475,10 @@ HSP_API int32_t hsp_boundary_check(hsp_boundary *boundary, uint32_t *law, uint32
  *
  * The boundary as one quad-edge structure (Guibas and Stolfi 1985) whose faces are simple, as the paper has them: every
  * simple face is bounded by one loop of at least two edges, every edge by two different simple faces. To this end
- *   - arcs stay as they are, each is an edge or, where an extra arc ends on it, several;
+ *   - arcs stay as they are, each is an edge or, where a cut arc ends on it, several;
  *   - a free circle becomes at least two edges, meeting in its two points in the plane through its balls' centres that
  *     contains the direction z (the plane across x if the centres lie above each other);
- *   - a face with several loops is cut by extra arcs: pieces of great circles in planes that contain z, each through
+ *   - a face with several loops is cut by cut arcs: pieces of great circles in planes that contain z, each through
  *     the axis of a circle on that ball, as many of these planes as it takes to join the face's loops;
  *   - a whole sphere is cut in two by the great circle across x, in its highest and lowest points.
  *
@@ -510,18 +510,18 @@ typedef struct hsp_topology_limits {
   uint32_t balls;       /**< number of balls of the model */
   uint32_t neighbours;  /**< as in hsp_boundary_limits */
   uint32_t edges;       /**< edges; vertices and simple faces are never more */
-  uint32_t extra_arcs;  /**< extra arcs that cut faces with several loops */
+  uint32_t cut_arcs;    /**< cut arcs that cut faces with several loops */
   uint32_t reserved;    /**< 0 */
 } hsp_topology_limits;
 
-/** Limits that suffice for molecules of `balls` atoms: neighbours min(balls, 256), edges 16 balls + 96, extra arcs
+/** Limits that suffice for molecules of `balls` atoms: neighbours min(balls, 256), edges 16 balls + 96, cut arcs
  *  2 balls + 16. hsp_topology_limits_for suits a boundary that is already there.
  *  HSP_E_ARGUMENT: limits is NULL or struct_size is not sizeof(hsp_topology_limits). HSP_E_RANGE: more than
  *  (HSP_MAX_BALLS - 96) / 16 balls. */
 HSP_API int32_t hsp_topology_limits_init(hsp_topology_limits *limits, uint32_t struct_size, uint32_t balls);
 
-/** Limits for a computed boundary that nearly always suffice: its balls and neighbours, four extra arcs for every loop
- *  of a face beyond the first, and edges for its arcs, circles and whole spheres and four for every extra arc.
+/** Limits for a computed boundary that nearly always suffice: its balls and neighbours, four cut arcs for every loop
+ *  of a face beyond the first, and edges for its arcs, circles and whole spheres and four for every cut arc.
  *  HSP_E_ARGUMENT: a null pointer or wrong struct_size. HSP_E_STATE: nothing computed, or the model has changed. */
 HSP_API int32_t hsp_topology_limits_for(hsp_topology_limits *limits, uint32_t struct_size,
                                         const hsp_boundary *boundary);
@@ -532,9 +532,9 @@ HSP_API int32_t hsp_topology_limits_for(hsp_topology_limits *limits, uint32_t st
 HSP_API int32_t hsp_topology_bytes(const hsp_topology_limits *limits, size_t *bytes);
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
-#define HSP_TOPOLOGY_BYTES(balls, neighbours, edges, extra_arcs)                                                      \
+#define HSP_TOPOLOGY_BYTES(balls, neighbours, edges, cut_arcs)                                                        \
   ((size_t)4096 + (size_t)64 * (size_t)(balls) + (size_t)192 * (size_t)(neighbours) + (size_t)160 * (size_t)(edges) + \
-   (size_t)160 * (size_t)(extra_arcs))
+   (size_t)160 * (size_t)(cut_arcs))
 
 /** Make an empty topology in caller memory of any alignment; sets *topology.
  *  HSP_E_ARGUMENT, HSP_E_RANGE as hsp_topology_bytes; HSP_E_MEMORY: bytes too small (nothing is written). */
@@ -562,7 +562,7 @@ typedef struct hsp_topology_counts {
   uint32_t vertices; /**< those of the boundary and the added ones */
   uint32_t edges;
   uint32_t simple_faces;
-  uint32_t extra_edges; /**< of the edges, the ones that cut a face or a whole sphere */
+  uint32_t cut_edges; /**< of the edges, the ones that cut a face or a whole sphere */
   uint32_t shells;
   uint32_t components; /**< of the union */
   uint32_t cells;      /**< of the complement: 1 + voids */
@@ -615,7 +615,7 @@ typedef struct hsp_topology_vertex {
 
 #define HSP_EDGE_ARC UINT32_C(0)    /**< an arc of hsp_boundary_get_arcs or a piece of one */
 #define HSP_EDGE_CIRCLE UINT32_C(1) /**< a piece of a free circle */
-#define HSP_EDGE_EXTRA UINT32_C(2)  /**< a piece of a great circle that cuts a face; both sides lie on one ball */
+#define HSP_EDGE_CUT UINT32_C(2)    /**< a piece of a great circle that cuts a face; both sides lie on one ball */
 
 typedef struct hsp_topology_edge {
   double centre[3]; /**< of its circle, length */
@@ -626,7 +626,7 @@ typedef struct hsp_topology_edge {
   uint32_t face[2];   /**< simple faces on its left and right */
   uint32_t ball[2];   /**< balls of these faces */
   uint32_t kind;      /**< HSP_EDGE_* */
-  uint32_t source;    /**< id of the boundary's arc or circle it is a piece of; HSP_NONE for extra edges */
+  uint32_t source;    /**< id of the boundary's arc or circle it is a piece of; HSP_NONE for cut edges */
 } hsp_topology_edge;
 
 typedef struct hsp_simple_face {
@@ -711,8 +711,8 @@ HSP_API int32_t hsp_topology_get_cell_shells(const hsp_topology *topology, uint3
  *  around each face counter-clockwise from the edge by which it was entered (hsp_simple_face.q for start_face) and
  *  at once into every neighbour not visited before. With the shell of hsp_topology_counts.start_face it is the outer
  *  boundary component from the topmost ball. HSP_E_ID: no such shell. Else statuses as above. */
-HSP_API int32_t hsp_topology_get_scan(const hsp_topology *topology, uint32_t shell, uint32_t *faces, uint32_t capacity,
-                                      uint32_t *needed);
+HSP_API int32_t hsp_topology_get_traversal(const hsp_topology *topology, uint32_t shell, uint32_t *faces,
+                                           uint32_t capacity, uint32_t *needed);
 
 /** Where the point xyz [3] lies: *cell becomes its cell, or HSP_NONE if it lies in a ball; ids receives the balls that
  *  contain it as hsp_query_point does (pass NULL, 0, NULL to have only the cell). Exact; the point is rounded to the
@@ -732,7 +732,7 @@ HSP_API int32_t hsp_topology_same_cell(hsp_topology *topology, const double *a, 
  *     1  the quad-edge algebra: properties 1 to 5 above
  *     2  origins are vertices, and every vertex starts an edge and is one ring of onext
  *     3  every simple face is one ring of at least two edges, on one ball, and no edge has it on both sides
- *     4  sides of arcs and circles lie on their balls, sides of extra edges on one
+ *     4  sides of arcs and circles lie on their balls, sides of cut edges on one
  *     5  vertices - edges + simple faces of each shell is the Euler characteristic that its maximal faces give
  *     6  the scan visits every simple face of a shell once and no other
  *     7  every component has one outer shell, every other shell walls one void, and the cells nest without cycles
@@ -746,8 +746,8 @@ HSP_API int32_t hsp_topology_check(hsp_topology *topology, uint32_t *law, uint32
  *
  * A view looks at the balls from infinitely far away. View coordinates: x to the right, y up, z towards the viewer, so
  * that a larger z is nearer; (x, y) is the view plane. What is painted of a ball is a piece of its front hemisphere:
- *   HSP_PIECES_G   the front hemisphere outside all farther balls (Lemma 5.3)
- *   HSP_PIECES_H   the front hemisphere outside all other balls: the front part of its faces (Theorem 5.1)
+ *   HSP_PIECES_OUTSIDE_FARTHER   the front hemisphere outside all farther balls (Lemma 5.3)
+ *   HSP_PIECES_OUTSIDE_ALL   the front hemisphere outside all other balls: the front part of its faces (Theorem 5.1)
  * A ball is farther if its centre has the smaller z, exactly; of centres with equal z, the one of the ball that comes
  * first by (x, y, z, radius) of the caller's coordinates. Painting whole pieces from the farthest ball to the nearest
  * shows exactly what is visible. (The paper's theorem says "decreasing z" with viewing direction -z; back to front is
@@ -790,8 +790,8 @@ HSP_API int32_t hsp_view_bytes(const hsp_view_limits *limits, size_t *bytes);
  *  HSP_E_ARGUMENT, HSP_E_RANGE as hsp_view_bytes; HSP_E_MEMORY: bytes too small (nothing is written). */
 HSP_API int32_t hsp_view_init(void *memory, size_t bytes, const hsp_view_limits *limits, hsp_view **view);
 
-#define HSP_PIECES_G UINT32_C(0) /**< front hemispheres outside farther balls; needs no boundary */
-#define HSP_PIECES_H UINT32_C(1) /**< front hemispheres outside all balls; cut from a computed boundary */
+#define HSP_PIECES_OUTSIDE_FARTHER UINT32_C(0) /**< front hemispheres outside farther balls; needs no boundary */
+#define HSP_PIECES_OUTSIDE_ALL UINT32_C(1)     /**< front hemispheres outside all balls; cut from a computed boundary */
 
 /** Give also balls a piece that are found to be hidden behind others as a whole. Without this flag most of these are
  *  left out, which changes nothing that is seen, and G-pieces are cut by the balls that are left only. */

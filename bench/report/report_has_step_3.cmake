@@ -23,7 +23,7 @@ string(REGEX REPLACE " +" " " report "${report}")
 set(time "[0-9,.]*[1-9][0-9,.]*")
 set(number "[0-9,]+[.]?[0-9]*")
 foreach(row
-    # Times, ratio, faces, simple faces, edges, extra edges, components, voids.
+    # Times, ratio, faces, simple faces, edges, cut edges, components, voids.
     "[|] crambin [|] 327 [|] ${time} [|] ${time} [|] ${time} [|] 1[.]36 [|] ${number} [|] ${number} [|] ${time} [|] 1 [|] 0 [|]\n"
     "[|] crambin [|] 327 [|] ${time} [|] ${time} [|] ${time} [|] 0[.]75 [|] 0[.]75 [|] 2[.]20 [|] 0[.]00 [|] 1 [|] 1 [|]\n"
     # Bytes, time and shares of queries in the box, time and share near the surface.

@@ -26,7 +26,7 @@ std::string exponent(const Run &run, const std::string &prefix, double from, con
 
 void write_times(std::ostream &out, const Run &run, const Surface &surface) {
   const std::string prefix = prefix_of(surface, "compute");
-  Table table({"molecule", "n", "Steps 1 + 2", "Step 3", "ratio", "faces", "simple faces", "edges", "extra edges",
+  Table table({"molecule", "n", "Steps 1 + 2", "Step 3", "ratio", "faces", "simple faces", "edges", "cut edges",
                "components", "voids"});
   for (const std::string &molecule : molecules_by_size(run, prefix)) {
     const Measurement *m = run.find(prefix + molecule);

@@ -100,7 +100,7 @@ static int32_t compute_topology(struct workspace *work) {
     status = hsp_topology_get_needed(work->topology, &needed);
     if (needed.neighbours > limits.neighbours) limits.neighbours = needed.neighbours;
     if (needed.edges > limits.edges) limits.edges = needed.edges;
-    if (needed.extra_arcs > limits.extra_arcs) limits.extra_arcs = needed.extra_arcs;
+    if (needed.cut_arcs > limits.cut_arcs) limits.cut_arcs = needed.cut_arcs;
   }
   return status == HSP_OK ? HSP_E_CAPACITY : status;
 }

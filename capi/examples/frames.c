@@ -151,7 +151,7 @@ static int32_t compute(struct workspace *work, struct frame *frame, double probe
   if (status == HSP_OK) status = hsp_model_set(work->model, frame->atoms, frame->xyz, frame->radius, &options, NULL);
   if (status == HSP_OK) status = compute_boundary(work);
   if (status != HSP_OK) return status;
-  return hsp_boundary_gradient(work->boundary, NULL, 1.0, 0.0, HSP_TANGENT_MEETING, energy, frame->gradient, NULL, NULL,
+  return hsp_boundary_gradient(work->boundary, NULL, 1.0, 0.0, HSP_TANGENT_OVERLAP, energy, frame->gradient, NULL, NULL,
                                frame->atoms);
 }
 

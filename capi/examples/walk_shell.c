@@ -5,11 +5,11 @@
 
 #define BALLS 6
 #define EDGES 128
-#define EXTRA_ARCS 32
+#define CUT_ARCS 32
 
 static unsigned char model_memory[HSP_MODEL_BYTES(BALLS)];
 static unsigned char boundary_memory[HSP_BOUNDARY_BYTES(BALLS, BALLS, 16, 16)];
-static unsigned char topology_memory[HSP_TOPOLOGY_BYTES(BALLS, BALLS, EDGES, EXTRA_ARCS)];
+static unsigned char topology_memory[HSP_TOPOLOGY_BYTES(BALLS, BALLS, EDGES, CUT_ARCS)];
 
 static int32_t compute(hsp_topology **topology) {
   static const double xyz[BALLS][3] = {{1.0, 0.0, 0.0},  {0.5, 0.866025404, 0.0},   {-0.5, 0.866025404, 0.0},
@@ -20,7 +20,7 @@ static int32_t compute(hsp_topology **topology) {
   const hsp_boundary_limits boundary_limits = {sizeof boundary_limits, .balls = BALLS, .neighbours = BALLS,
                                                .vertices = 16, .circles = 16};
   const hsp_topology_limits topology_limits = {sizeof topology_limits, .balls = BALLS, .neighbours = BALLS,
-                                               .edges = EDGES, .extra_arcs = EXTRA_ARCS};
+                                               .edges = EDGES, .cut_arcs = CUT_ARCS};
 
   int32_t status = hsp_model_init(model_memory, sizeof model_memory, BALLS, &model);
   if (status == HSP_OK) status = hsp_model_set(model, BALLS, &xyz[0][0], radius, NULL, NULL);

@@ -42,14 +42,14 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_NONE = -1_c_int32_t              ! 0xFFFFFFFF
   integer(c_int32_t), parameter :: HSP_MAX_BALLS = 268435455_c_int32_t  ! 0x0FFFFFFF
 
-  integer(c_int32_t), parameter :: HSP_FIGURES_ZERO_RADIUS = 1_c_int32_t
-  integer(c_int32_t), parameter :: HSP_FIGURES_COINCIDENT = 2_c_int32_t
-  integer(c_int32_t), parameter :: HSP_FIGURES_NO_PAIR = 4_c_int32_t
+  integer(c_int32_t), parameter :: HSP_PACKING_ZERO_RADIUS = 1_c_int32_t
+  integer(c_int32_t), parameter :: HSP_PACKING_COINCIDENT = 2_c_int32_t
+  integer(c_int32_t), parameter :: HSP_PACKING_NO_PAIR = 4_c_int32_t
   integer(c_int32_t), parameter :: HSP_VERTEX_TIED = 1_c_int32_t
   integer(c_int32_t), parameter :: HSP_BALL_CONTAINED = 1_c_int32_t
 
-  integer(c_int32_t), parameter :: HSP_TANGENT_MEETING = 0_c_int32_t
-  integer(c_int32_t), parameter :: HSP_TANGENT_APART = 1_c_int32_t
+  integer(c_int32_t), parameter :: HSP_TANGENT_OVERLAP = 0_c_int32_t
+  integer(c_int32_t), parameter :: HSP_TANGENT_DISJOINT = 1_c_int32_t
   integer(c_int32_t), parameter :: HSP_GRADIENT_ONE_SIDED = 1_c_int32_t
 
   integer(c_int32_t), parameter :: HSP_POINT_VERTEX = 0_c_int32_t
@@ -57,12 +57,12 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_POINT_POLE = 2_c_int32_t
   integer(c_int32_t), parameter :: HSP_EDGE_ARC = 0_c_int32_t
   integer(c_int32_t), parameter :: HSP_EDGE_CIRCLE = 1_c_int32_t
-  integer(c_int32_t), parameter :: HSP_EDGE_EXTRA = 2_c_int32_t
+  integer(c_int32_t), parameter :: HSP_EDGE_CUT = 2_c_int32_t
   integer(c_int32_t), parameter :: HSP_SHELL_OUTER = 0_c_int32_t
   integer(c_int32_t), parameter :: HSP_SHELL_VOID = 1_c_int32_t
 
-  integer(c_int32_t), parameter :: HSP_PIECES_G = 0_c_int32_t
-  integer(c_int32_t), parameter :: HSP_PIECES_H = 1_c_int32_t
+  integer(c_int32_t), parameter :: HSP_PIECES_OUTSIDE_FARTHER = 0_c_int32_t
+  integer(c_int32_t), parameter :: HSP_PIECES_OUTSIDE_ALL = 1_c_int32_t
   integer(c_int32_t), parameter :: HSP_VIEW_ALL_BALLS = 1_c_int32_t
 
   integer(c_int32_t), parameter :: HSP_FORMAT_SVG = 0_c_int32_t
@@ -96,13 +96,13 @@ module hardsphere
     real(c_double) :: largest_radius   ! length
   end type
 
-  type, bind(C) :: hsp_figures
+  type, bind(C) :: hsp_packing
     real(c_double) :: k
     real(c_double) :: rho
     real(c_double) :: mean_overlaps
     real(c_double) :: neighbour_bound
     integer(c_int32_t) :: max_overlaps
-    integer(c_int32_t) :: flags        ! HSP_FIGURES_*
+    integer(c_int32_t) :: flags        ! HSP_PACKING_*
   end type
 
   type, bind(C) :: hsp_boundary_limits
@@ -192,7 +192,7 @@ module hardsphere
     integer(c_int32_t) :: balls
     integer(c_int32_t) :: neighbours
     integer(c_int32_t) :: edges
-    integer(c_int32_t) :: extra_arcs
+    integer(c_int32_t) :: cut_arcs
     integer(c_int32_t) :: reserved
   end type
 
@@ -200,7 +200,7 @@ module hardsphere
     integer(c_int32_t) :: vertices
     integer(c_int32_t) :: edges
     integer(c_int32_t) :: simple_faces
-    integer(c_int32_t) :: extra_edges
+    integer(c_int32_t) :: cut_edges
     integer(c_int32_t) :: shells
     integer(c_int32_t) :: components
     integer(c_int32_t) :: cells
@@ -224,7 +224,7 @@ module hardsphere
     integer(c_int32_t) :: face(2)      ! 0-based, left and right
     integer(c_int32_t) :: ball(2)      ! 0-based, left and right
     integer(c_int32_t) :: kind         ! HSP_EDGE_*
-    integer(c_int32_t) :: source       ! 0-based, HSP_NONE for extra edges
+    integer(c_int32_t) :: source       ! 0-based, HSP_NONE for cut edges
   end type
 
   type, bind(C) :: hsp_simple_face
@@ -415,10 +415,10 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    function hsp_model_get_figures(model, figures) result(status) bind(C, name="hsp_model_get_figures")
-      import :: c_int32_t, c_ptr, hsp_figures
+    function hsp_model_get_packing(model, figures) result(status) bind(C, name="hsp_model_get_packing")
+      import :: c_int32_t, c_ptr, hsp_packing
       type(c_ptr), value :: model
-      type(hsp_figures), intent(inout) :: figures
+      type(hsp_packing), intent(inout) :: figures
       integer(c_int32_t) :: status
     end function
 
@@ -872,8 +872,8 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    function hsp_topology_get_scan(topology, shell, faces, capacity, needed) result(status) &
-      bind(C, name="hsp_topology_get_scan")
+    function hsp_topology_get_traversal(topology, shell, faces, capacity, needed) result(status) &
+      bind(C, name="hsp_topology_get_traversal")
       import :: c_int32_t, c_ptr
       type(c_ptr), value :: topology
       integer(c_int32_t), value :: shell
@@ -1062,11 +1062,11 @@ contains
   end function
 
   !> HSP_TOPOLOGY_BYTES of the header, for the size of an allocation.
-  pure function hsp_topology_bytes_bound(balls, neighbours, edges, extra_arcs) result(bytes)
-    integer(c_int32_t), intent(in) :: balls, neighbours, edges, extra_arcs
+  pure function hsp_topology_bytes_bound(balls, neighbours, edges, cut_arcs) result(bytes)
+    integer(c_int32_t), intent(in) :: balls, neighbours, edges, cut_arcs
     integer(c_size_t) :: bytes
     bytes = 4096_c_size_t + 64_c_size_t*int(balls, c_size_t) + 192_c_size_t*int(neighbours, c_size_t) &
-            + 160_c_size_t*int(edges, c_size_t) + 160_c_size_t*int(extra_arcs, c_size_t)
+            + 160_c_size_t*int(edges, c_size_t) + 160_c_size_t*int(cut_arcs, c_size_t)
   end function
 
   !> HSP_VIEW_BYTES of the header, for the size of an allocation.

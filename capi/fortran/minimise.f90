@@ -100,7 +100,7 @@ contains
     integer :: i
     call must(hsp_model_set(model, n, places, radius, options))
     call must(hsp_boundary_compute(boundary, model))
-    call must(hsp_boundary_gradient(boundary, tension=tension, pressure=pressure, tangency=HSP_TANGENT_MEETING, &
+    call must(hsp_boundary_gradient(boundary, tension=tension, pressure=pressure, tangency=HSP_TANGENT_OVERLAP, &
                                     energy=surface, centre=gradient, capacity=n))
     value = surface%value
     do i = 1, n - 1

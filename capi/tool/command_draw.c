@@ -141,7 +141,7 @@ static bool draw(const struct request *request, const struct molecule *molecule,
   if (drawing_occlusion(&request->drawing, molecule->atoms) > 0.0) progress_show(progress, "shading");
   if (!make_colours(request, molecule, geometry, &colour, failure)) return false;
   bool done = true;
-  if (options.pieces == HSP_PIECES_H) {
+  if (options.pieces == HSP_PIECES_OUTSIDE_ALL) {
     progress_show(progress, "computing the boundary");
     done = geometry_compute_boundary(geometry, molecule, failure);
   }

@@ -5,15 +5,15 @@
 #include "commands.h"
 #include "report.h"
 
-static bool has_k(const struct molecule *molecule, const hsp_figures *figures) {
-  return molecule->atoms > 0 && (figures->flags & HSP_FIGURES_ZERO_RADIUS) == 0;
+static bool has_k(const struct molecule *molecule, const hsp_packing *figures) {
+  return molecule->atoms > 0 && (figures->flags & HSP_PACKING_ZERO_RADIUS) == 0;
 }
 
-static bool has_rho(const hsp_figures *figures) {
-  return (figures->flags & HSP_FIGURES_NO_PAIR) == 0;
+static bool has_rho(const hsp_packing *figures) {
+  return (figures->flags & HSP_PACKING_NO_PAIR) == 0;
 }
 
-static void print_json(const struct molecule *molecule, const hsp_figures *figures, struct text_buffer *out) {
+static void print_json(const struct molecule *molecule, const hsp_packing *figures, struct text_buffer *out) {
   text_buffer_add(out, "{\"n\": %" PRIu32 ", \"k\": ", molecule->atoms);
   json_number(out, has_k(molecule, figures) ? figures->k : (double)NAN);
   text_buffer_add(out, ", \"rho\": ");
@@ -23,7 +23,7 @@ static void print_json(const struct molecule *molecule, const hsp_figures *figur
   text_buffer_add(out, "}\n");
 }
 
-static void print_verdict(const struct molecule *molecule, const hsp_figures *figures, struct text_buffer *out) {
+static void print_verdict(const struct molecule *molecule, const hsp_packing *figures, struct text_buffer *out) {
   if (figures->flags == 0 && molecule->atoms > 0) {
     char bound[NUMBER_BYTES];
     text_buffer_add(out, "Theorem 2.1 holds with these figures: no ball meets more than 216 (k/rho)^3 = %s others.\n",
@@ -39,11 +39,11 @@ static void print_verdict(const struct molecule *molecule, const hsp_figures *fi
     text_buffer_add(out, "%sall radii are 0, so rho has no value", separator);
     separator = "; ";
   }
-  if ((figures->flags & HSP_FIGURES_ZERO_RADIUS) != 0) {
+  if ((figures->flags & HSP_PACKING_ZERO_RADIUS) != 0) {
     text_buffer_add(out, "%sa ball has radius 0, so k has no value", separator);
     separator = "; ";
   }
-  if ((figures->flags & HSP_FIGURES_COINCIDENT) != 0) {
+  if ((figures->flags & HSP_PACKING_COINCIDENT) != 0) {
     text_buffer_add(out, "%stwo centres coincide, so rho is 0", separator);
   }
   text_buffer_add(out, ".\n");
@@ -52,7 +52,7 @@ static void print_verdict(const struct molecule *molecule, const hsp_figures *fi
   }
 }
 
-static void print_table(const struct request *request, const struct molecule *molecule, const hsp_figures *figures,
+static void print_table(const struct request *request, const struct molecule *molecule, const hsp_packing *figures,
                         struct text_buffer *out) {
   char value[NUMBER_BYTES];
   report_heading(out, request, molecule);
@@ -68,8 +68,8 @@ static void print_table(const struct request *request, const struct molecule *mo
 
 bool command_model(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                    struct text_buffer *out, struct failure *failure) {
-  hsp_figures figures;
-  const int32_t status = hsp_model_get_figures(geometry->model, &figures);
+  hsp_packing figures;
+  const int32_t status = hsp_model_get_packing(geometry->model, &figures);
   if (status != HSP_OK) return failure_in_library(failure, status);
   if (request->json) {
     print_json(molecule, &figures, out);

@@ -103,8 +103,8 @@ bool geometry_compute_topology(struct geometry *geometry, const struct molecule 
     }
     const bool more_neighbours = raise(&limits.neighbours, needed.neighbours);
     const bool more_edges = raise(&limits.edges, needed.edges);
-    const bool more_extra_arcs = raise(&limits.extra_arcs, needed.extra_arcs);
-    if (!more_neighbours && !more_edges && !more_extra_arcs) return failure_in_library(failure, status);
+    const bool more_cut_arcs = raise(&limits.cut_arcs, needed.cut_arcs);
+    if (!more_neighbours && !more_edges && !more_cut_arcs) return failure_in_library(failure, status);
   }
 }
 

@@ -22,7 +22,7 @@ static bool measure_gradient(const struct molecule *molecule, const struct geome
                              double pressure, const double *weights, struct gradient *gradient, uint32_t *flags,
                              struct failure *failure) {
   if (!allocate_gradient(molecule, gradient, failure)) return false;
-  const int32_t status = hsp_boundary_gradient(geometry->boundary, weights, tension, pressure, HSP_TANGENT_MEETING,
+  const int32_t status = hsp_boundary_gradient(geometry->boundary, weights, tension, pressure, HSP_TANGENT_OVERLAP,
                                                NULL, gradient->centre, gradient->radius, flags, molecule->atoms);
   return status == HSP_OK || failure_in_library(failure, status);
 }
@@ -43,7 +43,7 @@ static bool measure_area_gradient(const struct molecule *molecule, const struct 
 static bool measure_weighted_area(const struct geometry *geometry, struct measurement *measurement,
                                   struct failure *failure) {
   hsp_energy energy;
-  const int32_t status = hsp_boundary_gradient(geometry->boundary, measurement->weights, 1.0, 0.0, HSP_TANGENT_MEETING,
+  const int32_t status = hsp_boundary_gradient(geometry->boundary, measurement->weights, 1.0, 0.0, HSP_TANGENT_OVERLAP,
                                                &energy, NULL, NULL, NULL, 0);
   if (status != HSP_OK) return failure_in_library(failure, status);
   measurement->weighted_area = energy.area;

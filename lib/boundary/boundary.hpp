@@ -1,19 +1,19 @@
-// The boundary of a union as it is built: per ball its uses of vertices, chained to loops, gathered to faces. All ids
-// of balls are the grid's; the memory is carved once for given limits.
+// The boundary of a union: on every ball its half-edges, chained to loops, gathered to faces, joined to shells.
 //
-//   ball i --first_use--> uses (vertex, in, out) --next--> ... = one loop     circle_side --> free circles = loops on
-//   their own
-//          --first_loop--> loops --loop_face--> faces --first_face
+//   ball --half_edges--> half-edge --next--> ... = one loop
+//        --circles-----> closed half-edge       = a loop on its own
+//        --loops-------> loop --face--> face --shell--> shell
 //
-// A use is the visit of a loop to a vertex: the loop comes in along the circle with ball `in` and leaves along the
-// circle with ball `out`, with the face on its left, that is clockwise about the axis towards the other ball.
+// All ids of balls are the grid's. Readers of a boundary call the accessors of class Boundary; only the files of
+// this room that build one know the arrays behind them.
 #pragma once
 
-#include "boundary/records.hpp"
 #include "core/disjoint_sets.hpp"
 #include "core/fixed_vector.hpp"
+#include "core/id_range.hpp"
 #include "core/workspace.hpp"
 #include "model/cube_grid.hpp"
+#include "sphere/half_edges.hpp"
 
 namespace hsp {
 
@@ -22,13 +22,41 @@ struct BoundaryLimits {
   uint32_t neighbours = 0;
   uint32_t vertices = 0;
   uint32_t circles = 0;
+
+  // Loops have at least two arcs or are circles.
+  uint64_t most_loops() const { return 3 * static_cast<uint64_t>(vertices) / 2 + 2 * static_cast<uint64_t>(circles); }
 };
 
-struct VertexUse {
-  uint32_t vertex;
-  uint32_t in, out;  // balls
-  uint32_t next;     // the use at which the arc along `out` ends
-  uint32_t loop;
+// A whole free circle as the loop that it makes on one of its two balls.
+class ClosedHalfEdge {
+ public:
+  ClosedHalfEdge() = default;
+  constexpr ClosedHalfEdge(uint32_t circle, uint32_t side) : id_(2 * circle + side) {}
+  static constexpr ClosedHalfEdge from_id(uint32_t id) { return {id / 2, id % 2}; }
+
+  constexpr uint32_t id() const { return id_; }
+  constexpr uint32_t circle() const { return id_ / 2; }
+  constexpr uint32_t side() const { return id_ % 2; }
+
+ private:
+  uint32_t id_;
+};
+
+// What a loop consists of at one of its points: a half-edge, or a whole circle.
+class LoopElement {
+ public:
+  LoopElement() = default;
+  static constexpr LoopElement arc(uint32_t half_edge) { return LoopElement(half_edge); }
+  static constexpr LoopElement circle(ClosedHalfEdge e) { return LoopElement(circle_bit | e.id()); }
+
+  constexpr bool is_circle() const { return (code_ & circle_bit) != 0; }
+  constexpr uint32_t half_edge() const { return code_; }  // if it is none
+  constexpr ClosedHalfEdge closed_half_edge() const { return ClosedHalfEdge::from_id(code_ & ~circle_bit); }
+
+ private:
+  explicit constexpr LoopElement(uint32_t code) : code_(code) {}
+  static constexpr uint32_t circle_bit = UINT32_C(1) << 31;
+  uint32_t code_;
 };
 
 struct FaceRecord {
@@ -37,43 +65,131 @@ struct FaceRecord {
   uint32_t shell;
 };
 
-struct BoundaryStructure {
+// The memory of a boundary, carved once for given limits. first_x[i] .. first_x[i + 1] are the x of ball i.
+struct BoundaryArrays {
   FixedVector<VertexRecord> vertices;
   FixedVector<CircleRecord> circles;
   Span<double> root_discriminant;  // [vertices] sqrt(D), exact D rounded once
 
-  Span<VertexUse> uses;              // [3 vertices], by ball, in an order that does not depend on ids
-  Span<uint32_t> first_use;          // [balls + 1]
-  Span<uint32_t> use_at;             // [3 vertices] use of vertex v by its ball number t at 3 v + t
-  Span<uint32_t> circle_side;        // [2 circles] by ball: 2 * circle + side
-  Span<uint32_t> first_circle_side;  // [balls + 1]
+  Span<HalfEdge> half_edges;              // [3 vertices], by ball, in an order that does not depend on ids
+  Span<uint32_t> first_half_edge;         // [balls + 1]
+  Span<uint32_t> half_edge_at;            // [3 vertices] that of vertex v on its ball number t at 3 v + t
+  Span<ClosedHalfEdge> closed_half_edge;  // [2 circles] by ball
+  Span<uint32_t> first_closed_half_edge;  // [balls + 1]
 
-  Span<uint32_t> first_loop;  // [balls + 1]
-  Span<uint32_t> loop_cap;    // [loops] a ball whose circle the loop runs along
-  Span<uint32_t> loop_face;   // [loops]
-  Span<uint32_t> first_face;  // [balls + 1]
-  Span<FaceRecord> faces;
+  Span<uint32_t> first_loop;      // [balls + 1]
+  Span<uint32_t> loop_neighbour;  // [loops] a ball along whose circle the loop runs
+  Span<uint32_t> loop_face;       // [loops]
+  Span<uint32_t> first_face;      // [balls + 1]
+  Span<FaceRecord> faces;         // [loops + balls]
+  uint32_t balls = 0;
   uint32_t loop_count = 0;
   uint32_t face_count = 0;
   uint32_t shell_count = 0;
+  uint32_t component_count = 0;
 
-  Span<uint8_t> ball_state;  // [balls]
+  Span<uint8_t> ball_state;  // [balls] bits:
   static constexpr uint8_t contained = 1;
-  static constexpr uint8_t without_caps =
-      2;  // no other sphere meets it: the whole sphere is free unless it is contained
-  // Clusters of the ball's caps (faces.hpp), counted while the caps are at hand if they are few.
-  Span<uint8_t> cluster_count;
-  static constexpr uint8_t not_counted = 0;
+  static constexpr uint8_t without_caps = 2;  // no other sphere meets it: free as a whole unless it is contained
+
   Span<uint32_t> component_parent;  // [balls]
-  DisjointSets components;
-  Span<uint32_t> face_parent;  // [faces]
+  DisjointSets components;          // represented by their balls of lowest rank
+  Span<uint32_t> component;         // [balls] number of the component
 
   void carve(Workspace &workspace, const BoundaryLimits &limits);
+};
 
-  // Loops have at least two arcs or are circles.
-  static uint64_t most_loops(const BoundaryLimits &limits) {
-    return 3 * static_cast<uint64_t>(limits.vertices) / 2 + 2 * static_cast<uint64_t>(limits.circles);
+class Boundary {
+ public:
+  uint32_t ball_count() const { return a_.balls; }
+  uint32_t vertex_count() const { return a_.vertices.size(); }
+  uint32_t circle_count() const { return a_.circles.size(); }
+  // Every arc is two half-edges, one on each of its balls, and every vertex starts three.
+  uint32_t half_edge_count() const { return 3 * vertex_count(); }
+  uint32_t loop_count() const { return a_.loop_count; }
+  uint32_t face_count() const { return a_.face_count; }
+  uint32_t shell_count() const { return a_.shell_count; }
+  uint32_t component_count() const { return a_.component_count; }
+
+  // The parts of one ball. Numbers of one ball are consecutive.
+  IdRange half_edges(uint32_t ball) const { return range(a_.first_half_edge, ball); }
+  IdRange loops(uint32_t ball) const { return range(a_.first_loop, ball); }
+  IdRange faces(uint32_t ball) const { return range(a_.first_face, ball); }
+  Span<const ClosedHalfEdge> circles(uint32_t ball) const {
+    const IdRange ids = range(a_.first_closed_half_edge, ball);
+    return a_.closed_half_edge.part(ids.first, ids.last);
   }
+  bool is_contained(uint32_t ball) const { return (a_.ball_state[ball] & BoundaryArrays::contained) != 0; }
+  // No other sphere meets it, and no other ball contains it.
+  bool is_free_of_caps(uint32_t ball) const { return a_.ball_state[ball] == BoundaryArrays::without_caps; }
+  bool is_exposed(uint32_t ball) const { return !faces(ball).empty(); }
+  bool is_whole_sphere(uint32_t ball) const { return is_exposed(ball) && loops(ball).empty(); }
+
+  // Vertices.
+  const VertexRecord &vertex(uint32_t v) const { return a_.vertices[v]; }
+  double root_discriminant(uint32_t v) const { return a_.root_discriminant[v]; }
+  // The half-edge that starts at vertex v on its ball number `slot`.
+  uint32_t half_edge_at(uint32_t v, uint32_t slot) const { return a_.half_edge_at[3 * v + slot]; }
+
+  // Half-edges.
+  const HalfEdge &half_edge(uint32_t e) const { return a_.half_edges[e]; }
+  const HalfEdge *half_edge_data() const { return a_.half_edges.data(); }
+  const double *root_discriminant_data() const { return a_.root_discriminant.data(); }
+  uint32_t end_vertex(uint32_t e) const { return half_edge(half_edge(e).next).vertex; }
+  // The half-edge of the same arc on the other ball: it starts where this one ends.
+  uint32_t twin(uint32_t e) const {
+    const uint32_t end = end_vertex(e);
+    return half_edge_at(end, vertex(end).slot_of(half_edge(e).circle));
+  }
+  uint32_t face_of(uint32_t e) const { return face_of_loop(half_edge(e).loop); }
+  uint32_t ball_of(uint32_t e) const { return face(face_of(e)).ball; }
+
+  // Whole circles.
+  const CircleRecord &circle(uint32_t c) const { return a_.circles[c]; }
+  uint32_t ball_of(ClosedHalfEdge e) const { return circle(e.circle()).ball[e.side()]; }
+  uint32_t neighbour(ClosedHalfEdge e) const { return circle(e.circle()).ball[1 - e.side()]; }
+  uint32_t loop_of(ClosedHalfEdge e) const { return circle(e.circle()).loop[e.side()]; }
+
+  // Loops and faces.
+  uint32_t loop_of(LoopElement e) const {
+    return e.is_circle() ? loop_of(e.closed_half_edge()) : half_edge(e.half_edge()).loop;
+  }
+  uint32_t face_of(LoopElement e) const { return face_of_loop(loop_of(e)); }
+  // The other ball on whose sphere the element lies.
+  uint32_t neighbour(LoopElement e) const {
+    return e.is_circle() ? neighbour(e.closed_half_edge()) : half_edge(e.half_edge()).circle;
+  }
+  uint32_t face_of_loop(uint32_t loop) const { return a_.loop_face[loop]; }
+  uint32_t shell_of_loop(uint32_t loop) const { return face(face_of_loop(loop)).shell; }
+  // A ball along whose circle the loop runs.
+  uint32_t neighbour_of_loop(uint32_t loop) const { return a_.loop_neighbour[loop]; }
+  const FaceRecord &face(uint32_t f) const { return a_.faces[f]; }
+
+  // Components of the union, numbered in the order of their first ball in the input.
+  uint32_t component(uint32_t ball) const { return a_.component[ball]; }
+  // The ball of lowest rank in a ball's component.
+  uint32_t component_origin(uint32_t ball) const { return a_.components.root(ball); }
+
+  // Hints to the processor: what belongs to a ball will be read soon.
+  void prefetch_ranges(uint32_t ball) const {
+    __builtin_prefetch(&a_.first_half_edge[ball]);
+    __builtin_prefetch(&a_.first_face[ball]);
+    __builtin_prefetch(&a_.first_loop[ball]);
+    __builtin_prefetch(&a_.first_closed_half_edge[ball]);
+    __builtin_prefetch(&a_.component_parent[ball]);
+  }
+  void prefetch_half_edges(uint32_t ball) const {
+    constexpr uint32_t step = 64 / sizeof(HalfEdge);
+    const IdRange ids = half_edges(ball);
+    for (uint32_t e = ids.first; e < ids.last; e += step) __builtin_prefetch(&a_.half_edges[e]);
+  }
+
+ private:
+  friend class BoundaryBuilder;
+
+  static IdRange range(Span<const uint32_t> first, uint32_t ball) { return {first[ball], first[ball + 1]}; }
+
+  BoundaryArrays a_;
 };
 
 }  // namespace hsp

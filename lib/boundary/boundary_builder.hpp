@@ -1,8 +1,7 @@
-// Steps 1 and 2 of Section 4.2 over all balls, and the assembly of what they find.
+// Steps 1 and 2 of Section 4.2 over all balls, and what follows from them: loops, faces, shells, components.
 #pragma once
 
 #include "boundary/faces.hpp"
-#include "boundary/boundary.hpp"
 #include "sphere/vertex_finder.hpp"
 
 namespace hsp {
@@ -11,22 +10,28 @@ class BoundaryBuilder {
  public:
   void carve(Workspace &workspace, const BoundaryLimits &limits);
 
-  // Builds everything up to faces. Status::capacity if a limit is too small; needed() then tells what suffices.
+  // Status::capacity if a limit is too small; needed() then reports what suffices.
   Status build(const CubeGrid &grid);
 
-  const BoundaryStructure &structure() const { return structure_; }
-  BoundaryStructure &structure() { return structure_; }
+  const Boundary &boundary() const { return boundary_; }
   const BoundaryLimits &needed() const { return needed_; }
+
+  // The arrays behind the boundary, for tests that break them.
+  BoundaryArrays &arrays() { return boundary_.a_; }
+  // Scratch memory for checks; [loops + balls].
+  Span<uint32_t> scratch() { return scratch_; }
 
  private:
   void find_vertices(const CubeGrid &grid);
+  void find_root_discriminants(const BallSet &balls);
 
   BoundaryLimits limits_;
   BoundaryLimits needed_;
-  BoundaryStructure structure_;
+  Boundary boundary_;
   Caps caps_;
   VertexFinder finder_;
-  FaceScratch scratch_;
+  FaceFinder faces_;
+  Span<uint32_t> scratch_;
 };
 
 }  // namespace hsp

@@ -1,86 +1,86 @@
 #include "boundary/boundary_check.hpp"
 
-#include "boundary/half_edge_links.hpp"
-
 namespace hsp {
 namespace {
 
-class StructureCheck {
+class BoundaryCheck {
  public:
-  StructureCheck(const BallSet &balls, const BoundaryStructure &boundary) : balls_(balls), boundary_(boundary) {}
+  BoundaryCheck(const BallSet &balls, const Boundary &boundary, Span<uint32_t> scratch)
+      : balls_(balls), boundary_(boundary), scratch_(scratch) {}
 
   Violation run() {
-    if (!vertices() || !uses() || !successors() || !twins() || !loops() || !faces() || !shells() || !euler()) {
+    if (!vertices() || !half_edges() || !successors() || !twins() || !loops() || !faces() || !shells() || !euler()) {
       return violation_;
     }
     return {};
   }
 
  private:
-  bool fail(BoundaryLaw law, uint32_t where) {
-    violation_ = {law, where};
+  bool fail(BoundaryInvariant invariant, uint32_t id) {
+    violation_ = {invariant, id};
     return false;
   }
-  uint32_t use_count() const { return 3 * boundary_.vertices.size(); }
 
   // Three different balls in ascending order, none of them inside another.
   bool vertices() {
-    for (uint32_t v = 0; v < boundary_.vertices.size(); ++v) {
-      const uint32_t *ball = boundary_.vertices[v].ball;
+    for (uint32_t v = 0; v < boundary_.vertex_count(); ++v) {
+      const uint32_t *ball = boundary_.vertex(v).ball;
       bool good = ball[0] < ball[1] && ball[1] < ball[2] && ball[2] < balls_.n;
       for (int t = 0; t < 3 && good; ++t) {
-        good = (boundary_.ball_state[ball[t]] & BoundaryStructure::contained) == 0;
+        good = !boundary_.is_contained(ball[t]);
       }
-      if (!good) return fail(BoundaryLaw::vertices, v);
+      if (!good) return fail(BoundaryInvariant::vertices, v);
     }
     return true;
   }
 
-  // One use on each of a vertex's balls, between the other two, in the order that its sign gives.
-  bool uses() {
-    if (boundary_.first_use[balls_.n] != use_count()) return fail(BoundaryLaw::uses, 0);
-    for (uint32_t v = 0; v < boundary_.vertices.size(); ++v) {
-      const VertexRecord &vertex = boundary_.vertices[v];
+  // One half-edge on each of a vertex's balls, between the other two, in the order that its sign gives.
+  bool half_edges() {
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < balls_.n; ++i) count += boundary_.half_edges(i).size();
+    if (count != boundary_.half_edge_count()) return fail(BoundaryInvariant::half_edges, 0);
+    for (uint32_t v = 0; v < boundary_.vertex_count(); ++v) {
+      const VertexRecord &vertex = boundary_.vertex(v);
       for (uint32_t t = 0; t < 3; ++t) {
-        const uint32_t u = boundary_.use_at[3 * v + t];
+        const uint32_t u = boundary_.half_edge_at(v, t);
         const uint32_t ball = vertex.ball[t];
-        if (u < boundary_.first_use[ball] || u >= boundary_.first_use[ball + 1]) return fail(BoundaryLaw::uses, v);
-        const VertexUse &use = boundary_.uses[u];
+        if (!boundary_.half_edges(ball).contains(u)) return fail(BoundaryInvariant::half_edges, v);
+        const HalfEdge &half_edge = boundary_.half_edge(u);
         const uint32_t following = vertex.ball[(t + 1) % 3];
         const uint32_t preceding = vertex.ball[(t + 2) % 3];
-        const bool good = use.vertex == v && use.in == (vertex.positive() ? following : preceding) &&
-                          use.out == (vertex.positive() ? preceding : following);
-        if (!good) return fail(BoundaryLaw::uses, v);
+        const bool good = half_edge.vertex == v &&
+                          half_edge.previous_circle == (vertex.positive() ? following : preceding) &&
+                          half_edge.circle == (vertex.positive() ? preceding : following);
+        if (!good) return fail(BoundaryInvariant::half_edges, v);
       }
     }
     return true;
   }
 
-  // The arc that leaves a use arrives on the same ball, along the same circle.
+  // The successor of a half-edge is on the same ball and is preceded by the same circle.
   bool successors() {
     for (uint32_t i = 0; i < balls_.n; ++i) {
-      for (uint32_t u = boundary_.first_use[i]; u < boundary_.first_use[i + 1]; ++u) {
-        const VertexUse &use = boundary_.uses[u];
-        const bool good = use.next >= boundary_.first_use[i] && use.next < boundary_.first_use[i + 1] &&
-                          boundary_.uses[use.next].in == use.out;
-        if (!good) return fail(BoundaryLaw::successors, u);
+      for (const uint32_t u : boundary_.half_edges(i)) {
+        const HalfEdge &half_edge = boundary_.half_edge(u);
+        const bool good = boundary_.half_edges(i).contains(half_edge.next) &&
+                          boundary_.half_edge(half_edge.next).previous_circle == half_edge.circle;
+        if (!good) return fail(BoundaryInvariant::successors, u);
       }
     }
     return true;
   }
 
-  // The two walks of an arc: each starts where the other ends, on each other's balls, and the twin of the twin is the
-  // first. So no two arcs arrive at one use, and the successors chain all uses to closed loops.
+  // Twins: each starts where the other ends, on each other's balls, and the twin of the twin is the first. So no two
+  // half-edges have one successor, and the successors chain all half-edges to closed loops.
   bool twins() {
     for (uint32_t i = 0; i < balls_.n; ++i) {
-      for (uint32_t u = boundary_.first_use[i]; u < boundary_.first_use[i + 1]; ++u) {
-        const VertexUse &use = boundary_.uses[u];
-        const uint32_t twin = twin_use(boundary_, u);
-        const bool good =
-            twin >= boundary_.first_use[use.out] && twin < boundary_.first_use[use.out + 1] &&
-            boundary_.uses[twin].out == i && boundary_.uses[boundary_.uses[twin].next].vertex == use.vertex &&
-            boundary_.uses[twin].vertex == boundary_.uses[use.next].vertex && twin_use(boundary_, twin) == u;
-        if (!good) return fail(BoundaryLaw::twins, u);
+      for (const uint32_t u : boundary_.half_edges(i)) {
+        const HalfEdge &half_edge = boundary_.half_edge(u);
+        const uint32_t twin = boundary_.twin(u);
+        const bool good = boundary_.half_edges(half_edge.circle).contains(twin) &&
+                          boundary_.half_edge(twin).circle == i && boundary_.end_vertex(twin) == half_edge.vertex &&
+                          boundary_.half_edge(twin).vertex == boundary_.end_vertex(u) && boundary_.twin(twin) == u;
+        if (!good) return fail(BoundaryInvariant::twins, u);
       }
     }
     return true;
@@ -89,23 +89,25 @@ class StructureCheck {
   // Loops keep to one ball and to one number, and have at least two arcs.
   bool loops() {
     for (uint32_t i = 0; i < balls_.n; ++i) {
-      const uint32_t first = boundary_.first_loop[i];
-      const uint32_t last = boundary_.first_loop[i + 1];
-      if (first > last || last > boundary_.loop_count) return fail(BoundaryLaw::loops, first);
-      for (uint32_t u = boundary_.first_use[i]; u < boundary_.first_use[i + 1]; ++u) {
-        const VertexUse &use = boundary_.uses[u];
-        const bool good =
-            use.loop >= first && use.loop < last && boundary_.uses[use.next].loop == use.loop && use.next != u;
-        if (!good) return fail(BoundaryLaw::loops, use.loop);
+      const IdRange loops = boundary_.loops(i);
+      if (loops.first > loops.last || loops.last > boundary_.loop_count()) {
+        return fail(BoundaryInvariant::loops, loops.first);
+      }
+      for (const uint32_t u : boundary_.half_edges(i)) {
+        const HalfEdge &half_edge = boundary_.half_edge(u);
+        const bool good = loops.contains(half_edge.loop) &&
+                          boundary_.half_edge(half_edge.next).loop == half_edge.loop && half_edge.next != u;
+        if (!good) return fail(BoundaryInvariant::loops, half_edge.loop);
       }
     }
-    for (const CircleRecord &circle : boundary_.circles.items()) {
+    for (uint32_t c = 0; c < boundary_.circle_count(); ++c) {
+      const CircleRecord &circle = boundary_.circle(c);
       for (uint32_t side = 0; side < 2; ++side) {
         const uint32_t ball = circle.ball[side];
         const uint32_t loop = circle.loop[side];
-        const bool good = ball < balls_.n && loop >= boundary_.first_loop[ball] &&
-                          loop < boundary_.first_loop[ball + 1] && boundary_.loop_cap[loop] == circle.ball[1 - side];
-        if (!good) return fail(BoundaryLaw::loops, loop);
+        const bool good = ball < balls_.n && boundary_.loops(ball).contains(loop) &&
+                          boundary_.neighbour_of_loop(loop) == circle.ball[1 - side];
+        if (!good) return fail(BoundaryInvariant::loops, loop);
       }
     }
     return true;
@@ -113,45 +115,46 @@ class StructureCheck {
 
   // Every loop bounds a face of its own ball, faces count their loops, and only a whole sphere has none.
   bool faces() {
-    const Span<uint32_t> counted = boundary_.face_parent;
-    for (uint32_t f = 0; f < boundary_.face_count; ++f) counted[f] = 0;
+    const Span<uint32_t> counted = scratch_;
+    for (uint32_t f = 0; f < boundary_.face_count(); ++f) counted[f] = 0;
     for (uint32_t i = 0; i < balls_.n; ++i) {
-      const uint32_t first = boundary_.first_face[i];
-      const uint32_t last = boundary_.first_face[i + 1];
-      if (first > last || last > boundary_.face_count) return fail(BoundaryLaw::faces, first);
-      for (uint32_t loop = boundary_.first_loop[i]; loop < boundary_.first_loop[i + 1]; ++loop) {
-        const uint32_t face = boundary_.loop_face[loop];
-        if (face < first || face >= last) return fail(BoundaryLaw::faces, face);
+      const IdRange faces = boundary_.faces(i);
+      if (faces.first > faces.last || faces.last > boundary_.face_count()) {
+        return fail(BoundaryInvariant::faces, faces.first);
+      }
+      for (const uint32_t loop : boundary_.loops(i)) {
+        const uint32_t face = boundary_.face_of_loop(loop);
+        if (!faces.contains(face)) return fail(BoundaryInvariant::faces, face);
         ++counted[face];
       }
-      for (uint32_t f = first; f < last; ++f) {
-        const bool whole_sphere = boundary_.ball_state[i] == BoundaryStructure::without_caps;
-        const bool good = boundary_.faces[f].ball == i && boundary_.faces[f].loops == counted[f] &&
-                          (counted[f] > 0 || (whole_sphere && last - first == 1));
-        if (!good) return fail(BoundaryLaw::faces, f);
+      for (const uint32_t f : faces) {
+        const bool whole_sphere = boundary_.is_free_of_caps(i);
+        const bool good = boundary_.face(f).ball == i && boundary_.face(f).loops == counted[f] &&
+                          (counted[f] > 0 || (whole_sphere && faces.size() == 1));
+        if (!good) return fail(BoundaryInvariant::faces, f);
       }
     }
-    return boundary_.first_face[balls_.n] == boundary_.face_count || fail(BoundaryLaw::faces, boundary_.face_count);
+    const uint32_t end = balls_.n > 0 ? boundary_.faces(balls_.n - 1).last : 0;
+    return end == boundary_.face_count() || fail(BoundaryInvariant::faces, boundary_.face_count());
   }
 
   // Faces on both sides of an arc or circle are of one shell, and shells are numbered without gaps by their first
   // faces.
   bool shells() {
     uint32_t seen = 0;
-    for (uint32_t f = 0; f < boundary_.face_count; ++f) {
-      const uint32_t shell = boundary_.faces[f].shell;
-      if (shell > seen || shell >= boundary_.shell_count) return fail(BoundaryLaw::shells, f);
+    for (uint32_t f = 0; f < boundary_.face_count(); ++f) {
+      const uint32_t shell = boundary_.face(f).shell;
+      if (shell > seen || shell >= boundary_.shell_count()) return fail(BoundaryInvariant::shells, f);
       if (shell == seen) ++seen;
     }
-    if (seen != boundary_.shell_count) return fail(BoundaryLaw::shells, seen);
-    for (uint32_t u = 0; u < use_count(); ++u) {
-      if (shell_of_loop(boundary_.uses[u].loop) != shell_of_loop(boundary_.uses[twin_use(boundary_, u)].loop)) {
-        return fail(BoundaryLaw::shells, boundary_.loop_face[boundary_.uses[u].loop]);
-      }
+    if (seen != boundary_.shell_count()) return fail(BoundaryInvariant::shells, seen);
+    for (uint32_t u = 0; u < boundary_.half_edge_count(); ++u) {
+      if (shell_of(u) != shell_of(boundary_.twin(u))) return fail(BoundaryInvariant::shells, boundary_.face_of(u));
     }
-    for (const CircleRecord &circle : boundary_.circles.items()) {
-      if (shell_of_loop(circle.loop[0]) != shell_of_loop(circle.loop[1])) {
-        return fail(BoundaryLaw::shells, boundary_.loop_face[circle.loop[0]]);
+    for (uint32_t c = 0; c < boundary_.circle_count(); ++c) {
+      const CircleRecord &circle = boundary_.circle(c);
+      if (boundary_.shell_of_loop(circle.loop[0]) != boundary_.shell_of_loop(circle.loop[1])) {
+        return fail(BoundaryInvariant::shells, boundary_.face_of_loop(circle.loop[0]));
       }
     }
     return true;
@@ -159,35 +162,36 @@ class StructureCheck {
 
   // Every shell is a closed orientable surface: its Euler characteristic is even and at most 2.
   bool euler() {
-    // V - E + sum over faces of (2 - loops): a vertex has three uses and an arc two walks, each of which starts at a
-    // use, so that a use counts 1/3 - 1/2. Six times that is an integer, kept modulo 2^32.
-    const Span<uint32_t> six_times = boundary_.face_parent;
-    for (uint32_t s = 0; s < boundary_.shell_count; ++s) six_times[s] = 0;
-    for (uint32_t u = 0; u < use_count(); ++u) six_times[shell_of_loop(boundary_.uses[u].loop)] -= 1;
-    for (uint32_t f = 0; f < boundary_.face_count; ++f) {
-      six_times[boundary_.faces[f].shell] += 12 - 6 * boundary_.faces[f].loops;
+    // V - E + sum over faces of (2 - loops): a vertex starts three half-edges and an arc is two, so that a half-edge
+    // counts 1/3 - 1/2. Six times that is an integer, computed modulo 2^32.
+    const Span<uint32_t> six_times = scratch_;
+    for (uint32_t s = 0; s < boundary_.shell_count(); ++s) six_times[s] = 0;
+    for (uint32_t u = 0; u < boundary_.half_edge_count(); ++u) six_times[shell_of(u)] -= 1;
+    for (uint32_t f = 0; f < boundary_.face_count(); ++f) {
+      six_times[boundary_.face(f).shell] += 12 - 6 * boundary_.face(f).loops;
     }
-    for (uint32_t s = 0; s < boundary_.shell_count; ++s) {
+    for (uint32_t s = 0; s < boundary_.shell_count(); ++s) {
       const int32_t value = static_cast<int32_t>(six_times[s]);
-      if (value % 12 != 0 || value > 12) return fail(BoundaryLaw::euler, s);
+      if (value % 12 != 0 || value > 12) return fail(BoundaryInvariant::euler, s);
     }
     // The shells of one component: one outside, the rest voids; so there are at least as many shells as components.
     uint32_t components = 0;
-    for (uint32_t i = 0; i < balls_.n; ++i) components += boundary_.components.root(i) == i ? 1U : 0U;
-    return boundary_.shell_count >= components || fail(BoundaryLaw::euler, components);
+    for (uint32_t i = 0; i < balls_.n; ++i) components += boundary_.component_origin(i) == i ? 1U : 0U;
+    return boundary_.shell_count() >= components || fail(BoundaryInvariant::euler, components);
   }
 
-  uint32_t shell_of_loop(uint32_t loop) const { return boundary_.faces[boundary_.loop_face[loop]].shell; }
+  uint32_t shell_of(uint32_t half_edge) const { return boundary_.face(boundary_.face_of(half_edge)).shell; }
 
   const BallSet &balls_;
-  const BoundaryStructure &boundary_;
+  const Boundary &boundary_;
+  Span<uint32_t> scratch_;
   Violation violation_;
 };
 
 }  // namespace
 
-Violation check_structure(const BallSet &balls, const BoundaryStructure &boundary) {
-  return StructureCheck(balls, boundary).run();
+Violation check_boundary(const BallSet &balls, const Boundary &boundary, Span<uint32_t> scratch) {
+  return BoundaryCheck(balls, boundary, scratch).run();
 }
 
 }  // namespace hsp

@@ -1,5 +1,5 @@
-// The laws of a boundary's structure, checked from its records alone. A correct build violates none of them for any
-// input; they are there for fuzzers, for careful callers, and for whoever changes the code.
+// The combinatorial invariants of a boundary, checked from its records alone. A correct build violates none of them for
+// any input; the check serves fuzzers, careful callers, and whoever changes the code.
 #pragma once
 
 #include "boundary/boundary.hpp"
@@ -7,10 +7,10 @@
 namespace hsp {
 
 // Numbered as in hardsphere.h.
-enum class BoundaryLaw : uint32_t {
+enum class BoundaryInvariant : uint32_t {
   none = 0,
   vertices = 1,
-  uses = 2,
+  half_edges = 2,
   successors = 3,
   twins = 4,
   loops = 5,
@@ -22,15 +22,14 @@ enum class BoundaryLaw : uint32_t {
   closure = 11,
 };
 
-// The first law that does not hold, and the id of the vertex, use, loop, face, shell or ball where it fails; no_id
-// where none does.
+// The first violated invariant, and the id of the vertex, half-edge, loop, face, shell or ball where it fails;
+// no_id where none does.
 struct Violation {
-  BoundaryLaw law = BoundaryLaw::none;
-  uint32_t where = no_id;
+  BoundaryInvariant invariant = BoundaryInvariant::none;
+  uint32_t id = no_id;
 };
 
-// Laws 1 to 8, in order. O(size); overwrites the boundary's scratch face_parent, which nothing reads once shells are
-// known.
-Violation check_structure(const BallSet &balls, const BoundaryStructure &boundary);
+// Checks invariants 1 to 8, in order. scratch [loops + balls]. O(size).
+Violation check_boundary(const BallSet &balls, const Boundary &boundary, Span<uint32_t> scratch);
 
 }  // namespace hsp

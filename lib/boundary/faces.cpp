@@ -1,98 +1,106 @@
 #include "boundary/faces.hpp"
 
-#include "sphere/cap_pair.hpp"
+#include "boundary/point_location.hpp"
 
 namespace hsp {
 namespace {
 
-// Whether two caps have a common point.
-bool caps_meet(const Caps &caps, const exact::Predicates &predicates, uint32_t j, uint32_t k) {
-  const CapPair pair(caps, j, k);
-  if (pair.surely_cross()) return true;
-  if (pair.surely_apart()) {
-    if (pair.surely_inside() || pair.surely_contains()) return true;
-    if (pair.surely_separate()) return false;
-  }
-  const exact::Plane &P = caps.plane[j];
-  const exact::Plane &Q = caps.plane[k];
-  return predicates.crossing(P, Q).sign > 0 || predicates.side(P, Q).sign > 0 || predicates.side(Q, P).sign > 0;
-}
+// With few caps, as on van der Waals surfaces, most balls have several loops and counting the clusters at once is
+// cheaper than gathering the caps again; with many caps few balls have several loops.
+constexpr uint32_t few_caps = 16;
 
-// Numbers the faces of one ball from the partition of its loops in face_parent, which starts at the ball's first loop.
-void number_faces(const DisjointSets &sets, uint32_t ball, BoundaryStructure &boundary) {
-  const uint32_t first = boundary.first_loop[ball];
-  const uint32_t last = boundary.first_loop[ball + 1];
-  for (uint32_t loop = first; loop < last; ++loop) {
-    const uint32_t representative = sets.find(loop - first);
-    if (representative == loop - first) {
-      boundary.loop_face[loop] = boundary.face_count;
-      boundary.faces[boundary.face_count++] = {ball, 1, no_id};
+// Numbers the faces of one ball from the partition of its loops.
+void number_faces(DisjointSets &sets, uint32_t ball, IdRange loops, BoundaryArrays &arrays) {
+  for (const uint32_t loop : loops) {
+    const uint32_t representative = sets.find(loop - loops.first);
+    if (representative == loop - loops.first) {
+      arrays.loop_face[loop] = arrays.face_count;
+      arrays.faces[arrays.face_count++] = {ball, 1, no_id};
     } else {
-      boundary.loop_face[loop] = boundary.loop_face[first + representative];
-      ++boundary.faces[boundary.loop_face[loop]].loops;
+      arrays.loop_face[loop] = arrays.loop_face[loops.first + representative];
+      ++arrays.faces[arrays.loop_face[loop]].loops;
     }
   }
 }
 
 }  // namespace
 
-uint32_t count_clusters(const Caps &caps, const FaceScratch &scratch) {
-  const DisjointSets clusters(scratch.cluster.part(0, caps.count));
-  clusters.reset();
-  const exact::Predicates predicates = caps.predicates();
-  uint32_t count = caps.count;
-  for (uint32_t j = 0; j < caps.count && count > 1; ++j) {
-    for (uint32_t k = j + 1; k < caps.count; ++k) {
-      if (clusters.find(j) != clusters.find(k) && caps_meet(caps, predicates, j, k)) {
-        clusters.join(j, k);
-        --count;
-      }
-    }
-  }
-  return count;
+void FaceFinder::carve(Workspace &workspace, uint32_t balls, uint32_t neighbours) {
+  clusters_.carve(workspace, neighbours);
+  intervals_.carve(workspace, neighbours);
+  cluster_count_ = workspace.take<uint8_t>(balls);
 }
 
-void FaceScratch::carve(Workspace &workspace, uint32_t capacity) {
-  cluster = workspace.take<uint32_t>(capacity);
-  crossing = workspace.take<uint32_t>(capacity);
-  owner = workspace.take<uint32_t>(capacity);
+void FaceFinder::visit_caps(const Caps &caps) {
+  cluster_count_[caps.origin] = caps.count <= few_caps ? static_cast<uint8_t>(clusters_.find(caps)) : not_counted;
 }
 
 // If a sphere has a free point, its free faces and its clusters alternate around the loops as the nodes of a tree whose
 // edges are the loops (the sphere less disjoint closed curves). Hence #faces = #loops - #clusters + 1.
-void gather_faces(const CubeGrid &grid, Caps &caps, FaceScratch &scratch, BoundaryStructure &boundary) {
+void FaceFinder::join_loops(const CubeGrid &grid, const Boundary &boundary, uint32_t ball, Caps &caps,
+                            DisjointSets &loops) {
   const BallSet &balls = grid.balls();
-  boundary.face_count = 0;
-  for (uint32_t i = 0; i < balls.n; ++i) {
-    boundary.first_face[i] = boundary.face_count;
-    const uint32_t first = boundary.first_loop[i];
-    const uint32_t loops = boundary.first_loop[i + 1] - first;
-    if (loops == 0) {
-      if (boundary.ball_state[i] == BoundaryStructure::without_caps) {
-        boundary.faces[boundary.face_count++] = {i, 0, no_id};
-      }
+  uint32_t clusters = cluster_count_[ball];
+  const auto gather_again = [&]() {
+    caps.gather(balls, grid.block_around(grid.cube_at(balls.ball(ball).centre)), ball, nullptr);
+    clusters = clusters_.find(caps);
+  };
+  if (clusters == not_counted) gather_again();
+  if (loops.size() == clusters) {  // one face
+    for (uint32_t loop = 1; loop < loops.size(); ++loop) loops.join(0, loop);
+  } else if (clusters > 1) {
+    if (cluster_count_[ball] != not_counted) gather_again();
+    join_loops_by_meridians(caps, boundary, loops);
+  }
+}
+
+void FaceFinder::find(const CubeGrid &grid, const Boundary &boundary, BoundaryArrays &arrays, Caps &caps,
+                      Span<uint32_t> scratch) {
+  arrays.face_count = 0;
+  for (uint32_t i = 0; i < arrays.balls; ++i) {
+    arrays.first_face[i] = arrays.face_count;
+    const IdRange loops = boundary.loops(i);
+    if (loops.empty()) {
+      if (arrays.ball_state[i] == BoundaryArrays::without_caps) arrays.faces[arrays.face_count++] = {i, 0, no_id};
       continue;
     }
-    // A partition of the ball's loops; smaller numbers stay representatives.
-    const DisjointSets sets(boundary.face_parent.part(first, first + loops));
+    // Smaller numbers stay representatives.
+    DisjointSets sets(scratch.part(0, loops.size()));
     sets.reset();
-    if (loops > 1) {
-      uint32_t clusters = boundary.cluster_count[i];
-      const auto gather_again = [&]() {
-        caps.gather(balls, grid.block_around(grid.cube_at(balls.ball(i).centre)), i, nullptr);
-        clusters = count_clusters(caps, scratch);
-      };
-      if (clusters == BoundaryStructure::not_counted) gather_again();
-      if (loops == clusters) {  // one face
-        for (uint32_t loop = 1; loop < loops; ++loop) sets.join(0, loop);
-      } else if (clusters > 1) {
-        if (boundary.cluster_count[i] != BoundaryStructure::not_counted) gather_again();
-        join_loops_by_meridians(caps, scratch, boundary, sets);
-      }
-    }
-    number_faces(sets, i, boundary);
+    if (loops.size() > 1) join_loops(grid, boundary, i, caps, sets);
+    number_faces(sets, i, loops, arrays);
   }
-  boundary.first_face[balls.n] = boundary.face_count;
+  arrays.first_face[arrays.balls] = arrays.face_count;
+}
+
+// The general case: several clusters of caps and several faces on one sphere. For one cap of every cluster take the
+// great circle through the cap's axis and the poles. Both ends of a free interval of it lie on loops of one face: join
+// them. All free intervals that contain a free pole are joined as well.
+//
+// This joins all loops l_1 .. l_r of a face f: the sphere minus f is r discs. The meridian from a cluster in disc a to
+// the pole leaves the disc through l_a, and each further disc it enters it leaves through that disc's loop, so the
+// chain of joins links l_a to the loop of the pole's disc, or to the pole if that is free.
+void FaceFinder::join_loops_by_meridians(Caps &caps, const Boundary &boundary, DisjointSets &loops) {
+  const exact::Predicates predicates = caps.predicates();
+  const uint32_t first_loop = boundary.loops(caps.origin).first;
+  uint32_t pole_loop = no_id;
+  for (uint32_t representative = 0; representative < caps.count; ++representative) {
+    if (!clusters_.is_representative(representative)) continue;
+    const exact::Plane meridian = meridian_through(caps.plane[representative].v);
+    intervals_.find(caps, predicates, meridian);
+    intervals_.visit([&](const FreeInterval &interval) {
+      const auto loop_at = [&](uint32_t cap, int sign) {
+        return boundary.loop_of(locate_on_boundary(caps, predicates, boundary, cap, meridian, sign)) - first_loop;
+      };
+      const uint32_t exit_loop = loop_at(interval.exit_cap, +1);
+      const uint32_t entry_loop = loop_at(interval.entry_cap, -1);
+      loops.join(exit_loop, entry_loop);
+      if (contains_pole(caps, predicates, meridian, interval, +1)) {
+        if (pole_loop == no_id) pole_loop = exit_loop;
+        loops.join(pole_loop, exit_loop);
+      }
+    });
+  }
 }
 
 }  // namespace hsp

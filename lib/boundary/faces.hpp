@@ -1,36 +1,32 @@
 // From loops to faces: which loops of one sphere bound the same free piece.
 #pragma once
 
-#include "sphere/caps.hpp"
 #include "boundary/boundary.hpp"
+#include "sphere/cap_clusters.hpp"
+#include "sphere/great_circles.hpp"
 
 namespace hsp {
 
-// Scratch memory for one ball with several loops, for as many caps as a ball may have.
-struct FaceScratch {
-  Span<uint32_t> cluster;   // caps joined where they touch or overlap
-  Span<uint32_t> crossing;  // caps that a meridian crosses
-  Span<uint32_t> owner;     // of these, the ones that own a free end point: 4 * cap + free entry + 2 * free exit
+class FaceFinder {
+ public:
+  void carve(Workspace &workspace, uint32_t balls, uint32_t neighbours);
 
-  static constexpr uint32_t owner_of(uint32_t cap, bool free_entry, bool free_exit) {
-    return 4 * cap + (free_entry ? 1U : 0U) + (free_exit ? 2U : 0U);
-  }
-  static constexpr uint32_t cap_of_owner(uint32_t owner) { return owner / 4; }
-  static constexpr bool has_free_exit(uint32_t owner) { return (owner & 2U) != 0; }
+  // Counts the clusters of the ball's caps if they are few; to be called for every ball while its caps are at hand.
+  void visit_caps(const Caps &caps);
 
-  void carve(Workspace &workspace, uint32_t capacity);
+  // Gathers the loops of every ball into faces. The caps of a ball are gathered again, into `caps`, if it has several
+  // loops and its clusters were not counted, or if only meridians show which loops belong together. `arrays` are those
+  // of the boundary; scratch [loops].
+  void find(const CubeGrid &grid, const Boundary &boundary, BoundaryArrays &arrays, Caps &caps, Span<uint32_t> scratch);
+
+ private:
+  void join_loops(const CubeGrid &grid, const Boundary &boundary, uint32_t ball, Caps &caps, DisjointSets &loops);
+  void join_loops_by_meridians(Caps &caps, const Boundary &boundary, DisjointSets &loops);
+
+  CapClusters clusters_;
+  FreeIntervals intervals_;
+  Span<uint8_t> cluster_count_;  // [balls] if they were counted
+  static constexpr uint8_t not_counted = 0;
 };
-
-// The number of clusters of a ball's caps: the connected components of their union. Leaves them in scratch.cluster.
-uint32_t count_clusters(const Caps &caps, const FaceScratch &scratch);
-
-// Gathers the loops of every ball into faces. The caps of a ball are gathered again if it has several loops and their
-// clusters were not counted, or if only walks over the sphere can tell which loops belong together.
-void gather_faces(const CubeGrid &grid, Caps &caps, FaceScratch &scratch, BoundaryStructure &boundary);
-
-// The general case: several clusters of caps and several faces on one sphere. Joins, in `loops` (indices from the
-// ball's first loop), the loops that bound a common face.
-void join_loops_by_meridians(const Caps &caps, const FaceScratch &scratch, const BoundaryStructure &boundary,
-                             const DisjointSets &loops);
 
 }  // namespace hsp

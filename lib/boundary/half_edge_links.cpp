@@ -1,12 +1,11 @@
 #include "boundary/half_edge_links.hpp"
 
-#include "sphere/half_edges.hpp"
 #include "core/sorting.hpp"
 
 namespace hsp {
 namespace {
 
-// Starts of the parts of a counting sort from counts stored one place later.
+// Starts of the parts of a counting sort from counts stored one slot later.
 void accumulate(Span<uint32_t> first, uint32_t n) {
   for (uint32_t i = 0; i < n; ++i) first[i + 1] += first[i];
 }
@@ -16,109 +15,101 @@ void step_back(Span<uint32_t> first, uint32_t n) {
   first[0] = 0;
 }
 
-// Hands every vertex to its balls. On ball[0] of a positive vertex the loop comes in along the circle of ball[1] and
-// leaves along that of ball[2]; the roles go round cyclically over the three balls, and swap for a negative vertex.
-void distribute_vertices(uint32_t n, BoundaryStructure &boundary) {
-  const Span<uint32_t> first = boundary.first_use;
-  for (uint32_t i = 0; i <= n; ++i) first[i] = 0;
-  for (const VertexRecord &vertex : boundary.vertices.items()) {
+// Every vertex starts a half-edge on each of its balls. On ball[0] of a positive vertex the loop arrives along the
+// circle of ball[1] and leaves along that of ball[2]; the roles rotate cyclically over the three balls, and swap for a
+// negative vertex.
+void distribute_vertices(BoundaryArrays &a) {
+  const Span<uint32_t> first = a.first_half_edge;
+  for (uint32_t i = 0; i <= a.balls; ++i) first[i] = 0;
+  for (const VertexRecord &vertex : a.vertices.items()) {
     for (const uint32_t ball : vertex.ball) ++first[ball + 1];
   }
-  accumulate(first, n);
-  for (uint32_t v = 0; v < boundary.vertices.size(); ++v) {
-    const VertexRecord &vertex = boundary.vertices[v];
+  accumulate(first, a.balls);
+  for (uint32_t v = 0; v < a.vertices.size(); ++v) {
+    const VertexRecord &vertex = a.vertices[v];
     for (uint32_t t = 0; t < 3; ++t) {
       const uint32_t following = vertex.ball[(t + 1) % 3];
       const uint32_t preceding = vertex.ball[(t + 2) % 3];
-      VertexUse &use = boundary.uses[first[vertex.ball[t]]++];
-      use.vertex = v;
-      use.in = vertex.positive() ? following : preceding;
-      use.out = vertex.positive() ? preceding : following;
+      HalfEdge &half_edge = a.half_edges[first[vertex.ball[t]]++];
+      half_edge.vertex = v;
+      half_edge.previous_circle = vertex.positive() ? following : preceding;
+      half_edge.circle = vertex.positive() ? preceding : following;
     }
   }
-  step_back(first, n);
+  step_back(first, a.balls);
 }
 
-void distribute_circles(uint32_t n, BoundaryStructure &boundary) {
-  const Span<uint32_t> first = boundary.first_circle_side;
-  for (uint32_t i = 0; i <= n; ++i) first[i] = 0;
-  for (const CircleRecord &circle : boundary.circles.items()) {
+void distribute_circles(BoundaryArrays &a) {
+  const Span<uint32_t> first = a.first_closed_half_edge;
+  for (uint32_t i = 0; i <= a.balls; ++i) first[i] = 0;
+  for (const CircleRecord &circle : a.circles.items()) {
     for (const uint32_t ball : circle.ball) ++first[ball + 1];
   }
-  accumulate(first, n);
-  for (uint32_t c = 0; c < boundary.circles.size(); ++c) {
+  accumulate(first, a.balls);
+  for (uint32_t c = 0; c < a.circles.size(); ++c) {
     for (uint32_t side = 0; side < 2; ++side) {
-      boundary.circle_side[first[boundary.circles[c].ball[side]]++] = 2 * c + side;
+      a.closed_half_edge[first[a.circles[c].ball[side]]++] = ClosedHalfEdge(c, side);
     }
   }
-  step_back(first, n);
+  step_back(first, a.balls);
 }
 
-// The rank of the tie rule for balls of the set that are no duplicates of each other.
-bool ranks_before(const BallSet &balls, uint32_t a, uint32_t b) {
-  if (balls.x[a] != balls.x[b]) return balls.x[a] < balls.x[b];
-  if (balls.y[a] != balls.y[b]) return balls.y[a] < balls.y[b];
-  if (balls.z[a] != balls.z[b]) return balls.z[a] < balls.z[b];
-  return balls.r[a] < balls.r[b];  // GCOVR_EXCL_LINE: of two balls with one centre the inner one owns nothing
+// Sorts what lies on one ball into an order that depends on the balls' positions alone. Sums over a ball's half-edges
+// run in this order, so that ids have no effect on any bit.
+void sort_half_edges(const BallSet &balls, Span<HalfEdge> half_edges, Span<ClosedHalfEdge> closed,
+                     const BoundaryArrays &a) {
+  sort_in_place(half_edges, [&balls](const HalfEdge &p, const HalfEdge &q) {
+    return p.circle != q.circle ? balls.ranks_before(p.circle, q.circle)
+                                : balls.ranks_before(p.previous_circle, q.previous_circle);
+  });
+  const auto neighbour = [&a](ClosedHalfEdge e) { return a.circles[e.circle()].ball[1 - e.side()]; };
+  sort_in_place(closed, [&balls, &neighbour](ClosedHalfEdge p, ClosedHalfEdge q) {
+    return balls.ranks_before(neighbour(p), neighbour(q));
+  });
 }
 
-// Finds where the arcs that start at the uses of one ball end.
-void chain_uses(const BallSet &balls, uint32_t i, BoundaryStructure &boundary) {
-  const uint32_t first = boundary.first_use[i];
-  const Span<VertexUse> uses = boundary.uses.part(first, boundary.first_use[i + 1]);
-  const auto direction = [&balls, i](uint32_t j) {
-    return exact::Vector{static_cast<int64_t>(balls.x[j] - balls.x[i]), static_cast<int64_t>(balls.y[j] - balls.y[i]),
-                         static_cast<int64_t>(balls.z[j] - balls.z[i])};
-  };
-  for (VertexUse &use : uses) {
-    use.next = first + end_of_arc(uses, use, direction);
-    use.loop = no_id;
+// Finds the successor of each half-edge of ball i; the first of them has number `first`.
+void link(const BallSet &balls, uint32_t i, uint32_t first, Span<HalfEdge> half_edges) {
+  const auto direction = [&balls, i](uint32_t j) { return balls.exact_difference(i, j); };
+  for (HalfEdge &half_edge : half_edges) {
+    half_edge.next = first + find_next(half_edges, half_edge, direction);
+    half_edge.loop = no_id;
   }
 }
 
 }  // namespace
 
-void assemble_loops(const BallSet &balls, BoundaryStructure &boundary) {
-  const uint32_t n = balls.n;
-  distribute_vertices(n, boundary);
-  distribute_circles(n, boundary);
+void link_half_edges(const BallSet &balls, BoundaryArrays &a) {
+  distribute_vertices(a);
+  distribute_circles(a);
   uint32_t loops = 0;
-  for (uint32_t i = 0; i < n; ++i) {
-    const uint32_t first = boundary.first_use[i];
-    const uint32_t last = boundary.first_use[i + 1];
-    // Sums over a ball's uses run in this order; it is fixed by the balls themselves, so that ids have no effect on any
-    // bit.
-    sort_in_place(boundary.uses.part(first, last), [&balls](const VertexUse &a, const VertexUse &b) {
-      return a.out != b.out ? ranks_before(balls, a.out, b.out) : ranks_before(balls, a.in, b.in);
-    });
-    for (uint32_t u = first; u < last; ++u) {
-      const VertexRecord &vertex = boundary.vertices[boundary.uses[u].vertex];
-      const uint32_t t = vertex.ball[0] == i ? 0 : vertex.ball[1] == i ? 1 : 2;
-      boundary.use_at[3 * boundary.uses[u].vertex + t] = u;
+  for (uint32_t i = 0; i < a.balls; ++i) {
+    const uint32_t first = a.first_half_edge[i];
+    const uint32_t last = a.first_half_edge[i + 1];
+    const Span<ClosedHalfEdge> closed =
+        a.closed_half_edge.part(a.first_closed_half_edge[i], a.first_closed_half_edge[i + 1]);
+    sort_half_edges(balls, a.half_edges.part(first, last), closed, a);
+    for (uint32_t e = first; e < last; ++e) {
+      const uint32_t v = a.half_edges[e].vertex;
+      a.half_edge_at[3 * v + a.vertices[v].slot_of(i)] = e;
     }
-    sort_in_place(boundary.circle_side.part(boundary.first_circle_side[i], boundary.first_circle_side[i + 1]),
-                  [&](uint32_t a, uint32_t b) {
-                    return ranks_before(balls, boundary.circles[a / 2].ball[1 - a % 2],
-                                        boundary.circles[b / 2].ball[1 - b % 2]);
-                  });
-    chain_uses(balls, i, boundary);
+    link(balls, i, first, a.half_edges.part(first, last));
 
-    boundary.first_loop[i] = loops;
+    a.first_loop[i] = loops;
     for (uint32_t start = first; start < last; ++start) {
-      if (boundary.uses[start].loop != no_id) continue;
-      boundary.loop_cap[loops] = boundary.uses[start].out;
-      for (uint32_t u = start; boundary.uses[u].loop == no_id; u = boundary.uses[u].next) boundary.uses[u].loop = loops;
+      if (a.half_edges[start].loop != no_id) continue;
+      a.loop_neighbour[loops] = a.half_edges[start].circle;
+      for (uint32_t e = start; a.half_edges[e].loop == no_id; e = a.half_edges[e].next) a.half_edges[e].loop = loops;
       ++loops;
     }
-    for (uint32_t s = boundary.first_circle_side[i]; s < boundary.first_circle_side[i + 1]; ++s) {
-      CircleRecord &circle = boundary.circles[boundary.circle_side[s] / 2];
-      const uint32_t side = boundary.circle_side[s] % 2;
-      circle.loop[side] = loops;
-      boundary.loop_cap[loops++] = circle.ball[1 - side];
+    for (const ClosedHalfEdge e : closed) {
+      CircleRecord &circle = a.circles[e.circle()];
+      circle.loop[e.side()] = loops;
+      a.loop_neighbour[loops++] = circle.ball[1 - e.side()];
     }
   }
-  boundary.first_loop[n] = loops;
-  boundary.loop_count = loops;
+  a.first_loop[a.balls] = loops;
+  a.loop_count = loops;
 }
 
 }  // namespace hsp

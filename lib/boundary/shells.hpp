@@ -5,7 +5,7 @@
 
 namespace hsp {
 
-// Numbers the shells in the order of their first face and stores them in the faces.
-void gather_shells(BoundaryStructure &boundary);
+// Numbers the shells in the order of their first face and stores them in the faces. scratch [faces].
+void find_shells(const Boundary &boundary, BoundaryArrays &arrays, Span<uint32_t> scratch);
 
 }  // namespace hsp

@@ -12,10 +12,10 @@ class DisjointSets {
   explicit DisjointSets(Span<uint32_t> parent) : parent_(parent) {}
 
   uint32_t size() const { return parent_.size(); }
-  void reset() const {
+  void reset() {
     for (uint32_t k = 0; k < parent_.size(); ++k) parent_[k] = k;
   }
-  uint32_t find(uint32_t k) const {
+  uint32_t find(uint32_t k) {
     while (parent_[k] != k) {
       parent_[k] = parent_[parent_[k]];
       k = parent_[k];
@@ -29,7 +29,7 @@ class DisjointSets {
   }
   // Joins two sets; the root for which before(root, other_root) holds stays root. False if they were one already.
   template <class Before>
-  bool join(uint32_t a, uint32_t b, Before before) const {
+  bool join(uint32_t a, uint32_t b, Before before) {
     a = find(a);
     b = find(b);
     if (a == b) return false;
@@ -40,7 +40,7 @@ class DisjointSets {
     }
     return true;
   }
-  bool join(uint32_t a, uint32_t b) const {
+  bool join(uint32_t a, uint32_t b) {
     return join(a, b, [](uint32_t x, uint32_t y) { return x < y; });
   }
 

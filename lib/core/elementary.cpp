@@ -105,7 +105,7 @@ double arc_tangent(double y, double x) {
 // the last difference put an error of 1.5 units of 2^-53 into r at most, for k second < 2^-14. The Taylor series lack
 // r^19/19! < 2^-63 and r^18/18! < 2^-58; evaluating them costs less than 1.1 units, as all that is added to r and to 1
 // is below a third of it.
-Direction direction_of(double angle) {
+Direction sin_cos(double angle) {
   constexpr double two_over_pi = 0x1.45f306dc9c883p-1;
   constexpr double first = 0x1.921fb544p+0;
   constexpr double second = 0x1.0b4611a626331p-34;

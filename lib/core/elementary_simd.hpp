@@ -2,7 +2,8 @@
 // arcs cannot be predicted.
 #pragma once
 
-#include "measure/lane_math.hpp"
+#include "core/elementary.hpp"
+#include "core/simd.hpp"
 
 namespace hsp {
 
@@ -30,11 +31,11 @@ constexpr EighthTangent eighths[9] = {{0.0, 0x0.0p+0},
 // has an error of at most 7 e of itself, and of 2.4 e. The reflections at pi/2, pi and 2 pi add their own error and
 // that of the constant: 2.2, 4.3 and 8.5 e. Together at most 18 e, and 8 e of the angle.
 inline Lanes turn_angle(const Lanes &x, const Lanes &y) {
-  const Lanes ax = magnitude(x);
-  const Lanes ay = magnitude(y);
+  const Lanes ax = absolute(x);
+  const Lanes ay = absolute(y);
   const LaneMask steep = ay > ax;
-  const Lanes large = chosen(steep, ay, ax);
-  const Lanes small = chosen(steep, ax, ay);
+  const Lanes large = select(steep, ay, ax);
+  const Lanes small = select(steep, ax, ay);
   const Lanes rounded = small / large * 8.0 + 0.5;
   const EighthTangent &first = eighths[static_cast<int32_t>(rounded[0])];
   const EighthTangent &second = eighths[static_cast<int32_t>(rounded[1])];
@@ -46,9 +47,9 @@ inline Lanes turn_angle(const Lanes &x, const Lanes &y) {
   const Lanes octant = Lanes{first.angle, second.angle} + (t + correction);
   const LaneMask left = x < 0.0;
   const LaneMask below = y < 0.0;
-  const Lanes quarter = negated(steep, octant) + kept(steep, all_lanes(pi / 2));
-  const Lanes half = negated(left, quarter) + kept(left, all_lanes(pi));
-  return negated(below, half) + kept(below, all_lanes(2 * pi));
+  const Lanes quarter = negate_if(steep, octant) + mask_and(steep, all_lanes(pi / 2));
+  const Lanes half = negate_if(left, quarter) + mask_and(left, all_lanes(pi));
+  return negate_if(below, half) + mask_and(below, all_lanes(2 * pi));
 }
 
 }  // namespace hsp

@@ -3,8 +3,14 @@
 #pragma once
 
 #include "core/span.hpp"
+#include "core/status.hpp"
 
 namespace hsp {
+
+// A number of records as a limit; no_id if it is too large for one.
+constexpr uint32_t clamped_count(uint64_t count) {
+  return count < no_id ? static_cast<uint32_t>(count) : no_id;
+}
 
 template <class T>
 class FixedVector {
@@ -12,23 +18,25 @@ class FixedVector {
   constexpr FixedVector() = default;
   constexpr explicit FixedVector(Span<T> storage) : storage_(storage) {}
 
-  constexpr void clear() { wanted_ = 0; }
+  constexpr void clear() { required_ = 0; }
   constexpr void push(const T &value) {
-    if (wanted_ < storage_.size()) storage_[static_cast<uint32_t>(wanted_)] = value;
-    ++wanted_;
+    if (required_ < storage_.size()) storage_[static_cast<uint32_t>(required_)] = value;
+    ++required_;
   }
   // Records pushed since clear(), stored or not.
-  constexpr uint64_t wanted() const { return wanted_; }
-  constexpr bool overflowed() const { return wanted_ > storage_.size(); }
+  constexpr uint64_t required() const { return required_; }
+  constexpr bool overflowed() const { return required_ > storage_.size(); }
   constexpr uint32_t capacity() const { return storage_.size(); }
   // The stored records.
-  constexpr uint32_t size() const { return overflowed() ? storage_.size() : static_cast<uint32_t>(wanted_); }
-  constexpr T &operator[](uint32_t k) const { return storage_[k]; }
-  constexpr Span<T> items() const { return storage_.part(0, size()); }
+  constexpr uint32_t size() const { return overflowed() ? storage_.size() : static_cast<uint32_t>(required_); }
+  constexpr const T &operator[](uint32_t k) const { return storage_[k]; }
+  constexpr T &operator[](uint32_t k) { return storage_[k]; }
+  constexpr Span<const T> items() const { return storage_.part(0, size()); }
+  constexpr Span<T> items() { return storage_.part(0, size()); }
 
  private:
   Span<T> storage_;
-  uint64_t wanted_ = 0;
+  uint64_t required_ = 0;
 };
 
 }  // namespace hsp

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 namespace hsp {
 
@@ -12,6 +13,8 @@ class Span {
  public:
   constexpr Span() = default;
   constexpr Span(T *data, uint32_t size) : data_(data), size_(size) {}
+  // For readers.
+  constexpr operator Span<const T>() const requires(!std::is_const_v<T>) { return {data_, size_}; }
 
   constexpr T &operator[](uint32_t k) const { return data_[k]; }
   constexpr uint32_t size() const { return size_; }

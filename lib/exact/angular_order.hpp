@@ -1,7 +1,7 @@
 // The order of directions around an axis, exactly. Used for the mid-points of the covered arcs of a circle: ball Q
 // covers an arc whose mid-point lies in the direction of v_Q, whatever the arc's size. Among the planes that own a free
 // end point this order is that of the free arcs, and no two of them tie (exact-predicates, section 4: of two arcs with
-// one mid-point the inner one owns nothing), so no square root and no tie rule is needed.
+// one mid-point the inner one owns nothing), so no square root and no symbolic perturbation is needed.
 #pragma once
 
 #include "exact/filter.hpp"
@@ -11,7 +11,7 @@ namespace hsp::exact {
 // Sign of (u x v).z. The cross product is exact, so the sum of three products of doubles has an error of at most 5e
 // times the sum of their sizes: e each for the two conversions and the product, two additions.
 inline int orientation(const Vector &u, const Vector &v, const Vector &z) {
-  const DoubleVector n = to_double(cross(u, v));
+  const Vec3 n = to_double(cross(u, v));
   const double x = n.x * static_cast<double>(z.x);
   const double y = n.y * static_cast<double>(z.y);
   const double w = n.z * static_cast<double>(z.z);

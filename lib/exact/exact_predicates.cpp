@@ -109,8 +109,8 @@ Sign ExactPredicates<Limb>::crossing(const Sphere &sphere, const Plane &P, const
     default: {
       const auto N = E::dot128(n, n);
       auto sum = N + N;
-      if (P.tau != 0) sum = sum - alpha;
-      if (Q.tau != 0) sum = sum + minus_beta;
+      if (P.perturbed != 0) sum = sum - alpha;
+      if (Q.perturbed != 0) sum = sum + minus_beta;
       derivative = sum.sign();
     }
   }
@@ -125,7 +125,8 @@ Sign ExactPredicates<Limb>::side(const Sphere &sphere, const Plane &P, const Pla
   const int64_t uz = dot(P.v, R.v);
   const int value = (E::times(R.h, uu) - E::times(P.h, uz)).sign();
   if (value != 0) return {-value, false};
-  const Term terms[] = {{origin_plane(sphere), sign_of(R.tau * uu - P.tau * uz)}, {R, -1}, {P, sign_of(uz)}};
+  const Term terms[] = {
+      {origin_plane(sphere), sign_of(R.perturbed * uu - P.perturbed * uz)}, {R, -1}, {P, sign_of(uz)}};
   return {-first_in_rank(terms), true};
 }
 
@@ -146,9 +147,9 @@ PointStatus ExactPredicates<Limb>::point_status(const Sphere &sphere, const Plan
     const auto a = E::dot128(qr, n);
     const auto b = E::dot128(rp, n);
     auto minus_T_n = WideInteger<Limb, 128>{};
-    if (P.tau != 0) minus_T_n = minus_T_n - a;
-    if (Q.tau != 0) minus_T_n = minus_T_n - b;
-    if (R.tau != 0) minus_T_n = minus_T_n - E::dot128(n, n);
+    if (P.perturbed != 0) minus_T_n = minus_T_n - a;
+    if (Q.perturbed != 0) minus_T_n = minus_T_n - b;
+    if (R.perturbed != 0) minus_T_n = minus_T_n - E::dot128(n, n);
     const Term terms[] = {{origin_plane(sphere), minus_T_n.sign()}, {P, a.sign()}, {Q, b.sign()}, {R, 1}};
     return first_in_rank(terms);
   };
@@ -178,9 +179,9 @@ PointStatus ExactPredicates<Limb>::point_status(const Sphere &sphere, const Plan
       default: {
         const auto square = product<192>(B, B);
         auto sum = square + square;
-        if (P.tau != 0) sum = sum - E::template dot_long<192>(H, qr);
-        if (Q.tau != 0) sum = sum - E::template dot_long<192>(H, rp);
-        if (R.tau != 0) sum = sum - E::template dot_long<192>(H, n);
+        if (P.perturbed != 0) sum = sum - E::template dot_long<192>(H, qr);
+        if (Q.perturbed != 0) sum = sum - E::template dot_long<192>(H, rp);
+        if (R.perturbed != 0) sum = sum - E::template dot_long<192>(H, n);
         sign_F = sum.sign();
       }
     }

@@ -1,7 +1,7 @@
-// The exact rung of the predicates and the symbolic tie rule behind it. Source: Simulation of Simplicity (Edelsbrunner
-// and Muecke, ACM TOG 9, 1990) applied to the weights alone: w_i -> w_i + eps_i with eps of lower rank infinitely
-// larger. Every predicate is a polynomial of degree at most 2 in the eps, so its sign is that of: the value; else one
-// derivative, by the eps of the lowest rank; else the constant sign of the second derivative.
+// The exact stage of the predicates and the symbolic perturbation behind it. Source: Simulation of Simplicity
+// (Edelsbrunner and Muecke, ACM TOG 9, 1990) applied to the weights alone: w_i -> w_i + eps_i with eps of lower rank
+// infinitely larger. Every predicate is a polynomial of degree at most 2 in the eps, so its sign is that of: the value;
+// else one derivative, by the eps of the lowest rank; else the constant sign of the second derivative.
 #pragma once
 
 #include "exact/plane.hpp"
@@ -9,8 +9,8 @@
 
 namespace hsp::exact {
 
-// A sign that is never 0, and whether the tie rule had to find it because the value was. (Circles with parallel axes
-// never cross, whatever the inflation, so they are no tie even where D is 0.)
+// A sign that is never 0, and whether the symbolic perturbation had to find it because the value was. (Circles with
+// parallel axes never cross, whatever the inflation, so they are no tie even where D is 0.)
 struct Sign {
   int sign;
   bool tied;

@@ -1,4 +1,4 @@
-// The floating-point rung of the predicates: the polynomials of plane.hpp in double, with static error bounds for one
+// The floating-point stage of the predicates: the polynomials of plane.hpp in double, with static error bounds for one
 // sphere. The answer is +1 or -1 when it is certain, 0 when the question has to be passed on.
 //
 // With L^2 = max(W, |v|^2) over the planes in use and e = 2^-53, n, h and W exact integers converted with one rounding
@@ -12,6 +12,7 @@
 #pragma once
 
 #include "core/floating_point.hpp"
+#include "core/vec3.hpp"
 #include "exact/exact_predicates.hpp"
 
 namespace hsp::exact {
@@ -31,26 +32,9 @@ inline int certain_sign(double value, double bound) {
   return value > bound ? 1 : value < -bound ? -1 : 0;
 }
 
-struct DoubleVector {
-  double x, y, z;
-};
-inline DoubleVector to_double(const Vector &a) {
-  return {static_cast<double>(a.x), static_cast<double>(a.y), static_cast<double>(a.z)};
-}
-inline double dot(const DoubleVector &a, const DoubleVector &b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-inline DoubleVector cross(const DoubleVector &a, const DoubleVector &b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-// s a + t b
-inline DoubleVector combine(double s, const DoubleVector &a, double t, const DoubleVector &b) {
-  return {s * a.x + t * b.x, s * a.y + t * b.y, s * a.z + t * b.z};
-}
-
 inline int filter_crossing(const FilterBounds &bounds, const Sphere &sphere, const Plane &P, const Plane &Q) {
-  const DoubleVector n = to_double(cross(P.v, Q.v));
-  const DoubleVector q = combine(static_cast<double>(P.h), to_double(Q.v), -static_cast<double>(Q.h), to_double(P.v));
+  const Vec3 n = to_double(cross(P.v, Q.v));
+  const Vec3 q = combine(static_cast<double>(P.h), to_double(Q.v), -static_cast<double>(Q.h), to_double(P.v));
   return certain_sign(static_cast<double>(sphere.W) * dot(n, n) - dot(q, q), bounds.D);
 }
 
@@ -63,11 +47,11 @@ inline int filter_side(const FilterBounds &bounds, const Plane &P, const Plane &
 // True if both points' status is certain; then it is stored.
 inline bool filter_point_status(const FilterBounds &bounds, const Sphere &sphere, const Plane &P, const Plane &Q,
                                 const Plane &R, PointStatus &status) {
-  const DoubleVector n = to_double(cross(P.v, Q.v));
-  const DoubleVector q = combine(static_cast<double>(P.h), to_double(Q.v), -static_cast<double>(Q.h), to_double(P.v));
-  const DoubleVector z = to_double(R.v);
+  const Vec3 n = to_double(cross(P.v, Q.v));
+  const Vec3 q = combine(static_cast<double>(P.h), to_double(Q.v), -static_cast<double>(Q.h), to_double(P.v));
+  const Vec3 z = to_double(R.v);
   const double B = dot(n, z);
-  const DoubleVector H = combine(1.0, cross(q, z), static_cast<double>(R.h), n);
+  const Vec3 H = combine(1.0, cross(q, z), static_cast<double>(R.h), n);
   const int F = certain_sign(static_cast<double>(sphere.W) * B * B - dot(H, H), bounds.F);
   if (F == 0) return false;
   const int decider = F > 0 ? certain_sign(B, bounds.B) : certain_sign(-dot(H, n), bounds.A);

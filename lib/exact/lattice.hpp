@@ -3,7 +3,7 @@
 // is the same everywhere.
 #pragma once
 
-#include "core/floating_point.hpp"
+#include "core/decimal.hpp"
 #include "core/status.hpp"
 
 namespace hsp::exact {
@@ -12,18 +12,6 @@ inline constexpr double coordinate_limit = 0x1p50;    // steps, inclusive
 inline constexpr double radius_limit = 0x1p30;        // steps, exclusive
 inline constexpr double query_radius_limit = 0x1p51;  // steps, inclusive
 
-// Powers of ten that are doubles.
-inline constexpr int largest_decade = 22;
-constexpr double decade[largest_decade + 1] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
-                                               1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-
-// Nearest integer, halves away from zero, for |x| < 2^62.
-inline int64_t nearest(double x) {
-  const int64_t truncated = static_cast<int64_t>(x);
-  const double rest = x - static_cast<double>(truncated);
-  return truncated + (rest >= 0.5 ? 1 : 0) - (rest <= -0.5 ? 1 : 0);
-}
-
 class Lattice {
  public:
   // Step 1.
@@ -31,9 +19,9 @@ class Lattice {
 
   // A step that was given: finite and > 0. Steps that are the nearest double of a power of ten are taken as that power.
   static Lattice with_step(double step) {
-    for (int k = 0; k <= largest_decade; ++k) {
-      if (step == 1.0 / decade[k]) return Lattice(k);
-      if (step == decade[k]) return Lattice(-k);
+    for (int k = 0; k <= largest_power_of_ten; ++k) {
+      if (step == 1.0 / power_of_ten[k]) return Lattice(k);
+      if (step == power_of_ten[k]) return Lattice(-k);
     }
     Lattice lattice;
     lattice.divisor_ = step;
@@ -46,7 +34,7 @@ class Lattice {
       lattice = Lattice(8);
       return true;
     }
-    for (int digits = largest_decade; digits >= -largest_decade; --digits) {
+    for (int digits = largest_power_of_ten; digits >= -largest_power_of_ten; --digits) {
       lattice = Lattice(digits);
       const double radius_steps = lattice.steps(radius);
       const double probe_steps = lattice.steps(probe);
@@ -68,7 +56,7 @@ class Lattice {
  private:
   // 10^-digits; one of factor and divisor is 1, so multiplying by one and dividing by the other rounds once.
   explicit Lattice(int digits)
-      : factor_(digits > 0 ? decade[digits] : 1.0), divisor_(digits < 0 ? decade[-digits] : 1.0) {}
+      : factor_(digits > 0 ? power_of_ten[digits] : 1.0), divisor_(digits < 0 ? power_of_ten[-digits] : 1.0) {}
 
   double factor_ = 1.0;
   double divisor_ = 1.0;

@@ -11,13 +11,9 @@ struct LatticeBall {
   uint32_t index;
 };
 
-// Rank of the tie rule: lexicographic (x, y, z, R, index).
 constexpr bool ranks_before(const LatticeBall &a, const LatticeBall &b) {
-  if (a.centre.x != b.centre.x) return a.centre.x < b.centre.x;
-  if (a.centre.y != b.centre.y) return a.centre.y < b.centre.y;
-  if (a.centre.z != b.centre.z) return a.centre.z < b.centre.z;
-  if (a.radius != b.radius) return a.radius < b.radius;
-  return a.index < b.index;
+  return ranks_before(RankKey<int64_t>{a.centre.x, a.centre.y, a.centre.z, a.radius, a.index},
+                      RankKey<int64_t>{b.centre.x, b.centre.y, b.centre.z, b.radius, b.index});
 }
 
 enum class PairRelation { disjoint, circle, first_in_second, second_in_first };

@@ -16,6 +16,9 @@
 
 #include <cstdint>
 
+#include "core/vec3.hpp"
+#include "exact/rank.hpp"
+
 namespace hsp::exact {
 
 struct Vector {
@@ -32,6 +35,10 @@ constexpr bool is_zero(const Vector &a) {
   return (a.x | a.y | a.z) == 0;
 }
 
+inline Vec3 to_double(const Vector &a) {
+  return {static_cast<double>(a.x), static_cast<double>(a.y), static_cast<double>(a.z)};
+}
+
 // The sphere of the origin ball.
 struct Sphere {
   int64_t W;       // 4 r^2
@@ -43,7 +50,7 @@ struct Plane {
   int64_t h;
   // 1 for a ball, whose plane moves when the origin ball is inflated; 0 for a virtual plane (meridian, ray), which does
   // not.
-  int32_t tau;
+  int32_t perturbed;
   uint32_t index;
 };
 
@@ -51,16 +58,12 @@ constexpr Plane virtual_plane(const Vector &v, int64_t h) {
   return {v, h, 0, 0};
 }
 
-// The rank of the tie rule: lexicographic (x, y, z, R, index), compared on the fly. The ball of lower rank is inflated
-// infinitely more. Seen from one origin the centres order as the v do, and of two balls with one centre the smaller has
-// the larger h. Virtual planes come after all balls.
+// The rank of the balls behind two planes (rank.hpp). Seen from one origin the centres order as the v do, and of two
+// balls with one centre the smaller has the larger h. Virtual planes come after all balls.
 constexpr bool ranks_before(const Plane &a, const Plane &b) {
-  if (a.tau != b.tau) return a.tau > b.tau;
-  if (a.v.x != b.v.x) return a.v.x < b.v.x;
-  if (a.v.y != b.v.y) return a.v.y < b.v.y;
-  if (a.v.z != b.v.z) return a.v.z < b.v.z;
-  if (a.h != b.h) return a.h > b.h;
-  return a.index < b.index;
+  if (a.perturbed != b.perturbed) return a.perturbed > b.perturbed;
+  return ranks_before(RankKey<int64_t>{a.v.x, a.v.y, a.v.z, -a.h, a.index},
+                      RankKey<int64_t>{b.v.x, b.v.y, b.v.z, -b.h, b.index});
 }
 
 // The origin ball itself, in the same form, for comparing ranks.

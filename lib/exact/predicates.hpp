@@ -1,9 +1,9 @@
-// The predicates as everybody uses them: the filter first, the exact rung and its tie rule where the filter is not
-// certain.
+// The predicates as everybody calls them: the filter first, the exact stage and its symbolic perturbation where
+// the filter is not certain.
 #pragma once
 
 #include "exact/filter.hpp"
-#include "exact/rung_counters.hpp"
+#include "exact/stage_counters.hpp"
 
 namespace hsp::exact {
 
@@ -26,11 +26,11 @@ class Predicates {
   PointStatus point_status(const Plane &P, const Plane &Q, const Plane &R) const {
     PointStatus status;
     if (filter_point_status(bounds_, sphere_, P, Q, R, status)) {
-      count_answer(Question::point_status, Rung::filter);
+      count_answer(Question::point_status, Stage::filter);
       return status;
     }
     status = Exact::point_status(sphere_, P, Q, R);
-    count_answer(Question::point_status, status.tied[0] || status.tied[1] ? Rung::tie_rule : Rung::exact);
+    count_answer(Question::point_status, status.tied[0] || status.tied[1] ? Stage::perturbation : Stage::exact);
     return status;
   }
   // +1 if the point p^sign of circles P, Q lies inside R, else -1.
@@ -40,11 +40,11 @@ class Predicates {
 
  private:
   static Sign filtered(Question question, int sign) {
-    count_answer(question, Rung::filter);
+    count_answer(question, Stage::filter);
     return {sign, false};
   }
   static Sign counted(Question question, const Sign &sign) {
-    count_answer(question, sign.tied ? Rung::tie_rule : Rung::exact);
+    count_answer(question, sign.tied ? Stage::perturbation : Stage::exact);
     return sign;
   }
 

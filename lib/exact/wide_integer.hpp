@@ -22,7 +22,7 @@ struct DoubleLimb<uint64_t> {
 };
 #endif
 
-// The limb the library itself uses.
+// The library's own limb.
 #if defined(__SIZEOF_INT128__) && !defined(HSP_PORTABLE_LIMBS)
 using FastLimb = uint64_t;
 #else
@@ -78,31 +78,31 @@ struct WideInteger {
   // Independent of the limb width.
   double to_double() const {
     const bool is_negative = negative();
-    const WideInteger magnitude = is_negative ? -*this : *this;
+    const WideInteger absolute = is_negative ? -*this : *this;
     int top = limbs - 1;
-    while (top >= 0 && magnitude.limb[top] == 0) --top;
+    while (top >= 0 && absolute.limb[top] == 0) --top;
     if (top < 0) return 0.0;
-    const int spare = std::countl_zero(magnitude.limb[top]);
+    const int spare = std::countl_zero(absolute.limb[top]);
     const int length = (top + 1) * limb_bits - spare;
     const int shift = length > 64 ? length - 64 : 0;
     uint64_t leading = 0;
     Limb lost = 0;
     if constexpr (limb_bits == 64) {
-      const Limb next = top > 0 ? magnitude.limb[top - 1] : 0;
+      const Limb next = top > 0 ? absolute.limb[top - 1] : 0;
       // With one limb nothing is shifted out: it is the leading part as it stands.
-      leading = spare == 0 || top == 0 ? magnitude.limb[top] : magnitude.limb[top] << spare | next >> (64 - spare);
+      leading = spare == 0 || top == 0 ? absolute.limb[top] : absolute.limb[top] << spare | next >> (64 - spare);
       lost = next << spare;
-      for (int k = 0; k < top - 1; ++k) lost |= magnitude.limb[k];
+      for (int k = 0; k < top - 1; ++k) lost |= absolute.limb[k];
     } else {
       for (int k = 0; k <= top; ++k) {
         const int place = k * limb_bits - shift;
         if (place <= -limb_bits) {
-          lost |= magnitude.limb[k];
+          lost |= absolute.limb[k];
         } else if (place < 0) {
-          leading |= static_cast<uint64_t>(magnitude.limb[k]) >> -place;
-          lost |= static_cast<Limb>(magnitude.limb[k] << (limb_bits + place));
+          leading |= static_cast<uint64_t>(absolute.limb[k]) >> -place;
+          lost |= static_cast<Limb>(absolute.limb[k] << (limb_bits + place));
         } else {
-          leading |= static_cast<uint64_t>(magnitude.limb[k]) << place;
+          leading |= static_cast<uint64_t>(absolute.limb[k]) << place;
         }
       }
     }

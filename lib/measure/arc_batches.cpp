@@ -1,7 +1,7 @@
 #include "measure/arc_batches.hpp"
 
-#include "sphere/arc_geometry.hpp"
 #include "measure/areas.hpp"
+#include "sphere/arc_geometry.hpp"
 
 namespace hsp {
 namespace {
@@ -21,12 +21,12 @@ namespace {
 constexpr double least_square_of_radius = 1.0 / 64;
 constexpr double most_square_of_distance = 16.0;
 constexpr double least_square_of_sine = 1.0 / 16;
-constexpr double near_the_cut = 0x1p-20;
+constexpr double branch_cut_margin = 0x1p-20;
 
 // Whether a condition held in all lanes.
-class InAllLanes {
+class AllLanes {
  public:
-  void only_if(const LaneMask &mask) { ones_ = kept(mask, ones_); }
+  void require(const LaneMask &mask) { ones_ = mask_and(mask, ones_); }
   explicit operator bool() const { return ones_[0] + ones_[1] == 2.0; }
 
  private:
@@ -35,7 +35,7 @@ class InAllLanes {
 
 }  // namespace
 
-FreeArcs::FreeArcs(const BallSet &balls, const BoundaryStructure &boundary, uint32_t ball, uint32_t face)
+ArcBatches::ArcBatches(const BallSet &balls, const Boundary &boundary, uint32_t ball, uint32_t face)
     : balls_(balls),
       boundary_(boundary),
       ball_(ball),
@@ -44,47 +44,47 @@ FreeArcs::FreeArcs(const BallSet &balls, const BoundaryStructure &boundary, uint
       z_(balls.z[ball]),
       r_(balls.r[ball]),
       face_(face),
-      use_(boundary.first_use[ball]),
-      loop_(boundary.first_loop[ball]),
-      side_(boundary.first_circle_side[ball]) {}
+      half_edge_(boundary.half_edges(ball).first),
+      loop_(boundary.loops(ball).first),
+      circles_(boundary.circles(ball)) {}
 
-bool FreeArcs::next() {
+bool ArcBatches::next() {
   gather();
   if (batch_.count == 0) return false;
   evaluate();
   return true;
 }
 
-// Moves on to the next loop of the face; loops are numbered by their first uses.
-bool FreeArcs::find_loop() {
-  const uint32_t last = boundary_.first_use[ball_ + 1];
-  for (; use_ < last; ++use_) {
-    if (boundary_.uses[use_].loop != loop_) continue;
-    const bool wanted = face_ == no_id || boundary_.loop_face[loop_] == face_;
+// Moves on to the next loop of the face; loops are numbered by their first half-edges.
+bool ArcBatches::find_loop() {
+  const uint32_t last = boundary_.half_edges(ball_).last;
+  for (; half_edge_ < last; ++half_edge_) {
+    if (boundary_.half_edge(half_edge_).loop != loop_) continue;
+    const bool wanted = face_ == no_id || boundary_.face_of_loop(loop_) == face_;
     ++loop_;
     if (!wanted) continue;
-    start_ = use_++;
+    start_ = half_edge_++;
     return true;
   }
   return false;
 }
 
-void FreeArcs::gather() {
+void ArcBatches::gather() {
   const double *const xs = balls_.x.data();
   const double *const ys = balls_.y.data();
   const double *const zs = balls_.z.data();
   const double *const rs = balls_.r.data();
-  const VertexUse *const uses = boundary_.uses.data();
-  const double *const roots = boundary_.root_discriminant.data();
+  const HalfEdge *const half_edges = boundary_.half_edge_data();
+  const double *const roots = boundary_.root_discriminant_data();
   const double x = x_, y = y_, z = z_;
   uint32_t count = 0;
   const auto put = [&](const Slot &slot, double root_D) {
     const uint32_t c = count++;
     batch_.other[c] = slot.other;
-    batch_.arc_use[c] = slot.arc_use;
-    vertex_use_[c] = slot.vertex_use;
-    arc_[c] = -static_cast<int64_t>(slot.arc_use < ArcBatch::whole_circle);
-    vertex_[c] = -static_cast<int64_t>(slot.vertex_use != no_id);
+    batch_.arc_half_edge[c] = slot.arc_half_edge;
+    vertex_half_edge_[c] = slot.vertex_half_edge;
+    arc_[c] = -static_cast<int64_t>(slot.arc_half_edge < ArcBatch::whole_circle);
+    vertex_[c] = -static_cast<int64_t>(slot.vertex_half_edge != no_id);
     turns_[c] = -static_cast<int64_t>(slot.turns);
     batch_.ux[c] = xs[slot.other] - x;
     batch_.uy[c] = ys[slot.other] - y;
@@ -92,11 +92,11 @@ void FreeArcs::gather() {
     batch_.twice_height[c] = rs[slot.other];
     root_D_[c] = root_D;
   };
-  const auto root_at = [&](uint32_t use) { return roots[uses[use].vertex]; };
+  const auto root_at = [&](uint32_t half_edge) { return roots[half_edges[half_edge].vertex]; };
 
   has_circles_ = false;
   for (uint32_t k = 0; k < held_count_; ++k) {
-    put(held_[k], held_[k].vertex_use == no_id ? 0.0 : root_at(held_[k].vertex_use));
+    put(held_[k], held_[k].vertex_half_edge == no_id ? 0.0 : root_at(held_[k].vertex_half_edge));
   }
   held_count_ = 0;
   while (count < ArcBatch::capacity) {
@@ -106,26 +106,25 @@ void FreeArcs::gather() {
         continue;
       }
       walk_ = start_;
-      put({uses[start_].in, no_id, start_, true}, root_at(start_));
+      put({half_edges[start_].previous_circle, no_id, start_, true}, root_at(start_));
       stage_ = Stage::arcs;
     } else if (stage_ == Stage::arcs) {
       uint32_t u = walk_;
       do {
-        const uint32_t following = uses[u].next;
-        put({uses[u].out, u, following, following != start_}, root_at(following));
+        const uint32_t following = half_edges[u].next;
+        put({half_edges[u].circle, u, following, following != start_}, root_at(following));
         u = following;
       } while (u != start_ && count < ArcBatch::capacity);
       walk_ = u;
       if (u == start_) stage_ = Stage::closing;
     } else if (stage_ == Stage::closing) {
-      put({uses[start_].out, no_id, no_id, false}, 0.0);
+      put({half_edges[start_].circle, no_id, no_id, false}, 0.0);
       stage_ = Stage::next_loop;
     } else {
-      if (side_ == boundary_.first_circle_side[ball_ + 1]) break;
-      const uint32_t number = boundary_.circle_side[side_++];
-      const CircleRecord &record = boundary_.circles[number / 2];
-      if (face_ != no_id && boundary_.loop_face[record.loop[number % 2]] != face_) continue;
-      put({record.ball[1 - number % 2], ArcBatch::whole_circle, no_id, false}, 0.0);
+      if (circle_ == circles_.size()) break;
+      const ClosedHalfEdge closed = circles_[circle_++];
+      if (face_ != no_id && boundary_.face_of_loop(boundary_.loop_of(closed)) != face_) continue;
+      put({boundary_.neighbour(closed), ArcBatch::whole_circle, no_id, false}, 0.0);
       has_circles_ = true;
     }
   }
@@ -134,43 +133,43 @@ void FreeArcs::gather() {
   if (count == ArcBatch::capacity && (stage_ == Stage::arcs || stage_ == Stage::closing)) hold_back();
 }
 
-void FreeArcs::hold_back() {
+void ArcBatches::hold_back() {
   const uint32_t last = batch_.count - 1;
-  held_[0] = {batch_.other[last - 1], no_id, vertex_use_[last - 1], false};
-  held_[1] = {batch_.other[last], batch_.arc_use[last], vertex_use_[last], turns_[last] != 0};
+  held_[0] = {batch_.other[last - 1], no_id, vertex_half_edge_[last - 1], false};
+  held_[1] = {batch_.other[last], batch_.arc_half_edge[last], vertex_half_edge_[last], turns_[last] != 0};
   held_count_ = 2;
-  batch_.arc_use[last] = no_id;
-  vertex_use_[last] = no_id;
+  batch_.arc_half_edge[last] = no_id;
+  vertex_half_edge_[last] = no_id;
   arc_[last] = vertex_[last] = turns_[last] = 0;
 }
 
-void FreeArcs::evaluate() {
+void ArcBatches::evaluate() {
   // Lanes beyond the last slot are computed along; they repeat its circle.
   const uint32_t last = batch_.count - 1;
   for (uint32_t c = batch_.count; c < batch_.count + lane_count; ++c) {
     batch_.other[c] = batch_.other[last];
-    batch_.arc_use[c] = no_id;
+    batch_.arc_half_edge[c] = no_id;
     batch_.ux[c] = batch_.ux[last];
     batch_.uy[c] = batch_.uy[last];
     batch_.uz[c] = batch_.uz[last];
     batch_.twice_height[c] = batch_.twice_height[last];
     batch_.inverse_distance[c] = 0.0;
     root_D_[c] = 0.0;
-    vertex_use_[c] = no_id;
-    arc_[c] = vertex_[c] = turns_[c] = plain_circle_[c] = 0;
+    vertex_half_edge_[c] = no_id;
+    arc_[c] = vertex_[c] = turns_[c] = well_conditioned_circle_[c] = 0;
   }
   px_[0] = py_[0] = pz_[0] = 0.0;
-  plain_vertex_[0] = 0;
+  well_conditioned_vertex_[0] = 0;
   evaluate_circles();
   evaluate_vertices();
   evaluate_arcs();
 }
 
-void FreeArcs::circle_from_integers(uint32_t c) {
+void ArcBatches::circle_from_integers(uint32_t c) {
   const exact::LatticeBall own = balls_.ball(ball_);
   const exact::LatticeBall other = balls_.ball(batch_.other[c]);
   const exact::Plane P = exact::plane_of(own, other);
-  const int64_t U = exact::dot(P.v, P.v);
+  const int64_t U = dot(P.v, P.v);
   const int64_t sum = own.radius + other.radius;
   const int64_t difference = own.radius - other.radius;
   batch_.twice_height[c] = static_cast<double>(P.h) * batch_.inverse_distance[c];
@@ -180,9 +179,9 @@ void FreeArcs::circle_from_integers(uint32_t c) {
   batch_.any_touching = batch_.any_touching || batch_.touching[c] != Touching::no;
 }
 
-void FreeArcs::evaluate_circles() {
+void ArcBatches::evaluate_circles() {
   const double inverse_diameter = r_ > 0.0 ? 0.5 / r_ : 0.0;
-  InAllLanes complete;
+  AllLanes complete;
   for (uint32_t c = 0; c < batch_.count + 1; c += lane_count) {
     const LaneVector v = batch_.axis(c);
     const Lanes other_radius = load_lanes(&batch_.twice_height[c]);
@@ -191,25 +190,25 @@ void FreeArcs::evaluate_circles() {
     const LaneVector u = inverse * v;
     const Lanes twice_height = (U + (r_ - other_radius) * (r_ + other_radius)) * inverse;
     const Lanes cosine = twice_height * inverse_diameter;
-    const Lanes far = kept(U > most_square_of_distance * r_ * r_, all_lanes(1.0));
+    const Lanes far = mask_and(U > most_square_of_distance * r_ * r_, all_lanes(1.0));
     const LaneMask plain = (1.0 - cosine) * (1.0 + cosine) >= least_square_of_radius + far;
     store_lanes(&batch_.ux[c], u.x);
     store_lanes(&batch_.uy[c], u.y);
     store_lanes(&batch_.uz[c], u.z);
     store_lanes(&batch_.inverse_distance[c], inverse);
     store_lanes(&batch_.twice_height[c], twice_height);
-    store_mask(&plain_circle_[c], plain);
-    complete.only_if(plain);
+    store_mask(&well_conditioned_circle_[c], plain);
+    complete.require(plain);
   }
   batch_.any_touching = false;
   if (complete) return;
   for (uint32_t c = 0; c < batch_.count + lane_count; ++c) batch_.touching[c] = Touching::no;
   for (uint32_t c = 0; c < batch_.count; ++c) {
-    if (plain_circle_[c] == 0) circle_from_integers(c);
+    if (well_conditioned_circle_[c] == 0) circle_from_integers(c);
   }
 }
 
-void FreeArcs::vertex_from_integers(uint32_t c) {
+void ArcBatches::vertex_from_integers(uint32_t c) {
   const exact::LatticeBall own = balls_.ball(ball_);
   const exact::Plane in = exact::plane_of(own, balls_.ball(batch_.other[c]));
   const exact::Plane out = exact::plane_of(own, balls_.ball(batch_.other[c + 1]));
@@ -224,11 +223,11 @@ void FreeArcs::vertex_from_integers(uint32_t c) {
 // A loop comes in along the circle u, h and leaves along u', h'. With n = u x u' and q = 2 h u' - 2 h' u twice the
 // vertex is (q x n + sqrt(D)/(d d') n)/n.n, where q is orthogonal to n, so that q x n has no cancellation; and the loop
 // turns there by the angle of (u.u' - h h'/r^2, sqrt(D)/(2 r d d')).
-void FreeArcs::evaluate_vertices() {
+void ArcBatches::evaluate_vertices() {
   const double inverse_diameter = r_ > 0.0 ? 0.5 / r_ : 0.0;
   const double inverse_W = inverse_diameter * inverse_diameter;
-  InAllLanes complete;
-  LoopTurn turn = turn_;
+  AllLanes complete;
+  ExteriorAngleSum turn = turn_;
   for (uint32_t c = 0; c < batch_.count; c += lane_count) {
     const LaneVector u_in = batch_.axis(c);
     const LaneVector u_out = batch_.axis(c + 1);
@@ -240,27 +239,27 @@ void FreeArcs::evaluate_vertices() {
     const Lanes S = dot(n, n);
     const LaneVector q = h_in * u_out - h_out * u_in;
     const LaneVector p = (1.0 / S) * (cross(q, n) + root * n);
-    const LaneMask plain =
-        both(S >= least_square_of_sine, load_mask(&plain_circle_[c]) & load_mask(&plain_circle_[c + 1]));
+    const LaneMask plain = mask_and(S >= least_square_of_sine, load_mask(&well_conditioned_circle_[c]) &
+                                                                   load_mask(&well_conditioned_circle_[c + 1]));
     const LaneMask counted = plain & load_mask(&turns_[c]);
-    turn.add_directions(chosen(counted, dot(u_in, u_out) - h_in * h_out * inverse_W, all_lanes(1.0)),
-                        kept(counted, root * inverse_diameter));
+    turn.add_directions(select(counted, dot(u_in, u_out) - h_in * h_out * inverse_W, all_lanes(1.0)),
+                        mask_and(counted, root * inverse_diameter));
     store_lanes(&px_[c + 1], p.x);
     store_lanes(&py_[c + 1], p.y);
     store_lanes(&pz_[c + 1], p.z);
-    store_mask(&plain_vertex_[c + 1], plain);
-    complete.only_if(plain | ~load_mask(&vertex_[c]));
+    store_mask(&well_conditioned_vertex_[c + 1], plain);
+    complete.require(plain | ~load_mask(&vertex_[c]));
   }
   turn_ = turn;
   turn_.rescale();
   if (complete) return;
   for (uint32_t c = 0; c + 1 < batch_.count; ++c) {
-    if (plain_vertex_[c + 1] == 0 && vertex_[c] != 0) vertex_from_integers(c);
+    if (well_conditioned_vertex_[c + 1] == 0 && vertex_[c] != 0) vertex_from_integers(c);
   }
 }
 
-void FreeArcs::evaluate_arcs() {
-  InAllLanes complete;
+void ArcBatches::evaluate_arcs() {
+  AllLanes complete;
   for (uint32_t c = 0; c < batch_.count; c += lane_count) {
     const LaneVector u = batch_.axis(c);
     const LaneVector from{load_lanes(&px_[c]), load_lanes(&py_[c]), load_lanes(&pz_[c])};
@@ -273,22 +272,22 @@ void FreeArcs::evaluate_arcs() {
     const Lanes x = dot(p, q);
     const Lanes y = dot(p, X);  // u.(p x q)
     const LaneMask arc = load_mask(&arc_[c]);
-    const LaneMask sure =
-        arc & load_mask(&plain_vertex_[c]) & load_mask(&plain_vertex_[c + 1]) & (magnitude(y) >= near_the_cut * x);
-    store_lanes(&batch_.angle[c], kept(sure, turn_angle(chosen(sure, x, all_lanes(1.0)), kept(sure, y))));
-    store_lanes(&batch_.Xx[c], kept(arc, X.x));
-    store_lanes(&batch_.Xy[c], kept(arc, X.y));
-    store_lanes(&batch_.Xz[c], kept(arc, X.z));
-    store_mask(&sure_[c], sure);
-    complete.only_if(sure | ~arc);
+    const LaneMask sure = arc & load_mask(&well_conditioned_vertex_[c]) & load_mask(&well_conditioned_vertex_[c + 1]) &
+                          (absolute(y) >= branch_cut_margin * x);
+    store_lanes(&batch_.angle[c], mask_and(sure, turn_angle(select(sure, x, all_lanes(1.0)), mask_and(sure, y))));
+    store_lanes(&batch_.Xx[c], mask_and(arc, X.x));
+    store_lanes(&batch_.Xy[c], mask_and(arc, X.y));
+    store_lanes(&batch_.Xz[c], mask_and(arc, X.z));
+    store_mask(&certain_[c], sure);
+    complete.require(sure | ~arc);
   }
   if (complete && !has_circles_) return;
   for (uint32_t c = 0; c < batch_.count; ++c) {
-    const uint32_t use = batch_.arc_use[c];
-    if (use == ArcBatch::whole_circle) {
+    const uint32_t half_edge = batch_.arc_half_edge[c];
+    if (half_edge == ArcBatch::whole_circle) {
       batch_.angle[c] = 2 * pi;
-    } else if (arc_[c] != 0 && sure_[c] == 0) {
-      batch_.angle[c] = arc_angle(balls_, boundary_, ball_, use);
+    } else if (arc_[c] != 0 && certain_[c] == 0) {
+      batch_.angle[c] = arc_angle(balls_, boundary_, ball_, half_edge);
     }
   }
 }

@@ -1,5 +1,5 @@
 // The free arcs and circles on one ball, a batch at a time: what areas, vector areas and derivatives sum over. Their
-// order follows from the order of the uses, which does not depend on ids, so neither do the bits of sums.
+// order follows from the order of the half-edges, which does not depend on ids, so neither do the bits of sums.
 //
 // A batch is a row of slots. Walking a loop of m arcs fills m + 2 of them: the circle that its first use comes in on,
 // for every use the circle that it leaves on, and the first of these again. Slot c holds circle c, the vertex between
@@ -11,7 +11,7 @@
 //   arc             a_1   a_2   ...  a_m
 //
 // Slots without an arc have angle 0 and X 0, so that sums may run over all of them. Two slots are computed at once, in
-// doubles; what these are not sure to tell well comes from the exact integers of arc_angles.hpp.
+// doubles; what these are not sure to tell well comes from the exact integers of arc_geometry.hpp.
 #pragma once
 
 #include "boundary/boundary.hpp"
@@ -40,8 +40,8 @@ struct ArcBatch {
   bool any_touching = false;  // touching[] holds something only if it is set
   double ux[room], uy[room], uz[room], inverse_distance[room], twice_height[room];
   double angle[room], Xx[room], Xy[room], Xz[room];
-  uint32_t other[room];    // the other ball
-  uint32_t arc_use[room];  // the use that the arc leaves from, whole_circle, or no_id
+  uint32_t other[room];          // the other ball
+  uint32_t arc_half_edge[room];  // the use that the arc leaves from, whole_circle, or no_id
   Touching touching[room];
 
   LaneVector axis(uint32_t c) const { return {load_lanes(&ux[c]), load_lanes(&uy[c]), load_lanes(&uz[c])}; }
@@ -54,23 +54,23 @@ struct ArcBatch {
   }
 };
 
-class FreeArcs {
+class ArcBatches {
  public:
   // The arcs and circles of the given face, or of all faces if it is no_id.
-  FreeArcs(const BallSet &balls, const BoundaryStructure &boundary, uint32_t ball, uint32_t face = no_id);
+  ArcBatches(const BallSet &balls, const Boundary &boundary, uint32_t ball, uint32_t face = no_id);
 
   // Fills and evaluates the next batch; false if there is none.
   bool next();
   const ArcBatch &batch() const { return batch_; }
 
   // The sum of the angles by which the loops turn at their vertices, in all batches so far.
-  double exteriors() const { return turn_.total(); }
+  double exterior_angle_sum() const { return turn_.total(); }
 
  private:
   struct Slot {
     uint32_t other;
-    uint32_t arc_use, vertex_use;  // no_id if there is none
-    bool turns;                    // the vertex counts for exteriors()
+    uint32_t arc_half_edge, vertex_half_edge;  // no_id if there is none
+    bool turns;                                // the vertex counts for exterior_angle_sum()
   };
   enum class Stage : uint8_t { next_loop, arcs, closing, circles };
 
@@ -85,26 +85,28 @@ class FreeArcs {
   void vertex_from_integers(uint32_t c);
 
   const BallSet &balls_;
-  const BoundaryStructure &boundary_;
+  const Boundary &boundary_;
   const uint32_t ball_;
   const double x_, y_, z_, r_;
   const uint32_t face_;
-  LoopTurn turn_;
+  ExteriorAngleSum turn_;
   ArcBatch batch_;
 
   // Where the gathering is.
   Stage stage_ = Stage::next_loop;
-  uint32_t use_, loop_, side_;             // not looked at yet
+  uint32_t half_edge_, loop_;  // the next ones
+  Span<const ClosedHalfEdge> circles_;
+  uint32_t circle_ = 0;
   uint32_t start_ = no_id, walk_ = no_id;  // the first use of the loop, and the one that is next
   Slot held_[2] = {};                      // slots of the last batch that come again
   uint32_t held_count_ = 0;
   bool has_circles_ = false;  // in this batch
 
   // Of the slots. Masks are -1 where they hold. Vertex c is at index c + 1 of its place, twice the vector from the
-  // ball's centre, and of plain_vertex_; the conditions for plain are in free_arcs.cpp.
-  uint32_t vertex_use_[ArcBatch::room];
+  // ball's centre, and of well_conditioned_vertex_; the conditions for plain are in arc_batches.cpp.
+  uint32_t vertex_half_edge_[ArcBatch::room];
   int64_t arc_[ArcBatch::room], vertex_[ArcBatch::room], turns_[ArcBatch::room];
-  int64_t plain_circle_[ArcBatch::room], plain_vertex_[ArcBatch::room], sure_[ArcBatch::room];
+  int64_t well_conditioned_circle_[ArcBatch::room], well_conditioned_vertex_[ArcBatch::room], certain_[ArcBatch::room];
   double root_D_[ArcBatch::room];
   double px_[ArcBatch::room], py_[ArcBatch::room], pz_[ArcBatch::room];
 };

@@ -3,29 +3,24 @@
 #include <initializer_list>
 
 #include "exact/filter.hpp"
-#include "sphere/arc_geometry.hpp"
 #include "measure/areas.hpp"
+#include "sphere/arc_geometry.hpp"
 
 namespace hsp {
 namespace {
 
-using exact::combine;
-using exact::cross;
-using exact::dot;
-using exact::DoubleVector;
-
-double norm(const DoubleVector &a) {
+double norm(const Vec3 &a) {
   return std::sqrt(dot(a, a));
 }
 
 // A circle on a ball, in doubles, relative to the ball's centre.
 struct CheckCircle {
-  DoubleVector axis, centre;
+  Vec3 axis, centre;
   double radius;
   double cosine;  // of the cap's angle
 
   CheckCircle(const BallSet &balls, uint32_t ball, uint32_t other) {
-    const CirclePlace place = circle_place(balls, ball, other);
+    const CircleGeometry place = circle_geometry(balls, ball, other);
     axis = {place.axis[0], place.axis[1], place.axis[2]};
     centre = {place.centre[0], place.centre[1], place.centre[2]};
     radius = place.radius;
@@ -36,22 +31,22 @@ struct CheckCircle {
 // What the second way gives for one ball, and how far rounding may move it.
 struct SecondMeasure {
   double steradians = 0.0;
-  DoubleVector vector_area{0.0, 0.0, 0.0};
+  Vec3 vector_area{0.0, 0.0, 0.0};
   double doubt = 0.0;  // of steradians, and of the vector area in units of r^2
 };
 
-class MetricCheck {
+class BoundaryMetricCheck {
  public:
-  MetricCheck(const BallSet &balls, const BoundaryStructure &boundary) : balls_(balls), boundary_(boundary) {}
+  BoundaryMetricCheck(const BallSet &balls, const Boundary &boundary) : balls_(balls), boundary_(boundary) {}
 
   Violation run() const {
     double volume = 0.0;
     double second_volume = 0.0;
     double scale = 0.0;
     for (uint32_t i = 0; i < balls_.n; ++i) {
-      if (boundary_.first_face[i + 1] == boundary_.first_face[i]) continue;
-      for (uint32_t u = boundary_.first_use[i]; u < boundary_.first_use[i + 1]; ++u) {
-        if (!lies_on_its_spheres(i, u)) return {BoundaryLaw::positions, boundary_.uses[u].vertex};
+      if (!boundary_.is_exposed(i)) continue;
+      for (const uint32_t u : boundary_.half_edges(i)) {
+        if (!lies_on_its_spheres(i, u)) return {BoundaryInvariant::positions, boundary_.half_edge(u).vertex};
       }
       const double r = balls_.r[i];
       const BallMeasure first = measure_ball(balls_, boundary_, i);
@@ -60,39 +55,40 @@ class MetricCheck {
       const double doubt = r * r * second.doubt;
       // Written so that a value that is not a number fails.
       const bool on_the_sphere = first.area >= 0.0 && first.area <= 4 * pi * r * r + doubt;
-      if (!on_the_sphere || !(std::fabs(difference) <= doubt)) return {BoundaryLaw::areas, i};
+      if (!on_the_sphere || !(std::fabs(difference) <= doubt)) return {BoundaryInvariant::areas, i};
       volume += first.volume;
       // Another origin: the centre of the component's first ball, moved by that ball's own radius along each axis.
-      const uint32_t origin = boundary_.components.root(i);
+      const uint32_t origin = boundary_.component_origin(i);
       const double shift = balls_.r[origin];
-      const DoubleVector arm{balls_.x[i] - balls_.x[origin] - shift, balls_.y[i] - balls_.y[origin] - shift,
-                             balls_.z[i] - balls_.z[origin] - shift};
+      const Vec3 arm{balls_.x[i] - balls_.x[origin] - shift, balls_.y[i] - balls_.y[origin] - shift,
+                     balls_.z[i] - balls_.z[origin] - shift};
       second_volume += (r * r * r * second.steradians + dot(arm, second.vector_area)) / 3;
       scale += r * r * second.doubt * (r + norm(arm));
     }
     const double difference = volume - second_volume;
-    return std::fabs(difference) <= scale ? Violation{} : Violation{BoundaryLaw::closure, 0};
+    return std::fabs(difference) <= scale ? Violation{} : Violation{BoundaryInvariant::closure, 0};
   }
 
  private:
-  DoubleVector position(uint32_t ball, const VertexUse &use) const {
+  Vec3 position(uint32_t ball, const HalfEdge &half_edge) const {
     const exact::LatticeBall own = balls_.ball(ball);
     double offset[3];
-    vertex_offset(exact::plane_of(own, balls_.ball(use.out)), exact::plane_of(own, balls_.ball(use.in)), -1,
-                  boundary_.root_discriminant[use.vertex], offset);
+    vertex_offset(exact::plane_of(own, balls_.ball(half_edge.circle)),
+                  exact::plane_of(own, balls_.ball(half_edge.previous_circle)), -1,
+                  boundary_.root_discriminant(half_edge.vertex), offset);
     return {offset[0], offset[1], offset[2]};
   }
 
   bool lies_on_its_spheres(uint32_t ball, uint32_t u) const {
-    const VertexUse &use = boundary_.uses[u];
-    const DoubleVector x = position(ball, use);
+    const HalfEdge &half_edge = boundary_.half_edge(u);
+    const Vec3 x = position(ball, half_edge);
     const double r = balls_.r[ball];
     constexpr double tolerance = 0x1p-40;
     double error = norm(x) - r;
     double largest = r;
-    for (const uint32_t other : {use.in, use.out}) {
-      const DoubleVector v{balls_.x[other] - balls_.x[ball], balls_.y[other] - balls_.y[ball],
-                           balls_.z[other] - balls_.z[ball]};
+    for (const uint32_t other : {half_edge.previous_circle, half_edge.circle}) {
+      const Vec3 v{balls_.x[other] - balls_.x[ball], balls_.y[other] - balls_.y[ball],
+                   balls_.z[other] - balls_.z[ball]};
       const double off = norm(combine(1.0, x, -1.0, v)) - balls_.r[other];
       if (off * off > error * error) error = off;
       if (balls_.r[other] > largest) largest = balls_.r[other];
@@ -105,21 +101,21 @@ class MetricCheck {
   // each.
   SecondMeasure measure_again(uint32_t i) const {
     const double r = balls_.r[i];
-    const uint32_t loops = boundary_.first_loop[i + 1] - boundary_.first_loop[i];
-    const uint32_t faces = boundary_.first_face[i + 1] - boundary_.first_face[i];
+    const uint32_t loops = boundary_.loops(i).size();
+    const uint32_t faces = boundary_.faces(i).size();
     SecondMeasure sum;
     sum.steradians = 2 * pi * (2.0 * faces - 1.0 * loops);
     sum.doubt = 0x1p-44;
-    for (uint32_t u = boundary_.first_use[i]; u < boundary_.first_use[i + 1]; ++u) {
-      const VertexUse &use = boundary_.uses[u];
-      const VertexUse &end = boundary_.uses[use.next];
-      const CheckCircle out(balls_, i, use.out);
-      const CheckCircle in(balls_, i, use.in);
+    for (const uint32_t u : boundary_.half_edges(i)) {
+      const HalfEdge &half_edge = boundary_.half_edge(u);
+      const HalfEdge &end = boundary_.half_edge(half_edge.next);
+      const CheckCircle out(balls_, i, half_edge.circle);
+      const CheckCircle in(balls_, i, half_edge.previous_circle);
       // The loop walks from q to p, the arc runs counter-clockwise from p to q.
-      const DoubleVector q = position(i, use);
-      const DoubleVector p = position(i, end);
-      const DoubleVector to_q = combine(1.0, q, -1.0, out.centre);
-      const DoubleVector to_p = combine(1.0, p, -1.0, out.centre);
+      const Vec3 q = position(i, half_edge);
+      const Vec3 p = position(i, end);
+      const Vec3 to_q = combine(1.0, q, -1.0, out.centre);
+      const Vec3 to_p = combine(1.0, p, -1.0, out.centre);
       const double sine = dot(out.axis, cross(to_p, to_q));
       double angle = arc_tangent(sine, dot(to_p, to_q));
       if (angle < 0.0) angle += 2 * pi;
@@ -128,19 +124,18 @@ class MetricCheck {
       const double known = arc_angle(balls_, boundary_, i, u);
       if (angle < unclear || angle > 2 * pi - unclear) angle = known;
       // On the way in along circle `in`, out along circle `out`, clockwise about both axes.
-      const DoubleVector arriving = cross(q, in.axis);
-      const DoubleVector leaving = cross(q, out.axis);
+      const Vec3 arriving = cross(q, in.axis);
+      const Vec3 leaving = cross(q, out.axis);
       const double turn = arc_tangent(norm(cross(arriving, leaving)), dot(arriving, leaving));
       sum.steradians += out.cosine * angle - turn;
-      const DoubleVector chord = cross(p, q);
+      const Vec3 chord = cross(p, q);
       const double segment = out.radius * out.radius * angle - sine;
       // The face lies to the other side of the arc, hence the sign.
       sum.vector_area = combine(1.0, sum.vector_area, -0.5, combine(1.0, chord, segment, out.axis));
       sum.doubt += doubt_of(r, out.radius) + doubt_of(r, in.radius);
     }
-    for (uint32_t s = boundary_.first_circle_side[i]; s < boundary_.first_circle_side[i + 1]; ++s) {
-      const uint32_t side = boundary_.circle_side[s] % 2;
-      const CheckCircle circle(balls_, i, boundary_.circles[boundary_.circle_side[s] / 2].ball[1 - side]);
+    for (const ClosedHalfEdge closed : boundary_.circles(i)) {
+      const CheckCircle circle(balls_, i, boundary_.neighbour(closed));
       sum.steradians += 2 * pi * circle.cosine;
       sum.vector_area = combine(1.0, sum.vector_area, -pi * circle.radius * circle.radius, circle.axis);
       sum.doubt += 0x1p-44;
@@ -156,13 +151,13 @@ class MetricCheck {
   }
 
   const BallSet &balls_;
-  const BoundaryStructure &boundary_;
+  const Boundary &boundary_;
 };
 
 }  // namespace
 
-Violation check_metric(const BallSet &balls, const BoundaryStructure &boundary) {
-  return MetricCheck(balls, boundary).run();
+Violation check_boundary_metric(const BallSet &balls, const Boundary &boundary) {
+  return BoundaryMetricCheck(balls, boundary).run();
 }
 
 }  // namespace hsp

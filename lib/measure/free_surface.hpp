@@ -25,13 +25,13 @@ class FreeSurface {
   }
 
   // A face can be infinitesimal: its area is 0 up to rounding, on either side.
-  double steradians(uint32_t faces, uint32_t loops, double exteriors) const {
+  double steradians(uint32_t faces, uint32_t loops, double exterior_angle_sum) const {
     const double characteristic = 2.0 * static_cast<double>(faces) - static_cast<double>(loops);
     const double cosines = radius_ > 0.0 ? sum_of(cosines_) * (0.5 / radius_) : 0.0;
-    const double sum = 2 * pi * characteristic + cosines - exteriors;
+    const double sum = 2 * pi * characteristic + cosines - exterior_angle_sum;
     return sum > 0.0 ? sum : 0.0;
   }
-  exact::DoubleVector vector_area() const {
+  Vec3 vector_area() const {
     return {0.125 * sum_of(vector_area_.x), 0.125 * sum_of(vector_area_.y), 0.125 * sum_of(vector_area_.z)};
   }
 
@@ -43,8 +43,8 @@ class FreeSurface {
 
 // Ball i's centre seen from the origin of its component, which is its ball of lowest rank, so that terms of the volume
 // do not grow with the distance to other components.
-inline exact::DoubleVector arm_of(const BallSet &balls, const BoundaryStructure &boundary, uint32_t i) {
-  const uint32_t origin = boundary.components.root(i);
+inline Vec3 offset_from_origin(const BallSet &balls, const Boundary &boundary, uint32_t i) {
+  const uint32_t origin = boundary.component_origin(i);
   return {balls.x[i] - balls.x[origin], balls.y[i] - balls.y[origin], balls.z[i] - balls.z[origin]};
 }
 

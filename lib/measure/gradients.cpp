@@ -22,14 +22,14 @@ class WeightedAreas {
     if (batch.any_touching) [[unlikely]] {
       const LaneMask counted{counts(batch.touching[c], weights_.touching_balls) ? -1 : 0,
                              counts(batch.touching[c + 1], weights_.touching_balls) ? -1 : 0};
-      angle = kept(counted, angle);
-      X = kept(counted, X);
+      angle = mask_and(counted, angle);
+      X = mask_and(counted, X);
     }
     centre_ = centre_ + (angle * (half * arc.twice_height - weight_ * R_) * arc.axis + half * X);
     radius_ += angle * (2 * R_ * half - 0.5 * weight_ * arc.twice_height);
   }
 
-  exact::DoubleVector by_centre() const { return {sum_of(centre_.x), sum_of(centre_.y), sum_of(centre_.z)}; }
+  Vec3 by_centre() const { return {sum_of(centre_.x), sum_of(centre_.y), sum_of(centre_.z)}; }
   double by_radius(double steradians) const { return 2 * weight_ * R_ * steradians + sum_of(radius_); }
 
  private:
@@ -44,14 +44,13 @@ class WeightedAreas {
 
 }  // namespace
 
-BallGradient gradient_of_ball(const BallSet &balls, const BoundaryStructure &boundary, const AreaWeights &weights,
-                              uint32_t k) {
+BallGradient gradient_of_ball(const BallSet &balls, const Boundary &boundary, const AreaWeights &weights, uint32_t k) {
   BallGradient result;
-  const uint32_t faces = boundary.first_face[k + 1] - boundary.first_face[k];
+  const uint32_t faces = boundary.faces(k).size();
   if (faces == 0) return result;
   WeightedAreas areas(balls, weights, k);
   FreeSurface surface(balls.r[k]);
-  FreeArcs arcs(balls, boundary, k);
+  ArcBatches arcs(balls, boundary, k);
   while (arcs.next()) {
     const ArcBatch &batch = arcs.batch();
     for (uint32_t c = 0; c < batch.count; c += lane_count) {
@@ -62,22 +61,24 @@ BallGradient gradient_of_ball(const BallSet &balls, const BoundaryStructure &bou
     result.one_sided = result.one_sided || batch.any_touching;
   }
   const double R = balls.r[k];
-  const uint32_t loops = boundary.first_loop[k + 1] - boundary.first_loop[k];
-  const double steradians = surface.steradians(faces, loops, arcs.exteriors());
+  const uint32_t loops = boundary.loops(k).size();
+  const double steradians = surface.steradians(faces, loops, arcs.exterior_angle_sum());
   result.centre = areas.by_centre();
   result.radius = areas.by_radius(steradians);
   result.vector_area = surface.vector_area();
   result.measure.area = R * R * steradians;
-  result.measure.volume = (R * result.measure.area + exact::dot(arm_of(balls, boundary, k), result.vector_area)) / 3;
+  result.measure.volume =
+      (R * result.measure.area + dot(offset_from_origin(balls, boundary, k), result.vector_area)) / 3;
   return result;
 }
 
-uint32_t area_row_length(const BoundaryStructure &boundary, uint32_t i) {
-  if (boundary.first_face[i + 1] == boundary.first_face[i]) return 0;
-  uint32_t length = 1 + boundary.first_circle_side[i + 1] - boundary.first_circle_side[i];
-  for (uint32_t u = boundary.first_use[i]; u < boundary.first_use[i + 1]; ++u) {
+uint32_t area_row_length(const Boundary &boundary, uint32_t i) {
+  if (!boundary.is_exposed(i)) return 0;
+  uint32_t length = 1 + boundary.circles(i).size();
+  const IdRange half_edges = boundary.half_edges(i);
+  for (const uint32_t u : half_edges) {
     // Uses are sorted by the circle they leave along.
-    length += u == boundary.first_use[i] || boundary.uses[u].out != boundary.uses[u - 1].out ? 1U : 0U;
+    length += u == half_edges.first || boundary.half_edge(u).circle != boundary.half_edge(u - 1).circle ? 1U : 0U;
   }
   return length;
 }

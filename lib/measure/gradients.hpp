@@ -18,7 +18,7 @@ enum class TouchingBalls : uint8_t { meet, apart };
 
 // Whether the derivatives count the free arcs of this circle. Spheres that touch from outside meet in one of radius 0,
 // which counts as the caller wants it. A ball that touches another from inside counts as lying inside it, whatever the
-// tie rule made of it.
+// symbolic perturbation made of it.
 constexpr bool counts(Touching touching, TouchingBalls touching_balls) {
   return touching == Touching::no || (touching == Touching::from_outside && touching_balls == TouchingBalls::meet);
 }
@@ -34,38 +34,37 @@ struct AreaWeights {
 // Ball k's part, in lattice steps.
 struct BallGradient {
   BallMeasure measure;
-  exact::DoubleVector centre{0.0, 0.0, 0.0};       // dS/dc_k
-  double radius = 0.0;                             // dS/dR_k
-  exact::DoubleVector vector_area{0.0, 0.0, 0.0};  // dV/dc_k; dV/dR_k is the area
-  bool one_sided = false;                          // a sphere touches this one at a free point
+  Vec3 centre{0.0, 0.0, 0.0};       // dS/dc_k
+  double radius = 0.0;              // dS/dR_k
+  Vec3 vector_area{0.0, 0.0, 0.0};  // dV/dc_k; dV/dR_k is the area
+  bool one_sided = false;           // a sphere touches this one at a free point
 };
-BallGradient gradient_of_ball(const BallSet &balls, const BoundaryStructure &boundary, const AreaWeights &weights,
-                              uint32_t k);
+BallGradient gradient_of_ball(const BallSet &balls, const Boundary &boundary, const AreaWeights &weights, uint32_t k);
 
 // Derivatives of the area of one ball by another one, or by itself, in lattice steps.
 struct AreaDerivative {
-  exact::DoubleVector centre{0.0, 0.0, 0.0};
+  Vec3 centre{0.0, 0.0, 0.0};
   double radius = 0.0;
   double angle = 0.0;  // of the free arcs that count
   bool one_sided = false;
 };
 // The length of ball i's row: itself, and the balls whose circles on it have a free piece; 0 if it has no face.
-uint32_t area_row_length(const BoundaryStructure &boundary, uint32_t i);
+uint32_t area_row_length(const Boundary &boundary, uint32_t i);
 
 // Calls on_part(j, derivative) for every free arc and circle on ball i, with its part of the derivatives by ball j, and
 // returns those by i itself.
 template <class OnPart>
-AreaDerivative visit_area_row(const BallSet &balls, const BoundaryStructure &boundary, uint32_t i,
-                              TouchingBalls touching_balls, OnPart on_part) {
+AreaDerivative visit_area_row(const BallSet &balls, const Boundary &boundary, uint32_t i, TouchingBalls touching_balls,
+                              OnPart on_part) {
   const double R = balls.r[i];
   FreeSurface surface(R);
-  FreeArcs arcs(balls, boundary, i);
+  ArcBatches arcs(balls, boundary, i);
   AreaDerivative own;
   while (arcs.next()) {
     const ArcBatch &batch = arcs.batch();
     surface.add(batch);
     for (uint32_t c = 0; c < batch.count; ++c) {
-      if (batch.arc_use[c] == no_id) continue;
+      if (batch.arc_half_edge[c] == no_id) continue;
       const Touching touching = batch.any_touching ? batch.touching[c] : Touching::no;
       AreaDerivative part;
       part.one_sided = touching != Touching::no;
@@ -74,19 +73,18 @@ AreaDerivative visit_area_row(const BallSet &balls, const BoundaryStructure &bou
         const double height = 0.5 * batch.twice_height[c];
         const double angle = batch.angle[c];
         part.angle = angle;
-        part.centre = exact::combine((R - height * ratio) * angle, {batch.ux[c], batch.uy[c], batch.uz[c]},
-                                     -0.5 * ratio, {batch.Xx[c], batch.Xy[c], batch.Xz[c]});
+        part.centre = combine((R - height * ratio) * angle, {batch.ux[c], batch.uy[c], batch.uz[c]}, -0.5 * ratio,
+                              {batch.Xx[c], batch.Xy[c], batch.Xz[c]});
         part.radius = -ratio * balls.r[batch.other[c]] * angle;
         own.radius += (R * ratio - height) * angle;
       }
       own.one_sided = own.one_sided || part.one_sided;
-      own.centre = exact::combine(1.0, own.centre, -1.0, part.centre);
+      own.centre = combine(1.0, own.centre, -1.0, part.centre);
       on_part(batch.other[c], part);
     }
   }
-  const uint32_t faces = boundary.first_face[i + 1] - boundary.first_face[i];
-  own.radius +=
-      2 * R * surface.steradians(faces, boundary.first_loop[i + 1] - boundary.first_loop[i], arcs.exteriors());
+  const uint32_t faces = boundary.faces(i).size();
+  own.radius += 2 * R * surface.steradians(faces, boundary.loops(i).size(), arcs.exterior_angle_sum());
   return own;
 }
 

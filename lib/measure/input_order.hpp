@@ -7,33 +7,23 @@
 
 namespace hsp {
 
-// Calls visit(i, place) for every ball i, with its place in the grid's order.
+// Calls visit(i, ball) for every ball i of the input, with its index in the grid's order.
 template <class Visit>
-void visit_in_callers_order(const CubeGrid &grid, const BoundaryStructure &boundary, Visit visit) {
-  constexpr uint32_t far = 8;   // visits ahead: what is found by the place
+void visit_in_input_order(const CubeGrid &grid, const Boundary &boundary, Visit visit) {
+  constexpr uint32_t far = 8;   // visits ahead: what is found by the ball's index
   constexpr uint32_t near = 4;  // and what is found by that
   const BallSet &balls = grid.balls();
   for (uint32_t i = 0; i < balls.n; ++i) {
     if (i + far < balls.n) {
-      const uint32_t place = grid.place(i + far);
-      __builtin_prefetch(&boundary.first_use[place]);
-      __builtin_prefetch(&boundary.first_face[place]);
-      __builtin_prefetch(&boundary.first_loop[place]);
-      __builtin_prefetch(&boundary.first_circle_side[place]);
-      __builtin_prefetch(&boundary.component_parent[place]);
-      __builtin_prefetch(&balls.x[place]);
-      __builtin_prefetch(&balls.y[place]);
-      __builtin_prefetch(&balls.z[place]);
-      __builtin_prefetch(&balls.r[place]);
+      const uint32_t ball = grid.grid_index(i + far);
+      boundary.prefetch_ranges(ball);
+      __builtin_prefetch(&balls.x[ball]);
+      __builtin_prefetch(&balls.y[ball]);
+      __builtin_prefetch(&balls.z[ball]);
+      __builtin_prefetch(&balls.r[ball]);
     }
-    if (i + near < balls.n) {
-      const uint32_t place = grid.place(i + near);
-      constexpr uint32_t step = 3;  // uses in 64 bytes
-      for (uint32_t u = boundary.first_use[place]; u < boundary.first_use[place + 1]; u += step) {
-        __builtin_prefetch(&boundary.uses[u]);
-      }
-    }
-    visit(i, grid.place(i));
+    if (i + near < balls.n) boundary.prefetch_half_edges(grid.grid_index(i + near));
+    visit(i, grid.grid_index(i));
   }
 }
 

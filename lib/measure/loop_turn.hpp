@@ -6,7 +6,7 @@
 
 namespace hsp {
 
-class LoopTurn {
+class ExteriorAngleSum {
  public:
   void add_angle(double angle) { angles_ += angle; }
 
@@ -30,8 +30,8 @@ class LoopTurn {
   // To be called after at most 100 directions, so that the product does not vanish.
   void rescale() {
     constexpr double tiny = 0x1p-100;
-    const LaneMask vanishing = (magnitude(x_) < tiny) & (magnitude(y_) < tiny);
-    const Lanes scale = chosen(vanishing, all_lanes(1.0 / tiny), all_lanes(1.0));
+    const LaneMask vanishing = (absolute(x_) < tiny) & (absolute(y_) < tiny);
+    const Lanes scale = select(vanishing, all_lanes(1.0 / tiny), all_lanes(1.0));
     x_ *= scale;
     y_ *= scale;
   }

@@ -13,20 +13,18 @@ struct Place {
 };
 
 // A vertex of the boundary.
-Place place_of_vertex(const BallSet &balls, const BoundaryStructure &boundary, uint32_t vertex);
+Place position_of_vertex(const BallSet &balls, const Boundary &boundary, uint32_t vertex);
 
 // A vertex of the topology.
-Place place_of_point(const BallSet &balls, const BoundaryStructure &boundary, const TopologyStructure &topology,
-                     uint32_t vertex);
+Place position_of_point(const BallSet &balls, const Boundary &boundary, const Topology &topology, uint32_t vertex);
 
 // The circle of an edge and its part of it. Quarter-edge 4 e runs counter-clockwise about the axis.
-struct EdgePlace {
+struct EdgeGeometry {
   Place centre;
   double axis[3];
   double radius;
   double angle;
 };
-EdgePlace place_of_edge(const BallSet &balls, const BoundaryStructure &boundary, const TopologyStructure &topology,
-                        uint32_t edge);
+EdgeGeometry geometry_of_edge(const BallSet &balls, const Boundary &boundary, const Topology &topology, uint32_t edge);
 
 }  // namespace hsp

@@ -7,10 +7,10 @@ namespace {
 
 // Whether a simple face is the first of those that its maximal face is cut into. They lie among the consecutive simple
 // faces of one ball.
-bool is_first_part(const BoundaryStructure &boundary, const TopologyStructure &topology, uint32_t simple) {
+bool is_first_part(const Boundary &boundary, const Topology &topology, uint32_t simple) {
   const uint32_t face = topology.faces[simple].face;
-  if (boundary.faces[face].loops == 1) return true;
-  const uint32_t ball = boundary.faces[face].ball;
+  if (boundary.face(face).loops == 1) return true;
+  const uint32_t ball = boundary.face(face).ball;
   for (uint32_t k = simple; k-- > 0 && topology.ball_of(boundary, k) == ball;) {
     if (topology.faces[k].face == face) return false;
   }
@@ -19,7 +19,7 @@ bool is_first_part(const BoundaryStructure &boundary, const TopologyStructure &t
 
 // Calls visit(face) for the maximal faces of a shell in the order of its scan.
 template <class Visit>
-void visit_faces(const BoundaryStructure &boundary, const TopologyStructure &topology, uint32_t shell, Visit visit) {
+void visit_faces(const Boundary &boundary, const Topology &topology, uint32_t shell, Visit visit) {
   const ShellRecord &record = topology.shells[shell];
   for (uint32_t k = 0; k < record.simple_faces; ++k) {
     const uint32_t simple = topology.scan[record.first_scan + k];
@@ -29,8 +29,7 @@ void visit_faces(const BoundaryStructure &boundary, const TopologyStructure &top
 
 }  // namespace
 
-BallMeasure measure_shell(const BallSet &balls, const BoundaryStructure &boundary, const TopologyStructure &topology,
-                          uint32_t shell) {
+BallMeasure measure_shell(const BallSet &balls, const Boundary &boundary, const Topology &topology, uint32_t shell) {
   TreeSum area;
   TreeSum volume;
   visit_faces(boundary, topology, shell, [&](uint32_t face) {
@@ -41,14 +40,13 @@ BallMeasure measure_shell(const BallSet &balls, const BoundaryStructure &boundar
   return {area.total(), volume.total()};
 }
 
-TopologyViolation check_enclosed_volumes(const BallSet &balls, const BoundaryStructure &boundary,
-                                         const TopologyStructure &topology) {
+TopologyViolation check_enclosed_volumes(const BallSet &balls, const Boundary &boundary, const Topology &topology) {
   for (uint32_t s = 0; s < topology.shell_count; ++s) {
     // Every term has an error of some units in the last place of r^2 times the distance to the origin of the terms.
     double scale = 0.0;
     visit_faces(boundary, topology, s, [&](uint32_t face) {
-      const uint32_t i = boundary.faces[face].ball;
-      const uint32_t origin = boundary.components.root(i);
+      const uint32_t i = boundary.face(face).ball;
+      const uint32_t origin = boundary.component_origin(i);
       const double x = balls.x[i] - balls.x[origin];
       const double y = balls.y[i] - balls.y[origin];
       const double z = balls.z[i] - balls.z[origin];
@@ -58,7 +56,7 @@ TopologyViolation check_enclosed_volumes(const BallSet &balls, const BoundaryStr
     constexpr double tolerance = 0x1p-40;
     const double volume = measure_shell(balls, boundary, topology, s).volume;
     const double enclosed = topology.shells[s].is_void ? -volume : volume;
-    if (!(enclosed >= -tolerance * scale)) return {TopologyLaw::volumes, s};
+    if (!(enclosed >= -tolerance * scale)) return {TopologyInvariant::volumes, s};
   }
   return {};
 }

@@ -19,7 +19,7 @@ bool touches_freely_from_inside(const BallSet &balls, const CubeBlock &block, ui
   const exact::LatticeBall container = balls.ball(outer);
   const int64_t D = container.radius - own.radius;
   const exact::Vector v = between(container, own);
-  if (D < 0 || !within(v, D) || exact::dot(v, v) != D * D) return false;
+  if (D < 0 || !within(v, D) || dot(v, v) != D * D) return false;
   if (D == 0) return true;  // equal balls
 
   // They touch in the point c + R v/D, c and R of the outer ball. Seen from the centre c_k of a third ball, D times

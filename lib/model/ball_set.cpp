@@ -31,7 +31,7 @@ Status BallRounding::prepare(const BallInput &input, uint32_t &first_bad) {
   }
   const double probe = lattice_.steps(input.probe);
   if (!(probe < exact::radius_limit)) return Status::range;
-  probe_steps_ = exact::nearest(probe);
+  probe_steps_ = nearest(probe);
   return Status::ok;
 }
 
@@ -45,8 +45,8 @@ Status BallRounding::round(uint32_t i, exact::LatticeBall &ball) const {
   }
   const double radius = lattice_.steps(input_.radius[i]);
   if (!(radius < exact::radius_limit)) return Status::range;
-  ball.centre = {exact::nearest(steps[0]), exact::nearest(steps[1]), exact::nearest(steps[2])};
-  ball.radius = exact::nearest(radius) + probe_steps_;
+  ball.centre = {nearest(steps[0]), nearest(steps[1]), nearest(steps[2])};
+  ball.radius = nearest(radius) + probe_steps_;
   ball.index = i;
   return static_cast<double>(ball.radius) < exact::radius_limit ? Status::ok : Status::range;
 }

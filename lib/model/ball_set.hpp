@@ -4,6 +4,7 @@
 
 #include "core/span.hpp"
 #include "core/status.hpp"
+#include "core/vec3.hpp"
 #include "exact/lattice.hpp"
 #include "exact/lattice_ball.hpp"
 
@@ -15,7 +16,7 @@ struct BallInput {
   const double *xyz = nullptr;     // [n][3]
   const double *radius = nullptr;  // [n]
   double probe = 0.0;
-  double step = 0.0;  // 0: chosen from the largest radius
+  double step = 0.0;  // 0: select from the largest radius
 };
 
 // Rounds balls of an input to their lattice one at a time, so that no second copy of the set is needed.
@@ -49,13 +50,23 @@ struct BallSet {
             static_cast<int64_t>(r[i]),
             caller[i]};
   }
-  void store(uint32_t i, const exact::LatticeBall &ball) const {
+  bool ranks_before(uint32_t i, uint32_t j) const { return exact::ranks_before(rank_key(i), rank_key(j)); }
+  // From the centre of ball i to that of ball j, exactly.
+  Vec3 difference(uint32_t i, uint32_t j) const { return {x[j] - x[i], y[j] - y[i], z[j] - z[i]}; }
+  exact::Vector exact_difference(uint32_t i, uint32_t j) const {
+    const Vec3 v = difference(i, j);
+    return {static_cast<int64_t>(v.x), static_cast<int64_t>(v.y), static_cast<int64_t>(v.z)};
+  }
+  void store(uint32_t i, const exact::LatticeBall &ball) {
     x[i] = static_cast<double>(ball.centre.x);
     y[i] = static_cast<double>(ball.centre.y);
     z[i] = static_cast<double>(ball.centre.z);
     r[i] = static_cast<double>(ball.radius);
     caller[i] = ball.index;
   }
+
+ private:
+  exact::RankKey<double> rank_key(uint32_t i) const { return {x[i], y[i], z[i], r[i], caller[i]}; }
 };
 
 }  // namespace hsp

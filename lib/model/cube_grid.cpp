@@ -31,7 +31,7 @@ void CubeGrid::carve(Workspace &workspace, uint32_t n) {
   const auto cubes = workspace.take<CubeCoordinates>(n);
   table_ = CubeTable(slots, cubes);
   first_ball_ = workspace.take<uint32_t>(static_cast<uint64_t>(n) + 1);
-  place_ = workspace.take<uint32_t>(n);
+  grid_index_ = workspace.take<uint32_t>(n);
   balls_.x = workspace.take<double>(n);
   balls_.y = workspace.take<double>(n);
   balls_.z = workspace.take<double>(n);
@@ -73,24 +73,24 @@ Status CubeGrid::build(const BallInput &input, uint32_t &first_bad) {
   balls_.probe_steps = rounding.probe_steps();
   balls_.largest_radius = largest;
 
-  // Count sort by cube. place_ holds the cubes' numbers in between.
+  // Count sort by cube. grid_index_ holds the cubes' numbers in between.
   table_.clear(input.n);
   for (uint32_t i = 0; i < input.n; ++i) {
     static_cast<void>(rounding.round(i, ball));
-    place_[i] = table_.find_or_insert(cube_at(ball.centre, side_));
+    grid_index_[i] = table_.find_or_insert(cube_at(ball.centre, side_));
   }
   order_cubes_by_rows(table_, {scratch_slots_, scratch_links_, scratch_order_});
   for (uint32_t cube = 0; cube <= table_.count(); ++cube) first_ball_[cube] = 0;
   for (uint32_t i = 0; i < input.n; ++i) {
-    place_[i] = scratch_links_[place_[i]];
-    ++first_ball_[place_[i] + 1];
+    grid_index_[i] = scratch_links_[grid_index_[i]];
+    ++first_ball_[grid_index_[i] + 1];
   }
   for (uint32_t cube = 0; cube < table_.count(); ++cube) first_ball_[cube + 1] += first_ball_[cube];
   for (uint32_t i = 0; i < input.n; ++i) {
     static_cast<void>(rounding.round(i, ball));
-    const uint32_t place = first_ball_[place_[i]]++;
+    const uint32_t place = first_ball_[grid_index_[i]]++;
     balls_.store(place, ball);
-    place_[i] = place;
+    grid_index_[i] = place;
   }
   // The running starts have become the ends: shift them back by one cube.
   for (uint32_t cube = table_.count(); cube > 0; --cube) first_ball_[cube] = first_ball_[cube - 1];

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/workspace.hpp"
-#include "model/cube_table.hpp"
 #include "model/ball_set.hpp"
+#include "model/cube_table.hpp"
 
 namespace hsp {
 
@@ -33,7 +33,7 @@ class CubeGrid {
   int64_t side() const { return side_; }
   const CubeTable &table() const { return table_; }
   // Position of the caller's ball in the grid's order.
-  uint32_t place(uint32_t caller) const { return place_[caller]; }
+  uint32_t grid_index(uint32_t caller) const { return grid_index_[caller]; }
 
   uint32_t cubes() const { return table_.count(); }
   BallRange balls_in(uint32_t cube) const { return {first_ball_[cube], first_ball_[cube + 1]}; }
@@ -53,7 +53,7 @@ class CubeGrid {
   BallSet balls_;
   CubeTable table_;
   Span<uint32_t> first_ball_;  // [cubes + 1]
-  Span<uint32_t> place_;       // [n] caller -> grid order
+  Span<uint32_t> grid_index_;  // [n] caller -> grid order
   Span<uint32_t> scratch_slots_, scratch_links_, scratch_order_;
   uint32_t capacity_ = 0;
   int64_t side_ = 1;

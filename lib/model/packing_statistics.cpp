@@ -76,9 +76,9 @@ void offer_neighbouring_cubes(const CubeGrid &grid, int64_t side, ClosestPair &c
 
 }  // namespace
 
-HardSphereFigures hard_sphere_figures(const CubeGrid &grid) {
+PackingStatistics packing_statistics(const CubeGrid &grid) {
   const BallSet &balls = grid.balls();
-  HardSphereFigures figures;
+  PackingStatistics figures;
   figures.no_pair = balls.n < 2;
   if (balls.n == 0) return figures;
 

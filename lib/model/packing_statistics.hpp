@@ -5,7 +5,7 @@
 
 namespace hsp {
 
-struct HardSphereFigures {
+struct PackingStatistics {
   double k = 0.0;              // r_max / r_min, 0 if there is none
   double rho = 0.0;            // min over pairs of |c_i c_j| / max(r_i, r_j), 0 if there is none
   double mean_overlaps = 0.0;  // over the balls, of the number of others with |c_i c_j| < r_i + r_j
@@ -16,6 +16,6 @@ struct HardSphereFigures {
 };
 
 // Uses the grid's scratch memory.
-HardSphereFigures hard_sphere_figures(const CubeGrid &grid);
+PackingStatistics packing_statistics(const CubeGrid &grid);
 
 }  // namespace hsp

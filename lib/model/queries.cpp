@@ -85,7 +85,7 @@ void visit_ball_candidates(const CubeGrid &grid, const LatticeQuery &query, Visi
 
 // Hits wait here, so that nothing is written to the caller's array before their number is known to fit. Longer answers
 // are found twice.
-constexpr uint32_t waiting_room = 128;
+constexpr uint32_t hit_buffer_size = 128;
 constexpr uint32_t few_hits = 24;
 
 // candidates(visit) calls visit(j) for all balls that may be hits.
@@ -93,11 +93,11 @@ template <class Candidates>
 void collect(const BallSet &balls, const LatticeQuery &query, uint32_t excluded, Candidates candidates,
              QueryResult &result) {
   const Reach reach(balls, query);
-  uint32_t waiting[waiting_room + 1];
+  uint32_t hit_buffer[hit_buffer_size + 1];
   uint32_t hits = 0;
   candidates([&](uint32_t j) {
     // Stored in any case and kept if it is a hit: whether it is one cannot be predicted.
-    waiting[hits < waiting_room ? hits : waiting_room] = balls.caller[j];
+    hit_buffer[hits < hit_buffer_size ? hits : hit_buffer_size] = balls.caller[j];
     hits += static_cast<uint32_t>(reach.meets(j)) & static_cast<uint32_t>(j != excluded);
     return true;
   });
@@ -107,13 +107,13 @@ void collect(const BallSet &balls, const LatticeQuery &query, uint32_t excluded,
     // Each hit goes straight to its place, the number of smaller ones: a loop without branches on the values.
     for (uint32_t k = 0; k < hits; ++k) {
       uint32_t smaller = 0;
-      for (uint32_t other = 0; other < hits; ++other) smaller += waiting[other] < waiting[k] ? 1U : 0U;
-      result.ids[smaller] = waiting[k];
+      for (uint32_t other = 0; other < hits; ++other) smaller += hit_buffer[other] < hit_buffer[k] ? 1U : 0U;
+      result.ids[smaller] = hit_buffer[k];
     }
     return;
   }
-  if (hits <= waiting_room) {
-    for (uint32_t k = 0; k < hits; ++k) result.ids[k] = waiting[k];
+  if (hits <= hit_buffer_size) {
+    for (uint32_t k = 0; k < hits; ++k) result.ids[k] = hit_buffer[k];
   } else {
     uint32_t stored = 0;
     candidates([&](uint32_t j) {
@@ -144,8 +144,8 @@ Status round_query(const BallSet &balls, const double *xyz, double radius, Latti
   }
   const double radius_steps = balls.lattice.steps(radius);
   if (!(radius_steps <= exact::query_radius_limit)) return Status::range;
-  query.centre = {exact::nearest(steps[0]), exact::nearest(steps[1]), exact::nearest(steps[2])};
-  query.radius = exact::nearest(radius_steps);
+  query.centre = {nearest(steps[0]), nearest(steps[1]), nearest(steps[2])};
+  query.radius = nearest(radius_steps);
   return Status::ok;
 }
 

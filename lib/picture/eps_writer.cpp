@@ -165,7 +165,7 @@ class EpsWriter {
   }
 
   void put_path(uint32_t piece) {
-    visit_arcs(input_.balls, input_.view, piece, [&](const PlaneArc &plane_arc, bool first, bool last) {
+    visit_arcs(input_.balls, input_.view, piece, [&](const ProjectedArc &plane_arc, bool first, bool last) {
       const PageArc arc = page_.place(plane_arc);
       if (first) put_point(arc.start, "M\n");
       if (arc.semi_axis[1] < narrowest_ellipse) {

@@ -5,7 +5,7 @@
 namespace hsp {
 
 int64_t scaled(double value, int decimals) {
-  return exact::nearest(value * exact::decade[decimals]);
+  return nearest(value * power_of_ten[decimals]);
 }
 
 void put_scaled(ByteSink &sink, int64_t n, int decimals) {

@@ -33,12 +33,12 @@ double chosen_line(const PictureInput &input, double scale) {
 }  // namespace
 
 PagePoint PageArc::at(double t) const {
-  const Direction d = direction_of(t);
+  const Direction d = sin_cos(t);
   return {centre.x + d.cosine * major.x + d.sine * minor.x, centre.y + d.cosine * major.y + d.sine * minor.y};
 }
 
-PageArc Page::place(const PlaneArc &arc) const {
-  const PlaneEllipse &e = arc.ellipse;
+PageArc Page::place(const ProjectedArc &arc) const {
+  const ProjectedEllipse &e = arc.ellipse;
   const PagePoint major{e.major[0] * scale, e.major[1] * scale};
   const PagePoint minor{e.minor[0] * scale, e.minor[1] * scale};
   return {place(e.centre),

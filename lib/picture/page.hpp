@@ -37,9 +37,9 @@ struct Page {
   PagePoint place(const double point[2]) const {
     return {(point[0] - middle[0]) * scale + width / 2, (point[1] - middle[1]) * scale + height / 2};
   }
-  PageArc place(const PlaneArc &arc) const;
+  PageArc place(const ProjectedArc &arc) const;
   PagePoint centre_of(const PictureInput &input, uint32_t piece) const {
-    const exact::DoubleVector centre = input.view.frame.centre_of(input.balls, input.view.pieces[piece].ball);
+    const Vec3 centre = input.view.frame.centre_of(input.balls, input.view.pieces[piece].ball);
     const double point[2] = {centre.x, centre.y};
     return place(point);
   }
@@ -56,7 +56,7 @@ inline uint32_t parts_of(double span, double most) {
 
 // The smallest number of decimals, at least `decimals`, whose unit is at most `step`.
 inline int decimals_for(double step, int decimals, int most) {
-  while (decimals < most && 1.0 > step * exact::decade[decimals]) ++decimals;
+  while (decimals < most && 1.0 > step * power_of_ten[decimals]) ++decimals;
   return decimals;
 }
 

@@ -160,7 +160,7 @@ class PdfWriter {
   }
 
   void put_path(uint32_t piece) {
-    visit_arcs(input_.balls, input_.view, piece, [&](const PlaneArc &plane_arc, bool first, bool last) {
+    visit_arcs(input_.balls, input_.view, piece, [&](const ProjectedArc &plane_arc, bool first, bool last) {
       const PageArc arc = page_.place(plane_arc);
       if (first) {
         put_point(arc.start);
@@ -174,13 +174,13 @@ class PdfWriter {
   void put_cubics(const PageArc &arc) {
     const uint32_t parts = parts_of(arc.span(), longest_cubic);
     const double step = (arc.to - arc.from) / parts;
-    const Direction quarter = direction_of(step / 4);
+    const Direction quarter = sin_cos(step / 4);
     const double handle = 4.0 / 3.0 * quarter.sine / quarter.cosine;
     PagePoint from = arc.start;
-    Direction direction = direction_of(arc.from);
+    Direction direction = sin_cos(arc.from);
     for (uint32_t k = 1; k <= parts; ++k) {
       const double t = arc.from + step * k;
-      const Direction next = direction_of(t);
+      const Direction next = sin_cos(t);
       const PagePoint to = k == parts ? arc.end : arc.at(t);
       put_point(beside(arc, from, direction, handle));
       put_point(beside(arc, to, next, -handle));

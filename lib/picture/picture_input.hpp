@@ -15,7 +15,7 @@ struct PictureOptions {
   double width = 1000.0;     // 0: follows from height, and the other way round
   double height = 0.0;
   double margin = 0.03;
-  double outline = -1.0;  // 0: none; < 0: chosen
+  double outline = -1.0;  // 0: none; < 0: select
   double fog = 0.3;
   uint32_t outline_colour = 0x23202B;
   uint32_t background = 0xFFFFFF;
@@ -27,7 +27,7 @@ constexpr uint32_t plain_colour = 0xD2CDC3;
 
 struct PictureInput {
   const BallSet &balls;
-  const ViewStructure &view;
+  const View &view;
   const uint32_t *colour;  // by the caller's index, or null: all plain
   const char *title;       // may be null
   const char *description;

@@ -156,7 +156,7 @@ class SvgWriter {
   // semi-axes a > b along the major axis by about u a / b, hence the finer the flatter the ellipse.
   int decimals_of(uint32_t piece) const {
     int decimals = page_.decimals;
-    visit_arcs(input_.balls, input_.view, piece, [&](const PlaneArc &plane_arc, bool, bool) {
+    visit_arcs(input_.balls, input_.view, piece, [&](const ProjectedArc &plane_arc, bool, bool) {
       const PageArc arc = page_.place(plane_arc);
       if (arc.semi_axis[1] < narrowest_ellipse) return;
       const double flatness = arc.semi_axis[1] / arc.semi_axis[0];
@@ -167,7 +167,7 @@ class SvgWriter {
 
   void put_path(uint32_t piece) {
     const int decimals = decimals_of(piece);
-    visit_arcs(input_.balls, input_.view, piece, [&](const PlaneArc &plane_arc, bool first, bool last) {
+    visit_arcs(input_.balls, input_.view, piece, [&](const ProjectedArc &plane_arc, bool first, bool last) {
       const PageArc arc = page_.place(plane_arc);
       if (first) {
         sink_.put('M');
@@ -199,7 +199,7 @@ class SvgWriter {
       rotation += rotation > 90.0 ? -180.0 : rotation <= -90.0 ? 180.0 : 0.0;
     }
     // The ends of the major axis shall move as little as by the rounding of the points.
-    const double step = 60.0 / (arc.semi_axis[0] * exact::decade[decimals]);
+    const double step = 60.0 / (arc.semi_axis[0] * power_of_ten[decimals]);
     const int rotation_decimals = decimals_for(step, 0, finest_decimals);
     const uint32_t parts = parts_of(arc.span(), longest_span);
     for (uint32_t k = 1; k <= parts; ++k) {

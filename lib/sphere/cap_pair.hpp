@@ -22,7 +22,7 @@
 
 namespace hsp {
 
-// Below this the pair is left to the exact rung; 111 e is far smaller.
+// Below this the pair is left to the exact stage; 111 e is far smaller.
 inline constexpr double certain_discriminant = 0x1p-32;
 // For the centre of one circle against the other cap, g b_j - b_k: error at most 10 + 7 + 1 + 7 + 2 units.
 inline constexpr double certain_centre = 32 * unit_roundoff;
@@ -35,13 +35,13 @@ struct CapPair {
     q = (1.0 - g * g) - (bj * bj + bk * bk) + 2.0 * (g * bj * bk);
   }
   // Comparisons are false for NaN (radius 0), so that such pairs are certain of nothing.
-  bool surely_cross() const { return q > certain_discriminant; }
-  bool surely_apart() const { return q < -certain_discriminant; }
+  bool certainly_cross() const { return q > certain_discriminant; }
+  bool certainly_apart() const { return q < -certain_discriminant; }
   // For circles that do not cross: circle j lies inside cap k, or circle k inside cap j, or neither.
-  bool surely_inside() const { return g * bj - bk > certain_centre; }
-  bool surely_outside() const { return g * bj - bk < -certain_centre; }
-  bool surely_contains() const { return g * bk - bj > certain_centre; }
-  bool surely_separate() const { return g * bj - bk < -certain_centre && g * bk - bj < -certain_centre; }
+  bool certainly_inside() const { return g * bj - bk > certain_centre; }
+  bool certainly_outside() const { return g * bj - bk < -certain_centre; }
+  bool certainly_contains() const { return g * bk - bj > certain_centre; }
+  bool certainly_separate() const { return g * bj - bk < -certain_centre && g * bk - bj < -certain_centre; }
 };
 
 // The points p+ and p- of a pair that surely crosses.

@@ -12,7 +12,7 @@ void Caps::carve(Workspace &workspace, uint32_t capacity) {
   ball = workspace.take<uint32_t>(one_more);
 }
 
-void Caps::gather(const BallSet &balls, const CubeBlock &block, uint32_t i, const DisjointSets *components) {
+void Caps::gather(const BallSet &balls, const CubeBlock &block, uint32_t i, DisjointSets *components) {
   const exact::LatticeBall own = balls.ball(i);
   const double x = balls.x[i];
   const double y = balls.y[i];
@@ -48,10 +48,10 @@ void Caps::gather(const BallSet &balls, const CubeBlock &block, uint32_t i, cons
       const exact::LatticeBall other = balls.ball(j);
       // Likewise a surely proper circle needs no integers.
       const double difference = rs[j] - radius;
-      const bool surely_circle =
+      const bool certainly_circle =
           squared < s * s * (1.0 - 8 * unit_roundoff) && squared > difference * difference * (1.0 + 8 * unit_roundoff);
       const exact::PairRelation relation =
-          surely_circle ? exact::PairRelation::circle : exact::pair_relation(own, other);
+          certainly_circle ? exact::PairRelation::circle : exact::pair_relation(own, other);
       if (relation == exact::PairRelation::disjoint) continue;
       if (components != nullptr && (j > i || relation == exact::PairRelation::first_in_second)) {
         components->join(i, j, by_rank);
@@ -64,7 +64,7 @@ void Caps::gather(const BallSet &balls, const CubeBlock &block, uint32_t i, cons
       ++met;
       if (relation == exact::PairRelation::second_in_first || overflowed()) continue;
       const exact::Plane cap = exact::plane_of(own, other);
-      const double U = static_cast<double>(exact::dot(cap.v, cap.v));
+      const double U = static_cast<double>(dot(cap.v, cap.v));
       const double inverse = 1.0 / std::sqrt(U);
       if (U > length_squared) length_squared = U;
       if (j < i) first_later = count + 1;
@@ -79,8 +79,8 @@ void Caps::gather(const BallSet &balls, const CubeBlock &block, uint32_t i, cons
   }
 }
 
-void Caps::add_great_circle(const exact::Vector &normal) const {
-  const double inverse = 1.0 / std::sqrt(static_cast<double>(exact::dot(normal, normal)));
+void Caps::set_spare_great_circle(const exact::Vector &normal) {
+  const double inverse = 1.0 / std::sqrt(static_cast<double>(dot(normal, normal)));
   ux[count] = static_cast<double>(normal.x) * inverse;
   uy[count] = static_cast<double>(normal.y) * inverse;
   uz[count] = static_cast<double>(normal.z) * inverse;
@@ -88,11 +88,11 @@ void Caps::add_great_circle(const exact::Vector &normal) const {
 }
 
 void Caps::add_half_sphere(const exact::Vector &normal) {
-  add_great_circle(normal);
+  set_spare_great_circle(normal);
   plane[count] = exact::virtual_plane(normal, 0);
   plane[count].index = no_id;
   ball[count] = no_id;
-  const double U = static_cast<double>(exact::dot(normal, normal));
+  const double U = static_cast<double>(dot(normal, normal));
   if (U > length_squared) length_squared = U;
   ++count;
 }

@@ -1,5 +1,5 @@
 // The caps of one ball: the parts of its sphere that lie inside other balls (Step 1 of Section 4.2). A cap is kept as
-//   plane   the exact half-space of lib/exact, for the exact rung;
+//   plane   the exact half-space of lib/exact, for the exact stage;
 //   u, b    the same on the unit sphere in doubles: x on the unit sphere lies in the cap iff u.x >= b, with u the unit
 //   vector to
 //           the other centre. |u error| <= 3.5e, |b error| <= 7e (e = 2^-53), as U = |v|^2, h and r are exact integers:
@@ -33,11 +33,11 @@ struct Caps {
 
   // Finds the caps of ball i, whose neighbours lie in the block. Every ball that meets it is joined to it in
   // components, if given.
-  void gather(const BallSet &balls, const CubeBlock &block, uint32_t i, const DisjointSets *components);
+  void gather(const BallSet &balls, const CubeBlock &block, uint32_t i, DisjointSets *components);
 
-  // A great circle of the sphere in the form of one more cap, number `count`, for cap_pair.hpp. Its errors are those of
+  // Stores a great circle of the sphere in the spare slot, number `count`, for cap_pair.hpp. Its errors are those of
   // caps, as its normal is exact.
-  void add_great_circle(const exact::Vector &normal) const;
+  void set_spare_great_circle(const exact::Vector &normal);
   // The half of the sphere on the side of the normal as one more cap that counts, of ball no_id; at most one.
   void add_half_sphere(const exact::Vector &normal);
 

@@ -2,20 +2,20 @@
 #pragma once
 
 #include "sphere/caps.hpp"
-#include "boundary/faces.hpp"
+#include "sphere/great_circles.hpp"
 
 namespace hsp {
 
 struct GatheredBall {
   Caps caps;
-  FaceScratch scratch;
+  FreeIntervals intervals;
 
   void carve(Workspace &workspace, uint32_t neighbours) {
     caps.carve(workspace, neighbours);
-    scratch.carve(workspace, neighbours);
+    intervals.carve(workspace, neighbours);
   }
   void gather(const CubeGrid &grid, uint32_t i) { gather(grid, grid.block_around(cube_of(grid, i)), i); }
-  // The same with the cubes around the ball's own looked up already.
+  // The same with the cubes around the ball's own already looked up.
   void gather(const CubeGrid &grid, const CubeBlock &block, uint32_t i) {
     caps.gather(grid.balls(), block, i, nullptr);
   }

@@ -1,7 +1,7 @@
 #include "sphere/great_circles.hpp"
 
-#include "sphere/cap_pair.hpp"
 #include "core/sorting.hpp"
+#include "sphere/cap_pair.hpp"
 
 namespace hsp {
 
@@ -21,10 +21,10 @@ enum class Cover { crosses, covers, apart };
 // How a cap lies to a great circle.
 Cover cover_of(const Caps &caps, const exact::Predicates &predicates, const Plane &circle, uint32_t l) {
   const CapPair pair(caps, caps.count, l);
-  if (pair.surely_cross()) return Cover::crosses;
-  if (pair.surely_apart()) {
-    if (pair.surely_inside()) return Cover::covers;
-    if (pair.surely_outside()) return Cover::apart;
+  if (pair.certainly_cross()) return Cover::crosses;
+  if (pair.certainly_apart()) {
+    if (pair.certainly_inside()) return Cover::covers;
+    if (pair.certainly_outside()) return Cover::apart;
   }
   if (predicates.crossing(circle, caps.plane[l]).sign > 0) return Cover::crosses;
   return predicates.side(circle, caps.plane[l]).sign > 0 ? Cover::covers : Cover::apart;
@@ -35,10 +35,10 @@ struct FreeEnds {
   bool entry = true;
   bool leave = true;
 
-  FreeEnds(const Caps &caps, const exact::Predicates &predicates, const Plane &circle, Span<uint32_t> crossing,
+  FreeEnds(const Caps &caps, const exact::Predicates &predicates, const Plane &circle, Span<const uint32_t> crossing,
            uint32_t own) {
     const CapPair pair(caps, caps.count, own);
-    const bool certain = pair.surely_cross();
+    const bool certain = pair.certainly_cross();
     const CrossingPoints points(caps, caps.count, own, pair);
     for (uint32_t k = 0; k < crossing.size() && (entry || leave); ++k) {
       const uint32_t l = crossing[k];
@@ -62,14 +62,15 @@ struct FreeEnds {
 
 // Counter-clockwise about the normal m of a meridian's plane: two half-turns from the direction z, first the one on the
 // side of m x z.
-void sort_along_meridian(const Caps &caps, const Vector &m, Span<uint32_t> owners) {
+template <class AxisOf>
+void sort_along_meridian(const Vector &m, Span<uint32_t> items, AxisOf axis_of) {
   const auto half = [&m](const Vector &v) {
     const int64_t e = v.x * m.y - v.y * m.x;
     return e > 0 || (e == 0 && v.z > 0) ? 0 : 1;
   };
-  sort_in_place(owners, [&](uint32_t a, uint32_t b) {
-    const Vector &v = caps.plane[FaceScratch::cap_of_owner(a)].v;
-    const Vector &w = caps.plane[FaceScratch::cap_of_owner(b)].v;
+  sort_in_place(items, [&](uint32_t a, uint32_t b) {
+    const Vector &v = axis_of(a);
+    const Vector &w = axis_of(b);
     const int half_v = half(v);
     const int half_w = half(w);
     return half_v != half_w ? half_v < half_w : exact::orientation(m, v, w) > 0;
@@ -78,46 +79,29 @@ void sort_along_meridian(const Caps &caps, const Vector &m, Span<uint32_t> owner
 
 }  // namespace
 
-uint32_t find_owners(const Caps &caps, const exact::Predicates &predicates, const Plane &circle,
-                     const FaceScratch &scratch) {
-  caps.add_great_circle(circle.v);
+void FreeIntervals::carve(Workspace &workspace, uint32_t capacity) {
+  crossing_ = workspace.take<uint32_t>(capacity);
+  bounding_ = workspace.take<uint32_t>(capacity);
+}
+
+void FreeIntervals::find(Caps &caps, const exact::Predicates &predicates, const Plane &circle) {
+  caps.set_spare_great_circle(circle.v);
+  bounding_caps_ = 0;
   uint32_t crossings = 0;
   for (uint32_t l = 0; l < caps.count; ++l) {
     const Cover cover = cover_of(caps, predicates, circle, l);
-    if (cover == Cover::covers) return 0;
-    if (cover == Cover::crosses) scratch.crossing[crossings++] = l;
+    if (cover == Cover::covers) return;
+    if (cover == Cover::crosses) crossing_[crossings++] = l;
   }
-  uint32_t owners = 0;
   for (uint32_t a = 0; a < crossings; ++a) {
-    const uint32_t own = scratch.crossing[a];
-    const FreeEnds ends(caps, predicates, circle, scratch.crossing.part(0, crossings), own);
-    if (ends.entry || ends.leave) scratch.owner[owners++] = FaceScratch::owner_of(own, ends.entry, ends.leave);
+    const uint32_t own = crossing_[a];
+    const FreeEnds ends(caps, predicates, circle, crossing_.part(0, crossings), own);
+    if (ends.entry || ends.leave) bounding_[bounding_caps_++] = encode(own, ends.entry, ends.leave);
   }
-  if (owners > 2) sort_along_meridian(caps, circle.v, scratch.owner.part(0, owners));
-  return owners;
-}
-
-LoopPlace place_on_loops(const Caps &caps, const exact::Predicates &predicates, const BoundaryStructure &boundary,
-                         uint32_t cap, const Plane &other, int sign) {
-  const uint32_t i = caps.origin;
-  const uint32_t neighbour = caps.ball[cap];
-  for (uint32_t s = boundary.first_circle_side[i]; s < boundary.first_circle_side[i + 1]; ++s) {
-    const uint32_t side = boundary.circle_side[s] % 2;
-    const CircleRecord &circle = boundary.circles[boundary.circle_side[s] / 2];
-    if (circle.ball[1 - side] == neighbour) return {no_id, boundary.circle_side[s], circle.loop[side]};
+  if (bounding_caps_ > 2) {
+    sort_along_meridian(circle.v, bounding_.part(0, bounding_caps_),
+                        [&caps](uint32_t code) -> const Vector & { return caps.plane[cap_of(code)].v; });
   }
-  // The uses are sorted by the circle they leave along, so the arcs of one circle are consecutive.
-  uint32_t first = boundary.first_use[i];
-  while (boundary.uses[first].out != neighbour) ++first;
-  uint32_t last = first + 1;
-  while (last < boundary.first_use[i + 1] && boundary.uses[last].out == neighbour) ++last;
-  const auto gap = [&](uint32_t g, Plane &leave, Plane &entry) {
-    const VertexUse &walk = boundary.uses[first + g];
-    leave = caps.plane[caps.cap_of(boundary.uses[walk.next].out)];
-    entry = caps.plane[caps.cap_of(walk.in)];
-  };
-  const uint32_t use = first + gap_that_holds(predicates, caps.plane[cap], last - first, gap, other, -sign);
-  return {use, no_id, boundary.uses[use].loop};
 }
 
 namespace {
@@ -148,10 +132,10 @@ bool pole_lies_between(const Vector &m, const Vector &from, const Vector &to, in
 // The pole lies on the arc iff it lies between the mid-points of the two caps and in neither of them. The poles are p+
 // and p- of two coordinate planes, whose normals may have any length: the filter is sharpest if it is that of the
 // others.
-bool arc_contains_pole(const Caps &caps, const exact::Predicates &predicates, const Plane &meridian,
-                       const OwnedArc &arc, int pole) {
-  const Plane &leave = caps.plane[arc.exit_cap];
-  const Plane &entry = caps.plane[arc.entry_cap];
+bool contains_pole(const Caps &caps, const exact::Predicates &predicates, const Plane &meridian,
+                   const FreeInterval &interval, int pole) {
+  const Plane &leave = caps.plane[interval.exit_cap];
+  const Plane &entry = caps.plane[interval.entry_cap];
   if (!pole_lies_between(meridian.v, leave.v, entry.v, pole)) return false;
   int64_t scale = 1;
   while (4.0 * static_cast<double>(scale) * static_cast<double>(scale) <= caps.length_squared) scale *= 2;

@@ -1,76 +1,83 @@
-// Great circles of one sphere in planes that contain the direction z, and how they cross the boundary of its free
-// region. They tell which loops bound a common face (meridians.cpp), where a face with several loops can be cut, and
-// in which face a point lies (lib/topology). All great circles of this kind pass through the sphere's poles, its
-// highest and lowest points.
+// Great circles of one sphere in planes that contain the direction z, and their free intervals. They show which loops
+// bound a common face (boundary/faces.cpp), where a face with several loops can be cut (topology/cut_arcs.hpp), and in
+// which face a point lies (boundary/point_location.hpp). All great circles of this kind pass through the sphere's
+// poles, its highest and lowest points.
 #pragma once
 
-#include "boundary/faces.hpp"
 #include "exact/angular_order.hpp"
+#include "sphere/caps.hpp"
 
 namespace hsp {
 
 // The great circle through the axis v and the poles; the one across x if the axis is the direction z itself.
 exact::Plane meridian_through(const exact::Vector &axis);
 
-// The caps that own free end points of a great circle, in cyclic order, go to scratch.owner; their number is returned.
-// None if the circle is free as a whole or covered as a whole.
-uint32_t find_owners(const Caps &caps, const exact::Predicates &predicates, const exact::Plane &circle,
-                     const FaceScratch &scratch);
-
-// The free arcs of a circle between its owners: counter-clockwise from the exit of one cap to the entry of the next.
-struct OwnedArc {
-  uint32_t exit_cap, entry_cap;
+// A free part of a circle between two caps, counter-clockwise.
+struct FreeInterval {
+  uint32_t exit_cap, entry_cap;  // it starts at the exit of one cap and ends at the entry of the other
 };
-// Calls visit(arc) for each of them.
-template <class Visit>
-void visit_owned_arcs(const FaceScratch &scratch, uint32_t owners, Visit visit) {
-  for (uint32_t a = 0; a < owners; ++a) {
-    if (!FaceScratch::has_free_exit(scratch.owner[a])) continue;
-    visit(OwnedArc{FaceScratch::cap_of_owner(scratch.owner[a]),
-                   FaceScratch::cap_of_owner(scratch.owner[(a + 1) % owners])});
+
+// The free intervals of one great circle, in cyclic order.
+class FreeIntervals {
+ public:
+  void carve(Workspace &workspace, uint32_t capacity);
+
+  // Finds the free intervals of a circle. None if the circle is free as a whole or covered as a whole. Uses the spare
+  // slot of the caps.
+  void find(Caps &caps, const exact::Predicates &predicates, const exact::Plane &circle);
+
+  bool empty() const { return bounding_caps_ == 0; }
+
+  // Calls visit(interval) for each of them.
+  template <class Visit>
+  void visit(Visit visit) const {
+    for (uint32_t a = 0; a < bounding_caps_; ++a) {
+      if (!has_free_exit(bounding_[a])) continue;
+      visit(FreeInterval{cap_of(bounding_[a]), cap_of(bounding_[(a + 1) % bounding_caps_])});
+    }
   }
-}
 
-// Where a free point of a cap's circle lies on the ball's loops: on the arc that a use walks, or on a free circle.
-struct LoopPlace {
-  uint32_t use;          // no_id on a free circle
-  uint32_t circle_side;  // 2 * circle + side, no_id on an arc
-  uint32_t loop;
+ private:
+  // A cap with a free end point on the circle: 4 * cap + free entry + 2 * free exit.
+  static constexpr uint32_t encode(uint32_t cap, bool free_entry, bool free_exit) {
+    return 4 * cap + (free_entry ? 1U : 0U) + (free_exit ? 2U : 0U);
+  }
+  static constexpr uint32_t cap_of(uint32_t code) { return code / 4; }
+  static constexpr bool has_free_exit(uint32_t code) { return (code & 2U) != 0; }
+
+  Span<uint32_t> crossing_;  // caps that the circle crosses
+  Span<uint32_t> bounding_;  // of these, the ones with a free end point, encoded
+  uint32_t bounding_caps_ = 0;
 };
 
-// The place of the free point where the circle of a cap crosses another circle; sign as seen from that other circle, so
-// that seen from the cap it is the opposite one.
-LoopPlace place_on_loops(const Caps &caps, const exact::Predicates &predicates, const BoundaryStructure &boundary,
-                         uint32_t cap, const exact::Plane &other, int sign);
-
-// Which of several gaps of circle P, each from the exit of a plane to the entry of another, holds the free point of P
-// and M with this sign. gap(g, leave, entry) stores the planes of gap g, 0 <= g < gaps.
+// Which of several free intervals of circle P, each from the exit of a plane to the entry of another, contains the free
+// point of P and M with this sign. interval(k, leave, entry) stores the planes of interval k, 0 <= k < intervals.
 //
-// The exit and entry of a gap lie inside or outside M. A gap that M enters or leaves holds the entry or exit. If there
-// is none, all ends lie on one side and one gap holds both points: the one around the mid-point of what M covers, or of
-// what it does not cover.
-template <class Gap>
-uint32_t gap_that_holds(const exact::Predicates &predicates, const exact::Plane &P, uint32_t gaps, Gap gap,
-                        const exact::Plane &M, int sign) {
+// The ends of an interval lie inside or outside M. An interval that M enters or leaves contains the entry or exit. If
+// there is none, all ends lie on one side and one interval contains both points: the one around the mid-point of what M
+// covers, or of what it does not cover.
+template <class Interval>
+uint32_t interval_that_contains(const exact::Predicates &predicates, const exact::Plane &P, uint32_t intervals,
+                                Interval interval, const exact::Plane &M, int sign) {
   exact::Plane leave, entry;
   bool ends_inside = false;
-  for (uint32_t g = 0; g < gaps && gaps > 1; ++g) {
-    gap(g, leave, entry);
+  for (uint32_t k = 0; k < intervals && intervals > 1; ++k) {
+    interval(k, leave, entry);
     const bool exit_inside = predicates.inside(P, leave, +1, M) > 0;
     const bool entry_inside = predicates.inside(P, entry, -1, M) > 0;
-    if (exit_inside != entry_inside && (sign < 0) == entry_inside) return g;
+    if (exit_inside != entry_inside && (sign < 0) == entry_inside) return k;
     if (exit_inside == entry_inside) ends_inside = exit_inside;
   }
   const exact::Vector middle = ends_inside ? exact::Vector{-M.v.x, -M.v.y, -M.v.z} : M.v;
-  for (uint32_t g = 0; g + 1 < gaps; ++g) {
-    gap(g, leave, entry);
-    if (exact::strictly_between(P.v, leave.v, middle, entry.v)) return g;
+  for (uint32_t k = 0; k + 1 < intervals; ++k) {
+    interval(k, leave, entry);
+    if (exact::strictly_between(P.v, leave.v, middle, entry.v)) return k;
   }
-  return gaps - 1;
+  return intervals - 1;
 }
 
-// Whether a free arc of a meridian contains the sphere's highest (+1) or lowest (-1) point.
-bool arc_contains_pole(const Caps &caps, const exact::Predicates &predicates, const exact::Plane &meridian,
-                       const OwnedArc &arc, int pole);
+// Whether a free interval of a meridian contains the sphere's highest (+1) or lowest (-1) point.
+bool contains_pole(const Caps &caps, const exact::Predicates &predicates, const exact::Plane &meridian,
+                   const FreeInterval &interval, int pole);
 
 }  // namespace hsp

@@ -1,4 +1,7 @@
-// Where the arcs of a ball's loops end.
+// What bounds the free part of one sphere: vertices, half-edges between them, and whole circles.
+//
+// A half-edge is a directed arc. Its loop keeps the free part on its left, so it runs clockwise about the axis towards
+// the ball whose sphere cuts out its circle.
 #pragma once
 
 #include "core/span.hpp"
@@ -7,23 +10,53 @@
 
 namespace hsp {
 
-// Among the uses of one ball, the index of the one at which the arc ends that starts at `use`. direction(c) is the
-// normal of the plane whose circle uses name c. Several arcs on one circle are told apart by the order of the
-// mid-points of the covered arcs: the free arc that a loop walks backwards from entry R ends at the exit that comes
+// A free point of three spheres, decided once, at the first of its balls in grid order.
+struct VertexRecord {
+  uint32_t ball[3];  // ascending
+  uint32_t code;
+
+  static constexpr uint32_t positive_bit = 1;  // p+ of the circles of ball[1] and ball[2] on ball[0]
+  static constexpr uint32_t tied_bit = 2;      // a degenerate position, decided by the symbolic perturbation
+
+  bool positive() const { return (code & positive_bit) != 0; }
+  bool tied() const { return (code & tied_bit) != 0; }
+  // Which of its three balls this is.
+  uint32_t slot_of(uint32_t b) const { return ball[0] == b ? 0 : ball[1] == b ? 1 : 2; }
+};
+
+// A whole intersection circle that no other ball covers.
+struct CircleRecord {
+  uint32_t ball[2];  // ascending
+  uint32_t loop[2];  // the loop it makes on each of them
+};
+
+// An arc of a loop, with the circle of the arc before it. Circles are named by the ball (lib/boundary) or by the index
+// of the cap (lib/view) that cuts them out.
+struct HalfEdge {
+  uint32_t vertex;           // where it starts
+  uint32_t previous_circle;  // of the half-edge that ends there
+  uint32_t circle;           // its own
+  uint32_t next;             // the half-edge that starts where it ends
+  uint32_t loop;
+};
+
+// The position of the half-edge that follows `half_edge` among those of one sphere: it starts at the end of this arc.
+// direction(c) is the normal of the plane of circle c. Several arcs on one circle are distinguished by the order of the
+// mid-points of the covered arcs: the free arc that a loop traverses backwards from entry R ends at the exit that comes
 // last before R, counter-clockwise.
-template <class Use, class Direction>
-uint32_t end_of_arc(Span<Use> uses, const Use &use, Direction direction) {
+template <class Direction>
+uint32_t find_next(Span<const HalfEdge> half_edges, const HalfEdge &half_edge, Direction direction) {
   uint32_t best = no_id;
-  for (uint32_t w = 0; w < uses.size(); ++w) {
-    const Use &candidate = uses[w];
-    if (candidate.in != use.out) continue;
-    if (best == no_id || uses[best].out == use.in) {
+  for (uint32_t w = 0; w < half_edges.size(); ++w) {
+    const HalfEdge &candidate = half_edges[w];
+    if (candidate.previous_circle != half_edge.circle) continue;
+    if (best == no_id || half_edges[best].circle == half_edge.previous_circle) {
       best = w;
       continue;
     }
-    if (candidate.out == use.in) continue;  // a whole turn away
-    if (exact::counter_clockwise_before(direction(use.out), direction(use.in), direction(uses[best].out),
-                                        direction(candidate.out))) {
+    if (candidate.circle == half_edge.previous_circle) continue;  // a whole turn away
+    if (exact::counter_clockwise_before(direction(half_edge.circle), direction(half_edge.previous_circle),
+                                        direction(half_edges[best].circle), direction(candidate.circle))) {
       best = w;
     }
   }

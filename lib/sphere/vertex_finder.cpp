@@ -14,7 +14,7 @@ uint32_t size_class(double b) {
   return scaled > 0.0 ? static_cast<uint32_t>(scaled) : 0;
 }
 
-enum class PointAnswer { covered, free, unsure };
+enum class PointAnswer { covered, free, uncertain };
 
 // A point, for testing against pairs of caps.
 struct LanePoint {
@@ -46,7 +46,7 @@ PointAnswer test_point(const CapTests &tests, double x, double y, double z, doub
   }
   uint32_t near = 0;
   for (uint32_t t = 0; t < tests.count; t += lane_count) near += count(point.depths(tests, t) >= -bound);
-  return near == 2 ? PointAnswer::free : PointAnswer::unsure;
+  return near == 2 ? PointAnswer::free : PointAnswer::uncertain;
 }
 
 }  // namespace
@@ -95,13 +95,13 @@ struct VertexFinder::Hints {
                                                              FixedVector<VertexRecord> &vertices) {
   if ((state_[j] | state_[k]) & covered) return;
   const CapPair pair(caps, j, k);
-  if (pair.surely_apart()) {
-    if (pair.surely_inside()) state_[j] |= covered;
-    if (pair.surely_contains()) state_[k] |= covered;
+  if (pair.certainly_apart()) {
+    if (pair.certainly_inside()) state_[j] |= covered;
+    if (pair.certainly_contains()) state_[k] |= covered;
     return;
   }
-  if (!pair.surely_cross()) {
-    exact::count_answer(exact::Question::vertex_pair, exact::Rung::exact);
+  if (!pair.certainly_cross()) {
+    exact::count_answer(exact::Question::vertex_pair, exact::Stage::exact);
     if (find_vertices_exactly(balls, caps, tests_, j, k, vertices)) {
       state_[j] |= crossed;
       state_[k] |= crossed;
@@ -116,12 +116,12 @@ struct VertexFinder::Hints {
     answer[point] =
         test_point(tests_, points.x[point], points.y[point], points.z[point], points.error, hints.group[point]);
   }
-  if (answer[0] == PointAnswer::unsure || answer[1] == PointAnswer::unsure) {
-    exact::count_answer(exact::Question::vertex_pair, exact::Rung::exact);
+  if (answer[0] == PointAnswer::uncertain || answer[1] == PointAnswer::uncertain) {
+    exact::count_answer(exact::Question::vertex_pair, exact::Stage::exact);
     find_vertices_exactly(balls, caps, tests_, j, k, vertices);
     return;
   }
-  exact::count_answer(exact::Question::vertex_pair, exact::Rung::filter);
+  exact::count_answer(exact::Question::vertex_pair, exact::Stage::filter);
   for (uint32_t point = 0; point < 2; ++point) {
     if (answer[point] != PointAnswer::free) continue;
     vertices.push({{caps.origin, caps.ball[j], caps.ball[k]}, point == 1 ? VertexRecord::positive_bit : 0U});
@@ -151,6 +151,92 @@ void VertexFinder::find_on_last(const BallSet &balls, const Caps &caps, FixedVec
   const uint32_t last = caps.count - 1;
   for (uint32_t j = 0; j < last; ++j) decide_pair(balls, caps, j, last, hints, vertices);
   add_free_circle(caps, last, circles);
+}
+
+namespace {
+
+// A plane that belongs to no ball lies nowhere.
+bool lies_inside(const BallSet &balls, uint32_t inner, uint32_t outer) {
+  if (inner == no_id || outer == no_id) return false;
+  return exact::pair_relation(balls.ball(inner), balls.ball(outer)) == exact::PairRelation::first_in_second;
+}
+
+}  // namespace
+
+bool find_vertices_exactly(const BallSet &balls, const Caps &caps, const CapTests &tests, uint32_t j, uint32_t k,
+                           FixedVector<VertexRecord> &vertices) {
+  const exact::Predicates predicates = caps.predicates();
+  const exact::Plane &P = caps.plane[j];
+  const exact::Plane &Q = caps.plane[k];
+  const exact::Sign crossing = predicates.crossing(P, Q);
+  if (crossing.sign < 0) return false;
+
+  bool free[2] = {true, true};
+  bool tied[2] = {crossing.tied, crossing.tied};
+  for (uint32_t t = 0; t < tests.count && (free[0] || free[1]); ++t) {
+    const uint32_t l = tests.cap[t];
+    if (l == j || l == k) continue;
+    const exact::PointStatus status = predicates.point_status(P, Q, caps.plane[l]);
+    // Balls inside the origin ball have no cap here, so only the other two are left to ask.
+    const bool ties = (status.tied[0] || status.tied[1]) && !lies_inside(balls, caps.ball[l], caps.ball[j]) &&
+                      !lies_inside(balls, caps.ball[l], caps.ball[k]);
+    for (int point = 0; point < 2; ++point) {
+      free[point] = free[point] && status.side[point] < 0;
+      tied[point] = tied[point] || (ties && status.tied[point]);
+    }
+  }
+  for (uint32_t point = 0; point < 2; ++point) {
+    if (!free[point]) continue;
+    vertices.push({{caps.origin, caps.ball[j], caps.ball[k]},
+                   (point == 1 ? VertexRecord::positive_bit : 0U) | (tied[point] ? VertexRecord::tied_bit : 0U)});
+  }
+  return true;
+}
+
+namespace {
+
+// Whether one point of the circle surely lies inside another cap. The point is b u + s t with t a unit vector across u
+// and s = sqrt(1 - b^2); t has error 8e (the cross product with the axis least along u is at least sqrt(2/3) long), s
+// has error 9e/s + 2e, and the test against a cap adds 16e as in cap_pair.hpp, so that 40e + 16e/s bounds all.
+bool a_point_is_certainly_covered(const Caps &caps, const CapTests &tests, uint32_t j) {
+  const double x = caps.ux[j], y = caps.uy[j], z = caps.uz[j], b = caps.b[j];
+  const double squared = (1.0 - b) * (1.0 + b);
+  if (!(squared > 0x1p-32)) return false;
+  const double s = std::sqrt(squared);
+  const double error = unit_roundoff * (40.0 + 16.0 / s);
+  double tx = 0.0, ty = 0.0, tz = 0.0;
+  if (x * x <= y * y && x * x <= z * z) {
+    ty = z;
+    tz = -y;
+  } else if (y * y <= z * z) {
+    tx = -z;
+    tz = x;
+  } else {
+    tx = y;
+    ty = -x;
+  }
+  const double scale = s / std::sqrt(tx * tx + ty * ty + tz * tz);
+  const double px = b * x + scale * tx, py = b * y + scale * ty, pz = b * z + scale * tz;
+  for (uint32_t t = 0; t < tests.count; ++t) {
+    if (px * tests.ux[t] + py * tests.uy[t] + pz * tests.uz[t] - tests.b[t] > error) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+// The circle is asked about when it may have vertices, but none with two later balls. If one point of it is covered, it
+// is not free as a whole. Else it is free as a whole iff it crosses no other circle and lies inside no other cap.
+bool is_free_circle(const Caps &caps, const CapTests &tests, uint32_t j) {
+  if (a_point_is_certainly_covered(caps, tests, j)) return false;
+  const exact::Predicates predicates = caps.predicates();
+  for (uint32_t t = 0; t < tests.count; ++t) {
+    const uint32_t l = tests.cap[t];
+    if (l == j) continue;
+    if (predicates.crossing(caps.plane[j], caps.plane[l]).sign > 0) return false;
+    if (predicates.side(caps.plane[j], caps.plane[l]).sign > 0) return false;
+  }
+  return true;
 }
 
 }  // namespace hsp

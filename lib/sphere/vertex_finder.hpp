@@ -2,10 +2,10 @@
 // later ball. So each vertex and circle is decided exactly once, and the balls it lies on cannot disagree about it.
 #pragma once
 
-#include "sphere/caps.hpp"
-#include "boundary/records.hpp"
 #include "core/fixed_vector.hpp"
 #include "core/simd.hpp"
+#include "sphere/caps.hpp"
+#include "sphere/half_edges.hpp"
 
 namespace hsp {
 
@@ -45,7 +45,7 @@ class VertexFinder {
   Span<uint8_t> state_;
 };
 
-// The exact rung: pushes the free points among p+ and p- of the circles of caps j < k. Returns whether the circles
+// The exact stage: pushes the free points among p+ and p- of the circles of caps j < k. Returns whether the circles
 // cross. A further sphere ties with a point if it passes through it before the perturbation, unless its ball lies
 // inside one of the vertex's three balls, touching it there from inside: so the flag does not depend on the ball the
 // vertex is decided at.

@@ -1,7 +1,6 @@
 #include "topology/cells.hpp"
 
 #include "model/vertical_ray.hpp"
-#include "topology/simple_faces.hpp"
 
 namespace hsp {
 namespace {
@@ -31,15 +30,14 @@ uint32_t first_that(uint32_t count, NotBefore not_before) {
 
 // The simple face that holds the highest point of a ball, given the maximal face that does. Every great circle that
 // cuts this face passes the highest point inside it.
-uint32_t simple_face_of_top(const BoundaryStructure &boundary, const TopologyStructure &topology, uint32_t ball,
-                            uint32_t face) {
-  const FixedVector<ExtraArc> &arcs = topology.extra_arcs;
+uint32_t simple_face_of_top(const Boundary &boundary, const Topology &topology, uint32_t ball, uint32_t face) {
+  const FixedVector<CutArc> &arcs = topology.cut_arcs;
   uint32_t k = first_that(arcs.size(), [&](uint32_t arc) { return arcs[arc].ball >= ball; });
   for (; k < arcs.size() && arcs[k].ball == ball; ++k) {
     const uint32_t poles = arcs[k].poles;
-    if ((poles & ExtraArc::passes_north) == 0 || arcs[k].face != face) continue;
-    const bool behind_south = (poles & ExtraArc::south_first) != 0 && (poles & ExtraArc::vertex_at_south) != 0;
-    return topology.quads.left(quarter_edge(topology.extra_first_edge[k] + (behind_south ? 1U : 0U)));
+    if ((poles & CutArc::passes_north) == 0 || arcs[k].face != face) continue;
+    const bool behind_south = (poles & CutArc::south_first) != 0 && (poles & CutArc::vertex_at_south) != 0;
+    return topology.quads.left(quarter_edge(topology.cut_first_edge[k] + (behind_south ? 1U : 0U)));
   }
   uint32_t simple = first_that(topology.face_count,
                                [&](uint32_t candidate) { return topology.ball_of(boundary, candidate) >= ball; });
@@ -48,7 +46,7 @@ uint32_t simple_face_of_top(const BoundaryStructure &boundary, const TopologyStr
 }
 
 // The scan of a void starts at the first face on its ball of lowest rank.
-void start_void_scans(const BallSet &balls, const BoundaryStructure &boundary, TopologyStructure &topology) {
+void start_void_scans(const BallSet &balls, const Boundary &boundary, Topology &topology) {
   if (topology.shell_count == topology.component_count) return;
   for (uint32_t f = 0; f < topology.face_count; ++f) {
     ShellRecord &shell = topology.shells[topology.shell_of(boundary, f)];
@@ -63,17 +61,16 @@ void start_void_scans(const BallSet &balls, const BoundaryStructure &boundary, T
 }
 
 // Which shell the ray upwards from a point enters first; no_id if none.
-uint32_t shell_above(const CubeGrid &grid, const BoundaryStructure &boundary, const TopologyStructure &topology,
+uint32_t shell_above(const CubeGrid &grid, const Boundary &boundary, const Topology &topology,
                      const exact::Vector &point, GatheredBall &gathered) {
   const uint32_t ball = first_ball_above(grid, point, topology.highest_centre);
   if (ball == no_id) return no_id;
-  return boundary.faces[face_of_entry(grid, boundary, ball, point.x, point.y, gathered)].shell;
+  return boundary.face(face_of_entry(grid, boundary, ball, point.x, point.y, gathered)).shell;
 }
 
 // Where the components lie. Each looks up once; then chains of components that lie beside each other, each under a
 // higher one, end in a void or outside.
-void nest_components(const CubeGrid &grid, const BoundaryStructure &boundary, TopologyStructure &topology,
-                     GatheredBall &gathered) {
+void nest_components(const CubeGrid &grid, const Boundary &boundary, Topology &topology, GatheredBall &gathered) {
   for (uint32_t c = 0; c < topology.component_count; ++c) topology.components[c].cell = no_id;
   for (uint32_t c = 0; c < topology.component_count; ++c) {
     ComponentRecord &component = topology.components[c];
@@ -101,40 +98,32 @@ void nest_components(const CubeGrid &grid, const BoundaryStructure &boundary, To
 
 }  // namespace
 
-void gather_components(const CubeGrid &grid, const BoundaryStructure &boundary, TopologyStructure &topology) {
+void gather_components(const CubeGrid &grid, const Boundary &boundary, Topology &topology) {
   const BallSet &balls = grid.balls();
-  for (uint32_t i = 0; i < balls.n; ++i) topology.component[i] = no_id;
-  topology.component_count = 0;
+  topology.component_count = boundary.component_count();
+  for (uint32_t c = 0; c < topology.component_count; ++c) topology.components[c] = {0, no_id, no_id, 0, 0, no_id};
   topology.highest_centre = balls.n > 0 ? balls.ball(0).centre.z : 0;
-  for (uint32_t caller = 0; caller < balls.n; ++caller) {
-    const uint32_t i = grid.place(caller);
+  for (uint32_t i = 0; i < balls.n; ++i) {
     const exact::LatticeBall ball = balls.ball(i);
-    uint32_t &number = topology.component[boundary.components.root(i)];
-    if (number == no_id) {
-      number = topology.component_count++;
-      topology.components[number] = {0, i, no_id, 0, 0, no_id};
-    }
-    topology.component[i] = number;
-    ComponentRecord &component = topology.components[number];
+    ComponentRecord &component = topology.components[boundary.component(i)];
     ++component.balls;
-    if (reaches_higher(ball, balls.ball(component.top_ball))) component.top_ball = i;
+    if (component.top_ball == no_id || reaches_higher(ball, balls.ball(component.top_ball))) component.top_ball = i;
     if (ball.centre.z > topology.highest_centre) topology.highest_centre = ball.centre.z;
   }
 }
 
-void gather_cells(const CubeGrid &grid, const BoundaryStructure &boundary, TopologyStructure &topology,
-                  GatheredBall &gathered) {
-  topology.shell_count = boundary.shell_count;
+void gather_cells(const CubeGrid &grid, const Boundary &boundary, Topology &topology, GatheredBall &gathered) {
+  topology.shell_count = boundary.shell_count();
   for (uint32_t s = 0; s < topology.shell_count; ++s) {
     topology.shells[s] = {no_id, 0, true, 0, 0, 0, 0, no_id, 0};
   }
-  for (uint32_t f = 0; f < boundary.face_count; ++f) {
-    topology.shells[boundary.faces[f].shell].component = topology.component[boundary.faces[f].ball];
+  for (uint32_t f = 0; f < boundary.face_count(); ++f) {
+    topology.shells[boundary.face(f).shell].component = boundary.component(boundary.face(f).ball);
   }
   for (uint32_t c = 0; c < topology.component_count; ++c) {
     ComponentRecord &component = topology.components[c];
     const uint32_t face = face_of_top(grid, boundary, component.top_ball, gathered);
-    component.outer_shell = boundary.faces[face].shell;
+    component.outer_shell = boundary.face(face).shell;
     ShellRecord &shell = topology.shells[component.outer_shell];
     shell.is_void = false;
     shell.start_face = simple_face_of_top(boundary, topology, component.top_ball, face);
@@ -162,7 +151,7 @@ void gather_cells(const CubeGrid &grid, const BoundaryStructure &boundary, Topol
   }
 }
 
-uint32_t cell_of_point(const CubeGrid &grid, const BoundaryStructure &boundary, const TopologyStructure &topology,
+uint32_t cell_of_point(const CubeGrid &grid, const Boundary &boundary, const Topology &topology,
                        const exact::Vector &point, GatheredBall &gathered) {
   if (topology.cell_count == 1) return 0;
   const uint32_t shell = shell_above(grid, boundary, topology, point, gathered);

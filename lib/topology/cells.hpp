@@ -11,15 +11,14 @@
 
 namespace hsp {
 
-// Numbers the components in the order of their first ball in the caller's order, and finds their topmost balls.
-void gather_components(const CubeGrid &grid, const BoundaryStructure &boundary, TopologyStructure &topology);
+// Counts the balls of the components and finds their topmost balls.
+void gather_components(const CubeGrid &grid, const Boundary &boundary, Topology &topology);
 
 // Finds for every shell its component, kind, cell and start face, and the cells of the components.
-void gather_cells(const CubeGrid &grid, const BoundaryStructure &boundary, TopologyStructure &topology,
-                  GatheredBall &gathered);
+void gather_cells(const CubeGrid &grid, const Boundary &boundary, Topology &topology, GatheredBall &gathered);
 
 // The cell of a point in no closed ball: that of the first shell a vertical ray from it enters.
-uint32_t cell_of_point(const CubeGrid &grid, const BoundaryStructure &boundary, const TopologyStructure &topology,
+uint32_t cell_of_point(const CubeGrid &grid, const Boundary &boundary, const Topology &topology,
                        const exact::Vector &point, GatheredBall &gathered);
 
 }  // namespace hsp

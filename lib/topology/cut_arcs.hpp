@@ -2,7 +2,7 @@
 // paper has it (Section 4.2, Step 3).
 //
 // For one cap on every loop of a face take the great circle through the cap's axis and the poles. Together their pieces
-// inside the face join all its loops (meridians.cpp): most often directly, else by way of a pole that several of them
+// inside the face join all its loops (faces.cpp): most often directly, else by way of a pole that several of them
 // pass. Circles are tried in an order that does not depend on ids. One that joins loops is used, with all its pieces
 // inside the face; those that join nothing but poles are used if the others do not suffice. A circle is closed, so its
 // pieces inside the face form closed trails together with what the face leaves out: none of them is a bridge, and each
@@ -12,22 +12,19 @@
 // vertex.
 #pragma once
 
-#include "sphere/great_circles.hpp"
-#include "boundary/boundary.hpp"
-#include "sphere/gathered_ball.hpp"
+#include "boundary/point_location.hpp"
 
 namespace hsp {
 
 // Counter-clockwise about the normal of its plane, from `end[0]` to `end[1]`; its left side is that of the normal.
-struct ExtraArc {
+struct CutArc {
   uint32_t ball;
   uint32_t cap;  // the ball whose circle's axis the plane goes through
   uint32_t face;
-  uint32_t end[2];    // uses of `ball`, or circle sides + circle_bit
+  LoopElement end[2];
   uint32_t poles;     // passes_*, vertex_at_*
-  uint32_t split[2];  // the split points at its ends, once these are inserted
+  uint32_t split[2];  // the subdivision vertices at its ends, once these are inserted
 
-  static constexpr uint32_t circle_bit = UINT32_C(1) << 31;
   static constexpr uint32_t passes_north = 1;
   static constexpr uint32_t passes_south = 2;
   static constexpr uint32_t south_first = 4;  // if it passes both
@@ -40,30 +37,28 @@ struct ExtraArc {
   }
 };
 
-class ExtraArcFinder {
+class CutArcFinder {
  public:
   void carve(Workspace &workspace, uint32_t neighbours, uint32_t edges);
 
-  // Finds the extra arcs of all balls, those of one ball consecutive, balls ascending. There must be room for the
+  // Finds the cut arcs of all balls, those of one ball consecutive, balls ascending. There must be room for the
   // neighbours of every ball and for as many edges as the boundary has arcs and circles.
-  void find(const CubeGrid &grid, const BoundaryStructure &boundary, GatheredBall &gathered,
-            FixedVector<ExtraArc> &arcs);
+  void find(const CubeGrid &grid, const Boundary &boundary, GatheredBall &gathered, FixedVector<CutArc> &arcs);
 
  private:
-  void cut_face(const BoundaryStructure &boundary, uint32_t face, const GatheredBall &gathered,
-                FixedVector<ExtraArc> &arcs);
+  void cut_face(const Boundary &boundary, uint32_t face, GatheredBall &gathered, FixedVector<CutArc> &arcs);
   // The pieces of one great circle inside a face, in pending_.
-  void find_pieces(const BoundaryStructure &boundary, uint32_t face, uint32_t cap, const GatheredBall &gathered);
+  void find_pieces(const Boundary &boundary, uint32_t face, uint32_t cap, GatheredBall &gathered);
   // Joins the ends of the pieces in pending_, and the poles they pass.
   struct Joined {
     bool loops;  // that were not joined before
     bool poles;
   };
-  Joined join_pieces(const BoundaryStructure &boundary);
-  void push_pieces(FixedVector<ExtraArc> &arcs) const;
-  void reset_nodes(const BoundaryStructure &boundary, uint32_t face);
+  Joined join_pieces(const Boundary &boundary);
+  void push_pieces(FixedVector<CutArc> &arcs) const;
+  void reset_nodes(const Boundary &boundary, uint32_t face);
 
-  Span<ExtraArc> pending_;  // [neighbours]
+  Span<CutArc> pending_;  // [neighbours]
   uint32_t pending_count_ = 0;
   // The loops of one ball, and its two poles: what the circles tried so far join, and what those that join loops
   // directly do without the poles.

@@ -33,7 +33,8 @@ class QuarterEdgeNumbers {
   QuarterEdgeNumbers() = default;
   QuarterEdgeNumbers(uint32_t *first, uint32_t size) : first_(first), size_(size) {}
 
-  uint32_t &operator[](uint32_t q) const { return first_[q + (q & ~3U)]; }
+  uint32_t operator[](uint32_t q) const { return first_[q + (q & ~3U)]; }
+  uint32_t &operator[](uint32_t q) { return first_[q + (q & ~3U)]; }
   uint32_t size() const { return size_; }
 
  private:
@@ -47,7 +48,7 @@ struct QuadEdges {
   uint32_t edges = 0;
 
   static constexpr uint32_t numbers_per_edge = 8;
-  void place(Span<uint32_t> memory) {
+  void bind(Span<uint32_t> memory) {
     const uint32_t quarter_edges = memory.size() / 2;
     next = {memory.data(), quarter_edges};
     start = {memory.empty() ? nullptr : memory.data() + 4, quarter_edges};
@@ -62,7 +63,7 @@ struct QuadEdges {
 
   // Makes `after` the edge that follows `before` about the face on the left of both. The rings are complete once every
   // even quarter-edge has been given its successor.
-  void follow(uint32_t before, uint32_t after) const {
+  void link_lnext(uint32_t before, uint32_t after) {
     next[after] = sym(before);                       // lprev(after) = before
     next[inverse_rot(before)] = inverse_rot(after);  // lnext(before) = after
   }

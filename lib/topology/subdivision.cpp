@@ -2,7 +2,6 @@
 
 #include <initializer_list>
 
-#include "boundary/half_edge_links.hpp"
 #include "sphere/great_circles.hpp"
 
 namespace hsp {
@@ -11,14 +10,8 @@ namespace {
 using exact::Plane;
 using exact::Vector;
 
-Vector difference(const BallSet &balls, uint32_t from, uint32_t to) {
-  const Vector a = balls.ball(from).centre;
-  const Vector b = balls.ball(to).centre;
-  return {b.x - a.x, b.y - a.y, b.z - a.z};
-}
-
 Plane complement(const Plane &plane) {
-  return {{-plane.v.x, -plane.v.y, -plane.v.z}, -plane.h, plane.tau, plane.index};
+  return {{-plane.v.x, -plane.v.y, -plane.v.z}, -plane.h, plane.perturbed, plane.index};
 }
 
 // Parallel vertical planes.
@@ -26,29 +19,29 @@ bool are_parallel(const Plane &a, const Plane &b) {
   return a.v.x * b.v.y == a.v.y * b.v.x;
 }
 bool same_direction(const Plane &a, const Plane &b) {
-  return exact::dot(a.v, b.v) > 0;
+  return dot(a.v, b.v) > 0;
 }
 
-// A carrier as seen from its ball a.
+// A host as seen from its ball a.
 struct Carrier {
   exact::Sphere sphere;
   Plane circle;
   Plane anchor;
 };
 
-// Questions about points of a carrier and two of the planes through them, for the filter of one set of planes.
+// Questions about points of a host and two of the planes through them, for the filter of one set of planes.
 class PointTest {
  public:
-  PointTest(const Carrier &carrier, const Plane &plane, const Plane &other)
-      : predicates_(carrier.sphere, length_squared(carrier, plane, other)), circle_(carrier.circle) {}
+  PointTest(const Carrier &host, const Plane &plane, const Plane &other)
+      : predicates_(host.sphere, length_squared(host, plane, other)), circle_(host.circle) {}
 
   bool inside(const Plane &Q, int sign, const Plane &R) const { return predicates_.inside(circle_, Q, sign, R) > 0; }
 
  private:
-  static double length_squared(const Carrier &carrier, const Plane &plane, const Plane &other) {
-    double largest = static_cast<double>(carrier.sphere.W);
-    for (const Vector *v : {&carrier.circle.v, &carrier.anchor.v, &plane.v, &other.v}) {
-      const double squared = static_cast<double>(exact::dot(*v, *v));
+  static double length_squared(const Carrier &host, const Plane &plane, const Plane &other) {
+    double largest = static_cast<double>(host.sphere.W);
+    for (const Vector *v : {&host.circle.v, &host.anchor.v, &plane.v, &other.v}) {
+      const double squared = static_cast<double>(dot(*v, *v));
       if (squared > largest) largest = squared;
     }
     return largest;
@@ -58,7 +51,7 @@ class PointTest {
   Plane circle_;
 };
 
-// A split point, its plane turned so that the carrier's start, the exit of the anchor, lies outside.
+// A subdivision vertex, its plane to_view so that the host's start, the exit of the anchor, lies outside.
 struct PlacedPoint {
   Plane plane;
   int sign;
@@ -73,137 +66,139 @@ struct PlacedPoint {
   }
 };
 
-// Whether split point X comes before Y, of another plane, counter-clockwise from the exit of the anchor. Cut open
-// there, the circle is a line and what a plane covers is an interval [l, r] of it; X is l if its sign is negative.
-bool comes_before(const Carrier &carrier, const PointTest &test, const PlacedPoint &X, const PlacedPoint &Y) {
-  // The other end of X's interval lies in the anchor: on the carrier it covers all after X.
+// Whether subdivision vertex X comes before Y, of another plane, counter-clockwise from the exit of the anchor. Cut
+// open there, the circle is a line and what a plane covers is an interval [l, r] of it; X is l if its sign is negative.
+bool comes_before(const Carrier &host, const PointTest &test, const PlacedPoint &X, const PlacedPoint &Y) {
+  // The other end of X's interval lies in the anchor: on the host it covers all after X.
   if (X.leaves_carrier) return test.inside(Y.plane, Y.sign, X.plane);
   if (Y.leaves_carrier) return !test.inside(X.plane, X.sign, Y.plane);
   if (test.inside(Y.plane, Y.sign, X.plane)) return X.sign < 0;
   if (test.inside(X.plane, X.sign, Y.plane)) return Y.sign > 0;
   // Neither covers the other's point, so neither interval holds the other one: they and their mid-points are ordered as
-  // the points are. The anchor's own mid-point lies outside the carrier.
-  return exact::counter_clockwise_before(carrier.circle.v, carrier.anchor.v, X.plane.v, Y.plane.v);
+  // the points are. The anchor's own mid-point lies outside the host.
+  return exact::counter_clockwise_before(host.circle.v, host.anchor.v, X.plane.v, Y.plane.v);
 }
 
 }  // namespace
 
 // It goes through the centre of `ball`, so that with y = 2 (x - c_origin) it is m.y >= 2 m.(c_ball - c_origin).
 Plane plane_of_cut(const BallSet &balls, uint32_t origin, uint32_t ball, uint32_t cap) {
-  Plane plane = meridian_through(difference(balls, ball, cap));
-  if (ball != origin) plane.h = 2 * exact::dot(plane.v, difference(balls, origin, ball));
+  Plane plane = meridian_through(balls.exact_difference(ball, cap));
+  if (ball != origin) plane.h = 2 * dot(plane.v, balls.exact_difference(origin, ball));
   return plane;
 }
 
-CarrierBalls balls_of_carrier(const BoundaryStructure &boundary, uint32_t carrier) {
-  const uint32_t first_half = SplitPoints::half_circle(boundary, 0, 0);
-  if (carrier >= first_half) {
-    const CircleRecord &circle = boundary.circles[(carrier - first_half) / 2];
+HostBalls balls_of_host(const Boundary &boundary, uint32_t host) {
+  const uint32_t first_half = Subdivision::half_circle(boundary, 0, 0);
+  if (host >= first_half) {
+    const CircleRecord &circle = boundary.circle((host - first_half) / 2);
     return {circle.ball[0], circle.ball[1]};
   }
-  return {boundary.uses[twin_use(boundary, carrier)].out, boundary.uses[carrier].out};
+  return {boundary.half_edge(boundary.twin(host)).circle, boundary.half_edge(host).circle};
 }
 
-void SplitPoints::carve(Workspace &workspace, uint32_t edges, uint32_t extra_arcs) {
-  // Arcs have two uses and are an edge each, free circles two halves and at least two edges.
+void Subdivision::carve(Workspace &workspace, uint32_t edges, uint32_t cut_arcs) {
+  // Arcs have two half-edges and are an edge each, free circles two halves and at least two edges.
   first_ = workspace.take<uint32_t>(2 * static_cast<uint64_t>(edges));
-  points_ = FixedVector<SplitPoint>(workspace.take<SplitPoint>(edges + 2 * static_cast<uint64_t>(extra_arcs)));
+  points_ =
+      FixedVector<SubdivisionVertex>(workspace.take<SubdivisionVertex>(edges + 2 * static_cast<uint64_t>(cut_arcs)));
 }
 
-void SplitPoints::insert(const BallSet &balls, const BoundaryStructure &boundary, Span<ExtraArc> arcs) {
-  const uint32_t carriers = half_circle(boundary, boundary.circles.size(), 0);
-  for (uint32_t carrier = 0; carrier < carriers; ++carrier) first_[carrier] = no_id;
+void Subdivision::insert(const BallSet &balls, const Boundary &boundary, Span<CutArc> arcs) {
+  const uint32_t hosts = half_circle(boundary, boundary.circle_count(), 0);
+  for (uint32_t host = 0; host < hosts; ++host) first_[host] = no_id;
   points_.clear();
-  for (uint32_t c = 0; c < boundary.circles.size(); ++c) {
-    const CircleRecord &circle = boundary.circles[c];
-    const uint32_t carrier = half_circle(boundary, c, 0);
-    points_.push({carrier, circle.ball[0], circle.ball[1], -1, {no_id, no_id}, no_id});
-    points_.push({carrier, circle.ball[0], circle.ball[1], +1, {no_id, no_id}, no_id});
+  for (uint32_t c = 0; c < boundary.circle_count(); ++c) {
+    const CircleRecord &circle = boundary.circle(c);
+    const uint32_t host = half_circle(boundary, c, 0);
+    points_.push({host, circle.ball[0], circle.ball[1], -1, {no_id, no_id}, no_id});
+    points_.push({host, circle.ball[0], circle.ball[1], +1, {no_id, no_id}, no_id});
   }
   for (uint32_t k = 0; k < arcs.size(); ++k) {
     for (uint32_t end = 0; end < 2; ++end) arcs[k].split[end] = insert_end(balls, boundary, arcs[k], k, end);
   }
 }
 
-uint32_t SplitPoints::insert_end(const BallSet &balls, const BoundaryStructure &boundary, const ExtraArc &arc,
-                                 uint32_t arc_id, uint32_t end) {
+uint32_t Subdivision::insert_end(const BallSet &balls, const Boundary &boundary, const CutArc &arc, uint32_t arc_id,
+                                 uint32_t end) {
   // The arc leaves the circle it starts on: as that circle sees it, in the entry into the arc's plane; it ends in an
   // exit. The other ball sees the circle the other way round.
   int sign = end == 0 ? -1 : +1;
   uint32_t side = 0;
-  uint32_t carrier_id = 0;
-  CarrierBalls pair{arc.ball, no_id};
-  const bool on_circle = (arc.end[end] & ExtraArc::circle_bit) != 0;
+  uint32_t host_id = 0;
+  HostBalls pair{arc.ball, no_id};
+  const bool on_circle = arc.end[end].is_circle();
   if (on_circle) {
-    const uint32_t circle_side = arc.end[end] & ~ExtraArc::circle_bit;
-    side = circle_side % 2;
-    carrier_id = half_circle(boundary, circle_side / 2, 0);
-    pair = {boundary.circles[circle_side / 2].ball[0], boundary.circles[circle_side / 2].ball[1]};
+    const ClosedHalfEdge closed = arc.end[end].closed_half_edge();
+    side = closed.side();
+    host_id = half_circle(boundary, closed.circle(), 0);
+    pair = {boundary.circle(closed.circle()).ball[0], boundary.circle(closed.circle()).ball[1]};
   } else {
-    const uint32_t other = boundary.uses[arc.end[end]].out;
+    const uint32_t half_edge = arc.end[end].half_edge();
+    const uint32_t other = boundary.half_edge(half_edge).circle;
     side = other < arc.ball ? 1 : 0;
-    carrier_id = side == 0 ? arc.end[end] : twin_use(boundary, arc.end[end]);
-    pair = side == 0 ? CarrierBalls{arc.ball, other} : CarrierBalls{other, arc.ball};
+    host_id = side == 0 ? half_edge : boundary.twin(half_edge);
+    pair = side == 0 ? HostBalls{arc.ball, other} : HostBalls{other, arc.ball};
   }
   if (side == 1) sign = -sign;
   const uint32_t reference = 2 * arc_id + end;
-  const uint32_t circle = (carrier_id - half_circle(boundary, 0, 0)) / 2;
+  const uint32_t circle = (host_id - half_circle(boundary, 0, 0)) / 2;
   const auto end_on_point_of_circle = [&](int point_sign) {
     const uint32_t split = 2 * circle + (point_sign > 0 ? 1 : 0);
     points_[split].extra[side] = reference;
     return split;
   };
-  // An extra arc through the circle's own axis; seen from b the plane of the halves is turned round.
+  // A cut arc through the circle's own axis; seen from b the plane of the halves is to_view round.
   if (on_circle && arc.cap == (side == 0 ? pair.b : pair.a)) return end_on_point_of_circle(side == 0 ? sign : -sign);
 
-  uint32_t *link = &first_[carrier_id];
+  uint32_t *link = &first_[host_id];
   if (on_circle || *link != no_id) {
-    Carrier carrier;
+    Carrier host;
     const exact::LatticeBall own = balls.ball(pair.a);
-    carrier.sphere = exact::sphere_of(own);
-    carrier.circle = exact::plane_of(own, balls.ball(pair.b));
+    host.sphere = exact::sphere_of(own);
+    host.circle = exact::plane_of(own, balls.ball(pair.b));
     const Plane plane = plane_of_cut(balls, pair.a, arc.ball, arc.cap);
     if (on_circle) {
-      const Plane halves = meridian_through(carrier.circle.v);
+      const Plane halves = meridian_through(host.circle.v);
       if (are_parallel(plane, halves)) {  // both contain the direction z and the centre of a or b: the same plane
         return end_on_point_of_circle(same_direction(plane, halves) ? sign : -sign);
       }
-      carrier.anchor = halves;
-      if (PointTest(carrier, plane, halves).inside(plane, sign, halves)) {
-        carrier.anchor = complement(halves);
-        link = &first_[++carrier_id];
+      host.anchor = halves;
+      if (PointTest(host, plane, halves).inside(plane, sign, halves)) {
+        host.anchor = complement(halves);
+        link = &first_[++host_id];
       }
     } else {
-      const VertexUse &walk = boundary.uses[carrier_id];
-      carrier.anchor = exact::plane_of(own, balls.ball(boundary.uses[walk.next].out));
+      const HalfEdge &walk = boundary.half_edge(host_id);
+      host.anchor = exact::plane_of(own, balls.ball(boundary.half_edge(walk.next).circle));
     }
 
     // The list is sorted as the loop of ball a walks it, clockwise. The points of one list are few.
     for (; *link != no_id; link = &points_[*link].next) {
-      SplitPoint &point = points_[*link];
+      SubdivisionVertex &point = points_[*link];
       const Plane other = plane_of_cut(balls, pair.a, point.ball, point.cap);
       const bool one_plane =
-          are_parallel(plane, other) && exact::dot(plane.v, difference(balls, arc.ball, point.ball)) == 0;
+          are_parallel(plane, other) && dot(plane.v, balls.exact_difference(arc.ball, point.ball)) == 0;
       if (one_plane && point.sign == (same_direction(plane, other) ? sign : -sign)) {
         point.extra[side] = reference;
         // The plane is told by the ball of lower rank, so that the position does not depend on ids.
-        if (exact::ranks_before(balls.ball(arc.ball), balls.ball(point.ball))) {
+        if (balls.ranks_before(arc.ball, point.ball)) {
           point.ball = arc.ball;
           point.cap = arc.cap;
           point.sign = sign;
         }
         return *link;
       }
-      const PointTest test(carrier, plane, other);
-      const PlacedPoint placed(test, carrier.anchor, plane, sign);
-      const PlacedPoint there(test, carrier.anchor, other, point.sign);
+      const PointTest test(host, plane, other);
+      const PlacedPoint placed(test, host.anchor, plane, sign);
+      const PlacedPoint there(test, host.anchor, other, point.sign);
       // Of two ends of one interval the entry comes first.
-      if (one_plane ? there.sign < 0 : comes_before(carrier, test, there, placed)) break;
+      if (one_plane ? there.sign < 0 : comes_before(host, test, there, placed)) break;
     }
   }
   const uint32_t following = *link;
   *link = points_.size();
-  SplitPoint point{carrier_id, arc.ball, arc.cap, sign, {no_id, no_id}, following};
+  SubdivisionVertex point{host_id, arc.ball, arc.cap, sign, {no_id, no_id}, following};
   point.extra[side] = reference;
   points_.push(point);
   return points_.size() - 1;

@@ -1,8 +1,9 @@
 // The boundary with simple faces, its shells, and the cells of the complement, as they are built. All ids of balls are
 // the grid's; the memory is carved once for given limits.
 //
-//   vertices   the boundary's | split points | poles
-//   edges      arcs, in the order of the uses that walk them on their first ball | circles | extra arcs | whole spheres
+//   vertices   the boundary's | subdivision vertices | poles
+//   edges      arcs, in the order of the half-edges that walk them on their first ball | circles | cut arcs | whole
+//   spheres
 //
 // Quarter-edge 4 e of an arc or circle has the face of the first of its balls in grid order on its left. The maximal
 // face and the shell of a simple face are those of the boundary's structure.
@@ -19,7 +20,7 @@ struct TopologyLimits {
   uint32_t balls = 0;
   uint32_t neighbours = 0;
   uint32_t edges = 0;
-  uint32_t extra_arcs = 0;
+  uint32_t cut_arcs = 0;
 };
 
 struct SimpleFace {
@@ -34,7 +35,7 @@ struct ShellRecord {
   bool is_void;
   uint32_t faces, simple_faces, edges, vertices;
   uint32_t start_face;  // simple face
-  uint32_t first_scan;  // its part of TopologyStructure::scan starts here
+  uint32_t first_scan;  // its part of Topology::scan starts here
 };
 
 struct ComponentRecord {
@@ -46,16 +47,16 @@ struct ComponentRecord {
   uint32_t above;  // the component that a ray from its highest point enters from outside, or no_id
 };
 
-struct TopologyStructure {
-  FixedVector<ExtraArc> extra_arcs;
-  SplitPoints split_points;
+struct Topology {
+  FixedVector<CutArc> cut_arcs;
+  Subdivision subdivision;
 
   QuadEdges quads;
-  uint32_t first_circle_edge = 0, first_extra_edge = 0, first_sphere_edge = 0;
-  Span<uint32_t> walk_start;        // [2 edges] by use or half circle: the first quarter-edge of its walk
-  Span<uint32_t> extra_first_edge;  // [extra arcs]
-  Span<uint32_t> edge_source;       // [edges] arc, half circle, extra arc, or ball of a whole sphere
-  Span<uint32_t> carrier_of_arc;    // [arcs]
+  uint32_t first_circle_edge = 0, first_cut_edge = 0, first_sphere_edge = 0;
+  Span<uint32_t> walk_start;      // [2 edges] by use or half circle: the first quarter-edge of its walk
+  Span<uint32_t> cut_first_edge;  // [cut arcs]
+  Span<uint32_t> edge_source;     // [edges] arc, half circle, cut arc, or ball of a whole sphere
+  Span<uint32_t> host_of_arc;     // [arcs]
 
   uint32_t first_pole = 0;  // vertex ids from here on are poles
   uint32_t vertex_count = 0;
@@ -66,8 +67,7 @@ struct TopologyStructure {
   uint32_t face_count = 0;
 
   Span<ShellRecord> shells;
-  Span<uint32_t> scan;       // [simple faces] shell by shell, in the order of the scan
-  Span<uint32_t> component;  // [balls]
+  Span<uint32_t> scan;  // [simple faces] shell by shell, in the order of the scan
   Span<ComponentRecord> components;
   uint32_t shell_count = 0;
   uint32_t component_count = 0;
@@ -77,22 +77,22 @@ struct TopologyStructure {
 
   void carve(Workspace &workspace, const TopologyLimits &limits);
 
-  // The carrier of an edge that is part of an arc or circle.
-  uint32_t carrier_of_edge(uint32_t edge) const {
-    return edge < first_circle_edge ? carrier_of_arc[edge_source[edge]] : edge_source[edge];
+  // The host of an edge that is part of an arc or circle.
+  uint32_t host_of_edge(uint32_t edge) const {
+    return edge < first_circle_edge ? host_of_arc[edge_source[edge]] : edge_source[edge];
   }
   // The last quarter-edge of the walk that starts with this one: an arc's edges have consecutive numbers.
   uint32_t end_of_walk(uint32_t start) const {
     const uint32_t step = (start & 2U) == 0 ? 4U : 0U - 4U;
     uint32_t q = start;
-    while (edge_of(q + step) < first_extra_edge && edge_source[edge_of(q + step)] == edge_source[edge_of(q)]) q += step;
+    while (edge_of(q + step) < first_cut_edge && edge_source[edge_of(q + step)] == edge_source[edge_of(q)]) q += step;
     return q;
   }
-  uint32_t ball_of(const BoundaryStructure &boundary, uint32_t simple_face) const {
-    return boundary.faces[faces[simple_face].face].ball;
+  uint32_t ball_of(const Boundary &boundary, uint32_t simple_face) const {
+    return boundary.face(faces[simple_face].face).ball;
   }
-  uint32_t shell_of(const BoundaryStructure &boundary, uint32_t simple_face) const {
-    return boundary.faces[faces[simple_face].face].shell;
+  uint32_t shell_of(const Boundary &boundary, uint32_t simple_face) const {
+    return boundary.face(faces[simple_face].face).shell;
   }
 };
 

@@ -12,9 +12,9 @@ class TopologyBuilder {
 
   // neighbours: the most balls that meet one ball of the boundary. Status::capacity if a limit is too small; needed()
   // then tells what suffices, with 0 for what is not known yet.
-  Status build(const CubeGrid &grid, const BoundaryStructure &boundary, uint32_t neighbours);
+  Status build(const CubeGrid &grid, const Boundary &boundary, uint32_t neighbours);
 
-  const TopologyStructure &structure() const { return structure_; }
+  const Topology &structure() const { return structure_; }
   const TopologyLimits &needed() const { return needed_; }
 
   // Scratch memory, for questions about single balls and for checks; [edges].
@@ -24,8 +24,8 @@ class TopologyBuilder {
  private:
   TopologyLimits limits_;
   TopologyLimits needed_;
-  TopologyStructure structure_;
-  ExtraArcFinder finder_;
+  Topology structure_;
+  CutArcFinder finder_;
   GatheredBall gathered_;
   Span<uint32_t> marks_;
 };

@@ -7,7 +7,7 @@ namespace {
 
 class TopologyCheck {
  public:
-  TopologyCheck(const BoundaryStructure &boundary, const TopologyStructure &topology, Span<uint32_t> marks)
+  TopologyCheck(const Boundary &boundary, const Topology &topology, Span<uint32_t> marks)
       : boundary_(boundary), topology_(topology), quads_(topology.quads), marks_(marks) {}
 
   TopologyViolation run() {
@@ -16,8 +16,8 @@ class TopologyCheck {
   }
 
  private:
-  bool fail(TopologyLaw law, uint32_t where) {
-    violation_ = {law, where};
+  bool fail(TopologyInvariant invariant, uint32_t id) {
+    violation_ = {invariant, id};
     return false;
   }
 
@@ -27,7 +27,7 @@ class TopologyCheck {
       const uint32_t next = quads_.onext(q);
       const bool good = next / 4 < quads_.edges && (next & 1U) == (q & 1U) && quads_.origin(next) == quads_.origin(q) &&
                         quads_.onext(rot(quads_.onext(rot(q)))) == q;
-      if (!good) return fail(TopologyLaw::algebra, q);
+      if (!good) return fail(TopologyInvariant::algebra, q);
     }
     return true;
   }
@@ -37,20 +37,20 @@ class TopologyCheck {
     for (uint32_t v = 0; v < topology_.vertex_count; ++v) marks_[v] = 0;
     for (uint32_t e = 0; e < quads_.edges; ++e) {
       for (const uint32_t q : {quarter_edge(e), sym(quarter_edge(e))}) {
-        if (quads_.origin(q) >= topology_.vertex_count) return fail(TopologyLaw::vertices, q);
+        if (quads_.origin(q) >= topology_.vertex_count) return fail(TopologyInvariant::vertices, q);
         ++marks_[quads_.origin(q)];
       }
     }
     for (uint32_t v = 0; v < topology_.vertex_count; ++v) {
       const uint32_t q = topology_.vertex_edge[v];
-      if (q / 4 >= quads_.edges || q % 2 != 0 || quads_.origin(q) != v) return fail(TopologyLaw::vertices, v);
+      if (q / 4 >= quads_.edges || q % 2 != 0 || quads_.origin(q) != v) return fail(TopologyInvariant::vertices, v);
       uint32_t length = 0;
       uint32_t at = q;
       do {
         at = quads_.onext(at);
         ++length;
       } while (at != q && length <= marks_[v]);
-      if (length != marks_[v]) return fail(TopologyLaw::vertices, v);
+      if (length != marks_[v]) return fail(TopologyInvariant::vertices, v);
     }
     return true;
   }
@@ -60,35 +60,35 @@ class TopologyCheck {
     uint64_t sides = 0;
     for (uint32_t f = 0; f < topology_.face_count; ++f) {
       const SimpleFace &face = topology_.faces[f];
-      if (face.face >= boundary_.face_count || face.q / 4 >= quads_.edges || face.edges < 2) {
-        return fail(TopologyLaw::faces, f);
+      if (face.face >= boundary_.face_count() || face.q / 4 >= quads_.edges || face.edges < 2) {
+        return fail(TopologyInvariant::faces, f);
       }
       uint32_t at = face.q;
       for (uint32_t k = 0; k < face.edges; ++k) {
         const bool good =
             quads_.left(at) == f && quads_.left(sym(at)) != f && quads_.left(sym(at)) < topology_.face_count;
-        if (!good || (k > 0 && at == face.q)) return fail(TopologyLaw::faces, f);
+        if (!good || (k > 0 && at == face.q)) return fail(TopologyInvariant::faces, f);
         at = quads_.lnext(at);
       }
-      if (at != face.q) return fail(TopologyLaw::faces, f);
+      if (at != face.q) return fail(TopologyInvariant::faces, f);
       sides += face.edges;
     }
-    return sides == 2 * static_cast<uint64_t>(quads_.edges) || fail(TopologyLaw::faces, topology_.face_count);
+    return sides == 2 * static_cast<uint64_t>(quads_.edges) || fail(TopologyInvariant::faces, topology_.face_count);
   }
 
-  // The faces beside an arc or circle lie on its balls, those beside an extra edge in one face of one ball.
+  // The faces beside an arc or circle lie on its balls, those beside a cut edge in one face of one ball.
   bool sides() {
     for (uint32_t e = 0; e < quads_.edges; ++e) {
       const uint32_t left = quads_.left(quarter_edge(e));
       const uint32_t right = quads_.left(sym(quarter_edge(e)));
       bool good = true;
-      if (e >= topology_.first_extra_edge) {
+      if (e >= topology_.first_cut_edge) {
         good = topology_.faces[left].face == topology_.faces[right].face;
       } else {
-        const CarrierBalls pair = balls_of_carrier(boundary_, topology_.carrier_of_edge(e));
+        const HostBalls pair = balls_of_host(boundary_, topology_.host_of_edge(e));
         good = topology_.ball_of(boundary_, left) == pair.a && topology_.ball_of(boundary_, right) == pair.b;
       }
-      if (!good) return fail(TopologyLaw::sides, quarter_edge(e));
+      if (!good) return fail(TopologyInvariant::sides, quarter_edge(e));
     }
     return true;
   }
@@ -96,17 +96,18 @@ class TopologyCheck {
   // With simple faces V - E + F is the Euler characteristic; with maximal faces it is V - E + sum of (2 - loops) over
   // vertices and arcs alone, of which a use counts a third and a half.
   bool euler() {
-    const uint32_t uses = 3 * boundary_.vertices.size();
+    const uint32_t half_edges = boundary_.half_edge_count();
     for (uint32_t s = 0; s < topology_.shell_count; ++s) marks_[s] = 0;
-    for (uint32_t u = 0; u < uses; ++u) {
-      marks_[boundary_.faces[boundary_.loop_face[boundary_.uses[u].loop]].shell] -= 1;
+    for (uint32_t u = 0; u < half_edges; ++u) {
+      marks_[boundary_.face(boundary_.face_of_loop(boundary_.half_edge(u).loop)).shell] -= 1;
     }
-    for (uint32_t f = 0; f < boundary_.face_count; ++f) {
-      marks_[boundary_.faces[f].shell] += 12 - 6 * boundary_.faces[f].loops;
+    for (uint32_t f = 0; f < boundary_.face_count(); ++f) {
+      marks_[boundary_.face(f).shell] += 12 - 6 * boundary_.face(f).loops;
     }
     for (uint32_t s = 0; s < topology_.shell_count; ++s) {
       const ShellRecord &shell = topology_.shells[s];
-      if (6 * (shell.vertices - shell.edges + shell.simple_faces) != marks_[s]) return fail(TopologyLaw::euler, s);
+      if (6 * (shell.vertices - shell.edges + shell.simple_faces) != marks_[s])
+        return fail(TopologyInvariant::euler, s);
     }
     return true;
   }
@@ -115,12 +116,12 @@ class TopologyCheck {
     for (uint32_t f = 0; f < topology_.face_count; ++f) marks_[f] = 0;
     for (uint32_t s = 0; s < topology_.shell_count; ++s) {
       const ShellRecord &shell = topology_.shells[s];
-      if (shell.first_scan + shell.simple_faces > topology_.face_count) return fail(TopologyLaw::scan, s);
+      if (shell.first_scan + shell.simple_faces > topology_.face_count) return fail(TopologyInvariant::scan, s);
       for (uint32_t k = 0; k < shell.simple_faces; ++k) {
         const uint32_t face = topology_.scan[shell.first_scan + k];
         const bool good =
             face < topology_.face_count && topology_.shell_of(boundary_, face) == s && marks_[face]++ == 0;
-        if (!good || (k == 0 && face != shell.start_face)) return fail(TopologyLaw::scan, s);
+        if (!good || (k == 0 && face != shell.start_face)) return fail(TopologyInvariant::scan, s);
       }
     }
     return true;
@@ -133,15 +134,15 @@ class TopologyCheck {
     for (uint32_t s = 0; s < topology_.shell_count; ++s) {
       const ShellRecord &shell = topology_.shells[s];
       if (shell.component >= topology_.component_count || shell.cell >= topology_.cell_count) {
-        return fail(TopologyLaw::cells, s);
+        return fail(TopologyInvariant::cells, s);
       }
       const ComponentRecord &component = topology_.components[shell.component];
       const bool good =
           shell.is_void ? shell.cell == ++voids : component.outer_shell == s && component.cell == shell.cell;
-      if (!good) return fail(TopologyLaw::cells, s);
+      if (!good) return fail(TopologyInvariant::cells, s);
     }
     if (voids + 1 != topology_.cell_count || voids + topology_.component_count != topology_.shell_count) {
-      return fail(TopologyLaw::cells, topology_.shell_count);
+      return fail(TopologyInvariant::cells, topology_.shell_count);
     }
     // The component around each void.
     for (uint32_t s = 0; s < topology_.shell_count; ++s) {
@@ -151,13 +152,13 @@ class TopologyCheck {
       uint32_t cell = topology_.components[c].cell;
       uint32_t steps = 0;
       for (; cell != 0 && steps < topology_.cell_count; ++steps) cell = topology_.components[marks_[cell]].cell;
-      if (cell != 0) return fail(TopologyLaw::cells, c);
+      if (cell != 0) return fail(TopologyInvariant::cells, c);
     }
     return true;
   }
 
-  const BoundaryStructure &boundary_;
-  const TopologyStructure &topology_;
+  const Boundary &boundary_;
+  const Topology &topology_;
   const QuadEdges &quads_;
   Span<uint32_t> marks_;
   TopologyViolation violation_;
@@ -165,8 +166,7 @@ class TopologyCheck {
 
 }  // namespace
 
-TopologyViolation check_topology(const BoundaryStructure &boundary, const TopologyStructure &topology,
-                                 Span<uint32_t> marks) {
+TopologyViolation check_topology(const Boundary &boundary, const Topology &topology, Span<uint32_t> marks) {
   return TopologyCheck(boundary, topology, marks).run();
 }
 

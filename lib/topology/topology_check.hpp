@@ -6,7 +6,7 @@
 namespace hsp {
 
 // Numbered as in hardsphere.h.
-enum class TopologyLaw : uint32_t {
+enum class TopologyInvariant : uint32_t {
   none = 0,
   algebra = 1,
   vertices = 2,
@@ -21,12 +21,11 @@ enum class TopologyLaw : uint32_t {
 // The first law that does not hold, and the id of the quarter-edge, vertex, simple face, shell or component where it
 // fails; no_id where none does.
 struct TopologyViolation {
-  TopologyLaw law = TopologyLaw::none;
-  uint32_t where = no_id;
+  TopologyInvariant invariant = TopologyInvariant::none;
+  uint32_t id = no_id;
 };
 
 // Laws 1 to 7, in order. marks [edges] is scratch memory. O(size).
-TopologyViolation check_topology(const BoundaryStructure &boundary, const TopologyStructure &topology,
-                                 Span<uint32_t> marks);
+TopologyViolation check_topology(const Boundary &boundary, const Topology &topology, Span<uint32_t> marks);
 
 }  // namespace hsp

@@ -3,12 +3,12 @@
 namespace hsp {
 namespace {
 
-void tally_shells(const BoundaryStructure &boundary, TopologyStructure &topology) {
+void tally_shells(const Boundary &boundary, Topology &topology) {
   for (uint32_t s = 0; s < topology.shell_count; ++s) {
     ShellRecord &shell = topology.shells[s];
     shell.faces = shell.simple_faces = shell.edges = shell.vertices = 0;
   }
-  for (uint32_t f = 0; f < boundary.face_count; ++f) ++topology.shells[boundary.faces[f].shell].faces;
+  for (uint32_t f = 0; f < boundary.face_count(); ++f) ++topology.shells[boundary.face(f).shell].faces;
   for (uint32_t f = 0; f < topology.face_count; ++f) {
     ShellRecord &shell = topology.shells[topology.shell_of(boundary, f)];
     ++shell.simple_faces;
@@ -22,7 +22,7 @@ void tally_shells(const BoundaryStructure &boundary, TopologyStructure &topology
 
 // Depth first, each face counter-clockwise from the edge by which it was entered; that edge is all that has to be
 // remembered of a face to come back from it, so that no stack is needed. Returns the number of faces visited.
-uint32_t scan_shell(const TopologyStructure &topology, uint32_t start, Span<uint32_t> order, Span<uint32_t> entered) {
+uint32_t scan_shell(const Topology &topology, uint32_t start, Span<uint32_t> order, Span<uint32_t> entered) {
   const QuadEdges &quads = topology.quads;
   uint32_t face = start;
   uint32_t entry = topology.faces[start].q;
@@ -51,7 +51,7 @@ uint32_t scan_shell(const TopologyStructure &topology, uint32_t start, Span<uint
 
 }  // namespace
 
-bool scan_shells(const BoundaryStructure &boundary, TopologyStructure &topology, Span<uint32_t> entered) {
+bool traverse_shells(const Boundary &boundary, Topology &topology, Span<uint32_t> entered) {
   tally_shells(boundary, topology);
   for (uint32_t f = 0; f < topology.face_count; ++f) entered[f] = no_id;
   uint32_t first = 0;

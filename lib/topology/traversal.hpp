@@ -9,6 +9,6 @@ namespace hsp {
 // Tallies faces, edges and vertices of every shell, scans each from its start_face, and stores the order of the visits.
 // entered [simple faces] is scratch memory. Returns false if a scan does not visit its shell and nothing else, which no
 // correct structure allows.
-bool scan_shells(const BoundaryStructure &boundary, TopologyStructure &topology, Span<uint32_t> entered);
+bool traverse_shells(const Boundary &boundary, Topology &topology, Span<uint32_t> entered);
 
 }  // namespace hsp

@@ -43,13 +43,13 @@ double farthest_in_cell(double coordinate, double low, double cell) {
 
 // The columns that a disc meets, and for each the squared distance of its nearest or farthest edge. A disc is at most
 // 10 + 1/2 cells wide, so it meets at most 12.
-struct DepthFloor::Columns {
+struct DepthBuffer::Columns {
   static constexpr uint32_t most = 16;
   uint32_t first, count;
   double squared[most];
 
   template <class Distance>
-  Columns(const DepthFloor &floor, double x, double radius, Distance distance) {
+  Columns(const DepthBuffer &floor, double x, double radius, Distance distance) {
     const CellRange range(x - radius, x + radius, floor.left_, floor.cells_per_length_, floor.columns_);
     first = range.first;
     count = range.last > range.first ? range.last - range.first : 0;
@@ -61,7 +61,7 @@ struct DepthFloor::Columns {
   }
 };
 
-void DepthFloor::carve(Workspace &workspace, uint32_t balls) {
+void DepthBuffer::carve(Workspace &workspace, uint32_t balls) {
   const uint64_t wanted = cells_per_ball * balls + further_cells;
   const uint64_t cells = wanted < most_cells ? wanted : most_cells;
   floor_ = workspace.take<float>(cells);
@@ -74,7 +74,7 @@ void DepthFloor::carve(Workspace &workspace, uint32_t balls) {
 // at most 10e (towards 3.5e, right 4.5e, their cross product 2e more) and the sums by 3e, so that coordinates are
 // within 16e of the largest distance from the origin; the margin is 64 times that. Cells are so much larger than the
 // margin that it adds less than half a cell to a disc.
-void DepthFloor::lay_out(const PlaneBox &box, double extent, double largest) {
+void DepthBuffer::lay_out(const BoundingBox &box, double extent, double largest) {
   margin_ = 0x1p-43 * extent;
   left_ = box.left;
   bottom_ = box.bottom;
@@ -95,7 +95,7 @@ void DepthFloor::lay_out(const PlaneBox &box, double extent, double largest) {
   }
 }
 
-float DepthFloor::lowest_of(uint32_t coarse_column, uint32_t coarse_row) {
+float DepthBuffer::lowest_of(uint32_t coarse_column, uint32_t coarse_row) {
   const uint32_t coarse = coarse_row * coarse_columns_ + coarse_column;
   if (stale_[coarse] == 0) return coarse_[coarse];
   stale_[coarse] = 0;
@@ -114,7 +114,7 @@ float DepthFloor::lowest_of(uint32_t coarse_column, uint32_t coarse_row) {
   return lowest;
 }
 
-bool DepthFloor::is_above(const PlaneBox &box, double height) {
+bool DepthBuffer::is_above(const BoundingBox &box, double height) {
   const double margin = 8 * margin_;
   const double raised = height + margin;
   const CellRange columns(box.left - margin, box.right + margin, left_, cells_per_length_, columns_);
@@ -129,7 +129,7 @@ bool DepthFloor::is_above(const PlaneBox &box, double height) {
 
 // The ball made larger by the margin, against the floor: z + sqrt(R^2 - d^2) < floor by squares. Their errors are a few
 // e of R^2.
-bool DepthFloor::hides(const Disc &disc) const {
+bool DepthBuffer::hides(const ProjectedBall &disc) const {
   const double R = disc.r + 4 * margin_;
   const double squared = R * R * (1.0 + 0x1p-40);
   const double base = disc.z + 4 * margin_;
@@ -153,7 +153,7 @@ bool DepthFloor::hides(const Disc &disc) const {
 // corner, less what rounding to a float could add. One more margin makes sure that a ball whose square root is saved
 // would not have raised the floor: heights near 0 lie closer together than sums of a base and a root can tell, and the
 // order in which balls raise the floor must have no effect.
-void DepthFloor::raise(const Disc &disc) {
+void DepthBuffer::raise(const ProjectedBall &disc) {
   const double R = disc.r - 4 * margin_;
   if (R <= 0.0) return;
   const double squared = R * R * (1.0 - 0x1p-40);

@@ -10,15 +10,15 @@
 namespace hsp {
 
 // A ball in view coordinates.
-struct Disc {
+struct ProjectedBall {
   double x, y, z, r;
 };
 
 // What some balls take of the view plane.
-struct PlaneBox {
+struct BoundingBox {
   double left = 0.0, right = 0.0, bottom = 0.0, top = 0.0;
 
-  void widen(const Disc &disc, bool first) {
+  void widen(const ProjectedBall &disc, bool first) {
     left = first || disc.x - disc.r < left ? disc.x - disc.r : left;
     right = first || disc.x + disc.r > right ? disc.x + disc.r : right;
     bottom = first || disc.y - disc.r < bottom ? disc.y - disc.r : bottom;
@@ -26,20 +26,20 @@ struct PlaneBox {
   }
 };
 
-class DepthFloor {
+class DepthBuffer {
  public:
   void carve(Workspace &workspace, uint32_t balls);
 
   // Makes the grid for balls within a box, with coordinates up to `extent` in size and radii up to `largest` > 0, and
   // lowers it below all of them.
-  void lay_out(const PlaneBox &box, double extent, double largest);
+  void lay_out(const BoundingBox &box, double extent, double largest);
 
   // Whether the floor lies above a height everywhere in a box.
-  bool is_above(const PlaneBox &box, double height);
+  bool is_above(const BoundingBox &box, double height);
   // Whether the floor lies above the ball's front everywhere.
-  bool hides(const Disc &disc) const;
+  bool hides(const ProjectedBall &disc) const;
   // Takes the ball's front into account.
-  void raise(const Disc &disc);
+  void raise(const ProjectedBall &disc);
 
  private:
   struct Columns;

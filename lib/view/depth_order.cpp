@@ -6,15 +6,13 @@
 namespace hsp {
 namespace {
 
-using exact::DoubleVector;
-
 // Sign of direction . (c_a - c_b). The differences are below 2^52, exact in doubles; the sum of three products has an
 // error of at most 4e times the sum of their sizes.
 int compare_depths(const BallSet &balls, const exact::Vector &direction, uint32_t a, uint32_t b) {
   const double x = balls.x[a] - balls.x[b];
   const double y = balls.y[a] - balls.y[b];
   const double z = balls.z[a] - balls.z[b];
-  const DoubleVector v = exact::to_double(direction);
+  const Vec3 v = exact::to_double(direction);
   const double px = v.x * x;
   const double py = v.y * y;
   const double pz = v.z * z;
@@ -38,7 +36,7 @@ bool is_farther(const BallSet &balls, const exact::Vector &direction, uint32_t a
 // The rounded depths decide where they differ by more than twice their error, 4e times the sum of three products of at
 // most 2^28 by the largest difference from the origin.
 void sort_by_depth(const BallSet &balls, const ViewFrame &frame, Span<DepthKey> keys) {
-  const DoubleVector direction = exact::to_double(frame.direction);
+  const Vec3 direction = exact::to_double(frame.direction);
   double farthest = 0.0;
   for (DepthKey &key : keys) {
     const double x = balls.x[key.ball] - frame.origin.x;

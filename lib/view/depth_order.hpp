@@ -1,6 +1,6 @@
 // The painter's order of Theorem 5.1: centres by their depth along the view, the farthest first. (The theorem says
 // "decreasing z" with viewing direction -z; with the viewer at z = +infinity it is increasing z.) Exact: depths are
-// products of integers, and equal ones go by the rank of the tie rule.
+// products of integers, and equal ones go by the rank of the symbolic perturbation.
 #pragma once
 
 #include "view/view_frame.hpp"

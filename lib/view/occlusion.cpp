@@ -3,15 +3,15 @@
 namespace hsp {
 
 // The balls in question of a cube together.
-struct HiddenBalls::CubeExtent {
-  PlaneBox box;
+struct OcclusionCuller::CubeExtent {
+  BoundingBox box;
   double top = 0.0;
   bool empty = true;
 
-  CubeExtent(Span<Disc> discs, const BallRange &own, Span<uint8_t> visible) {
+  CubeExtent(Span<ProjectedBall> discs, const BallRange &own, Span<uint8_t> visible) {
     for (uint32_t i = own.first; i < own.last; ++i) {
       if (visible[i] == 0) continue;
-      const Disc &disc = discs[i];
+      const ProjectedBall &disc = discs[i];
       box.widen(disc, empty);
       top = empty || disc.z + disc.r > top ? disc.z + disc.r : top;
       empty = false;
@@ -19,23 +19,23 @@ struct HiddenBalls::CubeExtent {
   }
 };
 
-void HiddenBalls::carve(Workspace &workspace, uint32_t balls) {
+void OcclusionCuller::carve(Workspace &workspace, uint32_t balls) {
   floor_.carve(workspace, balls);
-  disc_ = workspace.take<Disc>(balls);
+  disc_ = workspace.take<ProjectedBall>(balls);
   bucket_ = workspace.take<uint32_t>(static_cast<uint64_t>(balls) + 1);
   order_ = workspace.take<uint32_t>(balls);
 }
 
 // False if there is nothing that could hide anything.
-bool HiddenBalls::prepare(const BallSet &balls, const ViewFrame &frame, Span<uint8_t> visible) {
+bool OcclusionCuller::prepare(const BallSet &balls, const ViewFrame &frame, Span<uint8_t> visible) {
   bool any = false;
-  PlaneBox box;
+  BoundingBox box;
   double extent = 0.0;
   double largest = 0.0;
   for (uint32_t i = 0; i < balls.n; ++i) {
     if (visible[i] == 0) continue;
-    const exact::DoubleVector centre = frame.centre_of(balls, i);
-    const Disc disc{centre.x, centre.y, centre.z, balls.r[i]};
+    const Vec3 centre = frame.centre_of(balls, i);
+    const ProjectedBall disc{centre.x, centre.y, centre.z, balls.r[i]};
     disc_[i] = disc;
     box.widen(disc, !any);
     const double top = disc.z + disc.r;
@@ -53,7 +53,7 @@ bool HiddenBalls::prepare(const BallSet &balls, const ViewFrame &frame, Span<uin
 
 // A counting sort of the cubes that hold balls in question. Whatever hides a ball's highest point has a higher top, so
 // that most of it has been there before; the order has no other effect than on what is found.
-void HiddenBalls::order_cubes(const CubeGrid &grid, Span<uint8_t> visible) {
+void OcclusionCuller::order_cubes(const CubeGrid &grid, Span<uint8_t> visible) {
   const uint32_t buckets = grid.balls().n;
   const double spread = highest_top_ - lowest_top_;
   const double scale = spread > 0.0 ? static_cast<double>(buckets) / spread : 0.0;
@@ -77,7 +77,7 @@ void HiddenBalls::order_cubes(const CubeGrid &grid, Span<uint8_t> visible) {
   }
 }
 
-void HiddenBalls::ask_about_cube(const BallRange &own, Span<uint8_t> visible) {
+void OcclusionCuller::ask_about_cube(const BallRange &own, Span<uint8_t> visible) {
   const CubeExtent extent(disc_, own, visible);
   const bool all_hidden = floor_.is_above(extent.box, extent.top);
   for (uint32_t i = own.first; i < own.last; ++i) {
@@ -86,7 +86,7 @@ void HiddenBalls::ask_about_cube(const BallRange &own, Span<uint8_t> visible) {
 }
 
 // A bucket's cubes are all asked about before any of them raises the floor: their order depends on ids.
-void HiddenBalls::hide(const CubeGrid &grid, const ViewFrame &frame, Span<uint8_t> visible) {
+void OcclusionCuller::hide(const CubeGrid &grid, const ViewFrame &frame, Span<uint8_t> visible) {
   const BallSet &balls = grid.balls();
   if (!prepare(balls, frame, visible)) return;
   order_cubes(grid, visible);

@@ -6,7 +6,7 @@
 
 namespace hsp {
 
-class HiddenBalls {
+class OcclusionCuller {
  public:
   void carve(Workspace &workspace, uint32_t balls);
 
@@ -21,10 +21,10 @@ class HiddenBalls {
   void order_cubes(const CubeGrid &grid, Span<uint8_t> visible);
   void ask_about_cube(const BallRange &own, Span<uint8_t> visible);
 
-  DepthFloor floor_;
-  Span<Disc> disc_;        // [balls]
-  Span<uint32_t> bucket_;  // [balls + 1]
-  Span<uint32_t> order_;   // [balls] cubes, the one with the highest top first, up to the width of a bucket
+  DepthBuffer floor_;
+  Span<ProjectedBall> disc_;  // [balls]
+  Span<uint32_t> bucket_;     // [balls + 1]
+  Span<uint32_t> order_;      // [balls] cubes, the one with the highest top first, up to the width of a bucket
   uint32_t ordered_ = 0;
   double lowest_top_ = 0.0, highest_top_ = 0.0;
 };

@@ -3,14 +3,12 @@
 #include "core/elementary.hpp"
 #include "exact/filter.hpp"
 #include "sphere/arc_geometry.hpp"
-#include "measure/areas.hpp"
 #include "view/circle_frame.hpp"
 #include "view/projected_arcs.hpp"
 
 namespace hsp {
 namespace {
 
-using exact::DoubleVector;
 using exact::Plane;
 
 // Where the loops of a piece come by.
@@ -18,7 +16,7 @@ class CornerFinder {
  public:
   struct Corner {
     double root_D;
-    DoubleVector offset;  // from the ball's centre, view coordinates
+    Vec3 offset;  // from the ball's centre, view coordinates
   };
 
   CornerFinder(const Caps &caps, const ViewFrame &frame)
@@ -30,23 +28,23 @@ class CornerFinder {
   // its bound, at least L^6/128, its relative error is below 2^-40. As D <= W N and |q| <= L |n|, the error of D is at
   // most 12e L^4 |n| + 11e L^2 |n|^2 and that of the offset below 100e L. Elsewhere D and q are taken from the
   // integers.
-  Corner at(const PieceUse &use) const {
-    const Plane &P = caps_.plane[use.in];
-    const Plane &Q = caps_.plane[use.out];
-    const DoubleVector n = exact::to_double(exact::cross(P.v, Q.v));
-    const double N = exact::dot(n, n);
-    const DoubleVector q = exact::combine(static_cast<double>(P.h), exact::to_double(Q.v), -static_cast<double>(Q.h),
-                                          exact::to_double(P.v));
-    const double D = static_cast<double>(caps_.sphere.W) * N - exact::dot(q, q);
+  Corner at(const HalfEdge &half_edge) const {
+    const Plane &P = caps_.plane[half_edge.previous_circle];
+    const Plane &Q = caps_.plane[half_edge.circle];
+    const Vec3 n = exact::to_double(cross(P.v, Q.v));
+    const double N = dot(n, n);
+    const Vec3 q =
+        combine(static_cast<double>(P.h), exact::to_double(Q.v), -static_cast<double>(Q.h), exact::to_double(P.v));
+    const double D = static_cast<double>(caps_.sphere.W) * N - dot(q, q);
     if (D > well_conditioned_) {
       const double root_D = std::sqrt(D);
-      const DoubleVector p = exact::combine(0.5 / N, exact::cross(q, n), 0.5 * root_D / N, n);
-      return {root_D, frame_.turned(p)};
+      const Vec3 p = combine(0.5 / N, cross(q, n), 0.5 * root_D / N, n);
+      return {root_D, frame_.to_view(p)};
     }
     const double root_D = std::sqrt(exact::Exact::discriminant(caps_.sphere, P, Q));
     double place[3];
     vertex_offset(P, Q, +1, root_D, place);
-    return {root_D, frame_.turned({place[0], place[1], place[2]})};
+    return {root_D, frame_.to_view({place[0], place[1], place[2]})};
   }
 
  private:
@@ -62,20 +60,21 @@ CircleFrame frame_of(const Caps &caps, const ViewFrame &frame, uint32_t cap) {
   return caps.ball[cap] == no_id ? CircleFrame() : CircleFrame(frame, caps.plane[cap].v);
 }
 
-double parameter(const CircleFrame &circle, const DoubleVector &offset) {
-  return arc_tangent(exact::dot(offset, circle.across), exact::dot(offset, circle.along));
+double parameter(const CircleFrame &circle, const Vec3 &offset) {
+  return arc_tangent(dot(offset, circle.across), dot(offset, circle.along));
 }
 
 // The parameter that an arc is walked through from `from` to `to`, which are known up to whole turns. Where rounding
 // could turn nothing into a whole turn or back, the exact signs behind the arc's angle decide.
-double span_of(const Caps &caps, const PieceUse &use, const Corner &start, const PieceUse &end_use, const Corner &end,
-               double walked) {
-  constexpr double near_a_turn = 0x1p-20;
+double span_of(const Caps &caps, const HalfEdge &half_edge, const Corner &start, const HalfEdge &end_half_edge,
+               const Corner &end, double walked) {
+  constexpr double branch_cut_margin = 0x1p-20;
   double span = walked < 0.0 ? walked + 2 * pi : walked;
   if (span >= 2 * pi) span -= 2 * pi;
-  if (span > near_a_turn && span < 2 * pi - near_a_turn) return span;
-  const double angle =
-      FreeArc(caps.plane[use.out], caps.plane[end_use.out], end.root_D, caps.plane[use.in], start.root_D).angle();
+  if (span > branch_cut_margin && span < 2 * pi - branch_cut_margin) return span;
+  const double angle = FreeArc(caps.plane[half_edge.circle], caps.plane[end_half_edge.circle], end.root_D,
+                               caps.plane[half_edge.previous_circle], start.root_D)
+                           .angle();
   if (angle < pi) return span < pi ? span : 0.0;
   return span > pi ? span : 2 * pi;
 }
@@ -88,34 +87,35 @@ double end_parameter(double from, double walk, double span) {
 
 }  // namespace
 
-void add_loops(const BallSet &balls, const FrontPiece &piece, ViewStructure &view) {
+void add_loops(const BallSet &balls, const VisiblePiece &piece, View &view) {
   const Caps &caps = piece.caps();
-  const DoubleVector centre = view.frame.centre_of(balls, caps.origin);
-  const Span<PieceUse> uses = piece.uses();
+  const Vec3 centre = view.frame.centre_of(balls, caps.origin);
+  const Span<const HalfEdge> half_edges = piece.half_edges();
   const CornerFinder corners(caps, view.frame);
-  for (uint32_t first = 0; first < uses.size(); ++first) {
-    if (uses[first].in_loop) continue;
-    view.loops.push(static_cast<uint32_t>(view.arcs.wanted()));
+  uint32_t loop = 0;
+  for (uint32_t first = 0; first < half_edges.size(); ++first) {
+    if (half_edges[first].loop != loop) continue;
+    ++loop;
+    view.loops.push(static_cast<uint32_t>(view.arcs.required()));
     uint32_t u = first;
-    Corner start = corners.at(uses[first]);
+    Corner start = corners.at(half_edges[first]);
     do {
-      PieceUse &use = uses[u];
-      use.in_loop = true;
-      const PieceUse &end_use = uses[use.next];
-      const Corner end = corners.at(end_use);
-      const CircleFrame circle = frame_of(caps, view.frame, use.out);
+      const HalfEdge &half_edge = half_edges[u];
+      const HalfEdge &end_half_edge = half_edges[half_edge.next];
+      const Corner end = corners.at(end_half_edge);
+      const CircleFrame circle = frame_of(caps, view.frame, half_edge.circle);
       const double from = parameter(circle, start.offset);
       const double walked = circle.walk * (parameter(circle, end.offset) - from);
-      const double to = end_parameter(from, circle.walk, span_of(caps, use, start, end_use, end, walked));
-      view.arcs.push({from, to, {centre.x + start.offset.x, centre.y + start.offset.y}, caps.ball[use.out]});
+      const double to = end_parameter(from, circle.walk, span_of(caps, half_edge, start, end_half_edge, end, walked));
+      view.arcs.push({from, to, {centre.x + start.offset.x, centre.y + start.offset.y}, caps.ball[half_edge.circle]});
       start = end;
-      u = use.next;
+      u = half_edge.next;
     } while (u != first);
   }
   for (const uint32_t cap : piece.circles()) {
-    view.loops.push(static_cast<uint32_t>(view.arcs.wanted()));
+    view.loops.push(static_cast<uint32_t>(view.arcs.required()));
     const double walk = frame_of(caps, view.frame, cap).walk;
-    const PlaneEllipse ellipse = ellipse_of(balls, view.frame, caps.origin, caps.ball[cap]);
+    const ProjectedEllipse ellipse = ellipse_of(balls, view.frame, caps.origin, caps.ball[cap]);
     view.arcs.push({-walk * pi,
                     walk * pi,
                     {ellipse.centre[0] - ellipse.major[0], ellipse.centre[1] - ellipse.major[1]},

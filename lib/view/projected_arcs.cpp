@@ -4,15 +4,15 @@
 
 namespace hsp {
 
-PlaneEllipse ellipse_of(const BallSet &balls, const ViewFrame &frame, uint32_t ball, uint32_t other) {
-  const exact::DoubleVector centre = frame.centre_of(balls, ball);
+ProjectedEllipse ellipse_of(const BallSet &balls, const ViewFrame &frame, uint32_t ball, uint32_t other) {
+  const Vec3 centre = frame.centre_of(balls, ball);
   const double r = balls.r[ball];
   if (other == no_id) return {{centre.x, centre.y}, {r, 0.0}, {0.0, r}};
   const exact::LatticeBall own = balls.ball(ball);
   const exact::Plane P = exact::plane_of(own, balls.ball(other));
   const CircleFrame circle(frame, P.v);
   // The circle's centre is h v / (2 |v|^2), its radius sqrt(Delta / (4 |v|^2)).
-  const double U = static_cast<double>(exact::dot(P.v, P.v));
+  const double U = static_cast<double>(dot(P.v, P.v));
   const double height = static_cast<double>(P.h) / (2 * std::sqrt(U));
   const double Delta = exact::Exact::circle_discriminant(exact::sphere_of(own), P);
   const double radius = Delta > 0.0 ? std::sqrt(Delta / (4 * U)) : 0.0;
@@ -21,10 +21,10 @@ PlaneEllipse ellipse_of(const BallSet &balls, const ViewFrame &frame, uint32_t b
           {radius * circle.across.x, radius * circle.across.y}};
 }
 
-ViewBox box_of(const BallSet &balls, const ViewStructure &view) {
+ViewBox box_of(const BallSet &balls, const View &view) {
   ViewBox box{};
   for (uint32_t p = 0; p < view.pieces.size(); ++p) {
-    const exact::DoubleVector centre = view.frame.centre_of(balls, view.pieces[p].ball);
+    const Vec3 centre = view.frame.centre_of(balls, view.pieces[p].ball);
     const double r = balls.r[view.pieces[p].ball];
     const auto widen = [p](double low_value, double high_value, double &low, double &high) {
       low = p == 0 || low_value < low ? low_value : low;

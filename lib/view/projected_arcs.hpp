@@ -8,14 +8,14 @@
 namespace hsp {
 
 // The points centre + cos t major + sin t minor; minor points a quarter turn counter-clockwise from major.
-struct PlaneEllipse {
+struct ProjectedEllipse {
   double centre[2];
   double major[2];
   double minor[2];
 };
 
 // The silhouette of a ball (other = no_id), or its circle with another ball.
-PlaneEllipse ellipse_of(const BallSet &balls, const ViewFrame &frame, uint32_t ball, uint32_t other);
+ProjectedEllipse ellipse_of(const BallSet &balls, const ViewFrame &frame, uint32_t ball, uint32_t other);
 
 // What the silhouettes of all pieces take of the view plane, and the depths of their centres; zeros without pieces.
 struct ViewBox {
@@ -23,10 +23,10 @@ struct ViewBox {
   double high[2];
   double depth_low, depth_high;
 };
-ViewBox box_of(const BallSet &balls, const ViewStructure &view);
+ViewBox box_of(const BallSet &balls, const View &view);
 
-struct PlaneArc {
-  PlaneEllipse ellipse;
+struct ProjectedArc {
+  ProjectedEllipse ellipse;
   double from, to;  // to > from: counter-clockwise
   double start[2], end[2];
   uint32_t across;  // grid order, no_id on the silhouette
@@ -34,7 +34,7 @@ struct PlaneArc {
 
 // Calls visit(arc, first_of_loop, last_of_loop) for the arcs of a piece, loop after loop.
 template <class Visit>
-void visit_arcs(const BallSet &balls, const ViewStructure &view, uint32_t piece, Visit visit) {
+void visit_arcs(const BallSet &balls, const View &view, uint32_t piece, Visit visit) {
   const PieceRecord &record = view.pieces[piece];
   for (uint32_t loop = record.first_loop; loop < view.end_of_loops(piece); ++loop) {
     const uint32_t first = view.loops[loop];
@@ -42,12 +42,12 @@ void visit_arcs(const BallSet &balls, const ViewStructure &view, uint32_t piece,
     for (uint32_t a = first; a < last; ++a) {
       const ArcRecord &arc = view.arcs[a];
       const ArcRecord &next = view.arcs[a + 1 < last ? a + 1 : first];
-      visit(PlaneArc{ellipse_of(balls, view.frame, record.ball, arc.across),
-                     arc.from,
-                     arc.to,
-                     {arc.start[0], arc.start[1]},
-                     {next.start[0], next.start[1]},
-                     arc.across},
+      visit(ProjectedArc{ellipse_of(balls, view.frame, record.ball, arc.across),
+                         arc.from,
+                         arc.to,
+                         {arc.start[0], arc.start[1]},
+                         {next.start[0], next.start[1]},
+                         arc.across},
             a == first, a + 1 == last);
     }
   }

@@ -23,12 +23,12 @@ struct PieceRecord {
 };
 
 struct ArcRecord {
-  double from, to;  // parameters on the ellipse of plane_arcs.hpp
+  double from, to;  // parameters on the ellipse of projected_arcs.hpp
   double start[2];  // where it starts; it ends where the next one of its loop starts
   uint32_t across;  // the ball whose sphere it lies on too, no_id on the silhouette
 };
 
-struct ViewStructure {
+struct View {
   ViewFrame frame;
   FixedVector<PieceRecord> pieces;  // farthest first
   FixedVector<uint32_t> loops;      // their first arcs; loops and arcs are in the order of the grid

@@ -17,17 +17,17 @@ void ViewBuilder::carve(Workspace &workspace, const ViewLimits &limits) {
 
 // A ball of radius 0 has no front, a ball without faces is not seen. What is painted of the others covers it, so it
 // need not cut anything either.
-void ViewBuilder::choose_balls(const CubeGrid &grid, const BoundaryStructure *boundary, bool all_balls) {
+void ViewBuilder::choose_balls(const CubeGrid &grid, const Boundary *boundary, bool all_balls) {
   const BallSet &balls = grid.balls();
   for (uint32_t i = 0; i < balls.n; ++i) {
-    const bool has_face = boundary == nullptr || boundary->first_face[i] < boundary->first_face[i + 1];
+    const bool has_face = boundary == nullptr || boundary->is_exposed(i);
     visible_[i] = balls.r[i] > 0.0 && has_face ? 1 : 0;
   }
   if (!all_balls) hidden_.hide(grid, structure_.frame, visible_);
 }
 
 // Cube by cube, so that the block of neighbouring cubes is looked up once for all balls of a cube.
-void ViewBuilder::cut_pieces(const CubeGrid &grid, const BoundaryStructure *boundary) {
+void ViewBuilder::cut_pieces(const CubeGrid &grid, const Boundary *boundary) {
   const BallSet &balls = grid.balls();
   const exact::Vector &direction = structure_.frame.direction;
   cut_.clear();
@@ -57,12 +57,12 @@ void ViewBuilder::add_piece(const BallSet &balls) {
   if (piece_.caps().met > needed_.neighbours) needed_.neighbours = piece_.caps().met;
   // Once a ball has more neighbours than there is room for, the rest is only counted.
   if (needed_.neighbours > limits_.neighbours) return;
-  if (piece_.uses().empty() && piece_.circles().empty()) return;
-  const uint32_t first_loop = static_cast<uint32_t>(structure_.loops.wanted());
-  const uint32_t first_arc = static_cast<uint32_t>(structure_.arcs.wanted());
+  if (piece_.half_edges().empty() && piece_.circles().empty()) return;
+  const uint32_t first_loop = static_cast<uint32_t>(structure_.loops.required());
+  const uint32_t first_arc = static_cast<uint32_t>(structure_.arcs.required());
   add_loops(balls, piece_, structure_);
-  cut_.push({piece_.caps().origin, first_loop, static_cast<uint32_t>(structure_.loops.wanted()) - first_loop, first_arc,
-             static_cast<uint32_t>(structure_.arcs.wanted()) - first_arc});
+  cut_.push({piece_.caps().origin, first_loop, static_cast<uint32_t>(structure_.loops.required()) - first_loop,
+             first_arc, static_cast<uint32_t>(structure_.arcs.required()) - first_arc});
 }
 
 void ViewBuilder::sort_pieces(const BallSet &balls) {
@@ -73,7 +73,7 @@ void ViewBuilder::sort_pieces(const BallSet &balls) {
   for (const DepthKey &key : keys) structure_.pieces.push(cut_[key.item]);
 }
 
-Status ViewBuilder::build(const CubeGrid &grid, const BoundaryStructure *boundary, const ViewRequest &request) {
+Status ViewBuilder::build(const CubeGrid &grid, const Boundary *boundary, const ViewRequest &request) {
   const BallSet &balls = grid.balls();
   needed_ = {};
   kind_ = request.kind;
@@ -84,7 +84,7 @@ Status ViewBuilder::build(const CubeGrid &grid, const BoundaryStructure *boundar
   choose_balls(grid, boundary, request.all_balls);
   cut_pieces(grid, boundary);
   if (needed_.neighbours > limits_.neighbours) return Status::capacity;
-  const uint64_t arcs = structure_.arcs.wanted();
+  const uint64_t arcs = structure_.arcs.required();
   needed_.arcs = arcs < no_id ? static_cast<uint32_t>(arcs) : no_id;
   if (structure_.arcs.overflowed()) return Status::capacity;
   sort_pieces(balls);

@@ -9,9 +9,9 @@
 #pragma once
 
 #include "view/depth_order.hpp"
-#include "view/visible_piece.hpp"
 #include "view/occlusion.hpp"
 #include "view/view.hpp"
+#include "view/visible_piece.hpp"
 
 namespace hsp {
 
@@ -29,24 +29,24 @@ class ViewBuilder {
 
   // boundary may be null for pieces outside farther balls. Status::capacity if a limit is too small; needed() then
   // tells what suffices, with 0 for what is not known yet.
-  Status build(const CubeGrid &grid, const BoundaryStructure *boundary, const ViewRequest &request);
+  Status build(const CubeGrid &grid, const Boundary *boundary, const ViewRequest &request);
 
-  const ViewStructure &structure() const { return structure_; }
+  const View &structure() const { return structure_; }
   const ViewLimits &needed() const { return needed_; }
   PieceKind kind() const { return kind_; }
 
  private:
-  void choose_balls(const CubeGrid &grid, const BoundaryStructure *boundary, bool all_balls);
-  void cut_pieces(const CubeGrid &grid, const BoundaryStructure *boundary);
+  void choose_balls(const CubeGrid &grid, const Boundary *boundary, bool all_balls);
+  void cut_pieces(const CubeGrid &grid, const Boundary *boundary);
   void add_piece(const BallSet &balls);
   void sort_pieces(const BallSet &balls);
 
   ViewLimits limits_;
   ViewLimits needed_;
-  ViewStructure structure_;
+  View structure_;
   PieceKind kind_ = PieceKind::outside_farther;
-  HiddenBalls hidden_;
-  FrontPiece piece_;
+  OcclusionCuller hidden_;
+  VisiblePiece piece_;
   Span<uint8_t> visible_;         // [balls]
   FixedVector<PieceRecord> cut_;  // [balls] pieces in the order of the grid
   Span<DepthKey> keys_;           // [balls]

@@ -3,7 +3,6 @@
 namespace hsp {
 namespace {
 
-using exact::DoubleVector;
 using exact::Vector;
 
 constexpr double largest_component = 0x1p28;
@@ -14,12 +13,12 @@ Vector rounded(const double v[3]) {
   for (int k = 0; k < 3; ++k) largest = std::fabs(v[k]) > largest ? std::fabs(v[k]) : largest;
   if (largest == 0.0) return {0, 0, 0};
   // Divided first: the quotient is at most 1, whatever the lengths.
-  return {exact::nearest(v[0] / largest * largest_component), exact::nearest(v[1] / largest * largest_component),
-          exact::nearest(v[2] / largest * largest_component)};
+  return {nearest(v[0] / largest * largest_component), nearest(v[1] / largest * largest_component),
+          nearest(v[2] / largest * largest_component)};
 }
 
-DoubleVector unit(const DoubleVector &v) {
-  const double length = std::sqrt(exact::dot(v, v));
+Vec3 unit(const Vec3 &v) {
+  const double length = std::sqrt(dot(v, v));
   return {v.x / length, v.y / length, v.z / length};
 }
 
@@ -27,10 +26,10 @@ DoubleVector unit(const DoubleVector &v) {
 Vector right_of(const Vector &up, const Vector &towards) {
   constexpr Vector y{0, 1, 0};
   constexpr Vector z{0, 0, 1};
-  const Vector across = exact::cross(up, towards);
+  const Vector across = cross(up, towards);
   if (!exact::is_zero(across)) return across;
-  const Vector across_y = exact::cross(y, towards);
-  return exact::is_zero(across_y) ? exact::cross(z, towards) : across_y;
+  const Vector across_y = cross(y, towards);
+  return exact::is_zero(across_y) ? cross(z, towards) : across_y;
 }
 
 }  // namespace
@@ -43,7 +42,7 @@ Status look_from(const ViewDirection &direction, ViewFrame &frame) {
   if (exact::is_zero(frame.direction)) frame.direction = {0, 0, static_cast<int64_t>(largest_component)};
   frame.towards = unit(exact::to_double(frame.direction));
   frame.right = unit(exact::to_double(right_of(rounded(direction.up), frame.direction)));
-  frame.up = exact::cross(frame.towards, frame.right);
+  frame.up = cross(frame.towards, frame.right);
   return Status::ok;
 }
 
@@ -55,10 +54,9 @@ void centre_on(const BallSet &balls, ViewFrame &frame) {
       low = coordinate[i] < low ? coordinate[i] : low;
       high = coordinate[i] > high ? coordinate[i] : high;
     }
-    return static_cast<double>(exact::nearest((low + high) / 2));
+    return static_cast<double>(nearest((low + high) / 2));
   };
-  frame.origin =
-      balls.n == 0 ? DoubleVector{0.0, 0.0, 0.0} : DoubleVector{middle(balls.x), middle(balls.y), middle(balls.z)};
+  frame.origin = balls.n == 0 ? Vec3{0.0, 0.0, 0.0} : Vec3{middle(balls.x), middle(balls.y), middle(balls.z)};
 }
 
 }  // namespace hsp

@@ -15,18 +15,16 @@ struct ViewDirection {
 struct ViewFrame {
   exact::Vector direction{0, 0, 1};  // towards the viewer; components at most 2^28, what everything exact relies on
   // Its orthonormal axes.
-  exact::DoubleVector right{1.0, 0.0, 0.0};
-  exact::DoubleVector up{0.0, 1.0, 0.0};
-  exact::DoubleVector towards{0.0, 0.0, 1.0};
-  exact::DoubleVector origin{0.0, 0.0, 0.0};  // a lattice point
+  Vec3 right{1.0, 0.0, 0.0};
+  Vec3 up{0.0, 1.0, 0.0};
+  Vec3 towards{0.0, 0.0, 1.0};
+  Vec3 origin{0.0, 0.0, 0.0};  // a lattice point
 
   // View coordinates of a vector.
-  exact::DoubleVector turned(const exact::DoubleVector &v) const {
-    return {exact::dot(v, right), exact::dot(v, up), exact::dot(v, towards)};
-  }
+  Vec3 to_view(const Vec3 &v) const { return {dot(v, right), dot(v, up), dot(v, towards)}; }
   // View coordinates of a ball's centre. The difference is exact.
-  exact::DoubleVector centre_of(const BallSet &balls, uint32_t i) const {
-    return turned({balls.x[i] - origin.x, balls.y[i] - origin.y, balls.z[i] - origin.z});
+  Vec3 centre_of(const BallSet &balls, uint32_t i) const {
+    return to_view({balls.x[i] - origin.x, balls.y[i] - origin.y, balls.z[i] - origin.z});
   }
 };
 

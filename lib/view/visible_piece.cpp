@@ -1,8 +1,8 @@
 #include "view/visible_piece.hpp"
 
-#include "sphere/half_edges.hpp"
-#include "sphere/cap_pair.hpp"
 #include "core/sorting.hpp"
+#include "sphere/cap_pair.hpp"
+#include "sphere/half_edges.hpp"
 
 namespace hsp {
 namespace {
@@ -17,7 +17,7 @@ class BackHalf {
 
   bool holds_point(uint32_t in, uint32_t out) const {
     const CapPair pair(caps_, in, out);
-    if (pair.surely_cross()) {
+    if (pair.certainly_cross()) {
       const CrossingPoints points(caps_, in, out, pair);
       const double depth =
           caps_.ux[back_] * points.x[1] + caps_.uy[back_] * points.y[1] + caps_.uz[back_] * points.z[1];
@@ -28,9 +28,9 @@ class BackHalf {
   }
   bool meets_circle(uint32_t cap) const {
     const CapPair pair(caps_, cap, back_);
-    if (pair.surely_cross()) return true;
-    if (pair.surely_apart() && pair.surely_inside()) return true;
-    if (pair.surely_apart() && pair.surely_outside()) return false;
+    if (pair.certainly_cross()) return true;
+    if (pair.certainly_apart() && pair.certainly_inside()) return true;
+    if (pair.certainly_apart() && pair.certainly_outside()) return false;
     return predicates_.crossing(caps_.plane[cap], caps_.plane[back_]).sign > 0 ||
            predicates_.side(caps_.plane[cap], caps_.plane[back_]).sign > 0;
   }
@@ -48,19 +48,19 @@ exact::Vector opposite(const exact::Vector &v) {
 }  // namespace
 
 // The union of m caps of one sphere has at most 6 m - 12 vertices, for m >= 3.
-void FrontPiece::carve(Workspace &workspace, uint32_t neighbours) {
+void VisiblePiece::carve(Workspace &workspace, uint32_t neighbours) {
   const uint64_t caps = static_cast<uint64_t>(neighbours) + 1;
   caps_.carve(workspace, neighbours);
   finder_.carve(workspace, neighbours + 1);
   vertices_ = FixedVector<VertexRecord>(workspace.take<VertexRecord>(6 * caps));
   circles_ = FixedVector<CircleRecord>(workspace.take<CircleRecord>(caps));
-  uses_ = workspace.take<PieceUse>(6 * caps);
+  half_edges_ = workspace.take<HalfEdge>(6 * caps);
   whole_ = workspace.take<uint32_t>(caps);
 }
 
 // False if the ball has no piece or there is no room for its caps.
-bool FrontPiece::gather(const BallSet &balls, const CubeBlock &block, uint32_t i) {
-  use_count_ = 0;
+bool VisiblePiece::gather(const BallSet &balls, const CubeBlock &block, uint32_t i) {
+  half_edge_count_ = 0;
   circle_count_ = 0;
   vertices_.clear();
   circles_.clear();
@@ -69,52 +69,59 @@ bool FrontPiece::gather(const BallSet &balls, const CubeBlock &block, uint32_t i
   return !caps_.contained && !caps_.overflowed();
 }
 
-void FrontPiece::find_all(const BallSet &balls, const exact::Vector &direction) {
+void VisiblePiece::find_all(const BallSet &balls, const exact::Vector &direction) {
   caps_.add_half_sphere(opposite(direction));
   finder_.find(balls, caps_, vertices_, circles_);
-  chain();
+  link();
 }
 
-void FrontPiece::cut_faces(const BallSet &balls, const CubeBlock &block, const BoundaryStructure &boundary,
-                           const exact::Vector &direction, uint32_t i) {
+void VisiblePiece::cut_faces(const BallSet &balls, const CubeBlock &block, const Boundary &boundary,
+                             const exact::Vector &direction, uint32_t i) {
   if (!gather(balls, block, i)) return;
   caps_.add_half_sphere(opposite(direction));
   finder_.find_on_last(balls, caps_, vertices_, circles_);
   add_front_of_faces(boundary);
-  chain();
+  link();
 }
 
 // A loop of a face comes in along circle j and leaves along circle k at p+ of j and k.
-void FrontPiece::add_front_of_faces(const BoundaryStructure &boundary) {
+void VisiblePiece::add_front_of_faces(const Boundary &boundary) {
   const BackHalf back(caps_);
   const uint32_t i = caps_.origin;
-  for (uint32_t u = boundary.first_use[i]; u < boundary.first_use[i + 1]; ++u) {
-    const VertexUse &use = boundary.uses[u];
-    if (back.holds_point(caps_.cap_of(use.in), caps_.cap_of(use.out))) continue;
-    vertices_.push({{i, use.in, use.out}, VertexRecord::positive_bit});
+  for (const uint32_t u : boundary.half_edges(i)) {
+    const HalfEdge &half_edge = boundary.half_edge(u);
+    if (back.holds_point(caps_.cap_of(half_edge.previous_circle), caps_.cap_of(half_edge.circle))) continue;
+    vertices_.push({{i, half_edge.previous_circle, half_edge.circle}, VertexRecord::positive_bit});
   }
-  for (uint32_t s = boundary.first_circle_side[i]; s < boundary.first_circle_side[i + 1]; ++s) {
-    const uint32_t other = boundary.circles[boundary.circle_side[s] / 2].ball[1 - boundary.circle_side[s] % 2];
+  for (const ClosedHalfEdge closed : boundary.circles(i)) {
+    const uint32_t other = boundary.neighbour(closed);
     if (!back.meets_circle(caps_.cap_of(other))) circles_.push({{i, other}, {no_id, no_id}});
   }
 }
 
-// As in lib/boundary/assembly.cpp: uses in an order that does not depend on ids.
-void FrontPiece::chain() {
+// Half-edges in an order that does not depend on ids, chained to loops.
+void VisiblePiece::link() {
   for (const VertexRecord &vertex : vertices_.items()) {
     const uint32_t first = caps_.cap_of(vertex.ball[1]);
     const uint32_t second = caps_.cap_of(vertex.ball[2]);
-    uses_[use_count_++] = {vertex.positive() ? first : second, vertex.positive() ? second : first, no_id, false};
+    const bool positive = vertex.positive();
+    half_edges_[half_edge_count_++] = {no_id, positive ? first : second, positive ? second : first, no_id, no_id};
   }
   for (const CircleRecord &circle : circles_.items()) whole_[circle_count_++] = caps_.cap_of(circle.ball[1]);
   const auto by_rank = [this](uint32_t a, uint32_t b) { return exact::ranks_before(caps_.plane[a], caps_.plane[b]); };
-  sort_in_place(circles(), by_rank);
-  const Span<PieceUse> items = uses();
-  sort_in_place(items, [&by_rank](const PieceUse &a, const PieceUse &b) {
-    return a.out != b.out ? by_rank(a.out, b.out) : by_rank(a.in, b.in);
+  sort_in_place(whole_.part(0, circle_count_), by_rank);
+  const Span<HalfEdge> items = half_edges_.part(0, half_edge_count_);
+  sort_in_place(items, [&by_rank](const HalfEdge &a, const HalfEdge &b) {
+    return a.circle != b.circle ? by_rank(a.circle, b.circle) : by_rank(a.previous_circle, b.previous_circle);
   });
   const auto direction = [this](uint32_t cap) { return caps_.plane[cap].v; };
-  for (PieceUse &use : items) use.next = end_of_arc(items, use, direction);
+  for (HalfEdge &half_edge : items) half_edge.next = find_next(items, half_edge, direction);
+  uint32_t loops = 0;
+  for (uint32_t start = 0; start < items.size(); ++start) {
+    if (items[start].loop != no_id) continue;
+    for (uint32_t e = start; items[e].loop == no_id; e = items[e].next) items[e].loop = loops;
+    ++loops;
+  }
 }
 
 }  // namespace hsp

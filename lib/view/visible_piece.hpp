@@ -1,4 +1,4 @@
-// The piece of one ball: the free part of its front hemisphere, as loops of uses of vertices. The half of the sphere
+// The piece of one ball: the free part of its front hemisphere, as loops of half-edges. The half of the sphere
 // behind the centre is one more cap, whose circle is the silhouette, so that everything is decided by the predicates of
 // lib/exact and the vertex search of lib/boundary.
 #pragma once
@@ -9,15 +9,7 @@
 
 namespace hsp {
 
-// The visit of a loop to a vertex, as VertexUse in lib/boundary, in terms of the indices of caps: it comes in along the
-// circle of cap `in` and leaves along that of cap `out`, with the piece on its left.
-struct PieceUse {
-  uint32_t in, out;
-  uint32_t next;  // the use at which the arc along `out` ends
-  bool in_loop;
-};
-
-class FrontPiece {
+class VisiblePiece {
  public:
   void carve(Workspace &workspace, uint32_t neighbours);
 
@@ -31,26 +23,29 @@ class FrontPiece {
     find_all(balls, direction);
   }
   // The front part of the faces of ball i.
-  void cut_faces(const BallSet &balls, const CubeBlock &block, const BoundaryStructure &boundary,
-                 const exact::Vector &direction, uint32_t i);
+  void cut_faces(const BallSet &balls, const CubeBlock &block, const Boundary &boundary, const exact::Vector &direction,
+                 uint32_t i);
 
   const Caps &caps() const { return caps_; }
-  Span<PieceUse> uses() const { return uses_.part(0, use_count_); }
-  Span<uint32_t> circles() const { return whole_.part(0, circle_count_); }  // caps whose circles are loops as a whole
+  // Their circles are indices of caps; the piece is on their left.
+  Span<const HalfEdge> half_edges() const { return half_edges_.part(0, half_edge_count_); }
+  Span<const uint32_t> circles() const {
+    return whole_.part(0, circle_count_);
+  }  // caps whose circles are loops as a whole
 
  private:
   bool gather(const BallSet &balls, const CubeBlock &block, uint32_t i);
   void find_all(const BallSet &balls, const exact::Vector &direction);
-  void add_front_of_faces(const BoundaryStructure &boundary);
-  void chain();
+  void add_front_of_faces(const Boundary &boundary);
+  void link();
 
   Caps caps_;
   VertexFinder finder_;
   FixedVector<VertexRecord> vertices_;
   FixedVector<CircleRecord> circles_;
-  Span<PieceUse> uses_;
+  Span<HalfEdge> half_edges_;
   Span<uint32_t> whole_;
-  uint32_t use_count_ = 0;
+  uint32_t half_edge_count_ = 0;
   uint32_t circle_count_ = 0;
 };
 

@@ -154,8 +154,8 @@ static void model_changed(void) {
   CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
   {
-    hsp_figures figures;
-    CHECK_EQUAL(hsp_model_get_figures(model, &figures), HSP_OK);
+    hsp_packing figures;
+    CHECK_EQUAL(hsp_model_get_packing(model, &figures), HSP_OK);
     CHECK_EQUAL(hsp_query_point(model, xyz, NULL, 0, &needed), HSP_E_CAPACITY);
     CHECK_EQUAL(hsp_boundary_get_counts(boundary, &counts), HSP_OK);
     CHECK_EQUAL(counts.balls, BALLS);

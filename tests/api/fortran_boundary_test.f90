@@ -51,7 +51,7 @@ contains
   subroutine sizes_and_constants()
     type(hsp_model_options) :: options
     type(hsp_model_info) :: info
-    type(hsp_figures) :: figures
+    type(hsp_packing) :: figures
     type(hsp_boundary_limits) :: limits
     type(hsp_boundary_counts) :: counts
     type(hsp_vertex) :: vertex
@@ -65,7 +65,7 @@ contains
     type(c_ptr) :: text
     call check(c_sizeof(options) == 24, 'size of hsp_model_options')
     call check(c_sizeof(info) == 40, 'size of hsp_model_info')
-    call check(c_sizeof(figures) == 40, 'size of hsp_figures')
+    call check(c_sizeof(figures) == 40, 'size of hsp_packing')
     call check(c_sizeof(limits) == 24, 'size of hsp_boundary_limits')
     call check(c_sizeof(counts) == 56, 'size of hsp_boundary_counts')
     call check(c_sizeof(vertex) == 48, 'size of hsp_vertex')
@@ -90,7 +90,7 @@ contains
     integer(c_int32_t) :: bad
     type(hsp_model_options) :: options
     type(hsp_model_info) :: info
-    type(hsp_figures) :: figures
+    type(hsp_packing) :: figures
     call expect(hsp_model_bytes(n, bytes), HSP_OK, 'hsp_model_bytes')
     call check(bytes > 0 .and. bytes <= hsp_model_bytes_bound(n), 'hsp_model_bytes_bound')
     ! odd memory: one byte more, and the handle begins at the second
@@ -113,7 +113,7 @@ contains
     call check(abs(info%probe - 0.25_c_double) < 1e-14_c_double, 'info%probe')
     call check(abs(info%largest_radius - 1.75_c_double) < 1e-14_c_double, 'info%largest_radius')
     call expect(hsp_model_set(model, n, xyz, radius), HSP_OK, 'hsp_model_set without options')
-    call expect(hsp_model_get_figures(model, figures), HSP_OK, 'hsp_model_get_figures')
+    call expect(hsp_model_get_packing(model, figures), HSP_OK, 'hsp_model_get_packing')
     call check(abs(figures%k - 3) < 1e-14_c_double, 'figures%k')
     call check(abs(figures%rho - sqrt(3.25_c_double)/1.5_c_double) < 1e-14_c_double, 'figures%rho')
     call check(abs(figures%mean_overlaps - 1.5_c_double) < 1e-14_c_double, 'figures%mean_overlaps')
@@ -283,7 +283,7 @@ contains
     integer :: axis, step
     call compute_all()
     flags = 7
-    call expect(hsp_boundary_gradient(boundary, sigma, 0.5_c_double, 2.0_c_double, HSP_TANGENT_MEETING, energy, centre, &
+    call expect(hsp_boundary_gradient(boundary, sigma, 0.5_c_double, 2.0_c_double, HSP_TANGENT_OVERLAP, energy, centre, &
                                       by_radius, flags, n), HSP_OK, 'hsp_boundary_gradient')
     call expect(hsp_boundary_measure(boundary, totals, area, capacity=n), HSP_OK, 'hsp_boundary_measure')
     call check(abs(energy%area - sum(sigma*area)) < 1e-12_c_double, 'energy%area')
@@ -308,13 +308,13 @@ contains
     call compute_all()
     energy%value = 0
     call expect(hsp_boundary_gradient(boundary, tension=1.0_c_double, pressure=0.0_c_double, &
-                                      tangency=HSP_TANGENT_APART, energy=energy, capacity=0_c_int32_t), HSP_OK, 'energy')
+                                      tangency=HSP_TANGENT_DISJOINT, energy=energy, capacity=0_c_int32_t), HSP_OK, 'energy')
     call expect(hsp_boundary_measure(boundary, totals, capacity=0_c_int32_t), HSP_OK, 'totals')
     call check(abs(energy%value - totals%area) < 1e-12_c_double, 'without weights all are 1')
     call expect(hsp_boundary_gradient(boundary, sigma, 1.0_c_double, 0.0_c_double, 2_c_int32_t, capacity=0_c_int32_t), &
                 HSP_E_ARGUMENT, 'unknown tangency')
     call expect(hsp_boundary_gradient(boundary, sigma, ieee_value(pi, ieee_quiet_nan), 0.0_c_double, &
-                                      HSP_TANGENT_APART, capacity=0_c_int32_t), HSP_E_NOT_FINITE, 'tension that is no number')
+                                      HSP_TANGENT_DISJOINT, capacity=0_c_int32_t), HSP_E_NOT_FINITE, 'tension that is no number')
     call touching_balls()
   end subroutine
 
@@ -328,12 +328,12 @@ contains
     call expect(hsp_model_set(model, 2_c_int32_t, places, radii), HSP_OK, 'touching balls')
     call expect(hsp_boundary_compute(boundary, model), HSP_OK, 'touching balls')
     call expect(hsp_boundary_gradient(boundary, tension=1.0_c_double, pressure=0.0_c_double, &
-                                      tangency=HSP_TANGENT_MEETING, centre=centre, flags=flags, capacity=2_c_int32_t), &
+                                      tangency=HSP_TANGENT_OVERLAP, centre=centre, flags=flags, capacity=2_c_int32_t), &
                 HSP_OK, 'touching balls')
     call check(all(flags == HSP_GRADIENT_ONE_SIDED), 'flags of touching balls')
     call check(abs(centre(2, 2) - 1.5_c_double*pi) < 1e-13_c_double, 'touching balls as if they met')
     call expect(hsp_boundary_gradient(boundary, tension=1.0_c_double, pressure=0.0_c_double, &
-                                      tangency=HSP_TANGENT_APART, centre=centre, capacity=2_c_int32_t), HSP_OK, 'apart')
+                                      tangency=HSP_TANGENT_DISJOINT, centre=centre, capacity=2_c_int32_t), HSP_OK, 'apart')
     call check(all(centre == 0), 'touching balls as if they were apart')
   end subroutine
 
@@ -343,10 +343,10 @@ contains
     real(c_double) :: centre(3, n), sigma(n)
     integer(c_int32_t) :: needed
     call compute_all()
-    call expect(hsp_boundary_get_area_row(boundary, 1_c_int32_t, HSP_TANGENT_MEETING, capacity=0_c_int32_t, &
+    call expect(hsp_boundary_get_area_row(boundary, 1_c_int32_t, HSP_TANGENT_OVERLAP, capacity=0_c_int32_t, &
                                           needed=needed), HSP_E_CAPACITY, 'length of a row')
     call check(needed == 3, 'length of a row')
-    call expect(hsp_boundary_get_area_row(boundary, 1_c_int32_t, HSP_TANGENT_MEETING, row, 3_c_int32_t, needed), HSP_OK, &
+    call expect(hsp_boundary_get_area_row(boundary, 1_c_int32_t, HSP_TANGENT_OVERLAP, row, 3_c_int32_t, needed), HSP_OK, &
                 'hsp_boundary_get_area_row')
     call check(all(row%ball == [0, 1, 2]) .and. all(row%flags == 0), 'balls and flags of a row')
     call expect(hsp_boundary_get_arcs(boundary, arcs, 3_c_int32_t, needed), HSP_OK, 'hsp_boundary_get_arcs')
@@ -354,14 +354,14 @@ contains
                'angle of an entry')
     call check(row(2)%angle == 0, 'angle of the ball itself')
     sigma = [0, 1, 0, 0]
-    call expect(hsp_boundary_gradient(boundary, sigma, 1.0_c_double, 0.0_c_double, HSP_TANGENT_MEETING, centre=centre, &
+    call expect(hsp_boundary_gradient(boundary, sigma, 1.0_c_double, 0.0_c_double, HSP_TANGENT_OVERLAP, centre=centre, &
                                       capacity=n), HSP_OK, 'gradient of one area')
     call check(all(abs(centre(:, 1) - row(1)%centre) < 1e-13_c_double), 'first entry is the gradient')
     call check(all(abs(centre(:, 2) - row(2)%centre) < 1e-13_c_double), 'second entry is the gradient')
     call check(all(abs(centre(:, 3) - row(3)%centre) < 1e-13_c_double), 'third entry is the gradient')
     call check(row(1)%radius < 0 .and. row(2)%radius > 0 .and. row(3)%radius < 0, 'neighbours take area away')
-    call expect(hsp_boundary_get_area_row(boundary, n, HSP_TANGENT_APART, row, 3_c_int32_t, needed), HSP_E_ID, 'no ball')
-    call expect(hsp_boundary_get_area_row(boundary, 3_c_int32_t, HSP_TANGENT_APART, row, 3_c_int32_t, needed), HSP_OK, &
+    call expect(hsp_boundary_get_area_row(boundary, n, HSP_TANGENT_DISJOINT, row, 3_c_int32_t, needed), HSP_E_ID, 'no ball')
+    call expect(hsp_boundary_get_area_row(boundary, 3_c_int32_t, HSP_TANGENT_DISJOINT, row, 3_c_int32_t, needed), HSP_OK, &
                 'row of the ball apart')
     call check(needed == 1 .and. row(1)%ball == 3 .and. abs(row(1)%radius - 4*pi) < 1e-13_c_double, 'row of one entry')
   end subroutine

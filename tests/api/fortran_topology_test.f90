@@ -98,24 +98,24 @@ contains
     bytes_of_limits = int(c_sizeof(limits), c_int32_t)
     call expect(hsp_topology_limits_init(limits, bytes_of_limits, n), HSP_OK, 'hsp_topology_limits_init')
     call check(limits%balls == n .and. limits%neighbours == n .and. limits%edges == 16*n + 96, 'default limits')
-    call check(limits%extra_arcs == 2*n + 16 .and. limits%reserved == 0, 'default limits')
+    call check(limits%cut_arcs == 2*n + 16 .and. limits%reserved == 0, 'default limits')
     call expect(hsp_topology_limits_for(limits, bytes_of_limits, boundary), HSP_OK, 'hsp_topology_limits_for')
     call check(limits%balls == n .and. limits%struct_size == bytes_of_limits, 'limits for a boundary')
     call expect(hsp_topology_bytes(limits, bytes), HSP_OK, 'hsp_topology_bytes')
     call check(bytes > 0 .and. bytes <= hsp_topology_bytes_bound(limits%balls, limits%neighbours, limits%edges, &
-                                                                 limits%extra_arcs), 'hsp_topology_bytes_bound')
+                                                                 limits%cut_arcs), 'hsp_topology_bytes_bound')
     allocate (topology_memory(bytes))
     call expect(hsp_topology_init(c_loc(topology_memory), bytes, limits, topology), HSP_OK, 'hsp_topology_init')
     call expect(hsp_topology_get_counts(topology, counts), HSP_E_STATE, 'nothing computed')
     call expect(hsp_topology_compute(topology, boundary), HSP_OK, 'hsp_topology_compute')
     call expect(hsp_topology_get_needed(topology, needed), HSP_OK, 'hsp_topology_get_needed')
-    call check(needed%edges <= limits%edges .and. needed%extra_arcs <= limits%extra_arcs, 'what was needed')
+    call check(needed%edges <= limits%edges .and. needed%cut_arcs <= limits%cut_arcs, 'what was needed')
     call expect(hsp_topology_get_counts(topology, counts), HSP_OK, 'hsp_topology_get_counts')
     call check(counts%edges == needed%edges, 'edges are what limits count')
     call check(counts%shells == 3 .and. counts%components == 2 .and. counts%cells == 2, 'counts of shells and cells')
     call expect(hsp_boundary_get_counts(boundary, boundary_counts), HSP_OK, 'hsp_boundary_get_counts')
     call check(counts%vertices - counts%edges + counts%simple_faces == boundary_counts%euler, 'Euler characteristic')
-    call check(counts%extra_edges >= 2, 'the ball apart is cut in two')
+    call check(counts%cut_edges >= 2, 'the ball apart is cut in two')
   end subroutine
 
   subroutine steps_and_arrays()
@@ -174,7 +174,7 @@ contains
       call check(edge%vertex(1) == hsp_topology_origin(topology, 4*i), 'an edge''s origin')
       call check(edge%vertex(2) == hsp_topology_origin(topology, hsp_quad_sym(4*i)), 'an edge''s destination')
       call check(all(edge%ball == [faces(hsp_index(edge%face(1)))%ball, faces(hsp_index(edge%face(2)))%ball]), 'its balls')
-      call check((edge%kind == HSP_EDGE_EXTRA) .eqv. (edge%source == HSP_NONE), 'source of an edge')
+      call check((edge%kind == HSP_EDGE_CUT) .eqv. (edge%source == HSP_NONE), 'source of an edge')
       call check(abs(norm2(vertices(hsp_index(edge%vertex(2)))%xyz - edge%centre) - edge%radius) < 1e-13_c_double, 'circle')
       call check(abs(norm2(edge%axis) - 1) < 1e-14_c_double, 'axis of an edge')
       ! four spheres meet on each side of the cube: some arcs have length 0
@@ -247,7 +247,8 @@ contains
     call expect(hsp_topology_get_shells(topology, shells, 3_c_int32_t, needed), HSP_OK, 'hsp_topology_get_shells')
     seen = .false.
     do shell = 0, 2
-      call expect(hsp_topology_get_scan(topology, shell, faces, counts%simple_faces, needed), HSP_OK, 'hsp_topology_get_scan')
+      call expect(hsp_topology_get_traversal(topology, shell, faces, counts%simple_faces, needed), HSP_OK, &
+        'hsp_topology_get_traversal')
       call check(needed == shells(hsp_index(shell))%simple_faces, 'length of a scan')
       call check(faces(1) == shells(hsp_index(shell))%start_face, 'start of a scan')
       do i = 1, needed

@@ -146,7 +146,7 @@ contains
     call expect(hsp_view_get_needed(view, needed_limits), HSP_OK, 'hsp_view_get_needed')
     call check(needed_limits%balls == 2 .and. needed_limits%neighbours == 1 .and. needed_limits%arcs == 3, 'what was needed')
     call expect(hsp_view_get_info(view, info), HSP_OK, 'hsp_view_get_info')
-    call check(info%pieces == 2 .and. info%loops == 2 .and. info%arcs == 3 .and. info%kind == HSP_PIECES_G, 'counts')
+    call check(info%pieces == 2 .and. info%loops == 2 .and. info%arcs == 3 .and. info%kind == HSP_PIECES_OUTSIDE_FARTHER, 'counts')
     call check(all(info%origin == [3, 0, 0]) .and. all(info%towards == [0, 0, 1]), 'where the view is')
     call check(all(info%right == [1, 0, 0]) .and. all(info%up == [0, 1, 0]), 'how the view is turned')
     call check(all(abs(info%low - [-8, -5]) < 1e-12_c_double) .and. all(abs(info%high - [8, 5]) < 1e-12_c_double), 'the box')
@@ -180,7 +180,7 @@ contains
     type(hsp_view_options) :: options
     type(hsp_view_info) :: info
     call usual_options(options)
-    call check(options%struct_size == 64 .and. options%pieces == HSP_PIECES_G .and. options%flags == 0, 'options')
+    call check(options%struct_size == 64 .and. options%pieces == HSP_PIECES_OUTSIDE_FARTHER .and. options%flags == 0, 'options')
     call expect(hsp_view_options_turn(options, 90.0_c_double, 0.0_c_double, 0.0_c_double), HSP_OK, 'hsp_view_options_turn')
     options%flags = HSP_VIEW_ALL_BALLS
     call expect(hsp_view_compute(view, model, c_null_ptr, options), HSP_OK, 'turned by a quarter')
@@ -198,12 +198,12 @@ contains
     type(hsp_view_options) :: options
     type(hsp_view_info) :: info
     call usual_options(options)
-    options%pieces = HSP_PIECES_H
+    options%pieces = HSP_PIECES_OUTSIDE_ALL
     call expect(hsp_view_compute(view, model, c_null_ptr, options), HSP_E_ARGUMENT, 'H-pieces without a boundary')
     call expect(hsp_boundary_compute(boundary, model), HSP_OK, 'hsp_boundary_compute')
     call expect(hsp_view_compute(view, model, boundary, options), HSP_OK, 'H-pieces')
     call expect(hsp_view_get_info(view, info), HSP_OK, 'hsp_view_get_info')
-    call check(info%kind == HSP_PIECES_H .and. info%pieces == 2 .and. info%arcs == 4, 'both balls are cut')
+    call check(info%kind == HSP_PIECES_OUTSIDE_ALL .and. info%pieces == 2 .and. info%arcs == 4, 'both balls are cut')
   end subroutine
 
   subroutine palettes()

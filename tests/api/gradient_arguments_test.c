@@ -65,11 +65,11 @@ static void check_all_refuse(const hsp_boundary *which, int32_t status) {
   CHECK_EQUAL(hsp_boundary_measure_selected(which, selected, &totals, area, volume, BALLS), status);
   CHECK_EQUAL(hsp_boundary_measure_selected(which, NULL, &totals, NULL, NULL, 0), status);
   CHECK_EQUAL(hsp_boundary_measure_faces(which, face_area, face_volume, FACES), status);
-  CHECK_EQUAL(gradient_with(which, sigma, 1, 1, HSP_TANGENT_MEETING), status);
-  CHECK_EQUAL(gradient_with(which, NULL, 1, 1, HSP_TANGENT_APART), status);
-  CHECK_EQUAL(hsp_boundary_gradient(which, NULL, 1, 1, HSP_TANGENT_APART, &energy, NULL, NULL, NULL, 0), status);
-  CHECK_EQUAL(hsp_boundary_get_area_row(which, 0, HSP_TANGENT_MEETING, row, ENTRIES, &needed), status);
-  CHECK_EQUAL(hsp_boundary_get_area_row(which, 0, HSP_TANGENT_APART, NULL, 0, &needed), status);
+  CHECK_EQUAL(gradient_with(which, sigma, 1, 1, HSP_TANGENT_OVERLAP), status);
+  CHECK_EQUAL(gradient_with(which, NULL, 1, 1, HSP_TANGENT_DISJOINT), status);
+  CHECK_EQUAL(hsp_boundary_gradient(which, NULL, 1, 1, HSP_TANGENT_DISJOINT, &energy, NULL, NULL, NULL, 0), status);
+  CHECK_EQUAL(hsp_boundary_get_area_row(which, 0, HSP_TANGENT_OVERLAP, row, ENTRIES, &needed), status);
+  CHECK_EQUAL(hsp_boundary_get_area_row(which, 0, HSP_TANGENT_DISJOINT, NULL, 0, &needed), status);
   check_outputs_untouched();
 }
 
@@ -116,25 +116,26 @@ static void bad_arguments(void) {
   }
   check_scene("numbers that are not finite");
   for (v = 0; v < 3; ++v) {
-    CHECK_EQUAL(gradient_with(boundary, NULL, not_finite[v], 1, HSP_TANGENT_MEETING), HSP_E_NOT_FINITE);
-    CHECK_EQUAL(gradient_with(boundary, NULL, 1, not_finite[v], HSP_TANGENT_MEETING), HSP_E_NOT_FINITE);
-    CHECK_EQUAL(hsp_boundary_gradient(boundary, NULL, not_finite[v], 0, HSP_TANGENT_APART, NULL, NULL, NULL, NULL, 0),
-                HSP_E_NOT_FINITE);
+    CHECK_EQUAL(gradient_with(boundary, NULL, not_finite[v], 1, HSP_TANGENT_OVERLAP), HSP_E_NOT_FINITE);
+    CHECK_EQUAL(gradient_with(boundary, NULL, 1, not_finite[v], HSP_TANGENT_OVERLAP), HSP_E_NOT_FINITE);
+    CHECK_EQUAL(
+        hsp_boundary_gradient(boundary, NULL, not_finite[v], 0, HSP_TANGENT_DISJOINT, NULL, NULL, NULL, NULL, 0),
+        HSP_E_NOT_FINITE);
     for (i = 0; i < BALLS; ++i) {
       weights[i] = not_finite[v];
-      CHECK_EQUAL(gradient_with(boundary, weights, 1, 1, HSP_TANGENT_APART), HSP_E_NOT_FINITE);
+      CHECK_EQUAL(gradient_with(boundary, weights, 1, 1, HSP_TANGENT_DISJOINT), HSP_E_NOT_FINITE);
       /* whatever it is multiplied with, and whether or not anybody wants the results */
-      CHECK_EQUAL(gradient_with(boundary, weights, 0, 1, HSP_TANGENT_MEETING), HSP_E_NOT_FINITE);
-      CHECK_EQUAL(hsp_boundary_gradient(boundary, weights, 1, 0, HSP_TANGENT_APART, NULL, NULL, NULL, NULL, 0),
+      CHECK_EQUAL(gradient_with(boundary, weights, 0, 1, HSP_TANGENT_OVERLAP), HSP_E_NOT_FINITE);
+      CHECK_EQUAL(hsp_boundary_gradient(boundary, weights, 1, 0, HSP_TANGENT_DISJOINT, NULL, NULL, NULL, NULL, 0),
                   HSP_E_NOT_FINITE);
       weights[i] = 1;
     }
   }
   check_scene("rows");
-  CHECK_EQUAL(hsp_boundary_get_area_row(boundary, 0, HSP_TANGENT_MEETING, NULL, ENTRIES, &needed), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_boundary_get_area_row(boundary, 0, HSP_TANGENT_MEETING, row, ENTRIES, NULL), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_boundary_get_area_row(boundary, BALLS, HSP_TANGENT_MEETING, row, ENTRIES, &needed), HSP_E_ID);
-  CHECK_EQUAL(hsp_boundary_get_area_row(boundary, HSP_NONE, HSP_TANGENT_APART, NULL, 0, &needed), HSP_E_ID);
+  CHECK_EQUAL(hsp_boundary_get_area_row(boundary, 0, HSP_TANGENT_OVERLAP, NULL, ENTRIES, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_get_area_row(boundary, 0, HSP_TANGENT_OVERLAP, row, ENTRIES, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_get_area_row(boundary, BALLS, HSP_TANGENT_OVERLAP, row, ENTRIES, &needed), HSP_E_ID);
+  CHECK_EQUAL(hsp_boundary_get_area_row(boundary, HSP_NONE, HSP_TANGENT_DISJOINT, NULL, 0, &needed), HSP_E_ID);
   check_outputs_untouched();
 }
 
@@ -150,20 +151,20 @@ static void too_small(void) {
     CHECK_EQUAL(hsp_boundary_measure_faces(boundary, face_area, NULL, capacity), HSP_E_CAPACITY);
     CHECK_EQUAL(hsp_boundary_measure_faces(boundary, NULL, face_volume, capacity), HSP_E_CAPACITY);
     CHECK_EQUAL(hsp_boundary_measure_faces(boundary, face_area, face_volume, capacity), HSP_E_CAPACITY);
-    CHECK_EQUAL(hsp_boundary_gradient(boundary, sigma, 1, 1, HSP_TANGENT_MEETING, &energy, &by_centre[0][0], NULL, NULL,
+    CHECK_EQUAL(hsp_boundary_gradient(boundary, sigma, 1, 1, HSP_TANGENT_OVERLAP, &energy, &by_centre[0][0], NULL, NULL,
                                       capacity),
                 HSP_E_CAPACITY);
     CHECK_EQUAL(
-        hsp_boundary_gradient(boundary, sigma, 1, 1, HSP_TANGENT_MEETING, &energy, NULL, by_radius, NULL, capacity),
+        hsp_boundary_gradient(boundary, sigma, 1, 1, HSP_TANGENT_OVERLAP, &energy, NULL, by_radius, NULL, capacity),
         HSP_E_CAPACITY);
-    CHECK_EQUAL(hsp_boundary_gradient(boundary, NULL, 1, 1, HSP_TANGENT_APART, &energy, NULL, NULL, flags, capacity),
+    CHECK_EQUAL(hsp_boundary_gradient(boundary, NULL, 1, 1, HSP_TANGENT_DISJOINT, &energy, NULL, NULL, flags, capacity),
                 HSP_E_CAPACITY);
-    CHECK_EQUAL(hsp_boundary_gradient(boundary, NULL, 1, 1, HSP_TANGENT_APART, NULL, &by_centre[0][0], by_radius, flags,
-                                      capacity),
+    CHECK_EQUAL(hsp_boundary_gradient(boundary, NULL, 1, 1, HSP_TANGENT_DISJOINT, NULL, &by_centre[0][0], by_radius,
+                                      flags, capacity),
                 HSP_E_CAPACITY);
   }
   check_outputs_untouched();
-  CHECK_EQUAL(hsp_boundary_get_area_row(boundary, 0, HSP_TANGENT_MEETING, row, ENTRIES - 1, &needed), HSP_E_CAPACITY);
+  CHECK_EQUAL(hsp_boundary_get_area_row(boundary, 0, HSP_TANGENT_OVERLAP, row, ENTRIES - 1, &needed), HSP_E_CAPACITY);
   CHECK_EQUAL(needed, ENTRIES);
   CHECK_UNTOUCHED(row);
 }
@@ -174,7 +175,7 @@ static void left_out(void) {
   double all_centre[BALLS][3], all_radius[BALLS];
   uint32_t all_flags[BALLS];
   int given;
-  CHECK_EQUAL(gradient_with(boundary, sigma, 3, -0.5, HSP_TANGENT_MEETING), HSP_OK);
+  CHECK_EQUAL(gradient_with(boundary, sigma, 3, -0.5, HSP_TANGENT_OVERLAP), HSP_OK);
   all_energy = energy;
   memcpy(all_centre, by_centre, sizeof all_centre);
   memcpy(all_radius, by_radius, sizeof all_radius);
@@ -182,7 +183,7 @@ static void left_out(void) {
   for (given = 0; given < 16; ++given) {
     check_scene("gradient without those outputs that 15 - %d stands for", given);
     fill_outputs();
-    CHECK_EQUAL(hsp_boundary_gradient(boundary, sigma, 3, -0.5, HSP_TANGENT_MEETING, (given & 1) != 0 ? &energy : NULL,
+    CHECK_EQUAL(hsp_boundary_gradient(boundary, sigma, 3, -0.5, HSP_TANGENT_OVERLAP, (given & 1) != 0 ? &energy : NULL,
                                       (given & 2) != 0 ? &by_centre[0][0] : NULL, (given & 4) != 0 ? by_radius : NULL,
                                       (given & 8) != 0 ? flags : NULL, (given & 14) != 0 ? BALLS : 0),
                 HSP_OK);
@@ -225,15 +226,15 @@ static void no_balls(void) {
   CHECK_EQUAL(hsp_boundary_measure_faces(boundary, face_area, face_volume, 0), HSP_OK);
   CHECK_EQUAL(hsp_boundary_measure_faces(boundary, NULL, NULL, 0), HSP_OK);
   CHECK_EQUAL(
-      hsp_boundary_gradient(boundary, sigma, 1, 1, HSP_TANGENT_APART, NULL, &by_centre[0][0], by_radius, flags, 0),
+      hsp_boundary_gradient(boundary, sigma, 1, 1, HSP_TANGENT_DISJOINT, NULL, &by_centre[0][0], by_radius, flags, 0),
       HSP_OK);
-  CHECK_EQUAL(hsp_boundary_get_area_row(boundary, 0, HSP_TANGENT_MEETING, row, ENTRIES, &needed), HSP_E_ID);
-  CHECK_EQUAL(gradient_with(boundary, NULL, NAN, 1, HSP_TANGENT_MEETING), HSP_E_NOT_FINITE);
+  CHECK_EQUAL(hsp_boundary_get_area_row(boundary, 0, HSP_TANGENT_OVERLAP, row, ENTRIES, &needed), HSP_E_ID);
+  CHECK_EQUAL(gradient_with(boundary, NULL, NAN, 1, HSP_TANGENT_OVERLAP), HSP_E_NOT_FINITE);
   CHECK_EQUAL(gradient_with(boundary, NULL, 1, 1, 2), HSP_E_ARGUMENT);
   check_outputs_untouched();
   CHECK_EQUAL(hsp_boundary_measure_selected(boundary, selected, &totals, NULL, NULL, 0), HSP_OK);
   CHECK(totals.area == 0 && totals.volume == 0);
-  CHECK_EQUAL(hsp_boundary_gradient(boundary, NULL, 1, 1, HSP_TANGENT_APART, &energy, NULL, NULL, NULL, 0), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_gradient(boundary, NULL, 1, 1, HSP_TANGENT_DISJOINT, &energy, NULL, NULL, NULL, 0), HSP_OK);
   CHECK(energy.value == 0 && energy.area == 0 && energy.volume == 0 && energy.probe == 0);
 }
 

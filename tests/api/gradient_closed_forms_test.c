@@ -93,7 +93,7 @@ static void check_two_balls(const ball_set *set, const double *u, const two_ball
 /* The rows of two balls that meet in a circle, which may have radius 0: then it counts only where they are to meet. */
 static void check_two_rows(const ball_set *set, const double *u, const two_ball_slopes *f, uint32_t tangency,
                            uint32_t flags) {
-  const double angle = flags != 0 && tangency == HSP_TANGENT_APART ? 0 : 2 * pi;
+  const double angle = flags != 0 && tangency == HSP_TANGENT_DISJOINT ? 0 : 2 * pi;
   computed c;
   jacobian rows;
   uint32_t i, j;
@@ -131,7 +131,7 @@ static void few_balls(void) {
   uint32_t tangency;
   computed c;
   int k, which;
-  for (tangency = HSP_TANGENT_MEETING; tangency <= HSP_TANGENT_APART; ++tangency) {
+  for (tangency = HSP_TANGENT_OVERLAP; tangency <= HSP_TANGENT_DISJOINT; ++tangency) {
     check_scene("one ball, tangency %u", (unsigned)tangency);
     ball_set_start(&set, "one ball", 1e-8);
     ball_set_add(&set, 1.25, -2.5, 3.75, 1.5);
@@ -185,11 +185,11 @@ static void touching_from_outside(void) {
     two_ball_slopes none = apart;
     two_balls_at(&set, r, s, u, 2.5);
     check_scene("touching balls as if they met, direction %d", which);
-    check_two_balls(&set, u, &meeting, HSP_TANGENT_MEETING, HSP_GRADIENT_ONE_SIDED);
-    check_two_rows(&set, u, &meeting, HSP_TANGENT_MEETING, HSP_GRADIENT_ONE_SIDED);
+    check_two_balls(&set, u, &meeting, HSP_TANGENT_OVERLAP, HSP_GRADIENT_ONE_SIDED);
+    check_two_rows(&set, u, &meeting, HSP_TANGENT_OVERLAP, HSP_GRADIENT_ONE_SIDED);
     check_scene("touching balls as if they were apart, direction %d", which);
-    check_two_balls(&set, u, &apart, HSP_TANGENT_APART, HSP_GRADIENT_ONE_SIDED);
-    check_two_rows(&set, u, &none, HSP_TANGENT_APART, HSP_GRADIENT_ONE_SIDED);
+    check_two_balls(&set, u, &apart, HSP_TANGENT_DISJOINT, HSP_GRADIENT_ONE_SIDED);
+    check_two_rows(&set, u, &none, HSP_TANGENT_DISJOINT, HSP_GRADIENT_ONE_SIDED);
     /* one step of the lattice to either side there is nothing to choose; balls that only just meet share a circle
      * whose derivatives are those at the touch up to the step times a second derivative */
     check_scene("almost touching balls, direction %d", which);
@@ -200,8 +200,8 @@ static void touching_from_outside(void) {
       for (side = -1; side <= 1; side += 2) {
         set.xyz[3] = 7 + 2.5 + side * 1e-8;
         CHECK_EQUAL(computed_make(set.n, set.xyz, set.radius, NULL, &c), HSP_OK);
-        CHECK_EQUAL(gradients_make(&c, NULL, 1, 0, HSP_TANGENT_MEETING, &g), HSP_OK);
-        CHECK_EQUAL(gradients_make(&c, NULL, 1, 0, HSP_TANGENT_APART, &other), HSP_OK);
+        CHECK_EQUAL(gradients_make(&c, NULL, 1, 0, HSP_TANGENT_OVERLAP, &g), HSP_OK);
+        CHECK_EQUAL(gradients_make(&c, NULL, 1, 0, HSP_TANGENT_DISJOINT, &other), HSP_OK);
         CHECK(g.flags[0] == 0 && g.flags[1] == 0);
         CHECK_BYTES(g.centre, other.centre, 6 * sizeof(double));
         CHECK_NEAR(g.centre[3], side < 0 ? meeting.by_distance[0] + meeting.by_distance[1] : 0, 1e-6);
@@ -221,7 +221,7 @@ static void touching_from_inside(void) {
     const double *u = directions[which];
     const two_ball_slopes f = slopes_inside(1.5 * u[3]);
     for (sign = -1; sign <= 1; sign += 2) {
-      for (tangency = HSP_TANGENT_MEETING; tangency <= HSP_TANGENT_APART; ++tangency) {
+      for (tangency = HSP_TANGENT_OVERLAP; tangency <= HSP_TANGENT_DISJOINT; ++tangency) {
         check_scene("touching from inside, direction %d times %d, tangency %u", which, sign, (unsigned)tangency);
         two_balls_at(&set, 1.5 * u[3], u[3], u, 0.5 * sign);
         check_two_balls(&set, u, &f, tangency, HSP_GRADIENT_ONE_SIDED);
@@ -241,8 +241,8 @@ static void covered_touch(void) {
   ball_set_add(&set, 0, 0.25, 0, 0.75);
   check_scene("%s", set.name);
   CHECK_EQUAL(computed_make(set.n, set.xyz, set.radius, NULL, &c), HSP_OK);
-  CHECK_EQUAL(gradients_make(&c, NULL, 1, 0.5, HSP_TANGENT_MEETING, &meeting), HSP_OK);
-  CHECK_EQUAL(gradients_make(&c, NULL, 1, 0.5, HSP_TANGENT_APART, &apart), HSP_OK);
+  CHECK_EQUAL(gradients_make(&c, NULL, 1, 0.5, HSP_TANGENT_OVERLAP, &meeting), HSP_OK);
+  CHECK_EQUAL(gradients_make(&c, NULL, 1, 0.5, HSP_TANGENT_DISJOINT, &apart), HSP_OK);
   CHECK(meeting.flags[0] == 0 && meeting.flags[1] == 0 && meeting.flags[2] == 0);
   CHECK_BYTES(meeting.centre, apart.centre, 9 * sizeof(double));
   CHECK_BYTES(meeting.radius, apart.radius, 3 * sizeof(double));
@@ -256,7 +256,7 @@ static void covered_touch(void) {
   ball_set_add(&set, 2, 0.25, 0, 0.75);
   check_scene("%s", set.name);
   CHECK_EQUAL(computed_make(set.n, set.xyz, set.radius, NULL, &c), HSP_OK);
-  CHECK_EQUAL(gradients_make(&c, NULL, 1, 0.5, HSP_TANGENT_MEETING, &meeting), HSP_OK);
+  CHECK_EQUAL(gradients_make(&c, NULL, 1, 0.5, HSP_TANGENT_OVERLAP, &meeting), HSP_OK);
   CHECK_EQUAL(meeting.flags[0], HSP_GRADIENT_ONE_SIDED); /* for the sake of ball 2 */
   CHECK_EQUAL(meeting.flags[1], 0);
   CHECK_EQUAL(meeting.flags[2], HSP_GRADIENT_ONE_SIDED);
@@ -274,7 +274,7 @@ static void hidden_balls(void) {
   ball_set_add(&set, 0, 0, 0, 1.5);
   ball_set_add(&set, 2, 0, 0, 1.5);
   ball_set_add(&set, 1, 1.5, 0, 1.25);
-  for (tangency = HSP_TANGENT_MEETING; tangency <= HSP_TANGENT_APART; ++tangency) {
+  for (tangency = HSP_TANGENT_OVERLAP; tangency <= HSP_TANGENT_DISJOINT; ++tangency) {
     check_scene("hidden balls, tangency %u", (unsigned)tangency);
     more = set;
     ball_set_add(&more, 0.25, -0.25, 0.125, 0.5); /* inside ball 0 */
@@ -373,7 +373,7 @@ static void stretched_grids(void) {
     CHECK_EQUAL(computed_make(set.n, set.xyz, set.radius, NULL, &c), HSP_OK);
     for (volume = 0; volume < 2; ++volume) {
       check_scene("grid %d, %s", which, volume ? "volume" : "area");
-      CHECK_EQUAL(gradients_make(&c, NULL, volume ? 0 : 1, volume ? 1 : 0, HSP_TANGENT_MEETING, &g), HSP_OK);
+      CHECK_EQUAL(gradients_make(&c, NULL, volume ? 0 : 1, volume ? 1 : 0, HSP_TANGENT_OVERLAP, &g), HSP_OK);
       for (axis = 0; axis < 3; ++axis) {
         double stretch = 0;
         for (i = 0; i < set.n; ++i) {

@@ -70,8 +70,8 @@ static void smooth(const ball_set *set, double h, double tolerance) {
   int which;
   check_scene("%s", set->name);
   CHECK_EQUAL(computed_make(set->n, set->xyz, set->radius, NULL, &c), HSP_OK);
-  CHECK_EQUAL(jacobian_make(&c, HSP_TANGENT_MEETING, &rows), HSP_OK);
-  CHECK_EQUAL(gradients_make(&c, NULL, 0, 1, HSP_TANGENT_MEETING, &volume), HSP_OK);
+  CHECK_EQUAL(jacobian_make(&c, HSP_TANGENT_OVERLAP, &rows), HSP_OK);
+  CHECK_EQUAL(gradients_make(&c, NULL, 0, 1, HSP_TANGENT_OVERLAP, &volume), HSP_OK);
   for (j = 0; j < set->n; ++j) {
     for (which = 0; which < 4; ++which) {
       check_scene("%s, number %d of ball %u", set->name, which, (unsigned)j);
@@ -85,7 +85,7 @@ static void smooth(const ball_set *set, double h, double tolerance) {
 /* Balls in a row that touch, of several sizes; one touch is covered by a fourth ball. */
 static void touching(void) {
   static const int times[4] = {0, 1, 2, 3};
-  static const uint32_t tangencies[2] = {HSP_TANGENT_MEETING, HSP_TANGENT_APART};
+  static const uint32_t tangencies[2] = {HSP_TANGENT_OVERLAP, HSP_TANGENT_DISJOINT};
   static ball_set set;
   static gradients volume;
   computed c;
@@ -99,7 +99,7 @@ static void touching(void) {
   CHECK_EQUAL(computed_make(set.n, set.xyz, set.radius, NULL, &c), HSP_OK);
   for (t = 0; t < 2; ++t) {
     /* ball 0 towards ball 1 or away from it; larger or smaller */
-    const double sign = tangencies[t] == HSP_TANGENT_MEETING ? 1 : -1;
+    const double sign = tangencies[t] == HSP_TANGENT_OVERLAP ? 1 : -1;
     CHECK_EQUAL(jacobian_make(&c, tangencies[t], &rows), HSP_OK);
     CHECK_EQUAL(gradients_make(&c, NULL, 0, 1, tangencies[t], &volume), HSP_OK);
     check_scene("%s, tangency %u", set.name, (unsigned)tangencies[t]);

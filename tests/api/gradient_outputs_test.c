@@ -80,7 +80,7 @@ static void sweep_gradient(const computed *c) {
   static gradients g;
   const uint32_t n = c->n;
   uint32_t capacities[AROUND], i, arrays;
-  CHECK_EQUAL(gradients_make(c, NULL, 2, 0.5, HSP_TANGENT_MEETING, &g), HSP_OK);
+  CHECK_EQUAL(gradients_make(c, NULL, 2, 0.5, HSP_TANGENT_OVERLAP, &g), HSP_OK);
   values_around(n, capacities);
   for (i = 0; i < AROUND; ++i) {
     for (arrays = 0; arrays < 8; ++arrays) {
@@ -92,7 +92,7 @@ static void sweep_gradient(const computed *c) {
       hsp_energy energy, untouched;
       memset(&energy, GUARDED_PATTERN, sizeof energy);
       untouched = energy;
-      CHECK_EQUAL(hsp_boundary_gradient(c->boundary, NULL, 2, 0.5, HSP_TANGENT_MEETING, &energy,
+      CHECK_EQUAL(hsp_boundary_gradient(c->boundary, NULL, 2, 0.5, HSP_TANGENT_OVERLAP, &energy,
                                         (arrays & 1) != 0 ? doubles(&centre) : NULL,
                                         (arrays & 2) != 0 ? doubles(&radius) : NULL,
                                         (arrays & 4) != 0 ? numbers(&flags) : NULL, capacity),
@@ -147,7 +147,7 @@ int main(void) {
       sweep_measure(&c, measure_selected, c.n, 1);
       sweep_measure(&c, measure_faces, c.counts.faces, 0);
       sweep_gradient(&c);
-      for (i = 0; i < set.n; ++i) sweep_row(&c, i, i % 2 == 0 ? HSP_TANGENT_MEETING : HSP_TANGENT_APART);
+      for (i = 0; i < set.n; ++i) sweep_row(&c, i, i % 2 == 0 ? HSP_TANGENT_OVERLAP : HSP_TANGENT_DISJOINT);
     }
     computed_release(&c);
   }

@@ -24,7 +24,7 @@ static void check_nothing_broken(const char *broken) {
 static uint32_t flagged(const computed *c) {
   static gradients g;
   uint32_t i, count = 0;
-  CHECK_EQUAL(gradients_make(c, NULL, 1, 1, HSP_TANGENT_MEETING, &g), HSP_OK);
+  CHECK_EQUAL(gradients_make(c, NULL, 1, 1, HSP_TANGENT_OVERLAP, &g), HSP_OK);
   for (i = 0; i < c->n; ++i) count += g.flags[i];
   return count;
 }
@@ -62,9 +62,9 @@ static void check_unit(const ball_set *set, double unit, double step) {
   CHECK_EQUAL(computed_make(set->n, set->xyz, set->radius, &options, &c), HSP_OK);
   options.step = step;
   CHECK_EQUAL(computed_make(set->n, scaled.xyz, scaled.radius, &options, &d), HSP_OK);
-  CHECK_EQUAL(gradients_make(&c, NULL, 1, 0, HSP_TANGENT_MEETING, &area), HSP_OK);
-  CHECK_EQUAL(gradients_make(&c, NULL, 0, 1, HSP_TANGENT_MEETING, &volume), HSP_OK);
-  CHECK_EQUAL(gradients_make(&d, NULL, 2, 3, HSP_TANGENT_MEETING, &other), HSP_OK);
+  CHECK_EQUAL(gradients_make(&c, NULL, 1, 0, HSP_TANGENT_OVERLAP, &area), HSP_OK);
+  CHECK_EQUAL(gradients_make(&c, NULL, 0, 1, HSP_TANGENT_OVERLAP, &volume), HSP_OK);
+  CHECK_EQUAL(gradients_make(&d, NULL, 2, 3, HSP_TANGENT_OVERLAP, &other), HSP_OK);
   CHECK_BYTES(other.flags, area.flags, set->n * sizeof(uint32_t));
   for (i = 0; i < 3 * set->n; ++i) {
     const double expected = 2 * unit * area.centre[i] + 3 * unit * unit * volume.centre[i];
@@ -99,8 +99,8 @@ static void check_power_of_two(const ball_set *set, int exponent) {
   CHECK_EQUAL(computed_make(set->n, scaled.xyz, scaled.radius, &options, &d), HSP_OK);
   for (of_volume = 0; of_volume < 2; ++of_volume) {
     const int times = (1 + of_volume) * exponent;
-    CHECK_EQUAL(gradients_make(&c, NULL, 1 - of_volume, of_volume, HSP_TANGENT_MEETING, &here), HSP_OK);
-    CHECK_EQUAL(gradients_make(&d, NULL, 1 - of_volume, of_volume, HSP_TANGENT_MEETING, &there), HSP_OK);
+    CHECK_EQUAL(gradients_make(&c, NULL, 1 - of_volume, of_volume, HSP_TANGENT_OVERLAP, &here), HSP_OK);
+    CHECK_EQUAL(gradients_make(&d, NULL, 1 - of_volume, of_volume, HSP_TANGENT_OVERLAP, &there), HSP_OK);
     for (i = 0; i < 3 * set->n; ++i) CHECK(ldexp(here.centre[i], times) == there.centre[i]);
     for (i = 0; i < set->n; ++i) CHECK(ldexp(here.radius[i], times) == there.radius[i]);
   }
@@ -125,8 +125,8 @@ static void check_probe(const ball_set *set) {
   for (i = 0; i < set->n; ++i) smaller.radius[i] = (floor(set->radius[i] / set->step + 0.5) - steps) * set->step;
   options.probe = steps * set->step;
   CHECK_EQUAL(computed_make(set->n, smaller.xyz, smaller.radius, &options, &c), HSP_OK);
-  CHECK_EQUAL(gradients_make(&c, NULL, 1, 1, HSP_TANGENT_APART, &with_probe), HSP_OK);
-  CHECK_EQUAL(gradients_make(&d, NULL, 1, 1, HSP_TANGENT_APART, &with_radii), HSP_OK);
+  CHECK_EQUAL(gradients_make(&c, NULL, 1, 1, HSP_TANGENT_DISJOINT, &with_probe), HSP_OK);
+  CHECK_EQUAL(gradients_make(&d, NULL, 1, 1, HSP_TANGENT_DISJOINT, &with_radii), HSP_OK);
   CHECK_BYTES(&with_probe, &with_radii, sizeof with_probe);
   computed_release(&c);
   computed_release(&d);
@@ -143,7 +143,7 @@ static void check_buried_copies(void) {
   for (i = 0; i < 3; ++i) ball_set_add(&set, 0.5, 0, 0, 1);
   check_scene("%s", set.name);
   CHECK_EQUAL(computed_make(set.n, set.xyz, set.radius, NULL, &c), HSP_OK);
-  CHECK_EQUAL(gradients_make(&c, NULL, 1, 0, HSP_TANGENT_MEETING, &g), HSP_OK);
+  CHECK_EQUAL(gradients_make(&c, NULL, 1, 0, HSP_TANGENT_OVERLAP, &g), HSP_OK);
   for (i = 0; i < 4; ++i) CHECK_EQUAL(g.flags[i], 0);
   computed_release(&c);
 }
@@ -161,7 +161,7 @@ int main(void) {
       check_nothing_broken(broken_gradient_flags(&c, sigma));
       if (strcmp(set.name, "cubic grid of touching balls") == 0) CHECK_EQUAL(flagged(&c), 27);
       if (strcmp(set.name, "a chain of 60 atoms") == 0) CHECK_EQUAL(flagged(&c), 0);
-      for (tangency = HSP_TANGENT_MEETING; tangency <= HSP_TANGENT_APART; ++tangency) {
+      for (tangency = HSP_TANGENT_OVERLAP; tangency <= HSP_TANGENT_DISJOINT; ++tangency) {
         check_scene("%s, tangency %u", set.name, (unsigned)tangency);
         check_nothing_broken(broken_gradients(&c, NULL, -0.75, 2.5, tangency));
         check_nothing_broken(broken_gradients(&c, sigma, -0.75, 2.5, tangency));

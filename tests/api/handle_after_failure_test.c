@@ -175,7 +175,7 @@ static void failed_view(void) {
       if (refusal == 2) options.pieces = 2;
       if (refusal == 3) options.flags = 2;
       if (refusal == 4) options.reserved = 1;
-      if (refusal == 5) options.pieces = HSP_PIECES_H;
+      if (refusal == 5) options.pieces = HSP_PIECES_OUTSIDE_ALL;
       if (refusal == 6) cut_from = h.boundary;
       if (refusal == 7) {
         CHECK_EQUAL(hsp_boundary_compute(h.boundary, NULL), HSP_E_ARGUMENT);

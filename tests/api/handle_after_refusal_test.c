@@ -26,7 +26,7 @@ static void refused_of_model(void) {
   CHECK_EQUAL(hsp_model_init(h.model_memory, SIZE, HSP_NONE, &made), HSP_E_RANGE);
   CHECK_EQUAL(hsp_model_set(NULL, BALLS, four_xyz, four_radius, NULL, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_model_get_info(h.model, NULL), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_model_get_figures(h.model, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_model_get_packing(h.model, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_query_point(h.model, NULL, ids, BALLS, &count), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_query_point(h.model, nowhere, ids, BALLS, &count), HSP_E_NOT_FINITE);
   CHECK_EQUAL(hsp_query_ball(h.model, far_away, 1, ids, BALLS, &count), HSP_E_RANGE);
@@ -66,10 +66,10 @@ static void refused_of_boundary(void) {
   CHECK_EQUAL(hsp_boundary_measure(h.boundary, NULL, number, NULL, BALLS - 1), HSP_E_CAPACITY);
   CHECK_EQUAL(hsp_boundary_measure_selected(h.boundary, NULL, NULL, NULL, number, 0), HSP_E_CAPACITY);
   CHECK_EQUAL(hsp_boundary_measure_faces(h.boundary, number, NULL, 1), HSP_E_CAPACITY);
-  CHECK_EQUAL(hsp_boundary_gradient(h.boundary, NULL, NAN, 0, HSP_TANGENT_MEETING, NULL, NULL, NULL, NULL, 0),
+  CHECK_EQUAL(hsp_boundary_gradient(h.boundary, NULL, NAN, 0, HSP_TANGENT_OVERLAP, NULL, NULL, NULL, NULL, 0),
               HSP_E_NOT_FINITE);
   CHECK_EQUAL(hsp_boundary_gradient(h.boundary, NULL, 1, 0, 2, NULL, NULL, NULL, NULL, 0), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_boundary_get_area_row(h.boundary, BALLS, HSP_TANGENT_APART, NULL, 0, &count), HSP_E_ID);
+  CHECK_EQUAL(hsp_boundary_get_area_row(h.boundary, BALLS, HSP_TANGENT_DISJOINT, NULL, 0, &count), HSP_E_ID);
   CHECK_EQUAL(hsp_boundary_check(h.boundary, NULL, &where), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_check(h.boundary, &law, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_topology_limits_for(&of_topology, 0, h.boundary), HSP_E_ARGUMENT);
@@ -109,7 +109,7 @@ static void refused_of_topology(void) {
   CHECK_EQUAL(hsp_topology_get_components(h.topology, NULL, 1, &count), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_topology_get_cells(h.topology, NULL, 0, &count), HSP_E_CAPACITY);
   CHECK_EQUAL(hsp_topology_get_cell_shells(h.topology, HSP_NONE, ids, 2, &count), HSP_E_ID);
-  CHECK_EQUAL(hsp_topology_get_scan(h.topology, 0, ids, 1, &count), HSP_E_CAPACITY);
+  CHECK_EQUAL(hsp_topology_get_traversal(h.topology, 0, ids, 1, &count), HSP_E_CAPACITY);
   CHECK_EQUAL(hsp_topology_locate(h.topology, nowhere, &cell, NULL, 0, NULL), HSP_E_NOT_FINITE);
   CHECK_EQUAL(hsp_topology_locate(h.topology, four_inside, &cell, ids, 1, &count), HSP_E_CAPACITY);
   CHECK_EQUAL(hsp_topology_same_cell(h.topology, four_inside, nowhere, &same), HSP_E_NOT_FINITE);

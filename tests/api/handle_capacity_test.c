@@ -217,7 +217,7 @@ static void sweep_views(const computed *c, uint32_t which, const char *name) {
   sweep_view(c, &options, 0, name);
   options.flags = HSP_VIEW_ALL_BALLS;
   sweep_view(c, &options, which % 2 == 0, name);
-  options.pieces = HSP_PIECES_H;
+  options.pieces = HSP_PIECES_OUTSIDE_ALL;
   options.flags = which % 2 == 0 ? 0 : HSP_VIEW_ALL_BALLS;
   sweep_view(c, &options, 1, name);
 }

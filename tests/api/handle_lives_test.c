@@ -58,7 +58,7 @@ static void one_after_another(void) {
     topology_set_make((which + 5) % topology_set_count(), &other_set);
     CHECK_EQUAL(hsp_view_options_init(&options, (uint32_t)sizeof options), HSP_OK);
     CHECK_EQUAL(hsp_view_options_turn(&options, 10.0 * which, 35, 0), HSP_OK);
-    options.pieces = which % 2 == 0 ? HSP_PIECES_G : HSP_PIECES_H;
+    options.pieces = which % 2 == 0 ? HSP_PIECES_OUTSIDE_FARTHER : HSP_PIECES_OUTSIDE_ALL;
     check_scene("%s, then %s", set.name, other_set.name);
     memset(&other, 0, sizeof other);
     if (computations_make(&set, &options, &all) && computations_make(&other_set, &options, &other)) {

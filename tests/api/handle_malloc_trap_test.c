@@ -60,7 +60,7 @@ static int call_boundary(computed *c, const buffers *b) {
   hsp_boundary *boundary = NULL;
   hsp_model_options options;
   hsp_model_info info;
-  hsp_figures figures;
+  hsp_packing figures;
   hsp_boundary_limits limits;
   hsp_boundary_counts counts;
   hsp_totals totals;
@@ -76,7 +76,7 @@ static int call_boundary(computed *c, const buffers *b) {
   bad += hsp_model_options_init(&options, (uint32_t)sizeof options) != HSP_OK;
   bad += hsp_model_set(model, c->n, c->xyz, c->radius, &options, NULL) != HSP_OK;
   bad += hsp_model_get_info(model, &info) != HSP_OK;
-  bad += hsp_model_get_figures(model, &figures) != HSP_OK;
+  bad += hsp_model_get_packing(model, &figures) != HSP_OK;
   bad += hsp_query_point(model, c->xyz, b->ids, c->n, &needed) != HSP_OK;
   bad += hsp_query_ball(model, c->xyz, 3, b->ids, c->n, &needed) != HSP_OK;
   bad += hsp_query_meets(model, c->xyz, 3, &meets) != HSP_OK;
@@ -95,9 +95,9 @@ static int call_boundary(computed *c, const buffers *b) {
   bad += hsp_boundary_measure(boundary, &totals, c->area, c->volume, c->n) != HSP_OK;
   bad += hsp_boundary_measure_selected(boundary, b->selected, &totals, c->area, c->volume, c->n) != HSP_OK;
   bad += hsp_boundary_measure_faces(boundary, b->face_area, b->face_volume, counts.faces) != HSP_OK;
-  bad += hsp_boundary_gradient(boundary, NULL, 1, 1, HSP_TANGENT_MEETING, &energy, b->by_centre, b->by_radius, b->flags,
+  bad += hsp_boundary_gradient(boundary, NULL, 1, 1, HSP_TANGENT_OVERLAP, &energy, b->by_centre, b->by_radius, b->flags,
                                c->n) != HSP_OK;
-  bad += hsp_boundary_get_area_row(boundary, 0, HSP_TANGENT_APART, b->row, c->n, &needed) != HSP_OK;
+  bad += hsp_boundary_get_area_row(boundary, 0, HSP_TANGENT_DISJOINT, b->row, c->n, &needed) != HSP_OK;
   bad += hsp_boundary_check(boundary, &law, &where) != HSP_OK;
   return bad;
 }
@@ -138,7 +138,7 @@ static int call_topology(topology_result *t, void *memory, size_t bytes, uint32_
   bad += hsp_topology_get_components(topology, t->components, counts.components, &needed) != HSP_OK;
   bad += hsp_topology_get_cells(topology, t->cells, counts.cells, &needed) != HSP_OK;
   bad += hsp_topology_get_cell_shells(topology, 0, ids, room, &needed) != HSP_OK;
-  bad += hsp_topology_get_scan(topology, 0, ids, room, &needed) != HSP_OK;
+  bad += hsp_topology_get_traversal(topology, 0, ids, room, &needed) != HSP_OK;
   bad += hsp_topology_locate(topology, c->xyz, &cell, ids, room, &needed) != HSP_OK;
   bad += hsp_topology_same_cell(topology, c->xyz, c->xyz, &same) != HSP_OK;
   bad += hsp_topology_check(topology, &law, &where) != HSP_OK;
@@ -251,7 +251,7 @@ static void trap_view(const computed *c, uint32_t pieces) {
   CHECK_EQUAL(hsp_view_options_init(&options, (uint32_t)sizeof options), HSP_OK);
   CHECK_EQUAL(hsp_view_options_turn(&options, 25, 35, 0), HSP_OK);
   options.pieces = pieces;
-  if (CHECK_EQUAL(view_result_make(c, &options, pieces == HSP_PIECES_H, &v), HSP_OK)) {
+  if (CHECK_EQUAL(view_result_make(c, &options, pieces == HSP_PIECES_OUTSIDE_ALL, &v), HSP_OK)) {
     uint32_t *colour = test_zeros(c->n, sizeof *colour);
     size_t bytes = 0;
     void *memory;
@@ -284,8 +284,8 @@ int main(void) {
     check_scene("%s", set.name);
     if (CHECK_EQUAL(computed_make(set.n, set.xyz, set.radius, NULL, &c), HSP_OK)) {
       if (set.n > 0) trap_topology(&c);
-      trap_view(&c, HSP_PIECES_G);
-      trap_view(&c, HSP_PIECES_H);
+      trap_view(&c, HSP_PIECES_OUTSIDE_FARTHER);
+      trap_view(&c, HSP_PIECES_OUTSIDE_ALL);
     }
     computed_release(&c);
   }

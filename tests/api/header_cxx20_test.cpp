@@ -11,7 +11,7 @@
 template <class Record>
 constexpr bool is_plain = std::is_standard_layout_v<Record> &&std::is_trivial_v<Record>;
 
-static_assert(is_plain<hsp_model_options> && is_plain<hsp_model_info> && is_plain<hsp_figures>);
+static_assert(is_plain<hsp_model_options> && is_plain<hsp_model_info> && is_plain<hsp_packing>);
 static_assert(is_plain<hsp_boundary_limits> && is_plain<hsp_boundary_counts> && is_plain<hsp_vertex>);
 static_assert(is_plain<hsp_arc> && is_plain<hsp_circle> && is_plain<hsp_face> && is_plain<hsp_ball>);
 static_assert(is_plain<hsp_totals>);

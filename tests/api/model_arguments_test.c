@@ -227,13 +227,13 @@ static void lattice_limits(void) {
 
 static void info_and_figures(void) {
   hsp_model_info info;
-  hsp_figures figures;
+  hsp_packing figures;
   FILL(info);
   FILL(figures);
   CHECK_EQUAL(hsp_model_get_info(NULL, &info), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_model_get_info(model, NULL), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_model_get_figures(NULL, &figures), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_model_get_figures(model, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_model_get_packing(NULL, &figures), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_model_get_packing(model, NULL), HSP_E_ARGUMENT);
   CHECK_UNTOUCHED(info);
   CHECK_UNTOUCHED(figures);
 }

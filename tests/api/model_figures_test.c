@@ -52,7 +52,7 @@ static void decimals_are_exact(void) {
   for (i = 0; i < sizeof tangent / sizeof tangent[0]; ++i) {
     double xyz[6] = {0, 0, 0, 0, 0, 0}, radius[2];
     uint32_t needed = 7;
-    hsp_figures figures;
+    hsp_packing figures;
     int axis, away;
     radius[0] = tangent[i].r;
     radius[1] = tangent[i].s;
@@ -65,7 +65,7 @@ static void decimals_are_exact(void) {
         (void)hsp_query_neighbours(model, 0, NULL, 0, &needed);
         CHECK_EQUAL(needed, 1);
         /* ... but not as overlapping */
-        CHECK_EQUAL(hsp_model_get_figures(model, &figures), HSP_OK);
+        CHECK_EQUAL(hsp_model_get_packing(model, &figures), HSP_OK);
         CHECK_EQUAL(figures.max_overlaps, 0);
         xyz[3 + axis] = away * (tangent[i].distance + 1e-8);
         CHECK_EQUAL(hsp_model_set(model, 2, xyz, radius, NULL, NULL), HSP_OK);
@@ -73,7 +73,7 @@ static void decimals_are_exact(void) {
         CHECK_EQUAL(needed, 0);
         xyz[3 + axis] = away * (tangent[i].distance - 1e-8);
         CHECK_EQUAL(hsp_model_set(model, 2, xyz, radius, NULL, NULL), HSP_OK);
-        CHECK_EQUAL(hsp_model_get_figures(model, &figures), HSP_OK);
+        CHECK_EQUAL(hsp_model_get_packing(model, &figures), HSP_OK);
         CHECK_EQUAL(figures.max_overlaps, 1);
         xyz[3 + axis] = 0;
       }
@@ -88,7 +88,7 @@ static int64_t steps(double value) {
 /* k, rho and overlaps over all pairs, on a lattice of 0.001 so that squares fit 64 bits. */
 static void figures_by_definition(const ball_set *set, double probe) {
   hsp_model_options options;
-  hsp_figures figures;
+  hsp_packing figures;
   hsp_model_info info;
   const int64_t p = steps(probe);
   int64_t smallest = INT64_MAX, largest = 0, all = 0;
@@ -98,14 +98,14 @@ static void figures_by_definition(const ball_set *set, double probe) {
   options.step = 1e-3;
   options.probe = probe;
   CHECK_EQUAL(hsp_model_set(model, set->n, set->xyz, set->radius, &options, NULL), HSP_OK);
-  CHECK_EQUAL(hsp_model_get_figures(model, &figures), HSP_OK);
+  CHECK_EQUAL(hsp_model_get_packing(model, &figures), HSP_OK);
   CHECK_EQUAL(hsp_model_get_info(model, &info), HSP_OK);
   for (i = 0; i < set->n; ++i) {
     const int64_t r = steps(set->radius[i]) + p;
     uint32_t overlaps = 0;
     if (r < smallest) smallest = r;
     if (r > largest) largest = r;
-    if (r == 0) flags |= HSP_FIGURES_ZERO_RADIUS;
+    if (r == 0) flags |= HSP_PACKING_ZERO_RADIUS;
     for (j = 0; j < set->n; ++j) {
       const int64_t s = steps(set->radius[j]) + p;
       int64_t squared = 0;
@@ -117,7 +117,7 @@ static void figures_by_definition(const ball_set *set, double probe) {
       }
       if (squared < (r + s) * (r + s)) ++overlaps;
       if (squared == 0) {
-        flags |= HSP_FIGURES_COINCIDENT;
+        flags |= HSP_PACKING_COINCIDENT;
         rho = 0;
       }
       if ((r > s ? r : s) > 0) rho = fmin(rho, sqrt((double)squared) / (double)(r > s ? r : s));
@@ -125,7 +125,7 @@ static void figures_by_definition(const ball_set *set, double probe) {
     all += overlaps;
     if (overlaps > most) most = overlaps;
   }
-  if (set->n < 2 || largest == 0) flags |= HSP_FIGURES_NO_PAIR;
+  if (set->n < 2 || largest == 0) flags |= HSP_PACKING_NO_PAIR;
   CHECK_EQUAL(figures.flags, flags);
   CHECK_EQUAL(figures.max_overlaps, most);
   CHECK_NEAR(figures.mean_overlaps, set->n == 0 ? 0.0 : (double)all / set->n, 1e-14 * (double)most);
@@ -134,7 +134,7 @@ static void figures_by_definition(const ball_set *set, double probe) {
   } else {
     CHECK_NEAR(figures.k, (double)largest / (double)smallest, 1e-15 * figures.k);
   }
-  if ((flags & HSP_FIGURES_NO_PAIR) != 0) {
+  if ((flags & HSP_PACKING_NO_PAIR) != 0) {
     CHECK(figures.rho == 0);
   } else {
     CHECK_NEAR(figures.rho, rho, 4e-16 * rho);

@@ -104,7 +104,7 @@ static void check_all_readers(hsp_topology *which, int32_t status) {
   CHECK_EQUAL(hsp_topology_get_components(which, components, BALLS, &needed), status);
   CHECK_EQUAL(hsp_topology_get_cells(which, cells, BALLS, &needed), status);
   CHECK_EQUAL(hsp_topology_get_cell_shells(which, 0, ids, EDGES, &needed), status);
-  CHECK_EQUAL(hsp_topology_get_scan(which, 0, ids, EDGES, &needed), status);
+  CHECK_EQUAL(hsp_topology_get_traversal(which, 0, ids, EDGES, &needed), status);
   CHECK_EQUAL(hsp_topology_locate(which, xyz, &cell, ids, EDGES, &needed), status);
   CHECK_EQUAL(hsp_topology_locate(which, xyz, &cell, NULL, 0, NULL), status);
   CHECK_EQUAL(hsp_topology_same_cell(which, outside, xyz, &same), status);
@@ -125,7 +125,7 @@ static hsp_topology_limits good_limits(void) {
   CHECK_EQUAL(hsp_topology_limits_init(&limits, (uint32_t)sizeof limits, BALLS), HSP_OK);
   limits.neighbours = BALLS;
   limits.edges = EDGES;
-  limits.extra_arcs = EXTRA;
+  limits.cut_arcs = EXTRA;
   return limits;
 }
 
@@ -153,8 +153,8 @@ static void null_pointers(void) {
   CHECK_EQUAL(hsp_topology_get_cells(topology, cells, BALLS, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_topology_get_cell_shells(topology, 0, NULL, 1, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_topology_get_cell_shells(topology, 0, ids, EDGES, NULL), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_topology_get_scan(topology, 0, NULL, 1, &needed), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_topology_get_scan(topology, 0, ids, EDGES, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_get_traversal(topology, 0, NULL, 1, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_get_traversal(topology, 0, ids, EDGES, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_topology_locate(topology, NULL, &cell, ids, EDGES, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_topology_locate(topology, xyz, NULL, ids, EDGES, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_topology_locate(topology, xyz, &cell, NULL, EDGES, &needed), HSP_E_ARGUMENT);
@@ -178,14 +178,14 @@ static void bad_ids(void) {
     CHECK_EQUAL(hsp_topology_get_edge(topology, all.edges, &edge), HSP_E_ID);
     CHECK_EQUAL(hsp_topology_get_face(topology, all.simple_faces, &face), HSP_E_ID);
     CHECK_EQUAL(hsp_topology_get_cell_shells(topology, all.cells, ids, EDGES, &needed), HSP_E_ID);
-    CHECK_EQUAL(hsp_topology_get_scan(topology, all.shells, ids, EDGES, &needed), HSP_E_ID);
+    CHECK_EQUAL(hsp_topology_get_traversal(topology, all.shells, ids, EDGES, &needed), HSP_E_ID);
   }
   for (i = 0; i < 3; ++i) {
     CHECK_EQUAL(hsp_topology_get_vertex(topology, far_off[i], &vertex), HSP_E_ID);
     CHECK_EQUAL(hsp_topology_get_edge(topology, far_off[i], &edge), HSP_E_ID);
     CHECK_EQUAL(hsp_topology_get_face(topology, far_off[i], &face), HSP_E_ID);
     CHECK_EQUAL(hsp_topology_get_cell_shells(topology, far_off[i], ids, EDGES, &needed), HSP_E_ID);
-    CHECK_EQUAL(hsp_topology_get_scan(topology, far_off[i], ids, EDGES, &needed), HSP_E_ID);
+    CHECK_EQUAL(hsp_topology_get_traversal(topology, far_off[i], ids, EDGES, &needed), HSP_E_ID);
   }
   check_outputs_untouched();
   CHECK_EQUAL(hsp_quad_rot(HSP_NONE), HSP_NONE);
@@ -283,9 +283,9 @@ static void changes(void) {
   check_has_results();
   check_scene("figures, queries, measures and checks change nothing");
   {
-    hsp_figures figures;
+    hsp_packing figures;
     hsp_totals totals;
-    CHECK_EQUAL(hsp_model_get_figures(model, &figures), HSP_OK);
+    CHECK_EQUAL(hsp_model_get_packing(model, &figures), HSP_OK);
     CHECK_EQUAL(hsp_query_point(model, xyz, NULL, 0, &needed), HSP_E_CAPACITY);
     CHECK_EQUAL(hsp_boundary_check(boundary, &law, &where), HSP_OK);
     CHECK_EQUAL(hsp_boundary_measure(boundary, &totals, NULL, NULL, 0), HSP_OK);

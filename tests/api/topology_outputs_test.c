@@ -52,7 +52,7 @@ static int32_t ask_cell_shells(const void *asked, void *out, uint32_t capacity, 
 }
 static int32_t ask_scan(const void *asked, void *out, uint32_t capacity, uint32_t *needed) {
   const question *q = asked;
-  return hsp_topology_get_scan(q->all->topology, q->id, out, capacity, needed);
+  return hsp_topology_get_traversal(q->all->topology, q->id, out, capacity, needed);
 }
 
 /* Without both arrays only the query for their size is good. */

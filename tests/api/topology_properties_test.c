@@ -81,14 +81,14 @@ static void any_place(const ball_set *set, const topology_result *reference) {
       CHECK_EQUAL(t.counts.vertices, reference->counts.vertices);
       CHECK_EQUAL(t.counts.edges, reference->counts.edges);
       CHECK_EQUAL(t.counts.simple_faces, reference->counts.simple_faces);
-      CHECK_EQUAL(t.counts.extra_edges, reference->counts.extra_edges);
+      CHECK_EQUAL(t.counts.cut_edges, reference->counts.cut_edges);
       CHECK(shells_alike(&t) == shells_alike(reference));
     }
     release(&c, &t);
   }
 }
 
-/* Extra arcs depend on which axis is called z, and ties may be broken otherwise, but shells, components and cells are
+/* Cut arcs depend on which axis is called z, and ties may be broken otherwise, but shells, components and cells are
  * those of the closed balls. */
 static void any_axes(const ball_set *set, const topology_result *reference) {
   static const int axes[5][3] = {{1, 2, 0}, {2, 0, 1}, {1, 0, 2}, {0, 2, 1}, {2, 1, 0}};
@@ -133,13 +133,13 @@ static void limits_for(const topology_result *t) {
   CHECK(limits.edges >= c->counts.arcs + 2 * c->counts.circles);
   if (many_loops == 0) {
     CHECK(limits.edges >= t->needed.edges);
-    CHECK(limits.extra_arcs >= t->needed.extra_arcs);
+    CHECK(limits.cut_arcs >= t->needed.cut_arcs);
   }
   CHECK_EQUAL(hsp_topology_bytes(&limits, &bytes), HSP_OK);
   memory = malloc(bytes);
   if (memory == NULL) exit(2);
   CHECK_EQUAL(hsp_topology_init(memory, bytes, &limits, &topology), HSP_OK);
-  if (limits.edges >= t->needed.edges && limits.extra_arcs >= t->needed.extra_arcs) {
+  if (limits.edges >= t->needed.edges && limits.cut_arcs >= t->needed.cut_arcs) {
     CHECK_EQUAL(hsp_topology_compute(topology, c->boundary), HSP_OK);
     CHECK_EQUAL(hsp_topology_get_counts(topology, &counts), HSP_OK);
     CHECK_BYTES(&counts, &t->counts, sizeof counts);
@@ -262,7 +262,7 @@ static void one_ball(void) {
   if (made(&set, &c, &t)) {
     CHECK_EQUAL(t.counts.vertices, 2);
     CHECK_EQUAL(t.counts.edges, 2);
-    CHECK_EQUAL(t.counts.extra_edges, 2);
+    CHECK_EQUAL(t.counts.cut_edges, 2);
     CHECK_EQUAL(t.counts.simple_faces, 2);
     for (i = 0; i < 2; ++i) {
       CHECK_EQUAL(t.vertices[i].kind, HSP_POINT_POLE);

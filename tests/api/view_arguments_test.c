@@ -80,7 +80,7 @@ static void options_init(void) {
   CHECK_UNTOUCHED(options);
   CHECK_EQUAL(hsp_view_options_init(&options, (uint32_t)sizeof options), HSP_OK);
   CHECK_EQUAL(options.struct_size, sizeof options);
-  CHECK_EQUAL(options.pieces, HSP_PIECES_G);
+  CHECK_EQUAL(options.pieces, HSP_PIECES_OUTSIDE_FARTHER);
   CHECK_EQUAL(options.flags, 0);
   CHECK_EQUAL(options.reserved, 0);
   /* zero and what is documented as default are the same view */
@@ -132,7 +132,7 @@ static void bad_options(void) {
   check_refused(model, NULL, &options, HSP_E_ARGUMENT);
   check_scene("unknown pieces");
   options = good_options();
-  options.pieces = HSP_PIECES_H + 1;
+  options.pieces = HSP_PIECES_OUTSIDE_ALL + 1;
   check_refused(model, boundary, &options, HSP_E_ARGUMENT);
   options.pieces = HSP_NONE;
   check_refused(model, boundary, &options, HSP_E_ARGUMENT);
@@ -169,14 +169,14 @@ static void bad_boundaries(void) {
   CHECK_EQUAL(hsp_boundary_compute(other_boundary, other_model), HSP_OK);
   check_refused(model, other_boundary, NULL, HSP_E_ARGUMENT);
   check_refused(other_model, boundary, NULL, HSP_E_ARGUMENT);
-  options.pieces = HSP_PIECES_H;
+  options.pieces = HSP_PIECES_OUTSIDE_ALL;
   check_refused(model, other_boundary, &options, HSP_E_ARGUMENT);
   check_scene("H-pieces without a boundary");
   check_refused(model, NULL, &options, HSP_E_ARGUMENT);
   check_scene("H-pieces");
   CHECK_EQUAL(hsp_view_compute(view, model, boundary, &options), HSP_OK);
   check_has_results();
-  CHECK_EQUAL(info.kind, HSP_PIECES_H);
+  CHECK_EQUAL(info.kind, HSP_PIECES_OUTSIDE_ALL);
   check_scene("a boundary without results");
   CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
   check_refused(model, boundary, &options, HSP_E_STATE);
@@ -226,8 +226,8 @@ static void order_of_calls(void) {
   CHECK_EQUAL(hsp_view_compute(view, model, NULL, NULL), HSP_OK);
   check_scene("figures and queries change nothing");
   {
-    hsp_figures figures;
-    CHECK_EQUAL(hsp_model_get_figures(model, &figures), HSP_OK);
+    hsp_packing figures;
+    CHECK_EQUAL(hsp_model_get_packing(model, &figures), HSP_OK);
     CHECK_EQUAL(hsp_query_point(model, xyz, NULL, 0, &needed), HSP_E_CAPACITY);
     check_has_results();
   }

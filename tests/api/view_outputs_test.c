@@ -43,9 +43,9 @@ int main(void) {
     topology_set_make(which, &set);
     check_scene("%s", set.name);
     if (CHECK_EQUAL(computed_make(set.n, set.xyz, set.radius, NULL, &c), HSP_OK)) {
-      sweep_outputs(&c, HSP_PIECES_G, 0, 0);
-      sweep_outputs(&c, HSP_PIECES_G, HSP_VIEW_ALL_BALLS, which % 2 == 0);
-      sweep_outputs(&c, HSP_PIECES_H, which % 2 == 0 ? 0 : HSP_VIEW_ALL_BALLS, 1);
+      sweep_outputs(&c, HSP_PIECES_OUTSIDE_FARTHER, 0, 0);
+      sweep_outputs(&c, HSP_PIECES_OUTSIDE_FARTHER, HSP_VIEW_ALL_BALLS, which % 2 == 0);
+      sweep_outputs(&c, HSP_PIECES_OUTSIDE_ALL, which % 2 == 0 ? 0 : HSP_VIEW_ALL_BALLS, 1);
     }
     computed_release(&c);
   }

@@ -19,9 +19,9 @@ static const double directions[DIRECTIONS][3] = {{0, 0, 0},  {0, 0, 1}, {0, 0, -
 static const struct {
   uint32_t pieces, flags;
   int with_boundary;
-} ways[WAYS] = {{HSP_PIECES_G, 0, 0}, {HSP_PIECES_G, HSP_VIEW_ALL_BALLS, 0},
-                {HSP_PIECES_G, 0, 1}, {HSP_PIECES_G, HSP_VIEW_ALL_BALLS, 1},
-                {HSP_PIECES_H, 0, 1}, {HSP_PIECES_H, HSP_VIEW_ALL_BALLS, 1}};
+} ways[WAYS] = {{HSP_PIECES_OUTSIDE_FARTHER, 0, 0}, {HSP_PIECES_OUTSIDE_FARTHER, HSP_VIEW_ALL_BALLS, 0},
+                {HSP_PIECES_OUTSIDE_FARTHER, 0, 1}, {HSP_PIECES_OUTSIDE_FARTHER, HSP_VIEW_ALL_BALLS, 1},
+                {HSP_PIECES_OUTSIDE_ALL, 0, 1},     {HSP_PIECES_OUTSIDE_ALL, HSP_VIEW_ALL_BALLS, 1}};
 
 static hsp_view_options options_for(int direction, int way) {
   hsp_view_options options;
@@ -181,7 +181,7 @@ static void buried_ball(void) {
   for (way = 0; way < WAYS; ++way) {
     for (direction = 0; direction < DIRECTIONS; ++direction) {
       const hsp_view_options options = options_for(direction, way);
-      const int cut_from_all = options.pieces == HSP_PIECES_H || ways[way].with_boundary;
+      const int cut_from_all = options.pieces == HSP_PIECES_OUTSIDE_ALL || ways[way].with_boundary;
       computed c;
       view_result v;
       uint32_t i, buried = 0;

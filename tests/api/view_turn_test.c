@@ -58,14 +58,14 @@ static void check_turn(double x, double y, double z, double tolerance) {
   turn_about(0, x, turned);
   turn_about(1, y, turned);
   turn_about(2, z, turned);
-  options.pieces = HSP_PIECES_H; /* what is not about the direction stays */
+  options.pieces = HSP_PIECES_OUTSIDE_ALL; /* what is not about the direction stays */
   options.flags = HSP_VIEW_ALL_BALLS;
   CHECK_EQUAL(hsp_view_options_turn(&options, x, y, z), HSP_OK);
   CHECK_EQUAL(options.struct_size, sizeof options);
-  CHECK_EQUAL(options.pieces, HSP_PIECES_H);
+  CHECK_EQUAL(options.pieces, HSP_PIECES_OUTSIDE_ALL);
   CHECK_EQUAL(options.flags, HSP_VIEW_ALL_BALLS);
   CHECK_EQUAL(options.reserved, 0);
-  options.pieces = HSP_PIECES_G;
+  options.pieces = HSP_PIECES_OUTSIDE_FARTHER;
   info = seen_with(&options);
   for (axis = 0; axis < 3; ++axis) {
     CHECK_NEAR(info.right[axis], turned[0][axis], tolerance);

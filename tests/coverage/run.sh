@@ -26,10 +26,10 @@ find "$build" -name '*.gcda' -delete
 ctest --preset coverage --parallel "${CTEST_PARALLEL_LEVEL:-$(nproc)}"
 
 # Where there are objects of the library, of its tests, which compile parts of its headers, and of the program. The
-# counters of rungs are no part of the library as it ships, and a function of theirs has two bodies, which gcovr 5.2
+# counters of stages are no part of the library as it ships, and a function of theirs has two bodies, which gcovr 5.2
 # cannot merge.
 covered() {
-  gcovr --root . --exclude 'lib/exact/rung_counters\.hpp' --print-summary "$@" \
+  gcovr --root . --exclude 'lib/exact/stage_counters\.hpp' --print-summary "$@" \
     "$build/CMakeFiles" "$build/capi" "$build/tests" "$build/fuzz"
 }
 rm -rf "$build"/CMakeFiles/[0-9]*/CompilerId*

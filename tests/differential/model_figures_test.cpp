@@ -20,17 +20,17 @@ void expect_close(double value, long double expected, const char *name, const Ba
 
 void expect_figures(const Balls &balls) {
   const LibraryModel model(balls);
-  hsp_figures figures;
-  ASSERT_EQ(hsp_model_get_figures(model.handle(), &figures), HSP_OK);
+  hsp_packing figures;
+  ASSERT_EQ(hsp_model_get_packing(model.handle(), &figures), HSP_OK);
   const oracle::Figures expected = oracle::brute_figures(balls);
   expect_close(figures.k, expected.k, "k", balls);
   expect_close(figures.rho, expected.rho, "rho", balls);
   expect_close(figures.mean_overlaps, expected.mean_overlaps, "mean overlaps", balls);
   expect_close(figures.neighbour_bound, expected.neighbour_bound, "neighbour bound", balls);
   EXPECT_EQ(figures.max_overlaps, expected.max_overlaps) << oracle::to_text(balls);
-  EXPECT_EQ((figures.flags & HSP_FIGURES_ZERO_RADIUS) != 0, expected.zero_radius) << oracle::to_text(balls);
-  EXPECT_EQ((figures.flags & HSP_FIGURES_COINCIDENT) != 0, expected.coincident) << oracle::to_text(balls);
-  EXPECT_EQ((figures.flags & HSP_FIGURES_NO_PAIR) != 0, expected.no_pair) << oracle::to_text(balls);
+  EXPECT_EQ((figures.flags & HSP_PACKING_ZERO_RADIUS) != 0, expected.zero_radius) << oracle::to_text(balls);
+  EXPECT_EQ((figures.flags & HSP_PACKING_COINCIDENT) != 0, expected.coincident) << oracle::to_text(balls);
+  EXPECT_EQ((figures.flags & HSP_PACKING_NO_PAIR) != 0, expected.no_pair) << oracle::to_text(balls);
   if (figures.flags == 0) {
     // Theorem 2.1: no ball meets more others than the bound says.
     EXPECT_GE(figures.neighbour_bound, figures.max_overlaps);

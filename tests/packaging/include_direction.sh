@@ -3,8 +3,10 @@
 #   include_direction.sh SOURCE-FOLDER
 set -euo pipefail
 cd "$1"
-# A room may include itself and the rooms before it.
-order="core exact model grid boundary topology measure view picture"
+# What each room may include besides itself and what these include: two wings stand over the boundary.
+rooms="core exact model sphere boundary topology measure view picture"
+declare -A over=([core]="" [exact]=core [model]=exact [sphere]=model [boundary]=sphere [topology]=boundary [measure]=topology
+  [view]=boundary [picture]=view)
 failed=0
 files=0
 
@@ -13,20 +15,18 @@ complain() {
   failed=1
 }
 
-place() {
-  local position=0 room
-  for room in $order; do
-    position=$((position + 1))
-    if [ "$room" = "$1" ]; then
-      echo $position
-      return
-    fi
+# Whether room $1 may include room $2.
+allowed() {
+  local room=$1
+  while [ -n "$room" ]; do
+    if [ "$room" = "$2" ]; then return 0; fi
+    room=${over[$room]}
   done
-  echo 0
+  return 1
 }
 
 for folder in lib/*/; do
-  [ "$(place "$(basename "$folder")")" -gt 0 ] || complain "$folder: a room without a place in the order"
+  [ -n "${over[$(basename "$folder")]+known}" ] || complain "$folder: a room without a place in the order"
 done
 
 while read -r file; do
@@ -36,10 +36,10 @@ while read -r file; do
     other=${included%%/*}
     if [ "$other" = "$included" ]; then
       complain "$file includes \"$included\": lib/ names its own headers by room"
-    elif [ "$(place "$other")" -eq 0 ]; then
+    elif [ -z "${over[$other]+known}" ]; then
       complain "$file includes \"$included\": no room of lib/"
-    elif [ "$(place "$other")" -gt "$(place "$room")" ]; then
-      complain "$file includes \"$included\": $room comes before $other"
+    elif ! allowed "$room" "$other"; then
+      complain "$file includes \"$included\": $room does not stand over $other"
     elif [ ! -e "lib/$included" ]; then
       complain "$file includes \"$included\": no such file"
     fi
@@ -57,7 +57,7 @@ for header in capi/*.hpp; do
     complain "$name is for capi/*.cpp alone"
   fi
 done
-if grep -rnE '#[[:space:]]*include[[:space:]]*"('"${order// /|}"')/' capi/tool capi/examples tests/api tests/program 2>/dev/null; then
+if grep -rnE '#[[:space:]]*include[[:space:]]*"('"${rooms// /|}"')/' capi/tool capi/examples tests/api tests/program 2>/dev/null; then
   complain "programs and interface tests go through hardsphere.h"
 fi
 

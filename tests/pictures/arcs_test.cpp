@@ -37,14 +37,14 @@ const std::vector<Scene> &scenes() {
     made.push_back({"caffeine, plane seen edge on", DrawnView(caffeine)});
     made.push_back({"caffeine from the side", DrawnView(caffeine, {0, 1, 0})});
     made.push_back({"crambin", DrawnView(read_molecule(own_molecule("crambin.pdb"), Records::all))});
-    made.push_back({"caffeine, H-pieces", DrawnView(caffeine, {0, 1, 0}, HSP_PIECES_H)});
-    made.push_back({"caffeine, H-pieces, edge on", DrawnView(caffeine, {0, 0, 1}, HSP_PIECES_H)});
-    made.push_back({"a lattice", DrawnView(lattice(), {0, 0, 1}, HSP_PIECES_H)});
+    made.push_back({"caffeine, H-pieces", DrawnView(caffeine, {0, 1, 0}, HSP_PIECES_OUTSIDE_ALL)});
+    made.push_back({"caffeine, H-pieces, edge on", DrawnView(caffeine, {0, 0, 1}, HSP_PIECES_OUTSIDE_ALL)});
+    made.push_back({"a lattice", DrawnView(lattice(), {0, 0, 1}, HSP_PIECES_OUTSIDE_ALL)});
     made.push_back({"one ball", DrawnView({{5, 7, 9, 1000}})});
     made.push_back({"no ball", DrawnView({})});
     made.push_back({"a hole", DrawnView({{0, 0, 0, 1000}, {0, 0, 800, 700}})});
     for (const int64_t dz : {0, 1, 10, 100, 10000}) {
-      for (const uint32_t pieces : {HSP_PIECES_G, HSP_PIECES_H}) {
+      for (const uint32_t pieces : {HSP_PIECES_OUTSIDE_FARTHER, HSP_PIECES_OUTSIDE_ALL}) {
         made.push_back({"edge on but for " + std::to_string(dz), DrawnView(edge_on(1000000, dz), {0, 0, 1}, pieces)});
       }
     }

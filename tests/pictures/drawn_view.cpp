@@ -30,7 +30,7 @@ int32_t take(void *context, const char *bytes, size_t count) {
 
 DrawnView::DrawnView(const oracle::Balls &balls, Direction towards, uint32_t pieces)
     : scene_(balls, step),
-      view_(scene_, ViewChoice{pieces, 0, pieces == HSP_PIECES_H, towards, {}}),
+      view_(scene_, ViewChoice{pieces, 0, pieces == HSP_PIECES_OUTSIDE_ALL, towards, {}}),
       records_(view_.records()) {
   for (const oracle::LatticeBall &ball : balls) {
     colours_.push_back(hsp_palette_colour(HSP_PALETTE_SOFT, atomic_number(ball.radius), 0));

@@ -12,7 +12,8 @@
 class DrawnView {
  public:
   // Lattice steps are thousandths. Colours follow from the radii, as read_molecule gives them to elements.
-  explicit DrawnView(const oracle::Balls &balls, Direction towards = {0, 0, 1}, uint32_t pieces = HSP_PIECES_G);
+  explicit DrawnView(const oracle::Balls &balls, Direction towards = {0, 0, 1},
+                     uint32_t pieces = HSP_PIECES_OUTSIDE_FARTHER);
 
   [[nodiscard]] std::string picture(const hsp_picture_options &options, const char *title = nullptr,
                                     const char *description = nullptr) const;

@@ -17,7 +17,8 @@ const DrawnView &crambin() {
 }
 // Some of its arcs run clockwise, others are seen edge on.
 const DrawnView &caffeine() {
-  static const DrawnView view(read_molecule(own_molecule("caffeine.pdb"), Records::all), {0, 0, 1}, HSP_PIECES_H);
+  static const DrawnView view(read_molecule(own_molecule("caffeine.pdb"), Records::all), {0, 0, 1},
+                              HSP_PIECES_OUTSIDE_ALL);
   return view;
 }
 

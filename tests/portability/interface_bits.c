@@ -9,13 +9,13 @@
 #include "interface_bits.h"
 
 static void print_model(const computed *c) {
-  hsp_figures figures = {0.0, 0.0, 0.0, 0.0, 0, 0};
+  hsp_packing figures = {0.0, 0.0, 0.0, 0.0, 0, 0};
   printf("model %" PRIu32 " %" PRIu32 " %" PRIu32, c->info.cubes, c->info.table_slots, c->info.longest_probe);
   print_doubles(&c->info.step, 1);
   print_doubles(&c->info.probe, 1);
   print_doubles(&c->info.largest_radius, 1);
   end_line();
-  print_status("figures", hsp_model_get_figures(c->model, &figures));
+  print_status("figures", hsp_model_get_packing(c->model, &figures));
   printf(" %" PRIu32 " %" PRIu32, figures.max_overlaps, figures.flags);
   print_doubles(&figures.k, 1);
   print_doubles(&figures.rho, 1);

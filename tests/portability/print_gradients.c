@@ -58,7 +58,7 @@ static void print_row(const computed *c, uint32_t ball, uint32_t tangency) {
 }
 
 void print_gradients(const computed *c) {
-  static const uint32_t tangencies[] = {HSP_TANGENT_MEETING, HSP_TANGENT_APART};
+  static const uint32_t tangencies[] = {HSP_TANGENT_OVERLAP, HSP_TANGENT_DISJOINT};
   uint32_t i, t;
   for (i = 0; i < c->n; ++i) sigma[i] = 0.125 * (double)(i % 7) - 0.25;
   print_parts(c);

@@ -68,7 +68,7 @@ static void print_answers(const topology_result *t) {
   uint32_t i, needed = 0;
   if (faces == NULL) exit(2);
   for (i = 0; i < t->counts.shells; ++i) {
-    print_status("scan", hsp_topology_get_scan(t->topology, i, faces, t->counts.simple_faces, &needed));
+    print_status("scan", hsp_topology_get_traversal(t->topology, i, faces, t->counts.simple_faces, &needed));
     print_numbers(faces, needed);
     end_line();
   }

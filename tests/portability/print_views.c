@@ -81,7 +81,7 @@ static void print_view(const computed *c, uint32_t pieces, uint32_t flags, doubl
   end_line();
   options.pieces = pieces;
   options.flags = flags;
-  status = view_result_make(c, &options, pieces == HSP_PIECES_H, &v);
+  status = view_result_make(c, &options, pieces == HSP_PIECES_OUTSIDE_ALL, &v);
   print_status("view", status);
   printf(" %" PRIu32 " %" PRIu32 "\n", v.needed.neighbours, v.needed.arcs);
   if (status == HSP_OK) {
@@ -94,10 +94,10 @@ static void print_view(const computed *c, uint32_t pieces, uint32_t flags, doubl
 
 void print_views(const computed *c) {
   uint32_t number, chain;
-  print_view(c, HSP_PIECES_G, HSP_VIEW_ALL_BALLS, 0, 0, 0);
-  print_view(c, HSP_PIECES_G, 0, -90, 0, 180);
-  print_view(c, HSP_PIECES_G, 0, 25, -35, 10.5);
-  print_view(c, HSP_PIECES_H, HSP_VIEW_ALL_BALLS, 300, 123.25, 1);
+  print_view(c, HSP_PIECES_OUTSIDE_FARTHER, HSP_VIEW_ALL_BALLS, 0, 0, 0);
+  print_view(c, HSP_PIECES_OUTSIDE_FARTHER, 0, -90, 0, 180);
+  print_view(c, HSP_PIECES_OUTSIDE_FARTHER, 0, 25, -35, 10.5);
+  print_view(c, HSP_PIECES_OUTSIDE_ALL, HSP_VIEW_ALL_BALLS, 300, 123.25, 1);
   printf("palettes");
   for (number = 0; number < 119; number += 6) {
     for (chain = 0; chain < 3; ++chain) printf(" %06" PRIx32, hsp_palette_colour(chain, number, chain));

@@ -48,7 +48,7 @@ struct TopologyKind {
   using Handle = hsp_topology;
   using Limits = hsp_topology_limits;
   static constexpr int enlargements = 3;
-  static constexpr std::array limits = {&Limits::balls, &Limits::neighbours, &Limits::edges, &Limits::extra_arcs};
+  static constexpr std::array limits = {&Limits::balls, &Limits::neighbours, &Limits::edges, &Limits::cut_arcs};
   static constexpr const char *name = "hsp_topology";
   static constexpr auto bytes = hsp_topology_bytes;
   static constexpr auto init = hsp_topology_init;

@@ -239,8 +239,8 @@ static const char *broken_tangency(const computed *c, const gradient *meeting, c
 
 const char *broken_gradient_flags(const computed *c, const double *sigma) {
   gradient meeting, apart;
-  const char *first = gradient_make(c, sigma, 1, -1, HSP_TANGENT_MEETING, &meeting);
-  const char *second = gradient_make(c, sigma, 1, -1, HSP_TANGENT_APART, &apart);
+  const char *first = gradient_make(c, sigma, 1, -1, HSP_TANGENT_OVERLAP, &meeting);
+  const char *second = gradient_make(c, sigma, 1, -1, HSP_TANGENT_DISJOINT, &apart);
   const char *broken = first != NULL ? first : second;
   if (broken == NULL) broken = broken_tangency(c, &meeting, &apart);
   gradient_release(&meeting);

@@ -28,12 +28,12 @@ static uint64_t derived_hash(const hsp_boundary *boundary, const hsp_boundary_co
   hash = mixed_hash(mixed_hash(hash, &totals, sizeof totals), numbers, 2 * (size_t)n * sizeof *numbers);
   bad |= hsp_boundary_measure_faces(boundary, numbers, numbers + counts->faces, counts->faces) != HSP_OK;
   hash = mixed_hash(hash, numbers, 2 * (size_t)counts->faces * sizeof *numbers);
-  bad |= hsp_boundary_gradient(boundary, NULL, 1, -0.5, HSP_TANGENT_MEETING, &energy, numbers, numbers + 3 * (size_t)n,
+  bad |= hsp_boundary_gradient(boundary, NULL, 1, -0.5, HSP_TANGENT_OVERLAP, &energy, numbers, numbers + 3 * (size_t)n,
                                flags, n) != HSP_OK;
   hash = mixed_hash(mixed_hash(hash, &energy, sizeof energy), numbers, 4 * (size_t)n * sizeof *numbers);
   hash = mixed_hash(hash, flags, n * sizeof *flags);
   for (i = 0; i < n; ++i) {
-    bad |= hsp_boundary_get_area_row(boundary, i, HSP_TANGENT_APART, (void *)buffer, n, &needed) != HSP_OK;
+    bad |= hsp_boundary_get_area_row(boundary, i, HSP_TANGENT_DISJOINT, (void *)buffer, n, &needed) != HSP_OK;
     hash = mixed_hash(hash, buffer, needed * sizeof(hsp_area_derivative));
   }
   return bad ? 0 : hash;
@@ -98,7 +98,7 @@ static uint64_t topology_hash(const void *topology, const void *source, unsigned
     hash = mixed_hash(hash, buffer, needed * sizeof(uint32_t));
   }
   for (id = 0; id < counts.shells; ++id) {
-    bad |= hsp_topology_get_scan(topology, id, (void *)buffer, room, &needed) != HSP_OK;
+    bad |= hsp_topology_get_traversal(topology, id, (void *)buffer, room, &needed) != HSP_OK;
     hash = mixed_hash(hash, buffer, needed * sizeof(uint32_t));
   }
   for (q = 0; q < 4 * counts.edges; q += 3) {

@@ -26,13 +26,13 @@ LAYOUT_FIELD(hsp_model_info, step, 16, 8);
 LAYOUT_FIELD(hsp_model_info, probe, 24, 8);
 LAYOUT_FIELD(hsp_model_info, largest_radius, 32, 8);
 
-LAYOUT_SIZE(hsp_figures, 40);
-LAYOUT_FIELD(hsp_figures, k, 0, 8);
-LAYOUT_FIELD(hsp_figures, rho, 8, 8);
-LAYOUT_FIELD(hsp_figures, mean_overlaps, 16, 8);
-LAYOUT_FIELD(hsp_figures, neighbour_bound, 24, 8);
-LAYOUT_FIELD(hsp_figures, max_overlaps, 32, 4);
-LAYOUT_FIELD(hsp_figures, flags, 36, 4);
+LAYOUT_SIZE(hsp_packing, 40);
+LAYOUT_FIELD(hsp_packing, k, 0, 8);
+LAYOUT_FIELD(hsp_packing, rho, 8, 8);
+LAYOUT_FIELD(hsp_packing, mean_overlaps, 16, 8);
+LAYOUT_FIELD(hsp_packing, neighbour_bound, 24, 8);
+LAYOUT_FIELD(hsp_packing, max_overlaps, 32, 4);
+LAYOUT_FIELD(hsp_packing, flags, 36, 4);
 
 LAYOUT_SIZE(hsp_boundary_limits, 24);
 LAYOUT_FIELD(hsp_boundary_limits, struct_size, 0, 4);
@@ -111,14 +111,14 @@ LAYOUT_FIELD(hsp_topology_limits, struct_size, 0, 4);
 LAYOUT_FIELD(hsp_topology_limits, balls, 4, 4);
 LAYOUT_FIELD(hsp_topology_limits, neighbours, 8, 4);
 LAYOUT_FIELD(hsp_topology_limits, edges, 12, 4);
-LAYOUT_FIELD(hsp_topology_limits, extra_arcs, 16, 4);
+LAYOUT_FIELD(hsp_topology_limits, cut_arcs, 16, 4);
 LAYOUT_FIELD(hsp_topology_limits, reserved, 20, 4);
 
 LAYOUT_SIZE(hsp_topology_counts, 32);
 LAYOUT_FIELD(hsp_topology_counts, vertices, 0, 4);
 LAYOUT_FIELD(hsp_topology_counts, edges, 4, 4);
 LAYOUT_FIELD(hsp_topology_counts, simple_faces, 8, 4);
-LAYOUT_FIELD(hsp_topology_counts, extra_edges, 12, 4);
+LAYOUT_FIELD(hsp_topology_counts, cut_edges, 12, 4);
 LAYOUT_FIELD(hsp_topology_counts, shells, 16, 4);
 LAYOUT_FIELD(hsp_topology_counts, components, 20, 4);
 LAYOUT_FIELD(hsp_topology_counts, cells, 24, 4);

@@ -91,7 +91,7 @@ static const char *broken_edge_records(const topology_result *t) {
   for (i = 0; i < t->counts.edges; ++i) {
     const hsp_topology_edge *edge = t->edges + i;
     hsp_topology_edge one;
-    if (edge->kind > HSP_EDGE_EXTRA) return "edge: unknown kind";
+    if (edge->kind > HSP_EDGE_CUT) return "edge: unknown kind";
     if (edge->face[0] != hsp_topology_left(t->topology, 4 * i) || edge->face[1] != t->origin[4 * i + 1]) {
       return "edge: its faces are not what lies to its left and right";
     }
@@ -102,11 +102,11 @@ static const char *broken_edge_records(const topology_result *t) {
     for (e = 0; e < 2; ++e) {
       if (edge->ball[e] != t->faces[edge->face[e]].ball) return "edge: its balls are not those of its faces";
     }
-    if (edge->kind == HSP_EDGE_EXTRA) {
+    if (edge->kind == HSP_EDGE_CUT) {
       ++extra;
-      if (edge->source != HSP_NONE) return "extra edge: has a source";
+      if (edge->source != HSP_NONE) return "cut edge: has a source";
       if (edge->ball[0] != edge->ball[1] || t->faces[edge->face[0]].face != t->faces[edge->face[1]].face) {
-        return "extra edge: not inside one maximal face";
+        return "cut edge: not inside one maximal face";
       }
     } else if (edge->source >= (edge->kind == HSP_EDGE_ARC ? t->base->counts.arcs : t->base->counts.circles)) {
       return "edge: no such arc or circle";
@@ -115,7 +115,7 @@ static const char *broken_edge_records(const topology_result *t) {
       return "hsp_topology_get_edge and hsp_topology_get_edges differ";
     }
   }
-  return extra == t->counts.extra_edges ? NULL : "extra_edges is not the number of edges of that kind";
+  return extra == t->counts.cut_edges ? NULL : "cut_edges is not the number of edges of that kind";
 }
 
 /* An edge's left side lies on the axis's side, so with ball a on its left, the lower one, it runs against the
@@ -176,7 +176,7 @@ static const char *sorted_pieces(const topology_result *t, piece *pieces, uint32
     piece *p = pieces + *count;
     const int of_arc = edge->kind == HSP_EDGE_ARC;
     const char *broken;
-    if (edge->kind == HSP_EDGE_EXTRA) continue;
+    if (edge->kind == HSP_EDGE_CUT) continue;
     broken = broken_piece(t, edge, of_arc ? t->base->arcs[edge->source].ball : t->base->circles[edge->source].ball,
                           of_arc ? t->base->arcs[edge->source].face : t->base->circles[edge->source].face, &p->start,
                           &p->end);
@@ -218,7 +218,7 @@ static const char *broken_pieces(const topology_result *t) {
   return broken;
 }
 
-/* Every maximal face of so many loops falls apart into discs: vertices inside it - extra edges + simple faces =
+/* Every maximal face of so many loops falls apart into discs: vertices inside it - cut edges + simple faces =
  * 2 - loops. Poles, and no other vertices, lie inside maximal faces: all their edges are extra. */
 static const char *broken_discs(const topology_result *t) {
   const computed *c = t->base;
@@ -229,8 +229,8 @@ static const char *broken_discs(const topology_result *t) {
   for (i = 0; i < t->counts.simple_faces; ++i) ++euler[t->faces[i].face];
   for (i = 0; i < t->counts.edges; ++i) {
     const hsp_topology_edge *edge = t->edges + i;
-    if (edge->kind == HSP_EDGE_EXTRA) --euler[t->faces[edge->face[0]].face];
-    for (e = 0; e < 2; ++e) on_boundary[edge->vertex[e]] |= edge->kind != HSP_EDGE_EXTRA;
+    if (edge->kind == HSP_EDGE_CUT) --euler[t->faces[edge->face[0]].face];
+    for (e = 0; e < 2; ++e) on_boundary[edge->vertex[e]] |= edge->kind != HSP_EDGE_CUT;
   }
   for (i = 0; i < t->counts.vertices && broken == NULL; ++i) {
     if (on_boundary[i] == (t->vertices[i].kind == HSP_POINT_POLE)) {

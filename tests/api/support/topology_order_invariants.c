@@ -70,7 +70,7 @@ static uint64_t scan_name(const topology_result *t, uint32_t shell, const uint64
   uint32_t needed = 0, k;
   uint64_t hash = 1;
   uint32_t *faces = test_zeros(count, sizeof *faces);
-  if (hsp_topology_get_scan(t->topology, shell, faces, count, &needed) != HSP_OK) hash = 0;
+  if (hsp_topology_get_traversal(t->topology, shell, faces, count, &needed) != HSP_OK) hash = 0;
   for (k = 0; k < count; ++k) hash = mixed(hash, face_names[faces[k]]);
   free(faces);
   return hash;
@@ -174,7 +174,7 @@ const char *topology_difference_after_permutation(const topology_result *a, cons
   plain_form form_a, form_b;
   uint32_t i;
   if (k->vertices != l->vertices || k->edges != l->edges || k->simple_faces != l->simple_faces ||
-      k->extra_edges != l->extra_edges || k->shells != l->shells || k->components != l->components ||
+      k->cut_edges != l->cut_edges || k->shells != l->shells || k->components != l->components ||
       k->cells != l->cells) {
     return "the topology's counts differ";
   }

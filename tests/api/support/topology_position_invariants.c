@@ -114,18 +114,18 @@ static const char *broken_extra(const topology_result *t, const hsp_topology_edg
   uint32_t j;
   difference(edge->centre, c->xyz + 3 * ball, v);
   if (!(length(v) <= allowed && fabs(edge->radius - c->radius[ball]) <= allowed)) {
-    return "extra edge: not on a great circle of its ball";
+    return "cut edge: not on a great circle of its ball";
   }
-  if (!(fabs(edge->axis[2]) <= 1e-12)) return "extra edge: its plane does not contain z";
+  if (!(fabs(edge->axis[2]) <= 1e-12)) return "cut edge: its plane does not contain z";
   if (c->faces[t->faces[edge->face[0]].face].loops == 0) {
-    return fabs(edge->axis[0]) >= 1 - 1e-12 ? NULL : "extra edge: of a whole sphere, but not across x";
+    return fabs(edge->axis[0]) >= 1 - 1e-12 ? NULL : "cut edge: of a whole sphere, but not across x";
   }
   for (j = 0; j < c->n; ++j) {
     difference(c->xyz + 3 * j, c->xyz + 3 * ball, v);
     if (j == ball || !(length(v) <= c->radius[ball] + c->radius[j] + allowed)) continue;
     if (fabs(dot(v, edge->axis)) <= allowed) return NULL;
   }
-  return "extra edge: its plane contains the axis of no circle on its ball";
+  return "cut edge: its plane contains the axis of no circle on its ball";
 }
 
 /* Each free circle is cut at least in its two points in the plane through the balls' centres that contains z. */
@@ -180,7 +180,7 @@ const char *broken_topology_positions(const topology_result *t) {
   for (i = 0; i < t->counts.edges && broken == NULL; ++i) {
     broken = broken_edge(t, t->edges + i);
     if (broken != NULL) break;
-    broken = t->edges[i].kind == HSP_EDGE_EXTRA ? broken_extra(t, t->edges + i) : broken_side(t->base, t->edges + i);
+    broken = t->edges[i].kind == HSP_EDGE_CUT ? broken_extra(t, t->edges + i) : broken_side(t->base, t->edges + i);
   }
   if (broken == NULL) broken = broken_circle_points(t);
   if (broken == NULL) broken = broken_shell_points(t);

@@ -83,7 +83,7 @@ void topology_set_thirty_on_one(ball_set *s) {
   }
 }
 
-/* ---- special positions of poles, axes and the planes of extra arcs ---- */
+/* ---- special positions of poles, axes and the planes of cut arcs ---- */
 
 static void stacked(ball_set *s) {
   int i;
@@ -171,7 +171,7 @@ static void belt_and_holes(ball_set *s) {
 }
 
 /* The circle of the first and the fourth ball is free but for one point, where a tie gives it two vertices; the plane
- * of an extra arc cuts it in that very point and opposite. */
+ * of a cut arc cuts it in that very point and opposite. */
 static void cut_where_vertices_coincide(ball_set *s) {
   ball_set_start(s, "an arc between coinciding vertices, cut there", 1e-8);
   ball_set_add(s, 1, 0, 2, 1);

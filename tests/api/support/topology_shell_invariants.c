@@ -262,7 +262,7 @@ static const char *broken_cells(const topology_result *t) {
   for (i = 0; i < t->counts.cells && broken == NULL; ++i) broken = broken_cell(t, i);
   if (broken == NULL) broken = broken_nesting(t);
   if (broken == NULL && (hsp_topology_get_cell_shells(t->topology, t->counts.cells, NULL, 0, &needed) != HSP_E_ID ||
-                         hsp_topology_get_scan(t->topology, t->counts.shells, NULL, 0, &needed) != HSP_E_ID)) {
+                         hsp_topology_get_traversal(t->topology, t->counts.shells, NULL, 0, &needed) != HSP_E_ID)) {
     broken = "a cell or shell that there is not";
   }
   return broken;
@@ -275,10 +275,10 @@ static const char *broken_scan(const topology_result *t, uint32_t shell, uint32_
                                uint32_t *entered, uint32_t *at) {
   const uint32_t count = t->shells[shell].simple_faces, start = t->shells[shell].start_face;
   uint32_t needed = 0, depth = 1, reached = 1;
-  if (hsp_topology_get_scan(t->topology, shell, faces, count, &needed) != HSP_OK || needed != count) {
-    return "hsp_topology_get_scan: not as many simple faces as its shell has";
+  if (hsp_topology_get_traversal(t->topology, shell, faces, count, &needed) != HSP_OK || needed != count) {
+    return "hsp_topology_get_traversal: not as many simple faces as its shell has";
   }
-  if (faces[0] != start) return "hsp_topology_get_scan: does not begin with start_face";
+  if (faces[0] != start) return "hsp_topology_get_traversal: does not begin with start_face";
   visited[start] = 1;
   entered[0] = at[0] = t->faces[start].q;
   while (depth > 0) {
@@ -286,15 +286,15 @@ static const char *broken_scan(const topology_result *t, uint32_t shell, uint32_
     at[depth - 1] = hsp_topology_lnext(t->topology, q);
     if (at[depth - 1] == entered[depth - 1]) --depth;
     if (visited[face]) continue;
-    if (reached == count) return "hsp_topology_get_scan: ends before its recursion";
-    if (faces[reached] != face) return "hsp_topology_get_scan: not in the order of the recursion";
-    if (t->faces[face].shell != shell) return "hsp_topology_get_scan: a simple face of another shell";
+    if (reached == count) return "hsp_topology_get_traversal: ends before its recursion";
+    if (faces[reached] != face) return "hsp_topology_get_traversal: not in the order of the recursion";
+    if (t->faces[face].shell != shell) return "hsp_topology_get_traversal: a simple face of another shell";
     ++reached;
     visited[face] = 1;
     entered[depth] = at[depth] = across;
     ++depth;
   }
-  return reached == count ? NULL : "hsp_topology_get_scan: goes on after its recursion";
+  return reached == count ? NULL : "hsp_topology_get_traversal: goes on after its recursion";
 }
 
 static const char *broken_scans(const topology_result *t) {

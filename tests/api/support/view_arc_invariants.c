@@ -101,7 +101,8 @@ static const char *broken_arc(const view_result *v, const hsp_view_arc *arc, con
   if (broken != NULL) return broken;
   if (arc->across == HSP_NONE) return broken_silhouette(v, piece, arc);
   if (arc->across >= v->base->n || arc->across == piece->ball) return "an arc across no other ball";
-  if (v->options.pieces == HSP_PIECES_G && piece_of[arc->across] != HSP_NONE && piece_of[arc->across] > arc->piece) {
+  if (v->options.pieces == HSP_PIECES_OUTSIDE_FARTHER && piece_of[arc->across] != HSP_NONE &&
+      piece_of[arc->across] > arc->piece) {
     return "a G-piece is cut by a nearer ball";
   }
   broken = broken_ellipse(v, piece, arc);

@@ -26,8 +26,8 @@ const char *broken_view_regions(const view_result *v, uint32_t samples, uint64_t
  * for bit, and records in their order. */
 const char *view_difference_after_permutation(const view_result *v, const view_result *other);
 
-/* Front parts of the boundary have the same area in the view plane as back parts: two views of HSP_PIECES_H and
- * HSP_VIEW_ALL_BALLS from opposite directions. */
+/* Front parts of the boundary have the same area in the view plane as back parts: two views of HSP_PIECES_OUTSIDE_ALL
+ * and HSP_VIEW_ALL_BALLS from opposite directions. */
 const char *view_difference_from_behind(const view_result *front, const view_result *back);
 
 /* How far a position may be off: parts of the set's extent and of the radius that matters. */

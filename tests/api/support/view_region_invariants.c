@@ -103,7 +103,7 @@ static int cut_away(const scene *s, uint32_t i, const double p[2]) {
     depth = c->radius[j] - length(apart);
     if (depth < -s->margin) continue;
     if (depth < s->margin) sure = 0;
-    if (v->options.pieces == HSP_PIECES_G) {
+    if (v->options.pieces == HSP_PIECES_OUTSIDE_FARTHER) {
       const int is_farther = farther(s, j, i);
       if (is_farther == 0) continue;
       if (is_farther < 0) sure = 0;
@@ -157,7 +157,7 @@ static const char *broken_at(const scene *s, uint32_t i, const double p[2]) {
     if (cut == 0 && turns != 1) return "a point of a piece is not inside its loops";
     if (cut == 1 && turns != 0) return "a point that is cut away is inside the loops of a piece";
   } else if (cut == 0 && (v->options.flags & HSP_VIEW_ALL_BALLS) != 0 && !s->contained[i] &&
-             (v->options.pieces == HSP_PIECES_H || !v->with_boundary)) {
+             (v->options.pieces == HSP_PIECES_OUTSIDE_ALL || !v->with_boundary)) {
     /* with a boundary, balls without faces have no G-piece */
     return "a ball has no piece although something is left of it";
   }

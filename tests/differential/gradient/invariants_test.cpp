@@ -47,7 +47,7 @@ std::string gradient_invariant_broken(const Balls &balls, uint64_t seed) {
   const ComputedBalls set(balls);
   const Energy energy(balls, seed);
   std::string broken = complaint_of(broken_gradient_flags(set.get(), energy.sigma.data()));
-  for (const uint32_t tangency : {HSP_TANGENT_MEETING, HSP_TANGENT_APART})
+  for (const uint32_t tangency : {HSP_TANGENT_OVERLAP, HSP_TANGENT_DISJOINT})
     for (const double *const sigma : {static_cast<const double *>(nullptr), energy.sigma.data()})
       broken += complaint_of(broken_gradients(set.get(), sigma, energy.tension, energy.pressure, tangency));
   return broken;
@@ -57,7 +57,7 @@ std::string area_row_invariant_broken(const Balls &balls, uint64_t seed) {
   const ComputedBalls set(balls);
   const Energy energy(balls, seed);
   std::string broken;
-  for (const uint32_t tangency : {HSP_TANGENT_MEETING, HSP_TANGENT_APART})
+  for (const uint32_t tangency : {HSP_TANGENT_OVERLAP, HSP_TANGENT_DISJOINT})
     broken += complaint_of(broken_area_rows(set.get(), energy.sigma.data(), tangency));
   return broken;
 }
@@ -75,7 +75,7 @@ std::string gradient_orders_disagree(const Balls &balls, uint64_t seed) {
   const ComputedBalls one(balls);
   const ComputedBalls other(mixed);
   std::string broken;
-  for (const uint32_t tangency : {HSP_TANGENT_MEETING, HSP_TANGENT_APART})
+  for (const uint32_t tangency : {HSP_TANGENT_OVERLAP, HSP_TANGENT_DISJOINT})
     broken += complaint_of(gradient_difference_after_permutation(one.get(), weights_of(balls).data(), other.get(),
                                                                  weights_of(mixed).data(), tangency));
   return broken;
@@ -114,7 +114,7 @@ TEST(GradientInvariants, OfMolecules) {
 // The derivative of the volume by a centre is the vector area of the ball's faces, by a radius the area.
 std::string volume_gradient_differs(const Balls &balls) {
   const LibraryBoundary boundary(balls);
-  const LibraryGradient found = gradient(boundary, {0, 1, {}, HSP_TANGENT_MEETING});
+  const LibraryGradient found = gradient(boundary, {0, 1, {}, HSP_TANGENT_OVERLAP});
   const oracle::SliceMeasures expected = oracle::measure_by_slices(oracle::real_balls(balls));
   std::ostringstream text;
   for (size_t i = 0; i < balls.size(); ++i) {
@@ -155,8 +155,8 @@ TEST(ProbeDerivative, IsThatOfAllRadiiTogether) {
       }
       const LibraryBoundary boundary(set.balls);
       for (const auto &[terms, quotient, unit] :
-           {std::tuple{EnergyTerms{1, 0, {}, HSP_TANGENT_MEETING}, area, scale},
-            std::tuple{EnergyTerms{0, 1, {}, HSP_TANGENT_MEETING}, expected.volume, scale * scale}}) {
+           {std::tuple{EnergyTerms{1, 0, {}, HSP_TANGENT_OVERLAP}, area, scale},
+            std::tuple{EnergyTerms{0, 1, {}, HSP_TANGENT_OVERLAP}, expected.volume, scale * scale}}) {
         const LibraryGradient found = gradient(boundary, terms);
         const Real balls = static_cast<Real>(set.balls.size());
         EXPECT_LE(std::abs(static_cast<Real>(found.energy.probe) - quotient.value),

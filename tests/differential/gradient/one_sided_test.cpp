@@ -63,7 +63,7 @@ std::string flags_are_wrong(const Balls &balls) {
     }
   const LibraryBoundary boundary(balls);
   std::ostringstream text;
-  for (const uint32_t tangency : {HSP_TANGENT_MEETING, HSP_TANGENT_APART}) {
+  for (const uint32_t tangency : {HSP_TANGENT_OVERLAP, HSP_TANGENT_DISJOINT}) {
     const LibraryGradient found = gradient(boundary, {1, 0, {}, tangency});
     for (size_t i = 0; i < balls.size(); ++i)
       if (found.flags[i] != (expected.contains(i) ? HSP_GRADIENT_ONE_SIDED : 0U))
@@ -137,12 +137,12 @@ TEST(OneSidedGradients, AreThoseOfTheSideAskedFor) {
   int free = 0;
   for (int k = 0; k < 400; ++k) {
     const TouchingSet set = touching_set(random, false);
-    ASSERT_EQ(derivatives_differ(set.balls, HSP_TANGENT_MEETING, set.moved(-1)), "") << oracle::to_text(set.balls);
-    ASSERT_EQ(derivatives_differ(set.balls, HSP_TANGENT_APART, set.moved(1)), "") << oracle::to_text(set.balls);
+    ASSERT_EQ(derivatives_differ(set.balls, HSP_TANGENT_OVERLAP, set.moved(-1)), "") << oracle::to_text(set.balls);
+    ASSERT_EQ(derivatives_differ(set.balls, HSP_TANGENT_DISJOINT, set.moved(1)), "") << oracle::to_text(set.balls);
     if (touch_freely(set.balls, 0, set.balls.size() - 1).value_or(false)) {
       ++free;
-      ASSERT_NE(derivatives_differ(set.balls, HSP_TANGENT_MEETING, set.moved(1)), "") << oracle::to_text(set.balls);
-      ASSERT_NE(derivatives_differ(set.balls, HSP_TANGENT_APART, set.moved(-1)), "") << oracle::to_text(set.balls);
+      ASSERT_NE(derivatives_differ(set.balls, HSP_TANGENT_OVERLAP, set.moved(1)), "") << oracle::to_text(set.balls);
+      ASSERT_NE(derivatives_differ(set.balls, HSP_TANGENT_DISJOINT, set.moved(-1)), "") << oracle::to_text(set.balls);
     }
   }
   EXPECT_GT(free, 50);
@@ -154,7 +154,7 @@ TEST(OneSidedGradients, FromInsideAreThoseOfTheBallInside) {
   oracle::RandomSource random(114);
   for (int k = 0; k < 400; ++k) {
     const TouchingSet set = touching_set(random, true);
-    for (const uint32_t tangency : {HSP_TANGENT_MEETING, HSP_TANGENT_APART}) {
+    for (const uint32_t tangency : {HSP_TANGENT_OVERLAP, HSP_TANGENT_DISJOINT}) {
       ASSERT_EQ(derivatives_differ(set.balls, tangency, set.moved(-1)), "") << oracle::to_text(set.balls);
       if (touch_freely(set.balls, 0, set.balls.size() - 1).value_or(false)) {
         ASSERT_NE(derivatives_differ(set.balls, tangency, set.moved(1)), "") << oracle::to_text(set.balls);
@@ -207,7 +207,7 @@ TEST(OneSidedGradients, OtherTiesMakeNoJump) {
       for (int64_t *number : {&untied.back().x, &untied.back().y, &untied.back().z, &untied.back().radius})
         *number += random.in(-1, 1);
     }
-    for (const uint32_t tangency : {HSP_TANGENT_MEETING, HSP_TANGENT_APART})
+    for (const uint32_t tangency : {HSP_TANGENT_OVERLAP, HSP_TANGENT_DISJOINT})
       ASSERT_EQ(derivatives_differ(tied, tangency, untied, 1e-2), "") << oracle::to_text(balls);
   }
   EXPECT_GT(compared, 400);

@@ -58,7 +58,7 @@ std::vector<PlotPanel> panels_of(const Column &column, double left) {
   std::vector<PlotPoint> first;
   std::vector<PlotPoint> second;
   for (const int64_t d : between(0, end)) {
-    const PairResults at = pair_at(pair, d, HSP_TANGENT_MEETING);
+    const PairResults at = pair_at(pair, d, HSP_TANGENT_OVERLAP);
     // At length 0 equal balls have the area of one, and which of them has it is nobody's business.
     if (d > 0 || inside > 0) {
       first.push_back({length_of(d), in_square_angstrom(at.area[0])});
@@ -81,12 +81,12 @@ std::vector<PlotPanel> panels_of(const Column &column, double left) {
       points.push_back({length_of(d), in_angstrom(pair_at(pair, d, tangency).total_by_distance)});
     slopes.curve(points, black, PlotStroke::thick);
   };
-  if (inside > 0) slope_piece(0, inside, HSP_TANGENT_MEETING);
-  slope_piece(inside > 0 ? inside : shortest_change, touching, HSP_TANGENT_MEETING);
-  slope_piece(touching, end, HSP_TANGENT_APART);
-  for (const uint32_t tangency : {HSP_TANGENT_MEETING, HSP_TANGENT_APART})
+  if (inside > 0) slope_piece(0, inside, HSP_TANGENT_OVERLAP);
+  slope_piece(inside > 0 ? inside : shortest_change, touching, HSP_TANGENT_OVERLAP);
+  slope_piece(touching, end, HSP_TANGENT_DISJOINT);
+  for (const uint32_t tangency : {HSP_TANGENT_OVERLAP, HSP_TANGENT_DISJOINT})
     slopes.dot({length_of(touching), in_angstrom(pair_at(pair, touching, tangency).total_by_distance)}, black,
-               tangency == HSP_TANGENT_MEETING);
+               tangency == HSP_TANGENT_OVERLAP);
   return {areas, slopes};
 }
 

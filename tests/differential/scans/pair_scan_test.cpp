@@ -52,7 +52,7 @@ TEST_P(BondScan, ValuesAreThoseOfClosedForms) {
   const Real radius = real(std::max(pair.radius[0], pair.radius[1]));
   for (const int64_t d : scan_of(pair)) {
     SCOPED_TRACE(d);
-    const PairResults found = pair_at(pair, d, HSP_TANGENT_MEETING);
+    const PairResults found = pair_at(pair, d, HSP_TANGENT_OVERLAP);
     std::array<Real, 2> areas = formulas.areas(real(d));
     // Equal balls: either of them may have the area.
     if (d == 0 && pair.radius[0] == pair.radius[1] && found.area[0] == 0) std::swap(areas[0], areas[1]);
@@ -79,10 +79,10 @@ TEST_P(BondScan, AreasDoNotJump) {
   const PairFormulas formulas = formulas_of(pair);
   const Real rounding = 1e-15L * area_scale(pair);
   const std::vector<int64_t> scan = scan_of(pair);
-  PairResults last = pair_at(pair, scan[0], HSP_TANGENT_MEETING);
+  PairResults last = pair_at(pair, scan[0], HSP_TANGENT_OVERLAP);
   for (size_t k = 1; k < scan.size(); ++k) {
     SCOPED_TRACE(scan[k]);
-    const PairResults next = pair_at(pair, scan[k], HSP_TANGENT_MEETING);
+    const PairResults next = pair_at(pair, scan[k], HSP_TANGENT_OVERLAP);
     const Real width = real(scan[k] - scan[k - 1]);
     const bool constant = scan[k] <= pair.touching_from_inside() || scan[k - 1] >= pair.touching();
     Real total_slope = 0;
@@ -115,7 +115,7 @@ struct Integrals {
 Integrals integrate(const PairOfBalls &pair, int64_t from, int64_t width, int64_t intervals) {
   Integrals sums;
   for (int64_t k = 0; k <= intervals; ++k) {
-    const PairResults at = pair_at(pair, from + k * width, HSP_TANGENT_MEETING);
+    const PairResults at = pair_at(pair, from + k * width, HSP_TANGENT_OVERLAP);
     const Real weight = real(width) / 3 * (k == 0 || k == intervals ? 1 : k % 2 == 0 ? 2 : 4);
     for (const size_t i : {0U, 1U}) sums.area[i] += weight * static_cast<Real>(at.area_by_distance[i]);
     sums.total += weight * static_cast<Real>(at.total_by_distance);
@@ -139,8 +139,8 @@ TEST_P(BondScan, GradientsIntegrateBackToAreasAndVolume) {
     ASSERT_EQ(intervals * thousandth, pair.touching() - from);
     ASSERT_EQ(intervals % 2, 0);
     const Integrals found = integrate(pair, from, thousandth, intervals);
-    const PairResults start = pair_at(pair, from, HSP_TANGENT_MEETING);
-    const PairResults end = pair_at(pair, pair.touching(), HSP_TANGENT_MEETING);
+    const PairResults start = pair_at(pair, from, HSP_TANGENT_OVERLAP);
+    const PairResults end = pair_at(pair, pair.touching(), HSP_TANGENT_OVERLAP);
     const Real factor = real(pair.touching() - from) * std::pow(real(thousandth), 4) / 180;
     const Real total = static_cast<Real>(end.area[0]) + static_cast<Real>(end.area[1]) -
                        static_cast<Real>(start.area[0]) - static_cast<Real>(start.area[1]);
@@ -163,8 +163,8 @@ TEST_P(BondScan, TouchingBallsHaveBothOneSidedDerivatives) {
   const PairOfBalls &pair = GetParam();
   const int64_t touching = pair.touching();
   const Real slope = 4 * pi * real(pair.radius[0]) * real(pair.radius[1]) / real(touching);
-  const PairResults meeting = pair_at(pair, touching, HSP_TANGENT_MEETING);
-  const PairResults apart = pair_at(pair, touching, HSP_TANGENT_APART);
+  const PairResults meeting = pair_at(pair, touching, HSP_TANGENT_OVERLAP);
+  const PairResults apart = pair_at(pair, touching, HSP_TANGENT_DISJOINT);
   EXPECT_LE(std::abs(static_cast<Real>(meeting.total_by_distance) - slope), 1e-14L * slope);
   EXPECT_EQ(apart.total_by_distance, 0);
   EXPECT_EQ(apart.area, meeting.area);
@@ -176,7 +176,7 @@ TEST_P(BondScan, TouchingBallsHaveBothOneSidedDerivatives) {
     EXPECT_EQ(apart.area_by_distance[i], 0);
   }
   // d^2 A / dd^2 is at most 2 pi s t^2 / d^3: nothing that one step could show.
-  for (const uint32_t tangency : {HSP_TANGENT_MEETING, HSP_TANGENT_APART}) {
+  for (const uint32_t tangency : {HSP_TANGENT_OVERLAP, HSP_TANGENT_DISJOINT}) {
     const PairResults closer = pair_at(pair, touching - shortest_change, tangency);
     const PairResults farther = pair_at(pair, touching + shortest_change, tangency);
     EXPECT_NEAR(closer.total_by_distance, static_cast<double>(slope), static_cast<double>(1e-7L * slope));
@@ -193,7 +193,7 @@ TEST_P(BondScan, TouchingBallsHaveBothOneSidedDerivatives) {
 TEST_P(BondScan, BallsThatTouchFromInsideAreFlagged) {
   const PairOfBalls &pair = GetParam();
   const int64_t inside = pair.touching_from_inside();
-  for (const uint32_t tangency : {HSP_TANGENT_MEETING, HSP_TANGENT_APART}) {
+  for (const uint32_t tangency : {HSP_TANGENT_OVERLAP, HSP_TANGENT_DISJOINT}) {
     for (int64_t k = -1; k <= 1; ++k) {
       if (inside + k * shortest_change < 0) continue;
       const PairResults at = pair_at(pair, inside + k * shortest_change, tangency);

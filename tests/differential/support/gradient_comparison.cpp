@@ -82,8 +82,8 @@ std::string gradients_differ(const Balls &balls, const std::vector<size_t> &move
   const LibraryBoundary boundary(balls);
   const auto rows = all_rows(boundary, n);
   const EnergyTerms weighted = weighted_energy(n, scale);
-  const LibraryGradient of_area = gradient(boundary, {1, 0, {}, HSP_TANGENT_MEETING});
-  const LibraryGradient of_volume = gradient(boundary, {0, 1, {}, HSP_TANGENT_MEETING});
+  const LibraryGradient of_area = gradient(boundary, {1, 0, {}, HSP_TANGENT_OVERLAP});
+  const LibraryGradient of_volume = gradient(boundary, {0, 1, {}, HSP_TANGENT_OVERLAP});
   const LibraryGradient of_energy = gradient(boundary, weighted);
 
   Comparison comparison(scale, tally);

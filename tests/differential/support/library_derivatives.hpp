@@ -12,7 +12,7 @@ struct EnergyTerms {
   double tension = 1;
   double pressure = 0;
   std::vector<double> sigma;  // empty for all ones
-  uint32_t tangency = HSP_TANGENT_MEETING;
+  uint32_t tangency = HSP_TANGENT_OVERLAP;
 };
 
 // By ball: the derivatives by the three coordinates of its centre and by its radius.
@@ -27,7 +27,7 @@ struct LibraryGradient {
 LibraryGradient gradient(const LibraryBoundary &boundary, const EnergyTerms &terms);
 
 std::vector<hsp_area_derivative> area_row(const LibraryBoundary &boundary, uint32_t ball,
-                                          uint32_t tangency = HSP_TANGENT_MEETING);
+                                          uint32_t tangency = HSP_TANGENT_OVERLAP);
 
 struct LibraryFaceMeasures {
   std::vector<double> area;

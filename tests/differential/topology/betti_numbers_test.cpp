@@ -66,7 +66,7 @@ TEST(Invariants, OrdersOfAnySets) {
   }
 }
 
-// Where several extra arcs end on one arc or circle its pieces share its angle; and on a circle without radius, where
+// Where several cut arcs end on one arc or circle its pieces share its angle; and on a circle without radius, where
 // two balls touch, positions do not tell how.
 TEST(Invariants, AnglesInAnyOrder) {
   for (const Balls &balls :

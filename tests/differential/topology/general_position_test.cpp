@@ -28,7 +28,7 @@ void expect_invariants(Maker make, int sets, int64_t least, int64_t most) {
   for (int k = 0; k < sets; ++k) {
     const Balls balls = jittered(make(random, static_cast<size_t>(random.in(least, most))), random);
     ASSERT_EQ(complaint_about_smallest(balls, topology_invariant_broken), "");
-    cut += LibraryTopology(balls).counts().extra_edges;
+    cut += LibraryTopology(balls).counts().cut_edges;
   }
   EXPECT_GT(cut, 0U);
 }

@@ -37,7 +37,7 @@ TEST_P(Molecule, DoesNotDependOnTheOrder) {
     EXPECT_EQ(topology_orders_disagree(on_default_lattice(grown(atoms(), probe))), "") << "probe " << probe;
 }
 
-// Turned, the extra arcs run elsewhere and nothing else changes.
+// Turned, the cut arcs run elsewhere and nothing else changes.
 TEST_P(Molecule, HasTheSameShellsAlongOtherAxes) {
   for (const int64_t probe : {int64_t{0}, 14 * steps_per_angstrom / 10}) {
     const Balls balls = grown(atoms(), probe);

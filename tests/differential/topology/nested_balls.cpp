@@ -153,7 +153,7 @@ std::vector<AwkwardSet> awkward_sets() {
   add("an upright belt and bumps on both sides of it",
       joined(joined({core}, balls_on_circle(100, 1, 32, 0, 2)),
              {{60, 80, 0, 9}, {-60, 80, 0, 9}, {0, 100, 0, 9}, {0, -80, 60, 9}, {0, -80, -60, 9}}));
-  // Two large balls with holes in their faces and one circle between them: extra arcs from both sides come to it in one
+  // Two large balls with holes in their faces and one circle between them: cut arcs from both sides come to it in one
   // upright plane.
   const Balls bumps = {{-60, 0, 80, 9}, {-60, 0, -80, 9}, {-100, 0, 0, 9}};
   Balls pair = {core, {120, 0, 0, 100}};

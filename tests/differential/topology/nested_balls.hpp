@@ -27,7 +27,7 @@ struct BuiltSet {
 // Hollow shells in hollow shells, rings, cages.
 std::vector<BuiltSet> built_sets();
 
-// Sets made for faces with many loops, for extra arcs through the poles, level and
+// Sets made for faces with many loops, for cut arcs through the poles, level and
 // upright neighbours, and upright planes that coincide on both sides of a circle.
 struct AwkwardSet {
   std::string name;

@@ -42,8 +42,8 @@ std::vector<uint32_t> LibraryTopology::cell_shells(uint32_t cell) const {
                                "hsp_topology_get_cell_shells");
 }
 std::vector<uint32_t> LibraryTopology::scan(uint32_t shell) const {
-  return all_records<uint32_t>([&](auto... out) { return hsp_topology_get_scan(handle(), shell, out...); },
-                               "hsp_topology_get_scan");
+  return all_records<uint32_t>([&](auto... out) { return hsp_topology_get_traversal(handle(), shell, out...); },
+                               "hsp_topology_get_traversal");
 }
 
 LibraryTopology::QuadEdges LibraryTopology::quad_edges() const {

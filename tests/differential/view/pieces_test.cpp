@@ -163,7 +163,7 @@ TEST(ViewArcs, StartAtPreciseVertices) {
     constexpr int64_t unit = int64_t{1} << 24;
     const oracle::LatticeBall other = {32 * unit, 0, -24 * unit + closer, 25 * unit};
     const LibraryScene scene({{0, 0, 0, 25 * unit}, other});
-    const ViewRecords view = view_of(scene, {HSP_PIECES_G, HSP_VIEW_ALL_BALLS, false, {}, {}});
+    const ViewRecords view = view_of(scene, {HSP_PIECES_OUTSIDE_FARTHER, HSP_VIEW_ALL_BALLS, false, {}, {}});
     const long double r = 25 * unit;
     const long double x =
         static_cast<long double>(oracle::dot({other.x, other.y, other.z}, {other.x, other.y, other.z})) /

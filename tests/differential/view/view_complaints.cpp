@@ -27,7 +27,7 @@ class ComputedView {
 };
 
 ViewChoice all_of_boundary(const Direction &towards) {
-  return {HSP_PIECES_H, HSP_VIEW_ALL_BALLS, true, towards, {}};
+  return {HSP_PIECES_OUTSIDE_ALL, HSP_VIEW_ALL_BALLS, true, towards, {}};
 }
 
 std::string depths_disagree(const view_result &view, const Balls &balls) {
@@ -38,7 +38,7 @@ std::string depths_disagree(const view_result &view, const Balls &balls) {
     if (!is_farther(balls[a], balls[b], direction))
       return "ball " + std::to_string(a) + " is painted before ball " + std::to_string(b);
   }
-  if (view.options.pieces != HSP_PIECES_G) return "";
+  if (view.options.pieces != HSP_PIECES_OUTSIDE_FARTHER) return "";
   for (uint32_t a = 0; a < view.info.arcs; ++a) {
     const uint32_t across = view.arcs[a].across;
     const uint32_t ball = view.pieces[view.arcs[a].piece].ball;
@@ -64,7 +64,7 @@ std::string view_invariant_broken(const Balls &balls, const Direction &towards, 
 std::string view_regions_disagree(const Balls &balls, uint32_t points, const Direction &towards) {
   const ComputedBalls set(balls);
   for (const ViewChoice &choice :
-       {ViewChoice{HSP_PIECES_G, HSP_VIEW_ALL_BALLS, false, towards, {}}, all_of_boundary(towards)}) {
+       {ViewChoice{HSP_PIECES_OUTSIDE_FARTHER, HSP_VIEW_ALL_BALLS, false, towards, {}}, all_of_boundary(towards)}) {
     const ComputedView view(set, choice);
     const std::string broken = complaint_of(broken_view_regions(view.get(), points, balls.size()));
     if (!broken.empty()) return choice.text() + ": " + broken;

@@ -16,7 +16,7 @@ hsp_view_options ViewChoice::options() const {
 std::string ViewChoice::text() const {
   std::ostringstream text;
   text.precision(17);
-  text << (pieces == HSP_PIECES_G ? "G" : "H") << "-pieces" << (boundary ? " with boundary" : "")
+  text << (pieces == HSP_PIECES_OUTSIDE_FARTHER ? "G" : "H") << "-pieces" << (boundary ? " with boundary" : "")
        << ((flags & HSP_VIEW_ALL_BALLS) != 0 ? " of all balls" : "") << " from (" << towards[0] << ", " << towards[1]
        << ", " << towards[2] << "), up (" << up[0] << ", " << up[1] << ", " << up[2] << ")";
   return text.str();
@@ -25,9 +25,9 @@ std::string ViewChoice::text() const {
 std::vector<ViewChoice> all_choices(const Direction &towards, const Direction &up) {
   std::vector<ViewChoice> choices;
   for (const uint32_t flags : {UINT32_C(0), HSP_VIEW_ALL_BALLS}) {
-    choices.push_back({HSP_PIECES_G, flags, false, towards, up});
-    choices.push_back({HSP_PIECES_G, flags, true, towards, up});
-    choices.push_back({HSP_PIECES_H, flags, true, towards, up});
+    choices.push_back({HSP_PIECES_OUTSIDE_FARTHER, flags, false, towards, up});
+    choices.push_back({HSP_PIECES_OUTSIDE_FARTHER, flags, true, towards, up});
+    choices.push_back({HSP_PIECES_OUTSIDE_ALL, flags, true, towards, up});
   }
   return choices;
 }

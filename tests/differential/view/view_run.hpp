@@ -14,7 +14,7 @@ using Direction = std::array<double, 3>;
 
 // What hsp_view_compute is asked for; directions of zeros mean the defaults.
 struct ViewChoice {
-  uint32_t pieces = HSP_PIECES_G;
+  uint32_t pieces = HSP_PIECES_OUTSIDE_FARTHER;
   uint32_t flags = 0;
   bool boundary = false;
   Direction towards{};

@@ -1,0 +1,23 @@
+// Decimal numbers in IEEE arithmetic: the powers of ten that are doubles, and rounding to integers.
+#pragma once
+
+#include <cstdint>
+
+#include "core/floating_point.hpp"
+
+namespace hsp {
+
+// Powers of ten that are doubles.
+inline constexpr int largest_power_of_ten = 22;
+constexpr double power_of_ten[largest_power_of_ten + 1] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                                           1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                                           1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+
+// Nearest integer, halves away from zero, for |x| < 2^62.
+inline int64_t nearest(double x) {
+  const int64_t truncated = static_cast<int64_t>(x);
+  const double rest = x - static_cast<double>(truncated);
+  return truncated + (rest >= 0.5 ? 1 : 0) - (rest <= -0.5 ? 1 : 0);
+}
+
+}  // namespace hsp

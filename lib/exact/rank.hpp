@@ -1,0 +1,25 @@
+// The rank of a ball in the symbolic perturbation: lexicographic (x, y, z, R, index). The ball of lower rank is
+// inflated infinitely more.
+#pragma once
+
+#include <cstdint>
+
+namespace hsp::exact {
+
+// Length: int64_t or double that holds integers.
+template <class Length>
+struct RankKey {
+  Length x, y, z, R;
+  uint32_t index;  // the caller's
+};
+
+template <class Length>
+constexpr bool ranks_before(const RankKey<Length> &a, const RankKey<Length> &b) {
+  if (a.x != b.x) return a.x < b.x;
+  if (a.y != b.y) return a.y < b.y;
+  if (a.z != b.z) return a.z < b.z;
+  if (a.R != b.R) return a.R < b.R;
+  return a.index < b.index;
+}
+
+}  // namespace hsp::exact

@@ -1,0 +1,27 @@
+// How often each stage of each predicate answered. Compiled in only with HSP_COUNT_STAGES, which tests define for a
+// copy of the library of their own; the library as it ships has no globals.
+#pragma once
+
+#include <cstdint>
+
+namespace hsp::exact {
+
+enum class Question : uint32_t { crossing, side, point_status, vertex_pair };
+enum class Stage : uint32_t { filter, exact, perturbation };
+
+#if defined(HSP_COUNT_STAGES)
+struct StageCounters {
+  uint64_t answers[4][3] = {};
+  uint64_t of(Question question, Stage stage) const {
+    return answers[static_cast<uint32_t>(question)][static_cast<uint32_t>(stage)];
+  }
+};
+inline StageCounters stage_counters;
+inline void count_answer(Question question, Stage stage) {
+  ++stage_counters.answers[static_cast<uint32_t>(question)][static_cast<uint32_t>(stage)];
+}
+#else
+constexpr void count_answer(Question, Stage) {}
+#endif
+
+}  // namespace hsp::exact

@@ -1,0 +1,21 @@
+// Clusters of the caps of one sphere: the connected components of their union.
+#pragma once
+
+#include "sphere/caps.hpp"
+
+namespace hsp {
+
+class CapClusters {
+ public:
+  void carve(Workspace &workspace, uint32_t capacity) { cluster_ = workspace.take<uint32_t>(capacity); }
+
+  // Joins caps that touch or overlap; returns the number of clusters.
+  uint32_t find(const Caps &caps);
+  // After find: whether a cap stands for its cluster. Each cluster has one such cap.
+  bool is_representative(uint32_t cap) const { return cluster_[cap] == cap; }
+
+ private:
+  Span<uint32_t> cluster_;
+};
+
+}  // namespace hsp

@@ -1,0 +1,286 @@
+// The self-check finds what is wrong: one record of a correct boundary at a time is spoilt, and the law that it breaks
+// is named, with the place where it fails. Through the interface a boundary is never wrong, so that this is the only
+// way to see these answers.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+#include <utility>
+
+#include "boundary/boundary_check.hpp"
+#include "boundary/shells.hpp"
+#include "built_boundary.hpp"
+#include "measure/boundary_metric_check.hpp"
+
+namespace {
+
+using hsp::BoundaryArrays;
+using hsp::BoundaryInvariant;
+
+// Three balls with two common points and a fourth that cuts a free circle out of the first; a pair apart from them; a
+// ball on its own; one inside another.
+const std::vector<TestBall> scene = {{0, 0, 0, 1000},     {1000, 0, 0, 1000},   {500, 800, 0, 1000},
+                                     {-1500, 0, 0, 600},  {9000, 0, 0, 500},    {9600, 0, 0, 500},
+                                     {0, 20000, 0, 1000}, {0, 20000, 100, 300}, {0, 900, 20000, 1000}};
+
+struct Flaw {
+  const char *name;
+  BoundaryInvariant invariant;
+  // Spoils the structure and returns where the law fails.
+  std::function<uint32_t(BuiltBoundary &)> make;
+};
+
+// The half-edge that starts at the first vertex on the first of its balls.
+hsp::HalfEdge &first_visit(BuiltBoundary &boundary) {
+  return boundary.arrays().half_edges[boundary.arrays().half_edge_at[0]];
+}
+uint32_t ball_with_faces(BuiltBoundary &boundary, uint32_t caller) {
+  const uint32_t ball = boundary.grid_index(caller);
+  EXPECT_LT(boundary.arrays().first_face[ball], boundary.arrays().first_face[ball + 1]);
+  return ball;
+}
+
+constexpr uint32_t anywhere = hsp::no_id;
+
+const std::vector<Flaw> flaws = {
+    {"a vertex of equal balls", BoundaryInvariant::vertices,
+     [](BuiltBoundary &b) {
+       b.arrays().vertices[1].ball[1] = b.arrays().vertices[1].ball[0];
+       return 1U;
+     }},
+    {"a vertex of balls out of order", BoundaryInvariant::vertices,
+     [](BuiltBoundary &b) {
+       std::swap(b.arrays().vertices[1].ball[1], b.arrays().vertices[1].ball[2]);
+       return 1U;
+     }},
+    {"a vertex of a ball that is not there", BoundaryInvariant::vertices,
+     [](BuiltBoundary &b) {
+       b.arrays().vertices[0].ball[2] = b.balls().n;
+       return 0U;
+     }},
+    {"a vertex on a contained ball", BoundaryInvariant::vertices,
+     [](BuiltBoundary &b) {
+       b.arrays().ball_state[b.arrays().vertices[0].ball[2]] |= BoundaryArrays::contained;
+       return 0U;
+     }},
+    {"too few half-edges", BoundaryInvariant::half_edges,
+     [](BuiltBoundary &b) {
+       --b.arrays().first_half_edge[b.balls().n];
+       return 0U;
+     }},
+    {"a half-edge on another ball", BoundaryInvariant::half_edges,
+     [](BuiltBoundary &b) {
+       std::swap(b.arrays().half_edge_at[0], b.arrays().half_edge_at[1]);
+       return 0U;
+     }},
+    {"a vertex of the other sign", BoundaryInvariant::half_edges,
+     [](BuiltBoundary &b) {
+       b.arrays().vertices[1].code ^= hsp::VertexRecord::positive_bit;
+       return 1U;
+     }},
+    {"a half-edge of another vertex", BoundaryInvariant::half_edges,
+     [](BuiltBoundary &b) {
+       first_visit(b).vertex = 1;
+       return 0U;
+     }},
+    {"a successor on another ball", BoundaryInvariant::successors,
+     [](BuiltBoundary &b) {
+       first_visit(b).next = b.arrays().half_edge_at[1];
+       return b.arrays().half_edge_at[0];
+     }},
+    {"a successor that arrives along another circle", BoundaryInvariant::successors,
+     [](BuiltBoundary &b) {
+       first_visit(b).next = b.arrays().half_edge_at[0];
+       return b.arrays().half_edge_at[0];
+     }},
+    {"a half-edge in another loop", BoundaryInvariant::loops,
+     [](BuiltBoundary &b) {
+       first_visit(b).loop = b.arrays().loop_count - 1;
+       return anywhere;
+     }},
+    {"loops that end before they start", BoundaryInvariant::loops,
+     [](BuiltBoundary &b) {
+       b.arrays().first_loop[0] = b.arrays().loop_count + 1;
+       return b.arrays().loop_count + 1;
+     }},
+    {"a circle's loop on another ball", BoundaryInvariant::loops,
+     [](BuiltBoundary &b) {
+       std::swap(b.arrays().circles[0].loop[0], b.arrays().circles[0].loop[1]);
+       return b.arrays().circles[0].loop[0];
+     }},
+    {"a loop that bounds another ball's face", BoundaryInvariant::faces,
+     [](BuiltBoundary &b) {
+       const uint32_t loop = first_visit(b).loop;
+       b.arrays().loop_face[loop] = b.arrays().face_count - 1 - b.arrays().loop_face[loop];
+       return b.arrays().loop_face[loop];
+     }},
+    {"a face that miscounts its loops", BoundaryInvariant::faces,
+     [](BuiltBoundary &b) {
+       ++b.arrays().faces[2].loops;
+       return 2U;
+     }},
+    {"a face of another ball", BoundaryInvariant::faces,
+     [](BuiltBoundary &b) {
+       b.arrays().faces[0].ball = b.balls().n;
+       return 0U;
+     }},
+    {"a sphere that is not whole", BoundaryInvariant::faces,
+     [](BuiltBoundary &b) {
+       const uint32_t lonely = ball_with_faces(b, 8);
+       b.arrays().ball_state[lonely] = 0;
+       return b.arrays().first_face[lonely];
+     }},
+    {"faces that end before they start", BoundaryInvariant::faces,
+     [](BuiltBoundary &b) {
+       b.arrays().first_face[0] = b.arrays().face_count + 1;
+       return b.arrays().face_count + 1;
+     }},
+    {"one face too many", BoundaryInvariant::faces, [](BuiltBoundary &b) { return ++b.arrays().face_count; }},
+    {"shells out of order", BoundaryInvariant::shells,
+     [](BuiltBoundary &b) {
+       b.arrays().faces[0].shell = 1;
+       return 0U;
+     }},
+    {"a shell without faces", BoundaryInvariant::shells, [](BuiltBoundary &b) { return b.arrays().shell_count++; }},
+    {"an arc between two shells", BoundaryInvariant::shells,
+     [](BuiltBoundary &b) {
+       const uint32_t face = b.arrays().loop_face[first_visit(b).loop];
+       const uint32_t own = b.arrays().faces[face].shell;
+       // a shell that is known by then, so that the numbering stays without gaps
+       b.arrays().faces[face].shell = own == 0 ? 1 : 0;
+       return anywhere;
+     }},
+    {"a vertex off its spheres", BoundaryInvariant::positions,
+     [](BuiltBoundary &b) {
+       b.arrays().root_discriminant[1] *= 1.001;
+       return 1U;
+     }},
+    {"a vertex without a position", BoundaryInvariant::positions,
+     [](BuiltBoundary &b) {
+       b.arrays().root_discriminant[1] = std::numeric_limits<double>::quiet_NaN();
+       return 1U;
+     }},
+};
+
+hsp::Violation checked(BuiltBoundary &boundary) {
+  const hsp::Violation violation = hsp::check_boundary(boundary.balls(), boundary.boundary(), boundary.scratch());
+  return violation.invariant != BoundaryInvariant::none
+             ? violation
+             : hsp::check_boundary_metric(boundary.balls(), boundary.boundary());
+}
+
+TEST(BoundaryCheck, FindsNothingInACorrectBoundary) {
+  BuiltBoundary boundary(scene);
+  ASSERT_EQ(boundary.status(), hsp::Status::ok);
+  ASSERT_GE(boundary.arrays().vertices.size(), 2U);
+  ASSERT_GE(boundary.arrays().circles.size(), 2U);
+  ASSERT_GE(boundary.arrays().shell_count, 4U);
+  EXPECT_EQ(checked(boundary).invariant, BoundaryInvariant::none);
+}
+
+TEST(BoundaryCheck, FindsEveryFlaw) {
+  for (const Flaw &flaw : flaws) {
+    SCOPED_TRACE(flaw.name);
+    BuiltBoundary boundary(scene);
+    ASSERT_EQ(boundary.status(), hsp::Status::ok);
+    const uint32_t where = flaw.make(boundary);
+    const hsp::Violation violation = checked(boundary);
+    EXPECT_EQ(violation.invariant, flaw.invariant);
+    if (where != anywhere) {
+      EXPECT_EQ(violation.id, where);
+    }
+  }
+}
+
+// A circle has a shell on either side. Taking one of them for a shell of its own breaks the law of shells.
+TEST(BoundaryCheck, FindsACircleBetweenTwoShells) {
+  BuiltBoundary boundary({{0, 0, 0, 500}, {600, 0, 0, 500}});
+  BoundaryArrays &arrays = boundary.arrays();
+  ASSERT_EQ(arrays.face_count, 2U);
+  arrays.faces[1].shell = arrays.shell_count++;
+  EXPECT_EQ(checked(boundary).invariant, BoundaryInvariant::shells);
+}
+
+// Two spheres that count as one closed surface have the Euler characteristic 4.
+TEST(BoundaryCheck, FindsTwoSurfacesInOneShell) {
+  BuiltBoundary boundary({{0, 0, 0, 500}, {5000, 0, 0, 500}});
+  BoundaryArrays &arrays = boundary.arrays();
+  ASSERT_EQ(arrays.shell_count, 2U);
+  arrays.faces[1].shell = 0;
+  arrays.shell_count = 1;
+  const hsp::Violation violation = checked(boundary);
+  EXPECT_EQ(violation.invariant, BoundaryInvariant::euler);
+  EXPECT_EQ(violation.id, 0U);
+}
+
+// One component cannot have fewer shells than one.
+TEST(BoundaryCheck, FindsAComponentWithoutAShell) {
+  BuiltBoundary boundary({{0, 0, 0, 500}, {600, 0, 0, 500}});
+  BoundaryArrays &arrays = boundary.arrays();
+  ASSERT_EQ(arrays.shell_count, 1U);
+  arrays.component_parent[1] = 1;
+  arrays.component_parent[0] = 0;
+  const hsp::Violation violation = checked(boundary);
+  EXPECT_EQ(violation.invariant, BoundaryInvariant::euler);
+  EXPECT_EQ(violation.id, 2U);
+}
+
+// On a circle with two free arcs, exchanging where they end leaves successors along the right circle but no twins.
+TEST(BoundaryCheck, FindsArcsThatEndElsewhere) {
+  // Two large balls whose circle is cut twice by two small ones at opposite ends.
+  BuiltBoundary boundary({{0, 0, 0, 1000}, {1000, 0, 0, 1000}, {500, 866, 0, 300}, {500, -866, 0, 300}});
+  BoundaryArrays &arrays = boundary.arrays();
+  ASSERT_EQ(boundary.status(), hsp::Status::ok);
+  ASSERT_EQ(checked(boundary).invariant, BoundaryInvariant::none);
+  const uint32_t ball = boundary.grid_index(0);
+  const uint32_t other = boundary.grid_index(1);
+  std::vector<uint32_t> along;
+  for (uint32_t u = arrays.first_half_edge[ball]; u < arrays.first_half_edge[ball + 1]; ++u) {
+    if (arrays.half_edges[u].circle == other) along.push_back(u);
+  }
+  ASSERT_EQ(along.size(), 2U);
+  std::swap(arrays.half_edges[along[0]].next, arrays.half_edges[along[1]].next);
+  EXPECT_EQ(checked(boundary).invariant, BoundaryInvariant::twins);
+}
+
+// A capsule of three balls in a row. Its middle face is a band between two circles.
+const std::vector<TestBall> capsule = {{0, 0, 0, 500}, {600, 0, 0, 500}, {1200, 0, 0, 500}};
+
+// The band taken for two faces makes two closed surfaces of it, of which no law of the structure knows better; but then
+// it has more area than its sphere.
+TEST(BoundaryCheck, FindsAFaceCutInTwo) {
+  BuiltBoundary boundary(capsule);
+  BoundaryArrays &arrays = boundary.arrays();
+  ASSERT_EQ(checked(boundary).invariant, BoundaryInvariant::none);
+  ASSERT_EQ(arrays.face_count, 3U);
+  const uint32_t middle = boundary.grid_index(1);
+  const uint32_t band = arrays.first_face[middle];
+  ASSERT_EQ(arrays.faces[band].loops, 2U);
+  const uint32_t cut = arrays.first_loop[middle] + 1;
+  // The new face follows the band; later faces move up by one.
+  for (uint32_t face = arrays.face_count++; face > band + 1; --face) arrays.faces[face] = arrays.faces[face - 1];
+  for (uint32_t ball = middle + 1; ball <= boundary.balls().n; ++ball) ++arrays.first_face[ball];
+  for (uint32_t loop = cut + 1; loop < arrays.loop_count; ++loop) {
+    if (arrays.loop_face[loop] > band) ++arrays.loop_face[loop];
+  }
+  arrays.loop_face[cut] = band + 1;
+  arrays.faces[band].loops = 1;
+  arrays.faces[band + 1] = {middle, 1, hsp::no_id};
+  hsp::find_shells(boundary.boundary(), arrays, boundary.scratch());
+  ASSERT_EQ(arrays.shell_count, 2U);
+  const hsp::Violation violation = checked(boundary);
+  EXPECT_EQ(violation.invariant, BoundaryInvariant::areas);
+  EXPECT_EQ(violation.id, middle);
+}
+
+// One of the band's circles counted twice and the other not at all leaves its area, but the surface does not close.
+TEST(BoundaryCheck, FindsASurfaceThatDoesNotClose) {
+  BuiltBoundary boundary(capsule);
+  BoundaryArrays &arrays = boundary.arrays();
+  const uint32_t first = arrays.first_closed_half_edge[boundary.grid_index(1)];
+  ASSERT_EQ(arrays.first_closed_half_edge[boundary.grid_index(1) + 1], first + 2);
+  arrays.closed_half_edge[first] = arrays.closed_half_edge[first + 1];
+  EXPECT_EQ(checked(boundary).invariant, BoundaryInvariant::closure);
+}
+
+}  // namespace

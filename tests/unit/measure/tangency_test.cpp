@@ -1,0 +1,62 @@
+// Which balls that lie in another one touch it from inside, in a point that no third ball covers.
+#include <gtest/gtest.h>
+
+#include "built_boundary.hpp"
+#include "measure/tangency.hpp"
+
+namespace {
+
+// Whether ball 0 of the set touches ball 1 freely from inside.
+bool touches(const std::vector<TestBall> &set) {
+  BuiltBoundary built(set);
+  EXPECT_EQ(built.status(), hsp::Status::ok);
+  hsp::CubeBlock all;
+  all.ranges = 1;
+  all.range[0] = {0, built.balls().n};
+  return hsp::touches_freely_from_inside(built.balls(), all, built.grid_index(0), built.grid_index(1));
+}
+
+TEST(InnerTouching, TwoBalls) {
+  EXPECT_TRUE(touches({{3, 0, 0, 2}, {0, 0, 0, 5}}));
+  EXPECT_TRUE(touches({{2, 1, 2, 2}, {0, 0, 0, 5}}));
+  EXPECT_FALSE(touches({{2, 1, 1, 2}, {0, 0, 0, 5}}));  // inside, 0.55 away
+  EXPECT_FALSE(touches({{2, 2, 2, 2}, {0, 0, 0, 5}}));  // pokes out
+  EXPECT_FALSE(touches({{0, 0, 0, 2}, {0, 0, 0, 5}}));  // concentric
+  EXPECT_FALSE(touches({{3, 0, 0, 5}, {0, 0, 0, 2}}));  // the other way round
+  EXPECT_FALSE(touches({{7, 0, 0, 2}, {0, 0, 0, 5}}));  // from outside
+  EXPECT_TRUE(touches({{5, 0, 0, 0}, {0, 0, 0, 5}}));   // a point on the sphere
+  EXPECT_TRUE(touches({{1, 2, 3, 4}, {1, 2, 3, 4}}));   // equal
+}
+
+// The point of touching is (5, 0, 0).
+TEST(InnerTouching, AThirdBallAtThePoint) {
+  const TestBall inner{3, 0, 0, 2};
+  const TestBall outer{0, 0, 0, 5};
+  EXPECT_FALSE(touches({inner, outer, {6, 0, 0, 2}}));  // covers it
+  EXPECT_TRUE(touches({inner, outer, {6, 0, 0, 1}}));   // its sphere goes through it
+  EXPECT_TRUE(touches({inner, outer, {7, 0, 0, 1}}));
+  EXPECT_TRUE(touches({inner, outer, {1, 0, 0, 4}}));  // a second one that touches there
+  EXPECT_TRUE(touches({inner, outer, {5, 3, 4, 5}}));
+  EXPECT_FALSE(touches({inner, outer, {5, 3, 3, 5}}));
+  EXPECT_FALSE(touches({inner, outer, {1, 0, 0, 5}}));
+}
+
+// The largest balls of the lattice: the point has a denominator of nearly 2^30.
+TEST(InnerTouching, LargestNumbers) {
+  const double most = 0x1p30 - 1;
+  const double D = most - 1;  // 2^30 - 2
+  const TestBall inner{D, 0, 0, 1};
+  const TestBall outer{0, 0, 0, most};
+  EXPECT_TRUE(touches({inner, outer}));
+  EXPECT_TRUE(touches({inner, outer, {2 * most, 0, 0, most}}));
+  EXPECT_FALSE(touches({inner, outer, {2 * most - 1, 0, 0, most}}));
+  // (2, -1, 2)/3 of the radius, which is a multiple of 3.
+  const TestBall tilted{2 * (most - 3) / 3, -(most - 3) / 3, 2 * (most - 3) / 3, 3};
+  EXPECT_TRUE(touches({tilted, outer}));
+  const TestBall facing{4 * most / 3, -2 * most / 3, 4 * most / 3, most};
+  EXPECT_TRUE(touches({tilted, outer, facing}));
+  EXPECT_FALSE(touches({tilted, outer, {facing.x - 1, facing.y, facing.z, most}}));
+  EXPECT_TRUE(touches({tilted, outer, {facing.x + 1, facing.y, facing.z, most}}));
+}
+
+}  // namespace

@@ -1,0 +1,46 @@
+#include "built_topology.hpp"
+
+#include <algorithm>
+
+namespace {
+
+std::vector<TestBall> on_lattice_of_step_one(const oracle::Balls &balls) {
+  std::vector<TestBall> result;
+  for (const oracle::LatticeBall &ball : balls) {
+    result.push_back({static_cast<double>(ball.x), static_cast<double>(ball.y), static_cast<double>(ball.z),
+                      static_cast<double>(ball.radius)});
+  }
+  return result;
+}
+
+}  // namespace
+
+BuiltTopology::BuiltTopology(const std::vector<TestBall> &balls) : boundary_(balls) {
+  build();
+}
+
+BuiltTopology::BuiltTopology(const oracle::Balls &balls) : boundary_(on_lattice_of_step_one(balls)) {
+  build();
+}
+
+// From no room at all to what is needed, as a caller may.
+void BuiltTopology::build() {
+  status_ = boundary_.status();
+  if (status_ != hsp::Status::ok) return;
+  hsp::TopologyLimits limits;
+  for (int attempt = 0; attempt < 4; ++attempt) {
+    hsp::Workspace measured;
+    builder_.carve(measured, limits);
+    memory_.assign(measured.bytes(), 0);
+    hsp::Workspace workspace(memory_.data(), memory_.size());
+    builder_.carve(workspace, limits);
+    status_ = builder_.build(grid(), boundary(), boundary_.neighbours());
+    if (status_ != hsp::Status::capacity) break;
+    const hsp::TopologyLimits &needed = builder_.needed();
+    limits.balls = std::max(limits.balls, needed.balls);
+    limits.neighbours = std::max(limits.neighbours, needed.neighbours);
+    limits.edges = std::max(limits.edges, needed.edges);
+    limits.cut_arcs = std::max(limits.cut_arcs, needed.cut_arcs);
+  }
+  structure_ = builder_.structure();
+}

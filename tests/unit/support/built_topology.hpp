@@ -1,0 +1,33 @@
+// A topology with its inner records open, for tests that look at them or break them.
+#pragma once
+
+#include "built_boundary.hpp"
+#include "lattice_ball.hpp"
+#include "topology/topology_builder.hpp"
+
+class BuiltTopology {
+ public:
+  explicit BuiltTopology(const std::vector<TestBall> &balls);
+  explicit BuiltTopology(const oracle::Balls &balls);
+
+  const hsp::CubeGrid &grid() const { return boundary_.grid(); }
+  const hsp::BallSet &balls() const { return boundary_.balls(); }
+  uint32_t grid_index(uint32_t caller) const { return boundary_.grid_index(caller); }
+  const hsp::Boundary &boundary() const { return boundary_.boundary(); }
+  hsp::BoundaryArrays &boundary_arrays() { return boundary_.arrays(); }
+  // The arrays are those of the topology; the numbers beside them are a copy, to be changed at will.
+  hsp::Topology &structure() { return structure_; }
+  const hsp::TopologyBuilder &builder() const { return builder_; }
+  hsp::Span<uint32_t> marks() const { return builder_.marks(); }
+  // Not ok if the boundary or the topology failed.
+  hsp::Status status() const { return status_; }
+
+ private:
+  void build();
+
+  BuiltBoundary boundary_;
+  hsp::TopologyBuilder builder_;
+  hsp::Topology structure_;
+  std::vector<unsigned char> memory_;
+  hsp::Status status_ = hsp::Status::ok;
+};

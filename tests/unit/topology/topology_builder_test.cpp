@@ -1,0 +1,87 @@
+// The arrays of a topology are as long as their indices run, for every limit, and sets that need exactly what they are
+// given fill them to the end.
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "built_topology.hpp"
+#include "random_balls.hpp"
+#include "topology/topology_builder.hpp"
+
+namespace {
+
+using hsp::Topology;
+using hsp::TopologyLimits;
+
+template <class Look>
+void with_structure(const TopologyLimits &limits, Look look) {
+  Topology structure;
+  hsp::Workspace measured;
+  structure.carve(measured, limits);
+  std::vector<unsigned char> memory(measured.bytes());
+  hsp::Workspace workspace(memory.data(), memory.size());
+  structure.carve(workspace, limits);
+  look(structure);
+}
+
+TEST(TopologyMemory, ArraysAreAsLongAsTheirIndices) {
+  for (const uint32_t balls : {0U, 1U, 2U, 17U}) {
+    for (const uint32_t edges : {0U, 2U, 3U, 16U, 41U}) {
+      for (const uint32_t extra : {0U, 1U, 13U}) {
+        with_structure({balls, balls, edges, extra}, [&](const Topology &structure) {
+          EXPECT_EQ(structure.cut_arcs.capacity(), extra);
+          EXPECT_EQ(structure.cut_first_edge.size(), extra);
+          EXPECT_EQ(structure.quads.next.size(), 4 * edges);
+          EXPECT_EQ(structure.quads.start.size(), 4 * edges);
+          // Arcs have a use on either side and are an edge each; of free circles there are two halves, an edge each.
+          EXPECT_GE(structure.walk_start.size(), 2 * edges);
+          EXPECT_GE(structure.host_of_arc.size(), edges);
+          EXPECT_GE(structure.edge_source.size(), edges);
+          // A lens: as many vertices and simple faces as edges. A whole sphere: two poles for two edges.
+          EXPECT_GE(structure.vertex_edge.size(), edges);
+          EXPECT_GE(structure.pole.size(), edges);
+          EXPECT_GE(structure.faces.size(), edges);
+          EXPECT_GE(structure.scan.size(), edges);
+          EXPECT_GE(structure.shells.size(), edges / 2);
+          EXPECT_EQ(structure.components.size(), balls);
+        });
+      }
+    }
+  }
+}
+
+void expect_within_arrays(BuiltTopology &built) {
+  const Topology &structure = built.structure();
+  EXPECT_EQ(structure.quads.edges, built.builder().needed().edges);
+  EXPECT_LE(structure.vertex_count, structure.vertex_edge.size());
+  EXPECT_LE(structure.vertex_count - structure.first_pole, structure.pole.size());
+  EXPECT_LE(structure.face_count, structure.faces.size());
+  EXPECT_LE(structure.shell_count, structure.shells.size());
+  EXPECT_LE(structure.component_count, structure.components.size());
+  EXPECT_LE(built.boundary().half_edge_count() + 2 * built.boundary().circle_count(), structure.walk_start.size());
+  EXPECT_LE(structure.cell_count, built.marks().size() + 1);
+  EXPECT_LE(structure.vertex_count, built.marks().size());
+}
+
+TEST(TopologyMemory, SetsFillWhatTheyNeed) {
+  // Nothing but whole spheres: as many shells as there may be. Nothing but lenses: as many vertices.
+  std::vector<TestBall> apart, lenses;
+  for (int k = 0; k < 20; ++k) {
+    apart.push_back({100.0 * k, 7.0 * k, 0, 3});
+    lenses.push_back({100.0 * k, 0, 0, 10});
+    lenses.push_back({100.0 * k + 12, 0, 5, 10});
+  }
+  for (const auto &balls : {std::vector<TestBall>{}, apart, lenses, {{0, 0, 0, 0}}}) {
+    BuiltTopology built(balls);
+    ASSERT_EQ(built.status(), hsp::Status::ok);
+    expect_within_arrays(built);
+  }
+  oracle::RandomSource random(1);
+  for (int k = 0; k < 200; ++k) {
+    BuiltTopology built(oracle::any_balls(random, static_cast<std::size_t>(random.in(1, 20))));
+    ASSERT_EQ(built.status(), hsp::Status::ok);
+    expect_within_arrays(built);
+  }
+}
+
+}  // namespace

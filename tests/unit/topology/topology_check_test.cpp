@@ -1,0 +1,415 @@
+// The self-check of a topology finds what is wrong: one record of a correct topology at a time is spoilt, and the law
+// that it breaks is named, with the place where it fails. Through the interface a topology is never wrong, so that this
+// is the only way to see these answers.
+#include "topology/topology_check.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <utility>
+
+#include "boundary/half_edge_links.hpp"
+#include "built_topology.hpp"
+#include "measure/shell_volumes.hpp"
+#include "topology/traversal.hpp"
+
+namespace {
+
+using hsp::sym;
+using hsp::Topology;
+using hsp::TopologyInvariant;
+using hsp::TopologyViolation;
+
+// A cage of 30 balls with a void (all integer points at distance 3, times 1000), and in the void a lens of two balls; a
+// ball with three bumps, whose face with three loops is cut; a ball on its own; a second cage of six with a void.
+std::vector<TestBall> scene() {
+  std::vector<TestBall> balls;
+  for (int x = -3; x <= 3; ++x) {
+    for (int y = -3; y <= 3; ++y) {
+      for (int z = -3; z <= 3; ++z) {
+        if (x * x + y * y + z * z == 9) balls.push_back({1000.0 * x, 1000.0 * y, 1000.0 * z, 1900});
+      }
+    }
+  }
+  balls.push_back({0, 0, 0, 300});
+  balls.push_back({0, 200, 100, 250});
+  balls.push_back({20000, 0, 0, 1000});
+  balls.push_back({21000, 0, 0, 100});
+  balls.push_back({20000, 1000, 0, 150});
+  balls.push_back({20000, 600, 800, 120});
+  balls.push_back({0, 20000, 0, 777});
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double at : {-1000.0, 1000.0}) {
+      balls.push_back({axis == 0 ? at : 0, axis == 1 ? at - 20000 : -20000, axis == 2 ? at : 0, 850});
+    }
+  }
+  return balls;
+}
+
+TopologyViolation checked(BuiltTopology &built) {
+  const TopologyViolation violation = check_topology(built.boundary(), built.structure(), built.marks());
+  if (violation.invariant != TopologyInvariant::none) return violation;
+  return check_enclosed_volumes(built.balls(), built.boundary(), built.structure());
+}
+
+// Where to spoil: somewhere in the middle of each table.
+uint32_t some_edge(BuiltTopology &built) {
+  return built.structure().quads.edges / 2;
+}
+uint32_t extra_edge(BuiltTopology &built) {
+  return built.structure().first_cut_edge;
+}
+uint32_t void_shell(BuiltTopology &built) {
+  uint32_t s = 0;
+  while (!built.structure().shells[s].is_void) ++s;
+  return s;
+}
+uint32_t lonely_shell(BuiltTopology &built) {
+  uint32_t s = 0;
+  while (built.structure().shells[s].faces != 1) ++s;
+  return s;
+}
+// The component in the first void.
+uint32_t inner_component(BuiltTopology &built) {
+  uint32_t c = 0;
+  while (built.structure().components[c].cell == 0) ++c;
+  return c;
+}
+
+struct Flaw {
+  const char *name;
+  TopologyInvariant invariant;
+  // Spoils the topology and returns where the law fails.
+  std::function<uint32_t(BuiltTopology &)> make;
+};
+
+constexpr uint32_t anywhere = hsp::no_id;
+
+const std::vector<Flaw> flaws = {
+    {"a step to an edge that is not there", TopologyInvariant::algebra,
+     [](BuiltTopology &b) {
+       const uint32_t q = hsp::quarter_edge(b.structure().quads.edges - 1) + 3;
+       b.structure().quads.next[q] = 4 * b.structure().quads.edges;
+       return anywhere;
+     }},
+    {"a step from a vertex to a face", TopologyInvariant::algebra,
+     [](BuiltTopology &b) {
+       b.structure().quads.next[0] = hsp::rot(b.structure().quads.next[0]);
+       return 0U;
+     }},
+    {"two rings exchanged", TopologyInvariant::algebra,
+     [](BuiltTopology &b) {
+       std::swap(b.structure().quads.next[0], b.structure().quads.next[sym(0)]);
+       return 0U;
+     }},
+    {"an edge that starts elsewhere", TopologyInvariant::algebra,
+     [](BuiltTopology &b) {
+       const uint32_t q = hsp::quarter_edge(some_edge(b));
+       b.structure().quads.start[q] = b.structure().quads.start[q] == 0 ? 1 : 0;
+       return anywhere;
+     }},
+    {"an edge with another face on its left", TopologyInvariant::algebra,
+     [](BuiltTopology &b) {
+       uint32_t &left = b.structure().quads.start[hsp::quarter_edge(some_edge(b)) + 3];
+       left = left == 0 ? 1 : 0;
+       return anywhere;
+     }},
+    {"a vertex that is not there", TopologyInvariant::vertices,
+     [](BuiltTopology &b) {
+       const uint32_t q = hsp::quarter_edge(some_edge(b)) + 2;
+       const uint32_t vertex = b.structure().quads.start[q];
+       uint32_t at = q;
+       uint32_t first = q;
+       do {
+         b.structure().quads.start[at] = b.structure().vertex_count + vertex;
+         at = b.structure().quads.onext(at);
+         // Edges are looked at in order, each first forwards.
+         if (at / 4 < first / 4 || (at / 4 == first / 4 && at < first)) first = at;
+       } while (at != q);
+       return first;
+     }},
+    {"one vertex of two rings", TopologyInvariant::vertices,
+     [](BuiltTopology &b) {
+       // All that starts at vertex 1 is said to start at vertex 0.
+       const uint32_t q = b.structure().vertex_edge[1];
+       uint32_t at = q;
+       do {
+         b.structure().quads.start[at] = 0;
+         at = b.structure().quads.onext(at);
+       } while (at != q);
+       return 0U;
+     }},
+    {"a vertex without an edge", TopologyInvariant::vertices,
+     [](BuiltTopology &b) {
+       b.structure().vertex_edge[b.structure().vertex_count] = 0;
+       return b.structure().vertex_count++;
+     }},
+    {"a vertex with the edge of another", TopologyInvariant::vertices,
+     [](BuiltTopology &b) {
+       std::swap(b.structure().vertex_edge[3], b.structure().vertex_edge[5]);
+       return 3U;
+     }},
+    {"a vertex that starts a dual edge", TopologyInvariant::vertices,
+     [](BuiltTopology &b) {
+       b.structure().vertex_edge[2] = hsp::rot(b.structure().vertex_edge[2]);
+       return 2U;
+     }},
+    {"a vertex that starts an edge that is not there", TopologyInvariant::vertices,
+     [](BuiltTopology &b) {
+       b.structure().vertex_edge[4] = 4 * b.structure().quads.edges;
+       return 4U;
+     }},
+    {"a simple face of a face that is not there", TopologyInvariant::faces,
+     [](BuiltTopology &b) {
+       b.structure().faces[7].face = b.boundary().face_count();
+       return 7U;
+     }},
+    {"a simple face on an edge that is not there", TopologyInvariant::faces,
+     [](BuiltTopology &b) {
+       b.structure().faces[8].q = 4 * b.structure().quads.edges;
+       return 8U;
+     }},
+    {"a simple face with the edge of another", TopologyInvariant::faces,
+     [](BuiltTopology &b) {
+       b.structure().faces[9].q = sym(b.structure().faces[9].q);
+       return 9U;
+     }},
+    {"a simple face with an edge too many", TopologyInvariant::faces,
+     [](BuiltTopology &b) {
+       ++b.structure().faces[6].edges;
+       return 6U;
+     }},
+    {"a simple face with an edge too few", TopologyInvariant::faces,
+     [](BuiltTopology &b) {
+       --b.structure().faces[6].edges;
+       return 6U;
+     }},
+    {"a simple face counted twice around", TopologyInvariant::faces,
+     [](BuiltTopology &b) {
+       b.structure().faces[5].edges *= 2;
+       return 5U;
+     }},
+    {"a simple face of one edge", TopologyInvariant::faces,
+     [](BuiltTopology &b) {
+       b.structure().faces[5].edges = 1;
+       return 5U;
+     }},
+    {"a simple face left out", TopologyInvariant::faces,
+     [](BuiltTopology &b) {
+       --b.structure().face_count;
+       return anywhere;
+     }},
+    {"a simple face with one face on both sides of an edge", TopologyInvariant::faces,
+     [](BuiltTopology &b) {
+       // The two simple faces of the ball on its own, said to be one of two rings.
+       const uint32_t last = hsp::quarter_edge(b.structure().quads.edges - 1);
+       const uint32_t kept = b.structure().quads.left(last);
+       const uint32_t gone = b.structure().quads.left(sym(last));
+       for (uint32_t q = 0; q < 4 * b.structure().quads.edges; q += 2) {
+         uint32_t &left = b.structure().quads.start[hsp::inverse_rot(q)];
+         if (left == gone) left = kept;
+       }
+       return std::min(kept, gone);
+     }},
+    {"an arc with its sides exchanged", TopologyInvariant::sides,
+     [](BuiltTopology &b) {
+       // Named by its half-edge on its other ball.
+       const uint32_t half_edge = b.structure().host_of_arc[2];
+       b.structure().host_of_arc[2] = b.boundary().twin(half_edge);
+       uint32_t edge = 0;
+       while (b.structure().edge_source[edge] != 2) ++edge;
+       return hsp::quarter_edge(edge);
+     }},
+    {"an edge of another arc", TopologyInvariant::sides,
+     [](BuiltTopology &b) {
+       b.structure().edge_source[0] = b.structure().edge_source[b.structure().first_circle_edge - 1];
+       return 0U;
+     }},
+    {"an edge of another circle", TopologyInvariant::sides,
+     [](BuiltTopology &b) {
+       const uint32_t first = b.structure().first_circle_edge;
+       b.structure().edge_source[first] = b.structure().edge_source[b.structure().first_cut_edge - 1];
+       return hsp::quarter_edge(first);
+     }},
+    {"a cut edge between two faces", TopologyInvariant::sides,
+     [](BuiltTopology &b) {
+       const uint32_t face = b.structure().quads.left(hsp::quarter_edge(extra_edge(b)));
+       b.structure().faces[face].face = b.boundary().face_count() - 1 - b.structure().faces[face].face;
+       return anywhere;
+     }},
+    {"a shell with a vertex too many", TopologyInvariant::euler,
+     [](BuiltTopology &b) {
+       ++b.structure().shells[1].vertices;
+       return 1U;
+     }},
+    {"a shell with an edge too many", TopologyInvariant::euler,
+     [](BuiltTopology &b) {
+       ++b.structure().shells[2].edges;
+       return 2U;
+     }},
+    {"a shell with a simple face too few", TopologyInvariant::euler,
+     [](BuiltTopology &b) {
+       --b.structure().shells[0].simple_faces;
+       return 0U;
+     }},
+    {"two surfaces whose faces are counted for one", TopologyInvariant::euler,
+     [](BuiltTopology &b) {
+       const uint32_t lonely = lonely_shell(b);
+       for (uint32_t f = 0; f < b.boundary().face_count(); ++f) {
+         if (b.boundary().face(f).shell == lonely) b.boundary_arrays().faces[f].shell = lonely == 0 ? 1 : 0;
+       }
+       return std::min(lonely, lonely == 0 ? 1U : 0U);
+     }},
+    {"a face visited twice", TopologyInvariant::scan,
+     [](BuiltTopology &b) {
+       const uint32_t first = b.structure().shells[0].first_scan;
+       b.structure().scan[first + 1] = b.structure().scan[first];
+       return 0U;
+     }},
+    {"a face of another shell visited", TopologyInvariant::scan,
+     [](BuiltTopology &b) {
+       std::swap(b.structure().scan[b.structure().shells[0].first_scan + 1],
+                 b.structure().scan[b.structure().shells[1].first_scan + 1]);
+       return 0U;
+     }},
+    {"a face visited that is not there", TopologyInvariant::scan,
+     [](BuiltTopology &b) {
+       b.structure().scan[b.structure().shells[1].first_scan + 1] = b.structure().face_count;
+       return 1U;
+     }},
+    {"a scan that starts elsewhere", TopologyInvariant::scan,
+     [](BuiltTopology &b) {
+       const uint32_t first = b.structure().shells[0].first_scan;
+       b.structure().shells[0].start_face = b.structure().scan[first + 1];
+       return 0U;
+     }},
+    {"a scan that ends beyond the table", TopologyInvariant::scan,
+     [](BuiltTopology &b) {
+       const uint32_t last = b.structure().shell_count - 1;
+       ++b.structure().shells[last].first_scan;
+       return last;
+     }},
+    {"a shell of no component", TopologyInvariant::cells,
+     [](BuiltTopology &b) {
+       b.structure().shells[1].component = b.structure().component_count;
+       return 1U;
+     }},
+    {"a shell of another component", TopologyInvariant::cells,
+     [](BuiltTopology &b) {
+       const uint32_t lonely = lonely_shell(b);
+       uint32_t &component = b.structure().shells[lonely].component;
+       component = component == 0 ? 1 : 0;
+       return lonely;
+     }},
+    {"a shell beside no cell", TopologyInvariant::cells,
+     [](BuiltTopology &b) {
+       b.structure().shells[1].cell = b.structure().cell_count;
+       return 1U;
+     }},
+    {"a void's shell beside another cell", TopologyInvariant::cells,
+     [](BuiltTopology &b) {
+       b.structure().shells[void_shell(b)].cell = 0;
+       return void_shell(b);
+     }},
+    {"an outer shell beside another cell than its component", TopologyInvariant::cells,
+     [](BuiltTopology &b) {
+       const uint32_t shell = b.structure().components[0].outer_shell;
+       b.structure().shells[shell].cell = b.structure().shells[shell].cell == 0 ? 1 : 0;
+       return shell;
+     }},
+    {"a component with two outer shells", TopologyInvariant::cells,
+     [](BuiltTopology &b) {
+       const uint32_t shell = void_shell(b);
+       b.structure().shells[shell].is_void = false;
+       return shell;
+     }},
+    {"a cell without a wall", TopologyInvariant::cells,
+     [](BuiltTopology &b) {
+       ++b.structure().cell_count;
+       return b.structure().shell_count;
+     }},
+    {"a component without a shell", TopologyInvariant::cells,
+     [](BuiltTopology &b) {
+       ++b.structure().component_count;
+       return b.structure().shell_count;
+     }},
+    {"a component in its own void", TopologyInvariant::cells,
+     [](BuiltTopology &b) {
+       const uint32_t component = b.structure().shells[void_shell(b)].component;
+       const uint32_t cell = b.structure().shells[void_shell(b)].cell;
+       b.structure().components[component].cell = cell;
+       b.structure().shells[b.structure().components[component].outer_shell].cell = cell;
+       // The component inside hangs on the same ring; the first of the two is named.
+       return std::min(component, inner_component(b));
+     }},
+};
+
+TEST(TopologyCheck, FindsNothingInACorrectTopology) {
+  BuiltTopology built(scene());
+  ASSERT_EQ(built.status(), hsp::Status::ok);
+  const Topology &topology = built.structure();
+  ASSERT_EQ(topology.component_count, 5U);
+  ASSERT_EQ(topology.cell_count, 3U);
+  ASSERT_EQ(topology.shell_count, 7U);
+  ASSERT_GT(topology.cut_arcs.size(), 2U);
+  ASSERT_GT(topology.first_circle_edge, 100U);
+  ASSERT_GE(topology.first_cut_edge - topology.first_circle_edge, 8U);
+  ASSERT_EQ(topology.quads.edges - topology.first_sphere_edge, 2U);
+  EXPECT_EQ(checked(built).invariant, TopologyInvariant::none);
+}
+
+TEST(TopologyCheck, FindsEveryFlaw) {
+  for (const Flaw &flaw : flaws) {
+    SCOPED_TRACE(flaw.name);
+    BuiltTopology built(scene());
+    ASSERT_EQ(built.status(), hsp::Status::ok);
+    const uint32_t where = flaw.make(built);
+    const TopologyViolation violation = checked(built);
+    EXPECT_EQ(violation.invariant, flaw.invariant);
+    if (where != anywhere) {
+      EXPECT_EQ(violation.id, where);
+    }
+  }
+}
+
+// Any single number of the table of steps is needed: whatever stands there instead breaks the algebra.
+TEST(TopologyCheck, FindsEveryWrongStep) {
+  BuiltTopology built(scene());
+  hsp::QuadEdges &quads = built.structure().quads;
+  for (uint32_t q = 0; q < 4 * quads.edges; ++q) {
+    const uint32_t right = quads.next[q];
+    for (const uint32_t wrong : {q, sym(q), right ^ 1U, sym(right), (right + 4) % (4 * quads.edges)}) {
+      if (wrong == right) continue;
+      quads.next[q] = wrong;
+      EXPECT_EQ(checked(built).invariant, TopologyInvariant::algebra) << q << ": " << wrong << " instead of " << right;
+      quads.next[q] = right;
+    }
+  }
+  EXPECT_EQ(checked(built).invariant, TopologyInvariant::none);
+}
+
+// The scan over a structure whose shells run into each other, or end early, is refused.
+TEST(TopologyCheck, TheScanKnowsItsShell) {
+  BuiltTopology built(scene());
+  Topology &topology = built.structure();
+  ASSERT_TRUE(traverse_shells(built.boundary(), topology, built.marks()));
+  // A face said to belong to another shell leaves its own scan with one face too many, that of the other with too few.
+  for (const uint32_t face : {0U, built.boundary().face_count() / 2}) {
+    uint32_t &shell = built.boundary_arrays().faces[face].shell;
+    const uint32_t right = shell;
+    const uint32_t simple = topology.shells[right].start_face;
+    if (topology.faces[simple].face == face) continue;
+    shell = right == 0 ? 1 : 0;
+    EXPECT_FALSE(traverse_shells(built.boundary(), topology, built.marks())) << face;
+    shell = right;
+  }
+  EXPECT_TRUE(traverse_shells(built.boundary(), topology, built.marks()));
+  // A face that is not counted is met all the same.
+  const uint32_t last = --topology.face_count;
+  built.marks()[last] = hsp::no_id;
+  EXPECT_FALSE(traverse_shells(built.boundary(), topology, built.marks()));
+  ++topology.face_count;
+  EXPECT_TRUE(traverse_shells(built.boundary(), topology, built.marks()));
+}
+
+}  // namespace

@@ -1,0 +1,171 @@
+// The balls that are found hidden are hidden: every point of a front above which another ball was to be is looked at,
+// by samples. And they are nearly all that are.
+#include "view/occlusion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "built_boundary.hpp"
+
+namespace {
+
+std::vector<uint8_t> found_visible(const hsp::CubeGrid &grid, const hsp::ViewFrame &frame) {
+  const hsp::BallSet &balls = grid.balls();
+  hsp::OcclusionCuller hidden;
+  hsp::Workspace measured;
+  hidden.carve(measured, balls.n);
+  std::vector<unsigned char> memory(measured.bytes());
+  hsp::Workspace workspace(memory.data(), memory.size());
+  hidden.carve(workspace, balls.n);
+  std::vector<uint8_t> visible(balls.n, 1);
+  hidden.hide(grid, frame, {visible.data(), balls.n});
+  return visible;
+}
+
+// Whether another ball's front lies above a point of ball i's front disc, in view coordinates.
+bool is_covered(const hsp::BallSet &balls, const hsp::ViewFrame &frame, uint32_t i, double x, double y) {
+  const auto front = [&](uint32_t k) {
+    const hsp::Vec3 centre = frame.centre_of(balls, k);
+    const double left = balls.r[k] * balls.r[k] - (x - centre.x) * (x - centre.x) - (y - centre.y) * (y - centre.y);
+    return left < 0.0 ? -INFINITY : centre.z + std::sqrt(left);
+  };
+  const double own = front(i);
+  for (uint32_t k = 0; k < balls.n; ++k) {
+    if (k != i && front(k) > own) return true;
+  }
+  return false;
+}
+
+hsp::ViewFrame frame_for(const hsp::BallSet &balls, double x, double y, double z) {
+  hsp::ViewFrame frame;
+  EXPECT_EQ(hsp::look_from({{x, y, z}, {0, 1, 0}}, frame), hsp::Status::ok);
+  hsp::centre_on(balls, frame);
+  return frame;
+}
+
+// How many of the balls are found hidden; each of these is looked at in 400 points up to its rim.
+uint32_t count_hidden(const std::vector<TestBall> &set, double x, double y, double z) {
+  const BuiltBoundary built(set);
+  const hsp::BallSet &balls = built.balls();
+  const hsp::ViewFrame frame = frame_for(balls, x, y, z);
+  const std::vector<uint8_t> visible = found_visible(built.grid(), frame);
+  uint32_t hidden = 0;
+  for (uint32_t i = 0; i < balls.n; ++i) {
+    if (visible[i] != 0) continue;
+    ++hidden;
+    const hsp::Vec3 centre = frame.centre_of(balls, i);
+    for (int k = 0; k < 400; ++k) {
+      const double distance = balls.r[i] * std::sqrt((k + 0.5) / 400.0);
+      const double angle = 2.399963 * k;
+      EXPECT_TRUE(
+          is_covered(balls, frame, i, centre.x + distance * std::cos(angle), centre.y + distance * std::sin(angle)))
+          << "ball " << i << " of " << balls.n;
+    }
+  }
+  return hidden;
+}
+
+std::vector<TestBall> random_set(std::mt19937_64 &random, uint32_t n, int side, int smallest, int largest) {
+  std::vector<TestBall> set;
+  const auto in = [&random](int low, int high) {
+    return static_cast<double>(low + static_cast<int>(random() % static_cast<unsigned>(high - low + 1)));
+  };
+  for (uint32_t k = 0; k < n; ++k) set.push_back({in(0, side), in(0, side), in(0, side), in(smallest, largest)});
+  return set;
+}
+
+TEST(OcclusionCuller, HidesOnlyWhatIsHidden) {
+  std::mt19937_64 random(17);
+  uint32_t hidden = 0;
+  for (int round = 0; round < 60; ++round) {
+    const int smallest = round % 3 == 0 ? 100 : 20;
+    hidden += count_hidden(random_set(random, 60, 600, smallest, 150), 0, 0, 1);
+    hidden += count_hidden(random_set(random, 60, 500, smallest, 150), 1, 1, 1);
+    hidden += count_hidden(random_set(random, 80, 700, smallest, 200), 0.3, -0.8, 0.1 * round);
+  }
+  EXPECT_GT(hidden, 2000U);
+}
+
+TEST(OcclusionCuller, BallsOnTheRimOfOthersStay) {
+  // Of equal balls one behind the other the second one looks out by a single step.
+  const BuiltBoundary built({{0, 0, 0, 1000000}, {1, 0, -5000000, 1000000}});
+  const std::vector<uint8_t> visible = found_visible(built.grid(), frame_for(built.balls(), 0, 0, 1));
+  EXPECT_NE(visible[built.grid_index(0)], 0);
+  EXPECT_NE(visible[built.grid_index(1)], 0);
+}
+
+TEST(OcclusionCuller, NothingIsAboveTheHighest) {
+  for (const double r : {0.0, 1.0, 500.0}) {
+    EXPECT_EQ(count_hidden({{0, 0, 0, r}}, 0, 0, 1), 0U);
+    EXPECT_EQ(count_hidden({{0, 0, 0, r}, {0, 0, 0, r}}, 0, 0, 1), 0U);
+  }
+  EXPECT_EQ(count_hidden({}, 0, 0, 1), 0U);
+}
+
+// Behind a large ball all small ones are found, in front of it none.
+TEST(OcclusionCuller, FindsWhatLiesDeep) {
+  std::vector<TestBall> set{{0, 0, 0, 100000}};
+  for (int k = -3; k <= 3; ++k) {
+    for (int l = -3; l <= 3; ++l) set.push_back({10000.0 * k, 10000.0 * l, -200000, 9000});
+  }
+  EXPECT_EQ(count_hidden(set, 0, 0, 1), 49U);
+  EXPECT_EQ(count_hidden(set, 0, 0, -1), 0U);
+}
+
+// The lowest of the floor in the first cells, found by bisection.
+double lowest_floor(hsp::DepthBuffer &floor) {
+  double below = -1.0;
+  double above = 1.0;
+  for (int k = 0; k < 100; ++k) {
+    const double middle = (below + above) / 2;
+    (floor.is_above({}, middle) ? below : above) = middle;
+  }
+  return below;
+}
+
+// Heights that differ by less than the depths of the centres can tell.
+TEST(OcclusionCuller, TheOrderOfRaisingHasNoEffect) {
+  constexpr double extent = 1e7;
+  constexpr double side = 4e5;  // of 2 cells
+  constexpr double margin = 0x1p-43 * extent;
+  hsp::BoundingBox box;
+  box.left = box.bottom = -side;  // the first 4 x 4 cells lie around the discs' centre
+  box.right = box.top = 10 * side;
+  std::vector<unsigned char> memory(100000);
+  std::mt19937_64 random(5);
+  for (int round = 0; round < 2000; ++round) {
+    std::vector<hsp::ProjectedBall> discs;
+    for (int k = 0; k < 2; ++k) {
+      const double r = 570000.0 + static_cast<double>(random() % 430000);
+      const double R = r - 4 * margin;
+      const double front = std::sqrt(R * R * (1.0 - 0x1p-40) - side * side - side * side);
+      discs.push_back({0.0, 0.0, 4 * margin - front + static_cast<double>(random() % 1000) * 1e-12, r});
+    }
+    double found[2];
+    for (uint32_t first = 0; first < 2; ++first) {
+      hsp::Workspace workspace(memory.data(), memory.size());
+      hsp::DepthBuffer floor;
+      floor.carve(workspace, 2);
+      floor.lay_out(box, extent, 1e6);
+      floor.raise(discs[first]);
+      floor.raise(discs[1 - first]);
+      found[first] = lowest_floor(floor);
+    }
+    EXPECT_GT(found[0], -1e-4);  // the heights are indeed next to 0
+    EXPECT_EQ(found[0], found[1]) << "round " << round;
+  }
+}
+
+// Far from the origin of the lattice, and in sets so wide that the cells are larger than the balls.
+TEST(OcclusionCuller, LargeExtents) {
+  std::mt19937_64 random(23);
+  std::vector<TestBall> set = random_set(random, 60, 600, 100, 150);
+  for (TestBall &ball : set) ball.x += 0x1p49;
+  EXPECT_GT(count_hidden(set, 0, 0, 1), 5U);
+  set.push_back({-0x1p49, 0x1p49, 0, 10});
+  count_hidden(set, 0, 0, 1);
+}
+
+}  // namespace
