@@ -82,11 +82,17 @@ inline bool has_results(const hsp_view &view) {
   return view.complete && view.revision == view.model->revision;
 }
 
-// A place in the caller's coordinates.
-inline void to_position(const BallSet &balls, const Place &place, double xyz[3]) {
-  xyz[0] = balls.lattice.length(balls.x[place.ball] + place.offset[0]);
-  xyz[1] = balls.lattice.length(balls.y[place.ball] + place.offset[1]);
-  xyz[2] = balls.lattice.length(balls.z[place.ball] + place.offset[2]);
+inline void to_array(const Vec3 &v, double out[3]) {
+  out[0] = v.x;
+  out[1] = v.y;
+  out[2] = v.z;
+}
+
+// A position in the caller's coordinates.
+inline void to_position(const BallSet &balls, const Position &position, double xyz[3]) {
+  xyz[0] = balls.lattice.length(balls.x[position.ball] + position.offset.x);
+  xyz[1] = balls.lattice.length(balls.y[position.ball] + position.offset.y);
+  xyz[2] = balls.lattice.length(balls.z[position.ball] + position.offset.z);
 }
 
 // The part every (out, capacity, needed) function shares: HSP_OK means that exactly `count` records are to be written.

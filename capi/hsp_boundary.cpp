@@ -173,7 +173,7 @@ int32_t hsp_boundary_get_arcs(const hsp_boundary *boundary, hsp_arc *out, uint32
     arc.face[0] = structure.face_of_loop(structure.half_edge(walk_of_a).loop);
     arc.face[1] = structure.face_of_loop(structure.half_edge(walk_of_b).loop);
     // Computed from the ball of lower rank, so that ids have no effect on it.
-    arc.angle = hsp::arc_angle(balls, structure, own_lower ? own : other, own_lower ? half_edge : twin);
+    arc.angle = hsp::angle_of(balls, structure, own_lower ? own : other, own_lower ? half_edge : twin);
   }
   return HSP_OK;
 }
@@ -196,14 +196,11 @@ int32_t hsp_boundary_get_circles(const hsp_boundary *boundary, hsp_circle *out, 
     const bool swap = hsp::exact::ranks_before(balls.ball(circle.ball[1]), balls.ball(circle.ball[0]));
     const uint32_t lower = circle.ball[swap ? 1 : 0];
     const uint32_t higher = circle.ball[swap ? 0 : 1];
-    const hsp::CircleGeometry place = hsp::circle_geometry(balls, lower, higher);
+    const hsp::CircleGeometry geometry(balls, lower, higher);
     const double direction = circle.ball[first] == lower ? 1.0 : -1.0;
-    const double origin[3] = {balls.x[lower], balls.y[lower], balls.z[lower]};
-    for (int axis = 0; axis < 3; ++axis) {
-      record.centre[axis] = balls.lattice.length(origin[axis] + place.centre[axis]);
-      record.axis[axis] = direction * place.axis[axis];
-    }
-    record.radius = balls.lattice.length(place.radius);
+    hsp::capi::to_position(balls, {lower, geometry.centre}, record.centre);
+    hsp::capi::to_array(direction * geometry.axis, record.axis);
+    record.radius = balls.lattice.length(geometry.radius);
   }
   return HSP_OK;
 }

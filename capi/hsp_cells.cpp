@@ -109,7 +109,7 @@ int32_t hsp_topology_get_traversal(const hsp_topology *topology, uint32_t shell,
   if (const int32_t status = check_output(faces, capacity, record.simple_faces, needed); status != HSP_OK) {
     return status;
   }
-  for (uint32_t k = 0; k < record.simple_faces; ++k) faces[k] = structure.scan[record.first_scan + k];
+  for (uint32_t k = 0; k < record.simple_faces; ++k) faces[k] = structure.traversal[record.first_traversed + k];
   return HSP_OK;
 }
 

@@ -27,7 +27,7 @@ static_assert(to_c(BoundaryInvariant::closure) == 11);
 static_assert(to_c(TopologyInvariant::none) == 0);
 static_assert(to_c(TopologyInvariant::algebra) == 1 && to_c(TopologyInvariant::vertices) == 2);
 static_assert(to_c(TopologyInvariant::faces) == 3 && to_c(TopologyInvariant::sides) == 4);
-static_assert(to_c(TopologyInvariant::euler) == 5 && to_c(TopologyInvariant::scan) == 6);
+static_assert(to_c(TopologyInvariant::euler) == 5 && to_c(TopologyInvariant::traversal) == 6);
 static_assert(to_c(TopologyInvariant::cells) == 7 && to_c(TopologyInvariant::volumes) == 8);
 
 }  // namespace

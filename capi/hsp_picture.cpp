@@ -107,7 +107,7 @@ int32_t hsp_picture_write(hsp_view *view, const uint32_t *colour, const hsp_pict
   const hsp::View &structure = view->builder.structure();
   uint64_t taken = 0;
   const hsp::Status status = hsp::write_picture({view->model->grid.balls(), structure, colour, title, description},
-                                                from_c(wanted), structure.scratch, sink, context, taken);
+                                                from_c(wanted), view->builder.scratch(), sink, context, taken);
   if (bytes != nullptr) *bytes = taken;
   return hsp::capi::to_c(status);
 }

@@ -47,7 +47,7 @@ hsp_topology_vertex vertex_record(const View &view, uint32_t id) {
     record.ball[1] = caller(pair.b);
   } else {
     record.kind = HSP_POINT_POLE;
-    record.ball[0] = caller(view.topology.pole[id - view.topology.first_pole] / 2);
+    record.ball[0] = caller(view.topology.pole_at(id).ball());
   }
   sort_balls(record.ball);
   return record;
@@ -55,11 +55,11 @@ hsp_topology_vertex vertex_record(const View &view, uint32_t id) {
 
 hsp_topology_edge edge_record(const View &view, uint32_t id) {
   hsp_topology_edge record{};
-  const hsp::EdgeGeometry place = hsp::geometry_of_edge(view.balls, view.boundary, view.topology, id);
-  hsp::capi::to_position(view.balls, place.centre, record.centre);
-  for (int axis = 0; axis < 3; ++axis) record.axis[axis] = place.axis[axis];
-  record.radius = view.balls.lattice.length(place.radius);
-  record.angle = place.angle;
+  const hsp::EdgeGeometry geometry = hsp::geometry_of_edge(view.balls, view.boundary, view.topology, id);
+  hsp::capi::to_position(view.balls, geometry.centre, record.centre);
+  hsp::capi::to_array(geometry.axis, record.axis);
+  record.radius = view.balls.lattice.length(geometry.radius);
+  record.angle = geometry.angle;
   const uint32_t q = hsp::quarter_edge(id);
   for (uint32_t side = 0; side < 2; ++side) {
     const uint32_t directed = side == 0 ? q : hsp::sym(q);
@@ -72,7 +72,7 @@ hsp_topology_edge edge_record(const View &view, uint32_t id) {
     record.source = HSP_NONE;
   } else if (id >= view.topology.first_circle_edge) {
     record.kind = HSP_EDGE_CIRCLE;
-    record.source = (view.topology.edge_source[id] - 3 * view.boundary.vertex_count()) / 2;
+    record.source = hsp::Subdivision::circle_of(view.boundary, view.topology.edge_source[id]);
   } else {
     record.kind = HSP_EDGE_ARC;
     record.source = view.topology.edge_source[id];

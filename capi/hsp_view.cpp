@@ -25,7 +25,7 @@ bool is_valid(const hsp_view_options &options) {
 }
 
 // The unit vector of an angle in degrees; quarter turns are exact.
-hsp::Direction direction_of_degrees(double degrees) {
+hsp::SinCos direction_of_degrees(double degrees) {
   const double turns = degrees / 360.0;
   const double whole = static_cast<double>(static_cast<int64_t>(turns));
   const double quarters = (degrees - whole * 360.0) / 90.0;
@@ -89,9 +89,9 @@ int32_t hsp_view_options_turn(hsp_view_options *options, double x, double y, dou
   if (!hsp::is_finite(x) || !hsp::is_finite(y) || !hsp::is_finite(z)) return HSP_E_NOT_FINITE;
   constexpr double most = 1e6;
   if (std::fabs(x) > most || std::fabs(y) > most || std::fabs(z) > most) return HSP_E_RANGE;
-  const hsp::Direction a = direction_of_degrees(x);
-  const hsp::Direction b = direction_of_degrees(y);
-  const hsp::Direction c = direction_of_degrees(z);
+  const hsp::SinCos a = direction_of_degrees(x);
+  const hsp::SinCos b = direction_of_degrees(y);
+  const hsp::SinCos c = direction_of_degrees(z);
   const double towards[3] = {-b.sine, b.cosine * a.sine, b.cosine * a.cosine};
   const double up[3] = {c.sine * b.cosine, c.sine * b.sine * a.sine + c.cosine * a.cosine,
                         c.sine * b.sine * a.cosine - c.cosine * a.sine};

@@ -4,8 +4,8 @@
 //        --circles-----> closed half-edge       = a loop on its own
 //        --loops-------> loop --face--> face --shell--> shell
 //
-// All ids of balls are the grid's. Readers of a boundary call the accessors of class Boundary; only the files of
-// this room that build one know the arrays behind them.
+// All ids of balls are the grid's. Readers use the accessors of class Boundary; only the files of this room that
+// build a boundary know its arrays.
 #pragma once
 
 #include "core/disjoint_sets.hpp"

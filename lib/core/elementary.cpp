@@ -5,26 +5,6 @@
 namespace hsp {
 namespace {
 
-// atan(k/8), each as the sum of two doubles.
-constexpr double table_high[9] = {0x0.0p+0,
-                                  0x1.fd5ba9aac2f6ep-4,
-                                  0x1.f5b75f92c80ddp-3,
-                                  0x1.6f61941e4def1p-2,
-                                  0x1.dac670561bb4fp-2,
-                                  0x1.1e00babdefeb4p-1,
-                                  0x1.4978fa3269ee1p-1,
-                                  0x1.700a7c5784634p-1,
-                                  0x1.921fb54442d18p-1};
-constexpr double table_low[9] = {0x0.0p+0,
-                                 -0x1.cd37686760c17p-59,
-                                 0x1.8ab6e3cf7afbdp-57,
-                                 -0x1.c63aae6f6e918p-56,
-                                 0x1.a2b7f222f65e2p-56,
-                                 -0x1.928df287a668fp-58,
-                                 0x1.2419a87f2a458p-56,
-                                 -0x1.8c34d25aadef6p-56,
-                                 0x1.1a62633145c07p-55};
-
 constexpr double half_pi_high = 0x1.921fb54442d18p+0;
 constexpr double half_pi_low = 0x1.1a62633145c07p-54;
 constexpr double pi_high = 0x1.921fb54442d18p+1;
@@ -76,12 +56,12 @@ double arc_tangent(double y, double x) {
       small *= 0x1p-64;
       large *= 0x1p-64;
     }
-    const double c = 0.125 * k;
+    const double c = eighth_tangents[k].tangent;
     const double spread = large * 33.0;  // Dekker's split, factor 2^5 + 1
     const double large_high = spread - (spread - large);
     const double t = ((small - c * large_high) - c * (large - large_high)) / (large + c * small);
-    high = table_high[k];
-    low = table_low[k] + (t + correction_near_zero(t));
+    high = eighth_tangents[k].high;
+    low = eighth_tangents[k].low + (t + correction_near_zero(t));
   }
   if (steep) {
     // pi/2 - (high + low), the two high parts first: their difference is exact or rounded far below the result's ulp.
@@ -105,7 +85,7 @@ double arc_tangent(double y, double x) {
 // the last difference put an error of 1.5 units of 2^-53 into r at most, for k second < 2^-14. The Taylor series lack
 // r^19/19! < 2^-63 and r^18/18! < 2^-58; evaluating them costs less than 1.1 units, as all that is added to r and to 1
 // is below a third of it.
-Direction sin_cos(double angle) {
+SinCos sin_cos(double angle) {
   constexpr double two_over_pi = 0x1.45f306dc9c883p-1;
   constexpr double first = 0x1.921fb544p+0;
   constexpr double second = 0x1.0b4611a626331p-34;

@@ -6,6 +6,22 @@
 
 namespace hsp {
 
+// atan(k/8), the sum of two doubles.
+struct EighthTangent {
+  double tangent, high, low;
+};
+constexpr EighthTangent eighth_tangents[9] = {
+    {0.0, 0x0.0p+0, 0x0.0p+0},
+    {0.125, 0x1.fd5ba9aac2f6ep-4, -0x1.cd37686760c17p-59},
+    {0.25, 0x1.f5b75f92c80ddp-3, 0x1.8ab6e3cf7afbdp-57},
+    {0.375, 0x1.6f61941e4def1p-2, -0x1.c63aae6f6e918p-56},
+    {0.5, 0x1.dac670561bb4fp-2, 0x1.a2b7f222f65e2p-56},
+    {0.625, 0x1.1e00babdefeb4p-1, -0x1.928df287a668fp-58},
+    {0.75, 0x1.4978fa3269ee1p-1, 0x1.2419a87f2a458p-56},
+    {0.875, 0x1.700a7c5784634p-1, -0x1.8c34d25aadef6p-56},
+    {1.0, 0x1.921fb54442d18p-1, 0x1.1a62633145c07p-55},
+};
+
 // Largest error of arc_tangent in units in the last place. Derivation beside the definition;
 // tests/unit/core/elementary_test.cpp measures it against a longer format.
 inline constexpr double arc_tangent_max_ulp = 2.0;
@@ -21,9 +37,9 @@ inline constexpr double sin_cos_max_error = 3.0;
 inline constexpr double largest_angle = 0x1p20;
 
 // The point of the unit circle at an angle.
-struct Direction {
+struct SinCos {
   double cosine, sine;
 };
-Direction sin_cos(double angle);
+SinCos sin_cos(double angle);
 
 }  // namespace hsp

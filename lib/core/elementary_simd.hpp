@@ -7,20 +7,6 @@
 
 namespace hsp {
 
-// Angles whose tangents are multiples of 1/8.
-struct EighthTangent {
-  double tangent, angle;
-};
-constexpr EighthTangent eighths[9] = {{0.0, 0x0.0p+0},
-                                      {0.125, 0x1.fd5ba9aac2f6ep-4},
-                                      {0.25, 0x1.f5b75f92c80ddp-3},
-                                      {0.375, 0x1.6f61941e4def1p-2},
-                                      {0.5, 0x1.dac670561bb4fp-2},
-                                      {0.625, 0x1.1e00babdefeb4p-1},
-                                      {0.75, 0x1.4978fa3269ee1p-1},
-                                      {0.875, 0x1.700a7c5784634p-1},
-                                      {1.0, 0x1.921fb54442d18p-1}};
-
 // The angle of (x, y), counter-clockwise from (1, 0), in [0, 2 pi]; (x, y) must not be (0, 0), and neither component
 // may be near the ends of the range.
 //
@@ -37,14 +23,14 @@ inline Lanes turn_angle(const Lanes &x, const Lanes &y) {
   const Lanes large = select(steep, ay, ax);
   const Lanes small = select(steep, ax, ay);
   const Lanes rounded = small / large * 8.0 + 0.5;
-  const EighthTangent &first = eighths[static_cast<int32_t>(rounded[0])];
-  const EighthTangent &second = eighths[static_cast<int32_t>(rounded[1])];
+  const EighthTangent &first = eighth_tangents[static_cast<int32_t>(rounded[0])];
+  const EighthTangent &second = eighth_tangents[static_cast<int32_t>(rounded[1])];
   const Lanes c{first.tangent, second.tangent};
   const Lanes t = (small - c * large) / (large + c * small);
   const Lanes z = t * t;
   const Lanes correction =
       t * z * (-1.0 / 3 + z * (1.0 / 5 + z * (-1.0 / 7 + z * (1.0 / 9 + z * (-1.0 / 11 + z * (1.0 / 13))))));
-  const Lanes octant = Lanes{first.angle, second.angle} + (t + correction);
+  const Lanes octant = Lanes{first.high, second.high} + (t + correction);
   const LaneMask left = x < 0.0;
   const LaneMask below = y < 0.0;
   const Lanes quarter = negate_if(steep, octant) + mask_and(steep, all_lanes(pi / 2));

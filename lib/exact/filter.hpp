@@ -13,6 +13,7 @@
 
 #include "core/floating_point.hpp"
 #include "core/vec3.hpp"
+#include "exact/circle_crossing.hpp"
 #include "exact/exact_predicates.hpp"
 
 namespace hsp::exact {
@@ -32,10 +33,14 @@ inline int certain_sign(double value, double bound) {
   return value > bound ? 1 : value < -bound ? -1 : 0;
 }
 
+// The circles of P and Q; n is exact but for its rounding.
+inline CircleCrossing<Vec3, double> circle_crossing(const Plane &P, const Plane &Q) {
+  return {to_double(cross(P.v, Q.v)),
+          static_cast<double>(P.h) * to_double(Q.v) - static_cast<double>(Q.h) * to_double(P.v)};
+}
+
 inline int filter_crossing(const FilterBounds &bounds, const Sphere &sphere, const Plane &P, const Plane &Q) {
-  const Vec3 n = to_double(cross(P.v, Q.v));
-  const Vec3 q = combine(static_cast<double>(P.h), to_double(Q.v), -static_cast<double>(Q.h), to_double(P.v));
-  return certain_sign(static_cast<double>(sphere.W) * dot(n, n) - dot(q, q), bounds.D);
+  return certain_sign(circle_crossing(P, Q).discriminant(static_cast<double>(sphere.W)), bounds.D);
 }
 
 inline int filter_side(const FilterBounds &bounds, const Plane &P, const Plane &R) {
@@ -47,8 +52,9 @@ inline int filter_side(const FilterBounds &bounds, const Plane &P, const Plane &
 // True if both points' status is certain; then it is stored.
 inline bool filter_point_status(const FilterBounds &bounds, const Sphere &sphere, const Plane &P, const Plane &Q,
                                 const Plane &R, PointStatus &status) {
-  const Vec3 n = to_double(cross(P.v, Q.v));
-  const Vec3 q = combine(static_cast<double>(P.h), to_double(Q.v), -static_cast<double>(Q.h), to_double(P.v));
+  const CircleCrossing<Vec3, double> crossing = circle_crossing(P, Q);
+  const Vec3 &n = crossing.n;
+  const Vec3 &q = crossing.q;
   const Vec3 z = to_double(R.v);
   const double B = dot(n, z);
   const Vec3 H = combine(1.0, cross(q, z), static_cast<double>(R.h), n);

@@ -6,8 +6,9 @@
 namespace hsp {
 namespace {
 
-// Doubles are taken for plain circles, rho^2 >= r^2/64 and d <= 4 r, and for plain vertices, those of two plain circles
-// whose axes have an angle of sine s with s^2 >= 1/16. To first order, in units of e = 2^-53, with sigma = rho/r:
+// Doubles serve well-conditioned circles, rho^2 >= r^2/64 and d <= 4 r, and well-conditioned vertices, those of two
+// such circles whose axes have an angle of sine s with s^2 >= 1/16. To first order, in units of e = 2^-53, with sigma =
+// rho/r:
 //   u               |v|^2 3, root 2.5, inverse 3.5, product                                         4.5
 //   2 h             (4 d^2 + 2 * 2 |h| d) / d + 4.5 * 2 |h|                                          29 r
 //   n = u x u'      2 * 4.5 + 3                                                                      12
@@ -16,12 +17,11 @@ namespace {
 //   from the circle's centre, 2 rho away: 754 r + 29 r + 11 r + 2 r, as an angle                    400/sigma
 //   angle of an arc both ends, and 50 for x, y and the arc tangent                                  850/sigma
 //   exterior angle  (u.u' 12, h h'/r^2 33) over sigma sigma'                                         45/(sigma sigma')
-// so below 2^-43/sigma, and rather some e/sigma where the errors do not conspire. Beside 2^-20 that is nothing, so that
-// arcs told from 0 and 2 pi by that much are told well.
+// so the error is below 2^-43/sigma, and typically some e/sigma. This is negligible against branch_cut_margin: arcs at
+// least that far from 0 and 2 pi are classified correctly.
 constexpr double least_square_of_radius = 1.0 / 64;
 constexpr double most_square_of_distance = 16.0;
 constexpr double least_square_of_sine = 1.0 / 16;
-constexpr double branch_cut_margin = 0x1p-20;
 
 // Whether a condition held in all lanes.
 class AllLanes {
@@ -55,7 +55,7 @@ bool ArcBatches::next() {
   return true;
 }
 
-// Moves on to the next loop of the face; loops are numbered by their first half-edges.
+// Advances to the next loop of the face; loops are numbered in the order of their first half-edges.
 bool ArcBatches::find_loop() {
   const uint32_t last = boundary_.half_edges(ball_).last;
   for (; half_edge_ < last; ++half_edge_) {
@@ -191,14 +191,14 @@ void ArcBatches::evaluate_circles() {
     const Lanes twice_height = (U + (r_ - other_radius) * (r_ + other_radius)) * inverse;
     const Lanes cosine = twice_height * inverse_diameter;
     const Lanes far = mask_and(U > most_square_of_distance * r_ * r_, all_lanes(1.0));
-    const LaneMask plain = (1.0 - cosine) * (1.0 + cosine) >= least_square_of_radius + far;
+    const LaneMask well_conditioned = (1.0 - cosine) * (1.0 + cosine) >= least_square_of_radius + far;
     store_lanes(&batch_.ux[c], u.x);
     store_lanes(&batch_.uy[c], u.y);
     store_lanes(&batch_.uz[c], u.z);
     store_lanes(&batch_.inverse_distance[c], inverse);
     store_lanes(&batch_.twice_height[c], twice_height);
-    store_mask(&well_conditioned_circle_[c], plain);
-    complete.require(plain);
+    store_mask(&well_conditioned_circle_[c], well_conditioned);
+    complete.require(well_conditioned);
   }
   batch_.any_touching = false;
   if (complete) return;
@@ -212,11 +212,10 @@ void ArcBatches::vertex_from_integers(uint32_t c) {
   const exact::LatticeBall own = balls_.ball(ball_);
   const exact::Plane in = exact::plane_of(own, balls_.ball(batch_.other[c]));
   const exact::Plane out = exact::plane_of(own, balls_.ball(batch_.other[c + 1]));
-  double offset[3];
-  vertex_offset(out, in, -1, root_D_[c], offset);
-  px_[c + 1] = 2 * offset[0];
-  py_[c + 1] = 2 * offset[1];
-  pz_[c + 1] = 2 * offset[2];
+  const Vec3 p = crossing_point(out, in, -1, root_D_[c]);
+  px_[c + 1] = 2 * p.x;
+  py_[c + 1] = 2 * p.y;
+  pz_[c + 1] = 2 * p.z;
   if (turns_[c] != 0) turn_.add_angle(exterior_angle(root_D_[c], exact::sphere_of(own), out, in));
 }
 
@@ -235,20 +234,19 @@ void ArcBatches::evaluate_vertices() {
     const Lanes h_out = load_lanes(&batch_.twice_height[c + 1]);
     const Lanes root = load_lanes(&root_D_[c]) *
                        (load_lanes(&batch_.inverse_distance[c]) * load_lanes(&batch_.inverse_distance[c + 1]));
-    const LaneVector n = cross(u_in, u_out);
-    const Lanes S = dot(n, n);
-    const LaneVector q = h_in * u_out - h_out * u_in;
-    const LaneVector p = (1.0 / S) * (cross(q, n) + root * n);
-    const LaneMask plain = mask_and(S >= least_square_of_sine, load_mask(&well_conditioned_circle_[c]) &
-                                                                   load_mask(&well_conditioned_circle_[c + 1]));
-    const LaneMask counted = plain & load_mask(&turns_[c]);
+    const CircleCrossing<LaneVector, Lanes> crossing(u_in, h_in, u_out, h_out);
+    const LaneVector p = crossing.point(root);
+    const LaneMask well_conditioned =
+        mask_and(crossing.nn >= least_square_of_sine,
+                 load_mask(&well_conditioned_circle_[c]) & load_mask(&well_conditioned_circle_[c + 1]));
+    const LaneMask counted = well_conditioned & load_mask(&turns_[c]);
     turn.add_directions(select(counted, dot(u_in, u_out) - h_in * h_out * inverse_W, all_lanes(1.0)),
                         mask_and(counted, root * inverse_diameter));
     store_lanes(&px_[c + 1], p.x);
     store_lanes(&py_[c + 1], p.y);
     store_lanes(&pz_[c + 1], p.z);
-    store_mask(&well_conditioned_vertex_[c + 1], plain);
-    complete.require(plain | ~load_mask(&vertex_[c]));
+    store_mask(&well_conditioned_vertex_[c + 1], well_conditioned);
+    complete.require(well_conditioned | ~load_mask(&vertex_[c]));
   }
   turn_ = turn;
   turn_.rescale();
@@ -264,7 +262,7 @@ void ArcBatches::evaluate_arcs() {
     const LaneVector u = batch_.axis(c);
     const LaneVector from{load_lanes(&px_[c]), load_lanes(&py_[c]), load_lanes(&pz_[c])};
     const LaneVector to{load_lanes(&px_[c + 1]), load_lanes(&py_[c + 1]), load_lanes(&pz_[c + 1])};
-    // The loop walks clockwise, from q to p.
+    // The loop runs clockwise, from q to p.
     const LaneVector centre = load_lanes(&batch_.twice_height[c]) * u;
     const LaneVector p = to - centre;
     const LaneVector q = from - centre;
@@ -272,14 +270,15 @@ void ArcBatches::evaluate_arcs() {
     const Lanes x = dot(p, q);
     const Lanes y = dot(p, X);  // u.(p x q)
     const LaneMask arc = load_mask(&arc_[c]);
-    const LaneMask sure = arc & load_mask(&well_conditioned_vertex_[c]) & load_mask(&well_conditioned_vertex_[c + 1]) &
-                          (absolute(y) >= branch_cut_margin * x);
-    store_lanes(&batch_.angle[c], mask_and(sure, turn_angle(select(sure, x, all_lanes(1.0)), mask_and(sure, y))));
+    const LaneMask certain = arc & load_mask(&well_conditioned_vertex_[c]) &
+                             load_mask(&well_conditioned_vertex_[c + 1]) & (absolute(y) >= branch_cut_margin * x);
+    store_lanes(&batch_.angle[c],
+                mask_and(certain, turn_angle(select(certain, x, all_lanes(1.0)), mask_and(certain, y))));
     store_lanes(&batch_.Xx[c], mask_and(arc, X.x));
     store_lanes(&batch_.Xy[c], mask_and(arc, X.y));
     store_lanes(&batch_.Xz[c], mask_and(arc, X.z));
-    store_mask(&certain_[c], sure);
-    complete.require(sure | ~arc);
+    store_mask(&certain_[c], certain);
+    complete.require(certain | ~arc);
   }
   if (complete && !has_circles_) return;
   for (uint32_t c = 0; c < batch_.count; ++c) {
@@ -287,7 +286,7 @@ void ArcBatches::evaluate_arcs() {
     if (half_edge == ArcBatch::whole_circle) {
       batch_.angle[c] = 2 * pi;
     } else if (arc_[c] != 0 && certain_[c] == 0) {
-      batch_.angle[c] = arc_angle(balls_, boundary_, ball_, half_edge);
+      batch_.angle[c] = angle_of(balls_, boundary_, ball_, half_edge);
     }
   }
 }

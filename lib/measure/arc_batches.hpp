@@ -1,8 +1,8 @@
-// The free arcs and circles on one ball, a batch at a time: what areas, vector areas and derivatives sum over. Their
-// order follows from the order of the half-edges, which does not depend on ids, so neither do the bits of sums.
+// The free arcs and circles on one ball in batches: the terms of areas, vector areas and derivatives. Their order is
+// that of the half-edges, which does not depend on ids, so neither do the bits of sums.
 //
-// A batch is a row of slots. Walking a loop of m arcs fills m + 2 of them: the circle that its first use comes in on,
-// for every use the circle that it leaves on, and the first of these again. Slot c holds circle c, the vertex between
+// A batch is a row of slots. A loop of m arcs fills m + 2 of them: the circle before its first half-edge, the circle of
+// every half-edge, and the first of these again. Slot c holds circle c, the vertex between
 // circles c and c + 1, and the arc on circle c, between vertices c - 1 and c:
 //
 //   slot       0     1     2          m    m + 1
@@ -10,12 +10,12 @@
 //   vertex    v_1   v_2   v_3   ...  v_1
 //   arc             a_1   a_2   ...  a_m
 //
-// Slots without an arc have angle 0 and X 0, so that sums may run over all of them. Two slots are computed at once, in
-// doubles; what these are not sure to tell well comes from the exact integers of arc_geometry.hpp.
+// Slots without an arc have angle 0 and X 0, so that sums may run over all of them. Two slots are computed at once in
+// doubles; ill-conditioned slots fall back to the exact integers of sphere/arc_geometry.hpp.
 #pragma once
 
 #include "boundary/boundary.hpp"
-#include "measure/loop_turn.hpp"
+#include "measure/exterior_angles.hpp"
 
 namespace hsp {
 
@@ -41,7 +41,7 @@ struct ArcBatch {
   double ux[room], uy[room], uz[room], inverse_distance[room], twice_height[room];
   double angle[room], Xx[room], Xy[room], Xz[room];
   uint32_t other[room];          // the other ball
-  uint32_t arc_half_edge[room];  // the use that the arc leaves from, whole_circle, or no_id
+  uint32_t arc_half_edge[room];  // the half-edge of the arc, whole_circle, or no_id
   Touching touching[room];
 
   LaneVector axis(uint32_t c) const { return {load_lanes(&ux[c]), load_lanes(&uy[c]), load_lanes(&uz[c])}; }

@@ -1,7 +1,6 @@
 #include "measure/areas.hpp"
 
 #include "exact/filter.hpp"
-#include "measure/free_surface.hpp"
 #include "sphere/arc_geometry.hpp"
 
 namespace hsp {
@@ -21,14 +20,13 @@ BallMeasure measure(const BallSet &balls, const Boundary &boundary, uint32_t i, 
 
 }  // namespace
 
-double arc_angle(const BallSet &balls, const Boundary &boundary, uint32_t ball, uint32_t half_edge) {
-  const HalfEdge &walk = boundary.half_edge(half_edge);
-  const HalfEdge &end = boundary.half_edge(walk.next);
+double angle_of(const BallSet &balls, const Boundary &boundary, uint32_t ball, uint32_t half_edge) {
+  const HalfEdge &start = boundary.half_edge(half_edge);
+  const HalfEdge &end = boundary.half_edge(start.next);
   const exact::LatticeBall own = balls.ball(ball);
   const auto plane = [&](uint32_t j) { return exact::plane_of(own, balls.ball(j)); };
-  return FreeArc(plane(walk.circle), plane(end.circle), boundary.root_discriminant(end.vertex),
-                 plane(walk.previous_circle), boundary.root_discriminant(walk.vertex))
-      .angle();
+  return arc_angle(plane(start.circle), plane(end.circle), boundary.root_discriminant(end.vertex),
+                   plane(start.previous_circle), boundary.root_discriminant(start.vertex));
 }
 
 BallMeasure measure_ball(const BallSet &balls, const Boundary &boundary, uint32_t i) {

@@ -1,9 +1,52 @@
 // Areas and volume of the union: Gauss-Bonnet on each sphere, and the divergence theorem over all of them.
 #pragma once
 
-#include "boundary/boundary.hpp"
+#include "measure/arc_batches.hpp"
 
 namespace hsp {
+
+// Area and vector area of the free part of one sphere, or of one of its faces, from its arcs:
+//   area / r^2 = 2 pi (2 #faces - #loops) + sum over arcs of cos(cap) angle - sum over vertices of the exterior angle
+//   N = -1/2 sum over arcs from p to q, counter-clockwise, of [ m x (q - p) + rho^2 angle u ]
+// (Gauss-Bonnet; vector area by Stokes), with u, m and rho the circle's axis, centre and radius.
+class FreeSurface {
+ public:
+  explicit FreeSurface(double radius) : radius_(radius) {}
+
+  // With m = h u and X = 2 (q - p) x u: cos(cap) = h/r, m x (q - p) = -h X / 2, rho^2 = (r - h)(r + h).
+  void add(const ArcLanes &arc) {
+    const Lanes diameter = all_lanes(2 * radius_);
+    cosines_ += arc.twice_height * arc.angle;
+    const Lanes along = (diameter - arc.twice_height) * (diameter + arc.twice_height) * arc.angle;
+    vector_area_ = vector_area_ + (arc.twice_height * arc.X - along * arc.axis);
+  }
+  void add(const ArcBatch &batch) {
+    for (uint32_t c = 0; c < batch.count; c += lane_count) add(batch.lanes(c));
+  }
+
+  // A face can be infinitesimal: its area is 0 up to rounding, on either side.
+  double steradians(uint32_t faces, uint32_t loops, double exterior_angle_sum) const {
+    const double characteristic = 2.0 * static_cast<double>(faces) - static_cast<double>(loops);
+    const double cosines = radius_ > 0.0 ? sum_of(cosines_) * (0.5 / radius_) : 0.0;
+    const double sum = 2 * pi * characteristic + cosines - exterior_angle_sum;
+    return sum > 0.0 ? sum : 0.0;
+  }
+  Vec3 vector_area() const {
+    return {0.125 * sum_of(vector_area_.x), 0.125 * sum_of(vector_area_.y), 0.125 * sum_of(vector_area_.z)};
+  }
+
+ private:
+  double radius_;
+  Lanes cosines_{0.0, 0.0};                                     // sum of 2 h angle
+  LaneVector vector_area_{{0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}};  // eight times it
+};
+
+// Ball i's centre seen from the origin of its component, which is its ball of lowest rank, so that terms of the volume
+// do not grow with the distance to other components.
+inline Vec3 offset_from_origin(const BallSet &balls, const Boundary &boundary, uint32_t i) {
+  const uint32_t origin = boundary.component_origin(i);
+  return {balls.x[i] - balls.x[origin], balls.y[i] - balls.y[origin], balls.z[i] - balls.z[origin]};
+}
 
 // One ball's part, in lattice steps.
 struct BallMeasure {
@@ -25,7 +68,7 @@ void measure_faces(const BallSet &balls, const Boundary &boundary, uint32_t i, S
   }
 }
 
-// Angle of the arc that the walk at a use of a ball leaves along.
-double arc_angle(const BallSet &balls, const Boundary &boundary, uint32_t ball, uint32_t half_edge);
+// The angle of the arc of a half-edge of a ball.
+double angle_of(const BallSet &balls, const Boundary &boundary, uint32_t ball, uint32_t half_edge);
 
 }  // namespace hsp

@@ -20,10 +20,10 @@ struct CheckCircle {
   double cosine;  // of the cap's angle
 
   CheckCircle(const BallSet &balls, uint32_t ball, uint32_t other) {
-    const CircleGeometry place = circle_geometry(balls, ball, other);
-    axis = {place.axis[0], place.axis[1], place.axis[2]};
-    centre = {place.centre[0], place.centre[1], place.centre[2]};
-    radius = place.radius;
+    const CircleGeometry circle(balls, ball, other);
+    axis = circle.axis;
+    centre = circle.centre;
+    radius = circle.radius;
     cosine = balls.r[ball] > 0.0 ? dot(axis, centre) / balls.r[ball] : 0.0;
   }
 };
@@ -32,7 +32,7 @@ struct CheckCircle {
 struct SecondMeasure {
   double steradians = 0.0;
   Vec3 vector_area{0.0, 0.0, 0.0};
-  double doubt = 0.0;  // of steradians, and of the vector area in units of r^2
+  double error_bound = 0.0;  // of steradians, and of the vector area in units of r^2
 };
 
 class BoundaryMetricCheck {
@@ -52,10 +52,10 @@ class BoundaryMetricCheck {
       const BallMeasure first = measure_ball(balls_, boundary_, i);
       const SecondMeasure second = measure_again(i);
       const double difference = first.area - r * r * second.steradians;
-      const double doubt = r * r * second.doubt;
+      const double error_bound = r * r * second.error_bound;
       // Written so that a value that is not a number fails.
-      const bool on_the_sphere = first.area >= 0.0 && first.area <= 4 * pi * r * r + doubt;
-      if (!on_the_sphere || !(std::fabs(difference) <= doubt)) return {BoundaryInvariant::areas, i};
+      const bool on_the_sphere = first.area >= 0.0 && first.area <= 4 * pi * r * r + error_bound;
+      if (!on_the_sphere || !(std::fabs(difference) <= error_bound)) return {BoundaryInvariant::areas, i};
       volume += first.volume;
       // Another origin: the centre of the component's first ball, moved by that ball's own radius along each axis.
       const uint32_t origin = boundary_.component_origin(i);
@@ -63,7 +63,7 @@ class BoundaryMetricCheck {
       const Vec3 arm{balls_.x[i] - balls_.x[origin] - shift, balls_.y[i] - balls_.y[origin] - shift,
                      balls_.z[i] - balls_.z[origin] - shift};
       second_volume += (r * r * r * second.steradians + dot(arm, second.vector_area)) / 3;
-      scale += r * r * second.doubt * (r + norm(arm));
+      scale += r * r * second.error_bound * (r + norm(arm));
     }
     const double difference = volume - second_volume;
     return std::fabs(difference) <= scale ? Violation{} : Violation{BoundaryInvariant::closure, 0};
@@ -72,11 +72,9 @@ class BoundaryMetricCheck {
  private:
   Vec3 position(uint32_t ball, const HalfEdge &half_edge) const {
     const exact::LatticeBall own = balls_.ball(ball);
-    double offset[3];
-    vertex_offset(exact::plane_of(own, balls_.ball(half_edge.circle)),
-                  exact::plane_of(own, balls_.ball(half_edge.previous_circle)), -1,
-                  boundary_.root_discriminant(half_edge.vertex), offset);
-    return {offset[0], offset[1], offset[2]};
+    return crossing_point(exact::plane_of(own, balls_.ball(half_edge.circle)),
+                          exact::plane_of(own, balls_.ball(half_edge.previous_circle)), -1,
+                          boundary_.root_discriminant(half_edge.vertex));
   }
 
   bool lies_on_its_spheres(uint32_t ball, uint32_t u) const {
@@ -105,13 +103,13 @@ class BoundaryMetricCheck {
     const uint32_t faces = boundary_.faces(i).size();
     SecondMeasure sum;
     sum.steradians = 2 * pi * (2.0 * faces - 1.0 * loops);
-    sum.doubt = 0x1p-44;
+    sum.error_bound = 0x1p-44;
     for (const uint32_t u : boundary_.half_edges(i)) {
       const HalfEdge &half_edge = boundary_.half_edge(u);
       const HalfEdge &end = boundary_.half_edge(half_edge.next);
       const CheckCircle out(balls_, i, half_edge.circle);
       const CheckCircle in(balls_, i, half_edge.previous_circle);
-      // The loop walks from q to p, the arc runs counter-clockwise from p to q.
+      // The loop runs from q to p, the arc runs counter-clockwise from p to q.
       const Vec3 q = position(i, half_edge);
       const Vec3 p = position(i, end);
       const Vec3 to_q = combine(1.0, q, -1.0, out.centre);
@@ -119,9 +117,9 @@ class BoundaryMetricCheck {
       const double sine = dot(out.axis, cross(to_p, to_q));
       double angle = arc_tangent(sine, dot(to_p, to_q));
       if (angle < 0.0) angle += 2 * pi;
-      // Where rounding cannot tell a full turn from none, the exact order does.
+      // Where rounding cannot distinguish a full turn from none, the exact order does.
       constexpr double unclear = 0x1p-16;
-      const double known = arc_angle(balls_, boundary_, i, u);
+      const double known = angle_of(balls_, boundary_, i, u);
       if (angle < unclear || angle > 2 * pi - unclear) angle = known;
       // On the way in along circle `in`, out along circle `out`, clockwise about both axes.
       const Vec3 arriving = cross(q, in.axis);
@@ -132,22 +130,22 @@ class BoundaryMetricCheck {
       const double segment = out.radius * out.radius * angle - sine;
       // The face lies to the other side of the arc, hence the sign.
       sum.vector_area = combine(1.0, sum.vector_area, -0.5, combine(1.0, chord, segment, out.axis));
-      sum.doubt += doubt_of(r, out.radius) + doubt_of(r, in.radius);
+      sum.error_bound += error_bound_of(r, out.radius) + error_bound_of(r, in.radius);
     }
     for (const ClosedHalfEdge closed : boundary_.circles(i)) {
       const CheckCircle circle(balls_, i, boundary_.neighbour(closed));
       sum.steradians += 2 * pi * circle.cosine;
       sum.vector_area = combine(1.0, sum.vector_area, -pi * circle.radius * circle.radius, circle.axis);
-      sum.doubt += 0x1p-44;
+      sum.error_bound += 0x1p-44;
     }
     return sum;
   }
 
-  // A position has an error of some units of r, which is a wider angle on a smaller circle; beyond a full turn it says
-  // nothing.
-  static double doubt_of(double r, double circle_radius) {
-    const double doubt = circle_radius > 0.0 ? 0x1p-44 * r / circle_radius : 8 * pi;
-    return doubt < 8 * pi ? doubt : 8 * pi;
+  // The error bound of an angle: a position has an error of some units of r, which is a wider angle on a smaller
+  // circle. A bound beyond a full turn carries no information.
+  static double error_bound_of(double r, double circle_radius) {
+    const double error_bound = circle_radius > 0.0 ? 0x1p-44 * r / circle_radius : 8 * pi;
+    return error_bound < 8 * pi ? error_bound : 8 * pi;
   }
 
   const BallSet &balls_;

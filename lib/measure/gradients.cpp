@@ -6,8 +6,8 @@ namespace {
 // With s the weights, ball k's own area and those of its neighbours give together, per arc,
 //   dS/dc_k: u phi [ -s_k R_k (1 - h/d) - s_j R_j h/d ] + (q - p) x u [ s_k R_k - s_j R_j ]/d
 //   dS/dR_k: s_k phi (R_k^2/d - h) - s_j R_j R_k phi / d,   as (R_k^2 + R_j^2 - d^2)/(2 d) = R_k^2/d - h
-// of which what has the factor s_k R_k - s_j R_j vanishes for equal balls. For R_k = 0 a sphere has no arcs but
-// infinitely short ones, and every term is 0.
+// The term with the factor s_k R_k - s_j R_j vanishes for equal balls. A sphere with R_k = 0 has only infinitely short
+// arcs, and every term is 0.
 class WeightedAreas {
  public:
   WeightedAreas(const BallSet &balls, const AreaWeights &weights, uint32_t k)

@@ -10,7 +10,6 @@
 #pragma once
 
 #include "measure/areas.hpp"
-#include "measure/free_surface.hpp"
 
 namespace hsp {
 

@@ -1,6 +1,6 @@
-// Visits the balls in the caller's order, which totals are summed in. Their records lie in the order of the cubes, so
-// that in a set larger than the processor's caches every visit would wait for memory: what later visits will read is
-// asked for ahead. That has no effect but on time.
+// Visits the balls in the order of the input, in which totals are summed. Their records are stored in the order of the
+// cubes, so in a set larger than the processor's caches every visit would wait for memory. Prefetching what later
+// visits read avoids that; it affects nothing but time.
 #pragma once
 
 #include "boundary/boundary.hpp"

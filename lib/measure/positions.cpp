@@ -8,22 +8,16 @@
 namespace hsp {
 namespace {
 
-Vec3 to_vector(const double offset[3]) {
-  return {offset[0], offset[1], offset[2]};
-}
-
 // The point p+ or p- of the circle of `other` and the plane of a cut arc of `cut_ball`, on ball `frame`.
 Vec3 point_of_cut(const BallSet &balls, uint32_t frame, uint32_t other, uint32_t cut_ball, uint32_t cap, int sign) {
   const exact::LatticeBall own = balls.ball(frame);
   const exact::Plane circle = exact::plane_of(own, balls.ball(other));
   const exact::Plane cut = plane_of_cut(balls, frame, cut_ball, cap);
   const double root_D = std::sqrt(exact::Exact::discriminant(exact::sphere_of(own), circle, cut));
-  double offset[3];
-  vertex_offset(circle, cut, sign, root_D, offset);
-  return to_vector(offset);
+  return crossing_point(circle, cut, sign, root_D);
 }
 
-// The balls of a host and what is told about it from the one of lower rank, the frame.
+// The balls of a host edge. Its geometry is computed on the one of lower rank, the frame.
 struct HostFrame {
   uint32_t a, b;
   uint32_t frame, other;
@@ -39,14 +33,8 @@ struct HostFrame {
   }
 };
 
-// The angle from one direction across an axis to another, in [0, 2 pi].
-double turn_about(const Vec3 &axis, const Vec3 &from, const Vec3 &to) {
-  const double angle = arc_tangent(dot(axis, cross(from, to)), dot(from, to));
-  return angle < 0.0 ? angle + 2 * pi : angle;
-}
-
-// The same for a turn that is known to be at most `largest`: what rounding puts beyond goes to the nearer end, and a
-// whole turn between two points that rounding cannot tell apart counts as none.
+// turn_about for a turn of at most `largest`: an angle that rounding puts beyond becomes the nearer end, and a whole
+// turn between two points that coincide up to rounding becomes 0.
 double turn_within(const Vec3 &axis, const Vec3 &from, const Vec3 &to, double largest) {
   constexpr double rounding = 0x1p-36;
   const double angle = turn_about(axis, from, to);
@@ -55,14 +43,14 @@ double turn_within(const Vec3 &axis, const Vec3 &from, const Vec3 &to, double la
   return angle - largest < 2 * pi - angle ? largest : 0.0;
 }
 
-uint32_t count_splits(const Topology &topology, uint32_t host) {
+uint32_t count_subdivision_vertices(const Topology &topology, uint32_t host) {
   uint32_t count = 0;
   for (uint32_t s = topology.subdivision.first(host); s != no_id; s = topology.subdivision[s].next) ++count;
   return count;
 }
 
-// A host's split number k, as the loop of its ball a walks it.
-const SubdivisionVertex &split_on(const Topology &topology, uint32_t host, uint32_t k) {
+// Subdivision vertex number k of a host edge, in the direction of the loop of its ball a.
+const SubdivisionVertex &subdivision_vertex_on(const Topology &topology, uint32_t host, uint32_t k) {
   uint32_t split = topology.subdivision.first(host);
   for (; k > 0; --k) split = topology.subdivision[split].next;
   return topology.subdivision[split];
@@ -73,59 +61,56 @@ EdgeGeometry geometry_on_host(const BallSet &balls, const Boundary &boundary, co
                               uint32_t host_id, uint32_t piece) {
   const HostFrame host(balls, balls_of_host(boundary, host_id));
   const bool frame_is_a = host.frame == host.a;
-  const CircleGeometry circle = circle_geometry(balls, host.frame, host.other);
-  EdgeGeometry place;
+  const CircleGeometry circle(balls, host.frame, host.other);
+  EdgeGeometry edge;
   // The loop of a runs clockwise about the axis towards b.
-  place.centre.ball = host.frame;
-  for (int k = 0; k < 3; ++k) {
-    place.centre.offset[k] = circle.centre[k];
-    place.axis[k] = frame_is_a ? -circle.axis[k] : circle.axis[k];
-  }
-  place.radius = circle.radius;
+  edge.centre = {host.frame, circle.centre};
+  edge.axis = frame_is_a ? -circle.axis : circle.axis;
+  edge.radius = circle.radius;
 
   const uint32_t half_edges = boundary.half_edge_count();
-  const bool on_arc = host_id < half_edges;
+  const bool on_arc = !Subdivision::is_half_circle(boundary, host_id);
   const uint32_t own_half_edge = on_arc && !frame_is_a ? boundary.twin(host_id) : host_id;
-  const double whole = on_arc ? arc_angle(balls, boundary, host.frame, own_half_edge) : pi;
-  const uint32_t splits = count_splits(topology, host_id);
+  const double whole = on_arc ? angle_of(balls, boundary, host.frame, own_half_edge) : pi;
+  const uint32_t splits = count_subdivision_vertices(topology, host_id);
   if (splits == 0) {
-    place.angle = whole;
-    return place;
+    edge.angle = whole;
+    return edge;
   }
 
-  // From point to point as the loop of the frame walks; the last piece has what is left, so that they sum to the arc.
-  const Vec3 centre = to_vector(circle.centre);
-  const auto from_centre = [&](const Vec3 &p) { return combine(1.0, p, -1.0, centre); };
-  const Vec3 axis{-circle.axis[0], -circle.axis[1], -circle.axis[2]};
+  // From point to point in the direction of the loop of the frame; the last piece is what is left, so that the pieces
+  // sum to the arc.
+  const Vec3 centre = circle.centre;
+  const auto from_centre = [&](const Vec3 &p) { return p - centre; };
+  const Vec3 axis = -circle.axis;
   Vec3 from;
   if (on_arc) {
     const HalfEdge &walk = boundary.half_edge(own_half_edge);
     const exact::LatticeBall own = balls.ball(host.frame);
-    double offset[3];
-    vertex_offset(exact::plane_of(own, balls.ball(walk.circle)), exact::plane_of(own, balls.ball(walk.previous_circle)),
-                  -1, boundary.root_discriminant(walk.vertex), offset);
-    from = from_centre(to_vector(offset));
+    from = from_centre(crossing_point(exact::plane_of(own, balls.ball(walk.circle)),
+                                      exact::plane_of(own, balls.ball(walk.previous_circle)), -1,
+                                      boundary.root_discriminant(walk.vertex)));
   } else {
-    // The loop of a walks half h of a circle from its point h to the other one.
+    // The loop of a traverses half h of a circle from its point h to the other one.
     const uint32_t start = frame_is_a ? host_id - half_edges : (host_id - half_edges) ^ 1U;
     from = from_centre(host.split(balls, topology.subdivision[start]));
   }
-  // Splits and pieces are numbered as the loop of a walks them.
+  // Vertices and pieces are numbered in the direction of the loop of a.
   const uint32_t wanted = frame_is_a ? piece : splits - piece;
   double left = whole;
   for (uint32_t k = 0; k < splits; ++k) {
-    const SubdivisionVertex &split = split_on(topology, host_id, frame_is_a ? k : splits - 1 - k);
+    const SubdivisionVertex &split = subdivision_vertex_on(topology, host_id, frame_is_a ? k : splits - 1 - k);
     const Vec3 point = from_centre(host.split(balls, split));
     const double turn = turn_within(axis, from, point, left);
     if (k == wanted) {
-      place.angle = turn;
-      return place;
+      edge.angle = turn;
+      return edge;
     }
     left -= turn;
     from = point;
   }
-  place.angle = left;
-  return place;
+  edge.angle = left;
+  return edge;
 }
 
 // A piece of a cut arc. The arc is a part of a great circle through both poles: from a point to the next one among
@@ -135,17 +120,14 @@ EdgeGeometry geometry_on_cut_arc(const BallSet &balls, const Boundary &boundary,
   const CutArc &arc = topology.cut_arcs[id];
   const exact::Vector m = plane_of_cut(balls, arc.ball, arc.ball, arc.cap).v;
   const double length = std::sqrt(static_cast<double>(dot(m, m)));
-  EdgeGeometry place;
-  place.centre = {arc.ball, {0.0, 0.0, 0.0}};
-  place.axis[0] = static_cast<double>(m.x) / length;
-  place.axis[1] = static_cast<double>(m.y) / length;
-  place.axis[2] = 0.0;
-  place.radius = balls.r[arc.ball];
+  EdgeGeometry edge;
+  edge.centre = {arc.ball, {0.0, 0.0, 0.0}};
+  edge.axis = {static_cast<double>(m.x) / length, static_cast<double>(m.y) / length, 0.0};
+  edge.radius = balls.r[arc.ball];
 
   const auto end_point = [&](uint32_t end) {
     return point_of_cut(balls, arc.ball, boundary.neighbour(arc.end[end]), arc.ball, arc.cap, end == 0 ? -1 : +1);
   };
-  const Vec3 axis = to_vector(place.axis);
   const bool south_first = (arc.poles & CutArc::south_first) != 0;
   double angle = 0.0;
   uint32_t at_piece = 0;
@@ -153,19 +135,19 @@ EdgeGeometry geometry_on_cut_arc(const BallSet &balls, const Boundary &boundary,
   for (uint32_t turn = 0; turn < 2; ++turn) {
     const bool south = (turn == 0) == south_first;
     if ((arc.poles & (south ? CutArc::passes_south : CutArc::passes_north)) == 0) continue;
-    const Vec3 pole{0.0, 0.0, south ? -place.radius : place.radius};
-    if (at_piece == piece) angle += turn_within(axis, from, pole, pi);
+    const Vec3 pole{0.0, 0.0, south ? -edge.radius : edge.radius};
+    if (at_piece == piece) angle += turn_within(edge.axis, from, pole, pi);
     from = pole;
     if ((arc.poles & (south ? CutArc::vertex_at_south : CutArc::vertex_at_north)) != 0) ++at_piece;
   }
-  if (at_piece == piece) angle += turn_within(axis, from, end_point(1), pi);
-  place.angle = angle;
-  return place;
+  if (at_piece == piece) angle += turn_within(edge.axis, from, end_point(1), pi);
+  edge.angle = angle;
+  return edge;
 }
 
 }  // namespace
 
-Place position_of_vertex(const BallSet &balls, const Boundary &boundary, uint32_t vertex) {
+Position position_of_vertex(const BallSet &balls, const Boundary &boundary, uint32_t vertex) {
   const VertexRecord &record = boundary.vertex(vertex);
   uint32_t first = 0;
   for (uint32_t t = 1; t < 3; ++t) {
@@ -180,36 +162,38 @@ Place position_of_vertex(const BallSet &balls, const Boundary &boundary, uint32_
     third = exchanged;
     sign = -sign;
   }
-  Place place;
-  place.ball = record.ball[first];
-  const exact::LatticeBall own = balls.ball(place.ball);
-  vertex_offset(exact::plane_of(own, balls.ball(second)), exact::plane_of(own, balls.ball(third)), sign,
-                boundary.root_discriminant(vertex), place.offset);
-  return place;
+  const exact::LatticeBall own = balls.ball(record.ball[first]);
+  return {record.ball[first],
+          crossing_point(exact::plane_of(own, balls.ball(second)), exact::plane_of(own, balls.ball(third)), sign,
+                         boundary.root_discriminant(vertex))};
 }
 
-Place position_of_point(const BallSet &balls, const Boundary &boundary, const Topology &topology, uint32_t vertex) {
-  if (vertex < boundary.vertex_count()) return position_of_vertex(balls, boundary, vertex);
-  if (vertex >= topology.first_pole) {
-    const uint32_t pole = topology.pole[vertex - topology.first_pole];
-    return {pole / 2, {0.0, 0.0, pole % 2 == 0 ? balls.r[pole / 2] : -balls.r[pole / 2]}};
+Position position_of_point(const BallSet &balls, const Boundary &boundary, const Topology &topology, uint32_t vertex) {
+  switch (topology.kind_of_vertex(boundary, vertex)) {
+    case VertexKind::boundary_vertex:
+      return position_of_vertex(balls, boundary, vertex);
+    case VertexKind::subdivision_vertex: {
+      const SubdivisionVertex &point = topology.subdivision_vertex(boundary, vertex);
+      const HostFrame frame(balls, balls_of_host(boundary, point.host));
+      return {frame.frame, frame.split(balls, point)};
+    }
+    default: {
+      const Pole pole = topology.pole_at(vertex);
+      return {pole.ball(), {0.0, 0.0, pole.is_lowest() ? -balls.r[pole.ball()] : balls.r[pole.ball()]}};
+    }
   }
-  const SubdivisionVertex &point = topology.subdivision[vertex - boundary.vertex_count()];
-  const HostFrame frame(balls, balls_of_host(boundary, point.host));
-  const Vec3 offset = frame.split(balls, point);
-  return {frame.frame, {offset.x, offset.y, offset.z}};
 }
 
 EdgeGeometry geometry_of_edge(const BallSet &balls, const Boundary &boundary, const Topology &topology, uint32_t edge) {
   const uint32_t source = topology.edge_source[edge];
-  if (edge < topology.first_cut_edge) {
-    const uint32_t host = topology.host_of_edge(edge);
-    return geometry_on_host(balls, boundary, topology, host, edge - edge_of(topology.walk_start[host]));
+  switch (topology.kind_of_edge(edge)) {
+    case EdgeKind::cut_arc:
+      return geometry_on_cut_arc(balls, boundary, topology, source, topology.piece_of_cut_arc(edge));
+    case EdgeKind::whole_sphere:
+      return {{source, {0.0, 0.0, 0.0}}, {1.0, 0.0, 0.0}, balls.r[source], pi};
+    default:
+      return geometry_on_host(balls, boundary, topology, topology.host_of_edge(edge), topology.piece_of_host(edge));
   }
-  if (edge < topology.first_sphere_edge) {
-    return geometry_on_cut_arc(balls, boundary, topology, source, edge - topology.cut_first_edge[source]);
-  }
-  return {{source, {0.0, 0.0, 0.0}}, {1.0, 0.0, 0.0}, balls.r[source], pi};
 }
 
 }  // namespace hsp

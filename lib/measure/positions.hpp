@@ -7,21 +7,21 @@
 namespace hsp {
 
 // A point, relative to the centre of a ball, in lattice steps.
-struct Place {
+struct Position {
   uint32_t ball;
-  double offset[3];
+  Vec3 offset;
 };
 
 // A vertex of the boundary.
-Place position_of_vertex(const BallSet &balls, const Boundary &boundary, uint32_t vertex);
+Position position_of_vertex(const BallSet &balls, const Boundary &boundary, uint32_t vertex);
 
 // A vertex of the topology.
-Place position_of_point(const BallSet &balls, const Boundary &boundary, const Topology &topology, uint32_t vertex);
+Position position_of_point(const BallSet &balls, const Boundary &boundary, const Topology &topology, uint32_t vertex);
 
 // The circle of an edge and its part of it. Quarter-edge 4 e runs counter-clockwise about the axis.
 struct EdgeGeometry {
-  Place centre;
-  double axis[3];
+  Position centre;
+  Vec3 axis;
   double radius;
   double angle;
 };

@@ -22,7 +22,7 @@ template <class Visit>
 void visit_faces(const Boundary &boundary, const Topology &topology, uint32_t shell, Visit visit) {
   const ShellRecord &record = topology.shells[shell];
   for (uint32_t k = 0; k < record.simple_faces; ++k) {
-    const uint32_t simple = topology.scan[record.first_scan + k];
+    const uint32_t simple = topology.traversal[record.first_traversed + k];
     if (is_first_part(boundary, topology, simple)) visit(topology.faces[simple].face);
   }
 }

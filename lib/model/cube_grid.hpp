@@ -43,9 +43,9 @@ class CubeGrid {
   BallRange balls_in_row(int64_t x_low, int64_t x_high, int64_t y, int64_t z) const;
   CubeBlock block_around(const CubeCoordinates &centre) const;
 
-  // Memory of O(n) slots and links for other groupings of the same balls (figures.cpp).
-  Span<uint32_t> scratch_slots() const { return scratch_slots_; }
-  Span<uint32_t> scratch_links() const { return scratch_links_; }
+  // Memory of O(n) slots and links for other groupings of the same balls (packing_statistics.cpp).
+  Span<uint32_t> scratch_slots() { return scratch_slots_; }
+  Span<uint32_t> scratch_links() { return scratch_links_; }
 
  private:
   void clear();

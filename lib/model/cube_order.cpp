@@ -4,7 +4,7 @@
 
 namespace hsp {
 
-void order_cubes_by_rows(CubeTable &table, const CubeOrderScratch &scratch) {
+void order_cubes_by_rows(CubeTable &table, CubeOrderScratch scratch) {
   const uint32_t cubes = table.count();
   const uint32_t slots = static_cast<uint32_t>(CubeTable::slots_for(cubes));
   for (uint32_t k = 0; k < slots; ++k) scratch.slots[k] = no_id;

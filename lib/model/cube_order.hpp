@@ -13,6 +13,6 @@ struct CubeOrderScratch {
 
 // Renumbers the cubes of the table; scratch.links then holds the new number of each old one. Rows keep the order of
 // their first cubes. O(cubes) for rows of bounded length, else O(cubes log cubes).
-void order_cubes_by_rows(CubeTable &table, const CubeOrderScratch &scratch);
+void order_cubes_by_rows(CubeTable &table, CubeOrderScratch scratch);
 
 }  // namespace hsp

@@ -40,7 +40,7 @@ bool overlap(const BallSet &balls, uint32_t i, uint32_t j) {
 
 // Offers every pair whose centres lie in neighbouring cubes of the given side: all pairs up to that distance, each at
 // least once. Balls are chained per slot of an open-addressing table that is keyed by the cube of a slot's first ball.
-void offer_neighbouring_cubes(const CubeGrid &grid, int64_t side, ClosestPair &closest) {
+void offer_neighbouring_cubes(CubeGrid &grid, int64_t side, ClosestPair &closest) {
   const BallSet &balls = grid.balls();
   const Span<uint32_t> slots = grid.scratch_slots();
   const Span<uint32_t> next = grid.scratch_links();
@@ -76,7 +76,7 @@ void offer_neighbouring_cubes(const CubeGrid &grid, int64_t side, ClosestPair &c
 
 }  // namespace
 
-PackingStatistics packing_statistics(const CubeGrid &grid) {
+PackingStatistics packing_statistics(CubeGrid &grid) {
   const BallSet &balls = grid.balls();
   PackingStatistics figures;
   figures.no_pair = balls.n < 2;

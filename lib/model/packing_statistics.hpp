@@ -16,6 +16,6 @@ struct PackingStatistics {
 };
 
 // Uses the grid's scratch memory.
-PackingStatistics packing_statistics(const CubeGrid &grid);
+PackingStatistics packing_statistics(CubeGrid &grid);
 
 }  // namespace hsp

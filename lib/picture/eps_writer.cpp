@@ -1,4 +1,4 @@
-#include "picture/eps_writer.hpp"
+#include "picture/writers.hpp"
 
 #include "picture/escaped_text.hpp"
 #include "picture/number_text.hpp"

@@ -33,7 +33,7 @@ double chosen_line(const PictureInput &input, double scale) {
 }  // namespace
 
 PagePoint PageArc::at(double t) const {
-  const Direction d = sin_cos(t);
+  const SinCos d = sin_cos(t);
   return {centre.x + d.cosine * major.x + d.sine * minor.x, centre.y + d.cosine * major.y + d.sine * minor.y};
 }
 

@@ -1,7 +1,7 @@
 // Where things lie on the page: px (1/96 inch) from its lower left corner, y up.
 #pragma once
 
-#include "picture/picture_input.hpp"
+#include "picture/picture.hpp"
 #include "view/projected_arcs.hpp"
 
 namespace hsp {

@@ -6,7 +6,7 @@
 
 namespace hsp {
 
-// Gradients and lines know so many levels of fog beside none. Fog is rounded before it is mixed in: channels rounded
+// Number of fog levels of gradients and lines, besides no fog. Fog is rounded before it is mixed in: channels rounded
 // one by one would turn greys into tints.
 constexpr uint32_t fog_levels = 10;
 

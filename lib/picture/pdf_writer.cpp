@@ -1,4 +1,4 @@
-#include "picture/pdf_writer.hpp"
+#include "picture/writers.hpp"
 
 #include "core/elementary.hpp"
 #include "picture/escaped_text.hpp"
@@ -174,13 +174,13 @@ class PdfWriter {
   void put_cubics(const PageArc &arc) {
     const uint32_t parts = parts_of(arc.span(), longest_cubic);
     const double step = (arc.to - arc.from) / parts;
-    const Direction quarter = sin_cos(step / 4);
+    const SinCos quarter = sin_cos(step / 4);
     const double handle = 4.0 / 3.0 * quarter.sine / quarter.cosine;
     PagePoint from = arc.start;
-    Direction direction = sin_cos(arc.from);
+    SinCos direction = sin_cos(arc.from);
     for (uint32_t k = 1; k <= parts; ++k) {
       const double t = arc.from + step * k;
-      const Direction next = sin_cos(t);
+      const SinCos next = sin_cos(t);
       const PagePoint to = k == parts ? arc.end : arc.at(t);
       put_point(beside(arc, from, direction, handle));
       put_point(beside(arc, to, next, -handle));
@@ -192,7 +192,7 @@ class PdfWriter {
   }
 
   // A point of the arc, moved along the tangent.
-  static PagePoint beside(const PageArc &arc, const PagePoint &point, const Direction &d, double handle) {
+  static PagePoint beside(const PageArc &arc, const PagePoint &point, const SinCos &d, double handle) {
     return {point.x + handle * (d.cosine * arc.minor.x - d.sine * arc.major.x),
             point.y + handle * (d.cosine * arc.minor.y - d.sine * arc.major.y)};
   }

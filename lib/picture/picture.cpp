@@ -1,8 +1,6 @@
 #include "picture/picture.hpp"
 
-#include "picture/eps_writer.hpp"
-#include "picture/pdf_writer.hpp"
-#include "picture/svg_writer.hpp"
+#include "picture/writers.hpp"
 
 namespace hsp {
 

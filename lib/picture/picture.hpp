@@ -1,10 +1,40 @@
-// A view as a vector picture.
+// A view as a vector picture. Ranges of the options are checked at the C interface.
 #pragma once
 
 #include "picture/byte_sink.hpp"
-#include "picture/picture_input.hpp"
+#include "view/view.hpp"
 
 namespace hsp {
+
+enum class PictureFormat : uint32_t { svg = 0, eps = 1, pdf = 2 };
+enum class PictureStyle : uint32_t { flat = 0, headlight = 1, soft = 2 };
+
+struct PictureOptions {
+  PictureFormat format = PictureFormat::svg;
+  PictureStyle style = PictureStyle::flat;
+  bool millimetres = false;  // otherwise px, 1/96 inch
+  double width = 1000.0;     // 0: follows from height, and the other way round
+  double height = 0.0;
+  double margin = 0.03;
+  double outline = -1.0;  // 0: none; < 0: select
+  double fog = 0.3;
+  uint32_t outline_colour = 0x23202B;
+  uint32_t background = 0xFFFFFF;
+  bool ids = true;
+  bool backdrop = true;  // paint the background
+};
+
+constexpr uint32_t plain_colour = 0xD2CDC3;
+
+struct PictureInput {
+  const BallSet &balls;
+  const View &view;
+  const uint32_t *colour;  // by the caller's index, or null: all plain
+  const char *title;       // may be null
+  const char *description;
+
+  uint32_t colour_of(uint32_t ball) const { return colour == nullptr ? plain_colour : colour[balls.caller[ball]]; }
+};
 
 // scratch: as many entries as there are pieces. Status::sink if the sink refused; bytes: those that it has taken.
 Status write_picture(const PictureInput &input, const PictureOptions &options, Span<uint32_t> scratch,

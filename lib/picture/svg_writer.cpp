@@ -1,4 +1,4 @@
-#include "picture/svg_writer.hpp"
+#include "picture/writers.hpp"
 
 #include "core/elementary.hpp"
 #include "picture/escaped_text.hpp"

@@ -1,41 +1,103 @@
 #include "sphere/arc_geometry.hpp"
 
 namespace hsp {
+
+using exact::Exact;
+using exact::Plane;
+using exact::Sphere;
+
 namespace {
 
-// The centre of circle P relative to the ball's centre: h v / (2 |v|^2).
-Vec3 circle_centre(const exact::Plane &P) {
-  const double along = static_cast<double>(P.h) / (2 * static_cast<double>(dot(P.v, P.v)));
-  const Vec3 v = exact::to_double(P.v);
-  return {v.x * along, v.y * along, v.z * along};
+// At exact tangency atan2(0, 0) stands for pi/2, the limit under the symbolic perturbation (Delta ~ eps dominates
+// beta^2 ~ eps^2).
+double limit_angle(double y, double x) {
+  return y == 0.0 && x == 0.0 ? pi / 2 : arc_tangent(y, x);
 }
+
+double length(const exact::Vector &v) {
+  return std::sqrt(static_cast<double>(dot(v, v)));
+}
+
+// A complex number of any length, which stands for its angle: products add angles.
+struct Complex {
+  double x, y;
+
+  friend Complex operator*(const Complex &a, const Complex &b) {
+    return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
+  }
+  Complex conjugate() const { return {x, -y}; }
+};
 
 }  // namespace
 
-// p = (q x n + sign sqrt(D) n) / N, and the offset is p / 2. q is orthogonal to n, so that q x n has no cancellation.
-void vertex_offset(const exact::Plane &P, const exact::Plane &Q, int sign, double root_D, double offset[3]) {
-  const exact::Vector normal = cross(P.v, Q.v);
-  const Vec3 n = exact::to_double(normal);
-  double radical[3];
-  exact::Exact::radical_vector(P, Q, radical);
-  const Vec3 p = combine(1.0, cross({radical[0], radical[1], radical[2]}, n), sign > 0 ? root_D : -root_D, n);
-  const double scale = 0.5 / dot(n, n);
-  offset[0] = p.x * scale;
-  offset[1] = p.y * scale;
-  offset[2] = p.z * scale;
-}
-
-CircleGeometry circle_geometry(const BallSet &balls, uint32_t first, uint32_t second) {
-  const exact::LatticeBall own = balls.ball(first);
-  const exact::Plane P = exact::plane_of(own, balls.ball(second));
+CircleGeometry::CircleGeometry(const Sphere &sphere, const Plane &P) {
   const double U = static_cast<double>(dot(P.v, P.v));
   const double distance = std::sqrt(U);
   const Vec3 v = exact::to_double(P.v);
-  const double Delta = exact::Exact::circle_discriminant(exact::sphere_of(own), P);
-  const Vec3 centre = circle_centre(P);
-  return {{centre.x, centre.y, centre.z},
-          {v.x / distance, v.y / distance, v.z / distance},
-          Delta > 0.0 ? std::sqrt(Delta / (4 * U)) : 0.0};
+  axis = {v.x / distance, v.y / distance, v.z / distance};
+  const double along = static_cast<double>(P.h) / (2 * U);
+  centre = {v.x * along, v.y * along, v.z * along};
+  height = static_cast<double>(P.h) / (2 * distance);
+  const double Delta = Exact::circle_discriminant(sphere, P);
+  radius = Delta > 0.0 ? std::sqrt(Delta / (4 * U)) : 0.0;
+}
+
+CircleGeometry::CircleGeometry(const BallSet &balls, uint32_t own, uint32_t other)
+    : CircleGeometry(exact::sphere_of(balls.ball(own)), exact::plane_of(balls.ball(own), balls.ball(other))) {}
+
+// Planes are in the coordinates y = 2 p (plane.hpp).
+Vec3 crossing_point(const Plane &P, const Plane &Q, int sign, double root_D) {
+  double q[3];
+  Exact::radical_vector(P, Q, q);
+  const CircleCrossing<Vec3, double> crossing(exact::to_double(cross(P.v, Q.v)), {q[0], q[1], q[2]});
+  return crossing.point(sign > 0 ? root_D : -root_D, 0.5);
+}
+
+CrossingPointFinder::CrossingPointFinder(const Sphere &sphere, double length_squared)
+    : sphere_(sphere), well_conditioned_(0x1p40 * exact::FilterBounds::for_length_squared(length_squared).D) {}
+
+// Doubles have D within the filter's bound and q within 6e L^3 (filter.hpp). Where D is so far above its bound, at
+// least L^6/128, its relative error is below 2^-40. As D <= W N and |q| <= L |n|, the error of D is at most 12e L^4 |n|
+// + 11e L^2 |n|^2 and that of the position below 100e L.
+CrossingPointFinder::Point CrossingPointFinder::find(const Plane &P, const Plane &Q) const {
+  const CircleCrossing<Vec3, double> crossing = exact::circle_crossing(P, Q);
+  const double D = crossing.discriminant(static_cast<double>(sphere_.W));
+  if (D > well_conditioned_) {
+    const double root_D = std::sqrt(D);
+    return {root_D, crossing.point(root_D, 0.5)};
+  }
+  const double root_D = std::sqrt(Exact::discriminant(sphere_, P, Q));
+  return {root_D, crossing_point(P, Q, +1, root_D)};
+}
+
+double exterior_angle(double root_D, const Sphere &sphere, const Plane &P, const Plane &Q) {
+  return limit_angle(std::sqrt(static_cast<double>(sphere.W)) * root_D, Exact::exterior_cosine(sphere, P, Q));
+}
+
+// From the direction of Q to that of R about the axis of P, less half of what Q covers and half of what R covers.
+double arc_angle(const Plane &P, const Plane &Q, double root_D_exit, const Plane &R, double root_D_entry) {
+  const bool same = Q.index == R.index;
+  const double distance = length(P.v);
+  const Complex between =
+      same ? Complex{1.0, 0.0}
+           : Complex{Exact::cross_dot_cross(P.v, Q.v, R.v), Exact::triple_product(P.v, Q.v, R.v) * distance};
+  const Complex half_exit{Exact::radical_coordinate(P, Q), root_D_exit * distance};
+  const Complex half_entry{Exact::radical_coordinate(P, R), root_D_entry * distance};
+  // One arc tangent of the product; every factor has a relative error of a few units, so the angle has an absolute one.
+  // Close to the cut at angle 0 the exact signs of the three parts decide.
+  const Complex product = between * (half_exit * half_entry).conjugate();
+  const double angle = arc_tangent(product.y, product.x);
+  if (angle > branch_cut_margin) return angle;
+  if (angle < -branch_cut_margin) return angle + 2 * pi;
+  const double turn = same ? 2 * pi : arc_tangent(between.y, between.x);
+  const double parts = (turn > 0.0 ? turn : turn + 2 * pi) - limit_angle(half_exit.y, half_exit.x) -
+                       limit_angle(half_entry.y, half_entry.x);
+  return parts > 0.0 ? parts : 0.0;
+}
+
+double turn_about(const Vec3 &axis, const Vec3 &from, const Vec3 &to) {
+  const double angle = arc_tangent(dot(axis, cross(from, to)), dot(from, to));
+  return angle < 0.0 ? angle + 2 * pi : angle;
 }
 
 }  // namespace hsp

@@ -1,81 +1,61 @@
-// Angles of arcs and at vertices of one sphere, from exact integers rounded once. Formulas: exact_predicates.hpp for D,
-// beta, Delta; at exact tangency atan2(0, 0) stands for pi/2, the limit under the symbolic inflation (Delta ~ eps
-// dominates beta^2 ~ eps^2).
+// Positions and angles on one sphere: where circles cross, the centre and radius of a circle, the angles of arcs and at
+// vertices. Lengths are in lattice steps, positions are relative to the centre of the ball.
 #pragma once
 
 #include "core/elementary.hpp"
-#include "exact/exact_predicates.hpp"
+#include "exact/circle_crossing.hpp"
+#include "exact/predicates.hpp"
 #include "model/ball_set.hpp"
 
 namespace hsp {
 
-inline double limit_angle(double y, double x) {
-  return y == 0.0 && x == 0.0 ? pi / 2 : arc_tangent(y, x);
-}
+// An angle closer than this to 0 or 2 pi is taken from exact integers (ArcAngle): rounding must not turn a point into a
+// whole circle or back. What is computed in doubles has a far smaller error.
+inline constexpr double branch_cut_margin = 0x1p-20;
 
-inline double length(const exact::Vector &v) {
-  return std::sqrt(static_cast<double>(dot(v, v)));
-}
+// The circle in which the sphere of `own` meets that of another ball.
+struct CircleGeometry {
+  Vec3 axis;  // a unit vector towards the other ball
+  Vec3 centre;
+  double height;  // of the circle's plane along the axis
+  double radius;
 
-// The angle by which a loop turns at a vertex of circles P and Q, in [0, pi].
-inline double exterior_angle(double root_D, const exact::Sphere &sphere, const exact::Plane &P, const exact::Plane &Q) {
-  return limit_angle(std::sqrt(static_cast<double>(sphere.W)) * root_D, exact::Exact::exterior_cosine(sphere, P, Q));
-}
-
-// A direction in the plane, of any length: an angle before its arc tangent is taken.
-struct Complex {
-  double x, y;
-
-  friend Complex operator*(const Complex &a, const Complex &b) {
-    return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
-  }
-  Complex conjugate() const { return {x, -y}; }
+  // P: the plane of the other ball. The centre is h v / (2 |v|^2), the radius sqrt(Delta) / (2 |v|).
+  CircleGeometry(const exact::Sphere &sphere, const exact::Plane &P);
+  CircleGeometry(const BallSet &balls, uint32_t own, uint32_t other);
 };
 
-// The angle of the free arc of circle P from the exit of ball Q to the entry of ball R, in [0, 2 pi]: from the
-// direction of Q to that of R about the axis of P, less half of what Q covers and half of what R covers.
-class FreeArc {
- public:
-  FreeArc(const exact::Plane &P, const exact::Plane &Q, double root_D_exit, const exact::Plane &R, double root_D_entry)
-      : same_(Q.index == R.index) {
-    const double distance = length(P.v);
-    turn_ = same_ ? Complex{1.0, 0.0}
-                  : Complex{exact::Exact::cross_dot_cross(P.v, Q.v, R.v),
-                            exact::Exact::triple_product(P.v, Q.v, R.v) * distance};
-    half_exit_ = {exact::Exact::radical_coordinate(P, Q), root_D_exit * distance};
-    half_entry_ = {exact::Exact::radical_coordinate(P, R), root_D_entry * distance};
-  }
+// The common point p+ (sign > 0) or p- of the circles of P and Q. root_D: sqrt(D), from exact::Exact::discriminant.
+Vec3 crossing_point(const exact::Plane &P, const exact::Plane &Q, int sign, double root_D);
 
-  double angle() const {
-    // One arc tangent of the product; every factor has a relative error of a few units, so the angle has an absolute
-    // one. Close to the cut at angle 0 rounding could turn 0 into 2 pi, so there the exact signs of the three parts
-    // decide.
-    constexpr double branch_cut_margin = 0x1p-20;
-    const Complex product = turn_ * (half_exit_ * half_entry_).conjugate();
-    const double angle = arc_tangent(product.y, product.x);
-    if (angle > branch_cut_margin) return angle;
-    if (angle < -branch_cut_margin) return angle + 2 * pi;
-    const double to_view = same_ ? 2 * pi : arc_tangent(turn_.y, turn_.x);
-    const double parts = (to_view > 0.0 ? to_view : to_view + 2 * pi) - limit_angle(half_exit_.y, half_exit_.x) -
-                         limit_angle(half_entry_.y, half_entry_.x);
-    return parts > 0.0 ? parts : 0.0;
-  }
+// The same for many points of one sphere: in doubles where these are precise, else from the exact integers.
+class CrossingPointFinder {
+ public:
+  struct Point {
+    double root_D;
+    Vec3 position;
+  };
+
+  // length_squared: as for exact::Predicates.
+  CrossingPointFinder(const exact::Sphere &sphere, double length_squared);
+  // p+ of the circles of P and Q, which cross.
+  Point find(const exact::Plane &P, const exact::Plane &Q) const;
 
  private:
-  bool same_;
-  Complex turn_, half_exit_, half_entry_;
+  exact::Sphere sphere_;
+  double well_conditioned_;  // a discriminant above this has a relative error below 2^-40
 };
 
-// Where a vertex lies relative to the centre of one of its balls, in lattice steps.
-void vertex_offset(const exact::Plane &P, const exact::Plane &Q, int sign, double root_D, double offset[3]);
+// The angle by which a loop turns at a vertex of circles P and Q, in [0, pi].
+double exterior_angle(double root_D, const exact::Sphere &sphere, const exact::Plane &P, const exact::Plane &Q);
 
-// The circle of two spheres, in lattice steps, relative to the centre of the first ball; the axis is a unit vector from
-// that ball towards the second.
-struct CircleGeometry {
-  double centre[3];
-  double axis[3];
-  double radius;
-};
-CircleGeometry circle_geometry(const BallSet &balls, uint32_t first, uint32_t second);
+// The angle of the free arc of circle P from the exit of ball Q to the entry of ball R, in [0, 2 pi], from exact
+// integers rounded once.
+double arc_angle(const exact::Plane &P, const exact::Plane &Q, double root_D_exit, const exact::Plane &R,
+                 double root_D_entry);
+
+// The counter-clockwise angle about an axis from one direction to another, in [0, 2 pi]; their parts along the axis do
+// not matter.
+double turn_about(const Vec3 &axis, const Vec3 &from, const Vec3 &to);
 
 }  // namespace hsp

@@ -18,6 +18,7 @@
 // With q > 2^-32 the relative errors of S and q are below 2^-13, which the slack of a third absorbs.
 #pragma once
 
+#include "exact/circle_crossing.hpp"
 #include "sphere/caps.hpp"
 
 namespace hsp {
@@ -44,30 +45,25 @@ struct CapPair {
   bool certainly_separate() const { return g * bj - bk < -certain_centre && g * bk - bj < -certain_centre; }
 };
 
-// The points p+ and p- of a pair that surely crosses.
+// The points p+ and p- of a pair that certainly crosses.
 struct CrossingPoints {
   double x[2], y[2], z[2];  // index 0: p-, index 1: p+
   double error;             // of u_l.p - b_l for any cap l
 
   CrossingPoints(const Caps &caps, uint32_t j, uint32_t k, const CapPair &pair) {
+    const UnitCircleCrossing crossing(caps.axis(j), pair.bj, caps.axis(k), pair.bk, pair.g);
     const double root = std::sqrt(pair.q);
-    const double S = 1.0 - pair.g * pair.g;
-    const double shared = 1.0 / (S * root);
+    const double shared = 1.0 / (crossing.nn * root);
     const double s = root * shared;
-    const double inverse_root = S * shared;
-    const double alpha = (pair.bj - pair.g * pair.bk) * s;
-    const double beta = (pair.bk - pair.g * pair.bj) * s;
-    const double gamma = root * s;
-    const double ax = caps.ux[j], ay = caps.uy[j], az = caps.uz[j];
-    const double bx = caps.ux[k], by = caps.uy[k], bz = caps.uz[k];
-    const double mx = alpha * ax + beta * bx, my = alpha * ay + beta * by, mz = alpha * az + beta * bz;
-    const double nx = gamma * (ay * bz - az * by), ny = gamma * (az * bx - ax * bz), nz = gamma * (ax * by - ay * bx);
-    x[0] = mx - nx;
-    y[0] = my - ny;
-    z[0] = mz - nz;
-    x[1] = mx + nx;
-    y[1] = my + ny;
-    z[1] = mz + nz;
+    const double inverse_root = crossing.nn * shared;
+    const Vec3 middle = crossing.scaled_middle(s);
+    const Vec3 half_chord = crossing.scaled_normal(root * s);
+    const Vec3 p[2] = {middle - half_chord, middle + half_chord};
+    for (int sign = 0; sign < 2; ++sign) {
+      x[sign] = p[sign].x;
+      y[sign] = p[sign].y;
+      z[sign] = p[sign].z;
+    }
     error = unit_roundoff * s * (256.0 * s + 80.0 * inverse_root);
   }
 };

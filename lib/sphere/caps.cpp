@@ -36,8 +36,8 @@ void Caps::gather(const BallSet &balls, const CubeBlock &block, uint32_t i, Disj
   for (uint32_t k = 0; k < block.ranges; ++k) {
     const BallRange range = block.range[k];
     for (uint32_t j = range.first; j < range.last; ++j) {
-      // The differences and the sum are exact, the squares have a relative error below 4e: a surely disjoint pair stops
-      // here.
+      // The differences and the sum are exact, the squares have a relative error below 4e: a certainly
+      // disjoint pair stops here.
       const double dx = xs[j] - x;
       const double dy = ys[j] - y;
       const double dz = zs[j] - z;
@@ -46,7 +46,7 @@ void Caps::gather(const BallSet &balls, const CubeBlock &block, uint32_t i, Disj
       if (squared > s * s * (1.0 + 8 * unit_roundoff)) continue;
       if (j == i) continue;
       const exact::LatticeBall other = balls.ball(j);
-      // Likewise a surely proper circle needs no integers.
+      // Likewise a certainly proper circle needs no integers.
       const double difference = rs[j] - radius;
       const bool certainly_circle =
           squared < s * s * (1.0 - 8 * unit_roundoff) && squared > difference * difference * (1.0 + 8 * unit_roundoff);

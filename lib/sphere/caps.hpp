@@ -1,9 +1,8 @@
 // The caps of one ball: the parts of its sphere that lie inside other balls (Step 1 of Section 4.2). A cap is kept as
 //   plane   the exact half-space of lib/exact, for the exact stage;
 //   u, b    the same on the unit sphere in doubles: x on the unit sphere lies in the cap iff u.x >= b, with u the unit
-//   vector to
-//           the other centre. |u error| <= 3.5e, |b error| <= 7e (e = 2^-53), as U = |v|^2, h and r are exact integers:
-//           sqrt(U) 1.5e, its inverse 2.5e, u one more; h 1e, times the inverse 4.5e, times 1/(2r) 6.5e.
+//           vector to the other centre. |u error| <= 3.5e, |b error| <= 7e (e = 2^-53), as U = |v|^2, h and r are exact
+//           integers: sqrt(U) 1.5e, its inverse 2.5e, u one more; h 1e, times the inverse 4.5e, times 1/(2r) 6.5e.
 #pragma once
 
 #include "core/disjoint_sets.hpp"
@@ -15,7 +14,7 @@ namespace hsp {
 
 // Caps in ascending order of the grid's ball ids, structure of arrays over scratch memory of fixed capacity.
 struct Caps {
-  // All with room for one more.
+  // All have a spare slot at the end.
   Span<double> ux, uy, uz, b;
   Span<exact::Plane> plane;
   Span<uint32_t> ball;  // the other ball, grid order
@@ -38,7 +37,7 @@ struct Caps {
   // Stores a great circle of the sphere in the spare slot, number `count`, for cap_pair.hpp. Its errors are those of
   // caps, as its normal is exact.
   void set_spare_great_circle(const exact::Vector &normal);
-  // The half of the sphere on the side of the normal as one more cap that counts, of ball no_id; at most one.
+  // Adds the half of the sphere on the side of the normal as a cap of ball no_id (the far side of a view); at most one.
   void add_half_sphere(const exact::Vector &normal);
 
   // Drops the caps of balls that keep(ball) refuses.
@@ -57,6 +56,7 @@ struct Caps {
     count = kept;
   }
 
+  Vec3 axis(uint32_t k) const { return {ux[k], uy[k], uz[k]}; }
   exact::Predicates predicates() const { return {sphere, length_squared}; }
   // Index of the cap of a ball; it must be there.
   uint32_t cap_of(uint32_t other) const;

@@ -107,8 +107,8 @@ void FreeIntervals::find(Caps &caps, const exact::Predicates &predicates, const 
 namespace {
 
 // Whether a pole lies strictly between two directions, counter-clockwise about the normal m of a meridian's plane. From
-// the upper pole this turn goes first towards w = m x z, the lower pole lies half a turn away; so with e = v.w the
-// direction of v is told by the signs of e and v.z, and only two directions on one side of the poles need comparing.
+// the upper pole this turn goes first towards w = m x z; the lower pole is half a turn away. With e = v.w the signs of
+// e and v.z give the side of v, and only two directions on the same side of the poles have to be compared.
 bool pole_lies_between(const Vector &m, const Vector &from, const Vector &to, int pole) {
   const auto side = [&](const Vector &v) {
     const int64_t e = v.x * m.y - v.y * m.x;

@@ -155,7 +155,7 @@ void VertexFinder::find_on_last(const BallSet &balls, const Caps &caps, FixedVec
 
 namespace {
 
-// A plane that belongs to no ball lies nowhere.
+// False for virtual planes (the view's silhouette), which have no ball.
 bool lies_inside(const BallSet &balls, uint32_t inner, uint32_t outer) {
   if (inner == no_id || outer == no_id) return false;
   return exact::pair_relation(balls.ball(inner), balls.ball(outer)) == exact::PairRelation::first_in_second;
@@ -195,8 +195,8 @@ bool find_vertices_exactly(const BallSet &balls, const Caps &caps, const CapTest
 
 namespace {
 
-// Whether one point of the circle surely lies inside another cap. The point is b u + s t with t a unit vector across u
-// and s = sqrt(1 - b^2); t has error 8e (the cross product with the axis least along u is at least sqrt(2/3) long), s
+// Whether one point of the circle certainly lies inside another cap. The point is b u + s t with t a unit vector across
+// u and s = sqrt(1 - b^2); t has error 8e (the cross product with the axis least along u is at least sqrt(2/3) long), s
 // has error 9e/s + 2e, and the test against a cap adds 16e as in cap_pair.hpp, so that 40e + 16e/s bounds all.
 bool a_point_is_certainly_covered(const Caps &caps, const CapTests &tests, uint32_t j) {
   const double x = caps.ux[j], y = caps.uy[j], z = caps.uz[j], b = caps.b[j];
@@ -225,8 +225,8 @@ bool a_point_is_certainly_covered(const Caps &caps, const CapTests &tests, uint3
 
 }  // namespace
 
-// The circle is asked about when it may have vertices, but none with two later balls. If one point of it is covered, it
-// is not free as a whole. Else it is free as a whole iff it crosses no other circle and lies inside no other cap.
+// Called for a circle without vertices of two later balls; it may still have others. A circle with a covered point is
+// not free as a whole. Any other is free as a whole iff it crosses no other circle and lies inside no other cap.
 bool is_free_circle(const Caps &caps, const CapTests &tests, uint32_t j) {
   if (a_point_is_certainly_covered(caps, tests, j)) return false;
   const exact::Predicates predicates = caps.predicates();

@@ -1,5 +1,5 @@
 // Step 2 of Section 4.2 for one ball: its free vertices with two balls later in grid order, and its free circles with a
-// later ball. So each vertex and circle is decided exactly once, and the balls it lies on cannot disagree about it.
+// later ball. Each vertex and circle is decided exactly once, so that its balls cannot disagree about it.
 #pragma once
 
 #include "core/fixed_vector.hpp"
@@ -9,8 +9,8 @@
 
 namespace hsp {
 
-// The caps once more, largest first by coarse classes of size: a point that is covered is most likely covered by one of
-// the first.
+// A copy of the caps, largest first by coarse classes of size: a covered point is most likely covered by one of the
+// first.
 struct CapTests {
   static constexpr uint32_t group = 2 * lane_count;  // caps that are tested at once; the arrays are padded by one group
   Span<double> ux, uy, uz, b;
@@ -37,7 +37,7 @@ class VertexFinder {
                    FixedVector<VertexRecord> &vertices);
   void add_free_circle(const Caps &caps, uint32_t j, FixedVector<CircleRecord> &circles) const;
 
-  // What is known of a cap while the pairs are gone through.
+  // State of a cap during the loop over pairs; bits.
   static constexpr uint8_t crossed = 1;  // its circle crosses another one, so it is not a free circle
   static constexpr uint8_t covered = 2;  // its circle lies inside another cap, so it has no free point at all
 
@@ -47,8 +47,8 @@ class VertexFinder {
 
 // The exact stage: pushes the free points among p+ and p- of the circles of caps j < k. Returns whether the circles
 // cross. A further sphere ties with a point if it passes through it before the perturbation, unless its ball lies
-// inside one of the vertex's three balls, touching it there from inside: so the flag does not depend on the ball the
-// vertex is decided at.
+// inside one of the vertex's three balls and touches it there. This exception makes the flag independent of the ball at
+// which the vertex is decided.
 bool find_vertices_exactly(const BallSet &balls, const Caps &caps, const CapTests &tests, uint32_t j, uint32_t k,
                            FixedVector<VertexRecord> &vertices);
 

@@ -5,7 +5,7 @@
 namespace hsp {
 namespace {
 
-// Of two balls with their highest points at one height the one of lower rank is higher: it is inflated more.
+// Of two balls with equally high tops the one of lower rank is higher: it is inflated more.
 bool reaches_higher(const exact::LatticeBall &a, const exact::LatticeBall &b) {
   const int64_t top_a = a.centre.z + a.radius;
   const int64_t top_b = b.centre.z + b.radius;
@@ -45,7 +45,7 @@ uint32_t simple_face_of_top(const Boundary &boundary, const Topology &topology, 
   return simple;
 }
 
-// The scan of a void starts at the first face on its ball of lowest rank.
+// The traversal of a void starts at the first face on its ball of lowest rank.
 void start_void_scans(const BallSet &balls, const Boundary &boundary, Topology &topology) {
   if (topology.shell_count == topology.component_count) return;
   for (uint32_t f = 0; f < topology.face_count; ++f) {
@@ -68,8 +68,8 @@ uint32_t shell_above(const CubeGrid &grid, const Boundary &boundary, const Topol
   return boundary.face(face_of_entry(grid, boundary, ball, point.x, point.y, gathered)).shell;
 }
 
-// Where the components lie. Each looks up once; then chains of components that lie beside each other, each under a
-// higher one, end in a void or outside.
+// Finds the cell that contains each component. One ray per component finds the shell above it; a chain of components,
+// each under the next, then ends in a void or outside.
 void nest_components(const CubeGrid &grid, const Boundary &boundary, Topology &topology, GatheredBall &gathered) {
   for (uint32_t c = 0; c < topology.component_count; ++c) topology.components[c].cell = no_id;
   for (uint32_t c = 0; c < topology.component_count; ++c) {

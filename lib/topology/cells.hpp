@@ -1,9 +1,9 @@
-// What lies inside what: the components of the union, their outer shells and voids, and the cells of the complement.
+// Nesting: the components of the union, their outer shells and voids, and the cells of the complement.
 //
-// The highest point of a component is free and belongs to its outer shell; all its other shells wall voids. A component
-// lies in the cell that the vertical ray from its highest point meets first: in a void, if the face it enters belongs
-// to the shell of a void, else in the cell of the component it enters, whose highest point is higher still. This is the
-// case of a union in several pieces, which the paper leaves to the reader.
+// The highest point of a component is free and belongs to its outer shell; all its other shells enclose voids. A
+// component lies in the cell that the vertical ray from its highest point meets first: in a void, if the face it enters
+// belongs to the shell of a void, else in the cell of the component it enters, whose highest point is higher still.
+// This is the case of a union in several pieces, which the paper leaves to the reader.
 #pragma once
 
 #include "boundary/point_location.hpp"

@@ -62,8 +62,8 @@ void CutArcFinder::find(const CubeGrid &grid, const Boundary &boundary, Gathered
   }
 }
 
-// A circle that joins nothing but poles waits in reserve: it is needed only if the others do not join the loops without
-// the poles.
+// A circle that joins nothing but poles is kept in reserve: it is needed only if the others do not join the loops
+// without the poles.
 void CutArcFinder::cut_face(const Boundary &boundary, uint32_t face, GatheredBall &gathered,
                             FixedVector<CutArc> &arcs) {
   const uint32_t i = boundary.face(face).ball;

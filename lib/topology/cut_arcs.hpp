@@ -1,8 +1,8 @@
-// Where faces with several loops are cut: along pieces of great circles in planes that contain the direction z, as the
-// paper has it (Section 4.2, Step 3).
+// Cut arcs: faces with several loops are cut along pieces of great circles in planes that contain the direction z
+// (Section 4.2, Step 3).
 //
 // For one cap on every loop of a face take the great circle through the cap's axis and the poles. Together their pieces
-// inside the face join all its loops (faces.cpp): most often directly, else by way of a pole that several of them
+// inside the face join all its loops (faces.cpp): most often directly, else through a pole that several of them
 // pass. Circles are tried in an order that does not depend on ids. One that joins loops is used, with all its pieces
 // inside the face; those that join nothing but poles are used if the others do not suffice. A circle is closed, so its
 // pieces inside the face form closed trails together with what the face leaves out: none of them is a bridge, and each
@@ -22,8 +22,8 @@ struct CutArc {
   uint32_t cap;  // the ball whose circle's axis the plane goes through
   uint32_t face;
   LoopElement end[2];
-  uint32_t poles;     // passes_*, vertex_at_*
-  uint32_t split[2];  // the subdivision vertices at its ends, once these are inserted
+  uint32_t poles;      // passes_*, vertex_at_*
+  uint32_t vertex[2];  // the subdivision vertices at its ends, once these are inserted
 
   static constexpr uint32_t passes_north = 1;
   static constexpr uint32_t passes_south = 2;

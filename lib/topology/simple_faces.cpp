@@ -13,30 +13,30 @@ class SimpleFaceBuilder {
     number_edges();
     for (uint32_t point = 0; point < topology_.subdivision.size(); ++point) {
       const uint32_t host = topology_.subdivision[point].host;
-      if (topology_.subdivision.first(host) == point && host < boundary_.half_edge_count()) {
-        link_carrier(host, boundary_.half_edge(host).vertex, end_of(host));
+      if (topology_.subdivision.first(host) == point && !Subdivision::is_half_circle(boundary_, host)) {
+        link_host(host, boundary_.half_edge(host).vertex, end_of(host));
       }
     }
     for (uint32_t c = 0; c < boundary_.circle_count(); ++c) link_circle(c);
-    for (uint32_t first = 0; first < topology_.cut_arcs.size();) first = link_extra_arcs(first);
+    for (uint32_t first = 0; first < topology_.cut_arcs.size();) first = link_cut_arcs(first);
     link_spheres();
     link_loops_and_number_faces();
   }
 
  private:
   uint32_t end_of(uint32_t half_edge) const { return boundary_.end_vertex(half_edge); }
-  uint32_t vertex_of_split(uint32_t split) const { return boundary_.vertex_count() + split; }
+  uint32_t vertex_of_subdivision(uint32_t split) const { return boundary_.vertex_count() + split; }
 
-  // Gives the next edge its source, and no faces yet.
+  // Adds an edge with its source, without faces yet.
   void add_edge(uint32_t source) {
     const uint32_t q = quarter_edge(quads_.edges);
     topology_.edge_source[quads_.edges++] = source;
     quads_.start[rot(q)] = quads_.start[inverse_rot(q)] = no_id;
   }
-  // As many edges as the host has pieces; returns the last of them, reversed, with which the walk on the host's
-  // other side starts.
-  uint32_t add_carrier(uint32_t host, uint32_t source) {
-    topology_.walk_start[host] = quarter_edge(quads_.edges);
+  // Adds an edge for each piece of the host edge; returns the last of them, reversed, which starts the chain of the
+  // twin.
+  uint32_t add_host(uint32_t host, uint32_t source) {
+    topology_.chain_start[host] = quarter_edge(quads_.edges);
     add_edge(source);
     for (uint32_t s = topology_.subdivision.first(host); s != no_id; s = topology_.subdivision[s].next) {
       add_edge(source);
@@ -44,7 +44,7 @@ class SimpleFaceBuilder {
     return sym(quarter_edge(quads_.edges - 1));
   }
 
-  // Arcs are numbered by their half-edges on the first of their balls. Those in one piece get their ends at once.
+  // Arcs are numbered by their half-edges on the first of their balls. Arcs in one piece get their ends at once.
   void number_edges() {
     quads_.edges = 0;
     uint32_t arcs = 0;
@@ -52,9 +52,9 @@ class SimpleFaceBuilder {
       for (const uint32_t half_edge : boundary_.half_edges(i)) {
         if (boundary_.half_edge(half_edge).circle < i) continue;
         topology_.host_of_arc[arcs] = half_edge;
-        topology_.walk_start[boundary_.twin(half_edge)] = add_carrier(half_edge, arcs++);
+        topology_.chain_start[boundary_.twin(half_edge)] = add_host(half_edge, arcs++);
         if (topology_.subdivision.first(half_edge) == no_id) {
-          set_ends(topology_.walk_start[half_edge], boundary_.half_edge(half_edge).vertex, end_of(half_edge));
+          set_ends(topology_.chain_start[half_edge], boundary_.half_edge(half_edge).vertex, end_of(half_edge));
         }
       }
     }
@@ -62,7 +62,7 @@ class SimpleFaceBuilder {
     for (uint32_t c = 0; c < boundary_.circle_count(); ++c) {
       for (uint32_t half = 0; half < 2; ++half) {
         const uint32_t host = Subdivision::half_circle(boundary_, c, half);
-        add_carrier(host, host);
+        add_host(host, host);
       }
     }
     topology_.first_cut_edge = quads_.edges;
@@ -83,29 +83,30 @@ class SimpleFaceBuilder {
     topology_.vertex_count = topology_.first_pole;
   }
   uint32_t add_pole(uint32_t ball, uint32_t lowest) {
-    topology_.pole[topology_.vertex_count - topology_.first_pole] = 2 * ball + lowest;
+    topology_.pole[topology_.vertex_count - topology_.first_pole] = Pole(ball, lowest == 1);
     return topology_.vertex_count++;
   }
 
   void set_ends(uint32_t q, uint32_t from, uint32_t to) {
     quads_.start[q] = from;
     quads_.start[sym(q)] = to;
-    topology_.vertex_edge[from] = q;  // some edge leaves every vertex: loops go on where they arrive
+    topology_.vertex_edge[from] = q;  // every vertex starts an edge, as loops continue where they arrive
   }
 
   // The cut arc that leaves a subdivision vertex into the face on one side, as a quarter-edge away from it; no_id if
   // none.
   uint32_t leaving(const SubdivisionVertex &point, uint32_t side) const {
-    if (point.extra[side] == no_id) return no_id;
-    const uint32_t arc = point.extra[side] / 2;
+    const CutArcEnd end = point.cut_end[side];
+    if (!end.exists()) return no_id;
+    const uint32_t arc = end.arc();
     const uint32_t first = topology_.cut_first_edge[arc];
     const uint32_t last = first + topology_.cut_arcs[arc].pieces() - 1;
-    return point.extra[side] % 2 == 0 ? quarter_edge(first) : sym(quarter_edge(last));
+    return end.end() == 0 ? quarter_edge(first) : sym(quarter_edge(last));
   }
 
-  // The loop that arrives by `before` and goes on by `after`, both with the face on their left, at a subdivision
-  // vertex: a cut arc into the face comes in between.
-  void pass_split(const SubdivisionVertex &point, uint32_t side, uint32_t before, uint32_t after) {
+  // Links `before` to `after`, both with the face on their left, at a subdivision vertex; a cut arc into the face comes
+  // between them.
+  void pass_subdivision_vertex(const SubdivisionVertex &point, uint32_t side, uint32_t before, uint32_t after) {
     const uint32_t branch = leaving(point, side);
     if (branch == no_id) {
       quads_.link_lnext(before, after);
@@ -115,17 +116,17 @@ class SimpleFaceBuilder {
     }
   }
 
-  // The edges of one host, from vertex `from` to vertex `to` as the loop of its first ball walks it.
+  // Links the edges of one host edge, from vertex `from` to vertex `to` in the direction of the loop of its first ball.
   // Returns the last of them.
-  uint32_t link_carrier(uint32_t host, uint32_t from, uint32_t to) {
-    uint32_t q = topology_.walk_start[host];
+  uint32_t link_host(uint32_t host, uint32_t from, uint32_t to) {
+    uint32_t q = topology_.chain_start[host];
     for (uint32_t s = topology_.subdivision.first(host); s != no_id; s = topology_.subdivision[s].next) {
       const SubdivisionVertex &point = topology_.subdivision[s];
-      set_ends(q, from, vertex_of_split(s));
-      from = vertex_of_split(s);
+      set_ends(q, from, vertex_of_subdivision(s));
+      from = vertex_of_subdivision(s);
       const uint32_t following = q + 4;
-      pass_split(point, 0, q, following);
-      pass_split(point, 1, sym(following), sym(q));
+      pass_subdivision_vertex(point, 0, q, following);
+      pass_subdivision_vertex(point, 1, sym(following), sym(q));
       q = following;
     }
     set_ends(q, from, to);
@@ -136,11 +137,12 @@ class SimpleFaceBuilder {
     const uint32_t half[2] = {Subdivision::half_circle(boundary_, circle, 0),
                               Subdivision::half_circle(boundary_, circle, 1)};
     for (uint32_t h = 0; h < 2; ++h) {
-      const uint32_t last = link_carrier(half[h], vertex_of_split(2 * circle + h), vertex_of_split(2 * circle + 1 - h));
+      const uint32_t last =
+          link_host(half[h], vertex_of_subdivision(2 * circle + h), vertex_of_subdivision(2 * circle + 1 - h));
       const SubdivisionVertex &end = topology_.subdivision[2 * circle + 1 - h];
-      const uint32_t following = topology_.walk_start[half[1 - h]];
-      pass_split(end, 0, last, following);
-      pass_split(end, 1, sym(following), sym(last));
+      const uint32_t following = topology_.chain_start[half[1 - h]];
+      pass_subdivision_vertex(end, 0, last, following);
+      pass_subdivision_vertex(end, 1, sym(following), sym(last));
     }
   }
 
@@ -157,7 +159,7 @@ class SimpleFaceBuilder {
 
   // The cut arcs of one ball, from number `first` on: their vertices, and the order of the pieces about the poles.
   // Returns the number of the first arc of the next ball.
-  uint32_t link_extra_arcs(uint32_t first) {
+  uint32_t link_cut_arcs(uint32_t first) {
     const FixedVector<CutArc> &arcs = topology_.cut_arcs;
     const uint32_t ball = arcs[first].ball;
     uint32_t last = first;
@@ -167,7 +169,7 @@ class SimpleFaceBuilder {
       if ((arc.poles & CutArc::vertex_at_north) != 0 && pole_vertex[0] == no_id) pole_vertex[0] = add_pole(ball, 0);
       if ((arc.poles & CutArc::vertex_at_south) != 0 && pole_vertex[1] == no_id) pole_vertex[1] = add_pole(ball, 1);
       uint32_t q = quarter_edge(topology_.cut_first_edge[last]);
-      uint32_t from = vertex_of_split(arc.split[0]);
+      uint32_t from = vertex_of_subdivision(arc.vertex[0]);
       const bool south_first = (arc.poles & CutArc::south_first) != 0;
       for (uint32_t turn = 0; turn < 2; ++turn) {
         const uint32_t lowest = (turn == 0) == south_first ? 1 : 0;
@@ -176,7 +178,7 @@ class SimpleFaceBuilder {
         from = pole_vertex[lowest];
         q += 4;
       }
-      set_ends(q, from, vertex_of_split(arc.split[1]));
+      set_ends(q, from, vertex_of_subdivision(arc.vertex[1]));
     }
     for (uint32_t lowest = 0; lowest < 2; ++lowest) {
       if (pole_vertex[lowest] != no_id) link_pole(arcs.items().part(first, last), first, lowest);
@@ -235,35 +237,35 @@ class SimpleFaceBuilder {
     }
   }
 
-  // Ball by ball, so that the simple faces of a ball are consecutive: around the end of every arc the walk goes on to
-  // that of the next use, and then all rings on the ball are closed.
+  // Ball by ball, so that the simple faces of a ball are consecutive. The chain of every half-edge is linked to that of
+  // the next one; then all rings on the ball are closed.
   void link_loops_and_number_faces() {
     topology_.face_count = 0;
-    uint32_t extra = 0;
+    uint32_t cut = 0;
     uint32_t sphere = quarter_edge(topology_.first_sphere_edge);
     for (uint32_t i = 0; i < balls_.n; ++i) {
       for (const uint32_t u : boundary_.half_edges(i)) {
-        quads_.link_lnext(topology_.end_of_walk(topology_.walk_start[u]),
-                          topology_.walk_start[boundary_.half_edge(u).next]);
+        quads_.link_lnext(topology_.chain_end(topology_.chain_start[u]),
+                          topology_.chain_start[boundary_.half_edge(u).next]);
       }
       for (const uint32_t u : boundary_.half_edges(i)) {
-        number_walk(topology_.walk_start[u], boundary_.face_of(u));
+        number_chain(topology_.chain_start[u], boundary_.face_of(u));
       }
       for (const ClosedHalfEdge closed : boundary_.circles(i)) {
         const uint32_t side = closed.side();
         // From the circle's first point on either side: ids must have no effect on where a ring starts.
         for (uint32_t turn = 0; turn < 2; ++turn) {
           const uint32_t half = side == 0 ? turn : 1 - turn;
-          const uint32_t start = topology_.walk_start[Subdivision::half_circle(boundary_, closed.circle(), half)];
-          number_walk(side == 0 ? start : sym(topology_.end_of_walk(start)),
-                      boundary_.face_of_loop(boundary_.loop_of(closed)));
+          const uint32_t start = topology_.chain_start[Subdivision::half_circle(boundary_, closed.circle(), half)];
+          number_chain(side == 0 ? start : sym(topology_.chain_end(start)),
+                       boundary_.face_of_loop(boundary_.loop_of(closed)));
         }
       }
-      for (; extra < topology_.cut_arcs.size() && topology_.cut_arcs[extra].ball == i; ++extra) {
-        for (uint32_t piece = 0; piece < topology_.cut_arcs[extra].pieces(); ++piece) {
-          const uint32_t q = quarter_edge(topology_.cut_first_edge[extra] + piece);
-          number_ring(q, topology_.cut_arcs[extra].face);
-          number_ring(sym(q), topology_.cut_arcs[extra].face);
+      for (; cut < topology_.cut_arcs.size() && topology_.cut_arcs[cut].ball == i; ++cut) {
+        for (uint32_t piece = 0; piece < topology_.cut_arcs[cut].pieces(); ++piece) {
+          const uint32_t q = quarter_edge(topology_.cut_first_edge[cut] + piece);
+          number_ring(q, topology_.cut_arcs[cut].face);
+          number_ring(sym(q), topology_.cut_arcs[cut].face);
         }
       }
       if (boundary_.is_whole_sphere(i)) {
@@ -273,9 +275,9 @@ class SimpleFaceBuilder {
       }
     }
   }
-  void number_walk(uint32_t start, uint32_t face) {
+  void number_chain(uint32_t start, uint32_t face) {
     number_ring(start, face);
-    const uint32_t last = topology_.end_of_walk(start);
+    const uint32_t last = topology_.chain_end(start);
     const uint32_t step = start < last ? 4U : 0U - 4U;
     for (uint32_t q = start; q != last;) number_ring(q += step, face);
   }

@@ -22,25 +22,25 @@ bool same_direction(const Plane &a, const Plane &b) {
   return dot(a.v, b.v) > 0;
 }
 
-// A host as seen from its ball a.
-struct Carrier {
+// A host edge on its ball a.
+struct HostCircle {
   exact::Sphere sphere;
   Plane circle;
-  Plane anchor;
+  Plane reference;
 };
 
-// Questions about points of a host and two of the planes through them, for the filter of one set of planes.
+// Tests points of a host edge against planes, with one filter for all planes concerned.
 class PointTest {
  public:
-  PointTest(const Carrier &host, const Plane &plane, const Plane &other)
+  PointTest(const HostCircle &host, const Plane &plane, const Plane &other)
       : predicates_(host.sphere, length_squared(host, plane, other)), circle_(host.circle) {}
 
   bool inside(const Plane &Q, int sign, const Plane &R) const { return predicates_.inside(circle_, Q, sign, R) > 0; }
 
  private:
-  static double length_squared(const Carrier &host, const Plane &plane, const Plane &other) {
+  static double length_squared(const HostCircle &host, const Plane &plane, const Plane &other) {
     double largest = static_cast<double>(host.sphere.W);
-    for (const Vector *v : {&host.circle.v, &host.anchor.v, &plane.v, &other.v}) {
+    for (const Vector *v : {&host.circle.v, &host.reference.v, &plane.v, &other.v}) {
       const double squared = static_cast<double>(dot(*v, *v));
       if (squared > largest) largest = squared;
     }
@@ -51,32 +51,34 @@ class PointTest {
   Plane circle_;
 };
 
-// A subdivision vertex, its plane to_view so that the host's start, the exit of the anchor, lies outside.
+// A subdivision vertex, its plane oriented such that the start of the host edge, the exit of the reference plane, lies
+// outside.
 struct PlacedPoint {
   Plane plane;
   int sign;
-  bool leaves_carrier;  // the plane's other point with the circle is covered by the anchor
+  bool leaves_host;  // the plane's other point with the circle is covered by the reference
 
-  PlacedPoint(const PointTest &test, const Plane &anchor, const Plane &own, int own_sign) : plane(own), sign(own_sign) {
-    if (test.inside(anchor, +1, plane)) {
+  PlacedPoint(const PointTest &test, const Plane &reference, const Plane &own, int own_sign)
+      : plane(own), sign(own_sign) {
+    if (test.inside(reference, +1, plane)) {
       plane = complement(plane);
       sign = -sign;
     }
-    leaves_carrier = test.inside(plane, -sign, anchor);
+    leaves_host = test.inside(plane, -sign, reference);
   }
 };
 
-// Whether subdivision vertex X comes before Y, of another plane, counter-clockwise from the exit of the anchor. Cut
+// Whether subdivision vertex X comes before Y, of another plane, counter-clockwise from the exit of the reference. Cut
 // open there, the circle is a line and what a plane covers is an interval [l, r] of it; X is l if its sign is negative.
-bool comes_before(const Carrier &host, const PointTest &test, const PlacedPoint &X, const PlacedPoint &Y) {
-  // The other end of X's interval lies in the anchor: on the host it covers all after X.
-  if (X.leaves_carrier) return test.inside(Y.plane, Y.sign, X.plane);
-  if (Y.leaves_carrier) return !test.inside(X.plane, X.sign, Y.plane);
+bool comes_before(const HostCircle &host, const PointTest &test, const PlacedPoint &X, const PlacedPoint &Y) {
+  // The other end of X's interval lies in the reference: on the host it covers all after X.
+  if (X.leaves_host) return test.inside(Y.plane, Y.sign, X.plane);
+  if (Y.leaves_host) return !test.inside(X.plane, X.sign, Y.plane);
   if (test.inside(Y.plane, Y.sign, X.plane)) return X.sign < 0;
   if (test.inside(X.plane, X.sign, Y.plane)) return Y.sign > 0;
   // Neither covers the other's point, so neither interval holds the other one: they and their mid-points are ordered as
-  // the points are. The anchor's own mid-point lies outside the host.
-  return exact::counter_clockwise_before(host.circle.v, host.anchor.v, X.plane.v, Y.plane.v);
+  // the points are. The reference's own mid-point lies outside the host.
+  return exact::counter_clockwise_before(host.circle.v, host.reference.v, X.plane.v, Y.plane.v);
 }
 
 }  // namespace
@@ -89,16 +91,15 @@ Plane plane_of_cut(const BallSet &balls, uint32_t origin, uint32_t ball, uint32_
 }
 
 HostBalls balls_of_host(const Boundary &boundary, uint32_t host) {
-  const uint32_t first_half = Subdivision::half_circle(boundary, 0, 0);
-  if (host >= first_half) {
-    const CircleRecord &circle = boundary.circle((host - first_half) / 2);
+  if (Subdivision::is_half_circle(boundary, host)) {
+    const CircleRecord &circle = boundary.circle(Subdivision::circle_of(boundary, host));
     return {circle.ball[0], circle.ball[1]};
   }
   return {boundary.half_edge(boundary.twin(host)).circle, boundary.half_edge(host).circle};
 }
 
 void Subdivision::carve(Workspace &workspace, uint32_t edges, uint32_t cut_arcs) {
-  // Arcs have two half-edges and are an edge each, free circles two halves and at least two edges.
+  // An arc has two half-edges and is one edge or more, a free circle has two halves and at least two edges.
   first_ = workspace.take<uint32_t>(2 * static_cast<uint64_t>(edges));
   points_ =
       FixedVector<SubdivisionVertex>(workspace.take<SubdivisionVertex>(edges + 2 * static_cast<uint64_t>(cut_arcs)));
@@ -111,11 +112,11 @@ void Subdivision::insert(const BallSet &balls, const Boundary &boundary, Span<Cu
   for (uint32_t c = 0; c < boundary.circle_count(); ++c) {
     const CircleRecord &circle = boundary.circle(c);
     const uint32_t host = half_circle(boundary, c, 0);
-    points_.push({host, circle.ball[0], circle.ball[1], -1, {no_id, no_id}, no_id});
-    points_.push({host, circle.ball[0], circle.ball[1], +1, {no_id, no_id}, no_id});
+    points_.push({host, circle.ball[0], circle.ball[1], -1, {}, no_id});
+    points_.push({host, circle.ball[0], circle.ball[1], +1, {}, no_id});
   }
   for (uint32_t k = 0; k < arcs.size(); ++k) {
-    for (uint32_t end = 0; end < 2; ++end) arcs[k].split[end] = insert_end(balls, boundary, arcs[k], k, end);
+    for (uint32_t end = 0; end < 2; ++end) arcs[k].vertex[end] = insert_end(balls, boundary, arcs[k], k, end);
   }
 }
 
@@ -141,19 +142,19 @@ uint32_t Subdivision::insert_end(const BallSet &balls, const Boundary &boundary,
     pair = side == 0 ? HostBalls{arc.ball, other} : HostBalls{other, arc.ball};
   }
   if (side == 1) sign = -sign;
-  const uint32_t reference = 2 * arc_id + end;
-  const uint32_t circle = (host_id - half_circle(boundary, 0, 0)) / 2;
+  const CutArcEnd cut_end(arc_id, end);
+  const uint32_t circle = circle_of(boundary, host_id);
   const auto end_on_point_of_circle = [&](int point_sign) {
     const uint32_t split = 2 * circle + (point_sign > 0 ? 1 : 0);
-    points_[split].extra[side] = reference;
+    points_[split].cut_end[side] = cut_end;
     return split;
   };
-  // A cut arc through the circle's own axis; seen from b the plane of the halves is to_view round.
+  // A cut arc through the circle's own axis; seen from b the plane of the halves is reversed.
   if (on_circle && arc.cap == (side == 0 ? pair.b : pair.a)) return end_on_point_of_circle(side == 0 ? sign : -sign);
 
   uint32_t *link = &first_[host_id];
   if (on_circle || *link != no_id) {
-    Carrier host;
+    HostCircle host;
     const exact::LatticeBall own = balls.ball(pair.a);
     host.sphere = exact::sphere_of(own);
     host.circle = exact::plane_of(own, balls.ball(pair.b));
@@ -163,25 +164,25 @@ uint32_t Subdivision::insert_end(const BallSet &balls, const Boundary &boundary,
       if (are_parallel(plane, halves)) {  // both contain the direction z and the centre of a or b: the same plane
         return end_on_point_of_circle(same_direction(plane, halves) ? sign : -sign);
       }
-      host.anchor = halves;
+      host.reference = halves;
       if (PointTest(host, plane, halves).inside(plane, sign, halves)) {
-        host.anchor = complement(halves);
+        host.reference = complement(halves);
         link = &first_[++host_id];
       }
     } else {
       const HalfEdge &walk = boundary.half_edge(host_id);
-      host.anchor = exact::plane_of(own, balls.ball(boundary.half_edge(walk.next).circle));
+      host.reference = exact::plane_of(own, balls.ball(boundary.half_edge(walk.next).circle));
     }
 
-    // The list is sorted as the loop of ball a walks it, clockwise. The points of one list are few.
+    // The list is sorted in the direction of the loop of ball a, clockwise. It is short.
     for (; *link != no_id; link = &points_[*link].next) {
       SubdivisionVertex &point = points_[*link];
       const Plane other = plane_of_cut(balls, pair.a, point.ball, point.cap);
       const bool one_plane =
           are_parallel(plane, other) && dot(plane.v, balls.exact_difference(arc.ball, point.ball)) == 0;
       if (one_plane && point.sign == (same_direction(plane, other) ? sign : -sign)) {
-        point.extra[side] = reference;
-        // The plane is told by the ball of lower rank, so that the position does not depend on ids.
+        point.cut_end[side] = cut_end;
+        // The ball of lower rank defines the plane, so that the position does not depend on ids.
         if (balls.ranks_before(arc.ball, point.ball)) {
           point.ball = arc.ball;
           point.cap = arc.cap;
@@ -190,16 +191,16 @@ uint32_t Subdivision::insert_end(const BallSet &balls, const Boundary &boundary,
         return *link;
       }
       const PointTest test(host, plane, other);
-      const PlacedPoint placed(test, host.anchor, plane, sign);
-      const PlacedPoint there(test, host.anchor, other, point.sign);
+      const PlacedPoint placed(test, host.reference, plane, sign);
+      const PlacedPoint there(test, host.reference, other, point.sign);
       // Of two ends of one interval the entry comes first.
       if (one_plane ? there.sign < 0 : comes_before(host, test, there, placed)) break;
     }
   }
   const uint32_t following = *link;
   *link = points_.size();
-  SubdivisionVertex point{host_id, arc.ball, arc.cap, sign, {no_id, no_id}, following};
-  point.extra[side] = reference;
+  SubdivisionVertex point{host_id, arc.ball, arc.cap, sign, {}, following};
+  point.cut_end[side] = cut_end;
   points_.push(point);
   return points_.size() - 1;
 }

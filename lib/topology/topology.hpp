@@ -2,7 +2,7 @@
 // the grid's; the memory is carved once for given limits.
 //
 //   vertices   the boundary's | subdivision vertices | poles
-//   edges      arcs, in the order of the half-edges that walk them on their first ball | circles | cut arcs | whole
+//   edges      arcs, in the order of the half-edges on their first ball | circles | cut arcs | whole
 //   spheres
 //
 // Quarter-edge 4 e of an arc or circle has the face of the first of its balls in grid order on its left. The maximal
@@ -23,6 +23,22 @@ struct TopologyLimits {
   uint32_t cut_arcs = 0;
 };
 
+// The highest or lowest point of a ball.
+class Pole {
+ public:
+  Pole() = default;
+  constexpr Pole(uint32_t ball, bool lowest) : code_(2 * ball + (lowest ? 1U : 0U)) {}
+
+  constexpr uint32_t ball() const { return code_ / 2; }
+  constexpr bool is_lowest() const { return code_ % 2 != 0; }
+
+ private:
+  uint32_t code_;
+};
+
+enum class VertexKind : uint8_t { boundary_vertex, subdivision_vertex, pole };
+enum class EdgeKind : uint8_t { arc, circle, cut_arc, whole_sphere };
+
 struct SimpleFace {
   uint32_t face;  // the maximal face
   uint32_t q;     // an even quarter-edge with this face on its left
@@ -34,8 +50,8 @@ struct ShellRecord {
   uint32_t cell;
   bool is_void;
   uint32_t faces, simple_faces, edges, vertices;
-  uint32_t start_face;  // simple face
-  uint32_t first_scan;  // its part of Topology::scan starts here
+  uint32_t start_face;       // simple face
+  uint32_t first_traversed;  // its part of Topology::traversal starts here
 };
 
 struct ComponentRecord {
@@ -53,7 +69,7 @@ struct Topology {
 
   QuadEdges quads;
   uint32_t first_circle_edge = 0, first_cut_edge = 0, first_sphere_edge = 0;
-  Span<uint32_t> walk_start;      // [2 edges] by use or half circle: the first quarter-edge of its walk
+  Span<uint32_t> chain_start;     // [2 edges] by half-edge or half circle: the first quarter-edge of its chain
   Span<uint32_t> cut_first_edge;  // [cut arcs]
   Span<uint32_t> edge_source;     // [edges] arc, half circle, cut arc, or ball of a whole sphere
   Span<uint32_t> host_of_arc;     // [arcs]
@@ -61,13 +77,13 @@ struct Topology {
   uint32_t first_pole = 0;  // vertex ids from here on are poles
   uint32_t vertex_count = 0;
   Span<uint32_t> vertex_edge;  // [vertices] a quarter-edge that starts there
-  Span<uint32_t> pole;         // [poles] 2 * ball, + 1 for the lowest point
+  Span<Pole> pole;             // [poles]
 
   Span<SimpleFace> faces;
   uint32_t face_count = 0;
 
   Span<ShellRecord> shells;
-  Span<uint32_t> scan;  // [simple faces] shell by shell, in the order of the scan
+  Span<uint32_t> traversal;  // [simple faces] shell by shell, in the order of the traversal
   Span<ComponentRecord> components;
   uint32_t shell_count = 0;
   uint32_t component_count = 0;
@@ -81,13 +97,31 @@ struct Topology {
   uint32_t host_of_edge(uint32_t edge) const {
     return edge < first_circle_edge ? host_of_arc[edge_source[edge]] : edge_source[edge];
   }
-  // The last quarter-edge of the walk that starts with this one: an arc's edges have consecutive numbers.
-  uint32_t end_of_walk(uint32_t start) const {
+  // The last quarter-edge of the chain that starts with this one: the edges of one host have consecutive numbers.
+  uint32_t chain_end(uint32_t start) const {
     const uint32_t step = (start & 2U) == 0 ? 4U : 0U - 4U;
     uint32_t q = start;
     while (edge_of(q + step) < first_cut_edge && edge_source[edge_of(q + step)] == edge_source[edge_of(q)]) q += step;
     return q;
   }
+  VertexKind kind_of_vertex(const Boundary &boundary, uint32_t vertex) const {
+    if (vertex < boundary.vertex_count()) return VertexKind::boundary_vertex;
+    return vertex < first_pole ? VertexKind::subdivision_vertex : VertexKind::pole;
+  }
+  const SubdivisionVertex &subdivision_vertex(const Boundary &boundary, uint32_t vertex) const {
+    return subdivision[vertex - boundary.vertex_count()];
+  }
+  Pole pole_at(uint32_t vertex) const { return pole[vertex - first_pole]; }
+
+  EdgeKind kind_of_edge(uint32_t edge) const {
+    if (edge < first_circle_edge) return EdgeKind::arc;
+    if (edge < first_cut_edge) return EdgeKind::circle;
+    return edge < first_sphere_edge ? EdgeKind::cut_arc : EdgeKind::whole_sphere;
+  }
+  // Which part of its host edge or cut arc an edge is.
+  uint32_t piece_of_host(uint32_t edge) const { return edge - edge_of(chain_start[host_of_edge(edge)]); }
+  uint32_t piece_of_cut_arc(uint32_t edge) const { return edge - cut_first_edge[edge_source[edge]]; }
+
   uint32_t ball_of(const Boundary &boundary, uint32_t simple_face) const {
     return boundary.face(faces[simple_face].face).ball;
   }

@@ -10,16 +10,16 @@ void Topology::carve(Workspace &workspace, const TopologyLimits &limits) {
   cut_arcs = FixedVector<CutArc>(workspace.take<CutArc>(limits.cut_arcs));
   subdivision.carve(workspace, limits.edges, limits.cut_arcs);
   quads.bind(workspace.take<uint32_t>(QuadEdges::numbers_per_edge * edges));
-  walk_start = workspace.take<uint32_t>(2 * edges);
+  chain_start = workspace.take<uint32_t>(2 * edges);
   cut_first_edge = workspace.take<uint32_t>(limits.cut_arcs);
   edge_source = workspace.take<uint32_t>(edges);
   host_of_arc = workspace.take<uint32_t>(edges);
   // Every vertex starts at least two edges, every simple face has at least two, and a shell is no less than two edges.
   vertex_edge = workspace.take<uint32_t>(edges);
-  pole = workspace.take<uint32_t>(edges);
+  pole = workspace.take<Pole>(edges);
   faces = workspace.take<SimpleFace>(edges);
   shells = workspace.take<ShellRecord>(edges / 2);
-  scan = workspace.take<uint32_t>(edges);
+  traversal = workspace.take<uint32_t>(edges);
   components = workspace.take<ComponentRecord>(limits.balls);
 }
 

@@ -11,7 +11,7 @@ class TopologyCheck {
       : boundary_(boundary), topology_(topology), quads_(topology.quads), marks_(marks) {}
 
   TopologyViolation run() {
-    if (!algebra() || !vertices() || !faces() || !sides() || !euler() || !scan() || !cells()) return violation_;
+    if (!algebra() || !vertices() || !faces() || !sides() || !euler() || !traversal() || !cells()) return violation_;
     return {};
   }
 
@@ -94,7 +94,7 @@ class TopologyCheck {
   }
 
   // With simple faces V - E + F is the Euler characteristic; with maximal faces it is V - E + sum of (2 - loops) over
-  // vertices and arcs alone, of which a use counts a third and a half.
+  // vertices and arcs alone, of which a half-edge counts a third and a half.
   bool euler() {
     const uint32_t half_edges = boundary_.half_edge_count();
     for (uint32_t s = 0; s < topology_.shell_count; ++s) marks_[s] = 0;
@@ -112,23 +112,24 @@ class TopologyCheck {
     return true;
   }
 
-  bool scan() {
+  bool traversal() {
     for (uint32_t f = 0; f < topology_.face_count; ++f) marks_[f] = 0;
     for (uint32_t s = 0; s < topology_.shell_count; ++s) {
       const ShellRecord &shell = topology_.shells[s];
-      if (shell.first_scan + shell.simple_faces > topology_.face_count) return fail(TopologyInvariant::scan, s);
+      if (shell.first_traversed + shell.simple_faces > topology_.face_count)
+        return fail(TopologyInvariant::traversal, s);
       for (uint32_t k = 0; k < shell.simple_faces; ++k) {
-        const uint32_t face = topology_.scan[shell.first_scan + k];
+        const uint32_t face = topology_.traversal[shell.first_traversed + k];
         const bool good =
             face < topology_.face_count && topology_.shell_of(boundary_, face) == s && marks_[face]++ == 0;
-        if (!good || (k == 0 && face != shell.start_face)) return fail(TopologyInvariant::scan, s);
+        if (!good || (k == 0 && face != shell.start_face)) return fail(TopologyInvariant::traversal, s);
       }
     }
     return true;
   }
 
-  // One outer shell to a component, all its other shells are voids with cells of their own; and from any component the
-  // way outward, to the component around its cell, ends in cell 0.
+  // Every component has one outer shell, all its other shells are voids with cells of their own; and going outward from
+  // any component, to the one around its cell, ends in cell 0.
   bool cells() {
     uint32_t voids = 0;
     for (uint32_t s = 0; s < topology_.shell_count; ++s) {

@@ -13,7 +13,7 @@ enum class TopologyInvariant : uint32_t {
   faces = 3,
   sides = 4,
   euler = 5,
-  scan = 6,
+  traversal = 6,
   cells = 7,
   volumes = 8,
 };

@@ -22,7 +22,7 @@ void tally_shells(const Boundary &boundary, Topology &topology) {
 
 // Depth first, each face counter-clockwise from the edge by which it was entered; that edge is all that has to be
 // remembered of a face to come back from it, so that no stack is needed. Returns the number of faces visited.
-uint32_t scan_shell(const Topology &topology, uint32_t start, Span<uint32_t> order, Span<uint32_t> entered) {
+uint32_t traverse_shell(const Topology &topology, uint32_t start, Span<uint32_t> order, Span<uint32_t> entered) {
   const QuadEdges &quads = topology.quads;
   uint32_t face = start;
   uint32_t entry = topology.faces[start].q;
@@ -57,10 +57,10 @@ bool traverse_shells(const Boundary &boundary, Topology &topology, Span<uint32_t
   uint32_t first = 0;
   for (uint32_t s = 0; s < topology.shell_count; ++s) {
     ShellRecord &shell = topology.shells[s];
-    shell.first_scan = first;
+    shell.first_traversed = first;
     first += shell.simple_faces;
     const uint32_t visited =
-        scan_shell(topology, shell.start_face, topology.scan.part(shell.first_scan, first), entered);
+        traverse_shell(topology, shell.start_face, topology.traversal.part(shell.first_traversed, first), entered);
     if (visited != shell.simple_faces) return false;
   }
   return true;

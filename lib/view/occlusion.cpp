@@ -85,7 +85,7 @@ void OcclusionCuller::ask_about_cube(const BallRange &own, Span<uint8_t> visible
   }
 }
 
-// A bucket's cubes are all asked about before any of them raises the floor: their order depends on ids.
+// All cubes of a bucket are tested before any of them raises the depth buffer: their order depends on ids.
 void OcclusionCuller::hide(const CubeGrid &grid, const ViewFrame &frame, Span<uint8_t> visible) {
   const BallSet &balls = grid.balls();
   if (!prepare(balls, frame, visible)) return;

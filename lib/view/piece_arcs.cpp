@@ -3,58 +3,34 @@
 #include "core/elementary.hpp"
 #include "exact/filter.hpp"
 #include "sphere/arc_geometry.hpp"
-#include "view/circle_frame.hpp"
 #include "view/projected_arcs.hpp"
 
 namespace hsp {
 namespace {
 
-using exact::Plane;
+// A vertex of a piece.
+struct Corner {
+  double root_D;
+  Vec3 offset;  // from the ball's centre, view coordinates
+};
 
-// Where the loops of a piece come by.
+// The corners of the pieces of one ball.
 class CornerFinder {
  public:
-  struct Corner {
-    double root_D;
-    Vec3 offset;  // from the ball's centre, view coordinates
-  };
-
   CornerFinder(const Caps &caps, const ViewFrame &frame)
-      : caps_(caps),
-        frame_(frame),
-        well_conditioned_(precise * exact::FilterBounds::for_length_squared(caps.length_squared).D) {}
+      : caps_(caps), frame_(frame), points_(caps.sphere, caps.length_squared) {}
 
-  // With q and D as in plane.hpp. Doubles have D within the filter's bound and q within 6e L^3. Where D is so far above
-  // its bound, at least L^6/128, its relative error is below 2^-40. As D <= W N and |q| <= L |n|, the error of D is at
-  // most 12e L^4 |n| + 11e L^2 |n|^2 and that of the offset below 100e L. Elsewhere D and q are taken from the
-  // integers.
+  // Where a half-edge starts.
   Corner at(const HalfEdge &half_edge) const {
-    const Plane &P = caps_.plane[half_edge.previous_circle];
-    const Plane &Q = caps_.plane[half_edge.circle];
-    const Vec3 n = exact::to_double(cross(P.v, Q.v));
-    const double N = dot(n, n);
-    const Vec3 q =
-        combine(static_cast<double>(P.h), exact::to_double(Q.v), -static_cast<double>(Q.h), exact::to_double(P.v));
-    const double D = static_cast<double>(caps_.sphere.W) * N - dot(q, q);
-    if (D > well_conditioned_) {
-      const double root_D = std::sqrt(D);
-      const Vec3 p = combine(0.5 / N, cross(q, n), 0.5 * root_D / N, n);
-      return {root_D, frame_.to_view(p)};
-    }
-    const double root_D = std::sqrt(exact::Exact::discriminant(caps_.sphere, P, Q));
-    double place[3];
-    vertex_offset(P, Q, +1, root_D, place);
-    return {root_D, frame_.to_view({place[0], place[1], place[2]})};
+    const auto point = points_.find(caps_.plane[half_edge.previous_circle], caps_.plane[half_edge.circle]);
+    return {point.root_D, frame_.to_view(point.position)};
   }
 
  private:
-  static constexpr double precise = 0x1p40;
-
   const Caps &caps_;
   const ViewFrame &frame_;
-  const double well_conditioned_;
+  const CrossingPointFinder points_;
 };
-using Corner = CornerFinder::Corner;
 
 CircleFrame frame_of(const Caps &caps, const ViewFrame &frame, uint32_t cap) {
   return caps.ball[cap] == no_id ? CircleFrame() : CircleFrame(frame, caps.plane[cap].v);
@@ -64,25 +40,23 @@ double parameter(const CircleFrame &circle, const Vec3 &offset) {
   return arc_tangent(dot(offset, circle.across), dot(offset, circle.along));
 }
 
-// The parameter that an arc is walked through from `from` to `to`, which are known up to whole turns. Where rounding
-// could turn nothing into a whole turn or back, the exact signs behind the arc's angle decide.
+// The parameter range of an arc, from the difference of the parameters at its ends, which is known up to whole turns.
+// Where rounding could turn a point into a whole turn or back, the exact signs behind the arc's angle decide.
 double span_of(const Caps &caps, const HalfEdge &half_edge, const Corner &start, const HalfEdge &end_half_edge,
-               const Corner &end, double walked) {
-  constexpr double branch_cut_margin = 0x1p-20;
-  double span = walked < 0.0 ? walked + 2 * pi : walked;
+               const Corner &end, double to_view) {
+  double span = to_view < 0.0 ? to_view + 2 * pi : to_view;
   if (span >= 2 * pi) span -= 2 * pi;
   if (span > branch_cut_margin && span < 2 * pi - branch_cut_margin) return span;
-  const double angle = FreeArc(caps.plane[half_edge.circle], caps.plane[end_half_edge.circle], end.root_D,
-                               caps.plane[half_edge.previous_circle], start.root_D)
-                           .angle();
+  const double angle = arc_angle(caps.plane[half_edge.circle], caps.plane[end_half_edge.circle], end.root_D,
+                                 caps.plane[half_edge.previous_circle], start.root_D);
   if (angle < pi) return span < pi ? span : 0.0;
   return span > pi ? span : 2 * pi;
 }
 
 // The sum may be rounded to more than a whole turn from `from`; the next double towards it is not.
-double end_parameter(double from, double walk, double span) {
-  const double to = from + walk * span;
-  return std::fabs(to - from) <= 2 * pi ? to : to - walk * std::fabs(to) * 0x1p-52;
+double end_parameter(double from, double turn, double span) {
+  const double to = from + turn * span;
+  return std::fabs(to - from) <= 2 * pi ? to : to - turn * std::fabs(to) * 0x1p-52;
 }
 
 }  // namespace
@@ -105,8 +79,8 @@ void add_loops(const BallSet &balls, const VisiblePiece &piece, View &view) {
       const Corner end = corners.at(end_half_edge);
       const CircleFrame circle = frame_of(caps, view.frame, half_edge.circle);
       const double from = parameter(circle, start.offset);
-      const double walked = circle.walk * (parameter(circle, end.offset) - from);
-      const double to = end_parameter(from, circle.walk, span_of(caps, half_edge, start, end_half_edge, end, walked));
+      const double to_view = circle.turn * (parameter(circle, end.offset) - from);
+      const double to = end_parameter(from, circle.turn, span_of(caps, half_edge, start, end_half_edge, end, to_view));
       view.arcs.push({from, to, {centre.x + start.offset.x, centre.y + start.offset.y}, caps.ball[half_edge.circle]});
       start = end;
       u = half_edge.next;
@@ -114,10 +88,10 @@ void add_loops(const BallSet &balls, const VisiblePiece &piece, View &view) {
   }
   for (const uint32_t cap : piece.circles()) {
     view.loops.push(static_cast<uint32_t>(view.arcs.required()));
-    const double walk = frame_of(caps, view.frame, cap).walk;
+    const double turn = frame_of(caps, view.frame, cap).turn;
     const ProjectedEllipse ellipse = ellipse_of(balls, view.frame, caps.origin, caps.ball[cap]);
-    view.arcs.push({-walk * pi,
-                    walk * pi,
+    view.arcs.push({-turn * pi,
+                    turn * pi,
                     {ellipse.centre[0] - ellipse.major[0], ellipse.centre[1] - ellipse.major[1]},
                     caps.ball[cap]});
   }

@@ -1,6 +1,6 @@
 #include "view/projected_arcs.hpp"
 
-#include "view/circle_frame.hpp"
+#include "sphere/arc_geometry.hpp"
 
 namespace hsp {
 
@@ -11,14 +11,10 @@ ProjectedEllipse ellipse_of(const BallSet &balls, const ViewFrame &frame, uint32
   const exact::LatticeBall own = balls.ball(ball);
   const exact::Plane P = exact::plane_of(own, balls.ball(other));
   const CircleFrame circle(frame, P.v);
-  // The circle's centre is h v / (2 |v|^2), its radius sqrt(Delta / (4 |v|^2)).
-  const double U = static_cast<double>(dot(P.v, P.v));
-  const double height = static_cast<double>(P.h) / (2 * std::sqrt(U));
-  const double Delta = exact::Exact::circle_discriminant(exact::sphere_of(own), P);
-  const double radius = Delta > 0.0 ? std::sqrt(Delta / (4 * U)) : 0.0;
-  return {{centre.x + height * circle.axis.x, centre.y + height * circle.axis.y},
-          {radius * circle.along.x, radius * circle.along.y},
-          {radius * circle.across.x, radius * circle.across.y}};
+  const CircleGeometry geometry(exact::sphere_of(own), P);
+  return {{centre.x + geometry.height * circle.axis.x, centre.y + geometry.height * circle.axis.y},
+          {geometry.radius * circle.along.x, geometry.radius * circle.along.y},
+          {geometry.radius * circle.across.x, geometry.radius * circle.across.y}};
 }
 
 ViewBox box_of(const BallSet &balls, const View &view) {

@@ -1,11 +1,40 @@
-// Circles of spheres as ellipses in the view plane. Source of the basis: on the circle of ball j with a ball in the
-// unit direction n (view coordinates), b = (-n_y, n_x, 0)/s with s = sqrt(n_x^2 + n_y^2) is horizontal and is seen in
-// its full length, the direction across b is seen shortened by |n_z|.
+// Circles of spheres as ellipses in the view plane.
 #pragma once
 
 #include "view/view.hpp"
 
 namespace hsp {
+
+// The basis of a circle of a sphere in a view: `along` is horizontal and the major axis of the ellipse; `across` lies
+// in the circle's plane, a quarter turn counter-clockwise from it, and appears shortened. On the circle of a ball with
+// one in the unit direction n, along = (-n_y, n_x, 0)/s with s = sqrt(n_x^2 + n_y^2), and across appears shortened by
+// |n_z|. Nothing is ill-conditioned in three dimensions when the circle is seen edge on.
+struct CircleFrame {
+  // Unit vectors in view coordinates.
+  Vec3 axis, along, across;
+  // A half-edge runs clockwise about the axis, with the outside of the half-space on its left. In the view plane this
+  // is counter-clockwise (+1) or clockwise (-1).
+  double turn;
+
+  // A silhouette: the axis points away from the viewer.
+  CircleFrame() : axis{0.0, 0.0, -1.0}, along{1.0, 0.0, 0.0}, across{0.0, 1.0, 0.0}, turn(1.0) {}
+  // v: normal of the circle's plane, of any length.
+  CircleFrame(const ViewFrame &frame, const exact::Vector &v) {
+    const Vec3 n = frame.to_view(exact::to_double(v));
+    const double length = std::sqrt(dot(n, n));
+    axis = {n.x / length, n.y / length, n.z / length};
+    const double s = std::sqrt(axis.x * axis.x + axis.y * axis.y);
+    turn = axis.z < 0.0 ? 1.0 : -1.0;
+    if (s == 0.0) {
+      along = {1.0, 0.0, 0.0};
+      across = {0.0, 1.0, 0.0};
+      return;
+    }
+    along = {-axis.y / s, axis.x / s, 0.0};
+    const double steep = axis.z / s;
+    across = {turn * steep * axis.x, turn * steep * axis.y, -turn * s};
+  }
+};
 
 // The points centre + cos t major + sin t minor; minor points a quarter turn counter-clockwise from major.
 struct ProjectedEllipse {

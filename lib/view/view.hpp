@@ -33,7 +33,6 @@ struct View {
   FixedVector<PieceRecord> pieces;  // farthest first
   FixedVector<uint32_t> loops;      // their first arcs; loops and arcs are in the order of the grid
   FixedVector<ArcRecord> arcs;
-  Span<uint32_t> scratch;  // [balls], for whoever reads the view
 
   uint32_t end_of_loops(uint32_t piece) const { return pieces[piece].first_loop + pieces[piece].loops; }
   uint32_t end_of_arcs(uint32_t loop) const { return loop + 1 < loops.size() ? loops[loop + 1] : arcs.size(); }
@@ -42,7 +41,6 @@ struct View {
     pieces = FixedVector<PieceRecord>(workspace.take<PieceRecord>(limits.balls));
     loops = FixedVector<uint32_t>(workspace.take<uint32_t>(limits.arcs));
     arcs = FixedVector<ArcRecord>(workspace.take<ArcRecord>(limits.arcs));
-    scratch = workspace.take<uint32_t>(limits.balls);
   }
 };
 

@@ -12,11 +12,12 @@ void ViewBuilder::carve(Workspace &workspace, const ViewLimits &limits) {
   piece_.carve(workspace, limits.neighbours);
   cut_ = FixedVector<PieceRecord>(workspace.take<PieceRecord>(limits.balls));
   visible_ = workspace.take<uint8_t>(limits.balls);
+  scratch_ = workspace.take<uint32_t>(limits.balls);
   keys_ = workspace.take<DepthKey>(limits.balls);
 }
 
-// A ball of radius 0 has no front, a ball without faces is not seen. What is painted of the others covers it, so it
-// need not cut anything either.
+// Balls of radius 0 have no front and balls without faces are invisible. The pieces of the other balls cover them, so
+// they need not cut anything either.
 void ViewBuilder::choose_balls(const CubeGrid &grid, const Boundary *boundary, bool all_balls) {
   const BallSet &balls = grid.balls();
   for (uint32_t i = 0; i < balls.n; ++i) {

@@ -34,6 +34,8 @@ class ViewBuilder {
   const View &structure() const { return structure_; }
   const ViewLimits &needed() const { return needed_; }
   PieceKind kind() const { return kind_; }
+  // Scratch memory for writers of pictures; [balls].
+  Span<uint32_t> scratch() { return scratch_; }
 
  private:
   void choose_balls(const CubeGrid &grid, const Boundary *boundary, bool all_balls);
@@ -49,6 +51,7 @@ class ViewBuilder {
   VisiblePiece piece_;
   Span<uint8_t> visible_;         // [balls]
   FixedVector<PieceRecord> cut_;  // [balls] pieces in the order of the grid
+  Span<uint32_t> scratch_;        // [balls]
   Span<DepthKey> keys_;           // [balls]
 };
 

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "measure/loop_turn.hpp"
+#include "measure/exterior_angles.hpp"
 
 namespace {
 

@@ -65,7 +65,7 @@ TEST(DirectionOf, StaysWithinItsBound) {
   std::mt19937_64 random(11);
   long double worst = 0.0L;
   const auto measure = [&worst](double angle) {
-    const hsp::Direction at = hsp::sin_cos(angle);
+    const hsp::SinCos at = hsp::sin_cos(angle);
     worst = std::max(worst, std::fabs(at.cosine - std::cos(static_cast<long double>(angle))));
     worst = std::max(worst, std::fabs(at.sine - std::sin(static_cast<long double>(angle))));
   };

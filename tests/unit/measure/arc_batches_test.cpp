@@ -72,33 +72,29 @@ class ArcsOfBall {
   hsp::exact::Plane plane(uint32_t other) const { return hsp::exact::plane_of(own_, balls_.ball(other)); }
 
   Vec3 offset_of(const hsp::HalfEdge &half_edge) const {
-    double offset[3];
-    hsp::vertex_offset(plane(half_edge.circle), plane(half_edge.previous_circle), -1,
-                       boundary_.root_discriminant(half_edge.vertex), offset);
-    return {offset[0], offset[1], offset[2]};
+    return hsp::crossing_point(plane(half_edge.circle), plane(half_edge.previous_circle), -1,
+                               boundary_.root_discriminant(half_edge.vertex));
   }
 
   void check_arc(const hsp::ArcBatch &batch, uint32_t c, Seen &seen) const {
     const hsp::HalfEdge &half_edge = boundary_.half_edge(batch.arc_half_edge[c]);
     ASSERT_EQ(batch.other[c], half_edge.circle);
-    const hsp::CircleGeometry circle = hsp::circle_geometry(balls_, ball_, half_edge.circle);
+    const hsp::CircleGeometry circle(balls_, ball_, half_edge.circle);
     const double r = balls_.r[ball_];
     const bool is_small = r == 0.0 || circle.radius * 8 < r;
     seen.small_circles += is_small ? 1U : 0U;
     seen.plain_arcs += is_small ? 0U : 1U;
-    const double exact = hsp::arc_angle(balls_, boundary_, ball_, batch.arc_half_edge[c]);
+    const double exact = hsp::angle_of(balls_, boundary_, ball_, batch.arc_half_edge[c]);
     EXPECT_NEAR(batch.angle[c], exact, is_small ? 0.0 : 0x1p-46 * r / circle.radius);
     // X = 2 (q - p) x u; a loop walks from q to p.
     const Vec3 chord = hsp::combine(2.0, offset_of(half_edge), -2.0, offset_of(boundary_.half_edge(half_edge.next)));
-    const Vec3 X = hsp::cross(chord, {circle.axis[0], circle.axis[1], circle.axis[2]});
+    const Vec3 X = cross(chord, circle.axis);
     const double tolerance = 0x1p-44 * r;
     EXPECT_NEAR(batch.Xx[c], X.x, tolerance);
     EXPECT_NEAR(batch.Xy[c], X.y, tolerance);
     EXPECT_NEAR(batch.Xz[c], X.z, tolerance);
-    const double height =
-        circle.centre[0] * circle.axis[0] + circle.centre[1] * circle.axis[1] + circle.centre[2] * circle.axis[2];
-    EXPECT_NEAR(batch.twice_height[c], 2 * height, 0x1p-46 * r);
-    EXPECT_NEAR(batch.ux[c], circle.axis[0], 0x1p-50);
+    EXPECT_NEAR(batch.twice_height[c], 2 * dot(circle.centre, circle.axis), 0x1p-46 * r);
+    EXPECT_NEAR(batch.ux[c], circle.axis.x, 0x1p-50);
   }
 
   const hsp::BallSet &balls_;

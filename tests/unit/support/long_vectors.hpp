@@ -33,8 +33,8 @@ inline long double length(const Vector &a) {
 inline Vector centre(const hsp::BallSet &balls, uint32_t i) {
   return {balls.x[i], balls.y[i], balls.z[i]};
 }
-inline Vector position(const hsp::BallSet &balls, const hsp::Place &place) {
-  return centre(balls, place.ball) + Vector{place.offset[0], place.offset[1], place.offset[2]};
+inline Vector position(const hsp::BallSet &balls, const hsp::Position &position) {
+  return centre(balls, position.ball) + Vector{position.offset.x, position.offset.y, position.offset.z};
 }
 
 // The circle in which two spheres meet; the axis is a unit vector from ball a to ball b.

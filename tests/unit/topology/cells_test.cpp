@@ -32,7 +32,7 @@ void check_start(BuiltTopology &built, uint32_t face, uint32_t top_ball, Seen &s
   ASSERT_EQ(topology.ball_of(built.boundary(), face), top_ball);
   const std::vector<uint32_t> ring = ring_of(topology, face);
   for (uint32_t v = topology.first_pole; v < topology.vertex_count; ++v) {
-    if (topology.pole[v - topology.first_pole] != 2 * top_ball) continue;
+    if (topology.pole_at(v).ball() != top_ball || topology.pole_at(v).is_lowest()) continue;
     ASSERT_TRUE(std::any_of(ring.begin(), ring.end(), [&](uint32_t q) { return topology.quads.origin(q) == v; }));
     ++seen.vertices;
     return;

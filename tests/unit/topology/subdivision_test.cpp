@@ -78,7 +78,7 @@ class Check {
         if (2 * pi - step < tie) step = 0;
         ASSERT_GE(step, least_gap_) << "piece " << k << " of host " << host << ": " << oracle::to_text(set_);
         // The edge turns by as much, or by a whole turn more or less.
-        const uint32_t edge = hsp::edge_of(built_.structure().walk_start[host]) + static_cast<uint32_t>(k) - 1;
+        const uint32_t edge = hsp::edge_of(built_.structure().chain_start[host]) + static_cast<uint32_t>(k) - 1;
         const long double angle = geometry_of_edge(built_.balls(), built_.boundary(), built_.structure(), edge).angle;
         ASSERT_NEAR(static_cast<double>(std::remainder(angle - step, 2 * pi)), 0.0, static_cast<double>(tie))
             << "piece " << k << " of host " << host << ": " << oracle::to_text(set_);
@@ -101,7 +101,7 @@ class Check {
     for (uint32_t s = 0; s < points().size(); ++s) {
       const hsp::SubdivisionVertex &point = points()[s];
       const hsp::HostBalls pair = hsp::balls_of_host(built_.boundary(), point.host);
-      if (point.extra[0] != hsp::no_id && point.extra[1] != hsp::no_id) {
+      if (point.cut_end[0].exists() && point.cut_end[1].exists()) {
         const bool on_circle = s < 2 * built_.boundary().circle_count();
         ++(on_circle ? seen_.shared_on_circles : seen_.shared_on_arcs);
         // Ids must have no effect on the position: of the two planes that are one it is that of the ball of lower rank.
@@ -111,15 +111,16 @@ class Check {
         }
       }
       for (uint32_t side = 0; side < 2; ++side) {
-        if (point.extra[side] == hsp::no_id) continue;
-        ASSERT_LT(point.extra[side], met.size());
-        ++met[point.extra[side]];
-        const hsp::CutArc &arc = topology.cut_arcs[point.extra[side] / 2];
-        const uint32_t end = point.extra[side] % 2;
+        const hsp::CutArcEnd cut_end = point.cut_end[side];
+        if (!cut_end.exists()) continue;
+        ASSERT_LT(2 * cut_end.arc() + cut_end.end(), met.size());
+        ++met[2 * cut_end.arc() + cut_end.end()];
+        const hsp::CutArc &arc = topology.cut_arcs[cut_end.arc()];
+        const uint32_t end = cut_end.end();
         const uint32_t own = side == 0 ? pair.a : pair.b;
         const uint32_t other = side == 0 ? pair.b : pair.a;
         ASSERT_EQ(arc.ball, own);
-        const uint32_t q = hsp::quarter_edge(topology.cut_first_edge[point.extra[side] / 2]);
+        const uint32_t q = hsp::quarter_edge(topology.cut_first_edge[cut_end.arc()]);
         const uint32_t outward = end == 0 ? q : hsp::sym(q + 4 * (arc.pieces() - 1));
         ASSERT_EQ(topology.quads.origin(outward), vertex_of(s)) << oracle::to_text(set_);
         // Counter-clockwise about the normal of the upright plane through the cap's axis.
@@ -132,9 +133,9 @@ class Check {
         ASSERT_NEAR(static_cast<double>(dot(at, normal) / (length(normal) * length(at))), 0.0, 1e-5);
         const long double inward = dot(cross(normal, at), towards) / scale;
         if (end == 0) {
-          ASSERT_LE(inward, tie) << "arc " << point.extra[side] / 2 << ": " << oracle::to_text(set_);
+          ASSERT_LE(inward, tie) << "arc " << cut_end.arc() << ": " << oracle::to_text(set_);
         } else {
-          ASSERT_GE(inward, -tie) << "arc " << point.extra[side] / 2 << ": " << oracle::to_text(set_);
+          ASSERT_GE(inward, -tie) << "arc " << cut_end.arc() << ": " << oracle::to_text(set_);
         }
       }
     }

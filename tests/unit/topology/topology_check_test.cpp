@@ -260,33 +260,33 @@ const std::vector<Flaw> flaws = {
        }
        return std::min(lonely, lonely == 0 ? 1U : 0U);
      }},
-    {"a face visited twice", TopologyInvariant::scan,
+    {"a face visited twice", TopologyInvariant::traversal,
      [](BuiltTopology &b) {
-       const uint32_t first = b.structure().shells[0].first_scan;
-       b.structure().scan[first + 1] = b.structure().scan[first];
+       const uint32_t first = b.structure().shells[0].first_traversed;
+       b.structure().traversal[first + 1] = b.structure().traversal[first];
        return 0U;
      }},
-    {"a face of another shell visited", TopologyInvariant::scan,
+    {"a face of another shell visited", TopologyInvariant::traversal,
      [](BuiltTopology &b) {
-       std::swap(b.structure().scan[b.structure().shells[0].first_scan + 1],
-                 b.structure().scan[b.structure().shells[1].first_scan + 1]);
+       std::swap(b.structure().traversal[b.structure().shells[0].first_traversed + 1],
+                 b.structure().traversal[b.structure().shells[1].first_traversed + 1]);
        return 0U;
      }},
-    {"a face visited that is not there", TopologyInvariant::scan,
+    {"a face visited that is not there", TopologyInvariant::traversal,
      [](BuiltTopology &b) {
-       b.structure().scan[b.structure().shells[1].first_scan + 1] = b.structure().face_count;
+       b.structure().traversal[b.structure().shells[1].first_traversed + 1] = b.structure().face_count;
        return 1U;
      }},
-    {"a scan that starts elsewhere", TopologyInvariant::scan,
+    {"a scan that starts elsewhere", TopologyInvariant::traversal,
      [](BuiltTopology &b) {
-       const uint32_t first = b.structure().shells[0].first_scan;
-       b.structure().shells[0].start_face = b.structure().scan[first + 1];
+       const uint32_t first = b.structure().shells[0].first_traversed;
+       b.structure().shells[0].start_face = b.structure().traversal[first + 1];
        return 0U;
      }},
-    {"a scan that ends beyond the table", TopologyInvariant::scan,
+    {"a scan that ends beyond the table", TopologyInvariant::traversal,
      [](BuiltTopology &b) {
        const uint32_t last = b.structure().shell_count - 1;
-       ++b.structure().shells[last].first_scan;
+       ++b.structure().shells[last].first_traversed;
        return last;
      }},
     {"a shell of no component", TopologyInvariant::cells,

@@ -12,14 +12,13 @@ class ExteriorAngleSum {
 
   // Two angles in [0, pi] by their directions: y >= +0, and a length in [2^-7, 2].
   //
-  // The turns are counted by half-planes, told by the sign of Y: the product (X, Y) is in the upper one for angles in
-  // [0, pi], in the lower one for [pi, 2 pi], where pi is (-1, -0) and 2 pi is (1, -0), and a turn is complete when it
-  // leaves the lower one for the upper one. Rounding cannot make the count wrong. The new Y is X y + Y x. From the
-  // upper half-plane the new angle lies in [0, 2 pi]; it would be taken for one near the other end only if the sign of
-  // the new Y were wrong near 0, where X, x > 0 and both terms are >= +0, or near 2 pi, where X, x < 0 and both are <=
-  // -0. From the lower one it lies in [pi, 3 pi]: near pi X < 0 < x and both terms are <= -0, near 3 pi x < 0 < X and
-  // both are
-  // >= +0. Elsewhere the count and the angle change together.
+  // Whole turns are counted by half-planes, given by the sign of Y: the product (X, Y) is in the upper one for angles
+  // in [0, pi], in the lower one for [pi, 2 pi], where pi is (-1, -0) and 2 pi is (1, -0), and a turn is complete when
+  // it leaves the lower one for the upper one. Rounding cannot make the count wrong. The new Y is X y + Y x. From the
+  // upper half-plane the new angle lies in [0, 2 pi]; it would be mistaken for one near the other end only if the sign
+  // of the new Y were wrong near 0, where X, x > 0 and both terms are >= +0, or near 2 pi, where X, x < 0 and both are
+  // <= -0. From the lower one it lies in [pi, 3 pi]: near pi X < 0 < x and both terms are <= -0, near 3 pi x < 0 < X
+  // and both are >= +0. Elsewhere the count and the angle change together.
   void add_directions(const Lanes &x, const Lanes &y) {
     const Lanes X = x_ * x - y_ * y;
     const Lanes Y = x_ * y + y_ * x;

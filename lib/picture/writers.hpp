@@ -1,0 +1,22 @@
+// The writers of the picture formats. In the files px are the unit.
+#pragma once
+
+#include "picture/byte_sink.hpp"
+#include "picture/paint.hpp"
+
+namespace hsp {
+
+// Scalable Vector Graphics 1.1; y down.
+void write_svg(ByteSink &sink, const PictureInput &input, const PictureOptions &options, const Page &page,
+               const Paint &paint);
+
+// Encapsulated PostScript, language level 3; y up. The end of each arc, as written, is within 1e-6 px of the start of
+// the next.
+void write_eps(ByteSink &sink, const PictureInput &input, const PictureOptions &options, const Page &page,
+               const Paint &paint);
+
+// Portable Document Format 1.4, without compression; y up.
+void write_pdf(ByteSink &sink, const PictureInput &input, const PictureOptions &options, const Page &page,
+               const Paint &paint);
+
+}  // namespace hsp
