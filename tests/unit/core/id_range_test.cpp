@@ -1,0 +1,7 @@
+#include "id_range_cases.hpp"
+
+#include "expect_cases.hpp"
+
+TEST(IdRange, Cases) {
+  expect_cases(cases::core_id_range);
+}

@@ -1,0 +1,7 @@
+#include "simd_cases.hpp"
+
+#include "expect_cases.hpp"
+
+TEST(Simd, Cases) {
+  expect_cases(cases::core_simd);
+}

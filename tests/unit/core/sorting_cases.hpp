@@ -1,0 +1,54 @@
+// Sorting: sorted, and the same items as before, for all lengths around the change of method.
+#pragma once
+
+#include "cases.hpp"
+#include "core/sorting.hpp"
+
+namespace cases {
+
+struct ToSort {
+  uint32_t length, different;  // items, and how many different values they have
+  bool ascending, descending;  // already
+};
+constexpr ToSort to_sort[] = {
+    {0, 1, false, false},     {1, 1, false, false},    {2, 2, false, true},     {2, 2, true, false},
+    {3, 2, false, false},     {22, 22, false, false},  {23, 23, false, true},   {23, 23, true, false},
+    {23, 4, false, false},    {24, 24, false, false},  {24, 24, true, false},   {24, 24, false, true},
+    {24, 3, false, false},    {25, 25, false, false},  {25, 1, false, false},   {64, 64, false, false},
+    {199, 100, false, false}, {200, 200, true, false}, {200, 200, false, true}, {200, 7, false, false}};
+
+inline uint32_t sorted_whatever_the_length() {
+  return first_failing(to_sort, [](const ToSort &c) {
+    uint32_t items[200], times[200] = {};
+    Random random(c.length + c.different);
+    for (uint32_t k = 0; k < c.length; ++k) {
+      items[k] = c.ascending ? k : c.descending ? c.length - 1 - k : random.below(c.different);
+      ++times[items[k]];
+    }
+    hsp::sort_in_place(hsp::Span<uint32_t>(items, c.length), [](uint32_t a, uint32_t b) { return a < b; });
+    for (uint32_t k = 0; k < c.length; ++k) {
+      if (k > 0 && items[k] < items[k - 1]) return false;
+      --times[items[k]];
+    }
+    for (const uint32_t rest : times) {
+      if (rest != 0) return false;
+    }
+    return true;
+  });
+}
+
+// The comparison alone decides: here larger items come first.
+inline uint32_t sorted_by_the_given_order() {
+  int items[30];
+  for (int k = 0; k < 30; ++k) items[k] = k * 7 % 30;
+  hsp::sort_in_place(hsp::Span<int>(items, 30), [](int a, int b) { return a > b; });
+  for (uint32_t k = 0; k < 30; ++k) {
+    if (items[k] != 29 - static_cast<int>(k)) return k;
+  }
+  return all_hold;
+}
+
+inline constexpr Check core_sorting[] = {{"sorted_whatever_the_length", sorted_whatever_the_length},
+                                         {"sorted_by_the_given_order", sorted_by_the_given_order}};
+
+}  // namespace cases

@@ -1,0 +1,7 @@
+#include "span_cases.hpp"
+
+#include "expect_cases.hpp"
+
+TEST(Span, Cases) {
+  expect_cases(cases::core_span);
+}

@@ -1,0 +1,75 @@
+// Carving: what is measured suffices for blocks at any address, arrays are aligned and apart, and sizes that do not fit
+// are reported.
+#pragma once
+
+#include "cases.hpp"
+#include "core/workspace.hpp"
+
+namespace cases {
+
+struct Layout {
+  uint32_t bytes, doubles, words;  // lengths of three arrays
+};
+constexpr Layout layouts[] = {{3, 17, 5}, {0, 0, 0}, {64, 8, 16}, {1, 0, 1}, {65, 1, 33}, {0, 9, 0}, {200, 0, 1}};
+
+inline uint32_t measured_memory_suffices() {
+  return first_failing(layouts, [](const Layout &c) {
+    const auto carve = [&](hsp::Workspace &workspace, hsp::Span<unsigned char> &a, hsp::Span<double> &b,
+                           hsp::Span<uint32_t> &w) {
+      a = workspace.take<unsigned char>(c.bytes);
+      b = workspace.take<double>(c.doubles);
+      w = workspace.take<uint32_t>(c.words);
+    };
+    hsp::Span<unsigned char> a;
+    hsp::Span<double> b;
+    hsp::Span<uint32_t> w;
+    hsp::Workspace measure;
+    carve(measure, a, b, w);
+    if (a.data() != nullptr || b.data() != nullptr || w.data() != nullptr) return false;
+    const size_t bytes = measure.bytes();
+    unsigned char memory[800];
+    if (bytes + 64 > sizeof memory) return false;
+    for (size_t offset = 0; offset < 64; ++offset) {
+      hsp::Workspace workspace(memory + offset, bytes);
+      carve(workspace, a, b, w);
+      const uintptr_t at[4] = {reinterpret_cast<uintptr_t>(a.data()), reinterpret_cast<uintptr_t>(b.data()),
+                               reinterpret_cast<uintptr_t>(w.data()),
+                               reinterpret_cast<uintptr_t>(memory + offset + bytes)};
+      const uintptr_t end[3] = {at[0] + c.bytes, at[1] + c.doubles * sizeof(double),
+                                at[2] + c.words * sizeof(uint32_t)};
+      if (a.size() != c.bytes || b.size() != c.doubles || w.size() != c.words) return false;
+      if (at[0] < reinterpret_cast<uintptr_t>(memory + offset)) return false;
+      for (uint32_t k = 0; k < 3; ++k) {
+        if (at[k] % hsp::Workspace::alignment != 0 || end[k] > at[k + 1]) return false;
+      }
+    }
+    return true;
+  });
+}
+
+// A block that is too short gives nothing instead of memory behind its end.
+inline uint32_t short_blocks_give_nothing() {
+  alignas(64) unsigned char memory[256];
+  hsp::Workspace workspace(memory, sizeof memory);
+  const bool conditions[] = {workspace.take<double>(16).size() == 16, workspace.take<double>(17).empty()};
+  return first_false(conditions);
+}
+
+inline uint32_t sizes_that_do_not_fit() {
+  hsp::Workspace measure;
+  measure.take<double>(UINT64_MAX / 4);
+  measure.take<double>(UINT64_MAX / 4);
+  // The padding after the first array reaches half of the address space; the others would go once around it.
+  hsp::Workspace around;
+  around.take<char>(SIZE_MAX / 2 - 10);
+  around.take<char>(SIZE_MAX / 2);
+  around.take<char>(64);
+  const bool conditions[] = {measure.bytes() == 0, around.bytes() == 0};
+  return first_false(conditions);
+}
+
+inline constexpr Check core_workspace[] = {{"measured_memory_suffices", measured_memory_suffices},
+                                           {"short_blocks_give_nothing", short_blocks_give_nothing},
+                                           {"sizes_that_do_not_fit", sizes_that_do_not_fit}};
+
+}  // namespace cases
