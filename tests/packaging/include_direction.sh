@@ -1,14 +1,17 @@
 #!/usr/bin/env bash
-# Arrows between the rooms run downward only.
-#   include_direction.sh SOURCE-FOLDER
+# The rooms of lib/ and their arrows: includes run downward only, and lib/README.md draws them and names every file.
+#   include_direction.sh SOURCE-FOLDER           checks
+#   include_direction.sh SOURCE-FOLDER --write   writes the drawing into lib/README.md, then checks
 set -euo pipefail
 cd "$1"
-# What each room may include besides itself and what these include: two wings stand over the boundary.
-rooms="core exact model sphere boundary topology measure view picture"
-declare -A over=([core]="" [exact]=core [model]=exact [sphere]=model [boundary]=sphere [topology]=boundary [measure]=topology
-  [view]=boundary [picture]=view)
+readme=lib/README.md
+
+# What each room stands on. It may include itself, these rooms, and what these stand on. Two wings stand over the
+# boundary: measure and topology know nothing of view and picture, nor these of them.
+rooms="core exact model sphere boundary topology measure view picture capi"
+declare -A stands_on=([core]="" [exact]="core" [model]="exact" [sphere]="model" [boundary]="sphere"
+  [topology]="boundary" [measure]="topology" [view]="boundary" [picture]="view" [capi]="measure picture")
 failed=0
-files=0
 
 complain() {
   echo "$1"
@@ -17,37 +20,51 @@ complain() {
 
 # Whether room $1 may include room $2.
 allowed() {
-  local room=$1
-  while [ -n "$room" ]; do
-    if [ "$room" = "$2" ]; then return 0; fi
-    room=${over[$room]}
+  local lower
+  if [ "$1" = "$2" ]; then return 0; fi
+  for lower in ${stands_on[$1]}; do
+    if allowed "$lower" "$2"; then return 0; fi
   done
   return 1
 }
 
 for folder in lib/*/; do
-  [ -n "${over[$(basename "$folder")]+known}" ] || complain "$folder: a room without a place in the order"
+  [ -n "${stands_on[$(basename "$folder")]+known}" ] || complain "$folder: a room without a place in the order"
 done
 
+# Reads every include in quotation marks; included["room other"] is set if a file of the room includes the other one.
+declare -A included=()
+files=0
 while read -r file; do
   files=$((files + 1))
-  room=$(echo "$file" | cut -d/ -f2)
-  while read -r included; do
-    other=${included%%/*}
-    if [ "$other" = "$included" ]; then
-      complain "$file includes \"$included\": lib/ names its own headers by room"
-    elif [ -z "${over[$other]+known}" ]; then
-      complain "$file includes \"$included\": no room of lib/"
+  case $file in
+    lib/*) room=$(echo "$file" | cut -d/ -f2) ;;
+    *) room=capi ;;
+  esac
+  while read -r name; do
+    other=${name%%/*}
+    if [ "$other" = "$name" ]; then
+      [ "$room" = capi ] || complain "$file includes \"$name\": lib/ names its own headers by room"
+    elif [ -z "${stands_on[$other]+known}" ]; then
+      complain "$file includes \"$name\": no room of lib/"
     elif ! allowed "$room" "$other"; then
-      complain "$file includes \"$included\": $room does not stand over $other"
-    elif [ ! -e "lib/$included" ]; then
-      complain "$file includes \"$included\": no such file"
+      complain "$file includes \"$name\": $room does not stand over $other"
+    elif [ ! -e "lib/$name" ]; then
+      complain "$file includes \"$name\": no such file"
+    else
+      included["$room $other"]=1
     fi
   done < <(sed -n 's/^[[:space:]]*#[[:space:]]*include[[:space:]]*"\([^"]*\)".*/\1/p' "$file")
-  if grep -nE '#[[:space:]]*include[[:space:]]*[<"](hardsphere|hsp_)' "$file"; then
+  if [ "$room" != capi ] && grep -nE '#[[:space:]]*include[[:space:]]*[<"](hardsphere|hsp_)' "$file"; then
     complain "$file: lib/ does not know the C interface"
   fi
-done < <(find lib -name '*.hpp' -o -name '*.cpp' | sort)
+done < <({ find lib -name '*.hpp' -o -name '*.cpp'; find capi -maxdepth 1 -name '*.?pp'; } | sort)
+[ $files -gt 0 ] || complain "no file found in lib/"
+for room in $rooms; do
+  for lower in ${stands_on[$room]}; do
+    [ -n "${included["$room $lower"]+used}" ] || complain "the order puts $room on $lower, but no include needs that"
+  done
+done
 
 # Nobody includes the entry points' headers, and users' code knows the public header alone.
 for header in capi/*.hpp; do
@@ -61,6 +78,51 @@ if grep -rnE '#[[:space:]]*include[[:space:]]*"('"${rooms// /|}"')/' capi/tool c
   complain "programs and interface tests go through hardsphere.h"
 fi
 
-[ $files -gt 0 ] || complain "no file found in lib/"
-[ $failed -eq 0 ] && echo "$files files of lib/ include downward only"
+# The drawing: the order from the table, and below it which room really includes which.
+top_down=$(echo "$rooms" | tr ' ' '\n' | tac)
+draw() {
+  local room lower other
+  echo
+  echo '```mermaid'
+  echo 'flowchart TD'
+  for room in $top_down; do
+    for lower in ${stands_on[$room]}; do echo "  $room --> $lower"; done
+  done
+  echo '```'
+  echo
+  echo "| includes | ${rooms// / | } |" | sed 's/ | capi |$/ |/'
+  echo "|---|$(echo "${rooms% capi}" | sed 's/[a-z]* */---|/g')"
+  for room in $top_down; do
+    printf '| **%s** |' "$room"
+    for other in ${rooms% capi}; do
+      if [ "$room" != "$other" ] && [ -n "${included["$room $other"]+used}" ]; then printf ' x |'; else printf '   |'; fi
+    done
+    echo
+  done
+  echo
+}
+begin='<!-- The drawing is written by: bash tests/packaging/include_direction.sh . --write -->'
+end='<!-- End of the drawing -->'
+if [ "${2:-}" = --write ]; then
+  draw >"$readme.drawing"
+  awk -v begin="$begin" -v end="$end" -v drawing="$readme.drawing" '
+    $0 == end { inside = 0 }
+    !inside { print }
+    $0 == begin { inside = 1; while ((getline line < drawing) > 0) print line }' "$readme" >"$readme.new"
+  mv "$readme.new" "$readme"
+  rm "$readme.drawing"
+fi
+if ! diff <(draw) <(awk -v begin="$begin" -v end="$end" '$0 == end { inside = 0 } inside; $0 == begin { inside = 1 }' "$readme"); then
+  complain "$readme: the drawing is not that of the includes (>); bash tests/packaging/include_direction.sh . --write mends it"
+fi
+
+# The section "### room" of lib/README.md has an item for each file or for several: "- `caps`, `cap_pair`: what they are".
+for room in ${rooms% capi}; do
+  named=$(awk -v heading="### $room" '/^#/ { inside = $0 == heading } inside && /^- `/' "$readme" |
+    sed 's/^- //; s/:.*//' | grep -o '`[^`]*`' | tr -d '`' | sort)
+  present=$(find "lib/$room" -name '*.hpp' -o -name '*.cpp' | sed 's,.*/,,; s,[.].*,,' | sort -u)
+  diff <(echo "$present") <(echo "$named") || complain "$readme: section \"### $room\" (>) does not name the files of the room (<)"
+done
+
+[ $failed -eq 0 ] && echo "$files files include downward only, as lib/README.md draws it"
 exit $failed

@@ -118,7 +118,7 @@ MeasuredValues measured_by_library(const Balls &balls) {
 
 MeasuredValues measured_by_slices(const Balls &balls) {
   // Finer than usual: a ball's end close to the end of a circle costs digits. What is left is seen by turning the set,
-  // see gradient/differences_test.cpp.
+  // see tests/differential/gradient/differences_test.cpp.
   const oracle::SliceMeasures measures = oracle::measure_by_slices(oracle::real_balls(balls), 0.07L);
   constexpr Real relative = 2e-15L;
   const Real radius = largest_radius(balls);

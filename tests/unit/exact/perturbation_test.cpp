@@ -1,5 +1,5 @@
-// Every stage of the predicates against balls that are really inflated by tiny amounts (tie_rule_determinants.hpp): the
-// symbolic perturbation gives the sign of the inflated value, the exact stage that of the value as given, a tie is
+// Every stage of the predicates against balls that are really inflated by tiny amounts (perturbation_determinants.hpp):
+// the symbolic perturbation gives the sign of the inflated value, the exact stage that of the value as given, a tie is
 // reported where that is zero, and the filter is sure only where the exact stage says the same. Both limb widths.
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// The floating-point stage of the vertex search (boundary/cap_pair.hpp, and boundary/caps.hpp below it) at the worst
+// The floating-point stage of the vertex search (sphere/cap_pair.hpp, and sphere/caps.hpp below it) at the worst
 // inputs a search finds, in units of its stated error bounds: radii as different as 1 and 2^29, nearly parallel axes,
 // circles that nearly touch. q is compared as a fraction of integers; quantities with roots in long double, after every
 // sum that could cancel was done in integers. Wherever an answer is certain, it is held against signs of integers.

@@ -1,0 +1,46 @@
+#!/usr/bin/env bash
+# What comments and pages cite is there: the files of the repository that they name, and the sections of PROOFS.md.
+#   citations.sh SOURCE-FOLDER
+set -euo pipefail
+cd "$1"
+folders="lib capi include tests bench fuzz .github .ci"
+
+# A file is cited by its path from the root, from lib/, capi/ or tests/, from the citing file's folder, or by its name.
+find $folders ./*.* -type f | sed 's,^\./,,' | awk '
+  function exists(name, from) {
+    sub(/[^\/]*$/, "", from)
+    while (name ~ /^\.\.\//) { sub(/^\.\.\//, "", name); sub(/[^\/]*\/$/, "", from) }
+    return name in path || ("lib/" name) in path || ("capi/" name) in path || ("tests/" name) in path ||
+      (from name) in path || name in bare
+  }
+  function cite(file, line, text,   name, number) {
+    if (text ~ /^ *# *include/) return
+    while (match(text, /[A-Za-z0-9_.][A-Za-z0-9_\/.-]+\.(hpp|cpp|h|c|md|sh|awk|f90|cmake)/)) {
+      name = substr(text, RSTART, RLENGTH)
+      text = substr(text, RSTART + RLENGTH)
+      if (text ~ /^[A-Za-z0-9_(]/ || name ~ /^(tests\/a\/|_)/) continue  # parts of names, and how files are named
+      ++citations
+      if (!exists(name, file)) { print file ":" line ": no file \"" name "\""; failed = 1 }
+      if (name ~ /PROOFS.md$/ && match(text, /^, section [0-9]+/)) {
+        number = substr(text, 11, RLENGTH - 10)
+        if (!(number in section)) { print file ":" line ": PROOFS.md has no section " number; failed = 1 }
+      }
+    }
+  }
+  { path[$0] = 1; name = $0; sub(/.*\//, "", name); bare[name] = 1; files[++count] = $0 }
+  END {
+    while ((getline text < "lib/exact/PROOFS.md") > 0) {
+      if (text ~ /^## [0-9]+\./) { split(text, part, /[ .]/); section[part[2]] = 1 }
+    }
+    close("lib/exact/PROOFS.md")
+    for (k = 1; k <= count; ++k) {
+      page = files[k] ~ /\.md$/
+      if (!page && files[k] !~ /\.(hpp|cpp|h|c|f90)$/) continue
+      for (line = 1; (getline text < files[k]) > 0; ++line) {
+        if (page || match(text, /(^|[ ;{}])(\/\/|\/\*)|^ *[*!]/)) cite(files[k], line, page ? text : substr(text, RSTART))
+      }
+      close(files[k])
+    }
+    print citations " citations of files"
+    exit failed || citations == 0
+  }'
