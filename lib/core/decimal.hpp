@@ -7,7 +7,7 @@
 
 namespace hsp {
 
-// Powers of ten that are doubles.
+// All powers of ten up to 10^22 are exact as doubles.
 inline constexpr int largest_power_of_ten = 22;
 constexpr double power_of_ten[largest_power_of_ten + 1] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                                            1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,

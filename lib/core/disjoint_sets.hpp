@@ -27,7 +27,8 @@ class DisjointSets {
     while (parent_[k] != k) k = parent_[k];
     return k;
   }
-  // Joins two sets; the root for which before(root, other_root) holds stays root. False if they were one already.
+  // Joins two sets; the root for which before(root, other_root) holds stays root. Returns false if they were one set
+  // already.
   template <class Before>
   bool join(uint32_t a, uint32_t b, Before before) {
     a = find(a);

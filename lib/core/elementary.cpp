@@ -52,7 +52,7 @@ double arc_tangent(double y, double x) {
   if (k <= 1) {
     low = correction_near_origin(ratio);
   } else {
-    if (large > 0x1p900) {  // keeps the split below from overflowing; the ratio is what matters
+    if (large > 0x1p900) {  // prevents overflow in the split below; only the ratio matters
       small *= 0x1p-64;
       large *= 0x1p-64;
     }

@@ -1,5 +1,5 @@
-// The angles of two directions in the plane, without branches: a boundary asks for one per arc, and the octants of
-// arcs cannot be predicted.
+// The angles of two directions in the plane, computed without branches: every arc needs one, and the octants of arcs
+// cannot be predicted.
 #pragma once
 
 #include "core/elementary.hpp"

@@ -1,5 +1,5 @@
-// A vector over memory of fixed capacity that goes on counting when it is full, so that an overflow ends with the
-// number that would have sufficed instead of a guess.
+// A vector over memory of fixed capacity. It keeps counting when it is full, so that an overflow reports the number
+// that would have sufficed.
 #pragma once
 
 #include "core/span.hpp"

@@ -1,5 +1,6 @@
-// The floating-point environment every result relies on: IEEE doubles, every operation rounded once. Included wherever
-// doubles are computed with, so that a build that breaks the promise of equal bits does not compile.
+// The floating-point environment every result relies on: IEEE doubles, every operation rounded once. Every file that
+// computes with doubles includes this header, so that a build that would break the promise of equal bits does not
+// compile.
 #pragma once
 
 #include <cfloat>

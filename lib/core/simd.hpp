@@ -1,5 +1,6 @@
-// Two doubles at once, by the vector types of GCC and clang, which are in registers on every target with a 128-bit
-// vector unit. Every lane is computed by IEEE operations as a scalar would be, so that results do not depend on it.
+// Two doubles at once, with the vector types of GCC and clang. Targets with a 128-bit vector unit keep them in
+// registers. Each lane is computed by the same IEEE operations as a scalar, so that results do not depend on the
+// target.
 #pragma once
 
 #include <bit>
@@ -47,7 +48,8 @@ inline void store_mask(int64_t *p, const LaneMask &mask) {
 inline Lanes mask_and(const LaneMask &mask, const Lanes &a) {
   return std::bit_cast<Lanes>(mask & std::bit_cast<LaneMask>(a));
 }
-// The same for masks. (GCC takes a & of two comparisons apart where the target has no blend instruction.)
+// The same for masks. (On targets without a blend instruction GCC splits a plain & of two comparisons into single
+// lanes.)
 inline LaneMask mask_and(const LaneMask &a, const LaneMask &b) {
   return std::bit_cast<LaneMask>(mask_and(a, std::bit_cast<Lanes>(b)));
 }

@@ -1,4 +1,4 @@
-// What an operation of the library reports. The numbers are those of hardsphere.h (checked in capi/conversion.hpp).
+// The outcome of an operation. The numbers are those of hardsphere.h (checked in capi/conversion.hpp).
 #pragma once
 
 #include <cstdint>

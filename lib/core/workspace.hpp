@@ -38,7 +38,7 @@ class Workspace {
 
  private:
   void *reserve(uint64_t count, size_t size) {
-    if (used_ > SIZE_MAX / 2 || count > (SIZE_MAX / 2 - used_) / size) {  // padding may pass the half
+    if (used_ > SIZE_MAX / 2 || count > (SIZE_MAX / 2 - used_) / size) {  // padding can exceed half of SIZE_MAX
       overflow_ = true;
       return nullptr;
     }

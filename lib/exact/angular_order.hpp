@@ -1,7 +1,7 @@
 // The order of directions around an axis, exactly. Used for the mid-points of the covered arcs of a circle: ball Q
-// covers an arc whose mid-point lies in the direction of v_Q, whatever the arc's size. Among the planes that own a free
-// end point this order is that of the free arcs, and no two of them tie (exact-predicates, section 4: of two arcs with
-// one mid-point the inner one owns nothing), so no square root and no symbolic perturbation is needed.
+// covers an arc whose mid-point lies in the direction of v_Q, whatever the arc's size. For the planes with a free end
+// point this is the order of the free intervals, and no two of them tie: so no square root and no symbolic perturbation
+// is needed (PROOFS.md, section 4).
 #pragma once
 
 #include "exact/filter.hpp"
@@ -35,8 +35,8 @@ inline bool counter_clockwise_before(const Vector &axis, const Vector &reference
   return orientation(axis, v, w) > 0;
 }
 
-// Whether x lies strictly between the directions from and to, counter-clockwise; if they are equal, the way is the
-// whole turn.
+// Whether x lies inside the counter-clockwise turn that leads from `from` to `to`, ends excluded. Equal ends are a
+// whole turn, which contains every x.
 inline bool strictly_between(const Vector &axis, const Vector &from, const Vector &x, const Vector &to) {
   if (orientation(axis, from, to) == 0 && Exact::cross_dot_cross_sign(axis, from, to) > 0) return true;
   return counter_clockwise_before(axis, from, x, to);

@@ -65,7 +65,8 @@ Owner lowest(const Sphere &sphere, const Plane &P, const Plane &Q, const Plane *
   return owner;
 }
 
-// The first non-zero coefficient in the order of ranks; the linear predicates side and A end with one of these.
+// The first non-zero coefficient in the order of ranks. It decides the linear predicates, side and A, where their value
+// is 0.
 struct Term {
   Plane rank;
   int coefficient;
@@ -89,13 +90,14 @@ template <class Limb>
 Sign ExactPredicates<Limb>::crossing(const Sphere &sphere, const Plane &P, const Plane &Q) {
   using E = Evaluation<Limb>;
   const Vector n = cross(P.v, Q.v);
-  // Parallel planes: D = -|h_P v - h_Q u|^2 stays negative under the perturbation unless all centres coincide.
+  // Parallel planes: D = -|h_P v - h_Q u|^2 stays negative under the perturbation (PROOFS.md, section 3).
   if (is_zero(n)) return {-1, false};
   const auto q = E::q_of(P, Q);
   const int value = E::D_of(sphere, n, q).sign();
   if (value != 0) return {value, false};
 
-  // dD/dw is twice alpha = q.v for P, twice beta = -q.u for Q, and for the origin what is left of 4N.
+  // Half of dD/dw: alpha = q.v for P, beta = -q.u for Q, and for the origin 2N less alpha and beta, each only if its
+  // plane is that of a ball.
   const auto alpha = E::template dot_long<128>(q, Q.v);
   const auto minus_beta = E::template dot_long<128>(q, P.v);
   int derivative = 0;
@@ -153,7 +155,7 @@ PointStatus ExactPredicates<Limb>::point_status(const Sphere &sphere, const Plan
     const Term terms[] = {{origin_plane(sphere), minus_T_n.sign()}, {P, a.sign()}, {Q, b.sign()}, {R, 1}};
     return first_in_rank(terms);
   };
-  if (sign_B == 0) {  // four coplanar centres: both points lie in the same way to R
+  if (sign_B == 0) {  // four coplanar centres: both points are on the same side of R
     const int side = perturbed_A();
     return {{side, side}, {value_A == 0, value_A == 0}};
   }

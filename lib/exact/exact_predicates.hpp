@@ -1,7 +1,8 @@
-// The exact stage of the predicates and the symbolic perturbation behind it. Source: Simulation of Simplicity
-// (Edelsbrunner and Muecke, ACM TOG 9, 1990) applied to the weights alone: w_i -> w_i + eps_i with eps of lower rank
-// infinitely larger. Every predicate is a polynomial of degree at most 2 in the eps, so its sign is that of: the value;
-// else one derivative, by the eps of the lowest rank; else the constant sign of the second derivative.
+// The exact stage of the predicates, with the symbolic perturbation. Source: Simulation of Simplicity (Edelsbrunner and
+// Muecke, ACM TOG 9, 1990) applied to the weights alone: w_i -> w_i + eps_i, where the eps of lower rank is infinitely
+// larger. Every predicate is a polynomial of degree at most 2 in the eps. Its sign is that of the value; if this is 0,
+// that of the derivative by the eps of lowest rank; if this is 0 too, that of the second derivative, which is constant.
+// The proofs are in PROOFS.md, sections 1 to 3.
 #pragma once
 
 #include "exact/plane.hpp"
@@ -9,16 +10,15 @@
 
 namespace hsp::exact {
 
-// A sign that is never 0, and whether the symbolic perturbation had to find it because the value was. (Circles with
-// parallel axes never cross, whatever the inflation, so they are no tie even where D is 0.)
+// A sign that is never 0, and whether it comes from the symbolic perturbation because the value was 0. (Circles with
+// parallel axes never cross, whatever the perturbation, so they are not tied even if D is 0.)
 struct Sign {
   int sign;
   bool tied;
 };
 
-// Where the two common points p+ and p- of the circles of P and Q lie with respect to a third ball R: +1 inside, -1
-// outside. A point is tied if it lies exactly on the third sphere (or plane) before the perturbation. Index 0: p-,
-// index 1: p+.
+// Whether the two common points p+ and p- of the circles of P and Q lie inside (+1) or outside (-1) a third ball R. A
+// point is tied if it lies exactly on the third sphere (or plane) before the perturbation. Index 0: p-, index 1: p+.
 struct PointStatus {
   int side[2];
   bool tied[2];
@@ -32,7 +32,7 @@ struct ExactPredicates {
   static Sign crossing(const Sphere &sphere, const Plane &P, const Plane &Q);
   // For circles that do not cross: +1 if circle P lies inside half-space R, else -1.
   static Sign side(const Sphere &sphere, const Plane &P, const Plane &R);
-  // For circles P, Q that cross: where their common points lie with respect to R.
+  // For circles P, Q that cross: whether their common points lie inside R.
   static PointStatus point_status(const Sphere &sphere, const Plane &P, const Plane &Q, const Plane &R);
 
   // Exact values, rounded once, for metric quantities.

@@ -1,5 +1,5 @@
 // The floating-point stage of the predicates: the polynomials of plane.hpp in double, with static error bounds for one
-// sphere. The answer is +1 or -1 when it is certain, 0 when the question has to be passed on.
+// sphere. The answer is +1 or -1 when it is certain, and 0 when the exact stage has to decide.
 //
 // With L^2 = max(W, |v|^2) over the planes in use and e = 2^-53, n, h and W exact integers converted with one rounding
 // each:
@@ -49,7 +49,7 @@ inline int filter_side(const FilterBounds &bounds, const Plane &P, const Plane &
   return -certain_sign(beta, bounds.beta);
 }
 
-// True if both points' status is certain; then it is stored.
+// Returns whether the status of both points is certain, and stores it if so.
 inline bool filter_point_status(const FilterBounds &bounds, const Sphere &sphere, const Plane &P, const Plane &Q,
                                 const Plane &R, PointStatus &status) {
   const CircleCrossing<Vec3, double> crossing = circle_crossing(P, Q);

@@ -1,6 +1,6 @@
-// The decimal lattice: lengths become integers once, at the door. A step that is a power of ten represents text input
-// exactly, and a multiplication or division by an exactly representable power of ten is one IEEE operation, so rounding
-// is the same everywhere.
+// The decimal lattice: lengths are rounded to integers once, on input. A step that is a power of ten represents text
+// input exactly. Multiplying or dividing by a power of ten that is a double is one IEEE operation, so rounding is the
+// same everywhere.
 #pragma once
 
 #include "core/decimal.hpp"
@@ -17,7 +17,7 @@ class Lattice {
   // Step 1.
   Lattice() = default;
 
-  // A step that was given: finite and > 0. Steps that are the nearest double of a power of ten are taken as that power.
+  // A given step, finite and > 0. A step that is the double nearest to a power of ten counts as that power.
   static Lattice with_step(double step) {
     for (int k = 0; k <= largest_power_of_ten; ++k) {
       if (step == 1.0 / power_of_ten[k]) return Lattice(k);
@@ -27,8 +27,8 @@ class Lattice {
     lattice.divisor_ = step;
     return lattice;
   }
-  // The smallest power of ten that keeps the largest radius plus the probe below the limit, each rounded on its own;
-  // 1e-8 if both are 0. False if there is none.
+  // The smallest power of ten that keeps the largest radius plus the probe, rounded separately, below the limit; 1e-8
+  // if both are 0. Returns false if there is none.
   static bool for_largest_radius(double radius, double probe, Lattice &lattice) {
     if (radius == 0.0 && probe == 0.0) {
       lattice = Lattice(8);

@@ -1,4 +1,5 @@
-// How two closed balls of the lattice lie to each other, ties decided by the symbolic inflation.
+// Balls on the lattice, and the relation of two of them: disjoint, nested, or meeting in a circle. The symbolic
+// perturbation decides ties.
 #pragma once
 
 #include "exact/plane.hpp"
@@ -34,8 +35,8 @@ constexpr PairRelation pair_relation(const LatticeBall &a, const LatticeBall &b)
   }
   if (U != sum_squared && U != difference_squared) return PairRelation::circle;
   // Tangent (or equal): the derivative of Delta by the weight of the ball of lower rank is U + w_higher - w_lower, the
-  // second is negative. Positive: an infinitesimal circle. Else the ball of lower rank, inflated more, swallows the
-  // other.
+  // second is negative. Positive: an infinitesimal circle. Else the ball of lower rank, which is inflated more,
+  // contains the other.
   const bool a_first = ranks_before(a, b);
   const int64_t w_lower = a_first ? a.radius * a.radius : b.radius * b.radius;
   const int64_t w_higher = a_first ? b.radius * b.radius : a.radius * a.radius;

@@ -48,8 +48,8 @@ struct Sphere {
 struct Plane {
   Vector v;
   int64_t h;
-  // 1 for a ball, whose plane moves when the origin ball is inflated; 0 for a virtual plane (meridian, ray), which does
-  // not.
+  // 1 for a ball, whose plane moves when the origin ball is inflated; 0 for a virtual plane (meridian, ray,
+  // silhouette), which does not move.
   int32_t perturbed;
   uint32_t index;
 };
@@ -58,8 +58,8 @@ constexpr Plane virtual_plane(const Vector &v, int64_t h) {
   return {v, h, 0, 0};
 }
 
-// The rank of the balls behind two planes (rank.hpp). Seen from one origin the centres order as the v do, and of two
-// balls with one centre the smaller has the larger h. Virtual planes come after all balls.
+// The rank of the balls behind two planes (rank.hpp). For one origin the order of the centres is that of the v, and of
+// two balls with one centre the smaller has the larger h. Virtual planes come after all balls.
 constexpr bool ranks_before(const Plane &a, const Plane &b) {
   if (a.perturbed != b.perturbed) return a.perturbed > b.perturbed;
   return ranks_before(RankKey<int64_t>{a.v.x, a.v.y, a.v.z, -a.h, a.index},

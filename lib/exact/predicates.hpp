@@ -1,5 +1,5 @@
-// The predicates as everybody calls them: the filter first, the exact stage and its symbolic perturbation where
-// the filter is not certain.
+// The predicates that the other rooms call: the filter stage first, then, where it is not certain, the exact stage with
+// its symbolic perturbation.
 #pragma once
 
 #include "exact/filter.hpp"

@@ -1,5 +1,5 @@
-// How often each stage of each predicate answered. Compiled in only with HSP_COUNT_STAGES, which tests define for a
-// copy of the library of their own; the library as it ships has no globals.
+// How often each stage of each predicate answered. Compiled only with HSP_COUNT_STAGES, which a test defines for its
+// own copy of the library; the shipped library has no globals.
 #pragma once
 
 #include <cstdint>

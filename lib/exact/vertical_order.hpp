@@ -1,5 +1,5 @@
-// The order of the points where spheres are entered along a vertical line, exactly: sums of two square roots, by
-// squaring twice (degree 4).
+// The exact order of the points where a vertical line enters spheres. Sums of two square roots are compared by squaring
+// twice (degree 4).
 #pragma once
 
 #include "exact/lattice_ball.hpp"
@@ -29,9 +29,9 @@ inline int compare_entries(int64_t z, int64_t a, int64_t b) {
   return sign_with_root(z * z + b - a, 2 * z, b);
 }
 
-// What a vertical line up from a point meets of a ball.
+// The part of a vertical line inside a ball, measured upwards from a point of the line.
 struct VerticalCut {
-  int64_t below;  // from the point up to the ball's centre
+  int64_t below;  // height of the ball's centre above the point
   int64_t power;  // r^2 - distance^2 of the line: the line is inside from below - sqrt(power) to below + sqrt(power)
 };
 

@@ -22,7 +22,7 @@ struct DoubleLimb<uint64_t> {
 };
 #endif
 
-// The library's own limb.
+// The limb that the library itself uses.
 #if defined(__SIZEOF_INT128__) && !defined(HSP_PORTABLE_LIMBS)
 using FastLimb = uint64_t;
 #else
@@ -140,8 +140,8 @@ constexpr WideInteger<Limb, out> product(const WideInteger<Limb, a_bits> &a, con
   constexpr int w = Result::limb_bits;
   Result result{};
 #if defined(__SIZEOF_INT128__)
-  // Two's complement products do not depend on signs up to the width of the result, so that the compiler's own
-  // type does.
+  // Up to the width of the result, products in two's complement do not depend on signs, so the compiler's unsigned type
+  // suffices.
   if constexpr (sizeof(Limb) == 8 && n == 2 && na <= 2 && nb <= 2) {
     const uint128 whole = sign_extended(a) * sign_extended(b);
     result.limb[0] = static_cast<Limb>(whole);

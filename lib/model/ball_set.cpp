@@ -25,7 +25,7 @@ Status BallRounding::prepare(const BallInput &input, uint32_t &first_bad) {
     lattice_ = exact::Lattice::with_step(input.step);
     if (!is_finite(lattice_.steps(1.0))) return Status::range;
   } else if (!exact::Lattice::for_largest_radius(largest, input.probe, lattice_)) {
-    // The ball is to blame only if the lattice could not hold it without the probe either.
+    // The ball is reported only if it is too large even without the probe.
     if (!exact::Lattice::for_largest_radius(largest, 0.0, lattice_)) first_bad = largest_ball;
     return Status::range;
   }

@@ -1,5 +1,5 @@
-// The balls on their lattice. Coordinates and radii are integers carried in doubles, which is exact below 2^53, because
-// the hot loops subtract and square them; the exact predicates get them back as int64.
+// The balls on their lattice. Coordinates and radii are integers stored in doubles (exact below 2^53), because the hot
+// loops subtract and square them; the exact predicates get them as int64.
 #pragma once
 
 #include "core/span.hpp"
@@ -10,19 +10,19 @@
 
 namespace hsp {
 
-// What the caller handed in, by reference.
+// The caller's arrays and options, by reference.
 struct BallInput {
   uint32_t n = 0;
   const double *xyz = nullptr;     // [n][3]
   const double *radius = nullptr;  // [n]
   double probe = 0.0;
-  double step = 0.0;  // 0: select from the largest radius
+  double step = 0.0;  // 0: chosen by the largest radius
 };
 
 // Rounds balls of an input to their lattice one at a time, so that no second copy of the set is needed.
 class BallRounding {
  public:
-  // Checks probe, step and all radii, and fixes the lattice. first_bad: the offending ball, or no_id.
+  // Checks probe, step and all radii, and chooses the lattice. first_bad: the offending ball, or no_id.
   Status prepare(const BallInput &input, uint32_t &first_bad);
   // Ball i of the input on the lattice.
   Status round(uint32_t i, exact::LatticeBall &ball) const;

@@ -8,7 +8,7 @@ namespace {
 
 // floor(value / side) for |value| < 2^52. The estimate has an error below |value| 2^-52 / side < 1 / side, while a
 // quotient that is no integer is at least 1 / side away from the next one: so truncation is off by at most one, and the
-// remainder tells.
+// sign and size of the remainder show it.
 int64_t floor_divide(int64_t value, int64_t side, double reciprocal) {
   int64_t quotient = static_cast<int64_t>(static_cast<double>(value) * reciprocal);
   const int64_t rest = value - quotient * side;
@@ -57,7 +57,8 @@ Status CubeGrid::build(const BallInput &input, uint32_t &first_bad) {
   BallRounding rounding;
   if (const Status status = rounding.prepare(input, first_bad); status != Status::ok) return status;
 
-  // Every ball is rounded twice, once to know r_max and hence the cubes, once to be stored: cheaper than a second copy.
+  // Every ball is rounded three times: for r_max and hence the side of the cubes, for its cube, and for storing it.
+  // That is cheaper than a second copy of the set.
   int64_t largest = 0;
   exact::LatticeBall ball;
   for (uint32_t i = 0; i < input.n; ++i) {
@@ -73,7 +74,7 @@ Status CubeGrid::build(const BallInput &input, uint32_t &first_bad) {
   balls_.probe_steps = rounding.probe_steps();
   balls_.largest_radius = largest;
 
-  // Count sort by cube. grid_index_ holds the cubes' numbers in between.
+  // A counting sort by cube. Until its last pass grid_index_ holds the numbers of the cubes.
   table_.clear(input.n);
   for (uint32_t i = 0; i < input.n; ++i) {
     static_cast<void>(rounding.round(i, ball));
@@ -104,7 +105,7 @@ BallRange CubeGrid::balls_in_row(int64_t x_low, int64_t x_high, int64_t y, int64
   for (int64_t x = x_low; x <= x_high; ++x, linear += along_x) {
     const uint32_t cube = table_.find({x, y, z}, linear);
     if (cube == no_id) continue;
-    // The rest of the row follows in the numbering.
+    // The other cubes of the row have the next numbers.
     uint32_t end = cube + 1;
     for (; end < table_.count(); ++end) {
       const CubeCoordinates &next = table_.coordinates(end);

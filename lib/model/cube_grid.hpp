@@ -1,5 +1,6 @@
-// The balls of a set, count-sorted into cubes of side 2 r_max (Section 3). Centres alone are stored, each once: two
-// balls that meet lie in neighbouring cubes, so 27 cubes hold all neighbours of a ball.
+// The balls of a set, sorted by cubes of side 2 r_max (Section 3). Each ball is stored once, in the cube of its centre:
+// the centres of two balls that meet are in the same cube or in neighbouring ones, so 27 cubes hold all neighbours of a
+// ball.
 #pragma once
 
 #include "core/workspace.hpp"
@@ -14,7 +15,7 @@ struct BallRange {
   bool empty() const { return first == last; }
 };
 
-// The balls of the up to 27 cubes around a place, a range for each row of cubes, ascending.
+// The balls of the up to 27 cubes around a position: one range per row of cubes, in ascending order.
 struct CubeBlock {
   BallRange range[9];
   uint32_t ranges = 0;

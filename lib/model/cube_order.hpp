@@ -1,12 +1,12 @@
-// Numbers the cubes so that those of one row, with equal y and z, follow each other in order of x. The balls of
-// neighbouring cubes of a row then lie side by side, and a search for one of them finds the others without hashing.
+// Numbers the cubes so that those of one row, with equal y and z, have consecutive numbers in the order of x. The balls
+// of neighbouring cubes of a row are then consecutive too, and one search in the hash table finds all of them.
 #pragma once
 
 #include "model/cube_table.hpp"
 
 namespace hsp {
 
-// Scratch memory: as many slots as the table of these cubes has, and one link and one place per cube.
+// Scratch memory: as many slots as the table of these cubes has, and one link and one entry of order per cube.
 struct CubeOrderScratch {
   Span<uint32_t> slots, links, order;
 };

@@ -1,5 +1,5 @@
-// The cubes of Section 3 in an open-addressing table with double hashing: cube coordinates -> cube number. The memory
-// is that of the balls, whatever the extent of the set.
+// The cubes of Section 3 in an open-addressing table with double hashing: cube coordinates -> cube number. Its size
+// depends on the number of balls alone, not on the extent of the set.
 //
 // The number of slots is a power of two at least twice the number of cubes, the second hash is odd: every probe
 // sequence visits all slots and ends at an empty one. With load at most 1/2 and independent hashes a search that fails
@@ -17,15 +17,15 @@ struct CubeCoordinates {
   friend constexpr bool operator==(const CubeCoordinates &, const CubeCoordinates &) = default;
 };
 
-// The hash is a linear form in the coordinates, so that neighbours are a constant away, and a finalizer that mixes its
-// high bits down.
+// The hash is a linear form in the coordinates, so that the form of a neighbour differs by a constant; then a finalizer
+// mixes its high bits down.
 constexpr uint64_t linear_hash(const CubeCoordinates &cube) {
   return static_cast<uint64_t>(cube.x) * UINT64_C(0x9E3779B97F4A7C15) +
          static_cast<uint64_t>(cube.y) * UINT64_C(0xC2B2AE3D27D4EB4F) +
          static_cast<uint64_t>(cube.z) * UINT64_C(0x165667B19E3779F9);
 }
 
-// The slots to look at for a cube, one after the other.
+// The sequence of slots where a cube may be.
 struct CubeProbe {
   CubeProbe(uint64_t linear, uint32_t slots) : mask(slots - 1) {
     uint64_t h = (linear ^ (linear >> 32)) * UINT64_C(0xD6E8FEB86659FD93);
@@ -49,7 +49,7 @@ class CubeTable {
   CubeTable() = default;
   CubeTable(Span<uint32_t> slots, Span<CubeCoordinates> cubes) : slots_(slots), cubes_(cubes) {}
 
-  // Forget all cubes; use the slots that `cubes` cubes need.
+  // Removes all cubes; from now on there are as many slots as `cubes` cubes need.
   void clear(uint32_t cubes) {
     count_ = 0;
     longest_probe_ = 0;
@@ -58,7 +58,7 @@ class CubeTable {
   }
 
   uint32_t find(const CubeCoordinates &cube) const { return find(cube, linear_hash(cube)); }
-  // The same for callers that step from cube to cube.
+  // The same for callers that know the linear form.
   uint32_t find(const CubeCoordinates &cube, uint64_t linear) const {
     for (CubeProbe probe(linear, used_slots_);; probe.next()) {
       const uint32_t number = slots_[probe.slot];
@@ -79,7 +79,7 @@ class CubeTable {
     }
   }
 
-  // Gives cube k the number new_number[k]; old_number is the inverse permutation and is used up.
+  // Gives cube k the number new_number[k]; old_number is the inverse permutation and is overwritten.
   void renumber(Span<uint32_t> new_number, Span<uint32_t> old_number) {
     for (uint32_t k = 0; k < used_slots_; ++k) {
       if (slots_[k] != no_id) slots_[k] = new_number[slots_[k]];

@@ -38,8 +38,9 @@ bool overlap(const BallSet &balls, uint32_t i, uint32_t j) {
   return squared < static_cast<uint64_t>(sum * sum);
 }
 
-// Offers every pair whose centres lie in neighbouring cubes of the given side: all pairs up to that distance, each at
-// least once. Balls are chained per slot of an open-addressing table that is keyed by the cube of a slot's first ball.
+// Offers every pair whose centres lie in the same cube or in neighbouring cubes of the given side: all pairs up to that
+// distance, each at least once. An open-addressing table has a chain of balls for every cube; the key of a slot is the
+// cube of its first ball.
 void offer_neighbouring_cubes(CubeGrid &grid, int64_t side, ClosestPair &closest) {
   const BallSet &balls = grid.balls();
   const Span<uint32_t> slots = grid.scratch_slots();
@@ -110,8 +111,9 @@ PackingStatistics packing_statistics(CubeGrid &grid) {
   }
   figures.mean_overlaps = static_cast<double>(overlaps) / static_cast<double>(balls.n);
 
-  // A pair outside neighbouring cubes of some side is further apart than the side, so its ratio exceeds side / r_max.
-  // Coarser cubes are needed only while that does not rule it out: for sets whose balls hardly meet.
+  // Balls in cubes that are not neighbours are further apart than the side of the cubes, so their ratio exceeds side /
+  // r_max. Coarser cubes are tried only while such a pair could still have the smallest ratio: in sets whose balls
+  // hardly meet.
   const double r_max = static_cast<double>(balls.largest_radius);
   constexpr int64_t widest_set = int64_t{1} << 52;
   for (int64_t side = grid.side();

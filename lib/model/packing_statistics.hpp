@@ -1,4 +1,4 @@
-// The hard-sphere figures of Section 2: k, rho, and the numbers of overlaps.
+// The packing statistics of Section 2: k, rho, and the numbers of overlaps.
 #pragma once
 
 #include "model/cube_grid.hpp"

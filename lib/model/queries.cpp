@@ -7,7 +7,8 @@ namespace hsp {
 namespace {
 
 // Whether ball j comes within `radius` of the centre: |c_j - c| <= r_j + radius on the lattice. The differences and the
-// sum are exact in double; the squares have a relative error below 4 units, so that only near-ties need integers.
+// sum are exact as doubles; the squares have a relative error below 4 units of 2^-53, so that only near-ties need
+// integers.
 class Reach {
  public:
   Reach(const BallSet &balls, const LatticeQuery &query)
@@ -24,7 +25,7 @@ class Reach {
     const double s = balls_.r[j] + radius_;
     const double excess = (dx * dx + dy * dy + dz * dz) - s * s;
     const double doubt = 8 * unit_roundoff * s * s;
-    // One branch that is nearly always taken; the sign itself cannot be predicted and must not be branched on.
+    // This branch is nearly always taken. The sign itself cannot be predicted, so there must be no branch on it.
     if (std::fabs(excess) > 2 * doubt) [[likely]]
       return excess < 0.0;
     return exact::Exact::compare_distance(
@@ -46,8 +47,8 @@ bool visit_range(const BallRange &range, Visit &visit) {
 }
 
 // Calls visit(j) for every ball that can contain the point, until it returns false. Such a ball's centre is at most
-// r_max away, half a cube's side, so that along each axis it lies in the point's cube or in the next one on the side of
-// the nearer wall.
+// r_max away, half the side of a cube. So along each axis it lies in the point's cube or in the neighbour beyond the
+// nearer wall.
 template <class Visit>
 void visit_point_candidates(const CubeGrid &grid, const exact::Vector &point, Visit visit) {
   const CubeCoordinates own = grid.cube_at(point);
@@ -83,8 +84,8 @@ void visit_ball_candidates(const CubeGrid &grid, const LatticeQuery &query, Visi
   }
 }
 
-// Hits wait here, so that nothing is written to the caller's array before their number is known to fit. Longer answers
-// are found twice.
+// Hits are buffered, so that nothing is written to the caller's array before it is known that all fit. More hits than
+// the buffer holds are found a second time.
 constexpr uint32_t hit_buffer_size = 128;
 constexpr uint32_t few_hits = 24;
 
@@ -96,7 +97,7 @@ void collect(const BallSet &balls, const LatticeQuery &query, uint32_t excluded,
   uint32_t hit_buffer[hit_buffer_size + 1];
   uint32_t hits = 0;
   candidates([&](uint32_t j) {
-    // Stored in any case and kept if it is a hit: whether it is one cannot be predicted.
+    // Always stored, but kept only if it is a hit: a branch here could not be predicted.
     hit_buffer[hits < hit_buffer_size ? hits : hit_buffer_size] = balls.caller[j];
     hits += static_cast<uint32_t>(reach.meets(j)) & static_cast<uint32_t>(j != excluded);
     return true;
@@ -104,7 +105,7 @@ void collect(const BallSet &balls, const LatticeQuery &query, uint32_t excluded,
   result.hits = hits;
   if (hits > result.capacity) return;
   if (hits <= few_hits) {
-    // Each hit goes straight to its place, the number of smaller ones: a loop without branches on the values.
+    // The position of a hit is the number of smaller ones: a loop without branches on the values.
     for (uint32_t k = 0; k < hits; ++k) {
       uint32_t smaller = 0;
       for (uint32_t other = 0; other < hits; ++other) smaller += hit_buffer[other] < hit_buffer[k] ? 1U : 0U;

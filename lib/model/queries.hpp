@@ -21,17 +21,17 @@ struct QueryResult {
 // Rounds a position and radius to the lattice of the balls.
 Status round_query(const BallSet &balls, const double *xyz, double radius, LatticeQuery &query);
 
-// The balls that contain the point: at most 8 cubes are looked at.
+// The balls that contain the point. Looks at 8 cubes at most.
 void find_balls_at_point(const CubeGrid &grid, const LatticeQuery &point, QueryResult &result);
 
-// The balls that meet the query ball; 27 cubes for radii up to r_max, all cubes within reach or all balls for larger
-// ones.
+// The balls that meet the query ball. Looks at 27 cubes for radii up to r_max; for larger ones at all cubes within
+// reach or at all balls.
 void find_balls_at_ball(const CubeGrid &grid, const LatticeQuery &query, QueryResult &result);
 
 // Whether any ball meets the query ball.
 bool any_ball_meets(const CubeGrid &grid, const LatticeQuery &query);
 
-// The balls that meet ball `place` of the grid's order, itself left out.
+// The balls other than itself that meet ball `place` of the grid's order.
 void find_neighbours(const CubeGrid &grid, uint32_t place, QueryResult &result);
 
 }  // namespace hsp

@@ -13,7 +13,7 @@ class FirstEntry {
     for (uint32_t j = range.first; j < range.last; ++j) {
       exact::VerticalCut cut;
       const exact::LatticeBall ball = balls_.ball(j);
-      // The start lies in no ball, so that a ball is either below it or above.
+      // The start lies in no ball, so a ball with its centre not above it is not entered.
       if (ball.centre.z <= start_.z || !exact::cut_vertically(start_, ball, cut)) continue;
       if (ball_ != no_id) {
         const int order = exact::compare_entries(cut.below - cut_.below, cut.power, cut_.power);
@@ -24,7 +24,7 @@ class FirstEntry {
     }
   }
   uint32_t ball() const { return ball_; }
-  // Whether no ball with its centre at this height or above can be entered earlier.
+  // Whether a ball has been found, and none with its centre at this height or above can be entered earlier.
   bool is_settled(int64_t lowest_centre) const {
     return ball_ != no_id && lowest_centre - balls_.largest_radius - start_.z > cut_.below;
   }

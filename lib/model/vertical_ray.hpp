@@ -5,9 +5,9 @@
 
 namespace hsp {
 
-// The ball whose sphere the ray from `start`, a point in no closed ball, enters first, in the grid's order; no_id if it
-// meets none. Of balls that it enters in one point it is the one of lowest rank, which the symbolic inflation makes the
-// first. highest_centre is the largest z of all centres.
+// The ball, in the grid's order, that the upward ray from `start` enters first; no_id if it enters none. The start must
+// lie in no closed ball. Of several balls entered in one point it is the one of lowest rank, which the symbolic
+// perturbation makes the first. highest_centre is the largest z of all centres.
 uint32_t first_ball_above(const CubeGrid &grid, const exact::Vector &start, int64_t highest_centre);
 
 }  // namespace hsp

@@ -99,7 +99,7 @@ struct Format {
   double away;
 };
 
-// SVG: two decimals, and what a renderer makes of them on narrow ellipses. EPS: 1e-6 px as lib/picture/eps_writer.hpp
+// SVG: two decimals, and what a renderer makes of them on narrow ellipses. EPS: 1e-6 px as lib/picture/writers.hpp
 // says. PDF: four decimals at the ends and in the middle of each cubic, where it touches the arc.
 const std::vector<Format> &formats() {
   static const std::vector<Format> all = {
