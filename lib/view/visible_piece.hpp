@@ -1,6 +1,6 @@
 // The piece of one ball: the free part of its front hemisphere, as loops of half-edges. The half of the sphere
 // behind the centre is one more cap, whose circle is the silhouette, so that everything is decided by the predicates of
-// lib/exact and the vertex search of lib/boundary.
+// lib/exact and the vertex search of lib/sphere.
 #pragma once
 
 #include "boundary/boundary.hpp"
