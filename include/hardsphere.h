@@ -290,7 +290,7 @@ typedef struct hsp_boundary_counts {
  *  Property 3: 2 arcs = 3 vertices. */
 HSP_API int32_t hsp_boundary_get_counts(const hsp_boundary *boundary, hsp_boundary_counts *counts);
 
-/** The tie rule decided about this vertex: a further sphere goes through the point (of a ball that lies inside no
+/** The symbolic perturbation decided about this vertex: a further sphere goes through it (of a ball that lies inside no
  * other), or two of its circles only touch there. */
 #define HSP_VERTEX_TIED UINT32_C(1)
 
@@ -398,9 +398,9 @@ HSP_API int32_t hsp_boundary_measure_faces(const hsp_boundary *boundary, double 
  * differentiable. A_i is continuous; its derivative jumps where two spheres begin to touch, and has an unbounded slope,
  * but no jump, where an arc is born or dies. Where two spheres touch the derivatives here are one-sided
  * (HSP_TANGENT_*), and flags tell which balls are concerned; a ball that touches another from inside counts as lying
- * inside it either way. Where balls are equal A_i jumps and V has a kink: the one of them that counts has the
- * derivatives that it would have alone, the others have 0, and all are flagged. Where three spheres share a free circle
- * derivatives are one-sided too: those of the side that the tie rule takes, without a flag. Radii include the probe.
+ * inside it either way. Where balls are equal A_i jumps and V has a kink: the ball of lowest index has the derivatives
+ * that it would have alone, the others have 0, and all are flagged. Where three spheres share a free circle derivatives
+ * are one-sided too: those of the side that the symbolic perturbation takes, without a flag. Radii include the probe.
  * The lattice's rounding is not differentiated. */
 
 #define HSP_TANGENT_OVERLAP UINT32_C(0)  /**< as if balls that touch overlapped by an infinitely small amount */
@@ -793,8 +793,8 @@ HSP_API int32_t hsp_view_init(void *memory, size_t bytes, const hsp_view_limits 
 #define HSP_PIECES_OUTSIDE_FARTHER UINT32_C(0) /**< front hemispheres outside farther balls; needs no boundary */
 #define HSP_PIECES_OUTSIDE_ALL UINT32_C(1)     /**< front hemispheres outside all balls; cut from a computed boundary */
 
-/** Give also balls a piece that are found to be hidden behind others as a whole. Without this flag most of these are
- *  left out, which changes nothing that is seen, and G-pieces are cut by the balls that are left only. */
+/** Also give a piece to balls that are completely hidden behind others. Without this flag most of these are left out,
+ *  which changes nothing that is seen, and pieces outside farther balls are cut by the remaining balls only. */
 #define HSP_VIEW_ALL_BALLS UINT32_C(1)
 
 /** From where to look, and what to cut. Zero means default in every field but the first. */

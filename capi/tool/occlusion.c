@@ -46,7 +46,8 @@ static int order_of_doubles(const void *left, const void *right) {
   return (a > b) - (a < b);
 }
 
-/* The value that a part of the others does not exceed; *found is set on true. */
+/* Stores in *found the quantile of the values: the one that the fraction `part` of the others does not exceed. False if
+ * there is no memory. */
 static bool quantile(const double *values, uint32_t count, double part, double *found, struct failure *failure) {
   *found = 0.0;
   if (count == 0) return true;

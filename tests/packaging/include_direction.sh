@@ -32,33 +32,32 @@ for folder in lib/*/; do
   [ -n "${stands_on[$(basename "$folder")]+known}" ] || complain "$folder: a room without a place in the order"
 done
 
-# Reads every include in quotation marks; included["room other"] is set if a file of the room includes the other one.
+# Reads every include; included["room other"] is set if a file of the room includes one of the other room.
 declare -A included=()
-files=0
-while read -r file; do
-  files=$((files + 1))
-  case $file in
-    lib/*) room=$(echo "$file" | cut -d/ -f2) ;;
-    *) room=capi ;;
-  esac
-  while read -r name; do
-    other=${name%%/*}
-    if [ "$other" = "$name" ]; then
-      [ "$room" = capi ] || complain "$file includes \"$name\": lib/ names its own headers by room"
-    elif [ -z "${stands_on[$other]+known}" ]; then
-      complain "$file includes \"$name\": no room of lib/"
-    elif ! allowed "$room" "$other"; then
-      complain "$file includes \"$name\": $room does not stand over $other"
-    elif [ ! -e "lib/$name" ]; then
-      complain "$file includes \"$name\": no such file"
-    else
-      included["$room $other"]=1
-    fi
-  done < <(sed -n 's/^[[:space:]]*#[[:space:]]*include[[:space:]]*"\([^"]*\)".*/\1/p' "$file")
-  if [ "$room" != capi ] && grep -nE '#[[:space:]]*include[[:space:]]*[<"](hardsphere|hsp_)' "$file"; then
-    complain "$file: lib/ does not know the C interface"
+sources=$({ find lib -name '*.hpp' -o -name '*.cpp'; find capi -maxdepth 1 -name '*.?pp'; } | sort)
+files=$(wc -w <<<"$sources")
+while IFS=: read -r file line; do
+  room=capi
+  if [ "${file#lib/}" != "$file" ]; then
+    room=${file#lib/}
+    room=${room%%/*}
+    if [[ $line =~ include[[:space:]]*[\<\"](hardsphere|hsp_) ]]; then complain "$file: lib/ does not know the C interface"; fi
   fi
-done < <({ find lib -name '*.hpp' -o -name '*.cpp'; find capi -maxdepth 1 -name '*.?pp'; } | sort)
+  [[ $line =~ \"([^\"]*)\" ]] || continue
+  name=${BASH_REMATCH[1]}
+  other=${name%%/*}
+  if [ "$other" = "$name" ]; then
+    [ "$room" = capi ] || complain "$file includes \"$name\": lib/ names its own headers by room"
+  elif [ -z "${stands_on[$other]+known}" ]; then
+    complain "$file includes \"$name\": no room of lib/"
+  elif ! allowed "$room" "$other"; then
+    complain "$file includes \"$name\": $room does not stand over $other"
+  elif [ ! -e "lib/$name" ]; then
+    complain "$file includes \"$name\": no such file"
+  else
+    included["$room $other"]=1
+  fi
+done < <(xargs grep -HE '^[[:space:]]*#[[:space:]]*include' <<<"$sources")
 [ $files -gt 0 ] || complain "no file found in lib/"
 for room in $rooms; do
   for lower in ${stands_on[$room]}; do
@@ -70,7 +69,7 @@ done
 for header in capi/*.hpp; do
   [ -e "$header" ] || continue
   name=$(basename "$header")
-  if grep -rnE "#[[:space:]]*include[[:space:]]*[<\"]([^\"]*/)?$name" lib tests bench fuzz capi/tool capi/examples 2>/dev/null; then
+  if grep -rnE --include='*.[ch]*' "#[[:space:]]*include[[:space:]]*[<\"]([^\"]*/)?$name" lib tests bench fuzz capi/tool capi/examples 2>/dev/null; then
     complain "$name is for capi/*.cpp alone"
   fi
 done
