@@ -29,8 +29,14 @@ class FixedVector {
   constexpr uint32_t capacity() const { return storage_.size(); }
   // The stored records.
   constexpr uint32_t size() const { return overflowed() ? storage_.size() : static_cast<uint32_t>(required_); }
-  constexpr const T &operator[](uint32_t k) const { return storage_[k]; }
-  constexpr T &operator[](uint32_t k) { return storage_[k]; }
+  constexpr const T &operator[](uint32_t k) const {
+    check_index(k < required_);
+    return storage_[k];
+  }
+  constexpr T &operator[](uint32_t k) {
+    check_index(k < required_);
+    return storage_[k];
+  }
   constexpr Span<const T> items() const { return storage_.part(0, size()); }
   constexpr Span<T> items() { return storage_.part(0, size()); }
 

@@ -5,10 +5,16 @@
 //
 // The same layout function runs twice: over a null base it only measures, over the caller's block it carves. So the
 // size that is reported and the memory that is used cannot disagree.
+//
+// In tests and fuzz harnesses under the address sanitizer the pads are poisoned, so that an access past an array ends
+// the program although it stays inside the caller's block. Every array but an empty one then has a pad, of 1 to 64
+// bytes instead of 0 to 63. A test that uses such a block for something else takes a new one; carving it again
+// unpoisons it.
 #pragma once
 
 #include <new>
 
+#include "core/poison.hpp"
 #include "core/span.hpp"
 
 namespace hsp {
@@ -21,6 +27,7 @@ class Workspace {
   Workspace() = default;
   Workspace(void *memory, size_t bytes) : base_(static_cast<unsigned char *>(memory)), bytes_(bytes) {
     used_ = padding();
+    unpoison(memory, bytes);
   }
 
   // An array of `count` default-initialised T, or an empty span while measuring.
@@ -45,8 +52,11 @@ class Workspace {
     const size_t place = used_;
     used_ += static_cast<size_t>(count) * size;
     const size_t end = used_;
+    if (poisons && count > 0) ++used_;
     used_ += padding();
-    return base_ == nullptr || end > bytes_ ? nullptr : base_ + place;
+    if (base_ == nullptr || end > bytes_) return nullptr;
+    poison(base_ + end, (used_ < bytes_ ? used_ : bytes_) - end);
+    return base_ + place;
   }
   // Bytes to the next aligned address. While measuring the block is taken to be aligned; bytes() adds the slack.
   size_t padding() const { return (alignment - (reinterpret_cast<uintptr_t>(base_) + used_) % alignment) % alignment; }

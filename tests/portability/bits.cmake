@@ -6,7 +6,7 @@ add_executable(interface_bits ${HSP_PORTABILITY_HERE}/interface_bits.c ${HSP_POR
   ${HSP_PORTABILITY_HERE}/print_gradients.c ${HSP_PORTABILITY_HERE}/print_topology.c
   ${HSP_PORTABILITY_HERE}/print_views.c)
 set_target_properties(interface_bits PROPERTIES C_STANDARD 99 C_STANDARD_REQUIRED ON C_EXTENSIONS OFF)
-target_link_libraries(interface_bits PRIVATE hsp_interface_checks hardsphere hardsphere_warnings)
+target_link_libraries(interface_bits PRIVATE hsp_interface_checks hardsphere_warnings)
 # The ball sets are computed, too, and have to be the same.
 target_compile_options(hsp_interface_checks PRIVATE -ffp-contract=off)
 

@@ -1,0 +1,19 @@
+# Tests and fuzz harnesses link the library compiled once more with HSP_CHECK_INDEX: an index out of range traps, and under
+# the address sanitizer the arrays in a handle's memory lie between poisoned bytes. Programs in folders with the property
+# HSP_SHIPPED_LIBRARY, benchmarks for instance, link the archive that is installed. Libraries that both kinds of programs
+# use link hardsphere_tested, which is what suits the program.
+include_guard(GLOBAL)
+
+hsp_library_objects(hardsphere_checked_objects HSP_CHECK_INDEX=1)
+add_library(hardsphere_checked STATIC $<TARGET_OBJECTS:hardsphere_checked_objects>)
+set_target_properties(hardsphere_checked_objects hardsphere_checked PROPERTIES EXCLUDE_FROM_ALL ON)
+get_target_property(language hardsphere LINKER_LANGUAGE)
+set_target_properties(hardsphere_checked PROPERTIES LINKER_LANGUAGE ${language})
+target_include_directories(hardsphere_checked PUBLIC ${PROJECT_SOURCE_DIR}/include)
+target_link_libraries(hardsphere_checked PUBLIC m PRIVATE hardsphere_sanitizers)
+
+define_property(TARGET PROPERTY HSP_SHIPPED_LIBRARY INHERITED BRIEF_DOCS "Whether a program links the installed archive"
+  FULL_DOCS "Whether a program that links hardsphere_tested links hardsphere or hardsphere_checked")
+add_library(hardsphere_tested INTERFACE)
+target_link_libraries(hardsphere_tested INTERFACE
+  $<IF:$<BOOL:$<TARGET_PROPERTY:HSP_SHIPPED_LIBRARY>>,hardsphere,hardsphere_checked>)
