@@ -101,7 +101,7 @@ class Session {
     topology_.drop();
     boundary_ = nullptr;
     model_ = nullptr;
-    model_memory_.assign(misalignment + given + 1, 0x3C);
+    model_memory_ = std::vector<uint8_t>(misalignment + given + 1, 0x3C);  // new memory: see lib/core/poison.hpp
     uint8_t *memory = no_memory ? nullptr : model_memory_.data() + misalignment;
     hsp_model *made = nullptr;
     const int32_t status = hsp_model_init(memory, given, limit, no_handle ? nullptr : &made);
@@ -262,7 +262,7 @@ class Session {
     const size_t given = missing < bytes ? bytes - missing : 0;
     topology_.drop();
     boundary_ = nullptr;
-    boundary_memory_.assign(misalignment + given + 1, 0x3C);
+    boundary_memory_ = std::vector<uint8_t>(misalignment + given + 1, 0x3C);
     hsp_boundary *made = nullptr;
     const int32_t done = hsp_boundary_init(boundary_memory_.data() + misalignment, given, &limits, &made);
     FUZZ_REQUIRE(done == (status != HSP_OK ? status : missing > 0 ? HSP_E_MEMORY : HSP_OK), "hsp_boundary_init");

@@ -50,7 +50,7 @@ class TopologyCalls {
     const size_t misalignment = bytes_.below(16);
     const size_t given = missing < size ? size - missing : 0;
     topology_ = nullptr;
-    memory_.assign(misalignment + given + 1, 0x3C);
+    memory_ = std::vector<uint8_t>(misalignment + given + 1, 0x3C);
     hsp_topology *made = nullptr;
     const int32_t done = hsp_topology_init(memory_.data() + misalignment, given, &limits, &made);
     FUZZ_REQUIRE(done == (status != HSP_OK ? status : missing > 0 ? HSP_E_MEMORY : HSP_OK), "hsp_topology_init");

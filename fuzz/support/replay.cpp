@@ -1,5 +1,5 @@
 // Runs a harness without a fuzzing engine, with any compiler:
-//   fuzz_NAME_replay [--random COUNT] [--longest BYTES] FOLDER-OR-FILE...
+//   fuzz_AREA [--random COUNT] [--longest BYTES] FOLDER-OR-FILE...
 // Every file of the folders in the order of their names, then COUNT pseudo-random inputs, always the same. An input
 // that fails is named and written to the file `crash-input`, which can be run again by naming it.
 #include <algorithm>

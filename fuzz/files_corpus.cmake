@@ -1,0 +1,20 @@
+# cmake -DINPUTS=folder -DCORPUS=folder -P files_corpus.cmake
+# Makes the corpus of fuzz_files.cpp: the molecules among the inputs of the program's tests, each behind the byte that
+# chooses its format. Inputs of more than 16 KiB are left out: their length matters to the program, not to a fuzzer.
+file(REMOVE_RECURSE ${CORPUS})
+file(MAKE_DIRECTORY ${CORPUS})
+set(digit 0)  # the byte modulo 4 is the format's number, and the digit 0 is a multiple of 4
+foreach(format xyzr pdb pqr xyz)
+  file(WRITE ${CORPUS}.format ${digit})
+  file(GLOB_RECURSE inputs RELATIVE ${INPUTS} ${INPUTS}/*.${format})
+  foreach(input ${inputs})
+    file(SIZE ${INPUTS}/${input} bytes)
+    if(bytes LESS_EQUAL 16384)
+      string(REPLACE "/" "-" name ${input})
+      execute_process(COMMAND ${CMAKE_COMMAND} -E cat ${CORPUS}.format ${INPUTS}/${input}
+        OUTPUT_FILE ${CORPUS}/${name} COMMAND_ERROR_IS_FATAL ANY)
+    endif()
+  endforeach()
+  math(EXPR digit "${digit} + 1")
+endforeach()
+file(REMOVE ${CORPUS}.format)
