@@ -30,18 +30,25 @@ for name in "${names[@]}"; do names_of | grep -qx "$name" || fail "no mutation i
 awk -v root="$source" -f "$here/mutations.awk" "$mutations" || fail "mutations.txt does not fit the code"
 
 # What is built and tested. Files that have not changed keep their times, so that only what has changed is built again.
-source_files() { (cd "$1" && find CMakeLists.txt LICENSE README.md .clang-format capi fuzz include lib tests bench -type f | sort); }
+checksums() { # of a tree: sum, size and name
+  (
+    cd "$1"
+    find CMakeLists.txt LICENSE README.md .clang-format capi fuzz include lib tests bench -type f -print0 2>/dev/null |
+      xargs -0r cksum | sort
+  ) || true
+}
 synchronize() { # to a copy
   local tree=$1 file
   mkdir -p "$tree"
-  source_files "$source" | while read -r file; do
-    if ! cmp -s "$source/$file" "$tree/$file"; then
-      mkdir -p "$tree/$(dirname "$file")"
-      cp "$source/$file" "$tree/$file"
-      case $file in tests/mutation/*) ;; *) rm -f "$folder/tests" ;; esac
-    fi
+  checksums "$source" >"$folder/checksums"
+  checksums "$tree" >"$folder/checksums_of_copy"
+  comm -23 "$folder/checksums" "$folder/checksums_of_copy" | cut -d ' ' -f 3- | while read -r file; do
+    mkdir -p "$tree/$(dirname "$file")"
+    cp "$source/$file" "$tree/$file"
+    case $file in tests/mutation/*) ;; *) rm -f "$folder/tests" ;; esac
   done
-  comm -13 <(source_files "$source") <(source_files "$tree") | while read -r file; do rm "$tree/$file"; done
+  comm -13 <(cut -d ' ' -f 3- "$folder/checksums" | sort) <(cut -d ' ' -f 3- "$folder/checksums_of_copy" | sort) |
+    while read -r file; do rm "$tree/$file"; done
 }
 for ((copy = 0; copy < jobs; ++copy)); do
   tree=$folder/$copy/tree
