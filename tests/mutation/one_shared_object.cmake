@@ -28,7 +28,9 @@ function(hsp_link_one_shared_object)
 
   # The archives: nothing but what they link to.
   set(nothing ${PROJECT_BINARY_DIR}/nothing.c)
-  file(TOUCH ${nothing})
+  if(NOT EXISTS ${nothing})
+    file(TOUCH ${nothing})
+  endif()
   set_property(TARGET hardsphere_objects PROPERTY EXCLUDE_FROM_ALL ON)
   foreach(archive hardsphere hardsphere_checked)
     set_property(TARGET ${archive} PROPERTY SOURCES ${nothing})
