@@ -147,6 +147,11 @@ static double next_part(uint64_t *state) {
   return (double)((z ^ (z >> 31)) >> 11) * 0x1p-53;
 }
 
+/* Whether a point is beyond the silhouette of a piece's ball, and so outside its loops. */
+static int outside_disc(const hsp_view_piece *piece, const double p[2]) {
+  return hypot(p[0] - piece->centre[0], p[1] - piece->centre[1]) > piece->radius * (1 + 1e-9);
+}
+
 static const char *broken_at(const scene *s, uint32_t i, const double p[2]) {
   const view_result *v = s->v;
   const int cut = cut_away(s, i, p);
@@ -163,7 +168,7 @@ static const char *broken_at(const scene *s, uint32_t i, const double p[2]) {
   }
   if (visible < HSP_NONE - 1) {
     uint32_t k = v->info.pieces;
-    while (k > 0 && winding(v, k - 1, p) == 0) --k;
+    while (k > 0 && (outside_disc(&v->pieces[k - 1], p) || winding(v, k - 1, p) == 0)) --k;
     if (k == 0) return "nothing is painted where a ball is seen";
     if (v->pieces[k - 1].ball != visible) return "what is painted last is not what is seen";
   }

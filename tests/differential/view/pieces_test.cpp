@@ -28,7 +28,7 @@ std::string records(const Balls &balls, const Direction &towards) {
   return view_invariant_broken(balls, towards);
 }
 std::string regions(const Balls &balls, const Direction &towards) {
-  return view_regions_disagree(balls, 100, towards);
+  return view_regions_disagree(balls, 50, towards);
 }
 
 void expect_invariant(Invariant invariant, const Balls &balls, const std::vector<Direction> &directions,
