@@ -1,0 +1,61 @@
+// The cap of one ball on another against its closed form: u along the centres, b = (d^2 + R^2 - r^2)/(2 d R).
+#pragma once
+
+#include "small_union.hpp"
+
+namespace cases {
+
+// A ball of radius 5 at the origin, and another one.
+struct OneCap {
+  SmallBall other;
+  uint32_t caps, met;
+  bool contained;
+  double ux, uy, uz, b;
+};
+constexpr OneCap one_cap[] = {
+    {{8, 0, 0, 5}, 1, 1, false, 1, 0, 0, 0.8},    {{0, 6, 0, 5}, 1, 1, false, 0, 1, 0, 0.6},
+    {{0, 0, -3, 4}, 1, 1, false, 0, 0, -1, 0.6},  {{0, 3, 4, 5}, 1, 1, false, 0, 0.6, 0.8, 0.5},
+    {{-3, 0, 0, 7}, 1, 1, false, -1, 0, 0, -0.5}, {{10, 0, 0, 5}, 1, 1, false, 1, 0, 0, 1.0},  // touches from outside
+    {{11, 0, 0, 5}, 0, 0, false, 0, 0, 0, 0},     {{1, 0, 0, 2}, 0, 1, false, 0, 0, 0, 0},     // inside
+    {{0, 0, 1, 10}, 0, 0, true, 0, 0, 0, 0}};                                                  // around
+
+inline uint32_t caps_of_one_ball() {
+  return first_failing(one_cap, [](const OneCap &c) {
+    const SmallBall balls[] = {{0, 0, 0, 5}, c.other};
+    if (!small_union().build(balls, 2)) return false;
+    const hsp::Caps &caps = small_union().gathered(0).caps;
+    if (caps.count != c.caps || caps.contained != c.contained || (!c.contained && caps.met != c.met)) return false;
+    if (caps.count == 0) return true;
+    return near(caps.ux[0], c.ux, 1e-15) && near(caps.uy[0], c.uy, 1e-15) && near(caps.uz[0], c.uz, 1e-15) &&
+           near(caps.b[0], c.b, 1e-15) && caps.ball[0] == small_union().grid().grid_index(1) &&
+           caps.cap_of(caps.ball[0]) == 0;
+  });
+}
+
+// Six balls around one, of which some are dropped, and half of the sphere is added.
+inline uint32_t caps_are_found_dropped_and_added() {
+  const SmallBall balls[] = {{0, 0, 0, 10},  {12, 0, 0, 5}, {-12, 0, 0, 5}, {0, 12, 0, 5},
+                             {0, -12, 0, 5}, {0, 0, 12, 5}, {0, 0, -12, 5}};
+  if (!small_union().build(balls, 7)) return 0;
+  hsp::Caps &caps = small_union().gathered(0).caps;
+  if (caps.count != 6) return 1;
+  for (uint32_t k = 0; k < 6; ++k) {
+    if (caps.cap_of(caps.ball[k]) != k || (k > 0 && caps.ball[k] <= caps.ball[k - 1])) return 2;
+    if ((k >= caps.first_later) != (caps.ball[k] > caps.origin)) return 3;
+  }
+  const hsp::BallSet &set = small_union().balls();
+  caps.keep_if([&set](uint32_t ball) { return set.x[ball] == 0.0; });
+  if (caps.count != 4) return 4;
+  for (uint32_t k = 0; k < 4; ++k) {
+    if (set.x[caps.ball[k]] != 0.0 || caps.ux[k] != 0.0 || caps.plane[k].v.x != 0) return 5;
+  }
+  caps.add_half_sphere({0, 0, 3});
+  const bool half = caps.count == 5 && caps.ball[4] == hsp::no_id && caps.uz[4] == 1.0 && caps.b[4] == 0.0 &&
+                    caps.plane[4].h == 0 && caps.plane[4].perturbed == 0;
+  return half ? all_hold : 6;
+}
+
+inline constexpr Check sphere_caps[] = {{"caps_of_one_ball", caps_of_one_ball},
+                                        {"caps_are_found_dropped_and_added", caps_are_found_dropped_and_added}};
+
+}  // namespace cases
