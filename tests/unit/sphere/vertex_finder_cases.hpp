@@ -2,55 +2,10 @@
 // all other balls.
 #pragma once
 
-#include "small_union.hpp"
+#include "small_scenes.hpp"
 #include "sphere/arc_geometry.hpp"
 
 namespace cases {
-
-struct Scene {
-  uint32_t n;
-  SmallBall ball[8];
-  uint32_t vertices, circles, faces, shells, components;
-};
-constexpr Scene scenes[] = {
-    {1, {{1, 2, 3, 4}}, 0, 0, 1, 1, 1},
-    {2, {{0, 0, 0, 500}, {600, 0, 0, 500}}, 0, 1, 2, 1, 1},
-    {2, {{0, 0, 0, 500}, {5000, 0, 0, 500}}, 0, 0, 2, 2, 2},
-    {2, {{0, 0, 0, 500}, {100, 0, 0, 100}}, 0, 0, 1, 1, 1},
-    {3, {{0, 0, 0, 500}, {600, 0, 0, 500}, {1200, 0, 0, 500}}, 0, 2, 3, 1, 1},
-    {3, {{0, 0, 0, 1000}, {1000, 0, 0, 1000}, {500, 800, 0, 1000}}, 2, 0, 3, 1, 1},
-    {4, {{0, 0, 0, 1000}, {1000, 0, 0, 1000}, {500, 800, 0, 1000}, {500, 300, 800, 1000}}, 4, 0, 4, 1, 1},
-    {4, {{0, 0, 0, 1000}, {1000, 0, 0, 1000}, {500, 866, 0, 300}, {500, -866, 0, 300}}, 4, 0, 4, 1, 1},
-    // Three balls in a ring: a torus.
-    {3, {{0, 0, 0, 550}, {1000, 0, 0, 550}, {500, 866, 0, 550}}, 0, 3, 3, 1, 1},
-    // Six around a void: both common points of each of the eight triples are free.
-    {6,
-     {{1000, 0, 0, 850},
-      {-1000, 0, 0, 850},
-      {0, 1000, 0, 850},
-      {0, -1000, 0, 850},
-      {0, 0, 1000, 850},
-      {0, 0, -1000, 850}},
-     16,
-     0,
-     12,
-     2,
-     1},
-    // The same with a ball in the void, and one beside it.
-    {8,
-     {{1000, 0, 0, 850},
-      {-1000, 0, 0, 850},
-      {0, 1000, 0, 850},
-      {0, -1000, 0, 850},
-      {0, 0, 1000, 850},
-      {0, 0, -1000, 850},
-      {0, 0, 0, 100},
-      {9000, 0, 0, 10}},
-     16,
-     0,
-     14,
-     4,
-     3}};
 
 inline uint32_t vertices_of_small_unions() {
   return first_failing(scenes, [](const Scene &c) {
