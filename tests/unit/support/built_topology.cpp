@@ -31,7 +31,7 @@ void BuiltTopology::build() {
   for (int attempt = 0; attempt < 4; ++attempt) {
     hsp::Workspace measured;
     builder_.carve(measured, limits);
-    memory_.assign(measured.bytes(), 0);
+    memory_ = std::vector<unsigned char>(measured.bytes());
     hsp::Workspace workspace(memory_.data(), memory_.size());
     builder_.carve(workspace, limits);
     status_ = builder_.build(grid(), boundary(), boundary_.neighbours());
