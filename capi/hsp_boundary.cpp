@@ -1,12 +1,10 @@
-#include "conversion.hpp"
-#include "measure/areas.hpp"
-#include "measure/positions.hpp"
-#include "sphere/arc_geometry.hpp"
+#include "hsp_boundary.hpp"
+#include "measure/boundary_metric_check.hpp"
+#include "measure/boundary_positions.hpp"
 
 namespace {
 
 using hsp::capi::check_request;
-using hsp::capi::has_results;
 
 int32_t check_limits(const hsp_boundary_limits *limits) {
   if (limits == nullptr || limits->struct_size != sizeof(hsp_boundary_limits) || limits->reserved != 0) {
@@ -17,68 +15,48 @@ int32_t check_limits(const hsp_boundary_limits *limits) {
   return representable ? HSP_OK : HSP_E_RANGE;
 }
 
-hsp_boundary *carve(hsp::Workspace &workspace, const hsp::BoundaryLimits &limits, hsp::BoundaryBuilder &builder) {
-  const hsp::Span<hsp_boundary> handle = workspace.take<hsp_boundary>(1);
-  builder.carve(workspace, limits);
-  return handle.data();
-}
-
 hsp::BoundaryLimits from_c(const hsp_boundary_limits &limits) {
   return {limits.balls, limits.neighbours, limits.vertices, limits.circles};
 }
 
-// The caller's indices of a vertex's balls, ascending, and the sign in that order: each exchange turns it.
-struct CallerVertex {
-  uint32_t ball[3];
-  int32_t sign;
-};
-CallerVertex to_caller(const hsp::BallSet &balls, const hsp::VertexRecord &vertex) {
-  CallerVertex result{{balls.caller[vertex.ball[0]], balls.caller[vertex.ball[1]], balls.caller[vertex.ball[2]]},
-                      vertex.positive() ? 1 : -1};
-  const auto order = [&result](int a, int b) {
-    if (result.ball[a] < result.ball[b]) return;
-    const uint32_t larger = result.ball[a];
-    result.ball[a] = result.ball[b];
-    result.ball[b] = larger;
-    result.sign = -result.sign;
-  };
-  order(0, 1);
-  order(1, 2);
-  order(0, 1);
-  return result;
+hsp_boundary_limits to_c(const hsp::BoundaryLimits &limits) {
+  return {sizeof(hsp_boundary_limits), limits.balls, limits.neighbours, limits.vertices, limits.circles, 0};
 }
+
+constexpr uint32_t to_c(hsp::BoundaryInvariant invariant) {
+  return static_cast<uint32_t>(invariant);
+}
+
+// The numbers that the header gives the laws of hsp_boundary_check.
+using hsp::BoundaryInvariant;
+static_assert(to_c(BoundaryInvariant::none) == 0);
+static_assert(to_c(BoundaryInvariant::vertices) == 1 && to_c(BoundaryInvariant::half_edges) == 2);
+static_assert(to_c(BoundaryInvariant::successors) == 3 && to_c(BoundaryInvariant::twins) == 4);
+static_assert(to_c(BoundaryInvariant::loops) == 5 && to_c(BoundaryInvariant::faces) == 6);
+static_assert(to_c(BoundaryInvariant::shells) == 7 && to_c(BoundaryInvariant::euler) == 8);
+static_assert(to_c(BoundaryInvariant::positions) == 9 && to_c(BoundaryInvariant::areas) == 10);
+static_assert(to_c(BoundaryInvariant::closure) == 11);
 
 }  // namespace
 
 int32_t hsp_boundary_limits_init(hsp_boundary_limits *limits, uint32_t struct_size, uint32_t balls) {
   if (limits == nullptr || struct_size != sizeof(hsp_boundary_limits)) return HSP_E_ARGUMENT;
-  if (balls > (HSP_MAX_BALLS - 64) / 8) return HSP_E_RANGE;
-  *limits = {struct_size, balls, balls < 256 ? balls : 256, 8 * balls + 64, 2 * balls + 16, 0};
-  return HSP_OK;
+  hsp::BoundaryLimits defaults;
+  const hsp::Status status = hsp::default_limits(balls, defaults);
+  if (status == hsp::Status::ok) *limits = to_c(defaults);
+  return hsp::capi::to_c(status);
 }
 
 int32_t hsp_boundary_bytes(const hsp_boundary_limits *limits, size_t *bytes) {
   if (bytes == nullptr) return HSP_E_ARGUMENT;
   if (const int32_t status = check_limits(limits); status != HSP_OK) return status;
-  hsp::Workspace measure;
-  hsp::BoundaryBuilder builder;
-  carve(measure, from_c(*limits), builder);
-  if (measure.bytes() == 0) return HSP_E_RANGE;
-  *bytes = measure.bytes();
-  return HSP_OK;
+  return hsp::capi::get_bytes<hsp_boundary>(from_c(*limits), bytes);
 }
 
 int32_t hsp_boundary_init(void *memory, size_t bytes, const hsp_boundary_limits *limits, hsp_boundary **boundary) {
   if (memory == nullptr || boundary == nullptr) return HSP_E_ARGUMENT;
-  size_t required = 0;
-  if (const int32_t status = hsp_boundary_bytes(limits, &required); status != HSP_OK) return status;
-  if (bytes < required) return HSP_E_MEMORY;
-  hsp::Workspace workspace(memory, bytes);
-  hsp::BoundaryBuilder builder;
-  hsp_boundary *handle = carve(workspace, from_c(*limits), builder);
-  *handle = {builder, nullptr, 0, 0, false, false};
-  *boundary = handle;
-  return HSP_OK;
+  if (const int32_t status = check_limits(limits); status != HSP_OK) return status;
+  return hsp::capi::init(memory, bytes, from_c(*limits), boundary);
 }
 
 int32_t hsp_boundary_compute(hsp_boundary *boundary, const hsp_model *model) {
@@ -95,122 +73,108 @@ int32_t hsp_boundary_compute(hsp_boundary *boundary, const hsp_model *model) {
 int32_t hsp_boundary_get_needed(const hsp_boundary *boundary, hsp_boundary_limits *needed) {
   if (boundary == nullptr || needed == nullptr) return HSP_E_ARGUMENT;
   if (!boundary->attempted) return HSP_E_STATE;
-  const hsp::BoundaryLimits &limits = boundary->builder.needed();
-  *needed = {sizeof(hsp_boundary_limits), limits.balls, limits.neighbours, limits.vertices, limits.circles, 0};
+  *needed = to_c(boundary->builder.needed());
   return HSP_OK;
 }
 
 int32_t hsp_boundary_get_counts(const hsp_boundary *boundary, hsp_boundary_counts *counts) {
   if (boundary == nullptr || counts == nullptr) return HSP_E_ARGUMENT;
-  if (!has_results(*boundary)) return HSP_E_STATE;
-  const hsp::Boundary &structure = boundary->builder.boundary();
-  const uint32_t n = boundary->model->grid.balls().n;
+  if (!boundary->has_results()) return HSP_E_STATE;
+  const hsp::Boundary &structure = boundary->structure();
   *counts = {};
-  counts->balls = n;
+  counts->balls = structure.ball_count();
   counts->vertices = structure.vertex_count();
-  counts->arcs = 3 * counts->vertices / 2;
+  counts->arcs = structure.arc_count();
   counts->circles = structure.circle_count();
   counts->faces = structure.face_count();
   counts->loops = structure.loop_count();
   counts->shells = structure.shell_count();
-  for (uint32_t i = 0; i < n; ++i) {
+  for (uint32_t i = 0; i < counts->balls; ++i) {
     counts->contained_balls += structure.is_contained(i) ? 1U : 0U;
     counts->exposed_balls += structure.is_exposed(i) ? 1U : 0U;
   }
   counts->components = structure.component_count();
   counts->voids = counts->shells - counts->components;
   for (uint32_t v = 0; v < counts->vertices; ++v) counts->tied_vertices += structure.vertex(v).tied() ? 1U : 0U;
-  counts->euler = static_cast<int64_t>(counts->vertices) - static_cast<int64_t>(counts->arcs) +
-                  2 * static_cast<int64_t>(counts->faces) - static_cast<int64_t>(counts->loops);
+  counts->euler = structure.euler();
   return HSP_OK;
 }
 
 int32_t hsp_boundary_get_vertices(const hsp_boundary *boundary, hsp_vertex *out, uint32_t capacity, uint32_t *needed) {
   const int32_t status = check_request(boundary, out, capacity, needed,
-                                       [](const hsp_boundary &b) { return b.builder.boundary().vertex_count(); });
+                                       [](const hsp_boundary &b) { return b.structure().vertex_count(); });
   if (status != HSP_OK) return status;
-  const hsp::Boundary &structure = boundary->builder.boundary();
-  const hsp::BallSet &balls = boundary->model->grid.balls();
+  const hsp::Boundary &structure = boundary->structure();
+  const hsp::BallSet &balls = boundary->balls();
+  const auto given_before = [&balls](uint32_t a, uint32_t b) { return balls.given_before(a, b); };
   for (uint32_t v = 0; v < structure.vertex_count(); ++v) {
-    const hsp::VertexRecord &vertex = structure.vertex(v);
-    const CallerVertex named = to_caller(balls, vertex);
+    const hsp::OrderedVertex vertex = hsp::in_order(structure.vertex(v), given_before);
     hsp_vertex &record = out[v];
-    hsp::capi::to_position(balls, hsp::position_of_vertex(balls, structure, v), record.xyz);
-    for (int t = 0; t < 3; ++t) record.ball[t] = named.ball[t];
-    record.sign = named.sign;
-    record.flags = vertex.tied() ? HSP_VERTEX_TIED : 0;
+    hsp::to_coordinates(balls, hsp::position_of_vertex(balls, structure, v), record.xyz);
+    for (int t = 0; t < 3; ++t) record.ball[t] = balls.caller[vertex.ball[t]];
+    record.sign = vertex.sign;
+    record.flags = structure.vertex(v).tied() ? HSP_VERTEX_TIED : 0;
     record.reserved = 0;
   }
   return HSP_OK;
 }
 
 int32_t hsp_boundary_get_arcs(const hsp_boundary *boundary, hsp_arc *out, uint32_t capacity, uint32_t *needed) {
-  const int32_t status = check_request(boundary, out, capacity, needed, [](const hsp_boundary &b) {
-    return b.builder.boundary().half_edge_count() / 2;
-  });
+  const int32_t status =
+      check_request(boundary, out, capacity, needed, [](const hsp_boundary &b) { return b.structure().arc_count(); });
   if (status != HSP_OK) return status;
-  const hsp::Boundary &structure = boundary->builder.boundary();
-  const hsp::BallSet &balls = boundary->model->grid.balls();
-  const uint32_t half_edges = structure.half_edge_count();
+  const hsp::Boundary &structure = boundary->structure();
+  const hsp::BallSet &balls = boundary->balls();
   uint32_t written = 0;
-  for (uint32_t half_edge = 0; half_edge < half_edges; ++half_edge) {
+  for (uint32_t half_edge = 0; half_edge < structure.half_edge_count(); ++half_edge) {
     const uint32_t twin = structure.twin(half_edge);
     if (twin < half_edge) continue;
-    const uint32_t own = structure.ball_of(half_edge);
-    const uint32_t other = structure.half_edge(half_edge).circle;
-    // A loop walks clockwise about the axis away from its own ball; the twin walks the same arc backwards,
-    // counter-clockwise about the axis that leaves this ball. So as seen from ball a the arc starts where its own walk
-    // ends.
-    const bool own_first = balls.caller[own] < balls.caller[other];
-    const uint32_t walk_of_a = own_first ? half_edge : twin;
-    const uint32_t walk_of_b = own_first ? twin : half_edge;
-    const bool own_lower = hsp::exact::ranks_before(balls.ball(own), balls.ball(other));
+    const bool own_first = balls.given_before(structure.ball_of(half_edge), structure.ball_of(twin));
+    const uint32_t a = own_first ? half_edge : twin;
+    const uint32_t b = own_first ? twin : half_edge;
     hsp_arc &arc = out[written++];
-    arc.ball[0] = balls.caller[own_first ? own : other];
-    arc.ball[1] = balls.caller[own_first ? other : own];
-    arc.vertex[0] = structure.half_edge(structure.half_edge(walk_of_a).next).vertex;
-    arc.vertex[1] = structure.half_edge(walk_of_a).vertex;
-    arc.face[0] = structure.face_of_loop(structure.half_edge(walk_of_a).loop);
-    arc.face[1] = structure.face_of_loop(structure.half_edge(walk_of_b).loop);
-    // Computed from the ball of lower rank, so that ids have no effect on it.
-    arc.angle = hsp::angle_of(balls, structure, own_lower ? own : other, own_lower ? half_edge : twin);
+    arc.ball[0] = balls.caller[structure.ball_of(a)];
+    arc.ball[1] = balls.caller[structure.ball_of(b)];
+    // A half-edge runs clockwise about the axis away from its own ball, the arc counter-clockwise about that away from
+    // ball a: so it starts where the half-edge on a ends.
+    arc.vertex[0] = structure.end_vertex(a);
+    arc.vertex[1] = structure.half_edge(a).vertex;
+    arc.face[0] = structure.face_of(a);
+    arc.face[1] = structure.face_of(b);
+    arc.angle = hsp::angle_of_arc(balls, structure, half_edge);
   }
   return HSP_OK;
 }
 
 int32_t hsp_boundary_get_circles(const hsp_boundary *boundary, hsp_circle *out, uint32_t capacity, uint32_t *needed) {
   const int32_t status = check_request(boundary, out, capacity, needed,
-                                       [](const hsp_boundary &b) { return b.builder.boundary().circle_count(); });
+                                       [](const hsp_boundary &b) { return b.structure().circle_count(); });
   if (status != HSP_OK) return status;
-  const hsp::Boundary &structure = boundary->builder.boundary();
-  const hsp::BallSet &balls = boundary->model->grid.balls();
+  const hsp::Boundary &structure = boundary->structure();
+  const hsp::BallSet &balls = boundary->balls();
   for (uint32_t c = 0; c < structure.circle_count(); ++c) {
     const hsp::CircleRecord &circle = structure.circle(c);
-    const uint32_t first = balls.caller[circle.ball[0]] < balls.caller[circle.ball[1]] ? 0 : 1;
+    const uint32_t first = balls.given_before(circle.ball[0], circle.ball[1]) ? 0 : 1;
+    const hsp::CirclePosition position = hsp::position_of_circle(balls, circle, first);
     hsp_circle &record = out[c];
     for (uint32_t side = 0; side < 2; ++side) {
       const uint32_t k = side == 0 ? first : 1 - first;
       record.ball[side] = balls.caller[circle.ball[k]];
       record.face[side] = structure.face_of_loop(circle.loop[k]);
     }
-    const bool swap = hsp::exact::ranks_before(balls.ball(circle.ball[1]), balls.ball(circle.ball[0]));
-    const uint32_t lower = circle.ball[swap ? 1 : 0];
-    const uint32_t higher = circle.ball[swap ? 0 : 1];
-    const hsp::CircleGeometry geometry(balls, lower, higher);
-    const double direction = circle.ball[first] == lower ? 1.0 : -1.0;
-    hsp::capi::to_position(balls, {lower, geometry.centre}, record.centre);
-    hsp::capi::to_array(direction * geometry.axis, record.axis);
-    record.radius = balls.lattice.length(geometry.radius);
+    hsp::to_coordinates(balls, position.centre, record.centre);
+    hsp::capi::to_array(position.axis, record.axis);
+    record.radius = balls.lattice.length(position.radius);
   }
   return HSP_OK;
 }
 
 int32_t hsp_boundary_get_faces(const hsp_boundary *boundary, hsp_face *out, uint32_t capacity, uint32_t *needed) {
-  const int32_t status = check_request(boundary, out, capacity, needed,
-                                       [](const hsp_boundary &b) { return b.builder.boundary().face_count(); });
+  const int32_t status =
+      check_request(boundary, out, capacity, needed, [](const hsp_boundary &b) { return b.structure().face_count(); });
   if (status != HSP_OK) return status;
-  const hsp::Boundary &structure = boundary->builder.boundary();
-  const hsp::BallSet &balls = boundary->model->grid.balls();
+  const hsp::Boundary &structure = boundary->structure();
+  const hsp::BallSet &balls = boundary->balls();
   for (uint32_t f = 0; f < structure.face_count(); ++f) {
     out[f] = {balls.caller[structure.face(f).ball], structure.face(f).loops, structure.face(f).shell, 0};
   }
@@ -219,9 +183,9 @@ int32_t hsp_boundary_get_faces(const hsp_boundary *boundary, hsp_face *out, uint
 
 int32_t hsp_boundary_get_balls(const hsp_boundary *boundary, hsp_ball *out, uint32_t capacity, uint32_t *needed) {
   const int32_t status =
-      check_request(boundary, out, capacity, needed, [](const hsp_boundary &b) { return b.model->grid.balls().n; });
+      check_request(boundary, out, capacity, needed, [](const hsp_boundary &b) { return b.balls().n; });
   if (status != HSP_OK) return status;
-  const hsp::Boundary &structure = boundary->builder.boundary();
+  const hsp::Boundary &structure = boundary->structure();
   const hsp::CubeGrid &grid = boundary->model->grid;
   const uint32_t n = grid.balls().n;
   for (uint32_t i = 0; i < n; ++i) {
@@ -233,4 +197,14 @@ int32_t hsp_boundary_get_balls(const hsp_boundary *boundary, hsp_ball *out, uint
     out[i].flags = structure.is_contained(ball) ? HSP_BALL_CONTAINED : 0;
   }
   return HSP_OK;
+}
+
+int32_t hsp_boundary_check(hsp_boundary *boundary, uint32_t *law, uint32_t *where) {
+  if (boundary == nullptr || law == nullptr || where == nullptr) return HSP_E_ARGUMENT;
+  if (!boundary->has_results()) return HSP_E_STATE;
+  const hsp::BallSet &balls = boundary->balls();
+  const hsp::Boundary &structure = boundary->structure();
+  hsp::Violation violation = hsp::check_boundary(balls, structure, boundary->builder.scratch());
+  if (violation.invariant == BoundaryInvariant::none) violation = hsp::check_boundary_metric(balls, structure);
+  return hsp::capi::report(violation, law, where);
 }

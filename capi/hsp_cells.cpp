@@ -1,4 +1,5 @@
-#include "conversion.hpp"
+#include "hsp_topology.hpp"
+#include "measure/positions.hpp"
 #include "measure/shell_volumes.hpp"
 #include "model/queries.hpp"
 
@@ -6,21 +7,16 @@ namespace {
 
 using hsp::capi::check_output;
 using hsp::capi::check_request;
-using hsp::capi::has_results;
-
-const hsp::Topology &structure_of(const hsp_topology &topology) {
-  return topology.builder.structure();
-}
 
 }  // namespace
 
 int32_t hsp_topology_get_shells(const hsp_topology *topology, hsp_shell *out, uint32_t capacity, uint32_t *needed) {
   const int32_t status = check_request(topology, out, capacity, needed,
-                                       [](const hsp_topology &handle) { return structure_of(handle).shell_count; });
+                                       [](const hsp_topology &handle) { return handle.structure().shell_count; });
   if (status != HSP_OK) return status;
-  const hsp::Topology &structure = structure_of(*topology);
-  const hsp::Boundary &boundary = topology->boundary->builder.boundary();
-  const hsp::BallSet &balls = topology->boundary->model->grid.balls();
+  const hsp::Topology &structure = topology->structure();
+  const hsp::Boundary &boundary = topology->boundary->structure();
+  const hsp::BallSet &balls = topology->balls();
   for (uint32_t s = 0; s < structure.shell_count; ++s) {
     const hsp::ShellRecord &shell = structure.shells[s];
     hsp_shell &record = out[s];
@@ -28,9 +24,9 @@ int32_t hsp_topology_get_shells(const hsp_topology *topology, hsp_shell *out, ui
     record.area = balls.lattice.area(measure.area);
     record.volume = balls.lattice.volume(shell.is_void ? -measure.volume : measure.volume);
     const uint32_t vertex = structure.quads.origin(structure.faces[shell.start_face].q);
-    hsp::capi::to_position(balls, hsp::position_of_point(balls, boundary, structure, vertex), record.point);
-    record.euler = static_cast<int32_t>(shell.vertices - shell.edges + shell.simple_faces);
-    record.genus = static_cast<uint32_t>(1 - record.euler / 2);
+    hsp::to_coordinates(balls, hsp::position_of_point(balls, boundary, structure, vertex), record.point);
+    record.euler = shell.euler();
+    record.genus = shell.genus();
     record.kind = shell.is_void ? HSP_SHELL_VOID : HSP_SHELL_OUTER;
     record.component = shell.component;
     record.cell = shell.cell;
@@ -46,11 +42,11 @@ int32_t hsp_topology_get_shells(const hsp_topology *topology, hsp_shell *out, ui
 int32_t hsp_topology_get_components(const hsp_topology *topology, hsp_component *out, uint32_t capacity,
                                     uint32_t *needed) {
   const int32_t status = check_request(topology, out, capacity, needed,
-                                       [](const hsp_topology &handle) { return structure_of(handle).component_count; });
+                                       [](const hsp_topology &handle) { return handle.structure().component_count; });
   if (status != HSP_OK) return status;
-  const hsp::BallSet &balls = topology->boundary->model->grid.balls();
+  const hsp::BallSet &balls = topology->balls();
   for (uint32_t c = 0; c < *needed; ++c) {
-    const hsp::ComponentRecord &component = structure_of(*topology).components[c];
+    const hsp::ComponentRecord &component = topology->structure().components[c];
     out[c] = {
         component.balls, balls.caller[component.top_ball], component.outer_shell, component.shells, component.cell, 0};
   }
@@ -59,35 +55,18 @@ int32_t hsp_topology_get_components(const hsp_topology *topology, hsp_component 
 
 int32_t hsp_topology_get_cells(const hsp_topology *topology, hsp_cell *out, uint32_t capacity, uint32_t *needed) {
   const int32_t status = check_request(topology, out, capacity, needed,
-                                       [](const hsp_topology &handle) { return structure_of(handle).cell_count; });
+                                       [](const hsp_topology &handle) { return handle.structure().cell_count; });
   if (status != HSP_OK) return status;
-  const hsp::Topology &structure = structure_of(*topology);
-  const hsp::Boundary &boundary = topology->boundary->builder.boundary();
-  const hsp::BallSet &balls = topology->boundary->model->grid.balls();
-  for (uint32_t cell = 0; cell < *needed; ++cell) out[cell] = {0.0, 0.0, HSP_NONE, 0, 0, 0};
-  for (uint32_t s = 0; s < structure.shell_count; ++s) {
-    const hsp::ShellRecord &shell = structure.shells[s];
-    hsp_cell &cell = out[shell.cell];
-    ++cell.shells;
-    if (shell.is_void) cell.wall = s;
-    // Outward from the union is into the cell, for its wall and for what lies in it alike.
-    const hsp::BallMeasure measure = hsp::measure_shell(balls, boundary, structure, s);
-    cell.area += measure.area;
-    cell.volume -= measure.volume;
-  }
-  for (uint32_t c = 0; c < structure.component_count; ++c) ++out[structure.components[c].cell].components;
-  for (uint32_t cell = 0; cell < *needed; ++cell) {
-    out[cell].area = balls.lattice.area(out[cell].area);
-    out[cell].volume = cell == 0 ? 0.0 : balls.lattice.volume(out[cell].volume);
-  }
+  hsp::measure_cells(topology->balls(), topology->boundary->structure(), topology->structure(),
+                     hsp::Span<hsp_cell>(out, *needed));
   return HSP_OK;
 }
 
 int32_t hsp_topology_get_cell_shells(const hsp_topology *topology, uint32_t cell, uint32_t *shells, uint32_t capacity,
                                      uint32_t *needed) {
   if (topology == nullptr || needed == nullptr || (shells == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
-  if (!has_results(*topology)) return HSP_E_STATE;
-  const hsp::Topology &structure = structure_of(*topology);
+  if (!topology->has_results()) return HSP_E_STATE;
+  const hsp::Topology &structure = topology->structure();
   if (cell >= structure.cell_count) return HSP_E_ID;
   uint32_t count = 0;
   for (uint32_t s = 0; s < structure.shell_count; ++s) count += structure.shells[s].cell == cell ? 1U : 0U;
@@ -102,8 +81,8 @@ int32_t hsp_topology_get_cell_shells(const hsp_topology *topology, uint32_t cell
 int32_t hsp_topology_get_traversal(const hsp_topology *topology, uint32_t shell, uint32_t *faces, uint32_t capacity,
                                    uint32_t *needed) {
   if (topology == nullptr || needed == nullptr || (faces == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
-  if (!has_results(*topology)) return HSP_E_STATE;
-  const hsp::Topology &structure = structure_of(*topology);
+  if (!topology->has_results()) return HSP_E_STATE;
+  const hsp::Topology &structure = topology->structure();
   if (shell >= structure.shell_count) return HSP_E_ID;
   const hsp::ShellRecord &record = structure.shells[shell];
   if (const int32_t status = check_output(faces, capacity, record.simple_faces, needed); status != HSP_OK) {
@@ -119,7 +98,7 @@ int32_t hsp_topology_locate(hsp_topology *topology, const double *xyz, uint32_t 
       (needed == nullptr && ids != nullptr)) {
     return HSP_E_ARGUMENT;
   }
-  if (!has_results(*topology)) return HSP_E_STATE;
+  if (!topology->has_results()) return HSP_E_STATE;
   const hsp::CubeGrid &grid = topology->boundary->model->grid;
   hsp::LatticeQuery point;
   const hsp::Status status = hsp::round_query(grid.balls(), xyz, 0.0, point);
@@ -127,7 +106,7 @@ int32_t hsp_topology_locate(hsp_topology *topology, const double *xyz, uint32_t 
   hsp::QueryResult result{ids, capacity, 0};
   hsp::find_balls_at_point(grid, point, result);
   *cell = result.hits > 0 ? HSP_NONE
-                          : hsp::cell_of_point(grid, topology->boundary->builder.boundary(), structure_of(*topology),
+                          : hsp::cell_of_point(grid, topology->boundary->structure(), topology->structure(),
                                                point.centre, topology->builder.gathered());
   if (needed == nullptr) return HSP_OK;
   return check_output(ids, capacity, result.hits, needed);

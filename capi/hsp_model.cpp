@@ -1,42 +1,19 @@
-#include "conversion.hpp"
+#include "hsp_model.hpp"
 #include "model/packing_statistics.hpp"
-
-namespace {
-
-// The handle lies at the start of the workspace, the grid's arrays behind it.
-hsp_model *carve(hsp::Workspace &workspace, uint32_t balls, hsp::CubeGrid &grid) {
-  const hsp::Span<hsp_model> handle = workspace.take<hsp_model>(1);
-  grid.carve(workspace, balls);
-  return handle.data();
-}
-
-}  // namespace
 
 int32_t hsp_model_bytes(uint32_t balls, size_t *bytes) {
   if (bytes == nullptr) return HSP_E_ARGUMENT;
   if (balls > HSP_MAX_BALLS) return HSP_E_RANGE;
-  hsp::Workspace measure;
-  hsp::CubeGrid grid;
-  carve(measure, balls, grid);
-  if (measure.bytes() == 0) return HSP_E_RANGE;
-  *bytes = measure.bytes();
-  return HSP_OK;
+  return hsp::capi::get_bytes<hsp_model>(balls, bytes);
 }
 
 int32_t hsp_model_init(void *memory, size_t bytes, uint32_t balls, hsp_model **model) {
   if (memory == nullptr || model == nullptr) return HSP_E_ARGUMENT;
-  size_t required = 0;
-  if (const int32_t status = hsp_model_bytes(balls, &required); status != HSP_OK) return status;
-  if (bytes < required) return HSP_E_MEMORY;
-  hsp::Workspace workspace(memory, bytes);
-  hsp::CubeGrid grid;
-  hsp_model *handle = carve(workspace, balls, grid);
-  handle->grid = grid;
-  handle->revision = 0;
+  if (balls > HSP_MAX_BALLS) return HSP_E_RANGE;
+  const int32_t status = hsp::capi::init(memory, bytes, balls, model);
+  if (status != HSP_OK) return status;
   uint32_t first_bad = 0;
-  static_cast<void>(handle->grid.build({}, first_bad));
-  *model = handle;
-  return HSP_OK;
+  return hsp::capi::to_c((*model)->grid.build({}, first_bad));
 }
 
 int32_t hsp_model_options_init(hsp_model_options *options, uint32_t struct_size) {
@@ -72,7 +49,7 @@ int32_t hsp_model_set(hsp_model *model, uint32_t n, const double *xyz, const dou
 
 int32_t hsp_model_get_info(const hsp_model *model, hsp_model_info *info) {
   if (model == nullptr || info == nullptr) return HSP_E_ARGUMENT;
-  const hsp::BallSet &balls = model->grid.balls();
+  const hsp::BallSet &balls = model->balls();
   const hsp::CubeTable &table = model->grid.table();
   info->balls = balls.n;
   info->cubes = table.count();
@@ -94,9 +71,6 @@ int32_t hsp_model_get_packing(hsp_model *model, hsp_packing *figures) {
   figures->max_overlaps = found.max_overlaps;
   figures->flags = (found.zero_radius ? HSP_PACKING_ZERO_RADIUS : 0) | (found.coincident ? HSP_PACKING_COINCIDENT : 0) |
                    (found.no_pair ? HSP_PACKING_NO_PAIR : 0);
-  if (figures->flags == 0) {
-    const double ratio = found.k / found.rho;
-    figures->neighbour_bound = 216 * ratio * ratio * ratio;
-  }
+  figures->neighbour_bound = found.neighbour_bound();
   return HSP_OK;
 }

@@ -1,10 +1,8 @@
-#include "conversion.hpp"
+#include "hsp_view.hpp"
 #include "picture/palettes.hpp"
 #include "picture/picture.hpp"
 
 namespace {
-
-using hsp::capi::has_results;
 
 static_assert(static_cast<uint32_t>(hsp::PictureFormat::svg) == HSP_FORMAT_SVG &&
               static_cast<uint32_t>(hsp::PictureFormat::eps) == HSP_FORMAT_EPS &&
@@ -99,15 +97,15 @@ int32_t hsp_picture_write(hsp_view *view, const uint32_t *colour, const hsp_pict
   if (options != nullptr && !is_valid(*options)) return HSP_E_ARGUMENT;
   const hsp_picture_options wanted = options != nullptr ? *options : defaults();
   // Without results the number of colours is not known.
-  const bool ready = has_results(*view);
-  if (ready && colour != nullptr && !are_colours(colour, view->model->grid.balls().n)) return HSP_E_ARGUMENT;
+  const bool ready = view->has_results();
+  if (ready && colour != nullptr && !are_colours(colour, view->balls().n)) return HSP_E_ARGUMENT;
   if (!is_finite(wanted)) return HSP_E_NOT_FINITE;
   if (!is_in_range(wanted)) return HSP_E_RANGE;
   if (!ready) return HSP_E_STATE;
-  const hsp::View &structure = view->builder.structure();
+  const hsp::View &structure = view->structure();
   uint64_t taken = 0;
-  const hsp::Status status = hsp::write_picture({view->model->grid.balls(), structure, colour, title, description},
-                                                from_c(wanted), view->builder.scratch(), sink, context, taken);
+  const hsp::Status status = hsp::write_picture({view->balls(), structure, colour, title, description}, from_c(wanted),
+                                                view->builder.scratch(), sink, context, taken);
   if (bytes != nullptr) *bytes = taken;
   return hsp::capi::to_c(status);
 }

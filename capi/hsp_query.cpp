@@ -1,4 +1,4 @@
-#include "conversion.hpp"
+#include "hsp_model.hpp"
 #include "model/queries.hpp"
 
 namespace {
@@ -10,7 +10,7 @@ int32_t ask(const hsp_model *model, const double *xyz, double radius, uint32_t *
   if (model == nullptr || xyz == nullptr || needed == nullptr || (ids == nullptr && capacity > 0))
     return HSP_E_ARGUMENT;
   hsp::LatticeQuery query;
-  const hsp::Status status = hsp::round_query(model->grid.balls(), xyz, radius, query);
+  const hsp::Status status = hsp::round_query(model->balls(), xyz, radius, query);
   if (status != hsp::Status::ok) return hsp::capi::to_c(status);
   hsp::QueryResult result{ids, capacity, 0};
   find(model->grid, query, result);
@@ -31,7 +31,7 @@ int32_t hsp_query_ball(const hsp_model *model, const double *xyz, double radius,
 int32_t hsp_query_meets(const hsp_model *model, const double *xyz, double radius, int32_t *meets) {
   if (model == nullptr || xyz == nullptr || meets == nullptr) return HSP_E_ARGUMENT;
   hsp::LatticeQuery query;
-  const hsp::Status status = hsp::round_query(model->grid.balls(), xyz, radius, query);
+  const hsp::Status status = hsp::round_query(model->balls(), xyz, radius, query);
   if (status != hsp::Status::ok) return hsp::capi::to_c(status);
   *meets = hsp::any_ball_meets(model->grid, query) ? 1 : 0;
   return HSP_OK;
@@ -40,7 +40,7 @@ int32_t hsp_query_meets(const hsp_model *model, const double *xyz, double radius
 int32_t hsp_query_neighbours(const hsp_model *model, uint32_t ball, uint32_t *ids, uint32_t capacity,
                              uint32_t *needed) {
   if (model == nullptr || needed == nullptr || (ids == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
-  if (ball >= model->grid.balls().n) return HSP_E_ID;
+  if (ball >= model->balls().n) return HSP_E_ID;
   hsp::QueryResult result{ids, capacity, 0};
   hsp::find_neighbours(model->grid, model->grid.grid_index(ball), result);
   return hsp::capi::check_output(ids, capacity, result.hits, needed);

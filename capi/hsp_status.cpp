@@ -1,4 +1,4 @@
-#include "conversion.hpp"
+#include "hardsphere.h"
 
 uint32_t hsp_version(void) {
   return HSP_VERSION_NUMBER;

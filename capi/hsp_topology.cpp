@@ -1,10 +1,9 @@
-#include "conversion.hpp"
-#include "topology/simple_faces.hpp"
+#include "hsp_topology.hpp"
+#include "measure/shell_volumes.hpp"
 
 namespace {
 
 using hsp::capi::check_request;
-using hsp::capi::has_results;
 
 int32_t check_limits(const hsp_topology_limits *limits) {
   if (limits == nullptr || limits->struct_size != sizeof(hsp_topology_limits) || limits->reserved != 0) {
@@ -19,17 +18,27 @@ hsp::TopologyLimits from_c(const hsp_topology_limits &limits) {
   return {limits.balls, limits.neighbours, limits.edges, limits.cut_arcs};
 }
 
-hsp_topology *carve(hsp::Workspace &workspace, const hsp::TopologyLimits &limits, hsp::TopologyBuilder &builder) {
-  const hsp::Span<hsp_topology> handle = workspace.take<hsp_topology>(1);
-  builder.carve(workspace, limits);
-  return handle.data();
+hsp_topology_limits to_c(const hsp::TopologyLimits &limits) {
+  return {sizeof(hsp_topology_limits), limits.balls, limits.neighbours, limits.edges, limits.cut_arcs, 0};
 }
+
+constexpr uint32_t to_c(hsp::TopologyInvariant invariant) {
+  return static_cast<uint32_t>(invariant);
+}
+
+// The numbers that the header gives the laws of hsp_topology_check.
+using hsp::TopologyInvariant;
+static_assert(to_c(TopologyInvariant::none) == 0);
+static_assert(to_c(TopologyInvariant::algebra) == 1 && to_c(TopologyInvariant::vertices) == 2);
+static_assert(to_c(TopologyInvariant::faces) == 3 && to_c(TopologyInvariant::sides) == 4);
+static_assert(to_c(TopologyInvariant::euler) == 5 && to_c(TopologyInvariant::traversal) == 6);
+static_assert(to_c(TopologyInvariant::cells) == 7 && to_c(TopologyInvariant::volumes) == 8);
 
 // Applies a step of the quad-edge algebra to a quarter-edge that is there.
 template <class Step>
 uint32_t step_from(const hsp_topology *topology, uint32_t q, Step step) {
-  if (topology == nullptr || !has_results(*topology)) return HSP_NONE;
-  const hsp::QuadEdges &quads = topology->builder.structure().quads;
+  if (topology == nullptr || !topology->has_results()) return HSP_NONE;
+  const hsp::QuadEdges &quads = topology->structure().quads;
   return q / 4 < quads.edges ? step(quads) : HSP_NONE;
 }
 
@@ -37,61 +46,38 @@ uint32_t step_from(const hsp_topology *topology, uint32_t q, Step step) {
 
 int32_t hsp_topology_limits_init(hsp_topology_limits *limits, uint32_t struct_size, uint32_t balls) {
   if (limits == nullptr || struct_size != sizeof(hsp_topology_limits)) return HSP_E_ARGUMENT;
-  if (balls > (HSP_MAX_BALLS - 96) / 16) return HSP_E_RANGE;
-  *limits = {struct_size, balls, balls < 256 ? balls : 256, 16 * balls + 96, 2 * balls + 16, 0};
-  return HSP_OK;
+  hsp::TopologyLimits defaults;
+  const hsp::Status status = hsp::default_limits(balls, defaults);
+  if (status == hsp::Status::ok) *limits = to_c(defaults);
+  return hsp::capi::to_c(status);
 }
 
 int32_t hsp_topology_limits_for(hsp_topology_limits *limits, uint32_t struct_size, const hsp_boundary *boundary) {
   if (limits == nullptr || struct_size != sizeof(hsp_topology_limits) || boundary == nullptr) return HSP_E_ARGUMENT;
-  if (!has_results(*boundary)) return HSP_E_STATE;
-  const hsp::Boundary &structure = boundary->builder.boundary();
-  const hsp::BallSet &balls = boundary->model->grid.balls();
-  const uint64_t uncut = hsp::count_uncut_edges(balls, structure);
-  // A face with several loops needs a cut arc less than it has loops, and gets up to four times as many from great
-  // circles that cross it more than once.
-  uint64_t extra = 0;
-  for (uint32_t f = 0; f < structure.face_count(); ++f) {
-    if (structure.face(f).loops > 1) extra += 4 * (static_cast<uint64_t>(structure.face(f).loops) - 1);
-  }
-  const auto clamp = [](uint64_t wanted) {
-    return wanted < HSP_MAX_BALLS ? static_cast<uint32_t>(wanted) : HSP_MAX_BALLS;
-  };
-  *limits = {struct_size, balls.n, boundary->builder.needed().neighbours, clamp(uncut + 4 * extra), clamp(extra), 0};
+  if (!boundary->has_results()) return HSP_E_STATE;
+  *limits = to_c(hsp::limits_for(boundary->balls(), boundary->structure(), boundary->builder.needed().neighbours));
   return HSP_OK;
 }
 
 int32_t hsp_topology_bytes(const hsp_topology_limits *limits, size_t *bytes) {
   if (bytes == nullptr) return HSP_E_ARGUMENT;
   if (const int32_t status = check_limits(limits); status != HSP_OK) return status;
-  hsp::Workspace measure;
-  hsp::TopologyBuilder builder;
-  carve(measure, from_c(*limits), builder);
-  if (measure.bytes() == 0) return HSP_E_RANGE;
-  *bytes = measure.bytes();
-  return HSP_OK;
+  return hsp::capi::get_bytes<hsp_topology>(from_c(*limits), bytes);
 }
 
 int32_t hsp_topology_init(void *memory, size_t bytes, const hsp_topology_limits *limits, hsp_topology **topology) {
   if (memory == nullptr || topology == nullptr) return HSP_E_ARGUMENT;
-  size_t required = 0;
-  if (const int32_t status = hsp_topology_bytes(limits, &required); status != HSP_OK) return status;
-  if (bytes < required) return HSP_E_MEMORY;
-  hsp::Workspace workspace(memory, bytes);
-  hsp::TopologyBuilder builder;
-  hsp_topology *handle = carve(workspace, from_c(*limits), builder);
-  *handle = {builder, nullptr, 0, false, false};
-  *topology = handle;
-  return HSP_OK;
+  if (const int32_t status = check_limits(limits); status != HSP_OK) return status;
+  return hsp::capi::init(memory, bytes, from_c(*limits), topology);
 }
 
 int32_t hsp_topology_compute(hsp_topology *topology, const hsp_boundary *boundary) {
   if (topology == nullptr) return HSP_E_ARGUMENT;
   hsp::capi::forget(*topology);
   if (boundary == nullptr) return HSP_E_ARGUMENT;
-  if (!has_results(*boundary)) return HSP_E_STATE;
-  const hsp::Status status = topology->builder.build(boundary->model->grid, boundary->builder.boundary(),
-                                                     boundary->builder.needed().neighbours);
+  if (!boundary->has_results()) return HSP_E_STATE;
+  const hsp::Status status =
+      topology->builder.build(boundary->model->grid, boundary->structure(), boundary->builder.needed().neighbours);
   topology->boundary = boundary;
   topology->computed = boundary->computed;
   return hsp::capi::remember(*topology, status);
@@ -100,15 +86,14 @@ int32_t hsp_topology_compute(hsp_topology *topology, const hsp_boundary *boundar
 int32_t hsp_topology_get_needed(const hsp_topology *topology, hsp_topology_limits *needed) {
   if (topology == nullptr || needed == nullptr) return HSP_E_ARGUMENT;
   if (!topology->attempted) return HSP_E_STATE;
-  const hsp::TopologyLimits &limits = topology->builder.needed();
-  *needed = {sizeof(hsp_topology_limits), limits.balls, limits.neighbours, limits.edges, limits.cut_arcs, 0};
+  *needed = to_c(topology->builder.needed());
   return HSP_OK;
 }
 
 int32_t hsp_topology_get_counts(const hsp_topology *topology, hsp_topology_counts *counts) {
   if (topology == nullptr || counts == nullptr) return HSP_E_ARGUMENT;
-  if (!has_results(*topology)) return HSP_E_STATE;
-  const hsp::Topology &structure = topology->builder.structure();
+  if (!topology->has_results()) return HSP_E_STATE;
+  const hsp::Topology &structure = topology->structure();
   *counts = {structure.vertex_count, structure.quads.edges,
              structure.face_count,   structure.quads.edges - structure.first_cut_edge,
              structure.shell_count,  structure.component_count,
@@ -155,23 +140,33 @@ uint32_t hsp_topology_left(const hsp_topology *topology, uint32_t q) {
 uint32_t hsp_topology_ball(const hsp_topology *topology, uint32_t q) {
   if (q % 2 != 0) return HSP_NONE;
   return step_from(topology, q, [q, topology](const hsp::QuadEdges &quads) {
-    const hsp::Boundary &boundary = topology->boundary->builder.boundary();
-    return topology->boundary->model->grid.balls()
-        .caller[topology->builder.structure().ball_of(boundary, quads.left(q))];
+    const hsp::Boundary &boundary = topology->boundary->structure();
+    return topology->balls().caller[topology->structure().ball_of(boundary, quads.left(q))];
   });
 }
 
 int32_t hsp_topology_get_quad_edges(const hsp_topology *topology, uint32_t *onext, uint32_t *origin, uint32_t capacity,
                                     uint32_t *needed) {
   const void *any = onext != nullptr ? onext : origin;
-  const int32_t status = check_request(topology, any, capacity, needed, [](const hsp_topology &handle) {
-    return handle.builder.structure().quads.edges;
-  });
+  const int32_t status = check_request(topology, any, capacity, needed,
+                                       [](const hsp_topology &handle) { return handle.structure().quads.edges; });
   if (status != HSP_OK) return status;
-  const hsp::QuadEdges &quads = topology->builder.structure().quads;
+  const hsp::QuadEdges &quads = topology->structure().quads;
   for (uint32_t q = 0; q < 4 * quads.edges; ++q) {
     if (onext != nullptr) onext[q] = quads.onext(q);
     if (origin != nullptr) origin[q] = quads.origin(q);
   }
   return HSP_OK;
+}
+
+int32_t hsp_topology_check(hsp_topology *topology, uint32_t *law, uint32_t *where) {
+  if (topology == nullptr || law == nullptr || where == nullptr) return HSP_E_ARGUMENT;
+  if (!topology->has_results()) return HSP_E_STATE;
+  const hsp::Boundary &boundary = topology->boundary->structure();
+  const hsp::Topology &structure = topology->structure();
+  hsp::TopologyViolation violation = hsp::check_topology(boundary, structure, topology->builder.marks());
+  if (violation.invariant == TopologyInvariant::none) {
+    violation = hsp::check_enclosed_volumes(topology->balls(), boundary, structure);
+  }
+  return hsp::capi::report(violation, law, where);
 }

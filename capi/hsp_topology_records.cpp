@@ -1,92 +1,81 @@
-#include "conversion.hpp"
+#include "hsp_topology.hpp"
+#include "measure/positions.hpp"
 
 namespace {
 
 using hsp::capi::check_request;
-using hsp::capi::has_results;
 
-// The structures behind a topology with results.
-struct View {
+// What can be read of a topology with results.
+struct TopologyResults {
   const hsp::BallSet &balls;
   const hsp::Boundary &boundary;
   const hsp::Topology &topology;
 
-  explicit View(const hsp_topology &handle)
-      : balls(handle.boundary->model->grid.balls()),
-        boundary(handle.boundary->builder.boundary()),
-        topology(handle.builder.structure()) {}
+  explicit TopologyResults(const hsp_topology &handle)
+      : balls(handle.boundary->balls()), boundary(handle.boundary->structure()), topology(handle.structure()) {}
 };
 
-// The caller's indices, ascending; HSP_NONE for balls there are not.
-void sort_balls(uint32_t ball[3]) {
-  const auto order = [ball](int a, int b) {
-    if (ball[a] <= ball[b]) return;
-    const uint32_t larger = ball[a];
-    ball[a] = ball[b];
-    ball[b] = larger;
-  };
-  order(0, 1);
-  order(1, 2);
-  order(0, 1);
-}
-
-hsp_topology_vertex vertex_record(const View &view, uint32_t id) {
+hsp_topology_vertex vertex_record(const TopologyResults &results, uint32_t id) {
   hsp_topology_vertex record{};
-  hsp::capi::to_position(view.balls, hsp::position_of_point(view.balls, view.boundary, view.topology, id), record.xyz);
-  const auto caller = [&view](uint32_t ball) { return view.balls.caller[ball]; };
-  record.q = view.topology.vertex_edge[id];
+  hsp::to_coordinates(results.balls, hsp::position_of_point(results.balls, results.boundary, results.topology, id),
+                      record.xyz);
+  const auto caller = [&results](uint32_t ball) { return results.balls.caller[ball]; };
+  record.q = results.topology.vertex_edge[id];
   for (uint32_t &ball : record.ball) ball = HSP_NONE;
-  const uint32_t own_vertices = view.boundary.vertex_count();
+  const uint32_t own_vertices = results.boundary.vertex_count();
   if (id < own_vertices) {
     record.kind = HSP_POINT_VERTEX;
-    for (int t = 0; t < 3; ++t) record.ball[t] = caller(view.boundary.vertex(id).ball[t]);
-  } else if (id < view.topology.first_pole) {
+    const hsp::OrderedVertex vertex = hsp::in_order(
+        results.boundary.vertex(id), [&results](uint32_t a, uint32_t b) { return results.balls.given_before(a, b); });
+    for (int t = 0; t < 3; ++t) record.ball[t] = caller(vertex.ball[t]);
+  } else if (id < results.topology.first_pole) {
     record.kind = HSP_POINT_CIRCLE;
-    const hsp::HostBalls pair = hsp::balls_of_host(view.boundary, view.topology.subdivision[id - own_vertices].host);
-    record.ball[0] = caller(pair.a);
-    record.ball[1] = caller(pair.b);
+    const hsp::HostBalls pair =
+        hsp::balls_of_host(results.boundary, results.topology.subdivision[id - own_vertices].host);
+    const bool first = results.balls.given_before(pair.a, pair.b);
+    record.ball[0] = caller(first ? pair.a : pair.b);
+    record.ball[1] = caller(first ? pair.b : pair.a);
   } else {
     record.kind = HSP_POINT_POLE;
-    record.ball[0] = caller(view.topology.pole_at(id).ball());
+    record.ball[0] = caller(results.topology.pole_at(id).ball());
   }
-  sort_balls(record.ball);
   return record;
 }
 
-hsp_topology_edge edge_record(const View &view, uint32_t id) {
+hsp_topology_edge edge_record(const TopologyResults &results, uint32_t id) {
   hsp_topology_edge record{};
-  const hsp::EdgeGeometry geometry = hsp::geometry_of_edge(view.balls, view.boundary, view.topology, id);
-  hsp::capi::to_position(view.balls, geometry.centre, record.centre);
+  const hsp::EdgeGeometry geometry = hsp::geometry_of_edge(results.balls, results.boundary, results.topology, id);
+  hsp::to_coordinates(results.balls, geometry.centre, record.centre);
   hsp::capi::to_array(geometry.axis, record.axis);
-  record.radius = view.balls.lattice.length(geometry.radius);
+  record.radius = results.balls.lattice.length(geometry.radius);
   record.angle = geometry.angle;
   const uint32_t q = hsp::quarter_edge(id);
   for (uint32_t side = 0; side < 2; ++side) {
     const uint32_t directed = side == 0 ? q : hsp::sym(q);
-    record.vertex[side] = view.topology.quads.origin(directed);
-    record.face[side] = view.topology.quads.left(directed);
-    record.ball[side] = view.balls.caller[view.topology.ball_of(view.boundary, record.face[side])];
+    record.vertex[side] = results.topology.quads.origin(directed);
+    record.face[side] = results.topology.quads.left(directed);
+    record.ball[side] = results.balls.caller[results.topology.ball_of(results.boundary, record.face[side])];
   }
-  if (id >= view.topology.first_cut_edge) {
+  if (id >= results.topology.first_cut_edge) {
     record.kind = HSP_EDGE_CUT;
     record.source = HSP_NONE;
-  } else if (id >= view.topology.first_circle_edge) {
+  } else if (id >= results.topology.first_circle_edge) {
     record.kind = HSP_EDGE_CIRCLE;
-    record.source = hsp::Subdivision::circle_of(view.boundary, view.topology.edge_source[id]);
+    record.source = hsp::Subdivision::circle_of(results.boundary, results.topology.edge_source[id]);
   } else {
     record.kind = HSP_EDGE_ARC;
-    record.source = view.topology.edge_source[id];
+    record.source = results.topology.edge_source[id];
   }
   return record;
 }
 
-hsp_simple_face face_record(const View &view, uint32_t id) {
-  const hsp::SimpleFace &face = view.topology.faces[id];
-  return {view.balls.caller[view.topology.ball_of(view.boundary, id)],
+hsp_simple_face face_record(const TopologyResults &results, uint32_t id) {
+  const hsp::SimpleFace &face = results.topology.faces[id];
+  return {results.balls.caller[results.topology.ball_of(results.boundary, id)],
           face.face,
           face.edges,
           face.q,
-          view.topology.shell_of(view.boundary, id),
+          results.topology.shell_of(results.boundary, id),
           0};
 }
 
@@ -94,9 +83,9 @@ hsp_simple_face face_record(const View &view, uint32_t id) {
 template <class Record, class Count, class Make>
 int32_t get_one(const hsp_topology *topology, uint32_t id, Record *out, Count count, Make make) {
   if (topology == nullptr || out == nullptr) return HSP_E_ARGUMENT;
-  if (!has_results(*topology)) return HSP_E_STATE;
-  if (id >= count(topology->builder.structure())) return HSP_E_ID;
-  *out = make(View(*topology), id);
+  if (!topology->has_results()) return HSP_E_STATE;
+  if (id >= count(topology->structure())) return HSP_E_ID;
+  *out = make(TopologyResults(*topology), id);
   return HSP_OK;
 }
 
@@ -104,50 +93,49 @@ int32_t get_one(const hsp_topology *topology, uint32_t id, Record *out, Count co
 template <class Record, class Count, class Make>
 int32_t get_all(const hsp_topology *topology, Record *out, uint32_t capacity, uint32_t *needed, Count count,
                 Make make) {
-  const int32_t status = check_request(topology, out, capacity, needed, [count](const hsp_topology &handle) {
-    return count(handle.builder.structure());
-  });
+  const int32_t status = check_request(topology, out, capacity, needed,
+                                       [count](const hsp_topology &handle) { return count(handle.structure()); });
   if (status != HSP_OK) return status;
-  const View view(*topology);
-  for (uint32_t id = 0; id < *needed; ++id) out[id] = make(view, id);
+  const TopologyResults results(*topology);
+  for (uint32_t id = 0; id < *needed; ++id) out[id] = make(results, id);
   return HSP_OK;
 }
 
-uint32_t count_vertices(const hsp::Topology &topology) {
+uint32_t number_of_vertices(const hsp::Topology &topology) {
   return topology.vertex_count;
 }
-uint32_t count_edges(const hsp::Topology &topology) {
+uint32_t number_of_edges(const hsp::Topology &topology) {
   return topology.quads.edges;
 }
-uint32_t count_faces(const hsp::Topology &topology) {
+uint32_t number_of_faces(const hsp::Topology &topology) {
   return topology.face_count;
 }
 
 }  // namespace
 
 int32_t hsp_topology_get_vertex(const hsp_topology *topology, uint32_t id, hsp_topology_vertex *out) {
-  return get_one(topology, id, out, count_vertices, vertex_record);
+  return get_one(topology, id, out, number_of_vertices, vertex_record);
 }
 
 int32_t hsp_topology_get_edge(const hsp_topology *topology, uint32_t id, hsp_topology_edge *out) {
-  return get_one(topology, id, out, count_edges, edge_record);
+  return get_one(topology, id, out, number_of_edges, edge_record);
 }
 
 int32_t hsp_topology_get_face(const hsp_topology *topology, uint32_t id, hsp_simple_face *out) {
-  return get_one(topology, id, out, count_faces, face_record);
+  return get_one(topology, id, out, number_of_faces, face_record);
 }
 
 int32_t hsp_topology_get_vertices(const hsp_topology *topology, hsp_topology_vertex *out, uint32_t capacity,
                                   uint32_t *needed) {
-  return get_all(topology, out, capacity, needed, count_vertices, vertex_record);
+  return get_all(topology, out, capacity, needed, number_of_vertices, vertex_record);
 }
 
 int32_t hsp_topology_get_edges(const hsp_topology *topology, hsp_topology_edge *out, uint32_t capacity,
                                uint32_t *needed) {
-  return get_all(topology, out, capacity, needed, count_edges, edge_record);
+  return get_all(topology, out, capacity, needed, number_of_edges, edge_record);
 }
 
 int32_t hsp_topology_get_faces(const hsp_topology *topology, hsp_simple_face *out, uint32_t capacity,
                                uint32_t *needed) {
-  return get_all(topology, out, capacity, needed, count_faces, face_record);
+  return get_all(topology, out, capacity, needed, number_of_faces, face_record);
 }

@@ -1,11 +1,11 @@
-#include "conversion.hpp"
 #include "core/elementary.hpp"
+#include "hsp_view.hpp"
 #include "view/projected_arcs.hpp"
 
 namespace {
 
 using hsp::capi::check_request;
-using hsp::capi::has_results;
+using hsp::capi::to_array;
 
 // Lengths of a view in the caller's unit.
 struct ViewLengths {
@@ -20,12 +20,6 @@ struct ViewLengths {
 
 double length_of(const double v[2]) {
   return std::sqrt(v[0] * v[0] + v[1] * v[1]);
-}
-
-void copy(const hsp::Vec3 &v, double out[3]) {
-  out[0] = v.x;
-  out[1] = v.y;
-  out[2] = v.z;
 }
 
 hsp_view_arc to_c(const hsp::BallSet &balls, const hsp::ProjectedArc &arc, uint32_t piece) {
@@ -48,16 +42,16 @@ hsp_view_arc to_c(const hsp::BallSet &balls, const hsp::ProjectedArc &arc, uint3
 
 int32_t hsp_view_get_info(const hsp_view *view, hsp_view_info *info) {
   if (view == nullptr || info == nullptr) return HSP_E_ARGUMENT;
-  if (!has_results(*view)) return HSP_E_STATE;
-  const hsp::BallSet &balls = view->model->grid.balls();
-  const hsp::View &structure = view->builder.structure();
+  if (!view->has_results()) return HSP_E_STATE;
+  const hsp::BallSet &balls = view->balls();
+  const hsp::View &structure = view->structure();
   const ViewLengths length{balls.lattice};
   *info = {};
-  copy(structure.frame.origin, info->origin);
+  to_array(structure.frame.origin, info->origin);
   for (double &coordinate : info->origin) coordinate = length(coordinate);
-  copy(structure.frame.right, info->right);
-  copy(structure.frame.up, info->up);
-  copy(structure.frame.towards, info->towards);
+  to_array(structure.frame.right, info->right);
+  to_array(structure.frame.up, info->up);
+  to_array(structure.frame.towards, info->towards);
   const hsp::ViewBox box = hsp::box_of(balls, structure);
   length.point(box.low, info->low);
   length.point(box.high, info->high);
@@ -74,10 +68,10 @@ int32_t hsp_view_get_info(const hsp_view *view, hsp_view_info *info) {
 // The library keeps loops and arcs in the order of the grid; here they come in the order of the pieces.
 int32_t hsp_view_get_pieces(const hsp_view *view, hsp_view_piece *out, uint32_t capacity, uint32_t *needed) {
   const int32_t status = check_request(view, out, capacity, needed,
-                                       [](const hsp_view &handle) { return handle.builder.structure().pieces.size(); });
+                                       [](const hsp_view &handle) { return handle.structure().pieces.size(); });
   if (status != HSP_OK) return status;
-  const hsp::BallSet &balls = view->model->grid.balls();
-  const hsp::View &structure = view->builder.structure();
+  const hsp::BallSet &balls = view->balls();
+  const hsp::View &structure = view->structure();
   const ViewLengths length{balls.lattice};
   uint32_t loops = 0;
   uint32_t arcs = 0;
@@ -101,9 +95,9 @@ int32_t hsp_view_get_pieces(const hsp_view *view, hsp_view_piece *out, uint32_t 
 
 int32_t hsp_view_get_loops(const hsp_view *view, hsp_view_loop *out, uint32_t capacity, uint32_t *needed) {
   const int32_t status = check_request(view, out, capacity, needed,
-                                       [](const hsp_view &handle) { return handle.builder.structure().loops.size(); });
+                                       [](const hsp_view &handle) { return handle.structure().loops.size(); });
   if (status != HSP_OK) return status;
-  const hsp::View &structure = view->builder.structure();
+  const hsp::View &structure = view->structure();
   uint32_t written = 0;
   uint32_t arcs = 0;
   for (uint32_t p = 0; p < structure.pieces.size(); ++p) {
@@ -117,11 +111,11 @@ int32_t hsp_view_get_loops(const hsp_view *view, hsp_view_loop *out, uint32_t ca
 }
 
 int32_t hsp_view_get_arcs(const hsp_view *view, hsp_view_arc *out, uint32_t capacity, uint32_t *needed) {
-  const int32_t status = check_request(view, out, capacity, needed,
-                                       [](const hsp_view &handle) { return handle.builder.structure().arcs.size(); });
+  const int32_t status =
+      check_request(view, out, capacity, needed, [](const hsp_view &handle) { return handle.structure().arcs.size(); });
   if (status != HSP_OK) return status;
-  const hsp::BallSet &balls = view->model->grid.balls();
-  const hsp::View &structure = view->builder.structure();
+  const hsp::BallSet &balls = view->balls();
+  const hsp::View &structure = view->structure();
   uint32_t written = 0;
   for (uint32_t p = 0; p < structure.pieces.size(); ++p) {
     hsp::visit_arcs(balls, structure, p,

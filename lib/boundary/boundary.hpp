@@ -27,6 +27,13 @@ struct BoundaryLimits {
   uint64_t most_loops() const { return 3 * static_cast<uint64_t>(vertices) / 2 + 2 * static_cast<uint64_t>(circles); }
 };
 
+// Limits that suffice for most molecules. Status::range if one would be larger than max_count.
+constexpr Status default_limits(uint32_t balls, BoundaryLimits &limits) {
+  if (balls > (max_count - 64) / 8) return Status::range;
+  limits = {balls, balls < 256 ? balls : 256, 8 * balls + 64, 2 * balls + 16};
+  return Status::ok;
+}
+
 // A whole free circle as the loop that it makes on one of its two balls.
 class ClosedHalfEdge {
  public:
@@ -106,10 +113,15 @@ class Boundary {
   uint32_t circle_count() const { return a_.circles.size(); }
   // Every arc is two half-edges, one on each of its balls, and every vertex starts three.
   uint32_t half_edge_count() const { return 3 * vertex_count(); }
+  uint32_t arc_count() const { return half_edge_count() / 2; }
   uint32_t loop_count() const { return a_.loop_count; }
   uint32_t face_count() const { return a_.face_count; }
   uint32_t shell_count() const { return a_.shell_count; }
   uint32_t component_count() const { return a_.component_count; }
+  // V - E + sum over faces of (2 - loops): the Euler characteristics of all shells.
+  int64_t euler() const {
+    return static_cast<int64_t>(vertex_count()) - arc_count() + 2 * static_cast<int64_t>(face_count()) - loop_count();
+  }
 
   // The parts of one ball. Numbers of one ball are consecutive.
   IdRange half_edges(uint32_t ball) const { return range(a_.first_half_edge, ball); }

@@ -22,4 +22,7 @@ enum class Status : int32_t {
 // The id that no ball, vertex, loop or face has.
 inline constexpr uint32_t no_id = UINT32_C(0xFFFFFFFF);
 
+// The most balls of a model, and the largest limit of any kind.
+inline constexpr uint32_t max_count = UINT32_C(0x0FFFFFFF);
+
 }  // namespace hsp

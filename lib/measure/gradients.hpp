@@ -9,6 +9,7 @@
 // and dV/dc_k is the vector area of ball k's faces, dV/dR_k = A_k.
 #pragma once
 
+#include "core/sorting.hpp"
 #include "measure/areas.hpp"
 
 namespace hsp {
@@ -85,6 +86,35 @@ AreaDerivative visit_area_row(const BallSet &balls, const Boundary &boundary, ui
   const uint32_t faces = boundary.faces(i).size();
   own.radius += 2 * R * surface.steradians(faces, boundary.loops(i).size(), arcs.exterior_angle_sum());
   return own;
+}
+
+// The flag of an entry whose balls touch, so that its derivatives hold on one side only.
+inline constexpr uint32_t one_sided_flag = 1;
+
+// Fills ball i's row, one entry for each ball, sorted by the caller's indices, with lengths in the caller's unit.
+// row [area_row_length]. Entry has centre[3], radius, angle, ball and flags.
+template <class Entry>
+void gather_area_row(const BallSet &balls, const Boundary &boundary, uint32_t i, TouchingBalls touching_balls,
+                     Span<Entry> row) {
+  if (row.empty()) return;
+  uint32_t written = 0;
+  const auto add = [&](uint32_t j, const AreaDerivative &part) {
+    uint32_t k = 0;
+    while (k < written && row[k].ball != balls.caller[j]) ++k;
+    if (k == written) {
+      row[written++] = {};
+      row[k].ball = balls.caller[j];
+    }
+    Entry &entry = row[k];
+    entry.centre[0] += balls.lattice.length(part.centre.x);
+    entry.centre[1] += balls.lattice.length(part.centre.y);
+    entry.centre[2] += balls.lattice.length(part.centre.z);
+    entry.radius += balls.lattice.length(part.radius);
+    entry.angle += part.angle;
+    entry.flags |= part.one_sided ? one_sided_flag : 0;
+  };
+  add(i, visit_area_row(balls, boundary, i, touching_balls, add));
+  sort_in_place(row, [](const Entry &a, const Entry &b) { return a.ball < b.ball; });
 }
 
 }  // namespace hsp

@@ -147,27 +147,6 @@ EdgeGeometry geometry_on_cut_arc(const BallSet &balls, const Boundary &boundary,
 
 }  // namespace
 
-Position position_of_vertex(const BallSet &balls, const Boundary &boundary, uint32_t vertex) {
-  const VertexRecord &record = boundary.vertex(vertex);
-  uint32_t first = 0;
-  for (uint32_t t = 1; t < 3; ++t) {
-    if (balls.ranks_before(record.ball[t], record.ball[first])) first = t;
-  }
-  uint32_t second = record.ball[(first + 1) % 3];
-  uint32_t third = record.ball[(first + 2) % 3];
-  int sign = record.positive() ? 1 : -1;
-  if (balls.ranks_before(third, second)) {
-    const uint32_t exchanged = second;
-    second = third;
-    third = exchanged;
-    sign = -sign;
-  }
-  const exact::LatticeBall own = balls.ball(record.ball[first]);
-  return {record.ball[first],
-          crossing_point(exact::plane_of(own, balls.ball(second)), exact::plane_of(own, balls.ball(third)), sign,
-                         boundary.root_discriminant(vertex))};
-}
-
 Position position_of_point(const BallSet &balls, const Boundary &boundary, const Topology &topology, uint32_t vertex) {
   switch (topology.kind_of_vertex(boundary, vertex)) {
     case VertexKind::boundary_vertex:

@@ -1,19 +1,11 @@
-// Where vertices and edges lie. Everything is computed from the ball of lowest rank concerned, so that ids have no
-// effect on any bit.
+// Where the vertices and edges of a topology lie. Everything is computed from the ball of lowest rank concerned, so
+// that ids have no effect on any bit.
 #pragma once
 
+#include "measure/boundary_positions.hpp"
 #include "topology/topology.hpp"
 
 namespace hsp {
-
-// A point, relative to the centre of a ball, in lattice steps.
-struct Position {
-  uint32_t ball;
-  Vec3 offset;
-};
-
-// A vertex of the boundary.
-Position position_of_vertex(const BallSet &balls, const Boundary &boundary, uint32_t vertex);
 
 // A vertex of the topology.
 Position position_of_point(const BallSet &balls, const Boundary &boundary, const Topology &topology, uint32_t vertex);

@@ -1,4 +1,4 @@
-// Area and enclosed volume of the shells of a boundary.
+// Area and enclosed volume of the shells of a boundary, and of the cells between them.
 #pragma once
 
 #include "measure/areas.hpp"
@@ -9,6 +9,33 @@ namespace hsp {
 // Area of a shell, and its faces' terms of the volume: positive for an outer shell, the space it encloses; negative for
 // a void, whose faces look into it. Summed in the order of the shell's scan, which does not depend on ids.
 BallMeasure measure_shell(const BallSet &balls, const Boundary &boundary, const Topology &topology, uint32_t shell);
+
+// Fills for each cell of the complement its area, its volume, its wall and the numbers of shells and components that
+// border on it and lie in it, in the caller's unit. Cell 0 has no end: its volume is 0 and its wall no_id.
+// cells [cell_count]. Cell has area, volume, wall, shells and components.
+template <class Cell>
+void measure_cells(const BallSet &balls, const Boundary &boundary, const Topology &topology, Span<Cell> cells) {
+  for (Cell &cell : cells) {
+    cell = {};
+    cell.wall = no_id;
+  }
+  for (uint32_t s = 0; s < topology.shell_count; ++s) {
+    const ShellRecord &shell = topology.shells[s];
+    Cell &cell = cells[shell.cell];
+    ++cell.shells;
+    if (shell.is_void) cell.wall = s;
+    // Outward from the union is into the cell, for its wall and for what lies in it alike.
+    const BallMeasure measure = measure_shell(balls, boundary, topology, s);
+    cell.area += measure.area;
+    cell.volume -= measure.volume;
+  }
+  for (uint32_t c = 0; c < topology.component_count; ++c) ++cells[topology.components[c].cell].components;
+  cells[0].volume = 0.0;
+  for (Cell &cell : cells) {
+    cell.area = balls.lattice.area(cell.area);
+    cell.volume = balls.lattice.volume(cell.volume);
+  }
+}
 
 // Law 8: the sign of each shell's volume, up to rounding.
 TopologyViolation check_enclosed_volumes(const BallSet &balls, const Boundary &boundary, const Topology &topology);

@@ -2,8 +2,8 @@
 // touching; but moved outward it would poke out.
 #pragma once
 
+#include "boundary/boundary.hpp"
 #include "exact/exact_predicates.hpp"
-#include "model/cube_grid.hpp"
 
 namespace hsp {
 
@@ -20,6 +20,19 @@ void visit_balls_touched_from_inside(const CubeGrid &grid, uint32_t i, Visit vis
     for (uint32_t j = block.range[k].first; j < block.range[k].last; ++j) {
       if (j != i && touches_freely_from_inside(balls, block, i, j)) visit(j);
     }
+  }
+}
+
+// Calls visit(i, j) for every ball i inside others and every ball j that it touches freely from inside, if moving one
+// of them would bare a part of it. Of equal balls at most one has faces; if it has none, moving another bares nothing.
+template <class Visit>
+void visit_free_inner_contacts(const CubeGrid &grid, const Boundary &boundary, Visit visit) {
+  const BallSet &balls = grid.balls();
+  for (uint32_t i = 0; i < balls.n; ++i) {
+    if (!boundary.is_contained(i)) continue;
+    visit_balls_touched_from_inside(grid, i, [&](uint32_t j) {
+      if (balls.r[i] != balls.r[j] || boundary.is_exposed(j)) visit(i, j);
+    });
   }
 }
 

@@ -51,6 +51,8 @@ struct BallSet {
             caller[i]};
   }
   bool ranks_before(uint32_t i, uint32_t j) const { return exact::ranks_before(rank_key(i), rank_key(j)); }
+  // Whether ball i comes before ball j in the caller's order.
+  bool given_before(uint32_t i, uint32_t j) const { return caller[i] < caller[j]; }
   // From the centre of ball i to that of ball j, exactly.
   Vec3 difference(uint32_t i, uint32_t j) const { return {x[j] - x[i], y[j] - y[i], z[j] - z[i]}; }
   exact::Vector exact_difference(uint32_t i, uint32_t j) const {

@@ -13,6 +13,13 @@ struct PackingStatistics {
   bool zero_radius = false;  // k has no value
   bool coincident = false;   // rho is 0
   bool no_pair = false;      // rho has no value
+
+  // Theorem 2.1: the most balls that can meet one ball, 216 (k/rho)^3; 0 if a figure has no value.
+  double neighbour_bound() const {
+    if (zero_radius || coincident || no_pair) return 0.0;
+    const double ratio = k / rho;
+    return 216 * ratio * ratio * ratio;
+  }
 };
 
 // Uses the grid's scratch memory.

@@ -24,6 +24,30 @@ struct VertexRecord {
   uint32_t slot_of(uint32_t b) const { return ball[0] == b ? 0 : ball[1] == b ? 1 : 2; }
 };
 
+// A vertex with its balls in another order. The sign is that of p+ or p- of the circles of ball[1] and ball[2] on
+// ball[0]: every exchange of two balls changes it.
+struct OrderedVertex {
+  uint32_t ball[3];
+  int sign;
+};
+
+// The balls of a vertex in the order of before(p, q).
+template <class Before>
+OrderedVertex in_order(const VertexRecord &vertex, Before before) {
+  OrderedVertex result{{vertex.ball[0], vertex.ball[1], vertex.ball[2]}, vertex.positive() ? 1 : -1};
+  const auto order = [&](int a, int b) {
+    if (!before(result.ball[b], result.ball[a])) return;
+    const uint32_t later = result.ball[a];
+    result.ball[a] = result.ball[b];
+    result.ball[b] = later;
+    result.sign = -result.sign;
+  };
+  order(0, 1);
+  order(1, 2);
+  order(0, 1);
+  return result;
+}
+
 // A whole intersection circle that no other ball covers.
 struct CircleRecord {
   uint32_t ball[2];  // ascending

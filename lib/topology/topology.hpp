@@ -23,6 +23,13 @@ struct TopologyLimits {
   uint32_t cut_arcs = 0;
 };
 
+// Limits that suffice for most molecules. Status::range if one would be larger than max_count.
+constexpr Status default_limits(uint32_t balls, TopologyLimits &limits) {
+  if (balls > (max_count - 96) / 16) return Status::range;
+  limits = {balls, balls < 256 ? balls : 256, 16 * balls + 96, 2 * balls + 16};
+  return Status::ok;
+}
+
 // The highest or lowest point of a ball.
 class Pole {
  public:
@@ -52,6 +59,9 @@ struct ShellRecord {
   uint32_t faces, simple_faces, edges, vertices;
   uint32_t start_face;       // simple face
   uint32_t first_traversed;  // its part of Topology::traversal starts here
+
+  int32_t euler() const { return static_cast<int32_t>(vertices - edges + simple_faces); }
+  uint32_t genus() const { return static_cast<uint32_t>(1 - euler() / 2); }
 };
 
 struct ComponentRecord {

@@ -5,6 +5,18 @@
 
 namespace hsp {
 
+TopologyLimits limits_for(const BallSet &balls, const Boundary &boundary, uint32_t neighbours) {
+  // A face with several loops needs one cut arc less than it has loops, and gets up to four times as many from great
+  // circles that cross it more than once.
+  uint64_t cut_arcs = 0;
+  for (uint32_t f = 0; f < boundary.face_count(); ++f) {
+    const uint32_t loops = boundary.face(f).loops;
+    if (loops > 1) cut_arcs += 4 * (static_cast<uint64_t>(loops) - 1);
+  }
+  const auto clamp = [](uint64_t wanted) { return wanted < max_count ? static_cast<uint32_t>(wanted) : max_count; };
+  return {balls.n, neighbours, clamp(count_uncut_edges(balls, boundary) + 4 * cut_arcs), clamp(cut_arcs)};
+}
+
 void Topology::carve(Workspace &workspace, const TopologyLimits &limits) {
   const uint64_t edges = limits.edges;
   cut_arcs = FixedVector<CutArc>(workspace.take<CutArc>(limits.cut_arcs));

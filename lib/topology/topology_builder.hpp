@@ -6,6 +6,10 @@
 
 namespace hsp {
 
+// Limits for one boundary, by the numbers of its loops: they suffice unless great circles cross faces unusually often.
+// neighbours as in TopologyBuilder::build.
+TopologyLimits limits_for(const BallSet &balls, const Boundary &boundary, uint32_t neighbours);
+
 class TopologyBuilder {
  public:
   void carve(Workspace &workspace, const TopologyLimits &limits);

@@ -15,6 +15,13 @@ struct ViewLimits {
   uint32_t arcs = 0;
 };
 
+// Limits that suffice for most molecules. Status::range if one would be larger than max_count.
+constexpr Status default_limits(uint32_t balls, ViewLimits &limits) {
+  if (balls > (max_count - 64) / 12) return Status::range;
+  limits = {balls, balls < 256 ? balls : 256, 12 * balls + 64};
+  return Status::ok;
+}
+
 // The loops and the arcs of a piece are consecutive, loop after loop.
 struct PieceRecord {
   uint32_t ball;

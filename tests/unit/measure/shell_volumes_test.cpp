@@ -133,4 +133,35 @@ TEST(ShellMeasures, LawOfSignsAllowsForRounding) {
   EXPECT_EQ(checked(closed).invariant, TopologyInvariant::none);
 }
 
+struct Cell {
+  double area, volume;
+  uint32_t wall, components, shells;
+};
+
+TEST(CellMeasures, OfACageWithABallInItAndOneOutside) {
+  std::vector<TestBall> balls = cage(1000, 1900);
+  balls.push_back({0, 0, 0, 200});
+  balls.push_back({20000, 0, 0, 1000});
+  BuiltTopology built(balls);
+  ASSERT_EQ(built.status(), hsp::Status::ok);
+  Cell cells[2] = {{9, 9, 9, 9, 9}, {9, 9, 9, 9, 9}};
+  ASSERT_EQ(built.structure().cell_count, 2U);
+  measure_cells(built.balls(), built.boundary(), built.structure(), hsp::Span<Cell>(cells, 2));
+  EXPECT_EQ(cells[0].volume, 0.0);
+  EXPECT_EQ(cells[0].wall, hsp::no_id);
+  EXPECT_EQ(cells[0].components, 2U);
+  EXPECT_EQ(cells[0].shells, 2U);
+  EXPECT_EQ(cells[1].components, 1U);
+  EXPECT_EQ(cells[1].shells, 2U);
+  const uint32_t wall = cells[1].wall;
+  ASSERT_LT(wall, built.structure().shell_count);
+  ASSERT_TRUE(built.structure().shells[wall].is_void);
+  const BallMeasure around = shell_of(built, wall);
+  EXPECT_NEAR(cells[1].area, around.area + 4 * pi * 200 * 200, 1e-12 * around.area);
+  EXPECT_NEAR(cells[1].volume, -around.volume - 4.0 / 3 * pi * 200 * 200 * 200, -1e-12 * around.volume);
+  double area = 0.0;
+  for (uint32_t s = 0; s < built.structure().shell_count; ++s) area += shell_of(built, s).area;
+  EXPECT_NEAR(cells[0].area + cells[1].area, area, 1e-12 * area);
+}
+
 }  // namespace

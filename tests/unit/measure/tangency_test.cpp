@@ -1,6 +1,10 @@
 // Which balls that lie in another one touch it from inside, in a point that no third ball covers.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 #include "built_boundary.hpp"
 #include "measure/tangency.hpp"
 
@@ -57,6 +61,28 @@ TEST(InnerTouching, LargestNumbers) {
   EXPECT_TRUE(touches({tilted, outer, facing}));
   EXPECT_FALSE(touches({tilted, outer, {facing.x - 1, facing.y, facing.z, most}}));
   EXPECT_TRUE(touches({tilted, outer, {facing.x + 1, facing.y, facing.z, most}}));
+}
+
+// The pairs (inner, outer) by the caller's indices.
+std::vector<std::pair<uint32_t, uint32_t>> contacts(const std::vector<TestBall> &set) {
+  BuiltBoundary built(set);
+  EXPECT_EQ(built.status(), hsp::Status::ok);
+  std::vector<std::pair<uint32_t, uint32_t>> found;
+  hsp::visit_free_inner_contacts(built.grid(), built.boundary(), [&](uint32_t i, uint32_t j) {
+    found.emplace_back(built.balls().caller[i], built.balls().caller[j]);
+  });
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+TEST(FreeInnerContacts, OfBallsInsideOthers) {
+  using Pairs = std::vector<std::pair<uint32_t, uint32_t>>;
+  EXPECT_EQ(contacts({{3, 0, 0, 2}, {0, 0, 0, 5}, {-1, 0, 0, 2}}), (Pairs{{0, 1}}));
+  EXPECT_EQ(contacts({{7, 0, 0, 2}, {0, 0, 0, 5}}), Pairs{});
+  // Of equal balls the one with the face is the outer one of all others.
+  EXPECT_EQ(contacts({{0, 0, 0, 5}, {0, 0, 0, 5}, {0, 0, 0, 5}}).size(), 2U);
+  // None of them has a face: nothing is bared.
+  EXPECT_EQ(contacts({{0, 0, 0, 5}, {0, 0, 0, 5}, {0, 0, 0, 9}}), Pairs{});
 }
 
 }  // namespace

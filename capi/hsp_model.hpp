@@ -1,0 +1,14 @@
+// What is behind the handle hsp_model.
+#pragma once
+
+#include "handle_memory.hpp"
+#include "model/cube_grid.hpp"
+
+struct hsp_model {
+  using Builder = hsp::CubeGrid;
+
+  Builder grid;
+  uint64_t revision = 0;  // counts hsp_model_set, so that a boundary notices when its model has changed
+
+  const hsp::BallSet &balls() const { return grid.balls(); }
+};

@@ -1,0 +1,20 @@
+// What is behind the handle hsp_view.
+#pragma once
+
+#include "hsp_model.hpp"
+#include "view/view_builder.hpp"
+
+struct hsp_view {
+  using Builder = hsp::ViewBuilder;
+
+  Builder builder;
+  const hsp_model *model = nullptr;  // what was computed last
+  uint64_t revision = 0;
+  bool attempted = false;
+  bool complete = false;
+
+  // Whether results may be read: computed, and the model unchanged since.
+  bool has_results() const { return complete && revision == model->revision; }
+  const hsp::View &structure() const { return builder.structure(); }
+  const hsp::BallSet &balls() const { return model->balls(); }
+};

@@ -1,0 +1,31 @@
+// Where the vertices, arcs and circles of a boundary lie. Everything is computed from the ball of lowest rank
+// concerned, so that ids have no effect on any bit.
+#pragma once
+
+#include "boundary/boundary.hpp"
+
+namespace hsp {
+
+// A point, relative to the centre of a ball, in lattice steps.
+struct Position {
+  uint32_t ball;
+  Vec3 offset;
+};
+
+// The point in the caller's coordinates.
+void to_coordinates(const BallSet &balls, const Position &position, double xyz[3]);
+
+Position position_of_vertex(const BallSet &balls, const Boundary &boundary, uint32_t vertex);
+
+// The angle of a half-edge's arc. Twins have the same one.
+double angle_of_arc(const BallSet &balls, const Boundary &boundary, uint32_t half_edge);
+
+// A whole circle, in lattice steps. The axis is a unit vector from the circle's ball number `side` towards the other.
+struct CirclePosition {
+  Position centre;
+  Vec3 axis;
+  double radius;
+};
+CirclePosition position_of_circle(const BallSet &balls, const CircleRecord &circle, uint32_t side);
+
+}  // namespace hsp

@@ -1,0 +1,89 @@
+// Totals over all balls: area and volume of the union, and the energy that is linear in them with its derivatives. Sums
+// run over the balls in the caller's order.
+#pragma once
+
+#include "core/summation.hpp"
+#include "measure/gradients.hpp"
+#include "measure/input_order.hpp"
+
+namespace hsp {
+
+// Calls sink(i, measure) for every ball i of the input, with its measure in the caller's unit, and returns the sums.
+// selected may be null; the faces of balls i with selected[i] == 0 count as 0.
+template <class Sink>
+BallMeasure measure_union(const CubeGrid &grid, const Boundary &boundary, const uint8_t *selected, Sink sink) {
+  const BallSet &balls = grid.balls();
+  const auto in_caller_units = [&balls](double area, double volume) {
+    return BallMeasure{balls.lattice.area(area), balls.lattice.volume(volume)};
+  };
+  TreeSum area;
+  TreeSum volume;
+  visit_in_input_order(grid, boundary, [&](uint32_t i, uint32_t ball) {
+    BallMeasure measure;
+    if (selected == nullptr || selected[i] != 0) measure = measure_ball(balls, boundary, ball);
+    area.add(measure.area);
+    volume.add(measure.volume);
+    sink(i, in_caller_units(measure.area, measure.volume));
+  });
+  return in_caller_units(area.total(), volume.total());
+}
+
+// tension * S + pressure * V, with S the weighted area and V the volume of the union.
+struct EnergyTerms {
+  AreaWeights weights;
+  double tension = 0.0;
+  double pressure = 0.0;
+};
+
+// In the caller's unit.
+struct Energy {
+  double area = 0.0;    // S
+  double volume = 0.0;  // V
+  double value = 0.0;
+  double by_probe = 0.0;  // derivative by all radii at once
+};
+
+// Derivatives by one ball's centre and radius.
+struct EnergyGradient {
+  double centre[3];
+  double radius;
+  bool one_sided;
+};
+
+// One ball's part. A step of the lattice may be any power of ten, so derivatives of an area and of a volume are
+// converted each on its own.
+inline EnergyGradient gradient_of_energy(const exact::Lattice &lattice, const EnergyTerms &terms,
+                                         const BallGradient &ball) {
+  const auto combined = [&](double of_area, double of_volume) {
+    return terms.tension * lattice.length(of_area) + terms.pressure * lattice.area(of_volume);
+  };
+  return {{combined(ball.centre.x, ball.vector_area.x), combined(ball.centre.y, ball.vector_area.y),
+           combined(ball.centre.z, ball.vector_area.z)},
+          combined(ball.radius, ball.measure.area),
+          ball.one_sided};
+}
+
+// Calls sink(i, gradient) for every ball i of the input, and returns the energy.
+template <class Sink>
+Energy differentiate_energy(const CubeGrid &grid, const Boundary &boundary, const EnergyTerms &terms, Sink sink) {
+  const BallSet &balls = grid.balls();
+  TreeSum area;
+  TreeSum volume;
+  TreeSum by_probe;
+  visit_in_input_order(grid, boundary, [&](uint32_t i, uint32_t ball) {
+    const BallGradient own = gradient_of_ball(balls, boundary, terms.weights, ball);
+    const EnergyGradient gradient = gradient_of_energy(balls.lattice, terms, own);
+    area.add(terms.weights.of(balls, ball) * own.measure.area);
+    volume.add(own.measure.volume);
+    by_probe.add(gradient.radius);
+    sink(i, gradient);
+  });
+  Energy energy;
+  energy.area = balls.lattice.area(area.total());
+  energy.volume = balls.lattice.volume(volume.total());
+  energy.value = terms.tension * energy.area + terms.pressure * energy.volume;
+  energy.by_probe = by_probe.total();
+  return energy;
+}
+
+}  // namespace hsp
