@@ -176,7 +176,7 @@ int32_t hsp_boundary_get_faces(const hsp_boundary *boundary, hsp_face *out, uint
   const hsp::Boundary &structure = boundary->structure();
   const hsp::BallSet &balls = boundary->balls();
   for (uint32_t f = 0; f < structure.face_count(); ++f) {
-    out[f] = {balls.caller[structure.face(f).ball], structure.face(f).loops, structure.face(f).shell, 0};
+    out[f] = {balls.caller[structure.face(f).ball], structure.loops_of_face(f).size(), structure.face(f).shell, 0};
   }
   return HSP_OK;
 }

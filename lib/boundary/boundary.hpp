@@ -55,6 +55,7 @@ class LoopElement {
   LoopElement() = default;
   static constexpr LoopElement arc(uint32_t half_edge) { return LoopElement(half_edge); }
   static constexpr LoopElement circle(ClosedHalfEdge e) { return LoopElement(circle_bit | e.id()); }
+  constexpr bool operator==(const LoopElement &other) const = default;
 
   constexpr bool is_circle() const { return (code_ & circle_bit) != 0; }
   constexpr uint32_t half_edge() const { return code_; }  // if it is none
@@ -68,7 +69,7 @@ class LoopElement {
 
 struct FaceRecord {
   uint32_t ball;
-  uint32_t loops;
+  uint32_t first_loop;  // those of a face are consecutive, and those of the next face follow
   uint32_t shell;
 };
 
@@ -84,11 +85,11 @@ struct BoundaryArrays {
   Span<ClosedHalfEdge> closed_half_edge;  // [2 circles] by ball
   Span<uint32_t> first_closed_half_edge;  // [balls + 1]
 
-  Span<uint32_t> first_loop;      // [balls + 1]
-  Span<uint32_t> loop_neighbour;  // [loops] a ball along whose circle the loop runs
-  Span<uint32_t> loop_face;       // [loops]
-  Span<uint32_t> first_face;      // [balls + 1]
-  Span<FaceRecord> faces;         // [loops + balls]
+  Span<uint32_t> first_loop;     // [balls + 1]
+  Span<LoopElement> loop_start;  // [loops]
+  Span<uint32_t> loop_face;      // [loops]
+  Span<uint32_t> first_face;     // [balls + 1]
+  Span<FaceRecord> faces;        // [loops + balls]
   uint32_t balls = 0;
   uint32_t loop_count = 0;
   uint32_t face_count = 0;
@@ -173,9 +174,13 @@ class Boundary {
   }
   uint32_t face_of_loop(uint32_t loop) const { return a_.loop_face[loop]; }
   uint32_t shell_of_loop(uint32_t loop) const { return face(face_of_loop(loop)).shell; }
-  // A ball along whose circle the loop runs.
-  uint32_t neighbour_of_loop(uint32_t loop) const { return a_.loop_neighbour[loop]; }
+  // The first half-edge of the loop, or the circle that it consists of.
+  LoopElement loop_start(uint32_t loop) const { return a_.loop_start[loop]; }
   const FaceRecord &face(uint32_t f) const { return a_.faces[f]; }
+  // Loops of half-edges by their starts, then circles; none on a whole sphere.
+  IdRange loops_of_face(uint32_t f) const {
+    return {face(f).first_loop, f + 1 < a_.face_count ? face(f + 1).first_loop : a_.loop_count};
+  }
 
   // Components of the union, numbered in the order of their first ball in the input.
   uint32_t component(uint32_t ball) const { return a_.component[ball]; }

@@ -19,7 +19,7 @@ void BoundaryArrays::carve(Workspace &workspace, const BoundaryLimits &limits) {
   closed_half_edge = workspace.take<ClosedHalfEdge>(2 * static_cast<uint64_t>(limits.circles));
   first_closed_half_edge = workspace.take<uint32_t>(n + 1);
   first_loop = workspace.take<uint32_t>(n + 1);
-  loop_neighbour = workspace.take<uint32_t>(loops);
+  loop_start = workspace.take<LoopElement>(loops);
   loop_face = workspace.take<uint32_t>(loops);
   first_face = workspace.take<uint32_t>(n + 1);
   faces = workspace.take<FaceRecord>(loops + n);

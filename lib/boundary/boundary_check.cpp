@@ -86,7 +86,7 @@ class BoundaryCheck {
     return true;
   }
 
-  // Loops keep to one ball and to one number, and have at least two arcs.
+  // Loops keep to one ball and to one number, have at least two arcs, and start at their first half-edges.
   bool loops() {
     for (uint32_t i = 0; i < balls_.n; ++i) {
       const IdRange loops = boundary_.loops(i);
@@ -96,7 +96,8 @@ class BoundaryCheck {
       for (const uint32_t u : boundary_.half_edges(i)) {
         const HalfEdge &half_edge = boundary_.half_edge(u);
         const bool good = loops.contains(half_edge.loop) &&
-                          boundary_.half_edge(half_edge.next).loop == half_edge.loop && half_edge.next != u;
+                          boundary_.half_edge(half_edge.next).loop == half_edge.loop && half_edge.next != u &&
+                          starts_no_later(half_edge.loop, u);
         if (!good) return fail(BoundaryInvariant::loops, half_edge.loop);
       }
     }
@@ -106,36 +107,37 @@ class BoundaryCheck {
         const uint32_t ball = circle.ball[side];
         const uint32_t loop = circle.loop[side];
         const bool good = ball < balls_.n && boundary_.loops(ball).contains(loop) &&
-                          boundary_.neighbour_of_loop(loop) == circle.ball[1 - side];
+                          boundary_.loop_start(loop) == LoopElement::circle({c, side});
         if (!good) return fail(BoundaryInvariant::loops, loop);
       }
     }
     return true;
   }
 
-  // Every loop bounds a face of its own ball, faces count their loops, and only a whole sphere has none.
+  // Every loop bounds a face of its own ball, the loops of a face are consecutive, and only a whole sphere has none.
   bool faces() {
-    const Span<uint32_t> counted = scratch_;
-    for (uint32_t f = 0; f < boundary_.face_count(); ++f) counted[f] = 0;
+    const uint32_t end = balls_.n > 0 ? boundary_.faces(balls_.n - 1).last : 0;
+    if (end != boundary_.face_count()) return fail(BoundaryInvariant::faces, boundary_.face_count());
+    uint32_t next = 0;
     for (uint32_t i = 0; i < balls_.n; ++i) {
       const IdRange faces = boundary_.faces(i);
       if (faces.first > faces.last || faces.last > boundary_.face_count()) {
         return fail(BoundaryInvariant::faces, faces.first);
       }
-      for (const uint32_t loop : boundary_.loops(i)) {
-        const uint32_t face = boundary_.face_of_loop(loop);
-        if (!faces.contains(face)) return fail(BoundaryInvariant::faces, face);
-        ++counted[face];
-      }
       for (const uint32_t f : faces) {
-        const bool whole_sphere = boundary_.is_free_of_caps(i);
-        const bool good = boundary_.face(f).ball == i && boundary_.face(f).loops == counted[f] &&
-                          (counted[f] > 0 || (whole_sphere && faces.size() == 1));
+        const IdRange loops = boundary_.loops_of_face(f);
+        const bool whole_sphere = boundary_.is_free_of_caps(i) && faces.size() == 1;
+        const bool good = boundary_.face(f).ball == i && loops.first == next && loops.first <= loops.last &&
+                          loops.last <= boundary_.loops(i).last && loops.empty() == whole_sphere;
         if (!good) return fail(BoundaryInvariant::faces, f);
+        for (const uint32_t loop : loops) {
+          if (boundary_.face_of_loop(loop) != f) return fail(BoundaryInvariant::faces, f);
+        }
+        next = loops.last;
       }
+      if (next != boundary_.loops(i).last) return fail(BoundaryInvariant::faces, faces.last);
     }
-    const uint32_t end = balls_.n > 0 ? boundary_.faces(balls_.n - 1).last : 0;
-    return end == boundary_.face_count() || fail(BoundaryInvariant::faces, boundary_.face_count());
+    return true;
   }
 
   // Faces on both sides of an arc or circle are of one shell, and shells are numbered without gaps by their first
@@ -168,7 +170,7 @@ class BoundaryCheck {
     for (uint32_t s = 0; s < boundary_.shell_count(); ++s) six_times[s] = 0;
     for (uint32_t u = 0; u < boundary_.half_edge_count(); ++u) six_times[shell_of(u)] -= 1;
     for (uint32_t f = 0; f < boundary_.face_count(); ++f) {
-      six_times[boundary_.face(f).shell] += 12 - 6 * boundary_.face(f).loops;
+      six_times[boundary_.face(f).shell] += 12 - 6 * boundary_.loops_of_face(f).size();
     }
     for (uint32_t s = 0; s < boundary_.shell_count(); ++s) {
       const int32_t value = static_cast<int32_t>(six_times[s]);
@@ -180,6 +182,10 @@ class BoundaryCheck {
     return boundary_.shell_count() >= components || fail(BoundaryInvariant::euler, components);
   }
 
+  bool starts_no_later(uint32_t loop, uint32_t half_edge) const {
+    const LoopElement start = boundary_.loop_start(loop);
+    return !start.is_circle() && start.half_edge() <= half_edge && boundary_.half_edge(start.half_edge()).loop == loop;
+  }
   uint32_t shell_of(uint32_t half_edge) const { return boundary_.face(boundary_.face_of(half_edge)).shell; }
 
   const BallSet &balls_;

@@ -9,17 +9,54 @@ namespace {
 // cheaper than gathering the caps again; with many caps few balls have several loops.
 constexpr uint32_t few_caps = 16;
 
-// Numbers the faces of one ball from the partition of its loops.
-void number_faces(DisjointSets &sets, uint32_t ball, IdRange loops, BoundaryArrays &arrays) {
+// Numbers the faces of one ball from the partition of its loops, in the order of their first loops. Returns whether the
+// loops of every face are consecutive.
+bool number_faces(DisjointSets &sets, uint32_t ball, IdRange loops, BoundaryArrays &arrays) {
+  bool consecutive = true;
   for (const uint32_t loop : loops) {
     const uint32_t representative = sets.find(loop - loops.first);
     if (representative == loop - loops.first) {
       arrays.loop_face[loop] = arrays.face_count;
-      arrays.faces[arrays.face_count++] = {ball, 1, no_id};
+      arrays.faces[arrays.face_count++] = {ball, loop, no_id};
     } else {
       arrays.loop_face[loop] = arrays.loop_face[loops.first + representative];
-      ++arrays.faces[arrays.loop_face[loop]].loops;
+      consecutive = consecutive && arrays.loop_face[loop] == arrays.face_count - 1;
     }
+  }
+  return consecutive;
+}
+
+// Renumbers the loops of one ball so that those of a face are consecutive and otherwise keep their order.
+// number [loops] is scratch memory.
+void sort_loops_by_face(const Boundary &boundary, uint32_t ball, IdRange faces, BoundaryArrays &arrays,
+                        Span<uint32_t> number) {
+  const IdRange loops = boundary.loops(ball);
+  for (const uint32_t f : faces) arrays.faces[f].first_loop = 0;
+  for (const uint32_t loop : loops) ++arrays.faces[arrays.loop_face[loop]].first_loop;
+  uint32_t next = loops.first;
+  for (const uint32_t f : faces) {
+    const uint32_t count = arrays.faces[f].first_loop;
+    arrays.faces[f].first_loop = next;
+    next += count;
+  }
+  for (const uint32_t loop : loops) number[loop - loops.first] = arrays.faces[arrays.loop_face[loop]].first_loop++;
+  // Now every face has the first loop of the next one.
+  next = loops.first;
+  for (const uint32_t f : faces) {
+    const uint32_t last = arrays.faces[f].first_loop;
+    arrays.faces[f].first_loop = next;
+    for (; next < last; ++next) arrays.loop_face[next] = f;
+  }
+  const IdRange half_edges = boundary.half_edges(ball);
+  for (uint32_t e = half_edges.last; e-- > half_edges.first;) {
+    uint32_t &loop = arrays.half_edges[e].loop;
+    loop = number[loop - loops.first];
+    arrays.loop_start[loop] = LoopElement::arc(e);  // in the end that with the smallest number
+  }
+  for (const ClosedHalfEdge e : boundary.circles(ball)) {
+    uint32_t &loop = arrays.circles[e.circle()].loop[e.side()];
+    loop = number[loop - loops.first];
+    arrays.loop_start[loop] = LoopElement::circle(e);
   }
 }
 
@@ -61,14 +98,18 @@ void FaceFinder::find(const CubeGrid &grid, const Boundary &boundary, BoundaryAr
     arrays.first_face[i] = arrays.face_count;
     const IdRange loops = boundary.loops(i);
     if (loops.empty()) {
-      if (arrays.ball_state[i] == BoundaryArrays::without_caps) arrays.faces[arrays.face_count++] = {i, 0, no_id};
+      if (arrays.ball_state[i] == BoundaryArrays::without_caps) {
+        arrays.faces[arrays.face_count++] = {i, loops.first, no_id};
+      }
       continue;
     }
     // Smaller numbers stay representatives.
     DisjointSets sets(scratch.part(0, loops.size()));
     sets.reset();
     if (loops.size() > 1) join_loops(grid, boundary, i, caps, sets);
-    number_faces(sets, i, loops, arrays);
+    if (!number_faces(sets, i, loops, arrays)) {
+      sort_loops_by_face(boundary, i, {arrays.first_face[i], arrays.face_count}, arrays, scratch);
+    }
   }
   arrays.first_face[arrays.balls] = arrays.face_count;
 }

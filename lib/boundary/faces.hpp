@@ -14,9 +14,9 @@ class FaceFinder {
   // Counts the clusters of the ball's caps if they are few; to be called for every ball while its caps are at hand.
   void visit_caps(const Caps &caps);
 
-  // Gathers the loops of every ball into faces. The caps of a ball are gathered again, into `caps`, if it has several
-  // loops and its clusters were not counted, or if only meridians show which loops belong together. `arrays` are those
-  // of the boundary; scratch [loops].
+  // Gathers the loops of every ball into faces and sorts them by face. The caps of a ball are gathered again, into
+  // `caps`, if it has several loops and its clusters were not counted, or if only meridians show which loops belong
+  // together. `arrays` are those of the boundary; scratch [loops].
   void find(const CubeGrid &grid, const Boundary &boundary, BoundaryArrays &arrays, Caps &caps, Span<uint32_t> scratch);
 
  private:

@@ -98,14 +98,14 @@ void link_half_edges(const BallSet &balls, BoundaryArrays &a) {
     a.first_loop[i] = loops;
     for (uint32_t start = first; start < last; ++start) {
       if (a.half_edges[start].loop != no_id) continue;
-      a.loop_neighbour[loops] = a.half_edges[start].circle;
+      a.loop_start[loops] = LoopElement::arc(start);
       for (uint32_t e = start; a.half_edges[e].loop == no_id; e = a.half_edges[e].next) a.half_edges[e].loop = loops;
       ++loops;
     }
     for (const ClosedHalfEdge e : closed) {
       CircleRecord &circle = a.circles[e.circle()];
       circle.loop[e.side()] = loops;
-      a.loop_neighbour[loops++] = circle.ball[1 - e.side()];
+      a.loop_start[loops++] = LoopElement::circle(e);
     }
   }
   a.first_loop[a.balls] = loops;

@@ -44,8 +44,8 @@ ArcBatches::ArcBatches(const BallSet &balls, const Boundary &boundary, uint32_t 
       z_(balls.z[ball]),
       r_(balls.r[ball]),
       face_(face),
-      half_edge_(boundary.half_edges(ball).first),
-      loop_(boundary.loops(ball).first),
+      loops_(face == no_id ? boundary.loops(ball) : boundary.loops_of_face(face)),
+      half_edges_(boundary.half_edges(ball)),
       circles_(boundary.circles(ball)) {}
 
 bool ArcBatches::next() {
@@ -55,18 +55,34 @@ bool ArcBatches::next() {
   return true;
 }
 
-// Advances to the next loop of the face; loops are numbered in the order of their first half-edges.
+// Advances to the next loop of half-edges: of a face in the order of its loops, of a ball in that of their first
+// half-edges.
 bool ArcBatches::find_loop() {
-  const uint32_t last = boundary_.half_edges(ball_).last;
-  for (; half_edge_ < last; ++half_edge_) {
-    if (boundary_.half_edge(half_edge_).loop != loop_) continue;
-    const bool wanted = face_ == no_id || boundary_.face_of_loop(loop_) == face_;
-    ++loop_;
-    if (!wanted) continue;
-    start_ = half_edge_++;
+  if (face_ != no_id) {
+    if (loops_.empty() || boundary_.loop_start(loops_.first).is_circle()) return false;
+    start_ = boundary_.loop_start(loops_.first++).half_edge();
     return true;
   }
+  for (const uint32_t e : half_edges_) {
+    if (boundary_.loop_start(boundary_.half_edge(e).loop) != LoopElement::arc(e)) continue;
+    start_ = e;
+    half_edges_.first = e + 1;
+    return true;
+  }
+  half_edges_.first = half_edges_.last;
   return false;
+}
+
+// Advances to the next circle, after the loops of half-edges.
+bool ArcBatches::find_circle(ClosedHalfEdge &closed) {
+  if (face_ != no_id) {
+    if (loops_.empty()) return false;
+    closed = boundary_.loop_start(loops_.first++).closed_half_edge();
+    return true;
+  }
+  if (circle_ == circles_.size()) return false;
+  closed = circles_[circle_++];
+  return true;
 }
 
 void ArcBatches::gather() {
@@ -121,9 +137,8 @@ void ArcBatches::gather() {
       put({half_edges[start_].circle, no_id, no_id, false}, 0.0);
       stage_ = Stage::next_loop;
     } else {
-      if (circle_ == circles_.size()) break;
-      const ClosedHalfEdge closed = circles_[circle_++];
-      if (face_ != no_id && boundary_.face_of_loop(boundary_.loop_of(closed)) != face_) continue;
+      ClosedHalfEdge closed;
+      if (!find_circle(closed)) break;
       put({boundary_.neighbour(closed), ArcBatch::whole_circle, no_id, false}, 0.0);
       has_circles_ = true;
     }

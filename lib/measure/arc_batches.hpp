@@ -76,6 +76,7 @@ class ArcBatches {
 
   void gather();
   bool find_loop();
+  bool find_circle(ClosedHalfEdge &closed);
   void hold_back();
   void evaluate();
   void evaluate_circles();
@@ -94,7 +95,8 @@ class ArcBatches {
 
   // Where the gathering is.
   Stage stage_ = Stage::next_loop;
-  uint32_t half_edge_, loop_;  // the next ones
+  IdRange loops_;       // of the face that are left
+  IdRange half_edges_;  // of the ball that are left
   Span<const ClosedHalfEdge> circles_;
   uint32_t circle_ = 0;
   uint32_t start_ = no_id, walk_ = no_id;  // the first use of the loop, and the one that is next

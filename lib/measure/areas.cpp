@@ -36,8 +36,7 @@ BallMeasure measure_ball(const BallSet &balls, const Boundary &boundary, uint32_
 }
 
 BallMeasure measure_face(const BallSet &balls, const Boundary &boundary, uint32_t face) {
-  const FaceRecord &record = boundary.face(face);
-  return measure(balls, boundary, record.ball, face, 1, record.loops);
+  return measure(balls, boundary, boundary.face(face).ball, face, 1, boundary.loops_of_face(face).size());
 }
 
 }  // namespace hsp

@@ -5,16 +5,13 @@
 namespace hsp {
 namespace {
 
-// Whether a simple face is the first of those that its maximal face is cut into. They lie among the consecutive simple
-// faces of one ball.
+// Whether a simple face is the first of those that its maximal face is cut into.
 bool is_first_part(const Boundary &boundary, const Topology &topology, uint32_t simple) {
-  const uint32_t face = topology.faces[simple].face;
-  if (boundary.face(face).loops == 1) return true;
-  const uint32_t ball = boundary.face(face).ball;
-  for (uint32_t k = simple; k-- > 0 && topology.ball_of(boundary, k) == ball;) {
-    if (topology.faces[k].face == face) return false;
-  }
-  return true;
+  const SimpleFace &part = topology.faces[simple];
+  const IdRange loops = boundary.loops_of_face(part.face);
+  if (loops.size() == 1) return true;
+  if (loops.empty()) return simple < topology.quads.left(sym(part.q));  // one half of a whole sphere
+  return simple == topology.quads.left(topology.start_of_loop(boundary, loops.first));
 }
 
 // Calls visit(face) for the maximal faces of a shell in the order of its scan.

@@ -47,7 +47,7 @@ void CutArcFinder::find(const CubeGrid &grid, const Boundary &boundary, Gathered
   BallRange cube_balls{0, 0};
   CubeBlock block;
   for (uint32_t face = 0; face < boundary.face_count(); ++face) {
-    if (boundary.face(face).loops < 2) continue;
+    if (boundary.loops_of_face(face).size() < 2) continue;
     const uint32_t i = boundary.face(face).ball;
     if (i != gathered_ball) {
       if (i >= cube_balls.last) {
@@ -66,14 +66,12 @@ void CutArcFinder::find(const CubeGrid &grid, const Boundary &boundary, Gathered
 // without the poles.
 void CutArcFinder::cut_face(const Boundary &boundary, uint32_t face, GatheredBall &gathered,
                             FixedVector<CutArc> &arcs) {
-  const uint32_t i = boundary.face(face).ball;
   reset_nodes(boundary, face);
   const uint32_t first_arc = arcs.size();
   uint32_t reserved = 0;
-  for (const uint32_t loop : boundary.loops(i)) {
+  for (const uint32_t loop : boundary.loops_of_face(face)) {
     if (to_join_ == 0) break;
-    if (boundary.face_of_loop(loop) != face) continue;
-    find_pieces(boundary, face, boundary.neighbour_of_loop(loop), gathered);
+    find_pieces(boundary, face, boundary.neighbour(boundary.loop_start(loop)), gathered);
     const Joined joined = join_pieces(boundary);
     if (joined.loops) {
       push_pieces(arcs);
@@ -82,21 +80,20 @@ void CutArcFinder::cut_face(const Boundary &boundary, uint32_t face, GatheredBal
     }
   }
   for (uint32_t k = 0; k < reserved && to_join_directly_ > 0; ++k) {
-    find_pieces(boundary, face, boundary.neighbour_of_loop(reserve_[k]), gathered);
+    find_pieces(boundary, face, boundary.neighbour(boundary.loop_start(reserve_[k])), gathered);
     push_pieces(arcs);
   }
   make_pole_vertices(arcs.items().part(first_arc, arcs.size()));
 }
 
 void CutArcFinder::reset_nodes(const Boundary &boundary, uint32_t face) {
-  const uint32_t i = boundary.face(face).ball;
-  const uint32_t loops = boundary.loops(i).size();
+  const uint32_t loops = boundary.loops_of_face(face).size();
   nodes_ = DisjointSets(node_parent_.part(0, loops + 2));
   nodes_.reset();
   direct_ = DisjointSets(direct_parent_.part(0, loops));
   direct_.reset();
   pole_joined_[0] = pole_joined_[1] = false;
-  to_join_ = to_join_directly_ = boundary.face(face).loops - 1;
+  to_join_ = to_join_directly_ = loops - 1;
 }
 
 void CutArcFinder::push_pieces(FixedVector<CutArc> &arcs) const {
@@ -122,7 +119,7 @@ void CutArcFinder::find_pieces(const Boundary &boundary, uint32_t face, uint32_t
 CutArcFinder::Joined CutArcFinder::join_pieces(const Boundary &boundary) {
   Joined joined{false, false};
   const auto node_at = [&boundary](const CutArc &arc, uint32_t end) {
-    return boundary.loop_of(arc.end[end]) - boundary.loops(arc.ball).first;
+    return boundary.loop_of(arc.end[end]) - boundary.loops_of_face(arc.face).first;
   };
   for (uint32_t k = 0; k < pending_count_; ++k) {
     if (!nodes_.join(node_at(pending_[k], 0), node_at(pending_[k], 1))) continue;

@@ -114,6 +114,19 @@ struct Topology {
     while (edge_of(q + step) < first_cut_edge && edge_source[edge_of(q + step)] == edge_source[edge_of(q)]) q += step;
     return q;
   }
+  // The first quarter-edge of a loop on its own ball. Its left face is the first of those that cut arcs to the loop
+  // make of the maximal face (SimpleFaceBuilder numbers them loop by loop).
+  uint32_t start_of_loop(const Boundary &boundary, uint32_t loop) const {
+    const LoopElement start = boundary.loop_start(loop);
+    if (!start.is_circle()) return chain_start[start.half_edge()];
+    const uint32_t circle = start.closed_half_edge().circle();
+    if (start.closed_half_edge().side() == 0) return chain_start[Subdivision::half_circle(boundary, circle, 0)];
+    // Backwards from the end of the circle's edges; those of the next one follow.
+    const uint32_t end = circle + 1 < boundary.circle_count()
+                             ? edge_of(chain_start[Subdivision::half_circle(boundary, circle + 1, 0)])
+                             : first_cut_edge;
+    return sym(quarter_edge(end - 1));
+  }
   VertexKind kind_of_vertex(const Boundary &boundary, uint32_t vertex) const {
     if (vertex < boundary.vertex_count()) return VertexKind::boundary_vertex;
     return vertex < first_pole ? VertexKind::subdivision_vertex : VertexKind::pole;

@@ -10,7 +10,7 @@ TopologyLimits limits_for(const BallSet &balls, const Boundary &boundary, uint32
   // circles that cross it more than once.
   uint64_t cut_arcs = 0;
   for (uint32_t f = 0; f < boundary.face_count(); ++f) {
-    const uint32_t loops = boundary.face(f).loops;
+    const uint32_t loops = boundary.loops_of_face(f).size();
     if (loops > 1) cut_arcs += 4 * (static_cast<uint64_t>(loops) - 1);
   }
   const auto clamp = [](uint64_t wanted) { return wanted < max_count ? static_cast<uint32_t>(wanted) : max_count; };

@@ -102,7 +102,7 @@ class TopologyCheck {
       marks_[boundary_.face(boundary_.face_of_loop(boundary_.half_edge(u).loop)).shell] -= 1;
     }
     for (uint32_t f = 0; f < boundary_.face_count(); ++f) {
-      marks_[boundary_.face(f).shell] += 12 - 6 * boundary_.face(f).loops;
+      marks_[boundary_.face(f).shell] += 12 - 6 * boundary_.loops_of_face(f).size();
     }
     for (uint32_t s = 0; s < topology_.shell_count; ++s) {
       const ShellRecord &shell = topology_.shells[s];

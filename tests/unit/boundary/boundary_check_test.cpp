@@ -103,6 +103,28 @@ const std::vector<Flaw> flaws = {
        b.arrays().first_loop[0] = b.arrays().loop_count + 1;
        return b.arrays().loop_count + 1;
      }},
+    {"a loop that does not start at its first half-edge", BoundaryInvariant::loops,
+     [](BuiltBoundary &b) {
+       const uint32_t loop = b.arrays().half_edges[0].loop;
+       b.arrays().loop_start[loop] = hsp::LoopElement::arc(b.arrays().half_edges[0].next);
+       return loop;
+     }},
+    {"a loop that starts in another one", BoundaryInvariant::loops,
+     [](BuiltBoundary &b) {
+       const uint32_t last = b.arrays().vertices.size() * 3 - 1;
+       b.arrays().loop_start[b.arrays().half_edges[last].loop] = hsp::LoopElement::arc(0);
+       return anywhere;
+     }},
+    {"a loop of half-edges that starts with a circle", BoundaryInvariant::loops,
+     [](BuiltBoundary &b) {
+       b.arrays().loop_start[b.arrays().half_edges[0].loop] = hsp::LoopElement::circle(hsp::ClosedHalfEdge(0, 0));
+       return b.arrays().half_edges[0].loop;
+     }},
+    {"a circle that starts with another one", BoundaryInvariant::loops,
+     [](BuiltBoundary &b) {
+       b.arrays().loop_start[b.arrays().circles[0].loop[0]] = hsp::LoopElement::circle(hsp::ClosedHalfEdge(0, 1));
+       return b.arrays().circles[0].loop[0];
+     }},
     {"a circle's loop on another ball", BoundaryInvariant::loops,
      [](BuiltBoundary &b) {
        std::swap(b.arrays().circles[0].loop[0], b.arrays().circles[0].loop[1]);
@@ -111,13 +133,24 @@ const std::vector<Flaw> flaws = {
     {"a loop that bounds another ball's face", BoundaryInvariant::faces,
      [](BuiltBoundary &b) {
        const uint32_t loop = first_visit(b).loop;
-       b.arrays().loop_face[loop] = b.arrays().face_count - 1 - b.arrays().loop_face[loop];
-       return b.arrays().loop_face[loop];
+       const uint32_t face = b.arrays().loop_face[loop];
+       b.arrays().loop_face[loop] = b.arrays().face_count - 1 - face;
+       return face;
      }},
-    {"a face that miscounts its loops", BoundaryInvariant::faces,
+    {"a face with a loop of the next face", BoundaryInvariant::faces,
      [](BuiltBoundary &b) {
-       ++b.arrays().faces[2].loops;
-       return 2U;
+       ++b.arrays().faces[2].first_loop;
+       return 1U;
+     }},
+    {"a face without loops", BoundaryInvariant::faces,
+     [](BuiltBoundary &b) {
+       b.arrays().faces[1].first_loop = 0;
+       return 0U;
+     }},
+    {"a loop of no face", BoundaryInvariant::faces,
+     [](BuiltBoundary &b) {
+       b.arrays().faces[0].first_loop = 1;
+       return 0U;
      }},
     {"a face of another ball", BoundaryInvariant::faces,
      [](BuiltBoundary &b) {
@@ -255,7 +288,7 @@ TEST(BoundaryCheck, FindsAFaceCutInTwo) {
   ASSERT_EQ(arrays.face_count, 3U);
   const uint32_t middle = boundary.grid_index(1);
   const uint32_t band = arrays.first_face[middle];
-  ASSERT_EQ(arrays.faces[band].loops, 2U);
+  ASSERT_EQ(boundary.boundary().loops_of_face(band).size(), 2U);
   const uint32_t cut = arrays.first_loop[middle] + 1;
   // The new face follows the band; later faces move up by one.
   for (uint32_t face = arrays.face_count++; face > band + 1; --face) arrays.faces[face] = arrays.faces[face - 1];
@@ -264,8 +297,7 @@ TEST(BoundaryCheck, FindsAFaceCutInTwo) {
     if (arrays.loop_face[loop] > band) ++arrays.loop_face[loop];
   }
   arrays.loop_face[cut] = band + 1;
-  arrays.faces[band].loops = 1;
-  arrays.faces[band + 1] = {middle, 1, hsp::no_id};
+  arrays.faces[band + 1] = {middle, cut, hsp::no_id};
   hsp::find_shells(boundary.boundary(), arrays, boundary.scratch());
   ASSERT_EQ(arrays.shell_count, 2U);
   const hsp::Violation violation = checked(boundary);

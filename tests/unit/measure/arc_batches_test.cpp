@@ -18,6 +18,7 @@ using hsp::Vec3;
 
 struct Seen {
   uint32_t arcs = 0, circles = 0, batches = 0, small_circles = 0, plain_arcs = 0;
+  uint32_t loops_out_of_order = 0;  // by their numbers, which go face by face
 };
 
 class ArcsOfBall {
@@ -29,6 +30,8 @@ class ArcsOfBall {
   void check(uint32_t face, Seen &seen) {
     std::map<uint32_t, uint32_t> times;
     uint32_t circles = 0;
+    uint32_t last_start = 0;
+    uint32_t last_loop = 0;
     hsp::ArcBatches arcs(balls_, boundary_, ball_, face);
     while (arcs.next()) {
       const hsp::ArcBatch &batch = arcs.batch();
@@ -42,7 +45,16 @@ class ArcsOfBall {
           EXPECT_EQ(batch.Xz[c], 0.0);
           ++circles;
         } else {
-          ++times[batch.arc_half_edge[c]];
+          const uint32_t e = batch.arc_half_edge[c];
+          // Loop after loop, each from its first half-edge, by their first half-edges.
+          const uint32_t loop = boundary_.half_edge(e).loop;
+          const uint32_t start = boundary_.loop_start(loop).half_edge();
+          ++times[e];
+          EXPECT_EQ(times[start], 1U);
+          EXPECT_GE(start, last_start);
+          seen.loops_out_of_order += loop < last_loop ? 1U : 0U;
+          last_start = start;
+          last_loop = loop;
           check_arc(batch, c, seen);
         }
       }
@@ -135,7 +147,9 @@ TEST(ArcBatches, AgreeWithTheIntegersOnRandomSets) {
     all.small_circles += seen.small_circles;
     all.plain_arcs += seen.plain_arcs;
     all.circles += seen.circles;
+    all.loops_out_of_order += seen.loops_out_of_order;
   }
+  EXPECT_GT(all.loops_out_of_order, 0U);
   // Both ways were gone.
   EXPECT_GT(all.small_circles, 25U);
   EXPECT_GT(all.plain_arcs, 500U);

@@ -43,7 +43,7 @@ class Partition {
 
 // The arcs of one face.
 void check_face(const hsp::Boundary &boundary, uint32_t face, const std::vector<CutArc> &arcs, Seen &seen) {
-  const uint32_t loops = boundary.face(face).loops;
+  const uint32_t loops = boundary.loops_of_face(face).size();
   if (loops < 2) {
     ASSERT_TRUE(arcs.empty());
     return;

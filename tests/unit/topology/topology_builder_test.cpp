@@ -84,4 +84,74 @@ TEST(TopologyMemory, SetsFillWhatTheyNeed) {
   }
 }
 
+TEST(TopologyLimits, DefaultsForANumberOfBalls) {
+  TopologyLimits limits;
+  EXPECT_EQ(hsp::default_limits(100, limits), hsp::Status::ok);
+  EXPECT_EQ(limits.balls, 100U);
+  EXPECT_EQ(limits.neighbours, 100U);
+  EXPECT_EQ(limits.edges, 1696U);
+  EXPECT_EQ(limits.cut_arcs, 216U);
+  constexpr uint32_t most = (hsp::max_count - 96) / 16;
+  EXPECT_EQ(hsp::default_limits(most, limits), hsp::Status::ok);
+  EXPECT_LE(limits.edges, hsp::max_count);
+  EXPECT_EQ(hsp::default_limits(most + 1, limits), hsp::Status::range);
+}
+
+// A whole sphere, a lens, and a ball with three studs, whose face has three loops.
+TEST(TopologyLimits, ForOneBoundary) {
+  BuiltTopology built(std::vector<TestBall>{{0, 0, 0, 1000},
+                                            {1000, 0, 0, 100},
+                                            {0, 1000, 0, 100},
+                                            {0, 0, -1000, 100},
+                                            {5000, 0, 0, 500},
+                                            {5600, 0, 0, 500},
+                                            {9000, 0, 0, 500}});
+  ASSERT_EQ(built.status(), hsp::Status::ok);
+  const TopologyLimits limits = hsp::limits_for(built.balls(), built.boundary(), 3);
+  EXPECT_EQ(limits.balls, 7U);
+  EXPECT_EQ(limits.neighbours, 3U);
+  EXPECT_EQ(limits.cut_arcs, 4U * 2);
+  EXPECT_EQ(limits.edges, 2U * 3 + 2 + 2 + 4 * limits.cut_arcs);
+  EXPECT_LE(built.builder().needed().edges, limits.edges);
+  EXPECT_LE(built.builder().needed().cut_arcs, limits.cut_arcs);
+}
+
+// The left face of a loop's start is the first of the parts that its maximal face is cut into, if the loop is the
+// first.
+TEST(Topology, StartsOfLoops) {
+  oracle::RandomSource random(2);
+  uint32_t cut_faces = 0;
+  for (int k = 0; k < 300; ++k) {
+    BuiltTopology built(oracle::any_balls(random, static_cast<std::size_t>(random.in(2, 20))));
+    ASSERT_EQ(built.status(), hsp::Status::ok);
+    const Topology &topology = built.structure();
+    const hsp::Boundary &boundary = built.boundary();
+    for (uint32_t loop = 0; loop < boundary.loop_count(); ++loop) {
+      const uint32_t q = topology.start_of_loop(boundary, loop);
+      EXPECT_EQ(topology.faces[topology.quads.left(q)].face, boundary.face_of_loop(loop));
+    }
+    std::vector<uint32_t> first_part(boundary.face_count(), hsp::no_id);
+    for (uint32_t simple = topology.face_count; simple-- > 0;) first_part[topology.faces[simple].face] = simple;
+    for (uint32_t face = 0; face < boundary.face_count(); ++face) {
+      const hsp::IdRange loops = boundary.loops_of_face(face);
+      if (loops.empty()) continue;
+      EXPECT_EQ(topology.quads.left(topology.start_of_loop(boundary, loops.first)), first_part[face]);
+      cut_faces += loops.size() > 1 ? 1U : 0U;
+    }
+  }
+  EXPECT_GT(cut_faces, 100U);
+}
+
+TEST(ShellRecord, EulerCharacteristicAndGenus) {
+  hsp::ShellRecord shell{};
+  shell.vertices = 8;
+  shell.edges = 12;
+  shell.simple_faces = 6;
+  EXPECT_EQ(shell.euler(), 2);
+  EXPECT_EQ(shell.genus(), 0U);
+  shell.edges = 20;
+  EXPECT_EQ(shell.euler(), -6);
+  EXPECT_EQ(shell.genus(), 4U);
+}
+
 }  // namespace
