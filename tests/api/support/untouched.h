@@ -5,12 +5,24 @@
 
 #include "check.h"
 
-/* Defined with the address sanitizer alone. It keeps some bytes of a handle's memory out of reach, see
- * lib/core/poison.hpp, also when the memory is used for something else. */
-extern void __asan_unpoison_memory_region(const volatile void *memory, size_t bytes) __attribute__((weak));
+/* With the address sanitizer some bytes of a handle's memory stay out of reach, see lib/core/poison.hpp, also when the
+ * memory is used for something else. */
+#if defined(__SANITIZE_ADDRESS__)
+#define HAS_ADDRESS_SANITIZER
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define HAS_ADDRESS_SANITIZER
+#endif
+#endif
+#ifdef HAS_ADDRESS_SANITIZER
+extern void __asan_unpoison_memory_region(const volatile void *memory, size_t bytes);
+#define unpoison __asan_unpoison_memory_region
+#else
+#define unpoison(memory, bytes) ((void)0)
+#endif
 
 static inline void fill_with_pattern(void *memory, size_t bytes) {
-  if (__asan_unpoison_memory_region != NULL) __asan_unpoison_memory_region(memory, bytes);
+  unpoison(memory, bytes);
   memset(memory, 0xA5, bytes);
 }
 

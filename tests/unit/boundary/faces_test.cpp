@@ -87,9 +87,9 @@ TEST(MeridianWalks, WalksThatStayCovered) {
   }
 }
 
-// Loops are numbered face by face, though they are found in the order of their half-edges. Outside a ring and around two
-// studs on the far side the sphere has one face with two loops; in some positions the ring's inner loop is found between
-// them.
+// Loops are numbered face by face, though they are found in the order of their half-edges. Outside a ring and around
+// two studs on the far side the sphere has one face with two loops; in some positions the ring's inner loop is found
+// between them.
 TEST(LoopsOfFaces, AreConsecutive) {
   uint32_t found_between = 0;
   for (const Position &position : all_positions()) {
