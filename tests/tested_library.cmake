@@ -9,7 +9,7 @@ add_library(hardsphere_checked STATIC $<TARGET_OBJECTS:hardsphere_checked_object
 set_target_properties(hardsphere_checked_objects hardsphere_checked PROPERTIES EXCLUDE_FROM_ALL ON)
 get_target_property(language hardsphere LINKER_LANGUAGE)
 set_target_properties(hardsphere_checked PROPERTIES LINKER_LANGUAGE ${language})
-target_include_directories(hardsphere_checked PUBLIC ${PROJECT_SOURCE_DIR}/include)
+target_include_directories(hardsphere_checked PUBLIC ${hardsphere_SOURCE_DIR}/include)
 target_link_libraries(hardsphere_checked PUBLIC m PRIVATE hardsphere_sanitizers)
 
 define_property(TARGET PROPERTY HSP_SHIPPED_LIBRARY INHERITED BRIEF_DOCS "Whether a program links the installed archive"

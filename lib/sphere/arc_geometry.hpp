@@ -54,8 +54,8 @@ double exterior_angle(double root_D, const exact::Sphere &sphere, const exact::P
 double arc_angle(const exact::Plane &P, const exact::Plane &Q, double root_D_exit, const exact::Plane &R,
                  double root_D_entry);
 
-// The counter-clockwise angle about an axis from one direction to another, in [0, 2 pi]; their parts along the axis do
-// not matter.
+// The counter-clockwise angle about an axis from one vector to another, in [0, 2 pi]. Both are perpendicular to the
+// axis; lengths do not matter.
 double turn_about(const Vec3 &axis, const Vec3 &from, const Vec3 &to);
 
 }  // namespace hsp
