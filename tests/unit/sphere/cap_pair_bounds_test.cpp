@@ -38,6 +38,7 @@ class CapsOfScene {
     block_.range[0] = {0, 4};
     block_.ranges = 1;
   }
+  ~CapsOfScene() { hsp::unpoison(memory_, sizeof memory_); }
   CapsOfScene(const CapsOfScene &) = delete;
   CapsOfScene &operator=(const CapsOfScene &) = delete;
   const Caps &of(const Scene &scene) {
