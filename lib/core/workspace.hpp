@@ -54,9 +54,8 @@ class Workspace {
     const size_t end = used_;
     if (poisons && count > 0) ++used_;
     used_ += padding();
-    if (base_ == nullptr || end > bytes_) return nullptr;
-    poison(base_ + end, (used_ < bytes_ ? used_ : bytes_) - end);
-    return base_ + place;
+    if (base_ != nullptr && end < bytes_) poison(base_ + end, (used_ < bytes_ ? used_ : bytes_) - end);
+    return base_ == nullptr || end > bytes_ ? nullptr : base_ + place;
   }
   // Bytes to the next aligned address. While measuring the block is taken to be aligned; bytes() adds the slack.
   size_t padding() const { return (alignment - (reinterpret_cast<uintptr_t>(base_) + used_) % alignment) % alignment; }
