@@ -70,22 +70,4 @@ TEST(BoundaryMemory, ArraysAreAsLongAsTheirIndices) {
   }
 }
 
-TEST(BoundaryLimits, DefaultsForANumberOfBalls) {
-  hsp::BoundaryLimits limits;
-  EXPECT_EQ(hsp::default_limits(0, limits), hsp::Status::ok);
-  EXPECT_EQ(limits.vertices, 64U);
-  EXPECT_EQ(limits.circles, 16U);
-  EXPECT_EQ(hsp::default_limits(1000, limits), hsp::Status::ok);
-  EXPECT_EQ(limits.balls, 1000U);
-  EXPECT_EQ(limits.neighbours, 256U);
-  EXPECT_EQ(limits.vertices, 8064U);
-  EXPECT_EQ(limits.circles, 2016U);
-  constexpr uint32_t most = (hsp::max_count - 64) / 8;
-  EXPECT_EQ(hsp::default_limits(most, limits), hsp::Status::ok);
-  EXPECT_LE(limits.vertices, hsp::max_count);
-  const hsp::BoundaryLimits before = limits;
-  EXPECT_EQ(hsp::default_limits(most + 1, limits), hsp::Status::range);
-  EXPECT_EQ(limits.vertices, before.vertices);
-}
-
 }  // namespace
