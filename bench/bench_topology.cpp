@@ -28,7 +28,7 @@ void boundary_and_topology(benchmark::State &state, Subject &subject) {
   state.counters["faces_per_atom"] = boundary.faces / atoms;
   state.counters["simple_faces_per_atom"] = topology.simple_faces / atoms;
   state.counters["edges_per_atom"] = topology.edges / atoms;
-  state.counters["extra_edges_per_atom"] = topology.cut_edges / atoms;
+  state.counters["cut_edges_per_atom"] = topology.cut_edges / atoms;
   state.counters["components"] = topology.components;
   state.counters["voids"] = topology.cells - 1;
   state.counters["bytes"] = static_cast<double>(subject.topology->bytes());

@@ -43,10 +43,10 @@ int32_t check_request(const Handle *handle, const void *out, uint32_t capacity, 
 
 // What every check of a computed handle ends with: the first violated invariant and where it fails.
 template <class Violation>
-int32_t report(const Violation &violation, uint32_t *law, uint32_t *where) {
-  *law = static_cast<uint32_t>(violation.invariant);
-  *where = violation.id;
-  return *law == 0 ? HSP_OK : HSP_E_CHECK;
+int32_t report(const Violation &violation, uint32_t *invariant, uint32_t *id) {
+  *invariant = static_cast<uint32_t>(violation.invariant);
+  *id = violation.id;
+  return *invariant == 0 ? HSP_OK : HSP_E_CHECK;
 }
 
 }  // namespace hsp::capi

@@ -27,7 +27,7 @@ constexpr uint32_t to_c(hsp::BoundaryInvariant invariant) {
   return static_cast<uint32_t>(invariant);
 }
 
-// The numbers that the header gives the laws of hsp_boundary_check.
+// The numbers that the header gives the invariants of hsp_boundary_check.
 using hsp::BoundaryInvariant;
 static_assert(to_c(BoundaryInvariant::none) == 0);
 static_assert(to_c(BoundaryInvariant::vertices) == 1 && to_c(BoundaryInvariant::half_edges) == 2);
@@ -199,12 +199,12 @@ int32_t hsp_boundary_get_balls(const hsp_boundary *boundary, hsp_ball *out, uint
   return HSP_OK;
 }
 
-int32_t hsp_boundary_check(hsp_boundary *boundary, uint32_t *law, uint32_t *where) {
-  if (boundary == nullptr || law == nullptr || where == nullptr) return HSP_E_ARGUMENT;
+int32_t hsp_boundary_check(hsp_boundary *boundary, uint32_t *invariant, uint32_t *id) {
+  if (boundary == nullptr || invariant == nullptr || id == nullptr) return HSP_E_ARGUMENT;
   if (!boundary->has_results()) return HSP_E_STATE;
   const hsp::BallSet &balls = boundary->balls();
   const hsp::Boundary &structure = boundary->structure();
   hsp::Violation violation = hsp::check_boundary(balls, structure, boundary->builder.scratch());
   if (violation.invariant == BoundaryInvariant::none) violation = hsp::check_boundary_metric(balls, structure);
-  return hsp::capi::report(violation, law, where);
+  return hsp::capi::report(violation, invariant, id);
 }

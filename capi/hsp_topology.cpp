@@ -26,7 +26,7 @@ constexpr uint32_t to_c(hsp::TopologyInvariant invariant) {
   return static_cast<uint32_t>(invariant);
 }
 
-// The numbers that the header gives the laws of hsp_topology_check.
+// The numbers that the header gives the invariants of hsp_topology_check.
 using hsp::TopologyInvariant;
 static_assert(to_c(TopologyInvariant::none) == 0);
 static_assert(to_c(TopologyInvariant::algebra) == 1 && to_c(TopologyInvariant::vertices) == 2);
@@ -159,8 +159,8 @@ int32_t hsp_topology_get_quad_edges(const hsp_topology *topology, uint32_t *onex
   return HSP_OK;
 }
 
-int32_t hsp_topology_check(hsp_topology *topology, uint32_t *law, uint32_t *where) {
-  if (topology == nullptr || law == nullptr || where == nullptr) return HSP_E_ARGUMENT;
+int32_t hsp_topology_check(hsp_topology *topology, uint32_t *invariant, uint32_t *id) {
+  if (topology == nullptr || invariant == nullptr || id == nullptr) return HSP_E_ARGUMENT;
   if (!topology->has_results()) return HSP_E_STATE;
   const hsp::Boundary &boundary = topology->boundary->structure();
   const hsp::Topology &structure = topology->structure();
@@ -168,5 +168,5 @@ int32_t hsp_topology_check(hsp_topology *topology, uint32_t *law, uint32_t *wher
   if (violation.invariant == TopologyInvariant::none) {
     violation = hsp::check_enclosed_volumes(topology->balls(), boundary, structure);
   }
-  return hsp::capi::report(violation, law, where);
+  return hsp::capi::report(violation, invariant, id);
 }

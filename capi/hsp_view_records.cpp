@@ -34,7 +34,7 @@ hsp_view_arc to_c(const hsp::BallSet &balls, const hsp::ProjectedArc &arc, uint3
   length.point(arc.start, out.start);
   length.point(arc.end, out.end);
   out.piece = piece;
-  out.across = arc.across == hsp::no_id ? HSP_NONE : balls.caller[arc.across];
+  out.other_ball = arc.other_ball == hsp::no_id ? HSP_NONE : balls.caller[arc.other_ball];
   return out;
 }
 

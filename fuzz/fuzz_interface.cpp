@@ -321,11 +321,11 @@ class Session {
     if (!attempted_ && boundary != nullptr) {
       FUZZ_REQUIRE(hsp_boundary_get_needed(boundary, &needed) == HSP_E_STATE, "hsp_boundary_get_needed");
     }
-    uint32_t law = 12345, where = 12345;
+    uint32_t invariant = 12345, id = 12345;
     hsp_boundary *checked = boundary == nullptr ? nullptr : boundary_;
-    FUZZ_REQUIRE(hsp_boundary_check(checked, &law, &where) == expected, "hsp_boundary_check");
-    FUZZ_REQUIRE(law == (expected == HSP_OK ? 0U : 12345U), "law");
-    FUZZ_REQUIRE(where == (expected == HSP_OK ? HSP_NONE : 12345U), "where");
+    FUZZ_REQUIRE(hsp_boundary_check(checked, &invariant, &id) == expected, "hsp_boundary_check");
+    FUZZ_REQUIRE(invariant == (expected == HSP_OK ? 0U : 12345U), "invariant");
+    FUZZ_REQUIRE(id == (expected == HSP_OK ? HSP_NONE : 12345U), "id");
     check_array<hsp_vertex>(40, expected, [&](hsp_vertex *out, uint32_t capacity, uint32_t *count) {
       return hsp_boundary_get_vertices(boundary, out, capacity, count);
     });

@@ -62,8 +62,7 @@
 extern "C" {
 #endif
 
-/* ---- version ------------------------------------------------------------------------------------------------------
- */
+/* ---- version --------------------------------------------------------------------------------------------------- */
 
 /** Version of this header: 10000 * major + 100 * minor + patch. */
 #define HSP_VERSION_NUMBER 100
@@ -71,8 +70,7 @@ extern "C" {
 /** Version of the library that was linked, to be compared with HSP_VERSION_NUMBER. */
 HSP_API uint32_t hsp_version(void);
 
-/* ---- status -------------------------------------------------------------------------------------------------------
- */
+/* ---- status ---------------------------------------------------------------------------------------------------- */
 
 #define HSP_OK 0            /**< success */
 #define HSP_E_ARGUMENT (-1) /**< a null pointer, a wrong struct_size, or a reserved field that is not 0 */
@@ -182,8 +180,7 @@ typedef struct hsp_packing {
  * const. HSP_E_ARGUMENT: a null pointer. Cost: O(n) for sets with bounded figures. */
 HSP_API int32_t hsp_model_get_packing(hsp_model *model, hsp_packing *figures);
 
-/* ---- queries (Section 3)
- * ------------------------------------------------------------------------------------------------
+/* ---- queries (Section 3) ------------------------------------------------------------------------------------------
  *
  * Balls are closed: touching counts. Query positions and radii are rounded to the model's lattice, then decided
  * exactly. Hits are the caller's ball indices, ascending, without duplicates. Radii include the model's probe. All
@@ -207,8 +204,7 @@ HSP_API int32_t hsp_query_meets(const hsp_model *model, const double *xyz, doubl
 HSP_API int32_t hsp_query_neighbours(const hsp_model *model, uint32_t ball, uint32_t *ids, uint32_t capacity,
                                      uint32_t *needed);
 
-/* ---- boundary of the union (Section 4.2)
- * -----------------------------------------------------------------------------
+/* ---- boundary of the union (Section 4.2) --------------------------------------------------------------------------
  *
  *   vertex   a point on three spheres outside all other balls; named by its three balls and a sign
  *   arc      a maximal free piece of the circle of two spheres between two vertices
@@ -355,8 +351,7 @@ typedef struct hsp_ball {
 HSP_API int32_t hsp_boundary_get_balls(const hsp_boundary *boundary, hsp_ball *out, uint32_t capacity,
                                        uint32_t *needed);
 
-/* ---- areas and volume
- * ------------------------------------------------------------------------------------------------- */
+/* ---- areas and volume ------------------------------------------------------------------------------------------ */
 
 typedef struct hsp_totals {
   double area;   /**< of the boundary, walls of voids included, length^2 */
@@ -391,8 +386,7 @@ HSP_API int32_t hsp_boundary_measure_selected(const hsp_boundary *boundary, cons
 HSP_API int32_t hsp_boundary_measure_faces(const hsp_boundary *boundary, double *area, double *volume,
                                            uint32_t capacity);
 
-/* ---- gradients
- * --------------------------------------------------------------------------------------------------------
+/* ---- gradients ----------------------------------------------------------------------------------------------------
  *
  * The area A_i of ball i and the volume V of the union as functions of all centres and radii. V is continuously
  * differentiable. A_i is continuous; its derivative jumps where two spheres begin to touch, and has an unbounded slope,
@@ -449,12 +443,11 @@ typedef struct hsp_area_derivative {
 HSP_API int32_t hsp_boundary_get_area_row(const hsp_boundary *boundary, uint32_t ball, uint32_t tangency,
                                           hsp_area_derivative *out, uint32_t capacity, uint32_t *needed);
 
-/* ---- self-check
- * ------------------------------------------------------------------------------------------------------- */
+/* ---- self-check ------------------------------------------------------------------------------------------------ */
 
-/** Check a computed boundary against its own laws: what fuzzers and careful callers call. If all hold, *law becomes 0
- *  and *where HSP_NONE. Else *law becomes the number of the first that does not, and *where the id of the vertex, arc
- *  end, loop, face, shell or ball concerned:
+/** Check the invariants of a computed boundary: what fuzzers and careful callers call. If all hold, *invariant becomes
+ *  0 and *id HSP_NONE. Else *invariant becomes the number of the first that is violated, and
+ *  *id that of the vertex, arc end, loop, face, shell or ball concerned:
  *     1  a vertex lies on three different balls, none of them inside another
  *     2  each of its balls is visited by exactly one loop there, between the two circles that its sign gives
  *     3  an arc ends on the ball and circle it started on
@@ -466,12 +459,11 @@ HSP_API int32_t hsp_boundary_get_area_row(const hsp_boundary *boundary, uint32_t
  *     9  every vertex lies on its three spheres, up to rounding
  *    10  no ball's area is negative or beyond its sphere, and it equals the area from angles between positions
  *    11  the volume equals the volume about another origin from positions: every component's surface is closed
- *  HSP_OK: all hold. HSP_E_CHECK: one does not. HSP_E_ARGUMENT: a null pointer. HSP_E_STATE as above.
+ *  HSP_OK: all hold. HSP_E_CHECK: one is violated. HSP_E_ARGUMENT: a null pointer. HSP_E_STATE as above.
  *  Uses the boundary's scratch memory, hence not const; results stay valid. Cost: O(size of the boundary). */
-HSP_API int32_t hsp_boundary_check(hsp_boundary *boundary, uint32_t *law, uint32_t *where);
+HSP_API int32_t hsp_boundary_check(hsp_boundary *boundary, uint32_t *invariant, uint32_t *id);
 
-/* ---- topology (Section 4.2, Step 3)
- * -----------------------------------------------------------------------------------
+/* ---- topology (Section 4.2, Step 3) -------------------------------------------------------------------------------
  *
  * The boundary as one quad-edge structure (Guibas and Stolfi 1985) whose faces are simple, as the paper has them: every
  * simple face is bounded by one loop of at least two edges, every edge by two different simple faces. To this end
@@ -690,11 +682,11 @@ HSP_API int32_t hsp_topology_get_components(const hsp_topology *topology, hsp_co
                                             uint32_t *needed);
 
 typedef struct hsp_cell {
-  double area;         /**< of all its shells, length^2 */
-  double volume;       /**< of the cell itself, what lies in it left out, length^3; of cell 0: 0 */
-  uint32_t wall;       /**< the shell of kind HSP_SHELL_VOID around it; HSP_NONE for cell 0 */
-  uint32_t components; /**< components of the union that lie in it */
-  uint32_t shells;     /**< shells that bound it */
+  double area;              /**< of all its shells, length^2 */
+  double volume;            /**< of the cell itself, what lies in it left out, length^3; of cell 0: 0 */
+  uint32_t enclosing_shell; /**< the shell of kind HSP_SHELL_VOID around it; HSP_NONE for cell 0 */
+  uint32_t components;      /**< components of the union that lie in it */
+  uint32_t shells;          /**< shells that bound it */
   uint32_t reserved;
 } hsp_cell;
 
@@ -702,7 +694,7 @@ typedef struct hsp_cell {
 HSP_API int32_t hsp_topology_get_cells(const hsp_topology *topology, hsp_cell *out, uint32_t capacity,
                                        uint32_t *needed);
 
-/** The shells that bound a cell, ascending: its wall, and the outer shell of every component that lies in it.
+/** The shells that bound a cell, ascending: its enclosing shell, and the outer shell of every component in it.
  *  HSP_E_ID: no such cell. Else statuses as above. Cost: O(shells). */
 HSP_API int32_t hsp_topology_get_cell_shells(const hsp_topology *topology, uint32_t cell, uint32_t *shells,
                                              uint32_t capacity, uint32_t *needed);
@@ -727,8 +719,9 @@ HSP_API int32_t hsp_topology_locate(hsp_topology *topology, const double *xyz, u
  *  hsp_topology_locate. */
 HSP_API int32_t hsp_topology_same_cell(hsp_topology *topology, const double *a, const double *b, int32_t *same);
 
-/** Check a computed topology against its laws. If all hold, *law becomes 0 and *where HSP_NONE. Else *law becomes the
- *  number of the first that does not, and *where the quarter-edge, vertex, simple face, shell or component concerned:
+/** Check the invariants of a computed topology. If all hold, *invariant becomes 0 and *id HSP_NONE. Else
+ *  *invariant becomes the number of the first that is violated, and
+ *  *id that of the quarter-edge, vertex, simple face, shell or component concerned:
  *     1  the quad-edge algebra: properties 1 to 5 above
  *     2  origins are vertices, and every vertex starts an edge and is one ring of onext
  *     3  every simple face is one ring of at least two edges, on one ball, and no edge has it on both sides
@@ -737,12 +730,11 @@ HSP_API int32_t hsp_topology_same_cell(hsp_topology *topology, const double *a, 
  *     6  the scan visits every simple face of a shell once and no other
  *     7  every component has one outer shell, every other shell walls one void, and the cells nest without cycles
  *     8  outer shells enclose a positive volume, voids' shells a negative one, up to rounding
- *  HSP_OK: all hold. HSP_E_CHECK: one does not. HSP_E_ARGUMENT: a null pointer. HSP_E_STATE as above.
+ *  HSP_OK: all hold. HSP_E_CHECK: one is violated. HSP_E_ARGUMENT: a null pointer. HSP_E_STATE as above.
  *  Uses the topology's scratch memory, hence not const; results stay valid. Cost: O(size of the topology). */
-HSP_API int32_t hsp_topology_check(hsp_topology *topology, uint32_t *law, uint32_t *where);
+HSP_API int32_t hsp_topology_check(hsp_topology *topology, uint32_t *invariant, uint32_t *id);
 
-/* ---- view: hidden surface removal by the painter's order (Section 5.1)
- * --------------------------------------------------
+/* ---- view: hidden surface removal by the painter's order (Section 5.1) --------------------------------------------
  *
  * A view looks at the balls from infinitely far away. View coordinates: x to the right, y up, z towards the viewer, so
  * that a larger z is nearer; (x, y) is the view plane. What is painted of a ball is a piece of its front hemisphere:
@@ -898,7 +890,7 @@ typedef struct hsp_view_arc {
   double start[2];     /**< the point at `from`, length; it is the end of the arc before, bit for bit */
   double end[2];       /**< the point at `to`, length */
   uint32_t piece;      /**< index in hsp_view_get_pieces */
-  uint32_t across;     /**< the ball whose sphere it lies on too, the caller's index; HSP_NONE on the silhouette */
+  uint32_t other_ball; /**< the ball whose sphere it lies on too, the caller's index; HSP_NONE on the silhouette */
 } hsp_view_arc;
 
 /** The arcs, loop after loop. Statuses as hsp_view_get_pieces.
@@ -906,8 +898,7 @@ typedef struct hsp_view_arc {
  *  Property 2: start and end agree with centre, semi-axes, rotation and parameters up to rounding. */
 HSP_API int32_t hsp_view_get_arcs(const hsp_view *view, hsp_view_arc *out, uint32_t capacity, uint32_t *needed);
 
-/* ---- pictures
- * ----------------------------------------------------------------------------------------------------------
+/* ---- pictures -----------------------------------------------------------------------------------------------------
  *
  * A view as a vector picture: one path per piece, true arcs, painted back to front. The bytes depend on the view,
  * the colours and the options alone, not on the machine.

@@ -37,7 +37,7 @@ void write_times(std::ostream &out, const Run &run, const Surface &surface) {
     table.row({molecule, grouped(m->counter("atoms")), microseconds_per_atom(*m, "boundary_seconds"),
                microseconds_per_atom(*m, "topology_seconds"), fixed(m->counter("topology_ratio"), 3),
                fixed(m->counter("faces_per_atom"), 2), fixed(m->counter("simple_faces_per_atom"), 2),
-               fixed(m->counter("edges_per_atom"), 2), fixed(m->counter("extra_edges_per_atom"), 2),
+               fixed(m->counter("edges_per_atom"), 2), fixed(m->counter("cut_edges_per_atom"), 2),
                grouped(m->counter("components")), grouped(m->counter("voids"))});
   }
   for (const double from : {0.0, large_set}) {

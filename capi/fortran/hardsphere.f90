@@ -264,7 +264,7 @@ module hardsphere
   type, bind(C) :: hsp_cell
     real(c_double) :: area             ! length^2
     real(c_double) :: volume           ! length^3
-    integer(c_int32_t) :: wall         ! 0-based, HSP_NONE for cell 0
+    integer(c_int32_t) :: enclosing_shell ! 0-based, HSP_NONE for cell 0
     integer(c_int32_t) :: components
     integer(c_int32_t) :: shells
     integer(c_int32_t) :: reserved
@@ -329,7 +329,7 @@ module hardsphere
     real(c_double) :: start(2)         ! length
     real(c_double) :: end(2)           ! length
     integer(c_int32_t) :: piece        ! 0-based
-    integer(c_int32_t) :: across       ! 0-based, HSP_NONE on the silhouette
+    integer(c_int32_t) :: other_ball   ! 0-based, HSP_NONE on the silhouette
   end type
 
   type, bind(C) :: hsp_picture_options
@@ -630,11 +630,11 @@ module hardsphere
 
     ! ---- self-check ------------------------------------------------------------------------------------------------
 
-    function hsp_boundary_check(boundary, law, where) result(status) bind(C, name="hsp_boundary_check")
+    function hsp_boundary_check(boundary, invariant, id) result(status) bind(C, name="hsp_boundary_check")
       import :: c_int32_t, c_ptr
       type(c_ptr), value :: boundary
-      integer(c_int32_t), intent(inout) :: law
-      integer(c_int32_t), intent(inout) :: where
+      integer(c_int32_t), intent(inout) :: invariant
+      integer(c_int32_t), intent(inout) :: id
       integer(c_int32_t) :: status
     end function
 
@@ -904,11 +904,11 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    function hsp_topology_check(topology, law, where) result(status) bind(C, name="hsp_topology_check")
+    function hsp_topology_check(topology, invariant, id) result(status) bind(C, name="hsp_topology_check")
       import :: c_int32_t, c_ptr
       type(c_ptr), value :: topology
-      integer(c_int32_t), intent(inout) :: law
-      integer(c_int32_t), intent(inout) :: where
+      integer(c_int32_t), intent(inout) :: invariant
+      integer(c_int32_t), intent(inout) :: id
       integer(c_int32_t) :: status
     end function
 

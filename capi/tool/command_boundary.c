@@ -89,7 +89,7 @@ static void print_table(const struct request *request, const struct molecule *mo
   report_row_count(out, "euler", euler_of(counted), "Euler characteristic, summed over the shells");
   if (counts->tied_vertices > 0) {
     report_row_count(out, "tied vertices", counts->tied_vertices,
-                     "vertices with a fourth sphere or a tangency, decided by the tie rule");
+                     "vertices with a fourth sphere or a tangency, decided by symbolic perturbation");
   }
   const bool list_them = counted->shell_count > 1 || (request->shells && counted->shell_count > 0);
   if (list_them) print_shells(molecule, counted, out);

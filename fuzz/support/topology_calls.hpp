@@ -99,10 +99,10 @@ class TopologyCalls {
     if (topology != nullptr && !attempted_) {
       FUZZ_REQUIRE(hsp_topology_get_needed(topology, &needed) == HSP_E_STATE, "hsp_topology_get_needed");
     }
-    uint32_t law = 12345, where = 12345;
-    FUZZ_REQUIRE(hsp_topology_check(topology, &law, &where) == expected, "hsp_topology_check");
-    FUZZ_REQUIRE(law == (expected == HSP_OK ? 0U : 12345U), "law");
-    FUZZ_REQUIRE(where == (expected == HSP_OK ? HSP_NONE : 12345U), "where");
+    uint32_t invariant = 12345, id = 12345;
+    FUZZ_REQUIRE(hsp_topology_check(topology, &invariant, &id) == expected, "hsp_topology_check");
+    FUZZ_REQUIRE(invariant == (expected == HSP_OK ? 0U : 12345U), "invariant");
+    FUZZ_REQUIRE(id == (expected == HSP_OK ? HSP_NONE : 12345U), "id");
     read_arrays(topology, expected, counts);
     read_steps(topology, expected, counts);
   }

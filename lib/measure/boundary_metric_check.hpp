@@ -6,7 +6,7 @@
 
 namespace hsp {
 
-// Laws 9 to 11. O(size).
+// Invariants 9 to 11. O(size).
 Violation check_boundary_metric(const BallSet &balls, const Boundary &boundary);
 
 }  // namespace hsp

@@ -10,21 +10,21 @@ namespace hsp {
 // a void, whose faces look into it. Summed in the order of the shell's scan, which does not depend on ids.
 BallMeasure measure_shell(const BallSet &balls, const Boundary &boundary, const Topology &topology, uint32_t shell);
 
-// Fills for each cell of the complement its area, its volume, its wall and the numbers of shells and components that
-// border on it and lie in it, in the caller's unit. Cell 0 has no end: its volume is 0 and its wall no_id.
-// cells [cell_count]. Cell has area, volume, wall, shells and components.
+// Fills for each cell of the complement its area, its volume, its enclosing shell and the numbers of shells and
+// components that border on it and lie in it, in the caller's unit. Cell 0 has no end: its volume is 0 and its
+// enclosing shell no_id. cells [cell_count]. Cell has area, volume, enclosing_shell, shells and components.
 template <class Cell>
 void measure_cells(const BallSet &balls, const Boundary &boundary, const Topology &topology, Span<Cell> cells) {
   for (Cell &cell : cells) {
     cell = {};
-    cell.wall = no_id;
+    cell.enclosing_shell = no_id;
   }
   for (uint32_t s = 0; s < topology.shell_count; ++s) {
     const ShellRecord &shell = topology.shells[s];
     Cell &cell = cells[shell.cell];
     ++cell.shells;
-    if (shell.is_void) cell.wall = s;
-    // Outward from the union is into the cell, for its wall and for what lies in it alike.
+    if (shell.is_void) cell.enclosing_shell = s;
+    // Outward from the union is into the cell, for its enclosing shell and for what lies in it alike.
     const BallMeasure measure = measure_shell(balls, boundary, topology, s);
     cell.area += measure.area;
     cell.volume -= measure.volume;
@@ -37,7 +37,7 @@ void measure_cells(const BallSet &balls, const Boundary &boundary, const Topolog
   }
 }
 
-// Law 8: the sign of each shell's volume, up to rounding.
+// Invariant 8: the sign of each shell's volume, up to rounding.
 TopologyViolation check_enclosed_volumes(const BallSet &balls, const Boundary &boundary, const Topology &topology);
 
 }  // namespace hsp

@@ -49,7 +49,7 @@ PageArc Page::place(const ProjectedArc &arc) const {
           arc.to,
           place(arc.start),
           place(arc.end),
-          arc.across == no_id};
+          arc.other_ball == no_id};
 }
 
 Page lay_out(const PictureInput &input, const PictureOptions &options) {

@@ -1,4 +1,4 @@
-// The laws of a topology, checked from its tables alone. A correct build violates none of them for any input.
+// The invariants of a topology, checked from its tables alone. A correct build violates none of them for any input.
 #pragma once
 
 #include "topology/topology.hpp"
@@ -18,14 +18,14 @@ enum class TopologyInvariant : uint32_t {
   volumes = 8,
 };
 
-// The first law that does not hold, and the id of the quarter-edge, vertex, simple face, shell or component where it
-// fails; no_id where none does.
+// The first invariant that is violated, and the id of the quarter-edge, vertex, simple face, shell or component where
+// it is; no_id where none is.
 struct TopologyViolation {
   TopologyInvariant invariant = TopologyInvariant::none;
   uint32_t id = no_id;
 };
 
-// Laws 1 to 7, in order. marks [edges] is scratch memory. O(size).
+// Invariants 1 to 7, in order. marks [edges] is scratch memory. O(size).
 TopologyViolation check_topology(const Boundary &boundary, const Topology &topology, Span<uint32_t> marks);
 
 }  // namespace hsp

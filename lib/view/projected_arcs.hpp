@@ -58,7 +58,7 @@ struct ProjectedArc {
   ProjectedEllipse ellipse;
   double from, to;  // to > from: counter-clockwise
   double start[2], end[2];
-  uint32_t across;  // grid order, no_id on the silhouette
+  uint32_t other_ball;  // grid order, no_id on the silhouette
 };
 
 // Calls visit(arc, first_of_loop, last_of_loop) for the arcs of a piece, loop after loop.
@@ -71,12 +71,12 @@ void visit_arcs(const BallSet &balls, const View &view, uint32_t piece, Visit vi
     for (uint32_t a = first; a < last; ++a) {
       const ArcRecord &arc = view.arcs[a];
       const ArcRecord &next = view.arcs[a + 1 < last ? a + 1 : first];
-      visit(ProjectedArc{ellipse_of(balls, view.frame, record.ball, arc.across),
+      visit(ProjectedArc{ellipse_of(balls, view.frame, record.ball, arc.other_ball),
                          arc.from,
                          arc.to,
                          {arc.start[0], arc.start[1]},
                          {next.start[0], next.start[1]},
-                         arc.across},
+                         arc.other_ball},
             a == first, a + 1 == last);
     }
   }

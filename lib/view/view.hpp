@@ -30,9 +30,9 @@ struct PieceRecord {
 };
 
 struct ArcRecord {
-  double from, to;  // parameters on the ellipse of projected_arcs.hpp
-  double start[2];  // where it starts; it ends where the next one of its loop starts
-  uint32_t across;  // the ball whose sphere it lies on too, no_id on the silhouette
+  double from, to;      // parameters on the ellipse of projected_arcs.hpp
+  double start[2];      // where it starts; it ends where the next one of its loop starts
+  uint32_t other_ball;  // the ball whose sphere it lies on too, no_id on the silhouette
 };
 
 struct View {

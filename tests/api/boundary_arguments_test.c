@@ -23,7 +23,7 @@ static hsp_face faces[16];
 static hsp_ball balls[BALLS];
 static hsp_totals totals;
 static double area[BALLS], volume[BALLS];
-static uint32_t needed, law, where;
+static uint32_t needed, invariant, id;
 
 static void fill_outputs(void) {
   FILL(counts);
@@ -37,8 +37,8 @@ static void fill_outputs(void) {
   FILL(area);
   FILL(volume);
   FILL(needed);
-  FILL(law);
-  FILL(where);
+  FILL(invariant);
+  FILL(id);
 }
 
 static void check_outputs_untouched(void) {
@@ -53,8 +53,8 @@ static void check_outputs_untouched(void) {
   CHECK_UNTOUCHED(area);
   CHECK_UNTOUCHED(volume);
   CHECK_UNTOUCHED(needed);
-  CHECK_UNTOUCHED(law);
-  CHECK_UNTOUCHED(where);
+  CHECK_UNTOUCHED(invariant);
+  CHECK_UNTOUCHED(id);
 }
 
 /* All reading functions with good arguments must say `status` and write nothing. */
@@ -68,7 +68,7 @@ static void check_all_readers(hsp_boundary *which, int32_t status) {
   CHECK_EQUAL(hsp_boundary_get_balls(which, balls, BALLS, &needed), status);
   CHECK_EQUAL(hsp_boundary_measure(which, &totals, area, volume, BALLS), status);
   CHECK_EQUAL(hsp_boundary_measure(which, &totals, NULL, NULL, 0), status);
-  CHECK_EQUAL(hsp_boundary_check(which, &law, &where), status);
+  CHECK_EQUAL(hsp_boundary_check(which, &invariant, &id), status);
   check_outputs_untouched();
 }
 
@@ -114,8 +114,8 @@ static void compute_and_read(void) {
   CHECK_EQUAL(hsp_boundary_get_faces(boundary, faces, 16, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_get_balls(boundary, NULL, BALLS, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_get_balls(boundary, balls, BALLS, NULL), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_boundary_check(boundary, NULL, &where), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_boundary_check(boundary, &law, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_check(boundary, NULL, &id), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_check(boundary, &invariant, NULL), HSP_E_ARGUMENT);
   check_outputs_untouched();
 
   check_scene("every output of hsp_boundary_measure may be left out");

@@ -155,7 +155,7 @@ contains
     type(hsp_ball) :: balls(n)
     type(hsp_totals) :: totals
     real(c_double) :: area(n), volume(n)
-    integer(c_int32_t) :: needed, law, where
+    integer(c_int32_t) :: needed, invariant, id
     integer :: v, b
     call expect(hsp_boundary_limits_init(limits, int(c_sizeof(limits), c_int32_t), n), HSP_OK, 'hsp_boundary_limits_init')
     call check(limits%balls == n .and. limits%neighbours == n .and. limits%vertices == 96 .and. limits%circles == 24, &
@@ -219,10 +219,10 @@ contains
     area = 0
     call expect(hsp_boundary_measure(boundary, area=area, capacity=n), HSP_OK, 'areas alone')
     call check(all(area > 0), 'areas alone')
-    law = 7
-    where = 7
-    call expect(hsp_boundary_check(boundary, law, where), HSP_OK, 'hsp_boundary_check')
-    call check(law == 0 .and. where == HSP_NONE, 'no law is broken')
+    invariant = 7
+    id = 7
+    call expect(hsp_boundary_check(boundary, invariant, id), HSP_OK, 'hsp_boundary_check')
+    call check(invariant == 0 .and. id == HSP_NONE, 'no invariant is broken')
     call two_balls_circle()
   end subroutine
 

@@ -201,7 +201,7 @@ contains
     type(hsp_component) :: components(2)
     type(hsp_cell) :: cells(2)
     type(hsp_totals) :: totals
-    integer(c_int32_t) :: needed, around(3), wall
+    integer(c_int32_t) :: needed, around(3), enclosing
     integer :: i
     call expect(hsp_topology_get_shells(topology, shells, 3_c_int32_t, needed), HSP_OK, 'hsp_topology_get_shells')
     call check(needed == 3, 'number of shells')
@@ -227,15 +227,15 @@ contains
     call check(components(1)%shells == 2 .and. components(2)%shells == 1 .and. all(components%cell == 0), 'shells, cells')
     call check(all(shells(hsp_index(components%outer_shell))%kind == HSP_SHELL_OUTER), 'outer shells')
     call expect(hsp_topology_get_cells(topology, cells, 2_c_int32_t, needed), HSP_OK, 'hsp_topology_get_cells')
-    call check(needed == 2 .and. cells(1)%wall == HSP_NONE .and. cells(1)%components == 2, 'the outer cell')
+    call check(needed == 2 .and. cells(1)%enclosing_shell == HSP_NONE .and. cells(1)%components == 2, 'the outer cell')
     call check(cells(1)%shells == 2 .and. cells(2)%shells == 1 .and. cells(2)%components == 0, 'shells of cells')
-    wall = cells(2)%wall
-    call check(shells(hsp_index(wall))%kind == HSP_SHELL_VOID .and. shells(hsp_index(wall))%cell == 1, 'wall of the void')
-    call check(abs(cells(2)%area - shells(hsp_index(wall))%area) < 1e-13_c_double, 'area of the void')
+    enclosing = cells(2)%enclosing_shell
+    call check(shells(hsp_index(enclosing))%kind == HSP_SHELL_VOID .and. shells(hsp_index(enclosing))%cell == 1, 'around the void')
+    call check(abs(cells(2)%area - shells(hsp_index(enclosing))%area) < 1e-13_c_double, 'area of the void')
     call check(cells(2)%volume > 0 .and. cells(2)%volume < 0.1_c_double, 'volume of the void')
     call expect(hsp_topology_get_cell_shells(topology, 1_c_int32_t, around, 3_c_int32_t, needed), HSP_OK, &
                 'hsp_topology_get_cell_shells')
-    call check(needed == 1 .and. around(1) == wall, 'shells around the void')
+    call check(needed == 1 .and. around(1) == enclosing, 'shells around the void')
     call expect(hsp_topology_get_cell_shells(topology, 2_c_int32_t, around, 3_c_int32_t, needed), HSP_E_ID, 'no such cell')
   end subroutine
 
@@ -271,13 +271,13 @@ contains
   end subroutine
 
   subroutine check_and_errors()
-    integer(c_int32_t) :: law, where
+    integer(c_int32_t) :: invariant, id
     type(hsp_topology_limits) :: limits
     integer(c_size_t) :: bytes
-    law = 7
-    where = 7
-    call expect(hsp_topology_check(topology, law, where), HSP_OK, 'hsp_topology_check')
-    call check(law == 0 .and. where == HSP_NONE, 'no law is broken')
+    invariant = 7
+    id = 7
+    call expect(hsp_topology_check(topology, invariant, id), HSP_OK, 'hsp_topology_check')
+    call check(invariant == 0 .and. id == HSP_NONE, 'no invariant is broken')
     call expect(hsp_topology_compute(c_null_ptr, boundary), HSP_E_ARGUMENT, 'no topology')
     call expect(hsp_topology_limits_init(limits, int(c_sizeof(limits), c_int32_t), HSP_MAX_BALLS), HSP_E_RANGE, 'too many')
     call expect(hsp_topology_limits_init(limits, int(c_sizeof(limits), c_int32_t), n), HSP_OK, 'limits')

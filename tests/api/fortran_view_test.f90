@@ -162,18 +162,18 @@ contains
     call check(all(loops%piece == [0, 1]) .and. all(loops%first_arc == [0, 1]) .and. all(loops%arcs == [1, 2]), 'loops')
     call expect(hsp_view_get_arcs(view, arcs, 3_c_int32_t, needed), HSP_OK, 'hsp_view_get_arcs')
     call check(needed == 3 .and. all(arcs%piece == [0, 1, 1]), 'arcs')
-    call check(arcs(1)%across == HSP_NONE .and. near(arcs(1)%to - arcs(1)%from, 2*pi), 'the farther ball is whole')
+    call check(arcs(1)%other_ball == HSP_NONE .and. near(arcs(1)%to - arcs(1)%from, 2*pi), 'the farther ball is whole')
     call check(all(arcs(2)%end == arcs(3)%start) .and. all(arcs(3)%end == arcs(2)%start), 'a closed loop')
     do i = 2, 3
-      if (arcs(i)%across == HSP_NONE) then
+      if (arcs(i)%other_ball == HSP_NONE) then
         call check(all(arcs(i)%semi_axis == 5) .and. arcs(i)%to > arcs(i)%from, 'a silhouette')
       else
-        call check(arcs(i)%across == 0 .and. near(arcs(i)%semi_axis(1), 4.0_c_double), 'an intersection')
+        call check(arcs(i)%other_ball == 0 .and. near(arcs(i)%semi_axis(1), 4.0_c_double), 'an intersection')
         call check(arcs(i)%semi_axis(2) == 0 .and. near(abs(arcs(i)%rotation), pi/2), 'seen edge on')
         call check(near(abs(arcs(i)%start(2)), 4.0_c_double) .and. near(arcs(i)%centre(1), 0.0_c_double), 'where it lies')
       end if
     end do
-    call check(count(arcs%across == HSP_NONE) == 2, 'two silhouettes')
+    call check(count(arcs%other_ball == HSP_NONE) == 2, 'two silhouettes')
   end subroutine
 
   subroutine directions()

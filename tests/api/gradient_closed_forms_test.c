@@ -211,8 +211,8 @@ static void touching_from_outside(void) {
   }
 }
 
-/* A ball that touches another from inside lies inside it, for either tangency and whatever the tie rule makes of it;
- * moved outward it would poke out, hence the flags. */
+/* A ball that touches another from inside lies inside it, for either tangency and whatever the perturbation makes of
+ * it; moved outward it would poke out, hence the flags. */
 static void touching_from_inside(void) {
   static ball_set set;
   int which, sign;

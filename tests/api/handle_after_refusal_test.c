@@ -47,7 +47,7 @@ static void refused_of_boundary(void) {
   contents before;
   double number[3 * BALLS];
   hsp_vertex vertex;
-  uint32_t law, where, count;
+  uint32_t invariant, id, count;
   four_handles_compute(&h);
   before = contents_of_boundary(h.boundary);
   CHECK_EQUAL(hsp_boundary_init(h.boundary_memory, 10, &limits, &made), HSP_E_MEMORY);
@@ -70,8 +70,8 @@ static void refused_of_boundary(void) {
               HSP_E_NOT_FINITE);
   CHECK_EQUAL(hsp_boundary_gradient(h.boundary, NULL, 1, 0, 2, NULL, NULL, NULL, NULL, 0), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_get_area_row(h.boundary, BALLS, HSP_TANGENT_DISJOINT, NULL, 0, &count), HSP_E_ID);
-  CHECK_EQUAL(hsp_boundary_check(h.boundary, NULL, &where), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_boundary_check(h.boundary, &law, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_check(h.boundary, NULL, &id), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_check(h.boundary, &invariant, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_topology_limits_for(&of_topology, 0, h.boundary), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_topology_compute(NULL, h.boundary), HSP_E_ARGUMENT);
   check_same_contents(&before, contents_of_boundary(h.boundary));
@@ -86,7 +86,7 @@ static void refused_of_topology(void) {
   hsp_topology_edge edge;
   hsp_simple_face face;
   hsp_topology_vertex vertex;
-  uint32_t ids[2], cell, law, where, count;
+  uint32_t ids[2], cell, invariant, id, count;
   int32_t same;
   four_handles_compute(&h);
   before = contents_of_topology(h.topology);
@@ -113,8 +113,8 @@ static void refused_of_topology(void) {
   CHECK_EQUAL(hsp_topology_locate(h.topology, nowhere, &cell, NULL, 0, NULL), HSP_E_NOT_FINITE);
   CHECK_EQUAL(hsp_topology_locate(h.topology, four_inside, &cell, ids, 1, &count), HSP_E_CAPACITY);
   CHECK_EQUAL(hsp_topology_same_cell(h.topology, four_inside, nowhere, &same), HSP_E_NOT_FINITE);
-  CHECK_EQUAL(hsp_topology_check(h.topology, NULL, &where), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_topology_check(h.topology, &law, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_check(h.topology, NULL, &id), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_check(h.topology, &invariant, NULL), HSP_E_ARGUMENT);
   check_same_contents(&before, contents_of_topology(h.topology));
 }
 

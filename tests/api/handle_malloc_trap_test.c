@@ -65,7 +65,7 @@ static int call_boundary(computed *c, const buffers *b) {
   hsp_boundary_counts counts;
   hsp_totals totals;
   hsp_energy energy;
-  uint32_t needed, law, where;
+  uint32_t needed, invariant, id;
   int32_t meets;
   size_t bytes;
   int bad = 0;
@@ -98,7 +98,7 @@ static int call_boundary(computed *c, const buffers *b) {
   bad += hsp_boundary_gradient(boundary, NULL, 1, 1, HSP_TANGENT_OVERLAP, &energy, b->by_centre, b->by_radius, b->flags,
                                c->n) != HSP_OK;
   bad += hsp_boundary_get_area_row(boundary, 0, HSP_TANGENT_DISJOINT, b->row, c->n, &needed) != HSP_OK;
-  bad += hsp_boundary_check(boundary, &law, &where) != HSP_OK;
+  bad += hsp_boundary_check(boundary, &invariant, &id) != HSP_OK;
   return bad;
 }
 
@@ -111,7 +111,7 @@ static int call_topology(topology_result *t, void *memory, size_t bytes, uint32_
   hsp_topology_vertex vertex;
   hsp_topology_edge edge;
   hsp_simple_face face;
-  uint32_t needed, law, where, cell;
+  uint32_t needed, invariant, id, cell;
   int32_t same;
   size_t size;
   int bad = 0;
@@ -141,7 +141,7 @@ static int call_topology(topology_result *t, void *memory, size_t bytes, uint32_
   bad += hsp_topology_get_traversal(topology, 0, ids, room, &needed) != HSP_OK;
   bad += hsp_topology_locate(topology, c->xyz, &cell, ids, room, &needed) != HSP_OK;
   bad += hsp_topology_same_cell(topology, c->xyz, c->xyz, &same) != HSP_OK;
-  bad += hsp_topology_check(topology, &law, &where) != HSP_OK;
+  bad += hsp_topology_check(topology, &invariant, &id) != HSP_OK;
   return bad;
 }
 

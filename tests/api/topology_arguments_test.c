@@ -27,7 +27,7 @@ static hsp_simple_face face, faces[EDGES];
 static hsp_shell shells[BALLS];
 static hsp_component components[BALLS];
 static hsp_cell cells[BALLS];
-static uint32_t ids[EDGES], needed, law, where, cell;
+static uint32_t ids[EDGES], needed, invariant, id, cell;
 static int32_t same;
 
 static void fill_outputs(void) {
@@ -46,8 +46,8 @@ static void fill_outputs(void) {
   FILL(cells);
   FILL(ids);
   FILL(needed);
-  FILL(law);
-  FILL(where);
+  FILL(invariant);
+  FILL(id);
   FILL(cell);
   FILL(same);
 }
@@ -68,8 +68,8 @@ static void check_outputs_untouched(void) {
   CHECK_UNTOUCHED(cells);
   CHECK_UNTOUCHED(ids);
   CHECK_UNTOUCHED(needed);
-  CHECK_UNTOUCHED(law);
-  CHECK_UNTOUCHED(where);
+  CHECK_UNTOUCHED(invariant);
+  CHECK_UNTOUCHED(id);
   CHECK_UNTOUCHED(cell);
   CHECK_UNTOUCHED(same);
 }
@@ -108,7 +108,7 @@ static void check_all_readers(hsp_topology *which, int32_t status) {
   CHECK_EQUAL(hsp_topology_locate(which, xyz, &cell, ids, EDGES, &needed), status);
   CHECK_EQUAL(hsp_topology_locate(which, xyz, &cell, NULL, 0, NULL), status);
   CHECK_EQUAL(hsp_topology_same_cell(which, outside, xyz, &same), status);
-  CHECK_EQUAL(hsp_topology_check(which, &law, &where), status);
+  CHECK_EQUAL(hsp_topology_check(which, &invariant, &id), status);
   check_outputs_untouched();
   check_no_steps(which);
 }
@@ -162,8 +162,8 @@ static void null_pointers(void) {
   CHECK_EQUAL(hsp_topology_same_cell(topology, NULL, xyz, &same), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_topology_same_cell(topology, xyz, NULL, &same), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_topology_same_cell(topology, xyz, xyz, NULL), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_topology_check(topology, NULL, &where), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_topology_check(topology, &law, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_check(topology, NULL, &id), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_check(topology, &invariant, NULL), HSP_E_ARGUMENT);
   check_outputs_untouched();
 }
 
@@ -287,9 +287,9 @@ static void changes(void) {
     hsp_totals totals;
     CHECK_EQUAL(hsp_model_get_packing(model, &figures), HSP_OK);
     CHECK_EQUAL(hsp_query_point(model, xyz, NULL, 0, &needed), HSP_E_CAPACITY);
-    CHECK_EQUAL(hsp_boundary_check(boundary, &law, &where), HSP_OK);
+    CHECK_EQUAL(hsp_boundary_check(boundary, &invariant, &id), HSP_OK);
     CHECK_EQUAL(hsp_boundary_measure(boundary, &totals, NULL, NULL, 0), HSP_OK);
-    CHECK_EQUAL(hsp_topology_check(topology, &law, &where), HSP_OK);
+    CHECK_EQUAL(hsp_topology_check(topology, &invariant, &id), HSP_OK);
     check_has_results();
   }
   check_scene("%s", "");

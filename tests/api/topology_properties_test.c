@@ -236,14 +236,15 @@ static void nesting(void) {
     for (i = 1; i < 4; ++i) {
       const hsp_cell *cell = t.cells + within[i];
       if (!CHECK(within[i] != 0 && within[i] < t.counts.cells)) continue;
-      CHECK_EQUAL(t.shells[cell->wall].component, component[i - 1]);
+      CHECK_EQUAL(t.shells[cell->enclosing_shell].component, component[i - 1]);
       CHECK_EQUAL(cell->components, 1);
       CHECK_EQUAL(cell->shells, 2);
       /* the walls are the same but for their size */
-      CHECK_NEAR(t.shells[cell->wall].volume * (i == 1   ? 1.0 / 512
-                                                : i == 2 ? 1
-                                                         : 512),
-                 t.shells[t.cells[within[2]].wall].volume, 1e-9 * t.shells[t.cells[within[2]].wall].volume);
+      CHECK_NEAR(t.shells[cell->enclosing_shell].volume * (i == 1   ? 1.0 / 512
+                                                           : i == 2 ? 1
+                                                                    : 512),
+                 t.shells[t.cells[within[2]].enclosing_shell].volume,
+                 1e-9 * t.shells[t.cells[within[2]].enclosing_shell].volume);
     }
     CHECK_EQUAL(t.counts.start_face, t.shells[t.components[component[0]].outer_shell].start_face);
   }
@@ -292,7 +293,7 @@ static void no_balls(void) {
     CHECK_EQUAL(t.counts.components, 0);
     CHECK_EQUAL(t.counts.cells, 1);
     CHECK_EQUAL(t.counts.start_face, HSP_NONE);
-    CHECK_EQUAL(t.cells[0].wall, HSP_NONE);
+    CHECK_EQUAL(t.cells[0].enclosing_shell, HSP_NONE);
     CHECK_EQUAL(t.cells[0].shells, 0);
     CHECK_NEAR(t.cells[0].area, 0, 0);
   }

@@ -99,7 +99,7 @@ static void check_whole_disc(const view_result *v, uint32_t piece) {
   const hsp_view_arc *arc = &v->arcs[p->first_arc];
   CHECK_EQUAL(p->loops, 1);
   CHECK_EQUAL(p->arcs, 1);
-  CHECK_EQUAL(arc->across, HSP_NONE);
+  CHECK_EQUAL(arc->other_ball, HSP_NONE);
   CHECK(arc->to - arc->from == 2 * pi);
   CHECK_NEAR(arc->semi_axis[0], p->radius, 0);
   CHECK_NEAR(arc->semi_axis[1], p->radius, 0);
@@ -239,11 +239,11 @@ static void two_balls(void) {
   check_whole_disc(&v, 0);
   for (k = 1; k < v.info.arcs; ++k) {
     const hsp_view_arc *arc = &v.arcs[k];
-    if (arc->across == HSP_NONE) {
+    if (arc->other_ball == HSP_NONE) {
       CHECK_NEAR(arc->to - arc->from, 2 * pi - 2 * acos(0.6), 1e-12);
       CHECK_NEAR(fabs(arc->start[1]), 4, 1e-12);
     } else {
-      CHECK_EQUAL(arc->across, 0);
+      CHECK_EQUAL(arc->other_ball, 0);
       CHECK_NEAR(arc->semi_axis[0], 4, 1e-12);
       CHECK(arc->semi_axis[1] == 0);
       CHECK_NEAR(arc->centre[0], 0, 1e-12);
@@ -271,8 +271,8 @@ static void two_balls(void) {
   CHECK_EQUAL(v.pieces[0].loops, 2);
   for (k = 0; k < 2; ++k) {
     const hsp_view_arc *arc = &v.arcs[k];
-    if (arc->across == HSP_NONE) continue;
-    CHECK_EQUAL(arc->across, 1);
+    if (arc->other_ball == HSP_NONE) continue;
+    CHECK_EQUAL(arc->other_ball, 1);
     CHECK(arc->from - arc->to == 2 * pi); /* a hole runs clockwise */
     CHECK_NEAR(arc->semi_axis[0], 4, 1e-12);
     CHECK_NEAR(arc->semi_axis[1], 4, 1e-12);
@@ -284,7 +284,7 @@ static void two_balls(void) {
   CHECK_EQUAL(v.pieces[1].ball, 1);
   CHECK_EQUAL(v.pieces[1].arcs, 2);
   for (k = 1; k < v.info.arcs; ++k) {
-    if (v.arcs[k].across == HSP_NONE) continue;
+    if (v.arcs[k].other_ball == HSP_NONE) continue;
     CHECK_NEAR(v.arcs[k].semi_axis[0], 4, 1e-12);
     CHECK_NEAR(v.arcs[k].semi_axis[1], 4 / sqrt(3), 1e-12);
   }

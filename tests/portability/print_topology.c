@@ -55,7 +55,7 @@ static void print_shells(const topology_result *t) {
   }
   for (i = 0; i < t->counts.cells; ++i) {
     const hsp_cell *cell = &t->cells[i];
-    printf("cell %" PRIu32 " %" PRIu32 " %" PRIu32, cell->wall, cell->components, cell->shells);
+    printf("cell %" PRIu32 " %" PRIu32 " %" PRIu32, cell->enclosing_shell, cell->components, cell->shells);
     print_doubles(&cell->area, 1);
     print_doubles(&cell->volume, 1);
     end_line();

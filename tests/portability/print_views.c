@@ -34,7 +34,7 @@ static void print_records(const view_result *v) {
   }
   for (i = 0; i < v->info.arcs; ++i) {
     const hsp_view_arc *arc = &v->arcs[i];
-    printf("view arc %" PRIu32 " %" PRIu32, arc->piece, arc->across);
+    printf("view arc %" PRIu32 " %" PRIu32, arc->piece, arc->other_ball);
     print_doubles(arc->centre, 2);
     print_doubles(arc->semi_axis, 2);
     print_doubles(&arc->rotation, 1);

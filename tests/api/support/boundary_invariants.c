@@ -2,7 +2,7 @@
 
 #include <stddef.h>
 
-const char *broken_by_own_check(int32_t status, uint32_t invariant, uint32_t where) {
+const char *broken_by_own_check(int32_t status, uint32_t invariant, uint32_t id) {
   static const char *const found[] = {"the library's own check fails without an invariant",
                                       "the library's own check: invariant 1",
                                       "the library's own check: invariant 2",
@@ -17,7 +17,7 @@ const char *broken_by_own_check(int32_t status, uint32_t invariant, uint32_t whe
                                       "the library's own check: invariant 11"};
   if (invariant >= sizeof found / sizeof found[0]) return "the library's own check: no such invariant";
   if (status == HSP_OK) {
-    return invariant == 0 && where == HSP_NONE ? NULL : "the library's own check: HSP_OK with an invariant or an id";
+    return invariant == 0 && id == HSP_NONE ? NULL : "the library's own check: HSP_OK with an invariant or an id";
   }
   return found[invariant];
 }

@@ -18,7 +18,7 @@ const char *broken_boundary_records(const computed *c);
 const char *broken_boundary_measures(const computed *c);
 
 /* What hsp_boundary_check or hsp_topology_check has found, by its status and outputs. */
-const char *broken_by_own_check(int32_t status, uint32_t invariant, uint32_t where);
+const char *broken_by_own_check(int32_t status, uint32_t invariant, uint32_t id);
 
 /* The order of the balls has no effect but on ids: ball i of `other` is ball order[i] of c. Positions and areas agree
  * bit for bit. Balls with equal centre and radius are interchangeable. */

@@ -246,9 +246,9 @@ static const char *broken_components(const computed *c) {
 
 /* The library's check of itself must agree with the checks from outside. */
 static const char *broken_own_check(const computed *c) {
-  uint32_t law = 77, where = 77;
-  const int32_t status = hsp_boundary_check(c->boundary, &law, &where);
-  return broken_by_own_check(status, law, where);
+  uint32_t invariant = 77, id = 77;
+  const int32_t status = hsp_boundary_check(c->boundary, &invariant, &id);
+  return broken_by_own_check(status, invariant, id);
 }
 
 const char *broken_boundary_records(const computed *c) {

@@ -135,14 +135,14 @@ static uint64_t view_hash(const void *view, const void *source, unsigned char *b
 /* ---- what uses scratch memory; 0 if a call fails ---- */
 
 static int use_boundary(void *boundary) {
-  uint32_t law, where;
-  return hsp_boundary_check(boundary, &law, &where) == HSP_OK;
+  uint32_t invariant, id;
+  return hsp_boundary_check(boundary, &invariant, &id) == HSP_OK;
 }
 
 static int use_topology(void *topology) {
   static const double place[3] = {0.5, 0.25, 0.125};
-  uint32_t law, where, cell;
-  return hsp_topology_check(topology, &law, &where) == HSP_OK &&
+  uint32_t invariant, id, cell;
+  return hsp_topology_check(topology, &invariant, &id) == HSP_OK &&
          hsp_topology_locate(topology, place, &cell, NULL, 0, NULL) == HSP_OK;
 }
 

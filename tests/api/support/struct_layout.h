@@ -176,7 +176,7 @@ LAYOUT_FIELD(hsp_component, reserved, 20, 4);
 LAYOUT_SIZE(hsp_cell, 32);
 LAYOUT_FIELD(hsp_cell, area, 0, 8);
 LAYOUT_FIELD(hsp_cell, volume, 8, 8);
-LAYOUT_FIELD(hsp_cell, wall, 16, 4);
+LAYOUT_FIELD(hsp_cell, enclosing_shell, 16, 4);
 LAYOUT_FIELD(hsp_cell, components, 20, 4);
 LAYOUT_FIELD(hsp_cell, shells, 24, 4);
 LAYOUT_FIELD(hsp_cell, reserved, 28, 4);
@@ -235,7 +235,7 @@ LAYOUT_FIELD(hsp_view_arc, to, 48, 8);
 LAYOUT_FIELD(hsp_view_arc, start, 56, 16);
 LAYOUT_FIELD(hsp_view_arc, end, 72, 16);
 LAYOUT_FIELD(hsp_view_arc, piece, 88, 4);
-LAYOUT_FIELD(hsp_view_arc, across, 92, 4);
+LAYOUT_FIELD(hsp_view_arc, other_ball, 92, 4);
 
 LAYOUT_SIZE(hsp_picture_options, 72);
 LAYOUT_FIELD(hsp_picture_options, struct_size, 0, 4);

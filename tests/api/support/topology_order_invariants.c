@@ -97,7 +97,7 @@ static void plain_edge(const computed *c, const hsp_topology_edge *edge, const u
 static void plain_shell(const topology_result *t, uint32_t id, const uint64_t *face_names, plain_record *plain) {
   const hsp_shell *s = t->shells + id;
   const hsp_component *component = t->components + s->component;
-  const uint32_t wall = t->cells[s->cell].wall;
+  const uint32_t enclosing = t->cells[s->cell].enclosing_shell;
   plain->word[0] = s->kind;
   plain->word[1] = (uint64_t)(int64_t)s->euler;
   plain->word[2] = s->faces;
@@ -108,7 +108,7 @@ static void plain_shell(const topology_result *t, uint32_t id, const uint64_t *f
   plain->word[7] = component->shells;
   plain->word[8] = scan_name(t, id, face_names);
   plain->word[9] = ball_name(t->base, component->top_ball);
-  plain->word[10] = wall == HSP_NONE ? 0 : face_names[t->shells[wall].start_face];
+  plain->word[10] = enclosing == HSP_NONE ? 0 : face_names[t->shells[enclosing].start_face];
   plain->size[0] = s->area;
   plain->size[1] = s->volume;
 }

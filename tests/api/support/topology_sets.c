@@ -181,7 +181,7 @@ static void cut_where_vertices_coincide(ball_set *s) {
   ball_set_add(s, 1, -1, -1, 1);
 }
 
-/* The void left by the tie rule has no size. */
+/* The void left by the perturbation has no size. */
 static void void_of_a_tie(ball_set *s) {
   ball_set_start(s, "a void that only a tie leaves open", 1e-8);
   ball_set_add(s, 0, 4, 4, 3);

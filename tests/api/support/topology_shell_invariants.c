@@ -90,7 +90,8 @@ static const char *broken_shell(const topology_result *t, uint32_t id, const tal
   if (s->kind == HSP_SHELL_OUTER && t->components[s->component].outer_shell != id) {
     return "shell: outer, but not the outer shell of its component";
   }
-  if (s->kind == HSP_SHELL_VOID && t->cells[s->cell].wall != id) return "shell: of a void whose wall it is not";
+  if (s->kind == HSP_SHELL_VOID && t->cells[s->cell].enclosing_shell != id)
+    return "shell: of a void that it does not enclose";
   if (s->start_face >= t->counts.simple_faces || t->faces[s->start_face].shell != id) {
     return "shell: start_face is none of its simple faces";
   }
@@ -222,20 +223,22 @@ static const char *broken_cell(const topology_result *t, uint32_t id) {
     if (s->kind == HSP_SHELL_OUTER) ++components;
   }
   free(ids);
-  if (!good || shells != needed) return "hsp_topology_get_cell_shells: not its wall and outer shells, ascending";
+  if (!good || shells != needed)
+    return "hsp_topology_get_cell_shells: not its enclosing shell and outer shells, ascending";
   if (cell->reserved != 0) return "cell: reserved is not 0";
   if (cell->components != components || cell->shells != shells) return "cell: wrong numbers of components or shells";
-  if ((cell->wall == HSP_NONE) != (id == 0)) return "cell: cell 0 alone has no wall";
+  if ((cell->enclosing_shell == HSP_NONE) != (id == 0)) return "cell: cell 0 alone has no enclosing shell";
   if (id > 0) {
-    if (cell->wall >= t->counts.shells || t->shells[cell->wall].kind != HSP_SHELL_VOID ||
-        t->shells[cell->wall].cell != id) {
-      return "cell: its wall is no shell of a void around it";
+    if (cell->enclosing_shell >= t->counts.shells || t->shells[cell->enclosing_shell].kind != HSP_SHELL_VOID ||
+        t->shells[cell->enclosing_shell].cell != id) {
+      return "cell: its enclosing shell is not that of a void around it";
     }
-    if (id > 1 && t->cells[id - 1].wall >= cell->wall) return "cells are not in the order of their shells";
+    if (id > 1 && t->cells[id - 1].enclosing_shell >= cell->enclosing_shell)
+      return "cells are not in the order of their shells";
   }
   if (!(fabs(cell->area - area) <= 1e-12 * area + rounding)) return "cell: area is not that of its shells";
   if (id == 0 ? cell->volume != 0 : !(fabs(cell->volume - volume) <= 1e-12 * sizes + rounding * r)) {
-    return "cell: volume is not that of its wall less what lies in it";
+    return "cell: volume is not that of its enclosing shell less what lies in it";
   }
   if (!(cell->volume >= -1e-12 * sizes - rounding * r)) return "cell: negative volume";
   return NULL;
@@ -247,7 +250,7 @@ static const char *broken_nesting(const topology_result *t) {
   for (i = 0; i < t->counts.cells; ++i) {
     uint32_t at = i, steps = 0;
     while (at != 0) {
-      const hsp_component *around = t->components + t->shells[t->cells[at].wall].component;
+      const hsp_component *around = t->components + t->shells[t->cells[at].enclosing_shell].component;
       if (around->cell >= t->counts.cells) return "component: no such cell";
       at = around->cell;
       if (++steps > t->counts.components) return "cells lie in each other in a circle";
@@ -312,9 +315,9 @@ static const char *broken_scans(const topology_result *t) {
 }
 
 static const char *broken_own_check(const topology_result *t) {
-  uint32_t law = 77, where = 77;
-  const int32_t status = hsp_topology_check(t->topology, &law, &where);
-  return broken_by_own_check(status, law, where);
+  uint32_t invariant = 77, id = 77;
+  const int32_t status = hsp_topology_check(t->topology, &invariant, &id);
+  return broken_by_own_check(status, invariant, id);
 }
 
 const char *broken_topology_shells(const topology_result *t) {

@@ -16,9 +16,9 @@ static void ellipse_point(const hsp_view_arc *arc, double t, double point[2]) {
  * touch, the root has no digits. */
 static const char *broken_ellipse(const view_result *v, const hsp_view_piece *piece, const hsp_view_arc *arc) {
   const computed *c = v->base;
-  const double r = c->radius[piece->ball], other = c->radius[arc->across];
+  const double r = c->radius[piece->ball], other = c->radius[arc->other_ball];
   double axis[3], d, along, squared, foot[2], deep, tolerance;
-  difference(&c->xyz[3 * arc->across], &c->xyz[3 * piece->ball], axis);
+  difference(&c->xyz[3 * arc->other_ball], &c->xyz[3 * piece->ball], axis);
   d = length(axis);
   if (!(d > 0)) return "an intersection with a concentric ball";
   along = (d * d + r * r - other * other) / (2 * d);
@@ -38,7 +38,7 @@ static const char *broken_ellipse(const view_result *v, const hsp_view_piece *pi
   return NULL;
 }
 
-/* Whether points along an arc, lifted to the front of its ball, lie on the sphere of the ball across. Near the
+/* Whether points along an arc, lifted to the front of its ball, lie on the sphere of the other ball. Near the
  * silhouette what rounding moves in the plane moves more in depth. */
 static int on_both_fronts(const view_result *v, const hsp_view_piece *piece, const hsp_view_arc *arc) {
   static const double parts[3] = {0.1, 0.5, 0.8};
@@ -46,7 +46,7 @@ static int on_both_fronts(const view_result *v, const hsp_view_piece *piece, con
   const double tolerance = 1e-6 * r + sqrt(2 * r * error) + error;
   double from_origin[3], other[3], at[3];
   int k;
-  difference(&v->base->xyz[3 * arc->across], v->info.origin, from_origin);
+  difference(&v->base->xyz[3 * arc->other_ball], v->info.origin, from_origin);
   other[0] = dot(from_origin, v->info.right);
   other[1] = dot(from_origin, v->info.up);
   other[2] = dot(from_origin, v->info.towards);
@@ -58,7 +58,7 @@ static int on_both_fronts(const view_result *v, const hsp_view_piece *piece, con
     if (!(square >= -1e-9 * r * r - 4 * error * r)) return 0;
     at[2] = piece->depth + sqrt(fmax(square, 0));
     difference(at, other, off);
-    if (!near(length(off), v->base->radius[arc->across], tolerance)) return 0;
+    if (!near(length(off), v->base->radius[arc->other_ball], tolerance)) return 0;
   }
   return 1;
 }
@@ -99,10 +99,10 @@ static const char *broken_arc(const view_result *v, const hsp_view_arc *arc, con
   const hsp_view_piece *piece = &v->pieces[arc->piece];
   const char *broken = broken_parameters(v, piece, arc);
   if (broken != NULL) return broken;
-  if (arc->across == HSP_NONE) return broken_silhouette(v, piece, arc);
-  if (arc->across >= v->base->n || arc->across == piece->ball) return "an arc across no other ball";
-  if (v->options.pieces == HSP_PIECES_OUTSIDE_FARTHER && piece_of[arc->across] != HSP_NONE &&
-      piece_of[arc->across] > arc->piece) {
+  if (arc->other_ball == HSP_NONE) return broken_silhouette(v, piece, arc);
+  if (arc->other_ball >= v->base->n || arc->other_ball == piece->ball) return "an arc of no other ball";
+  if (v->options.pieces == HSP_PIECES_OUTSIDE_FARTHER && piece_of[arc->other_ball] != HSP_NONE &&
+      piece_of[arc->other_ball] > arc->piece) {
     return "a G-piece is cut by a nearer ball";
   }
   broken = broken_ellipse(v, piece, arc);

@@ -25,8 +25,9 @@ const char *view_difference_after_permutation(const view_result *a, const view_r
     return "loops depend on the order of the balls";
   for (i = 0; i < a->info.arcs; ++i) {
     hsp_view_arc p = a->arcs[i], q = b->arcs[i];
-    if (!same_ball(a->base, p.across, b->base, q.across)) return "an arc's `across` depends on the order of the balls";
-    p.across = q.across = 0;
+    if (!same_ball(a->base, p.other_ball, b->base, q.other_ball))
+      return "an arc's `other_ball` depends on the order of the balls";
+    p.other_ball = q.other_ball = 0;
     if (memcmp(&p, &q, sizeof p) != 0) return "arcs depend on the order of the balls";
   }
   return NULL;

@@ -51,9 +51,9 @@ Session session_with(const Molecule &balls) {
   expect_ok(hsp_boundary_get_counts(boundary, &session.counts), "hsp_boundary_get_counts");
   session.area.resize(n);
   expect_ok(hsp_boundary_measure(boundary, &session.totals, session.area.data(), nullptr, n), "hsp_boundary_measure");
-  uint32_t law = 0;
-  uint32_t where = 0;
-  session.check_status = hsp_boundary_check(boundary, &law, &where);
+  uint32_t invariant = 0;
+  uint32_t id = 0;
+  session.check_status = hsp_boundary_check(boundary, &invariant, &id);
   return session;
 }
 

@@ -23,8 +23,8 @@ using oracle::LatticeBall;
 using oracle::Vector;
 
 // Whether two balls of positive radius touch, from outside or from inside, in a point that lies inside no third ball.
-// Nothing is said about points on a third sphere: the tie rule decides them. Equal balls touch all over: freely if one
-// of them has a face.
+// Nothing is said about points on a third sphere: the perturbation decides them. Equal balls touch all over: freely if
+// one of them has a face.
 std::optional<bool> touch_freely(const Balls &balls, size_t i, size_t j) {
   const LatticeBall &a = balls[i];
   const LatticeBall &b = balls[j];

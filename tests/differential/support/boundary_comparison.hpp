@@ -9,7 +9,7 @@
 #include "smallest_failing.hpp"
 
 // Compare the boundary in the given order of the balls and in `orders` random ones. Balls are named by their rank in
-// the tie rule, which the order does not change.
+// the perturbation, which the order does not change.
 inline Complaint boundary_differs(int orders, uint64_t seed) {
   return [orders, seed](const oracle::Balls &balls) {
     oracle::RandomSource random(seed);

@@ -45,7 +45,7 @@ void expect_as_built(const BuiltSet &set, const Balls &balls) {
     EXPECT_EQ(genus, built.genus) << set.name << ", component " << k;
     voids += built.voids;
     const uint32_t expected = built.around ? found[*built.around] : HSP_NONE;
-    const uint32_t around = component.cell == 0 ? HSP_NONE : shells[cells[component.cell].wall].component;
+    const uint32_t around = component.cell == 0 ? HSP_NONE : shells[cells[component.cell].enclosing_shell].component;
     EXPECT_EQ(around, expected) << set.name << ", component " << k << " lies in the void of another";
   }
   EXPECT_EQ(topology.counts().cells, 1 + voids) << set.name;
@@ -102,7 +102,7 @@ TEST(BuiltSets, CellsFromTheInsideOut) {
       const uint32_t cell = topology.cell_of(point);
       ASSERT_NE(cell, 0U) << x;
       ASSERT_LT(cell, cells.size()) << x;
-      if (walls.empty() || walls.back() != cells[cell].wall) walls.push_back(cells[cell].wall);
+      if (walls.empty() || walls.back() != cells[cell].enclosing_shell) walls.push_back(cells[cell].enclosing_shell);
       EXPECT_TRUE(topology.same_cell(point, {x, 0, 0}));
       EXPECT_FALSE(topology.same_cell(point, {0, 0, 3000}));
     }

@@ -57,7 +57,7 @@ std::set<uint32_t> components_around(const LibraryTopology &topology, uint32_t c
   const auto shells = topology.shells();
   std::set<uint32_t> around;
   for (uint32_t cell = components[component].cell; cell != 0;) {
-    const uint32_t outer = shells[cells[cell].wall].component;
+    const uint32_t outer = shells[cells[cell].enclosing_shell].component;
     if (!around.insert(outer).second) break;
     cell = components[outer].cell;
   }

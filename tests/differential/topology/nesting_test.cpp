@@ -38,7 +38,7 @@ TEST(Nesting, OfShellsInShells) {
     for (const hsp_component &component : components) {
       if (component.cell == 0) continue;
       ++components_in_voids;
-      deep += components[shells[cells[component.cell].wall].component].cell != 0 ? 1 : 0;
+      deep += components[shells[cells[component.cell].enclosing_shell].component].cell != 0 ? 1 : 0;
     }
   }
   // The sets are what they are meant to be.

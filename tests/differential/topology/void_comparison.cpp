@@ -115,7 +115,7 @@ class Comparison {
   void bound_void(uint32_t cell) {
     std::optional<Box> box = extent_of(cell);
     if (!box) {
-      const double *point = shells_[cells_[cell].wall].point;
+      const double *point = shells_[cells_[cell].enclosing_shell].point;
       box.emplace();
       for (size_t k = 0; k < 3; ++k) box->low[k] = box->high[k] = static_cast<int64_t>(point[k]);
     }

@@ -40,10 +40,10 @@ std::string depths_disagree(const view_result &view, const Balls &balls) {
   }
   if (view.options.pieces != HSP_PIECES_OUTSIDE_FARTHER) return "";
   for (uint32_t a = 0; a < view.info.arcs; ++a) {
-    const uint32_t across = view.arcs[a].across;
+    const uint32_t other = view.arcs[a].other_ball;
     const uint32_t ball = view.pieces[view.arcs[a].piece].ball;
-    if (across != HSP_NONE && !is_farther(balls[across], balls[ball], direction))
-      return "a G-piece of ball " + std::to_string(ball) + " is cut by the nearer ball " + std::to_string(across);
+    if (other != HSP_NONE && !is_farther(balls[other], balls[ball], direction))
+      return "a G-piece of ball " + std::to_string(ball) + " is cut by the nearer ball " + std::to_string(other);
   }
   return "";
 }

@@ -17,6 +17,6 @@ std::string view_orders_disagree(const oracle::Balls &balls, const Direction &to
 // Whether the front parts of the whole boundary have another area in the view plane than the back parts.
 std::string opposite_areas_disagree(const oracle::Balls &balls, const Direction &towards);
 
-// Whether pieces follow each other from back to front by integers, and arcs of G-pieces are across farther balls. For
+// Whether pieces follow each other from back to front by integers, and arcs of G-pieces lie on farther balls. For
 // all_choices.
 std::string depths_disagree(const oracle::Balls &balls, const Direction &towards);

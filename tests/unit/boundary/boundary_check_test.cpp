@@ -1,6 +1,6 @@
-// The self-check finds what is wrong: one record of a correct boundary at a time is spoilt, and the law that it breaks
-// is named, with the place where it fails. Through the interface a boundary is never wrong, so that this is the only
-// way to see these answers.
+// The self-check finds what is wrong: one record of a correct boundary at a time is spoilt, and the invariant that it
+// violates is named, with the place where it fails. Through the interface a boundary is never wrong, so that this is
+// the only way to see these answers.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -26,7 +26,7 @@ const std::vector<TestBall> scene = {{0, 0, 0, 1000},     {1000, 0, 0, 1000},   
 struct Flaw {
   const char *name;
   BoundaryInvariant invariant;
-  // Spoils the structure and returns where the law fails.
+  // Spoils the structure and returns where the invariant is violated.
   std::function<uint32_t(BuiltBoundary &)> make;
 };
 
@@ -225,7 +225,7 @@ TEST(BoundaryCheck, FindsEveryFlaw) {
   }
 }
 
-// A circle has a shell on either side. Taking one of them for a shell of its own breaks the law of shells.
+// A circle has a shell on either side. Taking one of them for a shell of its own violates the invariant of shells.
 TEST(BoundaryCheck, FindsACircleBetweenTwoShells) {
   BuiltBoundary boundary({{0, 0, 0, 500}, {600, 0, 0, 500}});
   BoundaryArrays &arrays = boundary.arrays();
@@ -279,8 +279,8 @@ TEST(BoundaryCheck, FindsArcsThatEndElsewhere) {
 // A capsule of three balls in a row. Its middle face is a band between two circles.
 const std::vector<TestBall> capsule = {{0, 0, 0, 500}, {600, 0, 0, 500}, {1200, 0, 0, 500}};
 
-// The band taken for two faces makes two closed surfaces of it, of which no law of the structure knows better; but then
-// it has more area than its sphere.
+// The band taken for two faces makes two closed surfaces of it, of which no invariant of the structure knows better;
+// but then it has more area than its sphere.
 TEST(BoundaryCheck, FindsAFaceCutInTwo) {
   BuiltBoundary boundary(capsule);
   BoundaryArrays &arrays = boundary.arrays();

@@ -1,4 +1,4 @@
-// Fixed-width integers: the ring laws that determine them, agreement of both limb widths, and conversion to double.
+// Fixed-width integers: the ring axioms that determine them, agreement of both limb widths, and conversion to double.
 #include "exact/wide_integer.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// Areas and enclosed volumes of shells against the balls' own measures and closed forms, and the law about their signs.
+// Areas and enclosed volumes of shells against the balls' own measures and closed forms, and the invariant about their
+// signs.
 #include "measure/shell_volumes.hpp"
 
 #include <gtest/gtest.h>
@@ -135,7 +136,7 @@ TEST(ShellMeasures, LawOfSignsAllowsForRounding) {
 
 struct Cell {
   double area, volume;
-  uint32_t wall, components, shells;
+  uint32_t enclosing_shell, components, shells;
 };
 
 TEST(CellMeasures, OfACageWithABallInItAndOneOutside) {
@@ -148,15 +149,15 @@ TEST(CellMeasures, OfACageWithABallInItAndOneOutside) {
   ASSERT_EQ(built.structure().cell_count, 2U);
   measure_cells(built.balls(), built.boundary(), built.structure(), hsp::Span<Cell>(cells, 2));
   EXPECT_EQ(cells[0].volume, 0.0);
-  EXPECT_EQ(cells[0].wall, hsp::no_id);
+  EXPECT_EQ(cells[0].enclosing_shell, hsp::no_id);
   EXPECT_EQ(cells[0].components, 2U);
   EXPECT_EQ(cells[0].shells, 2U);
   EXPECT_EQ(cells[1].components, 1U);
   EXPECT_EQ(cells[1].shells, 2U);
-  const uint32_t wall = cells[1].wall;
-  ASSERT_LT(wall, built.structure().shell_count);
-  ASSERT_TRUE(built.structure().shells[wall].is_void);
-  const BallMeasure around = shell_of(built, wall);
+  const uint32_t enclosing = cells[1].enclosing_shell;
+  ASSERT_LT(enclosing, built.structure().shell_count);
+  ASSERT_TRUE(built.structure().shells[enclosing].is_void);
+  const BallMeasure around = shell_of(built, enclosing);
   EXPECT_NEAR(cells[1].area, around.area + 4 * pi * 200 * 200, 1e-12 * around.area);
   EXPECT_NEAR(cells[1].volume, -around.volume - 4.0 / 3 * pi * 200 * 200 * 200, -1e-12 * around.volume);
   double area = 0.0;

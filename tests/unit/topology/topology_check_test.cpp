@@ -1,6 +1,6 @@
-// The self-check of a topology finds what is wrong: one record of a correct topology at a time is spoilt, and the law
-// that it breaks is named, with the place where it fails. Through the interface a topology is never wrong, so that this
-// is the only way to see these answers.
+// The self-check of a topology finds what is wrong: one record of a correct topology at a time is spoilt, and the
+// invariant that it breaks is named, with the place where it fails. Through the interface a topology is never wrong, so
+// that this is the only way to see these answers.
 #include "topology/topology_check.hpp"
 
 #include <gtest/gtest.h>
@@ -79,7 +79,7 @@ uint32_t inner_component(BuiltTopology &built) {
 struct Flaw {
   const char *name;
   TopologyInvariant invariant;
-  // Spoils the topology and returns where the law fails.
+  // Spoils the topology and returns where the invariant is violated.
   std::function<uint32_t(BuiltTopology &)> make;
 };
 
@@ -323,7 +323,7 @@ const std::vector<Flaw> flaws = {
        b.structure().shells[shell].is_void = false;
        return shell;
      }},
-    {"a cell without a wall", TopologyInvariant::cells,
+    {"a cell without an enclosing shell", TopologyInvariant::cells,
      [](BuiltTopology &b) {
        ++b.structure().cell_count;
        return b.structure().shell_count;
