@@ -2,6 +2,8 @@
 // parts of a ball know it, and the state of every ball is that found by hand.
 #pragma once
 
+#include <initializer_list>
+
 #include "small_scenes.hpp"
 
 namespace cases {

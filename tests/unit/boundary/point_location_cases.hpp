@@ -2,6 +2,8 @@
 // point of a ball and the points of vertical lines lie, for a ring of caps around any of the six directions.
 #pragma once
 
+#include <initializer_list>
+
 #include "boundary/point_location.hpp"
 #include "small_union.hpp"
 
