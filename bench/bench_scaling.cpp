@@ -71,13 +71,14 @@ void register_suite() {
   for (const Surface &surface : surfaces) {
     for (const NamedBalls &size : all_sizes()) register_subject(size.name, surface, size.balls);
     for (const auto &[file, name] : further) {
-      const auto molecule = further_molecule(file, name);
-      if (!molecule) {
+      const auto path = support::further_molecule(file);
+      if (!path) {
         register_skipped(std::string("scaling/") + surface.name + "/everything/" + name,
                          std::string("no ") + file + " in HSP_MOLECULES");
         continue;
       }
-      register_subject(name, surface, [molecule] { return with_radii(*molecule, Radii::van_der_waals); });
+      const Molecule molecule{name, support::read_atoms(*path)};
+      register_subject(name, surface, [molecule] { return with_radii(molecule, Radii::van_der_waals); });
     }
   }
 }

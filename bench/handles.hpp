@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "hardsphere.h"
-#include "molecule_file.hpp"
 #include "owned_handle.hpp"
+#include "paper_molecules.hpp"
 
 namespace bench {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "molecule_file.hpp"
+#include "paper_molecules.hpp"
 
 namespace bench {
 

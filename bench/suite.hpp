@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "handles.hpp"
-#include "molecule_file.hpp"
+#include "paper_molecules.hpp"
 
 namespace bench {
 

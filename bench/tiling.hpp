@@ -1,7 +1,7 @@
 // Large inputs out of small ones: copies of a molecule on a lattice.
 #pragma once
 
-#include "molecule_file.hpp"
+#include "paper_molecules.hpp"
 
 namespace bench {
 

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <exception>
 
-#include "molecule_file.hpp"
+#include "paper_molecules.hpp"
 #include "z_buffer/analytic_z_buffer.hpp"
 #include "z_buffer/placement.hpp"
 #include "z_buffer/triangle_z_buffer.hpp"

@@ -32,11 +32,11 @@ oracle::Balls lattice() {
 
 const std::vector<Scene> &scenes() {
   static const std::vector<Scene> all = [] {
-    const oracle::Balls caffeine = read_molecule(own_molecule("caffeine.pdb"), Records::all);
+    const oracle::Balls caffeine = read_molecule(support::own_molecule("caffeine.pdb"));
     std::vector<Scene> made;
     made.push_back({"caffeine, plane seen edge on", DrawnView(caffeine)});
     made.push_back({"caffeine from the side", DrawnView(caffeine, {0, 1, 0})});
-    made.push_back({"crambin", DrawnView(read_molecule(own_molecule("crambin.pdb"), Records::all))});
+    made.push_back({"crambin", DrawnView(read_molecule(support::own_molecule("crambin.pdb")))});
     made.push_back({"caffeine, H-pieces", DrawnView(caffeine, {0, 1, 0}, HSP_PIECES_OUTSIDE_ALL)});
     made.push_back({"caffeine, H-pieces, edge on", DrawnView(caffeine, {0, 0, 1}, HSP_PIECES_OUTSIDE_ALL)});
     made.push_back({"a lattice", DrawnView(lattice(), {0, 0, 1}, HSP_PIECES_OUTSIDE_ALL)});

@@ -12,13 +12,12 @@
 namespace {
 
 const DrawnView &crambin() {
-  static const DrawnView view(read_molecule(own_molecule("crambin.pdb"), Records::all));
+  static const DrawnView view(read_molecule(support::own_molecule("crambin.pdb")));
   return view;
 }
 // Some of its arcs run clockwise, others are seen edge on.
 const DrawnView &caffeine() {
-  static const DrawnView view(read_molecule(own_molecule("caffeine.pdb"), Records::all), {0, 0, 1},
-                              HSP_PIECES_OUTSIDE_ALL);
+  static const DrawnView view(read_molecule(support::own_molecule("caffeine.pdb")), {0, 0, 1}, HSP_PIECES_OUTSIDE_ALL);
   return view;
 }
 
@@ -108,7 +107,7 @@ INSTANTIATE_TEST_SUITE_P(Styles, Renderers, testing::Values(HSP_STYLE_FLAT, HSP_
 // The comparison is not blind.
 TEST(RasterComparison, TellsPicturesApart) {
   if (!has_program("pdftoppm")) GTEST_SKIP() << "pdftoppm is missing";
-  const DrawnView behind(read_molecule(own_molecule("crambin.pdb"), Records::all), {0, 0, -1});
+  const DrawnView behind(read_molecule(support::own_molecule("crambin.pdb")), {0, 0, -1});
   const RasterDifference found = difference(from_pdf(crambin(), HSP_STYLE_FLAT), from_pdf(behind, HSP_STYLE_FLAT));
   EXPECT_GT(found.mean, 12);
   EXPECT_GT(found.displaced, 0.05);

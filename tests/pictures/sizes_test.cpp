@@ -17,7 +17,7 @@ size_t count(const std::string &text, const std::string &part) {
 }
 
 const DrawnView &crambin() {
-  static const DrawnView view(read_molecule(own_molecule("crambin.pdb"), Records::all));
+  static const DrawnView view(read_molecule(support::own_molecule("crambin.pdb")));
   return view;
 }
 
@@ -25,7 +25,7 @@ TEST(PictureSizes, StayWithinTheirBudgets) {
   EXPECT_LT(crambin().picture(picture_options(HSP_FORMAT_SVG, HSP_STYLE_FLAT)).size(), 60000U);
   EXPECT_LT(crambin().picture(picture_options(HSP_FORMAT_SVG, HSP_STYLE_HEADLIGHT)).size(), 170000U);
   EXPECT_LT(crambin().picture(picture_options(HSP_FORMAT_SVG, HSP_STYLE_SOFT)).size(), 170000U);
-  const DrawnView large(read_molecule(own_molecule("sod_stand_in.pdb"), Records::all));
+  const DrawnView large(read_molecule(support::own_molecule("sod_stand_in.pdb")));
   EXPECT_LT(large.picture(picture_options(HSP_FORMAT_SVG, HSP_STYLE_FLAT)).size(), 750000U);
 }
 

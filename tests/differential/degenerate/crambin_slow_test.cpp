@@ -4,24 +4,15 @@
 #include <cmath>
 
 #include "brute_boundary.hpp"
-#include "crambin_atoms.hpp"
+#include "molecule_balls.hpp"
 #include "peers_inputs.hpp"
 #include "set_checks.hpp"
 #include "slice_quadrature.hpp"
 
 namespace {
 
-using degenerate::Molecule;
-
-// On the lattice of 1e-3 angstrom, which holds the file's decimals.
 oracle::Balls crambin_in_thousandths() {
-  const Molecule atoms = degenerate::crambin_atoms();
-  const auto thousandths = [](double length) { return static_cast<int64_t>(std::llround(length * 1000)); };
-  oracle::Balls balls;
-  for (size_t i = 0; i < atoms.radius.size(); ++i)
-    balls.push_back({thousandths(atoms.xyz[3 * i]), thousandths(atoms.xyz[3 * i + 1]),
-                     thousandths(atoms.xyz[3 * i + 2]), thousandths(atoms.radius[i])});
-  return balls;
+  return read_molecule(support::own_molecule("crambin.pdb"));
 }
 
 TEST(CrambinSlow, BoundaryOfBruteForce) {

@@ -55,36 +55,36 @@ const Right slices;
 const Topology nothing{0, 0, 0, 0};
 const Topology solid{1, 0, 1, 2};
 
-Molecule grid(double radius, double spacing) {
-  Molecule balls;
+BallList grid(double radius, double spacing) {
+  BallList balls;
   for (int i = 0; i < 5; ++i)
     for (int j = 0; j < 5; ++j)
       for (int k = 0; k < 5; ++k) balls.add(spacing * i, spacing * j, spacing * k, radius);
   return balls;
 }
 
-Molecule of(std::initializer_list<std::array<double, 4>> list) {
-  Molecule balls;
+BallList of(std::initializer_list<std::array<double, 4>> list) {
+  BallList balls;
   for (const auto &[x, y, z, r] : list) balls.add(x, y, z, r);
   return balls;
 }
 
-Molecule changed(Molecule balls, double shift, double scale) {
+BallList changed(BallList balls, double shift, double scale) {
   for (double &x : balls.xyz) x = (x + shift) * scale;
   for (double &r : balls.radius) r *= scale;
   return balls;
 }
 
-Molecule with_more(const Molecule &balls, double share) {
-  Molecule all = balls;
+BallList with_more(const BallList &balls, double share) {
+  BallList all = balls;
   for (size_t i = 0; i < balls.radius.size(); ++i)
     all.add(balls.xyz[3 * i], balls.xyz[3 * i + 1], balls.xyz[3 * i + 2], share * balls.radius[i]);
   return all;
 }
 
 // The directions of the 26 neighbours in a cubic lattice.
-Molecule cage() {
-  Molecule balls;
+BallList cage() {
+  BallList balls;
   for (int i = -1; i <= 1; ++i)
     for (int j = -1; j <= 1; ++j)
       for (int k = -1; k <= 1; ++k) {
@@ -172,7 +172,7 @@ void add_common_points(std::vector<PeersRow> &rows) {
   rows.push_back({"closed cavity, 26 balls on a shell", cage(), slices, {1, 1, 2, 4}, "ok", "ok", "ok", "approximate"});
 }
 
-void add_crambin(std::vector<PeersRow> &rows, const Molecule &crambin) {
+void add_crambin(std::vector<PeersRow> &rows, const BallList &crambin) {
   const Topology &topology = crambin_topology;
   rows.push_back({"crambin, every ball twice", with_more(crambin, 1), crambin_times(1), topology, "ok", "**exit(1)**",
                   "**0**", "NaN / 8 % off"});
@@ -206,7 +206,7 @@ void add_refused(std::vector<PeersRow> &rows) {
 
 }  // namespace
 
-std::vector<PeersRow> peers_rows(const Molecule &crambin) {
+std::vector<PeersRow> peers_rows(const BallList &crambin) {
   std::vector<PeersRow> rows;
   add_few_balls(rows);
   add_common_points(rows);

@@ -6,10 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "crambin_atoms.hpp"
+#include "ball_list.hpp"
 #include "degenerate_set.hpp"
 
 namespace degenerate {
+
+using support::BallList;
 
 // What decides whether a result is right.
 enum class Arbiter {
@@ -29,7 +31,7 @@ struct Right {
 
 struct PeersRow {
   std::string input;
-  Molecule balls;
+  BallList balls;
   Right right;
   Topology topology;  // components, voids, shells, Euler characteristic of the union
   // What others return, as measured in the versions that the test prints; "ok" is right to 1e-9.
@@ -39,8 +41,8 @@ struct PeersRow {
   std::string free_sasa;
 };
 
-// crambin: its atoms as the file has them.
-std::vector<PeersRow> peers_rows(const Molecule &crambin);
+// crambin: its atoms with van der Waals radii, in angstrom.
+std::vector<PeersRow> peers_rows(const BallList &crambin);
 
 // Crambin alone, to which its rows are compared: 14 digits of another program's quadrature over slices, and the
 // boundary by brute force. A slow test computes them again.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hardsphere.h"
+#include "molecule_file.hpp"
 #include "owned_handle.hpp"
 #include "peers_inputs.hpp"
 #include "set_checks.hpp"
@@ -16,9 +17,9 @@
 namespace {
 
 using degenerate::Arbiter;
-using degenerate::Molecule;
 using degenerate::PeersRow;
 using degenerate::Topology;
+using support::BallList;
 using support::expect_ok;
 
 // Relative.
@@ -35,7 +36,7 @@ struct Session {
   std::vector<double> area;
 };
 
-Session session_with(const Molecule &balls) {
+Session session_with(const BallList &balls) {
   Session session;
   const auto n = static_cast<uint32_t>(balls.radius.size());
   support::OwnedModel model(n);
@@ -58,7 +59,7 @@ Session session_with(const Molecule &balls) {
 }
 
 // The balls as the library documents to round them, in lengths.
-std::vector<oracle::RealBall> rounded(const Molecule &balls, double step) {
+std::vector<oracle::RealBall> rounded(const BallList &balls, double step) {
   const auto steps = [&](double length) {
     return std::nearbyint(static_cast<long double>(length) / static_cast<long double>(step));
   };
@@ -121,8 +122,12 @@ std::string check_refused(const PeersRow &row, const Session &session) {
   return std::string(hsp_status_text(session.set_status)) + ", ball " + std::to_string(session.first_bad);
 }
 
+BallList crambin_atoms() {
+  return with_radii(support::read_atoms(support::own_molecule("crambin.pdb")), support::Radii::van_der_waals);
+}
+
 TEST(PeersList, IsRightInEveryRow) {
-  const Molecule crambin = degenerate::crambin_atoms();
+  const BallList crambin = crambin_atoms();
   ASSERT_EQ(crambin.radius.size(), 327U);
   std::printf("| input | arbiter | hardsphere | Voronota-LT 1.1 | AlphaMol | libarvo | FreeSASA 2.1.2, L&R / S&R |\n");
   std::printf("|---|---|---|---|---|---|---|\n");
@@ -140,7 +145,7 @@ TEST(PeersList, IsRightInEveryRow) {
 
 // Crambin's rows are not only right in total.
 TEST(PeersList, CrambinIsTheSameBallByBall) {
-  const Molecule crambin = degenerate::crambin_atoms();
+  const BallList crambin = crambin_atoms();
   const Session plain = session_with(crambin);
   EXPECT_EQ(plain.counts.vertices, degenerate::crambin_vertices);
   EXPECT_LE(std::abs(static_cast<long double>(plain.totals.area) - degenerate::crambin_area),

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "library_run.hpp"
-#include "molecule_files.hpp"
+#include "molecule_balls.hpp"
 
 namespace {
 
@@ -17,15 +17,16 @@ struct Row {
   long double area;    // angstrom^2
   long double volume;  // angstrom^3
   uint32_t vertices;
+  support::Records records = support::Records::all;
 };
 
 // Areas and volumes by quadrature over slices (tanh-sinh between all heights at which the slice changes), to as many
-// digits as are known; the numbers of vertices as exposed triple points, and again as regular facets plus twice the
-// singular ones of the alpha complex.
+// digits as are known, with 1.80 as the radius of metals too; the numbers of vertices as exposed triple points, and
+// again as regular facets plus twice the singular ones of the alpha complex.
 void compare(const Row &row, const std::filesystem::path &file) {
-  // The files have at most three decimals, the radii two: nothing is rounded in thousandths.
-  constexpr double units = 1000;
-  const oracle::Balls balls = balls_of_atoms(read_atoms(file), row.probe, units);
+  constexpr auto units = static_cast<double>(steps_per_angstrom);
+  const std::vector<support::Atom> atoms = support::read_atoms(file, row.records);
+  const oracle::Balls balls = on_lattice(with_radii(atoms, support::Radii::metals_as_sulfur), row.probe, units);
   ASSERT_EQ(balls.size(), row.balls);
   const LibraryBoundary boundary(balls);
   const hsp_totals totals = boundary.measure().totals;
@@ -42,29 +43,32 @@ TEST(ReferenceRows, OfTheProjectsOwnMolecules) {
                          Row{"caffeine.pdb", 1.4, 24, 359.26018591633L, 537.89953553947L, 58},
                          Row{"crambin.pdb", 0, 327, 4247.6562115516L, 3571.7031090322L, 898},
                          Row{"crambin.pdb", 1.4, 327, 2971.3230159967L, 8357.3215455062L, 480}})
-    compare(row, own_molecule(row.file));
+    compare(row, support::own_molecule(row.file));
 }
+
+constexpr auto protein = support::Records::protein;
 
 class FurtherMolecules : public testing::TestWithParam<Row> {};
 
 TEST_P(FurtherMolecules, HaveTheReferenceValues) {
-  const std::optional<std::filesystem::path> file = further_molecule(GetParam().file);
+  const std::optional<std::filesystem::path> file = support::further_molecule(GetParam().file);
   if (!file) GTEST_SKIP() << GetParam().file << " is not in the folder of further molecules";
   compare(GetParam(), *file);
 }
 
-INSTANTIATE_TEST_SUITE_P(ReferenceRows, FurtherMolecules,
-                         testing::Values(Row{"sod_model_4392.pdb", 0, 4392, 54707.431825958L, 46963.926065318L, 11852},
-                                         Row{"sod_model_4392.pdb", 1.4, 4392, 27797.577444215L, 102677.04158677L, 6118},
-                                         Row{"4hhb.pdb", 0, 4384, 56392.742355758L, 47593.011959852L, 11210},
-                                         Row{"4hhb.pdb", 1.4, 4384, 26109.528532295L, 103970.05672332L, 6440},
-                                         Row{"3l5q.xyz.gz", 0, 79452, 1020503.3194064L, 857215.30412613L, 215376},
-                                         Row{"3l5q.xyz.gz", 1.4, 79452, 366176.9610790L, 1828041.9217116L, 111558},
-                                         Row{"6zu5.cif.gz", 0, 164965, 2000392.1443771L, 1697465.5851185L, 435374},
-                                         Row{"6zu5.cif.gz", 1.4, 164965, 823043.05896426L, 3585654.7324477L, 234356}),
-                         [](const testing::TestParamInfo<Row> &row) {
-                           const std::string file = row.param.file;
-                           return file.substr(0, file.find('.')) + (row.param.probe > 0 ? "Accessible" : "VanDerWaals");
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    ReferenceRows, FurtherMolecules,
+    testing::Values(Row{"sod_model_4392.pdb", 0, 4392, 54707.431825958L, 46963.926065318L, 11852},
+                    Row{"sod_model_4392.pdb", 1.4, 4392, 27797.577444215L, 102677.04158677L, 6118},
+                    Row{"4hhb.pdb.gz", 0, 4384, 56392.742355758L, 47593.011959852L, 11210, protein},
+                    Row{"4hhb.pdb.gz", 1.4, 4384, 26109.528532295L, 103970.05672332L, 6440, protein},
+                    Row{"3l5q.xyz.gz", 0, 79452, 1020503.3194064L, 857215.30412613L, 215376},
+                    Row{"3l5q.xyz.gz", 1.4, 79452, 366176.9610790L, 1828041.9217116L, 111558},
+                    Row{"6zu5.cif.gz", 0, 164965, 2000392.1443771L, 1697465.5851185L, 435374},
+                    Row{"6zu5.cif.gz", 1.4, 164965, 823043.05896426L, 3585654.7324477L, 234356}),
+    [](const testing::TestParamInfo<Row> &row) {
+      const std::string file = row.param.file;
+      return file.substr(0, file.find('.')) + (row.param.probe > 0 ? "Accessible" : "VanDerWaals");
+    });
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "molecule_files.hpp"
+#include "molecule_balls.hpp"
 #include "named_balls.hpp"
 
 using oracle::Balls;
@@ -76,10 +76,12 @@ std::vector<GradientSet> sets_of_every_kind(uint64_t seed) {
 std::vector<GradientSet> molecules_of_gradient_tests() {
   constexpr double units = 268435456;  // 2^28: crambin's largest radius with probe, 3.2, stays below 2^30
   std::vector<GradientSet> sets;
-  for (const char *name : {"caffeine", "crambin"})
+  for (const std::string name : {"caffeine", "crambin"}) {
+    const support::BallList balls =
+        with_radii(support::read_atoms(support::own_molecule(name + ".pdb")), support::Radii::van_der_waals);
     for (const double probe : {0.0, 1.4})
-      sets.push_back({std::string(name) + (probe > 0 ? ", accessible" : ""),
-                      balls_of_atoms(read_atoms(own_molecule(std::string(name) + ".pdb")), probe, units)});
+      sets.push_back({name + (probe > 0 ? ", accessible" : ""), on_lattice(balls, probe, units)});
+  }
   return sets;
 }
 

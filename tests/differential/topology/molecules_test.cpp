@@ -20,7 +20,7 @@ Balls on_default_lattice(const Balls &balls) {
 
 class Molecule : public testing::TestWithParam<const char *> {
  protected:
-  [[nodiscard]] static Balls atoms() { return read_molecule(own_molecule(GetParam()), Records::all); }
+  [[nodiscard]] static Balls atoms() { return read_molecule(support::own_molecule(GetParam())); }
 };
 
 TEST_P(Molecule, KeepsTheInvariants) {

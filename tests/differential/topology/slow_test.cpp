@@ -46,9 +46,9 @@ TEST(Slow, LocationInDegenerateSets) {
 }
 
 void expect_voids_of_further_molecule(const std::string &file) {
-  const auto path = further_molecule(file);
+  const auto path = support::further_molecule(file);
   if (!path) GTEST_SKIP() << "skipped: no " << file << " in the folder of further molecules";
-  const Balls atoms = read_molecule(*path, Records::protein);
+  const Balls atoms = read_molecule(*path, support::Records::protein);
   expect_voids(file + ", accessible", atoms, 1400, 0.99L);
   expect_voids(file + ", van der Waals", atoms, 0, 0.99L);
 }

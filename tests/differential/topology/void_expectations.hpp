@@ -11,7 +11,7 @@
 #include "void_comparison.hpp"
 
 inline oracle::Balls bench_atoms(const std::string &file) {
-  return read_molecule(own_molecule(file), Records::all);
+  return read_molecule(support::own_molecule(file));
 }
 
 // A part of the volume, but for 0.01 cubic angstrom, must lie between bounds proved by flood fill, and those of voids

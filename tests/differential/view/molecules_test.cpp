@@ -12,7 +12,7 @@ using oracle::Balls;
 
 class ViewOfMolecule : public testing::TestWithParam<const char *> {
  protected:
-  [[nodiscard]] static Balls atoms() { return read_molecule(own_molecule(GetParam()), Records::all); }
+  [[nodiscard]] static Balls atoms() { return read_molecule(support::own_molecule(GetParam())); }
 };
 
 TEST_P(ViewOfMolecule, ShowsWhatIsVisible) {

@@ -23,7 +23,7 @@ void expect_right_pictures(const Balls &atoms) {
 class SlowView : public testing::TestWithParam<const char *> {};
 
 TEST_P(SlowView, OfMolecule) {
-  expect_right_pictures(read_molecule(own_molecule(GetParam()), Records::all));
+  expect_right_pictures(read_molecule(support::own_molecule(GetParam())));
 }
 
 INSTANTIATE_TEST_SUITE_P(Bench, SlowView,
@@ -33,9 +33,9 @@ INSTANTIATE_TEST_SUITE_P(Bench, SlowView,
 class SlowFurtherView : public testing::TestWithParam<const char *> {};
 
 TEST_P(SlowFurtherView, OfMolecule) {
-  const auto path = further_molecule(GetParam());
+  const auto path = support::further_molecule(GetParam());
   if (!path) GTEST_SKIP() << "skipped: no " << GetParam() << " in the folder of further molecules";
-  expect_right_pictures(read_molecule(*path, Records::protein));
+  expect_right_pictures(read_molecule(*path, support::Records::protein));
 }
 
 INSTANTIATE_TEST_SUITE_P(Further, SlowFurtherView, testing::Values("3p3w.pdb.gz", "3j6r.pdb.gz"));

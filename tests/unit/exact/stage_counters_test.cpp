@@ -7,16 +7,15 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <fstream>
 #include <iomanip>
 #include <iostream>
 #include <random>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "exact/predicates.hpp"
 #include "hardsphere.h"
+#include "molecule_file.hpp"
 #include "random_planes.hpp"
 
 #if !defined(HSP_COUNT_STAGES)
@@ -43,45 +42,10 @@ uint64_t grand_total(const StageCounters &counters) {
   return sum;
 }
 
-struct Balls {
-  std::vector<double> xyz, radius;
+using Balls = support::BallList;
 
-  void add(double x, double y, double z, double r) {
-    xyz.insert(xyz.end(), {x, y, z});
-    radius.push_back(r);
-  }
-  uint32_t size() const { return static_cast<uint32_t>(radius.size()); }
-};
-
-// Atom records of the PDB format: coordinates in columns 31-54, element in 77-78; van der Waals radii.
 Balls read_molecule(const std::string &file) {
-  std::ifstream in(std::string(HSP_MOLECULE_FOLDER) + "/" + file);
-  Balls balls;
-  for (std::string line; std::getline(in, line);) {
-    if (line.rfind("ATOM  ", 0) != 0 && line.rfind("HETATM", 0) != 0) continue;
-    double radius = 0.0;
-    switch (line.at(77)) {  // all elements of the two molecules have one letter
-      case 'H':
-        radius = 1.10;
-        break;
-      case 'C':
-        radius = 1.70;
-        break;
-      case 'N':
-        radius = 1.55;
-        break;
-      case 'O':
-        radius = 1.52;
-        break;
-      case 'S':
-        radius = 1.80;
-        break;
-      default:
-        throw std::runtime_error(file + ": an element without radius");
-    }
-    balls.add(std::stod(line.substr(30, 8)), std::stod(line.substr(38, 8)), std::stod(line.substr(46, 8)), radius);
-  }
-  return balls;
+  return with_radii(support::read_atoms(support::own_molecule(file)), support::Radii::van_der_waals);
 }
 
 struct Answers {
