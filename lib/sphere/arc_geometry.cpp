@@ -30,18 +30,6 @@ struct Complex {
 
 }  // namespace
 
-CircleGeometry::CircleGeometry(const Sphere &sphere, const Plane &P) {
-  const double U = static_cast<double>(dot(P.v, P.v));
-  const double distance = std::sqrt(U);
-  const Vec3 v = exact::to_double(P.v);
-  axis = {v.x / distance, v.y / distance, v.z / distance};
-  const double along = static_cast<double>(P.h) / (2 * U);
-  centre = {v.x * along, v.y * along, v.z * along};
-  height = static_cast<double>(P.h) / (2 * distance);
-  const double Delta = Exact::circle_discriminant(sphere, P);
-  radius = Delta > 0.0 ? std::sqrt(Delta / (4 * U)) : 0.0;
-}
-
 CircleGeometry::CircleGeometry(const BallSet &balls, uint32_t own, uint32_t other)
     : CircleGeometry(exact::sphere_of(balls.ball(own)), exact::plane_of(balls.ball(own), balls.ball(other))) {}
 
@@ -53,19 +41,13 @@ Vec3 crossing_point(const Plane &P, const Plane &Q, int sign, double root_D) {
   return crossing.point(sign > 0 ? root_D : -root_D, 0.5);
 }
 
+// In find() doubles have D within the filter's bound and q within 6e L^3 (filter.hpp). Where D is so far above its
+// bound, at least L^6/128, its relative error is below 2^-40. As D <= W N and |q| <= L |n|, the error of D is at most
+// 12e L^4 |n| + 11e L^2 |n|^2 and that of the position below 100e L.
 CrossingPointFinder::CrossingPointFinder(const Sphere &sphere, double length_squared)
     : sphere_(sphere), well_conditioned_(0x1p40 * exact::FilterBounds::for_length_squared(length_squared).D) {}
 
-// Doubles have D within the filter's bound and q within 6e L^3 (filter.hpp). Where D is so far above its bound, at
-// least L^6/128, its relative error is below 2^-40. As D <= W N and |q| <= L |n|, the error of D is at most 12e L^4 |n|
-// + 11e L^2 |n|^2 and that of the position below 100e L.
-CrossingPointFinder::Point CrossingPointFinder::find(const Plane &P, const Plane &Q) const {
-  const CircleCrossing<Vec3, double> crossing = exact::circle_crossing(P, Q);
-  const double D = crossing.discriminant(static_cast<double>(sphere_.W));
-  if (D > well_conditioned_) {
-    const double root_D = std::sqrt(D);
-    return {root_D, crossing.point(root_D, 0.5)};
-  }
+CrossingPointFinder::Point CrossingPointFinder::find_exactly(const Plane &P, const Plane &Q) const {
   const double root_D = std::sqrt(Exact::discriminant(sphere_, P, Q));
   return {root_D, crossing_point(P, Q, +1, root_D)};
 }

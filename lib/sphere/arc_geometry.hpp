@@ -20,8 +20,19 @@ struct CircleGeometry {
   double height;  // of the circle's plane along the axis
   double radius;
 
-  // P: the plane of the other ball. The centre is h v / (2 |v|^2), the radius sqrt(Delta) / (2 |v|).
-  CircleGeometry(const exact::Sphere &sphere, const exact::Plane &P);
+  // P: the plane of the other ball. The centre is h v / (2 |v|^2), the radius sqrt(Delta) / (2 |v|). Inline, as most
+  // readers want only some of these.
+  CircleGeometry(const exact::Sphere &sphere, const exact::Plane &P) {
+    const double U = static_cast<double>(dot(P.v, P.v));
+    const double distance = std::sqrt(U);
+    const Vec3 v = exact::to_double(P.v);
+    axis = {v.x / distance, v.y / distance, v.z / distance};
+    const double along = static_cast<double>(P.h) / (2 * U);
+    centre = {v.x * along, v.y * along, v.z * along};
+    height = static_cast<double>(P.h) / (2 * distance);
+    const double Delta = exact::Exact::circle_discriminant(sphere, P);
+    radius = Delta > 0.0 ? std::sqrt(Delta / (4 * U)) : 0.0;
+  }
   CircleGeometry(const BallSet &balls, uint32_t own, uint32_t other);
 };
 
@@ -39,9 +50,17 @@ class CrossingPointFinder {
   // length_squared: as for exact::Predicates.
   CrossingPointFinder(const exact::Sphere &sphere, double length_squared);
   // p+ of the circles of P and Q, which cross.
-  Point find(const exact::Plane &P, const exact::Plane &Q) const;
+  Point find(const exact::Plane &P, const exact::Plane &Q) const {
+    const CircleCrossing<Vec3, double> crossing = exact::circle_crossing(P, Q);
+    const double D = crossing.discriminant(static_cast<double>(sphere_.W));
+    if (D <= well_conditioned_) return find_exactly(P, Q);
+    const double root_D = std::sqrt(D);
+    return {root_D, crossing.point(root_D, 0.5)};
+  }
 
  private:
+  Point find_exactly(const exact::Plane &P, const exact::Plane &Q) const;
+
   exact::Sphere sphere_;
   double well_conditioned_;  // a discriminant above this has a relative error below 2^-40
 };
