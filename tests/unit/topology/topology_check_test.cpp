@@ -11,7 +11,6 @@
 #include "boundary/half_edge_links.hpp"
 #include "built_topology.hpp"
 #include "measure/shell_volumes.hpp"
-#include "topology/traversal.hpp"
 
 namespace {
 
@@ -386,30 +385,6 @@ TEST(TopologyCheck, FindsEveryWrongStep) {
     }
   }
   EXPECT_EQ(checked(built).invariant, TopologyInvariant::none);
-}
-
-// The scan over a structure whose shells run into each other, or end early, is refused.
-TEST(TopologyCheck, TheScanKnowsItsShell) {
-  BuiltTopology built(scene());
-  Topology &topology = built.structure();
-  ASSERT_TRUE(traverse_shells(built.boundary(), topology, built.marks()));
-  // A face said to belong to another shell leaves its own scan with one face too many, that of the other with too few.
-  for (const uint32_t face : {0U, built.boundary().face_count() / 2}) {
-    uint32_t &shell = built.boundary_arrays().faces[face].shell;
-    const uint32_t right = shell;
-    const uint32_t simple = topology.shells[right].start_face;
-    if (topology.faces[simple].face == face) continue;
-    shell = right == 0 ? 1 : 0;
-    EXPECT_FALSE(traverse_shells(built.boundary(), topology, built.marks())) << face;
-    shell = right;
-  }
-  EXPECT_TRUE(traverse_shells(built.boundary(), topology, built.marks()));
-  // A face that is not counted is met all the same.
-  const uint32_t last = --topology.face_count;
-  built.marks()[last] = hsp::no_id;
-  EXPECT_FALSE(traverse_shells(built.boundary(), topology, built.marks()));
-  ++topology.face_count;
-  EXPECT_TRUE(traverse_shells(built.boundary(), topology, built.marks()));
 }
 
 }  // namespace
