@@ -18,7 +18,7 @@ install_packages cmake ninja-build gcc g++ libc6-dev binutils || exit 1
 
 mkdir -p "$build" || fail "cannot create $build"
 log=$build/log.txt
-# A build folder that was made for another place is of no use here.
+# A build folder that was made for another checkout is of no use here.
 if ! grep -qsxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$build/CMakeCache.txt"; then
   rm -rf "$build/CMakeCache.txt" "$build/CMakeFiles"
 fi

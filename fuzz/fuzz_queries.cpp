@@ -35,7 +35,7 @@ void check_hits(const std::vector<uint32_t> &expected, fuzz::Bytes &bytes, const
   }
 }
 
-// A place near a ball, on its sphere, or anywhere.
+// A point near a ball, on its sphere, or anywhere.
 Place next_place(fuzz::Bytes &bytes, const fuzz::BallSet &set) {
   Place place{};
   if (set.n() > 0 && !bytes.one_in(4)) {

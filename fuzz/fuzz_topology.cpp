@@ -1,5 +1,5 @@
 // The topology of any set: everything the header promises about its records, the same bytes twice, no effect of the
-// order of the balls, limits that are too small, each component on its own, and places against the balls in integers.
+// order of the balls, limits that are too small, each component on its own, and points against the balls in integers.
 #include <topology_invariants.h>
 
 #include <map>
@@ -90,7 +90,7 @@ void require_capacities(const topology_result &reference, fuzz::Bytes &bytes) {
   fuzz::require_limits<support::TopologyKind>(reference.needed, bytes, compute, read);
 }
 
-// ---- places ----
+// ---- points ----
 
 using Place = std::array<int64_t, 3>;
 
@@ -114,7 +114,7 @@ std::array<double, 3> lengths(const fuzz::BallSet &set, const Place &at) {
   return {set.length(at[0]), set.length(at[1]), set.length(at[2])};
 }
 
-// The cell of a place; checked against the balls, with an array that may be too short.
+// The cell of a point; checked against the balls, with an array that may be too short.
 uint32_t located(const fuzz::BallSet &set, const Result &result, const Place &at, uint32_t capacity) {
   std::vector<uint32_t> expected;
   for (uint32_t i = 0; i < set.n(); ++i) {

@@ -44,7 +44,7 @@ fi
 export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
 export CTEST_PARALLEL_LEVEL=${CTEST_PARALLEL_LEVEL:-$(nproc)}
 mkdir -p build/logs
-# A build folder that was made for another place is of no use here.
+# A build folder that was made for another checkout is of no use here.
 for cache in build/*/CMakeCache.txt; do
   if [ -e "$cache" ] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" "$cache"; then
     rm -rf "$cache" "$(dirname "$cache")/CMakeFiles"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The Fortran module against the header: every function with its arguments, every constant and its value, every struct
-# with its size and the place of its fields, in both directions.
+# with its size and the offsets of its fields, in both directions.
 #   fortran_module_matches_header.sh HEADER MODULE.f90 C-COMPILER FORTRAN-COMPILER ARCHIVE WORK-FOLDER
 set -euo pipefail
 export LC_ALL=C

@@ -1,5 +1,5 @@
 /* Sizes of handles: the macros bound the functions (properties numbered as in the header), sizes grow with the limits,
- * memory of any alignment and exactly the told size serves, one byte less is refused without a write. */
+ * memory of any alignment and of exactly the reported size serves, one byte less is refused without a write. */
 #include <hardsphere.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,6 +1,6 @@
-/* hsp_topology_locate and hsp_topology_same_cell: places whose cell is known, statuses, capacities, and for every set
- * of topology_sets.h a box of places against the balls themselves: a place is in no cell exactly if it is in a ball,
- * places joined by a line that misses all balls are in one cell, and a cell holds as many of them as its volume wants.
+/* hsp_topology_locate and hsp_topology_same_cell: points whose cell is known, statuses, capacities, and for every set
+ * of topology_sets.h a box of points against the balls themselves: a point is in no cell exactly if it is in a ball,
+ * points joined by a line that misses all balls are in one cell, and a cell holds as many of them as its volume says.
  */
 #include <hardsphere.h>
 #include <math.h>
@@ -38,7 +38,7 @@ static int32_t same_cell(const topology_result *t, double x, double y, double z,
   return same;
 }
 
-/* ---- known places ---- */
+/* ---- known points ---- */
 
 static int made(const ball_set *set, computed *c, topology_result *t) {
   memset(t, 0, sizeof *t);
@@ -94,7 +94,7 @@ static void nested(void) {
     CHECK_EQUAL(cell_of(&t, 0, 14 + c.info.step, 0), within[2]);
     CHECK_EQUAL(cell_of(&t, 0, 0, 0.125 + c.info.step), within[0]);
     CHECK_EQUAL(cell_of(&t, 0, 0, -0.25 + c.info.step), within[0]);
-    /* places are rounded to the lattice */
+    /* points are rounded to the lattice */
     CHECK_EQUAL(cell_of(&t, 112 + 0.25 * c.info.step, 0, 0), HSP_NONE);
     CHECK_EQUAL(cell_of(&t, 112 + 0.75 * c.info.step, 0, 0), 0);
   }
@@ -230,11 +230,11 @@ static void statuses(void) {
   release(&c, &t);
 }
 
-/* ---- a box of places ---- */
+/* ---- a box of points ---- */
 
 enum { SIDE = 19, PLACES = SIDE * SIDE * SIDE };
 
-/* What is known of a place from the balls alone. */
+/* What is known of a point from the balls alone. */
 enum { UNSURE, IN_A_BALL, FREE };
 
 static int known_place(const computed *c, const double at[3]) {
@@ -320,7 +320,7 @@ static void box_of_places(const topology_result *t) {
       }
     }
   }
-  /* each place stands for a box around it; the boxes that the cell's surface cuts lie within a spacing's diagonal of
+  /* each point stands for a box around it; the boxes that the cell's surface cuts lie within a spacing's diagonal of
    * it, and few fit around a small cell */
   for (p = 1; p < t->counts.cells; ++p) {
     const double volume = held[p] * spacing[0] * spacing[1] * spacing[2];

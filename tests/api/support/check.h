@@ -1,5 +1,5 @@
-/* Checks for test programs in plain C99: a failed check is printed with its place and counted, and the program goes on.
- * Each program ends with `return check_report();`. */
+/* Checks for test programs in plain C99: a failed check is printed with file and line and counted, and the program goes
+ * on. Each program ends with `return check_report();`. */
 #pragma once
 
 #include <stddef.h>

@@ -25,7 +25,8 @@ static void check_known(const known_handle *known, const void *handle) {
 
 /* ---- limits ---- */
 
-/* After HSP_E_CAPACITY: what is known is told, larger than given where that was too small, and only there. Adds it. */
+/* After HSP_E_CAPACITY: what is known is reported, larger than given where that was too small, and only there. Adds it.
+ */
 static void raise_limits(const known_handle *known, const void *handle, const limit_numbers *exact,
                          limit_numbers *limits) {
   const limit_numbers given = *limits;

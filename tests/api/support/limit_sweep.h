@@ -18,14 +18,14 @@ typedef struct known_handle {
 } known_handle;
 
 /* Computes with every limit at 0, 1, needed-1, needed and needed+1, with every limit as the only one that suffices, and
- * with none, in memory of exactly the told size between guard bytes: the known results, or HSP_E_CAPACITY without
+ * with none, in memory of exactly the reported size between guard bytes: the known results, or HSP_E_CAPACITY without
  * results. From each, what the handle says it needs must lead to success. */
 void sweep_limits(const known_handle *known, const char *name);
 
 /* A computation with room for these limits, enlarged by what it asks for until it succeeds. */
 void try_limits(const known_handle *known, const limit_numbers *from, size_t misalignment);
 
-/* Computes in memory of exactly the told size at 16 alignments; one byte less is refused without a write. `more` is
+/* Computes in memory of exactly the reported size at 16 alignments; one byte less is refused without a write. `more` is
  * called with each computed handle, NULL for nothing. */
 void sweep_alignments(const known_handle *known, void (*more)(void *handle, const void *source));
 

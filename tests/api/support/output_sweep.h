@@ -13,5 +13,5 @@ typedef int32_t (*asking)(const void *question, void *out, uint32_t capacity, ui
 
 /* Asks for an array of `expected` records, each of `record` bytes: without an array, and at all capacities around the
  * right one, between guard bytes. Checks for HSP_E_CAPACITY with nothing written, or success with exactly that many
- * records, every byte of them, and nothing behind them. The number needed is always told. */
+ * records, every byte of them, and nothing behind them. The number needed is always reported. */
 void sweep_output(asking ask, const void *question, size_t record, uint32_t expected);

@@ -1,4 +1,4 @@
-// Large lattices by the law that their sizes obey. The part of the union that is nearest to one ball is its part in a
+// Large lattices by a rule for their sizes. The part of the union that is nearest to one ball is its part in a
 // box; the indicator of a box that is bounded on both sides of an axis is that of the whole axis less those of the two
 // sides. So area and volume are affine in each of the three counts, and eight lattices of at most eight balls, measured
 // by slices, tell those of all others.

@@ -1,4 +1,4 @@
-// Areas and volumes against slicing the balls, and the laws that hold bit for bit.
+// Areas and volumes against slicing the balls, and the identities that hold bit for bit.
 #include <gtest/gtest.h>
 
 #include <algorithm>

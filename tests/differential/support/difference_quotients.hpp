@@ -1,4 +1,4 @@
-// Derivatives from values at places on both sides, with bounds on their errors.
+// Derivatives from values at points on both sides, with bounds on their errors.
 #pragma once
 
 #include <array>

@@ -168,7 +168,7 @@ std::vector<AwkwardSet> awkward_sets() {
   Balls upright_pair_across_x;
   for (const LatticeBall &b : pair) upright_pair_across_x.push_back({b.y, b.z, b.x, b.radius});
   add("the same upright, in the plane across x", upright_pair_across_x);
-  // Along (3, 4, 0), where the plane has no round numbers and is told by other multiples of its normal on either side;
+  // Along (3, 4, 0), where the plane has no round numbers and is given by other multiples of its normal on either side;
   // then with the circle cut short.
   const Balls slanted = {core,
                          {72, 96, 0, 100},

@@ -1,5 +1,5 @@
 // The self-check finds what is wrong: one record of a correct boundary at a time is spoilt, and the invariant that it
-// violates is named, with the place where it fails. Through the interface a boundary is never wrong, so that this is
+// violates is named, with the id where it is violated. Through the interface a boundary is never wrong, so that this is
 // the only way to see these answers.
 #include <gtest/gtest.h>
 

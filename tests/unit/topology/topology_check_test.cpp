@@ -1,5 +1,5 @@
 // The self-check of a topology finds what is wrong: one record of a correct topology at a time is spoilt, and the
-// invariant that it breaks is named, with the place where it fails. Through the interface a topology is never wrong, so
+// invariant that it violates is named, with the id where it does. Through the interface a topology is never wrong, so
 // that this is the only way to see these answers.
 #include "topology/topology_check.hpp"
 
