@@ -24,8 +24,13 @@ class SmallView {
     if (measured.bytes() > sizeof memory_ || !small_union().build(balls, n)) return false;
     hsp::Workspace workspace(memory_, sizeof memory_);
     carve(workspace);
-    status_ = builder_.build(small_union().grid(), &small_union().boundary(), request);
+    again(request, &small_union().boundary());
     return true;
+  }
+  // Another view of the same balls in the same memory.
+  bool again(const hsp::ViewRequest &request, const hsp::Boundary *boundary) {
+    status_ = builder_.build(small_union().grid(), boundary, request);
+    return status_ == hsp::Status::ok;
   }
   bool succeeds(const SmallBall *balls, uint32_t n, const hsp::ViewRequest &request = {}) {
     return build(balls, n, request) && status_ == hsp::Status::ok;
