@@ -27,7 +27,7 @@ void require_same_bytes(const computed &a, const computed &b) {
 }
 
 // hsp_model_set, hsp_boundary_compute and hsp_boundary_measure, property 1 each.
-void require_no_order(const fuzz::BallSet &set, const computed &reference, fuzz::Bytes &bytes) {
+void require_no_order(const fuzz::ScaledBalls &set, const computed &reference, fuzz::Bytes &bytes) {
   const std::vector<uint32_t> order = fuzz::shuffled(set.n(), bytes);
   const Result other(fuzz::permuted(set, order));
   require_sound(other.get());
@@ -35,12 +35,14 @@ void require_no_order(const fuzz::BallSet &set, const computed &reference, fuzz:
   FUZZ_REQUIRE(what == nullptr, what);
 }
 
-void require_no_place(const fuzz::BallSet &set, const computed &reference, fuzz::Bytes &bytes) {
-  fuzz::BallSet moved = set;
-  for (size_t axis = 0; axis < 3; ++axis) {
-    const int64_t shift = (bytes.below(1001) - int64_t{500}) * (bytes.one_in(2) ? set.steps_per_unit : 1);
-    for (fuzz::StepBall &ball : moved.balls) ball.centre[axis] += shift;
+void require_no_place(const fuzz::ScaledBalls &set, const computed &reference, fuzz::Bytes &bytes) {
+  oracle::LatticePoint shift{};
+  for (int64_t &along : shift) {
+    const int64_t steps = bytes.below(1001) - int64_t{500};
+    along = steps * (bytes.one_in(2) ? set.steps_per_unit : 1);
   }
+  fuzz::ScaledBalls moved = set;
+  moved.balls = oracle::moved(set.balls, shift);
   const Result other(moved);
   require_sound(other.get());
   const computed &c = other.get();
@@ -54,15 +56,11 @@ void require_no_place(const fuzz::BallSet &set, const computed &reference, fuzz:
 }
 
 // Ties may be broken otherwise when axes change names; the topology of the closed balls stays.
-void require_no_axes(const fuzz::BallSet &set, const computed &reference, fuzz::Bytes &bytes) {
-  fuzz::BallSet turned = set;
+void require_no_axes(const fuzz::ScaledBalls &set, const computed &reference, fuzz::Bytes &bytes) {
+  fuzz::ScaledBalls turned = set;
   const uint32_t turn = 1 + bytes.below(2);
-  const int64_t mirror = bytes.below(2) == 0 ? 1 : -1;
-  for (uint32_t i = 0; i < set.n(); ++i) {
-    for (uint32_t axis = 0; axis < 3; ++axis) {
-      turned.balls[i].centre[axis] = mirror * set.balls[i].centre[(axis + turn) % 3];
-    }
-  }
+  const uint32_t reflected = bytes.below(2) == 0 ? 0 : 7;
+  turned.balls = oracle::along_axes(set.balls, {turn, (1 + turn) % 3, (2 + turn) % 3}, reflected);
   const Result other(turned);
   require_sound(other.get());
   const hsp_boundary_counts &counts = other.get().counts;
@@ -74,12 +72,12 @@ void require_no_axes(const fuzz::BallSet &set, const computed &reference, fuzz::
 }
 
 // Each component on its own gives its part of everything.
-void require_sum_over_components(const fuzz::BallSet &set, const computed &reference) {
+void require_sum_over_components(const fuzz::ScaledBalls &set, const computed &reference) {
   if (reference.counts.components < 2) return;
   hsp_boundary_counts sum{};
   double area = 0, volume = 0;
   for (uint32_t k = 0; k < reference.counts.components; ++k) {
-    fuzz::BallSet part = set;
+    fuzz::ScaledBalls part = set;
     part.balls.clear();
     for (uint32_t i = 0; i < set.n(); ++i) {
       if (reference.balls[i].component == k) part.balls.push_back(set.balls[i]);
@@ -109,7 +107,7 @@ void require_sum_over_components(const fuzz::BallSet &set, const computed &refer
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   fuzz::Bytes bytes(data, size);
-  const fuzz::BallSet set = fuzz::ball_set(bytes, 32);
+  const fuzz::ScaledBalls set = fuzz::ball_set(bytes, 32);
   const Result reference(set);
   require_sound(reference.get());
   {

@@ -12,18 +12,8 @@ namespace {
 
 // Permutes and reflects the axes: 6 * 8 symmetries, then a lattice vector.
 oracle::Balls moved(const oracle::Balls &balls, uint32_t symmetry, int64_t shift) {
-  static constexpr uint32_t axes[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
-  oracle::Balls result;
-  for (const oracle::LatticeBall &ball : balls) {
-    const int64_t from[3] = {ball.x, ball.y, ball.z};
-    int64_t to[3];
-    for (uint32_t k = 0; k < 3; ++k) {
-      const int64_t value = from[axes[symmetry % 6][k]];
-      to[k] = (symmetry / 6 >> k & 1U ? -value : value) + shift * static_cast<int64_t>(k + 1);
-    }
-    result.push_back({to[0], to[1], to[2], ball.radius});
-  }
-  return result;
+  static constexpr std::array<size_t, 3> axes[] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
+  return oracle::moved(oracle::along_axes(balls, axes[symmetry % 6], symmetry / 6), {shift, 2 * shift, 3 * shift});
 }
 
 LibraryBoundary::Measures require_brute_force(const oracle::Balls &balls, oracle::BoundaryRecord &record) {
@@ -45,13 +35,9 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   fuzz::Bytes bytes(data, size);
   const uint32_t symmetry = bytes.below(48);
   const int64_t shift = bytes.byte() * int64_t{1000003};
-  const fuzz::BallSet set = fuzz::ball_set(bytes, 8);
+  const fuzz::ScaledBalls set = fuzz::ball_set(bytes, 8);
   if (set.n() > 10) return 0;  // brute force takes the fourth power
-  oracle::Balls balls;
-  for (uint32_t k = 0; k < set.n(); ++k) {
-    const auto &at = set.balls[k].centre;
-    balls.push_back({at[0], at[1], at[2], set.radius_of(k)});
-  }
+  const oracle::Balls balls = set.with_probe();
   oracle::BoundaryRecord here;
   oracle::BoundaryRecord there;
   const auto measured_here = require_brute_force(balls, here);

@@ -12,7 +12,7 @@ void require_sound(const char *broken) {
 }
 
 // hsp_boundary_gradient, property 3, with equal weights for equal balls.
-void require_no_order(const fuzz::BallSet &set, const computed &c, uint32_t tangency, fuzz::Bytes &bytes) {
+void require_no_order(const fuzz::ScaledBalls &set, const computed &c, uint32_t tangency, fuzz::Bytes &bytes) {
   const fuzz::ComputedSet other(fuzz::permuted(set, fuzz::shuffled(set.n(), bytes)));
   const auto weights_of = [](const computed &of) {
     std::vector<double> sigma(of.n + 1);
@@ -91,7 +91,7 @@ void require_selected(const computed &c, fuzz::Bytes &bytes) {
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   fuzz::Bytes bytes(data, size);
   const uint32_t tangency = bytes.below(2);
-  const fuzz::BallSet set = fuzz::ball_set(bytes, 32);
+  const fuzz::ScaledBalls set = fuzz::ball_set(bytes, 32);
   const fuzz::ComputedSet result(set);
   const computed &c = result.get();
   std::vector<double> sigma(set.n() + 1);

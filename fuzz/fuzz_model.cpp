@@ -2,67 +2,30 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <limits>
 
+#include "brute_queries.hpp"
 #include "checked_model.hpp"
 
 namespace {
 
-struct ExpectedFigures {
-  int64_t smallest = std::numeric_limits<int64_t>::max();
-  int64_t largest = 0;
-  uint64_t overlaps = 0;
-  uint32_t most = 0;
-  uint32_t flags = 0;
-  double rho = std::numeric_limits<double>::infinity();
-};
-
-ExpectedFigures figures_by_definition(const fuzz::BallSet &set) {
-  ExpectedFigures expected;
-  for (uint32_t i = 0; i < set.n(); ++i) {
-    uint32_t count = 0;
-    const int64_t r = set.radius_of(i);
-    expected.smallest = std::min(expected.smallest, r);
-    expected.largest = std::max(expected.largest, r);
-    if (r == 0) expected.flags |= HSP_PACKING_ZERO_RADIUS;
-    for (uint32_t j = 0; j < set.n(); ++j) {
-      if (i == j) continue;
-      const int64_t s = set.radius_of(j);
-      const int64_t squared = fuzz::squared_distance(set.balls[i].centre, set.balls[j].centre);
-      if (squared < (r + s) * (r + s)) ++count;
-      if (squared == 0) {
-        expected.flags |= HSP_PACKING_COINCIDENT;
-        expected.rho = 0;
-      }
-      if (std::max(r, s) > 0) {
-        expected.rho =
-            std::min(expected.rho, std::sqrt(static_cast<double>(squared)) / static_cast<double>(std::max(r, s)));
-      }
-    }
-    expected.overlaps += count;
-    expected.most = std::max(expected.most, count);
-  }
-  if (set.n() < 2 || expected.largest == 0) {
-    expected.flags |= HSP_PACKING_NO_PAIR;
-    expected.rho = 0;
-  }
-  return expected;
+bool close(double value, long double expected, long double tolerance) {
+  return std::fabs(static_cast<long double>(value) - expected) <= tolerance * std::fabs(expected);
 }
 
-void check_figures(const fuzz::BallSet &set, hsp_model *model) {
+void check_figures(const fuzz::ScaledBalls &set, hsp_model *model) {
   hsp_packing figures, again;
-  const ExpectedFigures expected = figures_by_definition(set);
+  const oracle::Figures expected = oracle::brute_figures(set.with_probe());
   FUZZ_REQUIRE(hsp_model_get_packing(model, &figures) == HSP_OK, "figures");
   FUZZ_REQUIRE(hsp_model_get_packing(model, &again) == HSP_OK, "figures");
   FUZZ_REQUIRE(std::memcmp(&figures, &again, sizeof figures) == 0, "figures differ the second time");
-  FUZZ_REQUIRE(figures.flags == expected.flags, "flags");
-  FUZZ_REQUIRE(figures.max_overlaps == expected.most, "max_overlaps");
-  const double mean = set.n() == 0 ? 0 : static_cast<double>(expected.overlaps) / set.n();
-  FUZZ_REQUIRE(std::fabs(figures.mean_overlaps - mean) <= 1e-14 * mean, "mean_overlaps");
-  const bool has_k = set.n() > 0 && expected.smallest > 0;
-  const double k = has_k ? static_cast<double>(expected.largest) / static_cast<double>(expected.smallest) : 0;
-  FUZZ_REQUIRE(std::fabs(figures.k - k) <= 1e-15 * k, "k");
-  FUZZ_REQUIRE(std::fabs(figures.rho - expected.rho) <= 1e-15 * expected.rho, "rho");
+  FUZZ_REQUIRE(figures.flags ==
+                   ((expected.zero_radius ? HSP_PACKING_ZERO_RADIUS : 0) |
+                    (expected.coincident ? HSP_PACKING_COINCIDENT : 0) | (expected.no_pair ? HSP_PACKING_NO_PAIR : 0)),
+               "flags");
+  FUZZ_REQUIRE(figures.max_overlaps == expected.max_overlaps, "max_overlaps");
+  FUZZ_REQUIRE(close(figures.mean_overlaps, expected.mean_overlaps, 1e-14L), "mean_overlaps");
+  FUZZ_REQUIRE(close(figures.k, expected.k, 1e-15L), "k");
+  FUZZ_REQUIRE(close(figures.rho, expected.rho, 1e-15L), "rho");
   if (figures.flags == 0) {
     FUZZ_REQUIRE(static_cast<double>(figures.max_overlaps) <= figures.neighbour_bound, "Theorem 2.1");
   } else {
@@ -70,7 +33,7 @@ void check_figures(const fuzz::BallSet &set, hsp_model *model) {
   }
 }
 
-void check_info(const fuzz::BallSet &set, const hsp_model *model) {
+void check_info(const fuzz::ScaledBalls &set, const hsp_model *model) {
   hsp_model_info info;
   int64_t largest = 0;
   for (uint32_t i = 0; i < set.n(); ++i) largest = std::max(largest, set.radius_of(i));
@@ -89,16 +52,17 @@ void check_info(const fuzz::BallSet &set, const hsp_model *model) {
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   fuzz::Bytes bytes(data, size);
   const size_t misalignment = bytes.below(16);
-  const fuzz::BallSet first = fuzz::ball_set(bytes, 48);
+  const fuzz::ScaledBalls first = fuzz::ball_set(bytes, 48);
   const fuzz::CheckedModel model(first, misalignment);
   check_info(first, model.get());
   check_figures(first, model.get());
 
   // another frame in the same model, of at most as many balls
-  const fuzz::BallSet second = fuzz::ball_set(bytes, 48);
-  const std::vector<double> xyz = second.xyz(), radius = second.radius();
+  const fuzz::ScaledBalls second = fuzz::ball_set(bytes, 48);
+  const support::BallList list = second.in_lengths();
   const hsp_model_options options = fuzz::options_of(second);
-  const int32_t status = hsp_model_set(model.get(), second.n(), xyz.data(), radius.data(), &options, nullptr);
+  const int32_t status =
+      hsp_model_set(model.get(), list.size(), list.xyz.data(), list.radius.data(), &options, nullptr);
   FUZZ_REQUIRE(status == (second.n() > first.n() ? HSP_E_CAPACITY : HSP_OK), "capacity");
   if (status == HSP_OK) {
     check_info(second, model.get());

@@ -10,8 +10,8 @@ namespace {
 
 using namespace hsp::exact;
 
-LatticeBall to_library(const fuzz::StepBall &ball, uint32_t index) {
-  return {{ball.centre[0], ball.centre[1], ball.centre[2]}, ball.radius, index};
+LatticeBall to_library(const oracle::LatticeBall &ball, uint32_t index) {
+  return {{ball.x, ball.y, ball.z}, ball.radius, index};
 }
 
 PairRelation to_library(oracle::PairRelation relation) {
@@ -70,16 +70,12 @@ void check_four(const oracle::TiedBalls &tied, const LatticeBall *ball, uint32_t
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   fuzz::Bytes bytes(data, size);
-  const fuzz::BallSet set = fuzz::ball_set(bytes, 6);
+  const fuzz::ScaledBalls set = fuzz::ball_set(bytes, 6);
   if (set.n() < 4) return 0;
+  const oracle::Balls all = set.with_probe();
+  const oracle::Balls balls(all.end() - 4, all.end());
   LatticeBall ball[4];
-  oracle::Balls balls;
-  for (uint32_t k = 0; k < 4; ++k) {
-    fuzz::StepBall step = set.balls[set.n() - 4 + k];
-    step.radius += set.probe_steps;
-    ball[k] = to_library(step, k);
-    balls.push_back({step.centre[0], step.centre[1], step.centre[2], step.radius});
-  }
+  for (uint32_t k = 0; k < 4; ++k) ball[k] = to_library(balls[k], k);
   const oracle::TiedBalls tied(balls);
   bool circle[4][4] = {};
   for (uint32_t a = 0; a < 4; ++a) {

@@ -1,20 +1,12 @@
 // The queries of Section 3 against all balls one by one, in integers, with arrays of exactly and of less than the size.
 #include <algorithm>
 
+#include "brute_queries.hpp"
 #include "checked_model.hpp"
 
 namespace {
 
-using Place = std::array<int64_t, 3>;
-
-std::vector<uint32_t> hits_by_definition(const fuzz::BallSet &set, const Place &place, int64_t reach, uint32_t but) {
-  std::vector<uint32_t> hits;
-  for (uint32_t i = 0; i < set.n(); ++i) {
-    const int64_t within = set.radius_of(i) + reach;
-    if (i != but && fuzz::squared_distance(set.balls[i].centre, place) <= within * within) hits.push_back(i);
-  }
-  return hits;
-}
+using Place = oracle::LatticePoint;
 
 // ask(out, capacity, needed) with every interesting capacity must give the expected hits.
 template <class Ask>
@@ -36,11 +28,11 @@ void check_hits(const std::vector<uint32_t> &expected, fuzz::Bytes &bytes, const
 }
 
 // A point near a ball, on its sphere, or anywhere.
-Place next_place(fuzz::Bytes &bytes, const fuzz::BallSet &set) {
+Place next_place(fuzz::Bytes &bytes, const fuzz::ScaledBalls &set) {
   Place place{};
   if (set.n() > 0 && !bytes.one_in(4)) {
     const uint32_t i = bytes.below(set.n());
-    place = set.balls[i].centre;
+    place = centre_of(set.balls[i]);
     const uint32_t axis = bytes.below(3);
     if (bytes.below(2) == 0) place[axis] += set.radius_of(i);
     if (bytes.below(2) == 0) place[axis] += bytes.below(5) - int64_t{2};
@@ -55,25 +47,25 @@ Place next_place(fuzz::Bytes &bytes, const fuzz::BallSet &set) {
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   fuzz::Bytes bytes(data, size);
   const size_t misalignment = bytes.below(16);
-  const fuzz::BallSet set = fuzz::ball_set(bytes, 48);
+  const fuzz::ScaledBalls set = fuzz::ball_set(bytes, 48);
   const fuzz::CheckedModel checked(set, misalignment);
   const hsp_model *model = checked.get();
+  const oracle::Balls balls = set.with_probe();
   for (uint32_t i = 0; i < set.n(); ++i) {
-    check_hits(hits_by_definition(set, set.balls[i].centre, set.radius_of(i), i), bytes,
-               [&](uint32_t *out, uint32_t capacity, uint32_t *needed) {
-                 return hsp_query_neighbours(model, i, out, capacity, needed);
-               });
+    check_hits(oracle::neighbours(balls, i), bytes, [&](uint32_t *out, uint32_t capacity, uint32_t *needed) {
+      return hsp_query_neighbours(model, i, out, capacity, needed);
+    });
   }
   for (int round = 0; round < 12; ++round) {
     const Place place = next_place(bytes, set);
     const double xyz[3] = {set.length(place[0]), set.length(place[1]), set.length(place[2])};
-    check_hits(hits_by_definition(set, place, 0, HSP_NONE), bytes,
+    check_hits(oracle::balls_meeting(balls, oracle::ball_around(place, 0)), bytes,
                [&](uint32_t *out, uint32_t capacity, uint32_t *needed) {
                  return hsp_query_point(model, xyz, out, capacity, needed);
                });
     const int64_t scale = bytes.one_in(4) ? 100 * set.steps_per_unit : set.steps_per_unit;
     const int64_t reach = bytes.below(9) * scale + bytes.below(2);
-    const std::vector<uint32_t> hits = hits_by_definition(set, place, reach, HSP_NONE);
+    const std::vector<uint32_t> hits = oracle::balls_meeting(balls, oracle::ball_around(place, reach));
     check_hits(hits, bytes, [&](uint32_t *out, uint32_t capacity, uint32_t *needed) {
       return hsp_query_ball(model, xyz, set.length(reach), out, capacity, needed);
     });

@@ -15,7 +15,7 @@ using fuzz::same;
 
 class Result {
  public:
-  explicit Result(const fuzz::BallSet &set) : set_(set) {
+  explicit Result(const fuzz::ScaledBalls &set) : set_(set) {
     const int32_t status = topology_result_make(&set_.get(), &topology_);
     FUZZ_REQUIRE(status == HSP_OK, hsp_status_text(status));
   }
@@ -49,7 +49,7 @@ void require_same_bytes(const topology_result &a, const topology_result &b) {
 }
 
 // hsp_topology_compute, property 1.
-void require_no_order(const fuzz::BallSet &set, const topology_result &reference, fuzz::Bytes &bytes) {
+void require_no_order(const fuzz::ScaledBalls &set, const topology_result &reference, fuzz::Bytes &bytes) {
   const Result other(fuzz::permuted(set, fuzz::shuffled(set.n(), bytes)));
   require_sound(other.get());
   const char *what = topology_difference_after_permutation(&reference, &other.get());
@@ -57,10 +57,10 @@ void require_no_order(const fuzz::BallSet &set, const topology_result &reference
 }
 
 // Each component on its own gives its shells: as many of each kind, Euler number and number of maximal faces.
-void require_components_alone(const fuzz::BallSet &set, const topology_result &reference) {
+void require_components_alone(const fuzz::ScaledBalls &set, const topology_result &reference) {
   if (reference.counts.components < 2) return;
   for (uint32_t k = 0; k < reference.counts.components; ++k) {
-    fuzz::BallSet part = set;
+    fuzz::ScaledBalls part = set;
     part.balls.clear();
     for (uint32_t i = 0; i < set.n(); ++i) {
       if (reference.base->balls[i].component == k) part.balls.push_back(set.balls[i]);
@@ -92,16 +92,17 @@ void require_capacities(const topology_result &reference, fuzz::Bytes &bytes) {
 
 // ---- points ----
 
-using Place = std::array<int64_t, 3>;
+using Place = oracle::LatticePoint;
 
-bool in_ball(const fuzz::BallSet &set, size_t i, const Place &at) {
-  return fuzz::squared_distance(set.balls[i].centre, at) <= set.radius_of(i) * set.radius_of(i);
+bool in_ball(const fuzz::ScaledBalls &set, size_t i, const Place &at) {
+  const oracle::Vector from_centre = centre_difference(set.balls[i], oracle::ball_around(at, 0));
+  return oracle::dot(from_centre, from_centre) <= set.radius_of(i) * set.radius_of(i);
 }
 
 // Whether the line from a to b, which differ along one axis, misses every closed ball.
-bool line_is_free(const fuzz::BallSet &set, const Place &a, const Place &b) {
+bool line_is_free(const fuzz::ScaledBalls &set, const Place &a, const Place &b) {
   for (size_t i = 0; i < set.balls.size(); ++i) {
-    Place nearest = set.balls[i].centre;
+    Place nearest = centre_of(set.balls[i]);
     for (size_t axis = 0; axis < 3; ++axis) {
       nearest[axis] = std::clamp(nearest[axis], std::min(a[axis], b[axis]), std::max(a[axis], b[axis]));
     }
@@ -110,12 +111,12 @@ bool line_is_free(const fuzz::BallSet &set, const Place &a, const Place &b) {
   return true;
 }
 
-std::array<double, 3> lengths(const fuzz::BallSet &set, const Place &at) {
+std::array<double, 3> lengths(const fuzz::ScaledBalls &set, const Place &at) {
   return {set.length(at[0]), set.length(at[1]), set.length(at[2])};
 }
 
 // The cell of a point; checked against the balls, with an array that may be too short.
-uint32_t located(const fuzz::BallSet &set, const Result &result, const Place &at, uint32_t capacity) {
+uint32_t located(const fuzz::ScaledBalls &set, const Result &result, const Place &at, uint32_t capacity) {
   std::vector<uint32_t> expected;
   for (uint32_t i = 0; i < set.n(); ++i) {
     if (in_ball(set, i, at)) expected.push_back(i);
@@ -134,7 +135,7 @@ uint32_t located(const fuzz::BallSet &set, const Result &result, const Place &at
   return cell;
 }
 
-uint32_t cell_of(const fuzz::BallSet &set, const Result &result, const Place &at) {
+uint32_t cell_of(const fuzz::ScaledBalls &set, const Result &result, const Place &at) {
   uint32_t cell = 12345;
   FUZZ_REQUIRE(hsp_topology_locate(result.topology(), lengths(set, at).data(), &cell, nullptr, 0, nullptr) == HSP_OK,
                "locate");
@@ -142,18 +143,18 @@ uint32_t cell_of(const fuzz::BallSet &set, const Result &result, const Place &at
 }
 
 // Near a ball of the set, mostly between it and another.
-Place some_place(const fuzz::BallSet &set, fuzz::Bytes &bytes) {
+Place some_place(const fuzz::ScaledBalls &set, fuzz::Bytes &bytes) {
   Place at{};
   const int64_t unit = set.steps_per_unit;
   if (set.n() > 0) {
-    const Place &a = set.balls[bytes.below(set.n())].centre, &b = set.balls[bytes.below(set.n())].centre;
+    const Place a = centre_of(set.balls[bytes.below(set.n())]), b = centre_of(set.balls[bytes.below(set.n())]);
     for (size_t axis = 0; axis < 3; ++axis) at[axis] = (a[axis] + b[axis]) / 2;
   }
   for (int64_t &coordinate : at) coordinate += (bytes.below(15) - int64_t{7}) * unit + bytes.below(3) - 1;
   return at;
 }
 
-void require_places(const fuzz::BallSet &set, const Result &result, fuzz::Bytes &bytes) {
+void require_places(const fuzz::ScaledBalls &set, const Result &result, fuzz::Bytes &bytes) {
   static constexpr int64_t far_away = int64_t{1} << 22;
   Place before{};
   uint32_t before_cell = HSP_NONE;
@@ -189,15 +190,15 @@ void require_places(const fuzz::BallSet &set, const Result &result, fuzz::Bytes 
 
 // Places all over a box around the balls, joined along the axes wherever that is free: what is joined is one cell, and
 // what the box's surface reaches is the outer one.
-void require_flood(const fuzz::BallSet &set, const Result &result) {
+void require_flood(const fuzz::ScaledBalls &set, const Result &result) {
   int64_t spacing = set.steps_per_unit;
   Place low{}, high{};
   for (size_t axis = 0; axis < 3; ++axis) {
     low[axis] = std::numeric_limits<int64_t>::max();
     high[axis] = std::numeric_limits<int64_t>::min();
     for (size_t i = 0; i < set.balls.size(); ++i) {
-      low[axis] = std::min(low[axis], set.balls[i].centre[axis] - set.radius_of(i));
-      high[axis] = std::max(high[axis], set.balls[i].centre[axis] + set.radius_of(i));
+      low[axis] = std::min(low[axis], centre_of(set.balls[i])[axis] - set.radius_of(i));
+      high[axis] = std::max(high[axis], centre_of(set.balls[i])[axis] + set.radius_of(i));
     }
     spacing = std::max(spacing, (high[axis] - low[axis]) / 16 + 1);
   }
@@ -230,7 +231,7 @@ void require_flood(const fuzz::BallSet &set, const Result &result) {
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   fuzz::Bytes bytes(data, size);
   const bool flood = bytes.one_in(6);
-  const fuzz::BallSet set = fuzz::topology_set(bytes);
+  const fuzz::ScaledBalls set = fuzz::topology_set(bytes);
   const Result reference(set);
   require_sound(reference.get());
   {

@@ -52,7 +52,7 @@ hsp_view_options view_options(fuzz::Bytes &bytes) {
 
 class Result {
  public:
-  Result(const fuzz::BallSet &set, const hsp_view_options &options, bool with_boundary) : set_(set) {
+  Result(const fuzz::ScaledBalls &set, const hsp_view_options &options, bool with_boundary) : set_(set) {
     const int32_t status = view_result_make(&set_.get(), &options, with_boundary ? 1 : 0, &view_);
     FUZZ_REQUIRE(status == HSP_OK, hsp_status_text(status));
   }
@@ -235,7 +235,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   fuzz::Bytes bytes(data, size);
   const hsp_view_options options = view_options(bytes);
   const bool with_boundary = options.pieces == HSP_PIECES_OUTSIDE_ALL || bytes.one_in(3);
-  const fuzz::BallSet set = fuzz::topology_set(bytes);
+  const fuzz::ScaledBalls set = fuzz::topology_set(bytes);
   const Result reference(set, options, with_boundary);
   require_sound(reference.get(), bytes);
   const Result again(set, options, with_boundary);

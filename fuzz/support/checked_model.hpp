@@ -8,7 +8,7 @@
 
 namespace fuzz {
 
-inline hsp_model_options options_of(const BallSet &set) {
+inline hsp_model_options options_of(const ScaledBalls &set) {
   hsp_model_options options;
   FUZZ_REQUIRE(hsp_model_options_init(&options, sizeof options) == HSP_OK, "options");
   options.probe = set.length(set.probe_steps);
@@ -18,8 +18,8 @@ inline hsp_model_options options_of(const BallSet &set) {
 
 class CheckedModel {
  public:
-  CheckedModel(const BallSet &set, size_t misalignment) {
-    const std::vector<double> xyz = set.xyz(), radius = set.radius();
+  CheckedModel(const ScaledBalls &set, size_t misalignment) {
+    const support::BallList list = set.in_lengths();
     const hsp_model_options options = options_of(set);
     size_t bytes = 0;
     uint32_t bad = 0;
@@ -27,7 +27,8 @@ class CheckedModel {
     FUZZ_REQUIRE(bytes <= HSP_MODEL_BYTES(set.n()), "hsp_model_bytes, property 1");
     memory_.assign(misalignment + bytes, 0xC3);
     FUZZ_REQUIRE(hsp_model_init(memory_.data() + misalignment, bytes, set.n(), &model_) == HSP_OK, "init");
-    FUZZ_REQUIRE(hsp_model_set(model_, set.n(), xyz.data(), radius.data(), &options, &bad) == HSP_OK, "set");
+    FUZZ_REQUIRE(hsp_model_set(model_, list.size(), list.xyz.data(), list.radius.data(), &options, &bad) == HSP_OK,
+                 "set");
     FUZZ_REQUIRE(bad == HSP_NONE, "first_bad after HSP_OK");
   }
   CheckedModel(const CheckedModel &) = delete;
@@ -39,11 +40,5 @@ class CheckedModel {
   std::vector<uint8_t> memory_;
   hsp_model *model_ = nullptr;
 };
-
-inline int64_t squared_distance(const std::array<int64_t, 3> &a, const std::array<int64_t, 3> &b) {
-  int64_t sum = 0;
-  for (size_t axis = 0; axis < 3; ++axis) sum += (a[axis] - b[axis]) * (a[axis] - b[axis]);
-  return sum;
-}
 
 }  // namespace fuzz

@@ -9,15 +9,16 @@
 #include <numeric>
 
 #include "checked_model.hpp"
+#include "random_balls.hpp"
 
 namespace fuzz {
 
 class ComputedSet {
  public:
-  explicit ComputedSet(const BallSet &set) {
-    const std::vector<double> xyz = set.xyz(), radius = set.radius();
+  explicit ComputedSet(const ScaledBalls &set) {
+    const support::BallList list = set.in_lengths();
     const hsp_model_options options = options_of(set);
-    const int32_t status = computed_make(set.n(), xyz.data(), radius.data(), &options, &computed_);
+    const int32_t status = computed_make(list.size(), list.xyz.data(), list.radius.data(), &options, &computed_);
     FUZZ_REQUIRE(status == HSP_OK, hsp_status_text(status));
   }
   ~ComputedSet() { computed_release(&computed_); }
@@ -48,9 +49,9 @@ inline std::vector<uint32_t> shuffled(uint32_t n, Bytes &bytes) {
 }
 
 // Ball i of the result is ball order[i] of the set.
-inline BallSet permuted(const BallSet &set, const std::vector<uint32_t> &order) {
-  BallSet result = set;
-  for (uint32_t i = 0; i < set.n(); ++i) result.balls[i] = set.balls[order[i]];
+inline ScaledBalls permuted(const ScaledBalls &set, const std::vector<uint32_t> &order) {
+  ScaledBalls result = set;
+  result.balls = oracle::permuted(set.balls, order);
   return result;
 }
 

@@ -10,6 +10,10 @@
 #include <cstdlib>
 #include <vector>
 
+#include "ball_list.hpp"
+#include "point_lattices.hpp"
+#include "set_arrangements.hpp"
+
 // What a harness holds true. Ends the program in every build, so that engine and driver see it.
 #define FUZZ_REQUIRE(condition, text)                                                \
   do {                                                                               \
@@ -41,15 +45,9 @@ class Bytes {
   size_t at_ = 0;
 };
 
-// A ball in lattice steps. Squares of distances fit 64 bits.
-struct StepBall {
-  std::array<int64_t, 3> centre{};
-  int64_t radius = 0;
-};
-
-// Balls in steps, and as the interface takes them.
-struct BallSet {
-  std::vector<StepBall> balls;
+// Lattice balls, the length of a step, and a probe that the library is to add. Squares of distances fit 64 bits.
+struct ScaledBalls {
+  oracle::Balls balls;
   int64_t probe_steps = 0;
   int64_t steps_per_unit = 1;  // a power of ten; the lattice step is its inverse
 
@@ -58,18 +56,12 @@ struct BallSet {
   double length(int64_t steps) const { return static_cast<double>(steps) / static_cast<double>(steps_per_unit); }
   double step() const { return 1.0 / static_cast<double>(steps_per_unit); }
   int64_t radius_of(size_t i) const { return balls[i].radius + probe_steps; }
+  oracle::Balls with_probe() const { return oracle::grown(balls, probe_steps); }
 
-  std::vector<double> xyz() const {
-    std::vector<double> result;
-    for (const StepBall &ball : balls) {
-      for (const int64_t coordinate : ball.centre) result.push_back(length(coordinate));
-    }
-    return result;
-  }
-  std::vector<double> radius() const {
-    std::vector<double> result;
-    for (const StepBall &ball : balls) result.push_back(length(ball.radius));
-    return result;
+  support::BallList in_lengths() const {
+    support::BallList list;
+    for (const oracle::LatticeBall &b : balls) list.add(length(b.x), length(b.y), length(b.z), length(b.radius));
+    return list;
   }
 };
 
@@ -84,17 +76,18 @@ inline constexpr PythagoreanVector pythagorean[] = {{{1, 0, 0}, 1},  {{0, 1, 0},
                                                     {{1, -4, 8}, 9}, {{-3, 0, 4}, 5}, {{2, 6, 9}, 11}};
 
 // One more ball, mostly in a special position to one that is there.
-inline StepBall next_ball(Bytes &bytes, const BallSet &set, uint32_t span, const std::vector<int64_t> &radii) {
+inline oracle::LatticeBall next_ball(Bytes &bytes, const ScaledBalls &set, uint32_t span,
+                                     const std::vector<int64_t> &radii) {
   const int64_t unit = set.steps_per_unit;
-  StepBall ball;
-  ball.radius = radii[bytes.below(static_cast<uint32_t>(radii.size()))];
+  oracle::LatticePoint centre{};
+  const int64_t radius = radii[bytes.below(static_cast<uint32_t>(radii.size()))];
   const auto kind = bytes.below(8);
   if (set.balls.empty() || kind < 3) {
-    for (int64_t &coordinate : ball.centre) coordinate = (bytes.below(span) - int64_t{span} / 2) * unit;
-    return ball;
+    for (int64_t &coordinate : centre) coordinate = (bytes.below(span) - int64_t{span} / 2) * unit;
+    return oracle::ball_around(centre, radius);
   }
-  const StepBall &other = set.balls[bytes.below(set.n())];
-  ball.centre = other.centre;
+  const oracle::LatticeBall &other = set.balls[bytes.below(set.n())];
+  centre = centre_of(other);
   const PythagoreanVector &direction = pythagorean[bytes.below(static_cast<uint32_t>(std::size(pythagorean)))];
   const int64_t side = bytes.below(2) == 0 ? 1 : -1;
   int64_t distance = 0;  // in steps times direction.length
@@ -102,13 +95,13 @@ inline StepBall next_ball(Bytes &bytes, const BallSet &set, uint32_t span, const
     case 3:  // the same place
       break;
     case 4:  // touching from outside
-      distance = ball.radius + other.radius + 2 * set.probe_steps;
+      distance = radius + other.radius + 2 * set.probe_steps;
       break;
     case 5:  // touching from inside
-      distance = ball.radius - other.radius;
+      distance = radius - other.radius;
       break;
     case 6:  // a sphere through the centre of the other
-      distance = ball.radius + set.probe_steps;
+      distance = radius + set.probe_steps;
       break;
     default:  // a whole vector away
       distance = direction.length * unit;
@@ -116,37 +109,30 @@ inline StepBall next_ball(Bytes &bytes, const BallSet &set, uint32_t span, const
   // Only multiples of the vector's length lead to integer points; else go along an axis.
   for (size_t axis = 0; axis < 3; ++axis) {
     if (distance % direction.length == 0) {
-      ball.centre[axis] += side * direction.v[axis] * (distance / direction.length);
+      centre[axis] += side * direction.v[axis] * (distance / direction.length);
     } else if (axis == static_cast<size_t>(direction.length) % 3) {
-      ball.centre[axis] += side * distance;
+      centre[axis] += side * distance;
     }
   }
-  return ball;
+  return oracle::ball_around(centre, radius);
 }
 
 // A box grid of 2 or 3 balls along each axis, sometimes without one: pores between 8 balls, caverns, tunnels.
-inline void add_grid(Bytes &bytes, BallSet &set) {
-  const std::array<uint32_t, 3> counts{2 + bytes.below(2), 2 + bytes.below(2), 2 + bytes.below(2)};
-  const std::array<int64_t, 3> spacing{4, bytes.one_in(4) ? 2 : 4, 4};
+inline void add_grid(Bytes &bytes, ScaledBalls &set) {
+  const int64_t unit = set.steps_per_unit;
+  std::array<int64_t, 3> counts{};
+  for (int64_t &count : counts) count = 2 + bytes.below(2);
+  const std::array<int64_t, 3> sides{4 * unit, (bytes.one_in(4) ? 2 : 4) * unit, 4 * unit};
   const int64_t radius = 2 + bytes.below(3);  // of 4: touching, with pores, without
   const uint32_t missing = bytes.below(40);
-  uint32_t place = 0;
-  for (uint32_t x = 0; x < counts[0]; ++x) {
-    for (uint32_t y = 0; y < counts[1]; ++y) {
-      for (uint32_t z = 0; z < counts[2]; ++z, ++place) {
-        if (place == missing) continue;
-        const std::array<int64_t, 3> at{x * spacing[0], y * spacing[1], z * spacing[2]};
-        set.balls.push_back({{at[0] * set.steps_per_unit, at[1] * set.steps_per_unit, at[2] * set.steps_per_unit},
-                             radius * set.steps_per_unit});
-      }
-    }
-  }
+  set.balls = oracle::box_lattice(counts, sides, radius * unit);
+  if (missing < set.n()) set.balls.erase(set.balls.begin() + missing);
 }
 
 // At most `most` balls, but for a grid of up to 27, within 2^20 steps.
-inline BallSet ball_set(Bytes &bytes, uint32_t most) {
+inline ScaledBalls ball_set(Bytes &bytes, uint32_t most) {
   static constexpr int64_t steps_per_unit[] = {1, 10, 1000, 10000};
-  BallSet set;
+  ScaledBalls set;
   set.steps_per_unit = steps_per_unit[bytes.below(4)];
   const uint32_t n = bytes.below(most + 1);
   const uint32_t span = 2 + bytes.below(12);
@@ -156,21 +142,23 @@ inline BallSet ball_set(Bytes &bytes, uint32_t most) {
   const bool shaken = bytes.one_in(4);
   if (bytes.one_in(5)) add_grid(bytes, set);
   while (set.n() < n) {
-    StepBall ball = next_ball(bytes, set, span, radii);
+    const oracle::LatticeBall next = next_ball(bytes, set, span, radii);
+    oracle::LatticePoint centre = centre_of(next);
+    int64_t radius = next.radius;
     // one step aside, or one step larger: ties become near ties
     if (shaken && bytes.one_in(3)) {
       const uint32_t what = bytes.below(4);
       if (what < 3) {
-        ball.centre[what] += bytes.below(3) - int64_t{1};
+        centre[what] += bytes.below(3) - int64_t{1};
       } else {
-        ball.radius += 1;
+        radius += 1;
       }
     }
     // chains of tangencies may wander off; those balls go back to the middle
-    for (int64_t &coordinate : ball.centre) {
+    for (int64_t &coordinate : centre) {
       if (coordinate > (1 << 19) || coordinate < -(1 << 19)) coordinate = 0;
     }
-    set.balls.push_back(ball);
+    set.balls.push_back(oracle::ball_around(centre, radius));
   }
   return set;
 }

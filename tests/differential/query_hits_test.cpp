@@ -7,6 +7,7 @@
 #include "brute_queries.hpp"
 #include "library_run.hpp"
 #include "random_balls.hpp"
+#include "set_arrangements.hpp"
 
 namespace {
 
@@ -127,11 +128,6 @@ void expect_all(const Balls &balls, RandomSource &random, int queries, double st
   expect_neighbours(model, balls);
 }
 
-Balls moved(Balls balls, int64_t x, int64_t y, int64_t z) {
-  for (LatticeBall &ball : balls) ball = {ball.x + x, ball.y + y, ball.z + z, ball.radius};
-  return balls;
-}
-
 TEST(Queries, OfNoBallAndOfOneBall) {
   RandomSource random(31);
   expect_all({}, random, 50);
@@ -159,12 +155,12 @@ TEST(Queries, FarFromTheOriginAndAtNegativeCoordinates) {
   for (const int64_t far : {int64_t{1000000}, int64_t{-1000000}, int64_t{1} << 40, limit, -limit})
     for (int k = 0; k < 40; ++k) {
       const Balls balls = oracle::loose_balls(random, 40);
-      const LibraryModel model(moved(balls, far, -far, far), 0.25);
+      const LibraryModel model(moved(balls, {far, -far, far}), 0.25);
       for (const LatticeBall &query : query_balls(random, balls, 30)) {
         if (query.radius > 1000) continue;
-        expect_queries(model, moved(balls, far, -far, far), moved({query}, far, -far, far).front(), 0.25);
+        expect_queries(model, moved(balls, {far, -far, far}), moved(Balls{query}, {far, -far, far}).front(), 0.25);
       }
-      expect_neighbours(model, moved(balls, far, -far, far));
+      expect_neighbours(model, moved(balls, {far, -far, far}));
     }
 }
 

@@ -11,6 +11,7 @@
 #include "nerve.hpp"
 #include "point_lattices.hpp"
 #include "random_balls.hpp"
+#include "set_arrangements.hpp"
 
 namespace {
 
@@ -20,12 +21,6 @@ using oracle::cage_of_26;
 using oracle::DualComplex;
 using oracle::FloodFill;
 using oracle::LatticeBall;
-
-Balls scaled(const Balls &balls, int64_t factor) {
-  Balls result;
-  for (const LatticeBall &b : balls) result.push_back({factor * b.x, factor * b.y, factor * b.z, factor * b.radius});
-  return result;
-}
 
 TEST(DualComplex, CellsOfSmallSets) {
   EXPECT_EQ(DualComplex({}).cells(), 1U);

@@ -46,7 +46,7 @@ Box box_around(const Balls &balls, int64_t margin) {
   if (balls.empty()) return {};
   Box box;
   for (size_t i = 0; i < balls.size(); ++i) {
-    const LatticePoint centre = {balls[i].x, balls[i].y, balls[i].z};
+    const LatticePoint centre = centre_of(balls[i]);
     const int64_t radius = balls[i].radius;
     const LatticePoint low = {centre[0] - radius, centre[1] - radius, centre[2] - radius};
     const LatticePoint high = {centre[0] + radius, centre[1] + radius, centre[2] + radius};

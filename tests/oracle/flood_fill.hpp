@@ -12,8 +12,6 @@
 
 namespace oracle {
 
-using LatticePoint = std::array<int64_t, 3>;
-
 struct Box {
   LatticePoint low = {0, 0, 0};
   LatticePoint high = {0, 0, 0};

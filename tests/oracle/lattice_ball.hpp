@@ -31,6 +31,16 @@ struct LatticeBall {
 
 using Balls = std::vector<LatticeBall>;
 
+using LatticePoint = std::array<int64_t, 3>;
+
+inline LatticePoint centre_of(const LatticeBall &ball) {
+  return {ball.x, ball.y, ball.z};
+}
+
+inline LatticeBall ball_around(const LatticePoint &centre, int64_t radius) {
+  return {centre[0], centre[1], centre[2], radius};
+}
+
 inline Vector centre_difference(const LatticeBall &from, const LatticeBall &to) {
   return {Int128{to.x} - from.x, Int128{to.y} - from.y, Int128{to.z} - from.z};
 }

@@ -68,15 +68,16 @@ inline Balls balls_on_sphere(int64_t distance, int64_t scale, int64_t radius) {
 inline Balls balls_on_circle(int64_t distance, int64_t scale, int64_t radius, size_t first = 0, size_t second = 1) {
   Balls balls;
   for (const LatticeBall &ball : balls_on_sphere(distance, scale, radius))
-    if (std::array{ball.x, ball.y, ball.z}[3 - first - second] == 0) balls.push_back(ball);
+    if (centre_of(ball)[3 - first - second] == 0) balls.push_back(ball);
   return balls;
 }
 
 // The 26 points around the origin, times spacing. Squares close at 0.7072 of it, the middle at 1.
 inline Balls cage_of_26(int64_t spacing, int64_t radius) {
   Balls balls;
-  for (int64_t k = 0; k < 27; ++k)
-    if (k != 13) balls.push_back({spacing * (k % 3 - 1), spacing * (k / 3 % 3 - 1), spacing * (k / 9 - 1), radius});
+  for (const LatticeBall &b : box_lattice({3, 3, 3}, {spacing, spacing, spacing}, radius))
+    balls.push_back({b.x - spacing, b.y - spacing, b.z - spacing, radius});
+  balls.erase(balls.begin() + 13);
   return balls;
 }
 

@@ -21,18 +21,18 @@ std::string invariant_broken_in_some_order(const Balls &balls) {
 }
 
 std::string invariant_broken_along_other_axes(const Balls &balls) {
-  for (const Balls &turned : degenerate::axis_images(balls))
+  for (const Balls &turned : oracle::axis_images(balls))
     if (const std::string broken = topology_invariant_broken(turned); !broken.empty())
       return broken + "for " + oracle::to_text(turned);
   return "";
 }
 
 std::string invariant_broken_elsewhere(const Balls &balls) {
-  for (const auto &shift : degenerate::shifts_within_lattice(balls))
-    if (const std::string broken = topology_invariant_broken(degenerate::moved(balls, shift)); !broken.empty())
+  for (const auto &shift : oracle::shifts_within_lattice(balls))
+    if (const std::string broken = topology_invariant_broken(oracle::moved(balls, shift)); !broken.empty())
       return broken + "when moved by " + std::to_string(shift[0]) + " " + std::to_string(shift[1]) + " " +
              std::to_string(shift[2]);
-  const Balls large = degenerate::scaled(balls, degenerate::largest_scale(balls));
+  const Balls large = oracle::scaled(balls, oracle::largest_scale(balls));
   const std::string broken = topology_invariant_broken(large);
   return broken.empty() ? broken : broken + "when scaled to fill the lattice";
 }

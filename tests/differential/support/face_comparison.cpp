@@ -17,13 +17,13 @@ using oracle::FaceMeasures;
 using Real = long double;
 using Vector = std::array<Real, 3>;
 
-Vector centre_of(const oracle::LatticeBall &ball) {
+Vector real_centre_of(const oracle::LatticeBall &ball) {
   return {static_cast<Real>(ball.x), static_cast<Real>(ball.y), static_cast<Real>(ball.z)};
 }
 
 // The term of the divergence theorem, (r area + (c - origin) . N) / 3.
 Real volume_term(const oracle::LatticeBall &ball, const Vector &origin, const FaceMeasures &face) {
-  const Vector centre = centre_of(ball);
+  const Vector centre = real_centre_of(ball);
   Real sum = static_cast<Real>(ball.radius) * face.area;
   for (size_t k = 0; k < 3; ++k) sum += (centre[k] - origin[k]) * face.vector_area[k];
   return sum / 3;
@@ -41,7 +41,7 @@ class FaceComparison {
     for (const FaceMeasures &face : oracle::measure_faces_by_slices(oracle::real_balls(balls)))
       expected_[face.ball].push_back(face);
     for (const oracle::LatticeBall &a : balls)
-      for (size_t k = 0; k < 3; ++k) extent_ = std::max(extent_, std::abs(centre_of(a)[k]));
+      for (size_t k = 0; k < 3; ++k) extent_ = std::max(extent_, std::abs(real_centre_of(a)[k]));
   }
 
   std::string complaint() {
@@ -60,7 +60,7 @@ class FaceComparison {
       std::ostringstream text;
       text.precision(17);
       for (uint32_t i = 0; i < balls_.size(); ++i)
-        if (library_balls_[i].component == component) compare_ball(i, centre_of(balls_[o]), text);
+        if (library_balls_[i].component == component) compare_ball(i, real_centre_of(balls_[o]), text);
       if (text.str().empty()) return;
       if (first || text.str().size() < best.str().size()) best.swap(text);
       first = false;

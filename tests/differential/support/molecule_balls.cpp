@@ -15,9 +15,3 @@ oracle::Balls read_molecule(const std::filesystem::path &file, support::Records 
   return on_lattice(with_radii(support::read_atoms(file, records), support::Radii::van_der_waals), 0,
                     static_cast<double>(steps_per_angstrom));
 }
-
-oracle::Balls grown(const oracle::Balls &balls, int64_t probe) {
-  oracle::Balls result = balls;
-  for (oracle::LatticeBall &ball : result) ball.radius += probe;
-  return result;
-}

@@ -15,6 +15,3 @@ inline constexpr int64_t steps_per_angstrom = 1000;
 
 // The atoms of a file with van der Waals radii, in these steps.
 oracle::Balls read_molecule(const std::filesystem::path &file, support::Records records = support::Records::all);
-
-// Every ball larger by a probe, in steps.
-oracle::Balls grown(const oracle::Balls &balls, int64_t probe);

@@ -60,8 +60,7 @@ TEST(BuiltSets, AreAsBuiltAlongAllAxes) {
   for (const BuiltSet &set : built_sets())
     for (size_t image = 0; image < 6; ++image) {
       BuiltSet turned = set;
-      for (BuiltComponent &component : turned.components)
-        component.balls = degenerate::axis_images(component.balls)[image];
+      for (BuiltComponent &component : turned.components) component.balls = oracle::axis_images(component.balls)[image];
       expect_as_built(turned, turned.balls());
     }
 }
@@ -118,7 +117,7 @@ TEST(AwkwardSets, KeepTheInvariantsInAnyOrderAndAlongAnyAxes) {
   for (const AwkwardSet &set : awkward_sets()) {
     EXPECT_EQ(complaint_about_smallest(set.balls, topology_invariant_broken), "") << set.name;
     EXPECT_EQ(complaint_about_smallest(set.balls, topology_orders_disagree), "") << set.name;
-    for (const Balls &turned : degenerate::axis_images(set.balls))
+    for (const Balls &turned : oracle::axis_images(set.balls))
       EXPECT_EQ(complaint_about_smallest(turned, topology_invariant_broken), "") << set.name;
   }
 }

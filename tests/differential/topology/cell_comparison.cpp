@@ -14,7 +14,6 @@
 
 namespace {
 
-using degenerate::scaled;
 using oracle::Balls;
 using oracle::DualComplex;
 using oracle::LatticeBall;

@@ -15,7 +15,7 @@ using oracle::Balls;
 
 // As the default step of 1e-8 has them: radii of some 2^28 steps.
 Balls on_default_lattice(const Balls &balls) {
-  return degenerate::scaled(balls, 100000);
+  return oracle::scaled(balls, 100000);
 }
 
 class Molecule : public testing::TestWithParam<const char *> {
@@ -41,8 +41,7 @@ TEST_P(Molecule, DoesNotDependOnTheOrder) {
 TEST_P(Molecule, HasTheSameShellsAlongOtherAxes) {
   for (const int64_t probe : {int64_t{0}, 14 * steps_per_angstrom / 10}) {
     const Balls balls = grown(atoms(), probe);
-    Balls turned;
-    for (const oracle::LatticeBall &b : balls) turned.push_back({b.z, b.x, b.y, b.radius});
+    const Balls turned = oracle::along_axes(balls, {2, 0, 1});
     const LibraryTopology one(balls);
     const LibraryTopology other(turned);
     EXPECT_EQ(topology_invariant_broken(turned), "");

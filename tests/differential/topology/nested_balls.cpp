@@ -17,26 +17,22 @@ using oracle::balls_on_sphere;
 using oracle::cage_of_26;
 using oracle::joined;
 using oracle::LatticeBall;
+using oracle::LatticePoint;
 using oracle::RandomSource;
 
 Balls moved(const Balls &balls, Integer x, Integer y, Integer z) {
-  return degenerate::moved(balls, {x, y, z});
+  return oracle::moved(balls, {x, y, z});
 }
 
-Balls without(const Balls &balls, const std::vector<std::array<Integer, 3>> &centres) {
+Balls without(const Balls &balls, const std::vector<LatticePoint> &centres) {
   Balls result;
   for (const LatticeBall &b : balls)
-    if (std::find(centres.begin(), centres.end(), std::array<Integer, 3>{b.x, b.y, b.z}) == centres.end())
-      result.push_back(b);
+    if (std::find(centres.begin(), centres.end(), oracle::centre_of(b)) == centres.end()) result.push_back(b);
   return result;
 }
 
 Balls box_of_8(const std::array<Integer, 3> &sides, Integer radius) {
-  Balls balls;
-  for (Integer corner = 0; corner < 8; ++corner)
-    balls.push_back({(2 * (corner & 1) - 1) * sides[0] / 2, (2 * (corner >> 1 & 1) - 1) * sides[1] / 2,
-                     (2 * (corner >> 2) - 1) * sides[2] / 2, radius});
-  return balls;
+  return moved(oracle::box_lattice({2, 2, 2}, sides, radius), -sides[0] / 2, -sides[1] / 2, -sides[2] / 2);
 }
 
 BuiltComponent solid(Balls balls, std::optional<size_t> around = std::nullopt) {
@@ -100,10 +96,10 @@ void add_rings_and_cages(std::vector<BuiltSet> &sets) {
   // shell is a solid of genus n - 1.
   const Balls shell = balls_on_sphere(7, 10, 36);
   const Integer far = 70;
-  const std::vector<std::array<Integer, 3>> poles = {{far, 0, 0},  {0, far, 0},  {0, 0, far},
-                                                     {-far, 0, 0}, {0, -far, 0}, {0, 0, -far}};
+  const std::vector<LatticePoint> poles = {{far, 0, 0},  {0, far, 0},  {0, 0, far},
+                                           {-far, 0, 0}, {0, -far, 0}, {0, 0, -far}};
   for (const size_t openings : {1U, 2U, 3U, 6U}) {
-    const std::vector<std::array<Integer, 3>> left_out(poles.begin(), poles.begin() + static_cast<ptrdiff_t>(openings));
+    const std::vector<LatticePoint> left_out(poles.begin(), poles.begin() + static_cast<ptrdiff_t>(openings));
     const auto genus = static_cast<uint32_t>(openings - 1);
     sets.push_back({"cage, openings: " + std::to_string(openings),
                     {{without(shell, left_out), genus, 0, std::nullopt}, solid({{0, 0, 0, 10}})}});
@@ -159,15 +155,9 @@ std::vector<AwkwardSet> awkward_sets() {
   Balls pair = {core, {120, 0, 0, 100}};
   for (const LatticeBall &b : bumps) pair = joined(pair, {b, {120 - b.x, b.y, b.z, b.radius}});
   add("a level pair with bumps in its upright plane", pair);
-  Balls pair_along_y;
-  for (const LatticeBall &b : pair) pair_along_y.push_back({b.y, b.x, b.z, b.radius});
-  add("the same along y", pair_along_y);
-  Balls upright_pair;
-  for (const LatticeBall &b : pair) upright_pair.push_back({b.z, b.y, b.x, b.radius});
-  add("the same upright, in the plane across y", upright_pair);
-  Balls upright_pair_across_x;
-  for (const LatticeBall &b : pair) upright_pair_across_x.push_back({b.y, b.z, b.x, b.radius});
-  add("the same upright, in the plane across x", upright_pair_across_x);
+  add("the same along y", along_axes(pair, {1, 0, 2}));
+  add("the same upright, in the plane across y", along_axes(pair, {2, 1, 0}));
+  add("the same upright, in the plane across x", along_axes(pair, {1, 2, 0}));
   // Along (3, 4, 0), where the plane has no round numbers and is given by other multiples of its normal on either side;
   // then with the circle cut short.
   const Balls slanted = {core,
@@ -303,11 +293,7 @@ Balls nested_balls(RandomSource &random) {
   }
   std::array<size_t, 3> axes = {0, 1, 2};
   for (size_t k = 2; k > 0; --k) std::swap(axes[k], axes[static_cast<size_t>(random.in(0, static_cast<Integer>(k)))]);
-  const bool mirrored = random.one_in(2);
-  for (LatticeBall &ball : balls) {
-    const std::array<Integer, 3> v = {ball.x, ball.y, ball.z};
-    ball = {v[axes[0]], v[axes[1]], mirrored ? -v[axes[2]] : v[axes[2]], ball.radius};
-  }
+  balls = along_axes(balls, axes, random.one_in(2) ? 4 : 0);
   if (random.one_in(2)) add_contained(random, balls);
   return oracle::permuted(balls, random.permutation(balls.size()));
 }

@@ -32,7 +32,7 @@ Box widened(const Box &box, int64_t margin, const LatticePoint &origin, int64_t 
 Balls balls_meeting_box(const Balls &balls, const Box &box) {
   Balls result;
   for (const oracle::LatticeBall &b : balls) {
-    const LatticePoint centre = {b.x, b.y, b.z};
+    const LatticePoint centre = oracle::centre_of(b);
     bool near = true;
     for (size_t k = 0; k < 3; ++k)
       near = near && centre[k] + b.radius >= box.low[k] && centre[k] - b.radius <= box.high[k];

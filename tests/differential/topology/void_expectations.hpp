@@ -8,6 +8,7 @@
 #include "brute_queries.hpp"
 #include "molecule_balls.hpp"
 #include "random_balls.hpp"
+#include "set_arrangements.hpp"
 #include "void_comparison.hpp"
 
 inline oracle::Balls bench_atoms(const std::string &file) {

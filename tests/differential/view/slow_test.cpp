@@ -3,6 +3,7 @@
 
 #include "molecule_balls.hpp"
 #include "picture_comparison.hpp"
+#include "set_arrangements.hpp"
 #include "smallest_failing.hpp"
 #include "sweep_length.hpp"
 #include "view_complaints.hpp"

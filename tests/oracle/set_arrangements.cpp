@@ -3,10 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-namespace degenerate {
-
-using oracle::Balls;
-using oracle::LatticeBall;
+namespace oracle {
 
 namespace {
 
@@ -15,28 +12,45 @@ constexpr int64_t largest_radius = (int64_t{1} << 30) - 1;
 
 }  // namespace
 
-Balls moved(const Balls &balls, const std::array<int64_t, 3> &shift) {
+Balls moved(const Balls &balls, const LatticePoint &shift) {
   Balls result;
   for (const LatticeBall &b : balls) result.push_back({b.x + shift[0], b.y + shift[1], b.z + shift[2], b.radius});
   return result;
 }
 
-std::vector<std::array<int64_t, 3>> shifts_within_lattice(const Balls &balls) {
-  std::array<int64_t, 3> low = {0, 0, 0};
-  std::array<int64_t, 3> high = {0, 0, 0};
+Balls grown(const Balls &balls, int64_t probe) {
+  Balls result = balls;
+  for (LatticeBall &b : result) b.radius += probe;
+  return result;
+}
+
+Balls along_axes(const Balls &balls, const std::array<size_t, 3> &axes, uint32_t reflected) {
+  Balls result;
+  for (const LatticeBall &b : balls) {
+    const LatticePoint from = centre_of(b);
+    LatticePoint to{};
+    for (size_t k = 0; k < 3; ++k) to[k] = (reflected >> k & 1U) != 0 ? -from[axes[k]] : from[axes[k]];
+    result.push_back(ball_around(to, b.radius));
+  }
+  return result;
+}
+
+std::vector<LatticePoint> shifts_within_lattice(const Balls &balls) {
+  LatticePoint low = {0, 0, 0};
+  LatticePoint high = {0, 0, 0};
   for (size_t i = 0; i < balls.size(); ++i) {
-    const std::array<int64_t, 3> centre = {balls[i].x, balls[i].y, balls[i].z};
+    const LatticePoint centre = centre_of(balls[i]);
     for (size_t k = 0; k < 3; ++k) {
       low[k] = i == 0 ? centre[k] : std::min(low[k], centre[k]);
       high[k] = i == 0 ? centre[k] : std::max(high[k], centre[k]);
     }
   }
-  const std::array<std::array<int64_t, 3>, 5> wanted = {{{1, -2, 3},
-                                                         {1000003, -999983, 1000033},
-                                                         {farthest - high[0], farthest - high[1], farthest - high[2]},
-                                                         {-farthest - low[0], -farthest - low[1], -farthest - low[2]},
-                                                         {farthest - high[0], -farthest - low[1], -1}}};
-  std::vector<std::array<int64_t, 3>> shifts;
+  const std::array<LatticePoint, 5> wanted = {{{1, -2, 3},
+                                               {1000003, -999983, 1000033},
+                                               {farthest - high[0], farthest - high[1], farthest - high[2]},
+                                               {-farthest - low[0], -farthest - low[1], -farthest - low[2]},
+                                               {farthest - high[0], -farthest - low[1], -1}}};
+  std::vector<LatticePoint> shifts;
   for (const auto &shift : wanted) {
     bool fits = true;
     for (size_t k = 0; k < 3; ++k) fits = fits && low[k] + shift[k] >= -farthest && high[k] + shift[k] <= farthest;
@@ -46,16 +60,8 @@ std::vector<std::array<int64_t, 3>> shifts_within_lattice(const Balls &balls) {
 }
 
 std::vector<Balls> axis_images(const Balls &balls) {
-  std::vector<Balls> images(6);
-  for (const LatticeBall &b : balls) {
-    images[0].push_back({b.y, b.z, b.x, b.radius});
-    images[1].push_back({b.z, b.x, b.y, b.radius});
-    images[2].push_back({b.y, b.x, b.z, b.radius});
-    images[3].push_back({b.x, b.z, b.y, b.radius});
-    images[4].push_back({b.z, b.y, b.x, b.radius});
-    images[5].push_back({-b.x, b.y, b.z, b.radius});
-  }
-  return images;
+  return {along_axes(balls, {1, 2, 0}), along_axes(balls, {2, 0, 1}), along_axes(balls, {1, 0, 2}),
+          along_axes(balls, {0, 2, 1}), along_axes(balls, {2, 1, 0}), along_axes(balls, {0, 1, 2}, 1)};
 }
 
 int64_t largest_scale(const Balls &balls) {
@@ -110,4 +116,4 @@ Balls with_tangents(const Balls &balls) {
   return set;
 }
 
-}  // namespace degenerate
+}  // namespace oracle
