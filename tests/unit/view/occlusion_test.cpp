@@ -114,50 +114,6 @@ TEST(OcclusionCuller, FindsWhatLiesDeep) {
   EXPECT_EQ(count_hidden(set, 0, 0, -1), 0U);
 }
 
-// The lowest of the floor in the first cells, found by bisection.
-double lowest_floor(hsp::DepthBuffer &floor) {
-  double below = -1.0;
-  double above = 1.0;
-  for (int k = 0; k < 100; ++k) {
-    const double middle = (below + above) / 2;
-    (floor.is_above({}, middle) ? below : above) = middle;
-  }
-  return below;
-}
-
-// Heights that differ by less than the depths of the centres can tell.
-TEST(OcclusionCuller, TheOrderOfRaisingHasNoEffect) {
-  constexpr double extent = 1e7;
-  constexpr double side = 4e5;  // of 2 cells
-  constexpr double margin = 0x1p-43 * extent;
-  hsp::BoundingBox box;
-  box.left = box.bottom = -side;  // the first 4 x 4 cells lie around the discs' centre
-  box.right = box.top = 10 * side;
-  std::vector<unsigned char> memory(100000);
-  std::mt19937_64 random(5);
-  for (int round = 0; round < 2000; ++round) {
-    std::vector<hsp::ProjectedBall> discs;
-    for (int k = 0; k < 2; ++k) {
-      const double r = 570000.0 + static_cast<double>(random() % 430000);
-      const double R = r - 4 * margin;
-      const double front = std::sqrt(R * R * (1.0 - 0x1p-40) - side * side - side * side);
-      discs.push_back({0.0, 0.0, 4 * margin - front + static_cast<double>(random() % 1000) * 1e-12, r});
-    }
-    double found[2];
-    for (uint32_t first = 0; first < 2; ++first) {
-      hsp::Workspace workspace(memory.data(), memory.size());
-      hsp::DepthBuffer floor;
-      floor.carve(workspace, 2);
-      floor.lay_out(box, extent, 1e6);
-      floor.raise(discs[first]);
-      floor.raise(discs[1 - first]);
-      found[first] = lowest_floor(floor);
-    }
-    EXPECT_GT(found[0], -1e-4);  // the heights are indeed next to 0
-    EXPECT_EQ(found[0], found[1]) << "round " << round;
-  }
-}
-
 // Far from the origin of the lattice, and in sets so wide that the cells are larger than the balls.
 TEST(OcclusionCuller, LargeExtents) {
   std::mt19937_64 random(23);
