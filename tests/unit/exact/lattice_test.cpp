@@ -8,8 +8,6 @@
 #include <cstdlib>
 #include <random>
 
-#include "model/ball_set.hpp"
-
 namespace {
 
 using hsp::nearest;
@@ -74,25 +72,6 @@ TEST(Lattice, AnyOtherStepWorksToo) {
   EXPECT_EQ(lattice.length(4.0), 1.0);
   EXPECT_EQ(lattice.area(16.0), 1.0);
   EXPECT_EQ(lattice.volume(64.0), 1.0);
-}
-
-TEST(BallRounding, RadiusAndProbeAreRoundedOnTheirOwn) {
-  const double xyz[3] = {0.1, -0.2, 0.3};
-  const double radius[1] = {1.7};
-  hsp::BallInput input;
-  input.n = 1;
-  input.xyz = xyz;
-  input.radius = radius;
-  input.probe = 1.4;
-  hsp::BallRounding rounding;
-  uint32_t first_bad = 0;
-  ASSERT_EQ(rounding.prepare(input, first_bad), hsp::Status::ok);
-  hsp::exact::LatticeBall ball;
-  ASSERT_EQ(rounding.round(0, ball), hsp::Status::ok);
-  EXPECT_EQ(ball.centre.x, 10000000);
-  EXPECT_EQ(ball.centre.y, -20000000);
-  EXPECT_EQ(ball.centre.z, 30000000);
-  EXPECT_EQ(ball.radius, 310000000);
 }
 
 }  // namespace

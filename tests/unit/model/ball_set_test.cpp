@@ -1,0 +1,7 @@
+#include "ball_set_cases.hpp"
+
+#include "expect_cases.hpp"
+
+TEST(BallSet, Cases) {
+  expect_cases(cases::model_ball_set);
+}
