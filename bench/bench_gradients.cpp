@@ -1,8 +1,7 @@
 // hsp_boundary_measure and hsp_boundary_gradient over size, by turns with hsp_boundary_compute; and frames of a
 // trajectory, each set, computed and differentiated in the same memory.
-#include <random>
-
 #include "alternation.hpp"
+#include "random_numbers.hpp"
 #include "sizes.hpp"
 #include "suite.hpp"
 
@@ -22,10 +21,10 @@ void boundary_and_gradient(benchmark::State &state, Subject &subject) {
 
 // The balls' centres, every coordinate shifted at random.
 std::vector<std::vector<double>> jittered(const Balls &balls) {
-  std::mt19937_64 engine(seed);
+  support::Random random(seed);
   std::vector<std::vector<double>> frames(distinct_frames, balls.xyz);
   for (std::vector<double> &frame : frames) {
-    for (double &coordinate : frame) coordinate += jitter * (static_cast<double>(engine() >> 11) * 0x1p-52 - 1);
+    for (double &coordinate : frame) coordinate += jitter * (2 * random.fraction() - 1);
   }
   return frames;
 }

@@ -6,8 +6,9 @@
 #include <cstdio>
 #include <exception>
 #include <fstream>
-#include <random>
 #include <utility>
+
+#include "random_numbers.hpp"
 
 namespace bench {
 namespace {
@@ -32,18 +33,13 @@ Subject &subject_of(const SubjectRecipe &recipe) {
   return *alive;
 }
 
-// Uniform in [0, 1): the standard leaves the values of its distributions to each library, not those of its engines.
-double uniform(std::mt19937_64 &engine) {
-  return static_cast<double>(engine() >> 11) * 0x1p-53;
-}
-
 // Uniform in the ball of radius 1.
-std::array<double, 3> uniform_in_ball(std::mt19937_64 &engine) {
+std::array<double, 3> uniform_in_ball(support::Random &random) {
   for (;;) {
     std::array<double, 3> point{};
     double square = 0;
     for (double &component : point) {
-      component = 2 * uniform(engine) - 1;
+      component = 2 * random.fraction() - 1;
       square += component * component;
     }
     if (square <= 1) return point;
@@ -94,19 +90,19 @@ std::vector<double> random_points_in_box(const Model &model, size_t count) {
     low[axis] -= margin;
     size[axis] = high + margin - low[axis];
   }
-  std::mt19937_64 engine(seed);
+  support::Random random(seed);
   std::vector<double> points;
-  for (size_t i = 0; i < 3 * count; ++i) points.push_back(low[i % 3] + size[i % 3] * uniform(engine));
+  for (size_t i = 0; i < 3 * count; ++i) points.push_back(low[i % 3] + size[i % 3] * random.fraction());
   return points;
 }
 
 std::vector<double> random_points_near_atoms(const Model &model, size_t count) {
   const std::vector<double> &xyz = model.balls().xyz;
-  std::mt19937_64 engine(seed);
+  support::Random random(seed);
   std::vector<double> points;
   while (points.size() < 3 * count) {
-    const std::array<double, 3> offset = uniform_in_ball(engine);
-    const size_t atom = engine() % model.size();
+    const std::array<double, 3> offset = uniform_in_ball(random);
+    const size_t atom = random.next() % model.size();
     for (size_t axis = 0; axis < 3; ++axis) points.push_back(xyz[3 * atom + axis] + offset[axis]);
   }
   return points;
@@ -114,12 +110,12 @@ std::vector<double> random_points_near_atoms(const Model &model, size_t count) {
 
 std::vector<double> random_points_near_surface(const Model &model, size_t count) {
   const Balls &balls = model.balls();
-  std::mt19937_64 engine(seed);
+  support::Random random(seed);
   std::vector<double> points;
   while (points.size() < 3 * count) {
-    const std::array<double, 3> direction = uniform_in_ball(engine);
-    const size_t atom = engine() % model.size();
-    const double distance = balls.radius[atom] + model.probe() + uniform(engine);
+    const std::array<double, 3> direction = uniform_in_ball(random);
+    const size_t atom = random.next() % model.size();
+    const double distance = balls.radius[atom] + model.probe() + random.fraction();
     const double length = std::hypot(direction[0], direction[1], direction[2]);
     if (length < 0.01) continue;
     std::array<double, 3> point{};

@@ -14,6 +14,8 @@
 #include <string>
 #include <vector>
 
+#include "random_numbers.hpp"
+
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 // There with the sanitizers of g++ and clang, absent otherwise.
@@ -41,14 +43,6 @@ void on_signal(int) {
 void run(const std::string &name) {
   running = name;
   LLVMFuzzerTestOneInput(input.data(), input.size());
-}
-
-// Steele, Lea, Flood: "Fast splittable pseudorandom number generators" (2014): the mixing function of SplitMix64.
-uint64_t next_random(uint64_t &state) {
-  uint64_t z = (state += UINT64_C(0x9E3779B97F4A7C15));
-  z = (z ^ (z >> 30)) * UINT64_C(0xBF58476D1CE4E5B9);
-  z = (z ^ (z >> 27)) * UINT64_C(0x94D049BB133111EB);
-  return z ^ (z >> 31);
 }
 
 }  // namespace
@@ -92,10 +86,10 @@ int main(int argc, char **argv) {
     run(path.string());
     ++done;
   }
-  uint64_t state = 1994;
+  support::Random bytes(1994);
   for (uint64_t i = 0; i < random; ++i, ++done) {
-    input.resize(next_random(state) % (longest + 1));
-    for (uint8_t &byte : input) byte = static_cast<uint8_t>(next_random(state) >> 56);
+    input.resize(bytes.next() % (longest + 1));
+    for (uint8_t &byte : input) byte = static_cast<uint8_t>(bytes.next() >> 56);
     run("random input " + std::to_string(i));
   }
   std::printf("%llu inputs\n", static_cast<unsigned long long>(done));

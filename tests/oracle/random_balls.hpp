@@ -6,24 +6,15 @@
 #include <vector>
 
 #include "lattice_ball.hpp"
+#include "random_numbers.hpp"
 
 namespace oracle {
 
-// Random integers from a generator that the C++ standard fixes to the bit, unlike its distributions.
-class RandomSource {
+class RandomSource : public support::RandomNumbers<std::mt19937_64> {
  public:
-  explicit RandomSource(uint64_t seed) : engine_(seed) {}
-
-  // Uniform in first .. last; the bias of the remainder is far below what tests could notice.
-  int64_t in(int64_t first, int64_t last) {
-    return first + static_cast<int64_t>(engine_() % static_cast<uint64_t>(last - first + 1));
-  }
-  bool one_in(int64_t n) { return in(1, n) == 1; }
+  using RandomNumbers::RandomNumbers;
 
   std::vector<uint32_t> permutation(size_t n);
-
- private:
-  std::mt19937_64 engine_;
 };
 
 // permuted[k] = balls[order[k]].

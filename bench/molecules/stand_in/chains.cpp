@@ -33,11 +33,11 @@ Point turned(Point p, int axis) {
   return p;
 }
 
-Point shaken(Point p, Length by, RandomSequence &random) {
+Point shaken(Point p, Length by, support::Random &random) {
   // One statement each: the order in which arguments are evaluated is the compiler's choice.
-  p.x += random.within(by);
-  p.y += random.within(by);
-  p.z += random.within(by);
+  p.x += random.in(-by, by);
+  p.y += random.in(-by, by);
+  p.z += random.in(-by, by);
   return p;
 }
 
@@ -105,7 +105,7 @@ const Residue *histidine() {
   return nullptr;
 }
 
-const Residue *random_residue(RandomSequence &random) {
+const Residue *random_residue(support::Random &random) {
   int64_t whole = 0;
   for (const Residue &residue : residues()) whole += residue.per_mille;
   auto draw = static_cast<int64_t>(random.next() % static_cast<uint64_t>(whole));
@@ -117,7 +117,7 @@ const Residue *random_residue(RandomSequence &random) {
 }
 
 // Draw sequences until one leaves no more atoms over than a few waters.
-std::vector<const Residue *> random_sequence(const std::vector<Place> &path, size_t atoms, RandomSequence &random) {
+std::vector<const Residue *> random_sequence(const std::vector<Place> &path, size_t atoms, support::Random &random) {
   for (;;) {
     std::vector<const Residue *> sequence;
     size_t total = 1 + metals_per_chain;  // the oxygen that ends the chain, and the metals
@@ -138,7 +138,7 @@ struct Ligand {
 // One chain while it grows.
 class Builder {
  public:
-  Builder(Assembly &assembly, char chain, int axis, RandomSequence &random)
+  Builder(Assembly &assembly, char chain, int axis, support::Random &random)
       : assembly_(assembly), chain_(chain), axis_(axis), random_(random), path_(shortest_sufficient_path()) {
     choose_ligands(path_);
   }
@@ -194,7 +194,7 @@ class Builder {
 
   void append_residue(const Residue &residue, size_t i) {
     ++number_;
-    out_ = random_.within(roughness);
+    out_ = random_.in(-roughness, roughness);
     const Place &place = path_[i];
     // A third of the way towards the neighbours in the chain stand N and C.
     const Point before = i > 0 ? scaled(path_[i - 1].at - place.at, 1, 3) : Point{milliangstrom(-1300), 0, 0};
@@ -268,7 +268,7 @@ class Builder {
   Assembly &assembly_;
   char chain_;
   int axis_;
-  RandomSequence &random_;
+  support::Random &random_;
   std::vector<Place> path_;
   std::array<std::vector<Ligand>, metals_per_chain> ligands_;
   int number_ = 0;
@@ -277,7 +277,7 @@ class Builder {
 
 }  // namespace
 
-void append_chain(Assembly &assembly, char chain, const Lobe &lobe, int axis, size_t atoms, RandomSequence &random) {
+void append_chain(Assembly &assembly, char chain, const Lobe &lobe, int axis, size_t atoms, support::Random &random) {
   assembly.lobes.push_back(lobe);
   Builder(assembly, chain, axis, random).build(atoms);
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "integer_geometry.hpp"
+#include "random_numbers.hpp"
 #include "residues.hpp"
 
 namespace stand_in {
@@ -45,6 +46,6 @@ struct Assembly {
 
 // Append a chain of exactly `atoms` atoms in a new lobe: residues drawn at random, one copper and one zinc with four
 // histidines each, and waters for what is left over. The strands run along x, y or z by `axis` 0, 1 or 2.
-void append_chain(Assembly &assembly, char chain, const Lobe &lobe, int axis, size_t atoms, RandomSequence &random);
+void append_chain(Assembly &assembly, char chain, const Lobe &lobe, int axis, size_t atoms, support::Random &random);
 
 }  // namespace stand_in

@@ -21,7 +21,7 @@ constexpr Length lobe_radius = milliangstrom(18500);
 constexpr Length lobe_offset = milliangstrom(15500);  // from the middle to a lobe along each axis
 constexpr int64_t strained_bond = 1161;               // milliangstrom: the C=O of each chain that makes rho 0.763
 
-Assembly assemble(RandomSequence &random) {
+Assembly assemble(support::Random &random) {
   Assembly assembly;
   const Point corners[] = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
   int axis = 0;
@@ -110,7 +110,7 @@ bool prints_as_sod(const SectionTwoFigures &figures) {
 }  // namespace
 
 int main() {
-  RandomSequence random(4392);
+  support::Random random(4392);
   Assembly assembly = assemble(random);
   relax(assembly, random);
   std::vector<LatticeBall> balls = lattice_balls(assembly);

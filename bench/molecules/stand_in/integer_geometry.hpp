@@ -1,4 +1,4 @@
-// Integer points and an integer random generator: what the stand-in is made of.
+// Integer points: what the stand-in is made of.
 //
 // Everything the generator computes is a sum, product, quotient or square root of 64-bit integers, all of them defined
 // to the last bit by the language, so the same bytes come out on every machine and from every compiler.
@@ -52,28 +52,5 @@ constexpr int64_t integer_square_root(int64_t square) {
     root = next;
   }
 }
-
-// SplitMix64 (Steele, Lea, Flood 2014): a 64-bit counter through a bijective mixer.
-class RandomSequence {
- public:
-  explicit constexpr RandomSequence(uint64_t seed) : state_(seed) {}
-
-  constexpr uint64_t next() {
-    state_ += 0x9E3779B97F4A7C15U;
-    uint64_t mixed = state_;
-    mixed = (mixed ^ (mixed >> 30)) * 0xBF58476D1CE4E5B9U;
-    mixed = (mixed ^ (mixed >> 27)) * 0x94D049BB133111EBU;
-    return mixed ^ (mixed >> 31);
-  }
-
-  // An integer from -limit to limit.
-  constexpr int64_t within(int64_t limit) {
-    const auto span = static_cast<uint64_t>(2 * limit + 1);
-    return static_cast<int64_t>(next() % span) - limit;
-  }
-
- private:
-  uint64_t state_;
-};
 
 }  // namespace stand_in

@@ -36,7 +36,7 @@ void project(Point &a, Point &b, Length wanted, int64_t fraction) {
 
 class Relaxation {
  public:
-  Relaxation(Assembly &assembly, RandomSequence &random) : assembly_(assembly), random_(random) {
+  Relaxation(Assembly &assembly, support::Random &random) : assembly_(assembly), random_(random) {
     const size_t count = assembly_.atoms.size();
     bonded_.resize(count);
     fixed_.resize(count);
@@ -152,9 +152,9 @@ class Relaxation {
 
   void shake(Length by) {
     for (Atom &atom : assembly_.atoms) {
-      atom.at.x += random_.within(by);
-      atom.at.y += random_.within(by);
-      atom.at.z += random_.within(by);
+      atom.at.x += random_.in(-by, by);
+      atom.at.y += random_.in(-by, by);
+      atom.at.z += random_.in(-by, by);
     }
   }
 
@@ -186,7 +186,7 @@ class Relaxation {
   }
 
   Assembly &assembly_;
-  RandomSequence &random_;
+  support::Random &random_;
   std::vector<std::vector<uint32_t>> bonded_;
   std::vector<std::vector<uint32_t>> fixed_;  // partners at a fixed distance, at most two bonds away or in a plane
   std::vector<std::vector<uint32_t>> third_;  // partners three bonds away
@@ -196,7 +196,7 @@ class Relaxation {
 
 }  // namespace
 
-void relax(Assembly &assembly, RandomSequence &random) {
+void relax(Assembly &assembly, support::Random &random) {
   Relaxation(assembly, random).run();
 }
 

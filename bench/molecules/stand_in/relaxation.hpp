@@ -2,6 +2,7 @@
 #pragma once
 
 #include "chains.hpp"
+#include "random_numbers.hpp"
 
 namespace stand_in {
 
@@ -9,6 +10,6 @@ namespace stand_in {
 // as all of that can be had at once. Position-based dynamics (Mueller, Heidelberger, Hennix, Ratcliff 2007): in each
 // sweep every pair that stands wrong is moved apart or together along its line, one pair after the other in a fixed
 // order, which in integers makes the result the same everywhere.
-void relax(Assembly &assembly, RandomSequence &random);
+void relax(Assembly &assembly, support::Random &random);
 
 }  // namespace stand_in

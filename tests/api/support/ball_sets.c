@@ -4,17 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* Steele, Lea, Flood: "Fast splittable pseudorandom number generators" (2014): the mixing function of SplitMix64. */
-static uint64_t next_random(uint64_t *state) {
-  uint64_t z = (*state += UINT64_C(0x9E3779B97F4A7C15));
-  z = (z ^ (z >> 30)) * UINT64_C(0xBF58476D1CE4E5B9);
-  z = (z ^ (z >> 27)) * UINT64_C(0x94D049BB133111EB);
-  return z ^ (z >> 31);
-}
-
-static int below(uint64_t *state, int limit) {
-  return (int)(next_random(state) % (uint64_t)limit);
-}
+#include "random_numbers.h"
 
 /* The double that a text file with `decimals` decimals would give. */
 static double decimal(double value, double per_unit) {
@@ -58,7 +48,7 @@ void ball_set_add_chain(ball_set *set, uint32_t atoms, uint64_t seed) {
     int axis, free_place = 1;
     uint32_t j;
     do {
-      for (axis = 0; axis < 3; ++axis) towards[axis] = below(&state, 2001) - 1000;
+      for (axis = 0; axis < 3; ++axis) towards[axis] = random_below(&state, 2001) - 1000;
       length = sqrt(towards[0] * towards[0] + towards[1] * towards[1] + towards[2] * towards[2]);
     } while (length < 100 || length > 1000);
     for (axis = 0; axis < 3; ++axis) other[axis] = decimal(at[axis] + 1.5 * towards[axis] / length, 1000);
@@ -69,12 +59,12 @@ void ball_set_add_chain(ball_set *set, uint32_t atoms, uint64_t seed) {
     }
     /* A walk that is walled in steps back to an earlier atom and branches there. */
     if (!free_place) {
-      const uint32_t back = set->n - made + (uint32_t)below(&state, (int)made);
+      const uint32_t back = set->n - made + (uint32_t)random_below(&state, (int)made);
       for (axis = 0; axis < 3; ++axis) at[axis] = set->xyz[3 * back + (uint32_t)axis];
       continue;
     }
     for (axis = 0; axis < 3; ++axis) at[axis] = other[axis];
-    ball_set_add(set, at[0], at[1], at[2], radii[below(&state, 4)]);
+    ball_set_add(set, at[0], at[1], at[2], radii[random_below(&state, 4)]);
     ++made;
   }
 }
@@ -93,7 +83,7 @@ void ball_set_shuffle(uint32_t n, uint64_t seed, uint32_t *order) {
   uint32_t i;
   for (i = 0; i < n; ++i) order[i] = i;
   for (i = n; i > 1; --i) {
-    const uint32_t j = (uint32_t)below(&state, (int)i);
+    const uint32_t j = (uint32_t)random_below(&state, (int)i);
     const uint32_t kept = order[i - 1];
     order[i - 1] = order[j];
     order[j] = kept;
@@ -290,8 +280,8 @@ static void integer_cloud(ball_set *s) {
   int i;
   ball_set_start(s, "random integer balls with many ties", 1e-8);
   for (i = 0; i < 40; ++i) {
-    const int x = below(&state, 7), y = below(&state, 7), z = below(&state, 5);
-    ball_set_add(s, x, y, z, below(&state, 4));
+    const int x = random_below(&state, 7), y = random_below(&state, 7), z = random_below(&state, 5);
+    ball_set_add(s, x, y, z, random_below(&state, 4));
   }
 }
 
@@ -301,8 +291,8 @@ static void one_size_differs(ball_set *s) {
   ball_set_start(s, "small balls around a very large one", 1e-6);
   ball_set_add(s, 0, 0, 0, 500);
   for (i = 0; i < 60; ++i) {
-    const double u = below(&state, 1001) - 500, v = below(&state, 1001) - 500;
-    ball_set_add(s, u, v, 400, 1 + below(&state, 3));
+    const double u = random_below(&state, 1001) - 500, v = random_below(&state, 1001) - 500;
+    ball_set_add(s, u, v, 400, 1 + random_below(&state, 3));
   }
 }
 

@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "random_numbers.h"
+
 enum { STRIP = 128, ALIGNMENT = 64, STRIP_BYTE = 0x5C };
 
 guarded_memory guarded_take(size_t bytes, size_t misalignment, int fill) {
@@ -21,11 +23,8 @@ guarded_memory guarded_take(size_t bytes, size_t misalignment, int fill) {
   memset(memory.whole, STRIP_BYTE, memory.front);
   memset(memory.block + bytes, STRIP_BYTE, STRIP);
   if (fill == GUARDED_RANDOM) {
-    uint64_t state = UINT64_C(0x9E3779B97F4A7C15);
-    for (i = 0; i < bytes; ++i) {
-      state = state * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
-      memory.block[i] = (unsigned char)(state >> 56);
-    }
+    uint64_t state = 18;
+    for (i = 0; i < bytes; ++i) memory.block[i] = (unsigned char)random_next(&state);
   } else {
     memset(memory.block, fill, bytes);
   }

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "random_numbers.h"
 #include "vectors.h"
 #include "view_invariants.h"
 
@@ -139,14 +140,6 @@ static uint32_t seen(const scene *s, const double p[2]) {
   return found != HSP_NONE && best - second <= s->margin ? HSP_NONE - 1 : found;
 }
 
-/* Steele, Lea, Flood: "Fast splittable pseudorandom number generators" (2014): the mixing function of SplitMix64. */
-static double next_part(uint64_t *state) {
-  uint64_t z = (*state += UINT64_C(0x9E3779B97F4A7C15));
-  z = (z ^ (z >> 30)) * UINT64_C(0xBF58476D1CE4E5B9);
-  z = (z ^ (z >> 27)) * UINT64_C(0x94D049BB133111EB);
-  return (double)((z ^ (z >> 31)) >> 11) * 0x1p-53;
-}
-
 /* Whether a point is beyond the silhouette of a piece's ball, and so outside its loops. */
 static int outside_disc(const hsp_view_piece *piece, const double p[2]) {
   return hypot(p[0] - piece->centre[0], p[1] - piece->centre[1]) > piece->radius * (1 + 1e-9);
@@ -185,7 +178,7 @@ const char *broken_view_regions(const view_result *v, uint32_t samples, uint64_t
   for (i = 0; i < c->n && broken == NULL; ++i) {
     if (c->radius[i] <= 1000 * s.margin) continue;
     for (k = 0; k < samples && broken == NULL; ++k) {
-      const double part = 0.999 * sqrt(next_part(&state)), angle = 2 * pi * next_part(&state);
+      const double part = 0.999 * sqrt(random_fraction(&state)), angle = 2 * pi * random_fraction(&state);
       int tries;
       /* a defect covers an area; what rounding does to an arc is gone a little aside */
       for (tries = 0; tries < 3; ++tries) {

@@ -1,9 +1,8 @@
 // The side of a plane through two directions, filter and exact stage together, against 128-bit integers.
 #include <gtest/gtest.h>
 
-#include <random>
-
 #include "exact/angular_order.hpp"
+#include "random_balls.hpp"
 
 namespace {
 
@@ -18,16 +17,10 @@ int exact_sign(const Vector &u, const Vector &v, const Vector &z) {
   return (value > 0) - (value < 0);
 }
 
-class Vectors {
+class Vectors : public oracle::RandomSource {
  public:
-  explicit Vectors(uint64_t seed) : random_(seed) {}
-  int64_t in(int64_t low, int64_t high) {
-    return low + static_cast<int64_t>(random_() % (static_cast<uint64_t>(high - low) + 1));
-  }
+  using RandomSource::RandomSource;
   Vector of_size(int64_t size) { return {in(-size, size), in(-size, size), in(-size, size)}; }
-
- private:
-  std::mt19937_64 random_;
 };
 
 // Of vectors shorter than 2^31 each component is below 2^31 / sqrt(3) if all are alike.

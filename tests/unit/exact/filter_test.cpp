@@ -117,7 +117,7 @@ constexpr int starts = 240;
 constexpr int changes = 4000;
 
 TEST(FilterBounds, DiscriminantD) {
-  std::mt19937_64 random(201);
+  oracle::RandomSource random(201);
   expect_between("D", worst(random, starts, changes, [](const Scene &scene) {
                    const Exactly exactly(scene);
                    const double computed = filter_value_D(scene.sphere(), scene.plane(1), scene.plane(2));
@@ -126,7 +126,7 @@ TEST(FilterBounds, DiscriminantD) {
 }
 
 TEST(FilterBounds, RadicalCoordinateBeta) {
-  std::mt19937_64 random(202);
+  oracle::RandomSource random(202);
   expect_between("beta", worst(random, starts, changes, [](const Scene &scene) {
                    const Exactly exactly(scene);
                    const double computed = filter_value_beta(scene.plane(1), scene.plane(3));
@@ -135,7 +135,7 @@ TEST(FilterBounds, RadicalCoordinateBeta) {
 }
 
 TEST(FilterBounds, TripleProductB) {
-  std::mt19937_64 random(203);
+  oracle::RandomSource random(203);
   expect_between(
       "B", worst(random, starts, changes, [](const Scene &scene) {
         const Exactly exactly(scene);
@@ -145,7 +145,7 @@ TEST(FilterBounds, TripleProductB) {
 }
 
 TEST(FilterBounds, AttachmentA) {
-  std::mt19937_64 random(204);
+  oracle::RandomSource random(204);
   expect_between(
       "A", worst(random, starts, changes, [](const Scene &scene) {
         const Exactly exactly(scene);
@@ -158,7 +158,7 @@ TEST(FilterBounds, AttachmentA) {
 }
 
 TEST(FilterBounds, SizeF) {
-  std::mt19937_64 random(205);
+  oracle::RandomSource random(205);
   expect_between(
       "F", worst(random, starts, changes, [](const Scene &scene) {
         const Exactly exactly(scene);

@@ -52,7 +52,7 @@ Values values_at(const Scene &scene) {
 // In units of the power of 2^31 that the bound is a multiple of. Only values that predicates look at count, so that A
 // and F are driven up where the circles cross.
 void drive_up(const char *name, uint64_t seed, Integer Values::*value, int degree, double bound, double reached) {
-  std::mt19937_64 random(seed);
+  oracle::RandomSource random(seed);
   int wrong = 0;
   const double largest = worst(random, 200, 5000, [&](const Scene &scene) {
     const Values values = values_at(scene);

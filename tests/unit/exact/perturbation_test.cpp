@@ -45,7 +45,7 @@ struct Circle {
 
 class Comparison {
  public:
-  Comparison(const FourBalls &four, int gap, std::mt19937_64 &random, Tally &tally)
+  Comparison(const FourBalls &four, int gap, oracle::RandomSource &random, Tally &tally)
       : four_(four), inflated_(four.ball, gap), given_(four.ball, 0), random_(random), tally_(tally) {}
 
   void run() {
@@ -125,8 +125,8 @@ class Comparison {
     if (balls == 0) return;
     // The virtual planes the library asks about: the meridian of one of the balls and the planes through the poles; and
     // one that is none of these.
-    const exact::Vector axis = circles_[random_() % static_cast<unsigned>(balls)].plane.v;
-    switch (random_() % 4) {
+    const exact::Vector axis = circles_[random_.next() % static_cast<unsigned>(balls)].plane.v;
+    switch (random_.next() % 4) {
       case 0:
         add_virtual(a, {1, 0, 0}, 0);
         add_virtual(a, {0, 1, 0}, 0);
@@ -247,7 +247,7 @@ class Comparison {
 
   const FourBalls &four_;
   Balls inflated_, given_;
-  std::mt19937_64 &random_;
+  oracle::RandomSource &random_;
   Tally &tally_;
   exact::Sphere sphere_{};
   exact::FilterBounds bounds_{};
@@ -257,7 +257,7 @@ class Comparison {
 };
 
 Tally compare_sets(Size size, int gap, int sets, uint64_t seed) {
-  std::mt19937_64 random(seed);
+  oracle::RandomSource random(seed);
   Tally tally;
   for (int k = 0; k < sets; ++k) {
     const FourBalls four = random_tied_balls(random, size);
@@ -305,7 +305,7 @@ TEST(TieRule, SetsNearTheLimitAgreeWithATinyInflation) {
 
 // The integers these tests rely on.
 TEST(TieRule, IntegersAgreeWithTheOracles) {
-  std::mt19937_64 random(103);
+  oracle::RandomSource random(103);
   const auto limbs_of = [](const Integer &value) {
     oracle::BigInteger result;
     for (int k = value.limbs() - 1; k >= 0; --k) {
@@ -315,24 +315,24 @@ TEST(TieRule, IntegersAgreeWithTheOracles) {
   };
   const auto any = [&random]() {
     Integer value;
-    const uint64_t limbs = random() % 5;
+    const uint64_t limbs = random.next() % 5;
     for (uint64_t k = 0; k < limbs; ++k) {
-      const uint64_t kind = random() % 4;
-      const uint64_t limb = kind == 0 ? 0 : kind == 1 ? ~uint64_t{0} : random();
+      const uint64_t kind = random.next() % 4;
+      const uint64_t limb = kind == 0 ? 0 : kind == 1 ? ~uint64_t{0} : random.next();
       value = value.times_power_of_two(64) + Integer(static_cast<Int128>(limb));
     }
-    return random() % 2 == 0 ? value : -value;
+    return random.next() % 2 == 0 ? value : -value;
   };
   for (int k = 0; k < 20000; ++k) {
     const Integer a = any();
-    const Integer b = random() % 8 == 0 ? a : any();
-    const int bits = static_cast<int>(random() % 200);
+    const Integer b = random.next() % 8 == 0 ? a : any();
+    const int bits = static_cast<int>(random.next() % 200);
     ASSERT_EQ(limbs_of(a + b), limbs_of(a) + limbs_of(b));
     ASSERT_EQ(limbs_of(a - b), limbs_of(a) - limbs_of(b));
     ASSERT_EQ(limbs_of(a * b), limbs_of(a) * limbs_of(b));
     ASSERT_EQ((a - b).sign(), (limbs_of(a) - limbs_of(b)).sign());
     ASSERT_EQ(limbs_of(a.times_power_of_two(bits)), limbs_of(a).times_power_of_two(static_cast<unsigned>(bits)));
-    const double integral = std::ldexp(static_cast<double>(static_cast<int64_t>(random()) >> 10), bits);
+    const double integral = std::ldexp(static_cast<double>(static_cast<int64_t>(random.next()) >> 10), bits);
     ASSERT_EQ(Integer::from_double(integral).to_long_double(), static_cast<long double>(integral));
   }
 }

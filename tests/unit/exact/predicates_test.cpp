@@ -19,7 +19,7 @@ double length_squared(const FourBalls &four) {
 }
 
 TEST(PredicateRungs, TheFilterNeverContradictsAndLimbWidthsAgree) {
-  std::mt19937_64 random(5);
+  oracle::RandomSource random(5);
   int ties = 0;
   int certain = 0;
   for (int k = 0; k < 300000; ++k) {
@@ -70,7 +70,7 @@ TEST(PredicateRungs, TheFilterNeverContradictsAndLimbWidthsAgree) {
 }
 
 TEST(PredicateRungs, APointIsJudgedAlikeFromItsThreeBalls) {
-  std::mt19937_64 random(6);
+  oracle::RandomSource random(6);
   int judged = 0;
   for (int k = 0; k < 100000; ++k) {
     const FourBalls four = random_four_balls(random);
@@ -106,7 +106,7 @@ TEST(PredicateRungs, APointIsJudgedAlikeFromItsThreeBalls) {
 
 // The values of the filter at the worst inputs a search finds, against exact values, in units of the stated bounds.
 TEST(PredicateRungs, FilterErrorsStayBelowTheirBounds) {
-  std::mt19937_64 random(8);
+  oracle::RandomSource random(8);
   double worst = 0.0;
   for (int k = 0; k < 200000; ++k) {
     const FourBalls four = random_four_balls(random);

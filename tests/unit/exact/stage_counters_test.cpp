@@ -9,7 +9,6 @@
 #include <cstddef>
 #include <iomanip>
 #include <iostream>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -133,7 +132,7 @@ Answers run_and_print(const char *name, const Balls &balls, double probe) {
 
 // One call of each predicate raises one counter by one: that of its question, and of the stage that really answered.
 TEST(StageCounters, EachQuestionIsAnsweredOnce) {
-  std::mt19937_64 random(402);
+  oracle::RandomSource random(402);
   uint64_t answered[3] = {};
   for (int k = 0; k < 30000; ++k) {
     const FourBalls four = random_four_balls(random);
@@ -210,12 +209,11 @@ TEST(StageCounters, Molecules) {
 }
 
 TEST(StageCounters, ASetWithoutRule) {
-  std::mt19937_64 random(401);
-  const auto unit = [&random]() { return static_cast<double>(random() >> 11) * 0x1p-53; };
+  oracle::RandomSource random(401);
   Balls balls;
   for (int k = 0; k < 2000; ++k) {
-    const double x = 20 * unit(), y = 20 * unit(), z = 20 * unit();
-    balls.add(x, y, z, 0.8 + unit());
+    const double x = 20 * random.fraction(), y = 20 * random.fraction(), z = 20 * random.fraction();
+    balls.add(x, y, z, 0.8 + random.fraction());
   }
   const Answers result = run_and_print("random", balls, 0.0);
   const StageCounters &counters = result.counters;

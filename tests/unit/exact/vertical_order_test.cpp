@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <array>
-#include <random>
 
+#include "random_balls.hpp"
 #include "root_sums.hpp"
 
 namespace {
@@ -19,19 +19,12 @@ constexpr int64_t largest_square = (int64_t{1} << 60) - 1;
 constexpr int64_t largest_root = (int64_t{1} << 30) - 1;
 constexpr int64_t largest_E = INT64_MAX;
 
-class Numbers {
+class Numbers : public oracle::RandomSource {
  public:
-  explicit Numbers(uint64_t seed) : random_(seed) {}
-
-  int64_t in(int64_t low, int64_t high) {
-    return low + static_cast<int64_t>(random_() % (static_cast<uint64_t>(high - low) + 1));
-  }
+  using RandomSource::RandomSource;
   // As many small numbers as large ones.
   int64_t up_to(int64_t largest) { return in(0, largest >> in(0, 62)); }
-  int64_t either_sign(int64_t value) { return (random_() & 1U) != 0 ? value : -value; }
-
- private:
-  std::mt19937_64 random_;
+  int64_t either_sign(int64_t value) { return (next() & 1U) != 0 ? value : -value; }
 };
 
 void expect_sign_with_root(int64_t E, int64_t T, int64_t b) {

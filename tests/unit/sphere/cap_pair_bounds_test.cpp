@@ -179,7 +179,7 @@ class Measurement {
 
 // Searches for the worst of one ratio, while all that is certain is checked on the way.
 void search(const char *name, uint64_t seed, double Ratios::*ratio) {
-  std::mt19937_64 random(seed);
+  oracle::RandomSource random(seed);
   CapsOfScene maker;
   int scenes = 0, contradictions = 0, crossing = 0, apart = 0;
   const double largest = worst(random, 120, 3000, [&](const Scene &scene) {

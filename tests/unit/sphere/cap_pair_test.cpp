@@ -6,8 +6,9 @@
 
 #include <array>
 #include <cmath>
-#include <random>
 #include <vector>
+
+#include "random_balls.hpp"
 
 namespace {
 
@@ -68,24 +69,22 @@ long double depth(const Caps &caps, uint32_t j, uint32_t k, uint32_t l, int sign
 }
 
 TEST(CapPair, CertainAnswersAreRight) {
-  std::mt19937_64 random(11);
-  const auto between = [&random](int64_t low, int64_t high) {
-    return low + static_cast<int64_t>(random() % static_cast<uint64_t>(high - low + 1));
-  };
+  oracle::RandomSource random(11);
   int points = 0;
   double worst = 0.0;
   for (int set = 0; set < 20000; ++set) {
     const int64_t size = set % 4 == 0 ? 6 : set % 4 == 1 ? 1000 : 300000000;
     std::vector<exact::LatticeBall> balls;
     for (uint32_t k = 0; k < 8; ++k) {
-      balls.push_back({{between(-size, size), between(-size, size), between(-size, size)}, between(size / 2, size), k});
+      balls.push_back(
+          {{random.in(-size, size), random.in(-size, size), random.in(-size, size)}, random.in(size / 2, size), k});
     }
     // Nearly parallel axes, where the points are ill-conditioned.
     if (set % 5 == 0) {
       for (uint32_t k = 2; k < 8; ++k) {
         balls[k].centre = balls[1].centre;
-        balls[k].centre.x += between(-3, 3) * (1 + size / 100000);
-        balls[k].centre.y += between(-3, 3) * (1 + size / 100000);
+        balls[k].centre.x += random.in(-3, 3) * (1 + size / 100000);
+        balls[k].centre.y += random.in(-3, 3) * (1 + size / 100000);
       }
     }
     const CapsOf own(balls);

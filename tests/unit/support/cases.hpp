@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "../../support/random_numbers.hpp"
+
 namespace cases {
 
 // The answer of a check whose cases all hold.
@@ -31,24 +33,7 @@ struct Check {
   uint32_t (*run)();
 };
 
-// Numbers without a pattern, the same everywhere (SplitMix64: Steele, Lea and Flood, OOPSLA 2014).
-class Random {
- public:
-  explicit constexpr Random(uint64_t seed) : state_(seed) {}
-  constexpr uint64_t next() {
-    uint64_t z = state_ += UINT64_C(0x9E3779B97F4A7C15);
-    z = (z ^ (z >> 30)) * UINT64_C(0xBF58476D1CE4E5B9);
-    z = (z ^ (z >> 27)) * UINT64_C(0x94D049BB133111EB);
-    return z ^ (z >> 31);
-  }
-  constexpr uint32_t below(uint32_t n) { return static_cast<uint32_t>(next() % n); }
-  constexpr int64_t in(int64_t low, int64_t high) {
-    return low + static_cast<int64_t>(next() % static_cast<uint64_t>(high - low + 1));
-  }
-
- private:
-  uint64_t state_;
-};
+using support::Random;
 
 // Whether two numbers differ by at most `tolerance`.
 constexpr bool near(double a, double b, double tolerance) {

@@ -11,28 +11,23 @@ using hsp::exact::LatticeBall;
 
 constexpr int64_t radius_end = int64_t{1} << 30;
 
-int64_t between(std::mt19937_64 &random, int64_t low, int64_t high) {
-  return low + static_cast<int64_t>(random() % static_cast<uint64_t>(high - low + 1));
-}
-
 // Of any absolute below 2^bits, either sign.
-int64_t of_any_magnitude(std::mt19937_64 &random, int bits) {
-  const int64_t size = int64_t{1} << (random() % static_cast<unsigned>(bits));
-  return between(random, -size, size);
+int64_t of_any_magnitude(oracle::RandomSource &random, int bits) {
+  const int64_t size = int64_t{1} << (random.next() % static_cast<unsigned>(bits));
+  return random.in(-size, size);
 }
 
-LatticeBall ball_with_radius(std::mt19937_64 &random, int64_t radius, int64_t reach, uint32_t index) {
-  return {
-      {between(random, -reach, reach), between(random, -reach, reach), between(random, -reach, reach)}, radius, index};
+LatticeBall ball_with_radius(oracle::RandomSource &random, int64_t radius, int64_t reach, uint32_t index) {
+  return {{random.in(-reach, reach), random.in(-reach, reach), random.in(-reach, reach)}, radius, index};
 }
 
 // At the distance between |r_0 - r| and r_0 + r that the share says, in a random direction.
-LatticeBall ball_meeting(std::mt19937_64 &random, const LatticeBall &origin, int64_t radius, uint32_t index) {
+LatticeBall ball_meeting(oracle::RandomSource &random, const LatticeBall &origin, int64_t radius, uint32_t index) {
   const LatticeBall direction = ball_with_radius(random, radius, 1 << 20, index);
   const double length = std::sqrt(static_cast<double>(hsp::exact::dot(direction.centre, direction.centre))) + 1e-9;
   const double least = static_cast<double>(std::abs(origin.radius - radius));
   const double most = static_cast<double>(origin.radius + radius);
-  const double share = static_cast<double>(random() % 1000) / 1000.0;
+  const double share = static_cast<double>(random.next() % 1000) / 1000.0;
   const double factor = (least + (most - least) * share) / length;
   const auto scaled = [factor](int64_t x) {
     return static_cast<int64_t>(std::lround(static_cast<double>(x) * factor));
@@ -44,7 +39,7 @@ LatticeBall ball_meeting(std::mt19937_64 &random, const LatticeBall &origin, int
 }
 
 // Changes the radius of ball 2 to one of the two neighbours between which the circles of balls 1 and 2 begin to touch.
-void let_circles_touch(std::mt19937_64 &random, Scene &scene) {
+void let_circles_touch(oracle::RandomSource &random, Scene &scene) {
   const auto crosses = [&scene](int64_t radius) {
     scene.ball[2].radius = radius;
     if (hsp::exact::pair_relation(scene.ball[0], scene.ball[2]) != hsp::exact::PairRelation::circle) return -1;
@@ -55,7 +50,7 @@ void let_circles_touch(std::mt19937_64 &random, Scene &scene) {
   const int64_t start = scene.ball[2].radius;
   const int at_start = crosses(start);
   int64_t other = start;
-  for (int k = 0; k < 30 && crosses(other) != 1 - at_start; ++k) other = between(random, 1, radius_end - 1);
+  for (int k = 0; k < 30 && crosses(other) != 1 - at_start; ++k) other = random.in(1, radius_end - 1);
   int64_t same = start;
   if (at_start >= 0 && crosses(other) == 1 - at_start) {
     while (std::abs(other - same) > 1) {
@@ -87,20 +82,20 @@ perturbation::Balls Scene::as_given() const {
   return perturbation::Balls(four, 0);
 }
 
-Scene random_scene(std::mt19937_64 &random, Kind kind) {
+Scene random_scene(oracle::RandomSource &random, Kind kind) {
   for (;;) {
     Scene scene;
     int64_t radius[4];
-    for (int64_t &r : radius) r = between(random, radius_end / 4, radius_end - 1);
+    for (int64_t &r : radius) r = random.in(radius_end / 4, radius_end - 1);
     if (kind == Kind::unlike_radii) {
-      for (int64_t &r : radius) r = std::max<int64_t>(r >> (random() % 30), 1);
-      if (random() % 2 == 0) radius[0] = between(random, 1, 4);
+      for (int64_t &r : radius) r = std::max<int64_t>(r >> (random.next() % 30), 1);
+      if (random.next() % 2 == 0) radius[0] = random.in(1, 4);
     }
     scene.ball[0] = {{0, 0, 0}, radius[0], 0};
     for (uint32_t k = 1; k < 4; ++k) scene.ball[k] = ball_meeting(random, scene.ball[0], radius[k], k);
     if (kind == Kind::parallel_axes) {
       for (int k = 2; k < 4; ++k) {
-        const int64_t sign = random() % 2 == 0 ? 1 : -1;
+        const int64_t sign = random.next() % 2 == 0 ? 1 : -1;
         scene.ball[k].centre = {sign * scene.ball[1].centre.x + of_any_magnitude(random, 20),
                                 sign * scene.ball[1].centre.y + of_any_magnitude(random, 20),
                                 sign * scene.ball[1].centre.z + of_any_magnitude(random, 20)};
@@ -113,13 +108,13 @@ Scene random_scene(std::mt19937_64 &random, Kind kind) {
   }
 }
 
-Scene changed(std::mt19937_64 &random, const Scene &scene) {
+Scene changed(oracle::RandomSource &random, const Scene &scene) {
   Scene next = scene;
-  const uint64_t numbers = 1 + random() % 3;
+  const uint64_t numbers = 1 + random.next() % 3;
   for (uint64_t k = 0; k < numbers; ++k) {
-    LatticeBall &ball = next.ball[random() % 4];
+    LatticeBall &ball = next.ball[random.next() % 4];
     int64_t *const number[] = {&ball.radius, &ball.centre.x, &ball.centre.y, &ball.centre.z};
-    *number[random() % 4] += of_any_magnitude(random, 29);
+    *number[random.next() % 4] += of_any_magnitude(random, 29);
   }
   return next;
 }

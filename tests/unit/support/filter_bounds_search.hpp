@@ -2,10 +2,9 @@
 // as they make it worse.
 #pragma once
 
-#include <random>
-
 #include "exact/lattice_ball.hpp"
 #include "perturbation_determinants.hpp"
+#include "random_balls.hpp"
 
 namespace filter_bounds {
 
@@ -25,14 +24,14 @@ struct Scene {
 enum class Kind { any, unlike_radii, parallel_axes, touching_circles };
 constexpr int kinds = 4;
 
-Scene random_scene(std::mt19937_64 &random, Kind kind);
+Scene random_scene(oracle::RandomSource &random, Kind kind);
 
 // A change of one to three numbers, each by anything from one step to its own size.
-Scene changed(std::mt19937_64 &random, const Scene &scene);
+Scene changed(oracle::RandomSource &random, const Scene &scene);
 
 // The largest badness(scene) found; badness is negative where it has no meaning.
 template <class Badness>
-double worst(std::mt19937_64 &random, int starts, int changes, const Badness &badness) {
+double worst(oracle::RandomSource &random, int starts, int changes, const Badness &badness) {
   double largest = 0.0;
   for (int start = 0; start < starts; ++start) {
     Scene scene = random_scene(random, static_cast<Kind>(start % kinds));

@@ -3,9 +3,8 @@
 // contract allows, or next to a tie by one step.
 #pragma once
 
-#include <random>
-
 #include "perturbation_determinants.hpp"
+#include "random_balls.hpp"
 
 namespace perturbation {
 
@@ -18,6 +17,6 @@ struct FourBalls {
   Ball ball[4];
 };
 
-FourBalls random_tied_balls(std::mt19937_64 &random, Size size);
+FourBalls random_tied_balls(oracle::RandomSource &random, Size size);
 
 }  // namespace perturbation

@@ -6,29 +6,25 @@ using hsp::exact::LatticeBall;
 
 namespace {
 
-int64_t between(std::mt19937_64 &random, int64_t low, int64_t high) {
-  return low + static_cast<int64_t>(random() % static_cast<uint64_t>(high - low + 1));
-}
-
 // Integer points at the integer distance 49 from the origin come in plenty: 49^2 = 2^2 + 3^2 + 6^2 times 7^2 and
 // others.
 constexpr int64_t on_a_sphere[][3] = {{14, 21, 42}, {49, 0, 0}, {9, 12, 46}, {24, 25, 36}, {24, 16, 40}, {41, 24, 12}};
 
-LatticeBall random_ball(std::mt19937_64 &random, int64_t size, uint32_t index) {
+LatticeBall random_ball(oracle::RandomSource &random, int64_t size, uint32_t index) {
   LatticeBall ball;
-  ball.centre = {between(random, -size, size), between(random, -size, size), between(random, -size, size)};
-  ball.radius = between(random, size / 2, size);
+  ball.centre = {random.in(-size, size), random.in(-size, size), random.in(-size, size)};
+  ball.radius = random.in(size / 2, size);
   ball.index = index;
   return ball;
 }
 
 // Balls whose spheres all pass through the origin.
-LatticeBall ball_through_origin(std::mt19937_64 &random, int64_t scale, uint32_t index) {
+LatticeBall ball_through_origin(oracle::RandomSource &random, int64_t scale, uint32_t index) {
   LatticeBall ball;
-  const auto &point = on_a_sphere[random() % 2];
+  const auto &point = on_a_sphere[random.next() % 2];
   int64_t c[3] = {point[0], point[1], point[2]};
-  for (int k = 2; k > 0; --k) std::swap(c[k], c[random() % static_cast<unsigned>(k + 1)]);
-  for (int64_t &x : c) x = (random() & 1U ? -x : x) * scale;
+  for (int k = 2; k > 0; --k) std::swap(c[k], c[random.next() % static_cast<unsigned>(k + 1)]);
+  for (int64_t &x : c) x = (random.next() & 1U ? -x : x) * scale;
   ball.centre = {c[0], c[1], c[2]};
   ball.radius = 49 * scale;
   ball.index = index;
@@ -37,20 +33,20 @@ LatticeBall ball_through_origin(std::mt19937_64 &random, int64_t scale, uint32_t
 
 }  // namespace
 
-FourBalls random_four_balls(std::mt19937_64 &random) {
+FourBalls random_four_balls(oracle::RandomSource &random) {
   constexpr int64_t sizes[] = {1, 2, 3, 5, 8, 100, 1 << 20, (1 << 28) - 1, (1 << 29) - 3, (int64_t{1} << 30) - 1};
   for (;;) {
     FourBalls four;
-    const uint64_t mode = random() % 8;
-    const int64_t size = sizes[random() % 10];
+    const uint64_t mode = random.next() % 8;
+    const int64_t size = sizes[random.next() % 10];
     for (uint32_t k = 0; k < 4; ++k) {
-      four.ball[k] = mode < 3 ? ball_through_origin(random, 1 + between(random, 0, 1) * (size / 64), k)
-                              : random_ball(random, size, k);
+      four.ball[k] =
+          mode < 3 ? ball_through_origin(random, 1 + random.in(0, 1) * (size / 64), k) : random_ball(random, size, k);
       if (mode == 4) four.ball[k].centre.z = 0;
       if (mode == 5 && k > 0) four.ball[k].radius = four.ball[0].radius;
     }
     // Next to a tie rather than on it.
-    if (mode == 2) four.ball[random() % 4].radius += static_cast<int64_t>(random() % 3) - 1;
+    if (mode == 2) four.ball[random.next() % 4].radius += static_cast<int64_t>(random.next() % 3) - 1;
     bool usable = true;
     for (int k = 0; k < 4; ++k) usable = usable && four.ball[k].radius >= 0 && four.ball[k].radius < (int64_t{1} << 30);
     for (int k = 1; k < 4 && usable; ++k) {

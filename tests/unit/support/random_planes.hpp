@@ -2,9 +2,8 @@
 // ties.
 #pragma once
 
-#include <random>
-
 #include "exact/lattice_ball.hpp"
+#include "random_balls.hpp"
 
 struct FourBalls {
   hsp::exact::LatticeBall ball[4];
@@ -13,4 +12,4 @@ struct FourBalls {
 };
 
 // All three others meet the first in a circle.
-FourBalls random_four_balls(std::mt19937_64 &random);
+FourBalls random_four_balls(oracle::RandomSource &random);
