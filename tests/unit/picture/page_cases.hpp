@@ -1,0 +1,226 @@
+// Sizes of pages, what lies where on them, and the numbers that follow from their sizes.
+#pragma once
+
+#include "small_picture.hpp"
+
+namespace cases {
+
+constexpr double inch = 96;  // px
+
+struct Layout {
+  uint32_t n;
+  SmallBall ball[2];
+  bool millimetres;
+  double width, height, margin;  // options
+  double px_width, px_height, px_scale;
+  double middle[2];  // of the box, from the middle of the centres
+};
+constexpr Layout layouts[] = {{1, {{7, 8, 9, 10}}, false, 120, 0, .1, 120, 120, 5, {0, 0}},
+                              {1, {{7, 8, 9, 10}}, false, 0, 48, .1, 48, 48, 2, {0, 0}},
+                              {1, {{7, 8, 9, 10}}, false, 240, 48, .1, 240, 48, 2, {0, 0}},
+                              {1, {{7, 8, 9, 10}}, false, 40, 48, 0, 40, 48, 2, {0, 0}},
+                              // The margin goes by the longer side: 6 around 60 x 20.
+                              {2, {{0, 0, 0, 10}, {40, 0, 0, 10}}, false, 144, 0, .1, 144, 64, 2, {0, 0}},
+                              {2, {{0, 0, 0, 10}, {40, 0, 0, 10}}, false, 0, 64, .1, 144, 64, 2, {0, 0}},
+                              {2, {{0, 0, 0, 10}, {0, 40, 0, 10}}, false, 64, 0, .1, 64, 144, 2, {0, 0}},
+                              {2, {{0, 0, 0, 10}, {0, 40, 0, 10}}, false, 640, 72, .1, 640, 72, 1, {0, 0}},
+                              // The middle of the box is that of the silhouettes, not that of the centres.
+                              {2, {{0, 0, 0, 10}, {40, 30, 70, 20}}, false, 140, 0, 0, 140, 120, 2, {5, 5}},
+                              // An inch has 25.4 mm.
+                              {1, {{0, 0, 0, 10}}, true, 127, 0, .1, 5 * inch, 5 * inch, 20, {0, 0}},
+                              {1, {{0, 0, 0, 10}}, true, 0, 25.4, .1, inch, inch, 4, {0, 0}},
+                              // Sides from .01 to 1e6, the one that follows included.
+                              {1, {{0, 0, 0, 10}}, false, 1e9, 0, 0, 1e6, 1e6, 5e4, {0, 0}},
+                              {1, {{0, 0, 0, 10}}, false, 1e-9, 0, 0, .01, .01, 5e-4, {0, 0}},
+                              {2, {{0, 0, 0, 1}, {19999998, 0, 0, 1}}, false, 1000, 0, 0, 1000, .01, 5e-5, {0, 0}},
+                              {2, {{0, 0, 0, 1}, {0, 19999998, 0, 1}}, false, 1000, 0, 0, 1000, 1e6, .05, {0, 0}},
+                              {2, {{0, 0, 0, 1}, {0, 19999998, 0, 1}}, false, 0, 1000, 0, .01, 1000, 5e-5, {0, 0}},
+                              // Nothing to be seen.
+                              {0, {}, false, 300, 0, .1, 300, 300, 0, {0, 0}},
+                              {0, {}, false, 0, 200, .1, 200, 200, 0, {0, 0}},
+                              {0, {}, false, 300, 200, .1, 300, 200, 0, {0, 0}}};
+
+inline uint32_t sizes_of_pages() {
+  return first_failing(layouts, [](const Layout &c) {
+    if (!small_view().succeeds(c.ball, c.n)) return false;
+    hsp::PictureOptions options;
+    options.millimetres = c.millimetres;
+    options.width = c.width;
+    options.height = c.height;
+    options.margin = c.margin;
+    const hsp::PictureInput input = picture_input();
+    const hsp::Page page = hsp::lay_out(input, options);
+    const hsp::PagePoint middle = page.place(c.middle);
+    const auto equal = [](double a, double b) { return near(a, b, 1e-12 * (1 + b)); };
+    double farthest = 1e9, nearest = -1e9;
+    for (uint32_t p = 0; p < input.view.pieces.size(); ++p) {
+      const uint32_t ball = input.view.pieces[p].ball;
+      const hsp::Vec3 centre = input.view.frame.centre_of(input.balls, ball);
+      farthest = centre.z < farthest ? centre.z : farthest;
+      nearest = centre.z > nearest ? centre.z : nearest;
+      const double reach = input.balls.r[ball] * page.scale;
+      const hsp::PagePoint at = page.centre_of(input, p);
+      if (!equal(at.x, (centre.x - c.middle[0]) * c.px_scale + c.px_width / 2) ||
+          !equal(at.y, (centre.y - c.middle[1]) * c.px_scale + c.px_height / 2)) {
+        return false;
+      }
+      if (at.x - reach < -1e-9 || at.x + reach > page.width + 1e-9) return false;
+      if (at.y - reach < -1e-9 || at.y + reach > page.height + 1e-9) return false;
+    }
+    if (c.n > 0 && (page.farthest != farthest || page.nearest != nearest)) return false;
+    return equal(page.width, c.px_width) && equal(page.height, c.px_height) &&
+           near(page.scale, c.px_scale, 1e-6 * c.px_scale) && equal(middle.x, c.px_width / 2) &&
+           equal(middle.y, c.px_height / 2) && equal(page.unit * 25.4, c.millimetres ? inch : 25.4);
+  });
+}
+
+// A ball of radius 10 on a page as wide as it is: the options' outline and the width of the lines.
+struct Line {
+  double page_width;
+  bool millimetres;
+  double outline, line;
+};
+constexpr Line lines[] = {{100, false, 0, 0},
+                          {100, false, 2, 2},
+                          {100, true, 25.4, inch},
+                          {100, false, 6e-5, 6e-5},
+                          // What would be written as 0.
+                          {100, false, 4e-5, 0},
+                          // By the mean radius: .9 px where it is 34 px, with its square root, within bounds.
+                          {68, false, -1, .9},
+                          {68 * 2.25, false, -1, .9 * 1.5},
+                          {68 / 4, false, -1, .9 / 2},
+                          {2, false, -1, .9 * .45},
+                          {5000, false, -1, .9 * 1.9}};
+
+inline uint32_t widths_of_lines() {
+  return first_failing(lines, [](const Line &c) {
+    constexpr SmallBall ball{0, 0, 0, 10};
+    hsp::PictureOptions options;
+    options.width = c.page_width;
+    options.millimetres = c.millimetres;
+    options.margin = 0;
+    options.outline = c.outline;
+    return small_view().succeeds(&ball, 1) && near(hsp::lay_out(picture_input(), options).line, c.line, 1e-12 * c.line);
+  });
+}
+
+// Decimals whose unit is at most a step, within bounds.
+struct Decimals {
+  double step;
+  int least, most, expected;
+};
+constexpr Decimals decimals[] = {{1, 0, 10, 0},    {.99, 0, 10, 1}, {.125, 0, 10, 1},  {.0625, 0, 10, 2},
+                                 {50, 0, 10, 0},   {50, 3, 10, 3},  {1e-9, 2, 6, 6},   {.01, 2, 6, 2},
+                                 {.0099, 2, 6, 3}, {.5, 2, 6, 2},   {1.5e-4, 0, 6, 4}, {.9e-4, 0, 6, 5}};
+
+inline uint32_t decimals_of_steps() {
+  return first_failing(decimals,
+                       [](const Decimals &c) { return hsp::decimals_for(c.step, c.least, c.most) == c.expected; });
+}
+
+// Those of a page are for steps of at most a ten-thousandth of its longer side.
+struct PageDecimals {
+  double width, height;
+  int expected;
+};
+constexpr PageDecimals page_decimals[] = {{101, 5, 2}, {5, 101, 2}, {99, 5, 3},   {5, 99, 3},    {11, 11, 3},
+                                          {9, 9, 4},   {1e5, 1, 2}, {.11, .1, 5}, {.09, .09, 6}, {.01, .01, 6}};
+
+inline uint32_t decimals_of_pages() {
+  return first_failing(page_decimals, [](const PageDecimals &c) {
+    constexpr SmallBall ball{0, 0, 0, 10};
+    hsp::PictureOptions options;
+    options.width = c.width;
+    options.height = c.height;
+    return small_view().succeeds(&ball, 1) && hsp::lay_out(picture_input(), options).decimals == c.expected;
+  });
+}
+
+struct Parts {
+  double span, most;
+  uint32_t expected;
+};
+constexpr Parts parts[] = {{0, 1, 1}, {.5, 1, 1}, {1, 1, 1}, {1.01, 1, 2}, {2, 1, 2}, {2.5, 1, 3}, {6.28, 3, 3}};
+
+inline uint32_t parts_of_spans() {
+  return first_failing(parts, [](const Parts &c) { return hsp::parts_of(c.span, c.most) == c.expected; });
+}
+
+// Arcs of the view plane on a page of 100 x 60 px with two px for a step, whose middle is (5, 7).
+struct OnPage {
+  hsp::ProjectedArc arc;
+  double centre[2], semi_axis[2], start[2], end[2], half_way[2];
+};
+constexpr double q = hsp::pi / 2;
+constexpr OnPage on_page[] = {
+    {{{{5, 7}, {3, 0}, {0, 3}}, 0, 2 * q, {8, 7}, {2, 7}, hsp::no_id}, {50, 30}, {6, 6}, {56, 30}, {44, 30}, {50, 36}},
+    {{{{0, 10}, {0, 5}, {-2, 0}}, q, -q, {-2, 10}, {2, 10}, 0}, {40, 36}, {10, 4}, {36, 36}, {44, 36}, {40, 46}},
+    {{{{5, 7}, {3, 4}, {-.8, .6}}, -q, q, {5.8, 6.4}, {4.2, 7.6}, 4},
+     {50, 30},
+     {10, 2},
+     {51.6, 28.8},
+     {48.4, 31.2},
+     {56, 38}}};
+
+inline uint32_t arcs_on_pages() {
+  return first_failing(on_page, [](const OnPage &c) {
+    hsp::Page page{};
+    page.width = 100;
+    page.height = 60;
+    page.scale = 2;
+    page.middle[0] = 5;
+    page.middle[1] = 7;
+    const hsp::PageArc arc = page.place(c.arc);
+    const auto lies_at = [](const hsp::PagePoint &point, const double(&expected)[2]) {
+      return near(point.x, expected[0], 1e-13 * 100) && near(point.y, expected[1], 1e-13 * 100);
+    };
+    return lies_at(arc.centre, c.centre) && near(arc.semi_axis[0], c.semi_axis[0], 1e-14 * 10) &&
+           near(arc.semi_axis[1], c.semi_axis[1], 1e-14 * 10) && lies_at(arc.start, c.start) &&
+           lies_at(arc.end, c.end) && lies_at(arc.at(arc.from), c.start) && lies_at(arc.at(arc.to), c.end) &&
+           lies_at(arc.at((arc.from + arc.to) / 2), c.half_way) && arc.circle == (c.arc.other_ball == hsp::no_id) &&
+           near(arc.span(), 2 * q, 1e-15);
+  });
+}
+
+// The corners of a flat arc with its major axis from -1 to 1: the ends of the axis that it passes, then its own end.
+struct FlatArc {
+  double from, to;
+  uint32_t passed;
+  double end_of_axis[3];
+};
+constexpr FlatArc flat_arcs[] = {
+    {-1, 1, 1, {1}},     {1, -1, 1, {1}},      {1, 2, 0, {}},        {1, 6, 1, {-1}},         {6, 1, 1, {-1}},
+    {1, 7, 2, {-1, 1}},  {7, 1, 2, {1, -1}},   {0, 2 * q, 0, {}},    {-2 * q, 2 * q, 1, {1}}, {2 * q, -2 * q, 1, {1}},
+    {-4, 2, 2, {-1, 1}}, {-7, -1, 2, {1, -1}}, {-1, -7, 2, {-1, 1}}, {-10, -8, 1, {-1}},      {3, 9, 2, {-1, 1}}};
+
+inline uint32_t corners_of_flat_arcs() {
+  return first_failing(flat_arcs, [](const FlatArc &c) {
+    hsp::PageArc arc{};
+    arc.major = {3, 4};
+    arc.from = c.from;
+    arc.to = c.to;
+    arc.end = {7, 7};
+    uint32_t visited = 0;
+    bool holds = true;
+    hsp::visit_line(arc, [&](const hsp::PagePoint &corner) {
+      if (visited < c.passed) {
+        holds = holds && corner.x == 3 * c.end_of_axis[visited] && corner.y == 4 * c.end_of_axis[visited];
+      } else {
+        holds = holds && corner.x == 7 && corner.y == 7;
+      }
+      ++visited;
+    });
+    return holds && visited == c.passed + 1;
+  });
+}
+
+inline constexpr Check picture_page[] = {{"sizes_of_pages", sizes_of_pages},
+                                         {"widths_of_lines", widths_of_lines},
+                                         {"decimals_of_steps", decimals_of_steps},
+                                         {"decimals_of_pages", decimals_of_pages},
+                                         {"parts_of_spans", parts_of_spans},
+                                         {"arcs_on_pages", arcs_on_pages},
+                                         {"corners_of_flat_arcs", corners_of_flat_arcs}};
+
+}  // namespace cases
