@@ -10,10 +10,9 @@
 
 namespace {
 
-// Permutes and reflects the axes: 6 * 8 symmetries, then a lattice vector.
+// One of the 48 symmetries of the axes, then a lattice vector.
 oracle::Balls moved(const oracle::Balls &balls, uint32_t symmetry, int64_t shift) {
-  static constexpr std::array<size_t, 3> axes[] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
-  return oracle::moved(oracle::along_axes(balls, axes[symmetry % 6], symmetry / 6), {shift, 2 * shift, 3 * shift});
+  return oracle::moved(oracle::axis_symmetries(balls)[symmetry], {shift, 2 * shift, 3 * shift});
 }
 
 LibraryBoundary::Measures require_brute_force(const oracle::Balls &balls, oracle::BoundaryRecord &record) {

@@ -35,6 +35,16 @@ Balls along_axes(const Balls &balls, const std::array<size_t, 3> &axes, uint32_t
   return result;
 }
 
+std::vector<Balls> axis_symmetries(const Balls &balls) {
+  std::vector<Balls> images;
+  for (uint32_t reflected = 0; reflected < 8; ++reflected) {
+    std::array<size_t, 3> axes = {0, 1, 2};
+    do images.push_back(along_axes(balls, axes, reflected));
+    while (std::next_permutation(axes.begin(), axes.end()));
+  }
+  return images;
+}
+
 std::vector<LatticePoint> shifts_within_lattice(const Balls &balls) {
   LatticePoint low = {0, 0, 0};
   LatticePoint high = {0, 0, 0};

@@ -18,6 +18,9 @@ Balls grown(const Balls &balls, int64_t probe);
 // Axis k is axis axes[k] of the balls given, reflected if bit k says so: 48 symmetries.
 Balls along_axes(const Balls &balls, const std::array<size_t, 3> &axes, uint32_t reflected = 0);
 
+// All 48 of them, the set itself first.
+std::vector<Balls> axis_symmetries(const Balls &balls);
+
 // A short shift, one by a million and some, and shifts to corners of the lattice, as far as the set fits.
 std::vector<LatticePoint> shifts_within_lattice(const Balls &balls);
 

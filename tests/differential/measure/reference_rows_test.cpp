@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "lattice_lengths.hpp"
 #include "library_run.hpp"
 #include "molecule_balls.hpp"
 
@@ -26,7 +27,7 @@ struct Row {
 void compare(const Row &row, const std::filesystem::path &file) {
   constexpr auto units = static_cast<double>(steps_per_angstrom);
   const std::vector<support::Atom> atoms = support::read_atoms(file, row.records);
-  const oracle::Balls balls = on_lattice(with_radii(atoms, support::Radii::metals_as_sulfur), row.probe, units);
+  const oracle::Balls balls = oracle::on_lattice(with_radii(atoms, support::Radii::metals_as_sulfur), row.probe, units);
   ASSERT_EQ(balls.size(), row.balls);
   const LibraryBoundary boundary(balls);
   const hsp_totals totals = boundary.measure().totals;

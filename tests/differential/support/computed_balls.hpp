@@ -5,12 +5,13 @@
 
 #include <string>
 
+#include "lattice_lengths.hpp"
 #include "library_run.hpp"
 
 class ComputedBalls {
  public:
   explicit ComputedBalls(const oracle::Balls &balls) {
-    const support::BallList list = in_lengths(balls, 1);
+    const support::BallList list = oracle::in_lengths(balls, 1);
     hsp_model_options options;
     expect_ok(hsp_model_options_init(&options, sizeof options), "hsp_model_options_init");
     options.step = 1;

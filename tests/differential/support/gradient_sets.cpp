@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "molecule_balls.hpp"
+#include "lattice_lengths.hpp"
+#include "molecule_file.hpp"
 #include "named_balls.hpp"
 
 using oracle::Balls;
@@ -80,7 +81,7 @@ std::vector<GradientSet> molecules_of_gradient_tests() {
     const support::BallList balls =
         with_radii(support::read_atoms(support::own_molecule(name + ".pdb")), support::Radii::van_der_waals);
     for (const double probe : {0.0, 1.4})
-      sets.push_back({name + (probe > 0 ? ", accessible" : ""), on_lattice(balls, probe, units)});
+      sets.push_back({name + (probe > 0 ? ", accessible" : ""), oracle::on_lattice(balls, probe, units)});
   }
   return sets;
 }

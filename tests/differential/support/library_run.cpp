@@ -3,6 +3,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "lattice_lengths.hpp"
+
 namespace {
 
 void require(bool condition, const char *what) {
@@ -11,21 +13,13 @@ void require(bool condition, const char *what) {
 
 }  // namespace
 
-support::BallList in_lengths(const oracle::Balls &balls, double step) {
-  support::BallList list;
-  const auto length = [&](int64_t steps) { return static_cast<double>(steps) * step; };
-  for (const oracle::LatticeBall &ball : balls)
-    list.add(length(ball.x), length(ball.y), length(ball.z), length(ball.radius));
-  return list;
-}
-
 LibraryModel::LibraryModel(const oracle::Balls &balls, double step, double probe)
     : balls_(static_cast<uint32_t>(balls.size())), model_(balls_) {
   hsp_model_options options;
   expect_ok(hsp_model_options_init(&options, sizeof options), "hsp_model_options_init");
   options.step = step;
   options.probe = probe;
-  expect_ok(model_.set(in_lengths(balls, step), &options), "hsp_model_set");
+  expect_ok(model_.set(oracle::in_lengths(balls, step), &options), "hsp_model_set");
 }
 
 LibraryBoundary::LibraryBoundary(const oracle::Balls &balls, double step, double probe) : model_(balls, step, probe) {

@@ -25,9 +25,6 @@ class LibraryModel {
   support::OwnedModel model_;
 };
 
-// The balls in lengths.
-support::BallList in_lengths(const oracle::Balls &balls, double step);
-
 // The boundary of such a model.
 class LibraryBoundary {
  public:

@@ -19,9 +19,9 @@ using hsp::BoundaryInvariant;
 
 // Three balls with two common points and a fourth that cuts a free circle out of the first; a pair apart from them; a
 // ball on its own; one inside another.
-const std::vector<TestBall> scene = {{0, 0, 0, 1000},     {1000, 0, 0, 1000},   {500, 800, 0, 1000},
-                                     {-1500, 0, 0, 600},  {9000, 0, 0, 500},    {9600, 0, 0, 500},
-                                     {0, 20000, 0, 1000}, {0, 20000, 100, 300}, {0, 900, 20000, 1000}};
+const oracle::Balls scene = {{0, 0, 0, 1000},     {1000, 0, 0, 1000},   {500, 800, 0, 1000},
+                             {-1500, 0, 0, 600},  {9000, 0, 0, 500},    {9600, 0, 0, 500},
+                             {0, 20000, 0, 1000}, {0, 20000, 100, 300}, {0, 900, 20000, 1000}};
 
 struct Flaw {
   const char *name;
@@ -277,7 +277,7 @@ TEST(BoundaryCheck, FindsArcsThatEndElsewhere) {
 }
 
 // A capsule of three balls in a row. Its middle face is a band between two circles.
-const std::vector<TestBall> capsule = {{0, 0, 0, 500}, {600, 0, 0, 500}, {1200, 0, 0, 500}};
+const oracle::Balls capsule = {{0, 0, 0, 500}, {600, 0, 0, 500}, {1200, 0, 0, 500}};
 
 // The band taken for two faces makes two closed surfaces of it, of which no invariant of the structure knows better;
 // but then it has more area than its sphere.

@@ -10,46 +10,25 @@
 
 #include "boundary/boundary_check.hpp"
 #include "built_boundary.hpp"
+#include "lattice_lengths.hpp"
 #include "measure/boundary_metric_check.hpp"
+#include "point_lattices.hpp"
+#include "set_arrangements.hpp"
 
 namespace {
 
-// Exchanges and turns of the axes.
-struct Position {
-  int axis[3];
-  double sign[3];
-
-  TestBall place(const TestBall &ball) const {
-    const double at[3] = {ball.x, ball.y, ball.z};
-    return {sign[0] * at[axis[0]], sign[1] * at[axis[1]], sign[2] * at[axis[2]], ball.radius};
-  }
-};
-
-std::vector<Position> all_positions() {
-  std::vector<Position> positions;
-  Position position{{0, 1, 2}, {}};
-  do {
-    for (int signs = 0; signs < 8; ++signs) {
-      for (int axis = 0; axis < 3; ++axis) position.sign[axis] = (signs >> axis & 1) != 0 ? -1.0 : 1.0;
-      positions.push_back(position);
-    }
-  } while (std::next_permutation(position.axis, position.axis + 3));
-  return positions;
-}
-
 // The sphere has radius 1000. The ring's caps, 17 degrees wide, are centred 30 degrees from the axis y.
-std::vector<TestBall> ring() {
-  std::vector<TestBall> balls;
+oracle::Balls ring() {
+  oracle::Balls balls;
   for (int k = 0; k < 6; ++k) {
     const double angle = (k + 0.2) * std::numbers::pi / 3;
-    balls.push_back({std::round(500 * std::cos(angle)), std::round(1000 * std::sqrt(0.75)),
-                     std::round(500 * std::sin(angle)), 296});
+    balls.push_back(oracle::nearest_ball({500 * std::cos(angle), 1000 * std::sqrt(0.75), 500 * std::sin(angle), 296}));
   }
   return balls;
 }
 
 // The numbers of loops of the first ball's faces, ascending.
-std::vector<uint32_t> loops_of_faces(const std::vector<TestBall> &balls) {
+std::vector<uint32_t> loops_of_faces(const oracle::Balls &balls) {
   BuiltBoundary boundary(balls);
   EXPECT_EQ(boundary.status(), hsp::Status::ok);
   EXPECT_EQ(hsp::check_boundary(boundary.balls(), boundary.boundary(), boundary.scratch()).invariant,
@@ -65,12 +44,10 @@ std::vector<uint32_t> loops_of_faces(const std::vector<TestBall> &balls) {
 }
 
 // The ball that leaves the disc of 60 degrees about y free.
-constexpr TestBall large{0, -1000, 0, 1732};
+constexpr oracle::LatticeBall large{0, -1000, 0, 1732};
 
 TEST(MeridianWalks, HoleAndBandInEveryPosition) {
-  for (const Position &position : all_positions()) {
-    std::vector<TestBall> balls{position.place({0, 0, 0, 1000}), position.place(large)};
-    for (const TestBall &ball : ring()) balls.push_back(position.place(ball));
+  for (const oracle::Balls &balls : oracle::axis_symmetries(oracle::joined({{0, 0, 0, 1000}, large}, ring()))) {
     EXPECT_EQ(loops_of_faces(balls), (std::vector<uint32_t>{1, 2}));
   }
 }
@@ -78,10 +55,10 @@ TEST(MeridianWalks, HoleAndBandInEveryPosition) {
 // A walk that starts at a small cap inside the large one may stay inside it all the way: its circle meets no free
 // point. The small cap stands for the cluster if its ball comes first.
 TEST(MeridianWalks, WalksThatStayCovered) {
-  for (const TestBall &small : {TestBall{1000, 0, 0, 100}, TestBall{0, 0, 1000, 100}, TestBall{0, -1000, 0, 100}}) {
-    for (const Position &position : all_positions()) {
-      std::vector<TestBall> balls{position.place({0, 0, 0, 1000}), position.place(small), position.place(large)};
-      for (const TestBall &ball : ring()) balls.push_back(position.place(ball));
+  for (const oracle::LatticeBall &small : {oracle::LatticeBall{1000, 0, 0, 100}, oracle::LatticeBall{0, 0, 1000, 100},
+                                           oracle::LatticeBall{0, -1000, 0, 100}}) {
+    for (const oracle::Balls &balls :
+         oracle::axis_symmetries(oracle::joined({{0, 0, 0, 1000}, small, large}, ring()))) {
       EXPECT_EQ(loops_of_faces(balls), (std::vector<uint32_t>{1, 2}));
     }
   }
@@ -92,10 +69,8 @@ TEST(MeridianWalks, WalksThatStayCovered) {
 // between them.
 TEST(LoopsOfFaces, AreConsecutive) {
   uint32_t found_between = 0;
-  for (const Position &position : all_positions()) {
-    std::vector<TestBall> balls{position.place({0, 0, 0, 1000}), position.place({60, -1000, 0, 150}),
-                                position.place({-60, -1000, 0, 150})};
-    for (const TestBall &ball : ring()) balls.push_back(position.place(ball));
+  const oracle::Balls ball_and_studs = {{0, 0, 0, 1000}, {60, -1000, 0, 150}, {-60, -1000, 0, 150}};
+  for (const oracle::Balls &balls : oracle::axis_symmetries(oracle::joined(ball_and_studs, ring()))) {
     BuiltBoundary built(balls);
     ASSERT_EQ(built.status(), hsp::Status::ok);
     const hsp::Boundary &boundary = built.boundary();

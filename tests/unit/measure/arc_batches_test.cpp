@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <random>
 
 #include "built_boundary.hpp"
+#include "lattice_lengths.hpp"
 #include "measure/arc_batches.hpp"
 #include "measure/areas.hpp"
+#include "random_balls.hpp"
 #include "sphere/arc_geometry.hpp"
 
 namespace {
@@ -115,7 +116,7 @@ class ArcsOfBall {
   const hsp::exact::LatticeBall own_;
 };
 
-Seen check_all(const std::vector<TestBall> &set) {
+Seen check_all(const oracle::Balls &set) {
   BuiltBoundary built(set);
   EXPECT_EQ(built.status(), hsp::Status::ok);
   Seen seen;
@@ -133,15 +134,14 @@ Seen check_all(const std::vector<TestBall> &set) {
 }
 
 TEST(ArcBatches, AgreeWithTheIntegersOnRandomSets) {
-  std::mt19937 random(17);
+  oracle::RandomSource random(17);
   Seen all;
   for (int round = 0; round < 200; ++round) {
-    const double scale = round % 3 == 0 ? 1e4 : 1e8;
-    std::uniform_real_distribution<double> coordinate(0.0, 3.0 * scale), radius(0.05 * scale, 1.5 * scale);
-    std::vector<TestBall> set(static_cast<size_t>(2 + round % 25));
-    for (TestBall &ball : set) {
-      ball = {std::round(coordinate(random)), std::round(coordinate(random)), std::round(coordinate(random)),
-              std::round(radius(random))};
+    const int64_t scale = round % 3 == 0 ? 10000 : 100000000;
+    oracle::Balls set(static_cast<size_t>(2 + round % 25));
+    for (oracle::LatticeBall &ball : set) {
+      ball = {random.in(0, 3 * scale), random.in(0, 3 * scale), random.in(0, 3 * scale),
+              random.in(scale / 20, 3 * scale / 2)};
     }
     const Seen seen = check_all(set);
     all.small_circles += seen.small_circles;
@@ -157,12 +157,11 @@ TEST(ArcBatches, AgreeWithTheIntegersOnRandomSets) {
 }
 
 TEST(ArcBatches, TiesOnLattices) {
-  std::mt19937 random(23);
+  oracle::RandomSource random(23);
   for (int round = 0; round < 60; ++round) {
-    std::vector<TestBall> set(static_cast<size_t>(2 + round % 20));
-    for (TestBall &ball : set) {
-      ball = {static_cast<double>(random() % 4), static_cast<double>(random() % 4), static_cast<double>(random() % 4),
-              static_cast<double>(random() % 4)};
+    oracle::Balls set(static_cast<size_t>(2 + round % 20));
+    for (oracle::LatticeBall &ball : set) {
+      ball = {random.in(0, 3), random.in(0, 3), random.in(0, 3), random.in(0, 3)};
     }
     check_all(set);
   }
@@ -170,9 +169,9 @@ TEST(ArcBatches, TiesOnLattices) {
 
 // A ball whose sphere cuts that of a ball of radius r at the origin in the circle across the unit vector u at the given
 // height.
-TestBall cutting(double r, const Vec3 &u, double height, double distance) {
-  return {std::round(distance * u.x), std::round(distance * u.y), std::round(distance * u.z),
-          std::round(std::sqrt(distance * distance - 2 * distance * height + r * r))};
+oracle::LatticeBall cutting(double r, const Vec3 &u, double height, double distance) {
+  return oracle::nearest_ball(
+      {distance * u.x, distance * u.y, distance * u.z, std::sqrt(distance * distance - 2 * distance * height + r * r)});
 }
 Vec3 unit(double x, double y, double z) {
   const double length = std::sqrt(x * x + y * y + z * z);
@@ -180,15 +179,15 @@ Vec3 unit(double x, double y, double z) {
 }
 
 TEST(ArcBatches, CirclesWithNearlyOneAxis) {
-  std::mt19937 random(29);
-  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  oracle::RandomSource random(29);
+  const auto any = [&random] { return 2 * random.fraction() - 1; };
   Seen all;
   for (int round = 0; round < 60; ++round) {
     const double spread = std::pow(10.0, -1.0 - round % 5);
-    std::vector<TestBall> set{{0, 0, 0, 1e8}};
+    oracle::Balls set{{0, 0, 0, 100000000}};
     for (int k = 0; k < 5; ++k) {
-      const Vec3 u = unit(1.0, spread * any(random), spread * any(random));
-      set.push_back(cutting(1e8, u, 1e8 * (0.4 + 0.5 * spread * any(random)), 1e8 * (1.0 + 0.3 * any(random))));
+      const Vec3 u = unit(1.0, spread * any(), spread * any());
+      set.push_back(cutting(1e8, u, 1e8 * (0.4 + 0.5 * spread * any()), 1e8 * (1.0 + 0.3 * any())));
     }
     all.plain_arcs += check_all(set).plain_arcs;
   }
@@ -196,15 +195,15 @@ TEST(ArcBatches, CirclesWithNearlyOneAxis) {
 }
 
 TEST(ArcBatches, BallsManyTimesLarger) {
-  std::mt19937 random(31);
-  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  oracle::RandomSource random(31);
+  const auto any = [&random] { return 2 * random.fraction() - 1; };
   Seen all;
   for (int round = 0; round < 60; ++round) {
     const double r = round % 2 == 0 ? 1e4 : 1e6;
-    std::vector<TestBall> set{{0, 0, 0, r}};
+    oracle::Balls set{oracle::nearest_ball({0, 0, 0, r})};
     for (int k = 0; k < 4; ++k) {
-      const Vec3 u = unit(any(random), any(random), any(random));
-      set.push_back(cutting(r, u, r * (0.3 + 0.3 * any(random)), 2e8 * (1.0 + 0.5 * any(random))));
+      const Vec3 u = unit(any(), any(), any());
+      set.push_back(cutting(r, u, r * (0.3 + 0.3 * any()), 2e8 * (1.0 + 0.5 * any())));
     }
     BuiltBoundary built(set);
     ASSERT_EQ(built.status(), hsp::Status::ok);
@@ -215,11 +214,11 @@ TEST(ArcBatches, BallsManyTimesLarger) {
 
 // Small balls around the equator of a large one, each meeting the next two: two loops with an arc for each, of any
 // length beside the batch's.
-std::vector<TestBall> ring(uint32_t n) {
-  std::vector<TestBall> set{{0, 0, 0, 1e6}};
+oracle::Balls ring(uint32_t n) {
+  oracle::Balls set{{0, 0, 0, 1000000}};
   for (uint32_t k = 0; k < n; ++k) {
     const double angle = 2 * hsp::pi * (k + 0.1) / n;
-    set.push_back({std::round(1e6 * std::cos(angle)), std::round(1e6 * std::sin(angle)), 0.0, std::round(4e6 / n)});
+    set.push_back(oracle::nearest_ball({1e6 * std::cos(angle), 1e6 * std::sin(angle), 0.0, 4e6 / n}));
   }
   return set;
 }
@@ -248,12 +247,14 @@ TEST(ArcBatches, LoopsLongerThanABatch) {
 TEST(ArcBatches, LongLoopsWithVerticesFromTheIntegers) {
   for (uint32_t n = 8; n < 2 * hsp::ArcBatch::capacity; ++n) {
     for (const bool all : {false, true}) {
-      std::vector<TestBall> set = ring(n);
-      const double first =
-          std::min_element(set.begin(), set.end(), [](const TestBall &a, const TestBall &b) { return a.x < b.x; })->x;
+      oracle::Balls set = ring(n);
+      const int64_t first =
+          std::min_element(set.begin(), set.end(), [](const oracle::LatticeBall &a, const oracle::LatticeBall &b) {
+            return a.x < b.x;
+          })->x;
       for (uint32_t k = 1; k <= n; ++k) {
         if (all || set[k].x == first) {
-          set.push_back({set[k].x + 1.0, set[k].y + (set[k].y < 0.0 ? 1e3 : -1e3), 0.0, set[k].radius});
+          set.push_back({set[k].x + 1, set[k].y + (set[k].y < 0 ? 1000 : -1000), 0, set[k].radius});
         }
       }
       BuiltBoundary built(set);

@@ -13,10 +13,12 @@
 namespace {
 
 // Three balls that meet in two points, and a fourth that cuts a whole circle out of the first.
-const std::vector<TestBall> scene = {{0, 0, 0, 1000}, {1000, 0, 0, 900}, {500, 800, 0, 800}, {-1500, 0, 0, 600}};
+const oracle::Balls scene = {{0, 0, 0, 1000}, {1000, 0, 0, 900}, {500, 800, 0, 800}, {-1500, 0, 0, 600}};
 
-double distance(const double a[3], const TestBall &b) {
-  return std::sqrt((a[0] - b.x) * (a[0] - b.x) + (a[1] - b.y) * (a[1] - b.y) + (a[2] - b.z) * (a[2] - b.z));
+double distance(const double a[3], const oracle::LatticeBall &b) {
+  const oracle::LatticePoint centre = centre_of(b);
+  return std::hypot(a[0] - static_cast<double>(centre[0]), a[1] - static_cast<double>(centre[1]),
+                    a[2] - static_cast<double>(centre[2]));
 }
 
 std::array<double, 3> coordinates(const BuiltBoundary &built, uint32_t vertex) {
@@ -31,8 +33,8 @@ TEST(BoundaryPositions, VerticesLieOnTheirSpheres) {
   for (uint32_t v = 0; v < 2; ++v) {
     const std::array<double, 3> xyz = coordinates(built, v);
     for (const uint32_t ball : built.boundary().vertex(v).ball) {
-      const TestBall &own = scene[built.balls().caller[ball]];
-      EXPECT_NEAR(distance(xyz.data(), own), own.radius, 1e-9);
+      const oracle::LatticeBall &own = scene[built.balls().caller[ball]];
+      EXPECT_NEAR(distance(xyz.data(), own), static_cast<double>(own.radius), 1e-9);
     }
   }
   EXPECT_EQ(coordinates(built, 0)[2], -coordinates(built, 1)[2]);
@@ -40,7 +42,7 @@ TEST(BoundaryPositions, VerticesLieOnTheirSpheres) {
 
 // What does not depend on ids: the same bits for all orders of the input, and angles that are those of the twins.
 TEST(BoundaryPositions, SameBitsInEveryOrder) {
-  const auto results_of = [](const std::vector<TestBall> &balls) {
+  const auto results_of = [](const oracle::Balls &balls) {
     BuiltBoundary built(balls);
     const hsp::Boundary &boundary = built.boundary();
     std::multiset<double> results;
@@ -66,8 +68,10 @@ TEST(BoundaryPositions, SameBitsInEveryOrder) {
     }
     return results;
   };
-  std::vector<TestBall> balls = scene;
-  const auto by_place = [](const TestBall &a, const TestBall &b) { return a.x != b.x ? a.x < b.x : a.y < b.y; };
+  oracle::Balls balls = scene;
+  const auto by_place = [](const oracle::LatticeBall &a, const oracle::LatticeBall &b) {
+    return a.x != b.x ? a.x < b.x : a.y < b.y;
+  };
   std::sort(balls.begin(), balls.end(), by_place);
   const std::multiset<double> results = results_of(balls);
   EXPECT_EQ(results.size(), 2U * 3 + 6 + 4);

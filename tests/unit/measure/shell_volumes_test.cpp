@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "built_topology.hpp"
+#include "point_lattices.hpp"
 #include "random_balls.hpp"
 
 namespace {
@@ -17,18 +18,9 @@ using hsp::TopologyViolation;
 
 constexpr double pi = std::numbers::pi;
 
-// Balls around all integer points at distance 3 from the origin, times scale: a closed wall if their radius is 1.9
-// times the scale.
-std::vector<TestBall> cage(double scale, double radius) {
-  std::vector<TestBall> balls;
-  for (int x = -3; x <= 3; ++x) {
-    for (int y = -3; y <= 3; ++y) {
-      for (int z = -3; z <= 3; ++z) {
-        if (x * x + y * y + z * z == 9) balls.push_back({scale * x, scale * y, scale * z, radius});
-      }
-    }
-  }
-  return balls;
+// A closed wall.
+oracle::Balls cage_of_30() {
+  return oracle::balls_on_sphere(3, 1000, 1900);
 }
 
 BallMeasure shell_of(BuiltTopology &built, uint32_t shell) {
@@ -39,7 +31,7 @@ TopologyViolation checked(BuiltTopology &built) {
 }
 
 TEST(ShellMeasures, OfOneBall) {
-  BuiltTopology built(std::vector<TestBall>{{5, 6, 7, 1000}});
+  BuiltTopology built(oracle::Balls{{5, 6, 7, 1000}});
   const BallMeasure measure = shell_of(built, 0);
   EXPECT_NEAR(measure.area, 4e6 * pi, 1e-8);
   EXPECT_NEAR(measure.volume, 4e9 / 3 * pi, 1e-5);
@@ -48,7 +40,7 @@ TEST(ShellMeasures, OfOneBall) {
 
 // A lens-shaped pair and a ball inside a cage: three shells beside the cage's own two.
 TEST(ShellMeasures, SumToThoseOfTheBalls) {
-  std::vector<TestBall> balls = cage(1000, 1900);
+  oracle::Balls balls = cage_of_30();
   balls.push_back({0, 0, 0, 200});
   balls.push_back({20000, 0, 0, 1000});
   balls.push_back({21000, 300, 0, 900});
@@ -79,7 +71,7 @@ TEST(ShellMeasures, SumToThoseOfTheBalls) {
 
 // A face that is cut into several simple faces counts once.
 TEST(ShellMeasures, CountCutFacesOnce) {
-  BuiltTopology built(std::vector<TestBall>{{0, 0, 0, 1000}, {1000, 0, 0, 100}, {0, 1000, 0, 100}, {0, 0, -1000, 100}});
+  BuiltTopology built(oracle::Balls{{0, 0, 0, 1000}, {1000, 0, 0, 100}, {0, 1000, 0, 100}, {0, 0, -1000, 100}});
   ASSERT_EQ(built.status(), hsp::Status::ok);
   ASSERT_EQ(built.structure().shell_count, 1U);
   ASSERT_GT(built.structure().face_count, built.boundary().face_count() + 1);
@@ -98,7 +90,7 @@ TEST(ShellMeasures, CountCutFacesOnce) {
 }
 
 TEST(ShellMeasures, LawOfSigns) {
-  std::vector<TestBall> balls = cage(1000, 1900);
+  oracle::Balls balls = cage_of_30();
   balls.push_back({0, 0, 0, 200});
   BuiltTopology built(balls);
   ASSERT_EQ(built.status(), hsp::Status::ok);
@@ -121,15 +113,11 @@ TEST(ShellMeasures, LawOfSignsAllowsForRounding) {
     ASSERT_EQ(built.status(), hsp::Status::ok);
     ASSERT_EQ(checked(built).invariant, TopologyInvariant::none) << oracle::to_text(balls);
   }
-  BuiltTopology point(std::vector<TestBall>{{1, 2, 3, 0}});
+  BuiltTopology point(oracle::Balls{{1, 2, 3, 0}});
   EXPECT_EQ(shell_of(point, 0).area, 0.0);
   EXPECT_EQ(checked(point).invariant, TopologyInvariant::none);
   // Eight spheres that meet in the middle of their box wall a void of no volume.
-  std::vector<TestBall> box;
-  for (int corner = 0; corner < 8; ++corner) {
-    box.push_back({corner % 2 == 0 ? -2.0 : 2.0, corner / 2 % 2 == 0 ? -3.0 : 3.0, corner / 4 == 0 ? -6.0 : 6.0, 7});
-  }
-  BuiltTopology closed(box);
+  BuiltTopology closed(oracle::box_lattice({2, 2, 2}, {4, 6, 12}, 7));
   ASSERT_EQ(closed.status(), hsp::Status::ok);
   EXPECT_EQ(checked(closed).invariant, TopologyInvariant::none);
 }
@@ -140,7 +128,7 @@ struct Cell {
 };
 
 TEST(CellMeasures, OfACageWithABallInItAndOneOutside) {
-  std::vector<TestBall> balls = cage(1000, 1900);
+  oracle::Balls balls = cage_of_30();
   balls.push_back({0, 0, 0, 200});
   balls.push_back({20000, 0, 0, 1000});
   BuiltTopology built(balls);

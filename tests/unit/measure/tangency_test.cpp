@@ -11,7 +11,7 @@
 namespace {
 
 // Whether ball 0 of the set touches ball 1 freely from inside.
-bool touches(const std::vector<TestBall> &set) {
+bool touches(const oracle::Balls &set) {
   BuiltBoundary built(set);
   EXPECT_EQ(built.status(), hsp::Status::ok);
   hsp::CubeBlock all;
@@ -34,8 +34,8 @@ TEST(InnerTouching, TwoBalls) {
 
 // The point of touching is (5, 0, 0).
 TEST(InnerTouching, AThirdBallAtThePoint) {
-  const TestBall inner{3, 0, 0, 2};
-  const TestBall outer{0, 0, 0, 5};
+  const oracle::LatticeBall inner{3, 0, 0, 2};
+  const oracle::LatticeBall outer{0, 0, 0, 5};
   EXPECT_FALSE(touches({inner, outer, {6, 0, 0, 2}}));  // covers it
   EXPECT_TRUE(touches({inner, outer, {6, 0, 0, 1}}));   // its sphere goes through it
   EXPECT_TRUE(touches({inner, outer, {7, 0, 0, 1}}));
@@ -47,24 +47,24 @@ TEST(InnerTouching, AThirdBallAtThePoint) {
 
 // The largest balls of the lattice: the point has a denominator of nearly 2^30.
 TEST(InnerTouching, LargestNumbers) {
-  const double most = 0x1p30 - 1;
-  const double D = most - 1;  // 2^30 - 2
-  const TestBall inner{D, 0, 0, 1};
-  const TestBall outer{0, 0, 0, most};
+  constexpr int64_t most = (int64_t{1} << 30) - 1;
+  constexpr int64_t D = most - 1;  // 2^30 - 2
+  const oracle::LatticeBall inner{D, 0, 0, 1};
+  const oracle::LatticeBall outer{0, 0, 0, most};
   EXPECT_TRUE(touches({inner, outer}));
   EXPECT_TRUE(touches({inner, outer, {2 * most, 0, 0, most}}));
   EXPECT_FALSE(touches({inner, outer, {2 * most - 1, 0, 0, most}}));
   // (2, -1, 2)/3 of the radius, which is a multiple of 3.
-  const TestBall tilted{2 * (most - 3) / 3, -(most - 3) / 3, 2 * (most - 3) / 3, 3};
+  const oracle::LatticeBall tilted{2 * (most - 3) / 3, -(most - 3) / 3, 2 * (most - 3) / 3, 3};
   EXPECT_TRUE(touches({tilted, outer}));
-  const TestBall facing{4 * most / 3, -2 * most / 3, 4 * most / 3, most};
+  const oracle::LatticeBall facing{4 * most / 3, -2 * most / 3, 4 * most / 3, most};
   EXPECT_TRUE(touches({tilted, outer, facing}));
   EXPECT_FALSE(touches({tilted, outer, {facing.x - 1, facing.y, facing.z, most}}));
   EXPECT_TRUE(touches({tilted, outer, {facing.x + 1, facing.y, facing.z, most}}));
 }
 
 // The pairs (inner, outer) by the caller's indices.
-std::vector<std::pair<uint32_t, uint32_t>> contacts(const std::vector<TestBall> &set) {
+std::vector<std::pair<uint32_t, uint32_t>> contacts(const oracle::Balls &set) {
   BuiltBoundary built(set);
   EXPECT_EQ(built.status(), hsp::Status::ok);
   std::vector<std::pair<uint32_t, uint32_t>> found;

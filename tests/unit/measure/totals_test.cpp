@@ -12,7 +12,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 // A lens and a ball apart, in an order that is not that of the grid.
-const std::vector<TestBall> scene = {{9000, 0, 0, 1000}, {600, 0, 0, 500}, {0, 0, 0, 500}, {0, 0, 0, 100}};
+const oracle::Balls scene = {{9000, 0, 0, 1000}, {600, 0, 0, 500}, {0, 0, 0, 500}, {0, 0, 0, 100}};
 // Each cap of the lens has height 200.
 constexpr double lens_area = 2 * (4 * pi * 500 * 500 - 2 * pi * 500 * 200);
 constexpr double lens_volume = 2 * (4.0 / 3 * pi * 500 * 500 * 500 - pi * 200 * 200 * (3 * 500 - 200) / 3);
@@ -52,7 +52,7 @@ TEST(MeasureUnion, LeavesOutWhatIsNotSelected) {
 
 class Energies {
  public:
-  hsp::Energy of(const std::vector<TestBall> &balls) {
+  hsp::Energy of(const oracle::Balls &balls) {
     BuiltBoundary built(balls);
     EXPECT_EQ(built.status(), hsp::Status::ok);
     gradients.clear();
@@ -82,22 +82,22 @@ TEST(DifferentiateEnergy, ValueOfWeightedAreasAndVolume) {
 
 TEST(DifferentiateEnergy, AgreesWithDifferences) {
   const double weight[3] = {1.5, 1.0, 2.5};
-  const std::vector<TestBall> balls = {
+  const oracle::Balls balls = {
       {0, 0, 0, 5000000}, {6000000, 1000000, 0, 4500000}, {2000000, 5500000, 1000000, 4000000}};
   Energies energies;
   energies.terms = {{weight, hsp::TouchingBalls::meet}, 1.25, 1e-7};
   energies.of(balls);
   const std::vector<hsp::EnergyGradient> gradients = energies.gradients;
-  constexpr double h = 100;  // steps
+  constexpr int64_t h = 100;  // steps
   double shift_sum[3] = {0, 0, 0};
   for (uint32_t i = 0; i < 3; ++i) {
     for (uint32_t k = 0; k < 4; ++k) {
-      const auto value_at = [&](double by) {
-        std::vector<TestBall> moved = balls;
+      const auto value_at = [&](int64_t by) {
+        oracle::Balls moved = balls;
         (k == 0 ? moved[i].x : k == 1 ? moved[i].y : k == 2 ? moved[i].z : moved[i].radius) += by;
         return energies.of(moved).value;
       };
-      const double difference = (value_at(h) - value_at(-h)) / (2 * h);
+      const double difference = (value_at(h) - value_at(-h)) / static_cast<double>(2 * h);
       const double derivative = k < 3 ? gradients[i].centre[k] : gradients[i].radius;
       EXPECT_NEAR(derivative, difference, 1e-6 * (std::fabs(derivative) + 1e7)) << i << " " << k;
       if (k < 3) shift_sum[k] += derivative;

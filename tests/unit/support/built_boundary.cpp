@@ -1,19 +1,17 @@
 #include "built_boundary.hpp"
 
-BuiltBoundary::BuiltBoundary(const std::vector<TestBall> &balls) {
+#include "lattice_lengths.hpp"
+
+BuiltBoundary::BuiltBoundary(const oracle::Balls &balls) {
   const uint32_t n = static_cast<uint32_t>(balls.size());
-  std::vector<double> xyz, radius;
-  for (const TestBall &ball : balls) {
-    xyz.insert(xyz.end(), {ball.x, ball.y, ball.z});
-    radius.push_back(ball.radius);
-  }
+  const support::BallList list = oracle::in_lengths(balls, 1);
   hsp::Workspace measured;
   grid_.carve(measured, n);
   grid_memory_.resize(measured.bytes());
   hsp::Workspace grid_workspace(grid_memory_.data(), grid_memory_.size());
   grid_.carve(grid_workspace, n);
   uint32_t first_bad = 0;
-  status_ = grid_.build({n, xyz.data(), radius.data(), 0.0, 1.0}, first_bad);
+  status_ = grid_.build({n, list.xyz.data(), list.radius.data(), 0.0, 1.0}, first_bad);
   if (status_ != hsp::Status::ok) return;
 
   const hsp::BoundaryLimits limits{n, n, 8 * n * n, n * n};

@@ -5,16 +5,13 @@
 #include <vector>
 
 #include "boundary/boundary_builder.hpp"
+#include "lattice_ball.hpp"
 #include "model/cube_grid.hpp"
-
-struct TestBall {
-  double x, y, z, radius;
-};
 
 class BuiltBoundary {
  public:
   // Lattice step 1, so that the numbers stand for themselves.
-  explicit BuiltBoundary(const std::vector<TestBall> &balls);
+  explicit BuiltBoundary(const oracle::Balls &balls);
 
   const hsp::CubeGrid &grid() const { return grid_; }
   const hsp::BallSet &balls() const { return grid_.balls(); }

@@ -2,24 +2,7 @@
 
 #include <algorithm>
 
-namespace {
-
-std::vector<TestBall> on_lattice_of_step_one(const oracle::Balls &balls) {
-  std::vector<TestBall> result;
-  for (const oracle::LatticeBall &ball : balls) {
-    result.push_back({static_cast<double>(ball.x), static_cast<double>(ball.y), static_cast<double>(ball.z),
-                      static_cast<double>(ball.radius)});
-  }
-  return result;
-}
-
-}  // namespace
-
-BuiltTopology::BuiltTopology(const std::vector<TestBall> &balls) : boundary_(balls) {
-  build();
-}
-
-BuiltTopology::BuiltTopology(const oracle::Balls &balls) : boundary_(on_lattice_of_step_one(balls)) {
+BuiltTopology::BuiltTopology(const oracle::Balls &balls) : boundary_(balls) {
   build();
 }
 

@@ -2,12 +2,10 @@
 #pragma once
 
 #include "built_boundary.hpp"
-#include "lattice_ball.hpp"
 #include "topology/topology_builder.hpp"
 
 class BuiltTopology {
  public:
-  explicit BuiltTopology(const std::vector<TestBall> &balls);
   explicit BuiltTopology(const oracle::Balls &balls);
 
   const hsp::CubeGrid &grid() const { return boundary_.grid(); }

@@ -65,13 +65,13 @@ void expect_within_arrays(BuiltTopology &built) {
 
 TEST(TopologyMemory, SetsFillWhatTheyNeed) {
   // Nothing but whole spheres: as many shells as there may be. Nothing but lenses: as many vertices.
-  std::vector<TestBall> apart, lenses;
+  oracle::Balls apart, lenses;
   for (int k = 0; k < 20; ++k) {
-    apart.push_back({100.0 * k, 7.0 * k, 0, 3});
-    lenses.push_back({100.0 * k, 0, 0, 10});
-    lenses.push_back({100.0 * k + 12, 0, 5, 10});
+    apart.push_back({100 * k, 7 * k, 0, 3});
+    lenses.push_back({100 * k, 0, 0, 10});
+    lenses.push_back({100 * k + 12, 0, 5, 10});
   }
-  for (const auto &balls : {std::vector<TestBall>{}, apart, lenses, {{0, 0, 0, 0}}}) {
+  for (const auto &balls : {oracle::Balls{}, apart, lenses, {{0, 0, 0, 0}}}) {
     BuiltTopology built(balls);
     ASSERT_EQ(built.status(), hsp::Status::ok);
     expect_within_arrays(built);
@@ -99,13 +99,13 @@ TEST(TopologyLimits, DefaultsForANumberOfBalls) {
 
 // A whole sphere, a lens, and a ball with three studs, whose face has three loops.
 TEST(TopologyLimits, ForOneBoundary) {
-  BuiltTopology built(std::vector<TestBall>{{0, 0, 0, 1000},
-                                            {1000, 0, 0, 100},
-                                            {0, 1000, 0, 100},
-                                            {0, 0, -1000, 100},
-                                            {5000, 0, 0, 500},
-                                            {5600, 0, 0, 500},
-                                            {9000, 0, 0, 500}});
+  BuiltTopology built(oracle::Balls{{0, 0, 0, 1000},
+                                    {1000, 0, 0, 100},
+                                    {0, 1000, 0, 100},
+                                    {0, 0, -1000, 100},
+                                    {5000, 0, 0, 500},
+                                    {5600, 0, 0, 500},
+                                    {9000, 0, 0, 500}});
   ASSERT_EQ(built.status(), hsp::Status::ok);
   const TopologyLimits limits = hsp::limits_for(built.balls(), built.boundary(), 3);
   EXPECT_EQ(limits.balls, 7U);

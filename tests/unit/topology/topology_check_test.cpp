@@ -11,6 +11,8 @@
 #include "boundary/half_edge_links.hpp"
 #include "built_topology.hpp"
 #include "measure/shell_volumes.hpp"
+#include "point_lattices.hpp"
+#include "set_arrangements.hpp"
 
 namespace {
 
@@ -21,15 +23,8 @@ using hsp::TopologyViolation;
 
 // A cage of 30 balls with a void (all integer points at distance 3, times 1000), and in the void a lens of two balls; a
 // ball with three bumps, whose face with three loops is cut; a ball on its own; a second cage of six with a void.
-std::vector<TestBall> scene() {
-  std::vector<TestBall> balls;
-  for (int x = -3; x <= 3; ++x) {
-    for (int y = -3; y <= 3; ++y) {
-      for (int z = -3; z <= 3; ++z) {
-        if (x * x + y * y + z * z == 9) balls.push_back({1000.0 * x, 1000.0 * y, 1000.0 * z, 1900});
-      }
-    }
-  }
+oracle::Balls scene() {
+  oracle::Balls balls = oracle::balls_on_sphere(3, 1000, 1900);
   balls.push_back({0, 0, 0, 300});
   balls.push_back({0, 200, 100, 250});
   balls.push_back({20000, 0, 0, 1000});
@@ -37,12 +32,7 @@ std::vector<TestBall> scene() {
   balls.push_back({20000, 1000, 0, 150});
   balls.push_back({20000, 600, 800, 120});
   balls.push_back({0, 20000, 0, 777});
-  for (int axis = 0; axis < 3; ++axis) {
-    for (const double at : {-1000.0, 1000.0}) {
-      balls.push_back({axis == 0 ? at : 0, axis == 1 ? at - 20000 : -20000, axis == 2 ? at : 0, 850});
-    }
-  }
-  return balls;
+  return joined(balls, oracle::moved(oracle::balls_on_sphere(1, 1000, 850), {0, -20000, 0}));
 }
 
 TopologyViolation checked(BuiltTopology &built) {

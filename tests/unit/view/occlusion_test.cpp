@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 
 #include "built_boundary.hpp"
+#include "random_balls.hpp"
 
 namespace {
 
@@ -46,7 +46,7 @@ hsp::ViewFrame frame_for(const hsp::BallSet &balls, double x, double y, double z
 }
 
 // How many of the balls are found hidden; each of these is looked at in 400 points up to its rim.
-uint32_t count_hidden(const std::vector<TestBall> &set, double x, double y, double z) {
+uint32_t count_hidden(const oracle::Balls &set, double x, double y, double z) {
   const BuiltBoundary built(set);
   const hsp::BallSet &balls = built.balls();
   const hsp::ViewFrame frame = frame_for(balls, x, y, z);
@@ -67,17 +67,15 @@ uint32_t count_hidden(const std::vector<TestBall> &set, double x, double y, doub
   return hidden;
 }
 
-std::vector<TestBall> random_set(std::mt19937_64 &random, uint32_t n, int side, int smallest, int largest) {
-  std::vector<TestBall> set;
-  const auto in = [&random](int low, int high) {
-    return static_cast<double>(low + static_cast<int>(random() % static_cast<unsigned>(high - low + 1)));
-  };
-  for (uint32_t k = 0; k < n; ++k) set.push_back({in(0, side), in(0, side), in(0, side), in(smallest, largest)});
+oracle::Balls random_set(oracle::RandomSource &random, uint32_t n, int side, int smallest, int largest) {
+  oracle::Balls set;
+  for (uint32_t k = 0; k < n; ++k)
+    set.push_back({random.in(0, side), random.in(0, side), random.in(0, side), random.in(smallest, largest)});
   return set;
 }
 
 TEST(OcclusionCuller, HidesOnlyWhatIsHidden) {
-  std::mt19937_64 random(17);
+  oracle::RandomSource random(17);
   uint32_t hidden = 0;
   for (int round = 0; round < 60; ++round) {
     const int smallest = round % 3 == 0 ? 100 : 20;
@@ -97,7 +95,7 @@ TEST(OcclusionCuller, BallsOnTheRimOfOthersStay) {
 }
 
 TEST(OcclusionCuller, NothingIsAboveTheHighest) {
-  for (const double r : {0.0, 1.0, 500.0}) {
+  for (const int64_t r : {0, 1, 500}) {
     EXPECT_EQ(count_hidden({{0, 0, 0, r}}, 0, 0, 1), 0U);
     EXPECT_EQ(count_hidden({{0, 0, 0, r}, {0, 0, 0, r}}, 0, 0, 1), 0U);
   }
@@ -106,9 +104,9 @@ TEST(OcclusionCuller, NothingIsAboveTheHighest) {
 
 // Behind a large ball all small ones are found, in front of it none.
 TEST(OcclusionCuller, FindsWhatLiesDeep) {
-  std::vector<TestBall> set{{0, 0, 0, 100000}};
+  oracle::Balls set{{0, 0, 0, 100000}};
   for (int k = -3; k <= 3; ++k) {
-    for (int l = -3; l <= 3; ++l) set.push_back({10000.0 * k, 10000.0 * l, -200000, 9000});
+    for (int l = -3; l <= 3; ++l) set.push_back({10000 * k, 10000 * l, -200000, 9000});
   }
   EXPECT_EQ(count_hidden(set, 0, 0, 1), 49U);
   EXPECT_EQ(count_hidden(set, 0, 0, -1), 0U);
@@ -116,11 +114,12 @@ TEST(OcclusionCuller, FindsWhatLiesDeep) {
 
 // Far from the origin of the lattice, and in sets so wide that the cells are larger than the balls.
 TEST(OcclusionCuller, LargeExtents) {
-  std::mt19937_64 random(23);
-  std::vector<TestBall> set = random_set(random, 60, 600, 100, 150);
-  for (TestBall &ball : set) ball.x += 0x1p49;
+  oracle::RandomSource random(23);
+  constexpr int64_t far = int64_t{1} << 49;
+  oracle::Balls set = random_set(random, 60, 600, 100, 150);
+  for (oracle::LatticeBall &ball : set) ball.x += far;
   EXPECT_GT(count_hidden(set, 0, 0, 1), 5U);
-  set.push_back({-0x1p49, 0x1p49, 0, 10});
+  set.push_back({-far, far, 0, 10});
   count_hidden(set, 0, 0, 1);
 }
 
