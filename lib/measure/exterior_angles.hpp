@@ -10,7 +10,7 @@ class ExteriorAngleSum {
  public:
   void add_angle(double angle) { angles_ += angle; }
 
-  // Two angles in [0, pi] by their directions: y >= +0, and a length in [2^-7, 2].
+  // Two angles in [0, pi] by their directions: y >= +0, and a length in [2^-7, 1] up to rounding.
   //
   // Whole turns are counted by half-planes, given by the sign of Y: the product (X, Y) is in the upper one for angles
   // in [0, pi], in the lower one for [pi, 2 pi], where pi is (-1, -0) and 2 pi is (1, -0), and a turn is complete when
@@ -26,7 +26,8 @@ class ExteriorAngleSum {
     x_ = X;
     y_ = Y;
   }
-  // To be called after at most 100 directions, so that the product does not vanish.
+  // To be called after at most 14 directions: together they are no shorter than 2^-98, so that the product stays above
+  // 2^-198 and does not vanish.
   void rescale() {
     constexpr double tiny = 0x1p-100;
     const LaneMask vanishing = (absolute(x_) < tiny) & (absolute(y_) < tiny);

@@ -87,6 +87,9 @@ constexpr CountedTopology counted_topologies[] = {
     {3, {{0, 0, 0, 100}, {0, 0, 100, 9}, {0, 0, -100, 9}}, 4, 6, 1, 2, 0, 2, 0},
     // The same between a circle and a loop of two arcs, where they end inside one arc.
     {4, {{0, 0, 0, 1000}, {1000, 0, 0, 1000}, {500, 800, 0, 1000}, {-1500, 0, 0, 600}}, 6, 9, 1, 2, 0, 2, 1},
+    // Between two circles, of which one is not cut where it has its halves.
+    {3, {{0, 0, 0, 100}, {-100, 0, 0, 60}, {96, 28, 0, 9}}, 6, 8, 1, 1, 0, 2, 1},
+    {3, {{300, 300, 300, 100}, {220, 300, 360, 60}, {396, 328, 300, 9}}, 6, 8, 1, 1, 0, 2, 1},  // all in one cube
     // Two great circles that meet in both poles: four lunes, with half a bump on four of their sides.
     {3, {{0, 0, 0, 100}, {100, 0, 0, 9}, {0, 100, 0, 9}}, 6, 10, 1, 3, 0, 2, 1},
     {3, {{0, 0, 0, 550}, {1000, 0, 0, 550}, {500, 866, 0, 550}}, 12, 24, 1, 3, 0, 6, 3}};

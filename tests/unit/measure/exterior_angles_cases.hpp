@@ -1,0 +1,82 @@
+// Sums of angles that are multiples of 45 degrees, in every order, so that the product of the phases crosses the ends
+// of both half-planes exactly; and of angles close to 0 and 180 degrees.
+#pragma once
+
+#include <initializer_list>
+
+#include "cases.hpp"
+#include "measure/exterior_angles.hpp"
+
+namespace cases {
+
+constexpr double eighth_x[] = {0.5, 0.5, 0, -0.5, -0.5};
+constexpr double eighth_y[] = {0, 0.5, 0.5, 0.5, 0};
+
+// Every sequence of five angles in one lane, the same backwards in the other.
+inline uint32_t sums_of_eighths() {
+  for (uint32_t sequence = 0; sequence < 3125; ++sequence) {
+    uint32_t eighths[5], sum = 0;
+    for (uint32_t k = 0, rest = sequence; k < 5; ++k, rest /= 5) sum += eighths[k] = rest % 5;
+    hsp::ExteriorAngleSum angles;
+    for (uint32_t k = 0; k < 5; ++k) {
+      const uint32_t a = eighths[k], b = eighths[4 - k];
+      angles.add_directions(hsp::Lanes{eighth_x[a], eighth_x[b]}, hsp::Lanes{eighth_y[a], eighth_y[b]});
+    }
+    if (!near(angles.total(), 2 * sum * hsp::pi / 4, 1e-14)) return sequence;
+  }
+  return all_hold;
+}
+
+// Thousands of one angle, as short as a direction may be or not, rescaled as seldom as is allowed.
+inline uint32_t sums_of_many() {
+  for (uint32_t a = 0; a < 5; ++a) {
+    for (const double length : {0x1p-6, 1.0}) {
+      hsp::ExteriorAngleSum angles;
+      for (uint32_t k = 1; k <= 3001; ++k) {
+        angles.add_directions(hsp::all_lanes(length * eighth_x[a]), hsp::all_lanes(length * eighth_y[a]));
+        if (k % 14 == 0) angles.rescale();
+      }
+      if (!near(angles.total(), 2 * 3001 * a * hsp::pi / 4, 1e-11)) return a;
+    }
+  }
+  return all_hold;
+}
+
+// Next to 0 and next to 180 degrees, where rounding must not take a turn for none.
+struct NearEnds {
+  double x, y;
+};
+constexpr NearEnds near_ends[] = {{1, 0x1p-30},  {1, 0x1p-53},  {1, 0x1p-1000},  {1, 0},
+                                  {-1, 0x1p-30}, {-1, 0x1p-53}, {-1, 0x1p-1000}, {-1, 0},
+                                  {0x1p-30, 1},  {-0x1p-53, 1}, {-0.75, 0.5},    {0.625, 0.0078125}};
+
+inline uint32_t sums_next_to_half_turns() {
+  Random random(4);
+  for (uint32_t round = 0; round < 2000; ++round) {
+    hsp::ExteriorAngleSum angles;
+    double expected = 0.0;
+    for (uint32_t k = 0; k < 20; ++k) {
+      const NearEnds &a = near_ends[random.below(12)], &b = near_ends[random.below(12)];
+      angles.add_directions(hsp::Lanes{a.x, b.x}, hsp::Lanes{a.y, b.y});
+      expected += std::atan2(a.y, a.x) + std::atan2(b.y, b.x);
+    }
+    angles.add_angle(0.25);
+    if (!near(angles.total(), expected + 0.25, 1e-12)) return round;
+  }
+  return all_hold;
+}
+
+inline uint32_t sums_of_nothing() {
+  hsp::ExteriorAngleSum none, single;
+  single.add_angle(1.5);
+  single.add_angle(hsp::pi);
+  const bool conditions[] = {none.total() == 0.0, near(single.total(), 1.5 + hsp::pi, 1e-15)};
+  return first_false(conditions);
+}
+
+inline constexpr Check measure_exterior_angles[] = {{"sums_of_eighths", sums_of_eighths},
+                                                    {"sums_of_many", sums_of_many},
+                                                    {"sums_next_to_half_turns", sums_next_to_half_turns},
+                                                    {"sums_of_nothing", sums_of_nothing}};
+
+}  // namespace cases

@@ -1,0 +1,7 @@
+#include "positions_cases.hpp"
+
+#include "expect_cases.hpp"
+
+TEST(Positions, Cases) {
+  expect_cases(cases::measure_positions);
+}
