@@ -98,7 +98,7 @@ struct RingPosition {
 };
 constexpr RingPosition ring_positions[] = {{2, 1}, {2, -1}, {0, 1}, {0, -1}, {1, 1}, {1, -1}};
 
-inline void place_ring(const RingPosition &position, SmallBall (&balls)[8]) {
+inline void turn_ring(const RingPosition &position, SmallBall (&balls)[8]) {
   for (uint32_t k = 0; k < 8; ++k) {
     const int32_t from[3] = {ringed[k].x, ringed[k].y, position.sign * ringed[k].z};
     int32_t to[3];
@@ -110,7 +110,7 @@ inline void place_ring(const RingPosition &position, SmallBall (&balls)[8]) {
 inline uint32_t faces_of_highest_points() {
   return first_failing(ring_positions, [](const RingPosition &position) {
     SmallBall balls[8];
-    place_ring(position, balls);
+    turn_ring(position, balls);
     if (!small_union().build(balls, 8)) return false;
     const hsp::Boundary &boundary = small_union().boundary();
     const uint32_t own = small_union().grid().grid_index(0);
@@ -126,7 +126,7 @@ inline uint32_t faces_of_highest_points() {
 inline uint32_t faces_that_vertical_lines_enter() {
   return first_failing(ring_positions, [](const RingPosition &position) {
     SmallBall balls[8];
-    place_ring(position, balls);
+    turn_ring(position, balls);
     if (!small_union().build(balls, 8)) return false;
     const hsp::Boundary &boundary = small_union().boundary();
     const uint32_t own = small_union().grid().grid_index(0);

@@ -12,18 +12,18 @@ namespace cases {
 inline hsp::Vec3 centre_of(const hsp::BallSet &balls, uint32_t i) {
   return {balls.x[i], balls.y[i], balls.z[i]};
 }
-inline hsp::Vec3 place_of(const hsp::BallSet &balls, const hsp::Position &position) {
+inline hsp::Vec3 point_of(const hsp::BallSet &balls, const hsp::Position &position) {
   return centre_of(balls, position.ball) + position.offset;
 }
 inline double length_of(const hsp::Vec3 &a) {
   return std::sqrt(dot(a, a));
 }
 
-inline hsp::Vec3 place_of_vertex(SmallTopology &built, uint32_t vertex) {
-  return place_of(built.balls(), hsp::position_of_point(built.balls(), built.boundary(), built.topology(), vertex));
+inline hsp::Vec3 point_of_vertex(SmallTopology &built, uint32_t vertex) {
+  return point_of(built.balls(), hsp::position_of_point(built.balls(), built.boundary(), built.topology(), vertex));
 }
 
-struct PlacedEdge {
+struct DrawnEdge {
   hsp::Vec3 from, to, centre, axis;
   double radius, angle;
 
@@ -33,13 +33,13 @@ struct PlacedEdge {
     return centre + combine(std::cos(part * angle), arm, std::sin(part * angle), cross(axis, arm));
   }
 };
-inline PlacedEdge placed_edge(SmallTopology &built, uint32_t edge) {
+inline DrawnEdge drawn_edge(SmallTopology &built, uint32_t edge) {
   const hsp::Topology &topology = built.topology();
   const hsp::EdgeGeometry geometry = hsp::geometry_of_edge(built.balls(), built.boundary(), topology, edge);
   const uint32_t q = hsp::quarter_edge(edge);
-  return {place_of_vertex(built, topology.quads.origin(q)),
-          place_of_vertex(built, topology.quads.origin(hsp::sym(q))),
-          place_of(built.balls(), geometry.centre),
+  return {point_of_vertex(built, topology.quads.origin(q)),
+          point_of_vertex(built, topology.quads.origin(hsp::sym(q))),
+          point_of(built.balls(), geometry.centre),
           geometry.axis,
           geometry.radius,
           geometry.angle};
@@ -59,19 +59,19 @@ uint32_t first_failing_topology(Holds holds) {
   });
 }
 
-inline constexpr double place_tolerance = 1e-9;
+inline constexpr double point_tolerance = 1e-9;
 
 inline uint32_t edges_are_arcs_between_their_vertices() {
   return first_failing_topology([](const CountedTopology &c) {
     const hsp::BallSet &balls = small_topology().balls();
     const hsp::Topology &topology = small_topology().topology();
     for (uint32_t edge = 0; edge < topology.quads.edges; ++edge) {
-      const PlacedEdge placed = placed_edge(small_topology(), edge);
-      const hsp::Vec3 arm = placed.from - placed.centre;
-      if (!near(length_of(arm), placed.radius, place_tolerance) || !near(length_of(placed.axis), 1.0, 1e-14) ||
-          !near(dot(arm, placed.axis), 0.0, place_tolerance) ||
-          !near(length_of(placed.at(1.0) - placed.to), 0.0, place_tolerance) || placed.angle < 0.0 ||
-          placed.angle > 2 * hsp::pi) {
+      const DrawnEdge drawn = drawn_edge(small_topology(), edge);
+      const hsp::Vec3 arm = drawn.from - drawn.centre;
+      if (!near(length_of(arm), drawn.radius, point_tolerance) || !near(length_of(drawn.axis), 1.0, 1e-14) ||
+          !near(dot(arm, drawn.axis), 0.0, point_tolerance) ||
+          !near(length_of(drawn.at(1.0) - drawn.to), 0.0, point_tolerance) || drawn.angle < 0.0 ||
+          drawn.angle > 2 * hsp::pi) {
         return false;
       }
       const uint32_t q = hsp::quarter_edge(edge);
@@ -79,8 +79,8 @@ inline uint32_t edges_are_arcs_between_their_vertices() {
       const uint32_t right = topology.ball_of(small_topology().boundary(), topology.quads.left(hsp::sym(q)));
       for (const double part : {0.0, 0.25, 0.5, 1.0}) {
         for (uint32_t ball = 0; ball < c.n; ++ball) {
-          const double beyond = length_of(placed.at(part) - centre_of(balls, ball)) - balls.r[ball];
-          if (ball == left || ball == right ? !near(beyond, 0.0, place_tolerance) : beyond < -place_tolerance)
+          const double beyond = length_of(drawn.at(part) - centre_of(balls, ball)) - balls.r[ball];
+          if (ball == left || ball == right ? !near(beyond, 0.0, point_tolerance) : beyond < -point_tolerance)
             return false;
         }
       }
@@ -96,11 +96,11 @@ inline uint32_t faces_lie_on_the_left() {
     const hsp::BallSet &balls = small_topology().balls();
     const hsp::Topology &topology = small_topology().topology();
     for (uint32_t edge = 0; edge < topology.first_cut_edge; ++edge) {
-      const PlacedEdge placed = placed_edge(small_topology(), edge);
+      const DrawnEdge drawn = drawn_edge(small_topology(), edge);
       const uint32_t q = hsp::quarter_edge(edge);
       const uint32_t left = topology.ball_of(small_topology().boundary(), topology.quads.left(q));
       const uint32_t right = topology.ball_of(small_topology().boundary(), topology.quads.left(hsp::sym(q)));
-      if (dot(placed.axis, centre_of(balls, left) - centre_of(balls, right)) <= 0.0) return false;
+      if (dot(drawn.axis, centre_of(balls, left) - centre_of(balls, right)) <= 0.0) return false;
     }
     return true;
   });
@@ -157,9 +157,9 @@ inline uint32_t edges_in_closed_form() {
     if (!small_topology().build(c.ball, c.n)) return false;
     uint32_t found = 0;
     for (uint32_t edge = 0; edge < small_topology().topology().quads.edges; ++edge) {
-      const PlacedEdge placed = placed_edge(small_topology(), edge);
-      found += small_topology().topology().kind_of_edge(edge) == c.kind && near(placed.radius, c.radius, 1e-13) &&
-                       near(placed.angle, c.angle, 1e-13)
+      const DrawnEdge drawn = drawn_edge(small_topology(), edge);
+      found += small_topology().topology().kind_of_edge(edge) == c.kind && near(drawn.radius, c.radius, 1e-13) &&
+                       near(drawn.angle, c.angle, 1e-13)
                    ? 1U
                    : 0U;
     }
@@ -177,7 +177,7 @@ inline uint32_t same_bits_in_reverse() {
       const hsp::Topology &topology = small_topology().topology();
       if (topology.vertex_count != c.vertices || topology.quads.edges != c.edges || c.edges > 30) return false;
       for (uint32_t vertex = 0; vertex < c.vertices; ++vertex) {
-        const hsp::Vec3 at = place_of_vertex(small_topology(), vertex);
+        const hsp::Vec3 at = point_of_vertex(small_topology(), vertex);
         if (!again) vertices[vertex] = at;
         bool found = !again;
         for (uint32_t k = 0; again && k < c.vertices; ++k) {
@@ -186,14 +186,14 @@ inline uint32_t same_bits_in_reverse() {
         if (!found) return false;
       }
       for (uint32_t edge = 0; edge < c.edges; ++edge) {
-        const PlacedEdge placed = placed_edge(small_topology(), edge);
+        const DrawnEdge drawn = drawn_edge(small_topology(), edge);
         if (!again) {
-          angles[edge] = placed.angle;
-          radii[edge] = placed.radius;
+          angles[edge] = drawn.angle;
+          radii[edge] = drawn.radius;
         }
         bool found = !again;
         for (uint32_t k = 0; again && k < c.edges; ++k) {
-          found = found || (angles[k] == placed.angle && radii[k] == placed.radius);
+          found = found || (angles[k] == drawn.angle && radii[k] == drawn.radius);
         }
         if (!found) return false;
       }
