@@ -1,0 +1,269 @@
+// SVG files read back: sizes, texts, paths around circles known by hand, the order of paint, and gradients.
+#pragma once
+
+#include <initializer_list>
+
+#include "small_picture.hpp"
+#include "small_scenes.hpp"
+
+namespace cases {
+
+inline const PictureText &svg(const hsp::PictureOptions &options, const hsp::PictureInput &input) {
+  return written(hsp::write_svg, input, options);
+}
+
+// A page on which a step is two px if all that is seen is `width` steps wide.
+inline hsp::PictureOptions two_px_per_step(double width) {
+  hsp::PictureOptions options;
+  options.width = 2 * width;
+  options.margin = 0;
+  options.fog = 0;
+  return options;
+}
+
+// What the loops of a path run along, in px, y down. turn: +1 clockwise as it is seen.
+struct Loop {
+  double centre[2], semi_axis[2], rotation;
+  int turn;
+};
+// Ball 0 of two, outside the other one.
+struct Path {
+  uint32_t n;
+  SmallBall ball[2];
+  double width;  // steps
+  uint32_t loops;
+  Loop loop[2];  // in any order
+};
+constexpr Path paths[] = {
+    {1, {{3, 4, 5, 50}}, 100, 1, {{{100, 100}, {100, 100}, 0, -1}}},
+    {2, {{0, 0, 0, 50}, {0, 0, 60, 50}}, 100, 2, {{{100, 100}, {100, 100}, 0, -1}, {{100, 100}, {80, 80}, 0, 1}}},
+    {2, {{0, 0, 0, 50}, {48, 0, 64, 50}}, 148, 2, {{{100, 100}, {100, 100}, 0, -1}, {{148, 100}, {60, 48}, 90, 1}}},
+    {2, {{0, 0, 0, 50}, {0, 48, 64, 50}}, 100, 2, {{{100, 196}, {100, 100}, 0, -1}, {{100, 148}, {60, 48}, 0, 1}}},
+    // The circle's axis is (.36, .48, .8).
+    {2,
+     {{0, 0, 0, 250}, {144, 192, 320, 250}},
+     644,
+     2,
+     {{{500, 884}, {500, 500}, 0, -1}, {{644, 692}, {300, 240}, 36.8699, 1}}}};
+
+// Reads one loop, from M to Z, and holds it against the ellipse that it should run along.
+inline bool reads_loop(TextReader &reader, const Loop &loop) {
+  constexpr double rounding = .006;
+  double from[2], arc[7];
+  const double angle = loop.rotation * hsp::pi / 180;
+  // From the centre, where the ellipse is the unit circle.
+  const auto on_circle = [&](const double point[2], double(&result)[2]) {
+    const double x = point[0] - loop.centre[0], y = point[1] - loop.centre[1];
+    result[0] = (std::cos(angle) * x + std::sin(angle) * y) / loop.semi_axis[0];
+    result[1] = (std::cos(angle) * y - std::sin(angle) * x) / loop.semi_axis[1];
+    return near(std::sqrt(result[0] * result[0] + result[1] * result[1]), 1, 2 * rounding / loop.semi_axis[1]);
+  };
+  if (!reader.take("M") || !reader.numbers(from)) return false;
+  double a[2], b[2], total = 0;
+  if (!on_circle(from, a)) return false;
+  while (reader.take("A")) {
+    if (!reader.numbers(arc) || !near(arc[0], loop.semi_axis[0], rounding) ||
+        !near(arc[1], loop.semi_axis[1], rounding))
+      return false;
+    const bool round = loop.semi_axis[0] == loop.semi_axis[1];
+    if (!round && !near(arc[2], loop.rotation, .01) && !near(arc[2], loop.rotation - 180, .01)) return false;
+    // No large arc, and the sweep as it is with y down.
+    if (arc[3] != 0 || arc[4] != (loop.turn > 0 ? 1 : 0) || !on_circle(arc + 5, b)) return false;
+    const double turn = std::atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]);
+    if (turn * loop.turn <= 0) return false;
+    total += turn;
+    a[0] = b[0];
+    a[1] = b[1];
+  }
+  return near(total, 2 * hsp::pi * loop.turn, 1e-3) && arc[5] == from[0] && arc[6] == from[1] && reader.take("Z");
+}
+
+inline uint32_t paths_run_along_circles() {
+  return first_failing(paths, [](const Path &c) {
+    if (!small_view().succeeds(c.ball, c.n, {{}, hsp::PieceKind::outside_all, true})) return false;
+    TextReader reader(svg(two_px_per_step(c.width), picture_input()).text);
+    if (!reader.find("<path data-ball=\"0\" fill=\"#d2cdc3\" d=\"")) return false;
+    uint32_t found = 0;
+    for (uint32_t l = 0; l < c.loops; ++l) {
+      for (uint32_t k = 0; k < c.loops; ++k) {
+        TextReader trial = reader;
+        if (!reads_loop(trial, c.loop[k])) continue;
+        reader = trial;
+        found |= UINT32_C(1) << k;
+        break;
+      }
+    }
+    return found + 1 == UINT32_C(1) << c.loops && reader.take("\"/>");
+  });
+}
+
+// Every loop of every path ends where it starts, digit by digit, and all numbers can be read.
+inline uint32_t loops_are_closed() {
+  return first_failing(scenes, [](const Scene &c) {
+    if (!small_view().succeeds(c.ball, c.n, seen_from(3, 1, 2))) return false;
+    TextReader reader(svg({}, picture_input()).text);
+    uint32_t loops = 0;
+    while (reader.find(" d=\"")) {
+      do {
+        double start[2], at[2], arc[5];
+        if (!reader.take("M") || !reader.numbers(start)) return false;
+        while (!reader.take("Z")) {
+          const bool line = reader.take("L");
+          if (!line && (!reader.take("A") || !reader.numbers(arc) || arc[3] != 0)) return false;
+          if (!reader.numbers(at)) return false;
+        }
+        if (at[0] != start[0] || at[1] != start[1]) return false;
+        ++loops;
+      } while (!reader.take("\"/>"));
+    }
+    return loops == small_view().view().loops.size();
+  });
+}
+
+// Parts of files about one ball, and what stands nowhere in them.
+struct Parts {
+  double width;
+  bool millimetres, ids, backdrop;
+  double outline;
+  const char *title, *description;
+  const char *present[4];
+  const char *absent[3];
+};
+constexpr Parts parts[] = {
+    {300,
+     false,
+     true,
+     true,
+     1.5,
+     nullptr,
+     nullptr,
+     {" width=\"300px\" height=\"300px\" viewBox=\"0 0 300 300\">",
+      "<rect width=\"300\" height=\"300\" fill=\"#fedcba\"/>", "<path data-ball=\"0\" fill=\"#00ff7f\"",
+      "<g stroke=\"#010203\" stroke-width=\"1.5\""},
+     {"<title", "<desc", "Gradient"}},
+    // An inch.
+    {25.4,
+     true,
+     true,
+     false,
+     25.4,
+     "",
+     "",
+     {" width=\"25.4mm\" height=\"25.4mm\" viewBox=\"0 0 96 96\">", "stroke-width=\"96\"", "data-ball", "<g stroke"},
+     {"<title", "<desc", "<rect"}},
+    {40,
+     false,
+     false,
+     false,
+     0,
+     "a<b & \"c\"",
+     "1 > 0\x01",
+     {"<title>a&lt;b &amp; &quot;c&quot;</title>", "<desc>1 &gt; 0?</desc>", "<path fill=\"#00ff7f\"", "<g>"},
+     {"data-ball", "<rect", "stroke"}}};
+
+inline uint32_t parts_of_files() {
+  return first_failing(parts, [](const Parts &c) {
+    constexpr SmallBall ball{0, 0, 0, 10};
+    constexpr uint32_t colour[] = {0x00FF7F};
+    if (!small_view().succeeds(&ball, 1)) return false;
+    hsp::PictureOptions options;
+    options.width = c.width;
+    options.millimetres = c.millimetres;
+    options.ids = c.ids;
+    options.backdrop = c.backdrop;
+    options.background = 0xFEDCBA;
+    options.outline = c.outline;
+    options.outline_colour = 0x010203;
+    const PictureText &text = svg(options, picture_input(colour, c.title, c.description));
+    for (const char *part : c.present) {
+      if (text.count(part) != 1) return false;
+    }
+    for (const char *part : c.absent) {
+      if (text.count(part) != 0) return false;
+    }
+    return text.count("<svg ") == 1 && std::strcmp(text.text + text.size - 7, "</svg>\n") == 0 &&
+           text.count("<g") == text.count("</g>");
+  });
+}
+
+// Balls behind each other: farthest first; a group for each colour of lines.
+constexpr SmallBall row[] = {{0, 0, 40, 10}, {15, 5, 80, 10}, {30, 0, 0, 10}, {45, 0, 80, 10}};
+constexpr uint32_t in_order[] = {2, 0, 1, 3};
+
+inline uint32_t farthest_is_painted_first() {
+  constexpr double fogs[] = {0, .5};
+  return first_failing(fogs, [](double fog) {
+    if (!small_view().succeeds(row, 4)) return false;
+    hsp::PictureOptions options;
+    options.fog = fog;
+    const PictureText &text = svg(options, picture_input());
+    TextReader reader(text.text);
+    for (const uint32_t ball : in_order) {
+      double number;
+      if (!reader.find("data-ball=\"") || !reader.number(number) || number != ball) return false;
+    }
+    const uint32_t groups = fog > 0 ? 3 : 1;
+    return text.count("<g ") == groups && text.count("</g>") == groups && text.count("<path") == 4;
+  });
+}
+
+// Each ball has a gradient of its own, with its centre and radius, which refers to the shade's.
+inline uint32_t gradients() {
+  constexpr hsp::PictureStyle shaded[] = {hsp::PictureStyle::headlight, hsp::PictureStyle::soft};
+  return first_failing(shaded, [](hsp::PictureStyle style) {
+    constexpr uint32_t colour[] = {7, 8, 9, 8};
+    if (!small_view().succeeds(row, 4)) return false;
+    hsp::PictureOptions options = two_px_per_step(65);
+    options.style = style;
+    const PictureText &text = svg(options, picture_input(colour));
+    if (text.count("<radialGradient id=\"g") != 3 || text.count("<radialGradient id=\"b") != 4) return false;
+    uint32_t colour_of[3] = {};
+    TextReader shades(text.text);
+    // Soft light comes from the left and from above, where y is less.
+    const bool soft = style == hsp::PictureStyle::soft;
+    double focus[2];
+    if (!shades.find(" cx=\"0\" cy=\"0\" r=\"1\" fx=\"") || !shades.number(focus[0])) return false;
+    if (!shades.take("\" fy=\"") || !shades.number(focus[1])) return false;
+    if (soft ? focus[0] >= 0 || focus[1] >= 0 : focus[0] != 0 || focus[1] != 0) return false;
+    if (text.count("<stop offset=\"") != 3 * (soft ? 13 : 17)) return false;
+    if (text.count("<stop offset=\"0\"") != 3 || text.count("<stop offset=\"1\"") != 3) return false;
+    TextReader reader(text.text);
+    for (uint32_t p = 0; p < 4; ++p) {
+      const uint32_t ball = in_order[p];
+      double id, shade, transform[2], radius;
+      if (!reader.find("<radialGradient id=\"b") || !reader.number(id) || id != p) return false;
+      if (!reader.take("\" xlink:href=\"#g") || !reader.number(shade) || shade >= 3) return false;
+      if (!reader.take("\" gradientTransform=\"translate(") || !reader.numbers(transform)) return false;
+      if (!reader.take(")scale(") || !reader.number(radius) || radius != 20) return false;
+      if (transform[0] != 2 * (row[ball].x + 10) || transform[1] != 2 * (15 - row[ball].y)) return false;
+      // The same shade for the same colour.
+      uint32_t &known = colour_of[static_cast<uint32_t>(shade)];
+      if (known != 0 && known != colour[ball]) return false;
+      known = colour[ball];
+    }
+    for (uint32_t p = 0; p < 4; ++p) {
+      double id;
+      if (!reader.find(" fill=\"url(#b") || !reader.number(id) || id != p) return false;
+    }
+    return text.count("xmlns:xlink=\"http://www.w3.org/1999/xlink\"") == 1;
+  });
+}
+
+// Renderers fail on a scale of 0, which the radius of a small ball would be rounded to.
+inline uint32_t no_radius_is_0() {
+  constexpr SmallBall balls[] = {{0, 0, 0, 1000000}, {3000000, 0, 0, 1}};
+  hsp::PictureOptions options;
+  options.style = hsp::PictureStyle::soft;
+  if (!small_view().succeeds(balls, 2)) return 0;
+  const PictureText &text = svg(options, picture_input());
+  return text.count(")scale(.01)") == 1 && text.count(")scale(0)") == 0 ? all_hold : 1;
+}
+
+inline constexpr Check picture_svg_writer[] = {{"paths_run_along_circles", paths_run_along_circles},
+                                               {"loops_are_closed", loops_are_closed},
+                                               {"parts_of_files", parts_of_files},
+                                               {"farthest_is_painted_first", farthest_is_painted_first},
+                                               {"gradients", gradients},
+                                               {"no_radius_is_0", no_radius_is_0}};
+
+}  // namespace cases
