@@ -7,7 +7,7 @@ namespace cases {
 
 constexpr double inch = 96;  // px
 
-struct Layout {
+struct PageLayout {
   uint32_t n;
   SmallBall ball[2];
   bool millimetres;
@@ -15,33 +15,34 @@ struct Layout {
   double px_width, px_height, px_scale;
   double middle[2];  // of the box, from the middle of the centres
 };
-constexpr Layout layouts[] = {{1, {{7, 8, 9, 10}}, false, 120, 0, .1, 120, 120, 5, {0, 0}},
-                              {1, {{7, 8, 9, 10}}, false, 0, 48, .1, 48, 48, 2, {0, 0}},
-                              {1, {{7, 8, 9, 10}}, false, 240, 48, .1, 240, 48, 2, {0, 0}},
-                              {1, {{7, 8, 9, 10}}, false, 40, 48, 0, 40, 48, 2, {0, 0}},
-                              // The margin goes by the longer side: 6 around 60 x 20.
-                              {2, {{0, 0, 0, 10}, {40, 0, 0, 10}}, false, 144, 0, .1, 144, 64, 2, {0, 0}},
-                              {2, {{0, 0, 0, 10}, {40, 0, 0, 10}}, false, 0, 64, .1, 144, 64, 2, {0, 0}},
-                              {2, {{0, 0, 0, 10}, {0, 40, 0, 10}}, false, 64, 0, .1, 64, 144, 2, {0, 0}},
-                              {2, {{0, 0, 0, 10}, {0, 40, 0, 10}}, false, 640, 72, .1, 640, 72, 1, {0, 0}},
-                              // The middle of the box is that of the silhouettes, not that of the centres.
-                              {2, {{0, 0, 0, 10}, {40, 30, 70, 20}}, false, 140, 0, 0, 140, 120, 2, {5, 5}},
-                              // An inch has 25.4 mm.
-                              {1, {{0, 0, 0, 10}}, true, 127, 0, .1, 5 * inch, 5 * inch, 20, {0, 0}},
-                              {1, {{0, 0, 0, 10}}, true, 0, 25.4, .1, inch, inch, 4, {0, 0}},
-                              // Sides from .01 to 1e6, the one that follows included.
-                              {1, {{0, 0, 0, 10}}, false, 1e9, 0, 0, 1e6, 1e6, 5e4, {0, 0}},
-                              {1, {{0, 0, 0, 10}}, false, 1e-9, 0, 0, .01, .01, 5e-4, {0, 0}},
-                              {2, {{0, 0, 0, 1}, {19999998, 0, 0, 1}}, false, 1000, 0, 0, 1000, .01, 5e-5, {0, 0}},
-                              {2, {{0, 0, 0, 1}, {0, 19999998, 0, 1}}, false, 1000, 0, 0, 1000, 1e6, .05, {0, 0}},
-                              {2, {{0, 0, 0, 1}, {0, 19999998, 0, 1}}, false, 0, 1000, 0, .01, 1000, 5e-5, {0, 0}},
-                              // Nothing to be seen.
-                              {0, {}, false, 300, 0, .1, 300, 300, 0, {0, 0}},
-                              {0, {}, false, 0, 200, .1, 200, 200, 0, {0, 0}},
-                              {0, {}, false, 300, 200, .1, 300, 200, 0, {0, 0}}};
+constexpr PageLayout page_layouts[] = {
+    {1, {{7, 8, 9, 10}}, false, 120, 0, .1, 120, 120, 5, {0, 0}},
+    {1, {{7, 8, 9, 10}}, false, 0, 48, .1, 48, 48, 2, {0, 0}},
+    {1, {{7, 8, 9, 10}}, false, 240, 48, .1, 240, 48, 2, {0, 0}},
+    {1, {{7, 8, 9, 10}}, false, 40, 48, 0, 40, 48, 2, {0, 0}},
+    // The margin goes by the longer side: 6 around 60 x 20.
+    {2, {{0, 0, 0, 10}, {40, 0, 0, 10}}, false, 144, 0, .1, 144, 64, 2, {0, 0}},
+    {2, {{0, 0, 0, 10}, {40, 0, 0, 10}}, false, 0, 64, .1, 144, 64, 2, {0, 0}},
+    {2, {{0, 0, 0, 10}, {0, 40, 0, 10}}, false, 64, 0, .1, 64, 144, 2, {0, 0}},
+    {2, {{0, 0, 0, 10}, {0, 40, 0, 10}}, false, 640, 72, .1, 640, 72, 1, {0, 0}},
+    // The middle of the box is that of the silhouettes, not that of the centres.
+    {2, {{0, 0, 0, 10}, {40, 30, 70, 20}}, false, 140, 0, 0, 140, 120, 2, {5, 5}},
+    // An inch has 25.4 mm.
+    {1, {{0, 0, 0, 10}}, true, 127, 0, .1, 5 * inch, 5 * inch, 20, {0, 0}},
+    {1, {{0, 0, 0, 10}}, true, 0, 25.4, .1, inch, inch, 4, {0, 0}},
+    // Sides from .01 to 1e6, the one that follows included.
+    {1, {{0, 0, 0, 10}}, false, 1e9, 0, 0, 1e6, 1e6, 5e4, {0, 0}},
+    {1, {{0, 0, 0, 10}}, false, 1e-9, 0, 0, .01, .01, 5e-4, {0, 0}},
+    {2, {{0, 0, 0, 1}, {19999998, 0, 0, 1}}, false, 1000, 0, 0, 1000, .01, 5e-5, {0, 0}},
+    {2, {{0, 0, 0, 1}, {0, 19999998, 0, 1}}, false, 1000, 0, 0, 1000, 1e6, .05, {0, 0}},
+    {2, {{0, 0, 0, 1}, {0, 19999998, 0, 1}}, false, 0, 1000, 0, .01, 1000, 5e-5, {0, 0}},
+    // Nothing to be seen.
+    {0, {}, false, 300, 0, .1, 300, 300, 0, {0, 0}},
+    {0, {}, false, 0, 200, .1, 200, 200, 0, {0, 0}},
+    {0, {}, false, 300, 200, .1, 300, 200, 0, {0, 0}}};
 
 inline uint32_t sizes_of_pages() {
-  return first_failing(layouts, [](const Layout &c) {
+  return first_failing(page_layouts, [](const PageLayout &c) {
     if (!small_view().succeeds(c.ball, c.n)) return false;
     hsp::PictureOptions options;
     options.millimetres = c.millimetres;
@@ -75,26 +76,26 @@ inline uint32_t sizes_of_pages() {
 }
 
 // A ball of radius 10 on a page as wide as it is: the options' outline and the width of the lines.
-struct Line {
+struct PageLine {
   double page_width;
   bool millimetres;
   double outline, line;
 };
-constexpr Line lines[] = {{100, false, 0, 0},
-                          {100, false, 2, 2},
-                          {100, true, 25.4, inch},
-                          {100, false, 6e-5, 6e-5},
-                          // What would be written as 0.
-                          {100, false, 4e-5, 0},
-                          // By the mean radius: .9 px where it is 34 px, with its square root, within bounds.
-                          {68, false, -1, .9},
-                          {68 * 2.25, false, -1, .9 * 1.5},
-                          {68 / 4, false, -1, .9 / 2},
-                          {2, false, -1, .9 * .45},
-                          {5000, false, -1, .9 * 1.9}};
+constexpr PageLine page_lines[] = {{100, false, 0, 0},
+                                   {100, false, 2, 2},
+                                   {100, true, 25.4, inch},
+                                   {100, false, 6e-5, 6e-5},
+                                   // What would be written as 0.
+                                   {100, false, 4e-5, 0},
+                                   // By the mean radius: .9 px where it is 34 px, with its square root, within bounds.
+                                   {68, false, -1, .9},
+                                   {68 * 2.25, false, -1, .9 * 1.5},
+                                   {68 / 4, false, -1, .9 / 2},
+                                   {2, false, -1, .9 * .45},
+                                   {5000, false, -1, .9 * 1.9}};
 
 inline uint32_t widths_of_lines() {
-  return first_failing(lines, [](const Line &c) {
+  return first_failing(page_lines, [](const PageLine &c) {
     constexpr SmallBall ball{0, 0, 0, 10};
     hsp::PictureOptions options;
     options.width = c.page_width;
@@ -110,12 +111,12 @@ struct Decimals {
   double step;
   int least, most, expected;
 };
-constexpr Decimals decimals[] = {{1, 0, 10, 0},    {.99, 0, 10, 1}, {.125, 0, 10, 1},  {.0625, 0, 10, 2},
-                                 {50, 0, 10, 0},   {50, 3, 10, 3},  {1e-9, 2, 6, 6},   {.01, 2, 6, 2},
-                                 {.0099, 2, 6, 3}, {.5, 2, 6, 2},   {1.5e-4, 0, 6, 4}, {.9e-4, 0, 6, 5}};
+constexpr Decimals step_decimals[] = {{1, 0, 10, 0},    {.99, 0, 10, 1}, {.125, 0, 10, 1},  {.0625, 0, 10, 2},
+                                      {50, 0, 10, 0},   {50, 3, 10, 3},  {1e-9, 2, 6, 6},   {.01, 2, 6, 2},
+                                      {.0099, 2, 6, 3}, {.5, 2, 6, 2},   {1.5e-4, 0, 6, 4}, {.9e-4, 0, 6, 5}};
 
 inline uint32_t decimals_of_steps() {
-  return first_failing(decimals,
+  return first_failing(step_decimals,
                        [](const Decimals &c) { return hsp::decimals_for(c.step, c.least, c.most) == c.expected; });
 }
 
@@ -137,14 +138,15 @@ inline uint32_t decimals_of_pages() {
   });
 }
 
-struct Parts {
+struct SpanParts {
   double span, most;
   uint32_t expected;
 };
-constexpr Parts parts[] = {{0, 1, 1}, {.5, 1, 1}, {1, 1, 1}, {1.01, 1, 2}, {2, 1, 2}, {2.5, 1, 3}, {6.28, 3, 3}};
+constexpr SpanParts span_parts[] = {{0, 1, 1}, {.5, 1, 1},  {1, 1, 1},   {1.01, 1, 2},
+                                    {2, 1, 2}, {2.5, 1, 3}, {6.28, 3, 3}};
 
 inline uint32_t parts_of_spans() {
-  return first_failing(parts, [](const Parts &c) { return hsp::parts_of(c.span, c.most) == c.expected; });
+  return first_failing(span_parts, [](const SpanParts &c) { return hsp::parts_of(c.span, c.most) == c.expected; });
 }
 
 // Arcs of the view plane on a page of 100 x 60 px with two px for a step, whose middle is (5, 7).
@@ -152,16 +154,25 @@ struct OnPage {
   hsp::ProjectedArc arc;
   double centre[2], semi_axis[2], start[2], end[2], half_way[2];
 };
-constexpr double q = hsp::pi / 2;
-constexpr OnPage on_page[] = {
-    {{{{5, 7}, {3, 0}, {0, 3}}, 0, 2 * q, {8, 7}, {2, 7}, hsp::no_id}, {50, 30}, {6, 6}, {56, 30}, {44, 30}, {50, 36}},
-    {{{{0, 10}, {0, 5}, {-2, 0}}, q, -q, {-2, 10}, {2, 10}, 0}, {40, 36}, {10, 4}, {36, 36}, {44, 36}, {40, 46}},
-    {{{{5, 7}, {3, 4}, {-.8, .6}}, -q, q, {5.8, 6.4}, {4.2, 7.6}, 4},
-     {50, 30},
-     {10, 2},
-     {51.6, 28.8},
-     {48.4, 31.2},
-     {56, 38}}};
+constexpr double quarter_turn = hsp::pi / 2;
+constexpr OnPage on_page[] = {{{{{5, 7}, {3, 0}, {0, 3}}, 0, 2 * quarter_turn, {8, 7}, {2, 7}, hsp::no_id},
+                               {50, 30},
+                               {6, 6},
+                               {56, 30},
+                               {44, 30},
+                               {50, 36}},
+                              {{{{0, 10}, {0, 5}, {-2, 0}}, quarter_turn, -quarter_turn, {-2, 10}, {2, 10}, 0},
+                               {40, 36},
+                               {10, 4},
+                               {36, 36},
+                               {44, 36},
+                               {40, 46}},
+                              {{{{5, 7}, {3, 4}, {-.8, .6}}, -quarter_turn, quarter_turn, {5.8, 6.4}, {4.2, 7.6}, 4},
+                               {50, 30},
+                               {10, 2},
+                               {51.6, 28.8},
+                               {48.4, 31.2},
+                               {56, 38}}};
 
 inline uint32_t arcs_on_pages() {
   return first_failing(on_page, [](const OnPage &c) {
@@ -179,7 +190,7 @@ inline uint32_t arcs_on_pages() {
            near(arc.semi_axis[1], c.semi_axis[1], 1e-14 * 10) && lies_at(arc.start, c.start) &&
            lies_at(arc.end, c.end) && lies_at(arc.at(arc.from), c.start) && lies_at(arc.at(arc.to), c.end) &&
            lies_at(arc.at((arc.from + arc.to) / 2), c.half_way) && arc.circle == (c.arc.other_ball == hsp::no_id) &&
-           near(arc.span(), 2 * q, 1e-15);
+           near(arc.span(), 2 * quarter_turn, 1e-15);
   });
 }
 
@@ -189,10 +200,21 @@ struct FlatArc {
   uint32_t passed;
   double end_of_axis[3];
 };
-constexpr FlatArc flat_arcs[] = {
-    {-1, 1, 1, {1}},     {1, -1, 1, {1}},      {1, 2, 0, {}},        {1, 6, 1, {-1}},         {6, 1, 1, {-1}},
-    {1, 7, 2, {-1, 1}},  {7, 1, 2, {1, -1}},   {0, 2 * q, 0, {}},    {-2 * q, 2 * q, 1, {1}}, {2 * q, -2 * q, 1, {1}},
-    {-4, 2, 2, {-1, 1}}, {-7, -1, 2, {1, -1}}, {-1, -7, 2, {-1, 1}}, {-10, -8, 1, {-1}},      {3, 9, 2, {-1, 1}}};
+constexpr FlatArc flat_arcs[] = {{-1, 1, 1, {1}},
+                                 {1, -1, 1, {1}},
+                                 {1, 2, 0, {}},
+                                 {1, 6, 1, {-1}},
+                                 {6, 1, 1, {-1}},
+                                 {1, 7, 2, {-1, 1}},
+                                 {7, 1, 2, {1, -1}},
+                                 {0, 2 * quarter_turn, 0, {}},
+                                 {-2 * quarter_turn, 2 * quarter_turn, 1, {1}},
+                                 {2 * quarter_turn, -2 * quarter_turn, 1, {1}},
+                                 {-4, 2, 2, {-1, 1}},
+                                 {-7, -1, 2, {1, -1}},
+                                 {-1, -7, 2, {-1, 1}},
+                                 {-10, -8, 1, {-1}},
+                                 {3, 9, 2, {-1, 1}}};
 
 inline uint32_t corners_of_flat_arcs() {
   return first_failing(flat_arcs, [](const FlatArc &c) {

@@ -12,15 +12,6 @@ inline const PictureText &svg(const hsp::PictureOptions &options, const hsp::Pic
   return written(hsp::write_svg, input, options);
 }
 
-// A page on which a step is two px if all that is seen is `width` steps wide.
-inline hsp::PictureOptions two_px_per_step(double width) {
-  hsp::PictureOptions options;
-  options.width = 2 * width;
-  options.margin = 0;
-  options.fog = 0;
-  return options;
-}
-
 // What the loops of a path run along, in px, y down. turn: +1 clockwise as it is seen.
 struct Loop {
   double centre[2], semi_axis[2], rotation;
@@ -120,16 +111,7 @@ inline uint32_t loops_are_closed() {
   });
 }
 
-// Parts of files about one ball, and what stands nowhere in them.
-struct Parts {
-  double width;
-  bool millimetres, ids, backdrop;
-  double outline;
-  const char *title, *description;
-  const char *present[4];
-  const char *absent[3];
-};
-constexpr Parts parts[] = {
+constexpr FileParts svg_parts[] = {
     {300,
      false,
      true,
@@ -161,44 +143,24 @@ constexpr Parts parts[] = {
      {"<title>a&lt;b &amp; &quot;c&quot;</title>", "<desc>1 &gt; 0?</desc>", "<path fill=\"#00ff7f\"", "<g>"},
      {"data-ball", "<rect", "stroke"}}};
 
-inline uint32_t parts_of_files() {
-  return first_failing(parts, [](const Parts &c) {
-    constexpr SmallBall ball{0, 0, 0, 10};
-    constexpr uint32_t colour[] = {0x00FF7F};
-    if (!small_view().succeeds(&ball, 1)) return false;
-    hsp::PictureOptions options;
-    options.width = c.width;
-    options.millimetres = c.millimetres;
-    options.ids = c.ids;
-    options.backdrop = c.backdrop;
-    options.background = 0xFEDCBA;
-    options.outline = c.outline;
-    options.outline_colour = 0x010203;
-    const PictureText &text = svg(options, picture_input(colour, c.title, c.description));
-    for (const char *part : c.present) {
-      if (text.count(part) != 1) return false;
-    }
-    for (const char *part : c.absent) {
-      if (text.count(part) != 0) return false;
-    }
-    return text.count("<svg ") == 1 && std::strcmp(text.text + text.size - 7, "</svg>\n") == 0 &&
+inline uint32_t parts_of_svg_files() {
+  return first_failing(svg_parts, [](const FileParts &c) {
+    const PictureText &text = one_ball(hsp::write_svg, c);
+    return has_parts(text, c) && text.count("<svg ") == 1 && ends_with(text, "</svg>\n") &&
            text.count("<g") == text.count("</g>");
   });
 }
 
-// Balls behind each other: farthest first; a group for each colour of lines.
-constexpr SmallBall row[] = {{0, 0, 40, 10}, {15, 5, 80, 10}, {30, 0, 0, 10}, {45, 0, 80, 10}};
-constexpr uint32_t in_order[] = {2, 0, 1, 3};
-
-inline uint32_t farthest_is_painted_first() {
+// A group for each colour of lines.
+inline uint32_t svg_paints_the_farthest_first() {
   constexpr double fogs[] = {0, .5};
   return first_failing(fogs, [](double fog) {
-    if (!small_view().succeeds(row, 4)) return false;
+    if (!small_view().succeeds(staggered, 4)) return false;
     hsp::PictureOptions options;
     options.fog = fog;
     const PictureText &text = svg(options, picture_input());
     TextReader reader(text.text);
-    for (const uint32_t ball : in_order) {
+    for (const uint32_t ball : farthest_first) {
       double number;
       if (!reader.find("data-ball=\"") || !reader.number(number) || number != ball) return false;
     }
@@ -208,11 +170,11 @@ inline uint32_t farthest_is_painted_first() {
 }
 
 // Each ball has a gradient of its own, with its centre and radius, which refers to the shade's.
-inline uint32_t gradients() {
+inline uint32_t svg_gradients() {
   constexpr hsp::PictureStyle shaded[] = {hsp::PictureStyle::headlight, hsp::PictureStyle::soft};
   return first_failing(shaded, [](hsp::PictureStyle style) {
     constexpr uint32_t colour[] = {7, 8, 9, 8};
-    if (!small_view().succeeds(row, 4)) return false;
+    if (!small_view().succeeds(staggered, 4)) return false;
     hsp::PictureOptions options = two_px_per_step(65);
     options.style = style;
     const PictureText &text = svg(options, picture_input(colour));
@@ -229,13 +191,13 @@ inline uint32_t gradients() {
     if (text.count("<stop offset=\"0\"") != 3 || text.count("<stop offset=\"1\"") != 3) return false;
     TextReader reader(text.text);
     for (uint32_t p = 0; p < 4; ++p) {
-      const uint32_t ball = in_order[p];
+      const uint32_t ball = farthest_first[p];
       double id, shade, transform[2], radius;
       if (!reader.find("<radialGradient id=\"b") || !reader.number(id) || id != p) return false;
       if (!reader.take("\" xlink:href=\"#g") || !reader.number(shade) || shade >= 3) return false;
       if (!reader.take("\" gradientTransform=\"translate(") || !reader.numbers(transform)) return false;
       if (!reader.take(")scale(") || !reader.number(radius) || radius != 20) return false;
-      if (transform[0] != 2 * (row[ball].x + 10) || transform[1] != 2 * (15 - row[ball].y)) return false;
+      if (transform[0] != 2 * (staggered[ball].x + 10) || transform[1] != 2 * (15 - staggered[ball].y)) return false;
       // The same shade for the same colour.
       uint32_t &known = colour_of[static_cast<uint32_t>(shade)];
       if (known != 0 && known != colour[ball]) return false;
@@ -250,20 +212,19 @@ inline uint32_t gradients() {
 }
 
 // Renderers fail on a scale of 0, which the radius of a small ball would be rounded to.
-inline uint32_t no_radius_is_0() {
-  constexpr SmallBall balls[] = {{0, 0, 0, 1000000}, {3000000, 0, 0, 1}};
+inline uint32_t no_svg_radius_is_0() {
   hsp::PictureOptions options;
   options.style = hsp::PictureStyle::soft;
-  if (!small_view().succeeds(balls, 2)) return 0;
+  if (!small_view().succeeds(small_beside_large, 2)) return 0;
   const PictureText &text = svg(options, picture_input());
   return text.count(")scale(.01)") == 1 && text.count(")scale(0)") == 0 ? all_hold : 1;
 }
 
 inline constexpr Check picture_svg_writer[] = {{"paths_run_along_circles", paths_run_along_circles},
                                                {"loops_are_closed", loops_are_closed},
-                                               {"parts_of_files", parts_of_files},
-                                               {"farthest_is_painted_first", farthest_is_painted_first},
-                                               {"gradients", gradients},
-                                               {"no_radius_is_0", no_radius_is_0}};
+                                               {"parts_of_svg_files", parts_of_svg_files},
+                                               {"svg_paints_the_farthest_first", svg_paints_the_farthest_first},
+                                               {"svg_gradients", svg_gradients},
+                                               {"no_svg_radius_is_0", no_svg_radius_is_0}};
 
 }  // namespace cases

@@ -30,4 +30,62 @@ const PictureText &written(Writer write, const hsp::PictureInput &input, const h
   return kept;
 }
 
+// A page on which a step is two px if all that is seen is `width` steps wide.
+inline hsp::PictureOptions two_px_per_step(double width) {
+  hsp::PictureOptions options;
+  options.width = 2 * width;
+  options.margin = 0;
+  options.fog = 0;
+  return options;
+}
+
+// Options for a picture of one ball, what stands in it exactly once, and what stands nowhere in it.
+struct FileParts {
+  double width;
+  bool millimetres, ids, backdrop;
+  double outline;
+  const char *title, *description;
+  const char *present[4];
+  const char *absent[3];
+};
+
+// The picture of a ball of radius 10 and colour 0x00FF7F, with lines 0x010203, before 0xFEDCBA.
+template <class Writer>
+const PictureText &one_ball(Writer write, const FileParts &parts) {
+  static constexpr SmallBall ball{0, 0, 0, 10};
+  static constexpr uint32_t colour[] = {0x00FF7F};
+  hsp::PictureOptions options;
+  options.width = parts.width;
+  options.millimetres = parts.millimetres;
+  options.ids = parts.ids;
+  options.backdrop = parts.backdrop;
+  options.background = 0xFEDCBA;
+  options.outline = parts.outline;
+  options.outline_colour = 0x010203;
+  small_view().succeeds(&ball, 1);
+  return written(write, picture_input(colour, parts.title, parts.description), options);
+}
+
+inline bool has_parts(const PictureText &text, const FileParts &parts) {
+  for (const char *part : parts.present) {
+    if (part != nullptr && text.count(part) != 1) return false;
+  }
+  for (const char *part : parts.absent) {
+    if (part != nullptr && text.count(part) != 0) return false;
+  }
+  return text.size > 0;
+}
+
+inline bool ends_with(const PictureText &text, const char *end) {
+  const size_t length = std::strlen(end);
+  return text.size >= length && std::strcmp(text.text + text.size - length, end) == 0;
+}
+
+// Balls behind each other, seen along the z axis, and the order in which they are painted.
+constexpr SmallBall staggered[] = {{0, 0, 40, 10}, {15, 5, 80, 10}, {30, 0, 0, 10}, {45, 0, 80, 10}};
+constexpr uint32_t farthest_first[] = {2, 0, 1, 3};
+
+// A small ball beside a large one: rounded to digits its radius is 0.
+constexpr SmallBall small_beside_large[] = {{0, 0, 0, 1000000}, {3000000, 0, 0, 1}};
+
 }  // namespace cases

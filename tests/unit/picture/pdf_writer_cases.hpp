@@ -1,0 +1,187 @@
+// PDF files read back: offsets that lead to their objects, boxes and texts, curves along circles, the order of paint.
+#pragma once
+
+#include "small_picture.hpp"
+
+namespace cases {
+
+// px are 3/4 of a point.
+constexpr FileParts pdf_parts[] = {
+    {300.4,
+     false,
+     true,
+     true,
+     1.5,
+     nullptr,
+     nullptr,
+     {"/MediaBox[0 0 225.3 225.3]", ".996 .863 .729 rg 0 0 300.4 300.4 re f\n", ".004 .008 .012 RG\n", " 1.5 w\n"},
+     {"/Title", "/Subject", "/Shading"}},
+    // An inch.
+    {25.4,
+     true,
+     false,
+     true,
+     25.4,
+     "",
+     "",
+     {"/MediaBox[0 0 72 72]", "rg 0 0 96 96 re f\n", " 96 w\n", "h\nB\n"},
+     {"/Title", "/Subject", "h\nf\n"}},
+    {40,
+     false,
+     false,
+     false,
+     0,
+     "a(b)\\c\xC3\xA9",
+     "1 (2)\n3",
+     {"/Title(a\\(b\\)\\\\c?)", "/Subject(1 \\(2\\)?3)", "0 1 .498 rg\n", "h\nf\n"},
+     {" re f", "RG", "h\nB\n"}}};
+
+// The number of the object at `offset`, or 0; goes behind its first line.
+inline uint32_t object_at(const PictureText &text, double offset, TextReader &reader) {
+  if (offset >= static_cast<double>(text.size)) return 0;
+  reader = TextReader(text.text + static_cast<size_t>(offset));
+  double number;
+  return reader.number(number) && reader.take(" 0 obj\n") ? static_cast<uint32_t>(number) : 0;
+}
+
+// Every entry of the table of offsets, of 20 bytes, leads to its object; the stream is as long as it says.
+inline bool offsets_lead_to_objects(const PictureText &text) {
+  TextReader reader(text.text), object(text.text);
+  double start, offset, length, size;
+  if (!reader.take("%PDF-1.4\n") || !reader.find("\nstartxref\n") || !reader.number(start)) return false;
+  if (!reader.take("\n%%EOF\n") || *reader.rest() != '\0' || start >= static_cast<double>(text.size)) return false;
+  TextReader table(text.text + static_cast<size_t>(start));
+  if (!table.take("xref\n0 ") || !table.number(size) || size != text.count(" 0 obj\n") + 1) return false;
+  if (!table.take("\n0000000000 65535 f \n")) return false;
+  for (uint32_t k = 1; k < size; ++k) {
+    const char *entry = table.rest();
+    if (!table.number(offset) || !table.take(" 00000 n \n") || table.rest() - entry != 20) return false;
+    if (object_at(text, offset, object) != k) return false;
+    if (object.take("<</Length ")) {
+      TextReader stream = object;
+      if (!stream.find(">>\nstream\n")) return false;
+      const char *first = stream.rest();
+      if (!stream.find("endstream\nendobj\n")) return false;
+      const size_t between = static_cast<size_t>(stream.rest() - first) - std::strlen("endstream\nendobj\n");
+      // Its length is an object of its own, which the stream refers to.
+      double number;
+      if (!object.number(number) || !object.take(" 0 R>>")) return false;
+      char heading[] = "\n0 0 obj\n";
+      heading[1] = static_cast<char>('0' + static_cast<int>(number));
+      TextReader lengths(text.text);
+      if (!lengths.find(heading) || !lengths.number(length) || length != static_cast<double>(between)) return false;
+    }
+  }
+  double root, info;
+  if (!table.take("trailer\n<</Size ") || !table.number(offset) || offset != size) return false;
+  return table.take("/Root ") && table.number(root) && table.take(" 0 R/Info ") && table.number(info) && root != info;
+}
+
+inline uint32_t parts_of_pdf_files() {
+  return first_failing(pdf_parts, [](const FileParts &c) {
+    const PictureText &text = one_ball(hsp::write_pdf, c);
+    return has_parts(text, c) && offsets_lead_to_objects(text);
+  });
+}
+
+// A ball on pages of several sizes: cubics that stay within 5e-6 of the radius.
+inline uint32_t curves_along_circles() {
+  constexpr double widths[] = {.05, 1, 40, 300, 12345, 1e6};
+  return first_failing(widths, [](double width) {
+    const PictureText &text = one_ball(hsp::write_pdf, {width, false, true, false, 0, nullptr, nullptr, {}, {}});
+    TextReader reader(text.text);
+    const double middle = width / 2, r = width / 2 / 1.06;  // the margin is .03 of the width
+    double first[2], from[2], c[6], total = 0;
+    if (!reader.find("rg\n") || !reader.numbers(first) || !reader.take(" m\n")) return false;
+    from[0] = first[0];
+    from[1] = first[1];
+    while (!reader.take("h\n")) {
+      if (!reader.numbers(c) || !reader.take(" c\n")) return false;
+      const double to[2] = {c[4], c[5]};
+      for (int k = 0; k <= 8; ++k) {
+        const double t = k / 8.0, u = 1 - t;
+        const auto at = [&](int axis) {
+          return u * u * u * from[axis] + 3 * u * u * t * c[axis] + 3 * u * t * t * c[axis + 2] + t * t * t * to[axis];
+        };
+        const double x = at(0) - middle, y = at(1) - middle;
+        if (!near(std::sqrt(x * x + y * y), r, 5e-6 * r + 2e-6 * width)) return false;
+      }
+      const double a[2] = {from[0] - middle, from[1] - middle}, b[2] = {to[0] - middle, to[1] - middle};
+      total += std::atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]);
+      from[0] = to[0];
+      from[1] = to[1];
+    }
+    // Counter-clockwise, once around.
+    return near(total, 2 * hsp::pi, 1e-3) && from[0] == first[0] && from[1] == first[1];
+  });
+}
+
+inline uint32_t pdf_paints_the_farthest_first() {
+  constexpr uint32_t colour[] = {0x000000, 0xFF0000, 0x00FF00, 0x0000FF};
+  constexpr double channels[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  if (!small_view().succeeds(staggered, 4)) return 0;
+  hsp::PictureOptions options;
+  options.fog = 0;
+  options.backdrop = false;
+  TextReader reader(written(hsp::write_pdf, picture_input(colour), options).text);
+  if (!reader.find("RG\n")) return 1;
+  for (const uint32_t ball : farthest_first) {
+    double rgb[3];
+    if (!reader.numbers(rgb) || !reader.take(" rg\n") || !reader.find("h\nB\n")) return 2 + ball;
+    for (int k = 0; k < 3; ++k) {
+      if (rgb[k] != channels[ball][k]) return 2 + ball;
+    }
+  }
+  return reader.take("endstream") ? all_hold : 6;
+}
+
+// A shading for each colour, and for each ball its path, the shading on its disc, and its line.
+inline uint32_t pdf_shades() {
+  constexpr hsp::PictureStyle shaded[] = {hsp::PictureStyle::headlight, hsp::PictureStyle::soft};
+  return first_failing(shaded, [](hsp::PictureStyle style) {
+    constexpr uint32_t colour[] = {7, 8, 9, 8};
+    const uint32_t intervals = style == hsp::PictureStyle::soft ? 12 : 16;
+    if (!small_view().succeeds(staggered, 4)) return false;
+    hsp::PictureOptions options = two_px_per_step(65);
+    options.style = style;
+    const PictureText &text = written(hsp::write_pdf, picture_input(colour), options);
+    if (!offsets_lead_to_objects(text)) return false;
+    if (text.count("<</ShadingType 3") != 3 || text.count("<</FunctionType 2") != 3 * intervals) return false;
+    TextReader reader(text.text);
+    // Where an interval ends the next one starts.
+    double end[3], start[3];
+    for (uint32_t k = 0; k < 3 * intervals; ++k) {
+      if (!reader.find("/C0[") || !reader.numbers(start)) return false;
+      if (k % intervals != 0 && (start[0] != end[0] || start[1] != end[1] || start[2] != end[2])) return false;
+      if (!reader.find("/C1[") || !reader.numbers(end)) return false;
+    }
+    for (const uint32_t ball : farthest_first) {
+      double matrix[6], shade;
+      if (!reader.find("q\n") || !reader.find("h\nW n") || !reader.numbers(matrix) || !reader.take(" cm /S"))
+        return false;
+      if (!reader.number(shade) || shade != colour[ball] - 7 || !reader.take(" sh Q\n")) return false;
+      if (matrix[0] != 20 || matrix[1] != 0 || matrix[2] != 0 || matrix[3] != 20) return false;
+      if (matrix[4] != 2 * (staggered[ball].x + 10) || matrix[5] != 2 * (staggered[ball].y + 10)) return false;
+      if (!reader.find("h\nS\n")) return false;
+    }
+    return text.count("\nq\n") == 4 && text.count(" Q\n") == 4;
+  });
+}
+
+// A scale of 0 would be an error.
+inline uint32_t no_pdf_radius_is_0() {
+  hsp::PictureOptions options;
+  options.style = hsp::PictureStyle::soft;
+  options.width = 1;
+  if (!small_view().succeeds(small_beside_large, 2)) return 0;
+  const PictureText &text = written(hsp::write_pdf, picture_input(), options);
+  return text.count("n .000001 0 0 .000001 ") == 1 && text.count("n 0 0 0 0 ") == 0 ? all_hold : 1;
+}
+
+inline constexpr Check picture_pdf_writer[] = {{"parts_of_pdf_files", parts_of_pdf_files},
+                                               {"curves_along_circles", curves_along_circles},
+                                               {"pdf_paints_the_farthest_first", pdf_paints_the_farthest_first},
+                                               {"pdf_shades", pdf_shades},
+                                               {"no_pdf_radius_is_0", no_pdf_radius_is_0}};
+
+}  // namespace cases
