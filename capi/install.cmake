@@ -1,0 +1,38 @@
+# What is installed, as three components: hardsphere_runtime (the program, its manual page, a shared library),
+# hardsphere_development (archive, header, CMake package, pkg-config file, Fortran module) and
+# hardsphere_documentation.
+
+install(TARGETS hardsphere EXPORT hardsphere-targets
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT hardsphere_development
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT hardsphere_runtime
+    NAMELINK_COMPONENT hardsphere_development)
+install(FILES ${PROJECT_SOURCE_DIR}/include/hardsphere.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+  COMPONENT hardsphere_development)
+
+set(HSP_PACKAGE_FOLDER ${CMAKE_INSTALL_LIBDIR}/cmake/hardsphere)
+install(EXPORT hardsphere-targets NAMESPACE hardsphere:: DESTINATION ${HSP_PACKAGE_FOLDER}
+  COMPONENT hardsphere_development)
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/hardsphere-config.cmake.in hardsphere-config.cmake
+  INSTALL_DESTINATION ${HSP_PACKAGE_FOLDER})
+write_basic_package_version_file(hardsphere-config-version.cmake COMPATIBILITY SameMinorVersion)
+configure_file(${CMAKE_CURRENT_LIST_DIR}/hardsphere.pc.in hardsphere.pc @ONLY)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/hardsphere-config.cmake
+  ${CMAKE_CURRENT_BINARY_DIR}/hardsphere-config-version.cmake DESTINATION ${HSP_PACKAGE_FOLDER}
+  COMPONENT hardsphere_development)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/hardsphere.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
+  COMPONENT hardsphere_development)
+
+# The Fortran module's source is part of every package: what is compiled of it (see fortran/CMakeLists.txt) serves one
+# compiler only.
+install(FILES ${CMAKE_CURRENT_LIST_DIR}/fortran/hardsphere.f90 DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hardsphere
+  COMPONENT hardsphere_development)
+install(FILES ${CMAKE_CURRENT_LIST_DIR}/fortran/hardsphere-fortran.cmake DESTINATION ${HSP_PACKAGE_FOLDER}
+  COMPONENT hardsphere_development)
+
+if(HSP_TOOL)
+  install(TARGETS hardsphere_tool RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT hardsphere_runtime)
+  install(FILES ${CMAKE_CURRENT_LIST_DIR}/tool/hardsphere.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1
+    COMPONENT hardsphere_runtime)
+endif()
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}
+  COMPONENT hardsphere_documentation)

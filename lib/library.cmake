@@ -1,0 +1,180 @@
+# The library: its sources, as objects for tests and as what is installed, an archive or with BUILD_SHARED_LIBS a shared
+# library. No program that links either needs the C++ run-time library.
+
+# In the order of the rooms.
+set(HSP_LIBRARY_SOURCES
+  lib/core/elementary.cpp
+  lib/exact/exact_predicates.cpp
+  lib/model/ball_set.cpp
+  lib/model/cube_grid.cpp
+  lib/model/cube_order.cpp
+  lib/model/packing_statistics.cpp
+  lib/model/queries.cpp
+  lib/model/vertical_ray.cpp
+  lib/sphere/arc_geometry.cpp
+  lib/sphere/cap_clusters.cpp
+  lib/sphere/caps.cpp
+  lib/sphere/great_circles.cpp
+  lib/sphere/vertex_finder.cpp
+  lib/boundary/boundary_builder.cpp
+  lib/boundary/boundary_check.cpp
+  lib/boundary/components.cpp
+  lib/boundary/faces.cpp
+  lib/boundary/half_edge_links.cpp
+  lib/boundary/point_location.cpp
+  lib/boundary/shells.cpp
+  lib/topology/cells.cpp
+  lib/topology/cut_arcs.cpp
+  lib/topology/simple_faces.cpp
+  lib/topology/subdivision.cpp
+  lib/topology/topology_builder.cpp
+  lib/topology/topology_check.cpp
+  lib/topology/traversal.cpp
+  lib/measure/arc_batches.cpp
+  lib/measure/areas.cpp
+  lib/measure/boundary_metric_check.cpp
+  lib/measure/boundary_positions.cpp
+  lib/measure/gradients.cpp
+  lib/measure/positions.cpp
+  lib/measure/shell_volumes.cpp
+  lib/measure/tangency.cpp
+  lib/view/depth_buffer.cpp
+  lib/view/depth_order.cpp
+  lib/view/occlusion.cpp
+  lib/view/piece_arcs.cpp
+  lib/view/projected_arcs.cpp
+  lib/view/view_builder.cpp
+  lib/view/view_frame.cpp
+  lib/view/view_rotation.cpp
+  lib/view/visible_piece.cpp
+  lib/picture/byte_sink.cpp
+  lib/picture/eps_writer.cpp
+  lib/picture/escaped_text.cpp
+  lib/picture/number_text.cpp
+  lib/picture/page.cpp
+  lib/picture/paint.cpp
+  lib/picture/palettes.cpp
+  lib/picture/pdf_writer.cpp
+  lib/picture/picture.cpp
+  lib/picture/svg_writer.cpp
+  capi/hsp_status.cpp
+  capi/hsp_model.cpp
+  capi/hsp_query.cpp
+  capi/hsp_boundary.cpp
+  capi/hsp_measure.cpp
+  capi/hsp_gradient.cpp
+  capi/hsp_topology.cpp
+  capi/hsp_topology_records.cpp
+  capi/hsp_cells.cpp
+  capi/hsp_view.cpp
+  capi/hsp_view_records.cpp
+  capi/hsp_picture.cpp)
+list(TRANSFORM HSP_LIBRARY_SOURCES PREPEND ${PROJECT_SOURCE_DIR}/)
+# In the cache, so that projects that carry this one as a subdirectory can call the function below, too.
+set(HSP_LIBRARY_SOURCES ${HSP_LIBRARY_SOURCES} CACHE INTERNAL "The sources of the library")
+
+# Position-independent code as CMAKE_POSITION_INDEPENDENT_CODE says. Without it: so that shared libraries, Python modules
+# for instance, can contain the archive, but not for machines without an operating system.
+set(HSP_POSITION_INDEPENDENT ON)
+if(DEFINED CMAKE_POSITION_INDEPENDENT_CODE AND NOT BUILD_SHARED_LIBS)
+  set(HSP_POSITION_INDEPENDENT ${CMAKE_POSITION_INDEPENDENT_CODE})
+elseif(CMAKE_SYSTEM_NAME STREQUAL "Generic")
+  set(HSP_POSITION_INDEPENDENT OFF)
+endif()
+set(HSP_POSITION_INDEPENDENT ${HSP_POSITION_INDEPENDENT} CACHE INTERNAL "Whether the library is position-independent")
+
+# A project that carries this one may have no build type. Its library is optimized all the same, unless its flags say how.
+set(HSP_OPTIMIZATION "")
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES AND NOT CMAKE_CXX_FLAGS MATCHES "(^| )-O")
+  set(HSP_OPTIMIZATION -O3)
+endif()
+set(HSP_OPTIMIZATION ${HSP_OPTIMIZATION} CACHE INTERNAL "Optimization of the library where there is no build type")
+
+# hsp_library_objects(name definition...): the library compiled as objects, with further definitions. The archive is made
+# of hardsphere_objects. Tests of inner parts link to a library of objects and compile what its headers define alike.
+function(hsp_library_objects name)
+  add_library(${name} OBJECT ${HSP_LIBRARY_SOURCES})
+  target_compile_features(${name} PUBLIC cxx_std_20)
+  set_target_properties(${name} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ${HSP_POSITION_INDEPENDENT}
+    CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+  target_include_directories(${name} PUBLIC ${hardsphere_SOURCE_DIR}/include ${hardsphere_SOURCE_DIR}/lib
+    PRIVATE ${hardsphere_SOURCE_DIR}/capi)
+  target_compile_definitions(${name} PUBLIC $<$<BOOL:${HSP_PORTABLE_LIMBS}>:HSP_PORTABLE_LIMBS=1> ${ARGN})
+  # -ffp-contract=off: the same bits with and without fused multiply-add. The vectorizer of g++ 12 does not obey it: it
+  # makes fused instructions of complex products (vfmaddsub, fcmla), hence it is off. A section for each function and
+  # table, so that the linker can leave out what a program does not call. The rest keeps the C++ run time out.
+  target_compile_options(${name} PUBLIC -ffp-contract=off PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-tree-vectorize>
+    ${HSP_OPTIMIZATION} -ffunction-sections -fdata-sections -fno-math-errno -fno-exceptions -fno-rtti
+    -fno-threadsafe-statics -fno-asynchronous-unwind-tables -fstack-usage)
+  target_link_libraries(${name} PRIVATE hardsphere_warnings hardsphere_sanitizers)
+endfunction()
+hsp_library_objects(hardsphere_objects)
+
+# An archive of one relocatable object, in which everything but hsp_* is local: nothing else can clash in a user's link.
+# That takes GNU ld (lld lacks --force-group-allocation; Apple's linker and that for wasm know no such thing) and GNU
+# objcopy. Objects for optimization at link time are left as they are.
+set(HSP_LINK_OBJECT ${CMAKE_CXX_COMPILER} $<$<BOOL:${CMAKE_CXX_COMPILER_TARGET}>:--target=${CMAKE_CXX_COMPILER_TARGET}>
+  -r -nostdlib -fuse-ld=bfd -Wl,--force-group-allocation)
+set(HSP_KEEP_SYMBOLS ${CMAKE_OBJCOPY} --wildcard --keep-global-symbol=hsp_*)
+function(hsp_can_link_single_object result)
+  set(${result} OFF PARENT_SCOPE)
+  string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
+  if(HSP_SANITIZE OR CMAKE_INTERPROCEDURAL_OPTIMIZATION OR NOT CMAKE_OBJCOPY
+      OR "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}}" MATCHES "-flto")
+    return()
+  endif()
+  set(folder ${PROJECT_BINARY_DIR}/CMakeFiles/single_object)
+  file(WRITE ${folder}/probe.cpp "extern \"C\" int hsp_probe() { return 0; }\n")
+  separate_arguments(flags UNIX_COMMAND "${CMAKE_CXX_FLAGS}")
+  string(GENEX_STRIP "${HSP_LINK_OBJECT}" link)
+  if(CMAKE_CXX_COMPILER_TARGET)
+    list(APPEND flags --target=${CMAKE_CXX_COMPILER_TARGET})
+    list(APPEND link --target=${CMAKE_CXX_COMPILER_TARGET})
+  endif()
+  foreach(command "${CMAKE_CXX_COMPILER};${flags};-c;probe.cpp;-o;probe.o" "${link};-o;linked.o;probe.o"
+      "${HSP_KEEP_SYMBOLS};linked.o")
+    execute_process(COMMAND ${command} WORKING_DIRECTORY ${folder} RESULT_VARIABLE status OUTPUT_QUIET ERROR_QUIET)
+    if(NOT status EQUAL 0)
+      return()
+    endif()
+  endforeach()
+  set(${result} ON PARENT_SCOPE)
+endfunction()
+if(NOT BUILD_SHARED_LIBS AND NOT DEFINED CACHE{HSP_SINGLE_OBJECT})
+  hsp_can_link_single_object(HSP_SINGLE_OBJECT_WORKS)
+endif()
+option(HSP_SINGLE_OBJECT "Make the archive of one object with nothing but hsp_* in its symbol table"
+  ${HSP_SINGLE_OBJECT_WORKS})
+
+if(BUILD_SHARED_LIBS)
+  # Until version 1.0 any minor version may change the binary interface.
+  add_library(hardsphere SHARED $<TARGET_OBJECTS:hardsphere_objects>)
+  target_compile_definitions(hardsphere_objects PRIVATE HSP_BUILD_SHARED=1)
+  set_target_properties(hardsphere PROPERTIES VERSION ${PROJECT_VERSION}
+    SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+elseif(HSP_SINGLE_OBJECT)
+  set(HSP_OBJECT ${CMAKE_CURRENT_BINARY_DIR}/hardsphere.o)
+  add_custom_command(OUTPUT ${HSP_OBJECT}
+    COMMAND ${HSP_LINK_OBJECT} -o ${HSP_OBJECT} $<TARGET_OBJECTS:hardsphere_objects>
+    COMMAND ${HSP_KEEP_SYMBOLS} ${HSP_OBJECT}
+    DEPENDS hardsphere_objects $<TARGET_OBJECTS:hardsphere_objects>
+    COMMAND_EXPAND_LISTS VERBATIM)
+  add_library(hardsphere STATIC ${HSP_OBJECT})
+  set_source_files_properties(${HSP_OBJECT} PROPERTIES EXTERNAL_OBJECT ON GENERATED ON)
+else()
+  add_library(hardsphere STATIC $<TARGET_OBJECTS:hardsphere_objects>)
+endif()
+add_library(hardsphere::hardsphere ALIAS hardsphere)
+target_link_libraries(hardsphere PRIVATE $<BUILD_INTERFACE:hardsphere_sanitizers>)
+# With C as the linker language a C or Fortran program links without the C++ run-time library.
+if(HSP_SANITIZE)
+  set_target_properties(hardsphere PROPERTIES LINKER_LANGUAGE CXX)
+else()
+  set_target_properties(hardsphere PROPERTIES LINKER_LANGUAGE C)
+endif()
+target_include_directories(hardsphere PUBLIC
+  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+# Systems that have no libm of its own find sqrt in their C library.
+if(UNIX AND NOT APPLE)
+  target_link_libraries(hardsphere PUBLIC m)
+endif()

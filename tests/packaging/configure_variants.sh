@@ -1,0 +1,55 @@
+#!/usr/bin/env bash
+# What is built where nothing is asked for: on a machine with nothing but compilers, and in somebody else's project.
+#   configure_variants.sh SOURCE-FOLDER WORK-FOLDER C-COMPILER C++-COMPILER
+set -euo pipefail
+source=$1 work=$2 cc=$3 cxx=$4
+rm -rf "$work"
+mkdir -p "$work"
+failed=0
+fail() {
+  echo "$*"
+  failed=1
+}
+value() { # of an option in a build folder's cache
+  sed -n "s/^$2:[A-Z]*=//p" "$work/$1/CMakeCache.txt"
+}
+configure() { # name, source folder, options
+  local name=$1 folder=$2
+  shift 2
+  cmake -S "$folder" -B "$work/$name" -DCMAKE_C_COMPILER="$cc" -DCMAKE_CXX_COMPILER="$cxx" \
+    -DCMAKE_EXPORT_COMPILE_COMMANDS=ON "$@" >"$work/$name.log" 2>&1 || { tail -n 30 "$work/$name.log" && exit 1; }
+}
+has_flag() { # name, flag: whether the library is compiled with it
+  grep -F "lib/exact/exact_predicates.cpp" "$work/$1/compile_commands.json" | grep -qE -- "(^| )$2( |\$)"
+}
+
+# No GoogleTest, no Google Benchmark, no Fortran compiler.
+configure bare "$source" -DCMAKE_DISABLE_FIND_PACKAGE_GTest=ON -DCMAKE_DISABLE_FIND_PACKAGE_benchmark=ON \
+  -DCMAKE_Fortran_COMPILER=NOTFOUND
+for option in HSP_TESTS HSP_BENCH HSP_FUZZ HSP_FORTRAN; do
+  case $(value bare $option) in OFF | FALSE | 0) ;; *) fail "$option is on where its package is missing" ;; esac
+done
+[ "$(value bare HSP_TOOL)" = ON ] || fail "the program is not built"
+has_flag bare -O3 || fail "not optimized by default"
+has_flag bare -fPIC || fail "not position-independent by default"
+configure fixed "$source" -DCMAKE_POSITION_INDEPENDENT_CODE=OFF -DHSP_TESTS=OFF -DHSP_BENCH=OFF -DHSP_FORTRAN=OFF
+if has_flag fixed -fPIC; then fail "position-independent although CMAKE_POSITION_INDEPENDENT_CODE is off"; fi
+
+# A project without a build type that carries the sources and installs something of its own.
+mkdir "$work/project"
+cat >"$work/project/CMakeLists.txt" <<PROJECT
+cmake_minimum_required(VERSION 3.21)
+project(carrier LANGUAGES CXX)
+add_subdirectory("$source" hardsphere)
+install(FILES CMakeLists.txt DESTINATION share)
+PROJECT
+configure carried "$work/project"
+has_flag carried -O3 || fail "carried by a project without a build type it is not optimized"
+if has_flag carried -O0; then fail "carried by a project it is compiled with -O0"; fi
+cmake --install "$work/carried" --prefix "$work/prefix" >"$work/install.log"
+installed=$(find "$work/prefix" -type f | wc -l)
+[ "$installed" -eq 1 ] || fail "carried by a project it installs $((installed - 1)) files of its own"
+configure flags "$work/project" -DCMAKE_CXX_FLAGS=-O1
+if has_flag flags -O3; then fail "the project's own -O1 is overruled"; fi
+rm -rf "$work"
+exit $failed

@@ -1,0 +1,118 @@
+/* Firmware that uses a part of the library, to see how much flash that takes. PART is a sum of
+ *   1 balls that a ball meets   2 boundary, measure and gradient   4 topology   8 views and pictures   16 other queries
+ * A model is part of every image but the one without the library, PART < 0. Nothing here runs in the test. */
+#include <stddef.h>
+
+#if PART >= 0
+#include <hardsphere.h>
+
+#define BALLS 24
+
+static unsigned char model_memory[HSP_MODEL_BYTES(BALLS)];
+static double xyz[3 * BALLS], radius[BALLS];
+static hsp_model *model;
+
+/* The linker must not know what comes of it. */
+volatile double input[4 * BALLS];
+volatile int32_t result;
+
+static void set_model(void) {
+  for (int i = 0; i < BALLS; ++i) {
+    for (int axis = 0; axis < 3; ++axis) xyz[3 * i + axis] = input[4 * i + axis];
+    radius[i] = input[4 * i + 3];
+  }
+  result |= hsp_model_init(model_memory, sizeof model_memory, BALLS, &model);
+  result |= hsp_model_set(model, BALLS, xyz, radius, NULL, NULL);
+}
+#endif
+
+#if PART >= 0 && (PART & 1)
+static void query(void) {
+  static uint32_t ids[BALLS];
+  uint32_t needed;
+  result |= hsp_query_ball(model, xyz, 1.5, ids, BALLS, &needed);
+#if PART & 16
+  int32_t meets;
+  result |= hsp_query_point(model, xyz, ids, BALLS, &needed);
+  result |= hsp_query_meets(model, xyz, 1.5, &meets);
+  result |= hsp_query_neighbours(model, 0, ids, BALLS, &needed);
+#endif
+}
+#endif
+
+#if PART >= 0 && (PART & 2)
+static unsigned char boundary_memory[HSP_BOUNDARY_BYTES(BALLS, BALLS, 100, 10)];
+static hsp_boundary *boundary;
+
+static void compute_boundary(void) {
+  hsp_boundary_limits limits;
+  result |= hsp_boundary_limits_init(&limits, sizeof limits, BALLS);
+  limits.neighbours = BALLS, limits.vertices = 100, limits.circles = 10;
+  result |= hsp_boundary_init(boundary_memory, sizeof boundary_memory, &limits, &boundary);
+  result |= hsp_boundary_compute(boundary, model);
+  static double area[BALLS], volume[BALLS], centre[3 * BALLS], slope[BALLS];
+  hsp_totals totals;
+  hsp_energy energy;
+  result |= hsp_boundary_measure(boundary, &totals, area, volume, BALLS);
+  result |= hsp_boundary_gradient(boundary, NULL, 1, 1, HSP_TANGENT_OVERLAP, &energy, centre, slope, NULL, BALLS);
+}
+#endif
+
+#if PART >= 0 && (PART & 4)
+static void compute_topology(void) {
+  static unsigned char memory[HSP_TOPOLOGY_BYTES(BALLS, BALLS, 500, 100)];
+  hsp_topology_limits limits;
+  hsp_topology *topology;
+  uint32_t cell;
+  result |= hsp_topology_limits_for(&limits, sizeof limits, boundary);
+  result |= hsp_topology_init(memory, sizeof memory, &limits, &topology);
+  result |= hsp_topology_compute(topology, boundary);
+  result |= hsp_topology_locate(topology, xyz, &cell, NULL, 0, NULL);
+  static hsp_shell shells[8];
+  static hsp_cell cells[8];
+  uint32_t needed;
+  result |= hsp_topology_get_shells(topology, shells, 8, &needed);
+  result |= hsp_topology_get_cells(topology, cells, 8, &needed);
+}
+#endif
+
+#if PART >= 0 && (PART & 8)
+static int32_t send(void *context, const char *bytes, size_t count) {
+  (void)context;
+  for (size_t i = 0; i < count; ++i) result ^= bytes[i];
+  return 0;
+}
+
+static void draw(void) {
+  static unsigned char memory[HSP_VIEW_BYTES(BALLS, BALLS, 400)];
+  hsp_view_limits limits;
+  hsp_view *view;
+  hsp_picture_options options;
+  result |= hsp_view_limits_init(&limits, sizeof limits, BALLS);
+  limits.neighbours = BALLS, limits.arcs = 400;
+  result |= hsp_view_init(memory, sizeof memory, &limits, &view);
+  result |= hsp_view_compute(view, model, NULL, NULL);
+  result |= hsp_picture_options_init(&options, sizeof options);
+  options.format = (uint32_t)result;
+  result |= hsp_picture_write(view, NULL, &options, "title", NULL, send, NULL, NULL);
+}
+#endif
+
+int main(void) {
+#if PART >= 0
+  set_model();
+#if PART & 1
+  query();
+#endif
+#if PART & 2
+  compute_boundary();
+#endif
+#if PART & 4
+  compute_topology();
+#endif
+#if PART & 8
+  draw();
+#endif
+#endif
+  return 0;
+}

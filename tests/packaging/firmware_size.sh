@@ -1,0 +1,39 @@
+#!/usr/bin/env bash
+# How much flash the library takes on a microcontroller: text and initialized data of whole images, newlib included,
+# compiled with -Os and linked with --gc-sections. An image larger than its budget fails.
+#   firmware_size.sh CORTEX SOURCE-FOLDER WORK-FOLDER
+# CORTEX: m4 or m7. Exit status 77: there is no compiler for it here.
+set -euo pipefail
+cortex=$1 source=$2 work=$3
+here=$(cd "$(dirname "$0")/firmware" && pwd)
+command -v arm-none-eabi-g++ >/dev/null || { echo "skipped: there is no arm-none-eabi-g++ here" && exit 77; }
+rm -rf "$work"
+mkdir -p "$work"
+{
+  cmake -S "$source" -B "$work/build" -DCMAKE_TOOLCHAIN_FILE="$here/cortex_m.cmake" -DCORTEX="$cortex" \
+    -DCMAKE_BUILD_TYPE=MinSizeRel -DHSP_WERROR=ON && cmake --build "$work/build" --parallel 2
+} >"$work/log" 2>&1 || { tail -n 40 "$work/log" && exit 1; }
+flags=$(sed -n 's/^CMAKE_C_FLAGS:STRING=//p' "$work/build/CMakeCache.txt")
+
+failed=0
+image() { # part (see image.c), budget in bytes, what it calls
+  # shellcheck disable=SC2086 # the flags are words
+  arm-none-eabi-gcc $flags -Os -std=c99 -Wall -Wextra -Werror -DPART="$1" -I"$source/include" -Wl,--gc-sections \
+    --specs=nano.specs --specs=nosys.specs -o "$work/image_$1.elf" "$here/image.c" "$work/build/libhardsphere.a" -lm 2>"$work/link.log" ||
+    { cat "$work/link.log" && exit 1; }
+  local bytes
+  bytes=$(arm-none-eabi-size "$work/image_$1.elf" | awk 'NR == 2 {print $1 + $2}')
+  printf '%-52s %7d bytes, budget %6d\n' "$3" "$bytes" "$2"
+  [ "$bytes" -le "$2" ] || failed=1
+}
+echo "Cortex-${cortex^^}, $(arm-none-eabi-gcc --version | head -n 1), -Os"
+image -1 1500 "nothing of the library"
+image 0 10000 "a model"
+image 1 13000 "a model and hsp_query_ball"
+image 17 15000 "a model and all queries"
+image 3 62000 "a model, hsp_query_ball, boundary, measure, gradient"
+image 7 82000 "the same with topology"
+image 8 70000 "a model, a view from it alone, pictures"
+image 31 120000 "everything"
+rm -rf "$work/build"
+exit $failed

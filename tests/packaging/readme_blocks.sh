@@ -1,0 +1,72 @@
+#!/usr/bin/env bash
+# Section "Build, install, link" of README.md: every block is run as it stands there, in order, in an empty folder with a
+# home of its own, beside a link `hardsphere` to the sources and the example programs that the section names.
+#   readme_blocks.sh SOURCE-FOLDER WORK-FOLDER
+# Blocks in Fortran, Python and for microcontrollers are left out where their tools are missing, and named.
+set -euo pipefail
+source=$1 work=$2
+rm -rf "$work"
+mkdir -p "$work/home" "$work/blocks"
+awk -v folder="$work/blocks" '
+  /^## / { inside = $0 == "## Build, install, link" }
+  !inside { next }
+  /^```[a-z]+$/ { name = sprintf("%s/%02d.%s", folder, ++blocks, substr($0, 4)); open = 1; next }
+  /^```$/ { open = 0; close(name); next }
+  open { print > name }' "$source/README.md"
+blocks=("$work"/blocks/*)
+[ ${#blocks[@]} -ge 7 ] || { echo "only ${#blocks[@]} blocks were found" && exit 1; }
+
+cd "$work"
+export HOME=$work/home
+ln -s "$source" hardsphere
+cp "$source/capi/examples/minimal.c" .
+cp "$source/capi/fortran/water.f90" .
+# The example that the section compiles stands above it.
+grep -qF "$(sed -n 2,8p minimal.c)" "$source/README.md" || { echo "README.md's example is not minimal.c" && exit 1; }
+
+missing() { # tool that a block needs
+  case $1 in
+    *gfortran*) command -v gfortran >/dev/null || echo gfortran ;;
+    *import\ cffi*) /usr/bin/python3 -c 'import cffi, setuptools' 2>/dev/null || echo "cffi of Python" ;;
+    *cortex_m.cmake*) command -v arm-none-eabi-g++ >/dev/null || echo arm-none-eabi-g++ ;;
+  esac
+}
+run() {
+  "$@" >"$work/log" 2>&1 || { echo "in ${block##*/}:" && tail -n 30 "$work/log" && exit 1; }
+}
+for block in "${blocks[@]}"; do
+  tool=$(missing "$(cat "$block")")
+  if [ -n "$tool" ]; then
+    echo "${block##*/} is left out: there is no $tool here"
+    continue
+  fi
+  case $block in
+    *.sh)
+      # Exported variables serve the blocks below.
+      run bash -euc ". '$block'; export -p > exported"
+      # shellcheck disable=SC1091 # written by the line above
+      . ./exported
+      ;;
+    *.cmake)
+      mkdir project
+      cp "$block" project/CMakeLists.txt
+      cp minimal.c project
+      ln -s "$source" project/hardsphere
+      run cmake -S project -B project/build -DCMAKE_PREFIX_PATH="$HOME/.local"
+      run cmake --build project/build --parallel 2
+      run project/build/water
+      rm -rf project
+      ;;
+    *.python)
+      cp "$block" neighbours.py
+      run /usr/bin/python3 neighbours.py
+      grep -qxF 'ball 1 meets [0, 2]' "$work/log" || { cat "$work/log" && exit 1; }
+      ;;
+    *) echo "nobody knows how to run ${block##*/}" && exit 1 ;;
+  esac
+  echo "${block##*/}: $(tail -n 1 "$work/log")"
+done
+for program in water water_module water_source; do
+  [ ! -e $program ] || run ./$program
+done
+rm -rf build firmware
