@@ -1,13 +1,12 @@
-// Decimals against printf, and numbers with a pitfall.
-#include "picture/number_text.hpp"
-
-#include <gtest/gtest.h>
+// Decimals against printf, besides the cases.
+#include "number_text_cases.hpp"
 
 #include <cmath>
 #include <cstdio>
 #include <random>
+#include <string>
 
-#include "kept_bytes.hpp"
+#include "expect_cases.hpp"
 
 namespace {
 
@@ -26,7 +25,11 @@ std::string by_printf(double value, int decimals) {
   return text == "0" || !negative ? text : "-" + text;
 }
 
-TEST(Numbers, AreThoseOfPrintf) {
+TEST(NumberText, Cases) {
+  expect_cases(cases::picture_number_text);
+}
+
+TEST(NumberText, IsThatOfPrintf) {
   std::mt19937_64 random(3);
   int compared = 0;
   for (int k = 0; k < 300000; ++k) {
@@ -38,32 +41,11 @@ TEST(Numbers, AreThoseOfPrintf) {
     const double beyond = product - std::floor(product);
     if (std::fabs(beyond - 0.5) < 1e-15 * product + 1e-12) continue;
     ++compared;
-    ASSERT_EQ(text_of([&](hsp::ByteSink &sink) { hsp::put_decimal(sink, value, decimals); }),
+    ASSERT_EQ(cases::text_of([&](hsp::ByteSink &sink) { hsp::put_decimal(sink, value, decimals); }).text,
               by_printf(value, decimals))
         << value << " with " << decimals;
   }
   EXPECT_GT(compared, 290000);
-}
-
-TEST(Numbers, OfNote) {
-  const auto decimal = [](double value, int decimals) {
-    return text_of([&](hsp::ByteSink &sink) { hsp::put_decimal(sink, value, decimals); });
-  };
-  EXPECT_EQ(decimal(0, 3), "0");
-  EXPECT_EQ(decimal(-0.0, 3), "0");
-  EXPECT_EQ(decimal(-0.0004, 3), "0");
-  EXPECT_EQ(decimal(-0.0006, 3), "-.001");
-  EXPECT_EQ(decimal(0.5, 0), "1");
-  EXPECT_EQ(decimal(-2.5, 0), "-3");
-  EXPECT_EQ(decimal(1000, 2), "1000");
-  EXPECT_EQ(decimal(999.996, 2), "1000");
-  EXPECT_EQ(decimal(10.05, 1), "10.1");
-  EXPECT_EQ(decimal(4.5e6, 12), "4500000");
-  EXPECT_EQ(text_of([](hsp::ByteSink &sink) { hsp::put_scaled(sink, INT64_MIN, 0); }), "-9223372036854775808");
-  EXPECT_EQ(text_of([](hsp::ByteSink &sink) { hsp::put_integer(sink, UINT64_MAX); }), "18446744073709551615");
-  EXPECT_EQ(text_of([](hsp::ByteSink &sink) { hsp::put_integer(sink, 15, 10); }), "0000000015");
-  EXPECT_EQ(text_of([](hsp::ByteSink &sink) { hsp::put_integer(sink, 0); }), "0");
-  EXPECT_EQ(text_of([](hsp::ByteSink &sink) { hsp::put_colour(sink, 0x0A1B2C); }), "0a1b2c");
 }
 
 }  // namespace
