@@ -65,15 +65,12 @@ struct ScaledBalls {
   }
 };
 
-// Vectors with integer lengths, for spheres through common points and exact tangencies in skew directions.
-struct PythagoreanVector {
-  std::array<int64_t, 3> v;
-  int64_t length;
-};
-inline constexpr PythagoreanVector pythagorean[] = {{{1, 0, 0}, 1},  {{0, 1, 0}, 1},  {{0, 0, 1}, 1},  {{3, 4, 0}, 5},
-                                                    {{0, 4, 3}, 5},  {{1, 2, 2}, 3},  {{2, -1, 2}, 3}, {{2, 2, -1}, 3},
-                                                    {{-1, 2, 2}, 3}, {{2, 3, 6}, 7},  {{6, -2, 3}, 7}, {{4, 4, 7}, 9},
-                                                    {{1, -4, 8}, 9}, {{-3, 0, 4}, 5}, {{2, 6, 9}, 11}};
+// Vectors of integer length, for spheres through common points and exact tangencies in skew directions, as balls around
+// the origin that they just reach.
+inline constexpr oracle::LatticeBall pythagorean[] = {{1, 0, 0, 1},  {0, 1, 0, 1},  {0, 0, 1, 1},  {3, 4, 0, 5},
+                                                      {0, 4, 3, 5},  {1, 2, 2, 3},  {2, -1, 2, 3}, {2, 2, -1, 3},
+                                                      {-1, 2, 2, 3}, {2, 3, 6, 7},  {6, -2, 3, 7}, {4, 4, 7, 9},
+                                                      {1, -4, 8, 9}, {-3, 0, 4, 5}, {2, 6, 9, 11}};
 
 // One more ball, mostly in a special position to one that is there.
 inline oracle::LatticeBall next_ball(Bytes &bytes, const ScaledBalls &set, uint32_t span,
@@ -88,9 +85,9 @@ inline oracle::LatticeBall next_ball(Bytes &bytes, const ScaledBalls &set, uint3
   }
   const oracle::LatticeBall &other = set.balls[bytes.below(set.n())];
   centre = centre_of(other);
-  const PythagoreanVector &direction = pythagorean[bytes.below(static_cast<uint32_t>(std::size(pythagorean)))];
+  const oracle::LatticeBall &direction = pythagorean[bytes.below(static_cast<uint32_t>(std::size(pythagorean)))];
   const int64_t side = bytes.below(2) == 0 ? 1 : -1;
-  int64_t distance = 0;  // in steps times direction.length
+  int64_t distance = 0;  // in steps times direction.radius
   switch (kind) {
     case 3:  // the same place
       break;
@@ -104,13 +101,13 @@ inline oracle::LatticeBall next_ball(Bytes &bytes, const ScaledBalls &set, uint3
       distance = radius + set.probe_steps;
       break;
     default:  // a whole vector away
-      distance = direction.length * unit;
+      distance = direction.radius * unit;
   }
   // Only multiples of the vector's length lead to integer points; else go along an axis.
   for (size_t axis = 0; axis < 3; ++axis) {
-    if (distance % direction.length == 0) {
-      centre[axis] += side * direction.v[axis] * (distance / direction.length);
-    } else if (axis == static_cast<size_t>(direction.length) % 3) {
+    if (distance % direction.radius == 0) {
+      centre[axis] += side * centre_of(direction)[axis] * (distance / direction.radius);
+    } else if (axis == static_cast<size_t>(direction.radius) % 3) {
       centre[axis] += side * distance;
     }
   }

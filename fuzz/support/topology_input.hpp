@@ -22,12 +22,12 @@ inline ScaledBalls studded_ball(Bytes &bytes) {
   const bool shaken = bytes.one_in(3);
   set.balls.push_back({0, 0, 0, radius});
   for (uint32_t k = 0; k < n; ++k) {
-    const PythagoreanVector &direction = pythagorean[bytes.below(static_cast<uint32_t>(std::size(pythagorean)))];
+    const oracle::LatticeBall &direction = pythagorean[bytes.below(static_cast<uint32_t>(std::size(pythagorean)))];
     const auto &[distance, small] = places[bytes.below(static_cast<uint32_t>(std::size(places)))];
     const uint32_t turn = bytes.below(24);  // three rotations of the axes, eight reflections
     oracle::LatticePoint centre{};
     for (uint32_t axis = 0; axis < 3; ++axis) {
-      const int64_t along = direction.v[(axis + turn) % 3] * (distance * tenth / direction.length);
+      const int64_t along = centre_of(direction)[(axis + turn) % 3] * (distance * tenth / direction.radius);
       centre[axis] = (turn / 3 >> axis & 1U) != 0 ? -along : along;
       if (shaken && bytes.one_in(4)) centre[axis] += bytes.below(3) - int64_t{1};
     }

@@ -51,7 +51,7 @@ TEST(Figures, OfHardlyAnyBalls) {
 }
 
 TEST(Figures, OfNamedSets) {
-  for (const oracle::NamedBalls &set : oracle::named_balls()) expect_figures(set.balls);
+  for (const oracle::KnownBalls &set : oracle::known_balls()) expect_figures(set.balls);
 }
 
 TEST(Figures, OfRandomSets) {

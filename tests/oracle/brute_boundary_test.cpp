@@ -38,7 +38,7 @@ TEST(BruteBoundary, HasTheTopologyOfTheNerveWithNestedLoopsAndTies) {
 }
 
 TEST(BruteBoundary, HasTheTopologyBuiltIn) {
-  for (const NamedBalls &set : named_balls()) {
+  for (const KnownBalls &set : known_balls()) {
     const BoundaryRecord record = brute_boundary(set.balls);
     EXPECT_EQ(record.counts.components, set.components) << set.name;
     EXPECT_EQ(record.counts.voids, set.voids) << set.name;

@@ -56,7 +56,7 @@ TEST(DualComplex, VoidsAreThoseOfTheNerve) {
     voids += expected > 0 ? 1 : 0;
   }
   EXPECT_GT(voids, 5);
-  for (const oracle::NamedBalls &set : oracle::named_balls()) {
+  for (const oracle::KnownBalls &set : oracle::known_balls()) {
     if (set.balls.size() > 60 || set.name.starts_with("benzene")) continue;  // too many, or beyond the digits
     EXPECT_EQ(DualComplex(set.balls).cells(), 1 + set.voids) << set.name;
   }

@@ -71,7 +71,7 @@ Balls hollow_shell(double sphere_radius, Integer radius) {
   return balls;
 }
 
-void add_small_sets(std::vector<NamedBalls> &sets) {
+void add_small_sets(std::vector<KnownBalls> &sets) {
   sets.push_back({"no ball", {}, 0, 0, 0});
   sets.push_back({"one ball", {{0, 0, 0, 5}}, 1, 0, 2});
   sets.push_back({"one ball of radius 0", {{7, -3, 2, 0}}, 1, 0, 2});
@@ -117,7 +117,7 @@ void add_small_sets(std::vector<NamedBalls> &sets) {
                   2});
 }
 
-void add_lattices(std::vector<NamedBalls> &sets) {
+void add_lattices(std::vector<KnownBalls> &sets) {
   // In a lattice of touching balls the nerve is the grid graph: tunnels = edges - balls + 1.
   sets.push_back({"cube, edges touch", box_lattice({2, 2, 2}, {4, 4, 4}, 2), 1, 0, -8});
   sets.push_back({"slanted cube, edges touch", slanted_lattice({2, 2, 2}, {2, 2, 2}, 7), 1, 0, -8});
@@ -149,7 +149,7 @@ void add_lattices(std::vector<NamedBalls> &sets) {
        std::nullopt});
 }
 
-void add_molecules(std::vector<NamedBalls> &sets) {
+void add_molecules(std::vector<KnownBalls> &sets) {
   sets.push_back({"benzene", benzene(0), 1, 0, 2});
   sets.push_back({"benzene, accessible to a probe of 1.4", benzene(1.4), 1, 0, 2});
   sets.push_back({"fullerene", fullerene(50, 1.7), 1, 1, 4});
@@ -157,7 +157,7 @@ void add_molecules(std::vector<NamedBalls> &sets) {
   sets.push_back({"fullerene without hollow", fullerene(50, 3.6), 1, 0, 2});
 }
 
-void add_nested_sets(std::vector<NamedBalls> &sets) {
+void add_nested_sets(std::vector<KnownBalls> &sets) {
   sets.push_back({"belt", belted({}), 1, 0, 2});
   sets.push_back({"belt with bumps at the poles", belted({{0, 0, 95, 20}, {30, 10, -90, 20}}), 1, 0, 2});
   sets.push_back({"belt with many bumps",
@@ -180,8 +180,8 @@ void add_nested_sets(std::vector<NamedBalls> &sets) {
 
 }  // namespace
 
-std::vector<NamedBalls> named_balls() {
-  std::vector<NamedBalls> sets;
+std::vector<KnownBalls> known_balls() {
+  std::vector<KnownBalls> sets;
   add_small_sets(sets);
   add_lattices(sets);
   add_molecules(sets);

@@ -11,25 +11,15 @@ namespace oracle {
 namespace {
 
 // Integer vectors of integer length: the ties that lattice balls with integer radii can have come from these.
-constexpr std::array<std::array<int64_t, 4>, 9> integer_lengths = {{{0, 0, 1, 1},
-                                                                    {0, 3, 4, 5},
-                                                                    {1, 2, 2, 3},
-                                                                    {2, 3, 6, 7},
-                                                                    {1, 4, 8, 9},
-                                                                    {4, 4, 7, 9},
-                                                                    {2, 6, 9, 11},
-                                                                    {6, 6, 7, 11},
-                                                                    {0, 5, 12, 13}}};
-
-// A random vector of integer length, as a ball around the origin that the vector just reaches.
-LatticeBall integer_length_vector(RandomSource &random, size_t kinds = integer_lengths.size()) {
-  const auto &choice = integer_lengths[static_cast<size_t>(random.in(0, static_cast<int64_t>(kinds) - 1))];
-  std::array<int64_t, 3> v = {choice[0], choice[1], choice[2]};
-  for (size_t k = 2; k > 0; --k) std::swap(v[k], v[static_cast<size_t>(random.in(0, static_cast<int64_t>(k)))]);
-  for (int64_t &component : v)
-    if (random.one_in(2)) component = -component;
-  return {v[0], v[1], v[2], choice[3]};
-}
+constexpr std::array<std::array<int64_t, 4>, kinds_of_integer_length> integer_lengths = {{{0, 0, 1, 1},
+                                                                                          {0, 3, 4, 5},
+                                                                                          {1, 2, 2, 3},
+                                                                                          {2, 3, 6, 7},
+                                                                                          {1, 4, 8, 9},
+                                                                                          {4, 4, 7, 9},
+                                                                                          {2, 6, 9, 11},
+                                                                                          {6, 6, 7, 11},
+                                                                                          {0, 5, 12, 13}}};
 
 LatticeBall ball_in_box(RandomSource &random, int64_t half_side, int64_t least, int64_t largest) {
   const int64_t x = random.in(-half_side, half_side);
@@ -39,6 +29,15 @@ LatticeBall ball_in_box(RandomSource &random, int64_t half_side, int64_t least, 
 }
 
 }  // namespace
+
+LatticeBall integer_length_vector(RandomSource &random, size_t kinds) {
+  const auto &choice = integer_lengths[static_cast<size_t>(random.in(0, static_cast<int64_t>(kinds) - 1))];
+  std::array<int64_t, 3> v = {choice[0], choice[1], choice[2]};
+  for (size_t k = 2; k > 0; --k) std::swap(v[k], v[static_cast<size_t>(random.in(0, static_cast<int64_t>(k)))]);
+  for (int64_t &component : v)
+    if (random.one_in(2)) component = -component;
+  return {v[0], v[1], v[2], choice[3]};
+}
 
 std::vector<uint32_t> RandomSource::permutation(size_t n) {
   std::vector<uint32_t> order(n);

@@ -17,6 +17,11 @@ class RandomSource : public support::RandomNumbers<std::mt19937_64> {
   std::vector<uint32_t> permutation(size_t n);
 };
 
+// A vector of integer components and length, as a ball around the origin that it just reaches: one of the first kinds
+// of 1 0 0, 0 3 4, 1 2 2, 2 3 6, 1 4 8, 4 4 7, 2 6 9, 6 6 7, 0 5 12, in any order and with any signs.
+inline constexpr size_t kinds_of_integer_length = 9;
+LatticeBall integer_length_vector(RandomSource &random, size_t kinds = kinds_of_integer_length);
+
 // permuted[k] = balls[order[k]].
 Balls permuted(const Balls &balls, const std::vector<uint32_t> &order);
 

@@ -12,6 +12,7 @@
 
 #include "drawn_colours.hpp"
 #include "json_outcome.hpp"
+#include "molecule_file.hpp"
 #include "program_runner.hpp"
 #include "temporary_file.hpp"
 
@@ -85,10 +86,10 @@ TEST(DrawOcclusion, InAnyUnit) {
   std::vector<std::map<int, std::string>> found;
   for (const double factor : {1.0, 0.1, 1000.0}) {
     std::string text;
-    for (const std::string &atom : atoms_of(crambin())) {
+    for (const support::Atom &atom : support::read_atoms(crambin())) {
       char line[120];
-      std::snprintf(line, sizeof line, "%.10g %.10g %.10g %.10g\n", std::stod(atom.substr(30, 8)) * factor,
-                    std::stod(atom.substr(38, 8)) * factor, std::stod(atom.substr(46, 8)) * factor, 1.7 * factor);
+      std::snprintf(line, sizeof line, "%.10g %.10g %.10g %.10g\n", atom.centre[0] * factor, atom.centre[1] * factor,
+                    atom.centre[2] * factor, 1.7 * factor);
       text += line;
     }
     const TemporaryFile file("unit.xyzr", text);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "json_outcome.hpp"
+#include "molecule_file.hpp"
 #include "program_runner.hpp"
 #include "temporary_file.hpp"
 
@@ -125,23 +126,20 @@ TEST(Examples, CavitiesRefuseBadFiles) {
 TEST(Examples, YourPlotterShowsWhatIsInFront) {
   struct Ball {
     double x, y, z, r;
-    std::string element;
   };
   const double a = 60 * pi / 180;
   const double b = 25 * pi / 180;
   std::vector<Ball> balls;
   double low[2] = {1e9, 1e9};
   double high[2] = {-1e9, -1e9};
-  for (const std::string &line : lines_of(read_file(molecules_folder() + "/caffeine.pdb"))) {
-    if (line.rfind("HETATM", 0) != 0) continue;
-    const double x = std::stod(line.substr(30, 8));
-    const double y = std::stod(line.substr(38, 8));
-    const double z = std::stod(line.substr(46, 8));
+  const std::vector<support::Atom> atoms = support::read_atoms(support::own_molecule("caffeine.pdb"));
+  const support::BallList caffeine = with_radii(atoms, support::Radii::van_der_waals);
+  for (size_t i = 0; i < atoms.size(); ++i) {
+    const auto [x, y, z] = atoms[i].centre;
+    const double r = caffeine.radius[i];
     const double turned_z = std::sin(a) * y + std::cos(a) * z;
-    const std::string element = line.substr(76, 2);
-    const double r = element == " H" ? 1.10 : element == " C" ? 1.70 : element == " N" ? 1.55 : 1.52;
     const Ball ball = {std::cos(b) * x + std::sin(b) * turned_z, std::cos(a) * y - std::sin(a) * z,
-                       std::cos(b) * turned_z - std::sin(b) * x, r, element};
+                       std::cos(b) * turned_z - std::sin(b) * x, r};
     balls.push_back(ball);
     low[0] = std::min(low[0], ball.x - r);
     low[1] = std::min(low[1], ball.y - r);

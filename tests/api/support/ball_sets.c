@@ -38,6 +38,27 @@ void ball_set_add_grid(ball_set *set, const int counts[3], const double spacing[
   }
 }
 
+void ball_set_add_hollow(ball_set *set, double x, double y, double z, double spacing) {
+  int i, j, k;
+  for (i = -1; i <= 1; ++i) {
+    for (j = -1; j <= 1; ++j) {
+      for (k = -1; k <= 1; ++k) {
+        if (i == 0 && j == 0 && k == 0) continue;
+        ball_set_add(set, x + i * spacing, y + j * spacing, z + k * spacing, 0.75 * spacing);
+      }
+    }
+  }
+}
+
+void ball_set_add_ring(ball_set *set, double x, int other_axis, double radius) {
+  static const int positions[8][2] = {{5, 0}, {4, 3}, {0, 5}, {-4, 3}, {-5, 0}, {-4, -3}, {0, -5}, {4, -3}};
+  int i;
+  for (i = 0; i < 8; ++i) {
+    const int across = positions[i][1];
+    ball_set_add(set, x + positions[i][0], other_axis == 1 ? across : 0, other_axis == 2 ? across : 0, radius);
+  }
+}
+
 void ball_set_add_chain(ball_set *set, uint32_t atoms, uint64_t seed) {
   static const double radii[4] = {1.7, 1.55, 1.52, 1.8};
   uint64_t state = seed;
@@ -211,17 +232,8 @@ static void eightfold_grid(ball_set *s) {
 }
 
 static void cavity(ball_set *s) {
-  static const int counts[3] = {3, 3, 3};
-  static const double spacing[3] = {1, 1, 1};
-  ball_set grid;
-  uint32_t i;
-  ball_set_start(&grid, "", 1e-8);
-  ball_set_add_grid(&grid, counts, spacing, 0.75);
   ball_set_start(s, "closed cavity of 26 balls", 1e-8);
-  for (i = 0; i < grid.n; ++i) {
-    const double *c = grid.xyz + 3 * i;
-    if (c[0] != 1 || c[1] != 1 || c[2] != 1) ball_set_add(s, c[0], c[1], c[2], grid.radius[i]);
-  }
+  ball_set_add_hollow(s, 1, 1, 1, 1);
 }
 
 static void belt(ball_set *s) {
@@ -237,10 +249,8 @@ static void belt(ball_set *s) {
 }
 
 static void ring(ball_set *s) {
-  static const int places[8][2] = {{5, 0}, {4, 3}, {0, 5}, {-4, 3}, {-5, 0}, {-4, -3}, {0, -5}, {4, -3}};
-  int i;
   ball_set_start(s, "a ring of balls with a hole", 1e-8);
-  for (i = 0; i < 8; ++i) ball_set_add(s, places[i][0], places[i][1], 0, 2.5);
+  ball_set_add_ring(s, 0, 1, 2.5);
 }
 
 static void chain(ball_set *s) {

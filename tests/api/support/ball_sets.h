@@ -27,6 +27,14 @@ void ball_set_add(ball_set *set, double x, double y, double z, double radius);
 /* The full grid counts[0] x counts[1] x counts[2] with the given spacings, first ball at the origin. */
 void ball_set_add_grid(ball_set *set, const int counts[3], const double spacing[3], double radius);
 
+/* A closed wall of 26 balls, 3 x 3 x 3 without the middle. It reaches to 1.75 spacings from its centre along each
+ * axis; its void holds the points up to 1/4 of the spacing along each axis. */
+void ball_set_add_hollow(ball_set *set, double x, double y, double z, double spacing);
+
+/* A ring of eight balls about (x, 0, 0), with centres at a distance of 5, in the plane of the x axis and another one.
+ */
+void ball_set_add_ring(ball_set *set, double x, int other_axis, double radius);
+
 /* A self-avoiding walk of atoms with van der Waals radii and bonds of about 1.5, coordinates with 3 decimals. */
 void ball_set_add_chain(ball_set *set, uint32_t atoms, uint64_t seed);
 

@@ -2,39 +2,25 @@
 
 #include <math.h>
 
-void topology_set_add_hollow(ball_set *set, double x, double y, double z, double spacing) {
-  int i, j, k;
-  for (i = -1; i <= 1; ++i) {
-    for (j = -1; j <= 1; ++j) {
-      for (k = -1; k <= 1; ++k) {
-        if (i == 0 && j == 0 && k == 0) continue;
-        ball_set_add(set, x + i * spacing, y + j * spacing, z + k * spacing, 0.75 * spacing);
-      }
-    }
-  }
-}
-
 void topology_set_nested(ball_set *s) {
   ball_set_start(s, "three hollow shells in each other and a ball in the middle", 1e-7);
-  topology_set_add_hollow(s, 0, 0, 0, 64);
-  topology_set_add_hollow(s, 0, 0, 0, 8);
-  topology_set_add_hollow(s, 0, 0, 0, 1);
+  ball_set_add_hollow(s, 0, 0, 0, 64);
+  ball_set_add_hollow(s, 0, 0, 0, 8);
+  ball_set_add_hollow(s, 0, 0, 0, 1);
   ball_set_add(s, 0, 0, 0, 0.125);
 }
 
 void topology_set_two_in_a_void(ball_set *s) {
   ball_set_start(s, "two balls in a void", 1e-8);
   ball_set_add(s, -1, 0, 0, 0.5);
-  topology_set_add_hollow(s, 0, 0, 0, 8);
+  ball_set_add_hollow(s, 0, 0, 0, 8);
   ball_set_add(s, 1, 0, 0, 0.5);
 }
 
 void topology_set_linked_rings(ball_set *s) {
-  static const int places[8][2] = {{5, 0}, {4, 3}, {0, 5}, {-4, 3}, {-5, 0}, {-4, -3}, {0, -5}, {4, -3}};
-  int i;
   ball_set_start(s, "two linked rings", 1e-8);
-  for (i = 0; i < 8; ++i) ball_set_add(s, places[i][0], places[i][1], 0, 2.3);
-  for (i = 0; i < 8; ++i) ball_set_add(s, 5 + places[i][0], 0, places[i][1], 2.3);
+  ball_set_add_ring(s, 0, 1, 2.3);
+  ball_set_add_ring(s, 5, 2, 2.3);
 }
 
 void topology_set_cage(ball_set *s) {

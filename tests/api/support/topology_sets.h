@@ -11,10 +11,6 @@ void topology_set_make(uint32_t which, ball_set *set);
 
 /* ---- sets with a known topology, by name ---- */
 
-/* A closed wall of 26 balls, 3 x 3 x 3 without the middle. It reaches to 1.75 spacings from its centre along each
- * axis; its void holds the points up to 1/4 of the spacing along each axis. */
-void topology_set_add_hollow(ball_set *set, double x, double y, double z, double spacing);
-
 /* Hollow walls of spacing 64, 8 and 1 about the origin, in this order, and a ball of radius 1/8 in the middle. */
 void topology_set_nested(ball_set *set);
 

@@ -52,7 +52,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, RandomBoundary,
                                          Kind{"mixed", oracle::degenerate_balls, 1000, 4, 12}),
                          [](const auto &kind) { return std::string(kind.param.name); });
 
-class NamedBoundary : public testing::TestWithParam<oracle::NamedBalls> {};
+class NamedBoundary : public testing::TestWithParam<oracle::KnownBalls> {};
 
 TEST_P(NamedBoundary, IsThatOfBruteForce) {
   EXPECT_EQ(complaint_about_smallest(GetParam().balls, boundary_differs(4, 12)), "");
@@ -67,7 +67,7 @@ TEST_P(NamedBoundary, HasTheTopologyBuiltIn) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Named, NamedBoundary, testing::ValuesIn(oracle::named_balls()), [](const auto &set) {
+INSTANTIATE_TEST_SUITE_P(Named, NamedBoundary, testing::ValuesIn(oracle::known_balls()), [](const auto &set) {
   std::string name;
   for (const char c : set.param.name) name += (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') ? c : '_';
   return name;

@@ -34,7 +34,7 @@ TEST(BoundaryInvariants, OfCrownedSets) {
 }
 
 TEST(BoundaryInvariants, OfNamedSets) {
-  for (const oracle::NamedBalls &set : oracle::named_balls())
+  for (const oracle::KnownBalls &set : oracle::known_balls())
     EXPECT_EQ(complaint_about_smallest(set.balls, boundary_invariant_broken), "") << set.name;
 }
 

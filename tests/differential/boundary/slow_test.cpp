@@ -65,7 +65,7 @@ TEST(Slow, MeasuresOfDegenerateSets) {
 }
 
 TEST(Slow, MeasuresOfNamedSets) {
-  for (const oracle::NamedBalls &set : oracle::named_balls())
+  for (const oracle::KnownBalls &set : oracle::known_balls())
     EXPECT_EQ(complaint_about_smallest(set.balls, measures_differ), "") << set.name;
 }
 

@@ -1,5 +1,6 @@
 #include "peers_inputs.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <initializer_list>
@@ -7,6 +8,8 @@
 #include <numbers>
 
 #include "hardsphere.h"
+#include "lattice_lengths.hpp"
+#include "point_lattices.hpp"
 
 namespace degenerate {
 namespace {
@@ -56,10 +59,8 @@ const Topology nothing{0, 0, 0, 0};
 const Topology solid{1, 0, 1, 2};
 
 BallList grid(double radius, double spacing) {
-  BallList balls;
-  for (int i = 0; i < 5; ++i)
-    for (int j = 0; j < 5; ++j)
-      for (int k = 0; k < 5; ++k) balls.add(spacing * i, spacing * j, spacing * k, radius);
+  BallList balls = oracle::in_lengths(oracle::box_lattice({5, 5, 5}, {1, 1, 1}, 0), spacing);
+  std::fill(balls.radius.begin(), balls.radius.end(), radius);
   return balls;
 }
 
@@ -82,15 +83,15 @@ BallList with_more(const BallList &balls, double share) {
   return all;
 }
 
-// The directions of the 26 neighbours in a cubic lattice.
+// In the directions of the 26 neighbours in a cubic lattice.
 BallList cage() {
-  BallList balls;
-  for (int i = -1; i <= 1; ++i)
-    for (int j = -1; j <= 1; ++j)
-      for (int k = -1; k <= 1; ++k) {
-        const double length = std::sqrt(static_cast<double>(i * i + j * j + k * k));
-        if (length > 0) balls.add(3 * i / length, 3 * j / length, 3 * k / length, 1.6);
-      }
+  BallList balls = oracle::in_lengths(oracle::cage_of_26(1, 0), 1);
+  for (size_t i = 0; i < balls.size(); ++i) {
+    double *const centre = &balls.xyz[3 * i];
+    const double distance = std::hypot(centre[0], centre[1], centre[2]);
+    for (size_t k = 0; k < 3; ++k) centre[k] = 3 * centre[k] / distance;
+    balls.radius[i] = 1.6;
+  }
   return balls;
 }
 

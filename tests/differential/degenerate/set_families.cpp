@@ -41,7 +41,7 @@ class Collection {
 };
 
 void add_named(Collection &collection) {
-  for (const oracle::NamedBalls &set : oracle::named_balls()) {
+  for (const oracle::KnownBalls &set : oracle::known_balls()) {
     if (set.euler)
       collection.add("named: " + set.name, set.balls, topology(set.components, set.voids, *set.euler));
     else
@@ -86,7 +86,7 @@ void add_other_lattices(Collection &collection) {
 
 // The centres are those of tests/oracle; edges 71 long, pentagons close at 60.4, hexagons at 71, the cage at 176.
 void add_fullerenes(Collection &collection) {
-  const std::vector<oracle::NamedBalls> named = oracle::named_balls();
+  const std::vector<oracle::KnownBalls> named = oracle::known_balls();
   const auto found = std::find_if(named.begin(), named.end(), [](const auto &set) { return set.name == "fullerene"; });
   if (found == named.end()) throw std::logic_error("no fullerene among the named balls");
   const std::array<std::pair<Integer, Topology>, 6> radii = {{{30, topology(60, 0, 120)},

@@ -32,7 +32,7 @@ void expect_nearly_all_known(const GradientTally &tally) {
 TEST(Gradients, OfSetsOfEveryKind) {
   oracle::RandomSource random(81);
   GradientTally tally;
-  for (const GradientSet &set : sets_of_every_kind(82))
+  for (const oracle::NamedBalls &set : sets_of_every_kind(82))
     EXPECT_EQ(gradients_differ(set.balls, some_of(set.balls, 5, random), measured_by_library, tally), "") << set.name;
   expect_nearly_all_known(tally);
 }
@@ -40,14 +40,14 @@ TEST(Gradients, OfSetsOfEveryKind) {
 TEST(Gradients, OfMolecules) {
   oracle::RandomSource random(83);
   GradientTally tally;
-  for (const GradientSet &set : molecules_of_gradient_tests())
+  for (const oracle::NamedBalls &set : molecules_of_gradient_tests())
     EXPECT_EQ(gradients_differ(set.balls, some_of(set.balls, 6, random), measured_by_library, tally), "") << set.name;
   expect_nearly_all_known(tally);
 }
 
 // What the comparison with slices rests on: turned, they say the same.
 TEST(Gradients, SlicesAreAsExactAsAssumed) {
-  for (const GradientSet &set : sets_of_every_kind(85)) {
+  for (const oracle::NamedBalls &set : sets_of_every_kind(85)) {
     if (set.balls.size() > 20) continue;
     Balls turned;
     for (const oracle::LatticeBall &ball : set.balls) turned.push_back({ball.z, ball.x, ball.y, ball.radius});
@@ -62,11 +62,11 @@ TEST(Gradients, SlicesAreAsExactAsAssumed) {
 TEST(Gradients, OfSlices) {
   oracle::RandomSource random(84);
   GradientTally tally;
-  for (const GradientSet &set : sets_of_every_kind(85)) {
+  for (const oracle::NamedBalls &set : sets_of_every_kind(85)) {
     if (set.balls.size() > 20) continue;
     EXPECT_EQ(gradients_differ(set.balls, some_of(set.balls, 1, random), measured_by_slices, tally), "") << set.name;
   }
-  for (const GradientSet &set : molecules_of_gradient_tests()) {
+  for (const oracle::NamedBalls &set : molecules_of_gradient_tests()) {
     const Balls piece = nearest_to_first(set.balls, 9);
     EXPECT_EQ(gradients_differ(piece, some_of(piece, 1, random), measured_by_slices, tally), "") << set.name;
   }

@@ -104,7 +104,7 @@ TEST(AreaRowInvariants, OfAnyBalls) {
 }
 
 TEST(GradientInvariants, OfMolecules) {
-  for (const GradientSet &set : molecules_of_gradient_tests()) {
+  for (const oracle::NamedBalls &set : molecules_of_gradient_tests()) {
     EXPECT_EQ(gradient_invariant_broken(set.balls, 92), "") << set.name;
     EXPECT_EQ(gradient_orders_disagree(set.balls, 94), "") << set.name;
     EXPECT_EQ(area_row_invariant_broken(set.balls, 99), "") << set.name;
@@ -131,20 +131,20 @@ std::string volume_gradient_differs(const Balls &balls) {
 }
 
 TEST(VolumeGradient, IsTheVectorAreaOfSlices) {
-  for (const GradientSet &set : sets_of_every_kind(95))
+  for (const oracle::NamedBalls &set : sets_of_every_kind(95))
     EXPECT_EQ(complaint_about_smallest(set.balls, volume_gradient_differs), "") << set.name;
   RandomSource random(96);
   for (int k = 0; k < 300; ++k) {
     const Balls balls = oracle::degenerate_balls(random, static_cast<size_t>(random.in(1, 10)));
     ASSERT_EQ(complaint_about_smallest(balls, volume_gradient_differs), "");
   }
-  for (const GradientSet &set : molecules_of_gradient_tests())
+  for (const oracle::NamedBalls &set : molecules_of_gradient_tests())
     EXPECT_EQ(volume_gradient_differs(nearest_to_first(set.balls, 30)), "") << set.name;
 }
 
 TEST(ProbeDerivative, IsThatOfAllRadiiTogether) {
-  for (const std::vector<GradientSet> &sets : {sets_of_every_kind(97), molecules_of_gradient_tests()})
-    for (const GradientSet &set : sets) {
+  for (const std::vector<oracle::NamedBalls> &sets : {sets_of_every_kind(97), molecules_of_gradient_tests()})
+    for (const oracle::NamedBalls &set : sets) {
       const Real scale = largest_radius(set.balls);
       const MeasureDerivatives expected =
           derivatives_by_differences(set.balls, {Variable::all_balls, Variable::radius}, measured_by_library, 1e-9L);

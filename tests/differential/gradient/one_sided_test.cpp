@@ -82,7 +82,7 @@ TEST(OneSidedGradients, FlagsNameTheBallsThatTouchAtAFreePoint) {
 }
 
 TEST(OneSidedGradients, NoFlagsInGeneralPosition) {
-  for (const GradientSet &set : sets_of_every_kind(112))
+  for (const oracle::NamedBalls &set : sets_of_every_kind(112))
     for (const uint32_t flag : gradient(LibraryBoundary(set.balls), EnergyTerms{}).flags) EXPECT_EQ(flag, 0U);
 }
 
@@ -102,9 +102,7 @@ struct TouchingSet {
 };
 
 TouchingSet touching_set(oracle::RandomSource &random, bool from_inside) {
-  constexpr std::array<std::array<int64_t, 4>, 4> directions = {
-      {{2, 3, 6, 7}, {-4, 4, 7, 9}, {6, -9, 2, 11}, {1, 2, -2, 3}}};
-  const auto &[x, y, z, length] = directions[static_cast<size_t>(random.in(0, 3))];
+  const auto [x, y, z, length] = oracle::integer_length_vector(random);
   TouchingSet set = {in_general_position(oracle::loose_balls(random, 8), random), {x, y, z}};
   LatticeBall &first = set.balls.front();
   // Lengths that the direction's length divides, near to these shares of the first radius.

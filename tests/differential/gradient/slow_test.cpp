@@ -29,14 +29,14 @@ void expect_nearly_all_known(const GradientTally &tally) {
 TEST(DerivativesSlow, GradientsOfAllBallsOfSetsOfEveryKind) {
   GradientTally tally;
   for (int k = 0; k < oracle::rounds(2, 5); ++k)
-    for (const GradientSet &set : sets_of_every_kind(201 + static_cast<uint64_t>(k)))
+    for (const oracle::NamedBalls &set : sets_of_every_kind(201 + static_cast<uint64_t>(k)))
       EXPECT_EQ(gradients_differ(set.balls, every(1, set.balls), measured_by_library, tally), "") << set.name;
   expect_nearly_all_known(tally);
 }
 
 TEST(DerivativesSlow, GradientsOfManyAtoms) {
   GradientTally tally;
-  for (const GradientSet &set : molecules_of_gradient_tests())
+  for (const oracle::NamedBalls &set : molecules_of_gradient_tests())
     EXPECT_EQ(gradients_differ(set.balls, every(set.balls.size() > 100 ? 5 : 1, set.balls), measured_by_library, tally),
               "")
         << set.name;
@@ -45,11 +45,11 @@ TEST(DerivativesSlow, GradientsOfManyAtoms) {
 
 TEST(DerivativesSlow, GradientsOfSlices) {
   GradientTally tally;
-  for (const GradientSet &set : sets_of_every_kind(211))
+  for (const oracle::NamedBalls &set : sets_of_every_kind(211))
     if (set.balls.size() <= 16) {
       EXPECT_EQ(gradients_differ(set.balls, every(2, set.balls), measured_by_slices, tally), "") << set.name;
     }
-  for (const GradientSet &set : molecules_of_gradient_tests()) {
+  for (const oracle::NamedBalls &set : molecules_of_gradient_tests()) {
     const Balls piece = nearest_to_first(set.balls, 12);
     EXPECT_EQ(gradients_differ(piece, every(3, piece), measured_by_slices, tally), "") << set.name;
   }
@@ -58,12 +58,13 @@ TEST(DerivativesSlow, GradientsOfSlices) {
 
 TEST(DerivativesSlow, FacesOfSetsOfEveryKind) {
   for (int k = 0; k < oracle::rounds(1, 4); ++k)
-    for (const GradientSet &set : sets_of_every_kind(221 + static_cast<uint64_t>(k)))
+    for (const oracle::NamedBalls &set : sets_of_every_kind(221 + static_cast<uint64_t>(k)))
       EXPECT_EQ(faces_differ(set.balls), "") << set.name;
 }
 
 TEST(DerivativesSlow, FacesOfMolecules) {
-  for (const GradientSet &set : molecules_of_gradient_tests()) EXPECT_EQ(faces_differ(set.balls), "") << set.name;
+  for (const oracle::NamedBalls &set : molecules_of_gradient_tests())
+    EXPECT_EQ(faces_differ(set.balls), "") << set.name;
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ using oracle::Balls;
 using Real = long double;
 
 TEST(MeasuresOfFaces, OfSetsOfEveryKind) {
-  for (const GradientSet &set : sets_of_every_kind(101))
+  for (const oracle::NamedBalls &set : sets_of_every_kind(101))
     EXPECT_EQ(complaint_about_smallest(set.balls, faces_differ), "") << set.name;
 }
 
@@ -27,7 +27,7 @@ TEST(MeasuresOfFaces, OfRandomSets) {
 }
 
 TEST(MeasuresOfFaces, OfMolecules) {
-  for (const GradientSet &set : molecules_of_gradient_tests())
+  for (const oracle::NamedBalls &set : molecules_of_gradient_tests())
     EXPECT_EQ(complaint_about_smallest(nearest_to_first(set.balls, 60), faces_differ), "") << set.name;
 }
 

@@ -48,7 +48,7 @@ TEST(Measures, OfCrownedSetsAreThoseOfSlices) {
 }
 
 TEST(Measures, OfNamedSetsAreThoseOfSlices) {
-  for (const oracle::NamedBalls &set : oracle::named_balls())
+  for (const oracle::KnownBalls &set : oracle::known_balls())
     if (set.balls.size() <= 32) {
       EXPECT_EQ(complaint_about_smallest(set.balls, measures_differ), "") << set.name;
     }

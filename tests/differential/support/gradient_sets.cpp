@@ -54,9 +54,9 @@ Balls scattered_balls() {
 
 }  // namespace
 
-std::vector<GradientSet> sets_of_every_kind(uint64_t seed) {
+std::vector<oracle::NamedBalls> sets_of_every_kind(uint64_t seed) {
   oracle::RandomSource random(seed);
-  std::vector<GradientSet> sets;
+  std::vector<oracle::NamedBalls> sets;
   const auto add = [&](const std::string &name, const Balls &balls) {
     sets.push_back({name, in_general_position(balls, random)});
   };
@@ -67,16 +67,16 @@ std::vector<GradientSet> sets_of_every_kind(uint64_t seed) {
   add("clustered", oracle::clustered_balls(random, 16));
   add("belted", oracle::belted_balls(random, 25));
   add("bumpy", bumpy_ball());
-  for (const oracle::NamedBalls &set : oracle::named_balls())
+  for (const oracle::KnownBalls &set : oracle::known_balls())
     for (const char *name : {"belt with many bumps", "two belts with bumps", "hollow shell",
                              "hollow shell with balls inside and outside", "fullerene"})
       if (set.name == name) add(name, set.balls);
   return sets;
 }
 
-std::vector<GradientSet> molecules_of_gradient_tests() {
+std::vector<oracle::NamedBalls> molecules_of_gradient_tests() {
   constexpr double units = 268435456;  // 2^28: crambin's largest radius with probe, 3.2, stays below 2^30
-  std::vector<GradientSet> sets;
+  std::vector<oracle::NamedBalls> sets;
   for (const std::string name : {"caffeine", "crambin"}) {
     const support::BallList balls =
         with_radii(support::read_atoms(support::own_molecule(name + ".pdb")), support::Radii::van_der_waals);

@@ -114,7 +114,7 @@ TEST(BuiltSets, CellsFromTheInsideOut) {
 }
 
 TEST(AwkwardSets, KeepTheInvariantsInAnyOrderAndAlongAnyAxes) {
-  for (const AwkwardSet &set : awkward_sets()) {
+  for (const oracle::NamedBalls &set : awkward_sets()) {
     EXPECT_EQ(complaint_about_smallest(set.balls, topology_invariant_broken), "") << set.name;
     EXPECT_EQ(complaint_about_smallest(set.balls, topology_orders_disagree), "") << set.name;
     for (const Balls &turned : oracle::axis_images(set.balls))
@@ -124,7 +124,7 @@ TEST(AwkwardSets, KeepTheInvariantsInAnyOrderAndAlongAnyAxes) {
 
 TEST(AwkwardSets, AreNestedAsTheDualComplexHasIt) {
   int compared = 0;
-  for (const AwkwardSet &set : awkward_sets()) {
+  for (const oracle::NamedBalls &set : awkward_sets()) {
     if (!small_enough_for_dual_complex(set.balls)) continue;
     EXPECT_EQ(nesting_disagrees(set.balls), "") << set.name;
     EXPECT_EQ(locations_disagree(set.balls, 60, set.balls.size()), "") << set.name;

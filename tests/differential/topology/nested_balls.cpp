@@ -121,8 +121,8 @@ std::vector<BuiltSet> built_sets() {
   return sets;
 }
 
-std::vector<AwkwardSet> awkward_sets() {
-  std::vector<AwkwardSet> sets;
+std::vector<oracle::NamedBalls> awkward_sets() {
+  std::vector<oracle::NamedBalls> sets;
   const auto add = [&](const char *name, Balls balls) { sets.push_back({name, std::move(balls)}); };
   const LatticeBall core = {0, 0, 0, 100};
   add("upright pair", {{0, 0, 0, 5}, {0, 0, 6, 5}});

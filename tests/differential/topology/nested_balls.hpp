@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lattice_ball.hpp"
+#include "named_balls.hpp"
 #include "random_balls.hpp"
 
 // One component as it was built.
@@ -29,11 +30,7 @@ std::vector<BuiltSet> built_sets();
 
 // Sets made for faces with many loops, for cut arcs through the poles, level and
 // upright neighbours, and upright planes that coincide on both sides of a circle.
-struct AwkwardSet {
-  std::string name;
-  oracle::Balls balls;
-};
-std::vector<AwkwardSet> awkward_sets();
+std::vector<oracle::NamedBalls> awkward_sets();
 
 // Shells of 6, 8, 26 or 30 balls in the voids of others, with loose balls and touching ones, along random axes; some
 // walls are closed by single points only; often with copies and with balls inside others. Mostly below 100 balls.

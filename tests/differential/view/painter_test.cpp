@@ -19,21 +19,21 @@ void expect_right_pictures(const Balls &balls, const std::vector<Direction> &dir
 }
 
 TEST(Painter, ShowsSmallSets) {
-  for (const NamedView &view : small_views()) {
+  for (const oracle::NamedBalls &view : small_views()) {
     expect_right_pictures(view.balls, even_directions(), 250, view.name);
     expect_right_pictures(view.balls, uneven_directions(), 250, view.name);
   }
 }
 
 TEST(Painter, ShowsLattices) {
-  for (const NamedView &view : lattice_views()) {
+  for (const oracle::NamedBalls &view : lattice_views()) {
     expect_right_pictures(view.balls, even_directions(), 250, view.name);
     expect_right_pictures(view.balls, {uneven_directions()[0]}, 250, view.name);
   }
 }
 
 TEST(Painter, ShowsDegenerateSets) {
-  for (const NamedView &view : degenerate_views(130)) {
+  for (const oracle::NamedBalls &view : degenerate_views(130)) {
     expect_right_pictures(view.balls, {even_directions()[0], even_directions()[4]}, 100, view.name);
     expect_right_pictures(view.balls, {uneven_directions()[0]}, 100, view.name);
   }

@@ -41,14 +41,14 @@ class Pieces : public testing::TestWithParam<NamedInvariant> {};
 
 TEST_P(Pieces, OfSmallSetsAndLattices) {
   for (const auto &views : {small_views(), lattice_views()})
-    for (const NamedView &view : views) {
+    for (const oracle::NamedBalls &view : views) {
       expect_invariant(GetParam().invariant, view.balls, even_directions(), view.name);
       expect_invariant(GetParam().invariant, view.balls, {uneven_directions()[0], uneven_directions()[2]}, view.name);
     }
 }
 
 TEST_P(Pieces, OfDegenerateSets) {
-  for (const NamedView &view : degenerate_views(60)) {
+  for (const oracle::NamedBalls &view : degenerate_views(60)) {
     expect_invariant(GetParam().invariant, view.balls, {even_directions()[0], even_directions()[4]}, view.name);
     expect_invariant(GetParam().invariant, view.balls, {uneven_directions()[0]}, view.name);
   }
@@ -112,19 +112,11 @@ TEST(DepthOrder, IsThatOfIntegers) {
 // A large ball about the origin and small ones at an integer point of it, all spheres through that point: arcs without
 // length, whose parameters rounding puts to either side of it.
 Balls balls_at_a_point(oracle::RandomSource &random, const std::array<int64_t, 3> &point, int64_t radius) {
-  static constexpr int64_t quadruples[][4] = {{1, 2, 2, 3},  {2, 3, 6, 7},  {1, 4, 8, 9},
-                                              {2, 6, 9, 11}, {6, 6, 7, 11}, {3, 4, 12, 13}};
   Balls balls = {{0, 0, 0, radius}};
   for (int64_t k = random.in(3, 6); k > 0; --k) {
-    const int64_t *const q = quadruples[random.in(0, 5)];
+    const oracle::LatticeBall v = oracle::integer_length_vector(random);
     const int64_t times = random.in(100, 20000);
-    const int64_t first = random.in(0, 2);
-    int64_t centre[3];
-    for (size_t axis = 0; axis < 3; ++axis) {
-      const int64_t side = random.one_in(2) ? times : -times;
-      centre[axis] = point[axis] + side * q[(first + static_cast<int64_t>(axis)) % 3];
-    }
-    balls.push_back({centre[0], centre[1], centre[2], times * q[3]});
+    balls.push_back({point[0] + times * v.x, point[1] + times * v.y, point[2] + times * v.z, times * v.radius});
   }
   return balls;
 }

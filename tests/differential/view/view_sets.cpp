@@ -9,7 +9,7 @@ using oracle::Balls;
 
 }  // namespace
 
-std::vector<NamedView> small_views() {
+std::vector<oracle::NamedBalls> small_views() {
   return {{"no ball", {}},
           {"one ball", {{1, 2, 3, 5}}},
           {"one ball of radius 0", {{1, 2, 3, 0}}},
@@ -45,8 +45,8 @@ std::vector<NamedView> small_views() {
            {{0, 0, 0, 20}, {0, 0, -8, 19}, {12, 0, 12, 8}, {-12, 0, 12, 8}, {0, 12, 12, 8}, {0, -12, 12, 8}}}};
 }
 
-std::vector<NamedView> lattice_views() {
-  std::vector<NamedView> views;
+std::vector<oracle::NamedBalls> lattice_views() {
+  std::vector<oracle::NamedBalls> views;
   for (const int64_t radius : {1, 2, 3, 4}) {
     const std::string suffix = ", radius " + std::to_string(radius);
     views.push_back({"cubic lattice, spacing 4" + suffix, oracle::box_lattice({4, 4, 4}, {4, 4, 4}, radius)});
@@ -59,9 +59,9 @@ std::vector<NamedView> lattice_views() {
   return views;
 }
 
-std::vector<NamedView> degenerate_views(size_t most_balls) {
-  std::vector<NamedView> views = small_views();
-  for (NamedView &view : lattice_views()) views.push_back(std::move(view));
+std::vector<oracle::NamedBalls> degenerate_views(size_t most_balls) {
+  std::vector<oracle::NamedBalls> views = small_views();
+  for (oracle::NamedBalls &view : lattice_views()) views.push_back(std::move(view));
   for (const auto &sets : {degenerate::made_sets(), degenerate::read_sets(HSP_DEGENERATE_SETS)})
     for (const degenerate::DegenerateSet &set : sets)
       if (set.balls.size() <= most_balls) views.push_back({set.name, set.balls});

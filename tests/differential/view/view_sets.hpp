@@ -4,23 +4,19 @@
 #include <string>
 #include <vector>
 
+#include "named_balls.hpp"
 #include "random_balls.hpp"
 #include "view_run.hpp"
 
-struct NamedView {
-  std::string name;
-  oracle::Balls balls;
-};
-
 // Balls beside, before and in each other, small enough to be looked through.
-std::vector<NamedView> small_views();
+std::vector<oracle::NamedBalls> small_views();
 
 // Lattices of equal balls, apart, touching and overlapping.
-std::vector<NamedView> lattice_views();
+std::vector<oracle::NamedBalls> lattice_views();
 
 // All of small_views and lattice_views, and the degenerate sets of tests/differential/degenerate of at most so many
 // balls.
-std::vector<NamedView> degenerate_views(size_t most_balls);
+std::vector<oracle::NamedBalls> degenerate_views(size_t most_balls);
 
 // Along axes and diagonals, where lattices line up.
 std::vector<Direction> even_directions();

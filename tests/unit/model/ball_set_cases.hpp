@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "cases.hpp"
+#include "gridless_balls.hpp"
 #include "model/ball_set.hpp"
 
 namespace cases {
@@ -105,16 +106,9 @@ constexpr hsp::exact::LatticeBall by_rank[] = {{{-(INT64_C(1) << 50), 9, 9}, 9, 
                                                {{INT64_C(1) << 50, 0, 0}, 0, 3}};
 
 inline uint32_t sets_keep_balls() {
-  double x[9], y[9], z[9], r[9];
-  uint32_t caller[9];
-  hsp::BallSet set;
-  set.x = {x, 9};
-  set.y = {y, 9};
-  set.z = {z, 9};
-  set.r = {r, 9};
-  set.caller = {caller, 9};
-  set.n = 9;
-  for (uint32_t i = 0; i < 9; ++i) set.store(i, by_rank[i]);
+  GridlessBalls<9> balls;
+  for (const hsp::exact::LatticeBall &ball : by_rank) balls.add(ball);
+  const hsp::BallSet &set = balls.set();
   for (uint32_t i = 0; i < 9; ++i) {
     const hsp::exact::LatticeBall &own = by_rank[i];
     const hsp::exact::LatticeBall kept = set.ball(i);

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "filter_bounds_search.hpp"
+#include "gridless_balls.hpp"
 #include "sphere/cap_pair.hpp"
 
 namespace {
@@ -27,12 +28,6 @@ using perturbation::Origin;
 class CapsOfScene {
  public:
   CapsOfScene() {
-    set_.x = {x_, 4};
-    set_.y = {y_, 4};
-    set_.z = {z_, 4};
-    set_.r = {r_, 4};
-    set_.caller = {caller_, 4};
-    set_.n = 4;
     hsp::Workspace workspace(memory_, sizeof memory_);
     caps_.carve(workspace, 4);
     block_.range[0] = {0, 4};
@@ -42,16 +37,15 @@ class CapsOfScene {
   CapsOfScene(const CapsOfScene &) = delete;
   CapsOfScene &operator=(const CapsOfScene &) = delete;
   const Caps &of(const Scene &scene) {
-    for (uint32_t k = 0; k < 4; ++k) set_.store(k, scene.ball[k]);
-    caps_.gather(set_, block_, 0, nullptr);
+    balls_.clear();
+    for (const hsp::exact::LatticeBall &ball : scene.ball) balls_.add(ball);
+    caps_.gather(balls_.set(), block_, 0, nullptr);
     return caps_;
   }
 
  private:
-  double x_[4], y_[4], z_[4], r_[4];
-  uint32_t caller_[4];
+  GridlessBalls<4> balls_;
   alignas(64) unsigned char memory_[4096];
-  hsp::BallSet set_;
   hsp::CubeBlock block_;
   Caps caps_;
 };

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <vector>
 
+#include "gridless_balls.hpp"
 #include "random_balls.hpp"
 
 namespace {
@@ -18,15 +19,7 @@ using namespace hsp;
 struct CapsOf {
   explicit CapsOf(const std::vector<exact::LatticeBall> &balls) {
     const uint32_t n = static_cast<uint32_t>(balls.size());
-    for (auto *array : {&x, &y, &z, &r}) array->resize(n);
-    caller.resize(n);
-    set.x = {x.data(), n};
-    set.y = {y.data(), n};
-    set.z = {z.data(), n};
-    set.r = {r.data(), n};
-    set.caller = {caller.data(), n};
-    set.n = n;
-    for (uint32_t k = 0; k < n; ++k) set.store(k, balls[k]);
+    for (const exact::LatticeBall &ball : balls) gridless.add(ball);
     Workspace measure;
     caps.carve(measure, n);
     memory.resize(measure.bytes());
@@ -35,12 +28,10 @@ struct CapsOf {
     CubeBlock block;
     block.range[0] = {0, n};
     block.ranges = 1;
-    caps.gather(set, block, 0, nullptr);
+    caps.gather(gridless.set(), block, 0, nullptr);
   }
-  std::vector<double> x, y, z, r;
-  std::vector<uint32_t> caller;
+  GridlessBalls<8> gridless;
   std::vector<unsigned char> memory;
-  BallSet set;
   Caps caps;
 };
 

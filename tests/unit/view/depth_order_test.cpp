@@ -4,29 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <random>
 
 #include "big_integer.hpp"
+#include "gridless_balls.hpp"
+#include "random_balls.hpp"
 
 namespace {
 
-// Balls in arrays of their own: the order needs no grid.
-struct Set {
-  std::vector<double> x, y, z, r;
-  std::vector<uint32_t> caller;
-
-  void add(int64_t cx, int64_t cy, int64_t cz, int64_t radius) {
-    x.push_back(static_cast<double>(cx));
-    y.push_back(static_cast<double>(cy));
-    z.push_back(static_cast<double>(cz));
-    r.push_back(static_cast<double>(radius));
-    caller.push_back(static_cast<uint32_t>(caller.size()));
-  }
-  hsp::BallSet balls() {
-    const uint32_t n = static_cast<uint32_t>(x.size());
-    return {{x.data(), n}, {y.data(), n}, {z.data(), n}, {r.data(), n}, {caller.data(), n}, n, {}, 0, 0};
-  }
-};
+using Set = GridlessBalls<128>;
 
 oracle::BigInteger depth(const hsp::BallSet &balls, const hsp::exact::Vector &v, uint32_t i) {
   const auto term = [](int64_t a, double b) {
@@ -44,8 +29,8 @@ bool comes_before(const hsp::BallSet &balls, const hsp::exact::Vector &v, uint32
   return key(a) < key(b);
 }
 
-void expect_order(Set &set, const hsp::ViewDirection &direction) {
-  const hsp::BallSet balls = set.balls();
+void expect_order(const Set &set, const hsp::ViewDirection &direction) {
+  const hsp::BallSet &balls = set.set();
   hsp::ViewFrame frame;
   ASSERT_EQ(hsp::look_from(direction, frame), hsp::Status::ok);
   hsp::centre_on(balls, frame);
@@ -72,15 +57,15 @@ hsp::ViewDirection towards(double x, double y, double z) {
 }
 
 TEST(DepthOrder, OfRandomSets) {
-  std::mt19937_64 random(5);
+  oracle::RandomSource random(5);
   for (const int bits : {3, 20, 31, 50}) {
     for (int round = 0; round < 30; ++round) {
       Set set;
       const auto coordinate = [&] {
-        return static_cast<int64_t>(random() >> (64 - bits)) - (int64_t{1} << (bits - 1));
+        return static_cast<int64_t>(random.next() >> (64 - bits)) - (int64_t{1} << (bits - 1));
       };
       for (int k = 0; k < 100; ++k) {
-        set.add(coordinate(), coordinate(), coordinate(), static_cast<int64_t>(random() % 3));
+        set.add(coordinate(), coordinate(), coordinate(), static_cast<int64_t>(random.next() % 3));
       }
       expect_order(set, towards(0, 0, 1));
       expect_order(set, towards(1, -1, 1));
@@ -111,14 +96,14 @@ TEST(DepthOrder, OfDepthsThatRoundingWouldExchange) {
   constexpr int64_t b = modulus - 5;
   uint64_t inverse = 1;  // of b, modulo the modulus
   for (int k = 0; k < 6; ++k) inverse *= 2 - static_cast<uint64_t>(b) * inverse;
-  std::mt19937_64 random(7);
+  oracle::RandomSource random(7);
   Set set;
   for (int k = 0; k < 40; ++k) {
     const int64_t depth = k % 2 == 0 ? 1 : -1;
-    const int64_t x = (int64_t{1} << 47) + static_cast<int64_t>(random() >> 17);
+    const int64_t x = (int64_t{1} << 47) + static_cast<int64_t>(random.next() >> 17);
     const int64_t remainder =
         static_cast<int64_t>(static_cast<uint64_t>(depth - a * (x % modulus)) * inverse % modulus);
-    const int64_t y = remainder - ((int64_t{1} << 18) + static_cast<int64_t>(random() >> 46)) * modulus;
+    const int64_t y = remainder - ((int64_t{1} << 18) + static_cast<int64_t>(random.next() >> 46)) * modulus;
     const oracle::BigInteger rest =
         oracle::BigInteger(a) * oracle::BigInteger(x) + oracle::BigInteger(b) * oracle::BigInteger(y);
     const int64_t low = a * (x % modulus) + b * (y % modulus) - depth;

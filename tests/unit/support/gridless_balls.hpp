@@ -1,0 +1,32 @@
+// Balls in arrays of their own, for parts of the library that need no grid.
+#pragma once
+
+#include <cstdint>
+
+#include "model/ball_set.hpp"
+
+template <uint32_t most>
+class GridlessBalls {
+ public:
+  GridlessBalls() {
+    set_.x = {x_, most};
+    set_.y = {y_, most};
+    set_.z = {z_, most};
+    set_.r = {r_, most};
+    set_.caller = {caller_, most};
+  }
+  GridlessBalls(const GridlessBalls &) = delete;
+  GridlessBalls &operator=(const GridlessBalls &) = delete;
+
+  void clear() { set_.n = 0; }
+  void add(const hsp::exact::LatticeBall &ball) { set_.store(set_.n++, ball); }
+  // Whose index is the number of those before.
+  void add(int64_t x, int64_t y, int64_t z, int64_t radius) { add({{x, y, z}, radius, set_.n}); }
+
+  const hsp::BallSet &set() const { return set_; }
+
+ private:
+  double x_[most], y_[most], z_[most], r_[most];
+  uint32_t caller_[most];
+  hsp::BallSet set_;
+};
