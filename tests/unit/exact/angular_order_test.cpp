@@ -1,7 +1,11 @@
-// The side of a plane through two directions, filter and exact stage together, against 128-bit integers.
-#include <gtest/gtest.h>
+// The side of a plane through two directions, filter and exact stage together, against 128-bit integers; and the order
+// of directions around an axis against angles.
+#include "angular_order_cases.hpp"
 
-#include "exact/angular_order.hpp"
+#include <cmath>
+#include <numbers>
+
+#include "expect_cases.hpp"
 #include "random_balls.hpp"
 
 namespace {
@@ -23,8 +27,7 @@ class Vectors : public oracle::RandomSource {
   Vector of_size(int64_t size) { return {in(-size, size), in(-size, size), in(-size, size)}; }
 };
 
-// Of vectors shorter than 2^31 each component is below 2^31 / sqrt(3) if all are alike.
-constexpr int64_t largest = 1239850262;
+constexpr int64_t largest = cases::diagonal;
 
 struct Seen {
   int left = 0, right = 0, flat = 0;
@@ -90,29 +93,35 @@ TEST(Orientation, OfNearlyParallelVectors) {
   EXPECT_GT(seen.flat, 1000);
 }
 
-TEST(Orientation, OfTheLongestVectors) {
-  constexpr int64_t longest = (int64_t{1} << 31) - 1;
-  Seen seen;
-  const Vector axes[] = {{longest, 0, 0},
-                         {0, longest, 0},
-                         {0, 0, longest},
-                         {-longest, 0, 0},
-                         {0, -longest, 0},
-                         {0, 0, -longest},
-                         {largest, largest, largest},
-                         {-largest, largest, largest},
-                         {largest, -largest, largest},
-                         {largest, largest, -largest},
-                         {largest, largest, largest - 1},
-                         {largest, largest - 1, largest},
-                         {0, 0, 0}};
-  for (const Vector &u : axes) {
-    for (const Vector &v : axes) {
-      for (const Vector &z : axes) check(u, v, z, seen);
+TEST(Orientation, Cases) {
+  expect_cases(cases::exact_angular_order);
+}
+
+TEST(CyclicOrder, AgreesWithAngles) {
+  Vectors vectors(4);
+  for (int k = 0; k < 50000; ++k) {
+    const Vector axis = vectors.of_size(10);
+    const Vector reference = vectors.of_size(10);
+    const Vector v = vectors.of_size(10);
+    const Vector w = vectors.of_size(10);
+    const auto angle = [&](const Vector &direction) {
+      const Vector across = cross(axis, reference);
+      const double length = std::sqrt(static_cast<double>(dot(axis, axis)));
+      const double sine = static_cast<double>(dot(across, direction)) * length;
+      const double cosine = static_cast<double>(dot(across, cross(axis, direction)));
+      const double to_view = std::atan2(sine, cosine);
+      return to_view < 0.0 ? to_view + 2 * std::numbers::pi : to_view;
+    };
+    if (is_zero(cross(axis, reference)) || is_zero(cross(axis, v)) || is_zero(cross(axis, w))) continue;
+    const double angle_v = angle(v);
+    const double angle_w = angle(w);
+    if (std::fabs(angle_v - angle_w) < 1e-9 || std::fabs(angle_v - angle_w) > 6.2831) continue;
+    EXPECT_EQ(counter_clockwise_before(axis, reference, v, w), angle_v < angle_w);
+    if (angle_v > 1e-9 && angle_w > 1e-9) {
+      EXPECT_EQ(strictly_between(axis, reference, v, w), angle_v < angle_w);
     }
+    EXPECT_TRUE(strictly_between(axis, v, w, v));
   }
-  EXPECT_EQ(seen.left, seen.right);
-  EXPECT_GT(seen.flat, 100);
 }
 
 }  // namespace

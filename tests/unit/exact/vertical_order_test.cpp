@@ -1,11 +1,10 @@
 // The order of entries along a vertical line against roots worked out to more than enough binary places.
-#include "exact/vertical_order.hpp"
-
-#include <gtest/gtest.h>
+#include "vertical_order_cases.hpp"
 
 #include <algorithm>
 #include <array>
 
+#include "expect_cases.hpp"
 #include "random_balls.hpp"
 #include "root_sums.hpp"
 
@@ -115,28 +114,8 @@ TEST(CompareEntries, OfTiesAndNextToThem) {
   for (const int times : seen) EXPECT_GT(times, 200);
 }
 
-TEST(CutVertically, HitsClosedBallsAlone) {
-  using hsp::exact::cut_vertically;
-  hsp::exact::VerticalCut cut{};
-  const hsp::exact::LatticeBall ball{{7, -8, 100}, 5, 0};
-  for (int64_t dx = -6; dx <= 6; ++dx) {
-    for (int64_t dy = -6; dy <= 6; ++dy) {
-      cut = {-1, -1};
-      const bool hits = dx * dx + dy * dy <= 25;
-      EXPECT_EQ(cut_vertically({7 + dx, -8 + dy, 40}, ball, cut), hits) << dx << ' ' << dy;
-      if (!hits) continue;
-      EXPECT_EQ(cut.below, 60);
-      EXPECT_EQ(cut.power, 25 - dx * dx - dy * dy);
-    }
-  }
-  // A point, and lines so far away that squares leave 64 bits: 2^32 squared is 0 modulo 2^64.
-  const hsp::exact::LatticeBall point{{1, 2, 3}, 0, 0};
-  EXPECT_TRUE(cut_vertically({1, 2, 0}, point, cut));
-  EXPECT_FALSE(cut_vertically({1, 3, 0}, point, cut));
-  for (const int64_t far : {int64_t{1} << 32, -(int64_t{1} << 32), int64_t{1} << 50, -(int64_t{1} << 50)}) {
-    EXPECT_FALSE(cut_vertically({7 + far, -8, 40}, ball, cut)) << far;
-    EXPECT_FALSE(cut_vertically({7, -8 + far, 40}, ball, cut)) << far;
-  }
+TEST(CutVertically, Cases) {
+  expect_cases(cases::exact_vertical_order);
 }
 
 }  // namespace

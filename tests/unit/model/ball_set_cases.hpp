@@ -57,13 +57,13 @@ inline uint32_t inputs_are_checked() {
   });
 }
 
-struct Rounded {
+struct RoundedBall {
   double xyz[3], radius, probe, step;
   hsp::Status status;
   hsp::exact::Vector centre;  // if accepted
   int64_t steps;              // the radius
 };
-constexpr Rounded rounded[] = {
+constexpr RoundedBall rounded_balls[] = {
     {{0.1, -0.2, 0.3}, 1.7, 1.4, 0.0, hsp::Status::ok, {10000000, -20000000, 30000000}, 310000000},
     {{12.345, -0.001, 1e6}, 1.52, 0.0, 0.001, hsp::Status::ok, {12345, -1, 1000000000}, 1520},
     {{0.5, -0.5, 1.49}, 1.25, 0.25, 1.0, hsp::Status::ok, {1, -1, 1}, 1},  // radius and probe on their own
@@ -81,7 +81,7 @@ constexpr Rounded rounded[] = {
 
 // As the second ball of an input, behind a smaller one.
 inline uint32_t balls_are_rounded() {
-  return first_failing(rounded, [](const Rounded &c) {
+  return first_failing(rounded_balls, [](const RoundedBall &c) {
     const double xyz[6] = {7, 7, 7, c.xyz[0], c.xyz[1], c.xyz[2]};
     const double radius[2] = {0.0, c.radius};
     hsp::BallRounding rounding;
