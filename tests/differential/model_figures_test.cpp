@@ -6,6 +6,7 @@
 #include "brute_queries.hpp"
 #include "library_run.hpp"
 #include "named_balls.hpp"
+#include "point_lattices.hpp"
 #include "random_balls.hpp"
 
 namespace {
@@ -67,10 +68,7 @@ TEST(Figures, OfSparseSetsWhoseClosestPairIsManyCubesApart) {
   for (int k = 0; k < 300; ++k) {
     const int64_t reach = int64_t{1} << random.in(4, 48);
     const auto n = static_cast<size_t>(random.in(2, 40));
-    Balls balls;
-    while (balls.size() < n)
-      balls.push_back({random.in(-reach, reach), random.in(-reach, reach), random.in(-reach, reach), random.in(1, 3)});
-    expect_figures(balls);
+    expect_figures(oracle::balls_in_box(random, n, reach, 1, 3));
   }
 }
 
@@ -80,9 +78,7 @@ TEST(Figures, WhereTheSmallestRatioIsNotTheSmallestDistance) {
   expect_figures({{0, 0, 0, 100}, {0, 0, 150, 2}, {0, 300, 0, 1}, {0, 302, 0, 1}});
   RandomSource random(43);
   for (int k = 0; k < 300; ++k) {
-    Balls balls = {{0, 0, 0, 2000}};
-    while (balls.size() < 30)
-      balls.push_back({random.in(-9000, 9000), random.in(-9000, 9000), random.in(-9000, 9000), random.in(1, 30)});
+    const Balls balls = oracle::joined({{0, 0, 0, 2000}}, oracle::balls_in_box(random, 29, 9000, 1, 30));
     expect_figures(oracle::permuted(balls, random.permutation(balls.size())));
   }
 }

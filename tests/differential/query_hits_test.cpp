@@ -6,6 +6,7 @@
 
 #include "brute_queries.hpp"
 #include "library_run.hpp"
+#include "point_lattices.hpp"
 #include "random_balls.hpp"
 #include "set_arrangements.hpp"
 
@@ -180,9 +181,7 @@ TEST(Queries, WithOneBallFarAway) {
 TEST(Queries, WithOneLargeBallAmongSmallOnes) {
   RandomSource random(36);
   for (int k = 0; k < 10; ++k) {
-    Balls balls = {{0, 0, 0, 1000}};
-    while (balls.size() < 100)
-      balls.push_back({random.in(-1500, 1500), random.in(-1500, 1500), random.in(-1500, 1500), random.in(0, 20)});
+    const Balls balls = oracle::joined({{0, 0, 0, 1000}}, oracle::balls_in_box(random, 99, 1500, 0, 20));
     expect_all(oracle::permuted(balls, random.permutation(balls.size())), random, 100);
   }
 }

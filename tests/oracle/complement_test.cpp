@@ -136,9 +136,8 @@ TEST(FloodFill, AgreesWithTheDualComplex) {
   oracle::RandomSource random(33);
   std::map<bool, int> same;
   for (int k = 0; k < 150; ++k) {
-    Balls balls = cage_of_26(100, random.in(65, 90));
-    for (int more = 0; more < 4; ++more)
-      balls.push_back({random.in(-60, 60), random.in(-60, 60), random.in(-60, 60), random.in(1, 40)});
+    const Balls cage = cage_of_26(100, random.in(65, 90));
+    const Balls balls = oracle::joined(cage, oracle::balls_in_box(random, 4, 60, 1, 40));
     const DualComplex complex(balls);
     const FloodFill fill(balls, oracle::box_around(balls, 20), 4);
     for (const FloodFill::Region &a : fill.certain())

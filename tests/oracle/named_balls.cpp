@@ -45,19 +45,8 @@ Balls fullerene(double unit, double radius) {
   return balls;
 }
 
-// A ring of balls around the z axis.
-void add_ring(Balls &balls, int members, double ring_radius, Integer height, Integer radius) {
-  for (int k = 0; k < members; ++k) {
-    const double angle = 2 * std::numbers::pi * k / members;
-    balls.push_back({nearest(ring_radius * std::cos(angle)), nearest(ring_radius * std::sin(angle)), height, radius});
-  }
-}
-
 Balls belted(const Balls &more) {
-  Balls balls = {{0, 0, 0, 100}};
-  add_ring(balls, 16, 100, 0, 25);
-  balls.insert(balls.end(), more.begin(), more.end());
-  return balls;
+  return joined(joined({{0, 0, 0, 100}}, ring_around_z(16, 100, 0, 25)), more);
 }
 
 // Balls all over a sphere, in rings whose members and distances overlap.
@@ -66,7 +55,8 @@ Balls hollow_shell(double sphere_radius, Integer radius) {
   constexpr std::array<int, 5> members = {7, 12, 14, 12, 7};
   for (size_t k = 0; k < members.size(); ++k) {
     const double angle = std::numbers::pi * static_cast<double>(k + 1) / 6;
-    add_ring(balls, members[k], sphere_radius * std::sin(angle), nearest(sphere_radius * std::cos(angle)), radius);
+    const Integer height = nearest(sphere_radius * std::cos(angle));
+    balls = joined(balls, ring_around_z(members[k], sphere_radius * std::sin(angle), height, radius));
   }
   return balls;
 }
@@ -162,9 +152,8 @@ void add_nested_sets(std::vector<KnownBalls> &sets) {
   sets.push_back({"belt with bumps at the poles", belted({{0, 0, 95, 20}, {30, 10, -90, 20}}), 1, 0, 2});
   sets.push_back({"belt with many bumps",
                   belted({{0, 0, 95, 10}, {50, 0, 85, 10}, {-50, 5, 85, 10}, {30, 10, -90, 20}}), 1, 0, 2});
-  Balls two_belts = belted({{0, 0, 99, 9}, {0, 0, -97, 9}, {83, 0, 55, 3}});
-  add_ring(two_belts, 12, 60, 80, 18);
-  sets.push_back({"two belts with bumps", two_belts, 1, 0, 2});
+  const Balls bumps = {{0, 0, 99, 9}, {0, 0, -97, 9}, {83, 0, 55, 3}};
+  sets.push_back({"two belts with bumps", belted(joined(bumps, ring_around_z(12, 60, 80, 18))), 1, 0, 2});
   Balls upright;
   for (const LatticeBall &ball : belted({{95, 0, 0, 20}, {-93, 20, 10, 20}, {-88, -40, 10, 10}}))
     upright.push_back(ball);

@@ -1,12 +1,14 @@
 // Balls on chosen points of a cubic lattice: simple, face-centred, diamond and whatever else a condition describes; on
-// spheres, and around a point.
+// spheres, around a point, and around an axis.
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <functional>
+#include <numbers>
 
-#include "lattice_ball.hpp"
+#include "lattice_lengths.hpp"
 
 namespace oracle {
 
@@ -69,6 +71,18 @@ inline Balls balls_on_circle(int64_t distance, int64_t scale, int64_t radius, si
   Balls balls;
   for (const LatticeBall &ball : balls_on_sphere(distance, scale, radius))
     if (centre_of(ball)[3 - first - second] == 0) balls.push_back(ball);
+  return balls;
+}
+
+// A ring of equal balls at the same angles about the z axis, each as near as the lattice has it. The first is turned by
+// this part of the angle from the x axis.
+inline Balls ring_around_z(int members, double ring_radius, int64_t height, int64_t radius, double turned = 0) {
+  Balls balls;
+  for (int k = 0; k < members; ++k) {
+    const double angle = 2 * std::numbers::pi * (k + turned) / members;
+    balls.push_back(nearest_ball({ring_radius * std::cos(angle), ring_radius * std::sin(angle),
+                                  static_cast<double>(height), static_cast<double>(radius)}));
+  }
   return balls;
 }
 

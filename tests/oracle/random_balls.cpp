@@ -21,13 +21,6 @@ constexpr std::array<std::array<int64_t, 4>, kinds_of_integer_length> integer_le
                                                                                           {6, 6, 7, 11},
                                                                                           {0, 5, 12, 13}}};
 
-LatticeBall ball_in_box(RandomSource &random, int64_t half_side, int64_t least, int64_t largest) {
-  const int64_t x = random.in(-half_side, half_side);
-  const int64_t y = random.in(-half_side, half_side);
-  const int64_t z = random.in(-half_side, half_side);
-  return {x, y, z, random.in(least, largest)};
-}
-
 }  // namespace
 
 LatticeBall integer_length_vector(RandomSource &random, size_t kinds) {
@@ -37,6 +30,19 @@ LatticeBall integer_length_vector(RandomSource &random, size_t kinds) {
   for (int64_t &component : v)
     if (random.one_in(2)) component = -component;
   return {v[0], v[1], v[2], choice[3]};
+}
+
+LatticeBall ball_in_box(RandomSource &random, int64_t half_side, int64_t least, int64_t largest) {
+  const int64_t x = random.in(-half_side, half_side);
+  const int64_t y = random.in(-half_side, half_side);
+  const int64_t z = random.in(-half_side, half_side);
+  return {x, y, z, random.in(least, largest)};
+}
+
+Balls balls_in_box(RandomSource &random, size_t n, int64_t half_side, int64_t least, int64_t largest) {
+  Balls balls;
+  while (balls.size() < n) balls.push_back(ball_in_box(random, half_side, least, largest));
+  return balls;
 }
 
 std::vector<uint32_t> RandomSource::permutation(size_t n) {
@@ -56,15 +62,11 @@ Balls permuted(const Balls &balls, const std::vector<uint32_t> &order) {
 Balls loose_balls(RandomSource &random, size_t n) {
   // Six to eight balls of mean radius 70 in each cube of side 200.
   const auto half_side = static_cast<int64_t>(50 * std::cbrt(static_cast<double>(n)));
-  Balls balls;
-  while (balls.size() < n) balls.push_back(ball_in_box(random, half_side, 50, 90));
-  return balls;
+  return balls_in_box(random, n, half_side, 50, 90);
 }
 
 Balls dense_balls(RandomSource &random, size_t n) {
-  Balls balls;
-  while (balls.size() < n) balls.push_back(ball_in_box(random, 60, 60, 100));
-  return balls;
+  return balls_in_box(random, n, 60, 60, 100);
 }
 
 Balls clustered_balls(RandomSource &random, size_t n) {

@@ -25,6 +25,10 @@ LatticeBall integer_length_vector(RandomSource &random, size_t kinds = kinds_of_
 // permuted[k] = balls[order[k]].
 Balls permuted(const Balls &balls, const std::vector<uint32_t> &order);
 
+// Centres in a cube of this half side about the origin, radii in least .. largest.
+LatticeBall ball_in_box(RandomSource &random, int64_t half_side, int64_t least, int64_t largest);
+Balls balls_in_box(RandomSource &random, size_t n, int64_t half_side, int64_t least, int64_t largest);
+
 // Sets in general position, or nearly.
 Balls loose_balls(RandomSource &random, size_t n);      // like atoms: a few overlaps per ball
 Balls dense_balls(RandomSource &random, size_t n);      // nearly all meet

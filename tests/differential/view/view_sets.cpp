@@ -77,17 +77,14 @@ std::vector<Direction> uneven_directions() {
 }
 
 Balls sparse_balls(oracle::RandomSource &random, size_t n) {
-  Balls balls;
-  while (balls.size() < n)
-    balls.push_back({random.in(-400, 400), random.in(-400, 400), random.in(-400, 400), random.in(10, 60)});
-  return balls;
+  return oracle::balls_in_box(random, n, 400, 10, 60);
 }
 
 Balls mixed_balls(oracle::RandomSource &random, size_t n) {
   Balls balls;
   while (balls.size() < n) {
     const int64_t size = random.one_in(6) ? 30 : random.one_in(2) ? 10 : 3;
-    balls.push_back({random.in(-60, 60), random.in(-60, 60), random.in(-60, 60), random.in(1, size)});
+    balls.push_back(ball_in_box(random, 60, 1, size));
   }
   return balls;
 }

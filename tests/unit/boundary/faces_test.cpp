@@ -4,13 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "boundary/boundary_check.hpp"
 #include "built_boundary.hpp"
-#include "lattice_lengths.hpp"
 #include "measure/boundary_metric_check.hpp"
 #include "point_lattices.hpp"
 #include "set_arrangements.hpp"
@@ -19,12 +16,7 @@ namespace {
 
 // The sphere has radius 1000. The ring's caps, 17 degrees wide, are centred 30 degrees from the axis y.
 oracle::Balls ring() {
-  oracle::Balls balls;
-  for (int k = 0; k < 6; ++k) {
-    const double angle = (k + 0.2) * std::numbers::pi / 3;
-    balls.push_back(oracle::nearest_ball({500 * std::cos(angle), 1000 * std::sqrt(0.75), 500 * std::sin(angle), 296}));
-  }
-  return balls;
+  return oracle::along_axes(oracle::ring_around_z(6, 500, 866, 296, 0.2), {0, 2, 1});
 }
 
 // The numbers of loops of the first ball's faces, ascending.

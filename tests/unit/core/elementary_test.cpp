@@ -5,7 +5,8 @@
 
 #include <cmath>
 #include <limits>
-#include <random>
+
+#include "random_balls.hpp"
 
 namespace {
 
@@ -19,11 +20,11 @@ double error_in_ulp(double y, double x) {
 
 TEST(ArcTangent, StaysWithinItsBound) {
   if (std::numeric_limits<long double>::digits < 64) GTEST_SKIP() << "long double is no longer than double here";
-  std::mt19937_64 random(7);
+  oracle::RandomSource random(7);
   const auto number = [&random](int widest) {
-    const double mantissa = static_cast<double>(random() >> 11) * 0x1p-53;
-    const int exponent = static_cast<int>(random() % static_cast<unsigned>(2 * widest + 1)) - widest;
-    return (random() & 1U ? -1.0 : 1.0) * std::ldexp(0.5 + mantissa / 2, exponent);
+    const double mantissa = random.fraction();
+    const int exponent = static_cast<int>(random.in(-widest, widest));
+    return (random.one_in(2) ? 1.0 : -1.0) * std::ldexp(0.5 + mantissa / 2, exponent);
   };
   double worst = 0.0;
   for (int k = 0; k < 2000000; ++k) {
@@ -62,7 +63,7 @@ TEST(ArcTangent, AxesAndExtremes) {
 
 TEST(DirectionOf, StaysWithinItsBound) {
   if (std::numeric_limits<long double>::digits < 64) GTEST_SKIP() << "long double is no longer than double here";
-  std::mt19937_64 random(11);
+  oracle::RandomSource random(11);
   long double worst = 0.0L;
   const auto measure = [&worst](double angle) {
     const hsp::SinCos at = hsp::sin_cos(angle);
@@ -70,7 +71,7 @@ TEST(DirectionOf, StaysWithinItsBound) {
     worst = std::max(worst, std::fabs(at.sine - std::sin(static_cast<long double>(angle))));
   };
   for (int k = 0; k < 2000000; ++k) {
-    const double unit = static_cast<double>(random() >> 11) * 0x1p-52 - 1.0;
+    const double unit = 2 * random.fraction() - 1;
     measure(unit * (k % 3 == 0 ? 1.0 : k % 3 == 1 ? 8.0 : hsp::largest_angle));
   }
   for (int quarter = -40; quarter <= 40; ++quarter) measure(quarter * (hsp::pi / 4));

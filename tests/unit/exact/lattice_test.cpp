@@ -4,7 +4,6 @@
 #include <cinttypes>
 #include <cstdio>
 #include <cstdlib>
-#include <random>
 
 #include "expect_cases.hpp"
 
@@ -14,14 +13,14 @@ using hsp::nearest;
 using hsp::exact::Lattice;
 
 TEST(Lattice, DecimalTextIsExactUpToTheLimit) {
-  std::mt19937_64 random(9);
+  cases::Random random(9);
   for (int digits = 0; digits <= 12; ++digits) {
     double step = 1.0;
     for (int k = 0; k < digits; ++k) step *= 10;
     const Lattice lattice = Lattice::with_step(1.0 / step);
     EXPECT_EQ(lattice.step(), 1.0 / step);
     for (int k = 0; k < 20000; ++k) {
-      const int64_t steps = static_cast<int64_t>(random() % (uint64_t{1} << 51)) - (int64_t{1} << 50);
+      const int64_t steps = random.in(-(int64_t{1} << 50), (int64_t{1} << 50) - 1);
       const int64_t absolute = steps < 0 ? -steps : steps;
       const int64_t unit = static_cast<int64_t>(step);
       char text[64];

@@ -4,20 +4,21 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
+
+#include "random_balls.hpp"
 
 namespace {
 
 using hsp::exact::product;
 using hsp::exact::WideInteger;
 
-std::mt19937_64 random_source(3);
+oracle::RandomSource random_source(3);
 
 // Values near powers of two and small ones as often as anything else.
 int64_t random_value() {
-  const uint64_t bits = random_source();
+  const uint64_t bits = random_source.next();
   const int shift = static_cast<int>(bits % 63);
-  const int64_t value = static_cast<int64_t>(random_source()) >> shift;
+  const int64_t value = static_cast<int64_t>(random_source.next()) >> shift;
   switch (bits >> 60) {
     case 0:
       return (int64_t{1} << shift) - 1;

@@ -10,6 +10,7 @@
 #include "lattice_lengths.hpp"
 #include "measure/arc_batches.hpp"
 #include "measure/areas.hpp"
+#include "point_lattices.hpp"
 #include "random_balls.hpp"
 #include "sphere/arc_geometry.hpp"
 
@@ -215,12 +216,7 @@ TEST(ArcBatches, BallsManyTimesLarger) {
 // Small balls around the equator of a large one, each meeting the next two: two loops with an arc for each, of any
 // length beside the batch's.
 oracle::Balls ring(uint32_t n) {
-  oracle::Balls set{{0, 0, 0, 1000000}};
-  for (uint32_t k = 0; k < n; ++k) {
-    const double angle = 2 * hsp::pi * (k + 0.1) / n;
-    set.push_back(oracle::nearest_ball({1e6 * std::cos(angle), 1e6 * std::sin(angle), 0.0, 4e6 / n}));
-  }
-  return set;
+  return oracle::joined({{0, 0, 0, 1000000}}, oracle::ring_around_z(static_cast<int>(n), 1e6, 0, 4000000 / n, 0.1));
 }
 
 TEST(ArcBatches, LoopsLongerThanABatch) {

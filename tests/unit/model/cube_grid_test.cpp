@@ -2,7 +2,7 @@
 // corrected.
 #include <gtest/gtest.h>
 
-#include <random>
+#include "random_balls.hpp"
 
 #include "model/cube_grid.hpp"
 
@@ -21,14 +21,14 @@ void expect_floor(int64_t value, int64_t side) {
 }
 
 TEST(CubeAt, IsTheFloorEverywhere) {
-  std::mt19937_64 random(31);
+  oracle::RandomSource random(31);
   constexpr int64_t farthest = (int64_t{1} << 52) - 1;
   for (int k = 0; k < 3000000; ++k) {
-    const int64_t side = 1 + static_cast<int64_t>(random() % (uint64_t{1} << (1 + k % 31)));
-    const int64_t absolute = farthest >> random() % 8;
-    int64_t value = static_cast<int64_t>(random() % static_cast<uint64_t>(absolute));
+    const int64_t side = random.in(1, int64_t{1} << (1 + k % 31));
+    const int64_t absolute = farthest >> random.in(0, 7);
+    int64_t value = random.in(0, absolute - 1);
     // Next to the walls, where an estimate goes wrong first.
-    if (k % 2 == 0) value = value / side * side + static_cast<int64_t>(random() % 3) - 1;
+    if (k % 2 == 0) value = value / side * side + random.in(-1, 1);
     expect_floor(value, side);
   }
 }

@@ -5,10 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <random>
 #include <set>
 #include <tuple>
 #include <vector>
+
+#include "random_balls.hpp"
 
 namespace {
 
@@ -51,14 +52,12 @@ void expect_ordered_rows(const std::vector<hsp::CubeCoordinates> &cubes) {
 }
 
 TEST(CubeOrder, OfRandomCubes) {
-  std::mt19937_64 random(21);
+  oracle::RandomSource random(21);
   for (int round = 0; round < 200; ++round) {
-    const int64_t width = 1 + static_cast<int64_t>(random() % 60);
+    const int64_t width = random.in(1, 60);
     std::vector<hsp::CubeCoordinates> cubes;
     for (int k = 0; k < round; ++k) {
-      const auto coordinate = [&random](int64_t range) {
-        return static_cast<int64_t>(random() % static_cast<uint64_t>(2 * range + 1)) - range;
-      };
+      const auto coordinate = [&random](int64_t range) { return random.in(-range, range); };
       cubes.push_back({coordinate(width), coordinate(3), coordinate(2)});
     }
     expect_ordered_rows(cubes);

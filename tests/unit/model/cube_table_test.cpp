@@ -4,9 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <map>
-#include <random>
 #include <tuple>
 #include <vector>
+
+#include "random_balls.hpp"
 
 namespace {
 
@@ -58,11 +59,10 @@ TEST(CubeTable, LinesWithLargeStrides) {
 }
 
 TEST(CubeTable, RandomWithRepeats) {
-  std::mt19937_64 random(1);
+  oracle::RandomSource random(1);
   std::vector<hsp::CubeCoordinates> cubes;
   for (int k = 0; k < 20000; ++k) {
-    cubes.push_back({static_cast<int64_t>(random() % 20) - 10, static_cast<int64_t>(random() % 20) - 10,
-                     static_cast<int64_t>(random() % 40) - 20});
+    cubes.push_back({random.in(-10, 9), random.in(-10, 9), random.in(-20, 19)});
   }
   expect_like_a_map(cubes, 40);
 }

@@ -3,10 +3,10 @@
 
 #include <cmath>
 #include <cstdio>
-#include <random>
 #include <string>
 
 #include "expect_cases.hpp"
+#include "random_balls.hpp"
 
 namespace {
 
@@ -30,12 +30,12 @@ TEST(NumberText, Cases) {
 }
 
 TEST(NumberText, IsThatOfPrintf) {
-  std::mt19937_64 random(3);
+  oracle::RandomSource random(3);
   int compared = 0;
   for (int k = 0; k < 300000; ++k) {
-    const int decimals = static_cast<int>(random() % 11);
-    const double unit = static_cast<double>(random() >> 11) * 0x1p-53 - 0.5;
-    const double value = unit * std::pow(10.0, static_cast<double>(random() % 14) - 6);
+    const int decimals = static_cast<int>(random.in(0, 10));
+    const double unit = random.fraction() - 0.5;
+    const double value = unit * std::pow(10.0, static_cast<double>(random.in(-6, 7)));
     // Where the next digit is close to a 5 the product's rounding may decide differently.
     const double product = std::fabs(value) * std::pow(10.0, decimals);
     const double beyond = product - std::floor(product);

@@ -2,7 +2,6 @@
 #include "view_frame_cases.hpp"
 
 #include <cmath>
-#include <random>
 
 #include "expect_cases.hpp"
 
@@ -13,12 +12,12 @@ TEST(ViewFrame, Cases) {
 }
 
 TEST(ViewFrame, IsOrthonormalAndRightHanded) {
-  std::mt19937_64 random(3);
-  std::uniform_real_distribution<double> component(-1.0, 1.0);
+  cases::Random random(3);
+  const auto component = [&random] { return 2 * random.fraction() - 1; };
   const double rounding = 8 * hsp::unit_roundoff;
   for (int k = 0; k < 20000; ++k) {
-    const hsp::ViewDirection direction{{component(random), component(random), component(random)},
-                                       {component(random), component(random), component(random)}};
+    const hsp::ViewDirection direction{{component(), component(), component()},
+                                       {component(), component(), component()}};
     hsp::ViewFrame frame;
     ASSERT_EQ(hsp::look_from(direction, frame), hsp::Status::ok);
     ASSERT_NEAR(dot(frame.right, frame.right), 1.0, rounding);
