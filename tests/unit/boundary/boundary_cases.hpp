@@ -8,46 +8,13 @@
 
 namespace cases {
 
-struct NamedUnion {
-  uint32_t n;
-  SmallBall ball[8];
-  // By ball: w whole sphere, e exposed in part, c contained in one ball, b buried by several.
-  const char *states;
-  int64_t euler;  // 2 for every closed surface, less 2 for every handle
-};
-constexpr NamedUnion named_unions[] = {
-    {0, {}, "", 0},
-    {1, {{1, 2, 3, 4}}, "w", 2},
-    {1, {{1, 2, 3, 0}}, "w", 2},
-    {2, {{0, 0, 0, 5}, {11, 0, 0, 5}}, "ww", 4},
-    {2, {{0, 0, 0, 5}, {0, 0, 0, 5}}, "wc", 2},  // of equal balls the first is inflated more
-    {2, {{0, 0, 0, 3}, {0, 0, 0, 5}}, "cw", 2},
-    {2, {{0, 0, 0, 5}, {8, 0, 0, 5}}, "ee", 2},
-    {2, {{0, 0, 0, 5}, {10, 0, 0, 5}}, "ee", 2},  // touching balls meet in a circle
-    {2, {{0, 0, 0, 5}, {3, 0, 0, 2}}, "wc", 2},   // from inside only if the small one is inflated more
-    {2, {{0, 0, 0, 5}, {-3, 0, 0, 2}}, "ee", 2},
-    {3, {{0, 0, 0, 5}, {4, 0, 0, 7}, {-4, 0, 0, 7}}, "bee", 2},  // half the ball in either
-    {3, {{0, 0, 0, 10}, {1, 0, 0, 2}, {20, 0, 0, 4}}, "wcw", 4},
-    {3, {{0, 0, 0, 500}, {600, 0, 0, 500}, {1200, 0, 0, 500}}, "eee", 2},
-    {3, {{0, 0, 0, 1000}, {1000, 0, 0, 1000}, {500, 800, 0, 1000}}, "eee", 2},
-    {3, {{0, 0, 0, 550}, {1000, 0, 0, 550}, {500, 866, 0, 550}}, "eee", 0},  // a ring
-    {8,
-     {{1000, 0, 0, 850},
-      {-1000, 0, 0, 850},
-      {0, 1000, 0, 850},
-      {0, -1000, 0, 850},
-      {0, 0, 1000, 850},
-      {0, 0, -1000, 850},
-      {0, 0, 0, 100},
-      {9000, 0, 0, 10}},
-     "eeeeeeww",
-     8}};
-
 inline uint32_t states_of_balls() {
-  return first_failing(named_unions, [](const NamedUnion &c) {
+  return first_failing_scene([](const Scene &c) {
     if (!small_union().build(c.ball, c.n)) return false;
     const hsp::Boundary &boundary = small_union().boundary();
-    if (boundary.ball_count() != c.n || boundary.euler() != c.euler) return false;
+    const int64_t euler = static_cast<int64_t>(c.cut.vertices) - c.cut.edges + c.cut.faces();
+    if (boundary.ball_count() != c.n || boundary.euler() != euler) return false;
+    if (boundary.vertex_count() != c.vertices || boundary.circle_count() != c.circles) return false;
     for (uint32_t i = 0; i < c.n; ++i) {
       const uint32_t ball = small_union().grid().grid_index(i);
       const char state = c.states[i];
@@ -64,7 +31,7 @@ inline uint32_t states_of_balls() {
 
 // Ids run ball by ball, those of loops face by face, and lead back to the ball and the face.
 inline uint32_t parts_know_their_ball() {
-  return first_failing(named_unions, [](const NamedUnion &c) {
+  return first_failing_scene([](const Scene &c) {
     if (!small_union().build(c.ball, c.n)) return false;
     const hsp::Boundary &boundary = small_union().boundary();
     uint32_t half_edges = 0, loops = 0, faces = 0, sides = 0, loops_by_face = 0;
@@ -116,7 +83,7 @@ inline uint32_t parts_know_their_ball() {
 
 // The three half-edges of a vertex start there, one on each of its balls; each ends on the same two spheres.
 inline uint32_t vertices_start_half_edges() {
-  return first_failing(scenes, [](const Scene &c) {
+  return first_failing_scene([](const Scene &c) {
     if (!small_union().build(c.ball, c.n)) return false;
     const hsp::Boundary &boundary = small_union().boundary();
     for (uint32_t v = 0; v < boundary.vertex_count(); ++v) {
@@ -134,7 +101,7 @@ inline uint32_t vertices_start_half_edges() {
 }
 
 inline uint32_t components_have_their_lowest_rank() {
-  return first_failing(named_unions, [](const NamedUnion &c) {
+  return first_failing_scene([](const Scene &c) {
     if (!small_union().build(c.ball, c.n)) return false;
     const hsp::Boundary &boundary = small_union().boundary();
     const hsp::CubeGrid &grid = small_union().grid();

@@ -6,7 +6,7 @@
 namespace cases {
 
 inline uint32_t components_in_the_order_of_the_input() {
-  return first_failing(scenes, [](const Scene &c) {
+  return first_failing_scene([](const Scene &c) {
     if (!small_union().build(c.ball, c.n)) return false;
     const hsp::Boundary &boundary = small_union().boundary();
     // The first ball that each is joined to, spread until nothing changes.

@@ -6,7 +6,7 @@
 namespace cases {
 
 inline uint32_t half_edges_are_linked() {
-  return first_failing(scenes, [](const Scene &c) {
+  return first_failing_scene([](const Scene &c) {
     if (!small_union().build(c.ball, c.n)) return false;
     const hsp::Boundary &boundary = small_union().boundary();
     if (boundary.half_edge_count() != 3 * c.vertices) return false;

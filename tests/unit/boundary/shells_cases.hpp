@@ -6,7 +6,7 @@
 namespace cases {
 
 inline uint32_t shells_are_connected() {
-  return first_failing(scenes, [](const Scene &c) {
+  return first_failing_scene([](const Scene &c) {
     if (!small_union().build(c.ball, c.n)) return false;
     const hsp::Boundary &boundary = small_union().boundary();
     if (boundary.shell_count() != c.shells || boundary.face_count() != c.faces || c.faces > 40) return false;

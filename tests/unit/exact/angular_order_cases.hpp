@@ -16,13 +16,20 @@ struct LongVector {
     return {size * direction.x + offset.x, size * direction.y + offset.y, size * direction.z + offset.z};
   }
 };
-inline constexpr int64_t longest = (INT64_C(1) << 31) - 1, diagonal = 1239850262;
-constexpr LongVector long_axes[] = {
-    {longest, {1, 0, 0}, {}},   {longest, {0, 1, 0}, {}},          {longest, {0, 0, 1}, {}},
-    {longest, {-1, 0, 0}, {}},  {longest, {0, -1, 0}, {}},         {longest, {0, 0, -1}, {}},
-    {diagonal, {1, 1, 1}, {}},  {diagonal, {-1, 1, 1}, {}},        {diagonal, {1, -1, 1}, {}},
-    {diagonal, {1, 1, -1}, {}}, {diagonal, {1, 1, 1}, {0, 0, -1}}, {diagonal, {1, 1, 1}, {0, -1, 0}},
-    {longest, {0, 0, 0}, {}}};
+inline constexpr int64_t longest_axis = (INT64_C(1) << 31) - 1, longest_diagonal = 1239850262;
+constexpr LongVector long_axes[] = {{longest_axis, {1, 0, 0}, {}},
+                                    {longest_axis, {0, 1, 0}, {}},
+                                    {longest_axis, {0, 0, 1}, {}},
+                                    {longest_axis, {-1, 0, 0}, {}},
+                                    {longest_axis, {0, -1, 0}, {}},
+                                    {longest_axis, {0, 0, -1}, {}},
+                                    {longest_diagonal, {1, 1, 1}, {}},
+                                    {longest_diagonal, {-1, 1, 1}, {}},
+                                    {longest_diagonal, {1, -1, 1}, {}},
+                                    {longest_diagonal, {1, 1, -1}, {}},
+                                    {longest_diagonal, {1, 1, 1}, {0, 0, -1}},
+                                    {longest_diagonal, {1, 1, 1}, {0, -1, 0}},
+                                    {longest_axis, {0, 0, 0}, {}}};
 
 // The determinant is a polynomial in the sizes whose coefficients are small determinants: the first of these that is
 // not 0 has its sign, as sizes are large. A vector without an offset may have any size.

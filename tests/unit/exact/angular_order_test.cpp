@@ -27,7 +27,7 @@ class Vectors : public oracle::RandomSource {
   Vector of_size(int64_t size) { return {in(-size, size), in(-size, size), in(-size, size)}; }
 };
 
-constexpr int64_t largest = cases::diagonal;
+constexpr int64_t largest = cases::longest_diagonal;
 
 struct Seen {
   int left = 0, right = 0, flat = 0;

@@ -20,24 +20,20 @@ inline bool structure_is_correct() {
 }
 
 inline uint32_t correct_boundaries_pass() {
-  return first_failing(scenes, [](const Scene &c) {
+  return first_failing_scene([](const Scene &c) {
     return small_union().build(c.ball, c.n) && metric_violation().invariant == hsp::BoundaryInvariant::none;
   });
 }
 
-// No ball, a point, balls in one place, balls that touch, an arc of nearly a whole circle, four balls through one
-// point, and small balls on large ones: where rounding is worst.
+// Balls that touch in one point of a third, an arc of nearly a whole circle, four balls through one point, and small
+// balls on large ones: where rounding is worst.
 struct HardUnion {
   uint32_t n;
   SmallBall ball[4];
 };
 constexpr HardUnion hard_unions[] = {
-    {0, {}},
-    {1, {{5, 5, 5, 0}}},
-    {2, {{0, 0, 0, 5}, {0, 0, 0, 5}}},
-    {2, {{0, 0, 0, 5}, {10, 0, 0, 5}}},
-    {2, {{0, 0, 0, 5}, {-3, 0, 0, 2}}},
     {3, {{0, 0, 0, 5}, {10, 0, 0, 5}, {5, 1, 0, 1}}},
+    {3, {{0, 0, 0, 5}, {8, 0, 0, 5}, {4, 3, 0, 1}}},
     {4, {{0, 0, 0, 5}, {4, 0, 0, 5}, {4, 3, 0, 5}, {0, 3, 0, 5}}},
     {4,
      {{0, 0, 0, 1000000000}, {1000000000, 0, 0, 3}, {1000000000, 2, 1, 3}, {-1000000000, -1000000000, 0, 1000000000}}}};
@@ -50,7 +46,7 @@ inline uint32_t hard_boundaries_pass() {
 
 // Positions are computed from the roots of the discriminants.
 inline uint32_t vertices_off_their_spheres() {
-  return first_failing(scenes, [](const Scene &c) {
+  return first_failing_scene([](const Scene &c) {
     for (const double factor : {1.001, 0.999, 1 + 0x1p-36, -1.0, 0.0, std::numeric_limits<double>::quiet_NaN()}) {
       for (uint32_t v = 0; v < c.vertices; ++v) {
         if (!small_union().build(c.ball, c.n)) return false;

@@ -46,23 +46,21 @@ inline DrawnEdge drawn_edge(SmallTopology &built, uint32_t edge) {
 }
 
 // With the balls as they are, or in the opposite order.
-inline bool build(const CountedTopology &c, bool reversed) {
+inline bool build(const Scene &c, bool reversed) {
   SmallBall backwards[8];
   for (uint32_t i = 0; i < c.n; ++i) backwards[c.n - 1 - i] = c.ball[i];
   return small_topology().build(reversed ? backwards : c.ball, c.n);
 }
 // Whether holds(c) is true of all of them in both orders.
 template <class Holds>
-uint32_t first_failing_topology(Holds holds) {
-  return first_failing(counted_topologies, [&](const CountedTopology &c) {
-    return build(c, false) && holds(c) && build(c, true) && holds(c);
-  });
+uint32_t first_failing_either_way(Holds holds) {
+  return first_failing_scene([&](const Scene &c) { return build(c, false) && holds(c) && build(c, true) && holds(c); });
 }
 
 inline constexpr double point_tolerance = 1e-9;
 
 inline uint32_t edges_are_arcs_between_their_vertices() {
-  return first_failing_topology([](const CountedTopology &c) {
+  return first_failing_either_way([](const Scene &c) {
     const hsp::BallSet &balls = small_topology().balls();
     const hsp::Topology &topology = small_topology().topology();
     for (uint32_t edge = 0; edge < topology.quads.edges; ++edge) {
@@ -92,7 +90,7 @@ inline uint32_t edges_are_arcs_between_their_vertices() {
 // An edge between two balls has the face of one of them on its left. That face lies away from the other ball, and the
 // edge runs counter-clockwise about its axis: so the axis points from the ball on the right to the one on the left.
 inline uint32_t faces_lie_on_the_left() {
-  return first_failing_topology([](const CountedTopology &) {
+  return first_failing_either_way([](const Scene &) {
     const hsp::BallSet &balls = small_topology().balls();
     const hsp::Topology &topology = small_topology().topology();
     for (uint32_t edge = 0; edge < topology.first_cut_edge; ++edge) {
@@ -108,7 +106,7 @@ inline uint32_t faces_lie_on_the_left() {
 
 // What lies between two balls is computed from that of lower rank.
 inline uint32_t lower_ranks_are_the_frames() {
-  return first_failing_topology([](const CountedTopology &) {
+  return first_failing_either_way([](const Scene &) {
     const hsp::BallSet &balls = small_topology().balls();
     const hsp::Boundary &boundary = small_topology().boundary();
     const hsp::Topology &topology = small_topology().topology();
@@ -169,30 +167,31 @@ inline uint32_t edges_in_closed_form() {
 
 // Every vertex and every edge is among those of the balls in their own order.
 inline uint32_t same_bits_in_reverse() {
-  return first_failing(counted_topologies, [](const CountedTopology &c) {
+  return first_failing_scene([](const Scene &c) {
     hsp::Vec3 vertices[30];
     double angles[30], radii[30];
     for (const bool again : {false, true}) {
       if (!build(c, again)) return false;
       const hsp::Topology &topology = small_topology().topology();
-      if (topology.vertex_count != c.vertices || topology.quads.edges != c.edges || c.edges > 30) return false;
-      for (uint32_t vertex = 0; vertex < c.vertices; ++vertex) {
+      if (topology.vertex_count != c.cut.vertices || topology.quads.edges != c.cut.edges || c.cut.edges > 30)
+        return false;
+      for (uint32_t vertex = 0; vertex < c.cut.vertices; ++vertex) {
         const hsp::Vec3 at = point_of_vertex(small_topology(), vertex);
         if (!again) vertices[vertex] = at;
         bool found = !again;
-        for (uint32_t k = 0; again && k < c.vertices; ++k) {
+        for (uint32_t k = 0; again && k < c.cut.vertices; ++k) {
           found = found || (vertices[k].x == at.x && vertices[k].y == at.y && vertices[k].z == at.z);
         }
         if (!found) return false;
       }
-      for (uint32_t edge = 0; edge < c.edges; ++edge) {
+      for (uint32_t edge = 0; edge < c.cut.edges; ++edge) {
         const DrawnEdge drawn = drawn_edge(small_topology(), edge);
         if (!again) {
           angles[edge] = drawn.angle;
           radii[edge] = drawn.radius;
         }
         bool found = !again;
-        for (uint32_t k = 0; again && k < c.edges; ++k) {
+        for (uint32_t k = 0; again && k < c.cut.edges; ++k) {
           found = found || (angles[k] == drawn.angle && radii[k] == drawn.radius);
         }
         if (!found) return false;

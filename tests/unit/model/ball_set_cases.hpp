@@ -10,7 +10,7 @@
 namespace cases {
 
 inline constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-inline constexpr double infinite = std::numeric_limits<double>::infinity();
+inline constexpr double infinite_length = std::numeric_limits<double>::infinity();
 
 // The largest lattice is that of step 1e22, on which radii end at 2^30 steps, about 1.07e31.
 struct Prepared {
@@ -34,11 +34,11 @@ constexpr Prepared prepared[] = {
     {1, {1.0}, 1.0, 0.25, hsp::Status::ok, hsp::no_id, 0.25, 4},
     {1, {1e300}, 0.0, 1.0, hsp::Status::ok, hsp::no_id, 1.0, 0},  // round() refuses it
     {1, {1.0}, not_a_number, 0.0, hsp::Status::not_finite, hsp::no_id, 0, 0},
-    {1, {1.0}, 0.0, infinite, hsp::Status::not_finite, hsp::no_id, 0, 0},
+    {1, {1.0}, 0.0, infinite_length, hsp::Status::not_finite, hsp::no_id, 0, 0},
     {1, {not_a_number}, -1.0, 0.0, hsp::Status::negative, hsp::no_id, 0, 0},
     {1, {1.0}, 0.0, -1.0, hsp::Status::negative, hsp::no_id, 0, 0},
     {3, {1.0, not_a_number, -1.0}, 0.0, 0.0, hsp::Status::not_finite, 1, 0, 0},
-    {3, {1.0, 2.0, infinite}, 0.0, 1.0, hsp::Status::not_finite, 2, 0, 0},
+    {3, {1.0, 2.0, infinite_length}, 0.0, 1.0, hsp::Status::not_finite, 2, 0, 0},
     {3, {-1.0, not_a_number, 1.0}, 0.0, 0.0, hsp::Status::negative, 0, 0, 0},
     {3, {1.0, 2e31, 1.5e31}, 0.0, 0.0, hsp::Status::range, 1, 0, 0},
     {3, {1.0, 2e31, 2e31}, 0.0, 0.0, hsp::Status::range, 1, 0, 0},
@@ -77,7 +77,7 @@ constexpr RoundedBall rounded_balls[] = {
     {{0, 0, -0x1p50 - 1}, 1.0, 0.0, 1.0, hsp::Status::range, {}, 0},
     {{1e300, 0, 0}, 1.0, 0.0, 0.0, hsp::Status::range, {}, 0},
     {{0, not_a_number, 0}, 1.0, 0.0, 0.0, hsp::Status::not_finite, {}, 0},
-    {{0, 0, infinite}, 1.0, 0.0, 0.0, hsp::Status::not_finite, {}, 0}};
+    {{0, 0, infinite_length}, 1.0, 0.0, 0.0, hsp::Status::not_finite, {}, 0}};
 
 // As the second ball of an input, behind a smaller one.
 inline uint32_t balls_are_rounded() {

@@ -8,7 +8,7 @@
 namespace cases {
 
 inline uint32_t vertices_of_small_unions() {
-  return first_failing(scenes, [](const Scene &c) {
+  return first_failing_scene([](const Scene &c) {
     SmallUnion &built = small_union();
     if (!built.build(c.ball, c.n)) return false;
     const hsp::Boundary &boundary = built.boundary();

@@ -8,7 +8,7 @@
 namespace cases {
 
 inline uint32_t parts_are_counted() {
-  return first_failing(counted_topologies, [](const CountedTopology &c) {
+  return first_failing_scene([](const Scene &c) {
     if (!small_topology().build(c.ball, c.n)) return false;
     const hsp::Topology &topology = small_topology().topology();
     uint32_t with[7] = {};
@@ -16,21 +16,21 @@ inline uint32_t parts_are_counted() {
       if (topology.faces[face].edges > 6) return false;
       ++with[topology.faces[face].edges];
     }
-    return topology.vertex_count == c.vertices && topology.quads.edges == c.edges && topology.shell_count == c.shells &&
-           with[2] == c.with_two && with[3] == c.with_three && with[4] == c.with_four && with[6] == c.with_six &&
-           topology.face_count == c.with_two + c.with_three + c.with_four + c.with_six;
+    return topology.vertex_count == c.cut.vertices && topology.quads.edges == c.cut.edges &&
+           with[2] == c.cut.with_two && with[3] == c.cut.with_three && with[4] == c.cut.with_four &&
+           with[6] == c.cut.with_six && topology.face_count == c.cut.faces();
   });
 }
 
 // How many edges there will be is known before they are made.
 inline uint32_t edges_are_foretold() {
-  return first_failing(counted_topologies, [](const CountedTopology &c) {
+  return first_failing_scene([](const Scene &c) {
     if (!small_topology().build(c.ball, c.n)) return false;
     const hsp::Boundary &boundary = small_topology().boundary();
     const hsp::Topology &topology = small_topology().topology();
     uint32_t whole = 0;
     for (uint32_t ball = 0; ball < c.n; ++ball) whole += boundary.is_whole_sphere(ball) ? 1U : 0U;
-    return hsp::count_edges(small_topology().balls(), boundary, topology) == c.edges &&
+    return hsp::count_edges(small_topology().balls(), boundary, topology) == c.cut.edges &&
            hsp::count_uncut_edges(small_topology().balls(), boundary) ==
                boundary.arc_count() + 2 * boundary.circle_count() + 2 * whole;
   });
@@ -39,7 +39,7 @@ inline uint32_t edges_are_foretold() {
 // Every directed edge is on the ring of the face on its left, and starts where the one before it ends. Arcs and circles
 // have the first of their balls on the left; other edges have two parts of one maximal face on their sides.
 inline uint32_t rings_know_their_faces() {
-  return first_failing(counted_topologies, [](const CountedTopology &c) {
+  return first_failing_scene([](const Scene &c) {
     if (!small_topology().build(c.ball, c.n)) return false;
     const hsp::Boundary &boundary = small_topology().boundary();
     const hsp::Topology &topology = small_topology().topology();

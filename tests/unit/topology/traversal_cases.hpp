@@ -38,7 +38,7 @@ inline bool is_depth_first(const hsp::Topology &topology, hsp::Span<const uint32
 }
 
 inline uint32_t shells_are_traversed_depth_first() {
-  return first_failing(counted_topologies, [](const CountedTopology &c) {
+  return first_failing_scene([](const Scene &c) {
     if (!small_topology().build(c.ball, c.n)) return false;
     const hsp::Boundary &boundary = small_topology().boundary();
     hsp::Topology &topology = small_topology().topology();
@@ -65,7 +65,7 @@ inline uint32_t shells_are_traversed_depth_first() {
 
 // Counted again from the edges: every vertex and face is at an edge.
 inline uint32_t parts_of_shells_are_counted() {
-  return first_failing(counted_topologies, [](const CountedTopology &c) {
+  return first_failing_scene([](const Scene &c) {
     if (!small_topology().build(c.ball, c.n)) return false;
     const hsp::Boundary &boundary = small_topology().boundary();
     hsp::Topology &topology = small_topology().topology();
