@@ -8,8 +8,8 @@
 
 namespace cases {
 
-constexpr double longest = std::numeric_limits<double>::max();
-constexpr double tiniest = std::numeric_limits<double>::denorm_min();
+constexpr double longest_vector = std::numeric_limits<double>::max();
+constexpr double shortest_vector = std::numeric_limits<double>::denorm_min();
 constexpr int64_t unit_step = int64_t{1} << 28;
 
 inline bool equals(const hsp::Vec3 &a, const double (&b)[3]) {
@@ -43,14 +43,16 @@ struct Rounded28 {
   double towards[3];
   hsp::exact::Vector direction;
 };
-constexpr Rounded28 directions_of_any_length[] = {{{tiniest, tiniest, tiniest}, {unit_step, unit_step, unit_step}},
-                                                  {{longest, -longest, 0}, {unit_step, -unit_step, 0}},
-                                                  {{longest, longest / 2, 1e-300}, {unit_step, unit_step / 2, 0}}};
+constexpr Rounded28 directions_of_any_length[] = {
+    {{shortest_vector, shortest_vector, shortest_vector}, {unit_step, unit_step, unit_step}},
+    {{longest_vector, -longest_vector, 0}, {unit_step, -unit_step, 0}},
+    {{longest_vector, longest_vector / 2, 1e-300}, {unit_step, unit_step / 2, 0}}};
 
 inline uint32_t directions_are_rounded() {
   return first_failing(directions_of_any_length, [](const Rounded28 &c) {
     hsp::ViewFrame frame;
-    return hsp::look_from({{c.towards[0], c.towards[1], c.towards[2]}, {0, 0, longest}}, frame) == hsp::Status::ok &&
+    return hsp::look_from({{c.towards[0], c.towards[1], c.towards[2]}, {0, 0, longest_vector}}, frame) ==
+               hsp::Status::ok &&
            frame.direction.x == c.direction.x && frame.direction.y == c.direction.y &&
            frame.direction.z == c.direction.z;
   });
