@@ -81,8 +81,8 @@ double filter_value_A(const Sphere &sphere, const Plane &P, const Plane &Q, cons
 }
 
 struct Exactly {
-  explicit Exactly(const Scene &scene)
-      : balls(scene.as_given()),
+  explicit Exactly(const FourBalls &four)
+      : balls(as_given(four)),
         origin(balls, 0),
         P(perturbation::half_space(balls, 0, 1)),
         Q(perturbation::half_space(balls, 0, 2)),
@@ -97,13 +97,8 @@ double error_in_bounds(double computed, const Integer &exact, double bound) {
   return static_cast<double>(std::fabs(error.to_long_double())) / bound;
 }
 
-FilterBounds bounds_of(const Scene &scene) {
-  double length_squared = static_cast<double>(scene.sphere().W);
-  for (int k = 1; k < 4; ++k) {
-    const Plane plane = scene.plane(k);
-    length_squared = std::max(length_squared, static_cast<double>(hsp::exact::dot(plane.v, plane.v)));
-  }
-  return FilterBounds::for_length_squared(length_squared);
+FilterBounds bounds_of(const FourBalls &four) {
+  return FilterBounds::for_length_squared(four.length_squared());
 }
 
 void expect_between(const char *name, double worst) {
@@ -118,53 +113,53 @@ constexpr int changes = 4000;
 
 TEST(FilterBounds, DiscriminantD) {
   oracle::RandomSource random(201);
-  expect_between("D", worst(random, starts, changes, [](const Scene &scene) {
-                   const Exactly exactly(scene);
-                   const double computed = filter_value_D(scene.sphere(), scene.plane(1), scene.plane(2));
-                   return error_in_bounds(computed, exactly.origin.D(exactly.P, exactly.Q), bounds_of(scene).D);
+  expect_between("D", worst(random, starts, changes, [](const FourBalls &four) {
+                   const Exactly exactly(four);
+                   const double computed = filter_value_D(four.sphere(), four.plane(1), four.plane(2));
+                   return error_in_bounds(computed, exactly.origin.D(exactly.P, exactly.Q), bounds_of(four).D);
                  }));
 }
 
 TEST(FilterBounds, RadicalCoordinateBeta) {
   oracle::RandomSource random(202);
-  expect_between("beta", worst(random, starts, changes, [](const Scene &scene) {
-                   const Exactly exactly(scene);
-                   const double computed = filter_value_beta(scene.plane(1), scene.plane(3));
-                   return error_in_bounds(computed, exactly.origin.beta(exactly.P, exactly.R), bounds_of(scene).beta);
+  expect_between("beta", worst(random, starts, changes, [](const FourBalls &four) {
+                   const Exactly exactly(four);
+                   const double computed = filter_value_beta(four.plane(1), four.plane(3));
+                   return error_in_bounds(computed, exactly.origin.beta(exactly.P, exactly.R), bounds_of(four).beta);
                  }));
 }
 
 TEST(FilterBounds, TripleProductB) {
   oracle::RandomSource random(203);
-  expect_between(
-      "B", worst(random, starts, changes, [](const Scene &scene) {
-        const Exactly exactly(scene);
-        const double computed = filter_value_B(scene.sphere(), scene.plane(1), scene.plane(2), scene.plane(3));
-        return error_in_bounds(computed, exactly.origin.B(exactly.P, exactly.Q, exactly.R), bounds_of(scene).B);
-      }));
+  expect_between("B", worst(random, starts, changes, [](const FourBalls &four) {
+                   const Exactly exactly(four);
+                   const double computed = filter_value_B(four.sphere(), four.plane(1), four.plane(2), four.plane(3));
+                   return error_in_bounds(computed, exactly.origin.B(exactly.P, exactly.Q, exactly.R),
+                                          bounds_of(four).B);
+                 }));
 }
 
 TEST(FilterBounds, AttachmentA) {
   oracle::RandomSource random(204);
-  expect_between(
-      "A", worst(random, starts, changes, [](const Scene &scene) {
-        const Exactly exactly(scene);
-        if (filter_value_F(scene.sphere(), scene.plane(1), scene.plane(2), scene.plane(3)) >= 0.0) {
-          return -1.0;
-        }
-        const double computed = filter_value_A(scene.sphere(), scene.plane(1), scene.plane(2), scene.plane(3));
-        return error_in_bounds(computed, exactly.origin.A(exactly.P, exactly.Q, exactly.R), bounds_of(scene).A);
-      }));
+  expect_between("A", worst(random, starts, changes, [](const FourBalls &four) {
+                   const Exactly exactly(four);
+                   if (filter_value_F(four.sphere(), four.plane(1), four.plane(2), four.plane(3)) >= 0.0) {
+                     return -1.0;
+                   }
+                   const double computed = filter_value_A(four.sphere(), four.plane(1), four.plane(2), four.plane(3));
+                   return error_in_bounds(computed, exactly.origin.A(exactly.P, exactly.Q, exactly.R),
+                                          bounds_of(four).A);
+                 }));
 }
 
 TEST(FilterBounds, SizeF) {
   oracle::RandomSource random(205);
-  expect_between(
-      "F", worst(random, starts, changes, [](const Scene &scene) {
-        const Exactly exactly(scene);
-        const double computed = filter_value_F(scene.sphere(), scene.plane(1), scene.plane(2), scene.plane(3));
-        return error_in_bounds(computed, exactly.origin.F(exactly.P, exactly.Q, exactly.R), bounds_of(scene).F);
-      }));
+  expect_between("F", worst(random, starts, changes, [](const FourBalls &four) {
+                   const Exactly exactly(four);
+                   const double computed = filter_value_F(four.sphere(), four.plane(1), four.plane(2), four.plane(3));
+                   return error_in_bounds(computed, exactly.origin.F(exactly.P, exactly.Q, exactly.R),
+                                          bounds_of(four).F);
+                 }));
 }
 
 }  // namespace

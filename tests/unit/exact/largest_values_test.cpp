@@ -22,29 +22,29 @@ struct Values {
 };
 
 template <class Predicates>
-void compare(const Scene &scene, const Values &values, const Integer &B, Values &result) {
-  const exact::Sign crossing = Predicates::crossing(scene.sphere(), scene.plane(1), scene.plane(2));
+void compare(const FourBalls &four, const Values &values, const Integer &B, Values &result) {
+  const exact::Sign crossing = Predicates::crossing(four.sphere(), four.plane(1), four.plane(2));
   if (values.D.sign() != 0 && crossing.sign != values.D.sign()) result.right = false;
   if (values.D.sign() <= 0) return;
   const exact::PointStatus status =
-      Predicates::point_status(scene.sphere(), scene.plane(1), scene.plane(2), scene.plane(3));
+      Predicates::point_status(four.sphere(), four.plane(1), four.plane(2), four.plane(3));
   for (int point = 0; point < 2; ++point) {
     const int side = perturbation::Origin::point_sign(values.D, values.A, B, point == 1 ? 1 : -1);
     if (side != 0 && status.side[point] != side) result.right = false;
   }
 }
 
-Values values_at(const Scene &scene) {
-  const perturbation::Balls balls = scene.as_given();
+Values values_at(const FourBalls &four) {
+  const perturbation::Balls balls = as_given(four);
   const perturbation::Origin origin(balls, 0);
   const perturbation::HalfSpace P = perturbation::half_space(balls, 0, 1);
   const perturbation::HalfSpace Q = perturbation::half_space(balls, 0, 2);
   const perturbation::HalfSpace R = perturbation::half_space(balls, 0, 3);
   Values values{origin.D(P, Q), origin.A(P, Q, R), origin.F(P, Q, R)};
   const Integer B = origin.B(P, Q, R);
-  compare<exact::ExactPredicates<uint32_t>>(scene, values, B, values);
+  compare<exact::ExactPredicates<uint32_t>>(four, values, B, values);
 #if defined(__SIZEOF_INT128__)
-  compare<exact::ExactPredicates<uint64_t>>(scene, values, B, values);
+  compare<exact::ExactPredicates<uint64_t>>(four, values, B, values);
 #endif
   return values;
 }
@@ -54,8 +54,8 @@ Values values_at(const Scene &scene) {
 void drive_up(const char *name, uint64_t seed, Integer Values::*value, int degree, double bound, double reached) {
   oracle::RandomSource random(seed);
   int wrong = 0;
-  const double largest = worst(random, 200, 5000, [&](const Scene &scene) {
-    const Values values = values_at(scene);
+  const double largest = worst(random, 200, 5000, [&](const FourBalls &four) {
+    const Values values = values_at(four);
     wrong += !values.right;
     if (degree > 6 && values.D.sign() <= 0) return -1.0;
     return static_cast<double>(std::fabs(std::ldexp((values.*value).to_long_double(), -31 * degree)));

@@ -5,18 +5,12 @@
 #include <cmath>
 
 #include "exact/predicates.hpp"
-#include "random_planes.hpp"
+#include "four_balls.hpp"
 
 namespace {
 
 using namespace hsp::exact;
 using Narrow = ExactPredicates<uint32_t>;
-
-double length_squared(const FourBalls &four) {
-  double bound = static_cast<double>(four.sphere.W);
-  for (const Plane &plane : four.plane) bound = std::max(bound, static_cast<double>(dot(plane.v, plane.v)));
-  return bound;
-}
 
 TEST(PredicateRungs, TheFilterNeverContradictsAndLimbWidthsAgree) {
   oracle::RandomSource random(5);
@@ -24,31 +18,32 @@ TEST(PredicateRungs, TheFilterNeverContradictsAndLimbWidthsAgree) {
   int certain = 0;
   for (int k = 0; k < 300000; ++k) {
     const FourBalls four = random_four_balls(random);
-    const FilterBounds bounds = FilterBounds::for_length_squared(length_squared(four));
-    const auto &[P, Q, R] = four.plane;
+    const FilterBounds bounds = FilterBounds::for_length_squared(four.length_squared());
+    const Sphere sphere = four.sphere();
+    const Plane P = four.plane(1), Q = four.plane(2), R = four.plane(3);
 
-    const Sign crossing = Exact::crossing(four.sphere, P, Q);
-    const Sign crossing_narrow = Narrow::crossing(four.sphere, P, Q);
+    const Sign crossing = Exact::crossing(sphere, P, Q);
+    const Sign crossing_narrow = Narrow::crossing(sphere, P, Q);
     ASSERT_EQ(crossing.sign, crossing_narrow.sign);
     ASSERT_EQ(crossing.tied, crossing_narrow.tied);
     ties += crossing.tied;
-    if (const int sign = filter_crossing(bounds, four.sphere, P, Q); sign != 0) {
+    if (const int sign = filter_crossing(bounds, sphere, P, Q); sign != 0) {
       ++certain;
       ASSERT_EQ(sign, crossing.sign);
       ASSERT_FALSE(crossing.tied);
     }
     if (crossing.sign < 0) {
-      const Sign side = Exact::side(four.sphere, P, R);
-      ASSERT_EQ(side.sign, Narrow::side(four.sphere, P, R).sign);
+      const Sign side = Exact::side(sphere, P, R);
+      ASSERT_EQ(side.sign, Narrow::side(sphere, P, R).sign);
       if (const int sign = filter_side(bounds, P, R); sign != 0) {
         ASSERT_EQ(sign, side.sign);
       }
       continue;
     }
-    const PointStatus status = Exact::point_status(four.sphere, P, Q, R);
-    const PointStatus narrow = Narrow::point_status(four.sphere, P, Q, R);
+    const PointStatus status = Exact::point_status(sphere, P, Q, R);
+    const PointStatus narrow = Narrow::point_status(sphere, P, Q, R);
     PointStatus filtered;
-    const bool sure = filter_point_status(bounds, four.sphere, P, Q, R, filtered);
+    const bool sure = filter_point_status(bounds, sphere, P, Q, R, filtered);
     certain += sure;
     for (int point = 0; point < 2; ++point) {
       ASSERT_NE(status.side[point], 0);
@@ -61,7 +56,7 @@ TEST(PredicateRungs, TheFilterNeverContradictsAndLimbWidthsAgree) {
       }
     }
     // Exchanging P and Q exchanges p+ and p-.
-    const PointStatus exchanged = Exact::point_status(four.sphere, Q, P, R);
+    const PointStatus exchanged = Exact::point_status(sphere, Q, P, R);
     ASSERT_EQ(exchanged.side[0], status.side[1]);
     ASSERT_EQ(exchanged.side[1], status.side[0]);
   }
@@ -110,14 +105,15 @@ TEST(PredicateRungs, FilterErrorsStayBelowTheirBounds) {
   double worst = 0.0;
   for (int k = 0; k < 200000; ++k) {
     const FourBalls four = random_four_balls(random);
-    const FilterBounds bounds = FilterBounds::for_length_squared(length_squared(four));
-    const auto &[P, Q, R] = four.plane;
+    const FilterBounds bounds = FilterBounds::for_length_squared(four.length_squared());
+    const Sphere sphere = four.sphere();
+    const Plane P = four.plane(1), Q = four.plane(2), R = four.plane(3);
     const Vector n = cross(P.v, Q.v);
     if (is_zero(n)) continue;
     const hsp::Vec3 dn = to_double(n);
     const hsp::Vec3 q = combine(static_cast<double>(P.h), to_double(Q.v), -static_cast<double>(Q.h), to_double(P.v));
-    const double D = static_cast<double>(four.sphere.W) * dot(dn, dn) - dot(q, q);
-    const double exact_D = Exact::discriminant(four.sphere, P, Q);
+    const double D = static_cast<double>(sphere.W) * dot(dn, dn) - dot(q, q);
+    const double exact_D = Exact::discriminant(sphere, P, Q);
     if (exact_D > 0.0) worst = std::max(worst, std::fabs(D - exact_D) / bounds.D);
     const double B = dot(dn, to_double(R.v));
     worst = std::max(worst, std::fabs(B - Exact::triple_product(P.v, Q.v, R.v)) / bounds.B);

@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "exact/predicates.hpp"
+#include "four_balls.hpp"
 #include "hardsphere.h"
 #include "molecule_file.hpp"
-#include "random_planes.hpp"
 
 #if !defined(HSP_COUNT_STAGES)
 #error "this test is about the counters"
@@ -136,13 +136,10 @@ TEST(StageCounters, EachQuestionIsAnsweredOnce) {
   uint64_t answered[3] = {};
   for (int k = 0; k < 30000; ++k) {
     const FourBalls four = random_four_balls(random);
-    double length_squared = static_cast<double>(four.sphere.W);
-    for (const Plane &plane : four.plane) {
-      length_squared = std::max(length_squared, static_cast<double>(dot(plane.v, plane.v)));
-    }
-    const Predicates predicates(four.sphere, length_squared);
-    const FilterBounds bounds = FilterBounds::for_length_squared(length_squared);
-    const auto &[P, Q, R] = four.plane;
+    const Sphere sphere = four.sphere();
+    const Plane P = four.plane(1), Q = four.plane(2), R = four.plane(3);
+    const Predicates predicates(sphere, four.length_squared());
+    const FilterBounds bounds = FilterBounds::for_length_squared(four.length_squared());
     const auto expect_one = [&answered](Question question, Stage stage) {
       ASSERT_EQ(grand_total(stage_counters), 1U);
       ASSERT_EQ(stage_counters.of(question, stage), 1U);
@@ -155,21 +152,21 @@ TEST(StageCounters, EachQuestionIsAnsweredOnce) {
 
     stage_counters = {};
     const Sign crossing = predicates.crossing(P, Q);
-    expect_one(Question::crossing, rung_of(filter_crossing(bounds, four.sphere, P, Q) != 0, crossing.tied));
-    const Sign exact_crossing = Exact::crossing(four.sphere, P, Q);
+    expect_one(Question::crossing, rung_of(filter_crossing(bounds, sphere, P, Q) != 0, crossing.tied));
+    const Sign exact_crossing = Exact::crossing(sphere, P, Q);
     ASSERT_TRUE(crossing.sign == exact_crossing.sign && crossing.tied == exact_crossing.tied);
     if (crossing.sign < 0) {
       const Sign side = predicates.side(P, R);
       expect_one(Question::side, rung_of(filter_side(bounds, P, R) != 0, side.tied));
-      const Sign exact_side = Exact::side(four.sphere, P, R);
+      const Sign exact_side = Exact::side(sphere, P, R);
       ASSERT_TRUE(side.sign == exact_side.sign && side.tied == exact_side.tied);
       continue;
     }
     PointStatus filtered{};
-    const bool sure = filter_point_status(bounds, four.sphere, P, Q, R, filtered);
+    const bool sure = filter_point_status(bounds, sphere, P, Q, R, filtered);
     const PointStatus status = predicates.point_status(P, Q, R);
     expect_one(Question::point_status, rung_of(sure, status.tied[0] || status.tied[1]));
-    const PointStatus exact_status = Exact::point_status(four.sphere, P, Q, R);
+    const PointStatus exact_status = Exact::point_status(sphere, P, Q, R);
     for (int point = 0; point < 2; ++point) {
       ASSERT_EQ(status.side[point], exact_status.side[point]);
       ASSERT_EQ(status.tied[point], exact_status.tied[point]);

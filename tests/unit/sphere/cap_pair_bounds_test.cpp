@@ -25,20 +25,20 @@ using perturbation::Integer;
 using perturbation::Origin;
 
 // The caps of ball 0, made by the library itself.
-class CapsOfScene {
+class CapsOfFour {
  public:
-  CapsOfScene() {
+  CapsOfFour() {
     hsp::Workspace workspace(memory_, sizeof memory_);
     caps_.carve(workspace, 4);
     block_.range[0] = {0, 4};
     block_.ranges = 1;
   }
-  ~CapsOfScene() { hsp::unpoison(memory_, sizeof memory_); }
-  CapsOfScene(const CapsOfScene &) = delete;
-  CapsOfScene &operator=(const CapsOfScene &) = delete;
-  const Caps &of(const Scene &scene) {
+  ~CapsOfFour() { hsp::unpoison(memory_, sizeof memory_); }
+  CapsOfFour(const CapsOfFour &) = delete;
+  CapsOfFour &operator=(const CapsOfFour &) = delete;
+  const Caps &of(const FourBalls &four) {
     balls_.clear();
-    for (const hsp::exact::LatticeBall &ball : scene.ball) balls_.add(ball);
+    for (const hsp::exact::LatticeBall &ball : four.ball) balls_.add(ball);
     caps_.gather(balls_.set(), block_, 0, nullptr);
     return caps_;
   }
@@ -68,8 +68,8 @@ struct Ratios {
 
 class Measurement {
  public:
-  Measurement(const Scene &scene, CapsOfScene &maker)
-      : caps_(maker.of(scene)), balls_(scene.as_given()), origin_(balls_, 0) {
+  Measurement(const FourBalls &four, CapsOfFour &maker)
+      : caps_(maker.of(four)), balls_(as_given(four)), origin_(balls_, 0) {
     for (uint32_t k = 0; k < 3; ++k)
       half_space_[k] = perturbation::half_space(balls_, 0, static_cast<int>(caps_.ball[k]));
   }
@@ -174,18 +174,18 @@ class Measurement {
 // Searches for the worst of one ratio, while all that is certain is checked on the way.
 void search(const char *name, uint64_t seed, double Ratios::*ratio) {
   oracle::RandomSource random(seed);
-  CapsOfScene maker;
-  int scenes = 0, contradictions = 0, crossing = 0, apart = 0;
-  const double largest = worst(random, 120, 3000, [&](const Scene &scene) {
-    const Ratios ratios = Measurement(scene, maker).run();
-    ++scenes;
+  CapsOfFour maker;
+  int sets = 0, contradictions = 0, crossing = 0, apart = 0;
+  const double largest = worst(random, 120, 3000, [&](const FourBalls &four) {
+    const Ratios ratios = Measurement(four, maker).run();
+    ++sets;
     contradictions += ratios.contradiction;
     crossing += ratios.crosses;
     apart += ratios.apart;
     return ratios.*ratio;
   });
   testing::Test::RecordProperty(name, std::to_string(largest));
-  std::cout << "  worst error of " << name << ": " << largest << " of its bound, " << scenes << " scenes\n";
+  std::cout << "  worst error of " << name << ": " << largest << " of its bound, " << sets << " sets\n";
   EXPECT_EQ(contradictions, 0);
   EXPECT_GT(crossing, 1000);
   EXPECT_GT(apart, 1000);
@@ -220,13 +220,13 @@ TEST(CapPairBounds, ThresholdsExceedTheBounds) {
 
 // A ball of radius 0 meets others only where it lies on their spheres; nothing about its caps is certain.
 TEST(CapPairBounds, RadiusZeroIsCertainOfNothing) {
-  Scene scene;
-  scene.ball[0] = {{0, 0, 0}, 0, 0};
-  scene.ball[1] = {{3, 0, 0}, 3, 1};
-  scene.ball[2] = {{0, 0, 5}, 5, 2};
-  scene.ball[3] = {{2, 3, 6}, 7, 3};
-  CapsOfScene maker;
-  const Caps &caps = maker.of(scene);
+  FourBalls four;
+  four.ball[0] = {{0, 0, 0}, 0, 0};
+  four.ball[1] = {{3, 0, 0}, 3, 1};
+  four.ball[2] = {{0, 0, 5}, 5, 2};
+  four.ball[3] = {{2, 3, 6}, 7, 3};
+  CapsOfFour maker;
+  const Caps &caps = maker.of(four);
   ASSERT_EQ(caps.count, 3U);
   for (uint32_t j = 0; j < 3; ++j) {
     for (uint32_t k = j + 1; k < 3; ++k) {

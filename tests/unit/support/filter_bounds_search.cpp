@@ -39,15 +39,15 @@ LatticeBall ball_meeting(oracle::RandomSource &random, const LatticeBall &origin
 }
 
 // Changes the radius of ball 2 to one of the two neighbours between which the circles of balls 1 and 2 begin to touch.
-void let_circles_touch(oracle::RandomSource &random, Scene &scene) {
-  const auto crosses = [&scene](int64_t radius) {
-    scene.ball[2].radius = radius;
-    if (hsp::exact::pair_relation(scene.ball[0], scene.ball[2]) != hsp::exact::PairRelation::circle) return -1;
-    const perturbation::Balls balls = scene.as_given();
+void let_circles_touch(oracle::RandomSource &random, FourBalls &four) {
+  const auto crosses = [&four](int64_t radius) {
+    four.ball[2].radius = radius;
+    if (hsp::exact::pair_relation(four.ball[0], four.ball[2]) != hsp::exact::PairRelation::circle) return -1;
+    const perturbation::Balls balls = as_given(four);
     const perturbation::Origin origin(balls, 0);
     return origin.D(perturbation::half_space(balls, 0, 1), perturbation::half_space(balls, 0, 2)).sign() > 0 ? 1 : 0;
   };
-  const int64_t start = scene.ball[2].radius;
+  const int64_t start = four.ball[2].radius;
   const int at_start = crosses(start);
   int64_t other = start;
   for (int k = 0; k < 30 && crosses(other) != 1 - at_start; ++k) other = random.in(1, radius_end - 1);
@@ -59,57 +59,48 @@ void let_circles_touch(oracle::RandomSource &random, Scene &scene) {
     }
   }
   // Some steps away the circles cross well enough for the faster stage, or are well apart.
-  scene.ball[2].radius = std::clamp<int64_t>(same + of_any_magnitude(random, 16), 1, radius_end - 1);
+  four.ball[2].radius = std::clamp<int64_t>(same + of_any_magnitude(random, 16), 1, radius_end - 1);
 }
 
 }  // namespace
 
-bool Scene::valid() const {
-  for (const LatticeBall &b : ball) {
-    if (b.radius < 1 || b.radius >= radius_end) return false;
-  }
-  for (int k = 1; k < 4; ++k) {
-    if (hsp::exact::pair_relation(ball[0], ball[k]) != hsp::exact::PairRelation::circle) return false;
-  }
-  return true;
-}
-
-perturbation::Balls Scene::as_given() const {
-  perturbation::Ball four[4];
+perturbation::Balls as_given(const FourBalls &four) {
+  perturbation::Ball given[4];
   for (int k = 0; k < 4; ++k) {
-    four[k] = {{ball[k].centre.x, ball[k].centre.y, ball[k].centre.z}, ball[k].radius, ball[k].index};
+    given[k] = {
+        {four.ball[k].centre.x, four.ball[k].centre.y, four.ball[k].centre.z}, four.ball[k].radius, four.ball[k].index};
   }
-  return perturbation::Balls(four, 0);
+  return perturbation::Balls(given, 0);
 }
 
-Scene random_scene(oracle::RandomSource &random, Kind kind) {
+FourBalls random_balls(oracle::RandomSource &random, Kind kind) {
   for (;;) {
-    Scene scene;
+    FourBalls four;
     int64_t radius[4];
     for (int64_t &r : radius) r = random.in(radius_end / 4, radius_end - 1);
     if (kind == Kind::unlike_radii) {
       for (int64_t &r : radius) r = std::max<int64_t>(r >> (random.next() % 30), 1);
       if (random.next() % 2 == 0) radius[0] = random.in(1, 4);
     }
-    scene.ball[0] = {{0, 0, 0}, radius[0], 0};
-    for (uint32_t k = 1; k < 4; ++k) scene.ball[k] = ball_meeting(random, scene.ball[0], radius[k], k);
+    four.ball[0] = {{0, 0, 0}, radius[0], 0};
+    for (uint32_t k = 1; k < 4; ++k) four.ball[k] = ball_meeting(random, four.ball[0], radius[k], k);
     if (kind == Kind::parallel_axes) {
       for (int k = 2; k < 4; ++k) {
         const int64_t sign = random.next() % 2 == 0 ? 1 : -1;
-        scene.ball[k].centre = {sign * scene.ball[1].centre.x + of_any_magnitude(random, 20),
-                                sign * scene.ball[1].centre.y + of_any_magnitude(random, 20),
-                                sign * scene.ball[1].centre.z + of_any_magnitude(random, 20)};
-        scene.ball[k].radius =
-            std::clamp<int64_t>(scene.ball[1].radius + of_any_magnitude(random, 25), 1, radius_end - 1);
+        four.ball[k].centre = {sign * four.ball[1].centre.x + of_any_magnitude(random, 20),
+                               sign * four.ball[1].centre.y + of_any_magnitude(random, 20),
+                               sign * four.ball[1].centre.z + of_any_magnitude(random, 20)};
+        four.ball[k].radius =
+            std::clamp<int64_t>(four.ball[1].radius + of_any_magnitude(random, 25), 1, radius_end - 1);
       }
     }
-    if (kind == Kind::touching_circles) let_circles_touch(random, scene);
-    if (scene.valid()) return scene;
+    if (kind == Kind::touching_circles) let_circles_touch(random, four);
+    if (four.valid(1)) return four;
   }
 }
 
-Scene changed(oracle::RandomSource &random, const Scene &scene) {
-  Scene next = scene;
+FourBalls changed(oracle::RandomSource &random, const FourBalls &four) {
+  FourBalls next = four;
   const uint64_t numbers = 1 + random.next() % 3;
   for (uint64_t k = 0; k < numbers; ++k) {
     LatticeBall &ball = next.ball[random.next() % 4];

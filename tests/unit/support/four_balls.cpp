@@ -1,6 +1,7 @@
-#include "random_planes.hpp"
+#include "four_balls.hpp"
 
-#include <cmath>
+#include <algorithm>
+#include <utility>
 
 using hsp::exact::LatticeBall;
 
@@ -32,6 +33,25 @@ LatticeBall ball_through_origin(oracle::RandomSource &random, int64_t scale, uin
 
 }  // namespace
 
+bool FourBalls::valid(int64_t least_radius) const {
+  for (const LatticeBall &b : ball) {
+    if (b.radius < least_radius || b.radius >= int64_t{1} << 30) return false;
+  }
+  for (int k = 1; k < 4; ++k) {
+    if (hsp::exact::pair_relation(ball[0], ball[k]) != hsp::exact::PairRelation::circle) return false;
+  }
+  return true;
+}
+
+double FourBalls::length_squared() const {
+  double bound = static_cast<double>(sphere().W);
+  for (int k = 1; k < 4; ++k) {
+    const hsp::exact::Vector v = plane(k).v;
+    bound = std::max(bound, static_cast<double>(dot(v, v)));
+  }
+  return bound;
+}
+
 FourBalls random_four_balls(oracle::RandomSource &random) {
   constexpr int64_t sizes[] = {1, 2, 3, 5, 8, 100, 1 << 20, (1 << 28) - 1, (1 << 29) - 3, (int64_t{1} << 30) - 1};
   for (;;) {
@@ -46,14 +66,6 @@ FourBalls random_four_balls(oracle::RandomSource &random) {
     }
     // Next to a tie rather than on it.
     if (mode == 2) four.ball[random.next() % 4].radius += static_cast<int64_t>(random.next() % 3) - 1;
-    bool usable = true;
-    for (int k = 0; k < 4; ++k) usable = usable && four.ball[k].radius >= 0 && four.ball[k].radius < (int64_t{1} << 30);
-    for (int k = 1; k < 4 && usable; ++k) {
-      usable = hsp::exact::pair_relation(four.ball[0], four.ball[k]) == hsp::exact::PairRelation::circle;
-    }
-    if (!usable) continue;
-    four.sphere = hsp::exact::sphere_of(four.ball[0]);
-    for (int k = 0; k < 3; ++k) four.plane[k] = hsp::exact::plane_of(four.ball[0], four.ball[k + 1]);
-    return four;
+    if (four.valid(0)) return four;
   }
 }
