@@ -114,7 +114,7 @@ TEST(CompareEntries, OfTiesAndNextToThem) {
   for (const int times : seen) EXPECT_GT(times, 200);
 }
 
-TEST(CutVertically, Cases) {
+TEST(VerticalOrder, Cases) {
   expect_cases(cases::exact_vertical_order);
 }
 
