@@ -62,7 +62,9 @@ constexpr HiddenBalls hidden_balls[] = {
     {2, {{0, 0, 0, 1000000}, {1, 0, -5000000, 1000000}}, from_the_front, 0},
     {2, {{0, 0, 0, 1000}, {0, 0, -2000, 500}}, from_the_front, 1},
     {2, {{0, 0, 0, 1000}, {0, 0, -2000, 500}}, from_behind, 0},
-    {3, {{0, 0, 0, 1000}, {0, 0, -2000, 500}, {0, 0, 2000, 500}}, from_behind, 1}};
+    {3, {{0, 0, 0, 1000}, {0, 0, -2000, 500}, {0, 0, 2000, 500}}, from_behind, 1},
+    // Two in one cube, of which the lower one lies behind a ball of a lower cube.
+    {3, {{-10, -10, -1900, 1000}, {100, 100, -1950, 10}, {100, 100, -500, 10}}, from_the_front, 1}};
 
 inline uint32_t hidden_by_hand() {
   return first_failing(hidden_balls, [](const HiddenBalls &c) {
