@@ -111,6 +111,52 @@ inline uint32_t loops_are_closed() {
   });
 }
 
+// The centre of an arc from its ends, as renderers find it (SVG 1.1, F.6.5), for an arc that is not large.
+inline bool centre_of_arc(const double (&start)[2], const double (&arc)[7], double (&centre)[2]) {
+  const double a = arc[0], b = arc[1], angle = arc[2] * hsp::pi / 180, c = std::cos(angle), s = std::sin(angle);
+  const double dx = (start[0] - arc[5]) / 2, dy = (start[1] - arc[6]) / 2;
+  const double x = (c * dx + s * dy) / a, y = (c * dy - s * dx) / b;
+  const double squared = 1 / (x * x + y * y) - 1;
+  if (squared < 0.0) return false;  // the radii are too small
+  const double root = arc[4] != 0 ? -std::sqrt(squared) : std::sqrt(squared);
+  const double u = -root * a * y, v = root * b * x;
+  centre[0] = c * u - s * v + (start[0] + arc[5]) / 2;
+  centre[1] = s * u + c * v + (start[1] + arc[6]) / 2;
+  return true;
+}
+
+// A circle of radius 400, without its ends, seen nearly edge on from directions (k, 0, 1000): renderers find it where
+// it is, 50 above the middle of the picture.
+constexpr double nearly_edge_on[] = {2, 5, 10, 20, 50, 100, 200, 500};
+
+inline uint32_t flat_ellipses_are_where_they_belong() {
+  return first_failing(nearly_edge_on, [](double k) {
+    constexpr SmallBall lens[] = {{0, 0, 0, 500}, {600, 0, 0, 500}, {300, 400, 0, 200}, {300, -400, 0, 300}};
+    if (!small_view().succeeds(lens, 4, {{{k, 0, 1000}, {0, 1, 0}}, hsp::PieceKind::outside_all, true})) return false;
+    hsp::PictureOptions options;
+    options.height = 1000;
+    options.margin = 0;
+    const double scale = hsp::lay_out(picture_input(), options).scale;
+    TextReader reader(svg(options, picture_input()).text);
+    uint32_t flat = 0;
+    while (reader.find(" d=\"M")) {
+      double at[2], arc[7], centre[2];
+      if (!reader.numbers(at)) return false;
+      while (reader.take("A")) {
+        if (!reader.numbers(arc)) return false;
+        if (near(arc[0], 400 * scale, .01) && arc[1] < .9 * arc[0]) {
+          if (!centre_of_arc(at, arc, centre)) return false;
+          if (!near(centre[0], 500, .1) || !near(centre[1], 500 - 50 * scale, .1)) return false;
+          ++flat;
+        }
+        at[0] = arc[5];
+        at[1] = arc[6];
+      }
+    }
+    return flat == 2;
+  });
+}
+
 constexpr FileParts svg_parts[] = {
     {300,
      false,
@@ -220,11 +266,13 @@ inline uint32_t no_svg_radius_is_0() {
   return text.count(")scale(.01)") == 1 && text.count(")scale(0)") == 0 ? all_hold : 1;
 }
 
-inline constexpr Check picture_svg_writer[] = {{"paths_run_along_circles", paths_run_along_circles},
-                                               {"loops_are_closed", loops_are_closed},
-                                               {"parts_of_svg_files", parts_of_svg_files},
-                                               {"svg_paints_the_farthest_first", svg_paints_the_farthest_first},
-                                               {"svg_gradients", svg_gradients},
-                                               {"no_svg_radius_is_0", no_svg_radius_is_0}};
+inline constexpr Check picture_svg_writer[] = {
+    {"paths_run_along_circles", paths_run_along_circles},
+    {"loops_are_closed", loops_are_closed},
+    {"flat_ellipses_are_where_they_belong", flat_ellipses_are_where_they_belong},
+    {"parts_of_svg_files", parts_of_svg_files},
+    {"svg_paints_the_farthest_first", svg_paints_the_farthest_first},
+    {"svg_gradients", svg_gradients},
+    {"no_svg_radius_is_0", no_svg_radius_is_0}};
 
 }  // namespace cases
