@@ -1,17 +1,15 @@
 /* Every argument of the boundary's functions that the header refuses, and every call out of order. */
 #include <hardsphere.h>
 
+#include "ball_sets.h"
 #include "check.h"
 #include "untouched.h"
 
-enum { BALLS = 3 };
+enum { BALLS = THREE_BALLS };
 static unsigned char model_memory[HSP_MODEL_BYTES(BALLS)];
 static unsigned char boundary_memory[HSP_BOUNDARY_BYTES(BALLS, BALLS, 16, 16)];
 static hsp_model *model;
 static hsp_boundary *boundary;
-
-static const double xyz[3 * BALLS] = {0, 0, 0, 2, 0, 0, 1, 1.5, 0};
-static const double radius[BALLS] = {1.5, 1.5, 1.25};
 
 /* Every output of the reading functions, to be found untouched after a refusal. */
 static hsp_boundary_counts counts;
@@ -136,7 +134,7 @@ static void model_changed(void) {
   CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
   CHECK_EQUAL(hsp_boundary_get_counts(boundary, &counts), HSP_OK);
   check_scene("model set to the same balls");
-  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
   check_all_readers(boundary, HSP_E_STATE);
   CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
   CHECK_EQUAL(hsp_boundary_get_counts(boundary, &counts), HSP_OK);
@@ -147,16 +145,16 @@ static void model_changed(void) {
   CHECK_EQUAL(hsp_boundary_get_counts(boundary, &counts), HSP_OK);
   CHECK_EQUAL(counts.balls, 0);
   check_scene("model emptied by a refusal");
-  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, bad_radius, NULL, NULL), HSP_E_NEGATIVE);
+  CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, bad_radius, NULL, NULL), HSP_E_NEGATIVE);
   check_all_readers(boundary, HSP_E_STATE);
   CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
   check_scene("figures and queries change nothing");
-  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
   {
     hsp_packing figures;
     CHECK_EQUAL(hsp_model_get_packing(model, &figures), HSP_OK);
-    CHECK_EQUAL(hsp_query_point(model, xyz, NULL, 0, &needed), HSP_E_CAPACITY);
+    CHECK_EQUAL(hsp_query_point(model, three_balls_xyz, NULL, 0, &needed), HSP_E_CAPACITY);
     CHECK_EQUAL(hsp_boundary_get_counts(boundary, &counts), HSP_OK);
     CHECK_EQUAL(counts.balls, BALLS);
   }
@@ -165,7 +163,7 @@ static void model_changed(void) {
 
 int main(void) {
   CHECK_EQUAL(hsp_model_init(model_memory, sizeof model_memory, BALLS, &model), HSP_OK);
-  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
   compute_and_read();
   model_changed();
   return check_report();

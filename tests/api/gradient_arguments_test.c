@@ -3,18 +3,16 @@
 #include <hardsphere.h>
 #include <math.h>
 
+#include "ball_sets.h"
 #include "check.h"
 #include "untouched.h"
 
-enum { BALLS = 3, FACES = 3, ENTRIES = 3 };
+enum { BALLS = THREE_BALLS, FACES = 3, ENTRIES = 3 };
 static unsigned char model_memory[HSP_MODEL_BYTES(BALLS)];
 static unsigned char boundary_memory[HSP_BOUNDARY_BYTES(BALLS, BALLS, 16, 16)];
 static hsp_model *model;
 static hsp_boundary *boundary;
 
-/* Three balls that meet in two points: one face each, and rows of three entries. */
-static const double xyz[3 * BALLS] = {0, 0, 0, 2, 0, 0, 1, 1.5, 0};
-static const double radius[BALLS] = {1.5, 1.5, 1.25};
 static const uint8_t selected[BALLS] = {1, 0, 1};
 static const double sigma[BALLS] = {1, -2, 0};
 
@@ -85,13 +83,13 @@ static void out_of_order(void) {
   check_all_refuse(boundary, HSP_E_STATE);
   CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
   check_scene("model set to the same balls");
-  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
   check_all_refuse(boundary, HSP_E_STATE);
   CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
   check_scene("model emptied by a refusal");
-  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, bad_radius, NULL, NULL), HSP_E_NEGATIVE);
+  CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, bad_radius, NULL, NULL), HSP_E_NEGATIVE);
   check_all_refuse(boundary, HSP_E_STATE);
-  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
   check_scene("a limit was too small");
   limits.vertices = 1;
   CHECK_EQUAL(hsp_boundary_init(boundary_memory, sizeof boundary_memory, &limits, &boundary), HSP_OK);
@@ -240,7 +238,7 @@ static void no_balls(void) {
 
 int main(void) {
   CHECK_EQUAL(hsp_model_init(model_memory, sizeof model_memory, BALLS, &model), HSP_OK);
-  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
   out_of_order();
   bad_arguments();
   too_small();

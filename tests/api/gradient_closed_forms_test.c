@@ -271,9 +271,7 @@ static void hidden_balls(void) {
   computed c, d;
   uint32_t tangency, i, needed;
   ball_set_start(&set, "three balls", 1e-8);
-  ball_set_add(&set, 0, 0, 0, 1.5);
-  ball_set_add(&set, 2, 0, 0, 1.5);
-  ball_set_add(&set, 1, 1.5, 0, 1.25);
+  ball_set_add_three(&set);
   for (tangency = HSP_TANGENT_OVERLAP; tangency <= HSP_TANGENT_DISJOINT; ++tangency) {
     check_scene("hidden balls, tangency %u", (unsigned)tangency);
     more = set;

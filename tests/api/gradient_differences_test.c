@@ -120,9 +120,7 @@ int main(void) {
   static ball_set set;
   uint32_t i;
   ball_set_start(&set, "three balls", 1e-8);
-  ball_set_add(&set, 0, 0, 0, 1.5);
-  ball_set_add(&set, 2, 0, 0, 1.5);
-  ball_set_add(&set, 1, 1.5, 0, 1.25);
+  ball_set_add_three(&set);
   smooth(&set, 1e-3, 1e-7);
   ball_set_start(&set, "a chain of atoms", 1e-8);
   ball_set_add_chain(&set, 24, 101);

@@ -3,18 +3,17 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "ball_sets.h"
 #include "check.h"
 #include "picture_sink.h"
 #include "untouched.h"
 
-enum { BALLS = 3, ARCS = 40 };
+enum { BALLS = THREE_BALLS, ARCS = 40 };
 static unsigned char model_memory[HSP_MODEL_BYTES(BALLS)];
 static unsigned char view_memory[HSP_VIEW_BYTES(BALLS, BALLS, ARCS)];
 static hsp_model *model;
 static hsp_view *view;
 
-static const double xyz[3 * BALLS] = {0, 0, 0, 2, 0, 0, 1, 1.5, 0};
-static const double radius[BALLS] = {1.5, 1.5, 1.25};
 static const uint32_t colours[BALLS] = {0x000000, 0xFFFFFF, 0x123456};
 
 static hsp_picture_options good_options(void) {
@@ -173,7 +172,7 @@ static void states(void) {
   check_scene("the model was set again");
   CHECK_EQUAL(hsp_view_compute(view, model, NULL, NULL), HSP_OK);
   check_written(colours, NULL);
-  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
   check_refused(view, colours, NULL, HSP_E_STATE);
   CHECK_EQUAL(hsp_view_compute(view, model, NULL, NULL), HSP_OK);
   check_written(colours, NULL);
@@ -248,7 +247,7 @@ static void palettes(void) {
 
 int main(void) {
   CHECK_EQUAL(hsp_model_init(model_memory, sizeof model_memory, BALLS, &model), HSP_OK);
-  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
   options_init();
   palettes();
   states();

@@ -2,10 +2,11 @@
 #include <hardsphere.h>
 #include <math.h>
 
+#include "ball_sets.h"
 #include "check.h"
 #include "untouched.h"
 
-enum { BALLS = 3, EDGES = 40, EXTRA = 8 };
+enum { BALLS = THREE_BALLS, EDGES = 40, EXTRA = 8 };
 static unsigned char model_memory[HSP_MODEL_BYTES(BALLS)];
 static unsigned char boundary_memory[HSP_BOUNDARY_BYTES(BALLS, BALLS, 16, 16)];
 static unsigned char topology_memory[HSP_TOPOLOGY_BYTES(BALLS, BALLS, EDGES, EXTRA)];
@@ -13,8 +14,6 @@ static hsp_model *model;
 static hsp_boundary *boundary;
 static hsp_topology *topology;
 
-static const double xyz[3 * BALLS] = {0, 0, 0, 2, 0, 0, 1, 1.5, 0};
-static const double radius[BALLS] = {1.5, 1.5, 1.25};
 static const double outside[3] = {10, 0, 0};
 
 /* Every output of the reading functions, to be found untouched after a refusal. */
@@ -105,9 +104,9 @@ static void check_all_readers(hsp_topology *which, int32_t status) {
   CHECK_EQUAL(hsp_topology_get_cells(which, cells, BALLS, &needed), status);
   CHECK_EQUAL(hsp_topology_get_cell_shells(which, 0, ids, EDGES, &needed), status);
   CHECK_EQUAL(hsp_topology_get_traversal(which, 0, ids, EDGES, &needed), status);
-  CHECK_EQUAL(hsp_topology_locate(which, xyz, &cell, ids, EDGES, &needed), status);
-  CHECK_EQUAL(hsp_topology_locate(which, xyz, &cell, NULL, 0, NULL), status);
-  CHECK_EQUAL(hsp_topology_same_cell(which, outside, xyz, &same), status);
+  CHECK_EQUAL(hsp_topology_locate(which, three_balls_xyz, &cell, ids, EDGES, &needed), status);
+  CHECK_EQUAL(hsp_topology_locate(which, three_balls_xyz, &cell, NULL, 0, NULL), status);
+  CHECK_EQUAL(hsp_topology_same_cell(which, outside, three_balls_xyz, &same), status);
   CHECK_EQUAL(hsp_topology_check(which, &invariant, &id), status);
   check_outputs_untouched();
   check_no_steps(which);
@@ -156,12 +155,12 @@ static void null_pointers(void) {
   CHECK_EQUAL(hsp_topology_get_traversal(topology, 0, NULL, 1, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_topology_get_traversal(topology, 0, ids, EDGES, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_topology_locate(topology, NULL, &cell, ids, EDGES, &needed), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_topology_locate(topology, xyz, NULL, ids, EDGES, &needed), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_topology_locate(topology, xyz, &cell, NULL, EDGES, &needed), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_topology_locate(topology, xyz, &cell, ids, EDGES, NULL), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_topology_same_cell(topology, NULL, xyz, &same), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_topology_same_cell(topology, xyz, NULL, &same), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_topology_same_cell(topology, xyz, xyz, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_locate(topology, three_balls_xyz, NULL, ids, EDGES, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_locate(topology, three_balls_xyz, &cell, NULL, EDGES, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_locate(topology, three_balls_xyz, &cell, ids, EDGES, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_same_cell(topology, NULL, three_balls_xyz, &same), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_same_cell(topology, three_balls_xyz, NULL, &same), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_same_cell(topology, three_balls_xyz, three_balls_xyz, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_topology_check(topology, NULL, &id), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_topology_check(topology, &invariant, NULL), HSP_E_ARGUMENT);
   check_outputs_untouched();
@@ -220,7 +219,7 @@ static void compute_and_read(void) {
   CHECK_EQUAL(hsp_topology_get_needed(topology, &needed_limits), HSP_E_STATE);
   check_outputs_untouched();
   check_scene("the boundary holds nothing");
-  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_topology_compute(topology, boundary), HSP_E_STATE);
   check_all_readers(topology, HSP_E_STATE);
   CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
@@ -252,7 +251,7 @@ static void changes(void) {
   CHECK_EQUAL(hsp_topology_compute(topology, boundary), HSP_OK);
   check_has_results();
   check_scene("model set to the same balls");
-  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
   check_all_readers(topology, HSP_E_STATE);
   CHECK_EQUAL(hsp_topology_compute(topology, boundary), HSP_E_STATE);
   CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
@@ -260,14 +259,14 @@ static void changes(void) {
   CHECK_EQUAL(hsp_topology_compute(topology, boundary), HSP_OK);
   check_has_results();
   check_scene("model emptied by a refusal");
-  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, bad_radius, NULL, NULL), HSP_E_NEGATIVE);
+  CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, bad_radius, NULL, NULL), HSP_E_NEGATIVE);
   check_all_readers(topology, HSP_E_STATE);
   CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
   CHECK_EQUAL(hsp_topology_compute(topology, boundary), HSP_OK);
   CHECK_EQUAL(hsp_topology_get_counts(topology, &counts), HSP_OK);
   CHECK_EQUAL(counts.edges, 0);
   check_no_steps(topology);
-  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
   CHECK_EQUAL(hsp_topology_compute(topology, boundary), HSP_OK);
   check_scene("another boundary of the model fails");
@@ -286,7 +285,7 @@ static void changes(void) {
     hsp_packing figures;
     hsp_totals totals;
     CHECK_EQUAL(hsp_model_get_packing(model, &figures), HSP_OK);
-    CHECK_EQUAL(hsp_query_point(model, xyz, NULL, 0, &needed), HSP_E_CAPACITY);
+    CHECK_EQUAL(hsp_query_point(model, three_balls_xyz, NULL, 0, &needed), HSP_E_CAPACITY);
     CHECK_EQUAL(hsp_boundary_check(boundary, &invariant, &id), HSP_OK);
     CHECK_EQUAL(hsp_boundary_measure(boundary, &totals, NULL, NULL, 0), HSP_OK);
     CHECK_EQUAL(hsp_topology_check(topology, &invariant, &id), HSP_OK);
@@ -318,7 +317,7 @@ static void limits_for(void) {
   CHECK_EQUAL(hsp_topology_limits_for(&limits, 0, boundary), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_topology_limits_for(&limits, (uint32_t)sizeof limits + 4, boundary), HSP_E_ARGUMENT);
   CHECK_UNTOUCHED(limits);
-  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_topology_limits_for(&limits, (uint32_t)sizeof limits, boundary), HSP_E_STATE);
   CHECK_UNTOUCHED(limits);
   CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
@@ -331,7 +330,7 @@ static void limits_for(void) {
 int main(void) {
   hsp_boundary_limits limits;
   CHECK_EQUAL(hsp_model_init(model_memory, sizeof model_memory, BALLS, &model), HSP_OK);
-  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_boundary_limits_init(&limits, (uint32_t)sizeof limits, BALLS), HSP_OK);
   limits.neighbours = BALLS;
   limits.vertices = limits.circles = 16;

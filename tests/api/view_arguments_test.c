@@ -2,10 +2,11 @@
 #include <hardsphere.h>
 #include <math.h>
 
+#include "ball_sets.h"
 #include "check.h"
 #include "untouched.h"
 
-enum { BALLS = 3, ARCS = 40 };
+enum { BALLS = THREE_BALLS, ARCS = 40 };
 static unsigned char model_memory[HSP_MODEL_BYTES(BALLS)], other_memory[HSP_MODEL_BYTES(BALLS)];
 static unsigned char boundary_memory[HSP_BOUNDARY_BYTES(BALLS, BALLS, 16, 16)];
 static unsigned char other_boundary_memory[HSP_BOUNDARY_BYTES(BALLS, BALLS, 16, 16)];
@@ -13,9 +14,6 @@ static unsigned char view_memory[HSP_VIEW_BYTES(BALLS, BALLS, ARCS)];
 static hsp_model *model, *other_model;
 static hsp_boundary *boundary, *other_boundary;
 static hsp_view *view;
-
-static const double xyz[3 * BALLS] = {0, 0, 0, 2, 0, 0, 1, 1.5, 0};
-static const double radius[BALLS] = {1.5, 1.5, 1.25};
 
 /* Every output of the reading functions, to be found untouched after a refusal. */
 static hsp_view_limits needed_limits;
@@ -178,7 +176,7 @@ static void bad_boundaries(void) {
   check_has_results();
   CHECK_EQUAL(info.kind, HSP_PIECES_OUTSIDE_ALL);
   check_scene("a boundary without results");
-  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
   check_refused(model, boundary, &options, HSP_E_STATE);
   check_refused(model, boundary, NULL, HSP_E_STATE);
   CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
@@ -210,25 +208,25 @@ static void order_of_calls(void) {
   CHECK_EQUAL(needed_limits.balls, BALLS);
   CHECK_EQUAL(needed_limits.neighbours, BALLS - 1);
   check_scene("model set to the same balls");
-  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
   check_all_readers(view, HSP_E_STATE);
   CHECK_EQUAL(hsp_view_compute(view, model, NULL, NULL), HSP_OK);
   check_has_results();
   check_scene("model emptied by a refusal");
-  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, bad_radius, NULL, NULL), HSP_E_NEGATIVE);
+  CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, bad_radius, NULL, NULL), HSP_E_NEGATIVE);
   check_all_readers(view, HSP_E_STATE);
   CHECK_EQUAL(hsp_view_compute(view, model, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_view_get_info(view, &info), HSP_OK);
   CHECK_EQUAL(info.pieces, 0);
   CHECK_EQUAL(hsp_view_get_pieces(view, NULL, 0, &needed), HSP_OK);
   CHECK_EQUAL(needed, 0);
-  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_view_compute(view, model, NULL, NULL), HSP_OK);
   check_scene("figures and queries change nothing");
   {
     hsp_packing figures;
     CHECK_EQUAL(hsp_model_get_packing(model, &figures), HSP_OK);
-    CHECK_EQUAL(hsp_query_point(model, xyz, NULL, 0, &needed), HSP_E_CAPACITY);
+    CHECK_EQUAL(hsp_query_point(model, three_balls_xyz, NULL, 0, &needed), HSP_E_CAPACITY);
     check_has_results();
   }
   check_scene("initialised again");
@@ -249,9 +247,9 @@ static hsp_boundary *a_boundary(void *memory, size_t bytes) {
 
 int main(void) {
   CHECK_EQUAL(hsp_model_init(model_memory, sizeof model_memory, BALLS, &model), HSP_OK);
-  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_model_init(other_memory, sizeof other_memory, BALLS, &other_model), HSP_OK);
-  CHECK_EQUAL(hsp_model_set(other_model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_model_set(other_model, BALLS, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
   boundary = a_boundary(boundary_memory, sizeof boundary_memory);
   other_boundary = a_boundary(other_boundary_memory, sizeof other_boundary_memory);
   CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);

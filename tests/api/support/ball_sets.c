@@ -29,6 +29,17 @@ void ball_set_add(ball_set *set, double x, double y, double z, double radius) {
   ++set->n;
 }
 
+const double three_balls_xyz[3 * THREE_BALLS] = {0, 0, 0, 2, 0, 0, 1, 1.5, 0};
+const double three_balls_radius[THREE_BALLS] = {1.5, 1.5, 1.25};
+
+void ball_set_add_three(ball_set *set) {
+  int i;
+  for (i = 0; i < THREE_BALLS; ++i) {
+    const double *centre = three_balls_xyz + 3 * i;
+    ball_set_add(set, centre[0], centre[1], centre[2], three_balls_radius[i]);
+  }
+}
+
 void ball_set_add_grid(ball_set *set, const int counts[3], const double spacing[3], double radius) {
   int x, y, z;
   for (x = 0; x < counts[0]; ++x) {
@@ -181,9 +192,7 @@ static void collinear(ball_set *s) {
 
 static void three_with_vertices(ball_set *s) {
   ball_set_start(s, "three balls with two vertices", 1e-8);
-  ball_set_add(s, 0, 0, 0, 1.5);
-  ball_set_add(s, 2, 0, 0, 1.5);
-  ball_set_add(s, 1, 1.5, 0, 1.25);
+  ball_set_add_three(s);
 }
 
 static void common_point(ball_set *s) {

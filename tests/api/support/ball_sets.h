@@ -24,6 +24,11 @@ void ball_set_make(uint32_t which, ball_set *set);
 void ball_set_start(ball_set *set, const char *name, double step);
 void ball_set_add(ball_set *set, double x, double y, double z, double radius);
 
+/* Three balls that meet in two points, with a face each. */
+enum { THREE_BALLS = 3 };
+extern const double three_balls_xyz[3 * THREE_BALLS], three_balls_radius[THREE_BALLS];
+void ball_set_add_three(ball_set *set);
+
 /* The full grid counts[0] x counts[1] x counts[2] with the given spacings, first ball at the origin. */
 void ball_set_add_grid(ball_set *set, const int counts[3], const double spacing[3], double radius);
 
