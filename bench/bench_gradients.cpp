@@ -50,11 +50,11 @@ void frames(benchmark::State &state, const Subject &subject) {
 void register_suite() {
   for (const Surface &surface : surfaces) {
     const std::string group = std::string("gradients/") + surface.name + '/';
-    for (const NamedBalls &size : molecule_sizes()) {
+    for (const Size &size : molecule_sizes()) {
       const SubjectRecipe recipe{group + "frames/" + size.name, size.balls, surface.probe};
       register_case(group + "frames/" + size.name, recipe, frames)->Unit(benchmark::kMicrosecond);
     }
-    for (const NamedBalls &size : all_sizes()) {
+    for (const Size &size : all_sizes()) {
       const SubjectRecipe recipe{group + size.name, size.balls, surface.probe, Stage::boundary};
       register_case(group + "compute/" + size.name, recipe, boundary_and_gradient)->Unit(benchmark::kMicrosecond);
     }

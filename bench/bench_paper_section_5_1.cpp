@@ -105,7 +105,7 @@ void register_suite() {
   }
   const size_t molecules = molecule_sizes().size();
   size_t done = 0;
-  for (const NamedBalls &size : all_sizes()) {
+  for (const Size &size : all_sizes()) {
     const SubjectRecipe recipe{"frames/" + size.name, size.balls, 0, Stage::boundary};
     register_frames("frames/" + size.name, recipe, done <= molecules ? many_directions : few_directions, false);
     ++done;

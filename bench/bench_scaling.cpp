@@ -69,7 +69,7 @@ void register_suite() {
   const std::pair<const char *, const char *> further[] = {{"1ubq.pdb", "ubiquitin_1ubq"},
                                                            {"sod_model_4392.pdb", "sod_model"}};
   for (const Surface &surface : surfaces) {
-    for (const NamedBalls &size : all_sizes()) register_subject(size.name, surface, size.balls);
+    for (const Size &size : all_sizes()) register_subject(size.name, surface, size.balls);
     for (const auto &[file, name] : further) {
       const auto path = support::further_molecule(file);
       if (!path) {

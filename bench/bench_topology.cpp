@@ -61,7 +61,7 @@ void locate(benchmark::State &state, Subject &subject, const std::vector<double>
 void register_suite() {
   for (const Surface &surface : surfaces) {
     const std::string group = std::string("topology/") + surface.name + '/';
-    for (const NamedBalls &size : all_sizes()) {
+    for (const Size &size : all_sizes()) {
       const SubjectRecipe recipe{group + size.name, size.balls, surface.probe, Stage::topology};
       register_case(group + "compute/" + size.name, recipe, boundary_and_topology)->Unit(benchmark::kMicrosecond);
       register_case(group + "locate_box/" + size.name, recipe, [](benchmark::State &state, Subject &subject) {

@@ -16,15 +16,15 @@ struct Surface {
 
 constexpr Surface surfaces[] = {{"van_der_waals", 0}, {"solvent_accessible", 1.4}};
 
-struct NamedBalls {
+struct Size {
   std::string name;
   std::function<Balls()> balls;  // makes them, with van der Waals radii
 };
 
 // The paper's five molecules.
-std::vector<NamedBalls> molecule_sizes();
+std::vector<Size> molecule_sizes();
 
 // The same and tilings of the largest, up to a million balls.
-std::vector<NamedBalls> all_sizes();
+std::vector<Size> all_sizes();
 
 }  // namespace bench

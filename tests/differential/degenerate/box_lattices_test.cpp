@@ -16,13 +16,8 @@ namespace {
 
 using degenerate::BoxLattice;
 
-struct Amount {
-  long double area = 0;
-  long double volume = 0;
-};
-
-Amount extrapolated(const BoxLattice &lattice) {
-  Amount sum;
+oracle::SliceMeasures extrapolated(const BoxLattice &lattice) {
+  oracle::SliceMeasures sum;
   for (unsigned corner = 0; corner < 8; ++corner) {
     BoxLattice small = lattice;
     long double weight = 1;
@@ -58,7 +53,7 @@ void expect_law(const BoxLattice &lattice) {
   EXPECT_EQ(degenerate::to_text(degenerate::topology_of(boundary)),
             degenerate::to_text(degenerate::topology_of(lattice)))
       << degenerate::name_of(lattice);
-  const Amount expected = extrapolated(lattice);
+  const oracle::SliceMeasures expected = extrapolated(lattice);
   const LibraryBoundary::Measures measures = boundary.measure();
   EXPECT_LE(std::abs(static_cast<long double>(measures.totals.area) - expected.area), 1e-12L * expected.area)
       << degenerate::name_of(lattice);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hardsphere.h"
+#include "lattice_lengths.hpp"
 #include "molecule_file.hpp"
 #include "owned_handle.hpp"
 #include "peers_inputs.hpp"
@@ -58,18 +59,6 @@ Session session_with(const BallList &balls) {
   return session;
 }
 
-// The balls as the library documents to round them, in lengths.
-std::vector<oracle::RealBall> rounded(const BallList &balls, double step) {
-  const auto steps = [&](double length) {
-    return std::nearbyint(static_cast<long double>(length) / static_cast<long double>(step));
-  };
-  std::vector<oracle::RealBall> result;
-  for (size_t i = 0; i < balls.radius.size(); ++i)
-    result.push_back(
-        {steps(balls.xyz[3 * i]), steps(balls.xyz[3 * i + 1]), steps(balls.xyz[3 * i + 2]), steps(balls.radius[i])});
-  return result;
-}
-
 struct Amount {
   long double area;
   long double volume;
@@ -78,7 +67,9 @@ struct Amount {
 Amount right_amount(const PeersRow &row, const Session &session) {
   if (row.right.arbiter != Arbiter::slices) return {row.right.area, row.right.volume};
   const auto step = static_cast<long double>(session.info.step);
-  const oracle::SliceMeasures measures = oracle::measure_by_slices(rounded(row.balls, session.info.step));
+  // As the library documents to round them.
+  const oracle::Balls rounded = oracle::on_lattice(row.balls, 0, std::round(1 / session.info.step));
+  const oracle::SliceMeasures measures = oracle::measure_by_slices(oracle::real_balls(rounded));
   return {measures.area * step * step, measures.volume * step * step * step};
 }
 
