@@ -153,6 +153,31 @@ inline uint32_t windings() {
   });
 }
 
+// Arcs of a whole turn, up to the symbolic perturbation: rounding must not make them longer.
+struct WholeTurn {
+  uint32_t n;
+  SmallBall ball[4];
+};
+constexpr WholeTurn whole_turns[] = {{3, {{-3, 9, 3, 9}, {9, 9, 0, 6}, {-9, -3, 0, 15}}},
+                                     {3, {{-4, 4, 0, 4}, {4, -6, -4, 4}, {-4, -6, -2, 6}}},
+                                     {3, {{6, 6, 6, 9}, {9, 6, 9, 9}, {6, -6, 3, 6}}},
+                                     {4, {{-2, -6, 2, 4}, {-4, 6, -6, 6}, {-2, 2, 4, 6}, {6, 2, 2, 4}}}};
+
+inline uint32_t whole_turns_are_no_more() {
+  return first_failing(whole_turns, [](const WholeTurn &c) {
+    if (!small_view().build(c.ball, c.n)) return false;
+    double longest_span = 0;
+    for (uint32_t i = 0; i < c.n; ++i) {
+      const OnePiece one({1, 1, 0}, i);
+      if (one.view().loops.size() == one.view().arcs.size()) continue;  // no vertices
+      for (const hsp::ArcRecord &arc : one.view().arcs.items()) {
+        longest_span = std::fmax(longest_span, std::fabs(arc.to - arc.from));
+      }
+    }
+    return longest_span <= whole && longest_span > whole - 1e-9;
+  });
+}
+
 inline uint32_t arcs_that_do_not_fit_are_counted() {
   return first_failing(hand_pieces, [](const HandPiece &c) {
     if (!small_view().build(c.ball, c.n)) return false;
@@ -166,6 +191,7 @@ inline uint32_t arcs_that_do_not_fit_are_counted() {
 
 inline constexpr Check view_piece_arcs[] = {{"arcs_by_hand", arcs_by_hand},
                                             {"windings", windings},
+                                            {"whole_turns_are_no_more", whole_turns_are_no_more},
                                             {"arcs_that_do_not_fit_are_counted", arcs_that_do_not_fit_are_counted}};
 
 }  // namespace cases
