@@ -37,7 +37,9 @@ Boundary::Boundary(Model &model, Room room) : model_(&model), area_(model.size()
 }
 
 void Boundary::compute() {
-  boundary_.compute([this](hsp_boundary *boundary) { return hsp_boundary_compute(boundary, model_->get()); });
+  boundary_.compute([this](hsp_boundary *boundary, hsp_boundary_limits *limits) {
+    return hsp_boundary_compute(boundary, model_->get(), limits);
+  });
 }
 
 hsp_totals Boundary::measure() {
@@ -71,7 +73,9 @@ Topology::Topology(const Boundary &boundary) : boundary_(&boundary) {
 }
 
 void Topology::compute() {
-  topology_.compute([this](hsp_topology *topology) { return hsp_topology_compute(topology, boundary_->get()); });
+  topology_.compute([this](hsp_topology *topology, hsp_topology_limits *limits) {
+    return hsp_topology_compute(topology, boundary_->get(), limits);
+  });
 }
 
 hsp_topology_counts Topology::counts() const {

@@ -35,7 +35,9 @@ View::View(const Model &model, const Boundary *boundary, uint32_t pieces, const 
 void View::compute(const Direction &towards) {
   std::copy(towards.begin(), towards.end(), options_.towards);
   const hsp_boundary *boundary = boundary_ != nullptr ? boundary_->get() : nullptr;
-  view_.compute([&](hsp_view *view) { return hsp_view_compute(view, model_->get(), boundary, &options_); });
+  view_.compute([&](hsp_view *view, hsp_view_limits *limits) {
+    return hsp_view_compute(view, model_->get(), boundary, &options_, limits);
+  });
 }
 
 uint64_t View::write_picture() {

@@ -3,6 +3,7 @@
 
 #include "core/status.hpp"
 #include "core/vec3.hpp"
+#include "handle_tag.hpp"
 #include "hardsphere.h"
 
 namespace hsp::capi {
@@ -36,7 +37,7 @@ inline int32_t check_output(const void *out, uint32_t capacity, uint32_t count, 
 // fit.
 template <class Handle, class Count>
 int32_t check_request(const Handle *handle, const void *out, uint32_t capacity, uint32_t *needed, Count count) {
-  if (handle == nullptr || needed == nullptr || (out == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
+  if (!is_live(handle) || needed == nullptr || (out == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
   if (!handle->has_results()) return HSP_E_STATE;
   return check_output(out, capacity, count(*handle), needed);
 }

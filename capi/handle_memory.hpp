@@ -1,11 +1,14 @@
 // What all handles have in common: they lie at the start of the caller's memory, with what their builder carves behind
 // them, and they hold results or none.
 //
-// A handle is a struct with its builder first, named by its member type Builder, and default values for the rest.
+// A handle is a struct with a tag (handle_tag.hpp), then its builder, named by its member type Builder, and default
+// values for the rest.
 #pragma once
 
 #include "conversion.hpp"
 #include "core/workspace.hpp"
+#include "handle_tag.hpp"
+#include "versioned_struct.hpp"
 
 namespace hsp::capi {
 
@@ -43,23 +46,22 @@ int32_t init(void *memory, size_t bytes, const Limits &limits, Handle **handle) 
   Workspace workspace(memory, bytes);
   typename Handle::Builder builder;
   Handle *const carved = carve<Handle>(workspace, limits, builder);
-  *carved = Handle{builder};
+  *carved = Handle{tag_of(carved), builder};
   *handle = carved;
   return HSP_OK;
 }
 
-// The rule of the header for every computation: a call that fails leaves the handle without results, and only a lack of
-// capacity leaves limits to be read. `forget` comes before the first refusal, `remember` after the computation.
-template <class Handle>
-void forget(Handle &handle) {
-  handle.attempted = false;
-  handle.complete = false;
-}
-
-template <class Handle>
-int32_t remember(Handle &handle, Status status) {
-  handle.attempted = status == Status::ok || status == Status::capacity;
+// What every hsp_X_compute ends with. `limits` may be null. It becomes what was needed, or after a lack of capacity
+// what to retry with: no limit is smaller than the handle's, and one at least is larger.
+template <auto convert, class Handle, class Limits>
+int32_t finish(Handle &handle, Status status, Limits *limits) {
   handle.complete = status == Status::ok;
+  if (limits != nullptr && status == Status::ok) {
+    write_struct(convert(handle.builder.needed()), limits, limits->struct_size);
+  }
+  if (limits != nullptr && status == Status::capacity) {
+    write_struct(convert(handle.builder.retry_limits()), limits, limits->struct_size);
+  }
   return to_c(status);
 }
 

@@ -2,83 +2,78 @@
 #include "measure/boundary_metric_check.hpp"
 #include "measure/boundary_positions.hpp"
 
+using hsp::capi::is_live;
+
 namespace {
 
 using hsp::capi::check_request;
 
-int32_t check_limits(const hsp_boundary_limits *limits) {
-  if (limits == nullptr || limits->struct_size != sizeof(hsp_boundary_limits) || limits->reserved != 0) {
-    return HSP_E_ARGUMENT;
-  }
-  const bool representable = limits->balls <= HSP_MAX_BALLS && limits->neighbours <= HSP_MAX_BALLS &&
-                             limits->vertices <= HSP_MAX_BALLS && limits->circles <= HSP_MAX_BALLS;
-  return representable ? HSP_OK : HSP_E_RANGE;
-}
-
-hsp::BoundaryLimits from_c(const hsp_boundary_limits &limits) {
-  return {limits.balls, limits.neighbours, limits.vertices, limits.circles};
+// The limits that a program gives.
+int32_t from_c(const hsp_boundary_limits *given, hsp::BoundaryLimits &result) {
+  hsp_boundary_limits limits;
+  if (!hsp::capi::read_struct(given, {}, limits) || limits.reserved != 0) return HSP_E_ARGUMENT;
+  if (limits.balls > HSP_MAX_BALLS || limits.neighbours > HSP_MAX_BALLS || limits.vertices > HSP_MAX_BALLS ||
+      limits.circles > HSP_MAX_BALLS)
+    return HSP_E_RANGE;
+  result = {limits.balls, limits.neighbours, limits.vertices, limits.circles};
+  return HSP_OK;
 }
 
 hsp_boundary_limits to_c(const hsp::BoundaryLimits &limits) {
   return {sizeof(hsp_boundary_limits), limits.balls, limits.neighbours, limits.vertices, limits.circles, 0};
 }
 
-constexpr uint32_t to_c(hsp::BoundaryInvariant invariant) {
+constexpr uint32_t number_of(hsp::BoundaryInvariant invariant) {
   return static_cast<uint32_t>(invariant);
 }
 
 // The numbers that the header gives the invariants of hsp_boundary_check.
 using hsp::BoundaryInvariant;
-static_assert(to_c(BoundaryInvariant::none) == 0);
-static_assert(to_c(BoundaryInvariant::vertices) == 1 && to_c(BoundaryInvariant::half_edges) == 2);
-static_assert(to_c(BoundaryInvariant::successors) == 3 && to_c(BoundaryInvariant::twins) == 4);
-static_assert(to_c(BoundaryInvariant::loops) == 5 && to_c(BoundaryInvariant::faces) == 6);
-static_assert(to_c(BoundaryInvariant::shells) == 7 && to_c(BoundaryInvariant::euler) == 8);
-static_assert(to_c(BoundaryInvariant::positions) == 9 && to_c(BoundaryInvariant::areas) == 10);
-static_assert(to_c(BoundaryInvariant::closure) == 11);
+static_assert(number_of(BoundaryInvariant::none) == 0);
+static_assert(number_of(BoundaryInvariant::vertices) == 1 && number_of(BoundaryInvariant::half_edges) == 2);
+static_assert(number_of(BoundaryInvariant::successors) == 3 && number_of(BoundaryInvariant::twins) == 4);
+static_assert(number_of(BoundaryInvariant::loops) == 5 && number_of(BoundaryInvariant::faces) == 6);
+static_assert(number_of(BoundaryInvariant::shells) == 7 && number_of(BoundaryInvariant::euler) == 8);
+static_assert(number_of(BoundaryInvariant::positions) == 9 && number_of(BoundaryInvariant::areas) == 10);
+static_assert(number_of(BoundaryInvariant::closure) == 11);
 
 }  // namespace
 
 int32_t hsp_boundary_limits_init(hsp_boundary_limits *limits, uint32_t struct_size, uint32_t balls) {
-  if (limits == nullptr || struct_size != sizeof(hsp_boundary_limits)) return HSP_E_ARGUMENT;
+  if (limits == nullptr || !hsp::capi::is_struct_size<hsp_boundary_limits>(struct_size)) return HSP_E_ARGUMENT;
   hsp::BoundaryLimits defaults;
   const hsp::Status status = hsp::default_limits(balls, defaults);
-  if (status == hsp::Status::ok) *limits = to_c(defaults);
+  if (status == hsp::Status::ok) hsp::capi::write_struct(to_c(defaults), limits, struct_size);
   return hsp::capi::to_c(status);
 }
 
 int32_t hsp_boundary_bytes(const hsp_boundary_limits *limits, size_t *bytes) {
   if (bytes == nullptr) return HSP_E_ARGUMENT;
-  if (const int32_t status = check_limits(limits); status != HSP_OK) return status;
-  return hsp::capi::get_bytes<hsp_boundary>(from_c(*limits), bytes);
+  hsp::BoundaryLimits wanted;
+  if (const int32_t status = from_c(limits, wanted); status != HSP_OK) return status;
+  return hsp::capi::get_bytes<hsp_boundary>(wanted, bytes);
 }
 
 int32_t hsp_boundary_init(void *memory, size_t bytes, const hsp_boundary_limits *limits, hsp_boundary **boundary) {
   if (memory == nullptr || boundary == nullptr) return HSP_E_ARGUMENT;
-  if (const int32_t status = check_limits(limits); status != HSP_OK) return status;
-  return hsp::capi::init(memory, bytes, from_c(*limits), boundary);
+  hsp::BoundaryLimits wanted;
+  if (const int32_t status = from_c(limits, wanted); status != HSP_OK) return status;
+  return hsp::capi::init(memory, bytes, wanted, boundary);
 }
 
-int32_t hsp_boundary_compute(hsp_boundary *boundary, const hsp_model *model) {
-  if (boundary == nullptr) return HSP_E_ARGUMENT;
-  hsp::capi::forget(*boundary);
-  if (model == nullptr) return HSP_E_ARGUMENT;
+int32_t hsp_boundary_compute(hsp_boundary *boundary, const hsp_model *model, hsp_boundary_limits *limits) {
+  if (!is_live(boundary)) return HSP_E_ARGUMENT;
+  boundary->complete = false;
+  if (!is_live(model) || !hsp::capi::may_write(limits)) return HSP_E_ARGUMENT;
   const hsp::Status status = boundary->builder.build(model->grid);
   boundary->model = model;
   boundary->revision = model->revision;
   ++boundary->computed;
-  return hsp::capi::remember(*boundary, status);
-}
-
-int32_t hsp_boundary_get_needed(const hsp_boundary *boundary, hsp_boundary_limits *needed) {
-  if (boundary == nullptr || needed == nullptr) return HSP_E_ARGUMENT;
-  if (!boundary->attempted) return HSP_E_STATE;
-  *needed = to_c(boundary->builder.needed());
-  return HSP_OK;
+  return hsp::capi::finish<to_c>(*boundary, status, limits);
 }
 
 int32_t hsp_boundary_get_counts(const hsp_boundary *boundary, hsp_boundary_counts *counts) {
-  if (boundary == nullptr || counts == nullptr) return HSP_E_ARGUMENT;
+  if (!is_live(boundary) || counts == nullptr) return HSP_E_ARGUMENT;
   if (!boundary->has_results()) return HSP_E_STATE;
   const hsp::Boundary &structure = boundary->structure();
   *counts = {};
@@ -200,7 +195,7 @@ int32_t hsp_boundary_get_balls(const hsp_boundary *boundary, hsp_ball *out, uint
 }
 
 int32_t hsp_boundary_check(hsp_boundary *boundary, uint32_t *invariant, uint32_t *id) {
-  if (boundary == nullptr || invariant == nullptr || id == nullptr) return HSP_E_ARGUMENT;
+  if (!is_live(boundary) || invariant == nullptr || id == nullptr) return HSP_E_ARGUMENT;
   if (!boundary->has_results()) return HSP_E_STATE;
   const hsp::BallSet &balls = boundary->balls();
   const hsp::Boundary &structure = boundary->structure();

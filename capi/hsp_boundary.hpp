@@ -6,16 +6,17 @@
 
 struct hsp_boundary {
   using Builder = hsp::BoundaryBuilder;
+  static constexpr uint64_t kind = 0x626F756E64617279;  // "boundary" in ASCII
 
+  uint64_t tag;
   Builder builder;
   const hsp_model *model = nullptr;  // what was computed last
   uint64_t revision = 0;
-  uint64_t computed = 0;   // counts hsp_boundary_compute, so that a topology notices when its boundary has changed
-  bool attempted = false;  // the builder's needed() means something
-  bool complete = false;   // and the boundary is there
+  uint64_t computed = 0;  // counts hsp_boundary_compute, so that a topology notices when its boundary has changed
+  bool complete = false;  // the boundary is there
 
   // Whether results may be read: computed, and the model unchanged since.
-  bool has_results() const { return complete && revision == model->revision; }
+  bool has_results() const { return complete && hsp::capi::is_live(model) && revision == model->revision; }
   const hsp::Boundary &structure() const { return builder.boundary(); }
   const hsp::BallSet &balls() const { return model->balls(); }
 };

@@ -3,6 +3,8 @@
 #include "measure/shell_volumes.hpp"
 #include "model/queries.hpp"
 
+using hsp::capi::is_live;
+
 namespace {
 
 using hsp::capi::check_output;
@@ -64,7 +66,7 @@ int32_t hsp_topology_get_cells(const hsp_topology *topology, hsp_cell *out, uint
 
 int32_t hsp_topology_get_cell_shells(const hsp_topology *topology, uint32_t cell, uint32_t *shells, uint32_t capacity,
                                      uint32_t *needed) {
-  if (topology == nullptr || needed == nullptr || (shells == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
+  if (!is_live(topology) || needed == nullptr || (shells == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
   if (!topology->has_results()) return HSP_E_STATE;
   const hsp::Topology &structure = topology->structure();
   if (cell >= structure.cell_count) return HSP_E_ID;
@@ -80,7 +82,7 @@ int32_t hsp_topology_get_cell_shells(const hsp_topology *topology, uint32_t cell
 
 int32_t hsp_topology_get_traversal(const hsp_topology *topology, uint32_t shell, uint32_t *faces, uint32_t capacity,
                                    uint32_t *needed) {
-  if (topology == nullptr || needed == nullptr || (faces == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
+  if (!is_live(topology) || needed == nullptr || (faces == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
   if (!topology->has_results()) return HSP_E_STATE;
   const hsp::Topology &structure = topology->structure();
   if (shell >= structure.shell_count) return HSP_E_ID;
@@ -94,7 +96,7 @@ int32_t hsp_topology_get_traversal(const hsp_topology *topology, uint32_t shell,
 
 int32_t hsp_topology_locate(hsp_topology *topology, const double *xyz, uint32_t *cell, uint32_t *ids, uint32_t capacity,
                             uint32_t *needed) {
-  if (topology == nullptr || xyz == nullptr || cell == nullptr || (ids == nullptr && capacity > 0) ||
+  if (!is_live(topology) || xyz == nullptr || cell == nullptr || (ids == nullptr && capacity > 0) ||
       (needed == nullptr && ids != nullptr)) {
     return HSP_E_ARGUMENT;
   }

@@ -2,6 +2,8 @@
 #include "measure/tangency.hpp"
 #include "measure/totals.hpp"
 
+using hsp::capi::is_live;
+
 namespace {
 
 bool is_tangency(uint32_t tangency) {
@@ -18,7 +20,7 @@ static_assert(hsp::one_sided_flag == HSP_GRADIENT_ONE_SIDED);
 int32_t hsp_boundary_gradient(const hsp_boundary *boundary, const double *sigma, double tension, double pressure,
                               uint32_t tangency, hsp_energy *energy, double *centre, double *radius, uint32_t *flags,
                               uint32_t capacity) {
-  if (boundary == nullptr || !is_tangency(tangency)) return HSP_E_ARGUMENT;
+  if (!is_live(boundary) || !is_tangency(tangency)) return HSP_E_ARGUMENT;
   if (!boundary->has_results()) return HSP_E_STATE;
   const hsp::CubeGrid &grid = boundary->model->grid;
   const hsp::BallSet &balls = grid.balls();
@@ -52,7 +54,7 @@ int32_t hsp_boundary_gradient(const hsp_boundary *boundary, const double *sigma,
 
 int32_t hsp_boundary_get_area_row(const hsp_boundary *boundary, uint32_t ball, uint32_t tangency,
                                   hsp_area_derivative *out, uint32_t capacity, uint32_t *needed) {
-  if (boundary == nullptr || needed == nullptr || (out == nullptr && capacity > 0) || !is_tangency(tangency)) {
+  if (!is_live(boundary) || needed == nullptr || (out == nullptr && capacity > 0) || !is_tangency(tangency)) {
     return HSP_E_ARGUMENT;
   }
   if (!boundary->has_results()) return HSP_E_STATE;

@@ -1,6 +1,8 @@
 #include "hsp_boundary.hpp"
 #include "measure/totals.hpp"
 
+using hsp::capi::is_live;
+
 int32_t hsp_boundary_measure(const hsp_boundary *boundary, hsp_totals *totals, double *area, double *volume,
                              uint32_t capacity) {
   return hsp_boundary_measure_selected(boundary, nullptr, totals, area, volume, capacity);
@@ -8,7 +10,7 @@ int32_t hsp_boundary_measure(const hsp_boundary *boundary, hsp_totals *totals, d
 
 int32_t hsp_boundary_measure_selected(const hsp_boundary *boundary, const uint8_t *selected, hsp_totals *totals,
                                       double *area, double *volume, uint32_t capacity) {
-  if (boundary == nullptr) return HSP_E_ARGUMENT;
+  if (!is_live(boundary)) return HSP_E_ARGUMENT;
   if (!boundary->has_results()) return HSP_E_STATE;
   const hsp::CubeGrid &grid = boundary->model->grid;
   if ((area != nullptr || volume != nullptr) && capacity < grid.balls().n) return HSP_E_CAPACITY;
@@ -22,7 +24,7 @@ int32_t hsp_boundary_measure_selected(const hsp_boundary *boundary, const uint8_
 }
 
 int32_t hsp_boundary_measure_faces(const hsp_boundary *boundary, double *area, double *volume, uint32_t capacity) {
-  if (boundary == nullptr) return HSP_E_ARGUMENT;
+  if (!is_live(boundary)) return HSP_E_ARGUMENT;
   if (!boundary->has_results()) return HSP_E_STATE;
   const hsp::Boundary &structure = boundary->structure();
   if ((area != nullptr || volume != nullptr) && capacity < structure.face_count()) return HSP_E_CAPACITY;

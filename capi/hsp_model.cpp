@@ -1,6 +1,14 @@
 #include "hsp_model.hpp"
 #include "model/packing_statistics.hpp"
 
+using hsp::capi::is_live;
+
+namespace {
+
+constexpr hsp_model_options default_options = {sizeof(hsp_model_options), 0, 0.0, 0.0};
+
+}  // namespace
+
 int32_t hsp_model_bytes(uint32_t balls, size_t *bytes) {
   if (bytes == nullptr) return HSP_E_ARGUMENT;
   if (balls > HSP_MAX_BALLS) return HSP_E_RANGE;
@@ -17,14 +25,12 @@ int32_t hsp_model_init(void *memory, size_t bytes, uint32_t balls, hsp_model **m
 }
 
 int32_t hsp_model_options_init(hsp_model_options *options, uint32_t struct_size) {
-  if (options == nullptr || struct_size != sizeof(hsp_model_options)) return HSP_E_ARGUMENT;
-  *options = {struct_size, 0, 0.0, 0.0};
-  return HSP_OK;
+  return hsp::capi::write_struct(default_options, options, struct_size) ? HSP_OK : HSP_E_ARGUMENT;
 }
 
 int32_t hsp_model_set(hsp_model *model, uint32_t n, const double *xyz, const double *radius,
                       const hsp_model_options *options, uint32_t *first_bad) {
-  if (model == nullptr) return HSP_E_ARGUMENT;
+  if (!is_live(model)) return HSP_E_ARGUMENT;
   ++model->revision;
   uint32_t ignored = 0;
   uint32_t &bad = first_bad != nullptr ? *first_bad : ignored;
@@ -36,9 +42,12 @@ int32_t hsp_model_set(hsp_model *model, uint32_t n, const double *xyz, const dou
   };
   if (n > 0 && (xyz == nullptr || radius == nullptr)) return refuse(HSP_E_ARGUMENT);
   if (options != nullptr) {
-    if (options->struct_size != sizeof(hsp_model_options) || options->reserved != 0) return refuse(HSP_E_ARGUMENT);
-    input.probe = options->probe;
-    input.step = options->step;
+    hsp_model_options wanted;
+    if (!hsp::capi::read_struct(options, default_options, wanted) || wanted.reserved != 0) {
+      return refuse(HSP_E_ARGUMENT);
+    }
+    input.probe = wanted.probe;
+    input.step = wanted.step;
   }
   if (n > model->grid.capacity()) return refuse(HSP_E_CAPACITY);
   input.n = n;
@@ -48,7 +57,7 @@ int32_t hsp_model_set(hsp_model *model, uint32_t n, const double *xyz, const dou
 }
 
 int32_t hsp_model_get_info(const hsp_model *model, hsp_model_info *info) {
-  if (model == nullptr || info == nullptr) return HSP_E_ARGUMENT;
+  if (!is_live(model) || info == nullptr) return HSP_E_ARGUMENT;
   const hsp::BallSet &balls = model->balls();
   const hsp::CubeTable &table = model->grid.table();
   info->balls = balls.n;
@@ -62,7 +71,7 @@ int32_t hsp_model_get_info(const hsp_model *model, hsp_model_info *info) {
 }
 
 int32_t hsp_model_get_packing(hsp_model *model, hsp_packing *figures) {
-  if (model == nullptr || figures == nullptr) return HSP_E_ARGUMENT;
+  if (!is_live(model) || figures == nullptr) return HSP_E_ARGUMENT;
   const hsp::PackingStatistics found = hsp::packing_statistics(model->grid);
   *figures = {};
   figures->k = found.k;

@@ -2,6 +2,8 @@
 #include "picture/palettes.hpp"
 #include "picture/picture.hpp"
 
+using hsp::capi::is_live;
+
 namespace {
 
 static_assert(static_cast<uint32_t>(hsp::PictureFormat::svg) == HSP_FORMAT_SVG &&
@@ -36,8 +38,7 @@ hsp_picture_options defaults() {
 }
 
 bool is_valid(const hsp_picture_options &options) {
-  return options.struct_size == sizeof(hsp_picture_options) && options.format <= HSP_FORMAT_PDF &&
-         options.style <= HSP_STYLE_SOFT && options.unit <= HSP_UNIT_MM &&
+  return options.format <= HSP_FORMAT_PDF && options.style <= HSP_STYLE_SOFT && options.unit <= HSP_UNIT_MM &&
          (options.flags & ~(HSP_PICTURE_NO_IDS | HSP_PICTURE_NO_BACKGROUND)) == 0 && options.reserved == 0 &&
          !(options.width == 0.0 && options.height == 0.0) && options.outline_colour <= largest_colour &&
          options.background <= largest_colour;
@@ -79,9 +80,7 @@ hsp::PictureOptions from_c(const hsp_picture_options &options) {
 }  // namespace
 
 int32_t hsp_picture_options_init(hsp_picture_options *options, uint32_t struct_size) {
-  if (options == nullptr || struct_size != sizeof(hsp_picture_options)) return HSP_E_ARGUMENT;
-  *options = defaults();
-  return HSP_OK;
+  return hsp::capi::write_struct(defaults(), options, struct_size) ? HSP_OK : HSP_E_ARGUMENT;
 }
 
 uint32_t hsp_palette_colour(uint32_t palette, uint32_t atomic_number, uint32_t chain) {
@@ -92,10 +91,11 @@ uint32_t hsp_palette_colour(uint32_t palette, uint32_t atomic_number, uint32_t c
 int32_t hsp_picture_write(hsp_view *view, const uint32_t *colour, const hsp_picture_options *options, const char *title,
                           const char *description, hsp_sink sink, void *context, uint64_t *bytes) {
   if (bytes != nullptr) *bytes = 0;
-  if (view == nullptr || sink == nullptr) return HSP_E_ARGUMENT;
-  // A record of another size is not even copied.
-  if (options != nullptr && !is_valid(*options)) return HSP_E_ARGUMENT;
-  const hsp_picture_options wanted = options != nullptr ? *options : defaults();
+  if (!is_live(view) || sink == nullptr) return HSP_E_ARGUMENT;
+  hsp_picture_options wanted = defaults();
+  if (options != nullptr && !(hsp::capi::read_struct(options, defaults(), wanted) && is_valid(wanted))) {
+    return HSP_E_ARGUMENT;
+  }
   // Without results the number of colours is not known.
   const bool ready = view->has_results();
   if (ready && colour != nullptr && !are_colours(colour, view->balls().n)) return HSP_E_ARGUMENT;

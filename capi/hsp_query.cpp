@@ -1,14 +1,15 @@
 #include "hsp_model.hpp"
 #include "model/queries.hpp"
 
+using hsp::capi::is_live;
+
 namespace {
 
 // Rounds the query, asks, and reports as every output array is reported.
-template <class Find>
+template <auto find>
 int32_t ask(const hsp_model *model, const double *xyz, double radius, uint32_t *ids, uint32_t capacity,
-            uint32_t *needed, Find find) {
-  if (model == nullptr || xyz == nullptr || needed == nullptr || (ids == nullptr && capacity > 0))
-    return HSP_E_ARGUMENT;
+            uint32_t *needed) {
+  if (!is_live(model) || xyz == nullptr || needed == nullptr || (ids == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
   hsp::LatticeQuery query;
   const hsp::Status status = hsp::round_query(model->balls(), xyz, radius, query);
   if (status != hsp::Status::ok) return hsp::capi::to_c(status);
@@ -20,16 +21,16 @@ int32_t ask(const hsp_model *model, const double *xyz, double radius, uint32_t *
 }  // namespace
 
 int32_t hsp_query_point(const hsp_model *model, const double *xyz, uint32_t *ids, uint32_t capacity, uint32_t *needed) {
-  return ask(model, xyz, 0.0, ids, capacity, needed, hsp::find_balls_at_point);
+  return ask<hsp::find_balls_at_point>(model, xyz, 0.0, ids, capacity, needed);
 }
 
 int32_t hsp_query_ball(const hsp_model *model, const double *xyz, double radius, uint32_t *ids, uint32_t capacity,
                        uint32_t *needed) {
-  return ask(model, xyz, radius, ids, capacity, needed, hsp::find_balls_at_ball);
+  return ask<hsp::find_balls_at_ball>(model, xyz, radius, ids, capacity, needed);
 }
 
 int32_t hsp_query_meets(const hsp_model *model, const double *xyz, double radius, int32_t *meets) {
-  if (model == nullptr || xyz == nullptr || meets == nullptr) return HSP_E_ARGUMENT;
+  if (!is_live(model) || xyz == nullptr || meets == nullptr) return HSP_E_ARGUMENT;
   hsp::LatticeQuery query;
   const hsp::Status status = hsp::round_query(model->balls(), xyz, radius, query);
   if (status != hsp::Status::ok) return hsp::capi::to_c(status);
@@ -39,7 +40,7 @@ int32_t hsp_query_meets(const hsp_model *model, const double *xyz, double radius
 
 int32_t hsp_query_neighbours(const hsp_model *model, uint32_t ball, uint32_t *ids, uint32_t capacity,
                              uint32_t *needed) {
-  if (model == nullptr || needed == nullptr || (ids == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
+  if (!is_live(model) || needed == nullptr || (ids == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
   if (ball >= model->balls().n) return HSP_E_ID;
   hsp::QueryResult result{ids, capacity, 0};
   hsp::find_neighbours(model->grid, model->grid.grid_index(ball), result);

@@ -1,43 +1,43 @@
 #include "hsp_topology.hpp"
 #include "measure/shell_volumes.hpp"
 
+using hsp::capi::is_live;
+
 namespace {
 
 using hsp::capi::check_request;
 
-int32_t check_limits(const hsp_topology_limits *limits) {
-  if (limits == nullptr || limits->struct_size != sizeof(hsp_topology_limits) || limits->reserved != 0) {
-    return HSP_E_ARGUMENT;
-  }
-  const bool representable = limits->balls <= HSP_MAX_BALLS && limits->neighbours <= HSP_MAX_BALLS &&
-                             limits->edges <= HSP_MAX_BALLS && limits->cut_arcs <= HSP_MAX_BALLS;
-  return representable ? HSP_OK : HSP_E_RANGE;
-}
-
-hsp::TopologyLimits from_c(const hsp_topology_limits &limits) {
-  return {limits.balls, limits.neighbours, limits.edges, limits.cut_arcs};
+// The limits that a program gives.
+int32_t from_c(const hsp_topology_limits *given, hsp::TopologyLimits &result) {
+  hsp_topology_limits limits;
+  if (!hsp::capi::read_struct(given, {}, limits) || limits.reserved != 0) return HSP_E_ARGUMENT;
+  if (limits.balls > HSP_MAX_BALLS || limits.neighbours > HSP_MAX_BALLS || limits.edges > HSP_MAX_BALLS ||
+      limits.cut_arcs > HSP_MAX_BALLS)
+    return HSP_E_RANGE;
+  result = {limits.balls, limits.neighbours, limits.edges, limits.cut_arcs};
+  return HSP_OK;
 }
 
 hsp_topology_limits to_c(const hsp::TopologyLimits &limits) {
   return {sizeof(hsp_topology_limits), limits.balls, limits.neighbours, limits.edges, limits.cut_arcs, 0};
 }
 
-constexpr uint32_t to_c(hsp::TopologyInvariant invariant) {
+constexpr uint32_t number_of(hsp::TopologyInvariant invariant) {
   return static_cast<uint32_t>(invariant);
 }
 
 // The numbers that the header gives the invariants of hsp_topology_check.
 using hsp::TopologyInvariant;
-static_assert(to_c(TopologyInvariant::none) == 0);
-static_assert(to_c(TopologyInvariant::algebra) == 1 && to_c(TopologyInvariant::vertices) == 2);
-static_assert(to_c(TopologyInvariant::faces) == 3 && to_c(TopologyInvariant::sides) == 4);
-static_assert(to_c(TopologyInvariant::euler) == 5 && to_c(TopologyInvariant::traversal) == 6);
-static_assert(to_c(TopologyInvariant::cells) == 7 && to_c(TopologyInvariant::volumes) == 8);
+static_assert(number_of(TopologyInvariant::none) == 0);
+static_assert(number_of(TopologyInvariant::algebra) == 1 && number_of(TopologyInvariant::vertices) == 2);
+static_assert(number_of(TopologyInvariant::faces) == 3 && number_of(TopologyInvariant::sides) == 4);
+static_assert(number_of(TopologyInvariant::euler) == 5 && number_of(TopologyInvariant::traversal) == 6);
+static_assert(number_of(TopologyInvariant::cells) == 7 && number_of(TopologyInvariant::volumes) == 8);
 
 // Applies a step of the quad-edge algebra to a quarter-edge that is there.
 template <class Step>
 uint32_t step_from(const hsp_topology *topology, uint32_t q, Step step) {
-  if (topology == nullptr || !topology->has_results()) return HSP_NONE;
+  if (!is_live(topology) || !topology->has_results()) return HSP_NONE;
   const hsp::QuadEdges &quads = topology->structure().quads;
   return q / 4 < quads.edges ? step(quads) : HSP_NONE;
 }
@@ -45,53 +45,52 @@ uint32_t step_from(const hsp_topology *topology, uint32_t q, Step step) {
 }  // namespace
 
 int32_t hsp_topology_limits_init(hsp_topology_limits *limits, uint32_t struct_size, uint32_t balls) {
-  if (limits == nullptr || struct_size != sizeof(hsp_topology_limits)) return HSP_E_ARGUMENT;
+  if (limits == nullptr || !hsp::capi::is_struct_size<hsp_topology_limits>(struct_size)) return HSP_E_ARGUMENT;
   hsp::TopologyLimits defaults;
   const hsp::Status status = hsp::default_limits(balls, defaults);
-  if (status == hsp::Status::ok) *limits = to_c(defaults);
+  if (status == hsp::Status::ok) hsp::capi::write_struct(to_c(defaults), limits, struct_size);
   return hsp::capi::to_c(status);
 }
 
 int32_t hsp_topology_limits_for(hsp_topology_limits *limits, uint32_t struct_size, const hsp_boundary *boundary) {
-  if (limits == nullptr || struct_size != sizeof(hsp_topology_limits) || boundary == nullptr) return HSP_E_ARGUMENT;
+  if (limits == nullptr || !is_live(boundary) || !hsp::capi::is_struct_size<hsp_topology_limits>(struct_size)) {
+    return HSP_E_ARGUMENT;
+  }
   if (!boundary->has_results()) return HSP_E_STATE;
-  *limits = to_c(hsp::limits_for(boundary->balls(), boundary->structure(), boundary->builder.needed().neighbours));
+  const uint32_t neighbours = boundary->builder.needed().neighbours;
+  hsp::capi::write_struct(to_c(hsp::limits_for(boundary->balls(), boundary->structure(), neighbours)), limits,
+                          struct_size);
   return HSP_OK;
 }
 
 int32_t hsp_topology_bytes(const hsp_topology_limits *limits, size_t *bytes) {
   if (bytes == nullptr) return HSP_E_ARGUMENT;
-  if (const int32_t status = check_limits(limits); status != HSP_OK) return status;
-  return hsp::capi::get_bytes<hsp_topology>(from_c(*limits), bytes);
+  hsp::TopologyLimits wanted;
+  if (const int32_t status = from_c(limits, wanted); status != HSP_OK) return status;
+  return hsp::capi::get_bytes<hsp_topology>(wanted, bytes);
 }
 
 int32_t hsp_topology_init(void *memory, size_t bytes, const hsp_topology_limits *limits, hsp_topology **topology) {
   if (memory == nullptr || topology == nullptr) return HSP_E_ARGUMENT;
-  if (const int32_t status = check_limits(limits); status != HSP_OK) return status;
-  return hsp::capi::init(memory, bytes, from_c(*limits), topology);
+  hsp::TopologyLimits wanted;
+  if (const int32_t status = from_c(limits, wanted); status != HSP_OK) return status;
+  return hsp::capi::init(memory, bytes, wanted, topology);
 }
 
-int32_t hsp_topology_compute(hsp_topology *topology, const hsp_boundary *boundary) {
-  if (topology == nullptr) return HSP_E_ARGUMENT;
-  hsp::capi::forget(*topology);
-  if (boundary == nullptr) return HSP_E_ARGUMENT;
+int32_t hsp_topology_compute(hsp_topology *topology, const hsp_boundary *boundary, hsp_topology_limits *limits) {
+  if (!is_live(topology)) return HSP_E_ARGUMENT;
+  topology->complete = false;
+  if (!is_live(boundary) || !hsp::capi::may_write(limits)) return HSP_E_ARGUMENT;
   if (!boundary->has_results()) return HSP_E_STATE;
   const hsp::Status status =
       topology->builder.build(boundary->model->grid, boundary->structure(), boundary->builder.needed().neighbours);
   topology->boundary = boundary;
   topology->computed = boundary->computed;
-  return hsp::capi::remember(*topology, status);
-}
-
-int32_t hsp_topology_get_needed(const hsp_topology *topology, hsp_topology_limits *needed) {
-  if (topology == nullptr || needed == nullptr) return HSP_E_ARGUMENT;
-  if (!topology->attempted) return HSP_E_STATE;
-  *needed = to_c(topology->builder.needed());
-  return HSP_OK;
+  return hsp::capi::finish<to_c>(*topology, status, limits);
 }
 
 int32_t hsp_topology_get_counts(const hsp_topology *topology, hsp_topology_counts *counts) {
-  if (topology == nullptr || counts == nullptr) return HSP_E_ARGUMENT;
+  if (!is_live(topology) || counts == nullptr) return HSP_E_ARGUMENT;
   if (!topology->has_results()) return HSP_E_STATE;
   const hsp::Topology &structure = topology->structure();
   *counts = {structure.vertex_count, structure.quads.edges,
@@ -160,7 +159,7 @@ int32_t hsp_topology_get_quad_edges(const hsp_topology *topology, uint32_t *onex
 }
 
 int32_t hsp_topology_check(hsp_topology *topology, uint32_t *invariant, uint32_t *id) {
-  if (topology == nullptr || invariant == nullptr || id == nullptr) return HSP_E_ARGUMENT;
+  if (!is_live(topology) || invariant == nullptr || id == nullptr) return HSP_E_ARGUMENT;
   if (!topology->has_results()) return HSP_E_STATE;
   const hsp::Boundary &boundary = topology->boundary->structure();
   const hsp::Topology &structure = topology->structure();

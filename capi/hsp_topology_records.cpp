@@ -1,6 +1,8 @@
 #include "hsp_topology.hpp"
 #include "measure/positions.hpp"
 
+using hsp::capi::is_live;
+
 namespace {
 
 using hsp::capi::check_request;
@@ -82,7 +84,7 @@ hsp_simple_face face_record(const TopologyResults &results, uint32_t id) {
 // One record by its id.
 template <class Record, class Count, class Make>
 int32_t get_one(const hsp_topology *topology, uint32_t id, Record *out, Count count, Make make) {
-  if (topology == nullptr || out == nullptr) return HSP_E_ARGUMENT;
+  if (!is_live(topology) || out == nullptr) return HSP_E_ARGUMENT;
   if (!topology->has_results()) return HSP_E_STATE;
   if (id >= count(topology->structure())) return HSP_E_ID;
   *out = make(TopologyResults(*topology), id);

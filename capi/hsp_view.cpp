@@ -2,58 +2,62 @@
 #include "hsp_boundary.hpp"
 #include "view/view_rotation.hpp"
 
+using hsp::capi::is_live;
+
 namespace {
 
-int32_t check_limits(const hsp_view_limits *limits) {
-  if (limits == nullptr || limits->struct_size != sizeof(hsp_view_limits)) return HSP_E_ARGUMENT;
-  const bool representable =
-      limits->balls <= HSP_MAX_BALLS && limits->neighbours <= HSP_MAX_BALLS && limits->arcs <= HSP_MAX_BALLS;
-  return representable ? HSP_OK : HSP_E_RANGE;
-}
-
-hsp::ViewLimits from_c(const hsp_view_limits &limits) {
-  return {limits.balls, limits.neighbours, limits.arcs};
+// The limits that a program gives.
+int32_t from_c(const hsp_view_limits *given, hsp::ViewLimits &result) {
+  hsp_view_limits limits;
+  if (!hsp::capi::read_struct(given, {}, limits)) return HSP_E_ARGUMENT;
+  if (limits.balls > HSP_MAX_BALLS || limits.neighbours > HSP_MAX_BALLS || limits.arcs > HSP_MAX_BALLS)
+    return HSP_E_RANGE;
+  result = {limits.balls, limits.neighbours, limits.arcs};
+  return HSP_OK;
 }
 
 hsp_view_limits to_c(const hsp::ViewLimits &limits) {
   return {sizeof(hsp_view_limits), limits.balls, limits.neighbours, limits.arcs};
 }
 
+constexpr hsp_view_options default_options = {
+    sizeof(hsp_view_options), HSP_PIECES_OUTSIDE_FARTHER, 0, 0, {0.0, 0.0, 1.0}, {0.0, 1.0, 0.0}};
+
 bool is_valid(const hsp_view_options &options) {
-  return options.struct_size == sizeof(hsp_view_options) && options.pieces <= HSP_PIECES_OUTSIDE_ALL &&
-         (options.flags & ~HSP_VIEW_ALL_BALLS) == 0 && options.reserved == 0;
+  return options.pieces <= HSP_PIECES_OUTSIDE_ALL && (options.flags & ~HSP_VIEW_ALL_BALLS) == 0 &&
+         options.reserved == 0;
 }
 
 }  // namespace
 
 int32_t hsp_view_limits_init(hsp_view_limits *limits, uint32_t struct_size, uint32_t balls) {
-  if (limits == nullptr || struct_size != sizeof(hsp_view_limits)) return HSP_E_ARGUMENT;
+  if (limits == nullptr || !hsp::capi::is_struct_size<hsp_view_limits>(struct_size)) return HSP_E_ARGUMENT;
   hsp::ViewLimits defaults;
   const hsp::Status status = hsp::default_limits(balls, defaults);
-  if (status == hsp::Status::ok) *limits = to_c(defaults);
+  if (status == hsp::Status::ok) hsp::capi::write_struct(to_c(defaults), limits, struct_size);
   return hsp::capi::to_c(status);
 }
 
 int32_t hsp_view_bytes(const hsp_view_limits *limits, size_t *bytes) {
   if (bytes == nullptr) return HSP_E_ARGUMENT;
-  if (const int32_t status = check_limits(limits); status != HSP_OK) return status;
-  return hsp::capi::get_bytes<hsp_view>(from_c(*limits), bytes);
+  hsp::ViewLimits wanted;
+  if (const int32_t status = from_c(limits, wanted); status != HSP_OK) return status;
+  return hsp::capi::get_bytes<hsp_view>(wanted, bytes);
 }
 
 int32_t hsp_view_init(void *memory, size_t bytes, const hsp_view_limits *limits, hsp_view **view) {
   if (memory == nullptr || view == nullptr) return HSP_E_ARGUMENT;
-  if (const int32_t status = check_limits(limits); status != HSP_OK) return status;
-  return hsp::capi::init(memory, bytes, from_c(*limits), view);
+  hsp::ViewLimits wanted;
+  if (const int32_t status = from_c(limits, wanted); status != HSP_OK) return status;
+  return hsp::capi::init(memory, bytes, wanted, view);
 }
 
 int32_t hsp_view_options_init(hsp_view_options *options, uint32_t struct_size) {
-  if (options == nullptr || struct_size != sizeof(hsp_view_options)) return HSP_E_ARGUMENT;
-  *options = {struct_size, HSP_PIECES_OUTSIDE_FARTHER, 0, 0, {0.0, 0.0, 1.0}, {0.0, 1.0, 0.0}};
-  return HSP_OK;
+  return hsp::capi::write_struct(default_options, options, struct_size) ? HSP_OK : HSP_E_ARGUMENT;
 }
 
 int32_t hsp_view_options_turn(hsp_view_options *options, double x, double y, double z) {
-  if (options == nullptr || options->struct_size != sizeof(hsp_view_options)) return HSP_E_ARGUMENT;
+  if (options == nullptr || !hsp::capi::may_write(options)) return HSP_E_ARGUMENT;
   hsp::ViewDirection direction;
   const hsp::Status status = hsp::direction_of_rotation(x, y, z, direction);
   if (status != hsp::Status::ok) return hsp::capi::to_c(status);
@@ -65,24 +69,26 @@ int32_t hsp_view_options_turn(hsp_view_options *options, double x, double y, dou
 }
 
 int32_t hsp_view_compute(hsp_view *view, const hsp_model *model, const hsp_boundary *boundary,
-                         const hsp_view_options *options) {
-  if (view == nullptr) return HSP_E_ARGUMENT;
-  hsp::capi::forget(*view);
+                         const hsp_view_options *options, hsp_view_limits *limits) {
+  if (!is_live(view)) return HSP_E_ARGUMENT;
+  view->complete = false;
   hsp::ViewRequest request;
-  if (model == nullptr) return HSP_E_ARGUMENT;
+  if (!is_live(model) || !hsp::capi::may_write(limits)) return HSP_E_ARGUMENT;
   if (options != nullptr) {
-    if (!is_valid(*options)) return HSP_E_ARGUMENT;
+    hsp_view_options wanted;
+    if (!hsp::capi::read_struct(options, default_options, wanted) || !is_valid(wanted)) return HSP_E_ARGUMENT;
     for (int k = 0; k < 3; ++k) {
-      request.direction.towards[k] = options->towards[k];
-      request.direction.up[k] = options->up[k];
+      request.direction.towards[k] = wanted.towards[k];
+      request.direction.up[k] = wanted.up[k];
     }
     request.kind =
-        options->pieces == HSP_PIECES_OUTSIDE_ALL ? hsp::PieceKind::outside_all : hsp::PieceKind::outside_farther;
-    request.all_balls = (options->flags & HSP_VIEW_ALL_BALLS) != 0;
+        wanted.pieces == HSP_PIECES_OUTSIDE_ALL ? hsp::PieceKind::outside_all : hsp::PieceKind::outside_farther;
+    request.all_balls = (wanted.flags & HSP_VIEW_ALL_BALLS) != 0;
   }
   if (boundary == nullptr) {
     if (request.kind == hsp::PieceKind::outside_all) return HSP_E_ARGUMENT;
   } else {
+    if (!is_live(boundary)) return HSP_E_ARGUMENT;
     if (!boundary->has_results()) return HSP_E_STATE;
     if (boundary->model != model) return HSP_E_ARGUMENT;
   }
@@ -90,12 +96,5 @@ int32_t hsp_view_compute(hsp_view *view, const hsp_model *model, const hsp_bound
       view->builder.build(model->grid, boundary == nullptr ? nullptr : &boundary->structure(), request);
   view->model = model;
   view->revision = model->revision;
-  return hsp::capi::remember(*view, status);
-}
-
-int32_t hsp_view_get_needed(const hsp_view *view, hsp_view_limits *needed) {
-  if (view == nullptr || needed == nullptr) return HSP_E_ARGUMENT;
-  if (!view->attempted) return HSP_E_STATE;
-  *needed = to_c(view->builder.needed());
-  return HSP_OK;
+  return hsp::capi::finish<to_c>(*view, status, limits);
 }

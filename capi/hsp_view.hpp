@@ -6,15 +6,16 @@
 
 struct hsp_view {
   using Builder = hsp::ViewBuilder;
+  static constexpr uint64_t kind = 0x76696577;  // "view" in ASCII
 
+  uint64_t tag;
   Builder builder;
   const hsp_model *model = nullptr;  // what was computed last
   uint64_t revision = 0;
-  bool attempted = false;
   bool complete = false;
 
   // Whether results may be read: computed, and the model unchanged since.
-  bool has_results() const { return complete && revision == model->revision; }
+  bool has_results() const { return complete && hsp::capi::is_live(model) && revision == model->revision; }
   const hsp::View &structure() const { return builder.structure(); }
   const hsp::BallSet &balls() const { return model->balls(); }
 };

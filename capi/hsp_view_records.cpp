@@ -2,6 +2,8 @@
 #include "hsp_view.hpp"
 #include "view/projected_arcs.hpp"
 
+using hsp::capi::is_live;
+
 namespace {
 
 using hsp::capi::check_request;
@@ -41,7 +43,7 @@ hsp_view_arc to_c(const hsp::BallSet &balls, const hsp::ProjectedArc &arc, uint3
 }  // namespace
 
 int32_t hsp_view_get_info(const hsp_view *view, hsp_view_info *info) {
-  if (view == nullptr || info == nullptr) return HSP_E_ARGUMENT;
+  if (!is_live(view) || info == nullptr) return HSP_E_ARGUMENT;
   if (!view->has_results()) return HSP_E_STATE;
   const hsp::BallSet &balls = view->balls();
   const hsp::View &structure = view->structure();

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "gradient_calls.hpp"
+#include "struct_version.hpp"
 #include "topology_calls.hpp"
 
 namespace {
@@ -128,19 +129,17 @@ class Session {
     const bool no_model = model_ == nullptr || null(), no_xyz = null(), no_radius = null(),
                no_options = bytes_.below(2) == 0;
     hsp_model_options options;
-    const uint32_t struct_size = bytes_.one_in(40) ? bytes_.below(256) : uint32_t{sizeof options};
-    const int32_t filled = hsp_model_options_init(&options, struct_size);
-    FUZZ_REQUIRE(filled == (struct_size == sizeof options ? HSP_OK : HSP_E_ARGUMENT), "hsp_model_options_init");
-    if (filled != HSP_OK) std::memset(&options, 0, sizeof options);
-    options.struct_size = struct_size;
+    FUZZ_REQUIRE(hsp_model_options_init(&options, sizeof options) == HSP_OK, "hsp_model_options_init");
     options.reserved = bytes_.one_in(40) ? 1 : 0;
     options.probe = bytes_.one_in(3) ? number() : 0;
     options.step = bytes_.one_in(3) ? (bytes_.below(2) == 0 ? 1e-3 : number()) : 0;
-    const bool bad_options = !no_options && (struct_size != sizeof options || options.reserved != 0);
+    fuzz::StructVersion<hsp_model_options> version(options, bytes_);
+    const bool bad_options = !no_options && (!version.good() || options.reserved != 0);
 
     uint32_t bad = 12345;
-    const int32_t status = hsp_model_set(no_model ? nullptr : model_, n, no_xyz ? nullptr : xyz.data(),
-                                         no_radius ? nullptr : radius.data(), no_options ? nullptr : &options, &bad);
+    const int32_t status =
+        hsp_model_set(no_model ? nullptr : model_, n, no_xyz ? nullptr : xyz.data(),
+                      no_radius ? nullptr : radius.data(), no_options ? nullptr : version.get(), &bad);
     FUZZ_REQUIRE(model_memory_.empty() || model_memory_.back() == 0x3C, "written past the model's memory");
     const bool bad_pointer = no_model || (n > 0 && (xyz.data() == nullptr || no_xyz || no_radius)) || bad_options;
     if (!no_model) {
@@ -246,14 +245,14 @@ class Session {
       limits.vertices = bytes_.below(100);
       limits.circles = bytes_.below(30);
     }
-    if (bytes_.one_in(40)) limits.struct_size = bytes_.below(256);
     if (bytes_.one_in(40)) limits.reserved = 1;
     if (bytes_.one_in(16)) limits.vertices = 0xFFFFFFFF;
+    fuzz::StructVersion<hsp_boundary_limits> version(limits, bytes_);
     size_t bytes = 12345;
-    const int32_t status = hsp_boundary_bytes(&limits, &bytes);
-    const int32_t expected = limits.struct_size != sizeof limits || limits.reserved != 0 ? HSP_E_ARGUMENT
-                             : limits.vertices > HSP_MAX_BALLS                           ? HSP_E_RANGE
-                                                                                         : HSP_OK;
+    const int32_t status = hsp_boundary_bytes(version.get(), &bytes);
+    const int32_t expected = !version.good() || limits.reserved != 0 ? HSP_E_ARGUMENT
+                             : limits.vertices > HSP_MAX_BALLS       ? HSP_E_RANGE
+                                                                     : HSP_OK;
     FUZZ_REQUIRE(status == expected, "hsp_boundary_bytes");
     FUZZ_REQUIRE(status == HSP_OK || bytes == 12345, "bytes written on failure");
     if (status != HSP_OK) bytes = 4096;
@@ -264,7 +263,7 @@ class Session {
     boundary_ = nullptr;
     boundary_memory_ = std::vector<uint8_t>(misalignment + given + 1, 0x3C);
     hsp_boundary *made = nullptr;
-    const int32_t done = hsp_boundary_init(boundary_memory_.data() + misalignment, given, &limits, &made);
+    const int32_t done = hsp_boundary_init(boundary_memory_.data() + misalignment, given, version.get(), &made);
     FUZZ_REQUIRE(done == (status != HSP_OK ? status : missing > 0 ? HSP_E_MEMORY : HSP_OK), "hsp_boundary_init");
     FUZZ_REQUIRE(boundary_memory_.back() == 0x3C, "written past the boundary's memory");
     if (done != HSP_OK) {
@@ -273,33 +272,30 @@ class Session {
     }
     boundary_ = made;
     limits_ = limits;
-    attempted_ = false;
     complete_ = false;
   }
 
   void compute() {
     hsp_boundary *boundary = null() ? nullptr : boundary_;
     const hsp_model *model = null() ? nullptr : model_;
-    const int32_t status = hsp_boundary_compute(boundary, model);
+    hsp_boundary_limits needed = limits_;
+    const int32_t status = hsp_boundary_compute(boundary, model, &needed);
     FUZZ_REQUIRE(boundary_memory_.empty() || boundary_memory_.back() == 0x3C, "written past the boundary's memory");
     if (boundary == nullptr) {
       FUZZ_REQUIRE(status == HSP_E_ARGUMENT, "hsp_boundary_compute, arguments");
       return;
     }
     // Whatever comes of it, earlier results are gone.
-    attempted_ = model != nullptr;
     complete_ = status == HSP_OK;
     ++version_;
     if (model == nullptr) {
       FUZZ_REQUIRE(status == HSP_E_ARGUMENT, "hsp_boundary_compute, arguments");
       return;
     }
-    hsp_boundary_limits needed;
     FUZZ_REQUIRE(status == HSP_OK || status == HSP_E_CAPACITY, "a status that hsp_boundary_compute does not have");
-    FUZZ_REQUIRE(hsp_boundary_get_needed(boundary, &needed) == HSP_OK, "hsp_boundary_get_needed");
     const bool more = needed.balls > limits_.balls || needed.neighbours > limits_.neighbours ||
                       needed.vertices > limits_.vertices || needed.circles > limits_.circles;
-    FUZZ_REQUIRE(more == (status == HSP_E_CAPACITY), "a limit is reported as too small exactly after HSP_E_CAPACITY");
+    FUZZ_REQUIRE(more == (status == HSP_E_CAPACITY), "a limit is raised exactly after HSP_E_CAPACITY");
     if (status == HSP_OK) {
       hsp_boundary_counts counts;
       FUZZ_REQUIRE(hsp_boundary_get_counts(boundary, &counts) == HSP_OK, "hsp_boundary_get_counts");
@@ -316,11 +312,7 @@ class Session {
     const hsp_boundary *boundary = null() ? nullptr : boundary_;
     const int32_t expected = reader_status(boundary);
     hsp_boundary_counts counts;
-    hsp_boundary_limits needed;
     FUZZ_REQUIRE(hsp_boundary_get_counts(boundary, &counts) == expected, "hsp_boundary_get_counts");
-    if (!attempted_ && boundary != nullptr) {
-      FUZZ_REQUIRE(hsp_boundary_get_needed(boundary, &needed) == HSP_E_STATE, "hsp_boundary_get_needed");
-    }
     uint32_t invariant = 12345, id = 12345;
     hsp_boundary *checked = boundary == nullptr ? nullptr : boundary_;
     FUZZ_REQUIRE(hsp_boundary_check(checked, &invariant, &id) == expected, "hsp_boundary_check");
@@ -379,7 +371,6 @@ class Session {
   uint32_t balls_ = 0;        // that the model holds
   bool as_made_ = false;      // nothing set since it was made, or the last set failed
   bool odd_numbers_ = false;  // NaN and the like may occur in the current call
-  bool attempted_ = false;    // the boundary was given a model
   bool complete_ = false;     // the boundary holds results, and the model has not changed since
   uint64_t version_ = 0;      // of the boundary's results
 };

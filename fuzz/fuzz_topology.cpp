@@ -79,7 +79,9 @@ void require_components_alone(const fuzz::ScaledBalls &set, const topology_resul
 }
 
 void require_capacities(const topology_result &reference, fuzz::Bytes &bytes) {
-  const auto compute = [&](hsp_topology *topology) { return hsp_topology_compute(topology, reference.base->boundary); };
+  const auto compute = [&](hsp_topology *topology, hsp_topology_limits *limits) {
+    return hsp_topology_compute(topology, reference.base->boundary, limits);
+  };
   const auto read = [&](const hsp_topology *topology) {
     hsp_topology_counts counts{};
     const int32_t status = hsp_topology_get_counts(topology, &counts);

@@ -101,8 +101,8 @@ void require_short_arrays(const view_result &v, fuzz::Bytes &bytes) {
 
 void require_capacities(const view_result &reference, fuzz::Bytes &bytes) {
   const hsp_boundary *boundary = reference.with_boundary != 0 ? reference.base->boundary : nullptr;
-  const auto compute = [&](hsp_view *view) {
-    return hsp_view_compute(view, reference.base->model, boundary, &reference.options);
+  const auto compute = [&](hsp_view *view, hsp_view_limits *limits) {
+    return hsp_view_compute(view, reference.base->model, boundary, &reference.options, limits);
   };
   const auto read = [&](const hsp_view *view) {
     hsp_view_info info{};

@@ -30,12 +30,33 @@
  *   of any alignment that the caller owns. A handle dies with its memory; there is nothing to free; initialising the
  *   memory again resets it. Distinct handles may be used by distinct threads, and a handle that is passed as const may
  *   be read by any number of threads at a time.
+ *   A handle stays where it is made. A copy of one at another address, a handle of another kind and memory that holds
+ *   no handle any more are refused with HSP_E_ARGUMENT, also where a language has one type for all pointers. What was
+ *   computed from a handle that is no longer there yields HSP_E_STATE.
+ *
+ * LIMITS
+ *   All handles but models take in what some numbers allow, which fix their memory. hsp_X_compute hands such limits
+ *   back, if its last argument is not NULL. Its struct_size has to be set, which hsp_X_limits_init does.
+ *   On HSP_E_CAPACITY they are limits to retry with: none is smaller than the handle's own, and one at least is larger.
+ *   What is not known yet stays as it was, so that a few retries may be necessary. On HSP_OK they are what was needed,
+ *   exactly. On any other status they stay as they are. So memory grows until it suffices in three lines:
+ *     while ((status = hsp_X_compute(x, ..., &limits)) == HSP_E_CAPACITY) {
+ *       hsp_X_bytes(&limits, &bytes);
+ *       memory = realloc(memory, bytes);
+ *       hsp_X_init(memory, bytes, &limits, &x);
+ *     }
+ *
+ * STRUCTS
+ *   A struct that begins with struct_size says how much of it a program knows, so that programs and libraries of
+ *   different versions fit together. Fields that an older, smaller one lacks have their default values. What the
+ *   library does not know of a newer, larger one has to be zeros, else the status is HSP_E_ARGUMENT. Nothing is written
+ *   beyond struct_size. Sizes below that of the struct's first version, above 1024 or no multiple of 4 are bad.
  *
  * OUTPUT ARRAYS
  *   Where a function takes (T *out, uint32_t capacity, uint32_t *needed): *needed is set to the number of records there
  *   are, on HSP_OK and on HSP_E_CAPACITY. With capacity smaller than that the status is HSP_E_CAPACITY and nothing
- *   is written to out. out == NULL with capacity == 0 is the documented query: it yields HSP_OK if there are no
- * records.
+ *   is written to out. out == NULL with capacity == 0 asks for the number: HSP_E_CAPACITY if there are records, HSP_OK
+ *   if there are none.
  *
  * STATUS
  *   Every function that can fail returns an int32_t: HSP_OK (0) or a negative number. On failure nothing but what the
@@ -44,9 +65,8 @@
  * HANDLES AFTER A FAILURE
  *   hsp_model_set and hsp_X_compute replace what the handle held, whether they succeed or not. One that fails, for
  *   whatever reason, leaves the handle as hsp_X_init makes it: a model is empty (hsp_model_get_info says so: 0 balls,
- *   step 1e-8); a boundary, topology or view holds no results, and reading it yields HSP_E_STATE. There is one thing
- *   more after HSP_E_CAPACITY: hsp_X_get_needed tells the limits that suffice. All other functions leave what a handle
- *   holds as it is, whatever they return.
+ *   step 1e-8); a boundary, topology or view holds no results, and reading it yields HSP_E_STATE. All other functions
+ *   leave what a handle holds as it is, whatever they return.
  */
 #ifndef HARDSPHERE_H
 #define HARDSPHERE_H
@@ -131,7 +151,7 @@ typedef struct hsp_model_options {
   double step;          /**< length, > 0: the lattice step; 0 means the smallest power of ten with r_max/step < 2^30 */
 } hsp_model_options;
 
-/** Fill options with defaults. HSP_E_ARGUMENT: options is NULL or struct_size is not sizeof(hsp_model_options). */
+/** Fill options with defaults. HSP_E_ARGUMENT: options is NULL or struct_size is bad. */
 HSP_API int32_t hsp_model_options_init(hsp_model_options *options, uint32_t struct_size);
 
 /** Take n balls: round them to the lattice, hash them into cubes. May be called any number of times (frames of a
@@ -142,7 +162,7 @@ HSP_API int32_t hsp_model_options_init(hsp_model_options *options, uint32_t stru
  *  The lattice: coordinate x becomes the integer nearest to x/step, radius r becomes the integer nearest to r/step
  *  plus the integer nearest to probe/step. The default step is a power of ten between 1e-22 and 1e22 chosen from
  *  the largest radius plus probe (1e-8 if that is 0). Limits: radius plus probe below 2^30 steps, every coordinate at
- * most 2^50 steps. Centres that coincide, balls inside others, and balls that touch are all valid.
+ *  most 2^50 steps. Centres that coincide, balls inside others, and balls that touch are all valid.
  *
  *  HSP_E_ARGUMENT: model NULL, xyz or radius NULL with n > 0, bad options. HSP_E_CAPACITY: n exceeds the model's limit.
  *  HSP_E_NOT_FINITE, HSP_E_NEGATIVE, HSP_E_RANGE: as named. On failure the model is empty (0 balls), as
@@ -233,8 +253,8 @@ typedef struct hsp_boundary_limits {
 } hsp_boundary_limits;
 
 /** Limits that suffice for molecules of `balls` atoms, van der Waals or solvent-accessible: neighbours
- *  min(balls, 256), vertices 8 balls + 64, circles 2 balls + 16. Ask hsp_boundary_get_needed if a set wants more.
- *  HSP_E_ARGUMENT: limits is NULL or struct_size is not sizeof(hsp_boundary_limits). HSP_E_RANGE: more than
+ *  min(balls, 256), vertices 8 balls + 64, circles 2 balls + 16. hsp_boundary_compute says if a set needs more.
+ *  HSP_E_ARGUMENT: limits is NULL or struct_size is bad. HSP_E_RANGE: more than
  *  (HSP_MAX_BALLS - 64) / 8 balls; set the limits by hand then. */
 HSP_API int32_t hsp_boundary_limits_init(hsp_boundary_limits *limits, uint32_t struct_size, uint32_t balls);
 
@@ -256,19 +276,12 @@ HSP_API int32_t hsp_boundary_init(void *memory, size_t bytes, const hsp_boundary
 
 /** Compute the boundary of the union of the model's balls. The model must outlive the boundary and stay unchanged while
  *  results are read: after hsp_model_set the functions below return HSP_E_STATE until this one is called again.
- *  HSP_E_ARGUMENT: a null pointer. HSP_E_CAPACITY: a limit is too small; hsp_boundary_get_needed tells which
- *  and what suffices. On failure the boundary holds no results.
+ *  limits: see LIMITS above. vertices and circles are known once neighbours suffices: at most three retries.
+ *  HSP_E_ARGUMENT: boundary or model NULL, bad struct_size of limits. HSP_E_CAPACITY: a limit is too small. On failure
+ *  the boundary holds no results.
  *  Property 1: the order of the balls has no effect but on ids.
  *  Cost: O(n) for sets as in Theorem 2.1; O(m^3) per ball with m neighbours at worst. */
-HSP_API int32_t hsp_boundary_compute(hsp_boundary *boundary, const hsp_model *model);
-
-/** The limits that the last hsp_boundary_compute needed: exact numbers after HSP_OK. After HSP_E_CAPACITY every limit
- *  that was too small is reported with a number larger than given. `neighbours` is known only once `balls` suffices,
- *  `vertices` and `circles` once `neighbours` does, and 0 stands for what is not known yet, so that at most three
- *  enlargements lead to success. The numbers stay readable after the model has changed.
- *  HSP_E_ARGUMENT: a null pointer. HSP_E_STATE: nothing was computed, or the last hsp_boundary_compute failed for
- *  another reason. */
-HSP_API int32_t hsp_boundary_get_needed(const hsp_boundary *boundary, hsp_boundary_limits *needed);
+HSP_API int32_t hsp_boundary_compute(hsp_boundary *boundary, const hsp_model *model, hsp_boundary_limits *limits);
 
 /** How many of everything. */
 typedef struct hsp_boundary_counts {
@@ -514,7 +527,7 @@ typedef struct hsp_topology_limits {
 
 /** Limits that suffice for molecules of `balls` atoms: neighbours min(balls, 256), edges 16 balls + 96, cut arcs
  *  2 balls + 16. hsp_topology_limits_for suits a boundary that is already there.
- *  HSP_E_ARGUMENT: limits is NULL or struct_size is not sizeof(hsp_topology_limits). HSP_E_RANGE: more than
+ *  HSP_E_ARGUMENT: limits is NULL or struct_size is bad. HSP_E_RANGE: more than
  *  (HSP_MAX_BALLS - 96) / 16 balls. */
 HSP_API int32_t hsp_topology_limits_init(hsp_topology_limits *limits, uint32_t struct_size, uint32_t balls);
 
@@ -541,19 +554,13 @@ HSP_API int32_t hsp_topology_init(void *memory, size_t bytes, const hsp_topology
 
 /** Compute the topology of a computed boundary. Boundary and model must outlive the topology; after hsp_model_set or
  *  hsp_boundary_compute the functions below return HSP_E_STATE until this one is called again.
- *  HSP_E_ARGUMENT: a null pointer. HSP_E_STATE: the boundary holds no results. HSP_E_CAPACITY: a limit is too small;
- *  hsp_topology_get_needed tells which and what suffices. On failure the topology holds no results.
+ *  limits: see LIMITS above; at most three retries.
+ *  HSP_E_ARGUMENT: topology or boundary NULL, bad struct_size of limits. HSP_E_STATE: the boundary holds no results.
+ *  HSP_E_CAPACITY: a limit is too small. On failure the topology holds no results.
  *  Property 1: the order of the balls has no effect but on ids.
  *  Cost: O(n) for sets as in Theorem 2.1 without voids; with voids, for every component of the union one vertical ray
  *  through the grid, at most O(n) each. */
-HSP_API int32_t hsp_topology_compute(hsp_topology *topology, const hsp_boundary *boundary);
-
-/** The limits that the last hsp_topology_compute needed: exact numbers after HSP_OK; after HSP_E_CAPACITY every limit
- *  that was too small is reported with a number that is larger than given, and 0 stands for what is not known yet, so
- *  that at most three enlargements lead to success. The numbers stay readable after model or boundary have changed.
- *  HSP_E_ARGUMENT: a null pointer. HSP_E_STATE: nothing was computed, or the last hsp_topology_compute failed for
- *  another reason. */
-HSP_API int32_t hsp_topology_get_needed(const hsp_topology *topology, hsp_topology_limits *needed);
+HSP_API int32_t hsp_topology_compute(hsp_topology *topology, const hsp_boundary *boundary, hsp_topology_limits *limits);
 
 /** How many of everything. */
 typedef struct hsp_topology_counts {
@@ -771,7 +778,7 @@ typedef struct hsp_view_limits {
 } hsp_view_limits;
 
 /** Limits that suffice for molecules of `balls` atoms: neighbours min(balls, 256), arcs 12 balls + 64.
- *  HSP_E_ARGUMENT: limits is NULL or struct_size is not sizeof(hsp_view_limits). HSP_E_RANGE: more than
+ *  HSP_E_ARGUMENT: limits is NULL or struct_size is bad. HSP_E_RANGE: more than
  *  (HSP_MAX_BALLS - 64) / 12 balls; set the limits by hand then. */
 HSP_API int32_t hsp_view_limits_init(hsp_view_limits *limits, uint32_t struct_size, uint32_t balls);
 
@@ -806,7 +813,7 @@ typedef struct hsp_view_options {
                      to towards: 0 1 0, or 0 0 1 if towards is parallel to that */
 } hsp_view_options;
 
-/** Fill options with defaults. HSP_E_ARGUMENT: options is NULL or struct_size is not sizeof(hsp_view_options). */
+/** Fill options with defaults. HSP_E_ARGUMENT: options is NULL or struct_size is bad. */
 HSP_API int32_t hsp_view_options_init(hsp_view_options *options, uint32_t struct_size);
 
 /** Set towards and up so that the balls appear turned: by x degrees about the x axis (right), then by y degrees about
@@ -823,21 +830,15 @@ HSP_API int32_t hsp_view_options_turn(hsp_view_options *options, double x, doubl
  *  after hsp_model_init in the model's memory it must be called again before them. The boundary is not needed after
  *  the call.
  *  towards is rounded to integers with a largest component of 2^28, so that axes and diagonals are exact.
- *  HSP_E_ARGUMENT: view or model NULL, bad options, no boundary for H-pieces or one of another model. HSP_E_STATE: the
- *  boundary holds no results. HSP_E_NOT_FINITE: a component of towards or up is NaN or infinite. HSP_E_CAPACITY: a
- *  limit is too small; hsp_view_get_needed tells which and what suffices. On failure the view holds no results.
+ *  limits: see LIMITS above; at most three retries.
+ *  HSP_E_ARGUMENT: view or model NULL, bad options or struct_size of limits, no boundary for H-pieces or one of
+ *  another model. HSP_E_STATE: the boundary holds no results. HSP_E_NOT_FINITE: a component of towards or up is NaN or
+ *  infinite. HSP_E_CAPACITY: a limit is too small. On failure the view holds no results.
  *  Property 1: the order of the balls has no effect but on ids.
  *  Cost: O(n) to leave out hidden balls, O(m log m) to sort the m that are left, and for each of these O(k) at H-pieces
  *  and O(k^2) at G-pieces expected, with k balls that meet it. */
 HSP_API int32_t hsp_view_compute(hsp_view *view, const hsp_model *model, const hsp_boundary *boundary,
-                                 const hsp_view_options *options);
-
-/** The limits that the last hsp_view_compute needed: exact numbers after HSP_OK; after HSP_E_CAPACITY every limit that
- *  was too small is reported with a number larger than given, and 0 stands for what is not known yet, so that at most
- *  three enlargements lead to success. The numbers stay readable after the model has changed.
- *  HSP_E_ARGUMENT: a null pointer. HSP_E_STATE: nothing was computed, or the last hsp_view_compute failed for another
- *  reason. */
-HSP_API int32_t hsp_view_get_needed(const hsp_view *view, hsp_view_limits *needed);
+                                 const hsp_view_options *options, hsp_view_limits *limits);
 
 /** What the view shows, and where. */
 typedef struct hsp_view_info {
@@ -928,9 +929,8 @@ typedef int32_t (*hsp_sink)(void *context, const char *bytes, size_t count);
 #define HSP_UNIT_MM UINT32_C(1)
 
 #define HSP_PICTURE_NO_IDS UINT32_C(1) /**< SVG without data-ball */
-#define HSP_PICTURE_NO_BACKGROUND                                                     \
-  UINT32_C(2) /**< nothing behind the balls; fog still fades to the background colour \
-               */
+/** Nothing behind the balls; fog still fades to the background colour. */
+#define HSP_PICTURE_NO_BACKGROUND UINT32_C(2)
 
 /** What a picture looks like. hsp_picture_options_init sets the defaults; every field means what it says. */
 typedef struct hsp_picture_options {
@@ -950,7 +950,7 @@ typedef struct hsp_picture_options {
   uint32_t reserved;       /**< 0 */
 } hsp_picture_options;
 
-/** Fill options with defaults. HSP_E_ARGUMENT: options is NULL or struct_size is not sizeof(hsp_picture_options). */
+/** Fill options with defaults. HSP_E_ARGUMENT: options is NULL or struct_size is bad. */
 HSP_API int32_t hsp_picture_options_init(hsp_picture_options *options, uint32_t struct_size);
 
 #define HSP_PALETTE_SOFT UINT32_C(0)  /**< muted colours by element */

@@ -2,7 +2,7 @@
  *   cavities                               six balls that close a cage, and a seventh inside
  *   cavities FILE.xyzr [PROBE [X Y Z]]     x y z r on each line; where the point lies, and whether it is shut in
  */
-#include <hardsphere.h>
+#include <hardsphere_workspace.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -52,77 +52,18 @@ static int take_cage(struct balls *balls) {
   return 1;
 }
 
-/* The three handles, each in memory of its own. */
-struct workspace {
-  void *memory[3];
-  hsp_model *model;
-  hsp_boundary *boundary;
-  hsp_topology *topology;
-};
-
-/* Handles grow until the limits suffice; the library tells what it needs. */
-static int32_t compute_boundary(struct workspace *work, uint32_t count) {
-  hsp_boundary_limits limits;
-  int32_t status = hsp_boundary_limits_init(&limits, sizeof limits, count);
-  for (int attempt = 0; attempt < 4 && status == HSP_OK; ++attempt) {
-    size_t bytes = 0;
-    status = hsp_boundary_bytes(&limits, &bytes);
-    if (status != HSP_OK) break;
-    free(work->memory[1]);
-    work->memory[1] = malloc(bytes);
-    if (work->memory[1] == NULL) return HSP_E_MEMORY;
-    status = hsp_boundary_init(work->memory[1], bytes, &limits, &work->boundary);
-    if (status == HSP_OK) status = hsp_boundary_compute(work->boundary, work->model);
-    if (status != HSP_E_CAPACITY) return status;
-    hsp_boundary_limits needed;
-    status = hsp_boundary_get_needed(work->boundary, &needed);
-    if (needed.neighbours > limits.neighbours) limits.neighbours = needed.neighbours;
-    if (needed.vertices > limits.vertices) limits.vertices = needed.vertices;
-    if (needed.circles > limits.circles) limits.circles = needed.circles;
-  }
-  return status == HSP_OK ? HSP_E_CAPACITY : status;
-}
-
-static int32_t compute_topology(struct workspace *work) {
-  hsp_topology_limits limits;
-  int32_t status = hsp_topology_limits_for(&limits, sizeof limits, work->boundary);
-  for (int attempt = 0; attempt < 4 && status == HSP_OK; ++attempt) {
-    size_t bytes = 0;
-    status = hsp_topology_bytes(&limits, &bytes);
-    if (status != HSP_OK) break;
-    free(work->memory[2]);
-    work->memory[2] = malloc(bytes);
-    if (work->memory[2] == NULL) return HSP_E_MEMORY;
-    status = hsp_topology_init(work->memory[2], bytes, &limits, &work->topology);
-    if (status == HSP_OK) status = hsp_topology_compute(work->topology, work->boundary);
-    if (status != HSP_E_CAPACITY) return status;
-    hsp_topology_limits needed;
-    status = hsp_topology_get_needed(work->topology, &needed);
-    if (needed.neighbours > limits.neighbours) limits.neighbours = needed.neighbours;
-    if (needed.edges > limits.edges) limits.edges = needed.edges;
-    if (needed.cut_arcs > limits.cut_arcs) limits.cut_arcs = needed.cut_arcs;
-  }
-  return status == HSP_OK ? HSP_E_CAPACITY : status;
-}
-
-static int32_t compute(struct workspace *work, const struct balls *balls, double probe) {
-  size_t bytes = 0;
-  int32_t status = hsp_model_bytes(balls->count, &bytes);
-  if (status != HSP_OK) return status;
-  work->memory[0] = malloc(bytes);
-  if (work->memory[0] == NULL) return HSP_E_MEMORY;
+static int32_t compute(hsp_workspace *work, const struct balls *balls, double probe) {
   hsp_model_options options;
-  status = hsp_model_options_init(&options, sizeof options);
+  int32_t status = hsp_model_options_init(&options, sizeof options);
   options.probe = probe;
-  if (status == HSP_OK) status = hsp_model_init(work->memory[0], bytes, balls->count, &work->model);
-  if (status == HSP_OK) status = hsp_model_set(work->model, balls->count, balls->xyz, balls->radius, &options, NULL);
-  if (status == HSP_OK) status = compute_boundary(work, balls->count);
-  if (status == HSP_OK) status = compute_topology(work);
+  if (status == HSP_OK) status = hsp_workspace_set(work, balls->count, balls->xyz, balls->radius, &options, NULL);
+  if (status == HSP_OK) status = hsp_workspace_boundary(work);
+  if (status == HSP_OK) status = hsp_workspace_topology(work);
   return status;
 }
 
 /* The balls with a face on one of the cell's shells. */
-static int32_t print_wall(const struct workspace *work, uint32_t cell, uint32_t ball_count) {
+static int32_t print_wall(const hsp_workspace *work, uint32_t cell, uint32_t ball_count) {
   uint32_t shell_count = 0;
   uint32_t face_count = 0;
   hsp_topology_get_cell_shells(work->topology, cell, NULL, 0, &shell_count);
@@ -150,7 +91,7 @@ static int32_t print_wall(const struct workspace *work, uint32_t cell, uint32_t 
   return status;
 }
 
-static int32_t print_cavities(const struct workspace *work, uint32_t ball_count) {
+static int32_t print_cavities(const hsp_workspace *work, uint32_t ball_count) {
   uint32_t count = 0;
   hsp_topology_get_cells(work->topology, NULL, 0, &count);
   hsp_cell *cells = malloc(((size_t)count + 1) * sizeof *cells);
@@ -167,8 +108,7 @@ static int32_t print_cavities(const struct workspace *work, uint32_t ball_count)
 }
 
 /* A point beyond all balls on the x axis is outside for certain. */
-static int32_t print_way_out(const struct workspace *work, const struct balls *balls, double probe,
-                             const double *point) {
+static int32_t print_way_out(const hsp_workspace *work, const struct balls *balls, double probe, const double *point) {
   double outside[3] = {point[0], point[1], point[2]};
   for (uint32_t i = 0; i < balls->count; ++i) {
     const double right = balls->xyz[3 * (size_t)i] + 2 * (balls->radius[i] + probe);
@@ -194,7 +134,7 @@ int main(int count, char **arguments) {
   double point[3] = {-0.05, 0.0, 0.0};
   double probe = 0.0;
   struct balls balls = {0, NULL, NULL};
-  struct workspace work = {{NULL, NULL, NULL}, NULL, NULL, NULL};
+  hsp_workspace work = {0};
   int done = count == 1 ? take_cage(&balls) : read_balls(arguments[1], &balls);
   if (count > 2) probe = strtod(arguments[2], NULL);
   for (int axis = 0; axis < 3 && axis + 3 < count; ++axis) point[axis] = strtod(arguments[axis + 3], NULL);
@@ -205,7 +145,7 @@ int main(int count, char **arguments) {
     if (status != HSP_OK) fprintf(stderr, "cavities: %s\n", hsp_status_text(status));
     done = status == HSP_OK;
   }
-  for (int i = 0; i < 3; ++i) free(work.memory[i]);
+  hsp_workspace_free(&work);
   free(balls.xyz);
   free(balls.radius);
   return done ? 0 : 1;

@@ -40,7 +40,7 @@ static int32_t compute(hsp_view **view) {
   if (status == HSP_OK) status = hsp_view_options_init(&options, sizeof options);
   if (status == HSP_OK) status = hsp_view_options_turn(&options, 60, 25, 0); /* degrees: the rings lie across y */
   if (status == HSP_OK) status = hsp_view_init(view_memory, sizeof view_memory, &limits, view);
-  if (status == HSP_OK) status = hsp_view_compute(*view, model, NULL, &options);
+  if (status == HSP_OK) status = hsp_view_compute(*view, model, NULL, &options, NULL);
   return status;
 }
 

@@ -1,9 +1,9 @@
 /* Area, volume and largest gradient of the area for every frame of a trajectory:
  *   frames FILE.pdb [PROBE]       a .pdb file with MODEL ... ENDMDL for each frame
- * One workspace serves all frames. It is made anew only when a frame needs more than the largest before it. */
+ * One workspace serves all frames. It grows only when a frame needs more than all before it. */
 #define _POSIX_C_SOURCE 200112L /* isatty, fileno */
 
-#include <hardsphere.h>
+#include <hardsphere_workspace.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -75,82 +75,25 @@ static int read_frame(FILE *file, struct frame *frame) {
   return frame->atoms > 0;
 }
 
-struct workspace {
-  void *model_memory;
-  void *boundary_memory;
-  hsp_model *model;
-  hsp_boundary *boundary;
-  uint32_t balls; /* that the model has room for */
-  hsp_boundary_limits limits;
-  unsigned sizings; /* how often memory was asked for */
+struct trajectory {
+  hsp_workspace work;
+  unsigned sizings; /* how often it was made larger */
 };
 
-static int32_t size_model(struct workspace *work, uint32_t balls) {
-  size_t bytes = 0;
-  int32_t status = hsp_model_bytes(balls, &bytes);
-  if (status != HSP_OK) return status;
-  free(work->model_memory);
-  work->model_memory = malloc(bytes);
-  if (work->model_memory == NULL) return HSP_E_MEMORY;
-  work->balls = balls;
-  return hsp_model_init(work->model_memory, bytes, balls, &work->model);
-}
-
-static int32_t size_boundary(struct workspace *work) {
-  size_t bytes = 0;
-  const int32_t status = hsp_boundary_bytes(&work->limits, &bytes);
-  if (status != HSP_OK) return status;
-  free(work->boundary_memory);
-  work->boundary_memory = malloc(bytes);
-  if (work->boundary_memory == NULL) return HSP_E_MEMORY;
-  ++work->sizings;
-  return hsp_boundary_init(work->boundary_memory, bytes, &work->limits, &work->boundary);
-}
-
-static void enlarge(uint32_t *limit, uint32_t needed) {
-  if (needed > *limit) *limit = needed;
-}
-
-/* Room for a molecule of so many atoms, and for no less than any frame before needed. */
-static int32_t size_for(struct workspace *work, uint32_t balls) {
-  hsp_boundary_limits usual;
-  int32_t status = hsp_boundary_limits_init(&usual, sizeof usual, balls);
-  if (status == HSP_OK) status = size_model(work, balls);
-  if (status != HSP_OK) return status;
-  work->limits.struct_size = usual.struct_size;
-  enlarge(&work->limits.balls, usual.balls);
-  enlarge(&work->limits.neighbours, usual.neighbours);
-  enlarge(&work->limits.vertices, usual.vertices);
-  enlarge(&work->limits.circles, usual.circles);
-  return size_boundary(work);
-}
-
-/* Compute the boundary; enlarge its limits only if they turn out too small. */
-static int32_t compute_boundary(struct workspace *work) {
-  for (int attempt = 0; attempt < 4; ++attempt) {
-    int32_t status = hsp_boundary_compute(work->boundary, work->model);
-    if (status != HSP_E_CAPACITY) return status;
-    hsp_boundary_limits needed;
-    status = hsp_boundary_get_needed(work->boundary, &needed);
-    if (status != HSP_OK) return status;
-    enlarge(&work->limits.balls, needed.balls);
-    enlarge(&work->limits.neighbours, needed.neighbours);
-    enlarge(&work->limits.vertices, needed.vertices);
-    enlarge(&work->limits.circles, needed.circles);
-    status = size_boundary(work);
-    if (status != HSP_OK) return status;
-  }
-  return HSP_E_CAPACITY;
-}
-
-static int32_t compute(struct workspace *work, struct frame *frame, double probe, hsp_energy *energy) {
+/* The workspace grows only if a frame needs more than all before it. */
+static int32_t compute(struct trajectory *trajectory, struct frame *frame, double probe, hsp_energy *energy) {
+  hsp_workspace *work = &trajectory->work;
+  const hsp_boundary_limits limits = work->boundary_limits;
+  const uint32_t most_balls = work->most_balls;
   hsp_model_options options;
   int32_t status = hsp_model_options_init(&options, sizeof options);
   options.probe = probe;
-  if (status == HSP_OK && (work->model == NULL || frame->atoms > work->balls)) status = size_for(work, frame->atoms);
-  if (status == HSP_OK) status = hsp_model_set(work->model, frame->atoms, frame->xyz, frame->radius, &options, NULL);
-  if (status == HSP_OK) status = compute_boundary(work);
+  if (status == HSP_OK) status = hsp_workspace_set(work, frame->atoms, frame->xyz, frame->radius, &options, NULL);
+  if (status == HSP_OK) status = hsp_workspace_boundary(work);
   if (status != HSP_OK) return status;
+  if (work->most_balls != most_balls || memcmp(&work->boundary_limits, &limits, sizeof limits) != 0) {
+    ++trajectory->sizings;
+  }
   return hsp_boundary_gradient(work->boundary, NULL, 1.0, 0.0, HSP_TANGENT_OVERLAP, energy, frame->gradient, NULL, NULL,
                                frame->atoms);
 }
@@ -165,14 +108,14 @@ static double largest_norm(const struct frame *frame) {
   return sqrt(largest);
 }
 
-static int run(FILE *file, double probe, struct workspace *work, struct frame *frame) {
+static int run(FILE *file, double probe, struct trajectory *trajectory, struct frame *frame) {
   const int watched = isatty(fileno(stderr)); /* a log file wants no progress */
   unsigned long number = 0;
   int found;
   printf("%8s %8s %16s %16s %16s\n", "frame", "atoms", "area", "volume", "largest dA/dc");
   while ((found = read_frame(file, frame)) > 0) {
     hsp_energy energy;
-    const int32_t status = compute(work, frame, probe, &energy);
+    const int32_t status = compute(trajectory, frame, probe, &energy);
     ++number;
     if (status != HSP_OK) {
       fprintf(stderr, "frames: frame %lu: %s\n", number, hsp_status_text(status));
@@ -184,7 +127,7 @@ static int run(FILE *file, double probe, struct workspace *work, struct frame *f
   }
   if (watched) fprintf(stderr, "\n");
   if (found < 0) fprintf(stderr, "frames: frame %lu: not an atom record\n", number + 1);
-  printf("# frames: %lu; memory sized: %u\n", number, work->sizings);
+  printf("# frames: %lu; memory sized: %u\n", number, trajectory->sizings);
   return found == 0;
 }
 
@@ -198,13 +141,12 @@ int main(int count, char **arguments) {
     perror(arguments[1]);
     return 1;
   }
-  struct workspace work;
+  struct trajectory trajectory;
   struct frame frame = {0, 0, NULL, NULL, NULL};
-  memset(&work, 0, sizeof work);
-  const int done = run(file, count == 3 ? strtod(arguments[2], NULL) : 0.0, &work, &frame);
+  memset(&trajectory, 0, sizeof trajectory);
+  const int done = run(file, count == 3 ? strtod(arguments[2], NULL) : 0.0, &trajectory, &frame);
   fclose(file);
-  free(work.model_memory);
-  free(work.boundary_memory);
+  hsp_workspace_free(&trajectory.work);
   free(frame.xyz);
   free(frame.radius);
   free(frame.gradient);

@@ -22,7 +22,7 @@ int main(void) {
   hsp_boundary_counts counts;
   hsp_totals totals;
   if (status == HSP_OK) status = hsp_boundary_init(boundary_memory, sizeof boundary_memory, &limits, &boundary);
-  if (status == HSP_OK) status = hsp_boundary_compute(boundary, model);
+  if (status == HSP_OK) status = hsp_boundary_compute(boundary, model, NULL);
   if (status == HSP_OK) status = hsp_boundary_get_counts(boundary, &counts);
   if (status == HSP_OK) status = hsp_boundary_measure(boundary, &totals, NULL, NULL, 0);
 

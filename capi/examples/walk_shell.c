@@ -26,9 +26,9 @@ static int32_t compute(hsp_topology **topology) {
   if (status == HSP_OK) status = hsp_model_set(model, BALLS, &xyz[0][0], radius, NULL, NULL);
   if (status == HSP_OK)
     status = hsp_boundary_init(boundary_memory, sizeof boundary_memory, &boundary_limits, &boundary);
-  if (status == HSP_OK) status = hsp_boundary_compute(boundary, model);
+  if (status == HSP_OK) status = hsp_boundary_compute(boundary, model, NULL);
   if (status == HSP_OK) status = hsp_topology_init(topology_memory, sizeof topology_memory, &topology_limits, topology);
-  if (status == HSP_OK) status = hsp_topology_compute(*topology, boundary);
+  if (status == HSP_OK) status = hsp_topology_compute(*topology, boundary, NULL);
   return status;
 }
 

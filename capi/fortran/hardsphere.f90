@@ -492,17 +492,11 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    function hsp_boundary_compute(boundary, model) result(status) bind(C, name="hsp_boundary_compute")
-      import :: c_int32_t, c_ptr
-      type(c_ptr), value :: boundary
-      type(c_ptr), value :: model
-      integer(c_int32_t) :: status
-    end function
-
-    function hsp_boundary_get_needed(boundary, needed) result(status) bind(C, name="hsp_boundary_get_needed")
+    function hsp_boundary_compute(boundary, model, limits) result(status) bind(C, name="hsp_boundary_compute")
       import :: c_int32_t, c_ptr, hsp_boundary_limits
       type(c_ptr), value :: boundary
-      type(hsp_boundary_limits), intent(inout) :: needed
+      type(c_ptr), value :: model
+      type(hsp_boundary_limits), intent(inout), optional :: limits
       integer(c_int32_t) :: status
     end function
 
@@ -674,17 +668,11 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    function hsp_topology_compute(topology, boundary) result(status) bind(C, name="hsp_topology_compute")
-      import :: c_int32_t, c_ptr
-      type(c_ptr), value :: topology
-      type(c_ptr), value :: boundary
-      integer(c_int32_t) :: status
-    end function
-
-    function hsp_topology_get_needed(topology, needed) result(status) bind(C, name="hsp_topology_get_needed")
+    function hsp_topology_compute(topology, boundary, limits) result(status) bind(C, name="hsp_topology_compute")
       import :: c_int32_t, c_ptr, hsp_topology_limits
       type(c_ptr), value :: topology
-      type(hsp_topology_limits), intent(inout) :: needed
+      type(c_ptr), value :: boundary
+      type(hsp_topology_limits), intent(inout), optional :: limits
       integer(c_int32_t) :: status
     end function
 
@@ -955,19 +943,13 @@ module hardsphere
     end function
 
     ! Without a boundary pass c_null_ptr.
-    function hsp_view_compute(view, model, boundary, options) result(status) bind(C, name="hsp_view_compute")
-      import :: c_int32_t, c_ptr, hsp_view_options
+    function hsp_view_compute(view, model, boundary, options, limits) result(status) bind(C, name="hsp_view_compute")
+      import :: c_int32_t, c_ptr, hsp_view_options, hsp_view_limits
       type(c_ptr), value :: view
       type(c_ptr), value :: model
       type(c_ptr), value :: boundary
       type(hsp_view_options), intent(in), optional :: options
-      integer(c_int32_t) :: status
-    end function
-
-    function hsp_view_get_needed(view, needed) result(status) bind(C, name="hsp_view_get_needed")
-      import :: c_int32_t, c_ptr, hsp_view_limits
-      type(c_ptr), value :: view
-      type(hsp_view_limits), intent(inout) :: needed
+      type(hsp_view_limits), intent(inout), optional :: limits
       integer(c_int32_t) :: status
     end function
 

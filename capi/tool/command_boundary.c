@@ -97,10 +97,10 @@ static void print_table(const struct request *request, const struct molecule *mo
 
 bool command_boundary(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                       struct text_buffer *out, struct failure *failure) {
-  if (!geometry_compute_topology(geometry, molecule, failure)) return false;
+  if (!geometry_compute_topology(geometry, failure)) return false;
   struct counted counted;
-  int32_t status = hsp_boundary_get_counts(geometry->boundary, &counted.boundary);
-  if (status == HSP_OK) status = hsp_topology_get_counts(geometry->topology, &counted.topology);
+  int32_t status = hsp_boundary_get_counts(geometry->work.boundary, &counted.boundary);
+  if (status == HSP_OK) status = hsp_topology_get_counts(geometry->work.topology, &counted.topology);
   if (status != HSP_OK) return failure_in_library(failure, status);
   if (!geometry_list_shells(geometry, &counted.shells, &counted.shell_count, failure)) return false;
   if (request->json) {

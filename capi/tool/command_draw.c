@@ -119,7 +119,7 @@ static const char *base_name(const char *path) {
 static bool write_picture(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                           const uint32_t *colour, const struct progress *progress, struct drawn *drawn,
                           struct failure *failure) {
-  const int32_t status = hsp_view_get_info(geometry->view, &drawn->view);
+  const int32_t status = hsp_view_get_info(geometry->work.view, &drawn->view);
   if (status != HSP_OK) return failure_in_library(failure, status);
   if (!picture_options_of(&request->drawing, molecule->atoms, &drawn->options, failure)) return false;
   find_size(drawn);
@@ -130,7 +130,7 @@ static bool write_picture(const struct request *request, const struct molecule *
   const char *title = request->drawing.title != NULL ? request->drawing.title : base_name(request->file);
   const struct picture picture = {colour, drawn->options, title, description};
   progress_show(progress, "writing");
-  return picture_file_write(geometry->view, &picture, request->drawing.out, progress, &drawn->bytes, failure);
+  return picture_file_write(geometry->work.view, &picture, request->drawing.out, progress, &drawn->bytes, failure);
 }
 
 static bool draw(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
@@ -143,10 +143,10 @@ static bool draw(const struct request *request, const struct molecule *molecule,
   bool done = true;
   if (options.pieces == HSP_PIECES_OUTSIDE_ALL) {
     progress_show(progress, "computing the boundary");
-    done = geometry_compute_boundary(geometry, molecule, failure);
+    done = geometry_compute_boundary(geometry, failure);
   }
   progress_show(progress, "cutting and sorting");
-  done = done && geometry_compute_view(geometry, molecule, &options, failure) &&
+  done = done && geometry_compute_view(geometry, &options, failure) &&
          write_picture(request, molecule, geometry, colour, progress, drawn, failure);
   free(colour);
   return done;

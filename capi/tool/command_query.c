@@ -51,10 +51,10 @@ static void print_table(const struct request *request, const struct molecule *mo
 bool command_query(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                    struct text_buffer *out, struct failure *failure) {
   uint32_t count = 0;
-  int32_t status = ask(request, geometry->model, NULL, 0, &count);
+  int32_t status = ask(request, geometry->work.model, NULL, 0, &count);
   uint32_t *ids = calloc((size_t)count + 1, sizeof *ids);
   if (ids == NULL) return failure_of_memory(failure);
-  if (status == HSP_E_CAPACITY) status = ask(request, geometry->model, ids, count, &count);
+  if (status == HSP_E_CAPACITY) status = ask(request, geometry->work.model, ids, count, &count);
   if (status == HSP_E_RANGE) {
     failure_in_input(failure, 0, "the query: %s", hsp_status_text(status));
   } else if (status != HSP_OK) {

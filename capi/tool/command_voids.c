@@ -50,7 +50,7 @@ static void print_table(const struct request *request, const struct molecule *mo
 
 bool command_voids(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                    struct text_buffer *out, struct failure *failure) {
-  if (!geometry_compute_topology(geometry, molecule, failure)) return false;
+  if (!geometry_compute_topology(geometry, failure)) return false;
   struct void_list list;
   const bool done = void_list_make(geometry, &list, failure);
   if (done && request->json) print_json(molecule, &list, out);

@@ -5,36 +5,25 @@
 #include <stdbool.h>
 
 #include "failure.h"
-#include "hardsphere.h"
+#include "hardsphere_workspace.h"
 #include "molecule.h"
 
 struct geometry {
-  void *model_memory;
-  void *boundary_memory;
-  void *topology_memory;
-  void *view_memory;
-  hsp_model *model;
-  hsp_boundary *boundary;
-  hsp_topology *topology;
-  hsp_view *view;
+  hsp_workspace work; /* zeros at first */
 };
-
-#define GEOMETRY_NONE \
-  { NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL }
 
 /* Make the model. A ball that the library refuses is named by its line. */
 bool geometry_set_model(struct geometry *geometry, const struct molecule *molecule, double probe,
                         struct failure *failure);
 
 /* Compute the boundary of the model, with as much memory as it turns out to need. */
-bool geometry_compute_boundary(struct geometry *geometry, const struct molecule *molecule, struct failure *failure);
+bool geometry_compute_boundary(struct geometry *geometry, struct failure *failure);
 
 /* Compute the boundary and its topology. */
-bool geometry_compute_topology(struct geometry *geometry, const struct molecule *molecule, struct failure *failure);
+bool geometry_compute_topology(struct geometry *geometry, struct failure *failure);
 
 /* Cut and sort the pieces of a view: from the boundary if that was computed, from the model alone if not. */
-bool geometry_compute_view(struct geometry *geometry, const struct molecule *molecule, const hsp_view_options *options,
-                           struct failure *failure);
+bool geometry_compute_view(struct geometry *geometry, const hsp_view_options *options, struct failure *failure);
 
 /* The shells of a computed topology; *shells is to be freed on true. */
 bool geometry_list_shells(const struct geometry *geometry, hsp_shell **shells, uint32_t *count,

@@ -33,7 +33,7 @@ static command_function *function_of(enum command command) {
 
 static bool run_command(const struct request *request, struct text_buffer *out, struct failure *failure) {
   struct molecule molecule;
-  struct geometry geometry = GEOMETRY_NONE;
+  struct geometry geometry = {.work = {0}};
   const bool done = read_molecule(request->file, &request->radii, &molecule, failure) &&
                     geometry_set_model(&geometry, &molecule, request->probe, failure) &&
                     function_of(request->command)(request, &molecule, &geometry, out, failure);

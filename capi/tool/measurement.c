@@ -22,7 +22,7 @@ static bool measure_gradient(const struct molecule *molecule, const struct geome
                              double pressure, const double *weights, struct gradient *gradient, uint32_t *flags,
                              struct failure *failure) {
   if (!allocate_gradient(molecule, gradient, failure)) return false;
-  const int32_t status = hsp_boundary_gradient(geometry->boundary, weights, tension, pressure, HSP_TANGENT_OVERLAP,
+  const int32_t status = hsp_boundary_gradient(geometry->work.boundary, weights, tension, pressure, HSP_TANGENT_OVERLAP,
                                                NULL, gradient->centre, gradient->radius, flags, molecule->atoms);
   return status == HSP_OK || failure_in_library(failure, status);
 }
@@ -43,8 +43,8 @@ static bool measure_area_gradient(const struct molecule *molecule, const struct 
 static bool measure_weighted_area(const struct geometry *geometry, struct measurement *measurement,
                                   struct failure *failure) {
   hsp_energy energy;
-  const int32_t status = hsp_boundary_gradient(geometry->boundary, measurement->weights, 1.0, 0.0, HSP_TANGENT_OVERLAP,
-                                               &energy, NULL, NULL, NULL, 0);
+  const int32_t status = hsp_boundary_gradient(geometry->work.boundary, measurement->weights, 1.0, 0.0,
+                                               HSP_TANGENT_OVERLAP, &energy, NULL, NULL, NULL, 0);
   if (status != HSP_OK) return failure_in_library(failure, status);
   measurement->weighted_area = energy.area;
   return true;
@@ -56,7 +56,7 @@ static bool measure_areas(const struct request *request, const struct molecule *
     measurement->area = allocate(molecule, 1, failure);
     if (measurement->area == NULL) return false;
   }
-  const int32_t status = hsp_boundary_measure(geometry->boundary, &measurement->totals, measurement->area, NULL,
+  const int32_t status = hsp_boundary_measure(geometry->work.boundary, &measurement->totals, measurement->area, NULL,
                                               measurement->area == NULL ? 0 : molecule->atoms);
   return status == HSP_OK || failure_in_library(failure, status);
 }
@@ -66,7 +66,7 @@ bool measurement_make(const struct request *request, const struct molecule *mole
   memset(measurement, 0, sizeof *measurement);
   const bool weighted = request->weights != NULL;
   if (weighted && !weights_read(request->weights, molecule->atoms, &measurement->weights, failure)) return false;
-  if (!geometry_compute_boundary(geometry, molecule, failure)) return false;
+  if (!geometry_compute_boundary(geometry, failure)) return false;
   if (!measure_areas(request, molecule, geometry, measurement, failure)) return false;
   if (weighted && !measure_weighted_area(geometry, measurement, failure)) return false;
   if (!request->gradient) return true;

@@ -68,7 +68,7 @@ static bool is_crowded(const struct geometry *geometry, uint32_t balls) {
   double squares = 0.0;
   for (uint32_t i = 0; i < balls; i += step) {
     uint32_t neighbours = 0;
-    (void)hsp_query_neighbours(geometry->model, i, NULL, 0, &neighbours);
+    (void)hsp_query_neighbours(geometry->work.model, i, NULL, 0, &neighbours);
     squares += (double)neighbours * neighbours;
     ++asked;
   }
@@ -79,16 +79,16 @@ static bool is_crowded(const struct geometry *geometry, uint32_t balls) {
  * *crowded may be set instead. */
 static bool add_free_part(const struct molecule *molecule, double probe, double weight, bool limited, double *area,
                           double *exposure, bool *crowded, struct failure *failure) {
-  struct geometry inflated = GEOMETRY_NONE;
+  struct geometry inflated = {.work = {0}};
   bool done = geometry_set_model(&inflated, molecule, probe, failure);
   if (done && limited && is_crowded(&inflated, molecule->atoms)) {
     *crowded = true;
     geometry_free(&inflated);
     return true;
   }
-  done = done && geometry_compute_boundary(&inflated, molecule, failure);
+  done = done && geometry_compute_boundary(&inflated, failure);
   if (done) {
-    const int32_t status = hsp_boundary_measure(inflated.boundary, NULL, area, NULL, molecule->atoms);
+    const int32_t status = hsp_boundary_measure(inflated.work.boundary, NULL, area, NULL, molecule->atoms);
     done = status == HSP_OK || failure_in_library(failure, status);
   }
   geometry_free(&inflated);
@@ -109,7 +109,7 @@ struct neighbourhood {
 static bool find_neighbourhood(const struct geometry *geometry, const double xyz[3], double radius,
                                struct neighbourhood *near, struct failure *failure) {
   for (;;) {
-    const int32_t status = hsp_query_ball(geometry->model, xyz, radius, near->ids, near->capacity, &near->count);
+    const int32_t status = hsp_query_ball(geometry->work.model, xyz, radius, near->ids, near->capacity, &near->count);
     if (status == HSP_OK) return true;
     if (status != HSP_E_CAPACITY) return failure_in_library(failure, status);
     near->capacity = near->count + near->count / 2;

@@ -29,7 +29,7 @@ static int order_of_voids(const void *left, const void *right) {
 
 static bool take_cells(const struct geometry *geometry, struct void_list *list, struct failure *failure) {
   uint32_t cells = 0;
-  int32_t status = hsp_topology_get_cells(geometry->topology, NULL, 0, &cells);
+  int32_t status = hsp_topology_get_cells(geometry->work.topology, NULL, 0, &cells);
   if (status != HSP_OK && status != HSP_E_CAPACITY) return failure_in_library(failure, status);
   hsp_cell *all = calloc((size_t)cells + 1, sizeof *all);
   list->voids = calloc((size_t)cells + 1, sizeof *list->voids);
@@ -37,7 +37,7 @@ static bool take_cells(const struct geometry *geometry, struct void_list *list, 
   if (!done) {
     failure_of_memory(failure);
   } else {
-    status = hsp_topology_get_cells(geometry->topology, all, cells, &cells);
+    status = hsp_topology_get_cells(geometry->work.topology, all, cells, &cells);
     done = status == HSP_OK || failure_in_library(failure, status);
   }
   for (uint32_t cell = 1; done && cell < cells; ++cell) {
@@ -65,7 +65,7 @@ static uint32_t gather_walls(const hsp_face *faces, uint32_t face_count, const h
 static bool take_walls(const struct geometry *geometry, const hsp_shell *shells, struct void_list *list,
                        struct failure *failure) {
   uint32_t face_count = 0;
-  int32_t status = hsp_boundary_get_faces(geometry->boundary, NULL, 0, &face_count);
+  int32_t status = hsp_boundary_get_faces(geometry->work.boundary, NULL, 0, &face_count);
   if (status != HSP_OK && status != HSP_E_CAPACITY) return failure_in_library(failure, status);
   hsp_face *faces = calloc((size_t)face_count + 1, sizeof *faces);
   struct wall *walls = calloc((size_t)face_count + 1, sizeof *walls);
@@ -74,7 +74,7 @@ static bool take_walls(const struct geometry *geometry, const hsp_shell *shells,
   if (!done) {
     failure_of_memory(failure);
   } else {
-    status = hsp_boundary_get_faces(geometry->boundary, faces, face_count, &face_count);
+    status = hsp_boundary_get_faces(geometry->work.boundary, faces, face_count, &face_count);
     done = status == HSP_OK || failure_in_library(failure, status);
   }
   if (done) {

@@ -17,7 +17,7 @@ inline size_t most_bytes(const hsp_view_limits &limits) {
   return HSP_VIEW_BYTES(limits.balls, limits.neighbours, limits.arcs);
 }
 
-// `exact`: the limits that the computation needs. `compute` takes a handle and returns the status of its computation,
+// `exact`: the limits that the computation needs. `compute` takes a handle and limits to hand back and returns its status,
 // `read` takes it and returns the status of reading; where that is HSP_OK it has compared what it read.
 template <class Kind, class Compute, class Read>
 void require_limits(const typename Kind::Limits &exact, Bytes &bytes, Compute compute, Read read) {
@@ -36,18 +36,19 @@ void require_limits(const typename Kind::Limits &exact, Bytes &bytes, Compute co
     FUZZ_REQUIRE(size <= most_bytes(limits), Kind::name);
     std::vector<uint8_t> memory(size + 1, 0x3C);
     FUZZ_REQUIRE(Kind::init(memory.data(), size, &limits, &handle) == HSP_OK, Kind::name);
-    const int32_t status = compute(handle);
+    typename Kind::Limits returned = limits;
+    const int32_t status = compute(handle, &returned);
     FUZZ_REQUIRE(memory.back() == 0x3C, "written past a handle's memory");
     FUZZ_REQUIRE(status == (enough ? HSP_OK : HSP_E_CAPACITY), "status of a computation, by its limits");
-    typename Kind::Limits needed{};
-    FUZZ_REQUIRE(Kind::get_needed(handle, &needed) == HSP_OK, Kind::name);
     FUZZ_REQUIRE(read(handle) == (enough ? HSP_OK : HSP_E_STATE), "results, by the limits");
     if (enough) {
-      FUZZ_REQUIRE(std::memcmp(&needed, &exact, sizeof exact) == 0, "needed limits differ with more room");
+      FUZZ_REQUIRE(std::memcmp(&returned, &exact, sizeof exact) == 0, "needed limits differ with more room");
       return;
     }
     FUZZ_REQUIRE(enlargements < Kind::enlargements, "more enlargements than promised");
-    for (const auto limit : Kind::limits) limits.*limit = std::max(limits.*limit, needed.*limit);
+    for (const auto limit : Kind::limits)
+      FUZZ_REQUIRE(returned.*limit >= limits.*limit, "a limit to retry with shrinks");
+    limits = returned;
   }
 }
 

@@ -21,6 +21,13 @@ struct TopologyLimits {
   uint32_t neighbours = 0;
   uint32_t edges = 0;
   uint32_t cut_arcs = 0;
+
+  // The smallest limits that are no smaller than these and others.
+  constexpr TopologyLimits covering(const TopologyLimits &other) const {
+    const auto larger = [](uint32_t a, uint32_t b) { return a < b ? b : a; };
+    return {larger(balls, other.balls), larger(neighbours, other.neighbours), larger(edges, other.edges),
+            larger(cut_arcs, other.cut_arcs)};
+  }
 };
 
 // Limits that suffice for most molecules. Status::range if one would be larger than max_count.

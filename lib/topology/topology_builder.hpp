@@ -20,6 +20,8 @@ class TopologyBuilder {
 
   const Topology &structure() const { return structure_; }
   const TopologyLimits &needed() const { return needed_; }
+  // What to try again with after Status::capacity.
+  TopologyLimits retry_limits() const { return limits_.covering(needed_); }
 
   // Scratch memory, for questions about single balls and for checks; [edges].
   GatheredBall &gathered() { return gathered_; }

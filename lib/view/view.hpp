@@ -13,6 +13,12 @@ struct ViewLimits {
   uint32_t balls = 0;
   uint32_t neighbours = 0;
   uint32_t arcs = 0;
+
+  // The smallest limits that are no smaller than these and others.
+  constexpr ViewLimits covering(const ViewLimits &other) const {
+    const auto larger = [](uint32_t a, uint32_t b) { return a < b ? b : a; };
+    return {larger(balls, other.balls), larger(neighbours, other.neighbours), larger(arcs, other.arcs)};
+  }
 };
 
 // Limits that suffice for most molecules. Status::range if one would be larger than max_count.

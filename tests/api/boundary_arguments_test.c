@@ -85,22 +85,18 @@ static void compute_and_read(void) {
 
   check_scene("nothing computed");
   check_all_readers(boundary, HSP_E_STATE);
-  CHECK_EQUAL(hsp_boundary_get_needed(boundary, &needed_limits), HSP_E_STATE);
   check_outputs_untouched();
 
   check_scene("null pointers");
-  CHECK_EQUAL(hsp_boundary_compute(NULL, model), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_boundary_compute(boundary, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_compute(NULL, model, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, NULL, NULL), HSP_E_ARGUMENT);
   check_all_readers(boundary, HSP_E_STATE);
-  CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
-  CHECK_EQUAL(hsp_boundary_compute(boundary, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, NULL, NULL), HSP_E_ARGUMENT);
   check_all_readers(boundary, HSP_E_STATE);
-  CHECK_EQUAL(hsp_boundary_get_needed(boundary, &needed_limits), HSP_E_STATE);
-  CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
   check_all_readers(NULL, HSP_E_ARGUMENT);
   fill_outputs();
-  CHECK_EQUAL(hsp_boundary_get_needed(NULL, &needed_limits), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_boundary_get_needed(boundary, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_get_counts(boundary, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_get_vertices(boundary, NULL, 16, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_get_vertices(boundary, vertices, 16, NULL), HSP_E_ARGUMENT);
@@ -131,26 +127,26 @@ static void compute_and_read(void) {
 /* A changed model makes earlier results unreadable, whether or not the change succeeded, until the next computation. */
 static void model_changed(void) {
   static const double bad_radius[BALLS] = {1, -1, 1};
-  CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
   CHECK_EQUAL(hsp_boundary_get_counts(boundary, &counts), HSP_OK);
   check_scene("model set to the same balls");
   CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
   check_all_readers(boundary, HSP_E_STATE);
-  CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
   CHECK_EQUAL(hsp_boundary_get_counts(boundary, &counts), HSP_OK);
   check_scene("model set to nothing");
   CHECK_EQUAL(hsp_model_set(model, 0, NULL, NULL, NULL, NULL), HSP_OK);
   check_all_readers(boundary, HSP_E_STATE);
-  CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
   CHECK_EQUAL(hsp_boundary_get_counts(boundary, &counts), HSP_OK);
   CHECK_EQUAL(counts.balls, 0);
   check_scene("model emptied by a refusal");
   CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, bad_radius, NULL, NULL), HSP_E_NEGATIVE);
   check_all_readers(boundary, HSP_E_STATE);
-  CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
   check_scene("figures and queries change nothing");
   CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
-  CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
   {
     hsp_packing figures;
     CHECK_EQUAL(hsp_model_get_packing(model, &figures), HSP_OK);

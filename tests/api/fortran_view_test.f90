@@ -142,8 +142,8 @@ contains
     integer :: i
     call expect(hsp_view_get_info(view, info), HSP_E_STATE, 'nothing computed')
     call expect(hsp_model_set(model, 2_c_int32_t, xyz, radius), HSP_OK, 'hsp_model_set')
-    call expect(hsp_view_compute(view, model, c_null_ptr), HSP_OK, 'hsp_view_compute')
-    call expect(hsp_view_get_needed(view, needed_limits), HSP_OK, 'hsp_view_get_needed')
+    needed_limits%struct_size = int(c_sizeof(needed_limits), c_int32_t)
+    call expect(hsp_view_compute(view, model, c_null_ptr, limits=needed_limits), HSP_OK, 'hsp_view_compute')
     call check(needed_limits%balls == 2 .and. needed_limits%neighbours == 1 .and. needed_limits%arcs == 3, 'what was needed')
     call expect(hsp_view_get_info(view, info), HSP_OK, 'hsp_view_get_info')
     call check(info%pieces == 2 .and. info%loops == 2 .and. info%arcs == 3 .and. info%kind == HSP_PIECES_OUTSIDE_FARTHER, 'counts')

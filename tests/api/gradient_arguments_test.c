@@ -81,11 +81,11 @@ static void out_of_order(void) {
   check_all_refuse(NULL, HSP_E_ARGUMENT);
   check_scene("nothing computed");
   check_all_refuse(boundary, HSP_E_STATE);
-  CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
   check_scene("model set to the same balls");
   CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
   check_all_refuse(boundary, HSP_E_STATE);
-  CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
   check_scene("model emptied by a refusal");
   CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, bad_radius, NULL, NULL), HSP_E_NEGATIVE);
   check_all_refuse(boundary, HSP_E_STATE);
@@ -93,11 +93,11 @@ static void out_of_order(void) {
   check_scene("a limit was too small");
   limits.vertices = 1;
   CHECK_EQUAL(hsp_boundary_init(boundary_memory, sizeof boundary_memory, &limits, &boundary), HSP_OK);
-  CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_E_CAPACITY);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_E_CAPACITY);
   check_all_refuse(boundary, HSP_E_STATE);
   limits.vertices = 16;
   CHECK_EQUAL(hsp_boundary_init(boundary_memory, sizeof boundary_memory, &limits, &boundary), HSP_OK);
-  CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
 }
 
 static void bad_arguments(void) {
@@ -218,7 +218,7 @@ static void left_out(void) {
 static void no_balls(void) {
   check_scene("no balls");
   CHECK_EQUAL(hsp_model_set(model, 0, NULL, NULL, NULL, NULL), HSP_OK);
-  CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
   fill_outputs();
   CHECK_EQUAL(hsp_boundary_measure_selected(boundary, NULL, NULL, area, volume, 0), HSP_OK);
   CHECK_EQUAL(hsp_boundary_measure_faces(boundary, face_area, face_volume, 0), HSP_OK);

@@ -33,8 +33,8 @@ static void refused_of_model(void) {
   CHECK_EQUAL(hsp_query_ball(h.model, four_inside, 1, ids, 1, &count), HSP_E_CAPACITY);
   CHECK_EQUAL(hsp_query_meets(h.model, four_inside, -1, &meets), HSP_E_NEGATIVE);
   CHECK_EQUAL(hsp_query_neighbours(h.model, BALLS, ids, BALLS, &count), HSP_E_ID);
-  CHECK_EQUAL(hsp_boundary_compute(NULL, h.model), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_view_compute(NULL, h.model, NULL, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_compute(NULL, h.model, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_view_compute(NULL, h.model, NULL, NULL, NULL), HSP_E_ARGUMENT);
   after = contents_of_model(h.model);
   CHECK_BYTES(&after, &before, sizeof after);
 }
@@ -56,7 +56,6 @@ static void refused_of_boundary(void) {
   limits = four_boundary_limits(BALLS);
   limits.circles = HSP_NONE;
   CHECK_EQUAL(hsp_boundary_init(h.boundary_memory, SIZE, &limits, &made), HSP_E_RANGE);
-  CHECK_EQUAL(hsp_boundary_get_needed(h.boundary, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_get_counts(h.boundary, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_get_vertices(h.boundary, &vertex, 1, &count), HSP_E_CAPACITY);
   CHECK_EQUAL(hsp_boundary_get_arcs(h.boundary, NULL, 0, &count), HSP_E_CAPACITY);
@@ -73,7 +72,7 @@ static void refused_of_boundary(void) {
   CHECK_EQUAL(hsp_boundary_check(h.boundary, NULL, &id), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_check(h.boundary, &invariant, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_topology_limits_for(&of_topology, 0, h.boundary), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_topology_compute(NULL, h.boundary), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_compute(NULL, h.boundary, NULL), HSP_E_ARGUMENT);
   check_same_contents(&before, contents_of_boundary(h.boundary));
 }
 
@@ -96,7 +95,6 @@ static void refused_of_topology(void) {
   limits = four_topology_limits(BALLS);
   limits.edges = HSP_NONE;
   CHECK_EQUAL(hsp_topology_init(h.topology_memory, SIZE, &limits, &made), HSP_E_RANGE);
-  CHECK_EQUAL(hsp_topology_get_needed(h.topology, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_topology_get_counts(h.topology, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_topology_get_quad_edges(h.topology, ids, NULL, 0, &count), HSP_E_CAPACITY);
   CHECK_EQUAL(hsp_topology_get_vertex(h.topology, HSP_NONE, &vertex), HSP_E_ID);
@@ -135,7 +133,6 @@ static void refused_of_view(void) {
   limits.arcs = HSP_NONE;
   CHECK_EQUAL(hsp_view_init(h.view_memory, SIZE, &limits, &made), HSP_E_RANGE);
   CHECK_EQUAL(hsp_view_init(h.view_memory, SIZE, NULL, &made), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_view_get_needed(h.view, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_view_get_info(h.view, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_view_get_pieces(h.view, &piece, 1, &count), HSP_E_CAPACITY);
   CHECK_EQUAL(hsp_view_get_loops(h.view, &loop, 1, &count), HSP_E_CAPACITY);

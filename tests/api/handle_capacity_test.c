@@ -71,6 +71,11 @@ static void check_asked(const limit_numbers *given, const limit_numbers *says, c
       if (more) enough = 0;
     }
   }
+  for (; stage < 3; ++stage) {
+    for (which = stages[stage][0]; which <= stages[stage][1]; ++which) {
+      CHECK_EQUAL(says->number[which], given->number[which]);
+    }
+  }
 }
 
 static void sweep_boundary(const computed *all, const char *name) {
@@ -89,7 +94,7 @@ static void sweep_boundary(const computed *all, const char *name) {
 static void fail_and_succeed(const computed *all) {
   static const double one_xyz[3] = {0, 0, 0};
   static const double one_radius[1] = {1};
-  hsp_boundary_limits limits = all->needed, needed;
+  hsp_boundary_limits limits = all->needed, needed = all->needed;
   hsp_boundary_counts counts;
   size_t bytes = 0, model_bytes = 0;
   guarded_memory memory, model_memory;
@@ -104,14 +109,14 @@ static void fail_and_succeed(const computed *all) {
   CHECK_EQUAL(hsp_boundary_init(memory.block, bytes, &limits, &boundary), HSP_OK);
   CHECK_EQUAL(hsp_model_init(model_memory.block, model_bytes, 1, &model), HSP_OK);
   CHECK_EQUAL(hsp_model_set(model, 1, one_xyz, one_radius, NULL, NULL), HSP_OK);
-  CHECK_EQUAL(hsp_boundary_compute(boundary, all->model), HSP_E_CAPACITY);
-  CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, all->model, NULL), HSP_E_CAPACITY);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
   CHECK_EQUAL(hsp_boundary_get_counts(boundary, &counts), HSP_OK);
   CHECK_EQUAL(counts.balls, 1);
   CHECK_EQUAL(counts.faces, 1);
-  CHECK_EQUAL(hsp_boundary_compute(boundary, all->model), HSP_E_CAPACITY);
+  needed.vertices = 0;
+  CHECK_EQUAL(hsp_boundary_compute(boundary, all->model, &needed), HSP_E_CAPACITY);
   CHECK_EQUAL(hsp_boundary_get_counts(boundary, &counts), HSP_E_STATE);
-  CHECK_EQUAL(hsp_boundary_get_needed(boundary, &needed), HSP_OK);
   CHECK_EQUAL(needed.vertices, all->needed.vertices);
   CHECK(guarded_clean(&memory) && guarded_clean(&model_memory));
   guarded_give_back(&memory);

@@ -55,7 +55,7 @@ static void limits_init(const kind_of_limits *k) {
   CHECK_EQUAL(k->kind->limits_init(NULL, size, 1), HSP_E_ARGUMENT);
   CHECK_EQUAL(k->kind->limits_init(&limits, 0, 1), HSP_E_ARGUMENT);
   CHECK_EQUAL(k->kind->limits_init(&limits, size - 4, 1), HSP_E_ARGUMENT);
-  CHECK_EQUAL(k->kind->limits_init(&limits, size + 4, 1), HSP_E_ARGUMENT);
+  CHECK_EQUAL(k->kind->limits_init(&limits, 1028, 1), HSP_E_ARGUMENT);
   CHECK_EQUAL(k->kind->limits_init(&limits, size, k->most + 1), HSP_E_RANGE);
   CHECK_EQUAL(k->kind->limits_init(&limits, size, HSP_MAX_BALLS), HSP_E_RANGE);
   CHECK_EQUAL(k->kind->limits_init(&limits, size, HSP_MAX_BALLS + 1), HSP_E_RANGE);
@@ -95,7 +95,7 @@ static void check_refused(const kind_of_limits *k, const limit_numbers *limits, 
 static void bad_limits(const kind_of_limits *k) {
   static const uint32_t too_many[] = {HSP_MAX_BALLS + 1, HSP_NONE};
   const uint32_t size = k->kind->struct_size;
-  const uint32_t sizes[] = {0, size - 4, size + 4, size + 8};
+  const uint32_t sizes[] = {0, size - 4, size + 2, 1028, HSP_NONE};
   limit_numbers limits = k->small;
   size_t i;
   int which;

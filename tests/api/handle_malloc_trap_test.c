@@ -84,8 +84,7 @@ static int call_boundary(computed *c, const buffers *b) {
   bad += hsp_boundary_limits_init(&limits, (uint32_t)sizeof limits, c->n) != HSP_OK;
   bad += hsp_boundary_bytes(&c->needed, &bytes) != HSP_OK;
   bad += hsp_boundary_init(b->boundary, b->boundary_bytes, &c->needed, &boundary) != HSP_OK;
-  bad += hsp_boundary_compute(boundary, model) != HSP_OK;
-  bad += hsp_boundary_get_needed(boundary, &limits) != HSP_OK;
+  bad += hsp_boundary_compute(boundary, model, NULL) != HSP_OK;
   bad += hsp_boundary_get_counts(boundary, &counts) != HSP_OK;
   bad += hsp_boundary_get_vertices(boundary, c->vertices, counts.vertices, &needed) != HSP_OK;
   bad += hsp_boundary_get_arcs(boundary, c->arcs, counts.arcs, &needed) != HSP_OK;
@@ -119,8 +118,7 @@ static int call_topology(topology_result *t, void *memory, size_t bytes, uint32_
   bad += hsp_topology_limits_for(&limits, (uint32_t)sizeof limits, c->boundary) != HSP_OK;
   bad += hsp_topology_bytes(&t->needed, &size) != HSP_OK;
   bad += hsp_topology_init(memory, bytes, &t->needed, &topology) != HSP_OK;
-  bad += hsp_topology_compute(topology, c->boundary) != HSP_OK;
-  bad += hsp_topology_get_needed(topology, &limits) != HSP_OK;
+  bad += hsp_topology_compute(topology, c->boundary, NULL) != HSP_OK;
   bad += hsp_topology_get_counts(topology, &counts) != HSP_OK;
   bad += hsp_topology_get_quad_edges(topology, t->onext, t->origin, counts.edges, &needed) != HSP_OK;
   bad += hsp_quad_rot(hsp_quad_inverse_rot(hsp_quad_sym(0))) != 2;
@@ -184,8 +182,7 @@ static int call_view(view_result *v, void *memory, size_t bytes, uint32_t *colou
   bad += hsp_view_init(memory, bytes, &v->needed, &view) != HSP_OK;
   bad += hsp_view_options_init(&options, (uint32_t)sizeof options) != HSP_OK;
   bad += hsp_view_options_turn(&options, 10, 20, 30) != HSP_OK;
-  bad += hsp_view_compute(view, c->model, v->with_boundary ? c->boundary : NULL, &v->options) != HSP_OK;
-  bad += hsp_view_get_needed(view, &limits) != HSP_OK;
+  bad += hsp_view_compute(view, c->model, v->with_boundary ? c->boundary : NULL, &v->options, NULL) != HSP_OK;
   bad += hsp_view_get_info(view, &info) != HSP_OK;
   bad += hsp_view_get_pieces(view, v->pieces, v->info.pieces, &needed) != HSP_OK;
   bad += hsp_view_get_loops(view, v->loops, v->info.loops, &needed) != HSP_OK;

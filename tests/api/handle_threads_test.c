@@ -23,19 +23,17 @@ static void *read_and_compute(void *argument) {
   const kind_of_life *k = &kinds_of_life[mine->kind];
   const void *source = source_of(mine->shared, mine->kind), *shared = handle_of(mine->shared, mine->kind);
   unsigned char *buffer = buffer_for(mine->shared);
-  limit_numbers limits;
+  const limit_numbers limits = limits_of(mine->shared, mine->kind);
   size_t bytes = 0;
   void *memory, *own = NULL;
   int round;
-  memset(&limits, 0, sizeof limits);
-  mine->failed = k->kind->get_needed(shared, &limits) != HSP_OK;
-  mine->failed |= k->kind->bytes(&limits, &bytes) != HSP_OK;
+  mine->failed = k->kind->bytes(&limits, &bytes) != HSP_OK;
   memory = test_zeros(bytes, 1);
   mine->failed |= k->kind->init(memory, bytes, &limits, &own) != HSP_OK;
   for (round = 0; round < ROUNDS && !mine->failed; ++round) {
     const uint64_t answer = k->hash(shared, source, buffer, mine->shared->room);
     mine->failed |= answer == 0;
-    mine->failed |= k->kind->compute(own, source) != HSP_OK;
+    mine->failed |= k->kind->compute(own, source, NULL) != HSP_OK;
     mine->failed |= k->hash(own, source, buffer, mine->shared->room) != answer;
     mine->failed |= !k->use(own);
     mine->answers = mixed_hash(mine->answers, &answer, sizeof answer);

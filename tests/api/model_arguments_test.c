@@ -81,7 +81,7 @@ static void options_init(void) {
   CHECK_EQUAL(hsp_model_options_init(NULL, (uint32_t)sizeof options), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_model_options_init(&options, 0), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_model_options_init(&options, (uint32_t)sizeof options - 1), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_model_options_init(&options, (uint32_t)sizeof options + 8), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_model_options_init(&options, 1028), HSP_E_ARGUMENT);
   CHECK_UNTOUCHED(options);
   CHECK_EQUAL(hsp_model_options_init(&options, (uint32_t)sizeof options), HSP_OK);
   CHECK_EQUAL(options.struct_size, sizeof options);
@@ -119,7 +119,7 @@ static void bad_options(void) {
   check_refused(BALLS, good_xyz, good_radius, &options, HSP_E_ARGUMENT, HSP_NONE);
   options.struct_size = (uint32_t)sizeof options - 8;
   check_refused(BALLS, good_xyz, good_radius, &options, HSP_E_ARGUMENT, HSP_NONE);
-  options.struct_size = (uint32_t)sizeof options + 8;
+  options.struct_size = 1028;
   check_refused(BALLS, good_xyz, good_radius, &options, HSP_E_ARGUMENT, HSP_NONE);
   options.struct_size = (uint32_t)sizeof options;
   options.reserved = 1;

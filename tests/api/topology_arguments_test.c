@@ -130,9 +130,7 @@ static hsp_topology_limits good_limits(void) {
 
 static void null_pointers(void) {
   fill_outputs();
-  CHECK_EQUAL(hsp_topology_compute(NULL, boundary), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_topology_get_needed(NULL, &needed_limits), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_topology_get_needed(topology, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_compute(NULL, boundary, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_topology_get_counts(topology, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_topology_get_quad_edges(topology, onext, origin, EDGES, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_topology_get_vertex(topology, 0, NULL), HSP_E_ARGUMENT);
@@ -216,18 +214,17 @@ static void compute_and_read(void) {
   CHECK_EQUAL(hsp_topology_init(topology_memory, sizeof topology_memory, &limits, &topology), HSP_OK);
   check_scene("nothing computed");
   check_all_readers(topology, HSP_E_STATE);
-  CHECK_EQUAL(hsp_topology_get_needed(topology, &needed_limits), HSP_E_STATE);
   check_outputs_untouched();
   check_scene("the boundary holds nothing");
   CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
-  CHECK_EQUAL(hsp_topology_compute(topology, boundary), HSP_E_STATE);
+  CHECK_EQUAL(hsp_topology_compute(topology, boundary, NULL), HSP_E_STATE);
   check_all_readers(topology, HSP_E_STATE);
-  CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
   check_all_readers(topology, HSP_E_STATE);
   check_scene("null pointers");
-  CHECK_EQUAL(hsp_topology_compute(topology, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_compute(topology, NULL, NULL), HSP_E_ARGUMENT);
   check_all_readers(topology, HSP_E_STATE);
-  CHECK_EQUAL(hsp_topology_compute(topology, boundary), HSP_OK);
+  CHECK_EQUAL(hsp_topology_compute(topology, boundary, NULL), HSP_OK);
   check_has_results();
   check_all_readers(NULL, HSP_E_ARGUMENT);
   null_pointers();
@@ -246,39 +243,38 @@ static void changes(void) {
   hsp_boundary_limits small;
   hsp_boundary *too_small = NULL;
   check_scene("boundary computed again");
-  CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
   check_all_readers(topology, HSP_E_STATE);
-  CHECK_EQUAL(hsp_topology_compute(topology, boundary), HSP_OK);
+  CHECK_EQUAL(hsp_topology_compute(topology, boundary, NULL), HSP_OK);
   check_has_results();
   check_scene("model set to the same balls");
   CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
   check_all_readers(topology, HSP_E_STATE);
-  CHECK_EQUAL(hsp_topology_compute(topology, boundary), HSP_E_STATE);
-  CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
+  CHECK_EQUAL(hsp_topology_compute(topology, boundary, NULL), HSP_E_STATE);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
   check_all_readers(topology, HSP_E_STATE);
-  CHECK_EQUAL(hsp_topology_compute(topology, boundary), HSP_OK);
+  CHECK_EQUAL(hsp_topology_compute(topology, boundary, NULL), HSP_OK);
   check_has_results();
   check_scene("model emptied by a refusal");
   CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, bad_radius, NULL, NULL), HSP_E_NEGATIVE);
   check_all_readers(topology, HSP_E_STATE);
-  CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
-  CHECK_EQUAL(hsp_topology_compute(topology, boundary), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_topology_compute(topology, boundary, NULL), HSP_OK);
   CHECK_EQUAL(hsp_topology_get_counts(topology, &counts), HSP_OK);
   CHECK_EQUAL(counts.edges, 0);
   check_no_steps(topology);
   CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
-  CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
-  CHECK_EQUAL(hsp_topology_compute(topology, boundary), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_topology_compute(topology, boundary, NULL), HSP_OK);
   check_scene("another boundary of the model fails");
   CHECK_EQUAL(hsp_boundary_limits_init(&small, (uint32_t)sizeof small, BALLS), HSP_OK);
   small.neighbours = BALLS;
   small.vertices = small.circles = 0;
   CHECK_EQUAL(hsp_boundary_init(small_memory, sizeof small_memory, &small, &too_small), HSP_OK);
-  CHECK_EQUAL(hsp_boundary_compute(too_small, model), HSP_E_CAPACITY);
-  CHECK_EQUAL(hsp_topology_compute(topology, too_small), HSP_E_STATE);
+  CHECK_EQUAL(hsp_boundary_compute(too_small, model, NULL), HSP_E_CAPACITY);
+  CHECK_EQUAL(hsp_topology_compute(topology, too_small, NULL), HSP_E_STATE);
   check_all_readers(topology, HSP_E_STATE); /* results of the other boundary are gone, too */
-  CHECK_EQUAL(hsp_topology_get_needed(topology, &needed_limits), HSP_E_STATE);
-  CHECK_EQUAL(hsp_topology_compute(topology, boundary), HSP_OK);
+  CHECK_EQUAL(hsp_topology_compute(topology, boundary, NULL), HSP_OK);
   check_has_results();
   check_scene("figures, queries, measures and checks change nothing");
   {
@@ -297,15 +293,14 @@ static void changes(void) {
 /* After a computation for which a limit was too small, the topology is empty of results; it recovers. */
 static void too_small(void) {
   hsp_topology_limits limits = good_limits();
-  CHECK_EQUAL(hsp_topology_compute(topology, boundary), HSP_OK);
-  CHECK_EQUAL(hsp_topology_get_needed(topology, &needed_limits), HSP_OK);
+  needed_limits.struct_size = sizeof needed_limits;
+  CHECK_EQUAL(hsp_topology_compute(topology, boundary, &needed_limits), HSP_OK);
   limits.edges = needed_limits.edges - 1;
   check_scene("one edge too few");
   CHECK_EQUAL(hsp_topology_init(topology_memory, sizeof topology_memory, &limits, &topology), HSP_OK);
-  CHECK_EQUAL(hsp_topology_compute(topology, boundary), HSP_E_CAPACITY);
-  check_all_readers(topology, HSP_E_STATE);
-  CHECK_EQUAL(hsp_topology_get_needed(topology, &needed_limits), HSP_OK);
+  CHECK_EQUAL(hsp_topology_compute(topology, boundary, &needed_limits), HSP_E_CAPACITY);
   CHECK_EQUAL(needed_limits.edges, limits.edges + 1);
+  check_all_readers(topology, HSP_E_STATE);
   check_scene("%s", "");
 }
 
@@ -315,12 +310,12 @@ static void limits_for(void) {
   CHECK_EQUAL(hsp_topology_limits_for(NULL, (uint32_t)sizeof limits, boundary), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_topology_limits_for(&limits, (uint32_t)sizeof limits, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_topology_limits_for(&limits, 0, boundary), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_topology_limits_for(&limits, (uint32_t)sizeof limits + 4, boundary), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_limits_for(&limits, 1028, boundary), HSP_E_ARGUMENT);
   CHECK_UNTOUCHED(limits);
   CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_topology_limits_for(&limits, (uint32_t)sizeof limits, boundary), HSP_E_STATE);
   CHECK_UNTOUCHED(limits);
-  CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
   CHECK_EQUAL(hsp_topology_limits_for(&limits, (uint32_t)sizeof limits, boundary), HSP_OK);
   CHECK_EQUAL(limits.balls, BALLS);
   CHECK_EQUAL(limits.neighbours, BALLS - 1);
@@ -335,7 +330,7 @@ int main(void) {
   limits.neighbours = BALLS;
   limits.vertices = limits.circles = 16;
   CHECK_EQUAL(hsp_boundary_init(boundary_memory, sizeof boundary_memory, &limits, &boundary), HSP_OK);
-  CHECK_EQUAL(hsp_boundary_compute(boundary, model), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
   limits_for();
   compute_and_read();
   changes();

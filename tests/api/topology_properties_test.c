@@ -140,11 +140,11 @@ static void limits_for(const topology_result *t) {
   if (memory == NULL) exit(2);
   CHECK_EQUAL(hsp_topology_init(memory, bytes, &limits, &topology), HSP_OK);
   if (limits.edges >= t->needed.edges && limits.cut_arcs >= t->needed.cut_arcs) {
-    CHECK_EQUAL(hsp_topology_compute(topology, c->boundary), HSP_OK);
+    CHECK_EQUAL(hsp_topology_compute(topology, c->boundary, NULL), HSP_OK);
     CHECK_EQUAL(hsp_topology_get_counts(topology, &counts), HSP_OK);
     CHECK_BYTES(&counts, &t->counts, sizeof counts);
   } else {
-    CHECK_EQUAL(hsp_topology_compute(topology, c->boundary), HSP_E_CAPACITY);
+    CHECK_EQUAL(hsp_topology_compute(topology, c->boundary, NULL), HSP_E_CAPACITY);
   }
   free(memory);
 }

@@ -42,7 +42,6 @@ struct BoundaryKind {
   static constexpr const char *name = "hsp_boundary";
   static constexpr auto bytes = hsp_boundary_bytes;
   static constexpr auto init = hsp_boundary_init;
-  static constexpr auto get_needed = hsp_boundary_get_needed;
 };
 struct TopologyKind {
   using Handle = hsp_topology;
@@ -52,7 +51,6 @@ struct TopologyKind {
   static constexpr const char *name = "hsp_topology";
   static constexpr auto bytes = hsp_topology_bytes;
   static constexpr auto init = hsp_topology_init;
-  static constexpr auto get_needed = hsp_topology_get_needed;
 };
 struct ViewKind {
   using Handle = hsp_view;
@@ -62,7 +60,6 @@ struct ViewKind {
   static constexpr const char *name = "hsp_view";
   static constexpr auto bytes = hsp_view_bytes;
   static constexpr auto init = hsp_view_init;
-  static constexpr auto get_needed = hsp_view_get_needed;
 };
 
 // A handle of such a kind. Calls that fail throw std::runtime_error.
@@ -79,32 +76,27 @@ class OwnedHandle {
     std::vector<unsigned char>().swap(memory_);
     memory_.resize(bytes);
     expect(Kind::init(memory_.data(), bytes, &limits, &handle_), "_init");
-    limits_ = limits;
   }
 
-  // `compute` takes the handle and returns the status of its computation. It is called again, with more memory, as long
-  // as limits are too small.
+  // `compute` takes the handle and the limits that its computation hands back, and returns its status. It is called
+  // again, with more memory, as long as limits are too small.
   template <class Compute>
   void compute(Compute compute) {
     for (int left = Kind::enlargements;; --left) {
-      const int32_t status = compute(handle_);
+      Limits limits{};
+      limits.struct_size = sizeof limits;
+      const int32_t status = compute(handle_, &limits);
       if (status != HSP_E_CAPACITY || left == 0) {
         expect(status, "_compute");
+        needed_ = limits;
         return;
       }
-      Limits limits = limits_;
-      const Limits wanted = needed();
-      for (const auto limit : Kind::limits) limits.*limit = std::max(limits.*limit, wanted.*limit);
       take(limits);
     }
   }
 
   // The limits that the last computation needed.
-  Limits needed() const {
-    Limits limits{};
-    expect(Kind::get_needed(handle_, &limits), "_get_needed");
-    return limits;
-  }
+  const Limits &needed() const { return needed_; }
 
   Handle *get() const { return handle_; }
   size_t bytes() const { return memory_.size(); }
@@ -114,7 +106,7 @@ class OwnedHandle {
     if (status != HSP_OK) expect_ok(status, (std::string(Kind::name) + function).c_str());
   }
 
-  Limits limits_{};
+  Limits needed_{};
   std::vector<unsigned char> memory_;
   Handle *handle_ = nullptr;
 };

@@ -254,10 +254,10 @@ static const char *broken_own_check(const computed *c) {
 const char *broken_boundary_records(const computed *c) {
   uint32_t *ends = test_zeros(c->counts.vertices, sizeof *ends);
   const char *broken = broken_counts(c);
-  if (c->enlargements > 2) broken = "hsp_boundary_get_needed: more than two enlargements";
+  if (c->enlargements > 2) broken = "hsp_boundary_compute: more than two enlargements";
   if (broken == NULL && (c->needed.balls != c->n || c->needed.vertices != c->counts.vertices ||
                          c->needed.circles != c->counts.circles || c->needed.reserved != 0)) {
-    broken = "hsp_boundary_get_needed: not exact after HSP_OK";
+    broken = "hsp_boundary_compute: limits not exact after HSP_OK";
   }
   if (broken == NULL) broken = broken_vertices(c);
   if (broken == NULL) broken = broken_arcs(c, ends);

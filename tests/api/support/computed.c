@@ -6,9 +6,9 @@
 
 HANDLE_FUNCTIONS(boundary)
 
-static int32_t compute_handle(void *handle, const void *source) {
+static int32_t compute_handle(void *handle, const void *source, void *limits) {
   const computed *c = source;
-  return hsp_boundary_compute(handle, c->model);
+  return hsp_boundary_compute(handle, c->model, limits);
 }
 
 const handle_kind boundary_handle = {(uint32_t)sizeof(hsp_boundary_limits),
@@ -17,8 +17,7 @@ const handle_kind boundary_handle = {(uint32_t)sizeof(hsp_boundary_limits),
                                      init_limits,
                                      bytes_of_limits,
                                      init_handle,
-                                     compute_handle,
-                                     get_needed};
+                                     compute_handle};
 
 static int32_t compute_boundary(computed *c) {
   void *boundary = NULL;

@@ -42,8 +42,7 @@ typedef struct model_contents {
 
 model_contents contents_of_model(const hsp_model *model);
 
-/* What another handle holds, as its functions tell: the statuses of reading it and of its get_needed, and what they
- * wrote. */
+/* What another handle holds, as its functions tell: the status of reading it, and what that wrote. */
 typedef struct contents {
   union {
     hsp_boundary_counts boundary;
@@ -51,21 +50,16 @@ typedef struct contents {
     hsp_view_info view;
   } counts;
   union {
-    hsp_boundary_limits boundary;
-    hsp_topology_limits topology;
-    hsp_view_limits view;
-  } needed;
-  union {
     hsp_vertex vertices[VERTICES];
     hsp_topology_edge edges[EDGES];
     hsp_view_arc arcs[ARCS];
   } records;
-  int32_t status, needed_status;
+  int32_t status;
 } contents;
 
 contents contents_of_boundary(const hsp_boundary *boundary);
 contents contents_of_topology(const hsp_topology *topology);
 contents contents_of_view(const hsp_view *view);
 
-void check_statuses(contents read, int32_t status, int32_t needed_status);
+void check_status(contents read, int32_t status);
 void check_same_contents(const contents *a, contents b);

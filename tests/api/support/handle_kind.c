@@ -16,27 +16,20 @@ void *test_zeros(size_t count, size_t size) {
 
 int32_t grow_until_computed(const handle_kind *kind, const void *source, uint32_t balls, void **memory, void **handle,
                             void *needed, uint32_t *enlargements) {
-  limit_numbers limits, asked;
+  limit_numbers limits;
   memset(&limits, 0, sizeof limits);
-  memset(&asked, 0, sizeof asked);
   limits.number[0] = kind->struct_size;
   limits.number[1] = balls;
   for (*enlargements = 0;; ++*enlargements) {
     size_t bytes = 0;
-    int which;
     int32_t status = kind->bytes(&limits, &bytes);
     if (status != HSP_OK) return status;
     free(*memory);
     *memory = test_zeros(bytes, 1);
     status = kind->init(*memory, bytes, &limits, handle);
     if (status != HSP_OK) return status;
-    status = kind->compute(*handle, source);
-    if (status == HSP_OK) return kind->get_needed(*handle, needed);
+    status = kind->compute(*handle, source, &limits);
+    if (status == HSP_OK) memcpy(needed, &limits, kind->struct_size);
     if (status != HSP_E_CAPACITY || *enlargements == MOST_ENLARGEMENTS) return status;
-    status = kind->get_needed(*handle, &asked);
-    if (status != HSP_OK) return status;
-    for (which = 1; which <= kind->limits; ++which) {
-      if (asked.number[which] > limits.number[which]) limits.number[which] = asked.number[which];
-    }
   }
 }

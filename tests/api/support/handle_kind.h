@@ -20,8 +20,8 @@ typedef struct handle_kind {
   int32_t (*limits_init)(void *limits, uint32_t struct_size, uint32_t balls);
   int32_t (*bytes)(const void *limits, size_t *bytes);
   int32_t (*init)(void *memory, size_t bytes, const void *limits, void **handle);
-  int32_t (*compute)(void *handle, const void *source); /* source: a computed, topology_result or view_result */
-  int32_t (*get_needed)(const void *handle, void *needed);
+  /* source: a computed, topology_result or view_result; limits: of struct_size bytes, or NULL */
+  int32_t (*compute)(void *handle, const void *source, void *limits);
 } handle_kind;
 
 /* The functions of hsp_boundary, hsp_topology or hsp_view as a handle_kind holds them, but for `compute`. */
@@ -37,15 +37,12 @@ typedef struct handle_kind {
     const int32_t status = hsp_##noun##_init(memory, bytes, limits, handle != NULL ? &made : NULL); \
     if (handle != NULL) *handle = made;                                                             \
     return status;                                                                                  \
-  }                                                                                                 \
-  static int32_t get_needed(const void *handle, void *needed) {                                     \
-    return hsp_##noun##_get_needed(handle, needed);                                                 \
   }
 
 /* Zeros, to be freed by the caller; at least one byte. Ends the program if there is no memory. */
 void *test_zeros(size_t count, size_t size);
 
-/* From no room for anything but the balls, with what the handle asks for, until its computation succeeds. What was
+/* From no room for anything but the balls, with the limits that come back, until the computation succeeds. What was
  * needed goes to `needed`, which has struct_size bytes; memory was allocated and is the caller's in any case. The first
  * status that is neither HSP_OK nor an HSP_E_CAPACITY that may be, or HSP_OK. */
 int32_t grow_until_computed(const handle_kind *kind, const void *source, uint32_t balls, void **memory, void **handle,

@@ -44,12 +44,10 @@ static uint64_t boundary_hash(const void *boundary, const void *source, unsigned
   const computed *c = source;
   uint64_t hash = UINT64_C(0xCBF29CE484222325);
   hsp_boundary_counts counts;
-  hsp_boundary_limits limits;
   uint32_t needed = 0, i;
   int bad = 0;
   if (hsp_boundary_get_counts(boundary, &counts) != HSP_OK) return 0;
-  bad |= hsp_boundary_get_needed(boundary, &limits) != HSP_OK;
-  hash = mixed_hash(mixed_hash(hash, &counts, sizeof counts), &limits, sizeof limits);
+  hash = mixed_hash(hash, &counts, sizeof counts);
   bad |= hsp_boundary_get_vertices(boundary, (void *)buffer, room, &needed) != HSP_OK;
   hash = mixed_hash(hash, buffer, needed * sizeof(hsp_vertex));
   bad |= hsp_boundary_get_arcs(boundary, (void *)buffer, room, &needed) != HSP_OK;
@@ -72,13 +70,11 @@ static uint64_t boundary_hash(const void *boundary, const void *source, unsigned
 static uint64_t topology_hash(const void *topology, const void *source, unsigned char *buffer, uint32_t room) {
   uint64_t hash = UINT64_C(0xCBF29CE484222325);
   hsp_topology_counts counts;
-  hsp_topology_limits needed_limits;
   uint32_t needed = 0, q, id;
   int bad = 0;
   (void)source;
   if (hsp_topology_get_counts(topology, &counts) != HSP_OK) return 0;
-  bad |= hsp_topology_get_needed(topology, &needed_limits) != HSP_OK;
-  hash = mixed_hash(mixed_hash(hash, &counts, sizeof counts), &needed_limits, sizeof needed_limits);
+  hash = mixed_hash(hash, &counts, sizeof counts);
   bad |= hsp_topology_get_vertices(topology, (void *)buffer, room, &needed) != HSP_OK;
   hash = mixed_hash(hash, buffer, needed * sizeof(hsp_topology_vertex));
   bad |= hsp_topology_get_edges(topology, (void *)buffer, room, &needed) != HSP_OK;
@@ -116,13 +112,11 @@ static uint64_t topology_hash(const void *topology, const void *source, unsigned
 static uint64_t view_hash(const void *view, const void *source, unsigned char *buffer, uint32_t room) {
   uint64_t hash = UINT64_C(0xCBF29CE484222325);
   hsp_view_info info;
-  hsp_view_limits limits;
   uint32_t needed = 0;
   int bad = 0;
   (void)source;
   if (hsp_view_get_info(view, &info) != HSP_OK) return 0;
-  bad |= hsp_view_get_needed(view, &limits) != HSP_OK;
-  hash = mixed_hash(mixed_hash(hash, &info, sizeof info), &limits, sizeof limits);
+  hash = mixed_hash(hash, &info, sizeof info);
   bad |= hsp_view_get_pieces(view, (void *)buffer, room, &needed) != HSP_OK;
   hash = mixed_hash(hash, buffer, needed * sizeof(hsp_view_piece));
   bad |= hsp_view_get_loops(view, (void *)buffer, room, &needed) != HSP_OK;
@@ -195,7 +189,11 @@ void *handle_of(const computations *all, int kind) {
 limit_numbers limits_of(const computations *all, int kind) {
   limit_numbers limits;
   memset(&limits, 0, sizeof limits);
-  CHECK_EQUAL(kinds_of_life[kind].kind->get_needed(handle_of(all, kind), &limits), HSP_OK);
+  memcpy(&limits,
+         kind == BOUNDARY   ? (const void *)&all->boundary.needed
+         : kind == TOPOLOGY ? (const void *)&all->topology.needed
+                            : (const void *)&all->view.needed,
+         kinds_of_life[kind].kind->struct_size);
   return limits;
 }
 

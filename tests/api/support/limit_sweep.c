@@ -14,42 +14,26 @@ static limit_numbers exact_limits(const known_handle *known) {
   return limits;
 }
 
-static void check_known(const known_handle *known, const void *handle) {
-  const limit_numbers exact = exact_limits(known);
-  limit_numbers says;
-  memset(&says, 0, sizeof says);
-  CHECK_EQUAL(known->kind->get_needed(handle, &says), HSP_OK);
-  CHECK_BYTES(&says, &exact, sizeof says);
-  known->check_results(handle, known->source);
-}
-
 /* ---- limits ---- */
 
-/* After HSP_E_CAPACITY: what is known is reported, larger than given where that was too small, and only there. Adds it.
- */
-static void raise_limits(const known_handle *known, const void *handle, const limit_numbers *exact,
-                         limit_numbers *limits) {
-  const limit_numbers given = *limits;
-  limit_numbers says;
+/* The limits after HSP_E_CAPACITY: larger than given only where that was too small, and somewhere. */
+static void check_retry(const known_handle *known, const limit_numbers *exact, const limit_numbers *given,
+                        const limit_numbers *says) {
   int which, asked = 0;
-  memset(&says, 0, sizeof says);
-  CHECK_EQUAL(known->kind->get_needed(handle, &says), HSP_OK);
-  CHECK_EQUAL(says.number[0], known->kind->struct_size);
-  for (which = known->kind->limits + 1; which < LIMIT_NUMBERS; ++which) CHECK_EQUAL(says.number[which], 0);
+  CHECK_EQUAL(says->number[0], known->kind->struct_size);
+  for (which = known->kind->limits + 1; which < LIMIT_NUMBERS; ++which) CHECK_EQUAL(says->number[which], 0);
   for (which = 1; which <= known->kind->limits; ++which) {
-    const int short_of = given.number[which] < exact->number[which];
-    if (says.number[which] > given.number[which]) asked = CHECK(short_of);
-    if (short_of) CHECK(says.number[which] > given.number[which] || says.number[which] == 0);
-    if (says.number[which] > given.number[which]) limits->number[which] = says.number[which];
+    CHECK(says->number[which] >= given->number[which]);
+    if (says->number[which] > given->number[which]) asked = CHECK(given->number[which] < exact->number[which]);
   }
   CHECK(asked);
-  if (known->check_asked != NULL) known->check_asked(&given, &says, exact);
+  if (known->check_asked != NULL) known->check_asked(given, says, exact);
 }
 
-/* A computation with room for `limits`; adds what it asks for. Whether that was enough. */
+/* A computation with room for `limits`, which become those to retry with. Whether they were enough. */
 static int try_once(const known_handle *known, limit_numbers *limits, size_t misalignment) {
   const handle_kind *kind = known->kind;
-  const limit_numbers exact = exact_limits(known);
+  const limit_numbers exact = exact_limits(known), given = *limits;
   size_t bytes = 0;
   guarded_memory memory;
   void *handle = NULL;
@@ -60,11 +44,12 @@ static int try_once(const known_handle *known, limit_numbers *limits, size_t mis
   if (!CHECK_EQUAL(kind->bytes(limits, &bytes), HSP_OK)) return 1;
   memory = guarded_take(bytes, misalignment, GUARDED_RANDOM);
   CHECK_EQUAL(kind->init(memory.block, bytes, limits, &handle), HSP_OK);
-  CHECK_EQUAL(kind->compute(handle, known->source), enough ? HSP_OK : HSP_E_CAPACITY);
+  CHECK_EQUAL(kind->compute(handle, known->source, limits), enough ? HSP_OK : HSP_E_CAPACITY);
   if (enough) {
-    check_known(known, handle);
+    CHECK_BYTES(limits, &exact, sizeof exact);
+    known->check_results(handle, known->source);
   } else {
-    raise_limits(known, handle, &exact, limits);
+    check_retry(known, &exact, &given, limits);
     known->check_no_results(handle);
   }
   CHECK(guarded_clean(&memory));
@@ -126,11 +111,11 @@ void sweep_alignments(const known_handle *known, void (*more)(void *handle, cons
     CHECK(guarded_untouched(&less, GUARDED_PATTERN) && guarded_clean(&less));
     CHECK_EQUAL(kind->init(memory.block, bytes, &exact, &handle), HSP_OK);
     CHECK((unsigned char *)handle >= memory.block && (unsigned char *)handle < memory.block + bytes);
-    CHECK_EQUAL(kind->compute(handle, known->source), HSP_OK);
-    check_known(known, handle);
+    CHECK_EQUAL(kind->compute(handle, known->source, NULL), HSP_OK);
+    known->check_results(handle, known->source);
     if (more != NULL) {
       more(handle, known->source);
-      check_known(known, handle);
+      known->check_results(handle, known->source);
     }
     CHECK(guarded_clean(&memory));
     guarded_give_back(&memory);

@@ -13,13 +13,13 @@ typedef struct known_handle {
   void (*check_results)(const void *handle, const void *source);
   /* Checks that a handle has no results. */
   void (*check_no_results)(const void *handle);
-  /* Checks what a handle with the limits `given` says it needs; NULL: nothing beyond what holds of all kinds. */
+  /* Checks what a handle with the limits `given` says to retry with; NULL: nothing beyond what holds of all kinds. */
   void (*check_asked)(const limit_numbers *given, const limit_numbers *says, const limit_numbers *exact);
 } known_handle;
 
 /* Computes with every limit at 0, 1, needed-1, needed and needed+1, with every limit as the only one that suffices, and
  * with none, in memory of exactly the reported size between guard bytes: the known results, or HSP_E_CAPACITY without
- * results. From each, what the handle says it needs must lead to success. */
+ * results. From each, the limits that come back must lead to success. */
 void sweep_limits(const known_handle *known, const char *name);
 
 /* A computation with room for these limits, enlarged by what it asks for until it succeeds. */

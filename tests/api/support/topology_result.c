@@ -5,9 +5,9 @@
 
 HANDLE_FUNCTIONS(topology)
 
-static int32_t compute_handle(void *handle, const void *source) {
+static int32_t compute_handle(void *handle, const void *source, void *limits) {
   const topology_result *t = source;
-  return hsp_topology_compute(handle, t->base->boundary);
+  return hsp_topology_compute(handle, t->base->boundary, limits);
 }
 
 const handle_kind topology_handle = {(uint32_t)sizeof(hsp_topology_limits),
@@ -16,8 +16,7 @@ const handle_kind topology_handle = {(uint32_t)sizeof(hsp_topology_limits),
                                      init_limits,
                                      bytes_of_limits,
                                      init_handle,
-                                     compute_handle,
-                                     get_needed};
+                                     compute_handle};
 
 static int32_t compute_topology(topology_result *t) {
   void *topology = NULL;

@@ -220,7 +220,7 @@ const char *broken_view_records(const view_result *v) {
   if (broken == NULL && !(v->info.pieces <= v->info.loops && v->info.loops <= v->info.arcs)) {
     broken = "more pieces than loops, or more loops than arcs";
   }
-  if (broken == NULL && v->needed.arcs < v->info.arcs) broken = "more arcs than hsp_view_get_needed reports";
+  if (broken == NULL && v->needed.arcs < v->info.arcs) broken = "more arcs than hsp_view_compute says were needed";
   if (broken == NULL && v->enlargements > MOST_ENLARGEMENTS) broken = "more than three enlargements";
   if (broken == NULL) broken = broken_pieces(v);
   if (broken == NULL) broken = broken_loops(v);

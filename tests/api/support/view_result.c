@@ -5,10 +5,10 @@
 
 HANDLE_FUNCTIONS(view)
 
-static int32_t compute_handle(void *handle, const void *source) {
+static int32_t compute_handle(void *handle, const void *source, void *limits) {
   const view_result *v = source;
   const hsp_boundary *boundary = v->with_boundary ? v->base->boundary : NULL;
-  return hsp_view_compute(handle, v->base->model, boundary, &v->options);
+  return hsp_view_compute(handle, v->base->model, boundary, &v->options, limits);
 }
 
 const handle_kind view_handle = {(uint32_t)sizeof(hsp_view_limits),
@@ -17,8 +17,7 @@ const handle_kind view_handle = {(uint32_t)sizeof(hsp_view_limits),
                                  init_limits,
                                  bytes_of_limits,
                                  init_handle,
-                                 compute_handle,
-                                 get_needed};
+                                 compute_handle};
 
 static int32_t compute_view(view_result *v) {
   void *view = NULL;

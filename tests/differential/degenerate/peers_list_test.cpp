@@ -48,7 +48,9 @@ Session session_with(const BallList &balls) {
   // Limits for molecules; lattices need more.
   support::OwnedBoundary owned;
   owned.take(support::default_boundary_limits(n));
-  owned.compute([&](hsp_boundary *handle) { return hsp_boundary_compute(handle, model.get()); });
+  owned.compute([&](hsp_boundary *handle, hsp_boundary_limits *limits) {
+    return hsp_boundary_compute(handle, model.get(), limits);
+  });
   hsp_boundary *boundary = owned.get();
   expect_ok(hsp_boundary_get_counts(boundary, &session.counts), "hsp_boundary_get_counts");
   session.area.resize(n);

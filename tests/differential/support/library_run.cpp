@@ -24,7 +24,9 @@ LibraryModel::LibraryModel(const oracle::Balls &balls, double step, double probe
 
 LibraryBoundary::LibraryBoundary(const oracle::Balls &balls, double step, double probe) : model_(balls, step, probe) {
   boundary_.take(support::default_boundary_limits(model_.balls()));
-  boundary_.compute([&](hsp_boundary *boundary) { return hsp_boundary_compute(boundary, model_.handle()); });
+  boundary_.compute([&](hsp_boundary *boundary, hsp_boundary_limits *limits) {
+    return hsp_boundary_compute(boundary, model_.handle(), limits);
+  });
 }
 
 hsp_boundary_counts LibraryBoundary::counts() const {

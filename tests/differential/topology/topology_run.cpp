@@ -4,7 +4,9 @@ using support::all_records;
 
 LibraryTopology::LibraryTopology(const oracle::Balls &balls, double step) : step_(step), boundary_(balls, step) {
   topology_.take(support::topology_limits_for(boundary_.handle()));
-  topology_.compute([&](hsp_topology *topology) { return hsp_topology_compute(topology, boundary_.handle()); });
+  topology_.compute([&](hsp_topology *topology, hsp_topology_limits *limits) {
+    return hsp_topology_compute(topology, boundary_.handle(), limits);
+  });
 }
 
 hsp_topology_counts LibraryTopology::counts() const {

@@ -64,7 +64,9 @@ LibraryView::LibraryView(const LibraryScene &scene, const ViewChoice &choice) {
   const hsp_view_options options = choice.options();
   const hsp_boundary *boundary = choice.boundary ? scene.boundary() : nullptr;
   view_.take(support::default_view_limits(static_cast<uint32_t>(scene.balls().size())));
-  view_.compute([&](hsp_view *view) { return hsp_view_compute(view, scene.model(), boundary, &options); });
+  view_.compute([&](hsp_view *view, hsp_view_limits *limits) {
+    return hsp_view_compute(view, scene.model(), boundary, &options, limits);
+  });
 }
 
 ViewRecords LibraryView::records() const {

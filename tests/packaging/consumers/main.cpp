@@ -21,7 +21,7 @@ int main() {
   hsp_boundary *boundary = nullptr;
   if (hsp_boundary_init(boundary_memory.data(), boundary_memory.size(), &limits, &boundary) != HSP_OK) return 6;
   if (hsp_model_set(model, n, xyz.data(), radius.data(), nullptr, nullptr) != HSP_OK) return 7;
-  if (hsp_boundary_compute(boundary, model) != HSP_OK) return 8;
+  if (hsp_boundary_compute(boundary, model, nullptr) != HSP_OK) return 8;
   hsp_totals totals{};
   if (hsp_boundary_measure(boundary, &totals, nullptr, nullptr, 0) != HSP_OK) return 9;
   std::printf("C++: area %.15g\n", totals.area);

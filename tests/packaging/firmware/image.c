@@ -49,7 +49,7 @@ static void compute_boundary(void) {
   result |= hsp_boundary_limits_init(&limits, sizeof limits, BALLS);
   limits.neighbours = BALLS, limits.vertices = 100, limits.circles = 10;
   result |= hsp_boundary_init(boundary_memory, sizeof boundary_memory, &limits, &boundary);
-  result |= hsp_boundary_compute(boundary, model);
+  result |= hsp_boundary_compute(boundary, model, NULL);
   static double area[BALLS], volume[BALLS], centre[3 * BALLS], slope[BALLS];
   hsp_totals totals;
   hsp_energy energy;
@@ -66,7 +66,7 @@ static void compute_topology(void) {
   uint32_t cell;
   result |= hsp_topology_limits_for(&limits, sizeof limits, boundary);
   result |= hsp_topology_init(memory, sizeof memory, &limits, &topology);
-  result |= hsp_topology_compute(topology, boundary);
+  result |= hsp_topology_compute(topology, boundary, NULL);
   result |= hsp_topology_locate(topology, xyz, &cell, NULL, 0, NULL);
   static hsp_shell shells[8];
   static hsp_cell cells[8];
@@ -91,7 +91,7 @@ static void draw(void) {
   result |= hsp_view_limits_init(&limits, sizeof limits, BALLS);
   limits.neighbours = BALLS, limits.arcs = 400;
   result |= hsp_view_init(memory, sizeof memory, &limits, &view);
-  result |= hsp_view_compute(view, model, NULL, NULL);
+  result |= hsp_view_compute(view, model, NULL, NULL, NULL);
   result |= hsp_picture_options_init(&options, sizeof options);
   options.format = (uint32_t)result;
   result |= hsp_picture_write(view, NULL, &options, "title", NULL, send, NULL, NULL);

@@ -74,7 +74,7 @@ Answers run(const Balls &balls, double probe) {
   hsp_boundary *boundary = nullptr;
   EXPECT_EQ(hsp_boundary_init(boundary_memory.data(), bytes, &limits, &boundary), HSP_OK);
   stage_counters = {};
-  EXPECT_EQ(hsp_boundary_compute(boundary, model), HSP_OK);
+  EXPECT_EQ(hsp_boundary_compute(boundary, model, nullptr), HSP_OK);
   result.counters = stage_counters;
   EXPECT_EQ(hsp_boundary_get_counts(boundary, &result.counts), HSP_OK);
   return result;

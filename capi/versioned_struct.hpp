@@ -1,0 +1,64 @@
+// Structs of the header that grow with it. Each begins with struct_size, which says how much of it a program knows. A
+// program with an older header gives less: what it lacks has its default value. One with a newer header gives more: the
+// rest has to be zeros, which mean nothing was asked for that this library does not know.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+namespace hsp::capi {
+
+// More than this is no size of a struct, but memory that was never initialised.
+inline constexpr uint32_t largest_struct = 1024;
+
+// Bytes of the struct in the first header that had it; specialised by those that have grown since.
+template <class Struct>
+inline constexpr uint32_t oldest_size = sizeof(Struct);
+
+template <class Struct>
+constexpr bool is_struct_size(uint32_t size) {
+  return size >= oldest_size<Struct> && size <= largest_struct && size % 4 == 0;
+}
+
+template <class Struct>
+size_t common_bytes(uint32_t size) {
+  return size < sizeof(Struct) ? size : sizeof(Struct);
+}
+
+// What a program gives, completed from `defaults`. False if it is null or asks for what is not known here.
+template <class Struct>
+bool read_struct(const Struct *given, const Struct &defaults, Struct &complete) {
+  if (given == nullptr) return false;
+  const uint32_t size = given->struct_size;
+  if (!is_struct_size<Struct>(size)) return false;
+  const auto *const bytes = reinterpret_cast<const unsigned char *>(given);
+  for (size_t i = sizeof(Struct); i < size; ++i) {
+    if (bytes[i] != 0) return false;
+  }
+  complete = defaults;
+  std::memcpy(&complete, given, common_bytes<Struct>(size));
+  complete.struct_size = sizeof(Struct);
+  return true;
+}
+
+// Writes as much of a value as a program knows, and zeros behind. False, and nothing is written, if there is no such
+// size.
+template <class Struct>
+bool write_struct(const Struct &value, Struct *out, uint32_t struct_size) {
+  if (out == nullptr || !is_struct_size<Struct>(struct_size)) return false;
+  auto *const bytes = reinterpret_cast<unsigned char *>(out);
+  const size_t common = common_bytes<Struct>(struct_size);
+  std::memcpy(bytes, &value, common);
+  for (size_t i = common; i < struct_size; ++i) bytes[i] = 0;
+  out->struct_size = struct_size;
+  return true;
+}
+
+// Whether results can be handed back in a struct that a program has: none, or one whose size is set.
+template <class Struct>
+bool may_write(const Struct *out) {
+  return out == nullptr || is_struct_size<Struct>(out->struct_size);
+}
+
+}  // namespace hsp::capi

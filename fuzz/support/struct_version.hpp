@@ -1,0 +1,37 @@
+// A struct as programs with other headers have it: larger or smaller, with anything behind what is known here.
+#pragma once
+
+#include <cstring>
+
+#include "fuzz_input.hpp"
+
+namespace fuzz {
+
+template <class Struct>
+class StructVersion {
+ public:
+  // Mostly as in this header.
+  StructVersion(const Struct &value, Bytes &bytes) {
+    std::memcpy(storage_, &value, sizeof value);
+    if (!bytes.one_in(20)) return;
+    const uint32_t size = bytes.one_in(4) ? 0xFFFFFF00 + bytes.below(256) : bytes.below(room);
+    get()->struct_size = size;
+    good_ = size >= sizeof(Struct) && size <= 1024 && size % 4 == 0;
+    if (size > sizeof(Struct) && bytes.one_in(3)) {
+      const size_t at = sizeof(Struct) + bytes.below(room - static_cast<uint32_t>(sizeof(Struct)));
+      storage_[at] = 1;
+      good_ = good_ && at >= size;
+    }
+  }
+
+  Struct *get() { return reinterpret_cast<Struct *>(storage_); }
+  // Whether the library has to take it, as far as its size is concerned.
+  bool good() const { return good_; }
+
+ private:
+  static constexpr uint32_t room = 1100;
+  alignas(8) unsigned char storage_[room] = {};
+  bool good_ = true;
+};
+
+}  // namespace fuzz

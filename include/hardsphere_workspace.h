@@ -1,0 +1,168 @@
+/* hardsphere with memory that grows: for C and C++ programs that may call malloc. Nothing of this is in the library.
+ *
+ *   hsp_workspace work = {0};                                   (in C++: hsp_workspace work = {};)
+ *   int32_t status = hsp_workspace_set(&work, n, xyz, radius, NULL, NULL);
+ *   if (status == HSP_OK) status = hsp_workspace_boundary(&work);
+ *   if (status == HSP_OK) status = hsp_boundary_measure(work.boundary, &totals, area, NULL, n);
+ *   ...
+ *   hsp_workspace_free(&work);
+ *
+ * A workspace owns a handle of each kind, which are made when they are first needed and made larger when a set of balls
+ * needs more. It may be used for any number of sets, one after the other, and keeps the memory of the largest. Read
+ * results through its handles by the functions of hardsphere.h; take the handles anew from the workspace after each call,
+ * as they move when they grow. A workspace may be copied; use only one of the copies. Distinct workspaces may be used by
+ * distinct threads.
+ *
+ * STATUS: that of the function of hardsphere.h that fails, and HSP_E_MEMORY if malloc fails. A call that fails leaves the
+ * workspace such that every function may be called again; what it was to compute holds no results.
+ */
+#ifndef HARDSPHERE_WORKSPACE_H
+#define HARDSPHERE_WORKSPACE_H
+
+#include <hardsphere.h>
+#include <stdlib.h>
+#include <string.h>
+
+/** All zeros at first. The handles may be read; the rest is this file's. */
+typedef struct hsp_workspace {
+  hsp_model *model; /**< NULL before hsp_workspace_set */
+  hsp_boundary *boundary;
+  hsp_topology *topology;
+  hsp_view *view;
+  void *memory[4];
+  uint32_t most_balls; /**< what the model has room for */
+  uint32_t reserved;
+  hsp_boundary_limits boundary_limits;
+  hsp_topology_limits topology_limits;
+  hsp_view_limits view_limits;
+} hsp_workspace;
+
+/* Memory of another size, without its contents. */
+static inline int32_t hsp_workspace_allocate(void **memory, size_t bytes) {
+  free(*memory);
+  *memory = malloc(bytes);
+  return *memory != NULL ? HSP_OK : HSP_E_MEMORY;
+}
+
+/* Handles of the current limits, without results. */
+static inline int32_t hsp_workspace_make_boundary(hsp_workspace *work) {
+  size_t bytes = 0;
+  int32_t status = hsp_boundary_bytes(&work->boundary_limits, &bytes);
+  work->boundary = NULL;
+  if (status == HSP_OK) status = hsp_workspace_allocate(&work->memory[1], bytes);
+  if (status == HSP_OK) {
+    status = hsp_boundary_init(work->memory[1], bytes, &work->boundary_limits, &work->boundary);
+  }
+  return status;
+}
+
+static inline int32_t hsp_workspace_make_topology(hsp_workspace *work) {
+  size_t bytes = 0;
+  int32_t status = hsp_topology_bytes(&work->topology_limits, &bytes);
+  work->topology = NULL;
+  if (status == HSP_OK) status = hsp_workspace_allocate(&work->memory[2], bytes);
+  if (status == HSP_OK) {
+    status = hsp_topology_init(work->memory[2], bytes, &work->topology_limits, &work->topology);
+  }
+  return status;
+}
+
+static inline int32_t hsp_workspace_make_view(hsp_workspace *work) {
+  size_t bytes = 0;
+  int32_t status = hsp_view_bytes(&work->view_limits, &bytes);
+  work->view = NULL;
+  if (status == HSP_OK) status = hsp_workspace_allocate(&work->memory[3], bytes);
+  if (status == HSP_OK) status = hsp_view_init(work->memory[3], bytes, &work->view_limits, &work->view);
+  return status;
+}
+
+/** Take n balls into the model; arguments and statuses as hsp_model_set. Boundary, topology and view hold no results
+ *  then. */
+static inline int32_t hsp_workspace_set(hsp_workspace *work, uint32_t n, const double *xyz, const double *radius,
+                                        const hsp_model_options *options, uint32_t *first_bad) {
+  if (work->model == NULL || n > work->most_balls) {
+    size_t bytes = 0;
+    int32_t status = hsp_model_bytes(n, &bytes);
+    if (status != HSP_OK) return status;
+    /* What was computed from the model that goes must not be asked again. */
+    work->model = NULL;
+    work->most_balls = 0;
+    if (work->boundary != NULL) status = hsp_workspace_make_boundary(work);
+    if (status == HSP_OK && work->topology != NULL) status = hsp_workspace_make_topology(work);
+    if (status == HSP_OK && work->view != NULL) status = hsp_workspace_make_view(work);
+    if (status == HSP_OK) status = hsp_workspace_allocate(&work->memory[0], bytes);
+    if (status == HSP_OK) status = hsp_model_init(work->memory[0], bytes, n, &work->model);
+    if (status != HSP_OK) return status;
+    work->most_balls = n;
+  }
+  return hsp_model_set(work->model, n, xyz, radius, options, first_bad);
+}
+
+/** Compute the boundary of the union of the balls. HSP_E_ARGUMENT: no hsp_workspace_set before. */
+static inline int32_t hsp_workspace_boundary(hsp_workspace *work) {
+  int32_t status = HSP_OK;
+  if (work->boundary == NULL) {
+    if (work->boundary_limits.struct_size == 0) {
+      status = hsp_boundary_limits_init(&work->boundary_limits, sizeof work->boundary_limits, work->most_balls);
+    }
+    if (status == HSP_OK) status = hsp_workspace_make_boundary(work);
+    if (status != HSP_OK) return status;
+  }
+  /* After success the limits are what was needed; the memory stays as it is. */
+  hsp_boundary_limits limits = work->boundary_limits;
+  while ((status = hsp_boundary_compute(work->boundary, work->model, &limits)) == HSP_E_CAPACITY) {
+    work->boundary_limits = limits;
+    status = work->topology != NULL ? hsp_workspace_make_topology(work) : HSP_OK;
+    if (status == HSP_OK) status = hsp_workspace_make_boundary(work);
+    if (status != HSP_OK) return status;
+  }
+  return status;
+}
+
+/** Compute the topology of the boundary that hsp_workspace_boundary has computed. */
+static inline int32_t hsp_workspace_topology(hsp_workspace *work) {
+  int32_t status = HSP_OK;
+  if (work->topology == NULL) {
+    if (work->topology_limits.struct_size == 0) {
+      status = hsp_topology_limits_for(&work->topology_limits, sizeof work->topology_limits, work->boundary);
+    }
+    if (status == HSP_OK) status = hsp_workspace_make_topology(work);
+    if (status != HSP_OK) return status;
+  }
+  hsp_topology_limits limits = work->topology_limits;
+  while ((status = hsp_topology_compute(work->topology, work->boundary, &limits)) == HSP_E_CAPACITY) {
+    work->topology_limits = limits;
+    status = hsp_workspace_make_topology(work);
+    if (status != HSP_OK) return status;
+  }
+  return status;
+}
+
+/** Compute a view, of the model alone or, with use_boundary not 0, of the boundary that hsp_workspace_boundary has
+ *  computed. options as for hsp_view_compute. */
+static inline int32_t hsp_workspace_view(hsp_workspace *work, int use_boundary, const hsp_view_options *options) {
+  int32_t status = HSP_OK;
+  if (work->view == NULL) {
+    if (work->view_limits.struct_size == 0) {
+      status = hsp_view_limits_init(&work->view_limits, sizeof work->view_limits, work->most_balls);
+    }
+    if (status == HSP_OK) status = hsp_workspace_make_view(work);
+    if (status != HSP_OK) return status;
+  }
+  const hsp_boundary *boundary = use_boundary != 0 ? work->boundary : NULL;
+  hsp_view_limits limits = work->view_limits;
+  while ((status = hsp_view_compute(work->view, work->model, boundary, options, &limits)) == HSP_E_CAPACITY) {
+    work->view_limits = limits;
+    status = hsp_workspace_make_view(work);
+    if (status != HSP_OK) return status;
+  }
+  return status;
+}
+
+/** Give all memory back; the workspace is as at first. */
+static inline void hsp_workspace_free(hsp_workspace *work) {
+  for (int i = 0; i < 4; ++i) free(work->memory[i]);
+  memset(work, 0, sizeof *work);
+}
+
+#endif

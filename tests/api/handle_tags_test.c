@@ -1,0 +1,194 @@
+/* Pointers to what is not a handle of the right kind: every function refuses them. C's types keep such mistakes out of C
+ * programs, but other languages have one type for all pointers. */
+#include <hardsphere.h>
+#include <string.h>
+
+#include "check.h"
+#include "four_handles.h"
+#include "untouched.h"
+
+static four_handles h;
+static const char *scene;
+
+static int32_t take_nothing(void *context, const char *bytes, size_t count) {
+  (void)context;
+  (void)bytes;
+  (void)count;
+  return 0;
+}
+
+/* Every function that takes a handle is given `handle` for it, with good arguments else. */
+static void refused_as_model(void *handle) {
+  hsp_model_info info;
+  hsp_packing packing;
+  uint32_t ids[BALLS], needed;
+  int32_t meets;
+  check_scene("%s as a model", scene);
+  CHECK_EQUAL(hsp_model_set(handle, BALLS, four_xyz, four_radius, NULL, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_model_get_info(handle, &info), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_model_get_packing(handle, &packing), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_query_point(handle, four_inside, ids, BALLS, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_query_ball(handle, four_inside, 1, ids, BALLS, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_query_meets(handle, four_inside, 1, &meets), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_query_neighbours(handle, 0, ids, BALLS, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_compute(h.boundary, handle, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_view_compute(h.view, handle, NULL, NULL, NULL), HSP_E_ARGUMENT);
+  four_handles_compute(&h);
+}
+
+static void refused_as_boundary(void *handle) {
+  hsp_boundary_counts counts;
+  hsp_topology_limits limits;
+  hsp_totals totals;
+  hsp_energy energy;
+  uint32_t needed, invariant, id;
+  check_scene("%s as a boundary", scene);
+  CHECK_EQUAL(hsp_boundary_compute(handle, h.model, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_get_counts(handle, &counts), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_get_vertices(handle, NULL, 0, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_get_arcs(handle, NULL, 0, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_get_circles(handle, NULL, 0, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_get_faces(handle, NULL, 0, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_get_balls(handle, NULL, 0, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_measure(handle, &totals, NULL, NULL, 0), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_measure_selected(handle, NULL, &totals, NULL, NULL, 0), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_measure_faces(handle, NULL, NULL, 0), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_gradient(handle, NULL, 1, 1, HSP_TANGENT_OVERLAP, &energy, NULL, NULL, NULL, 0),
+              HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_get_area_row(handle, 0, HSP_TANGENT_OVERLAP, NULL, 0, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_check(handle, &invariant, &id), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_limits_for(&limits, sizeof limits, handle), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_compute(h.topology, handle, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_view_compute(h.view, h.model, handle, NULL, NULL), HSP_E_ARGUMENT);
+  four_handles_compute(&h);
+}
+
+static void refused_as_topology(void *handle) {
+  hsp_topology_counts counts;
+  hsp_topology_vertex vertex;
+  hsp_topology_edge edge;
+  hsp_simple_face face;
+  uint32_t needed, cell, invariant, id;
+  int32_t same;
+  check_scene("%s as a topology", scene);
+  CHECK_EQUAL(hsp_topology_compute(handle, h.boundary, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_get_counts(handle, &counts), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_onext(handle, 0), HSP_NONE);
+  CHECK_EQUAL(hsp_topology_oprev(handle, 0), HSP_NONE);
+  CHECK_EQUAL(hsp_topology_lnext(handle, 0), HSP_NONE);
+  CHECK_EQUAL(hsp_topology_lprev(handle, 0), HSP_NONE);
+  CHECK_EQUAL(hsp_topology_origin(handle, 0), HSP_NONE);
+  CHECK_EQUAL(hsp_topology_left(handle, 0), HSP_NONE);
+  CHECK_EQUAL(hsp_topology_ball(handle, 0), HSP_NONE);
+  CHECK_EQUAL(hsp_topology_get_quad_edges(handle, NULL, NULL, 0, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_get_vertex(handle, 0, &vertex), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_get_edge(handle, 0, &edge), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_get_face(handle, 0, &face), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_get_vertices(handle, NULL, 0, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_get_edges(handle, NULL, 0, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_get_faces(handle, NULL, 0, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_get_shells(handle, NULL, 0, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_get_components(handle, NULL, 0, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_get_cells(handle, NULL, 0, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_get_cell_shells(handle, 0, NULL, 0, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_get_traversal(handle, 0, NULL, 0, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_locate(handle, four_inside, &cell, NULL, 0, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_same_cell(handle, four_inside, four_inside, &same), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_check(handle, &invariant, &id), HSP_E_ARGUMENT);
+}
+
+static void refused_as_view(void *handle) {
+  hsp_view_info info;
+  uint32_t needed;
+  check_scene("%s as a view", scene);
+  CHECK_EQUAL(hsp_view_compute(handle, h.model, NULL, NULL, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_view_get_info(handle, &info), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_view_get_pieces(handle, NULL, 0, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_view_get_loops(handle, NULL, 0, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_view_get_arcs(handle, NULL, 0, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_picture_write(handle, NULL, NULL, NULL, NULL, take_nothing, NULL, NULL), HSP_E_ARGUMENT);
+}
+
+static void refused_as_anything(void *handle, const char *what) {
+  scene = what;
+  refused_as_model(handle);
+  refused_as_boundary(handle);
+  refused_as_topology(handle);
+  refused_as_view(handle);
+}
+
+static void handles_of_other_kinds(void) {
+  scene = "a model";
+  refused_as_boundary(h.model);
+  refused_as_topology(h.model);
+  refused_as_view(h.model);
+  scene = "a boundary";
+  refused_as_model(h.boundary);
+  refused_as_topology(h.boundary);
+  refused_as_view(h.boundary);
+  scene = "a topology";
+  refused_as_model(h.topology);
+  refused_as_boundary(h.topology);
+  refused_as_view(h.topology);
+  scene = "a view";
+  refused_as_model(h.view);
+  refused_as_boundary(h.view);
+  refused_as_topology(h.view);
+}
+
+/* Copies at another address, as realloc makes them. */
+static void moved_handles(void) {
+  static union {
+    unsigned char bytes[4096];
+    double alignment;
+  } copy;
+  void *const handles[4] = {h.model, h.boundary, h.topology, h.view};
+  int i;
+  for (i = 0; i < 4; ++i) {
+    unpoison(handles[i], 4096);
+    memcpy(copy.bytes, handles[i], 4096);
+    refused_as_anything(copy.bytes, "a moved handle");
+  }
+}
+
+static void no_handles_at_all(void) {
+  static union {
+    unsigned char bytes[256];
+    double alignment;
+  } memory;
+  refused_as_anything(memory.bytes, "zeros");
+  memset(memory.bytes, 0xFF, sizeof memory.bytes);
+  refused_as_anything(memory.bytes, "ones");
+  refused_as_anything(memory.bytes + 1, "a misaligned pointer");
+  refused_as_anything((unsigned char *)h.model + 1, "a pointer into a handle");
+}
+
+/* The memory of a model becomes that of a boundary: what was computed from the model is out of date, and the pointer to
+ * the model is refused. */
+static void dead_handles(void) {
+  const hsp_boundary_limits limits = four_boundary_limits(FEW);
+  hsp_boundary *instead = NULL;
+  hsp_boundary_counts counts;
+  hsp_view_info info;
+  void *const model = h.model;
+  CHECK_EQUAL(hsp_boundary_init(h.model_memory, SIZE, &limits, &instead), HSP_OK);
+  check_scene("a model that is a boundary now");
+  CHECK_EQUAL(hsp_boundary_get_counts(h.boundary, &counts), HSP_E_STATE);
+  CHECK_EQUAL(hsp_view_get_info(h.view, &info), HSP_E_STATE);
+  check_status(contents_of_topology(h.topology), HSP_E_STATE);
+  CHECK_EQUAL(hsp_boundary_compute(h.boundary, model, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_get_counts(instead, &counts), HSP_E_STATE);
+  unpoison(h.model_memory, SIZE);
+  memset(h.model_memory, 0, SIZE);
+  CHECK_EQUAL(hsp_boundary_get_counts(instead, &counts), HSP_E_ARGUMENT);
+}
+
+int main(void) {
+  h = four_handles_make(BALLS);
+  four_handles_compute(&h);
+  handles_of_other_kinds();
+  moved_handles();
+  no_handles_at_all();
+  dead_handles();
+  return check_report();
+}

@@ -1,0 +1,206 @@
+/* Structs of other versions of the header. A program with a newer one passes more bytes than the library knows: zeros
+ * there are taken, anything else is refused. Nothing is written beyond struct_size, and what the library writes into a
+ * larger struct ends with zeros. */
+#include <hardsphere.h>
+#include <string.h>
+
+#include "check.h"
+#include "four_handles.h"
+#include "untouched.h"
+
+enum { LARGEST = 1024, ROOM = LARGEST + 64 };
+
+/* A struct of any size; the first word is struct_size. */
+typedef union struct_version {
+  unsigned char bytes[ROOM];
+  uint32_t struct_size;
+  double alignment;
+} struct_version;
+
+static four_handles h;
+static unsigned char other_memory[SIZE];
+
+static int32_t ignore_bytes(void *context, const char *bytes, size_t count) {
+  (void)context;
+  (void)bytes;
+  (void)count;
+  return 0;
+}
+
+/* ---- structs that the library reads ---- */
+
+static int32_t read_model_options(const void *given) {
+  return hsp_model_set(h.model, BALLS, four_xyz, four_radius, given, NULL);
+}
+static int32_t read_boundary_limits(const void *given) {
+  size_t bytes = 0;
+  hsp_boundary *made = NULL;
+  const int32_t status = hsp_boundary_bytes(given, &bytes);
+  CHECK_EQUAL(hsp_boundary_init(other_memory, sizeof other_memory, given, &made), status);
+  return status;
+}
+static int32_t read_topology_limits(const void *given) {
+  size_t bytes = 0;
+  hsp_topology *made = NULL;
+  const int32_t status = hsp_topology_bytes(given, &bytes);
+  CHECK_EQUAL(hsp_topology_init(other_memory, sizeof other_memory, given, &made), status);
+  return status;
+}
+static int32_t read_view_limits(const void *given) {
+  size_t bytes = 0;
+  hsp_view *made = NULL;
+  const int32_t status = hsp_view_bytes(given, &bytes);
+  CHECK_EQUAL(hsp_view_init(other_memory, sizeof other_memory, given, &made), status);
+  return status;
+}
+static int32_t read_view_options(const void *given) {
+  return hsp_view_compute(h.view, h.model, NULL, given, NULL);
+}
+static int32_t read_picture_options(const void *given) {
+  return hsp_picture_write(h.view, NULL, given, NULL, NULL, ignore_bytes, NULL, NULL);
+}
+
+/* ---- structs that the library writes ---- */
+
+static int32_t write_model_options(void *out, uint32_t size) {
+  return hsp_model_options_init(out, size);
+}
+static int32_t write_view_options(void *out, uint32_t size) {
+  return hsp_view_options_init(out, size);
+}
+static int32_t write_picture_options(void *out, uint32_t size) {
+  return hsp_picture_options_init(out, size);
+}
+static int32_t write_boundary_limits(void *out, uint32_t size) {
+  return hsp_boundary_limits_init(out, size, BALLS);
+}
+static int32_t write_topology_limits(void *out, uint32_t size) {
+  return hsp_topology_limits_init(out, size, BALLS);
+}
+static int32_t write_topology_limits_for(void *out, uint32_t size) {
+  return hsp_topology_limits_for(out, size, h.boundary);
+}
+static int32_t write_view_limits(void *out, uint32_t size) {
+  return hsp_view_limits_init(out, size, BALLS);
+}
+
+/* The size comes with the struct where a computation hands limits back. */
+static int32_t return_boundary_limits(void *out, uint32_t size) {
+  memcpy(out, &size, sizeof size);
+  return hsp_boundary_compute(h.boundary, h.model, out);
+}
+static int32_t return_topology_limits(void *out, uint32_t size) {
+  CHECK_EQUAL(hsp_boundary_compute(h.boundary, h.model, NULL), HSP_OK);
+  memcpy(out, &size, sizeof size);
+  return hsp_topology_compute(h.topology, h.boundary, out);
+}
+static int32_t return_view_limits(void *out, uint32_t size) {
+  memcpy(out, &size, sizeof size);
+  return hsp_view_compute(h.view, h.model, NULL, NULL, out);
+}
+
+static const struct versioned {
+  const char *name;
+  uint32_t size, oldest; /* in this header, and in the first that had the struct */
+  int32_t (*read)(const void *given);
+  int32_t (*write[3])(void *out, uint32_t size);
+} structs[] = {
+    {"hsp_model_options",
+     sizeof(hsp_model_options),
+     sizeof(hsp_model_options),
+     read_model_options,
+     {write_model_options, NULL, NULL}},
+    {"hsp_boundary_limits",
+     sizeof(hsp_boundary_limits),
+     sizeof(hsp_boundary_limits),
+     read_boundary_limits,
+     {write_boundary_limits, return_boundary_limits, NULL}},
+    {"hsp_topology_limits",
+     sizeof(hsp_topology_limits),
+     sizeof(hsp_topology_limits),
+     read_topology_limits,
+     {write_topology_limits, write_topology_limits_for, return_topology_limits}},
+    {"hsp_view_limits",
+     sizeof(hsp_view_limits),
+     sizeof(hsp_view_limits),
+     read_view_limits,
+     {write_view_limits, return_view_limits, NULL}},
+    {"hsp_view_options",
+     sizeof(hsp_view_options),
+     sizeof(hsp_view_options),
+     read_view_options,
+     {write_view_options, NULL, NULL}},
+    {"hsp_picture_options",
+     sizeof(hsp_picture_options),
+     sizeof(hsp_picture_options),
+     read_picture_options,
+     {write_picture_options, NULL, NULL}},
+};
+enum { STRUCTS = sizeof structs / sizeof structs[0] };
+
+static int is_good_size(const struct versioned *s, uint32_t size) {
+  return size >= s->oldest && size <= LARGEST && size % 4 == 0;
+}
+
+static void check_reading(const struct versioned *s) {
+  uint32_t size;
+  for (size = 0; size < ROOM; ++size) {
+    struct_version given;
+    check_scene("%s of %u bytes, read", s->name, (unsigned)size);
+    memset(&given, 0, sizeof given);
+    CHECK_EQUAL(s->write[0](&given, s->size), HSP_OK);
+    given.struct_size = size;
+    if (size > s->size) memset(given.bytes + size, 1, ROOM - size); /* not the program's any more */
+    CHECK_EQUAL(s->read(&given), is_good_size(s, size) ? HSP_OK : HSP_E_ARGUMENT);
+    if (size <= s->size || !is_good_size(s, size)) continue;
+    given.bytes[size - 1] = 1;
+    CHECK_EQUAL(s->read(&given), HSP_E_ARGUMENT);
+    given.bytes[size - 1] = 0;
+    given.bytes[s->size] = 1;
+    CHECK_EQUAL(s->read(&given), HSP_E_ARGUMENT);
+  }
+  {
+    struct_version given;
+    memset(&given, 0, sizeof given);
+    given.struct_size = UINT32_MAX;
+    CHECK_EQUAL(s->read(&given), HSP_E_ARGUMENT);
+    CHECK_EQUAL(s->read(NULL) == HSP_OK,
+                s->read == read_model_options || s->read == read_view_options || s->read == read_picture_options);
+  }
+}
+
+static void check_writing(const struct versioned *s, int32_t (*write)(void *out, uint32_t size)) {
+  struct_version known;
+  uint32_t size, i;
+  memset(&known, 0, sizeof known);
+  CHECK_EQUAL(write(&known, s->size), HSP_OK);
+  for (size = 4; size < ROOM; ++size) {
+    struct_version out, before;
+    check_scene("%s of %u bytes, written", s->name, (unsigned)size);
+    FILL(out);
+    memcpy(out.bytes, &size, sizeof size);
+    before = out;
+    if (!is_good_size(s, size)) {
+      CHECK_EQUAL(write(&out, size), HSP_E_ARGUMENT);
+      CHECK_BYTES(&out, &before, sizeof out);
+      continue;
+    }
+    CHECK_EQUAL(write(&out, size), HSP_OK);
+    CHECK_EQUAL(out.struct_size, size);
+    CHECK_BYTES(out.bytes + 4, known.bytes + 4, (size < s->size ? size : s->size) - 4);
+    for (i = s->size; i < size; ++i) CHECK(out.bytes[i] == 0);
+    CHECK_BYTES(out.bytes + size, before.bytes + size, ROOM - size);
+  }
+}
+
+int main(void) {
+  int i, k;
+  h = four_handles_make(BALLS);
+  for (i = 0; i < STRUCTS; ++i) {
+    four_handles_compute(&h);
+    check_reading(&structs[i]);
+    four_handles_compute(&h);
+    for (k = 0; k < 3 && structs[i].write[k] != NULL; ++k) check_writing(&structs[i], structs[i].write[k]);
+  }
+  return check_report();
+}
