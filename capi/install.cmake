@@ -6,7 +6,8 @@ install(TARGETS hardsphere EXPORT hardsphere-targets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT hardsphere_development
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT hardsphere_runtime
     NAMELINK_COMPONENT hardsphere_development)
-install(FILES ${PROJECT_SOURCE_DIR}/include/hardsphere.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+install(FILES ${PROJECT_SOURCE_DIR}/include/hardsphere.h ${PROJECT_SOURCE_DIR}/include/hardsphere_workspace.h
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
   COMPONENT hardsphere_development)
 
 set(HSP_PACKAGE_FOLDER ${CMAKE_INSTALL_LIBDIR}/cmake/hardsphere)
@@ -22,9 +23,10 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/hardsphere-config.cmake
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/hardsphere.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
   COMPONENT hardsphere_development)
 
-# The Fortran module's source is part of every package: what is compiled of it (see fortran/CMakeLists.txt) serves one
+# The Fortran modules' source is part of every package: what is compiled of it (see fortran/CMakeLists.txt) serves one
 # compiler only.
-install(FILES ${CMAKE_CURRENT_LIST_DIR}/fortran/hardsphere.f90 DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hardsphere
+install(FILES ${CMAKE_CURRENT_LIST_DIR}/fortran/hardsphere.f90
+  ${CMAKE_CURRENT_LIST_DIR}/fortran/hardsphere_workspace.f90 DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hardsphere
   COMPONENT hardsphere_development)
 install(FILES ${CMAKE_CURRENT_LIST_DIR}/fortran/hardsphere-fortran.cmake DESTINATION ${HSP_PACKAGE_FOLDER}
   COMPONENT hardsphere_development)

@@ -17,7 +17,8 @@ if(EXISTS ${hardsphere_fortran_compiled})
   include(${hardsphere_fortran_compiled})
 else()
   get_target_property(hardsphere_include_folder hardsphere::hardsphere INTERFACE_INCLUDE_DIRECTORIES)
-  add_library(hardsphere_fortran STATIC EXCLUDE_FROM_ALL ${hardsphere_include_folder}/hardsphere/hardsphere.f90)
+  add_library(hardsphere_fortran STATIC EXCLUDE_FROM_ALL ${hardsphere_include_folder}/hardsphere/hardsphere.f90
+    ${hardsphere_include_folder}/hardsphere/hardsphere_workspace.f90)
   add_library(hardsphere::hardsphere_fortran ALIAS hardsphere_fortran)
   set_target_properties(hardsphere_fortran PROPERTIES POSITION_INDEPENDENT_CODE ON
     Fortran_MODULE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/hardsphere_modules)

@@ -1,6 +1,8 @@
 // The header on its own in C++20: included first, with C linkage and the same layout as in C.
 #include <hardsphere.h>
-// A second time: the guard holds.
+// The workspace over malloc is C++ as well.
+#include <hardsphere_workspace.h>
+// A second time: the guards hold.
 #include <hardsphere.h>
 
 #include <cstdint>

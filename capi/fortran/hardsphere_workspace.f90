@@ -1,0 +1,189 @@
+! hardsphere with memory that grows: a type that owns a handle of each kind in allocatable memory.
+!
+!   use hardsphere_workspace
+!   type(hsp_workspace), target :: work
+!   status = work%set(n, xyz, radius)
+!   if (status == HSP_OK) status = work%compute_boundary()
+!   if (status == HSP_OK) status = hsp_boundary_measure(work%boundary, totals, area, capacity=n)
+!
+! It may be used for any number of sets of balls, one after the other, and keeps the memory of the largest. Read results
+! through its handles by the functions of the module hardsphere, which this one passes on. Handles move when they grow:
+! take them from the workspace after each call. Declare it with TARGET, and do not assign it to another: the handles of a
+! copy are those of the original. Memory is given back when the workspace goes out of scope.
+!
+! STATUS: that of the function of the module hardsphere that fails, and HSP_E_MEMORY where an allocation fails.
+module hardsphere_workspace
+  use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int32_t, c_int8_t, c_loc, c_null_ptr, c_ptr, c_size_t, &
+    c_sizeof
+  use hardsphere
+  implicit none
+  public ! with c_double and c_int32_t, which callers need
+
+  type, private :: memory_block
+    integer(c_int8_t), allocatable :: bytes(:)
+  end type
+
+  type :: hsp_workspace
+    type(c_ptr) :: model = c_null_ptr
+    type(c_ptr) :: boundary = c_null_ptr
+    type(c_ptr) :: topology = c_null_ptr
+    type(c_ptr) :: view = c_null_ptr
+    integer(c_int32_t), private :: most_balls = 0
+    type(memory_block), private :: memory(4)
+    type(hsp_boundary_limits), private :: boundary_limits
+    type(hsp_topology_limits), private :: topology_limits
+    type(hsp_view_limits), private :: view_limits
+  contains
+    procedure :: set => set_balls
+    procedure :: compute_boundary
+    procedure :: compute_topology
+    procedure :: compute_view
+    procedure, private :: make_boundary
+    procedure, private :: make_topology
+    procedure, private :: make_view
+  end type
+
+  private :: set_balls, compute_boundary, compute_topology, compute_view, make_boundary, make_topology, make_view, allocated_to
+
+contains
+
+  ! Takes n balls into the model; arguments and statuses as hsp_model_set. Boundary, topology and view hold no results then.
+  function set_balls(self, n, xyz, radius, options, first_bad) result(status)
+    class(hsp_workspace), intent(inout), target :: self
+    integer(c_int32_t), intent(in) :: n
+    real(c_double), intent(in) :: xyz(3, *), radius(*)
+    type(hsp_model_options), intent(in), optional :: options
+    integer(c_int32_t), intent(inout), optional :: first_bad
+    integer(c_int32_t) :: status
+    integer(c_size_t) :: bytes
+    if (.not. c_associated(self%model) .or. n > self%most_balls) then
+      status = hsp_model_bytes(n, bytes)
+      if (status /= HSP_OK) return
+      ! What was computed from the model that goes must not be asked again.
+      self%model = c_null_ptr
+      self%most_balls = 0
+      if (c_associated(self%boundary)) status = self%make_boundary()
+      if (status == HSP_OK .and. c_associated(self%topology)) status = self%make_topology()
+      if (status == HSP_OK .and. c_associated(self%view)) status = self%make_view()
+      if (status == HSP_OK) status = allocated_to(self%memory(1), bytes)
+      if (status == HSP_OK) status = hsp_model_init(c_loc(self%memory(1)%bytes), bytes, n, self%model)
+      if (status /= HSP_OK) return
+      self%most_balls = n
+    end if
+    status = hsp_model_set(self%model, n, xyz, radius, options, first_bad)
+  end function
+
+  ! Computes the boundary of the union of the balls. HSP_E_ARGUMENT: no balls were set.
+  function compute_boundary(self) result(status)
+    class(hsp_workspace), intent(inout), target :: self
+    type(hsp_boundary_limits) :: limits
+    integer(c_int32_t) :: status
+    if (.not. c_associated(self%boundary)) then
+      status = hsp_boundary_limits_init(self%boundary_limits, int(c_sizeof(limits), c_int32_t), self%most_balls)
+      if (status == HSP_OK) status = self%make_boundary()
+      if (status /= HSP_OK) return
+    end if
+    ! After success the limits are what was needed; the memory stays as it is.
+    limits = self%boundary_limits
+    do
+      status = hsp_boundary_compute(self%boundary, self%model, limits)
+      if (status /= HSP_E_CAPACITY) return
+      self%boundary_limits = limits
+      status = HSP_OK
+      if (c_associated(self%topology)) status = self%make_topology()
+      if (status == HSP_OK) status = self%make_boundary()
+      if (status /= HSP_OK) return
+    end do
+  end function
+
+  ! Computes the topology of the boundary that compute_boundary has computed.
+  function compute_topology(self) result(status)
+    class(hsp_workspace), intent(inout), target :: self
+    type(hsp_topology_limits) :: limits
+    integer(c_int32_t) :: status
+    if (.not. c_associated(self%topology)) then
+      status = hsp_topology_limits_for(self%topology_limits, int(c_sizeof(limits), c_int32_t), self%boundary)
+      if (status == HSP_OK) status = self%make_topology()
+      if (status /= HSP_OK) return
+    end if
+    limits = self%topology_limits
+    do
+      status = hsp_topology_compute(self%topology, self%boundary, limits)
+      if (status /= HSP_E_CAPACITY) return
+      self%topology_limits = limits
+      status = self%make_topology()
+      if (status /= HSP_OK) return
+    end do
+  end function
+
+  ! Computes a view of the model alone or, if use_boundary is there and true, of the boundary that compute_boundary has
+  ! computed; options as for hsp_view_compute.
+  function compute_view(self, options, use_boundary) result(status)
+    class(hsp_workspace), intent(inout), target :: self
+    type(hsp_view_options), intent(in), optional :: options
+    logical, intent(in), optional :: use_boundary
+    type(hsp_view_limits) :: limits
+    type(c_ptr) :: boundary
+    integer(c_int32_t) :: status
+    if (.not. c_associated(self%view)) then
+      status = hsp_view_limits_init(self%view_limits, int(c_sizeof(limits), c_int32_t), self%most_balls)
+      if (status == HSP_OK) status = self%make_view()
+      if (status /= HSP_OK) return
+    end if
+    boundary = c_null_ptr
+    if (present(use_boundary)) then
+      if (use_boundary) boundary = self%boundary
+    end if
+    limits = self%view_limits
+    do
+      status = hsp_view_compute(self%view, self%model, boundary, options, limits)
+      if (status /= HSP_E_CAPACITY) return
+      self%view_limits = limits
+      status = self%make_view()
+      if (status /= HSP_OK) return
+    end do
+  end function
+
+  ! Handles of the current limits, without results.
+
+  function make_boundary(self) result(status)
+    class(hsp_workspace), intent(inout), target :: self
+    integer(c_int32_t) :: status
+    integer(c_size_t) :: bytes
+    self%boundary = c_null_ptr
+    status = hsp_boundary_bytes(self%boundary_limits, bytes)
+    if (status == HSP_OK) status = allocated_to(self%memory(2), bytes)
+    if (status == HSP_OK) status = hsp_boundary_init(c_loc(self%memory(2)%bytes), bytes, self%boundary_limits, self%boundary)
+  end function
+
+  function make_topology(self) result(status)
+    class(hsp_workspace), intent(inout), target :: self
+    integer(c_int32_t) :: status
+    integer(c_size_t) :: bytes
+    self%topology = c_null_ptr
+    status = hsp_topology_bytes(self%topology_limits, bytes)
+    if (status == HSP_OK) status = allocated_to(self%memory(3), bytes)
+    if (status == HSP_OK) status = hsp_topology_init(c_loc(self%memory(3)%bytes), bytes, self%topology_limits, self%topology)
+  end function
+
+  function make_view(self) result(status)
+    class(hsp_workspace), intent(inout), target :: self
+    integer(c_int32_t) :: status
+    integer(c_size_t) :: bytes
+    self%view = c_null_ptr
+    status = hsp_view_bytes(self%view_limits, bytes)
+    if (status == HSP_OK) status = allocated_to(self%memory(4), bytes)
+    if (status == HSP_OK) status = hsp_view_init(c_loc(self%memory(4)%bytes), bytes, self%view_limits, self%view)
+  end function
+
+  ! Memory of another size, without its contents.
+  function allocated_to(memory, bytes) result(status)
+    type(memory_block), intent(inout) :: memory
+    integer(c_size_t), intent(in) :: bytes
+    integer(c_int32_t) :: status
+    integer :: failed
+    if (allocated(memory%bytes)) deallocate (memory%bytes)
+    allocate (memory%bytes(bytes), stat=failed)
+    status = merge(HSP_OK, HSP_E_MEMORY, failed == 0)
+  end function
+end module

@@ -1,0 +1,111 @@
+! The workspace as a Fortran program uses it: area, volume and gradient of sets of balls, one larger than the one before,
+! against sets whose figures are known; and what becomes of it when balls are refused or the workspace is copied.
+program fortran_workspace_test
+  use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int32_t
+  use, intrinsic :: iso_fortran_env, only: error_unit
+  use hardsphere_workspace
+  implicit none
+
+  real(c_double), parameter :: pi = acos(-1.0_c_double)
+  integer :: failures = 0
+  type(hsp_workspace), target :: work
+
+  call nothing_set()
+  call rows_of_balls(1_c_int32_t)
+  call rows_of_balls(500_c_int32_t)
+  call rows_of_balls(20_c_int32_t)
+  call refused()
+  call copied()
+  if (failures > 0) stop 1
+  print '(a)', 'the Fortran workspace works'
+
+contains
+
+  subroutine nothing_set()
+    call expect(work%compute_boundary(), HSP_E_ARGUMENT, 'no balls were set')
+    call expect(work%compute_topology(), HSP_E_STATE, 'no boundary')
+    call expect(work%compute_view(), HSP_E_ARGUMENT, 'no model to be seen')
+  end subroutine
+
+  ! n unit balls in a row at distance 1: each inner one loses two caps of height 1/2, and what is left is symmetric.
+  subroutine rows_of_balls(n)
+    integer(c_int32_t), intent(in) :: n
+    real(c_double) :: xyz(3, n), radius(n), area(n), gradient(3, n)
+    type(hsp_totals) :: totals
+    type(hsp_energy) :: energy
+    type(hsp_topology_counts) :: counts
+    type(hsp_view_info) :: info
+    integer(c_int32_t) :: status
+    integer :: i
+    xyz = 0
+    xyz(1, :) = [(real(i, c_double), i=1, n)]
+    radius = 1
+    status = work%set(n, xyz, radius)
+    if (status == HSP_OK) status = work%compute_boundary()
+    if (status == HSP_OK) status = hsp_boundary_measure(work%boundary, totals, area, capacity=n)
+    if (status == HSP_OK) status = hsp_boundary_gradient(work%boundary, tension=1.0_c_double, pressure=0.0_c_double, &
+      tangency=HSP_TANGENT_OVERLAP, energy=energy, centre=gradient, capacity=n)
+    call expect(status, HSP_OK, 'area and gradient')
+    call check(near(totals%area, 4*pi*n - 2*pi*(n - 1)), 'area')
+    call check(near(totals%volume, 4*pi/3*n - 2*(n - 1)*pi*5/24), 'volume: caps have pi h^2 (3 - h)/3')
+    call check(near(sum(area), totals%area), 'the areas of the balls')
+    ! Only the ends feel anything: 2 pi dr/dd per pair at distance d, which is pi for each of the two caps.
+    call check(all(abs(gradient(2:3, :)) < 1e-12_c_double), 'nothing pulls sideways')
+    if (n > 1) call check(near(gradient(1, n), 2*pi) .and. near(gradient(1, 1), -2*pi), 'the ends pull outwards')
+    call expect(work%compute_topology(), HSP_OK, 'topology')
+    call expect(hsp_topology_get_counts(work%topology, counts), HSP_OK, 'its counts')
+    call check(counts%components == 1 .and. counts%shells == 1, 'one piece')
+    call expect(work%compute_view(), HSP_OK, 'view of the model')
+    call expect(work%compute_view(use_boundary=.true.), HSP_OK, 'view of the boundary')
+    call expect(hsp_view_get_info(work%view, info), HSP_OK, 'its figures')
+    call check(info%pieces == n, 'every ball of the row is seen')
+  end subroutine
+
+  subroutine refused()
+    real(c_double) :: xyz(3, 1), radius(1)
+    integer(c_int32_t) :: first_bad
+    type(hsp_boundary_counts) :: counts
+    xyz = 0
+    radius = -1
+    first_bad = HSP_NONE
+    call expect(work%set(1_c_int32_t, xyz, radius, first_bad=first_bad), HSP_E_NEGATIVE, 'a negative radius')
+    call check(first_bad == 0, 'the first bad ball')
+    call expect(hsp_boundary_get_counts(work%boundary, counts), HSP_E_STATE, 'results of balls that are gone')
+    call expect(work%compute_boundary(), HSP_OK, 'no balls')
+    call expect(hsp_boundary_get_counts(work%boundary, counts), HSP_OK, 'counts of no balls')
+    call check(counts%balls == 0, 'no balls')
+  end subroutine
+
+  ! The memory of a copy lies elsewhere, but its handles are those of the original: they are as good as that is.
+  subroutine copied()
+    type(hsp_workspace), target :: copy
+    type(hsp_boundary_counts) :: counts
+    copy = work
+    call expect(hsp_boundary_get_counts(copy%boundary, counts), HSP_OK, 'the handle of the original')
+    call check(c_associated(copy%boundary, work%boundary), 'one handle')
+  end subroutine
+
+  function near(a, b)
+    real(c_double), intent(in) :: a, b
+    logical :: near
+    near = abs(a - b) <= 1e-12_c_double*max(1.0_c_double, abs(b))
+  end function
+
+  subroutine expect(status, expected, what)
+    integer(c_int32_t), intent(in) :: status, expected
+    character(len=*), intent(in) :: what
+    if (status /= expected) then
+      write (error_unit, '(3a,i0,a,i0)') 'FAILED ', what, ': ', status, ', expected ', expected
+      failures = failures + 1
+    end if
+  end subroutine
+
+  subroutine check(holds, what)
+    logical, intent(in) :: holds
+    character(len=*), intent(in) :: what
+    if (.not. holds) then
+      write (error_unit, '(2a)') 'FAILED ', what
+      failures = failures + 1
+    end if
+  end subroutine
+end program

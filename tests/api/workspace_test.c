@@ -1,0 +1,104 @@
+/* The workspace over malloc: handles that grow, for set after set, with the results that handles of ample size have.
+ * The address sanitizer sees what is not given back. */
+#include <hardsphere_workspace.h>
+
+#include "ball_sets.h"
+#include "check.h"
+#include "computed.h"
+#include "topology_sets.h"
+#include "view_result.h"
+
+static int32_t compute_all(hsp_workspace *work, const ball_set *set) {
+  int32_t status = hsp_workspace_set(work, set->n, set->xyz, set->radius, NULL, NULL);
+  if (status == HSP_OK) status = hsp_workspace_boundary(work);
+  if (status == HSP_OK) status = hsp_workspace_topology(work);
+  if (status == HSP_OK) status = hsp_workspace_view(work, 1, NULL);
+  return status;
+}
+
+/* What the workspace holds is what the same balls give by themselves. */
+static void check_results(const hsp_workspace *work, const ball_set *set) {
+  computed c;
+  hsp_boundary_counts counts;
+  hsp_topology_counts topology;
+  hsp_view_info view;
+  hsp_totals totals, expected;
+  CHECK_EQUAL(computed_make(set->n, set->xyz, set->radius, NULL, &c), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_get_counts(work->boundary, &counts), HSP_OK);
+  CHECK_BYTES(&counts, &c.counts, sizeof counts);
+  CHECK_EQUAL(hsp_boundary_measure(c.boundary, &expected, NULL, NULL, 0), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_measure(work->boundary, &totals, NULL, NULL, 0), HSP_OK);
+  CHECK_BYTES(&totals, &expected, sizeof totals);
+  CHECK_EQUAL(hsp_topology_get_counts(work->topology, &topology), HSP_OK);
+  CHECK_EQUAL(topology.components, counts.components);
+  CHECK_EQUAL(topology.shells, counts.shells);
+  CHECK_EQUAL(hsp_view_get_info(work->view, &view), HSP_OK);
+  CHECK_EQUAL(view.kind, HSP_PIECES_OUTSIDE_FARTHER);
+  computed_release(&c);
+}
+
+/* Every set of topology_sets.h in one workspace, in two orders, so that it grows at each of them or not at all. */
+static void set_after_set(void) {
+  static ball_set set;
+  hsp_workspace work = {0};
+  const uint32_t count = topology_set_count();
+  uint32_t i;
+  for (i = 0; i < 2 * count; ++i) {
+    topology_set_make(i < count ? i : 2 * count - 1 - i, &set);
+    check_scene("%s", set.name);
+    CHECK_EQUAL(compute_all(&work, &set), HSP_OK);
+    check_results(&work, &set);
+  }
+  hsp_workspace_free(&work);
+  CHECK(work.model == NULL && work.boundary == NULL && work.topology == NULL && work.view == NULL);
+  check_scene("after it was freed");
+  CHECK_EQUAL(compute_all(&work, &set), HSP_OK);
+  check_results(&work, &set);
+  hsp_workspace_free(&work);
+}
+
+/* Nothing, one ball, more balls than before: what was computed from the balls before is out of date at once. */
+static void out_of_date(void) {
+  static ball_set few, many;
+  hsp_workspace work = {0};
+  hsp_boundary_counts counts;
+  hsp_topology_counts topology;
+  hsp_view_info view;
+  uint32_t i;
+  ball_set_start(&few, "a ball", 1e-8);
+  ball_set_add(&few, 0, 0, 0, 1);
+  ball_set_start(&many, "a chain", 1e-8);
+  ball_set_add_chain(&many, 200, 5);
+  check_scene("nothing set");
+  CHECK_EQUAL(hsp_workspace_boundary(&work), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_workspace_topology(&work), HSP_E_STATE);
+  CHECK_EQUAL(hsp_workspace_view(&work, 0, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_workspace_set(&work, 0, NULL, NULL, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_workspace_boundary(&work), HSP_OK);
+  for (i = 0; i < 4; ++i) {
+    const ball_set *set = i % 2 == 0 ? &few : &many;
+    check_scene("%s, time %u", set->name, (unsigned)i);
+    CHECK_EQUAL(compute_all(&work, set), HSP_OK);
+    check_results(&work, set);
+    CHECK_EQUAL(hsp_workspace_set(&work, many.n - i, many.xyz, many.radius, NULL, NULL), HSP_OK);
+    CHECK_EQUAL(hsp_boundary_get_counts(work.boundary, &counts), HSP_E_STATE);
+    CHECK_EQUAL(hsp_topology_get_counts(work.topology, &topology), HSP_E_STATE);
+    CHECK_EQUAL(hsp_view_get_info(work.view, &view), HSP_E_STATE);
+    CHECK_EQUAL(hsp_workspace_topology(&work), HSP_E_STATE);
+  }
+  check_scene("a refused set");
+  few.radius[0] = -1;
+  CHECK_EQUAL(hsp_workspace_set(&work, 1, few.xyz, few.radius, NULL, &i), HSP_E_NEGATIVE);
+  CHECK_EQUAL(i, 0);
+  CHECK_EQUAL(hsp_workspace_boundary(&work), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_get_counts(work.boundary, &counts), HSP_OK);
+  CHECK_EQUAL(counts.balls, 0);
+  CHECK_EQUAL(hsp_workspace_set(&work, HSP_NONE, few.xyz, few.radius, NULL, NULL), HSP_E_RANGE);
+  hsp_workspace_free(&work);
+}
+
+int main(void) {
+  set_after_set();
+  out_of_date();
+  return check_report();
+}
