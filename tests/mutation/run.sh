@@ -62,6 +62,13 @@ for ((copy = 0; copy < jobs; ++copy)); do
   ninja -C "$tree/build/mutation" -j "$jobs" >"$folder/$copy/build.log" 2>&1 || fail "cannot build; see $folder/$copy/build.log"
 done
 
+# try.sh learns from a dry run what a mutant overwrites; one that stops at CMake would tell nothing.
+for ((copy = 0; copy < jobs; ++copy)); do
+  if ninja -C "$folder/$copy/tree/build/mutation" -n all | grep -q 'Re-running CMake'; then
+    fail "ninja wants to run CMake again before every build: is there a glob with CONFIGURE_DEPENDS?"
+  fi
+done
+
 # The tests, each with its seconds and its command. A kill means something only if the test passes without a mutation.
 tree=$folder/0/tree
 build=$tree/build/mutation
