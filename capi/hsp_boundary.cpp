@@ -37,6 +37,44 @@ static_assert(number_of(BoundaryInvariant::shells) == 7 && number_of(BoundaryInv
 static_assert(number_of(BoundaryInvariant::positions) == 9 && number_of(BoundaryInvariant::areas) == 10);
 static_assert(number_of(BoundaryInvariant::closure) == 11);
 
+// Calls visit(arc, half_edge, twin) for every arc, in the order of their ids.
+template <class Visit>
+void for_each_arc(const hsp::Boundary &boundary, Visit visit) {
+  uint32_t arc = 0;
+  for (uint32_t half_edge = 0; half_edge < boundary.half_edge_count(); ++half_edge) {
+    const uint32_t twin = boundary.twin(half_edge);
+    if (half_edge < twin) visit(arc++, half_edge, twin);
+  }
+}
+
+// Calls visit(half_edge) for every half-edge of a loop of arcs, in walking order.
+template <class Visit>
+void for_each_half_edge(const hsp::Boundary &boundary, uint32_t loop, Visit visit) {
+  const hsp::LoopElement start = boundary.loop_start(loop);
+  if (start.is_circle()) return;
+  uint32_t half_edge = start.half_edge();
+  do {
+    visit(half_edge);
+    half_edge = boundary.half_edge(half_edge).next;
+  } while (half_edge != start.half_edge());
+}
+
+// Which of two balls a < b of the caller's order `ball` is: 0 or 1.
+uint32_t side_of(const hsp::BallSet &balls, uint32_t ball, uint32_t other) {
+  return balls.given_before(ball, other) ? 0 : 1;
+}
+
+// What arcs and circles have in common: the circle of balls a and b.
+template <class Record>
+void write_circle(const hsp::BallSet &balls, uint32_t a, uint32_t b, Record &record) {
+  const hsp::CirclePosition position = hsp::position_of_circle(balls, a, b);
+  hsp::to_coordinates(balls, position.centre, record.centre);
+  hsp::capi::to_array(position.axis, record.axis);
+  record.radius = balls.lattice.length(position.radius);
+  record.ball[0] = balls.caller[a];
+  record.ball[1] = balls.caller[b];
+}
+
 }  // namespace
 
 int32_t hsp_boundary_limits_init(hsp_boundary_limits *limits, uint32_t struct_size, uint32_t balls) {
@@ -120,16 +158,12 @@ int32_t hsp_boundary_get_arcs(const hsp_boundary *boundary, hsp_arc *out, uint32
   if (status != HSP_OK) return status;
   const hsp::Boundary &structure = boundary->structure();
   const hsp::BallSet &balls = boundary->balls();
-  uint32_t written = 0;
-  for (uint32_t half_edge = 0; half_edge < structure.half_edge_count(); ++half_edge) {
-    const uint32_t twin = structure.twin(half_edge);
-    if (twin < half_edge) continue;
-    const bool own_first = balls.given_before(structure.ball_of(half_edge), structure.ball_of(twin));
+  for_each_arc(structure, [&](uint32_t id, uint32_t half_edge, uint32_t twin) {
+    const bool own_first = side_of(balls, structure.ball_of(half_edge), structure.ball_of(twin)) == 0;
     const uint32_t a = own_first ? half_edge : twin;
     const uint32_t b = own_first ? twin : half_edge;
-    hsp_arc &arc = out[written++];
-    arc.ball[0] = balls.caller[structure.ball_of(a)];
-    arc.ball[1] = balls.caller[structure.ball_of(b)];
+    hsp_arc &arc = out[id];
+    write_circle(balls, structure.ball_of(a), structure.ball_of(b), arc);
     // A half-edge runs clockwise about the axis away from its own ball, the arc counter-clockwise about that away from
     // ball a: so it starts where the half-edge on a ends.
     arc.vertex[0] = structure.end_vertex(a);
@@ -137,7 +171,7 @@ int32_t hsp_boundary_get_arcs(const hsp_boundary *boundary, hsp_arc *out, uint32
     arc.face[0] = structure.face_of(a);
     arc.face[1] = structure.face_of(b);
     arc.angle = hsp::angle_of_arc(balls, structure, half_edge);
-  }
+  });
   return HSP_OK;
 }
 
@@ -149,17 +183,10 @@ int32_t hsp_boundary_get_circles(const hsp_boundary *boundary, hsp_circle *out, 
   const hsp::BallSet &balls = boundary->balls();
   for (uint32_t c = 0; c < structure.circle_count(); ++c) {
     const hsp::CircleRecord &circle = structure.circle(c);
-    const uint32_t first = balls.given_before(circle.ball[0], circle.ball[1]) ? 0 : 1;
-    const hsp::CirclePosition position = hsp::position_of_circle(balls, circle, first);
-    hsp_circle &record = out[c];
-    for (uint32_t side = 0; side < 2; ++side) {
-      const uint32_t k = side == 0 ? first : 1 - first;
-      record.ball[side] = balls.caller[circle.ball[k]];
-      record.face[side] = structure.face_of_loop(circle.loop[k]);
-    }
-    hsp::to_coordinates(balls, position.centre, record.centre);
-    hsp::capi::to_array(position.axis, record.axis);
-    record.radius = balls.lattice.length(position.radius);
+    const uint32_t a = side_of(balls, circle.ball[0], circle.ball[1]);
+    write_circle(balls, circle.ball[a], circle.ball[1 - a], out[c]);
+    out[c].face[0] = structure.face_of_loop(circle.loop[a]);
+    out[c].face[1] = structure.face_of_loop(circle.loop[1 - a]);
   }
   return HSP_OK;
 }
@@ -171,8 +198,55 @@ int32_t hsp_boundary_get_faces(const hsp_boundary *boundary, hsp_face *out, uint
   const hsp::Boundary &structure = boundary->structure();
   const hsp::BallSet &balls = boundary->balls();
   for (uint32_t f = 0; f < structure.face_count(); ++f) {
-    out[f] = {balls.caller[structure.face(f).ball], structure.loops_of_face(f).size(), structure.face(f).shell, 0};
+    const hsp::IdRange loops = structure.loops_of_face(f);
+    out[f] = {balls.caller[structure.face(f).ball], loops.size(), structure.face(f).shell, loops.first};
   }
+  return HSP_OK;
+}
+
+int32_t hsp_boundary_get_loops(const hsp_boundary *boundary, hsp_loop *out, uint32_t capacity, uint32_t *needed) {
+  const int32_t status =
+      check_request(boundary, out, capacity, needed, [](const hsp_boundary &b) { return b.structure().loop_count(); });
+  if (status != HSP_OK) return status;
+  const hsp::Boundary &structure = boundary->structure();
+  uint32_t first_arc = 0;
+  for (uint32_t loop = 0; loop < structure.loop_count(); ++loop) {
+    const hsp::LoopElement start = structure.loop_start(loop);
+    hsp_loop &record = out[loop];
+    record = {structure.face_of_loop(loop), HSP_NONE, 0, first_arc, 0};
+    if (start.is_circle()) {
+      const hsp::ClosedHalfEdge circle = start.closed_half_edge();
+      record.circle = circle.circle();
+      record.side = side_of(boundary->balls(), structure.ball_of(circle), structure.neighbour(circle));
+    }
+    for_each_half_edge(structure, loop, [&](uint32_t) { ++record.arcs; });
+    first_arc += record.arcs;
+  }
+  return HSP_OK;
+}
+
+int32_t hsp_boundary_get_loop_arcs(const hsp_boundary *boundary, hsp_loop_arc *out, uint32_t capacity,
+                                   uint32_t *needed) {
+  const int32_t status = check_request(boundary, out, capacity, needed,
+                                       [](const hsp_boundary &b) { return b.structure().half_edge_count(); });
+  if (status != HSP_OK) return status;
+  const hsp::Boundary &structure = boundary->structure();
+  const auto walk_all = [&structure, out](auto visit) {
+    uint32_t position = 0;
+    for (uint32_t loop = 0; loop < structure.loop_count(); ++loop) {
+      for_each_half_edge(structure, loop, [&](uint32_t half_edge) { visit(out[position++], half_edge); });
+    }
+  };
+  // No memory but the output tells the arc of a half-edge: out[e].vertex holds that of half-edge e for a while.
+  for_each_arc(structure, [out](uint32_t arc, uint32_t half_edge, uint32_t twin) {
+    out[half_edge].vertex = arc;
+    out[twin].vertex = arc;
+  });
+  walk_all([out](hsp_loop_arc &record, uint32_t half_edge) { record.arc = out[half_edge].vertex; });
+  walk_all([&](hsp_loop_arc &record, uint32_t half_edge) {
+    record.side = side_of(boundary->balls(), structure.ball_of(half_edge), structure.half_edge(half_edge).circle);
+    record.vertex = structure.half_edge(half_edge).vertex;
+  });
   return HSP_OK;
 }
 

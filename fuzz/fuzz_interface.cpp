@@ -330,6 +330,12 @@ class Session {
     check_array<hsp_face>(40, expected, [&](hsp_face *out, uint32_t capacity, uint32_t *count) {
       return hsp_boundary_get_faces(boundary, out, capacity, count);
     });
+    check_array<hsp_loop>(40, expected, [&](hsp_loop *out, uint32_t capacity, uint32_t *count) {
+      return hsp_boundary_get_loops(boundary, out, capacity, count);
+    });
+    check_array<hsp_loop_arc>(120, expected, [&](hsp_loop_arc *out, uint32_t capacity, uint32_t *count) {
+      return hsp_boundary_get_loop_arcs(boundary, out, capacity, count);
+    });
     check_array<hsp_ball>(24, expected, [&](hsp_ball *out, uint32_t capacity, uint32_t *count) {
       return hsp_boundary_get_balls(boundary, out, capacity, count);
     });

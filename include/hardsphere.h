@@ -323,16 +323,22 @@ typedef struct hsp_vertex {
 HSP_API int32_t hsp_boundary_get_vertices(const hsp_boundary *boundary, hsp_vertex *out, uint32_t capacity,
                                           uint32_t *needed);
 
+/** An arc runs counter-clockwise about its axis, from vertex[0] to vertex[1]. Seen from outside the balls, face[1] lies
+ *  on its left and face[0] on its right. */
 typedef struct hsp_arc {
+  double centre[3];   /**< of its circle, length */
+  double axis[3];     /**< unit vector from c_a towards c_b */
+  double radius;      /**< of its circle, length */
+  double angle;       /**< from vertex[0] to vertex[1], in [0, 2 pi] */
   uint32_t ball[2];   /**< its two balls a < b */
-  uint32_t vertex[2]; /**< from vertex[0] to vertex[1], counter-clockwise about the axis from c_a to c_b */
+  uint32_t vertex[2]; /**< where it starts and where it ends */
   uint32_t face[2];   /**< the face on ball a and the face on ball b */
-  double angle;       /**< its angle, in [0, 2 pi] */
 } hsp_arc;
 
-/** The arcs, each once. Statuses as hsp_boundary_get_vertices. */
+/** The arcs, each once; index in the array = arc id used by hsp_loop_arc. Statuses as hsp_boundary_get_vertices. */
 HSP_API int32_t hsp_boundary_get_arcs(const hsp_boundary *boundary, hsp_arc *out, uint32_t capacity, uint32_t *needed);
 
+/** Counter-clockwise about the axis, face[1] lies on its left and face[0] on its right, as at arcs. */
 typedef struct hsp_circle {
   double centre[3]; /**< length */
   double axis[3];   /**< unit vector from c_a towards c_b */
@@ -341,21 +347,49 @@ typedef struct hsp_circle {
   uint32_t face[2]; /**< the face on ball a and the face on ball b */
 } hsp_circle;
 
-/** The free circles. Statuses as hsp_boundary_get_vertices. */
+/** The free circles; index in the array = circle id used by hsp_loop. Statuses as hsp_boundary_get_vertices. */
 HSP_API int32_t hsp_boundary_get_circles(const hsp_boundary *boundary, hsp_circle *out, uint32_t capacity,
                                          uint32_t *needed);
 
 typedef struct hsp_face {
-  uint32_t ball;  /**< the ball it lies on */
-  uint32_t loops; /**< its boundary loops; 0 for a whole sphere */
-  uint32_t shell; /**< 0 .. shells - 1 */
-  uint32_t reserved;
+  uint32_t ball;       /**< the ball it lies on */
+  uint32_t loops;      /**< its boundary loops; 0 for a whole sphere */
+  uint32_t shell;      /**< 0 .. shells - 1 */
+  uint32_t first_loop; /**< its loops are first_loop .. first_loop + loops - 1 of hsp_boundary_get_loops */
 } hsp_face;
 
 /** The faces; index in the array = face id; faces of one ball are consecutive. Statuses as hsp_boundary_get_vertices.
  */
 HSP_API int32_t hsp_boundary_get_faces(const hsp_boundary *boundary, hsp_face *out, uint32_t capacity,
                                        uint32_t *needed);
+
+/** A boundary loop of a face: a closed chain of arcs, or a whole circle. Seen from outside the ball, it keeps its face
+ *  on its left. */
+typedef struct hsp_loop {
+  uint32_t face;      /**< the face that it bounds */
+  uint32_t circle;    /**< the free circle that it is, whose face[side] is `face`; HSP_NONE if it consists of arcs */
+  uint32_t side;      /**< 1: a circle counter-clockwise about its axis; 0: a circle clockwise, or arcs */
+  uint32_t first_arc; /**< its arcs are first_arc .. first_arc + arcs - 1 of hsp_boundary_get_loop_arcs */
+  uint32_t arcs;      /**< at least 2; 0 for a circle */
+} hsp_loop;
+
+/** The loops, face after face: counts.loops records. Statuses as hsp_boundary_get_vertices. */
+HSP_API int32_t hsp_boundary_get_loops(const hsp_boundary *boundary, hsp_loop *out, uint32_t capacity,
+                                       uint32_t *needed);
+
+/** An arc as a part of a loop. */
+typedef struct hsp_loop_arc {
+  uint32_t arc;    /**< index in hsp_boundary_get_arcs */
+  uint32_t side;   /**< 1: the loop runs along it, 0: against it; its face[side] is that of the loop */
+  uint32_t vertex; /**< where the loop comes to it: its vertex[1 - side]; vertex[side] is the next one's */
+} hsp_loop_arc;
+
+/** The arcs of all loops, loop after loop, each loop's in walking order: 2 counts.arcs records. Statuses as
+ *  hsp_boundary_get_vertices.
+ *  Property 1: the arcs of a loop are closed: each ends at the vertex of the next, the last at that of the first.
+ *  Property 2: every arc occurs once with side 0 and once with side 1. Cost: O(vertices). */
+HSP_API int32_t hsp_boundary_get_loop_arcs(const hsp_boundary *boundary, hsp_loop_arc *out, uint32_t capacity,
+                                           uint32_t *needed);
 
 #define HSP_BALL_CONTAINED UINT32_C(1) /**< the ball lies inside one other ball */
 

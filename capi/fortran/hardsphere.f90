@@ -139,10 +139,13 @@ module hardsphere
   end type
 
   type, bind(C) :: hsp_arc
+    real(c_double) :: centre(3)        ! length
+    real(c_double) :: axis(3)          ! unit vector
+    real(c_double) :: radius           ! length
+    real(c_double) :: angle            ! radians
     integer(c_int32_t) :: ball(2)      ! 0-based
     integer(c_int32_t) :: vertex(2)    ! 0-based
     integer(c_int32_t) :: face(2)      ! 0-based
-    real(c_double) :: angle            ! radians
   end type
 
   type, bind(C) :: hsp_circle
@@ -157,7 +160,21 @@ module hardsphere
     integer(c_int32_t) :: ball         ! 0-based
     integer(c_int32_t) :: loops
     integer(c_int32_t) :: shell        ! 0-based
-    integer(c_int32_t) :: reserved
+    integer(c_int32_t) :: first_loop   ! 0-based
+  end type
+
+  type, bind(C) :: hsp_loop
+    integer(c_int32_t) :: face         ! 0-based
+    integer(c_int32_t) :: circle       ! 0-based, HSP_NONE if it consists of arcs
+    integer(c_int32_t) :: side         ! 0 or 1
+    integer(c_int32_t) :: first_arc    ! 0-based
+    integer(c_int32_t) :: arcs
+  end type
+
+  type, bind(C) :: hsp_loop_arc
+    integer(c_int32_t) :: arc          ! 0-based
+    integer(c_int32_t) :: side         ! 0 or 1
+    integer(c_int32_t) :: vertex       ! 0-based
   end type
 
   type, bind(C) :: hsp_ball
@@ -542,6 +559,26 @@ module hardsphere
       import :: c_int32_t, c_ptr, hsp_face
       type(c_ptr), value :: boundary
       type(hsp_face), intent(inout), optional :: out(*)
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_boundary_get_loops(boundary, out, capacity, needed) result(status) &
+      bind(C, name="hsp_boundary_get_loops")
+      import :: c_int32_t, c_ptr, hsp_loop
+      type(c_ptr), value :: boundary
+      type(hsp_loop), intent(inout), optional :: out(*)
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_boundary_get_loop_arcs(boundary, out, capacity, needed) result(status) &
+      bind(C, name="hsp_boundary_get_loop_arcs")
+      import :: c_int32_t, c_ptr, hsp_loop_arc
+      type(c_ptr), value :: boundary
+      type(hsp_loop_arc), intent(inout), optional :: out(*)
       integer(c_int32_t), value :: capacity
       integer(c_int32_t), intent(inout) :: needed
       integer(c_int32_t) :: status

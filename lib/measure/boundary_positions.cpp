@@ -27,10 +27,11 @@ double angle_of_arc(const BallSet &balls, const Boundary &boundary, uint32_t hal
                                         : angle_of(balls, boundary, other, boundary.twin(half_edge));
 }
 
-CirclePosition position_of_circle(const BallSet &balls, const CircleRecord &circle, uint32_t side) {
-  const uint32_t lower = balls.ranks_before(circle.ball[0], circle.ball[1]) ? 0 : 1;
-  const CircleGeometry geometry(balls, circle.ball[lower], circle.ball[1 - lower]);
-  return {{circle.ball[lower], geometry.centre}, side == lower ? geometry.axis : -geometry.axis, geometry.radius};
+CirclePosition position_of_circle(const BallSet &balls, uint32_t a, uint32_t b) {
+  const bool a_first = balls.ranks_before(a, b);
+  const uint32_t lower = a_first ? a : b;
+  const CircleGeometry geometry(balls, lower, a_first ? b : a);
+  return {{lower, geometry.centre}, a_first ? geometry.axis : -geometry.axis, geometry.radius};
 }
 
 }  // namespace hsp

@@ -20,12 +20,12 @@ Position position_of_vertex(const BallSet &balls, const Boundary &boundary, uint
 // The angle of a half-edge's arc. Twins have the same one.
 double angle_of_arc(const BallSet &balls, const Boundary &boundary, uint32_t half_edge);
 
-// A whole circle, in lattice steps. The axis is a unit vector from the circle's ball number `side` towards the other.
+// The circle in which two spheres meet, in lattice steps. The axis is a unit vector from ball a towards ball b.
 struct CirclePosition {
   Position centre;
   Vec3 axis;
   double radius;
 };
-CirclePosition position_of_circle(const BallSet &balls, const CircleRecord &circle, uint32_t side);
+CirclePosition position_of_circle(const BallSet &balls, uint32_t a, uint32_t b);
 
 }  // namespace hsp

@@ -18,6 +18,8 @@ static hsp_vertex vertices[16];
 static hsp_arc arcs[24];
 static hsp_circle circles[16];
 static hsp_face faces[16];
+static hsp_loop loops[16];
+static hsp_loop_arc loop_arcs[48];
 static hsp_ball balls[BALLS];
 static hsp_totals totals;
 static double area[BALLS], volume[BALLS];
@@ -30,6 +32,8 @@ static void fill_outputs(void) {
   FILL(arcs);
   FILL(circles);
   FILL(faces);
+  FILL(loops);
+  FILL(loop_arcs);
   FILL(balls);
   FILL(totals);
   FILL(area);
@@ -46,6 +50,8 @@ static void check_outputs_untouched(void) {
   CHECK_UNTOUCHED(arcs);
   CHECK_UNTOUCHED(circles);
   CHECK_UNTOUCHED(faces);
+  CHECK_UNTOUCHED(loops);
+  CHECK_UNTOUCHED(loop_arcs);
   CHECK_UNTOUCHED(balls);
   CHECK_UNTOUCHED(totals);
   CHECK_UNTOUCHED(area);
@@ -63,6 +69,8 @@ static void check_all_readers(hsp_boundary *which, int32_t status) {
   CHECK_EQUAL(hsp_boundary_get_arcs(which, arcs, 24, &needed), status);
   CHECK_EQUAL(hsp_boundary_get_circles(which, circles, 16, &needed), status);
   CHECK_EQUAL(hsp_boundary_get_faces(which, faces, 16, &needed), status);
+  CHECK_EQUAL(hsp_boundary_get_loops(which, loops, 16, &needed), status);
+  CHECK_EQUAL(hsp_boundary_get_loop_arcs(which, loop_arcs, 48, &needed), status);
   CHECK_EQUAL(hsp_boundary_get_balls(which, balls, BALLS, &needed), status);
   CHECK_EQUAL(hsp_boundary_measure(which, &totals, area, volume, BALLS), status);
   CHECK_EQUAL(hsp_boundary_measure(which, &totals, NULL, NULL, 0), status);
@@ -106,6 +114,10 @@ static void compute_and_read(void) {
   CHECK_EQUAL(hsp_boundary_get_circles(boundary, circles, 16, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_get_faces(boundary, NULL, 16, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_get_faces(boundary, faces, 16, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_get_loops(boundary, NULL, 16, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_get_loops(boundary, loops, 16, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_get_loop_arcs(boundary, NULL, 48, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_get_loop_arcs(boundary, loop_arcs, 48, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_get_balls(boundary, NULL, BALLS, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_get_balls(boundary, balls, BALLS, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_check(boundary, NULL, &id), HSP_E_ARGUMENT);

@@ -33,6 +33,14 @@ static int32_t ask_faces(const void *asked, void *out, uint32_t capacity, uint32
   const question *q = asked;
   return hsp_boundary_get_faces(q->all->boundary, out, capacity, needed);
 }
+static int32_t ask_loops(const void *asked, void *out, uint32_t capacity, uint32_t *needed) {
+  const question *q = asked;
+  return hsp_boundary_get_loops(q->all->boundary, out, capacity, needed);
+}
+static int32_t ask_loop_arcs(const void *asked, void *out, uint32_t capacity, uint32_t *needed) {
+  const question *q = asked;
+  return hsp_boundary_get_loop_arcs(q->all->boundary, out, capacity, needed);
+}
 static int32_t ask_balls(const void *asked, void *out, uint32_t capacity, uint32_t *needed) {
   const question *q = asked;
   return hsp_boundary_get_balls(q->all->boundary, out, capacity, needed);
@@ -106,6 +114,8 @@ int main(void) {
       sweep_output(ask_arcs, &q, sizeof(hsp_arc), all.counts.arcs);
       sweep_output(ask_circles, &q, sizeof(hsp_circle), all.counts.circles);
       sweep_output(ask_faces, &q, sizeof(hsp_face), all.counts.faces);
+      sweep_output(ask_loops, &q, sizeof(hsp_loop), all.counts.loops);
+      sweep_output(ask_loop_arcs, &q, sizeof(hsp_loop_arc), 2 * all.counts.arcs);
       sweep_output(ask_balls, &q, sizeof(hsp_ball), all.n);
       sweep_measure(&all);
       for (i = 0; i < set.n; i += 1 + set.n / 5) {

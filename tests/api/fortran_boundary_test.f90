@@ -58,6 +58,8 @@ contains
     type(hsp_arc) :: arc
     type(hsp_circle) :: circle
     type(hsp_face) :: face
+    type(hsp_loop) :: loop
+    type(hsp_loop_arc) :: loop_arc
     type(hsp_ball) :: ball
     type(hsp_totals) :: totals
     type(hsp_energy) :: energy
@@ -69,9 +71,11 @@ contains
     call check(c_sizeof(limits) == 24, 'size of hsp_boundary_limits')
     call check(c_sizeof(counts) == 56, 'size of hsp_boundary_counts')
     call check(c_sizeof(vertex) == 48, 'size of hsp_vertex')
-    call check(c_sizeof(arc) == 32, 'size of hsp_arc')
+    call check(c_sizeof(arc) == 88, 'size of hsp_arc')
     call check(c_sizeof(circle) == 72, 'size of hsp_circle')
     call check(c_sizeof(face) == 16, 'size of hsp_face')
+    call check(c_sizeof(loop) == 20, 'size of hsp_loop')
+    call check(c_sizeof(loop_arc) == 12, 'size of hsp_loop_arc')
     call check(c_sizeof(ball) == 16, 'size of hsp_ball')
     call check(c_sizeof(totals) == 16, 'size of hsp_totals')
     call check(c_sizeof(energy) == 32, 'size of hsp_energy')
@@ -152,6 +156,8 @@ contains
     type(hsp_arc) :: arcs(3)
     type(hsp_circle) :: circles(1)
     type(hsp_face) :: faces(4)
+    type(hsp_loop) :: loops(3)
+    type(hsp_loop_arc) :: loop_arcs(6)
     type(hsp_ball) :: balls(n)
     type(hsp_totals) :: totals
     real(c_double) :: area(n), volume(n)
@@ -195,6 +201,11 @@ contains
       call check(arcs(v)%ball(1) < arcs(v)%ball(2) .and. arcs(v)%vertex(1) /= arcs(v)%vertex(2), 'balls and ends of an arc')
       call check(arcs(v)%angle > 0 .and. arcs(v)%angle < 2*pi, 'angle of an arc')
       call check(all(arcs(v)%face >= 0 .and. arcs(v)%face < 4), 'faces of an arc')
+      call check(abs(norm2(arcs(v)%axis) - 1) < 1e-14_c_double, 'axis of an arc')
+      do b = 1, 2
+        call check(abs(norm2(vertices(hsp_index(arcs(v)%vertex(b)))%xyz - arcs(v)%centre) - arcs(v)%radius) &
+                   < 1e-13_c_double, 'an arc ends on its circle')
+      end do
     end do
     call expect(hsp_boundary_get_circles(boundary, circles, 1_c_int32_t, needed), HSP_OK, 'hsp_boundary_get_circles')
     call check(needed == 0, 'number of circles')
@@ -202,6 +213,22 @@ contains
     call expect(hsp_boundary_get_faces(boundary, faces, 4_c_int32_t, needed), HSP_OK, 'hsp_boundary_get_faces')
     call check(needed == 4, 'number of faces')
     call check(all(faces%shell >= 0 .and. faces%shell < 2), 'shells of faces')
+    call expect(hsp_boundary_get_loops(boundary, loops, 3_c_int32_t, needed), HSP_OK, 'hsp_boundary_get_loops')
+    call check(needed == 3, 'number of loops')
+    call expect(hsp_boundary_get_loop_arcs(boundary, loop_arcs, 6_c_int32_t, needed), HSP_OK, 'hsp_boundary_get_loop_arcs')
+    call check(needed == 6, 'number of arcs of loops')
+    do v = 1, 3
+      call check(all([loops(v)%circle, loops(v)%side, loops(v)%first_arc, loops(v)%arcs] == [HSP_NONE, 0, 2*(v - 1), 2]), &
+                 'fields of a loop')
+      call check(faces(hsp_index(loops(v)%face))%first_loop == v - 1, 'first_loop of a face')
+      do b = 2*v - 1, 2*v
+        associate (at => loop_arcs(b), arc => arcs(hsp_index(loop_arcs(b)%arc)))
+          call check(arc%face(hsp_index(at%side)) == loops(v)%face, 'side of an arc of a loop')
+          call check(arc%vertex(hsp_index(1_c_int32_t - at%side)) == at%vertex, 'vertex of an arc of a loop')
+        end associate
+      end do
+      call check(loop_arcs(2*v - 1)%vertex /= loop_arcs(2*v)%vertex, 'a loop passes two vertices')
+    end do
     call expect(hsp_boundary_get_balls(boundary, balls, n, needed), HSP_OK, 'hsp_boundary_get_balls')
     call check(needed == n, 'number of balls')
     do b = 1, n
@@ -229,6 +256,7 @@ contains
   ! The fields of a circle: two equal balls, 2 apart.
   subroutine two_balls_circle()
     type(hsp_circle) :: circle(1)
+    type(hsp_loop) :: loops(2)
     integer(c_int32_t) :: needed
     call expect(hsp_model_set(model, 2_c_int32_t, xyz, radius), HSP_OK, 'two balls')
     call expect(hsp_boundary_compute(boundary, model), HSP_OK, 'two balls')
@@ -239,6 +267,10 @@ contains
     call check(abs(circle(1)%radius - sqrt(1.25_c_double)) < 1e-14_c_double, 'radius of a circle')
     call check(all(circle(1)%ball == [0, 1]), 'balls of a circle')
     call check(circle(1)%face(1) /= circle(1)%face(2), 'faces of a circle')
+    call expect(hsp_boundary_get_loops(boundary, loops, 2_c_int32_t, needed), HSP_OK, 'loops of one circle')
+    call check(needed == 2 .and. all(loops%circle == 0) .and. all(loops%arcs == 0), 'loops of one circle')
+    call check(circle(1)%face(hsp_index(loops(1)%side)) == loops(1)%face .and. loops(2)%side == 1 - loops(1)%side, &
+               'sides of one circle')
   end subroutine
 
   subroutine compute_all()

@@ -61,6 +61,8 @@ static void refused_of_boundary(void) {
   CHECK_EQUAL(hsp_boundary_get_arcs(h.boundary, NULL, 0, &count), HSP_E_CAPACITY);
   CHECK_EQUAL(hsp_boundary_get_circles(h.boundary, NULL, 1, &count), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_get_faces(h.boundary, NULL, 0, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_get_loops(h.boundary, NULL, 0, &count), HSP_E_CAPACITY);
+  CHECK_EQUAL(hsp_boundary_get_loop_arcs(h.boundary, NULL, 1, &count), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_get_balls(h.boundary, NULL, 0, &count), HSP_E_CAPACITY);
   CHECK_EQUAL(hsp_boundary_measure(h.boundary, NULL, number, NULL, BALLS - 1), HSP_E_CAPACITY);
   CHECK_EQUAL(hsp_boundary_measure_selected(h.boundary, NULL, NULL, NULL, number, 0), HSP_E_CAPACITY);

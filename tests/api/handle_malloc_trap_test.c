@@ -90,6 +90,8 @@ static int call_boundary(computed *c, const buffers *b) {
   bad += hsp_boundary_get_arcs(boundary, c->arcs, counts.arcs, &needed) != HSP_OK;
   bad += hsp_boundary_get_circles(boundary, c->circles, counts.circles, &needed) != HSP_OK;
   bad += hsp_boundary_get_faces(boundary, c->faces, counts.faces, &needed) != HSP_OK;
+  bad += hsp_boundary_get_loops(boundary, c->loops, counts.loops, &needed) != HSP_OK;
+  bad += hsp_boundary_get_loop_arcs(boundary, c->loop_arcs, 2 * counts.arcs, &needed) != HSP_OK;
   bad += hsp_boundary_get_balls(boundary, c->balls, c->n, &needed) != HSP_OK;
   bad += hsp_boundary_measure(boundary, &totals, c->area, c->volume, c->n) != HSP_OK;
   bad += hsp_boundary_measure_selected(boundary, b->selected, &totals, c->area, c->volume, c->n) != HSP_OK;

@@ -49,6 +49,8 @@ static void refused_as_boundary(void *handle) {
   CHECK_EQUAL(hsp_boundary_get_arcs(handle, NULL, 0, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_get_circles(handle, NULL, 0, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_get_faces(handle, NULL, 0, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_get_loops(handle, NULL, 0, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_get_loop_arcs(handle, NULL, 0, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_get_balls(handle, NULL, 0, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_measure(handle, &totals, NULL, NULL, 0), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_measure_selected(handle, NULL, &totals, NULL, NULL, 0), HSP_E_ARGUMENT);

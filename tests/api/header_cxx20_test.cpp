@@ -16,7 +16,7 @@ constexpr bool is_plain = std::is_standard_layout_v<Record> &&std::is_trivial_v<
 static_assert(is_plain<hsp_model_options> && is_plain<hsp_model_info> && is_plain<hsp_packing>);
 static_assert(is_plain<hsp_boundary_limits> && is_plain<hsp_boundary_counts> && is_plain<hsp_vertex>);
 static_assert(is_plain<hsp_arc> && is_plain<hsp_circle> && is_plain<hsp_face> && is_plain<hsp_ball>);
-static_assert(is_plain<hsp_totals>);
+static_assert(is_plain<hsp_loop> && is_plain<hsp_loop_arc> && is_plain<hsp_totals>);
 static_assert(std::is_same_v<decltype(hsp_version()), uint32_t>);
 static_assert(std::is_same_v<decltype(HSP_NONE), decltype(UINT32_C(1))>);
 

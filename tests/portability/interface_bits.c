@@ -42,6 +42,9 @@ static void print_boundary(const computed *c) {
     print_numbers(arc->ball, 2);
     print_numbers(arc->vertex, 2);
     print_numbers(arc->face, 2);
+    print_doubles(arc->centre, 3);
+    print_doubles(arc->axis, 3);
+    print_doubles(&arc->radius, 1);
     print_doubles(&arc->angle, 1);
     end_line();
   }
@@ -57,6 +60,15 @@ static void print_boundary(const computed *c) {
   }
   for (i = 0; i < n->faces; ++i) {
     printf("face %" PRIu32 " %" PRIu32 " %" PRIu32 "\n", c->faces[i].ball, c->faces[i].loops, c->faces[i].shell);
+  }
+  for (i = 0; i < n->loops; ++i) {
+    const hsp_loop *loop = &c->loops[i];
+    printf("face loop %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRIu32, loop->face, loop->circle, loop->side, loop->arcs);
+    end_line();
+  }
+  for (i = 0; i < 2 * n->arcs; ++i) {
+    const hsp_loop_arc *at = &c->loop_arcs[i];
+    printf("face loop arc %" PRIu32 " %" PRIu32 " %" PRIu32 "\n", at->arc, at->side, at->vertex);
   }
 }
 

@@ -93,29 +93,126 @@ static const char *broken_arc_angles(const computed *c) {
   return NULL;
 }
 
-static const char *broken_circle_positions(const computed *c) {
-  uint32_t i, e;
-  for (i = 0; i < c->counts.circles; ++i) {
-    const hsp_circle *circle = c->circles + i;
-    const double allowed = 4 * slack(c, circle->centre);
-    double u[3], w[3], off[3];
-    difference(c->xyz + 3 * circle->ball[1], c->xyz + 3 * circle->ball[0], u);
-    if (!(fabs(length(circle->axis) - 1) <= 1e-14)) return "circle: axis is not a unit vector";
-    cross(circle->axis, u, off);
-    if (!(dot(circle->axis, u) > 0 && length(off) <= 1e-14 * length(u) + 8 * (c->rounding + 1e-16 * c->extent))) {
-      return "circle: axis does not point from c_a to c_b";
-    }
-    if (!(circle->radius >= 0)) return "circle: negative radius";
-    for (e = 0; e < 2; ++e) {
-      const double r = c->radius[circle->ball[e]];
-      double from_centre;
-      difference(circle->centre, c->xyz + 3 * circle->ball[e], w);
-      from_centre = sqrt(dot(w, w) + circle->radius * circle->radius);
-      cross(circle->axis, w, off);
-      if (!(length(off) <= allowed && fabs(from_centre - r) <= allowed)) return "circle: not on its two spheres";
+/* The circle of an arc or a free circle, whose first fields are the same. */
+static const char *broken_circle(const computed *c, const double centre[3], const double axis[3], double radius,
+                                 const uint32_t ball[2]) {
+  const double allowed = 4 * slack(c, centre);
+  double u[3], w[3], off[3];
+  uint32_t e;
+  difference(c->xyz + 3 * ball[1], c->xyz + 3 * ball[0], u);
+  if (!(fabs(length(axis) - 1) <= 1e-14)) return "circle: axis is not a unit vector";
+  cross(axis, u, off);
+  if (!(dot(axis, u) > 0 && length(off) <= 1e-14 * length(u) + 8 * (c->rounding + 1e-16 * c->extent))) {
+    return "circle: axis does not point from c_a to c_b";
+  }
+  if (!(radius >= 0)) return "circle: negative radius";
+  for (e = 0; e < 2; ++e) {
+    double from_centre;
+    difference(centre, c->xyz + 3 * ball[e], w);
+    from_centre = sqrt(dot(w, w) + radius * radius);
+    cross(axis, w, off);
+    if (!(length(off) <= allowed && fabs(from_centre - c->radius[ball[e]]) <= allowed)) {
+      return "circle: not on its two spheres";
     }
   }
   return NULL;
+}
+
+/* At `xyz` on both spheres, walking in direction `along` on their outside: to the left sphere b leaves ball a, and to
+ * the right sphere a leaves ball b. That is where their faces are. */
+static const char *broken_sides(const computed *c, const double xyz[3], const double along[3], const uint32_t ball[2]) {
+  uint32_t e;
+  for (e = 0; e < 2; ++e) {
+    double outward[3], left[3], from_other[3], leaving;
+    difference(xyz, c->xyz + 3 * ball[e], outward);
+    cross(outward, along, left);
+    difference(xyz, c->xyz + 3 * ball[1 - e], from_other);
+    leaving = e == 1 ? dot(left, from_other) : -dot(left, from_other);
+    if (!(leaving >= -8 * slack(c, xyz) * length(along) * (length(outward) + length(from_other)))) {
+      return "arc or circle: face[1] is not on its left, or face[0] not on its right";
+    }
+  }
+  return NULL;
+}
+
+static const char *broken_circle_positions(const computed *c) {
+  const char *broken = NULL;
+  uint32_t i;
+  int k;
+  for (i = 0; i < c->counts.arcs && broken == NULL; ++i) {
+    const hsp_arc *arc = c->arcs + i;
+    const double turn = arc->angle / 2;
+    double start[3], quarter[3], middle[3], along[3];
+    broken = broken_circle(c, arc->centre, arc->axis, arc->radius, arc->ball);
+    difference(c->vertices[arc->vertex[0]].xyz, arc->centre, start);
+    cross(arc->axis, start, quarter);
+    for (k = 0; k < 3; ++k) {
+      middle[k] = arc->centre[k] + cos(turn) * start[k] + sin(turn) * quarter[k];
+      along[k] = cos(turn) * quarter[k] - sin(turn) * start[k];
+    }
+    if (broken == NULL) broken = broken_sides(c, middle, along, arc->ball);
+  }
+  for (i = 0; i < c->counts.circles && broken == NULL; ++i) {
+    const hsp_circle *circle = c->circles + i;
+    double across_axis[3] = {0, 0, 0}, start[3], quarter[3], xyz[3];
+    broken = broken_circle(c, circle->centre, circle->axis, circle->radius, circle->ball);
+    across_axis[fabs(circle->axis[0]) < 0.75 ? 0 : 1] = circle->radius;
+    across(circle->axis, across_axis, start);
+    cross(circle->axis, start, quarter);
+    for (k = 0; k < 3; ++k) xyz[k] = circle->centre[k] + start[k] * (circle->radius / (length(start) + 1e-300));
+    if (broken == NULL) broken = broken_sides(c, xyz, quarter, circle->ball);
+  }
+  return broken;
+}
+
+/* The integral of x cross dx over an arc from `from` to `to`, counter-clockwise about its axis; x is seen from
+ * `origin`. */
+static void swept(const double origin[3], const double centre[3], const double axis[3], double radius, double angle,
+                  const double from[3], const double to[3], double result[3]) {
+  double m[3], chord[3];
+  int k;
+  difference(centre, origin, m);
+  difference(to, from, chord);
+  cross(m, chord, result);
+  for (k = 0; k < 3; ++k) result[k] += radius * radius * angle * axis[k];
+}
+
+/* The volume by the divergence theorem, with the vector area of every face from its loops by Stokes: it has the wrong
+ * sign if they keep their face on the right. */
+static const char *broken_loop_directions(const computed *c) {
+  const double *origin = c->xyz;
+  double volume = 0, terms = 0, error = 0;
+  uint32_t i, s;
+  for (i = 0; i < c->n; ++i) {
+    volume += c->radius[i] * c->area[i] / 3;
+    terms += c->radius[i] * c->area[i];
+  }
+  for (i = 0; i < c->counts.loops; ++i) {
+    const hsp_loop *loop = c->loops + i;
+    const uint32_t ball = c->faces[loop->face].ball;
+    const double *own = c->xyz + 3 * ball;
+    double arm[3], part[3];
+    difference(own, origin, arm);
+    if (loop->circle != HSP_NONE) {
+      const hsp_circle *circle = c->circles + loop->circle;
+      swept(own, circle->centre, circle->axis, circle->radius, 2 * pi, own, own, part);
+      volume += (loop->side == 1 ? 1 : -1) * dot(arm, part) / 6;
+      error += 1e-14 * length(arm) * length(part);
+    }
+    for (s = loop->first_arc; s < loop->first_arc + loop->arcs; ++s) {
+      const hsp_arc *arc = c->arcs + c->loop_arcs[s].arc;
+      const hsp_loop_arc *next = c->loop_arcs + (s + 1 < loop->first_arc + loop->arcs ? s + 1 : loop->first_arc);
+      const double sign = c->loop_arcs[s].side == 1 ? 1 : -1; /* along the arc, or against it */
+      const double *comes = c->vertices[c->loop_arcs[s].vertex].xyz, *leaves = c->vertices[next->vertex].xyz;
+      swept(own, arc->centre, arc->axis, arc->radius, arc->angle, sign > 0 ? comes : leaves, sign > 0 ? leaves : comes,
+            part);
+      volume += sign * dot(arm, part) / 6;
+      error += length(arm) * (slack(c, arc->centre) * c->radius[ball] + 1e-14 * length(part));
+    }
+  }
+  return near(volume, c->totals.volume, 1e-12 * terms + 16 * error + 64 * c->rounding * c->totals.area)
+             ? NULL
+             : "the loops do not bound their faces: another volume by the vector areas that they give";
 }
 
 static const char *broken_areas(const computed *c) {
@@ -151,5 +248,6 @@ const char *broken_boundary_measures(const computed *c) {
   if (broken == NULL) broken = broken_arc_angles(c);
   if (broken == NULL) broken = broken_circle_positions(c);
   if (broken == NULL) broken = broken_areas(c);
+  if (broken == NULL) broken = broken_loop_directions(c);
   return broken;
 }

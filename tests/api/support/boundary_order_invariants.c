@@ -9,7 +9,7 @@
 /* Everything about one vertex, arc, circle, face or ball; what a kind has no use for stays 0. */
 typedef struct plain_record {
   uint32_t name[12];
-  double number[8];
+  double number[14];
 } plain_record;
 
 typedef struct plain_form {
@@ -88,6 +88,11 @@ static plain_form plain_form_of(const computed *c, const uint32_t *class_of_ball
       plain->name[10 + e] = c->faces[arc->face[there]].loops;
     }
     plain->number[6] = number(arc->angle);
+    for (e = 0; e < 3; ++e) {
+      plain->number[7 + e] = number(arc->centre[e]);
+      plain->number[10 + e] = number(swapped ? -arc->axis[e] : arc->axis[e]);
+    }
+    plain->number[13] = number(arc->radius);
   }
   for (i = 0; i < c->counts.circles; ++i) {
     const hsp_circle *circle = c->circles + i;

@@ -179,12 +179,71 @@ static const char *broken_loops(const computed *c) {
   for (i = 0; i < c->counts.faces && broken == NULL; ++i) {
     all += loops[i];
     if (loops[i] != c->faces[i].loops) broken = "face: loops is not the number of its boundary loops";
-    if (c->faces[i].reserved != 0) broken = "face: reserved is not 0";
   }
   if (broken == NULL && all != c->counts.loops) broken = "counts.loops is not the sum over the faces";
   free(side_class);
   free(loops);
   free(passing);
+  return broken;
+}
+
+/* A loop whose arcs begin at `place` of the list. */
+static const char *broken_loop_of_arcs(const computed *c, const hsp_loop *loop, uint32_t place) {
+  uint32_t i;
+  if (loop->arcs < 2 || loop->arcs > 2 * c->counts.arcs - place) return "loop: one arc, or more than there are";
+  if (loop->side != 0) return "loop: of arcs, but with a circle's side";
+  for (i = 0; i < loop->arcs; ++i) {
+    const hsp_loop_arc *at = c->loop_arcs + place + i, *next = c->loop_arcs + place + (i + 1) % loop->arcs;
+    const hsp_arc *arc;
+    if (at->arc >= c->counts.arcs || at->side > 1) return "loop: no such arc or side";
+    arc = c->arcs + at->arc;
+    if (arc->face[at->side] != loop->face) return "loop: an arc's side does not border its face";
+    if (at->vertex != arc->vertex[1 - at->side]) return "loop: does not come to an arc where the arc's side begins";
+    if (next->vertex != arc->vertex[at->side]) {
+      return "hsp_boundary_get_loop_arcs, property 1: each ends at the vertex of the next";
+    }
+  }
+  return NULL;
+}
+
+static const char *broken_loop_of_circle(const computed *c, const hsp_loop *loop) {
+  if (loop->arcs != 0) return "loop: a circle with arcs";
+  if (loop->circle >= c->counts.circles || loop->side > 1) return "loop: no such circle or side";
+  return c->circles[loop->circle].face[loop->side] == loop->face ? NULL : "loop: a circle's side is not its face";
+}
+
+/* The lists of loops and their arcs. With broken_loops, which counts the loops of a face, no loop is in two parts. */
+static const char *broken_loop_lists(const computed *c) {
+  const char *broken = NULL;
+  uint32_t i, place = 0, expected = 0;
+  uint8_t *seen_arc = test_zeros(2 * (size_t)c->counts.arcs, 1);
+  uint8_t *seen_circle = test_zeros(2 * (size_t)c->counts.circles, 1);
+  for (i = 0; i < c->counts.faces && broken == NULL; ++i) {
+    if (c->faces[i].first_loop != expected) broken = "face: first_loop is not behind the loops of the faces before";
+    expected += c->faces[i].loops;
+  }
+  for (i = 0; i < c->counts.loops && broken == NULL; ++i) {
+    const hsp_loop *loop = c->loops + i;
+    if (loop->face >= c->counts.faces || i - c->faces[loop->face].first_loop >= c->faces[loop->face].loops) {
+      broken = "loop: not one of its face";
+    } else if (loop->first_arc != place) {
+      broken = "loop: first_arc is not behind the arcs of the loops before";
+    } else {
+      broken = loop->circle == HSP_NONE ? broken_loop_of_arcs(c, loop, place) : broken_loop_of_circle(c, loop);
+    }
+    place += loop->arcs;
+    if (broken == NULL && loop->circle != HSP_NONE && seen_circle[2 * loop->circle + loop->side]++ != 0) {
+      broken = "loops: a circle's side twice";
+    }
+  }
+  if (broken == NULL && place != 2 * c->counts.arcs) broken = "the loops' arcs are not twice counts.arcs";
+  for (i = 0; i < place && broken == NULL; ++i) {
+    if (seen_arc[2 * c->loop_arcs[i].arc + c->loop_arcs[i].side]++ != 0) {
+      broken = "hsp_boundary_get_loop_arcs, property 2: every arc once with either side";
+    }
+  }
+  free(seen_arc);
+  free(seen_circle);
   return broken;
 }
 
@@ -264,6 +323,7 @@ const char *broken_boundary_records(const computed *c) {
   if (broken == NULL) broken = broken_circles(c);
   if (broken == NULL) broken = broken_balls(c);
   if (broken == NULL) broken = broken_loops(c);
+  if (broken == NULL) broken = broken_loop_lists(c);
   if (broken == NULL) broken = broken_shells(c);
   if (broken == NULL) broken = broken_components(c);
   free(ends);

@@ -35,10 +35,14 @@ static int32_t read_boundary(computed *c) {
   c->arcs = test_zeros(c->counts.arcs, sizeof *c->arcs);
   c->circles = test_zeros(c->counts.circles, sizeof *c->circles);
   c->faces = test_zeros(c->counts.faces, sizeof *c->faces);
+  c->loops = test_zeros(c->counts.loops, sizeof *c->loops);
+  c->loop_arcs = test_zeros(2 * (size_t)c->counts.arcs, sizeof *c->loop_arcs);
   status = hsp_boundary_get_vertices(c->boundary, c->vertices, c->counts.vertices, &needed);
   if (status == HSP_OK) status = hsp_boundary_get_arcs(c->boundary, c->arcs, c->counts.arcs, &needed);
   if (status == HSP_OK) status = hsp_boundary_get_circles(c->boundary, c->circles, c->counts.circles, &needed);
   if (status == HSP_OK) status = hsp_boundary_get_faces(c->boundary, c->faces, c->counts.faces, &needed);
+  if (status == HSP_OK) status = hsp_boundary_get_loops(c->boundary, c->loops, c->counts.loops, &needed);
+  if (status == HSP_OK) status = hsp_boundary_get_loop_arcs(c->boundary, c->loop_arcs, 2 * c->counts.arcs, &needed);
   if (status == HSP_OK) status = hsp_boundary_get_balls(c->boundary, c->balls, c->n, &needed);
   if (status == HSP_OK) status = hsp_boundary_measure(c->boundary, &c->totals, c->area, c->volume, c->n);
   return status;
@@ -92,6 +96,8 @@ void computed_release(computed *c) {
   free(c->arcs);
   free(c->circles);
   free(c->faces);
+  free(c->loops);
+  free(c->loop_arcs);
   free(c->balls);
   free(c->area);
   free(c->volume);

@@ -28,6 +28,8 @@ typedef struct computed {
   hsp_arc *arcs;
   hsp_circle *circles;
   hsp_face *faces;
+  hsp_loop *loops;
+  hsp_loop_arc *loop_arcs; /* twice as many as arcs */
   hsp_ball *balls;
   hsp_totals totals;
   double *area;

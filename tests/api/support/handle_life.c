@@ -56,6 +56,10 @@ static uint64_t boundary_hash(const void *boundary, const void *source, unsigned
   hash = mixed_hash(hash, buffer, needed * sizeof(hsp_circle));
   bad |= hsp_boundary_get_faces(boundary, (void *)buffer, room, &needed) != HSP_OK;
   hash = mixed_hash(hash, buffer, needed * sizeof(hsp_face));
+  bad |= hsp_boundary_get_loops(boundary, (void *)buffer, room, &needed) != HSP_OK;
+  hash = mixed_hash(hash, buffer, needed * sizeof(hsp_loop));
+  bad |= hsp_boundary_get_loop_arcs(boundary, (void *)buffer, room, &needed) != HSP_OK;
+  hash = mixed_hash(hash, buffer, needed * sizeof(hsp_loop_arc));
   bad |= hsp_boundary_get_balls(boundary, (void *)buffer, room, &needed) != HSP_OK;
   hash = mixed_hash(hash, buffer, needed * sizeof(hsp_ball));
   for (i = 0; i < c->n; ++i) {
@@ -159,7 +163,8 @@ int computations_make(const ball_set *set, const hsp_view_options *options, comp
   const computed *c = &all->boundary;
   memset(all, 0, sizeof *all);
   if (!CHECK_EQUAL(computed_make(set->n, set->xyz, set->radius, NULL, &all->boundary), HSP_OK)) return 0;
-  all->room = c->n + c->counts.vertices + c->counts.arcs + c->counts.circles + c->counts.faces + 1;
+  all->room =
+      c->n + c->counts.vertices + 2 * c->counts.arcs + c->counts.circles + c->counts.faces + c->counts.loops + 1;
   if (options == NULL) return 1;
   if (!CHECK_EQUAL(topology_result_make(c, &all->topology), HSP_OK)) return 0;
   all->room += all->topology.counts.edges + all->topology.counts.shells + all->topology.counts.cells;

@@ -64,11 +64,14 @@ LAYOUT_FIELD(hsp_vertex, sign, 36, 4);
 LAYOUT_FIELD(hsp_vertex, flags, 40, 4);
 LAYOUT_FIELD(hsp_vertex, reserved, 44, 4);
 
-LAYOUT_SIZE(hsp_arc, 32);
-LAYOUT_FIELD(hsp_arc, ball, 0, 8);
-LAYOUT_FIELD(hsp_arc, vertex, 8, 8);
-LAYOUT_FIELD(hsp_arc, face, 16, 8);
-LAYOUT_FIELD(hsp_arc, angle, 24, 8);
+LAYOUT_SIZE(hsp_arc, 88);
+LAYOUT_FIELD(hsp_arc, centre, 0, 24);
+LAYOUT_FIELD(hsp_arc, axis, 24, 24);
+LAYOUT_FIELD(hsp_arc, radius, 48, 8);
+LAYOUT_FIELD(hsp_arc, angle, 56, 8);
+LAYOUT_FIELD(hsp_arc, ball, 64, 8);
+LAYOUT_FIELD(hsp_arc, vertex, 72, 8);
+LAYOUT_FIELD(hsp_arc, face, 80, 8);
 
 LAYOUT_SIZE(hsp_circle, 72);
 LAYOUT_FIELD(hsp_circle, centre, 0, 24);
@@ -81,7 +84,19 @@ LAYOUT_SIZE(hsp_face, 16);
 LAYOUT_FIELD(hsp_face, ball, 0, 4);
 LAYOUT_FIELD(hsp_face, loops, 4, 4);
 LAYOUT_FIELD(hsp_face, shell, 8, 4);
-LAYOUT_FIELD(hsp_face, reserved, 12, 4);
+LAYOUT_FIELD(hsp_face, first_loop, 12, 4);
+
+LAYOUT_SIZE(hsp_loop, 20);
+LAYOUT_FIELD(hsp_loop, face, 0, 4);
+LAYOUT_FIELD(hsp_loop, circle, 4, 4);
+LAYOUT_FIELD(hsp_loop, side, 8, 4);
+LAYOUT_FIELD(hsp_loop, first_arc, 12, 4);
+LAYOUT_FIELD(hsp_loop, arcs, 16, 4);
+
+LAYOUT_SIZE(hsp_loop_arc, 12);
+LAYOUT_FIELD(hsp_loop_arc, arc, 0, 4);
+LAYOUT_FIELD(hsp_loop_arc, side, 4, 4);
+LAYOUT_FIELD(hsp_loop_arc, vertex, 8, 4);
 
 LAYOUT_SIZE(hsp_ball, 16);
 LAYOUT_FIELD(hsp_ball, faces, 0, 4);

@@ -60,8 +60,9 @@ struct PositionBits {
       insert(angle);
     }
     for (uint32_t c = 0; c < boundary.circle_count(); ++c) {
-      const hsp::CirclePosition from[2] = {hsp::position_of_circle(small_union().balls(), boundary.circle(c), 0),
-                                           hsp::position_of_circle(small_union().balls(), boundary.circle(c), 1)};
+      const uint32_t(&ball)[2] = boundary.circle(c).ball;
+      const hsp::CirclePosition from[2] = {hsp::position_of_circle(small_union().balls(), ball[0], ball[1]),
+                                           hsp::position_of_circle(small_union().balls(), ball[1], ball[0])};
       double centre[2][3];
       for (int side = 0; side < 2; ++side) {
         hsp::to_coordinates(small_union().balls(), from[side].centre, centre[side]);
@@ -114,7 +115,8 @@ inline uint32_t circles_from_either_side() {
     if (!small_union().build(c.ball, 2) || small_union().boundary().circle_count() != 1) return false;
     const hsp::CircleRecord &circle = small_union().boundary().circle(0);
     for (uint32_t side = 0; side < 2; ++side) {
-      const hsp::CirclePosition position = hsp::position_of_circle(small_union().balls(), circle, side);
+      const hsp::CirclePosition position =
+          hsp::position_of_circle(small_union().balls(), circle.ball[side], circle.ball[1 - side]);
       double centre[3];
       hsp::to_coordinates(small_union().balls(), position.centre, centre);
       const hsp::Span<double> x = small_union().balls().x;
