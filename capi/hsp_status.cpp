@@ -17,7 +17,7 @@ const char *hsp_status_text(int32_t status) {
     case HSP_E_STATE:
       return "nothing computed, or the model or boundary behind it has changed since";
     case HSP_E_ID:
-      return "no ball, vertex, edge, quarter-edge, face, shell or cell has this id";
+      return "no ball, vertex, edge, quarter-edge, face, shell, cell or element has this id";
     case HSP_E_CHECK:
       return "the self-check found a violated invariant";
     case HSP_E_SINK:

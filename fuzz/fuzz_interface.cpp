@@ -88,6 +88,24 @@ class Session {
     FUZZ_REQUIRE(hsp_version() == HSP_VERSION_NUMBER, "version");
     const int32_t status = -static_cast<int32_t>(bytes_.below(20));
     FUZZ_REQUIRE(hsp_status_text(status) != nullptr && hsp_status_text(status)[0] != 0, "status text");
+    element_radius();
+  }
+
+  void element_radius() {
+    const uint32_t set = bytes_.one_in(20) ? 2 + bytes_.byte() : bytes_.below(2);
+    const uint32_t number = bytes_.one_in(20) ? HSP_NONE - bytes_.byte() : bytes_.below(125);
+    fuzz::Output<double> radius(1, null());
+    fuzz::Output<uint32_t> flags(1, null());
+    const int32_t status = hsp_element_radius(set, number, radius.data(), flags.data());
+    const bool bad_argument = set > HSP_RADII_CHEM3D || radius.data() == nullptr;
+    const int32_t expected = bad_argument ? HSP_E_ARGUMENT : number < 1 || number > 118 ? HSP_E_ID : HSP_OK;
+    FUZZ_REQUIRE(status == expected, "hsp_element_radius");
+    const bool written = status == HSP_OK;
+    FUZZ_REQUIRE(radius.untouched_from(written ? 1 : 0), "radius of an element on failure");
+    FUZZ_REQUIRE(flags.untouched_from(written && flags.data() != nullptr ? 1 : 0), "flags of an element on failure");
+    if (!written) return;
+    FUZZ_REQUIRE(0.5 < *radius.data() && *radius.data() < 4, "radius of an element");
+    if (flags.data() != nullptr) FUZZ_REQUIRE(*flags.data() <= HSP_RADIUS_FALLBACK, "flags of an element");
   }
 
   void init_model() {

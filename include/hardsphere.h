@@ -103,7 +103,7 @@ HSP_API uint32_t hsp_version(void);
 #define HSP_E_CAPACITY (-2) /**< an output array or a limit is too small; the number that suffices is reported */
 #define HSP_E_MEMORY (-3)   /**< the memory handed to an init function is smaller than its bytes function says */
 #define HSP_E_STATE (-4)    /**< nothing computed, or the model or boundary behind it has changed since */
-#define HSP_E_ID (-5)       /**< no ball, vertex, edge, quarter-edge, face, shell or cell has this id */
+#define HSP_E_ID (-5)       /**< no ball, vertex, edge, quarter-edge, face, shell, cell or element has this id */
 #define HSP_E_CHECK (-6)    /**< the self-check found a violated invariant: a defect of the library, please report */
 #define HSP_E_SINK (-7)     /**< the caller's byte sink refused bytes */
 
@@ -119,6 +119,27 @@ HSP_API const char *hsp_status_text(int32_t status);
 
 /** The largest number of balls in one model. */
 #define HSP_MAX_BALLS UINT32_C(0x0FFFFFFF)
+
+/* ---- radii by element -------------------------------------------------------------------------------------------- */
+
+/** Van der Waals radii of A. Bondi, J. Phys. Chem. 68 (1964) 441, completed for the main group by M. Mantina et al.,
+ *  J. Phys. Chem. A 113 (2009) 5806, Table 12, with hydrogen 1.10 after R. S. Rowland and R. Taylor, J. Phys. Chem. 100
+ *  (1996) 7384. Published: all s- and p-block elements of the periods 1 to 6, Fr, Ra, Ni, Cu, Zn, Pd, Ag, Cd, Au, Hg
+ *  and U. */
+#define HSP_RADII_BONDI UINT32_C(0)
+
+/** The radii of the paper, Section 2, which are those of Chem3D Plus. Published: H, C, N, O, P, S and Ca. */
+#define HSP_RADII_CHEM3D UINT32_C(1)
+
+/** The set's source has no radius for this element: the radius is a substitute. */
+#define HSP_RADIUS_FALLBACK UINT32_C(1)
+
+/** The radius of an element in one of the sets HSP_RADII_*: *radius in angstrom, *flags = HSP_RADIUS_* or 0; flags may
+ *  be NULL. Atomic numbers are 1 (hydrogen) to 118 (oganesson); deuterium is hydrogen.
+ *  Where the source has no radius it is that of HSP_RADII_BONDI instead, and 2.00 where this has none either, always
+ *  with HSP_RADIUS_FALLBACK, so that a caller can refuse the element or name a radius of its own.
+ *  HSP_E_ARGUMENT: radius is NULL, unknown set. HSP_E_ID: no element has this number. On failure nothing is written. */
+HSP_API int32_t hsp_element_radius(uint32_t set, uint32_t atomic_number, double *radius, uint32_t *flags);
 
 /* ---- model: a set of balls on its lattice, hashed into cubes --------------------------------------------------------
  *

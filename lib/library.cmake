@@ -8,6 +8,7 @@ set(HSP_LIBRARY_SOURCES
   lib/model/ball_set.cpp
   lib/model/cube_grid.cpp
   lib/model/cube_order.cpp
+  lib/model/element_radii.cpp
   lib/model/packing_statistics.cpp
   lib/model/queries.cpp
   lib/model/vertical_ray.cpp
@@ -58,6 +59,7 @@ set(HSP_LIBRARY_SOURCES
   lib/picture/picture.cpp
   lib/picture/svg_writer.cpp
   capi/hsp_status.cpp
+  capi/hsp_element.cpp
   capi/hsp_model.cpp
   capi/hsp_query.cpp
   capi/hsp_boundary.cpp

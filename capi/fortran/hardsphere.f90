@@ -42,6 +42,10 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_NONE = -1_c_int32_t              ! 0xFFFFFFFF
   integer(c_int32_t), parameter :: HSP_MAX_BALLS = 268435455_c_int32_t  ! 0x0FFFFFFF
 
+  integer(c_int32_t), parameter :: HSP_RADII_BONDI = 0_c_int32_t
+  integer(c_int32_t), parameter :: HSP_RADII_CHEM3D = 1_c_int32_t
+  integer(c_int32_t), parameter :: HSP_RADIUS_FALLBACK = 1_c_int32_t
+
   integer(c_int32_t), parameter :: HSP_PACKING_ZERO_RADIUS = 1_c_int32_t
   integer(c_int32_t), parameter :: HSP_PACKING_COINCIDENT = 2_c_int32_t
   integer(c_int32_t), parameter :: HSP_PACKING_NO_PAIR = 4_c_int32_t
@@ -387,6 +391,17 @@ module hardsphere
       import :: c_int32_t, c_ptr
       integer(c_int32_t), value :: status
       type(c_ptr) :: text
+    end function
+
+    ! ---- radii by element ------------------------------------------------------------------------------------------
+
+    function hsp_element_radius(set, atomic_number, radius, flags) result(status) bind(C, name="hsp_element_radius")
+      import :: c_double, c_int32_t
+      integer(c_int32_t), value :: set                          ! HSP_RADII_*
+      integer(c_int32_t), value :: atomic_number
+      real(c_double), intent(inout) :: radius                   ! angstrom
+      integer(c_int32_t), intent(inout), optional :: flags      ! HSP_RADIUS_*
+      integer(c_int32_t) :: status
     end function
 
     ! ---- model -----------------------------------------------------------------------------------------------------

@@ -21,6 +21,7 @@ program fortran_interface_test
   type(c_ptr) :: model, boundary
 
   call sizes_and_constants()
+  call element_radii()
   call model_functions()
   call query_functions()
   call boundary_functions()
@@ -87,6 +88,21 @@ contains
     call check(len(hsp_status_message(HSP_E_ID)) > 0, 'text of a known status')
     call check(hsp_index(0_c_int32_t) == 1, 'hsp_index')
     call check(all(hsp_index([3_c_int32_t, 7_c_int32_t]) == [4, 8]), 'hsp_index of an array')
+  end subroutine
+
+  subroutine element_radii()
+    real(c_double) :: length
+    integer(c_int32_t) :: flags
+    flags = 7
+    call expect(hsp_element_radius(HSP_RADII_BONDI, 8_c_int32_t, length, flags), HSP_OK, 'hsp_element_radius')
+    call check(length == 1.52_c_double .and. flags == 0, 'oxygen')
+    call expect(hsp_element_radius(HSP_RADII_BONDI, 26_c_int32_t, length, flags), HSP_OK, 'hsp_element_radius of iron')
+    call check(length == 2.00_c_double .and. flags == HSP_RADIUS_FALLBACK, 'iron')
+    call expect(hsp_element_radius(HSP_RADII_CHEM3D, 20_c_int32_t, length), HSP_OK, 'hsp_element_radius without flags')
+    call check(length == 3.48_c_double, 'calcium')
+    call expect(hsp_element_radius(2_c_int32_t, 8_c_int32_t, length), HSP_E_ARGUMENT, 'unknown set of radii')
+    call expect(hsp_element_radius(HSP_RADII_BONDI, 119_c_int32_t, length), HSP_E_ID, 'no such element')
+    call check(length == 3.48_c_double, 'radius after failure')
   end subroutine
 
   subroutine model_functions()

@@ -65,14 +65,16 @@ static int call_boundary(computed *c, const buffers *b) {
   hsp_boundary_counts counts;
   hsp_totals totals;
   hsp_energy energy;
-  uint32_t needed, invariant, id;
+  uint32_t needed, invariant, id, flags;
   int32_t meets;
   size_t bytes;
+  double radius;
   int bad = 0;
   bad += hsp_version() != HSP_VERSION_NUMBER;
   bad += hsp_status_text(HSP_OK) == NULL;
   bad += hsp_model_bytes(c->n, &bytes) != HSP_OK;
   bad += hsp_model_init(b->model, b->model_bytes, c->n, &model) != HSP_OK;
+  bad += hsp_element_radius(HSP_RADII_BONDI, 6, &radius, &flags) != HSP_OK;
   bad += hsp_model_options_init(&options, (uint32_t)sizeof options) != HSP_OK;
   bad += hsp_model_set(model, c->n, c->xyz, c->radius, &options, NULL) != HSP_OK;
   bad += hsp_model_get_info(model, &info) != HSP_OK;

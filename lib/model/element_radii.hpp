@@ -1,0 +1,20 @@
+// Radii by element, for who has none of their own.
+#pragma once
+
+#include <cstdint>
+
+namespace hsp {
+
+enum class RadiiSet : uint32_t { bondi = 0, chem3d = 1 };
+
+// Atomic numbers are 1 to this.
+inline constexpr uint32_t element_count = 118;
+
+struct ElementRadius {
+  double radius;  // angstrom
+  bool fallback;  // the set's source has none: the radius of RadiiSet::bondi if that has one, else 2.00
+};
+
+ElementRadius element_radius(RadiiSet set, uint32_t atomic_number);
+
+}  // namespace hsp
