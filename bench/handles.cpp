@@ -44,9 +44,9 @@ void Boundary::compute() {
 
 hsp_totals Boundary::measure() {
   hsp_totals totals{};
-  expect_ok(
-      hsp_boundary_measure(boundary_.get(), &totals, area_.data(), volume_.data(), static_cast<uint32_t>(area_.size())),
-      "hsp_boundary_measure");
+  expect_ok(hsp_boundary_measure(boundary_.get(), nullptr, &totals, area_.data(), volume_.data(),
+                                 static_cast<uint32_t>(area_.size()), nullptr),
+            "hsp_boundary_measure");
   return totals;
 }
 
@@ -54,7 +54,7 @@ hsp_energy Boundary::gradient() {
   hsp_energy energy{};
   expect_ok(
       hsp_boundary_gradient(boundary_.get(), weight_.data(), 1.0, 1.0, HSP_TANGENT_OVERLAP, &energy, by_centre_.data(),
-                            by_radius_.data(), nullptr, static_cast<uint32_t>(by_radius_.size())),
+                            by_radius_.data(), nullptr, static_cast<uint32_t>(by_radius_.size()), nullptr, nullptr),
       "hsp_boundary_gradient");
   return energy;
 }

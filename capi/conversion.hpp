@@ -33,6 +33,12 @@ inline int32_t check_output(const void *out, uint32_t capacity, uint32_t count, 
   return out == nullptr && count > 0 ? HSP_E_ARGUMENT : HSP_OK;
 }
 
+// The same for functions of several arrays, all of which may be left out, and with them the capacity.
+inline bool fits(bool wanted, uint32_t capacity, uint32_t count, uint32_t *needed) {
+  if (needed != nullptr) *needed = count;
+  return !wanted || capacity >= count;
+}
+
 // What every copying function of a computed handle checks: arguments, state, and that exactly count(*handle) records
 // fit.
 template <class Handle, class Count>

@@ -15,40 +15,80 @@ hsp::TouchingBalls to_touching_balls(uint32_t tangency) {
 
 static_assert(hsp::one_sided_flag == HSP_GRADIENT_ONE_SIDED);
 
+// Names the first weight that is not a number; weights and first_bad may be null.
+int32_t check_weights(const double *sigma, uint32_t n, uint32_t *first_bad) {
+  if (first_bad != nullptr) *first_bad = HSP_NONE;
+  for (uint32_t i = 0; sigma != nullptr && i < n; ++i) {
+    if (hsp::is_finite(sigma[i])) continue;
+    if (first_bad != nullptr) *first_bad = i;
+    return HSP_E_NOT_FINITE;
+  }
+  return HSP_OK;
+}
+
+// Row i of an array [n][3], which may be left out.
+void put_vector(const double vector[3], double *array, uint32_t i) {
+  if (array == nullptr) return;
+  for (size_t axis = 0; axis < 3; ++axis) array[3 * static_cast<size_t>(i) + axis] = vector[axis];
+}
+
+// The boundary holds nothing of balls inside others, nor of what they touch.
+void flag_inner_contacts(const hsp::CubeGrid &grid, const hsp::Boundary &boundary, uint32_t *flags) {
+  const hsp::BallSet &balls = grid.balls();
+  hsp::visit_free_inner_contacts(grid, boundary, [&](uint32_t inner, uint32_t outer) {
+    flags[balls.caller[inner]] |= HSP_GRADIENT_ONE_SIDED;
+    flags[balls.caller[outer]] |= HSP_GRADIENT_ONE_SIDED;
+  });
+}
+
 }  // namespace
 
 int32_t hsp_boundary_gradient(const hsp_boundary *boundary, const double *sigma, double tension, double pressure,
                               uint32_t tangency, hsp_energy *energy, double *centre, double *radius, uint32_t *flags,
-                              uint32_t capacity) {
+                              uint32_t capacity, uint32_t *needed, uint32_t *first_bad) {
   if (!is_live(boundary) || !is_tangency(tangency)) return HSP_E_ARGUMENT;
   if (!boundary->has_results()) return HSP_E_STATE;
   const hsp::CubeGrid &grid = boundary->model->grid;
-  const hsp::BallSet &balls = grid.balls();
-  const uint32_t n = balls.n;
-  if ((centre != nullptr || radius != nullptr || flags != nullptr) && capacity < n) return HSP_E_CAPACITY;
+  const uint32_t n = grid.balls().n;
+  const bool wanted = centre != nullptr || radius != nullptr || flags != nullptr;
+  if (!hsp::capi::fits(wanted, capacity, n, needed)) return HSP_E_CAPACITY;
+  if (const int32_t status = check_weights(sigma, n, first_bad); status != HSP_OK) return status;
   if (!hsp::is_finite(tension) || !hsp::is_finite(pressure)) return HSP_E_NOT_FINITE;
-  for (uint32_t i = 0; sigma != nullptr && i < n; ++i) {
-    if (!hsp::is_finite(sigma[i])) return HSP_E_NOT_FINITE;
-  }
 
   const hsp::Boundary &structure = boundary->structure();
   const hsp::EnergyTerms terms{{sigma, to_touching_balls(tangency)}, tension, pressure};
   const hsp::Energy found =
       hsp::differentiate_energy(grid, structure, terms, [&](uint32_t i, const hsp::EnergyGradient &gradient) {
-        for (size_t axis = 0; centre != nullptr && axis < 3; ++axis) {
-          centre[3 * static_cast<size_t>(i) + axis] = gradient.centre[axis];
-        }
+        put_vector(gradient.centre, centre, i);
         if (radius != nullptr) radius[i] = gradient.radius;
         if (flags != nullptr) flags[i] = gradient.one_sided ? HSP_GRADIENT_ONE_SIDED : 0;
       });
-  if (flags != nullptr) {
-    // The boundary holds nothing of balls inside others, nor of what they touch.
-    hsp::visit_free_inner_contacts(grid, structure, [&](uint32_t inner, uint32_t outer) {
-      flags[balls.caller[inner]] |= HSP_GRADIENT_ONE_SIDED;
-      flags[balls.caller[outer]] |= HSP_GRADIENT_ONE_SIDED;
-    });
-  }
+  if (flags != nullptr) flag_inner_contacts(grid, structure, flags);
   if (energy != nullptr) *energy = {found.value, found.area, found.volume, found.by_probe};
+  return HSP_OK;
+}
+
+int32_t hsp_boundary_derivatives(const hsp_boundary *boundary, const double *sigma, uint32_t tangency,
+                                 double *area_centre, double *area_radius, double *volume_centre, double *volume_radius,
+                                 uint32_t *flags, uint32_t capacity, uint32_t *needed, uint32_t *first_bad) {
+  if (!is_live(boundary) || !is_tangency(tangency)) return HSP_E_ARGUMENT;
+  if (!boundary->has_results()) return HSP_E_STATE;
+  const hsp::CubeGrid &grid = boundary->model->grid;
+  const uint32_t n = grid.balls().n;
+  const bool wanted = area_centre != nullptr || area_radius != nullptr || volume_centre != nullptr ||
+                      volume_radius != nullptr || flags != nullptr;
+  if (!hsp::capi::fits(wanted, capacity, n, needed)) return HSP_E_CAPACITY;
+  if (const int32_t status = check_weights(sigma, n, first_bad); status != HSP_OK) return status;
+  const hsp::Boundary &structure = boundary->structure();
+  const hsp::AreaWeights weights{sigma, to_touching_balls(tangency)};
+  hsp::differentiate_measures(grid, structure, weights, [&](uint32_t i, const hsp::MeasureGradient &gradient) {
+    put_vector(gradient.area_centre, area_centre, i);
+    put_vector(gradient.volume_centre, volume_centre, i);
+    if (area_radius != nullptr) area_radius[i] = gradient.area_radius;
+    if (volume_radius != nullptr) volume_radius[i] = gradient.volume_radius;
+    if (flags != nullptr) flags[i] = gradient.one_sided ? HSP_GRADIENT_ONE_SIDED : 0;
+  });
+  if (flags != nullptr) flag_inner_contacts(grid, structure, flags);
   return HSP_OK;
 }
 

@@ -42,7 +42,7 @@ void require_short_rows(const computed &c, uint32_t tangency, fuzz::Bytes &bytes
 // hsp_boundary_measure_faces, property 1.
 void require_faces(const computed &c) {
   std::vector<double> area(c.counts.faces + 1), volume(c.counts.faces + 1);
-  FUZZ_REQUIRE(hsp_boundary_measure_faces(c.boundary, area.data(), volume.data(), c.counts.faces) == HSP_OK,
+  FUZZ_REQUIRE(hsp_boundary_measure_faces(c.boundary, area.data(), volume.data(), c.counts.faces, nullptr) == HSP_OK,
                "measure_faces");
   for (uint32_t i = 0; i < c.n; ++i) {
     const double r = c.radius[i];
@@ -58,9 +58,10 @@ void require_faces(const computed &c) {
   }
   if (c.counts.faces > 0) {
     fuzz::Output<double> out(c.counts.faces - 1, false);
-    FUZZ_REQUIRE(hsp_boundary_measure_faces(c.boundary, out.data(), nullptr, out.capacity()) == HSP_E_CAPACITY &&
-                     out.untouched_from(0),
-                 "measure_faces in too short an array");
+    FUZZ_REQUIRE(
+        hsp_boundary_measure_faces(c.boundary, out.data(), nullptr, out.capacity(), nullptr) == HSP_E_CAPACITY &&
+            out.untouched_from(0),
+        "measure_faces in too short an array");
   }
 }
 
@@ -70,7 +71,7 @@ void require_selected(const computed &c, fuzz::Bytes &bytes) {
   std::vector<double> area(c.n + 1), volume(c.n + 1);
   hsp_totals totals{}, all{};
   FUZZ_REQUIRE(
-      hsp_boundary_measure_selected(c.boundary, selected.data(), &totals, area.data(), volume.data(), c.n) == HSP_OK,
+      hsp_boundary_measure(c.boundary, selected.data(), &totals, area.data(), volume.data(), c.n, nullptr) == HSP_OK,
       "measure_selected");
   double sum = 0, sums = 0;
   for (uint32_t i = 0; i < c.n; ++i) {
@@ -82,7 +83,7 @@ void require_selected(const computed &c, fuzz::Bytes &bytes) {
   }
   FUZZ_REQUIRE(std::fabs(totals.area - sum) <= 1e-12 * sum && std::isfinite(totals.volume), "totals of selected balls");
   FUZZ_REQUIRE(std::fabs(totals.volume) <= sums * (1 + 1e-12), "volume of selected balls");
-  FUZZ_REQUIRE(hsp_boundary_measure_selected(c.boundary, nullptr, &all, nullptr, nullptr, 0) == HSP_OK, "all");
+  FUZZ_REQUIRE(hsp_boundary_measure(c.boundary, nullptr, &all, nullptr, nullptr, 0, nullptr) == HSP_OK, "all");
   FUZZ_REQUIRE(fuzz::same(&all, &c.totals, 1), "nothing selected is everything");
 }
 

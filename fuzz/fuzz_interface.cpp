@@ -365,7 +365,8 @@ class Session {
     fuzz::Output<double> area(bytes_.below(30), no_area);
     fuzz::Output<double> volume(area.capacity(), no_volume);
     fuzz::Output<hsp_totals> totals(1, no_totals);
-    const int32_t status = hsp_boundary_measure(boundary, totals.data(), area.data(), volume.data(), area.capacity());
+    const int32_t status =
+        hsp_boundary_measure(boundary, nullptr, totals.data(), area.data(), volume.data(), area.capacity(), nullptr);
     int32_t expected = reader_status(boundary);
     if (expected == HSP_OK && !(no_area && no_volume) && area.capacity() < balls_) expected = HSP_E_CAPACITY;
     FUZZ_REQUIRE(status == expected, "hsp_boundary_measure");

@@ -432,33 +432,29 @@ typedef struct hsp_totals {
   double volume; /**< of the union, voids not included, length^3 */
 } hsp_totals;
 
-/** Area and volume of the union, and of each ball.
- *  totals may be NULL; area and volume may each be NULL, else they hold capacity >= n entries, in the caller's order.
+/** Area and volume of the union, and of each ball, or those of some balls while the others only block.
+ *  selected [n] holds one byte per ball, 0 or not 0; NULL selects all. What is not selected counts 0, and the rest is
+ *  the same bit for bit. totals may be NULL; area and volume may each be NULL, else they hold capacity >= n entries, in the
+ *  caller's order; needed may be NULL and else becomes n.
  *  area[i] is the free area of ball i. volume[i] is ball i's term of the divergence theorem,
  *  (r_i area[i] + (c_i - o) . N_i) / 3 with N_i the vector area of its faces and o a centre of its component that does
  *  not depend on the order of the balls: the terms sum to the volume, single terms may be negative.
  *  Totals are summed over the balls in the caller's order by a fixed binary tree.
  *  HSP_E_ARGUMENT: boundary NULL. HSP_E_STATE as above. HSP_E_CAPACITY: an array is given and capacity < n
- *  (then nothing is written).
+ *  (then nothing but *needed is written).
  *  Property 1: area[i] and volume[i] do not depend on the order of the balls, bit for bit.
- *  Accuracy: about 1e-14 of the total for molecules. Cost: O(vertices + circles). */
-HSP_API int32_t hsp_boundary_measure(const hsp_boundary *boundary, hsp_totals *totals, double *area, double *volume,
-                                     uint32_t capacity);
-
-/** The same for some of the balls; the others only block. selected [n] holds one byte per ball, 0 or not 0; NULL
- *  selects all. totals, area and volume hold the selected balls' parts alone, other entries are 0. Statuses as
- *  hsp_boundary_measure. The selected balls' areas are what hsp_boundary_measure says, bit for bit.
+ *  Accuracy: about 1e-14 of the total for molecules.
  *  Cost: O(n + what the selected balls' faces have of arcs and circles). */
-HSP_API int32_t hsp_boundary_measure_selected(const hsp_boundary *boundary, const uint8_t *selected, hsp_totals *totals,
-                                              double *area, double *volume, uint32_t capacity);
+HSP_API int32_t hsp_boundary_measure(const hsp_boundary *boundary, const uint8_t *selected, hsp_totals *totals,
+                                     double *area, double *volume, uint32_t capacity, uint32_t *needed);
 
 /** Area, and term of the volume, of each face: area [faces] and volume [faces], each may be NULL, face ids as in
  *  hsp_boundary_get_faces. A face's volume term is that of the divergence theorem about its ball's origin o (see
  *  hsp_boundary_measure). HSP_E_ARGUMENT, HSP_E_STATE as above; HSP_E_CAPACITY: an array is given and capacity is
- *  less than the number of faces (nothing is written).
+ *  less than the number of faces, which *needed becomes if needed is not NULL (nothing else is written then).
  *  Property 1: the faces of a ball sum to that ball's area and volume, up to rounding. */
 HSP_API int32_t hsp_boundary_measure_faces(const hsp_boundary *boundary, double *area, double *volume,
-                                           uint32_t capacity);
+                                           uint32_t capacity, uint32_t *needed);
 
 /* ---- gradients ----------------------------------------------------------------------------------------------------
  *
@@ -488,9 +484,10 @@ typedef struct hsp_energy {
  *  sigma [n], NULL for all ones; tangency is one of HSP_TANGENT_*; energy may be NULL. centre [n][3] = dE/dc_i,
  *  radius [n] = dE/dr_i and flags [n] = HSP_GRADIENT_* may each be NULL and else hold capacity >= n entries.
  *  For the area alone: tension 1, pressure 0, sigma NULL. For the volume alone: tension 0, pressure 1. A ball with
- *  sigma 0 only blocks.
+ *  sigma 0 only blocks. For molecular dynamics take HSP_TANGENT_OVERLAP. needed may be NULL and else becomes n;
+ *  first_bad may be NULL and else becomes the first ball whose sigma is NaN or infinite, HSP_NONE if there is none.
  *  HSP_E_ARGUMENT: boundary NULL, unknown tangency. HSP_E_STATE, HSP_E_CAPACITY as hsp_boundary_measure.
- *  HSP_E_NOT_FINITE: a sigma, tension or pressure is NaN or infinite. On failure nothing is written.
+ *  HSP_E_NOT_FINITE: a sigma, tension or pressure is NaN or infinite. On failure nothing else is written.
  *  Property 1: the sums of centre and of c_i x centre are zero up to rounding (E does not change under motions).
  *  Property 2: with all sigma equal, sum_i (r_i radius_i + c_i . centre_i) = 2 A for the area, 3 V for the volume.
  *  Property 3: centre, radius and flags do not depend on the order of the balls, bit for bit.
@@ -498,7 +495,19 @@ typedef struct hsp_energy {
  *  Cost: O(n + vertices + circles). */
 HSP_API int32_t hsp_boundary_gradient(const hsp_boundary *boundary, const double *sigma, double tension,
                                       double pressure, uint32_t tangency, hsp_energy *energy, double *centre,
-                                      double *radius, uint32_t *flags, uint32_t capacity);
+                                      double *radius, uint32_t *flags, uint32_t capacity, uint32_t *needed,
+                                      uint32_t *first_bad);
+
+/** The two parts of that gradient, each on its own: the derivatives of S = sum_i sigma_i A_i and of the volume V.
+ *  area_centre [n][3] = dS/dc_i, area_radius [n] = dS/dr_i, volume_centre [n][3] = dV/dc_i (the vector area of ball i's
+ *  faces), volume_radius [n] = dV/dr_i (ball i's free area); each may be NULL. Other arguments and statuses as
+ *  hsp_boundary_gradient.
+ *  Property 1: tension times the one plus pressure times the other is what hsp_boundary_gradient says, up to rounding;
+ *  with tension 1 and pressure 0, or 0 and 1, and finite numbers, bit for bit. */
+HSP_API int32_t hsp_boundary_derivatives(const hsp_boundary *boundary, const double *sigma, uint32_t tangency,
+                                         double *area_centre, double *area_radius, double *volume_centre,
+                                         double *volume_radius, uint32_t *flags, uint32_t capacity, uint32_t *needed,
+                                         uint32_t *first_bad);
 
 /** One entry of a ball's row of the area's Jacobian. */
 typedef struct hsp_area_derivative {

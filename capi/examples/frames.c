@@ -95,7 +95,7 @@ static int32_t compute(struct trajectory *trajectory, struct frame *frame, doubl
     ++trajectory->sizings;
   }
   return hsp_boundary_gradient(work->boundary, NULL, 1.0, 0.0, HSP_TANGENT_OVERLAP, energy, frame->gradient, NULL, NULL,
-                               frame->atoms);
+                               frame->atoms, NULL, NULL);
 }
 
 static double largest_norm(const struct frame *frame) {

@@ -24,7 +24,7 @@ int main(void) {
   if (status == HSP_OK) status = hsp_boundary_init(boundary_memory, sizeof boundary_memory, &limits, &boundary);
   if (status == HSP_OK) status = hsp_boundary_compute(boundary, model, NULL);
   if (status == HSP_OK) status = hsp_boundary_get_counts(boundary, &counts);
-  if (status == HSP_OK) status = hsp_boundary_measure(boundary, &totals, NULL, NULL, 0);
+  if (status == HSP_OK) status = hsp_boundary_measure(boundary, NULL, &totals, NULL, NULL, 0, NULL);
 
   if (status != HSP_OK) {
     fprintf(stderr, "minimal: %s\n", hsp_status_text(status));

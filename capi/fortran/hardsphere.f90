@@ -611,19 +611,8 @@ module hardsphere
 
     ! ---- areas and volume ------------------------------------------------------------------------------------------
 
-    function hsp_boundary_measure(boundary, totals, area, volume, capacity) result(status) &
+    function hsp_boundary_measure(boundary, selected, totals, area, volume, capacity, needed) result(status) &
       bind(C, name="hsp_boundary_measure")
-      import :: c_double, c_int32_t, c_ptr, hsp_totals
-      type(c_ptr), value :: boundary
-      type(hsp_totals), intent(inout), optional :: totals
-      real(c_double), intent(inout), optional :: area(*)        ! n
-      real(c_double), intent(inout), optional :: volume(*)      ! n
-      integer(c_int32_t), value :: capacity
-      integer(c_int32_t) :: status
-    end function
-
-    function hsp_boundary_measure_selected(boundary, selected, totals, area, volume, capacity) result(status) &
-      bind(C, name="hsp_boundary_measure_selected")
       import :: c_double, c_int32_t, c_int8_t, c_ptr, hsp_totals
       type(c_ptr), value :: boundary
       integer(c_int8_t), intent(in), optional :: selected(*)    ! n; 0 or not 0
@@ -631,23 +620,25 @@ module hardsphere
       real(c_double), intent(inout), optional :: area(*)        ! n
       real(c_double), intent(inout), optional :: volume(*)      ! n
       integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
-    function hsp_boundary_measure_faces(boundary, area, volume, capacity) result(status) &
+    function hsp_boundary_measure_faces(boundary, area, volume, capacity, needed) result(status) &
       bind(C, name="hsp_boundary_measure_faces")
       import :: c_double, c_int32_t, c_ptr
       type(c_ptr), value :: boundary
       real(c_double), intent(inout), optional :: area(*)        ! faces
       real(c_double), intent(inout), optional :: volume(*)      ! faces
       integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
     ! ---- gradients -------------------------------------------------------------------------------------------------
 
     function hsp_boundary_gradient(boundary, sigma, tension, pressure, tangency, energy, centre, radius, flags, &
-                                   capacity) result(status) bind(C, name="hsp_boundary_gradient")
+                                   capacity, needed, first_bad) result(status) bind(C, name="hsp_boundary_gradient")
       import :: c_double, c_int32_t, c_ptr, hsp_energy
       type(c_ptr), value :: boundary
       real(c_double), intent(in), optional :: sigma(*)          ! n
@@ -659,6 +650,26 @@ module hardsphere
       real(c_double), intent(inout), optional :: radius(*)      ! n
       integer(c_int32_t), intent(inout), optional :: flags(*)   ! n; HSP_GRADIENT_*
       integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
+      integer(c_int32_t), intent(inout), optional :: first_bad
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_boundary_derivatives(boundary, sigma, tangency, area_centre, area_radius, volume_centre, &
+                                      volume_radius, flags, capacity, needed, first_bad) result(status) &
+      bind(C, name="hsp_boundary_derivatives")
+      import :: c_double, c_int32_t, c_ptr
+      type(c_ptr), value :: boundary
+      real(c_double), intent(in), optional :: sigma(*)               ! n
+      integer(c_int32_t), value :: tangency                          ! HSP_TANGENT_*
+      real(c_double), intent(inout), optional :: area_centre(3, *)   ! 3, n
+      real(c_double), intent(inout), optional :: area_radius(*)      ! n
+      real(c_double), intent(inout), optional :: volume_centre(3, *) ! 3, n
+      real(c_double), intent(inout), optional :: volume_radius(*)    ! n
+      integer(c_int32_t), intent(inout), optional :: flags(*)        ! n; HSP_GRADIENT_*
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
+      integer(c_int32_t), intent(inout), optional :: first_bad
       integer(c_int32_t) :: status
     end function
 

@@ -4,7 +4,7 @@
 !   type(hsp_workspace), target :: work
 !   status = work%set(n, xyz, radius)
 !   if (status == HSP_OK) status = work%compute_boundary()
-!   if (status == HSP_OK) status = hsp_boundary_measure(work%boundary, totals, area, capacity=n)
+!   if (status == HSP_OK) status = hsp_boundary_measure(work%boundary, totals=totals, area=area, capacity=n)
 !
 ! It may be used for any number of sets of balls, one after the other, and keeps the memory of the largest. Read results
 ! through its handles by the functions of the module hardsphere, which this one passes on. Handles move when they grow:

@@ -40,7 +40,7 @@ program water
     call must(hsp_model_set(model, n, xyz, radius, options))
     call must(hsp_boundary_compute(boundary, model))
     call must(hsp_boundary_get_counts(boundary, counts))
-    call must(hsp_boundary_measure(boundary, totals, area=area, capacity=n))
+    call must(hsp_boundary_measure(boundary, totals=totals, area=area, capacity=n))
     print '(a, f4.1, a, f9.4, a, f9.4, a, i0, a, i0, a)', 'probe ', probes(p), ' A: area ', totals%area, &
       ' A^2, volume ', totals%volume, ' A^3, ', counts%vertices, ' vertices, ', counts%faces, ' faces'
     do i = 1, n

@@ -18,33 +18,38 @@ static bool allocate_gradient(const struct molecule *molecule, struct gradient *
   return gradient->centre != NULL && gradient->radius != NULL;
 }
 
-static bool measure_gradient(const struct molecule *molecule, const struct geometry *geometry, double tension,
-                             double pressure, const double *weights, struct gradient *gradient, uint32_t *flags,
-                             struct failure *failure) {
-  if (!allocate_gradient(molecule, gradient, failure)) return false;
-  const int32_t status = hsp_boundary_gradient(geometry->work.boundary, weights, tension, pressure, HSP_TANGENT_OVERLAP,
-                                               NULL, gradient->centre, gradient->radius, flags, molecule->atoms);
-  return status == HSP_OK || failure_in_library(failure, status);
-}
-
-/* Which balls touch another is a matter of the balls, not of the quantity, so the area's flags count for all. */
-static bool measure_area_gradient(const struct molecule *molecule, const struct geometry *geometry,
-                                  struct measurement *measurement, struct failure *failure) {
+/* Derivatives of area and volume by all centres and radii, and how many balls have one-sided ones. */
+static bool measure_gradients(const struct molecule *molecule, const struct geometry *geometry,
+                              struct measurement *measurement, struct failure *failure) {
+  struct gradient *of_area = &measurement->of_area, *of_volume = &measurement->of_volume;
+  if (!allocate_gradient(molecule, of_area, failure) || !allocate_gradient(molecule, of_volume, failure)) return false;
   uint32_t *flags = calloc((size_t)molecule->atoms + 1, sizeof *flags);
   if (flags == NULL) return failure_of_memory(failure);
-  const bool done = measure_gradient(molecule, geometry, 1.0, 0.0, NULL, &measurement->of_area, flags, failure);
-  for (uint32_t i = 0; done && i < molecule->atoms; ++i) {
+  const int32_t status =
+      hsp_boundary_derivatives(geometry->work.boundary, NULL, HSP_TANGENT_OVERLAP, of_area->centre, of_area->radius,
+                               of_volume->centre, of_volume->radius, flags, molecule->atoms, NULL, NULL);
+  for (uint32_t i = 0; status == HSP_OK && i < molecule->atoms; ++i) {
     if ((flags[i] & HSP_GRADIENT_ONE_SIDED) != 0) ++measurement->one_sided;
   }
   free(flags);
-  return done;
+  return status == HSP_OK || failure_in_library(failure, status);
+}
+
+static bool measure_weighted_gradient(const struct molecule *molecule, const struct geometry *geometry,
+                                      struct measurement *measurement, struct failure *failure) {
+  struct gradient *gradient = &measurement->of_weighted_area;
+  if (!allocate_gradient(molecule, gradient, failure)) return false;
+  const int32_t status =
+      hsp_boundary_gradient(geometry->work.boundary, measurement->weights, 1.0, 0.0, HSP_TANGENT_OVERLAP, NULL,
+                            gradient->centre, gradient->radius, NULL, molecule->atoms, NULL, NULL);
+  return status == HSP_OK || failure_in_library(failure, status);
 }
 
 static bool measure_weighted_area(const struct geometry *geometry, struct measurement *measurement,
                                   struct failure *failure) {
   hsp_energy energy;
   const int32_t status = hsp_boundary_gradient(geometry->work.boundary, measurement->weights, 1.0, 0.0,
-                                               HSP_TANGENT_OVERLAP, &energy, NULL, NULL, NULL, 0);
+                                               HSP_TANGENT_OVERLAP, &energy, NULL, NULL, NULL, 0, NULL, NULL);
   if (status != HSP_OK) return failure_in_library(failure, status);
   measurement->weighted_area = energy.area;
   return true;
@@ -56,8 +61,8 @@ static bool measure_areas(const struct request *request, const struct molecule *
     measurement->area = allocate(molecule, 1, failure);
     if (measurement->area == NULL) return false;
   }
-  const int32_t status = hsp_boundary_measure(geometry->work.boundary, &measurement->totals, measurement->area, NULL,
-                                              measurement->area == NULL ? 0 : molecule->atoms);
+  const int32_t status = hsp_boundary_measure(geometry->work.boundary, NULL, &measurement->totals, measurement->area,
+                                              NULL, measurement->area == NULL ? 0 : molecule->atoms, NULL);
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
@@ -70,10 +75,8 @@ bool measurement_make(const struct request *request, const struct molecule *mole
   if (!measure_areas(request, molecule, geometry, measurement, failure)) return false;
   if (weighted && !measure_weighted_area(geometry, measurement, failure)) return false;
   if (!request->gradient) return true;
-  return measure_area_gradient(molecule, geometry, measurement, failure) &&
-         measure_gradient(molecule, geometry, 0.0, 1.0, NULL, &measurement->of_volume, NULL, failure) &&
-         (!weighted || measure_gradient(molecule, geometry, 1.0, 0.0, measurement->weights,
-                                        &measurement->of_weighted_area, NULL, failure));
+  return measure_gradients(molecule, geometry, measurement, failure) &&
+         (!weighted || measure_weighted_gradient(molecule, geometry, measurement, failure));
 }
 
 void measurement_free(struct measurement *measurement) {

@@ -88,7 +88,7 @@ static bool add_free_part(const struct molecule *molecule, double probe, double 
   }
   done = done && geometry_compute_boundary(&inflated, failure);
   if (done) {
-    const int32_t status = hsp_boundary_measure(inflated.work.boundary, NULL, area, NULL, molecule->atoms);
+    const int32_t status = hsp_boundary_measure(inflated.work.boundary, NULL, NULL, area, NULL, molecule->atoms, NULL);
     done = status == HSP_OK || failure_in_library(failure, status);
   }
   geometry_free(&inflated);

@@ -14,11 +14,11 @@ inline void call_measure_parts(Bytes &bytes, const hsp_boundary *boundary, int32
   Output<double> area(bytes.below(30), null(bytes)), volume(area.capacity(), null(bytes));
   Output<hsp_totals> totals(1, null(bytes));
   const bool arrays = area.data() != nullptr || volume.data() != nullptr;
-  int32_t status = hsp_boundary_measure_selected(boundary, null(bytes) ? nullptr : selected.data(), totals.data(),
-                                                 area.data(), volume.data(), area.capacity());
+  int32_t status = hsp_boundary_measure(boundary, null(bytes) ? nullptr : selected.data(), totals.data(), area.data(),
+                                        volume.data(), area.capacity(), nullptr);
   int32_t expected = reader_status;
   if (expected == HSP_OK && arrays && area.capacity() < balls) expected = HSP_E_CAPACITY;
-  FUZZ_REQUIRE(status == expected, "hsp_boundary_measure_selected");
+  FUZZ_REQUIRE(status == expected, "hsp_boundary_measure, a selection");
   const uint32_t written = status == HSP_OK ? balls : 0;
   FUZZ_REQUIRE(area.untouched_from(area.data() == nullptr ? 0 : written), "area written where nothing belongs");
   FUZZ_REQUIRE(volume.untouched_from(volume.data() == nullptr ? 0 : written), "volume written where nothing belongs");
@@ -27,7 +27,7 @@ inline void call_measure_parts(Bytes &bytes, const hsp_boundary *boundary, int32
   hsp_boundary_counts counts{};
   if (reader_status == HSP_OK) FUZZ_REQUIRE(hsp_boundary_get_counts(boundary, &counts) == HSP_OK, "counts");
   Output<double> face_area(bytes.below(50), null(bytes)), face_volume(face_area.capacity(), null(bytes));
-  status = hsp_boundary_measure_faces(boundary, face_area.data(), face_volume.data(), face_area.capacity());
+  status = hsp_boundary_measure_faces(boundary, face_area.data(), face_volume.data(), face_area.capacity(), nullptr);
   expected = reader_status;
   const bool face_arrays = face_area.data() != nullptr || face_volume.data() != nullptr;
   if (expected == HSP_OK && face_arrays && face_area.capacity() < counts.faces) expected = HSP_E_CAPACITY;
@@ -51,8 +51,34 @@ inline void call_gradient(Bytes &bytes, const hsp_boundary *boundary, int32_t re
   Output<hsp_energy> energy(1, null(bytes));
   Output<double> centre(3 * capacity, null(bytes)), radius(capacity, null(bytes));
   Output<uint32_t> flags(capacity, null(bytes));
-  const int32_t status = hsp_boundary_gradient(boundary, no_sigma ? nullptr : sigma.data(), tension, pressure, tangency,
-                                               energy.data(), centre.data(), radius.data(), flags.data(), capacity);
+  const int32_t status =
+      hsp_boundary_gradient(boundary, no_sigma ? nullptr : sigma.data(), tension, pressure, tangency, energy.data(),
+                            centre.data(), radius.data(), flags.data(), capacity, nullptr, nullptr);
+  // The two parts of the gradient have the same arguments but for the factors, which are finite numbers there.
+  bool finite_weights = true;
+  for (uint32_t i = 0; i < balls && !no_sigma; ++i) finite_weights = finite_weights && std::isfinite(sigma[i]);
+  Output<double> area_centre(3 * capacity, null(bytes)), area_radius(capacity, null(bytes));
+  Output<double> volume_centre(3 * capacity, null(bytes)), volume_radius(capacity, null(bytes));
+  uint32_t first_bad = 12345;
+  const int32_t parts_status = hsp_boundary_derivatives(boundary, no_sigma ? nullptr : sigma.data(), tangency,
+                                                        area_centre.data(), area_radius.data(), volume_centre.data(),
+                                                        volume_radius.data(), nullptr, capacity, nullptr, &first_bad);
+  const bool parts = area_centre.data() != nullptr || area_radius.data() != nullptr ||
+                     volume_centre.data() != nullptr || volume_radius.data() != nullptr;
+  const int32_t parts_expected = boundary == nullptr || tangency > HSP_TANGENT_DISJOINT ? HSP_E_ARGUMENT
+                                 : reader_status != HSP_OK                              ? reader_status
+                                 : parts && capacity < balls                            ? HSP_E_CAPACITY
+                                 : !finite_weights                                      ? HSP_E_NOT_FINITE
+                                                                                        : HSP_OK;
+  FUZZ_REQUIRE(parts_status == parts_expected, "hsp_boundary_derivatives");
+  FUZZ_REQUIRE(parts_status != HSP_E_NOT_FINITE || (first_bad < balls && !std::isfinite(sigma[first_bad])),
+               "first_bad");
+  const uint32_t of_parts = parts_status == HSP_OK ? balls : 0;
+  FUZZ_REQUIRE(area_centre.untouched_from(area_centre.data() == nullptr ? 0 : 3 * of_parts) &&
+                   area_radius.untouched_from(area_radius.data() == nullptr ? 0 : of_parts) &&
+                   volume_centre.untouched_from(volume_centre.data() == nullptr ? 0 : 3 * of_parts) &&
+                   volume_radius.untouched_from(volume_radius.data() == nullptr ? 0 : of_parts),
+               "derivatives written where nothing belongs");
   if (boundary == nullptr || tangency > HSP_TANGENT_DISJOINT) {
     FUZZ_REQUIRE(status == HSP_E_ARGUMENT, "hsp_boundary_gradient, arguments");
   } else if (reader_status != HSP_OK) {

@@ -63,6 +63,33 @@ inline EnergyGradient gradient_of_energy(const exact::Lattice &lattice, const En
           ball.one_sided};
 }
 
+// Derivatives of the weighted area and of the volume, each on its own.
+struct MeasureGradient {
+  double area_centre[3];
+  double volume_centre[3];
+  double area_radius;
+  double volume_radius;
+  bool one_sided;
+};
+
+// Calls sink(i, gradient) for every ball i of the input.
+template <class Sink>
+void differentiate_measures(const CubeGrid &grid, const Boundary &boundary, const AreaWeights &weights, Sink sink) {
+  const BallSet &balls = grid.balls();
+  const EnergyTerms area{weights, 1.0, 0.0};
+  const EnergyTerms volume{weights, 0.0, 1.0};
+  visit_in_input_order(grid, boundary, [&](uint32_t i, uint32_t ball) {
+    const BallGradient own = gradient_of_ball(balls, boundary, weights, ball);
+    const EnergyGradient of_area = gradient_of_energy(balls.lattice, area, own);
+    const EnergyGradient of_volume = gradient_of_energy(balls.lattice, volume, own);
+    sink(i, MeasureGradient{{of_area.centre[0], of_area.centre[1], of_area.centre[2]},
+                            {of_volume.centre[0], of_volume.centre[1], of_volume.centre[2]},
+                            of_area.radius,
+                            of_volume.radius,
+                            own.one_sided});
+  });
+}
+
 // Calls sink(i, gradient) for every ball i of the input, and returns the energy.
 template <class Sink>
 Energy differentiate_energy(const CubeGrid &grid, const Boundary &boundary, const EnergyTerms &terms, Sink sink) {

@@ -72,8 +72,8 @@ static void check_all_readers(hsp_boundary *which, int32_t status) {
   CHECK_EQUAL(hsp_boundary_get_loops(which, loops, 16, &needed), status);
   CHECK_EQUAL(hsp_boundary_get_loop_arcs(which, loop_arcs, 48, &needed), status);
   CHECK_EQUAL(hsp_boundary_get_balls(which, balls, BALLS, &needed), status);
-  CHECK_EQUAL(hsp_boundary_measure(which, &totals, area, volume, BALLS), status);
-  CHECK_EQUAL(hsp_boundary_measure(which, &totals, NULL, NULL, 0), status);
+  CHECK_EQUAL(hsp_boundary_measure(which, NULL, &totals, area, volume, BALLS, NULL), status);
+  CHECK_EQUAL(hsp_boundary_measure(which, NULL, &totals, NULL, NULL, 0, NULL), status);
   CHECK_EQUAL(hsp_boundary_check(which, &invariant, &id), status);
   check_outputs_untouched();
 }
@@ -125,13 +125,13 @@ static void compute_and_read(void) {
   check_outputs_untouched();
 
   check_scene("every output of hsp_boundary_measure may be left out");
-  CHECK_EQUAL(hsp_boundary_measure(boundary, NULL, NULL, NULL, 0), HSP_OK);
-  CHECK_EQUAL(hsp_boundary_measure(boundary, NULL, area, NULL, BALLS), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_measure(boundary, NULL, NULL, NULL, NULL, 0, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_measure(boundary, NULL, NULL, area, NULL, BALLS, NULL), HSP_OK);
   CHECK(area[0] > 0);
   CHECK_UNTOUCHED(volume);
-  CHECK_EQUAL(hsp_boundary_measure(boundary, NULL, NULL, volume, BALLS), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_measure(boundary, NULL, NULL, NULL, volume, BALLS, NULL), HSP_OK);
   CHECK_UNTOUCHED(totals);
-  CHECK_EQUAL(hsp_boundary_measure(boundary, &totals, NULL, NULL, 0), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_measure(boundary, NULL, &totals, NULL, NULL, 0, NULL), HSP_OK);
   CHECK_NEAR(area[0] + area[1] + area[2], totals.area, 1e-13 * totals.area);
   CHECK_NEAR(volume[0] + volume[1] + volume[2], totals.volume, 1e-13 * totals.volume);
 }

@@ -71,8 +71,9 @@ static void sweep_measure(const computed *all) {
       int32_t status;
       memset(&totals, GUARDED_PATTERN, sizeof totals);
       before = totals;
-      status = hsp_boundary_measure(all->boundary, &totals, (arrays & 1) != 0 ? (double *)(void *)area.block : NULL,
-                                    (arrays & 2) != 0 ? (double *)(void *)volume.block : NULL, capacity);
+      status =
+          hsp_boundary_measure(all->boundary, NULL, &totals, (arrays & 1) != 0 ? (double *)(void *)area.block : NULL,
+                               (arrays & 2) != 0 ? (double *)(void *)volume.block : NULL, capacity, NULL);
       if (capacity < n) {
         CHECK_EQUAL(status, HSP_E_CAPACITY);
         CHECK_BYTES(&totals, &before, sizeof totals);

@@ -253,11 +253,11 @@ contains
     end do
     call check(balls(1)%component == balls(3)%component .and. balls(1)%component /= balls(4)%component, 'components')
 
-    call expect(hsp_boundary_measure(boundary, totals, area, volume, n), HSP_OK, 'hsp_boundary_measure')
+    call expect(hsp_boundary_measure(boundary, totals=totals, area=area, volume=volume, capacity=n), HSP_OK, 'hsp_boundary_measure')
     call check(abs(area(4) - pi) < 1e-14_c_double .and. abs(volume(4) - pi/6) < 1e-14_c_double, 'the ball apart')
     call check(abs(sum(area) - totals%area) < 1e-12_c_double .and. abs(sum(volume) - totals%volume) < 1e-12_c_double, 'totals')
     totals%area = 0
-    call expect(hsp_boundary_measure(boundary, totals, capacity=0_c_int32_t), HSP_OK, 'totals alone')
+    call expect(hsp_boundary_measure(boundary, totals=totals, capacity=0_c_int32_t), HSP_OK, 'totals alone')
     call check(totals%area > pi, 'totals alone')
     area = 0
     call expect(hsp_boundary_measure(boundary, area=area, capacity=n), HSP_OK, 'areas alone')
@@ -302,14 +302,14 @@ contains
     integer(c_int8_t), parameter :: selected(n) = [0_c_int8_t, 1_c_int8_t, 0_c_int8_t, -1_c_int8_t]
     call compute_all()
     call expect(hsp_boundary_measure(boundary, area=all_area, volume=all_volume, capacity=n), HSP_OK, 'all balls')
-    call expect(hsp_boundary_measure_selected(boundary, selected, totals, area, volume, n), HSP_OK, &
-                'hsp_boundary_measure_selected')
+    call expect(hsp_boundary_measure(boundary, selected, totals, area, volume, n), HSP_OK, &
+                'hsp_boundary_measure')
     call check(all(area == merge(all_area, 0.0_c_double, selected /= 0)), 'areas of selected balls')
     call check(all(volume == merge(all_volume, 0.0_c_double, selected /= 0)), 'volume terms of selected balls')
     call check(abs(totals%area - all_area(2) - all_area(4)) < 1e-13_c_double, 'area of selected balls')
     call check(abs(totals%volume - all_volume(2) - all_volume(4)) < 1e-13_c_double, 'volume of selected balls')
     area = -1
-    call expect(hsp_boundary_measure_selected(boundary, area=area, capacity=n), HSP_OK, 'no selection selects all')
+    call expect(hsp_boundary_measure(boundary, area=area, capacity=n), HSP_OK, 'no selection selects all')
     call check(all(area == all_area), 'no selection selects all')
     call expect(hsp_boundary_measure_faces(boundary, face_area, face_volume, 4_c_int32_t), HSP_OK, &
                 'hsp_boundary_measure_faces')
@@ -327,13 +327,20 @@ contains
     type(hsp_energy) :: energy
     type(hsp_totals) :: totals
     real(c_double) :: centre(3, n), by_radius(n), area(n), moved(3, n), at(-1:1)
-    integer(c_int32_t) :: flags(n)
+    real(c_double) :: area_centre(3, n), area_radius(n), volume_centre(3, n), volume_radius(n)
+    integer(c_int32_t) :: flags(n), needed, first_bad
     integer :: axis, step
     call compute_all()
     flags = 7
     call expect(hsp_boundary_gradient(boundary, sigma, 0.5_c_double, 2.0_c_double, HSP_TANGENT_OVERLAP, energy, centre, &
                                       by_radius, flags, n), HSP_OK, 'hsp_boundary_gradient')
-    call expect(hsp_boundary_measure(boundary, totals, area, capacity=n), HSP_OK, 'hsp_boundary_measure')
+    call expect(hsp_boundary_derivatives(boundary, sigma, HSP_TANGENT_OVERLAP, area_centre, area_radius, volume_centre, &
+                                         volume_radius, capacity=n, needed=needed, first_bad=first_bad), HSP_OK, &
+                'hsp_boundary_derivatives')
+    call check(needed == n .and. first_bad == HSP_NONE, 'all weights are numbers')
+    call check(all(abs(0.5_c_double*area_centre + 2*volume_centre - centre) < 1e-12_c_double) .and. &
+               all(abs(0.5_c_double*area_radius + 2*volume_radius - by_radius) < 1e-12_c_double), 'the parts of a gradient')
+    call expect(hsp_boundary_measure(boundary, totals=totals, area=area, capacity=n), HSP_OK, 'hsp_boundary_measure')
     call check(abs(energy%area - sum(sigma*area)) < 1e-12_c_double, 'energy%area')
     call check(abs(energy%volume - totals%volume) < 1e-12_c_double, 'energy%volume')
     call check(abs(energy%value - 0.5_c_double*energy%area - 2*energy%volume) < 1e-12_c_double, 'energy%value')
@@ -348,7 +355,7 @@ contains
         moved(axis, 3) = moved(axis, 3) + step*h
         call expect(hsp_model_set(model, n, moved, radius), HSP_OK, 'moved')
         call expect(hsp_boundary_compute(boundary, model), HSP_OK, 'moved')
-        call expect(hsp_boundary_measure(boundary, totals, area, capacity=n), HSP_OK, 'moved')
+        call expect(hsp_boundary_measure(boundary, totals=totals, area=area, capacity=n), HSP_OK, 'moved')
         at(step) = 0.5_c_double*sum(sigma*area) + 2*totals%volume
       end do
       call check(abs((at(1) - at(-1))/(2*h) - centre(axis, 3)) < 1e-5_c_double, 'centre against differences')
@@ -357,7 +364,7 @@ contains
     energy%value = 0
     call expect(hsp_boundary_gradient(boundary, tension=1.0_c_double, pressure=0.0_c_double, &
                                       tangency=HSP_TANGENT_DISJOINT, energy=energy, capacity=0_c_int32_t), HSP_OK, 'energy')
-    call expect(hsp_boundary_measure(boundary, totals, capacity=0_c_int32_t), HSP_OK, 'totals')
+    call expect(hsp_boundary_measure(boundary, totals=totals, capacity=0_c_int32_t), HSP_OK, 'totals')
     call check(abs(energy%value - totals%area) < 1e-12_c_double, 'without weights all are 1')
     call expect(hsp_boundary_gradient(boundary, sigma, 1.0_c_double, 0.0_c_double, 2_c_int32_t, capacity=0_c_int32_t), &
                 HSP_E_ARGUMENT, 'unknown tangency')

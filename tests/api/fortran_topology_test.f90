@@ -205,7 +205,7 @@ contains
     integer :: i
     call expect(hsp_topology_get_shells(topology, shells, 3_c_int32_t, needed), HSP_OK, 'hsp_topology_get_shells')
     call check(needed == 3, 'number of shells')
-    call expect(hsp_boundary_measure(boundary, totals, capacity=0_c_int32_t), HSP_OK, 'hsp_boundary_measure')
+    call expect(hsp_boundary_measure(boundary, totals=totals, capacity=0_c_int32_t), HSP_OK, 'hsp_boundary_measure')
     call check(abs(sum(shells%area) - totals%area) < 1e-12_c_double, 'areas of shells')
     call check(abs(sum(merge(1, -1, shells%kind == HSP_SHELL_OUTER)*abs(shells%volume)) - totals%volume) < 1e-12_c_double, &
                'volumes of shells')

@@ -42,7 +42,7 @@ contains
     radius = 1
     status = work%set(n, xyz, radius)
     if (status == HSP_OK) status = work%compute_boundary()
-    if (status == HSP_OK) status = hsp_boundary_measure(work%boundary, totals, area, capacity=n)
+    if (status == HSP_OK) status = hsp_boundary_measure(work%boundary, totals=totals, area=area, capacity=n)
     if (status == HSP_OK) status = hsp_boundary_gradient(work%boundary, tension=1.0_c_double, pressure=0.0_c_double, &
       tangency=HSP_TANGENT_OVERLAP, energy=energy, centre=gradient, capacity=n)
     call expect(status, HSP_OK, 'area and gradient')

@@ -19,7 +19,7 @@ static const double sigma[BALLS] = {1, -2, 0};
 static hsp_totals totals;
 static double area[BALLS], volume[BALLS], face_area[FACES], face_volume[FACES];
 static hsp_energy energy;
-static double by_centre[BALLS][3], by_radius[BALLS];
+static double by_centre[BALLS][3], by_radius[BALLS], volume_by_centre[BALLS][3], volume_by_radius[BALLS];
 static uint32_t flags[BALLS], needed;
 static hsp_area_derivative row[ENTRIES];
 
@@ -32,6 +32,8 @@ static void fill_outputs(void) {
   FILL(energy);
   FILL(by_centre);
   FILL(by_radius);
+  FILL(volume_by_centre);
+  FILL(volume_by_radius);
   FILL(flags);
   FILL(needed);
   FILL(row);
@@ -46,6 +48,8 @@ static void check_outputs_untouched(void) {
   CHECK_UNTOUCHED(energy);
   CHECK_UNTOUCHED(by_centre);
   CHECK_UNTOUCHED(by_radius);
+  CHECK_UNTOUCHED(volume_by_centre);
+  CHECK_UNTOUCHED(volume_by_radius);
   CHECK_UNTOUCHED(flags);
   CHECK_UNTOUCHED(needed);
   CHECK_UNTOUCHED(row);
@@ -54,18 +58,26 @@ static void check_outputs_untouched(void) {
 static int32_t gradient_with(const hsp_boundary *of, const double *weights, double tension, double pressure,
                              uint32_t tangency) {
   return hsp_boundary_gradient(of, weights, tension, pressure, tangency, &energy, &by_centre[0][0], by_radius, flags,
-                               BALLS);
+                               BALLS, NULL, NULL);
+}
+
+static int32_t derivatives_with(const hsp_boundary *of, const double *weights, uint32_t tangency) {
+  return hsp_boundary_derivatives(of, weights, tangency, &by_centre[0][0], by_radius, &volume_by_centre[0][0],
+                                  volume_by_radius, flags, BALLS, NULL, NULL);
 }
 
 /* All of them with good arguments must say `status` and write nothing. */
 static void check_all_refuse(const hsp_boundary *which, int32_t status) {
   fill_outputs();
-  CHECK_EQUAL(hsp_boundary_measure_selected(which, selected, &totals, area, volume, BALLS), status);
-  CHECK_EQUAL(hsp_boundary_measure_selected(which, NULL, &totals, NULL, NULL, 0), status);
-  CHECK_EQUAL(hsp_boundary_measure_faces(which, face_area, face_volume, FACES), status);
+  CHECK_EQUAL(hsp_boundary_measure(which, selected, &totals, area, volume, BALLS, NULL), status);
+  CHECK_EQUAL(hsp_boundary_measure(which, NULL, &totals, NULL, NULL, 0, NULL), status);
+  CHECK_EQUAL(hsp_boundary_measure_faces(which, face_area, face_volume, FACES, NULL), status);
   CHECK_EQUAL(gradient_with(which, sigma, 1, 1, HSP_TANGENT_OVERLAP), status);
   CHECK_EQUAL(gradient_with(which, NULL, 1, 1, HSP_TANGENT_DISJOINT), status);
-  CHECK_EQUAL(hsp_boundary_gradient(which, NULL, 1, 1, HSP_TANGENT_DISJOINT, &energy, NULL, NULL, NULL, 0), status);
+  CHECK_EQUAL(hsp_boundary_gradient(which, NULL, 1, 1, HSP_TANGENT_DISJOINT, &energy, NULL, NULL, NULL, 0, NULL, NULL),
+              status);
+  CHECK_EQUAL(derivatives_with(which, sigma, HSP_TANGENT_OVERLAP), status);
+  CHECK_EQUAL(derivatives_with(which, NULL, HSP_TANGENT_DISJOINT), status);
   CHECK_EQUAL(hsp_boundary_get_area_row(which, 0, HSP_TANGENT_OVERLAP, row, ENTRIES, &needed), status);
   CHECK_EQUAL(hsp_boundary_get_area_row(which, 0, HSP_TANGENT_DISJOINT, NULL, 0, &needed), status);
   check_outputs_untouched();
@@ -109,6 +121,7 @@ static void bad_arguments(void) {
   check_scene("unknown tangency");
   for (v = 0; v < 3; ++v) {
     CHECK_EQUAL(gradient_with(boundary, NULL, 1, 1, unknown[v]), HSP_E_ARGUMENT);
+    CHECK_EQUAL(derivatives_with(boundary, NULL, unknown[v]), HSP_E_ARGUMENT);
     CHECK_EQUAL(hsp_boundary_get_area_row(boundary, 0, unknown[v], row, ENTRIES, &needed), HSP_E_ARGUMENT);
     CHECK_EQUAL(hsp_boundary_get_area_row(boundary, 0, unknown[v], NULL, 0, &needed), HSP_E_ARGUMENT);
   }
@@ -116,18 +129,37 @@ static void bad_arguments(void) {
   for (v = 0; v < 3; ++v) {
     CHECK_EQUAL(gradient_with(boundary, NULL, not_finite[v], 1, HSP_TANGENT_OVERLAP), HSP_E_NOT_FINITE);
     CHECK_EQUAL(gradient_with(boundary, NULL, 1, not_finite[v], HSP_TANGENT_OVERLAP), HSP_E_NOT_FINITE);
-    CHECK_EQUAL(
-        hsp_boundary_gradient(boundary, NULL, not_finite[v], 0, HSP_TANGENT_DISJOINT, NULL, NULL, NULL, NULL, 0),
-        HSP_E_NOT_FINITE);
+    CHECK_EQUAL(hsp_boundary_gradient(boundary, NULL, not_finite[v], 0, HSP_TANGENT_DISJOINT, NULL, NULL, NULL, NULL, 0,
+                                      NULL, NULL),
+                HSP_E_NOT_FINITE);
     for (i = 0; i < BALLS; ++i) {
+      uint32_t first_bad = 12345;
       weights[i] = not_finite[v];
+      CHECK_EQUAL(derivatives_with(boundary, weights, HSP_TANGENT_OVERLAP), HSP_E_NOT_FINITE);
+      CHECK_EQUAL(hsp_boundary_gradient(boundary, weights, 1, 0, HSP_TANGENT_DISJOINT, NULL, NULL, NULL, NULL, 0, NULL,
+                                        &first_bad),
+                  HSP_E_NOT_FINITE);
+      CHECK_EQUAL(first_bad, i);
+      first_bad = 12345;
+      CHECK_EQUAL(hsp_boundary_derivatives(boundary, weights, HSP_TANGENT_DISJOINT, NULL, NULL, NULL, NULL, NULL, 0,
+                                           NULL, &first_bad),
+                  HSP_E_NOT_FINITE);
+      CHECK_EQUAL(first_bad, i);
       CHECK_EQUAL(gradient_with(boundary, weights, 1, 1, HSP_TANGENT_DISJOINT), HSP_E_NOT_FINITE);
       /* whatever it is multiplied with, and whether or not anybody wants the results */
       CHECK_EQUAL(gradient_with(boundary, weights, 0, 1, HSP_TANGENT_OVERLAP), HSP_E_NOT_FINITE);
-      CHECK_EQUAL(hsp_boundary_gradient(boundary, weights, 1, 0, HSP_TANGENT_DISJOINT, NULL, NULL, NULL, NULL, 0),
-                  HSP_E_NOT_FINITE);
+      CHECK_EQUAL(
+          hsp_boundary_gradient(boundary, weights, 1, 0, HSP_TANGENT_DISJOINT, NULL, NULL, NULL, NULL, 0, NULL, NULL),
+          HSP_E_NOT_FINITE);
       weights[i] = 1;
     }
+  }
+  {
+    uint32_t first_bad = 12345;
+    CHECK_EQUAL(hsp_boundary_gradient(boundary, weights, NAN, 0, HSP_TANGENT_DISJOINT, NULL, NULL, NULL, NULL, 0, NULL,
+                                      &first_bad),
+                HSP_E_NOT_FINITE);
+    CHECK_EQUAL(first_bad, HSP_NONE);
   }
   check_scene("rows");
   CHECK_EQUAL(hsp_boundary_get_area_row(boundary, 0, HSP_TANGENT_OVERLAP, NULL, ENTRIES, &needed), HSP_E_ARGUMENT);
@@ -143,25 +175,40 @@ static void too_small(void) {
   fill_outputs();
   check_scene("too small");
   for (capacity = 0; capacity < BALLS; ++capacity) {
-    CHECK_EQUAL(hsp_boundary_measure_selected(boundary, selected, &totals, area, NULL, capacity), HSP_E_CAPACITY);
-    CHECK_EQUAL(hsp_boundary_measure_selected(boundary, NULL, &totals, NULL, volume, capacity), HSP_E_CAPACITY);
-    CHECK_EQUAL(hsp_boundary_measure_selected(boundary, selected, NULL, area, volume, capacity), HSP_E_CAPACITY);
-    CHECK_EQUAL(hsp_boundary_measure_faces(boundary, face_area, NULL, capacity), HSP_E_CAPACITY);
-    CHECK_EQUAL(hsp_boundary_measure_faces(boundary, NULL, face_volume, capacity), HSP_E_CAPACITY);
-    CHECK_EQUAL(hsp_boundary_measure_faces(boundary, face_area, face_volume, capacity), HSP_E_CAPACITY);
+    CHECK_EQUAL(hsp_boundary_measure(boundary, selected, &totals, area, NULL, capacity, NULL), HSP_E_CAPACITY);
+    CHECK_EQUAL(hsp_boundary_measure(boundary, NULL, &totals, NULL, volume, capacity, NULL), HSP_E_CAPACITY);
+    CHECK_EQUAL(hsp_boundary_measure(boundary, selected, NULL, area, volume, capacity, NULL), HSP_E_CAPACITY);
+    CHECK_EQUAL(hsp_boundary_measure_faces(boundary, face_area, NULL, capacity, NULL), HSP_E_CAPACITY);
+    CHECK_EQUAL(hsp_boundary_measure_faces(boundary, NULL, face_volume, capacity, NULL), HSP_E_CAPACITY);
+    CHECK_EQUAL(hsp_boundary_measure_faces(boundary, face_area, face_volume, capacity, NULL), HSP_E_CAPACITY);
     CHECK_EQUAL(hsp_boundary_gradient(boundary, sigma, 1, 1, HSP_TANGENT_OVERLAP, &energy, &by_centre[0][0], NULL, NULL,
-                                      capacity),
+                                      capacity, NULL, NULL),
                 HSP_E_CAPACITY);
-    CHECK_EQUAL(
-        hsp_boundary_gradient(boundary, sigma, 1, 1, HSP_TANGENT_OVERLAP, &energy, NULL, by_radius, NULL, capacity),
-        HSP_E_CAPACITY);
-    CHECK_EQUAL(hsp_boundary_gradient(boundary, NULL, 1, 1, HSP_TANGENT_DISJOINT, &energy, NULL, NULL, flags, capacity),
+    CHECK_EQUAL(hsp_boundary_gradient(boundary, sigma, 1, 1, HSP_TANGENT_OVERLAP, &energy, NULL, by_radius, NULL,
+                                      capacity, NULL, NULL),
+                HSP_E_CAPACITY);
+    CHECK_EQUAL(hsp_boundary_gradient(boundary, NULL, 1, 1, HSP_TANGENT_DISJOINT, &energy, NULL, NULL, flags, capacity,
+                                      NULL, NULL),
                 HSP_E_CAPACITY);
     CHECK_EQUAL(hsp_boundary_gradient(boundary, NULL, 1, 1, HSP_TANGENT_DISJOINT, NULL, &by_centre[0][0], by_radius,
-                                      flags, capacity),
+                                      flags, capacity, NULL, NULL),
                 HSP_E_CAPACITY);
   }
   check_outputs_untouched();
+  for (capacity = 0; capacity <= BALLS; ++capacity) {
+    const int32_t status = capacity < BALLS ? HSP_E_CAPACITY : HSP_OK;
+    uint32_t balls = 0, faces = 0, of_gradient = 0, of_derivatives = 0;
+    CHECK_EQUAL(hsp_boundary_measure(boundary, NULL, NULL, area, NULL, capacity, &balls), status);
+    CHECK_EQUAL(hsp_boundary_measure_faces(boundary, face_area, NULL, capacity, &faces), status); /* FACES == BALLS */
+    CHECK_EQUAL(hsp_boundary_gradient(boundary, NULL, 1, 1, HSP_TANGENT_OVERLAP, NULL, NULL, by_radius, NULL, capacity,
+                                      &of_gradient, NULL),
+                status);
+    CHECK_EQUAL(hsp_boundary_derivatives(boundary, NULL, HSP_TANGENT_OVERLAP, NULL, NULL, NULL, volume_by_radius, NULL,
+                                         capacity, &of_derivatives, NULL),
+                status);
+    CHECK(balls == BALLS && faces == FACES && of_gradient == BALLS && of_derivatives == BALLS);
+  }
+  fill_outputs();
   CHECK_EQUAL(hsp_boundary_get_area_row(boundary, 0, HSP_TANGENT_OVERLAP, row, ENTRIES - 1, &needed), HSP_E_CAPACITY);
   CHECK_EQUAL(needed, ENTRIES);
   CHECK_UNTOUCHED(row);
@@ -170,7 +217,7 @@ static void too_small(void) {
 /* Whatever is left out, the rest is the same. */
 static void left_out(void) {
   hsp_energy all_energy;
-  double all_centre[BALLS][3], all_radius[BALLS];
+  double all_centre[BALLS][3], all_radius[BALLS], all_volume_centre[BALLS][3], all_volume_radius[BALLS];
   uint32_t all_flags[BALLS];
   int given;
   CHECK_EQUAL(gradient_with(boundary, sigma, 3, -0.5, HSP_TANGENT_OVERLAP), HSP_OK);
@@ -183,7 +230,7 @@ static void left_out(void) {
     fill_outputs();
     CHECK_EQUAL(hsp_boundary_gradient(boundary, sigma, 3, -0.5, HSP_TANGENT_OVERLAP, (given & 1) != 0 ? &energy : NULL,
                                       (given & 2) != 0 ? &by_centre[0][0] : NULL, (given & 4) != 0 ? by_radius : NULL,
-                                      (given & 8) != 0 ? flags : NULL, (given & 14) != 0 ? BALLS : 0),
+                                      (given & 8) != 0 ? flags : NULL, (given & 14) != 0 ? BALLS : 0, NULL, NULL),
                 HSP_OK);
     if ((given & 1) != 0) CHECK_BYTES(&energy, &all_energy, sizeof energy);
     if ((given & 2) != 0) CHECK_BYTES(by_centre, all_centre, sizeof by_centre);
@@ -194,23 +241,50 @@ static void left_out(void) {
     if ((given & 4) == 0) CHECK_UNTOUCHED(by_radius);
     if ((given & 8) == 0) CHECK_UNTOUCHED(flags);
   }
+  check_scene("derivatives, all and each alone, are the gradient's two parts");
+  CHECK_EQUAL(gradient_with(boundary, sigma, 1, 0, HSP_TANGENT_DISJOINT), HSP_OK);
+  memcpy(all_centre, by_centre, sizeof all_centre);
+  memcpy(all_radius, by_radius, sizeof all_radius);
+  CHECK_EQUAL(gradient_with(boundary, sigma, 0, 1, HSP_TANGENT_DISJOINT), HSP_OK);
+  memcpy(all_volume_centre, by_centre, sizeof all_volume_centre);
+  memcpy(all_volume_radius, by_radius, sizeof all_volume_radius);
+  memcpy(all_flags, flags, sizeof all_flags);
+  for (given = 0; given < 32; ++given) {
+    fill_outputs();
+    CHECK_EQUAL(
+        hsp_boundary_derivatives(boundary, sigma, HSP_TANGENT_DISJOINT, (given & 1) != 0 ? &by_centre[0][0] : NULL,
+                                 (given & 2) != 0 ? by_radius : NULL, (given & 4) != 0 ? &volume_by_centre[0][0] : NULL,
+                                 (given & 8) != 0 ? volume_by_radius : NULL, (given & 16) != 0 ? flags : NULL,
+                                 given ? BALLS : 0, NULL, NULL),
+        HSP_OK);
+    if ((given & 1) != 0) CHECK_BYTES(by_centre, all_centre, sizeof by_centre);
+    if ((given & 2) != 0) CHECK_BYTES(by_radius, all_radius, sizeof by_radius);
+    if ((given & 4) != 0) CHECK_BYTES(volume_by_centre, all_volume_centre, sizeof by_centre);
+    if ((given & 8) != 0) CHECK_BYTES(volume_by_radius, all_volume_radius, sizeof by_radius);
+    if ((given & 16) != 0) CHECK_BYTES(flags, all_flags, sizeof flags);
+    if ((given & 1) == 0) CHECK_UNTOUCHED(by_centre);
+    if ((given & 2) == 0) CHECK_UNTOUCHED(by_radius);
+    if ((given & 4) == 0) CHECK_UNTOUCHED(volume_by_centre);
+    if ((given & 8) == 0) CHECK_UNTOUCHED(volume_by_radius);
+    if ((given & 16) == 0) CHECK_UNTOUCHED(flags);
+  }
   check_scene("measures of parts, left out");
   fill_outputs();
-  CHECK_EQUAL(hsp_boundary_measure_selected(boundary, selected, NULL, NULL, NULL, 0), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_measure(boundary, selected, NULL, NULL, NULL, 0, NULL), HSP_OK);
   check_outputs_untouched();
-  CHECK_EQUAL(hsp_boundary_measure_selected(boundary, selected, NULL, area, NULL, BALLS), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_measure(boundary, selected, NULL, area, NULL, BALLS, NULL), HSP_OK);
   CHECK(area[0] > 0 && area[1] == 0 && area[2] > 0);
   CHECK_UNTOUCHED(volume);
-  CHECK_EQUAL(hsp_boundary_measure_selected(boundary, selected, NULL, NULL, volume, BALLS), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_measure(boundary, selected, NULL, NULL, volume, BALLS, NULL), HSP_OK);
   CHECK(volume[0] > 0 && volume[1] == 0 && volume[2] > 0);
   CHECK_UNTOUCHED(totals);
-  CHECK_EQUAL(hsp_boundary_measure_selected(boundary, selected, &totals, NULL, NULL, 0), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_measure(boundary, selected, &totals, NULL, NULL, 0, NULL), HSP_OK);
   CHECK_NEAR(totals.area, area[0] + area[2], 1e-13);
   CHECK_NEAR(totals.volume, volume[0] + volume[2], 1e-13);
-  CHECK_EQUAL(hsp_boundary_measure_faces(boundary, face_area, NULL, FACES), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_measure_faces(boundary, face_area, NULL, FACES, NULL), HSP_OK);
   CHECK_UNTOUCHED(face_volume);
   CHECK(face_area[0] > 0 && face_area[1] > 0 && face_area[2] > 0);
-  CHECK_EQUAL(hsp_boundary_measure_faces(boundary, NULL, face_volume, FACES), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_measure_faces(boundary, NULL, face_volume, FACES, NULL), HSP_OK);
   CHECK(face_volume[0] > 0 && face_volume[1] > 0 && face_volume[2] > 0);
 }
 
@@ -220,19 +294,21 @@ static void no_balls(void) {
   CHECK_EQUAL(hsp_model_set(model, 0, NULL, NULL, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
   fill_outputs();
-  CHECK_EQUAL(hsp_boundary_measure_selected(boundary, NULL, NULL, area, volume, 0), HSP_OK);
-  CHECK_EQUAL(hsp_boundary_measure_faces(boundary, face_area, face_volume, 0), HSP_OK);
-  CHECK_EQUAL(hsp_boundary_measure_faces(boundary, NULL, NULL, 0), HSP_OK);
-  CHECK_EQUAL(
-      hsp_boundary_gradient(boundary, sigma, 1, 1, HSP_TANGENT_DISJOINT, NULL, &by_centre[0][0], by_radius, flags, 0),
-      HSP_OK);
+  CHECK_EQUAL(hsp_boundary_measure(boundary, NULL, NULL, area, volume, 0, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_measure_faces(boundary, face_area, face_volume, 0, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_measure_faces(boundary, NULL, NULL, 0, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_gradient(boundary, sigma, 1, 1, HSP_TANGENT_DISJOINT, NULL, &by_centre[0][0], by_radius,
+                                    flags, 0, NULL, NULL),
+              HSP_OK);
   CHECK_EQUAL(hsp_boundary_get_area_row(boundary, 0, HSP_TANGENT_OVERLAP, row, ENTRIES, &needed), HSP_E_ID);
   CHECK_EQUAL(gradient_with(boundary, NULL, NAN, 1, HSP_TANGENT_OVERLAP), HSP_E_NOT_FINITE);
   CHECK_EQUAL(gradient_with(boundary, NULL, 1, 1, 2), HSP_E_ARGUMENT);
   check_outputs_untouched();
-  CHECK_EQUAL(hsp_boundary_measure_selected(boundary, selected, &totals, NULL, NULL, 0), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_measure(boundary, selected, &totals, NULL, NULL, 0, NULL), HSP_OK);
   CHECK(totals.area == 0 && totals.volume == 0);
-  CHECK_EQUAL(hsp_boundary_gradient(boundary, NULL, 1, 1, HSP_TANGENT_DISJOINT, &energy, NULL, NULL, NULL, 0), HSP_OK);
+  CHECK_EQUAL(
+      hsp_boundary_gradient(boundary, NULL, 1, 1, HSP_TANGENT_DISJOINT, &energy, NULL, NULL, NULL, 0, NULL, NULL),
+      HSP_OK);
   CHECK(energy.value == 0 && energy.area == 0 && energy.volume == 0 && energy.probe == 0);
 }
 

@@ -36,12 +36,12 @@ static int32_t measure_selected(const computed *c, hsp_totals *totals, double *a
   uint8_t selected[BALL_SET_MOST];
   uint32_t i;
   for (i = 0; i < c->n; ++i) selected[i] = (uint8_t)(i % 3);
-  return hsp_boundary_measure_selected(c->boundary, selected, totals, area, volume, capacity);
+  return hsp_boundary_measure(c->boundary, selected, totals, area, volume, capacity, NULL);
 }
 
 static int32_t measure_faces(const computed *c, hsp_totals *totals, double *area, double *volume, uint32_t capacity) {
   (void)totals;
-  return hsp_boundary_measure_faces(c->boundary, area, volume, capacity);
+  return hsp_boundary_measure_faces(c->boundary, area, volume, capacity, NULL);
 }
 
 static void sweep_measure(const computed *c, measuring measure, uint32_t count, int has_totals) {
@@ -95,7 +95,7 @@ static void sweep_gradient(const computed *c) {
       CHECK_EQUAL(hsp_boundary_gradient(c->boundary, NULL, 2, 0.5, HSP_TANGENT_OVERLAP, &energy,
                                         (arrays & 1) != 0 ? doubles(&centre) : NULL,
                                         (arrays & 2) != 0 ? doubles(&radius) : NULL,
-                                        (arrays & 4) != 0 ? numbers(&flags) : NULL, capacity),
+                                        (arrays & 4) != 0 ? numbers(&flags) : NULL, capacity, NULL, NULL),
                   enough ? HSP_OK : HSP_E_CAPACITY);
       CHECK_BYTES(&energy, enough ? &g.energy : &untouched, sizeof energy);
       CHECK(holds(&centre, enough && (arrays & 1) != 0, g.centre, 3 * n * sizeof(double)));

@@ -64,12 +64,13 @@ static void refused_of_boundary(void) {
   CHECK_EQUAL(hsp_boundary_get_loops(h.boundary, NULL, 0, &count), HSP_E_CAPACITY);
   CHECK_EQUAL(hsp_boundary_get_loop_arcs(h.boundary, NULL, 1, &count), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_get_balls(h.boundary, NULL, 0, &count), HSP_E_CAPACITY);
-  CHECK_EQUAL(hsp_boundary_measure(h.boundary, NULL, number, NULL, BALLS - 1), HSP_E_CAPACITY);
-  CHECK_EQUAL(hsp_boundary_measure_selected(h.boundary, NULL, NULL, NULL, number, 0), HSP_E_CAPACITY);
-  CHECK_EQUAL(hsp_boundary_measure_faces(h.boundary, number, NULL, 1), HSP_E_CAPACITY);
-  CHECK_EQUAL(hsp_boundary_gradient(h.boundary, NULL, NAN, 0, HSP_TANGENT_OVERLAP, NULL, NULL, NULL, NULL, 0),
-              HSP_E_NOT_FINITE);
-  CHECK_EQUAL(hsp_boundary_gradient(h.boundary, NULL, 1, 0, 2, NULL, NULL, NULL, NULL, 0), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_measure(h.boundary, NULL, NULL, number, NULL, BALLS - 1, NULL), HSP_E_CAPACITY);
+  CHECK_EQUAL(hsp_boundary_measure(h.boundary, NULL, NULL, NULL, number, 0, NULL), HSP_E_CAPACITY);
+  CHECK_EQUAL(hsp_boundary_measure_faces(h.boundary, number, NULL, 1, NULL), HSP_E_CAPACITY);
+  CHECK_EQUAL(
+      hsp_boundary_gradient(h.boundary, NULL, NAN, 0, HSP_TANGENT_OVERLAP, NULL, NULL, NULL, NULL, 0, NULL, NULL),
+      HSP_E_NOT_FINITE);
+  CHECK_EQUAL(hsp_boundary_gradient(h.boundary, NULL, 1, 0, 2, NULL, NULL, NULL, NULL, 0, NULL, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_get_area_row(h.boundary, BALLS, HSP_TANGENT_DISJOINT, NULL, 0, &count), HSP_E_ID);
   CHECK_EQUAL(hsp_boundary_check(h.boundary, NULL, &id), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_check(h.boundary, &invariant, NULL), HSP_E_ARGUMENT);

@@ -45,7 +45,7 @@ static void boundary_results(const void *boundary, const void *source) {
   hsp_totals totals;
   CHECK_EQUAL(hsp_boundary_get_counts(boundary, &counts), HSP_OK);
   CHECK_BYTES(&counts, &all->counts, sizeof counts);
-  CHECK_EQUAL(hsp_boundary_measure(boundary, &totals, NULL, NULL, 0), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_measure(boundary, NULL, &totals, NULL, NULL, 0, NULL), HSP_OK);
   CHECK_BYTES(&totals, &all->totals, sizeof totals);
 }
 
@@ -54,7 +54,7 @@ static void no_boundary_results(const void *boundary) {
   uint32_t count = 12345;
   CHECK_EQUAL(hsp_boundary_get_counts(boundary, &counts), HSP_E_STATE);
   CHECK_EQUAL(hsp_boundary_get_faces(boundary, NULL, 0, &count), HSP_E_STATE);
-  CHECK_EQUAL(hsp_boundary_measure(boundary, NULL, NULL, NULL, 0), HSP_E_STATE);
+  CHECK_EQUAL(hsp_boundary_measure(boundary, NULL, NULL, NULL, NULL, 0, NULL), HSP_E_STATE);
   CHECK_EQUAL(count, 12345);
 }
 

@@ -95,11 +95,13 @@ static int call_boundary(computed *c, const buffers *b) {
   bad += hsp_boundary_get_loops(boundary, c->loops, counts.loops, &needed) != HSP_OK;
   bad += hsp_boundary_get_loop_arcs(boundary, c->loop_arcs, 2 * counts.arcs, &needed) != HSP_OK;
   bad += hsp_boundary_get_balls(boundary, c->balls, c->n, &needed) != HSP_OK;
-  bad += hsp_boundary_measure(boundary, &totals, c->area, c->volume, c->n) != HSP_OK;
-  bad += hsp_boundary_measure_selected(boundary, b->selected, &totals, c->area, c->volume, c->n) != HSP_OK;
-  bad += hsp_boundary_measure_faces(boundary, b->face_area, b->face_volume, counts.faces) != HSP_OK;
+  bad += hsp_boundary_measure(boundary, NULL, &totals, c->area, c->volume, c->n, NULL) != HSP_OK;
+  bad += hsp_boundary_measure(boundary, b->selected, &totals, c->area, c->volume, c->n, NULL) != HSP_OK;
+  bad += hsp_boundary_measure_faces(boundary, b->face_area, b->face_volume, counts.faces, NULL) != HSP_OK;
   bad += hsp_boundary_gradient(boundary, NULL, 1, 1, HSP_TANGENT_OVERLAP, &energy, b->by_centre, b->by_radius, b->flags,
-                               c->n) != HSP_OK;
+                               c->n, NULL, NULL) != HSP_OK;
+  bad += hsp_boundary_derivatives(boundary, NULL, HSP_TANGENT_OVERLAP, NULL, c->area, NULL, c->volume, NULL, c->n,
+                                  &needed, NULL) != HSP_OK;
   bad += hsp_boundary_get_area_row(boundary, 0, HSP_TANGENT_DISJOINT, b->row, c->n, &needed) != HSP_OK;
   bad += hsp_boundary_check(boundary, &invariant, &id) != HSP_OK;
   return bad;

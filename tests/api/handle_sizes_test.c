@@ -173,7 +173,7 @@ static void check_model_alignment(const ball_set *set, size_t misalignment) {
   CHECK_EQUAL(hsp_model_set(model, set->n, set->xyz, set->radius, NULL, NULL), HSP_OK);
   own.model = model;
   CHECK_EQUAL(boundary_handle.compute(own.boundary, &own, NULL), HSP_OK);
-  CHECK_EQUAL(hsp_boundary_measure(own.boundary, &totals, NULL, NULL, 0), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_measure(own.boundary, NULL, &totals, NULL, NULL, 0, NULL), HSP_OK);
   CHECK_BYTES(&totals, &known.totals, sizeof totals);
   CHECK(guarded_clean(&memory));
   guarded_give_back(&memory);

@@ -52,10 +52,11 @@ static void refused_as_boundary(void *handle) {
   CHECK_EQUAL(hsp_boundary_get_loops(handle, NULL, 0, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_get_loop_arcs(handle, NULL, 0, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_get_balls(handle, NULL, 0, &needed), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_boundary_measure(handle, &totals, NULL, NULL, 0), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_boundary_measure_selected(handle, NULL, &totals, NULL, NULL, 0), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_boundary_measure_faces(handle, NULL, NULL, 0), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_boundary_gradient(handle, NULL, 1, 1, HSP_TANGENT_OVERLAP, &energy, NULL, NULL, NULL, 0),
+  CHECK_EQUAL(hsp_boundary_measure(handle, NULL, &totals, NULL, NULL, 0, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_measure_faces(handle, NULL, NULL, 0, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_gradient(handle, NULL, 1, 1, HSP_TANGENT_OVERLAP, &energy, NULL, NULL, NULL, 0, NULL, NULL),
+              HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_derivatives(handle, NULL, HSP_TANGENT_OVERLAP, NULL, NULL, NULL, NULL, NULL, 0, NULL, NULL),
               HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_get_area_row(handle, 0, HSP_TANGENT_OVERLAP, NULL, 0, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_check(handle, &invariant, &id), HSP_E_ARGUMENT);

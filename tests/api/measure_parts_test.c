@@ -17,14 +17,14 @@ static double largest_of(const double *values, uint32_t n) {
   return most;
 }
 
-/* hsp_boundary_measure_selected: what is selected is as it was, the rest is 0, and totals are the sums. */
+/* Measuring a selection: what is selected is as it was, the rest is 0, and totals are the sums. */
 static void check_selected(const computed *c, const uint8_t *selected) {
   double area[BALL_SET_MOST], volume[BALL_SET_MOST], areas = 0, volumes = 0;
   hsp_totals totals;
   uint32_t i;
   memset(area, 0x5A, sizeof area);
   memset(volume, 0x5A, sizeof volume);
-  CHECK_EQUAL(hsp_boundary_measure_selected(c->boundary, selected, &totals, area, volume, c->n), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_measure(c->boundary, selected, &totals, area, volume, c->n, NULL), HSP_OK);
   for (i = 0; i < c->n; ++i) {
     static const double nothing = 0;
     const int counts = selected == NULL || selected[i] != 0;
@@ -43,7 +43,7 @@ static void selections(const computed *c) {
   hsp_totals totals;
   uint32_t i, modulus;
   check_selected(c, NULL);
-  CHECK_EQUAL(hsp_boundary_measure_selected(c->boundary, NULL, &totals, NULL, NULL, 0), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_measure(c->boundary, NULL, &totals, NULL, NULL, 0, NULL), HSP_OK);
   CHECK_BYTES(&totals, &c->totals, sizeof totals);
   memset(selected, 0, sizeof selected);
   check_selected(c, selected);
@@ -64,7 +64,7 @@ static void faces(const computed *c) {
   double *area = calloc((size_t)count + 1, sizeof *area), *volume = calloc((size_t)count + 1, sizeof *volume);
   uint32_t i, f;
   if (area == NULL || volume == NULL) exit(2);
-  CHECK_EQUAL(hsp_boundary_measure_faces(c->boundary, area, volume, count), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_measure_faces(c->boundary, area, volume, count, NULL), HSP_OK);
   for (i = 0; i < c->n; ++i) {
     const double sphere = 4 * acos(-1.0) * c->radius[i] * c->radius[i];
     double areas = 0, volumes = 0, size = 0;
@@ -100,7 +100,7 @@ static plain_face *plain_faces(const ball_set *set, const computed *c) {
   plain_face *all = calloc((size_t)count + 1, sizeof *all);
   uint32_t f;
   if (area == NULL || volume == NULL || all == NULL) exit(2);
-  CHECK_EQUAL(hsp_boundary_measure_faces(c->boundary, area, volume, count), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_measure_faces(c->boundary, area, volume, count, NULL), HSP_OK);
   for (f = 0; f < count; ++f) {
     const uint32_t ball = c->faces[f].ball;
     memcpy(all[f].xyz, set->xyz + 3 * ball, sizeof all[f].xyz);
@@ -152,7 +152,7 @@ static void known_faces(void) {
   CHECK_EQUAL(computed_make(s.n, s.xyz, s.radius, NULL, &c), HSP_OK);
   if (CHECK_EQUAL(c.balls[0].faces, 2) && CHECK(c.counts.faces <= 64)) {
     const uint32_t first = c.balls[0].first_face;
-    CHECK_EQUAL(hsp_boundary_measure_faces(c.boundary, area, volume, 64), HSP_OK);
+    CHECK_EQUAL(hsp_boundary_measure_faces(c.boundary, area, volume, 64, NULL), HSP_OK);
     CHECK(area[first] > 0.25 * c.totals.area / s.n);
     CHECK_NEAR(area[first], area[first + 1], 1e-13 * area[first]);
     CHECK_NEAR(area[first], c.area[0] / 2, 1e-13 * area[first]);
@@ -168,7 +168,7 @@ static void known_faces(void) {
     const double h = (1.75 * 1.75 + 1.5 * 1.5 - 1.25 * 1.25) / (2 * 1.75);
     const uint32_t first = c.balls[0].first_face, second = c.balls[1].first_face;
     const amount both = amount_of_two_balls(1.5, 1.25, 1.75);
-    CHECK_EQUAL(hsp_boundary_measure_faces(c.boundary, area, volume, 2), HSP_OK);
+    CHECK_EQUAL(hsp_boundary_measure_faces(c.boundary, area, volume, 2, NULL), HSP_OK);
     CHECK_NEAR(area[first], amount_of_ball(1.5).area - amount_of_cap(1.5, h).area, 1e-14 * both.area);
     CHECK_NEAR(area[second], amount_of_ball(1.25).area - amount_of_cap(1.25, 1.75 - h).area, 1e-14 * both.area);
     CHECK_NEAR(volume[first] + volume[second], both.volume, 1e-14 * both.volume);

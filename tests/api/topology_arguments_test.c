@@ -283,7 +283,7 @@ static void changes(void) {
     CHECK_EQUAL(hsp_model_get_packing(model, &figures), HSP_OK);
     CHECK_EQUAL(hsp_query_point(model, three_balls_xyz, NULL, 0, &needed), HSP_E_CAPACITY);
     CHECK_EQUAL(hsp_boundary_check(boundary, &invariant, &id), HSP_OK);
-    CHECK_EQUAL(hsp_boundary_measure(boundary, &totals, NULL, NULL, 0), HSP_OK);
+    CHECK_EQUAL(hsp_boundary_measure(boundary, NULL, &totals, NULL, NULL, 0, NULL), HSP_OK);
     CHECK_EQUAL(hsp_topology_check(topology, &invariant, &id), HSP_OK);
     check_has_results();
   }

@@ -26,8 +26,8 @@ static void check_results(const hsp_workspace *work, const ball_set *set) {
   CHECK_EQUAL(computed_make(set->n, set->xyz, set->radius, NULL, &c), HSP_OK);
   CHECK_EQUAL(hsp_boundary_get_counts(work->boundary, &counts), HSP_OK);
   CHECK_BYTES(&counts, &c.counts, sizeof counts);
-  CHECK_EQUAL(hsp_boundary_measure(c.boundary, &expected, NULL, NULL, 0), HSP_OK);
-  CHECK_EQUAL(hsp_boundary_measure(work->boundary, &totals, NULL, NULL, 0), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_measure(c.boundary, NULL, &expected, NULL, NULL, 0, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_measure(work->boundary, NULL, &totals, NULL, NULL, 0, NULL), HSP_OK);
   CHECK_BYTES(&totals, &expected, sizeof totals);
   CHECK_EQUAL(hsp_topology_get_counts(work->topology, &topology), HSP_OK);
   CHECK_EQUAL(topology.components, counts.components);

@@ -13,13 +13,13 @@ static void print_parts(const computed *c) {
   hsp_totals totals = {0.0, 0.0};
   uint32_t i;
   for (i = 0; i < c->n; ++i) selected[i] = i % 3 == 0;
-  print_status("selected", hsp_boundary_measure_selected(c->boundary, selected, &totals, area, volume, c->n));
+  print_status("selected", hsp_boundary_measure(c->boundary, selected, &totals, area, volume, c->n, NULL));
   print_doubles(&totals.area, 1);
   print_doubles(&totals.volume, 1);
   print_doubles(area, c->n);
   print_doubles(volume, c->n);
   end_line();
-  print_status("faces", hsp_boundary_measure_faces(c->boundary, area, volume, 8 * BALL_SET_MOST));
+  print_status("faces", hsp_boundary_measure_faces(c->boundary, area, volume, 8 * BALL_SET_MOST, NULL));
   print_doubles(area, c->counts.faces);
   print_doubles(volume, c->counts.faces);
   end_line();
@@ -29,7 +29,7 @@ static void print_energy(const computed *c, double tension, double pressure, uin
   hsp_energy energy = {0.0, 0.0, 0.0, 0.0};
   uint32_t i;
   print_status("energy", hsp_boundary_gradient(c->boundary, sigma, tension, pressure, tangency, &energy, centre, radius,
-                                               flags, c->n));
+                                               flags, c->n, NULL, NULL));
   print_doubles(&energy.value, 1);
   print_doubles(&energy.area, 1);
   print_doubles(&energy.volume, 1);

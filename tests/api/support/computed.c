@@ -44,7 +44,7 @@ static int32_t read_boundary(computed *c) {
   if (status == HSP_OK) status = hsp_boundary_get_loops(c->boundary, c->loops, c->counts.loops, &needed);
   if (status == HSP_OK) status = hsp_boundary_get_loop_arcs(c->boundary, c->loop_arcs, 2 * c->counts.arcs, &needed);
   if (status == HSP_OK) status = hsp_boundary_get_balls(c->boundary, c->balls, c->n, &needed);
-  if (status == HSP_OK) status = hsp_boundary_measure(c->boundary, &c->totals, c->area, c->volume, c->n);
+  if (status == HSP_OK) status = hsp_boundary_measure(c->boundary, NULL, &c->totals, c->area, c->volume, c->n, NULL);
   return status;
 }
 

@@ -22,7 +22,7 @@ static const char *gradient_make(const computed *c, const double *sigma, double 
   g->radius = test_zeros(c->n, sizeof *g->radius);
   g->flags = test_zeros(c->n, sizeof *g->flags);
   if (hsp_boundary_gradient(c->boundary, sigma, tension, pressure, tangency, &g->energy, g->centre, g->radius, g->flags,
-                            c->n) != HSP_OK) {
+                            c->n, NULL, NULL) != HSP_OK) {
     return "hsp_boundary_gradient: not HSP_OK";
   }
   for (i = 0; i < c->n; ++i) {

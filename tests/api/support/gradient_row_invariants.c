@@ -129,7 +129,8 @@ static const char *broken_weighted_sum(const row_set *s, const double *sigma, ui
   double *centre = test_zeros(3 * n, sizeof *centre), *radius = test_zeros(n, sizeof *radius);
   uint32_t *flags = test_zeros(n, sizeof *flags);
   uint32_t i, j, k;
-  if (hsp_boundary_gradient(c->boundary, sigma, 1, 0, tangency, NULL, centre, radius, flags, c->n) != HSP_OK) {
+  if (hsp_boundary_gradient(c->boundary, sigma, 1, 0, tangency, NULL, centre, radius, flags, c->n, NULL, NULL) !=
+      HSP_OK) {
     broken = "hsp_boundary_gradient: not HSP_OK";
   }
   for (j = 0; j < n && broken == NULL; ++j) {

@@ -7,7 +7,7 @@ int32_t gradients_make(const computed *c, const double *sigma, double tension, d
                        gradients *result) {
   memset(result, 0x5A, sizeof *result);
   return hsp_boundary_gradient(c->boundary, sigma, tension, pressure, tangency, &result->energy, result->centre,
-                               result->radius, result->flags, c->n);
+                               result->radius, result->flags, c->n, NULL, NULL);
 }
 
 int32_t jacobian_make(const computed *c, uint32_t tangency, jacobian *result) {

@@ -24,12 +24,12 @@ static uint64_t derived_hash(const hsp_boundary *boundary, const hsp_boundary_co
   hsp_totals totals;
   hsp_energy energy;
   uint32_t needed = 0, i;
-  int bad = hsp_boundary_measure(boundary, &totals, numbers, numbers + n, n) != HSP_OK;
+  int bad = hsp_boundary_measure(boundary, NULL, &totals, numbers, numbers + n, n, NULL) != HSP_OK;
   hash = mixed_hash(mixed_hash(hash, &totals, sizeof totals), numbers, 2 * (size_t)n * sizeof *numbers);
-  bad |= hsp_boundary_measure_faces(boundary, numbers, numbers + counts->faces, counts->faces) != HSP_OK;
+  bad |= hsp_boundary_measure_faces(boundary, numbers, numbers + counts->faces, counts->faces, NULL) != HSP_OK;
   hash = mixed_hash(hash, numbers, 2 * (size_t)counts->faces * sizeof *numbers);
   bad |= hsp_boundary_gradient(boundary, NULL, 1, -0.5, HSP_TANGENT_OVERLAP, &energy, numbers, numbers + 3 * (size_t)n,
-                               flags, n) != HSP_OK;
+                               flags, n, NULL, NULL) != HSP_OK;
   hash = mixed_hash(mixed_hash(hash, &energy, sizeof energy), numbers, 4 * (size_t)n * sizeof *numbers);
   hash = mixed_hash(hash, flags, n * sizeof *flags);
   for (i = 0; i < n; ++i) {

@@ -70,7 +70,8 @@ const char *broken_topology_face_areas(const topology_result *t) {
   uint32_t i;
   double *sum = test_zeros(c->counts.faces, sizeof *sum);
   double *area = test_zeros(c->counts.faces, sizeof *area);
-  if (hsp_boundary_measure_faces(c->boundary, area, NULL, c->counts.faces) != HSP_OK) broken = "areas of maximal faces";
+  if (hsp_boundary_measure_faces(c->boundary, area, NULL, c->counts.faces, NULL) != HSP_OK)
+    broken = "areas of maximal faces";
   for (i = 0; i < t->counts.simple_faces && broken == NULL; ++i) {
     const hsp_simple_face *face = t->faces + i;
     const double angle = c->radius[face->ball] > 0 ? face_angle(t, face) : NAN;

@@ -54,7 +54,8 @@ Session session_with(const BallList &balls) {
   hsp_boundary *boundary = owned.get();
   expect_ok(hsp_boundary_get_counts(boundary, &session.counts), "hsp_boundary_get_counts");
   session.area.resize(n);
-  expect_ok(hsp_boundary_measure(boundary, &session.totals, session.area.data(), nullptr, n), "hsp_boundary_measure");
+  expect_ok(hsp_boundary_measure(boundary, nullptr, &session.totals, session.area.data(), nullptr, n, nullptr),
+            "hsp_boundary_measure");
   uint32_t invariant = 0;
   uint32_t id = 0;
   session.check_status = hsp_boundary_check(boundary, &invariant, &id);

@@ -8,7 +8,7 @@ LibraryGradient gradient(const LibraryBoundary &boundary, const EnergyTerms &ter
   result.flags.resize(n);
   expect_ok(hsp_boundary_gradient(boundary.handle(), terms.sigma.empty() ? nullptr : terms.sigma.data(), terms.tension,
                                   terms.pressure, terms.tangency, &result.energy, centre.data(), radius.data(),
-                                  result.flags.data(), n),
+                                  result.flags.data(), n, nullptr, nullptr),
             "hsp_boundary_gradient");
   for (size_t i = 0; i < n; ++i)
     result.by_ball.push_back({centre[3 * i], centre[3 * i + 1], centre[3 * i + 2], radius[i]});
@@ -28,7 +28,7 @@ std::vector<hsp_area_derivative> area_row(const LibraryBoundary &boundary, uint3
 LibraryFaceMeasures measure_faces(const LibraryBoundary &boundary) {
   const uint32_t faces = boundary.counts().faces;
   LibraryFaceMeasures measures = {std::vector<double>(faces), std::vector<double>(faces)};
-  expect_ok(hsp_boundary_measure_faces(boundary.handle(), measures.area.data(), measures.volume.data(), faces),
+  expect_ok(hsp_boundary_measure_faces(boundary.handle(), measures.area.data(), measures.volume.data(), faces, nullptr),
             "hsp_boundary_measure_faces");
   return measures;
 }

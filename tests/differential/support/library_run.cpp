@@ -100,8 +100,8 @@ LibraryBoundary::Measures LibraryBoundary::measure() const {
   Measures measures;
   measures.area.resize(model_.balls());
   measures.volume.resize(model_.balls());
-  expect_ok(hsp_boundary_measure(boundary_.get(), &measures.totals, measures.area.data(), measures.volume.data(),
-                                 model_.balls()),
+  expect_ok(hsp_boundary_measure(boundary_.get(), nullptr, &measures.totals, measures.area.data(),
+                                 measures.volume.data(), model_.balls(), nullptr),
             "hsp_boundary_measure");
   return measures;
 }

@@ -21,7 +21,7 @@ int main(void) {
   if (hsp_boundary_init(boundary_memory, sizeof boundary_memory, &limits, &boundary) != HSP_OK) return 5;
   if (hsp_model_set(model, 2, xyz, radius, NULL, NULL) != HSP_OK) return 6;
   if (hsp_boundary_compute(boundary, model, NULL) != HSP_OK) return 7;
-  if (hsp_boundary_measure(boundary, &totals, NULL, NULL, 0) != HSP_OK) return 8;
+  if (hsp_boundary_measure(boundary, NULL, &totals, NULL, NULL, 0, NULL) != HSP_OK) return 8;
   printf("C: area %.15g\n", totals.area);
   return fabs(totals.area - expected) < 1e-12 ? 0 : 1;
 }

@@ -23,7 +23,7 @@ int main() {
   if (hsp_model_set(model, n, xyz.data(), radius.data(), nullptr, nullptr) != HSP_OK) return 7;
   if (hsp_boundary_compute(boundary, model, nullptr) != HSP_OK) return 8;
   hsp_totals totals{};
-  if (hsp_boundary_measure(boundary, &totals, nullptr, nullptr, 0) != HSP_OK) return 9;
+  if (hsp_boundary_measure(boundary, nullptr, &totals, nullptr, nullptr, 0, nullptr) != HSP_OK) return 9;
   std::printf("C++: area %.15g\n", totals.area);
   return std::fabs(totals.area - 6 * std::acos(-1.0)) < 1e-12 ? 0 : 1;
 }

@@ -53,8 +53,9 @@ static void compute_boundary(void) {
   static double area[BALLS], volume[BALLS], centre[3 * BALLS], slope[BALLS];
   hsp_totals totals;
   hsp_energy energy;
-  result |= hsp_boundary_measure(boundary, &totals, area, volume, BALLS);
-  result |= hsp_boundary_gradient(boundary, NULL, 1, 1, HSP_TANGENT_OVERLAP, &energy, centre, slope, NULL, BALLS);
+  result |= hsp_boundary_measure(boundary, NULL, &totals, area, volume, BALLS, NULL);
+  result |=
+      hsp_boundary_gradient(boundary, NULL, 1, 1, HSP_TANGENT_OVERLAP, &energy, centre, slope, NULL, BALLS, NULL, NULL);
 }
 #endif
 
