@@ -9,9 +9,9 @@ const char *hsp_status_text(int32_t status) {
     case HSP_OK:
       return "success";
     case HSP_E_ARGUMENT:
-      return "invalid argument: null pointer, wrong struct_size or reserved field not 0";
+      return "a null pointer, no live handle, an unknown option, or a bad struct_size";
     case HSP_E_CAPACITY:
-      return "an output array or a limit is too small";
+      return "an output array or a limit is too small; what suffices is reported";
     case HSP_E_MEMORY:
       return "the memory is smaller than required";
     case HSP_E_STATE:
@@ -19,7 +19,7 @@ const char *hsp_status_text(int32_t status) {
     case HSP_E_ID:
       return "no ball, vertex, edge, quarter-edge, face, shell, cell or element has this id";
     case HSP_E_CHECK:
-      return "the self-check found a violated invariant";
+      return "the self-check found a violated invariant: please report it";
     case HSP_E_SINK:
       return "the caller's byte sink refused bytes";
     case HSP_E_NOT_FINITE:
