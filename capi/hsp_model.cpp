@@ -5,9 +5,19 @@ using hsp::capi::is_live;
 
 namespace {
 
-constexpr hsp_model_options default_options = {sizeof(hsp_model_options), 0, 0.0, 0.0};
+constexpr hsp_model_options default_options = {sizeof(hsp_model_options), 0, 0.0, 0.0, 0.0};
 
 }  // namespace
+
+namespace hsp::capi {
+
+// It ended with `step` in version 0.1.
+template <>
+constexpr bool is_earlier_size<hsp_model_options>(uint32_t size) {
+  return size == 24;
+}
+
+}  // namespace hsp::capi
 
 int32_t hsp_model_bytes(uint32_t balls, size_t *bytes) {
   if (bytes == nullptr) return HSP_E_ARGUMENT;
@@ -48,6 +58,7 @@ int32_t hsp_model_set(hsp_model *model, uint32_t n, const double *xyz, const dou
     }
     input.probe = wanted.probe;
     input.step = wanted.step;
+    input.largest_radius = wanted.largest_radius;
   }
   if (n > model->grid.capacity()) return refuse(HSP_E_CAPACITY);
   input.n = n;

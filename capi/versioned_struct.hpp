@@ -12,13 +12,16 @@ namespace hsp::capi {
 // More than this is no size of a struct, but memory that was never initialised.
 inline constexpr uint32_t largest_struct = 1024;
 
-// Bytes of the struct in the first header that had it; specialised by those that have grown since.
+// Whether the struct had this size in an earlier header; specialised for those that have grown.
 template <class Struct>
-inline constexpr uint32_t oldest_size = sizeof(Struct);
+constexpr bool is_earlier_size(uint32_t) {
+  return false;
+}
 
 template <class Struct>
 constexpr bool is_struct_size(uint32_t size) {
-  return size >= oldest_size<Struct> && size <= largest_struct && size % 4 == 0;
+  if (size < sizeof(Struct)) return is_earlier_size<Struct>(size);
+  return size <= largest_struct && size % 4 == 0;
 }
 
 template <class Struct>

@@ -151,7 +151,9 @@ class Session {
     options.reserved = bytes_.one_in(40) ? 1 : 0;
     options.probe = bytes_.one_in(3) ? number() : 0;
     options.step = bytes_.one_in(3) ? (bytes_.below(2) == 0 ? 1e-3 : number()) : 0;
-    fuzz::StructVersion<hsp_model_options> version(options, bytes_);
+    options.largest_radius = bytes_.one_in(6) ? number() : 0;
+    fuzz::StructVersion<hsp_model_options, 24> version(options, bytes_);
+    if (!version.whole()) options.largest_radius = 0;
     const bool bad_options = !no_options && (!version.good() || options.reserved != 0);
 
     uint32_t bad = 12345;
@@ -179,8 +181,9 @@ class Session {
     for (const double r : radius) finite = finite && std::isfinite(r);
     for (const double r : radius) negative = negative || r < 0;
     if (!no_options) {
-      finite = finite && std::isfinite(options.probe) && std::isfinite(options.step);
-      negative = negative || options.probe < 0 || options.step < 0;
+      finite = finite && std::isfinite(options.probe) && std::isfinite(options.step) &&
+               std::isfinite(options.largest_radius);
+      negative = negative || options.probe < 0 || options.step < 0 || options.largest_radius < 0;
     }
     switch (status) {
       case HSP_OK:

@@ -50,7 +50,8 @@
  *   A struct that begins with struct_size says how much of it a program knows, so that programs and libraries of
  *   different versions fit together. Fields that an older, smaller one lacks have their default values. What the
  *   library does not know of a newer, larger one has to be zeros, else the status is HSP_E_ARGUMENT. Nothing is written
- *   beyond struct_size. Sizes below that of the struct's first version, above 1024 or no multiple of 4 are bad.
+ *   beyond struct_size. Bad are smaller sizes that no version of the struct had, and larger ones above 1024 or no
+ *   multiple of 4.
  *
  * OUTPUT ARRAYS
  *   Where a function takes (T *out, uint32_t capacity, uint32_t *needed): *needed is set to the number of records there
@@ -169,6 +170,8 @@ typedef struct hsp_model_options {
   uint32_t reserved;    /**< 0 */
   double probe;         /**< length, >= 0: added to every radius, for the solvent-accessible surface; default 0 */
   double step;          /**< length, > 0: the lattice step; 0 means the smallest power of ten with r_max/step < 2^30 */
+  double
+      largest_radius; /**< length, > 0: r_max less the probe, for balls of which none may be larger; 0: of the balls */
 } hsp_model_options;
 
 /** Fill options with defaults. HSP_E_ARGUMENT: options is NULL or struct_size is bad. */
@@ -183,6 +186,8 @@ HSP_API int32_t hsp_model_options_init(hsp_model_options *options, uint32_t stru
  *  plus the integer nearest to probe/step. The default step is a power of ten between 1e-22 and 1e22 chosen from
  *  the largest radius plus probe (1e-8 if that is 0). Limits: radius plus probe below 2^30 steps, every coordinate at
  *  most 2^50 steps. Centres that coincide, balls inside others, and balls that touch are all valid.
+ *  With options.largest_radius lattice and cubes no longer depend on the balls: models with the same options have the
+ *  same grid, and a ball and its neighbours give the same bits whatever else there is. A larger ball is HSP_E_RANGE.
  *
  *  HSP_E_ARGUMENT: model NULL, xyz or radius NULL with n > 0, bad options. HSP_E_CAPACITY: n exceeds the model's limit.
  *  HSP_E_NOT_FINITE, HSP_E_NEGATIVE, HSP_E_RANGE: as named. On failure the model is empty (0 balls), as
@@ -433,8 +438,8 @@ typedef struct hsp_totals {
 
 /** Area and volume of the union, and of each ball, or those of some balls while the others only block.
  *  selected [n] holds one byte per ball, 0 or not 0; NULL selects all. What is not selected counts 0, and the rest is
- *  the same bit for bit. totals may be NULL; area and volume may each be NULL, else they hold capacity >= n entries, in the
- *  caller's order; needed may be NULL and else becomes n.
+ *  the same bit for bit. totals may be NULL; area and volume may each be NULL, else they hold capacity >= n entries, in
+ *  the caller's order; needed may be NULL and else becomes n.
  *  area[i] is the free area of ball i. volume[i] is ball i's term of the divergence theorem,
  *  (r_i area[i] + (c_i - o) . N_i) / 3 with N_i the vector area of its faces and o a centre of its component that does
  *  not depend on the order of the balls: the terms sum to the volume, single terms may be negative.

@@ -88,6 +88,7 @@ module hardsphere
     integer(c_int32_t) :: reserved
     real(c_double) :: probe            ! length, >= 0
     real(c_double) :: step             ! length; 0: chosen from the largest radius
+    real(c_double) :: largest_radius   ! length; 0: that of the balls
   end type
 
   type, bind(C) :: hsp_model_info

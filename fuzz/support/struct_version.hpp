@@ -7,16 +7,19 @@
 
 namespace fuzz {
 
-template <class Struct>
+// earlier: the size of the struct in an earlier header, if it has grown.
+template <class Struct, uint32_t earlier = sizeof(Struct)>
 class StructVersion {
  public:
   // Mostly as in this header.
   StructVersion(const Struct &value, Bytes &bytes) {
     std::memcpy(storage_, &value, sizeof value);
     if (!bytes.one_in(20)) return;
-    const uint32_t size = bytes.one_in(4) ? 0xFFFFFF00 + bytes.below(256) : bytes.below(room);
+    const uint32_t size = bytes.one_in(4)   ? 0xFFFFFF00 + bytes.below(256)
+                          : bytes.one_in(4) ? earlier
+                                            : bytes.below(room);
     get()->struct_size = size;
-    good_ = size >= sizeof(Struct) && size <= 1024 && size % 4 == 0;
+    good_ = size == earlier || (size >= sizeof(Struct) && size <= 1024 && size % 4 == 0);
     if (size > sizeof(Struct) && bytes.one_in(3)) {
       const size_t at = sizeof(Struct) + bytes.below(room - static_cast<uint32_t>(sizeof(Struct)));
       storage_[at] = 1;
@@ -25,6 +28,8 @@ class StructVersion {
   }
 
   Struct *get() { return reinterpret_cast<Struct *>(storage_); }
+  // Whether all of the value counts.
+  bool whole() { return get()->struct_size >= sizeof(Struct); }
   // Whether the library has to take it, as far as its size is concerned.
   bool good() const { return good_; }
 

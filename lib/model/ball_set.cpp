@@ -5,8 +5,8 @@ namespace hsp {
 Status BallRounding::prepare(const BallInput &input, uint32_t &first_bad) {
   input_ = input;
   first_bad = no_id;
-  if (!is_finite(input.probe) || !is_finite(input.step)) return Status::not_finite;
-  if (input.probe < 0.0 || input.step < 0.0) return Status::negative;
+  if (!is_finite(input.probe) || !is_finite(input.step) || !is_finite(input.largest_radius)) return Status::not_finite;
+  if (input.probe < 0.0 || input.step < 0.0 || input.largest_radius < 0.0) return Status::negative;
 
   double largest = 0.0;
   uint32_t largest_ball = no_id;
@@ -16,10 +16,18 @@ Status BallRounding::prepare(const BallInput &input, uint32_t &first_bad) {
       first_bad = i;
       return is_finite(radius) ? Status::negative : Status::not_finite;
     }
+    if (input.largest_radius > 0.0 && radius > input.largest_radius) {
+      first_bad = i;
+      return Status::range;
+    }
     if (radius > largest) {
       largest = radius;
       largest_ball = i;
     }
+  }
+  if (input.largest_radius > 0.0) {
+    largest = input.largest_radius;
+    largest_ball = no_id;
   }
   if (input.step != 0.0) {
     lattice_ = exact::Lattice::with_step(input.step);
@@ -32,6 +40,9 @@ Status BallRounding::prepare(const BallInput &input, uint32_t &first_bad) {
   const double probe = lattice_.steps(input.probe);
   if (!(probe < exact::radius_limit)) return Status::range;
   probe_steps_ = nearest(probe);
+  const double expected = lattice_.steps(input.largest_radius);
+  if (!(expected + probe < exact::radius_limit)) return Status::range;
+  expected_radius_ = input.largest_radius > 0.0 ? nearest(expected) + probe_steps_ : 0;
   return Status::ok;
 }
 

@@ -16,7 +16,8 @@ struct BallInput {
   const double *xyz = nullptr;     // [n][3]
   const double *radius = nullptr;  // [n]
   double probe = 0.0;
-  double step = 0.0;  // 0: chosen by the largest radius
+  double step = 0.0;            // 0: chosen by the largest radius
+  double largest_radius = 0.0;  // without probe; 0: of these balls
 };
 
 // Rounds balls of an input to their lattice one at a time, so that no second copy of the set is needed.
@@ -29,11 +30,14 @@ class BallRounding {
 
   const exact::Lattice &lattice() const { return lattice_; }
   int64_t probe_steps() const { return probe_steps_; }
+  // What the input says of the largest radius, probe included; 0 if it says nothing.
+  int64_t expected_radius() const { return expected_radius_; }
 
  private:
   BallInput input_;
   exact::Lattice lattice_;
   int64_t probe_steps_ = 0;
+  int64_t expected_radius_ = 0;
 };
 
 // The balls in the order of the grid's cubes.

@@ -57,7 +57,7 @@ Status CubeGrid::build(const BallInput &input, uint32_t &first_bad) {
   BallRounding rounding;
   if (const Status status = rounding.prepare(input, first_bad); status != Status::ok) return status;
 
-  // Every ball is rounded three times: for r_max and hence the side of the cubes, for its cube, and for storing it.
+  // Every ball is rounded three times: for r_max and the side of the cubes, for its cube, and for storing it.
   // That is cheaper than a second copy of the set.
   int64_t largest = 0;
   exact::LatticeBall ball;
@@ -68,7 +68,8 @@ Status CubeGrid::build(const BallInput &input, uint32_t &first_bad) {
     }
     if (ball.radius > largest) largest = ball.radius;
   }
-  side_ = largest > 0 ? 2 * largest : 1;
+  const int64_t radius = rounding.expected_radius() > largest ? rounding.expected_radius() : largest;
+  side_ = radius > 0 ? 2 * radius : 1;
   balls_.n = input.n;
   balls_.lattice = rounding.lattice();
   balls_.probe_steps = rounding.probe_steps();

@@ -66,7 +66,7 @@ contains
     type(hsp_energy) :: energy
     type(hsp_area_derivative) :: derivative
     type(c_ptr) :: text
-    call check(c_sizeof(options) == 24, 'size of hsp_model_options')
+    call check(c_sizeof(options) == 32, 'size of hsp_model_options')
     call check(c_sizeof(info) == 40, 'size of hsp_model_info')
     call check(c_sizeof(figures) == 40, 'size of hsp_packing')
     call check(c_sizeof(limits) == 24, 'size of hsp_boundary_limits')
@@ -121,7 +121,7 @@ contains
     call expect(hsp_model_set(model, n, xyz, radius, first_bad=bad), HSP_OK, 'hsp_model_set')
     call check(bad == HSP_NONE, 'first_bad')
     call expect(hsp_model_options_init(options, int(c_sizeof(options), c_int32_t)), HSP_OK, 'hsp_model_options_init')
-    call check(options%struct_size == 24 .and. options%reserved == 0, 'options')
+    call check(options%struct_size == 32 .and. options%largest_radius == 0 .and. options%reserved == 0, 'options')
     options%probe = 0.25_c_double
     options%step = 1e-6_c_double
     call expect(hsp_model_set(model, n, xyz, radius, options), HSP_OK, 'hsp_model_set with options')

@@ -25,7 +25,7 @@ static void failed_set(void) {
   CHECK_EQUAL(hsp_model_options_init(&options, (uint32_t)sizeof options), HSP_OK);
   for (before = 0; before < 4; ++before) {
     static const int32_t expected[] = {HSP_E_ARGUMENT, HSP_E_CAPACITY, HSP_E_NEGATIVE, HSP_E_NOT_FINITE, HSP_E_RANGE};
-    const hsp_model_options good = {(uint32_t)sizeof options, 0, 0.25, before == 3 ? 0.5 : 0};
+    const hsp_model_options good = {(uint32_t)sizeof options, 0, 0.25, before == 3 ? 0.5 : 0, 0};
     int refusal;
     for (refusal = 0; refusal < 5; ++refusal) {
       const double far_away[3] = {1e300, 0, 0}, nowhere[3] = {NAN, 0, 0};

@@ -88,6 +88,7 @@ static void options_init(void) {
   CHECK_EQUAL(options.reserved, 0);
   CHECK(options.probe == 0);
   CHECK(options.step == 0);
+  CHECK(options.largest_radius == 0);
 }
 
 static void null_pointers(void) {
@@ -117,7 +118,7 @@ static void bad_options(void) {
   CHECK_EQUAL(hsp_model_options_init(&options, (uint32_t)sizeof options), HSP_OK);
   options.struct_size = 0;
   check_refused(BALLS, good_xyz, good_radius, &options, HSP_E_ARGUMENT, HSP_NONE);
-  options.struct_size = (uint32_t)sizeof options - 8;
+  options.struct_size = 20;
   check_refused(BALLS, good_xyz, good_radius, &options, HSP_E_ARGUMENT, HSP_NONE);
   options.struct_size = 1028;
   check_refused(BALLS, good_xyz, good_radius, &options, HSP_E_ARGUMENT, HSP_NONE);
@@ -140,6 +141,30 @@ static void bad_options(void) {
   CHECK_EQUAL(hsp_model_set(model, 0, NULL, NULL, &options, NULL), HSP_E_NOT_FINITE);
   options.probe = -1;
   CHECK_EQUAL(hsp_model_set(model, 0, NULL, NULL, &options, NULL), HSP_E_NEGATIVE);
+  check_scene("largest radius");
+  options.probe = 0;
+  {
+    static const struct {
+      double largest;
+      int32_t expected;
+      uint32_t bad;
+    } radii[] = {{NAN, HSP_E_NOT_FINITE, HSP_NONE},
+                 {INFINITY, HSP_E_NOT_FINITE, HSP_NONE},
+                 {-1, HSP_E_NEGATIVE, HSP_NONE},
+                 {1.9, HSP_E_RANGE, 5},
+                 {0.75, HSP_E_RANGE, 0},
+                 {1e300, HSP_E_RANGE, HSP_NONE},
+                 {2, HSP_OK, HSP_NONE},
+                 {3, HSP_OK, HSP_NONE},
+                 {-0.0, HSP_OK, HSP_NONE}};
+    for (i = 0; i < sizeof radii / sizeof radii[0]; ++i) {
+      uint32_t bad = 12345;
+      options.largest_radius = radii[i].largest;
+      CHECK_EQUAL(hsp_model_set(model, BALLS, good_xyz, good_radius, &options, &bad), radii[i].expected);
+      CHECK_EQUAL(bad, radii[i].bad);
+    }
+    options.largest_radius = 0;
+  }
   check_scene("zeros with a minus sign are zeros");
   options.probe = -0.0;
   options.step = -0.0;

@@ -3,6 +3,7 @@
 #include <hardsphere.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "ball_sets.h"
 #include "check.h"
@@ -157,10 +158,43 @@ static void figures_by_definition(const ball_set *set, double probe) {
   CHECK(info.longest_probe <= info.table_slots && (info.longest_probe > 0) == (set->n > 0));
 }
 
+/* Models with the same options have the same lattice, and a ball with the same neighbours the same area to the last bit,
+ * whatever else is there. Without the option a far, larger ball changes the lattice. */
+static void same_grid(void) {
+  static unsigned char boundary_memory[HSP_BOUNDARY_BYTES(4, 4, 16, 8)];
+  static const double xyz[12] = {0.123456789012, 0, 0, 1.3, 0.2, 0.1, 0.4, 1.1, -0.2, 50, 0, 0};
+  static const double radius[4] = {1.2, 1.0, 0.9, 20};
+  hsp_boundary_limits limits;
+  hsp_boundary *boundary = NULL;
+  int with_option;
+  CHECK_EQUAL(hsp_boundary_limits_init(&limits, (uint32_t)sizeof limits, 4), HSP_OK);
+  limits.neighbours = 4, limits.vertices = 16, limits.circles = 8;
+  CHECK_EQUAL(hsp_boundary_init(boundary_memory, sizeof boundary_memory, &limits, &boundary), HSP_OK);
+  for (with_option = 0; with_option < 2; ++with_option) {
+    double area[2][4];
+    hsp_model_info info[2];
+    uint32_t n;
+    for (n = 3; n <= 4; ++n) {
+      hsp_model_options options;
+      CHECK_EQUAL(hsp_model_options_init(&options, (uint32_t)sizeof options), HSP_OK);
+      options.probe = 0.25;
+      if (with_option) options.largest_radius = 20;
+      CHECK_EQUAL(hsp_model_set(model, n, xyz, radius, &options, NULL), HSP_OK);
+      CHECK_EQUAL(hsp_model_get_info(model, &info[n - 3]), HSP_OK);
+      CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
+      CHECK_EQUAL(hsp_boundary_measure(boundary, NULL, NULL, area[n - 3], NULL, n, NULL), HSP_OK);
+    }
+    CHECK((info[0].step == info[1].step) == with_option);
+    CHECK((memcmp(area[0], area[1], 3 * sizeof area[0][0]) == 0) == with_option);
+    CHECK(info[0].largest_radius == 1.45 && info[1].largest_radius == 20.25); /* of the balls that are there */
+  }
+}
+
 int main(void) {
   uint32_t which;
   CHECK_EQUAL(hsp_model_init(memory, sizeof memory, BALL_SET_MOST, &model), HSP_OK);
   default_steps();
+  same_grid();
   decimals_are_exact();
   for (which = 0; which < ball_set_count(); ++which) {
     static ball_set set;

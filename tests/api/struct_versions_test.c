@@ -101,13 +101,13 @@ static int32_t return_view_limits(void *out, uint32_t size) {
 
 static const struct versioned {
   const char *name;
-  uint32_t size, oldest; /* in this header, and in the first that had the struct */
+  uint32_t size, earlier; /* in this header, and in an earlier one */
   int32_t (*read)(const void *given);
   int32_t (*write[3])(void *out, uint32_t size);
 } structs[] = {
     {"hsp_model_options",
      sizeof(hsp_model_options),
-     sizeof(hsp_model_options),
+     24, /* before largest_radius */
      read_model_options,
      {write_model_options, NULL, NULL}},
     {"hsp_boundary_limits",
@@ -139,7 +139,7 @@ static const struct versioned {
 enum { STRUCTS = sizeof structs / sizeof structs[0] };
 
 static int is_good_size(const struct versioned *s, uint32_t size) {
-  return size >= s->oldest && size <= LARGEST && size % 4 == 0;
+  return size == s->size || size == s->earlier || (size > s->size && size <= LARGEST && size % 4 == 0);
 }
 
 static void check_reading(const struct versioned *s) {

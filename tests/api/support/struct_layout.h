@@ -11,11 +11,12 @@
   LAYOUT_HOLDS(type##_##field, offsetof(type, field) == (offset) && sizeof(((type *)0)->field) == (size))
 
 /* Each field begins where the one before it ends and the last ends with the struct: there is no padding. */
-LAYOUT_SIZE(hsp_model_options, 24);
+LAYOUT_SIZE(hsp_model_options, 32);
 LAYOUT_FIELD(hsp_model_options, struct_size, 0, 4);
 LAYOUT_FIELD(hsp_model_options, reserved, 4, 4);
 LAYOUT_FIELD(hsp_model_options, probe, 8, 8);
 LAYOUT_FIELD(hsp_model_options, step, 16, 8);
+LAYOUT_FIELD(hsp_model_options, largest_radius, 24, 8);
 
 LAYOUT_SIZE(hsp_model_info, 40);
 LAYOUT_FIELD(hsp_model_info, balls, 0, 4);
