@@ -9,12 +9,12 @@
  *
  * A workspace owns a handle of each kind, which are made when they are first needed and made larger when a set of balls
  * needs more. It may be used for any number of sets, one after the other, and keeps the memory of the largest. Read
- * results through its handles by the functions of hardsphere.h; take the handles anew from the workspace after each call,
- * as they move when they grow. A workspace may be copied; use only one of the copies. Distinct workspaces may be used by
- * distinct threads.
+ * results through its handles by the functions of hardsphere.h; take the handles anew from the workspace after each
+ * call, as they move when they grow. A workspace may be copied; use only one of the copies. Distinct workspaces may be
+ * used by distinct threads.
  *
- * STATUS: that of the function of hardsphere.h that fails, and HSP_E_MEMORY if malloc fails. A call that fails leaves the
- * workspace such that every function may be called again; what it was to compute holds no results.
+ * STATUS: that of the function of hardsphere.h that fails, and HSP_E_MEMORY if malloc fails. A call that fails leaves
+ * the workspace such that every function may be called again; what it was to compute holds no results.
  */
 #ifndef HARDSPHERE_WORKSPACE_H
 #define HARDSPHERE_WORKSPACE_H

@@ -17,8 +17,8 @@ inline size_t most_bytes(const hsp_view_limits &limits) {
   return HSP_VIEW_BYTES(limits.balls, limits.neighbours, limits.arcs);
 }
 
-// `exact`: the limits that the computation needs. `compute` takes a handle and limits to hand back and returns its status,
-// `read` takes it and returns the status of reading; where that is HSP_OK it has compared what it read.
+// `exact`: the limits that the computation needs. `compute` takes a handle and limits to hand back and returns its
+// status, `read` takes it and returns the status of reading; where that is HSP_OK it has compared what it read.
 template <class Kind, class Compute, class Read>
 void require_limits(const typename Kind::Limits &exact, Bytes &bytes, Compute compute, Read read) {
   typename Kind::Limits limits = exact;

@@ -1,5 +1,5 @@
-/* Pointers to what is not a handle of the right kind: every function refuses them. C's types keep such mistakes out of C
- * programs, but other languages have one type for all pointers. */
+/* Pointers to what is not a handle of the right kind: every function refuses them. C's types keep such mistakes out of
+ * C programs, but other languages have one type for all pointers. */
 #include <hardsphere.h>
 #include <string.h>
 

@@ -158,8 +158,8 @@ static void figures_by_definition(const ball_set *set, double probe) {
   CHECK(info.longest_probe <= info.table_slots && (info.longest_probe > 0) == (set->n > 0));
 }
 
-/* Models with the same options have the same lattice, and a ball with the same neighbours the same area to the last bit,
- * whatever else is there. Without the option a far, larger ball changes the lattice. */
+/* Models with the same options have the same lattice, and a ball with the same neighbours the same area to the last
+ * bit, whatever else is there. Without the option a far, larger ball changes the lattice. */
 static void same_grid(void) {
   static unsigned char boundary_memory[HSP_BOUNDARY_BYTES(4, 4, 16, 8)];
   static const double xyz[12] = {0.123456789012, 0, 0, 1.3, 0.2, 0.1, 0.4, 1.1, -0.2, 50, 0, 0};

@@ -19,7 +19,7 @@ program main
   if (hsp_boundary_init(c_loc(boundary_memory), bytes, limits, boundary) /= HSP_OK) stop 5
   if (hsp_model_set(model, n, xyz, radius) /= HSP_OK) stop 6
   if (hsp_boundary_compute(boundary, model) /= HSP_OK) stop 7
-  if (hsp_boundary_measure(boundary, totals, capacity=0_c_int32_t) /= HSP_OK) stop 8
+  if (hsp_boundary_measure(boundary, totals=totals, capacity=0_c_int32_t) /= HSP_OK) stop 8
   print '(a, f18.15)', 'Fortran: area ', totals%area
   if (abs(totals%area - 6*acos(-1.0_c_double)) >= 1e-12_c_double) stop 1
 end program main
