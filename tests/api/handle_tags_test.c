@@ -166,6 +166,27 @@ static void no_handles_at_all(void) {
   refused_as_anything((unsigned char *)h.model + 1, "a pointer into a handle");
 }
 
+/* Nothing but the tag of a handle is gone: what was computed from it must not follow the pointer any more. */
+static void forgotten_handles(void) {
+  hsp_view_info info;
+  uint64_t tag;
+  four_handles_compute(&h);
+  check_scene("a model without its tag");
+  memcpy(&tag, h.model, sizeof tag);
+  memset(h.model, 0, sizeof tag);
+  check_status(contents_of_boundary(h.boundary), HSP_E_STATE);
+  check_status(contents_of_topology(h.topology), HSP_E_STATE);
+  CHECK_EQUAL(hsp_view_get_info(h.view, &info), HSP_E_STATE);
+  memcpy(h.model, &tag, sizeof tag);
+  check_scene("a boundary without its tag");
+  memcpy(&tag, h.boundary, sizeof tag);
+  memset(h.boundary, 0, sizeof tag);
+  check_status(contents_of_topology(h.topology), HSP_E_STATE);
+  memcpy(h.boundary, &tag, sizeof tag);
+  check_status(contents_of_topology(h.topology), HSP_OK);
+  CHECK_EQUAL(hsp_view_get_info(h.view, &info), HSP_OK);
+}
+
 /* The memory of a model becomes that of a boundary: what was computed from the model is out of date, and the pointer to
  * the model is refused. */
 static void dead_handles(void) {
@@ -192,6 +213,7 @@ int main(void) {
   handles_of_other_kinds();
   moved_handles();
   no_handles_at_all();
+  forgotten_handles();
   dead_handles();
   return check_report();
 }
