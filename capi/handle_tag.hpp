@@ -1,5 +1,5 @@
 // The first word of every handle, by which a pointer to something else is refused instead of followed. A handle is a
-// struct that begins with `uint64_t tag` and has a constant `kind`, a number that no other kind of handle has.
+// struct that begins with `uintptr_t tag` and has a constant `kind`, a number that no other kind of handle has.
 #pragma once
 
 #include <cstdint>
@@ -10,15 +10,17 @@ namespace hsp::capi {
 // What the first word of a live handle says: what it is and where. Memory that holds something else, another kind of
 // handle or one that was copied from elsewhere does not say that.
 template <class Handle>
-uint64_t tag_of(const Handle *handle) {
-  return Handle::kind ^ static_cast<uint64_t>(reinterpret_cast<uintptr_t>(handle)) * 0x9E3779B97F4A7C15U;
+uintptr_t tag_of(const Handle *handle) {
+  return static_cast<uintptr_t>(Handle::kind) ^
+         reinterpret_cast<uintptr_t>(handle) * static_cast<uintptr_t>(0x9E3779B97F4A7C15U);
 }
 
-// Languages without pointer types pass anything for a handle, so its memory is not read as one before this.
+// Languages without pointer types pass anything for a handle, so its memory is not read as one before this. A
+// misaligned address does not hold its own tag either.
 template <class Handle>
 bool is_live(const Handle *handle) {
-  if (handle == nullptr || reinterpret_cast<uintptr_t>(handle) % alignof(Handle) != 0) return false;
-  uint64_t tag;
+  if (handle == nullptr) return false;
+  uintptr_t tag;
   std::memcpy(&tag, static_cast<const void *>(handle), sizeof tag);
   return tag == tag_of(handle);
 }

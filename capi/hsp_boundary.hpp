@@ -8,7 +8,7 @@ struct hsp_boundary {
   using Builder = hsp::BoundaryBuilder;
   static constexpr uint64_t kind = 0x626F756E64617279;  // "boundary" in ASCII
 
-  uint64_t tag;
+  uintptr_t tag;
   Builder builder;
   const hsp_model *model = nullptr;  // what was computed last
   uint64_t revision = 0;

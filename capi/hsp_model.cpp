@@ -5,7 +5,7 @@ using hsp::capi::is_live;
 
 namespace {
 
-constexpr hsp_model_options default_options = {sizeof(hsp_model_options), 0, 0.0, 0.0, 0.0};
+constexpr hsp_model_options default_model_options = {sizeof(hsp_model_options), 0, 0.0, 0.0, 0.0};
 
 }  // namespace
 
@@ -35,7 +35,7 @@ int32_t hsp_model_init(void *memory, size_t bytes, uint32_t balls, hsp_model **m
 }
 
 int32_t hsp_model_options_init(hsp_model_options *options, uint32_t struct_size) {
-  return hsp::capi::write_struct(default_options, options, struct_size) ? HSP_OK : HSP_E_ARGUMENT;
+  return hsp::capi::write_struct(default_model_options, options, struct_size) ? HSP_OK : HSP_E_ARGUMENT;
 }
 
 int32_t hsp_model_set(hsp_model *model, uint32_t n, const double *xyz, const double *radius,
@@ -53,7 +53,7 @@ int32_t hsp_model_set(hsp_model *model, uint32_t n, const double *xyz, const dou
   if (n > 0 && (xyz == nullptr || radius == nullptr)) return refuse(HSP_E_ARGUMENT);
   if (options != nullptr) {
     hsp_model_options wanted;
-    if (!hsp::capi::read_struct(options, default_options, wanted) || wanted.reserved != 0) {
+    if (!hsp::capi::read_struct(options, default_model_options, wanted) || wanted.reserved != 0) {
       return refuse(HSP_E_ARGUMENT);
     }
     input.probe = wanted.probe;

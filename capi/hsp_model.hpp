@@ -8,7 +8,7 @@ struct hsp_model {
   using Builder = hsp::CubeGrid;
   static constexpr uint64_t kind = 0x6D6F64656C;  // "model" in ASCII
 
-  uint64_t tag;
+  uintptr_t tag;
   Builder grid;
   uint64_t revision = 0;  // counts hsp_model_set, so that a boundary notices when its model has changed
 

@@ -8,7 +8,7 @@ struct hsp_topology {
   using Builder = hsp::TopologyBuilder;
   static constexpr uint64_t kind = 0x746F706F6C6F6779;  // "topology" in ASCII
 
-  uint64_t tag;
+  uintptr_t tag;
   Builder builder;
   const hsp_boundary *boundary = nullptr;  // what was computed last
   uint64_t computed = 0;

@@ -20,7 +20,7 @@ hsp_view_limits to_c(const hsp::ViewLimits &limits) {
   return {sizeof(hsp_view_limits), limits.balls, limits.neighbours, limits.arcs};
 }
 
-constexpr hsp_view_options default_options = {
+constexpr hsp_view_options default_view_options = {
     sizeof(hsp_view_options), HSP_PIECES_OUTSIDE_FARTHER, 0, 0, {0.0, 0.0, 1.0}, {0.0, 1.0, 0.0}};
 
 bool is_valid(const hsp_view_options &options) {
@@ -53,7 +53,7 @@ int32_t hsp_view_init(void *memory, size_t bytes, const hsp_view_limits *limits,
 }
 
 int32_t hsp_view_options_init(hsp_view_options *options, uint32_t struct_size) {
-  return hsp::capi::write_struct(default_options, options, struct_size) ? HSP_OK : HSP_E_ARGUMENT;
+  return hsp::capi::write_struct(default_view_options, options, struct_size) ? HSP_OK : HSP_E_ARGUMENT;
 }
 
 int32_t hsp_view_options_turn(hsp_view_options *options, double x, double y, double z) {
@@ -76,7 +76,7 @@ int32_t hsp_view_compute(hsp_view *view, const hsp_model *model, const hsp_bound
   if (!is_live(model) || !hsp::capi::may_write(limits)) return HSP_E_ARGUMENT;
   if (options != nullptr) {
     hsp_view_options wanted;
-    if (!hsp::capi::read_struct(options, default_options, wanted) || !is_valid(wanted)) return HSP_E_ARGUMENT;
+    if (!hsp::capi::read_struct(options, default_view_options, wanted) || !is_valid(wanted)) return HSP_E_ARGUMENT;
     for (int k = 0; k < 3; ++k) {
       request.direction.towards[k] = wanted.towards[k];
       request.direction.up[k] = wanted.up[k];

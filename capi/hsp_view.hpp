@@ -8,7 +8,7 @@ struct hsp_view {
   using Builder = hsp::ViewBuilder;
   static constexpr uint64_t kind = 0x76696577;  // "view" in ASCII
 
-  uint64_t tag;
+  uintptr_t tag;
   Builder builder;
   const hsp_model *model = nullptr;  // what was computed last
   uint64_t revision = 0;

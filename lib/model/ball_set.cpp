@@ -1,13 +1,22 @@
 #include "model/ball_set.hpp"
 
+#include <limits>
+
 namespace hsp {
 
 Status BallRounding::prepare(const BallInput &input, uint32_t &first_bad) {
   input_ = input;
   first_bad = no_id;
-  if (!is_finite(input.probe) || !is_finite(input.step) || !is_finite(input.largest_radius)) return Status::not_finite;
-  if (input.probe < 0.0 || input.step < 0.0 || input.largest_radius < 0.0) return Status::negative;
+  const double options[] = {input.probe, input.step, input.largest_radius};
+  for (const double option : options) {
+    if (!is_finite(option)) return Status::not_finite;
+  }
+  for (const double option : options) {
+    if (option < 0.0) return Status::negative;
+  }
 
+  const bool expected = input.largest_radius != 0.0;
+  const double most = expected ? input.largest_radius : std::numeric_limits<double>::max();
   double largest = 0.0;
   uint32_t largest_ball = no_id;
   for (uint32_t i = 0; i < input.n; ++i) {
@@ -16,7 +25,7 @@ Status BallRounding::prepare(const BallInput &input, uint32_t &first_bad) {
       first_bad = i;
       return is_finite(radius) ? Status::negative : Status::not_finite;
     }
-    if (input.largest_radius > 0.0 && radius > input.largest_radius) {
+    if (radius > most) {
       first_bad = i;
       return Status::range;
     }
@@ -25,8 +34,8 @@ Status BallRounding::prepare(const BallInput &input, uint32_t &first_bad) {
       largest_ball = i;
     }
   }
-  if (input.largest_radius > 0.0) {
-    largest = input.largest_radius;
+  if (expected) {
+    largest = most;
     largest_ball = no_id;
   }
   if (input.step != 0.0) {
@@ -38,11 +47,10 @@ Status BallRounding::prepare(const BallInput &input, uint32_t &first_bad) {
     return Status::range;
   }
   const double probe = lattice_.steps(input.probe);
-  if (!(probe < exact::radius_limit)) return Status::range;
+  const double radius = lattice_.steps(input.largest_radius);
+  if (!(radius + probe < exact::radius_limit)) return Status::range;
   probe_steps_ = nearest(probe);
-  const double expected = lattice_.steps(input.largest_radius);
-  if (!(expected + probe < exact::radius_limit)) return Status::range;
-  expected_radius_ = input.largest_radius > 0.0 ? nearest(expected) + probe_steps_ : 0;
+  expected_radius_ = nearest(radius) + probe_steps_;
   return Status::ok;
 }
 

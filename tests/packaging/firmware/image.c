@@ -9,18 +9,13 @@
 #define BALLS 24
 
 static unsigned char model_memory[HSP_MODEL_BYTES(BALLS)];
-static double xyz[3 * BALLS], radius[BALLS];
 static hsp_model *model;
 
-/* The linker must not know what comes of it. */
-volatile double input[4 * BALLS];
+/* Not static: the compiler must not know what is in them. */
+double xyz[3 * BALLS], radius[BALLS];
 volatile int32_t result;
 
 static void set_model(void) {
-  for (int i = 0; i < BALLS; ++i) {
-    for (int axis = 0; axis < 3; ++axis) xyz[3 * i + axis] = input[4 * i + axis];
-    radius[i] = input[4 * i + 3];
-  }
   result |= hsp_model_init(model_memory, sizeof model_memory, BALLS, &model);
   result |= hsp_model_set(model, BALLS, xyz, radius, NULL, NULL);
 }
