@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Writes the manual page from what the program says about itself:
 #   bash capi/tool/man_page.sh PROGRAM > capi/tool/hardsphere.1
-# Installed as it stands in the repository; the test program_man_page compares the two.
+# Installed as it stands in the repository; the test packaging_man_page compares the two.
 set -euo pipefail
 program=$1
 export LC_ALL=C

@@ -150,7 +150,7 @@ static void check_reading(const struct versioned *s) {
     memset(&given, 0, sizeof given);
     CHECK_EQUAL(s->write[0](&given, s->size), HSP_OK);
     given.struct_size = size;
-    if (size > s->size) memset(given.bytes + size, 1, ROOM - size); /* not the program's any more */
+    if (is_good_size(s, size)) memset(given.bytes + size, 1, ROOM - size); /* not the program's any more */
     CHECK_EQUAL(s->read(&given), is_good_size(s, size) ? HSP_OK : HSP_E_ARGUMENT);
     if (size <= s->size || !is_good_size(s, size)) continue;
     given.bytes[size - 1] = 1;
