@@ -28,6 +28,16 @@ size_t bytes_of(const Limits &limits) {
   return measure.bytes();
 }
 
+// hsp_X_limits_init: the defaults of a kind of limits, for so many balls.
+template <class Defaults, auto convert, class Limits>
+int32_t init_limits(Limits *limits, uint32_t struct_size, uint32_t balls) {
+  if (limits == nullptr || !is_struct_size<Limits>(struct_size)) return HSP_E_ARGUMENT;
+  Defaults defaults;
+  const Status status = default_limits(balls, defaults);
+  if (status == Status::ok) write_struct(convert(defaults), limits, struct_size);
+  return to_c(status);
+}
+
 // What every hsp_X_bytes ends with.
 template <class Handle, class Limits>
 int32_t get_bytes(const Limits &limits, size_t *bytes) {
@@ -56,11 +66,9 @@ int32_t init(void *memory, size_t bytes, const Limits &limits, Handle **handle) 
 template <auto convert, class Handle, class Limits>
 int32_t finish(Handle &handle, Status status, Limits *limits) {
   handle.complete = status == Status::ok;
-  if (limits != nullptr && status == Status::ok) {
-    write_struct(convert(handle.builder.needed()), limits, limits->struct_size);
-  }
-  if (limits != nullptr && status == Status::capacity) {
-    write_struct(convert(handle.builder.retry_limits()), limits, limits->struct_size);
+  if (limits != nullptr && (status == Status::ok || status == Status::capacity)) {
+    const auto enough = handle.complete ? handle.builder.needed() : handle.builder.retry_limits();
+    write_struct(convert(enough), limits, limits->struct_size);
   }
   return to_c(status);
 }

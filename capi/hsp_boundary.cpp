@@ -78,11 +78,7 @@ void write_circle(const hsp::BallSet &balls, uint32_t a, uint32_t b, Record &rec
 }  // namespace
 
 int32_t hsp_boundary_limits_init(hsp_boundary_limits *limits, uint32_t struct_size, uint32_t balls) {
-  if (limits == nullptr || !hsp::capi::is_struct_size<hsp_boundary_limits>(struct_size)) return HSP_E_ARGUMENT;
-  hsp::BoundaryLimits defaults;
-  const hsp::Status status = hsp::default_limits(balls, defaults);
-  if (status == hsp::Status::ok) hsp::capi::write_struct(to_c(defaults), limits, struct_size);
-  return hsp::capi::to_c(status);
+  return hsp::capi::init_limits<hsp::BoundaryLimits, to_c>(limits, struct_size, balls);
 }
 
 int32_t hsp_boundary_bytes(const hsp_boundary_limits *limits, size_t *bytes) {

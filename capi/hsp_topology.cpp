@@ -45,11 +45,7 @@ uint32_t step_from(const hsp_topology *topology, uint32_t q, Step step) {
 }  // namespace
 
 int32_t hsp_topology_limits_init(hsp_topology_limits *limits, uint32_t struct_size, uint32_t balls) {
-  if (limits == nullptr || !hsp::capi::is_struct_size<hsp_topology_limits>(struct_size)) return HSP_E_ARGUMENT;
-  hsp::TopologyLimits defaults;
-  const hsp::Status status = hsp::default_limits(balls, defaults);
-  if (status == hsp::Status::ok) hsp::capi::write_struct(to_c(defaults), limits, struct_size);
-  return hsp::capi::to_c(status);
+  return hsp::capi::init_limits<hsp::TopologyLimits, to_c>(limits, struct_size, balls);
 }
 
 int32_t hsp_topology_limits_for(hsp_topology_limits *limits, uint32_t struct_size, const hsp_boundary *boundary) {

@@ -31,11 +31,7 @@ bool is_valid(const hsp_view_options &options) {
 }  // namespace
 
 int32_t hsp_view_limits_init(hsp_view_limits *limits, uint32_t struct_size, uint32_t balls) {
-  if (limits == nullptr || !hsp::capi::is_struct_size<hsp_view_limits>(struct_size)) return HSP_E_ARGUMENT;
-  hsp::ViewLimits defaults;
-  const hsp::Status status = hsp::default_limits(balls, defaults);
-  if (status == hsp::Status::ok) hsp::capi::write_struct(to_c(defaults), limits, struct_size);
-  return hsp::capi::to_c(status);
+  return hsp::capi::init_limits<hsp::ViewLimits, to_c>(limits, struct_size, balls);
 }
 
 int32_t hsp_view_bytes(const hsp_view_limits *limits, size_t *bytes) {

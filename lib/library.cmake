@@ -115,8 +115,11 @@ hsp_library_objects(hardsphere_objects)
 # An archive of one relocatable object, in which everything but hsp_* is local: nothing else can clash in a user's link.
 # That takes GNU ld (lld lacks --force-group-allocation; Apple's linker and that for wasm know no such thing) and GNU
 # objcopy. Objects for optimization at link time are left as they are.
-set(HSP_LINK_OBJECT ${CMAKE_CXX_COMPILER} $<$<BOOL:${CMAKE_CXX_COMPILER_TARGET}>:--target=${CMAKE_CXX_COMPILER_TARGET}>
-  -r -nostdlib -fuse-ld=bfd -Wl,--force-group-allocation)
+set(HSP_COMPILER ${CMAKE_CXX_COMPILER})
+if(CMAKE_CXX_COMPILER_TARGET)
+  list(APPEND HSP_COMPILER --target=${CMAKE_CXX_COMPILER_TARGET})
+endif()
+set(HSP_LINK_OBJECT ${HSP_COMPILER} -r -nostdlib -fuse-ld=bfd -Wl,--force-group-allocation)
 set(HSP_KEEP_SYMBOLS ${CMAKE_OBJCOPY} --wildcard --keep-global-symbol=hsp_*)
 function(hsp_can_link_single_object result)
   set(${result} OFF PARENT_SCOPE)
@@ -128,12 +131,7 @@ function(hsp_can_link_single_object result)
   set(folder ${PROJECT_BINARY_DIR}/CMakeFiles/single_object)
   file(WRITE ${folder}/probe.cpp "extern \"C\" int hsp_probe() { return 0; }\n")
   separate_arguments(flags UNIX_COMMAND "${CMAKE_CXX_FLAGS}")
-  string(GENEX_STRIP "${HSP_LINK_OBJECT}" link)
-  if(CMAKE_CXX_COMPILER_TARGET)
-    list(APPEND flags --target=${CMAKE_CXX_COMPILER_TARGET})
-    list(APPEND link --target=${CMAKE_CXX_COMPILER_TARGET})
-  endif()
-  foreach(command "${CMAKE_CXX_COMPILER};${flags};-c;probe.cpp;-o;probe.o" "${link};-o;linked.o;probe.o"
+  foreach(command "${HSP_COMPILER};${flags};-c;probe.cpp;-o;probe.o" "${HSP_LINK_OBJECT};-o;linked.o;probe.o"
       "${HSP_KEEP_SYMBOLS};linked.o")
     execute_process(COMMAND ${command} WORKING_DIRECTORY ${folder} RESULT_VARIABLE status OUTPUT_QUIET ERROR_QUIET)
     if(NOT status EQUAL 0)

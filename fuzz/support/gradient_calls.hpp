@@ -45,8 +45,9 @@ inline void call_gradient(Bytes &bytes, const hsp_boundary *boundary, int32_t re
   const double tension = number(bytes, odd), pressure = number(bytes, odd);
   const uint32_t tangency = bytes.one_in(20) ? 2 + bytes.byte() : bytes.below(2);
   const bool no_sigma = null(bytes);
-  bool finite = std::isfinite(tension) && std::isfinite(pressure);
-  for (uint32_t i = 0; i < balls && !no_sigma; ++i) finite = finite && std::isfinite(sigma[i]);
+  bool finite_weights = true;
+  for (uint32_t i = 0; i < balls && !no_sigma; ++i) finite_weights = finite_weights && std::isfinite(sigma[i]);
+  const bool finite = finite_weights && std::isfinite(tension) && std::isfinite(pressure);
   const uint32_t capacity = bytes.below(30);
   Output<hsp_energy> energy(1, null(bytes));
   Output<double> centre(3 * capacity, null(bytes)), radius(capacity, null(bytes));
@@ -55,8 +56,6 @@ inline void call_gradient(Bytes &bytes, const hsp_boundary *boundary, int32_t re
       hsp_boundary_gradient(boundary, no_sigma ? nullptr : sigma.data(), tension, pressure, tangency, energy.data(),
                             centre.data(), radius.data(), flags.data(), capacity, nullptr, nullptr);
   // The two parts of the gradient have the same arguments but for the factors, which are finite numbers there.
-  bool finite_weights = true;
-  for (uint32_t i = 0; i < balls && !no_sigma; ++i) finite_weights = finite_weights && std::isfinite(sigma[i]);
   Output<double> area_centre(3 * capacity, null(bytes)), area_radius(capacity, null(bytes));
   Output<double> volume_centre(3 * capacity, null(bytes)), volume_radius(capacity, null(bytes));
   uint32_t first_bad = 12345;

@@ -25,9 +25,8 @@ struct BoundaryLimits {
 
   // The smallest limits that are no smaller than these and others.
   constexpr BoundaryLimits covering(const BoundaryLimits &other) const {
-    const auto larger = [](uint32_t a, uint32_t b) { return a < b ? b : a; };
-    return {larger(balls, other.balls), larger(neighbours, other.neighbours), larger(vertices, other.vertices),
-            larger(circles, other.circles)};
+    return {larger_count(balls, other.balls), larger_count(neighbours, other.neighbours),
+            larger_count(vertices, other.vertices), larger_count(circles, other.circles)};
   }
   // Loops have at least two arcs or are circles.
   uint64_t most_loops() const { return 3 * static_cast<uint64_t>(vertices) / 2 + 2 * static_cast<uint64_t>(circles); }

@@ -25,4 +25,8 @@ inline constexpr uint32_t no_id = UINT32_C(0xFFFFFFFF);
 // The most balls of a model, and the largest limit of any kind.
 inline constexpr uint32_t max_count = UINT32_C(0x0FFFFFFF);
 
+constexpr uint32_t larger_count(uint32_t a, uint32_t b) {
+  return a < b ? b : a;
+}
+
 }  // namespace hsp

@@ -24,9 +24,8 @@ struct TopologyLimits {
 
   // The smallest limits that are no smaller than these and others.
   constexpr TopologyLimits covering(const TopologyLimits &other) const {
-    const auto larger = [](uint32_t a, uint32_t b) { return a < b ? b : a; };
-    return {larger(balls, other.balls), larger(neighbours, other.neighbours), larger(edges, other.edges),
-            larger(cut_arcs, other.cut_arcs)};
+    return {larger_count(balls, other.balls), larger_count(neighbours, other.neighbours),
+            larger_count(edges, other.edges), larger_count(cut_arcs, other.cut_arcs)};
   }
 };
 

@@ -16,8 +16,8 @@ struct ViewLimits {
 
   // The smallest limits that are no smaller than these and others.
   constexpr ViewLimits covering(const ViewLimits &other) const {
-    const auto larger = [](uint32_t a, uint32_t b) { return a < b ? b : a; };
-    return {larger(balls, other.balls), larger(neighbours, other.neighbours), larger(arcs, other.arcs)};
+    return {larger_count(balls, other.balls), larger_count(neighbours, other.neighbours),
+            larger_count(arcs, other.arcs)};
   }
 };
 

@@ -8,40 +8,21 @@ namespace cases {
 
 // px are 3/4 of a point; the box is rounded up to points.
 constexpr FileParts eps_parts[] = {
-    {300.4,
-     false,
-     true,
-     true,
-     1.5,
-     nullptr,
-     nullptr,
+    {broken_points,
      {"%%BoundingBox: 0 0 226 226\n%%HiResBoundingBox: 0 0 225.3 225.3\n", "16#fedcba C 0 0 300.4 300.4 rectfill\n",
       "16#010203 C\n", " 1.5 setlinewidth\n"},
      {"%%Title", "rawshade", "\n% "}},
-    // An inch.
-    {25.4,
-     true,
-     false,
-     true,
-     25.4,
-     "",
-     "",
+    {an_inch,
      {"%%BoundingBox: 0 0 72 72\n%%HiResBoundingBox: 0 0 72 72\n", " C 0 0 96 96 rectfill\n", " 96 setlinewidth\n",
       "16#00ff7f F\n"},
      {"%%Title", "shfill", "\n% "}},
-    {40,
-     false,
-     false,
-     false,
-     0,
-     "a(b)\\c\xC3\xA9",
-     "1 (2)\n3",
+    {escaped_texts,
      {"%%Title: (a\\(b\\)\\\\c?)\n", "\n% 1 (2)?3\n", "/I{newpath}bind def\n", "%%HiResBoundingBox: 0 0 30 30\n"},
      {"rectfill", "16#010203", "{stroke}"}}};
 
 inline uint32_t parts_of_eps_files() {
   return first_failing(eps_parts, [](const FileParts &c) {
-    const PictureText &text = one_ball(hsp::write_eps, c);
+    const PictureText &text = one_ball(hsp::write_eps, c.options);
     return has_parts(text, c) && TextReader(text.text).take("%!PS-Adobe-3.0 EPSF-3.0\n%%BoundingBox: ") &&
            text.count("%%EndComments\n") == 1 && text.count("\nshowpage\n") == 1 && ends_with(text, "\n%%EOF\n");
   });
@@ -53,7 +34,7 @@ inline uint32_t long_texts() {
   return first_failing(lengths, [](uint32_t length) {
     char title[400] = {};
     for (uint32_t k = 0; k < length; ++k) title[k] = "()\\"[k % 3];
-    const PictureText &text = one_ball(hsp::write_eps, {40, false, true, true, 1, title, title, {}, {}});
+    const PictureText &text = one_ball(hsp::write_eps, {40, false, true, true, 1, title, title});
     TextReader reader(text.text);
     uint32_t read = 0;
     if (!reader.find("%%Title: (")) return false;

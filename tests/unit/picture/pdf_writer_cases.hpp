@@ -7,32 +7,11 @@ namespace cases {
 
 // px are 3/4 of a point.
 constexpr FileParts pdf_parts[] = {
-    {300.4,
-     false,
-     true,
-     true,
-     1.5,
-     nullptr,
-     nullptr,
+    {broken_points,
      {"/MediaBox[0 0 225.3 225.3]", ".996 .863 .729 rg 0 0 300.4 300.4 re f\n", ".004 .008 .012 RG\n", " 1.5 w\n"},
      {"/Title", "/Subject", "/Shading"}},
-    // An inch.
-    {25.4,
-     true,
-     false,
-     true,
-     25.4,
-     "",
-     "",
-     {"/MediaBox[0 0 72 72]", "rg 0 0 96 96 re f\n", " 96 w\n", "h\nB\n"},
-     {"/Title", "/Subject", "h\nf\n"}},
-    {40,
-     false,
-     false,
-     false,
-     0,
-     "a(b)\\c\xC3\xA9",
-     "1 (2)\n3",
+    {an_inch, {"/MediaBox[0 0 72 72]", "rg 0 0 96 96 re f\n", " 96 w\n", "h\nB\n"}, {"/Title", "/Subject", "h\nf\n"}},
+    {escaped_texts,
      {"/Title(a\\(b\\)\\\\c?)", "/Subject(1 \\(2\\)?3)", "0 1 .498 rg\n", "h\nf\n"},
      {" re f", "RG", "h\nB\n"}}};
 
@@ -79,7 +58,7 @@ inline bool offsets_lead_to_objects(const PictureText &text) {
 
 inline uint32_t parts_of_pdf_files() {
   return first_failing(pdf_parts, [](const FileParts &c) {
-    const PictureText &text = one_ball(hsp::write_pdf, c);
+    const PictureText &text = one_ball(hsp::write_pdf, c.options);
     return has_parts(text, c) && offsets_lead_to_objects(text);
   });
 }
@@ -88,7 +67,7 @@ inline uint32_t parts_of_pdf_files() {
 inline uint32_t curves_along_circles() {
   constexpr double widths[] = {.05, 1, 40, 300, 12345, 1e6};
   return first_failing(widths, [](double width) {
-    const PictureText &text = one_ball(hsp::write_pdf, {width, false, true, false, 0, nullptr, nullptr, {}, {}});
+    const PictureText &text = one_ball(hsp::write_pdf, {width, false, true, false, 0, nullptr, nullptr});
     TextReader reader(text.text);
     const double middle = width / 2, r = width / 2 / 1.06;  // the margin is .03 of the width
     double first[2], from[2], c[6], total = 0;

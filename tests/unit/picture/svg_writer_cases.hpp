@@ -158,40 +158,22 @@ inline uint32_t flat_ellipses_are_where_they_belong() {
 }
 
 constexpr FileParts svg_parts[] = {
-    {300,
-     false,
-     true,
-     true,
-     1.5,
-     nullptr,
-     nullptr,
+    {{300, false, true, true, 1.5, nullptr, nullptr},
      {" width=\"300px\" height=\"300px\" viewBox=\"0 0 300 300\">",
       "<rect width=\"300\" height=\"300\" fill=\"#fedcba\"/>", "<path data-ball=\"0\" fill=\"#00ff7f\"",
       "<g stroke=\"#010203\" stroke-width=\"1.5\""},
      {"<title", "<desc", "Gradient"}},
     // An inch.
-    {25.4,
-     true,
-     true,
-     false,
-     25.4,
-     "",
-     "",
+    {{25.4, true, true, false, 25.4, "", ""},
      {" width=\"25.4mm\" height=\"25.4mm\" viewBox=\"0 0 96 96\">", "stroke-width=\"96\"", "data-ball", "<g stroke"},
      {"<title", "<desc", "<rect"}},
-    {40,
-     false,
-     false,
-     false,
-     0,
-     "a<b & \"c\"",
-     "1 > 0\x01",
+    {{40, false, false, false, 0, "a<b & \"c\"", "1 > 0\x01"},
      {"<title>a&lt;b &amp; &quot;c&quot;</title>", "<desc>1 &gt; 0?</desc>", "<path fill=\"#00ff7f\"", "<g>"},
      {"data-ball", "<rect", "stroke"}}};
 
 inline uint32_t parts_of_svg_files() {
   return first_failing(svg_parts, [](const FileParts &c) {
-    const PictureText &text = one_ball(hsp::write_svg, c);
+    const PictureText &text = one_ball(hsp::write_svg, c.options);
     return has_parts(text, c) && text.count("<svg ") == 1 && ends_with(text, "</svg>\n") &&
            text.count("<g") == text.count("</g>");
   });

@@ -39,31 +39,40 @@ inline hsp::PictureOptions two_px_per_step(double width) {
   return options;
 }
 
-// Options for a picture of one ball, what stands in it exactly once, and what stands nowhere in it.
-struct FileParts {
+// What is asked of a picture of one ball.
+struct FileOptions {
   double width;
   bool millimetres, ids, backdrop;
   double outline;
   const char *title, *description;
+};
+// Of the formats in points: a page that is no whole number of them, an inch, and texts with characters to be escaped.
+constexpr FileOptions broken_points{300.4, false, true, true, 1.5, nullptr, nullptr};
+constexpr FileOptions an_inch{25.4, true, false, true, 25.4, "", ""};
+constexpr FileOptions escaped_texts{40, false, false, false, 0, "a(b)\\c\xC3\xA9", "1 (2)\n3"};
+
+// What stands in such a file exactly once, and what stands nowhere in it.
+struct FileParts {
+  FileOptions options;
   const char *present[4];
   const char *absent[3];
 };
 
 // The picture of a ball of radius 10 and colour 0x00FF7F, with lines 0x010203, before 0xFEDCBA.
 template <class Writer>
-const PictureText &one_ball(Writer write, const FileParts &parts) {
+const PictureText &one_ball(Writer write, const FileOptions &asked) {
   static constexpr SmallBall ball{0, 0, 0, 10};
   static constexpr uint32_t colour[] = {0x00FF7F};
   hsp::PictureOptions options;
-  options.width = parts.width;
-  options.millimetres = parts.millimetres;
-  options.ids = parts.ids;
-  options.backdrop = parts.backdrop;
+  options.width = asked.width;
+  options.millimetres = asked.millimetres;
+  options.ids = asked.ids;
+  options.backdrop = asked.backdrop;
   options.background = 0xFEDCBA;
-  options.outline = parts.outline;
+  options.outline = asked.outline;
   options.outline_colour = 0x010203;
   small_view().succeeds(&ball, 1);
-  return written(write, picture_input(colour, parts.title, parts.description), options);
+  return written(write, picture_input(colour, asked.title, asked.description), options);
 }
 
 inline bool has_parts(const PictureText &text, const FileParts &parts) {
