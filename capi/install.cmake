@@ -1,14 +1,13 @@
 # What is installed, as three components: hardsphere_runtime (the program, its manual page, a shared library),
-# hardsphere_development (archive, header, CMake package, pkg-config file, Fortran module) and
+# hardsphere_development (archive, headers, CMake package, pkg-config file, Fortran module) and
 # hardsphere_documentation.
 
 install(TARGETS hardsphere EXPORT hardsphere-targets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT hardsphere_development
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT hardsphere_runtime
     NAMELINK_COMPONENT hardsphere_development)
-install(FILES ${PROJECT_SOURCE_DIR}/include/hardsphere.h ${PROJECT_SOURCE_DIR}/include/hardsphere_workspace.h
-  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-  COMPONENT hardsphere_development)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+  COMPONENT hardsphere_development FILES_MATCHING PATTERN "*.h")
 
 set(HSP_PACKAGE_FOLDER ${CMAKE_INSTALL_LIBDIR}/cmake/hardsphere)
 install(EXPORT hardsphere-targets NAMESPACE hardsphere:: DESTINATION ${HSP_PACKAGE_FOLDER}

@@ -29,7 +29,8 @@ grep -oE 'bind\(C, name="[a-z0-9_]+"\)' "$module" | sed 's/.*"\(.*\)".*/\1/' | s
 same functions "$work/functions.header" "$work/functions.module"
 
 # ---- their results and arguments: names, types, by value or by reference, and what is only read
-"$cc" -std=c99 -fpreprocessed -dD -E -P "$header" 2>/dev/null >"$work/bare_header"
+cat "$header" "${header%.h}"/*.h >"$work/headers.h"
+"$cc" -std=c99 -fpreprocessed -dD -E -P "$work/headers.h" 2>/dev/null >"$work/bare_header"
 sed '/^#/d' "$work/bare_header" | tr '\n' ' ' | tr -s ' ' | awk -f "$here/signatures_of_header.awk" |
   sort >"$work/signatures.header"
 awk -f "$here/signatures_of_module.awk" "$module" | sort >"$work/signatures.module"

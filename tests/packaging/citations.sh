@@ -5,12 +5,12 @@ set -euo pipefail
 cd "$1"
 folders="lib capi include tests bench fuzz .github .ci"
 
-# A file is cited by its path from the root, from lib/, capi/ or tests/, from the citing file's folder, or by its name.
+# A file is cited by its path from the root, from lib/, capi/, include/ or tests/, from the citing file's folder, or by its name.
 find $folders ./*.* -type f | sed 's,^\./,,' | awk '
   function exists(name, from) {
     sub(/[^\/]*$/, "", from)
     while (name ~ /^\.\.\//) { sub(/^\.\.\//, "", name); sub(/[^\/]*\/$/, "", from) }
-    return name in path || ("lib/" name) in path || ("capi/" name) in path || ("tests/" name) in path ||
+    return name in path || ("lib/" name) in path || ("capi/" name) in path || ("include/" name) in path || ("tests/" name) in path ||
       (from name) in path || name in bare
   }
   function cite(file, line, text,   name, number) {

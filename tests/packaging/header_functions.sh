@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The functions that the header declares, one a line, sorted.
+# The functions that hardsphere.h and the headers in the folder of its name declare, one a line, sorted.
 #   header_functions.sh HEADER
 set -euo pipefail
-tr '\n' ' ' <"$1" | grep -oE 'HSP_API [^;]*;' | grep -oE 'hsp_[a-z0-9_]+\(' | tr -d '(' | LC_ALL=C sort
+cat "$1" "${1%.h}"/*.h | tr "\n" " " | grep -oE "HSP_API [^;]*;" | grep -oE "hsp_[a-z0-9_]+\(" | tr -d "(" | LC_ALL=C sort

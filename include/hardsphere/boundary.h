@@ -1,0 +1,210 @@
+/* hardsphere/boundary.h: the boundary of the union: vertices, arcs, circles, faces (Section 4.2, Steps 1 and 2).
+ *
+ *   vertex   a point on three spheres outside all other balls; named by its three balls and a sign
+ *   arc      a maximal free piece of the circle of two spheres between two vertices
+ *   circle   a whole intersection circle that is free
+ *   face     a maximal free piece of one sphere; it may have several boundary loops, or none (a whole sphere)
+ *   shell    a connected component of the boundary;  void: a bounded component of the complement
+ * Everything is as if ties were broken by infinitesimally inflated balls: components, voids and Euler number are those
+ * of the balls as given, vertices are always on exactly three spheres, arcs and faces may be infinitesimally small. */
+#ifndef HARDSPHERE_BOUNDARY_H
+#define HARDSPHERE_BOUNDARY_H
+
+#include "model.h"
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct hsp_boundary hsp_boundary;
+
+/** The limits that fix a boundary's memory. */
+typedef struct hsp_boundary_limits {
+  uint32_t struct_size; /**< sizeof(hsp_boundary_limits) */
+  uint32_t balls;       /**< number of balls of the model */
+  uint32_t neighbours;  /**< most balls that meet any one ball that lies inside no other */
+  uint32_t vertices;    /**< vertices of the boundary */
+  uint32_t circles;     /**< free circles */
+  uint32_t reserved;    /**< 0 */
+} hsp_boundary_limits;
+
+/** Limits that suffice for molecules of `balls` atoms, van der Waals or solvent-accessible: neighbours
+ *  min(balls, 256), vertices 8 balls + 64, circles 2 balls + 16. hsp_boundary_compute says if a set needs more.
+ *  HSP_E_ARGUMENT: limits is NULL or struct_size is bad. HSP_E_RANGE: more than
+ *  (HSP_MAX_BALLS - 64) / 8 balls; set the limits by hand then. */
+HSP_API int32_t hsp_boundary_limits_init(hsp_boundary_limits *limits, uint32_t struct_size, uint32_t balls);
+
+/** Bytes that hsp_boundary_init needs. HSP_E_ARGUMENT: null pointer, bad struct_size, reserved not 0.
+ *  HSP_E_RANGE: a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t.
+ *  Property 1: at most HSP_BOUNDARY_BYTES of the four limits. Property 2: grows with each limit. */
+HSP_API int32_t hsp_boundary_bytes(const hsp_boundary_limits *limits, size_t *bytes);
+
+/** The same as an upper bound that is a constant expression, for static arrays. */
+#define HSP_BOUNDARY_BYTES(balls, neighbours, vertices, circles)                      \
+  ((size_t)4096 + (size_t)64 * (size_t)(balls) + (size_t)256 * (size_t)(neighbours) + \
+   (size_t)160 * (size_t)(vertices) + (size_t)80 * (size_t)(circles))
+
+/** Make an empty boundary in caller memory of any alignment; sets *boundary.
+ *  HSP_E_ARGUMENT, HSP_E_RANGE as hsp_boundary_bytes; HSP_E_MEMORY: bytes too small (nothing is written).
+ *  Topologies computed from a boundary that was in this memory before must be computed again before they are read. */
+HSP_API int32_t hsp_boundary_init(void *memory, size_t bytes, const hsp_boundary_limits *limits,
+                                  hsp_boundary **boundary);
+
+/** Compute the boundary of the union of the model's balls. The model must outlive the boundary and stay unchanged while
+ *  results are read: after hsp_model_set the functions below return HSP_E_STATE until this one is called again.
+ *  limits: see LIMITS above. vertices and circles are known once neighbours suffices: at most three retries.
+ *  HSP_E_ARGUMENT: boundary or model NULL, bad struct_size of limits. HSP_E_CAPACITY: a limit is too small. On failure
+ *  the boundary holds no results.
+ *  Property 1: the order of the balls has no effect but on ids.
+ *  Cost: O(n) for sets as in Theorem 2.1; O(m^3) per ball with m neighbours at worst. */
+HSP_API int32_t hsp_boundary_compute(hsp_boundary *boundary, const hsp_model *model, hsp_boundary_limits *limits);
+
+/** How many of everything. */
+typedef struct hsp_boundary_counts {
+  uint32_t balls;           /**< balls of the model */
+  uint32_t exposed_balls;   /**< balls with at least one face */
+  uint32_t contained_balls; /**< balls inside one other ball (of several equal balls, all but one) */
+  uint32_t vertices;
+  uint32_t arcs; /**< between two vertices, each counted once */
+  uint32_t circles;
+  uint32_t faces;
+  uint32_t loops; /**< boundary loops of all faces */
+  uint32_t shells;
+  uint32_t components;    /**< connected components of the union */
+  uint32_t voids;         /**< bounded components of the complement of the union */
+  uint32_t tied_vertices; /**< vertices with HSP_VERTEX_TIED */
+  int64_t euler;          /**< Euler characteristic of the boundary, summed over its shells */
+} hsp_boundary_counts;
+
+/** HSP_E_ARGUMENT: a null pointer. HSP_E_STATE: nothing computed, or the model has changed since.
+ *  Property 1: euler = vertices - arcs + 2 faces - loops. Property 2: voids = shells - components.
+ *  Property 3: 2 arcs = 3 vertices. */
+HSP_API int32_t hsp_boundary_get_counts(const hsp_boundary *boundary, hsp_boundary_counts *counts);
+
+/** The symbolic perturbation decided about this vertex: a further sphere goes through it (of a ball that lies inside no
+ * other), or two of its circles only touch there. */
+#define HSP_VERTEX_TIED UINT32_C(1)
+
+typedef struct hsp_vertex {
+  double xyz[3];    /**< position, length */
+  uint32_t ball[3]; /**< its balls a < b < c */
+  int32_t sign;     /**< +1 or -1: the side of the plane of the centres, along (c_b - c_a) x (c_c - c_a) */
+  uint32_t flags;   /**< HSP_VERTEX_* */
+  uint32_t reserved;
+} hsp_vertex;
+
+/** The vertices; index in the array = vertex id used by hsp_arc.
+ *  HSP_E_ARGUMENT, HSP_E_STATE as hsp_boundary_get_counts, HSP_E_CAPACITY as described above.
+ *  Property 1: each vertex ends exactly three arcs. */
+HSP_API int32_t hsp_boundary_get_vertices(const hsp_boundary *boundary, hsp_vertex *out, uint32_t capacity,
+                                          uint32_t *needed);
+
+/** An arc runs counter-clockwise about its axis, from vertex[0] to vertex[1]. Seen from outside the balls, face[1] lies
+ *  on its left and face[0] on its right. */
+typedef struct hsp_arc {
+  double centre[3];   /**< of its circle, length */
+  double axis[3];     /**< unit vector from c_a towards c_b */
+  double radius;      /**< of its circle, length */
+  double angle;       /**< from vertex[0] to vertex[1], in [0, 2 pi] */
+  uint32_t ball[2];   /**< its two balls a < b */
+  uint32_t vertex[2]; /**< where it starts and where it ends */
+  uint32_t face[2];   /**< the face on ball a and the face on ball b */
+} hsp_arc;
+
+/** The arcs, each once; index in the array = arc id used by hsp_loop_arc. Statuses as hsp_boundary_get_vertices. */
+HSP_API int32_t hsp_boundary_get_arcs(const hsp_boundary *boundary, hsp_arc *out, uint32_t capacity, uint32_t *needed);
+
+/** Counter-clockwise about the axis, face[1] lies on its left and face[0] on its right, as at arcs. */
+typedef struct hsp_circle {
+  double centre[3]; /**< length */
+  double axis[3];   /**< unit vector from c_a towards c_b */
+  double radius;    /**< length */
+  uint32_t ball[2]; /**< its two balls a < b */
+  uint32_t face[2]; /**< the face on ball a and the face on ball b */
+} hsp_circle;
+
+/** The free circles; index in the array = circle id used by hsp_loop. Statuses as hsp_boundary_get_vertices. */
+HSP_API int32_t hsp_boundary_get_circles(const hsp_boundary *boundary, hsp_circle *out, uint32_t capacity,
+                                         uint32_t *needed);
+
+typedef struct hsp_face {
+  uint32_t ball;       /**< the ball it lies on */
+  uint32_t loops;      /**< its boundary loops; 0 for a whole sphere */
+  uint32_t shell;      /**< 0 .. shells - 1 */
+  uint32_t first_loop; /**< its loops are first_loop .. first_loop + loops - 1 of hsp_boundary_get_loops */
+} hsp_face;
+
+/** The faces; index in the array = face id; faces of one ball are consecutive. Statuses as hsp_boundary_get_vertices.
+ */
+HSP_API int32_t hsp_boundary_get_faces(const hsp_boundary *boundary, hsp_face *out, uint32_t capacity,
+                                       uint32_t *needed);
+
+/** A boundary loop of a face: a closed chain of arcs, or a whole circle. Seen from outside the ball, it keeps its face
+ *  on its left. */
+typedef struct hsp_loop {
+  uint32_t face;      /**< the face that it bounds */
+  uint32_t circle;    /**< the free circle that it is, whose face[side] is `face`; HSP_NONE if it consists of arcs */
+  uint32_t side;      /**< 1: a circle counter-clockwise about its axis; 0: a circle clockwise, or arcs */
+  uint32_t first_arc; /**< its arcs are first_arc .. first_arc + arcs - 1 of hsp_boundary_get_loop_arcs */
+  uint32_t arcs;      /**< at least 2; 0 for a circle */
+} hsp_loop;
+
+/** The loops, face after face: counts.loops records. Statuses as hsp_boundary_get_vertices. */
+HSP_API int32_t hsp_boundary_get_loops(const hsp_boundary *boundary, hsp_loop *out, uint32_t capacity,
+                                       uint32_t *needed);
+
+/** An arc as a part of a loop. */
+typedef struct hsp_loop_arc {
+  uint32_t arc;    /**< index in hsp_boundary_get_arcs */
+  uint32_t side;   /**< 1: the loop runs along it, 0: against it; its face[side] is that of the loop */
+  uint32_t vertex; /**< where the loop comes to it: its vertex[1 - side]; vertex[side] is the next one's */
+} hsp_loop_arc;
+
+/** The arcs of all loops, loop after loop, each loop's in walking order: 2 counts.arcs records. Statuses as
+ *  hsp_boundary_get_vertices.
+ *  Property 1: the arcs of a loop are closed: each ends at the vertex of the next, the last at that of the first.
+ *  Property 2: every arc occurs once with side 0 and once with side 1. Cost: O(vertices). */
+HSP_API int32_t hsp_boundary_get_loop_arcs(const hsp_boundary *boundary, hsp_loop_arc *out, uint32_t capacity,
+                                           uint32_t *needed);
+
+#define HSP_BALL_CONTAINED UINT32_C(1) /**< the ball lies inside one other ball */
+
+typedef struct hsp_ball {
+  uint32_t faces;      /**< number of its faces; 0: the ball is buried */
+  uint32_t first_face; /**< id of the first of them, HSP_NONE if there is none */
+  uint32_t component;  /**< connected component of the union, 0 .. components - 1 */
+  uint32_t flags;      /**< HSP_BALL_* */
+} hsp_ball;
+
+/** One record per ball, in the caller's order. Statuses as hsp_boundary_get_vertices. */
+HSP_API int32_t hsp_boundary_get_balls(const hsp_boundary *boundary, hsp_ball *out, uint32_t capacity,
+                                       uint32_t *needed);
+
+/* ---- self-check ------------------------------------------------------------------------------------------------ */
+
+/** Check the invariants of a computed boundary: what fuzzers and careful callers call. If all hold, *invariant becomes
+ *  0 and *id HSP_NONE. Else *invariant becomes the number of the first that is violated, and
+ *  *id that of the vertex, arc end, loop, face, shell or ball concerned:
+ *     1  a vertex lies on three different balls, none of them inside another
+ *     2  each of its balls is visited by exactly one loop there, between the two circles that its sign gives
+ *     3  an arc ends on the ball and circle it started on
+ *     4  every arc is walked once on each of its two balls, in opposite directions
+ *     5  loops keep to one ball and have at least two arcs, or are one circle
+ *     6  every loop bounds one face of its own ball; only a whole sphere has a face without loops
+ *     7  the faces on both sides of an arc or circle belong to one shell
+ *     8  the Euler characteristic of each shell is even and at most 2, and there are no fewer shells than components
+ *     9  every vertex lies on its three spheres, up to rounding
+ *    10  no ball's area is negative or beyond its sphere, and it equals the area from angles between positions
+ *    11  the volume equals the volume about another origin from positions: every component's surface is closed
+ *  HSP_OK: all hold. HSP_E_CHECK: one is violated. HSP_E_ARGUMENT: a null pointer. HSP_E_STATE as above.
+ *  Uses the boundary's scratch memory, hence not const; results stay valid. Cost: O(size of the boundary). */
+HSP_API int32_t hsp_boundary_check(hsp_boundary *boundary, uint32_t *invariant, uint32_t *id);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

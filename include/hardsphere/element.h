@@ -1,0 +1,36 @@
+/* hardsphere/element.h: radii by element. */
+#ifndef HARDSPHERE_ELEMENT_H
+#define HARDSPHERE_ELEMENT_H
+
+#include "export.h"
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Van der Waals radii of A. Bondi, J. Phys. Chem. 68 (1964) 441, completed for the main group by M. Mantina et al.,
+ *  J. Phys. Chem. A 113 (2009) 5806, Table 12, with hydrogen 1.10 after R. S. Rowland and R. Taylor, J. Phys. Chem. 100
+ *  (1996) 7384. Published: all s- and p-block elements of the periods 1 to 6, Fr, Ra, Ni, Cu, Zn, Pd, Ag, Cd, Au, Hg
+ *  and U. */
+#define HSP_RADII_BONDI UINT32_C(0)
+
+/** The radii of the paper, Section 2, which are those of Chem3D Plus. Published: H, C, N, O, P, S and Ca. */
+#define HSP_RADII_CHEM3D UINT32_C(1)
+
+/** The set's source has no radius for this element: the radius is a substitute. */
+#define HSP_RADIUS_FALLBACK UINT32_C(1)
+
+/** The radius of an element in one of the sets HSP_RADII_*: *radius in angstrom, *flags = HSP_RADIUS_* or 0; flags may
+ *  be NULL. Atomic numbers are 1 (hydrogen) to 118 (oganesson); deuterium is hydrogen.
+ *  Where the source has no radius it is that of HSP_RADII_BONDI instead, and 2.00 where this has none either, always
+ *  with HSP_RADIUS_FALLBACK, so that a caller can refuse the element or name a radius of its own.
+ *  HSP_E_ARGUMENT: radius is NULL, unknown set. HSP_E_ID: no element has this number. On failure nothing is written. */
+HSP_API int32_t hsp_element_radius(uint32_t set, uint32_t atomic_number, double *radius, uint32_t *flags);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,86 @@
+/* hardsphere/gradient.h: derivatives of areas and of the volume.
+ *
+ * The area A_i of ball i and the volume V of the union as functions of all centres and radii. V is continuously
+ * differentiable. A_i is continuous; its derivative jumps where two spheres begin to touch, and has an unbounded slope,
+ * but no jump, where an arc is born or dies. Where two spheres touch the derivatives here are one-sided
+ * (HSP_TANGENT_*), and flags tell which balls are concerned; a ball that touches another from inside counts as lying
+ * inside it either way. Where balls are equal A_i jumps and V has a kink: the ball of lowest index has the derivatives
+ * that it would have alone, the others have 0, and all are flagged. Where three spheres share a free circle derivatives
+ * are one-sided too: those of the side that the symbolic perturbation takes, without a flag. Radii include the probe.
+ * The lattice's rounding is not differentiated. */
+#ifndef HARDSPHERE_GRADIENT_H
+#define HARDSPHERE_GRADIENT_H
+
+#include "boundary.h"
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define HSP_TANGENT_OVERLAP UINT32_C(0)  /**< as if balls that touch overlapped by an infinitely small amount */
+#define HSP_TANGENT_DISJOINT UINT32_C(1) /**< as if they were apart by an infinitely small amount */
+
+#define HSP_GRADIENT_ONE_SIDED \
+  UINT32_C(1) /**< the ball touches another at a free point: its derivatives are one-sided */
+
+typedef struct hsp_energy {
+  double value;  /**< E = tension * sum_i sigma_i A_i + pressure * V */
+  double area;   /**< sum_i sigma_i A_i */
+  double volume; /**< V */
+  double probe;  /**< dE/d(probe) = sum of all dE/dr_i */
+} hsp_energy;
+
+/** E = tension * sum_i sigma_i A_i + pressure * V and its gradient, in one pass.
+ *  sigma [n], NULL for all ones; tangency is one of HSP_TANGENT_*; energy may be NULL. centre [n][3] = dE/dc_i,
+ *  radius [n] = dE/dr_i and flags [n] = HSP_GRADIENT_* may each be NULL and else hold capacity >= n entries.
+ *  For the area alone: tension 1, pressure 0, sigma NULL. For the volume alone: tension 0, pressure 1. A ball with
+ *  sigma 0 only blocks. For molecular dynamics take HSP_TANGENT_OVERLAP. needed may be NULL and else becomes n;
+ *  first_bad may be NULL and else becomes the first ball whose sigma is NaN or infinite, HSP_NONE if there is none.
+ *  HSP_E_ARGUMENT: boundary NULL, unknown tangency. HSP_E_STATE, HSP_E_CAPACITY as hsp_boundary_measure.
+ *  HSP_E_NOT_FINITE: a sigma, tension or pressure is NaN or infinite. On failure nothing else is written.
+ *  Property 1: the sums of centre and of c_i x centre are zero up to rounding (E does not change under motions).
+ *  Property 2: with all sigma equal, sum_i (r_i radius_i + c_i . centre_i) = 2 A for the area, 3 V for the volume.
+ *  Property 3: centre, radius and flags do not depend on the order of the balls, bit for bit.
+ *  Source: M. L. Connolly 1983, T. J. Richmond 1984 for the area; dV/dc_i is the vector area of ball i's faces.
+ *  Cost: O(n + vertices + circles). */
+HSP_API int32_t hsp_boundary_gradient(const hsp_boundary *boundary, const double *sigma, double tension,
+                                      double pressure, uint32_t tangency, hsp_energy *energy, double *centre,
+                                      double *radius, uint32_t *flags, uint32_t capacity, uint32_t *needed,
+                                      uint32_t *first_bad);
+
+/** The two parts of that gradient, each on its own: the derivatives of S = sum_i sigma_i A_i and of the volume V.
+ *  area_centre [n][3] = dS/dc_i, area_radius [n] = dS/dr_i, volume_centre [n][3] = dV/dc_i (the vector area of ball i's
+ *  faces), volume_radius [n] = dV/dr_i (ball i's free area); each may be NULL. Other arguments and statuses as
+ *  hsp_boundary_gradient.
+ *  Property 1: tension times the one plus pressure times the other is what hsp_boundary_gradient says, up to rounding;
+ *  with tension 1 and pressure 0, or 0 and 1, and finite numbers, bit for bit. */
+HSP_API int32_t hsp_boundary_derivatives(const hsp_boundary *boundary, const double *sigma, uint32_t tangency,
+                                         double *area_centre, double *area_radius, double *volume_centre,
+                                         double *volume_radius, uint32_t *flags, uint32_t capacity, uint32_t *needed,
+                                         uint32_t *first_bad);
+
+/** One entry of a ball's row of the area's Jacobian. */
+typedef struct hsp_area_derivative {
+  double centre[3]; /**< dA_i/dc_j, length */
+  double radius;    /**< dA_i/dr_j, length */
+  double angle;     /**< sum of the angles of the free arcs of the circle of i and j that count; 0 for j = i */
+  uint32_t ball;    /**< j */
+  uint32_t flags;   /**< HSP_GRADIENT_ONE_SIDED if i and j touch; for j = i if another entry has it */
+} hsp_area_derivative;
+
+/** The derivatives of A_i, i = ball: an entry for i itself and one for every j whose circle on i has a free piece,
+ *  ascending in j; all others are 0. No entries if ball i has no face. tangency as above.
+ *  HSP_E_ARGUMENT: null pointer, unknown tangency. HSP_E_ID: no such ball. HSP_E_STATE, HSP_E_CAPACITY as above.
+ *  Property 1: the centre entries of a row sum to 0 up to rounding.
+ *  Property 2: dA_i/dr_j = dA_j/dr_i up to rounding. Cost: O(m^2) for m arcs on the ball. */
+HSP_API int32_t hsp_boundary_get_area_row(const hsp_boundary *boundary, uint32_t ball, uint32_t tangency,
+                                          hsp_area_derivative *out, uint32_t capacity, uint32_t *needed);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

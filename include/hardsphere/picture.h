@@ -1,0 +1,89 @@
+/* hardsphere/picture.h: a view as SVG, EPS or PDF.
+ *
+ * A view as a vector picture: one path per piece, true arcs, painted back to front. The bytes depend on the view,
+ * the colours and the options alone, not on the machine.
+ *   SVG   elliptical arcs; each path carries the caller's ball index as data-ball
+ *   EPS   arcs of the unit circle under a matrix: exact
+ *   PDF   cubic pieces of at most 45 degrees, within 4.3e-6 of the semi-axis of the arc
+ */
+#ifndef HARDSPHERE_PICTURE_H
+#define HARDSPHERE_PICTURE_H
+
+#include "view.h"
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Takes `count` bytes; returns 0 to go on and anything else to stop. */
+typedef int32_t (*hsp_sink)(void *context, const char *bytes, size_t count);
+
+#define HSP_FORMAT_SVG UINT32_C(0)
+#define HSP_FORMAT_EPS UINT32_C(1)
+#define HSP_FORMAT_PDF UINT32_C(2)
+
+#define HSP_STYLE_FLAT UINT32_C(0)      /**< one colour per ball */
+#define HSP_STYLE_HEADLIGHT UINT32_C(1) /**< light from the viewer, Lambert's law in 16 steps of a radial gradient */
+#define HSP_STYLE_SOFT UINT32_C(2)      /**< light from the upper left, an approximation by a focal gradient */
+
+#define HSP_UNIT_PX UINT32_C(0) /**< 1/96 inch */
+#define HSP_UNIT_MM UINT32_C(1)
+
+#define HSP_PICTURE_NO_IDS UINT32_C(1) /**< SVG without data-ball */
+/** Nothing behind the balls; fog still fades to the background colour. */
+#define HSP_PICTURE_NO_BACKGROUND UINT32_C(2)
+
+/** What a picture looks like. hsp_picture_options_init sets the defaults; every field means what it says. */
+typedef struct hsp_picture_options {
+  uint32_t struct_size;    /**< sizeof(hsp_picture_options) */
+  uint32_t format;         /**< HSP_FORMAT_*; default SVG */
+  uint32_t style;          /**< HSP_STYLE_*; default flat */
+  uint32_t unit;           /**< HSP_UNIT_* of width, height and outline; default px */
+  double width;            /**< of the picture; 0: follows from height; less than 0.01 counts as 0.01; default 1000 */
+  double height;           /**< likewise, from width; default 0. With both given the balls are centred */
+  double margin;           /**< around the balls, as a part of the larger side of their box, in [0, 10]; default 0.03 */
+  double outline;          /**< width of the lines along silhouettes and intersections; 0 (or less than 5e-5 px): none;
+                                < 0: chosen; default -1 */
+  double fog;              /**< how far the farthest ball fades to the background, in [0, 1]; default 0.3 */
+  uint32_t outline_colour; /**< 0xRRGGBB; default 0x23202B */
+  uint32_t background;     /**< 0xRRGGBB; default 0xFFFFFF */
+  uint32_t flags;          /**< HSP_PICTURE_*; default 0 */
+  uint32_t reserved;       /**< 0 */
+} hsp_picture_options;
+
+/** Fill options with defaults. HSP_E_ARGUMENT: options is NULL or struct_size is bad. */
+HSP_API int32_t hsp_picture_options_init(hsp_picture_options *options, uint32_t struct_size);
+
+#define HSP_PALETTE_SOFT UINT32_C(0)  /**< muted colours by element */
+#define HSP_PALETTE_JMOL UINT32_C(1)  /**< Jmol's colours by element */
+#define HSP_PALETTE_CHAIN UINT32_C(2) /**< a tint for each chain, carbon lighter than other elements */
+
+/** A palette's colour, 0xRRGGBB, for an atomic number (0 or above 109: unknown) and a chain number 0, 1, ..: tints
+ *  repeat after 12 chains. Palettes by element ignore the chain. An unknown palette counts as HSP_PALETTE_SOFT. */
+HSP_API uint32_t hsp_palette_colour(uint32_t palette, uint32_t atomic_number, uint32_t chain);
+
+/** Write a picture of a computed view.
+ *  colour [n] holds 0xRRGGBB for each ball of the model, NULL: all 0xD2CDC3. options may be NULL (defaults). title and
+ *  description are NUL-terminated UTF-8 texts for the file, NULL or empty for none; what a format cannot hold is
+ *  replaced by '?'. sink is called any number of times in order with at most 1024 bytes and is given `context`; bytes,
+ *  if not NULL, becomes the number of bytes that the sink has taken.
+ *  HSP_E_ARGUMENT: view or sink NULL, unknown format, style, unit or flag, reserved not 0, width and height both 0, a
+ *  colour above 0xFFFFFF. HSP_E_NOT_FINITE: a value of options is NaN or infinite. HSP_E_RANGE: width or height
+ *  negative or beyond 1e6, margin or fog beyond its range, outline beyond 1e6. HSP_E_STATE: the view holds no results.
+ *  HSP_E_SINK: the sink refused. Apart from that the sink is called only if all is well.
+ *  Uses the view's scratch memory, hence not const; results stay valid.
+ *  Property 1: the same bytes for every order of the balls, up to the values of data-ball. (Of balls that are equal in
+ *  centre and radius the first one counts, with its colour.)
+ *  Cost: O(pieces log pieces + arcs); bytes proportional to arcs. */
+HSP_API int32_t hsp_picture_write(hsp_view *view, const uint32_t *colour, const hsp_picture_options *options,
+                                  const char *title, const char *description, hsp_sink sink, void *context,
+                                  uint64_t *bytes);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,281 @@
+/* hardsphere/topology.h: the boundary as quad-edges with simple faces, shells, cells (Section 4.2, Step 3).
+ *
+ * The boundary as one quad-edge structure (Guibas and Stolfi 1985) whose faces are simple, as the paper has them: every
+ * simple face is bounded by one loop of at least two edges, every edge by two different simple faces. To this end
+ *   - arcs stay as they are, each is an edge or, where a cut arc ends on it, several;
+ *   - a free circle becomes at least two edges, meeting in its two points in the plane through its balls' centres that
+ *     contains the direction z (the plane across x if the centres lie above each other);
+ *   - a face with several loops is cut by cut arcs: pieces of great circles in planes that contain z, each through
+ *     the axis of a circle on that ball, as many of these planes as it takes to join the face's loops;
+ *   - a whole sphere is cut in two by the great circle across x, in its highest and lowest points.
+ *
+ *   vertex         0 .. vertices - 1; the boundary's own vertices come first, with the ids that they have there
+ *   edge           0 .. edges - 1
+ *   quarter-edge   q = 4 edge + k: the edge's four directed forms. k = 0 is the edge, k = 2 the edge the other way
+ *                  (sym), k = 1 and 3 the dual edges from its right to its left face and back (rot, inverse rot)
+ *   simple face    0 .. simple_faces - 1
+ *   cell           a connected component of the complement of the union: cell 0 is the outer one, the others are the
+ *                  voids, in the order of their shells
+ *   shell          as in hsp_face: each shell separates one component of the union from one cell
+ *
+ *              destination(q)                   rot(q)        runs from the right face to the left one
+ *                 \   |                         sym(q)        the same edge the other way
+ *     lnext(q) <-- \  |                         onext(q)      the next edge counter-clockwise about q's origin
+ *                   \ ^   right                 oprev(q)      the next one clockwise
+ *           left     \|                         lnext(q)      the next edge counter-clockwise about q's left face,
+ *                     | q                                     from q's destination
+ *     onext(q) <-- \  |                         lprev(q)      the previous one
+ *                   \ |                         counter-clockwise: seen from outside the balls
+ *                 origin(q)
+ */
+#ifndef HARDSPHERE_TOPOLOGY_H
+#define HARDSPHERE_TOPOLOGY_H
+
+#include "boundary.h"
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct hsp_topology hsp_topology;
+
+/** The limits that fix a topology's memory. */
+typedef struct hsp_topology_limits {
+  uint32_t struct_size; /**< sizeof(hsp_topology_limits) */
+  uint32_t balls;       /**< number of balls of the model */
+  uint32_t neighbours;  /**< as in hsp_boundary_limits */
+  uint32_t edges;       /**< edges; vertices and simple faces are never more */
+  uint32_t cut_arcs;    /**< cut arcs that cut faces with several loops */
+  uint32_t reserved;    /**< 0 */
+} hsp_topology_limits;
+
+/** Limits that suffice for molecules of `balls` atoms: neighbours min(balls, 256), edges 16 balls + 96, cut arcs
+ *  2 balls + 16. hsp_topology_limits_for suits a boundary that is already there.
+ *  HSP_E_ARGUMENT: limits is NULL or struct_size is bad. HSP_E_RANGE: more than
+ *  (HSP_MAX_BALLS - 96) / 16 balls. */
+HSP_API int32_t hsp_topology_limits_init(hsp_topology_limits *limits, uint32_t struct_size, uint32_t balls);
+
+/** Limits for a computed boundary that nearly always suffice: its balls and neighbours, four cut arcs for every loop
+ *  of a face beyond the first, and edges for its arcs, circles and whole spheres and four for every cut arc.
+ *  HSP_E_ARGUMENT: a null pointer or wrong struct_size. HSP_E_STATE: nothing computed, or the model has changed. */
+HSP_API int32_t hsp_topology_limits_for(hsp_topology_limits *limits, uint32_t struct_size,
+                                        const hsp_boundary *boundary);
+
+/** Bytes that hsp_topology_init needs. HSP_E_ARGUMENT: null pointer, bad struct_size, reserved not 0.
+ *  HSP_E_RANGE: a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t.
+ *  Property 1: at most HSP_TOPOLOGY_BYTES of the four limits. Property 2: grows with each limit. */
+HSP_API int32_t hsp_topology_bytes(const hsp_topology_limits *limits, size_t *bytes);
+
+/** The same as an upper bound that is a constant expression, for static arrays. */
+#define HSP_TOPOLOGY_BYTES(balls, neighbours, edges, cut_arcs)                                                        \
+  ((size_t)4096 + (size_t)64 * (size_t)(balls) + (size_t)192 * (size_t)(neighbours) + (size_t)160 * (size_t)(edges) + \
+   (size_t)160 * (size_t)(cut_arcs))
+
+/** Make an empty topology in caller memory of any alignment; sets *topology.
+ *  HSP_E_ARGUMENT, HSP_E_RANGE as hsp_topology_bytes; HSP_E_MEMORY: bytes too small (nothing is written). */
+HSP_API int32_t hsp_topology_init(void *memory, size_t bytes, const hsp_topology_limits *limits,
+                                  hsp_topology **topology);
+
+/** Compute the topology of a computed boundary. Boundary and model must outlive the topology; after hsp_model_set or
+ *  hsp_boundary_compute the functions below return HSP_E_STATE until this one is called again.
+ *  limits: see LIMITS above; at most three retries.
+ *  HSP_E_ARGUMENT: topology or boundary NULL, bad struct_size of limits. HSP_E_STATE: the boundary holds no results.
+ *  HSP_E_CAPACITY: a limit is too small. On failure the topology holds no results.
+ *  Property 1: the order of the balls has no effect but on ids.
+ *  Cost: O(n) for sets as in Theorem 2.1 without voids; with voids, for every component of the union one vertical ray
+ *  through the grid, at most O(n) each. */
+HSP_API int32_t hsp_topology_compute(hsp_topology *topology, const hsp_boundary *boundary, hsp_topology_limits *limits);
+
+/** How many of everything. */
+typedef struct hsp_topology_counts {
+  uint32_t vertices; /**< those of the boundary and the added ones */
+  uint32_t edges;
+  uint32_t simple_faces;
+  uint32_t cut_edges; /**< of the edges, the ones that cut a face or a whole sphere */
+  uint32_t shells;
+  uint32_t components; /**< of the union */
+  uint32_t cells;      /**< of the complement: 1 + voids */
+  uint32_t start_face; /**< the simple face that holds the highest point of all; HSP_NONE if there are no balls */
+} hsp_topology_counts;
+
+/** HSP_E_ARGUMENT: a null pointer. HSP_E_STATE: nothing computed, or model or boundary changed since.
+ *  Property 1: vertices - edges + simple_faces is the Euler characteristic of the boundary. */
+HSP_API int32_t hsp_topology_get_counts(const hsp_topology *topology, hsp_topology_counts *counts);
+
+/* The algebra. Functions of a quarter-edge alone; HSP_NONE yields HSP_NONE. */
+HSP_API uint32_t hsp_quad_rot(uint32_t q);         /**< from the right face to the left one */
+HSP_API uint32_t hsp_quad_inverse_rot(uint32_t q); /**< from the left face to the right one */
+HSP_API uint32_t hsp_quad_sym(uint32_t q);         /**< the other way */
+
+/* Steps from a quarter-edge; HSP_NONE if there is no such quarter-edge, or no results.
+ * Property 1: rot(rot(q)) = sym(q), sym(sym(q)) = q, inverse_rot(rot(q)) = q.
+ * Property 2: rot(onext(rot(onext(q)))) = q. Property 3: oprev(onext(q)) = q, lprev(lnext(q)) = q.
+ * Property 4: lnext(q) = rot(onext(inverse_rot(q))). Property 5: origin(onext(q)) = origin(q), left(lnext(q)) =
+ * left(q), origin(lnext(q)) = origin(sym(q)). */
+HSP_API uint32_t hsp_topology_onext(const hsp_topology *topology, uint32_t q);
+HSP_API uint32_t hsp_topology_oprev(const hsp_topology *topology, uint32_t q);
+HSP_API uint32_t hsp_topology_lnext(const hsp_topology *topology, uint32_t q);
+HSP_API uint32_t hsp_topology_lprev(const hsp_topology *topology, uint32_t q);
+/** Where q starts: a vertex if q is even, a simple face if q is odd (a dual edge). */
+HSP_API uint32_t hsp_topology_origin(const hsp_topology *topology, uint32_t q);
+/** What lies to the left of q: a simple face if q is even, a vertex if q is odd. */
+HSP_API uint32_t hsp_topology_left(const hsp_topology *topology, uint32_t q);
+/** The ball that the simple face on the left of q lies on; HSP_NONE for odd q. */
+HSP_API uint32_t hsp_topology_ball(const hsp_topology *topology, uint32_t q);
+
+/** The whole structure as two flat arrays: onext [edges][4] and origin [edges][4], as the functions above give them;
+ *  all else follows by rot. Either may be NULL; both with capacity 0 is the query. capacity and *needed count edges.
+ *  HSP_E_ARGUMENT: topology or needed is NULL, or both arrays with a capacity above 0. HSP_E_STATE, HSP_E_CAPACITY as
+ *  above. Property 1: the arrays hold what the functions above say. */
+HSP_API int32_t hsp_topology_get_quad_edges(const hsp_topology *topology, uint32_t *onext, uint32_t *origin,
+                                            uint32_t capacity, uint32_t *needed);
+
+#define HSP_POINT_VERTEX UINT32_C(0) /**< a vertex of the boundary; its id is the same */
+#define HSP_POINT_CIRCLE UINT32_C(1) /**< an added point of an arc or circle of ball[0] < ball[1] */
+#define HSP_POINT_POLE UINT32_C(2)   /**< the highest or lowest point of the sphere of ball[0] */
+
+typedef struct hsp_topology_vertex {
+  double xyz[3];    /**< position, length */
+  uint32_t ball[3]; /**< the balls whose spheres meet there, ascending, HSP_NONE for those there are not */
+  uint32_t kind;    /**< HSP_POINT_* */
+  uint32_t q;       /**< a quarter-edge that starts there */
+  uint32_t reserved;
+} hsp_topology_vertex;
+
+#define HSP_EDGE_ARC UINT32_C(0)    /**< an arc of hsp_boundary_get_arcs or a piece of one */
+#define HSP_EDGE_CIRCLE UINT32_C(1) /**< a piece of a free circle */
+#define HSP_EDGE_CUT UINT32_C(2)    /**< a piece of a great circle that cuts a face; both sides lie on one ball */
+
+typedef struct hsp_topology_edge {
+  double centre[3]; /**< of its circle, length */
+  double axis[3];   /**< unit vector; the edge runs counter-clockwise about it, its left face lies on the axis's side */
+  double radius;    /**< of its circle, length */
+  double angle;     /**< from origin to destination, in [0, 2 pi] */
+  uint32_t vertex[2]; /**< origin and destination */
+  uint32_t face[2];   /**< simple faces on its left and right */
+  uint32_t ball[2];   /**< balls of these faces */
+  uint32_t kind;      /**< HSP_EDGE_* */
+  uint32_t source;    /**< id of the boundary's arc or circle it is a piece of; HSP_NONE for cut edges */
+} hsp_topology_edge;
+
+typedef struct hsp_simple_face {
+  uint32_t ball;  /**< the ball it lies on */
+  uint32_t face;  /**< the maximal face of hsp_boundary_get_faces that it is a part of */
+  uint32_t edges; /**< on its loop, at least 2 */
+  uint32_t q;     /**< the quarter-edge, even, of one of them, with this face on its left */
+  uint32_t shell;
+  uint32_t reserved;
+} hsp_simple_face;
+
+/* Vertices, edges and simple faces with their geometry, one by id or all at once.
+ * HSP_E_ARGUMENT, HSP_E_STATE, HSP_E_CAPACITY as above; HSP_E_ID: no such id. */
+HSP_API int32_t hsp_topology_get_vertex(const hsp_topology *topology, uint32_t id, hsp_topology_vertex *out);
+HSP_API int32_t hsp_topology_get_edge(const hsp_topology *topology, uint32_t id, hsp_topology_edge *out);
+HSP_API int32_t hsp_topology_get_face(const hsp_topology *topology, uint32_t id, hsp_simple_face *out);
+HSP_API int32_t hsp_topology_get_vertices(const hsp_topology *topology, hsp_topology_vertex *out, uint32_t capacity,
+                                          uint32_t *needed);
+HSP_API int32_t hsp_topology_get_edges(const hsp_topology *topology, hsp_topology_edge *out, uint32_t capacity,
+                                       uint32_t *needed);
+HSP_API int32_t hsp_topology_get_faces(const hsp_topology *topology, hsp_simple_face *out, uint32_t capacity,
+                                       uint32_t *needed);
+
+#define HSP_SHELL_OUTER UINT32_C(0) /**< bounds its component from outside */
+#define HSP_SHELL_VOID UINT32_C(1)  /**< bounds a void inside its component */
+
+typedef struct hsp_shell {
+  double area;           /**< length^2 */
+  double volume;         /**< of the space it encloses, whatever lies in it, length^3 */
+  double point[3];       /**< a point of it, length */
+  int32_t euler;         /**< Euler characteristic: vertices - edges + simple faces */
+  uint32_t genus;        /**< 1 - euler/2: number of handles */
+  uint32_t kind;         /**< HSP_SHELL_* */
+  uint32_t component;    /**< of the union, as in hsp_ball */
+  uint32_t cell;         /**< of the complement, on its other side */
+  uint32_t faces;        /**< maximal faces */
+  uint32_t simple_faces; /**< and what they are cut into */
+  uint32_t edges;
+  uint32_t vertices;
+  uint32_t start_face; /**< simple face where its scan starts: of an outer shell the one with its highest point, of a
+                          void the first one on its ball of lowest rank (x, y, z, radius) */
+} hsp_shell;
+
+/** The shells. HSP_E_ARGUMENT, HSP_E_STATE, HSP_E_CAPACITY as above.
+ *  Property 1: areas sum to the area of the union; volumes of outer shells less those of voids to its volume, up to
+ *  rounding. Cost: O(size of the boundary). */
+HSP_API int32_t hsp_topology_get_shells(const hsp_topology *topology, hsp_shell *out, uint32_t capacity,
+                                        uint32_t *needed);
+
+typedef struct hsp_component {
+  uint32_t balls;
+  uint32_t top_ball;    /**< the ball with its highest point */
+  uint32_t outer_shell; /**< the one shell of kind HSP_SHELL_OUTER */
+  uint32_t shells;      /**< outer shell and voids */
+  uint32_t cell;        /**< the cell it lies in: 0 or a void of another component */
+  uint32_t reserved;
+} hsp_component;
+
+/** The connected components of the union, as numbered in hsp_ball. Statuses as hsp_topology_get_shells. */
+HSP_API int32_t hsp_topology_get_components(const hsp_topology *topology, hsp_component *out, uint32_t capacity,
+                                            uint32_t *needed);
+
+typedef struct hsp_cell {
+  double area;              /**< of all its shells, length^2 */
+  double volume;            /**< of the cell itself, what lies in it left out, length^3; of cell 0: 0 */
+  uint32_t enclosing_shell; /**< the shell of kind HSP_SHELL_VOID around it; HSP_NONE for cell 0 */
+  uint32_t components;      /**< components of the union that lie in it */
+  uint32_t shells;          /**< shells that bound it */
+  uint32_t reserved;
+} hsp_cell;
+
+/** The cells of the complement. Statuses as hsp_topology_get_shells. */
+HSP_API int32_t hsp_topology_get_cells(const hsp_topology *topology, hsp_cell *out, uint32_t capacity,
+                                       uint32_t *needed);
+
+/** The shells that bound a cell, ascending: its enclosing shell, and the outer shell of every component in it.
+ *  HSP_E_ID: no such cell. Else statuses as above. Cost: O(shells). */
+HSP_API int32_t hsp_topology_get_cell_shells(const hsp_topology *topology, uint32_t cell, uint32_t *shells,
+                                             uint32_t capacity, uint32_t *needed);
+
+/** The paper's scan of one shell: its simple faces in the order in which its recursion from start_face visits them,
+ *  around each face counter-clockwise from the edge by which it was entered (hsp_simple_face.q for start_face) and
+ *  at once into every neighbour not visited before. With the shell of hsp_topology_counts.start_face it is the outer
+ *  boundary component from the topmost ball. HSP_E_ID: no such shell. Else statuses as above. */
+HSP_API int32_t hsp_topology_get_traversal(const hsp_topology *topology, uint32_t shell, uint32_t *faces,
+                                           uint32_t capacity, uint32_t *needed);
+
+/** Where the point xyz [3] lies: *cell becomes its cell, or HSP_NONE if it lies in a ball; ids receives the balls that
+ *  contain it as hsp_query_point does (pass NULL, 0, NULL to have only the cell). Exact; the point is rounded to the
+ *  lattice. Statuses as hsp_query_point, and HSP_E_STATE; on HSP_E_CAPACITY *cell and *needed are set.
+ *  Uses the topology's scratch memory, hence not const.
+ *  Cost: one vertical ray: O(1) expected for each cube it passes, at most O(n). */
+HSP_API int32_t hsp_topology_locate(hsp_topology *topology, const double *xyz, uint32_t *cell, uint32_t *ids,
+                                    uint32_t capacity, uint32_t *needed);
+
+/** Whether a point can move from a [3] to b [3] without entering a ball: *same becomes 1 if both lie in one cell, else
+ *  0. With a model grown by a probe this asks whether the probe's centre can go there. Statuses as
+ *  hsp_topology_locate. */
+HSP_API int32_t hsp_topology_same_cell(hsp_topology *topology, const double *a, const double *b, int32_t *same);
+
+/** Check the invariants of a computed topology. If all hold, *invariant becomes 0 and *id HSP_NONE. Else
+ *  *invariant becomes the number of the first that is violated, and
+ *  *id that of the quarter-edge, vertex, simple face, shell or component concerned:
+ *     1  the quad-edge algebra: properties 1 to 5 above
+ *     2  origins are vertices, and every vertex starts an edge and is one ring of onext
+ *     3  every simple face is one ring of at least two edges, on one ball, and no edge has it on both sides
+ *     4  sides of arcs and circles lie on their balls, sides of cut edges on one
+ *     5  vertices - edges + simple faces of each shell is the Euler characteristic that its maximal faces give
+ *     6  the scan visits every simple face of a shell once and no other
+ *     7  every component has one outer shell, every other shell walls one void, and the cells nest without cycles
+ *     8  outer shells enclose a positive volume, voids' shells a negative one, up to rounding
+ *  HSP_OK: all hold. HSP_E_CHECK: one is violated. HSP_E_ARGUMENT: a null pointer. HSP_E_STATE as above.
+ *  Uses the topology's scratch memory, hence not const; results stay valid. Cost: O(size of the topology). */
+HSP_API int32_t hsp_topology_check(hsp_topology *topology, uint32_t *invariant, uint32_t *id);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,174 @@
+/* hardsphere/view.h: hidden surface removal by the painter's order (Section 5.1).
+ *
+ * A view looks at the balls from infinitely far away. View coordinates: x to the right, y up, z towards the viewer, so
+ * that a larger z is nearer; (x, y) is the view plane. What is painted of a ball is a piece of its front hemisphere:
+ *   HSP_PIECES_OUTSIDE_FARTHER   the front hemisphere outside all farther balls (Lemma 5.3)
+ *   HSP_PIECES_OUTSIDE_ALL   the front hemisphere outside all other balls: the front part of its faces (Theorem 5.1)
+ * A ball is farther if its centre has the smaller z, exactly; of centres with equal z, the one of the ball that comes
+ * first by (x, y, z, radius) of the caller's coordinates. Painting whole pieces from the farthest ball to the nearest
+ * shows exactly what is visible. (The paper's theorem says "decreasing z" with viewing direction -z; back to front is
+ * increasing z when the viewer is at z = +infinity.) G-pieces have fewer arcs, and as a farther ball goes on under a
+ * nearer one, no background shows through the seams of anti-aliased pictures.
+ *
+ *   piece     what is painted of one ball; its loops together are one path, to be filled by either rule
+ *   loop      a closed boundary of a piece, with the piece on its left: outer loops run counter-clockwise in the view
+ *             plane (x right, y up), holes clockwise
+ *   view arc  a part of the sphere's own silhouette, which is a circle in the view plane, or of its intersection with
+ *             another sphere, which is an ellipse there
+ * Silhouettes are cut by the same exact predicates as all circles: the half-space behind the centre is one more plane.
+ * Ties are decided as everywhere (see the boundary). A ball of radius 0 and a ball inside another one have no piece. */
+#ifndef HARDSPHERE_VIEW_H
+#define HARDSPHERE_VIEW_H
+
+#include "boundary.h"
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct hsp_view hsp_view;
+
+/** The limits that fix a view's memory. */
+typedef struct hsp_view_limits {
+  uint32_t struct_size; /**< sizeof(hsp_view_limits) */
+  uint32_t balls;       /**< number of balls of the model */
+  uint32_t neighbours;  /**< most balls that meet any one ball that is not left out and lies inside no other */
+  uint32_t arcs;        /**< arcs of all pieces; pieces and loops are never more */
+} hsp_view_limits;
+
+/** Limits that suffice for molecules of `balls` atoms: neighbours min(balls, 256), arcs 12 balls + 64.
+ *  HSP_E_ARGUMENT: limits is NULL or struct_size is bad. HSP_E_RANGE: more than
+ *  (HSP_MAX_BALLS - 64) / 12 balls; set the limits by hand then. */
+HSP_API int32_t hsp_view_limits_init(hsp_view_limits *limits, uint32_t struct_size, uint32_t balls);
+
+/** Bytes that hsp_view_init needs. HSP_E_ARGUMENT: null pointer, bad struct_size. HSP_E_RANGE: a limit is larger than
+ *  HSP_MAX_BALLS, or the size does not fit a size_t.
+ *  Property 1: at most HSP_VIEW_BYTES of the three limits. Property 2: grows with each limit. */
+HSP_API int32_t hsp_view_bytes(const hsp_view_limits *limits, size_t *bytes);
+
+/** The same as an upper bound that is a constant expression, for static arrays. */
+#define HSP_VIEW_BYTES(balls, neighbours, arcs) \
+  ((size_t)32768 + (size_t)192 * (size_t)(balls) + (size_t)384 * (size_t)(neighbours) + (size_t)64 * (size_t)(arcs))
+
+/** Make an empty view in caller memory of any alignment; sets *view.
+ *  HSP_E_ARGUMENT, HSP_E_RANGE as hsp_view_bytes; HSP_E_MEMORY: bytes too small (nothing is written). */
+HSP_API int32_t hsp_view_init(void *memory, size_t bytes, const hsp_view_limits *limits, hsp_view **view);
+
+#define HSP_PIECES_OUTSIDE_FARTHER UINT32_C(0) /**< front hemispheres outside farther balls; needs no boundary */
+#define HSP_PIECES_OUTSIDE_ALL UINT32_C(1)     /**< front hemispheres outside all balls; cut from a computed boundary */
+
+/** Also give a piece to balls that are completely hidden behind others. Without this flag most of these are left out,
+ *  which changes nothing that is seen, and pieces outside farther balls are cut by the remaining balls only. */
+#define HSP_VIEW_ALL_BALLS UINT32_C(1)
+
+/** From where to look, and what to cut. Zero means default in every field but the first. */
+typedef struct hsp_view_options {
+  uint32_t struct_size; /**< sizeof(hsp_view_options); hsp_view_options_init sets it */
+  uint32_t pieces;      /**< HSP_PIECES_* */
+  uint32_t flags;       /**< HSP_VIEW_* */
+  uint32_t reserved;    /**< 0 */
+  double towards[3];    /**< from the balls towards the viewer, of any length; default 0 0 1 */
+  double up[3]; /**< what appears upwards, of any length, not necessarily across towards; default, and if it is parallel
+                     to towards: 0 1 0, or 0 0 1 if towards is parallel to that */
+} hsp_view_options;
+
+/** Fill options with defaults. HSP_E_ARGUMENT: options is NULL or struct_size is bad. */
+HSP_API int32_t hsp_view_options_init(hsp_view_options *options, uint32_t struct_size);
+
+/** Set towards and up so that the balls appear turned: by x degrees about the x axis (right), then by y degrees about
+ *  the y axis (up), then by z degrees about the z axis (towards the viewer), each counter-clockwise seen from the
+ *  axis's positive end. In degrees, so that quarter turns are exact.
+ *  HSP_E_ARGUMENT: options is NULL or its struct_size is wrong. HSP_E_NOT_FINITE: an angle is NaN or infinite.
+ *  HSP_E_RANGE: an angle is beyond 1e6. On failure nothing is written. */
+HSP_API int32_t hsp_view_options_turn(hsp_view_options *options, double x, double y, double z);
+
+/** Cut and sort the pieces for one direction; any number of times, from any directions. boundary: one computed from the
+ *  same model, so that a new direction costs only the cut and the sort; it may be NULL for G-pieces, which then
+ *  come from the model alone (with it, balls without faces are skipped). options may be NULL (defaults). The model
+ *  must outlive the view: after hsp_model_set the functions below return HSP_E_STATE until this one is called again;
+ *  after hsp_model_init in the model's memory it must be called again before them. The boundary is not needed after
+ *  the call.
+ *  towards is rounded to integers with a largest component of 2^28, so that axes and diagonals are exact.
+ *  limits: see LIMITS above; at most three retries.
+ *  HSP_E_ARGUMENT: view or model NULL, bad options or struct_size of limits, no boundary for H-pieces or one of
+ *  another model. HSP_E_STATE: the boundary holds no results. HSP_E_NOT_FINITE: a component of towards or up is NaN or
+ *  infinite. HSP_E_CAPACITY: a limit is too small. On failure the view holds no results.
+ *  Property 1: the order of the balls has no effect but on ids.
+ *  Cost: O(n) to leave out hidden balls, O(m log m) to sort the m that are left, and for each of these O(k) at H-pieces
+ *  and O(k^2) at G-pieces expected, with k balls that meet it. */
+HSP_API int32_t hsp_view_compute(hsp_view *view, const hsp_model *model, const hsp_boundary *boundary,
+                                 const hsp_view_options *options, hsp_view_limits *limits);
+
+/** What the view shows, and where. */
+typedef struct hsp_view_info {
+  double origin[3]; /**< the point with view coordinates 0 0 0: the middle of the balls' centres, length */
+  double right[3];  /**< unit vectors: the axes of the view coordinates */
+  double up[3];
+  double towards[3];
+  double low[2]; /**< of the view plane, the box of all pieces' silhouettes, length; 0 0 to 0 0 without pieces */
+  double high[2];
+  double depth_low; /**< z of the farthest and the nearest centre with a piece, length */
+  double depth_high;
+  uint32_t pieces;
+  uint32_t loops;
+  uint32_t arcs;
+  uint32_t kind; /**< HSP_PIECES_* */
+} hsp_view_info;
+
+/** HSP_E_ARGUMENT: a null pointer. HSP_E_STATE: nothing computed, or the model has changed since. */
+HSP_API int32_t hsp_view_get_info(const hsp_view *view, hsp_view_info *info);
+
+typedef struct hsp_view_piece {
+  double centre[2];    /**< of the ball, in the view plane, length */
+  double depth;        /**< z of the ball's centre, length; rounded, while the order of the pieces is exact */
+  double radius;       /**< of the ball, length */
+  uint32_t ball;       /**< the caller's index */
+  uint32_t first_loop; /**< its loops are first_loop .. first_loop + loops - 1 */
+  uint32_t loops;
+  uint32_t first_arc; /**< its arcs are first_arc .. first_arc + arcs - 1, loop after loop */
+  uint32_t arcs;
+  uint32_t reserved;
+} hsp_view_piece;
+
+/** The pieces in drawing order, farthest first; pieces without arcs (nothing to draw) are left out.
+ *  HSP_E_ARGUMENT, HSP_E_STATE as hsp_view_get_info, HSP_E_CAPACITY as described above. */
+HSP_API int32_t hsp_view_get_pieces(const hsp_view *view, hsp_view_piece *out, uint32_t capacity, uint32_t *needed);
+
+typedef struct hsp_view_loop {
+  uint32_t piece;     /**< index in hsp_view_get_pieces */
+  uint32_t first_arc; /**< its arcs are first_arc .. first_arc + arcs - 1, each beginning where the one before ends */
+  uint32_t arcs;      /**< at least 1: a whole circle or ellipse is one arc */
+  uint32_t reserved;
+} hsp_view_loop;
+
+/** The loops, piece after piece. Statuses as hsp_view_get_pieces. */
+HSP_API int32_t hsp_view_get_loops(const hsp_view *view, hsp_view_loop *out, uint32_t capacity, uint32_t *needed);
+
+/** An arc of a circle or ellipse in the view plane: the points
+ *      centre + semi_axis[0] cos(t) (cos rotation, sin rotation) + semi_axis[1] sin(t) (-sin rotation, cos rotation)
+ *  for t from `from` to `to`; to > from: counter-clockwise, to < from: clockwise. */
+typedef struct hsp_view_arc {
+  double centre[2];    /**< length */
+  double semi_axis[2]; /**< the larger and the smaller one, length; the smaller is 0 for a circle seen edge on */
+  double rotation;     /**< of the larger one from the right, in (-pi, pi] */
+  double from;         /**< in [-2 pi, 2 pi] */
+  double to;           /**< at most 2 pi away from `from`; exactly 2 pi for a whole circle or ellipse */
+  double start[2];     /**< the point at `from`, length; it is the end of the arc before, bit for bit */
+  double end[2];       /**< the point at `to`, length */
+  uint32_t piece;      /**< index in hsp_view_get_pieces */
+  uint32_t other_ball; /**< the ball whose sphere it lies on too, the caller's index; HSP_NONE on the silhouette */
+} hsp_view_arc;
+
+/** The arcs, loop after loop. Statuses as hsp_view_get_pieces.
+ *  Property 1: the arcs of a loop are closed: the end of each is the start of the next.
+ *  Property 2: start and end agree with centre, semi-axes, rotation and parameters up to rounding. */
+HSP_API int32_t hsp_view_get_arcs(const hsp_view *view, hsp_view_arc *out, uint32_t capacity, uint32_t *needed);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
