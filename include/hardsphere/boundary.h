@@ -19,6 +19,7 @@
 extern "C" {
 #endif
 
+/** The boundary of the union of a model's balls. */
 typedef struct hsp_boundary hsp_boundary;
 
 /** The limits that fix a boundary's memory. */
@@ -33,13 +34,16 @@ typedef struct hsp_boundary_limits {
 
 /** Limits that suffice for molecules of `balls` atoms, van der Waals or solvent-accessible: neighbours
  *  min(balls, 256), vertices 8 balls + 64, circles 2 balls + 16. hsp_boundary_compute says if a set needs more.
- *  HSP_E_ARGUMENT: limits is NULL or struct_size is bad. HSP_E_RANGE: more than
- *  (HSP_MAX_BALLS - 64) / 8 balls; set the limits by hand then. */
+ *  @retval HSP_E_ARGUMENT  limits is NULL or struct_size is bad
+ *  @retval HSP_E_RANGE     more than (HSP_MAX_BALLS - 64) / 8 balls; set the limits by hand then */
 HSP_API int32_t hsp_boundary_limits_init(hsp_boundary_limits *limits, uint32_t struct_size, uint32_t balls);
 
-/** Bytes that hsp_boundary_init needs. HSP_E_ARGUMENT: null pointer, bad struct_size, reserved not 0.
- *  HSP_E_RANGE: a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t.
- *  Property 1: at most HSP_BOUNDARY_BYTES of the four limits. Property 2: grows with each limit. */
+/** Bytes that hsp_boundary_init needs.
+ *  - Property 1: at most HSP_BOUNDARY_BYTES of the four limits.
+ *  - Property 2: grows with each limit.
+ *
+ *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size; reserved is not 0
+ *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
 HSP_API int32_t hsp_boundary_bytes(const hsp_boundary_limits *limits, size_t *bytes);
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
@@ -48,21 +52,25 @@ HSP_API int32_t hsp_boundary_bytes(const hsp_boundary_limits *limits, size_t *by
    (size_t)160 * (size_t)(vertices) + (size_t)80 * (size_t)(circles))
 
 /** Make an empty boundary in caller memory of any alignment; sets *boundary.
- *  HSP_E_ARGUMENT, HSP_E_RANGE as hsp_boundary_bytes; HSP_E_MEMORY: bytes too small (nothing is written).
- *  Topologies computed from a boundary that was in this memory before must be computed again before they are read. */
+ *  Topologies computed from a boundary that was in this memory before must be computed again before they are read.
+ *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size; reserved is not 0
+ *  @retval HSP_E_MEMORY    bytes is less than hsp_boundary_bytes says; nothing is written
+ *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
 HSP_API int32_t hsp_boundary_init(void *memory, size_t bytes, const hsp_boundary_limits *limits,
                                   hsp_boundary **boundary);
 
 /** Compute the boundary of the union of the model's balls. The model must outlive the boundary and stay unchanged while
  *  results are read: after hsp_model_set the functions below return HSP_E_STATE until this one is called again.
- *  limits: see LIMITS above. vertices and circles are known once neighbours suffices: at most three retries.
- *  HSP_E_ARGUMENT: boundary or model NULL, bad struct_size of limits. HSP_E_CAPACITY: a limit is too small. On failure
- *  the boundary holds no results.
- *  Property 1: the order of the balls has no effect but on ids.
- *  Cost: O(n) for sets as in Theorem 2.1; O(m^3) per ball with m neighbours at worst. */
+ *  limits: see LIMITS in hardsphere.h. vertices and circles are known once neighbours suffices: at most three retries.
+ *  On failure the boundary holds no results.
+ *  - Property 1: the order of the balls has no effect but on ids.
+ *
+ *  Cost: O(n) for sets as in Theorem 2.1; O(m^3) per ball with m neighbours at worst.
+ *  @retval HSP_E_ARGUMENT  boundary or model is NULL; bad struct_size of limits
+ *  @retval HSP_E_CAPACITY  a limit is too small */
 HSP_API int32_t hsp_boundary_compute(hsp_boundary *boundary, const hsp_model *model, hsp_boundary_limits *limits);
 
-/** How many of everything. */
+/** How many of everything. Frozen. */
 typedef struct hsp_boundary_counts {
   uint32_t balls;           /**< balls of the model */
   uint32_t exposed_balls;   /**< balls with at least one face */
@@ -79,15 +87,20 @@ typedef struct hsp_boundary_counts {
   int64_t euler;          /**< Euler characteristic of the boundary, summed over its shells */
 } hsp_boundary_counts;
 
-/** HSP_E_ARGUMENT: a null pointer. HSP_E_STATE: nothing computed, or the model has changed since.
- *  Property 1: euler = vertices - arcs + 2 faces - loops. Property 2: voids = shells - components.
- *  Property 3: 2 arcs = 3 vertices. */
+/** How many of everything the boundary has.
+ *  - Property 1: euler = vertices - arcs + 2 faces - loops.
+ *  - Property 2: voids = shells - components.
+ *  - Property 3: 2 arcs = 3 vertices.
+ *
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
 HSP_API int32_t hsp_boundary_get_counts(const hsp_boundary *boundary, hsp_boundary_counts *counts);
 
 /** The symbolic perturbation decided about this vertex: a further sphere goes through it (of a ball that lies inside no
  * other), or two of its circles only touch there. */
 #define HSP_VERTEX_TIED UINT32_C(1)
 
+/** A vertex of the boundary. Frozen. */
 typedef struct hsp_vertex {
   double xyz[3];    /**< position, length */
   uint32_t ball[3]; /**< its balls a < b < c */
@@ -97,13 +110,16 @@ typedef struct hsp_vertex {
 } hsp_vertex;
 
 /** The vertices; index in the array = vertex id used by hsp_arc.
- *  HSP_E_ARGUMENT, HSP_E_STATE as hsp_boundary_get_counts, HSP_E_CAPACITY as described above.
- *  Property 1: each vertex ends exactly three arcs. */
+ *  - Property 1: each vertex ends exactly three arcs.
+ *
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
 HSP_API int32_t hsp_boundary_get_vertices(const hsp_boundary *boundary, hsp_vertex *out, uint32_t capacity,
                                           uint32_t *needed);
 
 /** An arc runs counter-clockwise about its axis, from vertex[0] to vertex[1]. Seen from outside the balls, face[1] lies
- *  on its left and face[0] on its right. */
+ *  on its left and face[0] on its right. Frozen. */
 typedef struct hsp_arc {
   double centre[3];   /**< of its circle, length */
   double axis[3];     /**< unit vector from c_a towards c_b */
@@ -114,10 +130,14 @@ typedef struct hsp_arc {
   uint32_t face[2];   /**< the face on ball a and the face on ball b */
 } hsp_arc;
 
-/** The arcs, each once; index in the array = arc id used by hsp_loop_arc. Statuses as hsp_boundary_get_vertices. */
+/** The arcs, each once; index in the array = arc id used by hsp_loop_arc.
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
 HSP_API int32_t hsp_boundary_get_arcs(const hsp_boundary *boundary, hsp_arc *out, uint32_t capacity, uint32_t *needed);
 
-/** Counter-clockwise about the axis, face[1] lies on its left and face[0] on its right, as at arcs. */
+/** A whole circle that is free. Counter-clockwise about the axis, face[1] lies on its left and face[0] on its right, as
+ *  at arcs. Frozen. */
 typedef struct hsp_circle {
   double centre[3]; /**< length */
   double axis[3];   /**< unit vector from c_a towards c_b */
@@ -126,10 +146,14 @@ typedef struct hsp_circle {
   uint32_t face[2]; /**< the face on ball a and the face on ball b */
 } hsp_circle;
 
-/** The free circles; index in the array = circle id used by hsp_loop. Statuses as hsp_boundary_get_vertices. */
+/** The free circles; index in the array = circle id used by hsp_loop.
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
 HSP_API int32_t hsp_boundary_get_circles(const hsp_boundary *boundary, hsp_circle *out, uint32_t capacity,
                                          uint32_t *needed);
 
+/** A face of the boundary. Frozen. */
 typedef struct hsp_face {
   uint32_t ball;       /**< the ball it lies on */
   uint32_t loops;      /**< its boundary loops; 0 for a whole sphere */
@@ -137,13 +161,15 @@ typedef struct hsp_face {
   uint32_t first_loop; /**< its loops are first_loop .. first_loop + loops - 1 of hsp_boundary_get_loops */
 } hsp_face;
 
-/** The faces; index in the array = face id; faces of one ball are consecutive. Statuses as hsp_boundary_get_vertices.
- */
+/** The faces; index in the array = face id; faces of one ball are consecutive.
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
 HSP_API int32_t hsp_boundary_get_faces(const hsp_boundary *boundary, hsp_face *out, uint32_t capacity,
                                        uint32_t *needed);
 
 /** A boundary loop of a face: a closed chain of arcs, or a whole circle. Seen from outside the ball, it keeps its face
- *  on its left. */
+ *  on its left. Frozen. */
 typedef struct hsp_loop {
   uint32_t face;      /**< the face that it bounds */
   uint32_t circle;    /**< the free circle that it is, whose face[side] is `face`; HSP_NONE if it consists of arcs */
@@ -152,26 +178,34 @@ typedef struct hsp_loop {
   uint32_t arcs;      /**< at least 2; 0 for a circle */
 } hsp_loop;
 
-/** The loops, face after face: counts.loops records. Statuses as hsp_boundary_get_vertices. */
+/** The loops, face after face: counts.loops records.
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
 HSP_API int32_t hsp_boundary_get_loops(const hsp_boundary *boundary, hsp_loop *out, uint32_t capacity,
                                        uint32_t *needed);
 
-/** An arc as a part of a loop. */
+/** An arc as a part of a loop. Frozen. */
 typedef struct hsp_loop_arc {
   uint32_t arc;    /**< index in hsp_boundary_get_arcs */
   uint32_t side;   /**< 1: the loop runs along it, 0: against it; its face[side] is that of the loop */
   uint32_t vertex; /**< where the loop comes to it: its vertex[1 - side]; vertex[side] is the next one's */
 } hsp_loop_arc;
 
-/** The arcs of all loops, loop after loop, each loop's in walking order: 2 counts.arcs records. Statuses as
- *  hsp_boundary_get_vertices.
- *  Property 1: the arcs of a loop are closed: each ends at the vertex of the next, the last at that of the first.
- *  Property 2: every arc occurs once with side 0 and once with side 1. Cost: O(vertices). */
+/** The arcs of all loops, loop after loop, each loop's in walking order: 2 counts.arcs records.
+ *  - Property 1: the arcs of a loop are closed: each ends at the vertex of the next, the last at that of the first.
+ *  - Property 2: every arc occurs once with side 0 and once with side 1.
+ *
+ *  Cost: O(vertices).
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
 HSP_API int32_t hsp_boundary_get_loop_arcs(const hsp_boundary *boundary, hsp_loop_arc *out, uint32_t capacity,
                                            uint32_t *needed);
 
 #define HSP_BALL_CONTAINED UINT32_C(1) /**< the ball lies inside one other ball */
 
+/** What the boundary has of a ball. Frozen. */
 typedef struct hsp_ball {
   uint32_t faces;      /**< number of its faces; 0: the ball is buried */
   uint32_t first_face; /**< id of the first of them, HSP_NONE if there is none */
@@ -179,7 +213,10 @@ typedef struct hsp_ball {
   uint32_t flags;      /**< HSP_BALL_* */
 } hsp_ball;
 
-/** One record per ball, in the caller's order. Statuses as hsp_boundary_get_vertices. */
+/** One record per ball, in the caller's order.
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
 HSP_API int32_t hsp_boundary_get_balls(const hsp_boundary *boundary, hsp_ball *out, uint32_t capacity,
                                        uint32_t *needed);
 
@@ -199,8 +236,12 @@ HSP_API int32_t hsp_boundary_get_balls(const hsp_boundary *boundary, hsp_ball *o
  *     9  every vertex lies on its three spheres, up to rounding
  *    10  no ball's area is negative or beyond its sphere, and it equals the area from angles between positions
  *    11  the volume equals the volume about another origin from positions: every component's surface is closed
- *  HSP_OK: all hold. HSP_E_CHECK: one is violated. HSP_E_ARGUMENT: a null pointer. HSP_E_STATE as above.
- *  Uses the boundary's scratch memory, hence not const; results stay valid. Cost: O(size of the boundary). */
+ *
+ *  Uses the boundary's scratch memory, hence not const; results stay valid. Cost: O(size of the boundary).
+ *  @retval HSP_OK          all hold
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since
+ *  @retval HSP_E_CHECK     one is violated: please report it */
 HSP_API int32_t hsp_boundary_check(hsp_boundary *boundary, uint32_t *invariant, uint32_t *id);
 
 #ifdef __cplusplus

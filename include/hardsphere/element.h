@@ -26,7 +26,9 @@ extern "C" {
  *  be NULL. Atomic numbers are 1 (hydrogen) to 118 (oganesson); deuterium is hydrogen.
  *  Where the source has no radius it is that of HSP_RADII_BONDI instead, and 2.00 where this has none either, always
  *  with HSP_RADIUS_FALLBACK, so that a caller can refuse the element or name a radius of its own.
- *  HSP_E_ARGUMENT: radius is NULL, unknown set. HSP_E_ID: no element has this number. On failure nothing is written. */
+ *  On failure nothing is written.
+ *  @retval HSP_E_ARGUMENT  radius is NULL; unknown set
+ *  @retval HSP_E_ID        no element has this number */
 HSP_API int32_t hsp_element_radius(uint32_t set, uint32_t atomic_number, double *radius, uint32_t *flags);
 
 #ifdef __cplusplus

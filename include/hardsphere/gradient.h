@@ -23,9 +23,10 @@ extern "C" {
 #define HSP_TANGENT_OVERLAP UINT32_C(0)  /**< as if balls that touch overlapped by an infinitely small amount */
 #define HSP_TANGENT_DISJOINT UINT32_C(1) /**< as if they were apart by an infinitely small amount */
 
-#define HSP_GRADIENT_ONE_SIDED \
-  UINT32_C(1) /**< the ball touches another at a free point: its derivatives are one-sided */
+/** The ball touches another at a free point: its derivatives are one-sided. */
+#define HSP_GRADIENT_ONE_SIDED UINT32_C(1)
 
+/** An energy of areas and volume, and its parts. Frozen. */
 typedef struct hsp_energy {
   double value;  /**< E = tension * sum_i sigma_i A_i + pressure * V */
   double area;   /**< sum_i sigma_i A_i */
@@ -39,13 +40,17 @@ typedef struct hsp_energy {
  *  For the area alone: tension 1, pressure 0, sigma NULL. For the volume alone: tension 0, pressure 1. A ball with
  *  sigma 0 only blocks. For molecular dynamics take HSP_TANGENT_OVERLAP. needed may be NULL and else becomes n;
  *  first_bad may be NULL and else becomes the first ball whose sigma is NaN or infinite, HSP_NONE if there is none.
- *  HSP_E_ARGUMENT: boundary NULL, unknown tangency. HSP_E_STATE, HSP_E_CAPACITY as hsp_boundary_measure.
- *  HSP_E_NOT_FINITE: a sigma, tension or pressure is NaN or infinite. On failure nothing else is written.
- *  Property 1: the sums of centre and of c_i x centre are zero up to rounding (E does not change under motions).
- *  Property 2: with all sigma equal, sum_i (r_i radius_i + c_i . centre_i) = 2 A for the area, 3 V for the volume.
- *  Property 3: centre, radius and flags do not depend on the order of the balls, bit for bit.
+ *  On failure nothing but *needed and *first_bad is written.
+ *  - Property 1: the sums of centre and of c_i x centre are zero up to rounding (E does not change under motions).
+ *  - Property 2: with all sigma equal, sum_i (r_i radius_i + c_i . centre_i) = 2 A for the area, 3 V for the volume.
+ *  - Property 3: centre, radius and flags do not depend on the order of the balls, bit for bit.
+ *
  *  Source: M. L. Connolly 1983, T. J. Richmond 1984 for the area; dV/dc_i is the vector area of ball i's faces.
- *  Cost: O(n + vertices + circles). */
+ *  Cost: O(n + vertices + circles).
+ *  @retval HSP_E_ARGUMENT    boundary is NULL; unknown tangency
+ *  @retval HSP_E_CAPACITY    an array is given and capacity < n
+ *  @retval HSP_E_STATE       nothing computed, or the model has changed since
+ *  @retval HSP_E_NOT_FINITE  a sigma, tension or pressure is NaN or infinite */
 HSP_API int32_t hsp_boundary_gradient(const hsp_boundary *boundary, const double *sigma, double tension,
                                       double pressure, uint32_t tangency, hsp_energy *energy, double *centre,
                                       double *radius, uint32_t *flags, uint32_t capacity, uint32_t *needed,
@@ -53,16 +58,21 @@ HSP_API int32_t hsp_boundary_gradient(const hsp_boundary *boundary, const double
 
 /** The two parts of that gradient, each on its own: the derivatives of S = sum_i sigma_i A_i and of the volume V.
  *  area_centre [n][3] = dS/dc_i, area_radius [n] = dS/dr_i, volume_centre [n][3] = dV/dc_i (the vector area of ball i's
- *  faces), volume_radius [n] = dV/dr_i (ball i's free area); each may be NULL. Other arguments and statuses as
- *  hsp_boundary_gradient.
- *  Property 1: tension times the one plus pressure times the other is what hsp_boundary_gradient says, up to rounding;
- *  with tension 1 and pressure 0, or 0 and 1, and finite numbers, bit for bit. */
+ *  faces), volume_radius [n] = dV/dr_i (ball i's free area); each may be NULL. The other arguments are those of
+ *  hsp_boundary_gradient. On failure nothing but *needed and *first_bad is written.
+ *  - Property 1: tension times the one plus pressure times the other is what hsp_boundary_gradient says, up to
+ *    rounding; with tension 1 and pressure 0, or 0 and 1, and finite numbers, bit for bit.
+ *
+ *  @retval HSP_E_ARGUMENT    boundary is NULL; unknown tangency
+ *  @retval HSP_E_CAPACITY    an array is given and capacity < n
+ *  @retval HSP_E_STATE       nothing computed, or the model has changed since
+ *  @retval HSP_E_NOT_FINITE  a sigma is NaN or infinite */
 HSP_API int32_t hsp_boundary_derivatives(const hsp_boundary *boundary, const double *sigma, uint32_t tangency,
                                          double *area_centre, double *area_radius, double *volume_centre,
                                          double *volume_radius, uint32_t *flags, uint32_t capacity, uint32_t *needed,
                                          uint32_t *first_bad);
 
-/** One entry of a ball's row of the area's Jacobian. */
+/** One entry of a ball's row of the area's Jacobian. Frozen. */
 typedef struct hsp_area_derivative {
   double centre[3]; /**< dA_i/dc_j, length */
   double radius;    /**< dA_i/dr_j, length */
@@ -73,9 +83,14 @@ typedef struct hsp_area_derivative {
 
 /** The derivatives of A_i, i = ball: an entry for i itself and one for every j whose circle on i has a free piece,
  *  ascending in j; all others are 0. No entries if ball i has no face. tangency as above.
- *  HSP_E_ARGUMENT: null pointer, unknown tangency. HSP_E_ID: no such ball. HSP_E_STATE, HSP_E_CAPACITY as above.
- *  Property 1: the centre entries of a row sum to 0 up to rounding.
- *  Property 2: dA_i/dr_j = dA_j/dr_i up to rounding. Cost: O(m^2) for m arcs on the ball. */
+ *  - Property 1: the centre entries of a row sum to 0 up to rounding.
+ *  - Property 2: dA_i/dr_j = dA_j/dr_i up to rounding.
+ *
+ *  Cost: O(m^2) for m arcs on the ball.
+ *  @retval HSP_E_ARGUMENT  boundary or needed is NULL, or out with a capacity above 0; unknown tangency
+ *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since
+ *  @retval HSP_E_ID        no such ball */
 HSP_API int32_t hsp_boundary_get_area_row(const hsp_boundary *boundary, uint32_t ball, uint32_t tangency,
                                           hsp_area_derivative *out, uint32_t capacity, uint32_t *needed);
 

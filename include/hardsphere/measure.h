@@ -11,6 +11,7 @@
 extern "C" {
 #endif
 
+/** Area and volume of the union. Frozen. */
 typedef struct hsp_totals {
   double area;   /**< of the boundary, walls of voids included, length^2 */
   double volume; /**< of the union, voids not included, length^3 */
@@ -24,19 +25,25 @@ typedef struct hsp_totals {
  *  (r_i area[i] + (c_i - o) . N_i) / 3 with N_i the vector area of its faces and o a centre of its component that does
  *  not depend on the order of the balls: the terms sum to the volume, single terms may be negative.
  *  Totals are summed over the balls in the caller's order by a fixed binary tree.
- *  HSP_E_ARGUMENT: boundary NULL. HSP_E_STATE as above. HSP_E_CAPACITY: an array is given and capacity < n
- *  (then nothing but *needed is written).
- *  Property 1: area[i] and volume[i] do not depend on the order of the balls, bit for bit.
+ *  - Property 1: area[i] and volume[i] do not depend on the order of the balls, bit for bit.
+ *
  *  Accuracy: about 1e-14 of the total for molecules.
- *  Cost: O(n + what the selected balls' faces have of arcs and circles). */
+ *  Cost: O(n + what the selected balls' faces have of arcs and circles).
+ *  @retval HSP_E_ARGUMENT  boundary is NULL
+ *  @retval HSP_E_CAPACITY  an array is given and capacity < n; nothing but *needed is written
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
 HSP_API int32_t hsp_boundary_measure(const hsp_boundary *boundary, const uint8_t *selected, hsp_totals *totals,
                                      double *area, double *volume, uint32_t capacity, uint32_t *needed);
 
 /** Area, and term of the volume, of each face: area [faces] and volume [faces], each may be NULL, face ids as in
  *  hsp_boundary_get_faces. A face's volume term is that of the divergence theorem about its ball's origin o (see
- *  hsp_boundary_measure). HSP_E_ARGUMENT, HSP_E_STATE as above; HSP_E_CAPACITY: an array is given and capacity is
- *  less than the number of faces, which *needed becomes if needed is not NULL (nothing else is written then).
- *  Property 1: the faces of a ball sum to that ball's area and volume, up to rounding. */
+ *  hsp_boundary_measure). needed may be NULL and else becomes the number of faces.
+ *  - Property 1: the faces of a ball sum to that ball's area and volume, up to rounding.
+ *
+ *  @retval HSP_E_ARGUMENT  boundary is NULL
+ *  @retval HSP_E_CAPACITY  an array is given and capacity is less than the number of faces; nothing but *needed is
+ *                          written
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
 HSP_API int32_t hsp_boundary_measure_faces(const hsp_boundary *boundary, double *area, double *volume,
                                            uint32_t capacity, uint32_t *needed);
 

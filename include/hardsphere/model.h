@@ -22,20 +22,25 @@ extern "C" {
 /** The largest number of balls in one model. */
 #define HSP_MAX_BALLS UINT32_C(0x0FFFFFFF)
 
+/** A set of balls on its lattice. */
 typedef struct hsp_model hsp_model;
 
 /** Bytes that hsp_model_init needs for at most `balls` balls, alignment slack included.
- *  HSP_E_ARGUMENT: bytes is NULL. HSP_E_RANGE: balls > HSP_MAX_BALLS or the size does not fit a size_t.
- *  Property 1: at most HSP_MODEL_BYTES(balls). */
+ *  - Property 1: at most HSP_MODEL_BYTES(balls).
+ *
+ *  @retval HSP_E_ARGUMENT  bytes is NULL
+ *  @retval HSP_E_RANGE     balls > HSP_MAX_BALLS, or the size does not fit a size_t */
 HSP_API int32_t hsp_model_bytes(uint32_t balls, size_t *bytes);
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
 #define HSP_MODEL_BYTES(balls) ((size_t)1024 + (size_t)128 * (size_t)(balls))
 
 /** Make an empty model (0 balls) for at most `balls` balls in caller memory of any alignment; sets *model.
- *  HSP_E_ARGUMENT: memory or model is NULL. HSP_E_RANGE: as hsp_model_bytes. HSP_E_MEMORY: bytes is less than
- *  hsp_model_bytes says (nothing is written). Boundaries and views computed from a model that was in this
- *  memory before must be computed again before they are read. */
+ *  Boundaries and views computed from a model that was in this memory before must be computed again before they are
+ *  read.
+ *  @retval HSP_E_ARGUMENT  memory or model is NULL
+ *  @retval HSP_E_MEMORY    bytes is less than hsp_model_bytes says; nothing is written
+ *  @retval HSP_E_RANGE     balls > HSP_MAX_BALLS, or the size does not fit a size_t */
 HSP_API int32_t hsp_model_init(void *memory, size_t bytes, uint32_t balls, hsp_model **model);
 
 /** How hsp_model_set reads the balls. Zero means default in every field but the first. */
@@ -44,11 +49,12 @@ typedef struct hsp_model_options {
   uint32_t reserved;    /**< 0 */
   double probe;         /**< length, >= 0: added to every radius, for the solvent-accessible surface; default 0 */
   double step;          /**< length, > 0: the lattice step; 0 means the smallest power of ten with r_max/step < 2^30 */
-  double
-      largest_radius; /**< length, > 0: r_max less the probe, for balls of which none may be larger; 0: of the balls */
+  /** length, > 0: r_max less the probe, for balls of which none may be larger; 0: that of the balls */
+  double largest_radius;
 } hsp_model_options;
 
-/** Fill options with defaults. HSP_E_ARGUMENT: options is NULL or struct_size is bad. */
+/** Fill options with defaults.
+ *  @retval HSP_E_ARGUMENT  options is NULL or struct_size is bad */
 HSP_API int32_t hsp_model_options_init(hsp_model_options *options, uint32_t struct_size);
 
 /** Take n balls: round them to the lattice, hash them into cubes. May be called any number of times (frames of a
@@ -63,15 +69,21 @@ HSP_API int32_t hsp_model_options_init(hsp_model_options *options, uint32_t stru
  *  With options.largest_radius lattice and cubes no longer depend on the balls: models with the same options have the
  *  same grid, and a ball and its neighbours give the same bits whatever else there is. A larger ball is HSP_E_RANGE.
  *
- *  HSP_E_ARGUMENT: model NULL, xyz or radius NULL with n > 0, bad options. HSP_E_CAPACITY: n exceeds the model's limit.
- *  HSP_E_NOT_FINITE, HSP_E_NEGATIVE, HSP_E_RANGE: as named. On failure the model is empty (0 balls), as
- *  hsp_model_init makes it.
- *  Property 1: the order of the balls has no effect but on the ids.
- *  Cost: O(n) expected; the hash table's load is at most 1/2. */
+ *  On failure the model is empty (0 balls), as hsp_model_init makes it.
+ *  - Property 1: the order of the balls has no effect but on the ids.
+ *
+ *  Cost: O(n) expected; the hash table's load is at most 1/2.
+ *  @retval HSP_E_ARGUMENT    model is NULL; xyz or radius is NULL with n > 0; bad struct_size of options, or its
+ *                            reserved field is not 0
+ *  @retval HSP_E_CAPACITY    the model has room for fewer than n balls
+ *  @retval HSP_E_NOT_FINITE  a coordinate, a radius or an option is NaN or infinite
+ *  @retval HSP_E_NEGATIVE    a radius or an option is negative
+ *  @retval HSP_E_RANGE       a coordinate, a radius or an option lies beyond the lattice, or a radius beyond
+ *                            options.largest_radius */
 HSP_API int32_t hsp_model_set(hsp_model *model, uint32_t n, const double *xyz, const double *radius,
                               const hsp_model_options *options, uint32_t *first_bad);
 
-/** What the model holds. */
+/** What the model holds. Frozen. */
 typedef struct hsp_model_info {
   uint32_t balls;         /**< number of balls */
   uint32_t cubes;         /**< cubes of side 2 r_max that hold a centre (Section 3) */
@@ -83,14 +95,14 @@ typedef struct hsp_model_info {
 } hsp_model_info;
 
 /** Describe the model. Without balls the step is the one that hsp_model_set was given, else 1e-8.
- *  HSP_E_ARGUMENT: a null pointer. */
+ *  @retval HSP_E_ARGUMENT  a null pointer */
 HSP_API int32_t hsp_model_get_info(const hsp_model *model, hsp_model_info *info);
 
 #define HSP_PACKING_ZERO_RADIUS UINT32_C(1) /**< a ball has radius 0 (probe included): k has no value */
 #define HSP_PACKING_COINCIDENT UINT32_C(2)  /**< two centres coincide: rho is 0 */
 #define HSP_PACKING_NO_PAIR UINT32_C(4)     /**< fewer than two balls, or all radii 0: rho has no value */
 
-/** The hard-sphere figures of Section 2, on the lattice. */
+/** The hard-sphere figures of Section 2, on the lattice. Frozen. */
 typedef struct hsp_packing {
   double k;               /**< r_max / r_min; 0 where it has no value (no balls, HSP_PACKING_ZERO_RADIUS) */
   double rho;             /**< min over pairs of |c_i c_j| / max(r_i, r_j); 0 where it has no value */
@@ -101,8 +113,9 @@ typedef struct hsp_packing {
 } hsp_packing;
 
 /** The figures of Section 2, and by flags whether the set meets the conditions of Theorem 2.1 at all. A set that does
- * not is still handled exactly; only the time and memory bounds are lost. Uses the model's scratch memory, hence not
- * const. HSP_E_ARGUMENT: a null pointer. Cost: O(n) for sets with bounded figures. */
+ *  not is still handled exactly; only the time and memory bounds are lost. Uses the model's scratch memory, hence not
+ *  const. Cost: O(n) for sets with bounded figures.
+ *  @retval HSP_E_ARGUMENT  a null pointer */
 HSP_API int32_t hsp_model_get_packing(hsp_model *model, hsp_packing *figures);
 
 #ifdef __cplusplus

@@ -1,0 +1,48 @@
+#!/usr/bin/env bash
+# Each public header compiles on its own, as C99 and as C++20; hardsphere.h includes all that are in its folder and says
+# what each is; every function that returns a status lists what it may return (@retval) and refers to no other for it.
+#   headers.sh SOURCE-FOLDER C-COMPILER C++-COMPILER
+set -euo pipefail
+include=$1/include cc=$2 cxx=$3
+failed=0
+complain() {
+  echo "$1"
+  failed=1
+}
+
+headers=0
+for header in "$include"/hardsphere.h "$include"/hardsphere_workspace.h "$include"/hardsphere/*.h; do
+  headers=$((headers + 1))
+  name=${header#"$include"/}
+  # An object of its own, so that no translation unit is empty, and the header twice, so that its guard is tried.
+  text=$(printf '#include <%s>\n#include <%s>\nint nothing;\n' "$name" "$name")
+  "$cc" -std=c99 -Wall -Wextra -Wconversion -Wshadow -Wpedantic -Werror -I "$include" -x c -fsyntax-only - <<<"$text" ||
+    complain "$name is no C99 on its own"
+  "$cxx" -std=c++20 -Wall -Wextra -Wconversion -Wshadow -Wpedantic -Werror -I "$include" -x c++ -fsyntax-only - <<<"$text" ||
+    complain "$name is no C++20 on its own"
+  case $name in hardsphere/export.h | hardsphere_workspace.h | hardsphere.h) continue ;; esac
+  grep -qF "#include \"$name\"" "$include/hardsphere.h" || complain "hardsphere.h does not include $name"
+  grep -qF " *   $name " "$include/hardsphere.h" || complain "hardsphere.h does not say what $name is"
+done
+[ $headers -gt 5 ] || complain "the headers were not found"
+
+# A function's comment is the last one that ends before it. Awk reads whole comments and whole declarations.
+functions=$(cat "$include"/hardsphere/*.h | awk '
+  /^\/\*\*/ { comment = ""; inside = 1 }
+  inside { comment = comment "\n" $0; if (/\*\//) inside = 0; next }
+  /^HSP_API int32_t / {
+    name = $3; sub(/\(.*/, "", name)
+    print name
+    if (comment !~ /@retval HSP_/) print "lists no status: " name
+    if (comment ~ /[Ss]tatuses as|HSP_E_[A-Z_]+(, HSP_E_[A-Z_]+)* as /) print "refers to another: " name
+    listed = comment; order = 1
+    while (match(listed, /@retval [A-Z_]+/)) {
+      status = substr(listed, RSTART + 8, RLENGTH - 8); listed = substr(listed, RSTART + RLENGTH)
+      if (seen[name, status]++) print "lists " status " twice: " name
+    }
+  }
+  /;/ { comment = "" }')
+[ "$(grep -c '^hsp_' <<<"$functions")" -gt 40 ] || complain "the functions were not found"
+grep -v '^hsp_' <<<"$functions" && failed=1
+[ $failed -eq 0 ] && echo "$headers headers, $(grep -c '^hsp_' <<<"$functions") functions with a status"
+exit $failed
