@@ -4,6 +4,14 @@ uint32_t hsp_version(void) {
   return HSP_VERSION_NUMBER;
 }
 
+uint32_t hsp_abi(void) {
+  return HSP_ABI_NUMBER;
+}
+
+uint32_t hsp_numerics(void) {
+  return HSP_NUMERICS_NUMBER;
+}
+
 const char *hsp_status_text(int32_t status) {
   switch (status) {
     case HSP_OK:

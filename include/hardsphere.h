@@ -58,6 +58,8 @@
  *   library does not know of a newer, larger one has to be zeros, else the status is HSP_E_ARGUMENT. Nothing is written
  *   beyond struct_size. Bad are smaller sizes that no version of the struct had, and larger ones above 1024 or no
  *   multiple of 4.
+ *   All other structs are frozen: they stay as they are as long as HSP_ABI_NUMBER does. What is added comes as structs
+ *   and functions of their own.
  *
  * OUTPUT ARRAYS
  *   Where a function takes (T *out, uint32_t capacity, uint32_t *needed): *needed is set to the number of records there

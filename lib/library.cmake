@@ -147,11 +147,10 @@ option(HSP_SINGLE_OBJECT "Make the archive of one object with nothing but hsp_* 
   ${HSP_SINGLE_OBJECT_WORKS})
 
 if(BUILD_SHARED_LIBS)
-  # Until version 1.0 any minor version may change the binary interface.
   add_library(hardsphere SHARED $<TARGET_OBJECTS:hardsphere_objects>)
   target_compile_definitions(hardsphere_objects PRIVATE HSP_BUILD_SHARED=1)
   set_target_properties(hardsphere PROPERTIES VERSION ${PROJECT_VERSION}
-    SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+    SOVERSION ${HSP_ABI_NUMBER})
 elseif(HSP_SINGLE_OBJECT)
   set(HSP_OBJECT ${CMAKE_CURRENT_BINARY_DIR}/hardsphere.o)
   add_custom_command(OUTPUT ${HSP_OBJECT}

@@ -25,7 +25,13 @@ module hardsphere
   implicit none
   private :: c_char, c_double, c_f_pointer, c_funptr, c_int8_t, c_int32_t, c_int64_t, c_null_char, c_ptr, c_size_t
 
-  integer(c_int32_t), parameter :: HSP_VERSION_NUMBER = 100_c_int32_t
+  integer(c_int32_t), parameter :: HSP_VERSION_MAJOR = 0_c_int32_t
+  integer(c_int32_t), parameter :: HSP_VERSION_MINOR = 2_c_int32_t
+  integer(c_int32_t), parameter :: HSP_VERSION_PATCH = 0_c_int32_t
+  integer(c_int32_t), parameter :: HSP_VERSION_NUMBER = 200_c_int32_t
+  character(*), parameter :: HSP_VERSION_STRING = '0.2.0'
+  integer(c_int32_t), parameter :: HSP_ABI_NUMBER = 1_c_int32_t
+  integer(c_int32_t), parameter :: HSP_NUMERICS_NUMBER = 1_c_int32_t
 
   integer(c_int32_t), parameter :: HSP_OK = 0_c_int32_t
   integer(c_int32_t), parameter :: HSP_E_ARGUMENT = -1_c_int32_t
@@ -383,6 +389,16 @@ module hardsphere
 
   interface
     function hsp_version() result(version) bind(C, name="hsp_version")
+      import :: c_int32_t
+      integer(c_int32_t) :: version
+    end function
+
+    function hsp_abi() result(version) bind(C, name="hsp_abi")
+      import :: c_int32_t
+      integer(c_int32_t) :: version
+    end function
+
+    function hsp_numerics() result(version) bind(C, name="hsp_numerics")
       import :: c_int32_t
       integer(c_int32_t) :: version
     end function

@@ -1,4 +1,15 @@
-/* hardsphere/version.h: the version of the header and of the library. */
+/* hardsphere/version.h: the versions of the header and of the library, and the rule for comparing them.
+ *
+ * Three numbers, each as a macro of the header and as a function of the library that was linked:
+ *   version    what there is. A larger one has all that a smaller one of the same ABI number has.
+ *   ABI        how a compiled program and the library fit together. It is raised when a function, constant or struct
+ *              that was released changes or goes, and stays when something is added.
+ *   numerics   which bits come out. Two libraries of one numerics version give the same bits for the same calls, on
+ *              every machine; it is raised with the first release in which a last bit of any result may differ.
+ * A program may run with a library if
+ *   hsp_abi() == HSP_ABI_NUMBER && hsp_version() >= HSP_VERSION_NUMBER
+ * and with hsp_numerics() == HSP_NUMERICS_NUMBER, too, it gets the bits that it was tested with. What may change
+ * with which number: capi/abi/README.md. */
 #ifndef HARDSPHERE_VERSION_H
 #define HARDSPHERE_VERSION_H
 
@@ -10,11 +21,28 @@
 extern "C" {
 #endif
 
-/** Version of this header: 10000 * major + 100 * minor + patch. */
-#define HSP_VERSION_NUMBER 100
+#define HSP_VERSION_MAJOR 0        /**< 0 until the interface is frozen */
+#define HSP_VERSION_MINOR 2        /**< raised when something is added, and until 1.0 when something changes */
+#define HSP_VERSION_PATCH 0        /**< raised when only mistakes were mended */
+#define HSP_VERSION_STRING "0.2.0" /**< the three of them */
 
-/** Version of the library that was linked, to be compared with HSP_VERSION_NUMBER. */
+/** Version of this header: 10000 * major + 100 * minor + patch. */
+#define HSP_VERSION_NUMBER (10000 * HSP_VERSION_MAJOR + 100 * HSP_VERSION_MINOR + HSP_VERSION_PATCH)
+
+/** The binary interface that this header describes; the shared library's file name ends with it. */
+#define HSP_ABI_NUMBER 1
+
+/** The bits of the results that the library of this header gives. */
+#define HSP_NUMERICS_NUMBER 1
+
+/** HSP_VERSION_NUMBER of the library that was linked. */
 HSP_API uint32_t hsp_version(void);
+
+/** HSP_ABI_NUMBER of the library that was linked. */
+HSP_API uint32_t hsp_abi(void);
+
+/** HSP_NUMERICS_NUMBER of the library that was linked. */
+HSP_API uint32_t hsp_numerics(void);
 
 #ifdef __cplusplus
 }

@@ -82,6 +82,8 @@ contains
     call check(c_sizeof(energy) == 32, 'size of hsp_energy')
     call check(c_sizeof(derivative) == 48, 'size of hsp_area_derivative')
     call check(hsp_version() == HSP_VERSION_NUMBER, 'version')
+    call check(hsp_abi() == HSP_ABI_NUMBER, 'ABI number')
+    call check(hsp_numerics() == HSP_NUMERICS_NUMBER, 'numerics version')
     text = hsp_status_text(HSP_OK)
     call check(c_associated(text), 'status text')
     call check(hsp_status_message(12345_c_int32_t) == 'unknown status', 'text of an unknown status')

@@ -38,10 +38,8 @@ same signatures "$work/signatures.header" "$work/signatures.module"
 cut -d' ' -f1 "$work/signatures.header" | diff -u --label header --label signatures "$work/functions.header" - || failed=1
 
 # ---- constants: the compilers themselves say what each is worth, as a 32-bit number
-echo "#include \"$header\"" >"$work/header.c"
-"$cc" -std=c99 -E -dM "$work/header.c" | awk '$1 == "#define" && $2 ~ /^HSP_[A-Z0-9_]+$/ && NF > 2 {print $2}' |
-  sort >"$work/constants"
-sed -n 's/.*parameter :: \(HSP_[A-Z0-9_]*\) = .*/\1/p' "$module" | sort >"$work/constants.module"
+bash "$here/../packaging/header_constants.sh" "$header" "$cc" >"$work/constants"
+sed -n 's/.*integer(c_int32_t), parameter :: \(HSP_[A-Z0-9_]*\) = .*/\1/p' "$module" | sort >"$work/constants.module"
 same "names of constants" "$work/constants" "$work/constants.module"
 {
   echo "#include \"$header\""
@@ -50,6 +48,7 @@ same "names of constants" "$work/constants" "$work/constants.module"
   while read -r name; do
     echo "  printf(\"$name %ld\\n\", (long)(int32_t)(uint32_t)(int64_t)($name));"
   done <"$work/constants"
+  echo '  printf("%s\n", HSP_VERSION_STRING);'
   # the size macros, at arguments that tell their coefficients apart
   echo '  printf("model bytes %zu %zu\n", HSP_MODEL_BYTES(0), HSP_MODEL_BYTES(1000));'
   for limits in 0,0,0,0 1000,0,0,0 0,1000,0,0 0,0,1000,0 0,0,0,1000; do
@@ -68,6 +67,7 @@ same "names of constants" "$work/constants" "$work/constants.module"
   while read -r name; do
     echo "  print '(a, 1x, i0)', '$name', $name"
   done <"$work/constants"
+  echo "  print '(a)', HSP_VERSION_STRING"
   echo "  print '(a, i0, 1x, i0)', 'model bytes ', hsp_model_bytes_bound(0), hsp_model_bytes_bound(1000)"
   for limits in 0,0,0,0 1000,0,0,0 0,1000,0,0 0,0,1000,0 0,0,0,1000; do
     echo "  print '(a, i0)', 'boundary bytes ', hsp_boundary_bytes_bound($limits)"
@@ -81,16 +81,7 @@ same "names of constants" "$work/constants" "$work/constants.module"
 same "values of constants and size macros" "$work/values.header" "$work/values.module"
 
 # ---- structs: names and fields in order, one line each
-tr '\n' ' ' <"$work/bare_header" |
-  grep -oE 'typedef struct hsp_[a-z_]+ \{[^}]*\}' |
-  sed -E 's/typedef struct (hsp_[a-z_]+) \{/\1/; s/\}//; s/uint32_t/int32/g; s/int32_t/int32/g; s/int64_t/int64/g; s/[[:space:]]+/ /g' |
-  awk '{n = split($0, part, ";"); split(part[1], first, " ");
-        line = first[1];
-        for (i = 1; i <= n; ++i) { m = split(part[i], word, " "); if (m < 2) continue;
-          type = word[m - 1]; field = word[m]; size = ""; if (match(field, /\[[0-9]+\]/)) {
-            size = substr(field, RSTART + 1, RLENGTH - 2); field = substr(field, 1, RSTART - 1) }
-          line = line " " type ":" field (size == "" ? "" : "(" size ")") }
-        print line}' | sort >"$work/structs.header"
+bash "$here/../packaging/header_structs.sh" "$header" "$cc" | sed -E 's/ uint/ int/g; s/_t:/:/g' >"$work/structs.header"
 awk '/^ *type, bind\(C\) ::/ {line = $NF; inside = 1; next}
      inside && /end type/ {print line; inside = 0}
      inside && /::/ {sub(/!.*/, ""); type = $0 ~ /real\(c_double\)/ ? "double" : $0 ~ /c_int64_t/ ? "int64" : "int32";

@@ -71,6 +71,8 @@ static int call_boundary(computed *c, const buffers *b) {
   double radius;
   int bad = 0;
   bad += hsp_version() != HSP_VERSION_NUMBER;
+  bad += hsp_abi() != HSP_ABI_NUMBER;
+  bad += hsp_numerics() != HSP_NUMERICS_NUMBER;
   bad += hsp_status_text(HSP_OK) == NULL;
   bad += hsp_model_bytes(c->n, &bytes) != HSP_OK;
   bad += hsp_model_init(b->model, b->model_bytes, c->n, &model) != HSP_OK;

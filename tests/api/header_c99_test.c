@@ -5,7 +5,6 @@
 #include <hardsphere.h>
 
 #include "check.h"
-#include "struct_layout.h"
 
 static unsigned char model_memory[HSP_MODEL_BYTES(4)];
 static unsigned char boundary_memory[HSP_BOUNDARY_BYTES(4, 4, 8, 8)];

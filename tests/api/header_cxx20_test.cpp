@@ -1,4 +1,4 @@
-// The header on its own in C++20: included first, with C linkage and the same layout as in C.
+// The header on its own in C++20: included first, with C linkage.
 #include <hardsphere.h>
 // The workspace over malloc is C++ as well.
 #include <hardsphere_workspace.h>
@@ -7,8 +7,6 @@
 
 #include <cstdint>
 #include <type_traits>
-
-#include "support/struct_layout.h"
 
 template <class Record>
 constexpr bool is_plain = std::is_standard_layout_v<Record> &&std::is_trivial_v<Record>;

@@ -54,7 +54,8 @@ case $variant in
     diff -u --label header --label library <(echo "$functions") \
       <(readelf --dyn-syms -W "$library" | awk '$5 ~ /GLOBAL|WEAK/ && $7 != "UND" {print $8}' | sort)
     readelf -d "$library" >"$work/dynamic"
-    grep -qE 'SONAME.*\[libhardsphere\.so\.[0-9]+\.[0-9]+\]' "$work/dynamic" || { echo "no soname" && exit 1; }
+    abi=$(sed -nE 's/^#define HSP_ABI_NUMBER ([0-9]+)$/\1/p' "$source/include/hardsphere/version.h")
+    grep -qF "[libhardsphere.so.$abi]" "$work/dynamic" || { echo "the soname does not end with ABI number $abi" && exit 1; }
     if grep -E 'NEEDED.*(stdc\+\+|libc\+\+)' "$work/dynamic"; then exit 1; fi
     ;;
   plain | lto*)

@@ -13,7 +13,7 @@ int main(void) {
   hsp_boundary *boundary;
   hsp_boundary_limits limits;
   hsp_totals totals;
-  if (hsp_version() != HSP_VERSION_NUMBER) return 2;
+  if (hsp_abi() != HSP_ABI_NUMBER || hsp_version() < HSP_VERSION_NUMBER) return 2;
   if (hsp_boundary_limits_init(&limits, (uint32_t)sizeof limits, 2) != HSP_OK) return 3;
   limits.vertices = 80;
   limits.circles = 20;

@@ -1,0 +1,213 @@
+// Prints a hash of every kind of result for some sets of balls: what capi/abi/numerics.txt keeps.
+//   numerics_record
+// The records are hashed as the bytes that they are, so that the numbers are those of machines that are little-endian.
+#include <hardsphere.h>
+
+#include <cstdint>
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "molecule_file.hpp"
+#include "owned_handle.hpp"
+#include "random_numbers.hpp"
+
+namespace {
+
+using support::all_records;
+using support::expect_ok;
+
+// FNV-1a with 64 bits, by G. Fowler, L. C. Noll and K.-P. Vo.
+class Hash {
+ public:
+  void add(const void *bytes, size_t count) {
+    const auto *byte = static_cast<const unsigned char *>(bytes);
+    for (size_t i = 0; i < count; ++i) value_ = (value_ ^ byte[i]) * UINT64_C(0x100000001B3);
+  }
+  uint64_t value() const { return value_; }
+
+ private:
+  uint64_t value_ = UINT64_C(0xCBF29CE484222325);
+};
+
+template <class Record>
+void print(const std::string &set, const char *what, const std::vector<Record> &records) {
+  Hash hash;
+  hash.add(records.data(), records.size() * sizeof(Record));
+  std::printf("%s %s %zu %016llx\n", set.c_str(), what, records.size(), static_cast<unsigned long long>(hash.value()));
+}
+
+template <class Record>
+void print_one(const std::string &set, const char *what, const Record &record) {
+  print(set, what, std::vector<Record>{record});
+}
+
+void print_model(const std::string &set, const hsp_model *model, uint32_t n) {
+  hsp_model_info info;
+  expect_ok(hsp_model_get_info(model, &info), "hsp_model_get_info");
+  print_one(set, "model", info);
+  std::vector<uint32_t> neighbours;
+  for (uint32_t ball = 0; ball < n; ++ball) {
+    const auto ids = all_records<uint32_t>(
+        [&](uint32_t *out, uint32_t capacity, uint32_t *needed) {
+          return hsp_query_neighbours(model, ball, out, capacity, needed);
+        },
+        "hsp_query_neighbours");
+    neighbours.insert(neighbours.end(), ids.begin(), ids.end());
+  }
+  print(set, "neighbours", neighbours);
+}
+
+template <class Record, class Handle>
+void print_all(const std::string &set, const char *what, const Handle *handle,
+               int32_t (*getter)(const Handle *, Record *, uint32_t, uint32_t *)) {
+  print(set, what,
+        all_records<Record>(
+            [&](Record *out, uint32_t capacity, uint32_t *needed) { return getter(handle, out, capacity, needed); },
+            what));
+}
+
+void print_measures(const std::string &set, const hsp_boundary *boundary, uint32_t n) {
+  hsp_totals totals;
+  std::vector<double> area(n), volume(n);
+  expect_ok(hsp_boundary_measure(boundary, nullptr, &totals, area.data(), volume.data(), n, nullptr),
+            "hsp_boundary_measure");
+  print_one(set, "totals", totals);
+  print(set, "areas", area);
+  print(set, "volumes", volume);
+
+  hsp_boundary_counts counts;
+  expect_ok(hsp_boundary_get_counts(boundary, &counts), "hsp_boundary_get_counts");
+  std::vector<double> face_area(counts.faces), face_volume(counts.faces);
+  expect_ok(hsp_boundary_measure_faces(boundary, face_area.data(), face_volume.data(), counts.faces, nullptr),
+            "hsp_boundary_measure_faces");
+  print(set, "face_areas", face_area);
+  print(set, "face_volumes", face_volume);
+
+  hsp_energy energy;
+  std::vector<double> centre(3 * size_t{n}), radius(n);
+  expect_ok(hsp_boundary_gradient(boundary, nullptr, 0.75, 0.25, HSP_TANGENT_OVERLAP, &energy, centre.data(),
+                                  radius.data(), nullptr, n, nullptr, nullptr),
+            "hsp_boundary_gradient");
+  print_one(set, "energy", energy);
+  print(set, "gradient_centres", centre);
+  print(set, "gradient_radii", radius);
+
+  std::vector<hsp_area_derivative> rows;
+  for (uint32_t ball = 0; ball < n; ++ball) {
+    const auto row = all_records<hsp_area_derivative>(
+        [&](hsp_area_derivative *out, uint32_t capacity, uint32_t *needed) {
+          return hsp_boundary_get_area_row(boundary, ball, HSP_TANGENT_OVERLAP, out, capacity, needed);
+        },
+        "hsp_boundary_get_area_row");
+    rows.insert(rows.end(), row.begin(), row.end());
+  }
+  print(set, "area_rows", rows);
+}
+
+int32_t take_bytes(void *hash, const char *bytes, size_t count) {
+  static_cast<Hash *>(hash)->add(bytes, count);
+  return 0;
+}
+
+void print_views(const std::string &set, const hsp_model *model, const hsp_boundary *boundary, uint32_t n) {
+  for (const uint32_t pieces : {HSP_PIECES_OUTSIDE_FARTHER, HSP_PIECES_OUTSIDE_ALL}) {
+    const std::string kind = set + (pieces == HSP_PIECES_OUTSIDE_ALL ? " h" : " g");
+    hsp_view_options options;
+    expect_ok(hsp_view_options_init(&options, sizeof options), "hsp_view_options_init");
+    expect_ok(hsp_view_options_turn(&options, 30.0, -20.0, 10.5), "hsp_view_options_turn");
+    options.pieces = pieces;
+    support::OwnedView view;
+    view.take(support::default_view_limits(n));
+    view.compute([&](hsp_view *handle, hsp_view_limits *limits) {
+      return hsp_view_compute(handle, model, boundary, &options, limits);
+    });
+    hsp_view_info info;
+    expect_ok(hsp_view_get_info(view.get(), &info), "hsp_view_get_info");
+    print_one(kind, "view", info);
+    print_all(kind, "view_pieces", static_cast<const hsp_view *>(view.get()), hsp_view_get_pieces);
+    print_all(kind, "view_arcs", static_cast<const hsp_view *>(view.get()), hsp_view_get_arcs);
+    for (const uint32_t format : {HSP_FORMAT_SVG, HSP_FORMAT_EPS, HSP_FORMAT_PDF}) {
+      hsp_picture_options look;
+      expect_ok(hsp_picture_options_init(&look, sizeof look), "hsp_picture_options_init");
+      look.format = format;
+      look.style = HSP_STYLE_SOFT;
+      Hash hash;
+      uint64_t bytes = 0;
+      expect_ok(hsp_picture_write(view.get(), nullptr, &look, nullptr, nullptr, take_bytes, &hash, &bytes),
+                "hsp_picture_write");
+      std::printf("%s picture_%u %llu %016llx\n", kind.c_str(), format, static_cast<unsigned long long>(bytes),
+                  static_cast<unsigned long long>(hash.value()));
+    }
+  }
+}
+
+void print_set(const std::string &name, const support::BallList &balls, double probe) {
+  const std::string set = name + (probe > 0.0 ? " probe" : " bare");
+  const auto n = static_cast<uint32_t>(balls.size());
+  hsp_model_options options;
+  expect_ok(hsp_model_options_init(&options, sizeof options), "hsp_model_options_init");
+  options.probe = probe;
+  support::OwnedModel model(n);
+  expect_ok(model.set(balls, &options), "hsp_model_set");
+  print_model(set, model.get(), n);
+
+  support::OwnedBoundary owner;
+  owner.take(support::default_boundary_limits(n));
+  owner.compute([&](hsp_boundary *handle, hsp_boundary_limits *limits) {
+    return hsp_boundary_compute(handle, model.get(), limits);
+  });
+  const hsp_boundary *boundary = owner.get();
+  hsp_boundary_counts counts;
+  expect_ok(hsp_boundary_get_counts(boundary, &counts), "hsp_boundary_get_counts");
+  print_one(set, "counts", counts);
+  print_all(set, "vertices", boundary, hsp_boundary_get_vertices);
+  print_all(set, "arcs", boundary, hsp_boundary_get_arcs);
+  print_all(set, "circles", boundary, hsp_boundary_get_circles);
+  print_all(set, "faces", boundary, hsp_boundary_get_faces);
+  print_all(set, "loop_arcs", boundary, hsp_boundary_get_loop_arcs);
+  print_all(set, "balls", boundary, hsp_boundary_get_balls);
+  print_measures(set, boundary, n);
+
+  support::OwnedTopology topology;
+  topology.take(support::topology_limits_for(boundary));
+  topology.compute([&](hsp_topology *handle, hsp_topology_limits *limits) {
+    return hsp_topology_compute(handle, boundary, limits);
+  });
+  print_all(set, "shells", static_cast<const hsp_topology *>(topology.get()), hsp_topology_get_shells);
+  print_all(set, "cells", static_cast<const hsp_topology *>(topology.get()), hsp_topology_get_cells);
+  print_views(set, model.get(), boundary, n);
+}
+
+// Balls on whole coordinates, so that many spheres go through one point and many touch: the perturbation decides.
+support::BallList lattice_balls() {
+  support::BallList balls;
+  support::Random random(1);
+  for (int i = 0; i < 120; ++i) {
+    const double x = random.below(7);
+    const double y = random.below(7);
+    const double z = random.below(7);
+    balls.add(x, y, z, 1.0 + random.below(3) / 2.0);
+  }
+  return balls;
+}
+
+}  // namespace
+
+int main() {
+  try {
+    for (const double probe : {0.0, 1.4}) {
+      for (const char *molecule : {"caffeine.pdb", "crambin.pdb", "sod_stand_in.pdb"}) {
+        const auto atoms = support::read_atoms(support::own_molecule(molecule));
+        print_set(std::string(molecule).substr(0, std::string(molecule).find('.')),
+                  support::with_radii(atoms, support::Radii::metals_as_sulfur), probe);
+      }
+      print_set("lattice", lattice_balls(), probe > 0.0 ? 0.5 : 0.0);
+    }
+  } catch (const std::exception &error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+  return 0;
+}
