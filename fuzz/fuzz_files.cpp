@@ -44,7 +44,9 @@ Reading read(const std::string &text, const char *extension) {
   failure why;
   std::memset(&why, 0, sizeof why);
   Reading reading;
-  reading.done = read_molecule(path.c_str(), &table, &atoms, &why);
+  molecule_format format = FORMAT_XYZR;
+  FUZZ_REQUIRE(molecule_format_of(path.c_str(), &format, &why), "extension");
+  reading.done = read_molecule(path.c_str(), format, &table, &atoms, &why);
   reading.exit_status = why.exit_status;
   reading.reason = why.reason;
   reading.line = why.line;

@@ -4,6 +4,7 @@
 
 #include "number.h"
 #include "option_reader.h"
+#include "output_file.h"
 #include "read_molecule.h"
 
 struct reading {
@@ -118,6 +119,16 @@ static bool take_query(struct reading *reading, enum query_kind kind) {
   return true;
 }
 
+static bool take_format(struct reading *reading, const char *value) {
+  if (!option_value(&reading->options, "--format", &value, "xyzr, pdb, pqr or xyz")) return false;
+  if (reading->request->format_given) return failure_in_usage(reading->failure, "--format is given twice");
+  reading->request->format_given = molecule_format_named(value, &reading->request->format);
+  if (reading->request->format_given) return true;
+  char shown[EXCERPT_BYTES];
+  return failure_in_usage(reading->failure, "--format: '%s' is not xyzr, pdb, pqr or xyz",
+                          excerpt(shown, value, strlen(value)));
+}
+
 /* An option with the name of a file. */
 static bool take_path(struct reading *reading, const char *option, const char *value, const char **path) {
   if (value == NULL) value = option_next(&reading->options);
@@ -180,6 +191,7 @@ static bool take_argument(struct reading *reading, const char *argument) {
     request->json = true;
     return true;
   }
+  if (option_is(argument, "--format", &value)) return take_format(reading, value);
   if (option_is(argument, "--probe", &value)) return take_probe(reading, value);
   if (option_is(argument, "--radii", &value)) return take_radii(reading, value);
   if (option_is(argument, "--radius", &value)) return take_radius(reading, value);
@@ -216,12 +228,38 @@ static bool check_measure(struct reading *reading) {
   if (request->by != GROUPING_NONE && !format_has_residues(request->format)) {
     return failure_in_usage(reading->failure, "--by has no use here: .xyzr and .xyz files have no residues");
   }
-  if (request->pdb_out == NULL) return true;
-  if (request->format != FORMAT_PDB) {
+  if (request->pdb_out != NULL && request->format != FORMAT_PDB) {
     return failure_in_usage(reading->failure, "--pdb-out has no use here: it writes a .pdb file again");
   }
-  if (strcmp(request->pdb_out, request->file) == 0) {
-    return failure_in_usage(reading->failure, "--pdb-out would write over the file that is read");
+  return true;
+}
+
+/* The format of what is read: what the user says, or what its name says. */
+static bool find_format(struct reading *reading) {
+  struct request *request = reading->request;
+  if (request->format_given) return true;
+  if (!input_is_standard(request->file)) {
+    return molecule_format_of(request->file, &request->format, reading->failure);
+  }
+  return failure_in_usage(reading->failure, "standard input has no extension: --format says what it is");
+}
+
+/* Nothing that is read is written over, and standard streams serve for one thing. */
+static bool check_files(struct reading *reading) {
+  const struct request *request = reading->request;
+  const bool draws = request->command == COMMAND_DRAW;
+  const char *option = draws ? "-o" : "--pdb-out";
+  const char *out = draws ? request->drawing.out : request->pdb_out;
+  if (request->weights != NULL && input_is_standard(request->file) && input_is_standard(request->weights)) {
+    return failure_in_usage(reading->failure, "standard input is either the molecule or its weights");
+  }
+  if (out == NULL) return true;
+  if (output_is_input(out, request->file) || (request->weights != NULL && output_is_input(out, request->weights))) {
+    return failure_in_usage(reading->failure, "%s would write over the file that is read", option);
+  }
+  if (output_is_standard(out) && (request->json || request->csv)) {
+    return failure_in_usage(reading->failure, "%s and %s would both go to standard output", option,
+                            request->json ? "--json" : "--csv");
   }
   return true;
 }
@@ -232,13 +270,14 @@ static bool check(struct reading *reading) {
   if (request->command == COMMAND_QUERY && request->query == QUERY_NONE) {
     return failure_in_usage(reading->failure, "query needs --point X Y Z or --ball X Y Z R");
   }
-  if (!molecule_format_of(request->file, &request->format, reading->failure)) return false;
+  if (!find_format(reading)) return false;
   if (format_has_radii(request->format) && (reading->radii_seen || reading->radius_seen)) {
     return failure_in_usage(reading->failure, "%s has no use here: .xyzr and .pqr files bring their own radii",
                             reading->radii_seen ? "--radii" : "--radius");
   }
   if (!check_measure(reading)) return false;
   if (request->command == COMMAND_DRAW && !drawing_check(&request->drawing, reading->failure)) return false;
+  if (!check_files(reading)) return false;
   return apply_overrides(reading);
 }
 

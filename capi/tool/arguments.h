@@ -21,7 +21,8 @@ enum query_kind { QUERY_NONE, QUERY_POINT, QUERY_BALL };
 /* What a user asks for. */
 struct request {
   enum command command;
-  const char *file;
+  const char *file; /* "-": standard input */
+  bool format_given;
   enum molecule_format format;
   bool json;
   bool csv;

@@ -6,7 +6,9 @@
 #include <string.h>
 
 #include "commands.h"
+#include "line_reader.h"
 #include "occlusion.h"
+#include "output_file.h"
 #include "picture_file.h"
 #include "progress.h"
 #include "report.h"
@@ -127,7 +129,7 @@ static bool write_picture(const struct request *request, const struct molecule *
   char towards[DIRECTION_BYTES];
   snprintf(description, sizeof description, "%" PRIu32 " balls, seen from %s", molecule->atoms,
            direction_text(towards, drawn->view.towards));
-  const char *title = request->drawing.title != NULL ? request->drawing.title : base_name(request->file);
+  const char *title = request->drawing.title != NULL ? request->drawing.title : base_name(input_name(request->file));
   const struct picture picture = {colour, drawn->options, title, description};
   progress_show(progress, "writing");
   return picture_file_write(geometry->work.view, &picture, request->drawing.out, progress, &drawn->bytes, failure);
@@ -187,7 +189,11 @@ bool command_draw(const struct request *request, const struct molecule *molecule
   const struct progress progress = progress_begin(molecule->atoms);
   const bool done = draw(request, molecule, geometry, &progress, &drawn, failure);
   progress_end(&progress);
-  if (done && request->json) print_json(molecule, &drawn, out);
-  if (done && !request->json) print_table(request, molecule, &drawn, out);
+  if (!done || output_is_standard(request->drawing.out)) return done;
+  if (request->json) {
+    print_json(molecule, &drawn, out);
+  } else {
+    print_table(request, molecule, &drawn, out);
+  }
   return done;
 }

@@ -5,6 +5,7 @@
 #include "commands.h"
 #include "group_table.h"
 #include "measurement.h"
+#include "output_file.h"
 #include "pdb_output.h"
 #include "report.h"
 
@@ -77,7 +78,8 @@ bool command_measure(const struct request *request, const struct molecule *molec
   if (done && request->by != GROUPING_NONE) {
     done = atom_groups_make(molecule, request->by, measurement.area, &groups, failure);
   }
-  if (done) print(request, molecule, &measurement, &groups, out);
+  const bool written_only = request->pdb_out != NULL && output_is_standard(request->pdb_out);
+  if (done && !written_only) print(request, molecule, &measurement, &groups, out);
   if (done && request->pdb_out != NULL) {
     done = pdb_output_write(request->file, molecule, measurement.area, request->pdb_out, failure);
   }

@@ -7,6 +7,7 @@
 #include "fields.h"
 #include "hardsphere.h"
 #include "number.h"
+#include "output_file.h"
 
 enum { FORMATS = 3, STYLES = 3, PALETTES = 3, UNITS = 2, PIECES = 2 };
 
@@ -16,6 +17,7 @@ static const char *const palette_names[PALETTES] = {"soft", "jmol", "chain"};
 static const char *const unit_names[UNITS] = {"px", "mm"};
 static const char *const piece_names[PIECES] = {"g", "h"};
 static const char *const format_names[FORMATS] = {"SVG", "EPS", "PDF"};
+static const char *const picture_names[FORMATS] = {"svg", "eps", "pdf"};
 
 /* Above MOST_SOFT_BALLS shading of single balls tells less than it costs in bytes. What tells something about molecules
  * of that size is how deep their balls lie, but above MOST_OCCLUDED_BALLS finding out takes longer than drawing. */
@@ -50,6 +52,7 @@ static const struct choice_option choice_options[] = {
     {"--style", offsetof(struct drawing, style), style_names, STYLES, "flat, headlight or soft"},
     {"--palette", offsetof(struct drawing, palette), palette_names, PALETTES, "soft, jmol or chain"},
     {"--unit", offsetof(struct drawing, unit), unit_names, UNITS, "px or mm"},
+    {"--picture", offsetof(struct drawing, format), picture_names, FORMATS, "svg, eps or pdf"},
     {"--pieces", offsetof(struct drawing, pieces), piece_names, PIECES, "g or h"},
 };
 
@@ -172,7 +175,10 @@ bool drawing_take_option(struct drawing *drawing, struct option_reader *reader, 
   if (option_is(argument, "--title", &value)) {
     return take_text(reader, "--title", value, "a text", &drawing->title);
   }
-  if (strcmp(argument, "-o") == 0) return take_text(reader, "-o", NULL, "a file", &drawing->out);
+  if (option_is(argument, "--output", &value)) return take_text(reader, "--output", value, "a file", &drawing->out);
+  if (strncmp(argument, "-o", 2) == 0 && argument[2] != '=') { /* -o OUT and -oOUT */
+    return take_text(reader, "-o", argument[2] == '\0' ? NULL : argument + 2, "a file", &drawing->out);
+  }
   if (strcmp(argument, "--all-balls") == 0) {
     drawing->all_balls = true;
     return true;
@@ -181,18 +187,22 @@ bool drawing_take_option(struct drawing *drawing, struct option_reader *reader, 
   return true;
 }
 
+/* The format that --picture asks for, or the name; SVG for what goes to standard output. */
 static bool find_format(struct drawing *drawing) {
+  if (drawing->format >= 0) return true;
   const char *slash = strrchr(drawing->out, '/');
   const char *dot = strrchr(slash == NULL ? drawing->out : slash + 1, '.');
-  if (dot == NULL) return false;
-  const struct field extension = {dot + 1, strlen(dot + 1)};
+  const char *end = dot == NULL ? "" : dot + 1;
+  const struct field extension = {end, strlen(end)};
   for (int i = 0; i < FORMATS; ++i) {
     if (field_is(extension, format_names[i])) {
       drawing->format = i;
       return true;
     }
   }
-  return false;
+  if (!output_is_standard(drawing->out)) return false;
+  drawing->format = (int)HSP_FORMAT_SVG;
+  return true;
 }
 
 bool drawing_check(struct drawing *drawing, struct failure *failure) {

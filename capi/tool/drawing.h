@@ -21,7 +21,7 @@ struct drawing {
   struct drawing_vector view;   /* towards the viewer */
   struct drawing_vector rotate; /* degrees */
   struct drawing_vector up;
-  int format; /* by the extension of out: drawing_check sets it */
+  int format; /* where the user has not said, drawing_check sets it by the extension of out */
   int style;
   int palette;
   int unit;
@@ -38,10 +38,10 @@ struct drawing {
 
 #define DRAWING_NO_BACKGROUND 0x1000000
 
-#define DRAWING_DEFAULT                                                                                    \
-  {                                                                                                        \
-    .style = -1, .palette = -1, .unit = -1, .pieces = -1, .background = -1, .width = -1.0, .height = -1.0, \
-    .outline = -1.0, .fog = -1.0, .margin = -1.0, .occlusion = -1.0                                        \
+#define DRAWING_DEFAULT                                                                                  \
+  {                                                                                                      \
+    .format = -1, .style = -1, .palette = -1, .unit = -1, .pieces = -1, .background = -1, .width = -1.0, \
+    .height = -1.0, .outline = -1.0, .fog = -1.0, .margin = -1.0, .occlusion = -1.0                      \
   }
 
 /* Take the argument if it is an option of `draw`, and its value from the reader; *known tells whether it is one. */

@@ -1,8 +1,19 @@
+#define _POSIX_C_SOURCE 200112L /* dup2, fileno */
+
 #include "line_reader.h"
 
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
+
+bool input_is_standard(const char *path) {
+  return strcmp(path, "-") == 0;
+}
+
+const char *input_name(const char *path) {
+  return input_is_standard(path) ? "standard input" : path;
+}
 
 bool line_reader_open(struct line_reader *reader, const char *path, struct failure *failure) {
   reader->text = NULL;
@@ -13,12 +24,39 @@ bool line_reader_open(struct line_reader *reader, const char *path, struct failu
   reader->capacity = 0;
   reader->next = 0;
   reader->filled = 0;
+  if (input_is_standard(path)) {
+    reader->file = stdin;
+    return true;
+  }
   errno = 0;
   reader->file = fopen(path, "rb");
   if (reader->file == NULL) {
     return failure_in_input(failure, 0, "%s", errno != 0 ? strerror(errno) : "cannot be opened");
   }
   return true;
+}
+
+/* Copy the rest of standard input into a file. False with errno. */
+static bool copy_standard_input(FILE *copy) {
+  char bytes[4096];
+  for (;;) {
+    const size_t got = fread(bytes, 1, sizeof bytes, stdin);
+    if (got == 0) return !ferror(stdin) && fflush(copy) == 0;
+    if (fwrite(bytes, 1, got, copy) != got) return false;
+  }
+}
+
+bool line_reader_keep_standard_input(struct failure *failure) {
+  errno = 0;
+  FILE *copy = tmpfile();
+  const bool kept = copy != NULL && copy_standard_input(copy) && dup2(fileno(copy), STDIN_FILENO) == STDIN_FILENO;
+  if (!kept) {
+    failure->file = input_name("-");
+    failure_in_input(failure, 0, "%s", errno != 0 ? strerror(errno) : "cannot be kept to be read again");
+  }
+  if (copy != NULL) fclose(copy);
+  rewind(stdin);
+  return kept;
 }
 
 /* Fill the chunk anew if it is used up. LINE_END: the file has ended. */
@@ -105,6 +143,6 @@ enum line_status line_reader_next(struct line_reader *reader, struct failure *fa
 void line_reader_close(struct line_reader *reader) {
   free(reader->text);
   reader->text = NULL;
-  if (reader->file != NULL) fclose(reader->file);
+  if (reader->file != NULL && reader->file != stdin) fclose(reader->file);
   reader->file = NULL;
 }

@@ -17,15 +17,25 @@ struct line_reader {
   const char *ending; /* what ended it: "\n", "\r\n", "\r", or "" at the end of the file */
   bool marked;        /* a byte-order mark was dropped from it */
   uint64_t number;    /* its number, counted from 1; 0 before the first line */
-  FILE *file;
-  size_t capacity; /* of text */
-  size_t next;     /* first byte of the chunk that was not looked at */
-  size_t filled;   /* bytes in the chunk */
+  FILE *file;         /* closed by line_reader_close unless it is standard input */
+  size_t capacity;    /* of text */
+  size_t next;        /* first byte of the chunk that was not looked at */
+  size_t filled;      /* bytes in the chunk */
   unsigned char chunk[LINE_READER_CHUNK];
 };
 
-/* Open a file; false with the system's reason if that cannot be done. */
+/* Whether the name of an input stands for standard input: "-". */
+bool input_is_standard(const char *path);
+
+/* What a person calls an input: its name, or "standard input". */
+const char *input_name(const char *path);
+
+/* Open a file, or standard input; false with the system's reason if that cannot be done. */
 bool line_reader_open(struct line_reader *reader, const char *path, struct failure *failure);
+
+/* Put what is left of standard input into a file without a name and read that from now on, so that rewind(stdin) begins
+ * anew, even if it was a pipe. */
+bool line_reader_keep_standard_input(struct failure *failure);
 
 enum line_status { LINE_READ, LINE_END, LINE_FAILED };
 

@@ -6,6 +6,7 @@
 #include "commands.h"
 #include "failure.h"
 #include "geometry.h"
+#include "line_reader.h"
 #include "read_molecule.h"
 #include "text_buffer.h"
 #include "usage.h"
@@ -34,7 +35,9 @@ static command_function *function_of(enum command command) {
 static bool run_command(const struct request *request, struct text_buffer *out, struct failure *failure) {
   struct molecule molecule;
   struct geometry geometry = {.work = {0}};
-  const bool done = read_molecule(request->file, &request->radii, &molecule, failure) &&
+  const bool again = request->pdb_out != NULL && input_is_standard(request->file);
+  if (again && !line_reader_keep_standard_input(failure)) return false;
+  const bool done = read_molecule(request->file, request->format, &request->radii, &molecule, failure) &&
                     geometry_set_model(&geometry, &molecule, request->probe, failure) &&
                     function_of(request->command)(request, &molecule, &geometry, out, failure);
   geometry_free(&geometry);

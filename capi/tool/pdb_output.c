@@ -1,12 +1,12 @@
 #include "pdb_output.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "characters.h"
 #include "line_reader.h"
+#include "output_file.h"
 #include "pdb_records.h"
 #include "text_buffer.h"
 
@@ -98,6 +98,7 @@ static bool take_line(struct copying *copying) {
 }
 
 static bool copy(struct copying *copying, const char *from) {
+  if (input_is_standard(from)) rewind(stdin);
   if (!line_reader_open(copying->reader, from, copying->failure)) return false;
   enum line_status status = LINE_READ;
   while (status == LINE_READ && !copying->end_seen) {
@@ -114,16 +115,10 @@ static bool copy(struct copying *copying, const char *from) {
 }
 
 static bool write_file(const struct text_buffer *text, const char *path, struct failure *failure) {
-  failure->file = path;
-  errno = 0;
-  FILE *file = fopen(path, "wb");
-  if (file == NULL) return failure_in_input(failure, 0, "%s", errno != 0 ? strerror(errno) : "cannot be opened");
-  bool written = text->length == 0 || fwrite(text->text, 1, text->length, file) == text->length;
-  written = fflush(file) == 0 && written;
-  const int reason = errno;
-  if (fclose(file) == 0 && written) return true;
-  return failure_in_input(failure, 0, "%s; the file is incomplete",
-                          reason != 0 ? strerror(reason) : "cannot be written");
+  struct output_file file;
+  if (!output_file_open(&file, path, failure)) return false;
+  output_file_write(&file, text->text, text->length);
+  return output_file_finish(&file, failure);
 }
 
 bool pdb_output_write(const char *from, const struct molecule *molecule, const double *area, const char *to,
@@ -132,7 +127,7 @@ bool pdb_output_write(const char *from, const struct molecule *molecule, const d
   if (reader == NULL) return failure_of_memory(failure);
   const char *file_before = failure->file;
   struct copying copying = {reader, molecule, area, 0, false, false, false, false, TEXT_BUFFER_EMPTY, failure};
-  failure->file = from;
+  failure->file = input_name(from);
   const bool done = copy(&copying, from) && write_file(&copying.out, to, failure);
   if (done) failure->file = file_before;
   text_buffer_free(&copying.out);

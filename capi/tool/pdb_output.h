@@ -7,7 +7,7 @@
 #include "failure.h"
 #include "molecule.h"
 
-/* Read the molecule's file `from` again and write it to `to`:
+/* Read the molecule's file `from` again and write it to `to` (output_file.h):
  *   1. Of an atom record of the molecule columns 61-66 become its area, and all else stays byte for byte, line ends
  *      included; lines that end earlier are filled up with blanks. The area has two decimals, and fewer where it would
  *      be wider than its columns: from 999.995 on one, from 9999.95 on none. From 999999.5 on it is refused.
@@ -15,7 +15,8 @@
  *      alternate locations, and all models but the first.
  *   3. Other lines are copied as they are. Once the first model is over, these are the CONECT and MASTER records and
  *      the first END.
- * False, with `to` named, if that file cannot be written in full; it says so if a part of it stands there. */
+ * False, with `to` named, if that file cannot be written in full. Standard input can be read again after
+ * line_reader_keep_standard_input. */
 bool pdb_output_write(const char *from, const struct molecule *molecule, const double *area, const char *to,
                       struct failure *failure);
 

@@ -16,8 +16,8 @@ struct picture {
   const char *description;
 };
 
-/* Write the picture to the file `path`; *bytes becomes its size. False, with the file named, if it cannot be written in
- * full; then no file of that name is left. */
+/* Write the picture to the file `path` (output_file.h); *bytes becomes its size. False, with the file named, if it
+ * cannot be written in full. */
 bool picture_file_write(hsp_view *view, const struct picture *picture, const char *path,
                         const struct progress *progress, uint64_t *bytes, struct failure *failure);
 

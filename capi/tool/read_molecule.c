@@ -3,31 +3,31 @@
 #include <stdlib.h>
 #include <string.h>
 
-bool molecule_format_of(const char *path, enum molecule_format *format, struct failure *failure) {
-  const char *slash = strrchr(path, '/');
-  const char *name = slash == NULL ? path : slash + 1;
-  const char *dot = strrchr(name, '.');
-  if (dot != NULL) {
-    const struct field extension = {dot + 1, strlen(dot + 1)};
-    static const char *const names[] = {"XYZR", "PDB", "PQR", "XYZ"};
-    static const enum molecule_format formats[] = {FORMAT_XYZR, FORMAT_PDB, FORMAT_PQR, FORMAT_XYZ};
-    for (size_t i = 0; i < sizeof formats / sizeof formats[0]; ++i) {
-      if (field_is(extension, names[i])) {
-        *format = formats[i];
-        return true;
-      }
+bool molecule_format_named(const char *name, enum molecule_format *format) {
+  const struct field written = {name, strlen(name)};
+  static const char *const names[] = {"XYZR", "PDB", "PQR", "XYZ"};
+  static const enum molecule_format formats[] = {FORMAT_XYZR, FORMAT_PDB, FORMAT_PQR, FORMAT_XYZ};
+  for (size_t i = 0; i < sizeof formats / sizeof formats[0]; ++i) {
+    if (field_is(written, names[i])) {
+      *format = formats[i];
+      return true;
     }
   }
+  return false;
+}
+
+bool molecule_format_of(const char *path, enum molecule_format *format, struct failure *failure) {
+  const char *slash = strrchr(path, '/');
+  const char *dot = strrchr(slash == NULL ? path : slash + 1, '.');
+  if (dot != NULL && molecule_format_named(dot + 1, format)) return true;
   failure->file = path;
   return failure_in_input(failure, 0, "unknown extension; expected .xyzr, .pdb, .pqr or .xyz");
 }
 
-bool read_molecule(const char *path, const struct radii *radii, struct molecule *molecule, struct failure *failure) {
-  enum molecule_format format = FORMAT_XYZR;
-  const bool known = molecule_format_of(path, &format, failure);
+bool read_molecule(const char *path, enum molecule_format format, const struct radii *radii, struct molecule *molecule,
+                   struct failure *failure) {
   molecule_init(molecule, format);
-  if (!known) return false;
-  failure->file = path;
+  failure->file = input_name(path);
   struct line_reader *reader = malloc(sizeof *reader);
   if (reader == NULL) return failure_of_memory(failure);
   bool done = line_reader_open(reader, path, failure);

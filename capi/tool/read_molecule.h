@@ -1,4 +1,4 @@
-/* From a file to a molecule. The extension of the name tells the format:
+/* From a file to a molecule. The extension of the name tells the format, unless the user does:
  *   .xyzr  x y z r          .pdb  fixed columns          .pqr  PDB records with charge and radius          .xyz */
 #ifndef HARDSPHERE_TOOL_READ_MOLECULE_H
 #define HARDSPHERE_TOOL_READ_MOLECULE_H
@@ -10,12 +10,17 @@
 #include "molecule.h"
 #include "radii.h"
 
-/* The format that a file name's extension asks for, in any case of its letters; false if it is none of the four. */
+/* The format of that name, its extension without the dot in any case of its letters; false if there is none. */
+bool molecule_format_named(const char *name, enum molecule_format *format);
+
+/* The format that a file name's extension asks for; false if there is none. */
 bool molecule_format_of(const char *path, enum molecule_format *format, struct failure *failure);
 
-/* Read the first model of a file into a molecule that was not initialised; free it with molecule_free on true and on
- * false. Radii count only for formats without radii. Every file is either read in full or refused. */
-bool read_molecule(const char *path, const struct radii *radii, struct molecule *molecule, struct failure *failure);
+/* Read the first model of a file (line_reader_open) into a molecule that was not initialised; free it with
+ * molecule_free on true and on false. Radii count only for formats without radii. Every file is either read in full or
+ * refused. */
+bool read_molecule(const char *path, enum molecule_format format, const struct radii *radii, struct molecule *molecule,
+                   struct failure *failure);
 
 /* One reader per format, from the first line on. */
 bool read_xyzr(struct line_reader *reader, struct molecule *molecule, struct failure *failure);

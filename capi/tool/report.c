@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "characters.h"
+#include "line_reader.h"
 #include "residues.h"
 
 void report_row(struct text_buffer *out, const char *name, const char *value, const char *remark) {
@@ -68,7 +69,7 @@ static void report_probe(struct text_buffer *out, const struct request *request)
 
 void report_heading(struct text_buffer *out, const struct request *request, const struct molecule *molecule) {
   const size_t begin = out->length;
-  text_buffer_add(out, "%s\n", request->file);
+  text_buffer_add(out, "%s\n", input_name(request->file));
   for (size_t i = begin; i + 1 < out->length; ++i) {
     if ((unsigned char)out->text[i] < 0x20 || out->text[i] == 0x7F) out->text[i] = '?';
   }

@@ -16,16 +16,23 @@ static const char overview[] =
     "\n";
 
 static const char files_and_radii[] =
-    "FILE is .xyzr (x y z r on each line, in any unit), .pdb, .pqr or .xyz (in angstrom).\n"
+    "FILE is .xyzr (x y z r on each line, in any unit), .pdb, .pqr or .xyz (in angstrom); - is standard input.\n"
     "The first model and the first alternate location of each atom are read, ATOM and HETATM alike.\n"
     "\n"
     "Options, before or after FILE:\n"
+    "  --format xyzr|pdb|pqr|xyz\n"
+    "                         what FILE is, whatever its extension\n"
     "  --radii bondi|chem3d   radii by element, for .pdb and .xyz; bondi is the default\n"
     "  --radius EL=R,...      add or replace radii of single elements\n"
     "  --probe P              add P to every radius: 1.4 angstrom for water; default 0\n"
     "  --json                 print JSON instead of a table\n";
 
 static const char statuses[] =
+    "\n"
+    "A file that is written replaces the old one at the end; if anything goes wrong, the old one stays as it is. What "
+    "is\n"
+    "read is never written over. Where the name of a file to write is -, standard output has the file and nothing "
+    "else.\n"
     "\n"
     "Exit status: 0 success, 1 bad input, 2 bad usage; then one line on stderr says why, and stdout stays empty.\n";
 
@@ -95,6 +102,8 @@ static const char draw_text[] =
     "hardsphere draw FILE -o OUT [options]\n"
     "\n"
     "Draws the balls with hidden parts removed, as true arcs: OUT is .svg, .eps or .pdf.\n"
+    "  -o OUT, --output OUT   the file to write\n"
+    "  --picture svg|eps|pdf  what OUT is; default by its extension, and svg if it is -\n"
     "  --view X,Y,Z           the direction towards the viewer; default 0,0,1\n"
     "  --up X,Y,Z             the direction that appears upwards; default, and if it is that of the view, 0,1,0,\n"
     "                         or 0,0,1 if that is the view's\n"
@@ -120,7 +129,7 @@ static const char draw_text[] =
     "  --title TEXT           the title in the file; default the name of FILE\n"
     "  --pieces g|h           cut balls by farther ones, or by all others, which leaves seams; default g\n"
     "  --all-balls            paint hidden balls too\n"
-    "The same input gives the same bytes. If the picture cannot be written in full, no file is left.\n"
+    "The same input gives the same bytes.\n"
     "JSON: n, pieces, arcs, bytes, style, width, height; pieces is how many balls are painted, arcs how many parts of\n"
     "circles and ellipses bound them, bytes the size of OUT; width and height are in the given unit.\n"
     "\n";

@@ -34,7 +34,7 @@ static bool read_lines(struct line_reader *reader, uint32_t count, double *weigh
 
 bool weights_read(const char *path, uint32_t count, double **weights, struct failure *failure) {
   const char *file_before = failure->file;
-  failure->file = path;
+  failure->file = input_name(path);
   struct line_reader *reader = malloc(sizeof *reader);
   *weights = malloc(((size_t)count + 1) * sizeof **weights);
   bool done = reader != NULL && *weights != NULL;

@@ -1,6 +1,7 @@
 #include "program_runner.hpp"
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -88,12 +89,54 @@ class Terminal {
   _exit(127);
 }
 
-int run_child(const std::string &program, const std::vector<std::string> &arguments, int out, int err) {
-  const pid_t child = fork();
-  if (child == 0) become(program, arguments, out, err);
+int status_of(pid_t child) {
   int state = 0;
   if (child <= 0 || waitpid(child, &state, 0) != child) return -1;
   return WIFEXITED(state) ? WEXITSTATUS(state) : 128 + WTERMSIG(state);
+}
+
+int run_child(const std::string &program, const std::vector<std::string> &arguments, int out, int err) {
+  const pid_t child = fork();
+  if (child == 0) become(program, arguments, out, err);
+  return status_of(child);
+}
+
+// In a child: give standard input the bytes of a file through a pipe that another child fills.
+bool pipe_in(const std::string &path) {
+  int ends[2];
+  if (pipe(ends) != 0) return false;
+  const pid_t filler = fork();
+  if (filler == 0) {
+    const std::string text = read_file(path);
+    size_t at = 0;
+    while (at < text.size()) {
+      const ssize_t put = write(ends[1], text.data() + at, text.size() - at);
+      if (put <= 0) break;
+      at += static_cast<size_t>(put);
+    }
+    _exit(0);
+  }
+  return filler > 0 && dup2(ends[0], STDIN_FILENO) >= 0 && close(ends[0]) == 0 && close(ends[1]) == 0;
+}
+
+// In a child: make its surroundings what they are to be.
+bool settle(const Surroundings &surroundings) {
+  if (!surroundings.in_path.empty()) {
+    if (surroundings.in_is_pipe) {
+      if (!pipe_in(surroundings.in_path)) return false;
+    } else {
+      const int in = open(surroundings.in_path.c_str(), O_RDONLY);
+      if (in < 0 || dup2(in, STDIN_FILENO) < 0) return false;
+    }
+  }
+  if (surroundings.most_file_bytes >= 0) {
+    const rlim_t most = static_cast<rlim_t>(surroundings.most_file_bytes);
+    const struct rlimit limit = {most, most};
+    if (setrlimit(RLIMIT_FSIZE, &limit) != 0) return false;
+  }
+  if (surroundings.before) surroundings.before();
+  const uid_t nobody = 65534;
+  return !surroundings.as_nobody || geteuid() != 0 || (setgid(nobody) == 0 && setuid(nobody) == 0);
 }
 
 std::optional<Outcome> run_watched(const std::string &program, const std::vector<std::string> &arguments) {
@@ -109,17 +152,36 @@ std::optional<Outcome> run_watched(const std::string &program, const std::vector
 
 }  // namespace
 
-Outcome run_program(const std::vector<std::string> &arguments, const std::string &out_path) {
+Outcome run_program_in(const Surroundings &surroundings, const std::vector<std::string> &arguments) {
   const Capture out;
   const Capture err;
   int out_descriptor = out.descriptor();
-  if (!out_path.empty()) out_descriptor = open(out_path.c_str(), O_WRONLY | O_CLOEXEC);
+  if (!surroundings.out_path.empty()) out_descriptor = open(surroundings.out_path.c_str(), O_WRONLY | O_CLOEXEC);
   Outcome outcome;
-  outcome.status = run_child(HSP_PROGRAM, arguments, out_descriptor, err.descriptor());
-  if (!out_path.empty() && out_descriptor >= 0) close(out_descriptor);
+  const pid_t child = fork();
+  if (child == 0) {
+    if (!settle(surroundings)) _exit(126);
+    become(HSP_PROGRAM, arguments, out_descriptor, err.descriptor());
+  }
+  outcome.status = status_of(child);
+  if (!surroundings.out_path.empty() && out_descriptor >= 0) close(out_descriptor);
   outcome.out = out.text();
   outcome.err = err.text();
   return outcome;
+}
+
+Outcome run_program(const std::vector<std::string> &arguments, const std::string &out_path) {
+  Surroundings surroundings;
+  surroundings.out_path = out_path;
+  return run_program_in(surroundings, arguments);
+}
+
+int start_program(const std::vector<std::string> &arguments) {
+  const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+  const pid_t child = fork();
+  if (child == 0) become(HSP_PROGRAM, arguments, nowhere, nowhere);
+  close(nowhere);
+  return child;
 }
 
 Outcome run_example(const std::string &name, const std::vector<std::string> &arguments) {

@@ -1,6 +1,7 @@
 // Runs the program and the examples as a shell would, and keeps what they print.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,7 +16,22 @@ struct Outcome {
 // there instead of into Outcome::out.
 Outcome run_program(const std::vector<std::string> &arguments, const std::string &out_path = "");
 
-// The same with a terminal for its stderr; nothing if the system has none to give.
+// What a run finds around it, beside its arguments.
+struct Surroundings {
+  std::string in_path;           // standard input; none of its own if empty
+  bool in_is_pipe = false;       // whether that is given to it as a pipe
+  std::string out_path;          // standard output; Outcome::out if empty
+  long most_file_bytes = -1;     // the size that no file may exceed; -1: any
+  bool as_nobody = false;        // as a user without any rights, if the test may choose
+  std::function<void()> before;  // what else happens in its process before it begins
+};
+
+Outcome run_program_in(const Surroundings &surroundings, const std::vector<std::string> &arguments);
+
+// Begin to run the program; its process, whose end is somebody else's to wait for. What it prints is lost.
+int start_program(const std::vector<std::string> &arguments);
+
+// The same as run_program with a terminal for its stderr; nothing if the system has none to give.
 std::optional<Outcome> run_program_watched(const std::vector<std::string> &arguments);
 
 // Run an example of capi/examples in the same folder. Watched: as above.
