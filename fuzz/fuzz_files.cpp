@@ -46,7 +46,7 @@ Reading read(const std::string &text, const char *extension) {
   Reading reading;
   molecule_format format = FORMAT_XYZR;
   FUZZ_REQUIRE(molecule_format_of(path.c_str(), &format, &why), "extension");
-  reading.done = read_molecule(path.c_str(), format, &table, &atoms, &why);
+  reading.done = read_molecule(path.c_str(), format, 1, &atoms, &why) && molecule_take_radii(&atoms, &table, &why);
   reading.exit_status = why.exit_status;
   reading.reason = why.reason;
   reading.line = why.line;

@@ -13,6 +13,7 @@ struct reading {
   bool probe_seen;
   bool radii_seen;
   bool radius_seen;
+  bool model_seen;
   struct failure *failure;
 };
 
@@ -173,6 +174,38 @@ static bool take_measure_option(struct reading *reading, const char *argument, b
   return true;
 }
 
+/* The options that say which atoms are read; *known tells whether it is one of them. */
+static bool take_selection_option(struct reading *reading, const char *argument, bool *known) {
+  struct selection *selection = &reading->request->selection;
+  static const char *const flags[][2] = {
+      {"--no-water", "water"}, {"--no-hetatm", "hetatm"}, {"--no-hydrogens", "hydrogen"}};
+  static const char *const options[] = {"--only", "--hide"};
+  const char *value = NULL;
+  *known = true;
+  for (size_t i = 0; i < sizeof flags / sizeof flags[0]; ++i) {
+    if (strcmp(argument, flags[i][0]) == 0) {
+      return selection_add(selection, flags[i][0], flags[i][1], true, reading->failure);
+    }
+  }
+  for (int i = 0; i < 2; ++i) {
+    if (!option_is(argument, options[i], &value)) continue;
+    return option_value(&reading->options, options[i], &value, "atoms, for instance chain:A,B or residue:HOH") &&
+           selection_add(selection, options[i], value, i == 1, reading->failure);
+  }
+  if (option_is(argument, "--model", &value)) {
+    if (!option_value(&reading->options, "--model", &value, "the number of a model, from 1 on")) return false;
+    if (reading->model_seen) return failure_in_usage(reading->failure, "--model is given twice");
+    reading->model_seen = true;
+    uint64_t *model = &reading->request->model;
+    if (number_parse_count(value, strlen(value), model) == NUMBER_OK && *model > 0) return true;
+    char shown[EXCERPT_BYTES];
+    return failure_in_usage(reading->failure, "--model: '%s' is not the number of a model, from 1 on",
+                            excerpt(shown, value, strlen(value)));
+  }
+  *known = false;
+  return true;
+}
+
 static bool take_file(struct reading *reading, const char *argument) {
   if (reading->request->file != NULL) {
     char shown[EXCERPT_BYTES];
@@ -195,13 +228,14 @@ static bool take_argument(struct reading *reading, const char *argument) {
   if (option_is(argument, "--probe", &value)) return take_probe(reading, value);
   if (option_is(argument, "--radii", &value)) return take_radii(reading, value);
   if (option_is(argument, "--radius", &value)) return take_radius(reading, value);
+  bool known = false;
+  if (!take_selection_option(reading, argument, &known)) return false;
+  if (known) return true;
   if (request->command == COMMAND_MEASURE) {
-    bool known = false;
     if (!take_measure_option(reading, argument, &known)) return false;
     if (known) return true;
   }
   if (request->command == COMMAND_DRAW) {
-    bool known = false;
     if (!drawing_take_option(&request->drawing, &reading->options, argument, &known)) return false;
     if (known) return true;
   }
@@ -275,6 +309,7 @@ static bool check(struct reading *reading) {
     return failure_in_usage(reading->failure, "%s has no use here: .xyzr and .pqr files bring their own radii",
                             reading->radii_seen ? "--radii" : "--radius");
   }
+  if (!selection_suits(&request->selection, request->format, reading->failure)) return false;
   if (!check_measure(reading)) return false;
   if (request->command == COMMAND_DRAW && !drawing_check(&request->drawing, reading->failure)) return false;
   if (!check_files(reading)) return false;
@@ -285,9 +320,11 @@ bool request_parse(struct request *request, enum command command, int count, cha
                    struct failure *failure) {
   memset(request, 0, sizeof *request);
   request->command = command;
+  request->model = 1;
+  request->selection = (struct selection)SELECTION_EVERYTHING;
   request->set = &radii_bondi;
   request->drawing = (struct drawing)DRAWING_DEFAULT;
-  struct reading reading = {request, {arguments, count, failure}, false, false, false, failure};
+  struct reading reading = {request, {arguments, count, failure}, false, false, false, false, failure};
   bool options_end = false;
   for (;;) {
     const char *argument = option_next(&reading.options);
@@ -310,4 +347,5 @@ bool request_wants_areas(const struct request *request) {
 
 void request_free(struct request *request) {
   text_buffer_free(&request->overrides);
+  selection_free(&request->selection);
 }

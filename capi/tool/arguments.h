@@ -9,6 +9,7 @@
 #include "molecule.h"
 #include "radii.h"
 #include "residues.h"
+#include "selection.h"
 #include "text_buffer.h"
 
 enum command { COMMAND_MODEL, COMMAND_BOUNDARY, COMMAND_MEASURE, COMMAND_QUERY, COMMAND_VOIDS, COMMAND_DRAW };
@@ -33,6 +34,8 @@ struct request {
   const char *weights; /* a file, or NULL */
   const char *pdb_out; /* a file, or NULL */
   double probe;        /* 0 if none was given */
+  uint64_t model;      /* counted from 1 */
+  struct selection selection;
   enum query_kind query;
   double position[3];
   double query_radius;

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "commands.h"
+#include "input_report.h"
 #include "report.h"
 
 /* The pieces of spheres are counted as the boundary has them; what hangs together is the topology's matter. */
@@ -42,7 +43,8 @@ static void json_shells(const struct counted *counted, struct text_buffer *out) 
   text_buffer_add(out, "]");
 }
 
-static void print_json(const struct request *request, const struct counted *counted, struct text_buffer *out) {
+static void print_json(const struct request *request, const struct molecule *molecule, const struct counted *counted,
+                       struct text_buffer *out) {
   const hsp_boundary_counts *counts = &counted->boundary;
   text_buffer_add(out, "{\"n\": %" PRIu32 ", \"vertices\": %" PRIu32 ", \"arcs\": %" PRIu32 ", \"circles\": %" PRIu32,
                   counts->balls, counts->vertices, counts->arcs, counts->circles);
@@ -51,6 +53,7 @@ static void print_json(const struct request *request, const struct counted *coun
   text_buffer_add(out, ", \"components\": %" PRIu32 ", \"voids\": %" PRIu32 ", \"euler\": %" PRId64,
                   counted->topology.components, voids_of(counted), euler_of(counted));
   if (request->shells) json_shells(counted, out);
+  input_report_json(out, request, molecule);
   text_buffer_add(out, "}\n");
 }
 
@@ -104,7 +107,7 @@ bool command_boundary(const struct request *request, const struct molecule *mole
   if (status != HSP_OK) return failure_in_library(failure, status);
   if (!geometry_list_shells(geometry, &counted.shells, &counted.shell_count, failure)) return false;
   if (request->json) {
-    print_json(request, &counted, out);
+    print_json(request, molecule, &counted, out);
   } else {
     print_table(request, molecule, &counted, out);
   }

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "commands.h"
+#include "input_report.h"
 #include "line_reader.h"
 #include "occlusion.h"
 #include "output_file.h"
@@ -154,13 +155,15 @@ static bool draw(const struct request *request, const struct molecule *molecule,
   return done;
 }
 
-static void print_json(const struct molecule *molecule, const struct drawn *drawn, struct text_buffer *out) {
+static void print_json(const struct request *request, const struct molecule *molecule, const struct drawn *drawn,
+                       struct text_buffer *out) {
   text_buffer_add(out, "{\"n\": %" PRIu32 ", \"pieces\": %" PRIu32 ", \"arcs\": %" PRIu32 ", \"bytes\": %" PRIu64,
                   molecule->atoms, drawn->view.pieces, drawn->view.arcs, drawn->bytes);
   text_buffer_add(out, ", \"style\": \"%s\", \"width\": ", drawing_style_name(drawn->options.style));
   json_number(out, drawn->width);
   text_buffer_add(out, ", \"height\": ");
   json_number(out, drawn->height);
+  input_report_json(out, request, molecule);
   text_buffer_add(out, "}\n");
 }
 
@@ -191,7 +194,7 @@ bool command_draw(const struct request *request, const struct molecule *molecule
   progress_end(&progress);
   if (!done || output_is_standard(request->drawing.out)) return done;
   if (request->json) {
-    print_json(molecule, &drawn, out);
+    print_json(request, molecule, &drawn, out);
   } else {
     print_table(request, molecule, &drawn, out);
   }

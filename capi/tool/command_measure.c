@@ -4,6 +4,7 @@
 #include "ball_table.h"
 #include "commands.h"
 #include "group_table.h"
+#include "input_report.h"
 #include "measurement.h"
 #include "output_file.h"
 #include "pdb_output.h"
@@ -31,6 +32,7 @@ static void print_json(const struct request *request, const struct molecule *mol
     text_buffer_add(out, request->by == GROUPING_RESIDUE ? ", \"residues\": " : ", \"chains\": ");
     group_table_json(molecule, groups, out);
   }
+  input_report_json(out, request, molecule);
   text_buffer_add(out, "}\n");
 }
 
@@ -52,7 +54,6 @@ static void print_tables(const struct request *request, const struct molecule *m
     report_row_count(out, "touching balls", measurement->one_sided,
                      "their derivatives are one-sided: as if touching balls overlapped");
   }
-  if (molecule->atoms == 0) return;
   if (request_wants_balls(request)) ball_table_print(request, molecule, measurement, out);
   if (request->by != GROUPING_NONE) group_table_print(molecule, groups, out);
 }

@@ -3,28 +3,31 @@
 #include <math.h>
 
 #include "commands.h"
+#include "input_report.h"
 #include "report.h"
 
-static bool has_k(const struct molecule *molecule, const hsp_packing *figures) {
-  return molecule->atoms > 0 && (figures->flags & HSP_PACKING_ZERO_RADIUS) == 0;
+static bool has_k(const hsp_packing *figures) {
+  return (figures->flags & HSP_PACKING_ZERO_RADIUS) == 0;
 }
 
 static bool has_rho(const hsp_packing *figures) {
   return (figures->flags & HSP_PACKING_NO_PAIR) == 0;
 }
 
-static void print_json(const struct molecule *molecule, const hsp_packing *figures, struct text_buffer *out) {
+static void print_json(const struct request *request, const struct molecule *molecule, const hsp_packing *figures,
+                       struct text_buffer *out) {
   text_buffer_add(out, "{\"n\": %" PRIu32 ", \"k\": ", molecule->atoms);
-  json_number(out, has_k(molecule, figures) ? figures->k : (double)NAN);
+  json_number(out, has_k(figures) ? figures->k : (double)NAN);
   text_buffer_add(out, ", \"rho\": ");
   json_number(out, has_rho(figures) ? figures->rho : (double)NAN);
   text_buffer_add(out, ", \"max_overlaps\": %" PRIu32 ", \"mean_overlaps\": ", figures->max_overlaps);
   json_number(out, figures->mean_overlaps);
+  input_report_json(out, request, molecule);
   text_buffer_add(out, "}\n");
 }
 
 static void print_verdict(const struct molecule *molecule, const hsp_packing *figures, struct text_buffer *out) {
-  if (figures->flags == 0 && molecule->atoms > 0) {
+  if (figures->flags == 0) {
     char bound[NUMBER_BYTES];
     text_buffer_add(out, "Theorem 2.1 holds with these figures: no ball meets more than 216 (k/rho)^3 = %s others.\n",
                     grouped_number(bound, floor(figures->neighbour_bound), 0));
@@ -56,8 +59,7 @@ static void print_table(const struct request *request, const struct molecule *mo
                         struct text_buffer *out) {
   char value[NUMBER_BYTES];
   report_heading(out, request, molecule);
-  report_row(out, "k", has_k(molecule, figures) ? grouped_number(value, figures->k, 4) : "-",
-             "largest radius / smallest radius");
+  report_row(out, "k", has_k(figures) ? grouped_number(value, figures->k, 4) : "-", "largest radius / smallest radius");
   report_row(out, "rho", has_rho(figures) ? grouped_number(value, figures->rho, 4) : "-",
              "least of: distance of two centres / larger of their radii");
   report_row_count(out, "max overlaps", figures->max_overlaps, "most balls that one ball overlaps");
@@ -72,7 +74,7 @@ bool command_model(const struct request *request, const struct molecule *molecul
   const int32_t status = hsp_model_get_packing(geometry->work.model, &figures);
   if (status != HSP_OK) return failure_in_library(failure, status);
   if (request->json) {
-    print_json(molecule, &figures, out);
+    print_json(request, molecule, &figures, out);
   } else {
     print_table(request, molecule, &figures, out);
   }

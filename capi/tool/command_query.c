@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "commands.h"
+#include "input_report.h"
 #include "report.h"
 
 static int32_t ask(const struct request *request, const hsp_model *model, uint32_t *ids, uint32_t capacity,
@@ -12,10 +13,13 @@ static int32_t ask(const struct request *request, const hsp_model *model, uint32
   return hsp_query_ball(model, request->position, request->query_radius, ids, capacity, needed);
 }
 
-static void print_json(const uint32_t *ids, uint32_t count, struct text_buffer *out) {
+static void print_json(const struct request *request, const struct molecule *molecule, const uint32_t *ids,
+                       uint32_t count, struct text_buffer *out) {
   text_buffer_add(out, "{\"hits\": [");
   for (uint32_t i = 0; i < count; ++i) text_buffer_add(out, "%s%" PRIu32, i == 0 ? "" : ", ", ids[i]);
-  text_buffer_add(out, "]}\n");
+  text_buffer_add(out, "]");
+  input_report_json(out, request, molecule);
+  text_buffer_add(out, "}\n");
 }
 
 static double distance(const double *a, const double *b) {
@@ -60,7 +64,7 @@ bool command_query(const struct request *request, const struct molecule *molecul
   } else if (status != HSP_OK) {
     failure_in_library(failure, status);
   } else if (request->json) {
-    print_json(ids, count, out);
+    print_json(request, molecule, ids, count, out);
   } else {
     print_table(request, molecule, ids, count, out);
   }

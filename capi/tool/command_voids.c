@@ -2,10 +2,12 @@
 #include <inttypes.h>
 
 #include "commands.h"
+#include "input_report.h"
 #include "report.h"
 #include "void_list.h"
 
-static void print_json(const struct molecule *molecule, const struct void_list *list, struct text_buffer *out) {
+static void print_json(const struct request *request, const struct molecule *molecule, const struct void_list *list,
+                       struct text_buffer *out) {
   text_buffer_add(out, "{\"n\": %" PRIu32 ", \"voids\": [", molecule->atoms);
   for (uint32_t i = 0; i < list->count; ++i) {
     const struct void_cell *of = &list->voids[i];
@@ -19,7 +21,9 @@ static void print_json(const struct molecule *molecule, const struct void_list *
     }
     text_buffer_add(out, "]}");
   }
-  text_buffer_add(out, "]}\n");
+  text_buffer_add(out, "]");
+  input_report_json(out, request, molecule);
+  text_buffer_add(out, "}\n");
 }
 
 static void print_void(const struct molecule *molecule, struct ball_columns columns, const struct void_cell *of,
@@ -53,7 +57,7 @@ bool command_voids(const struct request *request, const struct molecule *molecul
   if (!geometry_compute_topology(geometry, failure)) return false;
   struct void_list list;
   const bool done = void_list_make(geometry, &list, failure);
-  if (done && request->json) print_json(molecule, &list, out);
+  if (done && request->json) print_json(request, molecule, &list, out);
   if (done && !request->json) print_table(request, molecule, &list, out);
   void_list_free(&list);
   return done;

@@ -183,6 +183,10 @@ bool drawing_take_option(struct drawing *drawing, struct option_reader *reader, 
     drawing->all_balls = true;
     return true;
   }
+  if (strcmp(argument, "--water") == 0) {
+    drawing->water = true;
+    return true;
+  }
   *known = false;
   return true;
 }

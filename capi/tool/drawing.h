@@ -34,6 +34,7 @@ struct drawing {
   double margin;
   double occlusion;
   bool all_balls;
+  bool water; /* is drawn, and not left out */
 };
 
 #define DRAWING_NO_BACKGROUND 0x1000000

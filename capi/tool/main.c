@@ -32,12 +32,20 @@ static command_function *function_of(enum command command) {
   return command_model;
 }
 
+/* Choose among the atoms of a file, and give them radii. */
+static bool prepare(const struct request *request, struct molecule *molecule, struct failure *failure) {
+  if (!selection_apply(&request->selection, molecule, failure)) return false;
+  if (request->command == COMMAND_DRAW && !request->drawing.water) selection_hide_water(molecule);
+  return molecule_take_radii(molecule, &request->radii, failure);
+}
+
 static bool run_command(const struct request *request, struct text_buffer *out, struct failure *failure) {
   struct molecule molecule;
   struct geometry geometry = {.work = {0}};
   const bool again = request->pdb_out != NULL && input_is_standard(request->file);
   if (again && !line_reader_keep_standard_input(failure)) return false;
-  const bool done = read_molecule(request->file, request->format, &request->radii, &molecule, failure) &&
+  const bool done = read_molecule(request->file, request->format, request->model, &molecule, failure) &&
+                    prepare(request, &molecule, failure) &&
                     geometry_set_model(&geometry, &molecule, request->probe, failure) &&
                     function_of(request->command)(request, &molecule, &geometry, out, failure);
   geometry_free(&geometry);

@@ -1,18 +1,16 @@
 #include "molecule.h"
 
+#include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "hardsphere.h"
+#include "text_buffer.h"
 
-void molecule_init(struct molecule *molecule, enum molecule_format format) {
+void molecule_init(struct molecule *molecule, enum molecule_format format, uint64_t model) {
+  memset(molecule, 0, sizeof *molecule);
   molecule->format = format;
-  molecule->atoms = 0;
-  molecule->capacity = 0;
-  molecule->xyz = NULL;
-  molecule->radius = NULL;
-  molecule->line = NULL;
-  molecule->label = NULL;
+  molecule->model = model;
 }
 
 static bool grow(struct molecule *molecule) {
@@ -45,18 +43,68 @@ bool molecule_add(struct molecule *molecule, const double xyz[3], double radius,
   return true;
 }
 
-bool molecule_add_element(struct molecule *molecule, const double xyz[3], const struct radii *radii,
-                          const struct atom_label *label, uint64_t line, struct failure *failure) {
-  double radius;
-  if (radii_find(radii, label->element, &radius)) {
-    return molecule_add(molecule, xyz, radius, label, line, failure);
+/* Elements without a radius, each with its first line and its atoms. */
+struct missing {
+  struct element_symbol element;
+  uint64_t line;
+  uint32_t atoms;
+};
+
+enum { MOST_MISSING = 8 }; /* as many as one line of text has room for */
+
+static bool report_missing(const struct missing *missing, size_t count, bool more, struct failure *failure) {
+  struct text_buffer list = TEXT_BUFFER_EMPTY;
+  struct text_buffer options = TEXT_BUFFER_EMPTY;
+  for (size_t i = 0; i < count; ++i) {
+    const struct missing *of = &missing[i];
+    const char *unknown = element_symbol_exists(of->element) ? "" : "unknown element ";
+    text_buffer_add(&list, "%s%s'%s' (%" PRIu32 " atom%s)", i == 0 ? "" : ", ", unknown, of->element.text, of->atoms,
+                    of->atoms == 1 ? "" : "s");
+    text_buffer_add(&options, "%s%s=R", i == 0 ? "" : ",", of->element.text);
   }
-  if (!element_symbol_exists(label->element)) {
-    return failure_in_input(failure, line, "unknown element '%s'; give it a radius with --radius %s=R",
-                            label->element.text, label->element.text);
+  if (list.out_of_memory || options.out_of_memory) {
+    failure_of_memory(failure);
+  } else {
+    failure_in_input(failure, missing[0].line, "no radius for %s%s; give %s with --radius %s", list.text,
+                     more ? " and more" : "", count == 1 ? "one" : "them", options.text);
   }
-  return failure_in_input(failure, line, "element '%s' has no radius in this set; give it one with --radius %s=R",
-                          label->element.text, label->element.text);
+  text_buffer_free(&list);
+  text_buffer_free(&options);
+  return false;
+}
+
+bool molecule_take_radii(struct molecule *molecule, const struct radii *radii, struct failure *failure) {
+  if (format_has_radii(molecule->format)) return true;
+  struct missing missing[MOST_MISSING];
+  size_t count = 0;
+  bool more = false;
+  for (uint32_t i = 0; i < molecule->atoms; ++i) {
+    const struct element_symbol element = molecule->label[i].element;
+    if (radii_find(radii, element, &molecule->radius[i])) continue;
+    size_t at = 0;
+    while (at < count && strcmp(missing[at].element.text, element.text) != 0) ++at;
+    if (at == MOST_MISSING) {
+      more = true;
+      continue;
+    }
+    if (at == count) missing[count++] = (struct missing){element, molecule->line[i], 0};
+    ++missing[at].atoms;
+  }
+  return count == 0 || report_missing(missing, count, more, failure);
+}
+
+bool atom_is_water(const struct atom_label *label) {
+  static const char *const names[] = {"HOH",  "WAT", "H2O", "DOD", "D2O", "SOL", "TIP", "TIP2", "TIP3", "TIP4",
+                                      "TIP5", "TP3", "TP4", "TP5", "T3P", "T4P", "T5P", "SPC",  "SPCE", "OPC"};
+  const struct field name = {label->residue.name, strlen(label->residue.name)};
+  for (size_t i = 0; i < sizeof names / sizeof names[0]; ++i) {
+    if (field_is(name, names[i])) return true;
+  }
+  return false;
+}
+
+bool atom_is_hydrogen(const struct atom_label *label) {
+  return strcmp(label->element.text, "H") == 0;
 }
 
 void molecule_free(struct molecule *molecule) {
@@ -64,7 +112,7 @@ void molecule_free(struct molecule *molecule) {
   free(molecule->radius);
   free(molecule->line);
   free(molecule->label);
-  molecule_init(molecule, molecule->format);
+  molecule_init(molecule, molecule->format, molecule->model);
 }
 
 void label_copy(char *out, size_t room, struct field text) {
@@ -77,8 +125,17 @@ bool format_has_radii(enum molecule_format format) {
   return format == FORMAT_XYZR || format == FORMAT_PQR;
 }
 
+bool format_has_elements(enum molecule_format format) {
+  return format == FORMAT_PDB || format == FORMAT_XYZ;
+}
+
 bool format_has_residues(enum molecule_format format) {
   return format == FORMAT_PDB || format == FORMAT_PQR;
+}
+
+const char *format_name(enum molecule_format format) {
+  static const char *const names[] = {"xyzr", "pdb", "pqr", "xyz"};
+  return names[format];
 }
 
 const char *format_unit(enum molecule_format format) {

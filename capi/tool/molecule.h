@@ -25,14 +25,22 @@ struct atom_label {
   char name[8];
   struct residue_label residue;
   struct element_symbol element;
+  bool hetatm; /* the file says that it belongs to no chain: to a ligand, an ion, water */
 };
 
-#define ATOM_LABEL_NONE     \
-  {                         \
-    "", {"", "", "", ""}, { \
-      ""                    \
-    }                       \
-  }
+#define ATOM_LABEL_NONE \
+  { "", {"", "", "", ""}, {""}, false }
+
+/* What a file holds beside the atoms that became balls, in atoms unless it says otherwise. */
+struct left_out {
+  uint64_t other_models;
+  uint64_t alternate_locations;
+  /* By the user's choice; each atom counts once: */
+  uint64_t water;
+  uint64_t hetatm; /* other than water */
+  uint64_t hydrogen;
+  uint64_t others;
+};
 
 struct molecule {
   enum molecule_format format;
@@ -42,17 +50,26 @@ struct molecule {
   double *radius;           /* [atoms] */
   uint64_t *line;           /* [atoms], the line that an atom was read from */
   struct atom_label *label; /* [atoms] */
+  uint64_t model;           /* which model was read, counted from 1 */
+  uint64_t models;          /* how many the file has */
+  struct left_out left_out;
 };
 
-void molecule_init(struct molecule *molecule, enum molecule_format format);
+/* Prepare for reading one model of a file, counted from 1. */
+void molecule_init(struct molecule *molecule, enum molecule_format format, uint64_t model);
 
 /* Append an atom. False when memory is short or the library could not take so many. */
 bool molecule_add(struct molecule *molecule, const double xyz[3], double radius, const struct atom_label *label,
                   uint64_t line, struct failure *failure);
 
-/* Append an atom whose radius follows from its element; an element without one is refused by name. */
-bool molecule_add_element(struct molecule *molecule, const double xyz[3], const struct radii *radii,
-                          const struct atom_label *label, uint64_t line, struct failure *failure);
+/* Take the radius of every atom from its element, unless the format brings radii. Elements without one are refused,
+ * all of them in one line. */
+bool molecule_take_radii(struct molecule *molecule, const struct radii *radii, struct failure *failure);
+
+/* Whether the atom belongs to a water molecule, by the names that residues of water go by. */
+bool atom_is_water(const struct atom_label *label);
+
+bool atom_is_hydrogen(const struct atom_label *label);
 
 void molecule_free(struct molecule *molecule);
 
@@ -62,8 +79,14 @@ void label_copy(char *out, size_t room, struct field text);
 /* Whether a format's files bring their own radii. */
 bool format_has_radii(enum molecule_format format);
 
+/* Whether a format's files name elements. */
+bool format_has_elements(enum molecule_format format);
+
 /* Whether a format's files say to which residue an atom belongs. */
 bool format_has_residues(enum molecule_format format);
+
+/* What people call the format: "pdb". */
+const char *format_name(enum molecule_format format);
 
 /* The unit of length of a format's files: "angstrom", or "unit" where everybody has their own. */
 const char *format_unit(enum molecule_format format);

@@ -28,10 +28,9 @@ struct copying {
   struct line_reader *reader;
   const struct molecule *molecule;
   const double *area;
-  uint32_t next;   /* atom of the molecule that comes next */
-  bool model_seen; /* the first model has begun */
-  bool model_over; /* and has ended */
-  bool left_out;   /* the last atom record was */
+  uint32_t next; /* atom of the molecule that comes next */
+  struct pdb_models models;
+  bool left_out; /* the last atom record was */
   bool end_seen;
   struct text_buffer out;
   struct failure *failure;
@@ -80,19 +79,20 @@ static bool take_line(struct copying *copying) {
   const struct molecule *molecule = copying->molecule;
   const struct line_reader *reader = copying->reader;
   const enum pdb_record record = pdb_record_of(reader->text, reader->length);
-  if (record == PDB_MODEL) {
-    copying->model_over = copying->model_over || copying->model_seen;
-    copying->model_seen = true;
-  }
-  if (copying->model_over) {
+  const bool was_open = copying->models.open;
+  pdb_models_step(&copying->models, record);
+  const uint64_t model = copying->models.count;
+  const bool closes = was_open && record == PDB_END;
+  if (model > molecule->model || (model == molecule->model && !copying->models.open && !closes)) {
     take_line_after_model(copying, record);
+  } else if (model > 0 && model < molecule->model) {
+    copying->left_out = true;
   } else if (record == PDB_ATOM) {
     copying->left_out = copying->next == molecule->atoms || molecule->line[copying->next] != reader->number;
     return copying->left_out || write_atom(copying);
   } else if (!copying->left_out || !belongs_to_an_atom(reader)) {
     copy_line(copying);
-    copying->model_over = record == PDB_END;
-    copying->end_seen = record == PDB_END && !begins_with(reader, "ENDMDL");
+    copying->end_seen = closes && !begins_with(reader, "ENDMDL");
   }
   return true;
 }
@@ -126,7 +126,7 @@ bool pdb_output_write(const char *from, const struct molecule *molecule, const d
   struct line_reader *reader = malloc(sizeof *reader);
   if (reader == NULL) return failure_of_memory(failure);
   const char *file_before = failure->file;
-  struct copying copying = {reader, molecule, area, 0, false, false, false, false, TEXT_BUFFER_EMPTY, failure};
+  struct copying copying = {reader, molecule, area, 0, {0, false}, false, false, TEXT_BUFFER_EMPTY, failure};
   failure->file = input_name(from);
   const bool done = copy(&copying, from) && write_file(&copying.out, to, failure);
   if (done) failure->file = file_before;

@@ -12,9 +12,9 @@
  *      included; lines that end earlier are filled up with blanks. The area has two decimals, and fewer where it would
  *      be wider than its columns: from 999.995 on one, from 9999.95 on none. From 999999.5 on it is refused.
  *   2. Atoms that do not belong to the molecule are left out, with their ANISOU, SIGATM and SIGUIJ records: other
- *      alternate locations, and all models but the first.
- *   3. Other lines are copied as they are. Once the first model is over, these are the CONECT and MASTER records and
- *      the first END.
+ *      alternate locations, what the selection leaves out, and all models but the molecule's, with all their lines.
+ *   3. Other lines are copied as they are. Once the molecule's model is over, these are the CONECT and MASTER records
+ *      and the first END.
  * False, with `to` named, if that file cannot be written in full. Standard input can be read again after
  * line_reader_keep_standard_input. */
 bool pdb_output_write(const char *from, const struct molecule *molecule, const double *area, const char *to,

@@ -43,36 +43,38 @@ enum pdb_record pdb_record_of(const char *line, size_t length) {
   return PDB_ALIEN;
 }
 
-enum line_status pdb_next_atom(struct line_reader *reader, bool *record_seen, bool *model_seen,
-                               struct failure *failure) {
+bool pdb_record_is_hetatm(const char *line) {
+  while (is_blank(*line)) ++line;
+  return to_upper(*line) == 'H';
+}
+
+void pdb_models_step(struct pdb_models *models, enum pdb_record record) {
+  if (record == PDB_END) {
+    models->open = false;
+  } else if (record == PDB_MODEL || (record == PDB_ATOM && !models->open)) {
+    ++models->count;
+    models->open = true;
+  }
+}
+
+enum line_status pdb_next_atom(struct line_reader *reader, struct molecule *molecule, struct pdb_models *models,
+                               bool *record_seen, struct failure *failure) {
   bool alien_seen = false;
   for (;;) {
     const enum line_status status = line_reader_next(reader, failure);
     if (status == LINE_FAILED) return LINE_FAILED;
     if (status == LINE_END) {
+      molecule->models = models->count;
       if (*record_seen || !alien_seen) return LINE_END;
       failure_in_input(failure, 0, "no PDB record in the file");
       return LINE_FAILED;
     }
-    switch (pdb_record_of(reader->text, reader->length)) {
-      case PDB_ATOM:
-        *record_seen = true;
-        return LINE_READ;
-      case PDB_MODEL:
-        *record_seen = true;
-        if (*model_seen) return LINE_END;
-        *model_seen = true;
-        break;
-      case PDB_END:
-        return LINE_END;
-      case PDB_OTHER:
-        *record_seen = true;
-        break;
-      case PDB_BLANK:
-        break;
-      case PDB_ALIEN:
-        alien_seen = true;
-        break;
-    }
+    const enum pdb_record record = pdb_record_of(reader->text, reader->length);
+    pdb_models_step(models, record);
+    alien_seen = alien_seen || record == PDB_ALIEN;
+    *record_seen = *record_seen || record == PDB_ATOM || record == PDB_MODEL || record == PDB_OTHER;
+    if (record != PDB_ATOM) continue;
+    if (models->count == molecule->model) return LINE_READ;
+    ++molecule->left_out.other_models;
   }
 }

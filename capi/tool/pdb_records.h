@@ -7,11 +7,12 @@
 
 #include "failure.h"
 #include "line_reader.h"
+#include "molecule.h"
 
 enum pdb_record {
   PDB_ATOM,  /* ATOM or HETATM, blanks before it allowed */
   PDB_MODEL, /* a model begins */
-  PDB_END,   /* END or ENDMDL: the first model is over */
+  PDB_END,   /* END or ENDMDL: a model is over */
   PDB_OTHER, /* any other record of the format */
   PDB_BLANK, /* nothing, or a line that begins with '#' */
   PDB_ALIEN  /* no record of the format */
@@ -20,9 +21,22 @@ enum pdb_record {
 /* What the line is, by its first columns. */
 enum pdb_record pdb_record_of(const char *line, size_t length);
 
-/* Step to the next atom record of the first model. LINE_END: there is none left. A file that has lines, but not one
- * record of the format, fails. */
-enum line_status pdb_next_atom(struct line_reader *reader, bool *record_seen, bool *model_seen,
-                               struct failure *failure);
+/* Whether an atom record is HETATM. */
+bool pdb_record_is_hetatm(const char *line);
+
+/* The models of a file. One begins with MODEL, or with an atom outside of every model; it ends with END, ENDMDL, the
+ * next MODEL or the file. */
+struct pdb_models {
+  uint64_t count; /* models that have begun */
+  bool open;      /* the last of them has not ended */
+};
+
+/* Step over a record. */
+void pdb_models_step(struct pdb_models *models, enum pdb_record record);
+
+/* Step to the next atom record of the molecule's model, and count what other models have. LINE_END: there is none left.
+ * A file that has lines, but not one record of the format, fails. `models` and `record_seen` are zeros at first. */
+enum line_status pdb_next_atom(struct line_reader *reader, struct molecule *molecule, struct pdb_models *models,
+                               bool *record_seen, struct failure *failure);
 
 #endif

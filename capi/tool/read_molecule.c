@@ -1,5 +1,6 @@
 #include "read_molecule.h"
 
+#include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -24,9 +25,19 @@ bool molecule_format_of(const char *path, enum molecule_format *format, struct f
   return failure_in_input(failure, 0, "unknown extension; expected .xyzr, .pdb, .pqr or .xyz");
 }
 
-bool read_molecule(const char *path, enum molecule_format format, const struct radii *radii, struct molecule *molecule,
+/* Nothing follows from a file without atoms, but that something went wrong before. */
+static bool check_atoms(const struct molecule *molecule, struct failure *failure) {
+  if (molecule->atoms > 0) return true;
+  if (molecule->models <= 1 && molecule->model == 1) return failure_in_input(failure, 0, "no atoms in the file");
+  if (molecule->model <= molecule->models) {
+    return failure_in_input(failure, 0, "no atoms in model %" PRIu64, molecule->model);
+  }
+  return failure_in_input(failure, 0, "no model %" PRIu64 ": the file has %" PRIu64, molecule->model, molecule->models);
+}
+
+bool read_molecule(const char *path, enum molecule_format format, uint64_t model, struct molecule *molecule,
                    struct failure *failure) {
-  molecule_init(molecule, format);
+  molecule_init(molecule, format, model);
   failure->file = input_name(path);
   struct line_reader *reader = malloc(sizeof *reader);
   if (reader == NULL) return failure_of_memory(failure);
@@ -37,17 +48,17 @@ bool read_molecule(const char *path, enum molecule_format format, const struct r
         done = read_xyzr(reader, molecule, failure);
         break;
       case FORMAT_PDB:
-        done = read_pdb(reader, radii, molecule, failure);
+        done = read_pdb(reader, molecule, failure);
         break;
       case FORMAT_PQR:
         done = read_pqr(reader, molecule, failure);
         break;
       case FORMAT_XYZ:
-        done = read_xyz(reader, radii, molecule, failure);
+        done = read_xyz(reader, molecule, failure);
         break;
     }
     line_reader_close(reader);
   }
   free(reader);
-  return done;
+  return done && check_atoms(molecule, failure);
 }

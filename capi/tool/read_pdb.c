@@ -28,16 +28,14 @@ static bool element_by_columns(const struct line_reader *reader, struct element_
  * alpha carbon) and "CA  " is calcium. Names of four characters have no room for that: hydrogens ("HG11", "DD21")
  * begin in column 13, and so do others ("CL12", "CAA1"), where two letters are a symbol only if no third one follows.
  * Leading digits, as in "1HB ", only number the atom. */
-static bool element_by_name(const struct line_reader *reader, const struct radii *radii,
-                            struct element_symbol *element) {
+static bool element_by_name(const struct line_reader *reader, struct element_symbol *element) {
   const char name[4] = {column(reader, 13), column(reader, 14), column(reader, 15), column(reader, 16)};
   if (is_letter(name[0]) && is_letter(name[1])) {
     const bool full = name[2] != ' ' && name[3] != ' ';
     const char first = to_upper(name[0]);
     const bool hydrogen = full && (first == 'H' || first == 'D');
-    double radius;
     if (!hydrogen && !(full && is_letter(name[2])) && element_symbol_parse(name, 2, element) &&
-        (element_symbol_exists(*element) || radii_find(radii, *element, &radius))) {
+        element_symbol_exists(*element)) {
       return true;
     }
     return element_symbol_parse(name, 1, element);
@@ -70,8 +68,8 @@ static bool check_columns(const struct line_reader *reader, struct failure *fail
   return true;
 }
 
-static bool read_atom(const struct line_reader *reader, const struct radii *radii, struct alternate_locations *seen,
-                      struct molecule *molecule, struct failure *failure) {
+static bool read_atom(const struct line_reader *reader, struct alternate_locations *seen, struct molecule *molecule,
+                      struct failure *failure) {
   const uint64_t line = reader->number;
   if (!check_columns(reader, failure)) return false;
   double xyz[3];
@@ -82,29 +80,32 @@ static bool read_atom(const struct line_reader *reader, const struct radii *radi
   }
   bool keep;
   if (!alternate_locations_keep(seen, reader->text, reader->length, &keep)) return failure_of_memory(failure);
-  if (!keep) return true;
+  if (!keep) {
+    ++molecule->left_out.alternate_locations;
+    return true;
+  }
 
   struct atom_label label = ATOM_LABEL_NONE;
   const struct field name = field_in_columns(reader->text, reader->length, 13, 16);
   label_copy(label.name, sizeof label.name, name);
   label_residue(reader, &label.residue);
-  if (!element_by_columns(reader, &label.element) && !element_by_name(reader, radii, &label.element)) {
+  label.hetatm = pdb_record_is_hetatm(reader->text);
+  if (!element_by_columns(reader, &label.element) && !element_by_name(reader, &label.element)) {
     char shown[EXCERPT_BYTES];
     return failure_in_input(failure, line, "no element in columns 77-78, and none in the atom name '%s'",
                             excerpt(shown, name.text, name.length));
   }
-  return molecule_add_element(molecule, xyz, radii, &label, line, failure);
+  return molecule_add(molecule, xyz, 0.0, &label, line, failure);
 }
 
-bool read_pdb(struct line_reader *reader, const struct radii *radii, struct molecule *molecule,
-              struct failure *failure) {
+bool read_pdb(struct line_reader *reader, struct molecule *molecule, struct failure *failure) {
   struct alternate_locations seen = ALTERNATE_LOCATIONS_NONE;
+  struct pdb_models models = {0, false};
   bool record_seen = false;
-  bool model_seen = false;
   enum line_status status;
   for (;;) {
-    status = pdb_next_atom(reader, &record_seen, &model_seen, failure);
-    if (status == LINE_READ && !read_atom(reader, radii, &seen, molecule, failure)) status = LINE_FAILED;
+    status = pdb_next_atom(reader, molecule, &models, &record_seen, failure);
+    if (status == LINE_READ && !read_atom(reader, &seen, molecule, failure)) status = LINE_FAILED;
     if (status != LINE_READ) break;
   }
   alternate_locations_free(&seen);

@@ -53,14 +53,15 @@ static bool read_atom(const struct line_reader *reader, struct molecule *molecul
   label_copy(label.residue.name, sizeof label.residue.name, part[first + 1]);
   if (after_serial == 9) label_copy(label.residue.chain, sizeof label.residue.chain, part[first + 2]);
   label_number(*number, &label.residue);
+  label.hetatm = pdb_record_is_hetatm(reader->text);
   return molecule_add(molecule, value, radius, &label, line, failure);
 }
 
 bool read_pqr(struct line_reader *reader, struct molecule *molecule, struct failure *failure) {
+  struct pdb_models models = {0, false};
   bool record_seen = false;
-  bool model_seen = false;
   for (;;) {
-    const enum line_status status = pdb_next_atom(reader, &record_seen, &model_seen, failure);
+    const enum line_status status = pdb_next_atom(reader, molecule, &models, &record_seen, failure);
     if (status != LINE_READ) return status == LINE_END;
     if (!read_atom(reader, molecule, failure)) return false;
   }

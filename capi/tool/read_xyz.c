@@ -1,5 +1,5 @@
 /* .xyz: a line with the number of atoms, a title line, then "element x y z" for each atom; further columns are ignored.
- * A trajectory repeats all that; the first model is read. */
+ * A trajectory repeats all that: each time is a model. */
 #include <inttypes.h>
 
 #include "number.h"
@@ -17,7 +17,7 @@ static enum line_status next_filled_line(struct line_reader *reader, struct fiel
 }
 
 static bool read_atom(struct line_reader *reader, const struct field column[4], size_t columns,
-                      const struct radii *radii, struct molecule *molecule, struct failure *failure) {
+                      struct molecule *molecule, struct failure *failure) {
   const uint64_t line = reader->number;
   if (columns < 4) {
     return failure_in_input(failure, line, "expected element x y z, found %u of 4 columns", (unsigned)columns);
@@ -33,33 +33,49 @@ static bool read_atom(struct line_reader *reader, const struct field column[4], 
   for (size_t axis = 0; axis < 3; ++axis) {
     if (!field_number(column[1 + axis], names[axis], &xyz[axis], line, failure)) return false;
   }
-  return molecule_add_element(molecule, xyz, radii, &label, line, failure);
+  return molecule_add(molecule, xyz, 0.0, &label, line, failure);
 }
 
-bool read_xyz(struct line_reader *reader, const struct radii *radii, struct molecule *molecule,
-              struct failure *failure) {
+/* Read a model, whose number of atoms stands in the current line, or step over it. *read: atoms found. */
+static enum line_status read_model(struct line_reader *reader, uint64_t count, bool wanted, struct molecule *molecule,
+                                   uint64_t *read, struct failure *failure) {
   struct field column[4];
   size_t columns = 0;
-  enum line_status status = next_filled_line(reader, column, 4, &columns, failure);
-  if (status != LINE_READ) return status == LINE_END; /* a file of nothing holds no atoms */
-
-  uint64_t count = 0;
-  if (columns != 1 || number_parse_count(column[0].text, column[0].length, &count) != NUMBER_OK) {
-    return failure_in_input(failure, reader->number, "expected the number of atoms alone on this line");
-  }
-  const uint64_t count_line = reader->number;
-  status = line_reader_next(reader, failure); /* the title, possibly blank */
-  for (uint64_t atom = 0; status == LINE_READ && atom < count; ++atom) {
+  enum line_status status = line_reader_next(reader, failure); /* the title, possibly blank */
+  for (*read = 0; status == LINE_READ && *read < count; ++*read) {
     status = next_filled_line(reader, column, 4, &columns, failure);
-    if (status == LINE_READ && !read_atom(reader, column, columns, radii, molecule, failure)) return false;
+    if (status != LINE_READ) break;
+    if (wanted && !read_atom(reader, column, columns, molecule, failure)) return LINE_FAILED;
   }
-  if (status == LINE_END && molecule->atoms < count) {
-    return failure_in_input(failure, count_line, "%" PRIu64 " atoms announced, the file ends after %" PRIu32, count,
-                            molecule->atoms);
+  return status;
+}
+
+bool read_xyz(struct line_reader *reader, struct molecule *molecule, struct failure *failure) {
+  uint64_t count_before = 0;
+  for (;;) {
+    uint64_t count = 0;
+    struct field column[1];
+    size_t columns = 0;
+    enum line_status status = next_filled_line(reader, column, 1, &columns, failure);
+    if (status != LINE_READ) return status == LINE_END;
+    const uint64_t count_line = reader->number;
+    if (columns != 1 || number_parse_count(column[0].text, column[0].length, &count) != NUMBER_OK) {
+      if (molecule->models == 0) {
+        return failure_in_input(failure, count_line, "expected the number of atoms alone on this line");
+      }
+      return failure_in_input(failure, count_line, "data after the last atom (%" PRIu64 " announced)", count_before);
+    }
+    count_before = count;
+    ++molecule->models;
+    const bool wanted = molecule->models == molecule->model;
+    uint64_t read = 0;
+    status = read_model(reader, count, wanted, molecule, &read, failure);
+    if (status == LINE_FAILED) return false;
+    if (!wanted) molecule->left_out.other_models += read;
+    /* What breaks off behind the model that is wanted, as in a run that was stopped, does not concern it. */
+    if (read < count && molecule->models <= molecule->model) {
+      return failure_in_input(failure, count_line, "%" PRIu64 " atoms announced, the file ends after %" PRIu64, count,
+                              read);
+    }
   }
-  if (status == LINE_READ) status = next_filled_line(reader, column, 4, &columns, failure);
-  if (status != LINE_READ) return status == LINE_END;
-  uint64_t next_count;
-  if (columns == 1 && number_parse_count(column[0].text, column[0].length, &next_count) == NUMBER_OK) return true;
-  return failure_in_input(failure, reader->number, "data after the last atom (%" PRIu64 " announced)", count);
 }

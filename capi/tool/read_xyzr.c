@@ -6,6 +6,7 @@
 
 bool read_xyzr(struct line_reader *reader, struct molecule *molecule, struct failure *failure) {
   const struct atom_label no_label = ATOM_LABEL_NONE;
+  molecule->models = 1;
   for (;;) {
     const enum line_status status = line_reader_next(reader, failure);
     if (status != LINE_READ) return status == LINE_END;

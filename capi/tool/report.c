@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "characters.h"
+#include "input_report.h"
 #include "line_reader.h"
 #include "residues.h"
 
@@ -73,13 +74,7 @@ void report_heading(struct text_buffer *out, const struct request *request, cons
   for (size_t i = begin; i + 1 < out->length; ++i) {
     if ((unsigned char)out->text[i] < 0x20 || out->text[i] == 0x7F) out->text[i] = '?';
   }
-  report_row_count(out, "balls", molecule->atoms, "");
-  if (format_has_radii(request->format)) {
-    report_row(out, "radii", "from the file", "");
-  } else {
-    text_buffer_add(out, "  %-16s %s (%s)\n", "radii", radii_set_name(request->set), radii_set_source(request->set));
-    if (request->overrides.length > 0) text_buffer_add(out, "  %-16s with %s\n", "", request->overrides.text);
-  }
+  input_report_rows(out, request, molecule);
   report_probe(out, request);
   text_buffer_add(out, "\n");
 }

@@ -9,7 +9,7 @@
 #include "molecule.h"
 #include "text_buffer.h"
 
-/* What was read and how: file, number of balls, radii, probe. Every table begins with it. */
+/* What was read and how: file, balls, what was left out, radii, probe. Every table begins with it. */
 void report_heading(struct text_buffer *out, const struct request *request, const struct molecule *molecule);
 
 /* "  name   value   remark", in columns; remark may be "". */

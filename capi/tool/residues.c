@@ -14,7 +14,7 @@ const char *residue_text(char out[RESIDUE_TEXT_BYTES], const struct residue_labe
   return out;
 }
 
-static bool same_residue(const struct residue_label *a, const struct residue_label *b) {
+bool residue_label_same(const struct residue_label *a, const struct residue_label *b) {
   return strcmp(a->number, b->number) == 0 && strcmp(a->insertion, b->insertion) == 0 &&
          strcmp(a->name, b->name) == 0 && strcmp(a->chain, b->chain) == 0;
 }
@@ -31,7 +31,7 @@ static void add_atom(struct atom_groups *groups, double area) {
 
 static void group_residues(const struct molecule *molecule, const double *area, struct atom_groups *groups) {
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
-    const bool begins = i == 0 || !same_residue(&molecule->label[i - 1].residue, &molecule->label[i].residue);
+    const bool begins = i == 0 || !residue_label_same(&molecule->label[i - 1].residue, &molecule->label[i].residue);
     if (begins) begin_group(groups, i);
     add_atom(groups, area[i]);
   }

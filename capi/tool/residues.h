@@ -13,6 +13,9 @@
 #define RESIDUE_TEXT_BYTES 40
 const char *residue_text(char out[RESIDUE_TEXT_BYTES], const struct residue_label *label);
 
+/* Whether two atoms of the same file with these labels belong to one residue, if they are neighbours. */
+bool residue_label_same(const struct residue_label *a, const struct residue_label *b);
+
 enum grouping {
   GROUPING_NONE,
   /* A residue: neighbours in the file with the same chain, name, number and insertion code. Numbers may begin anew in

@@ -17,7 +17,9 @@ static const char overview[] =
 
 static const char files_and_radii[] =
     "FILE is .xyzr (x y z r on each line, in any unit), .pdb, .pqr or .xyz (in angstrom); - is standard input.\n"
-    "The first model and the first alternate location of each atom are read, ATOM and HETATM alike.\n"
+    "One model and the first alternate location of each atom are read, ATOM and HETATM alike, water and hydrogens "
+    "too;\n"
+    "draw leaves out water. Tables and JSON say what was read and what was left out.\n"
     "\n"
     "Options, before or after FILE:\n"
     "  --format xyzr|pdb|pqr|xyz\n"
@@ -25,7 +27,18 @@ static const char files_and_radii[] =
     "  --radii bondi|chem3d   radii by element, for .pdb and .xyz; bondi is the default\n"
     "  --radius EL=R,...      add or replace radii of single elements\n"
     "  --probe P              add P to every radius: 1.4 angstrom for water; default 0\n"
-    "  --json                 print JSON instead of a table\n";
+    "  --json                 print JSON instead of a table; its last key, input, says what was read\n";
+
+static const char choosing_atoms[] =
+    "  --no-water, --no-hetatm, --no-hydrogens\n"
+    "                         leave out such atoms\n"
+    "  --only S, --hide S     read only the atoms that S names, or all but them; both may be given several times. S "
+    "is\n"
+    "                         chain:A,B, residue:HOH,7,1-40,52A, element:H, atom:CA, water, hetatm or hydrogen, or\n"
+    "                         several of these that must all hold: \"chain:A&residue:1-40\"; chain:. has no name. "
+    "What\n"
+    "                         is left out blocks nothing; let balls block that do not count by --weights\n"
+    "  --model N              read model N of the file, counted from 1; default 1\n";
 
 static const char statuses[] =
     "\n"
@@ -127,6 +140,7 @@ static const char draw_text[] =
     "  --background RRGGBB|none\n"
     "                         default FFFFFF\n"
     "  --title TEXT           the title in the file; default the name of FILE\n"
+    "  --water                draw water too; it is left out unless there is nothing else\n"
     "  --pieces g|h           cut balls by farther ones, or by all others, which leaves seams; default g\n"
     "  --all-balls            paint hidden balls too\n"
     "The same input gives the same bytes.\n"
@@ -135,7 +149,7 @@ static const char draw_text[] =
     "\n";
 
 void usage_of_program(struct text_buffer *out) {
-  text_buffer_add(out, "%s%s%s", overview, files_and_radii, statuses);
+  text_buffer_add(out, "%s%s%s%s", overview, files_and_radii, choosing_atoms, statuses);
 }
 
 void usage_of_command(struct text_buffer *out, enum command command) {
@@ -160,7 +174,7 @@ void usage_of_command(struct text_buffer *out, enum command command) {
       text = draw_text;
       break;
   }
-  text_buffer_add(out, "%s%s%s", text, files_and_radii, statuses);
+  text_buffer_add(out, "%s%s%s%s", text, files_and_radii, choosing_atoms, statuses);
 }
 
 void usage_version(struct text_buffer *out) {

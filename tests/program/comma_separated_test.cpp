@@ -77,7 +77,6 @@ TEST(CommaSeparated, ColumnsFollowFromTheFormat) {
   const Row pdb = Row{"ball", "atom", "element", "chain", "residue", "number", "insertion"} + place;
   const Row pqr = Row{"ball", "atom", "chain", "residue", "number", "insertion"} + place;
   EXPECT_EQ(run_csv({"good/water.pdb"})[0], pdb);
-  EXPECT_EQ(run_csv({"good/none.pdb"})[0], pdb);
   EXPECT_EQ(run_csv({"good/water.pqr"})[0], pqr);
   EXPECT_EQ(run_csv({"good/water.xyz"})[0], (Row{"ball", "element"} + place));
   EXPECT_EQ(run_csv({"good/two.xyzr"})[0], (Row{"ball"} + place));
@@ -86,7 +85,6 @@ TEST(CommaSeparated, ColumnsFollowFromTheFormat) {
   EXPECT_EQ(run_csv({"good/water.pdb", "--weights", "good/water.weights"})[0], (pdb + Row{"weight"}));
   EXPECT_EQ(run_csv({"good/water.pdb", "--weights", "good/water.weights", "--gradient"})[0],
             (pdb + Row{"weight"} + slopes + weighted));
-  for (const char *none : {"good/none.pdb", "good/none.xyzr"}) EXPECT_EQ(run_csv({none, "--gradient"}).size(), 1u);
 }
 
 TEST(CommaSeparated, NumbersAreThoseOfJson) {
@@ -145,7 +143,6 @@ TEST(CommaSeparated, Groups) {
   EXPECT_EQ(chains[0], (Row{"chain", "atoms", "area"}));
   EXPECT_EQ(chains[1][0] + " " + chains[1][1], "A 6");
   EXPECT_EQ(chains[4][0] + " " + chains[4][1], ", 2");
-  EXPECT_EQ(run_csv({"good/none.pqr", "--by", "chain"}).size(), 1u);
 }
 
 }  // namespace

@@ -43,8 +43,8 @@ size_t occurrences(const std::string &text, const std::string &part) {
 
 TEST(Draw, EveryFormatBeginsWithItsMagicAndEndsWell) {
   for (const std::vector<std::string> &input :
-       {std::vector<std::string>{crambin()}, std::vector<std::string>{"good/none.pdb"},
-        std::vector<std::string>{"good/point.xyzr"}, std::vector<std::string>{"good/points.xyzr"}}) {
+       {std::vector<std::string>{crambin()}, std::vector<std::string>{"good/point.xyzr"},
+        std::vector<std::string>{"good/points.xyzr"}}) {
     for (const char *style : {"flat", "headlight", "soft"}) {
       const std::vector<std::string> options = {"--style", style};
       const std::string svg = drawn(input[0], options, ".svg");
@@ -149,7 +149,8 @@ TEST(Draw, JsonSaysWhatStandsInTheFile) {
     std::vector<std::string> arguments = {"draw", crambin(), "-o", out.path()};
     arguments.insert(arguments.end(), it.options.begin(), it.options.end());
     const Json json = run_json(arguments);
-    EXPECT_EQ(json.keys, (std::vector<std::string>{"n", "pieces", "arcs", "bytes", "style", "width", "height"}));
+    EXPECT_EQ(json.keys,
+              (std::vector<std::string>{"n", "pieces", "arcs", "bytes", "style", "width", "height", "input"}));
     const std::string svg = read_file(out.path());
     EXPECT_EQ(json["n"].number, 327);
     EXPECT_EQ(json["bytes"].number, static_cast<double>(svg.size()));
@@ -193,8 +194,7 @@ TEST(Draw, TableOfASingleBall) {
 }
 
 TEST(Draw, NothingToSeeIsAPictureToo) {
-  for (const char *file :
-       {"good/none.pdb", "good/none.xyzr", "good/none_empty.pqr", "good/point.xyzr", "good/points.xyzr"}) {
+  for (const char *file : {"good/point.xyzr", "good/points.xyzr"}) {
     for (const char *extension : {".svg", ".eps", ".pdf"}) {
       const TemporaryFile out(std::string("nothing") + extension);
       const Json json = run_json({"draw", file, "-o", out.path(), "--pieces", "h", "--occlusion", "1"});

@@ -14,3 +14,9 @@ Json run_json(std::vector<std::string> arguments) {
   EXPECT_TRUE(outcome.out.ends_with("}\n")) << outcome.out;
   return json.value_or(Json());
 }
+
+std::string without_input(const std::string &json) {
+  const size_t at = json.find(", \"input\": {");
+  EXPECT_NE(at, std::string::npos) << json;
+  return json.substr(0, at);
+}

@@ -8,3 +8,6 @@
 
 // Run the program with these arguments and --json. Anything amiss fails the test; then the result is null.
 Json run_json(std::vector<std::string> arguments);
+
+// What a command prints of the balls: its JSON up to the last key, which tells what was read.
+std::string without_input(const std::string &json);

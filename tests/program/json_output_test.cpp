@@ -11,9 +11,9 @@ namespace {
 
 using Keys = std::vector<std::string>;
 
-const std::vector<std::string> files = {"good/none.xyzr", "good/one.xyzr",  "good/point.xyzr", "good/points.xyzr",
-                                        "good/same.xyzr", "good/two.xyzr",  "good/cage.xyzr",  "good/water.pdb",
-                                        "good/water.pqr", "good/water.xyz", "good/none.pdb",   "good/none.xyz"};
+const std::vector<std::string> files = {"good/one.xyzr",  "good/point.xyzr", "good/points.xyzr",
+                                        "good/same.xyzr", "good/two.xyzr",   "good/cage.xyzr",
+                                        "good/water.pdb", "good/water.pqr",  "good/water.xyz"};
 
 TEST(JsonReader, IsStrict) {
   for (const char *good : {"{}", " [1, -2.5e-3, 0, 0.0] ", "{\"a\": null, \"b\": [true, false]}", "\"text\"", "1E+2",
@@ -33,23 +33,24 @@ TEST(JsonReader, IsStrict) {
 
 TEST(JsonOutput, ModelHasItsKeys) {
   for (const std::string &file : files) {
-    EXPECT_EQ(run_json({"model", file}).keys, (Keys{"n", "k", "rho", "max_overlaps", "mean_overlaps"})) << file;
+    EXPECT_EQ(run_json({"model", file}).keys, (Keys{"n", "k", "rho", "max_overlaps", "mean_overlaps", "input"}))
+        << file;
   }
 }
 
 TEST(JsonOutput, BoundaryHasItsKeys) {
   for (const std::string &file : files) {
     EXPECT_EQ(run_json({"boundary", file}).keys, (Keys{"n", "vertices", "arcs", "circles", "faces", "exposed_balls",
-                                                       "shells", "components", "voids", "euler"}))
+                                                       "shells", "components", "voids", "euler", "input"}))
         << file;
   }
 }
 
 TEST(JsonOutput, MeasureHasItsKeys) {
   for (const std::string &file : files) {
-    EXPECT_EQ(run_json({"measure", file}).keys, (Keys{"n", "area", "volume"})) << file;
+    EXPECT_EQ(run_json({"measure", file}).keys, (Keys{"n", "area", "volume", "input"})) << file;
     const Json json = run_json({"measure", file, "--per-ball"});
-    EXPECT_EQ(json.keys, (Keys{"n", "area", "volume", "balls"})) << file;
+    EXPECT_EQ(json.keys, (Keys{"n", "area", "volume", "balls", "input"})) << file;
     EXPECT_EQ(json["balls"].kind, Json::Kind::array) << file;
     EXPECT_EQ(static_cast<double>(json["balls"].items.size()), json["n"].number) << file;
     for (const Json &ball : json["balls"].items) {
@@ -63,7 +64,7 @@ TEST(JsonOutput, GradientsHaveTheirKeys) {
   const Keys plain = {"area", "area_gradient", "volume_gradient", "area_dr", "volume_dr"};
   for (const std::string &file : files) {
     const Json json = run_json({"measure", file, "--gradient"});
-    EXPECT_EQ(json.keys, (Keys{"n", "area", "volume", "balls"})) << file;
+    EXPECT_EQ(json.keys, (Keys{"n", "area", "volume", "balls", "input"})) << file;
     EXPECT_EQ(static_cast<double>(json["balls"].items.size()), json["n"].number) << file;
     for (const Json &ball : json["balls"].items) {
       EXPECT_EQ(ball.keys, plain) << file;
@@ -79,9 +80,9 @@ TEST(JsonOutput, GradientsHaveTheirKeys) {
 
 TEST(JsonOutput, WeightsHaveTheirKeys) {
   EXPECT_EQ(run_json({"measure", "good/water.pdb", "--weights", "good/water.weights"}).keys,
-            (Keys{"n", "area", "volume", "weighted_area"}));
+            (Keys{"n", "area", "volume", "weighted_area", "input"}));
   const Json json = run_json({"measure", "good/water.pdb", "--weights=good/water.weights", "--gradient"});
-  EXPECT_EQ(json.keys, (Keys{"n", "area", "volume", "weighted_area", "balls"}));
+  EXPECT_EQ(json.keys, (Keys{"n", "area", "volume", "weighted_area", "balls", "input"}));
   for (const Json &ball : json["balls"].items) {
     EXPECT_EQ(ball.keys, (Keys{"area", "area_gradient", "volume_gradient", "area_dr", "volume_dr", "weighted_gradient",
                                "weighted_dr"}));
@@ -89,10 +90,9 @@ TEST(JsonOutput, WeightsHaveTheirKeys) {
 }
 
 TEST(JsonOutput, GroupsHaveTheirKeys) {
-  for (const char *file :
-       {"good/water.pdb", "good/water.pqr", "good/insertion.pdb", "good/none.pdb", "good/none.pqr"}) {
+  for (const char *file : {"good/water.pdb", "good/water.pqr", "good/insertion.pdb"}) {
     const Json residues = run_json({"measure", file, "--by", "residue"});
-    EXPECT_EQ(residues.keys, (Keys{"n", "area", "volume", "residues"})) << file;
+    EXPECT_EQ(residues.keys, (Keys{"n", "area", "volume", "residues", "input"})) << file;
     EXPECT_EQ(residues["residues"].items.empty(), residues["n"].number == 0) << file;
     for (const Json &residue : residues["residues"].items) {
       EXPECT_EQ(residue.keys, (Keys{"chain", "name", "number", "insertion", "atoms", "area"})) << file;
@@ -100,7 +100,7 @@ TEST(JsonOutput, GroupsHaveTheirKeys) {
       EXPECT_EQ(residue["insertion"].kind, Json::Kind::string) << file;
     }
     const Json chains = run_json({"measure", file, "--by=chain", "--per-ball"});
-    EXPECT_EQ(chains.keys, (Keys{"n", "area", "volume", "balls", "chains"})) << file;
+    EXPECT_EQ(chains.keys, (Keys{"n", "area", "volume", "balls", "chains", "input"})) << file;
     for (const Json &chain : chains["chains"].items) EXPECT_EQ(chain.keys, (Keys{"chain", "atoms", "area"})) << file;
   }
 }
@@ -109,14 +109,14 @@ TEST(JsonOutput, ShellsAndVoidsHaveTheirKeys) {
   for (const std::string &file : files) {
     const Json boundary = run_json({"boundary", file, "--shells"});
     EXPECT_EQ(boundary.keys, (Keys{"n", "vertices", "arcs", "circles", "faces", "exposed_balls", "shells", "components",
-                                   "voids", "euler", "shell_list"}))
+                                   "voids", "euler", "shell_list", "input"}))
         << file;
     EXPECT_EQ(static_cast<double>(boundary["shell_list"].items.size()), boundary["shells"].number) << file;
     for (const Json &shell : boundary["shell_list"].items) {
       EXPECT_EQ(shell.keys, (Keys{"kind", "component", "cell", "faces", "euler", "genus", "area", "volume"})) << file;
     }
     const Json voids = run_json({"voids", file});
-    EXPECT_EQ(voids.keys, (Keys{"n", "voids"})) << file;
+    EXPECT_EQ(voids.keys, (Keys{"n", "voids", "input"})) << file;
     EXPECT_EQ(static_cast<double>(voids["voids"].items.size()), boundary["voids"].number) << file;
     for (const Json &cavity : voids["voids"].items) {
       EXPECT_EQ(cavity.keys, (Keys{"cell", "area", "volume", "components", "balls"})) << file;
@@ -131,16 +131,42 @@ TEST(JsonOutput, QueryHasItsKeys) {
       std::vector<std::string> arguments = {"query", file};
       arguments.insert(arguments.end(), query.begin(), query.end());
       const Json json = run_json(arguments);
-      EXPECT_EQ(json.keys, Keys{"hits"}) << file;
+      EXPECT_EQ(json.keys, (Keys{"hits", "input"})) << file;
       EXPECT_EQ(json["hits"].kind, Json::Kind::array) << file;
     }
   }
 }
 
+// Every command says what it read, and how that became balls.
+TEST(JsonOutput, InputHasItsKeys) {
+  const Keys keys = {"file",      "format",      "unit",   "radii",       "radius_overrides",
+                     "probe",     "balls",       "waters", "water_atoms", "hetatm",
+                     "hydrogens", "radius_zero", "model",  "models",      "left_out"};
+  for (const std::string &file : files) {
+    for (const char *command : {"model", "boundary", "measure", "voids"}) {
+      const Json input = run_json({command, file})["input"];
+      EXPECT_EQ(input.keys, keys) << file;
+      EXPECT_EQ(input["file"].text, file);
+      EXPECT_EQ(input["left_out"].keys,
+                (Keys{"other_models", "alternate_locations", "water", "hetatm", "hydrogen", "others"}));
+    }
+  }
+  const Json input =
+      run_json({"measure", "good/water.xyz", "--radii=chem3d", "--radius", "H=1", "--probe", "1.5"})["input"];
+  EXPECT_EQ(input["format"].text, "xyz");
+  EXPECT_EQ(input["unit"].text, "angstrom");
+  EXPECT_EQ(input["radii"].text, "chem3d");
+  EXPECT_EQ(input["radius_overrides"].text, "H=1");
+  EXPECT_EQ(input["probe"].number, 1.5);
+  EXPECT_EQ(input["balls"].number, 3);
+  EXPECT_EQ(input["hydrogens"].number, 2);
+  EXPECT_EQ(run_json({"model", "good/points.xyzr"})["input"]["radius_zero"].number, 2);
+  EXPECT_EQ(run_json({"model", "good/two.xyzr"})["input"]["radii"].text, "file");
+  EXPECT_EQ(run_json({"model", "good/two.xyzr"})["input"]["unit"].text, "unit");
+}
+
 // What has no value is null, never a number that stands for it.
 TEST(JsonOutput, MissingValuesAreNull) {
-  EXPECT_EQ(run_json({"model", "good/none.xyzr"})["k"].kind, Json::Kind::null);
-  EXPECT_EQ(run_json({"model", "good/none.xyzr"})["rho"].kind, Json::Kind::null);
   EXPECT_EQ(run_json({"model", "good/one.xyzr"})["k"].number, 1.0);
   EXPECT_EQ(run_json({"model", "good/one.xyzr"})["rho"].kind, Json::Kind::null);
   EXPECT_EQ(run_json({"model", "good/point.xyzr"})["k"].kind, Json::Kind::null);

@@ -73,18 +73,6 @@ std::vector<double> hits(const std::vector<std::string> &arguments) {
   return ids;
 }
 
-TEST(KnownSolids, Nothing) {
-  for (const char *file : {"good/none.xyzr", "good/none.pdb", "good/none.pqr", "good/none.xyz"}) {
-    expect_measure({file}, 0, 0);
-    expect_boundary({file}, {});
-    const Json model = run_json({"model", file});
-    EXPECT_EQ(model["n"].number, 0);
-    EXPECT_EQ(model["max_overlaps"].number, 0);
-    EXPECT_EQ(model["mean_overlaps"].number, 0);
-    EXPECT_EQ(hits({file, "--point", "0", "0", "0"}), std::vector<double>{});
-  }
-}
-
 TEST(KnownSolids, OneBall) {
   expect_measure({"good/one.xyzr"}, sphere_area(2), sphere_volume(2));
   expect_measure({"good/one.xyzr", "--probe", "0.5"}, sphere_area(2.5), sphere_volume(2.5));

@@ -76,8 +76,8 @@ TEST(PdbOutput, IsReadAsTheSameMolecule) {
         "good/water_two_models_no_endmdl.pdb", "good/water_crlf.pdb", "good/water_cr.pdb", "good/water_bom.pdb",
         "good/water_short_records.pdb", "good/water_remarks.pdb", "good/elements.pdb", "good/residues.pdb"}) {
     const TemporaryFile again("again.pdb", written(name));
-    EXPECT_EQ(run_program({"measure", again.path(), "--per-ball", "--json"}).out,
-              run_program({"measure", name, "--per-ball", "--json"}).out)
+    EXPECT_EQ(without_input(run_program({"measure", again.path(), "--per-ball", "--json"}).out),
+              without_input(run_program({"measure", name, "--per-ball", "--json"}).out))
         << name;
     EXPECT_EQ(written(again.path()), read_file(again.path())) << name;
   }
@@ -162,11 +162,6 @@ TEST(PdbOutput, LeavesOutOtherModels) {
             head + carbon + " 36.32\nTER\n" + tail);
   // After END there is nothing.
   EXPECT_EQ(written_of_text(carbon + "  0.00\nEND\n" + other + "REMARK\nCONECT\nEND\n"), carbon + " 36.32\nEND\n");
-}
-
-TEST(PdbOutput, NoAtoms) {
-  EXPECT_EQ(written_of_text(""), "");
-  EXPECT_EQ(written_of_text("REMARK   1 nothing\nEND\n"), "REMARK   1 nothing\nEND\n");
 }
 
 TEST(PdbOutput, GoesWithEveryFormOfOutput) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "json_outcome.hpp"
 #include "program_runner.hpp"
 #include "temporary_file.hpp"
 
@@ -29,7 +30,7 @@ TEST(StandardStreams, InputInEveryFormat) {
       const Outcome outcome =
           run_with_input(input(file), pipe, {"measure", "-", "--format", format, "--per-ball", "--json"});
       EXPECT_EQ(outcome.status, 0) << outcome.err;
-      EXPECT_EQ(outcome.out, expected.out) << format;
+      EXPECT_EQ(without_input(outcome.out), without_input(expected.out)) << format;
     }
   }
 }
@@ -39,7 +40,8 @@ TEST(StandardStreams, FormatBeforeExtension) {
   const TemporaryFile odd("water.txt", read_file(input("good/water.pdb")));
   const Outcome expected = run_program({"measure", "good/water.pdb", "--json"});
   for (const std::string format : {"pdb", "PDB", "Pdb"}) {
-    EXPECT_EQ(run_program({"measure", odd.path(), "--format=" + format, "--json"}).out, expected.out);
+    EXPECT_EQ(without_input(run_program({"measure", odd.path(), "--format=" + format, "--json"}).out),
+              without_input(expected.out));
   }
   EXPECT_EQ(run_program({"measure", "good/water.pdb", "--format", "xyz"}).status, 1);
 }

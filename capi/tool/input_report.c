@@ -1,0 +1,128 @@
+#include "input_report.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+
+#include "report.h"
+#include "residues.h"
+
+/* What the balls are. */
+struct among {
+  uint64_t waters; /* molecules */
+  uint64_t water_atoms;
+  uint64_t hetatm; /* other than water */
+  uint64_t hydrogens;
+  uint64_t points; /* balls of radius 0 */
+};
+
+static struct among count_among(const struct molecule *molecule) {
+  struct among among = {0, 0, 0, 0, 0};
+  for (uint32_t i = 0; i < molecule->atoms; ++i) {
+    const struct atom_label *label = &molecule->label[i];
+    const bool water = atom_is_water(label);
+    if (water) {
+      ++among.water_atoms;
+      if (i == 0 || !residue_label_same(&molecule->label[i - 1].residue, &label->residue)) ++among.waters;
+    }
+    if (label->hetatm && !water) ++among.hetatm;
+    if (atom_is_hydrogen(label)) ++among.hydrogens;
+    if (molecule->radius[i] == 0.0) ++among.points;
+  }
+  return among;
+}
+
+/* "58 waters", "1 water" */
+static void add_count(struct text_buffer *out, const char *separator, uint64_t count, const char *one,
+                      const char *many) {
+  char shown[NUMBER_BYTES];
+  text_buffer_add(out, "%s%s %s", separator, grouped_count(shown, (int64_t)count), count == 1 ? one : many);
+}
+
+static void row_among(struct text_buffer *out, const struct molecule *molecule, const struct among *among) {
+  const bool residues = format_has_residues(molecule->format);
+  const bool elements = format_has_elements(molecule->format);
+  if (!residues && !elements) return;
+  text_buffer_add(out, "  %-16s", "among them");
+  if (residues) {
+    add_count(out, " ", among->waters, "water", "waters");
+    add_count(out, ", ", among->hetatm, "other HETATM atom", "other HETATM atoms");
+  }
+  if (elements) add_count(out, residues ? ", " : " ", among->hydrogens, "hydrogen", "hydrogens");
+  text_buffer_add(out, "\n");
+}
+
+static void rows_left_out(struct text_buffer *out, const struct left_out *left_out) {
+  const struct {
+    uint64_t count;
+    const char *one;
+    const char *many;
+  } rows[] = {
+      {left_out->other_models, "atom of other models", "atoms of other models"},
+      {left_out->alternate_locations, "atom at other alternate locations", "atoms at other alternate locations"},
+      {left_out->water, "atom of water", "atoms of water"},
+      {left_out->hetatm, "other HETATM atom", "other HETATM atoms"},
+      {left_out->hydrogen, "other hydrogen", "other hydrogens"},
+      {left_out->others, "other atom", "other atoms"},
+  };
+  const char *name = "left out";
+  for (size_t i = 0; i < sizeof rows / sizeof rows[0]; ++i) {
+    if (rows[i].count == 0) continue;
+    text_buffer_add(out, "  %-16s", name);
+    add_count(out, " ", rows[i].count, rows[i].one, rows[i].many);
+    text_buffer_add(out, "\n");
+    name = "";
+  }
+}
+
+void input_report_rows(struct text_buffer *out, const struct request *request, const struct molecule *molecule) {
+  const struct among among = count_among(molecule);
+  char value[2 * NUMBER_BYTES];
+  report_row_count(out, "balls", molecule->atoms, "");
+  row_among(out, molecule, &among);
+  if (molecule->models > 1) {
+    snprintf(value, sizeof value, "%" PRIu64 " of %" PRIu64, molecule->model, molecule->models);
+    report_row(out, "model", value, "");
+  }
+  rows_left_out(out, &molecule->left_out);
+  if (!format_has_radii(request->format)) {
+    text_buffer_add(out, "  %-16s %s (%s)\n", "radii", radii_set_name(request->set), radii_set_source(request->set));
+    if (request->overrides.length > 0) text_buffer_add(out, "  %-16s with %s\n", "", request->overrides.text);
+  } else if (among.points == molecule->atoms) {
+    report_row(out, "radii", "from the file; all of them are 0", "");
+  } else {
+    report_row(out, "radii", "from the file", "");
+  }
+}
+
+static void json_count(struct text_buffer *out, const char *name, uint64_t count) {
+  text_buffer_add(out, ", \"%s\": %" PRIu64, name, count);
+}
+
+void input_report_json(struct text_buffer *out, const struct request *request, const struct molecule *molecule) {
+  const struct among among = count_among(molecule);
+  const struct left_out *left_out = &molecule->left_out;
+  text_buffer_add(out, ", \"input\": {\"file\": ");
+  json_text(out, request->file);
+  text_buffer_add(out, ", \"format\": \"%s\", \"unit\": \"%s\"", format_name(molecule->format),
+                  format_unit(molecule->format));
+  text_buffer_add(out, ", \"radii\": \"%s\", \"radius_overrides\": ",
+                  format_has_radii(molecule->format) ? "file" : radii_set_name(request->set));
+  json_text(out, request->overrides.length > 0 ? request->overrides.text : "");
+  text_buffer_add(out, ", \"probe\": ");
+  json_number(out, request->probe);
+  json_count(out, "balls", molecule->atoms);
+  json_count(out, "waters", among.waters);
+  json_count(out, "water_atoms", among.water_atoms);
+  json_count(out, "hetatm", among.hetatm);
+  json_count(out, "hydrogens", among.hydrogens);
+  json_count(out, "radius_zero", among.points);
+  json_count(out, "model", molecule->model);
+  json_count(out, "models", molecule->models);
+  text_buffer_add(out, ", \"left_out\": {\"other_models\": %" PRIu64, left_out->other_models);
+  json_count(out, "alternate_locations", left_out->alternate_locations);
+  json_count(out, "water", left_out->water);
+  json_count(out, "hetatm", left_out->hetatm);
+  json_count(out, "hydrogen", left_out->hydrogen);
+  json_count(out, "others", left_out->others);
+  text_buffer_add(out, "}}");
+}

@@ -1,0 +1,15 @@
+/* What became of a file: what was read, what was left out, and how the rest became balls. */
+#ifndef HARDSPHERE_TOOL_INPUT_REPORT_H
+#define HARDSPHERE_TOOL_INPUT_REPORT_H
+
+#include "arguments.h"
+#include "molecule.h"
+#include "text_buffer.h"
+
+/* Rows of a table: the number of balls, what is among them, and what was left out if anything was. */
+void input_report_rows(struct text_buffer *out, const struct request *request, const struct molecule *molecule);
+
+/* The last key of every command's JSON: , "input": {...} */
+void input_report_json(struct text_buffer *out, const struct request *request, const struct molecule *molecule);
+
+#endif

@@ -1,0 +1,261 @@
+#include "selection.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "characters.h"
+#include "number.h"
+
+enum key { KEY_CHAIN, KEY_RESIDUE, KEY_ELEMENT, KEY_ATOM, KEY_WATER, KEY_HETATM, KEY_HYDROGEN };
+
+static const char *const key_names[] = {"chain", "residue", "element", "atom", "water", "hetatm", "hydrogen"};
+
+struct selection_item {
+  enum key key;
+  struct field text;
+  bool numbers; /* of residues: low .. high */
+  int64_t low;
+  int64_t high;
+  bool ends_term;
+  bool ends_selection;
+  bool hides; /* of the last item of a selection: its atoms are left out */
+};
+
+static bool add_item(struct selection *selection, const struct selection_item *item, struct failure *failure) {
+  if (selection->count == selection->capacity) {
+    const size_t capacity = selection->capacity == 0 ? 8 : 2 * selection->capacity;
+    struct selection_item *items = realloc(selection->items, capacity * sizeof *items);
+    if (items == NULL) return failure_of_memory(failure);
+    selection->items = items;
+    selection->capacity = capacity;
+  }
+  selection->items[selection->count++] = *item;
+  return true;
+}
+
+/* A whole number at the beginning of the text; its length, or 0. */
+static size_t whole_number(struct field text, int64_t *value) {
+  size_t at = text.length > 0 && text.text[0] == '-' ? 1 : 0;
+  const size_t begin = at;
+  *value = 0;
+  while (at < text.length && is_digit(text.text[at])) {
+    if (*value < INT64_C(1000000000000)) *value = 10 * *value + (text.text[at] - '0');
+    ++at;
+  }
+  if (at == begin) return 0;
+  if (begin == 1) *value = -*value;
+  return at;
+}
+
+/* "40", "-5", "1-40", "-5--1". False: the text is no such thing. */
+static bool parse_numbers(struct field text, int64_t *low, int64_t *high) {
+  const size_t first = whole_number(text, low);
+  *high = *low;
+  if (first == 0) return false;
+  if (first == text.length) return true;
+  if (text.text[first] != '-') return false;
+  const struct field rest = {text.text + first + 1, text.length - first - 1};
+  const size_t second = whole_number(rest, high);
+  return second != 0 && second == rest.length;
+}
+
+static bool parse_item(struct selection_item *item, const char *option, struct failure *failure) {
+  char shown[EXCERPT_BYTES];
+  const char *key = key_names[item->key];
+  if (item->text.length == 0) return failure_in_usage(failure, "%s: an item of '%s:' is empty", option, key);
+  item->numbers = item->key == KEY_RESIDUE && parse_numbers(item->text, &item->low, &item->high);
+  if (item->numbers && item->low > item->high) {
+    return failure_in_usage(failure, "%s: the range '%s' is empty", option,
+                            excerpt(shown, item->text.text, item->text.length));
+  }
+  struct element_symbol symbol;
+  if (item->key == KEY_ELEMENT && !element_symbol_parse(item->text.text, item->text.length, &symbol)) {
+    return failure_in_usage(failure, "%s: '%s' is not an element symbol", option,
+                            excerpt(shown, item->text.text, item->text.length));
+  }
+  return true;
+}
+
+/* The key of a term; behind it stand items if it is one of the first four. False: the failure says what it should
+ * be. */
+static bool parse_key(struct field *term, enum key *key, const char *option, struct failure *failure) {
+  char shown[EXCERPT_BYTES];
+  const char *colon = term->length == 0 ? NULL : memchr(term->text, ':', term->length);
+  const size_t length = colon == NULL ? term->length : (size_t)(colon - term->text);
+  for (size_t i = 0; i < sizeof key_names / sizeof key_names[0]; ++i) {
+    if (strlen(key_names[i]) != length || memcmp(term->text, key_names[i], length) != 0) continue;
+    *key = (enum key)i;
+    if ((*key < KEY_WATER) == (colon != NULL)) {
+      const size_t before = colon == NULL ? length : length + 1;
+      term->text += before;
+      term->length -= before;
+      return true;
+    }
+  }
+  return failure_in_usage(failure,
+                          "%s: '%s' is none of chain:A, residue:HOH, residue:1-40, element:H, atom:CA, water, hetatm, "
+                          "hydrogen",
+                          option, excerpt(shown, term->text, term->length));
+}
+
+static bool parse_term(struct selection *selection, struct field term, const char *option, struct failure *failure) {
+  struct selection_item item;
+  memset(&item, 0, sizeof item);
+  if (!parse_key(&term, &item.key, option, failure)) return false;
+  if (item.key >= KEY_WATER) {
+    item.ends_term = true;
+    return add_item(selection, &item, failure);
+  }
+  for (;;) {
+    const char *comma = term.length == 0 ? NULL : memchr(term.text, ',', term.length);
+    item.text.text = term.text;
+    item.text.length = comma == NULL ? term.length : (size_t)(comma - term.text);
+    item.ends_term = comma == NULL;
+    if (!parse_item(&item, option, failure) || !add_item(selection, &item, failure)) return false;
+    if (item.ends_term) return true;
+    term.text = comma + 1;
+    term.length -= item.text.length + 1;
+  }
+}
+
+bool selection_add(struct selection *selection, const char *option, const char *text, bool hide,
+                   struct failure *failure) {
+  for (;;) {
+    const struct field term = {text, strcspn(text, "&")};
+    if (!parse_term(selection, term, option, failure)) return false;
+    if (text[term.length] == '\0') break;
+    text += term.length + 1;
+  }
+  struct selection_item *last = &selection->items[selection->count - 1];
+  last->ends_selection = true;
+  last->hides = hide;
+  if (!hide) selection->only = true;
+  return true;
+}
+
+bool selection_suits(const struct selection *selection, enum molecule_format format, struct failure *failure) {
+  for (size_t i = 0; i < selection->count; ++i) {
+    const enum key key = selection->items[i].key;
+    const bool element = key == KEY_ELEMENT || key == KEY_HYDROGEN;
+    if (element ? format_has_elements(format) : format_has_residues(format)) continue;
+    return failure_in_usage(failure, "a selection by %s has no use here: the file does not name %s", key_names[key],
+                            element ? "elements" : "residues");
+  }
+  return true;
+}
+
+static bool same_text(struct field item, const char *name) {
+  size_t i = 0;
+  while (i < item.length && to_upper(item.text[i]) == to_upper(name[i])) ++i;
+  return i == item.length && name[i] == '\0';
+}
+
+static bool holds_of_residue(const struct selection_item *item, const struct residue_label *residue) {
+  if (same_text(item->text, residue->name)) return true;
+  const struct field written = {residue->number, strlen(residue->number)};
+  if (item->numbers) {
+    int64_t number;
+    return written.length > 0 && whole_number(written, &number) == written.length && item->low <= number &&
+           number <= item->high;
+  }
+  char number[sizeof residue->number + sizeof residue->insertion];
+  snprintf(number, sizeof number, "%s%s", residue->number, residue->insertion);
+  return same_text(item->text, number);
+}
+
+static bool holds(const struct selection_item *item, const struct atom_label *label) {
+  const char *chain = label->residue.chain;
+  struct element_symbol symbol;
+  switch (item->key) {
+    case KEY_CHAIN:
+      if (chain[0] == '\0') return item->text.length == 1 && item->text.text[0] == '.';
+      return strlen(chain) == item->text.length && memcmp(chain, item->text.text, item->text.length) == 0;
+    case KEY_RESIDUE:
+      return holds_of_residue(item, &label->residue);
+    case KEY_ELEMENT:
+      return element_symbol_parse(item->text.text, item->text.length, &symbol) &&
+             strcmp(symbol.text, label->element.text) == 0;
+    case KEY_ATOM:
+      return same_text(item->text, label->name);
+    case KEY_WATER:
+      return atom_is_water(label);
+    case KEY_HETATM:
+      return label->hetatm;
+    case KEY_HYDROGEN:
+      return atom_is_hydrogen(label);
+  }
+  return false;
+}
+
+bool selection_takes(const struct selection *selection, const struct atom_label *label) {
+  bool term = false;
+  bool all_terms = true;
+  bool named = !selection->only;
+  for (size_t i = 0; i < selection->count; ++i) {
+    const struct selection_item *item = &selection->items[i];
+    term = term || holds(item, label);
+    if (!item->ends_term) continue;
+    all_terms = all_terms && term;
+    term = false;
+    if (!item->ends_selection) continue;
+    if (all_terms && item->hides) return false;
+    named = named || all_terms;
+    all_terms = true;
+  }
+  return named;
+}
+
+static void leave_out(struct left_out *left_out, const struct atom_label *label) {
+  if (atom_is_water(label)) {
+    ++left_out->water;
+  } else if (label->hetatm) {
+    ++left_out->hetatm;
+  } else if (atom_is_hydrogen(label)) {
+    ++left_out->hydrogen;
+  } else {
+    ++left_out->others;
+  }
+}
+
+/* Atom i becomes the one that follows those taken before, or is left out. */
+static void take_or_leave(struct molecule *molecule, uint32_t *taken, uint32_t i, bool takes) {
+  if (!takes) {
+    leave_out(&molecule->left_out, &molecule->label[i]);
+    return;
+  }
+  const uint32_t to = (*taken)++;
+  if (to == i) return;
+  memcpy(molecule->xyz + 3 * (size_t)to, molecule->xyz + 3 * (size_t)i, 3 * sizeof *molecule->xyz);
+  molecule->radius[to] = molecule->radius[i];
+  molecule->line[to] = molecule->line[i];
+  molecule->label[to] = molecule->label[i];
+}
+
+bool selection_apply(const struct selection *selection, struct molecule *molecule, struct failure *failure) {
+  uint32_t taken = 0;
+  for (uint32_t i = 0; i < molecule->atoms; ++i) {
+    take_or_leave(molecule, &taken, i, selection_takes(selection, &molecule->label[i]));
+  }
+  const uint32_t before = molecule->atoms;
+  molecule->atoms = taken;
+  if (taken > 0) return true;
+  return failure_in_input(failure, 0, "no atoms are left: all %" PRIu32 " are left out by the selection", before);
+}
+
+void selection_hide_water(struct molecule *molecule) {
+  uint32_t water = 0;
+  for (uint32_t i = 0; i < molecule->atoms; ++i) water += atom_is_water(&molecule->label[i]) ? 1 : 0;
+  if (water == molecule->atoms) return;
+  uint32_t taken = 0;
+  for (uint32_t i = 0; i < molecule->atoms; ++i) {
+    take_or_leave(molecule, &taken, i, !atom_is_water(&molecule->label[i]));
+  }
+  molecule->atoms = taken;
+}
+
+void selection_free(struct selection *selection) {
+  free(selection->items);
+  *selection = (struct selection)SELECTION_EVERYTHING;
+}

@@ -1,0 +1,53 @@
+/* Which atoms of a file become balls, as --only, --hide and their kin say. */
+#ifndef HARDSPHERE_TOOL_SELECTION_H
+#define HARDSPHERE_TOOL_SELECTION_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "failure.h"
+#include "molecule.h"
+
+/* A selection is written
+ *   selection = term {"&" term}              all of the terms hold
+ *   term      = key ":" item {"," item}      one of the items holds
+ *             | "water" | "hetatm" | "hydrogen"
+ *   key       = "chain" | "residue" | "element" | "atom"
+ * An item of `chain` is a chain's name as it stands, "." for the chain without one; of `element` a symbol; of `atom` an
+ * atom's name. An item of `residue` is a residue's name, its number with the insertion code, or a number or a range of
+ * numbers, A-B, whatever the insertion code. Letters of chains are told from their capitals, other letters are not. */
+struct selection_item;
+
+/* The selections of a command line. They point to its texts. */
+struct selection {
+  struct selection_item *items;
+  size_t count;
+  size_t capacity;
+  bool only; /* there is one that names the atoms to be read */
+};
+
+#define SELECTION_EVERYTHING \
+  { NULL, 0, 0, false }
+
+/* Add a selection: of the atoms to be read, if any are named so, or of atoms to be left out. `option` is what the user
+ * wrote before it. False: it is none, and the failure says so, or memory is short. */
+bool selection_add(struct selection *selection, const char *option, const char *text, bool hide,
+                   struct failure *failure);
+
+/* Whether files of the format say what a selection asks for. */
+bool selection_suits(const struct selection *selection, enum molecule_format format, struct failure *failure);
+
+/* Whether an atom becomes a ball: it is named by one of the selections of atoms to be read, if there is any, and by
+ * none of those to be left out. */
+bool selection_takes(const struct selection *selection, const struct atom_label *label);
+
+/* Leave out the atoms that are not taken and count them; false if none is left. */
+bool selection_apply(const struct selection *selection, struct molecule *molecule, struct failure *failure);
+
+/* Leave out water, unless there is nothing else. */
+void selection_hide_water(struct molecule *molecule);
+
+void selection_free(struct selection *selection);
+
+#endif

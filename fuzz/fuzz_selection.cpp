@@ -1,0 +1,173 @@
+// Selections of atoms, as users write them: any text is taken as its grammar says, by an evaluation of its own that
+// splits texts and compares them, or refused with a reason; --hide takes what --only does not.
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <cstring>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fuzz_input.hpp"
+
+extern "C" {
+#include "failure.h"
+#include "selection.h"
+}
+
+namespace {
+
+struct Atom {
+  const char *name;
+  const char *chain;
+  const char *residue;
+  const char *number;
+  const char *insertion;
+  const char *element;
+  bool hetatm;
+  bool water;
+};
+
+constexpr Atom atoms[] = {
+    {"CA", "A", "ALA", "1", "", "C", false, false},    {"CA", "B", "ALA", "-5", "", "C", false, false},
+    {"H1", "A", "HOH", "7", "", "H", true, true},      {"FE", "", "017", "52", "A", "Fe", true, false},
+    {"c1", "a", "LIG", "A000", "", "C", true, false},  {"", "", "", "", "", "Ca", false, false},
+    {"O", "LONG", "SOL", "40", "B", "O", false, true}, {"HG", "1", "52A", "0", "", "H", false, false},
+};
+
+std::vector<std::string> split(const std::string &text, char at) {
+  std::vector<std::string> parts = {""};
+  for (const char c : text) {
+    if (c == at) {
+      parts.emplace_back();
+    } else {
+      parts.back() += c;
+    }
+  }
+  return parts;
+}
+
+std::string capitals(std::string text) {
+  for (char &c : text) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  return text;
+}
+
+// The number that a text is; those of more digits than a file has room for are all alike.
+std::optional<long long> number(const std::string &text) {
+  const std::string digits = text.substr(0, 1) == "-" ? text.substr(1) : text;
+  if (digits.empty() || digits.find_first_not_of("0123456789") != std::string::npos) return std::nullopt;
+  const size_t first = std::min(digits.find_first_not_of('0'), digits.size() - 1);
+  if (digits.size() - first > 9) return text[0] == '-' ? -1000000000 : 1000000000;
+  return std::atoll(text.c_str());
+}
+
+struct Range {
+  long long low;
+  long long high;
+};
+
+// Every way to split the item at a hyphen is tried.
+std::optional<Range> range(const std::string &item) {
+  if (const auto alone = number(item)) return Range{*alone, *alone};
+  for (size_t i = 1; i < item.size(); ++i) {
+    const auto low = number(item.substr(0, i)), high = number(item.substr(i + 1));
+    if (item[i] == '-' && low && high) return Range{*low, *high};
+  }
+  return std::nullopt;
+}
+
+bool is_symbol(const std::string &text) {
+  return !text.empty() && text.size() <= 2 &&
+         std::all_of(text.begin(), text.end(), [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); });
+}
+
+// Whether the term holds; nothing if it is none.
+std::optional<bool> holds(const std::string &term, const Atom &atom) {
+  if (term == "water") return atom.water;
+  if (term == "hetatm") return atom.hetatm;
+  if (term == "hydrogen") return std::string(atom.element) == "H";
+  const size_t colon = term.find(':');
+  if (colon == std::string::npos) return std::nullopt;
+  const std::string key = term.substr(0, colon);
+  bool any = false;
+  for (const std::string &item : split(term.substr(colon + 1), ',')) {
+    if (item.empty()) return std::nullopt;
+    if (key == "chain") {
+      any |= item == (*atom.chain == '\0' ? std::string(".") : std::string(atom.chain));
+    } else if (key == "element") {
+      if (!is_symbol(item)) return std::nullopt;
+      any |= capitals(item) == capitals(atom.element) || (capitals(item) == "D" && *atom.element == 'H');
+    } else if (key == "atom") {
+      any |= capitals(item) == capitals(atom.name);
+    } else if (key == "residue") {
+      const auto numbers = range(item);
+      const auto own = number(atom.number);
+      if (numbers && numbers->low > numbers->high) return std::nullopt;
+      any |= numbers && own && numbers->low <= *own && *own <= numbers->high;
+      any |= capitals(item) == capitals(atom.residue);
+      any |= !numbers && capitals(item) == capitals(std::string(atom.number) + atom.insertion);
+    } else {
+      return std::nullopt;
+    }
+  }
+  return any;
+}
+
+std::optional<bool> selects(const std::string &text, const Atom &atom) {
+  bool all = true;
+  for (const std::string &term : split(text, '&')) {
+    const auto one = holds(term, atom);
+    if (!one) return std::nullopt;
+    all = all && *one;
+  }
+  return all;
+}
+
+atom_label label_of(const Atom &atom) {
+  atom_label label;
+  std::memset(&label, 0, sizeof label);
+  std::strcpy(label.name, atom.name);
+  std::strcpy(label.residue.chain, atom.chain);
+  std::strcpy(label.residue.name, atom.residue);
+  std::strcpy(label.residue.number, atom.number);
+  std::strcpy(label.residue.insertion, atom.insertion);
+  std::strcpy(label.element.text, atom.element);
+  label.hetatm = atom.hetatm;
+  return label;
+}
+
+void check(const std::string &text, bool hide) {
+  selection made = {nullptr, 0, 0, false};
+  failure why;
+  std::memset(&why, 0, sizeof why);
+  const bool taken = selection_add(&made, hide ? "--hide" : "--only", text.c_str(), hide, &why);
+  FUZZ_REQUIRE(taken == (why.exit_status == 0), "success and a status");
+  FUZZ_REQUIRE(taken || (why.exit_status == EXIT_BAD_USAGE && why.reason[0] != '\0'), "refused without a reason");
+  for (const Atom &atom : atoms) {
+    const auto expected = selects(text, atom);
+    FUZZ_REQUIRE(expected.has_value() == taken, "taken or refused, against the grammar");
+    const atom_label label = label_of(atom);
+    if (taken) FUZZ_REQUIRE(selection_takes(&made, &label) == (*expected != hide), "another answer");
+  }
+  selection_free(&made);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+  // Bytes that are no text make keys and items that are.
+  static constexpr const char *words[] = {"chain:",   "residue:", "element:", "atom:", "water", "hetatm",
+                                          "hydrogen", ",",        "&",        "-",     "A",     "HOH",
+                                          "17",       "H",        "52A",      "."};
+  std::string text;
+  for (size_t i = 0; i < size && data[i] != 0; ++i) {
+    if (data[i] >= 0x80) {
+      text += words[data[i] % 16];
+    } else {
+      text += static_cast<char>(data[i]);
+    }
+  }
+  check(text, false);
+  check(text, true);
+  return 0;
+}
