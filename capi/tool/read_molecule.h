@@ -16,8 +16,8 @@ bool molecule_format_named(const char *name, enum molecule_format *format);
 bool molecule_format_of(const char *path, enum molecule_format *format, struct failure *failure);
 
 /* Read one model of a file (line_reader_open), counted from 1, into a molecule that was not initialised; free it with
- * molecule_free on true and on false. Radii are 0 in formats without radii: molecule_take_radii is to follow. Every file
- * is either read in full or refused, and so is one without atoms. */
+ * molecule_free on true and on false. Radii are 0 in formats without radii: molecule_take_radii is to follow. Every
+ * file is either read in full or refused, and so is one without atoms. */
 bool read_molecule(const char *path, enum molecule_format format, uint64_t model, struct molecule *molecule,
                    struct failure *failure);
 
