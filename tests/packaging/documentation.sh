@@ -1,0 +1,16 @@
+#!/usr/bin/env bash
+# Doxygen reads the public headers without a warning, and every function of theirs is on its pages. Exit status 77: it is
+# missing here.
+#   documentation.sh SOURCE-FOLDER WORK-FOLDER
+set -euo pipefail
+source=$1 work=$2
+command -v doxygen >/dev/null || { echo "skipped: there is no doxygen here" && exit 77; }
+rm -rf "$work"
+cmake -S "$source" -B "$work" -DHSP_TESTS=OFF -DHSP_BENCH=OFF -DHSP_FUZZ=OFF -DHSP_FORTRAN=OFF >"$work.log"
+cmake --build "$work" --target hardsphere_documentation >"$work.log" 2>&1 || { grep -E 'warning|error' "$work.log" | head -n 20 && exit 1; }
+here=$(cd "$(dirname "$0")" && pwd)
+functions=$(bash "$here/header_functions.sh" "$source/include/hardsphere.h")
+missing=$(comm -23 <(echo "$functions" | sort) \
+  <(cat "$work"/documentation/html/*.html | grep -oE 'hsp_[a-z0-9_]+' | LC_ALL=C sort -u))
+[ -z "$missing" ] || { echo "not documented:" && echo "$missing" && exit 1; }
+echo "$(wc -l <<<"$functions") functions on $(find "$work/documentation/html" -name '*.html' | wc -l) pages"
