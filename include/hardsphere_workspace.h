@@ -3,7 +3,7 @@
  *   hsp_workspace work = {0};                                   (in C++: hsp_workspace work = {};)
  *   int32_t status = hsp_workspace_set(&work, n, xyz, radius, NULL, NULL);
  *   if (status == HSP_OK) status = hsp_workspace_boundary(&work);
- *   if (status == HSP_OK) status = hsp_boundary_measure(work.boundary, &totals, area, NULL, n);
+ *   if (status == HSP_OK) status = hsp_boundary_measure(work.boundary, NULL, &totals, area, NULL, n, NULL);
  *   ...
  *   hsp_workspace_free(&work);
  *

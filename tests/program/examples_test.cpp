@@ -121,6 +121,105 @@ TEST(Examples, CavitiesRefuseBadFiles) {
   }
 }
 
+// A ball with two others in it whose centres are on its sphere: its face has two loops, each of theirs one. Two equal
+// spheres whose distance is their radius r meet in a circle of radius r sqrt(3) / 2.
+TEST(Examples, FaceLoopsOfABallWithTwoBites) {
+  const TemporaryFile file("bites.xyzr", "0 0 0 2\n2 0 0 2\n-2 0 0 2\n");
+  const Outcome outcome = run_example("face_loops", {file.path()});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::vector<std::string> lines = lines_of(outcome.out);
+  ASSERT_EQ(lines.size(), 5u) << outcome.out;
+  std::vector<int> loops_of_ball(3);
+  for (size_t i = 1; i < lines.size(); ++i) {
+    const std::vector<double> numbers = numbers_of(lines[i]);
+    ASSERT_EQ(numbers.size(), 4u);
+    ++loops_of_ball.at(static_cast<size_t>(numbers[1]));
+    EXPECT_EQ(numbers[2], 0.0) << "a whole circle has no arcs";
+    EXPECT_NEAR(numbers[3], 2 * pi * std::sqrt(3.0), 1e-7);
+  }
+  EXPECT_EQ(loops_of_ball, (std::vector<int>{2, 1, 1}));
+}
+
+// Three equal spheres through each other's centres: two vertices, three arcs, and around each ball's face two of them.
+TEST(Examples, FaceLoopsOfThreeBalls) {
+  const TemporaryFile file("three.xyzr", "0 0 0 1\n1 0 0 1\n0.5 0.8660254 0 1\n");
+  const Outcome outcome = run_example("face_loops", {file.path()});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::vector<std::string> lines = lines_of(outcome.out);
+  ASSERT_EQ(lines.size(), 4u) << outcome.out;
+  // Each circle of radius sqrt(3) / 2 is free but for the part in the third ball: up to angles with cosine
+  // -(1/3) seen from the circle's centre, where the third ball's centre is in direction 0.
+  const double free_angle = 2 * pi - 2 * std::acos(1.0 / 3.0);
+  for (size_t i = 1; i < lines.size(); ++i) {
+    const std::vector<double> numbers = numbers_of(lines[i]);
+    ASSERT_EQ(numbers.size(), 4u);
+    EXPECT_EQ(numbers[2], 2.0);
+    EXPECT_NEAR(numbers[3], 2 * free_angle * std::sqrt(3.0) / 2, 1e-6);
+  }
+}
+
+// Forces that are the derivatives of the energy keep the sum of potential and kinetic energy.
+TEST(Examples, DynamicsKeepsTheEnergy) {
+  const support::BallList crambin =
+      with_radii(support::read_atoms(support::own_molecule("crambin.pdb")), support::Radii::van_der_waals);
+  std::ostringstream text;
+  for (size_t i = 0; i < 100; ++i) {
+    text << crambin.xyz[3 * i] << ' ' << crambin.xyz[3 * i + 1] << ' ' << crambin.xyz[3 * i + 2] << ' '
+         << crambin.radius[i] << '\n';
+  }
+  const TemporaryFile file("hundred.xyzr", text.str());
+  const Outcome outcome = run_example("dynamics", {file.path(), "60"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::vector<std::string> lines = lines_of(outcome.out);
+  ASSERT_EQ(lines.size(), 5u) << outcome.out;
+  double kinetic = 0;
+  double drift = 0;
+  ASSERT_EQ(
+      std::sscanf(lines.back().c_str(), "# largest kinetic energy %lf, total energy kept within %lf", &kinetic, &drift),
+      2);
+  EXPECT_GT(kinetic, 0.1);
+  EXPECT_LT(drift, 5e-3 * kinetic);
+}
+
+// A ball of radius 1/2 about a ball of radius 1, in steps of 1/2: they meet up to 3 steps, and are in touch up to 5.
+TEST(Examples, DockingOfTwoBalls) {
+  const TemporaryFile receptor("receptor.xyzr", "0 0 0 1\n");
+  const TemporaryFile ligand("ligand.xyzr", "0 0 0 0.5\n");
+  int clashes = 0;
+  for (int i = 0; i < 11 * 11 * 11; ++i) {
+    const int x = i % 11 - 5;
+    const int y = i / 11 % 11 - 5;
+    const int z = i / 121 - 5;
+    if (x * x + y * y + z * z <= 9) ++clashes;
+  }
+  const Outcome outcome = run_example("docking", {receptor.path(), ligand.path(), "0.5"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::vector<std::string> lines = lines_of(outcome.out);
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_EQ(lines[0], "1331 places, " + std::to_string(clashes) + " of them clash, " +
+                          std::to_string(2 * 1331 - clashes) + " queries");
+  double x = 0;
+  double y = 0;
+  double z = 0;
+  ASSERT_EQ(std::sscanf(lines[1].c_str(), "best shift %lf %lf %lf: 1 contacts", &x, &y, &z), 3) << lines[1];
+  EXPECT_GT(x * x + y * y + z * z, 2.25);
+  EXPECT_LE(x * x + y * y + z * z, 6.25);
+}
+
+TEST(Examples, RefuseBadFiles) {
+  const TemporaryFile bad("bad.xyzr", "0 0 0 1\n0 0 1\n");
+  const std::string good = "good/one.xyzr";
+  const std::vector<std::pair<std::string, std::vector<std::string>>> calls = {
+      {"dynamics", {bad.path()}}, {"face_loops", {bad.path()}}, {"docking", {good, bad.path()}}};
+  for (const auto &[example, arguments] : calls) {
+    const Outcome outcome = run_example(example, arguments);
+    EXPECT_EQ(outcome.status, 1) << example;
+    EXPECT_EQ(outcome.out, "") << example;
+    EXPECT_EQ(outcome.err.rfind(bad.path() + ":", 0), 0u) << outcome.err;
+    EXPECT_EQ(run_example(example, {}).status, 2) << example;
+  }
+}
+
 // The polygons of draw_with_your_plotter, painted one over the other, against the nearest sphere at each point: the
 // example turns the balls by 60 degrees about x, then by 25 about y.
 TEST(Examples, YourPlotterShowsWhatIsInFront) {
