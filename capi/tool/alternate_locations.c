@@ -3,93 +3,116 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Columns of an atom record, counted from 0, end excluded. */
-enum {
-  NAME_BEGIN = 12,
-  NAME_END = 16,
-  LETTER = 16,
-  RESIDUE_BEGIN = 17,
-  RESIDUE_END = 20,
-  PLACE_BEGIN = 21, /* chain, residue number, insertion code */
-  PLACE_END = 27,
-  SEGMENT_BEGIN = 72,
-  SEGMENT_END = 76
-};
+enum { KEY_WORDS = 5, SEGMENT_BYTES = 4 };
 
 struct seen_location {
-  char key[4 + 6 + 4]; /* atom name (blank for the residue as a whole), place, segment */
-  char letter;         /* of its first record; '\0' marks an empty slot */
-  char residue[3];     /* name of the residue in that record */
+  uint64_t key[KEY_WORDS]; /* atom name (empty for the residue as a whole), chain, number, insertion code, segment */
+  char residue[8];         /* name of the residue in the first record with this key */
+  char letter;             /* of that record */
 };
 
-static void copy_columns(char *out, const char *record, size_t length, size_t begin, size_t end) {
-  for (size_t at = begin; at < end; ++at) *out++ = at < length ? record[at] : ' ';
+struct location_slot {
+  uint32_t hash;
+  uint32_t place; /* in `seen`, plus 1; 0: empty */
+};
+
+static char *put(char *out, const char *text, size_t room) {
+  for (size_t i = 0; i < room && text[i] != '\0'; ++i) out[i] = text[i];
+  return out + room;
 }
 
-static struct seen_location location_of(const char *record, size_t length, bool of_atom) {
+static struct seen_location location_of(const struct atom_label *label, struct field segment, char letter,
+                                        bool of_atom) {
   struct seen_location location;
-  memset(location.key, ' ', 4);
-  if (of_atom) copy_columns(location.key, record, length, NAME_BEGIN, NAME_END);
-  copy_columns(location.key + 4, record, length, PLACE_BEGIN, PLACE_END);
-  copy_columns(location.key + 10, record, length, SEGMENT_BEGIN, SEGMENT_END);
-  copy_columns(location.residue, record, length, RESIDUE_BEGIN, RESIDUE_END);
-  copy_columns(&location.letter, record, length, LETTER, LETTER + 1);
+  char key[sizeof location.key] = "";
+  const struct residue_label *residue = &label->residue;
+  char *end = put(key, of_atom ? label->name : "", sizeof label->name);
+  end = put(end, residue->chain, sizeof residue->chain);
+  end = put(end, residue->number, sizeof residue->number);
+  end = put(end, residue->insertion, sizeof residue->insertion);
+  memcpy(end, segment.text, segment.length < SEGMENT_BYTES ? segment.length : SEGMENT_BYTES);
+  memcpy(location.key, key, sizeof key);
+  memset(location.residue, 0, sizeof location.residue);
+  put(location.residue, residue->name, sizeof location.residue);
+  location.letter = letter;
   return location;
 }
 
-/* The slot that holds the key, or the empty one where it belongs. The table is never full. */
-static struct seen_location *find_slot(const struct alternate_locations *seen, const struct seen_location *wanted) {
-  uint64_t hash = UINT64_C(14695981039346656037); /* FNV-1a */
-  for (size_t i = 0; i < sizeof wanted->key; ++i) {
-    hash = (hash ^ (unsigned char)wanted->key[i]) * UINT64_C(1099511628211);
+static uint32_t hash_of(const struct seen_location *location) {
+  uint64_t hash = 0;
+  for (size_t i = 0; i < KEY_WORDS; ++i) {
+    hash = (hash ^ location->key[i]) * UINT64_C(0x9E3779B97F4A7C15);
+    hash ^= hash >> 32;
   }
-  size_t slot = (size_t)(hash ^ (hash >> 32)) & (seen->capacity - 1);
-  while (seen->slots[slot].letter != '\0' && memcmp(seen->slots[slot].key, wanted->key, sizeof wanted->key) != 0) {
-    slot = (slot + 1) & (seen->capacity - 1);
-  }
-  return &seen->slots[slot];
+  return (uint32_t)hash;
 }
 
-static bool grow(struct alternate_locations *seen) {
-  struct alternate_locations larger = {NULL, seen->capacity == 0 ? 1024 : 2 * seen->capacity, seen->used};
-  larger.slots = calloc(larger.capacity, sizeof *larger.slots);
-  if (larger.slots == NULL) return false;
-  for (size_t i = 0; i < seen->capacity; ++i) {
-    if (seen->slots[i].letter != '\0') *find_slot(&larger, &seen->slots[i]) = seen->slots[i];
+static bool same_key(const struct seen_location *a, const struct seen_location *b) {
+  return memcmp(a->key, b->key, sizeof a->key) == 0;
+}
+
+/* Room for one more, in the list and in the table, half of which stays empty. */
+static bool reserve(struct alternate_locations *locations) {
+  if (locations->count == locations->room) {
+    const size_t room = locations->room == 0 ? 512 : 2 * (size_t)locations->room;
+    if (room > UINT32_MAX || room > SIZE_MAX / sizeof *locations->seen) return false;
+    struct seen_location *seen = realloc(locations->seen, room * sizeof *seen);
+    if (seen == NULL) return false;
+    locations->seen = seen;
+    locations->room = (uint32_t)room;
   }
-  free(seen->slots);
-  *seen = larger;
+  if (2 * ((size_t)locations->count + 1) <= locations->capacity) return true;
+  const size_t capacity = locations->capacity == 0 ? 1024 : 2 * locations->capacity;
+  struct location_slot *slots = calloc(capacity, sizeof *slots);
+  if (slots == NULL) return false;
+  for (size_t i = 0; i < locations->capacity; ++i) {
+    if (locations->slots[i].place == 0) continue;
+    size_t to = locations->slots[i].hash & (capacity - 1);
+    while (slots[to].place != 0) to = (to + 1) & (capacity - 1);
+    slots[to] = locations->slots[i];
+  }
+  free(locations->slots);
+  locations->slots = slots;
+  locations->capacity = capacity;
   return true;
 }
 
-/* The first record with this key: the given one, if there was none. */
-static const struct seen_location *first_of(struct alternate_locations *seen, const struct seen_location *location) {
-  struct seen_location *slot = find_slot(seen, location);
-  if (slot->letter == '\0') {
-    *slot = *location;
-    ++seen->used;
+/* The first record with this key: the given one, if there was none. NULL: memory is short. */
+static const struct seen_location *first_of(struct alternate_locations *locations,
+                                            const struct seen_location *location) {
+  if (!reserve(locations)) return NULL;
+  const uint32_t hash = hash_of(location);
+  size_t at = hash & (locations->capacity - 1);
+  for (; locations->slots[at].place != 0; at = (at + 1) & (locations->capacity - 1)) {
+    const struct location_slot slot = locations->slots[at];
+    if (slot.hash == hash && same_key(&locations->seen[slot.place - 1], location)) {
+      return &locations->seen[slot.place - 1];
+    }
   }
-  return slot;
+  locations->seen[locations->count++] = *location;
+  locations->slots[at] = (struct location_slot){hash, locations->count};
+  return &locations->seen[locations->count - 1];
 }
 
-bool alternate_locations_keep(struct alternate_locations *seen, const char *record, size_t length, bool *keep) {
+bool alternate_locations_keep(struct alternate_locations *locations, const struct atom_label *label,
+                              struct field segment, char letter, bool *keep) {
   *keep = true;
-  if (2 * (seen->used + 2) > seen->capacity && !grow(seen)) return false;
-  const struct seen_location atom = location_of(record, length, true);
-  const struct seen_location *first_atom = first_of(seen, &atom);
-  if (atom.letter == ' ') return true;
-  *keep = first_atom->letter == atom.letter;
-  const struct seen_location residue = location_of(record, length, false);
-  const struct seen_location *first_residue = first_of(seen, &residue);
+  const struct seen_location atom = location_of(label, segment, letter, true);
+  const struct seen_location *first_atom = first_of(locations, &atom);
+  if (first_atom == NULL) return false;
+  if (letter == ' ') return true;
+  *keep = first_atom->letter == letter;
+  const struct seen_location residue = location_of(label, segment, letter, false);
+  const struct seen_location *first_residue = first_of(locations, &residue);
+  if (first_residue == NULL) return false;
   if (memcmp(first_residue->residue, residue.residue, sizeof residue.residue) != 0) {
-    *keep = *keep && first_residue->letter == residue.letter;
+    *keep = *keep && first_residue->letter == letter;
   }
   return true;
 }
 
-void alternate_locations_free(struct alternate_locations *seen) {
-  free(seen->slots);
-  seen->slots = NULL;
-  seen->capacity = 0;
-  seen->used = 0;
+void alternate_locations_free(struct alternate_locations *locations) {
+  free(locations->seen);
+  free(locations->slots);
+  *locations = (struct alternate_locations)ALTERNATE_LOCATIONS_NONE;
 }

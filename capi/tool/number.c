@@ -15,6 +15,21 @@
 /* Exponents are held between these: both lie far outside what the digits of a file can make up for. */
 #define EXPONENT_LIMIT INT64_C(1000000000000000)
 
+/* Numbers as files write them have few digits: digits and power of ten are doubles then, and one operation rounds
+ * once. Not where the machine keeps more precision than a double has. */
+enum { FEW_DIGITS = 15, SMALL_EXPONENT = 22 };
+
+static bool quick_value(uint64_t digits, size_t count, int64_t exponent, double *value) {
+  static const double powers[SMALL_EXPONENT + 1] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                                    1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                                    1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+  if (FLT_EVAL_METHOD != 0 || count > FEW_DIGITS || exponent < -SMALL_EXPONENT || exponent > SMALL_EXPONENT) {
+    return false;
+  }
+  *value = exponent < 0 ? (double)digits / powers[-exponent] : (double)digits * powers[exponent];
+  return true;
+}
+
 static bool matches(const char *text, size_t length, const char *word) {
   size_t i = 0;
   while (i < length && word[i] != '\0' && to_lower(text[i]) == word[i]) ++i;
@@ -55,6 +70,7 @@ enum number_status number_parse(const char *text, size_t length, double *value) 
   /* The number is gathered as digits x 10^exponent with whole digits, so that no decimal point, which a locale could
    * change, ever reaches strtod. */
   char digits[KEPT_DIGITS + 40];
+  uint64_t few = 0; /* the first of them */
   size_t kept = 0;
   int64_t exponent = 0;
   bool any_digit = false;
@@ -70,6 +86,7 @@ enum number_status number_parse(const char *text, size_t length, double *value) 
     any_digit = true;
     const bool leading_zero = kept == 0 && c == '0';
     if (leading_zero || kept < KEPT_DIGITS) {
+      if (kept < FEW_DIGITS) few = 10 * few + (uint64_t)(c - '0');
       if (!leading_zero) digits[kept++] = c;
       if (after_point) --exponent;
     } else {
@@ -80,8 +97,9 @@ enum number_status number_parse(const char *text, size_t length, double *value) 
   if (!any_digit) return classify(text, length);
   if (at < length && (!parse_exponent(text, length, &at, &exponent) || at != length)) return NUMBER_SYNTAX;
 
-  if (kept == 0) {
-    *value = negative ? -0.0 : 0.0;
+  double quick;
+  if (quick_value(few, kept, kept == 0 ? 0 : exponent, &quick)) {
+    *value = negative ? -quick : quick;
     return NUMBER_OK;
   }
   if (dropped) {

@@ -78,18 +78,18 @@ static bool read_atom(const struct line_reader *reader, struct alternate_locatio
     const struct field number = field_in_columns(reader->text, reader->length, 31 + 8 * axis, 38 + 8 * axis);
     if (!field_number(number, names[axis], &xyz[axis], line, failure)) return false;
   }
-  bool keep;
-  if (!alternate_locations_keep(seen, reader->text, reader->length, &keep)) return failure_of_memory(failure);
-  if (!keep) {
-    ++molecule->left_out.alternate_locations;
-    return true;
-  }
-
   struct atom_label label = ATOM_LABEL_NONE;
   const struct field name = field_in_columns(reader->text, reader->length, 13, 16);
   label_copy(label.name, sizeof label.name, name);
   label_residue(reader, &label.residue);
   label.hetatm = pdb_record_is_hetatm(reader->text);
+  const struct field segment = field_in_columns(reader->text, reader->length, 73, 76);
+  bool keep;
+  if (!alternate_locations_keep(seen, &label, segment, column(reader, 17), &keep)) return failure_of_memory(failure);
+  if (!keep) {
+    ++molecule->left_out.alternate_locations;
+    return true;
+  }
   if (!element_by_columns(reader, &label.element) && !element_by_name(reader, &label.element)) {
     char shown[EXCERPT_BYTES];
     return failure_in_input(failure, line, "no element in columns 77-78, and none in the atom name '%s'",
