@@ -1,4 +1,4 @@
-/* Molecular dynamics with a surface energy: atoms on springs to where they start, and every other one pays for its area.
+/* Molecular dynamics with a surface energy: atoms on springs to where they start, every other one pays for its area.
  *   dynamics FILE.xyzr [FRAMES]       x y z r on each line
  * Velocity Verlet with unit masses. The surface's forces come from one call a frame, so the total energy stays. */
 #include <hardsphere_workspace.h>

@@ -39,18 +39,18 @@ program draw
   end do
   radius = [(1.2_c_double + 0.3_c_double*mod(i, 2), i=1, n)]
   call get_command_argument(1, file)
-  open (newunit=unit, file=file, access='stream', status='replace')
+  open (newunit=unit, file=file, access='stream', status='replace', iostat=i)
+  if (i /= 0) then
+    write (error_unit, '(a)') 'draw: cannot write '//trim(file)
+    stop 1
+  end if
   status = work%set(n, xyz, radius)
   if (status == HSP_OK) status = hsp_view_options_init(direction, int(c_sizeof(direction), c_int32_t))
   if (status == HSP_OK) status = hsp_view_options_turn(direction, -60.0_c_double, 0.0_c_double, 0.0_c_double)
   if (status == HSP_OK) status = work%compute_view(direction)
   if (status == HSP_OK) status = hsp_picture_write(work%view, colour=colour, title='A ring'//c_null_char, &
                                                    sink=c_funloc(write_bytes), context=c_loc(unit))
-  if (status == HSP_OK) then
-    flush (unit, iostat=i)
-    if (i /= 0) status = HSP_E_SINK
-  end if
-  close (unit, iostat=i)
+  close (unit)
   if (status /= HSP_OK) then
     write (error_unit, '(a)') 'draw: '//hsp_status_message(status)
     stop 1

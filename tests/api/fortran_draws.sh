@@ -12,6 +12,6 @@ colours=$(grep -o '<path data-ball="[0-9]*"[^>]*fill="#[0-9a-fA-F]*"' "$work/rin
 [ "$paths" -eq 12 ] || { echo "$paths paths for 12 balls" && exit 1; }
 [ "$colours" -eq 12 ] || { echo "$colours colours for 12 chains" && exit 1; }
 # Where it cannot write it says so.
-if "$program" /dev/full 2>"$work/errors"; then echo "nothing was written, and nobody said so" && exit 1; fi
-grep -q 'refused' "$work/errors" || { cat "$work/errors" && exit 1; }
+if "$program" "$work/no_such_folder/ring.svg" 2>"$work/errors"; then echo "nothing was written, and nobody said so" && exit 1; fi
+grep -q 'cannot write' "$work/errors" || { cat "$work/errors" && exit 1; }
 echo "$paths paths"
