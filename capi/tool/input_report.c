@@ -59,6 +59,7 @@ static void rows_left_out(struct text_buffer *out, const struct left_out *left_o
   } rows[] = {
       {left_out->other_models, "atom of other models", "atoms of other models"},
       {left_out->alternate_locations, "atom at other alternate locations", "atoms at other alternate locations"},
+      {left_out->virtual_sites, "virtual site", "virtual sites"},
       {left_out->water, "atom of water", "atoms of water"},
       {left_out->hetatm, "other HETATM atom", "other HETATM atoms"},
       {left_out->hydrogen, "other hydrogen", "other hydrogens"},
@@ -74,6 +75,45 @@ static void rows_left_out(struct text_buffer *out, const struct left_out *left_o
   }
 }
 
+/* Elements that the set has no radius for, with their atoms. Calls `add` for each of them. */
+static void list_substitutes(struct text_buffer *out, const struct request *request, const struct molecule *molecule,
+                             void add(struct text_buffer *, bool first, const char *symbol, double radius,
+                                      uint64_t atoms)) {
+  uint64_t atoms[120] = {0};
+  struct element_symbol symbol;
+  bool first = true;
+  for (uint32_t i = 0; i < molecule->atoms; ++i) {
+    symbol = molecule->label[i].element;
+    if (radii_is_substitute(&request->radii, symbol)) ++atoms[element_atomic_number(symbol)];
+  }
+  for (uint32_t number = 1; element_symbol_of_number(number, &symbol); ++number) {
+    double radius;
+    if (atoms[number] == 0 || !radii_find(&request->radii, symbol, &radius)) continue;
+    add(out, first, symbol.text, radius, atoms[number]);
+    first = false;
+  }
+}
+
+static void add_substitute(struct text_buffer *out, bool first, const char *symbol, double radius, uint64_t atoms) {
+  if (first) text_buffer_add(out, "  %-16s", "substitutes");
+  text_buffer_add(out, "%s%s %.10g", first ? " " : ", ", symbol, radius);
+  add_count(out, " (", atoms, "atom)", "atoms)");
+}
+
+static void json_substitute(struct text_buffer *out, bool first, const char *symbol, double radius, uint64_t atoms) {
+  text_buffer_add(out, "%s{\"element\": \"%s\", \"radius\": ", first ? "" : ", ", symbol);
+  json_number(out, radius);
+  text_buffer_add(out, ", \"atoms\": %" PRIu64 "}", atoms);
+}
+
+static void row_substitutes(struct text_buffer *out, const struct request *request, const struct molecule *molecule) {
+  const size_t before = out->length;
+  list_substitutes(out, request, molecule, add_substitute);
+  if (out->length == before) return;
+  text_buffer_add(out, ": not in %s%s\n", radii_set_name(request->set),
+                  request->set == &radii_bondi ? "" : ", from bondi where it has them");
+}
+
 void input_report_rows(struct text_buffer *out, const struct request *request, const struct molecule *molecule) {
   const struct among among = count_among(molecule);
   char value[2 * NUMBER_BYTES];
@@ -87,6 +127,7 @@ void input_report_rows(struct text_buffer *out, const struct request *request, c
   if (!format_has_radii(request->format)) {
     text_buffer_add(out, "  %-16s %s (%s)\n", "radii", radii_set_name(request->set), radii_set_source(request->set));
     if (request->overrides.length > 0) text_buffer_add(out, "  %-16s with %s\n", "", request->overrides.text);
+    row_substitutes(out, request, molecule);
   } else if (among.points == molecule->atoms) {
     report_row(out, "radii", "from the file; all of them are 0", "");
   } else {
@@ -108,7 +149,9 @@ void input_report_json(struct text_buffer *out, const struct request *request, c
   text_buffer_add(out, ", \"radii\": \"%s\", \"radius_overrides\": ",
                   format_has_radii(molecule->format) ? "file" : radii_set_name(request->set));
   json_text(out, request->overrides.length > 0 ? request->overrides.text : "");
-  text_buffer_add(out, ", \"probe\": ");
+  text_buffer_add(out, ", \"substitutes\": [");
+  if (!format_has_radii(molecule->format)) list_substitutes(out, request, molecule, json_substitute);
+  text_buffer_add(out, "], \"probe\": ");
   json_number(out, request->probe);
   json_count(out, "balls", molecule->atoms);
   json_count(out, "waters", among.waters);
@@ -120,6 +163,7 @@ void input_report_json(struct text_buffer *out, const struct request *request, c
   json_count(out, "models", molecule->models);
   text_buffer_add(out, ", \"left_out\": {\"other_models\": %" PRIu64, left_out->other_models);
   json_count(out, "alternate_locations", left_out->alternate_locations);
+  json_count(out, "virtual_sites", left_out->virtual_sites);
   json_count(out, "water", left_out->water);
   json_count(out, "hetatm", left_out->hetatm);
   json_count(out, "hydrogen", left_out->hydrogen);

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "hardsphere.h"
+#include "residue_kinds.h"
 #include "text_buffer.h"
 
 void molecule_init(struct molecule *molecule, enum molecule_format format, uint64_t model) {
@@ -55,22 +56,34 @@ enum { MOST_MISSING = 8 }; /* as many as one line of text has room for */
 static bool report_missing(const struct missing *missing, size_t count, bool more, struct failure *failure) {
   struct text_buffer list = TEXT_BUFFER_EMPTY;
   struct text_buffer options = TEXT_BUFFER_EMPTY;
+  struct text_buffer symbols = TEXT_BUFFER_EMPTY;
   for (size_t i = 0; i < count; ++i) {
     const struct missing *of = &missing[i];
-    const char *unknown = element_symbol_exists(of->element) ? "" : "unknown element ";
-    text_buffer_add(&list, "%s%s'%s' (%" PRIu32 " atom%s)", i == 0 ? "" : ", ", unknown, of->element.text, of->atoms,
+    text_buffer_add(&list, "%s'%s' (%" PRIu32 " atom%s)", i == 0 ? "" : ", ", of->element.text, of->atoms,
                     of->atoms == 1 ? "" : "s");
     text_buffer_add(&options, "%s%s=R", i == 0 ? "" : ",", of->element.text);
+    text_buffer_add(&symbols, "%s%s", i == 0 ? "" : ",", of->element.text);
   }
-  if (list.out_of_memory || options.out_of_memory) {
+  if (list.out_of_memory || options.out_of_memory || symbols.out_of_memory) {
     failure_of_memory(failure);
   } else {
-    failure_in_input(failure, missing[0].line, "no radius for %s%s; give %s with --radius %s", list.text,
-                     more ? " and more" : "", count == 1 ? "one" : "them", options.text);
+    failure_in_input(failure, missing[0].line,
+                     "unknown element%s %s%s; give %s with --radius %s, or leave out such atoms with --hide element:%s",
+                     count == 1 ? "" : "s", list.text, more ? " and more" : "", count == 1 ? "a radius" : "radii",
+                     options.text, symbols.text);
   }
   text_buffer_free(&list);
   text_buffer_free(&options);
+  text_buffer_free(&symbols);
   return false;
+}
+
+void molecule_move_atom(struct molecule *molecule, uint32_t to, uint32_t from) {
+  if (to == from) return;
+  memcpy(molecule->xyz + 3 * (size_t)to, molecule->xyz + 3 * (size_t)from, 3 * sizeof *molecule->xyz);
+  molecule->radius[to] = molecule->radius[from];
+  molecule->line[to] = molecule->line[from];
+  molecule->label[to] = molecule->label[from];
 }
 
 bool molecule_take_radii(struct molecule *molecule, const struct radii *radii, struct failure *failure) {
@@ -78,9 +91,18 @@ bool molecule_take_radii(struct molecule *molecule, const struct radii *radii, s
   struct missing missing[MOST_MISSING];
   size_t count = 0;
   bool more = false;
+  uint32_t taken = 0;
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
-    const struct element_symbol element = molecule->label[i].element;
-    if (radii_find(radii, element, &molecule->radius[i])) continue;
+    const struct atom_label *label = &molecule->label[i];
+    const struct element_symbol element = label->element;
+    if (radii_find(radii, element, &molecule->radius[i])) {
+      molecule_move_atom(molecule, taken++, i);
+      continue;
+    }
+    if (label->virtual_site) {
+      ++molecule->left_out.virtual_sites;
+      continue;
+    }
     size_t at = 0;
     while (at < count && strcmp(missing[at].element.text, element.text) != 0) ++at;
     if (at == MOST_MISSING) {
@@ -90,17 +112,13 @@ bool molecule_take_radii(struct molecule *molecule, const struct radii *radii, s
     if (at == count) missing[count++] = (struct missing){element, molecule->line[i], 0};
     ++missing[at].atoms;
   }
-  return count == 0 || report_missing(missing, count, more, failure);
+  if (count > 0) return report_missing(missing, count, more, failure);
+  molecule->atoms = taken;
+  return taken > 0 || failure_in_input(failure, 0, "no atoms are left: the file has virtual sites alone");
 }
 
 bool atom_is_water(const struct atom_label *label) {
-  static const char *const names[] = {"HOH",  "WAT", "H2O", "DOD", "D2O", "SOL", "TIP", "TIP2", "TIP3", "TIP4",
-                                      "TIP5", "TP3", "TP4", "TP5", "T3P", "T4P", "T5P", "SPC",  "SPCE", "OPC"};
-  const struct field name = {label->residue.name, strlen(label->residue.name)};
-  for (size_t i = 0; i < sizeof names / sizeof names[0]; ++i) {
-    if (field_is(name, names[i])) return true;
-  }
-  return false;
+  return residue_kind_of(label->residue.name) == RESIDUE_WATER;
 }
 
 bool atom_is_hydrogen(const struct atom_label *label) {
@@ -126,7 +144,7 @@ bool format_has_radii(enum molecule_format format) {
 }
 
 bool format_has_elements(enum molecule_format format) {
-  return format == FORMAT_PDB || format == FORMAT_XYZ;
+  return format != FORMAT_XYZR;
 }
 
 bool format_has_residues(enum molecule_format format) {

@@ -25,16 +25,18 @@ struct atom_label {
   char name[8];
   struct residue_label residue;
   struct element_symbol element;
-  bool hetatm; /* the file says that it belongs to no chain: to a ligand, an ion, water */
+  bool hetatm;       /* the file says that it belongs to no chain: to a ligand, an ion, water */
+  bool virtual_site; /* no atom, but a place beside one; becomes a ball only if the user gives its symbol a radius */
 };
 
 #define ATOM_LABEL_NONE \
-  { "", {"", "", "", ""}, {""}, false }
+  { "", {"", "", "", ""}, {""}, false, false }
 
 /* What a file holds beside the atoms that became balls, in atoms unless it says otherwise. */
 struct left_out {
   uint64_t other_models;
   uint64_t alternate_locations;
+  uint64_t virtual_sites;
   /* By the user's choice; each atom counts once: */
   uint64_t water;
   uint64_t hetatm; /* other than water */
@@ -62,11 +64,14 @@ void molecule_init(struct molecule *molecule, enum molecule_format format, uint6
 bool molecule_add(struct molecule *molecule, const double xyz[3], double radius, const struct atom_label *label,
                   uint64_t line, struct failure *failure);
 
-/* Take the radius of every atom from its element, unless the format brings radii. Elements without one are refused,
- * all of them in one line. */
+/* Atom `from` takes the place of atom `to`. */
+void molecule_move_atom(struct molecule *molecule, uint32_t to, uint32_t from);
+
+/* Take the radius of every atom from its element, unless the format brings radii. Virtual sites without one are left
+ * out; other symbols without one, which no element has, are refused, all of them in one line. */
 bool molecule_take_radii(struct molecule *molecule, const struct radii *radii, struct failure *failure);
 
-/* Whether the atom belongs to a water molecule, by the names that residues of water go by. */
+/* Whether the atom belongs to a water molecule, by the name of its residue. */
 bool atom_is_water(const struct atom_label *label);
 
 bool atom_is_hydrogen(const struct atom_label *label);

@@ -7,17 +7,19 @@
 /* Records of "Protein Data Bank contents guide", versions 2.3 and 3.3, and of programs in wide use, by the letters that
  * their names begin with. */
 static const char *const other_records[] = {
-    "ANISOU", "AUTHOR", "CAVEAT", "CISPEP", "COMPND", "CONECT", "CRYST1", "DBREF",  "EXPDTA", "FORMUL", "FTNOTE",
-    "HEADER", "HELIX",  "HET",    "HYDBND", "JRNL",   "KEYWDS", "LINK",   "MASTER", "MDLTYP", "MODRES", "MTRIX",
-    "NUMMDL", "OBSLTE", "ORIGX",  "REMARK", "REVDAT", "SCALE",  "SEQADV", "SEQRES", "SHEET",  "SIGATM", "SIGUIJ",
-    "SITE",   "SLTBRG", "SOURCE", "SPLIT",  "SPRSDE", "SSBOND", "TER",    "TITLE",  "TURN",   "TVECT",  "USER",
+    "ANISOU", "AUTHOR", "CAVEAT", "CISPEP", "COMPND", "CONECT", "CRYST",  "DBREF",  "EXPDTA", "FORMUL",
+    "FTNOTE", "HEADER", "HELIX",  "HET",    "HETNAM", "HETSYN", "HYDBND", "JRNL",   "KEYWDS", "LINK",
+    "LINKR",  "MASTER", "MDLTYP", "MODRES", "MTRIX",  "NUMMDL", "OBSLTE", "ORIGX",  "REMARK", "REVDAT",
+    "SCALE",  "SEQADV", "SEQRES", "SHEET",  "SIGATM", "SIGUIJ", "SITE",   "SLTBRG", "SOURCE", "SPLIT",
+    "SPRSDE", "SSBOND", "TER",    "TITLE",  "TURN",   "TVECT",  "USER",
 };
 
-/* Whether a line begins with the word, in any case, and the word ends there: no letter follows. */
+/* Whether a line begins with the word, in any case, and the word ends there: no letter and no '_' follows. Digits may:
+ * those of ORIGX1, and serial numbers. */
 static bool begins_with_word(const char *line, size_t length, const char *word) {
   size_t i = 0;
   while (i < length && word[i] != '\0' && to_upper(line[i]) == word[i]) ++i;
-  return word[i] == '\0' && (i == length || !is_letter(line[i]));
+  return word[i] == '\0' && (i == length || (!is_letter(line[i]) && line[i] != '_'));
 }
 
 static bool begins_with(const char *line, size_t length, const char *word) {
@@ -38,7 +40,7 @@ enum pdb_record pdb_record_of(const char *line, size_t length) {
   if (begins_with_word(line, length, "MODEL")) return PDB_MODEL;
   if (begins_with_word(line, length, "END") || begins_with_word(line, length, "ENDMDL")) return PDB_END;
   for (size_t i = 0; i < sizeof other_records / sizeof other_records[0]; ++i) {
-    if (begins_with(line, length, other_records[i])) return PDB_OTHER;
+    if (begins_with_word(line, length, other_records[i])) return PDB_OTHER;
   }
   return PDB_ALIEN;
 }

@@ -9,6 +9,9 @@
 #include "line_reader.h"
 #include "molecule.h"
 
+/* Of the columns of an atom record, the last that has to be there: x, y, z end in it. */
+enum { LAST_COORDINATE_COLUMN = 54 };
+
 enum pdb_record {
   PDB_ATOM,  /* ATOM or HETATM, blanks before it allowed */
   PDB_MODEL, /* a model begins */

@@ -5,7 +5,7 @@
 #include "characters.h"
 #include "hardsphere.h"
 
-/* The numbers are in the library. An element that it has only a substitute for has no radius here. */
+/* The numbers are in the library. */
 struct radii_set {
   const char *name;
   const char *source;
@@ -39,6 +39,15 @@ uint32_t element_atomic_number(struct element_symbol symbol) {
   return 0;
 }
 
+bool element_symbol_of_number(uint64_t number, struct element_symbol *symbol) {
+  if (number < 1 || number > (sizeof symbols - 1) / 2) return false;
+  const char *at = symbols + 2 * (number - 1);
+  symbol->text[0] = at[0];
+  symbol->text[1] = at[1] == ' ' ? '\0' : at[1];
+  symbol->text[2] = '\0';
+  return true;
+}
+
 bool element_symbol_exists(struct element_symbol symbol) {
   return element_atomic_number(symbol) != 0;
 }
@@ -63,25 +72,33 @@ const char *radii_set_source(const struct radii_set *set) {
 }
 
 void radii_take_set(struct radii *radii, const struct radii_set *set) {
-  for (size_t i = 0; i < sizeof radii->of / sizeof radii->of[0]; ++i) radii->of[i] = -1.0;
-  for (size_t at = 0; symbols[at] != '\0'; at += 2) {
-    const struct element_symbol symbol = {{symbols[at], symbols[at + 1] == ' ' ? '\0' : symbols[at + 1], '\0'}};
+  for (size_t i = 0; i < sizeof radii->of / sizeof radii->of[0]; ++i) {
+    radii->of[i] = -1.0;
+    radii->substitute[i] = false;
+  }
+  struct element_symbol symbol;
+  for (uint32_t number = 1; element_symbol_of_number(number, &symbol); ++number) {
     double radius;
     uint32_t flags;
-    if (hsp_element_radius(set->set, (uint32_t)(at / 2 + 1), &radius, &flags) == HSP_OK &&
-        (flags & HSP_RADIUS_FALLBACK) == 0) {
-      radii_put(radii, symbol, radius);
-    }
+    if (hsp_element_radius(set->set, number, &radius, &flags) != HSP_OK) continue;
+    radii_put(radii, symbol, radius);
+    radii->substitute[place(symbol)] = (flags & HSP_RADIUS_FALLBACK) != 0;
   }
 }
 
 void radii_put(struct radii *radii, struct element_symbol symbol, double radius) {
   radii->of[place(symbol)] = radius;
+  radii->substitute[place(symbol)] = false;
 }
 
 bool radii_find(const struct radii *radii, struct element_symbol symbol, double *radius) {
+  if (symbol.text[0] == '\0') return false;
   const double found = radii->of[place(symbol)];
   if (found < 0.0) return false;
   *radius = found;
   return true;
+}
+
+bool radii_is_substitute(const struct radii *radii, struct element_symbol symbol) {
+  return symbol.text[0] != '\0' && radii->substitute[place(symbol)];
 }

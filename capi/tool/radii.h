@@ -18,12 +18,16 @@ bool element_symbol_parse(const char *text, size_t length, struct element_symbol
 /* The atomic number of the element with that symbol; 0 if there is none. */
 uint32_t element_atomic_number(struct element_symbol symbol);
 
+/* The symbol of an atomic number; false if no element has it. */
+bool element_symbol_of_number(uint64_t number, struct element_symbol *symbol);
+
 /* Whether the periodic table has the symbol. */
 bool element_symbol_exists(struct element_symbol symbol);
 
 /* The radius of every symbol of one or two letters: negative where there is none. */
 struct radii {
   double of[27 * 27];
+  bool substitute[27 * 27]; /* the set has none for this element */
 };
 
 /* The sets that can be asked for by name. */
@@ -46,5 +50,8 @@ void radii_put(struct radii *radii, struct element_symbol symbol, double radius)
 
 /* False: the symbol has no radius. */
 bool radii_find(const struct radii *radii, struct element_symbol symbol, double *radius);
+
+/* Whether the radius is none of the set, but a substitute for one: that of bondi, or 2 where this has none either. */
+bool radii_is_substitute(const struct radii *radii, struct element_symbol symbol);
 
 #endif

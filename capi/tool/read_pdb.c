@@ -1,14 +1,16 @@
 /* .pdb: records in fixed columns, after "Protein Data Bank contents guide", version 3.3. Of an atom record count, in
  * columns from 1: name 13-16, alternate location 17, residue 18-20, chain 22, number and insertion code 23-27,
- * x 31-38, y 39-46, z 47-54, element 77-78. Neighbouring fields may touch. Serial numbers are not looked at. */
+ * x 31-38, y 39-46, z 47-54, element 77-78; where there is no chain, the segment in 73-76. Neighbouring fields may
+ * touch. Serial numbers are not looked at. */
 #include <string.h>
 
 #include "alternate_locations.h"
 #include "characters.h"
 #include "pdb_records.h"
 #include "read_molecule.h"
+#include "residue_kinds.h"
 
-enum { LAST_COORDINATE_COLUMN = 54, LAST_COLUMN = 80 };
+enum { LAST_COLUMN = 80 };
 
 /* The character in a column, blank beyond the end. */
 static char column(const struct line_reader *reader, size_t number) {
@@ -24,32 +26,34 @@ static bool element_by_columns(const struct line_reader *reader, struct element_
   return false;
 }
 
-/* The element by the atom name: its symbol stands right-justified in columns 13-14, so that " CA " is a carbon (the
- * alpha carbon) and "CA  " is calcium. Names of four characters have no room for that: hydrogens ("HG11", "DD21")
- * begin in column 13, and so do others ("CL12", "CAA1"), where two letters are a symbol only if no third one follows.
- * Leading digits, as in "1HB ", only number the atom. */
-static bool element_by_name(const struct line_reader *reader, struct element_symbol *element) {
-  const char name[4] = {column(reader, 13), column(reader, 14), column(reader, 15), column(reader, 16)};
-  if (is_letter(name[0]) && is_letter(name[1])) {
-    const bool full = name[2] != ' ' && name[3] != ' ';
-    const char first = to_upper(name[0]);
-    const bool hydrogen = full && (first == 'H' || first == 'D');
-    if (!hydrogen && !(full && is_letter(name[2])) && element_symbol_parse(name, 2, element) &&
-        element_symbol_exists(*element)) {
-      return true;
-    }
-    return element_symbol_parse(name, 1, element);
-  }
-  size_t at = 0;
-  while (at < 4 && (name[at] == ' ' || is_digit(name[at]))) ++at;
-  return at < 4 && element_symbol_parse(name + at, 1, element);
+/* The element and whether it is none; false if the record does not tell. */
+static bool label_element(const struct line_reader *reader, struct atom_label *label) {
+  const struct field columns = {reader->text + 12, 4};
+  const bool by_columns = element_by_columns(reader, &label->element);
+  if (by_columns && element_symbol_exists(label->element)) return true;
+  struct element_symbol by_name = {""};
+  const enum atom_kind kind = atom_kind_of(columns, true, label->residue.name, &by_name);
+  label->virtual_site = kind == ATOM_VIRTUAL || (by_columns && is_virtual_symbol(label->element));
+  if (!by_columns) label->element = kind == ATOM_VIRTUAL ? virtual_symbol_of(columns) : by_name;
+  return by_columns || kind != ATOM_UNKNOWN;
+}
+
+/* The name of the segment, which CHARMM and NAMD write instead of a chain. Files of before 1996 have the entry's name
+ * there, and the number of the line behind it. */
+static struct field segment_of(const struct line_reader *reader) {
+  const struct field behind = field_in_columns(reader->text, reader->length, 77, LAST_COLUMN);
+  size_t digits = 0;
+  while (digits < behind.length && is_digit(behind.text[digits])) ++digits;
+  const bool numbered = behind.length > 0 && digits == behind.length;
+  return numbered ? (struct field){"", 0} : field_in_columns(reader->text, reader->length, 73, 76);
 }
 
 static void label_residue(const struct line_reader *reader, struct residue_label *label) {
   const char *text = reader->text;
   const size_t length = reader->length;
   label_copy(label->name, sizeof label->name, field_in_columns(text, length, 18, 20));
-  label_copy(label->chain, sizeof label->chain, field_in_columns(text, length, 22, 22));
+  const struct field chain = field_in_columns(text, length, 22, 22);
+  label_copy(label->chain, sizeof label->chain, chain.length > 0 ? chain : segment_of(reader));
   label_copy(label->number, sizeof label->number, field_in_columns(text, length, 23, 26));
   label_copy(label->insertion, sizeof label->insertion, field_in_columns(text, length, 27, 27));
 }
@@ -90,7 +94,7 @@ static bool read_atom(const struct line_reader *reader, struct alternate_locatio
     ++molecule->left_out.alternate_locations;
     return true;
   }
-  if (!element_by_columns(reader, &label.element) && !element_by_name(reader, &label.element)) {
+  if (!label_element(reader, &label)) {
     char shown[EXCERPT_BYTES];
     return failure_in_input(failure, line, "no element in columns 77-78, and none in the atom name '%s'",
                             excerpt(shown, name.text, name.length));

@@ -1,9 +1,13 @@
 /* .xyz: a line with the number of atoms, a title line, then "element x y z" for each atom; further columns are ignored.
- * A trajectory repeats all that: each time is a model. */
+ * A trajectory repeats all that: each time is a model. In extended XYZ the title may put the columns in
+ * another order. */
 #include <inttypes.h>
+#include <string.h>
 
+#include "characters.h"
 #include "number.h"
 #include "read_molecule.h"
+#include "residue_kinds.h"
 
 /* Step to the next line that is not blank and split it. */
 static enum line_status next_filled_line(struct line_reader *reader, struct field *column, size_t capacity,
@@ -16,22 +20,105 @@ static enum line_status next_filled_line(struct line_reader *reader, struct fiel
   }
 }
 
-static bool read_atom(struct line_reader *reader, const struct field column[4], size_t columns,
+/* Where the columns of an atom are, counted from 0. */
+struct columns {
+  size_t element;
+  size_t position; /* of x; y and z follow */
+};
+
+enum { MOST_COLUMNS = 64 };
+
+/* One name:type:count of Properties; false if it is no such thing. `text` steps to the next one. */
+static bool next_property(struct field *text, struct field *name, uint64_t *count) {
+  struct field part[3];
+  for (int i = 0; i < 3; ++i) {
+    const char *colon = text->length == 0 ? NULL : memchr(text->text, ':', text->length);
+    if (colon == NULL && i < 2) return false;
+    part[i].text = text->text;
+    part[i].length = colon == NULL ? text->length : (size_t)(colon - text->text);
+    const size_t step = colon == NULL ? text->length : part[i].length + 1;
+    text->text += step;
+    text->length -= step;
+  }
+  *name = part[0];
+  return number_parse_count(part[2].text, part[2].length, count) == NUMBER_OK && *count > 0 && *count < MOST_COLUMNS;
+}
+
+/* The columns by a title in extended XYZ, which says Properties=species:S:1:pos:R:3 and more; those of plain XYZ where
+ * it says nothing. */
+static bool columns_of_title(const struct line_reader *reader, struct columns *columns, struct failure *failure) {
+  static const char key[] = "Properties=";
+  *columns = (struct columns){0, 1};
+  const char *found = reader->text;
+  do {
+    found = strstr(found, key);
+    if (found == NULL) return true;
+  } while (found != reader->text && !is_blank(found[-1]) && ++found);
+  found += sizeof key - 1;
+  const bool quoted = *found == '"';
+  if (quoted) ++found;
+  struct field text = {found, strcspn(found, quoted ? "\"" : " \t")};
+  bool element_seen = false;
+  bool position_seen = false;
+  for (size_t at = 0; text.length > 0;) {
+    struct field name;
+    uint64_t count;
+    if (!next_property(&text, &name, &count)) {
+      return failure_in_input(failure, reader->number, "Properties is not of the form name:type:count:...");
+    }
+    if ((field_is(name, "SPECIES") || field_is(name, "Z")) && count == 1 && !element_seen) {
+      columns->element = at;
+      element_seen = true;
+    }
+    if ((field_is(name, "POS") || field_is(name, "POSITIONS")) && count == 3) {
+      columns->position = at;
+      position_seen = true;
+    }
+    at += count;
+    if (at > MOST_COLUMNS) return failure_in_input(failure, reader->number, "Properties has too many columns");
+  }
+  if (element_seen && position_seen) return true;
+  return failure_in_input(failure, reader->number, "Properties has no %s", element_seen ? "pos:R:3" : "species:S:1");
+}
+
+/* A symbol, a label that begins with one and goes on with something else, C1 or Fe3+, or an atomic number. */
+static bool parse_element(struct field text, struct atom_label *label) {
+  uint64_t number;
+  if (number_parse_count(text.text, text.length, &number) == NUMBER_OK) {
+    return element_symbol_of_number(number, &label->element);
+  }
+  size_t letters = 0;
+  while (letters < text.length && is_letter(text.text[letters])) ++letters;
+  if (!element_symbol_parse(text.text, letters, &label->element)) return false;
+  label->virtual_site = is_virtual_symbol(label->element);
+  return true;
+}
+
+static bool read_atom(struct line_reader *reader, const struct field *column, size_t count, struct columns columns,
                       struct molecule *molecule, struct failure *failure) {
   const uint64_t line = reader->number;
-  if (columns < 4) {
-    return failure_in_input(failure, line, "expected element x y z, found %u of 4 columns", (unsigned)columns);
+  const size_t needed = columns.element < columns.position ? columns.position + 3 : columns.element + 1;
+  if (count < needed) {
+    return failure_in_input(failure, line, "expected %s, found %u of %u columns",
+                            needed == 4 ? "element x y z" : "the columns of Properties", (unsigned)count,
+                            (unsigned)needed);
   }
   struct atom_label label = ATOM_LABEL_NONE;
-  if (!element_symbol_parse(column[0].text, column[0].length, &label.element)) {
+  const struct field element = column[columns.element];
+  if (!parse_element(element, &label)) {
     char shown[EXCERPT_BYTES];
-    return failure_in_input(failure, line, "unknown element '%s'; expected a symbol such as C or Cl",
-                            excerpt(shown, column[0].text, column[0].length));
+    return failure_in_input(failure, line, "unknown element '%s'; expected a symbol such as C or Cl, or a number",
+                            excerpt(shown, element.text, element.length));
   }
   double xyz[3];
   static const char *const names[3] = {"x", "y", "z"};
   for (size_t axis = 0; axis < 3; ++axis) {
-    if (!field_number(column[1 + axis], names[axis], &xyz[axis], line, failure)) return false;
+    if (!field_number(column[columns.position + axis], names[axis], &xyz[axis], line, failure)) {
+      const struct field *first = &column[0];
+      const struct field *second = &column[1];
+      const bool tinker = is_digit(first->text[0]) && is_letter(second->text[0]);
+      return !tinker ? false : failure_in_input(failure, line, "this looks like Tinker's format, not like XYZ");
+    }
   }
   return molecule_add(molecule, xyz, 0.0, &label, line, failure);
 }
@@ -39,13 +126,15 @@ static bool read_atom(struct line_reader *reader, const struct field column[4], 
 /* Read a model, whose number of atoms stands in the current line, or step over it. *read: atoms found. */
 static enum line_status read_model(struct line_reader *reader, uint64_t count, bool wanted, struct molecule *molecule,
                                    uint64_t *read, struct failure *failure) {
-  struct field column[4];
-  size_t columns = 0;
+  struct field column[MOST_COLUMNS];
+  struct columns columns = {0, 1};
+  size_t found = 0;
   enum line_status status = line_reader_next(reader, failure); /* the title, possibly blank */
+  if (status == LINE_READ && wanted && !columns_of_title(reader, &columns, failure)) return LINE_FAILED;
   for (*read = 0; status == LINE_READ && *read < count; ++*read) {
-    status = next_filled_line(reader, column, 4, &columns, failure);
+    status = next_filled_line(reader, column, MOST_COLUMNS, &found, failure);
     if (status != LINE_READ) break;
-    if (wanted && !read_atom(reader, column, columns, molecule, failure)) return LINE_FAILED;
+    if (wanted && !read_atom(reader, column, found, columns, molecule, failure)) return LINE_FAILED;
   }
   return status;
 }

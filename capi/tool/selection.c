@@ -225,12 +225,7 @@ static void take_or_leave(struct molecule *molecule, uint32_t *taken, uint32_t i
     leave_out(&molecule->left_out, &molecule->label[i]);
     return;
   }
-  const uint32_t to = (*taken)++;
-  if (to == i) return;
-  memcpy(molecule->xyz + 3 * (size_t)to, molecule->xyz + 3 * (size_t)i, 3 * sizeof *molecule->xyz);
-  molecule->radius[to] = molecule->radius[i];
-  molecule->line[to] = molecule->line[i];
-  molecule->label[to] = molecule->label[i];
+  molecule_move_atom(molecule, (*taken)++, i);
 }
 
 bool selection_apply(const struct selection *selection, struct molecule *molecule, struct failure *failure) {

@@ -78,8 +78,9 @@ TEST(DrawColours, Chains) {
   for (const auto &[ball, colour] : fills(file.path(), {})) EXPECT_EQ(colour, "D2CDC3") << ball;
 }
 
-TEST(DrawColours, FilesWithoutElementsAreGrey) {
-  for (const char *file : {"good/two.xyzr", "good/water.pqr"}) {
+TEST(DrawColours, AtomsWithoutElementsAreGrey) {
+  const TemporaryFile unknown("unknown.pqr", "ATOM 1 Q1 XYZ A 1 0 0 0 0 1\nATOM 2 A XYZ A 1 5 0 0 0 1\n");
+  for (const std::string &file : {std::string("good/two.xyzr"), unknown.path()}) {
     const std::map<int, std::string> found = fills(file, {});
     EXPECT_GE(found.size(), 2u);
     for (const auto &[ball, colour] : found) EXPECT_EQ(colour, "D2CDC3") << file << ball;

@@ -115,6 +115,7 @@ TEST(PdbRecords, AlternatesOfAResidueWithTwoNames) {
 
 std::string element_of(const char *name, const char *element) {
   Record record;
+  record.residue = "LIG";  // no residue whose atoms are known
   record.name = name;
   record.element = element;
   const std::vector<std::string> elements = atoms_of({record}).elements;

@@ -84,19 +84,19 @@ TEST(Selection, ComesBeforeRadii) {
 
 void expect_left_out(const std::vector<std::string> &arguments, const std::vector<double> &expected) {
   const Json left_out = run_json(arguments)["input"]["left_out"];
-  const std::vector<std::string> keys = {"other_models", "alternate_locations", "water", "hetatm", "hydrogen",
-                                         "others"};
+  const std::vector<std::string> keys = {
+      "other_models", "alternate_locations", "virtual_sites", "water", "hetatm", "hydrogen", "others"};
   for (size_t i = 0; i < keys.size(); ++i) EXPECT_EQ(left_out[keys[i]].number, expected[i]) << keys[i];
 }
 
 TEST(Selection, SaysWhatIsLeftOut) {
-  expect_left_out({"measure", "good/residues.pdb"}, {0, 0, 0, 0, 0, 0});
-  expect_left_out({"measure", "good/residues.pdb", "--only", "residue:GLY"}, {0, 0, 3, 2, 0, 7});
-  expect_left_out({"measure", "good/water.xyz", "--no-hydrogens"}, {0, 0, 0, 0, 2, 0});
-  expect_left_out({"measure", "good/water_alternates.pdb"}, {0, 2, 0, 0, 0, 0});
-  expect_left_out({"measure", "good/water_two_models.pdb"}, {2, 0, 0, 0, 0, 0});
-  expect_left_out({"measure", "good/water_two_models.pqr", "--model", "1"}, {1, 0, 0, 0, 0, 0});
-  expect_left_out({"measure", "good/water_two_models.xyz"}, {2, 0, 0, 0, 0, 0});
+  expect_left_out({"measure", "good/residues.pdb"}, {0, 0, 0, 0, 0, 0, 0});
+  expect_left_out({"measure", "good/residues.pdb", "--only", "residue:GLY"}, {0, 0, 0, 3, 2, 0, 7});
+  expect_left_out({"measure", "good/water.xyz", "--no-hydrogens"}, {0, 0, 0, 0, 0, 2, 0});
+  expect_left_out({"measure", "good/water_alternates.pdb"}, {0, 2, 0, 0, 0, 0, 0});
+  expect_left_out({"measure", "good/water_two_models.pdb"}, {2, 0, 0, 0, 0, 0, 0});
+  expect_left_out({"measure", "good/water_two_models.pqr", "--model", "1"}, {1, 0, 0, 0, 0, 0, 0});
+  expect_left_out({"measure", "good/water_two_models.xyz"}, {2, 0, 0, 0, 0, 0, 0});
 }
 
 TEST(Selection, SaysWhatIsAmongTheBalls) {

@@ -1,0 +1,43 @@
+/* What the names of residues and atoms tell: which residues are known, and which element an atom is where no column
+ * says so. */
+#ifndef HARDSPHERE_TOOL_RESIDUE_KINDS_H
+#define HARDSPHERE_TOOL_RESIDUE_KINDS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "fields.h"
+#include "radii.h"
+
+enum residue_kind { RESIDUE_OTHER, RESIDUE_AMINO_ACID, RESIDUE_NUCLEOTIDE, RESIDUE_WATER };
+
+/* The kind of the residue of that name, in any case of its letters: the 20 amino acids, their protonation states and
+ * frequent modifications, caps of chains; nucleotides; water, by the names that its models go by. */
+enum residue_kind residue_kind_of(const char *name);
+
+enum atom_kind {
+  ATOM_KNOWN,   /* *element is set */
+  ATOM_UNKNOWN, /* the name does not tell */
+  ATOM_VIRTUAL  /* no atom: a charge or a lone pair beside one, a Drude particle, a pseudo-atom */
+};
+
+/* What an atom is, by its name and its residue's:
+ *   1. an ion, if both names have the same letters, those of an element or one of CHARMM's: SOD, CLA, POT, CAL, CES ..;
+ *   2. in a known residue the element is the first letter of the name, which may follow digits; SE is selenium in MSE,
+ *      SEC and CSE. Other names are virtual sites: EP, M, MW, LP; in water OM; in amino acids Q and M as first letters
+ *      and D before the name of a heavy atom;
+ *   3. elsewhere the name decides. In the columns of a PDB file, four characters, blanks included, a symbol stands
+ *      right-justified in the first two: " CA " is carbon (the alpha carbon), "CA  " is calcium. Names of four
+ *      characters have no room for that: hydrogens ("HG11", "DD21") begin in the first column, and so do others
+ *      ("CL12", "CAA1"), where two letters are a symbol only if no third one follows. Names without columns are one of
+ *      Cl, Br, Fe, Zn, Mg and Se, or begin with an element of one letter.
+ * Deuterium is hydrogen. */
+enum atom_kind atom_kind_of(struct field name, bool in_columns, const char *residue, struct element_symbol *element);
+
+/* Whether a symbol that no element has is one that programs write for virtual sites: EP, LP, M, MW. */
+bool is_virtual_symbol(struct element_symbol symbol);
+
+/* Such a symbol for the name of a virtual site; empty if there is none. */
+struct element_symbol virtual_symbol_of(struct field name);
+
+#endif
