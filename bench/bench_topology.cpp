@@ -44,7 +44,7 @@ void locate(benchmark::State &state, Subject &subject, const std::vector<double>
     in_voids = 0;
     for (size_t i = 0; i < points.size(); i += 3) {
       uint32_t cell = 0;
-      const int32_t status = hsp_topology_locate(subject.topology->get(), &points[i], &cell, nullptr, 0, nullptr);
+      const int32_t status = hsp_topology_locate(subject.topology->get(), &points[i], &cell);
       if (status != HSP_OK) expect_ok(status, "hsp_topology_locate");
       inside += cell == HSP_NONE ? 1 : 0;
       in_voids += cell != HSP_NONE && cell != 0 ? 1 : 0;

@@ -94,33 +94,15 @@ int32_t hsp_topology_get_traversal(const hsp_topology *topology, uint32_t shell,
   return HSP_OK;
 }
 
-int32_t hsp_topology_locate(hsp_topology *topology, const double *xyz, uint32_t *cell, uint32_t *ids, uint32_t capacity,
-                            uint32_t *needed) {
-  if (!is_live(topology) || xyz == nullptr || cell == nullptr || (ids == nullptr && capacity > 0) ||
-      (needed == nullptr && ids != nullptr)) {
-    return HSP_E_ARGUMENT;
-  }
+int32_t hsp_topology_locate(const hsp_topology *topology, const double *xyz, uint32_t *cell) {
+  if (!is_live(topology) || xyz == nullptr || cell == nullptr) return HSP_E_ARGUMENT;
   if (!topology->has_results()) return HSP_E_STATE;
   const hsp::CubeGrid &grid = topology->boundary->model->grid;
   hsp::LatticeQuery point;
   const hsp::Status status = hsp::round_query(grid.balls(), xyz, 0.0, point);
   if (status != hsp::Status::ok) return hsp::capi::to_c(status);
-  hsp::QueryResult result{ids, capacity, 0};
-  hsp::find_balls_at_point(grid, point, result);
-  *cell = result.hits > 0 ? HSP_NONE
-                          : hsp::cell_of_point(grid, topology->boundary->structure(), topology->structure(),
-                                               point.centre, topology->builder.gathered());
-  if (needed == nullptr) return HSP_OK;
-  return check_output(ids, capacity, result.hits, needed);
-}
-
-int32_t hsp_topology_same_cell(hsp_topology *topology, const double *a, const double *b, int32_t *same) {
-  if (same == nullptr) return HSP_E_ARGUMENT;
-  uint32_t cell_of_a = HSP_NONE;
-  uint32_t cell_of_b = HSP_NONE;
-  int32_t status = hsp_topology_locate(topology, a, &cell_of_a, nullptr, 0, nullptr);
-  if (status == HSP_OK) status = hsp_topology_locate(topology, b, &cell_of_b, nullptr, 0, nullptr);
-  if (status != HSP_OK) return status;
-  *same = cell_of_a != HSP_NONE && cell_of_a == cell_of_b ? 1 : 0;
+  *cell = hsp::any_ball_meets(grid, point)
+              ? HSP_NONE
+              : hsp::cell_of_point(grid, topology->boundary->structure(), topology->structure(), point.centre);
   return HSP_OK;
 }

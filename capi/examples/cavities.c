@@ -79,15 +79,14 @@ static int32_t print_way_out(const hsp_workspace *work, const struct balls *ball
     const double right = balls->xyz[3 * (size_t)i] + 2 * (balls->radius[i] + probe);
     if (right > outside[0]) outside[0] = right;
   }
-  uint32_t cell = HSP_NONE;
-  int32_t same = 0;
-  int32_t status = hsp_topology_locate(work->topology, point, &cell, NULL, 0, NULL);
-  if (status == HSP_OK) status = hsp_topology_same_cell(work->topology, point, outside, &same);
+  uint32_t cell = HSP_NONE, cell_outside = 0;
+  int32_t status = hsp_topology_locate(work->topology, point, &cell);
+  if (status == HSP_OK) status = hsp_topology_locate(work->topology, outside, &cell_outside);
   if (status != HSP_OK) return status;
   printf("the point %g %g %g lies ", point[0], point[1], point[2]);
   if (cell == HSP_NONE) {
     printf("in a ball\n");
-  } else if (same) {
+  } else if (cell == cell_outside) { /* a point, and a probe's centre, moves freely within its cell */
     printf("outside\n");
   } else {
     printf("in cavity %u and cannot get out\n", (unsigned)cell);

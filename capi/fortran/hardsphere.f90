@@ -951,24 +951,11 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    function hsp_topology_locate(topology, xyz, cell, ids, capacity, needed) result(status) &
-      bind(C, name="hsp_topology_locate")
+    function hsp_topology_locate(topology, xyz, cell) result(status) bind(C, name="hsp_topology_locate")
       import :: c_double, c_int32_t, c_ptr
       type(c_ptr), value :: topology
       real(c_double), intent(in) :: xyz(3)
       integer(c_int32_t), intent(inout) :: cell
-      integer(c_int32_t), intent(inout), optional :: ids(*)
-      integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout), optional :: needed
-      integer(c_int32_t) :: status
-    end function
-
-    function hsp_topology_same_cell(topology, a, b, same) result(status) bind(C, name="hsp_topology_same_cell")
-      import :: c_double, c_int32_t, c_ptr
-      type(c_ptr), value :: topology
-      real(c_double), intent(in) :: a(3)
-      real(c_double), intent(in) :: b(3)
-      integer(c_int32_t), intent(inout) :: same
       integer(c_int32_t) :: status
     end function
 

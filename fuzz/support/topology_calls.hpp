@@ -102,30 +102,20 @@ class TopologyCalls {
   }
 
   void locate(uint64_t version) {
-    hsp_topology *topology = null(bytes_) ? nullptr : topology_;
+    const hsp_topology *topology = null(bytes_) ? nullptr : topology_;
     const bool odd = bytes_.one_in(3);
-    double a[3], b[3];
-    for (double &x : a) x = number(bytes_, odd);
-    for (double &x : b) x = number(bytes_, odd);
+    double xyz[3];
+    for (double &x : xyz) x = number(bytes_, odd);
     int32_t expected = status_of(topology, version);
     if (expected == HSP_OK) {
-      for (const double x : a) {
+      for (const double x : xyz) {
         if (!std::isfinite(x)) expected = HSP_E_NOT_FINITE;
       }
     }
     uint32_t cell = 12345;
-    int32_t status = hsp_topology_locate(topology, a, &cell, nullptr, 0, nullptr);
+    const int32_t status = hsp_topology_locate(topology, xyz, &cell);
     FUZZ_REQUIRE(status == expected || (expected == HSP_OK && odd && status == HSP_E_RANGE), "hsp_topology_locate");
     FUZZ_REQUIRE(status == HSP_OK || cell == 12345, "cell written on failure");
-    check_array<uint32_t>(bytes_, 24, status, [&](uint32_t *out, uint32_t capacity, uint32_t *count) {
-      // with neither ids nor their number it would be the call above
-      if (out == nullptr && count == nullptr) return int32_t{HSP_E_ARGUMENT};
-      return hsp_topology_locate(topology, a, &cell, out, capacity, count);
-    });
-    int32_t same = 12345;
-    status = hsp_topology_same_cell(topology, a, null(bytes_) ? nullptr : b, &same);
-    FUZZ_REQUIRE(status == HSP_OK ? same == 0 || same == 1 : same == 12345, "hsp_topology_same_cell");
-    FUZZ_REQUIRE(expected == HSP_OK || status < 0, "hsp_topology_same_cell takes what locate does not");
   }
 
  private:

@@ -246,18 +246,13 @@ HSP_API int32_t hsp_topology_get_cell_shells(const hsp_topology *topology, uint3
 HSP_API int32_t hsp_topology_get_traversal(const hsp_topology *topology, uint32_t shell, uint32_t *faces,
                                            uint32_t capacity, uint32_t *needed);
 
-/** Where the point xyz [3] lies: *cell becomes its cell, or HSP_NONE if it lies in a ball; ids receives the balls that
- *  contain it as hsp_query_point does (pass NULL, 0, NULL to have only the cell). Exact; the point is rounded to the
- *  lattice. Statuses as hsp_query_point, and HSP_E_STATE; on HSP_E_CAPACITY *cell and *needed are set.
- *  Uses the topology's scratch memory, hence not const.
+/** Where the point xyz [3] lies: *cell becomes its cell, or HSP_NONE if it lies in a ball. Exact; the point is rounded
+ *  to the lattice. A point can move from one place to another without entering a ball if both lie in one cell; with a
+ *  model grown by a probe, so can the probe. hsp_query_point tells which balls a point lies in.
+ *  HSP_E_ARGUMENT: a null pointer. HSP_E_STATE: nothing computed, or model or boundary changed since. HSP_E_NOT_FINITE:
+ *  xyz holds a NaN or infinity. HSP_E_RANGE: xyz lies beyond 2^50 lattice steps.
  *  Cost: one vertical ray: O(1) expected for each cube it passes, at most O(n). */
-HSP_API int32_t hsp_topology_locate(hsp_topology *topology, const double *xyz, uint32_t *cell, uint32_t *ids,
-                                    uint32_t capacity, uint32_t *needed);
-
-/** Whether a point can move from a [3] to b [3] without entering a ball: *same becomes 1 if both lie in one cell, else
- *  0. With a model grown by a probe this asks whether the probe's centre can go there. Statuses as
- *  hsp_topology_locate. */
-HSP_API int32_t hsp_topology_same_cell(hsp_topology *topology, const double *a, const double *b, int32_t *same);
+HSP_API int32_t hsp_topology_locate(const hsp_topology *topology, const double *xyz, uint32_t *cell);
 
 /** Check the invariants of a computed topology. If all hold, *invariant becomes 0 and *id HSP_NONE. Else
  *  *invariant becomes the number of the first that is violated, and

@@ -4,87 +4,135 @@ namespace hsp {
 
 using exact::Plane;
 
-LoopElement locate_on_boundary(const Caps &caps, const exact::Predicates &predicates, const Boundary &boundary,
-                               uint32_t cap, const Plane &other, int sign) {
-  const uint32_t neighbour = caps.ball[cap];
-  for (const ClosedHalfEdge e : boundary.circles(caps.origin)) {
+namespace {
+
+// The arc or free circle of ball i that lies on the sphere of `neighbour`, whose plane is `circle`, and contains a free
+// point. plane_of(j) is the plane of ball j as seen from ball i.
+template <class PlaneOf>
+LoopElement element_at(const Boundary &boundary, const exact::Predicates &predicates, uint32_t i, uint32_t neighbour,
+                       const Plane &circle, PlaneOf plane_of, const Plane &other, int sign) {
+  for (const ClosedHalfEdge e : boundary.circles(i)) {
     if (boundary.neighbour(e) == neighbour) return LoopElement::circle(e);
   }
   // Half-edges are sorted by their circles, so the arcs of one circle are consecutive.
-  const IdRange all = boundary.half_edges(caps.origin);
+  const IdRange all = boundary.half_edges(i);
   uint32_t first = all.first;
   while (boundary.half_edge(first).circle != neighbour) ++first;
   uint32_t last = first + 1;
   while (last < all.last && boundary.half_edge(last).circle == neighbour) ++last;
   const auto arc = [&](uint32_t k, Plane &leave, Plane &entry) {
     const HalfEdge &half_edge = boundary.half_edge(first + k);
-    leave = caps.plane[caps.cap_of(boundary.half_edge(half_edge.next).circle)];
-    entry = caps.plane[caps.cap_of(half_edge.previous_circle)];
+    leave = plane_of(boundary.half_edge(half_edge.next).circle);
+    entry = plane_of(half_edge.previous_circle);
   };
-  return LoopElement::arc(first + interval_that_contains(predicates, caps.plane[cap], last - first, arc, other, -sign));
+  return LoopElement::arc(first + interval_that_contains(predicates, circle, last - first, arc, other, -sign));
 }
 
-namespace {
+// One ball with several faces and the caps that keep them apart: those with arcs on their circles. Of the other caps
+// some have no free point on their circles, so that no face ends there; the rest are discs with one face all around
+// their whole circles, and a walk across such a disc comes out in the face where it went in.
+class SeveralFaces {
+ public:
+  SeveralFaces(const BallSet &balls, const Boundary &boundary, uint32_t i)
+      : balls_(balls), boundary_(boundary), i_(i), own_(balls.ball(i)) {}
 
-// A great circle through the pole and the axis of a cap is covered there, so that its free interval around the pole has
-// ends, which lie on loops of the face.
-uint32_t face_of_pole(const Boundary &boundary, GatheredBall &gathered, int pole) {
-  Caps &caps = gathered.caps;
-  const exact::Predicates predicates = caps.predicates();
-  const Plane meridian = meridian_through(caps.plane[0].v);
-  gathered.intervals.find(caps, predicates, meridian);
-  uint32_t face = boundary.faces(caps.origin).first;
-  gathered.intervals.visit([&](const FreeInterval &interval) {
-    if (!contains_pole(caps, predicates, meridian, interval, pole)) return;
-    face = boundary.face_of(locate_on_boundary(caps, predicates, boundary, interval.exit_cap, meridian, +1));
-  });
-  return face;
-}
+  const exact::LatticeBall &own() const { return own_; }
+  Plane plane(uint32_t neighbour) const { return exact::plane_of(own_, balls_.ball(neighbour)); }
 
-// The free interval number k of a circle.
-FreeInterval free_interval(const FreeIntervals &intervals, uint32_t k) {
-  FreeInterval found{};
-  uint32_t count = 0;
-  intervals.visit([&](const FreeInterval &interval) {
-    if (count++ == k) found = interval;
-  });
-  return found;
-}
+  // Calls visit(neighbour) for every ball with such a cap.
+  template <class Visit>
+  void visit_neighbours(Visit visit) const {
+    uint32_t last = no_id;
+    for (const uint32_t e : boundary_.half_edges(i_)) {
+      const uint32_t neighbour = boundary_.half_edge(e).circle;
+      if (neighbour != last) visit(neighbour);
+      last = neighbour;
+    }
+  }
+
+  exact::Predicates predicates() const {
+    const exact::Sphere sphere = exact::sphere_of(own_);
+    double length_squared = static_cast<double>(sphere.W);
+    visit_neighbours([&](uint32_t neighbour) {
+      const exact::Vector v = plane(neighbour).v;
+      const double U = static_cast<double>(dot(v, v));
+      if (U > length_squared) length_squared = U;
+    });
+    return {sphere, length_squared};
+  }
+
+  // The face that contains a free point of a great circle; no_id if no such cap crosses the circle. Clockwise from the
+  // point, the first cap is met at its exit, on a loop of that face. lies_between(leave, entry) says whether the point
+  // lies on the way from the exit of one cap to the entry of another; it is asked only of caps that are apart on the
+  // circle.
+  template <class LiesBetween>
+  uint32_t face_of_point(const exact::Predicates &predicates, const Plane &circle, LiesBetween lies_between) const {
+    uint32_t nearest = no_id;
+    Plane nearest_plane{};
+    visit_neighbours([&](uint32_t neighbour) {
+      const Plane cap = plane(neighbour);
+      if (predicates.crossing(circle, cap).sign < 0) return;
+      if (nearest != no_id && predicates.inside(circle, nearest_plane, +1, cap) < 0 &&
+          (predicates.inside(circle, cap, +1, nearest_plane) > 0 || lies_between(nearest_plane, cap))) {
+        return;
+      }
+      nearest = neighbour;
+      nearest_plane = cap;
+    });
+    if (nearest == no_id) return no_id;
+    const auto plane_of = [this](uint32_t neighbour) { return plane(neighbour); };
+    return boundary_.face_of(element_at(boundary_, predicates, i_, nearest, nearest_plane, plane_of, circle, +1));
+  }
+
+  // The face of the highest (+1) or lowest (-1) point. The great circle through the pole and the axis of a cap crosses
+  // that cap.
+  uint32_t face_of_pole(const exact::Predicates &predicates, int pole) const {
+    const Plane meridian = meridian_through(plane(boundary_.half_edge(boundary_.half_edges(i_).first).circle).v);
+    return face_of_point(predicates, meridian, [&](const Plane &leave, const Plane &entry) {
+      return pole_lies_between(meridian.v, leave.v, entry.v, pole);
+    });
+  }
+
+ private:
+  const BallSet &balls_;
+  const Boundary &boundary_;
+  uint32_t i_;
+  exact::LatticeBall own_;
+};
 
 }  // namespace
 
-uint32_t face_of_top(const CubeGrid &grid, const Boundary &boundary, uint32_t i, GatheredBall &gathered) {
-  if (boundary.faces(i).size() == 1) return boundary.faces(i).first;
-  gathered.gather(grid, i);
-  return face_of_pole(boundary, gathered, +1);
+LoopElement locate_on_boundary(const Caps &caps, const exact::Predicates &predicates, const Boundary &boundary,
+                               uint32_t cap, const Plane &other, int sign) {
+  const auto plane_of = [&caps](uint32_t neighbour) -> const Plane & { return caps.plane[caps.cap_of(neighbour)]; };
+  return element_at(boundary, predicates, caps.origin, caps.ball[cap], caps.plane[cap], plane_of, other, sign);
 }
 
-uint32_t face_of_entry(const CubeGrid &grid, const Boundary &boundary, uint32_t i, int64_t x, int64_t y,
-                       GatheredBall &gathered) {
+uint32_t face_of_top(const BallSet &balls, const Boundary &boundary, uint32_t i) {
   if (boundary.faces(i).size() == 1) return boundary.faces(i).first;
-  gathered.gather(grid, i);
-  const exact::LatticeBall own = grid.balls().ball(i);
-  const int64_t dx = x - own.centre.x;
-  const int64_t dy = y - own.centre.y;
-  if (dx == 0 && dy == 0) return face_of_pole(boundary, gathered, -1);
-  Caps &caps = gathered.caps;
+  const SeveralFaces ball(balls, boundary, i);
+  return ball.face_of_pole(ball.predicates(), +1);
+}
+
+uint32_t face_of_entry(const BallSet &balls, const Boundary &boundary, uint32_t i, int64_t x, int64_t y) {
+  if (boundary.faces(i).size() == 1) return boundary.faces(i).first;
+  const SeveralFaces ball(balls, boundary, i);
+  const exact::Predicates predicates = ball.predicates();
+  const int64_t dx = x - ball.own().centre.x;
+  const int64_t dy = y - ball.own().centre.y;
+  if (dx == 0 && dy == 0) return ball.face_of_pole(predicates, -1);
   // The point is p+ of the great circle through it and the poles, and of the vertical plane across that circle.
-  const exact::Predicates predicates = caps.predicates();
   const Plane meridian = exact::virtual_plane({-dy, dx, 0}, 0);
   const Plane across = exact::virtual_plane({dx, dy, 0}, 2 * (dx * dx + dy * dy));
-  const FreeIntervals &intervals = gathered.intervals;
-  gathered.intervals.find(caps, predicates, meridian);
-  if (intervals.empty()) return face_of_pole(boundary, gathered, -1);  // free as a whole
-  uint32_t count = 0;
-  intervals.visit([&](const FreeInterval &) { ++count; });
-  const auto planes_at_ends = [&](uint32_t k, Plane &leave, Plane &entry) {
-    const FreeInterval interval = free_interval(intervals, k);
-    leave = caps.plane[interval.exit_cap];
-    entry = caps.plane[interval.entry_cap];
-  };
-  const uint32_t k = interval_that_contains(predicates, meridian, count, planes_at_ends, across, +1);
-  const uint32_t exit_cap = free_interval(intervals, k).exit_cap;
-  return boundary.face_of(locate_on_boundary(caps, predicates, boundary, exit_cap, meridian, +1));
+  const uint32_t face = ball.face_of_point(predicates, meridian, [&](const Plane &leave, const Plane &entry) {
+    const auto caps_apart = [&](uint32_t k, Plane &from, Plane &to) {
+      from = k == 0 ? leave : entry;
+      to = k == 0 ? entry : leave;
+    };
+    return interval_that_contains(predicates, meridian, 2, caps_apart, across, +1) == 0;
+  });
+  // A great circle that no such cap crosses lies in one face but for the discs of whole circles, and so does a pole.
+  return face != no_id ? face : ball.face_of_pole(predicates, -1);
 }
 
 }  // namespace hsp

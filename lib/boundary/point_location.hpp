@@ -2,7 +2,7 @@
 #pragma once
 
 #include "boundary/boundary.hpp"
-#include "sphere/gathered_ball.hpp"
+#include "sphere/great_circles.hpp"
 
 namespace hsp {
 
@@ -11,12 +11,12 @@ namespace hsp {
 LoopElement locate_on_boundary(const Caps &caps, const exact::Predicates &predicates, const Boundary &boundary,
                                uint32_t cap, const exact::Plane &other, int sign);
 
-// The face that contains the highest point of ball i, which must be free. The ball's caps are gathered if it has
-// several faces.
-uint32_t face_of_top(const CubeGrid &grid, const Boundary &boundary, uint32_t i, GatheredBall &gathered);
+// The face that contains the highest point of ball i, which must be free. No scratch memory: the arcs of the ball name
+// the only caps that keep faces apart.
+uint32_t face_of_top(const BallSet &balls, const Boundary &boundary, uint32_t i);
 
-// The face in which a vertical line through (x, y) enters ball i from below; that point must be free.
-uint32_t face_of_entry(const CubeGrid &grid, const Boundary &boundary, uint32_t i, int64_t x, int64_t y,
-                       GatheredBall &gathered);
+// The face in which a vertical line through (x, y) enters ball i from below; that point must be free. No scratch
+// memory either.
+uint32_t face_of_entry(const BallSet &balls, const Boundary &boundary, uint32_t i, int64_t x, int64_t y);
 
 }  // namespace hsp

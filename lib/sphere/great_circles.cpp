@@ -104,11 +104,8 @@ void FreeIntervals::find(Caps &caps, const exact::Predicates &predicates, const 
   }
 }
 
-namespace {
-
-// Whether a pole lies strictly between two directions, counter-clockwise about the normal m of a meridian's plane. From
-// the upper pole this turn goes first towards w = m x z; the lower pole is half a turn away. With e = v.w the signs of
-// e and v.z give the side of v, and only two directions on the same side of the poles have to be compared.
+// From the upper pole the turn goes first towards w = m x z; the lower pole is half a turn away. With e = v.w the signs
+// of e and v.z give the side of v, and only two directions on the same side of the poles have to be compared.
 bool pole_lies_between(const Vector &m, const Vector &from, const Vector &to, int pole) {
   const auto side = [&](const Vector &v) {
     const int64_t e = v.x * m.y - v.y * m.x;
@@ -126,8 +123,6 @@ bool pole_lies_between(const Vector &m, const Vector &from, const Vector &to, in
   // On one side: passed unless `to` comes first; the whole turn if they are equal.
   return side_from == 2 || exact::orientation(m, from, to) <= 0;
 }
-
-}  // namespace
 
 // The pole lies on the arc iff it lies between the mid-points of the two caps and in neither of them. The poles are p+
 // and p- of two coordinate planes, whose normals may have any length: the filter is sharpest if it is that of the

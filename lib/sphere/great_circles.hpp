@@ -76,7 +76,12 @@ uint32_t interval_that_contains(const exact::Predicates &predicates, const exact
   return intervals - 1;
 }
 
-// Whether a free interval of a meridian contains the sphere's highest (+1) or lowest (-1) point.
+// Whether the sphere's highest (+1) or lowest (-1) point lies strictly between the mid-points of two caps, counter-
+// clockwise about the normal m of a meridian's plane; from and to are the axes of the caps. If it lies in neither cap,
+// it lies between the exit of the first and the entry of the second.
+bool pole_lies_between(const exact::Vector &m, const exact::Vector &from, const exact::Vector &to, int pole);
+
+// Whether a free interval of a meridian contains the highest (+1) or lowest (-1) point.
 bool contains_pole(const Caps &caps, const exact::Predicates &predicates, const exact::Plane &meridian,
                    const FreeInterval &interval, int pole);
 

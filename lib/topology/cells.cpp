@@ -62,21 +62,21 @@ void start_void_scans(const BallSet &balls, const Boundary &boundary, Topology &
 
 // Which shell the ray upwards from a point enters first; no_id if none.
 uint32_t shell_above(const CubeGrid &grid, const Boundary &boundary, const Topology &topology,
-                     const exact::Vector &point, GatheredBall &gathered) {
+                     const exact::Vector &point) {
   const uint32_t ball = first_ball_above(grid, point, topology.highest_centre);
   if (ball == no_id) return no_id;
-  return boundary.face(face_of_entry(grid, boundary, ball, point.x, point.y, gathered)).shell;
+  return boundary.face(face_of_entry(grid.balls(), boundary, ball, point.x, point.y)).shell;
 }
 
 // Finds the cell that contains each component. One ray per component finds the shell above it; a chain of components,
 // each under the next, then ends in a void or outside.
-void nest_components(const CubeGrid &grid, const Boundary &boundary, Topology &topology, GatheredBall &gathered) {
+void nest_components(const CubeGrid &grid, const Boundary &boundary, Topology &topology) {
   for (uint32_t c = 0; c < topology.component_count; ++c) topology.components[c].cell = no_id;
   for (uint32_t c = 0; c < topology.component_count; ++c) {
     ComponentRecord &component = topology.components[c];
     const exact::LatticeBall top = grid.balls().ball(component.top_ball);
     const uint32_t shell =
-        shell_above(grid, boundary, topology, {top.centre.x, top.centre.y, top.centre.z + top.radius}, gathered);
+        shell_above(grid, boundary, topology, {top.centre.x, top.centre.y, top.centre.z + top.radius});
     component.above = no_id;
     if (shell == no_id) {
       component.cell = 0;
@@ -112,7 +112,7 @@ void gather_components(const CubeGrid &grid, const Boundary &boundary, Topology 
   }
 }
 
-void gather_cells(const CubeGrid &grid, const Boundary &boundary, Topology &topology, GatheredBall &gathered) {
+void gather_cells(const CubeGrid &grid, const Boundary &boundary, Topology &topology) {
   topology.shell_count = boundary.shell_count();
   for (uint32_t s = 0; s < topology.shell_count; ++s) {
     topology.shells[s] = {no_id, 0, true, 0, 0, 0, 0, no_id, 0};
@@ -122,7 +122,7 @@ void gather_cells(const CubeGrid &grid, const Boundary &boundary, Topology &topo
   }
   for (uint32_t c = 0; c < topology.component_count; ++c) {
     ComponentRecord &component = topology.components[c];
-    const uint32_t face = face_of_top(grid, boundary, component.top_ball, gathered);
+    const uint32_t face = face_of_top(grid.balls(), boundary, component.top_ball);
     component.outer_shell = boundary.face(face).shell;
     ShellRecord &shell = topology.shells[component.outer_shell];
     shell.is_void = false;
@@ -145,16 +145,16 @@ void gather_cells(const CubeGrid &grid, const Boundary &boundary, Topology &topo
     if (shell.is_void) shell.cell = topology.cell_count++;
   }
   // Without voids there is but one cell.
-  if (topology.cell_count > 1) nest_components(grid, boundary, topology, gathered);
+  if (topology.cell_count > 1) nest_components(grid, boundary, topology);
   for (uint32_t c = 0; c < topology.component_count; ++c) {
     topology.shells[topology.components[c].outer_shell].cell = topology.components[c].cell;
   }
 }
 
 uint32_t cell_of_point(const CubeGrid &grid, const Boundary &boundary, const Topology &topology,
-                       const exact::Vector &point, GatheredBall &gathered) {
+                       const exact::Vector &point) {
   if (topology.cell_count == 1) return 0;
-  const uint32_t shell = shell_above(grid, boundary, topology, point, gathered);
+  const uint32_t shell = shell_above(grid, boundary, topology, point);
   return shell == no_id ? 0 : topology.shells[shell].cell;
 }
 

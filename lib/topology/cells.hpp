@@ -15,10 +15,10 @@ namespace hsp {
 void gather_components(const CubeGrid &grid, const Boundary &boundary, Topology &topology);
 
 // Finds for every shell its component, kind, cell and start face, and the cells of the components.
-void gather_cells(const CubeGrid &grid, const Boundary &boundary, Topology &topology, GatheredBall &gathered);
+void gather_cells(const CubeGrid &grid, const Boundary &boundary, Topology &topology);
 
 // The cell of a point in no closed ball: that of the first shell a vertical ray from it enters.
 uint32_t cell_of_point(const CubeGrid &grid, const Boundary &boundary, const Topology &topology,
-                       const exact::Vector &point, GatheredBall &gathered);
+                       const exact::Vector &point);
 
 }  // namespace hsp

@@ -13,6 +13,7 @@
 #pragma once
 
 #include "boundary/point_location.hpp"
+#include "sphere/gathered_ball.hpp"
 
 namespace hsp {
 

@@ -62,7 +62,7 @@ Status TopologyBuilder::build(const CubeGrid &grid, const Boundary &boundary, ui
 
   assemble_simple_faces(balls, boundary, structure_);
   gather_components(grid, boundary, structure_);
-  gather_cells(grid, boundary, structure_, gathered_);
+  gather_cells(grid, boundary, structure_);
   traverse_shells(boundary, structure_, marks_);
   return Status::ok;
 }

@@ -23,8 +23,7 @@ class TopologyBuilder {
   // What to try again with after Status::capacity.
   TopologyLimits retry_limits() const { return limits_.covering(needed_); }
 
-  // Scratch memory, for questions about single balls and for checks; [edges].
-  GatheredBall &gathered() { return gathered_; }
+  // Scratch memory for checks; [edges].
   Span<uint32_t> marks() const { return marks_; }
 
  private:

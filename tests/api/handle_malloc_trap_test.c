@@ -119,7 +119,6 @@ static int call_topology(topology_result *t, void *memory, size_t bytes, uint32_
   hsp_topology_edge edge;
   hsp_simple_face face;
   uint32_t needed, invariant, id, cell;
-  int32_t same;
   size_t size;
   int bad = 0;
   bad += hsp_topology_limits_init(&limits, (uint32_t)sizeof limits, c->n) != HSP_OK;
@@ -145,8 +144,7 @@ static int call_topology(topology_result *t, void *memory, size_t bytes, uint32_
   bad += hsp_topology_get_cells(topology, t->cells, counts.cells, &needed) != HSP_OK;
   bad += hsp_topology_get_cell_shells(topology, 0, ids, room, &needed) != HSP_OK;
   bad += hsp_topology_get_traversal(topology, 0, ids, room, &needed) != HSP_OK;
-  bad += hsp_topology_locate(topology, c->xyz, &cell, ids, room, &needed) != HSP_OK;
-  bad += hsp_topology_same_cell(topology, c->xyz, c->xyz, &same) != HSP_OK;
+  bad += hsp_topology_locate(topology, c->xyz, &cell) != HSP_OK;
   bad += hsp_topology_check(topology, &invariant, &id) != HSP_OK;
   return bad;
 }

@@ -1,5 +1,6 @@
 /* Handles that are passed as const may be read by any number of threads at a time, and distinct handles used by
- * distinct threads: four threads read one model and one handle of each kind while computing handles of their own. */
+ * distinct threads: four threads read one model and one handle of each kind while computing handles of their own, and
+ * four threads locate points by one topology. */
 #include <hardsphere.h>
 #include <pthread.h>
 #include <stdlib.h>
@@ -7,6 +8,7 @@
 
 #include "check.h"
 #include "handle_life.h"
+#include "topology_sets.h"
 
 enum { THREADS = 4, ROUNDS = 10 };
 
@@ -72,7 +74,72 @@ static void in_threads(void) {
   computations_release(&all);
 }
 
+/* ---- places ---- */
+
+enum { LINES = 26, PLACES_ON_A_LINE = 40, PLACES = LINES * PLACES_ON_A_LINE };
+
+typedef struct search {
+  const hsp_topology *topology;
+  uint32_t cells[PLACES];
+  int failed;
+} search;
+
+/* From the origin in all directions, through the nested voids and out: every place twice as far as the third before
+ * it. */
+static void *locate_places(void *argument) {
+  search *mine = argument;
+  uint32_t found = 0;
+  int line, place;
+  mine->failed = 0;
+  for (line = 0; line <= LINES; ++line) {
+    double at[3], distance = 0.1;
+    if (line == LINES / 2) continue; /* no direction */
+    for (place = 0; place < PLACES_ON_A_LINE; ++place) {
+      at[0] = (line % 3 - 1) * distance;
+      at[1] = (line / 3 % 3 - 1) * distance * 0.9375;
+      at[2] = (line / 9 - 1) * distance * 0.875;
+      mine->failed |= hsp_topology_locate(mine->topology, at, &mine->cells[found++]) != HSP_OK;
+      distance *= 1.25992104989487;
+    }
+  }
+  return NULL;
+}
+
+static void located_in_threads(void) {
+  static ball_set set;
+  static search searches[THREADS + 1];
+  pthread_t threads[THREADS];
+  computed c;
+  topology_result topology;
+  uint32_t cells_seen = 0, k;
+  int t;
+  memset(&topology, 0, sizeof topology);
+  topology_set_nested(&set);
+  check_scene("threads that locate in %s", set.name);
+  if (CHECK_EQUAL(computed_make(set.n, set.xyz, set.radius, NULL, &c), HSP_OK) &&
+      CHECK_EQUAL(topology_result_make(&c, &topology), HSP_OK)) {
+    for (t = 0; t <= THREADS; ++t) searches[t].topology = topology.topology;
+    locate_places(&searches[THREADS]);
+    for (k = 0; k < PLACES; ++k) {
+      const uint32_t cell = searches[THREADS].cells[k];
+      if (cell != HSP_NONE) cells_seen |= UINT32_C(1) << cell;
+    }
+    CHECK_EQUAL(cells_seen, 15);
+    for (t = 0; t < THREADS; ++t) {
+      if (!CHECK_EQUAL(pthread_create(&threads[t], NULL, locate_places, &searches[t]), 0)) exit(check_report());
+    }
+    for (t = 0; t < THREADS; ++t) {
+      CHECK_EQUAL(pthread_join(threads[t], NULL), 0);
+      CHECK(!searches[t].failed);
+      CHECK_BYTES(searches[t].cells, searches[THREADS].cells, sizeof searches[t].cells);
+    }
+  }
+  topology_result_release(&topology);
+  computed_release(&c);
+}
+
 int main(void) {
   in_threads();
+  located_in_threads();
   return check_report();
 }

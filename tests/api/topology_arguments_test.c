@@ -27,7 +27,6 @@ static hsp_shell shells[BALLS];
 static hsp_component components[BALLS];
 static hsp_cell cells[BALLS];
 static uint32_t ids[EDGES], needed, invariant, id, cell;
-static int32_t same;
 
 static void fill_outputs(void) {
   FILL(needed_limits);
@@ -48,7 +47,6 @@ static void fill_outputs(void) {
   FILL(invariant);
   FILL(id);
   FILL(cell);
-  FILL(same);
 }
 
 static void check_outputs_untouched(void) {
@@ -70,7 +68,6 @@ static void check_outputs_untouched(void) {
   CHECK_UNTOUCHED(invariant);
   CHECK_UNTOUCHED(id);
   CHECK_UNTOUCHED(cell);
-  CHECK_UNTOUCHED(same);
 }
 
 /* Steps from a quarter-edge have no status: without results they lead nowhere. */
@@ -104,9 +101,7 @@ static void check_all_readers(hsp_topology *which, int32_t status) {
   CHECK_EQUAL(hsp_topology_get_cells(which, cells, BALLS, &needed), status);
   CHECK_EQUAL(hsp_topology_get_cell_shells(which, 0, ids, EDGES, &needed), status);
   CHECK_EQUAL(hsp_topology_get_traversal(which, 0, ids, EDGES, &needed), status);
-  CHECK_EQUAL(hsp_topology_locate(which, three_balls_xyz, &cell, ids, EDGES, &needed), status);
-  CHECK_EQUAL(hsp_topology_locate(which, three_balls_xyz, &cell, NULL, 0, NULL), status);
-  CHECK_EQUAL(hsp_topology_same_cell(which, outside, three_balls_xyz, &same), status);
+  CHECK_EQUAL(hsp_topology_locate(which, outside, &cell), status);
   CHECK_EQUAL(hsp_topology_check(which, &invariant, &id), status);
   check_outputs_untouched();
   check_no_steps(which);
@@ -152,13 +147,8 @@ static void null_pointers(void) {
   CHECK_EQUAL(hsp_topology_get_cell_shells(topology, 0, ids, EDGES, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_topology_get_traversal(topology, 0, NULL, 1, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_topology_get_traversal(topology, 0, ids, EDGES, NULL), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_topology_locate(topology, NULL, &cell, ids, EDGES, &needed), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_topology_locate(topology, three_balls_xyz, NULL, ids, EDGES, &needed), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_topology_locate(topology, three_balls_xyz, &cell, NULL, EDGES, &needed), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_topology_locate(topology, three_balls_xyz, &cell, ids, EDGES, NULL), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_topology_same_cell(topology, NULL, three_balls_xyz, &same), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_topology_same_cell(topology, three_balls_xyz, NULL, &same), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_topology_same_cell(topology, three_balls_xyz, three_balls_xyz, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_locate(topology, NULL, &cell), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_locate(topology, outside, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_topology_check(topology, NULL, &id), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_topology_check(topology, &invariant, NULL), HSP_E_ARGUMENT);
   check_outputs_untouched();
@@ -200,10 +190,7 @@ static void bad_places(void) {
     for (axis = 0; axis < 3; ++axis) {
       double place[3] = {1, 2, 3};
       place[axis] = odd[i];
-      CHECK_EQUAL(hsp_topology_locate(topology, place, &cell, ids, EDGES, &needed), expected);
-      CHECK_EQUAL(hsp_topology_locate(topology, place, &cell, NULL, 0, NULL), expected);
-      CHECK_EQUAL(hsp_topology_same_cell(topology, place, outside, &same), expected);
-      CHECK_EQUAL(hsp_topology_same_cell(topology, outside, place, &same), expected);
+      CHECK_EQUAL(hsp_topology_locate(topology, place, &cell), expected);
     }
   }
   check_outputs_untouched();

@@ -1,7 +1,6 @@
-/* hsp_topology_locate and hsp_topology_same_cell: points whose cell is known, statuses, capacities, and for every set
- * of topology_sets.h a box of points against the balls themselves: a point is in no cell exactly if it is in a ball,
- * points joined by a line that misses all balls are in one cell, and a cell holds as many of them as its volume says.
- */
+/* hsp_topology_locate: points whose cell is known, statuses, and for every set of topology_sets.h a box of points
+ * against the balls themselves: a point is in no cell exactly if it is in a ball, points joined by a line that misses
+ * all balls are in one cell, and a cell holds as many of them as its volume says. */
 #include <hardsphere.h>
 #include <math.h>
 #include <stdlib.h>
@@ -18,24 +17,14 @@ static uint32_t cell_of(const topology_result *t, double x, double y, double z) 
   place[0] = x;
   place[1] = y;
   place[2] = z;
-  CHECK_EQUAL(hsp_topology_locate(t->topology, place, &cell, NULL, 0, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_topology_locate(t->topology, place, &cell), HSP_OK);
   return cell;
 }
 
-static int32_t same_cell(const topology_result *t, double x, double y, double z, double to_x, double to_y,
-                         double to_z) {
-  double a[3], b[3];
-  int32_t same = 77, back = 77;
-  a[0] = x;
-  a[1] = y;
-  a[2] = z;
-  b[0] = to_x;
-  b[1] = to_y;
-  b[2] = to_z;
-  CHECK_EQUAL(hsp_topology_same_cell(t->topology, a, b, &same), HSP_OK);
-  CHECK_EQUAL(hsp_topology_same_cell(t->topology, b, a, &back), HSP_OK);
-  CHECK_EQUAL(same, back);
-  return same;
+/* Whether a point can move from one place to the other. */
+static int same_cell(const topology_result *t, double x, double y, double z, double to_x, double to_y, double to_z) {
+  const uint32_t cell = cell_of(t, x, y, z);
+  return cell != HSP_NONE && cell == cell_of(t, to_x, to_y, to_z);
 }
 
 /* ---- known points ---- */
@@ -153,39 +142,20 @@ static void no_balls(void) {
   release(&c, &t);
 }
 
-/* ---- ids and capacity ---- */
-
-static void ids_and_capacity(void) {
+/* In no cell exactly where hsp_query_point finds a ball: in four of them, in three, in none. */
+static void in_several_balls(void) {
+  static const double places[3][3] = {{1, 0, 0}, {-1.5, 0, 0}, {9, 9, 9}};
   static ball_set set;
   computed c;
   topology_result t;
   uint32_t which;
   topology_set_make(5, &set); /* three equal balls and a neighbour */
   if (made(&set, &c, &t)) {
-    static const double places[3][3] = {{1, 0, 0}, {-1.5, 0, 0}, {9, 9, 9}};
     for (which = 0; which < 3; ++which) {
-      uint32_t expected[8], ids[8], inside = 0, needed, cell, capacity;
-      CHECK_EQUAL(hsp_query_point(c.model, places[which], expected, 8, &inside), HSP_OK);
+      uint32_t ids[8], inside = 0;
+      CHECK_EQUAL(hsp_query_point(c.model, places[which], ids, 8, &inside), HSP_OK);
       CHECK_EQUAL(inside, which == 0 ? 4 : which == 1 ? 3 : 0);
-      for (capacity = 0; capacity < 8; ++capacity) {
-        FILL(ids);
-        needed = cell = 77;
-        CHECK_EQUAL(hsp_topology_locate(t.topology, places[which], &cell, ids, capacity, &needed),
-                    capacity < inside ? HSP_E_CAPACITY : HSP_OK);
-        CHECK_EQUAL(needed, inside);
-        CHECK_EQUAL(cell, inside > 0 ? HSP_NONE : 0);
-        if (capacity < inside) {
-          CHECK_UNTOUCHED(ids);
-        } else {
-          CHECK_BYTES(ids, expected, inside * sizeof ids[0]);
-          CHECK_EQUAL(ids[inside], 0xA5A5A5A5);
-        }
-      }
-      needed = cell = 77;
-      CHECK_EQUAL(hsp_topology_locate(t.topology, places[which], &cell, NULL, 0, &needed),
-                  inside > 0 ? HSP_E_CAPACITY : HSP_OK);
-      CHECK_EQUAL(needed, inside);
-      CHECK_EQUAL(cell, inside > 0 ? HSP_NONE : 0);
+      CHECK_EQUAL(cell_of(&t, places[which][0], places[which][1], places[which][2]), inside > 0 ? HSP_NONE : 0);
     }
   }
   release(&c, &t);
@@ -200,28 +170,18 @@ static void statuses(void) {
     const double step = c.info.step;
     const double within = 1125899906842624.0 * step, beyond = 1125899906842626.0 * step;
     const double odd[6] = {NAN, INFINITY, -INFINITY, 1e300, -1e300, beyond};
-    static const double good[3] = {0, 0, 0};
-    uint32_t cell, needed, ids[4];
-    int32_t same;
+    uint32_t cell;
     int i, axis;
     FILL(cell);
-    FILL(needed);
-    FILL(ids);
-    FILL(same);
     for (i = 0; i < 6; ++i) {
       const int32_t expected = i < 3 ? HSP_E_NOT_FINITE : HSP_E_RANGE;
       for (axis = 0; axis < 3; ++axis) {
         double place[3] = {1, 2, 3};
         place[axis] = odd[i];
-        CHECK_EQUAL(hsp_topology_locate(t.topology, place, &cell, ids, 4, &needed), expected);
-        CHECK_EQUAL(hsp_topology_same_cell(t.topology, place, good, &same), expected);
-        CHECK_EQUAL(hsp_topology_same_cell(t.topology, good, place, &same), expected);
+        CHECK_EQUAL(hsp_topology_locate(t.topology, place, &cell), expected);
         CHECK_UNTOUCHED(cell);
-        CHECK_UNTOUCHED(needed);
-        CHECK_UNTOUCHED(ids);
-        CHECK_UNTOUCHED(same);
         place[axis] = i % 2 == 0 ? within : -within;
-        CHECK_EQUAL(hsp_topology_locate(t.topology, place, &cell, NULL, 0, NULL), HSP_OK);
+        CHECK_EQUAL(hsp_topology_locate(t.topology, place, &cell), HSP_OK);
         CHECK_EQUAL(cell, 0);
         FILL(cell);
       }
@@ -302,7 +262,7 @@ static void box_of_places(const topology_result *t) {
         const int known = known_place(c, at);
         const int step[3] = {i, j, k};
         uint32_t here = 77;
-        CHECK_EQUAL(hsp_topology_locate(t->topology, at, &here, NULL, 0, NULL), HSP_OK);
+        CHECK_EQUAL(hsp_topology_locate(t->topology, at, &here), HSP_OK);
         cell[place_number(i, j, k)] = here;
         if (known != UNSURE) CHECK_EQUAL(here == HSP_NONE, known == IN_A_BALL);
         if (outermost) CHECK_EQUAL(here, 0);
@@ -373,7 +333,7 @@ int main(void) {
   nested();
   two_in_a_void();
   ring_and_cage();
-  ids_and_capacity();
+  in_several_balls();
   statuses();
   for (which = 0; which < topology_set_count(); ++which) {
     static ball_set set;

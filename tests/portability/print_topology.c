@@ -77,7 +77,7 @@ static void print_answers(const topology_result *t) {
     const double *ball = &t->base->xyz[3 * i];
     const double point[3] = {ball[0] + 0.5, ball[1] + 0.5, ball[2] + 0.5};
     uint32_t cell = 0;
-    print_status("located", hsp_topology_locate(t->topology, point, &cell, NULL, 0, NULL));
+    print_status("located", hsp_topology_locate(t->topology, point, &cell));
     print_numbers(&cell, 1);
     end_line();
   }

@@ -141,7 +141,7 @@ static int use_topology(void *topology) {
   static const double place[3] = {0.5, 0.25, 0.125};
   uint32_t invariant, id, cell;
   return hsp_topology_check(topology, &invariant, &id) == HSP_OK &&
-         hsp_topology_locate(topology, place, &cell, NULL, 0, NULL) == HSP_OK;
+         hsp_topology_locate(topology, place, &cell) == HSP_OK;
 }
 
 static int use_view(void *view) {

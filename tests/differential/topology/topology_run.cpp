@@ -64,28 +64,10 @@ LibraryTopology::QuadEdges LibraryTopology::quad_edges() const {
   return quads;
 }
 
-std::array<double, 3> LibraryTopology::length(const oracle::LatticePoint &point) const {
-  return {static_cast<double>(point[0]) * step_, static_cast<double>(point[1]) * step_,
-          static_cast<double>(point[2]) * step_};
-}
-
-LibraryTopology::Place LibraryTopology::locate(const oracle::LatticePoint &point) const {
-  const std::array<double, 3> xyz = length(point);
-  Place place;
-  place.balls =
-      all_records<uint32_t>([&](auto... out) { return hsp_topology_locate(handle(), xyz.data(), &place.cell, out...); },
-                            "hsp_topology_locate");
-  return place;
-}
-
 uint32_t LibraryTopology::cell_of(const oracle::LatticePoint &point) const {
+  const std::array<double, 3> xyz = {static_cast<double>(point[0]) * step_, static_cast<double>(point[1]) * step_,
+                                     static_cast<double>(point[2]) * step_};
   uint32_t cell = 0;
-  expect_ok(hsp_topology_locate(handle(), length(point).data(), &cell, nullptr, 0, nullptr), "hsp_topology_locate");
+  expect_ok(hsp_topology_locate(handle(), xyz.data(), &cell), "hsp_topology_locate");
   return cell;
-}
-
-bool LibraryTopology::same_cell(const oracle::LatticePoint &a, const oracle::LatticePoint &b) const {
-  int32_t same = -1;
-  expect_ok(hsp_topology_same_cell(handle(), length(a).data(), length(b).data(), &same), "hsp_topology_same_cell");
-  return same == 1;
 }

@@ -34,18 +34,10 @@ class LibraryTopology {
   };
   [[nodiscard]] QuadEdges quad_edges() const;
 
-  // The cell of a lattice point, HSP_NONE in a ball, and the balls that contain it. Points are whole lattice steps.
-  struct Place {
-    uint32_t cell = 0;
-    std::vector<uint32_t> balls;
-  };
-  [[nodiscard]] Place locate(const oracle::LatticePoint &point) const;
+  // The cell of a lattice point, HSP_NONE in a ball. Points are whole lattice steps.
   [[nodiscard]] uint32_t cell_of(const oracle::LatticePoint &point) const;
-  [[nodiscard]] bool same_cell(const oracle::LatticePoint &a, const oracle::LatticePoint &b) const;
 
  private:
-  [[nodiscard]] std::array<double, 3> length(const oracle::LatticePoint &point) const;
-
   double step_;
   LibraryBoundary boundary_;
   support::OwnedTopology topology_;

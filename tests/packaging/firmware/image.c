@@ -63,7 +63,7 @@ static void compute_topology(void) {
   result |= hsp_topology_limits_for(&limits, sizeof limits, boundary);
   result |= hsp_topology_init(memory, sizeof memory, &limits, &topology);
   result |= hsp_topology_compute(topology, boundary, NULL);
-  result |= hsp_topology_locate(topology, xyz, &cell, NULL, 0, NULL);
+  result |= hsp_topology_locate(topology, xyz, &cell);
   static hsp_shell shells[8];
   static hsp_cell cells[8];
   uint32_t needed;

@@ -114,7 +114,7 @@ inline uint32_t faces_of_highest_points() {
     if (!small_union().build(balls, 8)) return false;
     const hsp::Boundary &boundary = small_union().boundary();
     const uint32_t own = small_union().grid().grid_index(0);
-    const uint32_t face = hsp::face_of_top(small_union().grid(), boundary, own, small_union().gathered(1));
+    const uint32_t face = hsp::face_of_top(small_union().balls(), boundary, own);
     const bool in_hole = position.axis == 2 && position.sign > 0;
     return boundary.faces(own).size() == 2 && boundary.face(face).ball == own &&
            boundary.loops_of_face(face).size() == (in_hole ? 1U : 2U);
@@ -144,7 +144,7 @@ inline uint32_t faces_that_vertical_lines_enter() {
         if (!is_free) continue;
         const bool in_hole = position.sign * p[position.axis] > 866.0;
         ++(in_hole ? in_holes : outside);
-        const uint32_t face = hsp::face_of_entry(small_union().grid(), boundary, own, x, y, small_union().gathered(1));
+        const uint32_t face = hsp::face_of_entry(small_union().balls(), boundary, own, x, y);
         if (boundary.face(face).ball != own || boundary.loops_of_face(face).size() != (in_hole ? 1U : 2U)) return false;
       }
     }
@@ -152,17 +152,17 @@ inline uint32_t faces_that_vertical_lines_enter() {
   });
 }
 
-// A ball with one face needs no caps: nothing is gathered.
+// A ball with one face needs no question: the point need not even be free.
 inline uint32_t only_faces() {
   const SmallBall balls[] = {{5, 5, 5, 10}, {12, 5, 5, 10}, {100, 0, 0, 10}};
   if (!small_union().build(balls, 3)) return 0;
   const hsp::Boundary &boundary = small_union().boundary();
   const hsp::CubeGrid &grid = small_union().grid();
-  hsp::GatheredBall none;
   for (uint32_t i = 0; i < 3; ++i) {
     const uint32_t ball = grid.grid_index(i);
-    if (hsp::face_of_top(grid, boundary, ball, none) != boundary.faces(ball).first) return 1;
-    if (hsp::face_of_entry(grid, boundary, ball, balls[i].x, 3, none) != boundary.faces(ball).first) return 2;
+    if (hsp::face_of_top(small_union().balls(), boundary, ball) != boundary.faces(ball).first) return 1;
+    if (hsp::face_of_entry(small_union().balls(), boundary, ball, balls[i].x, 3) != boundary.faces(ball).first)
+      return 2;
   }
   return all_hold;
 }
