@@ -21,6 +21,16 @@ void lists(benchmark::State &state, Subject &subject) {
   state.counters["neighbours_per_atom"] = static_cast<double>(neighbours) / subject.model->size();
 }
 
+void pairs(benchmark::State &state, Subject &subject) {
+  std::vector<uint32_t> first, ids;
+  size_t neighbours = query_all_pairs(*subject.model, first, ids);
+  for (auto iteration : state) {
+    static_cast<void>(iteration);
+    neighbours = query_all_pairs(*subject.model, first, ids);
+  }
+  state.counters["neighbours_per_atom"] = static_cast<double>(neighbours) / subject.model->size();
+}
+
 void boundary(benchmark::State &state, Subject &subject) {
   for (auto iteration : state) {
     static_cast<void>(iteration);
@@ -58,6 +68,7 @@ void register_subject(const std::string &name, const Surface &surface, std::func
   const std::string group = std::string("scaling/") + surface.name + '/';
   register_case(group + "build/" + name, recipe, build)->Unit(benchmark::kMicrosecond);
   register_case(group + "lists/" + name, recipe, lists)->Unit(benchmark::kMicrosecond);
+  register_case(group + "pairs/" + name, recipe, pairs)->Unit(benchmark::kMicrosecond);
   register_case(group + "boundary/" + name, recipe, boundary)->Unit(benchmark::kMicrosecond);
   register_case(group + "measure/" + name, recipe, measure)->Unit(benchmark::kMicrosecond);
   register_case(group + "everything/" + name, recipe, everything)->Unit(benchmark::kMicrosecond);

@@ -168,6 +168,22 @@ size_t query_all_neighbours(const Model &model) {
   return hits;
 }
 
+size_t query_all_pairs(const Model &model, std::vector<uint32_t> &first, std::vector<uint32_t> &ids) {
+  first.resize(size_t{model.size()} + 1);
+  const auto ask = [&](uint32_t &needed) {
+    return hsp_query_pairs(model.get(), 0, first.data(), ids.data(), static_cast<uint32_t>(ids.size()), &needed);
+  };
+  uint32_t needed = 0;
+  int32_t status = ask(needed);
+  if (status == HSP_E_CAPACITY) {
+    ids.resize(needed);
+    status = ask(needed);
+  }
+  if (status != HSP_OK) expect_ok(status, "hsp_query_pairs");
+  benchmark::DoNotOptimize(ids);
+  return needed;
+}
+
 }  // namespace bench
 
 int main(int argc, char **argv) {

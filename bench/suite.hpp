@@ -63,4 +63,7 @@ size_t query_balls(const Model &model, const std::vector<double> &points, double
 // Ask for the neighbours of every ball of the model (Step 1). Returns the number of neighbours listed.
 size_t query_all_neighbours(const Model &model);
 
+// The same in one call, into arrays that grow as needed.
+size_t query_all_pairs(const Model &model, std::vector<uint32_t> &first, std::vector<uint32_t> &ids);
+
 }  // namespace bench

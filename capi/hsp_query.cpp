@@ -1,4 +1,5 @@
 #include "hsp_model.hpp"
+#include "model/neighbour_lists.hpp"
 #include "model/queries.hpp"
 
 using hsp::capi::is_live;
@@ -45,4 +46,19 @@ int32_t hsp_query_neighbours(const hsp_model *model, uint32_t ball, uint32_t *id
   hsp::QueryResult result{ids, capacity, 0};
   hsp::find_neighbours(model->grid, model->grid.grid_index(ball), result);
   return hsp::capi::check_output(ids, capacity, result.hits, needed);
+}
+
+int32_t hsp_query_pairs(const hsp_model *model, uint32_t flags, uint32_t *first, uint32_t *ids, uint32_t capacity,
+                        uint32_t *needed) {
+  if (!is_live(model) || (flags & ~HSP_PAIRS_ONCE) != 0 || first == nullptr || needed == nullptr ||
+      (ids == nullptr && capacity > 0)) {
+    return HSP_E_ARGUMENT;
+  }
+  const uint32_t n = model->balls().n;
+  const hsp::PairRows rows = flags == HSP_PAIRS_ONCE ? hsp::PairRows::smaller : hsp::PairRows::both;
+  const hsp::Span<uint32_t> begins(first, n + 1);
+  if (!hsp::count_neighbours(model->grid, rows, begins)) return HSP_E_RANGE;
+  const int32_t status = hsp::capi::check_output(ids, capacity, begins[n], needed);
+  if (status == HSP_OK) hsp::list_neighbours(model->grid, rows, begins, {ids, begins[n]});
+  return status;
 }

@@ -41,6 +41,7 @@ class Session {
         break;
       case 5:
         query_neighbours();
+        query_pairs();
         break;
       case 6:
         init_boundary();
@@ -257,6 +258,17 @@ class Session {
     const int32_t expected = model == nullptr ? HSP_E_ARGUMENT : ball >= balls_ ? HSP_E_ID : HSP_OK;
     check_array<uint32_t>(24, expected, [&](uint32_t *out, uint32_t capacity, uint32_t *needed) {
       return hsp_query_neighbours(model, ball, out, capacity, needed);
+    });
+  }
+
+  void query_pairs() {
+    const hsp_model *model = null() ? nullptr : model_;
+    const uint32_t flags = bytes_.one_in(8) ? bytes_.below(8) : bytes_.below(2);
+    std::vector<uint32_t> first(balls_ + 1);
+    uint32_t *const begins = null() ? nullptr : first.data();
+    const int32_t expected = model == nullptr || begins == nullptr || flags > HSP_PAIRS_ONCE ? HSP_E_ARGUMENT : HSP_OK;
+    check_array<uint32_t>(60, expected, [&](uint32_t *out, uint32_t capacity, uint32_t *needed) {
+      return hsp_query_pairs(model, flags, begins, out, capacity, needed);
     });
   }
 

@@ -27,6 +27,27 @@ void check_hits(const std::vector<uint32_t> &expected, fuzz::Bytes &bytes, const
   }
 }
 
+// Lists of all pairs: first holds as many ids as there are balls, and one.
+void check_pairs(const hsp_model *model, const oracle::Balls &balls, fuzz::Bytes &bytes) {
+  for (const uint32_t flags : {0U, HSP_PAIRS_ONCE}) {
+    std::vector<uint32_t> first = {0};
+    std::vector<uint32_t> ids;
+    for (uint32_t i = 0; i < balls.size(); ++i) {
+      for (const uint32_t j : oracle::neighbours(balls, i)) {
+        if (flags == 0 || j > i) ids.push_back(j);
+      }
+      first.push_back(static_cast<uint32_t>(ids.size()));
+    }
+    std::vector<uint32_t> begins(first.size());
+    check_hits(ids, bytes, [&](uint32_t *out, uint32_t capacity, uint32_t *needed) {
+      std::fill(begins.begin(), begins.end(), 0xDEADU);
+      const int32_t status = hsp_query_pairs(model, flags, begins.data(), out, capacity, needed);
+      FUZZ_REQUIRE(begins == first, "where the rows begin");
+      return status;
+    });
+  }
+}
+
 // A point near a ball, on its sphere, or anywhere.
 Place next_place(fuzz::Bytes &bytes, const fuzz::ScaledBalls &set) {
   Place place{};
@@ -56,6 +77,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
       return hsp_query_neighbours(model, i, out, capacity, needed);
     });
   }
+  check_pairs(model, balls, bytes);
   for (int round = 0; round < 12; ++round) {
     const Place place = next_place(bytes, set);
     const double xyz[3] = {set.length(place[0]), set.length(place[1]), set.length(place[2])};

@@ -9,6 +9,7 @@ set(HSP_LIBRARY_SOURCES
   lib/model/cube_grid.cpp
   lib/model/cube_order.cpp
   lib/model/element_radii.cpp
+  lib/model/neighbour_lists.cpp
   lib/model/packing_statistics.cpp
   lib/model/queries.cpp
   lib/model/vertical_ray.cpp

@@ -55,6 +55,7 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_PACKING_ZERO_RADIUS = 1_c_int32_t
   integer(c_int32_t), parameter :: HSP_PACKING_COINCIDENT = 2_c_int32_t
   integer(c_int32_t), parameter :: HSP_PACKING_NO_PAIR = 4_c_int32_t
+  integer(c_int32_t), parameter :: HSP_PAIRS_ONCE = 1_c_int32_t
   integer(c_int32_t), parameter :: HSP_VERTEX_TIED = 1_c_int32_t
   integer(c_int32_t), parameter :: HSP_BALL_CONTAINED = 1_c_int32_t
 
@@ -508,6 +509,18 @@ module hardsphere
       import :: c_int32_t, c_ptr
       type(c_ptr), value :: model
       integer(c_int32_t), value :: ball
+      integer(c_int32_t), intent(inout), optional :: ids(*)
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    ! first has n + 1 entries. Row i, from 0 on, is ids(first(i + 1) + 1 : first(i + 2)).
+    function hsp_query_pairs(model, flags, first, ids, capacity, needed) result(status) bind(C, name="hsp_query_pairs")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: flags
+      integer(c_int32_t), intent(inout) :: first(*)
       integer(c_int32_t), intent(inout), optional :: ids(*)
       integer(c_int32_t), value :: capacity
       integer(c_int32_t), intent(inout) :: needed

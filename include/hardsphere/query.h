@@ -1,9 +1,7 @@
 /* hardsphere/query.h: which balls contain a point, meet a ball, meet each other (Section 3).
  *
  * Balls are closed: touching counts. Query positions and radii are rounded to the model's lattice, then decided
- * exactly. Hits are the caller's ball indices, ascending, without duplicates. Radii include the model's probe. All
- * return HSP_E_ARGUMENT for a null pointer (ids may be NULL with capacity 0), HSP_E_NOT_FINITE for NaN or infinities,
- * HSP_E_RANGE for a position beyond 2^50 lattice steps or a radius beyond 2^51, HSP_E_CAPACITY as described above. */
+ * exactly. Hits are the caller's ball indices, ascending, without duplicates. Radii include the model's probe. */
 #ifndef HARDSPHERE_QUERY_H
 #define HARDSPHERE_QUERY_H
 
@@ -16,22 +14,71 @@
 extern "C" {
 #endif
 
-/** The balls that contain the point xyz [3]. Cost: O(1) expected for sets as in Theorem 2.1. */
+/** The balls that contain the point xyz [3].
+ *
+ *  Cost: O(1) expected for sets as in Theorem 2.1.
+ *  @retval HSP_OK            ids holds the hits; or there are none, also with capacity 0
+ *  @retval HSP_E_ARGUMENT    a null pointer (ids may be NULL with capacity 0)
+ *  @retval HSP_E_CAPACITY    more hits than capacity: *needed is their number, and nothing is written to ids
+ *  @retval HSP_E_NOT_FINITE  a coordinate is NaN or infinite
+ *  @retval HSP_E_RANGE       a coordinate is beyond 2^50 lattice steps */
 HSP_API int32_t hsp_query_point(const hsp_model *model, const double *xyz, uint32_t *ids, uint32_t capacity,
                                 uint32_t *needed);
 
-/** The balls that meet the ball with centre xyz [3] and the given radius (>= 0, else HSP_E_NEGATIVE).
- *  Cost: O(1) expected for radius <= r_max; for larger radii proportional to the cubes within reach, at most to n. */
+/** The balls that meet the ball with centre xyz [3] and the given radius.
+ *
+ *  Cost: O(1) expected for radius <= r_max; for larger radii proportional to the cubes within reach, at most to n.
+ *  @retval HSP_OK            ids holds the hits; or there are none, also with capacity 0
+ *  @retval HSP_E_ARGUMENT    a null pointer (ids may be NULL with capacity 0)
+ *  @retval HSP_E_CAPACITY    more hits than capacity: *needed is their number, and nothing is written to ids
+ *  @retval HSP_E_NOT_FINITE  a coordinate or the radius is NaN or infinite
+ *  @retval HSP_E_NEGATIVE    the radius is negative
+ *  @retval HSP_E_RANGE       a coordinate is beyond 2^50 lattice steps, or the radius beyond 2^51 */
 HSP_API int32_t hsp_query_ball(const hsp_model *model, const double *xyz, double radius, uint32_t *ids,
                                uint32_t capacity, uint32_t *needed);
 
-/** Whether any ball meets that query ball: *meets becomes 1 or 0. Stops at the first hit. Cost as hsp_query_ball. */
+/** Whether any ball meets the ball with centre xyz [3] and the given radius: *meets becomes 1 or 0. Stops at the first
+ *  hit.
+ *
+ *  Cost: O(1) expected for radius <= r_max; for larger radii proportional to the cubes within reach, at most to n.
+ *  @retval HSP_E_ARGUMENT    a null pointer
+ *  @retval HSP_E_NOT_FINITE  a coordinate or the radius is NaN or infinite
+ *  @retval HSP_E_NEGATIVE    the radius is negative
+ *  @retval HSP_E_RANGE       a coordinate is beyond 2^50 lattice steps, or the radius beyond 2^51 */
 HSP_API int32_t hsp_query_meets(const hsp_model *model, const double *xyz, double radius, int32_t *meets);
 
-/** The other balls that meet ball `ball` of the model. HSP_E_ID: no such ball. Cost: O(1) expected.
- *  Property 1: j is listed for i exactly if i is listed for j. */
+/** The other balls that meet ball `ball` of the model.
+ *  - Property 1: j is listed for i exactly if i is listed for j.
+ *
+ *  Cost: O(1) expected for sets as in Theorem 2.1.
+ *  @retval HSP_OK          ids holds the neighbours; or there are none, also with capacity 0
+ *  @retval HSP_E_ARGUMENT  a null pointer (ids may be NULL with capacity 0)
+ *  @retval HSP_E_CAPACITY  more neighbours than capacity: *needed is their number, and nothing is written to ids
+ *  @retval HSP_E_ID        the model has no ball `ball` */
 HSP_API int32_t hsp_query_neighbours(const hsp_model *model, uint32_t ball, uint32_t *ids, uint32_t capacity,
                                      uint32_t *needed);
+
+/** Each pair of balls i < j stands once, as j in the row of i. Without this flag it stands in the rows of both. */
+#define HSP_PAIRS_ONCE UINT32_C(1)
+
+/** All pairs of balls that meet, as rows of one array: the neighbours of ball i are ids[first[i]] ..
+ *  ids[first[i + 1] - 1], ascending. flags: 0 or HSP_PAIRS_ONCE. first [n + 1] begins with 0 and ends with the number
+ *  of ids, which *needed becomes too. It is written on HSP_OK and on HSP_E_CAPACITY, so that with ids NULL and capacity
+ *  0 this function counts the neighbours of each ball; a second call with capacity first[n] then lists them.
+ *
+ *  For a list of all pairs of centres at most a cutoff apart, exactly that far included, give hsp_model_set radii that
+ *  are all 0 and the probe cutoff / 2. The cutoff is then twice what that is rounded to, see hsp_model_info.
+ *  - Property 1: without flags, row i is what hsp_query_neighbours lists for ball i.
+ *  - Property 2: with HSP_PAIRS_ONCE, row i is what of that is larger than i.
+ *
+ *  Cost: O(n) expected for sets as in Theorem 2.1, and proportional to the number of ids if that is larger; less than
+ *  to ask for the neighbours of each ball.
+ *  @retval HSP_OK          ids holds all rows; or there is no pair, also with capacity 0
+ *  @retval HSP_E_ARGUMENT  a null pointer (ids may be NULL with capacity 0); unknown flag
+ *  @retval HSP_E_CAPACITY  more ids than capacity: first and *needed are set, and nothing is written to ids
+ *  @retval HSP_E_RANGE     more than 2^32 - 1 ids; first becomes 0 everywhere */
+HSP_API int32_t hsp_query_pairs(const hsp_model *model, uint32_t flags, uint32_t *first, uint32_t *ids,
+                                uint32_t capacity, uint32_t *needed);
 
 #ifdef __cplusplus
 }

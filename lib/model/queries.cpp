@@ -1,42 +1,9 @@
 #include "model/queries.hpp"
 
 #include "core/sorting.hpp"
-#include "exact/exact_predicates.hpp"
 
 namespace hsp {
 namespace {
-
-// Whether ball j comes within `radius` of the centre: |c_j - c| <= r_j + radius on the lattice. The differences and the
-// sum are exact as doubles; the squares have a relative error below 4 units of 2^-53, so that only near-ties need
-// integers.
-class Reach {
- public:
-  Reach(const BallSet &balls, const LatticeQuery &query)
-      : balls_(balls),
-        x_(static_cast<double>(query.centre.x)),
-        y_(static_cast<double>(query.centre.y)),
-        z_(static_cast<double>(query.centre.z)),
-        radius_(static_cast<double>(query.radius)) {}
-
-  bool meets(uint32_t j) const {
-    const double dx = balls_.x[j] - x_;
-    const double dy = balls_.y[j] - y_;
-    const double dz = balls_.z[j] - z_;
-    const double s = balls_.r[j] + radius_;
-    const double excess = (dx * dx + dy * dy + dz * dz) - s * s;
-    const double doubt = 8 * unit_roundoff * s * s;
-    // This branch is nearly always taken. The sign itself cannot be predicted, so there must be no branch on it.
-    if (std::fabs(excess) > 2 * doubt) [[likely]]
-      return excess < 0.0;
-    return exact::Exact::compare_distance(
-               {static_cast<int64_t>(dx), static_cast<int64_t>(dy), static_cast<int64_t>(dz)},
-               static_cast<int64_t>(s)) <= 0;
-  }
-
- private:
-  const BallSet &balls_;
-  double x_, y_, z_, radius_;
-};
 
 template <class Visit>
 bool visit_range(const BallRange &range, Visit &visit) {

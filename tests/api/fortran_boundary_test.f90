@@ -144,7 +144,7 @@ contains
   end subroutine
 
   subroutine query_functions()
-    integer(c_int32_t) :: ids(n), needed, meets
+    integer(c_int32_t) :: ids(n), first(n + 1), pairs(6), needed, meets
     ids = -7
     call expect(hsp_query_point(model, xyz(:, 1), ids, n, needed), HSP_OK, 'hsp_query_point')
     call check(needed == 1 .and. ids(1) == 0 .and. ids(2) == -7, 'hits of a point')
@@ -164,6 +164,13 @@ contains
     call check(all(ids(1:2) == [0, 2]), 'ids of neighbours')
     call expect(hsp_query_neighbours(model, 3_c_int32_t, capacity=0_c_int32_t, needed=needed), HSP_OK, 'no neighbours')
     call check(needed == 0, 'no neighbours')
+    call expect(hsp_query_pairs(model, 0_c_int32_t, first, capacity=0_c_int32_t, needed=needed), HSP_E_CAPACITY, &
+                'number of pairs')
+    call check(needed == 6 .and. all(first == [0, 2, 4, 6, 6]), 'where the rows of pairs begin')
+    call expect(hsp_query_pairs(model, 0_c_int32_t, first, pairs, 6_c_int32_t, needed), HSP_OK, 'hsp_query_pairs')
+    call check(all(pairs(first(2) + 1:first(3)) == [0, 2]), 'the row of ball 1')
+    call expect(hsp_query_pairs(model, HSP_PAIRS_ONCE, first, pairs, 3_c_int32_t, needed), HSP_OK, 'pairs once')
+    call check(all(first == [0, 2, 3, 3, 3]) .and. all(pairs(1:3) == [1, 2, 2]), 'pairs once')
   end subroutine
 
   subroutine boundary_functions()

@@ -16,7 +16,7 @@ static void refused_of_model(void) {
   static const double nowhere[3] = {0, NAN, 0}, far_away[3] = {0, 0, 1e300};
   hsp_model *made = NULL;
   model_contents before, after;
-  uint32_t ids[BALLS], count;
+  uint32_t ids[BALLS], first[BALLS + 1], count;
   int32_t meets;
   four_handles_set(&h, BALLS);
   before = contents_of_model(h.model);
@@ -33,6 +33,8 @@ static void refused_of_model(void) {
   CHECK_EQUAL(hsp_query_ball(h.model, four_inside, 1, ids, 1, &count), HSP_E_CAPACITY);
   CHECK_EQUAL(hsp_query_meets(h.model, four_inside, -1, &meets), HSP_E_NEGATIVE);
   CHECK_EQUAL(hsp_query_neighbours(h.model, BALLS, ids, BALLS, &count), HSP_E_ID);
+  CHECK_EQUAL(hsp_query_pairs(h.model, 2, first, ids, BALLS, &count), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_query_pairs(h.model, 0, first, ids, 1, &count), HSP_E_CAPACITY);
   CHECK_EQUAL(hsp_boundary_compute(NULL, h.model, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_view_compute(NULL, h.model, NULL, NULL, NULL), HSP_E_ARGUMENT);
   after = contents_of_model(h.model);

@@ -14,7 +14,9 @@
 typedef struct buffers {
   size_t model_bytes, boundary_bytes;
   void *model, *boundary;
-  uint32_t *ids, *flags;           /* [n] */
+  uint32_t *ids, *flags;   /* [n] */
+  uint32_t *first, *pairs; /* [n + 1] [pair_count] */
+  uint32_t pair_count;
   uint8_t *selected;               /* [n] */
   double *face_area, *face_volume; /* [faces] */
   double *by_centre;               /* [n][3] */
@@ -30,6 +32,9 @@ static buffers buffers_for(const computed *c) {
   b.boundary = test_zeros(b.boundary_bytes, 1);
   b.ids = test_zeros(c->n, sizeof *b.ids);
   b.flags = test_zeros(c->n, sizeof *b.flags);
+  b.first = test_zeros(c->n + 1, sizeof *b.first);
+  (void)hsp_query_pairs(c->model, 0, b.first, NULL, 0, &b.pair_count);
+  b.pairs = test_zeros(b.pair_count, sizeof *b.pairs);
   b.selected = test_zeros(c->n, sizeof *b.selected);
   b.selected[0] = 1;
   b.face_area = test_zeros(c->counts.faces, sizeof *b.face_area);
@@ -45,6 +50,8 @@ static void buffers_release(buffers *b) {
   free(b->boundary);
   free(b->ids);
   free(b->flags);
+  free(b->first);
+  free(b->pairs);
   free(b->selected);
   free(b->face_area);
   free(b->face_volume);
@@ -85,6 +92,9 @@ static int call_boundary(computed *c, const buffers *b) {
   bad += hsp_query_ball(model, c->xyz, 3, b->ids, c->n, &needed) != HSP_OK;
   bad += hsp_query_meets(model, c->xyz, 3, &meets) != HSP_OK;
   bad += hsp_query_neighbours(model, 0, b->ids, c->n, &needed) != HSP_OK;
+  bad += hsp_query_pairs(model, 0, b->first, NULL, 0, &needed) != (needed > 0 ? HSP_E_CAPACITY : HSP_OK);
+  bad += hsp_query_pairs(model, 0, b->first, b->pairs, b->pair_count, &needed) != HSP_OK;
+  bad += hsp_query_pairs(model, HSP_PAIRS_ONCE, b->first, b->pairs, b->pair_count, &needed) != HSP_OK;
   bad += hsp_boundary_limits_init(&limits, (uint32_t)sizeof limits, c->n) != HSP_OK;
   bad += hsp_boundary_bytes(&c->needed, &bytes) != HSP_OK;
   bad += hsp_boundary_init(b->boundary, b->boundary_bytes, &c->needed, &boundary) != HSP_OK;

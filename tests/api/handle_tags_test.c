@@ -21,7 +21,7 @@ static int32_t take_nothing(void *context, const char *bytes, size_t count) {
 static void refused_as_model(void *handle) {
   hsp_model_info info;
   hsp_packing packing;
-  uint32_t ids[BALLS], needed;
+  uint32_t ids[BALLS], first[BALLS + 1], needed;
   int32_t meets;
   check_scene("%s as a model", scene);
   CHECK_EQUAL(hsp_model_set(handle, BALLS, four_xyz, four_radius, NULL, NULL), HSP_E_ARGUMENT);
@@ -31,6 +31,7 @@ static void refused_as_model(void *handle) {
   CHECK_EQUAL(hsp_query_ball(handle, four_inside, 1, ids, BALLS, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_query_meets(handle, four_inside, 1, &meets), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_query_neighbours(handle, 0, ids, BALLS, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_query_pairs(handle, 0, first, ids, BALLS, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_compute(h.boundary, handle, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_view_compute(h.view, handle, NULL, NULL, NULL), HSP_E_ARGUMENT);
   four_handles_compute(&h);

@@ -9,17 +9,19 @@ enum { BALLS = 3 };
 static unsigned char memory[HSP_MODEL_BYTES(BALLS)];
 static hsp_model *model;
 static const double origin[3] = {0, 0, 0};
-static uint32_t ids[4], needed;
+static uint32_t ids[4], first[BALLS + 1], needed;
 static int32_t meets;
 
 static void fill_outputs(void) {
   FILL(ids);
+  FILL(first);
   FILL(needed);
   FILL(meets);
 }
 
 static void check_outputs_untouched(void) {
   CHECK_UNTOUCHED(ids);
+  CHECK_UNTOUCHED(first);
   CHECK_UNTOUCHED(needed);
   CHECK_UNTOUCHED(meets);
 }
@@ -40,6 +42,12 @@ static void null_pointers(void) {
   CHECK_EQUAL(hsp_query_neighbours(NULL, 0, ids, 4, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_query_neighbours(model, 0, NULL, 1, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_query_neighbours(model, 0, ids, 4, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_query_pairs(NULL, 0, first, ids, 4, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_query_pairs(model, 2, first, ids, 4, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_query_pairs(model, UINT32_C(0x80000001), first, ids, 4, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_query_pairs(model, 0, NULL, ids, 4, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_query_pairs(model, 0, first, NULL, 1, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_query_pairs(model, 0, first, ids, 4, NULL), HSP_E_ARGUMENT);
   check_outputs_untouched();
 }
 
@@ -118,6 +126,20 @@ static void lattice_limits(void) {
   CHECK_EQUAL(hsp_query_point(model, corner, ids, 4, &needed), HSP_E_RANGE);
 }
 
+/* With too little room `first` is written, and nothing else but the number. */
+static void room_for_pairs(void) {
+  fill_outputs();
+  CHECK_EQUAL(hsp_query_pairs(model, 0, first, ids, 4, &needed), HSP_E_CAPACITY);
+  CHECK_EQUAL(needed, 6);
+  CHECK_EQUAL(first[0], 0);
+  CHECK_EQUAL(first[BALLS], 6);
+  CHECK_UNTOUCHED(ids);
+  CHECK_EQUAL(hsp_query_pairs(model, HSP_PAIRS_ONCE, first, ids, 4, &needed), HSP_OK);
+  CHECK_EQUAL(needed, 3);
+  CHECK_EQUAL(first[1], 2);
+  CHECK_EQUAL(first[BALLS], 3);
+}
+
 static void empty_models(void) {
   int round;
   for (round = 0; round < 2; ++round) {
@@ -136,6 +158,10 @@ static void empty_models(void) {
     fill_outputs();
     CHECK_EQUAL(hsp_query_neighbours(model, 0, ids, 4, &needed), HSP_E_ID);
     check_outputs_untouched();
+    needed = 7;
+    CHECK_EQUAL(hsp_query_pairs(model, 0, first, NULL, 0, &needed), HSP_OK);
+    CHECK_EQUAL(needed, 0);
+    CHECK_EQUAL(first[0], 0);
   }
 }
 
@@ -146,6 +172,7 @@ int main(void) {
   CHECK_EQUAL(hsp_model_set(model, 3, xyz, radius, NULL, NULL), HSP_OK);
   null_pointers();
   bad_numbers();
+  room_for_pairs();
   lattice_limits();
   empty_models();
   return check_report();

@@ -1,5 +1,5 @@
 /* The queries of Section 3 against all balls one by one, in integers: points and balls at centres, on spheres, between,
- * far away, with radius 0 and with radii much larger than any ball. */
+ * far away, with radius 0 and with radii much larger than any ball. All pairs likewise. */
 #include <hardsphere.h>
 #include <math.h>
 #include <string.h>
@@ -45,6 +45,56 @@ static void check_place(const ball_set *set, const double *xyz, double reach) {
   CHECK_EQUAL(meets, hits > 0);
 }
 
+/* Row i of the lists of all pairs is what hsp_query_neighbours lists for ball i, or the larger part of it. */
+static void check_pairs(const ball_set *set, uint32_t flags) {
+  static uint32_t first[BALL_SET_MOST + 1], ids[BALL_SET_MOST * BALL_SET_MOST];
+  uint32_t needed = 0, i, place = 0;
+  check_scene("%s, pairs, flags %u", set->name, (unsigned)flags);
+  CHECK_EQUAL(hsp_query_pairs(model, flags, first, ids, BALL_SET_MOST * BALL_SET_MOST, &needed), HSP_OK);
+  for (i = 0; i < set->n; ++i) {
+    uint32_t expected[BALL_SET_MOST], smaller = 0, hits;
+    hits = expected_hits(set, set->xyz + 3 * i, steps(set->radius[i]) + steps(probe), i, expected);
+    while (flags == HSP_PAIRS_ONCE && smaller < hits && expected[smaller] < i) ++smaller;
+    CHECK_EQUAL(first[i], place);
+    place += hits - smaller;
+    if (CHECK_EQUAL(first[i + 1], place)) {
+      CHECK_BYTES(ids + first[i], expected + smaller, (hits - smaller) * sizeof ids[0]);
+    }
+  }
+  CHECK_EQUAL(first[set->n], needed);
+  CHECK_EQUAL(needed, place);
+}
+
+/* All pairs of centres at most a cutoff apart, exactly that far included: radii 0 and half the cutoff as probe. */
+static void check_cutoff(const ball_set *set, double cutoff) {
+  static const double radius[BALL_SET_MOST];
+  static uint32_t first[BALL_SET_MOST + 1], ids[BALL_SET_MOST * BALL_SET_MOST];
+  uint32_t needed = 0, i, j, place = 0;
+  hsp_model_options options;
+  CHECK_EQUAL(hsp_model_options_init(&options, (uint32_t)sizeof options), HSP_OK);
+  options.step = 1e-3;
+  options.probe = cutoff / 2;
+  check_scene("%s, cutoff %g", set->name, cutoff);
+  CHECK_EQUAL(hsp_model_set(model, set->n, set->xyz, radius, &options, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_query_pairs(model, 0, first, ids, BALL_SET_MOST * BALL_SET_MOST, &needed), HSP_OK);
+  for (i = 0; i < set->n; ++i) {
+    CHECK_EQUAL(first[i], place);
+    for (j = 0; j < set->n; ++j) {
+      int64_t squared = 0;
+      int axis;
+      for (axis = 0; axis < 3; ++axis) {
+        const int64_t d = steps(set->xyz[3 * i + (uint32_t)axis]) - steps(set->xyz[3 * j + (uint32_t)axis]);
+        squared += d * d;
+      }
+      if (i != j && squared <= steps(cutoff) * steps(cutoff)) {
+        if (CHECK(place < needed)) CHECK_EQUAL(ids[place], j);
+        ++place;
+      }
+    }
+  }
+  CHECK_EQUAL(needed, place);
+}
+
 static void check_set(const ball_set *set) {
   static const double reaches[] = {0, 0.001, 0.5, 1, 1.25, 3, 10, 777, 20000};
   static const double around[][3] = {{0, 0, 0},        {1, 0, 0}, {0, -1, 0},      {0, 0, 1.001},
@@ -84,6 +134,11 @@ static void check_set(const ball_set *set) {
     check_place(set, xyz, 2.5);
     check_place(set, xyz, 2.499);
   }
+  check_pairs(set, 0);
+  check_pairs(set, HSP_PAIRS_ONCE);
+  check_cutoff(set, 1);
+  check_cutoff(set, 3);
+  check_cutoff(set, 8);
 }
 
 int main(void) {

@@ -1,4 +1,4 @@
-// Point, ball, yes-or-no and neighbour queries against looking at every ball.
+// Point, ball, yes-or-no and neighbour queries, and lists of all pairs, against looking at every ball.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -64,6 +64,30 @@ void expect_queries(const LibraryModel &model, const Balls &balls, const Lattice
   EXPECT_EQ(meets, ball_hits.empty() ? 0 : 1);
 }
 
+// Row i of the lists begins at first[i].
+void expect_pairs(const LibraryModel &model, const Balls &balls) {
+  for (const uint32_t flags : {0U, HSP_PAIRS_ONCE}) {
+    Ids first = {0};
+    Ids ids;
+    for (uint32_t i = 0; i < balls.size(); ++i) {
+      for (const uint32_t j : oracle::neighbours(balls, i))
+        if (flags == 0 || j > i) ids.push_back(j);
+      first.push_back(static_cast<uint32_t>(ids.size()));
+    }
+    EXPECT_EQ(ask([&](uint32_t *out, uint32_t capacity, uint32_t *needed) {
+                constexpr uint32_t guard = 0xABCDEF01U;
+                Ids begins(balls.size() + 2, guard);
+                const int32_t status = hsp_query_pairs(model.handle(), flags, begins.data(), out, capacity, needed);
+                EXPECT_EQ(begins.back(), guard) << "one too many was written";
+                begins.pop_back();
+                EXPECT_EQ(begins, first) << oracle::to_text(balls);
+                return status;
+              }),
+              ids)
+        << "flags " << flags << " of " << oracle::to_text(balls);
+  }
+}
+
 void expect_neighbours(const LibraryModel &model, const Balls &balls) {
   for (uint32_t i = 0; i < balls.size(); ++i)
     EXPECT_EQ(ask([&](uint32_t *ids, uint32_t capacity, uint32_t *needed) {
@@ -71,6 +95,7 @@ void expect_neighbours(const LibraryModel &model, const Balls &balls) {
               }),
               oracle::neighbours(balls, i))
         << i << " of " << oracle::to_text(balls);
+  expect_pairs(model, balls);
 }
 
 // Query balls around the set: everywhere, at the balls, touching them, small, large, and larger than all.

@@ -31,6 +31,8 @@ static void query(void) {
   result |= hsp_query_point(model, xyz, ids, BALLS, &needed);
   result |= hsp_query_meets(model, xyz, 1.5, &meets);
   result |= hsp_query_neighbours(model, 0, ids, BALLS, &needed);
+  static uint32_t first[BALLS + 1];
+  result |= hsp_query_pairs(model, 0, first, ids, BALLS, &needed);
 #endif
 }
 #endif
