@@ -3,8 +3,8 @@
 # chooses its format. Inputs of more than 16 KiB are left out: their length matters to the program, not to a fuzzer.
 file(REMOVE_RECURSE ${CORPUS})
 file(MAKE_DIRECTORY ${CORPUS})
-set(digit 0)  # the byte modulo 4 is the format's number, and the digit 0 is a multiple of 4
-foreach(format xyzr pdb pqr xyz)
+set(digit 0)  # the digit is the format's number
+foreach(format xyzr pdb pqr xyz cif)
   file(WRITE ${CORPUS}.format ${digit})
   file(GLOB_RECURSE inputs RELATIVE ${INPUTS} ${INPUTS}/*.${format})
   foreach(input ${inputs})

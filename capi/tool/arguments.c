@@ -121,13 +121,14 @@ static bool take_query(struct reading *reading, enum query_kind kind) {
 }
 
 static bool take_format(struct reading *reading, const char *value) {
-  if (!option_value(&reading->options, "--format", &value, "xyzr, pdb, pqr or xyz")) return false;
+  char list[FORMAT_LIST_BYTES];
+  molecule_format_list(list, "");
+  if (!option_value(&reading->options, "--format", &value, list)) return false;
   if (reading->request->format_given) return failure_in_usage(reading->failure, "--format is given twice");
   reading->request->format_given = molecule_format_named(value, &reading->request->format);
   if (reading->request->format_given) return true;
   char shown[EXCERPT_BYTES];
-  return failure_in_usage(reading->failure, "--format: '%s' is not xyzr, pdb, pqr or xyz",
-                          excerpt(shown, value, strlen(value)));
+  return failure_in_usage(reading->failure, "--format: '%s' is not %s", excerpt(shown, value, strlen(value)), list);
 }
 
 /* An option with the name of a file. */

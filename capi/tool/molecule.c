@@ -138,24 +138,3 @@ void label_copy(char *out, size_t room, struct field text) {
   memcpy(out, text.text, length);
   out[length] = '\0';
 }
-
-bool format_has_radii(enum molecule_format format) {
-  return format == FORMAT_XYZR || format == FORMAT_PQR;
-}
-
-bool format_has_elements(enum molecule_format format) {
-  return format != FORMAT_XYZR;
-}
-
-bool format_has_residues(enum molecule_format format) {
-  return format == FORMAT_PDB || format == FORMAT_PQR;
-}
-
-const char *format_name(enum molecule_format format) {
-  static const char *const names[] = {"xyzr", "pdb", "pqr", "xyz"};
-  return names[format];
-}
-
-const char *format_unit(enum molecule_format format) {
-  return format == FORMAT_XYZR ? "unit" : "angstrom";
-}

@@ -10,7 +10,8 @@
 #include "fields.h"
 #include "radii.h"
 
-enum molecule_format { FORMAT_XYZR, FORMAT_PDB, FORMAT_PQR, FORMAT_XYZ };
+/* In the order of the list in read_molecule.c. */
+enum molecule_format { FORMAT_XYZR, FORMAT_PDB, FORMAT_PQR, FORMAT_XYZ, FORMAT_CIF, FORMATS };
 
 /* What a person calls a residue; empty where the file does not say. */
 struct residue_label {

@@ -1,18 +1,49 @@
 #include "read_molecule.h"
 
 #include <inttypes.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "characters.h"
+#include "residue_kinds.h"
+
+static const struct molecule_reader *const readers[FORMATS] = {&xyzr_reader, &pdb_reader, &pqr_reader, &xyz_reader,
+                                                               &cif_reader};
+
+const char *molecule_format_list(char out[FORMAT_LIST_BYTES], const char *prefix) {
+  size_t at = 0;
+  out[0] = '\0';
+  for (int i = 0; i < FORMATS && at < FORMAT_LIST_BYTES; ++i) {
+    const char *separator = i == 0 ? "" : i + 1 < FORMATS ? ", " : " or ";
+    at += (size_t)snprintf(out + at, FORMAT_LIST_BYTES - at, "%s%s%s", separator, prefix, readers[i]->name);
+  }
+  return out;
+}
+
+/* Whether the name is one of the extensions between blanks. */
+static bool is_extension(struct field name, const char *extensions) {
+  for (const char *at = extensions; *at != '\0'; at += *at == ' ') {
+    const char *begin = at;
+    size_t same = 0;
+    while (*at != '\0' && *at != ' ' && *at != '#') ++at;
+    const size_t length = (size_t)(at - begin);
+    while (same < length && same < name.length && to_upper(name.text[same]) == begin[same]) ++same;
+    if (*at == '#') {
+      while (same >= length && same < name.length && is_digit(name.text[same])) ++same;
+      ++at;
+    }
+    if (same >= length && same == name.length) return true;
+  }
+  return false;
+}
+
 bool molecule_format_named(const char *name, enum molecule_format *format) {
   const struct field written = {name, strlen(name)};
-  static const char *const names[] = {"XYZR", "PDB", "PQR", "XYZ"};
-  static const enum molecule_format formats[] = {FORMAT_XYZR, FORMAT_PDB, FORMAT_PQR, FORMAT_XYZ};
-  for (size_t i = 0; i < sizeof formats / sizeof formats[0]; ++i) {
-    if (field_is(written, names[i])) {
-      *format = formats[i];
-      return true;
-    }
+  for (int i = 0; i < FORMATS; ++i) {
+    if (!is_extension(written, readers[i]->extensions)) continue;
+    *format = (enum molecule_format)i;
+    return true;
   }
   return false;
 }
@@ -20,9 +51,41 @@ bool molecule_format_named(const char *name, enum molecule_format *format) {
 bool molecule_format_of(const char *path, enum molecule_format *format, struct failure *failure) {
   const char *slash = strrchr(path, '/');
   const char *dot = strrchr(slash == NULL ? path : slash + 1, '.');
-  if (dot != NULL && molecule_format_named(dot + 1, format)) return true;
+  const char *extension = dot == NULL ? "" : dot + 1;
+  if (molecule_format_named(extension, format)) return true;
   failure->file = path;
-  return failure_in_input(failure, 0, "unknown extension; expected .xyzr, .pdb, .pqr or .xyz");
+  if (is_extension((struct field){extension, strlen(extension)}, "GZ Z BZ2 XZ ZST")) {
+    return failure_in_input(failure, 0, "compressed; for instance: gunzip -c FILE | hardsphere measure - --format pdb");
+  }
+  char list[FORMAT_LIST_BYTES];
+  return failure_in_input(failure, 0, "unknown extension; expected %s", molecule_format_list(list, "."));
+}
+
+bool format_has_radii(enum molecule_format format) {
+  return readers[format]->has_radii;
+}
+
+bool format_has_elements(enum molecule_format format) {
+  return readers[format]->has_elements;
+}
+
+bool format_has_residues(enum molecule_format format) {
+  return readers[format]->has_residues;
+}
+
+const char *format_name(enum molecule_format format) {
+  return readers[format]->name;
+}
+
+const char *format_unit(enum molecule_format format) {
+  return readers[format]->unit;
+}
+
+bool label_take_element(struct atom_label *label, struct field name) {
+  const enum atom_kind kind = atom_kind_of(name, false, label->residue.name, &label->element);
+  label->virtual_site = kind == ATOM_VIRTUAL;
+  if (label->virtual_site) label->element = virtual_symbol_of(name);
+  return kind != ATOM_UNKNOWN;
 }
 
 /* Nothing follows from a file without atoms, but that something went wrong before. */
@@ -43,20 +106,7 @@ bool read_molecule(const char *path, enum molecule_format format, uint64_t model
   if (reader == NULL) return failure_of_memory(failure);
   bool done = line_reader_open(reader, path, failure);
   if (done) {
-    switch (format) {
-      case FORMAT_XYZR:
-        done = read_xyzr(reader, molecule, failure);
-        break;
-      case FORMAT_PDB:
-        done = read_pdb(reader, molecule, failure);
-        break;
-      case FORMAT_PQR:
-        done = read_pqr(reader, molecule, failure);
-        break;
-      case FORMAT_XYZ:
-        done = read_xyz(reader, molecule, failure);
-        break;
-    }
+    done = readers[format]->read(reader, molecule, failure);
     line_reader_close(reader);
   }
   free(reader);

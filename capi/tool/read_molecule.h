@@ -1,5 +1,4 @@
-/* From a file to a molecule. The extension of the name tells the format, unless the user does:
- *   .xyzr  x y z r          .pdb  fixed columns          .pqr  PDB records with charge and radius          .xyz */
+/* From a file to a molecule. The extension of the name tells the format, unless the user does. */
 #ifndef HARDSPHERE_TOOL_READ_MOLECULE_H
 #define HARDSPHERE_TOOL_READ_MOLECULE_H
 
@@ -9,7 +8,34 @@
 #include "line_reader.h"
 #include "molecule.h"
 
-/* The format of that name, its extension without the dot in any case of its letters; false if there is none. */
+/* A format. The next one is one more file with one of these, its name in enum molecule_format, and its place in the
+ * list of read_molecule.c. */
+struct molecule_reader {
+  const char *name;       /* for --format */
+  const char *extensions; /* in capitals, without dots, between blanks; digits may follow one that ends in '#' */
+  bool has_radii;
+  bool has_elements;
+  bool has_residues;
+  const char *unit;
+  /* Read the model of the file that the molecule asks for, from the first line on. */
+  bool (*read)(struct line_reader *reader, struct molecule *molecule, struct failure *failure);
+};
+
+extern const struct molecule_reader xyzr_reader; /* x y z r */
+extern const struct molecule_reader pdb_reader;  /* fixed columns */
+extern const struct molecule_reader pqr_reader;  /* PDB records with charge and radius */
+extern const struct molecule_reader xyz_reader;  /* element x y z */
+extern const struct molecule_reader cif_reader;  /* mmCIF */
+
+/* Tell by its name, which stands in no columns, what element an atom of the labelled residue is, or that it is none.
+ * False: the name does not tell. */
+bool label_take_element(struct atom_label *label, struct field name);
+
+/* The names of all formats as a person lists them: "a, b or c", each with the prefix before it. */
+#define FORMAT_LIST_BYTES 120
+const char *molecule_format_list(char out[FORMAT_LIST_BYTES], const char *prefix);
+
+/* The format of that name or extension, in any case of its letters; false if there is none. */
 bool molecule_format_named(const char *name, enum molecule_format *format);
 
 /* The format that a file name's extension asks for; false if there is none. */
@@ -20,11 +46,5 @@ bool molecule_format_of(const char *path, enum molecule_format *format, struct f
  * file is either read in full or refused, and so is one without atoms. */
 bool read_molecule(const char *path, enum molecule_format format, uint64_t model, struct molecule *molecule,
                    struct failure *failure);
-
-/* One reader per format, from the first line on. */
-bool read_xyzr(struct line_reader *reader, struct molecule *molecule, struct failure *failure);
-bool read_pdb(struct line_reader *reader, struct molecule *molecule, struct failure *failure);
-bool read_pqr(struct line_reader *reader, struct molecule *molecule, struct failure *failure);
-bool read_xyz(struct line_reader *reader, struct molecule *molecule, struct failure *failure);
 
 #endif

@@ -102,7 +102,7 @@ static bool read_atom(const struct line_reader *reader, struct alternate_locatio
   return molecule_add(molecule, xyz, 0.0, &label, line, failure);
 }
 
-bool read_pdb(struct line_reader *reader, struct molecule *molecule, struct failure *failure) {
+static bool read_pdb(struct line_reader *reader, struct molecule *molecule, struct failure *failure) {
   struct alternate_locations seen = ALTERNATE_LOCATIONS_NONE;
   struct pdb_models models = {0, false};
   bool record_seen = false;
@@ -115,3 +115,5 @@ bool read_pdb(struct line_reader *reader, struct molecule *molecule, struct fail
   alternate_locations_free(&seen);
   return status == LINE_END;
 }
+
+const struct molecule_reader pdb_reader = {"pdb", "PDB# ENT", false, true, true, "angstrom", read_pdb};

@@ -133,7 +133,7 @@ static bool read_atom(const struct line_reader *reader, struct molecule *molecul
   return molecule_add(molecule, value, radius, &label, line, failure);
 }
 
-bool read_pqr(struct line_reader *reader, struct molecule *molecule, struct failure *failure) {
+static bool read_pqr(struct line_reader *reader, struct molecule *molecule, struct failure *failure) {
   struct pdb_models models = {0, false};
   bool record_seen = false;
   for (;;) {
@@ -142,3 +142,5 @@ bool read_pqr(struct line_reader *reader, struct molecule *molecule, struct fail
     if (!read_atom(reader, molecule, failure)) return false;
   }
 }
+
+const struct molecule_reader pqr_reader = {"pqr", "PQR", true, true, true, "angstrom", read_pqr};

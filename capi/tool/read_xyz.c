@@ -139,7 +139,7 @@ static enum line_status read_model(struct line_reader *reader, uint64_t count, b
   return status;
 }
 
-bool read_xyz(struct line_reader *reader, struct molecule *molecule, struct failure *failure) {
+static bool read_xyz(struct line_reader *reader, struct molecule *molecule, struct failure *failure) {
   uint64_t count_before = 0;
   for (;;) {
     uint64_t count = 0;
@@ -168,3 +168,5 @@ bool read_xyz(struct line_reader *reader, struct molecule *molecule, struct fail
     }
   }
 }
+
+const struct molecule_reader xyz_reader = {"xyz", "XYZ", false, true, false, "angstrom", read_xyz};

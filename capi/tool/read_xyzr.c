@@ -4,7 +4,7 @@
 
 #include "read_molecule.h"
 
-bool read_xyzr(struct line_reader *reader, struct molecule *molecule, struct failure *failure) {
+static bool read_xyzr(struct line_reader *reader, struct molecule *molecule, struct failure *failure) {
   const struct atom_label no_label = ATOM_LABEL_NONE;
   molecule->models = 1;
   for (;;) {
@@ -28,3 +28,5 @@ bool read_xyzr(struct line_reader *reader, struct molecule *molecule, struct fai
     if (!molecule_add(molecule, xyz, radius, &no_label, reader->number, failure)) return false;
   }
 }
+
+const struct molecule_reader xyzr_reader = {"xyzr", "XYZR", true, false, false, "unit", read_xyzr};

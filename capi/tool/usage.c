@@ -16,16 +16,18 @@ static const char overview[] =
     "\n";
 
 static const char files_and_radii[] =
-    "FILE is .xyzr (x y z r on each line, in any unit), .pdb, .pqr or .xyz (in angstrom); - is standard input.\n"
+    "FILE is .pdb, .ent, .pdb1 or the like, .cif (mmCIF), .pqr or .xyz (in angstrom), or .xyzr (x y z r on each line, "
+    "in\n"
+    "any unit); - is standard input: gunzip -c x.pdb.gz | hardsphere measure - --format pdb.\n"
     "One model and the first alternate location of each atom are read, ATOM and HETATM alike, water and hydrogens "
     "too;\n"
     "draw leaves out water. Tables and JSON say what was read and what was left out.\n"
     "\n"
     "Options, before or after FILE:\n"
-    "  --format xyzr|pdb|pqr|xyz\n"
-    "                         what FILE is, whatever its extension\n"
-    "  --radii bondi|chem3d   radii by element, for .pdb and .xyz; bondi is the default. Elements that the set has no\n"
-    "                         radius for get one of bondi, or 2, and the table says so\n"
+    "  --format FORMAT        what FILE is, whatever its extension: xyzr, pdb, pqr, xyz or cif\n"
+    "  --radii bondi|chem3d   radii by element, for .pdb, .cif and .xyz; bondi is the default. Elements that the set "
+    "has\n"
+    "                         no radius for get one of bondi, or 2, and the table says so\n"
     "  --radius EL=R,...      add or replace radii of single elements\n"
     "  --probe P              add P to every radius: 1.4 angstrom for water; default 0\n"
     "  --json                 print JSON instead of a table; its last key, input, says what was read\n";
@@ -81,7 +83,8 @@ static const char measure_text[] =
     "  --gradient             also the derivatives of area and volume by every centre and radius\n"
     "  --weights FILE         also the sum of weight x free area; one number per ball, each on its own line, # "
     "comments\n"
-    "  --by residue|chain     also sums over residues or chains, for .pdb and .pqr. A residue is a run of atoms with "
+    "  --by residue|chain     also sums over residues or chains, for .pdb, .cif and .pqr. A residue is a run of atoms "
+    "with "
     "the\n"
     "                         same chain, name, number and insertion code; a chain is all atoms with its letter\n"
     "  --csv                  print the balls, or with --by the sums, as comma-separated values and nothing else\n"

@@ -64,10 +64,10 @@ std::string test_name(const testing::TestParamInfo<Variant> &info) {
 
 INSTANTIATE_TEST_SUITE_P(Program, InputVariant, testing::ValuesIn(all_variants()), test_name);
 
-// The four formats of one molecule with one set of radii agree as well.
+// The formats of one molecule with one set of radii agree as well.
 TEST(InputFormats, AgreeOnTheSameMolecule) {
   std::set<std::string> results;
-  for (const char *file : {"good/three.xyzr", "good/water.pdb", "good/water.pqr", "good/water.xyz"}) {
+  for (const char *file : {"good/three.xyzr", "good/water.pdb", "good/water.pqr", "good/water.xyz", "good/water.cif"}) {
     const Outcome outcome = run_program({"measure", file, "--per-ball", "--json"});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     results.insert(without_input(outcome.out));
@@ -77,7 +77,7 @@ TEST(InputFormats, AgreeOnTheSameMolecule) {
 
 // Were the list empty, the tests above would say nothing.
 TEST(InputFormats, HaveVariants) {
-  EXPECT_GE(all_variants().size(), 45u);
+  EXPECT_GE(all_variants().size(), 55u);
 }
 
 }  // namespace

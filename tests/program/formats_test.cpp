@@ -1,0 +1,230 @@
+// One molecule in every format: the same atoms to the last bit. The files are written here, from what the test reads of
+// the PDB file by its columns, so that nothing of the program's readers has a part in them.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "json_outcome.hpp"
+#include "program_runner.hpp"
+#include "temporary_file.hpp"
+
+namespace {
+
+struct Atom {
+  std::string name, residue, chain, number, insertion, element;
+  std::string xyz[3];  // as written
+};
+
+std::string trimmed(const std::string &text) {
+  const size_t begin = text.find_first_not_of(' ');
+  return begin == std::string::npos ? "" : text.substr(begin, text.find_last_not_of(' ') + 1 - begin);
+}
+
+std::string crambin() {
+  return molecules_folder() + "/crambin.pdb";
+}
+
+std::vector<Atom> atoms_of_crambin() {
+  std::vector<Atom> atoms;
+  const std::string text = read_file(crambin());
+  for (size_t begin = 0; begin < text.size(); begin = text.find('\n', begin) + 1) {
+    const std::string line = text.substr(begin, text.find('\n', begin) - begin);
+    if (line.rfind("ATOM", 0) != 0) continue;
+    Atom atom = {trimmed(line.substr(12, 4)),
+                 trimmed(line.substr(17, 3)),
+                 trimmed(line.substr(21, 1)),
+                 trimmed(line.substr(22, 4)),
+                 trimmed(line.substr(26, 1)),
+                 trimmed(line.substr(76, 2)),
+                 {}};
+    for (size_t axis = 0; axis < 3; ++axis) atom.xyz[axis] = trimmed(line.substr(30 + 8 * axis, 8));
+    atoms.push_back(atom);
+  }
+  EXPECT_EQ(atoms.size(), 327u);
+  return atoms;
+}
+
+std::string line_of(const std::vector<std::string> &words) {
+  std::string line;
+  for (const std::string &word : words) line.append(line.empty() ? "" : " ").append(word);
+  line.push_back('\n');
+  return line;
+}
+
+std::string as_xyz(const std::vector<Atom> &atoms) {
+  std::string text = line_of({std::to_string(atoms.size())}) + "crambin\n";
+  for (const Atom &atom : atoms) text += line_of({atom.element, atom.xyz[0], atom.xyz[1], atom.xyz[2]});
+  return text;
+}
+
+// Bondi's radii.
+std::string radius_of(const std::string &element) {
+  return element == "C" ? "1.70" : element == "N" ? "1.55" : element == "O" ? "1.52" : "1.80";
+}
+
+std::string as_pqr(const std::vector<Atom> &atoms) {
+  std::string text;
+  for (const Atom &atom : atoms) {
+    text += line_of({"ATOM", "1", atom.name, atom.residue, atom.chain, atom.number + atom.insertion, atom.xyz[0],
+                     atom.xyz[1], atom.xyz[2], "0.0", radius_of(atom.element)});
+  }
+  return text;
+}
+
+std::string as_xyzr(const std::vector<Atom> &atoms) {
+  std::string text;
+  for (const Atom &atom : atoms) {
+    text += line_of({atom.xyz[0], atom.xyz[1], atom.xyz[2], radius_of(atom.element)});
+  }
+  return text;
+}
+
+// The first lines of a block with a loop over _atom_site.
+std::string cif_loop(const std::vector<std::string> &items) {
+  std::string text = "data_block\nloop_\n";
+  for (const std::string &item : items) text += "_atom_site." + item + "\n";
+  return text;
+}
+
+std::string as_cif(const std::vector<Atom> &atoms) {
+  std::string text = cif_loop({"group_PDB", "type_symbol", "label_atom_id", "label_comp_id", "label_asym_id",
+                               "auth_seq_id", "auth_asym_id", "pdbx_PDB_ins_code", "Cartn_x", "Cartn_y", "Cartn_z"});
+  for (const Atom &atom : atoms) {
+    text += line_of({"ATOM", atom.element, "\"" + atom.name + "\"", atom.residue, "X", atom.number, atom.chain,
+                     atom.insertion.empty() ? "?" : atom.insertion, atom.xyz[0], atom.xyz[1], atom.xyz[2]});
+  }
+  return text;
+}
+
+std::string measured(const std::string &file, const std::vector<std::string> &options = {}) {
+  std::vector<std::string> arguments = {"measure", file, "--json", "--per-ball", "--probe", "1.4"};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  const Outcome outcome = run_program(arguments);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  return without_input(outcome.out);
+}
+
+TEST(Formats, CrambinInAllOfThem) {
+  const std::vector<Atom> atoms = atoms_of_crambin();
+  const std::string expected = measured(crambin());
+  const std::vector<std::pair<std::string, std::string>> files = {
+      {"xyz", as_xyz(atoms)}, {"pqr", as_pqr(atoms)}, {"xyzr", as_xyzr(atoms)}, {"cif", as_cif(atoms)}};
+  for (const auto &[extension, text] : files) {
+    const TemporaryFile file("crambin." + extension, text);
+    EXPECT_EQ(measured(file.path()), expected) << extension;
+  }
+}
+
+// Formats with residues agree on these as well.
+TEST(Formats, ResiduesOfCrambin) {
+  const std::vector<Atom> atoms = atoms_of_crambin();
+  for (const char *by : {"residue", "chain"}) {
+    const std::string expected = measured(crambin(), {"--by", by});
+    const std::vector<std::pair<std::string, std::string>> files = {{"pqr", as_pqr(atoms)}, {"cif", as_cif(atoms)}};
+    for (const auto &[extension, text] : files) {
+      const TemporaryFile file("crambin." + extension, text);
+      EXPECT_EQ(measured(file.path(), {"--by", by}), expected) << extension;
+    }
+  }
+}
+
+// The names that the wwPDB and others give to PDB and mmCIF files.
+TEST(Formats, Extensions) {
+  const std::string pdb = read_file(inputs_folder() + "/good/water.pdb");
+  const std::string cif = read_file(inputs_folder() + "/good/water.cif");
+  const std::string expected = measured("good/water.pdb");
+  for (const char *name : {"pdb1234.ent", "1abc.pdb1", "1abc.PDB12", "1abc.Ent"}) {
+    const TemporaryFile file(name, pdb);
+    EXPECT_EQ(measured(file.path()), expected) << name;
+    EXPECT_EQ(run_program({"measure", file.path(), "--pdb-out", "-"}).status, 0) << name;
+  }
+  for (const char *name : {"1abc.cif", "1abc.mmcif", "1abc.CIF"}) {
+    const TemporaryFile file(name, cif);
+    EXPECT_EQ(measured(file.path()), expected) << name;
+  }
+  for (const char *name : {"1abc.pd", "1abc.pdbx", "1abc.pdb1a", "1abc.pdb-", "1abc.cif1", "1abc.mm", "1abc.", "pdb"}) {
+    const TemporaryFile file(name, pdb);
+    EXPECT_EQ(run_program({"measure", file.path()}).status, 1) << name;
+  }
+}
+
+struct Row {
+  const char *label_atom, *auth_atom, *label_chain, *auth_chain, *label_number, *auth_number, *insertion;
+  const char *expected;  // atom, element, chain, residue, number, insertion of --csv
+};
+
+// The authors' names count, and the labels where the authors are silent.
+TEST(Cif, Labels) {
+  const std::vector<Row> rows = {
+      {"CA", "CB", "A", "H", "1", "100", "A", "CB,C,H,GLY,100,A"},
+      {"CA", "?", "A", "?", "1", "?", "?", "CA,C,A,GLY,1,"},
+      {"\"C1'\"", ".", "AAA", ".", "-5", ".", ".", "C1',C,AAA,GLY,-5,"},
+      {"CA", "'?'", "A", "'.'", "1", "2", "?", "?,C,.,GLY,2,"},
+  };
+  std::string text =
+      cif_loop({"type_symbol", "label_atom_id", "auth_atom_id", "label_asym_id", "auth_asym_id", "label_seq_id",
+                "auth_seq_id", "pdbx_PDB_ins_code", "label_comp_id", "Cartn_x", "Cartn_y", "Cartn_z"});
+  for (size_t i = 0; i < rows.size(); ++i) {
+    const Row &row = rows[i];
+    text += line_of({"C", row.label_atom, row.auth_atom, row.label_chain, row.auth_chain, row.label_number,
+                     row.auth_number, row.insertion, "GLY", std::to_string(10 * i), "0", "0"});
+  }
+  const TemporaryFile file("labels.cif", text);
+  const std::string csv = run_program({"measure", file.path(), "--csv"}).out;
+  for (size_t i = 0; i < rows.size(); ++i) {
+    std::string line = "\n";
+    line.append(std::to_string(i)).append(",").append(rows[i].expected);
+    line.append(",").append(std::to_string(10 * i)).append(",0,0,");
+    EXPECT_NE(csv.find(line), std::string::npos) << line << csv;
+  }
+}
+
+// Each table's models are its own, and --model counts them all.
+TEST(Cif, Models) {
+  const std::string text =
+      cif_loop({"Cartn_x", "Cartn_y", "Cartn_z", "type_symbol", "pdbx_PDB_model_num"}) +
+      "0 0 0 C 1\n9 0 0 C 1\n0 0 0 N 2\n0 0 0 O 7\n5 0 0 O 7\n9 0 0 O 7\n" +
+      cif_loop({"Cartn_x", "Cartn_y", "Cartn_z", "type_symbol"}) + "0 0 0 S\n" +
+      "_atom_site.Cartn_x 1\n_atom_site.type_symbol H\n_atom_site.Cartn_y 1\n_atom_site.Cartn_z 1\n";
+  const TemporaryFile file("models.cif", text);
+  const std::vector<std::pair<double, double>> expected = {{2, 6}, {1, 7}, {3, 5}, {1, 7}, {1, 7}};
+  for (size_t model = 1; model <= expected.size(); ++model) {
+    const Json input = run_json({"measure", file.path(), "--model", std::to_string(model)})["input"];
+    EXPECT_EQ(input["models"].number, 5);
+    EXPECT_EQ(input["balls"].number, expected[model - 1].first) << model;
+    EXPECT_EQ(input["left_out"]["other_models"].number, expected[model - 1].second) << model;
+  }
+  EXPECT_EQ(run_program({"measure", file.path(), "--model", "6"}).status, 1);
+}
+
+// Residues that stand there under two names, and chains that only their labels tell apart.
+TEST(Cif, AlternateLocations) {
+  const std::string head = cif_loop({"type_symbol", "auth_atom_id", "label_alt_id", "auth_comp_id", "label_asym_id",
+                                     "auth_asym_id", "auth_seq_id", "Cartn_x", "Cartn_y", "Cartn_z"});
+  const TemporaryFile file("alternates.cif", head +
+                                                 "N N  . SER A A 1 0 0 0\n"     // kept: no letter
+                                                 "C CB B SER A A 1 9 0 0\n"     // kept: the first
+                                                 "C CB A THR A A 1 18 0 0\n"    // the other place, under another name
+                                                 "C CG A THR A A 1 27 0 0\n"    // nowhere else, but of the other name
+                                                 "O OG B SER A A 1 36 0 0\n"    // kept
+                                                 "N N  A SER A A 1 45 0 0\n"    // seen without a letter
+                                                 "N N  A SER C A 1 54 0 0\n"    // kept: another chain by its label
+                                                 "O O  A HOH D A 1 63 0 0\n");  // kept
+  const Json input = run_json({"measure", file.path()})["input"];
+  EXPECT_EQ(input["balls"].number, 5);
+  EXPECT_EQ(input["left_out"]["alternate_locations"].number, 3);
+}
+
+// Symbols with a charge, and deuterium.
+TEST(Cif, Elements) {
+  const std::string head = cif_loop({"type_symbol", "Cartn_x", "Cartn_y", "Cartn_z"});
+  const TemporaryFile file("elements.cif", head + "O2- 0 0 0\nzn2+ 9 0 0\n\"CL\" 18 0 0\nD 27 0 0\nNa1+ 36 0 0\n");
+  const std::string csv = run_program({"measure", file.path(), "--csv"}).out;
+  for (const char *row : {"\n0,,O,", "\n1,,Zn,", "\n2,,Cl,", "\n3,,H,", "\n4,,Na,"}) {
+    EXPECT_NE(csv.find(row), std::string::npos) << row << csv;
+  }
+}
+
+}  // namespace
