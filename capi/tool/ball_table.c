@@ -108,7 +108,7 @@ void ball_table_print(const struct request *request, const struct molecule *mole
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
     char value[NUMBER_BYTES];
     report_ball(out, columns, molecule, i);
-    text_buffer_add(out, "  %14s", grouped_number(value, measurement->area[i], 4));
+    text_buffer_add(out, "  %14s", quantity_text(value, measurement->area[i], 4));
     print_free_part(measurement->area[i], molecule->radius[i] + request->probe, out);
     print_derivatives(gradients, with_decimals, i, out);
   }

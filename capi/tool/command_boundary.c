@@ -68,10 +68,10 @@ static void print_shells(const struct molecule *molecule, const struct counted *
   for (uint32_t i = 0; i < counted->shell_count; ++i) {
     const hsp_shell *shell = &counted->shells[i];
     text_buffer_add(out, "  %9" PRIu32 "  %-5s  %9" PRIu32, i, kind_of(shell), shell->component);
-    text_buffer_add(out, "  %9s", grouped_count(value, shell->faces));
-    text_buffer_add(out, "  %9s", grouped_count(value, shell->genus));
-    text_buffer_add(out, "  %20s", grouped_number(value, shell->area, 6));
-    text_buffer_add(out, "  %20s\n", grouped_number(value, shell->volume, 6));
+    text_buffer_add(out, "  %9s", count_text(value, shell->faces));
+    text_buffer_add(out, "  %9s", count_text(value, shell->genus));
+    text_buffer_add(out, "  %20s", quantity_text(value, shell->area, 6));
+    text_buffer_add(out, "  %20s\n", quantity_text(value, shell->volume, 6));
   }
 }
 

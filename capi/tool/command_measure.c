@@ -42,13 +42,13 @@ static void print_tables(const struct request *request, const struct molecule *m
   const char *unit = format_unit(molecule->format);
   char value[NUMBER_BYTES];
   report_heading(out, request, molecule);
-  text_buffer_add(out, "  %-16s %s %s^2\n", "area", grouped_number(value, measurement->totals.area, TOTAL_DECIMALS),
+  text_buffer_add(out, "  %-16s %s %s^2\n", "area", quantity_text(value, measurement->totals.area, TOTAL_DECIMALS),
                   unit);
-  text_buffer_add(out, "  %-16s %s %s^3\n", "volume", grouped_number(value, measurement->totals.volume, TOTAL_DECIMALS),
+  text_buffer_add(out, "  %-16s %s %s^3\n", "volume", quantity_text(value, measurement->totals.volume, TOTAL_DECIMALS),
                   unit);
   if (measurement->weights != NULL) {
     text_buffer_add(out, "  %-16s %s, the sum of weight x free area\n", "weighted area",
-                    grouped_number(value, measurement->weighted_area, TOTAL_DECIMALS));
+                    quantity_text(value, measurement->weighted_area, TOTAL_DECIMALS));
   }
   if (measurement->one_sided > 0) {
     report_row_count(out, "touching balls", measurement->one_sided,

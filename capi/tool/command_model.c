@@ -30,7 +30,7 @@ static void print_verdict(const struct molecule *molecule, const hsp_packing *fi
   if (figures->flags == 0) {
     char bound[NUMBER_BYTES];
     text_buffer_add(out, "Theorem 2.1 holds with these figures: no ball meets more than 216 (k/rho)^3 = %s others.\n",
-                    grouped_number(bound, floor(figures->neighbour_bound), 0));
+                    quantity_text(bound, floor(figures->neighbour_bound), 0));
     return;
   }
   text_buffer_add(out, "Theorem 2.1 does not apply:");
@@ -59,11 +59,11 @@ static void print_table(const struct request *request, const struct molecule *mo
                         struct text_buffer *out) {
   char value[NUMBER_BYTES];
   report_heading(out, request, molecule);
-  report_row(out, "k", has_k(figures) ? grouped_number(value, figures->k, 4) : "-", "largest radius / smallest radius");
-  report_row(out, "rho", has_rho(figures) ? grouped_number(value, figures->rho, 4) : "-",
+  report_row(out, "k", has_k(figures) ? quantity_text(value, figures->k, 4) : "-", "largest radius / smallest radius");
+  report_row(out, "rho", has_rho(figures) ? quantity_text(value, figures->rho, 4) : "-",
              "least of: distance of two centres / larger of their radii");
   report_row_count(out, "max overlaps", figures->max_overlaps, "most balls that one ball overlaps");
-  report_row(out, "mean overlaps", grouped_number(value, figures->mean_overlaps, 4), "balls that a ball overlaps");
+  report_row(out, "mean overlaps", quantity_text(value, figures->mean_overlaps, 4), "balls that a ball overlaps");
   text_buffer_add(out, "\n");
   print_verdict(molecule, figures, out);
 }

@@ -48,7 +48,7 @@ static void print_table(const struct request *request, const struct molecule *mo
   for (uint32_t i = 0; i < count; ++i) {
     char value[NUMBER_BYTES];
     report_ball(out, columns, molecule, ids[i]);
-    text_buffer_add(out, "  %18s\n", grouped_number(value, distance(at, molecule->xyz + 3 * (size_t)ids[i]), 4));
+    text_buffer_add(out, "  %18s\n", quantity_text(value, distance(at, molecule->xyz + 3 * (size_t)ids[i]), 4));
   }
 }
 

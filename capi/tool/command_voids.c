@@ -31,8 +31,8 @@ static void print_void(const struct molecule *molecule, struct ball_columns colu
   char value[NUMBER_BYTES];
   const char *unit = format_unit(molecule->format);
   text_buffer_add(out, "\nvoid %" PRIu32 "\n", of->cell);
-  text_buffer_add(out, "  %-16s %s %s^3\n", "volume", grouped_number(value, of->figures.volume, 6), unit);
-  text_buffer_add(out, "  %-16s %s %s^2\n", "area", grouped_number(value, of->figures.area, 6), unit);
+  text_buffer_add(out, "  %-16s %s %s^3\n", "volume", quantity_text(value, of->figures.volume, 6), unit);
+  text_buffer_add(out, "  %-16s %s %s^2\n", "area", quantity_text(value, of->figures.area, 6), unit);
   report_row_count(out, "components", of->figures.components, "pieces of the union that lie in it");
   report_row_count(out, "balls", of->ball_count, "balls with a face on it");
   text_buffer_add(out, "\n");

@@ -3,6 +3,8 @@
 #include <float.h>
 #include <string.h>
 
+#include "report.h"
+
 void csv_text(struct text_buffer *out, const char *text) {
   if (strpbrk(text, ",\"\r\n") == NULL) {
     text_buffer_add(out, "%s", text);
@@ -14,5 +16,6 @@ void csv_text(struct text_buffer *out, const char *text) {
 }
 
 void csv_number(struct text_buffer *out, double value) {
-  if (value >= -DBL_MAX && value <= DBL_MAX) text_buffer_add(out, "%.17g", value + 0.0); /* + 0.0: no "-0" */
+  char shown[NUMBER_BYTES];
+  if (value >= -DBL_MAX && value <= DBL_MAX) text_buffer_add(out, "%s", exact_text(shown, value));
 }

@@ -7,7 +7,7 @@
 /* A field of text, in quotes if it holds a comma, a quote or a line break. */
 void csv_text(struct text_buffer *out, const char *text);
 
-/* A number with 17 significant digits, which tell every double from every other; nothing unless it is finite. */
+/* A number as exact_text has it; nothing unless it is finite. */
 void csv_number(struct text_buffer *out, double value);
 
 #endif

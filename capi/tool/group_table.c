@@ -25,8 +25,8 @@ void group_table_print(const struct molecule *molecule, const struct atom_groups
     text_buffer_add(out, "  %-5s", label->chain);
     /* Insertion codes have a column of their own, so that the numbers stand under each other. */
     if (residues) text_buffer_add(out, "  %-7s  %6s%-1s", label->name, label->number, label->insertion);
-    text_buffer_add(out, "  %9s", grouped_count(value, group->atoms));
-    text_buffer_add(out, "  %16s\n", grouped_number(value, group->area, 4));
+    text_buffer_add(out, "  %9s", count_text(value, group->atoms));
+    text_buffer_add(out, "  %16s\n", quantity_text(value, group->area, 4));
   }
 }
 

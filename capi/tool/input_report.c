@@ -35,7 +35,7 @@ static struct among count_among(const struct molecule *molecule) {
 static void add_count(struct text_buffer *out, const char *separator, uint64_t count, const char *one,
                       const char *many) {
   char shown[NUMBER_BYTES];
-  text_buffer_add(out, "%s%s %s", separator, grouped_count(shown, (int64_t)count), count == 1 ? one : many);
+  text_buffer_add(out, "%s%s %s", separator, count_text(shown, (int64_t)count), count == 1 ? one : many);
 }
 
 static void row_among(struct text_buffer *out, const struct molecule *molecule, const struct among *among) {

@@ -3,9 +3,9 @@
 #include <float.h>
 #include <inttypes.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
-#include "characters.h"
 #include "input_report.h"
 #include "line_reader.h"
 #include "residues.h"
@@ -20,41 +20,33 @@ void report_row(struct text_buffer *out, const char *name, const char *value, co
 
 void report_row_count(struct text_buffer *out, const char *name, int64_t value, const char *remark) {
   char shown[NUMBER_BYTES];
-  report_row(out, name, grouped_count(shown, value), remark);
+  report_row(out, name, count_text(shown, value), remark);
 }
 
-/* Put commas between the thousands of the digits that a number begins with, after its sign. */
-static const char *group(char out[NUMBER_BYTES], const char *number) {
-  const char *digits = number[0] == '-' ? number + 1 : number;
-  size_t whole = 0;
-  while (is_digit(digits[whole])) ++whole;
-  size_t at = 0;
-  if (number[0] == '-') out[at++] = '-';
-  for (size_t i = 0; i < whole; ++i) {
-    if (i > 0 && (whole - i) % 3 == 0) out[at++] = ',';
-    out[at++] = digits[i];
-  }
-  memcpy(out + at, digits + whole, strlen(digits + whole) + 1);
+const char *count_text(char out[NUMBER_BYTES], int64_t value) {
+  snprintf(out, NUMBER_BYTES, "%" PRId64, value);
   return out;
 }
 
-const char *grouped_count(char out[NUMBER_BYTES], int64_t value) {
-  char plain[24]; /* at most 20 characters, 26 with commas */
-  snprintf(plain, sizeof plain, "%" PRId64, value);
-  return group(out, plain);
-}
-
-const char *grouped_number(char out[NUMBER_BYTES], double value, int decimals) {
+const char *quantity_text(char out[NUMBER_BYTES], double value, int decimals) {
   value += 0.0; /* no "-0" */
   const double magnitude = value < 0.0 ? -value : value;
   if (!(magnitude <= DBL_MAX)) return memcpy(out, "-", 2);
   if (magnitude >= 1e12 || (magnitude > 0.0 && magnitude < 1e-2)) {
     snprintf(out, NUMBER_BYTES, "%.8e", value);
-    return out;
+  } else {
+    snprintf(out, NUMBER_BYTES, "%.*f", decimals < 10 ? decimals : 10, value);
   }
-  char plain[32]; /* 12 digits, 10 decimals at most */
-  snprintf(plain, sizeof plain, "%.*f", decimals < 10 ? decimals : 10, value);
-  return group(out, plain);
+  return out;
+}
+
+const char *exact_text(char out[NUMBER_BYTES], double value) {
+  /* 15 digits read back as any double that was written with so few; 17 tell every double from every other. */
+  for (int digits = 15; digits <= 17; ++digits) {
+    snprintf(out, NUMBER_BYTES, "%.*g", digits, value + 0.0); /* + 0.0: no "-0" */
+    if (digits == 17 || strtod(out, NULL) == value) break;
+  }
+  return out;
 }
 
 static void report_probe(struct text_buffer *out, const struct request *request) {
@@ -104,12 +96,13 @@ void report_ball(struct text_buffer *out, struct ball_columns columns, const str
   text_buffer_add(out, "  %9" PRIu32, ball);
   if (columns.names) text_buffer_add(out, "  %-6s %-17s", label->name, residue_text(residue, &label->residue));
   if (columns.elements) text_buffer_add(out, "  %-7s", label->element.text);
-  text_buffer_add(out, "  %10s", grouped_number(radius, molecule->radius[ball], 4));
+  text_buffer_add(out, "  %10s", quantity_text(radius, molecule->radius[ball], 4));
 }
 
 void json_number(struct text_buffer *out, double value) {
   if (value >= -DBL_MAX && value <= DBL_MAX) {
-    text_buffer_add(out, "%.17g", value + 0.0); /* + 0.0: no "-0" */
+    char shown[NUMBER_BYTES];
+    text_buffer_add(out, "%s", exact_text(shown, value));
   } else {
     text_buffer_add(out, "null");
   }

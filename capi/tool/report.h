@@ -19,12 +19,15 @@ void report_row_count(struct text_buffer *out, const char *name, int64_t value, 
 /* Room for a number as the functions below write it. */
 #define NUMBER_BYTES 40
 
-/* A count with commas between thousands: 1,234,567. */
-const char *grouped_count(char out[NUMBER_BYTES], int64_t value);
+/* A count. Numbers have no commas between thousands, so that other programs can read tables too. */
+const char *count_text(char out[NUMBER_BYTES], int64_t value);
 
-/* A quantity with `decimals` decimals and commas between thousands, or in powers of ten where that would be long or
- * would show nothing. "-" unless it is finite. */
-const char *grouped_number(char out[NUMBER_BYTES], double value, int decimals);
+/* A quantity with `decimals` decimals, or in powers of ten where that would be long or would show nothing. "-" unless
+ * it is finite. */
+const char *quantity_text(char out[NUMBER_BYTES], double value, int decimals);
+
+/* The shortest of 15 to 17 significant digits that a reader turns into the same double again; it must be finite. */
+const char *exact_text(char out[NUMBER_BYTES], double value);
 
 /* One line per ball: what it is called; see report_ball. Shows only the columns that the file has something for. */
 struct ball_columns {
@@ -36,7 +39,7 @@ struct ball_columns ball_columns_of(const struct molecule *molecule);
 void report_ball_titles(struct text_buffer *out, struct ball_columns columns);
 void report_ball(struct text_buffer *out, struct ball_columns columns, const struct molecule *molecule, uint32_t ball);
 
-/* A number of JSON with 17 significant digits, which tell every double from every other; null unless it is finite. */
+/* A number of JSON, as exact_text has it; null unless it is finite. */
 void json_number(struct text_buffer *out, double value);
 void json_vector(struct text_buffer *out, const double xyz[3]);
 

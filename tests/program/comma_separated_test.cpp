@@ -94,10 +94,9 @@ TEST(CommaSeparated, NumbersAreThoseOfJson) {
   const Json balls = run_json(std::vector<std::string>{"measure"} + arguments)["balls"];
   ASSERT_EQ(rows.size(), 4u);
   ASSERT_EQ(balls.items.size(), 3u);
-  const std::vector<Row> expected_begin = {
-      {"0", "O", "O", "A", "HOH", "1", "", "0", "0", "0", "1.52"},
-      {"1", "H1", "H", "A", "HOH", "1", "", "0.75700000000000001", "0.58599999999999997", "0", "1.1000000000000001"},
-      {"2", "H2", "H", "A", "HOH", "1", "", "-0.75700000000000001", "0.58599999999999997", "0", "1.1000000000000001"}};
+  const std::vector<Row> expected_begin = {{"0", "O", "O", "A", "HOH", "1", "", "0", "0", "0", "1.52"},
+                                           {"1", "H1", "H", "A", "HOH", "1", "", "0.757", "0.586", "0", "1.1"},
+                                           {"2", "H2", "H", "A", "HOH", "1", "", "-0.757", "0.586", "0", "1.1"}};
   const Row weights = {"1", "-0.5", "2"};
   for (size_t i = 0; i < 3; ++i) {
     const Json &ball = balls.items[i];

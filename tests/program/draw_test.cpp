@@ -178,7 +178,6 @@ TEST(Draw, TableOfASingleBall) {
   const TemporaryFile out("ball.svg");
   const Outcome outcome = draw_to(out.path(), "good/one.xyzr");
   const std::string size = std::to_string(std::filesystem::file_size(out.path()));
-  ASSERT_GT(size.size(), 3u);
   EXPECT_EQ(outcome.out,
             "good/one.xyzr\n"
             "  balls            1\n"
@@ -190,7 +189,7 @@ TEST(Draw, TableOfASingleBall) {
             "  pieces           1              painted one over the other, farthest first\n"
             "  arcs             1              of circles and ellipses around them\n"
             "  bytes            " +
-                size.substr(0, size.size() - 3) + "," + size.substr(size.size() - 3) + "\n");
+                size + "\n");
 }
 
 TEST(Draw, NothingToSeeIsAPictureToo) {
