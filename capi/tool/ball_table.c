@@ -114,13 +114,48 @@ void ball_table_print(const struct request *request, const struct molecule *mole
   }
 }
 
+/* What the ball is, by the keys that are the columns of comma-separated values. */
+static void json_label(const struct molecule *molecule, uint32_t ball, struct text_buffer *out) {
+  const struct atom_label *label = &molecule->label[ball];
+  const bool residues = format_has_residues(molecule->format);
+  const struct {
+    const char *key, *text;
+    bool is_there;
+  } names[] = {{"atom", label->name, residues},
+               {"element", label->element.text, !format_has_radii(molecule->format)},
+               {"chain", label->residue.chain, residues},
+               {"residue", label->residue.name, residues},
+               {"number", label->residue.number, residues},
+               {"insertion", label->residue.insertion, residues}};
+  text_buffer_add(out, "\"ball\": %" PRIu32, ball);
+  for (size_t i = 0; i < sizeof names / sizeof names[0]; ++i) {
+    if (!names[i].is_there) continue;
+    text_buffer_add(out, ", \"%s\": ", names[i].key);
+    if (names[i].text == label->residue.number) {
+      json_residue_number(out, names[i].text);
+    } else {
+      json_text(out, names[i].text);
+    }
+  }
+  text_buffer_add(out, ", \"xyz\": ");
+  json_vector(out, molecule->xyz + 3 * (size_t)ball);
+  text_buffer_add(out, ", \"radius\": ");
+  json_number(out, molecule->radius[ball]);
+}
+
 void ball_table_json(const struct molecule *molecule, const struct measurement *measurement, struct text_buffer *out) {
   struct derivative derivatives[DERIVATIVES];
   list_derivatives(measurement, derivatives);
   text_buffer_add(out, "[");
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
-    text_buffer_add(out, "%s{\"area\": ", i == 0 ? "" : ", ");
+    text_buffer_add(out, "%s{", i == 0 ? "" : ", ");
+    json_label(molecule, i, out);
+    text_buffer_add(out, ", \"area\": ");
     json_number(out, measurement->area[i]);
+    if (measurement->weights != NULL) {
+      text_buffer_add(out, ", \"weight\": ");
+      json_number(out, measurement->weights[i]);
+    }
     for (const struct derivative *of = derivatives; of != derivatives + DERIVATIVES; ++of) {
       if (of->values == NULL) continue;
       text_buffer_add(out, ", \"%s_%s\": ", of->quantity, of->kind == BY_CENTRE ? "gradient" : "dr");

@@ -3,7 +3,6 @@
 #include <inttypes.h>
 #include <string.h>
 
-#include "characters.h"
 #include "csv.h"
 #include "report.h"
 
@@ -28,20 +27,6 @@ void group_table_print(const struct molecule *molecule, const struct atom_groups
     text_buffer_add(out, "  %9s", count_text(value, group->atoms));
     text_buffer_add(out, "  %16s\n", quantity_text(value, group->area, 4));
   }
-}
-
-/* Residue numbers are whole numbers, but files with more residues than columns write letters, and some write nothing:
- * these remain texts. */
-static void json_residue_number(struct text_buffer *out, const char *text) {
-  const char *digits = text[0] == '-' ? text + 1 : text;
-  size_t length = 0;
-  while (is_digit(digits[length])) ++length;
-  if (length == 0 || digits[length] != '\0') {
-    json_text(out, text);
-    return;
-  }
-  while (digits[0] == '0' && length > 1) ++digits, --length; /* JSON has no leading zeros */
-  text_buffer_add(out, "%s%s", text[0] == '-' && digits[0] != '0' ? "-" : "", digits);
 }
 
 void group_table_json(const struct molecule *molecule, const struct atom_groups *groups, struct text_buffer *out) {

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "characters.h"
 #include "input_report.h"
 #include "line_reader.h"
 #include "residues.h"
@@ -129,4 +130,16 @@ void json_text(struct text_buffer *out, const char *text) {
     }
   }
   text_buffer_add(out, "\"");
+}
+
+void json_residue_number(struct text_buffer *out, const char *text) {
+  const char *digits = text[0] == '-' ? text + 1 : text;
+  size_t length = 0;
+  while (is_digit(digits[length])) ++length;
+  if (length == 0 || digits[length] != '\0') {
+    json_text(out, text);
+    return;
+  }
+  while (digits[0] == '0' && length > 1) ++digits, --length; /* JSON has no leading zeros */
+  text_buffer_add(out, "%s%s", text[0] == '-' && digits[0] != '0' ? "-" : "", digits);
 }

@@ -47,4 +47,8 @@ void json_vector(struct text_buffer *out, const double xyz[3]);
  * U+FFFD, the replacement character. */
 void json_text(struct text_buffer *out, const char *text);
 
+/* The number of a residue. Most are whole numbers, but files with more residues than columns write letters, and some
+ * write nothing: these remain texts. */
+void json_residue_number(struct text_buffer *out, const char *text);
+
 #endif

@@ -91,9 +91,10 @@ static const char measure_text[] =
     "  --pdb-out FILE         write the .pdb file again with the free area of each atom in columns 61-66. Decimals "
     "that\n"
     "                         do not fit are left off; atoms that are not read are left out\n"
-    "JSON: n, area, volume; with --weights weighted_area; with --per-ball or --gradient balls: [{area, and with\n"
-    "--gradient area_gradient: [x, y, z], volume_gradient, area_dr, volume_dr, and with --weights weighted_gradient,\n"
-    "weighted_dr}, ...] in the order of the file; with --by residues: [{chain, name, number, insertion, atoms, area},\n"
+    "JSON: n, area, volume; with --weights weighted_area; with --per-ball or --gradient balls: [{ball, atom, element,\n"
+    "chain, residue, number, insertion, xyz, radius, area, with --weights weight, and with --gradient area_gradient:\n"
+    "[x, y, z], volume_gradient, area_dr, volume_dr, and with both weighted_gradient, weighted_dr}, ...] in the order\n"
+    "of the file and as far as it names them; with --by residues: [{chain, name, number, insertion, atoms, area},\n"
     "...] or chains: [{chain, atoms, area}, ...].\n"
     "\n";
 

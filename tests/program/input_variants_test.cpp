@@ -49,7 +49,7 @@ TEST_P(InputVariant, GivesWhatTheBaseGives) {
     const Outcome variant = run_program(arguments);
     EXPECT_EQ(base.status, 0) << GetParam().base;
     EXPECT_EQ(variant.status, 0) << variant.err;
-    EXPECT_EQ(without_input(variant.out), without_input(base.out)) << command.front() << " " << GetParam().file;
+    EXPECT_EQ(geometry_alone(variant.out), geometry_alone(base.out)) << command.front() << " " << GetParam().file;
     EXPECT_EQ(variant.err, "");
   }
 }
@@ -70,7 +70,7 @@ TEST(InputFormats, AgreeOnTheSameMolecule) {
   for (const char *file : {"good/three.xyzr", "good/water.pdb", "good/water.pqr", "good/water.xyz", "good/water.cif"}) {
     const Outcome outcome = run_program({"measure", file, "--per-ball", "--json"});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
-    results.insert(without_input(outcome.out));
+    results.insert(geometry_alone(outcome.out));
   }
   EXPECT_EQ(results.size(), 1u);
 }

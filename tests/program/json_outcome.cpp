@@ -1,5 +1,7 @@
 #include "json_outcome.hpp"
 
+#include <regex>
+
 #include <gtest/gtest.h>
 
 #include "program_runner.hpp"
@@ -19,4 +21,9 @@ std::string without_input(const std::string &json) {
   const size_t at = json.find(", \"input\": {");
   EXPECT_NE(at, std::string::npos) << json;
   return json.substr(0, at);
+}
+
+std::string geometry_alone(const std::string &json) {
+  static const std::regex name("\"(atom|element|chain|residue|number|insertion)\": (\"[^\"]*\"|-?[0-9]+), ");
+  return std::regex_replace(without_input(json), name, "");
 }

@@ -11,3 +11,6 @@ Json run_json(std::vector<std::string> arguments);
 
 // What a command prints of the balls: its JSON up to the last key, which tells what was read.
 std::string without_input(const std::string &json);
+
+// The same without the names of atoms and residues: what files of different formats agree on.
+std::string geometry_alone(const std::string &json);

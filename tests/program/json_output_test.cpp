@@ -18,6 +18,18 @@ const std::vector<std::string> files = {"good/one.xyzr",  "good/point.xyzr", "go
                                         "good/same.xyzr", "good/two.xyzr",   "good/cage.xyzr",
                                         "good/water.pdb", "good/water.pqr",  "good/water.xyz"};
 
+// What a ball is comes first, as far as the file's format says it.
+Keys ball_keys(const std::string &file, const Keys &values) {
+  const std::string extension = file.substr(file.rfind('.'));
+  Keys keys = {"ball"};
+  if (extension == ".pdb") keys.insert(keys.end(), {"atom", "element", "chain", "residue", "number", "insertion"});
+  if (extension == ".pqr") keys.insert(keys.end(), {"atom", "chain", "residue", "number", "insertion"});
+  if (extension == ".xyz") keys.push_back("element");
+  keys.insert(keys.end(), {"xyz", "radius"});
+  keys.insert(keys.end(), values.begin(), values.end());
+  return keys;
+}
+
 TEST(JsonReader, IsStrict) {
   for (const char *good : {"{}", " [1, -2.5e-3, 0, 0.0] ", "{\"a\": null, \"b\": [true, false]}", "\"text\"", "1E+2",
                            R"("\"\\\/\b\f\n\r\t\u00e9\uFFFD")"}) {
@@ -57,10 +69,27 @@ TEST(JsonOutput, MeasureHasItsKeys) {
     EXPECT_EQ(json["balls"].kind, Json::Kind::array) << file;
     EXPECT_EQ(static_cast<double>(json["balls"].items.size()), json["n"].number) << file;
     for (const Json &ball : json["balls"].items) {
-      EXPECT_EQ(ball.keys, Keys{"area"}) << file;
+      EXPECT_EQ(ball.keys, ball_keys(file, {"area"})) << file;
       EXPECT_EQ(ball["area"].kind, Json::Kind::number) << file;
     }
   }
+}
+
+TEST(JsonOutput, BallsSayWhatTheyAre) {
+  const Json balls = run_json({"measure", "good/water.pdb", "--per-ball", "--probe", "1.4"})["balls"];
+  ASSERT_EQ(balls.items.size(), 3u);
+  const Json &hydrogen = balls.items[1];
+  EXPECT_EQ(hydrogen["ball"].text, "1");
+  EXPECT_EQ(hydrogen["atom"].text, "H1");
+  EXPECT_EQ(hydrogen["element"].text, "H");
+  EXPECT_EQ(hydrogen["chain"].text, "A");
+  EXPECT_EQ(hydrogen["residue"].text, "HOH");
+  EXPECT_EQ(hydrogen["number"].text, "1");
+  EXPECT_EQ(hydrogen["number"].kind, Json::Kind::number);
+  EXPECT_EQ(hydrogen["insertion"].text, "");
+  EXPECT_EQ(hydrogen["xyz"].items.at(0).text, "0.757");
+  EXPECT_EQ(hydrogen["xyz"].items.at(1).text, "0.586");
+  EXPECT_EQ(hydrogen["radius"].text, "1.1");
 }
 
 TEST(JsonOutput, GradientsHaveTheirKeys) {
@@ -70,7 +99,7 @@ TEST(JsonOutput, GradientsHaveTheirKeys) {
     EXPECT_EQ(json.keys, (Keys{"n", "area", "volume", "balls", "input"})) << file;
     EXPECT_EQ(static_cast<double>(json["balls"].items.size()), json["n"].number) << file;
     for (const Json &ball : json["balls"].items) {
-      EXPECT_EQ(ball.keys, plain) << file;
+      EXPECT_EQ(ball.keys, ball_keys(file, plain)) << file;
       for (const char *key : {"area_gradient", "volume_gradient"}) {
         EXPECT_EQ(ball[key].kind, Json::Kind::array) << file;
         EXPECT_EQ(ball[key].items.size(), 3u) << file;
@@ -87,8 +116,8 @@ TEST(JsonOutput, WeightsHaveTheirKeys) {
   const Json json = run_json({"measure", "good/water.pdb", "--weights=good/water.weights", "--gradient"});
   EXPECT_EQ(json.keys, (Keys{"n", "area", "volume", "weighted_area", "balls", "input"}));
   for (const Json &ball : json["balls"].items) {
-    EXPECT_EQ(ball.keys, (Keys{"area", "area_gradient", "volume_gradient", "area_dr", "volume_dr", "weighted_gradient",
-                               "weighted_dr"}));
+    EXPECT_EQ(ball.keys, ball_keys("good/water.pdb", {"area", "weight", "area_gradient", "volume_gradient", "area_dr",
+                                                      "volume_dr", "weighted_gradient", "weighted_dr"}));
   }
 }
 
