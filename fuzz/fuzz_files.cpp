@@ -42,13 +42,15 @@ Reading read(const std::string &text, const char *extension) {
 
   radii table;
   radii_take_set(&table, &radii_bondi);
+  const radii_table no_table = {nullptr, 0, 0, false};
   molecule atoms;
   failure why;
   std::memset(&why, 0, sizeof why);
   Reading reading;
   molecule_format format = FORMAT_XYZR;
   FUZZ_REQUIRE(molecule_format_of(path.c_str(), &format, &why), "extension");
-  reading.done = read_molecule(path.c_str(), format, 1, &atoms, &why) && molecule_take_radii(&atoms, &table, &why);
+  reading.done =
+      read_molecule(path.c_str(), format, 1, &atoms, &why) && molecule_take_radii(&atoms, &table, &no_table, &why);
   reading.exit_status = why.exit_status;
   reading.reason = why.reason;
   reading.line = why.line;

@@ -38,16 +38,23 @@ static bool take_probe(struct reading *reading, const char *value) {
 }
 
 static bool take_radii(struct reading *reading, const char *value) {
-  if (!option_value(&reading->options, "--radii", &value, "a set: bondi or chem3d")) return false;
+  if (!option_value(&reading->options, "--radii", &value, "a set, a file or 'list'")) return false;
   if (reading->radii_seen) return failure_in_usage(reading->failure, "--radii is given twice");
   reading->radii_seen = true;
   const struct radii_set *set = radii_set_find(value);
-  if (set == NULL) {
+  if (set != NULL) {
+    reading->request->set = set;
+  } else if (strcmp(value, "list") == 0) {
+    reading->request->list_radii = true;
+  } else if (strpbrk(value, "./") != NULL) { /* the name of a set has neither */
+    reading->request->radii_file = value;
+  } else {
     char shown[EXCERPT_BYTES];
-    return failure_in_usage(reading->failure, "--radii: no set '%s'; there are bondi and chem3d",
+    return failure_in_usage(reading->failure,
+                            "--radii: no set '%s'; there are bondi, chem3d, protor, naccess, and files with a dot or "
+                            "slash in their names",
                             excerpt(shown, value, strlen(value)));
   }
-  reading->request->set = set;
   return true;
 }
 
@@ -97,6 +104,19 @@ static bool apply_overrides(struct reading *reading) {
     if (text[length] == '\0') return true;
     text += length + 1;
   }
+}
+
+/* Get the radii by residue and atom, if any are asked for. */
+static bool load_table(struct reading *reading) {
+  struct request *request = reading->request;
+  const struct radii_rule *rules = radii_set_rules(request->set);
+  if (request->radii_file == NULL && rules == NULL) return true;
+  if (!format_has_residues(request->format)) {
+    return failure_in_usage(reading->failure,
+                            "--radii by residue and atom has no use here: the file names no residues");
+  }
+  if (request->radii_file != NULL) return radii_table_read(&request->table, request->radii_file, reading->failure);
+  return radii_table_make(&request->table, rules, reading->failure);
 }
 
 static bool take_query(struct reading *reading, enum query_kind kind) {
@@ -289,7 +309,8 @@ static bool check_files(struct reading *reading) {
     return failure_in_usage(reading->failure, "standard input is either the molecule or its weights");
   }
   if (out == NULL) return true;
-  if (output_is_input(out, request->file) || (request->weights != NULL && output_is_input(out, request->weights))) {
+  if (output_is_input(out, request->file) || (request->weights != NULL && output_is_input(out, request->weights)) ||
+      (request->radii_file != NULL && output_is_input(out, request->radii_file))) {
     return failure_in_usage(reading->failure, "%s would write over the file that is read", option);
   }
   if (output_is_standard(out) && (request->json || request->csv)) {
@@ -301,6 +322,7 @@ static bool check_files(struct reading *reading) {
 
 static bool check(struct reading *reading) {
   struct request *request = reading->request;
+  if (request->list_radii) return true;
   if (request->file == NULL) return failure_in_usage(reading->failure, "no file is given");
   if (request->command == COMMAND_QUERY && request->query == QUERY_NONE) {
     return failure_in_usage(reading->failure, "query needs --point X Y Z or --ball X Y Z R");
@@ -314,7 +336,7 @@ static bool check(struct reading *reading) {
   if (!check_measure(reading)) return false;
   if (request->command == COMMAND_DRAW && !drawing_check(&request->drawing, reading->failure)) return false;
   if (!check_files(reading)) return false;
-  return apply_overrides(reading);
+  return apply_overrides(reading) && load_table(reading);
 }
 
 bool request_parse(struct request *request, enum command command, int count, char **arguments,
@@ -349,4 +371,5 @@ bool request_wants_areas(const struct request *request) {
 void request_free(struct request *request) {
   text_buffer_free(&request->overrides);
   selection_free(&request->selection);
+  radii_table_free(&request->table);
 }

@@ -41,6 +41,9 @@ struct request {
   double query_radius;
   struct drawing drawing; /* of `draw` */
   const struct radii_set *set;
+  const char *radii_file;   /* with radii by residue and atom, or NULL */
+  struct radii_table table; /* of that file, or of the set; empty if there is none */
+  bool list_radii;          /* show what sets there are, and do nothing else */
   struct radii radii;
   struct text_buffer overrides; /* "C=1.7, ZN=1.4": what --radius changed, as the user wrote it */
 };

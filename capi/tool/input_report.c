@@ -12,11 +12,12 @@ struct among {
   uint64_t water_atoms;
   uint64_t hetatm; /* other than water */
   uint64_t hydrogens;
-  uint64_t points; /* balls of radius 0 */
+  uint64_t points;     /* balls of radius 0 */
+  uint64_t by_element; /* balls whose radii are */
 };
 
 static struct among count_among(const struct molecule *molecule) {
-  struct among among = {0, 0, 0, 0, 0};
+  struct among among = {0, 0, 0, 0, 0, 0};
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
     const struct atom_label *label = &molecule->label[i];
     const bool water = atom_is_water(label);
@@ -27,6 +28,7 @@ static struct among count_among(const struct molecule *molecule) {
     if (label->hetatm && !water) ++among.hetatm;
     if (atom_is_hydrogen(label)) ++among.hydrogens;
     if (molecule->radius[i] == 0.0) ++among.points;
+    if (!label->by_name) ++among.by_element;
   }
   return among;
 }
@@ -60,6 +62,8 @@ static void rows_left_out(struct text_buffer *out, const struct left_out *left_o
       {left_out->other_models, "atom of other models", "atoms of other models"},
       {left_out->alternate_locations, "atom at other alternate locations", "atoms at other alternate locations"},
       {left_out->virtual_sites, "virtual site", "virtual sites"},
+      {left_out->hydrogens_of_set, "hydrogen, which its heavy atom stands for",
+       "hydrogens, which heavy atoms stand for"},
       {left_out->water, "atom of water", "atoms of water"},
       {left_out->hetatm, "other HETATM atom", "other HETATM atoms"},
       {left_out->hydrogen, "other hydrogen", "other hydrogens"},
@@ -84,6 +88,7 @@ static void list_substitutes(struct text_buffer *out, const struct request *requ
   bool first = true;
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
     symbol = molecule->label[i].element;
+    if (molecule->label[i].by_name) continue;
     if (radii_is_substitute(&request->radii, symbol)) ++atoms[element_atomic_number(symbol)];
   }
   for (uint32_t number = 1; element_symbol_of_number(number, &symbol); ++number) {
@@ -110,8 +115,28 @@ static void row_substitutes(struct text_buffer *out, const struct request *reque
   const size_t before = out->length;
   list_substitutes(out, request, molecule, add_substitute);
   if (out->length == before) return;
-  text_buffer_add(out, ": not in %s%s\n", radii_set_name(request->set),
-                  request->set == &radii_bondi ? "" : ", from bondi where it has them");
+  text_buffer_add(out, ": not in %s%s\n",
+                  request->table.count > 0 ? radii_set_name(&radii_bondi) : radii_set_name(request->set),
+                  request->set == &radii_bondi || request->table.count > 0 ? "" : ", from bondi where it has them");
+}
+
+static void rows_radii(struct text_buffer *out, const struct request *request, const struct molecule *molecule,
+                       const struct among *among) {
+  if (request->radii_file != NULL) {
+    text_buffer_add(out, "  %-16s ", "radii");
+    report_file_name(out, request->radii_file);
+    text_buffer_add(out, " (a file)\n");
+  } else {
+    text_buffer_add(out, "  %-16s %s (%s)\n", "radii", radii_set_name(request->set), radii_set_source(request->set));
+  }
+  if (request->overrides.length > 0) text_buffer_add(out, "  %-16s with %s\n", "", request->overrides.text);
+  if (request->table.count > 0 && among->by_element > 0) {
+    text_buffer_add(out, "  %-16s", "by element");
+    add_count(out, " ", among->by_element, "atom", "atoms");
+    text_buffer_add(out, " that it does not name%s\n",
+                    request->overrides.length > 0 ? ", or by --radius" : ", of bondi");
+  }
+  row_substitutes(out, request, molecule);
 }
 
 void input_report_rows(struct text_buffer *out, const struct request *request, const struct molecule *molecule) {
@@ -125,9 +150,7 @@ void input_report_rows(struct text_buffer *out, const struct request *request, c
   }
   rows_left_out(out, &molecule->left_out);
   if (!format_has_radii(request->format)) {
-    text_buffer_add(out, "  %-16s %s (%s)\n", "radii", radii_set_name(request->set), radii_set_source(request->set));
-    if (request->overrides.length > 0) text_buffer_add(out, "  %-16s with %s\n", "", request->overrides.text);
-    row_substitutes(out, request, molecule);
+    rows_radii(out, request, molecule, &among);
   } else if (among.points == molecule->atoms) {
     report_row(out, "radii", "from the file; all of them are 0", "");
   } else {
@@ -146,8 +169,11 @@ void input_report_json(struct text_buffer *out, const struct request *request, c
   json_text(out, request->file);
   text_buffer_add(out, ", \"format\": \"%s\", \"unit\": \"%s\"", format_name(molecule->format),
                   format_unit(molecule->format));
-  text_buffer_add(out, ", \"radii\": \"%s\", \"radius_overrides\": ",
-                  format_has_radii(molecule->format) ? "file" : radii_set_name(request->set));
+  text_buffer_add(out, ", \"radii\": ");
+  json_text(out, format_has_radii(molecule->format) ? "file"
+                 : request->radii_file != NULL      ? request->radii_file
+                                                    : radii_set_name(request->set));
+  text_buffer_add(out, ", \"radius_overrides\": ");
   json_text(out, request->overrides.length > 0 ? request->overrides.text : "");
   text_buffer_add(out, ", \"substitutes\": [");
   if (!format_has_radii(molecule->format)) list_substitutes(out, request, molecule, json_substitute);
@@ -159,11 +185,13 @@ void input_report_json(struct text_buffer *out, const struct request *request, c
   json_count(out, "hetatm", among.hetatm);
   json_count(out, "hydrogens", among.hydrogens);
   json_count(out, "radius_zero", among.points);
+  json_count(out, "radius_by_element", format_has_radii(molecule->format) ? 0 : among.by_element);
   json_count(out, "model", molecule->model);
   json_count(out, "models", molecule->models);
   text_buffer_add(out, ", \"left_out\": {\"other_models\": %" PRIu64, left_out->other_models);
   json_count(out, "alternate_locations", left_out->alternate_locations);
   json_count(out, "virtual_sites", left_out->virtual_sites);
+  json_count(out, "hydrogens_of_set", left_out->hydrogens_of_set);
   json_count(out, "water", left_out->water);
   json_count(out, "hetatm", left_out->hetatm);
   json_count(out, "hydrogen", left_out->hydrogen);

@@ -7,6 +7,7 @@
 #include "failure.h"
 #include "geometry.h"
 #include "line_reader.h"
+#include "radii_list.h"
 #include "read_molecule.h"
 #include "text_buffer.h"
 #include "usage.h"
@@ -36,7 +37,7 @@ static command_function *function_of(enum command command) {
 static bool prepare(const struct request *request, struct molecule *molecule, struct failure *failure) {
   if (!selection_apply(&request->selection, molecule, failure)) return false;
   if (request->command == COMMAND_DRAW && !request->drawing.water) selection_hide_water(molecule);
-  return molecule_take_radii(molecule, &request->radii, failure);
+  return molecule_take_radii(molecule, &request->radii, &request->table, failure);
 }
 
 static bool run_command(const struct request *request, struct text_buffer *out, struct failure *failure) {
@@ -72,6 +73,9 @@ static bool run(int count, char **arguments, struct text_buffer *out, struct fai
     }
     return true;
   }
+  if ((count == 1 && strcmp(first, "--radii=list") == 0) || (count == 2 && strcmp(first, "--radii") == 0)) {
+    if (count == 1 || strcmp(arguments[1], "list") == 0) return radii_list_print(out, failure);
+  }
   enum command command;
   if (!command_find(first, &command)) {
     char shown[EXCERPT_BYTES];
@@ -83,8 +87,8 @@ static bool run(int count, char **arguments, struct text_buffer *out, struct fai
     return true;
   }
   struct request request;
-  const bool done =
-      request_parse(&request, command, count - 1, arguments + 1, failure) && run_command(&request, out, failure);
+  const bool done = request_parse(&request, command, count - 1, arguments + 1, failure) &&
+                    (request.list_radii ? radii_list_print(out, failure) : run_command(&request, out, failure));
   request_free(&request);
   return done;
 }

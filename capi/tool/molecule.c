@@ -86,16 +86,32 @@ void molecule_move_atom(struct molecule *molecule, uint32_t to, uint32_t from) {
   molecule->label[to] = molecule->label[from];
 }
 
-bool molecule_take_radii(struct molecule *molecule, const struct radii *radii, struct failure *failure) {
+/* The radius of an atom; false if it has none. */
+static bool find_radius(struct atom_label *label, const struct radii *radii, const struct radii_table *table,
+                        double *radius) {
+  if (!radii_is_given(radii, label->element)) {
+    label->by_name = radii_table_find(table, label->residue.name, label->name, radius);
+  }
+  return label->by_name || radii_find(radii, label->element, radius);
+}
+
+bool molecule_take_radii(struct molecule *molecule, const struct radii *radii, const struct radii_table *table,
+                         struct failure *failure) {
   if (format_has_radii(molecule->format)) return true;
+  const struct element_symbol hydrogen = {"H"};
+  const bool without_hydrogens = !table->hydrogens && !radii_is_given(radii, hydrogen);
   struct missing missing[MOST_MISSING];
   size_t count = 0;
   bool more = false;
   uint32_t taken = 0;
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
-    const struct atom_label *label = &molecule->label[i];
+    struct atom_label *label = &molecule->label[i];
     const struct element_symbol element = label->element;
-    if (radii_find(radii, element, &molecule->radius[i])) {
+    if (without_hydrogens && atom_is_hydrogen(label) && radii_table_names(table, label->residue.name)) {
+      ++molecule->left_out.hydrogens_of_set;
+      continue;
+    }
+    if (find_radius(label, radii, table, &molecule->radius[i])) {
       molecule_move_atom(molecule, taken++, i);
       continue;
     }
@@ -114,7 +130,7 @@ bool molecule_take_radii(struct molecule *molecule, const struct radii *radii, s
   }
   if (count > 0) return report_missing(missing, count, more, failure);
   molecule->atoms = taken;
-  return taken > 0 || failure_in_input(failure, 0, "no atoms are left: the file has virtual sites alone");
+  return taken > 0 || failure_in_input(failure, 0, "no atoms are left: all are virtual sites or hydrogens");
 }
 
 bool atom_is_water(const struct atom_label *label) {

@@ -9,6 +9,7 @@
 #include "failure.h"
 #include "fields.h"
 #include "radii.h"
+#include "radii_table.h"
 
 /* In the order of the list in read_molecule.c. */
 enum molecule_format { FORMAT_XYZR, FORMAT_PDB, FORMAT_PQR, FORMAT_XYZ, FORMAT_CIF, FORMATS };
@@ -27,17 +28,19 @@ struct atom_label {
   struct residue_label residue;
   struct element_symbol element;
   bool hetatm;       /* the file says that it belongs to no chain: to a ligand, an ion, water */
+  bool by_name;      /* its radius is by residue and atom */
   bool virtual_site; /* no atom, but a place beside one; becomes a ball only if the user gives its symbol a radius */
 };
 
 #define ATOM_LABEL_NONE \
-  { "", {"", "", "", ""}, {""}, false, false }
+  { "", {"", "", "", ""}, {""}, false, false, false }
 
 /* What a file holds beside the atoms that became balls, in atoms unless it says otherwise. */
 struct left_out {
   uint64_t other_models;
   uint64_t alternate_locations;
   uint64_t virtual_sites;
+  uint64_t hydrogens_of_set; /* for which heavy atoms stand in this set of radii */
   /* By the user's choice; each atom counts once: */
   uint64_t water;
   uint64_t hetatm; /* other than water */
@@ -68,9 +71,12 @@ bool molecule_add(struct molecule *molecule, const double xyz[3], double radius,
 /* Atom `from` takes the place of atom `to`. */
 void molecule_move_atom(struct molecule *molecule, uint32_t to, uint32_t from);
 
-/* Take the radius of every atom from its element, unless the format brings radii. Virtual sites without one are left
- * out; other symbols without one, which no element has, are refused, all of them in one line. */
-bool molecule_take_radii(struct molecule *molecule, const struct radii *radii, struct failure *failure);
+/* Take the radius of every atom from the table, if it stands there, and else from its element; radii that the user gave
+ * for elements come before both. Nothing is done if the format brings radii. Where the table names a residue, but no
+ * hydrogens at all, heavy atoms stand for them, and they are left out. Virtual sites without a radius are left out;
+ * other symbols without one, which no element has, are refused, all of them in one line. */
+bool molecule_take_radii(struct molecule *molecule, const struct radii *radii, const struct radii_table *table,
+                         struct failure *failure);
 
 /* Whether the atom belongs to a water molecule, by the name of its residue. */
 bool atom_is_water(const struct atom_label *label);

@@ -4,17 +4,27 @@
 
 #include "characters.h"
 #include "hardsphere.h"
+#include "protein_radii.h"
 
 /* The numbers are in the library. */
 struct radii_set {
   const char *name;
   const char *source;
-  uint32_t set; /* HSP_RADII_* */
+  uint32_t set;                   /* HSP_RADII_* */
+  const struct radii_rule *rules; /* by residue and atom, or NULL */
 };
 
 const struct radii_set radii_bondi = {
-    "bondi", "van der Waals radii of Bondi 1964, Rowland & Taylor 1996, Mantina et al. 2009", HSP_RADII_BONDI};
-const struct radii_set radii_chem3d = {"chem3d", "Chem3D Plus radii of Halperin & Overmars 1994", HSP_RADII_CHEM3D};
+    "bondi", "van der Waals radii of Bondi 1964, Rowland & Taylor 1996, Mantina et al. 2009", HSP_RADII_BONDI, NULL};
+static const struct radii_set radii_chem3d = {"chem3d", "Chem3D Plus radii of Halperin & Overmars 1994",
+                                              HSP_RADII_CHEM3D, NULL};
+static const struct radii_set radii_protor = {"protor", "radii of Tsai et al. 1999 for heavy atoms of proteins",
+                                              HSP_RADII_BONDI, protein_radii_protor};
+static const struct radii_set radii_naccess = {"naccess",
+                                               "radii of Chothia 1976 for heavy atoms of proteins, as in NACCESS",
+                                               HSP_RADII_BONDI, protein_radii_naccess};
+
+static const struct radii_set *const sets[] = {&radii_bondi, &radii_chem3d, &radii_protor, &radii_naccess};
 
 /* The symbols of the periodic table by atomic number, in two columns each. */
 static const char symbols[] =
@@ -57,10 +67,18 @@ static size_t place(struct element_symbol symbol) {
   return 27 * (size_t)(symbol.text[0] - 'A') + second;
 }
 
+const struct radii_set *radii_set_at(size_t i) {
+  return i < sizeof sets / sizeof sets[0] ? sets[i] : NULL;
+}
+
 const struct radii_set *radii_set_find(const char *name) {
-  if (strcmp(name, radii_bondi.name) == 0) return &radii_bondi;
-  if (strcmp(name, radii_chem3d.name) == 0) return &radii_chem3d;
-  return NULL;
+  size_t i = 0;
+  while (radii_set_at(i) != NULL && strcmp(radii_set_at(i)->name, name) != 0) ++i;
+  return radii_set_at(i);
+}
+
+const struct radii_rule *radii_set_rules(const struct radii_set *set) {
+  return set->rules;
 }
 
 const char *radii_set_name(const struct radii_set *set) {
@@ -75,6 +93,7 @@ void radii_take_set(struct radii *radii, const struct radii_set *set) {
   for (size_t i = 0; i < sizeof radii->of / sizeof radii->of[0]; ++i) {
     radii->of[i] = -1.0;
     radii->substitute[i] = false;
+    radii->given[i] = false;
   }
   struct element_symbol symbol;
   for (uint32_t number = 1; element_symbol_of_number(number, &symbol); ++number) {
@@ -83,12 +102,14 @@ void radii_take_set(struct radii *radii, const struct radii_set *set) {
     if (hsp_element_radius(set->set, number, &radius, &flags) != HSP_OK) continue;
     radii_put(radii, symbol, radius);
     radii->substitute[place(symbol)] = (flags & HSP_RADIUS_FALLBACK) != 0;
+    radii->given[place(symbol)] = false;
   }
 }
 
 void radii_put(struct radii *radii, struct element_symbol symbol, double radius) {
   radii->of[place(symbol)] = radius;
   radii->substitute[place(symbol)] = false;
+  radii->given[place(symbol)] = true;
 }
 
 bool radii_find(const struct radii *radii, struct element_symbol symbol, double *radius) {
@@ -101,4 +122,8 @@ bool radii_find(const struct radii *radii, struct element_symbol symbol, double 
 
 bool radii_is_substitute(const struct radii *radii, struct element_symbol symbol) {
   return symbol.text[0] != '\0' && radii->substitute[place(symbol)];
+}
+
+bool radii_is_given(const struct radii *radii, struct element_symbol symbol) {
+  return symbol.text[0] != '\0' && radii->given[place(symbol)];
 }

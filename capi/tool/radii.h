@@ -28,23 +28,31 @@ bool element_symbol_exists(struct element_symbol symbol);
 struct radii {
   double of[27 * 27];
   bool substitute[27 * 27]; /* the set has none for this element */
+  bool given[27 * 27];      /* by radii_put */
 };
 
 /* The sets that can be asked for by name. */
 struct radii_set;
+struct radii_rule;
 
 extern const struct radii_set radii_bondi;
-extern const struct radii_set radii_chem3d;
 
 /* The set of that name, or NULL. */
 const struct radii_set *radii_set_find(const char *name);
+
+/* All sets, from 0 on; NULL beyond the last. */
+const struct radii_set *radii_set_at(size_t i);
+
+/* The radii by residue and atom that the set has before those by element; NULL if it has none. */
+const struct radii_rule *radii_set_rules(const struct radii_set *set);
 
 const char *radii_set_name(const struct radii_set *set);
 
 /* Where a set was published, in a few words. */
 const char *radii_set_source(const struct radii_set *set);
 
-/* Begin with a set; radii_put then adds or replaces single radii. */
+/* Begin with a set's radii by element, which for sets by residue and atom are those of bondi; radii_put then adds or
+ * replaces single radii. */
 void radii_take_set(struct radii *radii, const struct radii_set *set);
 void radii_put(struct radii *radii, struct element_symbol symbol, double radius);
 
@@ -53,5 +61,8 @@ bool radii_find(const struct radii *radii, struct element_symbol symbol, double 
 
 /* Whether the radius is none of the set, but a substitute for one: that of bondi, or 2 where this has none either. */
 bool radii_is_substitute(const struct radii *radii, struct element_symbol symbol);
+
+/* Whether radii_put has set the radius. */
+bool radii_is_given(const struct radii *radii, struct element_symbol symbol);
 
 #endif

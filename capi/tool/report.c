@@ -61,12 +61,17 @@ static void report_probe(struct text_buffer *out, const struct request *request)
   report_row(out, "probe", value, "");
 }
 
-void report_heading(struct text_buffer *out, const struct request *request, const struct molecule *molecule) {
+void report_file_name(struct text_buffer *out, const char *name) {
   const size_t begin = out->length;
-  text_buffer_add(out, "%s\n", input_name(request->file));
-  for (size_t i = begin; i + 1 < out->length; ++i) {
+  text_buffer_add(out, "%s", name);
+  for (size_t i = begin; i < out->length; ++i) {
     if ((unsigned char)out->text[i] < 0x20 || out->text[i] == 0x7F) out->text[i] = '?';
   }
+}
+
+void report_heading(struct text_buffer *out, const struct request *request, const struct molecule *molecule) {
+  report_file_name(out, input_name(request->file));
+  text_buffer_add(out, "\n");
   input_report_rows(out, request, molecule);
   report_probe(out, request);
   text_buffer_add(out, "\n");

@@ -12,6 +12,9 @@
 /* What was read and how: file, balls, what was left out, radii, probe. Every table begins with it. */
 void report_heading(struct text_buffer *out, const struct request *request, const struct molecule *molecule);
 
+/* The name of a file, with '?' for what would disturb a terminal. */
+void report_file_name(struct text_buffer *out, const char *name);
+
 /* "  name   value   remark", in columns; remark may be "". */
 void report_row(struct text_buffer *out, const char *name, const char *value, const char *remark);
 void report_row_count(struct text_buffer *out, const char *name, int64_t value, const char *remark);

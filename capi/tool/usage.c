@@ -25,10 +25,15 @@ static const char files_and_radii[] =
     "\n"
     "Options, before or after FILE:\n"
     "  --format FORMAT        what FILE is, whatever its extension: xyzr, pdb, pqr, xyz or cif\n"
-    "  --radii bondi|chem3d   radii by element, for .pdb, .cif and .xyz; bondi is the default. Elements that the set "
+    "  --radii bondi|chem3d   radii by element, for files without radii; bondi is the default. Elements that the set "
     "has\n"
     "                         no radius for get one of bondi, or 2, and the table says so\n"
-    "  --radius EL=R,...      add or replace radii of single elements\n"
+    "  --radii protor|naccess|FILE\n"
+    "                         radii by residue and atom, else as bondi. A line of FILE, whose name has a dot or a\n"
+    "                         slash, is RESIDUE ATOM RADIUS; FreeSASA's configuration files do too. A set without\n"
+    "                         hydrogens leaves those out of the residues that it names: heavy atoms stand for them\n"
+    "  --radii list           show the sets, and do nothing else\n"
+    "  --radius EL=R,...      add or replace radii of single elements, whatever the residue\n"
     "  --probe P              add P to every radius: 1.4 angstrom for water; default 0\n"
     "  --json                 print JSON instead of a table; its last key, input, says what was read\n";
 

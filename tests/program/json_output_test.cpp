@@ -171,16 +171,16 @@ TEST(JsonOutput, QueryHasItsKeys) {
 
 // Every command says what it read, and how that became balls.
 TEST(JsonOutput, InputHasItsKeys) {
-  const Keys keys = {"file",        "format", "unit",   "radii",       "radius_overrides", "substitutes",
-                     "probe",       "balls",  "waters", "water_atoms", "hetatm",           "hydrogens",
-                     "radius_zero", "model",  "models", "left_out"};
+  const Keys keys = {"file",  "format", "unit",        "radii",  "radius_overrides", "substitutes", "probe",
+                     "balls", "waters", "water_atoms", "hetatm", "hydrogens",        "radius_zero", "radius_by_element",
+                     "model", "models", "left_out"};
   for (const std::string &file : files) {
     for (const char *command : {"model", "boundary", "measure", "voids"}) {
       const Json input = run_json({command, file})["input"];
       EXPECT_EQ(input.keys, keys) << file;
       EXPECT_EQ(input["file"].text, file);
-      EXPECT_EQ(input["left_out"].keys, (Keys{"other_models", "alternate_locations", "virtual_sites", "water", "hetatm",
-                                              "hydrogen", "others"}));
+      EXPECT_EQ(input["left_out"].keys, (Keys{"other_models", "alternate_locations", "virtual_sites",
+                                              "hydrogens_of_set", "water", "hetatm", "hydrogen", "others"}));
     }
   }
   const Json input =

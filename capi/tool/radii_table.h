@@ -1,0 +1,52 @@
+/* Radii by the names of residues and atoms, as they are used for proteins: atoms stand for their hydrogens as well. */
+#ifndef HARDSPHERE_TOOL_RADII_TABLE_H
+#define HARDSPHERE_TOOL_RADII_TABLE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "failure.h"
+
+struct radii_entry;
+
+struct radii_table {
+  struct radii_entry *entries;
+  size_t count;
+  size_t capacity;
+  bool hydrogens; /* there are radii for them; if not, heavy atoms stand for them */
+};
+
+#define RADII_TABLE_NONE \
+  { NULL, 0, 0, false }
+
+/* One line of a published table: all atoms of these names in all residues of these names, blanks between names. */
+struct radii_rule {
+  const char *residues;
+  const char *atoms;
+  double radius;
+};
+
+/* Make a table of rules, which end with one without names. Free the table on true and on false. */
+bool radii_table_make(struct radii_table *table, const struct radii_rule *rules, struct failure *failure);
+
+/* Read a table from a file, in one of two forms; what follows a '#' is a comment:
+ *   1. on each line the name of a residue, the name of an atom and a radius;
+ *   2. as FreeSASA's configuration files: "types:", then on each line a type, its radius and perhaps a class, and
+ *      "atoms:", then on each line a residue, an atom and its type; before them perhaps "name: NAME".
+ * The residue ANY or * stands for those that have no such atom in the table. Free the table on true and on false. */
+bool radii_table_read(struct radii_table *table, const char *path, struct failure *failure);
+
+/* The radius of an atom by both names, in any case of their letters; false: the table has none. */
+bool radii_table_find(const struct radii_table *table, const char *residue, const char *atom, double *radius);
+
+/* Whether the table has radii of a residue by its own name. */
+bool radii_table_names(const struct radii_table *table, const char *residue);
+
+/* The entries in alphabetical order; false beyond the last. */
+bool radii_table_get(const struct radii_table *table, size_t i, const char **residue, const char **atom,
+                     double *radius);
+
+void radii_table_free(struct radii_table *table);
+
+#endif
