@@ -48,6 +48,16 @@ int32_t check_request(const Handle *handle, const void *out, uint32_t capacity, 
   return check_output(out, capacity, count(*handle), needed);
 }
 
+// The same for functions that write the records `first` to `first + count - 1` of number(*handle). `out` is null if
+// there is nowhere to write.
+template <class Handle, class Number>
+int32_t check_range(const Handle *handle, uint32_t first, uint32_t count, const void *out, Number number) {
+  if (!is_live(handle) || (out == nullptr && count > 0)) return HSP_E_ARGUMENT;
+  if (!handle->has_results()) return HSP_E_STATE;
+  const uint32_t there = number(*handle);
+  return first > there || count > there - first ? HSP_E_ID : HSP_OK;
+}
+
 // What every check of a computed handle ends with: the first violated invariant and where it fails.
 template <class Violation>
 int32_t report(const Violation &violation, uint32_t *invariant, uint32_t *id) {

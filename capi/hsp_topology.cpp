@@ -5,7 +5,7 @@ using hsp::capi::is_live;
 
 namespace {
 
-using hsp::capi::check_request;
+using hsp::capi::check_range;
 
 // The limits that a program gives.
 int32_t from_c(const hsp_topology_limits *given, hsp::TopologyLimits &result) {
@@ -140,16 +140,16 @@ uint32_t hsp_topology_ball(const hsp_topology *topology, uint32_t q) {
   });
 }
 
-int32_t hsp_topology_get_quad_edges(const hsp_topology *topology, uint32_t *onext, uint32_t *origin, uint32_t capacity,
-                                    uint32_t *needed) {
-  const void *any = onext != nullptr ? onext : origin;
-  const int32_t status = check_request(topology, any, capacity, needed,
-                                       [](const hsp_topology &handle) { return handle.structure().quads.edges; });
+int32_t hsp_topology_get_quad_edges(const hsp_topology *topology, uint32_t first, uint32_t count, uint32_t *onext,
+                                    uint32_t *origin) {
+  const int32_t status = check_range(topology, first, count, onext != nullptr ? onext : origin,
+                                     [](const hsp_topology &handle) { return handle.structure().quads.edges; });
   if (status != HSP_OK) return status;
   const hsp::QuadEdges &quads = topology->structure().quads;
-  for (uint32_t q = 0; q < 4 * quads.edges; ++q) {
-    if (onext != nullptr) onext[q] = quads.onext(q);
-    if (origin != nullptr) origin[q] = quads.origin(q);
+  const uint32_t first_q = hsp::quarter_edge(first);
+  for (uint32_t k = 0; k < 4 * count; ++k) {
+    if (onext != nullptr) onext[k] = quads.onext(first_q + k);
+    if (origin != nullptr) origin[k] = quads.origin(first_q + k);
   }
   return HSP_OK;
 }

@@ -1,11 +1,9 @@
 #include "hsp_topology.hpp"
 #include "measure/positions.hpp"
 
-using hsp::capi::is_live;
-
 namespace {
 
-using hsp::capi::check_request;
+using hsp::capi::check_range;
 
 // What can be read of a topology with results.
 struct TopologyResults {
@@ -81,63 +79,31 @@ hsp_simple_face face_record(const TopologyResults &results, uint32_t id) {
           0};
 }
 
-// One record by its id.
-template <class Record, class Count, class Make>
-int32_t get_one(const hsp_topology *topology, uint32_t id, Record *out, Count count, Make make) {
-  if (!is_live(topology) || out == nullptr) return HSP_E_ARGUMENT;
-  if (!topology->has_results()) return HSP_E_STATE;
-  if (id >= count(topology->structure())) return HSP_E_ID;
-  *out = make(TopologyResults(*topology), id);
-  return HSP_OK;
-}
-
-// All records.
-template <class Record, class Count, class Make>
-int32_t get_all(const hsp_topology *topology, Record *out, uint32_t capacity, uint32_t *needed, Count count,
-                Make make) {
-  const int32_t status = check_request(topology, out, capacity, needed,
-                                       [count](const hsp_topology &handle) { return count(handle.structure()); });
+// Records first .. first + count - 1.
+template <class Record, class Number, class Make>
+int32_t get_range(const hsp_topology *topology, uint32_t first, uint32_t count, Record *out, Number number, Make make) {
+  const int32_t status = check_range(topology, first, count, out, number);
   if (status != HSP_OK) return status;
   const TopologyResults results(*topology);
-  for (uint32_t id = 0; id < *needed; ++id) out[id] = make(results, id);
+  for (uint32_t k = 0; k < count; ++k) out[k] = make(results, first + k);
   return HSP_OK;
-}
-
-uint32_t number_of_vertices(const hsp::Topology &topology) {
-  return topology.vertex_count;
-}
-uint32_t number_of_edges(const hsp::Topology &topology) {
-  return topology.quads.edges;
-}
-uint32_t number_of_faces(const hsp::Topology &topology) {
-  return topology.face_count;
 }
 
 }  // namespace
 
-int32_t hsp_topology_get_vertex(const hsp_topology *topology, uint32_t id, hsp_topology_vertex *out) {
-  return get_one(topology, id, out, number_of_vertices, vertex_record);
+int32_t hsp_topology_get_vertices(const hsp_topology *topology, uint32_t first, uint32_t count,
+                                  hsp_topology_vertex *out) {
+  const auto vertices = [](const hsp_topology &handle) { return handle.structure().vertex_count; };
+  return get_range(topology, first, count, out, vertices, vertex_record);
 }
 
-int32_t hsp_topology_get_edge(const hsp_topology *topology, uint32_t id, hsp_topology_edge *out) {
-  return get_one(topology, id, out, number_of_edges, edge_record);
+int32_t hsp_topology_get_edges(const hsp_topology *topology, uint32_t first, uint32_t count, hsp_topology_edge *out) {
+  const auto edges = [](const hsp_topology &handle) { return handle.structure().quads.edges; };
+  return get_range(topology, first, count, out, edges, edge_record);
 }
 
-int32_t hsp_topology_get_face(const hsp_topology *topology, uint32_t id, hsp_simple_face *out) {
-  return get_one(topology, id, out, number_of_faces, face_record);
-}
-
-int32_t hsp_topology_get_vertices(const hsp_topology *topology, hsp_topology_vertex *out, uint32_t capacity,
-                                  uint32_t *needed) {
-  return get_all(topology, out, capacity, needed, number_of_vertices, vertex_record);
-}
-
-int32_t hsp_topology_get_edges(const hsp_topology *topology, hsp_topology_edge *out, uint32_t capacity,
-                               uint32_t *needed) {
-  return get_all(topology, out, capacity, needed, number_of_edges, edge_record);
-}
-
-int32_t hsp_topology_get_faces(const hsp_topology *topology, hsp_simple_face *out, uint32_t capacity,
-                               uint32_t *needed) {
-  return get_all(topology, out, capacity, needed, number_of_faces, face_record);
+int32_t hsp_topology_get_simple_faces(const hsp_topology *topology, uint32_t first, uint32_t count,
+                                      hsp_simple_face *out) {
+  const auto faces = [](const hsp_topology &handle) { return handle.structure().face_count; };
+  return get_range(topology, first, count, out, faces, face_record);
 }

@@ -55,7 +55,7 @@ static struct tally walk(const hsp_topology *topology, uint32_t start_face) {
   meet(&face_seen[start_face], &tally.faces);
   for (uint32_t visited = 0; visited < tally.faces; ++visited) {
     hsp_simple_face face;
-    if (hsp_topology_get_face(topology, faces_to_visit[visited], &face) != HSP_OK) break;
+    if (hsp_topology_get_simple_faces(topology, faces_to_visit[visited], 1, &face) != HSP_OK) break;
     printf("  face %2u on ball %u, across its edges:", (unsigned)faces_to_visit[visited], (unsigned)face.ball);
     uint32_t q = face.q;
     do {

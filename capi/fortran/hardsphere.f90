@@ -847,68 +847,44 @@ module hardsphere
       integer(c_int32_t) :: found
     end function
 
-    function hsp_topology_get_quad_edges(topology, onext, origin, capacity, needed) result(status) &
+    function hsp_topology_get_quad_edges(topology, first, count, onext, origin) result(status) &
       bind(C, name="hsp_topology_get_quad_edges")
       import :: c_int32_t, c_ptr
       type(c_ptr), value :: topology
-      integer(c_int32_t), intent(inout), optional :: onext(0:3, 0:*)  ! 4, edges
-      integer(c_int32_t), intent(inout), optional :: origin(0:3, 0:*)  ! 4, edges
-      integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), value :: first  ! an edge, 0-based
+      integer(c_int32_t), value :: count
+      integer(c_int32_t), intent(inout), optional :: onext(0:3, 0:*)  ! 4, count
+      integer(c_int32_t), intent(inout), optional :: origin(0:3, 0:*)  ! 4, count
       integer(c_int32_t) :: status
     end function
 
-    function hsp_topology_get_vertex(topology, id, out) result(status) bind(C, name="hsp_topology_get_vertex")
-      import :: c_int32_t, c_ptr, hsp_topology_vertex
-      type(c_ptr), value :: topology
-      integer(c_int32_t), value :: id
-      type(hsp_topology_vertex), intent(inout) :: out
-      integer(c_int32_t) :: status
-    end function
-
-    function hsp_topology_get_edge(topology, id, out) result(status) bind(C, name="hsp_topology_get_edge")
-      import :: c_int32_t, c_ptr, hsp_topology_edge
-      type(c_ptr), value :: topology
-      integer(c_int32_t), value :: id
-      type(hsp_topology_edge), intent(inout) :: out
-      integer(c_int32_t) :: status
-    end function
-
-    function hsp_topology_get_face(topology, id, out) result(status) bind(C, name="hsp_topology_get_face")
-      import :: c_int32_t, c_ptr, hsp_simple_face
-      type(c_ptr), value :: topology
-      integer(c_int32_t), value :: id
-      type(hsp_simple_face), intent(inout) :: out
-      integer(c_int32_t) :: status
-    end function
-
-    function hsp_topology_get_vertices(topology, out, capacity, needed) result(status) &
+    function hsp_topology_get_vertices(topology, first, count, out) result(status) &
       bind(C, name="hsp_topology_get_vertices")
       import :: c_int32_t, c_ptr, hsp_topology_vertex
       type(c_ptr), value :: topology
+      integer(c_int32_t), value :: first  ! an id, 0-based
+      integer(c_int32_t), value :: count
       type(hsp_topology_vertex), intent(inout), optional :: out(*)
-      integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
       integer(c_int32_t) :: status
     end function
 
-    function hsp_topology_get_edges(topology, out, capacity, needed) result(status) &
+    function hsp_topology_get_edges(topology, first, count, out) result(status) &
       bind(C, name="hsp_topology_get_edges")
       import :: c_int32_t, c_ptr, hsp_topology_edge
       type(c_ptr), value :: topology
+      integer(c_int32_t), value :: first  ! an id, 0-based
+      integer(c_int32_t), value :: count
       type(hsp_topology_edge), intent(inout), optional :: out(*)
-      integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
       integer(c_int32_t) :: status
     end function
 
-    function hsp_topology_get_faces(topology, out, capacity, needed) result(status) &
-      bind(C, name="hsp_topology_get_faces")
+    function hsp_topology_get_simple_faces(topology, first, count, out) result(status) &
+      bind(C, name="hsp_topology_get_simple_faces")
       import :: c_int32_t, c_ptr, hsp_simple_face
       type(c_ptr), value :: topology
+      integer(c_int32_t), value :: first  ! an id, 0-based
+      integer(c_int32_t), value :: count
       type(hsp_simple_face), intent(inout), optional :: out(*)
-      integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
       integer(c_int32_t) :: status
     end function
 

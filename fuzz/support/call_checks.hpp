@@ -53,4 +53,22 @@ void check_array(Bytes &bytes, uint32_t most, int32_t argument_status, const Ask
   FUZZ_REQUIRE(out.untouched_from(status == HSP_OK ? needed : 0), "written where nothing belongs");
 }
 
+// The rules for (first, count, out), the same for all functions; `there` counts the records if argument_status is
+// HSP_OK.
+template <class Record, class Ask>
+void check_range(Bytes &bytes, uint32_t most, int32_t argument_status, uint32_t there, const Ask &ask) {
+  const bool no_out = null(bytes);
+  const uint32_t first = bytes.one_in(20) ? 0xFFFFFFFF - bytes.below(4) : bytes.below(most);
+  Output<Record> out(bytes.below(most), no_out);
+  const uint32_t count = out.capacity();
+  const bool in_range = first <= there && count <= there - first;
+  const int32_t status = ask(first, count, out.data());
+  const int32_t expected = argument_status == HSP_E_ARGUMENT || (no_out && count > 0) ? HSP_E_ARGUMENT
+                           : argument_status != HSP_OK                                ? argument_status
+                           : in_range                                                 ? HSP_OK
+                                                                                      : HSP_E_ID;
+  FUZZ_REQUIRE(status == expected, "status of a function of ranges");
+  FUZZ_REQUIRE(out.untouched_from(status == HSP_OK ? count : 0), "written where nothing belongs");
+}
+
 }  // namespace fuzz

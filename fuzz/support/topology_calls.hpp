@@ -124,17 +124,18 @@ class TopologyCalls {
   }
 
   void read_arrays(const hsp_topology *topology, int32_t expected, const hsp_topology_counts &counts) {
-    check_array<hsp_topology_vertex>(bytes_, 60, expected,
-                                     [&](hsp_topology_vertex *out, uint32_t capacity, uint32_t *count) {
-                                       return hsp_topology_get_vertices(topology, out, capacity, count);
+    check_range<hsp_topology_vertex>(bytes_, 60, expected, counts.vertices,
+                                     [&](uint32_t first, uint32_t count, hsp_topology_vertex *out) {
+                                       return hsp_topology_get_vertices(topology, first, count, out);
                                      });
-    check_array<hsp_topology_edge>(bytes_, 90, expected,
-                                   [&](hsp_topology_edge *out, uint32_t capacity, uint32_t *count) {
-                                     return hsp_topology_get_edges(topology, out, capacity, count);
+    check_range<hsp_topology_edge>(bytes_, 90, expected, counts.edges,
+                                   [&](uint32_t first, uint32_t count, hsp_topology_edge *out) {
+                                     return hsp_topology_get_edges(topology, first, count, out);
                                    });
-    check_array<hsp_simple_face>(bytes_, 60, expected, [&](hsp_simple_face *out, uint32_t capacity, uint32_t *count) {
-      return hsp_topology_get_faces(topology, out, capacity, count);
-    });
+    check_range<hsp_simple_face>(bytes_, 60, expected, counts.simple_faces,
+                                 [&](uint32_t first, uint32_t count, hsp_simple_face *out) {
+                                   return hsp_topology_get_simple_faces(topology, first, count, out);
+                                 });
     check_array<hsp_shell>(bytes_, 8, expected, [&](hsp_shell *out, uint32_t capacity, uint32_t *count) {
       return hsp_topology_get_shells(topology, out, capacity, count);
     });
@@ -154,26 +155,18 @@ class TopologyCalls {
                             return hsp_topology_get_traversal(topology, shell, out, capacity, count);
                           });
     // records of four numbers an edge; either array may be left out
-    const bool no_onext = bytes_.one_in(6);
-    Output<std::array<uint32_t, 4>> onext(bytes_.below(90), no_onext), origin(onext.capacity(), false);
-    uint32_t edges = 12345;
-    const int32_t status = hsp_topology_get_quad_edges(topology, no_onext ? nullptr : onext.data()->data(),
-                                                       origin.data()->data(), origin.capacity(), &edges);
-    const bool fits = origin.capacity() >= counts.edges;
-    FUZZ_REQUIRE(status == (expected != HSP_OK ? expected : fits ? HSP_OK : HSP_E_CAPACITY), "get_quad_edges");
-    FUZZ_REQUIRE(edges == (expected == HSP_OK ? counts.edges : 12345U), "get_quad_edges, needed");
-    FUZZ_REQUIRE(onext.untouched_from(status == HSP_OK && !no_onext ? counts.edges : 0), "onext");
-    FUZZ_REQUIRE(origin.untouched_from(status == HSP_OK ? counts.edges : 0), "origin");
+    using FourNumbers = std::array<uint32_t, 4>;
+    check_range<FourNumbers>(bytes_, 90, expected, counts.edges, [&](uint32_t first, uint32_t count, FourNumbers *out) {
+      uint32_t *const onext = out != nullptr ? out->data() : nullptr;
+      return hsp_topology_get_quad_edges(topology, first, count, onext, nullptr);
+    });
+    check_range<FourNumbers>(bytes_, 90, expected, counts.edges, [&](uint32_t first, uint32_t count, FourNumbers *out) {
+      uint32_t *const origin = out != nullptr ? out->data() : nullptr;
+      return hsp_topology_get_quad_edges(topology, first, count, nullptr, origin);
+    });
   }
 
   void read_steps(const hsp_topology *topology, int32_t expected, const hsp_topology_counts &counts) {
-    const uint32_t id = bytes_.below(60);
-    hsp_topology_vertex vertex;
-    hsp_topology_edge edge;
-    hsp_simple_face face;
-    FUZZ_REQUIRE(hsp_topology_get_vertex(topology, id, &vertex) == with_id(expected, id, counts.vertices), "vertex");
-    FUZZ_REQUIRE(hsp_topology_get_edge(topology, id, &edge) == with_id(expected, id, counts.edges), "edge");
-    FUZZ_REQUIRE(hsp_topology_get_face(topology, id, &face) == with_id(expected, id, counts.simple_faces), "face");
     const uint32_t q = bytes_.one_in(12) ? HSP_NONE - bytes_.below(5) : bytes_.below(400);
     const bool there = expected == HSP_OK && q / 4 < counts.edges;
     for (const uint32_t to : {hsp_topology_onext(topology, q), hsp_topology_oprev(topology, q),

@@ -126,12 +126,14 @@ HSP_API uint32_t hsp_topology_left(const hsp_topology *topology, uint32_t q);
 /** The ball that the simple face on the left of q lies on; HSP_NONE for odd q. */
 HSP_API uint32_t hsp_topology_ball(const hsp_topology *topology, uint32_t q);
 
-/** The whole structure as two flat arrays: onext [edges][4] and origin [edges][4], as the functions above give them;
- *  all else follows by rot. Either may be NULL; both with capacity 0 is the query. capacity and *needed count edges.
- *  HSP_E_ARGUMENT: topology or needed is NULL, or both arrays with a capacity above 0. HSP_E_STATE, HSP_E_CAPACITY as
- *  above. Property 1: the arrays hold what the functions above say. */
-HSP_API int32_t hsp_topology_get_quad_edges(const hsp_topology *topology, uint32_t *onext, uint32_t *origin,
-                                            uint32_t capacity, uint32_t *needed);
+/** The structure as two flat arrays, for the edges first .. first + count - 1: onext [count][4] and origin [count][4],
+ *  as the functions above give them; all else follows by rot. Either may be NULL, with count 0 both. first and count
+ *  count edges: 0 and hsp_topology_counts.edges are the whole structure.
+ *  HSP_E_ARGUMENT: topology is NULL, or both arrays with a count above 0. HSP_E_STATE: nothing computed, or model or
+ *  boundary changed since. HSP_E_ID: there are no such edges.
+ *  Property 1: the arrays hold what the functions above say. */
+HSP_API int32_t hsp_topology_get_quad_edges(const hsp_topology *topology, uint32_t first, uint32_t count,
+                                            uint32_t *onext, uint32_t *origin);
 
 #define HSP_POINT_VERTEX UINT32_C(0) /**< a vertex of the boundary; its id is the same */
 #define HSP_POINT_CIRCLE UINT32_C(1) /**< an added point of an arc or circle of ball[0] < ball[1] */
@@ -170,17 +172,16 @@ typedef struct hsp_simple_face {
   uint32_t reserved;
 } hsp_simple_face;
 
-/* Vertices, edges and simple faces with their geometry, one by id or all at once.
- * HSP_E_ARGUMENT, HSP_E_STATE, HSP_E_CAPACITY as above; HSP_E_ID: no such id. */
-HSP_API int32_t hsp_topology_get_vertex(const hsp_topology *topology, uint32_t id, hsp_topology_vertex *out);
-HSP_API int32_t hsp_topology_get_edge(const hsp_topology *topology, uint32_t id, hsp_topology_edge *out);
-HSP_API int32_t hsp_topology_get_face(const hsp_topology *topology, uint32_t id, hsp_simple_face *out);
-HSP_API int32_t hsp_topology_get_vertices(const hsp_topology *topology, hsp_topology_vertex *out, uint32_t capacity,
-                                          uint32_t *needed);
-HSP_API int32_t hsp_topology_get_edges(const hsp_topology *topology, hsp_topology_edge *out, uint32_t capacity,
-                                       uint32_t *needed);
-HSP_API int32_t hsp_topology_get_faces(const hsp_topology *topology, hsp_simple_face *out, uint32_t capacity,
-                                       uint32_t *needed);
+/* Vertices, edges and simple faces with their geometry: exactly the records first .. first + count - 1. How many there
+ * are stands in hsp_topology_counts. out may be NULL with count 0.
+ * HSP_E_ARGUMENT: topology is NULL, or out with a count above 0. HSP_E_STATE: nothing computed, or model or boundary
+ * changed since. HSP_E_ID: not all of these ids are there. */
+HSP_API int32_t hsp_topology_get_vertices(const hsp_topology *topology, uint32_t first, uint32_t count,
+                                          hsp_topology_vertex *out);
+HSP_API int32_t hsp_topology_get_edges(const hsp_topology *topology, uint32_t first, uint32_t count,
+                                       hsp_topology_edge *out);
+HSP_API int32_t hsp_topology_get_simple_faces(const hsp_topology *topology, uint32_t first, uint32_t count,
+                                              hsp_simple_face *out);
 
 #define HSP_SHELL_OUTER UINT32_C(0) /**< bounds its component from outside */
 #define HSP_SHELL_VOID UINT32_C(1)  /**< bounds a void inside its component */

@@ -120,13 +120,13 @@ contains
 
   subroutine steps_and_arrays()
     integer(c_int32_t), allocatable :: onext(:, :), origin(:, :)
-    integer(c_int32_t) :: needed, q, edge, k
-    type(hsp_simple_face) :: face
-    call expect(hsp_topology_get_quad_edges(topology, capacity=0_c_int32_t, needed=needed), HSP_E_CAPACITY, 'how many')
-    call check(needed == counts%edges, 'number of edges')
-    allocate (onext(0:3, 0:needed - 1), origin(0:3, 0:needed - 1))
-    call expect(hsp_topology_get_quad_edges(topology, onext, origin, needed, needed), HSP_OK, 'hsp_topology_get_quad_edges')
-    do edge = 0, needed - 1
+    integer(c_int32_t) :: q, edge, k
+    type(hsp_simple_face) :: face(1)
+    call expect(hsp_topology_get_quad_edges(topology, 0_c_int32_t, 0_c_int32_t), HSP_OK, 'no edges')
+    allocate (onext(0:3, 0:counts%edges - 1), origin(0:3, 0:counts%edges - 1))
+    call expect(hsp_topology_get_quad_edges(topology, 0_c_int32_t, counts%edges, onext, origin), HSP_OK, &
+                'hsp_topology_get_quad_edges')
+    do edge = 0, counts%edges - 1
       do k = 0, 3
         q = 4*edge + k
         call check(hsp_topology_onext(topology, q) == onext(k, edge), 'hsp_topology_onext')
@@ -138,30 +138,31 @@ contains
         call check(hsp_topology_left(topology, q) == hsp_topology_origin(topology, hsp_quad_inverse_rot(q)), &
                    'hsp_topology_left')
       end do
-      call expect(hsp_topology_get_face(topology, hsp_topology_left(topology, 4*edge), face), HSP_OK, 'hsp_topology_get_face')
-      call check(hsp_topology_ball(topology, 4*edge) == face%ball, 'hsp_topology_ball')
+      call expect(hsp_topology_get_simple_faces(topology, hsp_topology_left(topology, 4*edge), 1_c_int32_t, face), HSP_OK, &
+                  'hsp_topology_get_simple_faces')
+      call check(hsp_topology_ball(topology, 4*edge) == face(1)%ball, 'hsp_topology_ball')
       call check(hsp_topology_ball(topology, 4*edge + 1) == HSP_NONE, 'no ball left of a dual edge')
     end do
-    call check(hsp_topology_onext(topology, 4*needed) == HSP_NONE, 'no such quarter-edge')
+    call check(hsp_topology_onext(topology, 4*counts%edges) == HSP_NONE, 'no such quarter-edge')
     call check(hsp_topology_left(c_null_ptr, 0_c_int32_t) == HSP_NONE, 'no topology')
     onext = -7
-    call expect(hsp_topology_get_quad_edges(topology, origin=onext, capacity=needed, needed=needed), HSP_OK, 'one array')
-    call check(all(onext == origin), 'one array')
+    call expect(hsp_topology_get_quad_edges(topology, 1_c_int32_t, counts%edges - 1, origin=onext), HSP_OK, 'one array')
+    call check(all(onext(:, 0:counts%edges - 2) == origin(:, 1:)) .and. all(onext(:, counts%edges - 1) == -7), 'one array')
   end subroutine
 
   subroutine records()
-    type(hsp_topology_vertex) :: vertex, vertices(counts%vertices)
-    type(hsp_topology_edge) :: edge, edges(counts%edges)
+    type(hsp_topology_vertex) :: vertex, one_vertex(1), vertices(counts%vertices)
+    type(hsp_topology_edge) :: edge, one_edge(1), edges(counts%edges)
     type(hsp_simple_face) :: face, faces(counts%simple_faces)
-    integer(c_int32_t) :: needed, i
-    call expect(hsp_topology_get_vertices(topology, vertices, counts%vertices, needed), HSP_OK, 'hsp_topology_get_vertices')
-    call check(needed == counts%vertices, 'number of vertices')
-    call expect(hsp_topology_get_edges(topology, edges, counts%edges, needed), HSP_OK, 'hsp_topology_get_edges')
-    call check(needed == counts%edges, 'number of edges')
-    call expect(hsp_topology_get_faces(topology, faces, counts%simple_faces, needed), HSP_OK, 'hsp_topology_get_faces')
-    call check(needed == counts%simple_faces, 'number of simple faces')
+    integer(c_int32_t) :: i
+    call expect(hsp_topology_get_vertices(topology, 0_c_int32_t, counts%vertices, vertices), HSP_OK, &
+                'hsp_topology_get_vertices')
+    call expect(hsp_topology_get_edges(topology, 0_c_int32_t, counts%edges, edges), HSP_OK, 'hsp_topology_get_edges')
+    call expect(hsp_topology_get_simple_faces(topology, 0_c_int32_t, counts%simple_faces, faces), HSP_OK, &
+                'hsp_topology_get_simple_faces')
     do i = 0, counts%vertices - 1
-      call expect(hsp_topology_get_vertex(topology, i, vertex), HSP_OK, 'hsp_topology_get_vertex')
+      call expect(hsp_topology_get_vertices(topology, i, 1_c_int32_t, one_vertex), HSP_OK, 'one vertex')
+      vertex = one_vertex(1)
       call check(all(vertex%ball == vertices(hsp_index(i))%ball) .and. vertex%q == vertices(hsp_index(i))%q, 'a vertex')
       call check(hsp_topology_origin(topology, vertex%q) == i .and. vertex%reserved == 0, 'quarter-edge of a vertex')
       call check(vertex%kind >= HSP_POINT_VERTEX .and. vertex%kind <= HSP_POINT_POLE, 'kind of a vertex')
@@ -169,7 +170,8 @@ contains
       call check((vertex%kind == HSP_POINT_POLE) .eqv. (vertex%ball(2) == HSP_NONE), 'a pole lies on one sphere')
     end do
     do i = 0, counts%edges - 1
-      call expect(hsp_topology_get_edge(topology, i, edge), HSP_OK, 'hsp_topology_get_edge')
+      call expect(hsp_topology_get_edges(topology, i, 1_c_int32_t, one_edge), HSP_OK, 'one edge')
+      edge = one_edge(1)
       call check(all(edge%vertex == edges(hsp_index(i))%vertex) .and. all(edge%face == edges(hsp_index(i))%face), 'an edge')
       call check(edge%vertex(1) == hsp_topology_origin(topology, 4*i), 'an edge''s origin')
       call check(edge%vertex(2) == hsp_topology_origin(topology, hsp_quad_sym(4*i)), 'an edge''s destination')
@@ -185,9 +187,9 @@ contains
       call check(hsp_topology_left(topology, face%q) == i .and. face%edges >= 2 .and. face%reserved == 0, 'a simple face')
       call check(face%shell >= 0 .and. face%shell < counts%shells .and. face%face >= 0, 'shell of a simple face')
     end do
-    call expect(hsp_topology_get_vertex(topology, counts%vertices, vertex), HSP_E_ID, 'no such vertex')
-    call expect(hsp_topology_get_edge(topology, counts%edges, edge), HSP_E_ID, 'no such edge')
-    call expect(hsp_topology_get_face(topology, HSP_NONE, face), HSP_E_ID, 'no such face')
+    call expect(hsp_topology_get_vertices(topology, counts%vertices, 1_c_int32_t, vertices), HSP_E_ID, 'no such vertex')
+    call expect(hsp_topology_get_edges(topology, 1_c_int32_t, counts%edges, edges), HSP_E_ID, 'no such edge')
+    call expect(hsp_topology_get_simple_faces(topology, HSP_NONE, 1_c_int32_t, faces), HSP_E_ID, 'no such face')
   end subroutine
 
   logical function on_sphere(place, ball)

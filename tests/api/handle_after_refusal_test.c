@@ -100,13 +100,10 @@ static void refused_of_topology(void) {
   limits.edges = HSP_NONE;
   CHECK_EQUAL(hsp_topology_init(h.topology_memory, SIZE, &limits, &made), HSP_E_RANGE);
   CHECK_EQUAL(hsp_topology_get_counts(h.topology, NULL), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_topology_get_quad_edges(h.topology, ids, NULL, 0, &count), HSP_E_CAPACITY);
-  CHECK_EQUAL(hsp_topology_get_vertex(h.topology, HSP_NONE, &vertex), HSP_E_ID);
-  CHECK_EQUAL(hsp_topology_get_edge(h.topology, HSP_NONE, &edge), HSP_E_ID);
-  CHECK_EQUAL(hsp_topology_get_face(h.topology, HSP_NONE, &face), HSP_E_ID);
-  CHECK_EQUAL(hsp_topology_get_vertices(h.topology, &vertex, 1, &count), HSP_E_CAPACITY);
-  CHECK_EQUAL(hsp_topology_get_edges(h.topology, &edge, 1, &count), HSP_E_CAPACITY);
-  CHECK_EQUAL(hsp_topology_get_faces(h.topology, &face, 1, &count), HSP_E_CAPACITY);
+  CHECK_EQUAL(hsp_topology_get_quad_edges(h.topology, HSP_NONE, 1, ids, NULL), HSP_E_ID);
+  CHECK_EQUAL(hsp_topology_get_vertices(h.topology, HSP_NONE, 1, &vertex), HSP_E_ID);
+  CHECK_EQUAL(hsp_topology_get_edges(h.topology, 0, HSP_NONE, &edge), HSP_E_ID);
+  CHECK_EQUAL(hsp_topology_get_simple_faces(h.topology, 1, HSP_NONE, &face), HSP_E_ID);
   CHECK_EQUAL(hsp_topology_get_shells(h.topology, NULL, 0, &count), HSP_E_CAPACITY);
   CHECK_EQUAL(hsp_topology_get_components(h.topology, NULL, 1, &count), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_topology_get_cells(h.topology, NULL, 0, &count), HSP_E_CAPACITY);

@@ -135,13 +135,12 @@ static void topology_results(const void *topology, const void *source) {
   guarded_memory shells = guarded_take(sizeof(hsp_shell) * all->counts.shells, 0, GUARDED_PATTERN);
   CHECK_EQUAL(hsp_topology_get_counts(topology, &counts), HSP_OK);
   CHECK_BYTES(&counts, &all->counts, sizeof counts);
-  CHECK_EQUAL(hsp_topology_get_quad_edges(topology, (uint32_t *)(void *)onext.block, (uint32_t *)(void *)origin.block,
-                                          all->counts.edges, &count),
+  CHECK_EQUAL(hsp_topology_get_quad_edges(topology, 0, all->counts.edges, (uint32_t *)(void *)onext.block,
+                                          (uint32_t *)(void *)origin.block),
               HSP_OK);
   CHECK_BYTES(onext.block, all->onext, onext.bytes);
   CHECK_BYTES(origin.block, all->origin, origin.bytes);
-  CHECK_EQUAL(hsp_topology_get_edges(topology, (hsp_topology_edge *)(void *)edges.block, all->counts.edges, &count),
-              HSP_OK);
+  CHECK_EQUAL(hsp_topology_get_edges(topology, 0, all->counts.edges, (hsp_topology_edge *)(void *)edges.block), HSP_OK);
   CHECK_BYTES(edges.block, all->edges, edges.bytes);
   CHECK_EQUAL(hsp_topology_get_shells(topology, (hsp_shell *)(void *)shells.block, all->counts.shells, &count), HSP_OK);
   CHECK_BYTES(shells.block, all->shells, shells.bytes);

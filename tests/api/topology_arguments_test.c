@@ -20,9 +20,9 @@ static const double outside[3] = {10, 0, 0};
 static hsp_topology_limits needed_limits;
 static hsp_topology_counts counts;
 static uint32_t onext[4 * EDGES], origin[4 * EDGES];
-static hsp_topology_vertex vertex, vertices[EDGES];
-static hsp_topology_edge edge, edges[EDGES];
-static hsp_simple_face face, faces[EDGES];
+static hsp_topology_vertex vertices[EDGES];
+static hsp_topology_edge edges[EDGES];
+static hsp_simple_face faces[EDGES];
 static hsp_shell shells[BALLS];
 static hsp_component components[BALLS];
 static hsp_cell cells[BALLS];
@@ -33,11 +33,8 @@ static void fill_outputs(void) {
   FILL(counts);
   FILL(onext);
   FILL(origin);
-  FILL(vertex);
   FILL(vertices);
-  FILL(edge);
   FILL(edges);
-  FILL(face);
   FILL(faces);
   FILL(shells);
   FILL(components);
@@ -54,11 +51,8 @@ static void check_outputs_untouched(void) {
   CHECK_UNTOUCHED(counts);
   CHECK_UNTOUCHED(onext);
   CHECK_UNTOUCHED(origin);
-  CHECK_UNTOUCHED(vertex);
   CHECK_UNTOUCHED(vertices);
-  CHECK_UNTOUCHED(edge);
   CHECK_UNTOUCHED(edges);
-  CHECK_UNTOUCHED(face);
   CHECK_UNTOUCHED(faces);
   CHECK_UNTOUCHED(shells);
   CHECK_UNTOUCHED(components);
@@ -88,14 +82,12 @@ static void check_no_steps(const hsp_topology *which) {
 static void check_all_readers(hsp_topology *which, int32_t status) {
   fill_outputs();
   CHECK_EQUAL(hsp_topology_get_counts(which, &counts), status);
-  CHECK_EQUAL(hsp_topology_get_quad_edges(which, onext, origin, EDGES, &needed), status);
-  CHECK_EQUAL(hsp_topology_get_quad_edges(which, NULL, NULL, 0, &needed), status);
-  CHECK_EQUAL(hsp_topology_get_vertex(which, 0, &vertex), status);
-  CHECK_EQUAL(hsp_topology_get_edge(which, 0, &edge), status);
-  CHECK_EQUAL(hsp_topology_get_face(which, 0, &face), status);
-  CHECK_EQUAL(hsp_topology_get_vertices(which, vertices, EDGES, &needed), status);
-  CHECK_EQUAL(hsp_topology_get_edges(which, edges, EDGES, &needed), status);
-  CHECK_EQUAL(hsp_topology_get_faces(which, faces, EDGES, &needed), status);
+  CHECK_EQUAL(hsp_topology_get_quad_edges(which, 0, 1, onext, origin), status);
+  CHECK_EQUAL(hsp_topology_get_quad_edges(which, 0, 0, NULL, NULL), status);
+  CHECK_EQUAL(hsp_topology_get_vertices(which, 0, 1, vertices), status);
+  CHECK_EQUAL(hsp_topology_get_vertices(which, 0, 0, NULL), status);
+  CHECK_EQUAL(hsp_topology_get_edges(which, 0, 1, edges), status);
+  CHECK_EQUAL(hsp_topology_get_simple_faces(which, 0, 1, faces), status);
   CHECK_EQUAL(hsp_topology_get_shells(which, shells, BALLS, &needed), status);
   CHECK_EQUAL(hsp_topology_get_components(which, components, BALLS, &needed), status);
   CHECK_EQUAL(hsp_topology_get_cells(which, cells, BALLS, &needed), status);
@@ -127,16 +119,10 @@ static void null_pointers(void) {
   fill_outputs();
   CHECK_EQUAL(hsp_topology_compute(NULL, boundary, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_topology_get_counts(topology, NULL), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_topology_get_quad_edges(topology, onext, origin, EDGES, NULL), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_topology_get_vertex(topology, 0, NULL), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_topology_get_edge(topology, 0, NULL), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_topology_get_face(topology, 0, NULL), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_topology_get_vertices(topology, NULL, EDGES, &needed), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_topology_get_vertices(topology, vertices, EDGES, NULL), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_topology_get_edges(topology, NULL, 1, &needed), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_topology_get_edges(topology, edges, EDGES, NULL), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_topology_get_faces(topology, NULL, EDGES, &needed), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_topology_get_faces(topology, faces, EDGES, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_get_quad_edges(topology, 0, 1, NULL, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_get_vertices(topology, 0, 1, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_get_edges(topology, 0, EDGES, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_get_simple_faces(topology, HSP_NONE, HSP_NONE, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_topology_get_shells(topology, NULL, 1, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_topology_get_shells(topology, shells, BALLS, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_topology_get_components(topology, NULL, 1, &needed), HSP_E_ARGUMENT);
@@ -161,16 +147,16 @@ static void bad_ids(void) {
   {
     const hsp_topology_counts all = counts;
     fill_outputs();
-    CHECK_EQUAL(hsp_topology_get_vertex(topology, all.vertices, &vertex), HSP_E_ID);
-    CHECK_EQUAL(hsp_topology_get_edge(topology, all.edges, &edge), HSP_E_ID);
-    CHECK_EQUAL(hsp_topology_get_face(topology, all.simple_faces, &face), HSP_E_ID);
+    CHECK_EQUAL(hsp_topology_get_vertices(topology, all.vertices, 1, vertices), HSP_E_ID);
+    CHECK_EQUAL(hsp_topology_get_edges(topology, all.edges, 1, edges), HSP_E_ID);
+    CHECK_EQUAL(hsp_topology_get_simple_faces(topology, all.simple_faces, 1, faces), HSP_E_ID);
     CHECK_EQUAL(hsp_topology_get_cell_shells(topology, all.cells, ids, EDGES, &needed), HSP_E_ID);
     CHECK_EQUAL(hsp_topology_get_traversal(topology, all.shells, ids, EDGES, &needed), HSP_E_ID);
   }
   for (i = 0; i < 3; ++i) {
-    CHECK_EQUAL(hsp_topology_get_vertex(topology, far_off[i], &vertex), HSP_E_ID);
-    CHECK_EQUAL(hsp_topology_get_edge(topology, far_off[i], &edge), HSP_E_ID);
-    CHECK_EQUAL(hsp_topology_get_face(topology, far_off[i], &face), HSP_E_ID);
+    CHECK_EQUAL(hsp_topology_get_vertices(topology, far_off[i], 1, vertices), HSP_E_ID);
+    CHECK_EQUAL(hsp_topology_get_edges(topology, far_off[i], 1, edges), HSP_E_ID);
+    CHECK_EQUAL(hsp_topology_get_simple_faces(topology, far_off[i], 1, faces), HSP_E_ID);
     CHECK_EQUAL(hsp_topology_get_cell_shells(topology, far_off[i], ids, EDGES, &needed), HSP_E_ID);
     CHECK_EQUAL(hsp_topology_get_traversal(topology, far_off[i], ids, EDGES, &needed), HSP_E_ID);
   }

@@ -82,10 +82,9 @@ contents contents_of_boundary(const hsp_boundary *boundary) {
 
 contents contents_of_topology(const hsp_topology *topology) {
   contents read;
-  uint32_t count;
   memset(&read, 0, sizeof read);
   read.status = hsp_topology_get_counts(topology, &read.counts.topology);
-  CHECK_EQUAL(hsp_topology_get_edges(topology, read.records.edges, EDGES, &count), read.status);
+  CHECK_EQUAL(hsp_topology_get_edges(topology, 0, read.counts.topology.edges, read.records.edges), read.status);
   return read;
 }
 

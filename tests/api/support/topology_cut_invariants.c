@@ -44,8 +44,8 @@ static const char *broken_vertex_records(const topology_result *t) {
       if (m > 0 && m < balls && v->ball[m - 1] >= v->ball[m]) return "vertex: balls not ascending";
     }
     if (v->q >= 4 * t->counts.edges || v->q % 2 != 0 || t->origin[v->q] != i) return "vertex: q does not start there";
-    if (hsp_topology_get_vertex(t->topology, i, &one) != HSP_OK || memcmp(&one, v, sizeof one) != 0) {
-      return "hsp_topology_get_vertex and hsp_topology_get_vertices differ";
+    if (hsp_topology_get_vertices(t->topology, i, 1, &one) != HSP_OK || memcmp(&one, v, sizeof one) != 0) {
+      return "hsp_topology_get_vertices: one is not that of all";
     }
     there = i;
   }
@@ -72,8 +72,8 @@ static const char *broken_face_records(const topology_result *t) {
     if (f->q >= 4 * t->counts.edges || f->q % 2 != 0 || hsp_topology_left(t->topology, f->q) != i) {
       broken = "simple face: does not lie to the left of its q";
     }
-    if (hsp_topology_get_face(t->topology, i, &one) != HSP_OK || memcmp(&one, f, sizeof one) != 0) {
-      broken = "hsp_topology_get_face and hsp_topology_get_faces differ";
+    if (hsp_topology_get_simple_faces(t->topology, i, 1, &one) != HSP_OK || memcmp(&one, f, sizeof one) != 0) {
+      broken = "hsp_topology_get_simple_faces: one is not that of all";
     }
   }
   for (i = 0; i < c->counts.faces && broken == NULL; ++i) {
@@ -111,8 +111,8 @@ static const char *broken_edge_records(const topology_result *t) {
     } else if (edge->source >= (edge->kind == HSP_EDGE_ARC ? t->base->counts.arcs : t->base->counts.circles)) {
       return "edge: no such arc or circle";
     }
-    if (hsp_topology_get_edge(t->topology, i, &one) != HSP_OK || memcmp(&one, edge, sizeof one) != 0) {
-      return "hsp_topology_get_edge and hsp_topology_get_edges differ";
+    if (hsp_topology_get_edges(t->topology, i, 1, &one) != HSP_OK || memcmp(&one, edge, sizeof one) != 0) {
+      return "hsp_topology_get_edges: one is not that of all";
     }
   }
   return extra == t->counts.cut_edges ? NULL : "cut_edges is not the number of edges of that kind";

@@ -39,10 +39,10 @@ static int32_t read_topology(topology_result *t) {
   t->shells = test_zeros(k->shells, sizeof *t->shells);
   t->components = test_zeros(k->components, sizeof *t->components);
   t->cells = test_zeros(k->cells, sizeof *t->cells);
-  status = hsp_topology_get_quad_edges(t->topology, t->onext, t->origin, k->edges, &needed);
-  if (status == HSP_OK) status = hsp_topology_get_vertices(t->topology, t->vertices, k->vertices, &needed);
-  if (status == HSP_OK) status = hsp_topology_get_edges(t->topology, t->edges, k->edges, &needed);
-  if (status == HSP_OK) status = hsp_topology_get_faces(t->topology, t->faces, k->simple_faces, &needed);
+  status = hsp_topology_get_quad_edges(t->topology, 0, k->edges, t->onext, t->origin);
+  if (status == HSP_OK) status = hsp_topology_get_vertices(t->topology, 0, k->vertices, t->vertices);
+  if (status == HSP_OK) status = hsp_topology_get_edges(t->topology, 0, k->edges, t->edges);
+  if (status == HSP_OK) status = hsp_topology_get_simple_faces(t->topology, 0, k->simple_faces, t->faces);
   if (status == HSP_OK) status = hsp_topology_get_shells(t->topology, t->shells, k->shells, &needed);
   if (status == HSP_OK) status = hsp_topology_get_components(t->topology, t->components, k->components, &needed);
   if (status == HSP_OK) status = hsp_topology_get_cells(t->topology, t->cells, k->cells, &needed);

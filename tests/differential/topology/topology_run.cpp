@@ -16,16 +16,20 @@ hsp_topology_counts LibraryTopology::counts() const {
 }
 
 std::vector<hsp_topology_vertex> LibraryTopology::vertices() const {
-  return all_records<hsp_topology_vertex>([&](auto... out) { return hsp_topology_get_vertices(handle(), out...); },
-                                          "hsp_topology_get_vertices");
+  std::vector<hsp_topology_vertex> all(counts().vertices);
+  expect_ok(hsp_topology_get_vertices(handle(), 0, counts().vertices, all.data()), "hsp_topology_get_vertices");
+  return all;
 }
 std::vector<hsp_topology_edge> LibraryTopology::edges() const {
-  return all_records<hsp_topology_edge>([&](auto... out) { return hsp_topology_get_edges(handle(), out...); },
-                                        "hsp_topology_get_edges");
+  std::vector<hsp_topology_edge> all(counts().edges);
+  expect_ok(hsp_topology_get_edges(handle(), 0, counts().edges, all.data()), "hsp_topology_get_edges");
+  return all;
 }
 std::vector<hsp_simple_face> LibraryTopology::faces() const {
-  return all_records<hsp_simple_face>([&](auto... out) { return hsp_topology_get_faces(handle(), out...); },
-                                      "hsp_topology_get_faces");
+  std::vector<hsp_simple_face> all(counts().simple_faces);
+  expect_ok(hsp_topology_get_simple_faces(handle(), 0, counts().simple_faces, all.data()),
+            "hsp_topology_get_simple_faces");
+  return all;
 }
 std::vector<hsp_shell> LibraryTopology::shells() const {
   return all_records<hsp_shell>([&](auto... out) { return hsp_topology_get_shells(handle(), out...); },
@@ -49,17 +53,15 @@ std::vector<uint32_t> LibraryTopology::scan(uint32_t shell) const {
 }
 
 LibraryTopology::QuadEdges LibraryTopology::quad_edges() const {
-  uint32_t needed = 0;
-  const int32_t status = hsp_topology_get_quad_edges(handle(), nullptr, nullptr, 0, &needed);
-  if (status != (needed == 0 ? HSP_OK : HSP_E_CAPACITY)) expect_ok(status, "hsp_topology_get_quad_edges");
+  const uint32_t edges = counts().edges;
   QuadEdges quads;
-  quads.onext.resize(needed);
-  quads.origin.resize(needed);
-  if (needed == 0) return quads;
+  quads.onext.resize(edges);
+  quads.origin.resize(edges);
+  if (edges == 0) return quads;
   // One array at a time.
-  expect_ok(hsp_topology_get_quad_edges(handle(), quads.onext[0].data(), nullptr, needed, &needed),
+  expect_ok(hsp_topology_get_quad_edges(handle(), 0, edges, quads.onext[0].data(), nullptr),
             "hsp_topology_get_quad_edges for onext");
-  expect_ok(hsp_topology_get_quad_edges(handle(), nullptr, quads.origin[0].data(), needed, &needed),
+  expect_ok(hsp_topology_get_quad_edges(handle(), 0, edges, nullptr, quads.origin[0].data()),
             "hsp_topology_get_quad_edges for origins");
   return quads;
 }
