@@ -96,32 +96,12 @@ int32_t hsp_topology_get_counts(const hsp_topology *topology, hsp_topology_count
   return HSP_OK;
 }
 
-uint32_t hsp_quad_rot(uint32_t q) {
-  return q == HSP_NONE ? HSP_NONE : hsp::rot(q);
-}
-
-uint32_t hsp_quad_inverse_rot(uint32_t q) {
-  return q == HSP_NONE ? HSP_NONE : hsp::inverse_rot(q);
-}
-
-uint32_t hsp_quad_sym(uint32_t q) {
-  return q == HSP_NONE ? HSP_NONE : hsp::sym(q);
-}
-
 uint32_t hsp_topology_onext(const hsp_topology *topology, uint32_t q) {
   return step_from(topology, q, [q](const hsp::QuadEdges &quads) { return quads.onext(q); });
 }
 
-uint32_t hsp_topology_oprev(const hsp_topology *topology, uint32_t q) {
-  return step_from(topology, q, [q](const hsp::QuadEdges &quads) { return quads.oprev(q); });
-}
-
 uint32_t hsp_topology_lnext(const hsp_topology *topology, uint32_t q) {
   return step_from(topology, q, [q](const hsp::QuadEdges &quads) { return quads.lnext(q); });
-}
-
-uint32_t hsp_topology_lprev(const hsp_topology *topology, uint32_t q) {
-  return step_from(topology, q, [q](const hsp::QuadEdges &quads) { return quads.lprev(q); });
 }
 
 uint32_t hsp_topology_origin(const hsp_topology *topology, uint32_t q) {
@@ -130,14 +110,6 @@ uint32_t hsp_topology_origin(const hsp_topology *topology, uint32_t q) {
 
 uint32_t hsp_topology_left(const hsp_topology *topology, uint32_t q) {
   return step_from(topology, q, [q](const hsp::QuadEdges &quads) { return quads.left(q); });
-}
-
-uint32_t hsp_topology_ball(const hsp_topology *topology, uint32_t q) {
-  if (q % 2 != 0) return HSP_NONE;
-  return step_from(topology, q, [q, topology](const hsp::QuadEdges &quads) {
-    const hsp::Boundary &boundary = topology->boundary->structure();
-    return topology->balls().caller[topology->structure().ball_of(boundary, quads.left(q))];
-  });
 }
 
 int32_t hsp_topology_get_quad_edges(const hsp_topology *topology, uint32_t first, uint32_t count, uint32_t *onext,

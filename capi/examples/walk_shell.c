@@ -59,7 +59,7 @@ static struct tally walk(const hsp_topology *topology, uint32_t start_face) {
     printf("  face %2u on ball %u, across its edges:", (unsigned)faces_to_visit[visited], (unsigned)face.ball);
     uint32_t q = face.q;
     do {
-      const uint32_t across = hsp_topology_left(topology, hsp_quad_sym(q));
+      const uint32_t across = hsp_topology_left(topology, HSP_QUAD_SYM(q));
       printf(" %u", (unsigned)across);
       meet(&vertex_seen[hsp_topology_origin(topology, q)], &tally.vertices);
       meet(&edge_seen[q / 4], &tally.edges);

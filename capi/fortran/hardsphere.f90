@@ -23,6 +23,7 @@ module hardsphere
   use, intrinsic :: iso_c_binding, only: c_char, c_double, c_f_pointer, c_funptr, c_int8_t, c_int32_t, c_int64_t, &
                                          c_null_char, c_ptr, c_size_t
   implicit none
+  private :: quad_turned
   private :: c_char, c_double, c_f_pointer, c_funptr, c_int8_t, c_int32_t, c_int64_t, c_null_char, c_ptr, c_size_t
 
   integer(c_int32_t), parameter :: HSP_VERSION_MAJOR = 0_c_int32_t
@@ -776,26 +777,6 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    ! Functions of a quarter-edge alone.
-
-    pure function hsp_quad_rot(q) result(turned) bind(C, name="hsp_quad_rot")
-      import :: c_int32_t
-      integer(c_int32_t), value :: q
-      integer(c_int32_t) :: turned
-    end function
-
-    pure function hsp_quad_inverse_rot(q) result(turned) bind(C, name="hsp_quad_inverse_rot")
-      import :: c_int32_t
-      integer(c_int32_t), value :: q
-      integer(c_int32_t) :: turned
-    end function
-
-    pure function hsp_quad_sym(q) result(turned) bind(C, name="hsp_quad_sym")
-      import :: c_int32_t
-      integer(c_int32_t), value :: q
-      integer(c_int32_t) :: turned
-    end function
-
     ! Steps from a quarter-edge: to another one, to its origin, to what lies left of it. HSP_NONE if there is none.
 
     function hsp_topology_onext(topology, q) result(found) bind(C, name="hsp_topology_onext")
@@ -805,21 +786,7 @@ module hardsphere
       integer(c_int32_t) :: found
     end function
 
-    function hsp_topology_oprev(topology, q) result(found) bind(C, name="hsp_topology_oprev")
-      import :: c_int32_t, c_ptr
-      type(c_ptr), value :: topology
-      integer(c_int32_t), value :: q
-      integer(c_int32_t) :: found
-    end function
-
     function hsp_topology_lnext(topology, q) result(found) bind(C, name="hsp_topology_lnext")
-      import :: c_int32_t, c_ptr
-      type(c_ptr), value :: topology
-      integer(c_int32_t), value :: q
-      integer(c_int32_t) :: found
-    end function
-
-    function hsp_topology_lprev(topology, q) result(found) bind(C, name="hsp_topology_lprev")
       import :: c_int32_t, c_ptr
       type(c_ptr), value :: topology
       integer(c_int32_t), value :: q
@@ -834,13 +801,6 @@ module hardsphere
     end function
 
     function hsp_topology_left(topology, q) result(found) bind(C, name="hsp_topology_left")
-      import :: c_int32_t, c_ptr
-      type(c_ptr), value :: topology
-      integer(c_int32_t), value :: q
-      integer(c_int32_t) :: found
-    end function
-
-    function hsp_topology_ball(topology, q) result(found) bind(C, name="hsp_topology_ball")
       import :: c_int32_t, c_ptr
       type(c_ptr), value :: topology
       integer(c_int32_t), value :: q
@@ -1082,6 +1042,50 @@ contains
     integer(c_int32_t), intent(in) :: id
     integer(c_int32_t) :: index
     index = id + 1_c_int32_t
+  end function
+
+  !> HSP_QUAD_ROT of the header: from the right face to the left one. HSP_NONE yields HSP_NONE, here and below.
+  elemental function hsp_quad_rot(q) result(turned)
+    integer(c_int32_t), intent(in) :: q
+    integer(c_int32_t) :: turned
+    turned = quad_turned(q, 1_c_int32_t)
+  end function
+
+  !> HSP_QUAD_INVERSE_ROT of the header: from the left face to the right one.
+  elemental function hsp_quad_inverse_rot(q) result(turned)
+    integer(c_int32_t), intent(in) :: q
+    integer(c_int32_t) :: turned
+    turned = quad_turned(q, 3_c_int32_t)
+  end function
+
+  !> HSP_QUAD_SYM of the header: the same edge the other way.
+  elemental function hsp_quad_sym(q) result(turned)
+    integer(c_int32_t), intent(in) :: q
+    integer(c_int32_t) :: turned
+    turned = quad_turned(q, 2_c_int32_t)
+  end function
+
+  elemental function quad_turned(q, quarters) result(turned)
+    integer(c_int32_t), intent(in) :: q, quarters
+    integer(c_int32_t) :: turned
+    turned = HSP_NONE
+    if (q /= HSP_NONE) turned = ior(iand(q, not(3_c_int32_t)), iand(iand(q, 3_c_int32_t) + quarters, 3_c_int32_t))
+  end function
+
+  !> HSP_TOPOLOGY_OPREV of the header: the next edge clockwise about the origin of q.
+  function hsp_topology_oprev(topology, q) result(found)
+    type(c_ptr), intent(in) :: topology
+    integer(c_int32_t), intent(in) :: q
+    integer(c_int32_t) :: found
+    found = hsp_topology_lnext(topology, hsp_quad_sym(q))
+  end function
+
+  !> HSP_TOPOLOGY_LPREV of the header: the previous edge about the left face of q.
+  function hsp_topology_lprev(topology, q) result(found)
+    type(c_ptr), intent(in) :: topology
+    integer(c_int32_t), intent(in) :: q
+    integer(c_int32_t) :: found
+    found = hsp_quad_sym(hsp_topology_onext(topology, q))
   end function
 
   !> HSP_MODEL_BYTES of the header, for the size of an allocation.

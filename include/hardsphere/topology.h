@@ -105,26 +105,40 @@ typedef struct hsp_topology_counts {
  *  Property 1: vertices - edges + simple_faces is the Euler characteristic of the boundary. */
 HSP_API int32_t hsp_topology_get_counts(const hsp_topology *topology, hsp_topology_counts *counts);
 
-/* The algebra. Functions of a quarter-edge alone; HSP_NONE yields HSP_NONE. */
-HSP_API uint32_t hsp_quad_rot(uint32_t q);         /**< from the right face to the left one */
-HSP_API uint32_t hsp_quad_inverse_rot(uint32_t q); /**< from the left face to the right one */
-HSP_API uint32_t hsp_quad_sym(uint32_t q);         /**< the other way */
+/** The algebra: quarter-edges that follow from a quarter-edge q (uint32_t) alone; HSP_NONE yields HSP_NONE. Each of
+ *  these macros may evaluate its argument several times.
+ *   - Property 1: rot(rot(q)) = sym(q), sym(sym(q)) = q, inverse_rot(rot(q)) = q. */
+#define HSP_QUAD_ROT(q) ((q) == HSP_NONE ? HSP_NONE : (((q) & ~UINT32_C(3)) | (((q) + 1U) & UINT32_C(3))))
+/** From the left face to the right one: back from rot. */
+#define HSP_QUAD_INVERSE_ROT(q) ((q) == HSP_NONE ? HSP_NONE : (((q) & ~UINT32_C(3)) | (((q) + 3U) & UINT32_C(3))))
+/** The same edge the other way. */
+#define HSP_QUAD_SYM(q) ((q) == HSP_NONE ? HSP_NONE : ((q) ^ UINT32_C(2)))
 
-/* Steps from a quarter-edge; HSP_NONE if there is no such quarter-edge, or no results.
- * Property 1: rot(rot(q)) = sym(q), sym(sym(q)) = q, inverse_rot(rot(q)) = q.
- * Property 2: rot(onext(rot(onext(q)))) = q. Property 3: oprev(onext(q)) = q, lprev(lnext(q)) = q.
- * Property 4: lnext(q) = rot(onext(inverse_rot(q))). Property 5: origin(onext(q)) = origin(q), left(lnext(q)) =
- * left(q), origin(lnext(q)) = origin(sym(q)). */
+/** The next edge counter-clockwise about the origin of q; HSP_NONE if there is no such quarter-edge, or no results.
+ *   - Property 1: rot(onext(rot(onext(q)))) = q.
+ *   - Property 2: origin(onext(q)) = origin(q). */
 HSP_API uint32_t hsp_topology_onext(const hsp_topology *topology, uint32_t q);
-HSP_API uint32_t hsp_topology_oprev(const hsp_topology *topology, uint32_t q);
+
+/** The next edge counter-clockwise about the left face of q, from where q ends; HSP_NONE as for hsp_topology_onext.
+ *   - Property 1: lnext(q) = rot(onext(inverse_rot(q))).
+ *   - Property 2: left(lnext(q)) = left(q), origin(lnext(q)) = origin(sym(q)). */
 HSP_API uint32_t hsp_topology_lnext(const hsp_topology *topology, uint32_t q);
-HSP_API uint32_t hsp_topology_lprev(const hsp_topology *topology, uint32_t q);
-/** Where q starts: a vertex if q is even, a simple face if q is odd (a dual edge). */
+
+/** The next edge clockwise about the origin of q, the inverse of onext: rot(onext(rot(q))), which is lnext(sym(q)). q
+ *  may be evaluated several times. */
+#define HSP_TOPOLOGY_OPREV(topology, q) hsp_topology_lnext((topology), HSP_QUAD_SYM(q))
+/** The previous edge about the left face of q, the inverse of lnext: sym(onext(q)). Both arguments may be evaluated
+ *  several times, and the step taken as often; who keeps onext(q) in a variable takes it once. */
+#define HSP_TOPOLOGY_LPREV(topology, q) HSP_QUAD_SYM(hsp_topology_onext((topology), (q)))
+
+/** Where q starts: a vertex if q is even, a simple face if q is odd (a dual edge); HSP_NONE if there is no such
+ *  quarter-edge, or no results. */
 HSP_API uint32_t hsp_topology_origin(const hsp_topology *topology, uint32_t q);
-/** What lies to the left of q: a simple face if q is even, a vertex if q is odd. */
+
+/** What lies to the left of q: a simple face if q is even, a vertex if q is odd; HSP_NONE if there is no such
+ *  quarter-edge, or no results.
+ *   - Property 1: left(q) = origin(inverse_rot(q)). */
 HSP_API uint32_t hsp_topology_left(const hsp_topology *topology, uint32_t q);
-/** The ball that the simple face on the left of q lies on; HSP_NONE for odd q. */
-HSP_API uint32_t hsp_topology_ball(const hsp_topology *topology, uint32_t q);
 
 /** The structure as two flat arrays, for the edges first .. first + count - 1: onext [count][4] and origin [count][4],
  *  as the functions above give them; all else follows by rot. Either may be NULL, with count 0 both. first and count
@@ -258,7 +272,7 @@ HSP_API int32_t hsp_topology_locate(const hsp_topology *topology, const double *
 /** Check the invariants of a computed topology. If all hold, *invariant becomes 0 and *id HSP_NONE. Else
  *  *invariant becomes the number of the first that is violated, and
  *  *id that of the quarter-edge, vertex, simple face, shell or component concerned:
- *     1  the quad-edge algebra: properties 1 to 5 above
+ *     1  the quad-edge algebra: the properties of rot, onext and lnext above
  *     2  origins are vertices, and every vertex starts an edge and is one ring of onext
  *     3  every simple face is one ring of at least two edges, on one ball, and no edge has it on both sides
  *     4  sides of arcs and circles lie on their balls, sides of cut edges on one

@@ -55,16 +55,14 @@ struct QuadEdges {
   }
 
   uint32_t onext(uint32_t q) const { return next[q]; }
-  uint32_t oprev(uint32_t q) const { return rot(next[rot(q)]); }
   uint32_t lnext(uint32_t q) const { return rot(next[inverse_rot(q)]); }
-  uint32_t lprev(uint32_t q) const { return sym(next[q]); }
   uint32_t origin(uint32_t q) const { return start[q]; }
   uint32_t left(uint32_t q) const { return start[inverse_rot(q)]; }
 
   // Makes `after` the edge that follows `before` about the face on the left of both. The rings are complete once every
   // even quarter-edge has been given its successor.
   void link_lnext(uint32_t before, uint32_t after) {
-    next[after] = sym(before);                       // lprev(after) = before
+    next[after] = sym(before);                       // sym(onext(after)) = before
     next[inverse_rot(before)] = inverse_rot(after);  // lnext(before) = after
   }
 };

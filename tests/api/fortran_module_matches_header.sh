@@ -56,6 +56,13 @@ same "names of constants" "$work/constants" "$work/constants.module"
     echo "  printf(\"topology bytes %zu\n\", HSP_TOPOLOGY_BYTES($limits));"
     echo "  printf(\"view bytes %zu\n\", HSP_VIEW_BYTES(${limits%,*}));"
   done
+  # the algebra of quarter-edges, on the first two edges and at both ends of what fits
+  for q in 0 1 2 3 4 5 6 7 1073741820 1073741823 2147483647; do
+    echo "  printf(\"turned %ld %ld %ld\n\", (long)HSP_QUAD_ROT(UINT32_C($q)), (long)HSP_QUAD_INVERSE_ROT(UINT32_C($q)),"
+    echo "         (long)HSP_QUAD_SYM(UINT32_C($q)));"
+  done
+  echo '  printf("turned %ld %ld %ld\n", (long)(int32_t)HSP_QUAD_ROT(HSP_NONE),'
+  echo '         (long)(int32_t)HSP_QUAD_INVERSE_ROT(HSP_NONE), (long)(int32_t)HSP_QUAD_SYM(HSP_NONE));'
   echo '  return 0; }'
 } >"$work/constants.c"
 "$cc" -std=c99 -o "$work/constants.c.out" "$work/constants.c"
@@ -74,11 +81,14 @@ same "names of constants" "$work/constants" "$work/constants.module"
     echo "  print '(a, i0)', 'topology bytes ', hsp_topology_bytes_bound($limits)"
     echo "  print '(a, i0)', 'view bytes ', hsp_view_bytes_bound(${limits%,*})"
   done
+  for q in 0 1 2 3 4 5 6 7 1073741820 1073741823 2147483647 HSP_NONE; do
+    echo "  print '(a, 2(i0, 1x), i0)', 'turned ', hsp_quad_rot($q), hsp_quad_inverse_rot($q), hsp_quad_sym($q)"
+  done
   echo 'end program'
 } >"$work/constants.f90"
 (cd "$work" && "$fc" -o constants.f90.out "$module" constants.f90 "$archive" -lm)
 "$work/constants.f90.out" >"$work/values.module"
-same "values of constants and size macros" "$work/values.header" "$work/values.module"
+same "values of constants and function-like macros" "$work/values.header" "$work/values.module"
 
 # ---- structs: names and fields in order, one line each
 bash "$here/../packaging/header_structs.sh" "$header" "$cc" | sed -E 's/ uint/ int/g; s/_t:/:/g' >"$work/structs.header"

@@ -88,6 +88,7 @@ contains
     end do
     call check(hsp_quad_rot(HSP_NONE) == HSP_NONE .and. hsp_quad_inverse_rot(HSP_NONE) == HSP_NONE, 'rot of nothing')
     call check(hsp_quad_sym(HSP_NONE) == HSP_NONE, 'sym of nothing')
+    call check(all(hsp_quad_rot([0_c_int32_t, 3_c_int32_t]) == [1, 0]), 'rot of an array')
   end subroutine
 
   subroutine compute_topology()
@@ -121,7 +122,6 @@ contains
   subroutine steps_and_arrays()
     integer(c_int32_t), allocatable :: onext(:, :), origin(:, :)
     integer(c_int32_t) :: q, edge, k
-    type(hsp_simple_face) :: face(1)
     call expect(hsp_topology_get_quad_edges(topology, 0_c_int32_t, 0_c_int32_t), HSP_OK, 'no edges')
     allocate (onext(0:3, 0:counts%edges - 1), origin(0:3, 0:counts%edges - 1))
     call expect(hsp_topology_get_quad_edges(topology, 0_c_int32_t, counts%edges, onext, origin), HSP_OK, &
@@ -138,10 +138,6 @@ contains
         call check(hsp_topology_left(topology, q) == hsp_topology_origin(topology, hsp_quad_inverse_rot(q)), &
                    'hsp_topology_left')
       end do
-      call expect(hsp_topology_get_simple_faces(topology, hsp_topology_left(topology, 4*edge), 1_c_int32_t, face), HSP_OK, &
-                  'hsp_topology_get_simple_faces')
-      call check(hsp_topology_ball(topology, 4*edge) == face(1)%ball, 'hsp_topology_ball')
-      call check(hsp_topology_ball(topology, 4*edge + 1) == HSP_NONE, 'no ball left of a dual edge')
     end do
     call check(hsp_topology_onext(topology, 4*counts%edges) == HSP_NONE, 'no such quarter-edge')
     call check(hsp_topology_left(c_null_ptr, 0_c_int32_t) == HSP_NONE, 'no topology')

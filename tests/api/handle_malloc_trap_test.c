@@ -135,11 +135,9 @@ static int call_topology(topology_result *t, void *memory, size_t bytes, uint32_
   bad += hsp_topology_compute(topology, c->boundary, NULL) != HSP_OK;
   bad += hsp_topology_get_counts(topology, &counts) != HSP_OK;
   bad += hsp_topology_get_quad_edges(topology, 0, counts.edges, t->onext, t->origin) != HSP_OK;
-  bad += hsp_quad_rot(hsp_quad_inverse_rot(hsp_quad_sym(0))) != 2;
-  bad += hsp_topology_oprev(topology, hsp_topology_onext(topology, 0)) != 0;
-  bad += hsp_topology_lprev(topology, hsp_topology_lnext(topology, 0)) != 0;
+  bad += HSP_TOPOLOGY_OPREV(topology, hsp_topology_onext(topology, 0)) != 0;
+  bad += HSP_TOPOLOGY_LPREV(topology, hsp_topology_lnext(topology, 0)) != 0;
   bad += hsp_topology_origin(topology, 0) == HSP_NONE || hsp_topology_left(topology, 0) == HSP_NONE;
-  bad += hsp_topology_ball(topology, 0) >= c->n;
   bad += hsp_topology_get_vertices(topology, 0, counts.vertices, t->vertices) != HSP_OK;
   bad += hsp_topology_get_edges(topology, 0, counts.edges, t->edges) != HSP_OK;
   bad += hsp_topology_get_simple_faces(topology, 0, counts.simple_faces, t->faces) != HSP_OK;

@@ -76,12 +76,9 @@ static void refused_as_topology(void *handle) {
   CHECK_EQUAL(hsp_topology_compute(handle, h.boundary, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_topology_get_counts(handle, &counts), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_topology_onext(handle, 0), HSP_NONE);
-  CHECK_EQUAL(hsp_topology_oprev(handle, 0), HSP_NONE);
   CHECK_EQUAL(hsp_topology_lnext(handle, 0), HSP_NONE);
-  CHECK_EQUAL(hsp_topology_lprev(handle, 0), HSP_NONE);
   CHECK_EQUAL(hsp_topology_origin(handle, 0), HSP_NONE);
   CHECK_EQUAL(hsp_topology_left(handle, 0), HSP_NONE);
-  CHECK_EQUAL(hsp_topology_ball(handle, 0), HSP_NONE);
   CHECK_EQUAL(hsp_topology_get_quad_edges(handle, 0, 0, NULL, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_topology_get_vertices(handle, 0, 1, &vertex), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_topology_get_edges(handle, 0, 1, &edge), HSP_E_ARGUMENT);

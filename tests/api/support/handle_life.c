@@ -102,12 +102,11 @@ static uint64_t topology_hash(const void *topology, const void *source, unsigned
     hash = mixed_hash(hash, buffer, needed * sizeof(uint32_t));
   }
   for (q = 0; q < 4 * counts.edges; q += 3) {
-    uint32_t steps[5];
+    uint32_t steps[4];
     steps[0] = hsp_topology_onext(topology, q);
-    steps[1] = hsp_topology_lprev(topology, q);
+    steps[1] = hsp_topology_lnext(topology, q);
     steps[2] = hsp_topology_origin(topology, q);
     steps[3] = hsp_topology_left(topology, q);
-    steps[4] = hsp_topology_ball(topology, q);
     hash = mixed_hash(hash, steps, sizeof steps);
   }
   return bad ? 0 : hash;

@@ -188,9 +188,8 @@ TEST(QuadEdges, StepsFollowTheCycles) {
       EXPECT_EQ(quads.origin(hsp::sym(q)), built.to(step));
       EXPECT_EQ(quads.left(q), step.face);
       EXPECT_EQ(quads.lnext(q), built.quarter(built.after(step)));
-      EXPECT_EQ(quads.lprev(q), built.quarter(built.before(step)));
       EXPECT_EQ(quads.onext(q), hsp::sym(built.quarter(built.before(step))));
-      EXPECT_EQ(quads.oprev(q), built.quarter(built.after(built.across(step))));
+      EXPECT_EQ(quads.lnext(hsp::sym(q)), built.quarter(built.after(built.across(step))));
     }
   }
 }
@@ -208,9 +207,8 @@ TEST(QuadEdges, DualsAreASurface) {
       EXPECT_EQ(quads.origin(hsp::inverse_rot(q)), quads.left(q));
       EXPECT_EQ(quads.left(hsp::rot(q)), quads.origin(q));
       EXPECT_EQ(quads.onext(hsp::rot(quads.onext(hsp::rot(q)))), q);
-      EXPECT_EQ(quads.oprev(quads.onext(q)), q);
-      EXPECT_EQ(quads.lprev(quads.lnext(q)), q);
-      EXPECT_EQ(quads.lnext(quads.lprev(q)), q);
+      EXPECT_EQ(quads.lnext(hsp::sym(quads.onext(q))), q);
+      EXPECT_EQ(hsp::sym(quads.onext(quads.lnext(q))), q);
       EXPECT_EQ(quads.lnext(q), hsp::rot(quads.onext(hsp::inverse_rot(q))));
       EXPECT_EQ(quads.origin(quads.onext(q)), quads.origin(q));
       EXPECT_EQ(quads.left(quads.lnext(q)), quads.left(q));
