@@ -89,8 +89,9 @@ hsp_topology_limits Topology::needed() const {
 }
 
 size_t Topology::bytes_by_default() const {
-  hsp_topology_limits limits{};
-  expect_ok(hsp_topology_limits_init(&limits, sizeof limits, boundary_->model().size()), "hsp_topology_limits_init");
+  // What the header says suffices for molecules.
+  const uint32_t n = boundary_->model().size();
+  const hsp_topology_limits limits{sizeof limits, n, std::min(n, 256U), 16 * n + 96, 2 * n + 16, 0};
   size_t bytes = 0;
   expect_ok(hsp_topology_bytes(&limits, &bytes), "hsp_topology_bytes");
   return bytes;

@@ -44,11 +44,7 @@ uint32_t step_from(const hsp_topology *topology, uint32_t q, Step step) {
 
 }  // namespace
 
-int32_t hsp_topology_limits_init(hsp_topology_limits *limits, uint32_t struct_size, uint32_t balls) {
-  return hsp::capi::init_limits<hsp::TopologyLimits, to_c>(limits, struct_size, balls);
-}
-
-int32_t hsp_topology_limits_for(hsp_topology_limits *limits, uint32_t struct_size, const hsp_boundary *boundary) {
+int32_t hsp_topology_limits_init(hsp_topology_limits *limits, uint32_t struct_size, const hsp_boundary *boundary) {
   if (limits == nullptr || !is_live(boundary) || !hsp::capi::is_struct_size<hsp_topology_limits>(struct_size)) {
     return HSP_E_ARGUMENT;
   }

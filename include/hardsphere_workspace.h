@@ -124,7 +124,7 @@ static inline int32_t hsp_workspace_topology(hsp_workspace *work) {
   int32_t status = HSP_OK;
   if (work->topology == NULL) {
     if (work->topology_limits.struct_size == 0) {
-      status = hsp_topology_limits_for(&work->topology_limits, sizeof work->topology_limits, work->boundary);
+      status = hsp_topology_limits_init(&work->topology_limits, sizeof work->topology_limits, work->boundary);
     }
     if (status == HSP_OK) status = hsp_workspace_make_topology(work);
     if (status != HSP_OK) return status;

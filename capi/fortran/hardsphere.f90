@@ -728,17 +728,8 @@ module hardsphere
 
     ! ---- topology --------------------------------------------------------------------------------------------------
 
-    function hsp_topology_limits_init(limits, struct_size, balls) result(status) &
+    function hsp_topology_limits_init(limits, struct_size, boundary) result(status) &
       bind(C, name="hsp_topology_limits_init")
-      import :: c_int32_t, hsp_topology_limits
-      type(hsp_topology_limits), intent(inout) :: limits
-      integer(c_int32_t), value :: struct_size
-      integer(c_int32_t), value :: balls
-      integer(c_int32_t) :: status
-    end function
-
-    function hsp_topology_limits_for(limits, struct_size, boundary) result(status) &
-      bind(C, name="hsp_topology_limits_for")
       import :: c_int32_t, c_ptr, hsp_topology_limits
       type(hsp_topology_limits), intent(inout) :: limits
       integer(c_int32_t), value :: struct_size

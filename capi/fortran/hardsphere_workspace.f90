@@ -102,7 +102,7 @@ contains
     type(hsp_topology_limits) :: limits
     integer(c_int32_t) :: status
     if (.not. c_associated(self%topology)) then
-      status = hsp_topology_limits_for(self%topology_limits, int(c_sizeof(limits), c_int32_t), self%boundary)
+      status = hsp_topology_limits_init(self%topology_limits, int(c_sizeof(limits), c_int32_t), self%boundary)
       if (status == HSP_OK) status = self%make_topology()
       if (status /= HSP_OK) return
     end if

@@ -18,13 +18,17 @@ class TopologyCalls {
 
   void init(const hsp_boundary *boundary, bool boundary_complete) {
     hsp_topology_limits limits{};
-    const bool suited = boundary != nullptr && bytes_.below(2) == 0;
+    const bool suited = bytes_.below(2) == 0;
     if (suited) {
-      const int32_t status = hsp_topology_limits_for(&limits, sizeof limits, boundary);
-      FUZZ_REQUIRE(status == (boundary_complete ? HSP_OK : HSP_E_STATE), "hsp_topology_limits_for");
+      const int32_t status = hsp_topology_limits_init(&limits, sizeof limits, boundary);
+      FUZZ_REQUIRE(status == (boundary == nullptr ? HSP_E_ARGUMENT
+                              : boundary_complete ? HSP_OK
+                                                  : HSP_E_STATE),
+                   "hsp_topology_limits_init");
     }
-    if (!suited || !boundary_complete) {
-      FUZZ_REQUIRE(hsp_topology_limits_init(&limits, sizeof limits, bytes_.below(28)) == HSP_OK, "limits");
+    if (!suited || boundary == nullptr || !boundary_complete) {
+      const uint32_t n = bytes_.below(28);
+      limits = {sizeof limits, n, n, 16 * n + 96, 2 * n + 16, 0};
     }
     if (bytes_.below(3) == 0) {
       limits.neighbours = bytes_.below(28);

@@ -52,17 +52,13 @@ typedef struct hsp_topology_limits {
   uint32_t reserved;    /**< 0 */
 } hsp_topology_limits;
 
-/** Limits that suffice for molecules of `balls` atoms: neighbours min(balls, 256), edges 16 balls + 96, cut arcs
- *  2 balls + 16. hsp_topology_limits_for suits a boundary that is already there.
- *  HSP_E_ARGUMENT: limits is NULL or struct_size is bad. HSP_E_RANGE: more than
- *  (HSP_MAX_BALLS - 96) / 16 balls. */
-HSP_API int32_t hsp_topology_limits_init(hsp_topology_limits *limits, uint32_t struct_size, uint32_t balls);
-
 /** Limits for a computed boundary that nearly always suffice: its balls and neighbours, four cut arcs for every loop
  *  of a face beyond the first, and edges for its arcs, circles and whole spheres and four for every cut arc.
+ *  Without a boundary, for memory that is fixed beforehand, set them by hand: for molecules of `balls` atoms, van der
+ *  Waals or solvent-accessible, neighbours min(balls, 256), edges 16 balls + 96 and cut_arcs 2 balls + 16 suffice.
  *  HSP_E_ARGUMENT: a null pointer or wrong struct_size. HSP_E_STATE: nothing computed, or the model has changed. */
-HSP_API int32_t hsp_topology_limits_for(hsp_topology_limits *limits, uint32_t struct_size,
-                                        const hsp_boundary *boundary);
+HSP_API int32_t hsp_topology_limits_init(hsp_topology_limits *limits, uint32_t struct_size,
+                                         const hsp_boundary *boundary);
 
 /** Bytes that hsp_topology_init needs. HSP_E_ARGUMENT: null pointer, bad struct_size, reserved not 0.
  *  HSP_E_RANGE: a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t.

@@ -29,13 +29,6 @@ struct TopologyLimits {
   }
 };
 
-// Limits that suffice for most molecules. Status::range if one would be larger than max_count.
-constexpr Status default_limits(uint32_t balls, TopologyLimits &limits) {
-  if (balls > (max_count - 96) / 16) return Status::range;
-  limits = {balls, balls < 256 ? balls : 256, 16 * balls + 96, 2 * balls + 16};
-  return Status::ok;
-}
-
 // The highest or lowest point of a ball.
 class Pole {
  public:

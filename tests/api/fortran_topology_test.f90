@@ -97,11 +97,10 @@ contains
     type(hsp_boundary_counts) :: boundary_counts
     integer(c_int32_t) :: bytes_of_limits
     bytes_of_limits = int(c_sizeof(limits), c_int32_t)
-    call expect(hsp_topology_limits_init(limits, bytes_of_limits, n), HSP_OK, 'hsp_topology_limits_init')
-    call check(limits%balls == n .and. limits%neighbours == n .and. limits%edges == 16*n + 96, 'default limits')
-    call check(limits%cut_arcs == 2*n + 16 .and. limits%reserved == 0, 'default limits')
-    call expect(hsp_topology_limits_for(limits, bytes_of_limits, boundary), HSP_OK, 'hsp_topology_limits_for')
+    call expect(hsp_topology_limits_init(limits, bytes_of_limits, c_null_ptr), HSP_E_ARGUMENT, 'limits without a boundary')
+    call expect(hsp_topology_limits_init(limits, bytes_of_limits, boundary), HSP_OK, 'hsp_topology_limits_init')
     call check(limits%balls == n .and. limits%struct_size == bytes_of_limits, 'limits for a boundary')
+    call check(limits%reserved == 0, 'limits for a boundary')
     call expect(hsp_topology_bytes(limits, bytes), HSP_OK, 'hsp_topology_bytes')
     call check(bytes > 0 .and. bytes <= hsp_topology_bytes_bound(limits%balls, limits%neighbours, limits%edges, &
                                                                  limits%cut_arcs), 'hsp_topology_bytes_bound')
@@ -273,8 +272,10 @@ contains
     call expect(hsp_topology_check(topology, invariant, id), HSP_OK, 'hsp_topology_check')
     call check(invariant == 0 .and. id == HSP_NONE, 'no invariant is broken')
     call expect(hsp_topology_compute(c_null_ptr, boundary), HSP_E_ARGUMENT, 'no topology')
-    call expect(hsp_topology_limits_init(limits, int(c_sizeof(limits), c_int32_t), HSP_MAX_BALLS), HSP_E_RANGE, 'too many')
-    call expect(hsp_topology_limits_init(limits, int(c_sizeof(limits), c_int32_t), n), HSP_OK, 'limits')
+    call expect(hsp_topology_limits_init(limits, int(c_sizeof(limits), c_int32_t), boundary), HSP_OK, 'limits')
+    limits%edges = HSP_MAX_BALLS + 1
+    call expect(hsp_topology_bytes(limits, bytes), HSP_E_RANGE, 'too many')
+    limits%edges = HSP_MAX_BALLS
     limits%reserved = 1
     call expect(hsp_topology_bytes(limits, bytes), HSP_E_ARGUMENT, 'reserved')
     call expect(hsp_boundary_compute(boundary, model), HSP_OK, 'hsp_boundary_compute')

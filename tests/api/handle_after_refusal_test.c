@@ -76,7 +76,7 @@ static void refused_of_boundary(void) {
   CHECK_EQUAL(hsp_boundary_get_area_row(h.boundary, BALLS, HSP_TANGENT_DISJOINT, NULL, 0, &count), HSP_E_ID);
   CHECK_EQUAL(hsp_boundary_check(h.boundary, NULL, &id), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_check(h.boundary, &invariant, NULL), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_topology_limits_for(&of_topology, 0, h.boundary), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_limits_init(&of_topology, 0, h.boundary), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_topology_compute(NULL, h.boundary, NULL), HSP_E_ARGUMENT);
   check_same_contents(&before, contents_of_boundary(h.boundary));
 }

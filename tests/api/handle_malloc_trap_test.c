@@ -128,8 +128,7 @@ static int call_topology(topology_result *t, void *memory, size_t bytes, uint32_
   uint32_t needed, invariant, id, cell;
   size_t size;
   int bad = 0;
-  bad += hsp_topology_limits_init(&limits, (uint32_t)sizeof limits, c->n) != HSP_OK;
-  bad += hsp_topology_limits_for(&limits, (uint32_t)sizeof limits, c->boundary) != HSP_OK;
+  bad += hsp_topology_limits_init(&limits, (uint32_t)sizeof limits, c->boundary) != HSP_OK;
   bad += hsp_topology_bytes(&t->needed, &size) != HSP_OK;
   bad += hsp_topology_init(memory, bytes, &t->needed, &topology) != HSP_OK;
   bad += hsp_topology_compute(topology, c->boundary, NULL) != HSP_OK;

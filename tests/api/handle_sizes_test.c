@@ -59,10 +59,16 @@ static const size_bound bounds[KINDS] = {{boundary_macro, {4096, 64, 256, 160, 8
                                          {topology_macro, {4096, 64, 192, 160, 160}},
                                          {view_macro, {32768, 192, 384, 64, 0}}};
 
+/* Limits that suffice for molecules of so many balls; of a topology as the header says. */
 static limit_numbers default_limits(const handle_kind *kind, uint32_t balls) {
-  limit_numbers limits;
-  memset(&limits, 0, sizeof limits);
-  CHECK_EQUAL(kind->limits_init(&limits, kind->struct_size, balls), HSP_OK);
+  limit_numbers limits = {{0}};
+  if (kind->limits_init != NULL) {
+    CHECK_EQUAL(kind->limits_init(&limits, kind->struct_size, balls), HSP_OK);
+  } else {
+    const limit_numbers of_topology = {
+        {kind->struct_size, balls, balls < 256 ? balls : 256, 16 * balls + 96, 2 * balls + 16}};
+    limits = of_topology;
+  }
   return limits;
 }
 

@@ -61,7 +61,7 @@ static void refused_as_boundary(void *handle) {
               HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_get_area_row(handle, 0, HSP_TANGENT_OVERLAP, NULL, 0, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_check(handle, &invariant, &id), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_topology_limits_for(&limits, sizeof limits, handle), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_limits_init(&limits, sizeof limits, handle), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_topology_compute(h.topology, handle, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_view_compute(h.view, h.model, handle, NULL, NULL), HSP_E_ARGUMENT);
   four_handles_compute(&h);

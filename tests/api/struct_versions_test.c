@@ -75,10 +75,7 @@ static int32_t write_boundary_limits(void *out, uint32_t size) {
   return hsp_boundary_limits_init(out, size, BALLS);
 }
 static int32_t write_topology_limits(void *out, uint32_t size) {
-  return hsp_topology_limits_init(out, size, BALLS);
-}
-static int32_t write_topology_limits_for(void *out, uint32_t size) {
-  return hsp_topology_limits_for(out, size, h.boundary);
+  return hsp_topology_limits_init(out, size, h.boundary);
 }
 static int32_t write_view_limits(void *out, uint32_t size) {
   return hsp_view_limits_init(out, size, BALLS);
@@ -119,7 +116,7 @@ static const struct versioned {
      sizeof(hsp_topology_limits),
      sizeof(hsp_topology_limits),
      read_topology_limits,
-     {write_topology_limits, write_topology_limits_for, return_topology_limits}},
+     {write_topology_limits, return_topology_limits, NULL}},
     {"hsp_view_limits",
      sizeof(hsp_view_limits),
      sizeof(hsp_view_limits),

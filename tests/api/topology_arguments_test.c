@@ -106,11 +106,7 @@ static void check_has_results(void) {
 }
 
 static hsp_topology_limits good_limits(void) {
-  hsp_topology_limits limits;
-  CHECK_EQUAL(hsp_topology_limits_init(&limits, (uint32_t)sizeof limits, BALLS), HSP_OK);
-  limits.neighbours = BALLS;
-  limits.edges = EDGES;
-  limits.cut_arcs = EXTRA;
+  const hsp_topology_limits limits = {(uint32_t)sizeof limits, BALLS, BALLS, EDGES, EXTRA, 0};
   return limits;
 }
 
@@ -276,19 +272,19 @@ static void too_small(void) {
   check_scene("%s", "");
 }
 
-static void limits_for(void) {
+static void limits_init(void) {
   hsp_topology_limits limits;
   FILL(limits);
-  CHECK_EQUAL(hsp_topology_limits_for(NULL, (uint32_t)sizeof limits, boundary), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_topology_limits_for(&limits, (uint32_t)sizeof limits, NULL), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_topology_limits_for(&limits, 0, boundary), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_topology_limits_for(&limits, 1028, boundary), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_limits_init(NULL, (uint32_t)sizeof limits, boundary), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_limits_init(&limits, (uint32_t)sizeof limits, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_limits_init(&limits, 0, boundary), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_limits_init(&limits, 1028, boundary), HSP_E_ARGUMENT);
   CHECK_UNTOUCHED(limits);
   CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
-  CHECK_EQUAL(hsp_topology_limits_for(&limits, (uint32_t)sizeof limits, boundary), HSP_E_STATE);
+  CHECK_EQUAL(hsp_topology_limits_init(&limits, (uint32_t)sizeof limits, boundary), HSP_E_STATE);
   CHECK_UNTOUCHED(limits);
   CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
-  CHECK_EQUAL(hsp_topology_limits_for(&limits, (uint32_t)sizeof limits, boundary), HSP_OK);
+  CHECK_EQUAL(hsp_topology_limits_init(&limits, (uint32_t)sizeof limits, boundary), HSP_OK);
   CHECK_EQUAL(limits.balls, BALLS);
   CHECK_EQUAL(limits.neighbours, BALLS - 1);
   CHECK_EQUAL(limits.reserved, 0);
@@ -303,7 +299,7 @@ int main(void) {
   limits.vertices = limits.circles = 16;
   CHECK_EQUAL(hsp_boundary_init(boundary_memory, sizeof boundary_memory, &limits, &boundary), HSP_OK);
   CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
-  limits_for();
+  limits_init();
   compute_and_read();
   changes();
   too_small();

@@ -114,7 +114,7 @@ static void any_axes(const ball_set *set, const topology_result *reference) {
   }
 }
 
-/* hsp_topology_limits_for tells the boundary's own numbers where there is nothing to estimate, and its limits lead to
+/* hsp_topology_limits_init tells the boundary's own numbers where there is nothing to estimate, and its limits lead to
  * the same topology. */
 static void limits_for(const topology_result *t) {
   const computed *c = t->base;
@@ -125,7 +125,7 @@ static void limits_for(const topology_result *t) {
   size_t bytes = 0;
   void *memory;
   for (i = 0; i < c->counts.faces; ++i) many_loops += c->faces[i].loops > 1 ? c->faces[i].loops - 1 : 0;
-  if (!CHECK_EQUAL(hsp_topology_limits_for(&limits, (uint32_t)sizeof limits, c->boundary), HSP_OK)) return;
+  if (!CHECK_EQUAL(hsp_topology_limits_init(&limits, (uint32_t)sizeof limits, c->boundary), HSP_OK)) return;
   CHECK_EQUAL(limits.struct_size, sizeof limits);
   CHECK_EQUAL(limits.reserved, 0);
   CHECK_EQUAL(limits.balls, c->n);

@@ -25,7 +25,7 @@ hsp_boundary_limits default_boundary_limits(uint32_t balls) {
 
 hsp_topology_limits topology_limits_for(const hsp_boundary *boundary) {
   hsp_topology_limits limits;
-  expect_ok(hsp_topology_limits_for(&limits, sizeof limits, boundary), "hsp_topology_limits_for");
+  expect_ok(hsp_topology_limits_init(&limits, sizeof limits, boundary), "hsp_topology_limits_init");
   return limits;
 }
 

@@ -5,6 +5,7 @@
 #include <string.h>
 
 HANDLE_FUNCTIONS(boundary)
+LIMITS_OF_BALLS(boundary)
 
 static int32_t compute_handle(void *handle, const void *source, void *limits) {
   const computed *c = source;

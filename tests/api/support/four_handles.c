@@ -18,9 +18,8 @@ hsp_boundary_limits four_boundary_limits(uint32_t balls) {
 }
 
 hsp_topology_limits four_topology_limits(uint32_t balls) {
-  hsp_topology_limits limits;
-  CHECK_EQUAL(hsp_topology_limits_init(&limits, (uint32_t)sizeof limits, balls), HSP_OK);
-  limits.edges = balls == BALLS ? EDGES : 2;
+  hsp_topology_limits limits = {(uint32_t)sizeof limits, balls, balls, EDGES, 16, 0};
+  if (balls != BALLS) limits.edges = 2;
   return limits;
 }
 

@@ -17,6 +17,7 @@ typedef struct handle_kind {
   uint32_t struct_size; /* of the limits */
   int limits;           /* how many there are: number[1] to number[limits] */
   const char *names[5]; /* by their places in limit_numbers */
+  /* NULL for topologies, whose limits suit a boundary */
   int32_t (*limits_init)(void *limits, uint32_t struct_size, uint32_t balls);
   int32_t (*bytes)(const void *limits, size_t *bytes);
   int32_t (*init)(void *memory, size_t bytes, const void *limits, void **handle);
@@ -24,11 +25,9 @@ typedef struct handle_kind {
   int32_t (*compute)(void *handle, const void *source, void *limits);
 } handle_kind;
 
-/* The functions of hsp_boundary, hsp_topology or hsp_view as a handle_kind holds them, but for `compute`. */
+/* The functions of hsp_boundary, hsp_topology or hsp_view as a handle_kind holds them, but for `limits_init` and
+ * `compute`. */
 #define HANDLE_FUNCTIONS(noun)                                                                      \
-  static int32_t init_limits(void *limits, uint32_t struct_size, uint32_t balls) {                  \
-    return hsp_##noun##_limits_init(limits, struct_size, balls);                                    \
-  }                                                                                                 \
   static int32_t bytes_of_limits(const void *limits, size_t *bytes) {                               \
     return hsp_##noun##_bytes(limits, bytes);                                                       \
   }                                                                                                 \
@@ -37,6 +36,12 @@ typedef struct handle_kind {
     const int32_t status = hsp_##noun##_init(memory, bytes, limits, handle != NULL ? &made : NULL); \
     if (handle != NULL) *handle = made;                                                             \
     return status;                                                                                  \
+  }
+
+/* `limits_init` of hsp_boundary and hsp_view. */
+#define LIMITS_OF_BALLS(noun)                                                      \
+  static int32_t init_limits(void *limits, uint32_t struct_size, uint32_t balls) { \
+    return hsp_##noun##_limits_init(limits, struct_size, balls);                   \
   }
 
 /* Zeros, to be freed by the caller; at least one byte. Ends the program if there is no memory. */

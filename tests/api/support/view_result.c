@@ -4,6 +4,7 @@
 #include <string.h>
 
 HANDLE_FUNCTIONS(view)
+LIMITS_OF_BALLS(view)
 
 static int32_t compute_handle(void *handle, const void *source, void *limits) {
   const view_result *v = source;

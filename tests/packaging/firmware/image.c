@@ -62,7 +62,7 @@ static void compute_topology(void) {
   hsp_topology_limits limits;
   hsp_topology *topology;
   uint32_t cell;
-  result |= hsp_topology_limits_for(&limits, sizeof limits, boundary);
+  result |= hsp_topology_limits_init(&limits, sizeof limits, boundary);
   result |= hsp_topology_init(memory, sizeof memory, &limits, &topology);
   result |= hsp_topology_compute(topology, boundary, NULL);
   result |= hsp_topology_locate(topology, xyz, &cell);

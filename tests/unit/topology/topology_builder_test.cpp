@@ -84,19 +84,6 @@ TEST(TopologyMemory, SetsFillWhatTheyNeed) {
   }
 }
 
-TEST(TopologyLimits, DefaultsForANumberOfBalls) {
-  TopologyLimits limits;
-  EXPECT_EQ(hsp::default_limits(100, limits), hsp::Status::ok);
-  EXPECT_EQ(limits.balls, 100U);
-  EXPECT_EQ(limits.neighbours, 100U);
-  EXPECT_EQ(limits.edges, 1696U);
-  EXPECT_EQ(limits.cut_arcs, 216U);
-  constexpr uint32_t most = (hsp::max_count - 96) / 16;
-  EXPECT_EQ(hsp::default_limits(most, limits), hsp::Status::ok);
-  EXPECT_LE(limits.edges, hsp::max_count);
-  EXPECT_EQ(hsp::default_limits(most + 1, limits), hsp::Status::range);
-}
-
 // A whole sphere, a lens, and a ball with three studs, whose face has three loops.
 TEST(TopologyLimits, ForOneBoundary) {
   BuiltTopology built(oracle::Balls{{0, 0, 0, 1000},
