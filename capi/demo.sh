@@ -46,7 +46,7 @@ show "Its area and volume" measure $crambin
 show "The same of the solvent-accessible surface, for a water probe" boundary $crambin --probe 1.4
 show "Its area and volume" measure $crambin --probe 1.4
 show "Which atoms touch a water molecule there" query $crambin --ball 10 10 10 1.4
-show "The cavity in crambin: a water molecule fits there and cannot get out" voids $crambin --probe 1.4
+show "The cavity in crambin: a water molecule fits there and cannot get out" voids $crambin --probe 1.4 --balls
 show "How area and volume of caffeine change when an atom moves or grows" measure $caffeine --gradient
 picture=build/demo/crambin.svg
 show "Crambin as it looks, hidden parts removed" draw $crambin -o $picture --style soft

@@ -119,24 +119,18 @@ static bool load_table(struct reading *reading) {
   return radii_table_make(&request->table, rules, reading->failure);
 }
 
-static bool take_query(struct reading *reading, enum query_kind kind) {
+static bool take_query(struct reading *reading, enum query_kind kind, const char *value) {
   struct request *request = reading->request;
   const char *option = kind == QUERY_POINT ? "--point" : "--ball";
   if (request->query != QUERY_NONE) {
     return failure_in_usage(reading->failure, "one query at a time: either --point X Y Z or --ball X Y Z R");
   }
   request->query = kind;
-  const int wanted = kind == QUERY_POINT ? 3 : 4;
-  for (int i = 0; i < wanted; ++i) {
-    const char *text = option_next(&reading->options);
-    if (text == NULL) {
-      return failure_in_usage(reading->failure, "%s needs %d numbers: X Y Z%s", option, wanted,
-                              kind == QUERY_BALL ? " R" : "");
-    }
-    const bool taken = i < 3 ? option_number(&reading->options, option, text, &request->position[i])
-                             : option_length(&reading->options, "--ball: R", text, &request->query_radius);
-    if (!taken) return false;
-  }
+  double numbers[4] = {0};
+  if (!option_numbers(&reading->options, option, value, kind == QUERY_POINT ? "XYZ" : "XYZR", numbers)) return false;
+  memcpy(request->position, numbers, sizeof request->position);
+  request->query_radius = numbers[3];
+  if (request->query_radius < 0.0) return failure_in_usage(reading->failure, "--ball: R must not be negative");
   return true;
 }
 
@@ -264,8 +258,20 @@ static bool take_argument(struct reading *reading, const char *argument) {
     request->shells = true;
     return true;
   }
-  if (request->command == COMMAND_QUERY && strcmp(argument, "--point") == 0) return take_query(reading, QUERY_POINT);
-  if (request->command == COMMAND_QUERY && strcmp(argument, "--ball") == 0) return take_query(reading, QUERY_BALL);
+  if (request->command == COMMAND_VOIDS && strcmp(argument, "--balls") == 0) {
+    request->void_balls = true;
+    return true;
+  }
+  if (request->command == COMMAND_VOIDS && option_is(argument, "--min-volume", &value)) {
+    return option_value(&reading->options, "--min-volume", &value, "a volume") &&
+           option_length(&reading->options, "--min-volume", value, &request->min_volume);
+  }
+  if (request->command == COMMAND_QUERY && option_is(argument, "--point", &value)) {
+    return take_query(reading, QUERY_POINT, value);
+  }
+  if (request->command == COMMAND_QUERY && option_is(argument, "--ball", &value)) {
+    return take_query(reading, QUERY_BALL, value);
+  }
   char shown[EXCERPT_BYTES];
   return failure_in_usage(reading->failure, "unknown option '%s'", excerpt(shown, argument, strlen(argument)));
 }

@@ -30,6 +30,8 @@ struct request {
   bool per_ball;
   bool gradient;
   bool shells;
+  bool void_balls;   /* of `voids` */
+  double min_volume; /* of `voids` */
   enum grouping by;
   const char *weights; /* a file, or NULL */
   const char *pdb_out; /* a file, or NULL */

@@ -19,23 +19,30 @@ static void print_json(const struct request *request, const struct molecule *mol
     for (uint32_t k = 0; k < of->ball_count; ++k) {
       text_buffer_add(out, "%s%" PRIu32, k == 0 ? "" : ", ", of->balls[k]);
     }
-    text_buffer_add(out, "]}");
+    text_buffer_add(out, "], \"middle\": ");
+    json_vector(out, of->middle);
+    text_buffer_add(out, "}");
   }
-  text_buffer_add(out, "]");
+  text_buffer_add(out, "], \"smaller\": %" PRIu32, list->smaller);
   input_report_json(out, request, molecule);
   text_buffer_add(out, "}\n");
 }
 
-static void print_void(const struct molecule *molecule, struct ball_columns columns, const struct void_cell *of,
-                       struct text_buffer *out) {
-  char value[NUMBER_BYTES];
-  const char *unit = format_unit(molecule->format);
-  text_buffer_add(out, "\nvoid %" PRIu32 "\n", of->cell);
-  text_buffer_add(out, "  %-16s %s %s^3\n", "volume", quantity_text(value, of->figures.volume, 6), unit);
-  text_buffer_add(out, "  %-16s %s %s^2\n", "area", quantity_text(value, of->figures.area, 6), unit);
-  report_row_count(out, "components", of->figures.components, "pieces of the union that lie in it");
-  report_row_count(out, "balls", of->ball_count, "balls with a face on it");
-  text_buffer_add(out, "\n");
+static void print_line(uint32_t rank, const struct void_cell *of, struct text_buffer *out) {
+  char volume[NUMBER_BYTES];
+  char area[NUMBER_BYTES];
+  text_buffer_add(out, "  %6" PRIu32 "  %6" PRIu32 "  %16s  %16s", rank, of->cell,
+                  quantity_text(volume, of->figures.volume, 6), quantity_text(area, of->figures.area, 6));
+  for (int axis = 0; axis < 3; ++axis) {
+    char coordinate[NUMBER_BYTES];
+    text_buffer_add(out, "  %9s", quantity_text(coordinate, of->middle[axis], 3));
+  }
+  text_buffer_add(out, "  %6" PRIu32 "  %6" PRIu32 "\n", of->ball_count, of->figures.components);
+}
+
+static void print_wall(const struct molecule *molecule, struct ball_columns columns, uint32_t rank,
+                       const struct void_cell *of, struct text_buffer *out) {
+  text_buffer_add(out, "\nballs around void %" PRIu32 "\n\n", rank);
   report_ball_titles(out, columns);
   text_buffer_add(out, "\n");
   for (uint32_t k = 0; k < of->ball_count; ++k) {
@@ -48,15 +55,25 @@ static void print_table(const struct request *request, const struct molecule *mo
                         struct text_buffer *out) {
   report_heading(out, request, molecule);
   report_row_count(out, "voids", list->count, "cavities enclosed by the union, largest first");
+  if (list->smaller > 0) report_row_count(out, "smaller", list->smaller, "not listed: smaller than --min-volume");
+  if (list->count > 0) {
+    const char *unit = format_unit(molecule->format);
+    text_buffer_add(out, "\n  volume in %s^3, area in %s^2; x y z: the middle of the balls with a face on it\n", unit,
+                    unit);
+    text_buffer_add(out, "  %6s  %6s  %16s  %16s  %9s  %9s  %9s  %6s  %6s\n", "void", "cell", "volume", "area", "x",
+                    "y", "z", "balls", "inside");
+  }
+  for (uint32_t i = 0; i < list->count; ++i) print_line(i + 1, &list->voids[i], out);
+  if (!request->void_balls) return;
   const struct ball_columns columns = ball_columns_of(molecule);
-  for (uint32_t i = 0; i < list->count; ++i) print_void(molecule, columns, &list->voids[i], out);
+  for (uint32_t i = 0; i < list->count; ++i) print_wall(molecule, columns, i + 1, &list->voids[i], out);
 }
 
 bool command_voids(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                    struct text_buffer *out, struct failure *failure) {
   if (!geometry_compute_topology(geometry, failure)) return false;
   struct void_list list;
-  const bool done = void_list_make(geometry, &list, failure);
+  const bool done = void_list_make(geometry, molecule->xyz, request->min_volume, &list, failure);
   if (done && request->json) print_json(request, molecule, &list, out);
   if (done && !request->json) print_table(request, molecule, &list, out);
   void_list_free(&list);

@@ -91,19 +91,8 @@ static bool take_choice(struct option_reader *reader, const struct choice_option
 
 static bool take_vector(struct option_reader *reader, const struct vector_option *option, const char *value,
                         struct drawing_vector *vector) {
-  if (!option_value(reader, option->name, &value, "three numbers: X,Y,Z")) return false;
   if (vector->given) return twice(reader, option->name);
-  const char *text = value;
-  for (int axis = 0; axis < 3; ++axis) {
-    const size_t length = strcspn(text, ",");
-    const bool last = text[length] == '\0';
-    if (number_parse(text, length, &vector->xyz[axis]) != NUMBER_OK || last != (axis == 2)) {
-      char shown[EXCERPT_BYTES];
-      return failure_in_usage(reader->failure, "%s: '%s' is not of the form X,Y,Z", option->name,
-                              excerpt(shown, value, strlen(value)));
-    }
-    text += length + 1;
-  }
+  if (!option_numbers(reader, option->name, value, "XYZ", vector->xyz)) return false;
   vector->given = true;
   if (option->direction && vector->xyz[0] == 0.0 && vector->xyz[1] == 0.0 && vector->xyz[2] == 0.0) {
     return failure_in_usage(reader->failure, "%s: 0,0,0 is no direction", option->name);

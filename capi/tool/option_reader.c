@@ -32,6 +32,42 @@ bool option_length(struct option_reader *reader, const char *option, const char 
   return true;
 }
 
+static bool numbers_wanted(struct option_reader *reader, const char *option, const char *names) {
+  char blanks[16] = "";
+  char commas[16] = "";
+  const size_t count = strlen(names);
+  for (size_t i = 0; i < count; ++i) {
+    blanks[2 * i] = commas[2 * i] = names[i];
+    if (i + 1 < count) blanks[2 * i + 1] = ' ', commas[2 * i + 1] = ',';
+  }
+  return failure_in_usage(reader->failure, "%s needs %lu numbers: %s or %s", option, (unsigned long)count, blanks,
+                          commas);
+}
+
+bool option_numbers(struct option_reader *reader, const char *option, const char *value, const char *names,
+                    double *numbers) {
+  static const char separators[] = ", \t";
+  const char *text = value != NULL ? value : "";
+  for (size_t i = 0; names[i] != '\0'; ++i) {
+    if (text[0] == '\0') text = option_next(reader);
+    if (text == NULL || text[0] == '\0') return numbers_wanted(reader, option, names);
+    const size_t length = strcspn(text, separators);
+    const enum number_status status = number_parse(text, length, &numbers[i]);
+    if (status != NUMBER_OK) {
+      char shown[EXCERPT_BYTES];
+      return failure_in_usage(reader->failure, "%s: '%s' %s", option, excerpt(shown, text, length),
+                              number_complaint(status));
+    }
+    text += length;
+    /* One comma, with blanks about it, or blanks alone. */
+    text += strspn(text, " \t");
+    if (text[0] == ',') text += 1 + strspn(text + 1, " \t");
+    const bool last = names[i + 1] == '\0';
+    if (last && (text[0] != '\0' || text[-1] == ',')) return numbers_wanted(reader, option, names);
+  }
+  return true;
+}
+
 bool option_value(struct option_reader *reader, const char *option, const char **value, const char *what) {
   if (*value == NULL) *value = option_next(reader);
   if (*value == NULL) return failure_in_usage(reader->failure, "%s needs %s", option, what);

@@ -24,6 +24,11 @@ bool option_number(struct option_reader *reader, const char *option, const char 
 /* The same for a number that must not be negative. */
 bool option_length(struct option_reader *reader, const char *option, const char *text, double *value);
 
+/* As many numbers as `names` has letters, for instance "XYZ": with commas or blanks between them, in one argument or in
+ * several. value: what stands behind '=', or NULL. */
+bool option_numbers(struct option_reader *reader, const char *option, const char *value, const char *names,
+                    double *numbers);
+
 /* The value of an option, behind '=' or as the next argument. False: there is none, and the failure says that `what`
  * is needed, for instance "a length". */
 bool option_value(struct option_reader *reader, const char *option, const char **value, const char *what);

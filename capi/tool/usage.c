@@ -104,20 +104,26 @@ static const char measure_text[] =
     "\n";
 
 static const char voids_text[] =
-    "hardsphere voids FILE [options]\n"
+    "hardsphere voids FILE [--min-volume V] [--balls] [options]\n"
     "\n"
-    "Lists the cavities that the union encloses, largest volume first: area, volume, and the balls with a face on "
-    "them.\n"
-    "With --probe they are the places where the centre of a probe fits without a way out.\n"
-    "JSON: n, voids: [{cell, area, volume, components, balls: [...]}, ...]; components is the number of pieces of the\n"
-    "union that lie in it, balls are their indices in the order of the file, counted from 0, ascending.\n"
+    "Lists the cavities that the union encloses, largest volume first: volume, area, the middle of the balls with a\n"
+    "face on them, how many these are, and how many pieces of the union lie inside. With --probe they are the places\n"
+    "where the centre of a probe fits without a way out.\n"
+    "  --min-volume V         only those of volume V or more\n"
+    "  --balls                also the balls around each\n"
+    "JSON: n, voids: [{cell, area, volume, components, balls: [...], middle: [x, y, z]}, ...], smaller; cell is its\n"
+    "number in the library, components how many pieces of the union lie in it, balls their indices in the order of "
+    "the\n"
+    "file, counted from 0, ascending; smaller is how many voids --min-volume leaves out.\n"
     "\n";
 
 static const char query_text[] =
     "hardsphere query FILE --point X Y Z [options]\n"
     "hardsphere query FILE --ball X Y Z R [options]\n"
     "\n"
-    "Lists the balls that contain the point, or that meet the ball. Balls are closed: touching counts.\n"
+    "Lists the balls that contain the point, or that meet the ball. Balls are closed: touching counts. Here as in "
+    "every\n"
+    "option numbers may stand between blanks or commas: X Y Z or X,Y,Z.\n"
     "JSON: hits, the indices of the balls in the order of the file, counted from 0, ascending.\n"
     "\n";
 

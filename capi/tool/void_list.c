@@ -41,7 +41,7 @@ static bool take_cells(const struct geometry *geometry, struct void_list *list, 
     done = status == HSP_OK || failure_in_library(failure, status);
   }
   for (uint32_t cell = 1; done && cell < cells; ++cell) {
-    list->voids[list->count++] = (struct void_cell){cell, all[cell], NULL, 0};
+    list->voids[list->count++] = (struct void_cell){cell, all[cell], NULL, 0, {0, 0, 0}};
   }
   free(all);
   return done;
@@ -90,15 +90,38 @@ static bool take_walls(const struct geometry *geometry, const hsp_shell *shells,
   return done;
 }
 
-bool void_list_make(const struct geometry *geometry, struct void_list *list, struct failure *failure) {
+static void find_middles(const double *xyz, struct void_list *list) {
+  for (uint32_t i = 0; i < list->count; ++i) {
+    struct void_cell *of = &list->voids[i];
+    for (size_t axis = 0; axis < 3; ++axis) {
+      double sum = 0.0;
+      for (uint32_t k = 0; k < of->ball_count; ++k) sum += xyz[3 * (size_t)of->balls[k] + axis];
+      of->middle[axis] = of->ball_count == 0 ? 0.0 : sum / of->ball_count;
+    }
+  }
+}
+
+/* The voids are in order: those to leave out are the last ones. */
+static void leave_out_smaller(double min_volume, struct void_list *list) {
+  while (list->count > 0 && list->voids[list->count - 1].figures.volume < min_volume) {
+    --list->count;
+    ++list->smaller;
+  }
+}
+
+bool void_list_make(const struct geometry *geometry, const double *xyz, double min_volume, struct void_list *list,
+                    struct failure *failure) {
   *list = (struct void_list)VOID_LIST_NONE;
   hsp_shell *shells = NULL;
   uint32_t shell_count = 0;
   if (!geometry_list_shells(geometry, &shells, &shell_count, failure)) return false;
   const bool done = take_cells(geometry, list, failure) && take_walls(geometry, shells, list, failure);
   free(shells);
-  if (done && list->count > 1) qsort(list->voids, list->count, sizeof *list->voids, order_of_voids);
-  return done;
+  if (!done) return false;
+  if (list->count > 1) qsort(list->voids, list->count, sizeof *list->voids, order_of_voids);
+  leave_out_smaller(min_volume, list);
+  find_middles(xyz, list);
+  return true;
 }
 
 void void_list_free(struct void_list *list) {

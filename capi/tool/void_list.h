@@ -13,19 +13,23 @@ struct void_cell {
   hsp_cell figures;
   const uint32_t *balls; /* those with a face on it, ascending; in void_list.balls */
   uint32_t ball_count;
+  double middle[3]; /* mean of the centres of these balls */
 };
 
 struct void_list {
   struct void_cell *voids; /* largest volume first */
   uint32_t count;
+  uint32_t smaller; /* voids that were left out because of their volume */
   uint32_t *balls;
 };
 
 #define VOID_LIST_NONE \
-  { NULL, 0, NULL }
+  { NULL, 0, 0, NULL }
 
-/* List the voids of a computed topology. Free the list on true and on false. */
-bool void_list_make(const struct geometry *geometry, struct void_list *list, struct failure *failure);
+/* List the voids of a computed topology that are no smaller than min_volume; xyz [balls][3] are the balls' centres.
+ * Free the list on true and on false. */
+bool void_list_make(const struct geometry *geometry, const double *xyz, double min_volume, struct void_list *list,
+                    struct failure *failure);
 
 void void_list_free(struct void_list *list);
 

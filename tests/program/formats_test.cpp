@@ -103,7 +103,7 @@ std::string measured(const std::string &file, const std::vector<std::string> &op
   arguments.insert(arguments.end(), options.begin(), options.end());
   const Outcome outcome = run_program(arguments);
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  return without_input(outcome.out);
+  return geometry_alone(outcome.out);
 }
 
 TEST(Formats, CrambinInAllOfThem) {

@@ -113,6 +113,33 @@ TEST(Voids, ABallWithTwoFacesOnTheVoid) {
   EXPECT_EQ(balls_of(json["voids"].items[0]), from_to(0, 14));
 }
 
+// The middle of each cage is where it was put; voids that are too small are counted and not listed.
+TEST(Voids, MiddleAndLeastVolume) {
+  const TemporaryFile file("cages.xyzr", cage(1) + cage(3, 20) + cage(2, 40) + cage(1, 60));
+  const Json all = run_json({"voids", file.path()});
+  EXPECT_EQ(all["smaller"].number, 0);
+  const std::vector<double> places = {20, 40};
+  for (size_t i = 0; i < places.size(); ++i) {
+    const std::vector<Json> &middle = all["voids"].items.at(i)["middle"].items;
+    ASSERT_EQ(middle.size(), 3u);
+    EXPECT_NEAR(middle[0].number, places[i], 1e-12);
+    EXPECT_NEAR(middle[1].number, 0, 1e-12);
+    EXPECT_NEAR(middle[2].number, 0, 1e-12);
+  }
+  const std::string between = std::to_string(4 * volume_in_cage());
+  const Json large = run_json({"voids", file.path(), "--min-volume", between});
+  EXPECT_EQ(large["voids"].items.size(), 2u);
+  EXPECT_EQ(large["smaller"].number, 2);
+  const Outcome table = run_program({"voids", file.path(), "--min-volume=" + between});
+  EXPECT_NE(table.out.find("smaller          2"), std::string::npos) << table.out;
+  EXPECT_EQ(table.out.find("balls around"), std::string::npos) << table.out;
+  const Outcome walls = run_program({"voids", file.path(), "--balls", "--min-volume", between});
+  EXPECT_NE(walls.out.find("balls around void 2"), std::string::npos) << walls.out;
+  EXPECT_EQ(walls.out.find("balls around void 3"), std::string::npos) << walls.out;
+  EXPECT_EQ(run_program({"voids", file.path(), "--min-volume", "-1"}).status, 2);
+  EXPECT_EQ(run_program({"boundary", file.path(), "--min-volume", "1"}).status, 2);
+}
+
 // Largest volume first, whatever the order in the file; of equal ones the lower cell.
 TEST(Voids, LargestFirst) {
   const TemporaryFile file("cages.xyzr", cage(1) + cage(3, 20) + cage(2, 40) + cage(1, 60));
