@@ -27,11 +27,13 @@ struct drawn {
   double width; /* in the picture's unit */
   double height;
   uint64_t bytes;
+  double occlusion; /* as it was done */
 };
 
-/* The colour of every ball; to be freed on true. */
+/* The colour of every ball, to be freed on true, and the occlusion in it. */
 static bool make_colours(const struct request *request, const struct molecule *molecule,
-                         const struct geometry *geometry, uint32_t **colour, struct failure *failure) {
+                         const struct geometry *geometry, uint32_t **colour, double *occlusion,
+                         struct failure *failure) {
   const struct drawing *drawing = &request->drawing;
   const uint32_t palette = drawing->palette < 0 ? HSP_PALETTE_SOFT : (uint32_t)drawing->palette;
   if (!chain_numbers_make(molecule, colour, failure)) return false;
@@ -42,9 +44,9 @@ static bool make_colours(const struct request *request, const struct molecule *m
     const uint32_t number = element.text[0] == '\0' ? carbon : element_atomic_number(element);
     (*colour)[i] = hsp_palette_colour(palette, number, chain);
   }
-  const double strength = drawing_occlusion(drawing, molecule->atoms);
+  *occlusion = drawing_occlusion(drawing, molecule->atoms);
   const bool by_default = drawing->occlusion < 0.0;
-  if (occlusion_darken(molecule, geometry, request->probe, strength, by_default, *colour, failure)) return true;
+  if (occlusion_darken(molecule, geometry, request->probe, occlusion, by_default, *colour, failure)) return true;
   free(*colour);
   return false;
 }
@@ -142,7 +144,7 @@ static bool draw(const struct request *request, const struct molecule *molecule,
   uint32_t *colour = NULL;
   if (!view_options_of(&request->drawing, &options, failure)) return false;
   if (drawing_occlusion(&request->drawing, molecule->atoms) > 0.0) progress_show(progress, "shading");
-  if (!make_colours(request, molecule, geometry, &colour, failure)) return false;
+  if (!make_colours(request, molecule, geometry, &colour, &drawn->occlusion, failure)) return false;
   bool done = true;
   if (options.pieces == HSP_PIECES_OUTSIDE_ALL) {
     progress_show(progress, "computing the boundary");
@@ -163,6 +165,8 @@ static void print_json(const struct request *request, const struct molecule *mol
   json_number(out, drawn->width);
   text_buffer_add(out, ", \"height\": ");
   json_number(out, drawn->height);
+  text_buffer_add(out, ", \"occlusion\": ");
+  json_number(out, drawn->occlusion);
   input_report_json(out, request, molecule);
   text_buffer_add(out, "}\n");
 }
@@ -180,6 +184,8 @@ static void print_table(const struct request *request, const struct molecule *mo
   snprintf(value, sizeof value, "%s towards the viewer, %s up", direction_text(towards, drawn->view.towards),
            direction_text(up, drawn->view.up));
   report_row(out, "view", value, "");
+  snprintf(value, sizeof value, "%.6g", drawn->occlusion);
+  report_row(out, "occlusion", value, drawn->occlusion > 0.0 ? "buried balls are darker" : "no ball is darkened");
   report_row_count(out, "pieces", drawn->view.pieces, "painted one over the other, farthest first");
   report_row_count(out, "arcs", drawn->view.arcs, "of circles and ellipses around them");
   report_row_count(out, "bytes", (int64_t)drawn->bytes, "");

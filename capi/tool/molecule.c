@@ -151,6 +151,6 @@ void molecule_free(struct molecule *molecule) {
 
 void label_copy(char *out, size_t room, struct field text) {
   const size_t length = text.length < room ? text.length : room - 1;
-  memcpy(out, text.text, length);
+  if (length > 0) memcpy(out, text.text, length); /* an empty field may have no text */
   out[length] = '\0';
 }

@@ -207,13 +207,16 @@ static uint32_t darkened(uint32_t colour, double darkness) {
          mixed(colour & 0xFF, 0.46, 0.06, darkness);
 }
 
-bool occlusion_darken(const struct molecule *molecule, const struct geometry *geometry, double probe, double strength,
+bool occlusion_darken(const struct molecule *molecule, const struct geometry *geometry, double probe, double *strength,
                       bool limited, uint32_t *colour, struct failure *failure) {
-  double scale;
+  double scale = 0.0;
   bool crowded = false;
-  if (strength == 0.0 || molecule->atoms < 2) return true;
-  if (!find_scale(molecule, probe, &scale, failure)) return false;
-  if (scale == 0.0) return true;
+  if (*strength == 0.0) return true;
+  if (molecule->atoms >= 2 && !find_scale(molecule, probe, &scale, failure)) return false;
+  if (scale == 0.0) {
+    *strength = 0.0;
+    return true;
+  }
   double *exposure = calloc(molecule->atoms, sizeof *exposure);
   double *scratch = calloc(molecule->atoms, sizeof *scratch);
   bool done = exposure != NULL && scratch != NULL;
@@ -223,8 +226,9 @@ bool occlusion_darken(const struct molecule *molecule, const struct geometry *ge
     const double hidden = 1.0 - exposure[i];
     const double curved = hidden * (0.87 + 0.13 * hidden); /* within 0.01 of hidden^1.1 */
     const int shade = (int)(curved * SHADES + 0.5);
-    colour[i] = darkened(colour[i], strength * shade / SHADES);
+    colour[i] = darkened(colour[i], *strength * shade / SHADES);
   }
+  if (crowded) *strength = 0.0;
   free(exposure);
   free(scratch);
   return done;

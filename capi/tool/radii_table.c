@@ -86,7 +86,7 @@ static int order_of_entries(const void *left, const void *right) {
 
 /* Put the entries in order. An atom may stand there twice, but not with two radii. */
 static bool sort_entries(struct radii_table *table, struct failure *failure) {
-  qsort(table->entries, table->count, sizeof *table->entries, order_of_entries);
+  if (table->count > 0) qsort(table->entries, table->count, sizeof *table->entries, order_of_entries);
   for (size_t i = 1; i < table->count; ++i) {
     const struct radii_entry *before = &table->entries[i - 1];
     const struct radii_entry *entry = &table->entries[i];

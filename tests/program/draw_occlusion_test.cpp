@@ -112,6 +112,28 @@ TEST(DrawOcclusion, CrowdedSetsAreNotShadedByDefault) {
   EXPECT_EQ(fills(file.path(), {}), fills(file.path(), {"--occlusion", "0"}));
 }
 
+// The results say how far balls were darkened.
+TEST(DrawOcclusion, IsReported) {
+  const TemporaryFile out("reported.svg");
+  std::string text;
+  for (int i = 0; i < 3000; ++i) text += "0 0 " + std::to_string(i * 1e-3) + " 1\n";
+  const TemporaryFile crowded("crowded.xyzr", text);
+  const std::string crambin = molecules_folder() + "/crambin.pdb";
+  const auto reported = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), {"-o", out.path()});
+    return run_json(arguments)["occlusion"].number;
+  };
+  EXPECT_EQ(reported({"draw", crambin}), 0.5);
+  EXPECT_EQ(reported({"draw", crambin, "--occlusion", "0.7"}), 0.7);
+  EXPECT_EQ(reported({"draw", crambin, "--occlusion", "0"}), 0);
+  EXPECT_EQ(reported({"draw", crambin, "--style", "flat"}), 0);
+  EXPECT_EQ(reported({"draw", "good/one.xyzr"}), 0);
+  EXPECT_EQ(reported({"draw", crowded.path()}), 0);
+  EXPECT_NE(
+      run_program({"draw", crambin, "-o", out.path()}).out.find("  occlusion        0.5            buried balls are"),
+      std::string::npos);
+}
+
 // At both ends of what the library takes, where probes would be too large or too small for it: no shades, no failure.
 TEST(DrawOcclusion, AtTheEndsOfTheLattice) {
   for (const char *unit : {"e30", "e-25", "e-160", "e-300"}) {

@@ -149,8 +149,8 @@ TEST(Draw, JsonSaysWhatStandsInTheFile) {
     std::vector<std::string> arguments = {"draw", crambin(), "-o", out.path()};
     arguments.insert(arguments.end(), it.options.begin(), it.options.end());
     const Json json = run_json(arguments);
-    EXPECT_EQ(json.keys,
-              (std::vector<std::string>{"n", "pieces", "arcs", "bytes", "style", "width", "height", "input"}));
+    EXPECT_EQ(json.keys, (std::vector<std::string>{"n", "pieces", "arcs", "bytes", "style", "width", "height",
+                                                   "occlusion", "input"}));
     const std::string svg = read_file(out.path());
     EXPECT_EQ(json["n"].number, 327);
     EXPECT_EQ(json["bytes"].number, static_cast<double>(svg.size()));
@@ -186,6 +186,7 @@ TEST(Draw, TableOfASingleBall) {
             "\n"
             "  picture          SVG, soft, 1000 x 1000 px\n"
             "  view             (0, 0, 1) towards the viewer, (0, 1, 0) up\n"
+            "  occlusion        0              no ball is darkened\n"
             "  pieces           1              painted one over the other, farthest first\n"
             "  arcs             1              of circles and ellipses around them\n"
             "  bytes            " +
