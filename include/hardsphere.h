@@ -66,6 +66,8 @@
  *   are, on HSP_OK and on HSP_E_CAPACITY. With capacity smaller than that the status is HSP_E_CAPACITY and nothing
  *   is written to out. out == NULL with capacity == 0 asks for the number: HSP_E_CAPACITY if there are records, HSP_OK
  *   if there are none.
+ *   Where a function takes (uint32_t first, uint32_t count, T *out), exactly the records first .. first + count - 1 are
+ *   written, or none with HSP_E_ID. How many there are is known from the counts; out may be NULL with count == 0.
  *
  * STATUS
  *   Every function that can fail returns an int32_t: HSP_OK (0) or a negative number. On failure nothing but what the
