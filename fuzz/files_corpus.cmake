@@ -4,7 +4,7 @@
 file(REMOVE_RECURSE ${CORPUS})
 file(MAKE_DIRECTORY ${CORPUS})
 set(digit 0)  # the digit is the format's number
-foreach(format xyzr pdb pqr xyz cif)
+foreach(format xyzr pdb pqr xyz cif gro)
   file(WRITE ${CORPUS}.format ${digit})
   file(GLOB_RECURSE inputs RELATIVE ${INPUTS} ${INPUTS}/*.${format})
   foreach(input ${inputs})

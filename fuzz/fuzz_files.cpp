@@ -97,7 +97,7 @@ std::string with_line_ends(const std::string &text, const char *line_end) {
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   if (size == 0) return 0;
-  static constexpr const char *extensions[] = {".xyzr", ".pdb", ".pqr", ".xyz", ".cif"};
+  static constexpr const char *extensions[] = {".xyzr", ".pdb", ".pqr", ".xyz", ".cif", ".gro"};
   const char *extension = extensions[static_cast<uint8_t>(data[0] - '0') % std::size(extensions)];
   const std::string text(reinterpret_cast<const char *>(data) + 1, size - 1);
   const Reading reading = read(text, extension);

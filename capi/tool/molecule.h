@@ -12,7 +12,7 @@
 #include "radii_table.h"
 
 /* In the order of the list in read_molecule.c. */
-enum molecule_format { FORMAT_XYZR, FORMAT_PDB, FORMAT_PQR, FORMAT_XYZ, FORMAT_CIF, FORMATS };
+enum molecule_format { FORMAT_XYZR, FORMAT_PDB, FORMAT_PQR, FORMAT_XYZ, FORMAT_CIF, FORMAT_GRO, FORMATS };
 
 /* What a person calls a residue; empty where the file does not say. */
 struct residue_label {

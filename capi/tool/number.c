@@ -63,6 +63,10 @@ static bool parse_exponent(const char *text, size_t length, size_t *at, int64_t 
 }
 
 enum number_status number_parse(const char *text, size_t length, double *value) {
+  return number_parse_times(text, length, 0, value);
+}
+
+enum number_status number_parse_times(const char *text, size_t length, int power, double *value) {
   size_t at = 0;
   const bool negative = length > 0 && text[0] == '-';
   if (length > 0 && (text[0] == '+' || text[0] == '-')) ++at;
@@ -72,7 +76,7 @@ enum number_status number_parse(const char *text, size_t length, double *value) 
   char digits[KEPT_DIGITS + 40];
   uint64_t few = 0; /* the first of them */
   size_t kept = 0;
-  int64_t exponent = 0;
+  int64_t exponent = power;
   bool any_digit = false;
   bool after_point = false;
   bool dropped = false;

@@ -17,6 +17,9 @@ enum number_status {
  * Any number of digits is read, and rounded correctly. The locale has no say. *value is set on NUMBER_OK alone. */
 enum number_status number_parse(const char *text, size_t length, double *value);
 
+/* The same for that number times ten to some power, rounded once as well. */
+enum number_status number_parse_times(const char *text, size_t length, int power, double *value);
+
 /* The same for a plain count: digits only, optionally after a '+'. NUMBER_TOO_LARGE if it exceeds a uint64_t. */
 enum number_status number_parse_count(const char *text, size_t length, uint64_t *value);
 

@@ -8,8 +8,8 @@
 #include "characters.h"
 #include "residue_kinds.h"
 
-static const struct molecule_reader *const readers[FORMATS] = {&xyzr_reader, &pdb_reader, &pqr_reader, &xyz_reader,
-                                                               &cif_reader};
+static const struct molecule_reader *const readers[FORMATS] = {&xyzr_reader, &pdb_reader, &pqr_reader,
+                                                               &xyz_reader,  &cif_reader, &gro_reader};
 
 const char *molecule_format_list(char out[FORMAT_LIST_BYTES], const char *prefix) {
   size_t at = 0;

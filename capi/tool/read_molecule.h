@@ -26,6 +26,7 @@ extern const struct molecule_reader pdb_reader;  /* fixed columns */
 extern const struct molecule_reader pqr_reader;  /* PDB records with charge and radius */
 extern const struct molecule_reader xyz_reader;  /* element x y z */
 extern const struct molecule_reader cif_reader;  /* mmCIF */
+extern const struct molecule_reader gro_reader;  /* fixed columns, in nanometres */
 
 /* Tell by its name, which stands in no columns, what element an atom of the labelled residue is, or that it is none.
  * False: the name does not tell. */

@@ -2,7 +2,7 @@
 // the PDB file by its columns, so that nothing of the program's readers has a part in them.
 #include <gtest/gtest.h>
 
-#include <cstdio>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -98,6 +98,34 @@ std::string as_cif(const std::vector<Atom> &atoms) {
   return text;
 }
 
+// The same digits with the point one place further to the left.
+std::string as_nanometres(const std::string &angstrom) {
+  const bool negative = angstrom.front() == '-';
+  std::string digits;
+  for (const char c : angstrom) {
+    if (c != '-' && c != '.') digits.push_back(c);
+  }
+  const size_t zeros = digits.size() < 5 ? 5 - digits.size() : 0;
+  std::string result(negative ? "-" : "");
+  result.append(zeros, '0').append(digits);
+  result.insert(result.end() - 4, '.');
+  return result;
+}
+
+std::string right(const std::string &text, size_t width) {
+  return std::string(width - text.size(), ' ') + text;
+}
+
+std::string as_gro(const std::vector<Atom> &atoms) {
+  std::string text = "crambin\n" + std::to_string(atoms.size()) + "\n";
+  for (const Atom &atom : atoms) {
+    text += right(atom.number, 5) + atom.residue + "  " + right(atom.name, 5) + "    1";
+    for (const std::string &number : atom.xyz) text += right(as_nanometres(number), 9);
+    text += "\n";
+  }
+  return text + "5 5 5\n";
+}
+
 std::string measured(const std::string &file, const std::vector<std::string> &options = {}) {
   std::vector<std::string> arguments = {"measure", file, "--json", "--per-ball", "--probe", "1.4"};
   arguments.insert(arguments.end(), options.begin(), options.end());
@@ -109,8 +137,11 @@ std::string measured(const std::string &file, const std::vector<std::string> &op
 TEST(Formats, CrambinInAllOfThem) {
   const std::vector<Atom> atoms = atoms_of_crambin();
   const std::string expected = measured(crambin());
-  const std::vector<std::pair<std::string, std::string>> files = {
-      {"xyz", as_xyz(atoms)}, {"pqr", as_pqr(atoms)}, {"xyzr", as_xyzr(atoms)}, {"cif", as_cif(atoms)}};
+  const std::vector<std::pair<std::string, std::string>> files = {{"xyz", as_xyz(atoms)},
+                                                                  {"pqr", as_pqr(atoms)},
+                                                                  {"xyzr", as_xyzr(atoms)},
+                                                                  {"cif", as_cif(atoms)},
+                                                                  {"gro", as_gro(atoms)}};
   for (const auto &[extension, text] : files) {
     const TemporaryFile file("crambin." + extension, text);
     EXPECT_EQ(measured(file.path()), expected) << extension;
@@ -224,6 +255,50 @@ TEST(Cif, Elements) {
   const std::string csv = run_program({"measure", file.path(), "--csv"}).out;
   for (const char *row : {"\n0,,O,", "\n1,,Zn,", "\n2,,Cl,", "\n3,,H,", "\n4,,Na,"}) {
     EXPECT_NE(csv.find(row), std::string::npos) << row << csv;
+  }
+}
+
+// Elements and residues by names alone.
+TEST(Gro, Names) {
+  const std::string csv = run_program({"measure", "good/residues.gro", "--csv"}).out;
+  for (const char *row :
+       {"\n0,N,N,,ALA,1,,0,0,0,", "\n1,CA,C,,ALA,1,,10,0,0,", "\n2,HB1,H,,ALA,1,,20,0,0,", "\n3,NA,Na,,ION,2,,30,0,0,",
+        "\n4,P,P,,POPC,99999,,40,0,0,", "\n5,C210,C,,POPC,0,,50,0,0,", "\n6,CL,Cl,,CL,0,,-60,0,0,"}) {
+    EXPECT_NE(csv.find(row), std::string::npos) << row << csv;
+  }
+}
+
+TEST(Gro, Models) {
+  const std::vector<std::pair<double, double>> expected = {{3, 2}, {1, 4}};
+  for (size_t model = 1; model <= expected.size(); ++model) {
+    const Json input = run_json({"measure", "good/water_two_models.gro", "--model", std::to_string(model)})["input"];
+    EXPECT_EQ(input["models"].number, 3);
+    EXPECT_EQ(input["balls"].number, expected[model - 1].first) << model;
+    EXPECT_EQ(input["left_out"]["other_models"].number, expected[model - 1].second) << model;
+  }
+  // The third is broken off.
+  EXPECT_EQ(run_program({"measure", "good/water_two_models.gro", "--model", "3"}).status, 1);
+}
+
+// Nanometres become angstrom by their digits: 0.1 + 0.2 and the like leave no trace.
+TEST(Gro, NothingIsRoundedOnTheWay) {
+  std::string text = "digits\n9999\n";
+  for (int i = 1; i < 10000; ++i) {
+    const std::string digits = std::to_string(i);
+    text += "    1LIG      C    1   0." + std::string(4 - digits.size(), '0') + digits + "   1.0000   0.0000\n";
+  }
+  const TemporaryFile file("digits.gro", text + "1 1 1\n");
+  const Outcome outcome = run_program({"measure", file.path(), "--csv", "--radius", "C=0.0001"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  std::istringstream lines(outcome.out);
+  std::string line;
+  std::getline(lines, line);
+  for (int i = 1; i < 10000; ++i) {
+    std::getline(lines, line);
+    std::istringstream fields(line);
+    std::string field;
+    for (int column = 0; column <= 7; ++column) std::getline(fields, field, ',');
+    EXPECT_EQ(std::stod(field), i / 1000.0) << line;  // both are correctly rounded
   }
 }
 

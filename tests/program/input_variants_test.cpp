@@ -67,7 +67,8 @@ INSTANTIATE_TEST_SUITE_P(Program, InputVariant, testing::ValuesIn(all_variants()
 // The formats of one molecule with one set of radii agree as well.
 TEST(InputFormats, AgreeOnTheSameMolecule) {
   std::set<std::string> results;
-  for (const char *file : {"good/three.xyzr", "good/water.pdb", "good/water.pqr", "good/water.xyz", "good/water.cif"}) {
+  for (const char *file :
+       {"good/three.xyzr", "good/water.pdb", "good/water.pqr", "good/water.xyz", "good/water.cif", "good/water.gro"}) {
     const Outcome outcome = run_program({"measure", file, "--per-ball", "--json"});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     results.insert(geometry_alone(outcome.out));
@@ -77,7 +78,7 @@ TEST(InputFormats, AgreeOnTheSameMolecule) {
 
 // Were the list empty, the tests above would say nothing.
 TEST(InputFormats, HaveVariants) {
-  EXPECT_GE(all_variants().size(), 55u);
+  EXPECT_GE(all_variants().size(), 65u);
 }
 
 }  // namespace

@@ -44,6 +44,23 @@ TEST(Number, Spellings) {
   EXPECT_EQ(parsed("12345678.90625"), 12345678.90625);
 }
 
+// A power of ten is part of the number before it is rounded: 0.3 x 10 is 3, and 2.9 is the double nearest to it.
+TEST(Number, TimesAPowerOfTen) {
+  const auto times = [](const std::string &text, int power) {
+    double value = -12345;
+    EXPECT_EQ(number_parse_times(text.data(), text.size(), power, &value), NUMBER_OK) << text;
+    return value;
+  };
+  EXPECT_EQ(times("0.29", 1), 2.9);
+  EXPECT_EQ(times("-0.0586", 1), -0.586);
+  EXPECT_EQ(times("58.6", -1), 5.86);
+  EXPECT_EQ(times("12345678901234567890123", -22), 1.2345678901234567890123);
+  EXPECT_EQ(times("0", 5), 0.0);
+  EXPECT_EQ(times("1e-2", 3), 10.0);
+  double value = 7;
+  EXPECT_EQ(number_parse_times("1e308", 5, 1, &value), NUMBER_TOO_LARGE);
+}
+
 TEST(Number, Zeros) {
   for (const char *zero : {"0", "-0", "0.000", ".0", "0.", "0e999999999999999999999999", "0d-99999999999999999999"}) {
     EXPECT_EQ(parsed(zero), 0.0) << zero;

@@ -1,0 +1,145 @@
+/* .gro, GROMACS's own format: a title, the number of atoms, the atoms in fixed columns, and the box. A trajectory
+ * repeats all that: each time is a model. Of an atom's line count, in columns from 1: residue number 1-5 and name 6-10,
+ * atom name 11-15, and from 21 on x, y, z, each as wide as its decimal points lie apart, so that any precision can be
+ * read. The numbers are nanometres and become angstrom without being rounded on the way. */
+#include <inttypes.h>
+#include <string.h>
+
+#include "number.h"
+#include "read_molecule.h"
+
+enum { FIRST_COORDINATE = 20 /* counted from 0 */, POWER_OF_NANOMETRE = 1 };
+
+/* How far the decimal points of a line's coordinates lie apart; 0: they are not there, or not in equal columns. */
+static size_t width_of(const struct line_reader *reader) {
+  const char *point[3];
+  const char *at = reader->text + FIRST_COORDINATE;
+  if (reader->length <= FIRST_COORDINATE) return 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    point[axis] = strchr(at, '.');
+    if (point[axis] == NULL) return 0;
+    at = point[axis] + 1;
+  }
+  const size_t width = (size_t)(point[1] - point[0]);
+  return (size_t)(point[2] - point[1]) == width ? width : 0;
+}
+
+static bool take_coordinate(const struct line_reader *reader, size_t width, int axis, double *value,
+                            struct failure *failure) {
+  const size_t first = FIRST_COORDINATE + (size_t)axis * width + 1;
+  const struct field number = field_in_columns(reader->text, reader->length, first, first + width - 1);
+  const enum number_status status = number_parse_times(number.text, number.length, POWER_OF_NANOMETRE, value);
+  if (status == NUMBER_OK) return true;
+  if (number.length == 0) {
+    return failure_in_input(failure, reader->number, "%c (columns %u-%u) is missing", "xyz"[axis], (unsigned)first,
+                            (unsigned)(first + width - 1));
+  }
+  char shown[EXCERPT_BYTES];
+  return failure_in_input(failure, reader->number, "%c (columns %u-%u): '%s' %s", "xyz"[axis], (unsigned)first,
+                          (unsigned)(first + width - 1), excerpt(shown, number.text, number.length),
+                          number_complaint(status));
+}
+
+static bool read_atom(const struct line_reader *reader, size_t width, struct molecule *molecule,
+                      struct failure *failure) {
+  const char *text = reader->text;
+  const size_t length = reader->length;
+  if (width == 0) {
+    return failure_in_input(failure, reader->number,
+                            "expected x y z in columns of equal width from column 21 on, each with a decimal point");
+  }
+  double xyz[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!take_coordinate(reader, width, axis, &xyz[axis], failure)) return false;
+  }
+  struct atom_label label = ATOM_LABEL_NONE;
+  const struct field name = field_in_columns(text, length, 11, 15);
+  label_copy(label.residue.number, sizeof label.residue.number, field_in_columns(text, length, 1, 5));
+  label_copy(label.residue.name, sizeof label.residue.name, field_in_columns(text, length, 6, 10));
+  label_copy(label.name, sizeof label.name, name);
+  if (label_take_element(&label, name)) return molecule_add(molecule, xyz, 0.0, &label, reader->number, failure);
+  char shown[EXCERPT_BYTES];
+  return failure_in_input(failure, reader->number, "no element in the atom name '%s'",
+                          excerpt(shown, name.text, name.length));
+}
+
+static bool is_empty(const struct line_reader *reader) {
+  struct field field;
+  return fields_split(reader->text, reader->length, &field, 1) == 0;
+}
+
+/* The number of atoms alone on a line. */
+static bool is_count(const struct line_reader *reader, uint64_t *count) {
+  struct field field;
+  return fields_split(reader->text, reader->length, &field, 1) == 1 &&
+         number_parse_count(field.text, field.length, count) == NUMBER_OK;
+}
+
+/* Three or nine numbers. */
+static bool is_box(const struct line_reader *reader) {
+  struct field field[9];
+  const size_t count = fields_split(reader->text, reader->length, field, 9);
+  if (count != 3 && count != 9) return false;
+  for (size_t i = 0; i < count; ++i) {
+    double ignored;
+    if (number_parse(field[i].text, field[i].length, &ignored) != NUMBER_OK) return false;
+  }
+  return true;
+}
+
+/* Step over a title, which may be empty, to the number of atoms behind it. LINE_END: only empty lines are left. */
+static enum line_status find_model(struct line_reader *reader, const struct molecule *molecule, uint64_t *count,
+                                   struct failure *failure) {
+  enum line_status status = line_reader_next(reader, failure);
+  while (status == LINE_READ) {
+    const bool empty = is_empty(reader);
+    status = line_reader_next(reader, failure);
+    if (status == LINE_READ && is_count(reader, count)) return LINE_READ;
+    if (empty || status == LINE_FAILED) continue; /* what follows empty lines is a title */
+    if (status == LINE_END && molecule->models >= molecule->model) return LINE_END;
+    failure_in_input(failure, reader->number, "expected the number of atoms alone on the line after the title");
+    return LINE_FAILED;
+  }
+  return status;
+}
+
+/* Read the atoms of a model and its box, or step over them. *read: atoms found. */
+static enum line_status read_model(struct line_reader *reader, uint64_t count, bool wanted, struct molecule *molecule,
+                                   uint64_t *read, struct failure *failure) {
+  size_t width = 0;
+  enum line_status status = LINE_READ;
+  for (*read = 0; *read < count; ++*read) {
+    status = line_reader_next(reader, failure);
+    if (status != LINE_READ) return status;
+    if (!wanted) continue;
+    if (*read == 0) width = width_of(reader);
+    if (!read_atom(reader, width, molecule, failure)) return LINE_FAILED;
+  }
+  status = line_reader_next(reader, failure);
+  if (status != LINE_READ || is_box(reader)) return status;
+  failure_in_input(failure, reader->number, "expected the box, three or nine numbers, after %" PRIu64 " atom%s", count,
+                   count == 1 ? "" : "s");
+  return LINE_FAILED;
+}
+
+static bool read_gro(struct line_reader *reader, struct molecule *molecule, struct failure *failure) {
+  for (;;) {
+    uint64_t count = 0;
+    enum line_status status = find_model(reader, molecule, &count, failure);
+    if (status != LINE_READ) return status == LINE_END;
+    const uint64_t count_line = reader->number;
+    ++molecule->models;
+    uint64_t read = 0;
+    const bool wanted = molecule->models == molecule->model;
+    status = read_model(reader, count, wanted, molecule, &read, failure);
+    if (status == LINE_FAILED) return false;
+    if (!wanted) molecule->left_out.other_models += read;
+    /* What breaks off behind the model that is wanted, as in a run that was stopped, does not concern it. */
+    if (read < count && molecule->models <= molecule->model) {
+      return failure_in_input(failure, count_line, "%" PRIu64 " atoms announced, the file ends after %" PRIu64, count,
+                              read);
+    }
+  }
+}
+
+const struct molecule_reader gro_reader = {"gro", "GRO", false, true, true, "angstrom", read_gro};
