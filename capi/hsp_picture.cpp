@@ -34,25 +34,33 @@ hsp_picture_options defaults() {
           select.outline_colour,
           select.background,
           0,
-          0};
+          0,
+          select.scale,
+          {select.centre[0], select.centre[1], select.centre[2]}};
+}
+
+bool has_centre(const hsp_picture_options &options) {
+  return options.centre[0] != 0.0 || options.centre[1] != 0.0 || options.centre[2] != 0.0;
 }
 
 bool is_valid(const hsp_picture_options &options) {
   return options.format <= HSP_FORMAT_PDF && options.style <= HSP_STYLE_SOFT && options.unit <= HSP_UNIT_MM &&
          (options.flags & ~(HSP_PICTURE_NO_IDS | HSP_PICTURE_NO_BACKGROUND)) == 0 && options.reserved == 0 &&
-         !(options.width == 0.0 && options.height == 0.0) && options.outline_colour <= largest_colour &&
-         options.background <= largest_colour;
+         !(options.width == 0.0 && options.height == 0.0) && !(options.scale == 0.0 && has_centre(options)) &&
+         options.outline_colour <= largest_colour && options.background <= largest_colour;
 }
 
 bool is_finite(const hsp_picture_options &options) {
   return hsp::is_finite(options.width) && hsp::is_finite(options.height) && hsp::is_finite(options.margin) &&
-         hsp::is_finite(options.outline) && hsp::is_finite(options.fog);
+         hsp::is_finite(options.outline) && hsp::is_finite(options.fog) && hsp::is_finite(options.scale) &&
+         hsp::is_finite(options.centre[0]) && hsp::is_finite(options.centre[1]) && hsp::is_finite(options.centre[2]);
 }
 
 bool is_in_range(const hsp_picture_options &options) {
   const auto within = [](double value, double low, double high) { return low <= value && value <= high; };
   return within(options.width, 0.0, longest) && within(options.height, 0.0, longest) &&
-         within(options.margin, 0.0, largest_margin) && options.outline <= longest && within(options.fog, 0.0, 1.0);
+         within(options.margin, 0.0, largest_margin) && options.outline <= longest && within(options.fog, 0.0, 1.0) &&
+         options.scale >= 0.0;
 }
 
 bool are_colours(const uint32_t *colour, uint32_t n) {
@@ -74,10 +82,22 @@ hsp::PictureOptions from_c(const hsp_picture_options &options) {
           options.outline_colour,
           options.background,
           (options.flags & HSP_PICTURE_NO_IDS) == 0,
-          (options.flags & HSP_PICTURE_NO_BACKGROUND) == 0};
+          (options.flags & HSP_PICTURE_NO_BACKGROUND) == 0,
+          options.scale,
+          {options.centre[0], options.centre[1], options.centre[2]}};
 }
 
 }  // namespace
+
+namespace hsp::capi {
+
+// It ended with `reserved` in version 0.1.
+template <>
+constexpr bool is_earlier_size<hsp_picture_options>(uint32_t size) {
+  return size == 72;
+}
+
+}  // namespace hsp::capi
 
 int32_t hsp_picture_options_init(hsp_picture_options *options, uint32_t struct_size) {
   return hsp::capi::write_struct(defaults(), options, struct_size) ? HSP_OK : HSP_E_ARGUMENT;

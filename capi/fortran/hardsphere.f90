@@ -376,6 +376,8 @@ module hardsphere
     integer(c_int32_t) :: background   ! 0xRRGGBB
     integer(c_int32_t) :: flags        ! HSP_PICTURE_*
     integer(c_int32_t) :: reserved
+    real(c_double) :: scale            ! of a fixed frame: px or mm per unit of length; 0: fitted
+    real(c_double) :: centre(3)        ! of a fixed frame
   end type
 
   ! What takes the bytes of a picture: 0 to go on, anything else to stop.

@@ -21,40 +21,54 @@ extern "C" {
 /** Takes `count` bytes; returns 0 to go on and anything else to stop. */
 typedef int32_t (*hsp_sink)(void *context, const char *bytes, size_t count);
 
-#define HSP_FORMAT_SVG UINT32_C(0)
-#define HSP_FORMAT_EPS UINT32_C(1)
-#define HSP_FORMAT_PDF UINT32_C(2)
+#define HSP_FORMAT_SVG UINT32_C(0) /**< Scalable Vector Graphics 1.1 */
+#define HSP_FORMAT_EPS UINT32_C(1) /**< Encapsulated PostScript, language level 3 */
+#define HSP_FORMAT_PDF UINT32_C(2) /**< PDF 1.4, one page */
 
 #define HSP_STYLE_FLAT UINT32_C(0)      /**< one colour per ball */
 #define HSP_STYLE_HEADLIGHT UINT32_C(1) /**< light from the viewer, Lambert's law in 16 steps of a radial gradient */
 #define HSP_STYLE_SOFT UINT32_C(2)      /**< light from the upper left, an approximation by a focal gradient */
 
 #define HSP_UNIT_PX UINT32_C(0) /**< 1/96 inch */
-#define HSP_UNIT_MM UINT32_C(1)
+#define HSP_UNIT_MM UINT32_C(1) /**< millimetres */
 
 #define HSP_PICTURE_NO_IDS UINT32_C(1) /**< SVG without data-ball */
 /** Nothing behind the balls; fog still fades to the background colour. */
 #define HSP_PICTURE_NO_BACKGROUND UINT32_C(2)
 
-/** What a picture looks like. hsp_picture_options_init sets the defaults; every field means what it says. */
+/** What a picture looks like. hsp_picture_options_init sets the defaults; every field means what it says.
+ *
+ *  Without a scale all that is seen is fitted into the picture: of width and height the one that is 0 follows, and with
+ *  both given the balls are in the middle. With a scale the frame is fixed, for movies and for pictures side by side:
+ *  `centre` is in the middle whatever the direction, lengths are the same in every picture, and a side that is 0 is as
+ *  long as the other one. What lies beyond the edges is cut off there: by the viewBox of SVG, a clip path of EPS, the
+ *  MediaBox of PDF. Chosen lines depend on the scale and on the radii of all balls of the model alone. Fog still goes
+ *  from the nearest to the farthest ball of the view.
+ *  What is fitted without a margin into a picture of the shape of its box (hsp_view_info) has the scale
+ *  width / (high[0] - low[0]) and the centre origin + right (low[0] + high[0]) / 2 + up (low[1] + high[1]) / 2. */
 typedef struct hsp_picture_options {
-  uint32_t struct_size;    /**< sizeof(hsp_picture_options) */
-  uint32_t format;         /**< HSP_FORMAT_*; default SVG */
-  uint32_t style;          /**< HSP_STYLE_*; default flat */
-  uint32_t unit;           /**< HSP_UNIT_* of width, height and outline; default px */
-  double width;            /**< of the picture; 0: follows from height; less than 0.01 counts as 0.01; default 1000 */
-  double height;           /**< likewise, from width; default 0. With both given the balls are centred */
-  double margin;           /**< around the balls, as a part of the larger side of their box, in [0, 10]; default 0.03 */
-  double outline;          /**< width of the lines along silhouettes and intersections; 0 (or less than 5e-5 px): none;
+  uint32_t struct_size; /**< sizeof(hsp_picture_options) */
+  uint32_t format;      /**< HSP_FORMAT_*; default SVG */
+  uint32_t style;       /**< HSP_STYLE_*; default flat */
+  uint32_t unit;        /**< HSP_UNIT_* of width, height and outline; default px */
+  double width;         /**< of the picture; 0: follows from height; less than 0.01 counts as 0.01; default 1000 */
+  double height;        /**< likewise, from width; default 0 */
+  double margin;        /**< around the balls, as a part of the larger side of their box, in [0, 10]; default 0.03. Of
+                                no effect with a scale */
+  double outline;       /**< width of the lines along silhouettes and intersections; 0 (or less than 5e-5 px): none;
                                 < 0: chosen; default -1 */
-  double fog;              /**< how far the farthest ball fades to the background, in [0, 1]; default 0.3 */
+  double fog;           /**< how far the farthest ball fades to the background, in [0, 1]; default 0.3 */
   uint32_t outline_colour; /**< 0xRRGGBB; default 0x23202B */
   uint32_t background;     /**< 0xRRGGBB; default 0xFFFFFF */
   uint32_t flags;          /**< HSP_PICTURE_*; default 0 */
   uint32_t reserved;       /**< 0 */
+  double scale;     /**< of a fixed frame: px or mm of the picture per unit of length; default 0: no fixed frame */
+  double centre[3]; /**< of a fixed frame: the point in space in its middle, length; default 0 0 0. Without a scale it
+                                has to be that */
 } hsp_picture_options;
 
-/** Fill options with defaults. HSP_E_ARGUMENT: options is NULL or struct_size is bad. */
+/** Fill options with defaults.
+ *  @retval HSP_E_ARGUMENT  options is NULL or struct_size is bad */
 HSP_API int32_t hsp_picture_options_init(hsp_picture_options *options, uint32_t struct_size);
 
 #define HSP_PALETTE_SOFT UINT32_C(0)  /**< muted colours by element */
@@ -70,14 +84,20 @@ HSP_API uint32_t hsp_palette_colour(uint32_t palette, uint32_t atomic_number, ui
  *  description are NUL-terminated UTF-8 texts for the file, NULL or empty for none; what a format cannot hold is
  *  replaced by '?'. sink is called any number of times in order with at most 1024 bytes and is given `context`; bytes,
  *  if not NULL, becomes the number of bytes that the sink has taken.
- *  HSP_E_ARGUMENT: view or sink NULL, unknown format, style, unit or flag, reserved not 0, width and height both 0, a
- *  colour above 0xFFFFFF. HSP_E_NOT_FINITE: a value of options is NaN or infinite. HSP_E_RANGE: width or height
- *  negative or beyond 1e6, margin or fog beyond its range, outline beyond 1e6. HSP_E_STATE: the view holds no results.
- *  HSP_E_SINK: the sink refused. Apart from that the sink is called only if all is well.
- *  Uses the view's scratch memory, hence not const; results stay valid.
- *  Property 1: the same bytes for every order of the balls, up to the values of data-ball. (Of balls that are equal in
- *  centre and radius the first one counts, with its colour.)
- *  Cost: O(pieces log pieces + arcs); bytes proportional to arcs. */
+ *  The sink is called only when all else is well. Uses the view's scratch memory, hence not const; results stay valid.
+ *  - Property 1: the same bytes for every order of the balls, up to the values of data-ball. (Of balls that are equal
+ *    in centre and radius the first one counts, with its colour.)
+ *
+ *  Cost: O(pieces log pieces + arcs); bytes proportional to arcs.
+ *  @retval HSP_E_ARGUMENT    view or sink is NULL; unknown format, style, unit or flag; reserved is not 0; bad
+ *                            struct_size; width and height are both 0; a centre without a scale; a colour above
+ *                            0xFFFFFF
+ *  @retval HSP_E_STATE       the view holds no results, or the model has changed since
+ *  @retval HSP_E_SINK        the sink refused
+ *  @retval HSP_E_NOT_FINITE  a value of options is NaN or infinite
+ *  @retval HSP_E_RANGE       width or height is negative or beyond 1e6, margin or fog beyond its range, outline beyond
+ *                            1e6, scale negative; a ball reaches farther than 1e7 px from the middle of a fixed
+ *                            frame */
 HSP_API int32_t hsp_picture_write(hsp_view *view, const uint32_t *colour, const hsp_picture_options *options,
                                   const char *title, const char *description, hsp_sink sink, void *context,
                                   uint64_t *bytes);

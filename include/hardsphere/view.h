@@ -2,8 +2,8 @@
  *
  * A view looks at the balls from infinitely far away. View coordinates: x to the right, y up, z towards the viewer, so
  * that a larger z is nearer; (x, y) is the view plane. What is painted of a ball is a piece of its front hemisphere:
- *   HSP_PIECES_OUTSIDE_FARTHER   the front hemisphere outside all farther balls (Lemma 5.3)
- *   HSP_PIECES_OUTSIDE_ALL   the front hemisphere outside all other balls: the front part of its faces (Theorem 5.1)
+ *   HSP_PIECES_OUTSIDE_FARTHER   G-pieces: outside all farther balls (Lemma 5.3)
+ *   HSP_PIECES_OUTSIDE_ALL       H-pieces: outside all other balls, the front part of the ball's faces (Theorem 5.1)
  * A ball is farther if its centre has the smaller z, exactly; of centres with equal z, the one of the ball that comes
  * first by (x, y, z, radius) of the caller's coordinates. Painting whole pieces from the farthest ball to the nearest
  * shows exactly what is visible. (The paper's theorem says "decreasing z" with viewing direction -z; back to front is
@@ -29,6 +29,7 @@
 extern "C" {
 #endif
 
+/** The balls as they are seen from one direction. */
 typedef struct hsp_view hsp_view;
 
 /** The limits that fix a view's memory. */
@@ -40,13 +41,16 @@ typedef struct hsp_view_limits {
 } hsp_view_limits;
 
 /** Limits that suffice for molecules of `balls` atoms: neighbours min(balls, 256), arcs 12 balls + 64.
- *  HSP_E_ARGUMENT: limits is NULL or struct_size is bad. HSP_E_RANGE: more than
- *  (HSP_MAX_BALLS - 64) / 12 balls; set the limits by hand then. */
+ *  @retval HSP_E_ARGUMENT  limits is NULL or struct_size is bad
+ *  @retval HSP_E_RANGE     more than (HSP_MAX_BALLS - 64) / 12 balls; set the limits by hand then */
 HSP_API int32_t hsp_view_limits_init(hsp_view_limits *limits, uint32_t struct_size, uint32_t balls);
 
-/** Bytes that hsp_view_init needs. HSP_E_ARGUMENT: null pointer, bad struct_size. HSP_E_RANGE: a limit is larger than
- *  HSP_MAX_BALLS, or the size does not fit a size_t.
- *  Property 1: at most HSP_VIEW_BYTES of the three limits. Property 2: grows with each limit. */
+/** Bytes that hsp_view_init needs.
+ *  - Property 1: at most HSP_VIEW_BYTES of the three limits.
+ *  - Property 2: grows with each limit.
+ *
+ *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
+ *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
 HSP_API int32_t hsp_view_bytes(const hsp_view_limits *limits, size_t *bytes);
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
@@ -54,7 +58,9 @@ HSP_API int32_t hsp_view_bytes(const hsp_view_limits *limits, size_t *bytes);
   ((size_t)32768 + (size_t)192 * (size_t)(balls) + (size_t)384 * (size_t)(neighbours) + (size_t)64 * (size_t)(arcs))
 
 /** Make an empty view in caller memory of any alignment; sets *view.
- *  HSP_E_ARGUMENT, HSP_E_RANGE as hsp_view_bytes; HSP_E_MEMORY: bytes too small (nothing is written). */
+ *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
+ *  @retval HSP_E_MEMORY    bytes is less than hsp_view_bytes says; nothing is written
+ *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
 HSP_API int32_t hsp_view_init(void *memory, size_t bytes, const hsp_view_limits *limits, hsp_view **view);
 
 #define HSP_PIECES_OUTSIDE_FARTHER UINT32_C(0) /**< front hemispheres outside farther balls; needs no boundary */
@@ -75,14 +81,16 @@ typedef struct hsp_view_options {
                      to towards: 0 1 0, or 0 0 1 if towards is parallel to that */
 } hsp_view_options;
 
-/** Fill options with defaults. HSP_E_ARGUMENT: options is NULL or struct_size is bad. */
+/** Fill options with defaults.
+ *  @retval HSP_E_ARGUMENT  options is NULL or struct_size is bad */
 HSP_API int32_t hsp_view_options_init(hsp_view_options *options, uint32_t struct_size);
 
 /** Set towards and up so that the balls appear turned: by x degrees about the x axis (right), then by y degrees about
  *  the y axis (up), then by z degrees about the z axis (towards the viewer), each counter-clockwise seen from the
- *  axis's positive end. In degrees, so that quarter turns are exact.
- *  HSP_E_ARGUMENT: options is NULL or its struct_size is wrong. HSP_E_NOT_FINITE: an angle is NaN or infinite.
- *  HSP_E_RANGE: an angle is beyond 1e6. On failure nothing is written. */
+ *  axis's positive end. In degrees, so that quarter turns are exact. On failure nothing is written.
+ *  @retval HSP_E_ARGUMENT    options is NULL or its struct_size is bad
+ *  @retval HSP_E_NOT_FINITE  an angle is NaN or infinite
+ *  @retval HSP_E_RANGE       an angle is beyond 1e6 */
 HSP_API int32_t hsp_view_options_turn(hsp_view_options *options, double x, double y, double z);
 
 /** Cut and sort the pieces for one direction; any number of times, from any directions. boundary: one computed from the
@@ -92,64 +100,76 @@ HSP_API int32_t hsp_view_options_turn(hsp_view_options *options, double x, doubl
  *  after hsp_model_init in the model's memory it must be called again before them. The boundary is not needed after
  *  the call.
  *  towards is rounded to integers with a largest component of 2^28, so that axes and diagonals are exact.
- *  limits: see LIMITS above; at most three retries.
- *  HSP_E_ARGUMENT: view or model NULL, bad options or struct_size of limits, no boundary for H-pieces or one of
- *  another model. HSP_E_STATE: the boundary holds no results. HSP_E_NOT_FINITE: a component of towards or up is NaN or
- *  infinite. HSP_E_CAPACITY: a limit is too small. On failure the view holds no results.
- *  Property 1: the order of the balls has no effect but on ids.
+ *  limits: see LIMITS in hardsphere.h; at most three retries. On failure the view holds no results.
+ *  - Property 1: the order of the balls has no effect but on ids.
+ *
  *  Cost: O(n) to leave out hidden balls, O(m log m) to sort the m that are left, and for each of these O(k) at H-pieces
- *  and O(k^2) at G-pieces expected, with k balls that meet it. */
+ *  and O(k^2) at G-pieces expected, with k balls that meet it.
+ *  @retval HSP_E_ARGUMENT    view or model is NULL; bad options; bad struct_size of limits; H-pieces without a
+ *                            boundary; a boundary of another model
+ *  @retval HSP_E_CAPACITY    a limit is too small
+ *  @retval HSP_E_STATE       the boundary holds no results, or the model has changed since
+ *  @retval HSP_E_NOT_FINITE  a component of towards or up is NaN or infinite */
 HSP_API int32_t hsp_view_compute(hsp_view *view, const hsp_model *model, const hsp_boundary *boundary,
                                  const hsp_view_options *options, hsp_view_limits *limits);
 
-/** What the view shows, and where. */
+/** What the view shows, and where. Frozen. */
 typedef struct hsp_view_info {
-  double origin[3]; /**< the point with view coordinates 0 0 0: the middle of the balls' centres, length */
-  double right[3];  /**< unit vectors: the axes of the view coordinates */
-  double up[3];
-  double towards[3];
-  double low[2]; /**< of the view plane, the box of all pieces' silhouettes, length; 0 0 to 0 0 without pieces */
-  double high[2];
-  double depth_low; /**< z of the farthest and the nearest centre with a piece, length */
-  double depth_high;
-  uint32_t pieces;
-  uint32_t loops;
-  uint32_t arcs;
-  uint32_t kind; /**< HSP_PIECES_* */
+  double origin[3];  /**< the point with view coordinates 0 0 0: the middle of the balls' centres, length */
+  double right[3];   /**< unit vector: the x axis of the view coordinates */
+  double up[3];      /**< unit vector: the y axis */
+  double towards[3]; /**< unit vector: the z axis */
+  double low[2];     /**< of the box of all pieces' silhouettes in the view plane, length; 0 0 without pieces */
+  double high[2];    /**< of the same box */
+  double depth_low;  /**< z of the farthest centre with a piece, length */
+  double depth_high; /**< z of the nearest centre with a piece, length */
+  uint32_t pieces;   /**< number of pieces */
+  uint32_t loops;    /**< of all pieces */
+  uint32_t arcs;     /**< of all loops */
+  uint32_t kind;     /**< HSP_PIECES_* */
 } hsp_view_info;
 
-/** HSP_E_ARGUMENT: a null pointer. HSP_E_STATE: nothing computed, or the model has changed since. */
+/** Describe the view.
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
 HSP_API int32_t hsp_view_get_info(const hsp_view *view, hsp_view_info *info);
 
+/** What is painted of one ball. Frozen. */
 typedef struct hsp_view_piece {
   double centre[2];    /**< of the ball, in the view plane, length */
   double depth;        /**< z of the ball's centre, length; rounded, while the order of the pieces is exact */
   double radius;       /**< of the ball, length */
   uint32_t ball;       /**< the caller's index */
   uint32_t first_loop; /**< its loops are first_loop .. first_loop + loops - 1 */
-  uint32_t loops;
-  uint32_t first_arc; /**< its arcs are first_arc .. first_arc + arcs - 1, loop after loop */
-  uint32_t arcs;
-  uint32_t reserved;
+  uint32_t loops;      /**< at least 1 */
+  uint32_t first_arc;  /**< its arcs are first_arc .. first_arc + arcs - 1, loop after loop */
+  uint32_t arcs;       /**< at least 1 */
+  uint32_t reserved;   /**< 0 */
 } hsp_view_piece;
 
 /** The pieces in drawing order, farthest first; pieces without arcs (nothing to draw) are left out.
- *  HSP_E_ARGUMENT, HSP_E_STATE as hsp_view_get_info, HSP_E_CAPACITY as described above. */
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
 HSP_API int32_t hsp_view_get_pieces(const hsp_view *view, hsp_view_piece *out, uint32_t capacity, uint32_t *needed);
 
+/** A closed boundary of a piece. Frozen. */
 typedef struct hsp_view_loop {
   uint32_t piece;     /**< index in hsp_view_get_pieces */
   uint32_t first_arc; /**< its arcs are first_arc .. first_arc + arcs - 1, each beginning where the one before ends */
   uint32_t arcs;      /**< at least 1: a whole circle or ellipse is one arc */
-  uint32_t reserved;
+  uint32_t reserved;  /**< 0 */
 } hsp_view_loop;
 
-/** The loops, piece after piece. Statuses as hsp_view_get_pieces. */
+/** The loops, piece after piece.
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
 HSP_API int32_t hsp_view_get_loops(const hsp_view *view, hsp_view_loop *out, uint32_t capacity, uint32_t *needed);
 
 /** An arc of a circle or ellipse in the view plane: the points
  *      centre + semi_axis[0] cos(t) (cos rotation, sin rotation) + semi_axis[1] sin(t) (-sin rotation, cos rotation)
- *  for t from `from` to `to`; to > from: counter-clockwise, to < from: clockwise. */
+ *  for t from `from` to `to`; to > from: counter-clockwise, to < from: clockwise. Frozen. */
 typedef struct hsp_view_arc {
   double centre[2];    /**< length */
   double semi_axis[2]; /**< the larger and the smaller one, length; the smaller is 0 for a circle seen edge on */
@@ -162,9 +182,13 @@ typedef struct hsp_view_arc {
   uint32_t other_ball; /**< the ball whose sphere it lies on too, the caller's index; HSP_NONE on the silhouette */
 } hsp_view_arc;
 
-/** The arcs, loop after loop. Statuses as hsp_view_get_pieces.
- *  Property 1: the arcs of a loop are closed: the end of each is the start of the next.
- *  Property 2: start and end agree with centre, semi-axes, rotation and parameters up to rounding. */
+/** The arcs, loop after loop.
+ *  - Property 1: the arcs of a loop are closed: the end of each is the start of the next.
+ *  - Property 2: start and end agree with centre, semi-axes, rotation and parameters up to rounding.
+ *
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
 HSP_API int32_t hsp_view_get_arcs(const hsp_view *view, hsp_view_arc *out, uint32_t capacity, uint32_t *needed);
 
 #ifdef __cplusplus

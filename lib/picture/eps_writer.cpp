@@ -130,6 +130,12 @@ class EpsWriter {
     sink_.put("%%Page: 1 1\nsave\n.75 dup scale 1 setlinejoin ");
     put_number(page_.line, 4);
     sink_.put("setlinewidth\n");
+    if (page_.cut) {
+      sink_.put("0 0 ");
+      put_number(page_.width, 6);
+      put_number(page_.height, 6);
+      sink_.put("rectclip\n");
+    }
     if (options_.backdrop) {
       put_packed(paint_.background(), " C 0 0 ");
       put_number(page_.width, 6);

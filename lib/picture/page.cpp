@@ -21,14 +21,28 @@ double given_side(double side) {
   return side == 0.0 ? 0.0 : clamped(side, shortest_side, longest_side);
 }
 
-// Lines that suit the balls: .9 px where their mean radius is 34 px.
-double chosen_line(const PictureInput &input, double scale) {
-  const uint32_t pieces = input.view.pieces.size();
-  if (pieces == 0) return 0.9;
+// px from the middle. Coordinates with ten decimals are integers below 2^62.
+constexpr double farthest_from_middle = 1e7;
+
+// Lines that suit the balls: .9 px where their mean radius is 34 px. Those of a fixed frame must not depend on what is
+// seen, so that all balls count.
+double chosen_line(const PictureInput &input, bool fixed, double scale) {
+  const uint32_t count = fixed ? input.balls.n : input.view.pieces.size();
+  if (count == 0) return 0.9;
   double sum = 0.0;
-  for (uint32_t p = 0; p < pieces; ++p) sum += input.balls.r[input.view.pieces[p].ball];
-  return 0.9 * clamped(std::sqrt(sum / pieces * scale / 34.0), 0.45, 1.9);
+  for (uint32_t k = 0; k < count; ++k) sum += input.balls.r[fixed ? k : input.view.pieces[k].ball];
+  return 0.9 * clamped(std::sqrt(sum / count * scale / 34.0), 0.45, 1.9);
 }
+
+// Two sides of which one may be 0, which then follows from the other one.
+struct Sides {
+  double width, height;
+
+  void complete(double ratio_of_width, double ratio_of_height) {
+    if (height == 0.0) height = clamped(width * ratio_of_height, shortest_side, longest_side);
+    if (width == 0.0) width = clamped(height * ratio_of_width, shortest_side, longest_side);
+  }
+};
 
 }  // namespace
 
@@ -54,27 +68,51 @@ PageArc Page::place(const ProjectedArc &arc) const {
 
 Page lay_out(const PictureInput &input, const PictureOptions &options) {
   const ViewBox box = box_of(input.balls, input.view);
+  const bool empty = input.view.pieces.size() == 0;
+  const bool fixed = options.scale > 0.0;
   const double size[2] = {box.high[0] - box.low[0], box.high[1] - box.low[1]};
   const double margin = options.margin * (size[0] > size[1] ? size[0] : size[1]);
   const double framed[2] = {size[0] + 2 * margin, size[1] + 2 * margin};
-  const bool empty = input.view.pieces.size() == 0;
-  double width = given_side(options.width);
-  double height = given_side(options.height);
-  if (height == 0.0) height = empty ? width : clamped(width * (framed[1] / framed[0]), shortest_side, longest_side);
-  if (width == 0.0) width = empty ? height : clamped(height * (framed[0] / framed[1]), shortest_side, longest_side);
+  Sides sides{given_side(options.width), given_side(options.height)};
+  if (empty || fixed) {
+    sides.complete(1.0, 1.0);
+  } else {
+    sides.complete(framed[0] / framed[1], framed[1] / framed[0]);
+  }
 
   Page page;
   page.unit = options.millimetres ? px_per_millimetre : 1.0;
-  page.width = width * page.unit;
-  page.height = height * page.unit;
+  page.width = sides.width * page.unit;
+  page.height = sides.height * page.unit;
   page.scale = 0.0;
-  if (!empty) {
-    const double by_width = page.width / framed[0];
-    const double by_height = page.height / framed[1];
-    page.scale = by_width < by_height ? by_width : by_height;
+  if (fixed) {
+    const exact::Lattice &lattice = input.balls.lattice;
+    const Vec3 &origin = input.view.frame.origin;
+    const Vec3 centre = input.view.frame.to_view({lattice.steps(options.centre[0]) - origin.x,
+                                                  lattice.steps(options.centre[1]) - origin.y,
+                                                  lattice.steps(options.centre[2]) - origin.z});
+    page.scale = options.scale * page.unit * lattice.step();
+    page.middle[0] = centre.x;
+    page.middle[1] = centre.y;
+  } else {
+    if (!empty) {
+      const double by_width = page.width / framed[0];
+      const double by_height = page.height / framed[1];
+      page.scale = by_width < by_height ? by_width : by_height;
+    }
+    for (int k = 0; k < 2; ++k) page.middle[k] = box.low[k] + size[k] / 2;
   }
-  for (int k = 0; k < 2; ++k) page.middle[k] = box.low[k] + size[k] / 2;
-  page.line = options.outline < 0.0 ? chosen_line(input, page.scale) : options.outline * page.unit;
+  page.possible = true;
+  page.cut = false;
+  for (int k = 0; k < 2 && fixed && !empty; ++k) {
+    const double below = (page.middle[k] - box.low[k]) * page.scale;
+    const double above = (box.high[k] - page.middle[k]) * page.scale;
+    const double edge = (k == 0 ? page.width : page.height) / 2;
+    // So that no number, where something overflows, is too far.
+    if (!(std::fabs(below) <= farthest_from_middle && std::fabs(above) <= farthest_from_middle)) page.possible = false;
+    if (below > edge || above > edge) page.cut = true;
+  }
+  page.line = options.outline < 0.0 ? chosen_line(input, fixed, page.scale) : options.outline * page.unit;
   if (page.line < thinnest_line) page.line = 0.0;
   page.farthest = box.depth_low;
   page.nearest = box.depth_high;

@@ -33,6 +33,8 @@ struct Page {
   double line;               // width of the lines, px
   double farthest, nearest;  // depths of centres, lattice steps
   int decimals;              // that make steps of at most width / 10 000
+  bool possible;             // nothing lies farther from the middle than numbers in files can say
+  bool cut;                  // balls lie beyond the edges
 
   PagePoint place(const double point[2]) const {
     return {(point[0] - middle[0]) * scale + width / 2, (point[1] - middle[1]) * scale + height / 2};

@@ -7,6 +7,7 @@ namespace hsp {
 Status write_picture(const PictureInput &input, const PictureOptions &options, Span<uint32_t> scratch,
                      SinkFunction function, void *context, uint64_t &bytes) {
   const Page page = lay_out(input, options);
+  if (!page.possible) return Status::range;
   const Paint paint(input, options, page, scratch);
   ByteSink sink(function, context);
   switch (options.format) {

@@ -22,6 +22,8 @@ struct PictureOptions {
   uint32_t background = 0xFFFFFF;
   bool ids = true;
   bool backdrop = true;  // paint the background
+  double scale = 0.0;    // of a fixed frame, px or mm per unit of length; 0: all that is seen is fitted into the page
+  double centre[3] = {0.0, 0.0, 0.0};  // what a fixed frame has in the middle
 };
 
 constexpr uint32_t plain_colour = 0xD2CDC3;
@@ -36,7 +38,8 @@ struct PictureInput {
   uint32_t colour_of(uint32_t ball) const { return colour == nullptr ? plain_colour : colour[balls.caller[ball]]; }
 };
 
-// scratch: as many entries as there are pieces. Status::sink if the sink refused; bytes: those that it has taken.
+// scratch: as many entries as there are pieces. Status::range if the balls are too large for a fixed frame;
+// Status::sink if the sink refused. bytes: those that it has taken.
 Status write_picture(const PictureInput &input, const PictureOptions &options, Span<uint32_t> scratch,
                      SinkFunction function, void *context, uint64_t &bytes);
 

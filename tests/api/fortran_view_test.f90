@@ -100,7 +100,7 @@ contains
     call check(c_sizeof(piece) == 56, 'size of hsp_view_piece')
     call check(c_sizeof(loop) == 16, 'size of hsp_view_loop')
     call check(c_sizeof(arc) == 96, 'size of hsp_view_arc')
-    call check(c_sizeof(picture) == 72, 'size of hsp_picture_options')
+    call check(c_sizeof(picture) == 104, 'size of hsp_picture_options')
   end subroutine
 
   subroutine make_handles()
@@ -278,6 +278,10 @@ contains
     call expect(hsp_picture_write(view, options=picture, sink=c_funloc(append), context=c_loc(nothing)), HSP_E_ARGUMENT, &
                 'an unknown style')
     picture%style = HSP_STYLE_SOFT
+    picture%scale = 20
+    picture%centre(1) = 1e7_c_double
+    call expect(hsp_picture_write(view, options=picture, sink=c_funloc(append), context=c_loc(nothing)), HSP_E_RANGE, &
+                'a frame far away')
     picture%margin = -1
     call expect(hsp_picture_write(view, options=picture, sink=c_funloc(append), context=c_loc(nothing)), HSP_E_RANGE, &
                 'a negative margin')

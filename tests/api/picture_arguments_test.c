@@ -41,6 +41,7 @@ static void options_init(void) {
   CHECK_EQUAL(options.background, 0xFFFFFF);
   CHECK_EQUAL(options.flags, 0);
   CHECK_EQUAL(options.reserved, 0);
+  CHECK(options.scale == 0 && options.centre[0] == 0 && options.centre[1] == 0 && options.centre[2] == 0);
 }
 
 /* The call is refused before the sink hears of it. */
@@ -156,6 +157,50 @@ static void bad_values(void) {
   check_scene("%s", "");
 }
 
+static void bad_frames(void) {
+  static const double odd[3] = {NAN, INFINITY, -INFINITY};
+  hsp_picture_options options;
+  int axis, k;
+  for (k = 0; k < 3; ++k) {
+    options = good_options();
+    options.scale = odd[k];
+    check_refused(view, colours, &options, HSP_E_NOT_FINITE);
+    for (axis = 0; axis < 3; ++axis) {
+      options = good_options();
+      options.scale = 1;
+      options.centre[axis] = odd[k];
+      check_refused(view, colours, &options, HSP_E_NOT_FINITE);
+    }
+  }
+  for (axis = 0; axis < 3; ++axis) {
+    options = good_options();
+    options.centre[axis] = 1;
+    check_refused(view, colours, &options, HSP_E_ARGUMENT); /* without a scale */
+    options.scale = 1;
+    check_written(colours, &options);
+    if (axis == 2) continue; /* towards the viewer: any distance is good */
+    options.centre[axis] = 9.99e6;
+    check_written(colours, &options);
+    options.centre[axis] = -1.001e7;
+    check_refused(view, colours, &options, HSP_E_RANGE);
+    options.centre[axis] = 1e300;
+    check_refused(view, colours, &options, HSP_E_RANGE);
+  }
+  options = good_options();
+  options.scale = -5e-324;
+  check_refused(view, colours, &options, HSP_E_RANGE);
+  options.scale = -1;
+  check_refused(view, colours, &options, HSP_E_RANGE);
+  options.scale = 5e-324;
+  check_written(colours, &options);
+  options.scale = 1e6;
+  check_written(colours, &options);
+  options.scale = 1e8;
+  check_refused(view, colours, &options, HSP_E_RANGE);
+  options.scale = 1e308;
+  check_refused(view, colours, &options, HSP_E_RANGE);
+}
+
 static void states(void) {
   hsp_view_limits limits;
   hsp_view_options options;
@@ -253,6 +298,7 @@ int main(void) {
   states();
   bad_choices();
   bad_values();
+  bad_frames();
   refusing_sinks();
   return check_report();
 }

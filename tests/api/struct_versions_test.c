@@ -129,7 +129,7 @@ static const struct versioned {
      {write_view_options, NULL, NULL}},
     {"hsp_picture_options",
      sizeof(hsp_picture_options),
-     sizeof(hsp_picture_options),
+     72, /* before scale */
      read_picture_options,
      {write_picture_options, NULL, NULL}},
 };

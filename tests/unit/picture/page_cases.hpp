@@ -75,6 +75,79 @@ inline uint32_t sizes_of_pages() {
   });
 }
 
+// Fixed frames: pages whose middle and scale are given. The lattice of these balls has the step 1.
+struct FixedFrame {
+  double towards[3];  // with z up
+  double width, height;
+  bool millimetres;
+  double scale, centre[3];
+  double px_width, px_height, px_scale;
+  double ball[2];  // where the centre of the last ball appears, px from the middle
+  bool cut, possible;
+};
+// Seen from y, x is to the left.
+constexpr FixedFrame fixed_frames[] = {
+    {{0, 1, 0}, 100, 0, false, 2, {0, 0, 0}, 100, 100, 2, {-80, 0}, true, true},
+    {{0, 1, 0}, 0, 60, false, 2, {40, 30, 0}, 60, 60, 2, {0, 0}, true, true},
+    {{0, 1, 0}, 300, 200, false, 2, {0, 99, 30}, 300, 200, 2, {-80, -60}, false, true},
+    {{1, 0, 0}, 300, 200, false, 2, {99, 0, 30}, 300, 200, 2, {60, -60}, false, true},
+    {{-1, 0, 0}, 300, 200, false, 2, {99, 0, 30}, 300, 200, 2, {-60, -60}, false, true},
+    {{0, 1, 0}, 254, 127, true, 2, {40, 0, 0}, 10 * inch, 5 * inch, 2 * inch / 25.4, {0, 0}, false, true},
+    // Just within the edges, and a little beyond the left, the right, the lower and the upper one.
+    {{0, 1, 0}, 100, 40, false, 1, {0, 30, 0}, 100, 40, 1, {-40, 0}, false, true},
+    {{0, 1, 0}, 100, 40, false, 1, {-.5, 30, 0}, 100, 40, 1, {-40.5, 0}, true, true},
+    {{0, 1, 0}, 100, 40, false, 1, {40, 30, 0}, 100, 40, 1, {0, 0}, false, true},
+    {{0, 1, 0}, 100, 40, false, 1, {40.5, 30, 0}, 100, 40, 1, {.5, 0}, true, true},
+    {{0, 1, 0}, 100, 40, false, 1, {0, 30, 10.5}, 100, 40, 1, {-40, -10.5}, true, true},
+    {{0, 1, 0}, 100, 40, false, 1, {0, 30, -10.5}, 100, 40, 1, {-40, 10.5}, true, true},
+    // A ball reaches just as far as it may, or farther.
+    {{0, 1, 0}, 100, 40, false, 1, {1e7 - 10, 30, 0}, 100, 40, 1, {1e7 - 50, 0}, true, true},
+    {{0, 1, 0}, 100, 40, false, 1, {1e7 - 9, 30, 0}, 100, 40, 1, {1e7 - 49, 0}, true, false},
+    {{0, 1, 0}, 100, 40, false, 1, {0, 0, 1e7 - 9}, 100, 40, 1, {-40, 9 - 1e7}, true, false},
+    {{0, 1, 0}, 100, 40, false, 1, {0, 0, -1e300}, 100, 40, 1, {-40, 1e300}, true, false},
+    {{0, 1, 0}, 100, 40, false, 2e5, {0, 0, 0}, 100, 40, 2e5, {-8e6, 0}, true, true},
+    {{0, 1, 0}, 100, 40, false, 1e300, {0, 0, 0}, 100, 40, 1e300, {-4e301, 0}, true, false}};
+
+inline uint32_t pages_of_fixed_frames() {
+  return first_failing(fixed_frames, [](const FixedFrame &c) {
+    constexpr SmallBall balls[] = {{0, 0, 0, 10}, {40, 30, 0, 10}};
+    if (!small_view().succeeds(balls, 2, seen_from(c.towards[0], c.towards[1], c.towards[2]))) return false;
+    hsp::PictureOptions options;
+    options.width = c.width;
+    options.height = c.height;
+    options.millimetres = c.millimetres;
+    options.scale = c.scale;
+    for (int axis = 0; axis < 3; ++axis) options.centre[axis] = c.centre[axis];
+    const hsp::PictureInput input = picture_input();
+    const hsp::Page page = hsp::lay_out(input, options);
+    const hsp::Vec3 centre = input.view.frame.centre_of(input.balls, small_union().grid().grid_index(1));
+    const double point[2] = {centre.x, centre.y};
+    const hsp::PagePoint at = page.place(point);
+    const auto equal = [](double a, double b) { return near(a, b, 1e-12 * (1 + (b < 0 ? -b : b))); };
+    uint64_t bytes = 0;
+    const auto take = [](void *, const char *, size_t) -> int32_t { return 0; };
+    const hsp::Status status = hsp::write_picture(input, options, small_view().scratch(), take, nullptr, bytes);
+    return equal(page.width, c.px_width) && equal(page.height, c.px_height) && equal(page.scale, c.px_scale) &&
+           equal(at.x - page.width / 2, c.ball[0]) && equal(at.y - page.height / 2, c.ball[1]) &&
+           page.possible == c.possible && (page.cut == c.cut || !c.possible) &&
+           (status == hsp::Status::ok) == c.possible && (c.possible || status == hsp::Status::range);
+  });
+}
+
+// Lines chosen for a fixed frame go by the radii of all balls; those of a fitted picture by what is seen, here one of
+// 170 that hides one of 34.
+inline uint32_t lines_of_fixed_frames() {
+  constexpr SmallBall balls[] = {{0, 0, 0, 34}, {0, 0, 300, 170}};
+  hsp::PictureOptions options;
+  options.margin = 0;
+  options.width = 340;
+  if (!small_view().succeeds(balls, 2)) return 0;
+  const double fitted = hsp::lay_out(picture_input(), options).line;
+  options.scale = 1;
+  return first_false({small_view().view().pieces.size() == 1, near(fitted, .9 * 1.9, 1e-12),
+                      near(hsp::lay_out(picture_input(), options).line, .9 * std::sqrt(3.0), 1e-12)});
+}
+
 // A ball of radius 10 on a page as wide as it is: the options' outline and the width of the lines.
 struct PageLine {
   double page_width;
@@ -238,6 +311,8 @@ inline uint32_t corners_of_flat_arcs() {
 }
 
 inline constexpr Check picture_page[] = {{"sizes_of_pages", sizes_of_pages},
+                                         {"pages_of_fixed_frames", pages_of_fixed_frames},
+                                         {"lines_of_fixed_frames", lines_of_fixed_frames},
                                          {"widths_of_lines", widths_of_lines},
                                          {"decimals_of_steps", decimals_of_steps},
                                          {"decimals_of_pages", decimals_of_pages},
