@@ -65,8 +65,8 @@ static bool view_options_of(const struct drawing *drawing, hsp_view_options *opt
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
-static bool picture_options_of(const struct drawing *drawing, uint32_t balls, hsp_picture_options *options,
-                               struct failure *failure) {
+static bool picture_options_of(const struct drawing *drawing, uint32_t balls, const hsp_view_info *view,
+                               hsp_picture_options *options, struct failure *failure) {
   const int32_t status = hsp_picture_options_init(options, (uint32_t)sizeof *options);
   if (status != HSP_OK) return failure_in_library(failure, status);
   options->format = (uint32_t)drawing->format;
@@ -81,6 +81,10 @@ static bool picture_options_of(const struct drawing *drawing, uint32_t balls, hs
   if (drawing->outline >= 0.0) options->outline = drawing->outline;
   if (drawing->fog >= 0.0) options->fog = drawing->fog;
   if (drawing->margin >= 0.0) options->margin = drawing->margin;
+  if (drawing->scale > 0.0) {
+    options->scale = drawing->scale;
+    memcpy(options->centre, drawing->centre.given ? drawing->centre.xyz : view->origin, sizeof options->centre);
+  }
   if (drawing->background == DRAWING_NO_BACKGROUND) {
     options->flags |= HSP_PICTURE_NO_BACKGROUND;
   } else if (drawing->background >= 0) {
@@ -102,7 +106,7 @@ static void find_size(struct drawn *drawn) {
   const double margin = drawn->options.margin * (wide > high ? wide : high);
   const double across = wide + 2.0 * margin;
   const double upright = high + 2.0 * margin;
-  const double ratio = across > 0.0 && upright > 0.0 ? across / upright : 1.0;
+  const double ratio = across > 0.0 && upright > 0.0 && drawn->options.scale == 0.0 ? across / upright : 1.0;
   drawn->width = drawn->options.width > 0.0 ? drawn->options.width : clamped(drawn->options.height * ratio);
   drawn->height = drawn->options.height > 0.0 ? drawn->options.height : clamped(drawn->options.width / ratio);
 }
@@ -126,7 +130,7 @@ static bool write_picture(const struct request *request, const struct molecule *
                           struct failure *failure) {
   const int32_t status = hsp_view_get_info(geometry->work.view, &drawn->view);
   if (status != HSP_OK) return failure_in_library(failure, status);
-  if (!picture_options_of(&request->drawing, molecule->atoms, &drawn->options, failure)) return false;
+  if (!picture_options_of(&request->drawing, molecule->atoms, &drawn->view, &drawn->options, failure)) return false;
   find_size(drawn);
   char description[160];
   char towards[DIRECTION_BYTES];

@@ -37,6 +37,7 @@ static const struct number_option number_options[] = {
     {"--outline", offsetof(struct drawing, outline), false, 1e6, "between 0 and 1000000"},
     {"--fog", offsetof(struct drawing, fog), false, 1.0, "between 0 and 1"},
     {"--margin", offsetof(struct drawing, margin), false, 10.0, "between 0 and 10"},
+    {"--scale", offsetof(struct drawing, scale), true, 1e9, "above 0 and at most 1000000000"},
     {"--occlusion", offsetof(struct drawing, occlusion), false, 1.0, "between 0 and 1"},
 };
 
@@ -66,6 +67,7 @@ static const struct vector_option vector_options[] = {
     {"--view", offsetof(struct drawing, view), true},
     {"--rotate", offsetof(struct drawing, rotate), false},
     {"--up", offsetof(struct drawing, up), true},
+    {"--centre", offsetof(struct drawing, centre), false},
 };
 
 static bool twice(const struct option_reader *reader, const char *option) {
@@ -207,6 +209,10 @@ bool drawing_check(struct drawing *drawing, struct failure *failure) {
   }
   if (drawing->rotate.given && (drawing->view.given || drawing->up.given)) {
     return failure_in_usage(failure, "one way to look at it: either --rotate or --view and --up");
+  }
+  if (drawing->centre.given && drawing->scale < 0.0) return failure_in_usage(failure, "--centre needs --scale");
+  if (drawing->margin >= 0.0 && drawing->scale >= 0.0) {
+    return failure_in_usage(failure, "either --margin around all that is seen, or --scale");
   }
   for (int axis = 0; axis < 3; ++axis) {
     const double angle = drawing->rotate.xyz[axis];

@@ -21,7 +21,8 @@ struct drawing {
   struct drawing_vector view;   /* towards the viewer */
   struct drawing_vector rotate; /* degrees */
   struct drawing_vector up;
-  int format; /* where the user has not said, drawing_check sets it by the extension of out */
+  struct drawing_vector centre; /* of a fixed frame */
+  int format;                   /* where the user has not said, drawing_check sets it by the extension of out */
   int style;
   int palette;
   int unit;
@@ -32,6 +33,7 @@ struct drawing {
   double outline;
   double fog;
   double margin;
+  double scale; /* of a fixed frame */
   double occlusion;
   bool all_balls;
   bool water; /* is drawn, and not left out */
@@ -42,7 +44,7 @@ struct drawing {
 #define DRAWING_DEFAULT                                                                                  \
   {                                                                                                      \
     .format = -1, .style = -1, .palette = -1, .unit = -1, .pieces = -1, .background = -1, .width = -1.0, \
-    .height = -1.0, .outline = -1.0, .fog = -1.0, .margin = -1.0, .occlusion = -1.0                      \
+    .height = -1.0, .outline = -1.0, .fog = -1.0, .margin = -1.0, .scale = -1.0, .occlusion = -1.0       \
   }
 
 /* Take the argument if it is an option of `draw`, and its value from the reader; *known tells whether it is one. */

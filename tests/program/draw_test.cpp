@@ -173,6 +173,44 @@ TEST(Draw, JsonSaysWhatStandsInTheFile) {
   }
 }
 
+// A point and a scale of one's own: the same in every direction, cut off at the edges.
+TEST(Draw, FixedFrames) {
+  const TemporaryFile file("pair.xyzr", "0 0 0 1\n7 0 0 2\n");
+  const std::vector<std::string> scale = {"--scale", "10", "--width", "90", "--style", "flat"};
+  const auto with = [&scale](std::vector<std::string> options) {
+    options.insert(options.end(), scale.begin(), scale.end());
+    return options;
+  };
+  // The middle of the centres is at 3.5: the first ball reaches from 0 to 20 px, the second from 60 to 100.
+  const std::string seen = drawn(file.path(), with({}));
+  EXPECT_NE(seen.find(" viewBox=\"0 0 90 90\""), std::string::npos);
+  EXPECT_NE(seen.find(" d=\"M0 45A10 10 "), std::string::npos) << seen;
+  EXPECT_NE(seen.find(" d=\"M60 45A20 20 "), std::string::npos) << seen;
+  EXPECT_TRUE(seen == drawn(file.path(), with({"--centre", "3.5,0,0"})));
+  const std::string behind = drawn(file.path(), with({"--centre=7,1,9", "--view", "0,0,-1", "--up", "0,1,0"}));
+  EXPECT_NE(behind.find(" d=\"M25 55A20 20 "), std::string::npos) << behind;
+  EXPECT_NE(behind.find(" d=\"M105 55A10 10 "), std::string::npos) << behind;
+  const TemporaryFile out("pair.eps");
+  const Json json = run_json({"draw", file.path(), "-o", out.path(), "--scale", "1", "--height", "50", "--unit", "mm"});
+  EXPECT_EQ(json["width"].number, 50);
+  EXPECT_EQ(json["height"].number, 50);
+  EXPECT_EQ(occurrences(read_file(out.path()), "rectclip"), 0u);
+  for (const auto &[options, complaint] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+           {{"--centre", "1,2,3"}, "--centre needs --scale"},
+           {{"--scale", "0"}, "--scale must be above 0"},
+           {{"--scale", "2", "--margin", "0.1"}, "either --margin"},
+           {{"--scale", "2", "--centre", "1,2"}, "--centre needs 3 numbers"}}) {
+    std::vector<std::string> arguments = {"draw", file.path(), "-o", out.path()};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = run_program(arguments);
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_NE(outcome.err.find(complaint), std::string::npos) << outcome.err;
+  }
+  const Outcome far = run_program({"draw", file.path(), "-o", out.path(), "--scale", "1e9"});
+  EXPECT_EQ(far.status, 1);
+  EXPECT_NE(far.err.find("a value lies beyond"), std::string::npos) << far.err;
+}
+
 // One ball: the picture is a square, whatever the margin, with a single piece and at least one arc.
 TEST(Draw, TableOfASingleBall) {
   const TemporaryFile out("ball.svg");

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iomanip>
 #include <numbers>
 #include <sstream>
 #include <string>
@@ -210,13 +211,43 @@ TEST(Examples, RefuseBadFiles) {
   const TemporaryFile bad("bad.xyzr", "0 0 0 1\n0 0 1\n");
   const std::string good = "good/one.xyzr";
   const std::vector<std::pair<std::string, std::vector<std::string>>> calls = {
-      {"dynamics", {bad.path()}}, {"face_loops", {bad.path()}}, {"docking", {good, bad.path()}}};
+      {"dynamics", {bad.path()}},
+      {"face_loops", {bad.path()}},
+      {"docking", {good, bad.path()}},
+      {"turntable", {bad.path(), "no_picture"}}};
   for (const auto &[example, arguments] : calls) {
     const Outcome outcome = run_example(example, arguments);
     EXPECT_EQ(outcome.status, 1) << example;
     EXPECT_EQ(outcome.out, "") << example;
     EXPECT_EQ(outcome.err.rfind(bad.path() + ":", 0), 0u) << outcome.err;
     EXPECT_EQ(run_example(example, {}).status, 2) << example;
+  }
+}
+
+// A ball off the axis circles about the middle between it and another one, which is on the other side: in a frame of
+// 600 px that is 1.05 times as wide as what the balls sweep, of radius 3 + 1.
+TEST(Examples, TurntableStaysCentred) {
+  const TemporaryFile file("two.xyzr", "4 5 6 1\n10 5 6 1\n");
+  const TemporaryFile first("turn000.svg");
+  const std::string prefix = first.path().substr(0, first.path().size() - 7);
+  const Outcome outcome = run_example("turntable", {file.path(), prefix, "6"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  for (int frame = 0; frame < 6; ++frame) {
+    const std::string path = prefix + "00" + std::to_string(frame) + ".svg";
+    const std::string svg = read_file(path);
+    std::remove(path.c_str());
+    const double radius = 600 / 2.1 / 4;
+    const double shift = 3 * radius * std::cos(frame * pi / 3);
+    for (const double x : {300 - shift, 300 + shift}) {
+      // A silhouette begins at its left or its right end.
+      bool found = false;
+      for (const double side : {-radius, radius}) {
+        std::ostringstream start;
+        start << std::fixed << std::setprecision(2) << 'M' << x + side << " 300A" << radius;
+        found = found || svg.find(start.str()) != std::string::npos;
+      }
+      EXPECT_TRUE(found) << path << ": no ball at " << x << '\n' << svg;
+    }
   }
 }
 
