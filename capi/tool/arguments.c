@@ -9,11 +9,13 @@
 
 struct reading {
   struct request *request;
+  int wanted_file;
   struct option_reader options;
   bool probe_seen;
   bool radii_seen;
   bool radius_seen;
   bool model_seen;
+  bool standard_seen; /* among the files */
   struct failure *failure;
 };
 
@@ -222,12 +224,13 @@ static bool take_selection_option(struct reading *reading, const char *argument,
 }
 
 static bool take_file(struct reading *reading, const char *argument) {
-  if (reading->request->file != NULL) {
-    char shown[EXCERPT_BYTES];
-    return failure_in_usage(reading->failure, "one file at a time; '%s' is one too many",
-                            excerpt(shown, argument, strlen(argument)));
+  struct request *request = reading->request;
+  if (input_is_standard(argument)) {
+    if (reading->standard_seen) return failure_in_usage(reading->failure, "standard input is one file, not two");
+    reading->standard_seen = true;
   }
-  reading->request->file = argument;
+  if (request->files == reading->wanted_file) request->file = argument;
+  ++request->files;
   return true;
 }
 
@@ -305,6 +308,18 @@ static bool find_format(struct reading *reading) {
   return failure_in_usage(reading->failure, "standard input has no extension: --format says what it is");
 }
 
+/* What goes with one file alone. */
+static bool check_several(struct reading *reading) {
+  const struct request *request = reading->request;
+  if (request->files < 2) return true;
+  if (request->command == COMMAND_DRAW) return failure_in_usage(reading->failure, "draw takes one file at a time");
+  if (request->pdb_out != NULL) return failure_in_usage(reading->failure, "--pdb-out takes one file at a time");
+  if (request->weights != NULL && input_is_standard(request->weights)) {
+    return failure_in_usage(reading->failure, "weights from standard input serve for one file");
+  }
+  return true;
+}
+
 /* Nothing that is read is written over, and standard streams serve for one thing. */
 static bool check_files(struct reading *reading) {
   const struct request *request = reading->request;
@@ -333,7 +348,7 @@ static bool check(struct reading *reading) {
   if (request->command == COMMAND_QUERY && request->query == QUERY_NONE) {
     return failure_in_usage(reading->failure, "query needs --point X Y Z or --ball X Y Z R");
   }
-  if (!find_format(reading)) return false;
+  if (!check_several(reading) || !find_format(reading)) return false;
   if (format_has_radii(request->format) && (reading->radii_seen || reading->radius_seen)) {
     return failure_in_usage(reading->failure, "%s has no use here: .xyzr and .pqr files bring their own radii",
                             reading->radii_seen ? "--radii" : "--radius");
@@ -345,7 +360,7 @@ static bool check(struct reading *reading) {
   return apply_overrides(reading) && load_table(reading);
 }
 
-bool request_parse(struct request *request, enum command command, int count, char **arguments,
+bool request_parse(struct request *request, enum command command, int file, int count, char **arguments,
                    struct failure *failure) {
   memset(request, 0, sizeof *request);
   request->command = command;
@@ -353,7 +368,12 @@ bool request_parse(struct request *request, enum command command, int count, cha
   request->selection = (struct selection)SELECTION_EVERYTHING;
   request->set = &radii_bondi;
   request->drawing = (struct drawing)DRAWING_DEFAULT;
-  struct reading reading = {request, {arguments, count, failure}, false, false, false, false, failure};
+  struct reading reading;
+  memset(&reading, 0, sizeof reading);
+  reading.request = request;
+  reading.wanted_file = file;
+  reading.options = (struct option_reader){arguments, count, failure};
+  reading.failure = failure;
   bool options_end = false;
   for (;;) {
     const char *argument = option_next(&reading.options);

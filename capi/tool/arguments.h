@@ -22,7 +22,8 @@ enum query_kind { QUERY_NONE, QUERY_POINT, QUERY_BALL };
 /* What a user asks for. */
 struct request {
   enum command command;
-  const char *file; /* "-": standard input */
+  int files;        /* how many are named */
+  const char *file; /* the one that this request is about; "-": standard input */
   bool format_given;
   enum molecule_format format;
   bool json;
@@ -56,8 +57,10 @@ bool request_wants_balls(const struct request *request);
 /* Whether the area of each ball is asked for, in whatever form. */
 bool request_wants_areas(const struct request *request);
 
-/* Read the arguments after the command. Free the request with request_free on true and on false. */
-bool request_parse(struct request *request, enum command command, int count, char **arguments, struct failure *failure);
+/* Read the arguments after the command, for one of the files that they name, counted from 0. Free the request with
+ * request_free on true and on false. */
+bool request_parse(struct request *request, enum command command, int file, int count, char **arguments,
+                   struct failure *failure);
 
 void request_free(struct request *request);
 

@@ -1,5 +1,5 @@
 /* The program hardsphere: molecule files in, exact geometry out, over the library's C interface alone.
- * Results are gathered first and printed last, so that a run that fails prints nothing on stdout. */
+ * Results are gathered first and printed last, so that stdout has nothing of a file that fails. */
 #include <string.h>
 
 #include "arguments.h"
@@ -9,6 +9,7 @@
 #include "line_reader.h"
 #include "radii_list.h"
 #include "read_molecule.h"
+#include "several_files.h"
 #include "text_buffer.h"
 #include "usage.h"
 
@@ -54,6 +55,41 @@ static bool run_command(const struct request *request, struct text_buffer *out, 
   return done;
 }
 
+/* Do what the command line asks for with one of its files. */
+static bool run_file(enum command command, int file, int count, char **arguments, struct several_files *several,
+                     struct failure *failure) {
+  struct request request;
+  struct text_buffer record = TEXT_BUFFER_EMPTY;
+  const bool done = request_parse(&request, command, file, count, arguments, failure) &&
+                    run_command(&request, &record, failure) && several_files_print(several, &request, &record, failure);
+  text_buffer_free(&record);
+  request_free(&request);
+  return done;
+}
+
+/* Several files: a command line at fault stops all, a file at fault only itself. */
+static bool run_files(enum command command, int files, int count, char **arguments, struct failure *failure) {
+  for (int file = 0; file < files; ++file) {
+    struct request request;
+    const bool good = request_parse(&request, command, file, count, arguments, failure);
+    const bool own = failure->file == request.file;
+    request_free(&request);
+    if (!good && !own) return false;
+  }
+  struct several_files several = SEVERAL_FILES_NONE;
+  int exit_status = 0;
+  for (int file = 0; file < files; ++file) {
+    *failure = (struct failure){0, NULL, 0, ""};
+    if (run_file(command, file, count, arguments, &several, failure)) continue;
+    failure_print(failure);
+    exit_status = failure->exit_status;
+    if (failure->file == NULL) break; /* it is standard output that fails, or memory */
+  }
+  several_files_free(&several);
+  failure->exit_status = exit_status;
+  return true;
+}
+
 static bool asks_for_help(int count, char **arguments) {
   for (int i = 0; i < count && strcmp(arguments[i], "--") != 0; ++i) {
     if (strcmp(arguments[i], "--help") == 0 || strcmp(arguments[i], "-h") == 0) return true;
@@ -87,10 +123,12 @@ static bool run(int count, char **arguments, struct text_buffer *out, struct fai
     return true;
   }
   struct request request;
-  const bool done = request_parse(&request, command, count - 1, arguments + 1, failure) &&
-                    (request.list_radii ? radii_list_print(out, failure) : run_command(&request, out, failure));
+  bool done = request_parse(&request, command, 0, count - 1, arguments + 1, failure);
+  const int files = request.list_radii ? 0 : request.files;
+  if (files < 2 && done)
+    done = request.list_radii ? radii_list_print(out, failure) : run_command(&request, out, failure);
   request_free(&request);
-  return done;
+  return files < 2 ? done : run_files(command, files, count - 1, arguments + 1, failure);
 }
 
 int main(int count, char **arguments) {

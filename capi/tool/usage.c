@@ -55,7 +55,12 @@ static const char statuses[] =
     "read is never written over. Where the name of a file to write is -, standard output has the file and nothing "
     "else.\n"
     "\n"
-    "Exit status: 0 success, 1 bad input, 2 bad usage; then one line on stderr says why, and stdout stays empty.\n";
+    "Several files may be given, but not to draw: each gives its table or its line of JSON, and one table of --csv "
+    "has\n"
+    "the file as its first column. One that cannot be read has its line on stderr and stops no other.\n"
+    "\n"
+    "Exit status: 0 success, 1 bad input, 2 bad usage; then one line on stderr says why, and of that file stdout has\n"
+    "nothing.\n";
 
 static const char model_text[] =
     "hardsphere model FILE [options]\n"

@@ -263,7 +263,7 @@ TEST(Gro, Names) {
   const std::string csv = run_program({"measure", "good/residues.gro", "--csv"}).out;
   for (const char *row :
        {"\n0,N,N,,ALA,1,,0,0,0,", "\n1,CA,C,,ALA,1,,10,0,0,", "\n2,HB1,H,,ALA,1,,20,0,0,", "\n3,NA,Na,,ION,2,,30,0,0,",
-        "\n4,P,P,,POPC,99999,,40,0,0,", "\n5,C210,C,,POPC,0,,50,0,0,", "\n6,CL,Cl,,CL,0,,-60,0,0,"}) {
+        "\n4,P,P,,POPC,99999,,40,0,0,", "\n5,C210,C,,POPCX,0,,50,0,0,", "\n6,CL,Cl,,CL,0,,-60,0,0,"}) {
     EXPECT_NE(csv.find(row), std::string::npos) << row << csv;
   }
 }
