@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "interface.h"
 #include "number.h"
 #include "option_reader.h"
 #include "output_file.h"
@@ -180,11 +181,19 @@ static bool take_measure_option(struct reading *reading, const char *argument, b
   if (strcmp(argument, "--per-ball") == 0) flag = &request->per_ball;
   if (strcmp(argument, "--gradient") == 0) flag = &request->gradient;
   if (strcmp(argument, "--csv") == 0) flag = &request->csv;
+  if (strcmp(argument, "--polar") == 0) flag = &request->polar;
+  if (strcmp(argument, "--relative") == 0) flag = &request->relative;
   if (flag != NULL) {
     *flag = true;
     return true;
   }
   if (option_is(argument, "--by", &value)) return take_grouping(reading, value);
+  if (option_is(argument, "--interface", &value)) {
+    if (!option_value(&reading->options, "--interface", &value, "two groups of chains: A,B or A+B,C")) return false;
+    if (request->interface != NULL) return failure_in_usage(reading->failure, "--interface is given twice");
+    request->interface = value;
+    return interface_parse(value, reading->failure);
+  }
   if (option_is(argument, "--weights", &value)) return take_path(reading, "--weights", value, &request->weights);
   if (option_is(argument, "--pdb-out", &value)) return take_path(reading, "--pdb-out", value, &request->pdb_out);
   *known = false;
@@ -292,6 +301,23 @@ static bool check_measure(struct reading *reading) {
   if (request->by != GROUPING_NONE && !format_has_residues(request->format)) {
     return failure_in_usage(reading->failure, "--by has no use here: .xyzr and .xyz files have no residues");
   }
+  if (request->relative && request->by != GROUPING_RESIDUE) {
+    return failure_in_usage(reading->failure, "--relative needs --by residue");
+  }
+  if (request->relative && request->probe == 0.0) {
+    return failure_in_usage(reading->failure,
+                            "--relative compares solvent-accessible areas: it needs a probe, --probe 1.4");
+  }
+  if (request->polar && !format_has_elements(request->format)) {
+    return failure_in_usage(reading->failure, "--polar has no use here: the file names no elements");
+  }
+  if (request->interface != NULL && !format_has_residues(request->format)) {
+    return failure_in_usage(reading->failure, "--interface has no use here: the file names no chains");
+  }
+  if (request->csv && (request->polar || request->interface != NULL)) {
+    return failure_in_usage(reading->failure, "--csv prints one table, of balls or of groups: %s has no place in it",
+                            request->polar ? "--polar" : "--interface");
+  }
   if (request->pdb_out != NULL && request->format != FORMAT_PDB) {
     return failure_in_usage(reading->failure, "--pdb-out has no use here: it writes a .pdb file again");
   }
@@ -391,7 +417,7 @@ bool request_wants_balls(const struct request *request) {
 }
 
 bool request_wants_areas(const struct request *request) {
-  return request_wants_balls(request) || request->by != GROUPING_NONE || request->pdb_out != NULL;
+  return request_wants_balls(request) || request->by != GROUPING_NONE || request->pdb_out != NULL || request->polar;
 }
 
 void request_free(struct request *request) {

@@ -30,6 +30,9 @@ struct request {
   bool csv;
   bool per_ball;
   bool gradient;
+  bool polar;
+  bool relative;
+  const char *interface; /* two groups of chains, or NULL */
   bool shells;
   bool void_balls;   /* of `voids` */
   double min_volume; /* of `voids` */

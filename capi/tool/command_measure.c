@@ -1,10 +1,12 @@
 /* hardsphere measure: area and volume of the union, and what single balls, residues and chains have of it. */
 #include <inttypes.h>
+#include <string.h>
 
 #include "ball_table.h"
 #include "commands.h"
 #include "group_table.h"
 #include "input_report.h"
+#include "interface.h"
 #include "measurement.h"
 #include "output_file.h"
 #include "pdb_output.h"
@@ -13,9 +15,44 @@
 /* Of totals, which are accurate to 1e-13 of their size for molecules; single balls are shown with four. */
 enum { TOTAL_DECIMALS = 10 };
 
+static void interface_json(const struct interface *interface, struct text_buffer *out) {
+  text_buffer_add(out, ", \"interface\": {\"groups\": [");
+  for (int i = 0; i < 2; ++i) {
+    const struct interface_side *side = &interface->side[i];
+    text_buffer_add(out, "%s{\"atoms\": %" PRIu32 ", \"alone\": ", i == 0 ? "" : ", ", side->atoms);
+    json_number(out, side->alone);
+    text_buffer_add(out, ", \"together\": ");
+    json_number(out, side->together);
+    text_buffer_add(out, "}");
+  }
+  text_buffer_add(out, "], \"together\": ");
+  json_number(out, interface->together);
+  text_buffer_add(out, ", \"buried\": ");
+  json_number(out, interface->buried);
+  text_buffer_add(out, "}");
+}
+
+static void interface_line(const char *name, uint32_t atoms, double alone, double together, struct text_buffer *out) {
+  char values[3][NUMBER_BYTES];
+  text_buffer_add(out, "  %-8s  %9" PRIu32 "  %16s  %16s  %16s\n", name, atoms, quantity_text(values[0], alone, 4),
+                  quantity_text(values[1], together, 4), quantity_text(values[2], alone - together, 4));
+}
+
+static void interface_print(const char *text, const struct interface *interface, const char *unit,
+                            struct text_buffer *out) {
+  const struct interface_side *side = interface->side;
+  text_buffer_add(
+      out, "\ninterface of the chains %s: areas in %s^2, of each group alone and of both without anything else\n\n",
+      text, unit);
+  text_buffer_add(out, "  %-8s  %9s  %16s  %16s  %16s\n", "group", "atoms", "alone", "together", "buried");
+  interface_line("first", side[0].atoms, side[0].alone, side[0].together, out);
+  interface_line("second", side[1].atoms, side[1].alone, side[1].together, out);
+  interface_line("both", side[0].atoms + side[1].atoms, side[0].alone + side[1].alone, interface->together, out);
+}
+
 static void print_json(const struct request *request, const struct molecule *molecule,
                        const struct measurement *measurement, const struct atom_groups *groups,
-                       struct text_buffer *out) {
+                       const struct interface *interface, struct text_buffer *out) {
   text_buffer_add(out, "{\"n\": %" PRIu32 ", \"area\": ", molecule->atoms);
   json_number(out, measurement->totals.area);
   text_buffer_add(out, ", \"volume\": ");
@@ -24,13 +61,22 @@ static void print_json(const struct request *request, const struct molecule *mol
     text_buffer_add(out, ", \"weighted_area\": ");
     json_number(out, measurement->weighted_area);
   }
+  if (request->polar) {
+    text_buffer_add(out, ", \"polar_area\": ");
+    json_number(out, measurement->polar_area);
+    text_buffer_add(out, ", \"apolar_area\": ");
+    json_number(out, measurement->apolar_area);
+    text_buffer_add(out, ", \"other_area\": ");
+    json_number(out, measurement->other_area);
+  }
+  if (request->interface != NULL) interface_json(interface, out);
   if (request_wants_balls(request)) {
     text_buffer_add(out, ", \"balls\": ");
     ball_table_json(molecule, measurement, out);
   }
   if (request->by != GROUPING_NONE) {
     text_buffer_add(out, request->by == GROUPING_RESIDUE ? ", \"residues\": " : ", \"chains\": ");
-    group_table_json(molecule, groups, out);
+    group_table_json(molecule, groups, request->relative, out);
   }
   input_report_json(out, request, molecule);
   text_buffer_add(out, "}\n");
@@ -38,7 +84,7 @@ static void print_json(const struct request *request, const struct molecule *mol
 
 static void print_tables(const struct request *request, const struct molecule *molecule,
                          const struct measurement *measurement, const struct atom_groups *groups,
-                         struct text_buffer *out) {
+                         const struct interface *interface, struct text_buffer *out) {
   const char *unit = format_unit(molecule->format);
   char value[NUMBER_BYTES];
   report_heading(out, request, molecule);
@@ -50,24 +96,33 @@ static void print_tables(const struct request *request, const struct molecule *m
     text_buffer_add(out, "  %-16s %s, the sum of weight x free area\n", "weighted area",
                     quantity_text(value, measurement->weighted_area, TOTAL_DECIMALS));
   }
+  if (request->polar) {
+    text_buffer_add(out, "  %-16s %s %s^2, of nitrogen and oxygen\n", "polar area",
+                    quantity_text(value, measurement->polar_area, TOTAL_DECIMALS), unit);
+    text_buffer_add(out, "  %-16s %s %s^2, of carbon, sulfur and selenium\n", "apolar area",
+                    quantity_text(value, measurement->apolar_area, TOTAL_DECIMALS), unit);
+    text_buffer_add(out, "  %-16s %s %s^2, of all others\n", "other area",
+                    quantity_text(value, measurement->other_area, TOTAL_DECIMALS), unit);
+  }
   if (measurement->one_sided > 0) {
     report_row_count(out, "touching balls", measurement->one_sided,
                      "their derivatives are one-sided: as if touching balls overlapped");
   }
+  if (request->interface != NULL) interface_print(request->interface, interface, unit, out);
   if (request_wants_balls(request)) ball_table_print(request, molecule, measurement, out);
-  if (request->by != GROUPING_NONE) group_table_print(molecule, groups, out);
+  if (request->by != GROUPING_NONE) group_table_print(molecule, groups, request->relative, out);
 }
 
 static void print(const struct request *request, const struct molecule *molecule, const struct measurement *measurement,
-                  const struct atom_groups *groups, struct text_buffer *out) {
+                  const struct atom_groups *groups, const struct interface *interface, struct text_buffer *out) {
   if (request->json) {
-    print_json(request, molecule, measurement, groups, out);
+    print_json(request, molecule, measurement, groups, interface, out);
   } else if (!request->csv) {
-    print_tables(request, molecule, measurement, groups, out);
+    print_tables(request, molecule, measurement, groups, interface, out);
   } else if (request->by == GROUPING_NONE) {
     ball_table_csv(molecule, measurement, out);
   } else {
-    group_table_csv(molecule, groups, out);
+    group_table_csv(molecule, groups, request->relative, out);
   }
 }
 
@@ -79,8 +134,13 @@ bool command_measure(const struct request *request, const struct molecule *molec
   if (done && request->by != GROUPING_NONE) {
     done = atom_groups_make(molecule, request->by, measurement.area, &groups, failure);
   }
+  struct interface interface;
+  memset(&interface, 0, sizeof interface);
+  if (done && request->interface != NULL) {
+    done = interface_measure(request->interface, molecule, request->probe, geometry, &interface, failure);
+  }
   const bool written_only = request->pdb_out != NULL && output_is_standard(request->pdb_out);
-  if (done && !written_only) print(request, molecule, &measurement, &groups, out);
+  if (done && !written_only) print(request, molecule, &measurement, &groups, &interface, out);
   if (done && request->pdb_out != NULL) {
     done = pdb_output_write(request->file, molecule, measurement.area, request->pdb_out, failure);
   }

@@ -4,20 +4,28 @@
 #include <string.h>
 
 #include "csv.h"
+#include "relative_areas.h"
 #include "report.h"
 
 static const struct residue_label *label_of(const struct molecule *molecule, const struct atom_group *group) {
   return &molecule->label[group->first].residue;
 }
 
-void group_table_print(const struct molecule *molecule, const struct atom_groups *groups, struct text_buffer *out) {
+/* NaN where there is nothing to compare with. */
+static double relative_area(const struct molecule *molecule, const struct atom_group *group) {
+  return group->area / largest_residue_area(label_of(molecule, group)->name);
+}
+
+void group_table_print(const struct molecule *molecule, const struct atom_groups *groups, bool relative,
+                       struct text_buffer *out) {
   const bool residues = groups->grouping == GROUPING_RESIDUE;
   char value[NUMBER_BYTES];
   text_buffer_add(out, "\n");
   report_row_count(out, residues ? "residues" : "chains", groups->count, "");
   text_buffer_add(out, "\n  %-5s", "chain");
   if (residues) text_buffer_add(out, "  %-7s  %7s", "residue", "number");
-  text_buffer_add(out, "  %9s  %16s\n", "atoms", "free area");
+  text_buffer_add(out, "  %9s  %16s", "atoms", "free area");
+  text_buffer_add(out, relative ? "  %8s\n" : "%s\n", relative ? "relative" : "");
   for (uint32_t i = 0; i < groups->count; ++i) {
     const struct atom_group *group = &groups->group[i];
     const struct residue_label *label = label_of(molecule, group);
@@ -25,11 +33,15 @@ void group_table_print(const struct molecule *molecule, const struct atom_groups
     /* Insertion codes have a column of their own, so that the numbers stand under each other. */
     if (residues) text_buffer_add(out, "  %-7s  %6s%-1s", label->name, label->number, label->insertion);
     text_buffer_add(out, "  %9s", count_text(value, group->atoms));
-    text_buffer_add(out, "  %16s\n", quantity_text(value, group->area, 4));
+    text_buffer_add(out, "  %16s", quantity_text(value, group->area, 4));
+    if (relative) text_buffer_add(out, "  %8s", quantity_text(value, relative_area(molecule, group), 3));
+    text_buffer_add(out, "\n");
   }
+  if (relative) text_buffer_add(out, "\n  relative to the %s\n", relative_areas_source);
 }
 
-void group_table_json(const struct molecule *molecule, const struct atom_groups *groups, struct text_buffer *out) {
+void group_table_json(const struct molecule *molecule, const struct atom_groups *groups, bool relative,
+                      struct text_buffer *out) {
   text_buffer_add(out, "[");
   for (uint32_t i = 0; i < groups->count; ++i) {
     const struct atom_group *group = &groups->group[i];
@@ -46,14 +58,20 @@ void group_table_json(const struct molecule *molecule, const struct atom_groups 
     }
     text_buffer_add(out, ", \"atoms\": %" PRIu32 ", \"area\": ", group->atoms);
     json_number(out, group->area);
+    if (relative) {
+      text_buffer_add(out, ", \"relative\": ");
+      json_number(out, relative_area(molecule, group));
+    }
     text_buffer_add(out, "}");
   }
   text_buffer_add(out, "]");
 }
 
-void group_table_csv(const struct molecule *molecule, const struct atom_groups *groups, struct text_buffer *out) {
+void group_table_csv(const struct molecule *molecule, const struct atom_groups *groups, bool relative,
+                     struct text_buffer *out) {
   const bool residues = groups->grouping == GROUPING_RESIDUE;
-  text_buffer_add(out, "%s\n", residues ? "chain,residue,number,insertion,atoms,area" : "chain,atoms,area");
+  text_buffer_add(out, "%s%s\n", residues ? "chain,residue,number,insertion,atoms,area" : "chain,atoms,area",
+                  relative ? ",relative" : "");
   for (uint32_t i = 0; i < groups->count; ++i) {
     const struct atom_group *group = &groups->group[i];
     const struct residue_label *label = label_of(molecule, group);
@@ -64,6 +82,10 @@ void group_table_csv(const struct molecule *molecule, const struct atom_groups *
     }
     text_buffer_add(out, "%" PRIu32 ",", group->atoms);
     csv_number(out, group->area);
+    if (relative) {
+      text_buffer_add(out, ",");
+      csv_number(out, relative_area(molecule, group));
+    }
     text_buffer_add(out, "\n");
   }
 }

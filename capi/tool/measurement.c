@@ -66,6 +66,19 @@ static bool measure_areas(const struct request *request, const struct molecule *
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
+/* Which of the three sums an atom counts for. */
+static double *polarity_sum(struct measurement *measurement, struct element_symbol element) {
+  static const char *const polar[] = {"N", "O"};
+  static const char *const apolar[] = {"C", "S", "Se"};
+  for (size_t i = 0; i < sizeof polar / sizeof polar[0]; ++i) {
+    if (strcmp(element.text, polar[i]) == 0) return &measurement->polar_area;
+  }
+  for (size_t i = 0; i < sizeof apolar / sizeof apolar[0]; ++i) {
+    if (strcmp(element.text, apolar[i]) == 0) return &measurement->apolar_area;
+  }
+  return &measurement->other_area;
+}
+
 bool measurement_make(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                       struct measurement *measurement, struct failure *failure) {
   memset(measurement, 0, sizeof *measurement);
@@ -73,6 +86,9 @@ bool measurement_make(const struct request *request, const struct molecule *mole
   if (weighted && !weights_read(request->weights, molecule->atoms, &measurement->weights, failure)) return false;
   if (!geometry_compute_boundary(geometry, failure)) return false;
   if (!measure_areas(request, molecule, geometry, measurement, failure)) return false;
+  for (uint32_t i = 0; request->polar && i < molecule->atoms; ++i) {
+    *polarity_sum(measurement, molecule->label[i].element) += measurement->area[i];
+  }
   if (weighted && !measure_weighted_area(geometry, measurement, failure)) return false;
   if (!request->gradient) return true;
   return measure_gradients(molecule, geometry, measurement, failure) &&

@@ -24,7 +24,8 @@ struct measurement {
   struct gradient of_area;
   struct gradient of_volume;
   struct gradient of_weighted_area;
-  uint32_t one_sided; /* balls whose derivatives are one-sided because they touch another */
+  double polar_area, apolar_area, other_area; /* if they were asked for */
+  uint32_t one_sided;                         /* balls whose derivatives are one-sided because they touch another */
 };
 
 /* Compute the boundary and measure it as far as the request asks for it. Free the measurement on true and on false. */

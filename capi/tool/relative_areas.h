@@ -1,0 +1,11 @@
+/* What a residue's area is compared with: what it can have at most. */
+#ifndef HARDSPHERE_TOOL_RELATIVE_AREAS_H
+#define HARDSPHERE_TOOL_RELATIVE_AREAS_H
+
+/* Where the values come from, for people. */
+extern const char relative_areas_source[];
+
+/* The largest solvent-accessible area of a residue of this name in a chain, in angstrom^2; NaN if there is no value. */
+double largest_residue_area(const char *name);
+
+#endif

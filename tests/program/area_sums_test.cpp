@@ -1,0 +1,130 @@
+// What `measure` sums areas to: polar and apolar atoms, parts of what residues can have, what an interface buries.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "json_outcome.hpp"
+#include "molecule_file.hpp"
+#include "program_runner.hpp"
+#include "temporary_file.hpp"
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+// A line of a .pdb file.
+std::string atom(int serial, const char *name, const char *residue, char chain, int number, double x,
+                 const char *element) {
+  char line[100];
+  std::snprintf(line, sizeof line, "ATOM  %5d  %-3s %3s %c%4d    %8.3f%8.3f%8.3f%6.2f%6.2f          %2s\n", serial,
+                name, residue, chain, number, x, 0.0, 0.0, 1.0, 0.0, element);
+  return line;
+}
+
+// The area that a sphere of radius r loses to an equal one at distance d.
+double cap(double r, double d) {
+  return 2 * pi * r * (r - d / 2);
+}
+
+TEST(AreaSums, PolarAndApolar) {
+  const Json json = run_json({"measure", "good/residues.pdb", "--polar", "--per-ball", "--probe", "1.4"});
+  double polar = 0;
+  double apolar = 0;
+  double other = 0;
+  for (const Json &ball : json["balls"].items) {
+    const std::string element = ball["element"].text;
+    double &sum = element == "N" || element == "O" ? polar : element == "C" || element == "S" ? apolar : other;
+    sum += ball["area"].number;
+  }
+  EXPECT_GT(polar, 0);
+  EXPECT_GT(apolar, 0);
+  EXPECT_NEAR(json["polar_area"].number, polar, 1e-9);
+  EXPECT_NEAR(json["apolar_area"].number, apolar, 1e-9);
+  EXPECT_NEAR(json["other_area"].number, other, 1e-9);
+  EXPECT_NEAR(polar + apolar + other, json["area"].number, 1e-9);
+  EXPECT_EQ(run_program({"measure", "good/three.xyzr", "--polar"}).status, 2);
+}
+
+// An atom alone in each of three residues: glycine, what is no amino acid, and tryptophan.
+TEST(AreaSums, RelativeToTheLargest) {
+  const TemporaryFile file("far.pdb", atom(1, "CA", "GLY", 'A', 1, 0, "C") + atom(2, "C1", "LIG", 'A', 2, 20, "C") +
+                                          atom(3, "CA", "TRP", 'A', 3, 40, "C"));
+  const double sphere = 4 * pi * 3.1 * 3.1;  // 1.7 and the probe of 1.4
+  const Json json = run_json({"measure", file.path(), "--by", "residue", "--relative", "--probe", "1.4"});
+  const std::vector<Json> &residues = json["residues"].items;
+  ASSERT_EQ(residues.size(), 3u);
+  EXPECT_NEAR(residues[0]["relative"].number, sphere / 104, 1e-12);
+  EXPECT_EQ(residues[1]["relative"].kind, Json::Kind::null);
+  EXPECT_NEAR(residues[2]["relative"].number, sphere / 285, 1e-12);
+  const Outcome csv = run_program({"measure", file.path(), "--by", "residue", "--relative", "--probe", "1.4", "--csv"});
+  EXPECT_EQ(csv.out.rfind("chain,residue,number,insertion,atoms,area,relative\n", 0), 0u) << csv.out;
+  const Outcome table = run_program({"measure", file.path(), "--by", "residue", "--relative", "--probe", "1.4"});
+  EXPECT_NE(table.out.find("Tien"), std::string::npos) << table.out;
+  EXPECT_EQ(run_program({"measure", file.path(), "--relative", "--probe", "1.4"}).status, 2);
+  EXPECT_EQ(run_program({"measure", file.path(), "--by", "chain", "--relative", "--probe", "1.4"}).status, 2);
+  EXPECT_EQ(run_program({"measure", file.path(), "--by", "residue", "--relative"}).status, 2);
+}
+
+// All of crambin's residues are among the twenty, and none shows more than all there can be by much.
+TEST(AreaSums, RelativeAreasOfAProtein) {
+  const std::string crambin = support::own_molecule("crambin.pdb").string();
+  const Json json = run_json({"measure", crambin, "--by", "residue", "--relative", "--probe", "1.4"});
+  for (const Json &residue : json["residues"].items) {
+    ASSERT_EQ(residue["relative"].kind, Json::Kind::number);
+    EXPECT_LT(residue["relative"].number, 1.1);
+  }
+}
+
+// Spheres in a row, one a chain: A meets B, B meets C, and D is far away.
+TEST(AreaSums, InterfaceOfChains) {
+  const double r = 1.7;
+  const TemporaryFile file("row.pdb", atom(1, "CA", "GLY", 'A', 1, 0, "C") + atom(2, "CA", "GLY", 'B', 1, 2, "C") +
+                                          atom(3, "CA", "GLY", 'C', 1, 4.5, "C") +
+                                          atom(4, "CA", "GLY", 'D', 1, 30, "C"));
+  const double sphere = 4 * pi * r * r;
+  struct Case {
+    const char *groups;
+    double alone[2], together[2];
+  };
+  const std::vector<Case> cases = {
+      {"A,B", {sphere, sphere}, {sphere - cap(r, 2), sphere - cap(r, 2)}},
+      {"B,C", {sphere, sphere}, {sphere - cap(r, 2.5), sphere - cap(r, 2.5)}},
+      {"A,C", {sphere, sphere}, {sphere, sphere}},
+      {"A+C,B", {2 * sphere, sphere}, {2 * sphere - cap(r, 2) - cap(r, 2.5), sphere - cap(r, 2) - cap(r, 2.5)}},
+      {"D,C+B", {sphere, 2 * sphere - 2 * cap(r, 2.5)}, {sphere, 2 * sphere - 2 * cap(r, 2.5)}}};
+  for (const Case &it : cases) {
+    const Json json = run_json({"measure", file.path(), "--interface", it.groups});
+    const Json &interface = json["interface"];
+    ASSERT_EQ(interface["groups"].items.size(), 2u) << it.groups;
+    double buried = 0;
+    for (size_t side = 0; side < 2; ++side) {
+      EXPECT_NEAR(interface["groups"].items[side]["alone"].number, it.alone[side], 1e-7) << it.groups;
+      EXPECT_NEAR(interface["groups"].items[side]["together"].number, it.together[side], 1e-7) << it.groups;
+      buried += it.alone[side] - it.together[side];
+    }
+    EXPECT_NEAR(interface["buried"].number, buried, 1e-7) << it.groups;
+    EXPECT_NEAR(interface["together"].number, it.together[0] + it.together[1], 1e-7) << it.groups;
+    // The union as a whole is what it is without the option.
+    EXPECT_EQ(json["area"].text, run_json({"measure", file.path()})["area"].text);
+  }
+  const Outcome table = run_program({"measure", file.path(), "--interface", "A+C,B"});
+  EXPECT_EQ(table.status, 0);
+  EXPECT_NE(table.out.find("interface of the chains A+C,B"), std::string::npos) << table.out;
+}
+
+TEST(AreaSums, InterfacesThatAreNone) {
+  for (const char *groups : {"A", "A,B,C", ",B", "A,", "A++B,C", "A,A", "A+B,B", ""}) {
+    const Outcome outcome = run_program({"measure", "good/residues.pdb", "--interface", groups});
+    EXPECT_EQ(outcome.status, 2) << groups;
+    EXPECT_EQ(outcome.out, "") << groups;
+  }
+  EXPECT_EQ(run_program({"measure", "good/residues.pdb", "--interface", "A,Z"}).status, 1);
+  EXPECT_EQ(run_program({"measure", "good/three.xyzr", "--interface", "A,B"}).status, 2);
+  EXPECT_EQ(run_program({"measure", "good/residues.pdb", "--interface", "A,B", "--csv"}).status, 2);
+}
+
+}  // namespace
