@@ -61,10 +61,10 @@ HSP_API int32_t hsp_query_neighbours(const hsp_model *model, uint32_t ball, uint
 /** Each pair of balls i < j stands once, as j in the row of i. Without this flag it stands in the rows of both. */
 #define HSP_PAIRS_ONCE UINT32_C(1)
 
-/** All pairs of balls that meet, as rows of one array: the neighbours of ball i are ids[first[i]] ..
- *  ids[first[i + 1] - 1], ascending. flags: 0 or HSP_PAIRS_ONCE. first [n + 1] begins with 0 and ends with the number
- *  of ids, which *needed becomes too. It is written on HSP_OK and on HSP_E_CAPACITY, so that with ids NULL and capacity
- *  0 this function counts the neighbours of each ball; a second call with capacity first[n] then lists them.
+/** All pairs of balls that meet, as rows of one array: the neighbours of ball i are ids[first[i]] to
+ *  ids[first[i + 1] - 1], ascending. flags is 0 or HSP_PAIRS_ONCE. first [n + 1] begins with 0 and ends with the number
+ *  of ids, which *needed becomes too. It is written on HSP_OK and on HSP_E_CAPACITY: with ids NULL and capacity 0 this
+ *  function counts the neighbours of each ball, and a second call with capacity first[n] then lists them.
  *
  *  For a list of all pairs of centres at most a cutoff apart, exactly that far included, give hsp_model_set radii that
  *  are all 0 and the probe cutoff / 2. The cutoff is then twice what that is rounded to, see hsp_model_info.
