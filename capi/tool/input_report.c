@@ -47,7 +47,9 @@ static void row_among(struct text_buffer *out, const struct molecule *molecule, 
   text_buffer_add(out, "  %-16s", "among them");
   if (residues) {
     add_count(out, " ", among->waters, "water", "waters");
-    add_count(out, ", ", among->hetatm, "other HETATM atom", "other HETATM atoms");
+    if (format_has_hetatm(molecule->format)) {
+      add_count(out, ", ", among->hetatm, "other HETATM atom", "other HETATM atoms");
+    }
   }
   if (elements) add_count(out, residues ? ", " : " ", among->hydrogens, "hydrogen", "hydrogens");
   text_buffer_add(out, "\n");

@@ -97,6 +97,9 @@ bool format_has_elements(enum molecule_format format);
 /* Whether a format's files say to which residue an atom belongs. */
 bool format_has_residues(enum molecule_format format);
 
+/* Whether a format's files tell atoms of ligands, ions and water from others. */
+bool format_has_hetatm(enum molecule_format format);
+
 /* What people call the format: "pdb". */
 const char *format_name(enum molecule_format format);
 

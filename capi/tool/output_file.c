@@ -139,10 +139,10 @@ static bool open_beside(struct output_file *file, const struct stat *old) {
   if (old != NULL && access(file->target, W_OK) != 0) return false;
   const int descriptor = make_temporary(file, old);
   if (descriptor < 0) {
-    const int reason = errno;
+    file->reason = errno;
+    file->no_room = file->reason == EACCES || file->reason == EPERM || file->reason == EROFS;
     free(file->temporary);
     file->temporary = NULL;
-    errno = reason;
     return false;
   }
   if (old != NULL && !take_permissions(descriptor, old)) file->reason = errno;
@@ -178,10 +178,10 @@ static bool open_path(struct output_file *file) {
 static bool give_up(struct output_file *file, struct failure *failure) {
   const int reason = file->reason != 0 ? file->reason : errno;
   const bool standard = file->stream == stdout;
+  const char *what = standard ? "standard output: " : file->no_room ? "no new file can be made in its folder: " : "";
   failure->file = standard ? NULL : file->path;
   output_file_abandon(file);
-  return failure_in_input(failure, 0, "%s%s", standard ? "standard output: " : "",
-                          reason != 0 ? strerror(reason) : "cannot be written");
+  return failure_in_input(failure, 0, "%s%s", what, reason != 0 ? strerror(reason) : "cannot be written");
 }
 
 bool output_file_open(struct output_file *file, const char *path, struct failure *failure) {

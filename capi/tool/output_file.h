@@ -14,6 +14,7 @@ struct output_file {
   char *target;    /* the file that is replaced at the end; NULL where bytes go to their place at once */
   char *temporary; /* what stands beside it until then */
   int reason;      /* errno of the first thing that failed, 0 if nothing did */
+  bool no_room;    /* that was to make a new file in the folder */
 };
 
 /* Whether the name stands for standard output: "-" and "/dev/stdout". */

@@ -336,4 +336,10 @@ static bool read_cif(struct line_reader *reader, struct molecule *molecule, stru
   return done;
 }
 
-const struct molecule_reader cif_reader = {"cif", "CIF MMCIF", false, true, true, "angstrom", read_cif};
+const struct molecule_reader cif_reader = {.name = "cif",
+                                           .extensions = "CIF MMCIF",
+                                           .has_elements = true,
+                                           .has_residues = true,
+                                           .has_hetatm = true,
+                                           .unit = "angstrom",
+                                           .read = read_cif};

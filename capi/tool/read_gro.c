@@ -142,4 +142,9 @@ static bool read_gro(struct line_reader *reader, struct molecule *molecule, stru
   }
 }
 
-const struct molecule_reader gro_reader = {"gro", "GRO", false, true, true, "angstrom", read_gro};
+const struct molecule_reader gro_reader = {.name = "gro",
+                                           .extensions = "GRO",
+                                           .has_elements = true,
+                                           .has_residues = true,
+                                           .unit = "angstrom",
+                                           .read = read_gro};

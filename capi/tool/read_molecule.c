@@ -73,6 +73,10 @@ bool format_has_residues(enum molecule_format format) {
   return readers[format]->has_residues;
 }
 
+bool format_has_hetatm(enum molecule_format format) {
+  return readers[format]->has_hetatm;
+}
+
 const char *format_name(enum molecule_format format) {
   return readers[format]->name;
 }

@@ -16,6 +16,7 @@ struct molecule_reader {
   bool has_radii;
   bool has_elements;
   bool has_residues;
+  bool has_hetatm;
   const char *unit;
   /* Read the model of the file that the molecule asks for, from the first line on. */
   bool (*read)(struct line_reader *reader, struct molecule *molecule, struct failure *failure);

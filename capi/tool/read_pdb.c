@@ -116,4 +116,10 @@ static bool read_pdb(struct line_reader *reader, struct molecule *molecule, stru
   return status == LINE_END;
 }
 
-const struct molecule_reader pdb_reader = {"pdb", "PDB# ENT", false, true, true, "angstrom", read_pdb};
+const struct molecule_reader pdb_reader = {.name = "pdb",
+                                           .extensions = "PDB# ENT",
+                                           .has_elements = true,
+                                           .has_residues = true,
+                                           .has_hetatm = true,
+                                           .unit = "angstrom",
+                                           .read = read_pdb};

@@ -143,4 +143,11 @@ static bool read_pqr(struct line_reader *reader, struct molecule *molecule, stru
   }
 }
 
-const struct molecule_reader pqr_reader = {"pqr", "PQR", true, true, true, "angstrom", read_pqr};
+const struct molecule_reader pqr_reader = {.name = "pqr",
+                                           .extensions = "PQR",
+                                           .has_radii = true,
+                                           .has_elements = true,
+                                           .has_residues = true,
+                                           .has_hetatm = true,
+                                           .unit = "angstrom",
+                                           .read = read_pqr};

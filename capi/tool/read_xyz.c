@@ -169,4 +169,5 @@ static bool read_xyz(struct line_reader *reader, struct molecule *molecule, stru
   }
 }
 
-const struct molecule_reader xyz_reader = {"xyz", "XYZ", false, true, false, "angstrom", read_xyz};
+const struct molecule_reader xyz_reader = {
+    .name = "xyz", .extensions = "XYZ", .has_elements = true, .unit = "angstrom", .read = read_xyz};

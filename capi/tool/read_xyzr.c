@@ -29,4 +29,5 @@ static bool read_xyzr(struct line_reader *reader, struct molecule *molecule, str
   }
 }
 
-const struct molecule_reader xyzr_reader = {"xyzr", "XYZR", true, false, false, "unit", read_xyzr};
+const struct molecule_reader xyzr_reader = {
+    .name = "xyzr", .extensions = "XYZR", .has_radii = true, .unit = "unit", .read = read_xyzr};

@@ -139,6 +139,9 @@ bool selection_suits(const struct selection *selection, enum molecule_format for
   for (size_t i = 0; i < selection->count; ++i) {
     const enum key key = selection->items[i].key;
     const bool element = key == KEY_ELEMENT || key == KEY_HYDROGEN;
+    if (key == KEY_HETATM && format_has_residues(format) && !format_has_hetatm(format)) {
+      return failure_in_usage(failure, "a selection by hetatm has no use here: the file does not tell such atoms");
+    }
     if (element ? format_has_elements(format) : format_has_residues(format)) continue;
     return failure_in_usage(failure, "a selection by %s has no use here: the file does not name %s", key_names[key],
                             element ? "elements" : "residues");

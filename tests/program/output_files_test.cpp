@@ -158,9 +158,11 @@ TEST_P(OutputFiles, ReadOnlyFoldersAndFiles) {
   ASSERT_EQ(chmod(old.c_str(), 0666), 0);
   ASSERT_EQ(chmod(folder.path().c_str(), 0555), 0);
   if (run_program_in(nobody, {"--version"}).status == 127) GTEST_SKIP() << "the program is out of other users' reach";
-  expect_refusal(run_program_in(nobody, call(GetParam(), "good/water.pdb", old)), 1, old + ": Permission denied");
+  expect_refusal(run_program_in(nobody, call(GetParam(), "good/water.pdb", old)), 1,
+                 old + ": no new file can be made in its folder: Permission denied");
   const std::string fresh = folder.path("fresh");
-  expect_refusal(run_program_in(nobody, call(GetParam(), "good/water.pdb", fresh)), 1, fresh + ": Permission denied");
+  expect_refusal(run_program_in(nobody, call(GetParam(), "good/water.pdb", fresh)), 1,
+                 fresh + ": no new file can be made in its folder: Permission denied");
   // The file decides as well: what nobody may write to is not replaced.
   ASSERT_EQ(chmod(folder.path().c_str(), 0777), 0);
   ASSERT_EQ(chmod(old.c_str(), 0444), 0);
