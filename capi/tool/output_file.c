@@ -127,12 +127,20 @@ static int make_temporary(struct output_file *file, const struct stat *old) {
   return -1;
 }
 
-/* The new file belongs to whom the old one belonged, as far as the user may decide that. */
+/* The new file belongs to whom the old one belonged, as far as the user may decide that: to its group at least, or else
+ * that group's rights are nobody's. */
 static bool take_permissions(int descriptor, const struct stat *old) {
-  if ((old->st_uid != geteuid() || old->st_gid != getegid()) && fchown(descriptor, old->st_uid, old->st_gid) != 0) {
-    return fchmod(descriptor, old->st_mode & 0707) == 0; /* another group is not the old one */
+  mode_t mode = old->st_mode & 0777;
+  const bool others = old->st_uid != geteuid() || old->st_gid != getegid();
+  if (others && fchown(descriptor, old->st_uid, old->st_gid) != 0 && fchown(descriptor, (uid_t)-1, old->st_gid) != 0) {
+    mode &= 0707;
   }
-  return fchmod(descriptor, old->st_mode & 0777) == 0;
+  if (fchmod(descriptor, mode) == 0) return true;
+  const int reason = errno;
+  struct stat now; /* there are file systems with one mode for all files */
+  const bool same = fstat(descriptor, &now) == 0 && (now.st_mode & 0777) == mode;
+  errno = reason;
+  return same;
 }
 
 static bool open_beside(struct output_file *file, const struct stat *old) {

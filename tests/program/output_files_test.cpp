@@ -111,6 +111,36 @@ TEST_P(OutputFiles, AnOldFileIsReplacedAndKeepsItsPermissions) {
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"old", "water.pdb"}));
 }
 
+// Somebody else's file stays theirs where the user may give it away, and its group's where not.
+TEST_P(OutputFiles, AnOldFileKeepsItsOwnerOrItsGroup) {
+  if (geteuid() != 0) GTEST_SKIP() << "only root can make files of others";
+  const std::string old = folder.write("old", "old");
+  ASSERT_EQ(chmod(folder.path().c_str(), 0777), 0);
+  const auto check = [&](uid_t owner, gid_t group, mode_t mode) {
+    struct stat found;
+    ASSERT_EQ(stat(old.c_str(), &found), 0);
+    EXPECT_EQ(found.st_uid, owner);
+    EXPECT_EQ(found.st_gid, group);
+    EXPECT_EQ(found.st_mode & 07777u, mode);
+  };
+  if (chown(old.c_str(), 1234, 1235) != 0) GTEST_SKIP() << "not even root can, here";
+  ASSERT_EQ(chmod(old.c_str(), 0660), 0);
+  EXPECT_EQ(write(old).status, 0);
+  check(1234, 1235, 0660);
+  Surroundings nobody;
+  nobody.as_nobody = true;
+  if (run_program_in(nobody, {"--version"}).status == 127) GTEST_SKIP() << "the program is out of other users' reach";
+  const uid_t other = 65534;
+  ASSERT_EQ(chown(old.c_str(), 1234, other), 0);
+  ASSERT_EQ(chmod(old.c_str(), 0664), 0);
+  EXPECT_EQ(run_program_in(nobody, call(GetParam(), "good/water.pdb", old)).status, 0);
+  check(other, other, 0664);
+  ASSERT_EQ(chown(old.c_str(), 1234, 1235), 0);
+  ASSERT_EQ(chmod(old.c_str(), 0666), 0);
+  EXPECT_EQ(run_program_in(nobody, call(GetParam(), "good/water.pdb", old)).status, 0);
+  check(other, other, 0606);
+}
+
 // The link stays, and what it leads to is replaced, wherever that lies.
 TEST_P(OutputFiles, LinksAreFollowed) {
   fs::create_directory(folder.path("inner"));
