@@ -26,10 +26,11 @@ struct Reading {
   int exit_status = 0;
   std::string reason;
   uint64_t line = 0;
+  uint64_t models = 0;
   std::vector<double> numbers;  // x y z r of every atom
 };
 
-Reading read(const std::string &text, const char *extension) {
+Reading read(const std::string &text, const char *extension, uint64_t model = 1) {
   static const std::string folder = [] {
     const char *given = std::getenv("TMPDIR");
     return std::string(given != nullptr ? given : "/tmp");
@@ -50,10 +51,11 @@ Reading read(const std::string &text, const char *extension) {
   molecule_format format = FORMAT_XYZR;
   FUZZ_REQUIRE(molecule_format_of(path.c_str(), &format, &why), "extension");
   reading.done =
-      read_molecule(path.c_str(), format, 1, &atoms, &why) && molecule_take_radii(&atoms, &table, &no_table, &why);
+      read_molecule(path.c_str(), format, model, &atoms, &why) && molecule_take_radii(&atoms, &table, &no_table, &why);
   reading.exit_status = why.exit_status;
   reading.reason = why.reason;
   reading.line = why.line;
+  reading.models = atoms.models;
   if (reading.done) {
     FUZZ_REQUIRE(why.exit_status == 0, "success with an exit status");
     for (uint32_t i = 0; i < atoms.atoms; ++i) {
@@ -106,6 +108,9 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     FUZZ_REQUIRE(same(reading, read(with_line_ends(text, "\r\n"), extension)), "CRLF");
     FUZZ_REQUIRE(same(reading, read(with_line_ends(text, "\r"), extension)), "CR");
   }
+  const Reading second = read(text, extension, 2);
+  if (second.done) FUZZ_REQUIRE(second.models >= 2, "a second model of one");
+  if (reading.done && second.done) FUZZ_REQUIRE(second.models == reading.models, "the number of models");
   if (reading.done) {
     std::string plain;
     for (size_t k = 0; k < reading.numbers.size(); k += 4) {

@@ -94,12 +94,13 @@ bool label_take_element(struct atom_label *label, struct field name) {
 
 /* Nothing follows from a file without atoms, but that something went wrong before. */
 static bool check_atoms(const struct molecule *molecule, struct failure *failure) {
-  if (molecule->atoms > 0) return true;
-  if (molecule->models <= 1 && molecule->model == 1) return failure_in_input(failure, 0, "no atoms in the file");
-  if (molecule->model <= molecule->models) {
-    return failure_in_input(failure, 0, "no atoms in model %" PRIu64, molecule->model);
+  if (molecule->model > 1 && molecule->model > molecule->models) {
+    return failure_in_input(failure, 0, "no model %" PRIu64 ": the file has %" PRIu64, molecule->model,
+                            molecule->models);
   }
-  return failure_in_input(failure, 0, "no model %" PRIu64 ": the file has %" PRIu64, molecule->model, molecule->models);
+  if (molecule->atoms > 0) return true;
+  if (molecule->models <= 1) return failure_in_input(failure, 0, "no atoms in the file");
+  return failure_in_input(failure, 0, "no atoms in model %" PRIu64, molecule->model);
 }
 
 bool read_molecule(const char *path, enum molecule_format format, uint64_t model, struct molecule *molecule,
