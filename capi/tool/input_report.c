@@ -81,11 +81,11 @@ static void rows_left_out(struct text_buffer *out, const struct left_out *left_o
   }
 }
 
-/* Elements that the set has no radius for, with their atoms. Calls `add` for each of them. */
+/* Elements that the set has no radius for, and unknown ones at the end, with their atoms: `add` is called for each. */
 static void list_substitutes(struct text_buffer *out, const struct request *request, const struct molecule *molecule,
                              void add(struct text_buffer *, bool first, const char *symbol, double radius,
                                       uint64_t atoms)) {
-  uint64_t atoms[120] = {0};
+  uint64_t atoms[120] = {0}; /* by atomic number; [0]: unknown */
   struct element_symbol symbol;
   bool first = true;
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
@@ -98,6 +98,10 @@ static void list_substitutes(struct text_buffer *out, const struct request *requ
     if (atoms[number] == 0 || !radii_find(&request->radii, symbol, &radius)) continue;
     add(out, first, symbol.text, radius, atoms[number]);
     first = false;
+  }
+  double radius;
+  if (atoms[0] > 0 && radii_find(&request->radii, element_unknown, &radius)) {
+    add(out, first, element_unknown.text, radius, atoms[0]);
   }
 }
 

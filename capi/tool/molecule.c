@@ -92,7 +92,8 @@ static bool find_radius(struct atom_label *label, const struct radii *radii, con
   if (!radii_is_given(radii, label->element)) {
     label->by_name = radii_table_find(table, label->residue.name, label->name, radius);
   }
-  return label->by_name || radii_find(radii, label->element, radius);
+  if (label->by_name) return true;
+  return (!label->virtual_site || radii_is_given(radii, label->element)) && radii_find(radii, label->element, radius);
 }
 
 bool molecule_take_radii(struct molecule *molecule, const struct radii *radii, const struct radii_table *table,

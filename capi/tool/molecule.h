@@ -73,8 +73,8 @@ void molecule_move_atom(struct molecule *molecule, uint32_t to, uint32_t from);
 
 /* Take the radius of every atom from the table, if it stands there, and else from its element; radii that the user gave
  * for elements come before both. Nothing is done if the format brings radii. Where the table names a residue, but no
- * hydrogens at all, heavy atoms stand for them, and they are left out. Virtual sites without a radius are left out;
- * other symbols without one, which no element has, are refused, all of them in one line. */
+ * hydrogens at all, heavy atoms stand for them, and they are left out. Virtual sites without a radius of the user's are
+ * left out; other symbols without one, which no element has, are refused, all of them in one line. */
 bool molecule_take_radii(struct molecule *molecule, const struct radii *radii, const struct radii_table *table,
                          struct failure *failure);
 

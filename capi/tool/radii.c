@@ -26,6 +26,9 @@ static const struct radii_set radii_naccess = {"naccess",
 
 static const struct radii_set *const sets[] = {&radii_bondi, &radii_chem3d, &radii_protor, &radii_naccess};
 
+/* Of an atom whose element is unknown: what the library gives elements that no set has a radius for. */
+static const double unknown_radius = 2.0;
+
 /* The symbols of the periodic table by atomic number, in two columns each. */
 static const char symbols[] =
     "H HeLiBeB C N O F NeNaMgAlSiP S ClArK CaScTiV CrMnFeCoNiCuZnGaGeAsSeBrKrRbSrY ZrNbMoTcRuRhPdAgCdInSnSbTeI XeCs"
@@ -60,6 +63,12 @@ bool element_symbol_of_number(uint64_t number, struct element_symbol *symbol) {
 
 bool element_symbol_exists(struct element_symbol symbol) {
   return element_atomic_number(symbol) != 0;
+}
+
+const struct element_symbol element_unknown = {"X"};
+
+bool element_is_unknown(struct element_symbol symbol) {
+  return strcmp(symbol.text, element_unknown.text) == 0;
 }
 
 static size_t place(struct element_symbol symbol) {
@@ -104,6 +113,8 @@ void radii_take_set(struct radii *radii, const struct radii_set *set) {
     radii->substitute[place(symbol)] = (flags & HSP_RADIUS_FALLBACK) != 0;
     radii->given[place(symbol)] = false;
   }
+  radii->of[place(element_unknown)] = unknown_radius;
+  radii->substitute[place(element_unknown)] = true;
 }
 
 void radii_put(struct radii *radii, struct element_symbol symbol, double radius) {

@@ -24,6 +24,10 @@ bool element_symbol_of_number(uint64_t number, struct element_symbol *symbol);
 /* Whether the periodic table has the symbol. */
 bool element_symbol_exists(struct element_symbol symbol);
 
+/* X, which files of the PDB have for an atom that is there while nobody knows its element. It has no atomic number. */
+extern const struct element_symbol element_unknown;
+bool element_is_unknown(struct element_symbol symbol);
+
 /* The radius of every symbol of one or two letters: negative where there is none. */
 struct radii {
   double of[27 * 27];
@@ -51,8 +55,8 @@ const char *radii_set_name(const struct radii_set *set);
 /* Where a set was published, in a few words. */
 const char *radii_set_source(const struct radii_set *set);
 
-/* Begin with a set's radii by element, which for sets by residue and atom are those of bondi; radii_put then adds or
- * replaces single radii. */
+/* Begin with a set's radii by element, which for sets by residue and atom are those of bondi, and with a substitute for
+ * unknown atoms; radii_put then adds or replaces single radii. */
 void radii_take_set(struct radii *radii, const struct radii_set *set);
 void radii_put(struct radii *radii, struct element_symbol symbol, double radius);
 

@@ -5,10 +5,23 @@
 #include "radii.h"
 #include "radii_table.h"
 
+static void print_element(struct text_buffer *out, const struct radii *radii, size_t count,
+                          struct element_symbol symbol) {
+  text_buffer_add(out, "  %-8s", symbol.text);
+  for (size_t i = 0; i < count; ++i) {
+    double radius = 0.0;
+    radii_find(&radii[i], symbol, &radius);
+    text_buffer_add(out, "  %7.2f%s", radius, radii_is_substitute(&radii[i], symbol) ? "*" : i + 1 < count ? " " : "");
+  }
+  text_buffer_add(out, "\n");
+}
+
 static void print_elements(struct text_buffer *out) {
   struct radii radii[8];
   size_t count = 0;
-  text_buffer_add(out, "\nBy element, in angstrom; * the set has none, and takes this one instead:\n  %-8s", "element");
+  text_buffer_add(out,
+                  "\nBy element, in angstrom; * the set has none, and takes this one instead; X is unknown:\n  %-8s",
+                  "element");
   for (size_t i = 0; radii_set_at(i) != NULL; ++i) {
     const struct radii_set *set = radii_set_at(i);
     if (radii_set_rules(set) != NULL) continue;
@@ -18,17 +31,9 @@ static void print_elements(struct text_buffer *out) {
   text_buffer_add(out, "\n");
   struct element_symbol symbol;
   for (uint32_t number = 1; element_symbol_of_number(number, &symbol); ++number) {
-    text_buffer_add(out, "  %-8s", symbol.text);
-    for (size_t i = 0; i < count; ++i) {
-      double radius = 0.0;
-      radii_find(&radii[i], symbol, &radius);
-      text_buffer_add(out, "  %7.2f%s", radius,
-                      radii_is_substitute(&radii[i], symbol) ? "*"
-                      : i + 1 < count                        ? " "
-                                                             : "");
-    }
-    text_buffer_add(out, "\n");
+    print_element(out, radii, count, symbol);
   }
+  print_element(out, radii, count, element_unknown);
 }
 
 static bool print_residues(const struct radii_set *set, struct text_buffer *out, struct failure *failure) {

@@ -90,7 +90,8 @@ static bool parse_element(struct field text, struct atom_label *label) {
   size_t letters = 0;
   while (letters < text.length && is_letter(text.text[letters])) ++letters;
   if (!element_symbol_parse(text.text, letters, &label->element)) return false;
-  label->virtual_site = is_virtual_symbol(label->element);
+  /* X is no unknown atom here, but a dummy that an internal coordinate was defined by. */
+  label->virtual_site = is_virtual_symbol(label->element) || element_is_unknown(label->element);
   return true;
 }
 

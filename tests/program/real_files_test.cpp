@@ -76,12 +76,12 @@ TEST(RealFiles, VirtualSitesAreLeftOut) {
 
 // All symbols that no element has, in one run; metals are elements.
 TEST(RealFiles, UnknownElementsAreNamedAtOnce) {
-  const TemporaryFile file("unknown.xyz", "5\n\nX 0 0 0\nFe 0 0 5\nQq 0 0 9\nX 0 9 0\nMo 9 0 0\n");
+  const TemporaryFile file("unknown.xyz", "5\n\nXx 0 0 0\nFe 0 0 5\nQq 0 0 9\nXx 0 9 0\nMo 9 0 0\n");
   EXPECT_EQ(run_program({"measure", file.path()}).err,
             "hardsphere: " + file.path() +
-                ":3: unknown elements 'X' (2 atoms), 'Qq' (1 atom); give radii with --radius "
-                "X=R,Qq=R, or leave out such atoms with --hide element:X,Qq\n");
-  const Json input = run_json({"measure", file.path(), "--hide", "element:X,Qq"})["input"];
+                ":3: unknown elements 'Xx' (2 atoms), 'Qq' (1 atom); give radii with --radius "
+                "Xx=R,Qq=R, or leave out such atoms with --hide element:Xx,Qq\n");
+  const Json input = run_json({"measure", file.path(), "--hide", "element:Xx,Qq"})["input"];
   ASSERT_EQ(input["substitutes"].items.size(), 2u);
   EXPECT_EQ(input["substitutes"].items[0].keys, (Words{"element", "radius", "atoms"}));
   EXPECT_EQ(input["substitutes"].items[0]["element"].text, "Fe");
@@ -89,7 +89,55 @@ TEST(RealFiles, UnknownElementsAreNamedAtOnce) {
   EXPECT_EQ(input["substitutes"].items[1]["element"].text, "Mo");
   EXPECT_EQ(input["substitutes"].items[1]["atoms"].number, 1);
   EXPECT_TRUE(
-      run_json({"measure", file.path(), "--radius=X=1,Qq=1,Fe=1.3,Mo=1.5"})["input"]["substitutes"].items.empty());
+      run_json({"measure", file.path(), "--radius=Xx=1,Qq=1,Fe=1.3,Mo=1.5"})["input"]["substitutes"].items.empty());
+}
+
+// What input.substitutes has: "X 2 (3)" for three atoms.
+std::string substitutes(const Json &input) {
+  std::string list;
+  for (const Json &one : input["substitutes"].items) {
+    char text[80];
+    std::snprintf(text, sizeof text, "%s%s %g (%g)", list.empty() ? "" : ", ", one["element"].text.c_str(),
+                  one["radius"].number, one["atoms"].number);
+    list += text;
+  }
+  return list;
+}
+
+// X of the Protein Data Bank is an atom that somebody saw in the density: it takes up room, as elements without a
+// radius do, and is named like them. Its column decides, whatever the name is, and else a name without a known element.
+TEST(RealFiles, UnknownAtomsHaveASubstituteRadius) {
+  const std::string text = record("HETATM", " UNK", "UNX", "A", 1, 0, "           X") +
+                           record("HETATM", " X", "UNX", "A", 2, 10) +
+                           record("ATOM", " AD1", "ASX", "A", 3, 20, "           X") +
+                           record("HETATM", "FE", "FE", "A", 4, 30, "          FE") +
+                           record("HETATM", " O", "HOH", "A", 5, 40, "           O");
+  const TemporaryFile file("unx.pdb", text);
+  EXPECT_EQ(column(file.path(), "element"), (Words{"X", "X", "X", "Fe", "O"}));
+  EXPECT_EQ(column(file.path(), "radius"), (Words{"2", "2", "2", "2", "1.52"}));
+  EXPECT_EQ(substitutes(run_json({"measure", file.path()})["input"]), "Fe 2 (1), X 2 (3)");
+  EXPECT_EQ(substitutes(run_json({"measure", file.path(), "--radii", "chem3d"})["input"]), "Fe 2 (1), X 2 (3)");
+  EXPECT_NE(
+      run_program({"measure", file.path()}).out.find("substitutes      Fe 2 (1 atom), X 2 (3 atoms): not in bondi"),
+      std::string::npos);
+  // A user's radius is no substitute, and selections know the symbol.
+  EXPECT_EQ(column(file.path(), "radius", {"--radius", "X=1.7"}), (Words{"1.7", "1.7", "1.7", "2", "1.52"}));
+  EXPECT_EQ(substitutes(run_json({"measure", file.path(), "--radius", "X=1.7"})["input"]), "Fe 2 (1)");
+  EXPECT_EQ(column(file.path(), "element", {"--hide", "element:X"}), (Words{"Fe", "O"}));
+  const TemporaryFile cif("unx.cif",
+                          "data_x\nloop_\n_atom_site.type_symbol\n_atom_site.label_atom_id\n_atom_site.Cartn_x\n"
+                          "_atom_site.Cartn_y\n_atom_site.Cartn_z\nX UNK 0 0 0\nO O 9 0 0\n");
+  EXPECT_EQ(column(cif.path(), "radius"), (Words{"2", "1.52"}));
+}
+
+// In .xyz, from programs that take internal coordinates, X is a dummy: a point to define an angle by.
+TEST(RealFiles, DummiesInXyzAreLeftOut) {
+  const TemporaryFile file("dummy.xyz", "3\n\nO 0 0 0\nX 0 0 1\nx2 0 0 2\n");
+  EXPECT_EQ(column(file.path(), "element"), Words{"O"});
+  const Json input = run_json({"measure", file.path()})["input"];
+  EXPECT_EQ(input["left_out"]["virtual_sites"].number, 2);
+  EXPECT_EQ(substitutes(input), "");
+  EXPECT_EQ(column(file.path(), "radius", {"--radius", "X=0.5"}), (Words{"1.52", "0.5", "0.5"}));
 }
 
 // More of them than a line has room for.
