@@ -55,6 +55,7 @@ succeed crambin.csv "$program" measure --gradient --csv bench/molecules/crambin.
 succeed crambin.residues "$program" measure --by residue --json bench/molecules/crambin.pdb
 succeed crambin.voids "$program" voids --json bench/molecules/crambin.pdb --probe 1.4
 succeed crambin.output "$program" measure bench/molecules/crambin.pdb --pdb-out "$outputs/crambin.pdb"
+succeed formats "$program" measure --csv tests/program/inputs/good/water.{pdb,cif,gro}
 degenerate=tests/portability/inputs/degenerate.xyzr
 both_commands succeed degenerate $degenerate
 both_commands succeed degenerate.probe $degenerate --probe 0.5
