@@ -25,16 +25,16 @@
 
 /** All zeros at first. The handles may be read; the rest is this file's. */
 typedef struct hsp_workspace {
-  hsp_model *model; /**< NULL before hsp_workspace_set */
-  hsp_boundary *boundary;
-  hsp_topology *topology;
-  hsp_view *view;
-  void *memory[4];
-  uint32_t most_balls; /**< what the model has room for */
-  uint32_t reserved;
-  hsp_boundary_limits boundary_limits;
-  hsp_topology_limits topology_limits;
-  hsp_view_limits view_limits;
+  hsp_model *model;                    /**< NULL before hsp_workspace_set */
+  hsp_boundary *boundary;              /**< NULL before hsp_workspace_boundary */
+  hsp_topology *topology;              /**< NULL before hsp_workspace_topology */
+  hsp_view *view;                      /**< NULL before hsp_workspace_view */
+  void *memory[4];                     /**< of the four handles */
+  uint32_t most_balls;                 /**< what the model has room for */
+  uint32_t reserved;                   /**< 0 */
+  hsp_boundary_limits boundary_limits; /**< what the boundary has room for */
+  hsp_topology_limits topology_limits; /**< what the topology has room for */
+  hsp_view_limits view_limits;         /**< what the view has room for */
 } hsp_workspace;
 
 /* Memory of another size, without its contents. */

@@ -75,12 +75,12 @@ typedef struct hsp_boundary_counts {
   uint32_t balls;           /**< balls of the model */
   uint32_t exposed_balls;   /**< balls with at least one face */
   uint32_t contained_balls; /**< balls inside one other ball (of several equal balls, all but one) */
-  uint32_t vertices;
+  uint32_t vertices;        /**< points where three spheres meet */
   uint32_t arcs; /**< between two vertices, each counted once */
-  uint32_t circles;
-  uint32_t faces;
+  uint32_t circles;         /**< whole circles that are free */
+  uint32_t faces;           /**< maximal free pieces of spheres */
   uint32_t loops; /**< boundary loops of all faces */
-  uint32_t shells;
+  uint32_t shells;          /**< connected components of the boundary */
   uint32_t components;    /**< connected components of the union */
   uint32_t voids;         /**< bounded components of the complement of the union */
   uint32_t tied_vertices; /**< vertices with HSP_VERTEX_TIED */
@@ -106,7 +106,7 @@ typedef struct hsp_vertex {
   uint32_t ball[3]; /**< its balls a < b < c */
   int32_t sign;     /**< +1 or -1: the side of the plane of the centres, along (c_b - c_a) x (c_c - c_a) */
   uint32_t flags;   /**< HSP_VERTEX_* */
-  uint32_t reserved;
+  uint32_t reserved; /**< 0 */
 } hsp_vertex;
 
 /** The vertices; index in the array = vertex id used by hsp_arc.

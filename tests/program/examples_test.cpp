@@ -207,14 +207,67 @@ TEST(Examples, DockingOfTwoBalls) {
   EXPECT_LE(x * x + y * y + z * z, 6.25);
 }
 
+// Points on a line 1.5 apart: up to a cutoff of 3 each has two later ones, the last two fewer. 3 counts, less does not.
+TEST(Examples, NeighbourListOfARow) {
+  std::ostringstream row;
+  for (int i = 0; i < 10; ++i) row << 1.5 * i << " 0 0 1\n";
+  const TemporaryFile file("row.xyzr", row.str());
+  const auto pairs = [&](const char *cutoff) {
+    const Outcome outcome = run_example("neighbour_list", {file.path(), cutoff});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return outcome.out;
+  };
+  EXPECT_EQ(pairs("3"), "17 pairs\n");
+  EXPECT_EQ(pairs("2.9999"), "9 pairs\n");
+  EXPECT_EQ(pairs("1.4999"), "0 pairs\n");
+  EXPECT_EQ(pairs("20"), "45 pairs\n");
+  const Outcome printed = run_example("neighbour_list", {file.path(), "3", "print"});
+  const std::vector<std::string> lines = lines_of(printed.out);
+  ASSERT_EQ(lines.size(), 11u);
+  EXPECT_EQ(lines[1], "0: 1 2");
+  EXPECT_EQ(lines[9], "8: 9");
+  EXPECT_EQ(lines[10], "9:");
+}
+
+// The cage has a void in its middle. One thread or many, the counts are the same.
+TEST(Examples, ThreadsOnOneHandle) {
+  const Outcome alone = run_example("threads", {"good/cage.xyzr", "1"});
+  ASSERT_EQ(alone.status, 0) << alone.err;
+  unsigned outside = 0;
+  unsigned in_voids = 0;
+  unsigned in_balls = 0;
+  ASSERT_EQ(
+      std::sscanf(alone.out.c_str(), "%u points outside, %u in voids, %u in balls", &outside, &in_voids, &in_balls), 3)
+      << alone.out;
+  EXPECT_EQ(outside + in_voids + in_balls, 24u * 24u * 24u);
+  // Grid points in the balls, by their definition.
+  unsigned expected = 0;
+  const double step = 3.8 / 23;
+  for (int at = 0; at < 24 * 24 * 24; ++at) {
+    const double p[3] = {-1.9 + step * (at % 24), -1.9 + step * (at / 24 % 24), -1.9 + step * (at / 576)};
+    bool inside = false;
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const int side : {-1, 1}) {
+        double square = 0;
+        for (int k = 0; k < 3; ++k) square += std::pow(p[k] - (k == axis ? side : 0), 2);
+        inside = inside || square <= 0.81;
+      }
+    }
+    if (inside) ++expected;
+  }
+  EXPECT_EQ(in_balls, expected);
+  EXPECT_EQ(in_voids, 8u) << "the eight points about the middle";
+  for (const char *threads : {"2", "5", "16"}) {
+    EXPECT_EQ(run_example("threads", {"good/cage.xyzr", threads}).out, alone.out) << threads;
+  }
+}
+
 TEST(Examples, RefuseBadFiles) {
   const TemporaryFile bad("bad.xyzr", "0 0 0 1\n0 0 1\n");
   const std::string good = "good/one.xyzr";
   const std::vector<std::pair<std::string, std::vector<std::string>>> calls = {
-      {"dynamics", {bad.path()}},
-      {"face_loops", {bad.path()}},
-      {"docking", {good, bad.path()}},
-      {"turntable", {bad.path(), "no_picture"}}};
+      {"dynamics", {bad.path()}}, {"face_loops", {bad.path()}},    {"neighbour_list", {bad.path(), "3"}},
+      {"threads", {bad.path()}},  {"docking", {good, bad.path()}}, {"turntable", {bad.path(), "no_picture"}}};
   for (const auto &[example, arguments] : calls) {
     const Outcome outcome = run_example(example, arguments);
     EXPECT_EQ(outcome.status, 1) << example;
