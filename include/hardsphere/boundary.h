@@ -76,15 +76,15 @@ typedef struct hsp_boundary_counts {
   uint32_t exposed_balls;   /**< balls with at least one face */
   uint32_t contained_balls; /**< balls inside one other ball (of several equal balls, all but one) */
   uint32_t vertices;        /**< points where three spheres meet */
-  uint32_t arcs; /**< between two vertices, each counted once */
+  uint32_t arcs;            /**< between two vertices, each counted once */
   uint32_t circles;         /**< whole circles that are free */
   uint32_t faces;           /**< maximal free pieces of spheres */
-  uint32_t loops; /**< boundary loops of all faces */
+  uint32_t loops;           /**< boundary loops of all faces */
   uint32_t shells;          /**< connected components of the boundary */
-  uint32_t components;    /**< connected components of the union */
-  uint32_t voids;         /**< bounded components of the complement of the union */
-  uint32_t tied_vertices; /**< vertices with HSP_VERTEX_TIED */
-  int64_t euler;          /**< Euler characteristic of the boundary, summed over its shells */
+  uint32_t components;      /**< connected components of the union */
+  uint32_t voids;           /**< bounded components of the complement of the union */
+  uint32_t tied_vertices;   /**< vertices with HSP_VERTEX_TIED */
+  int64_t euler;            /**< Euler characteristic of the boundary, summed over its shells */
 } hsp_boundary_counts;
 
 /** How many of everything the boundary has.
@@ -102,10 +102,10 @@ HSP_API int32_t hsp_boundary_get_counts(const hsp_boundary *boundary, hsp_bounda
 
 /** A vertex of the boundary. Frozen. */
 typedef struct hsp_vertex {
-  double xyz[3];    /**< position, length */
-  uint32_t ball[3]; /**< its balls a < b < c */
-  int32_t sign;     /**< +1 or -1: the side of the plane of the centres, along (c_b - c_a) x (c_c - c_a) */
-  uint32_t flags;   /**< HSP_VERTEX_* */
+  double xyz[3];     /**< position, length */
+  uint32_t ball[3];  /**< its balls a < b < c */
+  int32_t sign;      /**< +1 or -1: the side of the plane of the centres, along (c_b - c_a) x (c_c - c_a) */
+  uint32_t flags;    /**< HSP_VERTEX_* */
   uint32_t reserved; /**< 0 */
 } hsp_vertex;
 
