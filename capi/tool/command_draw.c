@@ -11,7 +11,6 @@
 #include "occlusion.h"
 #include "output_file.h"
 #include "picture_file.h"
-#include "progress.h"
 #include "report.h"
 #include "residues.h"
 
@@ -126,8 +125,7 @@ static const char *base_name(const char *path) {
 }
 
 static bool write_picture(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
-                          const uint32_t *colour, const struct progress *progress, struct drawn *drawn,
-                          struct failure *failure) {
+                          const uint32_t *colour, struct drawn *drawn, struct failure *failure) {
   const int32_t status = hsp_view_get_info(geometry->work.view, &drawn->view);
   if (status != HSP_OK) return failure_in_library(failure, status);
   if (!picture_options_of(&request->drawing, molecule->atoms, &drawn->view, &drawn->options, failure)) return false;
@@ -138,25 +136,21 @@ static bool write_picture(const struct request *request, const struct molecule *
            direction_text(towards, drawn->view.towards));
   const char *title = request->drawing.title != NULL ? request->drawing.title : base_name(input_name(request->file));
   const struct picture picture = {colour, drawn->options, title, description};
-  progress_show(progress, "writing");
-  return picture_file_write(geometry->work.view, &picture, request->drawing.out, progress, &drawn->bytes, failure);
+  progress_show(&geometry->progress, "writing");
+  return picture_file_write(geometry->work.view, &picture, request->drawing.out, &geometry->progress, &drawn->bytes,
+                            failure);
 }
 
 static bool draw(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
-                 const struct progress *progress, struct drawn *drawn, struct failure *failure) {
+                 struct drawn *drawn, struct failure *failure) {
   hsp_view_options options;
   uint32_t *colour = NULL;
   if (!view_options_of(&request->drawing, &options, failure)) return false;
-  if (drawing_occlusion(&request->drawing, molecule->atoms) > 0.0) progress_show(progress, "shading");
+  if (drawing_occlusion(&request->drawing, molecule->atoms) > 0.0) progress_show(&geometry->progress, "shading");
   if (!make_colours(request, molecule, geometry, &colour, &drawn->occlusion, failure)) return false;
-  bool done = true;
-  if (options.pieces == HSP_PIECES_OUTSIDE_ALL) {
-    progress_show(progress, "computing the boundary");
-    done = geometry_compute_boundary(geometry, failure);
-  }
-  progress_show(progress, "cutting and sorting");
-  done = done && geometry_compute_view(geometry, &options, failure) &&
-         write_picture(request, molecule, geometry, colour, progress, drawn, failure);
+  const bool done = (options.pieces != HSP_PIECES_OUTSIDE_ALL || geometry_compute_boundary(geometry, failure)) &&
+                    geometry_compute_view(geometry, &options, failure) &&
+                    write_picture(request, molecule, geometry, colour, drawn, failure);
   free(colour);
   return done;
 }
@@ -199,9 +193,7 @@ bool command_draw(const struct request *request, const struct molecule *molecule
                   struct text_buffer *out, struct failure *failure) {
   struct drawn drawn;
   memset(&drawn, 0, sizeof drawn);
-  const struct progress progress = progress_begin(molecule->atoms);
-  const bool done = draw(request, molecule, geometry, &progress, &drawn, failure);
-  progress_end(&progress);
+  const bool done = draw(request, molecule, geometry, &drawn, failure);
   if (!done || output_is_standard(request->drawing.out)) return done;
   if (request->json) {
     print_json(request, molecule, &drawn, out);

@@ -140,8 +140,10 @@ bool command_measure(const struct request *request, const struct molecule *molec
     done = interface_measure(request->interface, molecule, request->probe, geometry, &interface, failure);
   }
   const bool written_only = request->pdb_out != NULL && output_is_standard(request->pdb_out);
+  if (done && request_wants_balls(request)) progress_show(&geometry->progress, "making the table");
   if (done && !written_only) print(request, molecule, &measurement, &groups, &interface, out);
   if (done && request->pdb_out != NULL) {
+    progress_show(&geometry->progress, "writing");
     done = pdb_output_write(request->file, molecule, measurement.area, request->pdb_out, failure);
   }
   atom_groups_free(&groups);

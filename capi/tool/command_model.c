@@ -71,6 +71,7 @@ static void print_table(const struct request *request, const struct molecule *mo
 bool command_model(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                    struct text_buffer *out, struct failure *failure) {
   hsp_packing figures;
+  progress_show(&geometry->progress, "counting overlaps");
   const int32_t status = hsp_model_get_packing(geometry->work.model, &figures);
   if (status != HSP_OK) return failure_in_library(failure, status);
   if (request->json) {

@@ -14,6 +14,7 @@ bool geometry_set_model(struct geometry *geometry, const struct molecule *molecu
   int32_t status = hsp_model_options_init(&options, (uint32_t)sizeof options);
   if (status != HSP_OK) return failure_in_library(failure, status);
   options.probe = probe;
+  progress_show(&geometry->progress, "building the model");
   uint32_t first_bad = HSP_NONE;
   status = hsp_workspace_set(&geometry->work, molecule->atoms, molecule->xyz, molecule->radius, &options, &first_bad);
   if (status != HSP_OK && first_bad < molecule->atoms) {
@@ -32,17 +33,20 @@ bool geometry_set_model(struct geometry *geometry, const struct molecule *molecu
 }
 
 bool geometry_compute_boundary(struct geometry *geometry, struct failure *failure) {
+  progress_show(&geometry->progress, "computing the boundary");
   const int32_t status = hsp_workspace_boundary(&geometry->work);
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
 bool geometry_compute_topology(struct geometry *geometry, struct failure *failure) {
   if (!geometry_compute_boundary(geometry, failure)) return false;
+  progress_show(&geometry->progress, "computing the topology");
   const int32_t status = hsp_workspace_topology(&geometry->work);
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
 bool geometry_compute_view(struct geometry *geometry, const hsp_view_options *options, struct failure *failure) {
+  progress_show(&geometry->progress, "cutting and sorting");
   const int32_t status = hsp_workspace_view(&geometry->work, geometry->work.boundary != NULL, options);
   return status == HSP_OK || failure_in_library(failure, status);
 }
@@ -61,5 +65,6 @@ bool geometry_list_shells(const struct geometry *geometry, hsp_shell **shells, u
 }
 
 void geometry_free(struct geometry *geometry) {
+  progress_end(&geometry->progress);
   hsp_workspace_free(&geometry->work);
 }

@@ -7,9 +7,11 @@
 #include "failure.h"
 #include "hardsphere_workspace.h"
 #include "molecule.h"
+#include "progress.h"
 
 struct geometry {
-  hsp_workspace work; /* zeros at first */
+  hsp_workspace work;       /* zeros at first */
+  struct progress progress; /* of what is done here; not watched at first */
 };
 
 /* Make the model. A ball that the library refuses is named by its line. */
@@ -29,6 +31,7 @@ bool geometry_compute_view(struct geometry *geometry, const hsp_view_options *op
 bool geometry_list_shells(const struct geometry *geometry, hsp_shell **shells, uint32_t *count,
                           struct failure *failure);
 
+/* Progress is taken away. */
 void geometry_free(struct geometry *geometry);
 
 /* Record a status of the library that is not HSP_OK. Always false. */

@@ -101,6 +101,7 @@ bool interface_measure(const char *text, const struct molecule *molecule, double
     }
   }
   if (done) {
+    progress_show(&geometry->progress, "measuring the interface");
     double part[2] = {0.0, 0.0};
     for (int side = 0; side < 2 && status == HSP_OK; ++side) {
       const size_t first = side == 0 ? 0 : parts.atoms[0];

@@ -24,6 +24,8 @@ bool line_reader_open(struct line_reader *reader, const char *path, struct failu
   reader->capacity = 0;
   reader->next = 0;
   reader->filled = 0;
+  reader->bytes = 0;
+  reader->progress = (struct progress){false};
   if (input_is_standard(path)) {
     reader->file = stdin;
     return true;
@@ -59,12 +61,22 @@ bool line_reader_keep_standard_input(struct failure *failure) {
   return kept;
 }
 
+/* A person who watches sees large files grow. */
+static void show_progress(struct line_reader *reader) {
+  const uint64_t before = reader->bytes;
+  reader->bytes += reader->filled;
+  if (reader->bytes / PROGRESS_LEAST_BYTES == before / PROGRESS_LEAST_BYTES) return;
+  reader->progress = progress_begin(reader->bytes, PROGRESS_LEAST_BYTES);
+  progress_show_bytes(&reader->progress, "reading", reader->bytes);
+}
+
 /* Fill the chunk anew if it is used up. LINE_END: the file has ended. */
 static enum line_status refill(struct line_reader *reader, struct failure *failure) {
   if (reader->next < reader->filled) return LINE_READ;
   errno = 0;
   reader->next = 0;
   reader->filled = fread(reader->chunk, 1, sizeof reader->chunk, reader->file);
+  show_progress(reader);
   if (reader->filled > 0) return LINE_READ;
   if (ferror(reader->file)) {
     failure_in_input(failure, 0, "%s", errno != 0 ? strerror(errno) : "cannot be read");
@@ -141,6 +153,7 @@ enum line_status line_reader_next(struct line_reader *reader, struct failure *fa
 }
 
 void line_reader_close(struct line_reader *reader) {
+  progress_end(&reader->progress);
   free(reader->text);
   reader->text = NULL;
   if (reader->file != NULL && reader->file != stdin) fclose(reader->file);

@@ -8,6 +8,7 @@
 #include <stdio.h>
 
 #include "failure.h"
+#include "progress.h"
 
 #define LINE_READER_CHUNK 65536
 
@@ -21,6 +22,8 @@ struct line_reader {
   size_t capacity;    /* of text */
   size_t next;        /* first byte of the chunk that was not looked at */
   size_t filled;      /* bytes in the chunk */
+  uint64_t bytes;     /* all that were read */
+  struct progress progress;
   unsigned char chunk[LINE_READER_CHUNK];
 };
 
@@ -43,6 +46,7 @@ enum line_status { LINE_READ, LINE_END, LINE_FAILED };
  * has (NUL and other control characters). A byte-order mark at the start of the file is dropped. */
 enum line_status line_reader_next(struct line_reader *reader, struct failure *failure);
 
+/* What has been shown of the progress is taken away. */
 void line_reader_close(struct line_reader *reader);
 
 #endif

@@ -46,10 +46,11 @@ static bool run_command(const struct request *request, struct text_buffer *out, 
   struct geometry geometry = {.work = {0}};
   const bool again = request->pdb_out != NULL && input_is_standard(request->file);
   if (again && !line_reader_keep_standard_input(failure)) return false;
-  const bool done = read_molecule(request->file, request->format, request->model, &molecule, failure) &&
-                    prepare(request, &molecule, failure) &&
-                    geometry_set_model(&geometry, &molecule, request->probe, failure) &&
-                    function_of(request->command)(request, &molecule, &geometry, out, failure);
+  bool done = read_molecule(request->file, request->format, request->model, &molecule, failure) &&
+              prepare(request, &molecule, failure);
+  geometry.progress = progress_begin(molecule.atoms, PROGRESS_LEAST_BALLS);
+  done = done && geometry_set_model(&geometry, &molecule, request->probe, failure) &&
+         function_of(request->command)(request, &molecule, &geometry, out, failure);
   geometry_free(&geometry);
   molecule_free(&molecule);
   return done;

@@ -61,6 +61,7 @@ static bool measure_areas(const struct request *request, const struct molecule *
     measurement->area = allocate(molecule, 1, failure);
     if (measurement->area == NULL) return false;
   }
+  progress_show(&geometry->progress, "measuring");
   const int32_t status = hsp_boundary_measure(geometry->work.boundary, NULL, &measurement->totals, measurement->area,
                                               NULL, measurement->area == NULL ? 0 : molecule->atoms, NULL);
   return status == HSP_OK || failure_in_library(failure, status);
@@ -91,6 +92,7 @@ bool measurement_make(const struct request *request, const struct molecule *mole
   }
   if (weighted && !measure_weighted_area(geometry, measurement, failure)) return false;
   if (!request->gradient) return true;
+  progress_show(&geometry->progress, "computing derivatives");
   return measure_gradients(molecule, geometry, measurement, failure) &&
          (!weighted || measure_weighted_gradient(molecule, geometry, measurement, failure));
 }

@@ -8,8 +8,8 @@
 /* As wide as any text shown, so that each covers the one before. */
 enum { WIDTH = 60 };
 
-struct progress progress_begin(uint32_t balls) {
-  return (struct progress){balls > PROGRESS_LEAST_BALLS && isatty(fileno(stderr)) == 1};
+struct progress progress_begin(uint64_t amount, uint64_t least) {
+  return (struct progress){amount >= least && isatty(fileno(stderr)) == 1};
 }
 
 void progress_show(const struct progress *progress, const char *text) {

@@ -5,14 +5,16 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* Progress is shown for more balls than that, and on terminals only. */
-#define PROGRESS_LEAST_BALLS 20000
+/* Less takes no time that anybody would watch. */
+#define PROGRESS_LEAST_BALLS 20001
+#define PROGRESS_LEAST_BYTES 2000000
 
 struct progress {
   bool watched;
 };
 
-struct progress progress_begin(uint32_t balls);
+/* Watched if it is as much as `least`, and stderr is a terminal. */
+struct progress progress_begin(uint64_t amount, uint64_t least);
 
 /* Replace the line. */
 void progress_show(const struct progress *progress, const char *text);

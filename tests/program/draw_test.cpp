@@ -338,26 +338,4 @@ TEST(Draw, FullDisk) {
   }
 }
 
-// On a terminal large inputs show what is going on, and the line is gone at the end.
-TEST(Draw, ProgressOnTerminalsOnly) {
-  std::string text;
-  for (int i = 0; i < 20001; ++i)
-    text += std::to_string(3 * (i % 150)) + " " + std::to_string(3 * (i / 150)) + " 0 1\n";
-  const TemporaryFile file("many.xyzr", text);
-  const TemporaryFile out("many.svg");
-  EXPECT_EQ(draw_to(out.path(), file.path()).err, "");
-  const auto watched = run_program_watched({"draw", file.path(), "-o", out.path()});
-  const auto small = run_program_watched({"draw", water, "-o", out.path()});
-  if (!watched || !small) GTEST_SKIP() << "the system has no terminal to give";
-  EXPECT_EQ(small->err, "");
-  EXPECT_EQ(watched->status, 0);
-  EXPECT_NE(watched->err.find("\rcutting"), std::string::npos) << watched->err;
-  EXPECT_NE(watched->err.find("\rwriting"), std::string::npos) << watched->err;
-  EXPECT_EQ(watched->err.find('\n'), std::string::npos) << watched->err;
-  const size_t last = watched->err.size() - 1;
-  EXPECT_EQ(watched->err[last], '\r');
-  const size_t before = watched->err.rfind('\r', last - 1);
-  EXPECT_EQ(watched->err.find_first_not_of(' ', before + 1), last);
-}
-
 }  // namespace
