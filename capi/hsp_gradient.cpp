@@ -44,13 +44,13 @@ void flag_inner_contacts(const hsp::CubeGrid &grid, const hsp::Boundary &boundar
 }  // namespace
 
 int32_t hsp_boundary_gradient(const hsp_boundary *boundary, const double *sigma, double tension, double pressure,
-                              uint32_t tangency, hsp_energy *energy, double *centre, double *radius, uint32_t *flags,
-                              uint32_t capacity, uint32_t *needed, uint32_t *first_bad) {
+                              uint32_t tangency, hsp_energy *energy, double *d_centre, double *d_radius,
+                              uint32_t *flags, uint32_t capacity, uint32_t *needed, uint32_t *first_bad) {
   if (!is_live(boundary) || !is_tangency(tangency)) return HSP_E_ARGUMENT;
   if (!boundary->has_results()) return HSP_E_STATE;
   const hsp::CubeGrid &grid = boundary->model->grid;
   const uint32_t n = grid.balls().n;
-  const bool wanted = centre != nullptr || radius != nullptr || flags != nullptr;
+  const bool wanted = d_centre != nullptr || d_radius != nullptr || flags != nullptr;
   if (!hsp::capi::fits(wanted, capacity, n, needed)) return HSP_E_CAPACITY;
   if (const int32_t status = check_weights(sigma, n, first_bad); status != HSP_OK) return status;
   if (!hsp::is_finite(tension) || !hsp::is_finite(pressure)) return HSP_E_NOT_FINITE;
@@ -59,8 +59,8 @@ int32_t hsp_boundary_gradient(const hsp_boundary *boundary, const double *sigma,
   const hsp::EnergyTerms terms{{sigma, to_touching_balls(tangency)}, tension, pressure};
   const hsp::Energy found =
       hsp::differentiate_energy(grid, structure, terms, [&](uint32_t i, const hsp::EnergyGradient &gradient) {
-        put_vector(gradient.centre, centre, i);
-        if (radius != nullptr) radius[i] = gradient.radius;
+        put_vector(gradient.centre, d_centre, i);
+        if (d_radius != nullptr) d_radius[i] = gradient.radius;
         if (flags != nullptr) flags[i] = gradient.one_sided ? HSP_GRADIENT_ONE_SIDED : 0;
       });
   if (flags != nullptr) flag_inner_contacts(grid, structure, flags);

@@ -206,7 +206,7 @@ module hardsphere
     real(c_double) :: value            ! tension*area + pressure*volume
     real(c_double) :: area             ! length^2
     real(c_double) :: volume           ! length^3
-    real(c_double) :: probe            ! dE/d(probe)
+    real(c_double) :: d_probe          ! dE/d(probe)
   end type
 
   type, bind(C) :: hsp_area_derivative
@@ -670,7 +670,7 @@ module hardsphere
 
     ! ---- gradients -------------------------------------------------------------------------------------------------
 
-    function hsp_boundary_gradient(boundary, sigma, tension, pressure, tangency, energy, centre, radius, flags, &
+    function hsp_boundary_gradient(boundary, sigma, tension, pressure, tangency, energy, d_centre, d_radius, flags, &
                                    capacity, needed, first_bad) result(status) bind(C, name="hsp_boundary_gradient")
       import :: c_double, c_int32_t, c_ptr, hsp_energy
       type(c_ptr), value :: boundary
@@ -679,8 +679,8 @@ module hardsphere
       real(c_double), value :: pressure
       integer(c_int32_t), value :: tangency                     ! HSP_TANGENT_*
       type(hsp_energy), intent(inout), optional :: energy
-      real(c_double), intent(inout), optional :: centre(3, *)   ! 3, n
-      real(c_double), intent(inout), optional :: radius(*)      ! n
+      real(c_double), intent(inout), optional :: d_centre(3, *) ! 3, n
+      real(c_double), intent(inout), optional :: d_radius(*)    ! n
       integer(c_int32_t), intent(inout), optional :: flags(*)   ! n; HSP_GRADIENT_*
       integer(c_int32_t), value :: capacity
       integer(c_int32_t), intent(inout), optional :: needed

@@ -101,7 +101,7 @@ contains
     call must(hsp_model_set(model, n, places, radius, options))
     call must(hsp_boundary_compute(boundary, model))
     call must(hsp_boundary_gradient(boundary, tension=tension, pressure=pressure, tangency=HSP_TANGENT_OVERLAP, &
-                                    energy=surface, centre=gradient, capacity=n))
+                                    energy=surface, d_centre=gradient, capacity=n))
     value = surface%value
     do i = 1, n - 1
       call add_spring(places, i, i + 1, bond, value, gradient)

@@ -28,22 +28,23 @@ extern "C" {
 
 /** An energy of areas and volume, and its parts. Frozen. */
 typedef struct hsp_energy {
-  double value;  /**< E = tension * sum_i sigma_i A_i + pressure * V */
-  double area;   /**< sum_i sigma_i A_i */
-  double volume; /**< V */
-  double probe;  /**< dE/d(probe) = sum of all dE/dr_i */
+  double value;   /**< E = tension * sum_i sigma_i A_i + pressure * V */
+  double area;    /**< sum_i sigma_i A_i */
+  double volume;  /**< V */
+  double d_probe; /**< dE/d(probe) = sum of all dE/dr_i */
 } hsp_energy;
 
 /** E = tension * sum_i sigma_i A_i + pressure * V and its gradient, in one pass.
- *  sigma [n], NULL for all ones; tangency is one of HSP_TANGENT_*; energy may be NULL. centre [n][3] = dE/dc_i,
- *  radius [n] = dE/dr_i and flags [n] = HSP_GRADIENT_* may each be NULL and else hold capacity >= n entries.
+ *  sigma [n], NULL for all ones; tangency is one of HSP_TANGENT_*; energy may be NULL. d_centre [n][3] = dE/dc_i,
+ *  d_radius [n] = dE/dr_i and flags [n] = HSP_GRADIENT_* may each be NULL and else hold capacity >= n entries.
  *  For the area alone: tension 1, pressure 0, sigma NULL. For the volume alone: tension 0, pressure 1. A ball with
  *  sigma 0 only blocks. For molecular dynamics take HSP_TANGENT_OVERLAP. needed may be NULL and else becomes n;
  *  first_bad may be NULL and else becomes the first ball whose sigma is NaN or infinite, HSP_NONE if there is none.
  *  On failure nothing but *needed and *first_bad is written.
- *  - Property 1: the sums of centre and of c_i x centre are zero up to rounding (E does not change under motions).
- *  - Property 2: with all sigma equal, sum_i (r_i radius_i + c_i . centre_i) = 2 A for the area, 3 V for the volume.
- *  - Property 3: centre, radius and flags do not depend on the order of the balls, bit for bit.
+ *  - Property 1: the sums of d_centre and of c_i x d_centre are zero up to rounding (E does not change under motions).
+ *  - Property 2: with all sigma equal, sum_i (r_i d_radius_i + c_i . d_centre_i) is 2 A for the area, 3 V for the
+ *    volume.
+ *  - Property 3: d_centre, d_radius and flags do not depend on the order of the balls, bit for bit.
  *
  *  Source: M. L. Connolly 1983, T. J. Richmond 1984 for the area; dV/dc_i is the vector area of ball i's faces.
  *  Cost: O(n + vertices + circles).
@@ -52,8 +53,8 @@ typedef struct hsp_energy {
  *  @retval HSP_E_STATE       nothing computed, or the model has changed since
  *  @retval HSP_E_NOT_FINITE  a sigma, tension or pressure is NaN or infinite */
 HSP_API int32_t hsp_boundary_gradient(const hsp_boundary *boundary, const double *sigma, double tension,
-                                      double pressure, uint32_t tangency, hsp_energy *energy, double *centre,
-                                      double *radius, uint32_t *flags, uint32_t capacity, uint32_t *needed,
+                                      double pressure, uint32_t tangency, hsp_energy *energy, double *d_centre,
+                                      double *d_radius, uint32_t *flags, uint32_t capacity, uint32_t *needed,
                                       uint32_t *first_bad);
 
 /** The two parts of that gradient, each on its own: the derivatives of S = sum_i sigma_i A_i and of the volume V.

@@ -353,7 +353,7 @@ contains
     call check(abs(energy%area - sum(sigma*area)) < 1e-12_c_double, 'energy%area')
     call check(abs(energy%volume - totals%volume) < 1e-12_c_double, 'energy%volume')
     call check(abs(energy%value - 0.5_c_double*energy%area - 2*energy%volume) < 1e-12_c_double, 'energy%value')
-    call check(abs(energy%probe - sum(by_radius)) < 1e-11_c_double, 'energy%probe')
+    call check(abs(energy%d_probe - sum(by_radius)) < 1e-11_c_double, 'energy%d_probe')
     call check(all(flags == 0), 'no balls touch')
     call check(all(abs(sum(centre, dim=2)) < 1e-12_c_double), 'forces sum to nothing')
     call check(all(centre(:, 4) == 0), 'nothing pulls the ball apart')
@@ -392,12 +392,12 @@ contains
     call expect(hsp_model_set(model, 2_c_int32_t, places, radii), HSP_OK, 'touching balls')
     call expect(hsp_boundary_compute(boundary, model), HSP_OK, 'touching balls')
     call expect(hsp_boundary_gradient(boundary, tension=1.0_c_double, pressure=0.0_c_double, &
-                                      tangency=HSP_TANGENT_OVERLAP, centre=centre, flags=flags, capacity=2_c_int32_t), &
+                                      tangency=HSP_TANGENT_OVERLAP, d_centre=centre, flags=flags, capacity=2_c_int32_t), &
                 HSP_OK, 'touching balls')
     call check(all(flags == HSP_GRADIENT_ONE_SIDED), 'flags of touching balls')
     call check(abs(centre(2, 2) - 1.5_c_double*pi) < 1e-13_c_double, 'touching balls as if they met')
     call expect(hsp_boundary_gradient(boundary, tension=1.0_c_double, pressure=0.0_c_double, &
-                                      tangency=HSP_TANGENT_DISJOINT, centre=centre, capacity=2_c_int32_t), HSP_OK, 'apart')
+                                      tangency=HSP_TANGENT_DISJOINT, d_centre=centre, capacity=2_c_int32_t), HSP_OK, 'apart')
     call check(all(centre == 0), 'touching balls as if they were apart')
   end subroutine
 
@@ -418,7 +418,7 @@ contains
                'angle of an entry')
     call check(row(2)%angle == 0, 'angle of the ball itself')
     sigma = [0, 1, 0, 0]
-    call expect(hsp_boundary_gradient(boundary, sigma, 1.0_c_double, 0.0_c_double, HSP_TANGENT_OVERLAP, centre=centre, &
+    call expect(hsp_boundary_gradient(boundary, sigma, 1.0_c_double, 0.0_c_double, HSP_TANGENT_OVERLAP, d_centre=centre, &
                                       capacity=n), HSP_OK, 'gradient of one area')
     call check(all(abs(centre(:, 1) - row(1)%centre) < 1e-13_c_double), 'first entry is the gradient')
     call check(all(abs(centre(:, 2) - row(2)%centre) < 1e-13_c_double), 'second entry is the gradient')

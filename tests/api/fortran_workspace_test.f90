@@ -44,7 +44,7 @@ contains
     if (status == HSP_OK) status = work%compute_boundary()
     if (status == HSP_OK) status = hsp_boundary_measure(work%boundary, totals=totals, area=area, capacity=n)
     if (status == HSP_OK) status = hsp_boundary_gradient(work%boundary, tension=1.0_c_double, pressure=0.0_c_double, &
-      tangency=HSP_TANGENT_OVERLAP, energy=energy, centre=gradient, capacity=n)
+      tangency=HSP_TANGENT_OVERLAP, energy=energy, d_centre=gradient, capacity=n)
     call expect(status, HSP_OK, 'area and gradient')
     call check(near(totals%area, 4*pi*n - 2*pi*(n - 1)), 'area')
     call check(near(totals%volume, 4*pi/3*n - 2*(n - 1)*pi*5/24), 'volume: caps have pi h^2 (3 - h)/3')

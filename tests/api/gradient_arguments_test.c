@@ -309,7 +309,7 @@ static void no_balls(void) {
   CHECK_EQUAL(
       hsp_boundary_gradient(boundary, NULL, 1, 1, HSP_TANGENT_DISJOINT, &energy, NULL, NULL, NULL, 0, NULL, NULL),
       HSP_OK);
-  CHECK(energy.value == 0 && energy.area == 0 && energy.volume == 0 && energy.probe == 0);
+  CHECK(energy.value == 0 && energy.area == 0 && energy.volume == 0 && energy.d_probe == 0);
 }
 
 int main(void) {

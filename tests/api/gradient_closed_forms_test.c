@@ -76,7 +76,7 @@ static void check_two_balls(const ball_set *set, const double *u, const two_ball
     }
     CHECK_NEAR(g.energy.area, sigma[0] * f->area[0] + sigma[1] * f->area[1], 1e-13 * size);
     CHECK_NEAR(g.energy.value, 0.5 * g.energy.area, 1e-13 * size);
-    CHECK_NEAR(g.energy.probe, g.radius[0] + g.radius[1], 1e-13 * size);
+    CHECK_NEAR(g.energy.d_probe, g.radius[0] + g.radius[1], 1e-13 * size);
     /* the volume */
     CHECK_EQUAL(gradients_make(&c, NULL, 0, 1, tangency, &g), HSP_OK);
     for (axis = 0; axis < 3; ++axis) {
@@ -380,7 +380,7 @@ static void stretched_grids(void) {
         CHECK_NEAR(stretch, slope_of_grid(grids[which].counts, grids[which].spacing, r, axis, volume),
                    1e-8 * c.totals.area);
       }
-      CHECK_NEAR(g.energy.probe, slope_of_grid(grids[which].counts, grids[which].spacing, r, 3, volume),
+      CHECK_NEAR(g.energy.d_probe, slope_of_grid(grids[which].counts, grids[which].spacing, r, 3, volume),
                  1e-8 * c.totals.area);
     }
     computed_release(&c);

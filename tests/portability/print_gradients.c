@@ -33,7 +33,7 @@ static void print_energy(const computed *c, double tension, double pressure, uin
   print_doubles(&energy.value, 1);
   print_doubles(&energy.area, 1);
   print_doubles(&energy.volume, 1);
-  print_doubles(&energy.probe, 1);
+  print_doubles(&energy.d_probe, 1);
   end_line();
   for (i = 0; i < c->n; ++i) {
     printf("gradient %" PRIu32, flags[i]);

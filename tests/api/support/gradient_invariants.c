@@ -138,7 +138,7 @@ static const char *broken_energy(const computed *c, const double *sigma, const g
             1e-15 * (fabs(tension * energy->area) + fabs(pressure * energy->volume)))) {
     return "energy.value is not tension * area + pressure * volume";
   }
-  if (!near(energy->probe, radii.sum, 1e-13 * radii.size)) return "energy.probe is not the sum of dE/dr";
+  if (!near(energy->d_probe, radii.sum, 1e-13 * radii.size)) return "energy.d_probe is not the sum of dE/dr";
   return NULL;
 }
 

@@ -159,7 +159,7 @@ TEST(ProbeDerivative, IsThatOfAllRadiiTogether) {
             std::tuple{EnergyTerms{0, 1, {}, HSP_TANGENT_OVERLAP}, expected.volume, scale * scale}}) {
         const LibraryGradient found = gradient(boundary, terms);
         const Real balls = static_cast<Real>(set.balls.size());
-        EXPECT_LE(std::abs(static_cast<Real>(found.energy.probe) - quotient.value),
+        EXPECT_LE(std::abs(static_cast<Real>(found.energy.d_probe) - quotient.value),
                   std::max(1e-8L * unit * balls, quotient.error))
             << set.name;
         EXPECT_LE(quotient.error, 1e-7L * unit * balls) << set.name;
