@@ -36,24 +36,15 @@ void boundary_and_topology(benchmark::State &state, Subject &subject) {
 }
 
 void locate(benchmark::State &state, Subject &subject, const std::vector<double> &points) {
-  size_t inside = 0;
-  size_t in_voids = 0;
+  Located located;
   for (auto iteration : state) {
     static_cast<void>(iteration);
-    inside = 0;
-    in_voids = 0;
-    for (size_t i = 0; i < points.size(); i += 3) {
-      uint32_t cell = 0;
-      const int32_t status = hsp_topology_locate(subject.topology->get(), &points[i], &cell);
-      if (status != HSP_OK) expect_ok(status, "hsp_topology_locate");
-      inside += cell == HSP_NONE ? 1 : 0;
-      in_voids += cell != HSP_NONE && cell != 0 ? 1 : 0;
-    }
+    located = locate_points(*subject.topology, points);
   }
   const double count = static_cast<double>(points.size()) / 3;
   state.counters["queries"] = count;
-  state.counters["inside_share"] = static_cast<double>(inside) / count;
-  state.counters["void_share"] = static_cast<double>(in_voids) / count;
+  state.counters["inside_share"] = static_cast<double>(located.inside) / count;
+  state.counters["void_share"] = static_cast<double>(located.in_voids) / count;
 }
 
 }  // namespace
