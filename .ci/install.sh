@@ -8,9 +8,11 @@
 # What tests/run.sh needs: compilers, GoogleTest, and the programs that read pictures and look at the format.
 packages_for_tests=(cmake ninja-build gcc g++ libc6-dev binutils gfortran pkg-config libgtest-dev libbenchmark-dev
   clang-format-14 libxml2-utils ghostscript poppler-utils librsvg2-bin)
-# What `tests/run.sh --all` needs besides: sanitizers of clang, other linkers, C libraries and processors, documentation.
+# What `tests/run.sh --all` needs besides: sanitizers of clang, other linkers, C libraries and processors, documentation,
+# a count of instructions.
 packages_for_all_tests=(clang clang-14 lld musl-tools libclang-rt-14-dev g++-aarch64-linux-gnu g++-s390x-linux-gnu qemu-user
-  doxygen python3-cffi python3-setuptools python3-dev gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-dev)
+  doxygen python3-cffi python3-setuptools python3-dev gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-dev
+  valgrind)
 optional_packages_for_all_tests=(g++-riscv64-linux-gnu g++-arm-linux-gnueabihf)
 
 as_root() {

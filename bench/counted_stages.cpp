@@ -1,0 +1,84 @@
+// counted_stages: runs each stage of the library once, for valgrind to count its instructions. After each it prints a
+// line: stage, molecule, probe, number of balls. instruction_budgets.sh runs it.
+// `counted_stages --build` prints how it and the library were built.
+//
+// Each handle has computed before the stage that is counted, so memory and limits are those of a repeated call. What is
+// asked of the library comes from files and integers alone, so that every run does the same instructions.
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <functional>
+#include <vector>
+
+#include "branch_predictor.hpp"
+#include "query_workload.hpp"
+#include "sizes.hpp"
+#include "view_handle.hpp"
+
+// valgrind knows the stages by this function: callgrind begins to count when it is called, and dumps when it returns.
+// The name is that of C, so that it can be given on the command line.
+extern "C" __attribute__((noinline)) void counted_stage(const std::function<void()> &stage) {
+  stage();
+  __asm__ volatile("");  // the call above shall not become a jump: callgrind would see this function end before it
+}
+
+namespace {
+
+using bench::Surface;
+
+constexpr bench::View::Direction towards = {0.36, -0.48, 0.8};
+
+void count(const char *stage, const bench::Balls &balls, const Surface &surface, const std::function<void()> &run) {
+  bench::settle_branch_predictor();
+  counted_stage(run);
+  std::printf("%s %s %s %u\n", stage, balls.name.c_str(), surface.name, balls.size());
+}
+
+// As many points as balls, so that what is counted for each ball is what is counted for each query.
+void count_stages(const bench::Balls &balls, const Surface &surface) {
+  bench::Model model(balls, surface.probe);
+  count("model", balls, surface, [&] { model.set(); });
+  bench::Boundary boundary(model);
+  count("boundary", balls, surface, [&] { boundary.compute(); });
+  count("measure", balls, surface, [&] { boundary.measure(); });
+  count("gradient", balls, surface, [&] { boundary.gradient(); });
+  bench::Topology topology(boundary);
+  count("topology", balls, surface, [&] { topology.compute(); });
+  const std::vector<double> outside = random_points_near_surface(model, model.size());
+  count("locate", balls, surface, [&] { locate_points(topology, outside); });
+  const std::vector<double> points = random_points_near_atoms(model, model.size());
+  count("query_point", balls, surface, [&] { query_points(model, points); });
+  count("query_ball", balls, surface, [&] { query_balls(model, points, model.largest_radius()); });
+  count("query_neighbours", balls, surface, [&] { query_all_neighbours(model); });
+  std::vector<uint32_t> first;
+  std::vector<uint32_t> ids;
+  query_all_pairs(model, first, ids);
+  count("query_pairs", balls, surface, [&] { query_all_pairs(model, first, ids); });
+  if (surface.probe != 0) return;  // what is drawn are van der Waals balls
+  bench::View farther(model, nullptr, HSP_PIECES_OUTSIDE_FARTHER, {towards});
+  count("view_farther", balls, surface, [&] { farther.compute(towards); });
+  bench::View all(model, &boundary, HSP_PIECES_OUTSIDE_ALL, {towards});
+  count("view_all", balls, surface, [&] { all.compute(towards); });
+}
+
+}  // namespace
+
+int main(int argc, char **argv) {
+  if (argc == 2 && std::strcmp(argv[1], "--build") == 0) {
+    std::puts(BENCH_BUILD);
+    return 0;
+  }
+  try {
+    for (const bench::Molecule &molecule : bench::paper_molecules()) {
+      if (molecule.name != "crambin" && molecule.name != "sod_stand_in") continue;
+      const bench::Balls balls = with_radii(molecule, bench::Radii::van_der_waals);
+      for (const Surface &surface : bench::surfaces) count_stages(balls, surface);
+    }
+  } catch (const std::exception &error) {
+    std::fprintf(stderr, "counted_stages: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}
