@@ -61,18 +61,20 @@ static bool quantile(const double *values, uint32_t count, double part, double *
 }
 
 /* Whether so many balls meet each other, far more than in molecules, that the boundary would take longer than a picture
- * may. Finding it takes about the square of the number of neighbours for each ball; some balls stand for all. */
-static bool is_crowded(const struct geometry *geometry, uint32_t balls) {
-  const uint32_t step = balls / 64 + 1;
-  uint32_t asked = 0;
+ * may. Finding it takes about the square of the number of neighbours for each ball. False if there is no memory. */
+static bool find_crowd(const struct geometry *geometry, uint32_t balls, bool *crowded, struct failure *failure) {
+  uint32_t *first = calloc((size_t)balls + 1, sizeof *first);
+  if (first == NULL) return failure_of_memory(failure);
+  uint32_t ids = 0;
+  const int32_t status = hsp_query_pairs(geometry->work.model, 0, first, NULL, 0, &ids);
   double squares = 0.0;
-  for (uint32_t i = 0; i < balls; i += step) {
-    uint32_t neighbours = 0;
-    (void)hsp_query_neighbours(geometry->work.model, i, NULL, 0, &neighbours);
-    squares += (double)neighbours * neighbours;
-    ++asked;
+  for (uint32_t i = 0; i < balls; ++i) {
+    const double neighbours = (double)first[i + 1] - (double)first[i];
+    squares += neighbours * neighbours;
   }
-  return squares / asked * balls > 5e9;
+  *crowded = status == HSP_E_RANGE || squares > 5e9;
+  free(first);
+  return status == HSP_OK || status == HSP_E_CAPACITY || status == HSP_E_RANGE || failure_in_library(failure, status);
 }
 
 /* Add to exposure the free part of each ball's area when a probe is added to all radii, times the weight. With a limit,
@@ -81,8 +83,8 @@ static bool add_free_part(const struct molecule *molecule, double probe, double 
                           double *exposure, bool *crowded, struct failure *failure) {
   struct geometry inflated = {.work = {0}};
   bool done = geometry_set_model(&inflated, molecule, probe, failure);
-  if (done && limited && is_crowded(&inflated, molecule->atoms)) {
-    *crowded = true;
+  if (done && limited) done = find_crowd(&inflated, molecule->atoms, crowded, failure);
+  if (done && *crowded) {
     geometry_free(&inflated);
     return true;
   }

@@ -16,8 +16,7 @@
  * carbon has 1.7, which takes 0.3 ms a ball. 7 loses its weight between 500 and 1000 balls: 2.8 alone takes 0.04 ms;
  * from 5000 to 15000 balls 1.4 takes its place, with 0.015 ms. The limit fades out between 30 and 90 balls. With
  * `limited`, sets that are far more crowded than molecules, which would take much longer, are left as they are. The
- * result does not depend on the order of the balls, but for crowded sets, of which a sample is looked at. *strength
- * becomes 0 if the colours are left as they are. */
+ * result does not depend on the order of the balls. *strength becomes 0 if the colours are left as they are. */
 bool occlusion_darken(const struct molecule *molecule, const struct geometry *geometry, double probe, double *strength,
                       bool limited, uint32_t *colour, struct failure *failure);
 

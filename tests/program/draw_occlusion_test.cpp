@@ -112,6 +112,25 @@ TEST(DrawOcclusion, CrowdedSetsAreNotShadedByDefault) {
   EXPECT_EQ(fills(file.path(), {}), fills(file.path(), {"--occlusion", "0"}));
 }
 
+// Whether a set is crowded does not hang on which balls one looks at: here every 41st and a row of others stand alone.
+TEST(DrawOcclusion, EveryBallCountsForACrowd) {
+  std::string text;
+  int lone = 0;
+  int packed = 0;
+  for (int i = 0; i < 2600; ++i) {
+    if (i % 41 == 0 || packed == 2000) {
+      text += std::to_string(2.5 * lone++) + " 5 0 1.7\n";
+    } else {
+      text += std::to_string(packed % 20 * 0.03) + " " + std::to_string(packed / 20 % 10 * 0.03) + " " +
+              std::to_string(packed / 200 * 0.03) + " 0.01\n";
+      ++packed;
+    }
+  }
+  ASSERT_EQ(packed, 2000);
+  const TemporaryFile file("crowd.xyzr", text);
+  EXPECT_EQ(fills(file.path(), {}), fills(file.path(), {"--occlusion", "0"}));
+}
+
 // The results say how far balls were darkened.
 TEST(DrawOcclusion, IsReported) {
   const TemporaryFile out("reported.svg");
