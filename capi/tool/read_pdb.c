@@ -34,7 +34,8 @@ static bool label_element(const struct line_reader *reader, struct atom_label *l
   struct element_symbol by_name = {""};
   const enum atom_kind kind = atom_kind_of(columns, true, label->residue.name, &by_name);
   label->virtual_site = kind == ATOM_VIRTUAL || (by_columns && is_virtual_symbol(label->element));
-  if (!by_columns) label->element = kind == ATOM_VIRTUAL ? virtual_symbol_of(columns) : by_name;
+  if (!by_columns || element_is_unknown(by_name))
+    label->element = kind == ATOM_VIRTUAL ? virtual_symbol_of(columns) : by_name;
   return by_columns || kind != ATOM_UNKNOWN;
 }
 

@@ -24,8 +24,9 @@ enum atom_kind {
 /* What an atom is, by its name and its residue's:
  *   1. an ion, if both names have the same letters, those of an element or one of CHARMM's: SOD, CLA, POT, CAL, CES ..;
  *   2. in a known residue the element is the first letter of the name, which may follow digits; SE is selenium in MSE,
- *      SEC and CSE. Other names are virtual sites: EP, M, MW, LP; in water OM; in amino acids Q and M as first letters
- *      and D before the name of a heavy atom;
+ *      SEC and CSE. In amino acids A and X as first letters are unknown elements: AD1 or XD1 of ASX is nitrogen or
+ *      oxygen, and nobody could tell which. Other names are virtual sites: EP, M, MW, LP; in water OM; in amino acids
+ *      Q and M as first letters and D before the name of a heavy atom;
  *   3. elsewhere the name decides. In the columns of a PDB file, four characters, blanks included, a symbol stands
  *      right-justified in the first two: " CA " is carbon (the alpha carbon), "CA  " is calcium. Names of four
  *      characters have no room for that: hydrogens ("HG11", "DD21") begin in the first column, and so do others

@@ -51,7 +51,8 @@ TEST(AtomNames, InKnownResidues) {
            Case{"U", "P   ", "P"},    Case{"C", "OP1 ", "O"},    Case{"A", "O1P ", "O"},    Case{"DG5", "HO5'", "H"},
            Case{"URA", "DO2'", "H"},  Case{"DC", "CO3*", "C"},   Case{"HOH", "O   ", "O"},  Case{"SOL", "OW  ", "O"},
            Case{"SOL", "HW1 ", "H"},  Case{"TIP3", "OH2 ", "O"}, Case{"WAT", "1HW ", "H"},  Case{"DOD", "D1  ", "H"},
-           Case{"SEP", "P   ", "P"},  Case{"UNK", "CB  ", "C"},
+           Case{"SEP", "P   ", "P"},  Case{"UNK", "CB  ", "C"},  Case{"ASX", "XD1 ", "X"},  Case{"GLX", "AE2 ", "X"},
+           Case{"ASN", "AD1 ", "X"},  Case{"ASX", "CA  ", "C"},
        }) {
     EXPECT_EQ(found(it.name, it.residue, true), it.element) << it.residue << " " << it.name;
     EXPECT_EQ(found(stripped(it.name), it.residue, true), it.element) << it.residue << " " << it.name;

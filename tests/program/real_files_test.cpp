@@ -110,18 +110,19 @@ TEST(RealFiles, UnknownAtomsHaveASubstituteRadius) {
   const std::string text = record("HETATM", " UNK", "UNX", "A", 1, 0, "           X") +
                            record("HETATM", " X", "UNX", "A", 2, 10) +
                            record("ATOM", " AD1", "ASX", "A", 3, 20, "           X") +
+                           record("ATOM", " AE1", "GLX", "A", 6, 25, "           A") +
                            record("HETATM", "FE", "FE", "A", 4, 30, "          FE") +
                            record("HETATM", " O", "HOH", "A", 5, 40, "           O");
   const TemporaryFile file("unx.pdb", text);
-  EXPECT_EQ(column(file.path(), "element"), (Words{"X", "X", "X", "Fe", "O"}));
-  EXPECT_EQ(column(file.path(), "radius"), (Words{"2", "2", "2", "2", "1.52"}));
-  EXPECT_EQ(substitutes(run_json({"measure", file.path()})["input"]), "Fe 2 (1), X 2 (3)");
-  EXPECT_EQ(substitutes(run_json({"measure", file.path(), "--radii", "chem3d"})["input"]), "Fe 2 (1), X 2 (3)");
+  EXPECT_EQ(column(file.path(), "element"), (Words{"X", "X", "X", "X", "Fe", "O"}));
+  EXPECT_EQ(column(file.path(), "radius"), (Words{"2", "2", "2", "2", "2", "1.52"}));
+  EXPECT_EQ(substitutes(run_json({"measure", file.path()})["input"]), "Fe 2 (1), X 2 (4)");
+  EXPECT_EQ(substitutes(run_json({"measure", file.path(), "--radii", "chem3d"})["input"]), "Fe 2 (1), X 2 (4)");
   EXPECT_NE(
-      run_program({"measure", file.path()}).out.find("substitutes      Fe 2 (1 atom), X 2 (3 atoms): not in bondi"),
+      run_program({"measure", file.path()}).out.find("substitutes      Fe 2 (1 atom), X 2 (4 atoms): not in bondi"),
       std::string::npos);
   // A user's radius is no substitute, and selections know the symbol.
-  EXPECT_EQ(column(file.path(), "radius", {"--radius", "X=1.7"}), (Words{"1.7", "1.7", "1.7", "2", "1.52"}));
+  EXPECT_EQ(column(file.path(), "radius", {"--radius", "X=1.7"}), (Words{"1.7", "1.7", "1.7", "1.7", "2", "1.52"}));
   EXPECT_EQ(substitutes(run_json({"measure", file.path(), "--radius", "X=1.7"})["input"]), "Fe 2 (1)");
   EXPECT_EQ(column(file.path(), "element", {"--hide", "element:X"}), (Words{"Fe", "O"}));
   const TemporaryFile cif("unx.cif",
