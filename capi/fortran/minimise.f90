@@ -6,9 +6,9 @@
 ! each other, and where equal balls coincide the area has no derivative: the tension must not be much larger.
 ! One line for each step: number, energy, the largest derivative, the step's length.
 program minimise
-  use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int8_t, c_loc, c_ptr, c_size_t, c_sizeof
+  use, intrinsic :: iso_c_binding, only: c_sizeof
   use, intrinsic :: iso_fortran_env, only: error_unit
-  use hardsphere
+  use hardsphere_workspace
   implicit none
 
   integer(c_int32_t), parameter :: n = 5
@@ -22,13 +22,14 @@ program minimise
   real(c_double), parameter :: good_enough = 1e-5_c_double
   integer, parameter :: most_steps = 2000
 
-  integer(c_int8_t), allocatable, target :: model_memory(:), boundary_memory(:)
-  type(c_ptr) :: model, boundary
+  type(hsp_workspace), target :: work
   type(hsp_model_options) :: options
   real(c_double) :: xyz(3, n), force(3, n), energy, trial(3, n), trial_force(3, n), trial_energy, length, promised
   integer :: step
 
-  call set_up()
+  call must(hsp_model_options_init(options, int(c_sizeof(options), c_int32_t)))
+  options%probe = probe
+  options%step = lattice_step
   xyz = on_lattice(zigzag())
   call evaluate(xyz, energy, force)
   length = 1e-2_c_double
@@ -57,22 +58,6 @@ program minimise
 
 contains
 
-  ! Memory is taken once: neither the number of balls nor what the boundary of so few can need changes.
-  subroutine set_up()
-    integer(c_size_t) :: bytes
-    type(hsp_boundary_limits) :: limits
-    call must(hsp_model_bytes(n, bytes))
-    allocate (model_memory(bytes))
-    call must(hsp_model_init(c_loc(model_memory), bytes, n, model))
-    call must(hsp_boundary_limits_init(limits, int(c_sizeof(limits), c_int32_t), n))
-    call must(hsp_boundary_bytes(limits, bytes))
-    allocate (boundary_memory(bytes))
-    call must(hsp_boundary_init(c_loc(boundary_memory), bytes, limits, boundary))
-    call must(hsp_model_options_init(options, int(c_sizeof(options), c_int32_t)))
-    options%probe = probe
-    options%step = lattice_step
-  end subroutine
-
   ! Stretched out, with a little of a helix: in a plane no ball would feel where to turn.
   function zigzag() result(places)
     real(c_double) :: places(3, n)
@@ -98,9 +83,9 @@ contains
     type(hsp_energy) :: surface
     real(c_double) :: gradient(3, n)
     integer :: i
-    call must(hsp_model_set(model, n, places, radius, options))
-    call must(hsp_boundary_compute(boundary, model))
-    call must(hsp_boundary_gradient(boundary, tension=tension, pressure=pressure, tangency=HSP_TANGENT_OVERLAP, &
+    call must(work%set(n, places, radius, options))
+    call must(work%compute_boundary())
+    call must(hsp_boundary_gradient(work%boundary, tension=tension, pressure=pressure, tangency=HSP_TANGENT_OVERLAP, &
                                     energy=surface, d_centre=gradient, capacity=n))
     value = surface%value
     do i = 1, n - 1
