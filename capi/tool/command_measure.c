@@ -15,6 +15,13 @@
 /* Of totals, which are accurate to 1e-13 of their size for molecules; single balls are shown with four. */
 enum { TOTAL_DECIMALS = 10 };
 
+/* All that is printed. */
+struct findings {
+  struct measurement measurement;
+  struct atom_groups groups;
+  struct interface interface;
+};
+
 static void interface_json(const struct interface *interface, struct text_buffer *out) {
   text_buffer_add(out, ", \"interface\": {\"groups\": [");
   for (int i = 0; i < 2; ++i) {
@@ -50,9 +57,9 @@ static void interface_print(const char *text, const struct interface *interface,
   interface_line("both", side[0].atoms + side[1].atoms, side[0].alone + side[1].alone, interface->together, out);
 }
 
-static void print_json(const struct request *request, const struct molecule *molecule,
-                       const struct measurement *measurement, const struct atom_groups *groups,
-                       const struct interface *interface, struct text_buffer *out) {
+static void print_json(const struct request *request, const struct molecule *molecule, const struct findings *found,
+                       struct text_buffer *out) {
+  const struct measurement *measurement = &found->measurement;
   text_buffer_add(out, "{\"n\": %" PRIu32 ", \"area\": ", molecule->atoms);
   json_number(out, measurement->totals.area);
   text_buffer_add(out, ", \"volume\": ");
@@ -69,22 +76,22 @@ static void print_json(const struct request *request, const struct molecule *mol
     text_buffer_add(out, ", \"other_area\": ");
     json_number(out, measurement->other_area);
   }
-  if (request->interface != NULL) interface_json(interface, out);
+  if (request->interface != NULL) interface_json(&found->interface, out);
   if (request_wants_balls(request)) {
     text_buffer_add(out, ", \"balls\": ");
     ball_table_json(molecule, measurement, out);
   }
   if (request->by != GROUPING_NONE) {
     text_buffer_add(out, request->by == GROUPING_RESIDUE ? ", \"residues\": " : ", \"chains\": ");
-    group_table_json(molecule, groups, request->relative, out);
+    group_table_json(molecule, &found->groups, request->relative, out);
   }
   input_report_json(out, request, molecule);
   text_buffer_add(out, "}\n");
 }
 
-static void print_tables(const struct request *request, const struct molecule *molecule,
-                         const struct measurement *measurement, const struct atom_groups *groups,
-                         const struct interface *interface, struct text_buffer *out) {
+static void print_tables(const struct request *request, const struct molecule *molecule, const struct findings *found,
+                         struct text_buffer *out) {
+  const struct measurement *measurement = &found->measurement;
   const char *unit = format_unit(molecule->format);
   char value[NUMBER_BYTES];
   report_heading(out, request, molecule);
@@ -108,45 +115,44 @@ static void print_tables(const struct request *request, const struct molecule *m
     report_row_count(out, "touching balls", measurement->one_sided,
                      "their derivatives are one-sided: as if touching balls overlapped");
   }
-  if (request->interface != NULL) interface_print(request->interface, interface, unit, out);
+  if (request->interface != NULL) interface_print(request->interface, &found->interface, unit, out);
   if (request_wants_balls(request)) ball_table_print(request, molecule, measurement, out);
-  if (request->by != GROUPING_NONE) group_table_print(molecule, groups, request->relative, out);
+  if (request->by != GROUPING_NONE) group_table_print(molecule, &found->groups, request->relative, out);
 }
 
-static void print(const struct request *request, const struct molecule *molecule, const struct measurement *measurement,
-                  const struct atom_groups *groups, const struct interface *interface, struct text_buffer *out) {
+static void print(const struct request *request, const struct molecule *molecule, const struct findings *found,
+                  struct text_buffer *out) {
   if (request->json) {
-    print_json(request, molecule, measurement, groups, interface, out);
+    print_json(request, molecule, found, out);
   } else if (!request->csv) {
-    print_tables(request, molecule, measurement, groups, interface, out);
+    print_tables(request, molecule, found, out);
   } else if (request->by == GROUPING_NONE) {
-    ball_table_csv(molecule, measurement, out);
+    ball_table_csv(molecule, &found->measurement, out);
   } else {
-    group_table_csv(molecule, groups, request->relative, out);
+    group_table_csv(molecule, &found->groups, request->relative, out);
   }
 }
 
 bool command_measure(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                      struct text_buffer *out, struct failure *failure) {
-  struct measurement measurement;
-  struct atom_groups groups = ATOM_GROUPS_NONE;
-  bool done = measurement_make(request, molecule, geometry, &measurement, failure);
+  struct findings found;
+  memset(&found, 0, sizeof found);
+  bool done = measurement_make(request, molecule, geometry, &found.measurement, failure);
+  const double *area = found.measurement.area;
   if (done && request->by != GROUPING_NONE) {
-    done = atom_groups_make(molecule, request->by, measurement.area, &groups, failure);
+    done = atom_groups_make(molecule, request->by, area, &found.groups, failure);
   }
-  struct interface interface;
-  memset(&interface, 0, sizeof interface);
   if (done && request->interface != NULL) {
-    done = interface_measure(request->interface, molecule, request->probe, geometry, &interface, failure);
+    done = interface_measure(request->interface, molecule, request->probe, geometry, &found.interface, failure);
   }
   const bool written_only = request->pdb_out != NULL && output_is_standard(request->pdb_out);
   if (done && request_wants_balls(request)) progress_show(&geometry->progress, "making the table");
-  if (done && !written_only) print(request, molecule, &measurement, &groups, &interface, out);
+  if (done && !written_only) print(request, molecule, &found, out);
   if (done && request->pdb_out != NULL) {
     progress_show(&geometry->progress, "writing");
-    done = pdb_output_write(request->file, molecule, measurement.area, request->pdb_out, failure);
+    done = pdb_output_write(request->file, molecule, area, request->pdb_out, failure);
   }
-  atom_groups_free(&groups);
-  measurement_free(&measurement);
+  atom_groups_free(&found.groups);
+  measurement_free(&found.measurement);
   return done;
 }
