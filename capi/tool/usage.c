@@ -63,6 +63,12 @@ static const char statuses[] =
     "Exit status: 0 success, 1 bad input, 2 bad usage; then one line on stderr says why, and of that file stdout has\n"
     "nothing.\n";
 
+/* So that the help of a command fits a screen. */
+static const char for_all_commands[] =
+    "FILE is .pdb, .cif, .gro, .pqr, .xyz or .xyzr, or - for standard input. --probe P, --radii SET, --only and "
+    "--hide\n"
+    "ATOMS, --no-water, --model N, --json and what else all commands have: hardsphere --help\n";
+
 static const char model_text[] =
     "hardsphere model FILE [options]\n"
     "\n"
@@ -216,7 +222,7 @@ void usage_of_command(struct text_buffer *out, enum command command) {
       text = draw_text;
       break;
   }
-  text_buffer_add(out, "%s%s%s%s", text, files_and_radii, choosing_atoms, statuses);
+  text_buffer_add(out, "%s%s", text, for_all_commands);
 }
 
 void usage_version(struct text_buffer *out) {
