@@ -34,7 +34,7 @@ static int32_t compute(hsp_view **view) {
   }
   hsp_model *model;
   hsp_view_options options;
-  const hsp_view_limits limits = {sizeof limits, .balls = BALLS, .neighbours = BALLS, .arcs = ARCS};
+  const hsp_view_limits limits = {.struct_size = sizeof limits, .balls = BALLS, .neighbours = BALLS, .arcs = ARCS};
   int32_t status = hsp_model_init(model_memory, sizeof model_memory, BALLS, &model);
   if (status == HSP_OK) status = hsp_model_set(model, BALLS, &xyz[0][0], radius, NULL, NULL);
   if (status == HSP_OK) status = hsp_view_options_init(&options, sizeof options);

@@ -17,7 +17,8 @@ int main(void) {
   int32_t status = hsp_model_init(model_memory, sizeof model_memory, 3, &model);
   if (status == HSP_OK) status = hsp_model_set(model, 3, &xyz[0][0], radius, &options, NULL);
 
-  hsp_boundary_limits limits = {sizeof limits, .balls = 3, .neighbours = 3, .vertices = 16, .circles = 8};
+  hsp_boundary_limits limits = {
+      .struct_size = sizeof limits, .balls = 3, .neighbours = 3, .vertices = 16, .circles = 8};
   hsp_boundary *boundary;
   hsp_boundary_counts counts;
   hsp_totals totals;

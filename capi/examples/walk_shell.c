@@ -17,10 +17,10 @@ static int32_t compute(hsp_topology **topology) {
   static const double radius[BALLS] = {0.7, 0.7, 0.7, 0.7, 0.7, 0.7};
   hsp_model *model;
   hsp_boundary *boundary;
-  const hsp_boundary_limits boundary_limits = {sizeof boundary_limits, .balls = BALLS, .neighbours = BALLS,
-                                               .vertices = 16, .circles = 16};
-  const hsp_topology_limits topology_limits = {sizeof topology_limits, .balls = BALLS, .neighbours = BALLS,
-                                               .edges = EDGES, .cut_arcs = CUT_ARCS};
+  const hsp_boundary_limits boundary_limits = {
+      .struct_size = sizeof boundary_limits, .balls = BALLS, .neighbours = BALLS, .vertices = 16, .circles = 16};
+  const hsp_topology_limits topology_limits = {
+      .struct_size = sizeof topology_limits, .balls = BALLS, .neighbours = BALLS, .edges = EDGES, .cut_arcs = CUT_ARCS};
 
   int32_t status = hsp_model_init(model_memory, sizeof model_memory, BALLS, &model);
   if (status == HSP_OK) status = hsp_model_set(model, BALLS, &xyz[0][0], radius, NULL, NULL);

@@ -25,7 +25,7 @@ typedef struct hsp_boundary hsp_boundary;
 /** The limits that fix a boundary's memory. */
 typedef struct hsp_boundary_limits {
   uint32_t struct_size; /**< sizeof(hsp_boundary_limits) */
-  uint32_t balls;       /**< number of balls of the model */
+  uint32_t balls;       /**< most balls of the model */
   uint32_t neighbours;  /**< most balls that meet any one ball that lies inside no other */
   uint32_t vertices;    /**< vertices of the boundary */
   uint32_t circles;     /**< free circles */

@@ -46,7 +46,7 @@ typedef struct hsp_topology hsp_topology;
 /** The limits that fix a topology's memory. */
 typedef struct hsp_topology_limits {
   uint32_t struct_size; /**< sizeof(hsp_topology_limits) */
-  uint32_t balls;       /**< number of balls of the model */
+  uint32_t balls;       /**< most balls of the model */
   uint32_t neighbours;  /**< as in hsp_boundary_limits */
   uint32_t edges;       /**< edges; vertices and simple faces are never more */
   uint32_t cut_arcs;    /**< cut arcs that cut faces with several loops */

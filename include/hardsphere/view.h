@@ -35,7 +35,7 @@ typedef struct hsp_view hsp_view;
 /** The limits that fix a view's memory. */
 typedef struct hsp_view_limits {
   uint32_t struct_size; /**< sizeof(hsp_view_limits) */
-  uint32_t balls;       /**< number of balls of the model */
+  uint32_t balls;       /**< most balls of the model */
   uint32_t neighbours;  /**< most balls that meet any one ball that is not left out and lies inside no other */
   uint32_t arcs;        /**< arcs of all pieces; pieces and loops are never more */
 } hsp_view_limits;

@@ -36,6 +36,8 @@ for name in example surface; do
   "$cc" -std=c99 -Wall -Wextra -Wpedantic -Wno-missing-prototypes -Wstrict-prototypes -Werror -I"$include" \
     -o "$work/$name" "$work/$name.c" "$archive" -lm
   "$work/$name"
+  # Both are C++ as well.
+  "$cc" -x c++ -std=c++20 -Wall -Wpedantic -Werror -I"$include" -fsyntax-only "$work/$name.c"
 done
 
 if [ $# -ge 8 ]; then
