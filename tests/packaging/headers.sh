@@ -35,12 +35,16 @@ functions=$(cat "$include"/hardsphere/*.h | awk '
     print name
     if (comment !~ /@retval HSP_/) print "lists no status: " name
     if (comment ~ /[Ss]tatuses as|HSP_E_[A-Z_]+(, HSP_E_[A-Z_]+)* as /) print "refers to another: " name
-    listed = comment; order = 1
+    listed = comment
     while (match(listed, /@retval [A-Z_]+/)) {
       status = substr(listed, RSTART + 8, RLENGTH - 8); listed = substr(listed, RSTART + RLENGTH)
       if (seen[name, status]++) print "lists " status " twice: " name
     }
   }
+  # A struct says its size or that it is frozen.
+  /^typedef struct hsp_[a-z_]+ \{/ { name = $3; frozen = comment ~ /[Ff]rozen/; inside_struct = 1; next }
+  inside_struct { if ((/struct_size;/) == frozen) print (frozen ? "frozen with struct_size: " : "neither frozen nor sized: ") name
+                  inside_struct = 0 }
   /;/ { comment = "" }')
 [ "$(grep -c '^hsp_' <<<"$functions")" -gt 40 ] || complain "the functions were not found"
 grep -v '^hsp_' <<<"$functions" && failed=1
