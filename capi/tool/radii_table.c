@@ -36,8 +36,8 @@ struct reading {
 /* False: the name is too long. */
 static bool copy_name(char *out, size_t room, struct field name) {
   if (name.length >= room) return false;
-  for (size_t i = 0; i < name.length; ++i) out[i] = to_upper(name.text[i]);
-  memset(out + name.length, 0, room - name.length);
+  for (size_t i = 0; i < room; ++i) out[i] = '\0';
+  for (size_t i = 0; i < room - 1 && i < name.length; ++i) out[i] = to_upper(name.text[i]);
   return true;
 }
 

@@ -74,8 +74,8 @@ static bool columns_of_title(const struct line_reader *reader, struct columns *c
       columns->position = at;
       position_seen = true;
     }
-    at += count;
-    if (at > MOST_COLUMNS) return failure_in_input(failure, reader->number, "Properties has too many columns");
+    if (count > MOST_COLUMNS - at) return failure_in_input(failure, reader->number, "Properties has too many columns");
+    at += (size_t)count;
   }
   if (element_seen && position_seen) return true;
   return failure_in_input(failure, reader->number, "Properties has no %s", element_seen ? "pos:R:3" : "species:S:1");
