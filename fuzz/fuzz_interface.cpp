@@ -1,11 +1,13 @@
-// Random sequences of calls with null pointers, wrong sizes, NaNs, short and misaligned memory. A small model of what
-// each handle holds says which status must come; outputs must be untouched whenever the header says so.
+// Random sequences of calls with null pointers, addresses without a handle, wrong sizes, NaNs, short and misaligned
+// memory. A small model of what each handle holds says which status must come; outputs must be untouched whenever the
+// header says so.
 #include <hardsphere.h>
 
 #include <cmath>
 #include <cstring>
 
 #include "gradient_calls.hpp"
+#include "strangers.hpp"
 #include "struct_version.hpp"
 #include "topology_calls.hpp"
 
@@ -25,7 +27,7 @@ class Session {
   }
 
   void step() {
-    switch (bytes_.below(20)) {
+    switch (bytes_.below(21)) {
       case 0:
         init_model();
         break;
@@ -75,6 +77,9 @@ class Session {
         break;
       case 18:
         call_derivatives();
+        break;
+      case 19:
+        fuzz::Strangers::call(bytes_);
         break;
       default:
         constants();
