@@ -5,6 +5,7 @@
 #include <hardsphere.h>
 
 #include <array>
+#include <cstdint>
 #include <cstring>
 #include <vector>
 
@@ -24,6 +25,8 @@ class Strangers {
 
  private:
   static constexpr uint32_t kinds = 4;  // model, boundary, topology, view
+  // What is copied and overwritten: every handle has as many, while gaps behind them may be poisoned.
+  static constexpr size_t first_bytes = sizeof(uintptr_t);
 
   Strangers() {
     hsp_model *model = nullptr;
@@ -59,11 +62,11 @@ class Strangers {
       case 1:
         return live_[(kind + 1 + bytes.below(kinds - 1)) % kinds];
       case 2:
-        other_ = memory_[kind];
-        return other_.data() + (own - memory_[kind].data());
+        other_.assign(1024, 0);
+        std::memcpy(other_.data(), own, first_bytes);
+        return other_.data();
       case 3:
-        std::memset(own, static_cast<int>(bytes.below(256)),
-                    memory_[kind].size() - static_cast<size_t>(own - memory_[kind].data()));
+        std::memset(own, static_cast<int>(bytes.below(256)), first_bytes);
         return own;
       default:
         return own + 1 + bytes.below(7);
