@@ -29,7 +29,7 @@ grep -oE 'bind\(C, name="[a-z0-9_]+"\)' "$module" | sed 's/.*"\(.*\)".*/\1/' | s
 same functions "$work/functions.header" "$work/functions.module"
 
 # ---- their results and arguments: names, types, by value or by reference, and what is only read
-cat "$header" "${header%.h}"/*.h >"$work/headers.h"
+bash "$here/../packaging/header_text.sh" "$header" >"$work/headers.h"
 "$cc" -std=c99 -fpreprocessed -dD -E -P "$work/headers.h" 2>/dev/null >"$work/bare_header"
 sed '/^#/d' "$work/bare_header" | tr '\n' ' ' | tr -s ' ' | awk -f "$here/signatures_of_header.awk" |
   sort >"$work/signatures.header"

@@ -18,8 +18,8 @@ abi=$(sed -nE "s|^#define HSP_ABI_NUMBER ([0-9]+).*|\1|p" "$source/include/hards
 
 {
   echo "# Declarations of ABI number $abi"
-  cat "$header" "${header%.h}"/*.h | grep -v '^ *# *include' | "$cc" -x c -std=c99 -D'HSP_API=@' -E -P - | tr '\n' ' ' |
-    tr ';' '\n' | sed -nE 's/ +/ /g; s/^.*@ (.*)$/\1/p; s/^ ?(typedef [^{]*)$/\1/p' | sort
+  bash "$here/header_text.sh" "$header" | "$cc" -x c -std=c99 -D'HSP_API=@' -E -P - | tr '\n' ' ' | tr ';' '\n' |
+    sed -nE 's/ +/ /g; s/^.*@ (.*)$/\1/p; s/^ ?(typedef [^{]*)$/\1/p' | sort
   # What macros with arguments say is compiled into programs.
   echo "#include \"$header\"" | "$cc" -x c -std=c99 -E -dM - | sed -nE 's/^#define (HSP_[A-Z0-9_]+\(.*)$/\1/p' | sort
 } >"$work/functions.txt"

@@ -2,4 +2,4 @@
 # The functions that hardsphere.h and the headers in the folder of its name declare, one a line, sorted.
 #   header_functions.sh HEADER
 set -euo pipefail
-cat "$1" "${1%.h}"/*.h | tr "\n" " " | grep -oE "HSP_API [^;]*;" | grep -oE "hsp_[a-z0-9_]+\(" | tr -d "(" | LC_ALL=C sort
+bash "$(dirname "$0")/header_text.sh" "$1" | tr "\n" " " | grep -oE "HSP_API [^;]*;" | grep -oE "hsp_[a-z0-9_]+\(" | tr -d "(" | LC_ALL=C sort

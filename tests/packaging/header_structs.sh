@@ -3,7 +3,7 @@
 #   name type:field type:field(length) ...
 #   header_structs.sh HEADER C-COMPILER
 set -euo pipefail
-cat "$1" "${1%.h}"/*.h | grep -v '^ *# *include' | "$2" -x c -std=c99 -E -P - | tr '\n' ' ' |
+bash "$(dirname "$0")/header_text.sh" "$1" | "$2" -x c -std=c99 -E -P - | tr '\n' ' ' |
   grep -oE 'typedef struct hsp_[a-z_]+ \{[^}]*\}' |
   awk '{
     name = $3
