@@ -114,22 +114,35 @@ void ball_table_print(const struct request *request, const struct molecule *mole
   }
 }
 
-/* What the ball is, by the keys that are the columns of comma-separated values. */
+/* What a ball is called, in the order of the keys and columns. */
+enum { MOST_NAMES = 6 };
+
+struct ball_name {
+  const char *key;
+  const char *text;
+};
+
+/* Which names there are follows from the format, not from what a file happens to leave empty. Returns how many. */
+static int list_names(enum molecule_format format, const struct atom_label *label, struct ball_name list[MOST_NAMES]) {
+  const struct residue_label *residue = &label->residue;
+  const bool residues = format_has_residues(format);
+  int count = 0;
+  if (residues) list[count++] = (struct ball_name){"atom", label->name};
+  if (!format_has_radii(format)) list[count++] = (struct ball_name){"element", label->element.text};
+  if (!residues) return count;
+  list[count++] = (struct ball_name){"chain", residue->chain};
+  list[count++] = (struct ball_name){"residue", residue->name};
+  list[count++] = (struct ball_name){"number", residue->number};
+  list[count++] = (struct ball_name){"insertion", residue->insertion};
+  return count;
+}
+
 static void json_label(const struct molecule *molecule, uint32_t ball, struct text_buffer *out) {
   const struct atom_label *label = &molecule->label[ball];
-  const bool residues = format_has_residues(molecule->format);
-  const struct {
-    const char *key, *text;
-    bool is_there;
-  } names[] = {{"atom", label->name, residues},
-               {"element", label->element.text, !format_has_radii(molecule->format)},
-               {"chain", label->residue.chain, residues},
-               {"residue", label->residue.name, residues},
-               {"number", label->residue.number, residues},
-               {"insertion", label->residue.insertion, residues}};
+  struct ball_name names[MOST_NAMES];
+  const int count = list_names(molecule->format, label, names);
   text_buffer_add(out, "\"ball\": %" PRIu32, ball);
-  for (size_t i = 0; i < sizeof names / sizeof names[0]; ++i) {
-    if (!names[i].is_there) continue;
+  for (int i = 0; i < count; ++i) {
     text_buffer_add(out, ", \"%s\": ", names[i].key);
     if (names[i].text == label->residue.number) {
       json_residue_number(out, names[i].text);
@@ -170,13 +183,13 @@ void ball_table_json(const struct molecule *molecule, const struct measurement *
   text_buffer_add(out, "]");
 }
 
-/* Which columns there are follows from the format, not from what a file happens to leave empty. */
 static void csv_header(enum molecule_format format, const struct derivative derivatives[DERIVATIVES], bool weights,
                        struct text_buffer *out) {
+  static const struct atom_label nobody = ATOM_LABEL_NONE;
+  struct ball_name names[MOST_NAMES];
+  const int count = list_names(format, &nobody, names);
   text_buffer_add(out, "ball");
-  if (format_has_residues(format)) text_buffer_add(out, ",atom");
-  if (!format_has_radii(format)) text_buffer_add(out, ",element");
-  if (format_has_residues(format)) text_buffer_add(out, ",chain,residue,number,insertion");
+  for (int i = 0; i < count; ++i) text_buffer_add(out, ",%s", names[i].key);
   text_buffer_add(out, ",x,y,z,radius,area");
   if (weights) text_buffer_add(out, ",weight");
   for (const struct derivative *of = derivatives; of != derivatives + DERIVATIVES; ++of) {
@@ -191,11 +204,6 @@ static void csv_header(enum molecule_format format, const struct derivative deri
   text_buffer_add(out, "\n");
 }
 
-static void csv_field(struct text_buffer *out, const char *text) {
-  text_buffer_add(out, ",");
-  csv_text(out, text);
-}
-
 static void csv_numbers(struct text_buffer *out, const double *numbers, int count) {
   for (int i = 0; i < count; ++i) {
     text_buffer_add(out, ",");
@@ -204,13 +212,12 @@ static void csv_numbers(struct text_buffer *out, const double *numbers, int coun
 }
 
 static void csv_label(enum molecule_format format, const struct atom_label *label, struct text_buffer *out) {
-  if (format_has_residues(format)) csv_field(out, label->name);
-  if (!format_has_radii(format)) csv_field(out, label->element.text);
-  if (!format_has_residues(format)) return;
-  csv_field(out, label->residue.chain);
-  csv_field(out, label->residue.name);
-  csv_field(out, label->residue.number);
-  csv_field(out, label->residue.insertion);
+  struct ball_name names[MOST_NAMES];
+  const int count = list_names(format, label, names);
+  for (int i = 0; i < count; ++i) {
+    text_buffer_add(out, ",");
+    csv_text(out, names[i].text);
+  }
 }
 
 void ball_table_csv(const struct molecule *molecule, const struct measurement *measurement, struct text_buffer *out) {
