@@ -125,20 +125,9 @@ static enum line_status read_model(struct line_reader *reader, uint64_t count, b
 static bool read_gro(struct line_reader *reader, struct molecule *molecule, struct failure *failure) {
   for (;;) {
     uint64_t count = 0;
-    enum line_status status = find_model(reader, molecule, &count, failure);
+    const enum line_status status = find_model(reader, molecule, &count, failure);
     if (status != LINE_READ) return status == LINE_END;
-    const uint64_t count_line = reader->number;
-    ++molecule->models;
-    uint64_t read = 0;
-    const bool wanted = molecule->models == molecule->model;
-    status = read_model(reader, count, wanted, molecule, &read, failure);
-    if (status == LINE_FAILED) return false;
-    if (!wanted) molecule->left_out.other_models += read;
-    /* What breaks off behind the model that is wanted, as in a run that was stopped, does not concern it. */
-    if (read < count && molecule->models <= molecule->model) {
-      return failure_in_input(failure, count_line, "%" PRIu64 " atoms announced, the file ends after %" PRIu64, count,
-                              read);
-    }
+    if (!read_announced_model(reader, count, read_model, molecule, failure)) return false;
   }
 }
 

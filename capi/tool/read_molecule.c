@@ -92,6 +92,19 @@ bool label_take_element(struct atom_label *label, struct field name) {
   return kind != ATOM_UNKNOWN;
 }
 
+bool read_announced_model(struct line_reader *reader, uint64_t count, announced_atoms *read_atoms,
+                          struct molecule *molecule, struct failure *failure) {
+  const uint64_t count_line = reader->number;
+  const bool wanted = ++molecule->models == molecule->model;
+  uint64_t read = 0;
+  if (read_atoms(reader, count, wanted, molecule, &read, failure) == LINE_FAILED) return false;
+  if (!wanted) molecule->left_out.other_models += read;
+  /* What breaks off behind the model that is wanted, as in a run that was stopped, does not concern it. */
+  if (read == count || molecule->models > molecule->model) return true;
+  return failure_in_input(failure, count_line, "%" PRIu64 " atoms announced, the file ends after %" PRIu64, count,
+                          read);
+}
+
 /* Nothing follows from a file without atoms, but that something went wrong before. */
 static bool check_atoms(const struct molecule *molecule, struct failure *failure) {
   if (molecule->model > 1 && molecule->model > molecule->models) {

@@ -33,6 +33,15 @@ extern const struct molecule_reader gro_reader;  /* fixed columns, in nanometres
  * False: the name does not tell. */
 bool label_take_element(struct atom_label *label, struct field name);
 
+/* Read as many atoms as are announced, or step over them if they are not wanted. *read: how many there were. */
+typedef enum line_status announced_atoms(struct line_reader *reader, uint64_t count, bool wanted,
+                                         struct molecule *molecule, uint64_t *read, struct failure *failure);
+
+/* The next model of a format in which each begins with the number of its atoms. That is `count`, from the line that was
+ * read last. False: the model, if it is wanted, or one before it breaks off, or an atom cannot be read. */
+bool read_announced_model(struct line_reader *reader, uint64_t count, announced_atoms *read_atoms,
+                          struct molecule *molecule, struct failure *failure);
+
 /* The names of all formats as a person lists them: "a, b or c", each with the prefix before it. */
 #define FORMAT_LIST_BYTES 120
 const char *molecule_format_list(char out[FORMAT_LIST_BYTES], const char *prefix);

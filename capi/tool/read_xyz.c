@@ -146,27 +146,17 @@ static bool read_xyz(struct line_reader *reader, struct molecule *molecule, stru
     uint64_t count = 0;
     struct field column[1];
     size_t columns = 0;
-    enum line_status status = next_filled_line(reader, column, 1, &columns, failure);
+    const enum line_status status = next_filled_line(reader, column, 1, &columns, failure);
     if (status != LINE_READ) return status == LINE_END;
-    const uint64_t count_line = reader->number;
     if (columns != 1 || number_parse_count(column[0].text, column[0].length, &count) != NUMBER_OK) {
       if (molecule->models == 0) {
-        return failure_in_input(failure, count_line, "expected the number of atoms alone on this line");
+        return failure_in_input(failure, reader->number, "expected the number of atoms alone on this line");
       }
-      return failure_in_input(failure, count_line, "data after the last atom (%" PRIu64 " announced)", count_before);
+      return failure_in_input(failure, reader->number, "data after the last atom (%" PRIu64 " announced)",
+                              count_before);
     }
     count_before = count;
-    ++molecule->models;
-    const bool wanted = molecule->models == molecule->model;
-    uint64_t read = 0;
-    status = read_model(reader, count, wanted, molecule, &read, failure);
-    if (status == LINE_FAILED) return false;
-    if (!wanted) molecule->left_out.other_models += read;
-    /* What breaks off behind the model that is wanted, as in a run that was stopped, does not concern it. */
-    if (read < count && molecule->models <= molecule->model) {
-      return failure_in_input(failure, count_line, "%" PRIu64 " atoms announced, the file ends after %" PRIu64, count,
-                              read);
-    }
+    if (!read_announced_model(reader, count, read_model, molecule, failure)) return false;
   }
 }
 
