@@ -35,14 +35,16 @@ static int make_room(struct frame *frame) {
   return 1;
 }
 
-/* The element stands in columns 77-78, or begins the atom's name. Radii of Bondi, in angstrom. */
+/* The element stands in columns 77-78, or begins the atom's name. What is none of these counts as carbon. */
 static double radius_of(const char *line, size_t length) {
   static const char symbols[] = "HCNOSP";
-  static const double radii[] = {1.10, 1.70, 1.55, 1.52, 1.80, 1.80};
+  static const uint32_t atomic_numbers[] = {1, 6, 7, 8, 16, 15};
   const char *name = line + 12 + strspn(line + 12, " 0123456789");
   const char symbol = length >= 78 && line[77] != ' ' ? line[77] : *name;
   const char *found = symbol == '\0' ? NULL : strchr(symbols, symbol);
-  return found == NULL ? 1.70 : radii[found - symbols];
+  double radius = 0.0;
+  (void)hsp_element_radius(HSP_RADII_BONDI, found == NULL ? 6 : atomic_numbers[found - symbols], &radius, NULL);
+  return radius;
 }
 
 static int read_atom(struct frame *frame, const char *line) {

@@ -126,8 +126,9 @@ static bool run(int count, char **arguments, struct text_buffer *out, struct fai
   struct request request;
   bool done = request_parse(&request, command, 0, count - 1, arguments + 1, failure);
   const int files = request.list_radii ? 0 : request.files;
-  if (files < 2 && done)
+  if (files < 2 && done) {
     done = request.list_radii ? radii_list_print(out, failure) : run_command(&request, out, failure);
+  }
   request_free(&request);
   return files < 2 ? done : run_files(command, files, count - 1, arguments + 1, failure);
 }

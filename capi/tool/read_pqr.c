@@ -1,7 +1,7 @@
 /* .pqr: the atom records of a PDB file as fields between blanks, with charge and radius at the end:
  *   ATOM serial name residue [chain] number x y z charge radius [element]
  * (see the format's description by Dolinsky, Nielsen, McCammon and Baker for PDB2PQR). PDB2PQR itself writes the
- * columns of a PDB file, in which x, y and z may touch: where fields are not to be told apart, columns decide. */
+ * columns of a PDB file, in which x, y and z may touch. A record that cannot be read by fields is read by columns. */
 #include <string.h>
 
 #include "characters.h"
@@ -127,8 +127,8 @@ static bool read_atom(const struct line_reader *reader, struct molecule *molecul
   label.hetatm = pdb_record_is_hetatm(reader->text);
   if (record.element.length == 0 || !element_symbol_parse(record.element.text, record.element.length, &label.element)) {
     /* Virtual sites have radii here as well, and names that tell nothing are no reason to refuse an atom. */
-    if (atom_kind_of(record.name, false, label.residue.name, &label.element) != ATOM_KNOWN)
-      label.element.text[0] = '\0';
+    const enum atom_kind kind = atom_kind_of(record.name, false, label.residue.name, &label.element);
+    if (kind != ATOM_KNOWN) label.element.text[0] = '\0';
   }
   return molecule_add(molecule, value, radius, &label, line, failure);
 }

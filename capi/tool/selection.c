@@ -15,7 +15,8 @@ static const char *const key_names[] = {"chain", "residue", "element", "atom", "
 struct selection_item {
   enum key key;
   struct field text;
-  bool numbers; /* of residues: low .. high */
+  struct element_symbol symbol; /* of elements */
+  bool numbers;                 /* of residues: low .. high */
   int64_t low;
   int64_t high;
   bool ends_term;
@@ -70,8 +71,7 @@ static bool parse_item(struct selection_item *item, const char *option, struct f
     return failure_in_usage(failure, "%s: the range '%s' is empty", option,
                             excerpt(shown, item->text.text, item->text.length));
   }
-  struct element_symbol symbol;
-  if (item->key == KEY_ELEMENT && !element_symbol_parse(item->text.text, item->text.length, &symbol)) {
+  if (item->key == KEY_ELEMENT && !element_symbol_parse(item->text.text, item->text.length, &item->symbol)) {
     return failure_in_usage(failure, "%s: '%s' is not an element symbol", option,
                             excerpt(shown, item->text.text, item->text.length));
   }
@@ -170,7 +170,6 @@ static bool holds_of_residue(const struct selection_item *item, const struct res
 
 static bool holds(const struct selection_item *item, const struct atom_label *label) {
   const char *chain = label->residue.chain;
-  struct element_symbol symbol;
   switch (item->key) {
     case KEY_CHAIN:
       if (chain[0] == '\0') return item->text.length == 1 && item->text.text[0] == '.';
@@ -178,8 +177,7 @@ static bool holds(const struct selection_item *item, const struct atom_label *la
     case KEY_RESIDUE:
       return holds_of_residue(item, &label->residue);
     case KEY_ELEMENT:
-      return element_symbol_parse(item->text.text, item->text.length, &symbol) &&
-             strcmp(symbol.text, label->element.text) == 0;
+      return strcmp(item->symbol.text, label->element.text) == 0;
     case KEY_ATOM:
       return same_text(item->text, label->name);
     case KEY_WATER:
