@@ -75,6 +75,9 @@ set(HSP_LIBRARY_SOURCES
 list(TRANSFORM HSP_LIBRARY_SOURCES PREPEND ${PROJECT_SOURCE_DIR}/)
 # In the cache, so that projects that carry this one as a subdirectory can call the function below, too.
 set(HSP_LIBRARY_SOURCES ${HSP_LIBRARY_SOURCES} CACHE INTERNAL "The sources of the library")
+set(HSP_AVX2_SOURCES ${HSP_LIBRARY_SOURCES})
+list(FILTER HSP_AVX2_SOURCES INCLUDE REGEX "_avx2\\.cpp$")
+set(HSP_AVX2_SOURCES ${HSP_AVX2_SOURCES} CACHE INTERNAL "Those compiled for AVX2")
 
 # Position-independent code as CMAKE_POSITION_INDEPENDENT_CODE says. Without it: so that shared libraries, Python modules
 # for instance, can contain the archive, but not for machines without an operating system.
@@ -93,6 +96,24 @@ if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES AND NOT CMAKE_CXX_FLAG
 endif()
 set(HSP_OPTIMIZATION ${HSP_OPTIMIZATION} CACHE INTERNAL "Optimization of the library where there is no build type")
 
+# Code for AVX2 beside that of the target's baseline, chosen at run time (lib/core/processor.hpp): in files *_avx2.cpp,
+# which are empty without the definition HSP_AVX2. Small targets do without.
+option(HSP_WIDE_CODE "Code for wider registers too, chosen at run time" ON)
+set(HSP_AVX2_OPTIONS "-mavx2;-mfma;-mpopcnt" CACHE INTERNAL "Options of the files for AVX2")
+if(HSP_WIDE_CODE AND NOT DEFINED CACHE{HSP_COMPILES_AVX2})
+  string(JOIN " " CMAKE_REQUIRED_FLAGS ${HSP_AVX2_OPTIONS})
+  set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
+  check_cxx_source_compiles("
+    #if !defined(__x86_64__) || !defined(__GNUC__)
+    #error not this processor
+    #endif
+    #include <cpuid.h>
+    #include <immintrin.h>
+    __m256d sum(__m256d a, __m256d b) { return _mm256_fmadd_pd(a, b, b); }" HSP_COMPILES_AVX2)
+  unset(CMAKE_REQUIRED_FLAGS)
+  unset(CMAKE_TRY_COMPILE_TARGET_TYPE)
+endif()
+
 # hsp_library_objects(name definition...): the library compiled as objects, with further definitions. The archive is made
 # of hardsphere_objects. Tests of inner parts link to a library of objects and compile what its headers define alike.
 function(hsp_library_objects name)
@@ -103,6 +124,11 @@ function(hsp_library_objects name)
   target_include_directories(${name} PUBLIC ${hardsphere_SOURCE_DIR}/include ${hardsphere_SOURCE_DIR}/lib
     PRIVATE ${hardsphere_SOURCE_DIR}/capi)
   target_compile_definitions(${name} PUBLIC $<$<BOOL:${HSP_PORTABLE_LIMBS}>:HSP_PORTABLE_LIMBS=1> ${ARGN})
+  if(HSP_WIDE_CODE AND HSP_COMPILES_AVX2 AND NOT "HSP_AVX2=0" IN_LIST ARGN)
+    target_compile_definitions(${name} PUBLIC HSP_AVX2=1)
+    set_source_files_properties(${HSP_AVX2_SOURCES} TARGET_DIRECTORY ${name} PROPERTIES
+      COMPILE_OPTIONS "${HSP_AVX2_OPTIONS}")
+  endif()
   # -ffp-contract=off: the same bits with and without fused multiply-add. The vectorizer of g++ 12 does not obey it: it
   # makes fused instructions of complex products (vfmaddsub, fcmla), hence it is off. A section for each function and
   # table, so that the linker can leave out what a program does not call. The rest keeps the C++ run time out.

@@ -10,11 +10,14 @@ here=$(cd "$(dirname "$0")" && pwd)
 rm -rf "$work"
 mkdir -p "$work"
 cd "$work"
+# Code for wide registers is looked at too, where the compiler makes it.
+wide=
+if [ "$("$cxx" -dumpmachine | cut -d- -f1)" = x86_64 ]; then wide=-DHSP_AVX2=1; fi
 n=0
 find "$source/lib" "$source/capi" -maxdepth 2 -name '*.cpp' | sort | while read -r file; do
   n=$((n + 1))
   echo "$n-$(basename "$file" .cpp).o $file"
-done | xargs -P 2 -L 1 "$cxx" -std=c++20 -O2 -I"$source/include" -I"$source/lib" -I"$source/capi" -ffp-contract=off \
+done | if [ -n "$wide" ]; then sed '/_avx2\.cpp$/s/$/ -mavx2 -mfma -mpopcnt/'; else cat; fi | xargs -P 2 -L 1 "$cxx" $wide -std=c++20 -O2 -I"$source/include" -I"$source/lib" -I"$source/capi" -ffp-contract=off \
   -fno-math-errno -fno-exceptions -fno-rtti -fno-threadsafe-statics -fcallgraph-info=su -fstack-usage -c -o
 bash "$here/header_functions.sh" "$source/include/hardsphere.h" >entries
 awk -v limit="$limit" -f "$here/stack_usage.awk" entries ./*.ci

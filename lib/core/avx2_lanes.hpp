@@ -1,0 +1,159 @@
+// Eight floats, four doubles and eight integers at once, for files *_avx2.cpp alone (processor.hpp). Everything has
+// internal linkage, so that each of them has its own copy.
+#pragma once
+
+#include <immintrin.h>
+
+#include <cstdint>
+
+namespace hsp {
+namespace {
+
+// A bit for each lane, lane 0 lowest.
+using LaneBits = uint32_t;
+
+// The lowest `count` lanes of eight; all from eight on.
+inline LaneBits first_lanes(uint32_t count) {
+  return count >= 8 ? 255U : (1U << count) - 1U;
+}
+inline uint32_t ones(LaneBits bits) {
+  return static_cast<uint32_t>(__builtin_popcount(bits));
+}
+inline uint32_t lowest(LaneBits bits) {
+  return static_cast<uint32_t>(__builtin_ctz(bits));
+}
+
+struct Floats {
+  static constexpr uint32_t lanes = 8;
+  __m256 v;
+
+  static Floats load(const float *p) { return {_mm256_loadu_ps(p)}; }
+  static Floats all(float x) { return {_mm256_set1_ps(x)}; }
+  static Floats all_of(const float *p) { return {_mm256_broadcast_ss(p)}; }
+  void store(float *p) const { _mm256_storeu_ps(p, v); }
+
+  friend Floats operator+(Floats a, Floats b) { return {_mm256_add_ps(a.v, b.v)}; }
+  friend Floats operator-(Floats a, Floats b) { return {_mm256_sub_ps(a.v, b.v)}; }
+  friend Floats operator*(Floats a, Floats b) { return {_mm256_mul_ps(a.v, b.v)}; }
+  friend Floats operator/(Floats a, Floats b) { return {_mm256_div_ps(a.v, b.v)}; }
+  friend Floats operator-(Floats a) { return {_mm256_xor_ps(a.v, _mm256_set1_ps(-0.0F))}; }
+};
+
+struct Doubles {
+  static constexpr uint32_t lanes = 4;
+  __m256d v;
+
+  static Doubles load(const double *p) { return {_mm256_loadu_pd(p)}; }
+  static Doubles all(double x) { return {_mm256_set1_pd(x)}; }
+  static Doubles all_of(const double *p) { return {_mm256_broadcast_sd(p)}; }
+  void store(double *p) const { _mm256_storeu_pd(p, v); }
+
+  friend Doubles operator+(Doubles a, Doubles b) { return {_mm256_add_pd(a.v, b.v)}; }
+  friend Doubles operator-(Doubles a, Doubles b) { return {_mm256_sub_pd(a.v, b.v)}; }
+  friend Doubles operator*(Doubles a, Doubles b) { return {_mm256_mul_pd(a.v, b.v)}; }
+  friend Doubles operator/(Doubles a, Doubles b) { return {_mm256_div_pd(a.v, b.v)}; }
+  friend Doubles operator-(Doubles a) { return {_mm256_xor_pd(a.v, _mm256_set1_pd(-0.0))}; }
+};
+
+struct Integers {
+  static constexpr uint32_t lanes = 8;
+  __m256i v;
+
+  static Integers load(const uint32_t *p) { return {_mm256_loadu_si256(reinterpret_cast<const __m256i *>(p))}; }
+  static Integers all(uint32_t x) { return {_mm256_set1_epi32(static_cast<int>(x))}; }
+  static Integers ascending() { return {_mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7)}; }
+  void store(uint32_t *p) const { _mm256_storeu_si256(reinterpret_cast<__m256i *>(p), v); }
+
+  friend Integers operator+(Integers a, Integers b) { return {_mm256_add_epi32(a.v, b.v)}; }
+};
+
+// a b + c, a b - c and c - a b, rounded once.
+inline Floats fused(Floats a, Floats b, Floats c) {
+  return {_mm256_fmadd_ps(a.v, b.v, c.v)};
+}
+inline Floats fused_minus(Floats a, Floats b, Floats c) {
+  return {_mm256_fmsub_ps(a.v, b.v, c.v)};
+}
+inline Floats minus_fused(Floats a, Floats b, Floats c) {
+  return {_mm256_fnmadd_ps(a.v, b.v, c.v)};
+}
+inline Doubles fused(Doubles a, Doubles b, Doubles c) {
+  return {_mm256_fmadd_pd(a.v, b.v, c.v)};
+}
+inline Doubles fused_minus(Doubles a, Doubles b, Doubles c) {
+  return {_mm256_fmsub_pd(a.v, b.v, c.v)};
+}
+inline Doubles minus_fused(Doubles a, Doubles b, Doubles c) {
+  return {_mm256_fnmadd_pd(a.v, b.v, c.v)};
+}
+inline Floats square_root(Floats a) {
+  return {_mm256_sqrt_ps(a.v)};
+}
+inline Doubles square_root(Doubles a) {
+  return {_mm256_sqrt_pd(a.v)};
+}
+
+// Comparisons; all false for NaN.
+inline LaneBits greater(Floats a, Floats b) {
+  return static_cast<LaneBits>(_mm256_movemask_ps(_mm256_cmp_ps(a.v, b.v, _CMP_GT_OQ)));
+}
+inline LaneBits not_less(Floats a, Floats b) {
+  return static_cast<LaneBits>(_mm256_movemask_ps(_mm256_cmp_ps(a.v, b.v, _CMP_GE_OQ)));
+}
+inline LaneBits greater(Doubles a, Doubles b) {
+  return static_cast<LaneBits>(_mm256_movemask_pd(_mm256_cmp_pd(a.v, b.v, _CMP_GT_OQ)));
+}
+inline LaneBits not_less(Doubles a, Doubles b) {
+  return static_cast<LaneBits>(_mm256_movemask_pd(_mm256_cmp_pd(a.v, b.v, _CMP_GE_OQ)));
+}
+
+// Orders of lanes that bring the chosen ones to the front, for the processor's permutations: eight bytes each, widened
+// when they are loaded.
+struct FrontOrders {
+  alignas(64) uint8_t of_eight[256][8];
+  alignas(64) uint8_t of_four[16][8];  // of pairs of 32 bits
+
+  constexpr FrontOrders() : of_eight{}, of_four{} {
+    for (uint32_t chosen = 0; chosen < 256; ++chosen) {
+      uint32_t to = 0;
+      for (uint8_t lane = 0; lane < 8; ++lane) {
+        if (chosen >> lane & 1U) of_eight[chosen][to++] = lane;
+      }
+    }
+    for (uint32_t chosen = 0; chosen < 16; ++chosen) {
+      uint32_t to = 0;
+      for (uint8_t lane = 0; lane < 4; ++lane) {
+        if ((chosen >> lane & 1U) == 0) continue;
+        of_four[chosen][to++] = static_cast<uint8_t>(2 * lane);
+        of_four[chosen][to++] = static_cast<uint8_t>(2 * lane + 1);
+      }
+    }
+  }
+};
+constexpr FrontOrders front_orders;
+
+// The order for the chosen lanes of eight floats or integers, and of four doubles. It may serve several stores.
+struct FrontOrder {
+  __m256i v;
+
+  static FrontOrder of_eight(LaneBits chosen) { return widened(front_orders.of_eight[chosen]); }
+  static FrontOrder of_four(LaneBits chosen) { return widened(front_orders.of_four[chosen]); }
+
+ private:
+  static FrontOrder widened(const uint8_t *order) {
+    return {_mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i *>(order)))};
+  }
+};
+// Writes the chosen lanes first; there must be room for all lanes.
+inline void store_front(float *p, Floats a, FrontOrder order) {
+  _mm256_storeu_ps(p, _mm256_permutevar8x32_ps(a.v, order.v));
+}
+inline void store_front(double *p, Doubles a, FrontOrder order) {
+  _mm256_storeu_pd(p, _mm256_castsi256_pd(_mm256_permutevar8x32_epi32(_mm256_castpd_si256(a.v), order.v)));
+}
+inline void store_front(uint32_t *p, Integers a, FrontOrder order) {
+  _mm256_storeu_si256(reinterpret_cast<__m256i *>(p), _mm256_permutevar8x32_epi32(a.v, order.v));
+}
+
+}  // namespace
+}  // namespace hsp

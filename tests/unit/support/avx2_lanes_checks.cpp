@@ -1,0 +1,118 @@
+#include "avx2_lanes_checks.hpp"
+
+#if HSP_AVX2
+#include "core/avx2_lanes.hpp"
+
+namespace {
+
+using namespace hsp;
+
+constexpr float fa[8] = {1.0F, -2.0F, 3.0F, 0.5F, 8.0F, -16.0F, 0.0F, 7.0F};
+constexpr float fb[8] = {2.0F, 2.0F, -4.0F, 0.25F, 4.0F, 32.0F, 1.0F, 7.0F};
+constexpr double da[4] = {1.0, -2.0, 3.0, 0.5};
+constexpr double db[4] = {2.0, 2.0, -4.0, 0.25};
+
+template <class Lanes, class Real>
+bool lanes_are(const Lanes &lanes, const Real (&expected)[Lanes::lanes]) {
+  Real found[Lanes::lanes];
+  lanes.store(found);
+  for (uint32_t k = 0; k < Lanes::lanes; ++k) {
+    if (found[k] != expected[k]) return false;
+  }
+  return true;
+}
+
+// The operations that both kinds of lanes have, against the same on one number at a time. All results are exact.
+template <class Lanes, class Real>
+const char *check_real_lanes(const Real (&a)[Lanes::lanes], const Real (&b)[Lanes::lanes]) {
+  constexpr uint32_t n = Lanes::lanes;
+  const Lanes x = Lanes::load(a);
+  const Lanes y = Lanes::load(b);
+  Real sum[n], difference[n], product[n], ratio[n], negative[n], both[n], both_minus[n], minus_both[n], squares[n],
+      all[n];
+  for (uint32_t k = 0; k < n; ++k) {
+    sum[k] = a[k] + b[k];
+    difference[k] = a[k] - b[k];
+    product[k] = a[k] * b[k];
+    ratio[k] = a[k] / b[k];
+    negative[k] = -a[k];
+    both[k] = a[k] * b[k] + Real{3};
+    both_minus[k] = a[k] * b[k] - Real{3};
+    minus_both[k] = Real{3} - a[k] * b[k];
+    squares[k] = a[k] * a[k];
+    all[k] = a[1];
+  }
+  if (!lanes_are(x + y, sum)) return "+";
+  if (!lanes_are(x - y, difference)) return "-";
+  if (!lanes_are(x * y, product)) return "*";
+  if (!lanes_are(x / y, ratio)) return "/";
+  if (!lanes_are(-x, negative)) return "minus";
+  if (!lanes_are(fused(x, y, Lanes::all(3)), both)) return "fused";
+  if (!lanes_are(fused_minus(x, y, Lanes::all(3)), both_minus)) return "fused_minus";
+  if (!lanes_are(minus_fused(x, y, Lanes::all(3)), minus_both)) return "minus_fused";
+  for (uint32_t k = 0; k < n; ++k) negative[k] = a[k] < 0 ? -a[k] : a[k];
+  if (!lanes_are(square_root(Lanes::load(squares)), negative)) return "square_root";
+  if (!lanes_are(Lanes::all_of(a + 1), all)) return "all_of";
+  return nullptr;
+}
+
+}  // namespace
+
+const char *check_float_lanes() {
+  return check_real_lanes<Floats>(fa, fb);
+}
+
+const char *check_double_lanes() {
+  return check_real_lanes<Doubles>(da, db);
+}
+
+const char *check_integer_lanes() {
+  const uint32_t expected[8] = {5, 6, 7, 8, 9, 10, 11, 12};
+  if (!lanes_are(Integers::ascending() + Integers::all(5), expected)) return "ascending, +";
+  if (!lanes_are(Integers::load(expected), expected)) return "load";
+  for (uint32_t count = 0; count < 12; ++count) {
+    const LaneBits bits = first_lanes(count);
+    if (ones(bits) != (count < 8 ? count : 8)) return "first_lanes, ones";
+    if (bits != 0 && (bits & 1U) == 0) return "first_lanes are the lowest";
+  }
+  return lowest(0x50) == 4 ? nullptr : "lowest";
+}
+
+const char *check_comparisons() {
+  const float nan = __builtin_nanf("");
+  const float x[8] = {1.0F, 2.0F, 3.0F, nan, 5.0F, nan, 7.0F, 8.0F};
+  const float y[8] = {2.0F, 2.0F, 2.0F, 1.0F, nan, nan, 8.0F, 0.0F};
+  if (greater(Floats::load(x), Floats::load(y)) != 0x84) return "greater, floats";
+  if (not_less(Floats::load(x), Floats::load(y)) != 0x86) return "not_less, floats";
+  const double u[4] = {1.0, 2.0, 3.0, __builtin_nan("")};
+  const double v[4] = {2.0, 2.0, 2.0, 1.0};
+  if (greater(Doubles::load(u), Doubles::load(v)) != 4) return "greater, doubles";
+  if (not_less(Doubles::load(u), Doubles::load(v)) != 6) return "not_less, doubles";
+  return nullptr;
+}
+
+const char *check_front_orders() {
+  const uint32_t ids[8] = {10, 11, 12, 13, 14, 15, 16, 17};
+  for (LaneBits chosen = 0; chosen < 256; ++chosen) {
+    uint32_t ids_first[8];
+    float floats_first[8];
+    store_front(ids_first, Integers::load(ids), FrontOrder::of_eight(chosen));
+    store_front(floats_first, Floats::load(fa), FrontOrder::of_eight(chosen));
+    uint32_t to = 0;
+    for (uint32_t lane = 0; lane < 8; ++lane) {
+      if ((chosen >> lane & 1U) == 0) continue;
+      if (ids_first[to] != ids[lane]) return "integers";
+      if (floats_first[to++] != fa[lane]) return "floats";
+    }
+    if (chosen >= 16) continue;
+    double doubles_first[4];
+    store_front(doubles_first, Doubles::load(da), FrontOrder::of_four(chosen));
+    to = 0;
+    for (uint32_t lane = 0; lane < 4; ++lane) {
+      if ((chosen >> lane & 1U) != 0 && doubles_first[to++] != da[lane]) return "doubles";
+    }
+  }
+  return nullptr;
+}
+
+#endif

@@ -1,0 +1,9 @@
+// Checks of core/avx2_lanes.hpp, compiled for AVX2 apart from the test, which asks first whether the processor has it.
+#pragma once
+
+// Each returns null, or what is wrong.
+const char *check_float_lanes();
+const char *check_double_lanes();
+const char *check_integer_lanes();
+const char *check_comparisons();
+const char *check_front_orders();
