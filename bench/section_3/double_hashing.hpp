@@ -1,0 +1,76 @@
+// A directory of the non-empty cubes in an open-addressing table with double hashing, as the paper's program and the
+// library have it. Cubes are numbered as they turn up.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "section_3/cubes.hpp"
+#include "section_3/grouped_balls.hpp"
+
+namespace bench {
+
+class DoubleHashing {
+ public:
+  void build(const Cubes &, const std::vector<Cube> &cube, std::vector<uint32_t> &numbers) {
+    uint32_t slots = 4;
+    while (slots < 2 * cube.size()) slots *= 2;
+    mask_ = slots - 1;
+    slots_.assign(slots, none);
+    keys_.clear();
+    numbers.clear();
+    for (const Cube &c : cube) numbers.push_back(find_or_insert(packed(c)));
+  }
+
+  uint32_t count() const { return static_cast<uint32_t>(keys_.size()); }
+
+  template <class Visit>
+  void visit_row(uint32_t x_low, uint32_t x_high, uint32_t y, uint32_t z, Visit visit) const {
+    for (uint32_t x = x_low; x <= x_high; ++x) {
+      const uint64_t key = packed({x, y, z});
+      for (Probe probe(key, mask_);; probe.next()) {
+        const uint32_t number = slots_[probe.slot];
+        if (number == none) break;
+        if (keys_[number] != key) continue;
+        visit(number, number + 1);
+        break;
+      }
+    }
+  }
+
+  size_t bytes() const { return bytes_of(slots_) + bytes_of(keys_); }
+
+ private:
+  static constexpr uint32_t none = UINT32_MAX;
+
+  // The slots where a cube may be. The stride is odd and the number of slots a power of two: all slots are visited.
+  struct Probe {
+    Probe(uint64_t key, uint32_t mask_of_slots) : mask(mask_of_slots) {
+      uint64_t hash = (key ^ (key >> 30)) * UINT64_C(0xBF58476D1CE4E5B9);  // the mixer of SplitMix64
+      hash = (hash ^ (hash >> 27)) * UINT64_C(0x94D049BB133111EB);
+      hash ^= hash >> 31;
+      slot = static_cast<uint32_t>(hash) & mask;
+      stride = static_cast<uint32_t>(hash >> 32) | 1U;
+    }
+    void next() { slot = (slot + stride) & mask; }
+    uint32_t mask, slot, stride;
+  };
+
+  uint32_t find_or_insert(uint64_t key) {
+    for (Probe probe(key, mask_);; probe.next()) {
+      const uint32_t number = slots_[probe.slot];
+      if (number != none && keys_[number] == key) return number;
+      if (number != none) continue;
+      slots_[probe.slot] = count();
+      keys_.push_back(key);
+      return count() - 1;
+    }
+  }
+
+  std::vector<uint32_t> slots_;  // numbers of cubes, or none
+  std::vector<uint64_t> keys_;   // of each cube
+  uint32_t mask_ = 0;
+};
+
+}  // namespace bench
