@@ -60,6 +60,7 @@ run_suite() {
 }
 run_suite bench_paper_section_2 5 0.02
 run_suite bench_paper_section_3 5 0.02
+run_suite bench_section_3_alternatives 3 0.02
 run_suite bench_paper_section_4_2 5 0.02
 run_suite bench_paper_section_5_1 5 0.02
 run_suite bench_topology 7 0.05

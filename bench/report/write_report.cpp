@@ -8,6 +8,7 @@
 #include <iostream>
 #include <string>
 
+#include "alternatives_tables.hpp"
 #include "frame_tables.hpp"
 #include "goals_tables.hpp"
 #include "gradient_tables.hpp"
@@ -64,6 +65,7 @@ int main(int argc, char **argv) {
     write_head(std::cout, run);
     report::write_section_2(std::cout, run);
     report::write_section_3(std::cout, run);
+    report::write_alternatives(std::cout, run);
     report::write_section_4_2(std::cout, run);
     report::write_topology(std::cout, run);
     report::write_frames(std::cout, run);

@@ -5,7 +5,7 @@
 //   void build(const Cubes &, const std::vector<Cube> &, std::vector<uint32_t> &numbers);  // a number for each cube
 //   uint32_t count() const;                                                                 // all numbers are below
 //   void visit_row(uint32_t x_low, uint32_t x_high, uint32_t y, uint32_t z, visit) const;
-//       calls visit(first, last) for the numbers first .. last - 1 of cubes x_low .. x_high of a row
+//       calls visit(first, last), once at most: first .. last - 1 are the cubes x_low .. x_high of a row that have balls
 //   size_t bytes() const;
 #pragma once
 
@@ -42,8 +42,8 @@ class CentreGrid {
 
   // How many ordered pairs of different balls meet. The rows around a cube are looked up once for all of its balls.
   uint64_t count_pairs() const {
-    std::array<uint32_t, 27> first;
-    std::array<uint32_t, 27> last;
+    std::array<uint32_t, 9> first;
+    std::array<uint32_t, 9> last;
     uint64_t pairs = 0;
     for (uint32_t number = 0; number < directory_.count(); ++number) {
       const uint32_t begin = balls_.first(number);

@@ -5,7 +5,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <stdexcept>
+#include <vector>
 
 #include "ball_list.hpp"
 
@@ -18,6 +20,18 @@ struct Cube {
 // One number for a cube; they are ordered by z, then y, then x.
 constexpr uint64_t packed(const Cube &cube) {
   return (uint64_t{cube.z} << 42) | (uint64_t{cube.y} << 21) | uint64_t{cube.x};
+}
+
+// Sorts the keys of different cubes, and returns the new place of each. Numbered so, the cubes of a row follow each other
+// in memory, and neighbouring rows are not far.
+inline std::vector<uint32_t> sort_cubes(std::vector<uint64_t> &keys) {
+  std::vector<uint32_t> order(keys.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return keys[a] < keys[b]; });
+  std::vector<uint32_t> place(keys.size());
+  for (size_t k = 0; k < order.size(); ++k) place[order[k]] = static_cast<uint32_t>(k);
+  std::sort(keys.begin(), keys.end());
+  return place;
 }
 
 // The cubes low .. high along every axis; empty if none of the box is reached.

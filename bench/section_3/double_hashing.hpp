@@ -1,7 +1,8 @@
 // A directory of the non-empty cubes in an open-addressing table with double hashing, as the paper's program and the
-// library have it. Cubes are numbered as they turn up.
+// library have it.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -21,22 +22,23 @@ class DoubleHashing {
     keys_.clear();
     numbers.clear();
     for (const Cube &c : cube) numbers.push_back(find_or_insert(packed(c)));
+    const std::vector<uint32_t> place = sort_cubes(keys_);
+    for (uint32_t &number : numbers) number = place[number];
+    for (uint32_t &number : slots_) number = number == none ? none : place[number];
   }
 
   uint32_t count() const { return static_cast<uint32_t>(keys_.size()); }
 
   template <class Visit>
   void visit_row(uint32_t x_low, uint32_t x_high, uint32_t y, uint32_t z, Visit visit) const {
+    uint32_t first = none, last = 0;
     for (uint32_t x = x_low; x <= x_high; ++x) {
-      const uint64_t key = packed({x, y, z});
-      for (Probe probe(key, mask_);; probe.next()) {
-        const uint32_t number = slots_[probe.slot];
-        if (number == none) break;
-        if (keys_[number] != key) continue;
-        visit(number, number + 1);
-        break;
-      }
+      const uint32_t number = find(packed({x, y, z}));
+      if (number == none) continue;
+      first = std::min(first, number);
+      last = number + 1;
     }
+    if (first != none) visit(first, last);
   }
 
   size_t bytes() const { return bytes_of(slots_) + bytes_of(keys_); }
@@ -57,6 +59,12 @@ class DoubleHashing {
     uint32_t mask, slot, stride;
   };
 
+  uint32_t find(uint64_t key) const {
+    for (Probe probe(key, mask_);; probe.next()) {
+      const uint32_t number = slots_[probe.slot];
+      if (number == none || keys_[number] == key) return number;
+    }
+  }
   uint32_t find_or_insert(uint64_t key) {
     for (Probe probe(key, mask_);; probe.next()) {
       const uint32_t number = slots_[probe.slot];

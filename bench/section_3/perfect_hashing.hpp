@@ -2,13 +2,14 @@
 // a sparse table with O(1) worst case access time", J. ACM 31 (1984) 538), which Theorem 3.2 rests on in its dynamic
 // form: every search looks at one bucket and one slot.
 //
-// The hash functions are x -> (a x mod 2^64) / 2^(64 - k) with a random odd a. Two keys collide with a probability of at
-// most 2 / 2^k (Dietzfelbinger, Hagerup, Katajainen, Penttonen: "A reliable randomized algorithm for the closest-pair
+// The hash functions are x -> (a x mod 2^64) / 2^(64 - k) with a random odd a. Two keys collide with a probability of
+// at most 2 / 2^k (Dietzfelbinger, Hagerup, Katajainen, Penttonen: "A reliable randomized algorithm for the closest-pair
 // problem", J. Algorithms 25 (1997) 19). So n keys in 2^k >= n buckets make at most 2 n pairs (x, y), x != y, of one
-// bucket on average, and no more than 4 n in every other trial; b keys in at least 2 b (b - 1) slots collide in less than
-// every other trial.
+// bucket on average, and no more than 4 n in every other trial; b keys in at least 2 b (b - 1) slots collide in less
+// than every other trial.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -31,6 +32,8 @@ class PerfectHashing {
     while (pairs_in_buckets() > 4 * keys_.size());
     slots_.clear();
     for (size_t b = 0; b + 1 < first_key_.size(); ++b) place_keys(b, random);
+    const std::vector<uint32_t> place = sort_cubes(keys_);
+    for (uint32_t &number : slots_) number = number == none ? none : place[number];
     numbers.clear();
     for (const uint64_t key : key_of_ball) numbers.push_back(slots_[slot_of(key)]);
   }
@@ -39,11 +42,15 @@ class PerfectHashing {
 
   template <class Visit>
   void visit_row(uint32_t x_low, uint32_t x_high, uint32_t y, uint32_t z, Visit visit) const {
+    uint32_t first = none, last = 0;
     for (uint32_t x = x_low; x <= x_high; ++x) {
       const uint64_t key = packed({x, y, z});
       const uint32_t number = slots_[slot_of(key)];
-      if (number != none && keys_[number] == key) visit(number, number + 1);
+      if (number == none || keys_[number] != key) continue;
+      first = std::min(first, number);
+      last = number + 1;
     }
+    if (first != none) visit(first, last);
   }
 
   size_t bytes() const { return bytes_of(buckets_) + bytes_of(slots_) + bytes_of(keys_); }
