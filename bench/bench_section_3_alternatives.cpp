@@ -1,5 +1,6 @@
-// Section 3's alternatives beside the library: building, point and ball queries, all pairs, memory. The paper's molecules
-// and radii, and a tiling of a million balls. All structures take turns, so that their ratios hold on a busy machine.
+// Section 3's alternatives beside the library: building, point and ball queries, all pairs, memory. The paper's
+// molecules and radii, and a tiling of a million balls. All structures take turns, so that their ratios hold on a busy
+// machine.
 #include <memory>
 #include <stdexcept>
 

@@ -5,7 +5,7 @@
 //   void build(const Cubes &, const std::vector<Cube> &, std::vector<uint32_t> &numbers);  // a number for each cube
 //   uint32_t count() const;                                                                 // all numbers are below
 //   void visit_row(uint32_t x_low, uint32_t x_high, uint32_t y, uint32_t z, visit) const;
-//       calls visit(first, last), once at most: first .. last - 1 are the cubes x_low .. x_high of a row that have balls
+//       calls visit(first, last), once at most: first .. last - 1 are the cubes x_low .. x_high of a row with balls
 //   size_t bytes() const;
 #pragma once
 

@@ -22,8 +22,8 @@ constexpr uint64_t packed(const Cube &cube) {
   return (uint64_t{cube.z} << 42) | (uint64_t{cube.y} << 21) | uint64_t{cube.x};
 }
 
-// Sorts the keys of different cubes, and returns the new place of each. Numbered so, the cubes of a row follow each other
-// in memory, and neighbouring rows are not far.
+// Sorts the keys of different cubes, and returns the new place of each. Numbered so, the cubes of a row follow each
+// other in memory, and neighbouring rows are not far.
 inline std::vector<uint32_t> sort_cubes(std::vector<uint64_t> &keys) {
   std::vector<uint32_t> order(keys.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -48,8 +48,8 @@ class Cubes {
 
   Cubes() = default;
 
-  // The cubes of the box around all centres, grown by a margin in units of r_max. Throws std::length_error if the set is
-  // too wide for packed().
+  // The cubes of the box around all centres, grown by a margin in units of r_max. Throws std::length_error if the set
+  // is too wide for packed().
   explicit Cubes(const support::BallList &balls, double margin = 0) {
     for (const double radius : balls.radius) largest_radius_ = std::max(largest_radius_, radius);
     per_length_ = 1 / (largest_radius_ > 0 ? 2 * largest_radius_ : 1);
