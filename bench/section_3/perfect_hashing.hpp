@@ -3,10 +3,10 @@
 // form: every search looks at one bucket and one slot.
 //
 // The hash functions are x -> (a x mod 2^64) / 2^(64 - k) with a random odd a. Two keys collide with a probability of
-// at most 2 / 2^k (Dietzfelbinger, Hagerup, Katajainen, Penttonen: "A reliable randomized algorithm for the closest-pair
-// problem", J. Algorithms 25 (1997) 19). So n keys in 2^k >= n buckets make at most 2 n pairs (x, y), x != y, of one
-// bucket on average, and no more than 4 n in every other trial; b keys in at least 2 b (b - 1) slots collide in less
-// than every other trial.
+// at most 2 / 2^k (Dietzfelbinger, Hagerup, Katajainen, Penttonen: "A reliable randomized algorithm for the closest
+// pair problem", J. Algorithms 25 (1997) 19). So n keys in 2^k >= n buckets make at most 2 n pairs (x, y), x != y, of
+// one bucket on average, and no more than 4 n in every other trial; b keys in at least 2 b (b - 1) slots collide in
+// less than every other trial.
 #pragma once
 
 #include <algorithm>
