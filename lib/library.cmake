@@ -40,6 +40,11 @@ set(HSP_LIBRARY_SOURCES
   lib/measure/positions.cpp
   lib/measure/shell_volumes.cpp
   lib/measure/tangency.cpp
+  lib/surface/covered_gaps.cpp
+  lib/surface/probe_caps.cpp
+  lib/surface/probe_grid.cpp
+  lib/surface/surface_areas.cpp
+  lib/surface/surface_builder.cpp
   lib/view/depth_buffer.cpp
   lib/view/depth_order.cpp
   lib/view/occlusion.cpp

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# What comments and pages cite is there: the files of the repository that they name, and the sections of PROOFS.md.
+# What comments and pages cite is there: the files of the repository that they name, and the sections of PROOFS.md (of the
+# citing file's room if it has one, else lib/exact).
 #   citations.sh SOURCE-FOLDER
 set -euo pipefail
 cd "$1"
@@ -23,16 +24,19 @@ find $folders ./*.* -type f | sed 's,^\./,,' | awk '
       if (!exists(name, file)) { print file ":" line ": no file \"" name "\""; failed = 1 }
       if (name ~ /PROOFS.md$/ && match(text, /^, section [0-9]+/)) {
         number = substr(text, 11, RLENGTH - 10)
-        if (!(number in section)) { print file ":" line ": PROOFS.md has no section " number; failed = 1 }
+        if (!((file ~ /^lib\/surface\// ? "surface " : "exact ") number in section)) { print file ":" line ": PROOFS.md has no section " number; failed = 1 }
       }
     }
   }
   { path[$0] = 1; name = $0; sub(/.*\//, "", name); bare[name] = 1; files[++count] = $0 }
   END {
-    while ((getline text < "lib/exact/PROOFS.md") > 0) {
-      if (text ~ /^## [0-9]+\./) { split(text, part, /[ .]/); section[part[2]] = 1 }
+    for (k = split("exact surface", room, " "); k > 0; --k) {
+      proofs = "lib/" room[k] "/PROOFS.md"
+      while ((getline text < proofs) > 0) {
+        if (text ~ /^## [0-9]+\./) { split(text, part, /[ .]/); section[room[k] " " part[2]] = 1 }
+      }
+      close(proofs)
     }
-    close("lib/exact/PROOFS.md")
     for (k = 1; k <= count; ++k) {
       page = files[k] ~ /\.md$/
       if (!page && files[k] !~ /\.(hpp|cpp|h|c|f90)$/) continue

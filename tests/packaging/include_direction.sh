@@ -7,10 +7,10 @@ cd "$1"
 readme=lib/README.md
 
 # What each room stands on. It may include itself, these rooms, and what these stand on. Two wings stand over the
-# boundary: measure and topology know nothing of view and picture, nor these of them.
-rooms="core exact model sphere boundary topology measure view picture capi"
+# boundary: topology, measure and surface know nothing of view and picture, nor these of them.
+rooms="core exact model sphere boundary topology measure surface view picture capi"
 declare -A stands_on=([core]="" [exact]="core" [model]="exact" [sphere]="model" [boundary]="sphere"
-  [topology]="boundary" [measure]="topology" [view]="boundary" [picture]="view" [capi]="measure picture")
+  [topology]="boundary" [measure]="topology" [surface]="measure" [view]="boundary" [picture]="view" [capi]="measure picture")
 failed=0
 
 complain() {

@@ -16,8 +16,8 @@ class SmallUnion {
  public:
   static constexpr uint32_t most_balls = 12;
 
-  // False if something does not fit or fails.
-  bool build(const SmallBall *balls, uint32_t n) {
+  // False if something does not fit or fails. The radii are without the probe.
+  bool build(const SmallBall *balls, uint32_t n, int32_t probe = 0) {
     double xyz[3 * most_balls], radius[most_balls];
     if (n > most_balls) return false;
     for (uint32_t i = 0; i < n; ++i) {
@@ -38,7 +38,7 @@ class SmallUnion {
     hsp::Workspace workspace(memory_, sizeof memory_);
     carve(workspace);
     uint32_t first_bad = 0;
-    return grid_.build({n, xyz, radius, 0.0, 1.0}, first_bad) == hsp::Status::ok &&
+    return grid_.build({n, xyz, radius, static_cast<double>(probe), 1.0}, first_bad) == hsp::Status::ok &&
            builder_.build(grid_) == hsp::Status::ok;
   }
 

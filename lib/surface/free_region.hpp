@@ -1,0 +1,155 @@
+// The part of a unit sphere outside all of its caps, for any source of decisions: its area up to multiples of 2 pi, and
+// its vector area.
+//
+// Every pair of circles is asked for its crossing points once, every point whether any cap contains it. What remains
+// are the corners of the region. Along a circle they are, counter-clockwise, where another cap ends and where the next
+// one begins, by turns; between such two the circle bounds the region. An answer may be "unknown"; then there is no
+// result, unless some other cap contains the point for certain.
+#pragma once
+
+#include "core/fixed_vector.hpp"
+#include "core/floating_point.hpp"
+#include "core/vec3.hpp"
+
+namespace hsp {
+
+enum class Answer : uint8_t { no, yes, unknown };
+
+// A corner of the region: p+ or p- of the circles of two caps, first < second. Circle `first` leaves cap `second` in p+
+// and enters it in p-; for circle `second` it is the reverse.
+struct RegionCorner {
+  uint32_t first, second;
+  int32_t sign;
+  double root;  // of the discriminant, in the units of the source
+  Vec3 point;
+  double error;  // of the point
+  bool taken;    // as the end of an arc
+
+  bool on(uint32_t circle) const { return first == circle || second == circle; }
+  uint32_t other(uint32_t circle) const { return first == circle ? second : first; }
+  // Whether `circle` leaves the other cap here.
+  bool is_exit_of(uint32_t circle) const { return (sign > 0) == (first == circle); }
+};
+
+struct FreeRegion {
+  double curvature = 0.0;           // sum over arcs of height * angle, minus the exterior angles at corners
+  Vec3 vector_area{0.0, 0.0, 0.0};  // integral of the point over the region
+  uint32_t arcs = 0;                // free arcs, whole circles included
+  uint32_t cutting_arcs = 0;        // of these, on circles from `sides` on
+
+  // The area is this plus 2 pi times the Euler characteristic (Gauss-Bonnet), so this modulo 2 pi if it is smaller.
+  double steradians() const {
+    const double turns = curvature / (2 * pi);
+    const double whole = static_cast<double>(static_cast<int64_t>(turns));
+    return curvature - 2 * pi * (whole > turns ? whole - 1 : whole);
+  }
+};
+
+// Circles has
+//   uint32_t count() const, Vec3 axis(k), double height(k)             plane of circle k: axis.x = height
+//   Answer crossing(j, k, Crossing &) const                            whether circles j < k cross, and where
+//   Answer contains(const Crossing &, int sign, r) const               whether cap r contains p+ or p-
+//   RegionCorner corner(const Crossing &, int sign) const
+//   Answer lies_inside(k, r) const                                     circle k, which crosses none, is in cap r
+//   bool ends_sooner(k, exit, a, b) const                              from corner `exit` on, entry a comes before b
+//   double arc_angle(k, exit, entry) const                             negative if it cannot be told from 0 or 2 pi
+//   double exterior_angle(corner) const
+template <class Circles>
+class FreeRegionFinder {
+ public:
+  FreeRegionFinder(const Circles &circles, FixedVector<RegionCorner> &corners, uint32_t sides)
+      : circles_(circles), corners_(corners), sides_(sides) {}
+
+  // False if an answer that matters is unknown, or the answers contradict each other.
+  bool find(FreeRegion &region) {
+    region_ = {};
+    corners_.clear();
+    for (uint32_t k = 1; k < circles_.count(); ++k) {
+      for (uint32_t j = 0; j < k; ++j) {
+        if (!add_corners(j, k)) return false;
+      }
+    }
+    if (corners_.overflowed()) return false;
+    for (const RegionCorner &corner : corners_.items()) region_.curvature -= circles_.exterior_angle(corner);
+    for (uint32_t k = 0; k < circles_.count(); ++k) {
+      if (!add_arcs(k)) return false;
+    }
+    region = region_;
+    return true;
+  }
+
+ private:
+  bool add_corners(uint32_t j, uint32_t k) {
+    typename Circles::Crossing crossing;
+    const Answer answer = circles_.crossing(j, k, crossing);
+    if (answer != Answer::yes) return answer == Answer::no;
+    for (int sign = -1; sign <= 1; sign += 2) {
+      Answer covered = Answer::no;
+      for (uint32_t r = 0; r < circles_.count() && covered != Answer::yes; ++r) {
+        if (r == j || r == k) continue;
+        const Answer inside = circles_.contains(crossing, sign, r);
+        if (inside != Answer::no) covered = inside;
+      }
+      if (covered == Answer::unknown) return false;
+      if (covered == Answer::no) corners_.push(circles_.corner(crossing, sign));
+    }
+    return true;
+  }
+
+  bool add_arcs(uint32_t k) {
+    uint32_t exits = 0;
+    uint32_t entries = 0;
+    for (const RegionCorner &exit : corners_.items()) {
+      if (!exit.on(k)) continue;
+      if (!exit.is_exit_of(k)) {
+        ++entries;
+        continue;
+      }
+      ++exits;
+      RegionCorner *end = nullptr;
+      for (RegionCorner &entry : corners_.items()) {
+        if (!entry.on(k) || entry.is_exit_of(k)) continue;
+        if (end == nullptr || circles_.ends_sooner(k, exit, entry, *end)) end = &entry;
+      }
+      if (end == nullptr || end->taken) return false;
+      end->taken = true;
+      const double angle = circles_.arc_angle(k, exit, *end);
+      if (angle < 0.0) return false;
+      add_arc(k, angle, end->point - exit.point);
+    }
+    if (exits != entries) return false;
+    return exits > 0 || add_whole_circle(k);
+  }
+
+  // Circle k has no corner: it is covered as a whole, or free as a whole.
+  bool add_whole_circle(uint32_t k) {
+    Answer covered = Answer::no;
+    for (uint32_t r = 0; r < circles_.count() && covered != Answer::yes; ++r) {
+      if (r == k) continue;
+      typename Circles::Crossing crossing;
+      // Where circles cross and leave no corner, the rest is in other caps.
+      const bool crosses = circles_.crossing(r < k ? r : k, r < k ? k : r, crossing) == Answer::yes;
+      const Answer inside = crosses ? Answer::yes : circles_.lies_inside(k, r);
+      if (inside != Answer::no) covered = inside;
+    }
+    if (covered == Answer::no) add_arc(k, 2 * pi, {0, 0, 0});
+    return covered != Answer::unknown;
+  }
+
+  void add_arc(uint32_t k, double angle, const Vec3 &chord) {
+    const double c = circles_.height(k);
+    const Vec3 u = circles_.axis(k);
+    region_.curvature += c * angle;
+    const Vec3 along = combine(c, cross(u, chord), (1.0 - c) * (1.0 + c) * angle, u);
+    region_.vector_area = combine(1.0, region_.vector_area, -0.5, along);
+    ++region_.arcs;
+    region_.cutting_arcs += k >= sides_ ? 1U : 0U;
+  }
+
+  const Circles &circles_;
+  FixedVector<RegionCorner> &corners_;
+  const uint32_t sides_;
+  FreeRegion region_;
+};
+
+}  // namespace hsp

@@ -1,0 +1,70 @@
+// What bounds the concave patch of a vertex on the sphere of the probe that stands there, as caps of the unit sphere:
+// the great circles through the directions of its three balls, and the bisector planes towards probes at other vertices
+// that overlap this one. No other probe ever cuts the patch, neither on an arc nor on a face (PROOFS.md, section 5).
+#pragma once
+
+#include "sphere/caps.hpp"
+#include "surface/probe_grid.hpp"
+
+namespace hsp {
+
+// Vertices closer than this, in units of p, count as one point: the direction from one to the other is noise.
+inline constexpr double coincident_distance = 0x1p-25;
+// The error of a vertex's position in units of the largest radius: 100e L (sphere/arc_geometry.hpp), L <= 2 r_max.
+inline constexpr double vertex_error = 200 * unit_roundoff;
+
+enum class ProbeState : uint8_t { whole, crossed, hidden };
+
+class ProbeCaps {
+ public:
+  // For at most so many caps of other probes.
+  void carve(Workspace &workspace, uint32_t neighbours);
+
+  // Finds the caps of the vertex; whole: nothing but the three sides; hidden: nothing is left of the patch. If there is
+  // no room, met() tells how much would have sufficed.
+  ProbeState gather(const BallSet &balls, const Boundary &boundary, const ProbeGrid &grid, uint32_t vertex);
+
+  uint64_t met() const { return others_.required(); }
+  bool overflowed() const { return others_.overflowed(); }
+  Caps &caps() { return caps_; }
+  static constexpr uint32_t sides = 3;  // caps 0, 1, 2
+
+  // How much larger the errors of the caps are than sphere/caps.hpp has them.
+  double amplification() const { return amplification_; }
+  // Of the whole triangle, in units of p^2.
+  double whole_steradians() const { return whole_steradians_; }
+  Vec3 whole_vector_area() const { return whole_vector_area_; }
+
+ private:
+  struct Other {
+    Vec3 axis;
+    double height;  // l / (2p)
+    double distance;
+    uint32_t vertex;
+  };
+  enum class Rule : uint8_t { keep, drop, hide };
+
+  void find_sides(const BallSet &balls, const Boundary &boundary, const ProbeGrid &grid);
+  Rule same_circle_rule(const BallSet &balls, const Boundary &boundary, uint32_t other, bool coincident);
+  void find_gap(const BallSet &balls, const Boundary &boundary, uint32_t slot);
+  void sort_and_merge(double merge_distance);
+  void store_caps();
+
+  Caps caps_;
+  FixedVector<Other> others_;
+  uint32_t kept_ = 0;  // of these, after merging
+  double amplification_ = 1.0;
+  double whole_steradians_ = 0.0;
+  Vec3 whole_vector_area_{0.0, 0.0, 0.0};
+
+  // Of the vertex at hand.
+  uint32_t vertex_ = no_id;
+  uint32_t ball_[3];  // by rank
+  Vec3 inward_[3];    // unit normal of the side opposite ball k, on its side
+  double side_error_ = 0.0;
+  bool gap_known_[3];   // of the half-edge on ball k of the vertex's record
+  uint32_t across_[3];  // the vertex at the other end of the gap behind it
+  uint32_t gap_edge_[3];
+};
+
+}  // namespace hsp

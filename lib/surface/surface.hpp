@@ -1,0 +1,53 @@
+// The solvent-excluded surface of a set of balls (Section 4.3; Richards 1977): the boundary of all that a probe of
+// radius p cannot reach, p the probe that the radii of the model contain. It follows from the boundary of the union,
+// the surface that the probe's centre runs on, feature by feature:
+//   face    a convex patch: the face, shrunk to the ball without the probe
+//   arc     a saddle patch, which only its own axis cuts (saddle.hpp)
+//   vertex  a concave patch on the probe's sphere, which only probes at other vertices cut (probe_caps.hpp)
+// Convex and saddle patches are closed forms of what the boundary holds; only concave patches are kept here. What cuts
+// what, and why, is proved in PROOFS.md.
+#pragma once
+
+#include "core/fixed_vector.hpp"
+#include "core/workspace.hpp"
+#include "surface/probe_caps.hpp"
+
+namespace hsp {
+
+struct SurfaceLimits {
+  uint32_t vertices = 0;    // of the boundary
+  uint32_t neighbours = 0;  // most probes that may cut any one of the patches
+
+  constexpr SurfaceLimits covering(const SurfaceLimits &other) const {
+    return {larger_count(vertices, other.vertices), larger_count(neighbours, other.neighbours)};
+  }
+};
+
+// Enough neighbours for molecules: in haemoglobin no more than 34 probes overlap any one.
+inline constexpr uint32_t default_probe_neighbours = 64;
+
+struct ConcavePatch {
+  double area;    // square steps
+  double volume;  // its term of the divergence theorem about the origin of the component, cubic steps
+};
+
+struct SurfaceCounts {
+  uint32_t cut_patches = 0;      // concave patches that other probes cut
+  uint32_t hidden_patches = 0;   // of these, those of which nothing is left
+  uint32_t cusped_arcs = 0;      // arcs and circles whose saddle patch its axis cuts
+  uint32_t rounded_patches = 0;  // patches decided in integers, after rounding
+};
+
+class Surface {
+ public:
+  const ConcavePatch &patch(uint32_t vertex) const { return patch_[vertex]; }
+  const SurfaceCounts &counts() const { return counts_; }
+
+ private:
+  friend class SurfaceBuilder;
+
+  Span<ConcavePatch> patch_;  // [vertices]
+  SurfaceCounts counts_;
+};
+
+}  // namespace hsp

@@ -1,0 +1,48 @@
+// Areas and volume of the solvent-excluded surface, ball by ball.
+//
+// A ball's share of the surface is its convex patches; of every saddle patch the part on its side of the narrowest
+// place, where the probe's profile turns (saddle.hpp); and a third of every concave patch at one of its vertices.
+#pragma once
+
+#include "core/summation.hpp"
+#include "measure/input_order.hpp"
+#include "surface/surface.hpp"
+
+namespace hsp {
+
+struct SurfaceMeasure {
+  double convex = 0.0, saddle = 0.0, concave = 0.0;  // areas
+  double volume = 0.0;                               // term of the divergence theorem
+
+  double area() const { return convex + saddle + concave; }
+};
+
+// Ball i of the grid's order, in lattice steps. Sums run in the order of its half-edges and circles.
+SurfaceMeasure measure_surface_of_ball(const BallSet &balls, const Boundary &boundary, const Surface &surface,
+                                       uint32_t i);
+
+// Calls sink(i, measure) for every ball i of the input, in the caller's unit, and returns the sums over the balls in
+// the caller's order.
+template <class Sink>
+SurfaceMeasure measure_surface(const CubeGrid &grid, const Boundary &boundary, const Surface &surface, Sink sink) {
+  const BallSet &balls = grid.balls();
+  const auto in_caller_units = [&balls](const SurfaceMeasure &m) {
+    return SurfaceMeasure{balls.lattice.area(m.convex), balls.lattice.area(m.saddle), balls.lattice.area(m.concave),
+                          balls.lattice.volume(m.volume)};
+  };
+  TreeSum convex;
+  TreeSum saddle;
+  TreeSum concave;
+  TreeSum volume;
+  visit_in_input_order(grid, boundary, [&](uint32_t i, uint32_t ball) {
+    const SurfaceMeasure measure = measure_surface_of_ball(balls, boundary, surface, ball);
+    convex.add(measure.convex);
+    saddle.add(measure.saddle);
+    concave.add(measure.concave);
+    volume.add(measure.volume);
+    sink(i, in_caller_units(measure));
+  });
+  return in_caller_units({convex.total(), saddle.total(), concave.total(), volume.total()});
+}
+
+}  // namespace hsp

@@ -1,0 +1,34 @@
+// Fills a surface: the pass over all vertices of a boundary.
+#pragma once
+
+#include "surface/free_region.hpp"
+#include "surface/surface.hpp"
+
+namespace hsp {
+
+class SurfaceBuilder {
+ public:
+  void carve(Workspace &workspace, const SurfaceLimits &limits);
+
+  // Status::capacity if a limit is too small; needed() then reports what suffices. Status::check if the caps of a patch
+  // yield no region of it, neither in doubles nor in integers.
+  Status build(const BallSet &balls, const Boundary &boundary);
+
+  const Surface &surface() const { return surface_; }
+  const SurfaceLimits &needed() const { return needed_; }
+  SurfaceLimits retry_limits() const { return limits_.covering(needed_); }
+
+ private:
+  bool measure_cut_patch(double &steradians, Vec3 &vector_area);
+  bool accept(const FreeRegion &region, double &steradians, Vec3 &vector_area);
+  void count_cusps(const BallSet &balls, const Boundary &boundary);
+
+  SurfaceLimits limits_;
+  SurfaceLimits needed_;
+  Surface surface_;
+  ProbeGrid grid_;
+  ProbeCaps probe_;
+  FixedVector<RegionCorner> corners_;
+};
+
+}  // namespace hsp

@@ -1,0 +1,94 @@
+// A ball's side of a saddle patch against quadrature over all of its side, where the profile's speed is positive.
+#pragma once
+
+#include "cases.hpp"
+#include "surface/saddle.hpp"
+
+namespace cases {
+
+struct SaddleCase {
+  double probe, radius, other_radius, height, other_height, circle_radius;
+  bool cusps;
+};
+// 3-4-5 and 5-12-13 triangles: height^2 + circle_radius^2 = radius^2 on both sides.
+constexpr SaddleCase saddle_cases[] = {
+    {2, 5, 5, 3, 3, 4, false},         {2, 5, 5, 4, 4, 3, false},         {4, 5, 5, 4, 4, 3, true},
+    {4, 5, 5, 3, 3, 4, false},         {3.5, 5, 5, 4, -4, 3, false},      {1, 13, 20, 5, 16, 12, false},
+    {1, 20, 13, 16, -5, 12, false},    {12.5, 13, 20, 5, 16, 12, true},   {12.5, 20, 13, 16, 5, 12, true},
+    {12.5, 20, 13, 16, -5, 12, false}, {12.5, 13, 20, -5, 16, 12, false}, {13, 13, 20, 5, 16, 12, true}};
+
+inline hsp::SaddleSide side_of(const SaddleCase &c, double angle) {
+  // From the direction x counter-clockwise about z, at angle 0 and at `angle`.
+  const hsp::SinCos end = hsp::sin_cos(angle);
+  const hsp::Vec3 axis{0, 0, 1};
+  const hsp::Vec3 chord{c.circle_radius * (end.cosine - 1), c.circle_radius * end.sine, 0};
+  return {c.probe, c.radius, c.other_radius,          c.height, c.other_height, c.circle_radius,
+          angle,   axis,     2.0 * cross(chord, axis)};
+}
+
+inline uint32_t area_and_volume_by_quadrature() {
+  return first_failing(saddle_cases, [](const SaddleCase &c) {
+    constexpr double angle = 2.25;
+    const hsp::SaddleSide side = side_of(c, angle);
+    const hsp::Vec3 arm{1.5, -2.25, 3.5};
+    constexpr int steps = 1000, around = 500;
+    // Angles at the profile's ends by bisection of what the contact with either ball says: tan a = -h / rho.
+    const double from = -hsp::arc_tangent(c.height, c.circle_radius);
+    const double other = hsp::arc_tangent(c.other_height, c.circle_radius);
+    const double to = other < 0 ? other : 0;
+    double area = 0, triple_volume = 0;
+    for (int k = 0; k < steps && to > from; ++k) {
+      const double a = from + (to - from) * (k + 0.5) / steps;
+      const hsp::SinCos profile = hsp::sin_cos(a);
+      const double speed = c.circle_radius - c.probe * profile.cosine;
+      const bool beyond_the_axis = speed < 0 && c.height > 0 && c.other_height > 0;
+      if (beyond_the_axis) continue;
+      double outward = 0;
+      for (int q = 0; q < around; ++q) {
+        const hsp::SinCos e = hsp::sin_cos(angle * (q + 0.5) / around);
+        const hsp::Vec3 normal{profile.cosine * e.cosine, profile.cosine * e.sine, -profile.sine};
+        const hsp::Vec3 x = arm + hsp::Vec3{speed * e.cosine, speed * e.sine, c.probe * profile.sine};
+        outward += dot(x, normal) / around;
+      }
+      const double piece = angle * c.probe * speed * (to - from) / steps;
+      area += piece;
+      triple_volume += piece * outward;
+    }
+    const hsp::SaddleMeasure found = hsp::measure_saddle(side, arm);
+    const double scale = c.probe * c.radius;
+    return near(found.area, area, 2e-4 * scale) && near(found.triple_volume, triple_volume, 2e-3 * scale * c.radius);
+  });
+}
+
+inline uint32_t cusps_where_the_profile_meets_the_axis() {
+  return first_failing(saddle_cases, [](const SaddleCase &c) { return hsp::has_cusps(side_of(c, 1)) == c.cusps; });
+}
+
+// Half of a torus: the whole circle of two equal balls.
+inline uint32_t half_a_torus() {
+  const SaddleCase c{2, 5, 5, 3, 3, 4, false};
+  hsp::SaddleSide side = side_of(c, 2 * hsp::pi);
+  side.X = {0, 0, 0};
+  const double t = hsp::arc_tangent(3, 4);
+  const double area = 2 * hsp::pi * 2 * (4 * t - 2 * 0.6);
+  const bool conditions[] = {near(hsp::measure_saddle(side, {0, 0, 0}).area, area, 1e-14 * area),
+                             hsp::measure_saddle(side, {0, 0, 0}).area == hsp::measure_saddle(side, {9, 9, 9}).area};
+  return first_false(conditions);
+}
+
+// Spheres that touch, and a circle beyond the ball's own centre: nothing on this side.
+inline uint32_t empty_sides() {
+  const SaddleCase empty[] = {{2, 5, 5, 5, 5, 0, true}, {2, 5, 8, 5, -8, 0, false}, {2, 5, 8, -3, 6.93, 4, false}};
+  return first_failing(empty, [](const SaddleCase &c) {
+    const hsp::SaddleMeasure found = hsp::measure_saddle(side_of(c, 1), {1, 2, 3});
+    return found.area == 0 && found.triple_volume == 0;
+  });
+}
+
+inline constexpr Check surface_saddle[] = {
+    {"area_and_volume_by_quadrature", area_and_volume_by_quadrature},
+    {"cusps_where_the_profile_meets_the_axis", cusps_where_the_profile_meets_the_axis},
+    {"half_a_torus", half_a_torus},
+    {"empty_sides", empty_sides}};
+
+}  // namespace cases

@@ -1,0 +1,78 @@
+// Concave patches against known values, and limits.
+#pragma once
+
+#include "small_surface.hpp"
+
+namespace cases {
+
+struct PatchCase {
+  const SurfaceScene *scene;
+  double concave;  // area of all of them, in 1e-16 square steps
+  uint32_t cut, hidden, cusped;
+};
+constexpr PatchCase patch_cases[] = {{&three_throat, 6.35405963625, 2, 0, 0},
+                                     {&three_almost, 1.12838415294, 2, 0, 0},
+                                     {&void_in_tetrahedron, 22.6266317068, 8, 0, 0},
+                                     {&four_through_a_point, 4.740968667, 0, 0, 0}};
+
+inline uint32_t known_patches() {
+  return first_failing(patch_cases, [](const PatchCase &c) {
+    if (!small_surface().build(*c.scene)) return false;
+    const hsp::Surface &surface = small_surface().builder().surface();
+    double area = 0;
+    for (uint32_t v = 0; v < small_union().boundary().vertex_count(); ++v) area += surface.patch(v).area;
+    const hsp::SurfaceCounts &counts = surface.counts();
+    return near(area * 1e-16, c.concave, 2e-9) && counts.cut_patches == c.cut && counts.hidden_patches == c.hidden &&
+           counts.cusped_arcs == c.cusped && counts.rounded_patches == 0;
+  });
+}
+
+// A limit that is too small, the numbers that suffice, and that nothing less does.
+inline uint32_t limits_to_retry_with() {
+  struct Limited {
+    hsp::SurfaceLimits limits, needed;
+    bool suffices;
+  };
+  constexpr Limited limited[] = {
+      {{2, 1}, {2, 1}, true}, {{1, 1}, {2, 0}, false}, {{2, 0}, {2, 1}, false}, {{60, 30}, {2, 1}, true}};
+  return first_failing(limited, [](const Limited &c) {
+    const bool built = small_surface().build(three_throat, c.limits);
+    const hsp::SurfaceBuilder &builder = small_surface().builder();
+    const hsp::SurfaceLimits retry = builder.retry_limits();
+    return built == c.suffices && (built || small_surface().status() == hsp::Status::capacity) &&
+           builder.needed().vertices == c.needed.vertices && builder.needed().neighbours == c.needed.neighbours &&
+           retry.vertices >= c.limits.vertices && retry.neighbours >= c.limits.neighbours;
+  });
+}
+
+inline uint32_t without_a_probe() {
+  SurfaceScene scene = three_throat;
+  scene.probe = 0;
+  for (SmallBall &ball : scene.ball) ball.r += usual_probe;
+  if (!small_surface().build(scene)) return 0;
+  for (uint32_t v = 0; v < 2; ++v) {
+    if (small_surface().builder().surface().patch(v).area != 0) return 1;
+  }
+  return small_surface().builder().surface().counts().cusped_arcs == 0 ? all_hold : 2;
+}
+
+// Balls of a lattice, with four and more spheres through a vertex: decided in integers where need be, not refused.
+inline uint32_t lattices_have_an_answer() {
+  Random random(16);
+  for (uint32_t round = 0; round < 200; ++round) {
+    SurfaceScene scene{8, {}, static_cast<int32_t>(1 + random.below(8)) * 50};
+    for (SmallBall &ball : scene.ball) {
+      ball = {100 * static_cast<int32_t>(random.below(3)), 100 * static_cast<int32_t>(random.below(3)),
+              100 * static_cast<int32_t>(random.below(3)), 50 * static_cast<int32_t>(random.below(4))};
+    }
+    if (!small_surface().build(scene)) return round;
+  }
+  return all_hold;
+}
+
+inline constexpr Check surface_surface_builder[] = {{"known_patches", known_patches},
+                                                    {"limits_to_retry_with", limits_to_retry_with},
+                                                    {"without_a_probe", without_a_probe},
+                                                    {"lattices_have_an_answer", lattices_have_an_answer}};
+
+}  // namespace cases

@@ -1,0 +1,7 @@
+#include "surface_builder_cases.hpp"
+
+#include "expect_cases.hpp"
+
+TEST(SurfaceBuilder, Cases) {
+  expect_cases(cases::surface_surface_builder);
+}
