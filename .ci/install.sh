@@ -14,6 +14,8 @@ packages_for_all_tests=(clang clang-14 lld musl-tools libclang-rt-14-dev g++-aar
   doxygen python3-cffi python3-setuptools python3-dev gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-dev
   valgrind)
 optional_packages_for_all_tests=(g++-riscv64-linux-gnu g++-arm-linux-gnueabihf)
+# What `bench/run.sh --peers` times beside the library. FreeSASA's archive needs two libraries that it reads files with.
+packages_of_peers=(freesasa libxml2-dev libjson-c-dev libcgal-dev libnanoflann-dev gemmi-dev)
 
 as_root() {
   if [ "$(id -u)" -eq 0 ]; then

@@ -51,6 +51,8 @@ class Boundary {
 
   // Areas and volumes of every ball.
   hsp_totals measure();
+  // Those areas.
+  const std::vector<double> &areas() const { return area_; }
 
   // A weighted sum of areas plus the volume, with its derivatives by every centre and radius.
   hsp_energy gradient();

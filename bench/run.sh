@@ -2,7 +2,8 @@
 # Runs every benchmark and writes build/bench/report/report.md, with the paper's figures beside ours.
 # Usage: bash bench/run.sh [--quick] [--peers]
 #   --quick  one repetition of each benchmark, as short as it gets: for trying out, not for quoting
-#   --peers  install the Debian package freesasa as well, if it is missing, and time it on the same molecule
+#   --peers  time other programs by turns with the library: FreeSASA, CGAL, nanoflann, gemmi. What of them is missing
+#            is installed from Debian's packages if it can be, and left out otherwise
 # Missing packages are installed with apt-get (as root, or through sudo). The environment variable BENCH_BUILD names
 # another folder to build in. Takes five to ten minutes, once the machine has come to rest after building.
 set -euo pipefail
@@ -13,7 +14,7 @@ for argument in "$@"; do
   case "$argument" in
     --quick) quick=yes ;;
     --peers) peers=yes ;;
-    *) sed -n '2,7s/^# //p' "$0" >&2; exit 2 ;;
+    *) sed -n '2,8s/^# //p' "$0" >&2; exit 2 ;;
   esac
 done
 
@@ -24,10 +25,10 @@ report_folder=$build_folder/report
 # shellcheck source=.ci/install.sh
 . "$source_folder/.ci/install.sh"
 install_packages binutils cmake g++ libbenchmark-dev ninja-build
-if [ "$peers" = yes ]; then install_packages freesasa; fi
+if [ "$peers" = yes ]; then install_optional_packages "${packages_of_peers[@]}"; fi
 
 cmake -S "$source_folder" -B "$build_folder" -G Ninja -DCMAKE_BUILD_TYPE=Release -DHSP_BENCH=ON \
-  -DHSP_TESTS=OFF -DHSP_TOOL=OFF -DHSP_FUZZ=OFF -DHSP_FORTRAN=OFF
+  -DHSP_TESTS=OFF -DHSP_TOOL=OFF -DHSP_FUZZ=OFF -DHSP_FORTRAN=OFF -DHSP_BENCH_PEERS=$peers
 cmake --build "$build_folder"
 
 # Building leaves a load average that takes a minute or two to fall. A benchmark by itself is a load of 1.
@@ -67,38 +68,12 @@ run_suite bench_topology 7 0.05
 run_suite bench_gradients 7 0.05
 run_suite bench_scaling 3 0.02
 run_suite bench_queries 5 0.02
-
-# Seconds of the fastest of five runs of a command, output thrown away.
-least_seconds() {
-  local best='' run begin end
-  for run in 1 2 3 4 5; do
-    begin=$(date +%s%N)
-    "$@" >/dev/null 2>&1 || return 1
-    end=$(date +%s%N)
-    if [ -z "$best" ] || [ $((end - begin)) -lt "$best" ]; then best=$((end - begin)); fi
-  done
-  awk -v ns="$best" 'BEGIN { printf "%.6f", ns / 1e9 }'
-}
-
-# FreeSASA as a whole program, Lee and Richards with 20 slices, less the same program with one Shrake-Rupley point per
-# atom: that is nearly nothing but starting and reading the file.
-time_freesasa() {
-  local molecule=$source_folder/bench/molecules/sod_stand_in.pdb whole reading
-  local common=(--hetatm --no-warnings --n-threads=1 --radii=protor "$molecule")
-  whole=$(least_seconds freesasa --lee-richards --resolution=20 "${common[@]}") || return 1
-  reading=$(least_seconds freesasa --shrake-rupley --resolution=1 "${common[@]}") || return 1
-  awk -v whole="$whole" -v reading="$reading" -v version="$(freesasa --version | head -n 1)" 'BEGIN {
-    printf "%s, Lee and Richards, 20 slices, one thread, its own radii, probe 1.4, on the stand-in for SOD:\n", version
-    printf "%.1f ms for the whole program, of which %.1f ms are left with one Shrake-Rupley point per atom (starting,\n", whole * 1e3, reading * 1e3
-    printf "reading the file). The difference, %.1f ms or **%.1f us per atom**, is for areas alone, to about three digits;\n", (whole - reading) * 1e3, (whole - reading) / 4392 * 1e6
-    printf "beside it stands the column \"everything\" of the solvent-accessible balls: exact boundary, areas and volumes.\n"
-  }'
-}
-if ! command -v freesasa >/dev/null; then
-  printf 'freesasa: skipped: not installed (bench/run.sh --peers installs it).\n'
-elif ! time_freesasa; then
-  printf 'freesasa: skipped: it failed on the stand-in.\n'
-fi >"$report_folder/peers.txt"
+run_suite bench_degenerate 5 0.02
+if [ "$peers" = yes ]; then
+  # These take their turns within one repetition.
+  run_suite bench_peers_surfaces 1 0.02
+  run_suite bench_peers_queries 1 0.02
+fi
 
 "$build_folder/bench/write_report" "$report_folder" >"$report_folder/report.md"
 printf 'The report is %s\n' "$report_folder/report.md"

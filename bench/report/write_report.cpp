@@ -1,10 +1,8 @@
-// write_report FOLDER > report.md: a Markdown report of the benchmark results (*.json) in the folder, and of what
-// run.sh measured of other programs (peers.txt, if it is there).
+// write_report FOLDER > report.md: a Markdown report of the benchmark results (*.json) in the folder.
 #include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <string>
 
@@ -15,6 +13,7 @@
 #include "markdown.hpp"
 #include "measurements.hpp"
 #include "paper_tables.hpp"
+#include "peers_tables.hpp"
 #include "topology_tables.hpp"
 
 namespace {
@@ -73,8 +72,7 @@ int main(int argc, char **argv) {
     report::write_goals(std::cout, run);
     report::write_scaling(std::cout, run);
     report::write_queries(std::cout, run);
-    std::ifstream peers(folder / "peers.txt");
-    if (peers) std::cout << "## Other programs\n\n" << peers.rdbuf();
+    report::write_peers(std::cout, run);
   } catch (const std::exception &error) {
     std::fprintf(stderr, "write_report: %s\n", error.what());
     return 1;

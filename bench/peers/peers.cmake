@@ -1,0 +1,53 @@
+# The suites that time other programs beside the library. A peer whose package is not there is left out with a line that
+# says so.
+set(peers ${CMAKE_CURRENT_SOURCE_DIR}/peers)
+add_executable(bench_peers_surfaces bench_peers_surfaces.cpp)
+add_executable(bench_peers_queries bench_peers_queries.cpp)
+foreach(suite bench_peers_surfaces bench_peers_queries)
+  target_link_libraries(${suite} PRIVATE benchmark_suite section_3_structures hardsphere_warnings hardsphere_sanitizers)
+endforeach()
+
+# hsp_add_peer(SUITE NAME FILE LIBRARY...): the peer's own headers are system headers, without warnings.
+function(hsp_add_peer suite name file)
+  string(TOUPPER ${name} macro)
+  message(STATUS "peer ${name}: found")
+  add_library(peer_${name} STATIC ${peers}/${file})
+  target_compile_features(peer_${name} PRIVATE cxx_std_20)
+  target_include_directories(peer_${name} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
+  target_compile_options(peer_${name} PRIVATE -O3)
+  target_link_libraries(peer_${name} PUBLIC hardsphere_molecule_file PRIVATE hardsphere_warnings ${ARGN})
+  target_link_libraries(${suite} PRIVATE peer_${name})
+  target_compile_definitions(${suite} PRIVATE BENCH_${macro})
+endfunction()
+
+# FreeSASA's archive also reads and writes files, with these two libraries.
+find_path(FREESASA_INCLUDE freesasa.h)
+find_library(FREESASA_LIBRARY freesasa)
+find_library(XML2_LIBRARY xml2)
+find_library(JSON_C_LIBRARY json-c)
+if(FREESASA_INCLUDE AND FREESASA_LIBRARY AND XML2_LIBRARY AND JSON_C_LIBRARY)
+  hsp_add_peer(bench_peers_surfaces freesasa freesasa_areas.cpp ${FREESASA_LIBRARY} ${XML2_LIBRARY} ${JSON_C_LIBRARY})
+else()
+  message(STATUS "peer freesasa: skipped: the packages are freesasa, libxml2-dev, libjson-c-dev")
+endif()
+
+find_package(CGAL QUIET)
+if(CGAL_FOUND)
+  hsp_add_peer(bench_peers_surfaces cgal cgal_alpha_complex.cpp CGAL::CGAL)
+else()
+  message(STATUS "peer cgal: skipped: the package is libcgal-dev")
+endif()
+
+find_path(NANOFLANN_INCLUDE nanoflann.hpp)
+if(NANOFLANN_INCLUDE)
+  hsp_add_peer(bench_peers_queries nanoflann nanoflann_search.cpp)
+else()
+  message(STATUS "peer nanoflann: skipped: the package is libnanoflann-dev")
+endif()
+
+find_path(GEMMI_INCLUDE gemmi/neighbor.hpp)
+if(GEMMI_INCLUDE)
+  hsp_add_peer(bench_peers_queries gemmi gemmi_search.cpp)
+else()
+  message(STATUS "peer gemmi: skipped: the package is gemmi-dev")
+endif()
