@@ -12,6 +12,9 @@ set(HSP_LIBRARY_SOURCES
   lib/model/neighbour_lists.cpp
   lib/model/packing_statistics.cpp
   lib/model/queries.cpp
+  lib/model/query_hits.cpp
+  lib/model/query_hits_avx2.cpp
+  lib/model/row_directory.cpp
   lib/model/vertical_ray.cpp
   lib/sphere/arc_geometry.cpp
   lib/sphere/cap_clusters.cpp

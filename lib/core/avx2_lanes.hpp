@@ -14,7 +14,8 @@ using LaneBits = uint32_t;
 
 // The lowest `count` lanes of eight; all from eight on.
 inline LaneBits first_lanes(uint32_t count) {
-  return count >= 8 ? 255U : (1U << count) - 1U;
+  const uint32_t chosen = count < 8 ? count : 8;
+  return (1U << chosen) - 1U;
 }
 inline uint32_t ones(LaneBits bits) {
   return static_cast<uint32_t>(__builtin_popcount(bits));
@@ -105,6 +106,18 @@ inline LaneBits greater(Doubles a, Doubles b) {
 }
 inline LaneBits not_less(Doubles a, Doubles b) {
   return static_cast<LaneBits>(_mm256_movemask_pd(_mm256_cmp_pd(a.v, b.v, _CMP_GE_OQ)));
+}
+
+inline LaneBits equal(Integers a, Integers b) {
+  return static_cast<LaneBits>(_mm256_movemask_ps(_mm256_castsi256_ps(_mm256_cmpeq_epi32(a.v, b.v))));
+}
+
+// By the sign bit: true for -0.
+inline LaneBits negative(Doubles a) {
+  return static_cast<LaneBits>(_mm256_movemask_pd(a.v));
+}
+inline Doubles magnitude(Doubles a) {
+  return {_mm256_andnot_pd(_mm256_set1_pd(-0.0), a.v)};
 }
 
 // Orders of lanes that bring the chosen ones to the front, for the processor's permutations: eight bytes each, widened

@@ -42,6 +42,9 @@ class BallRounding {
 
 // The balls in the order of the grid's cubes.
 struct BallSet {
+  // Code for wide registers reads several balls at once, so that there must be something behind the last one.
+  static constexpr uint32_t read_behind = 7;
+
   Span<double> x, y, z, r;  // lattice steps, integers
   Span<uint32_t> caller;    // the caller's index of each ball
   uint32_t n = 0;

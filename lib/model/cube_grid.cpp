@@ -1,5 +1,6 @@
 #include "model/cube_grid.hpp"
 
+#include "core/processor.hpp"
 #include "core/sorting.hpp"
 #include "model/cube_order.hpp"
 
@@ -27,16 +28,21 @@ CubeCoordinates CubeGrid::cube_at(const exact::Vector &point, int64_t side) {
 
 void CubeGrid::carve(Workspace &workspace, uint32_t n) {
   capacity_ = n;
+  wide_ = has_avx2();
   const auto slots = workspace.take<uint32_t>(CubeTable::slots_for(n));
   const auto cubes = workspace.take<CubeCoordinates>(n);
   table_ = CubeTable(slots, cubes);
   first_ball_ = workspace.take<uint32_t>(static_cast<uint64_t>(n) + 1);
   grid_index_ = workspace.take<uint32_t>(n);
-  balls_.x = workspace.take<double>(n);
-  balls_.y = workspace.take<double>(n);
-  balls_.z = workspace.take<double>(n);
-  balls_.r = workspace.take<double>(n);
-  balls_.caller = workspace.take<uint32_t>(n);
+  // In one array, so that what is read behind the last ball of one coordinate is of the next.
+  const auto numbers = workspace.take<double>(4 * static_cast<uint64_t>(n) + BallSet::read_behind);
+  if (!numbers.empty()) {
+    balls_.x = numbers.part(0, n);
+    balls_.y = numbers.part(n, 2 * n);
+    balls_.z = numbers.part(2 * n, 3 * n);
+    balls_.r = numbers.part(3 * n, 4 * n);
+  }
+  balls_.caller = workspace.take<uint32_t>(static_cast<uint64_t>(n) + BallSet::read_behind);
   scratch_slots_ = workspace.take<uint32_t>(CubeTable::slots_for(n));
   scratch_links_ = workspace.take<uint32_t>(n);
   scratch_order_ = workspace.take<uint32_t>(n);
@@ -49,6 +55,7 @@ void CubeGrid::clear() {
   balls_.largest_radius = 0;
   side_ = 1;
   table_.clear(0);
+  rows_.clear();
   first_ball_[0] = 0;
 }
 
@@ -97,6 +104,7 @@ Status CubeGrid::build(const BallInput &input, uint32_t &first_bad) {
   // The running starts have become the ends: shift them back by one cube.
   for (uint32_t cube = table_.count(); cube > 0; --cube) first_ball_[cube] = first_ball_[cube - 1];
   first_ball_[0] = 0;
+  make_row_directory();
   return Status::ok;
 }
 

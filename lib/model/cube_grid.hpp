@@ -4,16 +4,12 @@
 #pragma once
 
 #include "core/workspace.hpp"
+#include "model/ball_range.hpp"
 #include "model/ball_set.hpp"
 #include "model/cube_table.hpp"
+#include "model/row_directory.hpp"
 
 namespace hsp {
-
-// Balls first .. last - 1 of the grid's order.
-struct BallRange {
-  uint32_t first, last;
-  bool empty() const { return first == last; }
-};
 
 // The balls of the up to 27 cubes around a position: one range per row of cubes, in ascending order.
 struct CubeBlock {
@@ -42,22 +38,35 @@ class CubeGrid {
   static CubeCoordinates cube_at(const exact::Vector &point, int64_t side);
   // The balls of the cubes (x_low .. x_high, y, z).
   BallRange balls_in_row(int64_t x_low, int64_t x_high, int64_t y, int64_t z) const;
+  // The directory of rows, if this set has one.
+  const RowDirectory &rows() const { return rows_; }
   CubeBlock block_around(const CubeCoordinates &centre) const;
 
-  // Memory of O(n) slots and links for other groupings of the same balls (packing_statistics.cpp).
+  // Whether this processor runs code for AVX2.
+  bool wide() const { return wide_; }
+  // For tests: as on a processor without.
+  void do_without_wide_code() { wide_ = false; }
+
+  // Memory of O(n) slots and links for other groupings of the same balls (packing_statistics.cpp). The slots hold the
+  // directory of rows, which is to be made again after that.
   Span<uint32_t> scratch_slots() { return scratch_slots_; }
   Span<uint32_t> scratch_links() { return scratch_links_; }
+  void make_row_directory() {
+    if (has_row_directories) rows_.build(table_, first_ball_, scratch_slots_);
+  }
 
  private:
   void clear();
 
   BallSet balls_;
   CubeTable table_;
+  RowDirectory rows_;
   Span<uint32_t> first_ball_;  // [cubes + 1]
   Span<uint32_t> grid_index_;  // [n] caller -> grid order
   Span<uint32_t> scratch_slots_, scratch_links_, scratch_order_;
   uint32_t capacity_ = 0;
   int64_t side_ = 1;
+  bool wide_ = false;
 };
 
 }  // namespace hsp

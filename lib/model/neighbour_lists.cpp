@@ -1,7 +1,7 @@
 #include "model/neighbour_lists.hpp"
 
 #include "core/sorting.hpp"
-#include "model/queries.hpp"
+#include "model/query_hits.hpp"
 
 namespace hsp {
 namespace {
@@ -68,7 +68,7 @@ class PairWalk {
   }
 
   void look_at(uint32_t i, const BallRange &range) {
-    const Reach reach(balls_, i);
+    const double x = balls_.x[i], y = balls_.y[i], z = balls_.z[i], r = balls_.r[i];
     uint32_t j = range.first > i ? range.first : i + 1;
     while (j < range.last) {
       const uint32_t room = at_once - hits_;
@@ -77,7 +77,7 @@ class PairWalk {
       for (; j < end; ++j) {
         // Always stored, but kept only if it is a hit: a branch here could not be predicted.
         met_[hits] = balls_.caller[j];
-        hits += static_cast<uint32_t>(reach.meets(j));
+        hits += static_cast<uint32_t>(meet(balls_.x[j] - x, balls_.y[j] - y, balls_.z[j] - z, balls_.r[j] + r));
       }
       hits_ = hits;
       if (j < range.last) visit_hits(i);

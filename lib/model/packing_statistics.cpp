@@ -116,11 +116,14 @@ PackingStatistics packing_statistics(CubeGrid &grid) {
   // hardly meet.
   const double r_max = static_cast<double>(balls.largest_radius);
   constexpr int64_t widest_set = int64_t{1} << 52;
+  bool slots_taken = false;
   for (int64_t side = grid.side();
        balls.n >= 2 && side < widest_set && closest.ratio * r_max > static_cast<double>(side);) {
     side *= 4;
     offer_neighbouring_cubes(grid, side, closest);
+    slots_taken = true;
   }
+  if (slots_taken) grid.make_row_directory();
   figures.coincident = closest.coincident;
   figures.no_pair = !is_finite(closest.ratio);
   figures.rho = figures.no_pair || figures.coincident ? 0.0 : closest.ratio;

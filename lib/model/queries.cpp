@@ -1,137 +1,188 @@
 #include "model/queries.hpp"
 
 #include "core/sorting.hpp"
+#include "model/query_hits.hpp"
 
 namespace hsp {
 namespace {
 
-template <class Visit>
-bool visit_range(const BallRange &range, Visit &visit) {
-  for (uint32_t j = range.first; j < range.last; ++j) {
-    if (!visit(j)) return false;
-  }
-  return true;
-}
+// The cubes from `low` to `high`.
+struct CubeBox {
+  CubeCoordinates low, high;
+};
 
-// Calls visit(j) for every ball that can contain the point, until it returns false. Such a ball's centre is at most
-// r_max away, half the side of a cube. So along each axis it lies in the point's cube or in the neighbour beyond the
-// nearer wall.
-template <class Visit>
-void visit_point_candidates(const CubeGrid &grid, const exact::Vector &point, Visit visit) {
+// The cubes of every ball that can contain the point. Such a ball's centre is at most r_max away, half the side of a
+// cube. So along each axis it lies in the point's cube or in the neighbour beyond the nearer wall.
+CubeBox cubes_at_point(const CubeGrid &grid, const exact::Vector &point) {
   const CubeCoordinates own = grid.cube_at(point);
   const int64_t half = grid.side() - grid.balls().largest_radius;
   const auto lower_neighbour = [&grid, half](int64_t value, int64_t cube) {
-    return value - cube * grid.side() < half ? int64_t{1} : int64_t{0};
+    return static_cast<int64_t>(value - cube * grid.side() < half);
   };
   const int64_t x = own.x - lower_neighbour(point.x, own.x);
   const int64_t y = own.y - lower_neighbour(point.y, own.y);
   const int64_t z = own.z - lower_neighbour(point.z, own.z);
-  for (int row = 0; row < 4; ++row) {
-    if (!visit_range(grid.balls_in_row(x, x + 1, y + (row & 1), z + (row >> 1)), visit)) return;
-  }
+  return {{x, y, z}, {x + 1, y + 1, z + 1}};
 }
 
-// Calls visit(j) for every ball that can come within query.radius of the centre, until it returns false.
-template <class Visit>
-void visit_ball_candidates(const CubeGrid &grid, const LatticeQuery &query, Visit visit) {
+// The cubes of every ball that can come within query.radius of the centre.
+CubeBox cubes_at_ball(const CubeGrid &grid, const LatticeQuery &query) {
   const int64_t reach = query.radius + grid.balls().largest_radius;
   const exact::Vector &c = query.centre;
-  const CubeCoordinates low = grid.cube_at({c.x - reach, c.y - reach, c.z - reach});
-  const CubeCoordinates high = grid.cube_at({c.x + reach, c.y + reach, c.z + reach});
-  const double within_reach = static_cast<double>(high.x - low.x + 1) * static_cast<double>(high.y - low.y + 1) *
-                              static_cast<double>(high.z - low.z + 1);
-  if (within_reach > 27.0 && within_reach > static_cast<double>(grid.cubes())) {
-    visit_range({0, grid.balls().n}, visit);
+  return {grid.cube_at({c.x - reach, c.y - reach, c.z - reach}), grid.cube_at({c.x + reach, c.y + reach, c.z + reach})};
+}
+
+// No box of a query up to the size of the largest ball has more rows.
+constexpr int64_t few_rows = 9;
+
+bool has_few_rows(const CubeBox &box) {
+  const int64_t y = box.high.y - box.low.y, z = box.high.z - box.low.z;
+  return y < 3 && z < 3;
+}
+
+// Calls visit(range) for all balls of the box, until it returns false. The hash table is asked for each row, unless
+// there are more cubes than in the table.
+template <class Visit>
+void visit_rows(const CubeGrid &grid, const CubeBox &box, Visit visit) {
+  const CubeCoordinates &low = box.low, &high = box.high;
+  const double cubes = static_cast<double>(high.x - low.x + 1) * static_cast<double>(high.y - low.y + 1) *
+                       static_cast<double>(high.z - low.z + 1);
+  if (cubes > 27.0 && cubes > static_cast<double>(grid.cubes())) {
+    visit(BallRange{0, grid.balls().n});
     return;
   }
   for (int64_t z = low.z; z <= high.z; ++z) {
     for (int64_t y = low.y; y <= high.y; ++y) {
-      if (!visit_range(grid.balls_in_row(low.x, high.x, y, z), visit)) return;
+      if (!visit(grid.balls_in_row(low.x, high.x, y, z))) return;
     }
   }
 }
 
-// Hits are buffered, so that nothing is written to the caller's array before it is known that all fit. More hits than
-// the buffer holds are found a second time.
-constexpr uint32_t hit_buffer_size = 128;
-constexpr uint32_t few_hits = 24;
-
-// candidates(visit) calls visit(j) for all balls that may be hits.
-template <class Candidates>
-void collect(const BallSet &balls, const LatticeQuery &query, uint32_t excluded, Candidates candidates,
-             QueryResult &result) {
-  const Reach reach(balls, query);
-  uint32_t hit_buffer[hit_buffer_size + 1];
-  uint32_t hits = 0;
-  candidates([&](uint32_t j) {
-    // Always stored, but kept only if it is a hit: a branch here could not be predicted.
-    hit_buffer[hits < hit_buffer_size ? hits : hit_buffer_size] = balls.caller[j];
-    hits += static_cast<uint32_t>(reach.meets(j)) & static_cast<uint32_t>(j != excluded);
-    return true;
-  });
-  result.hits = hits;
-  if (hits > result.capacity) return;
-  if (hits <= few_hits) {
-    // The position of a hit is the number of smaller ones: a loop without branches on the values.
-    for (uint32_t k = 0; k < hits; ++k) {
-      uint32_t smaller = 0;
-      for (uint32_t other = 0; other < hits; ++other) smaller += hit_buffer[other] < hit_buffer[k] ? 1U : 0U;
-      result.ids[smaller] = hit_buffer[k];
-    }
-    return;
+// Calls visit(part) for parts of a range with no more balls than there is room for hits, until it returns false.
+template <class Visit>
+bool visit_parts(const BallRange &range, Visit visit) {
+  for (uint32_t first = range.first; first < range.last;) {
+    const uint32_t last = range.last - first > QueryHits::room ? first + QueryHits::room : range.last;
+    if (!visit(BallRange{first, last})) return false;
+    first = last;
   }
-  if (hits <= hit_buffer_size) {
-    for (uint32_t k = 0; k < hits; ++k) result.ids[k] = hit_buffer[k];
-  } else {
-    uint32_t stored = 0;
-    candidates([&](uint32_t j) {
-      if (reach.meets(j) && j != excluded) result.ids[stored++] = balls.caller[j];
+  return true;
+}
+
+class HitFinder {
+ public:
+  HitFinder(const CubeGrid &grid, const LatticeQuery &query, uint32_t excluded)
+      : grid_(grid),
+        balls_{grid.balls().x.data(), grid.balls().y.data(), grid.balls().z.data(), grid.balls().r.data(),
+               grid.balls().caller.data()},
+        query_{static_cast<double>(query.centre.x), static_cast<double>(query.centre.y),
+               static_cast<double>(query.centre.z), static_cast<double>(query.radius), excluded} {
+    hits_.count = 0;
+  }
+
+  // Adds the hits in the box.
+  void find(const CubeBox &box) {
+    if (grid_.rows().is_there() && has_few_rows(box)) {
+      BallRange rows[few_rows];
+      find(rows, grid_.rows().find(box.low, box.high, rows));
+      return;
+    }
+    visit_rows(grid_, box, [this](const BallRange &row) {
+      if (!row.empty()) find(&row, 1);
       return true;
     });
   }
-  sort_in_place(Span<uint32_t>(result.ids, hits), [](uint32_t a, uint32_t b) { return a < b; });
+  const QueryHits &hits() const { return hits_; }
+  // The hits of a range, whatever has been found before.
+  const QueryHits &hits_among(const BallRange &range) {
+    hits_.count = 0;
+    find(&range, 1);
+    return hits_;
+  }
+  // If none are missing.
+  void write_ascending(uint32_t *ids) const {
+#if HSP_AVX2
+    if (grid_.wide()) return write_ascending_avx2(hits_, ids);
+#endif
+    hsp::write_ascending(hits_, ids);
+  }
+
+ private:
+  void find(const BallRange *ranges, uint32_t count) {
+#if HSP_AVX2
+    if (grid_.wide()) return add_hits_avx2(balls_, query_, ranges, count, hits_);
+#endif
+    add_hits(balls_, query_, ranges, count, hits_);
+  }
+
+  const CubeGrid &grid_;
+  const BallArrays balls_;
+  const QueryBall query_;
+  QueryHits hits_;
+};
+
+// Nothing is written to the caller's array before it is known that all hits fit. More of them than there is room for
+// are found a second time.
+void collect(const CubeGrid &grid, const LatticeQuery &query, uint32_t excluded, const CubeBox &box,
+             QueryResult &result) {
+  HitFinder finder(grid, query, excluded);
+  finder.find(box);
+  result.hits = finder.hits().count;
+  if (result.hits > result.capacity) return;
+  if (result.hits <= QueryHits::room) {
+    finder.write_ascending(result.ids);
+    return;
+  }
+  uint32_t stored = 0;
+  visit_rows(grid, box, [&](const BallRange &row) {
+    return visit_parts(row, [&](const BallRange &part) {
+      const QueryHits &hits = finder.hits_among(part);
+      for (uint32_t k = 0; k < hits.count; ++k) result.ids[stored++] = hits.ids[k];
+      return true;
+    });
+  });
+  sort_in_place(Span<uint32_t>(result.ids, result.hits), [](uint32_t a, uint32_t b) { return a < b; });
 }
 
-void collect_at_ball(const CubeGrid &grid, const LatticeQuery &query, uint32_t excluded, QueryResult &result) {
-  collect(
-      grid.balls(), query, excluded, [&](auto visit) { visit_ball_candidates(grid, query, visit); }, result);
+// Why a query is refused: what is no number first, then what is too large.
+Status why_refused(const double *xyz, double radius) {
+  if (!is_finite(radius)) return Status::not_finite;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!is_finite(xyz[axis])) return Status::not_finite;
+  }
+  return radius < 0.0 ? Status::negative : Status::range;
 }
 
 }  // namespace
 
 Status round_query(const BallSet &balls, const double *xyz, double radius, LatticeQuery &query) {
+  const double radius_steps = balls.lattice.steps(radius);
+  // False for NaN and infinities, too. One branch for all: what is wrong is asked only then.
+  bool on_lattice = (radius >= 0.0) & (radius_steps <= exact::query_radius_limit);
   double steps[3];
-  if (!is_finite(radius)) return Status::not_finite;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (!is_finite(xyz[axis])) return Status::not_finite;
-  }
-  if (radius < 0.0) return Status::negative;
   for (int axis = 0; axis < 3; ++axis) {
     steps[axis] = balls.lattice.steps(xyz[axis]);
-    if (!(steps[axis] <= exact::coordinate_limit && steps[axis] >= -exact::coordinate_limit)) return Status::range;
+    on_lattice &= std::fabs(steps[axis]) <= exact::coordinate_limit;
   }
-  const double radius_steps = balls.lattice.steps(radius);
-  if (!(radius_steps <= exact::query_radius_limit)) return Status::range;
+  if (!on_lattice) return why_refused(xyz, radius);
   query.centre = {nearest(steps[0]), nearest(steps[1]), nearest(steps[2])};
   query.radius = nearest(radius_steps);
   return Status::ok;
 }
 
 void find_balls_at_point(const CubeGrid &grid, const LatticeQuery &point, QueryResult &result) {
-  collect(
-      grid.balls(), {point.centre, 0}, no_id, [&](auto visit) { visit_point_candidates(grid, point.centre, visit); },
-      result);
+  collect(grid, {point.centre, 0}, no_id, cubes_at_point(grid, point.centre), result);
 }
 
 void find_balls_at_ball(const CubeGrid &grid, const LatticeQuery &query, QueryResult &result) {
-  collect_at_ball(grid, query, no_id, result);
+  collect(grid, query, no_id, cubes_at_ball(grid, query), result);
 }
 
 bool any_ball_meets(const CubeGrid &grid, const LatticeQuery &query) {
-  const Reach reach(grid.balls(), query);
+  HitFinder finder(grid, query, no_id);
   bool found = false;
-  visit_ball_candidates(grid, query, [&](uint32_t j) {
-    found = reach.meets(j);
+  visit_rows(grid, cubes_at_ball(grid, query), [&](const BallRange &row) {
+    found = !visit_parts(row, [&](const BallRange &part) { return finder.hits_among(part).count == 0; });
     return !found;
   });
   return found;
@@ -139,7 +190,8 @@ bool any_ball_meets(const CubeGrid &grid, const LatticeQuery &query) {
 
 void find_neighbours(const CubeGrid &grid, uint32_t place, QueryResult &result) {
   const exact::LatticeBall ball = grid.balls().ball(place);
-  collect_at_ball(grid, {ball.centre, ball.radius}, place, result);
+  const LatticeQuery query{ball.centre, ball.radius};
+  collect(grid, query, ball.index, cubes_at_ball(grid, query), result);
 }
 
 }  // namespace hsp

@@ -5,3 +5,8 @@
 TEST(NeighbourLists, Cases) {
   expect_cases(cases::model_neighbour_lists);
 }
+TEST(NeighbourLists, CasesWithoutWideCode) {
+  cases::small_grid().set_wide(false);
+  expect_cases(cases::model_neighbour_lists);
+  cases::small_grid().set_wide(true);
+}

@@ -75,6 +75,8 @@ const char *check_integer_lanes() {
     if (ones(bits) != (count < 8 ? count : 8)) return "first_lanes, ones";
     if (bits != 0 && (bits & 1U) == 0) return "first_lanes are the lowest";
   }
+  const uint32_t others[8] = {5, 0, 7, 0, UINT32_MAX, 10, 0, 12};
+  if (equal(Integers::load(expected), Integers::load(others)) != 0xA5) return "equal, integers";
   return lowest(0x50) == 4 ? nullptr : "lowest";
 }
 
@@ -88,6 +90,9 @@ const char *check_comparisons() {
   const double v[4] = {2.0, 2.0, 2.0, 1.0};
   if (greater(Doubles::load(u), Doubles::load(v)) != 4) return "greater, doubles";
   if (not_less(Doubles::load(u), Doubles::load(v)) != 6) return "not_less, doubles";
+  const double w[4] = {-2.0, 0.0, -0.0, 3.0}, magnitudes[4] = {2.0, 0.0, 0.0, 3.0};
+  if (negative(Doubles::load(w)) != 5) return "negative";
+  if (!lanes_are(magnitude(Doubles::load(w)), magnitudes)) return "magnitude";
   return nullptr;
 }
 

@@ -28,13 +28,17 @@ class SmallGrid {
     if (measured.bytes() > sizeof memory_) return false;
     hsp::Workspace workspace(memory_, sizeof memory_);
     grid_.carve(workspace, n);
+    if (!wide_) grid_.do_without_wide_code();
     uint32_t first_bad = 0;
     return grid_.build({n, xyz_, radius_, 0.0, 1.0}, first_bad) == hsp::Status::ok;
   }
   hsp::CubeGrid &grid() { return grid_; }
+  // Whether the next grids run code for wide registers if the processor does.
+  void set_wide(bool wide) { wide_ = wide; }
 
  private:
   hsp::CubeGrid grid_;
+  bool wide_ = true;
   double xyz_[3 * most_balls], radius_[most_balls];
   alignas(64) unsigned char memory_[32 * 1024];
 };

@@ -1,0 +1,14 @@
+// A run of balls that follow each other in the grid's order.
+#pragma once
+
+#include <cstdint>
+
+namespace hsp {
+
+// Balls first .. last - 1.
+struct BallRange {
+  uint32_t first, last;
+  bool empty() const { return first == last; }
+};
+
+}  // namespace hsp

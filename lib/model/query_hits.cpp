@@ -1,0 +1,43 @@
+#include "model/query_hits.hpp"
+
+#include "core/sorting.hpp"
+#include "exact/exact_predicates.hpp"
+
+namespace hsp {
+
+bool meet_exactly(double dx, double dy, double dz, double sum) {
+  return exact::Exact::compare_distance({static_cast<int64_t>(dx), static_cast<int64_t>(dy), static_cast<int64_t>(dz)},
+                                        static_cast<int64_t>(sum)) <= 0;
+}
+
+void add_hits(const BallArrays &balls, const QueryBall &query, const BallRange *ranges, uint32_t count,
+              QueryHits &hits) {
+  uint32_t found = hits.count;
+  for (const BallRange *range = ranges; range < ranges + count; ++range) {
+    for (uint32_t j = range->first; j < range->last; ++j) {
+      const bool hit = meet(balls.x[j] - query.x, balls.y[j] - query.y, balls.z[j] - query.z, balls.r[j] + query.r);
+      // Always stored, but kept only if it is a hit: a branch here could not be predicted.
+      const uint32_t id = balls.caller[j];
+      hits.ids[found < QueryHits::room ? found : QueryHits::room] = id;
+      found += static_cast<uint32_t>(hit) & static_cast<uint32_t>(id != query.excluded);
+    }
+  }
+  hits.count = found;
+}
+
+void write_ascending(const QueryHits &hits, uint32_t *ids) {
+  constexpr uint32_t few = 24;
+  if (hits.count <= few) {
+    // The place of a hit is the number of smaller ones: a loop without branches on the values.
+    for (uint32_t k = 0; k < hits.count; ++k) {
+      uint32_t smaller = 0;
+      for (uint32_t other = 0; other < hits.count; ++other) smaller += hits.ids[other] < hits.ids[k] ? 1U : 0U;
+      ids[smaller] = hits.ids[k];
+    }
+    return;
+  }
+  for (uint32_t k = 0; k < hits.count; ++k) ids[k] = hits.ids[k];
+  sort_in_place(Span<uint32_t>(ids, hits.count), [](uint32_t a, uint32_t b) { return a < b; });
+}
+
+}  // namespace hsp

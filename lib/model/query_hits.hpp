@@ -1,0 +1,56 @@
+// The balls of some ranges that meet a query ball: one at a time, or eight at a time with AVX2. Both decide alike.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "model/ball_range.hpp"
+
+namespace hsp {
+
+// The arrays of a BallSet, which may be read seven places behind the last ball.
+struct BallArrays {
+  const double *x, *y, *z, *r;
+  const uint32_t *caller;
+};
+
+// A query ball on the lattice; its numbers are integers.
+struct QueryBall {
+  double x, y, z, r;
+  uint32_t excluded;  // the caller's index of a ball that is no hit; or no_id
+};
+
+// The caller's indices of the balls that have been found, in any order. Beyond the room hits are counted, not stored.
+struct QueryHits {
+  static constexpr uint32_t room = 128;
+  uint32_t ids[room + 8];  // with places that may be overwritten behind
+  uint32_t count;
+};
+
+// Balls meet if |c_j - c| <= r_j + r on the lattice. The differences and the sum are exact as doubles; the squares have
+// a relative error below 5 units of 2^-53, fused or not, so that only near-ties need integers.
+constexpr double meeting_doubt = 16 * 0x1p-53;
+
+// From centre to centre, and the sum of the radii; by integers alone.
+bool meet_exactly(double dx, double dy, double dz, double sum);
+
+inline bool meet(double dx, double dy, double dz, double sum) {
+  const double within = sum * sum;
+  const double excess = (dx * dx + dy * dy + dz * dz) - within;
+  // This branch is nearly always taken. The sign itself cannot be predicted, so there must be no branch on it.
+  if (std::fabs(excess) > meeting_doubt * within) [[likely]]
+    return excess < 0.0;
+  return meet_exactly(dx, dy, dz, sum);
+}
+
+// Adds the hits among the balls of the ranges.
+void add_hits(const BallArrays &balls, const QueryBall &query, const BallRange *ranges, uint32_t count,
+              QueryHits &hits);
+void add_hits_avx2(const BallArrays &balls, const QueryBall &query, const BallRange *ranges, uint32_t count,
+                   QueryHits &hits);
+
+// Writes the hits, if there are no more than the room, in ascending order.
+void write_ascending(const QueryHits &hits, uint32_t *ids);
+void write_ascending_avx2(const QueryHits &hits, uint32_t *ids);
+
+}  // namespace hsp

@@ -1,0 +1,47 @@
+#include "model/row_directory.hpp"
+
+namespace hsp {
+namespace {
+
+void widen(int64_t value, int64_t &low, int64_t &high) {
+  low = value < low ? value : low;
+  high = value > high ? value : high;
+}
+
+}  // namespace
+
+void RowDirectory::build(const CubeTable &cubes, Span<const uint32_t> first_ball, Span<uint32_t> cells) {
+  clear();
+  if (cubes.count() == 0) return;
+  CubeCoordinates low = cubes.coordinates(0), high = low;
+  for (uint32_t cube = 1; cube < cubes.count(); ++cube) {
+    const CubeCoordinates &at = cubes.coordinates(cube);
+    widen(at.x, low.x, high.x);
+    widen(at.y, low.y, high.y);
+    widen(at.z, low.z, high.z);
+  }
+  // In doubles, which do not overflow. No factor is above 2^52.
+  const double wanted = static_cast<double>(high.x - low.x + 2) * static_cast<double>(high.y - low.y + 1) *
+                        static_cast<double>(high.z - low.z + 1);
+  if (wanted > static_cast<double>(cells.size())) return;
+  low_ = low;
+  width_ = high.x - low.x + 1;
+  rows_y_ = high.y - low.y + 1;
+  rows_z_ = high.z - low.z + 1;
+  cells_ = cells.part(0, static_cast<uint32_t>(wanted));
+
+  for (uint32_t &cell : cells_) cell = 0;
+  for (uint32_t cube = 0; cube < cubes.count();) {
+    const CubeCoordinates &row = cubes.coordinates(cube);
+    const uint32_t begin = static_cast<uint32_t>(((row.z - low.z) * rows_y_ + row.y - low.y) * (width_ + 1));
+    uint32_t place = 0;
+    for (; cube < cubes.count(); ++cube) {
+      const CubeCoordinates &at = cubes.coordinates(cube);
+      if (at.y != row.y || at.z != row.z) break;
+      for (; place <= static_cast<uint32_t>(at.x - low.x); ++place) cells_[begin + place] = first_ball[cube];
+    }
+    for (; place <= static_cast<uint32_t>(width_); ++place) cells_[begin + place] = first_ball[cube];
+  }
+}
+
+}  // namespace hsp
