@@ -29,12 +29,14 @@ typedef struct hsp_workspace {
   hsp_boundary *boundary;              /**< NULL before hsp_workspace_boundary */
   hsp_topology *topology;              /**< NULL before hsp_workspace_topology */
   hsp_view *view;                      /**< NULL before hsp_workspace_view */
-  void *memory[4];                     /**< of the four handles */
+  hsp_surface *surface;                /**< NULL before hsp_workspace_surface */
+  void *memory[5];                     /**< of the five handles */
   uint32_t most_balls;                 /**< what the model has room for */
   uint32_t reserved;                   /**< 0 */
   hsp_boundary_limits boundary_limits; /**< what the boundary has room for */
   hsp_topology_limits topology_limits; /**< what the topology has room for */
   hsp_view_limits view_limits;         /**< what the view has room for */
+  hsp_surface_limits surface_limits;   /**< what the surface has room for */
 } hsp_workspace;
 
 /* Memory of another size, without its contents. */
@@ -76,8 +78,17 @@ static inline int32_t hsp_workspace_make_view(hsp_workspace *work) {
   return status;
 }
 
-/** Take n balls into the model; arguments and statuses as hsp_model_set. Boundary, topology and view hold no results
- *  then. */
+static inline int32_t hsp_workspace_make_surface(hsp_workspace *work) {
+  size_t bytes = 0;
+  int32_t status = hsp_surface_bytes(&work->surface_limits, &bytes);
+  work->surface = NULL;
+  if (status == HSP_OK) status = hsp_workspace_allocate(&work->memory[4], bytes);
+  if (status == HSP_OK) status = hsp_surface_init(work->memory[4], bytes, &work->surface_limits, &work->surface);
+  return status;
+}
+
+/** Take n balls into the model; arguments and statuses as hsp_model_set. Boundary, topology, view and surface hold no
+ *  results then. */
 static inline int32_t hsp_workspace_set(hsp_workspace *work, uint32_t n, const double *xyz, const double *radius,
                                         const hsp_model_options *options, uint32_t *first_bad) {
   if (work->model == NULL || n > work->most_balls) {
@@ -90,6 +101,7 @@ static inline int32_t hsp_workspace_set(hsp_workspace *work, uint32_t n, const d
     if (work->boundary != NULL) status = hsp_workspace_make_boundary(work);
     if (status == HSP_OK && work->topology != NULL) status = hsp_workspace_make_topology(work);
     if (status == HSP_OK && work->view != NULL) status = hsp_workspace_make_view(work);
+    if (status == HSP_OK && work->surface != NULL) status = hsp_workspace_make_surface(work);
     if (status == HSP_OK) status = hsp_workspace_allocate(&work->memory[0], bytes);
     if (status == HSP_OK) status = hsp_model_init(work->memory[0], bytes, n, &work->model);
     if (status != HSP_OK) return status;
@@ -113,6 +125,7 @@ static inline int32_t hsp_workspace_boundary(hsp_workspace *work) {
   while ((status = hsp_boundary_compute(work->boundary, work->model, &limits)) == HSP_E_CAPACITY) {
     work->boundary_limits = limits;
     status = work->topology != NULL ? hsp_workspace_make_topology(work) : HSP_OK;
+    if (status == HSP_OK && work->surface != NULL) status = hsp_workspace_make_surface(work);
     if (status == HSP_OK) status = hsp_workspace_make_boundary(work);
     if (status != HSP_OK) return status;
   }
@@ -159,9 +172,28 @@ static inline int32_t hsp_workspace_view(hsp_workspace *work, int use_boundary, 
   return status;
 }
 
+/** Compute the solvent-excluded surface over the boundary that hsp_workspace_boundary has computed. */
+static inline int32_t hsp_workspace_surface(hsp_workspace *work) {
+  int32_t status = HSP_OK;
+  if (work->surface == NULL) {
+    if (work->surface_limits.struct_size == 0) {
+      status = hsp_surface_limits_init(&work->surface_limits, sizeof work->surface_limits, work->boundary);
+    }
+    if (status == HSP_OK) status = hsp_workspace_make_surface(work);
+    if (status != HSP_OK) return status;
+  }
+  hsp_surface_limits limits = work->surface_limits;
+  while ((status = hsp_surface_compute(work->surface, work->boundary, &limits)) == HSP_E_CAPACITY) {
+    work->surface_limits = limits;
+    status = hsp_workspace_make_surface(work);
+    if (status != HSP_OK) return status;
+  }
+  return status;
+}
+
 /** Give all memory back; the workspace is as at first. */
 static inline void hsp_workspace_free(hsp_workspace *work) {
-  for (int i = 0; i < 4; ++i) free(work->memory[i]);
+  for (int i = 0; i < 5; ++i) free(work->memory[i]);
   memset(work, 0, sizeof *work);
 }
 

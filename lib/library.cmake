@@ -74,6 +74,7 @@ set(HSP_LIBRARY_SOURCES
   capi/hsp_boundary.cpp
   capi/hsp_measure.cpp
   capi/hsp_gradient.cpp
+  capi/hsp_surface.cpp
   capi/hsp_topology.cpp
   capi/hsp_topology_records.cpp
   capi/hsp_cells.cpp

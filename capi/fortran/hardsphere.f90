@@ -11,7 +11,8 @@
 !   uint32_t                     integer(c_int32_t); values above huge() appear negative: HSP_NONE is -1
 !   uint8_t selected[n]          integer(c_int8_t) :: selected(n), 0 or not 0
 !   hsp_model *, hsp_boundary *,
-!   hsp_topology *, hsp_view *   type(c_ptr)
+!   hsp_surface *, hsp_topology *,
+!   hsp_view *                   type(c_ptr)
 !   void *memory                 type(c_ptr) from c_loc of an array with the TARGET attribute; the handle lives in it,
 !                                so the array must outlive the handle and must not be reallocated
 !   T *out, uint32_t capacity    out(*) with capacity elements; other extents stand behind the declarations
@@ -215,6 +216,32 @@ module hardsphere
     real(c_double) :: angle            ! radians
     integer(c_int32_t) :: ball         ! j, 0-based
     integer(c_int32_t) :: flags        ! HSP_GRADIENT_*
+  end type
+
+  type, bind(C) :: hsp_surface_limits
+    integer(c_int32_t) :: struct_size  ! hsp_surface_limits_init sets it
+    integer(c_int32_t) :: vertices
+    integer(c_int32_t) :: neighbours
+    integer(c_int32_t) :: reserved
+  end type
+
+  type, bind(C) :: hsp_surface_counts
+    integer(c_int32_t) :: convex_patches
+    integer(c_int32_t) :: saddle_patches
+    integer(c_int32_t) :: concave_patches
+    integer(c_int32_t) :: cusped_patches
+    integer(c_int32_t) :: cut_patches
+    integer(c_int32_t) :: hidden_patches
+    integer(c_int32_t) :: rounded_patches
+    integer(c_int32_t) :: reserved
+  end type
+
+  type, bind(C) :: hsp_surface_totals
+    real(c_double) :: area             ! length^2
+    real(c_double) :: volume           ! length^3
+    real(c_double) :: convex_area      ! length^2
+    real(c_double) :: saddle_area      ! length^2
+    real(c_double) :: concave_area     ! length^2
   end type
 
   type, bind(C) :: hsp_topology_limits
@@ -728,6 +755,59 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
+    ! ---- the solvent-excluded surface ------------------------------------------------------------------------------
+
+    function hsp_surface_limits_init(limits, struct_size, boundary) result(status) &
+      bind(C, name="hsp_surface_limits_init")
+      import :: c_int32_t, c_ptr, hsp_surface_limits
+      type(hsp_surface_limits), intent(inout) :: limits
+      integer(c_int32_t), value :: struct_size
+      type(c_ptr), value :: boundary
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_surface_bytes(limits, bytes) result(status) bind(C, name="hsp_surface_bytes")
+      import :: c_int32_t, c_size_t, hsp_surface_limits
+      type(hsp_surface_limits), intent(in) :: limits
+      integer(c_size_t), intent(inout) :: bytes
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_surface_init(memory, bytes, limits, surface) result(status) bind(C, name="hsp_surface_init")
+      import :: c_int32_t, c_ptr, c_size_t, hsp_surface_limits
+      type(c_ptr), value :: memory
+      integer(c_size_t), value :: bytes
+      type(hsp_surface_limits), intent(in) :: limits
+      type(c_ptr), intent(inout) :: surface
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_surface_compute(surface, boundary, limits) result(status) bind(C, name="hsp_surface_compute")
+      import :: c_int32_t, c_ptr, hsp_surface_limits
+      type(c_ptr), value :: surface
+      type(c_ptr), value :: boundary
+      type(hsp_surface_limits), intent(inout), optional :: limits
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_surface_get_counts(surface, counts) result(status) bind(C, name="hsp_surface_get_counts")
+      import :: c_int32_t, c_ptr, hsp_surface_counts
+      type(c_ptr), value :: surface
+      type(hsp_surface_counts), intent(inout) :: counts
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_surface_measure(surface, totals, balls, capacity, needed) result(status) &
+      bind(C, name="hsp_surface_measure")
+      import :: c_int32_t, c_ptr, hsp_surface_totals
+      type(c_ptr), value :: surface
+      type(hsp_surface_totals), intent(inout), optional :: totals
+      type(hsp_surface_totals), intent(inout), optional :: balls(*)  ! n
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
+      integer(c_int32_t) :: status
+    end function
+
     ! ---- topology --------------------------------------------------------------------------------------------------
 
     function hsp_topology_limits_init(limits, struct_size, boundary) result(status) &
@@ -1094,6 +1174,13 @@ contains
     integer(c_size_t) :: bytes
     bytes = 4096_c_size_t + 64_c_size_t*int(balls, c_size_t) + 256_c_size_t*int(neighbours, c_size_t) &
             + 160_c_size_t*int(vertices, c_size_t) + 80_c_size_t*int(circles, c_size_t)
+  end function
+
+  !> HSP_SURFACE_BYTES of the header, for the size of an allocation.
+  pure function hsp_surface_bytes_bound(vertices, neighbours) result(bytes)
+    integer(c_int32_t), intent(in) :: vertices, neighbours
+    integer(c_size_t) :: bytes
+    bytes = 4096_c_size_t + 80_c_size_t*int(vertices, c_size_t) + 640_c_size_t*int(neighbours, c_size_t)
   end function
 
   !> HSP_TOPOLOGY_BYTES of the header, for the size of an allocation.

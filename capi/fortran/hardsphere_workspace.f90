@@ -28,26 +28,32 @@ module hardsphere_workspace
     type(c_ptr) :: boundary = c_null_ptr
     type(c_ptr) :: topology = c_null_ptr
     type(c_ptr) :: view = c_null_ptr
+    type(c_ptr) :: surface = c_null_ptr
     integer(c_int32_t), private :: most_balls = 0
-    type(memory_block), private :: memory(4)
+    type(memory_block), private :: memory(5)
     type(hsp_boundary_limits), private :: boundary_limits
     type(hsp_topology_limits), private :: topology_limits
     type(hsp_view_limits), private :: view_limits
+    type(hsp_surface_limits), private :: surface_limits
   contains
     procedure :: set => set_balls
     procedure :: compute_boundary
     procedure :: compute_topology
     procedure :: compute_view
+    procedure :: compute_surface
     procedure, private :: make_boundary
     procedure, private :: make_topology
     procedure, private :: make_view
+    procedure, private :: make_surface
   end type
 
-  private :: set_balls, compute_boundary, compute_topology, compute_view, make_boundary, make_topology, make_view, allocated_to
+  private :: set_balls, compute_boundary, compute_topology, compute_view, compute_surface, make_boundary, make_topology, &
+    make_view, make_surface, allocated_to
 
 contains
 
-  ! Takes n balls into the model; arguments and statuses as hsp_model_set. Boundary, topology and view hold no results then.
+  ! Takes n balls into the model; arguments and statuses as hsp_model_set. Boundary, topology, view and surface hold no
+  ! results then.
   function set_balls(self, n, xyz, radius, options, first_bad) result(status)
     class(hsp_workspace), intent(inout), target :: self
     integer(c_int32_t), intent(in) :: n
@@ -65,6 +71,7 @@ contains
       if (c_associated(self%boundary)) status = self%make_boundary()
       if (status == HSP_OK .and. c_associated(self%topology)) status = self%make_topology()
       if (status == HSP_OK .and. c_associated(self%view)) status = self%make_view()
+      if (status == HSP_OK .and. c_associated(self%surface)) status = self%make_surface()
       if (status == HSP_OK) status = allocated_to(self%memory(1), bytes)
       if (status == HSP_OK) status = hsp_model_init(c_loc(self%memory(1)%bytes), bytes, n, self%model)
       if (status /= HSP_OK) return
@@ -91,6 +98,7 @@ contains
       self%boundary_limits = limits
       status = HSP_OK
       if (c_associated(self%topology)) status = self%make_topology()
+      if (status == HSP_OK .and. c_associated(self%surface)) status = self%make_surface()
       if (status == HSP_OK) status = self%make_boundary()
       if (status /= HSP_OK) return
     end do
@@ -144,6 +152,26 @@ contains
     end do
   end function
 
+  ! Computes the solvent-excluded surface over the boundary that compute_boundary has computed.
+  function compute_surface(self) result(status)
+    class(hsp_workspace), intent(inout), target :: self
+    type(hsp_surface_limits) :: limits
+    integer(c_int32_t) :: status
+    if (.not. c_associated(self%surface)) then
+      status = hsp_surface_limits_init(self%surface_limits, int(c_sizeof(limits), c_int32_t), self%boundary)
+      if (status == HSP_OK) status = self%make_surface()
+      if (status /= HSP_OK) return
+    end if
+    limits = self%surface_limits
+    do
+      status = hsp_surface_compute(self%surface, self%boundary, limits)
+      if (status /= HSP_E_CAPACITY) return
+      self%surface_limits = limits
+      status = self%make_surface()
+      if (status /= HSP_OK) return
+    end do
+  end function
+
   ! Handles of the current limits, without results.
 
   function make_boundary(self) result(status)
@@ -174,6 +202,16 @@ contains
     status = hsp_view_bytes(self%view_limits, bytes)
     if (status == HSP_OK) status = allocated_to(self%memory(4), bytes)
     if (status == HSP_OK) status = hsp_view_init(c_loc(self%memory(4)%bytes), bytes, self%view_limits, self%view)
+  end function
+
+  function make_surface(self) result(status)
+    class(hsp_workspace), intent(inout), target :: self
+    integer(c_int32_t) :: status
+    integer(c_size_t) :: bytes
+    self%surface = c_null_ptr
+    status = hsp_surface_bytes(self%surface_limits, bytes)
+    if (status == HSP_OK) status = allocated_to(self%memory(5), bytes)
+    if (status == HSP_OK) status = hsp_surface_init(c_loc(self%memory(5)%bytes), bytes, self%surface_limits, self%surface)
   end function
 
   ! Memory of another size, without its contents.

@@ -52,7 +52,8 @@ HSP_API int32_t hsp_boundary_bytes(const hsp_boundary_limits *limits, size_t *by
    (size_t)160 * (size_t)(vertices) + (size_t)80 * (size_t)(circles))
 
 /** Make an empty boundary in caller memory of any alignment; sets *boundary.
- *  Topologies computed from a boundary that was in this memory before must be computed again before they are read.
+ *  Topologies and surfaces computed from a boundary that was in this memory before must be computed again before they
+ *  are read.
  *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size; reserved is not 0
  *  @retval HSP_E_MEMORY    bytes is less than hsp_boundary_bytes says; nothing is written
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */

@@ -24,6 +24,7 @@ contains
   subroutine nothing_set()
     call expect(work%compute_boundary(), HSP_E_ARGUMENT, 'no balls were set')
     call expect(work%compute_topology(), HSP_E_STATE, 'no boundary')
+    call expect(work%compute_surface(), HSP_E_STATE, 'no boundary for a surface')
     call expect(work%compute_view(), HSP_E_ARGUMENT, 'no model to be seen')
   end subroutine
 
@@ -35,6 +36,8 @@ contains
     type(hsp_energy) :: energy
     type(hsp_topology_counts) :: counts
     type(hsp_view_info) :: info
+    type(hsp_surface_totals) :: surface, shares(n)
+    type(hsp_surface_counts) :: patches
     integer(c_int32_t) :: status
     integer :: i
     xyz = 0
@@ -55,6 +58,12 @@ contains
     call expect(work%compute_topology(), HSP_OK, 'topology')
     call expect(hsp_topology_get_counts(work%topology, counts), HSP_OK, 'its counts')
     call check(counts%components == 1 .and. counts%shells == 1, 'one piece')
+    call expect(work%compute_surface(), HSP_OK, 'surface')
+    call expect(hsp_surface_get_counts(work%surface, patches), HSP_OK, 'its counts')
+    call check(patches%convex_patches == n .and. patches%saddle_patches == n - 1, 'a saddle between any two')
+    call expect(hsp_surface_measure(work%surface, surface, shares, n), HSP_OK, 'its areas')
+    call check(near(surface%area, totals%area) .and. near(surface%volume, totals%volume), 'without a probe: the boundary')
+    call check(near(sum(shares%area), surface%area), 'the shares of the balls')
     call expect(work%compute_view(), HSP_OK, 'view of the model')
     call expect(work%compute_view(use_boundary=.true.), HSP_OK, 'view of the boundary')
     call expect(hsp_view_get_info(work%view, info), HSP_OK, 'its figures')

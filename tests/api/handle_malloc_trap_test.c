@@ -6,6 +6,7 @@
 #include "ball_sets.h"
 #include "check.h"
 #include "malloc_trap.h"
+#include "surface_result.h"
 #include "topology_result.h"
 #include "topology_sets.h"
 #include "view_result.h"
@@ -120,6 +121,23 @@ static int call_boundary(computed *c, const buffers *b) {
 }
 
 /* Every function of topologies, into the arrays of `t`; the number of calls that did not succeed. */
+static int call_surface(surface_result *s, void *memory, size_t bytes) {
+  const computed *c = s->base;
+  hsp_surface *surface = NULL;
+  hsp_surface_limits limits;
+  hsp_surface_counts counts;
+  uint32_t needed = 0;
+  size_t size = 0;
+  int bad = 0;
+  bad += hsp_surface_limits_init(&limits, (uint32_t)sizeof limits, c->boundary) != HSP_OK;
+  bad += hsp_surface_bytes(&s->needed, &size) != HSP_OK;
+  bad += hsp_surface_init(memory, bytes, &s->needed, &surface) != HSP_OK;
+  bad += hsp_surface_compute(surface, c->boundary, NULL) != HSP_OK;
+  bad += hsp_surface_get_counts(surface, &counts) != HSP_OK;
+  bad += hsp_surface_measure(surface, &s->totals, s->balls, c->n, &needed) != HSP_OK;
+  return bad;
+}
+
 static int call_topology(topology_result *t, void *memory, size_t bytes, uint32_t *ids, uint32_t room) {
   const computed *c = t->base;
   hsp_topology *topology = NULL;
@@ -249,6 +267,28 @@ static void trap_topology(const computed *c) {
   topology_result_release(&t);
 }
 
+static void trap_surface(const ball_set *set) {
+  hsp_model_options options;
+  computed c;
+  surface_result s;
+  CHECK_EQUAL(hsp_model_options_init(&options, (uint32_t)sizeof options), HSP_OK);
+  options.probe = 1.5;
+  CHECK_EQUAL(computed_make(set->n, set->xyz, set->radius, &options, &c), HSP_OK);
+  if (CHECK_EQUAL(surface_result_make(&c, &s), HSP_OK)) {
+    size_t bytes = 0;
+    void *memory;
+    int bad;
+    CHECK_EQUAL(hsp_surface_bytes(&s.needed, &bytes), HSP_OK);
+    memory = test_zeros(bytes, 1);
+    arm();
+    bad = call_surface(&s, memory, bytes);
+    disarm(bad);
+    free(memory);
+  }
+  surface_result_release(&s);
+  computed_release(&c);
+}
+
 static void trap_view(const computed *c, uint32_t pieces) {
   hsp_view_options options;
   view_result v;
@@ -282,6 +322,7 @@ int main(void) {
     check_scene("%s", set.name);
     if (CHECK_EQUAL(computed_make(set.n, set.xyz, set.radius, NULL, &c), HSP_OK)) trap_boundary(&c);
     computed_release(&c);
+    trap_surface(&set);
   }
   for (which = 0; which < topology_set_count(); ++which) {
     topology_set_make(which, &set);

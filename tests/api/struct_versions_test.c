@@ -18,7 +18,8 @@ typedef union struct_version {
 } struct_version;
 
 static four_handles h;
-static unsigned char other_memory[SIZE];
+static unsigned char other_memory[SIZE], surface_memory[SIZE];
+static hsp_surface *surface;
 
 static int32_t ignore_bytes(void *context, const char *bytes, size_t count) {
   (void)context;
@@ -37,6 +38,13 @@ static int32_t read_boundary_limits(const void *given) {
   hsp_boundary *made = NULL;
   const int32_t status = hsp_boundary_bytes(given, &bytes);
   CHECK_EQUAL(hsp_boundary_init(other_memory, sizeof other_memory, given, &made), status);
+  return status;
+}
+static int32_t read_surface_limits(const void *given) {
+  size_t bytes = 0;
+  hsp_surface *made = NULL;
+  const int32_t status = hsp_surface_bytes(given, &bytes);
+  CHECK_EQUAL(hsp_surface_init(other_memory, sizeof other_memory, given, &made), status);
   return status;
 }
 static int32_t read_topology_limits(const void *given) {
@@ -74,6 +82,9 @@ static int32_t write_picture_options(void *out, uint32_t size) {
 static int32_t write_boundary_limits(void *out, uint32_t size) {
   return hsp_boundary_limits_init(out, size, BALLS);
 }
+static int32_t write_surface_limits(void *out, uint32_t size) {
+  return hsp_surface_limits_init(out, size, h.boundary);
+}
 static int32_t write_topology_limits(void *out, uint32_t size) {
   return hsp_topology_limits_init(out, size, h.boundary);
 }
@@ -85,6 +96,11 @@ static int32_t write_view_limits(void *out, uint32_t size) {
 static int32_t return_boundary_limits(void *out, uint32_t size) {
   memcpy(out, &size, sizeof size);
   return hsp_boundary_compute(h.boundary, h.model, out);
+}
+static int32_t return_surface_limits(void *out, uint32_t size) {
+  CHECK_EQUAL(hsp_boundary_compute(h.boundary, h.model, NULL), HSP_OK);
+  memcpy(out, &size, sizeof size);
+  return hsp_surface_compute(surface, h.boundary, out);
 }
 static int32_t return_topology_limits(void *out, uint32_t size) {
   CHECK_EQUAL(hsp_boundary_compute(h.boundary, h.model, NULL), HSP_OK);
@@ -112,6 +128,11 @@ static const struct versioned {
      sizeof(hsp_boundary_limits),
      read_boundary_limits,
      {write_boundary_limits, return_boundary_limits, NULL}},
+    {"hsp_surface_limits",
+     sizeof(hsp_surface_limits),
+     sizeof(hsp_surface_limits),
+     read_surface_limits,
+     {write_surface_limits, return_surface_limits, NULL}},
     {"hsp_topology_limits",
      sizeof(hsp_topology_limits),
      sizeof(hsp_topology_limits),
@@ -191,8 +212,10 @@ static void check_writing(const struct versioned *s, int32_t (*write)(void *out,
 }
 
 int main(void) {
+  const hsp_surface_limits of_surface = {(uint32_t)sizeof of_surface, 2 * BALLS, BALLS, 0};
   int i, k;
   h = four_handles_make(BALLS);
+  CHECK_EQUAL(hsp_surface_init(surface_memory, sizeof surface_memory, &of_surface, &surface), HSP_OK);
   for (i = 0; i < STRUCTS; ++i) {
     four_handles_compute(&h);
     check_reading(&structs[i]);

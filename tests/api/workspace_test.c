@@ -13,6 +13,7 @@ static int32_t compute_all(hsp_workspace *work, const ball_set *set) {
   if (status == HSP_OK) status = hsp_workspace_boundary(work);
   if (status == HSP_OK) status = hsp_workspace_topology(work);
   if (status == HSP_OK) status = hsp_workspace_view(work, 1, NULL);
+  if (status == HSP_OK) status = hsp_workspace_surface(work);
   return status;
 }
 
@@ -23,6 +24,7 @@ static void check_results(const hsp_workspace *work, const ball_set *set) {
   hsp_topology_counts topology;
   hsp_view_info view;
   hsp_totals totals, expected;
+  hsp_surface_totals surface; /* without a probe it is the boundary */
   CHECK_EQUAL(computed_make(set->n, set->xyz, set->radius, NULL, &c), HSP_OK);
   CHECK_EQUAL(hsp_boundary_get_counts(work->boundary, &counts), HSP_OK);
   CHECK_BYTES(&counts, &c.counts, sizeof counts);
@@ -32,6 +34,8 @@ static void check_results(const hsp_workspace *work, const ball_set *set) {
   CHECK_EQUAL(hsp_topology_get_counts(work->topology, &topology), HSP_OK);
   CHECK_EQUAL(topology.components, counts.components);
   CHECK_EQUAL(topology.shells, counts.shells);
+  CHECK_EQUAL(hsp_surface_measure(work->surface, &surface, NULL, 0, NULL), HSP_OK);
+  CHECK_NEAR(surface.area, expected.area, 1e-12 * (1.0 + expected.area));
   CHECK_EQUAL(hsp_view_get_info(work->view, &view), HSP_OK);
   CHECK_EQUAL(view.kind, HSP_PIECES_OUTSIDE_FARTHER);
   computed_release(&c);
@@ -50,7 +54,8 @@ static void set_after_set(void) {
     check_results(&work, &set);
   }
   hsp_workspace_free(&work);
-  CHECK(work.model == NULL && work.boundary == NULL && work.topology == NULL && work.view == NULL);
+  CHECK(work.model == NULL && work.boundary == NULL && work.topology == NULL && work.view == NULL &&
+        work.surface == NULL);
   check_scene("after it was freed");
   CHECK_EQUAL(compute_all(&work, &set), HSP_OK);
   check_results(&work, &set);

@@ -10,7 +10,7 @@ readme=lib/README.md
 # boundary: topology, measure and surface know nothing of view and picture, nor these of them.
 rooms="core exact model sphere boundary topology measure surface view picture capi"
 declare -A stands_on=([core]="" [exact]="core" [model]="exact" [sphere]="model" [boundary]="sphere"
-  [topology]="boundary" [measure]="topology" [surface]="measure" [view]="boundary" [picture]="view" [capi]="measure picture")
+  [topology]="boundary" [measure]="topology" [surface]="measure" [view]="boundary" [picture]="view" [capi]="surface picture")
 failed=0
 
 complain() {

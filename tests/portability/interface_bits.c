@@ -7,6 +7,7 @@
 #include "ball_sets.h"
 #include "computed.h"
 #include "interface_bits.h"
+#include "surface_result.h"
 
 static void print_model(const computed *c) {
   hsp_packing figures = {0.0, 0.0, 0.0, 0.0, 0, 0};
@@ -88,6 +89,22 @@ static void print_balls(const computed *c) {
   end_line();
 }
 
+static void print_surface(const computed *c) {
+  surface_result s;
+  uint32_t i;
+  print_status("surface", surface_result_make(c, &s));
+  printf(" %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRIu32, s.counts.cusped_patches, s.counts.cut_patches,
+         s.counts.hidden_patches, s.counts.rounded_patches);
+  print_doubles(&s.totals.area, 5);
+  end_line();
+  for (i = 0; i < c->n; ++i) {
+    printf("share");
+    print_doubles(&s.balls[i].area, 5);
+    end_line();
+  }
+  surface_result_release(&s);
+}
+
 int main(void) {
   static const double probes[] = {0.0, 0.4};
   static ball_set set;
@@ -109,6 +126,7 @@ int main(void) {
       print_boundary(&c);
       print_balls(&c);
       print_gradients(&c);
+      print_surface(&c);
       print_topology(&c);
       print_views(&c);
       computed_release(&c);

@@ -23,6 +23,12 @@ hsp_boundary_limits default_boundary_limits(uint32_t balls) {
   return limits;
 }
 
+hsp_surface_limits surface_limits_for(const hsp_boundary *boundary) {
+  hsp_surface_limits limits;
+  expect_ok(hsp_surface_limits_init(&limits, sizeof limits, boundary), "hsp_surface_limits_init");
+  return limits;
+}
+
 hsp_topology_limits topology_limits_for(const hsp_boundary *boundary) {
   hsp_topology_limits limits;
   expect_ok(hsp_topology_limits_init(&limits, sizeof limits, boundary), "hsp_topology_limits_init");

@@ -43,6 +43,15 @@ struct BoundaryKind {
   static constexpr auto bytes = hsp_boundary_bytes;
   static constexpr auto init = hsp_boundary_init;
 };
+struct SurfaceKind {
+  using Handle = hsp_surface;
+  using Limits = hsp_surface_limits;
+  static constexpr int enlargements = 2;
+  static constexpr std::array limits = {&Limits::vertices, &Limits::neighbours};
+  static constexpr const char *name = "hsp_surface";
+  static constexpr auto bytes = hsp_surface_bytes;
+  static constexpr auto init = hsp_surface_init;
+};
 struct TopologyKind {
   using Handle = hsp_topology;
   using Limits = hsp_topology_limits;
@@ -112,10 +121,12 @@ class OwnedHandle {
 };
 
 using OwnedBoundary = OwnedHandle<BoundaryKind>;
+using OwnedSurface = OwnedHandle<SurfaceKind>;
 using OwnedTopology = OwnedHandle<TopologyKind>;
 using OwnedView = OwnedHandle<ViewKind>;
 
 hsp_boundary_limits default_boundary_limits(uint32_t balls);
+hsp_surface_limits surface_limits_for(const hsp_boundary *boundary);
 hsp_topology_limits topology_limits_for(const hsp_boundary *boundary);
 hsp_view_limits default_view_limits(uint32_t balls);
 

@@ -1,0 +1,174 @@
+/* Every argument of the surface's functions that the header refuses, and every call out of order. */
+#include <hardsphere.h>
+
+#include "ball_sets.h"
+#include "check.h"
+#include "untouched.h"
+
+enum { BALLS = THREE_BALLS, VERTICES = 8, NEIGHBOURS = 4 };
+static unsigned char model_memory[HSP_MODEL_BYTES(BALLS)];
+static unsigned char boundary_memory[HSP_BOUNDARY_BYTES(BALLS, BALLS, 16, 16)];
+static unsigned char surface_memory[HSP_SURFACE_BYTES(VERTICES, NEIGHBOURS)];
+static hsp_model *model;
+static hsp_boundary *boundary;
+static hsp_surface *surface;
+
+static hsp_surface_limits limits;
+static hsp_surface_counts counts;
+static hsp_surface_totals totals, balls[BALLS];
+static uint32_t needed;
+
+static void fill_outputs(void) {
+  FILL(limits);
+  FILL(counts);
+  FILL(totals);
+  FILL(balls);
+  FILL(needed);
+}
+
+static void check_outputs_untouched(void) {
+  CHECK_UNTOUCHED(limits);
+  CHECK_UNTOUCHED(counts);
+  CHECK_UNTOUCHED(totals);
+  CHECK_UNTOUCHED(balls);
+  CHECK_UNTOUCHED(needed);
+}
+
+/* All reading functions with good arguments must say `status` and write nothing. */
+static void check_all_readers(const hsp_surface *which, int32_t status) {
+  fill_outputs();
+  CHECK_EQUAL(hsp_surface_get_counts(which, &counts), status);
+  CHECK_EQUAL(hsp_surface_measure(which, &totals, balls, BALLS, &needed), status);
+  CHECK_EQUAL(hsp_surface_measure(which, NULL, NULL, 0, NULL), status);
+  check_outputs_untouched();
+}
+
+static void check_has_results(void) {
+  CHECK_EQUAL(hsp_surface_get_counts(surface, &counts), HSP_OK);
+  CHECK_EQUAL(counts.concave_patches, 2);
+  CHECK_EQUAL(hsp_surface_measure(surface, &totals, balls, BALLS, &needed), HSP_OK);
+  CHECK(totals.area > 0.0 && needed == BALLS);
+}
+
+static void set_balls(void) {
+  hsp_model_options options;
+  CHECK_EQUAL(hsp_model_options_init(&options, (uint32_t)sizeof options), HSP_OK);
+  options.probe = 0.25;
+  CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, three_balls_radius, &options, NULL), HSP_OK);
+}
+
+static hsp_surface_limits good_limits(void) {
+  const hsp_surface_limits good = {(uint32_t)sizeof good, VERTICES, NEIGHBOURS, 0};
+  return good;
+}
+
+static void make_surface(void) {
+  const hsp_surface_limits good = good_limits();
+  CHECK_EQUAL(hsp_surface_init(surface_memory, sizeof surface_memory, &good, &surface), HSP_OK);
+}
+
+static void refused_limits(void) {
+  hsp_surface_limits bad;
+  size_t bytes = 0;
+  hsp_surface *made = NULL;
+  int which;
+  CHECK_EQUAL(hsp_surface_bytes(NULL, &bytes), HSP_E_ARGUMENT);
+  for (which = 0; which < 5; ++which) {
+    const int32_t status = which < 3 ? HSP_E_ARGUMENT : HSP_E_RANGE;
+    bad = good_limits();
+    if (which == 0) bad.struct_size = 12;
+    if (which == 1) bad.struct_size = 1028;
+    if (which == 2) bad.reserved = 1;
+    if (which == 3) bad.vertices = HSP_MAX_BALLS + 1;
+    if (which == 4) bad.neighbours = HSP_NONE;
+    CHECK_EQUAL(hsp_surface_bytes(&bad, &bytes), status);
+    CHECK_EQUAL(hsp_surface_init(surface_memory, sizeof surface_memory, &bad, &made), status);
+  }
+  bad = good_limits();
+  CHECK_EQUAL(hsp_surface_bytes(&bad, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(bytes, 0);
+  CHECK_EQUAL(hsp_surface_bytes(&bad, &bytes), HSP_OK);
+  CHECK(bytes <= HSP_SURFACE_BYTES(VERTICES, NEIGHBOURS));
+  CHECK_EQUAL(hsp_surface_init(NULL, bytes, &bad, &made), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_surface_init(surface_memory, bytes, NULL, &made), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_surface_init(surface_memory, bytes, &bad, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_surface_init(surface_memory, bytes - 1, &bad, &made), HSP_E_MEMORY);
+  CHECK(made == NULL);
+}
+
+static void defaults(void) {
+  fill_outputs();
+  CHECK_EQUAL(hsp_surface_limits_init(NULL, (uint32_t)sizeof limits, boundary), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_surface_limits_init(&limits, 8, boundary), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_surface_limits_init(&limits, (uint32_t)sizeof limits, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_surface_limits_init(&limits, (uint32_t)sizeof limits, boundary), HSP_E_STATE);
+  check_outputs_untouched();
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_surface_limits_init(&limits, (uint32_t)sizeof limits, boundary), HSP_OK);
+  CHECK_EQUAL(limits.struct_size, sizeof limits);
+  CHECK_EQUAL(limits.vertices, 2);
+  CHECK_EQUAL(limits.neighbours, 64);
+  CHECK_EQUAL(limits.reserved, 0);
+}
+
+static void out_of_order(void) {
+  check_scene("no surface yet");
+  check_all_readers(NULL, HSP_E_ARGUMENT);
+  check_all_readers((const hsp_surface *)(const void *)boundary, HSP_E_ARGUMENT);
+  check_all_readers(surface, HSP_E_STATE);
+  fill_outputs();
+  CHECK_EQUAL(hsp_surface_compute(NULL, boundary, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_surface_compute(surface, NULL, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_surface_compute(surface, boundary, &limits), HSP_E_ARGUMENT);
+  check_outputs_untouched();
+  CHECK_EQUAL(hsp_surface_compute(surface, boundary, NULL), HSP_OK);
+  check_has_results();
+  fill_outputs();
+  CHECK_EQUAL(hsp_surface_get_counts(surface, NULL), HSP_E_ARGUMENT);
+  check_outputs_untouched();
+  CHECK_EQUAL(hsp_surface_measure(surface, &totals, balls, BALLS - 1, &needed), HSP_E_CAPACITY);
+  CHECK_EQUAL(needed, BALLS);
+  CHECK_UNTOUCHED(totals);
+  CHECK_UNTOUCHED(balls);
+
+  check_scene("the model has changed");
+  set_balls();
+  check_all_readers(surface, HSP_E_STATE);
+  CHECK_EQUAL(hsp_surface_compute(surface, boundary, NULL), HSP_E_STATE);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_surface_compute(surface, boundary, NULL), HSP_OK);
+  check_has_results();
+
+  check_scene("the boundary has been computed again");
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
+  check_all_readers(surface, HSP_E_STATE);
+  CHECK_EQUAL(hsp_surface_compute(surface, boundary, NULL), HSP_OK);
+  check_has_results();
+
+  check_scene("a computation fails");
+  CHECK_EQUAL(hsp_surface_compute(surface, NULL, NULL), HSP_E_ARGUMENT);
+  check_all_readers(surface, HSP_E_STATE);
+}
+
+static void too_small(void) {
+  hsp_surface_limits few = {(uint32_t)sizeof few, 1, 0, 0};
+  check_scene("a limit is too small");
+  CHECK_EQUAL(hsp_surface_init(surface_memory, sizeof surface_memory, &few, &surface), HSP_OK);
+  CHECK_EQUAL(hsp_surface_compute(surface, boundary, &few), HSP_E_CAPACITY);
+  CHECK_EQUAL(few.vertices, 2);
+  CHECK_EQUAL(few.neighbours, 0);
+  check_all_readers(surface, HSP_E_STATE);
+}
+
+int main(void) {
+  const hsp_boundary_limits of_boundary = {(uint32_t)sizeof of_boundary, BALLS, BALLS, 16, 16, 0};
+  CHECK_EQUAL(hsp_model_init(model_memory, sizeof model_memory, BALLS, &model), HSP_OK);
+  set_balls();
+  CHECK_EQUAL(hsp_boundary_init(boundary_memory, sizeof boundary_memory, &of_boundary, &boundary), HSP_OK);
+  defaults();
+  refused_limits();
+  make_surface();
+  out_of_order();
+  too_small();
+  return check_report();
+}

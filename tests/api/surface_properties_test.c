@@ -1,0 +1,255 @@
+/* What the header promises of every surface, on all sets of the interface tests with several probes; known values. */
+#include <hardsphere.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "ball_sets.h"
+#include "check.h"
+#include "limit_sweep.h"
+#include "surface_result.h"
+#include "topology_sets.h"
+
+static hsp_model_options options_of(double probe) {
+  hsp_model_options options;
+  CHECK_EQUAL(hsp_model_options_init(&options, (uint32_t)sizeof options), HSP_OK);
+  options.probe = probe;
+  return options;
+}
+
+/* ---- known values ---- */
+
+/* Balls of radius 1.7 and the probe 1.4, unless they say otherwise. */
+typedef struct known_surface {
+  const char *name;
+  uint32_t n;
+  double ball[4][4]; /* x, y, z, radius */
+  double probe, convex, saddle, concave, volume;
+  hsp_surface_counts counts;
+} known_surface;
+
+static const known_surface known_surfaces[] = {
+    {"nothing", 0, {{0}}, 1.4, 0, 0, 0, 0, {0}},
+    {"one ball", 1, {{1, 2, 3, 1}}, 1.4, 12.566370614359, 0, 0, 4.188790204786, {1, 0, 0, 0, 0, 0, 0, 0}},
+    {"a saddle",
+     2,
+     {{0, 0, 0, 1.7}, {5.4, 0, 0, 1.7}},
+     1.4,
+     67.9475820122,
+     6.8766538896,
+     0,
+     41.80379383311,
+     {2, 1, 0, 0, 0, 0, 0, 0}},
+    {"a saddle, larger probe",
+     2,
+     {{0, 0, 0, 1.7}, {5.4, 0, 0, 1.7}},
+     3,
+     57.1796599912,
+     23.7817453226,
+     0,
+     47.93581275002,
+     {2, 1, 0, 0, 0, 0, 0, 0}},
+    {"two cusps",
+     2,
+     {{0, 0, 0, 2.0}, {5.6, 0, 0, 1.2}},
+     1.4,
+     66.2984492731,
+     2.3200072966,
+     0,
+     40.84146738944,
+     {2, 1, 0, 1, 0, 0, 0, 0}},
+    {"a small ball beside a large one",
+     2,
+     {{0, 0, 0, 1.7}, {1.9, 0, 0, 0.3}},
+     1.4,
+     34.3749409815,
+     2.5627595996,
+     0,
+     20.82937123191,
+     {2, 1, 0, 0, 0, 0, 0, 0}},
+    {"probes that see each other through a throat",
+     3,
+     {{2.9, 0, 0, 1.7}, {-1.45, 2.51147367, 0, 1.7}, {-1.45, -2.51147367, 0, 1.7}},
+     1.4,
+     89.1358433827,
+     24.3930994435,
+     6.35405963625,
+     66.99444771262,
+     {3, 3, 2, 0, 2, 0, 0, 0}},
+    {"probes in a void and outside",
+     4,
+     {{1.79555934, 1.79555934, 1.79555934, 1.7},
+      {1.79555934, -1.79555934, -1.79555934, 1.7},
+      {-1.79555934, 1.79555934, -1.79555934, 1.7},
+      {-1.79555934, -1.79555934, 1.79555934, 1.7}},
+     1.4,
+     108.55494545,
+     36.4811662779,
+     22.6266317068,
+     92.23100491818,
+     {8, 12, 8, 0, 8, 0, 0, 0}},
+    {"four spheres through a point",
+     4,
+     {{2.1, 0, 0, 1.7}, {0, 2.1, 0, 1.7}, {-2.1, 0, 0, 1.7}, {0, -2.1, 0, 1.7}},
+     1.4,
+     76.903094407,
+     33.136994481,
+     4.740968667,
+     87.0340342233,
+     {4, 6, 4, 0, 0, 0, 0, 0}}};
+
+static void check_known(const known_surface *k) {
+  double xyz[12], radius[4];
+  const hsp_model_options options = options_of(k->probe);
+  computed c;
+  surface_result s;
+  uint32_t i;
+  check_scene("%s", k->name);
+  for (i = 0; i < k->n; ++i) {
+    memcpy(xyz + 3 * i, k->ball[i], 3 * sizeof(double));
+    radius[i] = k->ball[i][3];
+  }
+  CHECK_EQUAL(computed_make(k->n, xyz, radius, &options, &c), HSP_OK);
+  CHECK_EQUAL(surface_result_make(&c, &s), HSP_OK);
+  CHECK_NEAR(s.totals.convex_area, k->convex, 1.1e-9);
+  CHECK_NEAR(s.totals.saddle_area, k->saddle, 1.1e-9);
+  CHECK_NEAR(s.totals.concave_area, k->concave, 1.1e-9);
+  CHECK_NEAR(s.totals.area, k->convex + k->saddle + k->concave, 3e-9);
+  CHECK_NEAR(s.totals.volume, k->volume, 1.1e-9);
+  CHECK_EQUAL(s.counts.convex_patches, c.counts.faces);
+  CHECK_EQUAL(s.counts.saddle_patches, c.counts.arcs + c.counts.circles);
+  CHECK_EQUAL(s.counts.concave_patches, c.counts.vertices);
+  CHECK_EQUAL(s.counts.cusped_patches, k->counts.cusped_patches);
+  CHECK_EQUAL(s.counts.cut_patches, k->counts.cut_patches);
+  CHECK_EQUAL(s.counts.hidden_patches, k->counts.hidden_patches);
+  CHECK_EQUAL(s.counts.rounded_patches, 0);
+  CHECK_EQUAL(s.counts.reserved, 0);
+  surface_result_release(&s);
+  computed_release(&c);
+}
+
+/* ---- what holds of every set ---- */
+
+/* hsp_surface_measure, property 2; shares that add up; the surface without a probe is the boundary. */
+static void check_sums(const surface_result *s, double probe) {
+  hsp_surface_totals sum = {0, 0, 0, 0, 0};
+  const double scale = 1.0 + s->totals.area;
+  uint32_t i;
+  for (i = 0; i < s->base->n; ++i) {
+    const hsp_surface_totals *ball = &s->balls[i];
+    sum.area += ball->area;
+    sum.volume += ball->volume;
+    sum.convex_area += ball->convex_area;
+    sum.saddle_area += ball->saddle_area;
+    sum.concave_area += ball->concave_area;
+    CHECK(ball->convex_area >= 0.0 && ball->saddle_area >= 0.0 && ball->concave_area >= 0.0);
+    CHECK_NEAR(ball->area, ball->convex_area + ball->saddle_area + ball->concave_area, 1e-12 * scale);
+    if (probe > 0.0) continue;
+    CHECK_NEAR(ball->area, s->base->area[i], 1e-12 * scale);
+    CHECK_NEAR(ball->volume, s->base->volume[i], 1e-12 * scale * (1.0 + s->base->radius[i]));
+  }
+  CHECK_NEAR(sum.area, s->totals.area, 1e-11 * scale);
+  CHECK_NEAR(sum.convex_area, s->totals.convex_area, 1e-11 * scale);
+  CHECK_NEAR(sum.saddle_area, s->totals.saddle_area, 1e-11 * scale);
+  CHECK_NEAR(sum.concave_area, s->totals.concave_area, 1e-11 * scale);
+  CHECK_NEAR(sum.volume, s->totals.volume, 1e-10 * scale * (1.0 + probe));
+}
+
+/* The solid holds the balls without the probe, and lies in the union with it. */
+static void check_bounds(const ball_set *set, const surface_result *s) {
+  computed bare;
+  CHECK_EQUAL(computed_make(set->n, set->xyz, set->radius, NULL, &bare), HSP_OK);
+  CHECK(s->totals.volume >= bare.totals.volume * (1.0 - 1e-9));
+  CHECK(s->totals.volume <= s->base->totals.volume * (1.0 + 1e-9));
+  computed_release(&bare);
+}
+
+/* Property 1: shares are the same bits in any order. Equal balls are interchangeable: sets with such are left out. */
+static void check_order(const ball_set *set, const hsp_model_options *options, const surface_result *s) {
+  static ball_set permuted;
+  uint32_t order[BALL_SET_MOST];
+  computed c;
+  surface_result other;
+  uint32_t i, j;
+  for (i = 0; i < set->n; ++i) {
+    for (j = 0; j < i; ++j) {
+      if (memcmp(set->xyz + 3 * i, set->xyz + 3 * j, 3 * sizeof(double)) == 0) return;
+    }
+  }
+  ball_set_shuffle(set->n, 16, order);
+  ball_set_permute(set, order, &permuted);
+  CHECK_EQUAL(computed_make(permuted.n, permuted.xyz, permuted.radius, options, &c), HSP_OK);
+  CHECK_EQUAL(surface_result_make(&c, &other), HSP_OK);
+  for (i = 0; i < set->n; ++i) CHECK_BYTES(&other.balls[i], &s->balls[order[i]], sizeof other.balls[i]);
+  CHECK_BYTES(&other.counts, &s->counts, sizeof other.counts);
+  CHECK_BYTES(&other.needed, &s->needed, sizeof other.needed);
+  surface_result_release(&other);
+  computed_release(&c);
+}
+
+/* ---- limits and sizes ---- */
+
+static void same_results(const void *handle, const void *source) {
+  const surface_result *s = source;
+  hsp_surface_counts counts;
+  hsp_surface_totals totals;
+  CHECK_EQUAL(hsp_surface_get_counts(handle, &counts), HSP_OK);
+  CHECK_BYTES(&counts, &s->counts, sizeof counts);
+  CHECK_EQUAL(hsp_surface_measure(handle, &totals, NULL, 0, NULL), HSP_OK);
+  CHECK_BYTES(&totals, &s->totals, sizeof totals);
+}
+static void no_results(const void *handle) {
+  hsp_surface_counts counts;
+  CHECK_EQUAL(hsp_surface_get_counts(handle, &counts), HSP_E_STATE);
+  CHECK_EQUAL(hsp_surface_measure(handle, NULL, NULL, 0, NULL), HSP_E_STATE);
+}
+
+static size_t macro(const limit_numbers *limits) {
+  return HSP_SURFACE_BYTES(limits->number[1], limits->number[2]);
+}
+
+static void sizes(void) {
+  static const uint32_t values[] = {0, 1, 2, 3, 7, 8, 9, 64, 65, 1000, 1023, 1024, 1025, 4097, 1000000, 0x0FFFFFFF};
+  static const size_bound bound = {macro, {4096, 80, 640, 0, 0}};
+  check_scene("sizes");
+  sweep_sizes(&surface_handle, &bound, values, sizeof values / sizeof values[0]);
+}
+
+static void check_set(const ball_set *set, double probe) {
+  const hsp_model_options options = options_of(probe);
+  computed c;
+  surface_result s;
+  check_scene("%s, probe %g", set->name, probe);
+  if (CHECK_EQUAL(computed_make(set->n, set->xyz, set->radius, &options, &c), HSP_OK) &&
+      CHECK_EQUAL(surface_result_make(&c, &s), HSP_OK)) {
+    const known_handle known = {&surface_handle, &s, &s.needed, same_results, no_results, NULL};
+    CHECK(s.enlargements <= 2);
+    check_sums(&s, probe);
+    check_bounds(set, &s);
+    check_order(set, &options, &s);
+    if (set->n <= 30) sweep_limits(&known, set->name);
+    if (set->n > 3 && set->n < 10) sweep_alignments(&known, NULL);
+    surface_result_release(&s);
+  }
+  computed_release(&c);
+}
+
+int main(void) {
+  static const double probes[] = {0.0, 0.25, 1.5, 4.0};
+  static ball_set set;
+  uint32_t which, k;
+  size_t i;
+  for (i = 0; i < sizeof known_surfaces / sizeof known_surfaces[0]; ++i) check_known(&known_surfaces[i]);
+  sizes();
+  for (k = 0; k < sizeof probes / sizeof probes[0]; ++k) {
+    for (which = 0; which < ball_set_count(); ++which) {
+      ball_set_make(which, &set);
+      check_set(&set, probes[k]);
+    }
+    for (which = 0; which < topology_set_count(); ++which) {
+      topology_set_make(which, &set);
+      check_set(&set, probes[k]);
+    }
+  }
+  return check_report();
+}
