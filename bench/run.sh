@@ -3,9 +3,11 @@
 # Usage: bash bench/run.sh [--quick] [--peers]
 #   --quick  one repetition of each benchmark, as short as it gets: for trying out, not for quoting
 #   --peers  time other programs by turns with the library: FreeSASA, CGAL, nanoflann, gemmi. What of them is missing
-#            is installed from Debian's packages if it can be, and left out otherwise
+#            is installed from Debian's packages if it can be, and left out otherwise. Then version 0.1.0 of the
+#            library, if it is in the repository's history
 # Missing packages are installed with apt-get (as root, or through sudo). The environment variable BENCH_BUILD names
 # another folder to build in. Takes five to ten minutes, once the machine has come to rest after building.
+# The report and its plots are committed with: cp -r build/bench/report/report.md build/bench/report/plots bench/
 set -euo pipefail
 
 quick=no
@@ -14,7 +16,7 @@ for argument in "$@"; do
   case "$argument" in
     --quick) quick=yes ;;
     --peers) peers=yes ;;
-    *) sed -n '2,8s/^# //p' "$0" >&2; exit 2 ;;
+    *) sed -n '2,11s/^# //p' "$0" >&2; exit 2 ;;
   esac
 done
 
@@ -25,11 +27,34 @@ report_folder=$build_folder/report
 # shellcheck source=.ci/install.sh
 . "$source_folder/.ci/install.sh"
 install_packages binutils cmake g++ libbenchmark-dev ninja-build
+install_optional_packages gnuplot-nox
 if [ "$peers" = yes ]; then install_optional_packages "${packages_of_peers[@]}"; fi
 
 cmake -S "$source_folder" -B "$build_folder" -G Ninja -DCMAKE_BUILD_TYPE=Release -DHSP_BENCH=ON \
   -DHSP_TESTS=OFF -DHSP_TOOL=OFF -DHSP_FUZZ=OFF -DHSP_FORTRAN=OFF -DHSP_BENCH_PEERS=$peers
 cmake --build "$build_folder"
+
+# Version 0.1.0, with its own benchmarks and the one for lattices, which it had not.
+old_version=cb10991
+old_folder=$build_folder/0.1.0
+old_suites=(bench_scaling bench_queries bench_topology bench_gradients bench_degenerate)
+build_old_version() {
+  mkdir -p "$old_folder"
+  git -C "$source_folder" archive "$old_version" | tar -x -C "$old_folder"
+  cp "$source_folder/bench/bench_degenerate.cpp" "$old_folder/bench/"
+  sed -i 's/bench_topology bench_gradients)/bench_topology bench_gradients bench_degenerate)/' "$old_folder/bench/CMakeLists.txt"
+  cmake -S "$old_folder" -B "$old_folder/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DHSP_BENCH=ON \
+    -DHSP_TESTS=OFF -DHSP_TOOL=OFF -DHSP_FUZZ=OFF -DHSP_FORTRAN=OFF >/dev/null
+  cmake --build "$old_folder/build" --target "${old_suites[@]}"
+}
+old=no
+if [ "$peers" = yes ]; then
+  if ! git -C "$source_folder" cat-file -e "$old_version^{commit}" 2>/dev/null; then
+    printf 'version 0.1.0: skipped: commit %s is not in this repository\n' "$old_version"
+  elif [ -x "$old_folder/build/bench/bench_degenerate" ] || build_old_version; then
+    old=yes
+  fi
+fi
 
 # Building leaves a load average that takes a minute or two to fall. A benchmark by itself is a load of 1.
 is_busy() {
@@ -53,11 +78,16 @@ mkdir -p "$report_folder"
 # run_suite NAME REPETITIONS SECONDS: a repetition iterates for at least so long. The suites that go up to a million
 # balls take one iteration of those in a repetition, so the repetitions are what their medians and ratios come from.
 run_suite() {
-  local suite=$1 repetitions=$2 seconds=$3
+  run_program "$build_folder/bench/$1" "$report_folder/$1.json" "$2" "$3"
+}
+# run_program PROGRAM RESULT REPETITIONS SECONDS [ARGUMENT...]
+run_program() {
+  local program=$1 result=$2 repetitions=$3 seconds=$4
+  shift 4
   if [ "$quick" = yes ]; then repetitions=1 seconds=0.001; fi
-  printf '== %s\n' "$suite"
-  "$build_folder/bench/$suite" --benchmark_repetitions="$repetitions" --benchmark_min_time="$seconds" \
-    --benchmark_display_aggregates_only=true --benchmark_out_format=json --benchmark_out="$report_folder/$suite.json"
+  printf '== %s\n' "$program"
+  "$program" --benchmark_repetitions="$repetitions" --benchmark_min_time="$seconds" \
+    --benchmark_display_aggregates_only=true --benchmark_out_format=json --benchmark_out="$result" "$@"
 }
 run_suite bench_paper_section_2 5 0.02
 run_suite bench_paper_section_3 5 0.02
@@ -74,6 +104,25 @@ if [ "$peers" = yes ]; then
   run_suite bench_peers_surfaces 1 0.02
   run_suite bench_peers_queries 1 0.02
 fi
+# Of version 0.1.0 what the goals are about, as often as the same of this version.
+if [ "$old" = yes ]; then
+  mkdir "$report_folder/0.1.0"
+  run_old() {
+    run_program "$old_folder/build/bench/$1" "$report_folder/0.1.0/$1.json" 7 0.05 --benchmark_filter="$2"
+  }
+  run_old bench_scaling '/(build|lists|boundary|everything)/sod_stand_in$'
+  run_old bench_queries '_atom/sod_stand_in$'
+  run_old bench_topology '/compute/sod_stand_in$'
+  run_old bench_gradients '/compute/sod_stand_in$'
+  run_old bench_degenerate .
+fi
 
+mkdir -p "$report_folder/plots"
+"$build_folder/bench/write_report" --plots "$report_folder"
+if command -v gnuplot >/dev/null; then
+  gnuplot -e "folder='$report_folder/plots'" "$source_folder/bench/report/plots.gp"
+else
+  printf 'no plots: gnuplot is not installed\n'
+fi
 "$build_folder/bench/write_report" "$report_folder" >"$report_folder/report.md"
 printf 'The report is %s\n' "$report_folder/report.md"

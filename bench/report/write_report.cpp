@@ -1,19 +1,24 @@
-// write_report FOLDER > report.md: a Markdown report of the benchmark results (*.json) in the folder.
+// write_report FOLDER > report.md: a Markdown report of the benchmark results (*.json) in the folder, of those of
+// version 0.1.0 in FOLDER/0.1.0 and of the pictures in FOLDER/plots, as far as these are there. `write_report --plots
+// FOLDER` puts the tables for the pictures into FOLDER/plots, see plots.gp.
 #include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 #include <string>
 
 #include "alternatives_tables.hpp"
 #include "frame_tables.hpp"
-#include "goals_tables.hpp"
 #include "gradient_tables.hpp"
 #include "markdown.hpp"
 #include "measurements.hpp"
 #include "paper_tables.hpp"
 #include "peers_tables.hpp"
+#include "plots.hpp"
+#include "scaling_tables.hpp"
+#include "speed_goals.hpp"
 #include "topology_tables.hpp"
 
 namespace {
@@ -51,28 +56,50 @@ void write_head(std::ostream &out, const report::Run &run) {
       << "- molecules: bench/molecules/README.md; felix is a model, SOD a generated stand-in of the same figures\n\n";
 }
 
+// Version 0.1.0, if it was measured in the same run.
+std::optional<report::Run> read_old_version(const std::filesystem::path &folder) {
+  if (!std::filesystem::is_directory(folder / "0.1.0")) return std::nullopt;
+  return report::read_run(folder / "0.1.0");
+}
+
+void write_report(std::ostream &out, const std::filesystem::path &folder) {
+  const report::Run run = report::read_run(folder);
+  const std::optional<report::Run> old = read_old_version(folder);
+  const auto plot = [&](const char *name, const char *caption) { report::show_plot(out, folder, name, caption); };
+  write_head(out, run);
+  report::write_speed_goals(out, run, old ? &*old : nullptr);
+  report::write_exponents(out, run);
+  plot("scaling", "Nanoseconds per ball of each stage against the number of balls");
+  report::write_peers(out, run);
+  plot("peers", "Other programs: how many times as long as the library, against the number of balls");
+  plot("searches", "Searches by the library, nanoflann and gemmi against the number of balls");
+  report::write_section_2(out, run);
+  report::write_section_3(out, run);
+  report::write_alternatives(out, run);
+  plot("alternatives", "Section 3's alternatives: ball queries and memory against the number of balls");
+  report::write_section_4_2(out, run);
+  report::write_topology(out, run);
+  report::write_frames(out, run);
+  report::write_gradients(out, run);
+  report::write_scaling(out, run);
+  report::write_queries(out, run);
+}
+
 }  // namespace
 
 int main(int argc, char **argv) {
-  if (argc != 2) {
-    std::fprintf(stderr, "usage: write_report FOLDER > report.md\n");
+  const bool plots = argc == 3 && std::string(argv[1]) == "--plots";
+  if (argc != 2 && !plots) {
+    std::fprintf(stderr, "usage: write_report FOLDER > report.md\n       write_report --plots FOLDER\n");
     return 2;
   }
   try {
-    const std::filesystem::path folder(argv[1]);
-    const report::Run run = report::read_run(folder);
-    write_head(std::cout, run);
-    report::write_section_2(std::cout, run);
-    report::write_section_3(std::cout, run);
-    report::write_alternatives(std::cout, run);
-    report::write_section_4_2(std::cout, run);
-    report::write_topology(std::cout, run);
-    report::write_frames(std::cout, run);
-    report::write_gradients(std::cout, run);
-    report::write_goals(std::cout, run);
-    report::write_scaling(std::cout, run);
-    report::write_queries(std::cout, run);
-    report::write_peers(std::cout, run);
+    const std::filesystem::path folder(argv[argc - 1]);
+    if (plots) {
+      report::write_plot_data(folder / "plots", report::read_run(folder));
+    } else {
+      write_report(std::cout, folder);
+    }
   } catch (const std::exception &error) {
     std::fprintf(stderr, "write_report: %s\n", error.what());
     return 1;

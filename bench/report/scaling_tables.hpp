@@ -1,4 +1,4 @@
-// Time per atom over size, and how it stands against what was set as a goal.
+// Time per atom over size, and time per query.
 #pragma once
 
 #include <ostream>
@@ -13,8 +13,5 @@ void write_scaling(std::ostream &out, const Run &run);
 
 // Nanoseconds per query by kind and molecule.
 void write_queries(std::ostream &out, const Run &run);
-
-// The goals, and whether they are met.
-void write_goals(std::ostream &out, const Run &run);
 
 }  // namespace report

@@ -1,0 +1,263 @@
+#include "speed_goals.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "growth.hpp"
+#include "markdown.hpp"
+#include "surfaces.hpp"
+
+namespace report {
+namespace {
+
+const std::string set = "/sod_stand_in";
+
+// What is judged, of one run; nothing if it was not measured.
+using Figure = std::function<std::optional<double>(const Run &)>;
+
+// Nanoseconds per ball or query, the least of the repetitions.
+Figure least_time(const std::string &benchmark, const char *divisor = "atoms") {
+  return [=](const Run &run) -> std::optional<double> {
+    const Measurement *m = run.find(benchmark);
+    if (m == nullptr) return std::nullopt;
+    return m->least() / m->counter(divisor) * 1e9;
+  };
+}
+
+// The same of a counter in seconds.
+Figure least_part(const std::string &benchmark, const char *part) {
+  return [=](const Run &run) -> std::optional<double> {
+    const Measurement *m = run.find(benchmark);
+    if (m == nullptr || !m->counters.contains(part)) return std::nullopt;
+    const std::vector<double> &seconds = m->counters.at(part);
+    return *std::min_element(seconds.begin(), seconds.end()) / m->counter("atoms") * 1e9;
+  };
+}
+
+Figure sum(const Figure &first, const Figure &second) {
+  return [=](const Run &run) -> std::optional<double> {
+    const auto a = first(run);
+    const auto b = second(run);
+    if (!a || !b) return std::nullopt;
+    return *a + *b;
+  };
+}
+
+// The first that is measured.
+Figure either(const Figure &first, const Figure &second) {
+  return [=](const Run &run) {
+    const auto a = first(run);
+    return a ? a : second(run);
+  };
+}
+
+Figure per_atom(const std::string &benchmark, const char *counter) {
+  return [=](const Run &run) -> std::optional<double> {
+    const Measurement *m = run.find(benchmark);
+    if (m == nullptr) return std::nullopt;
+    return m->counter(counter) / m->counter("atoms");
+  };
+}
+
+// The least of some counters over some benchmarks, all of which must be there.
+Figure least_counter(const std::vector<std::string> &benchmarks, const std::vector<std::string> &counters) {
+  return [=](const Run &run) -> std::optional<double> {
+    double least = INFINITY;
+    for (const std::string &benchmark : benchmarks) {
+      const Measurement *m = run.find(benchmark);
+      for (const std::string &counter : counters) {
+        if (m == nullptr || !m->counters.contains(counter)) return std::nullopt;
+        least = std::min(least, m->counter(counter));
+      }
+    }
+    return least;
+  };
+}
+
+struct Stage {
+  const char *name;
+  std::string prefix_of_v, prefix_of_s;  // empty: not measured for that surface
+  Amount amount;
+};
+
+double median_seconds(const Measurement &m) {
+  return m.median();
+}
+
+Stage on_both_surfaces(const char *name, const std::string &suite, const std::string &part, const Amount &amount) {
+  return {name, suite + '/' + surfaces[0].name + '/' + part + '/', suite + '/' + surfaces[1].name + '/' + part + '/',
+          amount};
+}
+
+std::vector<Stage> timed_stages() {
+  std::vector<Stage> stages;
+  const std::pair<const char *, const char *> scaled[] = {{"model", "build"},
+                                                          {"neighbour lists", "pairs"},
+                                                          {"Steps 1 + 2", "boundary"},
+                                                          {"areas and volumes", "measure"},
+                                                          {"all of these but lists", "everything"}};
+  for (const auto &[name, part] : scaled) stages.push_back(on_both_surfaces(name, "scaling", part, median_seconds));
+  stages.push_back(on_both_surfaces("gradient", "gradients", "compute", counter_of("gradient_seconds")));
+  stages.push_back(on_both_surfaces("Step 3", "topology", "compute", counter_of("topology_seconds")));
+  stages.push_back({"frame G", "frames/", "", counter_of("g_seconds")});
+  return stages;
+}
+
+std::vector<Stage> stages_with_memory() {
+  const Amount boundary_bytes = [](const Measurement &m) { return m.counter("bytes_per_atom") * m.counter("atoms"); };
+  return {on_both_surfaces("boundary", "scaling", "boundary", boundary_bytes),
+          on_both_surfaces("topology", "topology", "compute", counter_of("bytes"))};
+}
+
+// The largest exponent of some stages.
+Figure largest_exponent(const std::vector<Stage> &stages) {
+  return [=](const Run &run) -> std::optional<double> {
+    double largest = -INFINITY;
+    for (const Stage &stage : stages) {
+      for (const std::string &prefix : {stage.prefix_of_v, stage.prefix_of_s}) {
+        if (prefix.empty()) continue;
+        const double fitted = growth_exponent(run, prefix, large_set, stage.amount);
+        if (std::isnan(fitted)) return std::nullopt;
+        largest = std::max(largest, fitted);
+      }
+    }
+    return largest;
+  };
+}
+
+enum class Kind {
+  time,      // at most; scales with version 0.1.0
+  at_most,   // a figure that is the same on every machine
+  at_least,  // likewise
+};
+
+struct Goal {
+  const char *what;
+  Kind kind;
+  double old_elsewhere;  // version 0.1.0 on the machine where the goals were set; 0: not measured there
+  double must, goal;
+  Figure figure;
+};
+
+std::vector<Goal> speed_goals() {
+  const std::array<std::string, 2> scaling = {"scaling/van_der_waals/", "scaling/solvent_accessible/"};
+  const std::array<std::string, 2> topology = {"topology/van_der_waals/compute" + set,
+                                               "topology/solvent_accessible/compute" + set};
+  const std::array<std::string, 2> gradients = {"gradients/van_der_waals/compute" + set,
+                                                "gradients/solvent_accessible/compute" + set};
+  const std::array<std::string, 2> peers = {"peers/surfaces/van_der_waals" + set,
+                                            "peers/surfaces/solvent_accessible" + set};
+  const auto steps = [&](size_t s) {
+    return sum(least_time(scaling[s] + "build" + set), least_time(scaling[s] + "boundary" + set));
+  };
+  const auto everything = [&](size_t s) { return least_time(scaling[s] + "everything" + set); };
+  const auto with_step_3 = [&](size_t s) { return sum(everything(s), least_part(topology[s], "topology_seconds")); };
+  const auto lists = [&](size_t s) {  // version 0.1.0 can only be asked ball by ball
+    return either(least_time(scaling[s] + "pairs" + set), least_time(scaling[s] + "lists" + set));
+  };
+  const auto gradient = [&](size_t s) { return least_part(gradients[s], "gradient_seconds"); };
+  const Figure frame = [](const Run &run) -> std::optional<double> {
+    const double largest = largest_amount(run, "frames/", 1000, counter_of("g_ratio"));
+    return std::isnan(largest) ? std::nullopt : std::optional(largest);
+  };
+  return {
+      {"model and Steps 1 + 2, v", Kind::time, 1770, 720, 450, steps(0)},
+      {"model and Steps 1 + 2, s", Kind::time, 6320, 1200, 800, steps(1)},
+      {"with areas and volumes, v", Kind::time, 2160, 1000, 600, everything(0)},
+      {"with areas and volumes, s", Kind::time, 6530, 1380, 950, everything(1)},
+      {"and with Step 3, v", Kind::time, 3000, 1550, 900, with_step_3(0)},
+      {"and with Step 3, s", Kind::time, 6700, 1520, 1050, with_step_3(1)},
+      {"CGAL's alpha complex over areas and volumes, v", Kind::at_least, 6.4, 11, 20,
+       least_counter({peers[0]}, {"cgal_alpha_ratio"})},
+      {"CGAL's alpha complex over areas and volumes, s", Kind::at_least, 2.4, 8, 12,
+       least_counter({peers[1]}, {"cgal_alpha_ratio"})},
+      {"FreeSASA L&R 20 over areas and volumes, v", Kind::at_least, 3.5, 6, 10,
+       least_counter({peers[0]}, {"freesasa_lr20_ratio"})},
+      {"FreeSASA L&R 20 over areas and volumes, s", Kind::at_least, 5.5, 20, 30,
+       least_counter({peers[1]}, {"freesasa_lr20_ratio"})},
+      {"gradient of everything, v", Kind::time, 430, 250, 120, gradient(0)},
+      {"gradient of everything, s", Kind::time, 210, 120, 60, gradient(1)},
+      {"point query near atoms", Kind::time, 163, 70, 40, least_time("queries/point_atom" + set, "queries")},
+      {"ball query near atoms", Kind::time, 386, 150, 90, least_time("queries/ball_atom" + set, "queries")},
+      {"neighbour lists, v", Kind::time, 295, 120, 60, lists(0)},
+      {"neighbour lists, s", Kind::time, 1430, 300, 150, lists(1)},
+      {"nanoflann or gemmi over a query near atoms, least", Kind::at_least, 0, 2, 5,
+       least_counter({"peers/queries/point_atom" + set, "peers/queries/ball_atom" + set},
+                     {"nanoflann_ratio", "gemmi_ratio"})},
+      {"frame G / analytic z-buffer, from 1,000 balls, largest", Kind::at_most, 4.9, 3, 1.5, frame},
+      {"exponent of time from 4,000 balls, largest of all stages", Kind::at_most, 1.13, 1.05, 1.02,
+       largest_exponent(timed_stages())},
+      {"exponent of memory from 4,000 balls, largest", Kind::at_most, 0, 1.05, 1.02,
+       largest_exponent(stages_with_memory())},
+      {"bytes per ball of the topology, v", Kind::at_most, 925, 600, 370, per_atom(topology[0], "bytes")},
+      {"bytes per ball of the topology, s", Kind::at_most, 334, 300, 230, per_atom(topology[1], "bytes")},
+      {"lattice, four spheres through every vertex", Kind::time, 10500, 9500, 5000,
+       least_time("degenerate/everything/cubic_lattice")},
+  };
+}
+
+std::string shown(const std::optional<double> &value) {
+  return value ? three_digits(*value) : "-";
+}
+
+std::string verdict(const Goal &goal, double value, double must, double best) {
+  const auto kept = [&](double limit) { return goal.kind == Kind::at_least ? value >= limit : value <= limit; };
+  return kept(best) ? "goal" : kept(must) ? "must" : "**missed**";
+}
+
+}  // namespace
+
+void write_speed_goals(std::ostream &out, const Run &run, const Run *old) {
+  out << "## Goals\n\nThe stand-in for SOD, 4392 balls, one thread; nanoseconds per ball or query, the least of the "
+         "repetitions, or ratios; v: van\nder Waals, s: solvent-accessible. ";
+  if (old != nullptr) {
+    out << "Version 0.1.0 ran in the same run. The limits were set on another machine; those that are times\nare "
+           "scaled here by what that version takes on the two machines.\n\n";
+  } else {
+    out << "The limits were set on another machine, and version 0.1.0 did not run: those\nthat are times stand as they "
+           "were set there, and are not judged.\n\n";
+  }
+  Table table({"what", "0.1.0 there", "0.1.0 here", "now", "must", "goal", "verdict"});
+  for (const Goal &goal : speed_goals()) {
+    const auto now = goal.figure(run);
+    const auto before = old != nullptr ? goal.figure(*old) : std::nullopt;
+    const bool scales = goal.kind == Kind::time;
+    const double scale = scales && before ? *before / goal.old_elsewhere : 1;
+    const double must = goal.must * scale;
+    const double best = goal.goal * scale;
+    table.row({goal.what, goal.old_elsewhere > 0 ? three_digits(goal.old_elsewhere) : "-", shown(before), shown(now),
+               three_digits(must), three_digits(best),
+               !now                ? "not measured"
+               : scales && !before ? "-"
+                                   : verdict(goal, *now, must, best)});
+  }
+  table.write(out);
+  out << "Calls of the exact stage on molecules are counted by the test unit_exact_stage_counters. Threads are the "
+         "caller's:\nnothing here uses two.\n\n";
+}
+
+void write_exponents(std::ostream &out, const Run &run) {
+  out << "### Exponents\n\nThe exponent e of n^e, by least squares over logarithms, of the sets of 4,000 to a million "
+         "balls. 1 is linear.\n\n";
+  Table table({"what", "van der Waals", "solvent-accessible"});
+  const auto add = [&](const std::string &kind, const std::vector<Stage> &stages) {
+    for (const Stage &stage : stages) {
+      std::vector<std::string> cells{kind + stage.name};
+      for (const std::string &prefix : {stage.prefix_of_v, stage.prefix_of_s}) {
+        const double fitted = growth_exponent(run, prefix, large_set, stage.amount);
+        cells.push_back(prefix.empty() || std::isnan(fitted) ? "-" : fixed(fitted, 3));
+      }
+      table.row(cells);
+    }
+  };
+  add("time: ", timed_stages());
+  add("memory: ", stages_with_memory());
+  table.write(out);
+}
+
+}  // namespace report
