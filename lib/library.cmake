@@ -7,7 +7,7 @@ set(HSP_LIBRARY_SOURCES
   lib/exact/exact_predicates.cpp
   lib/model/ball_set.cpp
   lib/model/cube_grid.cpp
-  lib/model/cube_order.cpp
+  lib/model/grid_order.cpp
   lib/model/element_radii.cpp
   lib/model/neighbour_lists.cpp
   lib/model/packing_statistics.cpp

@@ -33,7 +33,7 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_VERSION_NUMBER = 200_c_int32_t
   character(*), parameter :: HSP_VERSION_STRING = '0.2.0'
   integer(c_int32_t), parameter :: HSP_ABI_NUMBER = 1_c_int32_t
-  integer(c_int32_t), parameter :: HSP_NUMERICS_NUMBER = 1_c_int32_t
+  integer(c_int32_t), parameter :: HSP_NUMERICS_NUMBER = 2_c_int32_t
 
   integer(c_int32_t), parameter :: HSP_OK = 0_c_int32_t
   integer(c_int32_t), parameter :: HSP_E_ARGUMENT = -1_c_int32_t

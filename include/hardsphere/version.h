@@ -33,7 +33,7 @@ extern "C" {
 #define HSP_ABI_NUMBER 1
 
 /** The bits of the results that the library of this header gives. */
-#define HSP_NUMERICS_NUMBER 1
+#define HSP_NUMERICS_NUMBER 2
 
 /** HSP_VERSION_NUMBER of the library that was linked. */
 HSP_API uint32_t hsp_version(void);

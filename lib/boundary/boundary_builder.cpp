@@ -3,6 +3,7 @@
 #include "boundary/components.hpp"
 #include "boundary/half_edge_links.hpp"
 #include "boundary/shells.hpp"
+#include "model/block_sweep.hpp"
 
 namespace hsp {
 
@@ -48,8 +49,9 @@ void BoundaryBuilder::find_vertices(const CubeGrid &grid) {
   a.components = DisjointSets(a.component_parent.part(0, balls.n));
   a.components.reset();
   needed_.neighbours = 0;
+  BlockSweep sweep(grid);
   for (uint32_t cube = 0; cube < grid.cubes(); ++cube) {
-    const CubeBlock block = grid.block_around(grid.table().coordinates(cube));
+    const CubeBlock &block = sweep.block_around(cube);
     const BallRange own = grid.balls_in(cube);
     for (uint32_t i = own.first; i < own.last; ++i) {
       caps_.gather(balls, block, i, &a.components);

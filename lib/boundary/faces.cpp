@@ -74,12 +74,11 @@ void FaceFinder::visit_caps(const Caps &caps) {
 
 // If a sphere has a free point, its free faces and its clusters alternate around the loops as the nodes of a tree whose
 // edges are the loops (the sphere less disjoint closed curves). Hence #faces = #loops - #clusters + 1.
-void FaceFinder::join_loops(const CubeGrid &grid, const Boundary &boundary, uint32_t ball, Caps &caps,
-                            DisjointSets &loops) {
-  const BallSet &balls = grid.balls();
+void FaceFinder::join_loops(const BallSet &balls, BlockSweep &sweep, const Boundary &boundary, uint32_t ball,
+                            Caps &caps, DisjointSets &loops) {
   uint32_t clusters = cluster_count_[ball];
   const auto gather_again = [&]() {
-    caps.gather(balls, grid.block_around(grid.cube_at(balls.ball(ball).centre)), ball, nullptr);
+    caps.gather(balls, sweep.block_around_ball(ball), ball, nullptr);
     clusters = clusters_.find(caps);
   };
   if (clusters == not_counted) gather_again();
@@ -94,6 +93,7 @@ void FaceFinder::join_loops(const CubeGrid &grid, const Boundary &boundary, uint
 void FaceFinder::find(const CubeGrid &grid, const Boundary &boundary, BoundaryArrays &arrays, Caps &caps,
                       Span<uint32_t> scratch) {
   arrays.face_count = 0;
+  BlockSweep sweep(grid);
   for (uint32_t i = 0; i < arrays.balls; ++i) {
     arrays.first_face[i] = arrays.face_count;
     const IdRange loops = boundary.loops(i);
@@ -106,7 +106,7 @@ void FaceFinder::find(const CubeGrid &grid, const Boundary &boundary, BoundaryAr
     // Smaller numbers stay representatives.
     DisjointSets sets(scratch.part(0, loops.size()));
     sets.reset();
-    if (loops.size() > 1) join_loops(grid, boundary, i, caps, sets);
+    if (loops.size() > 1) join_loops(grid.balls(), sweep, boundary, i, caps, sets);
     if (!number_faces(sets, i, loops, arrays)) {
       sort_loops_by_face(boundary, i, {arrays.first_face[i], arrays.face_count}, arrays, scratch);
     }

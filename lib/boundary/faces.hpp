@@ -2,6 +2,7 @@
 #pragma once
 
 #include "boundary/boundary.hpp"
+#include "model/block_sweep.hpp"
 #include "sphere/cap_clusters.hpp"
 #include "sphere/great_circles.hpp"
 
@@ -20,7 +21,8 @@ class FaceFinder {
   void find(const CubeGrid &grid, const Boundary &boundary, BoundaryArrays &arrays, Caps &caps, Span<uint32_t> scratch);
 
  private:
-  void join_loops(const CubeGrid &grid, const Boundary &boundary, uint32_t ball, Caps &caps, DisjointSets &loops);
+  void join_loops(const BallSet &balls, BlockSweep &sweep, const Boundary &boundary, uint32_t ball, Caps &caps,
+                  DisjointSets &loops);
   void join_loops_by_meridians(Caps &caps, const Boundary &boundary, DisjointSets &loops);
 
   CapClusters clusters_;

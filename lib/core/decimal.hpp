@@ -13,11 +13,12 @@ constexpr double power_of_ten[largest_power_of_ten + 1] = {1e0,  1e1,  1e2,  1e3
                                                            1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
                                                            1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 
-// Nearest integer, halves away from zero, for |x| < 2^62.
+// Nearest integer, halves away from zero, for |x| < 2^62. Without a branch: which way a coordinate is rounded cannot be
+// predicted.
 inline int64_t nearest(double x) {
   const int64_t truncated = static_cast<int64_t>(x);
   const double rest = x - static_cast<double>(truncated);
-  return truncated + (rest >= 0.5 ? 1 : 0) - (rest <= -0.5 ? 1 : 0);
+  return truncated + static_cast<int64_t>(rest >= 0.5) - static_cast<int64_t>(rest <= -0.5);
 }
 
 }  // namespace hsp

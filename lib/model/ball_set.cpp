@@ -55,19 +55,28 @@ Status BallRounding::prepare(const BallInput &input, uint32_t &first_bad) {
 }
 
 Status BallRounding::round(uint32_t i, exact::LatticeBall &ball) const {
-  double steps[3];
-  for (uint32_t axis = 0; axis < 3; ++axis) {
-    const double coordinate = input_.xyz[3 * static_cast<size_t>(i) + axis];
-    if (!is_finite(coordinate)) return Status::not_finite;
-    steps[axis] = lattice_.steps(coordinate);
-    if (!(steps[axis] <= exact::coordinate_limit && steps[axis] >= -exact::coordinate_limit)) return Status::range;
-  }
+  const double *const xyz = input_.xyz + 3 * static_cast<size_t>(i);
+  const double x = lattice_.steps(xyz[0]);
+  const double y = lattice_.steps(xyz[1]);
+  const double z = lattice_.steps(xyz[2]);
   const double radius = lattice_.steps(input_.radius[i]);
-  if (!(radius < exact::radius_limit)) return Status::range;
-  ball.centre = {nearest(steps[0]), nearest(steps[1]), nearest(steps[2])};
+  // False for NaN and infinities, too. One branch for all: what is wrong is asked only then.
+  const bool on_lattice = (std::fabs(x) <= exact::coordinate_limit) & (std::fabs(y) <= exact::coordinate_limit) &
+                          (std::fabs(z) <= exact::coordinate_limit) & (radius < exact::radius_limit);
+  if (!on_lattice) return why_refused(xyz);
+  ball.centre = {nearest(x), nearest(y), nearest(z)};
   ball.radius = nearest(radius) + probe_steps_;
   ball.index = i;
   return static_cast<double>(ball.radius) < exact::radius_limit ? Status::ok : Status::range;
+}
+
+// The first coordinate that has no place on the lattice decides; the radius is finite.
+Status BallRounding::why_refused(const double *xyz) const {
+  for (uint32_t axis = 0; axis < 3; ++axis) {
+    if (!is_finite(xyz[axis])) return Status::not_finite;
+    if (!(std::fabs(lattice_.steps(xyz[axis])) <= exact::coordinate_limit)) return Status::range;
+  }
+  return Status::range;
 }
 
 }  // namespace hsp

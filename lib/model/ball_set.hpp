@@ -34,6 +34,8 @@ class BallRounding {
   int64_t expected_radius() const { return expected_radius_; }
 
  private:
+  Status why_refused(const double *xyz) const;
+
   BallInput input_;
   exact::Lattice lattice_;
   int64_t probe_steps_ = 0;

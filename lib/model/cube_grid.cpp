@@ -1,29 +1,12 @@
 #include "model/cube_grid.hpp"
 
 #include "core/processor.hpp"
-#include "core/sorting.hpp"
-#include "model/cube_order.hpp"
+#include "model/grid_order.hpp"
 
 namespace hsp {
-namespace {
-
-// floor(value / side) for |value| < 2^52. The estimate has an error below |value| 2^-52 / side < 1 / side, while a
-// quotient that is no integer is at least 1 / side away from the next one: so truncation is off by at most one, and the
-// sign and size of the remainder show it.
-int64_t floor_divide(int64_t value, int64_t side, double reciprocal) {
-  int64_t quotient = static_cast<int64_t>(static_cast<double>(value) * reciprocal);
-  const int64_t rest = value - quotient * side;
-  if (rest < 0) --quotient;
-  if (rest >= side) ++quotient;
-  return quotient;
-}
-
-}  // namespace
 
 CubeCoordinates CubeGrid::cube_at(const exact::Vector &point, int64_t side) {
-  const double reciprocal = 1.0 / static_cast<double>(side);
-  return {floor_divide(point.x, side, reciprocal), floor_divide(point.y, side, reciprocal),
-          floor_divide(point.z, side, reciprocal)};
+  return CubeAxis(side).cube_at(point);
 }
 
 void CubeGrid::carve(Workspace &workspace, uint32_t n) {
@@ -45,7 +28,6 @@ void CubeGrid::carve(Workspace &workspace, uint32_t n) {
   balls_.caller = workspace.take<uint32_t>(static_cast<uint64_t>(n) + BallSet::read_behind);
   scratch_slots_ = workspace.take<uint32_t>(CubeTable::slots_for(n));
   scratch_links_ = workspace.take<uint32_t>(n);
-  scratch_order_ = workspace.take<uint32_t>(n);
 }
 
 void CubeGrid::clear() {
@@ -64,8 +46,8 @@ Status CubeGrid::build(const BallInput &input, uint32_t &first_bad) {
   BallRounding rounding;
   if (const Status status = rounding.prepare(input, first_bad); status != Status::ok) return status;
 
-  // Every ball is rounded three times: for r_max and the side of the cubes, for its cube, and for storing it.
-  // That is cheaper than a second copy of the set.
+  // Every ball is rounded twice, in the order of the input for r_max and the cubes, and then into its place: that is
+  // cheaper than a second copy of the set.
   int64_t largest = 0;
   exact::LatticeBall ball;
   for (uint32_t i = 0; i < input.n; ++i) {
@@ -73,7 +55,8 @@ Status CubeGrid::build(const BallInput &input, uint32_t &first_bad) {
       first_bad = i;
       return status;
     }
-    if (ball.radius > largest) largest = ball.radius;
+    balls_.store(i, ball);
+    largest = ball.radius > largest ? ball.radius : largest;
   }
   const int64_t radius = rounding.expected_radius() > largest ? rounding.expected_radius() : largest;
   side_ = radius > 0 ? 2 * radius : 1;
@@ -82,28 +65,22 @@ Status CubeGrid::build(const BallInput &input, uint32_t &first_bad) {
   balls_.probe_steps = rounding.probe_steps();
   balls_.largest_radius = largest;
 
-  // A counting sort by cube. Until its last pass grid_index_ holds the numbers of the cubes.
+  const CubeAxis axis(side_);
+  const Span<uint32_t> order = grid_order(
+      balls_, axis,
+      {scratch_slots_.part(0, input.n), scratch_slots_.part(input.n, 2 * input.n), grid_index_, first_ball_});
   table_.clear(input.n);
-  for (uint32_t i = 0; i < input.n; ++i) {
-    static_cast<void>(rounding.round(i, ball));
-    grid_index_[i] = table_.find_or_insert(cube_at(ball.centre, side_));
-  }
-  order_cubes_by_rows(table_, {scratch_slots_, scratch_links_, scratch_order_});
-  for (uint32_t cube = 0; cube <= table_.count(); ++cube) first_ball_[cube] = 0;
-  for (uint32_t i = 0; i < input.n; ++i) {
-    grid_index_[i] = scratch_links_[grid_index_[i]];
-    ++first_ball_[grid_index_[i] + 1];
-  }
-  for (uint32_t cube = 0; cube < table_.count(); ++cube) first_ball_[cube + 1] += first_ball_[cube];
-  for (uint32_t i = 0; i < input.n; ++i) {
-    static_cast<void>(rounding.round(i, ball));
-    const uint32_t place = first_ball_[grid_index_[i]]++;
+  for (uint32_t place = 0; place < input.n; ++place) {
+    static_cast<void>(rounding.round(order[place], ball));
     balls_.store(place, ball);
-    grid_index_[i] = place;
+    grid_index_[order[place]] = place;
+    const CubeCoordinates cube = axis.cube_at(ball.centre);
+    if (place == 0 || !(cube == table_.coordinates(table_.count() - 1))) {
+      first_ball_[table_.count()] = place;
+      table_.append(cube);
+    }
   }
-  // The running starts have become the ends: shift them back by one cube.
-  for (uint32_t cube = table_.count(); cube > 0; --cube) first_ball_[cube] = first_ball_[cube - 1];
-  first_ball_[0] = 0;
+  first_ball_[table_.count()] = input.n;
   make_row_directory();
   return Status::ok;
 }
@@ -133,8 +110,6 @@ CubeBlock CubeGrid::block_around(const CubeCoordinates &centre) const {
       if (!range.empty()) block.range[block.ranges++] = range;
     }
   }
-  sort_in_place(Span<BallRange>(block.range, block.ranges),
-                [](const BallRange &a, const BallRange &b) { return a.first < b.first; });
   return block;
 }
 

@@ -1,6 +1,6 @@
-// The balls of a set, sorted by cubes of side 2 r_max (Section 3). Each ball is stored once, in the cube of its centre:
-// the centres of two balls that meet are in the same cube or in neighbouring ones, so 27 cubes hold all neighbours of a
-// ball.
+// The balls of a set, sorted by cubes of side 2 r_max (Section 3), in the order of grid_order.hpp. Each ball is stored
+// once, in the cube of its centre: the centres of two balls that meet are in the same cube or in neighbouring ones, so
+// 27 cubes hold all neighbours of a ball.
 #pragma once
 
 #include "core/workspace.hpp"
@@ -33,7 +33,9 @@ class CubeGrid {
   uint32_t grid_index(uint32_t caller) const { return grid_index_[caller]; }
 
   uint32_t cubes() const { return table_.count(); }
-  BallRange balls_in(uint32_t cube) const { return {first_ball_[cube], first_ball_[cube + 1]}; }
+  BallRange balls_in(uint32_t cube) const { return balls_of(cube, cube + 1); }
+  // Of cubes first .. last - 1.
+  BallRange balls_of(uint32_t first, uint32_t last) const { return {first_ball_[first], first_ball_[last]}; }
   CubeCoordinates cube_at(const exact::Vector &point) const { return cube_at(point, side_); }
   static CubeCoordinates cube_at(const exact::Vector &point, int64_t side);
   // The balls of the cubes (x_low .. x_high, y, z).
@@ -63,7 +65,7 @@ class CubeGrid {
   RowDirectory rows_;
   Span<uint32_t> first_ball_;  // [cubes + 1]
   Span<uint32_t> grid_index_;  // [n] caller -> grid order
-  Span<uint32_t> scratch_slots_, scratch_links_, scratch_order_;
+  Span<uint32_t> scratch_slots_, scratch_links_;
   uint32_t capacity_ = 0;
   int64_t side_ = 1;
   bool wide_ = false;

@@ -65,37 +65,14 @@ class CubeTable {
       if (number == no_id || cubes_[number] == cube) return number;
     }
   }
-  uint32_t find_or_insert(const CubeCoordinates &cube) {
+  // Gives the next number to a cube that is not there yet.
+  void append(const CubeCoordinates &cube) {
     uint32_t length = 1;
-    for (CubeProbe probe(linear_hash(cube), used_slots_);; probe.next(), ++length) {
-      const uint32_t number = slots_[probe.slot];
-      if (number != no_id && cubes_[number] == cube) return number;
-      if (number == no_id) {
-        slots_[probe.slot] = count_;
-        cubes_[count_] = cube;
-        if (length > longest_probe_) longest_probe_ = length;
-        return count_++;
-      }
-    }
-  }
-
-  // Gives cube k the number new_number[k]; old_number is the inverse permutation and is overwritten.
-  void renumber(Span<uint32_t> new_number, Span<uint32_t> old_number) {
-    for (uint32_t k = 0; k < used_slots_; ++k) {
-      if (slots_[k] != no_id) slots_[k] = new_number[slots_[k]];
-    }
-    for (uint32_t start = 0; start < count_; ++start) {
-      const CubeCoordinates moved = cubes_[start];
-      uint32_t hole = start;
-      while (old_number[hole] != start) {
-        const uint32_t source = old_number[hole];
-        cubes_[hole] = cubes_[source];
-        old_number[hole] = hole;
-        hole = source;
-      }
-      cubes_[hole] = moved;
-      old_number[hole] = hole;
-    }
+    CubeProbe probe(linear_hash(cube), used_slots_);
+    for (; slots_[probe.slot] != no_id; probe.next()) ++length;
+    slots_[probe.slot] = count_;
+    cubes_[count_++] = cube;
+    if (length > longest_probe_) longest_probe_ = length;
   }
 
   uint32_t count() const { return count_; }

@@ -1,5 +1,7 @@
 #include "model/packing_statistics.hpp"
 
+#include "model/block_sweep.hpp"
+
 namespace hsp {
 namespace {
 
@@ -93,8 +95,9 @@ PackingStatistics packing_statistics(CubeGrid &grid) {
   // Overlaps, and the closest pair among neighbouring cubes.
   ClosestPair closest;
   uint64_t overlaps = 0;
+  BlockSweep sweep(grid);
   for (uint32_t cube = 0; cube < grid.cubes(); ++cube) {
-    const CubeBlock block = grid.block_around(grid.table().coordinates(cube));
+    const CubeBlock &block = sweep.block_around(cube);
     const BallRange own = grid.balls_in(cube);
     for (uint32_t i = own.first; i < own.last; ++i) {
       uint32_t count = 0;

@@ -1,5 +1,7 @@
 #include "topology/cut_arcs.hpp"
 
+#include "model/block_sweep.hpp"
+
 namespace hsp {
 namespace {
 
@@ -42,20 +44,13 @@ void CutArcFinder::carve(Workspace &workspace, uint32_t neighbours, uint32_t edg
 void CutArcFinder::find(const CubeGrid &grid, const Boundary &boundary, GatheredBall &gathered,
                         FixedVector<CutArc> &arcs) {
   arcs.clear();
-  // Balls of one cube follow each other and share the block of cubes around it.
   uint32_t gathered_ball = no_id;
-  BallRange cube_balls{0, 0};
-  CubeBlock block;
+  BlockSweep sweep(grid);
   for (uint32_t face = 0; face < boundary.face_count(); ++face) {
     if (boundary.loops_of_face(face).size() < 2) continue;
     const uint32_t i = boundary.face(face).ball;
     if (i != gathered_ball) {
-      if (i >= cube_balls.last) {
-        const CubeCoordinates cube = GatheredBall::cube_of(grid, i);
-        cube_balls = grid.balls_in_row(cube.x, cube.x, cube.y, cube.z);
-        block = grid.block_around(cube);
-      }
-      gathered.gather(grid, block, i);
+      gathered.gather(grid, sweep.block_around_ball(i), i);
       gathered_ball = i;
     }
     cut_face(boundary, face, gathered, arcs);

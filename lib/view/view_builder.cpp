@@ -1,5 +1,6 @@
 #include "view/view_builder.hpp"
 
+#include "model/block_sweep.hpp"
 #include "view/piece_arcs.hpp"
 
 namespace hsp {
@@ -35,12 +36,12 @@ void ViewBuilder::cut_pieces(const CubeGrid &grid, const Boundary *boundary) {
   structure_.loops.clear();
   structure_.arcs.clear();
   needed_.neighbours = 0;
+  BlockSweep sweep(grid);
   for (uint32_t cube = 0; cube < grid.cubes(); ++cube) {
-    CubeBlock block;
     const BallRange own = grid.balls_in(cube);
     for (uint32_t i = own.first; i < own.last; ++i) {
       if (visible_[i] == 0) continue;
-      if (block.ranges == 0) block = grid.block_around(grid.table().coordinates(cube));
+      const CubeBlock &block = sweep.block_around(cube);
       if (kind_ == PieceKind::outside_all) {
         piece_.cut_faces(balls, block, *boundary, direction, i);
       } else {

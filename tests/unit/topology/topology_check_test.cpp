@@ -32,7 +32,7 @@ oracle::Balls scene() {
   balls.push_back({20000, 1000, 0, 150});
   balls.push_back({20000, 600, 800, 120});
   balls.push_back({0, 20000, 0, 777});
-  return joined(balls, oracle::moved(oracle::balls_on_sphere(1, 1000, 850), {0, -20000, 0}));
+  return joined(balls, oracle::moved(oracle::balls_on_sphere(1, 1000, 850), {0, 0, 20000}));
 }
 
 TopologyViolation checked(BuiltTopology &built) {
