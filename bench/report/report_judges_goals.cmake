@@ -35,7 +35,7 @@ add_results(topology/${v}/sod_stand_in atoms=1000 topology_seconds=0.001 bytes=6
 add_results(topology/${s}/sod_stand_in atoms=1000 topology_seconds=0.001 bytes=300001.0)
 add_results(gradients/${v}/sod_stand_in atoms=1000 gradient_seconds=0.0005)
 add_results(gradients/${s}/sod_stand_in atoms=1000 gradient_seconds=0.000119)
-add_results(queries/point_atom/sod_stand_in queries=1000)
+add_results(queries/point_atom/sod_stand_in queries=800)
 add_results(peers/surfaces/van_der_waals/sod_stand_in atoms=1000 cgal_alpha_ratio=11.0 freesasa_lr20_ratio=5.99)
 string(SUBSTRING "${entries}" 1 -1 entries)
 file(WRITE ${folder}/made_up.json "{\"context\": {\"load_avg\": [1.75, 1, 1]}, \"benchmarks\": [${entries}]}")
@@ -54,7 +54,7 @@ string(REGEX REPLACE " +" " " report "${report}")
 foreach(text
     "| gradient of everything, v | 430 | 860 | 500 | 500 | 240 | must |"
     "| gradient of everything, s | 210 | 420 | 119 | 240 | 120 | goal |"
-    "| point query near atoms | 163 | - | 1.00 | 70.0 | 40.0 | - |"
+    "| point query near atoms | 163 | - | 1.25 | 70.0 | 40.0 | - |"
     "| bytes per ball of the topology, v | 925 | - | 600 | 600 | 370 | must |"
     "| bytes per ball of the topology, s | 334 | - | 300 | 300 | 230 | **missed** |"
     "| CGAL's alpha complex over areas and volumes, v | 6.40 | - | 11.0 | 11.0 | 20.0 | must |"
