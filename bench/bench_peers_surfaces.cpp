@@ -19,6 +19,7 @@ namespace bench {
 namespace {
 
 constexpr int turns = 5;
+constexpr int turns_of_largest = 3;  // seconds each
 
 // Areas and volumes of some sets by a program that shares nothing with the library: free angles of circles in slices,
 // summed over the heights, as tests/oracle/slice_quadrature.hpp does. That takes minutes, so that it was done once.
@@ -126,7 +127,7 @@ void register_suite() {
       register_case("peers/surfaces/" + key, recipe,
                     [key](benchmark::State &state, Subject &subject) { surfaces_by_turns(state, subject, key); })
           ->Unit(benchmark::kMicrosecond)
-          ->Iterations(turns);
+          ->Iterations(size.name.ends_with("_x27") ? turns_of_largest : turns);
     }
   }
 #ifdef BENCH_CGAL

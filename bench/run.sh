@@ -7,7 +7,7 @@
 #            library, if it is in the repository's history
 # Missing packages are installed with apt-get (as root, or through sudo). The environment variable BENCH_BUILD names
 # another folder to build in. Takes five to ten minutes, once the machine has come to rest after building.
-# The report and its plots are committed with: cp -r build/bench/report/report.md build/bench/report/plots bench/
+# What is committed of it are bench/report.md and bench/plots/*.svg.
 set -euo pipefail
 
 quick=no
@@ -32,7 +32,10 @@ if [ "$peers" = yes ]; then install_optional_packages "${packages_of_peers[@]}";
 
 cmake -S "$source_folder" -B "$build_folder" -G Ninja -DCMAKE_BUILD_TYPE=Release -DHSP_BENCH=ON \
   -DHSP_TESTS=OFF -DHSP_TOOL=OFF -DHSP_FUZZ=OFF -DHSP_FORTRAN=OFF -DHSP_BENCH_PEERS=$peers
-cmake --build "$build_folder"
+suites=(bench_paper_section_2 bench_paper_section_3 bench_section_3_alternatives bench_paper_section_4_2
+  bench_paper_section_5_1 bench_topology bench_gradients bench_scaling bench_queries bench_degenerate)
+if [ "$peers" = yes ]; then suites+=(bench_peers_surfaces bench_peers_queries); fi
+cmake --build "$build_folder" --target "${suites[@]}" write_report
 
 # Version 0.1.0, with its own benchmarks and the one for lattices, which it had not.
 old_version=cb10991
@@ -94,8 +97,8 @@ run_suite bench_paper_section_3 5 0.02
 run_suite bench_section_3_alternatives 3 0.02
 run_suite bench_paper_section_4_2 5 0.02
 run_suite bench_paper_section_5_1 5 0.02
-run_suite bench_topology 7 0.05
-run_suite bench_gradients 7 0.05
+run_suite bench_topology 5 0.05
+run_suite bench_gradients 5 0.05
 run_suite bench_scaling 3 0.02
 run_suite bench_queries 5 0.02
 run_suite bench_degenerate 5 0.02
@@ -108,7 +111,7 @@ fi
 if [ "$old" = yes ]; then
   mkdir "$report_folder/0.1.0"
   run_old() {
-    run_program "$old_folder/build/bench/$1" "$report_folder/0.1.0/$1.json" 7 0.05 --benchmark_filter="$2"
+    run_program "$old_folder/build/bench/$1" "$report_folder/0.1.0/$1.json" 5 0.05 --benchmark_filter="$2"
   }
   run_old bench_scaling '/(build|lists|boundary|everything)/sod_stand_in$'
   run_old bench_queries '_atom/sod_stand_in$'
@@ -125,4 +128,5 @@ else
   printf 'no plots: gnuplot is not installed\n'
 fi
 "$build_folder/bench/write_report" "$report_folder" >"$report_folder/report.md"
-printf 'The report is %s\n' "$report_folder/report.md"
+printf 'The report is %s\nTo commit it:\n' "$report_folder/report.md"
+printf '  mkdir -p bench/plots; cp %s bench/; cp %s bench/plots/\n' "$report_folder/report.md" "$report_folder/plots/*.svg"
