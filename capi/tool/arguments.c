@@ -172,6 +172,18 @@ static bool take_grouping(struct reading *reading, const char *value) {
   return true;
 }
 
+static bool take_surface(struct reading *reading, const char *value) {
+  struct request *request = reading->request;
+  if (!option_value(&reading->options, "--surface", &value, "sas or ses")) return false;
+  if (request->surface_seen) return failure_in_usage(reading->failure, "--surface is given twice");
+  request->surface_seen = true;
+  request->excluded_surface = strcmp(value, "ses") == 0;
+  if (request->excluded_surface || strcmp(value, "sas") == 0) return true;
+  char shown[EXCERPT_BYTES];
+  return failure_in_usage(reading->failure, "--surface: '%s' is neither sas nor ses",
+                          excerpt(shown, value, strlen(value)));
+}
+
 /* The options of `measure` alone; *known tells whether it is one of them. */
 static bool take_measure_option(struct reading *reading, const char *argument, bool *known) {
   struct request *request = reading->request;
@@ -188,6 +200,7 @@ static bool take_measure_option(struct reading *reading, const char *argument, b
     return true;
   }
   if (option_is(argument, "--by", &value)) return take_grouping(reading, value);
+  if (option_is(argument, "--surface", &value)) return take_surface(reading, value);
   if (option_is(argument, "--interface", &value)) {
     if (!option_value(&reading->options, "--interface", &value, "two groups of chains: A,B or A+B,C")) return false;
     if (request->interface != NULL) return failure_in_usage(reading->failure, "--interface is given twice");
@@ -317,6 +330,18 @@ static bool check_measure(struct reading *reading) {
   if (request->csv && (request->polar || request->interface != NULL)) {
     return failure_in_usage(reading->failure, "--csv prints one table, of balls or of groups: %s has no place in it",
                             request->polar ? "--polar" : "--interface");
+  }
+  if (request->surface_seen && request->probe == 0.0) {
+    return failure_in_usage(reading->failure, "--surface needs a probe, --probe 1.4");
+  }
+  if (request->excluded_surface &&
+      (request->gradient || request->weights != NULL || request->relative || request->interface != NULL)) {
+    return failure_in_usage(reading->failure,
+                            "%s is of the solvent-accessible surface: it has no use with --surface ses",
+                            request->gradient          ? "--gradient"
+                            : request->weights != NULL ? "--weights"
+                            : request->relative        ? "--relative"
+                                                       : "--interface");
   }
   if (request->pdb_out != NULL && request->format != FORMAT_PDB) {
     return failure_in_usage(reading->failure, "--pdb-out has no use here: it writes a .pdb file again");

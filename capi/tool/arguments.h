@@ -32,6 +32,8 @@ struct request {
   bool gradient;
   bool polar;
   bool relative;
+  bool surface_seen;
+  bool excluded_surface; /* measure the solvent-excluded surface instead of the boundary */
   const char *interface; /* two groups of chains, or NULL */
   bool shells;
   bool void_balls;   /* of `voids` */

@@ -64,6 +64,14 @@ static void print_json(const struct request *request, const struct molecule *mol
   json_number(out, measurement->totals.area);
   text_buffer_add(out, ", \"volume\": ");
   json_number(out, measurement->totals.volume);
+  if (request->excluded_surface) {
+    text_buffer_add(out, ", \"surface\": \"ses\", \"convex_area\": ");
+    json_number(out, measurement->surface.convex_area);
+    text_buffer_add(out, ", \"saddle_area\": ");
+    json_number(out, measurement->surface.saddle_area);
+    text_buffer_add(out, ", \"concave_area\": ");
+    json_number(out, measurement->surface.concave_area);
+  }
   if (measurement->weights != NULL) {
     text_buffer_add(out, ", \"weighted_area\": ");
     json_number(out, measurement->weighted_area);
@@ -99,6 +107,14 @@ static void print_tables(const struct request *request, const struct molecule *m
                   unit);
   text_buffer_add(out, "  %-16s %s %s^3\n", "volume", quantity_text(value, measurement->totals.volume, TOTAL_DECIMALS),
                   unit);
+  if (request->excluded_surface) {
+    text_buffer_add(out, "  %-16s %s %s^2, where the probe touches one atom\n", "convex area",
+                    quantity_text(value, measurement->surface.convex_area, TOTAL_DECIMALS), unit);
+    text_buffer_add(out, "  %-16s %s %s^2, where it touches two\n", "saddle area",
+                    quantity_text(value, measurement->surface.saddle_area, TOTAL_DECIMALS), unit);
+    text_buffer_add(out, "  %-16s %s %s^2, where it touches three\n", "concave area",
+                    quantity_text(value, measurement->surface.concave_area, TOTAL_DECIMALS), unit);
+  }
   if (measurement->weights != NULL) {
     text_buffer_add(out, "  %-16s %s, the sum of weight x free area\n", "weighted area",
                     quantity_text(value, measurement->weighted_area, TOTAL_DECIMALS));

@@ -45,6 +45,12 @@ bool geometry_compute_topology(struct geometry *geometry, struct failure *failur
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
+bool geometry_compute_surface(struct geometry *geometry, struct failure *failure) {
+  progress_show(&geometry->progress, "computing the surface");
+  const int32_t status = hsp_workspace_surface(&geometry->work);
+  return status == HSP_OK || failure_in_library(failure, status);
+}
+
 bool geometry_compute_view(struct geometry *geometry, const hsp_view_options *options, struct failure *failure) {
   progress_show(&geometry->progress, "cutting and sorting");
   const int32_t status = hsp_workspace_view(&geometry->work, geometry->work.boundary != NULL, options);

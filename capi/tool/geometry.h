@@ -24,6 +24,9 @@ bool geometry_compute_boundary(struct geometry *geometry, struct failure *failur
 /* Compute the boundary and its topology. */
 bool geometry_compute_topology(struct geometry *geometry, struct failure *failure);
 
+/* Compute the solvent-excluded surface over the boundary, which is computed. */
+bool geometry_compute_surface(struct geometry *geometry, struct failure *failure);
+
 /* Cut and sort the pieces of a view: from the boundary if that was computed, from the model alone if not. */
 bool geometry_compute_view(struct geometry *geometry, const hsp_view_options *options, struct failure *failure);
 

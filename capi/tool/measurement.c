@@ -55,12 +55,32 @@ static bool measure_weighted_area(const struct geometry *geometry, struct measur
   return true;
 }
 
-static bool measure_areas(const struct request *request, const struct molecule *molecule,
-                          const struct geometry *geometry, struct measurement *measurement, struct failure *failure) {
+/* The solvent-excluded surface, with each ball's share of it as its area. */
+static bool measure_excluded_surface(const struct molecule *molecule, struct geometry *geometry,
+                                     struct measurement *measurement, struct failure *failure) {
+  hsp_surface_totals *shares = NULL;
+  if (!geometry_compute_surface(geometry, failure)) return false;
+  if (measurement->area != NULL) {
+    shares = calloc((size_t)molecule->atoms + 1, sizeof *shares);
+    if (shares == NULL) return failure_of_memory(failure);
+  }
+  progress_show(&geometry->progress, "measuring");
+  const int32_t status = hsp_surface_measure(geometry->work.surface, &measurement->surface, shares,
+                                             shares == NULL ? 0 : molecule->atoms, NULL);
+  for (uint32_t i = 0; shares != NULL && i < molecule->atoms; ++i) measurement->area[i] = shares[i].area;
+  free(shares);
+  measurement->totals.area = measurement->surface.area;
+  measurement->totals.volume = measurement->surface.volume;
+  return status == HSP_OK || failure_in_library(failure, status);
+}
+
+static bool measure_areas(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
+                          struct measurement *measurement, struct failure *failure) {
   if (request_wants_areas(request)) {
     measurement->area = allocate(molecule, 1, failure);
     if (measurement->area == NULL) return false;
   }
+  if (request->excluded_surface) return measure_excluded_surface(molecule, geometry, measurement, failure);
   progress_show(&geometry->progress, "measuring");
   const int32_t status = hsp_boundary_measure(geometry->work.boundary, NULL, &measurement->totals, measurement->area,
                                               NULL, measurement->area == NULL ? 0 : molecule->atoms, NULL);

@@ -18,9 +18,10 @@ struct gradient {
 /* Arrays that were not asked for are NULL. */
 struct measurement {
   hsp_totals totals;
-  double *area;         /* [atoms], free area of each ball */
-  double *weights;      /* [atoms], as the user gave them */
-  double weighted_area; /* sum of weight x free area */
+  hsp_surface_totals surface; /* if the solvent-excluded surface was asked for; then totals are of that, too */
+  double *area;               /* [atoms], free area of each ball, or its share of the surface */
+  double *weights;            /* [atoms], as the user gave them */
+  double weighted_area;       /* sum of weight x free area */
   struct gradient of_area;
   struct gradient of_volume;
   struct gradient of_weighted_area;

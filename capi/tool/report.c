@@ -56,8 +56,9 @@ static void report_probe(struct text_buffer *out, const struct request *request)
     return;
   }
   char value[160];
-  snprintf(value, sizeof value, "%.10g %s, added to every radius: the solvent-accessible surface", request->probe,
-           format_unit(request->format));
+  snprintf(value, sizeof value, "%.10g %s, %s", request->probe, format_unit(request->format),
+           request->excluded_surface ? "rolling over the atoms: the solvent-excluded surface"
+                                     : "added to every radius: the solvent-accessible surface");
   report_row(out, "probe", value, "");
 }
 

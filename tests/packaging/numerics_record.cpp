@@ -170,6 +170,16 @@ void print_set(const std::string &name, const support::BallList &balls, double p
   print_all(set, "balls", boundary, hsp_boundary_get_balls);
   print_measures(set, boundary, n);
 
+  support::OwnedSurface surface;
+  surface.take(support::surface_limits_for(boundary));
+  surface.compute(
+      [&](hsp_surface *handle, hsp_surface_limits *limits) { return hsp_surface_compute(handle, boundary, limits); });
+  hsp_surface_totals surface_totals;
+  std::vector<hsp_surface_totals> shares(n);
+  expect_ok(hsp_surface_measure(surface.get(), &surface_totals, shares.data(), n, nullptr), "hsp_surface_measure");
+  print_one(set, "surface", surface_totals);
+  print(set, "surface_shares", shares);
+
   support::OwnedTopology topology;
   topology.take(support::topology_limits_for(boundary));
   topology.compute([&](hsp_topology *handle, hsp_topology_limits *limits) {

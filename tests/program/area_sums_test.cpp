@@ -49,6 +49,57 @@ TEST(AreaSums, PolarAndApolar) {
   EXPECT_EQ(run_program({"measure", "good/three.xyzr", "--polar"}).status, 2);
 }
 
+// Crambin's solvent-excluded surface. The values are those of an independent program, checked by lines through the
+// definition; MSROLL has 2319.065 and 4664.897.
+TEST(AreaSums, SolventExcludedSurface) {
+  const std::string crambin = support::own_molecule("crambin.pdb").string();
+  struct Known {
+    const char *probe;
+    double area, volume, convex, saddle, concave;
+  };
+  constexpr Known known[] = {{"1", 2653.999024201, 4368.192803430, 1142.157188, 948.779605, 563.062230},
+                             {"1.4", 2319.064883323, 4664.897270837, 860.388078879, 896.522219402, 562.154585041},
+                             {"3", 2091.274679908, 5207.368683474, 427.302757, 826.304128, 837.667795},
+                             {"6", 2022.630997030, 5798.829886572, 217.529117, 716.857773, 1088.244106}};
+  for (const Known &k : known) {
+    const Json json = run_json({"measure", crambin, "--surface", "ses", "--probe", k.probe, "--per-ball"});
+    EXPECT_EQ(json["surface"].text, "ses");
+    EXPECT_NEAR(json["area"].number, k.area, 1e-8) << k.probe;
+    EXPECT_NEAR(json["volume"].number, k.volume, 1e-8) << k.probe;
+    EXPECT_NEAR(json["convex_area"].number, k.convex, 1e-6) << k.probe;
+    EXPECT_NEAR(json["saddle_area"].number, k.saddle, 1e-6) << k.probe;
+    EXPECT_NEAR(json["concave_area"].number, k.concave, 1e-6) << k.probe;
+    double sum = 0;
+    for (const Json &ball : json["balls"].items) sum += ball["area"].number;
+    EXPECT_NEAR(sum, k.area, 1e-8) << k.probe;
+  }
+  const Json plain = run_json({"measure", crambin, "--probe", "1.4"});
+  const Json accessible = run_json({"measure", crambin, "--probe", "1.4", "--surface", "sas"});
+  EXPECT_EQ(plain["area"].number, accessible["area"].number);
+  EXPECT_EQ(accessible["convex_area"].kind, Json::Kind::null);
+  const Outcome table = run_program({"measure", crambin, "--probe", "1.4", "--surface", "ses"});
+  EXPECT_NE(table.out.find("solvent-excluded"), std::string::npos) << table.out;
+  EXPECT_NE(table.out.find("saddle area"), std::string::npos) << table.out;
+}
+
+TEST(AreaSums, SurfacesThatAreRefused) {
+  const std::string crambin = support::own_molecule("crambin.pdb").string();
+  const std::vector<std::vector<std::string>> refused = {
+      {"--surface", "ses"},
+      {"--probe", "1.4", "--surface", "vdw"},
+      {"--probe", "1.4", "--surface"},
+      {"--probe", "1.4", "--surface", "ses", "--surface", "ses"},
+      {"--probe", "1.4", "--surface", "ses", "--gradient"},
+      {"--probe", "1.4", "--surface", "ses", "--weights", "weights.txt"},
+      {"--probe", "1.4", "--surface", "ses", "--by", "residue", "--relative"},
+      {"--probe", "1.4", "--surface", "ses", "--interface", "A,B"}};
+  for (const std::vector<std::string> &options : refused) {
+    std::vector<std::string> arguments = {"measure", crambin};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    EXPECT_EQ(run_program(arguments).status, 2) << options.back();
+  }
+}
+
 // An atom alone in each of three residues: glycine, what is no amino acid, and tryptophan.
 TEST(AreaSums, RelativeToTheLargest) {
   const TemporaryFile file("far.pdb", atom(1, "CA", "GLY", 'A', 1, 0, "C") + atom(2, "C1", "LIG", 'A', 2, 20, "C") +
