@@ -1,0 +1,50 @@
+// The solvent-excluded surface from its definition alone: the points whose distance from the closed outside of the balls
+// with the probe is the probe's radius. The distance is the least of that to feet on spheres, circles and vertices that
+// are in no open ball. Volume and area by lines along the three axes.
+#pragma once
+
+#include <array>
+#include <vector>
+
+namespace oracle {
+
+using Point = std::array<double, 3>;
+
+struct ProbedBall {
+  Point centre{};
+  double radius = 0;  // with the probe
+};
+
+class DistanceFromOutside {
+ public:
+  explicit DistanceFromOutside(std::vector<ProbedBall> balls);
+
+  struct Nearest {
+    double distance = 0;
+    Point point{};
+  };
+  // Of a point in some open ball; distance 0 for all others.
+  [[nodiscard]] Nearest operator()(const Point &x) const;
+
+ private:
+  struct Circle {
+    Point centre{}, axis{};
+    double radius = 0;
+  };
+
+  [[nodiscard]] bool is_outside(const Point &y) const;
+
+  std::vector<ProbedBall> balls_;
+  std::vector<Circle> circles_;
+  std::vector<Point> vertices_;
+};
+
+struct AreaAndVolume {
+  double area = 0, volume = 0;
+};
+
+// `lines` along each axis and either other one. A surface element dA is crossed by |n_x| dA of the lines along x per
+// area, and n_x^2 + n_y^2 + n_z^2 = 1: weights |n| make the three directions' crossings an area.
+AreaAndVolume excluded_surface_by_lines(const std::vector<ProbedBall> &balls, double probe, int lines);
+
+}  // namespace oracle

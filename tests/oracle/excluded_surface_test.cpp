@@ -1,0 +1,35 @@
+// The surface by its definition against closed forms.
+#include "excluded_surface.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+TEST(ExcludedSurface, DistancesFromOutside) {
+  const oracle::DistanceFromOutside one({{{0, 0, 0}, 5}});
+  EXPECT_NEAR(one({1, 0, 0}).distance, 4, 1e-12);
+  EXPECT_EQ(one({6, 0, 0}).distance, 0);
+  // In the middle of two balls the nearest points are on their circle, of radius 3.
+  const oracle::DistanceFromOutside two({{{-4, 0, 0}, 5}, {{4, 0, 0}, 5}});
+  EXPECT_NEAR(two({0, 1, 0}).distance, 2, 1e-12);
+  EXPECT_NEAR(two({-4, 0, 0.5}).distance, 4.5, 1e-12);
+}
+
+// Two balls of radius 4 at distance 8 and a probe of 1 have a saddle with the waist 3 - 1.
+TEST(ExcludedSurface, BallAndSaddle) {
+  const oracle::AreaAndVolume ball = oracle::excluded_surface_by_lines({{{0.1, 0.2, 0.3}, 5}}, 2, 60);
+  EXPECT_NEAR(ball.area, 36 * pi, 36 * pi * 3e-3);
+  EXPECT_NEAR(ball.volume, 36 * pi, 36 * pi * 3e-3);
+  const oracle::AreaAndVolume two = oracle::excluded_surface_by_lines({{{-4, 0, 0}, 5}, {{4, 0, 0}, 5}}, 1, 80);
+  const double t = std::atan2(4, 3);
+  const double saddle = 2 * pi * (3 * 2 * t - 2 * 0.8);
+  const double caps = 2 * (2 * pi * 4 * (4 + 3.2));
+  EXPECT_NEAR(two.area, saddle + caps, (saddle + caps) * 3e-3);
+}
+
+}  // namespace
