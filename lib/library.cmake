@@ -11,6 +11,7 @@ set(HSP_LIBRARY_SOURCES
   lib/model/element_radii.cpp
   lib/model/neighbour_lists.cpp
   lib/model/packing_statistics.cpp
+  lib/model/pair_block_avx2.cpp
   lib/model/queries.cpp
   lib/model/query_hits.cpp
   lib/model/query_hits_avx2.cpp

@@ -94,6 +94,11 @@ inline Doubles square_root(Doubles a) {
   return {_mm256_sqrt_pd(a.v)};
 }
 
+// Eight doubles as floats, rounded to nearest.
+inline Floats to_floats(Doubles low, Doubles high) {
+  return {_mm256_set_m128(_mm256_cvtpd_ps(high.v), _mm256_cvtpd_ps(low.v))};
+}
+
 // Comparisons; all false for NaN.
 inline LaneBits greater(Floats a, Floats b) {
   return static_cast<LaneBits>(_mm256_movemask_ps(_mm256_cmp_ps(a.v, b.v, _CMP_GT_OQ)));

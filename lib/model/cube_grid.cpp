@@ -104,10 +104,15 @@ BallRange CubeGrid::balls_in_row(int64_t x_low, int64_t x_high, int64_t y, int64
 
 CubeBlock CubeGrid::block_around(const CubeCoordinates &centre) const {
   CubeBlock block;
-  for (int64_t dz = -1; dz <= 1; ++dz) {
-    for (int64_t dy = -1; dy <= 1; ++dy) {
-      const BallRange range = balls_in_row(centre.x - 1, centre.x + 1, centre.y + dy, centre.z + dz);
-      if (!range.empty()) block.range[block.ranges++] = range;
+  if (rows_.is_there()) {
+    block.ranges =
+        rows_.find({centre.x - 1, centre.y - 1, centre.z - 1}, {centre.x + 1, centre.y + 1, centre.z + 1}, block.range);
+  } else {
+    for (int64_t dz = -1; dz <= 1; ++dz) {
+      for (int64_t dy = -1; dy <= 1; ++dy) {
+        const BallRange range = balls_in_row(centre.x - 1, centre.x + 1, centre.y + dy, centre.z + dz);
+        if (!range.empty()) block.range[block.ranges++] = range;
+      }
     }
   }
   return block;

@@ -1,7 +1,8 @@
 #include "model/neighbour_lists.hpp"
 
 #include "core/sorting.hpp"
-#include "model/query_hits.hpp"
+#include "model/pair_block.hpp"
+#include "model/queries.hpp"
 
 namespace hsp {
 namespace {
@@ -23,16 +24,22 @@ struct Gaps {
 // the row's end on, which first tells.
 class PairWalk {
  public:
-  PairWalk(const CubeGrid &grid, Span<uint32_t> first, uint32_t count_of_larger, Span<uint32_t> ids)
+  PairWalk(const CubeGrid &grid, PairRows rows, Span<uint32_t> first, Span<uint32_t> ids)
       : first_(first),
         ids_(ids),
-        count_of_larger_(count_of_larger),
+        both_rows_(rows == PairRows::both),
         grid_(grid),
         balls_(grid.balls()),
         side_(static_cast<double>(grid.side())),
         largest_(static_cast<double>(grid.balls().largest_radius)) {}
 
   void run() {
+#if HSP_AVX2
+    if (grid_.wide()) {
+      for (uint32_t cube = 0; cube < grid_.cubes(); ++cube) walk_cube_in_blocks(cube);
+      return;
+    }
+#endif
     for (uint32_t cube = 0; cube < grid_.cubes(); ++cube) walk_cube(cube);
   }
 
@@ -63,9 +70,50 @@ class PairWalk {
         const double gap_z = z.gap[nearby[k].z + 1];
         if (gap_y * gap_y + gap_z * gap_z <= too_far) look_at(i, nearby[k].range);
       }
-      visit_hits(i);
+      visit(i, met_, hits_);
+      hits_ = 0;
     }
   }
+
+#if HSP_AVX2
+  // The same, with the balls of the cube and all later ones around it side by side, in as many blocks as that takes.
+  void walk_cube_in_blocks(uint32_t cube) {
+    const CubeCoordinates &at = grid_.table().coordinates(cube);
+    const BallRange own = grid_.balls_in(cube);
+    const CubeBlock around = grid_.block_around(at);
+    const QueryArrays balls = query_arrays(balls_);
+    PairBlock block;
+    block.count = 0;
+    block.margin = static_cast<float>(PairBlock::margin_of_squared_side * side_ * side_);
+    block.centre[0] = (static_cast<double>(at.x) + 0.5) * side_;
+    block.centre[1] = (static_cast<double>(at.y) + 0.5) * side_;
+    block.centre[2] = (static_cast<double>(at.z) + 0.5) * side_;
+    // The ranges ascend: the first one that is not over before the cube is that of its row.
+    uint32_t in_earlier_blocks = 0;
+    for (uint32_t k = 0; k < around.ranges; ++k) {
+      BallRange range = around.range[k];
+      if (range.first < own.first) range.first = own.first;
+      while (range.first < range.last) {
+        range.first = add_to_block_avx2(block, balls, range);
+        if (block.count < PairBlock::room) break;
+        look_into(block, balls, own, in_earlier_blocks);
+        in_earlier_blocks += block.count;
+        block.count = 0;
+      }
+    }
+    look_into(block, balls, own, in_earlier_blocks);
+  }
+
+  // Of the balls side by side the cube's own are the first.
+  void look_into(const PairBlock &block, const QueryArrays &balls, const BallRange &own, uint32_t in_earlier_blocks) {
+    uint32_t met[PairBlock::room + PairBlock::lanes];
+    for (uint32_t i = own.first; i < own.last; ++i) {
+      const uint32_t later = i + 1 - own.first;
+      const uint32_t from = later > in_earlier_blocks ? later - in_earlier_blocks : 0;
+      if (from < block.count) visit(i, met, met_in_block_avx2(block, balls, i, from, met));
+    }
+  }
+#endif
 
   void look_at(uint32_t i, const BallRange &range) {
     const double x = balls_.x[i], y = balls_.y[i], z = balls_.z[i], r = balls_.r[i];
@@ -80,32 +128,33 @@ class PairWalk {
         hits += static_cast<uint32_t>(meet(balls_.x[j] - x, balls_.y[j] - y, balls_.z[j] - z, balls_.r[j] + r));
       }
       hits_ = hits;
-      if (j < range.last) visit_hits(i);
+      if (j < range.last) {
+        visit(i, met_, hits_);
+        hits_ = 0;
+      }
     }
   }
 
-  void visit_hits(uint32_t i) {
+  // Ball i and each of the others.
+  void visit(uint32_t i, const uint32_t *others, uint32_t count) {
     const uint32_t own = balls_.caller[i];
-    for (uint32_t k = 0; k < hits_; ++k) {
-      const uint32_t other = met_[k];
-      pair(other < own ? other : own, other < own ? own : other);
-    }
-    hits_ = 0;
-  }
-
-  void pair(uint32_t smaller, uint32_t larger) {
-    if (ids_.empty()) {
-      ++first_[smaller];
-      first_[larger] += count_of_larger_;
-    } else {
-      ids_[--first_[smaller]] |= larger;
+    const bool counting = ids_.empty();
+    if (counting && both_rows_) first_[own] += count;
+    for (uint32_t k = 0; k < count; ++k) {
+      const uint32_t other = others[k];
+      uint32_t &place = first_[both_rows_ && counting ? other : other < own ? other : own];
+      if (counting) {
+        ++place;
+      } else {
+        ids_[--place] |= other < own ? own : other;
+      }
     }
   }
 
   static constexpr uint32_t at_once = 64;
 
   const Span<uint32_t> first_, ids_;
-  const uint32_t count_of_larger_;
+  const bool both_rows_;
   const CubeGrid &grid_;
   const BallSet &balls_;
   const double side_, largest_;
@@ -136,7 +185,7 @@ void list_in_both_rows(const CubeGrid &grid, Span<uint32_t> first, Span<uint32_t
   for (uint32_t i = 0; i < n; ++i) {
     if (first[i] != no_place) ids[first[i] - 1] = last_of_row;
   }
-  PairWalk(grid, first, 0, ids).run();
+  PairWalk(grid, PairRows::both, first, ids).run();
   for (uint32_t i = 0, place = 0; i < n; ++i) {
     if (first[i] == no_place) continue;
     first[i] = place;
@@ -164,7 +213,7 @@ void list_in_both_rows(const CubeGrid &grid, Span<uint32_t> first, Span<uint32_t
 void list_in_smaller_row(const CubeGrid &grid, Span<uint32_t> first, Span<uint32_t> ids) {
   const uint32_t n = grid.balls().n;
   for (uint32_t i = 0; i < n; ++i) first[i] = first[i + 1];
-  PairWalk(grid, first, 0, ids).run();
+  PairWalk(grid, PairRows::smaller, first, ids).run();
   for (uint32_t i = 0; i < n; ++i) {
     sort_in_place(ids.part(first[i], first[i + 1]), [](uint32_t a, uint32_t b) { return a < b; });
   }
@@ -186,7 +235,7 @@ bool sum_up(Span<uint32_t> first) {
 
 bool count_neighbours(const CubeGrid &grid, PairRows rows, Span<uint32_t> first) {
   for (uint32_t &length : first) length = 0;
-  PairWalk(grid, first, rows == PairRows::both ? 1 : 0, {}).run();
+  PairWalk(grid, rows, first, {}).run();
   return sum_up(first);
 }
 

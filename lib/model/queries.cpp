@@ -1,7 +1,6 @@
 #include "model/queries.hpp"
 
 #include "core/sorting.hpp"
-#include "model/query_hits.hpp"
 
 namespace hsp {
 namespace {
@@ -73,8 +72,7 @@ class HitFinder {
  public:
   HitFinder(const CubeGrid &grid, const LatticeQuery &query, uint32_t excluded)
       : grid_(grid),
-        balls_{grid.balls().x.data(), grid.balls().y.data(), grid.balls().z.data(), grid.balls().r.data(),
-               grid.balls().caller.data()},
+        balls_(query_arrays(grid.balls())),
         query_{static_cast<double>(query.centre.x), static_cast<double>(query.centre.y),
                static_cast<double>(query.centre.z), static_cast<double>(query.radius), excluded} {
     hits_.count = 0;
@@ -116,7 +114,7 @@ class HitFinder {
   }
 
   const CubeGrid &grid_;
-  const BallArrays balls_;
+  const QueryArrays balls_;
   const QueryBall query_;
   QueryHits hits_;
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/cube_grid.hpp"
+#include "model/query_hits.hpp"
 
 namespace hsp {
 
@@ -10,6 +11,10 @@ struct LatticeQuery {
   exact::Vector centre;
   int64_t radius;  // at most 2^51
 };
+
+inline QueryArrays query_arrays(const BallSet &balls) {
+  return {balls.x.data(), balls.y.data(), balls.z.data(), balls.r.data(), balls.caller.data()};
+}
 
 // Hits in ascending order of the caller's indices. With more hits than capacity only their number is stored.
 struct QueryResult {

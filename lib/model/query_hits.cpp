@@ -10,7 +10,7 @@ bool meet_exactly(double dx, double dy, double dz, double sum) {
                                         static_cast<int64_t>(sum)) <= 0;
 }
 
-void add_hits(const BallArrays &balls, const QueryBall &query, const BallRange *ranges, uint32_t count,
+void add_hits(const QueryArrays &balls, const QueryBall &query, const BallRange *ranges, uint32_t count,
               QueryHits &hits) {
   uint32_t found = hits.count;
   for (const BallRange *range = ranges; range < ranges + count; ++range) {

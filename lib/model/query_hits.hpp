@@ -9,7 +9,7 @@
 namespace hsp {
 
 // The arrays of a BallSet, which may be read seven places behind the last ball.
-struct BallArrays {
+struct QueryArrays {
   const double *x, *y, *z, *r;
   const uint32_t *caller;
 };
@@ -44,9 +44,9 @@ inline bool meet(double dx, double dy, double dz, double sum) {
 }
 
 // Adds the hits among the balls of the ranges.
-void add_hits(const BallArrays &balls, const QueryBall &query, const BallRange *ranges, uint32_t count,
+void add_hits(const QueryArrays &balls, const QueryBall &query, const BallRange *ranges, uint32_t count,
               QueryHits &hits);
-void add_hits_avx2(const BallArrays &balls, const QueryBall &query, const BallRange *ranges, uint32_t count,
+void add_hits_avx2(const QueryArrays &balls, const QueryBall &query, const BallRange *ranges, uint32_t count,
                    QueryHits &hits);
 
 // Writes the hits, if there are no more than the room, in ascending order.

@@ -15,7 +15,7 @@ struct Verdict {
 struct WideQuery {
   Doubles x, y, z, r;
 
-  Verdict test(const BallArrays &balls, size_t j) const {
+  Verdict test(const QueryArrays &balls, size_t j) const {
     const Doubles dx = x - Doubles::load(balls.x + j);
     const Doubles dy = y - Doubles::load(balls.y + j);
     const Doubles dz = z - Doubles::load(balls.z + j);
@@ -27,7 +27,7 @@ struct WideQuery {
 };
 
 // Of the eight balls from j on. Apart, so that the loop above it needs no room for what this leaves untouched.
-[[gnu::noinline]] LaneBits decided(const BallArrays &balls, const QueryBall &query, uint32_t j, LaneBits doubtful,
+[[gnu::noinline]] LaneBits decided(const QueryArrays &balls, const QueryBall &query, uint32_t j, LaneBits doubtful,
                                    LaneBits meet) {
   for (; doubtful != 0; doubtful &= doubtful - 1) {
     const uint32_t lane = lowest(doubtful), k = j + lane;
@@ -104,9 +104,9 @@ inline void merge(Integers *eights, uint32_t half) {
 
 }  // namespace
 
-void add_hits_avx2(const BallArrays &balls_at, const QueryBall &query, const BallRange *ranges, uint32_t count,
+void add_hits_avx2(const QueryArrays &balls_at, const QueryBall &query, const BallRange *ranges, uint32_t count,
                    QueryHits &hits) {
-  const BallArrays balls = balls_at;  // in registers
+  const QueryArrays balls = balls_at;  // in registers
   const WideQuery wide{Doubles::all(query.x), Doubles::all(query.y), Doubles::all(query.z), Doubles::all(query.r)};
   const Integers excluded = Integers::all(query.excluded);
   uint32_t found = hits.count;

@@ -1,5 +1,7 @@
 #include "neighbour_lists_cases.hpp"
 
+#include <vector>
+
 #include "expect_cases.hpp"
 
 TEST(NeighbourLists, Cases) {
@@ -10,3 +12,48 @@ TEST(NeighbourLists, CasesWithoutWideCode) {
   expect_cases(cases::model_neighbour_lists);
   cases::small_grid().set_wide(true);
 }
+
+namespace {
+
+struct Lists {
+  std::vector<uint32_t> first, ids;
+  friend bool operator==(const Lists &, const Lists &) = default;
+};
+
+Lists lists_of(const hsp::CubeGrid &grid, hsp::PairRows rows) {
+  const uint32_t n = grid.balls().n;
+  Lists lists{std::vector<uint32_t>(n + 1), {}};
+  const hsp::Span<uint32_t> first(lists.first.data(), n + 1);
+  EXPECT_TRUE(hsp::count_neighbours(grid, rows, first));
+  lists.ids.resize(first[n]);
+  hsp::list_neighbours(grid, rows, first, {lists.ids.data(), first[n]});
+  return lists;
+}
+
+// Hundreds of balls in the same cube, and thousands around it: with wide code as without.
+TEST(NeighbourLists, OfCrowdedCubes) {
+  cases::Random random(6);
+  for (const int64_t extent : {3, 8, 20, 60}) {
+    constexpr uint32_t n = 2000;
+    std::vector<double> xyz, radius;
+    for (uint32_t i = 0; i < n; ++i) {
+      for (int axis = 0; axis < 3; ++axis) xyz.push_back(static_cast<double>(random.in(-extent, extent)));
+      radius.push_back(static_cast<double>(i == 77 ? 10 : random.in(0, 2)));
+    }
+    hsp::CubeGrid grid;
+    hsp::Workspace measured;
+    grid.carve(measured, n);
+    std::vector<unsigned char> memory(measured.bytes());
+    hsp::Workspace workspace(memory.data(), memory.size());
+    grid.carve(workspace, n);
+    uint32_t first_bad = 0;
+    ASSERT_EQ(grid.build({n, xyz.data(), radius.data(), 0.0, 1.0}, first_bad), hsp::Status::ok);
+    const Lists both = lists_of(grid, hsp::PairRows::both), smaller = lists_of(grid, hsp::PairRows::smaller);
+    EXPECT_EQ(both.ids.size(), 2 * smaller.ids.size());
+    grid.do_without_wide_code();
+    EXPECT_TRUE(lists_of(grid, hsp::PairRows::both) == both);
+    EXPECT_TRUE(lists_of(grid, hsp::PairRows::smaller) == smaller);
+  }
+}
+
+}  // namespace

@@ -7,7 +7,7 @@
 
 namespace cases {
 
-using AddHits = void(const hsp::BallArrays &, const hsp::QueryBall &, const hsp::BallRange *, uint32_t,
+using AddHits = void(const hsp::QueryArrays &, const hsp::QueryBall &, const hsp::BallRange *, uint32_t,
                      hsp::QueryHits &);
 using WriteAscending = void(const hsp::QueryHits &, uint32_t *);
 
@@ -28,7 +28,7 @@ struct LatticeBalls {
       caller[j] = (j * 7 + 3) % most;
     }
   }
-  hsp::BallArrays arrays() const { return {x, y, z, r, caller}; }
+  hsp::QueryArrays arrays() const { return {x, y, z, r, caller}; }
 };
 
 // Hit by hit in integers, for numbers of few digits.

@@ -93,6 +93,10 @@ const char *check_comparisons() {
   const double w[4] = {-2.0, 0.0, -0.0, 3.0}, magnitudes[4] = {2.0, 0.0, 0.0, 3.0};
   if (negative(Doubles::load(w)) != 5) return "negative";
   if (!lanes_are(magnitude(Doubles::load(w)), magnitudes)) return "magnitude";
+  // The last bit is lost, to even, or rounded away from what is nearest below.
+  const double low[4] = {1.0, -2.5, 0x1.000001p0, 0x1.000003p0}, high[4] = {0.1, 1e30, 5.0, -6.0};
+  const float rounded[8] = {1.0F, -2.5F, 1.0F, 0x1.000004p0F, 0.1F, 1e30F, 5.0F, -6.0F};
+  if (!lanes_are(to_floats(Doubles::load(low), Doubles::load(high)), rounded)) return "to_floats";
   return nullptr;
 }
 
