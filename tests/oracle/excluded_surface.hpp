@@ -1,6 +1,6 @@
 // The solvent-excluded surface from its definition alone: the points whose distance from the closed outside of the
-// balls with the probe is the probe's radius. The distance is the least of that to feet on spheres, circles and vertices
-// that are in no open ball. Volume and area by lines along the three axes.
+// balls with the probe is the probe's radius. That distance is the least of those to feet on spheres, circles and
+// vertices that are in no open ball. Volume and area by lines along the three axes.
 #pragma once
 
 #include <array>

@@ -1,5 +1,6 @@
 /* Firmware that uses a part of the library, to see how much flash that takes. PART is a sum of
  *   1 balls that a ball meets   2 boundary, measure and gradient   4 topology   8 views and pictures   16 other queries
+ *   32 the solvent-excluded surface
  * A model is part of every image but the one without the library, PART < 0. Nothing here runs in the test. */
 #include <stddef.h>
 
@@ -56,6 +57,21 @@ static void compute_boundary(void) {
 }
 #endif
 
+#if PART >= 0 && (PART & 32)
+static void compute_surface(void) {
+  static unsigned char memory[HSP_SURFACE_BYTES(100, BALLS)];
+  static hsp_surface_totals shares[BALLS];
+  hsp_surface_limits limits;
+  hsp_surface *surface;
+  hsp_surface_totals totals;
+  result |= hsp_surface_limits_init(&limits, sizeof limits, boundary);
+  limits.vertices = 100, limits.neighbours = BALLS;
+  result |= hsp_surface_init(memory, sizeof memory, &limits, &surface);
+  result |= hsp_surface_compute(surface, boundary, NULL);
+  result |= hsp_surface_measure(surface, &totals, shares, BALLS, NULL);
+}
+#endif
+
 #if PART >= 0 && (PART & 4)
 static void compute_topology(void) {
   static unsigned char memory[HSP_TOPOLOGY_BYTES(BALLS, BALLS, 500, 100)];
@@ -104,6 +120,9 @@ int main(void) {
 #endif
 #if PART & 2
   compute_boundary();
+#endif
+#if PART & 32
+  compute_surface();
 #endif
 #if PART & 4
   compute_topology();
