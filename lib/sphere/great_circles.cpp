@@ -1,5 +1,7 @@
 #include "sphere/great_circles.hpp"
 
+#include <limits>
+
 #include "core/sorting.hpp"
 #include "sphere/cap_pair.hpp"
 
@@ -16,91 +18,122 @@ Plane meridian_through(const Vector &axis) {
 
 namespace {
 
-enum class Cover { crosses, covers, apart };
+// The plane of a meridian with normal m, as the plane of two axes: along w = m x z, which is horizontal, and up. The
+// direction z, w, -z, -w is a turn counter-clockwise about m. A cap u.x >= b covers of the meridian what satisfies
+// along x_w + up x_z >= b, with along = u.w and up = u.z. Where S = along^2 + up^2 and q = S - b^2 > 0 the circles
+// cross, in the points  (b (along, up) +- sqrt(q) (up, -along)) / S, of which + is the exit.
+//
+// The errors of q, of the points and of their tests are below those of the general pair (cap_pair.hpp), whose bounds
+// are used here: in units of 2^-53 along has 3.5 + 3.5 + 2, S 23, q 38, each coordinate of a point, with s = 1/S, at
+// most 45 s + 24 sqrt(s) + 10 + 20 sqrt(s/q), and a test one and a half times that and 20 more.
+struct MeridianAxis {
+  double along_x, along_y;
 
-// How a cap lies to a great circle.
-Cover cover_of(const Caps &caps, const exact::Predicates &predicates, const Plane &circle, uint32_t l) {
-  const CapPair pair(caps, caps.count, l);
-  if (pair.certainly_cross()) return Cover::crosses;
-  if (pair.certainly_apart()) {
-    if (pair.certainly_inside()) return Cover::covers;
-    if (pair.certainly_outside()) return Cover::apart;
-  }
-  if (predicates.crossing(circle, caps.plane[l]).sign > 0) return Cover::crosses;
-  return predicates.side(circle, caps.plane[l]).sign > 0 ? Cover::covers : Cover::apart;
-}
-
-// Whether the entry and the exit of a cap on a great circle are free.
-struct FreeEnds {
-  bool entry = true;
-  bool leave = true;
-
-  FreeEnds(const Caps &caps, const exact::Predicates &predicates, const Plane &circle, Span<const uint32_t> crossing,
-           uint32_t own) {
-    const CapPair pair(caps, caps.count, own);
-    const bool certain = pair.certainly_cross();
-    const CrossingPoints points(caps, caps.count, own, pair);
-    for (uint32_t k = 0; k < crossing.size() && (entry || leave); ++k) {
-      const uint32_t l = crossing[k];
-      if (l == own) continue;
-      const auto value = [&](int s) {
-        return caps.ux[l] * points.x[s] + caps.uy[l] * points.y[s] + caps.uz[l] * points.z[s] - caps.b[l];
-      };
-      const double at_entry = value(0);
-      const double at_exit = value(1);
-      if (certain && std::fabs(at_entry) > points.error && std::fabs(at_exit) > points.error) {
-        entry = entry && at_entry < 0.0;
-        leave = leave && at_exit < 0.0;
-      } else {
-        const exact::PointStatus status = predicates.point_status(circle, caps.plane[own], caps.plane[l]);
-        entry = entry && status.side[0] < 0;
-        leave = leave && status.side[1] < 0;
-      }
-    }
+  explicit MeridianAxis(const Vector &m) {
+    const double inverse = 1.0 / std::sqrt(static_cast<double>(dot(m, m)));
+    along_x = static_cast<double>(m.y) * inverse;
+    along_y = -static_cast<double>(m.x) * inverse;
   }
 };
 
-// Counter-clockwise about the normal m of a meridian's plane: two half-turns from the direction z, first the one on the
-// side of m x z.
-template <class AxisOf>
-void sort_along_meridian(const Vector &m, Span<uint32_t> items, AxisOf axis_of) {
-  const auto half = [&m](const Vector &v) {
-    const int64_t e = v.x * m.y - v.y * m.x;
-    return e > 0 || (e == 0 && v.z > 0) ? 0 : 1;
+// The end points of what a cap covers of a meridian.
+struct CoveredEnds {
+  double along[2], up[2];  // index 0: entry, index 1: exit
+  double error;            // of along_l x_w + up_l x_z - b_l for any cap l
+
+  explicit CoveredEnds(const MeridianCap &cap) {
+    const double S = cap.along * cap.along + cap.up * cap.up;
+    const double q = S - cap.b * cap.b;
+    const double root = std::sqrt(q);
+    const double s = 1.0 / S;
+    const double middle = cap.b * s;
+    const double half_chord = root * s;
+    for (int end = 0; end < 2; ++end) {
+      const double signed_chord = end == 0 ? -half_chord : half_chord;
+      along[end] = middle * cap.along + signed_chord * cap.up;
+      up[end] = middle * cap.up - signed_chord * cap.along;
+    }
+    // False for NaN, as everything below is.
+    const bool certain = q > certain_discriminant;
+    error = certain ? unit_roundoff * s * (256.0 * s + 80.0 / root) : std::numeric_limits<double>::infinity();
+  }
+};
+
+// Which ends of a cap on a meridian are free.
+uint32_t free_ends_of(const Caps &caps, const exact::Predicates &predicates, const Plane &meridian,
+                      Span<const MeridianCap> crossing, const MeridianCap &own) {
+  const CoveredEnds ends(own);
+  bool entry = true;
+  bool leave = true;
+  for (uint32_t k = 0; k < crossing.size() && (entry || leave); ++k) {
+    const MeridianCap &other = crossing[k];
+    if (&other == &own) continue;
+    const double at_entry = other.along * ends.along[0] + other.up * ends.up[0] - other.b;
+    const double at_exit = other.along * ends.along[1] + other.up * ends.up[1] - other.b;
+    if (std::fabs(at_entry) > ends.error && std::fabs(at_exit) > ends.error) {
+      entry = entry && at_entry < 0.0;
+      leave = leave && at_exit < 0.0;
+    } else {
+      const exact::PointStatus status = predicates.point_status(meridian, caps.plane[own.cap], caps.plane[other.cap]);
+      entry = entry && status.side[0] < 0;
+      leave = leave && status.side[1] < 0;
+    }
+  }
+  return (entry ? MeridianCap::free_entry : 0U) | (leave ? MeridianCap::free_exit : 0U);
+}
+
+// Whether cap a comes before cap b, counter-clockwise about the normal m of a meridian from the direction z: first the
+// half-turn on the side of w = m x z, then the other. The errors of a cross product in the meridian's plane are below
+// 2 (9 + 3.5) + 3 units.
+bool comes_before(const Caps &caps, const Vector &m, const MeridianCap &a, const MeridianCap &b) {
+  constexpr double certain = 32 * unit_roundoff;
+  const double turn = a.up * b.along - a.along * b.up;
+  if (std::fabs(a.along) > certain && std::fabs(b.along) > certain && std::fabs(turn) > certain) {
+    return (a.along > 0.0) != (b.along > 0.0) ? a.along > 0.0 : turn > 0.0;
+  }
+  const Vector &v = caps.plane[a.cap].v;
+  const Vector &w = caps.plane[b.cap].v;
+  const auto half = [&m](const Vector &u) {
+    const int64_t along = u.x * m.y - u.y * m.x;
+    return along > 0 || (along == 0 && u.z > 0) ? 0 : 1;
   };
-  sort_in_place(items, [&](uint32_t a, uint32_t b) {
-    const Vector &v = axis_of(a);
-    const Vector &w = axis_of(b);
-    const int half_v = half(v);
-    const int half_w = half(w);
-    return half_v != half_w ? half_v < half_w : exact::orientation(m, v, w) > 0;
-  });
+  const int half_v = half(v);
+  const int half_w = half(w);
+  return half_v != half_w ? half_v < half_w : exact::orientation(m, v, w) > 0;
 }
 
 }  // namespace
 
 void FreeIntervals::carve(Workspace &workspace, uint32_t capacity) {
-  crossing_ = workspace.take<uint32_t>(capacity);
-  bounding_ = workspace.take<uint32_t>(capacity);
+  caps_ = workspace.take<MeridianCap>(capacity);
 }
 
-void FreeIntervals::find(Caps &caps, const exact::Predicates &predicates, const Plane &circle) {
-  caps.set_spare_great_circle(circle.v);
+void FreeIntervals::find(const Caps &caps, const exact::Predicates &predicates, const Plane &meridian) {
   bounding_caps_ = 0;
+  const MeridianAxis axis(meridian.v);
   uint32_t crossings = 0;
   for (uint32_t l = 0; l < caps.count; ++l) {
-    const Cover cover = cover_of(caps, predicates, circle, l);
-    if (cover == Cover::covers) return;
-    if (cover == Cover::crosses) crossing_[crossings++] = l;
+    const double along = caps.ux[l] * axis.along_x + caps.uy[l] * axis.along_y;
+    const double up = caps.uz[l];
+    const double b = caps.b[l];
+    const double q = along * along + up * up - b * b;
+    caps_[crossings] = {along, up, b, l, 0};
+    bool crosses = q > certain_discriminant;
+    if (!crosses && !(q < -certain_discriminant && b > certain_centre)) {
+      // Seldom: it covers the meridian, or it must be asked exactly.
+      crosses = predicates.crossing(meridian, caps.plane[l]).sign > 0;
+      if (!crosses && predicates.side(meridian, caps.plane[l]).sign > 0) return;
+    }
+    crossings += crosses ? 1U : 0U;
   }
-  for (uint32_t a = 0; a < crossings; ++a) {
-    const uint32_t own = crossing_[a];
-    const FreeEnds ends(caps, predicates, circle, crossing_.part(0, crossings), own);
-    if (ends.entry || ends.leave) bounding_[bounding_caps_++] = encode(own, ends.entry, ends.leave);
+  const Span<MeridianCap> crossing = caps_.part(0, crossings);
+  for (MeridianCap &cap : crossing) cap.free_ends = free_ends_of(caps, predicates, meridian, crossing, cap);
+  for (const MeridianCap &cap : crossing) {
+    if (cap.free_ends != 0) caps_[bounding_caps_++] = cap;
   }
   if (bounding_caps_ > 2) {
-    sort_along_meridian(circle.v, bounding_.part(0, bounding_caps_),
-                        [&caps](uint32_t code) -> const Vector & { return caps.plane[cap_of(code)].v; });
+    sort_in_place(caps_.part(0, bounding_caps_),
+                  [&](const MeridianCap &a, const MeridianCap &b) { return comes_before(caps, meridian.v, a, b); });
   }
 }
 
@@ -124,20 +157,30 @@ bool pole_lies_between(const Vector &m, const Vector &from, const Vector &to, in
   return side_from == 2 || exact::orientation(m, from, to) <= 0;
 }
 
-// The pole lies on the arc iff it lies between the mid-points of the two caps and in neither of them. The poles are p+
-// and p- of two coordinate planes, whose normals may have any length: the filter is sharpest if it is that of the
-// others.
-bool contains_pole(const Caps &caps, const exact::Predicates &predicates, const Plane &meridian,
-                   const FreeInterval &interval, int pole) {
-  const Plane &leave = caps.plane[interval.exit_cap];
-  const Plane &entry = caps.plane[interval.entry_cap];
-  if (!pole_lies_between(meridian.v, leave.v, entry.v, pole)) return false;
+namespace {
+
+// Whether the highest (+1) or lowest (-1) point lies in a cap. On the unit sphere it is (0, 0, +-1), where a test has
+// the errors of u and b alone, 3.5 + 7 + 2 units. Exactly, the poles are p+ and p- of two coordinate planes, whose
+// normals may have any length: the filter is sharpest if it is that of the others.
+bool covers_pole(const Caps &caps, const exact::Predicates &predicates, uint32_t cap, int pole) {
+  constexpr double certain = 16 * unit_roundoff;
+  const double value = (pole > 0 ? caps.uz[cap] : -caps.uz[cap]) - caps.b[cap];
+  if (std::fabs(value) > certain) return value > 0.0;
   int64_t scale = 1;
   while (4.0 * static_cast<double>(scale) * static_cast<double>(scale) <= caps.length_squared) scale *= 2;
   const Plane across_x = exact::virtual_plane({scale, 0, 0}, 0);
   const Plane across_y = exact::virtual_plane({0, scale, 0}, 0);
-  return predicates.inside(across_x, across_y, pole, leave) < 0 &&
-         predicates.inside(across_x, across_y, pole, entry) < 0;
+  return predicates.inside(across_x, across_y, pole, caps.plane[cap]) > 0;
+}
+
+}  // namespace
+
+// The pole lies on the arc iff it lies between the mid-points of the two caps and in neither of them.
+bool contains_pole(const Caps &caps, const exact::Predicates &predicates, const Plane &meridian,
+                   const FreeInterval &interval, int pole) {
+  return !covers_pole(caps, predicates, interval.exit_cap, pole) &&
+         !covers_pole(caps, predicates, interval.entry_cap, pole) &&
+         pole_lies_between(meridian.v, caps.plane[interval.exit_cap].v, caps.plane[interval.entry_cap].v, pole);
 }
 
 }  // namespace hsp

@@ -17,14 +17,24 @@ struct FreeInterval {
   uint32_t exit_cap, entry_cap;  // it starts at the exit of one cap and ends at the entry of the other
 };
 
-// The free intervals of one great circle, in cyclic order.
+// A cap on a meridian, whose plane has the axes "along" and "up" (great_circles.cpp).
+struct MeridianCap {
+  double along, up;  // its axis
+  double b;
+  uint32_t cap;
+  uint32_t free_ends;
+
+  static constexpr uint32_t free_entry = 1;
+  static constexpr uint32_t free_exit = 2;
+};
+
+// The free intervals of one meridian, in cyclic order.
 class FreeIntervals {
  public:
   void carve(Workspace &workspace, uint32_t capacity);
 
-  // Finds the free intervals of a circle. None if the circle is free as a whole or covered as a whole. Uses the spare
-  // slot of the caps.
-  void find(Caps &caps, const exact::Predicates &predicates, const exact::Plane &circle);
+  // Finds the free intervals of a meridian. None if it is free as a whole or covered as a whole.
+  void find(const Caps &caps, const exact::Predicates &predicates, const exact::Plane &meridian);
 
   bool empty() const { return bounding_caps_ == 0; }
 
@@ -32,22 +42,14 @@ class FreeIntervals {
   template <class Visit>
   void visit(Visit visit) const {
     for (uint32_t a = 0; a < bounding_caps_; ++a) {
-      if (!has_free_exit(bounding_[a])) continue;
-      visit(FreeInterval{cap_of(bounding_[a]), cap_of(bounding_[(a + 1) % bounding_caps_])});
+      if ((caps_[a].free_ends & MeridianCap::free_exit) == 0) continue;
+      visit(FreeInterval{caps_[a].cap, caps_[a + 1 < bounding_caps_ ? a + 1 : 0].cap});
     }
   }
 
  private:
-  // A cap with a free end point on the circle: 4 * cap + free entry + 2 * free exit.
-  static constexpr uint32_t encode(uint32_t cap, bool free_entry, bool free_exit) {
-    return 4 * cap + (free_entry ? 1U : 0U) + (free_exit ? 2U : 0U);
-  }
-  static constexpr uint32_t cap_of(uint32_t code) { return code / 4; }
-  static constexpr bool has_free_exit(uint32_t code) { return (code & 2U) != 0; }
-
-  Span<uint32_t> crossing_;  // caps that the circle crosses
-  Span<uint32_t> bounding_;  // of these, the ones with a free end point, encoded
-  uint32_t bounding_caps_ = 0;
+  Span<MeridianCap> caps_;      // those that the meridian crosses; then of these the ones with a free end point
+  uint32_t bounding_caps_ = 0;  // of which there are so many
 };
 
 // Which of several free intervals of circle P, each from the exit of a plane to the entry of another, contains the free

@@ -26,15 +26,20 @@ constexpr uint32_t quarter_edge(uint32_t edge) {
   return 4 * edge;
 }
 
-// A number for every quarter-edge. An edge's four numbers of one kind and its four of the other lie side by side, as
-// they are read together and a boundary has more edges than fit a cache.
+// inverse_rot for even q, rot for odd q: 0 <-> 3, 2 <-> 1.
+constexpr uint32_t dual_on_left(uint32_t q) {
+  return q ^ 3U;
+}
+
+// One of the two numbers that every quarter-edge has. Both lie side by side, and those of an edge together: they are
+// read together, and a boundary has more edges than fit a cache.
 class QuarterEdgeNumbers {
  public:
   QuarterEdgeNumbers() = default;
   QuarterEdgeNumbers(uint32_t *first, uint32_t size) : first_(first), size_(size) {}
 
-  uint32_t operator[](uint32_t q) const { return first_[q + (q & ~3U)]; }
-  uint32_t &operator[](uint32_t q) { return first_[q + (q & ~3U)]; }
+  uint32_t operator[](uint32_t q) const { return first_[2 * static_cast<size_t>(q)]; }
+  uint32_t &operator[](uint32_t q) { return first_[2 * static_cast<size_t>(q)]; }
   uint32_t size() const { return size_; }
 
  private:
@@ -51,7 +56,7 @@ struct QuadEdges {
   void bind(Span<uint32_t> memory) {
     const uint32_t quarter_edges = memory.size() / 2;
     next = {memory.data(), quarter_edges};
-    start = {memory.empty() ? nullptr : memory.data() + 4, quarter_edges};
+    start = {memory.empty() ? nullptr : memory.data() + 1, quarter_edges};
   }
 
   uint32_t onext(uint32_t q) const { return next[q]; }
@@ -59,11 +64,15 @@ struct QuadEdges {
   uint32_t origin(uint32_t q) const { return start[q]; }
   uint32_t left(uint32_t q) const { return start[inverse_rot(q)]; }
 
-  // Makes `after` the edge that follows `before` about the face on the left of both. The rings are complete once every
-  // even quarter-edge has been given its successor.
+  // lnext and left of an even quarter-edge.
+  uint32_t next_on_face(uint32_t q) const { return dual_on_left(next[dual_on_left(q)]); }
+  uint32_t face_on_left(uint32_t q) const { return start[dual_on_left(q)]; }
+
+  // Makes `after` the edge that follows `before` about the face on the left of both, even quarter-edges. The rings are
+  // complete once every even quarter-edge has been given its successor.
   void link_lnext(uint32_t before, uint32_t after) {
-    next[after] = sym(before);                       // sym(onext(after)) = before
-    next[inverse_rot(before)] = inverse_rot(after);  // lnext(before) = after
+    next[after] = sym(before);                         // sym(onext(after)) = before
+    next[dual_on_left(before)] = dual_on_left(after);  // lnext(before) = after
   }
 };
 

@@ -33,18 +33,20 @@ class SimpleFaceBuilder {
     topology_.edge_source[quads_.edges++] = source;
     quads_.start[rot(q)] = quads_.start[inverse_rot(q)] = no_id;
   }
-  // Adds an edge for each piece of the host edge; returns the last of them, reversed, which starts the chain of the
-  // twin.
+  // Adds an edge for each piece of the host edge; returns its chain in the other direction, that of the twin.
   uint32_t add_host(uint32_t host, uint32_t source) {
-    topology_.chain_start[host] = quarter_edge(quads_.edges);
+    const uint32_t first = quarter_edge(quads_.edges);
     add_edge(source);
     for (uint32_t s = topology_.subdivision.first(host); s != no_id; s = topology_.subdivision[s].next) {
       add_edge(source);
     }
-    return sym(quarter_edge(quads_.edges - 1));
+    const uint32_t last = quarter_edge(quads_.edges - 1);
+    const uint32_t cut = first != last ? 1U : 0U;
+    topology_.chain[host] = first | cut;
+    return sym(last) | cut;
   }
 
-  // Arcs are numbered by their half-edges on the first of their balls. Arcs in one piece get their ends at once.
+  // Arcs are numbered by their half-edges on the first of their balls.
   void number_edges() {
     quads_.edges = 0;
     uint32_t arcs = 0;
@@ -52,10 +54,8 @@ class SimpleFaceBuilder {
       for (const uint32_t half_edge : boundary_.half_edges(i)) {
         if (boundary_.half_edge(half_edge).circle < i) continue;
         topology_.host_of_arc[arcs] = half_edge;
-        topology_.chain_start[boundary_.twin(half_edge)] = add_host(half_edge, arcs++);
-        if (topology_.subdivision.first(half_edge) == no_id) {
-          set_ends(topology_.chain_start[half_edge], boundary_.half_edge(half_edge).vertex, end_of(half_edge));
-        }
+        topology_.vertex_edge[boundary_.half_edge(half_edge).vertex] = quarter_edge(quads_.edges);
+        topology_.chain[boundary_.twin(half_edge)] = add_host(half_edge, arcs++);
       }
     }
     topology_.first_circle_edge = quads_.edges;
@@ -119,7 +119,7 @@ class SimpleFaceBuilder {
   // Links the edges of one host edge, from vertex `from` to vertex `to` in the direction of the loop of its first ball.
   // Returns the last of them.
   uint32_t link_host(uint32_t host, uint32_t from, uint32_t to) {
-    uint32_t q = topology_.chain_start[host];
+    uint32_t q = topology_.chain_start(host);
     for (uint32_t s = topology_.subdivision.first(host); s != no_id; s = topology_.subdivision[s].next) {
       const SubdivisionVertex &point = topology_.subdivision[s];
       set_ends(q, from, vertex_of_subdivision(s));
@@ -140,7 +140,7 @@ class SimpleFaceBuilder {
       const uint32_t last =
           link_host(half[h], vertex_of_subdivision(2 * circle + h), vertex_of_subdivision(2 * circle + 1 - h));
       const SubdivisionVertex &end = topology_.subdivision[2 * circle + 1 - h];
-      const uint32_t following = topology_.chain_start[half[1 - h]];
+      const uint32_t following = topology_.chain_start(half[1 - h]);
       pass_subdivision_vertex(end, 0, last, following);
       pass_subdivision_vertex(end, 1, sym(following), sym(last));
     }
@@ -237,36 +237,18 @@ class SimpleFaceBuilder {
     }
   }
 
-  // Ball by ball, so that the simple faces of a ball are consecutive. The chain of every half-edge is linked to that of
-  // the next one; then all rings on the ball are closed.
+  // Ball by ball, so that the simple faces of a ball are consecutive.
   void link_loops_and_number_faces() {
     topology_.face_count = 0;
     uint32_t cut = 0;
     uint32_t sphere = quarter_edge(topology_.first_sphere_edge);
     for (uint32_t i = 0; i < balls_.n; ++i) {
-      for (const uint32_t u : boundary_.half_edges(i)) {
-        quads_.link_lnext(topology_.chain_end(topology_.chain_start[u]),
-                          topology_.chain_start[boundary_.half_edge(u).next]);
-      }
-      for (const uint32_t u : boundary_.half_edges(i)) {
-        number_chain(topology_.chain_start[u], boundary_.face_of(u));
-      }
-      for (const ClosedHalfEdge closed : boundary_.circles(i)) {
-        const uint32_t side = closed.side();
-        // From the circle's first point on either side: ids must have no effect on where a ring starts.
-        for (uint32_t turn = 0; turn < 2; ++turn) {
-          const uint32_t half = side == 0 ? turn : 1 - turn;
-          const uint32_t start = topology_.chain_start[Subdivision::half_circle(boundary_, closed.circle(), half)];
-          number_chain(side == 0 ? start : sym(topology_.chain_end(start)),
-                       boundary_.face_of_loop(boundary_.loop_of(closed)));
-        }
-      }
-      for (; cut < topology_.cut_arcs.size() && topology_.cut_arcs[cut].ball == i; ++cut) {
-        for (uint32_t piece = 0; piece < topology_.cut_arcs[cut].pieces(); ++piece) {
-          const uint32_t q = quarter_edge(topology_.cut_first_edge[cut] + piece);
-          number_ring(q, topology_.cut_arcs[cut].face);
-          number_ring(sym(q), topology_.cut_arcs[cut].face);
-        }
+      const uint32_t first_cut = cut;
+      while (cut < topology_.cut_arcs.size() && topology_.cut_arcs[cut].ball == i) ++cut;
+      if (cut != first_cut) {
+        cut_faces(i, first_cut, cut);
+      } else {
+        for (const uint32_t loop : boundary_.loops(i)) face_of_loop(loop);
       }
       if (boundary_.is_whole_sphere(i)) {
         number_ring(sphere, boundary_.faces(i).first);
@@ -275,23 +257,86 @@ class SimpleFaceBuilder {
       }
     }
   }
-  void number_chain(uint32_t start, uint32_t face) {
-    number_ring(start, face);
-    const uint32_t last = topology_.chain_end(start);
-    const uint32_t step = start < last ? 4U : 0U - 4U;
-    for (uint32_t q = start; q != last;) number_ring(q += step, face);
+
+  // The faces of a ball with cut arcs first .. last - 1. The chain of every half-edge is linked to that of the next
+  // one; then all rings on the ball are closed.
+  void cut_faces(uint32_t ball, uint32_t first, uint32_t last) {
+    for (const uint32_t u : boundary_.half_edges(ball)) {
+      quads_.link_lnext(topology_.chain_end(u), topology_.chain_start(boundary_.half_edge(u).next));
+      quads_.start[topology_.chain_start(u)] = boundary_.half_edge(u).vertex;
+    }
+    for (const uint32_t u : boundary_.half_edges(ball)) {
+      number_chain(topology_.chain_start(u), topology_.chain_end(u), boundary_.face_of(u));
+    }
+    for (const ClosedHalfEdge closed : boundary_.circles(ball)) number_circle(closed);
+    for (uint32_t k = first; k < last; ++k) {
+      for (uint32_t piece = 0; piece < topology_.cut_arcs[k].pieces(); ++piece) {
+        const uint32_t q = quarter_edge(topology_.cut_first_edge[k] + piece);
+        number_ring(q, topology_.cut_arcs[k].face);
+        number_ring(sym(q), topology_.cut_arcs[k].face);
+      }
+    }
+  }
+
+  // A loop that is the whole boundary of its face, on a ball without cut arcs. Its chains are linked on the way.
+  void face_of_loop(uint32_t loop) {
+    const LoopElement start = boundary_.loop_start(loop);
+    if (start.is_circle()) {
+      number_circle(start.closed_half_edge());
+      return;
+    }
+    const uint32_t id = topology_.face_count++;
+    uint32_t edges = 0;
+    uint32_t u = start.half_edge();
+    uint32_t q = topology_.chain_start(u);
+    const SimpleFace face{boundary_.face_of_loop(loop), q, 0};
+    do {
+      const HalfEdge &half_edge = boundary_.half_edge(u);
+      quads_.start[q] = half_edge.vertex;
+      if (topology_.chain_is_cut(u)) {
+        const uint32_t last = topology_.chain_end(u);
+        for (; q != last; q = quads_.next_on_face(q)) {
+          quads_.start[dual_on_left(q)] = id;
+          ++edges;
+        }
+      }
+      const uint32_t following = topology_.chain_start(half_edge.next);
+      quads_.start[dual_on_left(q)] = id;
+      quads_.link_lnext(q, following);
+      ++edges;
+      u = half_edge.next;
+      q = following;
+    } while (q != face.q);
+    topology_.faces[id] = {face.face, face.q, edges};
+  }
+
+  // From the circle's first point on either side: ids must have no effect on where a ring starts.
+  void number_circle(ClosedHalfEdge closed) {
+    const uint32_t side = closed.side();
+    const uint32_t face = boundary_.face_of_loop(boundary_.loop_of(closed));
+    for (uint32_t turn = 0; turn < 2; ++turn) {
+      const uint32_t host = Subdivision::half_circle(boundary_, closed.circle(), side == 0 ? turn : 1 - turn);
+      const uint32_t first = topology_.chain_start(host);
+      const uint32_t last = topology_.chain_end(host);
+      number_chain(side == 0 ? first : sym(last), side == 0 ? last : sym(first), face);
+    }
+  }
+  void number_chain(uint32_t first, uint32_t last, uint32_t face) {
+    number_ring(first, face);
+    const uint32_t step = first < last ? 4U : 0U - 4U;
+    for (uint32_t q = first; q != last;) number_ring(q += step, face);
   }
   void number_ring(uint32_t q, uint32_t face) {
-    if (quads_.left(q) != no_id) return;
-    SimpleFace &simple = topology_.faces[topology_.face_count];
-    simple = {face, q, 0};
+    if (quads_.face_on_left(q) != no_id) return;
+    const uint32_t id = topology_.face_count++;
+    uint32_t edges = 0;
     uint32_t at = q;
     do {
-      quads_.start[inverse_rot(at)] = topology_.face_count;
-      ++simple.edges;
-      at = quads_.lnext(at);
+      quads_.start[dual_on_left(at)] = id;
+      ++edges;
+      at = quads_.next_on_face(at);
     } while (at != q);
-    ++topology_.face_count;
+    topology_.faces[id] = {face, q, edges};
   }
 
   const BallSet &balls_;

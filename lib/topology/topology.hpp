@@ -78,7 +78,7 @@ struct Topology {
 
   QuadEdges quads;
   uint32_t first_circle_edge = 0, first_cut_edge = 0, first_sphere_edge = 0;
-  Span<uint32_t> chain_start;     // [2 edges] by half-edge or half circle: the first quarter-edge of its chain
+  Span<uint32_t> chain;           // [2 edges] by half-edge or half circle: chain_start, and chain_is_cut in bit 0
   Span<uint32_t> cut_first_edge;  // [cut arcs]
   Span<uint32_t> edge_source;     // [edges] arc, half circle, cut arc, or ball of a whole sphere
   Span<uint32_t> host_of_arc;     // [arcs]
@@ -106,23 +106,28 @@ struct Topology {
   uint32_t host_of_edge(uint32_t edge) const {
     return edge < first_circle_edge ? host_of_arc[edge_source[edge]] : edge_source[edge];
   }
-  // The last quarter-edge of the chain that starts with this one: the edges of one host have consecutive numbers.
-  uint32_t chain_end(uint32_t start) const {
-    const uint32_t step = (start & 2U) == 0 ? 4U : 0U - 4U;
-    uint32_t q = start;
-    while (edge_of(q + step) < first_cut_edge && edge_source[edge_of(q + step)] == edge_source[edge_of(q)]) q += step;
+  // The edges of a host have consecutive numbers and are its chain: for a half-edge in its own direction, for a half
+  // circle in that of the loop on the first ball.
+  uint32_t chain_start(uint32_t host) const { return chain[host] & ~1U; }
+  bool chain_is_cut(uint32_t host) const { return (chain[host] & 1U) != 0; }
+  uint32_t chain_end(uint32_t host) const {
+    uint32_t q = chain_start(host);
+    if (!chain_is_cut(host)) return q;
+    const uint32_t source = edge_source[edge_of(q)];
+    const uint32_t step = (q & 2U) == 0 ? 4U : 0U - 4U;
+    while (edge_of(q + step) < first_cut_edge && edge_source[edge_of(q + step)] == source) q += step;
     return q;
   }
   // The first quarter-edge of a loop on its own ball. Its left face is the first of those that cut arcs to the loop
   // make of the maximal face (SimpleFaceBuilder numbers them loop by loop).
   uint32_t start_of_loop(const Boundary &boundary, uint32_t loop) const {
     const LoopElement start = boundary.loop_start(loop);
-    if (!start.is_circle()) return chain_start[start.half_edge()];
+    if (!start.is_circle()) return chain_start(start.half_edge());
     const uint32_t circle = start.closed_half_edge().circle();
-    if (start.closed_half_edge().side() == 0) return chain_start[Subdivision::half_circle(boundary, circle, 0)];
+    if (start.closed_half_edge().side() == 0) return chain_start(Subdivision::half_circle(boundary, circle, 0));
     // Backwards from the end of the circle's edges; those of the next one follow.
     const uint32_t end = circle + 1 < boundary.circle_count()
-                             ? edge_of(chain_start[Subdivision::half_circle(boundary, circle + 1, 0)])
+                             ? edge_of(chain_start(Subdivision::half_circle(boundary, circle + 1, 0)))
                              : first_cut_edge;
     return sym(quarter_edge(end - 1));
   }
@@ -141,7 +146,7 @@ struct Topology {
     return edge < first_sphere_edge ? EdgeKind::cut_arc : EdgeKind::whole_sphere;
   }
   // Which part of its host edge or cut arc an edge is.
-  uint32_t piece_of_host(uint32_t edge) const { return edge - edge_of(chain_start[host_of_edge(edge)]); }
+  uint32_t piece_of_host(uint32_t edge) const { return edge - edge_of(chain_start(host_of_edge(edge))); }
   uint32_t piece_of_cut_arc(uint32_t edge) const { return edge - cut_first_edge[edge_source[edge]]; }
 
   uint32_t ball_of(const Boundary &boundary, uint32_t simple_face) const {

@@ -22,7 +22,7 @@ void Topology::carve(Workspace &workspace, const TopologyLimits &limits) {
   cut_arcs = FixedVector<CutArc>(workspace.take<CutArc>(limits.cut_arcs));
   subdivision.carve(workspace, limits.edges, limits.cut_arcs);
   quads.bind(workspace.take<uint32_t>(QuadEdges::numbers_per_edge * edges));
-  chain_start = workspace.take<uint32_t>(2 * edges);
+  chain = workspace.take<uint32_t>(2 * edges);
   cut_first_edge = workspace.take<uint32_t>(limits.cut_arcs);
   edge_source = workspace.take<uint32_t>(edges);
   host_of_arc = workspace.take<uint32_t>(edges);

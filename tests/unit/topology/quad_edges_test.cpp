@@ -134,6 +134,7 @@ TEST(QuadEdges, RotationsOfOneEdge) {
       EXPECT_NE(to_view, q);
     }
     EXPECT_NE(hsp::rot(q) % 2, q % 2);
+    EXPECT_EQ(hsp::dual_on_left(q), q % 2 == 0 ? hsp::inverse_rot(q) : hsp::rot(q));
   }
   EXPECT_EQ(hsp::quarter_edge(7), 28U);
   EXPECT_EQ(hsp::edge_of(hsp::quarter_edge(7)), 7U);
@@ -257,6 +258,7 @@ TEST(QuadEdges, AnEdgeThatEndsInsideAFace) {
   EXPECT_EQ(quads.onext(2), 4U);
   EXPECT_EQ(quads.onext(4), 8U);
   for (uint32_t q = 0; q < 12; ++q) EXPECT_EQ(quads.onext(hsp::rot(quads.onext(hsp::rot(q)))), q);
+  for (uint32_t q = 0; q < 12; q += 2) EXPECT_EQ(quads.next_on_face(q), quads.lnext(q));
 }
 
 }  // namespace

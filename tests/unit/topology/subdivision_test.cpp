@@ -78,7 +78,7 @@ class Check {
         if (2 * pi - step < tie) step = 0;
         ASSERT_GE(step, least_gap_) << "piece " << k << " of host " << host << ": " << oracle::to_text(set_);
         // The edge turns by as much, or by a whole turn more or less.
-        const uint32_t edge = hsp::edge_of(built_.structure().chain_start[host]) + static_cast<uint32_t>(k) - 1;
+        const uint32_t edge = hsp::edge_of(built_.structure().chain_start(host)) + static_cast<uint32_t>(k) - 1;
         const long double angle = geometry_of_edge(built_.balls(), built_.boundary(), built_.structure(), edge).angle;
         ASSERT_NEAR(static_cast<double>(std::remainder(angle - step, 2 * pi)), 0.0, static_cast<double>(tie))
             << "piece " << k << " of host " << host << ": " << oracle::to_text(set_);

@@ -34,7 +34,7 @@ TEST(TopologyMemory, ArraysAreAsLongAsTheirIndices) {
           EXPECT_EQ(structure.quads.next.size(), 4 * edges);
           EXPECT_EQ(structure.quads.start.size(), 4 * edges);
           // Arcs have a use on either side and are an edge each; of free circles there are two halves, an edge each.
-          EXPECT_GE(structure.chain_start.size(), 2 * edges);
+          EXPECT_GE(structure.chain.size(), 2 * edges);
           EXPECT_GE(structure.host_of_arc.size(), edges);
           EXPECT_GE(structure.edge_source.size(), edges);
           // A lens: as many vertices and simple faces as edges. A whole sphere: two poles for two edges.
@@ -58,7 +58,7 @@ void expect_within_arrays(BuiltTopology &built) {
   EXPECT_LE(structure.face_count, structure.faces.size());
   EXPECT_LE(structure.shell_count, structure.shells.size());
   EXPECT_LE(structure.component_count, structure.components.size());
-  EXPECT_LE(built.boundary().half_edge_count() + 2 * built.boundary().circle_count(), structure.chain_start.size());
+  EXPECT_LE(built.boundary().half_edge_count() + 2 * built.boundary().circle_count(), structure.chain.size());
   EXPECT_LE(structure.cell_count, built.marks().size() + 1);
   EXPECT_LE(structure.vertex_count, built.marks().size());
 }
