@@ -12,11 +12,11 @@ using hsp::capi::check_request;
 
 }  // namespace
 
-int32_t hsp_topology_get_shells(const hsp_topology *topology, hsp_shell *out, uint32_t capacity, uint32_t *needed) {
+int32_t hsp_topology_get_shells(hsp_topology *topology, hsp_shell *out, uint32_t capacity, uint32_t *needed) {
   const int32_t status = check_request(topology, out, capacity, needed,
                                        [](const hsp_topology &handle) { return handle.structure().shell_count; });
   if (status != HSP_OK) return status;
-  const hsp::Topology &structure = topology->structure();
+  const hsp::Topology &structure = topology->scanned();
   const hsp::Boundary &boundary = topology->boundary->structure();
   const hsp::BallSet &balls = topology->balls();
   for (uint32_t s = 0; s < structure.shell_count; ++s) {
@@ -55,11 +55,11 @@ int32_t hsp_topology_get_components(const hsp_topology *topology, hsp_component 
   return HSP_OK;
 }
 
-int32_t hsp_topology_get_cells(const hsp_topology *topology, hsp_cell *out, uint32_t capacity, uint32_t *needed) {
+int32_t hsp_topology_get_cells(hsp_topology *topology, hsp_cell *out, uint32_t capacity, uint32_t *needed) {
   const int32_t status = check_request(topology, out, capacity, needed,
                                        [](const hsp_topology &handle) { return handle.structure().cell_count; });
   if (status != HSP_OK) return status;
-  hsp::measure_cells(topology->balls(), topology->boundary->structure(), topology->structure(),
+  hsp::measure_cells(topology->balls(), topology->boundary->structure(), topology->scanned(),
                      hsp::Span<hsp_cell>(out, *needed));
   return HSP_OK;
 }
@@ -80,12 +80,12 @@ int32_t hsp_topology_get_cell_shells(const hsp_topology *topology, uint32_t cell
   return HSP_OK;
 }
 
-int32_t hsp_topology_get_traversal(const hsp_topology *topology, uint32_t shell, uint32_t *faces, uint32_t capacity,
+int32_t hsp_topology_get_traversal(hsp_topology *topology, uint32_t shell, uint32_t *faces, uint32_t capacity,
                                    uint32_t *needed) {
   if (!is_live(topology) || needed == nullptr || (faces == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
   if (!topology->has_results()) return HSP_E_STATE;
-  const hsp::Topology &structure = topology->structure();
-  if (shell >= structure.shell_count) return HSP_E_ID;
+  if (shell >= topology->structure().shell_count) return HSP_E_ID;
+  const hsp::Topology &structure = topology->scanned();
   const hsp::ShellRecord &record = structure.shells[shell];
   if (const int32_t status = check_output(faces, capacity, record.simple_faces, needed); status != HSP_OK) {
     return status;

@@ -126,7 +126,7 @@ int32_t hsp_topology_check(hsp_topology *topology, uint32_t *invariant, uint32_t
   if (!is_live(topology) || invariant == nullptr || id == nullptr) return HSP_E_ARGUMENT;
   if (!topology->has_results()) return HSP_E_STATE;
   const hsp::Boundary &boundary = topology->boundary->structure();
-  const hsp::Topology &structure = topology->structure();
+  const hsp::Topology &structure = topology->scanned();
   hsp::TopologyViolation violation = hsp::check_topology(boundary, structure, topology->builder.marks());
   if (violation.invariant == TopologyInvariant::none) {
     violation = hsp::check_enclosed_volumes(topology->balls(), boundary, structure);

@@ -19,5 +19,7 @@ struct hsp_topology {
     return complete && hsp::capi::is_live(boundary) && computed == boundary->computed && boundary->has_results();
   }
   const hsp::Topology &structure() const { return builder.structure(); }
+  // The same with its shells scanned.
+  const hsp::Topology &scanned() { return builder.scanned(boundary->structure()); }
   const hsp::BallSet &balls() const { return boundary->balls(); }
 };

@@ -127,7 +127,7 @@ class TopologyCalls {
     return topology == nullptr ? HSP_E_ARGUMENT : complete_ && version_ == version ? HSP_OK : HSP_E_STATE;
   }
 
-  void read_arrays(const hsp_topology *topology, int32_t expected, const hsp_topology_counts &counts) {
+  void read_arrays(hsp_topology *topology, int32_t expected, const hsp_topology_counts &counts) {
     check_range<hsp_topology_vertex>(bytes_, 60, expected, counts.vertices,
                                      [&](uint32_t first, uint32_t count, hsp_topology_vertex *out) {
                                        return hsp_topology_get_vertices(topology, first, count, out);

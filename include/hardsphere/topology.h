@@ -257,12 +257,13 @@ typedef struct hsp_shell {
  *  - Property 1: areas sum to the area of the union; volumes of outer shells less those of voids to its volume, up to
  *    rounding.
  *
+ *  Not const, like hsp_topology_get_cells and hsp_topology_get_traversal: after hsp_topology_compute the first of them
+ *  that succeeds scans the shells. From then on any number of threads may call them at a time.
  *  Cost: O(size of the boundary).
  *  @retval HSP_E_ARGUMENT  topology or needed is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since */
-HSP_API int32_t hsp_topology_get_shells(const hsp_topology *topology, hsp_shell *out, uint32_t capacity,
-                                        uint32_t *needed);
+HSP_API int32_t hsp_topology_get_shells(hsp_topology *topology, hsp_shell *out, uint32_t capacity, uint32_t *needed);
 
 /** A connected component of the union. Frozen. */
 typedef struct hsp_component {
@@ -291,12 +292,11 @@ typedef struct hsp_cell {
   uint32_t reserved;        /**< 0 */
 } hsp_cell;
 
-/** The cells of the complement: hsp_topology_counts.cells records.
+/** The cells of the complement: hsp_topology_counts.cells records. Not const, as hsp_topology_get_shells.
  *  @retval HSP_E_ARGUMENT  topology or needed is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since */
-HSP_API int32_t hsp_topology_get_cells(const hsp_topology *topology, hsp_cell *out, uint32_t capacity,
-                                       uint32_t *needed);
+HSP_API int32_t hsp_topology_get_cells(hsp_topology *topology, hsp_cell *out, uint32_t capacity, uint32_t *needed);
 
 /** The shells that bound a cell, ascending: its enclosing shell, and the outer shell of every component in it. Cost:
  *  O(shells).
@@ -310,13 +310,13 @@ HSP_API int32_t hsp_topology_get_cell_shells(const hsp_topology *topology, uint3
 /** The paper's scan of one shell: its simple faces in the order in which its recursion from start_face visits them,
  *  around each face counter-clockwise from the edge by which it was entered (hsp_simple_face.q for start_face) and
  *  at once into every neighbour not visited before. With the shell of hsp_topology_counts.start_face it is the outer
- *  boundary component from the topmost ball.
+ *  boundary component from the topmost ball. Not const, as hsp_topology_get_shells.
  *  @retval HSP_E_ARGUMENT  topology or needed is NULL; faces is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since
  *  @retval HSP_E_ID        there is no such shell */
-HSP_API int32_t hsp_topology_get_traversal(const hsp_topology *topology, uint32_t shell, uint32_t *faces,
-                                           uint32_t capacity, uint32_t *needed);
+HSP_API int32_t hsp_topology_get_traversal(hsp_topology *topology, uint32_t shell, uint32_t *faces, uint32_t capacity,
+                                           uint32_t *needed);
 
 /* ---- point location ---------------------------------------------------------------------------------------------- */
 

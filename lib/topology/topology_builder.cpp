@@ -46,6 +46,7 @@ void TopologyBuilder::carve(Workspace &workspace, const TopologyLimits &limits) 
 
 Status TopologyBuilder::build(const CubeGrid &grid, const Boundary &boundary, uint32_t neighbours) {
   const BallSet &balls = grid.balls();
+  scanned_ = false;
   needed_ = {balls.n, neighbours, clamped_count(count_uncut_edges(balls, boundary)), 0};
   const bool fits = needed_.balls <= limits_.balls && needed_.neighbours <= limits_.neighbours;
   if (!fits || needed_.edges > limits_.edges) return Status::capacity;
@@ -63,8 +64,16 @@ Status TopologyBuilder::build(const CubeGrid &grid, const Boundary &boundary, ui
   assemble_simple_faces(balls, boundary, structure_);
   gather_components(grid, boundary, structure_);
   gather_cells(grid, boundary, structure_);
-  traverse_shells(boundary, structure_, marks_);
   return Status::ok;
+}
+
+const Topology &TopologyBuilder::scanned(const Boundary &boundary) {
+  // Written once: afterwards several threads may read.
+  if (!scanned_) {
+    traverse_shells(boundary, structure_, marks_);
+    scanned_ = true;
+  }
+  return structure_;
 }
 
 }  // namespace hsp

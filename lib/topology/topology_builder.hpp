@@ -19,6 +19,8 @@ class TopologyBuilder {
   Status build(const CubeGrid &grid, const Boundary &boundary, uint32_t neighbours);
 
   const Topology &structure() const { return structure_; }
+  // The same with its shells counted and traversed (traversal.hpp), which is done when it is first asked for.
+  const Topology &scanned(const Boundary &boundary);
   const TopologyLimits &needed() const { return needed_; }
   // What to try again with after Status::capacity.
   TopologyLimits retry_limits() const { return limits_.covering(needed_); }
@@ -32,6 +34,7 @@ class TopologyBuilder {
   Topology structure_;
   CutArcFinder finder_;
   GatheredBall gathered_;
+  bool scanned_ = false;
   Span<uint32_t> marks_;
 };
 

@@ -60,8 +60,8 @@ void print_model(const std::string &set, const hsp_model *model, uint32_t n) {
 }
 
 template <class Record, class Handle>
-void print_all(const std::string &set, const char *what, const Handle *handle,
-               int32_t (*getter)(const Handle *, Record *, uint32_t, uint32_t *)) {
+void print_all(const std::string &set, const char *what, Handle *handle,
+               int32_t (*getter)(Handle *, Record *, uint32_t, uint32_t *)) {
   print(set, what,
         all_records<Record>(
             [&](Record *out, uint32_t capacity, uint32_t *needed) { return getter(handle, out, capacity, needed); },
@@ -185,8 +185,8 @@ void print_set(const std::string &name, const support::BallList &balls, double p
   topology.compute([&](hsp_topology *handle, hsp_topology_limits *limits) {
     return hsp_topology_compute(handle, boundary, limits);
   });
-  print_all(set, "shells", static_cast<const hsp_topology *>(topology.get()), hsp_topology_get_shells);
-  print_all(set, "cells", static_cast<const hsp_topology *>(topology.get()), hsp_topology_get_cells);
+  print_all(set, "shells", topology.get(), hsp_topology_get_shells);
+  print_all(set, "cells", topology.get(), hsp_topology_get_cells);
   print_views(set, model.get(), boundary, n);
 }
 

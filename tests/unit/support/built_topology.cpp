@@ -25,5 +25,5 @@ void BuiltTopology::build() {
     limits.edges = std::max(limits.edges, needed.edges);
     limits.cut_arcs = std::max(limits.cut_arcs, needed.cut_arcs);
   }
-  structure_ = builder_.structure();
+  structure_ = status_ == hsp::Status::ok ? builder_.scanned(boundary()) : builder_.structure();
 }
