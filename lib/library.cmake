@@ -51,6 +51,8 @@ set(HSP_LIBRARY_SOURCES
   lib/surface/surface_builder.cpp
   lib/view/depth_buffer.cpp
   lib/view/depth_order.cpp
+  lib/view/depth_rows.cpp
+  lib/view/depth_rows_avx2.cpp
   lib/view/occlusion.cpp
   lib/view/piece_arcs.cpp
   lib/view/projected_arcs.cpp

@@ -1,5 +1,10 @@
 #include "view/depth_buffer.hpp"
 
+#include <limits>
+
+#include "core/processor.hpp"
+#include "view/depth_rows.hpp"
+
 namespace hsp {
 namespace {
 
@@ -9,7 +14,6 @@ constexpr double cell_in_radii = 0.2;
 constexpr uint64_t cells_per_ball = 16;
 constexpr uint64_t further_cells = 4096;
 constexpr uint64_t most_cells = 0xFFFFFFFF;
-constexpr uint32_t coarse_side = 4;  // cells
 
 constexpr uint32_t coarse_cells(uint32_t cells) {
   return (cells + coarse_side - 1) / coarse_side;
@@ -28,40 +32,47 @@ struct CellRange {
   }
 };
 
-double nearest_in_cell(double coordinate, double low, double cell) {
-  const double below = low - coordinate;
-  const double above = coordinate - (low + cell);
-  return below > 0.0 ? below : above > 0.0 ? above : 0.0;
-}
-double farthest_in_cell(double coordinate, double low, double cell) {
-  const double from_low = coordinate - low;
-  const double from_high = low + cell - coordinate;
-  return from_low > from_high ? from_low : from_high;
-}
-
 }  // namespace
 
-// The columns that a disc meets, and for each the squared distance of its nearest or farthest edge. A disc is at most
-// 10 + 1/2 cells wide, so it meets at most 12.
-struct DepthBuffer::Columns {
-  static constexpr uint32_t most = 16;
-  uint32_t first, count;
-  double squared[most];
+// The distance of a coordinate from the cell that begins at `low`, up to its sign.
+double DepthBuffer::distance_of_cell(double coordinate, double low, Edge edge) const {
+  const double below = low - coordinate;
+  const double above = coordinate - (low + cell_);
+  // Inside both are negative, and outside one of them.
+  if (edge == Edge::farthest) return below < above ? below : above;
+  const double outside = below > above ? below : above;
+  return outside > 0.0 ? outside : 0.0;
+}
 
-  template <class Distance>
-  Columns(const DepthBuffer &floor, double x, double radius, Distance distance) {
-    const CellRange range(x - radius, x + radius, floor.left_, floor.cells_per_length_, floor.columns_);
-    first = range.first;
-    count = range.last > range.first ? range.last - range.first : 0;
-    if (count > most) count = most;
-    for (uint32_t k = 0; k < count; ++k) {
-      const double d = distance(x, floor.left_ + (first + k) * floor.cell_, floor.cell_);
-      squared[k] = d * d;
-    }
+// The cells that a disc meets, with the distances of their nearest or farthest edges. squared: of the radius, or a
+// little more or less.
+DiscCells DepthBuffer::cells_of(double x, double y, double radius, double squared, Edge edge) const {
+  DiscCells cells;
+  const auto fewer = [](const CellRange &range) {
+    const uint32_t count = range.last > range.first ? range.last - range.first : 0;
+    return count < DiscCells::most ? count : DiscCells::most;
+  };
+  const CellRange columns(x - radius, x + radius, left_, cells_per_length_, columns_);
+  const CellRange rows(y - radius, y + radius, bottom_, cells_per_length_, rows_);
+  cells.first_column = columns.first;
+  cells.columns = fewer(columns);
+  cells.first_row = rows.first;
+  cells.rows = fewer(rows);
+  for (uint32_t k = 0; k < cells.columns; ++k) {
+    const double dx = distance_of_cell(x, left_ + (columns.first + k) * cell_, edge);
+    cells.squared[k] = dx * dx;
   }
-};
+  // What four lanes read behind the last column.
+  for (uint32_t k = cells.columns; k % 4 != 0; ++k) cells.squared[k] = std::numeric_limits<double>::infinity();
+  for (uint32_t k = 0; k < cells.rows; ++k) {
+    const double dy = distance_of_cell(y, bottom_ + (rows.first + k) * cell_, edge);
+    cells.in_row[k] = squared - dy * dy;
+  }
+  return cells;
+}
 
 void DepthBuffer::carve(Workspace &workspace, uint32_t balls) {
+  wide_ = has_avx2();
   const uint64_t wanted = cells_per_ball * balls + further_cells;
   const uint64_t cells = wanted < most_cells ? wanted : most_cells;
   floor_ = workspace.take<float>(cells);
@@ -131,22 +142,9 @@ bool DepthBuffer::is_above(const BoundingBox &box, double height) {
 // e of R^2.
 bool DepthBuffer::hides(const ProjectedBall &disc) const {
   const double R = disc.r + 4 * margin_;
-  const double squared = R * R * (1.0 + 0x1p-40);
+  const DiscCells cells = cells_of(disc.x, disc.y, R, R * R * (1.0 + 0x1p-40), Edge::nearest);
   const double base = disc.z + 4 * margin_;
-  const Columns columns(*this, disc.x, R, nearest_in_cell);
-  const CellRange rows(disc.y - R, disc.y + R, bottom_, cells_per_length_, rows_);
-  for (uint32_t row = rows.first; row < rows.last; ++row) {
-    const double dy = nearest_in_cell(disc.y, bottom_ + row * cell_, cell_);
-    const double in_row = squared - dy * dy;
-    const float *const cell = &floor_[row * columns_ + columns.first];
-    for (uint32_t k = 0; k < columns.count; ++k) {
-      const double left_over = in_row - columns.squared[k];
-      if (left_over <= 0.0) continue;
-      const double above = static_cast<double>(cell[k]) - base;
-      if (above <= 0.0 || above * above <= left_over) return false;
-    }
-  }
-  return true;
+  return wide_ ? hides_avx2(floor_cells(), cells, base) : hides_one_by_one(floor_cells(), cells, base);
 }
 
 // The ball made smaller by the margin raises the floor of the cells that it fills, to the height above their farthest
@@ -156,25 +154,12 @@ bool DepthBuffer::hides(const ProjectedBall &disc) const {
 void DepthBuffer::raise(const ProjectedBall &disc) {
   const double R = disc.r - 4 * margin_;
   if (R <= 0.0) return;
-  const double squared = R * R * (1.0 - 0x1p-40);
+  const DiscCells cells = cells_of(disc.x, disc.y, R, R * R * (1.0 - 0x1p-40), Edge::farthest);
   const double base = disc.z - 4 * margin_;
-  const Columns columns(*this, disc.x, R, farthest_in_cell);
-  const CellRange rows(disc.y - R, disc.y + R, bottom_, cells_per_length_, rows_);
-  for (uint32_t row = rows.first; row < rows.last; ++row) {
-    const double dy = farthest_in_cell(disc.y, bottom_ + row * cell_, cell_);
-    const double in_row = squared - dy * dy;
-    if (in_row <= 0.0) continue;
-    float *const cell = &floor_[row * columns_ + columns.first];
-    for (uint32_t k = 0; k < columns.count; ++k) {
-      const double left_over = in_row - columns.squared[k];
-      if (left_over <= 0.0) continue;
-      const double above = static_cast<double>(cell[k]) - base;
-      if (above > 0.0 && above * above >= left_over) continue;  // saves the square root
-      const double height = base + std::sqrt(left_over);
-      const float lowered = static_cast<float>(height - 0x1p-22 * std::fabs(height) - margin_);
-      cell[k] = lowered > cell[k] ? lowered : cell[k];
-      stale_[row / coarse_side * coarse_columns_ + (columns.first + k) / coarse_side] = 1;
-    }
+  if (wide_) {
+    raise_avx2(floor_cells(), cells, base, margin_);
+  } else {
+    raise_one_by_one(floor_cells(), cells, base, margin_);
   }
 }
 

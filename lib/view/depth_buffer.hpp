@@ -5,6 +5,7 @@
 #pragma once
 
 #include "core/workspace.hpp"
+#include "view/depth_rows.hpp"
 #include "view/view_frame.hpp"
 
 namespace hsp {
@@ -41,9 +42,15 @@ class DepthBuffer {
   // Takes the ball's front into account.
   void raise(const ProjectedBall &disc);
 
- private:
-  struct Columns;
+  // For tests.
+  void do_without_wide_code() { wide_ = false; }
 
+ private:
+  enum class Edge { nearest, farthest };  // of a cell
+
+  double distance_of_cell(double coordinate, double low, Edge edge) const;
+  DiscCells cells_of(double x, double y, double radius, double squared, Edge edge) const;
+  FloorCells floor_cells() const { return {floor_.data(), columns_, stale_.data(), coarse_columns_}; }
   float lowest_of(uint32_t coarse_column, uint32_t coarse_row);
 
   Span<float> floor_;                 // [columns * rows]
@@ -54,6 +61,7 @@ class DepthBuffer {
   double margin_ = 0.0;
   uint32_t columns_ = 0, rows_ = 0;
   uint32_t coarse_columns_ = 0;
+  bool wide_ = false;
 };
 
 }  // namespace hsp
