@@ -46,7 +46,7 @@ done <"$work/stages" >"$work/counted"
 
 if [ "${2:-}" = --write ]; then
   {
-    sed '/^#/!d; /^# build: /d' "$budgets"
+    sed '/^#/!d; /^# build: /d; /^# stage /d' "$budgets"
     echo "# build: $build"
     awk 'BEGIN { print "# stage          molecule      surface             instructions  mispredictions" }
       { printf "%-16s %-13s %-18s %13s %15s\n", $1, $2, $3, $4, $5 }' "$work/counted"
