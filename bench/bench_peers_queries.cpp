@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "alternation.hpp"
+#include "section_3/grouped_balls.hpp"
 #include "sizes.hpp"
 #include "suite.hpp"
 #ifdef BENCH_GEMMI

@@ -71,7 +71,7 @@ void report_areas(benchmark::State &state, const std::string &name, const std::v
 }
 
 void surfaces_by_turns(benchmark::State &state, Subject &subject, const std::string &key) {
-  const double probe = subject.model->probe();
+  [[maybe_unused]] const double probe = subject.model->probe();
   hsp_totals totals{};
   std::vector<Part> parts{{"library", [&] {
                              subject.model->set();

@@ -96,7 +96,7 @@ run_suite bench_paper_section_2 5 0.02
 run_suite bench_paper_section_3 5 0.02
 run_suite bench_section_3_alternatives 3 0.02
 run_suite bench_paper_section_4_2 5 0.02
-run_suite bench_paper_section_5_1 5 0.02
+run_suite bench_paper_section_5_1 3 0.02
 run_suite bench_topology 5 0.05
 run_suite bench_gradients 5 0.05
 run_suite bench_scaling 3 0.02
