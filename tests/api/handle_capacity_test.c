@@ -125,7 +125,8 @@ static void fail_and_succeed(const computed *all) {
 
 /* ---- topologies ---- */
 
-static void topology_results(const void *topology, const void *source) {
+static void topology_results(const void *handle, const void *source) {
+  hsp_topology *topology = (hsp_topology *)handle; /* not const for what scans its shells */
   const topology_result *all = source;
   hsp_topology_counts counts;
   uint32_t count = 0;
@@ -151,7 +152,8 @@ static void topology_results(const void *topology, const void *source) {
   guarded_give_back(&shells);
 }
 
-static void no_topology_results(const void *topology) {
+static void no_topology_results(const void *handle) {
+  hsp_topology *topology = (hsp_topology *)handle;
   hsp_topology_counts counts;
   uint32_t count = 12345;
   CHECK_EQUAL(hsp_topology_get_counts(topology, &counts), HSP_E_STATE);

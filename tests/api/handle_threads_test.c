@@ -23,8 +23,7 @@ typedef struct work {
 static void *read_and_compute(void *argument) {
   work *mine = argument;
   const kind_of_life *k = &kinds_of_life[mine->kind];
-  const void *source = source_of(mine->shared, mine->kind);
-  void *shared = handle_of(mine->shared, mine->kind);
+  const void *source = source_of(mine->shared, mine->kind), *shared = handle_of(mine->shared, mine->kind);
   unsigned char *buffer = buffer_for(mine->shared);
   const limit_numbers limits = limits_of(mine->shared, mine->kind);
   size_t bytes = 0;

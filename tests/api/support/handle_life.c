@@ -40,7 +40,7 @@ static uint64_t derived_hash(const hsp_boundary *boundary, const hsp_boundary_co
 }
 
 /* With queries of the model that the boundary is of. */
-static uint64_t boundary_hash(void *boundary, const void *source, unsigned char *buffer, uint32_t room) {
+static uint64_t boundary_hash(const void *boundary, const void *source, unsigned char *buffer, uint32_t room) {
   const computed *c = source;
   uint64_t hash = UINT64_C(0xCBF29CE484222325);
   hsp_boundary_counts counts;
@@ -71,7 +71,8 @@ static uint64_t boundary_hash(void *boundary, const void *source, unsigned char 
   return bad ? 0 : derived_hash(boundary, &counts, buffer, hash);
 }
 
-static uint64_t topology_hash(void *topology, const void *source, unsigned char *buffer, uint32_t room) {
+static uint64_t topology_hash(const void *handle, const void *source, unsigned char *buffer, uint32_t room) {
+  hsp_topology *topology = (hsp_topology *)handle; /* no handle is const by itself, and some calls scan its shells */
   uint64_t hash = UINT64_C(0xCBF29CE484222325);
   hsp_topology_counts counts;
   uint32_t needed = 0, q, id;
@@ -112,7 +113,7 @@ static uint64_t topology_hash(void *topology, const void *source, unsigned char 
   return bad ? 0 : hash;
 }
 
-static uint64_t view_hash(void *view, const void *source, unsigned char *buffer, uint32_t room) {
+static uint64_t view_hash(const void *view, const void *source, unsigned char *buffer, uint32_t room) {
   uint64_t hash = UINT64_C(0xCBF29CE484222325);
   hsp_view_info info;
   uint32_t needed = 0;

@@ -10,7 +10,7 @@ typedef struct kind_of_life {
   const handle_kind *kind;
   const char *name;
   /* A hash over everything that can be read, by way of a buffer of the caller's; 0 if a call fails. */
-  uint64_t (*hash)(void *handle, const void *source, unsigned char *buffer, uint32_t room);
+  uint64_t (*hash)(const void *handle, const void *source, unsigned char *buffer, uint32_t room);
   /* Calls what uses scratch memory; 0 if a call fails. */
   int (*use)(void *handle);
 } kind_of_life;
