@@ -105,8 +105,8 @@ BallRange CubeGrid::balls_in_row(int64_t x_low, int64_t x_high, int64_t y, int64
 CubeBlock CubeGrid::block_around(const CubeCoordinates &centre) const {
   CubeBlock block;
   if (rows_.is_there()) {
-    block.ranges =
-        rows_.find({centre.x - 1, centre.y - 1, centre.z - 1}, {centre.x + 1, centre.y + 1, centre.z + 1}, block.range);
+    block.ranges = rows_.find({centre.x - 1, centre.y - 1, centre.z - 1}, {centre.x + 1, centre.y + 1, centre.z + 1},
+                              {block.range, 9});
   } else {
     for (int64_t dz = -1; dz <= 1; ++dz) {
       for (int64_t dy = -1; dy <= 1; ++dy) {

@@ -32,7 +32,7 @@ CubeBox cubes_at_ball(const CubeGrid &grid, const LatticeQuery &query) {
 }
 
 // No box of a query up to the size of the largest ball has more rows.
-constexpr int64_t few_rows = 9;
+constexpr uint32_t few_rows = 9;
 
 bool has_few_rows(const CubeBox &box) {
   const int64_t y = box.high.y - box.low.y, z = box.high.z - box.low.z;
@@ -82,7 +82,7 @@ class HitFinder {
   void find(const CubeBox &box) {
     if (grid_.rows().is_there() && has_few_rows(box)) {
       BallRange rows[few_rows];
-      find(rows, grid_.rows().find(box.low, box.high, rows));
+      find(rows, grid_.rows().find(box.low, box.high, {rows, few_rows}));
       return;
     }
     visit_rows(grid_, box, [this](const BallRange &row) {

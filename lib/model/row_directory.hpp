@@ -24,7 +24,7 @@ class RowDirectory {
   bool is_there() const { return has_row_directories && width_ != 0; }
   // The balls of the cubes from `low` to `high`: a range for each row that has any, in ascending order. Returns their
   // number; there must be room for all rows.
-  uint32_t find(const CubeCoordinates &low, const CubeCoordinates &high, BallRange *rows) const {
+  uint32_t find(const CubeCoordinates &low, const CubeCoordinates &high, Span<BallRange> rows) const {
     const uint32_t *const cells = cells_.data();
     const int64_t from = clipped(low.x - low_.x, width_);
     const int64_t to = clipped(high.x - low_.x + 1, width_);

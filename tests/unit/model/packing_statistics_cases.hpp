@@ -96,7 +96,22 @@ inline uint32_t statistics_of_all_pairs() {
   return all_hold;
 }
 
+// A set for which coarser cubes are tried: its directory of rows, whose memory they take, is there afterwards.
+inline uint32_t rows_are_kept() {
+  const LatticePoint balls[] = {{1, 1, 1, 1}, {5, 1, 1, 1}};
+  if (!small_grid().build(balls, 2)) return 0;
+  hsp::CubeGrid &grid = small_grid().grid();
+  for (uint32_t asked = 0; asked < 2; ++asked) {
+    hsp::BallRange rows[2];
+    if (!grid.rows().is_there() || grid.rows().find({0, 0, 0}, {2, 0, 0}, {rows, 2}) != 1) return 1 + asked;
+    if (rows[0].first != 0 || rows[0].last != 2) return 1 + asked;
+    if (!near(hsp::packing_statistics(grid).rho, 4.0, 1e-12)) return 3;
+  }
+  return all_hold;
+}
+
 inline constexpr Check model_packing_statistics[] = {{"statistics_by_hand", statistics_by_hand},
-                                                     {"statistics_of_all_pairs", statistics_of_all_pairs}};
+                                                     {"statistics_of_all_pairs", statistics_of_all_pairs},
+                                                     {"rows_are_kept", rows_are_kept}};
 
 }  // namespace cases

@@ -9,7 +9,7 @@ namespace cases {
 inline bool rows_are_those_of_the_table(const hsp::CubeGrid &grid, const hsp::CubeCoordinates &low,
                                         const hsp::CubeCoordinates &high) {
   hsp::BallRange found[400];
-  const uint32_t count = grid.rows().find(low, high, found);
+  const uint32_t count = grid.rows().find(low, high, {found, 400});
   uint32_t expected = 0;
   for (int64_t z = low.z; z <= high.z; ++z) {
     for (int64_t y = low.y; y <= high.y; ++y) {
@@ -64,7 +64,7 @@ inline uint32_t room_decides() {
   rows.build(grid.table(), {first_ball, 3}, {cells, 72});
   if (!rows.is_there() || cells[72] != 77) return 2;
   hsp::BallRange found[12];
-  if (rows.find({-1, 0, 0}, {3, 3, 2}, found) != 2) return 3;
+  if (rows.find({-1, 0, 0}, {3, 3, 2}, {found, 12}) != 2) return 3;
   rows.clear();
   return rows.is_there() ? 4 : all_hold;
 }
