@@ -122,10 +122,10 @@ fi
 
 mkdir -p "$report_folder/plots"
 "$build_folder/bench/write_report" --plots "$report_folder"
-if command -v gnuplot >/dev/null; then
-  gnuplot -e "folder='$report_folder/plots'" "$source_folder/bench/report/plots.gp"
-else
+if ! command -v gnuplot >/dev/null; then
   printf 'no plots: gnuplot is not installed\n'
+elif ! gnuplot -e "folder='$report_folder/plots'" "$source_folder/bench/report/plots.gp"; then
+  printf 'no plots: gnuplot failed\n'
 fi
 "$build_folder/bench/write_report" "$report_folder" >"$report_folder/report.md"
 printf 'The report is %s\nTo commit it:\n' "$report_folder/report.md"

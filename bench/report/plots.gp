@@ -1,4 +1,5 @@
 # gnuplot -e "folder='FOLDER'" plots.gp: draws FOLDER/NAME.svg from the tables that `write_report --plots` put there.
+# No apostrophes in what follows: within blocks gnuplot would not expand @draw after one.
 # Each picture has two halves with a table each: a column for n, one for each line, their titles on top.
 set datafile missing "?"
 set logscale xy
@@ -41,7 +42,7 @@ if (drawable("scaling_van_der_waals", "scaling_solvent_accessible")) {
 if (drawable("peers_van_der_waals", "peers_solvent_accessible")) {
   set output folder."/peers.svg"
   set multiplot layout 1, 2
-  set ylabel "time over the library's" textcolor rgb "#333333"
+  set ylabel "time over that of the library" textcolor rgb "#333333"
   set arrow 1 from graph 0, first 1 to graph 1, first 1 nohead linecolor rgb "#777777" dashtype 2
   set yrange [*<0.8:*]
   file = half("peers_van_der_waals")
