@@ -34,16 +34,14 @@ void make_pole_vertices(Span<CutArc> arcs) {
 
 }  // namespace
 
-void CutArcFinder::carve(Workspace &workspace, uint32_t neighbours, uint32_t edges) {
+void CutArcFinder::carve(Workspace &workspace, uint32_t neighbours) {
   pending_ = workspace.take<CutArc>(neighbours);
-  node_parent_ = workspace.take<uint32_t>(static_cast<uint64_t>(edges) + 2);
-  direct_parent_ = workspace.take<uint32_t>(edges);
-  reserve_ = workspace.take<uint32_t>(edges);
 }
 
-void CutArcFinder::find(const CubeGrid &grid, const Boundary &boundary, GatheredBall &gathered,
+void CutArcFinder::find(const CubeGrid &grid, const Boundary &boundary, GatheredBall &gathered, Span<uint32_t> scratch,
                         FixedVector<CutArc> &arcs) {
   arcs.clear();
+  scratch_ = scratch;
   uint32_t gathered_ball = no_id;
   BlockSweep sweep(grid);
   for (uint32_t face = 0; face < boundary.face_count(); ++face) {
@@ -83,10 +81,11 @@ void CutArcFinder::cut_face(const Boundary &boundary, uint32_t face, GatheredBal
 
 void CutArcFinder::reset_nodes(const Boundary &boundary, uint32_t face) {
   const uint32_t loops = boundary.loops_of_face(face).size();
-  nodes_ = DisjointSets(node_parent_.part(0, loops + 2));
+  nodes_ = DisjointSets(scratch_.part(0, loops + 2));
   nodes_.reset();
-  direct_ = DisjointSets(direct_parent_.part(0, loops));
+  direct_ = DisjointSets(scratch_.part(loops + 2, 2 * loops + 2));
   direct_.reset();
+  reserve_ = scratch_.part(2 * loops + 2, 3 * loops + 2);
   pole_joined_[0] = pole_joined_[1] = false;
   to_join_ = to_join_directly_ = loops - 1;
 }

@@ -40,11 +40,12 @@ struct CutArc {
 
 class CutArcFinder {
  public:
-  void carve(Workspace &workspace, uint32_t neighbours, uint32_t edges);
+  void carve(Workspace &workspace, uint32_t neighbours);
 
   // Finds the cut arcs of all balls, those of one ball consecutive, balls ascending. There must be room for the
-  // neighbours of every ball and for as many edges as the boundary has arcs and circles.
-  void find(const CubeGrid &grid, const Boundary &boundary, GatheredBall &gathered, FixedVector<CutArc> &arcs);
+  // neighbours of every ball. scratch: three numbers for each loop of the face that has most, and two more.
+  void find(const CubeGrid &grid, const Boundary &boundary, GatheredBall &gathered, Span<uint32_t> scratch,
+            FixedVector<CutArc> &arcs);
 
  private:
   void cut_face(const Boundary &boundary, uint32_t face, GatheredBall &gathered, FixedVector<CutArc> &arcs);
@@ -63,12 +64,11 @@ class CutArcFinder {
   uint32_t pending_count_ = 0;
   // The loops of one ball, and its two poles: what the circles tried so far join, and what those that join loops
   // directly do without the poles.
-  Span<uint32_t> node_parent_;    // [edges + 2]
-  Span<uint32_t> direct_parent_;  // [edges]
   DisjointSets nodes_, direct_;
   bool pole_joined_[2] = {false, false};
   uint32_t to_join_ = 0, to_join_directly_ = 0;  // until the face's loops are one set
-  Span<uint32_t> reserve_;                       // [edges] loops whose circles join nothing but poles
+  Span<uint32_t> reserve_;                       // loops whose circles join nothing but poles
+  Span<uint32_t> scratch_;
 };
 
 }  // namespace hsp

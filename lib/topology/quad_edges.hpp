@@ -51,9 +51,11 @@ struct QuadEdges {
   QuarterEdgeNumbers next;   // onext
   QuarterEdgeNumbers start;  // vertex or face
   uint32_t edges = 0;
+  Span<uint32_t> memory;  // of both
 
   static constexpr uint32_t numbers_per_edge = 8;
-  void bind(Span<uint32_t> memory) {
+  void bind(Span<uint32_t> numbers) {
+    memory = numbers;
     const uint32_t quarter_edges = memory.size() / 2;
     next = {memory.data(), quarter_edges};
     start = {memory.empty() ? nullptr : memory.data() + 1, quarter_edges};

@@ -39,7 +39,7 @@ void TopologyBuilder::carve(Workspace &workspace, const TopologyLimits &limits) 
   limits_ = limits;
   needed_ = {};
   structure_.carve(workspace, limits);
-  finder_.carve(workspace, limits.neighbours, limits.edges);
+  finder_.carve(workspace, limits.neighbours);
   gathered_.carve(workspace, limits.neighbours);
   marks_ = workspace.take<uint32_t>(limits.edges);
 }
@@ -51,7 +51,8 @@ Status TopologyBuilder::build(const CubeGrid &grid, const Boundary &boundary, ui
   const bool fits = needed_.balls <= limits_.balls && needed_.neighbours <= limits_.neighbours;
   if (!fits || needed_.edges > limits_.edges) return Status::capacity;
 
-  finder_.find(grid, boundary, gathered_, structure_.cut_arcs);
+  // Quad-edges come later. Of the two loops or more of a face each has an edge at least, and an edge eight numbers.
+  finder_.find(grid, boundary, gathered_, structure_.quads.memory, structure_.cut_arcs);
   needed_.cut_arcs = clamped_count(structure_.cut_arcs.required());
   if (structure_.cut_arcs.overflowed()) {
     needed_.edges = 0;
