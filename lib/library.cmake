@@ -37,6 +37,8 @@ set(HSP_LIBRARY_SOURCES
   lib/topology/topology_check.cpp
   lib/topology/traversal.cpp
   lib/measure/arc_batches.cpp
+  lib/measure/arc_kernel.cpp
+  lib/measure/arc_kernel_avx2.cpp
   lib/measure/areas.cpp
   lib/measure/boundary_metric_check.cpp
   lib/measure/boundary_positions.cpp

@@ -109,6 +109,8 @@ struct BoundaryArrays {
   DisjointSets components;          // represented by their balls of lowest rank
   Span<uint32_t> component;         // [balls] number of the component
 
+  bool wide_code = false;  // this processor runs code for AVX2
+
   void carve(Workspace &workspace, const BoundaryLimits &limits);
 };
 
@@ -186,6 +188,9 @@ class Boundary {
   IdRange loops_of_face(uint32_t f) const {
     return {face(f).first_loop, f + 1 < a_.face_count ? face(f + 1).first_loop : a_.loop_count};
   }
+
+  // Whether readers may run code for AVX2.
+  bool has_wide_code() const { return a_.wide_code; }
 
   // Components of the union, numbered in the order of their first ball in the input.
   uint32_t component(uint32_t ball) const { return a_.component[ball]; }

@@ -3,11 +3,13 @@
 #include "boundary/components.hpp"
 #include "boundary/half_edge_links.hpp"
 #include "boundary/shells.hpp"
+#include "core/processor.hpp"
 #include "model/block_sweep.hpp"
 
 namespace hsp {
 
 void BoundaryArrays::carve(Workspace &workspace, const BoundaryLimits &limits) {
+  wide_code = has_avx2();
   const uint64_t n = limits.balls;
   const uint64_t v = limits.vertices;
   const uint64_t loops = limits.most_loops();

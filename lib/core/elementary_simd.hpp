@@ -1,41 +1,53 @@
-// The angles of two directions in the plane, computed without branches: every arc needs one, and the octants of arcs
-// cannot be predicted.
+// The angles of several directions in the plane at once, computed without branches and without tables: every arc needs
+// one, and the octants of arcs cannot be predicted.
 #pragma once
 
-#include "core/elementary.hpp"
-#include "core/simd.hpp"
+#include "core/double_lanes.hpp"
 
 namespace hsp {
+namespace {
 
 // The angle of (x, y), counter-clockwise from (1, 0), in [0, 2 pi]; (x, y) must not be (0, 0), and neither component
 // may be near the ends of the range.
 //
-// In an octant let c = k/8 be the multiple of 1/8 nearest to small/large, or a neighbour of it, and
-// t = (small - c large)/(large + c small), so that the angle is atan(c) + atan(t), |t| <= 1/16. In units of e = 2^-53:
-// c large is rounded for k = 3, 5, 6, 7 and moves t by 1/2 then; the difference, the denominator and the quotient move
-// it by 4 |t|; the Taylor series lacks t^15/15 < 2^-59 t; atan(c) and the last sum add twice the angle. So the angle
-// has an error of at most 7 e of itself, and of 2.4 e. The reflections at pi/2, pi and 2 pi add their own error and
-// that of the constant: 2.2, 4.3 and 8.5 e. Together at most 18 e, and 8 e of the angle.
-inline Lanes turn_angle(const Lanes &x, const Lanes &y) {
-  const Lanes ax = absolute(x);
-  const Lanes ay = absolute(y);
-  const LaneMask steep = ay > ax;
-  const Lanes large = select(steep, ay, ax);
-  const Lanes small = select(steep, ax, ay);
-  const Lanes rounded = small / large * 8.0 + 0.5;
-  const EighthTangent &first = eighth_tangents[static_cast<int32_t>(rounded[0])];
-  const EighthTangent &second = eighth_tangents[static_cast<int32_t>(rounded[1])];
-  const Lanes c{first.tangent, second.tangent};
-  const Lanes t = (small - c * large) / (large + c * small);
-  const Lanes z = t * t;
-  const Lanes correction =
-      t * z * (-1.0 / 3 + z * (1.0 / 5 + z * (-1.0 / 7 + z * (1.0 / 9 + z * (-1.0 / 11 + z * (1.0 / 13))))));
-  const Lanes octant = Lanes{first.high, second.high} + (t + correction);
-  const LaneMask left = x < 0.0;
-  const LaneMask below = y < 0.0;
-  const Lanes quarter = negate_if(steep, octant) + mask_and(steep, all_lanes(pi / 2));
-  const Lanes half = negate_if(left, quarter) + mask_and(left, all_lanes(pi));
-  return negate_if(below, half) + mask_and(below, all_lanes(2 * pi));
+// In an octant the angle is atan(t), t = small/large, where that is at most 53/128, a little below tan(pi/8), and else
+// pi/4 + atan(t), t = (small - large)/(large + small), so that |t| < 0.4144. With z = t^2, atan(t) is t + t z P(z), P
+// of degree 10: the polynomial of least largest error of t z P relative to t for z <= 0.1717, by Remez's algorithm, an
+// error below 2^-59. In units of e = 2^-53: difference, sum and quotient move t by |t| each; the difference is exact
+// above 1/2, and the first two are not there without the pi/4. The correction, below 0.054 |t|, has a relative error of
+// at most 7, and the sum with t adds 1, each relative to |t|. So an angle below pi/8 has an error of at most 2.4 e of
+// itself; another one of 1.25 + 0.55 from these, 0.3 from the constant and 0.8 from the last sum, which is 2.9 e, or
+// 7.4 e of itself. The reflections at pi/2, pi and 2 pi add their own error and that of the constant: 2.2, 4.3 and
+// 8.5 e. Together at most 18 e, and 8 e of the angle.
+template <uint32_t n>
+typename DoubleLanes<n>::Real turn_angle(const typename DoubleLanes<n>::Real &x,
+                                         const typename DoubleLanes<n>::Real &y) {
+  using L = DoubleLanes<n>;
+  using Real = typename L::Real;
+  using Mask = typename L::Mask;
+  const Real ax = L::absolute(x);
+  const Real ay = L::absolute(y);
+  const Mask steep = ay > ax;
+  const Real large = L::select(steep, ay, ax);
+  const Real small = L::select(steep, ax, ay);
+  const Mask wide = small > large * 0.4140625;
+  const Real t = (small - L::kept(wide, large)) / (large + L::kept(wide, small));
+  const Real z = t * t;
+  const Real w = z * z;
+  const Real even = -0x1.555555555553dp-2 +
+                    w * (-0x1.24924922ae999p-3 +
+                         w * (-0x1.745cf8ec6274ep-4 +
+                              w * (-0x1.10ebc3d4b2d84p-4 + w * (-0x1.9cd53601ca0eap-5 + w * -0x1.25750440fe278p-6))));
+  const Real odd =
+      0x1.9999999995889p-3 +
+      w * (0x1.c71c70e69aa0cp-4 + w * (0x1.3b111a30380aap-4 + w * (0x1.df0fe65c3b514p-5 + w * 0x1.37db3ad28d7b9p-5)));
+  const Real octant = L::kept(wide, L::all(pi / 4)) + (t + t * z * (even + z * odd));
+  const Mask left = x < 0.0;
+  const Mask below = y < 0.0;
+  const Real quarter = L::negate_if(steep, octant) + L::kept(steep, L::all(pi / 2));
+  const Real half = L::negate_if(left, quarter) + L::kept(left, L::all(pi));
+  return L::negate_if(below, half) + L::kept(below, L::all(2 * pi));
 }
 
+}  // namespace
 }  // namespace hsp

@@ -11,22 +11,46 @@ namespace hsp {
 class TreeSum {
  public:
   void add(double term) {
-    // Level k holds the sum of a complete subtree of 2^k terms whenever bit k of count_ is set.
-    int level = 0;
-    for (uint32_t carry = count_; carry & 1U; carry >>= 1, ++level) term = partial_[level] + term;
-    partial_[level] = term;
-    ++count_;
+    waiting_[count_ % block] = term;
+    if (++count_ % block == 0) add_block();
   }
   double total() const {
     double sum = 0.0;
-    for (int level = 0; level < 32; ++level) {
-      if (count_ >> level & 1U) sum = partial_[level] + sum;
+    uint32_t left = count_ % block;  // terms that wait, the complete subtrees of which come last
+    for (uint32_t size = 1; size < block; size *= 2) {
+      if ((count_ & size) == 0) continue;
+      left -= size;
+      sum = sum_of(waiting_ + left, size) + sum;
+    }
+    for (int level = 0; level < 32 - block_level; ++level) {
+      if (count_ / block >> level & 1U) sum = partial_[level] + sum;
     }
     return sum;
   }
 
  private:
-  double partial_[32] = {};
+  static constexpr int block_level = 4;
+  static constexpr uint32_t block = 1U << block_level;
+
+  // A complete subtree of `size` terms.
+  static double sum_of(const double *terms, uint32_t size) {
+    double sum[block];
+    for (uint32_t k = 0; k < size; ++k) sum[k] = terms[k];
+    for (; size > 1; size /= 2) {
+      for (uint32_t k = 0; k < size / 2; ++k) sum[k] = sum[2 * k] + sum[2 * k + 1];
+    }
+    return sum[0];
+  }
+  void add_block() {
+    double term = sum_of(waiting_, block);
+    // Level k holds the sum of a complete subtree of 2^k blocks whenever bit k of their number is set.
+    int level = 0;
+    for (uint32_t carry = count_ / block - 1; carry & 1U; carry >>= 1, ++level) term = partial_[level] + term;
+    partial_[level] = term;
+  }
+
+  double waiting_[block] = {};
+  double partial_[32 - block_level] = {};
   uint32_t count_ = 0;
 };
 

@@ -9,11 +9,11 @@ namespace {
 BallMeasure measure(const BallSet &balls, const Boundary &boundary, uint32_t i, uint32_t face, uint32_t faces,
                     uint32_t loops) {
   const double radius = balls.r[i];
-  FreeSurface surface(radius);
+  FreeSurface surface(boundary, radius);
   ArcBatches arcs(balls, boundary, i, face);
   while (arcs.next()) surface.add(arcs.batch());
   BallMeasure result;
-  result.area = radius * radius * surface.steradians(faces, loops, arcs.exterior_angle_sum());
+  result.area = radius * radius * surface.steradians(faces, loops);
   result.volume = (radius * result.area + dot(offset_from_origin(balls, boundary, i), surface.vector_area())) / 3;
   return result;
 }

@@ -11,34 +11,37 @@ namespace hsp {
 // (Gauss-Bonnet; vector area by Stokes), with u, m and rho the circle's axis, centre and radius.
 class FreeSurface {
  public:
-  explicit FreeSurface(double radius) : radius_(radius) {}
+  FreeSurface(const Boundary &boundary, double radius) : boundary_(boundary), radius_(radius) {}
 
-  // With m = h u and X = 2 (q - p) x u: cos(cap) = h/r, m x (q - p) = -h X / 2, rho^2 = (r - h)(r + h).
-  void add(const ArcLanes &arc) {
-    const Lanes diameter = all_lanes(2 * radius_);
-    cosines_ += arc.twice_height * arc.angle;
-    const Lanes along = (diameter - arc.twice_height) * (diameter + arc.twice_height) * arc.angle;
-    vector_area_ = vector_area_ + (arc.twice_height * arc.X - along * arc.axis);
-  }
   void add(const ArcBatch &batch) {
-    for (uint32_t c = 0; c < batch.count; c += lane_count) add(batch.lanes(c));
+    const AreaSums sums = sums_of(batch);
+    exterior_angles_ += batch.exterior_angles;
+    cosines_ += sums.cosines;
+    vector_area_ = vector_area_ + Vec3{sums.vector_area[0], sums.vector_area[1], sums.vector_area[2]};
   }
 
   // A face can be infinitesimal: its area is 0 up to rounding, on either side.
-  double steradians(uint32_t faces, uint32_t loops, double exterior_angle_sum) const {
+  double steradians(uint32_t faces, uint32_t loops) const {
     const double characteristic = 2.0 * static_cast<double>(faces) - static_cast<double>(loops);
-    const double cosines = radius_ > 0.0 ? sum_of(cosines_) * (0.5 / radius_) : 0.0;
-    const double sum = 2 * pi * characteristic + cosines - exterior_angle_sum;
+    const double cosines = radius_ > 0.0 ? cosines_ * (0.5 / radius_) : 0.0;
+    const double sum = 2 * pi * characteristic + cosines - exterior_angles_;
     return sum > 0.0 ? sum : 0.0;
   }
-  Vec3 vector_area() const {
-    return {0.125 * sum_of(vector_area_.x), 0.125 * sum_of(vector_area_.y), 0.125 * sum_of(vector_area_.z)};
-  }
+  Vec3 vector_area() const { return 0.125 * vector_area_; }
 
  private:
+  AreaSums sums_of(const ArcBatch &batch) const {
+#if HSP_AVX2
+    if (boundary_.has_wide_code()) return sum_areas_avx2(batch, radius_);
+#endif
+    return sum_areas(batch, radius_);
+  }
+
+  [[maybe_unused]] const Boundary &boundary_;  // says whether there is code for wide registers
   double radius_;
-  Lanes cosines_{0.0, 0.0};                                     // sum of 2 h angle
-  LaneVector vector_area_{{0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}};  // eight times it
+  double exterior_angles_ = 0.0;
+  double cosines_ = 0.0;             // sum of 2 h angle
+  Vec3 vector_area_{0.0, 0.0, 0.0};  // eight times it
 };
 
 // Ball i's centre seen from the origin of its component, which is its ball of lowest rank, so that terms of the volume

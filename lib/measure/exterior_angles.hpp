@@ -1,16 +1,23 @@
-// The sum of the angles by which loops turn at their vertices, each in [0, pi], with one arc tangent for all of them:
+// The sum of the angles by which loops turn at their vertices, each in [0, pi], with one arc tangent for all in a lane:
 // the product of their phases, and the number of whole turns.
 #pragma once
 
 #include "core/elementary_simd.hpp"
 
 namespace hsp {
+namespace {
 
+template <uint32_t n>
 class ExteriorAngleSum {
  public:
-  void add_angle(double angle) { angles_ += angle; }
+  using L = DoubleLanes<n>;
+  using Real = typename L::Real;
+  using Mask = typename L::Mask;
 
-  // Two angles in [0, pi] by their directions: y >= +0, and a length in [2^-7, 1] up to rounding.
+  // Together directions must be no shorter than 2^-900, so that the product does not vanish.
+  static constexpr uint32_t most_directions = 128;
+
+  // Angles in [0, pi] by their directions, one for each lane: y >= +0, and a length in [2^-7, 1] up to rounding.
   //
   // Whole turns are counted by half-planes, given by the sign of Y: the product (X, Y) is in the upper one for angles
   // in [0, pi], in the lower one for [pi, 2 pi], where pi is (-1, -0) and 2 pi is (1, -0), and a turn is complete when
@@ -19,37 +26,22 @@ class ExteriorAngleSum {
   // of the new Y were wrong near 0, where X, x > 0 and both terms are >= +0, or near 2 pi, where X, x < 0 and both are
   // <= -0. From the lower one it lies in [pi, 3 pi]: near pi X < 0 < x and both terms are <= -0, near 3 pi x < 0 < X
   // and both are >= +0. Elsewhere the count and the angle change together.
-  void add_directions(const Lanes &x, const Lanes &y) {
-    const Lanes X = x_ * x - y_ * y;
-    const Lanes Y = x_ * y + y_ * x;
-    turns_ += std::bit_cast<LaneCount>(y_) >> 63 & ~(std::bit_cast<LaneCount>(Y) >> 63);
+  void add_directions(const Real &x, const Real &y) {
+    const Real X = x_ * x - y_ * y;
+    const Real Y = x_ * y + y_ * x;
+    turns_ += L::sign_bits(L::bits(y_) & ~L::bits(Y));
     x_ = X;
     y_ = Y;
   }
-  // To be called after at most 14 directions: together they are no shorter than 2^-98, so that the product stays above
-  // 2^-198 and does not vanish.
-  void rescale() {
-    constexpr double tiny = 0x1p-100;
-    const LaneMask vanishing = (absolute(x_) < tiny) & (absolute(y_) < tiny);
-    const Lanes scale = select(vanishing, all_lanes(1.0 / tiny), all_lanes(1.0));
-    x_ *= scale;
-    y_ *= scale;
-  }
 
-  double total() const {
-    const Lanes rest = turn_angle(x_, y_);
-    double turns = static_cast<double>(turns_[0] + turns_[1]);
-    // (1, -0) stands for a whole turn.
-    for (uint32_t k = 0; k < lane_count; ++k) turns += y_[k] == 0.0 && std::signbit(y_[k]) && x_[k] > 0.0 ? 1.0 : 0.0;
-    return angles_ + (2 * pi * turns + (rest[0] + rest[1]));
-  }
+  // The sums of the lanes are 2 pi turns() + angles(), where (1, -0) stands for a whole turn.
+  Mask turns() const { return turns_ + L::sign_bits(L::both(x_ > 0.0, y_ == 0.0) & L::bits(y_)); }
+  Real angles() const { return turn_angle<n>(x_, y_); }
 
  private:
-  typedef uint64_t LaneCount __attribute__((vector_size(16)));
-
-  Lanes x_{1.0, 1.0}, y_{0.0, 0.0};
-  LaneCount turns_{0, 0};
-  double angles_ = 0.0;
+  Real x_ = L::all(1.0), y_ = L::all(0.0);
+  Mask turns_{};
 };
 
+}  // namespace
 }  // namespace hsp

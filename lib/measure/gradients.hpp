@@ -57,14 +57,14 @@ template <class OnPart>
 AreaDerivative visit_area_row(const BallSet &balls, const Boundary &boundary, uint32_t i, TouchingBalls touching_balls,
                               OnPart on_part) {
   const double R = balls.r[i];
-  FreeSurface surface(R);
+  FreeSurface surface(boundary, R);
   ArcBatches arcs(balls, boundary, i);
   AreaDerivative own;
   while (arcs.next()) {
     const ArcBatch &batch = arcs.batch();
     surface.add(batch);
     for (uint32_t c = 0; c < batch.count; ++c) {
-      if (batch.arc_half_edge[c] == no_id) continue;
+      if (!batch.has_piece(c)) continue;
       const Touching touching = batch.any_touching ? batch.touching[c] : Touching::no;
       AreaDerivative part;
       part.one_sided = touching != Touching::no;
@@ -84,7 +84,7 @@ AreaDerivative visit_area_row(const BallSet &balls, const Boundary &boundary, ui
     }
   }
   const uint32_t faces = boundary.faces(i).size();
-  own.radius += 2 * R * surface.steradians(faces, boundary.loops(i).size(), arcs.exterior_angle_sum());
+  own.radius += 2 * R * surface.steradians(faces, boundary.loops(i).size());
   return own;
 }
 

@@ -9,10 +9,6 @@
 
 namespace hsp {
 
-// An angle closer than this to 0 or 2 pi is taken from exact integers (ArcAngle): rounding must not turn a point into a
-// whole circle or back. What is computed in doubles has a far smaller error.
-inline constexpr double branch_cut_margin = 0x1p-20;
-
 // The circle in which the sphere of `own` meets that of another ball.
 struct CircleGeometry {
   Vec3 axis;  // a unit vector towards the other ball

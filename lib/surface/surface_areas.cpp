@@ -19,14 +19,14 @@ SurfaceMeasure measure_surface_of_ball(const BallSet &balls, const Boundary &bou
   const Vec3 origin_to_centre = offset_from_origin(balls, boundary, i);
   double triple_volume = 0.0;
 
-  FreeSurface face(R);
+  FreeSurface face(boundary, R);
   ArcBatches arcs(balls, boundary, i);
   while (arcs.next()) {
     const ArcBatch &batch = arcs.batch();
     face.add(batch);
     if (balls.probe_steps == 0) continue;
     for (uint32_t c = 0; c < batch.count; ++c) {
-      if (batch.arc_half_edge[c] == no_id) continue;
+      if (!batch.has_piece(c)) continue;
       const uint32_t other = batch.other[c];
       const exact::LatticeBall neighbour = balls.ball(other);
       const CircleGeometry circle(sphere, exact::plane_of(own, neighbour));
@@ -46,7 +46,7 @@ SurfaceMeasure measure_surface_of_ball(const BallSet &balls, const Boundary &bou
       triple_volume += saddle.triple_volume;
     }
   }
-  const double steradians = face.steradians(faces, boundary.loops(i).size(), arcs.exterior_angle_sum());
+  const double steradians = face.steradians(faces, boundary.loops(i).size());
   const double r = R - p;
   const double shrinkage = R > 0.0 ? r / R * (r / R) : 0.0;
   result.convex = r * r * steradians;

@@ -26,6 +26,9 @@ TEST_F(Avx2Lanes, Doubles) {
 TEST_F(Avx2Lanes, Integers) {
   EXPECT_EQ(text(check_integer_lanes()), "");
 }
+TEST_F(Avx2Lanes, FourDoubles) {
+  EXPECT_EQ(text(check_four_doubles()), "");
+}
 TEST_F(Avx2Lanes, Comparisons) {
   EXPECT_EQ(text(check_comparisons()), "");
 }

@@ -2,6 +2,7 @@
 
 #if HSP_AVX2
 #include "core/avx2_lanes.hpp"
+#include "double_lanes_checks.hpp"
 
 namespace {
 
@@ -64,6 +65,11 @@ const char *check_float_lanes() {
 
 const char *check_double_lanes() {
   return check_real_lanes<Doubles>(da, db);
+}
+
+const char *check_four_doubles() {
+  const char *const wrong = check_lanes<4>();
+  return wrong != nullptr ? wrong : check_lane_vectors<4>();
 }
 
 const char *check_integer_lanes() {

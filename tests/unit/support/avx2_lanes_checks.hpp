@@ -7,3 +7,4 @@ const char *check_double_lanes();
 const char *check_integer_lanes();
 const char *check_comparisons();
 const char *check_front_orders();
+const char *check_four_doubles();  // those of core/double_lanes.hpp

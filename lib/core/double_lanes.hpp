@@ -1,0 +1,140 @@
+// Several doubles at once, for kernels that are compiled for registers of several widths and give the same bits in
+// each: every lane is computed by the IEEE operations of a scalar, in the order in which they are written. Everything
+// here has internal linkage, so that files *_avx2.cpp have their own copy (processor.hpp).
+#pragma once
+
+#if defined(__AVX2__)
+#include <immintrin.h>
+#endif
+
+#include <cstdint>
+#include <cstring>
+
+#include "core/floating_point.hpp"
+
+namespace hsp {
+
+// How many doubles a register of the target's baseline holds.
+#if defined(__SSE2__) || defined(__aarch64__) || defined(__ALTIVEC__) || defined(__wasm_simd128__)
+inline constexpr uint32_t baseline_lanes = 2;
+#else
+inline constexpr uint32_t baseline_lanes = 1;
+#endif
+
+namespace {
+
+// The vector types of n doubles.
+template <uint32_t n>
+struct DoubleVectors;
+template <>
+struct DoubleVectors<1> {
+  typedef double Real __attribute__((vector_size(8)));
+  typedef int64_t Mask __attribute__((vector_size(8)));
+  typedef uint64_t Bits __attribute__((vector_size(8)));
+};
+template <>
+struct DoubleVectors<2> {
+  typedef double Real __attribute__((vector_size(16)));
+  typedef int64_t Mask __attribute__((vector_size(16)));
+  typedef uint64_t Bits __attribute__((vector_size(16)));
+};
+template <>
+struct DoubleVectors<4> {
+  typedef double Real __attribute__((vector_size(32)));
+  typedef int64_t Mask __attribute__((vector_size(32)));
+  typedef uint64_t Bits __attribute__((vector_size(32)));
+};
+
+template <uint32_t n>
+struct DoubleLanes {
+  using Real = typename DoubleVectors<n>::Real;
+  using Mask = typename DoubleVectors<n>::Mask;  // -1 where true
+  using Bits = typename DoubleVectors<n>::Bits;
+
+  static Real load(const double *p) {
+    Real a;
+    std::memcpy(&a, p, sizeof a);
+    return a;
+  }
+  static Mask load_mask(const int64_t *p) {
+    Mask a;
+    std::memcpy(&a, p, sizeof a);
+    return a;
+  }
+  static void store(double *p, const Real &a) { std::memcpy(p, &a, sizeof a); }
+  static Real all(double x) {
+    if constexpr (n == 4) {
+      return Real{x, x, x, x};
+    } else if constexpr (n == 2) {
+      return Real{x, x};
+    } else {
+      return Real{x};
+    }
+  }
+  // p[index[0]], p[index[1]] and so on.
+  static Real gather(const double *p, const uint32_t *index) {
+    if constexpr (n == 4) {
+      return Real{p[index[0]], p[index[1]], p[index[2]], p[index[3]]};
+    } else if constexpr (n == 2) {
+      return Real{p[index[0]], p[index[1]]};
+    } else {
+      return Real{p[index[0]]};
+    }
+  }
+
+  // The bits of a number as a mask, and back.
+  static Mask bits(const Real &a) { return reinterpret_cast<Mask>(a); }
+  static Real number(const Mask &a) { return reinterpret_cast<Real>(a); }
+
+  // a where the mask is set, else 0. The second for masks: on targets without a blend instruction GCC splits a plain &
+  // of two comparisons into single lanes.
+  static Real kept(const Mask &mask, const Real &a) { return number(mask & bits(a)); }
+  static Mask both(const Mask &a, const Mask &b) { return bits(kept(a, number(b))); }
+  static Real select(const Mask &mask, const Real &a, const Real &b) { return mask ? a : b; }
+  // Not a number where the mask is not set, else a.
+  static Real valid(const Mask &mask, const Real &a) { return number(~mask | bits(a)); }
+  // -a where the mask is set, else a.
+  static Real negate_if(const Mask &mask, const Real &a) { return number(bits(a) ^ (mask & bits(all(-0.0)))); }
+  static Real absolute(const Real &a) { return number(bits(a) & ~bits(all(-0.0))); }
+
+  // 1 where the highest bit is set, else 0.
+  static Mask sign_bits(const Mask &a) { return reinterpret_cast<Mask>(reinterpret_cast<Bits>(a) >> 63); }
+
+  static Real square_root(const Real &a) {
+#if defined(__AVX2__)
+    if constexpr (n == 4) return reinterpret_cast<Real>(_mm256_sqrt_pd(reinterpret_cast<__m256d>(a)));
+#endif
+    Real root;
+    for (uint32_t k = 0; k < n; ++k) root[k] = std::sqrt(a[k]);
+    return root;
+  }
+  static int64_t sum(const Mask &a) {
+    int64_t total = 0;
+    for (uint32_t k = 0; k < n; ++k) total += a[k];
+    return total;
+  }
+  static bool any(const Mask &mask) {
+#if defined(__AVX2__)
+    if constexpr (n == 4) return _mm256_movemask_pd(reinterpret_cast<__m256d>(mask)) != 0;
+#endif
+    int64_t found = 0;
+    for (uint32_t k = 0; k < n; ++k) found |= mask[k];
+    return found != 0;
+  }
+};
+
+template <class Real>
+struct VectorOf {
+  Real x, y, z;
+
+  friend VectorOf operator+(const VectorOf &a, const VectorOf &b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+  friend VectorOf operator-(const VectorOf &a, const VectorOf &b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+  friend VectorOf operator*(const Real &s, const VectorOf &a) { return {s * a.x, s * a.y, s * a.z}; }
+  friend Real dot(const VectorOf &a, const VectorOf &b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+  friend VectorOf cross(const VectorOf &a, const VectorOf &b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  }
+};
+
+}  // namespace
+}  // namespace hsp

@@ -1,0 +1,19 @@
+#if HSP_AVX2
+#include "measure/arc_kernel.hpp"
+
+namespace hsp {
+
+using Kernel = ArcKernel<4>;
+
+bool evaluate_arcs_avx2(const BallOfSet &ball, ArcBatch &batch) {
+  return Kernel::evaluate(ball, batch);
+}
+AreaSums sum_areas_avx2(const ArcBatch &batch, double radius) {
+  return Kernel::sum_areas(batch, radius);
+}
+WeightedSums sum_weighted_avx2(const ArcBatch &batch, double radius, double weight) {
+  return Kernel::sum_weighted(batch, radius, weight);
+}
+
+}  // namespace hsp
+#endif

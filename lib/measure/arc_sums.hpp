@@ -1,0 +1,77 @@
+// What is summed over the arcs of one ball, as plain arrays that kernels for registers of several widths fill: a batch
+// of arcs, and the sums. Term k of a sum goes to lane k % 4 in every kernel, so that all give the same bits.
+//
+// A slot of a batch holds a circle, and if it has an arc the arc of a half-edge on this circle and the vertex where the
+// half-edge starts. previous[] and next[] are the slots of the half-edges before and after it. A loop that does not fit
+// into the batch has a slot without an arc before the first and after the last of its half-edges here, for their other
+// circle and their other vertex.
+#pragma once
+
+#include <cstdint>
+
+namespace hsp {
+
+// Two spheres that touch meet in a circle of radius 0, exactly known from integers.
+enum class Touching : uint8_t { no, from_outside, from_inside };
+
+// One ball of a set, for kernels: arrays of the set, and its own centre and radius.
+struct BallOfSet {
+  const double *xs, *ys, *zs, *rs;
+  double x, y, z, r;
+};
+
+// The lanes of every sum over arcs, whatever the width of the registers: term k goes to lane k % 4.
+inline constexpr uint32_t sum_lanes = 4;
+
+struct ArcBatch {
+  static constexpr uint32_t capacity = 32;
+  static constexpr uint32_t room = capacity + sum_lanes;  // kernels read whole registers
+
+  uint32_t count = 0;
+  bool any_touching = false;  // touching[] holds something only if it is set
+  uint32_t other[room];       // the ball that cuts out the circle
+  uint32_t previous[room], next[room];
+  int64_t arc[room];               // -1 if there is an arc
+  double root_discriminant[room];  // of the vertex
+
+  // What a kernel fills in: the sum of the exterior angles; the unit vector u from the ball's centre to the other
+  // ball's, the inverse of the distance of the two, twice the height of the circle's plane along u; twice the vertex,
+  // from the ball's centre; the arc's angle, and X = 2 (q - p) x u, with its ends p and q such that it runs from p to q
+  // counter-clockwise about u. Slots without an arc have angle 0 and X 0, so that sums may run over all of them.
+  double exterior_angles;
+  double ux[room], uy[room], uz[room], inverse_distance[room], twice_height[room];
+  double px[room], py[room], pz[room];
+  double angle[room], Xx[room], Xy[room], Xz[room];
+
+  Touching touching[room];
+  double other_weight[room];  // weight times radius of the other ball, for weighted sums
+
+  // Whether a slot has an arc or is a whole circle.
+  bool has_piece(uint32_t s) const { return arc[s] != 0 || angle[s] != 0.0; }
+};
+
+// Sums over a batch.
+struct AreaSums {
+  double cosines;         // of 2 h angle
+  double vector_area[3];  // eight times it
+};
+struct WeightedSums {
+  double centre[3];
+  double radius;
+};
+
+// The kernels, and the same for AVX2 (arc_kernel.hpp).
+//
+// Circles, vertices, exterior angles and arcs of a batch, in doubles. True if doubles served for everything; else what
+// they did not serve is not a number: heights of circles, vertices, angles of arcs; and exterior_angles lacks those.
+bool evaluate_arcs(const BallOfSet &ball, ArcBatch &batch);
+AreaSums sum_areas(const ArcBatch &batch, double radius);
+WeightedSums sum_weighted(const ArcBatch &batch, double radius, double weight);
+
+#if HSP_AVX2
+bool evaluate_arcs_avx2(const BallOfSet &ball, ArcBatch &batch);
+AreaSums sum_areas_avx2(const ArcBatch &batch, double radius);
+WeightedSums sum_weighted_avx2(const ArcBatch &batch, double radius, double weight);
+#endif
+
+}  // namespace hsp

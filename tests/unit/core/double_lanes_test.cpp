@@ -1,0 +1,7 @@
+#include "double_lanes_cases.hpp"
+
+#include "expect_cases.hpp"
+
+TEST(DoubleLanes, Cases) {
+  expect_cases(cases::core_double_lanes);
+}

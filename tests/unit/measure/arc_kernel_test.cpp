@@ -1,0 +1,136 @@
+// The kernels over arcs for registers of one, two and four doubles: the same bits from each, in every slot and sum.
+#include "measure/arc_kernel.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <random>
+#include <vector>
+
+#include "core/processor.hpp"
+
+namespace {
+
+using hsp::ArcBatch;
+
+// A ball and others around it, some too far away or too close for a proper circle, and a batch of half-edges at random,
+// which need not be any that a boundary has.
+class RandomArcs {
+ public:
+  explicit RandomArcs(std::mt19937 &random) {
+    std::uniform_real_distribution<double> fraction(0.0, 1.0);
+    const auto below = [&random](uint32_t n) { return static_cast<uint32_t>(random() % n); };
+    for (uint32_t j = 0; j < 12; ++j) {
+      xs_.push_back(std::floor(4000 * fraction(random)));
+      ys_.push_back(std::floor(4000 * fraction(random)));
+      zs_.push_back(std::floor(4000 * fraction(random)));
+      rs_.push_back(std::floor(3000 * fraction(random)));
+    }
+    batch_.count = 1 + below(ArcBatch::capacity);
+    for (uint32_t s = 0; s < ArcBatch::room; ++s) {
+      // Slots behind the last are read, too.
+      const uint32_t behind = s >= batch_.count ? batch_.count - 1 : s;
+      batch_.other[s] = behind < s ? batch_.other[behind] : 1 + below(11);
+      batch_.previous[s] = below(batch_.count);
+      batch_.next[s] = below(batch_.count);
+      batch_.arc[s] = behind < s || below(8) == 0 ? 0 : -1;
+      batch_.root_discriminant[s] = std::floor(4e9 * fraction(random) * fraction(random));
+      batch_.other_weight[s] = fraction(random);
+    }
+  }
+  [[nodiscard]] hsp::BallOfSet ball() const {
+    return {xs_.data(), ys_.data(), zs_.data(), rs_.data(), xs_[0], ys_[0], zs_[0], rs_[0]};
+  }
+  [[nodiscard]] const ArcBatch &batch() const { return batch_; }
+
+ private:
+  std::vector<double> xs_, ys_, zs_, rs_;
+  ArcBatch batch_;
+};
+
+struct Results {
+  bool complete = false;
+  ArcBatch batch;
+  hsp::AreaSums areas{};
+  hsp::WeightedSums weighted{};
+};
+
+struct Kernel {
+  bool (*evaluate)(const hsp::BallOfSet &, ArcBatch &);
+  hsp::AreaSums (*sum_areas)(const ArcBatch &, double);
+  hsp::WeightedSums (*sum_weighted)(const ArcBatch &, double, double);
+
+  [[nodiscard]] Results run(const RandomArcs &arcs) const {
+    Results results;
+    results.batch = arcs.batch();
+    const hsp::BallOfSet ball = arcs.ball();
+    results.complete = evaluate(ball, results.batch);
+    // What doubles did not serve is found elsewhere; here it becomes anything.
+    ArcBatch found = results.batch;
+    for (uint32_t s = 0; s < ArcBatch::room; ++s) {
+      for (double *field : {&found.twice_height[s], &found.angle[s]}) {
+        if (s >= found.count || *field != *field) *field = s < found.count ? 0.75 : found.twice_height[found.count - 1];
+      }
+      if (s >= found.count) found.angle[s] = found.Xx[s] = found.Xy[s] = found.Xz[s] = 0.0;
+      if (s >= found.count) found.ux[s] = found.uy[s] = found.uz[s] = found.inverse_distance[s] = 0.5;
+    }
+    results.areas = sum_areas(found, ball.r);
+    results.weighted = sum_weighted(found, ball.r, 0.375);
+    return results;
+  }
+};
+
+template <uint32_t n>
+Kernel kernel() {
+  using K = hsp::ArcKernel<n>;
+  return {K::evaluate, K::sum_areas, K::sum_weighted};
+}
+
+// Any NaN is the same: which of two a sum takes is up to the compiler.
+void expect_same(double a, double b, const char *what) {
+  if (a != a && b != b) return;
+  EXPECT_EQ(std::memcmp(&a, &b, sizeof a), 0) << what << ": " << a << " " << b;
+}
+
+void expect_same(const Results &a, const Results &b) {
+  EXPECT_EQ(a.complete, b.complete);
+  expect_same(a.batch.exterior_angles, b.batch.exterior_angles, "exterior angles");
+  for (uint32_t s = 0; s < a.batch.count; ++s) {
+    const auto fields = [s](const ArcBatch &x) {
+      return std::array{x.ux[s],           x.uy[s], x.uz[s], x.inverse_distance[s],
+                        x.twice_height[s], x.px[s], x.py[s], x.pz[s],
+                        x.angle[s],        x.Xx[s], x.Xy[s], x.Xz[s]};
+    };
+    for (size_t k = 0; k < fields(a.batch).size(); ++k) expect_same(fields(a.batch)[k], fields(b.batch)[k], "slot");
+  }
+  expect_same(a.areas.cosines, b.areas.cosines, "cosines");
+  expect_same(a.weighted.radius, b.weighted.radius, "by radius");
+  for (size_t axis = 0; axis < 3; ++axis) {
+    expect_same(a.areas.vector_area[axis], b.areas.vector_area[axis], "vector area");
+    expect_same(a.weighted.centre[axis], b.weighted.centre[axis], "by centre");
+  }
+}
+
+TEST(ArcKernel, GivesTheSameBitsForEveryWidth) {
+  std::mt19937 random(5);
+  uint32_t complete = 0;
+  uint32_t arcs_served = 0;
+  for (int round = 0; round < 3000; ++round) {
+    const RandomArcs arcs(random);
+    const Results two = kernel<2>().run(arcs);
+    expect_same(kernel<1>().run(arcs), two);
+    expect_same(Kernel{hsp::evaluate_arcs, hsp::sum_areas, hsp::sum_weighted}.run(arcs), two);
+#if HSP_AVX2
+    if (hsp::has_avx2()) {
+      expect_same(Kernel{hsp::evaluate_arcs_avx2, hsp::sum_areas_avx2, hsp::sum_weighted_avx2}.run(arcs), two);
+    }
+#endif
+    complete += two.complete ? 1U : 0U;
+    for (uint32_t s = 0; s < two.batch.count; ++s) arcs_served += two.batch.angle[s] > 0.0 ? 1U : 0U;
+    if (HasFailure()) FAIL() << "round " << round;
+  }
+  EXPECT_GT(arcs_served, 3000U);
+  EXPECT_LT(complete, 3000U);
+}
+
+}  // namespace
