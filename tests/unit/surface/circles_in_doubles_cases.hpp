@@ -44,7 +44,8 @@ constexpr UnknownCase unknown_cases[] = {
     {4, {octant_sides[0], octant_sides[1], octant_sides[2], {3, 4, 0, 0.6}}, 1, false},  // through (1, 0, 0)
     {4, {octant_sides[0], octant_sides[1], octant_sides[2], {3, 4, 0, 0.6 + 1e-9}}, 1, true},
     {4, {octant_sides[0], octant_sides[1], octant_sides[2], {3, 4, 0, 0.6 + 1e-9}}, 1e9, false},
-    {4, {octant_sides[0], octant_sides[1], octant_sides[2], {3, 0, 4, 0.8}}, 1, false},  // through (0, 0, 1)
+    {4, {octant_sides[0], octant_sides[1], octant_sides[2], {0.6, 0.64, 0.48, 0.8}}, 1, false},  // touches a side
+    {4, {octant_sides[0], octant_sides[1], octant_sides[2], {3, 0, 4, 0.8}}, 1, false},          // through (0, 0, 1)
     {4, {octant_sides[0], octant_sides[1], octant_sides[2], {3, 4, 4, 0.5 * 1.2494}}, 1e12, false}};
 
 inline uint32_t certain_or_unknown() {

@@ -56,20 +56,25 @@ inline uint32_t regions_in_closed_form() {
 
 // A source of wrong answers: contradictions are noticed.
 struct Contradicting {
-  struct Crossing {};
-  bool cross, free;
+  struct Crossing {
+    uint32_t second;
+  };
+  bool cross, cross_again, free;
   int angles;
 
   uint32_t count() const { return 3; }
   hsp::Vec3 axis(uint32_t) const { return {0, 0, 1}; }
   double height(uint32_t) const { return 0; }
-  hsp::Answer crossing(uint32_t j, uint32_t k, Crossing &) const {
-    return cross && j == 0 && k == 1 ? hsp::Answer::yes : hsp::Answer::no;
+  hsp::Answer crossing(uint32_t j, uint32_t k, Crossing &crossing) const {
+    crossing.second = k;
+    return (cross && j == 0 && k == 1) || (cross_again && j == 0) ? hsp::Answer::yes : hsp::Answer::no;
   }
   hsp::Answer contains(const Crossing &, int sign, uint32_t) const {
-    return free && sign > 0 ? hsp::Answer::no : hsp::Answer::yes;
+    return (free && sign > 0) || cross_again ? hsp::Answer::no : hsp::Answer::yes;
   }
-  hsp::RegionCorner corner(const Crossing &, int sign) const { return {0, 1, sign, 1, {1, 0, 0}, 0, false}; }
+  hsp::RegionCorner corner(const Crossing &crossing, int sign) const {
+    return {0, crossing.second, sign, 1, {1, 0, 0}, 0, false};
+  }
   hsp::Answer lies_inside(uint32_t, uint32_t) const { return hsp::Answer::yes; }
   bool ends_sooner(uint32_t, const hsp::RegionCorner &, const hsp::RegionCorner &, const hsp::RegionCorner &) const {
     return false;
@@ -83,9 +88,11 @@ inline uint32_t contradictions_are_noticed() {
   hsp::Workspace workspace(memory, sizeof memory);
   hsp::FixedVector<hsp::RegionCorner> corners(workspace.take<hsp::RegionCorner>(18));
   hsp::FreeRegion region;
-  const bool conditions[] = {hsp::FreeRegionFinder(Contradicting{false, false, 1}, corners, 3).find(region),
-                             hsp::FreeRegionFinder(Contradicting{true, false, 1}, corners, 3).find(region),
-                             !hsp::FreeRegionFinder(Contradicting{true, true, 1}, corners, 3).find(region)};
+  const bool conditions[] = {hsp::FreeRegionFinder(Contradicting{false, false, false, 1}, corners, 3).find(region),
+                             hsp::FreeRegionFinder(Contradicting{true, false, false, 1}, corners, 3).find(region),
+                             !hsp::FreeRegionFinder(Contradicting{true, false, true, 1}, corners, 3).find(region),
+                             // Two arcs of one circle with the same end.
+                             !hsp::FreeRegionFinder(Contradicting{true, true, true, 1}, corners, 3).find(region)};
   return first_false(conditions);
 }
 
