@@ -19,8 +19,14 @@ set(HSP_LIBRARY_SOURCES
   lib/model/vertical_ray.cpp
   lib/sphere/arc_geometry.cpp
   lib/sphere/cap_clusters.cpp
+  lib/sphere/candidate_block_avx2.cpp
   lib/sphere/caps.cpp
+  lib/sphere/few_caps_avx2.cpp
+  lib/sphere/float_caps_avx2.cpp
   lib/sphere/great_circles.cpp
+  lib/sphere/lane_search.cpp
+  lib/sphere/near_balls_avx2.cpp
+  lib/sphere/pair_sweep_avx2.cpp
   lib/sphere/vertex_finder.cpp
   lib/boundary/boundary_builder.cpp
   lib/boundary/boundary_check.cpp

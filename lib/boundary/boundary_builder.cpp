@@ -39,6 +39,7 @@ void BoundaryBuilder::carve(Workspace &workspace, const BoundaryLimits &limits) 
   finder_.carve(workspace, limits.neighbours);
   faces_.carve(workspace, limits.balls, limits.neighbours);
   scratch_ = workspace.take<uint32_t>(limits.most_loops() + limits.balls);
+  lanes_.carve(workspace, limits.neighbours, scratch_);
 }
 
 // One pass over the balls, cube by cube, so that the block of neighbouring cubes is looked up once for all balls of a
@@ -55,16 +56,22 @@ void BoundaryBuilder::find_vertices(const CubeGrid &grid) {
   for (uint32_t cube = 0; cube < grid.cubes(); ++cube) {
     const CubeBlock &block = sweep.block_around(cube);
     const BallRange own = grid.balls_in(cube);
+    const bool in_lanes = lanes_.start_cube(grid, cube, block);
     for (uint32_t i = own.first; i < own.last; ++i) {
-      caps_.gather(balls, block, i, &a.components);
+      const bool by_lanes = in_lanes && lanes_.gather(balls, i, caps_, &a.components);
+      if (!by_lanes) caps_.gather(balls, block, i, &a.components);
       a.ball_state[i] = static_cast<uint8_t>((caps_.contained ? BoundaryArrays::contained : 0) |
                                              (caps_.count == 0 ? BoundaryArrays::without_caps : 0));
       if (caps_.contained) continue;
       if (caps_.met > needed_.neighbours) needed_.neighbours = caps_.met;
       // Once a ball has more neighbours than there is room for, the rest is only counted.
       if (needed_.neighbours > limits_.neighbours) continue;
-      finder_.find(balls, caps_, a.vertices, a.circles);
-      faces_.visit_caps(caps_);
+      if (by_lanes) {
+        faces_.visit_caps(caps_, lanes_.find(balls, caps_, finder_, a.vertices, a.circles));
+      } else {
+        finder_.find(balls, caps_, a.vertices, a.circles);
+        faces_.visit_caps(caps_, 0);
+      }
     }
   }
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "boundary/faces.hpp"
-#include "sphere/vertex_finder.hpp"
+#include "sphere/lane_search.hpp"
 
 namespace hsp {
 
@@ -23,6 +23,14 @@ class BoundaryBuilder {
   // Scratch memory for checks; [loops + balls].
   Span<uint32_t> scratch() { return scratch_; }
 
+  // For tests that do with less of the code for wide registers, or without.
+  LaneSearch &lanes() { return lanes_; }
+#if HSP_AVX2
+  void use_wide_code(bool use) {
+    caps_.wide = lanes_.enabled = use;
+  }
+#endif
+
  private:
   void find_vertices(const CubeGrid &grid);
   void find_root_discriminants(const BallSet &balls);
@@ -32,6 +40,7 @@ class BoundaryBuilder {
   Boundary boundary_;
   Caps caps_;
   VertexFinder finder_;
+  LaneSearch lanes_;
   FaceFinder faces_;
   Span<uint32_t> scratch_;
 };

@@ -68,8 +68,9 @@ void FaceFinder::carve(Workspace &workspace, uint32_t balls, uint32_t neighbours
   cluster_count_ = workspace.take<uint8_t>(balls);
 }
 
-void FaceFinder::visit_caps(const Caps &caps) {
-  cluster_count_[caps.origin] = caps.count <= few_caps ? static_cast<uint8_t>(clusters_.find(caps)) : not_counted;
+void FaceFinder::visit_caps(const Caps &caps, uint32_t clusters) {
+  if (clusters == not_counted && caps.count <= few_caps) clusters = clusters_.find(caps);
+  cluster_count_[caps.origin] = static_cast<uint8_t>(clusters);
 }
 
 // If a sphere has a free point, its free faces and its clusters alternate around the loops as the nodes of a tree whose
@@ -127,7 +128,7 @@ void FaceFinder::join_loops_by_meridians(Caps &caps, const Boundary &boundary, D
   uint32_t pole_loop = no_id;
   for (uint32_t representative = 0; representative < caps.count; ++representative) {
     if (!clusters_.is_representative(representative)) continue;
-    const exact::Plane meridian = meridian_through(caps.plane[representative].v);
+    const exact::Plane meridian = meridian_through(caps.plane(representative).v);
     intervals_.find(caps, predicates, meridian);
     intervals_.visit([&](const FreeInterval &interval) {
       const auto loop_at = [&](uint32_t cap, int sign) {

@@ -12,8 +12,9 @@ class FaceFinder {
  public:
   void carve(Workspace &workspace, uint32_t balls, uint32_t neighbours);
 
-  // Counts the clusters of the ball's caps if they are few; to be called for every ball while its caps are at hand.
-  void visit_caps(const Caps &caps);
+  // Counts the clusters of the ball's caps if they are few and not known yet, 0; to be called for every ball while its
+  // caps are at hand.
+  void visit_caps(const Caps &caps, uint32_t clusters);
 
   // Gathers the loops of every ball into faces and sorts them by face. The caps of a ball are gathered again, into
   // `caps`, if it has several loops and its clusters were not counted, or if only meridians show which loops belong

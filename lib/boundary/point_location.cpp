@@ -104,8 +104,8 @@ class SeveralFaces {
 
 LoopElement locate_on_boundary(const Caps &caps, const exact::Predicates &predicates, const Boundary &boundary,
                                uint32_t cap, const Plane &other, int sign) {
-  const auto plane_of = [&caps](uint32_t neighbour) -> const Plane & { return caps.plane[caps.cap_of(neighbour)]; };
-  return element_at(boundary, predicates, caps.origin, caps.ball[cap], caps.plane[cap], plane_of, other, sign);
+  const auto plane_of = [&caps](uint32_t neighbour) -> const Plane & { return caps.plane(caps.cap_of(neighbour)); };
+  return element_at(boundary, predicates, caps.origin, caps.ball[cap], caps.plane(cap), plane_of, other, sign);
 }
 
 uint32_t face_of_top(const BallSet &balls, const Boundary &boundary, uint32_t i) {

@@ -25,11 +25,13 @@ inline uint32_t lowest(LaneBits bits) {
 }
 
 struct Floats {
+  using Real = float;
   static constexpr uint32_t lanes = 8;
   __m256 v;
 
   static Floats load(const float *p) { return {_mm256_loadu_ps(p)}; }
   static Floats all(float x) { return {_mm256_set1_ps(x)}; }
+  static Floats ascending() { return {_mm256_setr_ps(0, 1, 2, 3, 4, 5, 6, 7)}; }
   static Floats all_of(const float *p) { return {_mm256_broadcast_ss(p)}; }
   void store(float *p) const { _mm256_storeu_ps(p, v); }
 
@@ -41,11 +43,22 @@ struct Floats {
 };
 
 struct Doubles {
+  using Real = double;
   static constexpr uint32_t lanes = 4;
   __m256d v;
 
   static Doubles load(const double *p) { return {_mm256_loadu_pd(p)}; }
+  // The first `count` of four numbers and zeros, for the end of an array.
+  static Doubles load_first(const double *p, uint32_t count) {
+    const __m256i chosen = _mm256_cmpgt_epi64(_mm256_set1_epi64x(count), _mm256_setr_epi64x(0, 1, 2, 3));
+    return {_mm256_maskload_pd(p, chosen)};
+  }
+  // The numbers at four indices.
+  static Doubles at(const double *p, const uint32_t *index) {
+    return {_mm256_setr_pd(p[index[0]], p[index[1]], p[index[2]], p[index[3]])};
+  }
   static Doubles all(double x) { return {_mm256_set1_pd(x)}; }
+  static Doubles ascending() { return {_mm256_setr_pd(0, 1, 2, 3)}; }
   static Doubles all_of(const double *p) { return {_mm256_broadcast_sd(p)}; }
   void store(double *p) const { _mm256_storeu_pd(p, v); }
 
@@ -94,6 +107,16 @@ inline Doubles square_root(Doubles a) {
   return {_mm256_sqrt_pd(a.v)};
 }
 
+inline Floats larger(Floats a, Floats b) {
+  return {_mm256_max_ps(a.v, b.v)};
+}
+inline Doubles larger(Doubles a, Doubles b) {
+  return {_mm256_max_pd(a.v, b.v)};
+}
+inline Floats magnitude(Floats a) {
+  return {_mm256_andnot_ps(_mm256_set1_ps(-0.0F), a.v)};
+}
+
 // Eight doubles as floats, rounded to nearest.
 inline Floats to_floats(Doubles low, Doubles high) {
   return {_mm256_set_m128(_mm256_cvtpd_ps(high.v), _mm256_cvtpd_ps(low.v))};
@@ -123,6 +146,56 @@ inline LaneBits negative(Doubles a) {
 }
 inline Doubles magnitude(Doubles a) {
   return {_mm256_andnot_pd(_mm256_set1_pd(-0.0), a.v)};
+}
+
+// How often a comparison has held in each lane.
+template <class Lanes>
+struct LaneCounts;
+template <>
+struct LaneCounts<Floats> {
+  __m256i negative = _mm256_setzero_si256();
+
+  void count_not_less(Floats a, Floats b) {
+    negative = _mm256_add_epi32(negative, _mm256_castps_si256(_mm256_cmp_ps(a.v, b.v, _CMP_GE_OQ)));
+  }
+  LaneBits equal(int32_t count) const {
+    const __m256i same = _mm256_cmpeq_epi32(negative, _mm256_set1_epi32(-count));
+    return static_cast<LaneBits>(_mm256_movemask_ps(_mm256_castsi256_ps(same)));
+  }
+};
+template <>
+struct LaneCounts<Doubles> {
+  __m256i negative = _mm256_setzero_si256();
+
+  void count_not_less(Doubles a, Doubles b) {
+    negative = _mm256_add_epi64(negative, _mm256_castpd_si256(_mm256_cmp_pd(a.v, b.v, _CMP_GE_OQ)));
+  }
+  LaneBits equal(int32_t count) const {
+    const __m256i same = _mm256_cmpeq_epi64(negative, _mm256_set1_epi64x(-count));
+    return static_cast<LaneBits>(_mm256_movemask_pd(_mm256_castsi256_pd(same)));
+  }
+};
+
+// Four 64-bit integers that come from doubles below 2^31 in size, and what is made of them.
+struct LongIntegers {
+  static constexpr uint32_t lanes = 4;
+  __m256i v;
+
+  static LongIntegers from(Doubles a) { return {_mm256_cvtepi32_epi64(_mm256_cvttpd_epi32(a.v))}; }
+  friend LongIntegers operator+(LongIntegers a, LongIntegers b) { return {_mm256_add_epi64(a.v, b.v)}; }
+  friend LongIntegers operator-(LongIntegers a, LongIntegers b) { return {_mm256_sub_epi64(a.v, b.v)}; }
+};
+// Of factors below 2^31 in size.
+inline LongIntegers product(LongIntegers a, LongIntegers b) {
+  return {_mm256_mul_epi32(a.v, b.v)};
+}
+// Rounded to nearest, for all 64-bit integers: the upper half plus 2^84 + 2^63 and the lower plus 2^52, whose bits can
+// be put together, are exact doubles; so is the first difference, and the last sum is rounded once.
+inline Doubles to_doubles(LongIntegers a) {
+  const __m256i low = _mm256_blend_epi32(_mm256_set1_epi64x(0x4330000000000000), a.v, 0x55);
+  const __m256i high = _mm256_xor_si256(_mm256_srli_epi64(a.v, 32), _mm256_set1_epi64x(0x4530000080000000));
+  const __m256d both = _mm256_castsi256_pd(_mm256_set1_epi64x(0x4530000080100000));
+  return {_mm256_add_pd(_mm256_sub_pd(_mm256_castsi256_pd(high), both), _mm256_castsi256_pd(low))};
 }
 
 // Orders of lanes that bring the chosen ones to the front, for the processor's permutations: eight bytes each, widened
@@ -163,6 +236,15 @@ struct FrontOrder {
   }
 };
 // Writes the chosen lanes first; there must be room for all lanes.
+// For either kind of lanes.
+template <class Lanes>
+FrontOrder front_order(LaneBits chosen) {
+  if constexpr (Lanes::lanes == 8) {
+    return FrontOrder::of_eight(chosen);
+  } else {
+    return FrontOrder::of_four(chosen);
+  }
+}
 inline void store_front(float *p, Floats a, FrontOrder order) {
   _mm256_storeu_ps(p, _mm256_permutevar8x32_ps(a.v, order.v));
 }

@@ -22,7 +22,9 @@ class DisjointSets {
     }
     return k;
   }
-  // The same without path halving, for shared reading.
+  // Whether the root is k's parent: then they are in one set.
+  bool has_parent(uint32_t k, uint32_t root) const { return parent_[k] == root; }
+  // The root without path halving, for shared reading.
   uint32_t root(uint32_t k) const {
     while (parent_[k] != k) k = parent_[k];
     return k;

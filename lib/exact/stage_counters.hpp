@@ -7,21 +7,22 @@
 namespace hsp::exact {
 
 enum class Question : uint32_t { crossing, side, point_status, vertex_pair };
-enum class Stage : uint32_t { filter, exact, perturbation };
+// lanes: the code for wide registers (sphere/lane_search.hpp), before the filter is asked.
+enum class Stage : uint32_t { filter, exact, perturbation, lanes };
 
 #if defined(HSP_COUNT_STAGES)
 struct StageCounters {
-  uint64_t answers[4][3] = {};
+  uint64_t answers[4][4] = {};
   uint64_t of(Question question, Stage stage) const {
     return answers[static_cast<uint32_t>(question)][static_cast<uint32_t>(stage)];
   }
 };
 inline StageCounters stage_counters;
-inline void count_answer(Question question, Stage stage) {
-  ++stage_counters.answers[static_cast<uint32_t>(question)][static_cast<uint32_t>(stage)];
+inline void count_answer(Question question, Stage stage, uint64_t times = 1) {
+  stage_counters.answers[static_cast<uint32_t>(question)][static_cast<uint32_t>(stage)] += times;
 }
 #else
-constexpr void count_answer(Question, Stage) {}
+constexpr void count_answer(Question, Stage, uint64_t = 1) {}
 #endif
 
 }  // namespace hsp::exact

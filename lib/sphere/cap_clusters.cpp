@@ -13,27 +13,38 @@ bool caps_meet(const Caps &caps, const exact::Predicates &predicates, uint32_t j
     if (pair.certainly_inside() || pair.certainly_contains()) return true;
     if (pair.certainly_separate()) return false;
   }
-  const exact::Plane &P = caps.plane[j];
-  const exact::Plane &Q = caps.plane[k];
+  const exact::Plane &P = caps.plane(j);
+  const exact::Plane &Q = caps.plane(k);
   return predicates.crossing(P, Q).sign > 0 || predicates.side(P, Q).sign > 0 || predicates.side(Q, P).sign > 0;
 }
 
 }  // namespace
 
+// Cluster by cluster: each cap that is known to belong to one takes what it meets of the caps that are left, whose
+// number falls quickly.
 uint32_t CapClusters::find(const Caps &caps) {
-  DisjointSets clusters(cluster_.part(0, caps.count));
-  clusters.reset();
+  const uint32_t n = caps.count;
+  for (uint32_t k = 0; k < n; ++k) taken_[k] = k;
   const exact::Predicates predicates = caps.predicates();
-  uint32_t count = caps.count;
-  for (uint32_t j = 0; j < caps.count && count > 1; ++j) {
-    for (uint32_t k = j + 1; k < caps.count; ++k) {
-      if (clusters.find(j) != clusters.find(k) && caps_meet(caps, predicates, j, k)) {
-        clusters.join(j, k);
-        --count;
-      }
+  uint32_t clusters = 0;
+  uint32_t representative = no_id;
+  uint32_t known = 0;  // caps that have been taken; they come first
+  for (uint32_t member = 0; member < n; ++member) {
+    const uint32_t j = taken_[member];
+    if (member == known) {
+      ++clusters;
+      ++known;
+      representative = j;
+    }
+    cluster_[j] = representative;
+    for (uint32_t k = known; k < n; ++k) {
+      const uint32_t other = taken_[k];
+      if (!caps_meet(caps, predicates, j, other)) continue;
+      taken_[k] = taken_[known];
+      taken_[known++] = other;
     }
   }
-  return count;
+  return clusters;
 }
 
 }  // namespace hsp

@@ -7,15 +7,19 @@ namespace hsp {
 
 class CapClusters {
  public:
-  void carve(Workspace &workspace, uint32_t capacity) { cluster_ = workspace.take<uint32_t>(capacity); }
+  void carve(Workspace &workspace, uint32_t capacity) {
+    cluster_ = workspace.take<uint32_t>(capacity);
+    taken_ = workspace.take<uint32_t>(capacity);
+  }
 
-  // Joins caps that touch or overlap; returns the number of clusters.
+  // Puts caps that touch or overlap together; returns the number of clusters.
   uint32_t find(const Caps &caps);
   // After find: whether a cap stands for its cluster. Each cluster has one such cap.
   bool is_representative(uint32_t cap) const { return cluster_[cap] == cap; }
 
  private:
-  Span<uint32_t> cluster_;
+  Span<uint32_t> cluster_;  // the cap that stands for it
+  Span<uint32_t> taken_;
 };
 
 }  // namespace hsp

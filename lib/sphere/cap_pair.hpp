@@ -19,14 +19,10 @@
 #pragma once
 
 #include "exact/circle_crossing.hpp"
+#include "sphere/cap_pair_bounds.hpp"
 #include "sphere/caps.hpp"
 
 namespace hsp {
-
-// Below this the pair is left to the exact stage; 111 e is far smaller.
-inline constexpr double certain_discriminant = 0x1p-32;
-// For the centre of one circle against the other cap, g b_j - b_k: error at most 10 + 7 + 1 + 7 + 2 units.
-inline constexpr double certain_centre = 32 * unit_roundoff;
 
 struct CapPair {
   double g, bj, bk, q;

@@ -1,34 +1,113 @@
 #include "sphere/caps.hpp"
 
+#include "sphere/near_balls.hpp"
+
 namespace hsp {
 
 void Caps::carve(Workspace &workspace, uint32_t capacity) {
   const uint64_t one_more = static_cast<uint64_t>(capacity) + 1;
-  ux = workspace.take<double>(one_more);
-  uy = workspace.take<double>(one_more);
-  uz = workspace.take<double>(one_more);
-  b = workspace.take<double>(one_more);
-  plane = workspace.take<exact::Plane>(one_more);
-  ball = workspace.take<uint32_t>(one_more);
+  const uint64_t padded = one_more + padding;
+  ux = workspace.take<double>(padded);
+  uy = workspace.take<double>(padded);
+  uz = workspace.take<double>(padded);
+  b = workspace.take<double>(padded);
+  ball = workspace.take<uint32_t>(padded);
+  planes_ = workspace.take<exact::Plane>(one_more);
+  wide = has_avx2();
 }
 
-void Caps::gather(const BallSet &balls, const CubeBlock &block, uint32_t i, DisjointSets *components) {
-  const exact::LatticeBall own = balls.ball(i);
-  const double x = balls.x[i];
-  const double y = balls.y[i];
-  const double z = balls.z[i];
-  const double radius = balls.r[i];
-  const double inverse_diameter = 0.5 / radius;  // infinite for radius 0, whose caps are decided by the planes alone
+// One ball's component of the union. Most of its neighbours have its root as their parent already.
+class Caps::Joining {
+ public:
+  Joining(const BallSet &balls, uint32_t i, DisjointSets *components)
+      : balls_(balls), components_(components), i_(i), root_(components != nullptr ? components->find(i) : i) {}
+
+  void join(uint32_t j) {
+    if (components_ == nullptr || components_->has_parent(j, root_)) return;
+    // The representative of a component is its ball of lowest rank.
+    components_->join(i_, j,
+                      [this](uint32_t p, uint32_t q) { return exact::ranks_before(balls_.ball(p), balls_.ball(q)); });
+    root_ = components_->find(i_);
+  }
+
+ private:
+  const BallSet &balls_;
+  DisjointSets *components_;
+  uint32_t i_, root_;
+};
+
+void Caps::start(const BallSet &balls, uint32_t i) {
+  balls_ = &balls;
+  planes_made_ = false;
+  doubles_made_ = true;
   origin = i;
-  sphere = exact::sphere_of(own);
+  sphere = exact::sphere_of(balls.ball(i));
   length_squared = static_cast<double>(sphere.W);
   count = 0;
   first_later = 0;
   met = 0;
   contained = false;
-  // Of two balls that meet, one is earlier in rank; the representative of a component is its ball of lowest rank.
-  const auto by_rank = [&balls](uint32_t p, uint32_t q) { return exact::ranks_before(balls.ball(p), balls.ball(q)); };
+}
 
+// How far ball j is: the differences and the sum are exact, the squares have a relative error below 4e.
+struct Caps::Distance {
+  Vec3 v;
+  double sum, squared;
+};
+
+// Ball j is not certainly disjoint from the origin ball. Returns false if it contains it.
+[[gnu::always_inline]] inline bool Caps::take(const exact::LatticeBall &own, uint32_t j, const Distance &distance,
+                                              Joining &joining) {
+  const BallSet &balls = *balls_;
+  const uint32_t i = origin;
+  if (j == i) return true;
+  const exact::LatticeBall other = balls.ball(j);
+  const auto &[v, s, squared] = distance;
+  // A certainly proper circle needs no integers.
+  const double difference = balls.r[j] - balls.r[i];
+  const bool certainly_circle =
+      squared < s * s * (1.0 - 8 * unit_roundoff) && squared > difference * difference * (1.0 + 8 * unit_roundoff);
+  const exact::PairRelation relation =
+      certainly_circle ? exact::PairRelation::circle : exact::pair_relation(own, other);
+  if (relation == exact::PairRelation::disjoint) return true;
+  // Of two balls that meet, one is earlier in the grid's order.
+  if (j > i || relation == exact::PairRelation::first_in_second) joining.join(j);
+  if (relation == exact::PairRelation::first_in_second) {
+    contained = true;
+    count = 0;
+    return false;
+  }
+  ++met;
+  if (relation == exact::PairRelation::second_in_first || overflowed()) return true;
+  const exact::Plane cap = exact::plane_of(own, other);
+  const double U = static_cast<double>(dot(cap.v, cap.v));
+  const double inverse = 1.0 / std::sqrt(U);
+  if (U > length_squared) length_squared = U;
+  if (j < i) first_later = count + 1;
+  ball[count] = j;
+  ux[count] = v.x * inverse;
+  uy[count] = v.y * inverse;
+  uz[count] = v.z * inverse;
+  // Infinite for radius 0, whose caps are decided by the planes alone.
+  b[count] = static_cast<double>(cap.h) * inverse * (0.5 / balls.r[i]);
+  ++count;
+  return true;
+}
+
+void Caps::gather(const BallSet &balls, const CubeBlock &block, uint32_t i, DisjointSets *components) {
+  start(balls, i);
+  Joining joining(balls, i, components);
+#if HSP_AVX2
+  if (wide) {
+    gather_wide(block, joining);
+    return;
+  }
+#endif
+  const exact::LatticeBall own = balls.ball(i);
+  const double x = balls.x[i];
+  const double y = balls.y[i];
+  const double z = balls.z[i];
+  const double radius = balls.r[i];
   const double *const xs = balls.x.data();
   const double *const ys = balls.y.data();
   const double *const zs = balls.z.data();
@@ -36,47 +115,101 @@ void Caps::gather(const BallSet &balls, const CubeBlock &block, uint32_t i, Disj
   for (uint32_t k = 0; k < block.ranges; ++k) {
     const BallRange range = block.range[k];
     for (uint32_t j = range.first; j < range.last; ++j) {
-      // The differences and the sum are exact, the squares have a relative error below 4e: a certainly
-      // disjoint pair stops here.
-      const double dx = xs[j] - x;
-      const double dy = ys[j] - y;
-      const double dz = zs[j] - z;
-      const double s = rs[j] + radius;
-      const double squared = dx * dx + dy * dy + dz * dz;
-      if (squared > s * s * (1.0 + 8 * unit_roundoff)) continue;
-      if (j == i) continue;
-      const exact::LatticeBall other = balls.ball(j);
-      // Likewise a certainly proper circle needs no integers.
-      const double difference = rs[j] - radius;
-      const bool certainly_circle =
-          squared < s * s * (1.0 - 8 * unit_roundoff) && squared > difference * difference * (1.0 + 8 * unit_roundoff);
-      const exact::PairRelation relation =
-          certainly_circle ? exact::PairRelation::circle : exact::pair_relation(own, other);
-      if (relation == exact::PairRelation::disjoint) continue;
-      if (components != nullptr && (j > i || relation == exact::PairRelation::first_in_second)) {
-        components->join(i, j, by_rank);
-      }
-      if (relation == exact::PairRelation::first_in_second) {
-        contained = true;
-        count = 0;
-        return;
-      }
-      ++met;
-      if (relation == exact::PairRelation::second_in_first || overflowed()) continue;
-      const exact::Plane cap = exact::plane_of(own, other);
-      const double U = static_cast<double>(dot(cap.v, cap.v));
-      const double inverse = 1.0 / std::sqrt(U);
-      if (U > length_squared) length_squared = U;
-      if (j < i) first_later = count + 1;
-      plane[count] = cap;
-      ball[count] = j;
-      ux[count] = dx * inverse;
-      uy[count] = dy * inverse;
-      uz[count] = dz * inverse;
-      b[count] = static_cast<double>(cap.h) * inverse * inverse_diameter;
-      ++count;
+      const Vec3 v{xs[j] - x, ys[j] - y, zs[j] - z};
+      const Distance distance{v, rs[j] + radius, dot(v, v)};
+      // A certainly disjoint pair stops here.
+      if (distance.squared > distance.sum * distance.sum * (1.0 + 8 * unit_roundoff)) continue;
+      if (!take(own, j, distance, joining)) return;
     }
   }
+}
+
+#if HSP_AVX2
+
+void Caps::take_circles(const BallSet &balls, uint32_t i, uint32_t n, uint32_t n_earlier, DisjointSets *components) {
+  start(balls, i);
+  count = met = n;
+  first_later = n_earlier;
+  doubles_made_ = false;
+  Joining joining(balls, i, components);
+  for (uint32_t k = first_later; k < count; ++k) joining.join(ball[k]);
+}
+
+void Caps::make_doubles() {
+  if (doubles_made_) return;
+  doubles_made_ = true;
+  const uint32_t n = count;
+  count = met = 0;
+  Joining joining(*balls_, origin, nullptr);
+  take_all(ball.data(), n, joining);
+}
+
+// The same, some balls at a time.
+void Caps::gather_wide(const CubeBlock &block, Joining &joining) {
+  constexpr uint32_t room = 128;
+  uint32_t near[room + spare_ids];
+  const BallArrays arrays{balls_->x.data(), balls_->y.data(), balls_->z.data(), balls_->r.data()};
+  uint32_t found = 0;
+  for (uint32_t k = 0; k < block.ranges; ++k) {
+    for (uint32_t j = block.range[k].first; j < block.range[k].last;) {
+      found += near_balls(arrays, origin, j, block.range[k].last, near + found, room - found);
+      if (j == block.range[k].last) break;
+      if (!take_near(Span<uint32_t>(near, found), joining)) return;
+      found = 0;
+    }
+  }
+  take_near(Span<uint32_t>(near, found), joining);
+}
+
+bool Caps::take_near(Span<uint32_t> near, Joining &joining) {
+  // Without the ball itself.
+  uint32_t hits = 0;
+  for (const uint32_t j : near) {
+    near[hits] = j;
+    hits += j != origin ? 1U : 0U;
+  }
+  return take_all(near.data(), hits, joining);
+}
+
+// There may be read and written spare ids behind `near`.
+bool Caps::take_all(uint32_t *near, uint32_t hits, Joining &joining) {
+  const BallArrays arrays{balls_->x.data(), balls_->y.data(), balls_->z.data(), balls_->r.data()};
+  for (uint32_t k = 0; k < 4; ++k) near[hits + k] = origin;
+  for (uint32_t k = 0; k < hits;) {
+    if (met + (hits - k) <= capacity()) {
+      const uint32_t c = count;
+      const CapArrays to{&ux[c], &uy[c], &uz[c], &b[c], &ball[c]};
+      const uint32_t circles = caps_of_circles(arrays, origin, near + k, hits - k, to, length_squared);
+      for (const uint32_t end = k + circles; k < end; ++k) {
+        if (near[k] > origin) {
+          joining.join(near[k]);
+        } else {
+          first_later = count + 1;
+        }
+        ++count;
+        ++met;
+      }
+    }
+    for (const uint32_t end = hits - k < 4 ? hits : k + 4; k < end; ++k) {
+      const Vec3 v = balls_->difference(origin, near[k]);
+      const Distance distance{v, balls_->r[near[k]] + balls_->r[origin], dot(v, v)};
+      if (!take(balls_->ball(origin), near[k], distance, joining)) return false;
+    }
+  }
+  return true;
+}
+
+#endif
+
+const exact::Plane &Caps::plane(uint32_t cap) const {
+  if (!planes_made_) {
+    const exact::LatticeBall own = balls_->ball(origin);
+    for (uint32_t k = 0; k < count; ++k) {
+      planes_[k] = ball[k] == no_id ? half_sphere_ : exact::plane_of(own, balls_->ball(ball[k]));
+    }
+    planes_made_ = true;
+  }
+  return planes_[cap];
 }
 
 void Caps::set_spare_great_circle(const exact::Vector &normal) {
@@ -89,9 +222,10 @@ void Caps::set_spare_great_circle(const exact::Vector &normal) {
 
 void Caps::add_half_sphere(const exact::Vector &normal) {
   set_spare_great_circle(normal);
-  plane[count] = exact::virtual_plane(normal, 0);
-  plane[count].index = no_id;
+  half_sphere_ = exact::virtual_plane(normal, 0);
+  half_sphere_.index = no_id;
   ball[count] = no_id;
+  planes_made_ = false;
   const double U = static_cast<double>(dot(normal, normal));
   if (U > length_squared) length_squared = U;
   ++count;

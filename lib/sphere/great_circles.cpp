@@ -74,7 +74,7 @@ uint32_t free_ends_of(const Caps &caps, const exact::Predicates &predicates, con
       entry = entry && at_entry < 0.0;
       leave = leave && at_exit < 0.0;
     } else {
-      const exact::PointStatus status = predicates.point_status(meridian, caps.plane[own.cap], caps.plane[other.cap]);
+      const exact::PointStatus status = predicates.point_status(meridian, caps.plane(own.cap), caps.plane(other.cap));
       entry = entry && status.side[0] < 0;
       leave = leave && status.side[1] < 0;
     }
@@ -91,8 +91,8 @@ bool comes_before(const Caps &caps, const Vector &m, const MeridianCap &a, const
   if (std::fabs(a.along) > certain && std::fabs(b.along) > certain && std::fabs(turn) > certain) {
     return (a.along > 0.0) != (b.along > 0.0) ? a.along > 0.0 : turn > 0.0;
   }
-  const Vector &v = caps.plane[a.cap].v;
-  const Vector &w = caps.plane[b.cap].v;
+  const Vector &v = caps.plane(a.cap).v;
+  const Vector &w = caps.plane(b.cap).v;
   const auto half = [&m](const Vector &u) {
     const int64_t along = u.x * m.y - u.y * m.x;
     return along > 0 || (along == 0 && u.z > 0) ? 0 : 1;
@@ -121,8 +121,8 @@ void FreeIntervals::find(const Caps &caps, const exact::Predicates &predicates, 
     bool crosses = q > certain_discriminant;
     if (!crosses && !(q < -certain_discriminant && b > certain_centre)) {
       // Seldom: it covers the meridian, or it must be asked exactly.
-      crosses = predicates.crossing(meridian, caps.plane[l]).sign > 0;
-      if (!crosses && predicates.side(meridian, caps.plane[l]).sign > 0) return;
+      crosses = predicates.crossing(meridian, caps.plane(l)).sign > 0;
+      if (!crosses && predicates.side(meridian, caps.plane(l)).sign > 0) return;
     }
     crossings += crosses ? 1U : 0U;
   }
@@ -170,7 +170,7 @@ bool covers_pole(const Caps &caps, const exact::Predicates &predicates, uint32_t
   while (4.0 * static_cast<double>(scale) * static_cast<double>(scale) <= caps.length_squared) scale *= 2;
   const Plane across_x = exact::virtual_plane({scale, 0, 0}, 0);
   const Plane across_y = exact::virtual_plane({0, scale, 0}, 0);
-  return predicates.inside(across_x, across_y, pole, caps.plane[cap]) > 0;
+  return predicates.inside(across_x, across_y, pole, caps.plane(cap)) > 0;
 }
 
 }  // namespace
@@ -180,7 +180,7 @@ bool contains_pole(const Caps &caps, const exact::Predicates &predicates, const 
                    const FreeInterval &interval, int pole) {
   return !covers_pole(caps, predicates, interval.exit_cap, pole) &&
          !covers_pole(caps, predicates, interval.entry_cap, pole) &&
-         pole_lies_between(meridian.v, caps.plane[interval.exit_cap].v, caps.plane[interval.entry_cap].v, pole);
+         pole_lies_between(meridian.v, caps.plane(interval.exit_cap).v, caps.plane(interval.entry_cap).v, pole);
 }
 
 }  // namespace hsp

@@ -85,22 +85,21 @@ void VertexFinder::carve(Workspace &workspace, uint32_t capacity) {
   state_ = workspace.take<uint8_t>(capacity);
 }
 
-// The groups of test caps that covered the last p- and p+.
-struct VertexFinder::Hints {
-  uint32_t group[2] = {0, 0};
-};
-
-[[gnu::always_inline]] inline void VertexFinder::decide_pair(const BallSet &balls, const Caps &caps, uint32_t j,
-                                                             uint32_t k, Hints &hints,
-                                                             FixedVector<VertexRecord> &vertices) {
+// Where size counts there is one copy.
+#if !defined(__OPTIMIZE_SIZE__)
+[[gnu::always_inline]]
+#endif
+inline void
+VertexFinder::pair(const BallSet &balls, const Caps &caps, uint32_t j, uint32_t k,
+                   FixedVector<VertexRecord> &vertices) {
   if ((state_[j] | state_[k]) & covered) return;
-  const CapPair pair(caps, j, k);
-  if (pair.certainly_apart()) {
-    if (pair.certainly_inside()) state_[j] |= covered;
-    if (pair.certainly_contains()) state_[k] |= covered;
+  const CapPair circles(caps, j, k);
+  if (circles.certainly_apart()) {
+    if (circles.certainly_inside()) state_[j] |= covered;
+    if (circles.certainly_contains()) state_[k] |= covered;
     return;
   }
-  if (!pair.certainly_cross()) {
+  if (!circles.certainly_cross()) {
     exact::count_answer(exact::Question::vertex_pair, exact::Stage::exact);
     if (find_vertices_exactly(balls, caps, tests_, j, k, vertices)) {
       state_[j] |= crossed;
@@ -110,11 +109,10 @@ struct VertexFinder::Hints {
   }
   state_[j] |= crossed;
   state_[k] |= crossed;
-  const CrossingPoints points(caps, j, k, pair);
+  const CrossingPoints points(caps, j, k, circles);
   PointAnswer answer[2];
   for (uint32_t point = 0; point < 2; ++point) {
-    answer[point] =
-        test_point(tests_, points.x[point], points.y[point], points.z[point], points.error, hints.group[point]);
+    answer[point] = test_point(tests_, points.x[point], points.y[point], points.z[point], points.error, hint_[point]);
   }
   if (answer[0] == PointAnswer::uncertain || answer[1] == PointAnswer::uncertain) {
     exact::count_answer(exact::Question::vertex_pair, exact::Stage::exact);
@@ -128,29 +126,36 @@ struct VertexFinder::Hints {
   }
 }
 
-inline void VertexFinder::add_free_circle(const Caps &caps, uint32_t j, FixedVector<CircleRecord> &circles) const {
+void VertexFinder::decide_pair(const BallSet &balls, const Caps &caps, uint32_t j, uint32_t k,
+                               FixedVector<VertexRecord> &vertices) {
+  pair(balls, caps, j, k, vertices);
+}
+
+void VertexFinder::decide_circle(const Caps &caps, uint32_t j, FixedVector<CircleRecord> &circles) const {
   if (state_[j] == 0 && is_free_circle(caps, tests_, j)) circles.push({{caps.origin, caps.ball[j]}, {no_id, no_id}});
+}
+
+void VertexFinder::start(const Caps &caps) {
+  tests_.fill(caps);
+  for (uint32_t j = 0; j < caps.count; ++j) state_[j] = 0;
+  hint_[0] = hint_[1] = 0;
 }
 
 void VertexFinder::find(const BallSet &balls, const Caps &caps, FixedVector<VertexRecord> &vertices,
                         FixedVector<CircleRecord> &circles) {
-  tests_.fill(caps);
-  for (uint32_t j = caps.first_later; j < caps.count; ++j) state_[j] = 0;
-  Hints hints;
+  start(caps);
   for (uint32_t j = caps.first_later; j < caps.count; ++j) {
-    for (uint32_t k = j + 1; k < caps.count; ++k) decide_pair(balls, caps, j, k, hints, vertices);
+    for (uint32_t k = j + 1; k < caps.count; ++k) pair(balls, caps, j, k, vertices);
   }
-  for (uint32_t j = caps.first_later; j < caps.count; ++j) add_free_circle(caps, j, circles);
+  for (uint32_t j = caps.first_later; j < caps.count; ++j) decide_circle(caps, j, circles);
 }
 
 void VertexFinder::find_on_last(const BallSet &balls, const Caps &caps, FixedVector<VertexRecord> &vertices,
                                 FixedVector<CircleRecord> &circles) {
-  tests_.fill(caps);
-  for (uint32_t j = 0; j < caps.count; ++j) state_[j] = 0;
-  Hints hints;
+  start(caps);
   const uint32_t last = caps.count - 1;
-  for (uint32_t j = 0; j < last; ++j) decide_pair(balls, caps, j, last, hints, vertices);
-  add_free_circle(caps, last, circles);
+  for (uint32_t j = 0; j < last; ++j) pair(balls, caps, j, last, vertices);
+  decide_circle(caps, last, circles);
 }
 
 namespace {
@@ -166,8 +171,8 @@ bool lies_inside(const BallSet &balls, uint32_t inner, uint32_t outer) {
 bool find_vertices_exactly(const BallSet &balls, const Caps &caps, const CapTests &tests, uint32_t j, uint32_t k,
                            FixedVector<VertexRecord> &vertices) {
   const exact::Predicates predicates = caps.predicates();
-  const exact::Plane &P = caps.plane[j];
-  const exact::Plane &Q = caps.plane[k];
+  const exact::Plane &P = caps.plane(j);
+  const exact::Plane &Q = caps.plane(k);
   const exact::Sign crossing = predicates.crossing(P, Q);
   if (crossing.sign < 0) return false;
 
@@ -176,7 +181,7 @@ bool find_vertices_exactly(const BallSet &balls, const Caps &caps, const CapTest
   for (uint32_t t = 0; t < tests.count && (free[0] || free[1]); ++t) {
     const uint32_t l = tests.cap[t];
     if (l == j || l == k) continue;
-    const exact::PointStatus status = predicates.point_status(P, Q, caps.plane[l]);
+    const exact::PointStatus status = predicates.point_status(P, Q, caps.plane(l));
     // Balls inside the origin ball have no cap here, so only the other two are left to ask.
     const bool ties = (status.tied[0] || status.tied[1]) && !lies_inside(balls, caps.ball[l], caps.ball[j]) &&
                       !lies_inside(balls, caps.ball[l], caps.ball[k]);
@@ -233,8 +238,8 @@ bool is_free_circle(const Caps &caps, const CapTests &tests, uint32_t j) {
   for (uint32_t t = 0; t < tests.count; ++t) {
     const uint32_t l = tests.cap[t];
     if (l == j) continue;
-    if (predicates.crossing(caps.plane[j], caps.plane[l]).sign > 0) return false;
-    if (predicates.side(caps.plane[j], caps.plane[l]).sign > 0) return false;
+    if (predicates.crossing(caps.plane(j), caps.plane(l)).sign > 0) return false;
+    if (predicates.side(caps.plane(j), caps.plane(l)).sign > 0) return false;
   }
   return true;
 }

@@ -31,11 +31,13 @@ class VertexFinder {
   void find_on_last(const BallSet &balls, const Caps &caps, FixedVector<VertexRecord> &vertices,
                     FixedVector<CircleRecord> &circles);
 
+  // Parts of find, for who finds the rest otherwise: start, then any pairs j < k and any circles j of later caps.
+  void start(const Caps &caps);
+  void decide_pair(const BallSet &balls, const Caps &caps, uint32_t j, uint32_t k, FixedVector<VertexRecord> &vertices);
+  void decide_circle(const Caps &caps, uint32_t j, FixedVector<CircleRecord> &circles) const;
+
  private:
-  struct Hints;
-  void decide_pair(const BallSet &balls, const Caps &caps, uint32_t j, uint32_t k, Hints &hints,
-                   FixedVector<VertexRecord> &vertices);
-  void add_free_circle(const Caps &caps, uint32_t j, FixedVector<CircleRecord> &circles) const;
+  void pair(const BallSet &balls, const Caps &caps, uint32_t j, uint32_t k, FixedVector<VertexRecord> &vertices);
 
   // State of a cap during the loop over pairs; bits.
   static constexpr uint8_t crossed = 1;  // its circle crosses another one, so it is not a free circle
@@ -43,6 +45,7 @@ class VertexFinder {
 
   CapTests tests_;
   Span<uint8_t> state_;
+  uint32_t hint_[2] = {0, 0};  // the groups of test caps that covered the last p- and p+
 };
 
 // The exact stage: pushes the free points among p+ and p- of the circles of caps j < k. Returns whether the circles

@@ -19,12 +19,12 @@ class CirclesInIntegers {
 
   // Overwrites the planes of the caps.
   explicit CirclesInIntegers(Caps &caps) : caps_(caps), predicates_({W, no_id}, 0x1p60) {
-    for (uint32_t k = 0; k < caps.count; ++k) {
+    caps.set_planes([&caps](uint32_t k) -> exact::Plane {
       constexpr double scale = static_cast<double>(normal_length);
       const exact::Vector v{nearest(scale * caps.ux[k]), nearest(scale * caps.uy[k]), nearest(scale * caps.uz[k])};
       const double length = std::sqrt(static_cast<double>(dot(v, v)));
-      caps.plane[k] = {v, nearest(caps.b[k] * length * 0x1p30), 1, k};
-    }
+      return {v, nearest(caps.b[k] * length * 0x1p30), 1, k};
+    });
   }
 
   struct Crossing {
@@ -69,7 +69,7 @@ class CirclesInIntegers {
   static constexpr double to_unit = 0x1p-29;
 
   static Answer answer(int sign) { return sign > 0 ? Answer::yes : Answer::no; }
-  const exact::Plane &plane(uint32_t k) const { return caps_.plane[k]; }
+  const exact::Plane &plane(uint32_t k) const { return caps_.plane(k); }
   CircleGeometry geometry(uint32_t k) const { return {predicates_.sphere(), plane(k)}; }
 
   const Caps &caps_;

@@ -22,7 +22,7 @@ class CornerFinder {
 
   // Where a half-edge starts.
   Corner at(const HalfEdge &half_edge) const {
-    const auto point = points_.find(caps_.plane[half_edge.previous_circle], caps_.plane[half_edge.circle]);
+    const auto point = points_.find(caps_.plane(half_edge.previous_circle), caps_.plane(half_edge.circle));
     return {point.root_D, frame_.to_view(point.position)};
   }
 
@@ -33,7 +33,7 @@ class CornerFinder {
 };
 
 CircleFrame frame_of(const Caps &caps, const ViewFrame &frame, uint32_t cap) {
-  return caps.ball[cap] == no_id ? CircleFrame() : CircleFrame(frame, caps.plane[cap].v);
+  return caps.ball[cap] == no_id ? CircleFrame() : CircleFrame(frame, caps.plane(cap).v);
 }
 
 double parameter(const CircleFrame &circle, const Vec3 &offset) {
@@ -47,8 +47,8 @@ double span_of(const Caps &caps, const HalfEdge &half_edge, const Corner &start,
   double span = to_view < 0.0 ? to_view + 2 * pi : to_view;
   if (span >= 2 * pi) span -= 2 * pi;
   if (span > branch_cut_margin && span < 2 * pi - branch_cut_margin) return span;
-  const double angle = arc_angle(caps.plane[half_edge.circle], caps.plane[end_half_edge.circle], end.root_D,
-                                 caps.plane[half_edge.previous_circle], start.root_D);
+  const double angle = arc_angle(caps.plane(half_edge.circle), caps.plane(end_half_edge.circle), end.root_D,
+                                 caps.plane(half_edge.previous_circle), start.root_D);
   if (angle < pi) return span < pi ? span : 0.0;
   return span > pi ? span : 2 * pi;
 }

@@ -24,15 +24,15 @@ class BackHalf {
       if (depth > points.error) return true;
       if (depth < -points.error) return false;
     }
-    return predicates_.inside(caps_.plane[in], caps_.plane[out], +1, caps_.plane[back_]) > 0;
+    return predicates_.inside(caps_.plane(in), caps_.plane(out), +1, caps_.plane(back_)) > 0;
   }
   bool meets_circle(uint32_t cap) const {
     const CapPair pair(caps_, cap, back_);
     if (pair.certainly_cross()) return true;
     if (pair.certainly_apart() && pair.certainly_inside()) return true;
     if (pair.certainly_apart() && pair.certainly_outside()) return false;
-    return predicates_.crossing(caps_.plane[cap], caps_.plane[back_]).sign > 0 ||
-           predicates_.side(caps_.plane[cap], caps_.plane[back_]).sign > 0;
+    return predicates_.crossing(caps_.plane(cap), caps_.plane(back_)).sign > 0 ||
+           predicates_.side(caps_.plane(cap), caps_.plane(back_)).sign > 0;
   }
 
  private:
@@ -108,13 +108,13 @@ void VisiblePiece::link() {
     half_edges_[half_edge_count_++] = {no_id, positive ? first : second, positive ? second : first, no_id, no_id};
   }
   for (const CircleRecord &circle : circles_.items()) whole_[circle_count_++] = caps_.cap_of(circle.ball[1]);
-  const auto by_rank = [this](uint32_t a, uint32_t b) { return exact::ranks_before(caps_.plane[a], caps_.plane[b]); };
+  const auto by_rank = [this](uint32_t a, uint32_t b) { return exact::ranks_before(caps_.plane(a), caps_.plane(b)); };
   sort_in_place(whole_.part(0, circle_count_), by_rank);
   const Span<HalfEdge> items = half_edges_.part(0, half_edge_count_);
   sort_in_place(items, [&by_rank](const HalfEdge &a, const HalfEdge &b) {
     return a.circle != b.circle ? by_rank(a.circle, b.circle) : by_rank(a.previous_circle, b.previous_circle);
   });
-  const auto direction = [this](uint32_t cap) { return caps_.plane[cap].v; };
+  const auto direction = [this](uint32_t cap) { return caps_.plane(cap).v; };
   for (HalfEdge &half_edge : items) half_edge.next = find_next(items, half_edge, direction);
   uint32_t loops = 0;
   for (uint32_t start = 0; start < items.size(); ++start) {

@@ -32,6 +32,12 @@ TEST_F(Avx2Lanes, FourDoubles) {
 TEST_F(Avx2Lanes, Comparisons) {
   EXPECT_EQ(text(check_comparisons()), "");
 }
+TEST_F(Avx2Lanes, PartsAndCounts) {
+  EXPECT_EQ(text(check_parts_and_counts()), "");
+}
+TEST_F(Avx2Lanes, LongIntegers) {
+  EXPECT_EQ(text(check_long_integers()), "");
+}
 TEST_F(Avx2Lanes, ChosenLanesFirst) {
   EXPECT_EQ(text(check_front_orders()), "");
 }

@@ -37,9 +37,9 @@ struct CapsOf {
 
 // u.p - b of cap l for the point p+ or p- of caps j and k, in long double from the integers.
 long double depth(const Caps &caps, uint32_t j, uint32_t k, uint32_t l, int sign) {
-  const exact::Plane &P = caps.plane[j];
-  const exact::Plane &Q = caps.plane[k];
-  const exact::Plane &R = caps.plane[l];
+  const exact::Plane &P = caps.plane(j);
+  const exact::Plane &Q = caps.plane(k);
+  const exact::Plane &R = caps.plane(l);
   const exact::Vector normal = cross(P.v, Q.v);
   using Long = std::array<long double, 3>;
   const auto from = [](const exact::Vector &v) {
@@ -85,14 +85,14 @@ TEST(CapPair, CertainAnswersAreRight) {
     for (uint32_t j = 0; j < caps.count; ++j) {
       for (uint32_t k = j + 1; k < caps.count; ++k) {
         const CapPair pair(caps, j, k);
-        const bool crossing = predicates.crossing(caps.plane[j], caps.plane[k]).sign > 0;
+        const bool crossing = predicates.crossing(caps.plane(j), caps.plane(k)).sign > 0;
         if (pair.certainly_cross()) {
           ASSERT_TRUE(crossing);
         }
         if (pair.certainly_apart()) {
           ASSERT_FALSE(crossing);
-          const bool inside = predicates.side(caps.plane[j], caps.plane[k]).sign > 0;
-          const bool contains = predicates.side(caps.plane[k], caps.plane[j]).sign > 0;
+          const bool inside = predicates.side(caps.plane(j), caps.plane(k)).sign > 0;
+          const bool contains = predicates.side(caps.plane(k), caps.plane(j)).sign > 0;
           if (pair.certainly_inside()) {
             ASSERT_TRUE(inside);
           }
@@ -107,7 +107,7 @@ TEST(CapPair, CertainAnswersAreRight) {
         const CrossingPoints computed(caps, j, k, pair);
         for (uint32_t l = 0; l < caps.count; ++l) {
           if (l == j || l == k) continue;
-          const exact::PointStatus status = predicates.point_status(caps.plane[j], caps.plane[k], caps.plane[l]);
+          const exact::PointStatus status = predicates.point_status(caps.plane(j), caps.plane(k), caps.plane(l));
           for (int point = 0; point < 2; ++point) {
             const double value = computed.x[point] * caps.ux[l] + computed.y[point] * caps.uy[l] +
                                  computed.z[point] * caps.uz[l] - caps.b[l];

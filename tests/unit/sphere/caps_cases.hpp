@@ -47,11 +47,11 @@ inline uint32_t caps_are_found_dropped_and_added() {
   caps.keep_if([&set](uint32_t ball) { return set.x[ball] == 0.0; });
   if (caps.count != 4) return 4;
   for (uint32_t k = 0; k < 4; ++k) {
-    if (set.x[caps.ball[k]] != 0.0 || caps.ux[k] != 0.0 || caps.plane[k].v.x != 0) return 5;
+    if (set.x[caps.ball[k]] != 0.0 || caps.ux[k] != 0.0 || caps.plane(k).v.x != 0) return 5;
   }
   caps.add_half_sphere({0, 0, 3});
   const bool half = caps.count == 5 && caps.ball[4] == hsp::no_id && caps.uz[4] == 1.0 && caps.b[4] == 0.0 &&
-                    caps.plane[4].h == 0 && caps.plane[4].perturbed == 0;
+                    caps.plane(4).h == 0 && caps.plane(4).perturbed == 0;
   return half ? all_hold : 6;
 }
 

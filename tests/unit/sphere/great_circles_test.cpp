@@ -108,9 +108,9 @@ void check_set(const Balls &balls, oracle::RandomSource &random, Seen &seen) {
     gathered.ball.gather(built.grid(), i);
     const hsp::Caps &caps = gathered.ball.caps;
     for (uint32_t k = 0; k < caps.count; k += 1 + caps.count / 6) {
-      const hsp::exact::Plane circle = hsp::meridian_through(caps.plane[k].v);
+      const hsp::exact::Plane circle = hsp::meridian_through(caps.plane(k).v);
       // It contains the axis and the direction z, and tells the axis from its opposite.
-      ASSERT_EQ(dot(circle.v, caps.plane[k].v), 0);
+      ASSERT_EQ(dot(circle.v, caps.plane(k).v), 0);
       ASSERT_EQ(circle.v.z, 0);
       ASSERT_EQ(circle.h, 0);
       ASSERT_FALSE(is_zero(circle.v));

@@ -106,6 +106,52 @@ const char *check_comparisons() {
   return nullptr;
 }
 
+const char *check_parts_and_counts() {
+  const uint32_t index[4] = {3, 0, 2, 2};
+  const double at[4] = {da[3], da[0], da[2], da[2]};
+  if (!lanes_are(Doubles::at(da, index), at)) return "at";
+  for (uint32_t count = 0; count <= 4; ++count) {
+    double first[4];
+    for (uint32_t k = 0; k < 4; ++k) first[k] = k < count ? da[k] : 0.0;
+    if (!lanes_are(Doubles::load_first(da, count), first)) return "load_first";
+  }
+  const float as_floats[8] = {1.0F, -2.0F, 3.0F, 0.5F, 2.0F, 2.0F, -4.0F, 0.25F};
+  if (!lanes_are(to_floats(Doubles::load(da), Doubles::load(db)), as_floats)) return "to_floats";
+  const float larger_ones[8] = {2.0F, 2.0F, 3.0F, 0.5F, 8.0F, 32.0F, 1.0F, 7.0F};
+  if (!lanes_are(larger(Floats::load(fa), Floats::load(fb)), larger_ones)) return "larger, floats";
+  const double larger_doubles[4] = {2.0, 2.0, 3.0, 0.5};
+  if (!lanes_are(larger(Doubles::load(da), Doubles::load(db)), larger_doubles)) return "larger, doubles";
+  const float sizes[8] = {1.0F, 2.0F, 3.0F, 0.5F, 8.0F, 16.0F, 0.0F, 7.0F};
+  if (!lanes_are(magnitude(Floats::load(fa)), sizes)) return "magnitude, floats";
+
+  LaneCounts<Floats> floats;
+  LaneCounts<Doubles> doubles;
+  for (int k = 0; k < 3; ++k) {
+    floats.count_not_less(Floats::load(fa), Floats::all(static_cast<float>(k)));
+    doubles.count_not_less(Doubles::load(da), Doubles::all(k));
+  }
+  // Numbers not below 0, 1 and 2: of 1 two, of -2 none, of 3 all, of 0.5 one.
+  if (floats.equal(3) != 0x94 || floats.equal(2) != 1 || floats.equal(1) != 0x48) return "counts, floats";
+  if (doubles.equal(3) != 4 || doubles.equal(2) != 1 || doubles.equal(0) != 2) return "counts, doubles";
+  return nullptr;
+}
+
+const char *check_long_integers() {
+  const double a[4] = {2147483647.0, -2147483647.0, -1.0, 1073741827.0};
+  const double b[4] = {2147483645.0, 2147483647.0, 0.0, 1073741823.0};
+  const LongIntegers x = LongIntegers::from(Doubles::load(a)), y = LongIntegers::from(Doubles::load(b));
+  double sum[4], difference[4];
+  for (uint32_t k = 0; k < 4; ++k) {
+    const int64_t p = static_cast<int64_t>(a[k]) * static_cast<int64_t>(b[k]);
+    const int64_t q = static_cast<int64_t>(a[k]) * static_cast<int64_t>(a[k]);
+    sum[k] = static_cast<double>(p + q);
+    difference[k] = static_cast<double>(p - q);
+  }
+  if (!lanes_are(to_doubles(product(x, y) + product(x, x)), sum)) return "sum of products";
+  if (!lanes_are(to_doubles(product(x, y) - product(x, x)), difference)) return "difference of products";
+  return nullptr;
+}
+
 const char *check_front_orders() {
   const uint32_t ids[8] = {10, 11, 12, 13, 14, 15, 16, 17};
   for (LaneBits chosen = 0; chosen < 256; ++chosen) {

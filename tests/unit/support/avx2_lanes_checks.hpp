@@ -6,5 +6,7 @@ const char *check_float_lanes();
 const char *check_double_lanes();
 const char *check_integer_lanes();
 const char *check_comparisons();
+const char *check_parts_and_counts();
+const char *check_long_integers();
 const char *check_front_orders();
 const char *check_four_doubles();  // those of core/double_lanes.hpp

@@ -1,0 +1,47 @@
+// The error bounds with which two caps and their crossing points are decided, in doubles (cap_pair.hpp, where they are
+// derived) and in floats, for the code that does so in lanes.
+//
+// In floats, with e = 2^-24 and u 6.5, b 28 from float_caps.hpp, first order, |b| <= 1, q <= S <= 1; sums are fused:
+//   g         2 * 6.5 + 3                                                                                16
+//   q         1 - b_j^2: 57; g^2: 33; b_k^2: 58; 2 g b_j b_k: 2 (16 + 28 + 28) + 2; last addition: 1     295
+//   b_j - g b_k    28 + 28 + 16 + 1                                                                      73
+//   S         2 * 16 + 1                                                                                 33
+// The points, as in cap_pair.hpp with s = 1/S:
+//   alpha, beta    2 (73 s + 33 s sqrt(s) + 4 sqrt(s)),  u: 13 sqrt(s)
+//   gamma          148 s/sqrt(q) + 33 s sqrt(s) + 5 sqrt(s),  cross product: 15 sqrt(s),  additions: 1 sqrt(s) + 2
+//   a test         6.5 + 28 + 6 more
+// As s >= 1, all stays below e s (332 s + 148/sqrt(q)); used are 512 and 240. With q > 2^-12 the relative errors of q
+// and S are below 0.072 and 0.009, which raise 148 by less than a tenth; what is left of the slack absorbs terms in e^2
+// and the rounding of the bound.
+#pragma once
+
+#include "core/floating_point.hpp"
+
+namespace hsp {
+
+// Below this the pair is left to the exact stage; 111 e is far smaller.
+inline constexpr double certain_discriminant = 0x1p-32;
+// For the centre of one circle against the other cap, g b_j - b_k: error at most 10 + 7 + 1 + 7 + 2 units.
+inline constexpr double certain_centre = 32 * unit_roundoff;
+
+// For floats and doubles alike.
+template <class Real>
+struct CapPairBounds;
+template <>
+struct CapPairBounds<double> {
+  static constexpr double roundoff = unit_roundoff;
+  static constexpr double crossing = certain_discriminant;  // of q, for whether the circles cross
+  static constexpr double points = certain_discriminant;    // of q, for where they cross
+  static constexpr double centre = certain_centre;
+  static constexpr double point_s = 256.0, point_root = 80.0;  // e s (point_s s + point_root / sqrt(q))
+};
+template <>
+struct CapPairBounds<float> {
+  static constexpr float roundoff = 0x1p-24F;
+  static constexpr float crossing = 0x1p-15F;  // 512 e
+  static constexpr float points = 0x1p-12F;
+  static constexpr float centre = 0x1p-17F;  // 128 e
+  static constexpr float point_s = 512.0F, point_root = 240.0F;
+};
+
+}  // namespace hsp

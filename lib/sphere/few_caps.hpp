@@ -1,0 +1,32 @@
+// A ball with few caps, as on van der Waals surfaces: all pairs of caps at once as bits of words, which give vertices,
+// free circles and clusters together (few_caps_avx2.cpp).
+#pragma once
+
+#include <cstdint>
+
+namespace hsp {
+
+inline constexpr uint32_t most_few_caps = 16;
+
+// One of the two points of the circles of caps j < k.
+struct FreePoint {
+  uint8_t j, k;
+  uint8_t positive;
+};
+
+struct FewCaps {
+  uint32_t clusters;
+  uint32_t free_circles;  // bits of the caps from the first later one on
+  uint32_t crossing;      // pairs of later caps whose circles cross
+  uint32_t points;        // free ones on two later caps, in the order of j, k and sign
+  FreePoint point[most_few_caps * (most_few_caps - 1)];
+};
+
+// False if not everything is certain; `found` then means nothing. The arrays can be read up to eight caps,
+// or sixteen if there are more than eight.
+bool find_few_in_floats(const float *x, const float *y, const float *z, const float *b, uint32_t count,
+                        uint32_t first_later, FewCaps &found);
+bool find_few_in_doubles(const double *x, const double *y, const double *z, const double *b, uint32_t count,
+                         uint32_t first_later, FewCaps &found);
+
+}  // namespace hsp

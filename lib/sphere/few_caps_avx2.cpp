@@ -1,0 +1,183 @@
+#include "sphere/few_caps.hpp"
+
+#if HSP_AVX2
+#include "sphere/crossing_pairs_avx2.hpp"
+
+namespace hsp {
+namespace {
+
+// Bits of caps.
+using CapBits = uint32_t;
+
+// How the circle of one cap lies to the circles of all others, where that is certain.
+struct Relations {
+  CapBits cross = 0;      // they cross
+  CapBits at_points = 0;  // and it is certain where
+  CapBits separate = 0;   // neither lies in the other's cap
+  CapBits inside = 0;     // it lies inside the other cap
+  CapBits contains = 0;   // the other one lies inside its cap
+};
+
+template <class Lanes>
+void relate(const LaneCaps<Lanes> &cap, const LaneCaps<Lanes> &others, const PairLanes<Lanes> &pair, uint32_t shift,
+            Relations &relations) {
+  using Bounds = CapPairBounds<typename Lanes::Real>;
+  const Lanes centre = Lanes::all(Bounds::centre);
+  const Lanes centre_inside = fused_minus(pair.g, cap.b, others.b);
+  const Lanes others_inside = fused_minus(pair.g, others.b, cap.b);
+  const LaneBits apart = greater(Lanes::all(-Bounds::crossing), pair.q);
+  relations.cross |= greater(pair.q, Lanes::all(Bounds::crossing)) << shift;
+  relations.at_points |= greater(pair.q, Lanes::all(Bounds::points)) << shift;
+  relations.separate |= (apart & greater(-centre, centre_inside) & greater(-centre, others_inside)) << shift;
+  relations.inside |= (apart & greater(centre_inside, centre)) << shift;
+  relations.contains |= (apart & greater(others_inside, centre)) << shift;
+}
+
+// Disjoint sets of caps.
+struct Clusters {
+  CapBits member[most_few_caps];
+  uint32_t count = 0;
+
+  // One set that joins all that have a cap in common with it.
+  void add(CapBits joined) {
+    uint32_t kept = 0;
+    for (uint32_t c = 0; c < count; ++c) {
+      const CapBits other = member[c];
+      const bool meets = (other & joined) != 0;
+      member[kept] = other;
+      joined |= meets ? other : 0U;
+      kept += meets ? 0U : 1U;
+    }
+    member[kept] = joined;
+    count = kept + 1;
+  }
+};
+
+// A point in a cap is covered. One that is outside all caps but its own two, on which it lies, is free.
+template <class Lanes>
+struct PointTest {
+  LanePoints<Lanes> point;
+  Lanes deepest = Lanes::all(-4);
+  LaneCounts<Lanes> near{};
+
+  explicit PointTest(const LanePoints<Lanes> &p) : point(p) {}
+  void against(const LaneCaps<Lanes> &cap) {
+    const Lanes depth = point.depth(cap);
+    deepest = larger(deepest, depth);
+    near.count_not_less(depth, -point.error);
+  }
+  LaneBits covered() const { return greater(deepest, point.error); }
+  LaneBits outside() const { return near.equal(2); }
+};
+
+template <class Lanes, uint32_t vectors>
+class FewCapsSearch {
+ public:
+  using Real = typename Lanes::Real;
+
+  FewCapsSearch(const CapPointers<Real> &caps, uint32_t count, uint32_t first_later, FewCaps &found)
+      : caps_(caps), count_(count), first_later_(first_later), found_(found) {}
+
+  bool run() {
+    found_.points = 0;
+    found_.crossing = 0;
+    LaneCaps<Lanes> all_caps[vectors];
+    for (uint32_t v = 0; v < vectors; ++v) all_caps[v] = LaneCaps<Lanes>::load(caps_, Lanes::lanes * v);
+    for (uint32_t j = 0; j < count_; ++j) {
+      if (!add_row(j, all_caps)) return false;
+    }
+    found_.clusters = clusters_.count;
+    found_.free_circles = first_caps(count_) & ~first_caps(first_later_) & ~touched_;
+    return test_points();
+  }
+
+ private:
+  static CapBits first_caps(uint32_t count) { return (1U << count) - 1U; }
+
+  // Cap j with all others. Pairs count once, with the later cap as the other one.
+  bool add_row(uint32_t j, const LaneCaps<Lanes> (&all_caps)[vectors]) {
+    const LaneCaps<Lanes> cap = LaneCaps<Lanes>::all_of(caps_, j);
+    const CapBits own = 1U << j;
+    const CapBits after = first_caps(count_) & ~first_caps(j + 1);
+    Relations relations;
+    for (uint32_t v = 0; v < vectors; ++v) {
+      const uint32_t shift = Lanes::lanes * v;
+      const PairLanes<Lanes> pair(cap, all_caps[v]);
+      relate(cap, all_caps[v], pair, shift, relations);
+      if (j < first_later_) continue;
+      const LaneBits crossing = (relations.at_points & after) >> shift & ((1U << Lanes::lanes) - 1U);
+      if (crossing == 0) continue;
+      if (pairs_.is_full() && !test_points()) return false;
+      pairs_.add(j, cap, shift, all_caps[v], pair, crossing);
+    }
+    const CapBits cross = relations.cross & after;
+    const CapBits inside = relations.inside & after;
+    const CapBits contains = relations.contains & after;
+    const CapBits meet = cross | inside | contains;
+    unsure_ |= after & ~(meet | relations.separate);
+    if (j >= first_later_) unsure_ |= cross & ~relations.at_points;
+    touched_ |= cross | contains | ((cross | inside) != 0 ? own : 0U);
+    clusters_.add(meet | own);
+    return unsure_ == 0;
+  }
+
+  // The points of the pairs that wait, against all caps. False if one is neither covered nor free for certain.
+  bool test_points() {
+    for (uint32_t p = 0; p < pairs_.count; p += Lanes::lanes) {
+      const LaneCrossings<Lanes> crossings(pairs_, p);
+      PointTest<Lanes> minus(crossings.minus), plus(crossings.plus);
+      for (uint32_t t = 0; t < count_; ++t) {
+        const LaneCaps<Lanes> cap = LaneCaps<Lanes>::all_of(caps_, t);
+        minus.against(cap);
+        plus.against(cap);
+      }
+      const LaneBits valid = first_lanes(pairs_.count - p) & ((1U << Lanes::lanes) - 1U);
+      const LaneBits minus_covered = minus.covered(), plus_covered = plus.covered();
+      const LaneBits minus_outside = minus.outside(), plus_outside = plus.outside();
+      if (((minus_covered | minus_outside) & (plus_covered | plus_outside) & valid) != valid) return false;
+      keep_free(p, minus_outside & ~minus_covered & valid, plus_outside & ~plus_covered & valid);
+    }
+    found_.crossing += pairs_.count;
+    pairs_.count = 0;
+    return true;
+  }
+
+  void keep_free(uint32_t p, LaneBits minus, LaneBits plus) {
+    for (LaneBits either = minus | plus; either != 0; either &= either - 1) {
+      const uint32_t lane = lowest(either);
+      const uint8_t j = static_cast<uint8_t>(pairs_.j[p + lane]), k = static_cast<uint8_t>(pairs_.k[p + lane]);
+      if ((minus >> lane & 1U) != 0) found_.point[found_.points++] = {j, k, 0};
+      if ((plus >> lane & 1U) != 0) found_.point[found_.points++] = {j, k, 1};
+    }
+  }
+
+  CapPointers<Real> caps_;
+  uint32_t count_, first_later_;
+  FewCaps &found_;
+  CapBits touched_ = 0;  // circles that cross another one or lie inside another cap
+  CapBits unsure_ = 0;
+  Clusters clusters_;
+  CrossingPairs<Lanes, 32> pairs_;
+};
+
+template <class Lanes, class Real>
+bool find_few(const CapPointers<Real> &caps, uint32_t count, uint32_t first_later, FewCaps &found) {
+  constexpr uint32_t all = most_few_caps / Lanes::lanes;
+  if (2 * count <= most_few_caps) return FewCapsSearch<Lanes, all / 2>(caps, count, first_later, found).run();
+  return FewCapsSearch<Lanes, all>(caps, count, first_later, found).run();
+}
+
+}  // namespace
+
+bool find_few_in_floats(const float *x, const float *y, const float *z, const float *b, uint32_t count,
+                        uint32_t first_later, FewCaps &found) {
+  return find_few<Floats>(CapPointers<float>{x, y, z, b}, count, first_later, found);
+}
+
+bool find_few_in_doubles(const double *x, const double *y, const double *z, const double *b, uint32_t count,
+                         uint32_t first_later, FewCaps &found) {
+  return find_few<Doubles>(CapPointers<double>{x, y, z, b}, count, first_later, found);
+}
+
+}  // namespace hsp
+#endif

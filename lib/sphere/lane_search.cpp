@@ -1,0 +1,172 @@
+#include "sphere/lane_search.hpp"
+
+#if HSP_AVX2
+namespace hsp {
+namespace {
+
+BallArrays arrays_of(const BallSet &balls) {
+  return {balls.x.data(), balls.y.data(), balls.z.data(), balls.r.data()};
+}
+
+// Consecutive parts of one array.
+template <class T>
+class Parts {
+ public:
+  explicit Parts(T *first, uint32_t size) : next_(first), size_(size) {}
+  T *take() {
+    T *const part = next_;
+    if (part != nullptr) next_ += size_;
+    return part;
+  }
+
+ private:
+  T *next_;
+  uint32_t size_;
+};
+
+FloatCaps take_caps(Parts<float> &parts) {
+  FloatCaps caps;
+  caps.x = parts.take();
+  caps.y = parts.take();
+  caps.z = parts.take();
+  caps.b = parts.take();
+  return caps;
+}
+
+}  // namespace
+
+void LaneSearch::carve(Workspace &workspace, uint32_t neighbours, Span<uint32_t> borrowed) {
+  enabled = has_avx2() && neighbours <= PairSweep::most_caps;
+  // Rows of whole vectors.
+  const uint32_t row = (neighbours + FloatCaps::spare + 7) / 8 * 8;
+  Parts<float> floats_of_caps(workspace.take<float>(13 * static_cast<uint64_t>(row)).data(), row);
+  sweep_.caps = take_caps(floats_of_caps);
+  sweep_.by_size = take_caps(floats_of_caps);
+  sweep_.exposed = take_caps(floats_of_caps);
+  sweep_.exposed_cap = floats_of_caps.take();
+  sweep_.crossed = workspace.take<uint8_t>(row / 8).data();
+  uncrossed_ = workspace.take<uint32_t>(neighbours);
+
+  // Five arrays of candidates.
+  const uint32_t most = borrowed.size() / 5 / 8 * 8;
+  Parts<uint32_t> words(borrowed.data(), most);
+  candidates_.room = most > CandidateBlock::spare ? most - CandidateBlock::spare : 0;
+  candidates_.x = reinterpret_cast<float *>(words.take());
+  candidates_.y = reinterpret_cast<float *>(words.take());
+  candidates_.z = reinterpret_cast<float *>(words.take());
+  candidates_.r = reinterpret_cast<float *>(words.take());
+  candidates_.ball = words.take();
+}
+
+bool LaneSearch::start_cube(const CubeGrid &grid, uint32_t cube, const CubeBlock &block) {
+  if (!enabled) return false;
+  uint32_t total = 0;
+  for (uint32_t k = 0; k < block.ranges; ++k) total += block.range[k].last - block.range[k].first;
+  if (total > candidates_.room) return false;
+  const CubeCoordinates &at = grid.table().coordinates(cube);
+  const auto middle = [&grid](int64_t c) { return static_cast<double>(c * grid.side() + grid.side() / 2); };
+  const double centre[3] = {middle(at.x), middle(at.y), middle(at.z)};
+  const double side = static_cast<double>(grid.side());
+  candidates_.margin = static_cast<float>(side * side * CandidateBlock::margin_of_squared_side);
+  candidates_.count = 0;
+  const BallRange own = grid.balls_in(cube);
+  first_own_ = own.first;
+  const BallArrays balls = arrays_of(grid.balls());
+  for (uint32_t k = 0; k < block.ranges; ++k) {
+    const BallRange range = block.range[k];
+    if (range.first <= own.first && own.first < range.last) own_place_ = candidates_.count + (own.first - range.first);
+    add_candidates(candidates_, balls, range.first, range.last, centre);
+  }
+  end_candidates(candidates_);
+  return true;
+}
+
+bool LaneSearch::gather(const BallSet &balls, uint32_t i, Caps &caps, DisjointSets *components) {
+  const uint32_t place = own_place_ + (i - first_own_);
+  uint32_t *const near = caps.ball.data();
+  const uint32_t most = caps.capacity();
+  const uint32_t earlier = near_candidates(candidates_, place, 0, place, near, most);
+  if (earlier > most) return false;
+  const uint32_t later =
+      near_candidates(candidates_, place, place + 1, candidates_.count, near + earlier, most - earlier);
+  if (later > most - earlier) return false;
+  if (!make_float_caps(arrays_of(balls), i, near, earlier + later, sweep_.caps)) return false;
+  caps.take_circles(balls, i, earlier + later, earlier, components);
+  return true;
+}
+
+bool LaneSearch::find_few(Caps &caps, FewCaps &found) {
+  const FloatCaps &f = sweep_.caps;
+  if (floats && find_few_in_floats(f.x, f.y, f.z, f.b, caps.count, caps.first_later, found)) return true;
+  caps.make_doubles();
+  if (!doubles) return false;
+  const uint32_t read = 2 * caps.count <= most_few_caps ? most_few_caps / 2 : most_few_caps;
+  for (uint32_t k = caps.count; k < read; ++k) {
+    caps.ux[k] = caps.uy[k] = caps.uz[k] = 0.0;
+    caps.b[k] = 4.0;
+  }
+  return find_few_in_doubles(caps.ux.data(), caps.uy.data(), caps.uz.data(), caps.b.data(), caps.count,
+                             caps.first_later, found);
+}
+
+uint32_t LaneSearch::find(const BallSet &balls, Caps &caps, VertexFinder &finder, FixedVector<VertexRecord> &vertices,
+                          FixedVector<CircleRecord> &circles) {
+  if (caps.count > most_few_caps) {
+    find_many(balls, caps, finder, vertices, circles);
+    return 0;
+  }
+  FewCaps found;
+  if (!find_few(caps, found)) {
+    finder.find(balls, caps, vertices, circles);
+    return 0;
+  }
+  exact::count_answer(exact::Question::vertex_pair, exact::Stage::lanes, found.crossing);
+  const auto push = [&](uint32_t j, uint32_t k, uint32_t flags) {
+    vertices.push({{caps.origin, caps.ball[j], caps.ball[k]}, flags});
+  };
+  for (uint32_t p = 0; p < found.points; ++p) {
+    push(found.point[p].j, found.point[p].k, found.point[p].positive != 0 ? VertexRecord::positive_bit : 0U);
+  }
+  for (uint32_t bits = found.free_circles; bits != 0; bits &= bits - 1) {
+    circles.push({{caps.origin, caps.ball[static_cast<uint32_t>(__builtin_ctz(bits))]}, {no_id, no_id}});
+  }
+  return found.clusters;
+}
+
+void LaneSearch::find_many(const BallSet &balls, Caps &caps, VertexFinder &finder, FixedVector<VertexRecord> &vertices,
+                           FixedVector<CircleRecord> &circles) {
+  bool prepared = false;
+  [[maybe_unused]] uint32_t passed_on = 0;
+  const auto prepare = [&]() {
+    if (prepared) return;
+    caps.make_doubles();
+    finder.start(caps);
+    prepared = true;
+  };
+  sweep_.count = caps.count;
+  sweep_.first_later = caps.first_later;
+  start_sweep(sweep_);
+  OpenPair pairs[PairSweep::batch];
+  while (const uint32_t found = next_open_pairs(sweep_, pairs)) {
+    for (const OpenPair &pair : Span<const OpenPair>(pairs, found)) {
+      if (!pair.certain || !floats) {
+        prepare();
+        ++passed_on;
+        finder.decide_pair(balls, caps, pair.j, pair.k, vertices);
+        continue;
+      }
+      const uint32_t j = caps.ball[pair.j], k = caps.ball[pair.k];
+      if (pair.minus) vertices.push({{caps.origin, j, k}, 0});
+      if (pair.plus) vertices.push({{caps.origin, j, k}, VertexRecord::positive_bit});
+    }
+  }
+  exact::count_answer(exact::Question::vertex_pair, exact::Stage::lanes, sweep_.crossing - passed_on);
+  const uint32_t uncrossed = uncrossed_caps(sweep_, uncrossed_.data());
+  for (const uint32_t j : uncrossed_.part(0, uncrossed)) {
+    prepare();
+    finder.decide_circle(caps, j, circles);
+  }
+}
+
+}  // namespace hsp
+#endif

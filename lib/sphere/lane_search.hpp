@@ -1,0 +1,60 @@
+// Steps 1 and 2 for one ball after the other by the code for wide registers: in floats first, then in doubles. What
+// these are not certain of is left to Caps and VertexFinder, so that all results are theirs. Empty in libraries without
+// such code.
+#pragma once
+
+#include "sphere/candidate_block.hpp"
+#include "sphere/few_caps.hpp"
+#include "sphere/pair_sweep.hpp"
+#include "sphere/vertex_finder.hpp"
+
+namespace hsp {
+
+#if HSP_AVX2
+
+class LaneSearch {
+ public:
+  // Borrows memory while balls are searched.
+  void carve(Workspace &workspace, uint32_t neighbours, Span<uint32_t> borrowed);
+
+  // For the balls of one cube, whose block of cubes is given. False if they are to be searched otherwise.
+  bool start_cube(const CubeGrid &grid, uint32_t cube, const CubeBlock &block);
+  // The caps of ball i of that cube: their balls, and floats. False if that is left to Caps::gather.
+  bool gather(const BallSet &balls, uint32_t i, Caps &caps, DisjointSets *components);
+  // After gather: as VertexFinder::find. Returns the number of clusters of the caps, 0 if they were not counted.
+  uint32_t find(const BallSet &balls, Caps &caps, VertexFinder &finder, FixedVector<VertexRecord> &vertices,
+                FixedVector<CircleRecord> &circles);
+
+  // For tests: which stages there are.
+  bool enabled = false;
+  bool floats = true;
+  bool doubles = true;
+
+ private:
+  bool find_few(Caps &caps, FewCaps &found);
+  void find_many(const BallSet &balls, Caps &caps, VertexFinder &finder, FixedVector<VertexRecord> &vertices,
+                 FixedVector<CircleRecord> &circles);
+
+  CandidateBlock candidates_;
+  uint32_t first_own_ = 0;  // ball of the cube
+  uint32_t own_place_ = 0;  // and its number among the candidates
+  PairSweep sweep_;
+  Span<uint32_t> uncrossed_;
+};
+
+#else
+
+class LaneSearch {
+ public:
+  static constexpr bool enabled = false;
+  void carve(Workspace &, uint32_t, Span<uint32_t>) {}
+  bool start_cube(const CubeGrid &, uint32_t, const CubeBlock &) { return false; }
+  bool gather(const BallSet &, uint32_t, Caps &, DisjointSets *) { return false; }
+  uint32_t find(const BallSet &, Caps &, VertexFinder &, FixedVector<VertexRecord> &, FixedVector<CircleRecord> &) {
+    return 0;
+  }
+};
+
+#endif
+
+}  // namespace hsp

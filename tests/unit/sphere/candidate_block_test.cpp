@@ -1,0 +1,127 @@
+// The candidates near one ball, against the exact relation of all pairs: none that meets it is missing, few others are
+// there. Balls that touch each other, cubes as large and as far away as there may be.
+#include "sphere/candidate_block.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "core/processor.hpp"
+#include "exact/lattice_ball.hpp"
+#include "random_balls.hpp"
+
+#if HSP_AVX2
+namespace {
+
+using hsp::exact::LatticeBall;
+
+struct Candidates {
+  std::vector<double> x, y, z, r;
+  std::vector<float> fx, fy, fz, fr;
+  std::vector<uint32_t> id;
+  hsp::CandidateBlock block;
+
+  Candidates(const std::vector<LatticeBall> &balls, const hsp::exact::Vector &centre, int64_t side) {
+    for (const LatticeBall &ball : balls) {
+      x.push_back(static_cast<double>(ball.centre.x));
+      y.push_back(static_cast<double>(ball.centre.y));
+      z.push_back(static_cast<double>(ball.centre.z));
+      r.push_back(static_cast<double>(ball.radius));
+    }
+    const uint32_t n = static_cast<uint32_t>(balls.size());
+    for (std::vector<float> *floats : {&fx, &fy, &fz, &fr}) floats->resize(n + hsp::CandidateBlock::spare);
+    id.resize(n + hsp::CandidateBlock::spare);
+    block.x = fx.data();
+    block.y = fy.data();
+    block.z = fz.data();
+    block.r = fr.data();
+    block.ball = id.data();
+    block.room = n;
+    block.margin = static_cast<float>(static_cast<double>(side) * static_cast<double>(side) *
+                                      hsp::CandidateBlock::margin_of_squared_side);
+    const double middle[3] = {static_cast<double>(centre.x), static_cast<double>(centre.y),
+                              static_cast<double>(centre.z)};
+    // In two parts that end where no vector does.
+    const hsp::BallArrays arrays{x.data(), y.data(), z.data(), r.data()};
+    hsp::add_candidates(block, arrays, 0, n / 3, middle);
+    hsp::add_candidates(block, arrays, n / 3, n, middle);
+    hsp::end_candidates(block);
+  }
+};
+
+double square(int64_t x) {
+  return static_cast<double>(x) * static_cast<double>(x);
+}
+// d^2 - t^2 for their distance d and the sum t of their radii, about.
+double excess(const LatticeBall &a, const LatticeBall &b) {
+  return square(a.centre.x - b.centre.x) + square(a.centre.y - b.centre.y) + square(a.centre.z - b.centre.z) -
+         square(a.radius + b.radius);
+}
+
+// Balls of the cube around `centre` and of its neighbours; many of them touch the first one.
+std::vector<LatticeBall> balls_around(oracle::RandomSource &random, const hsp::exact::Vector &centre, int64_t side) {
+  const auto within = [&random](int64_t low, int64_t high) {
+    return std::min(high, low + static_cast<int64_t>(random.fraction() * static_cast<double>(high - low + 1)));
+  };
+  const auto ball = [&](int64_t reach, uint32_t index) {
+    return LatticeBall{{centre.x + within(-reach, reach - 1), centre.y + within(-reach, reach - 1),
+                        centre.z + within(-reach, reach - 1)},
+                       within(0, side / 2),
+                       index};
+  };
+  std::vector<LatticeBall> balls = {ball(side / 2, 0)};
+  const LatticeBall first = balls.front();
+  while (balls.size() < 40 + balls.front().index % 7) {
+    LatticeBall next = ball(side + side / 2, static_cast<uint32_t>(balls.size()));
+    if (balls.size() % 2 == 0) {
+      // The radius with which it just meets the first one, or just does not.
+      next.radius = -first.radius;
+      const int64_t distance = static_cast<int64_t>(std::sqrt(excess(first, next)));
+      next.radius = distance - first.radius + within(-1, 1);
+      if (next.radius < 0 || next.radius > side / 2) continue;
+    }
+    balls.push_back(next);
+  }
+  return balls;
+}
+
+TEST(CandidateBlock, NoneThatMeetsIsLeftOut) {
+  if (!hsp::has_avx2()) GTEST_SKIP() << "no such processor";
+  oracle::RandomSource random(901);
+  uint32_t meeting = 0, near_misses = 0;
+  for (int k = 0; k < 4000; ++k) {
+    constexpr int64_t sides[] = {2, 8, 3000, 4194304, 2147483646, 2147483646};
+    const int64_t side = sides[k % 6];
+    const int64_t far = (INT64_C(1) << 50) / side * side - 2 * side;
+    const hsp::exact::Vector centre = k % 4 == 0 ? hsp::exact::Vector{far + side / 2, -far + side / 2, side / 2}
+                                                 : hsp::exact::Vector{side / 2, -side / 2, 5 * side + side / 2};
+    const std::vector<LatticeBall> balls = balls_around(random, centre, side);
+    const Candidates candidates(balls, centre, side);
+    const uint32_t n = static_cast<uint32_t>(balls.size());
+    std::vector<uint32_t> near(n + hsp::spare_ids);
+    const uint32_t found = hsp::near_candidates(candidates.block, 0, 1, n, near.data(), n);
+    ASSERT_LT(found, n);
+    ASSERT_TRUE(std::is_sorted(near.begin(), near.begin() + found));
+    for (uint32_t j = 1; j < n; ++j) {
+      const bool meets = hsp::exact::pair_relation(balls[0], balls[j]) != hsp::exact::PairRelation::disjoint;
+      const bool is_listed = std::binary_search(near.begin(), near.begin() + found, j);
+      ASSERT_TRUE(is_listed || !meets) << "side " << side << ", set " << k;
+      meeting += meets ? 1U : 0U;
+      near_misses += is_listed && !meets ? 1U : 0U;
+      if (is_listed) {
+        ASSERT_LE(excess(balls[0], balls[j]), 2.0 * static_cast<double>(candidates.block.margin) + 1e-9 * square(side));
+      }
+    }
+    // More than asked for.
+    if (found > 9) {
+      ASSERT_GT(hsp::near_candidates(candidates.block, 0, 1, n, near.data(), found - 1), found - 1);
+      ASSERT_EQ(hsp::near_candidates(candidates.block, 0, 1, n, near.data(), found), found);
+    }
+  }
+  EXPECT_GT(meeting, 20000U);
+  EXPECT_GT(near_misses, 100U);
+}
+
+}  // namespace
+#endif

@@ -1,0 +1,189 @@
+// Steps 1 and 2 by the code for wide registers against those by the code for every processor: the same vertices in the
+// same order, circles, faces, components and needed limits, with every stage left out in turn.
+#include "sphere/lane_search.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "boundary/boundary_builder.hpp"
+#include "degenerate_set.hpp"
+#include "lattice_lengths.hpp"
+#include "molecule_file.hpp"
+#include "random_balls.hpp"
+
+#if HSP_AVX2
+namespace {
+
+struct Stages {
+  bool enabled, floats, doubles;
+};
+constexpr Stages scalar{false, false, false};
+constexpr Stages all_stages{true, true, true};
+constexpr Stages ways[] = {all_stages, {true, false, true}, {true, true, false}, {true, false, false}};
+
+template <class T>
+void append_bytes(std::string &bytes, const T *items, size_t count) {
+  bytes.append(reinterpret_cast<const char *>(items), count * sizeof(T));
+}
+
+// A builder with limits, for one grid after the other.
+class Builder {
+ public:
+  explicit Builder(const hsp::BoundaryLimits &limits) {
+    hsp::Workspace measured;
+    builder_.carve(measured, limits);
+    memory_.resize(measured.bytes());
+    hsp::Workspace workspace(memory_.data(), memory_.size());
+    builder_.carve(workspace, limits);
+    processor_has_it_ = builder_.lanes().enabled;
+  }
+  ~Builder() { hsp::unpoison(memory_.data(), memory_.size()); }
+  Builder(const Builder &) = delete;
+  Builder &operator=(const Builder &) = delete;
+
+  // All that the stages find, as bytes.
+  std::string result(const hsp::CubeGrid &grid, const Stages &stages) {
+    builder_.use_wide_code(stages.enabled && processor_has_it_);
+    builder_.lanes().floats = stages.floats;
+    builder_.lanes().doubles = stages.doubles;
+    status = builder_.build(grid);
+    const hsp::BoundaryArrays &a = builder_.arrays();
+    std::string bytes;
+    append_bytes(bytes, a.vertices.items().data(), a.vertices.size());
+    append_bytes(bytes, a.circles.items().data(), a.circles.size());
+    append_bytes(bytes, &builder_.needed(), 1);
+    append_bytes(bytes, a.ball_state.data(), a.balls);
+    if (status != hsp::Status::ok) return bytes;
+    append_bytes(bytes, a.loop_face.data(), a.loop_count);
+    append_bytes(bytes, a.first_face.data(), a.balls);
+    append_bytes(bytes, a.component.data(), a.balls);
+    for (uint32_t i = 0; i < a.balls; ++i) {
+      const uint32_t root = builder_.boundary().component_origin(i);
+      append_bytes(bytes, &root, 1);
+    }
+    return bytes;
+  }
+
+  hsp::Status status = hsp::Status::ok;
+  uint32_t vertices() const { return builder_.boundary().vertex_count(); }
+  bool processor_has_it() const { return processor_has_it_; }
+
+ private:
+  hsp::BoundaryBuilder builder_;
+  std::vector<unsigned char> memory_;
+  bool processor_has_it_ = false;
+};
+
+class Grid {
+ public:
+  explicit Grid(const support::BallList &balls, double probe, double step) {
+    const uint32_t n = balls.size();
+    hsp::Workspace measured;
+    grid_.carve(measured, n);
+    memory_.resize(measured.bytes());
+    hsp::Workspace workspace(memory_.data(), memory_.size());
+    grid_.carve(workspace, n);
+    uint32_t first_bad = 0;
+    EXPECT_EQ(grid_.build({n, balls.xyz.data(), balls.radius.data(), probe, step}, first_bad), hsp::Status::ok);
+  }
+  ~Grid() { hsp::unpoison(memory_.data(), memory_.size()); }
+  Grid(const Grid &) = delete;
+  Grid &operator=(const Grid &) = delete;
+  const hsp::CubeGrid &operator*() const { return grid_; }
+
+ private:
+  hsp::CubeGrid grid_;
+  std::vector<unsigned char> memory_;
+};
+
+// Limits from such that hardly anything fits to ample ones.
+uint32_t expect_same_results(const std::string &name, const support::BallList &balls, double probe, double step) {
+  const uint32_t n = balls.size();
+  const Grid grid(balls, probe, step);
+  uint32_t vertices = 0;
+  for (const hsp::BoundaryLimits &limits :
+       {hsp::BoundaryLimits{n, 1, 2, 1}, hsp::BoundaryLimits{n, 7, 10, 3}, hsp::BoundaryLimits{n, n, 3, n},
+        hsp::BoundaryLimits{n, n, 24 * n, 4 * n}}) {
+    Builder builder(limits);
+    if (!builder.processor_has_it()) return 0;
+    const std::string expected = builder.result(*grid, scalar);
+    vertices = builder.vertices();
+    for (const Stages &stages : ways) {
+      EXPECT_EQ(expected == builder.result(*grid, stages), true)
+          << name << ", probe " << probe << ", neighbours " << limits.neighbours << ", floats " << stages.floats
+          << ", doubles " << stages.doubles;
+    }
+  }
+  return vertices;
+}
+
+TEST(LaneSearch, DegenerateSets) {
+  uint32_t vertices = 0;
+  std::vector<degenerate::DegenerateSet> sets = degenerate::read_sets(HSP_DEGENERATE_SETS);
+  for (degenerate::DegenerateSet &set : degenerate::made_sets()) sets.push_back(std::move(set));
+  for (const degenerate::DegenerateSet &set : sets) {
+    if (set.balls.size() > 2000) continue;
+    vertices += expect_same_results(set.name, oracle::in_lengths(set.balls, 1), 0.0, 1.0);
+  }
+  if (hsp::has_avx2()) {
+    EXPECT_GT(vertices, 1000U);
+  }
+}
+
+TEST(LaneSearch, Molecules) {
+  for (const char *file : {"caffeine.pdb", "crambin.pdb"}) {
+    const support::BallList balls =
+        with_radii(support::read_atoms(support::own_molecule(file)), support::Radii::van_der_waals);
+    for (const double probe : {0.0, 0.3, 0.7, 1.4, 2.5}) expect_same_results(file, balls, probe, 0.0);
+  }
+}
+
+// In boxes that leave from one to hundreds of neighbours; radii alike and as different as can be.
+TEST(LaneSearch, RandomSets) {
+  oracle::RandomSource random(811);
+  for (int k = 0; k < 60; ++k) {
+    constexpr double spreads[] = {0.0, 0.1, 0.5, 3.0, 50.0, 1e6};
+    const double spread = spreads[k % 6];
+    const double box = (1.0 + spread / 3.0) * (1.0 + k % 5);
+    const double shift = k % 7 == 0 ? 1e5 : 0.0;
+    support::BallList balls;
+    for (int i = 0; i < 20 + 12 * (k % 9); ++i) {
+      const double x = random.fraction(), y = random.fraction(), z = random.fraction(), r = random.fraction();
+      balls.add(shift + box * x, box * y, box * z - shift, 1.0 + spread * r * r * r * r);
+    }
+    expect_same_results("random " + std::to_string(k), balls, k % 4 == 0 ? 0.5 : 0.0, 0.0);
+  }
+}
+
+// Whole numbers: balls that touch, contain and equal each other, points among them.
+TEST(LaneSearch, SmallIntegers) {
+  oracle::RandomSource random(812);
+  for (int k = 0; k < 40; ++k) {
+    support::BallList balls;
+    const int side = 4 + k % 9;
+    for (int i = 0; i < 40 + k; ++i) {
+      const auto whole = [&random](int below) { return std::floor(random.fraction() * below); };
+      const double x = whole(side), y = whole(side), z = whole(side);
+      balls.add(x, y, z, whole(2 + k % 4));
+    }
+    expect_same_results("integers " + std::to_string(k), balls, 0.0, 1.0);
+  }
+}
+
+// One large ball among small ones: blocks of cubes with more balls than there is room for.
+TEST(LaneSearch, MoreCandidatesThanRoom) {
+  oracle::RandomSource random(813);
+  support::BallList balls;
+  balls.add(0, 0, 0, 30);
+  for (int i = 0; i < 700; ++i) {
+    const double x = random.fraction(), y = random.fraction(), z = random.fraction();
+    balls.add(60 * x - 30, 60 * y - 30, 60 * z - 30, 0.9);
+  }
+  expect_same_results("one large", balls, 0.0, 0.0);
+}
+
+}  // namespace
+#endif

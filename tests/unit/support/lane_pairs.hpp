@@ -1,0 +1,20 @@
+// Pairs of caps in lanes (sphere/crossing_pairs_avx2.hpp), compiled for AVX2 apart from the test.
+#pragma once
+
+#include <cstdint>
+
+// Arrays that can be read as whole vectors.
+template <class Real>
+struct ThreeCaps {
+  const Real *x, *y, *z, *b;
+};
+
+template <class Real>
+struct LanePair {
+  Real g, q, centre_jk, centre_kj;
+  Real depth[2][3];  // of p- and p+ in the three caps
+  Real error;
+};
+
+LanePair<float> lane_pair(const ThreeCaps<float> &caps, uint32_t j, uint32_t k);
+LanePair<double> lane_pair(const ThreeCaps<double> &caps, uint32_t j, uint32_t k);
