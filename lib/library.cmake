@@ -6,6 +6,7 @@ set(HSP_LIBRARY_SOURCES
   lib/core/elementary.cpp
   lib/exact/exact_predicates.cpp
   lib/model/ball_set.cpp
+  lib/model/block_sweep.cpp
   lib/model/cube_grid.cpp
   lib/model/grid_order.cpp
   lib/model/element_radii.cpp

@@ -84,10 +84,10 @@ struct BoundaryArrays {
   FixedVector<CircleRecord> circles;
   Span<double> root_discriminant;  // [vertices] sqrt(D), exact D rounded once
 
-  Span<HalfEdge> half_edges;              // [3 vertices], by ball, in an order that does not depend on ids
+  Span<HalfEdge> half_edges;              // [3 vertices], by ball, and on each by rank of their circles
   Span<uint32_t> first_half_edge;         // [balls + 1]
   Span<uint32_t> half_edge_at;            // [3 vertices] that of vertex v on its ball number t at 3 v + t
-  Span<ClosedHalfEdge> closed_half_edge;  // [2 circles] by ball
+  Span<ClosedHalfEdge> closed_half_edge;  // [2 circles] by ball, and on each by rank
   Span<uint32_t> first_closed_half_edge;  // [balls + 1]
 
   Span<uint32_t> first_loop;     // [balls + 1]
@@ -105,8 +105,7 @@ struct BoundaryArrays {
   static constexpr uint8_t contained = 1;
   static constexpr uint8_t without_caps = 2;  // no other sphere meets it: free as a whole unless it is contained
 
-  Span<uint32_t> component_parent;  // [balls]
-  DisjointSets components;          // represented by their balls of lowest rank
+  Span<uint32_t> component_origin;  // [balls] the ball of lowest rank of the component
   Span<uint32_t> component;         // [balls] number of the component
 
   bool wide_code = false;  // this processor runs code for AVX2
@@ -195,7 +194,7 @@ class Boundary {
   // Components of the union, numbered in the order of their first ball in the input.
   uint32_t component(uint32_t ball) const { return a_.component[ball]; }
   // The ball of lowest rank in a ball's component.
-  uint32_t component_origin(uint32_t ball) const { return a_.components.root(ball); }
+  uint32_t component_origin(uint32_t ball) const { return a_.component_origin[ball]; }
 
   // Hints to the processor: what belongs to a ball will be read soon.
   void prefetch_ranges(uint32_t ball) const {
@@ -203,7 +202,7 @@ class Boundary {
     __builtin_prefetch(&a_.first_face[ball]);
     __builtin_prefetch(&a_.first_loop[ball]);
     __builtin_prefetch(&a_.first_closed_half_edge[ball]);
-    __builtin_prefetch(&a_.component_parent[ball]);
+    __builtin_prefetch(&a_.component_origin[ball]);
   }
   void prefetch_half_edges(uint32_t ball) const {
     constexpr uint32_t step = 64 / sizeof(HalfEdge);

@@ -4,6 +4,7 @@
 #include "boundary/half_edge_links.hpp"
 #include "boundary/shells.hpp"
 #include "core/processor.hpp"
+#include "exact/discriminant.hpp"
 #include "model/block_sweep.hpp"
 
 namespace hsp {
@@ -27,7 +28,7 @@ void BoundaryArrays::carve(Workspace &workspace, const BoundaryLimits &limits) {
   first_face = workspace.take<uint32_t>(n + 1);
   faces = workspace.take<FaceRecord>(loops + n);
   ball_state = workspace.take<uint8_t>(n);
-  component_parent = workspace.take<uint32_t>(n);
+  component_origin = workspace.take<uint32_t>(n);
   component = workspace.take<uint32_t>(n);
 }
 
@@ -49,8 +50,8 @@ void BoundaryBuilder::find_vertices(const CubeGrid &grid) {
   BoundaryArrays &a = arrays();
   a.vertices.clear();
   a.circles.clear();
-  a.components = DisjointSets(a.component_parent.part(0, balls.n));
-  a.components.reset();
+  DisjointSets components(a.component_origin.part(0, balls.n));
+  components.reset();
   needed_.neighbours = 0;
   BlockSweep sweep(grid);
   for (uint32_t cube = 0; cube < grid.cubes(); ++cube) {
@@ -58,8 +59,8 @@ void BoundaryBuilder::find_vertices(const CubeGrid &grid) {
     const BallRange own = grid.balls_in(cube);
     const bool in_lanes = lanes_.start_cube(grid, cube, block);
     for (uint32_t i = own.first; i < own.last; ++i) {
-      const bool by_lanes = in_lanes && lanes_.gather(balls, i, caps_, &a.components);
-      if (!by_lanes) caps_.gather(balls, block, i, &a.components);
+      const bool by_lanes = in_lanes && lanes_.gather(balls, i, caps_, &components);
+      if (!by_lanes) caps_.gather(balls, block, i, &components);
       a.ball_state[i] = static_cast<uint8_t>((caps_.contained ? BoundaryArrays::contained : 0) |
                                              (caps_.count == 0 ? BoundaryArrays::without_caps : 0));
       if (caps_.contained) continue;
@@ -81,9 +82,9 @@ void BoundaryBuilder::find_root_discriminants(const BallSet &balls) {
   for (uint32_t v = 0; v < a.vertices.size(); ++v) {
     const VertexRecord &vertex = a.vertices[v];
     const exact::LatticeBall origin = balls.ball(vertex.ball[0]);
-    a.root_discriminant[v] = std::sqrt(exact::Exact::discriminant(exact::sphere_of(origin),
-                                                                  exact::plane_of(origin, balls.ball(vertex.ball[1])),
-                                                                  exact::plane_of(origin, balls.ball(vertex.ball[2]))));
+    a.root_discriminant[v] =
+        std::sqrt(exact::discriminant(exact::sphere_of(origin), exact::plane_of(origin, balls.ball(vertex.ball[1])),
+                                      exact::plane_of(origin, balls.ball(vertex.ball[2]))));
   }
 }
 
@@ -101,7 +102,7 @@ Status BoundaryBuilder::build(const CubeGrid &grid) {
   if (a.vertices.overflowed() || a.circles.overflowed()) return Status::capacity;
 
   find_root_discriminants(balls);
-  link_half_edges(balls, a);
+  link_half_edges(balls, a, scratch_);
   faces_.find(grid, boundary_, a, caps_, scratch_);
   find_shells(boundary_, a, scratch_);
   number_components(grid, a);

@@ -3,12 +3,23 @@
 namespace hsp {
 
 void number_components(const CubeGrid &grid, BoundaryArrays &arrays) {
+  const BallSet &balls = grid.balls();
+  const Span<uint32_t> lowest =
+      arrays.component;  // for the time being: of the balls seen so far, at the representative
+  DisjointSets components(arrays.component_origin.part(0, arrays.balls));
+  components.flatten();
+  for (uint32_t i = 0; i < arrays.balls; ++i) {
+    const uint32_t representative = arrays.component_origin[i];
+    if (representative == i || balls.ranks_before(i, lowest[representative])) lowest[representative] = i;
+  }
+  for (uint32_t i = 0; i < arrays.balls; ++i) arrays.component_origin[i] = lowest[arrays.component_origin[i]];
+
   for (uint32_t i = 0; i < arrays.balls; ++i) arrays.component[i] = no_id;
   arrays.component_count = 0;
   for (uint32_t input = 0; input < arrays.balls; ++input) {
     const uint32_t i = grid.grid_index(input);
-    // A component's number is stored first at its representative.
-    uint32_t &number = arrays.component[arrays.components.find(i)];
+    // A component's number is stored first at its origin.
+    uint32_t &number = arrays.component[arrays.component_origin[i]];
     if (number == no_id) number = arrays.component_count++;
     arrays.component[i] = number;
   }

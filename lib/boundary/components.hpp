@@ -5,7 +5,8 @@
 
 namespace hsp {
 
-// Numbers the components, joined in arrays.components, in the order of their first ball in the input.
+// Names the components, joined in arrays.component_origin as disjoint sets, by their balls of lowest rank, and numbers
+// them in the order of their first ball in the input.
 void number_components(const CubeGrid &grid, BoundaryArrays &arrays);
 
 }  // namespace hsp

@@ -1,6 +1,7 @@
 #include "boundary/half_edge_links.hpp"
 
 #include "core/sorting.hpp"
+#include "sphere/half_edge_chain.hpp"
 
 namespace hsp {
 namespace {
@@ -27,13 +28,11 @@ void distribute_vertices(BoundaryArrays &a) {
   accumulate(first, a.balls);
   for (uint32_t v = 0; v < a.vertices.size(); ++v) {
     const VertexRecord &vertex = a.vertices[v];
+    // Which of the other two comes first cannot be predicted: an index tells, not a branch.
+    const uint32_t preceding = vertex.positive() ? 1 : 2;
     for (uint32_t t = 0; t < 3; ++t) {
-      const uint32_t following = vertex.ball[(t + 1) % 3];
-      const uint32_t preceding = vertex.ball[(t + 2) % 3];
-      HalfEdge &half_edge = a.half_edges[first[vertex.ball[t]]++];
-      half_edge.vertex = v;
-      half_edge.previous_circle = vertex.positive() ? following : preceding;
-      half_edge.circle = vertex.positive() ? preceding : following;
+      a.half_edges[first[vertex.ball[t]]++] = {v, vertex.ball[(t + preceding) % 3],
+                                               vertex.ball[(t + 3 - preceding) % 3], no_id, no_id};
     }
   }
   step_back(first, a.balls);
@@ -54,8 +53,8 @@ void distribute_circles(BoundaryArrays &a) {
   step_back(first, a.balls);
 }
 
-// Sorts what lies on one ball into an order that depends on the balls' positions alone. Sums over a ball's half-edges
-// run in this order, so that ids have no effect on any bit.
+// Sorts what lies on one ball by the ranks of the balls around it: sums over a ball's half-edges run in this order, so
+// that neither ids nor the place of the set, on which the walls of cubes depend, have an effect on any bit.
 void sort_half_edges(const BallSet &balls, Span<HalfEdge> half_edges, Span<ClosedHalfEdge> closed,
                      const BoundaryArrays &a) {
   sort_in_place(half_edges, [&balls](const HalfEdge &p, const HalfEdge &q) {
@@ -68,20 +67,13 @@ void sort_half_edges(const BallSet &balls, Span<HalfEdge> half_edges, Span<Close
   });
 }
 
-// Finds the successor of each half-edge of ball i; the first of them has number `first`.
-void link(const BallSet &balls, uint32_t i, uint32_t first, Span<HalfEdge> half_edges) {
-  const auto direction = [&balls, i](uint32_t j) { return balls.exact_difference(i, j); };
-  for (HalfEdge &half_edge : half_edges) {
-    half_edge.next = first + find_next(half_edges, half_edge, direction);
-    half_edge.loop = no_id;
-  }
-}
-
 }  // namespace
 
-void link_half_edges(const BallSet &balls, BoundaryArrays &a) {
+void link_half_edges(const BallSet &balls, BoundaryArrays &a, Span<uint32_t> scratch) {
   distribute_vertices(a);
   distribute_circles(a);
+  // The numbers of components are not known yet.
+  const HalfEdgeChain chain(scratch.part(0, a.balls), a.component.part(0, a.balls));
   uint32_t loops = 0;
   for (uint32_t i = 0; i < a.balls; ++i) {
     const uint32_t first = a.first_half_edge[i];
@@ -93,7 +85,7 @@ void link_half_edges(const BallSet &balls, BoundaryArrays &a) {
       const uint32_t v = a.half_edges[e].vertex;
       a.half_edge_at[3 * v + a.vertices[v].slot_of(i)] = e;
     }
-    link(balls, i, first, a.half_edges.part(first, last));
+    chain.link(a.half_edges.part(first, last), first, [&balls, i](uint32_t j) { return balls.exact_difference(i, j); });
 
     a.first_loop[i] = loops;
     for (uint32_t start = first; start < last; ++start) {

@@ -6,7 +6,7 @@
 
 namespace hsp {
 
-// Fills half-edges, closed half-edges and loops from vertices and circles.
-void link_half_edges(const BallSet &balls, BoundaryArrays &boundary);
+// Fills half-edges, closed half-edges and loops from vertices and circles. scratch [balls].
+void link_half_edges(const BallSet &balls, BoundaryArrays &boundary, Span<uint32_t> scratch);
 
 }  // namespace hsp

@@ -1,5 +1,5 @@
-// Disjoint sets over caller memory with path halving. The caller's order decides which of two roots survives, so that
-// the representative of a set can be made canonical.
+// Disjoint sets of numbers over caller memory, with path halving. The smallest number represents a set, and no number
+// has a larger parent.
 #pragma once
 
 #include "core/span.hpp"
@@ -29,22 +29,18 @@ class DisjointSets {
     while (parent_[k] != k) k = parent_[k];
     return k;
   }
-  // Joins two sets; the root for which before(root, other_root) holds stays root. Returns false if they were one set
-  // already.
-  template <class Before>
-  bool join(uint32_t a, uint32_t b, Before before) {
+  // Joins two sets. Returns false if they were one set already.
+  bool join(uint32_t a, uint32_t b) {
+    if (parent_[a] == parent_[b]) return false;  // most are when there is much to join
     a = find(a);
     b = find(b);
     if (a == b) return false;
-    if (before(a, b)) {
-      parent_[b] = a;
-    } else {
-      parent_[a] = b;
-    }
+    parent_[a < b ? b : a] = a < b ? a : b;
     return true;
   }
-  bool join(uint32_t a, uint32_t b) {
-    return join(a, b, [](uint32_t x, uint32_t y) { return x < y; });
+  // Afterwards all numbers have their representatives as parents.
+  void flatten() {
+    for (uint32_t k = 0; k < parent_.size(); ++k) parent_[k] = parent_[parent_[k]];
   }
 
  private:

@@ -8,31 +8,50 @@
 
 namespace hsp::exact {
 
-// Sign of (u x v).z. The cross product is exact, so the sum of three products of doubles has an error of at most 5e
-// times the sum of their sizes: e each for the two conversions and the product, two additions.
-inline int orientation(const Vector &u, const Vector &v, const Vector &z) {
-  const Vec3 n = to_double(cross(u, v));
+// Sign of (u x v).z, with n = u x v. The cross product is exact, so the sum of three products of doubles has an error
+// of at most 5e times the sum of their sizes: e each for the two conversions and the product, two additions.
+inline int orientation(const Vector &u, const Vector &v, const Vec3 &n, const Vector &z) {
   const double x = n.x * static_cast<double>(z.x);
   const double y = n.y * static_cast<double>(z.y);
   const double w = n.z * static_cast<double>(z.z);
   const int sign = certain_sign(x + y + w, 8 * unit_roundoff * (std::fabs(x) + std::fabs(y) + std::fabs(w)));
   return sign != 0 ? sign : Exact::triple_product_sign(u, v, z);
 }
-
-// 0 if v lies in the half-turn [0, pi) counter-clockwise from reference about axis, else 1. Directions are taken modulo
-// the axis.
-inline int half_turn(const Vector &axis, const Vector &reference, const Vector &v) {
-  const int side = orientation(axis, reference, v);
-  if (side != 0) return side > 0 ? 0 : 1;
-  return Exact::cross_dot_cross_sign(axis, reference, v) > 0 ? 0 : 1;
+inline int orientation(const Vector &u, const Vector &v, const Vector &z) {
+  return orientation(u, v, to_double(cross(u, v)), z);
 }
 
-// Whether v comes strictly before w when turning counter-clockwise from reference about axis.
+// Directions in the order in which they come when turning counter-clockwise about an axis, from a reference on.
+// Directions are taken modulo the axis.
+class TurningOrder {
+ public:
+  TurningOrder(const Vector &axis, const Vector &reference)
+      : axis_(axis), reference_(reference), normal_(to_double(cross(axis, reference))) {}
+
+  // 0 if v lies in the half-turn [0, pi) from the reference, else 1.
+  int half_turn(const Vector &v) const {
+    const int side = orientation(axis_, reference_, normal_, v);
+    if (side != 0) return side > 0 ? 0 : 1;
+    return Exact::cross_dot_cross_sign(axis_, reference_, v) > 0 ? 0 : 1;
+  }
+  // Whether v comes strictly before w.
+  bool before(const Vector &v, const Vector &w) const {
+    const int half_v = half_turn(v);
+    const int half_w = half_turn(w);
+    if (half_v != half_w) return half_v < half_w;
+    return orientation(axis_, v, w) > 0;
+  }
+
+ private:
+  Vector axis_, reference_;
+  Vec3 normal_;
+};
+
+inline int half_turn(const Vector &axis, const Vector &reference, const Vector &v) {
+  return TurningOrder(axis, reference).half_turn(v);
+}
 inline bool counter_clockwise_before(const Vector &axis, const Vector &reference, const Vector &v, const Vector &w) {
-  const int half_v = half_turn(axis, reference, v);
-  const int half_w = half_turn(axis, reference, w);
-  if (half_v != half_w) return half_v < half_w;
-  return orientation(axis, v, w) > 0;
+  return TurningOrder(axis, reference).before(v, w);
 }
 
 // Whether x lies inside the counter-clockwise turn that leads from `from` to `to`, ends excluded. Equal ends are a

@@ -1,6 +1,7 @@
 #include "measure/positions.hpp"
 
 #include "core/elementary.hpp"
+#include "exact/discriminant.hpp"
 #include "exact/filter.hpp"
 #include "measure/areas.hpp"
 #include "sphere/arc_geometry.hpp"
@@ -13,7 +14,7 @@ Vec3 point_of_cut(const BallSet &balls, uint32_t frame, uint32_t other, uint32_t
   const exact::LatticeBall own = balls.ball(frame);
   const exact::Plane circle = exact::plane_of(own, balls.ball(other));
   const exact::Plane cut = plane_of_cut(balls, frame, cut_ball, cap);
-  const double root_D = std::sqrt(exact::Exact::discriminant(exact::sphere_of(own), circle, cut));
+  const double root_D = std::sqrt(exact::discriminant(exact::sphere_of(own), circle, cut));
   return crossing_point(circle, cut, sign, root_D);
 }
 

@@ -70,7 +70,7 @@ class Places {
     first_cube_ = axis.cube_at(static_cast<int64_t>(low));
     const uint64_t cubes = static_cast<uint64_t>(axis.cube_at(static_cast<int64_t>(high)) - first_cube_) + 1;
     while (cubes << (slice_bits_ + 1) <= most) ++slice_bits_;
-    slices_per_step_ = static_cast<double>(UINT64_C(1) << slice_bits_) / static_cast<double>(axis.side());
+    slices_per_step_ = static_cast<double>(INT64_C(1) << slice_bits_) / static_cast<double>(axis.side());
     largest_ = (cubes << slice_bits_) - 1;
   }
 
@@ -82,7 +82,7 @@ class Places {
     const int64_t cube = axis_.cube_at(value);
     const double inside = static_cast<double>(value - cube * axis_.side());
     return (static_cast<uint64_t>(cube - first_cube_) << slice_bits_) +
-           static_cast<uint64_t>(inside * slices_per_step_);
+           static_cast<uint64_t>(static_cast<int64_t>(inside * slices_per_step_));
   }
 
  private:
@@ -100,15 +100,16 @@ Span<uint32_t> grid_order(const BallSet &balls, const CubeAxis &axis, const Grid
   DigitSort sort(balls.n, scratch);
   if (balls.n == 0) return sort.order();
   // Along x the digit has room for slices, so that few balls are left to be compared with each other.
-  const Places x(balls, balls.x, axis, sort.values());
-  const Places y(balls, balls.y, axis, 0);
-  const Places z(balls, balls.z, axis, 0);
-  sort.by(x);
-  sort.by(y);
-  sort.by(z);
+  const Places places[] = {{balls, balls.x, axis, sort.values()}, {balls, balls.y, axis, 0}, {balls, balls.z, axis, 0}};
+  for (const Places &along_axis : places) sort.by(along_axis);
 
   const Span<uint32_t> order = sort.order();
-  const auto same_place = [&](uint32_t i, uint32_t j) { return x(i) == x(j) && y(i) == y(j) && z(i) == z(j); };
+  const auto same_place = [&places](uint32_t i, uint32_t j) {
+    for (const Places &along_axis : places) {
+      if (along_axis(i) != along_axis(j)) return false;
+    }
+    return true;
+  };
   for (uint32_t k = 1; k < balls.n; ++k) {
     const uint32_t i = order[k];
     if (balls.x[order[k - 1]] < balls.x[i] || !same_place(order[k - 1], i)) continue;

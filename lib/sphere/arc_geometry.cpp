@@ -1,5 +1,7 @@
 #include "sphere/arc_geometry.hpp"
 
+#include "exact/discriminant.hpp"
+
 namespace hsp {
 
 using exact::Exact;
@@ -48,7 +50,7 @@ CrossingPointFinder::CrossingPointFinder(const Sphere &sphere, double length_squ
     : sphere_(sphere), well_conditioned_(0x1p40 * exact::FilterBounds::for_length_squared(length_squared).D) {}
 
 CrossingPointFinder::Point CrossingPointFinder::find_exactly(const Plane &P, const Plane &Q) const {
-  const double root_D = std::sqrt(Exact::discriminant(sphere_, P, Q));
+  const double root_D = std::sqrt(exact::discriminant(sphere_, P, Q));
   return {root_D, crossing_point(P, Q, +1, root_D)};
 }
 

@@ -32,7 +32,7 @@ struct CircleGeometry {
   CircleGeometry(const BallSet &balls, uint32_t own, uint32_t other);
 };
 
-// The common point p+ (sign > 0) or p- of the circles of P and Q. root_D: sqrt(D), from exact::Exact::discriminant.
+// The common point p+ (sign > 0) or p- of the circles of P and Q. root_D: sqrt(D), from exact::discriminant().
 Vec3 crossing_point(const exact::Plane &P, const exact::Plane &Q, int sign, double root_D);
 
 // The same for many points of one sphere: in doubles where these are precise, else from the exact integers.

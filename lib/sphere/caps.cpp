@@ -19,19 +19,16 @@ void Caps::carve(Workspace &workspace, uint32_t capacity) {
 // One ball's component of the union. Most of its neighbours have its root as their parent already.
 class Caps::Joining {
  public:
-  Joining(const BallSet &balls, uint32_t i, DisjointSets *components)
-      : balls_(balls), components_(components), i_(i), root_(components != nullptr ? components->find(i) : i) {}
+  Joining(uint32_t i, DisjointSets *components)
+      : components_(components), i_(i), root_(components != nullptr ? components->find(i) : i) {}
 
   void join(uint32_t j) {
     if (components_ == nullptr || components_->has_parent(j, root_)) return;
-    // The representative of a component is its ball of lowest rank.
-    components_->join(i_, j,
-                      [this](uint32_t p, uint32_t q) { return exact::ranks_before(balls_.ball(p), balls_.ball(q)); });
+    components_->join(i_, j);
     root_ = components_->find(i_);
   }
 
  private:
-  const BallSet &balls_;
   DisjointSets *components_;
   uint32_t i_, root_;
 };
@@ -96,7 +93,7 @@ struct Caps::Distance {
 
 void Caps::gather(const BallSet &balls, const CubeBlock &block, uint32_t i, DisjointSets *components) {
   start(balls, i);
-  Joining joining(balls, i, components);
+  Joining joining(i, components);
 #if HSP_AVX2
   if (wide) {
     gather_wide(block, joining);
@@ -131,7 +128,7 @@ void Caps::take_circles(const BallSet &balls, uint32_t i, uint32_t n, uint32_t n
   count = met = n;
   first_later = n_earlier;
   doubles_made_ = false;
-  Joining joining(balls, i, components);
+  Joining joining(i, components);
   for (uint32_t k = first_later; k < count; ++k) joining.join(ball[k]);
 }
 
@@ -140,7 +137,7 @@ void Caps::make_doubles() {
   doubles_made_ = true;
   const uint32_t n = count;
   count = met = 0;
-  Joining joining(*balls_, origin, nullptr);
+  Joining joining(origin, nullptr);
   take_all(ball.data(), n, joining);
 }
 

@@ -2,7 +2,6 @@
 
 #include "core/sorting.hpp"
 #include "sphere/cap_pair.hpp"
-#include "sphere/half_edges.hpp"
 
 namespace hsp {
 namespace {
@@ -55,6 +54,8 @@ void VisiblePiece::carve(Workspace &workspace, uint32_t neighbours) {
   vertices_ = FixedVector<VertexRecord>(workspace.take<VertexRecord>(6 * caps));
   circles_ = FixedVector<CircleRecord>(workspace.take<CircleRecord>(caps));
   half_edges_ = workspace.take<HalfEdge>(6 * caps);
+  const Span<uint32_t> arriving = workspace.take<uint32_t>(caps);
+  chain_ = HalfEdgeChain(arriving, workspace.take<uint32_t>(caps));
   whole_ = workspace.take<uint32_t>(caps);
 }
 
@@ -114,8 +115,7 @@ void VisiblePiece::link() {
   sort_in_place(items, [&by_rank](const HalfEdge &a, const HalfEdge &b) {
     return a.circle != b.circle ? by_rank(a.circle, b.circle) : by_rank(a.previous_circle, b.previous_circle);
   });
-  const auto direction = [this](uint32_t cap) { return caps_.plane(cap).v; };
-  for (HalfEdge &half_edge : items) half_edge.next = find_next(items, half_edge, direction);
+  chain_.link(items, 0, [this](uint32_t cap) { return caps_.plane(cap).v; });
   uint32_t loops = 0;
   for (uint32_t start = 0; start < items.size(); ++start) {
     if (items[start].loop != no_id) continue;

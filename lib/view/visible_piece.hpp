@@ -4,6 +4,7 @@
 #pragma once
 
 #include "boundary/boundary.hpp"
+#include "sphere/half_edge_chain.hpp"
 #include "sphere/vertex_finder.hpp"
 #include "view/view_frame.hpp"
 
@@ -44,6 +45,7 @@ class VisiblePiece {
   FixedVector<VertexRecord> vertices_;
   FixedVector<CircleRecord> circles_;
   Span<HalfEdge> half_edges_;
+  HalfEdgeChain chain_;
   Span<uint32_t> whole_;
   uint32_t half_edge_count_ = 0;
   uint32_t circle_count_ = 0;

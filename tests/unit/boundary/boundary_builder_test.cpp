@@ -63,7 +63,7 @@ TEST(BoundaryMemory, ArraysAreAsLongAsTheirIndices) {
           EXPECT_GE(builder.scratch().size(), loops + balls);
           EXPECT_EQ(arrays.ball_state.size(), balls);
           EXPECT_EQ(arrays.component.size(), balls);
-          EXPECT_EQ(arrays.component_parent.size(), balls);
+          EXPECT_EQ(arrays.component_origin.size(), balls);
         });
       }
     }

@@ -235,8 +235,8 @@ TEST(BoundaryCheck, FindsAComponentWithoutAShell) {
   BuiltBoundary boundary({{0, 0, 0, 500}, {600, 0, 0, 500}});
   BoundaryArrays &arrays = boundary.arrays();
   ASSERT_EQ(arrays.shell_count, 1U);
-  arrays.component_parent[1] = 1;
-  arrays.component_parent[0] = 0;
+  arrays.component_origin[1] = 1;
+  arrays.component_origin[0] = 0;
   const hsp::Violation violation = checked(boundary);
   EXPECT_EQ(violation.invariant, BoundaryInvariant::euler);
   EXPECT_EQ(violation.id, 2U);

@@ -6,9 +6,10 @@
 
 namespace cases {
 
-// The representative is the number that comes first in the order, however the sets were joined.
-template <class Before>
-bool representatives_come_first(uint64_t seed, Before before) {
+constexpr uint64_t seeds_of_sets[] = {1, 2, 3, 4, 5, 6, 7, 8};
+
+// However the sets were joined.
+inline bool smallest_represent(uint64_t seed) {
   constexpr uint32_t n = 60;
   uint32_t parent[n], label[n];
   hsp::DisjointSets sets(hsp::Span<uint32_t>(parent, n));
@@ -18,8 +19,8 @@ bool representatives_come_first(uint64_t seed, Before before) {
   for (uint32_t step = 0; step < 2 * n; ++step) {
     const uint32_t a = random.below(n), b = random.below(n);
     const uint32_t x = label[a], y = label[b];
-    if (sets.join(a, b, before) != (x != y)) return false;
-    const uint32_t first = before(x, y) ? x : y;
+    if (sets.join(a, b) != (x != y)) return false;
+    const uint32_t first = x < y ? x : y;
     for (uint32_t &of : label) {
       if (of == x || of == y) of = first;
     }
@@ -28,24 +29,16 @@ bool representatives_come_first(uint64_t seed, Before before) {
       if (step % 7 == 0 && sets.find(k) != label[k]) return false;
     }
   }
+  sets.flatten();
+  for (uint32_t k = 0; k < n; ++k) {
+    if (parent[k] != label[k]) return false;
+  }
   return sets.size() == n;
 }
-
-constexpr uint64_t seeds_of_sets[] = {1, 2, 3, 4, 5, 6, 7, 8};
-
 inline uint32_t smaller_numbers_represent() {
-  return first_failing(seeds_of_sets, [](uint64_t seed) {
-    return representatives_come_first(seed, [](uint32_t a, uint32_t b) { return a < b; });
-  });
+  return first_failing(seeds_of_sets, smallest_represent);
 }
-inline uint32_t the_callers_order_decides() {
-  return first_failing(seeds_of_sets, [](uint64_t seed) {
-    // An order of its own: by the last digit, then by size.
-    return representatives_come_first(
-        seed, [](uint32_t a, uint32_t b) { return a % 10 != b % 10 ? a % 10 > b % 10 : a < b; });
-  });
-}
-inline uint32_t the_smaller_one_without_an_order() {
+inline uint32_t joins_that_change_nothing() {
   uint32_t parent[4];
   hsp::DisjointSets sets(hsp::Span<uint32_t>(parent, 4));
   sets.reset();
@@ -54,7 +47,6 @@ inline uint32_t the_smaller_one_without_an_order() {
 }
 
 inline constexpr Check core_disjoint_sets[] = {{"smaller_numbers_represent", smaller_numbers_represent},
-                                               {"the_callers_order_decides", the_callers_order_decides},
-                                               {"the_smaller_one_without_an_order", the_smaller_one_without_an_order}};
+                                               {"joins_that_change_nothing", joins_that_change_nothing}};
 
 }  // namespace cases

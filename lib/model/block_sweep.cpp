@@ -1,0 +1,65 @@
+#include "model/block_sweep.hpp"
+
+namespace hsp {
+namespace {
+
+bool in_row(const CubeCoordinates &cube, int64_t y, int64_t z) {
+  return cube.y == y && cube.z == z;
+}
+bool before_row(const CubeCoordinates &cube, int64_t y, int64_t z) {
+  return cube.z != z ? cube.z < z : cube.y < y;
+}
+
+}  // namespace
+
+const CubeBlock &BlockSweep::block_around(uint32_t cube) {
+  if (cube == at_) return block_;
+  const CubeCoordinates &at = table_.coordinates(cube);
+  const bool first_call = at_ == no_id;
+  const CubeCoordinates &last = table_.coordinates(first_call ? cube : at_);
+  const bool same_row = !first_call && in_row(last, at.y, at.z);
+  if (!same_row) begin_row(at);
+  // From one cube to the next, a row loses and gains one cube at most: no branch is needed, and none could be
+  // predicted.
+  const bool next = same_row && at.x == last.x + 1;
+  at_ = cube;
+  block_.ranges = 0;
+  for (Row &row : row_) {
+    if (next) {
+      row.first += comes_before(row.first, row.end, at.x - 1);
+      row.last += comes_before(row.last, row.end, at.x + 2);
+    } else {
+      while (comes_before(row.first, row.end, at.x - 1) != 0) ++row.first;
+      while (comes_before(row.last, row.end, at.x + 2) != 0) ++row.last;
+    }
+    block_.range[block_.ranges] = grid_.balls_of(row.first, row.last);
+    block_.ranges += static_cast<uint32_t>(row.first != row.last);
+  }
+  return block_;
+}
+
+const CubeBlock &BlockSweep::block_around_ball(uint32_t ball) {
+  while (grid_.balls_in(of_ball_).last <= ball) ++of_ball_;
+  return block_around(of_ball_);
+}
+
+// 1 if the cube is one of the row and its x is smaller, else 0.
+uint32_t BlockSweep::comes_before(uint32_t cube, uint32_t end, int64_t x) const {
+  const bool is_there = cube < end;
+  return static_cast<uint32_t>(is_there) & static_cast<uint32_t>(table_.coordinates(is_there ? cube : 0).x < x);
+}
+
+void BlockSweep::begin_row(const CubeCoordinates &at) {
+  Row *row = row_;
+  for (int64_t z = at.z - 1; z <= at.z + 1; ++z) {
+    for (int64_t y = at.y - 1; y <= at.y + 1; ++y, ++row) {
+      uint32_t cube = row->end;
+      while (cube < table_.count() && before_row(table_.coordinates(cube), y, z)) ++cube;
+      row->first = row->last = cube;
+      while (cube < table_.count() && in_row(table_.coordinates(cube), y, z)) ++cube;
+      row->end = cube;
+    }
+  }
+}
+
+}  // namespace hsp
