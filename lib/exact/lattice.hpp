@@ -5,6 +5,7 @@
 
 #include "core/decimal.hpp"
 #include "core/status.hpp"
+#include "exact/plane.hpp"
 
 namespace hsp::exact {
 
@@ -49,6 +50,18 @@ class Lattice {
   double step() const { return length(1.0); }
   // A length in steps, not yet an integer: one rounding.
   double steps(double length) const { return divisor_ == 1.0 ? length * factor_ : length / divisor_; }
+  // The lattice point nearest to a position. False if there is none: a coordinate is not finite, or too large. One
+  // branch for all of them; which it is may be asked then.
+  bool round(const double *xyz, Vector &point) const {
+    double rounded[3];
+    bool on_lattice = true;
+    for (int axis = 0; axis < 3; ++axis) {
+      rounded[axis] = steps(xyz[axis]);
+      on_lattice &= std::fabs(rounded[axis]) <= coordinate_limit;
+    }
+    if (on_lattice) point = {nearest(rounded[0]), nearest(rounded[1]), nearest(rounded[2])};
+    return on_lattice;
+  }
   double length(double steps) const { return divisor_ == 1.0 ? steps / factor_ : steps * divisor_; }
   double area(double square_steps) const { return length(length(square_steps)); }
   double volume(double cubic_steps) const { return length(length(length(cubic_steps))); }

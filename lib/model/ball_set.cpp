@@ -56,15 +56,8 @@ Status BallRounding::prepare(const BallInput &input, uint32_t &first_bad) {
 
 Status BallRounding::round(uint32_t i, exact::LatticeBall &ball) const {
   const double *const xyz = input_.xyz + 3 * static_cast<size_t>(i);
-  const double x = lattice_.steps(xyz[0]);
-  const double y = lattice_.steps(xyz[1]);
-  const double z = lattice_.steps(xyz[2]);
   const double radius = lattice_.steps(input_.radius[i]);
-  // False for NaN and infinities, too. One branch for all: what is wrong is asked only then.
-  const bool on_lattice = (std::fabs(x) <= exact::coordinate_limit) & (std::fabs(y) <= exact::coordinate_limit) &
-                          (std::fabs(z) <= exact::coordinate_limit) & (radius < exact::radius_limit);
-  if (!on_lattice) return why_refused(xyz);
-  ball.centre = {nearest(x), nearest(y), nearest(z)};
+  if (!lattice_.round(xyz, ball.centre) || !(radius < exact::radius_limit)) return why_refused(xyz);
   ball.radius = nearest(radius) + probe_steps_;
   ball.index = i;
   return static_cast<double>(ball.radius) < exact::radius_limit ? Status::ok : Status::range;

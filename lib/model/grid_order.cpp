@@ -1,5 +1,8 @@
 #include "model/grid_order.hpp"
 
+#include <initializer_list>
+
+#include "core/small_code.hpp"
 #include "core/sorting.hpp"
 
 namespace hsp {
@@ -97,6 +100,7 @@ class Places {
 }  // namespace
 
 Span<uint32_t> grid_order(const BallSet &balls, const CubeAxis &axis, const GridOrderScratch &scratch) {
+  if (small_code) return grid_order_by_comparing(balls, axis, scratch.order.part(0, balls.n));
   DigitSort sort(balls.n, scratch);
   if (balls.n == 0) return sort.order();
   // Along x the digit has room for slices, so that few balls are left to be compared with each other.
@@ -118,6 +122,19 @@ Span<uint32_t> grid_order(const BallSet &balls, const CubeAxis &axis, const Grid
     while (k < balls.n && same_place(order[k], i)) ++k;
     sort_in_place(order.part(first, k), [&balls](uint32_t a, uint32_t b) { return balls.ranks_before(a, b); });
   }
+  return order;
+}
+
+Span<uint32_t> grid_order_by_comparing(const BallSet &balls, const CubeAxis &axis, Span<uint32_t> order) {
+  for (uint32_t k = 0; k < balls.n; ++k) order[k] = k;
+  sort_in_place(order, [&](uint32_t i, uint32_t j) {
+    for (const Span<double> *coordinate : {&balls.z, &balls.y, &balls.x}) {
+      const int64_t a = axis.cube_at(static_cast<int64_t>((*coordinate)[i]));
+      const int64_t b = axis.cube_at(static_cast<int64_t>((*coordinate)[j]));
+      if (a != b) return a < b;
+    }
+    return balls.ranks_before(i, j);
+  });
   return order;
 }
 

@@ -1,7 +1,5 @@
 #include "model/queries.hpp"
 
-#include "core/sorting.hpp"
-
 namespace hsp {
 namespace {
 
@@ -139,7 +137,7 @@ void collect(const CubeGrid &grid, const LatticeQuery &query, uint32_t excluded,
       return true;
     });
   });
-  sort_in_place(Span<uint32_t>(result.ids, result.hits), [](uint32_t a, uint32_t b) { return a < b; });
+  sort_ascending(result.ids, result.hits);
 }
 
 // Why a query is refused: what is no number first, then what is too large.
@@ -155,15 +153,9 @@ Status why_refused(const double *xyz, double radius) {
 
 Status round_query(const BallSet &balls, const double *xyz, double radius, LatticeQuery &query) {
   const double radius_steps = balls.lattice.steps(radius);
-  // False for NaN and infinities, too. One branch for all: what is wrong is asked only then.
-  bool on_lattice = (radius >= 0.0) & (radius_steps <= exact::query_radius_limit);
-  double steps[3];
-  for (int axis = 0; axis < 3; ++axis) {
-    steps[axis] = balls.lattice.steps(xyz[axis]);
-    on_lattice &= std::fabs(steps[axis]) <= exact::coordinate_limit;
-  }
-  if (!on_lattice) return why_refused(xyz, radius);
-  query.centre = {nearest(steps[0]), nearest(steps[1]), nearest(steps[2])};
+  // False for NaN, too.
+  const bool good = (radius >= 0.0) & (radius_steps <= exact::query_radius_limit);
+  if (!balls.lattice.round(xyz, query.centre) || !good) return why_refused(xyz, radius);
   query.radius = nearest(radius_steps);
   return Status::ok;
 }

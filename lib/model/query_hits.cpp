@@ -1,5 +1,6 @@
 #include "model/query_hits.hpp"
 
+#include "core/small_code.hpp"
 #include "core/sorting.hpp"
 #include "exact/exact_predicates.hpp"
 
@@ -25,8 +26,12 @@ void add_hits(const QueryArrays &balls, const QueryBall &query, const BallRange 
   hits.count = found;
 }
 
+void sort_ascending(uint32_t *ids, uint32_t count) {
+  sort_in_place(Span<uint32_t>(ids, count), [](uint32_t a, uint32_t b) { return a < b; });
+}
+
 void write_ascending(const QueryHits &hits, uint32_t *ids) {
-  constexpr uint32_t few = 24;
+  constexpr uint32_t few = small_code ? 0 : 24;
   if (hits.count <= few) {
     // The place of a hit is the number of smaller ones: a loop without branches on the values.
     for (uint32_t k = 0; k < hits.count; ++k) {
@@ -37,7 +42,7 @@ void write_ascending(const QueryHits &hits, uint32_t *ids) {
     return;
   }
   for (uint32_t k = 0; k < hits.count; ++k) ids[k] = hits.ids[k];
-  sort_in_place(Span<uint32_t>(ids, hits.count), [](uint32_t a, uint32_t b) { return a < b; });
+  sort_ascending(ids, hits.count);
 }
 
 }  // namespace hsp

@@ -49,6 +49,7 @@ void add_hits(const QueryArrays &balls, const QueryBall &query, const BallRange 
 void add_hits_avx2(const QueryArrays &balls, const QueryBall &query, const BallRange *ranges, uint32_t count,
                    QueryHits &hits);
 
+void sort_ascending(uint32_t *ids, uint32_t count);
 // Writes the hits, if there are no more than the room, in ascending order.
 void write_ascending(const QueryHits &hits, uint32_t *ids);
 void write_ascending_avx2(const QueryHits &hits, uint32_t *ids);

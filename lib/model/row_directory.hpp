@@ -1,18 +1,15 @@
 // Where the balls of each cube begin, for all cubes of the box around a set, row by row: a part of a row of cubes is
 // two look-ups, whether its cubes hold balls or not. Only for sets that fill their box well enough; others are left to
-// the hash table, whose size depends on the number of balls alone. Microcontrollers save the code.
+// the hash table, whose size depends on the number of balls alone. Small code does without.
 #pragma once
 
+#include "core/small_code.hpp"
 #include "model/ball_range.hpp"
 #include "model/cube_table.hpp"
 
 namespace hsp {
 
-#if defined(__ARM_ARCH_PROFILE) && __ARM_ARCH_PROFILE == 'M'
-inline constexpr bool has_row_directories = false;
-#else
-inline constexpr bool has_row_directories = true;
-#endif
+inline constexpr bool has_row_directories = !small_code;
 
 class RowDirectory {
  public:

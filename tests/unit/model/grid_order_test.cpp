@@ -54,6 +54,8 @@ void expect_order(std::vector<hsp::exact::LatticeBall> given, int64_t side, uint
       hsp::grid_order(set.balls, axis, {span_of(order), span_of(other_order), span_of(digits), span_of(counters)});
   EXPECT_EQ(std::vector<uint32_t>(found.begin(), found.end()), expected)
       << set.n << " balls, side " << side << ", " << counters.size() << " counters";
+  hsp::grid_order_by_comparing(set.balls, axis, span_of(order));
+  EXPECT_EQ(order, expected) << set.n << " balls, side " << side << ", by comparing";
 }
 
 TEST(GridOrder, IsByCubeAndRank) {
