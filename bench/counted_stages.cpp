@@ -1,6 +1,7 @@
 // counted_stages: runs each stage of the library once, for valgrind to count its instructions. After each it prints a
 // line: stage, molecule, probe, number of balls. instruction_budgets.sh runs it.
-// `counted_stages --build` prints how it and the library were built.
+// `counted_stages --build` prints how it and the library were built, --code what runs on this processor: `wide` for
+// code for AVX2 where there is some, or `scalar`.
 //
 // Each handle has computed before the stage that is counted, so memory and limits are those of a repeated call. What is
 // asked of the library comes from files and integers alone, so that every run does the same instructions.
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "branch_predictor.hpp"
+#include "core/processor.hpp"
 #include "query_workload.hpp"
 #include "sizes.hpp"
 #include "view_handle.hpp"
@@ -68,6 +70,10 @@ void count_stages(const bench::Balls &balls, const Surface &surface) {
 int main(int argc, char **argv) {
   if (argc == 2 && std::strcmp(argv[1], "--build") == 0) {
     std::puts(BENCH_BUILD);
+    return 0;
+  }
+  if (argc == 2 && std::strcmp(argv[1], "--code") == 0) {
+    std::puts(hsp::has_avx2() ? "wide" : "scalar");
     return 0;
   }
   try {

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Counts what each stage of the library costs and compares it with the budgets in instruction_budgets.txt: instructions
 # and mispredicted branches per ball, in a processor that valgrind simulates, so that neither the machine nor its load
-# matters. More than 5 % over a budget fails, and so does more than 5 % under: the better number is to be kept.
+# matters. Both kinds of code are counted, that for AVX2 and that for every processor (PROGRAM_scalar), the former where
+# there is AVX2. More than 5 % over a budget fails, and so does more than 5 % under: the better number is to be kept.
 #   bash bench/instruction_budgets.sh build/dev/bench/counted_stages [--write]
 #     --write  writes what is counted as the new budgets
 # Exit status 77, skipped: valgrind is not there, or the program was not built as the budgets' was.
@@ -9,7 +10,7 @@ set -euo pipefail
 export LC_ALL=C
 case $#:${2:-} in
   1: | 2:--write) ;;
-  *) sed -n '2,7s/^# //p' "$0" >&2 && exit 2 ;;
+  *) sed -n '2,9s/^# //p' "$0" >&2 && exit 2 ;;
 esac
 program=$(realpath "$1")
 budgets=$(cd "$(dirname "$0")" && pwd)/instruction_budgets.txt
@@ -25,31 +26,39 @@ fi
 # Functions of the interface switch counting on and off, so what the program itself does is not in it.
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-valgrind --tool=callgrind --branch-sim=yes --toggle-collect='hsp_*' --zero-before=counted_stage \
-  --dump-after=counted_stage --dump-line=no --compress-strings=no --compress-pos=no \
-  --callgrind-out-file="$work/dump" "$program" >"$work/stages" 2>"$work/log" || { cat "$work/log" && exit 1; }
+run() {
+  rm -f "$work"/dump*
+  valgrind --tool=callgrind --branch-sim=yes --toggle-collect='hsp_*' --zero-before=counted_stage \
+    --dump-after=counted_stage --dump-line=no --compress-strings=no --compress-pos=no \
+    --callgrind-out-file="$work/dump" "$1" >"$work/stages" 2>"$work/log" || { cat "$work/log" && exit 1; }
 
-# The n-th dump belongs to the n-th line that the program printed. Costs are lines of numbers under the object file that
-# spent them; what stands behind `calls=` is the sum over a callee, which has lines of its own. Other object files are
-# left out: the C library chooses among several memmove and memset by the processor.
-n=0
-while read -r stage molecule surface balls; do
-  n=$((n + 1))
-  awk -v row="$stage $molecule $surface" -v balls="$balls" -v object="ob=$program" '
-    /^events:/ && $0 != "events: Ir Bc Bcm Bi Bim" { print "unknown events: " $0 > "/dev/stderr"; exit 1 }
-    /^ob=/ { ours = $0 == object }
-    /^calls=/ { getline; next }
-    /^[0-9]/ && ours { instructions += $2; mispredictions += $4 + $6 }
-    END { printf "%s %.1f %.2f\n", row, instructions / balls, mispredictions / balls }' "$work/dump.$n"
-done <"$work/stages" >"$work/counted"
+  # The n-th dump belongs to the n-th line that the program printed. Costs are lines of numbers under the object file
+  # that spent them; what stands behind `calls=` is the sum over a callee, which has lines of its own. Other object files
+  # are left out: the C library chooses among several memmove and memset by the processor.
+  n=0
+  while read -r stage molecule surface balls; do
+    n=$((n + 1))
+    awk -v row="$stage $molecule $surface $2" -v balls="$balls" -v object="ob=$1" '
+      /^events:/ && $0 != "events: Ir Bc Bcm Bi Bim" { print "unknown events: " $0 > "/dev/stderr"; exit 1 }
+      /^ob=/ { ours = $0 == object }
+      /^calls=/ { getline; next }
+      /^[0-9]/ && ours { instructions += $2; mispredictions += $4 + $6 }
+      END { printf "%s %.1f %.2f\n", row, instructions / balls, mispredictions / balls }' "$work/dump.$n"
+  done <"$work/stages"
+}
+# Both kinds of code, each where there is a program and the processor runs it.
+code=$(valgrind -q --tool=none "$program" --code)
+run "$program" "$code" >"$work/counted"
+if [ "$code" = wide ] && [ -x "${program}_scalar" ]; then run "${program}_scalar" scalar >>"$work/counted"; fi
+n=$(wc -l <"$work/counted")
 [ "$n" -gt 0 ] || { echo "nothing was counted" && exit 1; }
 
 if [ "${2:-}" = --write ]; then
   {
     sed '/^#/!d; /^# build: /d; /^# stage /d' "$budgets"
     echo "# build: $build"
-    awk 'BEGIN { print "# stage          molecule      surface             instructions  mispredictions" }
-      { printf "%-16s %-13s %-18s %13s %15s\n", $1, $2, $3, $4, $5 }' "$work/counted"
+    awk 'BEGIN { print "# stage          molecule      surface            code    instructions  mispredictions" }
+      { printf "%-16s %-13s %-18s %-6s %13s %15s\n", $1, $2, $3, $4, $5, $6 }' "$work/counted"
   } >"$work/new"
   cp "$work/new" "$budgets"
   echo "written: $budgets"
@@ -62,17 +71,22 @@ awk '
     if (counted < 0.95 * budget) { ++under; return "UNDER" }
     return ""
   }
-  FNR == NR { if (!/^#/) { instructions[$1 " " $2 " " $3] = $4; mispredictions[$1 " " $2 " " $3] = $5 } next }
-  FNR == 1 { printf "%-50s %12s %12s %9s %9s\n", "per ball", "instructions", "budget", "mispred.", "budget" }
+  FNR == NR { if (!/^#/) { instructions[$1 " " $2 " " $3 " " $4] = $5; mispredictions[$1 " " $2 " " $3 " " $4] = $6 } next }
+  FNR == 1 { printf "%-57s %12s %12s %9s %9s\n", "per ball", "instructions", "budget", "mispred.", "budget" }
   {
-    key = $1 " " $2 " " $3
+    key = $1 " " $2 " " $3 " " $4
+    seen[$4] = 1
     if (!(key in instructions)) { print key ": no budget"; ++unknown; next }
-    printf "%-50s %12.1f %12.1f %9.2f %9.2f", key, $4, instructions[key], $5, mispredictions[key]
-    print "  " judge($4, instructions[key]) "  " judge($5, mispredictions[key])
+    printf "%-57s %12.1f %12.1f %9.2f %9.2f", key, $5, instructions[key], $6, mispredictions[key]
+    print "  " judge($5, instructions[key]) "  " judge($6, mispredictions[key])
     delete instructions[key]
   }
   END {
-    for (key in instructions) { print key ": has a budget, but was not counted"; ++unknown }
+    # The code of the one program alone may have been counted: that of the processor.
+    for (key in instructions) {
+      split(key, word, " ")
+      if (word[4] in seen) { print key ": has a budget, but was not counted"; ++unknown }
+    }
     if (over) print over " numbers are more than 5 % over their budgets"
     if (under) print under " numbers are more than 5 % under their budgets: keep them with"
     if (under || unknown) print "  bash bench/instruction_budgets.sh PROGRAM --write"
