@@ -178,7 +178,9 @@ TEST(Rounding, OfMolecules) {
         EXPECT_LE(error.largest, largest) << file << " " << probe << " " << what;
         EXPECT_LE(error.mean, mean) << file << " " << probe << " " << what;
         EXPECT_GT(error.mean, 0.01) << "the measurement measures";
-        RecordProperty(what, std::to_string(error.largest));
+        const std::string name = std::string(file) + " " + std::to_string(probe) + " " + what;
+        RecordProperty(name + ", largest", std::to_string(error.largest));
+        RecordProperty(name + ", mean", std::to_string(error.mean));
       };
       check("area", errors.area, 24.0, 1.2);
       check("vector area", errors.vector_area, 2.0, 0.25);
