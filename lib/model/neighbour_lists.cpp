@@ -1,6 +1,5 @@
 #include "model/neighbour_lists.hpp"
 
-#include "core/sorting.hpp"
 #include "model/pair_block.hpp"
 #include "model/queries.hpp"
 
@@ -215,7 +214,8 @@ void list_in_smaller_row(const CubeGrid &grid, Span<uint32_t> first, Span<uint32
   for (uint32_t i = 0; i < n; ++i) first[i] = first[i + 1];
   PairWalk(grid, PairRows::smaller, first, ids).run();
   for (uint32_t i = 0; i < n; ++i) {
-    sort_in_place(ids.part(first[i], first[i + 1]), [](uint32_t a, uint32_t b) { return a < b; });
+    const Span<uint32_t> row = ids.part(first[i], first[i + 1]);
+    sort_ascending(row.data(), row.size());
   }
 }
 

@@ -1,7 +1,5 @@
 #include "sphere/caps.hpp"
 
-#include "sphere/near_balls.hpp"
-
 namespace hsp {
 
 void Caps::carve(Workspace &workspace, uint32_t capacity) {
@@ -145,7 +143,7 @@ void Caps::make_doubles() {
 void Caps::gather_wide(const CubeBlock &block, Joining &joining) {
   constexpr uint32_t room = 128;
   uint32_t near[room + spare_ids];
-  const BallArrays arrays{balls_->x.data(), balls_->y.data(), balls_->z.data(), balls_->r.data()};
+  const BallArrays arrays = arrays_of(*balls_);
   uint32_t found = 0;
   for (uint32_t k = 0; k < block.ranges; ++k) {
     for (uint32_t j = block.range[k].first; j < block.range[k].last;) {
@@ -170,7 +168,7 @@ bool Caps::take_near(Span<uint32_t> near, Joining &joining) {
 
 // There may be read and written spare ids behind `near`.
 bool Caps::take_all(uint32_t *near, uint32_t hits, Joining &joining) {
-  const BallArrays arrays{balls_->x.data(), balls_->y.data(), balls_->z.data(), balls_->r.data()};
+  const BallArrays arrays = arrays_of(*balls_);
   for (uint32_t k = 0; k < 4; ++k) near[hits + k] = origin;
   for (uint32_t k = 0; k < hits;) {
     if (met + (hits - k) <= capacity()) {

@@ -10,8 +10,14 @@
 #include "core/workspace.hpp"
 #include "exact/predicates.hpp"
 #include "model/cube_grid.hpp"
+#include "sphere/near_balls.hpp"
 
 namespace hsp {
+
+// For the code for wide registers.
+inline BallArrays arrays_of(const BallSet &balls) {
+  return {balls.x.data(), balls.y.data(), balls.z.data(), balls.r.data()};
+}
 
 // Caps in ascending order of the grid's ball ids, structure of arrays over scratch memory of fixed capacity.
 struct Caps {

@@ -4,10 +4,6 @@
 namespace hsp {
 namespace {
 
-BallArrays arrays_of(const BallSet &balls) {
-  return {balls.x.data(), balls.y.data(), balls.z.data(), balls.r.data()};
-}
-
 // Consecutive parts of one array.
 template <class T>
 class Parts {

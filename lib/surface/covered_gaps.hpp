@@ -13,7 +13,7 @@ struct CoveredGap {
 };
 CoveredGap gap_behind(const BallSet &balls, const Boundary &boundary, uint32_t ball, uint32_t half_edge);
 
-// The angle of the gap, in [0, 2 pi], from exact integers, so that none and a whole turn are told apart.
+// The angle of the gap, in [0, 2 pi]; from exact integers, which distinguish 0 from 2 pi.
 double angle_of_gap(const BallSet &balls, const Boundary &boundary, uint32_t ball, uint32_t half_edge,
                     const CoveredGap &gap);
 

@@ -52,7 +52,7 @@ struct FreeRegion {
 //   RegionCorner corner(const Crossing &, int sign) const
 //   Answer lies_inside(k, r) const                                     circle k, which crosses none, is in cap r
 //   bool ends_sooner(k, exit, a, b) const                              from corner `exit` on, entry a comes before b
-//   double arc_angle(k, exit, entry) const                             negative if it cannot be told from 0 or 2 pi
+//   double arc_angle(k, exit, entry) const                             negative if it may be 0 or 2 pi
 //   double exterior_angle(corner) const
 template <class Circles>
 class FreeRegionFinder {
