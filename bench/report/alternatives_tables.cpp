@@ -147,8 +147,8 @@ void write_remarks(std::ostream &out, const Run &run) {
          "takes\n  "
       << ratio(run, "point_atom", "crambin", "sorted", "hashed") << " (crambin), "
       << of("point_atom", "sorted", "hashed")
-      << " times as long as with double hashing: one search finds\n  a whole row, and "
-         "its cubes lie side by side, where each cube hashes to another cache line.\n"
+      << " times as long as with double hashing: either way one search\n  finds a row, "
+         "and its cubes lie side by side.\n"
       << "- \"double hashing rather than perfect hashing\": perfect hashing takes "
       << of("ball_atom", "perfect", "hashed") << " times as long per ball query and\n  "
       << of("build", "perfect", "hashed") << " times to build, with "
@@ -181,7 +181,8 @@ void write_remarks(std::ostream &out, const Run &run) {
       << "Hashed cubes over dense cubes, all else equal, where the rows around a cube are looked up once for all its "
          "balls\n(pairs counted): "
       << of("pairs", "hashed", "dense")
-      << "; looked up for every query (balls near atoms): " << of("ball_atom", "hashed", "dense") << ".\n\n";
+      << "; looked up for every query (balls near atoms): " << of("ball_atom", "hashed", "dense")
+      << ". The library, which lists\nthe pairs, over dense cubes: " << of("pairs", "library", "dense") << ".\n\n";
 }
 
 }  // namespace

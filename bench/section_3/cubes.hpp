@@ -34,6 +34,22 @@ inline std::vector<uint32_t> sort_cubes(std::vector<uint64_t> &keys) {
   return place;
 }
 
+// Visits the cubes x_low .. x_high of a row as one range of places in the sorted keys: find(key) is the place of a key,
+// or at least keys.size(). One search finds the first cube that is there; the others follow it.
+template <class Find, class Visit>
+void visit_row_of(const std::vector<uint64_t> &keys, uint32_t x_low, uint32_t x_high, uint32_t y, uint32_t z, Find find,
+                  Visit visit) {
+  for (uint32_t x = x_low; x <= x_high; ++x) {
+    const uint32_t first = find(packed({x, y, z}));
+    if (first >= keys.size()) continue;
+    const uint64_t highest = packed({x_high, y, z});
+    uint32_t last = first + 1;
+    while (last < keys.size() && keys[last] <= highest) ++last;
+    visit(first, last);
+    return;
+  }
+}
+
 // The cubes low .. high along every axis; empty if none of the box is reached.
 struct CubeRange {
   Cube low{}, high{};

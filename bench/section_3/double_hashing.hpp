@@ -2,7 +2,6 @@
 // library have it.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -18,33 +17,35 @@ class DoubleHashing {
     uint32_t slots = 4;
     while (slots < 2 * cube.size()) slots *= 2;
     mask_ = slots - 1;
-    slots_.assign(slots, none);
+    slots_.assign(slots, {0, none});
     keys_.clear();
     numbers.clear();
     for (const Cube &c : cube) numbers.push_back(find_or_insert(packed(c)));
     const std::vector<uint32_t> place = sort_cubes(keys_);
     for (uint32_t &number : numbers) number = place[number];
-    for (uint32_t &number : slots_) number = number == none ? none : place[number];
+    for (Slot &slot : slots_) {
+      if (slot.number != none) slot.number = place[slot.number];
+    }
   }
 
   uint32_t count() const { return static_cast<uint32_t>(keys_.size()); }
 
   template <class Visit>
   void visit_row(uint32_t x_low, uint32_t x_high, uint32_t y, uint32_t z, Visit visit) const {
-    uint32_t first = none, last = 0;
-    for (uint32_t x = x_low; x <= x_high; ++x) {
-      const uint32_t number = find(packed({x, y, z}));
-      if (number == none) continue;
-      first = std::min(first, number);
-      last = number + 1;
-    }
-    if (first != none) visit(first, last);
+    visit_row_of(
+        keys_, x_low, x_high, y, z, [&](uint64_t key) { return find(key); }, visit);
   }
 
   size_t bytes() const { return bytes_of(slots_) + bytes_of(keys_); }
 
  private:
   static constexpr uint32_t none = UINT32_MAX;
+
+  // The key stands beside the number: a search touches one line of the cache.
+  struct Slot {
+    uint64_t key;
+    uint32_t number;  // of the cube, or none
+  };
 
   // The slots where a cube may be. The stride is odd and the number of slots a power of two: all slots are visited.
   struct Probe {
@@ -61,23 +62,23 @@ class DoubleHashing {
 
   uint32_t find(uint64_t key) const {
     for (Probe probe(key, mask_);; probe.next()) {
-      const uint32_t number = slots_[probe.slot];
-      if (number == none || keys_[number] == key) return number;
+      const Slot &slot = slots_[probe.slot];
+      if (slot.number == none || slot.key == key) return slot.number;
     }
   }
   uint32_t find_or_insert(uint64_t key) {
     for (Probe probe(key, mask_);; probe.next()) {
-      const uint32_t number = slots_[probe.slot];
-      if (number != none && keys_[number] == key) return number;
-      if (number != none) continue;
-      slots_[probe.slot] = count();
+      const Slot &slot = slots_[probe.slot];
+      if (slot.number != none && slot.key == key) return slot.number;
+      if (slot.number != none) continue;
+      slots_[probe.slot] = {key, count()};
       keys_.push_back(key);
       return count() - 1;
     }
   }
 
-  std::vector<uint32_t> slots_;  // numbers of cubes, or none
-  std::vector<uint64_t> keys_;   // of each cube
+  std::vector<Slot> slots_;
+  std::vector<uint64_t> keys_;  // of each cube
   uint32_t mask_ = 0;
 };
 

@@ -9,7 +9,6 @@
 // less than every other trial.
 #pragma once
 
-#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -42,15 +41,11 @@ class PerfectHashing {
 
   template <class Visit>
   void visit_row(uint32_t x_low, uint32_t x_high, uint32_t y, uint32_t z, Visit visit) const {
-    uint32_t first = none, last = 0;
-    for (uint32_t x = x_low; x <= x_high; ++x) {
-      const uint64_t key = packed({x, y, z});
+    const auto find = [&](uint64_t key) {
       const uint32_t number = slots_[slot_of(key)];
-      if (number == none || keys_[number] != key) continue;
-      first = std::min(first, number);
-      last = number + 1;
-    }
-    if (first != none) visit(first, last);
+      return number != none && keys_[number] == key ? number : none;
+    };
+    visit_row_of(keys_, x_low, x_high, y, z, find, visit);
   }
 
   size_t bytes() const { return bytes_of(buckets_) + bytes_of(slots_) + bytes_of(keys_); }
