@@ -8,14 +8,17 @@ namespace {
 // The limits that a program gives.
 int32_t from_c(const hsp_surface_limits *given, hsp::SurfaceLimits &result) {
   hsp_surface_limits limits;
-  if (!hsp::capi::read_struct(given, {}, limits) || limits.reserved != 0) return HSP_E_ARGUMENT;
-  if (limits.vertices > HSP_MAX_BALLS || limits.neighbours > HSP_MAX_BALLS) return HSP_E_RANGE;
-  result = {limits.vertices, limits.neighbours};
+  if (!hsp::capi::read_struct(given, {}, limits)) return HSP_E_ARGUMENT;
+  if (limits.vertices > HSP_MAX_BALLS || limits.neighbours > HSP_MAX_BALLS || limits.pieces > HSP_MAX_BALLS ||
+      limits.arcs > HSP_MAX_BALLS || limits.cusped_circles > HSP_MAX_BALLS)
+    return HSP_E_RANGE;
+  result = {limits.vertices, limits.neighbours, limits.pieces, limits.arcs, limits.cusped_circles};
   return HSP_OK;
 }
 
 hsp_surface_limits to_c(const hsp::SurfaceLimits &limits) {
-  return {sizeof(hsp_surface_limits), limits.vertices, limits.neighbours, 0};
+  return {sizeof(hsp_surface_limits), limits.vertices, limits.neighbours, limits.pieces, limits.arcs,
+          limits.cusped_circles};
 }
 
 hsp_surface_totals to_c(const hsp::SurfaceMeasure &measure) {
@@ -29,7 +32,8 @@ int32_t hsp_surface_limits_init(hsp_surface_limits *limits, uint32_t struct_size
     return HSP_E_ARGUMENT;
   }
   if (!boundary->has_results()) return HSP_E_STATE;
-  const hsp::SurfaceLimits enough{boundary->structure().vertex_count(), hsp::default_probe_neighbours};
+  const hsp::Boundary &structure = boundary->structure();
+  const hsp::SurfaceLimits enough = hsp::default_surface_limits(structure.vertex_count(), structure.circle_count());
   hsp::capi::write_struct(to_c(enough), limits, struct_size);
   return HSP_OK;
 }
@@ -68,7 +72,7 @@ int32_t hsp_surface_get_counts(const hsp_surface *surface, hsp_surface_counts *c
   *counts = {boundary.face_count(),   boundary.arc_count() + boundary.circle_count(),
              boundary.vertex_count(), found.cusped_arcs,
              found.cut_patches,       found.hidden_patches,
-             found.rounded_patches,   0};
+             found.rounded_patches,   found.joints.open};
   return HSP_OK;
 }
 

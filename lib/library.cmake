@@ -54,8 +54,12 @@ set(HSP_LIBRARY_SOURCES
   lib/measure/shell_volumes.cpp
   lib/measure/tangency.cpp
   lib/surface/covered_gaps.cpp
+  lib/surface/cusped_circles.cpp
+  lib/surface/cut_patches.cpp
+  lib/surface/patch_corners.cpp
   lib/surface/probe_caps.cpp
   lib/surface/probe_grid.cpp
+  lib/surface/region_pieces.cpp
   lib/surface/surface_areas.cpp
   lib/surface/surface_builder.cpp
   lib/view/depth_buffer.cpp

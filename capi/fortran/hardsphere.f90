@@ -222,7 +222,9 @@ module hardsphere
     integer(c_int32_t) :: struct_size  ! hsp_surface_limits_init sets it
     integer(c_int32_t) :: vertices
     integer(c_int32_t) :: neighbours
-    integer(c_int32_t) :: reserved
+    integer(c_int32_t) :: pieces
+    integer(c_int32_t) :: arcs
+    integer(c_int32_t) :: cusped_circles
   end type
 
   type, bind(C) :: hsp_surface_counts
@@ -233,7 +235,7 @@ module hardsphere
     integer(c_int32_t) :: cut_patches
     integer(c_int32_t) :: hidden_patches
     integer(c_int32_t) :: rounded_patches
-    integer(c_int32_t) :: reserved
+    integer(c_int32_t) :: open_joints
   end type
 
   type, bind(C) :: hsp_surface_totals
@@ -1177,10 +1179,12 @@ contains
   end function
 
   !> HSP_SURFACE_BYTES of the header, for the size of an allocation.
-  pure function hsp_surface_bytes_bound(vertices, neighbours) result(bytes)
-    integer(c_int32_t), intent(in) :: vertices, neighbours
+  pure function hsp_surface_bytes_bound(vertices, neighbours, pieces, arcs, cusped_circles) result(bytes)
+    integer(c_int32_t), intent(in) :: vertices, neighbours, pieces, arcs, cusped_circles
     integer(c_size_t) :: bytes
-    bytes = 4096_c_size_t + 80_c_size_t*int(vertices, c_size_t) + 640_c_size_t*int(neighbours, c_size_t)
+    bytes = 6144_c_size_t + 80_c_size_t*int(vertices, c_size_t) + 1152_c_size_t*int(neighbours, c_size_t) &
+            + 24_c_size_t*int(pieces, c_size_t) + 24_c_size_t*int(arcs, c_size_t) &
+            + 12_c_size_t*int(cusped_circles, c_size_t)
   end function
 
   !> HSP_TOPOLOGY_BYTES of the header, for the size of an allocation.

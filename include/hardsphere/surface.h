@@ -11,7 +11,11 @@
  * What cuts what follows from the exact boundary. Which pieces other probes leave of a concave patch is decided in
  * doubles, where their error bounds leave no doubt; else in integers, exactly, after directions have been rounded to 29
  * bits, which moves a border by about 1e-9 of p; else the status is HSP_E_CHECK. Vertices of the boundary that are
- * closer to each other than 2^-25 p count as one point. */
+ * closer to each other than 2^-25 p count as one point.
+ *
+ * Where patches meet each of them is decided on its own. If one finds a corner or a crease that another does not, which
+ * takes vertices that count as one point, or four probes that meet in one up to rounding, the joint is open: areas and
+ * volumes hold nevertheless. */
 #ifndef HARDSPHERE_SURFACE_H
 #define HARDSPHERE_SURFACE_H
 
@@ -29,39 +33,43 @@ typedef struct hsp_surface hsp_surface;
 
 /** The limits that fix a surface's memory. */
 typedef struct hsp_surface_limits {
-  uint32_t struct_size; /**< sizeof(hsp_surface_limits) */
-  uint32_t vertices;    /**< vertices of the boundary */
-  uint32_t neighbours;  /**< most probes at other vertices that may cut any one concave patch */
-  uint32_t reserved;    /**< 0 */
+  uint32_t struct_size;    /**< sizeof(hsp_surface_limits) */
+  uint32_t vertices;       /**< vertices of the boundary */
+  uint32_t neighbours;     /**< most probes at other vertices that may cut any one concave patch */
+  uint32_t pieces;         /**< what is left of the concave patches that are cut: at least one for each of them */
+  uint32_t arcs;           /**< that bound these pieces */
+  uint32_t cusped_circles; /**< circles whose saddle patches reach their axis */
 } hsp_surface_limits;
 
-/** Limits for a computed boundary that nearly always suffice: its vertices, and 64 neighbours. Without a boundary, for
- *  memory that is fixed beforehand, set them by hand: what hsp_boundary_limits has for the vertices suffices here.
+/** Limits for a computed boundary with V vertices and C circles that suffice for molecules and usual probes: its
+ *  vertices, 64 neighbours, pieces V / 4 + 16, arcs 5 V / 4 + 64, cusped_circles V / 8 + C + 16. Without a boundary,
+ *  for memory that is fixed beforehand, set them by hand, with the vertices and circles of hsp_boundary_limits.
  *  @retval HSP_E_ARGUMENT  limits or boundary is NULL; struct_size is bad
  *  @retval HSP_E_STATE     the boundary holds no results, or its model has changed since */
 HSP_API int32_t hsp_surface_limits_init(hsp_surface_limits *limits, uint32_t struct_size, const hsp_boundary *boundary);
 
 /** Bytes that hsp_surface_init needs.
- *  - Property 1: at most HSP_SURFACE_BYTES of the two limits.
+ *  - Property 1: at most HSP_SURFACE_BYTES of the five limits.
  *  - Property 2: grows with each limit.
  *
- *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size; reserved is not 0
+ *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
 HSP_API int32_t hsp_surface_bytes(const hsp_surface_limits *limits, size_t *bytes);
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
-#define HSP_SURFACE_BYTES(vertices, neighbours) \
-  ((size_t)4096 + (size_t)80 * (size_t)(vertices) + (size_t)640 * (size_t)(neighbours))
+#define HSP_SURFACE_BYTES(vertices, neighbours, pieces, arcs, cusped_circles)             \
+  ((size_t)6144 + (size_t)80 * (size_t)(vertices) + (size_t)1152 * (size_t)(neighbours) + \
+   (size_t)24 * (size_t)(pieces) + (size_t)24 * (size_t)(arcs) + (size_t)12 * (size_t)(cusped_circles))
 
 /** Make an empty surface in caller memory of any alignment; sets *surface.
- *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size; reserved is not 0
+ *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
  *  @retval HSP_E_MEMORY    bytes is less than hsp_surface_bytes says; nothing is written
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
 HSP_API int32_t hsp_surface_init(void *memory, size_t bytes, const hsp_surface_limits *limits, hsp_surface **surface);
 
 /** Compute the surface over a computed boundary. Boundary and model must outlive the surface; after hsp_model_set or
  *  hsp_boundary_compute what reads the surface yields HSP_E_STATE until it is computed again. On failure it holds no
- *  results. limits: see LIMITS in hardsphere.h; at most two retries.
+ *  results. limits: see LIMITS in hardsphere.h; at most three retries.
  *  - Property 1: the order of the balls has no effect.
  *
  *  Cost: O(vertices) for sets as in Theorem 2.1 with probes no larger than balls; O(m^3) per vertex with m probes that
@@ -81,7 +89,7 @@ typedef struct hsp_surface_counts {
   uint32_t cut_patches;     /**< of the concave patches, those that other probes cut */
   uint32_t hidden_patches;  /**< of these, those of which nothing is left */
   uint32_t rounded_patches; /**< of the concave patches, those decided in integers after rounding */
-  uint32_t reserved;        /**< 0 */
+  uint32_t open_joints;     /**< corners and creases that one cut patch has and another lacks: see above */
 } hsp_surface_counts;
 
 /** How many patches of each kind there are, and how many meet themselves or others. Without a probe all patches but the

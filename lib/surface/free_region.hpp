@@ -22,13 +22,27 @@ struct RegionCorner {
   int32_t sign;
   double root;  // of the discriminant, in the units of the source
   Vec3 point;
-  double error;  // of the point
-  bool taken;    // as the end of an arc
+  double error;          // of the point
+  bool taken;            // as the end of an arc
+  double turn = 0.0;     // exterior angle
+  uint32_t arc = no_id;  // that starts here
 
   bool on(uint32_t circle) const { return first == circle || second == circle; }
   uint32_t other(uint32_t circle) const { return first == circle ? second : first; }
   // Whether `circle` leaves the other cap here.
   bool is_exit_of(uint32_t circle) const { return (sign > 0) == (first == circle); }
+};
+
+// A free arc, counter-clockwise about the axis of its circle: the region lies on its right, seen from outside.
+struct RegionArc {
+  uint32_t circle;
+  uint32_t start, end;  // corners; no_id for a whole circle
+  uint32_t next;        // the arc that starts where this one ends
+  double angle;
+  double curvature;       // height * angle, minus the exterior angle where it starts
+  Vec3 vector_area;       // its term
+  uint32_t loop = no_id;  // the first arc of its loop, and of the loop around its piece (region_pieces.hpp)
+  uint32_t piece = no_id;
 };
 
 struct FreeRegion {
@@ -57,22 +71,31 @@ struct FreeRegion {
 template <class Circles>
 class FreeRegionFinder {
  public:
-  FreeRegionFinder(const Circles &circles, FixedVector<RegionCorner> &corners, uint32_t sides)
-      : circles_(circles), corners_(corners), sides_(sides) {}
+  FreeRegionFinder(const Circles &circles, FixedVector<RegionCorner> &corners, FixedVector<RegionArc> &arcs,
+                   uint32_t sides)
+      : circles_(circles), corners_(corners), arcs_(arcs), sides_(sides) {}
 
   // False if an answer that matters is unknown, or the answers contradict each other.
   bool find(FreeRegion &region) {
     region_ = {};
     corners_.clear();
+    arcs_.clear();
     for (uint32_t k = 1; k < circles_.count(); ++k) {
       for (uint32_t j = 0; j < k; ++j) {
         if (!add_corners(j, k)) return false;
       }
     }
     if (corners_.overflowed()) return false;
-    for (const RegionCorner &corner : corners_.items()) region_.curvature -= circles_.exterior_angle(corner);
+    for (RegionCorner &corner : corners_.items()) {
+      corner.turn = circles_.exterior_angle(corner);
+      region_.curvature -= corner.turn;
+    }
     for (uint32_t k = 0; k < circles_.count(); ++k) {
       if (!add_arcs(k)) return false;
+    }
+    if (arcs_.overflowed()) return false;
+    for (RegionArc &arc : arcs_.items()) {
+      if (arc.end != no_id) arc.next = corners_[arc.end].arc;
     }
     region = region_;
     return true;
@@ -99,7 +122,7 @@ class FreeRegionFinder {
   bool add_arcs(uint32_t k) {
     uint32_t exits = 0;
     uint32_t entries = 0;
-    for (const RegionCorner &exit : corners_.items()) {
+    for (RegionCorner &exit : corners_.items()) {
       if (!exit.on(k)) continue;
       if (!exit.is_exit_of(k)) {
         ++entries;
@@ -115,6 +138,8 @@ class FreeRegionFinder {
       end->taken = true;
       const double angle = circles_.arc_angle(k, exit, *end);
       if (angle < 0.0) return false;
+      exit.arc = clamped_count(arcs_.required());
+      arcs_.push({k, number_of(exit), number_of(*end), no_id, angle, -exit.turn, {}});
       add_arc(k, angle, end->point - exit.point);
     }
     if (exits != entries) return false;
@@ -132,7 +157,10 @@ class FreeRegionFinder {
       const Answer inside = crosses ? Answer::yes : circles_.lies_inside(k, r);
       if (inside != Answer::no) covered = inside;
     }
-    if (covered == Answer::no) add_arc(k, 2 * pi, {0, 0, 0});
+    if (covered == Answer::no) {
+      arcs_.push({k, no_id, no_id, clamped_count(arcs_.required()), 2 * pi, 0.0, {}});
+      add_arc(k, 2 * pi, {0, 0, 0});
+    }
     return covered != Answer::unknown;
   }
 
@@ -142,12 +170,22 @@ class FreeRegionFinder {
     region_.curvature += c * angle;
     const Vec3 along = combine(c, cross(u, chord), (1.0 - c) * (1.0 + c) * angle, u);
     region_.vector_area = combine(1.0, region_.vector_area, -0.5, along);
+    if (region_.arcs < arcs_.size()) {
+      RegionArc &arc = arcs_[region_.arcs];
+      arc.curvature += c * angle;
+      arc.vector_area = -0.5 * along;
+    }
     ++region_.arcs;
     region_.cutting_arcs += k >= sides_ ? 1U : 0U;
   }
 
+  uint32_t number_of(const RegionCorner &corner) const {
+    return static_cast<uint32_t>(&corner - corners_.items().data());
+  }
+
   const Circles &circles_;
   FixedVector<RegionCorner> &corners_;
+  FixedVector<RegionArc> &arcs_;
   const uint32_t sides_;
   FreeRegion region_;
 };

@@ -28,6 +28,8 @@ class ProbeCaps {
   bool overflowed() const { return others_.overflowed(); }
   Caps &caps() { return caps_; }
   static constexpr uint32_t sides = 3;  // caps 0, 1, 2
+  // The ball of the vertex that a side is opposite to.
+  uint32_t ball_opposite(uint32_t side) const { return ball_[side]; }
 
   // How much larger the errors of the caps are than sphere/caps.hpp has them.
   double amplification() const { return amplification_; }

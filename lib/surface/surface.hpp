@@ -10,21 +10,30 @@
 
 #include "core/fixed_vector.hpp"
 #include "core/workspace.hpp"
+#include "surface/patch_corners.hpp"
 #include "surface/probe_caps.hpp"
 
 namespace hsp {
 
 struct SurfaceLimits {
-  uint32_t vertices = 0;    // of the boundary
-  uint32_t neighbours = 0;  // most probes that may cut any one of the patches
+  uint32_t vertices = 0;        // of the boundary
+  uint32_t neighbours = 0;      // most probes that may cut any one of the patches
+  uint32_t pieces = 0;          // of cut patches
+  uint32_t arcs = 0;            // around these
+  uint32_t cusped_circles = 0;  // circles whose saddle patches reach their axis
 
   constexpr SurfaceLimits covering(const SurfaceLimits &other) const {
-    return {larger_count(vertices, other.vertices), larger_count(neighbours, other.neighbours)};
+    return {larger_count(vertices, other.vertices), larger_count(neighbours, other.neighbours),
+            larger_count(pieces, other.pieces), larger_count(arcs, other.arcs),
+            larger_count(cusped_circles, other.cusped_circles)};
   }
 };
 
-// Enough neighbours for molecules: in haemoglobin no more than 34 probes overlap any one.
-inline constexpr uint32_t default_probe_neighbours = 64;
+// Enough for molecules: in haemoglobin no more than 34 probes overlap any one; up to 22 of 100 patches are cut, into
+// pieces of 5 arcs.
+constexpr SurfaceLimits default_surface_limits(uint32_t vertices, uint32_t circles) {
+  return {vertices, 64, vertices / 4 + 16, vertices + vertices / 4 + 64, vertices / 8 + circles + 16};
+}
 
 struct ConcavePatch {
   double area;    // square steps
@@ -36,17 +45,26 @@ struct SurfaceCounts {
   uint32_t hidden_patches = 0;   // of these, those of which nothing is left
   uint32_t cusped_arcs = 0;      // arcs and circles whose saddle patch its axis cuts
   uint32_t rounded_patches = 0;  // patches decided in integers, after rounding
+  PatchJoints joints;            // of cut patches
 };
 
 class Surface {
  public:
   const ConcavePatch &patch(uint32_t vertex) const { return patch_[vertex]; }
   const SurfaceCounts &counts() const { return counts_; }
+  // The exceptions: concave patches that others cut, and circles with cusps.
+  const CutPatches &cut_patches() const { return cut_patches_; }
+  const CuspedCircles &cusped_circles() const { return cusped_circles_; }
+  // Whether everything that meets is found from all sides. Not so where vertices coincide, and where four probes or a
+  // cusp and a probe meet in one point that rounding takes apart; areas are not concerned.
+  bool is_closed() const { return counts_.joints.open == 0; }
 
  private:
   friend class SurfaceBuilder;
 
   Span<ConcavePatch> patch_;  // [vertices]
+  CutPatches cut_patches_;
+  CuspedCircles cusped_circles_;
   SurfaceCounts counts_;
 };
 

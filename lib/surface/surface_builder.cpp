@@ -3,32 +3,48 @@
 #include "measure/areas.hpp"
 #include "surface/circles_in_doubles.hpp"
 #include "surface/circles_in_integers.hpp"
-#include "surface/saddle.hpp"
 
 namespace hsp {
 
-// The arcs around the union of m caps have at most 6m - 12 corners for m >= 3, as the edges of a planar graph.
+// The arcs around the union of m caps have at most 6m - 12 corners for m >= 3, as the edges of a planar graph; so many
+// arcs, and circles without corners.
 void SurfaceBuilder::carve(Workspace &workspace, const SurfaceLimits &limits) {
   limits_ = limits;
   grid_.carve(workspace, limits.vertices);
   probe_.carve(workspace, limits.neighbours);
   surface_.patch_ = workspace.take<ConcavePatch>(limits.vertices);
-  corners_ = FixedVector(workspace.take<RegionCorner>(6 * (uint64_t{limits.neighbours} + ProbeCaps::sides)));
+  surface_.cut_patches_.carve(workspace, limits.vertices, limits.pieces, limits.arcs);
+  surface_.cusped_circles_.carve(workspace, limits.cusped_circles);
+  const uint64_t caps = uint64_t{limits.neighbours} + ProbeCaps::sides;
+  corners_ = FixedVector(workspace.take<RegionCorner>(6 * caps));
+  arcs_ = FixedVector(workspace.take<RegionArc>(6 * caps));
 }
 
 Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary) {
   surface_.counts_ = {};
-  needed_ = {boundary.vertex_count(), 0};
+  uncertain_holes_ = 0;
+  CutPatches &cut = surface_.cut_patches_;
+  CuspedCircles &cusped = surface_.cusped_circles_;
+  cut.clear();
+  cusped.clear();
+  needed_ = {boundary.vertex_count()};
   if (needed_.vertices > limits_.vertices) return Status::capacity;
   const double p = static_cast<double>(balls.probe_steps);
   if (balls.probe_steps == 0) {
-    for (uint32_t v = 0; v < needed_.vertices; ++v) surface_.patch_[v] = {0.0, 0.0};
+    for (uint32_t v = 0; v < needed_.vertices; ++v) {
+      surface_.patch_[v] = {0.0, 0.0};
+      cut.begin_vertex(v);
+    }
+    cut.finish(needed_.vertices);
     return Status::ok;
   }
   grid_.build(balls, boundary);
   for (uint32_t v = 0; v < needed_.vertices; ++v) {
+    cut.begin_vertex(v);
     const ProbeState state = probe_.gather(balls, boundary, grid_, v);
     needed_.neighbours = larger_count(needed_.neighbours, clamped_count(probe_.met()));
+    const Position &position = grid_.position(v);
+    const Vec3 arm = offset_from_origin(balls, boundary, position.ball) + position.offset;
     double steradians = 0.0;
     Vec3 vector_area{0.0, 0.0, 0.0};
     if (state == ProbeState::whole) {
@@ -36,30 +52,83 @@ Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary) {
       vector_area = probe_.whole_vector_area();
     } else if (state == ProbeState::crossed) {
       if (probe_.overflowed()) continue;
+      const uint32_t cut_before = surface_.counts_.cut_patches;
       if (!measure_cut_patch(steradians, vector_area)) return Status::check;
+      if (surface_.counts_.cut_patches > cut_before) store_pieces(boundary, v, p, arm);
     } else {
       ++surface_.counts_.cut_patches;
       ++surface_.counts_.hidden_patches;
+      cut.begin_piece(v, 0.0, 0.0);
     }
-    const Position &position = grid_.position(v);
-    const Vec3 arm = offset_from_origin(balls, boundary, position.ball) + position.offset;
-    // The outward normal is towards the probe's centre.
-    surface_.patch_[v] = {p * p * steradians, -p * p * (p * steradians + dot(arm, vector_area)) / 3};
+    surface_.patch_[v] = in_steps(p, arm, steradians, vector_area);
   }
-  if (needed_.neighbours > limits_.neighbours) return Status::capacity;
-  count_cusps(balls, boundary);
+  cut.finish(needed_.vertices);
+  cusped.find(balls, boundary);
+  needed_.pieces = clamped_count(cut.required_pieces());
+  needed_.arcs = clamped_count(cut.required_arcs());
+  needed_.cusped_circles = clamped_count(cusped.required());
+  if (needed_.neighbours > limits_.neighbours || cut.overflowed() || needed_.cusped_circles > limits_.cusped_circles) {
+    return Status::capacity;
+  }
+  surface_.counts_.cusped_arcs = cusped.arcs() + cusped.whole_circles();
+  surface_.counts_.joints = join_patches(boundary, cusped, cut);
+  surface_.counts_.joints.open += uncertain_holes_;
   return Status::ok;
+}
+
+// The outward normal is towards the probe's centre.
+ConcavePatch SurfaceBuilder::in_steps(double p, const Vec3 &arm, double steradians, const Vec3 &vector_area) const {
+  return {p * p * steradians, -p * p * (p * steradians + dot(arm, vector_area)) / 3};
+}
+
+// Loops that bound one piece one after the other, that around the piece first. If it is uncertain which piece has a
+// hole, all loops bound one: then the surface is not closed.
+void SurfaceBuilder::store_pieces(const Boundary &boundary, uint32_t vertex, double p, const Vec3 &arm) {
+  CutPatches &cut = surface_.cut_patches_;
+  const Span<RegionArc> arcs = arcs_.items();
+  if (arcs.empty()) cut.begin_piece(vertex, 0.0, 0.0);
+  if (!find_pieces(probe_.caps(), corners_.items(), arcs)) {
+    for (RegionArc &arc : arcs) arc.piece = 0;
+    ++uncertain_holes_;
+  }
+  for (uint32_t piece = 0; piece < arcs.size(); ++piece) {
+    if (arcs[piece].piece != piece) continue;
+    double steradians = 0.0;
+    Vec3 vector_area{0.0, 0.0, 0.0};
+    for (uint32_t loop = 0; loop < arcs.size(); ++loop) {
+      if (arcs[loop].piece != piece) continue;
+      steradians += arcs[loop].curvature;
+      if (arcs[loop].loop == loop) steradians += loop == piece ? 2 * pi : -2 * pi;
+      vector_area = vector_area + arcs[loop].vector_area;
+    }
+    const ConcavePatch measured = in_steps(p, arm, steradians > 0.0 ? steradians : 0.0, vector_area);
+    cut.begin_piece(vertex, measured.area, measured.volume);
+    for (uint32_t loop = 0; loop < arcs.size(); ++loop) {
+      if (arcs[loop].piece != piece || arcs[loop].loop != loop) continue;
+      uint32_t a = loop;
+      do {
+        const uint32_t circle = arcs[a].circle;
+        const uint32_t across = circle < ProbeCaps::sides
+                                    ? PatchArc::side(boundary.vertex(vertex).slot_of(probe_.ball_opposite(circle)))
+                                    : probe_.caps().ball[circle];
+        cut.add_arc(across, arcs[a].angle, arcs[a].next == loop);
+        a = arcs[a].next;
+      } while (a != loop);
+    }
+  }
 }
 
 bool SurfaceBuilder::measure_cut_patch(double &steradians, Vec3 &vector_area) {
   FreeRegion region;
   const CirclesInDoubles doubles(probe_.caps(), probe_.amplification());
-  if (FreeRegionFinder(doubles, corners_, ProbeCaps::sides).find(region) && accept(region, steradians, vector_area)) {
+  if (FreeRegionFinder(doubles, corners_, arcs_, ProbeCaps::sides).find(region) &&
+      accept(region, steradians, vector_area)) {
     return true;
   }
   ++surface_.counts_.rounded_patches;
   const CirclesInIntegers integers(probe_.caps());
-  return FreeRegionFinder(integers, corners_, ProbeCaps::sides).find(region) && accept(region, steradians, vector_area);
+  return FreeRegionFinder(integers, corners_, arcs_, ProbeCaps::sides).find(region) &&
+         accept(region, steradians, vector_area);
 }
 
 // The area is known modulo 2 pi, and it is between 0 and that of the whole triangle.
@@ -80,23 +149,6 @@ bool SurfaceBuilder::accept(const FreeRegion &region, double &steradians, Vec3 &
   vector_area = region.vector_area;
   if (region.cutting_arcs > 0) ++counts.cut_patches;
   return true;
-}
-
-void SurfaceBuilder::count_cusps(const BallSet &balls, const Boundary &boundary) {
-  const double p = static_cast<double>(balls.probe_steps);
-  const auto count = [&](uint32_t a, uint32_t b) {
-    const CircleGeometry circle(balls, a, b);
-    const CircleGeometry seen_from_other(balls, b, a);
-    const SaddleSide side{p, 0.0, 0.0, circle.height, seen_from_other.height, circle.radius, 0.0, {}, {}};
-    if (has_cusps(side)) ++surface_.counts_.cusped_arcs;
-  };
-  for (uint32_t i = 0; i < balls.n; ++i) {
-    for (const uint32_t e : boundary.half_edges(i)) {
-      const uint32_t other = boundary.half_edge(e).circle;
-      if (i < other) count(i, other);
-    }
-  }
-  for (uint32_t c = 0; c < boundary.circle_count(); ++c) count(boundary.circle(c).ball[0], boundary.circle(c).ball[1]);
 }
 
 }  // namespace hsp

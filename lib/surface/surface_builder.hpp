@@ -21,7 +21,8 @@ class SurfaceBuilder {
  private:
   bool measure_cut_patch(double &steradians, Vec3 &vector_area);
   bool accept(const FreeRegion &region, double &steradians, Vec3 &vector_area);
-  void count_cusps(const BallSet &balls, const Boundary &boundary);
+  void store_pieces(const Boundary &boundary, uint32_t vertex, double p, const Vec3 &arm);
+  ConcavePatch in_steps(double p, const Vec3 &arm, double steradians, const Vec3 &vector_area) const;
 
   SurfaceLimits limits_;
   SurfaceLimits needed_;
@@ -29,6 +30,8 @@ class SurfaceBuilder {
   ProbeGrid grid_;
   ProbeCaps probe_;
   FixedVector<RegionCorner> corners_;
+  FixedVector<RegionArc> arcs_;
+  uint32_t uncertain_holes_ = 0;
 };
 
 }  // namespace hsp

@@ -18,7 +18,7 @@ typedef union struct_version {
 } struct_version;
 
 static four_handles h;
-static unsigned char other_memory[SIZE], surface_memory[SIZE];
+static unsigned char other_memory[2 * SIZE], surface_memory[SIZE];
 static hsp_surface *surface;
 
 static int32_t ignore_bytes(void *context, const char *bytes, size_t count) {
@@ -212,7 +212,7 @@ static void check_writing(const struct versioned *s, int32_t (*write)(void *out,
 }
 
 int main(void) {
-  const hsp_surface_limits of_surface = {(uint32_t)sizeof of_surface, 2 * BALLS, BALLS, 0};
+  const hsp_surface_limits of_surface = {(uint32_t)sizeof of_surface, 2 * BALLS, BALLS, 8, 64, 8};
   int i, k;
   h = four_handles_make(BALLS);
   CHECK_EQUAL(hsp_surface_init(surface_memory, sizeof surface_memory, &of_surface, &surface), HSP_OK);

@@ -5,10 +5,10 @@
 #include "check.h"
 #include "untouched.h"
 
-enum { BALLS = THREE_BALLS, VERTICES = 8, NEIGHBOURS = 4 };
+enum { BALLS = THREE_BALLS, VERTICES = 8, NEIGHBOURS = 4, PIECES = 8, ARCS = 32, CUSPED = 3 };
 static unsigned char model_memory[HSP_MODEL_BYTES(BALLS)];
 static unsigned char boundary_memory[HSP_BOUNDARY_BYTES(BALLS, BALLS, 16, 16)];
-static unsigned char surface_memory[HSP_SURFACE_BYTES(VERTICES, NEIGHBOURS)];
+static unsigned char surface_memory[HSP_SURFACE_BYTES(VERTICES, NEIGHBOURS, PIECES, ARCS, CUSPED)];
 static hsp_model *model;
 static hsp_boundary *boundary;
 static hsp_surface *surface;
@@ -58,7 +58,7 @@ static void set_balls(void) {
 }
 
 static hsp_surface_limits good_limits(void) {
-  const hsp_surface_limits good = {(uint32_t)sizeof good, VERTICES, NEIGHBOURS, 0};
+  const hsp_surface_limits good = {(uint32_t)sizeof good, VERTICES, NEIGHBOURS, PIECES, ARCS, CUSPED};
   return good;
 }
 
@@ -73,14 +73,16 @@ static void refused_limits(void) {
   hsp_surface *made = NULL;
   int which;
   CHECK_EQUAL(hsp_surface_bytes(NULL, &bytes), HSP_E_ARGUMENT);
-  for (which = 0; which < 5; ++which) {
-    const int32_t status = which < 3 ? HSP_E_ARGUMENT : HSP_E_RANGE;
+  for (which = 0; which < 7; ++which) {
+    const int32_t status = which < 2 ? HSP_E_ARGUMENT : HSP_E_RANGE;
     bad = good_limits();
     if (which == 0) bad.struct_size = 12;
     if (which == 1) bad.struct_size = 1028;
-    if (which == 2) bad.reserved = 1;
+    if (which == 2) bad.pieces = HSP_MAX_BALLS + 1;
     if (which == 3) bad.vertices = HSP_MAX_BALLS + 1;
     if (which == 4) bad.neighbours = HSP_NONE;
+    if (which == 5) bad.arcs = HSP_MAX_BALLS + 1;
+    if (which == 6) bad.cusped_circles = HSP_NONE;
     CHECK_EQUAL(hsp_surface_bytes(&bad, &bytes), status);
     CHECK_EQUAL(hsp_surface_init(surface_memory, sizeof surface_memory, &bad, &made), status);
   }
@@ -88,7 +90,7 @@ static void refused_limits(void) {
   CHECK_EQUAL(hsp_surface_bytes(&bad, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(bytes, 0);
   CHECK_EQUAL(hsp_surface_bytes(&bad, &bytes), HSP_OK);
-  CHECK(bytes <= HSP_SURFACE_BYTES(VERTICES, NEIGHBOURS));
+  CHECK(bytes <= HSP_SURFACE_BYTES(VERTICES, NEIGHBOURS, PIECES, ARCS, CUSPED));
   CHECK_EQUAL(hsp_surface_init(NULL, bytes, &bad, &made), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_surface_init(surface_memory, bytes, NULL, &made), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_surface_init(surface_memory, bytes, &bad, NULL), HSP_E_ARGUMENT);
@@ -108,7 +110,9 @@ static void defaults(void) {
   CHECK_EQUAL(limits.struct_size, sizeof limits);
   CHECK_EQUAL(limits.vertices, 2);
   CHECK_EQUAL(limits.neighbours, 64);
-  CHECK_EQUAL(limits.reserved, 0);
+  CHECK_EQUAL(limits.pieces, 16);
+  CHECK_EQUAL(limits.arcs, 66);
+  CHECK_EQUAL(limits.cusped_circles, 16);
 }
 
 static void out_of_order(void) {
@@ -151,7 +155,7 @@ static void out_of_order(void) {
 }
 
 static void too_small(void) {
-  hsp_surface_limits few = {(uint32_t)sizeof few, 1, 0, 0};
+  hsp_surface_limits few = {(uint32_t)sizeof few, 1, 0, 0, 0, 0};
   check_scene("a limit is too small");
   CHECK_EQUAL(hsp_surface_init(surface_memory, sizeof surface_memory, &few, &surface), HSP_OK);
   CHECK_EQUAL(hsp_surface_compute(surface, boundary, &few), HSP_E_CAPACITY);

@@ -19,12 +19,14 @@ struct SmallCaps {
   static constexpr uint32_t most = 12;
   hsp::Caps caps;
   hsp::FixedVector<hsp::RegionCorner> corners;
-  alignas(64) unsigned char memory[16 * 1024];
+  hsp::FixedVector<hsp::RegionArc> arcs;
+  alignas(64) unsigned char memory[24 * 1024];
 
   SmallCaps(const UnitCap *cap, uint32_t n) {
     hsp::Workspace workspace(memory, sizeof memory);
     caps.carve(workspace, most);
     corners = hsp::FixedVector(workspace.take<hsp::RegionCorner>(6 * most));
+    arcs = hsp::FixedVector(workspace.take<hsp::RegionArc>(6 * most));
     caps.count = n;
     for (uint32_t k = 0; k < n; ++k) {
       const double length = std::sqrt(cap[k].x * cap[k].x + cap[k].y * cap[k].y + cap[k].z * cap[k].z);

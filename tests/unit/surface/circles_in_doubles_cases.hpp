@@ -8,7 +8,7 @@ namespace cases {
 
 inline bool found_in_doubles(SmallCaps &caps, hsp::FreeRegion &region, double amplification = 1.0) {
   const hsp::CirclesInDoubles circles(caps.caps, amplification);
-  return hsp::FreeRegionFinder(circles, caps.corners, 3).find(region);
+  return hsp::FreeRegionFinder(circles, caps.corners, caps.arcs, 3).find(region);
 }
 
 inline uint32_t random_regions_by_sampling() {

@@ -8,7 +8,7 @@ namespace cases {
 
 inline bool found_in_integers(SmallCaps &caps, hsp::FreeRegion &region) {
   const hsp::CirclesInIntegers circles(caps.caps);
-  return hsp::FreeRegionFinder(circles, caps.corners, 3).find(region);
+  return hsp::FreeRegionFinder(circles, caps.corners, caps.arcs, 3).find(region);
 }
 
 inline uint32_t same_regions_as_in_doubles() {

@@ -84,15 +84,17 @@ struct Contradicting {
 };
 
 inline uint32_t contradictions_are_noticed() {
-  alignas(64) unsigned char memory[2048];
+  alignas(64) unsigned char memory[4096];
   hsp::Workspace workspace(memory, sizeof memory);
   hsp::FixedVector<hsp::RegionCorner> corners(workspace.take<hsp::RegionCorner>(18));
+  hsp::FixedVector<hsp::RegionArc> arcs(workspace.take<hsp::RegionArc>(18));
   hsp::FreeRegion region;
-  const bool conditions[] = {hsp::FreeRegionFinder(Contradicting{false, false, false, 1}, corners, 3).find(region),
-                             hsp::FreeRegionFinder(Contradicting{true, false, false, 1}, corners, 3).find(region),
-                             !hsp::FreeRegionFinder(Contradicting{true, false, true, 1}, corners, 3).find(region),
-                             // Two arcs of one circle with the same end.
-                             !hsp::FreeRegionFinder(Contradicting{true, true, true, 1}, corners, 3).find(region)};
+  const bool conditions[] = {
+      hsp::FreeRegionFinder(Contradicting{false, false, false, 1}, corners, arcs, 3).find(region),
+      hsp::FreeRegionFinder(Contradicting{true, false, false, 1}, corners, arcs, 3).find(region),
+      !hsp::FreeRegionFinder(Contradicting{true, false, true, 1}, corners, arcs, 3).find(region),
+      // Two arcs of one circle with the same end.
+      !hsp::FreeRegionFinder(Contradicting{true, true, true, 1}, corners, arcs, 3).find(region)};
   return first_false(conditions);
 }
 

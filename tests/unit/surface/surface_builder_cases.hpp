@@ -23,7 +23,7 @@ inline uint32_t known_patches() {
     for (uint32_t v = 0; v < small_union().boundary().vertex_count(); ++v) area += surface.patch(v).area;
     const hsp::SurfaceCounts &counts = surface.counts();
     return near(area * 1e-16, c.concave, 2e-9) && counts.cut_patches == c.cut && counts.hidden_patches == c.hidden &&
-           counts.cusped_arcs == c.cusped && counts.rounded_patches == 0;
+           counts.cusped_arcs == c.cusped && counts.rounded_patches == 0 && counts.joints.open == 0;
   });
 }
 
@@ -34,14 +34,18 @@ inline uint32_t limits_to_retry_with() {
     bool suffices;
   };
   constexpr Limited limited[] = {
-      {{2, 1}, {2, 1}, true}, {{1, 1}, {2, 0}, false}, {{2, 0}, {2, 1}, false}, {{60, 30}, {2, 1}, true}};
+      {{2, 1, 2, 8, 0}, {2, 1, 2, 8, 0}, true},  {{1, 1, 2, 8, 0}, {2, 0, 0, 0, 0}, false},
+      {{2, 0, 2, 8, 0}, {2, 1, 0, 0, 0}, false}, {{2, 1, 1, 8, 0}, {2, 1, 2, 8, 0}, false},
+      {{2, 1, 2, 7, 0}, {2, 1, 2, 8, 0}, false}, {{60, 30, 9, 99, 0}, {2, 1, 2, 8, 0}, true}};
   return first_failing(limited, [](const Limited &c) {
     const bool built = small_surface().build(three_throat, c.limits);
     const hsp::SurfaceBuilder &builder = small_surface().builder();
     const hsp::SurfaceLimits retry = builder.retry_limits();
     return built == c.suffices && (built || small_surface().status() == hsp::Status::capacity) &&
            builder.needed().vertices == c.needed.vertices && builder.needed().neighbours == c.needed.neighbours &&
-           retry.vertices >= c.limits.vertices && retry.neighbours >= c.limits.neighbours;
+           builder.needed().pieces == c.needed.pieces && builder.needed().arcs == c.needed.arcs &&
+           builder.needed().cusped_circles == c.needed.cusped_circles && retry.vertices >= c.limits.vertices &&
+           retry.neighbours >= c.limits.neighbours;
   });
 }
 

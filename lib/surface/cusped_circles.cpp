@@ -1,0 +1,80 @@
+#include "surface/cusped_circles.hpp"
+
+#include "sphere/arc_geometry.hpp"
+#include "surface/saddle.hpp"
+
+namespace hsp {
+namespace {
+
+// Seen from the ball of lower rank, so that ids have no effect.
+bool circle_has_cusps(const BallSet &balls, uint32_t a, uint32_t b) {
+  const bool in_order = balls.ranks_before(a, b);
+  const CircleGeometry circle(balls, in_order ? a : b, in_order ? b : a);
+  const CircleGeometry seen_from_other(balls, in_order ? b : a, in_order ? a : b);
+  const double p = static_cast<double>(balls.probe_steps);
+  return has_cusps({p, 0.0, 0.0, circle.height, seen_from_other.height, circle.radius, 0.0, {}, {}});
+}
+
+}  // namespace
+
+void CuspedCircles::clear() {
+  circle_.clear();
+  first_whole_ = 0;
+  arcs_ = 0;
+}
+
+// The half-edges of a ball are sorted by their circles: those of one circle are neighbours.
+void CuspedCircles::find(const BallSet &balls, const Boundary &boundary) {
+  clear();
+  for (uint32_t i = 0; i < balls.n; ++i) {
+    uint32_t last = no_id;
+    bool has = false;
+    for (const uint32_t e : boundary.half_edges(i)) {
+      const uint32_t other = boundary.half_edge(e).circle;
+      if (other < i) continue;
+      if (other != last) {
+        has = circle_has_cusps(balls, i, other);
+        if (has) circle_.push({{i, other}, e});
+      }
+      last = other;
+      if (has) ++arcs_;
+    }
+  }
+  first_whole_ = clamped_count(required());
+  for (uint32_t c = 0; c < boundary.circle_count(); ++c) {
+    const CircleRecord &circle = boundary.circle(c);
+    if (circle_has_cusps(balls, circle.ball[0], circle.ball[1])) circle_.push({{circle.ball[0], circle.ball[1]}, c});
+  }
+}
+
+uint32_t CuspedCircles::of_arc(uint32_t a, uint32_t b) const {
+  uint32_t low = 0;
+  uint32_t high = first_whole_;
+  while (low < high) {
+    const uint32_t middle = low + (high - low) / 2;
+    if (circle_[middle].ball[0] < a) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  for (uint32_t k = low; k < first_whole_ && circle_[k].ball[0] == a; ++k) {
+    if (circle_[k].ball[1] == b) return k;
+  }
+  return no_id;
+}
+
+uint32_t CuspedCircles::of_circle(uint32_t circle) const {
+  for (uint32_t low = first_whole_, high = count(); low < high;) {
+    const uint32_t middle = low + (high - low) / 2;
+    if (circle_[middle].element == circle) return middle;
+    if (circle_[middle].element < circle) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return no_id;
+}
+
+}  // namespace hsp

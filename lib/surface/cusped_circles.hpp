@@ -1,0 +1,43 @@
+// Circles whose saddle patches reach their own axis (saddle.hpp). All arcs of such a circle share its two cusps.
+#pragma once
+
+#include "boundary/boundary.hpp"
+#include "core/workspace.hpp"
+
+namespace hsp {
+
+class CuspedCircles {
+ public:
+  // For at most so many circles.
+  void carve(Workspace &workspace, uint32_t circles) { circle_ = FixedVector(workspace.take<Circle>(circles)); }
+  void clear();
+  void find(const BallSet &balls, const Boundary &boundary);
+
+  // Their number, also if there is no room for all.
+  uint64_t required() const { return circle_.required(); }
+  uint32_t count() const { return circle_.size(); }
+  // Arcs on them, and of these circles those that are free as a whole.
+  uint32_t arcs() const { return arcs_; }
+  uint32_t whole_circles() const { return clamped_count(required()) - first_whole_; }
+
+  // The number of the circle of two balls a < b that has arcs, of a whole free circle; no_id if it has no cusps.
+  uint32_t of_arc(uint32_t a, uint32_t b) const;
+  uint32_t of_circle(uint32_t circle) const;
+  // A half-edge of the boundary on one of these circles, or the whole circle that it is.
+  LoopElement element(uint32_t k) const { return k < first_whole_ ? LoopElement::arc(circle_[k].element) : whole(k); }
+  // Its two balls, ascending.
+  uint32_t ball(uint32_t k, uint32_t side) const { return circle_[k].ball[side]; }
+
+ private:
+  struct Circle {
+    uint32_t ball[2];
+    uint32_t element;  // a half-edge on ball[0], or the circle
+  };
+  LoopElement whole(uint32_t k) const { return LoopElement::circle(ClosedHalfEdge(circle_[k].element, 0)); }
+
+  FixedVector<Circle> circle_;  // those with arcs by their first ball, then the whole ones by their numbers
+  uint32_t first_whole_ = 0;
+  uint32_t arcs_ = 0;
+};
+
+}  // namespace hsp

@@ -1,0 +1,84 @@
+// Concave patches that other probes cut: the pieces that are left of them, and the arcs that bound these. Patches that
+// are whole need no record: three sides between three corners.
+//
+//   vertex --pieces--> piece --arcs--> arc --next--> ... = one loop
+//
+// Arcs run counter-clockwise about the axis of the cap that cuts them out: seen from the probe's centre, which is
+// outside of the solid, the patch lies on their left. An arc is a part of a side of the patch, where a saddle patch
+// adjoins, or of a crease, where the patch of another probe does.
+//
+// A corner has the same number in all patches that meet there:
+//   3 v + t               of the patch of vertex v, at its ball number t; of the boundary, they are stored nowhere
+//   3 V + 2 k + s         the cusp of cusped circle k on the side of its ball number s
+//   3 V + 2 K + 0, 1 ...  where three creases meet
+// with V vertices and K cusped circles.
+#pragma once
+
+#include "core/id_range.hpp"
+#include "surface/region_pieces.hpp"
+
+namespace hsp {
+
+struct PatchPiece {
+  uint32_t vertex;
+  uint32_t first_arc;  // those of a piece are consecutive, and those of the next piece follow
+  double area;         // square steps
+  double volume;       // its term of the divergence theorem about the origin of the component, cubic steps
+};
+
+struct PatchArc {
+  uint32_t across;  // the vertex of the probe across the crease; or a side
+  uint32_t corner;  // where it starts; no_id for a whole circle
+  uint32_t next;    // in its loop; itself for a whole circle
+  uint32_t twin;    // of a crease, the arc of the other probe; else no_id
+  double angle;
+
+  static constexpr uint32_t side_bit = UINT32_C(1) << 31;
+  static constexpr uint32_t side(uint32_t slot) { return side_bit | slot; }
+  bool is_side() const { return (across & side_bit) != 0; }
+  // The ball of the vertex that the side is opposite to, as its number in the record of the vertex.
+  uint32_t slot() const { return across & ~side_bit; }
+};
+
+class CutPatches {
+ public:
+  void carve(Workspace &workspace, uint32_t vertices, uint32_t pieces, uint32_t arcs);
+
+  // All vertices are added in the order of their ids; a hidden patch as one piece without arcs.
+  void clear();
+  void begin_vertex(uint32_t vertex) { first_piece_[vertex] = pieces_.size(); }
+  void begin_piece(uint32_t vertex, double area, double volume);
+  void add_arc(uint32_t across, double angle, bool last_of_loop);
+  void finish(uint32_t vertices);
+
+  uint64_t required_pieces() const { return pieces_.required(); }
+  uint64_t required_arcs() const { return arcs_.required(); }
+  bool overflowed() const { return pieces_.overflowed() || arcs_.overflowed(); }
+
+  uint32_t piece_count() const { return pieces_.size(); }
+  uint32_t arc_count() const { return arcs_.size(); }
+  // None for a patch that is whole.
+  IdRange pieces(uint32_t vertex) const { return {first_piece_[vertex], first_piece_[vertex + 1]}; }
+  bool is_cut(uint32_t vertex) const { return first_piece_[vertex] < first_piece_[vertex + 1]; }
+  const PatchPiece &piece(uint32_t k) const { return pieces_[k]; }
+  IdRange arcs(uint32_t piece) const { return {first_arc(piece), first_arc(piece + 1)}; }
+  IdRange arcs_of_vertex(uint32_t vertex) const {
+    return {first_arc(first_piece_[vertex]), first_arc(first_piece_[vertex + 1])};
+  }
+  const PatchArc &arc(uint32_t k) const { return arcs_[k]; }
+  PatchArc &arc(uint32_t k) { return arcs_[k]; }
+  // The piece that an arc bounds.
+  uint32_t piece_of_arc(uint32_t arc) const;
+  // Where an arc ends.
+  uint32_t end_corner(uint32_t k) const { return arc(arc(k).next).corner; }
+
+ private:
+  uint32_t first_arc(uint32_t piece) const { return piece < pieces_.size() ? pieces_[piece].first_arc : arcs_.size(); }
+
+  Span<uint32_t> first_piece_;  // [vertices + 1]
+  FixedVector<PatchPiece> pieces_;
+  FixedVector<PatchArc> arcs_;
+  uint32_t loop_ = 0;  // first arc of the loop at hand
+};
+
+}  // namespace hsp

@@ -1,0 +1,136 @@
+#include "surface/patch_corners.hpp"
+
+namespace hsp {
+namespace {
+
+class Joiner {
+ public:
+  Joiner(const Boundary &boundary, const CuspedCircles &cusped, CutPatches &patches)
+      : boundary_(boundary),
+        cusped_(cusped),
+        patches_(patches),
+        first_cusp_(3 * boundary.vertex_count()),
+        first_crease_corner_(first_cusp_ + 2 * cusped.count()) {}
+
+  PatchJoints join() {
+    // A cusp is known by the corner at the other end of its side, so those come first; then the corners of three
+    // patches at the first of these, before the other two.
+    for_each_joint([this](uint32_t v, uint32_t before, uint32_t after) { number_own_corner(v, before, after); });
+    for_each_joint([this](uint32_t v, uint32_t before, uint32_t after) { number_cusp(v, before, after); });
+    for_each_joint([this](uint32_t v, uint32_t before, uint32_t after) { number_crease_corner(v, before, after); });
+    for_each_joint([this](uint32_t v, uint32_t before, uint32_t after) { find_crease_corner(v, before, after); });
+    // Every arc of a cusped circle has two ends, with both cusps at each.
+    const uint32_t expected = 4 * cusped_.arcs();
+    joints_.open += difference(cusps_, expected) + difference(met_, 2 * joints_.crease_corners);
+    for_each_arc([this](uint32_t v, uint32_t a) { find_twin(v, a); });
+    return joints_;
+  }
+
+ private:
+  static uint32_t difference(uint32_t a, uint32_t b) { return a < b ? b - a : a - b; }
+
+  template <class Visit>
+  void for_each_arc(Visit visit) {
+    for (uint32_t piece = 0; piece < patches_.piece_count(); ++piece) {
+      for (const uint32_t a : patches_.arcs(piece)) visit(patches_.piece(piece).vertex, a);
+    }
+  }
+  // Calls visit(vertex, arc, next arc), but not for whole circles.
+  template <class Visit>
+  void for_each_joint(Visit visit) {
+    for_each_arc([&](uint32_t v, uint32_t a) {
+      const uint32_t next = patches_.arc(a).next;
+      if (next != a) visit(v, a, next);
+    });
+  }
+
+  void number_own_corner(uint32_t v, uint32_t before, uint32_t after) {
+    PatchArc &arc = patches_.arc(after);
+    const PatchArc &last = patches_.arc(before);
+    if (last.is_side() && arc.is_side()) arc.corner = 3 * v + (3 - last.slot() - arc.slot());
+  }
+
+  void number_cusp(uint32_t v, uint32_t before, uint32_t after) {
+    PatchArc &arc = patches_.arc(after);
+    const PatchArc &last = patches_.arc(before);
+    if (last.is_side() == arc.is_side()) return;
+    const PatchArc &side = last.is_side() ? last : arc;
+    // The corner at the other end of this piece of the side.
+    const uint32_t corner = last.is_side() ? last.corner : patches_.arc(arc.next).corner;
+    const VertexRecord &vertex = boundary_.vertex(v);
+    const uint32_t a = side.slot() == 0 ? 1 : 0;
+    const uint32_t b = side.slot() == 2 ? 1 : 2;
+    const uint32_t circle = cusped_.of_arc(vertex.ball[a], vertex.ball[b]);
+    if (circle == no_id || corner >= first_cusp_) {
+      ++joints_.open;
+      return;
+    }
+    arc.corner = first_cusp_ + 2 * circle + (corner == 3 * v + a ? 0 : 1);
+    ++cusps_;
+  }
+
+  bool is_crease_corner(uint32_t before, uint32_t after) const {
+    return !patches_.arc(before).is_side() && !patches_.arc(after).is_side();
+  }
+
+  void number_crease_corner(uint32_t v, uint32_t before, uint32_t after) {
+    if (!is_crease_corner(before, after)) return;
+    PatchArc &arc = patches_.arc(after);
+    if (v < arc.across && v < patches_.arc(before).across) arc.corner = first_crease_corner_ + joints_.crease_corners++;
+  }
+
+  // Around the corner of three probes one comes after v and one before it: in the patch of v a loop arrives on the
+  // crease to the one before and leaves on that to the one after. So it does, in this order, in all three patches.
+  void find_crease_corner(uint32_t v, uint32_t before, uint32_t after) {
+    PatchArc &arc = patches_.arc(after);
+    if (!is_crease_corner(before, after) || arc.corner != no_id) return;
+    const uint32_t following = arc.across;
+    const uint32_t preceding = patches_.arc(before).across;
+    const bool owner_follows = following < preceding;
+    const uint32_t owner = owner_follows ? following : preceding;
+    const uint32_t arrive = owner_follows ? v : following;
+    const uint32_t leave = owner_follows ? preceding : v;
+    for (const uint32_t a : patches_.arcs_of_vertex(owner)) {
+      const uint32_t next = patches_.arc(a).next;
+      if (patches_.arc(a).across == arrive && patches_.arc(next).across == leave) {
+        arc.corner = patches_.arc(next).corner;
+        ++met_;
+        return;
+      }
+    }
+    ++joints_.open;
+  }
+
+  // A crease runs the other way in the patch across it.
+  void find_twin(uint32_t v, uint32_t a) {
+    PatchArc &arc = patches_.arc(a);
+    if (arc.is_side() || arc.twin != no_id) return;
+    for (const uint32_t b : patches_.arcs_of_vertex(arc.across)) {
+      PatchArc &other = patches_.arc(b);
+      if (other.across != v || other.twin != no_id || other.corner != patches_.end_corner(a) ||
+          patches_.end_corner(b) != arc.corner)
+        continue;
+      arc.twin = b;
+      other.twin = a;
+      ++joints_.creases;
+      return;
+    }
+    ++joints_.open;
+  }
+
+  const Boundary &boundary_;
+  const CuspedCircles &cusped_;
+  CutPatches &patches_;
+  const uint32_t first_cusp_, first_crease_corner_;
+  uint32_t cusps_ = 0;
+  uint32_t met_ = 0;
+  PatchJoints joints_;
+};
+
+}  // namespace
+
+PatchJoints join_patches(const Boundary &boundary, const CuspedCircles &cusped, CutPatches &patches) {
+  return Joiner(boundary, cusped, patches).join();
+}
+
+}  // namespace hsp
