@@ -2,8 +2,6 @@
 // only if its rounding up to cache lines does not hide it.
 #include <gtest/gtest.h>
 
-#include <vector>
-
 #include "boundary/boundary_builder.hpp"
 #include "built_boundary.hpp"
 
@@ -16,11 +14,8 @@ using hsp::BoundaryLimits;
 template <class Look>
 void with_builder(const BoundaryLimits &limits, Look look) {
   hsp::BoundaryBuilder builder;
-  hsp::Workspace measured;
-  builder.carve(measured, limits);
-  std::vector<unsigned char> memory(measured.bytes());
-  hsp::Workspace workspace(memory.data(), memory.size());
-  builder.carve(workspace, limits);
+  CarvedMemory memory;
+  memory.carve(builder, limits);
   look(builder);
 }
 

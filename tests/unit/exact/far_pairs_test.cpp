@@ -4,8 +4,8 @@
 
 #include <vector>
 
+#include "built_grid.hpp"
 #include "exact/lattice_ball.hpp"
-#include "model/cube_grid.hpp"
 #include "model/packing_statistics.hpp"
 
 namespace {
@@ -39,34 +39,29 @@ TEST(FarPairs, AreDisjointAlongEveryAxis) {
   }
 }
 
-double mean_overlaps(const std::vector<double> &xyz, const std::vector<double> &radius) {
-  const uint32_t n = static_cast<uint32_t>(radius.size());
-  hsp::CubeGrid grid;
-  hsp::Workspace measured;
-  grid.carve(measured, n);
-  std::vector<unsigned char> memory(measured.bytes());
-  hsp::Workspace workspace(memory.data(), memory.size());
-  grid.carve(workspace, n);
-  uint32_t first_bad = 0;
-  EXPECT_EQ(grid.build({n, xyz.data(), radius.data(), 0.0, 1.0}, first_bad), hsp::Status::ok);
-  return packing_statistics(grid).mean_overlaps;
+double mean_overlaps(const support::BallList &balls) {
+  BuiltGrid built(balls);
+  EXPECT_EQ(built.status(), hsp::Status::ok);
+  return packing_statistics(built.grid()).mean_overlaps;
 }
 
 // Two largest balls at the far sides of neighbouring cubes: 4 r - 1 apart along one axis, and along another by as much
 // as makes the sum of squares a small number modulo 2^64.
 TEST(FarPairs, InNeighbouringCubesDoNotOverlap) {
   const double side = 2.0 * static_cast<double>(largest_radius);
-  const std::vector<double> radius(2, static_cast<double>(largest_radius));
+  support::BallList pair;
+  pair.radius.assign(2, static_cast<double>(largest_radius));
   for (size_t axis = 0; axis < 3; ++axis) {
     for (const bool backwards : {false, true}) {
-      std::vector<double> xyz(6, 0.0);
+      std::vector<double> &xyz = pair.xyz;
+      xyz.assign(6, 0.0);
       xyz[axis] = backwards ? 2 * side - 1 : 0.0;
       xyz[3 + axis] = backwards ? 0.0 : 2 * side - 1;
       xyz[3 + (axis + 1) % 3] = 0x1p18;
-      EXPECT_EQ(mean_overlaps(xyz, radius), 0.0) << axis << ' ' << backwards;
+      EXPECT_EQ(mean_overlaps(pair), 0.0) << axis << ' ' << backwards;
       // The same pair close to each other does.
       xyz[axis] = xyz[3 + axis] = 0.0;
-      EXPECT_EQ(mean_overlaps(xyz, radius), 1.0);
+      EXPECT_EQ(mean_overlaps(pair), 1.0);
     }
   }
 }

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "built_grid.hpp"
 #include "expect_cases.hpp"
 
 TEST(NeighbourLists, Cases) {
@@ -35,19 +36,14 @@ TEST(NeighbourLists, OfCrowdedCubes) {
   cases::Random random(6);
   for (const int64_t extent : {3, 8, 20, 60}) {
     constexpr uint32_t n = 2000;
-    std::vector<double> xyz, radius;
+    support::BallList list;
     for (uint32_t i = 0; i < n; ++i) {
-      for (int axis = 0; axis < 3; ++axis) xyz.push_back(static_cast<double>(random.in(-extent, extent)));
-      radius.push_back(static_cast<double>(i == 77 ? 10 : random.in(0, 2)));
+      for (int axis = 0; axis < 3; ++axis) list.xyz.push_back(static_cast<double>(random.in(-extent, extent)));
+      list.radius.push_back(static_cast<double>(i == 77 ? 10 : random.in(0, 2)));
     }
-    hsp::CubeGrid grid;
-    hsp::Workspace measured;
-    grid.carve(measured, n);
-    std::vector<unsigned char> memory(measured.bytes());
-    hsp::Workspace workspace(memory.data(), memory.size());
-    grid.carve(workspace, n);
-    uint32_t first_bad = 0;
-    ASSERT_EQ(grid.build({n, xyz.data(), radius.data(), 0.0, 1.0}, first_bad), hsp::Status::ok);
+    BuiltGrid built(list);
+    ASSERT_EQ(built.status(), hsp::Status::ok);
+    hsp::CubeGrid &grid = built.grid();
     const Lists both = lists_of(grid, hsp::PairRows::both), smaller = lists_of(grid, hsp::PairRows::smaller);
     EXPECT_EQ(both.ids.size(), 2 * smaller.ids.size());
     grid.do_without_wide_code();

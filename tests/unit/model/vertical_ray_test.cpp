@@ -7,8 +7,9 @@
 #include <cmath>
 #include <optional>
 #include <tuple>
-#include <vector>
 
+#include "built_grid.hpp"
+#include "lattice_lengths.hpp"
 #include "random_balls.hpp"
 #include "root_sums.hpp"
 
@@ -16,30 +17,6 @@ namespace {
 
 using oracle::Balls;
 using oracle::LatticeBall;
-
-class Grid {
- public:
-  explicit Grid(const Balls &balls) {
-    const uint32_t n = static_cast<uint32_t>(balls.size());
-    std::vector<double> xyz, radius;
-    for (const LatticeBall &ball : balls) {
-      xyz.insert(xyz.end(), {static_cast<double>(ball.x), static_cast<double>(ball.y), static_cast<double>(ball.z)});
-      radius.push_back(static_cast<double>(ball.radius));
-    }
-    hsp::Workspace measured;
-    grid_.carve(measured, n);
-    memory_.resize(measured.bytes());
-    hsp::Workspace workspace(memory_.data(), memory_.size());
-    grid_.carve(workspace, n);
-    uint32_t first_bad = 0;
-    EXPECT_EQ(grid_.build({n, xyz.data(), radius.data(), 0.0, 1.0}, first_bad), hsp::Status::ok);
-  }
-  const hsp::CubeGrid &grid() const { return grid_; }
-
- private:
-  hsp::CubeGrid grid_;
-  std::vector<unsigned char> memory_;
-};
 
 struct Point {
   int64_t x, y, z;
@@ -89,7 +66,8 @@ bool is_tied(const Balls &balls, const Point &point, uint32_t first) {
 }
 
 // Nothing is asked of points in a ball.
-void check(const Balls &balls, const Grid &built, const Point &point, Seen &seen) {
+void check(const Balls &balls, const BuiltGrid &built, const Point &point, Seen &seen) {
+  ASSERT_EQ(built.status(), hsp::Status::ok);
   if (std::any_of(balls.begin(), balls.end(), [&](const LatticeBall &ball) { return contains(ball, point); })) return;
   int64_t highest = balls[0].z;
   for (const LatticeBall &ball : balls) highest = std::max(highest, ball.z);
@@ -128,7 +106,7 @@ void check_sets(uint64_t seed, int sets, Balls (*make)(oracle::RandomSource &, s
   oracle::RandomSource random(seed);
   for (int k = 0; k < sets; ++k) {
     const Balls balls = make(random, static_cast<std::size_t>(random.in(1, static_cast<std::int64_t>(most))));
-    const Grid built(balls);
+    const BuiltGrid built(oracle::in_lengths(balls, 1));
     for (int asked = 0; asked < 20; ++asked) check(balls, built, point_near(random, balls), seen);
   }
 }
@@ -153,7 +131,7 @@ TEST(FirstBallAbove, InColumns) {
     for (std::int64_t j = 0; j < n; ++j) {
       balls.push_back({random.in(-3, 3), random.in(-3, 3), random.in(0, 400), random.in(0, 6)});
     }
-    const Grid built(balls);
+    const BuiltGrid built(oracle::in_lengths(balls, 1));
     for (int asked = 0; asked < 20; ++asked) {
       check(balls, built, {random.in(-8, 8), random.in(-8, 8), random.in(-100, 420)}, seen);
     }
@@ -173,7 +151,7 @@ TEST(FirstBallAbove, BreaksTiesByRank) {
     Balls some = oracle::permuted(balls, random.permutation(balls.size()));
     some.resize(static_cast<std::size_t>(random.in(2, 6)));
     some.push_back({0, 0, 120, 6});
-    const Grid built(some);
+    const BuiltGrid built(oracle::in_lengths(some, 1));
     for (const int64_t z : {99, 90, 0, -1000, -1000000}) check(some, built, {0, 0, z}, seen);
   }
   EXPECT_EQ(seen.nothing, 0);
@@ -193,7 +171,7 @@ TEST(FirstBallAbove, AtTheEndsOfTheLattice) {
                              {x, y, 0, radius},
                              {-x, y, far, radius / 2},
                              {x, -y, far / 2, radius / 3}};
-        const Grid built(balls);
+        const BuiltGrid built(oracle::in_lengths(balls, 1));
         for (const int64_t dx : {-radius - 1, -radius, int64_t{0}, radius, radius + 1}) {
           for (const int64_t z : {-far, -far + radius, -far + radius + 1, -radius - 1, radius, radius + 1,
                                   far - radius - 1, far + radius, far + radius + 1}) {
@@ -216,7 +194,7 @@ TEST(FirstBallAbove, WithAsManyLayersAsCubes) {
       Balls balls;
       for (int64_t k = 0; k < cubes; ++k) balls.push_back({4, 4, 20 * k + 10, 10});
       balls.push_back({4, 4, 20 * (cubes - 1 + gap) + 10, 3});
-      const Grid built(balls);
+      const BuiltGrid built(oracle::in_lengths(balls, 1));
       for (int64_t z = -40; z <= 20 * (cubes + gap) + 10; z += 5) {
         for (const int64_t x : {4, 13, 14, 15}) check(balls, built, {x, 4, z}, seen);
       }

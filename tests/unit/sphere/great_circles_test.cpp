@@ -25,19 +25,10 @@ struct Seen {
 };
 
 // Memory for the caps of one ball.
-class Gathered {
- public:
-  explicit Gathered(uint32_t neighbours) {
-    hsp::Workspace measured;
-    ball.carve(measured, neighbours);
-    memory_.resize(measured.bytes());
-    hsp::Workspace workspace(memory_.data(), memory_.size());
-    ball.carve(workspace, neighbours);
-  }
+struct Gathered {
+  explicit Gathered(uint32_t neighbours) { memory.carve(ball, neighbours); }
+  CarvedMemory memory;
   hsp::GatheredBall ball;
-
- private:
-  std::vector<unsigned char> memory_;
 };
 
 using Arc = std::pair<uint32_t, uint32_t>;  // the balls it leaves and comes to

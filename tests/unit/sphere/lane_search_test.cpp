@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "boundary/boundary_builder.hpp"
+#include "built_grid.hpp"
 #include "degenerate_set.hpp"
 #include "lattice_lengths.hpp"
 #include "molecule_file.hpp"
@@ -33,16 +34,9 @@ void append_bytes(std::string &bytes, const T *items, size_t count) {
 class Builder {
  public:
   explicit Builder(const hsp::BoundaryLimits &limits) {
-    hsp::Workspace measured;
-    builder_.carve(measured, limits);
-    memory_.resize(measured.bytes());
-    hsp::Workspace workspace(memory_.data(), memory_.size());
-    builder_.carve(workspace, limits);
+    memory_.carve(builder_, limits);
     processor_has_it_ = builder_.lanes().enabled;
   }
-  ~Builder() { hsp::unpoison(memory_.data(), memory_.size()); }
-  Builder(const Builder &) = delete;
-  Builder &operator=(const Builder &) = delete;
 
   // All that the stages find, as bytes.
   std::string result(const hsp::CubeGrid &grid, const Stages &stages) {
@@ -72,47 +66,26 @@ class Builder {
   bool processor_has_it() const { return processor_has_it_; }
 
  private:
+  CarvedMemory memory_;
   hsp::BoundaryBuilder builder_;
-  std::vector<unsigned char> memory_;
   bool processor_has_it_ = false;
-};
-
-class Grid {
- public:
-  explicit Grid(const support::BallList &balls, double probe, double step) {
-    const uint32_t n = balls.size();
-    hsp::Workspace measured;
-    grid_.carve(measured, n);
-    memory_.resize(measured.bytes());
-    hsp::Workspace workspace(memory_.data(), memory_.size());
-    grid_.carve(workspace, n);
-    uint32_t first_bad = 0;
-    EXPECT_EQ(grid_.build({n, balls.xyz.data(), balls.radius.data(), probe, step}, first_bad), hsp::Status::ok);
-  }
-  ~Grid() { hsp::unpoison(memory_.data(), memory_.size()); }
-  Grid(const Grid &) = delete;
-  Grid &operator=(const Grid &) = delete;
-  const hsp::CubeGrid &operator*() const { return grid_; }
-
- private:
-  hsp::CubeGrid grid_;
-  std::vector<unsigned char> memory_;
 };
 
 // Limits from such that hardly anything fits to ample ones.
 uint32_t expect_same_results(const std::string &name, const support::BallList &balls, double probe, double step) {
   const uint32_t n = balls.size();
-  const Grid grid(balls, probe, step);
+  const BuiltGrid built(balls, probe, step);
+  EXPECT_EQ(built.status(), hsp::Status::ok);
   uint32_t vertices = 0;
   for (const hsp::BoundaryLimits &limits :
        {hsp::BoundaryLimits{n, 1, 2, 1}, hsp::BoundaryLimits{n, 7, 10, 3}, hsp::BoundaryLimits{n, n, 3, n},
         hsp::BoundaryLimits{n, n, 24 * n, 4 * n}}) {
     Builder builder(limits);
     if (!builder.processor_has_it()) return 0;
-    const std::string expected = builder.result(*grid, scalar);
+    const std::string expected = builder.result(built.grid(), scalar);
     vertices = builder.vertices();
     for (const Stages &stages : ways) {
-      EXPECT_EQ(expected == builder.result(*grid, stages), true)
+      EXPECT_EQ(expected == builder.result(built.grid(), stages), true)
           << name << ", probe " << probe << ", neighbours " << limits.neighbours << ", floats " << stages.floats
           << ", doubles " << stages.doubles;
     }

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <vector>
 
+#include "carved_memory.hpp"
 #include "random_balls.hpp"
 #include "sphere/caps.hpp"
 
@@ -25,11 +26,7 @@ class BothWays {
     set_.n = n;
     for (uint32_t i = 0; i < n; ++i) set_.store(i, balls[i]);
     for (int way = 0; way < 2; ++way) {
-      hsp::Workspace measured;
-      caps_[way].carve(measured, capacity);
-      memory_[way].resize(measured.bytes());
-      hsp::Workspace workspace(memory_[way].data(), memory_[way].size());
-      caps_[way].carve(workspace, capacity);
+      memory_[way].carve(caps_[way], capacity);
       parent_[way].resize(n);
       components_[way] = hsp::DisjointSets({parent_[way].data(), n});
       components_[way].reset();
@@ -37,11 +34,6 @@ class BothWays {
     caps_[0].wide = false;
     caps_[1].wide = true;
   }
-  ~BothWays() {
-    for (std::vector<unsigned char> &memory : memory_) hsp::unpoison(memory.data(), memory.size());
-  }
-  BothWays(const BothWays &) = delete;
-  BothWays &operator=(const BothWays &) = delete;
 
   // The caps of all balls, with the balls in two ranges.
   void expect_same(uint32_t first_range_ends) {
@@ -86,7 +78,7 @@ class BothWays {
   hsp::Caps caps_[2];
   hsp::DisjointSets components_[2];
   std::vector<uint32_t> parent_[2];
-  std::vector<unsigned char> memory_[2];
+  CarvedMemory memory_[2];
 };
 
 struct Family {

@@ -2,19 +2,18 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "boundary/boundary_builder.hpp"
+#include "built_grid.hpp"
 #include "lattice_ball.hpp"
-#include "model/cube_grid.hpp"
 
 class BuiltBoundary {
  public:
   // Lattice step 1, so that the numbers stand for themselves.
   explicit BuiltBoundary(const oracle::Balls &balls);
 
-  const hsp::CubeGrid &grid() const { return grid_; }
-  const hsp::BallSet &balls() const { return grid_.balls(); }
+  const hsp::CubeGrid &grid() const { return built_.grid(); }
+  const hsp::BallSet &balls() const { return grid().balls(); }
   const hsp::Boundary &boundary() const { return builder_.boundary(); }
   // The arrays behind it, to be broken.
   hsp::BoundaryArrays &arrays() { return builder_.arrays(); }
@@ -23,12 +22,12 @@ class BuiltBoundary {
   // Most balls that meet any one ball.
   uint32_t neighbours() const { return builder_.needed().neighbours; }
   // The id in the grid's order of the ball that was given as number `caller`.
-  uint32_t grid_index(uint32_t caller) const { return grid_.grid_index(caller); }
+  uint32_t grid_index(uint32_t caller) const { return grid().grid_index(caller); }
   hsp::Status status() const { return status_; }
 
  private:
-  hsp::CubeGrid grid_;
+  BuiltGrid built_;
+  CarvedMemory memory_;
   hsp::BoundaryBuilder builder_;
-  std::vector<unsigned char> grid_memory_, boundary_memory_;
   hsp::Status status_ = hsp::Status::ok;
 };

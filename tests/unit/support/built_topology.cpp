@@ -12,11 +12,7 @@ void BuiltTopology::build() {
   if (status_ != hsp::Status::ok) return;
   hsp::TopologyLimits limits;
   for (int attempt = 0; attempt < 4; ++attempt) {
-    hsp::Workspace measured;
-    builder_.carve(measured, limits);
-    memory_ = std::vector<unsigned char>(measured.bytes());
-    hsp::Workspace workspace(memory_.data(), memory_.size());
-    builder_.carve(workspace, limits);
+    memory_.carve(builder_, limits);
     status_ = builder_.build(grid(), boundary(), boundary_.neighbours());
     if (status_ != hsp::Status::capacity) break;
     const hsp::TopologyLimits &needed = builder_.needed();

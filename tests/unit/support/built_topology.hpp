@@ -24,8 +24,8 @@ class BuiltTopology {
   void build();
 
   BuiltBoundary boundary_;
+  CarvedMemory memory_;
   hsp::TopologyBuilder builder_;
   hsp::Topology structure_;
-  std::vector<unsigned char> memory_;
   hsp::Status status_ = hsp::Status::ok;
 };

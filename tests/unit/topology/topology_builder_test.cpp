@@ -16,11 +16,8 @@ using hsp::TopologyLimits;
 template <class Look>
 void with_structure(const TopologyLimits &limits, Look look) {
   Topology structure;
-  hsp::Workspace measured;
-  structure.carve(measured, limits);
-  std::vector<unsigned char> memory(measured.bytes());
-  hsp::Workspace workspace(memory.data(), memory.size());
-  structure.carve(workspace, limits);
+  CarvedMemory memory;
+  memory.carve(structure, limits);
   look(structure);
 }
 

@@ -1,0 +1,29 @@
+// Memory for one object that is carved out of a workspace, of the size that it asks for.
+#pragma once
+
+#include <vector>
+
+#include "core/poison.hpp"
+#include "core/workspace.hpp"
+
+class CarvedMemory {
+ public:
+  CarvedMemory() = default;
+  ~CarvedMemory() { hsp::unpoison(memory_.data(), memory_.size()); }
+  CarvedMemory(const CarvedMemory &) = delete;
+  CarvedMemory &operator=(const CarvedMemory &) = delete;
+
+  // What was carved before loses its memory.
+  template <class Carved, class... Limits>
+  void carve(Carved &carved, const Limits &...limits) {
+    hsp::unpoison(memory_.data(), memory_.size());
+    hsp::Workspace measured;
+    carved.carve(measured, limits...);
+    memory_.assign(measured.bytes(), 0);
+    hsp::Workspace workspace(memory_.data(), memory_.size());
+    carved.carve(workspace, limits...);
+  }
+
+ private:
+  std::vector<unsigned char> memory_;
+};
