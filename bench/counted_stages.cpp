@@ -46,6 +46,11 @@ void count_stages(const bench::Balls &balls, const Surface &surface) {
   count("boundary", balls, surface, [&] { boundary.compute(); });
   count("measure", balls, surface, [&] { boundary.measure(); });
   count("gradient", balls, surface, [&] { boundary.gradient(); });
+  if (surface.probe != 0) {
+    bench::SmoothSurface smooth(boundary);
+    count("surface", balls, surface, [&] { smooth.compute(); });
+    count("surface_measure", balls, surface, [&] { smooth.measure(); });
+  }
   bench::Topology topology(boundary);
   count("topology", balls, surface, [&] { topology.compute(); });
   const std::vector<double> outside = random_points_near_surface(model, model.size());

@@ -65,6 +65,32 @@ hsp_boundary_counts Boundary::counts() const {
   return counts;
 }
 
+SmoothSurface::SmoothSurface(const Boundary &boundary) : boundary_(&boundary), balls_(boundary.model().size()) {
+  surface_.take(support::surface_limits_for(boundary.get()));
+  compute();
+  surface_.take(surface_.needed());
+  compute();
+}
+
+void SmoothSurface::compute() {
+  surface_.compute([this](hsp_surface *surface, hsp_surface_limits *limits) {
+    return hsp_surface_compute(surface, boundary_->get(), limits);
+  });
+}
+
+hsp_surface_totals SmoothSurface::measure() {
+  hsp_surface_totals totals{};
+  expect_ok(hsp_surface_measure(surface_.get(), &totals, balls_.data(), static_cast<uint32_t>(balls_.size()), nullptr),
+            "hsp_surface_measure");
+  return totals;
+}
+
+hsp_surface_counts SmoothSurface::counts() const {
+  hsp_surface_counts counts{};
+  expect_ok(hsp_surface_get_counts(surface_.get(), &counts), "hsp_surface_get_counts");
+  return counts;
+}
+
 Topology::Topology(const Boundary &boundary) : boundary_(&boundary) {
   topology_.take(support::topology_limits_for(boundary.get()));
   compute();

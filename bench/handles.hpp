@@ -1,4 +1,4 @@
-// hsp_model, hsp_boundary and hsp_topology in memory of their own, for the benchmarks.
+// hsp_model, hsp_boundary, hsp_surface and hsp_topology in memory of their own, for the benchmarks.
 //
 // Memory is taken before anything is timed, written once so that its pages are there, and used again by every
 // iteration: what the library asks of its users is what is timed.
@@ -70,6 +70,24 @@ class Boundary {
   std::vector<double> by_centre_;
   std::vector<double> by_radius_;
   support::OwnedBoundary boundary_;
+};
+
+// The solvent-excluded surface over a boundary.
+class SmoothSurface {
+ public:
+  // Makes room for exactly what this computed boundary needs, and computes it.
+  explicit SmoothSurface(const Boundary &boundary);
+
+  void compute();
+  // Areas and volume, of every ball and in total.
+  hsp_surface_totals measure();
+  hsp_surface_counts counts() const;
+  size_t bytes() const { return surface_.bytes(); }
+
+ private:
+  const Boundary *boundary_;
+  std::vector<hsp_surface_totals> balls_;
+  support::OwnedSurface surface_;
 };
 
 class Topology {

@@ -56,12 +56,16 @@ set(HSP_LIBRARY_SOURCES
   lib/surface/covered_gaps.cpp
   lib/surface/cusped_circles.cpp
   lib/surface/cut_patches.cpp
+  lib/surface/near_probes.cpp
+  lib/surface/near_probes_avx2.cpp
   lib/surface/patch_corners.cpp
   lib/surface/probe_caps.cpp
   lib/surface/probe_grid.cpp
   lib/surface/region_pieces.cpp
   lib/surface/surface_areas.cpp
   lib/surface/surface_builder.cpp
+  lib/surface/triangle_kernel.cpp
+  lib/surface/triangle_kernel_avx2.cpp
   lib/view/depth_buffer.cpp
   lib/view/depth_order.cpp
   lib/view/depth_rows.cpp

@@ -1182,7 +1182,7 @@ contains
   pure function hsp_surface_bytes_bound(vertices, neighbours, pieces, arcs, cusped_circles) result(bytes)
     integer(c_int32_t), intent(in) :: vertices, neighbours, pieces, arcs, cusped_circles
     integer(c_size_t) :: bytes
-    bytes = 6144_c_size_t + 80_c_size_t*int(vertices, c_size_t) + 1152_c_size_t*int(neighbours, c_size_t) &
+    bytes = 8192_c_size_t + 80_c_size_t*int(vertices, c_size_t) + 1152_c_size_t*int(neighbours, c_size_t) &
             + 24_c_size_t*int(pieces, c_size_t) + 24_c_size_t*int(arcs, c_size_t) &
             + 12_c_size_t*int(cusped_circles, c_size_t)
   end function

@@ -58,7 +58,7 @@ HSP_API int32_t hsp_surface_bytes(const hsp_surface_limits *limits, size_t *byte
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
 #define HSP_SURFACE_BYTES(vertices, neighbours, pieces, arcs, cusped_circles)             \
-  ((size_t)6144 + (size_t)80 * (size_t)(vertices) + (size_t)1152 * (size_t)(neighbours) + \
+  ((size_t)8192 + (size_t)80 * (size_t)(vertices) + (size_t)1152 * (size_t)(neighbours) + \
    (size_t)24 * (size_t)(pieces) + (size_t)24 * (size_t)(arcs) + (size_t)12 * (size_t)(cusped_circles))
 
 /** Make an empty surface in caller memory of any alignment; sets *surface.

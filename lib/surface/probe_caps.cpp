@@ -15,6 +15,12 @@ double squared(const Vec3 &a) {
   return dot(a, a);
 }
 
+void to_floats(const Vec3 &a, float (&floats)[3]) {
+  floats[0] = static_cast<float>(a.x);
+  floats[1] = static_cast<float>(a.y);
+  floats[2] = static_cast<float>(a.z);
+}
+
 }  // namespace
 
 void ProbeCaps::carve(Workspace &workspace, uint32_t neighbours) {
@@ -26,36 +32,33 @@ ProbeState ProbeCaps::gather(const BallSet &balls, const Boundary &boundary, con
   vertex_ = vertex;
   others_.clear();
   for (bool &known : gap_known_) known = false;
-  find_sides(balls, boundary, grid);
+  measure_sides(balls, boundary, grid);
   if (whole_steradians_ == 0.0) return ProbeState::hidden;
 
-  const double diameter = 2 * static_cast<double>(balls.probe_steps);
-  const double coincident = 0.5 * diameter * coincident_distance;
-  const uint32_t component = boundary.component(ball_[0]);
-  bool hidden = false;
-  grid.visit_around(balls, vertex, [&](uint32_t other) {
-    if (other == vertex) return;
-    const Vec3 to = grid.difference(balls, vertex, other);
-    const double square = squared(to);
-    if (square >= diameter * diameter) return;
-    const VertexRecord &record = boundary.vertex(other);
-    // Vertices of other components cut nothing that those of this one do not (PROOFS.md, section 5).
-    if (boundary.component(record.ball[0]) != component) return;
-    const bool is_coincident = square < coincident * coincident;
-    const Rule rule = same_circle_rule(balls, boundary, other, is_coincident);
-    if (rule == Rule::hide) hidden = true;
-    if (rule != Rule::keep || is_coincident) return;
-    const double distance = std::sqrt(square);
-    const Vec3 axis = (1.0 / distance) * to;
-    const double height = distance / diameter;
-    // The cap may lie outside of one side, which leaves the triangle as it is.
-    const double reach = std::sqrt((1.0 - height) * (1.0 + height)) + 0x1p-30;
-    for (const Vec3 &inward : inward_) {
-      if (dot(axis, inward) < -reach) return;
+  hidden_ = false;
+  ProbeSearch search;
+  grid.start_search(balls, vertex, search);
+  for (int k = 0; k < 3; ++k) {
+    to_floats(triangle_.inward[k], search.inward[k]);
+    to_floats(triangle_.corner[k], search.corner[k]);
+    search.cosine[k] = static_cast<float>(triangle_.cosine[k]);
+  }
+  uint32_t found[ProbeSearch::room + ProbeSearch::spare];
+  while (!search.done()) {
+    uint32_t count;
+#if HSP_AVX2
+    if (boundary.has_wide_code()) {
+      count = find_near_probes_avx2(search, found);
+    } else
+#endif
+    {
+      count = find_near_probes(search, found);
     }
-    others_.push({axis, height, distance, other});
-  });
-  if (hidden) return ProbeState::hidden;
+    for (uint32_t k = 0; k < count; ++k) {
+      if (found[k] != vertex) take(balls, boundary, grid, found[k]);
+    }
+  }
+  if (hidden_) return ProbeState::hidden;
   if (others_.required() == 0) return ProbeState::whole;
   if (others_.overflowed()) return ProbeState::crossed;
 
@@ -72,42 +75,84 @@ ProbeState ProbeCaps::gather(const BallSet &balls, const Boundary &boundary, con
   return ProbeState::crossed;
 }
 
-// The directions d of the three balls, and with their cosines, which are exact but for rounding, and the discriminant
-//   tan(area / 2) = det(d1, d2, d3) / (1 + d1.d2 + d2.d3 + d3.d1)        (Van Oosterom, Strackee 1983)
-// where 2 R1 R2 R3 det = sqrt(D). A circle of radius 0 leaves no area: two directions are opposite.
-void ProbeCaps::find_sides(const BallSet &balls, const Boundary &boundary, const ProbeGrid &grid) {
-  const OrderedVertex ordered =
-      in_order(boundary.vertex(vertex_), [&balls](uint32_t a, uint32_t b) { return balls.ranks_before(a, b); });
-  const Position &position = grid.position(vertex_);
-  Vec3 d[3];
-  double R[3];
-  for (int k = 0; k < 3; ++k) {
-    ball_[k] = ordered.ball[k];
-    R[k] = balls.r[ball_[k]];
-    d[k] = (1.0 / R[k]) * (balls.difference(position.ball, ball_[k]) - position.offset);
+// What a search has found is decided here, whatever the search made sure of.
+void ProbeCaps::take(const BallSet &balls, const Boundary &boundary, const ProbeGrid &grid, uint32_t other) {
+  const double diameter = 2 * static_cast<double>(balls.probe_steps);
+  const double coincident = 0.5 * diameter * coincident_distance;
+  const Vec3 to = grid.difference(balls, vertex_, other);
+  const double square = squared(to);
+  if (square >= diameter * diameter) return;
+  // Vertices of other components cut nothing that those of this one do not (PROOFS.md, section 5).
+  if (boundary.component(boundary.vertex(other).ball[0]) != boundary.component(boundary.vertex(vertex_).ball[0]))
+    return;
+  if (square < coincident * coincident) {
+    if (same_circle_rule(balls, boundary, other, true) == Rule::hide) hidden_ = true;
+    return;
   }
-  const double root = boundary.root_discriminant(vertex_);
-  double denominator = 2 * R[0] * R[1] * R[2];
-  whole_steradians_ = 0.0;
-  whole_vector_area_ = {0.0, 0.0, 0.0};
-  side_error_ = 0.0;
+  const double distance = std::sqrt(square);
+  const Vec3 axis = (1.0 / distance) * to;
+  const double height = distance / diameter;
+  const double error = 2 * vertex_error * static_cast<double>(balls.largest_radius) / distance;
+  if (misses(axis, height, error + side_error_ + 0x1p-30)) return;
+  if (same_circle_rule(balls, boundary, other, false) == Rule::drop) return;
+  others_.push({axis, height, distance, other});
+}
+
+// Whether the cap leaves the triangle as it is, for certain (near_probes.hpp).
+bool ProbeCaps::misses(const Vec3 &axis, double height, double error) const {
+  const Triangle &t = triangle_;
+  const double above[3] = {dot(axis, t.inward[0]), dot(axis, t.inward[1]), dot(axis, t.inward[2])};
+  if (above[0] > -error && above[1] > -error && above[2] > -error) return false;
+  const double reach = std::sqrt((1.0 - height) * (1.0 + height)) + error;
   for (int k = 0; k < 3; ++k) {
-    const int a = (k + 1) % 3;
-    const int b = (k + 2) % 3;
-    const double twice_cosine = R[a] * R[a] + R[b] * R[b] - squared(balls.difference(ball_[a], ball_[b]));
-    denominator += R[k] * twice_cosine;
-    // The vertex lies on the side of the balls' plane that its sign gives, so the triple product has the opposite sign.
-    const Vec3 normal = ordered.sign > 0 ? cross(d[b], d[a]) : cross(d[a], d[b]);
-    const double sine = std::sqrt(squared(normal));
-    if (sine == 0.0) return;
-    inward_[k] = (1.0 / sine) * normal;
-    const double error = vertex_error * static_cast<double>(balls.largest_radius) * (1.0 / R[a] + 1.0 / R[b]) / sine;
-    if (error > side_error_) side_error_ = error;
-    const double angle = arc_tangent(sine, dot(d[a], d[b]));
-    whole_vector_area_ = combine(1.0, whole_vector_area_, 0.5 * angle, inward_[k]);
+    if (above[k] > error || above[k] < -reach) continue;
+    const double a = dot(axis, t.corner[(k + 1) % 3]);
+    const double b = dot(axis, t.corner[(k + 2) % 3]);
+    if (b - t.cosine[k] * a > -2 * error && a - t.cosine[k] * b > -2 * error) return false;
   }
-  const double half = arc_tangent(root, denominator);
-  whole_steradians_ = 2 * half;
+  return true;
+}
+
+void ProbeCaps::measure_sides(const BallSet &balls, const Boundary &boundary, const ProbeGrid &grid) {
+  const uint32_t lane = vertex_ % ProbeTriangles::lanes;
+  const uint32_t first = vertex_ - lane;
+  if (measured_ != first || grid_ != &grid || build_ != grid.builds()) {
+    gather_triangles(balls, boundary, first, triangles_);
+    for (uint32_t k = 0; k < ProbeTriangles::lanes; ++k) {
+      const uint32_t v = first + k < boundary.vertex_count() ? first + k : boundary.vertex_count() - 1;
+      const Vec3 &offset = grid.position(v).offset;
+      triangles_.offset[0][k] = offset.x;
+      triangles_.offset[1][k] = offset.y;
+      triangles_.offset[2][k] = offset.z;
+    }
+#if HSP_AVX2
+    if (boundary.has_wide_code()) {
+      measure_triangles_avx2(arrays_of(balls), triangles_);
+    } else
+#endif
+    {
+      measure_triangles(arrays_of(balls), triangles_);
+    }
+    measured_ = first;
+    grid_ = &grid;
+    build_ = grid.builds();
+  }
+  read_triangle(lane);
+  side_error_ = vertex_error * static_cast<double>(balls.largest_radius) * triangles_.side_error[lane];
+}
+
+void ProbeCaps::read_triangle(uint32_t lane) {
+  const auto vector = [lane](const double(&a)[3][ProbeTriangles::lanes]) {
+    return Vec3{a[0][lane], a[1][lane], a[2][lane]};
+  };
+  for (int k = 0; k < 3; ++k) {
+    triangle_.corner[k] = vector(triangles_.corner[k]);
+    triangle_.inward[k] = vector(triangles_.inward[k]);
+    triangle_.cosine[k] = triangles_.cosine[k][lane];
+  }
+  const double steradians = triangles_.steradians[lane];
+  whole_steradians_ = steradians > 0.0 ? steradians : 0.0;
+  whole_vector_area_ = vector(triangles_.vector_area);
 }
 
 // All bisector planes between vertices of one circle contain its axis, and the circles in which they cut the probe's
@@ -172,7 +217,7 @@ void ProbeCaps::store_caps() {
     caps_.b[count] = height;
     caps_.ball[count++] = vertex;
   };
-  for (const Vec3 &inward : inward_) store(-inward, 0.0, no_id);
+  for (const Vec3 &inward : triangle_.inward) store(-inward, 0.0, no_id);
   for (const Other &other : others_.items().part(0, kept_)) store(other.axis, other.height, other.vertex);
   caps_.count = count;
 }

@@ -10,8 +10,9 @@ namespace hsp {
 
 // Vertices closer than this, in units of p, count as one point: the direction from one to the other is noise.
 inline constexpr double coincident_distance = 0x1p-25;
-// The error of a vertex's position in units of the largest radius: 100e L (sphere/arc_geometry.hpp), L <= 2 r_max.
-inline constexpr double vertex_error = 200 * unit_roundoff;
+// The error of a vertex's position in units of the largest radius: 377e where doubles serve (triangle_kernel.hpp), else
+// 100e L (sphere/arc_geometry.hpp), L <= 2 r_max.
+inline constexpr double vertex_error = 400 * unit_roundoff;
 
 enum class ProbeState : uint8_t { whole, crossed, hidden };
 
@@ -29,7 +30,7 @@ class ProbeCaps {
   Caps &caps() { return caps_; }
   static constexpr uint32_t sides = 3;  // caps 0, 1, 2
   // The ball of the vertex that a side is opposite to.
-  uint32_t ball_opposite(uint32_t side) const { return ball_[side]; }
+  uint32_t ball_opposite(uint32_t side) const { return triangles_.ball[side][vertex_ % ProbeTriangles::lanes]; }
 
   // How much larger the errors of the caps are than sphere/caps.hpp has them.
   double amplification() const { return amplification_; }
@@ -46,7 +47,17 @@ class ProbeCaps {
   };
   enum class Rule : uint8_t { keep, drop, hide };
 
-  void find_sides(const BallSet &balls, const Boundary &boundary, const ProbeGrid &grid);
+  // One triangle of four.
+  struct Triangle {
+    Vec3 corner[3];    // unit vectors towards the balls, by rank
+    Vec3 inward[3];    // unit normal of the side opposite ball k, on its side
+    double cosine[3];  // of its length
+  };
+
+  void measure_sides(const BallSet &balls, const Boundary &boundary, const ProbeGrid &grid);
+  void read_triangle(uint32_t lane);
+  void take(const BallSet &balls, const Boundary &boundary, const ProbeGrid &grid, uint32_t other);
+  bool misses(const Vec3 &axis, double height, double error) const;
   Rule same_circle_rule(const BallSet &balls, const Boundary &boundary, uint32_t other, bool coincident);
   void find_gap(const BallSet &balls, const Boundary &boundary, uint32_t slot);
   void sort_and_merge(double merge_distance);
@@ -61,12 +72,18 @@ class ProbeCaps {
 
   // Of the vertex at hand.
   uint32_t vertex_ = no_id;
-  uint32_t ball_[3];  // by rank
-  Vec3 inward_[3];    // unit normal of the side opposite ball k, on its side
+  Triangle triangle_;
   double side_error_ = 0.0;
+  bool hidden_ = false;
   bool gap_known_[3];   // of the half-edge on ball k of the vertex's record
   uint32_t across_[3];  // the vertex at the other end of the gap behind it
   uint32_t gap_edge_[3];
+
+  // Of four vertices from `measured_` on, of this grid.
+  ProbeTriangles triangles_;
+  const ProbeGrid *grid_ = nullptr;
+  uint32_t build_ = 0;
+  uint32_t measured_ = no_id;
 };
 
 }  // namespace hsp

@@ -1,56 +1,170 @@
 #include "surface/probe_grid.hpp"
 
 #include "core/decimal.hpp"
-#include "model/cube_grid.hpp"
+#include "sphere/caps.hpp"
 
 namespace hsp {
 namespace {
 
-// Neighbouring cubes differ by at most 2 in each coordinate.
-constexpr bool tells_neighbours_apart() {
+constexpr uint32_t spare_probes = 7;
+constexpr uint32_t least_buckets = 128;
+
+// B and C above: in steps of 1 the rows are far enough apart within 128 buckets, and high bits spread them.
+constexpr uint64_t step_y = (UINT64_C(0x9E3779B97F4A7C15) & ~UINT64_C(127)) + 5;
+constexpr uint64_t step_z = (UINT64_C(0xC2B2AE3D27D4EB4F) & ~UINT64_C(127)) + 25;
+
+constexpr bool keeps_rows_apart() {
   for (int64_t z = -2; z <= 2; ++z) {
     for (int64_t y = -2; y <= 2; ++y) {
-      for (int64_t x = -2; x <= 2; ++x) {
-        const bool same = x == 0 && y == 0 && z == 0;
-        if (!same && static_cast<uint32_t>(linear_hash({x, y, z})) == 0) return false;
-      }
+      const uint64_t step = (static_cast<uint64_t>(y) * step_y + static_cast<uint64_t>(z) * step_z) % least_buckets;
+      if ((y != 0 || z != 0) && (step < 3 || step > least_buckets - 3)) return false;
     }
   }
   return true;
 }
-static_assert(tells_neighbours_apart());
+static_assert(keeps_rows_apart());
 
-uint64_t buckets_for(uint32_t vertices) {
-  uint64_t buckets = 1;
+uint32_t buckets_for(uint32_t vertices) {
+  uint64_t buckets = least_buckets;
   while (buckets < vertices) buckets *= 2;
-  return buckets;
+  return static_cast<uint32_t>(buckets);
+}
+
+int64_t floor_of(double x) {
+  const int64_t truncated = static_cast<int64_t>(x);
+  return truncated - static_cast<int64_t>(static_cast<double>(truncated) > x);
+}
+
+void widen(double x, double &low, double &high) {
+  low = x < low ? x : low;
+  high = x > high ? x : high;
+}
+
+// By rank, mostly without branches: which of three balls comes first cannot be predicted.
+OrderedVertex in_order_of_rank(const BallSet &balls, const VertexRecord &vertex) {
+  uint32_t ball[3] = {vertex.ball[0], vertex.ball[1], vertex.ball[2]};
+  double x[3] = {balls.x[ball[0]], balls.x[ball[1]], balls.x[ball[2]]};
+  if (x[0] == x[1] || x[1] == x[2] || x[0] == x[2]) [[unlikely]] {
+    return in_order(vertex, [&balls](uint32_t a, uint32_t b) { return balls.ranks_before(a, b); });
+  }
+  uint32_t exchanges = vertex.positive() ? 0 : 1;
+  const auto order = [&](int a, int b) {
+    const bool exchange = x[b] < x[a];
+    const uint32_t mask = 0U - static_cast<uint32_t>(exchange);
+    const uint32_t difference = (ball[a] ^ ball[b]) & mask;
+    ball[a] ^= difference;
+    ball[b] ^= difference;
+    const double smaller = exchange ? x[b] : x[a];
+    x[b] = exchange ? x[a] : x[b];
+    x[a] = smaller;
+    exchanges += static_cast<uint32_t>(exchange);
+  };
+  order(0, 1);
+  order(1, 2);
+  order(0, 1);
+  return {{ball[0], ball[1], ball[2]}, 1 - 2 * static_cast<int>(exchanges & 1U)};
 }
 
 }  // namespace
 
-void ProbeGrid::carve(Workspace &workspace, uint32_t vertices) {
-  position_ = workspace.take<Position>(vertices);
-  first_ = workspace.take<uint32_t>(buckets_for(vertices) + 1);
-  entry_ = workspace.take<Entry>(vertices);
+void gather_triangles(const BallSet &balls, const Boundary &boundary, uint32_t first, ProbeTriangles &triangles) {
+  const uint32_t last = boundary.vertex_count() - 1;
+  for (uint32_t lane = 0; lane < ProbeTriangles::lanes; ++lane) {
+    const uint32_t v = first + lane < last ? first + lane : last;
+    const OrderedVertex ordered = in_order_of_rank(balls, boundary.vertex(v));
+    for (int k = 0; k < 3; ++k) triangles.ball[k][lane] = ordered.ball[k];
+    triangles.sign[lane] = ordered.sign;
+    triangles.root_discriminant[lane] = boundary.root_discriminant(v);
+  }
 }
 
-// Coordinates below 2^51 are rounded by less than a step, which the side allows for.
-CubeCoordinates ProbeGrid::cube_of(const BallSet &balls, uint32_t v) const {
-  const Position &p = position_[v];
-  return CubeGrid::cube_at({nearest(balls.x[p.ball] + p.offset.x), nearest(balls.y[p.ball] + p.offset.y),
-                            nearest(balls.z[p.ball] + p.offset.z)},
-                           side_);
+void ProbeGrid::carve(Workspace &workspace, uint32_t vertices) {
+  position_ = workspace.take<Position>(vertices);
+  bucket_ = workspace.take<uint32_t>(vertices);
+  first_ = workspace.take<uint32_t>(uint64_t{buckets_for(vertices)} + 1);
+  const uint64_t with_spares = uint64_t{vertices} + spare_probes;
+  x_ = workspace.take<float>(with_spares);
+  y_ = workspace.take<float>(with_spares);
+  z_ = workspace.take<float>(with_spares);
+  vertex_ = workspace.take<uint32_t>(with_spares);
+}
+
+// The differences of balls to the centre, an integer, are exact, what is added to them is not: positions have an error
+// of 2^-52 of the set's extent, less than a step, which the side allows for. Floats have another one of 2^-24.
+void ProbeGrid::choose_units(const BallSet &balls) {
+  double low[3], high[3];
+  const Span<double> *const axes[3] = {&balls.x, &balls.y, &balls.z};
+  double extent = 0.0;
+  double middle[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    const double *const x = axes[axis]->data();
+    low[axis] = high[axis] = x[0];
+    for (uint32_t i = 1; i < balls.n; ++i) widen(x[i], low[axis], high[axis]);
+    middle[axis] = static_cast<double>(nearest(0.5 * low[axis] + 0.5 * high[axis]));
+    const double half = high[axis] - middle[axis] + 1.0;
+    extent = half > extent ? half : extent;
+  }
+  centre_ = {middle[0], middle[1], middle[2]};
+  const double diameter = 2 * static_cast<double>(balls.probe_steps);
+  const double side = diameter * (1.0 + 0x1p-12) + 4.0;
+  inverse_side_ = 1.0 / side;
+  extent = (extent + static_cast<double>(balls.largest_radius)) * inverse_side_;
+  // Of a difference's coordinate: both places, and its own rounding.
+  const double error = 2 * 0x1.001p-24 * extent + 0x1p-23;
+  const double reach = diameter * inverse_side_;
+  const double longest = reach + 2 * error;
+  square_of_reach_ = static_cast<float>(longest * longest + 0x1p-20);
+  inverse_square_of_reach_ = static_cast<float>(1.0 / (reach * reach));
+  margin_ = static_cast<float>(4 * error + 0x1p-19);
+}
+
+Vec3 ProbeGrid::in_units(const BallSet &balls, const Position &position) const {
+  const uint32_t b = position.ball;
+  return {((balls.x[b] - centre_.x) + position.offset.x) * inverse_side_,
+          ((balls.y[b] - centre_.y) + position.offset.y) * inverse_side_,
+          ((balls.z[b] - centre_.z) + position.offset.z) * inverse_side_};
+}
+
+uint32_t ProbeGrid::bucket_of(const Vec3 &place) const {
+  const uint64_t bucket = static_cast<uint64_t>(floor_of(place.x)) + static_cast<uint64_t>(floor_of(place.y)) * step_y +
+                          static_cast<uint64_t>(floor_of(place.z)) * step_z;
+  return static_cast<uint32_t>(bucket) & (buckets_ - 1);
+}
+
+void ProbeGrid::place_all(const BallSet &balls, const Boundary &boundary) {
+  const uint32_t n = boundary.vertex_count();
+  ProbeTriangles triangles;
+  for (uint32_t first = 0; first < n; first += ProbeTriangles::lanes) {
+    gather_triangles(balls, boundary, first, triangles);
+#if HSP_AVX2
+    if (boundary.has_wide_code()) {
+      place_probes_avx2(arrays_of(balls), triangles);
+    } else
+#endif
+    {
+      place_probes(arrays_of(balls), triangles);
+    }
+    for (uint32_t lane = 0; lane < ProbeTriangles::lanes && first + lane < n; ++lane) {
+      const uint32_t v = first + lane;
+      const double x = triangles.offset[0][lane];
+      position_[v] = x == x
+                         ? Position{triangles.ball[0][lane], {x, triangles.offset[1][lane], triangles.offset[2][lane]}}
+                         : position_of_vertex(balls, boundary, v);
+    }
+  }
 }
 
 void ProbeGrid::build(const BallSet &balls, const Boundary &boundary) {
   const uint32_t n = boundary.vertex_count();
-  side_ = 2 * balls.probe_steps + 4;
-  buckets_ = static_cast<uint32_t>(buckets_for(n));
+  ++builds_;
+  choose_units(balls);
+  place_all(balls, boundary);
+  buckets_ = buckets_for(n);
   // Counting sort: first_[b] counts bucket b, then is where it ends, then where it starts.
   for (uint32_t b = 0; b <= buckets_; ++b) first_[b] = 0;
   for (uint32_t v = 0; v < n; ++v) {
-    position_[v] = position_of_vertex(balls, boundary, v);
-    ++first_[bucket_of(linear_hash(cube_of(balls, v)))];
+    bucket_[v] = bucket_of(in_units(balls, position_[v]));
+    ++first_[bucket_[v]];
   }
   uint32_t sum = 0;
   for (uint32_t b = 0; b <= buckets_; ++b) {
@@ -58,9 +172,48 @@ void ProbeGrid::build(const BallSet &balls, const Boundary &boundary) {
     first_[b] = sum;
   }
   for (uint32_t v = n; v-- > 0;) {
-    const uint64_t key = linear_hash(cube_of(balls, v));
-    entry_[--first_[bucket_of(key)]] = {static_cast<uint32_t>(key), v};
+    const Vec3 place = in_units(balls, position_[v]);
+    const uint32_t to = --first_[bucket_[v]];
+    x_[to] = static_cast<float>(place.x);
+    y_[to] = static_cast<float>(place.y);
+    z_[to] = static_cast<float>(place.z);
+    vertex_[to] = v;
   }
+  for (uint32_t k = n; k < n + spare_probes; ++k) x_[k] = y_[k] = z_[k] = 0.0F;
+}
+
+void ProbeGrid::start_search(const BallSet &balls, uint32_t vertex, ProbeSearch &search) const {
+  search.x = x_.data();
+  search.y = y_.data();
+  search.z = z_.data();
+  search.vertex = vertex_.data();
+  const Vec3 place = in_units(balls, position_[vertex]);
+  search.own[0] = static_cast<float>(place.x);
+  search.own[1] = static_cast<float>(place.y);
+  search.own[2] = static_cast<float>(place.z);
+  search.square_of_reach = square_of_reach_;
+  search.inverse_square_of_reach = inverse_square_of_reach_;
+  search.margin = margin_;
+  search.at = 0;
+  uint32_t ranges = 0;
+  const auto add = [&](uint32_t first, uint32_t last) {
+    search.range[ranges] = {first_[first], first_[last]};
+    ranges += static_cast<uint32_t>(first_[first] != first_[last]);
+  };
+  const uint32_t mask = buckets_ - 1;
+  for (uint32_t z = 0; z < 3; ++z) {
+    for (uint32_t y = 0; y < 3; ++y) {
+      const uint64_t step = (uint64_t{y} - 1) * step_y + (uint64_t{z} - 1) * step_z - 1;
+      const uint32_t row = (bucket_[vertex] + static_cast<uint32_t>(step)) & mask;
+      if (row + 3 <= buckets_) [[likely]] {
+        add(row, row + 3);
+      } else {
+        add(row, buckets_);
+        add(0, row + 3 - buckets_);
+      }
+    }
+  }
+  search.ranges = ranges;
 }
 
 }  // namespace hsp

@@ -1,9 +1,15 @@
 // The vertices of a boundary as the centres of probes that touch three balls, sorted by cubes of side 2p: probes that
 // overlap are in neighbouring cubes.
+//
+// A cube (x, y, z) belongs to bucket x + B y + C z modulo the number of buckets, so that three cubes of a row are
+// neighbouring buckets and what lies in them is one range of the sorted probes, or two where buckets start anew. B and
+// C keep the nine rows around a cube apart. A bucket may hold the probes of several cubes; distances tell them apart.
 #pragma once
 
 #include "boundary/boundary.hpp"
 #include "measure/boundary_positions.hpp"
+#include "surface/near_probes.hpp"
+#include "surface/probe_triangles.hpp"
 
 namespace hsp {
 
@@ -14,6 +20,9 @@ class ProbeGrid {
   // The boundary must not have more vertices, the probe must not be 0.
   void build(const BallSet &balls, const Boundary &boundary);
 
+  // Changes with every build.
+  uint32_t builds() const { return builds_; }
+
   const Position &position(uint32_t vertex) const { return position_[vertex]; }
   // From one vertex to another. The reverse is the negative, bit for bit.
   Vec3 difference(const BallSet &balls, uint32_t from, uint32_t to) const {
@@ -22,37 +31,28 @@ class ProbeGrid {
     return balls.difference(p.ball, q.ball) + (q.offset - p.offset);
   }
 
-  // Calls visit(w) for all vertices w in the 27 cubes around vertex v, itself included. Their order depends on ids.
-  template <class Visit>
-  void visit_around(const BallSet &balls, uint32_t v, Visit visit) const {
-    const CubeCoordinates centre = cube_of(balls, v);
-    for (int64_t z = centre.z - 1; z <= centre.z + 1; ++z) {
-      for (int64_t y = centre.y - 1; y <= centre.y + 1; ++y) {
-        for (int64_t x = centre.x - 1; x <= centre.x + 1; ++x) {
-          const uint64_t key = linear_hash({x, y, z});
-          const uint32_t bucket = bucket_of(key);
-          for (uint32_t k = first_[bucket]; k < first_[bucket + 1]; ++k) {
-            if (entry_[k].key == static_cast<uint32_t>(key)) visit(entry_[k].vertex);
-          }
-        }
-      }
-    }
-  }
+  // What a search around this vertex needs, but for the triangle. It finds the vertex itself, too.
+  void start_search(const BallSet &balls, uint32_t vertex, ProbeSearch &search) const;
 
  private:
-  // A bucket holds the vertices of several cubes. The key tells apart those of neighbouring cubes, which is all it has
-  // to: it is linear in the coordinates, and that of no sum of two steps to neighbours is 0.
-  struct Entry {
-    uint32_t key, vertex;
-  };
-  uint32_t bucket_of(uint64_t key) const { return CubeProbe(key, buckets_).slot; }
-  CubeCoordinates cube_of(const BallSet &balls, uint32_t v) const;
+  void choose_units(const BallSet &balls);
+  void place_all(const BallSet &balls, const Boundary &boundary);
+  Vec3 in_units(const BallSet &balls, const Position &position) const;
+  uint32_t bucket_of(const Vec3 &place) const;
 
   Span<Position> position_;
-  Span<uint32_t> first_;  // [buckets + 1]
-  Span<Entry> entry_;     // [vertices]
-  uint32_t buckets_ = 1;  // a power of two
-  int64_t side_ = 1;
+  Span<uint32_t> bucket_;  // [vertices]
+  Span<uint32_t> first_;   // [buckets + 1]
+  Span<float> x_, y_, z_;  // by buckets; seven spare ones may be read behind the last
+  Span<uint32_t> vertex_;  // as these
+  uint32_t buckets_ = 1;   // a power of two
+  uint32_t builds_ = 0;
+  Vec3 centre_{0, 0, 0};  // in lattice steps, integers
+  double inverse_side_ = 0.0;
+  float square_of_reach_ = 0.0F, inverse_square_of_reach_ = 0.0F, margin_ = 0.0F;
 };
+
+// The balls of four vertices from `first` on, or up to the last one, by rank, with signs and discriminants.
+void gather_triangles(const BallSet &balls, const Boundary &boundary, uint32_t first, ProbeTriangles &triangles);
 
 }  // namespace hsp

@@ -1,45 +1,24 @@
-// Vertices near each other, against all pairs.
+// Where probes stand, against the exact positions, and the differences between them.
 #pragma once
 
-#include <cmath>
-
-#include "small_surface.hpp"
-#include "surface/probe_grid.hpp"
+#include "near_probes_cases.hpp"
 
 namespace cases {
 
-struct GridMemory {
-  alignas(64) unsigned char bytes[8 * 1024];
-};
-
-inline uint32_t pairs_of_overlapping_probes() {
-  static GridMemory memory;
+inline uint32_t positions_and_differences() {
   Random random(20261121);
   for (uint32_t round = 0; round < 40; ++round) {
-    SmallBall balls[10];
-    // In the last rounds far from the origin, where doubles hold whole steps and little more.
-    const int32_t origin = round < 30 ? 0 : 1500000000;
-    for (SmallBall &ball : balls) {
-      ball = {origin + static_cast<int32_t>(random.below(1500)), static_cast<int32_t>(random.below(1500)) - origin,
-              static_cast<int32_t>(random.below(1500)), static_cast<int32_t>(random.below(300))};
-    }
-    const int32_t probe = 1 + static_cast<int32_t>(random.below(400));
-    if (!small_union().build(balls, 10, probe)) return round;
+    if (!searched_probes().build(random, round)) return round;
     const hsp::BallSet &set = small_union().balls();
     const hsp::Boundary &boundary = small_union().boundary();
-    hsp::ProbeGrid grid;
-    hsp::Workspace measured;
-    grid.carve(measured, boundary.vertex_count());
-    if (measured.bytes() > sizeof memory.bytes) return round;
-    hsp::Workspace workspace(memory.bytes, sizeof memory.bytes);
-    grid.carve(workspace, boundary.vertex_count());
-    grid.build(set, boundary);
     for (uint32_t v = 0; v < boundary.vertex_count(); ++v) {
-      uint32_t seen[60] = {};
-      grid.visit_around(set, v, [&seen](uint32_t w) { ++seen[w]; });
+      const hsp::Position &placed = searched_probes().grid().position(v);
+      const hsp::Position exact = hsp::position_of_vertex(set, boundary, v);
+      const hsp::Vec3 error = placed.offset - exact.offset;
+      if (placed.ball != exact.ball || std::sqrt(dot(error, error)) > 1e-10) return round;
       for (uint32_t w = 0; w < boundary.vertex_count(); ++w) {
-        const hsp::Vec3 to = grid.difference(set, v, w);
-        const hsp::Vec3 back = grid.difference(set, w, v);
+        const hsp::Vec3 to = from_to(v, w);
+        const hsp::Vec3 back = from_to(w, v);
         if (to.x != -back.x || to.y != -back.y || to.z != -back.z) return round;
         double p[3], q[3];
         hsp::to_coordinates(set, hsp::position_of_vertex(set, boundary, v), p);
@@ -47,14 +26,22 @@ inline uint32_t pairs_of_overlapping_probes() {
         if (!near(to.x, q[0] - p[0], 1e-5) || !near(to.y, q[1] - p[1], 1e-5) || !near(to.z, q[2] - p[2], 1e-5)) {
           return round;
         }
-        const bool overlap = std::sqrt(dot(to, to)) < 2.0 * probe;
-        if (seen[w] > 1 || (overlap && seen[w] == 0)) return round;
       }
     }
   }
   return all_hold;
 }
 
-inline constexpr Check surface_probe_grid[] = {{"pairs_of_overlapping_probes", pairs_of_overlapping_probes}};
+// What is kept of one build does not outlive the next.
+inline uint32_t builds_are_told_apart() {
+  Random random(1);
+  if (!searched_probes().build(random, 0)) return 0;
+  const uint32_t before = searched_probes().grid().builds();
+  if (!searched_probes().build(random, 1)) return 1;
+  return searched_probes().grid().builds() != before ? all_hold : 2;
+}
+
+inline constexpr Check surface_probe_grid[] = {{"positions_and_differences", positions_and_differences},
+                                               {"builds_are_told_apart", builds_are_told_apart}};
 
 }  // namespace cases

@@ -1,0 +1,56 @@
+// The search for probes that may cut one probe's triangle, in floats: no probe that does is left out, and few others
+// are found. One function for every processor, one for AVX2, eight probes at a time.
+//
+// Lengths are in units of the side of the cubes that the probes are sorted by, positions relative to one point. With q
+// from this vertex to the other one, t the probe's diameter, g the normals of the triangle's sides and d its corners:
+// the other probe overlaps this one iff |q| < t, and cuts off the directions w with w.q/|q| > |q|/t. No corner is ever
+// cut off, as it lies on a ball. So something of the triangle is cut off only
+//   if q lies over it, q.g_k >= 0 for all k, or
+//   if for some side k with ends a and b  q.g_k < 0, (q.g_k)^2 < q^2 (1 - q^2/t^2), so that the cap reaches it, and
+//      what is nearest to q lies between the ends: q.(d_b - (d_a.d_b) d_a) > 0 and q.(d_a - (d_a.d_b) d_b) > 0.
+// All numbers have errors of at most `error` in each coordinate of q, and of that order elsewhere; the margins below
+// have these and the roundings in them (lengths are at most 1.1):
+//   q.g, q.d            2 error + 8e, e = 2^-24                   less than margin = 4 error + 2^-19
+//   combinations        twice that and two roundings              2 margin
+//   squares             2.2 (2 error + 8e) + 8e twice             8 margin
+#pragma once
+
+#include <cstdint>
+
+namespace hsp {
+
+struct ProbeRange {
+  uint32_t first, last;
+};
+
+struct ProbeSearch {
+  // Found in one go, at most; and what the functions may write behind these.
+  static constexpr uint32_t room = 64;
+  static constexpr uint32_t spare = 8;
+
+  const float *x, *y, *z;  // of all probes, by cubes
+  const uint32_t *vertex;
+
+  float own[3];
+  float square_of_reach;          // probes from here on do not overlap this one for certain
+  float inverse_square_of_reach;  // 1/t^2
+  float margin;
+  float inward[3][3], corner[3][3], cosine[3];
+
+  // Where to look. A row of cubes may be two ranges.
+  ProbeRange range[18];
+  uint32_t ranges = 0;
+  uint32_t at = 0;  // the range at hand, whose first moves on
+
+  bool done() const { return at == ranges; }
+};
+
+// Looks on until everything has been seen or there is no room for more in found. Returns how many are there.
+// found [room + spare].
+uint32_t find_near_probes(ProbeSearch &search, uint32_t *found);
+
+#if HSP_AVX2
+uint32_t find_near_probes_avx2(ProbeSearch &search, uint32_t *found);
+#endif
+
+}  // namespace hsp
