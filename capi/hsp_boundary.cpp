@@ -11,16 +11,17 @@ using hsp::capi::check_request;
 // The limits that a program gives.
 int32_t from_c(const hsp_boundary_limits *given, hsp::BoundaryLimits &result) {
   hsp_boundary_limits limits;
-  if (!hsp::capi::read_struct(given, {}, limits) || limits.reserved != 0) return HSP_E_ARGUMENT;
+  if (!hsp::capi::read_struct(given, {}, limits)) return HSP_E_ARGUMENT;
   if (limits.balls > HSP_MAX_BALLS || limits.neighbours > HSP_MAX_BALLS || limits.vertices > HSP_MAX_BALLS ||
-      limits.circles > HSP_MAX_BALLS)
+      limits.circles > HSP_MAX_BALLS || limits.workers > HSP_MAX_WORKERS)
     return HSP_E_RANGE;
-  result = {limits.balls, limits.neighbours, limits.vertices, limits.circles};
+  result = {limits.balls, limits.neighbours, limits.vertices, limits.circles, limits.workers};
   return HSP_OK;
 }
 
 hsp_boundary_limits to_c(const hsp::BoundaryLimits &limits) {
-  return {sizeof(hsp_boundary_limits), limits.balls, limits.neighbours, limits.vertices, limits.circles, 0};
+  return {
+      sizeof(hsp_boundary_limits), limits.balls, limits.neighbours, limits.vertices, limits.circles, limits.workers};
 }
 
 constexpr uint32_t number_of(hsp::BoundaryInvariant invariant) {
@@ -75,6 +76,18 @@ void write_circle(const hsp::BallSet &balls, uint32_t a, uint32_t b, Record &rec
   record.ball[1] = balls.caller[b];
 }
 
+// What computing begins with, whatever comes of it.
+void drop_results(hsp_boundary &boundary) {
+  boundary.complete = false;
+  boundary.builder.abandon();
+  ++boundary.computed;
+}
+
+void take_model(hsp_boundary &boundary, const hsp_model *model) {
+  boundary.model = model;
+  boundary.revision = model->revision;
+}
+
 }  // namespace
 
 int32_t hsp_boundary_limits_init(hsp_boundary_limits *limits, uint32_t struct_size, uint32_t balls) {
@@ -97,12 +110,32 @@ int32_t hsp_boundary_init(void *memory, size_t bytes, const hsp_boundary_limits 
 
 int32_t hsp_boundary_compute(hsp_boundary *boundary, const hsp_model *model, hsp_boundary_limits *limits) {
   if (!is_live(boundary)) return HSP_E_ARGUMENT;
-  boundary->complete = false;
+  drop_results(*boundary);
   if (!is_live(model) || !hsp::capi::may_write(limits)) return HSP_E_ARGUMENT;
-  const hsp::Status status = boundary->builder.build(model->grid);
-  boundary->model = model;
-  boundary->revision = model->revision;
-  ++boundary->computed;
+  take_model(*boundary, model);
+  return hsp::capi::finish<to_c>(*boundary, boundary->builder.build(model->grid), limits);
+}
+
+int32_t hsp_boundary_begin(hsp_boundary *boundary, const hsp_model *model, uint32_t workers, uint32_t *stages) {
+  if (!is_live(boundary)) return HSP_E_ARGUMENT;
+  drop_results(*boundary);
+  if (!is_live(model) || stages == nullptr) return HSP_E_ARGUMENT;
+  take_model(*boundary, model);
+  const hsp::Status status = boundary->builder.begin(model->grid, workers);
+  if (status == hsp::Status::ok) *stages = hsp::BoundaryBuilder::stages;
+  return hsp::capi::to_c(status);
+}
+
+int32_t hsp_boundary_work(hsp_boundary *boundary, uint32_t stage, uint32_t worker) {
+  if (!is_live(boundary)) return HSP_E_ARGUMENT;
+  return boundary->has_model() ? hsp::capi::to_c(boundary->builder.work(stage, worker)) : HSP_E_STATE;
+}
+
+int32_t hsp_boundary_end(hsp_boundary *boundary, hsp_boundary_limits *limits) {
+  if (!is_live(boundary) || !hsp::capi::may_write(limits)) return HSP_E_ARGUMENT;
+  if (!boundary->has_model()) return HSP_E_STATE;
+  const hsp::Status status = boundary->builder.end();
+  if (status == hsp::Status::state) return HSP_E_STATE;
   return hsp::capi::finish<to_c>(*boundary, status, limits);
 }
 

@@ -1,5 +1,5 @@
 // The boundary of any set: everything the header promises about its records, the same bytes twice, and no effect of the
-// order of the balls, of the place and of the names of the axes.
+// order of the balls, of the place, of the names of the axes and of how the work is split.
 #include <boundary_invariants.h>
 
 #include "computed_set.hpp"
@@ -111,8 +111,11 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   const Result reference(set);
   require_sound(reference.get());
   {
-    const Result again(set);
+    Result again(set);
     require_same_bytes(reference.get(), again.get());
+    again.compute_by_workers(1 + bytes.below(8), bytes);
+    require_same_bytes(reference.get(), again.get());
+    FUZZ_REQUIRE(same(&reference.get().needed, &again.get().needed, 1), "needed limits differ with the workers");
   }
   require_no_order(set, reference.get(), bytes);
   require_no_place(set, reference.get(), bytes);

@@ -3,6 +3,7 @@
 // header says so.
 #include <hardsphere.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -27,7 +28,7 @@ class Session {
   }
 
   void step() {
-    switch (bytes_.below(21)) {
+    switch (bytes_.below(24)) {
       case 0:
         init_model();
         break;
@@ -80,6 +81,13 @@ class Session {
         break;
       case 19:
         fuzz::Strangers::call(bytes_);
+        break;
+      case 20:
+        begin();
+        break;
+      case 21:
+      case 22:
+        go_on();
         break;
       default:
         constants();
@@ -285,14 +293,13 @@ class Session {
       limits.vertices = bytes_.below(100);
       limits.circles = bytes_.below(30);
     }
-    if (bytes_.one_in(40)) limits.reserved = 1;
+    limits.workers = bytes_.one_in(40) ? HSP_MAX_WORKERS + 1 : bytes_.below(5);
     if (bytes_.one_in(16)) limits.vertices = 0xFFFFFFFF;
     fuzz::StructVersion<hsp_boundary_limits> version(limits, bytes_);
     size_t bytes = 12345;
     const int32_t status = hsp_boundary_bytes(version.get(), &bytes);
-    const int32_t expected = !version.good() || limits.reserved != 0 ? HSP_E_ARGUMENT
-                             : limits.vertices > HSP_MAX_BALLS       ? HSP_E_RANGE
-                                                                     : HSP_OK;
+    const bool too_large = limits.vertices > HSP_MAX_BALLS || limits.workers > HSP_MAX_WORKERS;
+    const int32_t expected = !version.good() ? HSP_E_ARGUMENT : too_large ? HSP_E_RANGE : HSP_OK;
     FUZZ_REQUIRE(status == expected, "hsp_boundary_bytes");
     FUZZ_REQUIRE(status == HSP_OK || bytes == 12345, "bytes written on failure");
     if (status != HSP_OK) bytes = 4096;
@@ -313,6 +320,7 @@ class Session {
     boundary_ = made;
     limits_ = limits;
     complete_ = false;
+    stages_ = 0;
   }
 
   void compute() {
@@ -327,6 +335,7 @@ class Session {
     }
     // Whatever comes of it, earlier results are gone.
     complete_ = status == HSP_OK;
+    stages_ = 0;
     ++version_;
     if (model == nullptr) {
       FUZZ_REQUIRE(status == HSP_E_ARGUMENT, "hsp_boundary_compute, arguments");
@@ -342,6 +351,78 @@ class Session {
       FUZZ_REQUIRE(counts.balls == balls_ && counts.vertices == needed.vertices && counts.circles == needed.circles,
                    "counts and needed limits");
     }
+  }
+
+  // ---- by several workers
+
+  void begin() {
+    hsp_boundary *boundary = null() ? nullptr : boundary_;
+    const hsp_model *model = null() ? nullptr : model_;
+    fuzz::Output<uint32_t> stages(1, null());
+    const uint32_t most = limits_.workers == 0 ? 1 : limits_.workers;
+    const uint32_t workers = bytes_.one_in(8) ? bytes_.below(7) : 1 + bytes_.below(most);
+    const int32_t status = hsp_boundary_begin(boundary, model, workers, stages.data());
+    const bool pointers = boundary != nullptr && model != nullptr && stages.data() != nullptr;
+    const int32_t expected = !pointers ? HSP_E_ARGUMENT : workers < 1 || workers > most ? HSP_E_RANGE : HSP_OK;
+    FUZZ_REQUIRE(status == expected, "hsp_boundary_begin");
+    FUZZ_REQUIRE(stages.untouched_from(status == HSP_OK ? 1 : 0), "stages written on failure");
+    if (boundary == nullptr) return;
+    complete_ = false;
+    stages_ = 0;
+    ++version_;
+    if (status != HSP_OK) return;
+    stages_ = *stages.data();
+    FUZZ_REQUIRE(stages_ > 0, "no stages");
+    done_.assign(workers, 0);
+    begun_version_ = version_;
+  }
+
+  bool has_begun() const { return stages_ > 0 && begun_version_ == version_; }
+  uint32_t fewest_done() const { return *std::min_element(done_.begin(), done_.end()); }
+
+  void work(uint32_t stage, uint32_t worker) {
+    hsp_boundary *boundary = null() ? nullptr : boundary_;
+    int32_t expected = HSP_OK;
+    if (boundary == nullptr) {
+      expected = HSP_E_ARGUMENT;
+    } else if (!has_begun()) {
+      expected = HSP_E_STATE;
+    } else if (stage >= stages_ || worker >= done_.size()) {
+      expected = HSP_E_ID;
+    } else if (done_[worker] != stage || fewest_done() < stage) {
+      expected = HSP_E_STATE;
+    }
+    FUZZ_REQUIRE(hsp_boundary_work(boundary, stage, worker) == expected, "hsp_boundary_work");
+    if (expected == HSP_OK) ++done_[worker];
+  }
+
+  // Some work, mostly such as is due, and perhaps the end.
+  void go_on() {
+    for (uint32_t calls = bytes_.below(24); calls > 0; --calls) {
+      const uint32_t due = has_begun() ? fewest_done() : 0;
+      work(bytes_.one_in(16) ? bytes_.below(9) : due, bytes_.below(5));
+    }
+    if (bytes_.below(2) == 0) return;
+    for (int tries = 0; tries < 40 && has_begun() && fewest_done() < stages_; ++tries) {
+      const auto slowest = std::min_element(done_.begin(), done_.end());
+      work(*slowest, static_cast<uint32_t>(slowest - done_.begin()));
+    }
+    hsp_boundary *boundary = null() ? nullptr : boundary_;
+    hsp_boundary_limits needed = limits_;
+    const int32_t status = hsp_boundary_end(boundary, &needed);
+    if (boundary == nullptr || !has_begun() || fewest_done() < stages_) {
+      FUZZ_REQUIRE(status == (boundary == nullptr ? HSP_E_ARGUMENT : HSP_E_STATE), "hsp_boundary_end");
+      return;
+    }
+    FUZZ_REQUIRE(status == HSP_OK || status == HSP_E_CAPACITY, "a status that hsp_boundary_end does not have");
+    FUZZ_REQUIRE(needed.workers == limits_.workers, "workers do not come back");
+    stages_ = 0;
+    complete_ = status == HSP_OK;
+    // One worker needs the same.
+    hsp_boundary_limits again = limits_;
+    FUZZ_REQUIRE(hsp_boundary_compute(boundary, model_, &again) == status, "another status by one worker");
+    FUZZ_REQUIRE(std::memcmp(&again, &needed, sizeof needed) == 0, "other limits by one worker");
+    ++version_;
   }
 
   int32_t reader_status(const hsp_boundary *boundary) const {
@@ -419,7 +500,10 @@ class Session {
   bool as_made_ = false;      // nothing set since it was made, or the last set failed
   bool odd_numbers_ = false;  // NaN and the like may occur in the current call
   bool complete_ = false;     // the boundary holds results, and the model has not changed since
-  uint64_t version_ = 0;      // of the boundary's results
+  uint32_t stages_ = 0;       // of what has begun; 0 if nothing has
+  uint64_t begun_version_ = 0;
+  std::vector<uint32_t> done_;  // stages, of each worker
+  uint64_t version_ = 0;        // of the boundary's results
 };
 
 }  // namespace

@@ -31,6 +31,7 @@ set(HSP_LIBRARY_SOURCES
   lib/sphere/vertex_finder.cpp
   lib/boundary/boundary_builder.cpp
   lib/boundary/boundary_check.cpp
+  lib/boundary/boundary_worker.cpp
   lib/boundary/components.cpp
   lib/boundary/faces.cpp
   lib/boundary/half_edge_links.cpp

@@ -49,6 +49,7 @@ module hardsphere
 
   integer(c_int32_t), parameter :: HSP_NONE = -1_c_int32_t              ! 0xFFFFFFFF
   integer(c_int32_t), parameter :: HSP_MAX_BALLS = 268435455_c_int32_t  ! 0x0FFFFFFF
+  integer(c_int32_t), parameter :: HSP_MAX_WORKERS = 1024_c_int32_t
 
   integer(c_int32_t), parameter :: HSP_RADII_BONDI = 0_c_int32_t
   integer(c_int32_t), parameter :: HSP_RADII_CHEM3D = 1_c_int32_t
@@ -125,7 +126,7 @@ module hardsphere
     integer(c_int32_t) :: neighbours
     integer(c_int32_t) :: vertices
     integer(c_int32_t) :: circles
-    integer(c_int32_t) :: reserved
+    integer(c_int32_t) :: workers           ! 0: one
   end type
 
   type, bind(C) :: hsp_boundary_counts
@@ -590,6 +591,30 @@ module hardsphere
       import :: c_int32_t, c_ptr, hsp_boundary_limits
       type(c_ptr), value :: boundary
       type(c_ptr), value :: model
+      type(hsp_boundary_limits), intent(inout), optional :: limits
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_boundary_begin(boundary, model, workers, stages) result(status) bind(C, name="hsp_boundary_begin")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: boundary
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: workers
+      integer(c_int32_t), intent(inout) :: stages
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_boundary_work(boundary, stage, worker) result(status) bind(C, name="hsp_boundary_work")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: boundary
+      integer(c_int32_t), value :: stage
+      integer(c_int32_t), value :: worker
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_boundary_end(boundary, limits) result(status) bind(C, name="hsp_boundary_end")
+      import :: c_int32_t, c_ptr, hsp_boundary_limits
+      type(c_ptr), value :: boundary
       type(hsp_boundary_limits), intent(inout), optional :: limits
       integer(c_int32_t) :: status
     end function
@@ -1176,6 +1201,14 @@ contains
     integer(c_size_t) :: bytes
     bytes = 4096_c_size_t + 64_c_size_t*int(balls, c_size_t) + 256_c_size_t*int(neighbours, c_size_t) &
             + 160_c_size_t*int(vertices, c_size_t) + 80_c_size_t*int(circles, c_size_t)
+  end function
+
+  !> HSP_WORKER_BYTES of the header, for each worker of a boundary but the first.
+  pure function hsp_worker_bytes_bound(balls, neighbours, vertices, circles) result(bytes)
+    integer(c_int32_t), intent(in) :: balls, neighbours, vertices, circles
+    integer(c_size_t) :: bytes
+    bytes = 8192_c_size_t + 16_c_size_t*int(balls, c_size_t) + 256_c_size_t*int(neighbours, c_size_t) &
+            + 16_c_size_t*int(vertices, c_size_t) + 16_c_size_t*int(circles, c_size_t)
   end function
 
   !> HSP_SURFACE_BYTES of the header, for the size of an allocation.

@@ -25,6 +25,9 @@ class ComputedSet {
   ComputedSet(const ComputedSet &) = delete;
   ComputedSet &operator=(const ComputedSet &) = delete;
 
+  // Once more, by several workers in an order that the input chooses.
+  void compute_by_workers(uint32_t workers, Bytes &bytes);
+
   const computed &get() const { return computed_; }
 
  private:
@@ -46,6 +49,11 @@ inline std::vector<uint32_t> shuffled(uint32_t n, Bytes &bytes) {
   std::iota(order.begin(), order.end(), 0U);
   for (uint32_t i = n; i > 1; --i) std::swap(order[i - 1], order[bytes.below(i)]);
   return order;
+}
+
+inline void ComputedSet::compute_by_workers(uint32_t workers, Bytes &bytes) {
+  const int32_t status = computed_by_workers(&computed_, workers, shuffled(workers, bytes).data());
+  FUZZ_REQUIRE(status == HSP_OK, hsp_status_text(status));
 }
 
 // Ball i of the result is ball order[i] of the set.

@@ -100,13 +100,19 @@ class Strangers {
       hsp_boundary_counts counts;
       hsp_totals totals;
       uint32_t invariant = 0;
-      switch (bytes.below(4)) {
+      switch (bytes.below(7)) {
         case 0:
           return hsp_boundary_get_counts(boundary, &counts);
         case 1:
           return hsp_boundary_get_arcs(boundary, nullptr, 0, &needed);
         case 2:
           return hsp_boundary_measure(boundary, nullptr, &totals, nullptr, nullptr, 0, nullptr);
+        case 3:
+          return hsp_boundary_begin(boundary, nullptr, 1, &needed);
+        case 4:
+          return hsp_boundary_work(boundary, bytes.below(4), bytes.below(4));
+        case 5:
+          return hsp_boundary_end(boundary, nullptr);
         default:
           return hsp_boundary_check(boundary, &invariant, &needed);
       }

@@ -29,34 +29,44 @@ typedef struct hsp_boundary_limits {
   uint32_t neighbours;  /**< most balls that meet any one ball that lies inside no other */
   uint32_t vertices;    /**< vertices of the boundary */
   uint32_t circles;     /**< free circles */
-  uint32_t reserved;    /**< 0 */
+  uint32_t workers;     /**< most workers of hsp_boundary_begin; 0 is 1. Comes back as it is */
 } hsp_boundary_limits;
 
+#define HSP_MAX_WORKERS UINT32_C(1024) /**< most workers of a boundary */
+
 /** Limits that suffice for molecules of `balls` atoms, van der Waals or solvent-accessible: neighbours
- *  min(balls, 256), vertices 8 balls + 64, circles 2 balls + 16. hsp_boundary_compute says if a set needs more.
+ *  min(balls, 256), vertices 8 balls + 64, circles 2 balls + 16, workers 0. hsp_boundary_compute says if a set needs
+ *  more.
  *  @retval HSP_E_ARGUMENT  limits is NULL or struct_size is bad
  *  @retval HSP_E_RANGE     more than (HSP_MAX_BALLS - 64) / 8 balls; set the limits by hand then */
 HSP_API int32_t hsp_boundary_limits_init(hsp_boundary_limits *limits, uint32_t struct_size, uint32_t balls);
 
 /** Bytes that hsp_boundary_init needs.
- *  - Property 1: at most HSP_BOUNDARY_BYTES of the four limits.
+ *  - Property 1: at most HSP_BOUNDARY_BYTES of the first four limits, and HSP_WORKER_BYTES of them for each worker but
+ *    the first.
  *  - Property 2: grows with each limit.
  *
- *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size; reserved is not 0
- *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
+ *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
+ *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or workers than HSP_MAX_WORKERS, or the size does not
+ *                          fit a size_t */
 HSP_API int32_t hsp_boundary_bytes(const hsp_boundary_limits *limits, size_t *bytes);
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
 #define HSP_BOUNDARY_BYTES(balls, neighbours, vertices, circles)                      \
   ((size_t)4096 + (size_t)64 * (size_t)(balls) + (size_t)256 * (size_t)(neighbours) + \
    (size_t)160 * (size_t)(vertices) + (size_t)80 * (size_t)(circles))
+/** What every worker but the first adds to it at most. */
+#define HSP_WORKER_BYTES(balls, neighbours, vertices, circles)                        \
+  ((size_t)8192 + (size_t)16 * (size_t)(balls) + (size_t)256 * (size_t)(neighbours) + \
+   (size_t)16 * (size_t)(vertices) + (size_t)16 * (size_t)(circles))
 
 /** Make an empty boundary in caller memory of any alignment; sets *boundary.
  *  Topologies and surfaces computed from a boundary that was in this memory before must be computed again before they
  *  are read.
- *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size; reserved is not 0
+ *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
  *  @retval HSP_E_MEMORY    bytes is less than hsp_boundary_bytes says; nothing is written
- *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
+ *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or workers than HSP_MAX_WORKERS, or the size does not
+ *                          fit a size_t */
 HSP_API int32_t hsp_boundary_init(void *memory, size_t bytes, const hsp_boundary_limits *limits,
                                   hsp_boundary **boundary);
 
@@ -70,6 +80,39 @@ HSP_API int32_t hsp_boundary_init(void *memory, size_t bytes, const hsp_boundary
  *  @retval HSP_E_ARGUMENT  boundary or model is NULL; bad struct_size of limits
  *  @retval HSP_E_CAPACITY  a limit is too small */
 HSP_API int32_t hsp_boundary_compute(hsp_boundary *boundary, const hsp_model *model, hsp_boundary_limits *limits);
+
+/* ---- by several threads ---------------------------------------------------------------------------------------- */
+
+/** The same as hsp_boundary_compute, split among threads of the caller's own:
+ *    hsp_boundary_begin(boundary, model, workers, &stages);
+ *    for (stage = 0; stage < stages; ++stage)
+ *      for (worker = 0; worker < workers; ++worker) hsp_boundary_work(boundary, stage, worker);
+ *    hsp_boundary_end(boundary, &limits);
+ *  The calls of the inner loop may run side by side, in any order and by any threads, each made once; all have to
+ *  return before one of the next stage is made. Every worker has about n / workers balls that lie together, and memory
+ *  of its own. More workers than threads balance them.
+ *  limits.workers of hsp_boundary_init allows for so many workers. begin drops earlier results, end makes new ones;
+ *  hsp_boundary_begin and hsp_boundary_compute give up what has begun.
+ *  - Property 1: all that can be read afterwards is the same for every number of workers, bit for bit.
+ *
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_RANGE     workers is 0 or larger than that of the limits */
+HSP_API int32_t hsp_boundary_begin(hsp_boundary *boundary, const hsp_model *model, uint32_t workers, uint32_t *stages);
+
+/** Do one worker's part of one stage. Refused work changes nothing. If a limit is too small hsp_boundary_end says so.
+ *  @retval HSP_E_ARGUMENT  boundary is NULL
+ *  @retval HSP_E_STATE     nothing has begun, or the model has changed since; this worker has done the stage, or some
+ *                          worker has not done the one before
+ *  @retval HSP_E_ID        no such stage or worker */
+HSP_API int32_t hsp_boundary_work(hsp_boundary *boundary, uint32_t stage, uint32_t worker);
+
+/** Make the results readable. limits: as of hsp_boundary_compute.
+ *  @retval HSP_E_ARGUMENT  boundary is NULL; bad struct_size of limits
+ *  @retval HSP_E_CAPACITY  a limit is too small; the boundary holds no results, and all is to begin again
+ *  @retval HSP_E_STATE     nothing has begun, the model has changed since, or work is left, which may still be done */
+HSP_API int32_t hsp_boundary_end(hsp_boundary *boundary, hsp_boundary_limits *limits);
+
+/* ---- what there is ---------------------------------------------------------------------------------------------- */
 
 /** How many of everything. Frozen. */
 typedef struct hsp_boundary_counts {

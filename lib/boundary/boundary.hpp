@@ -22,12 +22,16 @@ struct BoundaryLimits {
   uint32_t neighbours = 0;
   uint32_t vertices = 0;
   uint32_t circles = 0;
+  uint32_t workers = 0;  // that may share the work; 0 is 1
 
   // The smallest limits that are no smaller than these and others.
   constexpr BoundaryLimits covering(const BoundaryLimits &other) const {
     return {larger_count(balls, other.balls), larger_count(neighbours, other.neighbours),
-            larger_count(vertices, other.vertices), larger_count(circles, other.circles)};
+            larger_count(vertices, other.vertices), larger_count(circles, other.circles),
+            larger_count(workers, other.workers)};
   }
+  constexpr bool operator==(const BoundaryLimits &other) const = default;
+  constexpr bool cover(const BoundaryLimits &other) const { return covering(other) == *this; }
   // Loops have at least two arcs or are circles.
   uint64_t most_loops() const { return 3 * static_cast<uint64_t>(vertices) / 2 + 2 * static_cast<uint64_t>(circles); }
 };
@@ -35,7 +39,7 @@ struct BoundaryLimits {
 // Limits that suffice for most molecules. Status::range if one would be larger than max_count.
 constexpr Status default_limits(uint32_t balls, BoundaryLimits &limits) {
   if (balls > (max_count - 64) / 8) return Status::range;
-  limits = {balls, balls < 256 ? balls : 256, 8 * balls + 64, 2 * balls + 16};
+  limits = {balls, balls < 256 ? balls : 256, 8 * balls + 64, 2 * balls + 16, 0};
   return Status::ok;
 }
 
@@ -101,9 +105,10 @@ struct BoundaryArrays {
   uint32_t shell_count = 0;
   uint32_t component_count = 0;
 
-  Span<uint8_t> ball_state;  // [balls] bits:
+  Span<uint8_t> ball_state;  // [balls] bits, and above them the number of clusters of its caps, 0 if not counted:
   static constexpr uint8_t contained = 1;
   static constexpr uint8_t without_caps = 2;  // no other sphere meets it: free as a whole unless it is contained
+  static constexpr uint32_t one_cluster = 4;
 
   Span<uint32_t> component_origin;  // [balls] the ball of lowest rank of the component
   Span<uint32_t> component;         // [balls] number of the component

@@ -5,9 +5,15 @@
 #include "boundary/shells.hpp"
 #include "core/processor.hpp"
 #include "exact/discriminant.hpp"
-#include "model/block_sweep.hpp"
 
 namespace hsp {
+namespace {
+
+// Stages by their numbers.
+enum : uint32_t { search, place_vertices, assemble_all };
+static_assert(assemble_all + 1 == BoundaryBuilder::stages);
+
+}  // namespace
 
 void BoundaryArrays::carve(Workspace &workspace, const BoundaryLimits &limits) {
   wide_code = has_avx2();
@@ -35,52 +41,112 @@ void BoundaryArrays::carve(Workspace &workspace, const BoundaryLimits &limits) {
 void BoundaryBuilder::carve(Workspace &workspace, const BoundaryLimits &limits) {
   limits_ = limits;
   needed_ = {};
+  abandon();
   arrays().carve(workspace, limits);
-  caps_.carve(workspace, limits.neighbours);
-  finder_.carve(workspace, limits.neighbours);
-  faces_.carve(workspace, limits.balls, limits.neighbours);
   scratch_ = workspace.take<uint32_t>(limits.most_loops() + limits.balls);
-  lanes_.carve(workspace, limits.neighbours, scratch_);
-}
-
-// One pass over the balls, cube by cube, so that the block of neighbouring cubes is looked up once for all balls of a
-// cube.
-void BoundaryBuilder::find_vertices(const CubeGrid &grid) {
-  const BallSet &balls = grid.balls();
-  BoundaryArrays &a = arrays();
-  a.vertices.clear();
-  a.circles.clear();
-  DisjointSets components(a.component_origin.part(0, balls.n));
-  components.reset();
-  needed_.neighbours = 0;
-  BlockSweep sweep(grid);
-  for (uint32_t cube = 0; cube < grid.cubes(); ++cube) {
-    const CubeBlock &block = sweep.block_around(cube);
-    const BallRange own = grid.balls_in(cube);
-    const bool in_lanes = lanes_.start_cube(grid, cube, block);
-    for (uint32_t i = own.first; i < own.last; ++i) {
-      const bool by_lanes = in_lanes && lanes_.gather(balls, i, caps_, &components);
-      if (!by_lanes) caps_.gather(balls, block, i, &components);
-      a.ball_state[i] = static_cast<uint8_t>((caps_.contained ? BoundaryArrays::contained : 0) |
-                                             (caps_.count == 0 ? BoundaryArrays::without_caps : 0));
-      if (caps_.contained) continue;
-      if (caps_.met > needed_.neighbours) needed_.neighbours = caps_.met;
-      // Once a ball has more neighbours than there is room for, the rest is only counted.
-      if (needed_.neighbours > limits_.neighbours) continue;
-      if (by_lanes) {
-        faces_.visit_caps(caps_, lanes_.find(balls, caps_, finder_, a.vertices, a.circles));
-      } else {
-        finder_.find(balls, caps_, a.vertices, a.circles);
-        faces_.visit_caps(caps_, 0);
-      }
-    }
+  const uint32_t count = larger_count(limits.workers, 1);
+  workers_ = workspace.take<BoundaryWorker>(count);
+  BoundaryWorker measured;  // while there is no memory
+  // Each borrows a part of the scratch memory, in whole cache lines unless it is all.
+  const uint32_t part = count == 1 ? scratch_.size() : scratch_.size() / count / 16 * 16;
+  for (uint32_t w = 0; w < count; ++w) {
+    BoundaryWorker &worker = workers_.empty() ? measured : workers_[w];
+    worker.carve(workspace, limits, arrays(), w, scratch_.part(w * part, (w + 1) * part));
   }
 }
 
-void BoundaryBuilder::find_root_discriminants(const BallSet &balls) {
+Status BoundaryBuilder::build(const CubeGrid &grid) {
+  Status status = begin(grid, 1);
+  for (uint32_t stage = 0; stage < stages && status == Status::ok; ++stage) status = work(stage, 0);
+  return status == Status::ok ? end() : status;
+}
+
+Status BoundaryBuilder::begin(const CubeGrid &grid, uint32_t workers) {
+  abandon();
+  if (workers < 1 || workers > workers_.size()) return Status::range;
+  needed_ = {};
+  grid_ = &grid;
+  count_ = workers;
+  for (uint32_t w = 0; w < workers; ++w) workers_[w].start(share_of(grid, w, workers));
+  return Status::ok;
+}
+
+Status BoundaryBuilder::work(uint32_t stage, uint32_t worker) {
+  if (grid_ == nullptr) return Status::state;
+  if (stage >= stages || worker >= count_) return Status::id;
+  for (const BoundaryWorker &other : at_work()) {
+    if (other.done() < stage) return Status::state;
+  }
+  BoundaryWorker &own = workers_[worker];
+  if (own.done() != stage) return Status::state;
+  if (stage == search) {
+    if (grid_->balls().n <= limits_.balls) own.search(*grid_, arrays().ball_state.data());
+  } else {
+    if (stage == place_vertices && worker == 0) count_all();
+    if (limits_.cover(found())) {
+      if (stage == place_vertices) place(worker);
+      if (stage == assemble_all && worker == 0) assemble();
+    }
+  }
+  own.count_stage();
+  return Status::ok;
+}
+
+Status BoundaryBuilder::end() {
+  if (grid_ == nullptr) return Status::state;
+  for (const BoundaryWorker &worker : at_work()) {
+    if (worker.done() != stages) return Status::state;
+  }
+  needed_ = found();
+  abandon();
+  return limits_.cover(needed_) ? Status::ok : Status::capacity;
+}
+
+// What there is, as far as it is known.
+BoundaryLimits BoundaryBuilder::found() const {
+  BoundaryLimits known{grid_->balls().n, 0, 0, 0, limits_.workers};
+  if (known.balls > limits_.balls) return known;
+  for (const BoundaryWorker &worker : at_work()) {
+    known.neighbours = larger_count(known.neighbours, worker.neighbours());
+  }
+  // Not all were looked for if there was no room for all neighbours of a ball.
+  if (known.neighbours > limits_.neighbours) return known;
+  known.vertices = clamped_count(sum([](const BoundaryWorker &worker) { return worker.vertices().required(); }));
+  known.circles = clamped_count(sum([](const BoundaryWorker &worker) { return worker.circles().required(); }));
+  return known;
+}
+
+void BoundaryBuilder::count_all() {
   BoundaryArrays &a = arrays();
-  for (uint32_t v = 0; v < a.vertices.size(); ++v) {
-    const VertexRecord &vertex = a.vertices[v];
+  a.balls = grid_->balls().n;
+  a.vertices.set_count(sum([](const BoundaryWorker &worker) { return worker.vertices().required(); }));
+  a.circles.set_count(sum([](const BoundaryWorker &worker) { return worker.circles().required(); }));
+}
+
+// Puts a worker's vertices and circles behind those of the workers before it. As shares ascend, this is their order if
+// one worker finds them all.
+void BoundaryBuilder::place(uint32_t worker) {
+  BoundaryArrays &a = arrays();
+  const BoundaryWorker &own = workers_[worker];
+  uint32_t first_vertex = 0;
+  uint32_t first_circle = 0;
+  for (const BoundaryWorker &earlier : workers_.part(0, worker)) {
+    first_vertex += earlier.vertices().size();
+    first_circle += earlier.circles().size();
+  }
+  if (worker != 0) {
+    for (uint32_t k = 0; k < own.vertices().size(); ++k) a.vertices.room()[first_vertex + k] = own.vertices()[k];
+    for (uint32_t k = 0; k < own.circles().size(); ++k) a.circles.room()[first_circle + k] = own.circles()[k];
+  }
+  find_root_discriminants(first_vertex, first_vertex + own.vertices().size());
+}
+
+void BoundaryBuilder::find_root_discriminants(uint32_t first, uint32_t last) {
+  const BallSet &balls = grid_->balls();
+  BoundaryArrays &a = arrays();
+  const Span<const VertexRecord> vertices = a.vertices.room();
+  for (uint32_t v = first; v < last; ++v) {
+    const VertexRecord &vertex = vertices[v];
     const exact::LatticeBall origin = balls.ball(vertex.ball[0]);
     a.root_discriminant[v] =
         std::sqrt(exact::discriminant(exact::sphere_of(origin), exact::plane_of(origin, balls.ball(vertex.ball[1])),
@@ -88,25 +154,25 @@ void BoundaryBuilder::find_root_discriminants(const BallSet &balls) {
   }
 }
 
-Status BoundaryBuilder::build(const CubeGrid &grid) {
-  const BallSet &balls = grid.balls();
-  BoundaryArrays &a = arrays();
-  needed_ = {};
-  needed_.balls = balls.n;
-  if (balls.n > limits_.balls) return Status::capacity;
-  a.balls = balls.n;
-  find_vertices(grid);
-  if (needed_.neighbours > limits_.neighbours) return Status::capacity;
-  needed_.vertices = clamped_count(a.vertices.required());
-  needed_.circles = clamped_count(a.circles.required());
-  if (a.vertices.overflowed() || a.circles.overflowed()) return Status::capacity;
+// The sets of worker 0 are those of all. They do not know the balls behind its share and those around it.
+void BoundaryBuilder::join_components() {
+  if (count_ == 1) return;
+  const uint32_t n = grid_->balls().n;
+  const Span<uint32_t> parent = arrays().component_origin.part(0, n);
+  for (uint32_t i = workers_[0].met().last; i < n; ++i) parent[i] = i;
+  DisjointSets components(parent);
+  for (const BoundaryWorker &worker : workers_.part(1, count_)) worker.join_components(components);
+}
 
-  find_root_discriminants(balls);
+void BoundaryBuilder::assemble() {
+  const BallSet &balls = grid_->balls();
+  BoundaryArrays &a = arrays();
   link_half_edges(balls, a, scratch_);
-  faces_.find(grid, boundary_, a, caps_, scratch_);
+  BoundaryWorker &own = workers_[0];
+  own.faces.find(*grid_, boundary_, a, own.caps, scratch_);
   find_shells(boundary_, a, scratch_);
-  number_components(grid, a);
-  return Status::ok;
+  join_components();
+  number_components(*grid_, a);
 }
 
 }  // namespace hsp

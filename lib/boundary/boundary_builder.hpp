@@ -1,8 +1,8 @@
-// Steps 1 and 2 of Section 4.2 over all balls, and what follows from them: loops, faces, shells, components.
+// Steps 1 and 2 of Section 4.2 over all balls, and what follows from them: loops, faces, shells, components. The work
+// can be split among workers, each with a share of the cubes, in stages; the results do not depend on the split.
 #pragma once
 
-#include "boundary/faces.hpp"
-#include "sphere/lane_search.hpp"
+#include "boundary/boundary_worker.hpp"
 
 namespace hsp {
 
@@ -10,8 +10,20 @@ class BoundaryBuilder {
  public:
   void carve(Workspace &workspace, const BoundaryLimits &limits);
 
-  // Status::capacity if a limit is too small; needed() then reports what suffices.
+  // All of it. Status::capacity if a limit is too small; needed() then reports what suffices.
   Status build(const CubeGrid &grid);
+
+  // The same in parts: begin, every stage by every worker, end. Workers that are in one stage may run side by side. The
+  // grid stays as it is until the end. Status::range if there are not so many workers.
+  Status begin(const CubeGrid &grid, uint32_t workers);
+  static constexpr uint32_t stages = 3;
+  // Status::state if nothing has begun, this worker is not just before that stage, or any worker has not done the one
+  // before; Status::id if there is no such stage or worker.
+  Status work(uint32_t stage, uint32_t worker);
+  // Status::state if nothing has begun or work is left; else as build.
+  Status end();
+  // Leaves off.
+  void abandon() { grid_ = nullptr; }
 
   const Boundary &boundary() const { return boundary_; }
   const BoundaryLimits &needed() const { return needed_; }
@@ -24,25 +36,38 @@ class BoundaryBuilder {
   Span<uint32_t> scratch() { return scratch_; }
 
   // For tests that do with less of the code for wide registers, or without.
-  LaneSearch &lanes() { return lanes_; }
+  LaneSearch &lanes() { return workers_[0].lanes; }
 #if HSP_AVX2
   void use_wide_code(bool use) {
-    caps_.wide = lanes_.enabled = use;
+    for (BoundaryWorker &worker : workers_) worker.caps.wide = worker.lanes.enabled = use;
   }
 #endif
 
  private:
-  void find_vertices(const CubeGrid &grid);
-  void find_root_discriminants(const BallSet &balls);
+  Span<BoundaryWorker> at_work() const {
+    return workers_.part(0, count_);
+  }
+  // Of a number of each worker.
+  template <class Number>
+  uint64_t sum(Number number) const {
+    uint64_t total = 0;
+    for (const BoundaryWorker &worker : at_work()) total += number(worker);
+    return total;
+  }
+  BoundaryLimits found() const;
+  void count_all();
+  void place(uint32_t worker);
+  void find_root_discriminants(uint32_t first, uint32_t last);
+  void join_components();
+  void assemble();
 
   BoundaryLimits limits_;
   BoundaryLimits needed_;
   Boundary boundary_;
-  Caps caps_;
-  VertexFinder finder_;
-  LaneSearch lanes_;
-  FaceFinder faces_;
+  Span<BoundaryWorker> workers_;
   Span<uint32_t> scratch_;
+  const CubeGrid *grid_ = nullptr;  // while there is something to be done
+  uint32_t count_ = 0;              // of workers that do it
 };
 
 }  // namespace hsp

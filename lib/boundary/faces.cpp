@@ -62,22 +62,21 @@ void sort_loops_by_face(const Boundary &boundary, uint32_t ball, IdRange faces, 
 
 }  // namespace
 
-void FaceFinder::carve(Workspace &workspace, uint32_t balls, uint32_t neighbours) {
+void FaceFinder::carve(Workspace &workspace, uint32_t neighbours) {
   clusters_.carve(workspace, neighbours);
   intervals_.carve(workspace, neighbours);
-  cluster_count_ = workspace.take<uint8_t>(balls);
 }
 
-void FaceFinder::visit_caps(const Caps &caps, uint32_t clusters) {
-  if (clusters == not_counted && caps.count <= few_caps) clusters = clusters_.find(caps);
-  cluster_count_[caps.origin] = static_cast<uint8_t>(clusters);
+uint32_t FaceFinder::count_clusters(const Caps &caps, uint32_t known) {
+  return known == not_counted && caps.count <= few_caps ? clusters_.find(caps) : known;
 }
+static_assert((few_caps + 1) * BoundaryArrays::one_cluster <= 256);
 
 // If a sphere has a free point, its free faces and its clusters alternate around the loops as the nodes of a tree whose
 // edges are the loops (the sphere less disjoint closed curves). Hence #faces = #loops - #clusters + 1.
 void FaceFinder::join_loops(const BallSet &balls, BlockSweep &sweep, const Boundary &boundary, uint32_t ball,
-                            Caps &caps, DisjointSets &loops) {
-  uint32_t clusters = cluster_count_[ball];
+                            uint32_t counted_clusters, Caps &caps, DisjointSets &loops) {
+  uint32_t clusters = counted_clusters;
   const auto gather_again = [&]() {
     caps.gather(balls, sweep.block_around_ball(ball), ball, nullptr);
     clusters = clusters_.find(caps);
@@ -86,7 +85,7 @@ void FaceFinder::join_loops(const BallSet &balls, BlockSweep &sweep, const Bound
   if (loops.size() == clusters) {  // one face
     for (uint32_t loop = 1; loop < loops.size(); ++loop) loops.join(0, loop);
   } else if (clusters > 1) {
-    if (cluster_count_[ball] != not_counted) gather_again();
+    if (counted_clusters != not_counted) gather_again();
     join_loops_by_meridians(caps, boundary, loops);
   }
 }
@@ -107,7 +106,9 @@ void FaceFinder::find(const CubeGrid &grid, const Boundary &boundary, BoundaryAr
     // Smaller numbers stay representatives.
     DisjointSets sets(scratch.part(0, loops.size()));
     sets.reset();
-    if (loops.size() > 1) join_loops(grid.balls(), sweep, boundary, i, caps, sets);
+    if (loops.size() > 1) {
+      join_loops(grid.balls(), sweep, boundary, i, arrays.ball_state[i] / BoundaryArrays::one_cluster, caps, sets);
+    }
     if (!number_faces(sets, i, loops, arrays)) {
       sort_loops_by_face(boundary, i, {arrays.first_face[i], arrays.face_count}, arrays, scratch);
     }

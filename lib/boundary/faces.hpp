@@ -10,11 +10,11 @@ namespace hsp {
 
 class FaceFinder {
  public:
-  void carve(Workspace &workspace, uint32_t balls, uint32_t neighbours);
+  void carve(Workspace &workspace, uint32_t neighbours);
 
-  // Counts the clusters of the ball's caps if they are few and not known yet, 0; to be called for every ball while its
-  // caps are at hand.
-  void visit_caps(const Caps &caps, uint32_t clusters);
+  // The number of clusters of a ball's caps, for BoundaryArrays::ball_state, to be asked while they are at hand: as it is
+  // known already, or counted if they are few; 0 if they are not.
+  uint32_t count_clusters(const Caps &caps, uint32_t known);
 
   // Gathers the loops of every ball into faces and sorts them by face. The caps of a ball are gathered again, into
   // `caps`, if it has several loops and its clusters were not counted, or if only meridians show which loops belong
@@ -22,14 +22,13 @@ class FaceFinder {
   void find(const CubeGrid &grid, const Boundary &boundary, BoundaryArrays &arrays, Caps &caps, Span<uint32_t> scratch);
 
  private:
-  void join_loops(const BallSet &balls, BlockSweep &sweep, const Boundary &boundary, uint32_t ball, Caps &caps,
-                  DisjointSets &loops);
+  void join_loops(const BallSet &balls, BlockSweep &sweep, const Boundary &boundary, uint32_t ball,
+                  uint32_t counted_clusters, Caps &caps, DisjointSets &loops);
   void join_loops_by_meridians(Caps &caps, const Boundary &boundary, DisjointSets &loops);
 
   CapClusters clusters_;
   FreeIntervals intervals_;
-  Span<uint8_t> cluster_count_;  // [balls] if they were counted
-  static constexpr uint8_t not_counted = 0;
+  static constexpr uint32_t not_counted = 0;
 };
 
 }  // namespace hsp

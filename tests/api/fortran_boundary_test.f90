@@ -186,7 +186,7 @@ contains
     type(hsp_ball) :: balls(n)
     type(hsp_totals) :: totals
     real(c_double) :: area(n), volume(n)
-    integer(c_int32_t) :: needed, invariant, id
+    integer(c_int32_t) :: needed, invariant, id, stages
     integer :: v, b
     call expect(hsp_boundary_limits_init(limits, int(c_sizeof(limits), c_int32_t), n), HSP_OK, 'hsp_boundary_limits_init')
     call check(limits%balls == n .and. limits%neighbours == n .and. limits%vertices == 96 .and. limits%circles == 24, &
@@ -199,6 +199,14 @@ contains
     needed_limits%struct_size = int(c_sizeof(needed_limits), c_int32_t)
     call expect(hsp_boundary_compute(boundary, model, needed_limits), HSP_OK, 'hsp_boundary_compute')
     call check(needed_limits%neighbours == 2 .and. needed_limits%vertices == 2 .and. needed_limits%circles == 0, 'needed')
+    ! the same by its one worker
+    call expect(hsp_boundary_begin(boundary, model, 2_c_int32_t, stages), HSP_E_RANGE, 'two workers')
+    call expect(hsp_boundary_begin(boundary, model, 1_c_int32_t, stages), HSP_OK, 'hsp_boundary_begin')
+    do v = 0, stages - 1
+      call expect(hsp_boundary_work(boundary, int(v, c_int32_t), 0_c_int32_t), HSP_OK, 'hsp_boundary_work')
+    end do
+    call expect(hsp_boundary_end(boundary, needed_limits), HSP_OK, 'hsp_boundary_end')
+    call check(needed_limits%vertices == 2 .and. needed_limits%workers == 0, 'needed by a worker')
     call expect(hsp_boundary_get_counts(boundary, counts), HSP_OK, 'hsp_boundary_get_counts')
     call check(counts%balls == n .and. counts%exposed_balls == n .and. counts%contained_balls == 0, 'counts of balls')
     call check(counts%vertices == 2 .and. counts%arcs == 3 .and. counts%circles == 0, 'counts of vertices and arcs')

@@ -53,6 +53,7 @@ same "names of constants" "$work/constants" "$work/constants.module"
   echo '  printf("model bytes %zu %zu\n", HSP_MODEL_BYTES(0), HSP_MODEL_BYTES(1000));'
   for limits in 0,0,0,0 1000,0,0,0 0,1000,0,0 0,0,1000,0 0,0,0,1000; do
     echo "  printf(\"boundary bytes %zu\n\", HSP_BOUNDARY_BYTES($limits));"
+    echo "  printf(\"worker bytes %zu\n\", HSP_WORKER_BYTES($limits));"
     echo "  printf(\"topology bytes %zu\n\", HSP_TOPOLOGY_BYTES($limits));"
     echo "  printf(\"view bytes %zu\n\", HSP_VIEW_BYTES(${limits%,*}));"
     echo "  printf(\"surface bytes %zu\n\", HSP_SURFACE_BYTES($limits,0));"
@@ -80,6 +81,7 @@ same "names of constants" "$work/constants" "$work/constants.module"
   echo "  print '(a, i0, 1x, i0)', 'model bytes ', hsp_model_bytes_bound(0), hsp_model_bytes_bound(1000)"
   for limits in 0,0,0,0 1000,0,0,0 0,1000,0,0 0,0,1000,0 0,0,0,1000; do
     echo "  print '(a, i0)', 'boundary bytes ', hsp_boundary_bytes_bound($limits)"
+    echo "  print '(a, i0)', 'worker bytes ', hsp_worker_bytes_bound($limits)"
     echo "  print '(a, i0)', 'topology bytes ', hsp_topology_bytes_bound($limits)"
     echo "  print '(a, i0)', 'view bytes ', hsp_view_bytes_bound(${limits%,*})"
     echo "  print '(a, i0)', 'surface bytes ', hsp_surface_bytes_bound($limits,0)"

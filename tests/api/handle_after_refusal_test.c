@@ -53,11 +53,16 @@ static void refused_of_boundary(void) {
   four_handles_compute(&h);
   before = contents_of_boundary(h.boundary);
   CHECK_EQUAL(hsp_boundary_init(h.boundary_memory, 10, &limits, &made), HSP_E_MEMORY);
-  limits.reserved = 1;
+  limits.struct_size = 4;
   CHECK_EQUAL(hsp_boundary_init(h.boundary_memory, SIZE, &limits, &made), HSP_E_ARGUMENT);
   limits = four_boundary_limits(BALLS);
   limits.circles = HSP_NONE;
   CHECK_EQUAL(hsp_boundary_init(h.boundary_memory, SIZE, &limits, &made), HSP_E_RANGE);
+  limits = four_boundary_limits(BALLS);
+  limits.workers = HSP_MAX_WORKERS + 1;
+  CHECK_EQUAL(hsp_boundary_init(h.boundary_memory, SIZE, &limits, &made), HSP_E_RANGE);
+  CHECK_EQUAL(hsp_boundary_work(h.boundary, 0, 0), HSP_E_STATE);
+  CHECK_EQUAL(hsp_boundary_end(h.boundary, NULL), HSP_E_STATE);
   CHECK_EQUAL(hsp_boundary_get_counts(h.boundary, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_get_vertices(h.boundary, &vertex, 1, &count), HSP_E_CAPACITY);
   CHECK_EQUAL(hsp_boundary_get_arcs(h.boundary, NULL, 0, &count), HSP_E_CAPACITY);

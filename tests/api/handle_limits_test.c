@@ -109,7 +109,7 @@ static void bad_limits(const kind_of_limits *k) {
     check_refused(k, &limits, HSP_E_ARGUMENT);
   }
   for (which = 1; which < number_count(k->kind); ++which) {
-    const int reserved = which > k->kind->limits;
+    const int reserved = k->kind->names[which] == NULL;
     for (i = 0; i < 2; ++i) {
       check_scene("%s, %s too large", k->name, reserved ? "a reserved number" : k->kind->names[which]);
       limits = k->small;

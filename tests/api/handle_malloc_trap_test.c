@@ -73,7 +73,7 @@ static int call_boundary(computed *c, const buffers *b) {
   hsp_boundary_counts counts;
   hsp_totals totals;
   hsp_energy energy;
-  uint32_t needed, invariant, id, flags;
+  uint32_t needed, invariant, id, flags, stages = 0, stage;
   int32_t meets;
   size_t bytes;
   double radius;
@@ -100,6 +100,9 @@ static int call_boundary(computed *c, const buffers *b) {
   bad += hsp_boundary_bytes(&c->needed, &bytes) != HSP_OK;
   bad += hsp_boundary_init(b->boundary, b->boundary_bytes, &c->needed, &boundary) != HSP_OK;
   bad += hsp_boundary_compute(boundary, model, NULL) != HSP_OK;
+  bad += hsp_boundary_begin(boundary, model, 1, &stages) != HSP_OK;
+  for (stage = 0; stage < stages; ++stage) bad += hsp_boundary_work(boundary, stage, 0) != HSP_OK;
+  bad += hsp_boundary_end(boundary, NULL) != HSP_OK;
   bad += hsp_boundary_get_counts(boundary, &counts) != HSP_OK;
   bad += hsp_boundary_get_vertices(boundary, c->vertices, counts.vertices, &needed) != HSP_OK;
   bad += hsp_boundary_get_arcs(boundary, c->arcs, counts.arcs, &needed) != HSP_OK;

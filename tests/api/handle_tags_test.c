@@ -33,6 +33,7 @@ static void refused_as_model(void *handle) {
   CHECK_EQUAL(hsp_query_neighbours(handle, 0, ids, BALLS, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_query_pairs(handle, 0, first, ids, BALLS, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_compute(h.boundary, handle, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_begin(h.boundary, handle, 1, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_view_compute(h.view, handle, NULL, NULL, NULL), HSP_E_ARGUMENT);
   four_handles_compute(&h);
 }
@@ -45,6 +46,9 @@ static void refused_as_boundary(void *handle) {
   uint32_t needed, invariant, id;
   check_scene("%s as a boundary", scene);
   CHECK_EQUAL(hsp_boundary_compute(handle, h.model, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_begin(handle, h.model, 1, &id), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_work(handle, 0, 0), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_end(handle, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_get_counts(handle, &counts), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_get_vertices(handle, NULL, 0, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_get_arcs(handle, NULL, 0, &needed), HSP_E_ARGUMENT);

@@ -315,7 +315,7 @@ const char *broken_boundary_records(const computed *c) {
   const char *broken = broken_counts(c);
   if (c->enlargements > 2) broken = "hsp_boundary_compute: more than two enlargements";
   if (broken == NULL && (c->needed.balls != c->n || c->needed.vertices != c->counts.vertices ||
-                         c->needed.circles != c->counts.circles || c->needed.reserved != 0)) {
+                         c->needed.circles != c->counts.circles || c->needed.workers != 0)) {
     broken = "hsp_boundary_compute: limits not exact after HSP_OK";
   }
   if (broken == NULL) broken = broken_vertices(c);

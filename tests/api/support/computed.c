@@ -14,7 +14,7 @@ static int32_t compute_handle(void *handle, const void *source, void *limits) {
 
 const handle_kind boundary_handle = {(uint32_t)sizeof(hsp_boundary_limits),
                                      4,
-                                     {"", "balls", "neighbours", "vertices", "circles"},
+                                     {"", "balls", "neighbours", "vertices", "circles", "workers"},
                                      init_limits,
                                      bytes_of_limits,
                                      init_handle,
@@ -88,17 +88,43 @@ int32_t computed_make(uint32_t n, const double *xyz, const double *radius, const
   return status;
 }
 
-void computed_release(computed *c) {
-  free(c->xyz);
-  free(c->radius);
-  free(c->model_memory);
-  free(c->boundary_memory);
+static void free_records(computed *c) {
   free(c->vertices);
   free(c->arcs);
   free(c->circles);
   free(c->faces);
   free(c->loops);
   free(c->loop_arcs);
+}
+
+int32_t computed_by_workers(computed *c, uint32_t workers, const uint32_t *order) {
+  hsp_boundary_limits limits = c->needed;
+  uint32_t stages = 0, stage, k;
+  size_t bytes = 0;
+  int32_t status;
+  limits.workers = workers;
+  status = hsp_boundary_bytes(&limits, &bytes);
+  if (status != HSP_OK) return status;
+  free(c->boundary_memory);
+  c->boundary_memory = test_zeros(bytes, 1);
+  status = hsp_boundary_init(c->boundary_memory, bytes, &limits, &c->boundary);
+  if (status == HSP_OK) status = hsp_boundary_begin(c->boundary, c->model, workers, &stages);
+  for (stage = 0; stage < stages; ++stage) {
+    for (k = 0; k < workers && status == HSP_OK; ++k) status = hsp_boundary_work(c->boundary, stage, order[k]);
+  }
+  if (status == HSP_OK) status = hsp_boundary_end(c->boundary, &c->needed);
+  if (status != HSP_OK) return status;
+  c->needed.workers = 0;
+  free_records(c);
+  return read_boundary(c);
+}
+
+void computed_release(computed *c) {
+  free(c->xyz);
+  free(c->radius);
+  free(c->model_memory);
+  free(c->boundary_memory);
+  free_records(c);
   free(c->balls);
   free(c->area);
   free(c->volume);

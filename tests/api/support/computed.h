@@ -41,6 +41,10 @@ typedef struct computed {
 int32_t computed_make(uint32_t n, const double *xyz, const double *radius, const hsp_model_options *options,
                       computed *result);
 
+/* Computes the boundary again, in memory of its own, by so many workers, who come in that order in every stage, and
+ * reads everything again. */
+int32_t computed_by_workers(computed *result, uint32_t workers, const uint32_t *order);
+
 void computed_release(computed *result);
 
 /* How boundaries are made; they are computed from a `computed`, which needs but its model. */

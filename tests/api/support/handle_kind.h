@@ -14,9 +14,9 @@ typedef struct limit_numbers {
 } limit_numbers;
 
 typedef struct handle_kind {
-  uint32_t struct_size; /* of the limits */
-  int limits;           /* how many there are: number[1] to number[limits] */
-  const char *names[6]; /* by their places in limit_numbers */
+  uint32_t struct_size;             /* of the limits */
+  int limits;                       /* how many there are: number[1] to number[limits] */
+  const char *names[LIMIT_NUMBERS]; /* by their places in limit_numbers; NULL: reserved */
   /* NULL for topologies, whose limits suit a boundary */
   int32_t (*limits_init)(void *limits, uint32_t struct_size, uint32_t balls);
   int32_t (*bytes)(const void *limits, size_t *bytes);

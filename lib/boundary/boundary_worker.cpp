@@ -1,0 +1,108 @@
+#include "boundary/boundary_worker.hpp"
+
+#include "model/block_sweep.hpp"
+
+namespace hsp {
+namespace {
+
+// The first cube that begins at or behind a ball.
+uint32_t cube_from(const CubeGrid &grid, uint32_t ball) {
+  uint32_t low = 0;
+  uint32_t high = grid.cubes();
+  while (low < high) {
+    const uint32_t middle = low + (high - low) / 2;
+    if (grid.balls_in(middle).first < ball) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return low;
+}
+
+}  // namespace
+
+BallShare share_of(const CubeGrid &grid, uint32_t worker, uint32_t workers) {
+  const auto first_cube = [&grid, workers](uint32_t w) {
+    return cube_from(grid, static_cast<uint32_t>(static_cast<uint64_t>(grid.balls().n) * w / workers));
+  };
+  const auto first_ball = [&grid](uint32_t cube) {
+    return cube < grid.cubes() ? grid.balls_in(cube).first : grid.balls().n;
+  };
+  const uint32_t first = first_cube(worker);
+  const uint32_t last = first_cube(worker + 1);
+  return {first, last, {first_ball(first), first_ball(last)}};
+}
+
+void BoundaryWorker::carve(Workspace &workspace, const BoundaryLimits &limits, BoundaryArrays &arrays, uint32_t worker,
+                           Span<uint32_t> borrowed) {
+  caps.carve(workspace, limits.neighbours);
+  finder_.carve(workspace, limits.neighbours);
+  faces.carve(workspace, limits.neighbours);
+  lanes.carve(workspace, limits.neighbours, borrowed);
+  if (worker == 0) {
+    vertices_ = arrays.vertices;
+    circles_ = arrays.circles;
+    parent_ = arrays.component_origin;
+    return;
+  }
+  vertices_ = FixedVector<VertexRecord>(workspace.take<VertexRecord>(limits.vertices));
+  circles_ = FixedVector<CircleRecord>(workspace.take<CircleRecord>(limits.circles));
+  parent_ = workspace.take<uint32_t>(limits.balls);
+}
+
+void BoundaryWorker::start(const BallShare &share) {
+  share_ = share;
+  vertices_.clear();
+  circles_.clear();
+  met_ = {share.balls.first, share.balls.first};
+  neighbours_ = 0;
+  done_ = 0;
+}
+
+// Every ball of the block becomes a set, if it is none yet.
+void BoundaryWorker::cover(const CubeBlock &block) {
+  const uint32_t first = block.range[0].first;
+  const uint32_t last = block.range[block.ranges - 1].last;
+  while (met_.first > first) {
+    --met_.first;
+    parent_[met_.first] = met_.first;
+  }
+  for (; met_.last < last; ++met_.last) parent_[met_.last] = met_.last;
+}
+
+// Cube by cube, so that the block of neighbouring cubes is looked up once for all balls of a cube.
+void BoundaryWorker::search(const CubeGrid &grid, uint8_t *ball_state) {
+  const BallSet &balls = grid.balls();
+  DisjointSets components(parent_.part(0, balls.n));
+  BlockSweep sweep(grid);
+  for (uint32_t cube = share_.first_cube; cube < share_.last_cube; ++cube) {
+    const CubeBlock &block = sweep.block_around(cube);
+    cover(block);
+    const BallRange own = grid.balls_in(cube);
+    const bool in_lanes = lanes.start_cube(grid, cube, block);
+    for (uint32_t i = own.first; i < own.last; ++i) {
+      const bool by_lanes = in_lanes && lanes.gather(balls, i, caps, &components);
+      if (!by_lanes) caps.gather(balls, block, i, &components);
+      ball_state[i] = static_cast<uint8_t>((caps.contained ? BoundaryArrays::contained : 0) |
+                                           (caps.count == 0 ? BoundaryArrays::without_caps : 0));
+      if (caps.contained) continue;
+      if (caps.met > neighbours_) neighbours_ = caps.met;
+      // Once a ball has more neighbours than there is room for, the rest is only counted.
+      if (neighbours_ > caps.capacity()) continue;
+      uint32_t clusters = 0;
+      if (by_lanes) {
+        clusters = lanes.find(balls, caps, finder_, vertices_, circles_);
+      } else {
+        finder_.find(balls, caps, vertices_, circles_);
+      }
+      ball_state[i] |= static_cast<uint8_t>(faces.count_clusters(caps, clusters) * BoundaryArrays::one_cluster);
+    }
+  }
+}
+
+void BoundaryWorker::join_components(DisjointSets &components) const {
+  for (uint32_t i = met_.first; i < met_.last; ++i) components.join(i, parent_[i]);
+}
+
+}  // namespace hsp

@@ -1,0 +1,63 @@
+// One worker of a boundary: scratch memory of its own, a share of the balls, and what it finds there. Workers run side
+// by side; each writes its own records and those entries of common arrays that belong to its balls.
+#pragma once
+
+#include "boundary/faces.hpp"
+#include "sphere/lane_search.hpp"
+
+namespace hsp {
+
+// What fell to a worker: whole cubes, so consecutive balls.
+struct BallShare {
+  uint32_t first_cube = 0, last_cube = 0;  // last is one past the end
+  BallRange balls{0, 0};
+};
+
+// Shares of about as many balls each, ascending; some are empty if there are few cubes.
+BallShare share_of(const CubeGrid &grid, uint32_t worker, uint32_t workers);
+
+// Aligned to cache lines, since each is written by a thread of its own.
+class alignas(64) BoundaryWorker {
+ public:
+  // Worker 0 finds into the boundary's own arrays; the others have copies of them.
+  void carve(Workspace &workspace, const BoundaryLimits &limits, BoundaryArrays &arrays, uint32_t worker,
+             Span<uint32_t> borrowed);
+
+  // Takes a share. Nothing is found, no stage done.
+  void start(const BallShare &share);
+
+  // Vertices and circles of the share's balls, and which balls meet.
+  void search(const CubeGrid &grid, uint8_t *ball_state);
+
+  const BallShare &share() const { return share_; }
+  const FixedVector<VertexRecord> &vertices() const { return vertices_; }
+  const FixedVector<CircleRecord> &circles() const { return circles_; }
+  // Most balls that meet a ball of the share.
+  uint32_t neighbours() const { return neighbours_; }
+  // The balls of the share and those around it.
+  const BallRange &met() const { return met_; }
+  // Joins what this worker found to be one component.
+  void join_components(DisjointSets &components) const;
+
+  // Stages done. Other workers may ask, and then see what was written before.
+  uint32_t done() const { return __atomic_load_n(&done_, __ATOMIC_ACQUIRE); }
+  void count_stage() { __atomic_store_n(&done_, done_ + 1, __ATOMIC_RELEASE); }
+
+  Caps caps;
+  FaceFinder faces;
+  LaneSearch lanes;
+
+ private:
+  void cover(const CubeBlock &block);
+
+  BallShare share_;
+  VertexFinder finder_;
+  FixedVector<VertexRecord> vertices_;
+  FixedVector<CircleRecord> circles_;
+  Span<uint32_t> parent_;  // [balls] disjoint sets of those that were met
+  BallRange met_{0, 0};
+  uint32_t neighbours_ = 0;
+  uint32_t done_ = 0;
+};
+
+}  // namespace hsp

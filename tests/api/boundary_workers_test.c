@@ -1,0 +1,224 @@
+/* hsp_boundary_begin, hsp_boundary_work and hsp_boundary_end: the same results for every number of workers and every
+ * order of their work, whatever the limits; and the status of every call at a wrong time. */
+#include <hardsphere.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "check.h"
+#include "guarded_memory.h"
+#include "handle_life.h"
+#include "random_numbers.h"
+#include "topology_sets.h"
+#include "untouched.h"
+
+enum { MOST_WORKERS = 9 };
+
+/* A boundary with room for so many workers and the rest of what a set needs. */
+static hsp_boundary *make(const hsp_boundary_limits *needed, uint32_t workers, guarded_memory *memory) {
+  hsp_boundary_limits limits = *needed;
+  hsp_boundary *boundary = NULL;
+  size_t bytes = 0;
+  limits.workers = workers;
+  CHECK_EQUAL(hsp_boundary_bytes(&limits, &bytes), HSP_OK);
+  /* hsp_boundary_bytes, property 1 */
+  CHECK(bytes <= HSP_BOUNDARY_BYTES(limits.balls, limits.neighbours, limits.vertices, limits.circles) +
+                     (workers < 1 ? 0 : workers - 1) *
+                         HSP_WORKER_BYTES(limits.balls, limits.neighbours, limits.vertices, limits.circles));
+  *memory = guarded_take(bytes, workers, GUARDED_RANDOM);
+  CHECK_EQUAL(hsp_boundary_init(memory->block, bytes, &limits, &boundary), HSP_OK);
+  return boundary;
+}
+
+/* All stages, in each of them the workers in an order of its own. */
+static void work(hsp_boundary *boundary, const hsp_model *model, uint32_t workers, uint64_t seed) {
+  uint32_t order[BALL_SET_MOST], stages = 0, stage, k;
+  CHECK_EQUAL(hsp_boundary_begin(boundary, model, workers, &stages), HSP_OK);
+  CHECK(stages > 0);
+  for (stage = 0; stage < stages; ++stage) {
+    ball_set_shuffle(workers, seed + stage, order);
+    for (k = 0; k < workers; ++k) CHECK_EQUAL(hsp_boundary_work(boundary, stage, order[k]), HSP_OK);
+  }
+}
+
+static uint64_t hash_of(const hsp_boundary *boundary, const computations *all, unsigned char *buffer) {
+  return kinds_of_life[BOUNDARY].hash(boundary, &all->boundary, buffer, all->room);
+}
+
+/* hsp_boundary_begin, property 1. */
+static void every_split(const ball_set *set) {
+  computations all;
+  uint32_t workers;
+  if (computations_make(set, NULL, &all)) {
+    const computed *c = &all.boundary;
+    unsigned char *buffer = buffer_for(&all);
+    const uint64_t expected = hash_of(c->boundary, &all, buffer);
+    CHECK(expected != 0);
+    for (workers = 1; workers <= MOST_WORKERS; ++workers) {
+      /* The last has more workers than there are cubes. */
+      const uint32_t count = workers < MOST_WORKERS ? workers : set->n % 50 + 40;
+      hsp_boundary_limits needed = c->needed;
+      guarded_memory memory;
+      hsp_boundary *boundary;
+      check_scene("%s by %u workers", set->name, (unsigned)count);
+      boundary = make(&c->needed, count, &memory);
+      work(boundary, c->model, count, workers);
+      needed.vertices = 12345;
+      CHECK_EQUAL(hsp_boundary_end(boundary, &needed), HSP_OK);
+      CHECK_EQUAL(needed.workers, count);
+      needed.workers = c->needed.workers;
+      CHECK_BYTES(&needed, &c->needed, sizeof needed);
+      CHECK(hash_of(boundary, &all, buffer) == expected);
+      CHECK(kinds_of_life[BOUNDARY].use(boundary));
+      /* The same memory once more, by fewer, and by one. */
+      work(boundary, c->model, 1 + count / 2, 77);
+      CHECK_EQUAL(hsp_boundary_end(boundary, NULL), HSP_OK);
+      CHECK(hash_of(boundary, &all, buffer) == expected);
+      CHECK_EQUAL(hsp_boundary_compute(boundary, c->model, NULL), HSP_OK);
+      CHECK(hash_of(boundary, &all, buffer) == expected);
+      CHECK(guarded_clean(&memory));
+      guarded_give_back(&memory);
+    }
+    free(buffer);
+  }
+  computations_release(&all);
+}
+
+/* Limits that are too small are told as hsp_boundary_compute tells them. */
+static void small_limits(const ball_set *set) {
+  computations all;
+  int which;
+  if (computations_make(set, NULL, &all)) {
+    const computed *c = &all.boundary;
+    for (which = 1; which <= 4; ++which) {
+      limit_numbers given = {{0}};
+      uint32_t workers;
+      memcpy(&given, &c->needed, sizeof c->needed);
+      if (given.number[which] == 0) continue;
+      given.number[which] = which == 3 ? given.number[which] / 2 : given.number[which] - 1;
+      for (workers = 1; workers <= 4; ++workers) {
+        hsp_boundary_limits small, by_workers, by_one;
+        guarded_memory memory;
+        hsp_boundary_counts counts;
+        hsp_boundary *boundary;
+        check_scene("%s by %u workers, limit %d too small", set->name, (unsigned)workers, which);
+        memcpy(&small, &given, sizeof small);
+        boundary = make(&small, workers, &memory);
+        by_workers = by_one = c->needed;
+        work(boundary, c->model, workers, 5);
+        CHECK_EQUAL(hsp_boundary_end(boundary, &by_workers), HSP_E_CAPACITY);
+        CHECK_EQUAL(hsp_boundary_get_counts(boundary, &counts), HSP_E_STATE);
+        CHECK_EQUAL(hsp_boundary_end(boundary, &by_workers), HSP_E_STATE);
+        CHECK_EQUAL(hsp_boundary_compute(boundary, c->model, &by_one), HSP_E_CAPACITY);
+        CHECK_BYTES(&by_workers, &by_one, sizeof by_one);
+        CHECK_EQUAL(by_one.workers, workers);
+        CHECK(guarded_clean(&memory));
+        guarded_give_back(&memory);
+      }
+    }
+  }
+  computations_release(&all);
+}
+
+/* ---- calls at a wrong time ---- */
+
+static void wrong_times(void) {
+  static ball_set set;
+  computations all;
+  ball_set_start(&set, "chain", 1e-8);
+  ball_set_add_chain(&set, 60, 3);
+  check_scene("wrong times");
+  if (computations_make(&set, NULL, &all)) {
+    const computed *c = &all.boundary;
+    unsigned char *buffer = buffer_for(&all);
+    const uint64_t expected = hash_of(c->boundary, &all, buffer);
+    guarded_memory memory, untouched;
+    hsp_boundary *boundary = make(&c->needed, 3, &memory), *single = make(&c->needed, 0, &untouched);
+    hsp_boundary_limits bad_size = c->needed, limits = c->needed;
+    hsp_boundary_counts counts;
+    uint32_t stages, unset, stage;
+    bad_size.struct_size = 3;
+    FILL(unset);
+    /* Nothing has begun. */
+    CHECK_EQUAL(hsp_boundary_work(boundary, 0, 0), HSP_E_STATE);
+    CHECK_EQUAL(hsp_boundary_end(boundary, NULL), HSP_E_STATE);
+    CHECK_EQUAL(hsp_boundary_compute(boundary, c->model, NULL), HSP_OK);
+    CHECK_EQUAL(hsp_boundary_work(boundary, 0, 0), HSP_E_STATE);
+    CHECK_EQUAL(hsp_boundary_end(boundary, NULL), HSP_E_STATE);
+    CHECK(hash_of(boundary, &all, buffer) == expected);
+    /* Bad arguments drop results, as those of hsp_boundary_compute do. */
+    CHECK_EQUAL(hsp_boundary_begin(NULL, c->model, 1, &unset), HSP_E_ARGUMENT);
+    CHECK_EQUAL(hsp_boundary_begin(boundary, NULL, 1, &unset), HSP_E_ARGUMENT);
+    CHECK_EQUAL(hsp_boundary_get_counts(boundary, &counts), HSP_E_STATE);
+    CHECK_EQUAL(hsp_boundary_begin(boundary, c->model, 1, NULL), HSP_E_ARGUMENT);
+    CHECK_EQUAL(hsp_boundary_begin(boundary, c->model, 0, &unset), HSP_E_RANGE);
+    CHECK_EQUAL(hsp_boundary_begin(boundary, c->model, 4, &unset), HSP_E_RANGE);
+    CHECK_EQUAL(hsp_boundary_begin(single, c->model, 2, &unset), HSP_E_RANGE);
+    CHECK_UNTOUCHED(unset);
+    CHECK_EQUAL(hsp_boundary_work(boundary, 0, 0), HSP_E_STATE);
+    /* In the middle. */
+    CHECK_EQUAL(hsp_boundary_begin(boundary, c->model, 3, &stages), HSP_OK);
+    CHECK_EQUAL(hsp_boundary_work(NULL, 0, 0), HSP_E_ARGUMENT);
+    CHECK_EQUAL(hsp_boundary_work(boundary, 0, 3), HSP_E_ID);
+    CHECK_EQUAL(hsp_boundary_work(boundary, stages, 0), HSP_E_ID);
+    CHECK_EQUAL(hsp_boundary_work(boundary, HSP_NONE, HSP_NONE), HSP_E_ID);
+    CHECK_EQUAL(hsp_boundary_work(boundary, 1, 0), HSP_E_STATE);
+    for (stage = 0; stage < stages; ++stage) {
+      CHECK_EQUAL(hsp_boundary_work(boundary, stage, 1), HSP_OK);
+      CHECK_EQUAL(hsp_boundary_work(boundary, stage, 1), HSP_E_STATE);
+      CHECK_EQUAL(hsp_boundary_work(boundary, stage, 2), HSP_OK);
+      CHECK_EQUAL(hsp_boundary_work(boundary, stage + 1, 1), stage + 1 < stages ? HSP_E_STATE : HSP_E_ID);
+      CHECK_EQUAL(hsp_boundary_end(boundary, NULL), HSP_E_STATE);
+      CHECK_EQUAL(hsp_boundary_get_counts(boundary, &counts), HSP_E_STATE);
+      CHECK_EQUAL(hsp_boundary_work(boundary, stage, 0), HSP_OK);
+    }
+    CHECK_EQUAL(hsp_boundary_work(boundary, 0, 0), HSP_E_STATE);
+    CHECK_EQUAL(hsp_boundary_get_counts(boundary, &counts), HSP_E_STATE);
+    CHECK_EQUAL(hsp_boundary_end(NULL, NULL), HSP_E_ARGUMENT);
+    CHECK_EQUAL(hsp_boundary_end(boundary, &bad_size), HSP_E_ARGUMENT);
+    CHECK_EQUAL(hsp_boundary_end(boundary, &limits), HSP_OK);
+    CHECK(hash_of(boundary, &all, buffer) == expected);
+    CHECK_EQUAL(hsp_boundary_end(boundary, &limits), HSP_E_STATE);
+    CHECK(hash_of(boundary, &all, buffer) == expected);
+    /* Given up. */
+    CHECK_EQUAL(hsp_boundary_begin(boundary, c->model, 2, &stages), HSP_OK);
+    CHECK_EQUAL(hsp_boundary_work(boundary, 0, 2), HSP_E_ID);
+    CHECK_EQUAL(hsp_boundary_work(boundary, 0, 0), HSP_OK);
+    CHECK_EQUAL(hsp_boundary_compute(boundary, c->model, NULL), HSP_OK);
+    CHECK_EQUAL(hsp_boundary_work(boundary, 0, 1), HSP_E_STATE);
+    CHECK(hash_of(boundary, &all, buffer) == expected);
+    CHECK_EQUAL(hsp_boundary_begin(boundary, c->model, 2, &stages), HSP_OK);
+    CHECK_EQUAL(hsp_boundary_work(boundary, 0, 0), HSP_OK);
+    CHECK_EQUAL(hsp_boundary_compute(boundary, NULL, NULL), HSP_E_ARGUMENT);
+    CHECK_EQUAL(hsp_boundary_work(boundary, 0, 1), HSP_E_STATE);
+    /* Another model, while it is computed. */
+    CHECK_EQUAL(hsp_boundary_begin(boundary, c->model, 1, &stages), HSP_OK);
+    CHECK_EQUAL(hsp_model_set(c->model, set.n, set.xyz, set.radius, NULL, NULL), HSP_OK);
+    CHECK_EQUAL(hsp_boundary_work(boundary, 0, 0), HSP_E_STATE);
+    CHECK_EQUAL(hsp_boundary_end(boundary, &limits), HSP_E_STATE);
+    work(boundary, c->model, 3, 1);
+    CHECK_EQUAL(hsp_model_set(c->model, set.n, set.xyz, set.radius, NULL, NULL), HSP_OK);
+    CHECK_EQUAL(hsp_boundary_end(boundary, &limits), HSP_E_STATE);
+    CHECK_EQUAL(hsp_boundary_get_counts(boundary, &counts), HSP_E_STATE);
+    CHECK(guarded_clean(&memory));
+    guarded_give_back(&memory);
+    guarded_give_back(&untouched);
+    free(buffer);
+  }
+  computations_release(&all);
+}
+
+int main(void) {
+  static ball_set set;
+  uint32_t which;
+  for (which = 0; which < topology_set_count(); ++which) {
+    topology_set_make(which, &set);
+    every_split(&set);
+    small_limits(&set);
+  }
+  ball_set_start(&set, "chain", 1e-8);
+  ball_set_add_chain(&set, BALL_SET_MOST, 11);
+  every_split(&set);
+  small_limits(&set);
+  wrong_times();
+  return check_report();
+}

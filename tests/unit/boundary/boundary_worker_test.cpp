@@ -1,0 +1,136 @@
+// The shares of workers are all cubes, each once and in order, and about equally many balls. What they find together is
+// what one finds: also with hardly any room, where it shows how many there are.
+#include "boundary/boundary_worker.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "boundary/boundary_builder.hpp"
+#include "built_boundary.hpp"
+#include "built_grid.hpp"
+#include "carved_memory.hpp"
+#include "lattice_lengths.hpp"
+#include "molecule_file.hpp"
+#include "random_balls.hpp"
+
+namespace {
+
+TEST(BallShare, CoversAllCubesInOrder) {
+  oracle::RandomSource random(3);
+  for (const size_t n : {size_t{0}, size_t{1}, size_t{2}, size_t{7}, size_t{60}}) {
+    const BuiltBoundary built(oracle::loose_balls(random, n));
+    const hsp::CubeGrid &grid = built.grid();
+    uint32_t largest_cube = 0;
+    for (uint32_t cube = 0; cube < grid.cubes(); ++cube) {
+      largest_cube = std::max(largest_cube, grid.balls_in(cube).last - grid.balls_in(cube).first);
+    }
+    for (uint32_t workers = 1; workers <= 70; ++workers) {
+      uint32_t cube = 0, ball = 0;
+      for (uint32_t w = 0; w < workers; ++w) {
+        const hsp::BallShare share = hsp::share_of(grid, w, workers);
+        EXPECT_EQ(share.first_cube, cube);
+        EXPECT_EQ(share.balls.first, ball);
+        cube = share.last_cube;
+        ball = share.balls.last;
+        const uint32_t balls = ball - share.balls.first;
+        EXPECT_LE(balls, n / workers + 1 + largest_cube);
+        uint32_t in_cubes = 0;
+        for (uint32_t k = share.first_cube; k < share.last_cube; ++k) {
+          in_cubes += grid.balls_in(k).last - grid.balls_in(k).first;
+        }
+        EXPECT_EQ(balls, in_cubes);
+      }
+      EXPECT_EQ(cube, grid.cubes());
+      EXPECT_EQ(ball, n);
+    }
+  }
+}
+
+template <class T>
+void expect_same(hsp::Span<T> a, hsp::Span<T> b, uint32_t count, const char *what) {
+  ASSERT_TRUE(count <= a.size() && count <= b.size());
+  EXPECT_TRUE(count == 0 || std::memcmp(a.data(), b.data(), count * sizeof(T)) == 0) << what;
+}
+
+void expect_same_arrays(const hsp::BoundaryArrays &a, const hsp::BoundaryArrays &b) {
+  ASSERT_EQ(a.vertices.size(), b.vertices.size());
+  ASSERT_EQ(a.circles.size(), b.circles.size());
+  ASSERT_EQ(a.loop_count, b.loop_count);
+  ASSERT_EQ(a.face_count, b.face_count);
+  EXPECT_EQ(a.shell_count, b.shell_count);
+  EXPECT_EQ(a.component_count, b.component_count);
+  ASSERT_EQ(a.balls, b.balls);
+  const uint32_t vertices = a.vertices.size(), circles = a.circles.size(), n = a.balls;
+  expect_same(a.vertices.items(), b.vertices.items(), vertices, "vertices");
+  expect_same(a.circles.items(), b.circles.items(), circles, "circles");
+  expect_same(a.root_discriminant, b.root_discriminant, vertices, "root_discriminant");
+  expect_same(a.half_edges, b.half_edges, 3 * vertices, "half_edges");
+  expect_same(a.half_edge_at, b.half_edge_at, 3 * vertices, "half_edge_at");
+  expect_same(a.first_half_edge, b.first_half_edge, n + 1, "first_half_edge");
+  expect_same(a.closed_half_edge, b.closed_half_edge, 2 * circles, "closed_half_edge");
+  expect_same(a.first_closed_half_edge, b.first_closed_half_edge, n + 1, "first_closed_half_edge");
+  expect_same(a.first_loop, b.first_loop, n + 1, "first_loop");
+  expect_same(a.loop_start, b.loop_start, a.loop_count, "loop_start");
+  expect_same(a.loop_face, b.loop_face, a.loop_count, "loop_face");
+  expect_same(a.first_face, b.first_face, n + 1, "first_face");
+  expect_same(a.faces, b.faces, a.face_count, "faces");
+  expect_same(a.ball_state, b.ball_state, n, "ball_state");
+  expect_same(a.component_origin, b.component_origin, n, "component_origin");
+  expect_same(a.component, b.component, n, "component");
+}
+
+void expect_same_for_all_splits(const support::BallList &balls, double probe, const hsp::BoundaryLimits &limits) {
+  const BuiltGrid built(balls, probe, 0.0);
+  CarvedMemory alone_memory;
+  hsp::BoundaryBuilder alone;
+  alone_memory.carve(alone, limits);
+  const hsp::Status expected = alone.build(built.grid());
+  for (uint32_t workers = 1; workers <= 8; ++workers) {
+    SCOPED_TRACE(workers);
+    hsp::BoundaryLimits for_all = limits;
+    for_all.workers = workers;
+    CarvedMemory memory;
+    hsp::BoundaryBuilder several;
+    memory.carve(several, for_all);
+    ASSERT_EQ(several.begin(built.grid(), workers), hsp::Status::ok);
+    for (uint32_t stage = 0; stage < hsp::BoundaryBuilder::stages; ++stage) {
+      // The last one first.
+      for (uint32_t w = workers; w-- > 0;) EXPECT_EQ(several.work(stage, w), hsp::Status::ok);
+    }
+    EXPECT_EQ(several.end(), expected);
+    for_all = several.needed();
+    for_all.workers = 0;
+    EXPECT_TRUE(for_all == alone.needed());
+    if (expected == hsp::Status::ok) expect_same_arrays(alone.arrays(), several.arrays());
+  }
+}
+
+TEST(BoundaryWorker, SplitMolecules) {
+  for (const char *file : {"caffeine.pdb", "crambin.pdb", "felix_model.pdb"}) {
+    const support::BallList balls =
+        with_radii(support::read_atoms(support::own_molecule(file)), support::Radii::van_der_waals);
+    const uint32_t n = balls.size();
+    for (const double probe : {0.0, 1.4}) {
+      SCOPED_TRACE(file);
+      expect_same_for_all_splits(balls, probe, {n, 200, 8 * n, 2 * n, 0});
+      expect_same_for_all_splits(balls, probe, {n, 200, n / 8, 2 * n, 0});
+      expect_same_for_all_splits(balls, probe, {n, 7, n, n, 0});
+      expect_same_for_all_splits(balls, probe, {n - 1, 200, 8 * n, 2 * n, 0});
+    }
+  }
+}
+
+TEST(BoundaryWorker, SplitRandomSets) {
+  oracle::RandomSource random(5);
+  for (size_t n = 0; n < 40; n = n < 4 ? n + 1 : n + 7) {
+    for (const oracle::Balls &balls : {oracle::loose_balls(random, n), oracle::dense_balls(random, n),
+                                       oracle::clustered_balls(random, n), oracle::balls_in_box(random, n, 5, 0, 4)}) {
+      const auto count = static_cast<uint32_t>(n);
+      expect_same_for_all_splits(oracle::in_lengths(balls, 1), 0.0, {count, count, 24 * count, 4 * count, 0});
+    }
+  }
+}
+
+}  // namespace
