@@ -30,8 +30,6 @@ struct BoundaryLimits {
             larger_count(vertices, other.vertices), larger_count(circles, other.circles),
             larger_count(workers, other.workers)};
   }
-  constexpr bool operator==(const BoundaryLimits &other) const = default;
-  constexpr bool cover(const BoundaryLimits &other) const { return covering(other) == *this; }
   // Loops have at least two arcs or are circles.
   uint64_t most_loops() const { return 3 * static_cast<uint64_t>(vertices) / 2 + 2 * static_cast<uint64_t>(circles); }
 };

@@ -65,6 +65,7 @@ Status BoundaryBuilder::begin(const CubeGrid &grid, uint32_t workers) {
   abandon();
   if (workers < 1 || workers > workers_.size()) return Status::range;
   needed_ = {};
+  needed_.workers = limits_.workers;
   grid_ = &grid;
   count_ = workers;
   for (uint32_t w = 0; w < workers; ++w) workers_[w].start(share_of(grid, w, workers));
@@ -82,8 +83,13 @@ Status BoundaryBuilder::work(uint32_t stage, uint32_t worker) {
   if (stage == search) {
     if (grid_->balls().n <= limits_.balls) own.search(*grid_, arrays().ball_state.data());
   } else {
-    if (stage == place_vertices && worker == 0) count_all();
-    if (limits_.cover(found())) {
+    const Found all = found();
+    if (stage == place_vertices && worker == 0) {
+      arrays().balls = grid_->balls().n;
+      arrays().vertices.set_count(all.vertices);
+      arrays().circles.set_count(all.circles);
+    }
+    if (all.fits) {
       if (stage == place_vertices) place(worker);
       if (stage == assemble_all && worker == 0) assemble();
     }
@@ -97,30 +103,28 @@ Status BoundaryBuilder::end() {
   for (const BoundaryWorker &worker : at_work()) {
     if (worker.done() != stages) return Status::state;
   }
-  needed_ = found();
-  abandon();
-  return limits_.cover(needed_) ? Status::ok : Status::capacity;
-}
-
-// What there is, as far as it is known.
-BoundaryLimits BoundaryBuilder::found() const {
-  BoundaryLimits known{grid_->balls().n, 0, 0, 0, limits_.workers};
-  if (known.balls > limits_.balls) return known;
-  for (const BoundaryWorker &worker : at_work()) {
-    known.neighbours = larger_count(known.neighbours, worker.neighbours());
-  }
+  const Found all = found();
+  needed_.balls = grid_->balls().n;
+  needed_.neighbours = all.neighbours;
   // Not all were looked for if there was no room for all neighbours of a ball.
-  if (known.neighbours > limits_.neighbours) return known;
-  known.vertices = clamped_count(sum([](const BoundaryWorker &worker) { return worker.vertices().required(); }));
-  known.circles = clamped_count(sum([](const BoundaryWorker &worker) { return worker.circles().required(); }));
-  return known;
+  if (all.neighbours <= limits_.neighbours) {
+    needed_.vertices = clamped_count(all.vertices);
+    needed_.circles = clamped_count(all.circles);
+  }
+  abandon();
+  return all.fits ? Status::ok : Status::capacity;
 }
 
-void BoundaryBuilder::count_all() {
-  BoundaryArrays &a = arrays();
-  a.balls = grid_->balls().n;
-  a.vertices.set_count(sum([](const BoundaryWorker &worker) { return worker.vertices().required(); }));
-  a.circles.set_count(sum([](const BoundaryWorker &worker) { return worker.circles().required(); }));
+BoundaryBuilder::Found BoundaryBuilder::found() const {
+  Found all;
+  for (const BoundaryWorker &worker : at_work()) {
+    all.neighbours = larger_count(all.neighbours, worker.neighbours());
+    all.vertices += worker.vertices().required();
+    all.circles += worker.circles().required();
+  }
+  all.fits = grid_->balls().n <= limits_.balls && all.neighbours <= limits_.neighbours &&
+             all.vertices <= limits_.vertices && all.circles <= limits_.circles;
+  return all;
 }
 
 // Puts a worker's vertices and circles behind those of the workers before it. As shares ascend, this is their order if

@@ -47,15 +47,13 @@ class BoundaryBuilder {
   Span<BoundaryWorker> at_work() const {
     return workers_.part(0, count_);
   }
-  // Of a number of each worker.
-  template <class Number>
-  uint64_t sum(Number number) const {
-    uint64_t total = 0;
-    for (const BoundaryWorker &worker : at_work()) total += number(worker);
-    return total;
-  }
-  BoundaryLimits found() const;
-  void count_all();
+  // What all workers together have found.
+  struct Found {
+    uint32_t neighbours = 0;
+    uint64_t vertices = 0, circles = 0;
+    bool fits = false;
+  };
+  Found found() const;
   void place(uint32_t worker);
   void find_root_discriminants(uint32_t first, uint32_t last);
   void join_components();

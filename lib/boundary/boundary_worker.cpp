@@ -23,8 +23,10 @@ uint32_t cube_from(const CubeGrid &grid, uint32_t ball) {
 }  // namespace
 
 BallShare share_of(const CubeGrid &grid, uint32_t worker, uint32_t workers) {
+  // n w / workers, in 32 bits.
   const auto first_cube = [&grid, workers](uint32_t w) {
-    return cube_from(grid, static_cast<uint32_t>(static_cast<uint64_t>(grid.balls().n) * w / workers));
+    const uint32_t n = grid.balls().n;
+    return cube_from(grid, n / workers * w + n % workers * w / workers);
   };
   const auto first_ball = [&grid](uint32_t cube) {
     return cube < grid.cubes() ? grid.balls_in(cube).first : grid.balls().n;
@@ -33,6 +35,8 @@ BallShare share_of(const CubeGrid &grid, uint32_t worker, uint32_t workers) {
   const uint32_t last = first_cube(worker + 1);
   return {first, last, {first_ball(first), first_ball(last)}};
 }
+
+BoundaryWorker::BoundaryWorker() = default;
 
 void BoundaryWorker::carve(Workspace &workspace, const BoundaryLimits &limits, BoundaryArrays &arrays, uint32_t worker,
                            Span<uint32_t> borrowed) {

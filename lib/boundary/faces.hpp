@@ -12,7 +12,7 @@ class FaceFinder {
  public:
   void carve(Workspace &workspace, uint32_t neighbours);
 
-  // The number of clusters of a ball's caps, for BoundaryArrays::ball_state, to be asked while they are at hand: as it is
+  // The number of clusters of a ball's caps, for BoundaryArrays::ball_state, asked while they are at hand: as it is
   // known already, or counted if they are few; 0 if they are not.
   uint32_t count_clusters(const Caps &caps, uint32_t known);
 

@@ -35,6 +35,6 @@ image 3 62 "a model, hsp_query_ball, boundary, measure, gradient"
 image 7 80 "the same with topology"
 image 35 91 "boundary, measure, gradient and smooth surface"
 image 8 68 "a model, a view from it alone, pictures"
-image 31 120 "everything but the smooth surface"
+image 31 122 "everything but the smooth surface"
 rm -rf "$work/build"
 exit $failed

@@ -100,9 +100,11 @@ void expect_same_for_all_splits(const support::BallList &balls, double probe, co
       for (uint32_t w = workers; w-- > 0;) EXPECT_EQ(several.work(stage, w), hsp::Status::ok);
     }
     EXPECT_EQ(several.end(), expected);
-    for_all = several.needed();
-    for_all.workers = 0;
-    EXPECT_TRUE(for_all == alone.needed());
+    EXPECT_EQ(several.needed().workers, workers);
+    EXPECT_EQ(several.needed().balls, alone.needed().balls);
+    EXPECT_EQ(several.needed().neighbours, alone.needed().neighbours);
+    EXPECT_EQ(several.needed().vertices, alone.needed().vertices);
+    EXPECT_EQ(several.needed().circles, alone.needed().circles);
     if (expected == hsp::Status::ok) expect_same_arrays(alone.arrays(), several.arrays());
   }
 }
