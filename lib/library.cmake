@@ -67,6 +67,10 @@ set(HSP_LIBRARY_SOURCES
   lib/surface/surface_builder.cpp
   lib/surface/triangle_kernel.cpp
   lib/surface/triangle_kernel_avx2.cpp
+  lib/mesh/boundary_curves.cpp
+  lib/mesh/mesh_builder.cpp
+  lib/mesh/sphere_triangulation.cpp
+  lib/mesh/spherical_patch.cpp
   lib/view/depth_buffer.cpp
   lib/view/depth_order.cpp
   lib/view/depth_rows.cpp
@@ -96,6 +100,7 @@ set(HSP_LIBRARY_SOURCES
   capi/hsp_measure.cpp
   capi/hsp_gradient.cpp
   capi/hsp_surface.cpp
+  capi/hsp_mesh.cpp
   capi/hsp_topology.cpp
   capi/hsp_topology_records.cpp
   capi/hsp_cells.cpp

@@ -11,8 +11,8 @@
 !   uint32_t                     integer(c_int32_t); values above huge() appear negative: HSP_NONE is -1
 !   uint8_t selected[n]          integer(c_int8_t) :: selected(n), 0 or not 0
 !   hsp_model *, hsp_boundary *,
-!   hsp_surface *, hsp_topology *,
-!   hsp_view *                   type(c_ptr)
+!   hsp_surface *, hsp_mesh *,
+!   hsp_topology *, hsp_view *   type(c_ptr)
 !   void *memory                 type(c_ptr) from c_loc of an array with the TARGET attribute; the handle lives in it,
 !                                so the array must outlive the handle and must not be reallocated
 !   T *out, uint32_t capacity    out(*) with capacity elements; other extents stand behind the declarations
@@ -65,6 +65,10 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_TANGENT_OVERLAP = 0_c_int32_t
   integer(c_int32_t), parameter :: HSP_TANGENT_DISJOINT = 1_c_int32_t
   integer(c_int32_t), parameter :: HSP_GRADIENT_ONE_SIDED = 1_c_int32_t
+
+  integer(c_int32_t), parameter :: HSP_PATCH_CONVEX = 0_c_int32_t
+  integer(c_int32_t), parameter :: HSP_PATCH_SADDLE = 1_c_int32_t
+  integer(c_int32_t), parameter :: HSP_PATCH_CONCAVE = 2_c_int32_t
 
   integer(c_int32_t), parameter :: HSP_POINT_VERTEX = 0_c_int32_t
   integer(c_int32_t), parameter :: HSP_POINT_CIRCLE = 1_c_int32_t
@@ -245,6 +249,22 @@ module hardsphere
     real(c_double) :: convex_area      ! length^2
     real(c_double) :: saddle_area      ! length^2
     real(c_double) :: concave_area     ! length^2
+  end type
+
+  type, bind(C) :: hsp_mesh_limits
+    integer(c_int32_t) :: struct_size  ! hsp_mesh_limits_init sets it
+    integer(c_int32_t) :: balls
+    integer(c_int32_t) :: curves
+    integer(c_int32_t) :: vertices
+    integer(c_int32_t) :: triangles
+    integer(c_int32_t) :: points
+  end type
+
+  type, bind(C) :: hsp_mesh_counts
+    integer(c_int32_t) :: vertices
+    integer(c_int32_t) :: triangles
+    integer(c_int32_t) :: curves
+    integer(c_int32_t) :: refined
   end type
 
   type, bind(C) :: hsp_topology_limits
@@ -835,6 +855,76 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
+    ! ---- triangles -------------------------------------------------------------------------------------------------
+
+    function hsp_mesh_limits_init(limits, struct_size, boundary, edge) result(status) &
+      bind(C, name="hsp_mesh_limits_init")
+      import :: c_double, c_int32_t, c_ptr, hsp_mesh_limits
+      type(hsp_mesh_limits), intent(inout) :: limits
+      integer(c_int32_t), value :: struct_size
+      type(c_ptr), value :: boundary
+      real(c_double), value :: edge
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_mesh_bytes(limits, bytes) result(status) bind(C, name="hsp_mesh_bytes")
+      import :: c_int32_t, c_size_t, hsp_mesh_limits
+      type(hsp_mesh_limits), intent(in) :: limits
+      integer(c_size_t), intent(inout) :: bytes
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_mesh_init(memory, bytes, limits, mesh) result(status) bind(C, name="hsp_mesh_init")
+      import :: c_int32_t, c_ptr, c_size_t, hsp_mesh_limits
+      type(c_ptr), value :: memory
+      integer(c_size_t), value :: bytes
+      type(hsp_mesh_limits), intent(in) :: limits
+      type(c_ptr), intent(inout) :: mesh
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_mesh_compute(mesh, boundary, edge, limits) result(status) bind(C, name="hsp_mesh_compute")
+      import :: c_double, c_int32_t, c_ptr, hsp_mesh_limits
+      type(c_ptr), value :: mesh
+      type(c_ptr), value :: boundary
+      real(c_double), value :: edge
+      type(hsp_mesh_limits), intent(inout), optional :: limits
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_mesh_get_counts(mesh, counts) result(status) bind(C, name="hsp_mesh_get_counts")
+      import :: c_int32_t, c_ptr, hsp_mesh_counts
+      type(c_ptr), value :: mesh
+      type(hsp_mesh_counts), intent(inout) :: counts
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_mesh_get_vertices(mesh, xyz, normals, areas, balls, capacity, needed) result(status) &
+      bind(C, name="hsp_mesh_get_vertices")
+      import :: c_double, c_int32_t, c_ptr
+      type(c_ptr), value :: mesh
+      real(c_double), intent(inout), optional :: xyz(3, *)      ! 3, vertices
+      real(c_double), intent(inout), optional :: normals(3, *)  ! 3, vertices
+      real(c_double), intent(inout), optional :: areas(*)       ! vertices
+      integer(c_int32_t), intent(inout), optional :: balls(*)   ! vertices; 0-based
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_mesh_get_triangles(mesh, corners, kinds, patches, balls, capacity, needed) result(status) &
+      bind(C, name="hsp_mesh_get_triangles")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: mesh
+      integer(c_int32_t), intent(inout), optional :: corners(3, *)  ! 3, triangles; 0-based
+      integer(c_int32_t), intent(inout), optional :: kinds(*)       ! triangles; HSP_PATCH_*
+      integer(c_int32_t), intent(inout), optional :: patches(*)     ! triangles; 0-based
+      integer(c_int32_t), intent(inout), optional :: balls(*)       ! triangles; 0-based
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
+      integer(c_int32_t) :: status
+    end function
+
     ! ---- topology --------------------------------------------------------------------------------------------------
 
     function hsp_topology_limits_init(limits, struct_size, boundary) result(status) &
@@ -1218,6 +1308,15 @@ contains
     bytes = 8192_c_size_t + 80_c_size_t*int(vertices, c_size_t) + 1152_c_size_t*int(neighbours, c_size_t) &
             + 24_c_size_t*int(pieces, c_size_t) + 24_c_size_t*int(arcs, c_size_t) &
             + 12_c_size_t*int(cusped_circles, c_size_t)
+  end function
+
+  !> HSP_MESH_BYTES of the header, for the size of an allocation.
+  pure function hsp_mesh_bytes_bound(balls, curves, vertices, triangles, points) result(bytes)
+    integer(c_int32_t), intent(in) :: balls, curves, vertices, triangles, points
+    integer(c_size_t) :: bytes
+    bytes = 4096_c_size_t + 16_c_size_t*int(balls, c_size_t) + 32_c_size_t*int(curves, c_size_t) &
+            + 64_c_size_t*int(vertices, c_size_t) + 32_c_size_t*int(triangles, c_size_t) &
+            + 384_c_size_t*int(points, c_size_t)
   end function
 
   !> HSP_TOPOLOGY_BYTES of the header, for the size of an allocation.

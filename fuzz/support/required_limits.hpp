@@ -13,6 +13,9 @@ namespace fuzz {
 inline size_t most_bytes(const hsp_surface_limits &limits) {
   return HSP_SURFACE_BYTES(limits.vertices, limits.neighbours, limits.pieces, limits.arcs, limits.cusped_circles);
 }
+inline size_t most_bytes(const hsp_mesh_limits &limits) {
+  return HSP_MESH_BYTES(limits.balls, limits.curves, limits.vertices, limits.triangles, limits.points);
+}
 inline size_t most_bytes(const hsp_topology_limits &limits) {
   return HSP_TOPOLOGY_BYTES(limits.balls, limits.neighbours, limits.edges, limits.cut_arcs);
 }

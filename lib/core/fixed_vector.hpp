@@ -19,6 +19,11 @@ class FixedVector {
   constexpr explicit FixedVector(Span<T> storage) : storage_(storage) {}
 
   constexpr void clear() { required_ = 0; }
+  // Keeps the first `count` records of a vector that has not overflowed.
+  constexpr void shrink(uint32_t count) {
+    check_index(count <= required_);
+    required_ = count;
+  }
   constexpr void push(const T &value) {
     if (required_ < storage_.size()) storage_[static_cast<uint32_t>(required_)] = value;
     ++required_;

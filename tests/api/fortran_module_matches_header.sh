@@ -57,8 +57,10 @@ same "names of constants" "$work/constants" "$work/constants.module"
     echo "  printf(\"topology bytes %zu\n\", HSP_TOPOLOGY_BYTES($limits));"
     echo "  printf(\"view bytes %zu\n\", HSP_VIEW_BYTES(${limits%,*}));"
     echo "  printf(\"surface bytes %zu\n\", HSP_SURFACE_BYTES($limits,0));"
+    echo "  printf(\"mesh bytes %zu\n\", HSP_MESH_BYTES($limits,0));"
   done
   echo '  printf("surface bytes %zu\n", HSP_SURFACE_BYTES(0,0,0,0,1000));'
+  echo '  printf("mesh bytes %zu\n", HSP_MESH_BYTES(0,0,0,0,1000));'
   # the algebra of quarter-edges, on the first two edges and at both ends of what fits
   for q in 0 1 2 3 4 5 6 7 1073741820 1073741823 2147483647; do
     echo "  printf(\"turned %ld %ld %ld\n\", (long)HSP_QUAD_ROT(UINT32_C($q)), (long)HSP_QUAD_INVERSE_ROT(UINT32_C($q)),"
@@ -85,8 +87,10 @@ same "names of constants" "$work/constants" "$work/constants.module"
     echo "  print '(a, i0)', 'topology bytes ', hsp_topology_bytes_bound($limits)"
     echo "  print '(a, i0)', 'view bytes ', hsp_view_bytes_bound(${limits%,*})"
     echo "  print '(a, i0)', 'surface bytes ', hsp_surface_bytes_bound($limits,0)"
+    echo "  print '(a, i0)', 'mesh bytes ', hsp_mesh_bytes_bound($limits,0)"
   done
   echo "  print '(a, i0)', 'surface bytes ', hsp_surface_bytes_bound(0,0,0,0,1000)"
+  echo "  print '(a, i0)', 'mesh bytes ', hsp_mesh_bytes_bound(0,0,0,0,1000)"
   for q in 0 1 2 3 4 5 6 7 1073741820 1073741823 2147483647 HSP_NONE; do
     echo "  print '(a, 2(i0, 1x), i0)', 'turned ', hsp_quad_rot($q), hsp_quad_inverse_rot($q), hsp_quad_sym($q)"
   done

@@ -6,6 +6,7 @@
 #include "ball_sets.h"
 #include "check.h"
 #include "malloc_trap.h"
+#include "mesh_result.h"
 #include "surface_result.h"
 #include "topology_result.h"
 #include "topology_sets.h"
@@ -138,6 +139,26 @@ static int call_surface(surface_result *s, void *memory, size_t bytes) {
   bad += hsp_surface_compute(surface, c->boundary, NULL) != HSP_OK;
   bad += hsp_surface_get_counts(surface, &counts) != HSP_OK;
   bad += hsp_surface_measure(surface, &s->totals, s->balls, c->n, &needed) != HSP_OK;
+  return bad;
+}
+
+static int call_mesh(mesh_result *m, void *memory, size_t bytes) {
+  const computed *c = m->base;
+  hsp_mesh *mesh = NULL;
+  hsp_mesh_limits limits;
+  hsp_mesh_counts counts = {0, 0, 0, 0};
+  uint32_t needed = 0;
+  size_t size = 0;
+  int bad = 0;
+  bad += hsp_mesh_limits_init(&limits, (uint32_t)sizeof limits, c->boundary, m->edge) != HSP_OK;
+  bad += hsp_mesh_bytes(&m->needed, &size) != HSP_OK;
+  bad += hsp_mesh_init(memory, bytes, &m->needed, &mesh) != HSP_OK;
+  bad += hsp_mesh_compute(mesh, c->boundary, m->edge, NULL) != HSP_OK;
+  bad += hsp_mesh_get_counts(mesh, &counts) != HSP_OK;
+  bad += hsp_mesh_get_vertices(mesh, m->xyz[0], m->normals[0], m->areas, m->vertex_balls, counts.vertices, &needed) !=
+         HSP_OK;
+  bad +=
+      hsp_mesh_get_triangles(mesh, m->corners[0], m->kinds, m->patches, m->balls, counts.triangles, &needed) != HSP_OK;
   return bad;
 }
 
@@ -292,6 +313,28 @@ static void trap_surface(const ball_set *set) {
   computed_release(&c);
 }
 
+/* Four balls that overlap, with the borders well apart. */
+static void trap_mesh(void) {
+  static const double xyz[4][3] = {{0, 0, 0}, {1.5, 0, 0}, {2.0, 1.4, 0}, {1.0, 0.7, 1.1}};
+  static const double radius[4] = {1.0, 1.2, 0.9, 1.1};
+  computed c;
+  mesh_result m;
+  CHECK_EQUAL(computed_make(4, xyz[0], radius, NULL, &c), HSP_OK);
+  if (CHECK_EQUAL(mesh_result_make(&c, 0.3, &m), HSP_OK)) {
+    size_t bytes = 0;
+    void *memory;
+    int bad;
+    CHECK_EQUAL(hsp_mesh_bytes(&m.needed, &bytes), HSP_OK);
+    memory = test_zeros(bytes, 1);
+    arm();
+    bad = call_mesh(&m, memory, bytes);
+    disarm(bad);
+    free(memory);
+  }
+  mesh_result_release(&m);
+  computed_release(&c);
+}
+
 static void trap_view(const computed *c, uint32_t pieces) {
   hsp_view_options options;
   view_result v;
@@ -319,6 +362,7 @@ int main(void) {
   computed c;
   uint32_t which;
   check_trap();
+  trap_mesh();
   for (which = 0; which < ball_set_count(); ++which) {
     ball_set_make(which, &set);
     if (set.n == 0) continue;

@@ -18,8 +18,9 @@ typedef union struct_version {
 } struct_version;
 
 static four_handles h;
-static unsigned char other_memory[2 * SIZE], surface_memory[SIZE];
+static unsigned char other_memory[2 * SIZE], surface_memory[SIZE], mesh_memory[1 << 18];
 static hsp_surface *surface;
+static hsp_mesh *mesh;
 
 static int32_t ignore_bytes(void *context, const char *bytes, size_t count) {
   (void)context;
@@ -45,6 +46,13 @@ static int32_t read_surface_limits(const void *given) {
   hsp_surface *made = NULL;
   const int32_t status = hsp_surface_bytes(given, &bytes);
   CHECK_EQUAL(hsp_surface_init(other_memory, sizeof other_memory, given, &made), status);
+  return status;
+}
+static int32_t read_mesh_limits(const void *given) {
+  size_t bytes = 0;
+  hsp_mesh *made = NULL;
+  const int32_t status = hsp_mesh_bytes(given, &bytes);
+  CHECK_EQUAL(hsp_mesh_init(mesh_memory, sizeof mesh_memory, given, &made), status);
   return status;
 }
 static int32_t read_topology_limits(const void *given) {
@@ -85,6 +93,9 @@ static int32_t write_boundary_limits(void *out, uint32_t size) {
 static int32_t write_surface_limits(void *out, uint32_t size) {
   return hsp_surface_limits_init(out, size, h.boundary);
 }
+static int32_t write_mesh_limits(void *out, uint32_t size) {
+  return hsp_mesh_limits_init(out, size, h.boundary, 1.0);
+}
 static int32_t write_topology_limits(void *out, uint32_t size) {
   return hsp_topology_limits_init(out, size, h.boundary);
 }
@@ -101,6 +112,13 @@ static int32_t return_surface_limits(void *out, uint32_t size) {
   CHECK_EQUAL(hsp_boundary_compute(h.boundary, h.model, NULL), HSP_OK);
   memcpy(out, &size, sizeof size);
   return hsp_surface_compute(surface, h.boundary, out);
+}
+static int32_t return_mesh_limits(void *out, uint32_t size) {
+  const hsp_mesh_limits of_mesh = {(uint32_t)sizeof of_mesh, BALLS, 64, 400, 800, 200};
+  CHECK_EQUAL(hsp_mesh_init(mesh_memory, sizeof mesh_memory, &of_mesh, &mesh), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_compute(h.boundary, h.model, NULL), HSP_OK);
+  memcpy(out, &size, sizeof size);
+  return hsp_mesh_compute(mesh, h.boundary, 1.0, out);
 }
 static int32_t return_topology_limits(void *out, uint32_t size) {
   CHECK_EQUAL(hsp_boundary_compute(h.boundary, h.model, NULL), HSP_OK);
@@ -133,6 +151,11 @@ static const struct versioned {
      sizeof(hsp_surface_limits),
      read_surface_limits,
      {write_surface_limits, return_surface_limits, NULL}},
+    {"hsp_mesh_limits",
+     sizeof(hsp_mesh_limits),
+     sizeof(hsp_mesh_limits),
+     read_mesh_limits,
+     {write_mesh_limits, return_mesh_limits, NULL}},
     {"hsp_topology_limits",
      sizeof(hsp_topology_limits),
      sizeof(hsp_topology_limits),

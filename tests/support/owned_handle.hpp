@@ -53,6 +53,16 @@ struct SurfaceKind {
   static constexpr auto bytes = hsp_surface_bytes;
   static constexpr auto init = hsp_surface_init;
 };
+struct MeshKind {
+  using Handle = hsp_mesh;
+  using Limits = hsp_mesh_limits;
+  static constexpr int enlargements = 20;
+  static constexpr std::array limits = {&Limits::balls, &Limits::curves, &Limits::vertices, &Limits::triangles,
+                                        &Limits::points};
+  static constexpr const char *name = "hsp_mesh";
+  static constexpr auto bytes = hsp_mesh_bytes;
+  static constexpr auto init = hsp_mesh_init;
+};
 struct TopologyKind {
   using Handle = hsp_topology;
   using Limits = hsp_topology_limits;

@@ -30,6 +30,6 @@ int32_t grow_until_computed(const handle_kind *kind, const void *source, uint32_
     if (status != HSP_OK) return status;
     status = kind->compute(*handle, source, &limits);
     if (status == HSP_OK) memcpy(needed, &limits, kind->struct_size);
-    if (status != HSP_E_CAPACITY || *enlargements == MOST_ENLARGEMENTS) return status;
+    if (status != HSP_E_CAPACITY || *enlargements == MOST_ENLARGEMENTS + kind->more_enlargements) return status;
   }
 }

@@ -23,6 +23,7 @@ typedef struct handle_kind {
   int32_t (*init)(void *memory, size_t bytes, const void *limits, void **handle);
   /* source: a computed, topology_result or view_result; limits: of struct_size bytes, or NULL */
   int32_t (*compute)(void *handle, const void *source, void *limits);
+  uint32_t more_enlargements; /* than MOST_ENLARGEMENTS that may be needed */
 } handle_kind;
 
 /* The functions of hsp_boundary, hsp_topology or hsp_view as a handle_kind holds them, but for `limits_init` and

@@ -59,11 +59,12 @@ static int try_once(const known_handle *known, limit_numbers *limits, size_t mis
 
 void try_limits(const known_handle *known, const limit_numbers *from, size_t misalignment) {
   limit_numbers limits = *from;
-  int enlargements;
-  for (enlargements = 0; enlargements <= MOST_ENLARGEMENTS; ++enlargements) {
+  const uint32_t most = MOST_ENLARGEMENTS + known->kind->more_enlargements;
+  uint32_t enlargements;
+  for (enlargements = 0; enlargements <= most; ++enlargements) {
     if (try_once(known, &limits, misalignment)) return;
   }
-  check_true(0, "three enlargements by what is asked for lead to success", __FILE__, __LINE__);
+  check_true(0, "as many enlargements as the header says lead to success", __FILE__, __LINE__);
 }
 
 void sweep_limits(const known_handle *known, const char *name) {

@@ -16,7 +16,8 @@ const handle_kind topology_handle = {(uint32_t)sizeof(hsp_topology_limits),
                                      NULL,
                                      bytes_of_limits,
                                      init_handle,
-                                     compute_handle};
+                                     compute_handle,
+                                     0};
 
 static int32_t compute_topology(topology_result *t) {
   void *topology = NULL;

@@ -18,7 +18,8 @@ const handle_kind view_handle = {(uint32_t)sizeof(hsp_view_limits),
                                  init_limits,
                                  bytes_of_limits,
                                  init_handle,
-                                 compute_handle};
+                                 compute_handle,
+                                 0};
 
 static int32_t compute_view(view_result *v) {
   void *view = NULL;

@@ -1,0 +1,131 @@
+#include "hsp_mesh.hpp"
+
+using hsp::capi::is_live;
+
+namespace {
+
+// The limits that a program gives.
+int32_t from_c(const hsp_mesh_limits *given, hsp::MeshLimits &result) {
+  hsp_mesh_limits limits;
+  if (!hsp::capi::read_struct(given, {}, limits)) return HSP_E_ARGUMENT;
+  const uint32_t all[] = {limits.balls, limits.curves, limits.vertices, limits.triangles, limits.points};
+  for (const uint32_t limit : all) {
+    if (limit > HSP_MAX_BALLS) return HSP_E_RANGE;
+  }
+  result = {limits.balls, limits.curves, limits.vertices, limits.triangles, limits.points};
+  return HSP_OK;
+}
+
+hsp_mesh_limits to_c(const hsp::MeshLimits &limits) {
+  return {sizeof(hsp_mesh_limits), limits.balls, limits.curves, limits.vertices, limits.triangles, limits.points};
+}
+
+int32_t check_edge(double edge) {
+  if (!hsp::is_finite(edge)) return HSP_E_NOT_FINITE;
+  return edge > 0.0 ? HSP_OK : HSP_E_ARGUMENT;
+}
+
+hsp::Vec3 corner_of(const hsp::Mesh &mesh, const hsp::MeshTriangle &triangle, uint32_t k) {
+  const double *const xyz = mesh.vertex(triangle.vertex[k]).position;
+  return {xyz[0], xyz[1], xyz[2]};
+}
+
+void share_areas(const hsp::Mesh &mesh, double *areas) {
+  for (uint32_t v = 0; v < mesh.vertex_count(); ++v) areas[v] = 0.0;
+  for (uint32_t t = 0; t < mesh.triangle_count(); ++t) {
+    const hsp::MeshTriangle &triangle = mesh.triangle(t);
+    const hsp::Vec3 first = corner_of(mesh, triangle, 0);
+    const hsp::Vec3 twice = cross(corner_of(mesh, triangle, 1) - first, corner_of(mesh, triangle, 2) - first);
+    const double share = std::sqrt(dot(twice, twice)) / 6;
+    for (const uint32_t v : triangle.vertex) areas[v] += share;
+  }
+}
+
+}  // namespace
+
+int32_t hsp_mesh_limits_init(hsp_mesh_limits *limits, uint32_t struct_size, const hsp_boundary *boundary, double edge) {
+  if (limits == nullptr || !is_live(boundary) || !hsp::capi::is_struct_size<hsp_mesh_limits>(struct_size)) {
+    return HSP_E_ARGUMENT;
+  }
+  if (const int32_t status = check_edge(edge); status != HSP_OK) return status;
+  if (!boundary->has_results()) return HSP_E_STATE;
+  const hsp::BallSet &balls = boundary->balls();
+  hsp::MeshLimits enough;
+  const hsp::Status status = hsp::expected_mesh_limits(balls, boundary->structure(), balls.lattice.steps(edge), enough);
+  if (status == hsp::Status::ok) hsp::capi::write_struct(to_c(enough), limits, struct_size);
+  return hsp::capi::to_c(status);
+}
+
+int32_t hsp_mesh_bytes(const hsp_mesh_limits *limits, size_t *bytes) {
+  if (bytes == nullptr) return HSP_E_ARGUMENT;
+  hsp::MeshLimits wanted;
+  if (const int32_t status = from_c(limits, wanted); status != HSP_OK) return status;
+  return hsp::capi::get_bytes<hsp_mesh>(wanted, bytes);
+}
+
+int32_t hsp_mesh_init(void *memory, size_t bytes, const hsp_mesh_limits *limits, hsp_mesh **mesh) {
+  if (memory == nullptr || mesh == nullptr) return HSP_E_ARGUMENT;
+  hsp::MeshLimits wanted;
+  if (const int32_t status = from_c(limits, wanted); status != HSP_OK) return status;
+  return hsp::capi::init(memory, bytes, wanted, mesh);
+}
+
+int32_t hsp_mesh_compute(hsp_mesh *mesh, const hsp_boundary *boundary, double edge, hsp_mesh_limits *limits) {
+  if (!is_live(mesh)) return HSP_E_ARGUMENT;
+  mesh->complete = false;
+  if (!is_live(boundary) || !hsp::capi::may_write(limits)) return HSP_E_ARGUMENT;
+  if (const int32_t status = check_edge(edge); status != HSP_OK) return status;
+  if (!boundary->has_results()) return HSP_E_STATE;
+  const hsp::BallSet &balls = boundary->balls();
+  const hsp::Status status = mesh->builder.build(balls, boundary->structure(), balls.lattice.steps(edge));
+  mesh->boundary = boundary;
+  mesh->computed = boundary->computed;
+  constexpr hsp_mesh_limits (*convert)(const hsp::MeshLimits &) = to_c;
+  return hsp::capi::finish<convert>(*mesh, status, limits);
+}
+
+int32_t hsp_mesh_get_counts(const hsp_mesh *mesh, hsp_mesh_counts *counts) {
+  if (!is_live(mesh) || counts == nullptr) return HSP_E_ARGUMENT;
+  if (!mesh->has_results()) return HSP_E_STATE;
+  const hsp::Mesh &found = mesh->builder.mesh();
+  *counts = {found.vertex_count(), found.triangle_count(), found.curve_count(), found.refined_count()};
+  return HSP_OK;
+}
+
+int32_t hsp_mesh_get_vertices(const hsp_mesh *mesh, double *xyz, double *normals, double *areas, uint32_t *balls,
+                              uint32_t capacity, uint32_t *needed) {
+  if (!is_live(mesh)) return HSP_E_ARGUMENT;
+  if (!mesh->has_results()) return HSP_E_STATE;
+  const hsp::Mesh &found = mesh->builder.mesh();
+  const bool wanted = xyz != nullptr || normals != nullptr || areas != nullptr || balls != nullptr;
+  if (!hsp::capi::fits(wanted, capacity, found.vertex_count(), needed)) return HSP_E_CAPACITY;
+  const hsp::Span<const uint32_t> caller = mesh->boundary->balls().caller;
+  for (uint32_t v = 0; wanted && v < found.vertex_count(); ++v) {
+    const hsp::MeshVertex &vertex = found.vertex(v);
+    for (uint32_t axis = 0; axis < 3; ++axis) {
+      if (xyz != nullptr) xyz[3 * size_t{v} + axis] = vertex.position[axis];
+      if (normals != nullptr) normals[3 * size_t{v} + axis] = vertex.normal[axis];
+    }
+    if (balls != nullptr) balls[v] = caller[vertex.ball];
+  }
+  if (areas != nullptr) share_areas(found, areas);
+  return HSP_OK;
+}
+
+int32_t hsp_mesh_get_triangles(const hsp_mesh *mesh, uint32_t *corners, uint32_t *kinds, uint32_t *patches,
+                               uint32_t *balls, uint32_t capacity, uint32_t *needed) {
+  if (!is_live(mesh)) return HSP_E_ARGUMENT;
+  if (!mesh->has_results()) return HSP_E_STATE;
+  const hsp::Mesh &found = mesh->builder.mesh();
+  const bool wanted = corners != nullptr || kinds != nullptr || patches != nullptr || balls != nullptr;
+  if (!hsp::capi::fits(wanted, capacity, found.triangle_count(), needed)) return HSP_E_CAPACITY;
+  const hsp::Span<const uint32_t> caller = mesh->boundary->balls().caller;
+  for (uint32_t t = 0; wanted && t < found.triangle_count(); ++t) {
+    const hsp::MeshTriangle &triangle = found.triangle(t);
+    for (uint32_t k = 0; corners != nullptr && k < 3; ++k) corners[3 * size_t{t} + k] = triangle.vertex[k];
+    if (kinds != nullptr) kinds[t] = static_cast<uint32_t>(triangle.kind);
+    if (patches != nullptr) patches[t] = triangle.patch;
+    if (balls != nullptr) balls[t] = caller[triangle.ball];
+  }
+  return HSP_OK;
+}

@@ -1,0 +1,21 @@
+// What is behind the handle hsp_mesh.
+#pragma once
+
+#include "hsp_boundary.hpp"
+#include "mesh/mesh_builder.hpp"
+
+struct hsp_mesh {
+  using Builder = hsp::MeshBuilder;
+  static constexpr uint64_t kind = 0x6d6573682e2e2e21;  // "mesh...!" in ASCII
+
+  uintptr_t tag;
+  Builder builder;
+  const hsp_boundary *boundary = nullptr;  // what was computed last
+  uint64_t computed = 0;
+  bool complete = false;
+
+  // Whether results may be read: computed, and neither the boundary nor the model has changed since.
+  bool has_results() const {
+    return complete && hsp::capi::is_live(boundary) && computed == boundary->computed && boundary->has_results();
+  }
+};

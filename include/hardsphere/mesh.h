@@ -1,0 +1,126 @@
+/* hardsphere/mesh.h: a surface as triangles, for programs that draw it or compute on it.
+ *
+ * The triangles of a mesh form closed surfaces: every edge belongs to two triangles, which run through it in opposite
+ * directions, and the triangles around a vertex form one ring. They run counter-clockwise seen from outside. Every
+ * vertex lies on the surface up to rounding, and every triangle belongs to one patch. How the faces, arcs and vertices
+ * hang together is the exact boundary's own: where a border is so thin that chords of its arcs would cross, these get
+ * more points.
+ *
+ * Areas and volumes of a mesh are those of its triangles. They approach those of the surface with the square of the
+ * edge's length; hsp_boundary_measure has the exact ones. */
+#ifndef HARDSPHERE_MESH_H
+#define HARDSPHERE_MESH_H
+
+#include "boundary.h"
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** The triangles of a surface. */
+typedef struct hsp_mesh hsp_mesh;
+
+/** The limits that fix a mesh's memory. */
+typedef struct hsp_mesh_limits {
+  uint32_t struct_size; /**< sizeof(hsp_mesh_limits) */
+  uint32_t balls;       /**< of the model */
+  uint32_t curves;      /**< arcs and circles of the boundary */
+  uint32_t vertices;    /**< of the mesh, with those that finer ones have replaced */
+  uint32_t triangles;   /**< of the mesh, with those that finer ones have replaced */
+  uint32_t points;      /**< most points of any one sphere while it is triangulated */
+} hsp_mesh_limits;
+
+/** Limits for a computed boundary and edges of about the given length that nearly always suffice.
+ *  @retval HSP_E_ARGUMENT    limits or boundary is NULL; struct_size is bad; edge is not above 0
+ *  @retval HSP_E_NOT_FINITE  edge is NaN or infinite
+ *  @retval HSP_E_RANGE       there would be more than HSP_MAX_BALLS of something
+ *  @retval HSP_E_STATE       the boundary holds no results, or its model has changed since */
+HSP_API int32_t hsp_mesh_limits_init(hsp_mesh_limits *limits, uint32_t struct_size, const hsp_boundary *boundary,
+                                     double edge);
+
+/** Bytes that hsp_mesh_init needs.
+ *  - Property 1: at most HSP_MESH_BYTES of the five limits.
+ *  - Property 2: grows with each limit.
+ *
+ *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
+ *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
+HSP_API int32_t hsp_mesh_bytes(const hsp_mesh_limits *limits, size_t *bytes);
+
+/** The same as an upper bound that is a constant expression, for static arrays. */
+#define HSP_MESH_BYTES(balls, curves, vertices, triangles, points)                                                 \
+  ((size_t)4096 + (size_t)16 * (size_t)(balls) + (size_t)32 * (size_t)(curves) + (size_t)64 * (size_t)(vertices) + \
+   (size_t)32 * (size_t)(triangles) + (size_t)384 * (size_t)(points))
+
+/** Make an empty mesh in caller memory of any alignment; sets *mesh.
+ *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
+ *  @retval HSP_E_MEMORY    bytes is less than hsp_mesh_bytes says; nothing is written
+ *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
+HSP_API int32_t hsp_mesh_init(void *memory, size_t bytes, const hsp_mesh_limits *limits, hsp_mesh **mesh);
+
+/** Triangles for a computed boundary, with edges of about the given length: the van der Waals surface, or with a probe
+ *  the solvent-accessible one. Triangles are as large as that at most but for rounding; where the surface has arcs that
+ *  are shorter, or curves that are close to each other, they are smaller. Boundary and model must outlive the mesh;
+ *  after hsp_model_set or hsp_boundary_compute what reads the mesh yields HSP_E_STATE until it is computed again. On
+ *  failure it holds no results. limits: see LIMITS in hardsphere.h; at most twenty retries, hardly ever any.
+ *  - Property 1: the triangles are closed surfaces as described above, and the number of vertices less half that of
+ *    triangles is the Euler characteristic of hsp_boundary_get_counts, or the status says that there are none.
+ *  - Property 2: the same model, boundary and edge yield the same bytes on every machine.
+ *
+ *  Cost: O(m + p log p) for m vertices, about 5 for each area of edge^2, and p on the sphere that has most of them.
+ *  @retval HSP_E_ARGUMENT    mesh or boundary is NULL; bad struct_size of limits; edge is not above 0
+ *  @retval HSP_E_NOT_FINITE  edge is NaN or infinite
+ *  @retval HSP_E_RANGE       there would be more than HSP_MAX_BALLS of something
+ *  @retval HSP_E_CAPACITY    a limit is too small; limits, if not NULL, become limits to retry with
+ *  @retval HSP_E_STATE       the boundary holds no results, or its model has changed since
+ *  @retval HSP_E_CHECK       two borders on one sphere are closer than 1e-9 of its radius along a curve, as where balls
+ *                            touch in a point: no number of points tells them apart */
+HSP_API int32_t hsp_mesh_compute(hsp_mesh *mesh, const hsp_boundary *boundary, double edge, hsp_mesh_limits *limits);
+
+/** How many of everything. Frozen. */
+typedef struct hsp_mesh_counts {
+  uint32_t vertices;  /**< of the triangles */
+  uint32_t triangles; /**< of the mesh */
+  uint32_t curves;    /**< arcs and circles of the boundary */
+  uint32_t refined;   /**< of these, those that got more points than their length demands */
+} hsp_mesh_counts;
+
+/** How many vertices and triangles there are.
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since */
+HSP_API int32_t hsp_mesh_get_counts(const hsp_mesh *mesh, hsp_mesh_counts *counts);
+
+/** The vertices, which also serve as points all over the surface: positions, normals, areas and balls. Each of these
+ *  arrays may be NULL, else it holds capacity >= vertices entries, xyz and normals [capacity][3]; needed may be NULL
+ *  and else becomes their number.
+ *  normals have length 1 and point outward; on a border, where the patches that meet have one each, it is the direction
+ *  of their sum. areas: a third of all triangles around a vertex. balls: the ball that the vertex lies on, in the
+ *  caller's order, on a border the first of them.
+ *  - Property 1: the areas sum to the area of the mesh, up to rounding.
+ *
+ *  @retval HSP_E_ARGUMENT  mesh is NULL
+ *  @retval HSP_E_CAPACITY  an array is given and capacity is too small; nothing but *needed is written
+ *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since */
+HSP_API int32_t hsp_mesh_get_vertices(const hsp_mesh *mesh, double *xyz, double *normals, double *areas,
+                                      uint32_t *balls, uint32_t capacity, uint32_t *needed);
+
+#define HSP_PATCH_CONVEX UINT32_C(0)  /**< a face of the boundary: patches are numbered as faces are */
+#define HSP_PATCH_SADDLE UINT32_C(1)  /**< not of a boundary */
+#define HSP_PATCH_CONCAVE UINT32_C(2) /**< not of a boundary */
+
+/** The triangles: the numbers of their vertices, and what each belongs to. Each array may be NULL, else it holds
+ *  capacity >= triangles entries, corners [capacity][3]; needed may be NULL and else becomes their number. kinds:
+ *  HSP_PATCH_*. patches: the number of the face. balls: the ball of the patch, in the caller's order.
+ *  @retval HSP_E_ARGUMENT  mesh is NULL
+ *  @retval HSP_E_CAPACITY  an array is given and capacity is too small; nothing but *needed is written
+ *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since */
+HSP_API int32_t hsp_mesh_get_triangles(const hsp_mesh *mesh, uint32_t *corners, uint32_t *kinds, uint32_t *patches,
+                                       uint32_t *balls, uint32_t capacity, uint32_t *needed);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

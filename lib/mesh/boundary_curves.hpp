@@ -1,0 +1,70 @@
+// The arcs and circles of a boundary as polygons. Every curve has its points once, by a rule that knows nothing of
+// faces, so that all patches that share the curve share its points.
+#pragma once
+
+#include "core/elementary.hpp"
+#include "measure/boundary_positions.hpp"
+
+namespace hsp {
+
+// An arc, named by its half-edge on the ball of lower rank, or a circle.
+struct BoundaryCurve {
+  uint32_t element;       // a half-edge or a circle
+  uint32_t segments;      // between its points
+  uint32_t first_sample;  // number in the mesh of the points between its ends, of a circle of all of them
+  bool refine;            // wants twice as many segments
+  bool refined;           // has more segments than its length demands
+};
+
+// A curve's points are those on a circle at equal angles, clockwise about the axis from the ball of lower rank to the
+// other.
+class CurvePoints {
+ public:
+  // Circles are at least as large as least_radius.
+  CurvePoints(const BallSet &balls, const Boundary &boundary, const BoundaryCurve &curve, bool is_circle,
+              double least_radius = 0.0);
+
+  // Point k of 0 .. segments.
+  Position at(uint32_t k) const {
+    const SinCos turn = sin_cos(angle_ * k / segments_);
+    return {ball_, centre_ + combine(turn.cosine, x_, turn.sine, y_)};
+  }
+
+ private:
+  uint32_t ball_;
+  uint32_t segments_;
+  double angle_;
+  Vec3 centre_, x_, y_;  // y_ is a quarter turn clockwise from x_
+};
+
+class BoundaryCurves {
+ public:
+  // half_edges: 2 for each arc.
+  void carve(Workspace &workspace, uint32_t curves);
+
+  // Numbers all curves and says how many segments of about the given length they have. The limit suffices. False if
+  // there are more than max_count.
+  bool build(const BallSet &balls, const Boundary &boundary, double length);
+
+  uint32_t count() const { return count_; }
+  uint32_t of_half_edge(uint32_t e) const { return curve_of_[e]; }
+  uint32_t of_circle(uint32_t circle) const { return first_circle_ + circle; }
+  bool is_circle(uint32_t curve) const { return curve >= first_circle_; }
+  const BoundaryCurve &curve(uint32_t c) const { return curve_[c]; }
+  BoundaryCurve &curve(uint32_t c) { return curve_[c]; }
+  // Points besides the vertices of the boundary.
+  uint32_t samples(uint32_t c) const { return is_circle(c) ? curve_[c].segments : curve_[c].segments - 1; }
+
+ private:
+  Span<uint32_t> curve_of_;  // [half-edges]
+  Span<BoundaryCurve> curve_;
+  uint32_t first_circle_ = 0;
+  uint32_t count_ = 0;
+};
+
+// The segments of the arc of a half-edge on the ball of lower rank, and of a circle, as BoundaryCurves::build has them;
+// in doubles, which may be more than fits.
+double segments_of_arc(const BallSet &balls, const Boundary &boundary, uint32_t half_edge, double length);
+double segments_of_circle(const BallSet &balls, const Boundary &boundary, uint32_t circle, double length);
+
+}  // namespace hsp

@@ -1,0 +1,333 @@
+#include "mesh/sphere_triangulation.hpp"
+
+namespace hsp {
+
+void SphereTriangulation::carve(Workspace &workspace, uint32_t points) {
+  const uint64_t triangles = 2 * uint64_t{points};  // 2 n - 4
+  point_ = workspace.take<RoundedDirection>(points);
+  triangle_at_ = workspace.take<uint32_t>(points);
+  triangle_ = workspace.take<SphereTriangle>(triangles);
+  stack_ = workspace.take<uint32_t>(triangles);
+  crossing_ = workspace.take<Pair>(triangles + 2);
+}
+
+// Three perpendicular directions that hardly ever are directions of the input, from a quaternion of small integers.
+Vec3 SphereTriangulation::octahedron_corner(uint32_t turn, uint32_t k) {
+  const double w = 7.0 + turn;
+  const double x = 3.0 + 2.0 * turn;
+  const double y = 5.0 - turn;
+  const double z = 2.0 + 3.0 * turn;
+  const double length_squared = w * w + x * x + y * y + z * z;
+  const Vec3 axis = k < 2   ? Vec3{w * w + x * x - y * y - z * z, 2 * (x * y + w * z), 2 * (x * z - w * y)}
+                    : k < 4 ? Vec3{2 * (x * y - w * z), w * w - x * x + y * y - z * z, 2 * (y * z + w * x)}
+                            : Vec3{2 * (x * z + w * y), 2 * (y * z - w * x), w * w - x * x - y * y + z * z};
+  return ((k & 1) == 0 ? 1.0 : -1.0) / length_squared * axis;
+}
+
+void SphereTriangulation::start(uint32_t turn) {
+  point_count_ = octahedron_points;
+  for (uint32_t k = 0; k < octahedron_points; ++k) point_[k] = rounded(octahedron_corner(turn, k));
+  // Triangle t lies in the octant whose negative axes are the bits of t; its corners are on the first, second and third
+  // axis, the last two exchanged where an odd number is negative. Its neighbours differ in one bit.
+  triangle_count_ = 8;
+  for (uint32_t t = 0; t < 8; ++t) {
+    const uint32_t on_axis[3] = {t & 1, 2 + (t >> 1 & 1), 4 + (t >> 2 & 1)};
+    const bool odd = ((t ^ t >> 1 ^ t >> 2) & 1) != 0;
+    const uint32_t axis[3] = {0, odd ? 2U : 1U, odd ? 1U : 2U};
+    SphereTriangle triangle{};
+    for (uint32_t c = 0; c < 3; ++c) {
+      triangle.point[c] = on_axis[axis[c]];
+      triangle.neighbour[c] = t ^ (1U << axis[c]);
+    }
+    set_triangle(t, triangle);
+  }
+  last_ = 0;
+  flipped_ = false;
+}
+
+void SphereTriangulation::set_triangle(uint32_t t, const SphereTriangle &triangle) {
+  triangle_[t] = triangle;
+  for (const uint32_t p : triangle.point) triangle_at_[p] = t;
+}
+
+bool SphereTriangulation::holds(const SphereTriangle &triangle, const RoundedDirection &p) const {
+  const RoundedDirection &a = point_[triangle.point[0]];
+  const RoundedDirection &b = point_[triangle.point[1]];
+  const RoundedDirection &c = point_[triangle.point[2]];
+  return orientation(b, c, p) >= 0 && orientation(c, a, p) >= 0 && orientation(a, b, p) >= 0;
+}
+
+// A walk towards the point. Among Delaunay triangles it ends; after too many steps all triangles are asked.
+uint32_t SphereTriangulation::locate(const RoundedDirection &p) const {
+  uint32_t t = last_;
+  for (uint32_t step = 0; step < triangle_count_; ++step) {
+    const SphereTriangle &triangle = triangle_[t];
+    uint32_t beyond = 3;
+    for (uint32_t e = 0; e < 3 && beyond == 3; ++e) {
+      const RoundedDirection &a = point_[triangle.point[next_corner(e)]];
+      if (orientation(a, point_[triangle.point[previous_corner(e)]], p) < 0) beyond = e;
+    }
+    if (beyond == 3) return t;
+    t = triangle.neighbour[beyond];
+  }
+  for (t = 0; t < triangle_count_; ++t) {
+    if (holds(triangle_[t], p)) return t;
+  }
+  return 0;  // not reached: the triangles cover the sphere
+}
+
+uint32_t SphereTriangulation::insert(const RoundedDirection &p) {
+  const uint32_t t = locate(p);
+  last_ = t;
+  const SphereTriangle &triangle = triangle_[t];
+  bool on_edge[3];
+  for (uint32_t e = 0; e < 3; ++e) {
+    const RoundedDirection &a = point_[triangle.point[next_corner(e)]];
+    on_edge[e] = orientation(a, point_[triangle.point[previous_corner(e)]], p) == 0;
+  }
+  for (uint32_t c = 0; c < 3; ++c) {
+    if (point_[triangle.point[c]] == p || (on_edge[next_corner(c)] && on_edge[previous_corner(c)])) {
+      return triangle.point[c];
+    }
+  }
+  const uint32_t added = point_count_++;
+  point_[added] = p;
+  stacked_ = 0;
+  const uint32_t edge = on_edge[0] ? 0U : on_edge[1] ? 1U : on_edge[2] ? 2U : 3U;
+  if (edge < 3) {
+    split_edge(t, edge, added);
+  } else {
+    split_triangle(t, added);
+  }
+  restore_around(added);
+  return added;
+}
+
+void SphereTriangulation::replace_neighbour(uint32_t t, uint32_t old, uint32_t by) {
+  triangle_[t].neighbour[triangle_[t].edge_towards(old)] = by;
+}
+
+void SphereTriangulation::split_triangle(uint32_t t, uint32_t p) {
+  const SphereTriangle old = triangle_[t];
+  const uint32_t part[3] = {t, triangle_count_, triangle_count_ + 1};
+  triangle_count_ += 2;
+  for (uint32_t e = 0; e < 3; ++e) {
+    const uint32_t next = next_corner(e);
+    const uint32_t previous = previous_corner(e);
+    set_triangle(part[e], {{p, old.point[next], old.point[previous]},
+                           {old.neighbour[e], part[next], part[previous]},
+                           {old.fixed[e], false, false}});
+    replace_neighbour(old.neighbour[e], t, part[e]);
+    push(part[e]);
+  }
+}
+
+// The point divides the edge, so both triangles there become two.
+//        a                 a
+//     t     b    ->     t1 | t2
+//    q ----- r         q - p - r      below likewise
+void SphereTriangulation::split_edge(uint32_t t, uint32_t edge, uint32_t p) {
+  const SphereTriangle above = triangle_[t];
+  const uint32_t u = above.neighbour[edge];
+  const SphereTriangle below = triangle_[u];
+  const uint32_t below_edge = below.edge_towards(t);
+  const uint32_t a = above.point[edge];
+  const uint32_t q = above.point[next_corner(edge)];
+  const uint32_t r = above.point[previous_corner(edge)];
+  const uint32_t b = below.point[below_edge];
+  const uint32_t t2 = triangle_count_;
+  const uint32_t u2 = triangle_count_ + 1;
+  triangle_count_ += 2;
+  const uint32_t across_rb = below.corner_of(q);
+  const uint32_t across_bq = below.corner_of(r);
+  const uint32_t across_ra = above.corner_of(q);
+  const uint32_t across_aq = above.corner_of(r);
+  const bool fixed = above.fixed[edge];
+  set_triangle(t, {{p, a, q}, {above.neighbour[across_aq], u, t2}, {above.fixed[across_aq], fixed, false}});
+  set_triangle(t2, {{p, r, a}, {above.neighbour[across_ra], t, u2}, {above.fixed[across_ra], false, fixed}});
+  set_triangle(u, {{p, q, b}, {below.neighbour[across_bq], u2, t}, {below.fixed[across_bq], false, fixed}});
+  set_triangle(u2, {{p, b, r}, {below.neighbour[across_rb], t2, u}, {below.fixed[across_rb], fixed, false}});
+  replace_neighbour(above.neighbour[across_ra], t, t2);
+  replace_neighbour(below.neighbour[across_rb], u, u2);
+  push(t);
+  push(t2);
+  push(u);
+  push(u2);
+}
+
+// Whether the two triangles of an edge form a strictly convex quadrilateral.
+bool SphereTriangulation::may_flip(uint32_t t, uint32_t edge) const {
+  const SphereTriangle &one = triangle_[t];
+  if (one.fixed[edge]) return false;
+  const uint32_t u = one.neighbour[edge];
+  const uint32_t a = one.point[edge];
+  const uint32_t b = triangle_[u].point[triangle_[u].edge_towards(t)];
+  return side(a, one.point[next_corner(edge)], b) > 0 && side(a, b, one.point[previous_corner(edge)]) > 0;
+}
+
+bool SphereTriangulation::wants_flip(uint32_t t, uint32_t edge) const {
+  const SphereTriangle &one = triangle_[t];
+  const SphereTriangle &other = triangle_[one.neighbour[edge]];
+  const uint32_t b = other.point[other.edge_towards(t)];
+  return height_above(point_[one.point[0]], point_[one.point[1]], point_[one.point[2]], point_[b]) > 0 &&
+         may_flip(t, edge);
+}
+
+// The edge q r of the triangles a q r and b r q gives way to a b: afterwards they are a q b and a b r.
+void SphereTriangulation::flip(uint32_t t, uint32_t edge) {
+  const SphereTriangle one = triangle_[t];
+  const uint32_t u = one.neighbour[edge];
+  const SphereTriangle other = triangle_[u];
+  const uint32_t other_edge = other.edge_towards(t);
+  const uint32_t a = one.point[edge];
+  const uint32_t q = one.point[next_corner(edge)];
+  const uint32_t r = one.point[previous_corner(edge)];
+  const uint32_t b = other.point[other_edge];
+  const uint32_t opposite_q = next_corner(edge);  // edge r a
+  const uint32_t opposite_r = previous_corner(edge);
+  const uint32_t opposite_r_below = next_corner(other_edge);  // edge q b
+  const uint32_t opposite_q_below = previous_corner(other_edge);
+  set_triangle(t, {{a, q, b},
+                   {other.neighbour[opposite_r_below], u, one.neighbour[opposite_r]},
+                   {other.fixed[opposite_r_below], false, one.fixed[opposite_r]}});
+  set_triangle(u, {{a, b, r},
+                   {other.neighbour[opposite_q_below], one.neighbour[opposite_q], t},
+                   {other.fixed[opposite_q_below], one.fixed[opposite_q], false}});
+  replace_neighbour(other.neighbour[opposite_r_below], u, t);
+  replace_neighbour(one.neighbour[opposite_q], t, u);
+}
+
+// Every flip raises the surface of the triangles, so they end. The stack holds triangles around p, each at most once.
+void SphereTriangulation::restore_around(uint32_t p) {
+  while (stacked_ > 0) {
+    const uint32_t t = stack_[--stacked_];
+    const uint32_t edge = triangle_[t].corner_of(p);
+    if (!wants_flip(t, edge)) continue;
+    const uint32_t u = triangle_[t].neighbour[edge];
+    flip(t, edge);
+    push(t);
+    push(u);
+  }
+}
+
+void SphereTriangulation::restore_all() {
+  constexpr int most_sweeps = 8;
+  bool again = flipped_;
+  for (int sweep = 0; again && sweep < most_sweeps; ++sweep) {
+    again = false;
+    for (uint32_t t = 0; t < triangle_count_; ++t) {
+      for (uint32_t e = 0; e < 3; ++e) {
+        if (!wants_flip(t, e)) continue;
+        flip(t, e);
+        again = true;
+      }
+    }
+  }
+}
+
+bool SphereTriangulation::find_edge(uint32_t a, uint32_t b, TriangleEdge &found) const {
+  const uint32_t first = triangle_at_[a];
+  uint32_t t = first;
+  do {
+    const uint32_t corner = triangle_[t].corner_of(a);
+    if (triangle_[t].point[next_corner(corner)] == b) {
+      found = {t, previous_corner(corner)};
+      return true;
+    }
+    t = triangle_[t].neighbour[next_corner(corner)];
+  } while (t != first);
+  return false;
+}
+
+// The edges between a and b, from a on.
+bool SphereTriangulation::gather_crossings(uint32_t a, uint32_t b, uint32_t &obstacle) {
+  crossings_ = 0;
+  const uint32_t first = triangle_at_[a];
+  uint32_t t = first;
+  for (;;) {  // around a, until b lies between two edges
+    const SphereTriangle &triangle = triangle_[t];
+    const uint32_t corner = triangle.corner_of(a);
+    const uint32_t p = triangle.point[next_corner(corner)];
+    const uint32_t q = triangle.point[previous_corner(corner)];
+    const int from_p = side(a, p, b);
+    if (from_p == 0 && side(a, b, q) > 0) {
+      obstacle = p;
+      return false;
+    }
+    if (from_p > 0 && side(a, b, q) > 0) break;
+    t = triangle.neighbour[next_corner(corner)];
+    if (t == first) {
+      obstacle = p;
+      return false;
+    }
+  }
+  uint32_t edge = triangle_[t].corner_of(a);
+  for (uint32_t step = 0; step < triangle_count_; ++step) {
+    const SphereTriangle &triangle = triangle_[t];
+    const uint32_t right = triangle.point[next_corner(edge)];
+    const uint32_t left = triangle.point[previous_corner(edge)];
+    if (triangle.fixed[edge]) {
+      obstacle = right;
+      return false;
+    }
+    crossing_[crossings_++] = {right, left};
+    const uint32_t u = triangle.neighbour[edge];
+    const uint32_t back = triangle_[u].edge_towards(t);
+    const uint32_t y = triangle_[u].point[back];
+    if (y == b) return true;
+    const int at = side(a, b, y);
+    if (at == 0) {
+      obstacle = y;
+      return false;
+    }
+    // In u the corners after y are left, right: the line leaves between y and the one on the other side.
+    edge = at > 0 ? triangle_[u].corner_of(left) : triangle_[u].corner_of(right);
+    t = u;
+  }
+  obstacle = b;
+  return false;
+}
+
+// Sloan, Advances in Engineering Software 15 (1993), 133: edges that cross are flipped in turn where that is possible,
+// until none does.
+bool SphereTriangulation::fix_edge(uint32_t a, uint32_t b, uint32_t &obstacle) {
+  TriangleEdge found;
+  if (!find_edge(a, b, found)) {
+    if (!gather_crossings(a, b, obstacle)) return false;
+    flipped_ = true;
+    const uint32_t ring = crossing_.size();
+    uint32_t head = 0;
+    uint32_t waiting = crossings_;
+    const uint64_t most_tries = 64 + 4 * uint64_t{crossings_} * crossings_;
+    for (uint64_t tries = 0; waiting > 0 && tries < most_tries; ++tries) {
+      const Pair pair = crossing_[head];
+      head = head + 1 < ring ? head + 1 : 0;
+      --waiting;
+      if (!find_edge(pair.a, pair.b, found)) break;
+      const uint32_t u = triangle_[found.triangle].neighbour[found.edge];
+      Pair next = pair;
+      bool crosses = true;
+      if (may_flip(found.triangle, found.edge)) {
+        next.a = triangle_[found.triangle].point[found.edge];
+        next.b = triangle_[u].point[triangle_[u].edge_towards(found.triangle)];
+        flip(found.triangle, found.edge);
+        const bool at_end = next.a == a || next.a == b || next.b == a || next.b == b;
+        crosses = !at_end && side(a, b, next.a) * side(a, b, next.b) < 0;
+      }
+      if (!crosses) continue;
+      const uint32_t place = head + waiting;
+      crossing_[place < ring ? place : place - ring] = next;
+      ++waiting;
+    }
+    if (!find_edge(a, b, found)) {
+      obstacle = b;
+      return false;
+    }
+  }
+  triangle_[found.triangle].fixed[found.edge] = true;
+  const uint32_t u = triangle_[found.triangle].neighbour[found.edge];
+  triangle_[u].fixed[triangle_[u].edge_towards(found.triangle)] = true;
+  return true;
+}
+
+}  // namespace hsp

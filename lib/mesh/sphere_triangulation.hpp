@@ -1,0 +1,95 @@
+// A triangulation of points of a sphere, all of it: Delaunay by insertion, then edges that are wanted by flips.
+//
+// It begins as an octahedron, so that there is no point at infinity and a whole sphere needs no special case. All
+// triangles run counter-clockwise seen from outside, exactly, whatever the points; that they are Delaunay's holds as
+// far as the rounded points are on one sphere.
+#pragma once
+
+#include "core/status.hpp"
+#include "core/workspace.hpp"
+#include "mesh/rounded_direction.hpp"
+
+namespace hsp {
+
+// A triangle and one of its edges, that opposite corner `edge`.
+struct TriangleEdge {
+  uint32_t triangle, edge;
+};
+
+struct SphereTriangle {
+  uint32_t point[3];
+  uint32_t neighbour[3];  // across the edge opposite the point
+  bool fixed[3];          // edges that must stay
+
+  uint32_t corner_of(uint32_t p) const { return point[0] == p ? 0 : point[1] == p ? 1 : 2; }
+  uint32_t edge_towards(uint32_t t) const { return neighbour[0] == t ? 0 : neighbour[1] == t ? 1 : 2; }
+};
+
+constexpr uint32_t next_corner(uint32_t c) {
+  return c == 2 ? 0 : c + 1;
+}
+constexpr uint32_t previous_corner(uint32_t c) {
+  return c == 0 ? 2 : c - 1;
+}
+
+class SphereTriangulation {
+ public:
+  static constexpr uint32_t octahedron_points = 6;
+  static constexpr uint32_t octahedron_turns = 8;
+
+  // For so many points, the octahedron's among them.
+  void carve(Workspace &workspace, uint32_t points);
+
+  // Corner k of the octahedron, in one of some orientations.
+  static Vec3 octahedron_corner(uint32_t turn, uint32_t k);
+  // The octahedron alone. The points' limit is at least 6.
+  void start(uint32_t turn);
+
+  // The number of the point, which is that of an earlier one if they coincide. Its capacity suffices.
+  uint32_t insert(const RoundedDirection &p);
+  // Makes the edge from a to b one that stays. False if it meets a point or such an edge: `obstacle` then becomes one
+  // of the points there.
+  bool fix_edge(uint32_t a, uint32_t b, uint32_t &obstacle);
+  // Flips what fix_edge has left that is not Delaunay's.
+  void restore_all();
+
+  uint32_t point_count() const { return point_count_; }
+  const RoundedDirection &point(uint32_t p) const { return point_[p]; }
+  uint32_t triangle_count() const { return triangle_count_; }
+  const SphereTriangle &triangle(uint32_t t) const { return triangle_[t]; }
+  // The triangle to the left of the edge from a to b, and the edge there. False if there is none.
+  bool find_edge(uint32_t a, uint32_t b, TriangleEdge &found) const;
+
+ private:
+  int side(uint32_t a, uint32_t b, uint32_t c) const { return orientation(point_[a], point_[b], point_[c]); }
+  uint32_t locate(const RoundedDirection &p) const;
+  bool holds(const SphereTriangle &triangle, const RoundedDirection &p) const;
+  void set_triangle(uint32_t t, const SphereTriangle &triangle);
+  void replace_neighbour(uint32_t t, uint32_t old, uint32_t by);
+  void split_triangle(uint32_t t, uint32_t p);
+  void split_edge(uint32_t t, uint32_t edge, uint32_t p);
+  bool may_flip(uint32_t t, uint32_t edge) const;
+  bool wants_flip(uint32_t t, uint32_t edge) const;
+  void flip(uint32_t t, uint32_t edge);
+  void push(uint32_t t) { stack_[stacked_++] = t; }
+  void restore_around(uint32_t p);
+  bool gather_crossings(uint32_t a, uint32_t b, uint32_t &obstacle);
+
+  struct Pair {
+    uint32_t a, b;
+  };
+
+  Span<RoundedDirection> point_;
+  Span<uint32_t> triangle_at_;  // [points] one of the triangles around each
+  Span<SphereTriangle> triangle_;
+  Span<uint32_t> stack_;  // triangles
+  Span<Pair> crossing_;   // edges that cross the one wanted, a ring
+  uint32_t point_count_ = 0;
+  uint32_t triangle_count_ = 0;
+  uint32_t stacked_ = 0;
+  uint32_t crossings_ = 0;
+  uint32_t last_ = 0;  // where the next search begins
+  bool flipped_ = false;
+};
+
+}  // namespace hsp

@@ -1,0 +1,291 @@
+#include "mesh/spherical_patch.hpp"
+
+#include "mesh/ring_points.hpp"
+
+namespace hsp {
+
+// Points inside keep so much of the distance between points away from borders. What lies deeper in a cap than the
+// second share cannot come to lie in the patch where a chord runs beside its arc.
+constexpr double share_kept_off = 0.6;
+constexpr double share_well_inside = 0.25;
+
+void SphericalPatch::carve(Workspace &workspace, uint32_t points) {
+  const uint64_t triangles = 2 * uint64_t{points};
+  sphere_.carve(workspace, points);
+  samples_ = FixedVector(workspace.take<BorderSample>(points));
+  loops_ = FixedVector(workspace.take<Loop>(points));
+  caps_ = FixedVector(workspace.take<Cap>(points));
+  ears_ = FixedVector(workspace.take<Ear>(points));
+  links_ = workspace.take<Link>(points);
+  inputs_ = FixedVector(workspace.take<RoundedDirection>(points));
+  sample_at_ = workspace.take<uint32_t>(points);
+  parts_ = workspace.take<Part>(triangles);
+  queue_ = workspace.take<uint32_t>(triangles);
+  balance_ = workspace.take<int64_t>(points);
+}
+
+void SphericalPatch::begin(double spacing) {
+  spacing_ = spacing < largest_ring_spacing ? spacing : largest_ring_spacing;
+  all_coarse_ = false;
+  latest_cap_ = 0;
+  samples_.clear();
+  loops_.clear();
+  caps_.clear();
+  ears_.clear();
+  inputs_.clear();
+}
+
+// cos(a + b) and cos(a - b) of a cap's angle a, at their ends where the sum or difference is beyond pi or 0.
+void SphericalPatch::keep_off(const Vec3 &axis, double cosine) {
+  const double sine = std::sqrt(cosine < 1.0 ? (1.0 - cosine) * (1.0 + cosine) : 0.0);
+  const SinCos more = sin_cos(share_kept_off * spacing_);
+  const SinCos less = sin_cos(share_well_inside * spacing_);
+  const double near = cosine > -more.cosine ? cosine * more.cosine - sine * more.sine : -2.0;
+  const double inside = cosine < less.cosine ? cosine * less.cosine + sine * less.sine : 2.0;
+  caps_.push({axis, inside, near});
+}
+
+void SphericalPatch::begin_loop(uint32_t face) {
+  loops_.push({clamped_count(samples_.required()), face});
+}
+
+void SphericalPatch::add(const BorderSample &sample) {
+  samples_.push(sample);
+}
+
+// Neighbouring points are mostly near the same cap.
+bool SphericalPatch::is_near_cap(const Vec3 &direction) {
+  const uint32_t n = caps_.size();
+  if (n == 0) return false;
+  if (dot(direction, caps_[latest_cap_].axis) > caps_[latest_cap_].near) return true;
+  for (uint32_t k = 0; k < n; ++k) {
+    if (dot(direction, caps_[k].axis) <= caps_[k].near) continue;
+    latest_cap_ = k;
+    return true;
+  }
+  return false;
+}
+
+// The orientation with the fewest corners near a border.
+uint32_t SphericalPatch::choose_octahedron() const {
+  uint32_t best = 0;
+  uint32_t fewest = no_id;
+  for (uint32_t turn = 0; turn < SphereTriangulation::octahedron_turns && fewest > 0; ++turn) {
+    uint32_t bad = 0;
+    for (uint32_t k = 0; k < SphereTriangulation::octahedron_points; ++k) {
+      const Vec3 corner = SphereTriangulation::octahedron_corner(turn, k);
+      bool near = false;
+      bool inside = false;
+      for (uint32_t c = 0; c < caps_.size() && !inside; ++c) {
+        const double cosine = dot(corner, caps_[c].axis);
+        near |= cosine > caps_[c].near;
+        inside = cosine > caps_[c].inside;
+      }
+      if (near && !inside) ++bad;
+    }
+    if (bad < fewest) {
+      fewest = bad;
+      best = turn;
+    }
+  }
+  return best;
+}
+
+PatchState SphericalPatch::triangulate() {
+  if (!(expected_ring_points(spacing_) < max_count)) {
+    needed_points_ = uint64_t{max_count} + 1;
+    return PatchState::capacity;
+  }
+  const uint32_t turn = choose_octahedron();
+  for (uint32_t k = 0; k < samples_.size(); ++k) inputs_.push(rounded(samples_[k].direction));
+  const uint64_t samples_without_room = samples_.required() - samples_.size();
+  for (uint32_t k = 0; k < SphereTriangulation::octahedron_points; ++k) {
+    const Vec3 corner = SphereTriangulation::octahedron_corner(turn, k);
+    if (!is_near_cap(corner)) keep_off(corner, 1.0);
+  }
+  add_inner_points();
+  // Every loop and every cap has a sample, or is the octahedron's.
+  needed_points_ = SphereTriangulation::octahedron_points + inputs_.required() + samples_without_room;
+  if (needed_points_ > inputs_.capacity()) return PatchState::capacity;
+  sphere_.start(turn);
+  insert_points();
+  if (!link_loops() || !fix_borders()) return PatchState::too_coarse;
+  sphere_.restore_all();
+  if (spread_faces() && name_corners() && has_right_numbers()) return PatchState::complete;
+  all_coarse_ = true;
+  return PatchState::too_coarse;
+}
+
+void SphericalPatch::add_inner_points() {
+  for_each_ring_point(spacing_, [this](const Vec3 &direction) {
+    if (!is_near_cap(direction)) inputs_.push(rounded(direction));
+  });
+}
+
+// Coarse first, then ever finer, each time along the way of the inputs: neither long walks nor long chains of flips.
+void SphericalPatch::insert_points() {
+  const uint32_t n = inputs_.size();
+  for (uint32_t p = 0; p < SphereTriangulation::octahedron_points; ++p) sample_at_[p] = no_id;
+  uint32_t stride = 1;
+  while (stride < n) stride *= 2;
+  for (; stride > 0; stride /= 2) {
+    for (uint64_t k = stride - 1; k < n; k += 2 * uint64_t{stride}) {
+      const auto input = static_cast<uint32_t>(k);
+      const bool on_border = input < samples_.size();
+      const uint32_t before = sphere_.point_count();
+      const uint32_t p = sphere_.insert(inputs_[input]);
+      if (p == before) sample_at_[p] = no_id;
+      if (on_border) {
+        sample_at_[p] = input;
+        links_[input].point = p;
+      }
+    }
+  }
+}
+
+bool SphericalPatch::link_loops() {
+  bool good = true;
+  for (uint32_t loop = 0; loop < loops_.size(); ++loop) {
+    const uint32_t first = loops_[loop].first;
+    const uint32_t last = last_sample(loop);
+    for (uint32_t k = first; k < last; ++k) {
+      links_[k].next = k + 1 < last ? k + 1 : first;
+      links_[k].previous = k > first ? k - 1 : last - 1;
+      links_[k].coarse = false;
+    }
+    good &= cut_ears(loop);
+  }
+  all_coarse_ |= !good;
+  return good;
+}
+
+// Consecutive points that coincide, ends of arcs without length, make triangles without area.
+bool SphericalPatch::cut_ears(uint32_t loop) {
+  const uint32_t first = loops_[loop].first;
+  const uint32_t last = last_sample(loop);
+  for (uint32_t k = first; k < last; ++k) {
+    const uint32_t next = links_[k].next;
+    if (links_[k].point != links_[next].point) continue;
+    const uint32_t previous = links_[k].previous;
+    if (links_[next].next == previous) return false;  // nothing would be left
+    if (samples_[previous].may_be_joined_elsewhere(samples_[next])) return false;
+    ears_.push({loops_[loop].face, {previous, k, next}});
+    links_[previous].next = next;
+    links_[next].previous = previous;
+    links_[k].next = no_id;
+    // What now begins at `previous` may have no length either; it has been looked at before.
+    if (previous < k && links_[previous].point == links_[next].point) return false;
+  }
+  return true;
+}
+
+void SphericalPatch::mark_coarse(uint32_t point) {
+  const uint32_t sample = sample_at_[point];
+  if (sample == no_id) return;
+  links_[sample].coarse = true;
+  if (links_[sample].next != no_id) links_[links_[sample].previous].coarse = true;
+}
+
+bool SphericalPatch::fix_borders() {
+  bool good = true;
+  for (uint32_t k = 0; k < samples_.size(); ++k) {
+    if (links_[k].next == no_id) continue;
+    uint32_t obstacle = no_id;
+    if (sphere_.fix_edge(links_[k].point, links_[links_[k].next].point, obstacle)) continue;
+    good = false;
+    links_[k].coarse = true;
+    mark_coarse(obstacle);
+  }
+  return good;
+}
+
+// Every face floods what lies to the left of its loops.
+bool SphericalPatch::spread_faces() {
+  const uint32_t triangles = sphere_.triangle_count();
+  constexpr Part none{no_id, {no_id, no_id, no_id}, {no_id, no_id, no_id}, {false, false, false}};
+  for (uint32_t t = 0; t < triangles; ++t) parts_[t] = none;
+  uint32_t waiting = 0;
+  const auto take = [&](uint32_t t, uint32_t face) {
+    if (parts_[t].face != no_id) return parts_[t].face == face;
+    parts_[t].face = face;
+    queue_[waiting++] = t;
+    return true;
+  };
+  if (loops_.size() == 0) take(0, 0);
+  for (uint32_t loop = 0; loop < loops_.size(); ++loop) {
+    for (uint32_t k = loops_[loop].first; k < last_sample(loop); ++k) {
+      if (links_[k].next == no_id) continue;
+      TriangleEdge left;
+      if (!sphere_.find_edge(links_[k].point, links_[links_[k].next].point, left)) return false;
+      bool &border = parts_[left.triangle].border[left.edge];
+      if (border || !take(left.triangle, loops_[loop].face)) return false;
+      border = true;
+    }
+  }
+  while (waiting > 0) {
+    const uint32_t t = queue_[--waiting];
+    for (uint32_t e = 0; e < 3; ++e) {
+      if (sphere_.triangle(t).fixed[e]) {
+        if (!parts_[t].border[e]) return false;  // a border from behind
+      } else if (!take(sphere_.triangle(t).neighbour[e], parts_[t].face)) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+// At a point where borders touch there are several vertices: each has the corners from its own border on, counter-
+// clockwise, up to the next one.
+bool SphericalPatch::name_corners() {
+  for (uint32_t k = 0; k < samples_.size(); ++k) {
+    if (links_[k].next == no_id) continue;
+    const uint32_t p = links_[k].point;
+    TriangleEdge at;
+    if (!sphere_.find_edge(p, links_[links_[k].next].point, at)) return false;
+    uint32_t t = at.triangle;
+    for (;;) {
+      const uint32_t corner = sphere_.triangle(t).corner_of(p);
+      if (parts_[t].corner[corner] != no_id) return false;
+      parts_[t].corner[corner] = k;
+      const uint32_t edge = next_corner(corner);
+      if (sphere_.triangle(t).fixed[edge]) break;
+      t = sphere_.triangle(t).neighbour[edge];
+    }
+  }
+  return true;
+}
+
+// V - E + T = 2 - loops for every face, where E = (3 T + B) / 2 and V = I + B, with B vertices and edges on its border
+// and I vertices inside: 2 I + B - T = 2 (2 - loops).
+bool SphericalPatch::has_right_numbers() {
+  const uint32_t faces = loops_.size() == 0 ? 1 : loops_[loops_.size() - 1].face + 1;
+  for (uint32_t face = 0; face < faces; ++face) balance_[face] = -4;
+  for (uint32_t loop = 0; loop < loops_.size(); ++loop) {
+    int64_t &balance = balance_[loops_[loop].face];
+    balance += 2;
+    for (uint32_t k = loops_[loop].first; k < last_sample(loop); ++k) balance += links_[k].next != no_id ? 1 : 0;
+  }
+  Span<uint32_t> face_of_point = queue_;
+  for (uint32_t p = 0; p < sphere_.point_count(); ++p) face_of_point[p] = no_id;
+  for (uint32_t t = 0; t < sphere_.triangle_count(); ++t) {
+    const uint32_t face = parts_[t].face;
+    if (face == no_id) continue;
+    --balance_[face];
+    for (uint32_t c = 0; c < 3; ++c) {
+      const uint32_t p = sphere_.triangle(t).point[c];
+      if (sample_at_[p] == no_id) {
+        if (face_of_point[p] == no_id) balance_[face] += 2;
+        face_of_point[p] = face;
+      } else if (parts_[t].corner[c] == no_id) {
+        return false;
+      }
+    }
+  }
+  for (uint32_t face = 0; face < faces; ++face) {
+    if (balance_[face] != 0) return false;
+  }
+  return true;
+}
+
+}  // namespace hsp

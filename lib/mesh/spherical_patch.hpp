@@ -1,0 +1,196 @@
+// Triangles for the free part of a sphere, from points on what bounds it. The free part may have any number of faces,
+// and they any number of loops, or none.
+//
+// The sphere is triangulated as a whole (sphere_triangulation.hpp): the points on the borders, and points all over it
+// that keep away from them. The borders become edges, and what lies to their left is taken. Which loops belong to one
+// face is known beforehand; that the triangles agree is checked, with the number of triangles that Euler's formula
+// demands, so that a border sampled too coarsely is noticed and never yields a wrong mesh.
+#pragma once
+
+#include "core/fixed_vector.hpp"
+#include "mesh/sphere_triangulation.hpp"
+
+namespace hsp {
+
+// A point on the border. The patch lies to the left of the way to the next one.
+struct BorderSample {
+  Vec3 direction;           // from the sphere's centre, of any length
+  uint32_t vertex;          // its number in the mesh
+  uint32_t curve;           // that leads to the next one
+  uint32_t other_patch[2];  // of those that share the point, besides this one; no_id if there are fewer
+
+  // Whether another patch might have an edge between the two, too.
+  bool may_be_joined_elsewhere(const BorderSample &other) const {
+    for (const uint32_t p : other_patch) {
+      if (p != no_id && (p == other.other_patch[0] || p == other.other_patch[1])) return true;
+    }
+    return false;
+  }
+};
+
+enum class PatchState : uint8_t {
+  complete,
+  too_coarse,  // the curves in question are named
+  capacity,
+};
+
+class SphericalPatch {
+ public:
+  void carve(Workspace &workspace, uint32_t points);
+
+  // `spacing`: the distance of points as an angle.
+  void begin(double spacing);
+  // The patch lies outside the cap: no points inside and none near it.
+  void keep_off(const Vec3 &axis, double cosine);
+  // Faces are numbered from 0 on; the loops of one follow each other.
+  void begin_loop(uint32_t face);
+  void add(const BorderSample &sample);
+  // Without loops the whole sphere is face 0.
+  PatchState triangulate();
+
+  // The points that have been there, or an upper bound of them after PatchState::capacity.
+  uint64_t needed_points() const { return needed_points_; }
+  // After PatchState::too_coarse: calls sink(curve) for the curves that want more points.
+  template <class Sink>
+  void for_each_coarse_curve(Sink sink) const {
+    for (uint32_t k = 0; k < samples_.size(); ++k) {
+      if (all_coarse_ || links_[k].coarse) sink(samples_[k].curve);
+    }
+  }
+
+  // New points first: calls new_vertex(direction), which returns its number in the mesh, then triangle(face, corners)
+  // for the triangles.
+  template <class NewVertex, class NewTriangle>
+  void emit(NewVertex new_vertex, NewTriangle triangle);
+
+ private:
+  struct Loop {
+    uint32_t first;  // sample
+    uint32_t face;
+  };
+  struct Cap {
+    Vec3 axis;
+    double inside, near;  // the cosines of what lies well inside and of what lies near
+  };
+  // What a sample has as long as it is part of its loop.
+  struct Link {
+    uint32_t next, previous;  // samples; no_id if it is cut off
+    uint32_t point;
+    bool coarse;
+  };
+  struct Ear {
+    uint32_t face;
+    uint32_t sample[3];
+  };
+  // What belongs to a triangle of the sphere.
+  struct Part {
+    uint32_t face;       // no_id: not of the patch
+    uint32_t corner[3];  // samples, and for points inside vertices of the mesh
+    uint32_t middle[3];  // of edges, where they are divided, else no_id
+    bool border[3];      // edges that a loop runs along
+  };
+
+  uint32_t last_sample(uint32_t loop) const {
+    return loop + 1 < loops_.size() ? loops_[loop + 1].first : samples_.size();
+  }
+  bool is_near_cap(const Vec3 &direction);
+  uint32_t choose_octahedron() const;
+  void add_inner_points();
+  void insert_points();
+  bool link_loops();
+  bool cut_ears(uint32_t loop);
+  bool fix_borders();
+  void mark_coarse(uint32_t point);
+  bool spread_faces();
+  bool name_corners();
+  bool has_right_numbers();
+
+  double spacing_ = 1.0;
+  bool all_coarse_ = false;
+  uint64_t needed_points_ = 0;
+  uint32_t latest_cap_ = 0;
+  SphereTriangulation sphere_;
+  FixedVector<BorderSample> samples_;
+  FixedVector<Loop> loops_;
+  FixedVector<Cap> caps_;
+  FixedVector<Ear> ears_;
+  Span<Link> links_;                      // [samples]
+  FixedVector<RoundedDirection> inputs_;  // the samples, then points inside
+  Span<uint32_t> sample_at_;              // [points] a sample that lies there, or no_id
+  Span<Part> parts_;                      // [triangles]
+  Span<uint32_t> queue_;                  // [triangles]
+  Span<int64_t> balance_;                 // [points] for each face, of Euler's formula
+};
+
+template <class NewVertex, class NewTriangle>
+void SphericalPatch::emit(NewVertex new_vertex, NewTriangle triangle) {
+  // Points inside: a point has one number, whichever triangle names it first.
+  Span<uint32_t> vertex_at = queue_;
+  for (uint32_t p = 0; p < sphere_.point_count(); ++p) vertex_at[p] = no_id;
+  for (uint32_t t = 0; t < sphere_.triangle_count(); ++t) {
+    Part &part = parts_[t];
+    if (part.face == no_id) continue;
+    for (uint32_t c = 0; c < 3; ++c) {
+      const uint32_t p = sphere_.triangle(t).point[c];
+      if (sample_at_[p] != no_id) continue;
+      if (vertex_at[p] == no_id) vertex_at[p] = new_vertex(to_double(sphere_.point(p)));
+      part.corner[c] = vertex_at[p];
+    }
+  }
+  // Edges across the patch between points that another patch may join, too, are divided.
+  for (uint32_t t = 0; t < sphere_.triangle_count(); ++t) {
+    const SphereTriangle &own = sphere_.triangle(t);
+    if (parts_[t].face == no_id) continue;
+    for (uint32_t e = 0; e < 3; ++e) {
+      const uint32_t u = own.neighbour[e];
+      if (own.fixed[e] || u < t) continue;
+      const uint32_t p = own.point[next_corner(e)];
+      const uint32_t q = own.point[previous_corner(e)];
+      if (sample_at_[p] == no_id || sample_at_[q] == no_id) continue;
+      const BorderSample &one = samples_[parts_[t].corner[next_corner(e)]];
+      if (!one.may_be_joined_elsewhere(samples_[parts_[t].corner[previous_corner(e)]])) continue;
+      const uint32_t middle = new_vertex(to_double(sphere_.point(p)) + to_double(sphere_.point(q)));
+      parts_[t].middle[e] = middle;
+      parts_[u].middle[sphere_.triangle(u).edge_towards(t)] = middle;
+    }
+  }
+  for (uint32_t k = 0; k < ears_.size(); ++k) {
+    const Ear &ear = ears_[k];
+    const uint32_t corners[3] = {samples_[ear.sample[0]].vertex, samples_[ear.sample[1]].vertex,
+                                 samples_[ear.sample[2]].vertex};
+    triangle(ear.face, corners);
+  }
+  for (uint32_t t = 0; t < sphere_.triangle_count(); ++t) {
+    const Part &part = parts_[t];
+    if (part.face == no_id) continue;
+    // The corners that are left after every divided edge has cut one off.
+    uint32_t rest[3];
+    for (uint32_t c = 0; c < 3; ++c) {
+      const bool on_border = sample_at_[sphere_.triangle(t).point[c]] != no_id;
+      rest[c] = on_border ? samples_[part.corner[c]].vertex : part.corner[c];
+    }
+    const bool all = part.middle[0] != no_id && part.middle[1] != no_id && part.middle[2] != no_id;
+    if (all) {
+      for (uint32_t c = 0; c < 3; ++c) {
+        const uint32_t corner[3] = {rest[c], part.middle[previous_corner(c)], part.middle[next_corner(c)]};
+        triangle(part.face, corner);
+      }
+      triangle(part.face, part.middle);
+      continue;
+    }
+    // With one or two of them: the divided edge cuts off its first end, beside the corner opposite, in a turn that
+    // comes to the undivided edge last.
+    uint32_t first = 0;
+    while (first < 3 && !(part.middle[first] != no_id && part.middle[previous_corner(first)] == no_id)) ++first;
+    for (uint32_t turn = 0; first < 3 && turn < 2; ++turn) {
+      const uint32_t e = turn == 0 ? first : next_corner(first);
+      if (part.middle[e] == no_id) break;
+      const uint32_t cut[3] = {rest[e], rest[next_corner(e)], part.middle[e]};
+      triangle(part.face, cut);
+      rest[next_corner(e)] = part.middle[e];
+    }
+    triangle(part.face, rest);
+  }
+}
+
+}  // namespace hsp

@@ -1,0 +1,42 @@
+/* The triangles of a computed boundary, in memory of their own, and whether they are a closed surface. */
+#pragma once
+
+#include "computed.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct mesh_result {
+  const computed *base; /* what it was computed from; must outlive it */
+  double edge;
+  void *memory;
+  hsp_mesh *mesh;
+  hsp_mesh_limits needed; /* exactly */
+  uint32_t enlargements;  /* how often limits had to be raised, starting from as many vertices as balls */
+  hsp_mesh_counts counts;
+  double (*xyz)[3], (*normals)[3], *areas;          /* [vertices] */
+  uint32_t *vertex_balls;                           /* [vertices] */
+  uint32_t (*corners)[3], *kinds, *patches, *balls; /* [triangles] */
+} mesh_result;
+
+/* Computes and reads everything. The first status that is not HSP_OK, or HSP_OK. To be followed by
+ * mesh_result_release in either case. */
+int32_t mesh_result_make(const computed *base, double edge, mesh_result *result);
+
+void mesh_result_release(mesh_result *result);
+
+/* How such handles are made; they are computed from a `mesh_result`, which needs but its base and edge. */
+extern const handle_kind mesh_handle;
+
+/* What is wrong with a closed, oriented surface of these triangles: an edge that is not in two of them in opposite
+ * directions, a vertex without a ring, a number out of range. NULL if nothing is. */
+const char *mesh_fault(const mesh_result *mesh);
+
+/* The volume that the triangles enclose, about a point. */
+double mesh_volume(const mesh_result *mesh, const double about[3]);
+double mesh_area(const mesh_result *mesh);
+
+#ifdef __cplusplus
+}
+#endif

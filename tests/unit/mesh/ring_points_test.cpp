@@ -1,0 +1,40 @@
+#include "mesh/ring_points.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace {
+
+// Everywhere on the sphere there is a point, and none has another one too near it.
+TEST(RingPoints, CoverTheSphereEvenly) {
+  for (const double spacing : {0.7, 0.2, 0.05}) {
+    std::vector<hsp::Vec3> points;
+    hsp::for_each_ring_point(spacing, [&](const hsp::Vec3 &p) { points.push_back(p); });
+    const double expected = hsp::expected_ring_points(spacing);
+    EXPECT_NEAR(static_cast<double>(points.size()), expected, 0.2 * expected) << spacing;
+    double nearest = 4.0;
+    for (size_t i = 0; i < points.size(); ++i) {
+      EXPECT_NEAR(dot(points[i], points[i]), 1.0, 1e-12);
+      for (size_t j = 0; j < i; ++j) nearest = std::min(nearest, dot(points[i] - points[j], points[i] - points[j]));
+    }
+    EXPECT_GT(std::sqrt(nearest), 0.5 * spacing);
+    double farthest = 0.0;
+    hsp::for_each_ring_point(0.23, [&](const hsp::Vec3 &place) {
+      double least = 4.0;
+      for (const hsp::Vec3 &p : points) least = std::min(least, dot(place - p, place - p));
+      farthest = std::max(farthest, least);
+    });
+    EXPECT_LT(std::sqrt(farthest), 0.9 * spacing) << spacing;
+  }
+}
+
+TEST(RingPoints, LargeDistancesYieldAFewPoints) {
+  int points = 0;
+  hsp::for_each_ring_point(1e30, [&](const hsp::Vec3 &) { ++points; });
+  EXPECT_GT(points, 2);
+  EXPECT_LT(points, 20);
+}
+
+}  // namespace

@@ -1,0 +1,177 @@
+#include "mesh/spherical_patch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "carved_memory.hpp"
+
+namespace {
+
+using hsp::PatchState;
+using hsp::SphericalPatch;
+using hsp::Vec3;
+
+struct Triangles {
+  std::vector<Vec3> vertices;
+  std::vector<std::array<uint32_t, 3>> corners;
+  std::vector<uint32_t> faces;
+
+  double area() const {
+    double sum = 0.0;
+    for (const auto &c : corners) {
+      const Vec3 normal = cross(vertices[c[1]] - vertices[c[0]], vertices[c[2]] - vertices[c[0]]);
+      sum += 0.5 * std::sqrt(dot(normal, normal)) * (dot(normal, vertices[c[0]]) >= 0.0 ? 1.0 : -1.0);
+    }
+    return sum;
+  }
+};
+
+// A circle of so many points about the z axis, of a cap with this cosine that the patch lies outside of (south: below).
+void add_circle(SphericalPatch &patch, Triangles &triangles, double cosine, uint32_t points, bool south,
+                uint32_t face) {
+  const double sine = std::sqrt(1.0 - cosine * cosine);
+  patch.begin_loop(face);
+  for (uint32_t k = 0; k < points; ++k) {
+    // The patch lies to the left: clockwise about the cap's axis.
+    const double angle = (south ? 1 : -1) * 2 * hsp::pi * k / points;
+    const Vec3 place{sine * std::cos(angle), sine * std::sin(angle), south ? -cosine : cosine};
+    patch.add({place, static_cast<uint32_t>(triangles.vertices.size()), south ? 1U : 0U, {hsp::no_id, hsp::no_id}});
+    triangles.vertices.push_back(place);
+  }
+}
+
+void emit(SphericalPatch &patch, Triangles &triangles) {
+  patch.emit(
+      [&](const Vec3 &direction) {
+        triangles.vertices.push_back(1.0 / std::sqrt(dot(direction, direction)) * direction);
+        return static_cast<uint32_t>(triangles.vertices.size() - 1);
+      },
+      [&](uint32_t face, const uint32_t *c) {
+        triangles.corners.push_back({c[0], c[1], c[2]});
+        triangles.faces.push_back(face);
+      });
+}
+
+TEST(SphericalPatch, AWholeSphere) {
+  CarvedMemory memory;
+  SphericalPatch patch;
+  memory.carve(patch, 3000);
+  for (const double spacing : {10.0, 0.5, 0.1}) {
+    Triangles triangles;
+    patch.begin(spacing);
+    ASSERT_EQ(patch.triangulate(), PatchState::complete);
+    emit(patch, triangles);
+    EXPECT_EQ(triangles.corners.size(), 2 * triangles.vertices.size() - 4);
+    if (spacing < 1.0) {
+      EXPECT_NEAR(triangles.area(), 4 * hsp::pi, 4 * spacing * spacing);
+    }
+  }
+}
+
+TEST(SphericalPatch, ABeltBetweenTwoCircles) {
+  CarvedMemory memory;
+  SphericalPatch patch;
+  memory.carve(patch, 3000);
+  Triangles triangles;
+  patch.begin(0.1);
+  patch.keep_off({0, 0, 1}, 0.5);
+  patch.keep_off({0, 0, -1}, 0.8);
+  add_circle(patch, triangles, 0.5, 54, false, 0);
+  add_circle(patch, triangles, 0.8, 38, true, 0);
+  ASSERT_EQ(patch.triangulate(), PatchState::complete);
+  emit(patch, triangles);
+  EXPECT_NEAR(triangles.area(), 2 * hsp::pi * 1.3, 0.05);
+  // V - E + T = 0 with E = (3 T + B) / 2.
+  EXPECT_EQ(2 * triangles.vertices.size(), triangles.corners.size() + 92);
+}
+
+TEST(SphericalPatch, TwoFacesOfOneSphere) {
+  CarvedMemory memory;
+  SphericalPatch patch;
+  memory.carve(patch, 3000);
+  Triangles triangles;
+  patch.begin(0.2);
+  // Small faces around the poles.
+  add_circle(patch, triangles, -0.6, 26, false, 0);
+  add_circle(patch, triangles, -0.7, 24, true, 1);
+  ASSERT_EQ(patch.triangulate(), PatchState::complete);
+  emit(patch, triangles);
+  EXPECT_NEAR(triangles.area(), 2 * hsp::pi * 0.7, 0.1);
+  for (size_t t = 0; t < triangles.corners.size(); ++t) {
+    EXPECT_EQ(triangles.vertices[triangles.corners[t][0]].z < 0 ? 0U : 1U, triangles.faces[t]);
+  }
+}
+
+// Two circles so near each other that their chords cross: both are named, and with more points all is well.
+TEST(SphericalPatch, NamesCurvesThatAreTooCoarse) {
+  CarvedMemory memory;
+  SphericalPatch patch;
+  memory.carve(patch, 3000);
+  for (const uint32_t points : {6U, 400U}) {
+    Triangles triangles;
+    patch.begin(0.5);
+    add_circle(patch, triangles, 0.30, points, false, 0);
+    add_circle(patch, triangles, -0.29, points + 1, true, 0);
+    const PatchState state = patch.triangulate();
+    if (points == 400) {
+      EXPECT_EQ(state, PatchState::complete);
+      continue;
+    }
+    ASSERT_EQ(state, PatchState::too_coarse);
+    bool named[2] = {false, false};
+    patch.for_each_coarse_curve([&](uint32_t curve) { named[curve] = true; });
+    EXPECT_TRUE(named[0] || named[1]);
+  }
+}
+
+TEST(SphericalPatch, SaysHowManyPointsItNeeds) {
+  for (uint32_t room = 6;; ++room) {
+    CarvedMemory memory;
+    SphericalPatch patch;
+    memory.carve(patch, room);
+    Triangles triangles;
+    patch.begin(0.6);
+    add_circle(patch, triangles, 0.5, 9, false, 0);
+    const PatchState state = patch.triangulate();
+    EXPECT_EQ(state == PatchState::capacity, patch.needed_points() > room) << room;
+    if (state == PatchState::capacity) continue;
+    EXPECT_EQ(patch.needed_points(), room);
+    break;
+  }
+}
+
+// An edge between border points that another patch may join as well is divided.
+TEST(SphericalPatch, DividesEdgesThatMayBeElsewhere) {
+  CarvedMemory memory;
+  SphericalPatch patch;
+  memory.carve(patch, 100);
+  for (const bool elsewhere : {false, true}) {
+    patch.begin(2.0);
+    patch.keep_off({0, 0, 1}, -0.8);
+    patch.begin_loop(0);
+    const uint32_t other = elsewhere ? 7U : hsp::no_id;
+    for (uint32_t k = 0; k < 5; ++k) {
+      const double angle = -2 * hsp::pi * k / 5;
+      patch.add({{0.6 * std::cos(angle), 0.6 * std::sin(angle), -0.8}, k, 0, {other, hsp::no_id}});
+    }
+    ASSERT_EQ(patch.triangulate(), PatchState::complete);
+    uint32_t added = 0, triangles = 0, across = 0;
+    patch.emit([&](const Vec3 &) { return 5 + added++; },
+               [&](uint32_t, const uint32_t *c) {
+                 ++triangles;
+                 for (int k = 0; k < 3; ++k) {
+                   const uint32_t a = c[k], b = c[(k + 1) % 3];
+                   if (a < 5 && b < 5 && (a + 1) % 5 != b) ++across;
+                 }
+               });
+    EXPECT_EQ(triangles, 3 + 2 * added);
+    if (elsewhere) {
+      EXPECT_EQ(across, 0U);
+    }
+  }
+}
+
+}  // namespace
