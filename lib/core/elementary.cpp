@@ -5,11 +5,6 @@
 namespace hsp {
 namespace {
 
-constexpr double half_pi_high = 0x1.921fb54442d18p+0;
-constexpr double half_pi_low = 0x1.1a62633145c07p-54;
-constexpr double pi_high = 0x1.921fb54442d18p+1;
-constexpr double pi_low = 0x1.1a62633145c07p-53;
-
 // atan(t) - t for |t| <= 1/16 + 2^-8 by the Taylor series; the first term left out, t^17/17, is below 2^-69 t.
 double correction_near_zero(double t) {
   const double z = t * t;
@@ -65,14 +60,14 @@ double arc_tangent(double y, double x) {
   }
   if (steep) {
     // pi/2 - (high + low), the two high parts first: their difference is exact or rounded far below the result's ulp.
-    const double difference = half_pi_high - high;
-    const double error = (half_pi_high - difference) - high;
-    low = half_pi_low + error - low;
+    const double difference = pi / 2 - high;
+    const double error = (pi / 2 - difference) - high;
+    low = pi_low / 2 + error - low;
     high = difference;
   }
   if (x < 0.0) {
-    const double difference = pi_high - high;
-    const double error = (pi_high - difference) - high;
+    const double difference = pi - high;
+    const double error = (pi - difference) - high;
     low = pi_low + error - low;
     high = difference;
   }

@@ -7,7 +7,16 @@
 namespace hsp {
 namespace {
 
-// The angle of (x, y), counter-clockwise from (1, 0), in [0, 2 pi]; (x, y) must not be (0, 0), and neither component
+// An angle as a multiple of pi/4 and the rest. The multiple is that of pi/4 as a double, exactly: pi has so many zeros
+// at the end that those up to 8 are doubles.
+template <uint32_t n>
+struct AngleParts {
+  typename DoubleLanes<n>::Real multiple, rest;
+
+  typename DoubleLanes<n>::Real sum() const { return multiple + (rest + multiple * (pi_low / pi)); }
+};
+
+// The angle of (x, |y|), counter-clockwise from (1, 0), in [0, pi]; (x, y) must not be (0, 0), and neither component
 // may be near the ends of the range.
 //
 // In an octant the angle is atan(t), t = small/large, where that is at most 53/128, a little below tan(pi/8), and else
@@ -16,12 +25,11 @@ namespace {
 // error below 2^-59. In units of e = 2^-53: difference, sum and quotient move t by |t| each; the difference is exact
 // above 1/2, and the first two are not there without the pi/4. The correction, below 0.054 |t|, has a relative error of
 // at most 7, and the sum with t adds 1, each relative to |t|. So an angle below pi/8 has an error of at most 2.4 e of
-// itself; another one of 1.25 + 0.55 from these, 0.3 from the constant and 0.8 from the last sum, which is 2.9 e, or
-// 7.4 e of itself. The reflections at pi/2, pi and 2 pi add their own error and that of the constant: 2.2, 4.3 and
-// 8.5 e. Together at most 18 e, and 8 e of the angle.
+// itself; the rest of another one has 1.25 + 0.55 from these, and 0.25 with what pi lacks. The sum of the parts adds
+// half a unit in the last place: 0.25 e next to pi/8, 2 e up to pi, 4 e up to 2 pi. Together at most 6.1 e, 4.1 e up to
+// pi, and 6 e of the angle.
 template <uint32_t n>
-typename DoubleLanes<n>::Real turn_angle(const typename DoubleLanes<n>::Real &x,
-                                         const typename DoubleLanes<n>::Real &y) {
+AngleParts<n> half_turn_angle(const typename DoubleLanes<n>::Real &x, const typename DoubleLanes<n>::Real &y) {
   using L = DoubleLanes<n>;
   using Real = typename L::Real;
   using Mask = typename L::Mask;
@@ -41,12 +49,30 @@ typename DoubleLanes<n>::Real turn_angle(const typename DoubleLanes<n>::Real &x,
   const Real odd =
       0x1.9999999995889p-3 +
       w * (0x1.c71c70e69aa0cp-4 + w * (0x1.3b111a30380aap-4 + w * (0x1.df0fe65c3b514p-5 + w * 0x1.37db3ad28d7b9p-5)));
-  const Real octant = L::kept(wide, L::all(pi / 4)) + (t + t * z * (even + z * odd));
   const Mask left = x < 0.0;
-  const Mask below = y < 0.0;
-  const Real quarter = L::negate_if(steep, octant) + L::kept(steep, L::all(pi / 2));
+  const Real quarter = L::negate_if(steep, L::kept(wide, L::all(pi / 4))) + L::kept(steep, L::all(pi / 2));
   const Real half = L::negate_if(left, quarter) + L::kept(left, L::all(pi));
-  return L::negate_if(below, half) + L::kept(below, L::all(2 * pi));
+  return {half, L::negate_if(steep ^ left, t + t * z * (even + z * odd))};
+}
+
+// The angle of (x, y) in [-pi, pi], with the sign of y, also where y is a zero.
+template <uint32_t n>
+typename DoubleLanes<n>::Real signed_angle(const typename DoubleLanes<n>::Real &x,
+                                           const typename DoubleLanes<n>::Real &y) {
+  using L = DoubleLanes<n>;
+  return L::negate_if(L::bits(y), half_turn_angle<n>(x, y).sum());
+}
+
+// The angle of (x, y) in [0, 2 pi].
+template <uint32_t n>
+typename DoubleLanes<n>::Real turn_angle(const typename DoubleLanes<n>::Real &x,
+                                         const typename DoubleLanes<n>::Real &y) {
+  using L = DoubleLanes<n>;
+  const typename L::Mask below = y < 0.0;
+  AngleParts<n> angle = half_turn_angle<n>(x, y);
+  angle.multiple = L::negate_if(below, angle.multiple) + L::kept(below, L::all(2 * pi));
+  angle.rest = L::negate_if(below, angle.rest);
+  return angle.sum();
 }
 
 }  // namespace

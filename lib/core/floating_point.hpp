@@ -21,6 +21,7 @@ namespace hsp {
 inline constexpr double unit_roundoff = 0x1p-53;
 
 inline constexpr double pi = 0x1.921fb54442d18p+1;
+inline constexpr double pi_low = 0x1.1a62633145c07p-53;  // what the double lacks
 
 // True for everything but NaN and infinities; plain comparison, so that no library call is needed.
 inline bool is_finite(double x) {

@@ -81,8 +81,8 @@ struct ArcKernel {
   // vertex is (q x n + sqrt(D)/(d d') n)/n.n, where q is orthogonal to n, so that q x n has no cancellation; and the
   // loop turns there by the angle of (u.u' - h h'/r^2, sqrt(D)/(2 r d d')).
   static void evaluate_vertices(double radius, ArcBatch &b) {
-    const double inverse_diameter = radius > 0.0 ? 0.5 / radius : 0.0;
-    const double inverse_W = inverse_diameter * inverse_diameter;
+    const double diameter = 2 * radius;
+    const double square = diameter * diameter;
     static_assert(ArcBatch::capacity / sum_lanes <= ExteriorAngleSum<n>::most_directions);
     double angles[sum_lanes] = {};
     Mask turns{};
@@ -97,16 +97,17 @@ struct ArcKernel {
         const Real root = L::load(b.root_discriminant + s) *
                           (L::gather(b.inverse_distance, before) * L::load(b.inverse_distance + s));
         const CircleCrossing<Vector, Real> crossing(u_in, h_in, u_out, h_out);
-        const Real cosine = dot(u_in, u_out) - h_in * h_out * inverse_W;
+        const Real cosine = square * dot(u_in, u_out) - h_in * h_out;
         const Mask served = L::both(crossing.nn >= least_square_of_sine, cosine == cosine);
         store(b.px, b.py, b.pz, s, crossing.point(L::valid(served, root)));
         const Mask counted = served & L::load_mask(b.arc + s);
-        sum.add_directions(L::select(counted, cosine, L::all(1.0)), L::kept(counted, root * inverse_diameter));
+        sum.add_directions(L::select(counted, cosine, L::all(1.0)), L::kept(counted, diameter * root));
       }
       L::store(angles + lane, sum.angles());
       turns += sum.turns();
     }
-    b.exterior_angles = 2 * pi * static_cast<double>(L::sum(turns)) + sum_of_lanes(angles);
+    b.exterior_turns = static_cast<double>(L::sum(turns));
+    b.exterior_angles = sum_of_lanes(angles);
   }
 
   // Returns the mask of those that doubles do not serve.

@@ -16,15 +16,17 @@ class FreeSurface {
   void add(const ArcBatch &batch) {
     const AreaSums sums = sums_of(batch);
     exterior_angles_ += batch.exterior_angles;
+    exterior_turns_ += batch.exterior_turns;
     cosines_ += sums.cosines;
     vector_area_ = vector_area_ + Vec3{sums.vector_area[0], sums.vector_area[1], sums.vector_area[2]};
   }
 
-  // A face can be infinitesimal: its area is 0 up to rounding, on either side.
+  // Multiples of 2 pi are counted before they are rounded. A face can be infinitesimal: its area is 0 up to rounding, on
+  // either side.
   double steradians(uint32_t faces, uint32_t loops) const {
-    const double characteristic = 2.0 * static_cast<double>(faces) - static_cast<double>(loops);
-    const double cosines = radius_ > 0.0 ? cosines_ * (0.5 / radius_) : 0.0;
-    const double sum = 2 * pi * characteristic + cosines - exterior_angles_;
+    const double turns = 2.0 * static_cast<double>(faces) - static_cast<double>(loops) - exterior_turns_;
+    const double cosines = radius_ > 0.0 ? cosines_ / (2 * radius_) : 0.0;
+    const double sum = 2 * pi * turns + (cosines - exterior_angles_ + 2 * pi_low * turns);
     return sum > 0.0 ? sum : 0.0;
   }
   Vec3 vector_area() const { return 0.125 * vector_area_; }
@@ -39,7 +41,7 @@ class FreeSurface {
 
   [[maybe_unused]] const Boundary &boundary_;  // says whether there is code for wide registers
   double radius_;
-  double exterior_angles_ = 0.0;
+  double exterior_angles_ = 0.0, exterior_turns_ = 0.0;
   double cosines_ = 0.0;             // sum of 2 h angle
   Vec3 vector_area_{0.0, 0.0, 0.0};  // eight times it
 };

@@ -34,9 +34,10 @@ class ExteriorAngleSum {
     y_ = Y;
   }
 
-  // The sums of the lanes are 2 pi turns() + angles(), where (1, -0) stands for a whole turn.
-  Mask turns() const { return turns_ + L::sign_bits(L::both(x_ > 0.0, y_ == 0.0) & L::bits(y_)); }
-  Real angles() const { return turn_angle<n>(x_, y_); }
+  // The sums of the lanes are 2 pi turns() + angles(), with angles in [-pi, pi]. Those of the lower half-plane count a
+  // turn more than is complete.
+  Mask turns() const { return turns_ + L::sign_bits(L::bits(y_)); }
+  Real angles() const { return signed_angle<n>(x_, y_); }
 
  private:
   Real x_ = L::all(1.0), y_ = L::all(0.0);
