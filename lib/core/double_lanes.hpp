@@ -5,6 +5,8 @@
 
 #if defined(__AVX2__)
 #include <immintrin.h>
+#elif defined(__SSE2__)
+#include <emmintrin.h>
 #endif
 
 #include <cstdint>
@@ -108,6 +110,26 @@ struct DoubleLanes {
     for (uint32_t k = 0; k < n; ++k) root[k] = std::sqrt(a[k]);
     return root;
   }
+  // The larger and the smaller of two, b if they are equal or not numbers, as the instructions of SSE2 have it.
+  static Real larger(const Real &a, const Real &b) {
+#if defined(__AVX2__)
+    if constexpr (n == 4) return Real(_mm256_max_pd(__m256d(a), __m256d(b)));
+#endif
+#if defined(__SSE2__)
+    if constexpr (n == 2) return Real(_mm_max_pd(__m128d(a), __m128d(b)));
+#endif
+    return select(a > b, a, b);
+  }
+  static Real smaller(const Real &a, const Real &b) {
+#if defined(__AVX2__)
+    if constexpr (n == 4) return Real(_mm256_min_pd(__m256d(a), __m256d(b)));
+#endif
+#if defined(__SSE2__)
+    if constexpr (n == 2) return Real(_mm_min_pd(__m128d(a), __m128d(b)));
+#endif
+    return select(a < b, a, b);
+  }
+
   static int64_t sum(const Mask &a) {
     int64_t total = 0;
     for (uint32_t k = 0; k < n; ++k) total += a[k];

@@ -29,15 +29,16 @@ struct AngleParts {
 // half a unit in the last place: 0.25 e next to pi/8, 2 e up to pi, 4 e up to 2 pi. Together at most 6.1 e, 4.1 e up to
 // pi, and 6 e of the angle.
 template <uint32_t n>
-AngleParts<n> half_turn_angle(const typename DoubleLanes<n>::Real &x, const typename DoubleLanes<n>::Real &y) {
+[[gnu::always_inline]] inline AngleParts<n> half_turn_angle(const typename DoubleLanes<n>::Real &x,
+                                                            const typename DoubleLanes<n>::Real &y) {
   using L = DoubleLanes<n>;
   using Real = typename L::Real;
   using Mask = typename L::Mask;
   const Real ax = L::absolute(x);
   const Real ay = L::absolute(y);
   const Mask steep = ay > ax;
-  const Real large = L::select(steep, ay, ax);
-  const Real small = L::select(steep, ax, ay);
+  const Real large = L::larger(ax, ay);
+  const Real small = L::smaller(ax, ay);
   const Mask wide = small > large * 0.4140625;
   const Real t = (small - L::kept(wide, large)) / (large + L::kept(wide, small));
   const Real z = t * t;

@@ -12,17 +12,18 @@ namespace {
 
 // Doubles serve well-conditioned circles, rho^2 >= r^2/64 and d <= 4 r, and well-conditioned vertices, those of two
 // such circles whose axes have an angle of sine s with s^2 >= 1/16. To first order, in units of e = 2^-53, with sigma =
-// rho/r:
+// rho/r, and v = d u exact:
 //   u               |v|^2 3, root 2.5, inverse 3.5, product                                         4.5
-//   2 h             (4 d^2 + 2 * 2 |h| d) / d + 4.5 * 2 |h|                                          29 r
-//   n = u x u'      2 * 4.5 + 3                                                                      12
-//   q               2 (29 r + 5.5 * 2 r) + |q|, and |q| <= 2 r s                                     82 r
-//   vertex          q 82/s, n 24/s twice, n.n 48/s + 8, root and roundings 34; |vertex| = 2 r       754 r
-//   from the circle's centre, 2 rho away: 754 r + 29 r + 11 r + 2 r, as an angle                    400/sigma
-//   angle of an arc both ends, and 50 for x, y and the arc tangent                                  850/sigma
-//   exterior angle  (u.u' 12, h h'/r^2 33) over sigma sigma'                                         45/(sigma sigma')
-// so the error is below 2^-43/sigma, and typically some e/sigma. This is negligible against branch_cut_margin: arcs at
-// least that far from 0 and 2 pi are classified correctly.
+//   H = 2 h d       4 d^2 + 2 * 2 |h| d                                                              20 r d
+//   2 h             H/d + 4.5 * 2 |h|                                                                29 r
+//   n = v x v'      over d d'                                                                        3
+//   q = H v' - H' v over d d': 2 (20 r + 2 r) + |q|, and |q| <= 2 r s                                46 r
+//   vertex          q 46/s, n 6/s twice, n.n 12/s + 8, root and roundings 16 r; |vertex| = 2 r      304 r
+//   from the circle's centre, 2 rho away: 304 r + 29 r + 11 r + 2 r, as an angle                    180/sigma
+//   angle of an arc both ends, and 50 for x, y and the arc tangent                                  410/sigma
+//   exterior angle  (u.u' 3, h h'/r^2 23) over sigma sigma'                                          30/(sigma sigma')
+// so the error is below 2^-44/sigma, and typically some e/sigma: n, q and H are exact in molecules. This is negligible
+// against branch_cut_margin: arcs at least that far from 0 and 2 pi are classified correctly.
 constexpr double least_square_of_radius = 1.0 / 64;
 constexpr double most_square_of_distance = 16.0;
 constexpr double least_square_of_sine = 1.0 / 16;
@@ -55,7 +56,7 @@ struct ArcKernel {
   static Vector axes(const ArcBatch &b, uint32_t s) { return load(b.ux, b.uy, b.uz, s); }
 
   // Returns the mask of those that doubles do not serve.
-  static Mask evaluate_circles(const BallOfSet &ball, ArcBatch &b) {
+  [[gnu::always_inline]] static Mask evaluate_circles(const BallOfSet &ball, ArcBatch &b) {
     const double inverse_diameter = ball.r > 0.0 ? 0.5 / ball.r : 0.0;
     const double most_U = most_square_of_distance * ball.r * ball.r;
     Mask unserved{};
@@ -66,9 +67,13 @@ struct ArcKernel {
       const Real other_radius = L::gather(ball.rs, other);
       const Real U = dot(v, v);
       const Real inverse = 1.0 / L::square_root(U);
-      const Real twice_height = (U + (ball.r - other_radius) * (ball.r + other_radius)) * inverse;
+      const Real scaled_height = U + (ball.r - other_radius) * (ball.r + other_radius);
+      const Real twice_height = scaled_height * inverse;
       const Real cosine = twice_height * inverse_diameter;
       const Mask served = L::both((1.0 - cosine) * (1.0 + cosine) >= least_square_of_radius, U <= most_U);
+      store(b.vx, b.vy, b.vz, s, v);
+      L::store(b.square_of_distance + s, L::valid(served, U));
+      L::store(b.scaled_height + s, scaled_height);
       store(b.ux, b.uy, b.uz, s, inverse * v);
       L::store(b.inverse_distance + s, inverse);
       L::store(b.twice_height + s, L::valid(served, twice_height));
@@ -77,9 +82,9 @@ struct ArcKernel {
     return unserved;
   }
 
-  // A loop comes in along the circle u, h and leaves along u', h'. With n = u x u' and q = 2 h u' - 2 h' u twice the
-  // vertex is (q x n + sqrt(D)/(d d') n)/n.n, where q is orthogonal to n, so that q x n has no cancellation; and the
-  // loop turns there by the angle of (u.u' - h h'/r^2, sqrt(D)/(2 r d d')).
+  // A loop comes in along the circle v, H = 2 h d and leaves along v', H'. With n = v x v' and q = H v' - H' v twice the
+  // vertex is (q x n + sqrt(D) n)/n.n, where q is orthogonal to n, so that q x n has no cancellation; and the loop turns
+  // there by the angle of (4 r^2 v.v' - H H', 2 r sqrt(D)).
   static void evaluate_vertices(double radius, ArcBatch &b) {
     const double diameter = 2 * radius;
     const double square = diameter * diameter;
@@ -90,15 +95,15 @@ struct ArcKernel {
       ExteriorAngleSum<n> sum;
       for (uint32_t s = lane; s < b.count; s += sum_lanes) {
         const uint32_t *const before = b.previous + s;
-        const Vector u_in = gather(b.ux, b.uy, b.uz, before);
-        const Vector u_out = axes(b, s);
-        const Real h_in = L::gather(b.twice_height, before);
-        const Real h_out = L::load(b.twice_height + s);
-        const Real root = L::load(b.root_discriminant + s) *
-                          (L::gather(b.inverse_distance, before) * L::load(b.inverse_distance + s));
-        const CircleCrossing<Vector, Real> crossing(u_in, h_in, u_out, h_out);
-        const Real cosine = square * dot(u_in, u_out) - h_in * h_out;
-        const Mask served = L::both(crossing.nn >= least_square_of_sine, cosine == cosine);
+        const Vector v_in = gather(b.vx, b.vy, b.vz, before);
+        const Vector v_out = load(b.vx, b.vy, b.vz, s);
+        const Real H_in = L::gather(b.scaled_height, before);
+        const Real H_out = L::load(b.scaled_height + s);
+        const Real root = L::load(b.root_discriminant + s);
+        const Real UU = L::gather(b.square_of_distance, before) * L::load(b.square_of_distance + s);
+        const CircleCrossing<Vector, Real> crossing(v_in, H_in, v_out, H_out);
+        const Real cosine = square * dot(v_in, v_out) - H_in * H_out;
+        const Mask served = crossing.nn >= least_square_of_sine * UU;
         store(b.px, b.py, b.pz, s, crossing.point(L::valid(served, root)));
         const Mask counted = served & L::load_mask(b.arc + s);
         sum.add_directions(L::select(counted, cosine, L::all(1.0)), L::kept(counted, diameter * root));
@@ -111,7 +116,7 @@ struct ArcKernel {
   }
 
   // Returns the mask of those that doubles do not serve.
-  static Mask evaluate_arcs(ArcBatch &b) {
+  [[gnu::always_inline]] static Mask evaluate_arcs(ArcBatch &b) {
     Mask unserved{};
     for (uint32_t s = 0; s < b.count; s += n) {
       const Vector u = axes(b, s);

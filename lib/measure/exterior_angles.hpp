@@ -14,10 +14,10 @@ class ExteriorAngleSum {
   using Real = typename L::Real;
   using Mask = typename L::Mask;
 
-  // Together directions must be no shorter than 2^-900, so that the product does not vanish.
-  static constexpr uint32_t most_directions = 128;
+  // The product must stay within the range of doubles.
+  static constexpr uint32_t most_directions = 8;
 
-  // Angles in [0, pi] by their directions, one for each lane: y >= +0, and a length in [2^-7, 1] up to rounding.
+  // Angles in [0, pi] by their directions, one for each lane: y >= +0, and a length in [2^-7, 2^124].
   //
   // Whole turns are counted by half-planes, given by the sign of Y: the product (X, Y) is in the upper one for angles
   // in [0, pi], in the lower one for [pi, 2 pi], where pi is (-1, -0) and 2 pi is (1, -0), and a turn is complete when

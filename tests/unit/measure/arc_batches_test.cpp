@@ -37,7 +37,7 @@ class ArcsOfBall {
     while (arcs.next()) {
       const hsp::ArcBatch &batch = arcs.batch();
       ++seen.batches;
-      found_angles += batch.exterior_angles;
+      found_angles += batch.exterior_angles + 2 * hsp::pi * batch.exterior_turns;
       for (uint32_t c = 0; c < batch.count; ++c) {
         if (batch.arc[c] != 0) {
           const uint32_t e = arcs.half_edge(c);

@@ -95,6 +95,7 @@ void expect_same(double a, double b, const char *what) {
 void expect_same(const Results &a, const Results &b) {
   EXPECT_EQ(a.complete, b.complete);
   expect_same(a.batch.exterior_angles, b.batch.exterior_angles, "exterior angles");
+  expect_same(a.batch.exterior_turns, b.batch.exterior_turns, "whole turns");
   for (uint32_t s = 0; s < a.batch.count; ++s) {
     const auto fields = [s](const ArcBatch &x) {
       return std::array{x.ux[s],           x.uy[s], x.uz[s], x.inverse_distance[s],

@@ -35,11 +35,11 @@ inline uint32_t sums_of_eighths() {
   return all_hold;
 }
 
-// As many of one angle as there may be, as short as a direction may be or not.
+// As many of one angle as there may be, as short and as long as a direction may be.
 inline uint32_t sums_of_many() {
   constexpr uint32_t most = hsp::ExteriorAngleSum<2>::most_directions;
   for (uint32_t a = 0; a < 5; ++a) {
-    for (const double length : {0x1p-6, 1.0}) {
+    for (const double length : {0x1p-6, 1.0, 0x1p124}) {
       hsp::ExteriorAngleSum<2> angles;
       for (uint32_t k = 0; k < most; ++k) {
         angles.add_directions(TwoLanes::all(length * eighth_x[a]), TwoLanes::all(length * eighth_y[a]));
@@ -63,7 +63,7 @@ inline uint32_t sums_next_to_half_turns() {
   for (uint32_t round = 0; round < 2000; ++round) {
     hsp::ExteriorAngleSum<2> angles;
     double expected = 0.0;
-    for (uint32_t k = 0; k < 20; ++k) {
+    for (uint32_t k = 0; k < hsp::ExteriorAngleSum<2>::most_directions; ++k) {
       const NearEnds &a = near_ends[random.below(12)], &b = near_ends[random.below(12)];
       angles.add_directions(TwoReals{a.x, b.x}, TwoReals{a.y, b.y});
       expected += std::atan2(a.y, a.x) + std::atan2(b.y, b.x);

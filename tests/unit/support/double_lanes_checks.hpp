@@ -45,6 +45,8 @@ const char *check_lanes() {
       if (smaller[lane] != words[lane] || loaded[lane] != words[lane]) return "load_mask";
       if (!same_bits(L::kept(smaller, x)[lane], is_smaller ? a[lane] : 0.0)) return "kept";
       if (!same_bits(L::select(smaller, x, y)[lane], is_smaller ? a[lane] : b[lane])) return "select";
+      if (!same_bits(L::smaller(x, y)[lane], is_smaller ? a[lane] : b[lane])) return "smaller";
+      if (!same_bits(L::larger(x, y)[lane], a[lane] > b[lane] ? a[lane] : b[lane])) return "larger";
       const double valid = L::valid(smaller, x)[lane];
       if (is_smaller ? !same_bits(valid, a[lane]) : valid == valid) return "valid";
       if (!same_bits(L::negate_if(smaller, x)[lane], is_smaller ? -a[lane] : a[lane])) return "negate_if";
