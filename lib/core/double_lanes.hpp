@@ -3,10 +3,8 @@
 // here has internal linkage, so that files *_avx2.cpp have their own copy (processor.hpp).
 #pragma once
 
-#if defined(__AVX2__)
+#if defined(__SSE2__)
 #include <immintrin.h>
-#elif defined(__SSE2__)
-#include <emmintrin.h>
 #endif
 
 #include <cstdint>

@@ -82,9 +82,9 @@ struct ArcKernel {
     return unserved;
   }
 
-  // A loop comes in along the circle v, H = 2 h d and leaves along v', H'. With n = v x v' and q = H v' - H' v twice the
-  // vertex is (q x n + sqrt(D) n)/n.n, where q is orthogonal to n, so that q x n has no cancellation; and the loop turns
-  // there by the angle of (4 r^2 v.v' - H H', 2 r sqrt(D)).
+  // A loop comes in along the circle v, H = 2 h d and leaves along v', H'. With n = v x v' and q = H v' - H' v twice
+  // the vertex is (q x n + sqrt(D) n)/n.n, where q is orthogonal to n, so that q x n has no cancellation; and the loop
+  // turns there by the angle of (4 r^2 v.v' - H H', 2 r sqrt(D)).
   static void evaluate_vertices(double radius, ArcBatch &b) {
     const double diameter = 2 * radius;
     const double square = diameter * diameter;

@@ -21,8 +21,8 @@ class FreeSurface {
     vector_area_ = vector_area_ + Vec3{sums.vector_area[0], sums.vector_area[1], sums.vector_area[2]};
   }
 
-  // Multiples of 2 pi are counted before they are rounded. A face can be infinitesimal: its area is 0 up to rounding, on
-  // either side.
+  // Multiples of 2 pi are counted before they are rounded. A face can be infinitesimal: its area is 0 up to rounding,
+  // on either side.
   double steradians(uint32_t faces, uint32_t loops) const {
     const double turns = 2.0 * static_cast<double>(faces) - static_cast<double>(loops) - exterior_turns_;
     const double cosines = radius_ > 0.0 ? cosines_ / (2 * radius_) : 0.0;
