@@ -82,6 +82,16 @@ set(HSP_LIBRARY_SOURCES
   lib/view/view_frame.cpp
   lib/view/view_rotation.cpp
   lib/view/visible_piece.cpp
+  lib/visibility/arc_finder.cpp
+  lib/visibility/crease_arcs.cpp
+  lib/visibility/disc_grid.cpp
+  lib/visibility/map_builder.cpp
+  lib/visibility/map_check.cpp
+  lib/visibility/map_faces.cpp
+  lib/visibility/map_linker.cpp
+  lib/visibility/seen_balls.cpp
+  lib/visibility/silhouette_arcs.cpp
+  lib/visibility/trigonometric_roots.cpp
   lib/picture/byte_sink.cpp
   lib/picture/eps_writer.cpp
   lib/picture/escaped_text.cpp

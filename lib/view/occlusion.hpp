@@ -13,6 +13,8 @@ class OcclusionCuller {
   // Sets visible[i] to 0 for the balls that are found hidden. Balls with visible[i] = 0 before are left out. What is
   // found does not depend on the order of the balls.
   void hide(const CubeGrid &grid, const ViewFrame &frame, Span<uint8_t> visible);
+  // What the balls that are left cover.
+  DepthBuffer &floor() { return floor_; }
 
  private:
   struct CubeExtent;

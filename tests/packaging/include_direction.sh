@@ -7,10 +7,10 @@ cd "$1"
 readme=lib/README.md
 
 # What each room stands on. It may include itself, these rooms, and what these stand on. Two wings stand over the
-# boundary: topology, measure and surface know nothing of view and picture, nor these of them.
-rooms="core exact model sphere boundary topology measure surface mesh view picture capi"
+# boundary: topology, measure and surface know nothing of view, visibility and picture, nor these of them.
+rooms="core exact model sphere boundary topology measure surface mesh view visibility picture capi"
 declare -A stands_on=([core]="" [exact]="core" [model]="exact" [sphere]="model" [boundary]="sphere"
-  [topology]="boundary" [measure]="topology" [surface]="measure" [mesh]="measure" [view]="boundary" [picture]="view" [capi]="surface mesh picture")
+  [topology]="boundary" [measure]="topology" [surface]="measure" [mesh]="measure" [view]="boundary" [visibility]="view" [picture]="view" [capi]="surface mesh picture")
 failed=0
 
 complain() {

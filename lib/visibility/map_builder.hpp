@@ -1,0 +1,56 @@
+// The map of what is seen along a direction, from the balls to the faces.
+//
+// In general position every step follows from signs that roundings do not touch. Where balls, silhouettes or creases
+// meet in more than their kind of vertex, as in lattices seen along their axes, the arcs of different curves may not
+// fit together. Linking and tracing notice that: every end must find its partners, every T its silhouette, the balls
+// named around a loop must agree, and Euler's formula must hold. Then all centres are moved a little and the map is
+// built again: by at most 2^-20 of each ball's radius, then by 2^-17 and 2^-14. The map says by how much; it is one of
+// the moved balls. If none of them fits, there is a status and no map.
+//
+// A ball that reaches less than about 2^-40 of its radius out of another one counts as inside.
+//
+// Theory and practice: Katz, Overmars and Sharir's divide and conquer (Section 5.2) takes O((n + k) log^2 n) for a map
+// of k vertices. This looks at each curve of a ball that may be seen on its own: O(n log n) and, for each, the balls
+// whose discs meet its disc and that reach higher. At worst those are all balls in a column of the largest ball's
+// width, n of them, so that O(n^3) is all that can be promised; when the smallest radius is a fixed part of the
+// largest, buried balls and curves are found by cells that are covered as a whole.
+#pragma once
+
+#include "visibility/map_faces.hpp"
+#include "visibility/map_linker.hpp"
+
+namespace hsp {
+
+class MapBuilder {
+ public:
+  void carve(Workspace &workspace, const MapLimits &limits);
+
+  // Status::capacity if a limit is too small; needed() then tells what suffices, with 0 for what is not known yet.
+  // Status::check if roundings cannot be overcome, Status::not_finite if a component of the direction is not.
+  Status build(const CubeGrid &grid, const ViewDirection &direction);
+
+  const VisibilityMap &structure() const { return map_; }
+  const MapLimits &needed() const { return needed_; }
+  // What to try again with after Status::capacity.
+  MapLimits retry_limits() const { return limits_.covering(needed_); }
+  const DiscGrid &discs() const { return discs_; }
+
+  // For tests that break it.
+  VisibilityMap &arrays() { return map_; }
+  // Scratch memory for checks; [2 edges + 1].
+  Span<uint32_t> scratch() { return faces_.scratch(); }
+
+ private:
+  Status build_moved(const BallSet &balls, double perturbation);
+
+  MapLimits limits_;
+  MapLimits needed_;
+  VisibilityMap map_;
+  SeenBalls seen_;
+  DiscGrid discs_;
+  ArcFinder arcs_;
+  MapLinker linker_;
+  MapFaceFinder faces_;
+};
+
+}  // namespace hsp

@@ -1,0 +1,211 @@
+#include "visibility/map_faces.hpp"
+
+#include <initializer_list>
+
+#include "visibility/edge_geometry.hpp"
+
+namespace hsp {
+namespace {
+
+// Twice the area that an edge sweeps about a point, as of half-edge 2e (Green's formula).
+double swept_twice(const VisibilityMap &map, const MapEdge &edge, double x, double y) {
+  const EdgeEllipse ellipse(map.balls, edge);
+  const MapVertex &v = map.vertices[edge.vertex[0]];
+  const MapVertex &w = map.vertices[edge.vertex[1]];
+  return (ellipse.centre[0] - x) * (w.y - v.y) - (ellipse.centre[1] - y) * (w.x - v.x) +
+         (ellipse.first[0] * ellipse.second[1] - ellipse.first[1] * ellipse.second[0]) * (edge.to - edge.from);
+}
+
+// How often an edge meets the ray from (x, y) to the right.
+uint32_t crossings(const VisibilityMap &map, const MapEdge &edge, double x, double y) {
+  const EdgeEllipse ellipse(map.balls, edge);
+  const double c = ellipse.first[1];
+  const double s = ellipse.second[1];
+  const double height = y - ellipse.centre[1];
+  const double squared = c * c + s * s - height * height;
+  if (squared <= 0.0) return 0;
+  const double middle = arc_tangent(s, c);
+  const double half = arc_tangent(std::sqrt(squared), height);
+  uint32_t count = 0;
+  for (double t : {middle - half, middle + half}) {
+    while (t >= edge.from) t -= 2 * pi;
+    while (t < edge.from) t += 2 * pi;
+    if (t < edge.to && ellipse.x(sin_cos(t)) > x) ++count;
+  }
+  return count;
+}
+
+bool surrounds(const VisibilityMap &map, uint32_t loop, double x, double y) {
+  uint32_t count = 0;
+  const uint32_t first = map.loops[loop].first_half_edge;
+  uint32_t h = first;
+  do {
+    count += crossings(map, map.edges[h / 2], x, y);
+    h = map.half_edges[h].next;
+  } while (h != first);
+  return count % 2 == 1;
+}
+
+}  // namespace
+
+void MapFaceFinder::carve(Workspace &workspace, const MapLimits &limits) {
+  const uint64_t edges = limits.edges;
+  parent_ = workspace.take<uint32_t>(edges);
+  first_face_ = workspace.take<uint32_t>(static_cast<uint64_t>(limits.balls) + 1);
+  next_face_ = workspace.take<uint32_t>(2 * edges + 1);
+}
+
+// Areas are taken about the loop's first point, so that nothing large cancels.
+bool MapFaceFinder::trace_loop(uint32_t first, VisibilityMap &map) {
+  const uint32_t id = map.loops.size();
+  MapLoop loop{first, no_id, no_id, no_id, 0.0};
+  const MapVertex &origin = map.vertices[map.origin(first)];
+  double twice = 0.0;
+  uint32_t h = first;
+  do {
+    MapHalfEdge &half_edge = map.half_edges[h];
+    if (half_edge.next == no_id || half_edge.loop != no_id) return false;
+    half_edge.loop = id;
+    const MapEdge &edge = map.edges[h / 2];
+    const bool forward = h % 2 == 0;
+    if (map.origin(half_edge.next) != edge.vertex[forward ? 1 : 0]) return false;
+    const uint32_t owner = edge.is_silhouette() ? (forward ? edge.ball : no_id) : (forward ? edge.nearer : edge.ball);
+    if (owner != no_id) {
+      if (loop.owner != no_id && loop.owner != owner) return false;
+      loop.owner = owner;
+    }
+    const double swept = swept_twice(map, edge, origin.x, origin.y);
+    twice += forward ? swept : -swept;
+    h = half_edge.next;
+  } while (h != first);
+  loop.area = 0.5 * twice;
+  map.loops.push(loop);
+  return true;
+}
+
+// Along a loop that sees only the far sides of silhouettes: what is highest behind the longest of its edges, at a point
+// of it where that is certain.
+bool MapFaceFinder::name_owner(const DiscGrid &grid, MapLoop &loop, const VisibilityMap &map) const {
+  uint32_t best = loop.first_half_edge;
+  double longest = -1.0;
+  uint32_t h = loop.first_half_edge;
+  do {
+    const MapEdge &edge = map.edges[h / 2];
+    const double length = (edge.to - edge.from) * map.balls[edge.ball].r;
+    if (length > longest) {
+      longest = length;
+      best = h;
+    }
+    h = map.half_edges[h].next;
+  } while (h != loop.first_half_edge);
+  const MapEdge &edge = map.edges[best / 2];
+  for (const double part : {0.3819660112501051, 0.7639320225002103, 0.1458980337503154, 0.5278640450004206}) {
+    const Vec3 at = silhouette_point(map.balls[edge.ball], edge.from + part * (edge.to - edge.from));
+    const DiscGrid::Highest behind = grid.highest_at(at.x, at.y, edge.ball);
+    loop.owner = behind.ball;
+    if (behind.certain) return true;
+  }
+  return false;
+}
+
+bool MapFaceFinder::trace_loops(const DiscGrid &grid, VisibilityMap &map) {
+  for (uint32_t h = 0; h < map.half_edges.size(); ++h) {
+    if (map.half_edges[h].loop != no_id) continue;
+    if (!trace_loop(h, map)) return false;
+    MapLoop &loop = map.loops[map.loops.size() - 1];
+    if (loop.owner == no_id && !name_owner(grid, loop, map)) return false;
+  }
+  return true;
+}
+
+void MapFaceFinder::count_components(VisibilityMap &map) {
+  DisjointSets parts(parent_.part(0, map.vertices.size()));
+  parts.reset();
+  map.components = map.vertices.size();
+  for (const MapEdge &edge : map.edges.items()) {
+    if (parts.join(edge.vertex[0], edge.vertex[1])) --map.components;
+  }
+}
+
+void MapFaceFinder::add_outer_loops(VisibilityMap &map) {
+  const uint32_t balls = map.balls.size();
+  for (uint32_t k = 0; k <= balls; ++k) first_face_[k] = no_id;
+  map.faces.push({no_id, no_id, 0.0});
+  for (uint32_t l = 0; l < map.loops.size(); ++l) {
+    MapLoop &loop = map.loops[l];
+    if (loop.area <= 0.0) continue;
+    loop.face = map.faces.size();
+    map.faces.push({loop.owner, l, loop.area});
+    uint32_t &first = first_face_[loop.owner == no_id ? balls : loop.owner];
+    next_face_[loop.face] = first;
+    first = loop.face;
+  }
+}
+
+// The innermost face of the hole's owner with the hole within its outer loop, the unbounded face if there is none.
+uint32_t MapFaceFinder::face_around(const MapLoop &hole, const VisibilityMap &map) const {
+  const bool background = hole.owner == no_id;
+  const uint32_t first = first_face_[background ? map.balls.size() : hole.owner];
+  if (first == no_id) return background ? 0 : no_id;
+  if (!background && next_face_[first] == no_id) return first;
+  // Some point that is not likely to be at the height of a vertex.
+  const MapEdge &edge = map.edges[hole.first_half_edge / 2];
+  const EdgeEllipse ellipse(map.balls, edge);
+  const SinCos t = sin_cos(edge.from + 0.3819660112501051 * (edge.to - edge.from));
+  uint32_t best = background ? 0 : no_id;
+  double smallest = 0.0;
+  for (uint32_t f = first; f != no_id; f = next_face_[f]) {
+    const double area = map.loops[map.faces[f].first_loop].area;
+    if (area <= -hole.area || (smallest > 0.0 && area >= smallest)) continue;
+    if (!surrounds(map, map.faces[f].first_loop, ellipse.x(t), ellipse.y(t))) continue;
+    best = f;
+    smallest = area;
+  }
+  return best;
+}
+
+bool MapFaceFinder::add_holes(VisibilityMap &map) {
+  uint32_t holes = 0;
+  for (uint32_t l = 0; l < map.loops.size(); ++l) {
+    MapLoop &loop = map.loops[l];
+    if (loop.area > 0.0) continue;
+    ++holes;
+    loop.face = face_around(loop, map);
+    if (loop.face == no_id) return false;
+    // Behind the outer loop, before the holes that are there.
+    MapFace &face = map.faces[loop.face];
+    if (face.first_loop == no_id || loop.face == 0) {
+      loop.next_of_face = face.first_loop;
+      face.first_loop = l;
+    } else {
+      MapLoop &outer = map.loops[face.first_loop];
+      loop.next_of_face = outer.next_of_face;
+      outer.next_of_face = l;
+    }
+    if (loop.face != 0) face.area += loop.area;
+  }
+  // Each connected part of the edges has one hole around it.
+  return holes == map.components;
+}
+
+// Curves that coincide may all be lost.
+bool MapFaceFinder::tops_have_faces(const DiscGrid &grid, const VisibilityMap &map) const {
+  for (uint32_t k = 0; k < map.balls.size(); ++k) {
+    const SeenBall &ball = map.balls[k];
+    if (ball.inside != 0 || first_face_[k] != no_id) continue;
+    const DiscGrid::Highest top = grid.highest_at(ball.x, ball.y, no_id);
+    if (top.ball == k && top.certain) return false;
+  }
+  return true;
+}
+
+bool MapFaceFinder::find(const DiscGrid &grid, VisibilityMap &map) {
+  if (!trace_loops(grid, map)) return false;
+  count_components(map);
+  const uint64_t sum = static_cast<uint64_t>(map.vertices.size()) + map.loops.size();
+  if (sum != static_cast<uint64_t>(map.edges.size()) + 2 * static_cast<uint64_t>(map.components)) return false;
+  add_outer_loops(map);
+  return add_holes(map) && tops_have_faces(grid, map);
+}
+
+}  // namespace hsp

@@ -1,0 +1,37 @@
+// Loops and faces from linked half-edges, and what proves that they fit together.
+#pragma once
+
+#include "core/disjoint_sets.hpp"
+#include "visibility/disc_grid.hpp"
+#include "visibility/visibility_map.hpp"
+
+namespace hsp {
+
+class MapFaceFinder {
+ public:
+  void carve(Workspace &workspace, const MapLimits &limits);
+
+  // Fills loops, faces and components. False if half-edges do not chain up to loops, if the labels around a loop name
+  // two balls, if it cannot be told what is seen along a loop without labels, if a hole lies in no face, if the
+  // highest point of a ball is seen but no face of it, or if the numbers contradict Euler's formula.
+  bool find(const DiscGrid &grid, VisibilityMap &map);
+
+  // Memory that is free between calls; [2 edges + 1].
+  Span<uint32_t> scratch() { return next_face_; }
+
+ private:
+  bool trace_loops(const DiscGrid &grid, VisibilityMap &map);
+  bool trace_loop(uint32_t first, VisibilityMap &map);
+  bool name_owner(const DiscGrid &grid, MapLoop &loop, const VisibilityMap &map) const;
+  void count_components(VisibilityMap &map);
+  void add_outer_loops(VisibilityMap &map);
+  bool add_holes(VisibilityMap &map);
+  bool tops_have_faces(const DiscGrid &grid, const VisibilityMap &map) const;
+  uint32_t face_around(const MapLoop &hole, const VisibilityMap &map) const;
+
+  Span<uint32_t> parent_;      // [edges] of vertices
+  Span<uint32_t> first_face_;  // [balls + 1] of an owner, the background last
+  Span<uint32_t> next_face_;   // [2 edges + 1] of the same owner
+};
+
+}  // namespace hsp

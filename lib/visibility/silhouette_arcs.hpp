@@ -1,0 +1,12 @@
+// The visible arcs of one ball's silhouette.
+#pragma once
+
+#include "visibility/hidden_intervals.hpp"
+
+namespace hsp {
+
+// near: as DiscGrid::gather finds them. Uses `hidden` [2 near].
+void find_silhouette_arcs(SeenBalls &seen, uint32_t ball, Span<const uint32_t> near,
+                          FixedVector<HiddenInterval> &hidden, FixedVector<MapArc> &arcs);
+
+}  // namespace hsp

@@ -1,0 +1,73 @@
+#include "visibility/trigonometric_roots.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "random_balls.hpp"
+
+namespace {
+
+using hsp::TrigonometricPolynomial;
+
+double value(const TrigonometricPolynomial &f, double t) {
+  return f.constant + f.cosine * std::cos(t) + f.sine * std::sin(t) + f.square * std::cos(t) * std::cos(t);
+}
+
+// Against changes of sign between many samples. Sets with a value near 0 between two of them are left out.
+TEST(TrigonometricRoots, AreThoseThatSamplingFinds) {
+  oracle::RandomSource random(6);
+  int with[9] = {};
+  for (int time = 0; time < 20000; ++time) {
+    const auto any = [&] { return 2 * random.fraction() - 1; };
+    const TrigonometricPolynomial f{0.7 * any(), any(), any(), 3 * any()};
+    const double from = 4 * any();
+    const double to = from + 2 * std::numbers::pi * random.fraction();
+    constexpr int samples = 2000;
+    std::vector<double> expected;
+    bool certain = true;
+    double before = value(f, from);
+    for (int k = 1; k <= samples; ++k) {
+      const double t = from + (to - from) * k / samples;
+      const double here = value(f, t);
+      if ((before > 0) != (here > 0)) expected.push_back(t);
+      certain = certain && std::abs(here) > 1e-4 * (to - from);
+      before = here;
+    }
+    certain = certain && std::abs(value(f, from)) > 1e-3;
+    double root[hsp::most_trigonometric_roots];
+    const uint32_t count = hsp::find_roots(f, from, to, root);
+    for (uint32_t k = 0; k < count; ++k) {
+      EXPECT_NEAR(value(f, root[k]), 0, 1e-10);
+      EXPECT_GT(root[k], k == 0 ? from : root[k - 1]);
+      EXPECT_LT(root[k], to);
+    }
+    if (!certain) continue;
+    ASSERT_EQ(count, expected.size()) << time;
+    for (uint32_t k = 0; k < count; ++k) ASSERT_NEAR(root[k], expected[k], 2 * (to - from) / samples);
+    ++with[count];
+  }
+  for (int k = 0; k <= 4; ++k) EXPECT_GT(with[k], 20) << k << " roots";
+}
+
+TEST(TrigonometricRoots, CloseToEachOtherAreTwo) {
+  for (const double gap : {1e-2, 1e-4, 1e-6}) {
+    // cos t = cos(gap): at +-gap.
+    double root[hsp::most_trigonometric_roots];
+    ASSERT_EQ(hsp::find_roots({-std::cos(gap), 1, 0, 0}, -1, 1.3, root), 2U) << gap;
+    EXPECT_NEAR(root[0], -gap, 1e-9);
+    EXPECT_NEAR(root[1], gap, 1e-9);
+  }
+}
+
+TEST(TrigonometricRoots, AreNoneWhereItTouches) {
+  double root[hsp::most_trigonometric_roots];
+  EXPECT_EQ(hsp::find_roots({1 + 0x1p-45, -1, 0, 0}, -1, 1.3, root), 0U);
+  EXPECT_EQ(hsp::find_roots({1, 0.5, 0, 0}, -3, 3, root), 0U);
+  EXPECT_EQ(hsp::find_roots({-0.5, 1, 0, 0}, 1, 1, root), 0U);
+  EXPECT_EQ(hsp::find_roots({-0.5, 1, 0, 0}, 2, 1, root), 0U);
+}
+
+}  // namespace
