@@ -4,6 +4,8 @@
 # In the order of the rooms.
 set(HSP_LIBRARY_SOURCES
   lib/core/elementary.cpp
+  lib/core/key_places.cpp
+  lib/core/key_places_avx2.cpp
   lib/exact/exact_predicates.cpp
   lib/model/ball_set.cpp
   lib/model/block_sweep.cpp

@@ -157,6 +157,11 @@ class Boundary {
   const HalfEdge &half_edge(uint32_t e) const { return a_.half_edges[e]; }
   const HalfEdge *half_edge_data() const { return a_.half_edges.data(); }
   const double *root_discriminant_data() const { return a_.root_discriminant.data(); }
+  // The circle of the half-edge that ends where this one starts: that of the third ball of the vertex.
+  uint32_t previous_circle(uint32_t ball, const HalfEdge &half_edge) const {
+    const VertexRecord &start = vertex(half_edge.vertex);
+    return start.ball[0] ^ start.ball[1] ^ start.ball[2] ^ ball ^ half_edge.circle;
+  }
   uint32_t end_vertex(uint32_t e) const { return half_edge(half_edge(e).next).vertex; }
   // The half-edge of the same arc on the other ball: it starts where this one ends.
   uint32_t twin(uint32_t e) const {

@@ -39,6 +39,7 @@ class BoundaryBuilder {
   LaneSearch &lanes() { return workers_[0].lanes; }
 #if HSP_AVX2
   void use_wide_code(bool use) {
+    arrays().wide_code = use;
     for (BoundaryWorker &worker : workers_) worker.caps.wide = worker.lanes.enabled = use;
   }
 #endif

@@ -48,9 +48,7 @@ class BoundaryCheck {
         const HalfEdge &half_edge = boundary_.half_edge(u);
         const uint32_t following = vertex.ball[(t + 1) % 3];
         const uint32_t preceding = vertex.ball[(t + 2) % 3];
-        const bool good = half_edge.vertex == v &&
-                          half_edge.previous_circle == (vertex.positive() ? following : preceding) &&
-                          half_edge.circle == (vertex.positive() ? preceding : following);
+        const bool good = half_edge.vertex == v && half_edge.circle == (vertex.positive() ? preceding : following);
         if (!good) return fail(BoundaryInvariant::half_edges, v);
       }
     }
@@ -63,7 +61,7 @@ class BoundaryCheck {
       for (const uint32_t u : boundary_.half_edges(i)) {
         const HalfEdge &half_edge = boundary_.half_edge(u);
         const bool good = boundary_.half_edges(i).contains(half_edge.next) &&
-                          boundary_.half_edge(half_edge.next).previous_circle == half_edge.circle;
+                          boundary_.previous_circle(i, boundary_.half_edge(half_edge.next)) == half_edge.circle;
         if (!good) return fail(BoundaryInvariant::successors, u);
       }
     }

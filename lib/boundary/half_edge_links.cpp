@@ -1,5 +1,6 @@
 #include "boundary/half_edge_links.hpp"
 
+#include "core/key_places.hpp"
 #include "core/sorting.hpp"
 #include "sphere/half_edge_chain.hpp"
 
@@ -18,7 +19,8 @@ void step_back(Span<uint32_t> first, uint32_t n) {
 
 // Every vertex starts a half-edge on each of its balls. On ball[0] of a positive vertex the loop arrives along the
 // circle of ball[1] and leaves along that of ball[2]; the roles rotate cyclically over the three balls, and swap for a
-// negative vertex.
+// negative vertex. Until half-edges are chained, `next` is where their numbers go in half_edge_at, and `loop` is the
+// circle along which the loop arrives.
 void distribute_vertices(BoundaryArrays &a) {
   const Span<uint32_t> first = a.first_half_edge;
   for (uint32_t i = 0; i <= a.balls; ++i) first[i] = 0;
@@ -31,11 +33,15 @@ void distribute_vertices(BoundaryArrays &a) {
     // Which of the other two comes first cannot be predicted: an index tells, not a branch.
     const uint32_t preceding = vertex.positive() ? 1 : 2;
     for (uint32_t t = 0; t < 3; ++t) {
-      a.half_edges[first[vertex.ball[t]]++] = {v, vertex.ball[(t + preceding) % 3],
-                                               vertex.ball[(t + 3 - preceding) % 3], no_id, no_id};
+      a.half_edges[first[vertex.ball[t]]++] = {v, vertex.ball[(t + 3 - preceding) % 3], 3 * v + t,
+                                               vertex.ball[(t + preceding) % 3]};
     }
   }
   step_back(first, a.balls);
+}
+
+uint32_t arriving_circle(const HalfEdge &half_edge) {
+  return half_edge.loop;
 }
 
 void distribute_circles(BoundaryArrays &a) {
@@ -53,19 +59,131 @@ void distribute_circles(BoundaryArrays &a) {
   step_back(first, a.balls);
 }
 
-// Sorts what lies on one ball by the ranks of the balls around it: sums over a ball's half-edges run in this order, so
-// that neither ids nor the place of the set, on which the walls of cubes depend, have an effect on any bit.
-void sort_half_edges(const BallSet &balls, Span<HalfEdge> half_edges, Span<ClosedHalfEdge> closed,
-                     const BoundaryArrays &a) {
-  sort_in_place(half_edges, [&balls](const HalfEdge &p, const HalfEdge &q) {
-    return p.circle != q.circle ? balls.ranks_before(p.circle, q.circle)
-                                : balls.ranks_before(p.previous_circle, q.previous_circle);
-  });
-  const auto neighbour = [&a](ClosedHalfEdge e) { return a.circles[e.circle()].ball[1 - e.side()]; };
-  sort_in_place(closed, [&balls, &neighbour](ClosedHalfEdge p, ClosedHalfEdge q) {
-    return balls.ranks_before(neighbour(p), neighbour(q));
-  });
-}
+// Sums over what lies on a ball run in the order of the ranks of the balls around it, so that neither ids nor the place
+// of the set, on which the walls of cubes depend, have an effect on any bit.
+class BallLinker {
+ public:
+  BallLinker(const BallSet &balls, BoundaryArrays &a, const HalfEdgeChain &chain)
+      : balls_(balls), a_(a), chain_(chain) {}
+
+  // Chains what lies on ball i to loops, numbered from `loops` on. Returns the number after the last one.
+  uint32_t link(uint32_t i, uint32_t loops) {
+    const uint32_t first = a_.first_half_edge[i];
+    const Span<HalfEdge> half_edges = a_.half_edges.part(first, a_.first_half_edge[i + 1]);
+    const auto direction = [this, i](uint32_t j) { return balls_.exact_difference(i, j); };
+    if (sort_by_x(i, half_edges)) {
+      chain_.link_marked(half_edges, first, arriving_circle, direction);
+      return number_circles(i, number_few(half_edges, first, loops));
+    }
+    sort_in_place(half_edges, [this](const HalfEdge &p, const HalfEdge &q) {
+      return p.circle != q.circle ? balls_.ranks_before(p.circle, q.circle)
+                                  : balls_.ranks_before(arriving_circle(p), arriving_circle(q));
+    });
+    for (uint32_t k = 0; k < half_edges.size(); ++k) a_.half_edge_at[half_edges[k].next] = first + k;
+    chain_.link(half_edges, first, arriving_circle, direction);
+    return number_circles(i, number_many(half_edges, first, loops));
+  }
+
+ private:
+  // Sorts and marks half-edges by x, with which ranks begin: differences of x are below 2^31, so that integers are the
+  // keys. Returns false, and marks none, if there are many, or if two centres have the same x: then the order may be
+  // another.
+  bool sort_by_x(uint32_t i, Span<HalfEdge> half_edges) {
+    static_assert(most_counted_keys <= HalfEdgeChain::most);
+    HalfEdge given[most_counted_keys];
+    int64_t key[most_counted_keys], sorted_key[most_counted_keys];
+    uint32_t place[most_counted_keys];
+    const uint32_t count = half_edges.size();
+    if (count == 0 || count > most_counted_keys) return false;
+    const double *const x = balls_.x.data();
+    const double own = x[i];
+    for (uint32_t k = 0; k < count; ++k) {
+      given[k] = half_edges[k];
+      key[k] = static_cast<int64_t>(x[given[k].circle] - own) * (INT64_C(1) << 32) +
+               (static_cast<int64_t>(x[arriving_circle(given[k])] - own) + (INT64_C(1) << 31));
+    }
+    count_places_of(key, count, place);
+    const uint32_t first = a_.first_half_edge[i];
+    uint32_t circles = 0, sum = 0;
+    for (uint32_t k = 0; k < count; ++k) {
+      const uint32_t to = place[k];
+      half_edges[to] = given[k];
+      sorted_key[to] = key[k];
+      a_.half_edge_at[given[k].next] = first + to;
+      circles += chain_.mark(arriving_circle(given[k]), given[k].circle, to);
+      sum += to;
+    }
+    // Equal keys have the same place. And there are as many x as circles.
+    uint32_t different = 1;
+    if (2 * sum == count * (count - 1)) {
+      for (uint32_t k = 1; k < count; ++k) {
+        different += static_cast<uint32_t>(static_cast<uint64_t>(sorted_key[k - 1] ^ sorted_key[k]) >> 32 != 0);
+      }
+    }
+    if (different == circles) return true;
+    for (uint32_t k = 0; k < count; ++k) half_edges[k] = given[k];
+    chain_.unmark(half_edges, arriving_circle);
+    return false;
+  }
+
+  void count_places_of(const int64_t *key, uint32_t count, uint32_t *place) const {
+#if HSP_AVX2
+    if (a_.wide_code) {
+      count_places_wide(key, count, place);
+      return;
+    }
+#endif
+    count_places(key, count, place);
+  }
+
+  // One half-edge after the other. Where loops end cannot be predicted, so no branch depends on it.
+  uint32_t number_few(Span<HalfEdge> half_edges, uint32_t first, uint32_t loops) {
+    const uint32_t count = half_edges.size();
+    uint32_t left = UINT32_MAX >> (32 - count);
+    uint32_t start = 0;
+    uint32_t at = 0;
+    for (uint32_t k = 0; k < count; ++k) {
+      a_.loop_start[loops] = LoopElement::arc(first + start);
+      half_edges[at].loop = loops;
+      left &= ~(UINT32_C(1) << at);
+      const uint32_t next = half_edges[at].next - first;
+      const uint32_t closed = static_cast<uint32_t>(next == start);
+      loops += closed;
+      start ^= (start ^ static_cast<uint32_t>(std::countr_zero(left))) & (0 - closed);
+      at = next ^ ((next ^ start) & (0 - closed));
+    }
+    return loops;
+  }
+
+  uint32_t number_many(Span<HalfEdge> half_edges, uint32_t first, uint32_t loops) {
+    for (HalfEdge &half_edge : half_edges) half_edge.loop = no_id;
+    for (uint32_t start = 0; start < half_edges.size(); ++start) {
+      if (half_edges[start].loop != no_id) continue;
+      a_.loop_start[loops] = LoopElement::arc(first + start);
+      for (uint32_t k = start; half_edges[k].loop == no_id; k = half_edges[k].next - first) half_edges[k].loop = loops;
+      ++loops;
+    }
+    return loops;
+  }
+
+  uint32_t number_circles(uint32_t i, uint32_t loops) {
+    const Span<ClosedHalfEdge> closed =
+        a_.closed_half_edge.part(a_.first_closed_half_edge[i], a_.first_closed_half_edge[i + 1]);
+    const auto neighbour = [this](ClosedHalfEdge e) { return a_.circles[e.circle()].ball[1 - e.side()]; };
+    sort_in_place(closed, [this, &neighbour](ClosedHalfEdge p, ClosedHalfEdge q) {
+      return balls_.ranks_before(neighbour(p), neighbour(q));
+    });
+    for (const ClosedHalfEdge e : closed) {
+      a_.circles[e.circle()].loop[e.side()] = loops;
+      a_.loop_start[loops++] = LoopElement::circle(e);
+    }
+    return loops;
+  }
+
+  const BallSet &balls_;
+  BoundaryArrays &a_;
+  const HalfEdgeChain &chain_;
+};
 
 }  // namespace
 
@@ -74,31 +192,11 @@ void link_half_edges(const BallSet &balls, BoundaryArrays &a, Span<uint32_t> scr
   distribute_circles(a);
   // The numbers of components are not known yet.
   const HalfEdgeChain chain(scratch.part(0, a.balls), a.component.part(0, a.balls));
+  BallLinker linker(balls, a, chain);
   uint32_t loops = 0;
   for (uint32_t i = 0; i < a.balls; ++i) {
-    const uint32_t first = a.first_half_edge[i];
-    const uint32_t last = a.first_half_edge[i + 1];
-    const Span<ClosedHalfEdge> closed =
-        a.closed_half_edge.part(a.first_closed_half_edge[i], a.first_closed_half_edge[i + 1]);
-    sort_half_edges(balls, a.half_edges.part(first, last), closed, a);
-    for (uint32_t e = first; e < last; ++e) {
-      const uint32_t v = a.half_edges[e].vertex;
-      a.half_edge_at[3 * v + a.vertices[v].slot_of(i)] = e;
-    }
-    chain.link(a.half_edges.part(first, last), first, [&balls, i](uint32_t j) { return balls.exact_difference(i, j); });
-
     a.first_loop[i] = loops;
-    for (uint32_t start = first; start < last; ++start) {
-      if (a.half_edges[start].loop != no_id) continue;
-      a.loop_start[loops] = LoopElement::arc(start);
-      for (uint32_t e = start; a.half_edges[e].loop == no_id; e = a.half_edges[e].next) a.half_edges[e].loop = loops;
-      ++loops;
-    }
-    for (const ClosedHalfEdge e : closed) {
-      CircleRecord &circle = a.circles[e.circle()];
-      circle.loop[e.side()] = loops;
-      a.loop_start[loops++] = LoopElement::circle(e);
-    }
+    loops = linker.link(i, loops);
   }
   a.first_loop[a.balls] = loops;
   a.loop_count = loops;

@@ -23,7 +23,7 @@ LoopElement element_at(const Boundary &boundary, const exact::Predicates &predic
   const auto arc = [&](uint32_t k, Plane &leave, Plane &entry) {
     const HalfEdge &half_edge = boundary.half_edge(first + k);
     leave = plane_of(boundary.half_edge(half_edge.next).circle);
-    entry = plane_of(half_edge.previous_circle);
+    entry = plane_of(boundary.previous_circle(i, half_edge));
   };
   return LoopElement::arc(first + interval_that_contains(predicates, circle, last - first, arc, other, -sign));
 }

@@ -181,6 +181,8 @@ struct LongIntegers {
   static constexpr uint32_t lanes = 4;
   __m256i v;
 
+  static LongIntegers load(const int64_t *p) { return {_mm256_loadu_si256(reinterpret_cast<const __m256i *>(p))}; }
+  static LongIntegers all_of(const int64_t *p) { return {_mm256_set1_epi64x(*p)}; }
   static LongIntegers from(Doubles a) { return {_mm256_cvtepi32_epi64(_mm256_cvttpd_epi32(a.v))}; }
   friend LongIntegers operator+(LongIntegers a, LongIntegers b) { return {_mm256_add_epi64(a.v, b.v)}; }
   friend LongIntegers operator-(LongIntegers a, LongIntegers b) { return {_mm256_sub_epi64(a.v, b.v)}; }
@@ -189,6 +191,19 @@ struct LongIntegers {
 inline LongIntegers product(LongIntegers a, LongIntegers b) {
   return {_mm256_mul_epi32(a.v, b.v)};
 }
+// How often a comparison of integers has held in each lane.
+struct LongCounts {
+  __m256i negative = _mm256_setzero_si256();
+
+  void count_greater(LongIntegers a, LongIntegers b) {
+    negative = _mm256_add_epi64(negative, _mm256_cmpgt_epi64(a.v, b.v));
+  }
+  void store(uint32_t *p) const {
+    const __m256i counts = _mm256_sub_epi64(_mm256_setzero_si256(), negative);
+    const __m256i front = _mm256_permutevar8x32_epi32(counts, _mm256_setr_epi32(0, 2, 4, 6, 1, 3, 5, 7));
+    _mm_storeu_si128(reinterpret_cast<__m128i *>(p), _mm256_castsi256_si128(front));
+  }
+};
 // Rounded to nearest, for all 64-bit integers: the upper half plus 2^84 + 2^63 and the lower plus 2^52, whose bits can
 // be put together, are exact doubles; so is the first difference, and the last sum is rounded once.
 inline Doubles to_doubles(LongIntegers a) {

@@ -93,7 +93,7 @@ void ArcBatches::gather_loops() {
       if (!find_loop()) return;
       walk_ = start_;
     }
-    put(boundary_.half_edge(walk_).previous_circle, 0.0);
+    put(boundary_.previous_circle(ball_, boundary_.half_edge(walk_)), 0.0);
     do {
       put(boundary_.half_edge(walk_).circle, root_at(walk_), walk_);
       walk_ = boundary_.half_edge(walk_).next;

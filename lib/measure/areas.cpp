@@ -26,7 +26,7 @@ double angle_of(const BallSet &balls, const Boundary &boundary, uint32_t ball, u
   const exact::LatticeBall own = balls.ball(ball);
   const auto plane = [&](uint32_t j) { return exact::plane_of(own, balls.ball(j)); };
   return arc_angle(plane(start.circle), plane(end.circle), boundary.root_discriminant(end.vertex),
-                   plane(start.previous_circle), boundary.root_discriminant(start.vertex));
+                   plane(boundary.previous_circle(ball, start)), boundary.root_discriminant(start.vertex));
 }
 
 BallMeasure measure_ball(const BallSet &balls, const Boundary &boundary, uint32_t i) {

@@ -73,7 +73,7 @@ class BoundaryMetricCheck {
   Vec3 position(uint32_t ball, const HalfEdge &half_edge) const {
     const exact::LatticeBall own = balls_.ball(ball);
     return crossing_point(exact::plane_of(own, balls_.ball(half_edge.circle)),
-                          exact::plane_of(own, balls_.ball(half_edge.previous_circle)), -1,
+                          exact::plane_of(own, balls_.ball(boundary_.previous_circle(ball, half_edge))), -1,
                           boundary_.root_discriminant(half_edge.vertex));
   }
 
@@ -84,7 +84,7 @@ class BoundaryMetricCheck {
     constexpr double tolerance = 0x1p-40;
     double error = norm(x) - r;
     double largest = r;
-    for (const uint32_t other : {half_edge.previous_circle, half_edge.circle}) {
+    for (const uint32_t other : {boundary_.previous_circle(ball, half_edge), half_edge.circle}) {
       const Vec3 v{balls_.x[other] - balls_.x[ball], balls_.y[other] - balls_.y[ball],
                    balls_.z[other] - balls_.z[ball]};
       const double off = norm(combine(1.0, x, -1.0, v)) - balls_.r[other];
@@ -108,7 +108,7 @@ class BoundaryMetricCheck {
       const HalfEdge &half_edge = boundary_.half_edge(u);
       const HalfEdge &end = boundary_.half_edge(half_edge.next);
       const CheckCircle out(balls_, i, half_edge.circle);
-      const CheckCircle in(balls_, i, half_edge.previous_circle);
+      const CheckCircle in(balls_, i, boundary_.previous_circle(i, half_edge));
       // The loop runs from q to p, the arc runs counter-clockwise from p to q.
       const Vec3 q = position(i, half_edge);
       const Vec3 p = position(i, end);

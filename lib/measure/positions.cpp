@@ -89,7 +89,7 @@ EdgeGeometry geometry_on_host(const BallSet &balls, const Boundary &boundary, co
     const HalfEdge &walk = boundary.half_edge(own_half_edge);
     const exact::LatticeBall own = balls.ball(host.frame);
     from = from_centre(crossing_point(exact::plane_of(own, balls.ball(walk.circle)),
-                                      exact::plane_of(own, balls.ball(walk.previous_circle)), -1,
+                                      exact::plane_of(own, balls.ball(boundary.previous_circle(host.frame, walk))), -1,
                                       boundary.root_discriminant(walk.vertex)));
   } else {
     // The loop of a traverses half h of a circle from its point h to the other one.

@@ -60,7 +60,7 @@ double segments_of_arc(const BallSet &balls, const Boundary &boundary, uint32_t 
   const uint32_t own = boundary.ball_of(half_edge);
   const double radius = CircleGeometry(balls, own, start.circle).radius;
   const double segments = segments_of(angle_of(balls, boundary, own, half_edge) * radius, length);
-  const bool same_balls = boundary.half_edge(start.next).circle == start.previous_circle;
+  const bool same_balls = boundary.half_edge(start.next).circle == boundary.previous_circle(own, start);
   const double fewest = same_balls ? 2.0 : 1.0;
   return segments < fewest ? fewest : segments;
 }

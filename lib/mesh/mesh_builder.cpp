@@ -194,8 +194,10 @@ void MeshBuilder::add_loop(const BallSet &balls, const Boundary &boundary, uint3
     const uint32_t c = curves_.of_half_edge(e);
     const BoundaryCurve &curve = curves_.curve(c);
     const Position at_start = position_of_vertex(balls, boundary, half_edge.vertex);
-    patch_.add(
-        {direction_from(balls, i, at_start), half_edge.vertex, c, {half_edge.previous_circle, half_edge.circle}});
+    patch_.add({direction_from(balls, i, at_start),
+                half_edge.vertex,
+                c,
+                {boundary.previous_circle(i, half_edge), half_edge.circle}});
     if (curve.segments > 1) {
       const CurvePoints points(balls, boundary, curve, false);
       const bool forwards = curve.element == e;

@@ -1,9 +1,8 @@
 // Which half-edge of one sphere follows which: half_edges.hpp's find_next() for all at once. Half-edges that arrive at
 // a vertex along one circle, and those that leave along it, are bits of words that belong to the circle. So nearly
-// every half-edge finds its follower without a comparison, and the cyclic order decides between what is left.
+// every half-edge finds its follower without a comparison, and the cyclic order decides between what is left. Every
+// half-edge follows one other, so that one that was found is no candidate any more.
 #pragma once
-
-#include <bit>
 
 #include "core/workspace.hpp"
 #include "sphere/half_edges.hpp"
@@ -19,41 +18,75 @@ class HalfEdgeChain {
     for (uint32_t &word : leaving_) word = 0;
   }
 
-  // Stores in each half-edge the number of its follower, the first of them being number `first`. direction(c) is the
-  // normal of the plane of circle c.
-  template <class Direction>
-  void link(Span<HalfEdge> half_edges, uint32_t first, Direction direction) const {
-    const uint32_t count = half_edges.size();
-    if (count > most) {
-      for (HalfEdge &half_edge : half_edges) half_edge.next = first + find_next(half_edges, half_edge, direction);
+  // Stores in each half-edge the number of its follower, the first of them being number `first`. previous(h) is the
+  // circle of the half-edge that ends where h starts, direction(c) the normal of the plane of circle c.
+  template <class Item, class Previous, class Direction>
+  void link(Span<Item> half_edges, uint32_t first, Previous previous, Direction direction) const {
+    if (half_edges.size() > most) {
+      for (Item &half_edge : half_edges) half_edge.next = first + find_next(half_edges, half_edge, previous, direction);
       return;
     }
-    for (uint32_t k = 0; k < count; ++k) {
-      arriving_[half_edges[k].previous_circle] |= UINT32_C(1) << k;
-      leaving_[half_edges[k].circle] |= UINT32_C(1) << k;
+    for (uint32_t k = 0; k < half_edges.size(); ++k) mark(previous(half_edges[k]), half_edges[k].circle, k);
+    link_marked(half_edges, first, previous, direction);
+  }
+
+  // The same in two steps, for at most that many half-edges: all are marked first, in any order. The sum of what is
+  // returned is the number of circles.
+  static constexpr uint32_t most = 32;
+  uint32_t mark(uint32_t previous_circle, uint32_t circle, uint32_t k) const {
+    const uint32_t bit = UINT32_C(1) << k;
+    const uint32_t others = arriving_[previous_circle];
+    arriving_[previous_circle] = others | bit;
+    leaving_[circle] |= bit;
+    return static_cast<uint32_t>(others == 0);
+  }
+  template <class Item, class Previous, class Direction>
+  void link_marked(Span<Item> half_edges, uint32_t first, Previous previous, Direction direction) const {
+    // Those that can follow one half-edge alone are taken from the others first: no branch depends on them.
+    uint32_t open = 0;
+    for (uint32_t k = 0; k < half_edges.size(); ++k) {
+      Item &half_edge = half_edges[k];
+      const uint32_t left = candidates(half_edge.circle, previous(half_edge));
+      const uint32_t lowest = left & (0 - left);
+      const uint32_t is_open = static_cast<uint32_t>(left != lowest);
+      half_edge.next = first + lowest_of(left);
+      arriving_[half_edge.circle] ^= lowest & (is_open - 1);
+      open |= is_open << k;
     }
-    for (HalfEdge &half_edge : half_edges) {
-      // A follower that leaves along the circle before this one is a whole turn away: it is the last.
-      const uint32_t all = arriving_[half_edge.circle];
-      const uint32_t nearer = all & ~leaving_[half_edge.previous_circle];
-      uint32_t left = nearer != 0 ? nearer : all;
-      uint32_t best = static_cast<uint32_t>(std::countr_zero(left));
-      left &= left - 1;
-      if (left != 0) best = first_of(half_edges, half_edge, best, left, direction);
+    for (; open != 0; open &= open - 1) {
+      Item &half_edge = half_edges[lowest_of(open)];
+      const uint32_t left = candidates(half_edge.circle, previous(half_edge));
+      const uint32_t best = first_of(half_edges, half_edge.circle, previous(half_edge), left, direction);
+      arriving_[half_edge.circle] ^= UINT32_C(1) << best;
       half_edge.next = first + best;
     }
-    for (const HalfEdge &half_edge : half_edges) arriving_[half_edge.previous_circle] = leaving_[half_edge.circle] = 0;
+    for (const Item &half_edge : half_edges) leaving_[half_edge.circle] = 0;
+  }
+  // Instead of linking.
+  template <class Item, class Previous>
+  void unmark(Span<Item> half_edges, Previous previous) const {
+    for (const Item &half_edge : half_edges) arriving_[previous(half_edge)] = leaving_[half_edge.circle] = 0;
   }
 
  private:
-  static constexpr uint32_t most = 32;
+  static uint32_t lowest_of(uint32_t bits) { return static_cast<uint32_t>(__builtin_ctz(bits)); }
 
-  template <class Direction>
-  static uint32_t first_of(Span<const HalfEdge> half_edges, const HalfEdge &half_edge, uint32_t best, uint32_t others,
+  // A follower that leaves along the circle before the half-edge is a whole turn away: it is the last.
+  uint32_t candidates(uint32_t circle, uint32_t previous_circle) const {
+    const uint32_t all = arriving_[circle];
+    const uint32_t nearer = all & ~leaving_[previous_circle];
+    return nearer | (all & (0 - static_cast<uint32_t>(nearer == 0)));
+  }
+
+  template <class Item, class Direction>
+  static uint32_t first_of(Span<Item> half_edges, uint32_t circle, uint32_t previous_circle, uint32_t left,
                            Direction direction) {
-    const exact::TurningOrder order(direction(half_edge.circle), direction(half_edge.previous_circle));
-    for (; others != 0; others &= others - 1) {
-      const uint32_t other = static_cast<uint32_t>(std::countr_zero(others));
+    uint32_t best = lowest_of(left);
+    left &= left - 1;
+    if (left == 0) return best;
+    const exact::TurningOrder order(direction(circle), direction(previous_circle));
+    for (; left != 0; left &= left - 1) {
+      const uint32_t other = lowest_of(left);
       if (order.before(direction(half_edges[best].circle), direction(half_edges[other].circle))) best = other;
     }
     return best;

@@ -54,32 +54,30 @@ struct CircleRecord {
   uint32_t loop[2];  // the loop it makes on each of them
 };
 
-// An arc of a loop, with the circle of the arc before it. Circles are named by the ball (lib/boundary) or by the index
-// of the cap (lib/view) that cuts them out.
+// An arc of a loop. Its circle is named by the ball that cuts it out.
 struct HalfEdge {
-  uint32_t vertex;           // where it starts
-  uint32_t previous_circle;  // of the half-edge that ends there
-  uint32_t circle;           // its own
-  uint32_t next;             // the half-edge that starts where it ends
+  uint32_t vertex;  // where it starts
+  uint32_t circle;
+  uint32_t next;  // the half-edge that starts where it ends
   uint32_t loop;
 };
 
 // The position of the half-edge that follows `half_edge` among those of one sphere: it starts at the end of this arc.
-// direction(c) is the normal of the plane of circle c. Several arcs on one circle are distinguished by the order of the
-// mid-points of the covered arcs: the free arc that a loop traverses backwards from entry R ends at the exit that comes
-// last before R, counter-clockwise.
-template <class Direction>
-uint32_t find_next(Span<const HalfEdge> half_edges, const HalfEdge &half_edge, Direction direction) {
+// previous(h) is the circle of the half-edge that ends where h starts, and direction(c) the normal of the plane of
+// circle c. Several arcs on one circle are distinguished by the order of the mid-points of the covered arcs: the free
+// arc that a loop traverses backwards from entry R ends at the exit that comes last before R, counter-clockwise.
+template <class Item, class Previous, class Direction>
+uint32_t find_next(Span<Item> half_edges, const Item &half_edge, Previous previous, Direction direction) {
   uint32_t best = no_id;
   for (uint32_t w = 0; w < half_edges.size(); ++w) {
-    const HalfEdge &candidate = half_edges[w];
-    if (candidate.previous_circle != half_edge.circle) continue;
-    if (best == no_id || half_edges[best].circle == half_edge.previous_circle) {
+    const Item &candidate = half_edges[w];
+    if (previous(candidate) != half_edge.circle) continue;
+    if (best == no_id || half_edges[best].circle == previous(half_edge)) {
       best = w;
       continue;
     }
-    if (candidate.circle == half_edge.previous_circle) continue;  // a whole turn away
-    if (exact::counter_clockwise_before(direction(half_edge.circle), direction(half_edge.previous_circle),
+    if (candidate.circle == previous(half_edge)) continue;  // a whole turn away
+    if (exact::counter_clockwise_before(direction(half_edge.circle), direction(previous(half_edge)),
                                         direction(half_edges[best].circle), direction(candidate.circle))) {
       best = w;
     }

@@ -11,14 +11,15 @@ namespace hsp {
 CoveredGap gap_behind(const BallSet &balls, const Boundary &boundary, uint32_t ball, uint32_t half_edge) {
   const HalfEdge &start = boundary.half_edge(half_edge);
   const auto direction = [&](uint32_t other) { return balls.exact_difference(ball, other); };
+  const uint32_t previous_circle = boundary.previous_circle(ball, start);
   CoveredGap best{no_id, no_id};
   uint32_t best_cover = no_id;
   for (const uint32_t e : boundary.half_edges(ball)) {
     if (boundary.half_edge(e).circle != start.circle) continue;
     const HalfEdge &next = boundary.half_edge(boundary.half_edge(e).next);
-    const bool nearer = best.vertex == no_id || next.circle == start.previous_circle ||
-                        (best_cover != start.previous_circle &&
-                         exact::counter_clockwise_before(direction(start.circle), direction(start.previous_circle),
+    const bool nearer = best.vertex == no_id || next.circle == previous_circle ||
+                        (best_cover != previous_circle &&
+                         exact::counter_clockwise_before(direction(start.circle), direction(previous_circle),
                                                          direction(next.circle), direction(best_cover)));
     if (!nearer) continue;
     best = {next.vertex, e};
@@ -31,7 +32,7 @@ double angle_of_gap(const BallSet &balls, const Boundary &boundary, uint32_t bal
                     const CoveredGap &gap) {
   using exact::Exact;
   const HalfEdge &start = boundary.half_edge(half_edge);
-  const uint32_t first = start.previous_circle;
+  const uint32_t first = boundary.previous_circle(ball, start);
   const uint32_t last = boundary.half_edge(boundary.half_edge(gap.half_edge).next).circle;
   const exact::LatticeBall own = balls.ball(ball);
   const exact::Plane circle = exact::plane_of(own, balls.ball(start.circle));

@@ -21,7 +21,7 @@ class CornerFinder {
       : caps_(caps), frame_(frame), points_(caps.sphere, caps.length_squared) {}
 
   // Where a half-edge starts.
-  Corner at(const HalfEdge &half_edge) const {
+  Corner at(const PieceHalfEdge &half_edge) const {
     const auto point = points_.find(caps_.plane(half_edge.previous_circle), caps_.plane(half_edge.circle));
     return {point.root_D, frame_.to_view(point.position)};
   }
@@ -42,8 +42,8 @@ double parameter(const CircleFrame &circle, const Vec3 &offset) {
 
 // The parameter range of an arc, from the difference of the parameters at its ends, which is known up to whole turns.
 // Where rounding could turn a point into a whole turn or back, the exact signs behind the arc's angle decide.
-double span_of(const Caps &caps, const HalfEdge &half_edge, const Corner &start, const HalfEdge &end_half_edge,
-               const Corner &end, double to_view) {
+double span_of(const Caps &caps, const PieceHalfEdge &half_edge, const Corner &start,
+               const PieceHalfEdge &end_half_edge, const Corner &end, double to_view) {
   double span = to_view < 0.0 ? to_view + 2 * pi : to_view;
   if (span >= 2 * pi) span -= 2 * pi;
   if (span > branch_cut_margin && span < 2 * pi - branch_cut_margin) return span;
@@ -64,7 +64,7 @@ double end_parameter(double from, double turn, double span) {
 void add_loops(const BallSet &balls, const VisiblePiece &piece, View &view) {
   const Caps &caps = piece.caps();
   const Vec3 centre = view.frame.centre_of(balls, caps.origin);
-  const Span<const HalfEdge> half_edges = piece.half_edges();
+  const Span<const PieceHalfEdge> half_edges = piece.half_edges();
   const CornerFinder corners(caps, view.frame);
   uint32_t loop = 0;
   for (uint32_t first = 0; first < half_edges.size(); ++first) {
@@ -74,8 +74,8 @@ void add_loops(const BallSet &balls, const VisiblePiece &piece, View &view) {
     uint32_t u = first;
     Corner start = corners.at(half_edges[first]);
     do {
-      const HalfEdge &half_edge = half_edges[u];
-      const HalfEdge &end_half_edge = half_edges[half_edge.next];
+      const PieceHalfEdge &half_edge = half_edges[u];
+      const PieceHalfEdge &end_half_edge = half_edges[half_edge.next];
       const Corner end = corners.at(end_half_edge);
       const CircleFrame circle = frame_of(caps, view.frame, half_edge.circle);
       const double from = parameter(circle, start.offset);

@@ -53,7 +53,7 @@ void VisiblePiece::carve(Workspace &workspace, uint32_t neighbours) {
   finder_.carve(workspace, neighbours + 1);
   vertices_ = FixedVector<VertexRecord>(workspace.take<VertexRecord>(6 * caps));
   circles_ = FixedVector<CircleRecord>(workspace.take<CircleRecord>(caps));
-  half_edges_ = workspace.take<HalfEdge>(6 * caps);
+  half_edges_ = workspace.take<PieceHalfEdge>(6 * caps);
   const Span<uint32_t> arriving = workspace.take<uint32_t>(caps);
   chain_ = HalfEdgeChain(arriving, workspace.take<uint32_t>(caps));
   whole_ = workspace.take<uint32_t>(caps);
@@ -91,8 +91,9 @@ void VisiblePiece::add_front_of_faces(const Boundary &boundary) {
   const uint32_t i = caps_.origin;
   for (const uint32_t u : boundary.half_edges(i)) {
     const HalfEdge &half_edge = boundary.half_edge(u);
-    if (back.holds_point(caps_.cap_of(half_edge.previous_circle), caps_.cap_of(half_edge.circle))) continue;
-    vertices_.push({{i, half_edge.previous_circle, half_edge.circle}, VertexRecord::positive_bit});
+    const uint32_t previous_circle = boundary.previous_circle(i, half_edge);
+    if (back.holds_point(caps_.cap_of(previous_circle), caps_.cap_of(half_edge.circle))) continue;
+    vertices_.push({{i, previous_circle, half_edge.circle}, VertexRecord::positive_bit});
   }
   for (const ClosedHalfEdge closed : boundary.circles(i)) {
     const uint32_t other = boundary.neighbour(closed);
@@ -106,16 +107,18 @@ void VisiblePiece::link() {
     const uint32_t first = caps_.cap_of(vertex.ball[1]);
     const uint32_t second = caps_.cap_of(vertex.ball[2]);
     const bool positive = vertex.positive();
-    half_edges_[half_edge_count_++] = {no_id, positive ? first : second, positive ? second : first, no_id, no_id};
+    half_edges_[half_edge_count_++] = {positive ? first : second, positive ? second : first, no_id, no_id};
   }
   for (const CircleRecord &circle : circles_.items()) whole_[circle_count_++] = caps_.cap_of(circle.ball[1]);
   const auto by_rank = [this](uint32_t a, uint32_t b) { return exact::ranks_before(caps_.plane(a), caps_.plane(b)); };
   sort_in_place(whole_.part(0, circle_count_), by_rank);
-  const Span<HalfEdge> items = half_edges_.part(0, half_edge_count_);
-  sort_in_place(items, [&by_rank](const HalfEdge &a, const HalfEdge &b) {
+  const Span<PieceHalfEdge> items = half_edges_.part(0, half_edge_count_);
+  sort_in_place(items, [&by_rank](const PieceHalfEdge &a, const PieceHalfEdge &b) {
     return a.circle != b.circle ? by_rank(a.circle, b.circle) : by_rank(a.previous_circle, b.previous_circle);
   });
-  chain_.link(items, 0, [this](uint32_t cap) { return caps_.plane(cap).v; });
+  chain_.link(
+      items, 0, [](const PieceHalfEdge &half_edge) { return half_edge.previous_circle; },
+      [this](uint32_t cap) { return caps_.plane(cap).v; });
   uint32_t loops = 0;
   for (uint32_t start = 0; start < items.size(); ++start) {
     if (items[start].loop != no_id) continue;

@@ -10,6 +10,14 @@
 
 namespace hsp {
 
+// An arc of a loop. Circles are named by the indices of the caps that cut them out.
+struct PieceHalfEdge {
+  uint32_t previous_circle;  // of the half-edge that ends where this one starts
+  uint32_t circle;           // its own
+  uint32_t next;             // the half-edge that starts where it ends
+  uint32_t loop;
+};
+
 class VisiblePiece {
  public:
   void carve(Workspace &workspace, uint32_t neighbours);
@@ -28,8 +36,8 @@ class VisiblePiece {
                  uint32_t i);
 
   const Caps &caps() const { return caps_; }
-  // Their circles are indices of caps; the piece is on their left.
-  Span<const HalfEdge> half_edges() const { return half_edges_.part(0, half_edge_count_); }
+  // The piece is on their left.
+  Span<const PieceHalfEdge> half_edges() const { return half_edges_.part(0, half_edge_count_); }
   Span<const uint32_t> circles() const {
     return whole_.part(0, circle_count_);
   }  // caps whose circles are loops as a whole
@@ -44,7 +52,7 @@ class VisiblePiece {
   VertexFinder finder_;
   FixedVector<VertexRecord> vertices_;
   FixedVector<CircleRecord> circles_;
-  Span<HalfEdge> half_edges_;
+  Span<PieceHalfEdge> half_edges_;
   HalfEdgeChain chain_;
   Span<uint32_t> whole_;
   uint32_t half_edge_count_ = 0;

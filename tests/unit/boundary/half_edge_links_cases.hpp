@@ -15,9 +15,9 @@ inline uint32_t half_edges_are_linked() {
       const hsp::HalfEdge &half_edge = boundary.half_edge(e);
       const hsp::HalfEdge &next = boundary.half_edge(half_edge.next);
       const uint32_t twin = boundary.twin(e);
-      const bool linked = next.previous_circle == half_edge.circle && next.loop == half_edge.loop &&
-                          boundary.ball_of(half_edge.next) == boundary.ball_of(e) && twin != e &&
-                          boundary.twin(twin) == e && boundary.half_edge(twin).vertex == next.vertex &&
+      const bool linked = boundary.previous_circle(boundary.ball_of(e), next) == half_edge.circle &&
+                          next.loop == half_edge.loop && boundary.ball_of(half_edge.next) == boundary.ball_of(e) &&
+                          twin != e && boundary.twin(twin) == e && boundary.half_edge(twin).vertex == next.vertex &&
                           boundary.ball_of(twin) == half_edge.circle &&
                           boundary.half_edge(twin).circle == boundary.ball_of(e);
       if (!linked) return false;

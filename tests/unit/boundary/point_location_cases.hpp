@@ -76,7 +76,8 @@ inline uint32_t points_on_a_circle() {
         continue;
       }
       const hsp::HalfEdge &half_edge = boundary.half_edge(found.half_edge());
-      if (boundary.ball_of(found.half_edge()) != id(0) || half_edge.previous_circle != id(2 + c.start) ||
+      if (boundary.ball_of(found.half_edge()) != id(0) ||
+          boundary.previous_circle(id(0), half_edge) != id(2 + c.start) ||
           boundary.half_edge(half_edge.next).circle != id(2 + c.end)) {
         return false;
       }

@@ -61,7 +61,7 @@ class ArcsOfBall {
       ++half_edges;
       exterior_angle_sum +=
           hsp::exterior_angle(boundary_.root_discriminant(half_edge.vertex), hsp::exact::sphere_of(own_),
-                              plane(half_edge.circle), plane(half_edge.previous_circle));
+                              plane(half_edge.circle), plane(boundary_.previous_circle(ball_, half_edge)));
     }
     EXPECT_NEAR(found_angles, exterior_angle_sum, 1e-13 * (1 + half_edges));
     uint32_t sides = 0;
@@ -77,7 +77,7 @@ class ArcsOfBall {
   hsp::exact::Plane plane(uint32_t other) const { return hsp::exact::plane_of(own_, balls_.ball(other)); }
 
   Vec3 offset_of(const hsp::HalfEdge &half_edge) const {
-    return hsp::crossing_point(plane(half_edge.circle), plane(half_edge.previous_circle), -1,
+    return hsp::crossing_point(plane(half_edge.circle), plane(boundary_.previous_circle(ball_, half_edge)), -1,
                                boundary_.root_discriminant(half_edge.vertex));
   }
 

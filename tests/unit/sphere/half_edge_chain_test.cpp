@@ -1,74 +1,68 @@
 // The followers of all half-edges of one sphere at once against those that find_next() finds one by one: few half-edges
-// and many, circles with several arcs, and arcs that are a whole turn but for an infinitely small gap.
+// and many, in any order, and circles with several arcs.
 #include "sphere/half_edge_chain.hpp"
 
 #include <gtest/gtest.h>
 
-#include <set>
 #include <utility>
 #include <vector>
 
-#include "random_balls.hpp"
+#include "balls_around.hpp"
+#include "built_boundary.hpp"
 
 namespace {
 
-// Directions on a circle around each axis are different, as the caps of one sphere that have free points.
-hsp::exact::Vector direction(uint32_t circle) {
-  const int64_t k = circle;
-  return {1000 + k * k, 37 * k - 400, (k * 7919) % 1009 - 500};
+struct Item {
+  uint32_t previous_circle, circle, next;
+};
+uint32_t previous(const Item &item) {
+  return item.previous_circle;
 }
 
-// Half-edges as the vertices of a sphere give them: no two arrive along one circle and leave along another alike, and
-// what arrives along a circle leaves along it elsewhere.
-std::vector<hsp::HalfEdge> random_half_edges(oracle::RandomSource &random, uint32_t count, uint32_t circles) {
-  std::vector<hsp::HalfEdge> half_edges;
-  std::set<std::pair<uint32_t, uint32_t>> known;
-  const auto other_than = [&](uint32_t circle) {
-    return (circle + 1 + static_cast<uint32_t>(random.in(0, circles - 2))) % circles;
-  };
-  uint32_t start = 0, at = 0;
-  for (uint32_t tries = 0; tries < 20 * count && half_edges.size() < count; ++tries) {
-    // Back to where the loop began, now and then.
-    const uint32_t to = at != start && random.in(0, 3) == 0 ? start : other_than(at);
-    if (!known.insert({at, to}).second) continue;
-    half_edges.push_back({tries, at, to, hsp::no_id, hsp::no_id});
-    at = to;
-    if (at == start) start = at = static_cast<uint32_t>(random.in(0, circles - 1));
+struct Seen {
+  int half_edges = 0, several = 0, many = 0;
+};
+
+void check(const BuiltBoundary &built, const hsp::HalfEdgeChain &chain, oracle::RandomSource &random, Seen &seen) {
+  const hsp::Boundary &boundary = built.boundary();
+  for (uint32_t i = 0; i < boundary.ball_count(); ++i) {
+    std::vector<Item> items;
+    for (const uint32_t e : boundary.half_edges(i)) {
+      const hsp::HalfEdge &half_edge = boundary.half_edge(e);
+      items.push_back({boundary.previous_circle(i, half_edge), half_edge.circle, hsp::no_id});
+    }
+    const uint32_t count = static_cast<uint32_t>(items.size());
+    for (uint32_t k = count; k > 1; --k) std::swap(items[k - 1], items[random.below(k)]);
+    const auto direction = [&](uint32_t j) { return built.balls().exact_difference(i, j); };
+    const hsp::Span<Item> all(items.data(), count);
+    chain.link(all, 1000, previous, direction);
+    for (uint32_t k = 0; k < count; ++k) {
+      ASSERT_EQ(items[k].next, 1000 + hsp::find_next(all, items[k], previous, direction)) << k << " of " << count;
+      int candidates = 0;
+      for (const Item &other : items) candidates += other.previous_circle == items[k].circle;
+      seen.several += candidates > 1;
+    }
+    seen.half_edges += static_cast<int>(count);
+    seen.many += count > hsp::HalfEdgeChain::most;
   }
-  while (at != start) {
-    const uint32_t to = known.count({at, start}) == 0 ? start : other_than(at);
-    if (known.insert({at, to}).second) half_edges.push_back({0, at, to, hsp::no_id, hsp::no_id});
-    at = to;
-  }
-  for (size_t k = half_edges.size(); k > 1; --k) {
-    std::swap(half_edges[k - 1], half_edges[static_cast<size_t>(random.in(0, static_cast<int64_t>(k) - 1))]);
-  }
-  return half_edges;
 }
 
 TEST(HalfEdgeChain, FindsTheFollowersOfFindNext) {
   oracle::RandomSource random(51);
-  constexpr uint32_t most_circles = 60;
-  std::vector<uint32_t> arriving(most_circles, 77), leaving(most_circles, 77);
-  const hsp::HalfEdgeChain chain({arriving.data(), most_circles}, {leaving.data(), most_circles});
-  int several = 0;
-  for (int round = 0; round < 20000; ++round) {
-    const uint32_t circles = static_cast<uint32_t>(random.in(2, round % 2 == 0 ? 9 : most_circles));
-    const uint32_t about = static_cast<uint32_t>(random.in(0, round % 100 == 0 ? 70 : 34));
-    std::vector<hsp::HalfEdge> half_edges = random_half_edges(random, about, circles);
-    const uint32_t count = static_cast<uint32_t>(half_edges.size());
-    const std::vector<hsp::HalfEdge> before = half_edges;
-    chain.link({half_edges.data(), count}, 1000, direction);
-    for (uint32_t k = 0; k < count; ++k) {
-      const uint32_t expected = hsp::find_next({before.data(), count}, before[k], direction);
-      ASSERT_EQ(half_edges[k].next, 1000 + expected) << k << " of " << count << ", " << circles << " circles";
-      int candidates = 0;
-      for (const hsp::HalfEdge &other : before) candidates += other.previous_circle == before[k].circle;
-      several += candidates > 2;
-    }
+  constexpr uint32_t most_balls = 200;
+  std::vector<uint32_t> arriving(most_balls, 77), leaving(most_balls, 77);
+  const hsp::HalfEdgeChain chain({arriving.data(), most_balls}, {leaving.data(), most_balls});
+  Seen seen;
+  for (int round = 0; round < 300; ++round) {
+    const size_t more = static_cast<size_t>(random.in(0, round % 10 == 0 ? 120 : 30));
+    const BuiltBoundary built(balls_around(random, more, 60, round % 2 == 0 ? 250 : 600));
+    ASSERT_EQ(built.status(), hsp::Status::ok);
+    check(built, chain, random, seen);
   }
-  EXPECT_GT(several, 10000);
-  for (uint32_t circle = 0; circle < most_circles; ++circle) {
+  EXPECT_GT(seen.half_edges, 10000);
+  EXPECT_GT(seen.several, 1000);
+  EXPECT_GT(seen.many, 10);
+  for (uint32_t circle = 0; circle < most_balls; ++circle) {
     ASSERT_EQ(arriving[circle] | leaving[circle], 0U) << "the words are not 0 again";
   }
 }

@@ -1,5 +1,5 @@
 // Steps 1 and 2 by the code for wide registers against those by the code for every processor: the same vertices in the
-// same order, circles, faces, components and needed limits, with every stage left out in turn.
+// same order, circles, half-edges, faces, components and needed limits, with every stage left out in turn.
 #include "sphere/lane_search.hpp"
 
 #include <gtest/gtest.h>
@@ -51,6 +51,9 @@ class Builder {
     append_bytes(bytes, &builder_.needed(), 1);
     append_bytes(bytes, a.ball_state.data(), a.balls);
     if (status != hsp::Status::ok) return bytes;
+    append_bytes(bytes, a.half_edges.data(), builder_.boundary().half_edge_count());
+    append_bytes(bytes, a.half_edge_at.data(), builder_.boundary().half_edge_count());
+    append_bytes(bytes, a.loop_start.data(), a.loop_count);
     append_bytes(bytes, a.loop_face.data(), a.loop_count);
     append_bytes(bytes, a.first_face.data(), a.balls);
     append_bytes(bytes, a.component.data(), a.balls);

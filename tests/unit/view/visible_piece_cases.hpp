@@ -61,7 +61,7 @@ inline uint32_t loops_by_hand() {
     const auto is_cutting = [&](uint32_t other) { return (c.cutting >> small_view().balls().caller[other] & 1) != 0; };
     piece.cut_hemisphere(small_view().balls(), block_around(own), along_z, own, is_cutting);
     uint32_t loops = 0;
-    for (const hsp::HalfEdge &half_edge : piece.half_edges()) {
+    for (const hsp::PieceHalfEdge &half_edge : piece.half_edges()) {
       loops = half_edge.loop >= loops ? half_edge.loop + 1 : loops;
     }
     return piece.half_edges().size() == c.half_edges && loops == c.loops && piece.circles().size() == c.circles;
@@ -94,7 +94,7 @@ constexpr TiedScene tied_scenes[] = {{3, {{0, 0, 0, 7}, {4, 0, 0, 7}, {0, 6, 0, 
 
 // A half-edge is followed by one that starts on its circle; loops are numbered by their first half-edges.
 inline bool is_chained(const hsp::VisiblePiece &piece) {
-  const hsp::Span<const hsp::HalfEdge> all = piece.half_edges();
+  const hsp::Span<const hsp::PieceHalfEdge> all = piece.half_edges();
   uint32_t loops = 0;
   for (uint32_t k = 0; k < all.size(); ++k) {
     if (all[k].loop > loops) return false;
@@ -102,11 +102,11 @@ inline bool is_chained(const hsp::VisiblePiece &piece) {
     uint32_t passed = 0;
     uint32_t e = k;
     do {
-      const hsp::HalfEdge &next = all[all[e].next];
+      const hsp::PieceHalfEdge &next = all[all[e].next];
       if (all[e].loop != loops || next.previous_circle != all[e].circle || ++passed > all.size()) return false;
       e = all[e].next;
     } while (e != k);
-    for (const hsp::HalfEdge &other : all) passed -= other.loop == loops ? 1 : 0;
+    for (const hsp::PieceHalfEdge &other : all) passed -= other.loop == loops ? 1 : 0;
     if (passed != 0) return false;
     ++loops;
   }
@@ -119,7 +119,7 @@ inline bool front_of_faces_is_outside_all(hsp::VisiblePiece &piece, const hsp::e
   const hsp::CubeBlock block = block_around(i);
   piece.cut_hemisphere(balls, block, direction, i, [](uint32_t) { return true; });
   if (!is_chained(piece)) return false;
-  hsp::HalfEdge kept[60];
+  hsp::PieceHalfEdge kept[60];
   uint32_t kept_circles[12];
   const uint32_t count = piece.half_edges().size(), circles = piece.circles().size();
   if (count > 60 || circles > 12) return false;
@@ -129,7 +129,7 @@ inline bool front_of_faces_is_outside_all(hsp::VisiblePiece &piece, const hsp::e
   piece.cut_faces(balls, block, small_union().boundary(), direction, i);
   if (piece.half_edges().size() != count || piece.circles().size() != circles) return false;
   for (uint32_t k = 0; k < count; ++k) {
-    const hsp::HalfEdge &a = kept[k], &b = piece.half_edges()[k];
+    const hsp::PieceHalfEdge &a = kept[k], &b = piece.half_edges()[k];
     if (a.circle != b.circle || a.previous_circle != b.previous_circle || a.next != b.next || a.loop != b.loop) {
       return false;
     }
