@@ -19,6 +19,37 @@ int32_t hsp_boundary_measure(const hsp_boundary *boundary, const uint8_t *select
   return HSP_OK;
 }
 
+int32_t hsp_boundary_measure_range(const hsp_boundary *boundary, const uint8_t *selected, uint32_t first,
+                                   uint32_t count, double *area, double *volume) {
+  if (!is_live(boundary) || area == nullptr || volume == nullptr) return HSP_E_ARGUMENT;
+  const int32_t status = hsp::capi::check_range(boundary, first, count, area,
+                                                [](const hsp_boundary &b) { return b.structure().ball_count(); });
+  if (status != HSP_OK) return status;
+  hsp::measure_balls(boundary->model->grid, boundary->structure(), selected, {first, first + count},
+                     [&](uint32_t i, const hsp::BallMeasure &measure) {
+                       area[i] = measure.area;
+                       volume[i] = measure.volume;
+                     });
+  return HSP_OK;
+}
+
+int32_t hsp_boundary_measure_end(const hsp_boundary *boundary, hsp_totals *totals, double *area, double *volume) {
+  if (!is_live(boundary) || area == nullptr || volume == nullptr) return HSP_E_ARGUMENT;
+  if (!boundary->has_results()) return HSP_E_STATE;
+  const hsp::BallSet &balls = boundary->balls();
+  hsp::MeasureSum sum;
+  for (uint32_t i = 0; i < balls.n; ++i) {
+    const hsp::BallMeasure measure{area[i], volume[i]};
+    sum.add(measure);
+    const hsp::BallMeasure converted = in_caller_units(balls.lattice, measure);
+    area[i] = converted.area;
+    volume[i] = converted.volume;
+  }
+  const hsp::BallMeasure total = in_caller_units(balls.lattice, sum.total());
+  if (totals != nullptr) *totals = {total.area, total.volume};
+  return HSP_OK;
+}
+
 int32_t hsp_boundary_measure_faces(const hsp_boundary *boundary, double *area, double *volume, uint32_t capacity,
                                    uint32_t *needed) {
   if (!is_live(boundary)) return HSP_E_ARGUMENT;

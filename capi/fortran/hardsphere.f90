@@ -731,6 +731,28 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
+    function hsp_boundary_measure_range(boundary, selected, first, count, area, volume) result(status) &
+      bind(C, name="hsp_boundary_measure_range")
+      import :: c_double, c_int8_t, c_int32_t, c_ptr
+      type(c_ptr), value :: boundary
+      integer(c_int8_t), intent(in), optional :: selected(*)
+      integer(c_int32_t), value :: first
+      integer(c_int32_t), value :: count
+      real(c_double), intent(inout) :: area(*)
+      real(c_double), intent(inout) :: volume(*)
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_boundary_measure_end(boundary, totals, area, volume) result(status) &
+      bind(C, name="hsp_boundary_measure_end")
+      import :: c_double, c_int32_t, c_ptr, hsp_totals
+      type(c_ptr), value :: boundary
+      type(hsp_totals), intent(inout), optional :: totals
+      real(c_double), intent(inout) :: area(*)
+      real(c_double), intent(inout) :: volume(*)
+      integer(c_int32_t) :: status
+    end function
+
     function hsp_boundary_measure_faces(boundary, area, volume, capacity, needed) result(status) &
       bind(C, name="hsp_boundary_measure_faces")
       import :: c_double, c_int32_t, c_ptr

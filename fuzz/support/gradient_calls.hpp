@@ -24,6 +24,19 @@ inline void call_measure_parts(Bytes &bytes, const hsp_boundary *boundary, int32
   FUZZ_REQUIRE(volume.untouched_from(volume.data() == nullptr ? 0 : written), "volume written where nothing belongs");
   FUZZ_REQUIRE(totals.untouched_from(status == HSP_OK && totals.data() != nullptr ? 1 : 0), "totals on failure");
 
+  const uint32_t first = bytes.below(30), count = bytes.one_in(8) ? HSP_NONE - bytes.below(3) : bytes.below(30);
+  Output<double> part_area(60, null(bytes)), part_volume(60, null(bytes));
+  const bool no_part = part_area.data() == nullptr || part_volume.data() == nullptr;
+  const int32_t refused = boundary == nullptr || no_part ? HSP_E_ARGUMENT : reader_status;
+  const bool there = first <= balls && count <= balls - first;
+  status = hsp_boundary_measure_range(boundary, null(bytes) ? nullptr : selected.data(), first, count, part_area.data(),
+                                      part_volume.data());
+  FUZZ_REQUIRE(status == (refused == HSP_OK && !there ? HSP_E_ID : refused), "hsp_boundary_measure_range");
+  if (!no_part) FUZZ_REQUIRE(part_area.untouched_from(status == HSP_OK ? first + count : 0), "area beyond a range");
+  Output<hsp_totals> part_totals(1, null(bytes));
+  status = hsp_boundary_measure_end(boundary, part_totals.data(), part_area.data(), part_volume.data());
+  FUZZ_REQUIRE(status == refused, "hsp_boundary_measure_end");
+
   hsp_boundary_counts counts{};
   if (reader_status == HSP_OK) FUZZ_REQUIRE(hsp_boundary_get_counts(boundary, &counts) == HSP_OK, "counts");
   Output<double> face_area(bytes.below(50), null(bytes)), face_volume(face_area.capacity(), null(bytes));

@@ -35,6 +35,25 @@ typedef struct hsp_totals {
 HSP_API int32_t hsp_boundary_measure(const hsp_boundary *boundary, const uint8_t *selected, hsp_totals *totals,
                                      double *area, double *volume, uint32_t capacity, uint32_t *needed);
 
+/** The same in parts, which threads of the caller's own may share: balls first .. first + count - 1, in the caller's
+ *  order, into area[first] and volume[first] and so on. The arrays are those of hsp_boundary_measure, each for all balls;
+ *  they hold numbers of the library's own until hsp_boundary_measure_end. Ranges that do not overlap may be measured side by
+ *  side. Where threads read and write shared cache lines, long ranges are faster than short ones.
+ *  @retval HSP_E_ARGUMENT  boundary, area or volume is NULL
+ *  @retval HSP_E_ID        there are not so many balls
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
+HSP_API int32_t hsp_boundary_measure_range(const hsp_boundary *boundary, const uint8_t *selected, uint32_t first,
+                                           uint32_t count, double *area, double *volume);
+
+/** Make of such arrays, once all balls are in them, what hsp_boundary_measure writes; totals may be NULL.
+ *  - Property 1: with whatever ranges, area, volume and totals are those of hsp_boundary_measure, bit for bit.
+ *
+ *  Cost: O(n), little of it.
+ *  @retval HSP_E_ARGUMENT  boundary, area or volume is NULL
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
+HSP_API int32_t hsp_boundary_measure_end(const hsp_boundary *boundary, hsp_totals *totals, double *area,
+                                         double *volume);
+
 /** Area, and term of the volume, of each face: area [faces] and volume [faces], each may be NULL, face ids as in
  *  hsp_boundary_get_faces. A face's volume term is that of the divergence theorem about its ball's origin o (see
  *  hsp_boundary_measure). needed may be NULL and else becomes the number of faces.

@@ -8,24 +8,44 @@
 
 namespace hsp {
 
-// Calls sink(i, measure) for every ball i of the input, with its measure in the caller's unit, and returns the sums.
-// selected may be null; the faces of balls i with selected[i] == 0 count as 0.
+inline BallMeasure in_caller_units(const exact::Lattice &lattice, const BallMeasure &measure) {
+  return {lattice.area(measure.area), lattice.volume(measure.volume)};
+}
+
+// Sums measures of balls, in lattice steps.
+class MeasureSum {
+ public:
+  void add(const BallMeasure &measure) {
+    area_.add(measure.area);
+    volume_.add(measure.volume);
+  }
+  BallMeasure total() const { return {area_.total(), volume_.total()}; }
+
+ private:
+  TreeSum area_, volume_;
+};
+
+// Calls sink(i, measure) for every ball i of a range of the input, with its measure in lattice steps. selected may be
+// null; the faces of balls i with selected[i] == 0 count as 0.
+template <class Sink>
+void measure_balls(const CubeGrid &grid, const Boundary &boundary, const uint8_t *selected, IdRange range, Sink sink) {
+  visit_in_input_order(grid, boundary, range, [&](uint32_t i, uint32_t ball) {
+    BallMeasure measure;
+    if (selected == nullptr || selected[i] != 0) measure = measure_ball(grid.balls(), boundary, ball);
+    sink(i, measure);
+  });
+}
+
+// The same for all balls, in the caller's unit; returns the sums.
 template <class Sink>
 BallMeasure measure_union(const CubeGrid &grid, const Boundary &boundary, const uint8_t *selected, Sink sink) {
-  const BallSet &balls = grid.balls();
-  const auto in_caller_units = [&balls](double area, double volume) {
-    return BallMeasure{balls.lattice.area(area), balls.lattice.volume(volume)};
-  };
-  TreeSum area;
-  TreeSum volume;
-  visit_in_input_order(grid, boundary, [&](uint32_t i, uint32_t ball) {
-    BallMeasure measure;
-    if (selected == nullptr || selected[i] != 0) measure = measure_ball(balls, boundary, ball);
-    area.add(measure.area);
-    volume.add(measure.volume);
-    sink(i, in_caller_units(measure.area, measure.volume));
+  const exact::Lattice &lattice = grid.balls().lattice;
+  MeasureSum sum;
+  measure_balls(grid, boundary, selected, {0, grid.balls().n}, [&](uint32_t i, const BallMeasure &measure) {
+    sum.add(measure);
+    sink(i, in_caller_units(lattice, measure));
   });
-  return in_caller_units(area.total(), volume.total());
+  return in_caller_units(lattice, sum.total());
 }
 
 // tension * S + pressure * V, with S the weighted area and V the volume of the union.

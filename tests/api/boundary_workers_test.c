@@ -1,5 +1,6 @@
 /* hsp_boundary_begin, hsp_boundary_work and hsp_boundary_end: the same results for every number of workers and every
- * order of their work, whatever the limits; and the status of every call at a wrong time. */
+ * order of their work, whatever the limits; and the status of every call at a wrong time. The same areas and volumes
+ * for all ranges in which they are measured. */
 #include <hardsphere.h>
 #include <stdlib.h>
 #include <string.h>
@@ -79,6 +80,55 @@ static void every_split(const ball_set *set) {
       guarded_give_back(&memory);
     }
     free(buffer);
+  }
+  computations_release(&all);
+}
+
+/* hsp_boundary_measure_end, property 1. */
+static void every_range(const ball_set *set) {
+  computations all;
+  uint32_t parts, i;
+  if (computations_make(set, NULL, &all)) {
+    const computed *c = &all.boundary;
+    const uint32_t n = set->n;
+    double area[2][BALL_SET_MOST], volume[2][BALL_SET_MOST];
+    uint8_t selected[BALL_SET_MOST];
+    uint32_t order[BALL_SET_MOST];
+    for (i = 0; i < n; ++i) selected[i] = i % 3 != 1;
+    for (parts = 1; parts <= 9; ++parts) {
+      const uint8_t *const chosen = parts % 2 == 0 ? selected : NULL;
+      hsp_totals totals[2];
+      check_scene("%s measured in %u parts", set->name, (unsigned)parts);
+      memset(area, 0xA5, sizeof area);
+      memset(volume, 0xA5, sizeof volume);
+      CHECK_EQUAL(hsp_boundary_measure(c->boundary, chosen, &totals[0], area[0], volume[0], n, NULL), HSP_OK);
+      ball_set_shuffle(parts, parts, order);
+      for (i = 0; i < parts; ++i) {
+        const uint32_t first = n * order[i] / parts, last = n * (order[i] + 1) / parts;
+        CHECK_EQUAL(hsp_boundary_measure_range(c->boundary, chosen, first, last - first, area[1], volume[1]), HSP_OK);
+      }
+      CHECK_EQUAL(hsp_boundary_measure_end(c->boundary, &totals[1], area[1], volume[1]), HSP_OK);
+      CHECK_BYTES(area[1], area[0], sizeof area[0]);
+      CHECK_BYTES(volume[1], volume[0], sizeof volume[0]);
+      CHECK_BYTES(&totals[1], &totals[0], sizeof totals[0]);
+      CHECK_EQUAL(hsp_boundary_measure_end(c->boundary, NULL, area[1], volume[1]), HSP_OK);
+    }
+    memset(area[1], 0xA5, sizeof area[1]);
+    memcpy(area[0], area[1], sizeof area[0]);
+    CHECK_EQUAL(hsp_boundary_measure_range(NULL, NULL, 0, n, area[1], area[1]), HSP_E_ARGUMENT);
+    CHECK_EQUAL(hsp_boundary_measure_range(c->boundary, NULL, 0, n, NULL, area[1]), HSP_E_ARGUMENT);
+    CHECK_EQUAL(hsp_boundary_measure_range(c->boundary, NULL, 0, n, area[1], NULL), HSP_E_ARGUMENT);
+    CHECK_EQUAL(hsp_boundary_measure_range(c->boundary, NULL, 0, n + 1, area[1], area[1]), HSP_E_ID);
+    CHECK_EQUAL(hsp_boundary_measure_range(c->boundary, NULL, n, 1, area[1], area[1]), HSP_E_ID);
+    CHECK_EQUAL(hsp_boundary_measure_range(c->boundary, NULL, 2, HSP_NONE, area[1], area[1]), HSP_E_ID);
+    CHECK_EQUAL(hsp_boundary_measure_range(c->boundary, NULL, n, 0, area[1], area[1]), HSP_OK);
+    CHECK_EQUAL(hsp_boundary_measure_end(NULL, NULL, area[1], area[1]), HSP_E_ARGUMENT);
+    CHECK_EQUAL(hsp_boundary_measure_end(c->boundary, NULL, NULL, area[1]), HSP_E_ARGUMENT);
+    CHECK_EQUAL(hsp_boundary_measure_end(c->boundary, NULL, area[1], NULL), HSP_E_ARGUMENT);
+    CHECK_EQUAL(hsp_boundary_compute(c->boundary, NULL, NULL), HSP_E_ARGUMENT);
+    CHECK_EQUAL(hsp_boundary_measure_range(c->boundary, NULL, 0, n, area[1], area[1]), HSP_E_STATE);
+    CHECK_EQUAL(hsp_boundary_measure_end(c->boundary, NULL, area[1], area[1]), HSP_E_STATE);
+    CHECK_BYTES(area[1], area[0], sizeof area[0]);
   }
   computations_release(&all);
 }
@@ -213,6 +263,7 @@ int main(void) {
   for (which = 0; which < topology_set_count(); ++which) {
     topology_set_make(which, &set);
     every_split(&set);
+    every_range(&set);
     small_limits(&set);
   }
   ball_set_start(&set, "chain", 1e-8);

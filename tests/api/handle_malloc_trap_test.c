@@ -114,6 +114,8 @@ static int call_boundary(computed *c, const buffers *b) {
   bad += hsp_boundary_get_balls(boundary, c->balls, c->n, &needed) != HSP_OK;
   bad += hsp_boundary_measure(boundary, NULL, &totals, c->area, c->volume, c->n, NULL) != HSP_OK;
   bad += hsp_boundary_measure(boundary, b->selected, &totals, c->area, c->volume, c->n, NULL) != HSP_OK;
+  bad += hsp_boundary_measure_range(boundary, NULL, 0, c->n, c->area, c->volume) != HSP_OK;
+  bad += hsp_boundary_measure_end(boundary, &totals, c->area, c->volume) != HSP_OK;
   bad += hsp_boundary_measure_faces(boundary, b->face_area, b->face_volume, counts.faces, NULL) != HSP_OK;
   bad += hsp_boundary_gradient(boundary, NULL, 1, 1, HSP_TANGENT_OVERLAP, &energy, b->by_centre, b->by_radius, b->flags,
                                c->n, NULL, NULL) != HSP_OK;

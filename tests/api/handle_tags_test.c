@@ -44,6 +44,7 @@ static void refused_as_boundary(void *handle) {
   hsp_totals totals;
   hsp_energy energy;
   uint32_t needed, invariant, id;
+  double numbers[BALLS];
   check_scene("%s as a boundary", scene);
   CHECK_EQUAL(hsp_boundary_compute(handle, h.model, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_begin(handle, h.model, 1, &id), HSP_E_ARGUMENT);
@@ -58,6 +59,8 @@ static void refused_as_boundary(void *handle) {
   CHECK_EQUAL(hsp_boundary_get_loop_arcs(handle, NULL, 0, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_get_balls(handle, NULL, 0, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_measure(handle, NULL, &totals, NULL, NULL, 0, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_measure_range(handle, NULL, 0, 0, numbers, numbers), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_measure_end(handle, NULL, numbers, numbers), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_measure_faces(handle, NULL, NULL, 0, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_gradient(handle, NULL, 1, 1, HSP_TANGENT_OVERLAP, &energy, NULL, NULL, NULL, 0, NULL, NULL),
               HSP_E_ARGUMENT);
