@@ -36,9 +36,9 @@ HSP_API int32_t hsp_boundary_measure(const hsp_boundary *boundary, const uint8_t
                                      double *area, double *volume, uint32_t capacity, uint32_t *needed);
 
 /** The same in parts, which threads of the caller's own may share: balls first .. first + count - 1, in the caller's
- *  order, into area[first] and volume[first] and so on. The arrays are those of hsp_boundary_measure, each for all balls;
- *  they hold numbers of the library's own until hsp_boundary_measure_end. Ranges that do not overlap may be measured side by
- *  side. Where threads read and write shared cache lines, long ranges are faster than short ones.
+ *  order, into area[first] and volume[first] and so on. The arrays are those of hsp_boundary_measure, each for all
+ *  balls; they hold numbers of the library's own until hsp_boundary_measure_end. Ranges that do not overlap may be
+ *  measured side by side. Threads that write one cache line wait for each other: long ranges are faster.
  *  @retval HSP_E_ARGUMENT  boundary, area or volume is NULL
  *  @retval HSP_E_ID        there are not so many balls
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
