@@ -21,9 +21,9 @@ struct reading {
 };
 
 bool command_find(const char *name, enum command *command) {
-  static const char *const names[] = {"model", "boundary", "measure", "query", "voids", "draw"};
-  static const enum command commands[] = {COMMAND_MODEL, COMMAND_BOUNDARY, COMMAND_MEASURE,
-                                          COMMAND_QUERY, COMMAND_VOIDS,    COMMAND_DRAW};
+  static const char *const names[] = {"model", "boundary", "measure", "query", "voids", "mesh", "draw"};
+  static const enum command commands[] = {COMMAND_MODEL, COMMAND_BOUNDARY, COMMAND_MEASURE, COMMAND_QUERY,
+                                          COMMAND_VOIDS, COMMAND_MESH,     COMMAND_DRAW};
   for (size_t i = 0; i < sizeof commands / sizeof commands[0]; ++i) {
     if (strcmp(name, names[i]) == 0) {
       *command = commands[i];
@@ -275,6 +275,10 @@ static bool take_argument(struct reading *reading, const char *argument) {
     if (!take_measure_option(reading, argument, &known)) return false;
     if (known) return true;
   }
+  if (request->command == COMMAND_MESH) {
+    if (!meshing_take_option(&request->meshing, &reading->options, argument, &known)) return false;
+    if (known) return true;
+  }
   if (request->command == COMMAND_DRAW) {
     if (!drawing_take_option(&request->drawing, &reading->options, argument, &known)) return false;
     if (known) return true;
@@ -364,6 +368,7 @@ static bool check_several(struct reading *reading) {
   const struct request *request = reading->request;
   if (request->files < 2) return true;
   if (request->command == COMMAND_DRAW) return failure_in_usage(reading->failure, "draw takes one file at a time");
+  if (request->command == COMMAND_MESH) return failure_in_usage(reading->failure, "mesh takes one file at a time");
   if (request->pdb_out != NULL) return failure_in_usage(reading->failure, "--pdb-out takes one file at a time");
   if (request->weights != NULL && input_is_standard(request->weights)) {
     return failure_in_usage(reading->failure, "weights from standard input serve for one file");
@@ -375,8 +380,9 @@ static bool check_several(struct reading *reading) {
 static bool check_files(struct reading *reading) {
   const struct request *request = reading->request;
   const bool draws = request->command == COMMAND_DRAW;
-  const char *option = draws ? "-o" : "--pdb-out";
-  const char *out = draws ? request->drawing.out : request->pdb_out;
+  const bool meshes = request->command == COMMAND_MESH;
+  const char *option = draws || meshes ? "-o" : "--pdb-out";
+  const char *out = draws ? request->drawing.out : meshes ? request->meshing.out : request->pdb_out;
   if (request->weights != NULL && input_is_standard(request->file) && input_is_standard(request->weights)) {
     return failure_in_usage(reading->failure, "standard input is either the molecule or its weights");
   }
@@ -407,6 +413,9 @@ static bool check(struct reading *reading) {
   if (!selection_suits(&request->selection, request->format, reading->failure)) return false;
   if (!check_measure(reading)) return false;
   if (request->command == COMMAND_DRAW && !drawing_check(&request->drawing, reading->failure)) return false;
+  if (request->command == COMMAND_MESH && !meshing_check(&request->meshing, request->probe, reading->failure)) {
+    return false;
+  }
   if (!check_files(reading)) return false;
   return apply_overrides(reading) && load_table(reading);
 }
@@ -418,6 +427,7 @@ bool request_parse(struct request *request, enum command command, int file, int 
   request->model = 1;
   request->selection = (struct selection)SELECTION_EVERYTHING;
   request->set = &radii_bondi;
+  request->meshing = (struct meshing)MESHING_DEFAULT;
   request->drawing = (struct drawing)DRAWING_DEFAULT;
   struct reading reading;
   memset(&reading, 0, sizeof reading);

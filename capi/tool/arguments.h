@@ -6,13 +6,22 @@
 
 #include "drawing.h"
 #include "failure.h"
+#include "meshing.h"
 #include "molecule.h"
 #include "radii.h"
 #include "residues.h"
 #include "selection.h"
 #include "text_buffer.h"
 
-enum command { COMMAND_MODEL, COMMAND_BOUNDARY, COMMAND_MEASURE, COMMAND_QUERY, COMMAND_VOIDS, COMMAND_DRAW };
+enum command {
+  COMMAND_MODEL,
+  COMMAND_BOUNDARY,
+  COMMAND_MEASURE,
+  COMMAND_QUERY,
+  COMMAND_VOIDS,
+  COMMAND_MESH,
+  COMMAND_DRAW
+};
 
 /* The command of that name; false if there is none. */
 bool command_find(const char *name, enum command *command);
@@ -47,6 +56,7 @@ struct request {
   enum query_kind query;
   double position[3];
   double query_radius;
+  struct meshing meshing; /* of `mesh` */
   struct drawing drawing; /* of `draw` */
   const struct radii_set *set;
   const char *radii_file;   /* with radii by residue and atom, or NULL */

@@ -51,6 +51,24 @@ bool geometry_compute_surface(struct geometry *geometry, struct failure *failure
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
+bool geometry_compute_mesh(struct geometry *geometry, double edge, struct failure *failure) {
+  hsp_mesh_limits limits;
+  progress_show(&geometry->progress, "making triangles");
+  int32_t status = hsp_mesh_limits_init(&limits, (uint32_t)sizeof limits, geometry->work.boundary, edge);
+  do {
+    size_t bytes = 0;
+    if (status == HSP_OK || status == HSP_E_CAPACITY) status = hsp_mesh_bytes(&limits, &bytes);
+    if (status == HSP_OK) status = hsp_workspace_allocate(&geometry->mesh_memory, bytes);
+    if (status == HSP_OK) status = hsp_mesh_init(geometry->mesh_memory, bytes, &limits, &geometry->mesh);
+    if (status == HSP_OK) status = hsp_mesh_compute(geometry->mesh, geometry->work.boundary, edge, &limits);
+  } while (status == HSP_E_CAPACITY);
+  if (status == HSP_E_CHECK) {
+    return failure_in_input(failure, 0, "borders of the surface come together: no triangles tell them apart");
+  }
+  if (status == HSP_E_RANGE) return failure_in_input(failure, 0, "--edge %g yields too many triangles", edge);
+  return status == HSP_OK || failure_in_library(failure, status);
+}
+
 bool geometry_compute_view(struct geometry *geometry, const hsp_view_options *options, struct failure *failure) {
   progress_show(&geometry->progress, "cutting and sorting");
   const int32_t status = hsp_workspace_view(&geometry->work, geometry->work.boundary != NULL, options);
@@ -72,5 +90,6 @@ bool geometry_list_shells(const struct geometry *geometry, hsp_shell **shells, u
 
 void geometry_free(struct geometry *geometry) {
   progress_end(&geometry->progress);
+  free(geometry->mesh_memory);
   hsp_workspace_free(&geometry->work);
 }

@@ -12,6 +12,8 @@
 struct geometry {
   hsp_workspace work;       /* zeros at first */
   struct progress progress; /* of what is done here; not watched at first */
+  hsp_mesh *mesh;           /* NULL at first */
+  void *mesh_memory;
 };
 
 /* Make the model. A ball that the library refuses is named by its line. */
@@ -26,6 +28,9 @@ bool geometry_compute_topology(struct geometry *geometry, struct failure *failur
 
 /* Compute the solvent-excluded surface over the boundary, which is computed. */
 bool geometry_compute_surface(struct geometry *geometry, struct failure *failure);
+
+/* Make triangles of the boundary, which is computed. */
+bool geometry_compute_mesh(struct geometry *geometry, double edge, struct failure *failure);
 
 /* Cut and sort the pieces of a view: from the boundary if that was computed, from the model alone if not. */
 bool geometry_compute_view(struct geometry *geometry, const hsp_view_options *options, struct failure *failure);

@@ -28,6 +28,8 @@ static command_function *function_of(enum command command) {
       return command_query;
     case COMMAND_VOIDS:
       return command_voids;
+    case COMMAND_MESH:
+      return command_mesh;
     case COMMAND_DRAW:
       return command_draw;
   }

@@ -10,6 +10,7 @@ static const char overview[] =
     "  hardsphere measure  FILE [options]   area and volume, in total, by ball, residue or chain, and their gradients\n"
     "  hardsphere voids    FILE [options]   the cavities in the union and the balls around them\n"
     "  hardsphere query    FILE [options]   which balls contain a point or meet a ball\n"
+    "  hardsphere mesh     FILE -o OUT      the surface as triangles: .ply, .obj, .stl, or .vert and .face\n"
     "  hardsphere draw     FILE -o OUT      a picture with hidden parts removed: .svg, .eps or .pdf\n"
     "  hardsphere COMMAND --help            more about a command\n"
     "  hardsphere --version\n"
@@ -56,8 +57,8 @@ static const char statuses[] =
     "read is never written over. Where the name of a file to write is -, standard output has the file and nothing "
     "else.\n"
     "\n"
-    "Several files may be given, but not to draw: each gives its table or its line of JSON, and one table of --csv "
-    "has\n"
+    "Several files may be given, but not to mesh and draw: each gives its table or its line of JSON, and one table of\n"
+    "--csv has "
     "the file as its first column. One that cannot be read has its line on stderr and stops no other.\n"
     "\n"
     "Exit status: 0 success, 1 bad input, 2 bad usage; then one line on stderr says why, and of that file stdout has\n"
@@ -157,6 +158,27 @@ static const char query_text[] =
     "JSON: hits, the indices of the balls in the order of the file, counted from 0, ascending.\n"
     "\n";
 
+static const char mesh_text[] =
+    "hardsphere mesh FILE -o OUT [options]\n"
+    "\n"
+    "Makes triangles of the surface that the balls show: closed, each edge in two of them, counter-clockwise seen "
+    "from\n"
+    "outside. OUT is .ply, .obj, .stl or .vert. With --probe it is the solvent-accessible surface.\n"
+    "  -o OUT, --output OUT   the file to write\n"
+    "  --edge L               how long edges are, about: default 0.5, and 0.05 in .gro files, which are in nm. Half of "
+    "it\n"
+    "                         makes four times as many triangles\n"
+    "  --surface vdw|sas      van der Waals, which is without --probe, or solvent-accessible, which is with it\n"
+    "  --triangles ply|obj|stl|vert\n"
+    "                         what OUT is; default by its extension, and ply if it is -\n"
+    ".ply has normals, areas and atoms of vertices, a third of the triangles around each, and the kind of patch, the\n"
+    "patch and the atom of triangles, atoms and patches counted from 0; .obj has normals; .stl is binary. NAME.vert "
+    "comes\n"
+    "with NAME.face, as MSMS writes them, counted from 1.\n"
+    "Example: hardsphere mesh 1crn.pdb --probe 1.4 -o 1crn.ply\n"
+    "JSON: n, vertices, triangles, edge, triangle_area, bytes; triangle_area approaches the area of measure.\n"
+    "\n";
+
 static const char draw_text[] =
     "hardsphere draw FILE -o OUT [options]\n"
     "\n"
@@ -223,6 +245,9 @@ void usage_of_command(struct text_buffer *out, enum command command) {
       break;
     case COMMAND_VOIDS:
       text = voids_text;
+      break;
+    case COMMAND_MESH:
+      text = mesh_text;
       break;
     case COMMAND_DRAW:
       text = draw_text;

@@ -1,4 +1,4 @@
-// Whatever goes wrong while a file is written, the old one stays as it was, and nothing else is left. Both commands
+// Whatever goes wrong while a file is written, the old one stays as it was, and nothing else is left. All commands
 // that write files are tried.
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -239,6 +239,7 @@ std::string writer_name(const testing::TestParamInfo<Writer> &parameter) {
 
 INSTANTIATE_TEST_SUITE_P(Program, OutputFiles,
                          testing::Values(Writer{"Measure", {"measure"}, {"--pdb-out"}, "--pdb-out"},
+                                         Writer{"Mesh", {"mesh", "--triangles", "ply"}, {"-o"}, "-o"},
                                          Writer{"Draw", {"draw", "--picture", "svg"}, {"-o"}, "-o"}),
                          writer_name);
 

@@ -1,0 +1,84 @@
+/* hardsphere mesh: a surface as triangles. */
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "commands.h"
+#include "input_report.h"
+#include "mesh_file.h"
+#include "output_file.h"
+#include "report.h"
+
+/* About a third of an atom's radius; .gro files are in nanometres. */
+static double edge_of(const struct request *request) {
+  if (request->meshing.edge > 0.0) return request->meshing.edge;
+  return request->format == FORMAT_GRO ? 0.05 : 0.5;
+}
+
+static double area_of(const struct triangle_mesh *mesh) {
+  double sum = 0.0;
+  for (uint32_t v = 0; v < mesh->vertices; ++v) sum += mesh->areas[v];
+  return sum;
+}
+
+static void print_json(const struct request *request, const struct molecule *molecule, const struct triangle_mesh *mesh,
+                       uint64_t bytes, struct text_buffer *out) {
+  text_buffer_add(out, "{\"n\": %" PRIu32 ", \"vertices\": %" PRIu32 ", \"triangles\": %" PRIu32 ", \"edge\": ",
+                  molecule->atoms, mesh->vertices, mesh->triangles);
+  json_number(out, mesh->edge);
+  text_buffer_add(out, ", \"triangle_area\": ");
+  json_number(out, area_of(mesh));
+  text_buffer_add(out, ", \"bytes\": %" PRIu64, bytes);
+  input_report_json(out, request, molecule);
+  text_buffer_add(out, "}\n");
+}
+
+static void print_table(const struct request *request, const struct molecule *molecule,
+                        const struct triangle_mesh *mesh, uint64_t bytes, struct text_buffer *out) {
+  char value[NUMBER_BYTES];
+  char remark[80];
+  report_heading(out, request, molecule);
+  report_row(out, "surface", request->probe > 0.0 ? "sas" : "vdw",
+             request->probe > 0.0 ? "of the balls with the probe" : "of the balls alone");
+  report_row(out, "edge", quantity_text(value, mesh->edge, 3), "of a triangle, about");
+  report_row_count(out, "vertices", mesh->vertices, "");
+  report_row_count(out, "triangles", mesh->triangles, "closed: each edge in two of them");
+  snprintf(remark, sizeof remark, "%s^2, of the triangles; measure has the surface's", format_unit(molecule->format));
+  report_row(out, "area", quantity_text(value, area_of(mesh), 3), remark);
+  report_row_count(out, "bytes", (int64_t)bytes, "");
+}
+
+/* The triangles of MSMS have a file of their own. */
+static bool check_second_file(const struct request *request, struct failure *failure) {
+  if (request->meshing.format != MESH_MSMS) return true;
+  char *faces = mesh_file_faces_name(request->meshing.out);
+  if (faces == NULL) return failure_of_memory(failure);
+  const bool over = output_is_input(faces, request->file);
+  free(faces);
+  return !over || failure_in_usage(failure, "-o would write over the file that is read");
+}
+
+bool command_mesh(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
+                  struct text_buffer *out, struct failure *failure) {
+  const struct meshing *meshing = &request->meshing;
+  struct triangle_mesh mesh;
+  uint64_t bytes = 0;
+  memset(&mesh, 0, sizeof mesh);
+  mesh.atoms = molecule->atoms;
+  mesh.edge = edge_of(request);
+  mesh.probe = request->probe;
+  bool done = check_second_file(request, failure) && geometry_compute_boundary(geometry, failure) &&
+              geometry_compute_mesh(geometry, mesh.edge, failure) && triangle_mesh_read(geometry->mesh, &mesh, failure);
+  if (done) progress_show(&geometry->progress, "writing");
+  done = done && mesh_file_write(&mesh, meshing->format, meshing->out, &bytes, failure);
+  if (done && !output_is_standard(meshing->out)) {
+    if (request->json) {
+      print_json(request, molecule, &mesh, bytes, out);
+    } else {
+      print_table(request, molecule, &mesh, bytes, out);
+    }
+  }
+  triangle_mesh_free(&mesh);
+  return done;
+}

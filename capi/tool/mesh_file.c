@@ -1,0 +1,262 @@
+#include "mesh_file.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "meshing.h"
+#include "output_file.h"
+#include "text_buffer.h"
+
+bool triangle_mesh_read(const hsp_mesh *mesh, struct triangle_mesh *into, struct failure *failure) {
+  hsp_mesh_counts counts;
+  if (hsp_mesh_get_counts(mesh, &counts) != HSP_OK) return failure_of_memory(failure);
+  const size_t v = (size_t)counts.vertices + 1;
+  const size_t t = (size_t)counts.triangles + 1;
+  into->vertices = counts.vertices;
+  into->triangles = counts.triangles;
+  into->xyz = calloc(v, 3 * sizeof *into->xyz);
+  into->normals = calloc(v, 3 * sizeof *into->normals);
+  into->areas = calloc(v, sizeof *into->areas);
+  into->vertex_balls = calloc(v, sizeof *into->vertex_balls);
+  into->corners = calloc(t, 3 * sizeof *into->corners);
+  into->kinds = calloc(t, sizeof *into->kinds);
+  into->patches = calloc(t, sizeof *into->patches);
+  into->balls = calloc(t, sizeof *into->balls);
+  if (into->xyz == NULL || into->normals == NULL || into->areas == NULL || into->vertex_balls == NULL ||
+      into->corners == NULL || into->kinds == NULL || into->patches == NULL || into->balls == NULL) {
+    return failure_of_memory(failure);
+  }
+  return hsp_mesh_get_vertices(mesh, into->xyz, into->normals, into->areas, into->vertex_balls, counts.vertices,
+                               NULL) == HSP_OK &&
+         hsp_mesh_get_triangles(mesh, into->corners, into->kinds, into->patches, into->balls, counts.triangles, NULL) ==
+             HSP_OK;
+}
+
+void triangle_mesh_free(struct triangle_mesh *mesh) {
+  free(mesh->xyz);
+  free(mesh->normals);
+  free(mesh->areas);
+  free(mesh->vertex_balls);
+  free(mesh->corners);
+  free(mesh->kinds);
+  free(mesh->patches);
+  free(mesh->balls);
+}
+
+/* Text gathers here before it goes to the file. */
+struct mesh_writer {
+  struct output_file file;
+  struct text_buffer text;
+  uint64_t bytes;
+};
+
+enum { BYTES_AT_ONCE = 1 << 16 };
+
+static bool flush(struct mesh_writer *writer, size_t unless_below) {
+  struct text_buffer *text = &writer->text;
+  if (text->out_of_memory) return false;
+  if (text->length < unless_below) return true;
+  writer->bytes += text->length;
+  const bool done = text->length == 0 || output_file_write(&writer->file, text->text, text->length);
+  text->length = 0;
+  return done;
+}
+
+/* ---- PLY and OBJ ---- */
+
+static void ply_head(const struct triangle_mesh *mesh, struct text_buffer *out) {
+  text_buffer_add(out,
+                  "ply\nformat ascii 1.0\ncomment hardsphere, edge %.9g, probe %.9g\nelement vertex %" PRIu32
+                  "\nproperty double x\nproperty double y\nproperty double z\nproperty float nx\nproperty float ny\n"
+                  "property float nz\nproperty float area\nproperty uint atom\nelement face %" PRIu32
+                  "\nproperty list uchar uint vertex_indices\nproperty uchar kind\nproperty uint patch\n"
+                  "property uint atom\nend_header\n",
+                  mesh->edge, mesh->probe, mesh->vertices, mesh->triangles);
+}
+
+static bool write_ply(const struct triangle_mesh *mesh, struct mesh_writer *writer) {
+  struct text_buffer *out = &writer->text;
+  ply_head(mesh, out);
+  for (size_t v = 0; v < mesh->vertices; ++v) {
+    const double *p = mesh->xyz + 3 * v;
+    const double *n = mesh->normals + 3 * v;
+    text_buffer_add(out, "%.9g %.9g %.9g %.6g %.6g %.6g %.6g %" PRIu32 "\n", p[0], p[1], p[2], n[0], n[1], n[2],
+                    mesh->areas[v], mesh->vertex_balls[v]);
+    if (!flush(writer, BYTES_AT_ONCE)) return false;
+  }
+  for (size_t t = 0; t < mesh->triangles; ++t) {
+    const uint32_t *c = mesh->corners + 3 * t;
+    text_buffer_add(out, "3 %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRIu32 "\n", c[0], c[1],
+                    c[2], mesh->kinds[t], mesh->patches[t], mesh->balls[t]);
+    if (!flush(writer, BYTES_AT_ONCE)) return false;
+  }
+  return flush(writer, 0);
+}
+
+static bool write_obj(const struct triangle_mesh *mesh, struct mesh_writer *writer) {
+  struct text_buffer *out = &writer->text;
+  text_buffer_add(out, "# hardsphere, edge %.9g, probe %.9g\n", mesh->edge, mesh->probe);
+  for (size_t v = 0; v < mesh->vertices; ++v) {
+    const double *p = mesh->xyz + 3 * v;
+    text_buffer_add(out, "v %.9g %.9g %.9g\n", p[0], p[1], p[2]);
+    if (!flush(writer, BYTES_AT_ONCE)) return false;
+  }
+  for (size_t v = 0; v < mesh->vertices; ++v) {
+    const double *n = mesh->normals + 3 * v;
+    text_buffer_add(out, "vn %.6g %.6g %.6g\n", n[0], n[1], n[2]);
+    if (!flush(writer, BYTES_AT_ONCE)) return false;
+  }
+  for (size_t t = 0; t < mesh->triangles; ++t) {
+    const uint32_t *c = mesh->corners + 3 * t;
+    text_buffer_add(out, "f %" PRIu32 "//%" PRIu32 " %" PRIu32 "//%" PRIu32 " %" PRIu32 "//%" PRIu32 "\n", c[0] + 1,
+                    c[0] + 1, c[1] + 1, c[1] + 1, c[2] + 1, c[2] + 1);
+    if (!flush(writer, BYTES_AT_ONCE)) return false;
+  }
+  return flush(writer, 0);
+}
+
+/* ---- STL: binary, little-endian whatever the machine ---- */
+
+static void add_number(struct text_buffer *out, uint32_t value) {
+  const char bytes[4] = {(char)(value & 255), (char)(value >> 8 & 255), (char)(value >> 16 & 255),
+                         (char)(value >> 24 & 255)};
+  text_buffer_append(out, bytes, sizeof bytes);
+}
+
+static void add_float(struct text_buffer *out, double value) {
+  const float rounded = (float)value;
+  uint32_t bits;
+  memcpy(&bits, &rounded, sizeof bits);
+  add_number(out, bits);
+}
+
+static void normal_of(const struct triangle_mesh *mesh, const uint32_t *corners, double normal[3]) {
+  double side[2][3];
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int k = 0; k < 2; ++k) {
+      side[k][axis] =
+          mesh->xyz[3 * (size_t)corners[k + 1] + (size_t)axis] - mesh->xyz[3 * (size_t)corners[0] + (size_t)axis];
+    }
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    const int next = (axis + 1) % 3;
+    const int last = (axis + 2) % 3;
+    normal[axis] = side[0][next] * side[1][last] - side[0][last] * side[1][next];
+  }
+  const double length = sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+  for (int axis = 0; axis < 3 && length > 0.0; ++axis) normal[axis] /= length;
+}
+
+static bool write_stl(const struct triangle_mesh *mesh, struct mesh_writer *writer) {
+  struct text_buffer *out = &writer->text;
+  char head[80] = "hardsphere";
+  text_buffer_append(out, head, sizeof head);
+  add_number(out, mesh->triangles);
+  for (size_t t = 0; t < mesh->triangles; ++t) {
+    const uint32_t *c = mesh->corners + 3 * t;
+    double normal[3];
+    normal_of(mesh, c, normal);
+    for (int axis = 0; axis < 3; ++axis) add_float(out, normal[axis]);
+    for (int k = 0; k < 9; ++k) add_float(out, mesh->xyz[3 * (size_t)c[k / 3] + (size_t)(k % 3)]);
+    text_buffer_append(out, "\0", 2);
+    if (!flush(writer, BYTES_AT_ONCE)) return false;
+  }
+  return flush(writer, 0);
+}
+
+/* ---- MSMS: numbers from 1 on; 3 is its number of a convex patch, 1 of a saddle, 2 of a concave one ---- */
+
+static int msms_kind(uint32_t kind) {
+  return kind == HSP_PATCH_CONVEX ? 3 : kind == HSP_PATCH_SADDLE ? 1 : 2;
+}
+
+static void msms_head(const struct triangle_mesh *mesh, const char *what, uint32_t count, struct text_buffer *out) {
+  const double density = 1.0 / (mesh->edge * mesh->edge);
+  text_buffer_add(out, "# hardsphere\n#%s #sphere density probe_r\n%7" PRIu32 " %7" PRIu32 " %5.2f %5.2f\n", what,
+                  count, mesh->atoms, density, mesh->probe);
+}
+
+static bool write_vertices(const struct triangle_mesh *mesh, struct mesh_writer *writer) {
+  struct text_buffer *out = &writer->text;
+  /* A vertex has the patch of its first triangle. */
+  uint32_t *first = malloc(((size_t)mesh->vertices + 1) * sizeof *first);
+  if (first == NULL) return false;
+  for (size_t t = mesh->triangles; t-- > 0;) {
+    for (int k = 0; k < 3; ++k) first[mesh->corners[3 * t + (size_t)k]] = (uint32_t)t;
+  }
+  msms_head(mesh, "vertex", mesh->vertices, out);
+  bool done = true;
+  for (size_t v = 0; v < mesh->vertices && done; ++v) {
+    const double *p = mesh->xyz + 3 * v;
+    const double *n = mesh->normals + 3 * v;
+    text_buffer_add(out, "%9.6f %9.6f %9.6f %9.6f %9.6f %9.6f %7" PRIu32 " %7" PRIu32 " %2d\n", p[0], p[1], p[2], n[0],
+                    n[1], n[2], mesh->patches[first[v]] + 1, mesh->vertex_balls[v] + 1,
+                    msms_kind(mesh->kinds[first[v]]));
+    done = flush(writer, BYTES_AT_ONCE);
+  }
+  free(first);
+  return done && flush(writer, 0);
+}
+
+static bool write_faces(const struct triangle_mesh *mesh, struct mesh_writer *writer) {
+  struct text_buffer *out = &writer->text;
+  msms_head(mesh, "faces", mesh->triangles, out);
+  for (size_t t = 0; t < mesh->triangles; ++t) {
+    const uint32_t *c = mesh->corners + 3 * t;
+    text_buffer_add(out, "%6" PRIu32 " %6" PRIu32 " %6" PRIu32 " %2d %6" PRIu32 "\n", c[0] + 1, c[1] + 1, c[2] + 1,
+                    msms_kind(mesh->kinds[t]), mesh->patches[t] + 1);
+    if (!flush(writer, BYTES_AT_ONCE)) return false;
+  }
+  return flush(writer, 0);
+}
+
+/* ---- all of them ---- */
+
+typedef bool write_function(const struct triangle_mesh *mesh, struct mesh_writer *writer);
+
+static bool write_one(const struct triangle_mesh *mesh, write_function *write, const char *path, uint64_t *bytes,
+                      struct failure *failure) {
+  struct mesh_writer writer = {.text = TEXT_BUFFER_EMPTY, .bytes = 0};
+  if (!output_file_open(&writer.file, path, failure)) return false;
+  const bool written = write(mesh, &writer);
+  const bool no_memory = !written && writer.file.reason == 0;
+  text_buffer_free(&writer.text);
+  *bytes += writer.bytes;
+  if (!no_memory) return output_file_finish(&writer.file, failure);
+  output_file_abandon(&writer.file);
+  return failure_of_memory(failure);
+}
+
+char *mesh_file_faces_name(const char *path) {
+  const size_t length = strlen(path);
+  const size_t stem = length > 5 && strcmp(path + length - 5, ".vert") == 0 ? length - 5 : length;
+  char *faces = malloc(stem + 6);
+  if (faces == NULL) return NULL;
+  memcpy(faces, path, stem);
+  memcpy(faces + stem, ".face", 6);
+  return faces;
+}
+
+static bool write_msms(const struct triangle_mesh *mesh, const char *path, uint64_t *bytes, struct failure *failure) {
+  char *faces = mesh_file_faces_name(path);
+  if (faces == NULL) return failure_of_memory(failure);
+  struct failure own = {0, NULL, 0, ""};
+  const bool done =
+      write_one(mesh, write_faces, faces, bytes, &own) && write_one(mesh, write_vertices, path, bytes, &own);
+  if (!done) {
+    *failure = own;
+    failure->file = own.file == faces ? path : own.file;
+  }
+  free(faces);
+  return done;
+}
+
+bool mesh_file_write(const struct triangle_mesh *mesh, int format, const char *path, uint64_t *bytes,
+                     struct failure *failure) {
+  *bytes = 0;
+  if (format == MESH_MSMS) return write_msms(mesh, path, bytes, failure);
+  write_function *const write = format == MESH_OBJ ? write_obj : format == MESH_STL ? write_stl : write_ply;
+  return write_one(mesh, write, path, bytes, failure);
+}

@@ -1,0 +1,37 @@
+/* Triangles in a file. */
+#ifndef HARDSPHERE_TOOL_MESH_FILE_H
+#define HARDSPHERE_TOOL_MESH_FILE_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "failure.h"
+#include "hardsphere.h"
+
+/* A mesh in arrays of the program's. */
+struct triangle_mesh {
+  uint32_t vertices, triangles;
+  double *xyz, *normals;  /* [vertices][3] */
+  double *areas;          /* [vertices] */
+  uint32_t *vertex_balls; /* [vertices] */
+  uint32_t *corners;      /* [triangles][3] */
+  uint32_t *kinds;        /* [triangles] HSP_PATCH_* */
+  uint32_t *patches;      /* [triangles] */
+  uint32_t *balls;        /* [triangles] */
+  uint32_t atoms;         /* of the molecule */
+  double edge, probe;
+};
+
+/* Everything of a computed mesh; to be freed on true and on false. */
+bool triangle_mesh_read(const hsp_mesh *mesh, struct triangle_mesh *into, struct failure *failure);
+void triangle_mesh_free(struct triangle_mesh *mesh);
+
+/* Where MSMS has the triangles: name.face for name.vert. To be freed; NULL if memory is short. */
+char *mesh_file_faces_name(const char *path);
+
+/* Write it to the file `path` (output_file.h), of MSMS the triangles to the file beside it whose name ends with .face;
+ * *bytes becomes how many were written. False, with the file named, if it cannot be written in full. */
+bool mesh_file_write(const struct triangle_mesh *mesh, int format, const char *path, uint64_t *bytes,
+                     struct failure *failure);
+
+#endif

@@ -1,0 +1,30 @@
+/* What a user of `mesh` asks for. */
+#ifndef HARDSPHERE_TOOL_MESHING_H
+#define HARDSPHERE_TOOL_MESHING_H
+
+#include <stdbool.h>
+
+#include "failure.h"
+#include "option_reader.h"
+
+enum mesh_format { MESH_PLY, MESH_OBJ, MESH_STL, MESH_MSMS };
+enum mesh_surface { MESH_VAN_DER_WAALS, MESH_SOLVENT_ACCESSIBLE };
+
+/* Choices are negative where the user has said nothing. */
+struct meshing {
+  const char *out; /* a file, or NULL; of MSMS the one with the vertices */
+  int format;      /* meshing_check sets it, by the extension of out if the user has not said */
+  int surface;
+  double edge; /* negative: not said */
+};
+
+#define MESHING_DEFAULT \
+  { .out = NULL, .format = -1, .surface = -1, .edge = -1.0 }
+
+/* Take the argument if it is an option of `mesh`, and its value from the reader; *known tells whether it is one. */
+bool meshing_take_option(struct meshing *meshing, struct option_reader *reader, const char *argument, bool *known);
+
+/* Whether all options go together, with this probe; sets what follows from them. */
+bool meshing_check(struct meshing *meshing, double probe, struct failure *failure);
+
+#endif
