@@ -36,7 +36,7 @@ foreign=(4hhb.pdb)
 } | sed -e 's/\<FILE\>/1crn.pdb/' -e 's/X,Y,Z/10,10,10/' -e 's/\<OUT\.svg/out.svg/' | sort -u >"$work/lines"
 # Fewer would mean that they are written in another way now, and not found.
 [ "$(wc -l <"$work/lines")" -ge 25 ] || { cat "$work/lines" && echo "are all the lines that were found" && exit 1; }
-for command in model boundary measure voids query draw; do
+for command in model boundary measure voids query mesh draw; do
   grep -q "hardsphere $command 1crn" "$work/lines" || { echo "README.md shows no hardsphere $command" && exit 1; }
 done
 
