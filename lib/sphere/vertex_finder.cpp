@@ -101,7 +101,7 @@ VertexFinder::pair(const BallSet &balls, const Caps &caps, uint32_t j, uint32_t 
   }
   if (!circles.certainly_cross()) {
     exact::count_answer(exact::Question::vertex_pair, exact::Stage::exact);
-    if (find_vertices_exactly(balls, caps, tests_, j, k, vertices)) {
+    if (find_vertices_exactly(balls, caps, tests_, j, k, nullptr, vertices)) {
       state_[j] |= crossed;
       state_[k] |= crossed;
     }
@@ -116,7 +116,7 @@ VertexFinder::pair(const BallSet &balls, const Caps &caps, uint32_t j, uint32_t 
   }
   if (answer[0] == PointAnswer::uncertain || answer[1] == PointAnswer::uncertain) {
     exact::count_answer(exact::Question::vertex_pair, exact::Stage::exact);
-    find_vertices_exactly(balls, caps, tests_, j, k, vertices);
+    find_vertices_exactly(balls, caps, tests_, j, k, &points, vertices);
     return;
   }
   exact::count_answer(exact::Question::vertex_pair, exact::Stage::filter);
@@ -166,10 +166,23 @@ bool lies_inside(const BallSet &balls, uint32_t inner, uint32_t outer) {
   return exact::pair_relation(balls.ball(inner), balls.ball(outer)) == exact::PairRelation::first_in_second;
 }
 
+// Whether a cap is to be asked about points that may be free: one of them is nearer to its circle than doubles tell.
+// Points that certainly lie inside are not free.
+bool leaves_open(const CrossingPoints &points, const CapTests &tests, uint32_t t, bool (&free)[2]) {
+  bool open = false;
+  for (int point = 0; point < 2; ++point) {
+    const double depth =
+        points.x[point] * tests.ux[t] + points.y[point] * tests.uy[t] + points.z[point] * tests.uz[t] - tests.b[t];
+    free[point] = free[point] && !(depth > points.error);
+    open = open || (free[point] && !(depth < -points.error));
+  }
+  return open;
+}
+
 }  // namespace
 
 bool find_vertices_exactly(const BallSet &balls, const Caps &caps, const CapTests &tests, uint32_t j, uint32_t k,
-                           FixedVector<VertexRecord> &vertices) {
+                           const CrossingPoints *points, FixedVector<VertexRecord> &vertices) {
   const exact::Predicates predicates = caps.predicates();
   const exact::Plane &P = caps.plane(j);
   const exact::Plane &Q = caps.plane(k);
@@ -181,6 +194,7 @@ bool find_vertices_exactly(const BallSet &balls, const Caps &caps, const CapTest
   for (uint32_t t = 0; t < tests.count && (free[0] || free[1]); ++t) {
     const uint32_t l = tests.cap[t];
     if (l == j || l == k) continue;
+    if (points != nullptr && !leaves_open(*points, tests, t, free)) continue;
     const exact::PointStatus status = predicates.point_status(P, Q, caps.plane(l));
     // Balls inside the origin ball have no cap here, so only the other two are left to ask.
     const bool ties = (status.tied[0] || status.tied[1]) && !lies_inside(balls, caps.ball[l], caps.ball[j]) &&

@@ -9,6 +9,8 @@
 
 namespace hsp {
 
+struct CrossingPoints;
+
 // A copy of the caps, largest first by coarse classes of size: a covered point is most likely covered by one of the
 // first.
 struct CapTests {
@@ -51,9 +53,10 @@ class VertexFinder {
 // The exact stage: pushes the free points among p+ and p- of the circles of caps j < k. Returns whether the circles
 // cross. A further sphere ties with a point if it passes through it before the perturbation, unless its ball lies
 // inside one of the vertex's three balls and touches it there. This exception makes the flag independent of the ball at
-// which the vertex is decided.
+// which the vertex is decided. If the circles certainly cross, their points in doubles may be given: then only caps are
+// asked about that these leave open.
 bool find_vertices_exactly(const BallSet &balls, const Caps &caps, const CapTests &tests, uint32_t j, uint32_t k,
-                           FixedVector<VertexRecord> &vertices);
+                           const CrossingPoints *points, FixedVector<VertexRecord> &vertices);
 
 // Whether the circle of cap j is free as a whole.
 bool is_free_circle(const Caps &caps, const CapTests &tests, uint32_t j);
