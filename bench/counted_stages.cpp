@@ -50,6 +50,7 @@ void count_stages(const bench::Balls &balls, const Surface &surface) {
     bench::SmoothSurface smooth(boundary);
     count("surface", balls, surface, [&] { smooth.compute(); });
     count("surface_measure", balls, surface, [&] { smooth.measure(); });
+    count("surface_gradient", balls, surface, [&] { smooth.gradient(); });
   }
   bench::Topology topology(boundary);
   count("topology", balls, surface, [&] { topology.compute(); });

@@ -65,7 +65,11 @@ hsp_boundary_counts Boundary::counts() const {
   return counts;
 }
 
-SmoothSurface::SmoothSurface(const Boundary &boundary) : boundary_(&boundary), balls_(boundary.model().size()) {
+SmoothSurface::SmoothSurface(const Boundary &boundary)
+    : boundary_(&boundary),
+      balls_(boundary.model().size()),
+      by_centre_(3 * size_t{boundary.model().size()}),
+      by_radius_(boundary.model().size()) {
   surface_.take(support::surface_limits_for(boundary.get()));
   compute();
   surface_.take(surface_.needed());
@@ -83,6 +87,14 @@ hsp_surface_totals SmoothSurface::measure() {
   expect_ok(hsp_surface_measure(surface_.get(), &totals, balls_.data(), static_cast<uint32_t>(balls_.size()), nullptr),
             "hsp_surface_measure");
   return totals;
+}
+
+hsp_energy SmoothSurface::gradient() {
+  hsp_energy energy{};
+  expect_ok(hsp_surface_gradient(surface_.get(), 1.0, 1.0, &energy, by_centre_.data(), by_radius_.data(), nullptr,
+                                 static_cast<uint32_t>(by_radius_.size()), nullptr),
+            "hsp_surface_gradient");
+  return energy;
 }
 
 hsp_surface_counts SmoothSurface::counts() const {

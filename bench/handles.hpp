@@ -81,12 +81,16 @@ class SmoothSurface {
   void compute();
   // Areas and volume, of every ball and in total.
   hsp_surface_totals measure();
+  // The sum of area and volume, with its derivatives by every centre and radius.
+  hsp_energy gradient();
   hsp_surface_counts counts() const;
   size_t bytes() const { return surface_.bytes(); }
 
  private:
   const Boundary *boundary_;
   std::vector<hsp_surface_totals> balls_;
+  std::vector<double> by_centre_;
+  std::vector<double> by_radius_;
   support::OwnedSurface surface_;
 };
 

@@ -26,6 +26,12 @@ inline void to_array(const Vec3 &v, double out[3]) {
   out[2] = v.z;
 }
 
+// Row i of an array [n][3], which may be left out.
+inline void put_vector(const double vector[3], double *array, uint32_t i) {
+  if (array == nullptr) return;
+  for (size_t axis = 0; axis < 3; ++axis) array[3 * static_cast<size_t>(i) + axis] = vector[axis];
+}
+
 // The part every (out, capacity, needed) function shares: HSP_OK means that exactly `count` records are to be written.
 inline int32_t check_output(const void *out, uint32_t capacity, uint32_t count, uint32_t *needed) {
   *needed = count;

@@ -3,6 +3,7 @@
 #include "measure/totals.hpp"
 
 using hsp::capi::is_live;
+using hsp::capi::put_vector;
 
 namespace {
 
@@ -24,12 +25,6 @@ int32_t check_weights(const double *sigma, uint32_t n, uint32_t *first_bad) {
     return HSP_E_NOT_FINITE;
   }
   return HSP_OK;
-}
-
-// Row i of an array [n][3], which may be left out.
-void put_vector(const double vector[3], double *array, uint32_t i) {
-  if (array == nullptr) return;
-  for (size_t axis = 0; axis < 3; ++axis) array[3 * static_cast<size_t>(i) + axis] = vector[axis];
 }
 
 // The boundary holds nothing of balls inside others, nor of what they touch.

@@ -1,5 +1,6 @@
 #include "hsp_surface.hpp"
-#include "surface/surface_areas.hpp"
+#include "measure/tangency.hpp"
+#include "surface/surface_gradients.hpp"
 
 using hsp::capi::is_live;
 
@@ -23,6 +24,16 @@ hsp_surface_limits to_c(const hsp::SurfaceLimits &limits) {
 
 hsp_surface_totals to_c(const hsp::SurfaceMeasure &measure) {
   return {measure.area(), measure.volume, measure.convex, measure.saddle, measure.concave};
+}
+
+// Of equal balls all but one have no vertices. Without a probe all balls that touch from inside count.
+void flag_inner_contacts(const hsp::CubeGrid &grid, const hsp::Boundary &boundary, uint32_t *flags) {
+  const hsp::BallSet &balls = grid.balls();
+  hsp::visit_free_inner_contacts(grid, boundary, [&](uint32_t inner, uint32_t outer) {
+    if (balls.probe_steps > 0 && balls.r[inner] != balls.r[outer]) return;
+    flags[balls.caller[inner]] |= HSP_SURFACE_DEGENERATE;
+    flags[balls.caller[outer]] |= HSP_SURFACE_DEGENERATE;
+  });
 }
 
 }  // namespace
@@ -88,5 +99,27 @@ int32_t hsp_surface_measure(const hsp_surface *surface, hsp_surface_totals *tota
                                                            if (balls != nullptr) balls[i] = to_c(measure);
                                                          });
   if (totals != nullptr) *totals = to_c(total);
+  return HSP_OK;
+}
+
+int32_t hsp_surface_gradient(const hsp_surface *surface, double tension, double pressure, hsp_energy *energy,
+                             double *d_centre, double *d_radius, uint32_t *flags, uint32_t capacity, uint32_t *needed) {
+  if (!is_live(surface)) return HSP_E_ARGUMENT;
+  if (!surface->has_results()) return HSP_E_STATE;
+  const hsp::CubeGrid &grid = surface->boundary->model->grid;
+  const bool wanted = d_centre != nullptr || d_radius != nullptr || flags != nullptr;
+  if (!hsp::capi::fits(wanted, capacity, grid.balls().n, needed)) return HSP_E_CAPACITY;
+  if (!hsp::is_finite(tension) || !hsp::is_finite(pressure)) return HSP_E_NOT_FINITE;
+
+  const hsp::Boundary &boundary = surface->boundary->structure();
+  const hsp::SurfaceEnergy found =
+      hsp::differentiate_surface(grid, boundary, surface->builder.surface(), tension, pressure,
+                                 [&](uint32_t i, const hsp::SurfaceEnergyGradient &gradient) {
+                                   hsp::capi::put_vector(gradient.centre, d_centre, i);
+                                   if (d_radius != nullptr) d_radius[i] = gradient.radius;
+                                   if (flags != nullptr) flags[i] = gradient.degenerate ? HSP_SURFACE_DEGENERATE : 0;
+                                 });
+  if (flags != nullptr) flag_inner_contacts(grid, boundary, flags);
+  if (energy != nullptr) *energy = {found.value, found.area, found.volume, found.by_probe};
   return HSP_OK;
 }

@@ -55,6 +55,47 @@ void require_sound(const fuzz::ScaledBalls &set, const surface_result &s) {
   FUZZ_REQUIRE(s.counts.cusped_patches <= s.counts.saddle_patches, "cusped patches are saddles");
 }
 
+struct Gradient {
+  hsp_energy energy{};
+  std::vector<double> centre, radius;
+  std::vector<uint32_t> flags;
+};
+
+Gradient gradient_of(const surface_result &s, double tension, double pressure) {
+  const uint32_t n = s.base->n;
+  Gradient g{{}, std::vector<double>(3 * size_t{n}), std::vector<double>(n), std::vector<uint32_t>(n)};
+  const int32_t status = hsp_surface_gradient(s.surface, tension, pressure, &g.energy, g.centre.data(), g.radius.data(),
+                                              g.flags.data(), n, nullptr);
+  FUZZ_REQUIRE(status == HSP_OK, hsp_status_text(status));
+  return g;
+}
+
+// hsp_surface_gradient, properties 1, 2 and 4. Near vertices of three spheres that hardly meet terms are as large as
+// they like, and cancel.
+void require_gradient(const surface_result &s) {
+  for (const bool of_volume : {false, true}) {
+    const Gradient g = gradient_of(s, of_volume ? 0 : 1, of_volume ? 1 : 0);
+    const double value = of_volume ? s.totals.volume : s.totals.area;
+    FUZZ_REQUIRE(std::fabs(g.energy.value - value) <= 1e-9 * (1.0 + value), "an energy that is not what is measured");
+    double sum[3]{}, scale = 1.0;
+    bool degenerate = s.counts.open_joints > 0 || s.counts.rounded_patches > 0;
+    for (uint32_t i = 0; i < s.base->n; ++i) {
+      for (uint32_t axis = 0; axis < 3; ++axis) {
+        const double d = g.centre[3 * size_t{i} + axis];
+        FUZZ_REQUIRE(std::isfinite(d), "a derivative is not finite");
+        sum[axis] += d;
+        scale += std::fabs(d);
+      }
+      FUZZ_REQUIRE(std::isfinite(g.radius[i]), "a derivative by a radius is not finite");
+      degenerate = degenerate || g.flags[i] != 0;
+    }
+    if (degenerate) continue;
+    for (const double component : sum) {
+      FUZZ_REQUIRE(std::fabs(component) <= 1e-6 * scale * extent_of(s), "derivatives by centres do not add up to 0");
+    }
+  }
+}
+
 bool has_equal_balls(const fuzz::ScaledBalls &set) {
   for (uint32_t i = 0; i < set.n(); ++i) {
     for (uint32_t j = 0; j < i; ++j) {
@@ -72,6 +113,12 @@ void require_no_order(const fuzz::ScaledBalls &set, const surface_result &refere
   const Result other(fuzz::permuted(set, order));
   for (uint32_t i = 0; i < set.n(); ++i) {
     FUZZ_REQUIRE(same(&other.get().balls[i], &reference.balls[order[i]], 1), "a share differs in another order");
+  }
+  const Gradient here = gradient_of(reference, 0.75, 0.25), there = gradient_of(other.get(), 0.75, 0.25);
+  for (uint32_t i = 0; i < set.n(); ++i) {
+    FUZZ_REQUIRE(same(&there.centre[3 * size_t{i}], &here.centre[3 * size_t{order[i]}], 3), "a gradient differs");
+    FUZZ_REQUIRE(same(&there.radius[i], &here.radius[order[i]], 1), "a derivative by a radius differs");
+    FUZZ_REQUIRE(there.flags[i] == here.flags[order[i]], "a flag differs");
   }
   FUZZ_REQUIRE(same(&other.get().counts, &reference.counts, 1), "counts differ in another order");
 }
@@ -121,6 +168,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   if (bytes.below(4) != 0) set.probe_steps = 1 + bytes.below(static_cast<uint32_t>(4 * set.steps_per_unit));
   const Result reference(set);
   require_sound(set, reference.get());
+  require_gradient(reference.get());
   {
     const Result again(set);
     FUZZ_REQUIRE(same(reference.get().balls, again.get().balls, set.n()), "shares differ the second time");

@@ -65,7 +65,11 @@ set(HSP_LIBRARY_SOURCES
   lib/surface/probe_caps.cpp
   lib/surface/probe_grid.cpp
   lib/surface/region_pieces.cpp
+  lib/surface/saddle.cpp
+  lib/surface/saddle_kernel.cpp
+  lib/surface/saddle_kernel_avx2.cpp
   lib/surface/surface_areas.cpp
+  lib/surface/surface_gradients.cpp
   lib/surface/surface_builder.cpp
   lib/surface/triangle_kernel.cpp
   lib/surface/triangle_kernel_avx2.cpp

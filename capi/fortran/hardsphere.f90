@@ -65,6 +65,7 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_TANGENT_OVERLAP = 0_c_int32_t
   integer(c_int32_t), parameter :: HSP_TANGENT_DISJOINT = 1_c_int32_t
   integer(c_int32_t), parameter :: HSP_GRADIENT_ONE_SIDED = 1_c_int32_t
+  integer(c_int32_t), parameter :: HSP_SURFACE_DEGENERATE = 1_c_int32_t
 
   integer(c_int32_t), parameter :: HSP_PATCH_CONVEX = 0_c_int32_t
   integer(c_int32_t), parameter :: HSP_PATCH_SADDLE = 1_c_int32_t
@@ -877,6 +878,21 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
+    function hsp_surface_gradient(surface, tension, pressure, energy, d_centre, d_radius, flags, capacity, needed) &
+      result(status) bind(C, name="hsp_surface_gradient")
+      import :: c_double, c_int32_t, c_ptr, hsp_energy
+      type(c_ptr), value :: surface
+      real(c_double), value :: tension
+      real(c_double), value :: pressure
+      type(hsp_energy), intent(inout), optional :: energy
+      real(c_double), intent(inout), optional :: d_centre(3, *) ! 3, n
+      real(c_double), intent(inout), optional :: d_radius(*)    ! n
+      integer(c_int32_t), intent(inout), optional :: flags(*)   ! n; HSP_SURFACE_DEGENERATE
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
+      integer(c_int32_t) :: status
+    end function
+
     ! ---- triangles -------------------------------------------------------------------------------------------------
 
     function hsp_mesh_limits_init(limits, struct_size, boundary, edge) result(status) &
@@ -1327,8 +1343,8 @@ contains
   pure function hsp_surface_bytes_bound(vertices, neighbours, pieces, arcs, cusped_circles) result(bytes)
     integer(c_int32_t), intent(in) :: vertices, neighbours, pieces, arcs, cusped_circles
     integer(c_size_t) :: bytes
-    bytes = 8192_c_size_t + 80_c_size_t*int(vertices, c_size_t) + 1152_c_size_t*int(neighbours, c_size_t) &
-            + 24_c_size_t*int(pieces, c_size_t) + 24_c_size_t*int(arcs, c_size_t) &
+    bytes = 8192_c_size_t + 104_c_size_t*int(vertices, c_size_t) + 1152_c_size_t*int(neighbours, c_size_t) &
+            + 56_c_size_t*int(pieces, c_size_t) + 24_c_size_t*int(arcs, c_size_t) &
             + 12_c_size_t*int(cusped_circles, c_size_t)
   end function
 

@@ -338,14 +338,12 @@ static bool check_measure(struct reading *reading) {
   if (request->surface_seen && request->probe == 0.0) {
     return failure_in_usage(reading->failure, "--surface needs a probe, --probe 1.4");
   }
-  if (request->excluded_surface &&
-      (request->gradient || request->weights != NULL || request->relative || request->interface != NULL)) {
+  if (request->excluded_surface && (request->weights != NULL || request->relative || request->interface != NULL)) {
     return failure_in_usage(reading->failure,
                             "%s is of the solvent-accessible surface: it has no use with --surface ses",
-                            request->gradient          ? "--gradient"
-                            : request->weights != NULL ? "--weights"
-                            : request->relative        ? "--relative"
-                                                       : "--interface");
+                            request->weights != NULL ? "--weights"
+                            : request->relative      ? "--relative"
+                                                     : "--interface");
   }
   if (request->pdb_out != NULL && request->format != FORMAT_PDB) {
     return failure_in_usage(reading->failure, "--pdb-out has no use here: it writes a .pdb file again");

@@ -128,8 +128,13 @@ static void print_tables(const struct request *request, const struct molecule *m
                     quantity_text(value, measurement->other_area, TOTAL_DECIMALS), unit);
   }
   if (measurement->one_sided > 0) {
-    report_row_count(out, "touching balls", measurement->one_sided,
-                     "their derivatives are one-sided: as if touching balls overlapped");
+    if (request->excluded_surface) {
+      report_row_count(out, "degenerate balls", measurement->one_sided,
+                       "their derivatives are one-sided at best: four spheres meet in a point, or balls are equal");
+    } else {
+      report_row_count(out, "touching balls", measurement->one_sided,
+                       "their derivatives are one-sided: as if touching balls overlapped");
+    }
   }
   if (request->interface != NULL) interface_print(request->interface, &found->interface, unit, out);
   if (request_wants_balls(request)) ball_table_print(request, molecule, measurement, out);

@@ -19,17 +19,27 @@ static bool allocate_gradient(const struct molecule *molecule, struct gradient *
 }
 
 /* Derivatives of area and volume by all centres and radii, and how many balls have one-sided ones. */
-static bool measure_gradients(const struct molecule *molecule, const struct geometry *geometry,
+static bool measure_gradients(const struct molecule *molecule, const struct geometry *geometry, bool excluded_surface,
                               struct measurement *measurement, struct failure *failure) {
   struct gradient *of_area = &measurement->of_area, *of_volume = &measurement->of_volume;
   if (!allocate_gradient(molecule, of_area, failure) || !allocate_gradient(molecule, of_volume, failure)) return false;
   uint32_t *flags = calloc((size_t)molecule->atoms + 1, sizeof *flags);
   if (flags == NULL) return failure_of_memory(failure);
-  const int32_t status =
-      hsp_boundary_derivatives(geometry->work.boundary, NULL, HSP_TANGENT_OVERLAP, of_area->centre, of_area->radius,
-                               of_volume->centre, of_volume->radius, flags, molecule->atoms, NULL, NULL);
+  int32_t status;
+  if (excluded_surface) {
+    status = hsp_surface_gradient(geometry->work.surface, 1.0, 0.0, NULL, of_area->centre, of_area->radius, flags,
+                                  molecule->atoms, NULL);
+    if (status == HSP_OK) {
+      status = hsp_surface_gradient(geometry->work.surface, 0.0, 1.0, NULL, of_volume->centre, of_volume->radius, NULL,
+                                    molecule->atoms, NULL);
+    }
+  } else {
+    status =
+        hsp_boundary_derivatives(geometry->work.boundary, NULL, HSP_TANGENT_OVERLAP, of_area->centre, of_area->radius,
+                                 of_volume->centre, of_volume->radius, flags, molecule->atoms, NULL, NULL);
+  }
   for (uint32_t i = 0; status == HSP_OK && i < molecule->atoms; ++i) {
-    if ((flags[i] & HSP_GRADIENT_ONE_SIDED) != 0) ++measurement->one_sided;
+    if (flags[i] != 0) ++measurement->one_sided;
   }
   free(flags);
   return status == HSP_OK || failure_in_library(failure, status);
@@ -113,7 +123,7 @@ bool measurement_make(const struct request *request, const struct molecule *mole
   if (weighted && !measure_weighted_area(geometry, measurement, failure)) return false;
   if (!request->gradient) return true;
   progress_show(&geometry->progress, "computing derivatives");
-  return measure_gradients(molecule, geometry, measurement, failure) &&
+  return measure_gradients(molecule, geometry, request->excluded_surface, measurement, failure) &&
          (!weighted || measure_weighted_gradient(molecule, geometry, measurement, failure));
 }
 

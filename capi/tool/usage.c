@@ -103,7 +103,7 @@ static const char measure_text[] =
     "where\n"
     "                         it rolls over the atoms. An atom's share of it are its convex patches, its side of "
     "saddles\n"
-    "                         and a third of concave patches. Not with derivatives, weights, --relative, --interface\n"
+    "                         and a third of concave patches. Not with weights, --relative, --interface\n"
     "  --per-ball             also the free area of every ball\n"
     "  --gradient             also the derivatives of area and volume by every centre and radius\n"
     "  --weights FILE         also the sum of weight x free area; one number per ball, each on its own line, #\n"

@@ -1,4 +1,5 @@
-/* hardsphere/surface.h: the smooth molecular surface (Section 4.3): area and volume of the solvent-excluded surface.
+/* hardsphere/surface.h: the smooth molecular surface (Section 4.3): area and volume of the solvent-excluded surface,
+ * and their derivatives.
  *
  * Richards' surface: a probe, a ball of radius p, rolls over the balls; what it cannot reach is the solvent-excluded
  * solid, and its boundary is the surface. p is the probe of hsp_model_options, which the radii of the model contain, so
@@ -20,6 +21,7 @@
 #define HARDSPHERE_SURFACE_H
 
 #include "boundary.h"
+#include "gradient.h"
 
 #include <stddef.h>
 #include <stdint.h>
@@ -57,9 +59,9 @@ HSP_API int32_t hsp_surface_limits_init(hsp_surface_limits *limits, uint32_t str
 HSP_API int32_t hsp_surface_bytes(const hsp_surface_limits *limits, size_t *bytes);
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
-#define HSP_SURFACE_BYTES(vertices, neighbours, pieces, arcs, cusped_circles)             \
-  ((size_t)8192 + (size_t)80 * (size_t)(vertices) + (size_t)1152 * (size_t)(neighbours) + \
-   (size_t)24 * (size_t)(pieces) + (size_t)24 * (size_t)(arcs) + (size_t)12 * (size_t)(cusped_circles))
+#define HSP_SURFACE_BYTES(vertices, neighbours, pieces, arcs, cusped_circles)              \
+  ((size_t)8192 + (size_t)104 * (size_t)(vertices) + (size_t)1152 * (size_t)(neighbours) + \
+   (size_t)56 * (size_t)(pieces) + (size_t)24 * (size_t)(arcs) + (size_t)12 * (size_t)(cusped_circles))
 
 /** Make an empty surface in caller memory of any alignment; sets *surface.
  *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
@@ -125,6 +127,33 @@ typedef struct hsp_surface_totals {
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since */
 HSP_API int32_t hsp_surface_measure(const hsp_surface *surface, hsp_surface_totals *totals, hsp_surface_totals *balls,
                                     uint32_t capacity, uint32_t *needed);
+
+/** The ball has a vertex of more than three spheres, or of three that its probe just fits between; or another ball is
+ *  equal to it. */
+#define HSP_SURFACE_DEGENERATE UINT32_C(1)
+
+/** E = tension * A + pressure * V of the smooth surface and its gradient, in one pass.
+ *  energy may be NULL. d_centre [n][3] = dE/dc_i, d_radius [n] = dE/dr_i for radii without the probe, and flags [n] =
+ *  HSP_SURFACE_* may each be NULL and else hold capacity >= n entries. energy->d_probe is the derivative by the probe,
+ *  at the same radii. For the area alone: tension 1, pressure 0; for the volume alone: tension 0, pressure 1. needed
+ *  may be NULL and else becomes n. On failure nothing but *needed is written.
+ *  - Property 1: the sums of d_centre and of c_i x d_centre are zero up to rounding (E does not change under motions).
+ *  - Property 2: sum_i (r_i d_radius_i + c_i . d_centre_i) + probe d_probe is 2 A for the area, 3 V for the volume.
+ *  - Property 3: d_centre, d_radius and flags do not depend on the order of the balls, bit for bit.
+ *  - Property 4: energy->area and energy->volume are those of hsp_surface_measure up to rounding.
+ *
+ *  V is continuously differentiable and A continuous, but where a piece of the outside is born. A is differentiable but
+ *  where arcs and vertices come or go at an angle, which takes what HSP_SURFACE_DEGENERATE flags; there derivatives are
+ *  those on one side at best. Without a probe balls that touch are flagged, too (gradient.h). The slope of a derivative
+ *  may be unbounded elsewhere, where an arc or a vertex is born. The lattice's rounding is not differentiated.
+ *  Cost: O(n + size of the boundary).
+ *  @retval HSP_E_ARGUMENT    surface is NULL
+ *  @retval HSP_E_CAPACITY    an array is given and capacity < n
+ *  @retval HSP_E_STATE       nothing computed, or model or boundary changed since
+ *  @retval HSP_E_NOT_FINITE  tension or pressure is NaN or infinite */
+HSP_API int32_t hsp_surface_gradient(const hsp_surface *surface, double tension, double pressure, hsp_energy *energy,
+                                     double *d_centre, double *d_radius, uint32_t *flags, uint32_t capacity,
+                                     uint32_t *needed);
 
 #ifdef __cplusplus
 }

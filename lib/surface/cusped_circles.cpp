@@ -8,11 +8,19 @@ namespace {
 
 // Seen from the ball of lower rank, so that ids have no effect.
 bool circle_has_cusps(const BallSet &balls, uint32_t a, uint32_t b) {
+  // Most circles are larger than the probe for certain: rho^2 = R^2 - h^2 in doubles, with an error of some e (U +
+  // R^2).
+  const double p = static_cast<double>(balls.probe_steps);
+  const Vec3 v = balls.difference(a, b);
+  const double U = dot(v, v);
+  const double R = balls.r[a];
+  const double twice = U + (R - balls.r[b]) * (R + balls.r[b]);  // 2 d h
+  const double margin = 0x1p-40 * (U + R * R + balls.r[b] * balls.r[b]);
+  if (R * R - p * p > 0.25 * twice * (twice / U) + margin) return false;
   const bool in_order = balls.ranks_before(a, b);
   const CircleGeometry circle(balls, in_order ? a : b, in_order ? b : a);
   const CircleGeometry seen_from_other(balls, in_order ? b : a, in_order ? a : b);
-  const double p = static_cast<double>(balls.probe_steps);
-  return has_cusps({p, 0.0, 0.0, circle.height, seen_from_other.height, circle.radius, 0.0, {}, {}});
+  return has_cusps(p, circle.radius, circle.height, seen_from_other.height);
 }
 
 }  // namespace

@@ -14,8 +14,8 @@ void CutPatches::clear() {
   loop_ = 0;
 }
 
-void CutPatches::begin_piece(uint32_t vertex, double area, double volume) {
-  pieces_.push({vertex, clamped_count(arcs_.required()), area, volume});
+void CutPatches::begin_piece(uint32_t vertex, double area, double volume, const CreaseSums &creases) {
+  pieces_.push({vertex, clamped_count(arcs_.required()), area, volume, creases});
 }
 
 void CutPatches::add_arc(uint32_t across, double angle, bool last_of_loop) {

@@ -19,11 +19,19 @@
 
 namespace hsp {
 
+// Over the creases of a piece, each on the circle with axis a at height c of the unit sphere, from w to w' over the
+// angle phi: what the derivatives of the surface's area ask of them (surface_gradients.hpp).
+struct CreaseSums {
+  Vec3 directions{0.0, 0.0, 0.0};  // of c times the integral of the direction: c (c phi a + (w' - w) x a)
+  double angle = 0.0;              // of c phi
+};
+
 struct PatchPiece {
   uint32_t vertex;
   uint32_t first_arc;  // those of a piece are consecutive, and those of the next piece follow
   double area;         // square steps
   double volume;       // its term of the divergence theorem about the origin of the component, cubic steps
+  CreaseSums creases;
 };
 
 struct PatchArc {
@@ -47,7 +55,7 @@ class CutPatches {
   // All vertices are added in the order of their ids; a hidden patch as one piece without arcs.
   void clear();
   void begin_vertex(uint32_t vertex) { first_piece_[vertex] = pieces_.size(); }
-  void begin_piece(uint32_t vertex, double area, double volume);
+  void begin_piece(uint32_t vertex, double area, double volume, const CreaseSums &creases = {});
   void add_arc(uint32_t across, double angle, bool last_of_loop);
   void finish(uint32_t vertices);
 

@@ -28,6 +28,7 @@ class ProbeCaps {
   uint64_t met() const { return others_.required(); }
   bool overflowed() const { return others_.overflowed(); }
   Caps &caps() { return caps_; }
+  const Caps &caps() const { return caps_; }
   static constexpr uint32_t sides = 3;  // caps 0, 1, 2
   // The ball of the vertex that a side is opposite to.
   uint32_t ball_opposite(uint32_t side) const { return triangles_.ball[side][vertex_ % ProbeTriangles::lanes]; }

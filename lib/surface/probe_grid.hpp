@@ -23,6 +23,7 @@ class ProbeGrid {
   // Changes with every build.
   uint32_t builds() const { return builds_; }
 
+  Span<const Position> positions() const { return position_; }
   const Position &position(uint32_t vertex) const { return position_[vertex]; }
   // From one vertex to another. The reverse is the negative, bit for bit.
   Vec3 difference(const BallSet &balls, uint32_t from, uint32_t to) const {

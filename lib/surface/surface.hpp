@@ -36,8 +36,9 @@ constexpr SurfaceLimits default_surface_limits(uint32_t vertices, uint32_t circl
 }
 
 struct ConcavePatch {
-  double area;    // square steps
-  double volume;  // its term of the divergence theorem about the origin of the component, cubic steps
+  double area;       // square steps
+  double volume;     // its term of the divergence theorem about the origin of the component, cubic steps
+  Vec3 vector_area;  // integral of the directions from the vertex, over the part of the unit sphere
 };
 
 struct SurfaceCounts {
@@ -52,6 +53,8 @@ class Surface {
  public:
   const ConcavePatch &patch(uint32_t vertex) const { return patch_[vertex]; }
   const SurfaceCounts &counts() const { return counts_; }
+  // Where the probe of a concave patch stands; there are none without a probe.
+  const Position &position(uint32_t vertex) const { return position_[vertex]; }
   // The exceptions: concave patches that others cut, and circles with cusps.
   const CutPatches &cut_patches() const { return cut_patches_; }
   const CuspedCircles &cusped_circles() const { return cusped_circles_; }
@@ -62,7 +65,8 @@ class Surface {
  private:
   friend class SurfaceBuilder;
 
-  Span<ConcavePatch> patch_;  // [vertices]
+  Span<ConcavePatch> patch_;       // [vertices]
+  Span<const Position> position_;  // [vertices]
   CutPatches cut_patches_;
   CuspedCircles cusped_circles_;
   SurfaceCounts counts_;

@@ -1,7 +1,6 @@
 #include "surface/surface_areas.hpp"
 
 #include "measure/areas.hpp"
-#include "sphere/arc_geometry.hpp"
 #include "surface/saddle.hpp"
 
 namespace hsp {
@@ -14,37 +13,19 @@ SurfaceMeasure measure_surface_of_ball(const BallSet &balls, const Boundary &bou
   if (faces == 0) return result;
   const double p = static_cast<double>(balls.probe_steps);
   const double R = balls.r[i];
-  const exact::LatticeBall own = balls.ball(i);
-  const exact::Sphere sphere = exact::sphere_of(own);
   const Vec3 origin_to_centre = offset_from_origin(balls, boundary, i);
   double triple_volume = 0.0;
 
   FreeSurface face(boundary, R);
   ArcBatches arcs(balls, boundary, i);
+  SaddlePatches saddles(balls, boundary, i);
   while (arcs.next()) {
     const ArcBatch &batch = arcs.batch();
     face.add(batch);
     if (balls.probe_steps == 0) continue;
-    for (uint32_t c = 0; c < batch.count; ++c) {
-      if (!batch.has_piece(c)) continue;
-      const uint32_t other = batch.other[c];
-      const exact::LatticeBall neighbour = balls.ball(other);
-      const CircleGeometry circle(sphere, exact::plane_of(own, neighbour));
-      const double other_height =
-          static_cast<double>(exact::plane_of(neighbour, own).h) * 0.5 * batch.inverse_distance[c];
-      const SaddleSide side{p,
-                            R,
-                            balls.r[other],
-                            circle.height,
-                            other_height,
-                            circle.radius,
-                            batch.angle[c],
-                            circle.axis,
-                            {batch.Xx[c], batch.Xy[c], batch.Xz[c]}};
-      const SaddleMeasure saddle = measure_saddle(side, origin_to_centre + circle.centre);
-      result.saddle += saddle.area;
-      triple_volume += saddle.triple_volume;
-    }
+    const SaddleMeasures measures = saddles.measure(batch);
+    result.saddle += measures.area;
+    triple_volume += measures.triple_volume;
   }
   const double steradians = face.steradians(faces, boundary.loops(i).size());
   const double r = R - p;

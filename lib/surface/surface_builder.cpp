@@ -11,6 +11,7 @@ namespace hsp {
 void SurfaceBuilder::carve(Workspace &workspace, const SurfaceLimits &limits) {
   limits_ = limits;
   grid_.carve(workspace, limits.vertices);
+  surface_.position_ = grid_.positions();
   probe_.carve(workspace, limits.neighbours);
   surface_.patch_ = workspace.take<ConcavePatch>(limits.vertices);
   surface_.cut_patches_.carve(workspace, limits.vertices, limits.pieces, limits.arcs);
@@ -32,7 +33,7 @@ Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary) {
   const double p = static_cast<double>(balls.probe_steps);
   if (balls.probe_steps == 0) {
     for (uint32_t v = 0; v < needed_.vertices; ++v) {
-      surface_.patch_[v] = {0.0, 0.0};
+      surface_.patch_[v] = {0.0, 0.0, {0.0, 0.0, 0.0}};
       cut.begin_vertex(v);
     }
     cut.finish(needed_.vertices);
@@ -78,7 +79,7 @@ Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary) {
 
 // The outward normal is towards the probe's centre.
 ConcavePatch SurfaceBuilder::in_steps(double p, const Vec3 &arm, double steradians, const Vec3 &vector_area) const {
-  return {p * p * steradians, -p * p * (p * steradians + dot(arm, vector_area)) / 3};
+  return {p * p * steradians, -p * p * (p * steradians + dot(arm, vector_area)) / 3, vector_area};
 }
 
 // Loops that bound one piece one after the other, that around the piece first. If it is uncertain which piece has a
@@ -95,14 +96,16 @@ void SurfaceBuilder::store_pieces(const Boundary &boundary, uint32_t vertex, dou
     if (arcs[piece].piece != piece) continue;
     double steradians = 0.0;
     Vec3 vector_area{0.0, 0.0, 0.0};
+    CreaseSums creases;
     for (uint32_t loop = 0; loop < arcs.size(); ++loop) {
       if (arcs[loop].piece != piece) continue;
+      add_crease(arcs[loop], creases);
       steradians += arcs[loop].curvature;
       if (arcs[loop].loop == loop) steradians += loop == piece ? 2 * pi : -2 * pi;
       vector_area = vector_area + arcs[loop].vector_area;
     }
     const ConcavePatch measured = in_steps(p, arm, steradians > 0.0 ? steradians : 0.0, vector_area);
-    cut.begin_piece(vertex, measured.area, measured.volume);
+    cut.begin_piece(vertex, measured.area, measured.volume, creases);
     for (uint32_t loop = 0; loop < arcs.size(); ++loop) {
       if (arcs[loop].piece != piece || arcs[loop].loop != loop) continue;
       uint32_t a = loop;
@@ -116,6 +119,18 @@ void SurfaceBuilder::store_pieces(const Boundary &boundary, uint32_t vertex, dou
       } while (a != loop);
     }
   }
+}
+
+void SurfaceBuilder::add_crease(const RegionArc &arc, CreaseSums &creases) const {
+  if (arc.circle < ProbeCaps::sides) return;
+  const Caps &caps = probe_.caps();
+  const double height = caps.b[arc.circle];
+  const Vec3 axis = caps.axis(arc.circle);
+  Vec3 chord{0.0, 0.0, 0.0};
+  if (arc.end != no_id) chord = corners_[arc.end].point - corners_[arc.start].point;
+  creases.directions = combine(1.0, creases.directions, height * height * arc.angle, axis);
+  creases.directions = combine(1.0, creases.directions, height, cross(chord, axis));
+  creases.angle += height * arc.angle;
 }
 
 bool SurfaceBuilder::measure_cut_patch(double &steradians, Vec3 &vector_area) {

@@ -64,6 +64,12 @@ contains
     call expect(hsp_surface_measure(work%surface, surface, shares, n), HSP_OK, 'its areas')
     call check(near(surface%area, totals%area) .and. near(surface%volume, totals%volume), 'without a probe: the boundary')
     call check(near(sum(shares%area), surface%area), 'the shares of the balls')
+    energy%area = 0
+    gradient = 0
+    call expect(hsp_surface_gradient(work%surface, 1.0_c_double, 0.0_c_double, energy, gradient, capacity=n), HSP_OK, &
+                'its gradient')
+    call check(near(energy%area, totals%area), 'the energy is the area')
+    if (n > 1) call check(near(gradient(1, n), 2*pi) .and. near(gradient(1, 1), -2*pi), 'the ends pull as before')
     call expect(work%compute_view(), HSP_OK, 'view of the model')
     call expect(work%compute_view(use_boundary=.true.), HSP_OK, 'view of the boundary')
     call expect(hsp_view_get_info(work%view, info), HSP_OK, 'its figures')

@@ -132,6 +132,7 @@ static int call_surface(surface_result *s, void *memory, size_t bytes) {
   hsp_surface *surface = NULL;
   hsp_surface_limits limits;
   hsp_surface_counts counts;
+  hsp_energy energy;
   uint32_t needed = 0;
   size_t size = 0;
   int bad = 0;
@@ -141,6 +142,7 @@ static int call_surface(surface_result *s, void *memory, size_t bytes) {
   bad += hsp_surface_compute(surface, c->boundary, NULL) != HSP_OK;
   bad += hsp_surface_get_counts(surface, &counts) != HSP_OK;
   bad += hsp_surface_measure(surface, &s->totals, s->balls, c->n, &needed) != HSP_OK;
+  bad += hsp_surface_gradient(surface, 1, 1, &energy, NULL, c->area, NULL, c->n, &needed) != HSP_OK;
   return bad;
 }
 

@@ -1,5 +1,6 @@
 /* Every argument of the surface's functions that the header refuses, and every call out of order. */
 #include <hardsphere.h>
+#include <math.h>
 
 #include "ball_sets.h"
 #include "check.h"
@@ -16,6 +17,9 @@ static hsp_surface *surface;
 static hsp_surface_limits limits;
 static hsp_surface_counts counts;
 static hsp_surface_totals totals, balls[BALLS];
+static hsp_energy energy;
+static double d_centre[3 * BALLS], d_radius[BALLS];
+static uint32_t flags[BALLS];
 static uint32_t needed;
 
 static void fill_outputs(void) {
@@ -23,6 +27,10 @@ static void fill_outputs(void) {
   FILL(counts);
   FILL(totals);
   FILL(balls);
+  FILL(energy);
+  FILL(d_centre);
+  FILL(d_radius);
+  FILL(flags);
   FILL(needed);
 }
 
@@ -31,6 +39,10 @@ static void check_outputs_untouched(void) {
   CHECK_UNTOUCHED(counts);
   CHECK_UNTOUCHED(totals);
   CHECK_UNTOUCHED(balls);
+  CHECK_UNTOUCHED(energy);
+  CHECK_UNTOUCHED(d_centre);
+  CHECK_UNTOUCHED(d_radius);
+  CHECK_UNTOUCHED(flags);
   CHECK_UNTOUCHED(needed);
 }
 
@@ -40,6 +52,8 @@ static void check_all_readers(const hsp_surface *which, int32_t status) {
   CHECK_EQUAL(hsp_surface_get_counts(which, &counts), status);
   CHECK_EQUAL(hsp_surface_measure(which, &totals, balls, BALLS, &needed), status);
   CHECK_EQUAL(hsp_surface_measure(which, NULL, NULL, 0, NULL), status);
+  CHECK_EQUAL(hsp_surface_gradient(which, 1, 1, &energy, d_centre, d_radius, flags, BALLS, &needed), status);
+  CHECK_EQUAL(hsp_surface_gradient(which, 1, 1, NULL, NULL, NULL, NULL, 0, NULL), status);
   check_outputs_untouched();
 }
 
@@ -48,6 +62,9 @@ static void check_has_results(void) {
   CHECK_EQUAL(counts.concave_patches, 2);
   CHECK_EQUAL(hsp_surface_measure(surface, &totals, balls, BALLS, &needed), HSP_OK);
   CHECK(totals.area > 0.0 && needed == BALLS);
+  CHECK_EQUAL(hsp_surface_gradient(surface, 1, 1, &energy, d_centre, d_radius, flags, BALLS, &needed), HSP_OK);
+  CHECK_NEAR(energy.value, totals.area + totals.volume, 1e-12 * energy.value);
+  CHECK_EQUAL(hsp_surface_gradient(surface, 1, 1, NULL, NULL, NULL, NULL, 0, NULL), HSP_OK);
 }
 
 static void set_balls(void) {
@@ -116,6 +133,7 @@ static void defaults(void) {
 }
 
 static void out_of_order(void) {
+  int which;
   check_scene("no surface yet");
   check_all_readers(NULL, HSP_E_ARGUMENT);
   check_all_readers((const hsp_surface *)(const void *)boundary, HSP_E_ARGUMENT);
@@ -134,6 +152,24 @@ static void out_of_order(void) {
   CHECK_EQUAL(needed, BALLS);
   CHECK_UNTOUCHED(totals);
   CHECK_UNTOUCHED(balls);
+  for (which = 0; which < 3; ++which) {
+    fill_outputs();
+    CHECK_EQUAL(hsp_surface_gradient(surface, 1, 1, &energy, which == 0 ? d_centre : NULL, which == 1 ? d_radius : NULL,
+                                     which == 2 ? flags : NULL, BALLS - 1, &needed),
+                HSP_E_CAPACITY);
+    CHECK_EQUAL(needed, BALLS);
+    FILL(needed);
+    check_outputs_untouched();
+  }
+  for (which = 0; which < 4; ++which) {
+    const double bad = which < 2 ? (double)NAN : (double)-INFINITY;
+    CHECK_EQUAL(hsp_surface_gradient(surface, which % 2 ? bad : 1, which % 2 ? 1 : bad, &energy, d_centre, d_radius,
+                                     flags, BALLS, &needed),
+                HSP_E_NOT_FINITE);
+    CHECK_EQUAL(needed, BALLS);
+    FILL(needed);
+    check_outputs_untouched();
+  }
 
   check_scene("the model has changed");
   set_balls();

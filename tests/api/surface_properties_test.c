@@ -155,6 +155,91 @@ static void check_sums(const surface_result *s, double probe) {
   CHECK_NEAR(sum.volume, s->totals.volume, 1e-10 * scale * (1.0 + probe));
 }
 
+/* ---- gradients ---- */
+
+typedef struct surface_gradient {
+  hsp_energy energy;
+  double *centre, *radius;
+  uint32_t *flags;
+} surface_gradient;
+
+static void surface_gradient_make(const surface_result *s, double tension, double pressure, surface_gradient *g) {
+  const uint32_t n = s->base->n;
+  uint32_t i;
+  g->centre = test_zeros(n, 3 * sizeof *g->centre);
+  g->radius = test_zeros(n, sizeof *g->radius);
+  g->flags = test_zeros(n, sizeof *g->flags);
+  CHECK_EQUAL(hsp_surface_gradient(s->surface, tension, pressure, &g->energy, g->centre, g->radius, g->flags, n, NULL),
+              HSP_OK);
+  for (i = 0; i < n; ++i) {
+    CHECK(isfinite(g->centre[3 * i]) && isfinite(g->centre[3 * i + 1]) && isfinite(g->centre[3 * i + 2]));
+    CHECK(isfinite(g->radius[i]) && (g->flags[i] & ~HSP_SURFACE_DEGENERATE) == 0);
+  }
+}
+static void surface_gradient_release(surface_gradient *g) {
+  free(g->centre);
+  free(g->radius);
+  free(g->flags);
+}
+
+/* hsp_surface_gradient, properties 1, 2 and 4, for the area alone and for the volume alone. Where vertices are
+ * degenerate derivatives need not add up. */
+static void check_gradient(const ball_set *set, const surface_result *s, double probe) {
+  int of_volume;
+  for (of_volume = 0; of_volume < 2; ++of_volume) {
+    surface_gradient g;
+    double sum[3] = {0, 0, 0}, torque[3] = {0, 0, 0}, growth = 0, radii = 0, scale = 1.0, largest = 1.0;
+    const double value = of_volume ? s->totals.volume : s->totals.area;
+    int degenerate = 0;
+    uint32_t i, axis;
+    surface_gradient_make(s, of_volume ? 0 : 1, of_volume ? 1 : 0, &g);
+    CHECK_NEAR(g.energy.value, value, 1e-11 * (1.0 + value));
+    CHECK_NEAR(g.energy.area, s->totals.area, 1e-11 * (1.0 + s->totals.area));
+    CHECK_NEAR(g.energy.volume, s->totals.volume, 1e-11 * (1.0 + s->totals.volume));
+    for (i = 0; i < set->n; ++i) {
+      const double *c = set->xyz + 3 * i, *d = g.centre + 3 * i;
+      for (axis = 0; axis < 3; ++axis) {
+        const uint32_t next = (axis + 1) % 3, last = (axis + 2) % 3;
+        sum[axis] += d[axis];
+        torque[axis] += c[next] * d[last] - c[last] * d[next];
+        growth += c[axis] * d[axis];
+        scale += fabs(d[axis]);
+        largest = fmax(largest, fabs(c[axis]));
+      }
+      growth += set->radius[i] * g.radius[i];
+      radii += g.radius[i];
+      scale += fabs(g.radius[i]);
+      largest = fmax(largest, set->radius[i]);
+      if (g.flags[i] != 0) degenerate = 1;
+    }
+    if (!degenerate) {
+      const double tolerance = 1e-9 * scale * (largest + probe);
+      for (axis = 0; axis < 3; ++axis) {
+        CHECK_NEAR(sum[axis], 0.0, 1e-9 * scale);
+        CHECK_NEAR(torque[axis], 0.0, tolerance);
+      }
+      CHECK_NEAR(growth + probe * g.energy.d_probe, of_volume ? 3 * value : 2 * value, tolerance);
+      if (of_volume) CHECK_NEAR(g.energy.d_probe, radii - s->totals.area, tolerance);
+    }
+    surface_gradient_release(&g);
+  }
+}
+
+/* Property 3, of a set and the same in another order. */
+static void check_gradient_order(const surface_result *s, const surface_result *other, const uint32_t *order) {
+  surface_gradient here, there;
+  uint32_t i;
+  surface_gradient_make(s, 1.5, -0.25, &here);
+  surface_gradient_make(other, 1.5, -0.25, &there);
+  for (i = 0; i < s->base->n; ++i) {
+    CHECK_BYTES(there.centre + 3 * i, here.centre + 3 * (size_t)order[i], 3 * sizeof(double));
+    CHECK_BYTES(there.radius + i, here.radius + order[i], sizeof(double));
+    CHECK_EQUAL(there.flags[i], here.flags[order[i]]);
+  }
+  surface_gradient_release(&here);
+  surface_gradient_release(&there);
+}
+
 /* The solid holds the balls without the probe, and lies in the union with it. */
 static void check_bounds(const ball_set *set, const surface_result *s) {
   computed bare;
@@ -183,6 +268,7 @@ static void check_order(const ball_set *set, const hsp_model_options *options, c
   for (i = 0; i < set->n; ++i) CHECK_BYTES(&other.balls[i], &s->balls[order[i]], sizeof other.balls[i]);
   CHECK_BYTES(&other.counts, &s->counts, sizeof other.counts);
   CHECK_BYTES(&other.needed, &s->needed, sizeof other.needed);
+  check_gradient_order(s, &other, order);
   surface_result_release(&other);
   computed_release(&c);
 }
@@ -211,7 +297,7 @@ static size_t macro(const limit_numbers *limits) {
 
 static void sizes(void) {
   static const uint32_t values[] = {0, 1, 3, 8, 65, 1000, 1024, 4097, 0x0FFFFFFF};
-  static const size_bound bound = {macro, {6144, 80, 1152, 24, 24, 12}};
+  static const size_bound bound = {macro, {8192, 104, 1152, 56, 24, 12}};
   check_scene("sizes");
   sweep_sizes(&surface_handle, &bound, values, sizeof values / sizeof values[0]);
 }
@@ -227,6 +313,7 @@ static void check_set(const ball_set *set, double probe) {
     CHECK(s.enlargements <= 3);
     check_sums(&s, probe);
     check_bounds(set, &s);
+    check_gradient(set, &s, probe);
     check_order(set, &options, &s);
     if (set->n <= 30) sweep_limits(&known, set->name);
     if (set->n > 3 && set->n < 10) sweep_alignments(&known, NULL);

@@ -179,6 +179,13 @@ void print_set(const std::string &name, const support::BallList &balls, double p
   expect_ok(hsp_surface_measure(surface.get(), &surface_totals, shares.data(), n, nullptr), "hsp_surface_measure");
   print_one(set, "surface", surface_totals);
   print(set, "surface_shares", shares);
+  hsp_energy energy;
+  std::vector<double> centre(3 * size_t{n}), radius(n);
+  expect_ok(hsp_surface_gradient(surface.get(), 0.75, 0.25, &energy, centre.data(), radius.data(), nullptr, n, nullptr),
+            "hsp_surface_gradient");
+  print_one(set, "surface_energy", energy);
+  print(set, "surface_gradient_centres", centre);
+  print(set, "surface_gradient_radii", radius);
 
   support::OwnedTopology topology;
   topology.take(support::topology_limits_for(boundary));

@@ -1,0 +1,205 @@
+// The kernels of saddle_sums.hpp for registers of n doubles. saddle_kernel.cpp and saddle_kernel_avx2.cpp compile them;
+// like everything in files for AVX2 they have internal linkage.
+//
+// Saddle patches are what the probe's lower side sweeps while it rolls along an arc, touching two balls. On the circle
+// of balls i and j, with u from c_i to c_j, e the radial unit vector and rho the circle's radius, a patch is
+//   x = y + p (-cos(a) e + sin(a) u),  -t_i <= a <= t_j,  tan t_i = h_i / rho,
+// with h_i the height of the circle's plane above c_i. The two balls share it at a = 0. Nothing cuts it but its own
+// axis (PROOFS.md, section 4): where rho < p and the plane lies between the centres, what remains ends at the cusps,
+// cos a = rho/p. Where rho and p are equal up to rounding both answers are right: the piece between is empty.
+#pragma once
+
+#include "core/elementary_simd.hpp"
+#include "surface/saddle_sums.hpp"
+
+namespace hsp {
+namespace {
+
+template <uint32_t n>
+struct SaddleKernel {
+  using L = DoubleLanes<n>;
+  using Real = typename L::Real;
+  using Mask = typename L::Mask;
+  using Vector = VectorOf<Real>;
+
+  // Below this share of the sphere's radius, squared, rounding of the height tells in the circle's radius.
+  static constexpr double least_square_of_radius = 1.0 / 64;
+
+  static bool find_radii(const ArcBatch &b, double radius, double (&circle_radius)[ArcBatch::room]) {
+    Mask unserved{};
+    for (uint32_t s = 0; s < b.count; s += n) {
+      const Real height = 0.5 * L::load(b.twice_height + s);
+      const Real square = (radius - height) * (radius + height);
+      const Mask served = square >= least_square_of_radius * radius * radius;
+      L::store(circle_radius + s, L::valid(served, L::square_root(L::kept(served, square))));
+      unserved |= ~served;
+    }
+    return !L::any(unserved);
+  }
+
+  // Integrals of 1, cos, sin, cos^2 and sin cos over a side's part of the profile, -t <= a <= min(0, t'), or up to its
+  // cusp; 0 if that is empty.
+  struct Profile {
+    Real T, S, Q, C2, SC;
+
+    Profile(const Real &probe, const Real &rho, const Real &height, const Real &radius, const Real &other_height,
+            const Real &other_radius) {
+      const Mask cusped = L::both(L::both(rho<probe, height> 0.0), other_height > 0.0);
+      const Mask turned = other_height < 0.0;
+      const Real sin_a = -height / radius;
+      const Real cos_a = rho / radius;
+      const Real end = L::select(cusped, probe, other_radius);
+      const Real narrow = L::square_root(L::kept(cusped, (probe - rho) * (probe + rho)));
+      const Real ended = L::kept(cusped | turned, rho / end);
+      const Real sin_b = L::select(cusped, -narrow, L::kept(turned, other_height)) / end;
+      const Real cos_b = L::select(cusped | turned, ended, L::all(1.0));
+      const Real sine = sin_b * cos_a - cos_b * sin_a;
+      const Mask there = L::both(L::both(height > 0.0, rho > 0.0), sine > 0.0);
+      const Real cosine = cos_b * cos_a + sin_b * sin_a;
+      T = L::kept(there, turn_angle<n>(cosine, L::select(there, sine, L::all(1.0))));
+      S = L::kept(there, sin_b - sin_a);
+      Q = L::kept(there, cos_a - cos_b);
+      C2 = 0.5 * (T + L::kept(there, sin_b * cos_b - sin_a * cos_a));
+      SC = 0.5 * S * L::kept(there, sin_b + sin_a);
+    }
+    // Those of two sides, seen from the first.
+    Profile(const Profile &own, const Profile &other)
+        : T(own.T + other.T), S(own.S + other.S), Q(own.Q - other.Q), C2(own.C2 + other.C2), SC(own.SC - other.SC) {}
+  };
+
+  struct Slot {
+    Real probe, rho, inverse_rho, height, other_height, radius, other_radius, inverse_distance, angle;
+    Vector axis, half_X;
+
+    Slot(const ArcBatch &b, const double (&circle_radius)[ArcBatch::room], const RolledBall &ball, uint32_t s)
+        : probe(L::all(ball.probe)),
+          rho(L::load(circle_radius + s)),
+          inverse_rho(L::kept(rho > 0.0, 1.0 / rho)),
+          height(0.5 * L::load(b.twice_height + s)),
+          radius(L::all(ball.radius)),
+          other_radius(L::gather(ball.radii, b.other + s)),
+          inverse_distance(L::load(b.inverse_distance + s)),
+          angle(L::load(b.angle + s)),
+          axis{L::load(b.ux + s), L::load(b.uy + s), L::load(b.uz + s)},
+          half_X{0.5 * L::load(b.Xx + s), 0.5 * L::load(b.Xy + s), 0.5 * L::load(b.Xz + s)} {
+      other_height = 1.0 / inverse_distance - height;
+    }
+    Profile own_profile() const { return Profile(probe, rho, height, radius, other_height, other_radius); }
+    Profile other_profile() const { return Profile(probe, rho, other_height, other_radius, height, radius); }
+  };
+
+  // With rho I = X/2 the integral of rho e over the arc:
+  //   area         phi p (rho T - p S)
+  //   vector area  p [ (S - p C2 / rho) rho I - phi (rho Q - p SC) u ]
+  //   integral of (x - m).n   phi p [ (rho^2 + p^2) S - rho p (C2 + T) ]
+  struct MeasureSums {
+    Real area = L::all(0.0), triple_volume = L::all(0.0);
+
+    void add(const Slot &s, const Profile &own, const RolledBall &ball) {
+      const Real term = s.angle * s.probe * (s.rho * own.T - s.probe * own.S);
+      area += L::kept(term > 0.0, term);
+      const Real about_centre =
+          s.angle * s.probe * ((s.rho * s.rho + s.probe * s.probe) * own.S - s.rho * s.probe * (own.C2 + own.T));
+      const Vector vector_area = s.probe * (own.S - s.probe * own.C2 * s.inverse_rho) * s.half_X -
+                                 s.probe * s.angle * (s.rho * own.Q - s.probe * own.SC) * s.axis;
+      const Vector arm = Vector{L::all(ball.arm[0]), L::all(ball.arm[1]), L::all(ball.arm[2])} + s.height * s.axis;
+      triple_volume += about_centre + dot(arm, vector_area);
+    }
+  };
+
+  // The ball's share of the normal speed is alpha = R (h' cos a - rho sin a)/(rho d), and the mean curvature's factor
+  // 1/(rho - p cos a) cancels against the area element:
+  //   w_V = p [ k_c (rho S - p C2) + k_s (rho Q - p SC) ],   w_A = k_c (-rho S + 2 p C2) + k_s (-rho Q + 2 p SC),
+  // k_c = h'/(rho d), k_s = -1/d. Derivatives by the centre are w (rho I + h phi u), by the radius w R phi; the area's
+  // by the offset is phi (rho T - 2 p S).
+  struct DerivativeSums {
+    Vector area_centre{L::all(0.0), L::all(0.0), L::all(0.0)}, volume_centre = area_centre;
+    Real area_radius = L::all(0.0), volume_radius = L::all(0.0), area_offset = L::all(0.0);
+
+    void add(const Slot &s, const Profile &whole) {
+      const Real k_c = s.other_height * s.inverse_rho * s.inverse_distance;
+      const Real along = s.rho * whole.S, across = s.rho * whole.Q;
+      const Real w_V =
+          s.probe * (k_c * (along - s.probe * whole.C2) - s.inverse_distance * (across - s.probe * whole.SC));
+      const Real w_A =
+          k_c * (2.0 * s.probe * whole.C2 - along) - s.inverse_distance * (2.0 * s.probe * whole.SC - across);
+      const Vector g = s.half_X + s.height * s.angle * s.axis;
+      area_centre = area_centre + w_A * g;
+      volume_centre = volume_centre + w_V * g;
+      area_radius += w_A * s.radius * s.angle;
+      volume_radius += w_V * s.radius * s.angle;
+      area_offset += 0.5 * s.angle * (s.rho * whole.T - 2.0 * s.probe * whole.S);
+    }
+  };
+
+  // The four lanes of a sum, filled by kernels of any width.
+  struct Lanes {
+    double of[sum_lanes];
+
+    void put(uint32_t lane, const Real &a) { L::store(of + lane, a); }
+    double sum() const { return (of[0] + of[1]) + (of[2] + of[3]); }
+  };
+  struct VectorLanes {
+    Lanes x, y, z;
+
+    void put(uint32_t lane, const Vector &a) {
+      x.put(lane, a.x);
+      y.put(lane, a.y);
+      z.put(lane, a.z);
+    }
+    void sum(double (&to)[3]) const {
+      to[0] = x.sum();
+      to[1] = y.sum();
+      to[2] = z.sum();
+    }
+  };
+
+  static SaddleMeasures measure(const ArcBatch &b, const double (&circle_radius)[ArcBatch::room],
+                                const RolledBall &ball) {
+    Lanes area, triple_volume;
+    for (uint32_t lane = 0; lane < sum_lanes; lane += n) {
+      MeasureSums sums;
+      for (uint32_t s = lane; s < b.count; s += sum_lanes) {
+        const Slot slot(b, circle_radius, ball, s);
+        sums.add(slot, slot.own_profile(), ball);
+      }
+      area.put(lane, sums.area);
+      triple_volume.put(lane, sums.triple_volume);
+    }
+    return {area.sum(), triple_volume.sum()};
+  }
+
+  static SaddleDerivatives differentiate(const ArcBatch &b, const double (&circle_radius)[ArcBatch::room],
+                                         const RolledBall &ball) {
+    Lanes area, triple_volume, area_radius, volume_radius, area_offset;
+    VectorLanes area_centre, volume_centre;
+    for (uint32_t lane = 0; lane < sum_lanes; lane += n) {
+      MeasureSums measures;
+      DerivativeSums sums;
+      for (uint32_t s = lane; s < b.count; s += sum_lanes) {
+        const Slot slot(b, circle_radius, ball, s);
+        const Profile own = slot.own_profile();
+        measures.add(slot, own, ball);
+        sums.add(slot, Profile(own, slot.other_profile()));
+      }
+      area.put(lane, measures.area);
+      triple_volume.put(lane, measures.triple_volume);
+      area_centre.put(lane, sums.area_centre);
+      volume_centre.put(lane, sums.volume_centre);
+      area_radius.put(lane, sums.area_radius);
+      volume_radius.put(lane, sums.volume_radius);
+      area_offset.put(lane, sums.area_offset);
+    }
+    SaddleDerivatives result;
+    result.measures = {area.sum(), triple_volume.sum()};
+    area_centre.sum(result.area_centre);
+    volume_centre.sum(result.volume_centre);
+    result.area_radius = area_radius.sum();
+    result.volume_radius = volume_radius.sum();
+    result.area_offset = area_offset.sum();
+    return result;
+  }
+};
+
+}  // namespace
+}  // namespace hsp

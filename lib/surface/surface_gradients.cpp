@@ -1,0 +1,110 @@
+#include "surface/surface_gradients.hpp"
+
+#include "measure/areas.hpp"
+#include "surface/saddle.hpp"
+
+namespace hsp {
+namespace {
+
+Vec3 to_vector(const double (&a)[3]) {
+  return {a[0], a[1], a[2]};
+}
+
+// The concave patches at ball i's vertices.
+class ConcaveDerivatives {
+ public:
+  ConcaveDerivatives(const BallSet &balls, const Boundary &boundary, const Surface &surface, uint32_t i)
+      : balls_(balls), boundary_(boundary), surface_(surface), ball_(i), p_(static_cast<double>(balls.probe_steps)) {}
+
+  void add(uint32_t vertex, SurfaceGradient &result) const {
+    const ConcavePatch &patch = surface_.patch(vertex);
+    result.measure.concave += patch.area / 3;
+    result.measure.volume += patch.volume / 3;
+    const VertexRecord &record = boundary_.vertex(vertex);
+    const double root = boundary_.root_discriminant(vertex);
+    result.degenerate = result.degenerate || record.tied() || root == 0.0;
+    CreaseSums creases;
+    for (const uint32_t piece : surface_.cut_patches().pieces(vertex)) {
+      const CreaseSums &own = surface_.cut_patches().piece(piece).creases;
+      creases.directions = creases.directions + own.directions;
+      creases.angle += own.angle;
+    }
+    result.area_offset += (2 * patch.area / p_ - p_ * creases.angle) / 3;
+    if (root == 0.0) return;
+
+    const Vec3 q_volume = -p_ * p_ * patch.vector_area;
+    const Vec3 q_area = combine(2 * p_, patch.vector_area, -p_, creases.directions);
+    const Position &position = surface_.position(vertex);
+    const uint32_t slot = record.slot_of(ball_);
+    const uint32_t own = ball_, next = record.ball[(slot + 1) % 3], last = record.ball[(slot + 2) % 3];
+    const auto normal = [&](uint32_t ball) {
+      return (1.0 / balls_.r[ball]) * (position.offset - balls_.difference(position.ball, ball));
+    };
+    const Vec3 n = normal(own);
+    // The triple product of the normals in the record's order has the vertex's sign; its size is exact but for
+    // rounding.
+    const double twice = 2 * balls_.r[own] * balls_.r[next] * balls_.r[last];
+    const Vec3 share = (record.positive() ? twice : -twice) / root * cross(normal(next), normal(last));
+    const double z_area = dot(q_area, share);
+    const double z_volume = dot(q_volume, share);
+    result.area_centre = combine(1.0, result.area_centre, z_area, n);
+    result.area_radius += z_area;
+    result.volume_centre = combine(1.0, result.volume_centre, z_volume, n);
+    result.volume_radius += z_volume;
+  }
+
+ private:
+  const BallSet &balls_;
+  const Boundary &boundary_;
+  const Surface &surface_;
+  const uint32_t ball_;
+  const double p_;
+};
+
+}  // namespace
+
+// With R the radius with probe and r without, the face and its vector area shrink by (r / R)^2.
+SurfaceGradient surface_gradient_of_ball(const BallSet &balls, const Boundary &boundary, const Surface &surface,
+                                         uint32_t i) {
+  SurfaceGradient result;
+  const uint32_t faces = boundary.faces(i).size();
+  if (faces == 0) return result;
+  const double R = balls.r[i];
+  FreeSurface face(boundary, R);
+  ArcBatches arcs(balls, boundary, i);
+  SaddlePatches saddles(balls, boundary, i);
+  double triple_volume = 0.0;
+  while (arcs.next()) {
+    const ArcBatch &batch = arcs.batch();
+    face.add(batch);
+    // Without a probe an arc is what its saddle becomes in the limit, a circle of radius 0 is not.
+    result.degenerate = result.degenerate || (balls.probe_steps == 0 && batch.any_touching);
+    const SaddleDerivatives saddle = saddles.differentiate(batch);
+    result.measure.saddle += saddle.measures.area;
+    triple_volume += saddle.measures.triple_volume;
+    result.area_centre = result.area_centre + to_vector(saddle.area_centre);
+    result.volume_centre = result.volume_centre + to_vector(saddle.volume_centre);
+    result.area_radius += saddle.area_radius;
+    result.volume_radius += saddle.volume_radius;
+    result.area_offset += saddle.area_offset;
+  }
+  const double steradians = face.steradians(faces, boundary.loops(i).size());
+  const double r = R - static_cast<double>(balls.probe_steps);
+  const Vec3 vector_area = face.vector_area();
+  const double shrinkage = R > 0.0 ? r / R : 0.0;
+  result.measure.convex = r * r * steradians;
+  triple_volume +=
+      r * result.measure.convex + shrinkage * shrinkage * dot(offset_from_origin(balls, boundary, i), vector_area);
+  result.measure.volume = triple_volume / 3;
+  result.volume_centre = combine(1.0, result.volume_centre, shrinkage * shrinkage, vector_area);
+  result.volume_radius += result.measure.convex;
+  result.area_centre = combine(1.0, result.area_centre, R > 0.0 ? 2 * shrinkage / R : 0.0, vector_area);
+  result.area_radius += 2 * r * steradians;
+  result.area_offset -= 2 * r * steradians;
+  if (balls.probe_steps == 0) return result;
+  const ConcaveDerivatives concave(balls, boundary, surface, i);
+  for (const uint32_t e : boundary.half_edges(i)) concave.add(boundary.half_edge(e).vertex, result);
+  return result;
+}
+
+}  // namespace hsp

@@ -1,0 +1,86 @@
+// Derivatives of the smooth surface's area A and volume V by centres c, radii R (probe included) and the offset t,
+// which is the probe's radius p where it is not part of a radius. Gathered ball by ball.
+//
+// Where a point of the surface has y as its nearest point of the boundary, with contacts m there and n_m the normals of
+// their spheres, its normal n is a sum of alpha_m n_m, and its normal speed is the sum of alpha_m (n_m.c_m' + R_m') -
+// t': the derivatives of circles and vertices do not enter. With H the mean curvature,
+//   V' = integral of the normal speed, so dV/dt = -A;   A' = integral of 2H times it + crease terms
+// where 2H is 2/r on convex patches, -1/p + cos a/(rho - p cos a) on saddles and -2/p on concave ones. Per feature:
+//   face     with N and A of the shrunk face:  dV/dc = N, dV/dR = A;  dA/dc = 2 N/r, dA/dR = 2 A/r, dA/dt = -2 A/r
+//   arc      saddle_kernel.hpp
+//   vertex   with N the vector area of the patch, seen from the vertex, and a crease's angle gamma = half of that by
+//            which its two normals differ, tan gamma = c / sqrt(1 - c^2) for a cap at height c:
+//              q_V = -N,   q_A = 2 N/p - p * sum over creases of c * (integral of the direction over the angle)
+//              contact k:  z = q.(n_l x n_m) / det(n_k, n_l, n_m);   d/dc_k = z n_k, d/dR_k = z
+//              dA/dt = 2 A/p - p * sum over creases of c phi
+// Cusps add nothing. On a crease each of the two patches adds its own half.
+//
+// V and A are differentiable where no vertex is degenerate: of more than three spheres, or with centres in its plane
+// (D = 0), so that arcs and vertices come and go there with an angle. There the derivatives are those of the patches
+// that the symbolic perturbation makes, without those of vertices with D = 0.
+#pragma once
+
+#include "core/summation.hpp"
+#include "surface/surface_areas.hpp"
+
+namespace hsp {
+
+// Ball i's part, in lattice steps.
+struct SurfaceGradient {
+  SurfaceMeasure measure;
+  Vec3 area_centre{0.0, 0.0, 0.0}, volume_centre{0.0, 0.0, 0.0};
+  double area_radius = 0.0, volume_radius = 0.0;
+  double area_offset = 0.0;  // this ball's share of dA/dt; that of dV/dt is -measure.area()
+  bool degenerate = false;   // one of its vertices is
+};
+SurfaceGradient surface_gradient_of_ball(const BallSet &balls, const Boundary &boundary, const Surface &surface,
+                                         uint32_t i);
+
+// tension * A + pressure * V, in the caller's unit.
+struct SurfaceEnergy {
+  double area = 0.0, volume = 0.0, value = 0.0;
+  double by_probe = 0.0;  // with radii that do not contain it
+};
+
+// Its derivatives by one ball's centre and radius.
+struct SurfaceEnergyGradient {
+  double centre[3];
+  double radius;
+  bool degenerate;
+};
+
+// Calls sink(i, gradient) for every ball i of the input, and returns the energy. Sums run over the balls in the
+// caller's order.
+template <class Sink>
+SurfaceEnergy differentiate_surface(const CubeGrid &grid, const Boundary &boundary, const Surface &surface,
+                                    double tension, double pressure, Sink sink) {
+  const BallSet &balls = grid.balls();
+  const exact::Lattice &lattice = balls.lattice;
+  TreeSum area;
+  TreeSum volume;
+  TreeSum by_probe;
+  // A step of the lattice may be any power of ten: each is converted on its own.
+  const auto combined = [&](double of_area, double of_volume) {
+    return tension * lattice.length(of_area) + pressure * lattice.area(of_volume);
+  };
+  visit_in_input_order(grid, boundary, [&](uint32_t i, uint32_t ball) {
+    const SurfaceGradient own = surface_gradient_of_ball(balls, boundary, surface, ball);
+    const SurfaceEnergyGradient gradient{
+        {combined(own.area_centre.x, own.volume_centre.x), combined(own.area_centre.y, own.volume_centre.y),
+         combined(own.area_centre.z, own.volume_centre.z)},
+        combined(own.area_radius, own.volume_radius),
+        own.degenerate};
+    area.add(own.measure.area());
+    volume.add(own.measure.volume);
+    by_probe.add(gradient.radius + combined(own.area_offset, -own.measure.area()));
+    sink(i, gradient);
+  });
+  SurfaceEnergy energy;
+  energy.area = lattice.area(area.total());
+  energy.volume = lattice.volume(volume.total());
+  energy.value = tension * energy.area + pressure * energy.volume;
+  energy.by_probe = by_probe.total();
+  return energy;
+}
+
+}  // namespace hsp

@@ -1,0 +1,116 @@
+// The kernels over saddle patches for registers of one and two doubles, and those for AVX2: the same bits from each.
+#include "surface/saddle_kernel.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <random>
+#include <vector>
+
+#include "core/processor.hpp"
+
+namespace {
+
+using hsp::ArcBatch;
+
+// A ball among others and a batch of circles with arcs, some of them small, cusped or beyond the ball's centre.
+struct RandomSaddles {
+  ArcBatch batch{};
+  std::vector<double> radii;
+  hsp::RolledBall ball{};
+
+  explicit RandomSaddles(std::mt19937 &random) {
+    std::uniform_real_distribution<double> fraction(0.0, 1.0);
+    for (int j = 0; j < 12; ++j) radii.push_back(1000 + 1000 * fraction(random));
+    ball = {radii.data(), radii[0], 900 * fraction(random), {5000 * fraction(random), -300, 20}};
+    batch.count = 1 + static_cast<uint32_t>(random() % ArcBatch::capacity);
+    for (uint32_t s = 0; s < batch.count; ++s) {
+      batch.other[s] = 1 + static_cast<uint32_t>(random() % 11);
+      const double other = radii[batch.other[s]];
+      const double least = std::fabs(radii[0] - other);
+      const double distance = least + (radii[0] + other - least) * fraction(random);
+      batch.inverse_distance[s] = 1 / distance;
+      batch.twice_height[s] = distance + (radii[0] - other) * (radii[0] + other) / distance;
+      batch.angle[s] = 6 * fraction(random);
+      batch.ux[s] = 0.6;
+      batch.uy[s] = -0.48;
+      batch.uz[s] = 0.64;
+      batch.Xx[s] = 1000 * fraction(random);
+      batch.Xy[s] = 1000 * fraction(random);
+      batch.Xz[s] = -1000 * fraction(random);
+    }
+    // Slots behind the last repeat its circle, without an arc.
+    for (uint32_t s = batch.count; s < batch.count + hsp::sum_lanes - 1; ++s) {
+      batch.other[s] = batch.other[batch.count - 1];
+      batch.inverse_distance[s] = batch.inverse_distance[batch.count - 1];
+      batch.twice_height[s] = batch.twice_height[batch.count - 1];
+    }
+  }
+};
+
+struct Results {
+  bool served = false;
+  double circle_radius[ArcBatch::room]{};
+  hsp::SaddleMeasures measures{};
+  hsp::SaddleDerivatives derivatives{};
+};
+
+struct Kernel {
+  bool (*find_radii)(const ArcBatch &, double, double (&)[ArcBatch::room]);
+  hsp::SaddleMeasures (*measure)(const ArcBatch &, const double (&)[ArcBatch::room], const hsp::RolledBall &);
+  hsp::SaddleDerivatives (*differentiate)(const ArcBatch &, const double (&)[ArcBatch::room], const hsp::RolledBall &);
+
+  [[nodiscard]] Results run(const RandomSaddles &saddles) const {
+    Results results;
+    const ArcBatch &batch = saddles.batch;
+    results.served = find_radii(batch, saddles.ball.radius, results.circle_radius);
+    // What doubles did not serve is found elsewhere, slots behind the last included.
+    for (uint32_t s = 0; s < batch.count + hsp::sum_lanes - 1; ++s) {
+      double &rho = results.circle_radius[s];
+      if (s >= batch.count || rho != rho) rho = 50;
+    }
+    results.measures = measure(batch, results.circle_radius, saddles.ball);
+    results.derivatives = differentiate(batch, results.circle_radius, saddles.ball);
+    return results;
+  }
+};
+
+template <uint32_t n>
+Kernel kernel() {
+  using K = hsp::SaddleKernel<n>;
+  return {K::find_radii, K::measure, K::differentiate};
+}
+
+void expect_same(const Results &a, const Results &b) {
+  EXPECT_EQ(a.served, b.served);
+  EXPECT_EQ(std::memcmp(a.circle_radius, b.circle_radius, sizeof a.circle_radius), 0);
+  EXPECT_EQ(std::memcmp(&a.measures, &b.measures, sizeof a.measures), 0);
+  EXPECT_EQ(std::memcmp(&a.derivatives, &b.derivatives, sizeof a.derivatives), 0);
+}
+
+TEST(SaddleKernel, GivesTheSameBitsForEveryWidth) {
+  std::mt19937 random(9);
+  uint32_t unserved = 0;
+  for (int round = 0; round < 2000; ++round) {
+    const RandomSaddles saddles(random);
+    const Results two = kernel<2>().run(saddles);
+    unserved += two.served ? 0 : 1;
+    expect_same(kernel<1>().run(saddles), two);
+#if HSP_AVX2
+    if (hsp::has_avx2()) {
+      expect_same(
+          Kernel{hsp::find_circle_radii_avx2, hsp::measure_saddles_avx2, hsp::differentiate_saddles_avx2}.run(saddles),
+          two);
+    }
+#endif
+    expect_same(Kernel{hsp::find_circle_radii, hsp::measure_saddles, hsp::differentiate_saddles}.run(saddles), two);
+    EXPECT_EQ(std::memcmp(&two.measures, &two.derivatives.measures, sizeof two.measures), 0);
+    EXPECT_TRUE(std::isfinite(two.derivatives.area_centre[0] + two.derivatives.volume_radius));
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(unserved, 100U);
+  EXPECT_LT(unserved, 1900U);
+}
+
+}  // namespace
