@@ -91,10 +91,12 @@ set(HSP_LIBRARY_SOURCES
   lib/visibility/arc_finder.cpp
   lib/visibility/crease_arcs.cpp
   lib/visibility/disc_grid.cpp
+  lib/visibility/edge_geometry.cpp
   lib/visibility/map_builder.cpp
   lib/visibility/map_check.cpp
   lib/visibility/map_faces.cpp
   lib/visibility/map_linker.cpp
+  lib/visibility/map_queries.cpp
   lib/visibility/seen_balls.cpp
   lib/visibility/silhouette_arcs.cpp
   lib/visibility/trigonometric_roots.cpp

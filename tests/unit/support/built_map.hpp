@@ -24,6 +24,7 @@ class BuiltMap {
   const hsp::VisibilityMap &map() const { return builder_.structure(); }
   hsp::MapBuilder &builder() { return builder_; }
   const hsp::CubeGrid &grid() const { return grid_.grid(); }
+  const hsp::DiscGrid &discs() const { return builder_.discs(); }
   // In view coordinates, by the numbers that the caller gave them.
   std::vector<oracle::PlainBall> seen() const;
   // The number that the caller gave to a ball of the map; oracle::no_ball for no_id.

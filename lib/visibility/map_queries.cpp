@@ -1,0 +1,63 @@
+#include "visibility/map_queries.hpp"
+
+#include <limits>
+
+#include "visibility/edge_geometry.hpp"
+
+namespace hsp {
+namespace {
+
+// The height of a ball's front at a point at or near its disc; of the silhouette beside it.
+double front_at(const SeenBall &ball, double x, double y) {
+  const double dx = x - ball.x;
+  const double dy = y - ball.y;
+  const double squared = ball.r * ball.r - dx * dx - dy * dy;
+  return squared > 0.0 ? ball.z + std::sqrt(squared) : ball.z;
+}
+
+}  // namespace
+
+MapSight sight_at(const VisibilityMap &map, const DiscGrid &grid, double x, double y) {
+  const uint32_t ball = grid.highest_at(x, y, no_id).ball;
+  if (ball == no_id) return {no_id, -std::numeric_limits<double>::infinity()};
+  return {ball, front_at(map.balls[ball], x, y)};
+}
+
+// A point lies in a face if it is within its outer loop and within none of its holes: of all these an odd number
+// surrounds it from the face's side.
+uint32_t face_at(const VisibilityMap &map, const DiscGrid &grid, double x, double y) {
+  const uint32_t owner = grid.highest_at(x, y, no_id).ball;
+  uint32_t found = no_id;
+  for (uint32_t f = 0; f < map.faces.size(); ++f) {
+    const MapFace &face = map.faces[f];
+    if (face.owner != owner) continue;
+    uint32_t count = f == 0 ? 1 : 0;  // around the unbounded face is nothing
+    for (uint32_t l = face.first_loop; l != no_id; l = map.loops[l].next_of_face) {
+      count += surrounds(map, l, x, y) ? 1U : 0U;
+    }
+    if (count % 2 == 0) continue;
+    if (found != no_id) return no_id;
+    found = f;
+  }
+  return found;
+}
+
+EdgePoint edge_point(const VisibilityMap &map, uint32_t e, double t) {
+  const MapEdge &edge = map.edges[e];
+  const SeenBall &ball = map.balls[edge.ball];
+  const Vec3 at = edge.is_silhouette() ? silhouette_point(ball, t) : Crease(ball, map.balls[edge.nearer]).at(t);
+  if (!edge.is_silhouette()) return {at.x, at.y, at.z, 0.0, 0.0};
+  const uint32_t behind = map.faces[map.face_of(2 * e + 1)].owner;
+  const double gap =
+      behind == no_id ? std::numeric_limits<double>::infinity() : at.z - front_at(map.balls[behind], at.x, at.y);
+  return {at.x, at.y, at.z, 0.0, gap > 0.0 ? gap : 0.0};
+}
+
+void sum_visible_areas(const VisibilityMap &map, Span<double> area) {
+  for (double &sum : area) sum = 0.0;
+  for (uint32_t f = 1; f < map.faces.size(); ++f) {
+    if (map.faces[f].owner != no_id) area[map.faces[f].owner] += map.faces[f].area;
+  }
+}
+
+}  // namespace hsp

@@ -1,0 +1,35 @@
+// Questions to a finished map: what is seen at a point, how deep, and what an edge separates.
+#pragma once
+
+#include "visibility/disc_grid.hpp"
+#include "visibility/visibility_map.hpp"
+
+namespace hsp {
+
+// What is seen at a point of the view plane.
+struct MapSight {
+  uint32_t ball;  // no_id for the background
+  double depth;   // view coordinate z of the ball's front there
+};
+
+// The ball by the discs at the point, without the map's edges: O(balls of a few squares).
+MapSight sight_at(const VisibilityMap &map, const DiscGrid &grid, double x, double y);
+
+// The face at a point, among the faces of the ball that is seen there: O(edges of their outer loops and holes), and
+// over all faces to find these. no_id where edges are so close that roundings decide.
+uint32_t face_at(const VisibilityMap &map, const DiscGrid &grid, double x, double y);
+
+// A point of an edge, and how far below it the surface is on either side; infinite beside all balls. One of both is 0,
+// or both on a crease.
+struct EdgePoint {
+  double x, y, z;
+  double gap_left, gap_right;
+};
+
+// t: a parameter of the edge.
+EdgePoint edge_point(const VisibilityMap &map, uint32_t edge, double t);
+
+// Adds up the areas of each ball's faces. area [balls of the map].
+void sum_visible_areas(const VisibilityMap &map, Span<double> area);
+
+}  // namespace hsp
