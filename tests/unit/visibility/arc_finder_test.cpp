@@ -26,7 +26,12 @@ TEST(ArcFinder, TellsWhatSuffices) {
     ASSERT_FALSE(roomy.finder.overflowed());
     const uint32_t neighbours = roomy.finder.needed_neighbours();
     const uint32_t arcs = roomy.finder.arcs().size();
-    EXPECT_GE(roomy.finder.needed_edges(), arcs);
+    EXPECT_TRUE(roomy.finder.certain());
+    uint32_t stems = 0;
+    for (const hsp::MapArc &arc : roomy.finder.arcs())
+      for (const hsp::ArcEnd &end : arc.end) stems += end.kind == hsp::MapVertexKind::t;
+    EXPECT_GT(stems, 0U);
+    EXPECT_EQ(roomy.finder.needed_edges(), arcs + stems);
     const Finder narrow(placed, {80, neighbours - 1, 4000});
     EXPECT_TRUE(narrow.finder.overflowed());
     EXPECT_EQ(narrow.finder.needed_neighbours(), neighbours);
@@ -52,6 +57,16 @@ TEST(ArcFinder, OrdersArcsByBalls) {
     ASSERT_EQ(arcs[a].nearer, hsp::no_id);
     ASSERT_LE(arcs[a].to, arcs[a + 1].from);
   }
+}
+
+// Three spheres through one circle: roundings would decide of each crease whether the third ball hides it.
+TEST(ArcFinder, IsNotCertainOfCurvesThatCoincide) {
+  PlacedBalls placed({{0, 0, -16, 20}, {0, 0, 0, 12}, {0, 0, 9, 15}}, {5, 2, 1});
+  const Finder all(placed, {3, 3, 100});
+  EXPECT_FALSE(all.finder.certain());
+  PlacedBalls apart({{0, 0, -16, 20}, {0, 0, 0, 12}, {0, 0, 10, 15}}, {5, 2, 1});
+  const Finder certain(apart, {3, 3, 100});
+  EXPECT_TRUE(certain.finder.certain());
 }
 
 }  // namespace

@@ -123,4 +123,23 @@ TEST(MapFaces, RefusesEdgesThatDoNotFit) {
   ASSERT_TRUE(again());
 }
 
+// A ball of which nothing is drawn although its highest point is seen.
+TEST(MapFaces, RefusesBallsThatWereForgotten) {
+  BuiltMap one(oracle::Balls{{0, 0, 0, 50}});
+  const BuiltMap two({{0, 0, 0, 50}, {200, 0, 0, 20}});
+  hsp::VisibilityMap &map = one.builder().arrays();
+  CarvedMemory memory;
+  hsp::MapFaceFinder finder;
+  memory.carve(finder, hsp::MapLimits{2, 2, map.edges.capacity()});
+  const auto again = [&](const BuiltMap &of) {
+    map.balls = of.map().balls;
+    map.loops.clear();
+    map.faces.clear();
+    for (hsp::MapHalfEdge &half_edge : map.half_edges.items()) half_edge.loop = hsp::no_id;
+    return finder.find(of.discs(), map);
+  };
+  EXPECT_TRUE(again(one));
+  EXPECT_FALSE(again(two));
+}
+
 }  // namespace
