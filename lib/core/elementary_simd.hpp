@@ -29,8 +29,11 @@ struct AngleParts {
 // half a unit in the last place: 0.25 e next to pi/8, 2 e up to pi, 4 e up to 2 pi. Together at most 6.1 e, 4.1 e up to
 // pi, and 6 e of the angle.
 template <uint32_t n>
-[[gnu::always_inline]] inline AngleParts<n> half_turn_angle(const typename DoubleLanes<n>::Real &x,
-                                                            const typename DoubleLanes<n>::Real &y) {
+#if !defined(__OPTIMIZE_SIZE__)
+[[gnu::always_inline]]
+#endif
+inline AngleParts<n>
+half_turn_angle(const typename DoubleLanes<n>::Real &x, const typename DoubleLanes<n>::Real &y) {
   using L = DoubleLanes<n>;
   using Real = typename L::Real;
   using Mask = typename L::Mask;
