@@ -1,7 +1,5 @@
 #include "view/depth_buffer.hpp"
 
-#include <limits>
-
 #include "core/processor.hpp"
 #include "view/depth_rows.hpp"
 
@@ -34,19 +32,9 @@ struct CellRange {
 
 }  // namespace
 
-// The distance of a coordinate from the cell that begins at `low`, up to its sign.
-double DepthBuffer::distance_of_cell(double coordinate, double low, Edge edge) const {
-  const double below = low - coordinate;
-  const double above = coordinate - (low + cell_);
-  // Inside both are negative, and outside one of them.
-  if (edge == Edge::farthest) return below < above ? below : above;
-  const double outside = below > above ? below : above;
-  return outside > 0.0 ? outside : 0.0;
-}
-
 // The cells that a disc meets, with the distances of their nearest or farthest edges. squared: of the radius, or a
 // little more or less.
-DiscCells DepthBuffer::cells_of(double x, double y, double radius, double squared, Edge edge) const {
+DiscCells DepthBuffer::cells_of(double x, double y, double radius, double squared, CellEdge edge) const {
   DiscCells cells;
   const auto fewer = [](const CellRange &range) {
     const uint32_t count = range.last > range.first ? range.last - range.first : 0;
@@ -58,15 +46,11 @@ DiscCells DepthBuffer::cells_of(double x, double y, double radius, double square
   cells.columns = fewer(columns);
   cells.first_row = rows.first;
   cells.rows = fewer(rows);
-  for (uint32_t k = 0; k < cells.columns; ++k) {
-    const double dx = distance_of_cell(x, left_ + (columns.first + k) * cell_, edge);
-    cells.squared[k] = dx * dx;
-  }
-  // What four lanes read behind the last column.
-  for (uint32_t k = cells.columns; k % 4 != 0; ++k) cells.squared[k] = std::numeric_limits<double>::infinity();
-  for (uint32_t k = 0; k < cells.rows; ++k) {
-    const double dy = distance_of_cell(y, bottom_ + (rows.first + k) * cell_, edge);
-    cells.in_row[k] = squared - dy * dy;
+  const DiscOnCells disc{x, y, squared, left_, bottom_, cell_, edge};
+  if (wide_) {
+    measure_cells_avx2(disc, cells);
+  } else {
+    measure_cells(disc, cells);
   }
   return cells;
 }
@@ -142,7 +126,7 @@ bool DepthBuffer::is_above(const BoundingBox &box, double height) {
 // e of R^2.
 bool DepthBuffer::hides(const ProjectedBall &disc) const {
   const double R = disc.r + 4 * margin_;
-  const DiscCells cells = cells_of(disc.x, disc.y, R, R * R * (1.0 + 0x1p-40), Edge::nearest);
+  const DiscCells cells = cells_of(disc.x, disc.y, R, R * R * (1.0 + 0x1p-40), CellEdge::nearest);
   const double base = disc.z + 4 * margin_;
   return wide_ ? hides_avx2(floor_cells(), cells, base) : hides_one_by_one(floor_cells(), cells, base);
 }
@@ -154,7 +138,7 @@ bool DepthBuffer::hides(const ProjectedBall &disc) const {
 void DepthBuffer::raise(const ProjectedBall &disc) {
   const double R = disc.r - 4 * margin_;
   if (R <= 0.0) return;
-  const DiscCells cells = cells_of(disc.x, disc.y, R, R * R * (1.0 - 0x1p-40), Edge::farthest);
+  const DiscCells cells = cells_of(disc.x, disc.y, R, R * R * (1.0 - 0x1p-40), CellEdge::farthest);
   const double base = disc.z - 4 * margin_;
   if (wide_) {
     raise_avx2(floor_cells(), cells, base, margin_);

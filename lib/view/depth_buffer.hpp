@@ -46,10 +46,7 @@ class DepthBuffer {
   void do_without_wide_code() { wide_ = false; }
 
  private:
-  enum class Edge { nearest, farthest };  // of a cell
-
-  double distance_of_cell(double coordinate, double low, Edge edge) const;
-  DiscCells cells_of(double x, double y, double radius, double squared, Edge edge) const;
+  DiscCells cells_of(double x, double y, double radius, double squared, CellEdge edge) const;
   FloorCells floor_cells() const { return {floor_.data(), columns_, stale_.data(), coarse_columns_}; }
   float lowest_of(uint32_t coarse_column, uint32_t coarse_row);
 

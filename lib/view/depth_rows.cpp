@@ -4,6 +4,10 @@
 
 namespace hsp {
 
+void measure_cells(const DiscOnCells &disc, DiscCells &cells) {
+  EdgeDistances<baseline_lanes>(disc).fill(cells);
+}
+
 bool hides_one_by_one(const FloorCells &cells, const DiscCells &disc, double base) {
   const float *row = cells.floor + disc.first_row * cells.columns + disc.first_column;
   for (uint32_t r = 0; r < disc.rows; ++r, row += cells.columns) {

@@ -35,6 +35,10 @@ __m256d is_positive(__m256d a) {
 
 }  // namespace
 
+void measure_cells_avx2(const DiscOnCells &disc, DiscCells &cells) {
+  EdgeDistances<4>(disc).fill(cells);
+}
+
 bool hides_avx2(const FloorCells &cells, const DiscCells &disc, double base) {
   const float *row = cells.floor + disc.first_row * cells.columns + disc.first_column;
   for (uint32_t r = 0; r < disc.rows; ++r, row += cells.columns) {
