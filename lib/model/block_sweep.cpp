@@ -15,6 +15,11 @@ bool before_row(const CubeCoordinates &cube, int64_t y, int64_t z) {
 const CubeBlock &BlockSweep::block_around(uint32_t cube) {
   if (cube == at_) return block_;
   const CubeCoordinates &at = table_.coordinates(cube);
+  if (grid_.rows().is_there()) {
+    at_ = cube;
+    block_ = grid_.block_around(at);
+    return block_;
+  }
   const bool first_call = at_ == no_id;
   const CubeCoordinates &last = table_.coordinates(first_call ? cube : at_);
   const bool same_row = !first_call && in_row(last, at.y, at.z);

@@ -1,6 +1,7 @@
-// The blocks around the cubes of a grid, one after the other in the order of their numbers. As this is the order of z,
-// y and x, each of the nine rows of a block only ever moves forward: so a sweep over all cubes walks over them a fixed
-// number of times and asks the hash table nothing.
+// The blocks around the cubes of a grid, one after the other in the order of their numbers. Where the grid has a
+// directory of rows, it is asked. Elsewhere, as this is the order of z, y and x, each of the nine rows of a block only
+// ever moves forward: so a sweep over all cubes walks over them a fixed number of times and asks the hash table
+// nothing.
 #pragma once
 
 #include "model/cube_grid.hpp"
