@@ -11,14 +11,14 @@ int32_t from_c(const hsp_surface_limits *given, hsp::SurfaceLimits &result) {
   hsp_surface_limits limits;
   if (!hsp::capi::read_struct(given, {}, limits)) return HSP_E_ARGUMENT;
   if (limits.vertices > HSP_MAX_BALLS || limits.neighbours > HSP_MAX_BALLS || limits.pieces > HSP_MAX_BALLS ||
-      limits.arcs > HSP_MAX_BALLS || limits.cusped_circles > HSP_MAX_BALLS)
+      limits.arcs > HSP_MAX_BALLS || limits.faces > HSP_MAX_BALLS || limits.cusped_circles > HSP_MAX_BALLS)
     return HSP_E_RANGE;
-  result = {limits.vertices, limits.neighbours, limits.pieces, limits.arcs, limits.cusped_circles};
+  result = {limits.vertices, limits.faces, limits.neighbours, limits.pieces, limits.arcs, limits.cusped_circles};
   return HSP_OK;
 }
 
 hsp_surface_limits to_c(const hsp::SurfaceLimits &limits) {
-  return {sizeof(hsp_surface_limits), limits.vertices, limits.neighbours, limits.pieces, limits.arcs,
+  return {sizeof(hsp_surface_limits), limits.vertices, limits.faces, limits.neighbours, limits.pieces, limits.arcs,
           limits.cusped_circles};
 }
 
@@ -44,7 +44,8 @@ int32_t hsp_surface_limits_init(hsp_surface_limits *limits, uint32_t struct_size
   }
   if (!boundary->has_results()) return HSP_E_STATE;
   const hsp::Boundary &structure = boundary->structure();
-  const hsp::SurfaceLimits enough = hsp::default_surface_limits(structure.vertex_count(), structure.circle_count());
+  const hsp::SurfaceLimits enough =
+      hsp::default_surface_limits(structure.vertex_count(), structure.face_count(), structure.circle_count());
   hsp::capi::write_struct(to_c(enough), limits, struct_size);
   return HSP_OK;
 }

@@ -14,6 +14,7 @@ struct hsp_surface {
   uint64_t computed = 0;
   bool complete = false;
 
+  const hsp::Surface &structure() const { return builder.surface(); }
   // Whether results may be read: computed, and neither the boundary nor the model has changed since.
   bool has_results() const {
     return complete && hsp::capi::is_live(boundary) && computed == boundary->computed && boundary->has_results();

@@ -1,6 +1,7 @@
 // The solvent-excluded surface of any set, with a probe of any size: areas that are none below 0 and add up, a volume
 // between that of the balls and that of the union with the probe, the same bytes twice, no effect of the order of the
-// balls, a volume that falls by the area where the probe grows inside the same spheres, limits that are too small.
+// balls, patches, edges and corners that fit together and add up, a volume that falls by the area where the probe grows
+// inside the same spheres, limits that are too small.
 #include <surface_result.h>
 
 #include "computed_set.hpp"
@@ -96,6 +97,71 @@ void require_gradient(const surface_result &s) {
   }
 }
 
+// Patches, edges and corners: the self-check holds, and what is read of them agrees with itself and with the totals.
+// Joints may be open where four spheres meet in a point, or nearly so.
+void require_map(const surface_result &s, const hsp_boundary_counts &boundary) {
+  hsp_surface *surface = s.surface;
+  uint32_t invariant = 0, id = 0;
+  const int32_t status = hsp_surface_check(surface, &invariant, &id);
+  const bool open = s.counts.open_joints > 0;
+  FUZZ_REQUIRE(status == (open ? HSP_E_CHECK : HSP_OK) && invariant == (open ? 1 : 0), "hsp_surface_check");
+  hsp_surface_map_counts counts;
+  FUZZ_REQUIRE(hsp_surface_get_map_counts(surface, &counts) == (open ? HSP_E_CHECK : HSP_OK), "counts of the map");
+  if (open) {
+    FUZZ_REQUIRE(hsp_surface_next(surface, 0) == HSP_NONE, "a step on an open surface");
+    return;
+  }
+  std::vector<hsp_surface_patch> patches(counts.patches);
+  std::vector<hsp_surface_edge> edges(counts.edges);
+  std::vector<hsp_surface_corner> corners(counts.corners);
+  std::vector<hsp_surface_shell> shells(counts.shells);
+  uint32_t needed = 0;
+  FUZZ_REQUIRE(hsp_surface_get_patches(surface, 0, counts.patches, patches.data()) == HSP_OK, "patches");
+  FUZZ_REQUIRE(hsp_surface_get_edges(surface, 0, counts.edges, edges.data()) == HSP_OK, "edges");
+  FUZZ_REQUIRE(hsp_surface_get_corners(surface, 0, counts.corners, corners.data()) == HSP_OK, "corners");
+  FUZZ_REQUIRE(hsp_surface_get_shells(surface, shells.data(), counts.shells, &needed) == HSP_OK, "shells");
+  double area = 0, volume = 0;
+  uint32_t loop_edges = 0, of_shells = 0, left_over = 0;
+  for (const hsp_surface_patch &patch : patches) {
+    area += patch.area;
+    loop_edges += patch.edges;
+    left_over += patch.shell != HSP_NONE ? 1 : 0;
+    FUZZ_REQUIRE(patch.kind != HSP_PATCH_CONVEX || patch.source < boundary.faces, "a convex patch");
+    if (patch.h != HSP_NONE) {
+      FUZZ_REQUIRE(&patches[hsp_surface_left(surface, patch.h)] == &patch, "a patch and its edge");
+      FUZZ_REQUIRE(hsp_surface_left(surface, hsp_surface_next_loop(surface, patch.h)) ==
+                       static_cast<uint32_t>(&patch - patches.data()),
+                   "the loops of a patch");
+    }
+  }
+  FUZZ_REQUIRE(loop_edges == 2 * counts.edges, "every edge has two patches");
+  for (uint32_t e = 0; e < counts.edges; ++e) {
+    for (uint32_t side = 0; side < 2; ++side) {
+      const uint32_t next = edges[e].next[side];
+      FUZZ_REQUIRE(next == hsp_surface_next(surface, 2 * e + side), "next");
+      FUZZ_REQUIRE(edges[e].previous[side] == hsp_surface_previous(surface, 2 * e + side), "previous");
+      FUZZ_REQUIRE(edges[e].corner[side] == hsp_surface_origin(surface, 2 * e + side), "origin");
+      FUZZ_REQUIRE(edges[next / 2].patch[next % 2] == edges[e].patch[side], "one patch");
+      FUZZ_REQUIRE(edges[next / 2].corner[next % 2] == edges[e].corner[1 - side], "from corner to corner");
+      FUZZ_REQUIRE(patches[edges[e].patch[0]].shell == patches[edges[e].patch[1]].shell, "one shell");
+      const uint32_t corner = edges[e].corner[side];
+      if (corner != HSP_NONE) FUZZ_REQUIRE(corners[corner].shell == patches[edges[e].patch[0]].shell, "its corners");
+    }
+  }
+  const double tolerance = 1e-6 * (1.0 + s.base->totals.area) * extent_of(s);
+  double shell_area = 0;
+  for (const hsp_surface_shell &shell : shells) {
+    shell_area += shell.area;
+    volume += shell.volume;
+    of_shells += shell.patches;
+    FUZZ_REQUIRE(shell.euler == 2 - 2 * static_cast<int32_t>(shell.genus), "genus");
+  }
+  FUZZ_REQUIRE(of_shells == left_over, "every patch in one shell");
+  FUZZ_REQUIRE(std::fabs(area - s.totals.area) <= tolerance, "areas of patches do not add up");
+  FUZZ_REQUIRE(std::fabs(shell_area - s.totals.area) <= tolerance, "areas of shells do not add up");
+  FUZZ_REQUIRE(std::fabs(volume - s.totals.volume) <= tolerance * extent_of(s), "volumes of shells do not add up");
+}
+
 bool has_equal_balls(const fuzz::ScaledBalls &set) {
   for (uint32_t i = 0; i < set.n(); ++i) {
     for (uint32_t j = 0; j < i; ++j) {
@@ -169,6 +235,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   const Result reference(set);
   require_sound(set, reference.get());
   require_gradient(reference.get());
+  require_map(reference.get(), reference.get().base->counts);
   {
     const Result again(set);
     FUZZ_REQUIRE(same(reference.get().balls, again.get().balls, set.n()), "shares differ the second time");

@@ -71,6 +71,11 @@ set(HSP_LIBRARY_SOURCES
   lib/surface/surface_areas.cpp
   lib/surface/surface_gradients.cpp
   lib/surface/surface_builder.cpp
+  lib/surface/surface_check.cpp
+  lib/surface/surface_map.cpp
+  lib/surface/surface_patches.cpp
+  lib/surface/surface_positions.cpp
+  lib/surface/surface_shells.cpp
   lib/surface/triangle_kernel.cpp
   lib/surface/triangle_kernel_avx2.cpp
   lib/mesh/boundary_curves.cpp
@@ -118,6 +123,7 @@ set(HSP_LIBRARY_SOURCES
   capi/hsp_measure.cpp
   capi/hsp_gradient.cpp
   capi/hsp_surface.cpp
+  capi/hsp_surface_records.cpp
   capi/hsp_mesh.cpp
   capi/hsp_topology.cpp
   capi/hsp_topology_records.cpp

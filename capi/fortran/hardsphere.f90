@@ -80,6 +80,15 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_SHELL_OUTER = 0_c_int32_t
   integer(c_int32_t), parameter :: HSP_SHELL_VOID = 1_c_int32_t
 
+  integer(c_int32_t), parameter :: HSP_PATCH_CIRCLE_SADDLE = 3_c_int32_t
+  integer(c_int32_t), parameter :: HSP_SURFACE_RIM = 0_c_int32_t
+  integer(c_int32_t), parameter :: HSP_SURFACE_CIRCLE_RIM = 1_c_int32_t
+  integer(c_int32_t), parameter :: HSP_SURFACE_SIDE = 2_c_int32_t
+  integer(c_int32_t), parameter :: HSP_SURFACE_CREASE = 3_c_int32_t
+  integer(c_int32_t), parameter :: HSP_CORNER_BALL = 0_c_int32_t
+  integer(c_int32_t), parameter :: HSP_CORNER_CUSP = 1_c_int32_t
+  integer(c_int32_t), parameter :: HSP_CORNER_CREASE = 2_c_int32_t
+
   integer(c_int32_t), parameter :: HSP_PIECES_OUTSIDE_FARTHER = 0_c_int32_t
   integer(c_int32_t), parameter :: HSP_PIECES_OUTSIDE_ALL = 1_c_int32_t
   integer(c_int32_t), parameter :: HSP_VIEW_ALL_BALLS = 1_c_int32_t
@@ -227,6 +236,7 @@ module hardsphere
   type, bind(C) :: hsp_surface_limits
     integer(c_int32_t) :: struct_size  ! hsp_surface_limits_init sets it
     integer(c_int32_t) :: vertices
+    integer(c_int32_t) :: faces
     integer(c_int32_t) :: neighbours
     integer(c_int32_t) :: pieces
     integer(c_int32_t) :: arcs
@@ -242,6 +252,60 @@ module hardsphere
     integer(c_int32_t) :: hidden_patches
     integer(c_int32_t) :: rounded_patches
     integer(c_int32_t) :: open_joints
+  end type
+
+  type, bind(C) :: hsp_surface_map_counts
+    integer(c_int32_t) :: patches
+    integer(c_int32_t) :: edges
+    integer(c_int32_t) :: corners
+    integer(c_int32_t) :: shells
+    integer(c_int32_t) :: cusps
+    integer(c_int32_t) :: junctions
+    integer(c_int32_t) :: creases
+    integer(c_int32_t) :: reserved
+  end type
+
+  type, bind(C) :: hsp_surface_patch
+    real(c_double) :: area             ! length^2
+    integer(c_int32_t) :: kind         ! HSP_PATCH_*
+    integer(c_int32_t) :: source       ! 0-based
+    integer(c_int32_t) :: part         ! 0-based
+    integer(c_int32_t) :: shell        ! 0-based
+    integer(c_int32_t) :: loops
+    integer(c_int32_t) :: edges
+    integer(c_int32_t) :: h            ! a directed edge, 0-based
+    integer(c_int32_t) :: reserved
+  end type
+
+  type, bind(C) :: hsp_surface_edge
+    real(c_double) :: centre(3)        ! length
+    real(c_double) :: axis(3)          ! unit vector
+    real(c_double) :: radius           ! length
+    real(c_double) :: angle            ! radians
+    integer(c_int32_t) :: patch(2)     ! 0-based, left and right
+    integer(c_int32_t) :: corner(2)    ! 0-based
+    integer(c_int32_t) :: next(2)      ! directed edges, 0-based
+    integer(c_int32_t) :: previous(2)  ! directed edges, 0-based
+    integer(c_int32_t) :: kind         ! HSP_SURFACE_*
+    integer(c_int32_t) :: source       ! 0-based, HSP_NONE for creases
+  end type
+
+  type, bind(C) :: hsp_surface_corner
+    real(c_double) :: xyz(3)           ! length
+    integer(c_int32_t) :: kind         ! HSP_CORNER_*
+    integer(c_int32_t) :: ball(2)      ! 0-based
+    integer(c_int32_t) :: vertex(3)    ! 0-based
+    integer(c_int32_t) :: shell        ! 0-based
+    integer(c_int32_t) :: reserved
+  end type
+
+  type, bind(C) :: hsp_surface_shell
+    real(c_double) :: area             ! length^2
+    real(c_double) :: volume           ! length^3
+    integer(c_int32_t) :: euler
+    integer(c_int32_t) :: genus
+    integer(c_int32_t) :: patches
+    integer(c_int32_t) :: reserved
   end type
 
   type, bind(C) :: hsp_surface_totals
@@ -893,6 +957,96 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
+    function hsp_surface_get_map_counts(surface, counts) result(status) bind(C, name="hsp_surface_get_map_counts")
+      import :: c_int32_t, c_ptr, hsp_surface_map_counts
+      type(c_ptr), value :: surface
+      type(hsp_surface_map_counts), intent(inout) :: counts
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_surface_next(surface, h) result(found) bind(C, name="hsp_surface_next")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: surface
+      integer(c_int32_t), value :: h  ! a directed edge, 0-based
+      integer(c_int32_t) :: found
+    end function
+
+    function hsp_surface_previous(surface, h) result(found) bind(C, name="hsp_surface_previous")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: surface
+      integer(c_int32_t), value :: h  ! a directed edge, 0-based
+      integer(c_int32_t) :: found
+    end function
+
+    function hsp_surface_next_loop(surface, h) result(found) bind(C, name="hsp_surface_next_loop")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: surface
+      integer(c_int32_t), value :: h  ! a directed edge, 0-based
+      integer(c_int32_t) :: found
+    end function
+
+    function hsp_surface_origin(surface, h) result(found) bind(C, name="hsp_surface_origin")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: surface
+      integer(c_int32_t), value :: h  ! a directed edge, 0-based
+      integer(c_int32_t) :: found
+    end function
+
+    function hsp_surface_left(surface, h) result(found) bind(C, name="hsp_surface_left")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: surface
+      integer(c_int32_t), value :: h  ! a directed edge, 0-based
+      integer(c_int32_t) :: found
+    end function
+
+    function hsp_surface_get_patches(surface, first, count, out) result(status) &
+      bind(C, name="hsp_surface_get_patches")
+      import :: c_int32_t, c_ptr, hsp_surface_patch
+      type(c_ptr), value :: surface
+      integer(c_int32_t), value :: first  ! an id, 0-based
+      integer(c_int32_t), value :: count
+      type(hsp_surface_patch), intent(inout), optional :: out(*)  ! count
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_surface_get_edges(surface, first, count, out) result(status) &
+      bind(C, name="hsp_surface_get_edges")
+      import :: c_int32_t, c_ptr, hsp_surface_edge
+      type(c_ptr), value :: surface
+      integer(c_int32_t), value :: first  ! an id, 0-based
+      integer(c_int32_t), value :: count
+      type(hsp_surface_edge), intent(inout), optional :: out(*)  ! count
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_surface_get_corners(surface, first, count, out) result(status) &
+      bind(C, name="hsp_surface_get_corners")
+      import :: c_int32_t, c_ptr, hsp_surface_corner
+      type(c_ptr), value :: surface
+      integer(c_int32_t), value :: first  ! an id, 0-based
+      integer(c_int32_t), value :: count
+      type(hsp_surface_corner), intent(inout), optional :: out(*)  ! count
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_surface_get_shells(surface, out, capacity, needed) result(status) &
+      bind(C, name="hsp_surface_get_shells")
+      import :: c_int32_t, c_ptr, hsp_surface_shell
+      type(c_ptr), value :: surface
+      type(hsp_surface_shell), intent(inout), optional :: out(*)
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_surface_check(surface, invariant, id) result(status) bind(C, name="hsp_surface_check")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: surface
+      integer(c_int32_t), intent(inout) :: invariant
+      integer(c_int32_t), intent(inout) :: id
+      integer(c_int32_t) :: status
+    end function
+
     ! ---- triangles -------------------------------------------------------------------------------------------------
 
     function hsp_mesh_limits_init(limits, struct_size, boundary, edge) result(status) &
@@ -1293,6 +1447,14 @@ contains
     turned = quad_turned(q, 2_c_int32_t)
   end function
 
+  !> HSP_SURFACE_TWIN of the header: the directed edge h the other way.
+  elemental function hsp_surface_twin(h) result(turned)
+    integer(c_int32_t), intent(in) :: h
+    integer(c_int32_t) :: turned
+    turned = HSP_NONE
+    if (h /= HSP_NONE) turned = ieor(h, 1_c_int32_t)
+  end function
+
   elemental function quad_turned(q, quarters) result(turned)
     integer(c_int32_t), intent(in) :: q, quarters
     integer(c_int32_t) :: turned
@@ -1340,12 +1502,12 @@ contains
   end function
 
   !> HSP_SURFACE_BYTES of the header, for the size of an allocation.
-  pure function hsp_surface_bytes_bound(vertices, neighbours, pieces, arcs, cusped_circles) result(bytes)
-    integer(c_int32_t), intent(in) :: vertices, neighbours, pieces, arcs, cusped_circles
+  pure function hsp_surface_bytes_bound(vertices, faces, neighbours, pieces, arcs, cusped_circles) result(bytes)
+    integer(c_int32_t), intent(in) :: vertices, faces, neighbours, pieces, arcs, cusped_circles
     integer(c_size_t) :: bytes
-    bytes = 8192_c_size_t + 104_c_size_t*int(vertices, c_size_t) + 1152_c_size_t*int(neighbours, c_size_t) &
-            + 56_c_size_t*int(pieces, c_size_t) + 24_c_size_t*int(arcs, c_size_t) &
-            + 12_c_size_t*int(cusped_circles, c_size_t)
+    bytes = 8192_c_size_t + 108_c_size_t*int(vertices, c_size_t) + 8_c_size_t*int(faces, c_size_t) &
+            + 1152_c_size_t*int(neighbours, c_size_t) + 72_c_size_t*int(pieces, c_size_t) &
+            + 26_c_size_t*int(arcs, c_size_t) + 16_c_size_t*int(cusped_circles, c_size_t)
   end function
 
   !> HSP_MESH_BYTES of the header, for the size of an allocation.

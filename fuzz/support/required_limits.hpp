@@ -11,7 +11,8 @@
 namespace fuzz {
 
 inline size_t most_bytes(const hsp_surface_limits &limits) {
-  return HSP_SURFACE_BYTES(limits.vertices, limits.neighbours, limits.pieces, limits.arcs, limits.cusped_circles);
+  return HSP_SURFACE_BYTES(limits.vertices, limits.faces, limits.neighbours, limits.pieces, limits.arcs,
+                           limits.cusped_circles);
 }
 inline size_t most_bytes(const hsp_mesh_limits &limits) {
   return HSP_MESH_BYTES(limits.balls, limits.curves, limits.vertices, limits.triangles, limits.points);

@@ -24,7 +24,7 @@ class Strangers {
   }
 
  private:
-  static constexpr uint32_t kinds = 4;  // model, boundary, topology, view
+  static constexpr uint32_t kinds = 5;  // model, boundary, topology, view, surface
   // What is copied and overwritten: every handle has as many, while gaps behind them may be poisoned.
   static constexpr size_t first_bytes = sizeof(uintptr_t);
 
@@ -34,9 +34,11 @@ class Strangers {
     const hsp_boundary_limits of_boundary = {sizeof of_boundary, 1, 1, 1, 1, 0};
     const hsp_topology_limits of_topology = {sizeof of_topology, 1, 1, 4, 1, 0};
     const hsp_view_limits of_view = {sizeof of_view, 1, 1, 4};
+    const hsp_surface_limits of_surface = {sizeof of_surface, 1, 1, 1, 1, 1, 1};
     hsp_boundary *boundary = nullptr;
     hsp_topology *topology = nullptr;
     hsp_view *view = nullptr;
+    hsp_surface *surface = nullptr;
     size_t bytes = 0;
     FUZZ_REQUIRE(hsp_boundary_bytes(&of_boundary, &bytes) == HSP_OK, "boundary bytes");
     FUZZ_REQUIRE(hsp_boundary_init(room(1, bytes), bytes, &of_boundary, &boundary) == HSP_OK, "boundary");
@@ -44,7 +46,9 @@ class Strangers {
     FUZZ_REQUIRE(hsp_topology_init(room(2, bytes), bytes, &of_topology, &topology) == HSP_OK, "topology");
     FUZZ_REQUIRE(hsp_view_bytes(&of_view, &bytes) == HSP_OK, "view bytes");
     FUZZ_REQUIRE(hsp_view_init(room(3, bytes), bytes, &of_view, &view) == HSP_OK, "view");
-    live_ = {model, boundary, topology, view};
+    FUZZ_REQUIRE(hsp_surface_bytes(&of_surface, &bytes) == HSP_OK, "surface bytes");
+    FUZZ_REQUIRE(hsp_surface_init(room(4, bytes), bytes, &of_surface, &surface) == HSP_OK, "surface");
+    live_ = {model, boundary, topology, view, surface};
   }
 
   void *room(size_t kind, size_t bytes) {
@@ -77,7 +81,27 @@ class Strangers {
   // Functions that return no status say HSP_NONE.
   static int32_t status_of(uint32_t id) { return id == HSP_NONE ? HSP_E_ARGUMENT : HSP_OK; }
 
+  static int32_t call_as_surface(hsp_surface *surface, Bytes &bytes) {
+    hsp_surface_counts counts;
+    hsp_surface_totals totals;
+    hsp_surface_patch patch;
+    uint32_t invariant = 0, id = 0;
+    switch (bytes.below(5)) {
+      case 0:
+        return hsp_surface_get_counts(surface, &counts);
+      case 1:
+        return hsp_surface_measure(surface, &totals, nullptr, 0, nullptr);
+      case 2:
+        return hsp_surface_get_patches(surface, 0, 1, &patch);
+      case 3:
+        return status_of(hsp_surface_next(surface, 0));
+      default:
+        return hsp_surface_check(surface, &invariant, &id);
+    }
+  }
+
   static int32_t call_as(uint32_t kind, void *stranger, Bytes &bytes) {
+    if (kind == 4) return call_as_surface(static_cast<hsp_surface *>(stranger), bytes);
     const double xyz[3] = {0.0, 0.0, 0.0};
     uint32_t needed = 0;
     if (kind == 0) {

@@ -11,7 +11,7 @@
 #ifndef HARDSPHERE_MESH_H
 #define HARDSPHERE_MESH_H
 
-#include "boundary.h"
+#include "surface.h"
 
 #include <stddef.h>
 #include <stdint.h>
@@ -106,13 +106,10 @@ HSP_API int32_t hsp_mesh_get_counts(const hsp_mesh *mesh, hsp_mesh_counts *count
 HSP_API int32_t hsp_mesh_get_vertices(const hsp_mesh *mesh, double *xyz, double *normals, double *areas,
                                       uint32_t *balls, uint32_t capacity, uint32_t *needed);
 
-#define HSP_PATCH_CONVEX UINT32_C(0)  /**< a face of the boundary: patches are numbered as faces are */
-#define HSP_PATCH_SADDLE UINT32_C(1)  /**< not of a boundary */
-#define HSP_PATCH_CONCAVE UINT32_C(2) /**< not of a boundary */
-
 /** The triangles: the numbers of their vertices, and what each belongs to. Each array may be NULL, else it holds
  *  capacity >= triangles entries, corners [capacity][3]; needed may be NULL and else becomes their number. kinds:
- *  HSP_PATCH_*. patches: the number of the face. balls: the ball of the patch, in the caller's order.
+ *  HSP_PATCH_CONVEX for all of a boundary. patches: the number of the face. balls: the ball of the patch, in the
+ *  caller's order.
  *  @retval HSP_E_ARGUMENT  mesh is NULL
  *  @retval HSP_E_CAPACITY  an array is given and capacity is too small; nothing but *needed is written
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since */

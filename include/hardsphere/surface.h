@@ -16,7 +16,26 @@
  *
  * Where patches meet each of them is decided on its own. If one finds a corner or a crease that another does not, which
  * takes vertices that count as one point, or four probes that meet in one up to rounding, the joint is open: areas and
- * volumes hold nevertheless. */
+ * volumes hold nevertheless, but the surface cannot be read as patches, edges and corners.
+ *
+ * PATCHES, EDGES, CORNERS follow from the boundary. With F faces, A arcs, C circles, V vertices of it, whose ids these
+ * are, and "its ball 0" and "ball 1" those of hsp_arc and hsp_circle:
+ *   patch   f                 convex patch of face f
+ *           F + a             saddle patch of arc a; if it has cusps, the part of it at ball 0
+ *           F + A + c         saddle patch of circle c, likewise
+ *           F + A + C + v     concave patch of vertex v; if it is cut into pieces, the first of them
+ *           from F + A + C + V on: the other parts of saddles with cusps, further pieces
+ *   edge    2 a + s           of arc a, between its saddle patch and the convex patch on its ball s
+ *           2 A + 2 c + s     the same of circle c
+ *           2 A + 2 C + 2 a + e   between the saddle patch of arc a and the concave patch at its vertex[e]; if it has
+ *                             cusps, the part of it at ball 0
+ *           from 4 A + 2 C on: the parts at ball 1; creases, where two concave patches meet
+ *   corner  3 v + t           of the concave patch of vertex v, on its ball number t in hsp_vertex
+ *           from 3 V on: two cusps for every circle that has them, shared by all of its arcs; corners of creases
+ *   shell   a connected component of the surface: not of the boundary, as probes on two sides of a wall may meet
+ *
+ * Every edge has two directions, h = 2 edge and 2 edge + 1: the first counter-clockwise about its axis. Seen from
+ * outside of the solid a patch lies on the left of its edges. */
 #ifndef HARDSPHERE_SURFACE_H
 #define HARDSPHERE_SURFACE_H
 
@@ -37,6 +56,7 @@ typedef struct hsp_surface hsp_surface;
 typedef struct hsp_surface_limits {
   uint32_t struct_size;    /**< sizeof(hsp_surface_limits) */
   uint32_t vertices;       /**< vertices of the boundary */
+  uint32_t faces;          /**< faces of the boundary */
   uint32_t neighbours;     /**< most probes at other vertices that may cut any one concave patch */
   uint32_t pieces;         /**< what is left of the concave patches that are cut: at least one for each of them */
   uint32_t arcs;           /**< that bound these pieces */
@@ -44,14 +64,15 @@ typedef struct hsp_surface_limits {
 } hsp_surface_limits;
 
 /** Limits for a computed boundary with V vertices and C circles that suffice for molecules and usual probes: its
- *  vertices, 64 neighbours, pieces V / 4 + 16, arcs 5 V / 4 + 64, cusped_circles V / 8 + C + 16. Without a boundary,
- *  for memory that is fixed beforehand, set them by hand, with the vertices and circles of hsp_boundary_limits.
+ *  vertices and faces, 64 neighbours, pieces V / 4 + 16, arcs 5 V / 4 + 64, cusped_circles V / 8 + C + 16. Without a
+ *  boundary, for memory that is fixed beforehand, set them by hand, with the vertices and circles of
+ *  hsp_boundary_limits.
  *  @retval HSP_E_ARGUMENT  limits or boundary is NULL; struct_size is bad
  *  @retval HSP_E_STATE     the boundary holds no results, or its model has changed since */
 HSP_API int32_t hsp_surface_limits_init(hsp_surface_limits *limits, uint32_t struct_size, const hsp_boundary *boundary);
 
 /** Bytes that hsp_surface_init needs.
- *  - Property 1: at most HSP_SURFACE_BYTES of the five limits.
+ *  - Property 1: at most HSP_SURFACE_BYTES of the six limits.
  *  - Property 2: grows with each limit.
  *
  *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
@@ -59,9 +80,10 @@ HSP_API int32_t hsp_surface_limits_init(hsp_surface_limits *limits, uint32_t str
 HSP_API int32_t hsp_surface_bytes(const hsp_surface_limits *limits, size_t *bytes);
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
-#define HSP_SURFACE_BYTES(vertices, neighbours, pieces, arcs, cusped_circles)              \
-  ((size_t)8192 + (size_t)104 * (size_t)(vertices) + (size_t)1152 * (size_t)(neighbours) + \
-   (size_t)56 * (size_t)(pieces) + (size_t)24 * (size_t)(arcs) + (size_t)12 * (size_t)(cusped_circles))
+#define HSP_SURFACE_BYTES(vertices, faces, neighbours, pieces, arcs, cusped_circles)                   \
+  ((size_t)8192 + (size_t)108 * (size_t)(vertices) + (size_t)8 * (size_t)(faces) +                     \
+   (size_t)1152 * (size_t)(neighbours) + (size_t)72 * (size_t)(pieces) + (size_t)26 * (size_t)(arcs) + \
+   (size_t)16 * (size_t)(cusped_circles))
 
 /** Make an empty surface in caller memory of any alignment; sets *surface.
  *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
@@ -154,6 +176,172 @@ HSP_API int32_t hsp_surface_measure(const hsp_surface *surface, hsp_surface_tota
 HSP_API int32_t hsp_surface_gradient(const hsp_surface *surface, double tension, double pressure, hsp_energy *energy,
                                      double *d_centre, double *d_radius, uint32_t *flags, uint32_t capacity,
                                      uint32_t *needed);
+
+/* ---- patches, edges, corners ------------------------------------------------------------------------------------- */
+
+/** How many parts the surface has as a map. Frozen. */
+typedef struct hsp_surface_map_counts {
+  uint32_t patches;   /**< of all kinds */
+  uint32_t edges;     /**< of all kinds */
+  uint32_t corners;   /**< of all kinds */
+  uint32_t shells;    /**< connected components of the surface */
+  uint32_t cusps;     /**< of the corners, cusps */
+  uint32_t junctions; /**< of the corners, those where three creases meet */
+  uint32_t creases;   /**< of the edges, creases */
+  uint32_t reserved;  /**< 0 */
+} hsp_surface_map_counts;
+
+/** How many patches, edges, corners and shells there are.
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since
+ *  @retval HSP_E_CHECK     joints are open: hsp_surface_counts */
+HSP_API int32_t hsp_surface_get_map_counts(const hsp_surface *surface, hsp_surface_map_counts *counts);
+
+/** The directed edge h, a uint32_t, the other way. h may be evaluated several times. HSP_NONE yields HSP_NONE. */
+#define HSP_SURFACE_TWIN(h) ((h) == HSP_NONE ? HSP_NONE : ((h) ^ UINT32_C(1)))
+
+/** The next directed edge around the patch on the left of h, from where h ends; h itself if it is a whole circle. Like
+ *  the next four functions HSP_NONE if there is no such directed edge, no results, or joints are open.
+ *  - Property 1: left(next(h)) = left(h), origin(next(h)) = origin(twin(h)). */
+HSP_API uint32_t hsp_surface_next(const hsp_surface *surface, uint32_t h);
+
+/** The previous one, the inverse of next. */
+HSP_API uint32_t hsp_surface_previous(const hsp_surface *surface, uint32_t h);
+
+/** A directed edge of the next loop around the patch on the left of h; of the first loop after the last. So all loops
+ *  of a patch are reached from `h` of its hsp_surface_patch. */
+HSP_API uint32_t hsp_surface_next_loop(const hsp_surface *surface, uint32_t h);
+
+/** The corner where h starts; HSP_NONE also if it is a whole circle. */
+HSP_API uint32_t hsp_surface_origin(const hsp_surface *surface, uint32_t h);
+
+/** The patch on the left of h. */
+HSP_API uint32_t hsp_surface_left(const hsp_surface *surface, uint32_t h);
+
+#define HSP_PATCH_CONVEX UINT32_C(0)        /**< of a face */
+#define HSP_PATCH_SADDLE UINT32_C(1)        /**< of an arc */
+#define HSP_PATCH_CONCAVE UINT32_C(2)       /**< of a vertex */
+#define HSP_PATCH_CIRCLE_SADDLE UINT32_C(3) /**< of a circle */
+
+/** A patch. Frozen. */
+typedef struct hsp_surface_patch {
+  double area;       /**< length^2 */
+  uint32_t kind;     /**< HSP_PATCH_* */
+  uint32_t source;   /**< face, arc, circle or vertex of the boundary */
+  uint32_t part;     /**< of a saddle patch with cusps, 0 at ball 0, 1 at ball 1; of a cut patch, the piece 0, 1, ... */
+  uint32_t shell;    /**< HSP_NONE if nothing is left of it */
+  uint32_t loops;    /**< around it; 0 for a whole sphere, and if nothing is left of it */
+  uint32_t edges;    /**< of all its loops */
+  uint32_t h;        /**< a directed edge with this patch on its left; HSP_NONE if it has none */
+  uint32_t reserved; /**< 0 */
+} hsp_surface_patch;
+
+#define HSP_SURFACE_RIM UINT32_C(0)        /**< between the patches of a face and an arc */
+#define HSP_SURFACE_CIRCLE_RIM UINT32_C(1) /**< between those of a face and a circle */
+#define HSP_SURFACE_SIDE UINT32_C(2)       /**< between those of an arc and a vertex */
+#define HSP_SURFACE_CREASE UINT32_C(3)     /**< between those of two vertices */
+
+/** An edge: a piece of a circle. Frozen. */
+typedef struct hsp_surface_edge {
+  double centre[3];     /**< of its circle, length */
+  double axis[3];       /**< unit vector; 0 if the circle has no size */
+  double radius;        /**< of its circle, length */
+  double angle;         /**< counter-clockwise about the axis, in [0, 2 pi] */
+  uint32_t patch[2];    /**< on its left and on its right */
+  uint32_t corner[2];   /**< where it starts and ends; HSP_NONE for a whole circle */
+  uint32_t next[2];     /**< after 2 edge around patch[0], after 2 edge + 1 around patch[1] */
+  uint32_t previous[2]; /**< before them */
+  uint32_t kind;        /**< HSP_SURFACE_* */
+  uint32_t source;      /**< arc or circle of the boundary; of a crease, HSP_NONE */
+} hsp_surface_edge;
+
+#define HSP_CORNER_BALL UINT32_C(0)   /**< of a convex, a concave and two saddle patches */
+#define HSP_CORNER_CUSP UINT32_C(1)   /**< where saddle patches meet their axis */
+#define HSP_CORNER_CREASE UINT32_C(2) /**< of three concave patches */
+
+/** A corner: a point where edges end. A cusp of a whole circle is the tip of its saddle patch, no edge ends there.
+ *  Frozen. */
+typedef struct hsp_surface_corner {
+  double xyz[3]; /**< position, length */
+  uint32_t kind; /**< HSP_CORNER_* */
+  uint32_t
+      ball[2]; /**< the ball it lies on; of a cusp, those of its circle, the one on its side first; else HSP_NONE */
+  uint32_t vertex[3]; /**< the vertex, or the three of its concave patches; else HSP_NONE */
+  uint32_t shell;     /**< HSP_NONE for the cusp of a whole circle */
+  uint32_t reserved;  /**< 0 */
+} hsp_surface_corner;
+
+/** A shell: a connected component of the surface. Frozen. */
+typedef struct hsp_surface_shell {
+  double area;       /**< length^2 */
+  double volume;     /**< of what it encloses, length^3; negative if that is outside of the solid */
+  int32_t euler;     /**< Euler characteristic */
+  uint32_t genus;    /**< 1 - euler/2: number of handles */
+  uint32_t patches;  /**< how many it consists of */
+  uint32_t reserved; /**< 0 */
+} hsp_surface_shell;
+
+/** The patches first .. first + count - 1, exactly count records, of hsp_surface_map_counts.patches in all; out may be
+ *  NULL with count 0.
+ *  - Property 1: areas of all patches sum to the area of hsp_surface_measure, up to rounding.
+ *
+ *  @retval HSP_E_ARGUMENT  surface is NULL; out is NULL with a count above 0
+ *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since
+ *  @retval HSP_E_CHECK     joints are open: hsp_surface_counts
+ *  @retval HSP_E_ID        not all of these patches are there */
+HSP_API int32_t hsp_surface_get_patches(const hsp_surface *surface, uint32_t first, uint32_t count,
+                                        hsp_surface_patch *out);
+
+/** The edges first .. first + count - 1, exactly count records, of hsp_surface_map_counts.edges in all; out may be NULL
+ *  with count 0.
+ *  @retval HSP_E_ARGUMENT  surface is NULL; out is NULL with a count above 0
+ *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since
+ *  @retval HSP_E_CHECK     joints are open: hsp_surface_counts
+ *  @retval HSP_E_ID        not all of these edges are there */
+HSP_API int32_t hsp_surface_get_edges(const hsp_surface *surface, uint32_t first, uint32_t count,
+                                      hsp_surface_edge *out);
+
+/** The corners first .. first + count - 1, exactly count records, of hsp_surface_map_counts.corners in all; out may be
+ *  NULL with count 0.
+ *  @retval HSP_E_ARGUMENT  surface is NULL; out is NULL with a count above 0
+ *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since
+ *  @retval HSP_E_CHECK     joints are open: hsp_surface_counts
+ *  @retval HSP_E_ID        not all of these corners are there */
+HSP_API int32_t hsp_surface_get_corners(const hsp_surface *surface, uint32_t first, uint32_t count,
+                                        hsp_surface_corner *out);
+
+/** The shells: hsp_surface_map_counts.shells records.
+ *  - Property 1: areas and volumes sum to those of hsp_surface_measure, up to rounding.
+ *
+ *  Cost: O(size of the surface).
+ *  @retval HSP_E_ARGUMENT  surface or needed is NULL; out is NULL with a capacity above 0
+ *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
+ *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since
+ *  @retval HSP_E_CHECK     joints are open: hsp_surface_counts */
+HSP_API int32_t hsp_surface_get_shells(const hsp_surface *surface, hsp_surface_shell *out, uint32_t capacity,
+                                       uint32_t *needed);
+
+/* ---- self-check -------------------------------------------------------------------------------------------------- */
+
+/** Check the invariants of a computed surface. If all hold, *invariant becomes 0 and *id HSP_NONE. Else *invariant
+ *  becomes the number of the first that is violated, and *id that of the directed edge, patch, vertex or shell
+ *  concerned:
+ *  1. no joint is open; *id is their number
+ *  2. next and previous are inverse, keep to one patch and go from corner to corner
+ *  3. the loops of all patches together are every directed edge once
+ *  4. a crease has the same length in both of its patches
+ *  5. every corner lies on the circles of its edges
+ *  6. the Euler characteristic of each shell is even and at most 2
+ *  7. no area is negative, and the pieces of a concave patch sum to what is left of it
+ *  8. area and volume of convex and concave patches agree with the integral along their edges: the surface is closed
+ *
+ *  The first may be violated where the input is degenerate, see above. Uses the surface's scratch memory, hence not
+ *  const; results stay valid. Cost: O(size of the surface).
+ *  @retval HSP_OK          all hold
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since
+ *  @retval HSP_E_CHECK     one is violated: please report it, unless it is the first */
+HSP_API int32_t hsp_surface_check(hsp_surface *surface, uint32_t *invariant, uint32_t *id);
 
 #ifdef __cplusplus
 }

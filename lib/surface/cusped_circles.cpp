@@ -42,7 +42,7 @@ void CuspedCircles::find(const BallSet &balls, const Boundary &boundary) {
       if (other < i) continue;
       if (other != last) {
         has = circle_has_cusps(balls, i, other);
-        if (has) circle_.push({{i, other}, e});
+        if (has) circle_.push({{i, other}, e, arcs_});
       }
       last = other;
       if (has) ++arcs_;
@@ -51,7 +51,8 @@ void CuspedCircles::find(const BallSet &balls, const Boundary &boundary) {
   first_whole_ = clamped_count(required());
   for (uint32_t c = 0; c < boundary.circle_count(); ++c) {
     const CircleRecord &circle = boundary.circle(c);
-    if (circle_has_cusps(balls, circle.ball[0], circle.ball[1])) circle_.push({{circle.ball[0], circle.ball[1]}, c});
+    if (circle_has_cusps(balls, circle.ball[0], circle.ball[1]))
+      circle_.push({{circle.ball[0], circle.ball[1]}, c, arcs_});
   }
 }
 
@@ -70,6 +71,20 @@ uint32_t CuspedCircles::of_arc(uint32_t a, uint32_t b) const {
     if (circle_[k].ball[1] == b) return k;
   }
   return no_id;
+}
+
+uint32_t CuspedCircles::half_edge(uint32_t arc_number) const {
+  uint32_t low = 0;
+  uint32_t high = first_whole_;
+  while (high - low > 1) {
+    const uint32_t middle = low + (high - low) / 2;
+    if (circle_[middle].first_arc <= arc_number) {
+      low = middle;
+    } else {
+      high = middle;
+    }
+  }
+  return circle_[low].element + (arc_number - circle_[low].first_arc);
 }
 
 uint32_t CuspedCircles::of_circle(uint32_t circle) const {

@@ -23,6 +23,12 @@ class CuspedCircles {
   // The number of the circle of two balls a < b that has arcs, of a whole free circle; no_id if it has no cusps.
   uint32_t of_arc(uint32_t a, uint32_t b) const;
   uint32_t of_circle(uint32_t circle) const;
+  // Arcs on these circles have consecutive numbers: that of a half-edge on ball 0 of circle k, and the reverse.
+  uint32_t arc_number(uint32_t k, uint32_t half_edge) const {
+    return circle_[k].first_arc + (half_edge - circle_[k].element);
+  }
+  uint32_t half_edge(uint32_t arc_number) const;
+  uint32_t first_whole() const { return first_whole_; }
   // A half-edge of the boundary on one of these circles, or the whole circle that it is.
   LoopElement element(uint32_t k) const { return k < first_whole_ ? LoopElement::arc(circle_[k].element) : whole(k); }
   // Its two balls, ascending.
@@ -31,7 +37,8 @@ class CuspedCircles {
  private:
   struct Circle {
     uint32_t ball[2];
-    uint32_t element;  // a half-edge on ball[0], or the circle
+    uint32_t element;    // the first half-edge of this circle on ball[0], or the circle
+    uint32_t first_arc;  // number of arcs on the circles before
   };
   LoopElement whole(uint32_t k) const { return LoopElement::circle(ClosedHalfEdge(circle_[k].element, 0)); }
 

@@ -6,12 +6,18 @@ void CutPatches::carve(Workspace &workspace, uint32_t vertices, uint32_t pieces,
   first_piece_ = workspace.take<uint32_t>(uint64_t{vertices} + 1);
   pieces_ = FixedVector(workspace.take<PatchPiece>(pieces));
   arcs_ = FixedVector(workspace.take<PatchArc>(arcs));
+  creases_.carve(workspace, arcs);
+  crease_corners_.carve(workspace, arcs);
+  extra_pieces_.carve(workspace, pieces);
 }
 
 void CutPatches::clear() {
   pieces_.clear();
   arcs_.clear();
   loop_ = 0;
+  creases_.clear(0);
+  crease_corners_.clear(0);
+  extra_pieces_.clear(0);
 }
 
 void CutPatches::begin_piece(uint32_t vertex, double area, double volume, const CreaseSums &creases) {
@@ -26,6 +32,23 @@ void CutPatches::add_arc(uint32_t across, double angle, bool last_of_loop) {
 
 void CutPatches::finish(uint32_t vertices) {
   first_piece_[vertices] = pieces_.size();
+  creases_.clear(arcs_.size());
+  crease_corners_.clear(arcs_.size());
+  extra_pieces_.clear(pieces_.size());
+  for (uint32_t k = 1; k < pieces_.size(); ++k) {
+    if (pieces_[k].vertex == pieces_[k - 1].vertex) extra_pieces_.set(k);
+  }
+  creases_.count();
+  crease_corners_.count();
+  extra_pieces_.count();
+}
+
+// Loops are stored one after the other.
+uint32_t CutPatches::previous(uint32_t arc) const {
+  if (arc > 0 && arcs_[arc - 1].next == arc) return arc - 1;
+  uint32_t last = arc;
+  while (arcs_[last].next != arc) last = arcs_[last].next;
+  return last;
 }
 
 uint32_t CutPatches::piece_of_arc(uint32_t arc) const {

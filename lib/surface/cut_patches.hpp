@@ -15,6 +15,7 @@
 #pragma once
 
 #include "core/id_range.hpp"
+#include "core/ranked_bits.hpp"
 #include "surface/region_pieces.hpp"
 
 namespace hsp {
@@ -77,8 +78,18 @@ class CutPatches {
   PatchArc &arc(uint32_t k) { return arcs_[k]; }
   // The piece that an arc bounds.
   uint32_t piece_of_arc(uint32_t arc) const;
+  // Walks back along its loop.
+  uint32_t previous(uint32_t arc) const;
   // Where an arc ends.
   uint32_t end_corner(uint32_t k) const { return arc(arc(k).next).corner; }
+
+  // Which arcs are the first of the two of a crease; at which arcs corners of three creases are numbered, in the patch
+  // with the lowest number there; which pieces are not the first of their vertex.
+  const RankedBits &creases() const { return creases_; }
+  const RankedBits &crease_corners() const { return crease_corners_; }
+  const RankedBits &extra_pieces() const { return extra_pieces_; }
+  RankedBits &creases() { return creases_; }
+  RankedBits &crease_corners() { return crease_corners_; }
 
  private:
   uint32_t first_arc(uint32_t piece) const { return piece < pieces_.size() ? pieces_[piece].first_arc : arcs_.size(); }
@@ -87,6 +98,7 @@ class CutPatches {
   FixedVector<PatchPiece> pieces_;
   FixedVector<PatchArc> arcs_;
   uint32_t loop_ = 0;  // first arc of the loop at hand
+  RankedBits creases_, crease_corners_, extra_pieces_;
 };
 
 }  // namespace hsp

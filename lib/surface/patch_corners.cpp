@@ -17,12 +17,19 @@ class Joiner {
     // patches at the first of these, before the other two.
     for_each_joint([this](uint32_t v, uint32_t before, uint32_t after) { number_own_corner(v, before, after); });
     for_each_joint([this](uint32_t v, uint32_t before, uint32_t after) { number_cusp(v, before, after); });
-    for_each_joint([this](uint32_t v, uint32_t before, uint32_t after) { number_crease_corner(v, before, after); });
+    for_each_joint([this](uint32_t v, uint32_t before, uint32_t after) { find_owner(v, before, after); });
+    patches_.crease_corners().count();
+    joints_.crease_corners = patches_.crease_corners().size();
+    for (uint32_t k = 0; k < joints_.crease_corners; ++k) {
+      patches_.arc(patches_.crease_corners().member(k)).corner = first_crease_corner_ + k;
+    }
     for_each_joint([this](uint32_t v, uint32_t before, uint32_t after) { find_crease_corner(v, before, after); });
     // Every arc of a cusped circle has two ends, with both cusps at each.
     const uint32_t expected = 4 * cusped_.arcs();
     joints_.open += difference(cusps_, expected) + difference(met_, 2 * joints_.crease_corners);
     for_each_arc([this](uint32_t v, uint32_t a) { find_twin(v, a); });
+    patches_.creases().count();
+    joints_.creases = patches_.creases().size();
     return joints_;
   }
 
@@ -73,10 +80,9 @@ class Joiner {
     return !patches_.arc(before).is_side() && !patches_.arc(after).is_side();
   }
 
-  void number_crease_corner(uint32_t v, uint32_t before, uint32_t after) {
+  void find_owner(uint32_t v, uint32_t before, uint32_t after) {
     if (!is_crease_corner(before, after)) return;
-    PatchArc &arc = patches_.arc(after);
-    if (v < arc.across && v < patches_.arc(before).across) arc.corner = first_crease_corner_ + joints_.crease_corners++;
+    if (v < patches_.arc(after).across && v < patches_.arc(before).across) patches_.crease_corners().set(after);
   }
 
   // Around the corner of three probes one comes after v and one before it: in the patch of v a loop arrives on the
@@ -112,7 +118,7 @@ class Joiner {
         continue;
       arc.twin = b;
       other.twin = a;
-      ++joints_.creases;
+      patches_.creases().set(a);
       return;
     }
     ++joints_.open;

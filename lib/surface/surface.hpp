@@ -12,27 +12,32 @@
 #include "core/workspace.hpp"
 #include "surface/patch_corners.hpp"
 #include "surface/probe_caps.hpp"
+#include "surface/surface_shells.hpp"
 
 namespace hsp {
 
 struct SurfaceLimits {
   uint32_t vertices = 0;        // of the boundary
+  uint32_t faces = 0;           // of the boundary
   uint32_t neighbours = 0;      // most probes that may cut any one of the patches
   uint32_t pieces = 0;          // of cut patches
   uint32_t arcs = 0;            // around these
   uint32_t cusped_circles = 0;  // circles whose saddle patches reach their axis
 
   constexpr SurfaceLimits covering(const SurfaceLimits &other) const {
-    return {larger_count(vertices, other.vertices), larger_count(neighbours, other.neighbours),
-            larger_count(pieces, other.pieces), larger_count(arcs, other.arcs),
+    return {larger_count(vertices, other.vertices),
+            larger_count(faces, other.faces),
+            larger_count(neighbours, other.neighbours),
+            larger_count(pieces, other.pieces),
+            larger_count(arcs, other.arcs),
             larger_count(cusped_circles, other.cusped_circles)};
   }
 };
 
 // Enough for molecules: in haemoglobin no more than 34 probes overlap any one; up to 22 of 100 patches are cut, into
 // pieces of 5 arcs.
-constexpr SurfaceLimits default_surface_limits(uint32_t vertices, uint32_t circles) {
-  return {vertices, 64, vertices / 4 + 16, vertices + vertices / 4 + 64, vertices / 8 + circles + 16};
+constexpr SurfaceLimits default_surface_limits(uint32_t vertices, uint32_t faces, uint32_t circles) {
+  return {vertices, faces, 64, vertices / 4 + 16, vertices + vertices / 4 + 64, vertices / 8 + circles + 16};
 }
 
 struct ConcavePatch {
@@ -58,6 +63,10 @@ class Surface {
   // The exceptions: concave patches that others cut, and circles with cusps.
   const CutPatches &cut_patches() const { return cut_patches_; }
   const CuspedCircles &cusped_circles() const { return cusped_circles_; }
+  // Of the two half-edges of each arc the first: numbers the arcs.
+  const RankedBits &first_half_edges() const { return first_half_edges_; }
+  const SurfaceShells &shells() const { return shells_; }
+  Span<int32_t> scratch() const { return scratch_; }  // [faces + pieces]
   // Whether everything that meets is found from all sides. Not so where vertices coincide, and where four probes or a
   // cusp and a probe meet in one point that rounding takes apart; areas are not concerned.
   bool is_closed() const { return counts_.joints.open == 0; }
@@ -69,6 +78,9 @@ class Surface {
   Span<const Position> position_;  // [vertices]
   CutPatches cut_patches_;
   CuspedCircles cusped_circles_;
+  RankedBits first_half_edges_;
+  SurfaceShells shells_;
+  Span<int32_t> scratch_;
   SurfaceCounts counts_;
 };
 

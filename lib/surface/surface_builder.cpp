@@ -16,6 +16,9 @@ void SurfaceBuilder::carve(Workspace &workspace, const SurfaceLimits &limits) {
   surface_.patch_ = workspace.take<ConcavePatch>(limits.vertices);
   surface_.cut_patches_.carve(workspace, limits.vertices, limits.pieces, limits.arcs);
   surface_.cusped_circles_.carve(workspace, limits.cusped_circles);
+  surface_.shells_.carve(workspace, limits.faces, limits.pieces);
+  surface_.scratch_ = workspace.take<int32_t>(uint64_t{limits.faces} + limits.pieces);
+  surface_.first_half_edges_.carve(workspace, 3 * uint64_t{limits.vertices});
   const uint64_t caps = uint64_t{limits.neighbours} + ProbeCaps::sides;
   corners_ = FixedVector(workspace.take<RegionCorner>(6 * caps));
   arcs_ = FixedVector(workspace.take<RegionArc>(6 * caps));
@@ -28,8 +31,9 @@ Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary) {
   CuspedCircles &cusped = surface_.cusped_circles_;
   cut.clear();
   cusped.clear();
-  needed_ = {boundary.vertex_count()};
-  if (needed_.vertices > limits_.vertices) return Status::capacity;
+  needed_ = {boundary.vertex_count(), boundary.face_count()};
+  if (needed_.vertices > limits_.vertices || needed_.faces > limits_.faces) return Status::capacity;
+  number_arcs(boundary);
   const double p = static_cast<double>(balls.probe_steps);
   if (balls.probe_steps == 0) {
     for (uint32_t v = 0; v < needed_.vertices; ++v) {
@@ -37,6 +41,7 @@ Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary) {
       cut.begin_vertex(v);
     }
     cut.finish(needed_.vertices);
+    surface_.shells_.find(boundary, cusped, cut);
     return Status::ok;
   }
   grid_.build(balls, boundary);
@@ -73,8 +78,21 @@ Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary) {
   }
   surface_.counts_.cusped_arcs = cusped.arcs() + cusped.whole_circles();
   surface_.counts_.joints = join_patches(boundary, cusped, cut);
-  surface_.counts_.joints.open += uncertain_holes_;
+  // A hidden patch lacks even its corners, which convex patches and saddles have.
+  surface_.counts_.joints.open += uncertain_holes_ + surface_.counts_.hidden_patches;
+  surface_.shells_.find(boundary, cusped, cut);
   return Status::ok;
+}
+
+void SurfaceBuilder::number_arcs(const Boundary &boundary) {
+  RankedBits &first = surface_.first_half_edges_;
+  first.clear(boundary.half_edge_count());
+  for (uint32_t i = 0; i < boundary.ball_count(); ++i) {
+    for (const uint32_t e : boundary.half_edges(i)) {
+      if (i < boundary.half_edge(e).circle) first.set(e);
+    }
+  }
+  first.count();
 }
 
 // The outward normal is towards the probe's centre.

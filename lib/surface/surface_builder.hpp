@@ -21,6 +21,7 @@ class SurfaceBuilder {
  private:
   bool measure_cut_patch(double &steradians, Vec3 &vector_area);
   bool accept(const FreeRegion &region, double &steradians, Vec3 &vector_area);
+  void number_arcs(const Boundary &boundary);
   void store_pieces(const Boundary &boundary, uint32_t vertex, double p, const Vec3 &arm);
   void add_crease(const RegionArc &arc, CreaseSums &creases) const;
   ConcavePatch in_steps(double p, const Vec3 &arm, double steradians, const Vec3 &vector_area) const;

@@ -38,6 +38,9 @@ contains
     type(hsp_view_info) :: info
     type(hsp_surface_totals) :: surface, shares(n)
     type(hsp_surface_counts) :: patches
+    type(hsp_surface_map_counts) :: map
+    type(hsp_surface_patch) :: patch(1)
+    integer(c_int32_t) :: invariant, id
     integer(c_int32_t) :: status
     integer :: i
     xyz = 0
@@ -70,6 +73,12 @@ contains
                 'its gradient')
     call check(near(energy%area, totals%area), 'the energy is the area')
     if (n > 1) call check(near(gradient(1, n), 2*pi) .and. near(gradient(1, 1), -2*pi), 'the ends pull as before')
+    call expect(hsp_surface_get_map_counts(work%surface, map), HSP_OK, 'its parts')
+    call check(map%shells == 1 .and. map%patches == 2*n - 1 .and. map%edges == 2*n - 2, 'balls and saddles')
+    call expect(hsp_surface_get_patches(work%surface, 0, 1, patch), HSP_OK, 'its first patch')
+    call check(patch(1)%kind == HSP_PATCH_CONVEX .and. (n == 1 .or. &
+               hsp_surface_left(work%surface, patch(1)%h) == 0), 'the patch beside its edge')
+    call expect(hsp_surface_check(work%surface, invariant, id), HSP_OK, 'its invariants')
     call expect(work%compute_view(), HSP_OK, 'view of the model')
     call expect(work%compute_view(use_boundary=.true.), HSP_OK, 'view of the boundary')
     call expect(hsp_view_get_info(work%view, info), HSP_OK, 'its figures')

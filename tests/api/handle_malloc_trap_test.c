@@ -133,7 +133,12 @@ static int call_surface(surface_result *s, void *memory, size_t bytes) {
   hsp_surface_limits limits;
   hsp_surface_counts counts;
   hsp_energy energy;
-  uint32_t needed = 0;
+  hsp_surface_map_counts map;
+  hsp_surface_patch patch;
+  hsp_surface_edge edge;
+  hsp_surface_corner corner;
+  uint32_t needed = 0, invariant, id;
+  int32_t status;
   size_t size = 0;
   int bad = 0;
   bad += hsp_surface_limits_init(&limits, (uint32_t)sizeof limits, c->boundary) != HSP_OK;
@@ -143,6 +148,19 @@ static int call_surface(surface_result *s, void *memory, size_t bytes) {
   bad += hsp_surface_get_counts(surface, &counts) != HSP_OK;
   bad += hsp_surface_measure(surface, &s->totals, s->balls, c->n, &needed) != HSP_OK;
   bad += hsp_surface_gradient(surface, 1, 1, &energy, NULL, c->area, NULL, c->n, &needed) != HSP_OK;
+  bad += hsp_surface_check(surface, &invariant, &id) != (counts.open_joints == 0 ? HSP_OK : HSP_E_CHECK);
+  status = hsp_surface_get_map_counts(surface, &map);
+  bad += status != (counts.open_joints == 0 ? HSP_OK : HSP_E_CHECK);
+  if (status != HSP_OK) return bad;
+  for (id = 0; id < map.patches; ++id) bad += hsp_surface_get_patches(surface, id, 1, &patch) != HSP_OK;
+  for (id = 0; id < map.edges; ++id) bad += hsp_surface_get_edges(surface, id, 1, &edge) != HSP_OK;
+  for (id = 0; id < map.corners; ++id) bad += hsp_surface_get_corners(surface, id, 1, &corner) != HSP_OK;
+  for (id = 0; id < 2 * map.edges; ++id) {
+    bad += hsp_surface_next(surface, hsp_surface_previous(surface, id)) != id;
+    bad += hsp_surface_left(surface, hsp_surface_next_loop(surface, id)) != hsp_surface_left(surface, id);
+    bad += hsp_surface_origin(surface, id) == map.corners;
+  }
+  bad += hsp_surface_get_shells(surface, NULL, 0, &needed) != (map.shells == 0 ? HSP_OK : HSP_E_CAPACITY);
   return bad;
 }
 

@@ -235,7 +235,7 @@ static void check_writing(const struct versioned *s, int32_t (*write)(void *out,
 }
 
 int main(void) {
-  const hsp_surface_limits of_surface = {(uint32_t)sizeof of_surface, 2 * BALLS, BALLS, 8, 64, 8};
+  const hsp_surface_limits of_surface = {(uint32_t)sizeof of_surface, 2 * BALLS, 8, BALLS, 8, 64, 8};
   int i, k;
   h = four_handles_make(BALLS);
   CHECK_EQUAL(hsp_surface_init(surface_memory, sizeof surface_memory, &of_surface, &surface), HSP_OK);

@@ -6,10 +6,10 @@
 #include "check.h"
 #include "untouched.h"
 
-enum { BALLS = THREE_BALLS, VERTICES = 8, NEIGHBOURS = 4, PIECES = 8, ARCS = 32, CUSPED = 3 };
+enum { BALLS = THREE_BALLS, VERTICES = 8, FACES = 6, NEIGHBOURS = 4, PIECES = 8, ARCS = 32, CUSPED = 3 };
 static unsigned char model_memory[HSP_MODEL_BYTES(BALLS)];
 static unsigned char boundary_memory[HSP_BOUNDARY_BYTES(BALLS, BALLS, 16, 16)];
-static unsigned char surface_memory[HSP_SURFACE_BYTES(VERTICES, NEIGHBOURS, PIECES, ARCS, CUSPED)];
+static unsigned char surface_memory[HSP_SURFACE_BYTES(VERTICES, FACES, NEIGHBOURS, PIECES, ARCS, CUSPED)];
 static hsp_model *model;
 static hsp_boundary *boundary;
 static hsp_surface *surface;
@@ -20,7 +20,12 @@ static hsp_surface_totals totals, balls[BALLS];
 static hsp_energy energy;
 static double d_centre[3 * BALLS], d_radius[BALLS];
 static uint32_t flags[BALLS];
-static uint32_t needed;
+static hsp_surface_map_counts map;
+static hsp_surface_patch patches[4];
+static hsp_surface_edge edges[4];
+static hsp_surface_corner corners[4];
+static hsp_surface_shell shells[2];
+static uint32_t needed, invariant, id;
 
 static void fill_outputs(void) {
   FILL(limits);
@@ -31,7 +36,14 @@ static void fill_outputs(void) {
   FILL(d_centre);
   FILL(d_radius);
   FILL(flags);
+  FILL(map);
+  FILL(patches);
+  FILL(edges);
+  FILL(corners);
+  FILL(shells);
   FILL(needed);
+  FILL(invariant);
+  FILL(id);
 }
 
 static void check_outputs_untouched(void) {
@@ -43,7 +55,14 @@ static void check_outputs_untouched(void) {
   CHECK_UNTOUCHED(d_centre);
   CHECK_UNTOUCHED(d_radius);
   CHECK_UNTOUCHED(flags);
+  CHECK_UNTOUCHED(map);
+  CHECK_UNTOUCHED(patches);
+  CHECK_UNTOUCHED(edges);
+  CHECK_UNTOUCHED(corners);
+  CHECK_UNTOUCHED(shells);
   CHECK_UNTOUCHED(needed);
+  CHECK_UNTOUCHED(invariant);
+  CHECK_UNTOUCHED(id);
 }
 
 /* All reading functions with good arguments must say `status` and write nothing. */
@@ -54,6 +73,16 @@ static void check_all_readers(const hsp_surface *which, int32_t status) {
   CHECK_EQUAL(hsp_surface_measure(which, NULL, NULL, 0, NULL), status);
   CHECK_EQUAL(hsp_surface_gradient(which, 1, 1, &energy, d_centre, d_radius, flags, BALLS, &needed), status);
   CHECK_EQUAL(hsp_surface_gradient(which, 1, 1, NULL, NULL, NULL, NULL, 0, NULL), status);
+  CHECK_EQUAL(hsp_surface_get_map_counts(which, &map), status);
+  CHECK_EQUAL(hsp_surface_get_patches(which, 0, 4, patches), status);
+  CHECK_EQUAL(hsp_surface_get_edges(which, 0, 4, edges), status);
+  CHECK_EQUAL(hsp_surface_get_corners(which, 0, 4, corners), status);
+  CHECK_EQUAL(hsp_surface_get_shells(which, shells, 2, &needed), status);
+  CHECK_EQUAL(hsp_surface_next(which, 0), HSP_NONE);
+  CHECK_EQUAL(hsp_surface_previous(which, 0), HSP_NONE);
+  CHECK_EQUAL(hsp_surface_next_loop(which, 0), HSP_NONE);
+  CHECK_EQUAL(hsp_surface_origin(which, 0), HSP_NONE);
+  CHECK_EQUAL(hsp_surface_left(which, 0), HSP_NONE);
   check_outputs_untouched();
 }
 
@@ -65,6 +94,45 @@ static void check_has_results(void) {
   CHECK_EQUAL(hsp_surface_gradient(surface, 1, 1, &energy, d_centre, d_radius, flags, BALLS, &needed), HSP_OK);
   CHECK_NEAR(energy.value, totals.area + totals.volume, 1e-12 * energy.value);
   CHECK_EQUAL(hsp_surface_gradient(surface, 1, 1, NULL, NULL, NULL, NULL, 0, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_surface_get_map_counts(surface, &map), HSP_OK);
+  CHECK_EQUAL(map.shells, 1);
+  CHECK_EQUAL(hsp_surface_check(surface, &invariant, &id), HSP_OK);
+  CHECK(invariant == 0 && id == HSP_NONE);
+}
+
+/* Ranges up to the last record, and beyond it. */
+static void ranges(void) {
+  check_scene("ranges");
+  fill_outputs();
+  CHECK_EQUAL(hsp_surface_get_map_counts(surface, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_surface_get_patches(surface, 0, 1, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_surface_get_edges(surface, 0, 1, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_surface_get_corners(surface, 0, 1, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_surface_get_shells(surface, NULL, 1, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_surface_get_shells(surface, shells, 2, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_surface_check(NULL, &invariant, &id), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_surface_check(surface, NULL, &id), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_surface_check(surface, &invariant, NULL), HSP_E_ARGUMENT);
+  check_outputs_untouched();
+  CHECK_EQUAL(hsp_surface_get_map_counts(surface, &map), HSP_OK);
+  fill_outputs();
+  CHECK_EQUAL(hsp_surface_get_map_counts(surface, &map), HSP_OK);
+  CHECK_EQUAL(hsp_surface_get_patches(surface, map.patches - 1, 2, patches), HSP_E_ID);
+  CHECK_EQUAL(hsp_surface_get_edges(surface, map.edges + 1, 0, NULL), HSP_E_ID);
+  CHECK_EQUAL(hsp_surface_get_corners(surface, HSP_NONE, 2, corners), HSP_E_ID);
+  CHECK_EQUAL(hsp_surface_next(surface, 2 * map.edges), HSP_NONE);
+  CHECK_EQUAL(hsp_surface_left(surface, HSP_NONE), HSP_NONE);
+  CHECK_UNTOUCHED(patches);
+  CHECK_UNTOUCHED(edges);
+  CHECK_UNTOUCHED(corners);
+  CHECK_EQUAL(hsp_surface_get_shells(surface, shells, 0, &needed), HSP_E_CAPACITY);
+  CHECK_EQUAL(needed, 1);
+  CHECK_UNTOUCHED(shells);
+  CHECK_EQUAL(hsp_surface_get_patches(surface, map.patches, 0, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_surface_get_patches(surface, map.patches - 1, 1, patches), HSP_OK);
+  CHECK_EQUAL(hsp_surface_get_edges(surface, map.edges - 1, 1, edges), HSP_OK);
+  CHECK_EQUAL(hsp_surface_get_corners(surface, map.corners - 1, 1, corners), HSP_OK);
+  CHECK_EQUAL(hsp_surface_get_shells(surface, shells, 2, &needed), HSP_OK);
 }
 
 static void set_balls(void) {
@@ -75,7 +143,7 @@ static void set_balls(void) {
 }
 
 static hsp_surface_limits good_limits(void) {
-  const hsp_surface_limits good = {(uint32_t)sizeof good, VERTICES, NEIGHBOURS, PIECES, ARCS, CUSPED};
+  const hsp_surface_limits good = {(uint32_t)sizeof good, VERTICES, FACES, NEIGHBOURS, PIECES, ARCS, CUSPED};
   return good;
 }
 
@@ -90,7 +158,7 @@ static void refused_limits(void) {
   hsp_surface *made = NULL;
   int which;
   CHECK_EQUAL(hsp_surface_bytes(NULL, &bytes), HSP_E_ARGUMENT);
-  for (which = 0; which < 7; ++which) {
+  for (which = 0; which < 8; ++which) {
     const int32_t status = which < 2 ? HSP_E_ARGUMENT : HSP_E_RANGE;
     bad = good_limits();
     if (which == 0) bad.struct_size = 12;
@@ -99,6 +167,7 @@ static void refused_limits(void) {
     if (which == 3) bad.vertices = HSP_MAX_BALLS + 1;
     if (which == 4) bad.neighbours = HSP_NONE;
     if (which == 5) bad.arcs = HSP_MAX_BALLS + 1;
+    if (which == 7) bad.faces = HSP_MAX_BALLS + 1;
     if (which == 6) bad.cusped_circles = HSP_NONE;
     CHECK_EQUAL(hsp_surface_bytes(&bad, &bytes), status);
     CHECK_EQUAL(hsp_surface_init(surface_memory, sizeof surface_memory, &bad, &made), status);
@@ -107,7 +176,7 @@ static void refused_limits(void) {
   CHECK_EQUAL(hsp_surface_bytes(&bad, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(bytes, 0);
   CHECK_EQUAL(hsp_surface_bytes(&bad, &bytes), HSP_OK);
-  CHECK(bytes <= HSP_SURFACE_BYTES(VERTICES, NEIGHBOURS, PIECES, ARCS, CUSPED));
+  CHECK(bytes <= HSP_SURFACE_BYTES(VERTICES, FACES, NEIGHBOURS, PIECES, ARCS, CUSPED));
   CHECK_EQUAL(hsp_surface_init(NULL, bytes, &bad, &made), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_surface_init(surface_memory, bytes, NULL, &made), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_surface_init(surface_memory, bytes, &bad, NULL), HSP_E_ARGUMENT);
@@ -126,6 +195,7 @@ static void defaults(void) {
   CHECK_EQUAL(hsp_surface_limits_init(&limits, (uint32_t)sizeof limits, boundary), HSP_OK);
   CHECK_EQUAL(limits.struct_size, sizeof limits);
   CHECK_EQUAL(limits.vertices, 2);
+  CHECK_EQUAL(limits.faces, 3);
   CHECK_EQUAL(limits.neighbours, 64);
   CHECK_EQUAL(limits.pieces, 16);
   CHECK_EQUAL(limits.arcs, 66);
@@ -145,6 +215,7 @@ static void out_of_order(void) {
   check_outputs_untouched();
   CHECK_EQUAL(hsp_surface_compute(surface, boundary, NULL), HSP_OK);
   check_has_results();
+  ranges();
   fill_outputs();
   CHECK_EQUAL(hsp_surface_get_counts(surface, NULL), HSP_E_ARGUMENT);
   check_outputs_untouched();
@@ -191,11 +262,12 @@ static void out_of_order(void) {
 }
 
 static void too_small(void) {
-  hsp_surface_limits few = {(uint32_t)sizeof few, 1, 0, 0, 0, 0};
+  hsp_surface_limits few = {(uint32_t)sizeof few, 1, 2, 0, 0, 0, 0};
   check_scene("a limit is too small");
   CHECK_EQUAL(hsp_surface_init(surface_memory, sizeof surface_memory, &few, &surface), HSP_OK);
   CHECK_EQUAL(hsp_surface_compute(surface, boundary, &few), HSP_E_CAPACITY);
   CHECK_EQUAL(few.vertices, 2);
+  CHECK_EQUAL(few.faces, 3);
   CHECK_EQUAL(few.neighbours, 0);
   check_all_readers(surface, HSP_E_STATE);
 }

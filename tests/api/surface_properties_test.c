@@ -292,12 +292,12 @@ static void no_results(const void *handle) {
 
 static size_t macro(const limit_numbers *limits) {
   return HSP_SURFACE_BYTES(limits->number[1], limits->number[2], limits->number[3], limits->number[4],
-                           limits->number[5]);
+                           limits->number[5], limits->number[6]);
 }
 
 static void sizes(void) {
-  static const uint32_t values[] = {0, 1, 3, 8, 65, 1000, 1024, 4097, 0x0FFFFFFF};
-  static const size_bound bound = {macro, {8192, 104, 1152, 56, 24, 12}};
+  static const uint32_t values[] = {0, 1, 65, 1000, 4097, 0x0FFFFFFF};
+  static const size_bound bound = {macro, {8192, 108, 8, 1152, 72, 26, 16}};
   check_scene("sizes");
   sweep_sizes(&surface_handle, &bound, values, sizeof values / sizeof values[0]);
 }

@@ -47,8 +47,8 @@ struct SurfaceKind {
   using Handle = hsp_surface;
   using Limits = hsp_surface_limits;
   static constexpr int enlargements = 3;
-  static constexpr std::array limits = {&Limits::vertices, &Limits::neighbours, &Limits::pieces, &Limits::arcs,
-                                        &Limits::cusped_circles};
+  static constexpr std::array limits = {&Limits::vertices, &Limits::faces, &Limits::neighbours,
+                                        &Limits::pieces,   &Limits::arcs,  &Limits::cusped_circles};
   static constexpr const char *name = "hsp_surface";
   static constexpr auto bytes = hsp_surface_bytes;
   static constexpr auto init = hsp_surface_init;

@@ -11,8 +11,8 @@ static int32_t compute_handle(void *handle, const void *source, void *limits) {
 }
 
 const handle_kind surface_handle = {(uint32_t)sizeof(hsp_surface_limits),
-                                    5,
-                                    {"", "vertices", "neighbours", "pieces", "arcs", "cusped circles"},
+                                    6,
+                                    {"", "vertices", "faces", "neighbours", "pieces", "arcs", "cusped circles"},
                                     NULL,
                                     bytes_of_limits,
                                     init_handle,

@@ -59,13 +59,13 @@ static void compute_boundary(void) {
 
 #if PART >= 0 && (PART & 32)
 static void compute_surface(void) {
-  static unsigned char memory[HSP_SURFACE_BYTES(100, BALLS, 40, 200, 20)];
+  static unsigned char memory[HSP_SURFACE_BYTES(100, 40, BALLS, 40, 200, 20)];
   static hsp_surface_totals shares[BALLS];
   hsp_surface_limits limits;
   hsp_surface *surface;
   hsp_surface_totals totals;
   result |= hsp_surface_limits_init(&limits, sizeof limits, boundary);
-  limits.vertices = 100, limits.neighbours = BALLS;
+  limits.vertices = 100, limits.faces = 40, limits.neighbours = BALLS;
   limits.pieces = 40, limits.arcs = 200, limits.cusped_circles = 20;
   result |= hsp_surface_init(memory, sizeof memory, &limits, &surface);
   result |= hsp_surface_compute(surface, boundary, NULL);

@@ -51,7 +51,7 @@ constexpr SurfaceScene four_through_a_point = {
 
 class SmallSurface {
  public:
-  static constexpr hsp::SurfaceLimits most = {60, 30, 60, 400, 30};
+  static constexpr hsp::SurfaceLimits most = {60, 40, 30, 60, 400, 30};
 
   bool build(const SurfaceScene &scene, const hsp::SurfaceLimits &limits = most) {
     if (!small_union().build(scene.ball, scene.n, scene.probe)) return false;

@@ -34,9 +34,9 @@ inline uint32_t limits_to_retry_with() {
     bool suffices;
   };
   constexpr Limited limited[] = {
-      {{2, 1, 2, 8, 0}, {2, 1, 2, 8, 0}, true},  {{1, 1, 2, 8, 0}, {2, 0, 0, 0, 0}, false},
-      {{2, 0, 2, 8, 0}, {2, 1, 0, 0, 0}, false}, {{2, 1, 1, 8, 0}, {2, 1, 2, 8, 0}, false},
-      {{2, 1, 2, 7, 0}, {2, 1, 2, 8, 0}, false}, {{60, 30, 9, 99, 0}, {2, 1, 2, 8, 0}, true}};
+      {{2, 3, 1, 2, 8, 0}, {2, 3, 1, 2, 8, 0}, true},  {{1, 3, 1, 2, 8, 0}, {2, 3, 0, 0, 0, 0}, false},
+      {{2, 3, 0, 2, 8, 0}, {2, 3, 1, 0, 0, 0}, false}, {{2, 3, 1, 1, 8, 0}, {2, 3, 1, 2, 8, 0}, false},
+      {{2, 3, 1, 2, 7, 0}, {2, 3, 1, 2, 8, 0}, false}, {{60, 9, 30, 9, 99, 0}, {2, 3, 1, 2, 8, 0}, true}};
   return first_failing(limited, [](const Limited &c) {
     const bool built = small_surface().build(three_throat, c.limits);
     const hsp::SurfaceBuilder &builder = small_surface().builder();

@@ -1,0 +1,67 @@
+// A set of numbers below a limit, as bits, that knows how many of its members come before any number, and which is the
+// k-th: so that the members of a sparse kind have consecutive ids without a table in either direction.
+#pragma once
+
+#include "core/workspace.hpp"
+
+namespace hsp {
+
+class RankedBits {
+ public:
+  void carve(Workspace &workspace, uint64_t most) {
+    words_ = workspace.take<uint64_t>(most / 64 + 1);
+    before_ = workspace.take<uint32_t>(most / 64 + 2);
+  }
+
+  // Empties it for numbers below n.
+  void clear(uint32_t n) {
+    used_ = n / 64 + 1;
+    for (uint32_t w = 0; w < used_; ++w) words_[w] = 0;
+  }
+  void set(uint32_t k) { words_[k / 64] |= uint64_t{1} << k % 64; }
+  // To be called once all members are set.
+  void count() {
+    uint32_t sum = 0;
+    for (uint32_t w = 0; w < used_; ++w) {
+      before_[w] = sum;
+      sum += ones(words_[w]);
+    }
+    before_[used_] = sum;
+  }
+
+  bool has(uint32_t k) const { return (words_[k / 64] >> k % 64 & 1) != 0; }
+  uint32_t size() const { return used_ == 0 ? 0 : before_[used_]; }
+  // Members below k.
+  uint32_t rank(uint32_t k) const { return before_[k / 64] + ones(words_[k / 64] & ((uint64_t{1} << k % 64) - 1)); }
+  // The member of rank r; there must be one.
+  uint32_t member(uint32_t r) const {
+    uint32_t low = 0;
+    uint32_t high = used_;
+    while (high - low > 1) {
+      const uint32_t middle = low + (high - low) / 2;
+      if (before_[middle] <= r) {
+        low = middle;
+      } else {
+        high = middle;
+      }
+    }
+    uint64_t word = words_[low];
+    for (uint32_t left = r - before_[low]; left > 0; --left) word &= word - 1;
+    return 64 * low + ones((word & (~word + 1)) - 1);
+  }
+
+ private:
+  // Of 64 bits; without a processor's instruction for it, which the archive may not assume.
+  static constexpr uint32_t ones(uint64_t w) {
+    w -= w >> 1 & UINT64_C(0x5555555555555555);
+    w = (w & UINT64_C(0x3333333333333333)) + (w >> 2 & UINT64_C(0x3333333333333333));
+    w = (w + (w >> 4)) & UINT64_C(0x0F0F0F0F0F0F0F0F);
+    return static_cast<uint32_t>(w * UINT64_C(0x0101010101010101) >> 56);
+  }
+
+  Span<uint64_t> words_;
+  Span<uint32_t> before_;
+  uint32_t used_ = 0;
+};
+
+}  // namespace hsp

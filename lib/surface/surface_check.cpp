@@ -1,0 +1,178 @@
+#include "surface/surface_check.hpp"
+
+#include "measure/areas.hpp"
+#include "surface/surface_patches.hpp"
+#include "surface/surface_positions.hpp"
+
+namespace hsp {
+namespace {
+
+// Up to rounding, of lengths in units of the largest radius.
+constexpr double tolerance = 1e-6;
+
+class SurfaceChecker {
+ public:
+  SurfaceChecker(const BallSet &balls, const Boundary &boundary, const Surface &surface)
+      : balls_(balls),
+        boundary_(boundary),
+        surface_(surface),
+        map_(balls, boundary, surface),
+        length_(static_cast<double>(balls.largest_radius)) {}
+
+  SurfaceViolation check() {
+    if (!surface_.is_closed()) fail(SurfaceInvariant::joints, surface_.counts().joints.open);
+    for (uint32_t h = 0; h < 2 * map_.edge_count() && holds(); ++h) check_steps(h);
+    for (uint32_t patch = 0; patch < map_.patch_count() && holds(); ++patch) count_loops(patch);
+    if (holds() && visited_ != 2 * map_.edge_count()) fail(SurfaceInvariant::loops, visited_);
+    for (uint32_t h = 0; h < 2 * map_.edge_count() && holds(); ++h) check_crease(h);
+    for (uint32_t h = 0; h < 2 * map_.edge_count() && holds(); ++h) check_corner(h);
+    if (holds()) check_shells();
+    for (uint32_t v = 0; v < boundary_.vertex_count() && holds(); ++v) check_areas_at(v);
+    for (uint32_t patch = 0; patch < map_.patch_count() && holds(); ++patch) check_patch(patch);
+    return violation_;
+  }
+
+ private:
+  bool holds() const { return violation_.invariant == SurfaceInvariant::none; }
+  void fail(SurfaceInvariant invariant, uint32_t id) {
+    if (holds()) violation_ = {invariant, id};
+  }
+
+  void check_steps(uint32_t h) {
+    const uint32_t next = map_.next(h);
+    const bool good = next < 2 * map_.edge_count() && map_.previous(next) == h && map_.left(next) == map_.left(h) &&
+                      map_.left(h) < map_.patch_count() && map_.origin(next) == map_.origin(SurfaceMap::twin(h)) &&
+                      (map_.origin(h) == no_id ? next == h : map_.origin(h) < map_.corner_count());
+    if (!good) fail(SurfaceInvariant::steps, h);
+  }
+
+  // Every loop that a patch names is one of its own, and all together are all directed edges.
+  void count_loops(uint32_t patch) {
+    const uint32_t first = map_.first_edge(patch);
+    if (first == no_id) return;
+    uint32_t loop = first;
+    do {
+      uint32_t h = loop;
+      do {
+        if (map_.left(h) != patch || visited_ >= 2 * map_.edge_count()) return fail(SurfaceInvariant::loops, patch);
+        ++visited_;
+        h = map_.next(h);
+      } while (h != loop);
+      loop = map_.next_loop(loop);
+    } while (loop != first);
+  }
+
+  // The circle of a crease is computed from each of its two probes; its angle was, when they were cut.
+  void check_crease(uint32_t h) {
+    const SurfaceEdge edge = map_.edge(h / 2);
+    if (edge.kind != EdgeKind::crease || h % 2 != 0) return;
+    const CutPatches &cut = surface_.cut_patches();
+    const PatchArc &arc = cut.arc(edge.source);
+    const double radius = position_of_edge(balls_, boundary_, surface_, h / 2).radius;
+    const double off = (arc.angle - cut.arc(arc.twin).angle) * radius;
+    if (!(off * off <= tolerance * tolerance * length_ * length_)) fail(SurfaceInvariant::creases, h);
+  }
+
+  Vec3 from_origin(const Position &position) const {
+    return offset_from_origin(balls_, boundary_, position.ball) + position.offset;
+  }
+
+  // It lies on the circle of the edge that starts there.
+  void check_corner(uint32_t h) {
+    const uint32_t corner = map_.origin(h);
+    if (corner == no_id) return;
+    const ArcPosition arc = position_of_edge(balls_, boundary_, surface_, h / 2);
+    const Vec3 arm = from_origin(position_of_corner(balls_, boundary_, surface_, corner)) - from_origin(arc.centre);
+    const double above = dot(arm, arc.axis);
+    const double beside = std::sqrt(dot(arm, arm)) - arc.radius;
+    const double most = tolerance * length_;
+    if (!(above <= most && -above <= most && beside <= most && -beside <= most)) fail(SurfaceInvariant::corners, h);
+  }
+
+  void check_shells() {
+    const uint32_t shells = surface_.shells().count();
+    const Span<int32_t> euler = surface_.scratch().part(0, shells);
+    for (int32_t &e : euler) e = 0;
+    count_euler(balls_, boundary_, surface_, [euler](uint32_t shell, int32_t n) { euler[shell] += n; });
+    for (uint32_t s = 0; s < shells && holds(); ++s) {
+      if (euler[s] > 2 || euler[s] % 2 != 0) fail(SurfaceInvariant::shells, s);
+    }
+  }
+
+  // What is left of a concave patch is not more than the patch, and its pieces are all of it.
+  void check_areas_at(uint32_t v) {
+    const double most = tolerance * length_ * length_;
+    const ConcavePatch &patch = surface_.patch(v);
+    const CutPatches &cut = surface_.cut_patches();
+    double area = 0.0;
+    double volume = 0.0;
+    if (!cut.is_cut(v)) return;
+    for (const uint32_t piece : cut.pieces(v)) {
+      area += cut.piece(piece).area;
+      volume += cut.piece(piece).volume;
+    }
+    const double off = area - patch.area;
+    const double volume_off = (volume - patch.volume) / extent(v);
+    if (!(off <= most && -off <= most && volume_off <= most && -volume_off <= most)) fail(SurfaceInvariant::areas, v);
+  }
+  double extent(uint32_t v) const {
+    const Vec3 arm = offset_from_origin(balls_, boundary_, boundary_.vertex(v).ball[0]);
+    return length_ + std::sqrt(dot(arm, arm));
+  }
+
+  // Area and volume of a patch agree with the vector area that the circles around it give: 1/2 of the integral of
+  // x x dx along them (Stokes). The outward normal of a sphere is along the radius, or against it.
+  void check_patch(uint32_t id) {
+    const SurfacePatch record = map_.patch(id);
+    const PatchMeasure measure = measure_patch(balls_, boundary_, surface_, id);
+    if (!(measure.area >= 0.0)) return fail(SurfaceInvariant::areas, id);
+    if (record.kind != PatchKind::convex && record.kind != PatchKind::concave) return;
+    Position centre;
+    double radius;
+    const double p = static_cast<double>(balls_.probe_steps);
+    if (record.kind == PatchKind::convex) {
+      centre = {boundary_.face(record.source).ball, {0.0, 0.0, 0.0}};
+      radius = balls_.r[centre.ball] - p;
+    } else {
+      centre = position_of_vertex(balls_, boundary_, record.source);
+      radius = -p;
+    }
+    const Vec3 arm = from_origin(centre);
+    Vec3 vector_area{0.0, 0.0, 0.0};
+    map_.for_each_loop(id, [&](uint32_t loop) {
+      map_.for_each_edge(loop, [&](uint32_t h) { vector_area = vector_area + vector_area_along(h, arm); });
+    });
+    const double off = 3 * measure.volume - radius * measure.area - dot(arm, vector_area);
+    const double most = tolerance * length_ * length_ * (length_ + std::sqrt(dot(arm, arm)));
+    if (!(off <= most && -off <= most)) fail(SurfaceInvariant::closure, id);
+  }
+
+  Vec3 vector_area_along(uint32_t h, const Vec3 &origin) const {
+    const ArcPosition arc = position_of_edge(balls_, boundary_, surface_, h / 2);
+    const uint32_t first = map_.origin(h & ~1U);
+    Vec3 chord{0.0, 0.0, 0.0};
+    if (first != no_id) {
+      chord = from_origin(position_of_corner(balls_, boundary_, surface_, map_.origin(h | 1U))) -
+              from_origin(position_of_corner(balls_, boundary_, surface_, first));
+    }
+    const Vec3 forward = combine(0.5, cross(from_origin(arc.centre) - origin, chord),
+                                 0.5 * arc.radius * arc.radius * arc.angle, arc.axis);
+    return h % 2 == 0 ? forward : -forward;
+  }
+
+  const BallSet &balls_;
+  const Boundary &boundary_;
+  const Surface &surface_;
+  const SurfaceMap map_;
+  const double length_;
+  uint32_t visited_ = 0;
+  SurfaceViolation violation_;
+};
+
+}  // namespace
+
+SurfaceViolation check_surface(const BallSet &balls, const Boundary &boundary, const Surface &surface) {
+  return SurfaceChecker(balls, boundary, surface).check();
+}
+
+}  // namespace hsp

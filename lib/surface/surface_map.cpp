@@ -1,0 +1,319 @@
+#include "surface/surface_map.hpp"
+
+namespace hsp {
+
+// ---- numbers ----
+
+uint32_t SurfaceMap::arc_of(uint32_t half_edge) const {
+  const RankedBits &first = surface_.first_half_edges();
+  return first.rank(first.has(half_edge) ? half_edge : boundary_.twin(half_edge));
+}
+
+uint32_t SurfaceMap::side_of(uint32_t half_edge) const {
+  return balls_.given_before(boundary_.ball_of(half_edge), boundary_.half_edge(half_edge).circle) ? 0 : 1;
+}
+
+uint32_t SurfaceMap::half_edge_of(uint32_t arc, uint32_t side) const {
+  const uint32_t first = surface_.first_half_edges().member(arc);
+  return side_of(first) == side ? first : boundary_.twin(first);
+}
+
+uint32_t SurfaceMap::cusped_circle_of(uint32_t half_edge) const {
+  const CuspedCircles &cusped = surface_.cusped_circles();
+  if (cusped.count() == 0) return no_id;
+  const uint32_t a = boundary_.ball_of(half_edge);
+  const uint32_t b = boundary_.half_edge(half_edge).circle;
+  return a < b ? cusped.of_arc(a, b) : cusped.of_arc(b, a);
+}
+
+// Its circle must have cusps.
+uint32_t SurfaceMap::cusped_arc_of(uint32_t half_edge) const {
+  const bool on_first = boundary_.ball_of(half_edge) < boundary_.half_edge(half_edge).circle;
+  return surface_.cusped_circles().arc_number(cusped_circle_of(half_edge),
+                                              on_first ? half_edge : boundary_.twin(half_edge));
+}
+
+uint32_t SurfaceMap::circle_side_of(ClosedHalfEdge e) const {
+  return balls_.given_before(boundary_.ball_of(e), boundary_.neighbour(e)) ? 0 : 1;
+}
+
+uint32_t SurfaceMap::concave_patch(uint32_t vertex, uint32_t piece) const {
+  const CutPatches &cut = surface_.cut_patches();
+  if (!cut.is_cut(vertex) || piece == cut.pieces(vertex).first) return first_concave() + vertex;
+  return first_extra_piece() + cut.extra_pieces().rank(piece);
+}
+
+uint32_t SurfaceMap::patch_of_piece(uint32_t piece) const {
+  return concave_patch(surface_.cut_patches().piece(piece).vertex, piece);
+}
+
+uint32_t SurfaceMap::shell_of(uint32_t id) const {
+  const SurfaceShells &shells = surface_.shells();
+  const SurfacePatch record = patch(id);
+  if (record.kind == PatchKind::convex) return shells.of_face(record.source);
+  if (record.kind == PatchKind::saddle) {
+    return shells.of_face(boundary_.face_of(half_edge_of(record.source, record.part)));
+  }
+  if (record.kind == PatchKind::circle_saddle) {
+    const ClosedHalfEdge first(record.source, 0);
+    const ClosedHalfEdge at_part = circle_side_of(first) == record.part ? first : ClosedHalfEdge(record.source, 1);
+    return shells.of_face(boundary_.face_of_loop(boundary_.loop_of(at_part)));
+  }
+  if (record.part != no_id) return shells.of_piece(record.part);
+  return shells.of_face(boundary_.face_of(boundary_.half_edge_at(record.source, 0)));
+}
+
+uint32_t SurfaceMap::shell_of_corner(uint32_t corner) const {
+  const SurfaceShells &shells = surface_.shells();
+  if (corner < first_cusp()) return shells.of_face(boundary_.face_of(boundary_.half_edge_at(corner / 3, corner % 3)));
+  if (corner < first_crease_corner()) {
+    const uint32_t cusp = corner - first_cusp();
+    const LoopElement element = surface_.cusped_circles().element(cusp / 2);
+    if (element.is_circle()) return no_id;
+    const uint32_t e = element.half_edge();  // on ball 0
+    return shells.of_face(boundary_.face_of(cusp % 2 == 0 ? e : boundary_.twin(e)));
+  }
+  const CutPatches &cut = surface_.cut_patches();
+  return shells.of_piece(cut.piece_of_arc(cut.crease_corners().member(corner - first_crease_corner())));
+}
+
+uint32_t SurfaceMap::corner_at(uint32_t vertex, uint32_t ball) const {
+  return 3 * vertex + boundary_.vertex(vertex).slot_of(ball);
+}
+
+uint32_t SurfaceMap::cusp_at(uint32_t circle, uint32_t ball) const {
+  return first_cusp() + 2 * circle + (surface_.cusped_circles().ball(circle, 0) == ball ? 0 : 1);
+}
+
+SurfacePatch SurfaceMap::patch(uint32_t id) const {
+  const CuspedCircles &cusped = surface_.cusped_circles();
+  const CutPatches &cut = surface_.cut_patches();
+  if (id < first_saddle()) return {PatchKind::convex, id, 0};
+  if (id < first_circle_saddle()) return {PatchKind::saddle, id - first_saddle(), 0};
+  if (id < first_concave()) return {PatchKind::circle_saddle, id - first_circle_saddle(), 0};
+  if (id < first_extra_saddle()) {
+    const uint32_t vertex = id - first_concave();
+    return {PatchKind::concave, vertex, cut.is_cut(vertex) ? cut.pieces(vertex).first : no_id};
+  }
+  if (id < first_extra_circle()) return {PatchKind::saddle, arc_of(cusped.half_edge(id - first_extra_saddle())), 1};
+  if (id < first_extra_piece()) {
+    const uint32_t k = cusped.first_whole() + (id - first_extra_circle());
+    return {PatchKind::circle_saddle, cusped.element(k).closed_half_edge().circle(), 1};
+  }
+  const uint32_t piece = cut.extra_pieces().member(id - first_extra_piece());
+  return {PatchKind::concave, cut.piece(piece).vertex, piece};
+}
+
+SurfaceEdge SurfaceMap::edge(uint32_t id) const {
+  if (id < first_circle_rim()) return {EdgeKind::rim, half_edge_of(id / 2, id % 2), 0};
+  if (id < first_side()) {
+    const uint32_t k = id - first_circle_rim();
+    const ClosedHalfEdge first(k / 2, 0);
+    return {EdgeKind::circle_rim, circle_side_of(first) == k % 2 ? first.id() : ClosedHalfEdge(k / 2, 1).id(), 0};
+  }
+  // End e of an arc is where the half-edge on its ball 1 - e starts.
+  if (id < first_extra_side()) {
+    const uint32_t k = id - first_side();
+    return {EdgeKind::side, half_edge_of(k / 2, 1 - k % 2), 0};
+  }
+  if (id < first_crease()) {
+    const uint32_t k = id - first_extra_side();
+    return {EdgeKind::side, half_edge_of(arc_of(surface_.cusped_circles().half_edge(k / 2)), 1 - k % 2), 1};
+  }
+  return {EdgeKind::crease, surface_.cut_patches().creases().member(id - first_crease()), 0};
+}
+
+// ---- directed edges ----
+
+uint32_t SurfaceMap::along_rim(uint32_t half_edge) const {
+  const uint32_t side = side_of(half_edge);
+  return 2 * (2 * arc_of(half_edge) + side) + (1 - side);
+}
+
+uint32_t SurfaceMap::along_circle_rim(ClosedHalfEdge e) const {
+  const uint32_t side = circle_side_of(e);
+  return 2 * (first_circle_rim() + 2 * e.circle() + side) + (1 - side);
+}
+
+uint32_t SurfaceMap::side_of_saddle(uint32_t half_edge, bool at_other) const {
+  const uint32_t side = side_of(half_edge);
+  const bool is_extra = (side == 1) != at_other && cusped_circle_of(half_edge) != no_id;
+  const uint32_t id =
+      is_extra ? first_extra_side() + 2 * cusped_arc_of(half_edge) : first_side() + 2 * arc_of(half_edge);
+  return 2 * (id + (1 - side)) + side;
+}
+
+uint32_t SurfaceMap::half_edge_on_circle(uint32_t vertex, uint32_t opposite) const {
+  const VertexRecord &record = boundary_.vertex(vertex);
+  const uint32_t e = boundary_.half_edge_at(vertex, (opposite + 1) % 3);
+  return boundary_.half_edge(e).circle != record.ball[opposite] ? e
+                                                                : boundary_.half_edge_at(vertex, (opposite + 2) % 3);
+}
+
+// In the concave patch a side runs towards the ball of its half-edge.
+uint32_t SurfaceMap::edge_of_patch_arc(uint32_t arc) const {
+  const CutPatches &cut = surface_.cut_patches();
+  const PatchArc &record = cut.arc(arc);
+  if (!record.is_side()) {
+    const uint32_t first = arc < record.twin ? arc : record.twin;
+    return 2 * (first_crease() + cut.creases().rank(first)) + (arc == first ? 0 : 1);
+  }
+  const uint32_t vertex = cut.piece(cut.piece_of_arc(arc)).vertex;
+  return twin(side_of_saddle(half_edge_on_circle(vertex, record.slot()), record.corner < first_cusp()));
+}
+
+uint32_t SurfaceMap::patch_arc_of_side(uint32_t half_edge, uint32_t part) const {
+  const CutPatches &cut = surface_.cut_patches();
+  const uint32_t vertex = boundary_.half_edge(half_edge).vertex;
+  const VertexRecord &record = boundary_.vertex(vertex);
+  const uint32_t opposite =
+      3 - record.slot_of(boundary_.ball_of(half_edge)) - record.slot_of(boundary_.half_edge(half_edge).circle);
+  const bool has_parts = cusped_circle_of(half_edge) != no_id;
+  const bool at_other = part != side_of(half_edge);
+  for (const uint32_t a : cut.arcs_of_vertex(vertex)) {
+    const PatchArc &arc = cut.arc(a);
+    if (arc.is_side() && arc.slot() == opposite && (!has_parts || (arc.corner < first_cusp()) == at_other)) return a;
+  }
+  return no_id;
+}
+
+// Of the three half-edges that start at a vertex each continues that before it, seen along the sides.
+uint32_t SurfaceMap::side_before(uint32_t half_edge) const {
+  const uint32_t vertex = boundary_.half_edge(half_edge).vertex;
+  return boundary_.half_edge_at(vertex, boundary_.vertex(vertex).slot_of(boundary_.half_edge(half_edge).circle));
+}
+
+uint32_t SurfaceMap::side_after(uint32_t half_edge) const {
+  const HalfEdge &record = boundary_.half_edge(half_edge);
+  const uint32_t third = boundary_.previous_circle(boundary_.ball_of(half_edge), record);
+  return boundary_.half_edge_at(record.vertex, boundary_.vertex(record.vertex).slot_of(third));
+}
+
+// ---- steps ----
+
+SurfaceMap::Directed SurfaceMap::directed(uint32_t h) const {
+  Directed d{edge(h / 2), no_id, false, false};
+  const bool forward = h % 2 == 0;
+  if (d.edge.kind == EdgeKind::rim) {
+    d.outward = forward == (side_of(d.edge.source) == 1);
+  } else if (d.edge.kind == EdgeKind::circle_rim) {
+    d.outward = forward == (circle_side_of(ClosedHalfEdge::from_id(d.edge.source)) == 1);
+  } else if (d.edge.kind == EdgeKind::side) {
+    const uint32_t side = side_of(d.edge.source);
+    d.outward = forward != (side == 0);
+    d.at_other = cusped_circle_of(d.edge.source) != no_id && d.edge.part != side;
+    const uint32_t vertex = boundary_.half_edge(d.edge.source).vertex;
+    d.arc = d.outward && surface_.cut_patches().is_cut(vertex) ? patch_arc_of_side(d.edge.source, d.edge.part) : no_id;
+  } else {
+    d.outward = true;
+    d.arc = forward ? d.edge.source : surface_.cut_patches().arc(d.edge.source).twin;
+  }
+  return d;
+}
+
+uint32_t SurfaceMap::next(uint32_t h) const {
+  const Directed d = directed(h);
+  const uint32_t e = d.edge.source;
+  if (d.edge.kind == EdgeKind::circle_rim) return h;
+  if (d.edge.kind == EdgeKind::rim) {
+    return d.outward ? along_rim(boundary_.half_edge(e).next) : side_of_saddle(e, false);
+  }
+  if (d.outward && d.arc != no_id) return edge_of_patch_arc(surface_.cut_patches().arc(d.arc).next);
+  if (d.outward) return twin(side_of_saddle(side_after(e), false));
+  const bool has_parts = cusped_circle_of(e) != no_id;
+  return has_parts && !d.at_other ? side_of_saddle(boundary_.twin(e), true) : twin(along_rim(boundary_.twin(e)));
+}
+
+uint32_t SurfaceMap::previous(uint32_t h) const {
+  const Directed d = directed(h);
+  const uint32_t e = d.edge.source;
+  if (d.edge.kind == EdgeKind::circle_rim) return h;
+  if (d.edge.kind == EdgeKind::rim) {
+    return d.outward ? along_rim(boundary_.twin(side_after(e))) : side_of_saddle(boundary_.twin(e), true);
+  }
+  if (d.outward && d.arc != no_id) return edge_of_patch_arc(surface_.cut_patches().previous(d.arc));
+  if (d.outward) return twin(side_of_saddle(side_before(e), false));
+  return d.at_other ? side_of_saddle(boundary_.twin(e), false) : twin(along_rim(e));
+}
+
+uint32_t SurfaceMap::left(uint32_t h) const {
+  const Directed d = directed(h);
+  const uint32_t e = d.edge.source;
+  if (d.arc != no_id) return patch_of_piece(surface_.cut_patches().piece_of_arc(d.arc));
+  if (d.edge.kind == EdgeKind::circle_rim) {
+    const ClosedHalfEdge circle = ClosedHalfEdge::from_id(e);
+    if (d.outward) return boundary_.face_of_loop(boundary_.loop_of(circle));
+    const uint32_t k = surface_.cusped_circles().of_circle(circle.circle());
+    return k != no_id && circle_side_of(circle) == 1
+               ? first_extra_circle() + (k - surface_.cusped_circles().first_whole())
+               : first_circle_saddle() + circle.circle();
+  }
+  if (d.outward) {
+    return d.edge.kind == EdgeKind::rim ? boundary_.face_of(e) : first_concave() + boundary_.half_edge(e).vertex;
+  }
+  const uint32_t part = side_of(e) ^ (d.at_other ? 1U : 0U);
+  return part == 1 && cusped_circle_of(e) != no_id ? first_extra_saddle() + cusped_arc_of(e)
+                                                   : first_saddle() + arc_of(e);
+}
+
+uint32_t SurfaceMap::origin(uint32_t h) const {
+  const Directed d = directed(h);
+  const uint32_t e = d.edge.source;
+  if (d.edge.kind == EdgeKind::circle_rim) return no_id;
+  if (d.edge.kind == EdgeKind::crease) return surface_.cut_patches().arc(d.arc).corner;
+  const uint32_t own = boundary_.ball_of(e);
+  const uint32_t vertex = boundary_.half_edge(e).vertex;
+  if (d.edge.kind == EdgeKind::rim) return corner_at(d.outward ? vertex : boundary_.end_vertex(e), own);
+  const uint32_t other = boundary_.half_edge(e).circle;
+  const uint32_t circle = cusped_circle_of(e);
+  if (circle == no_id) return corner_at(vertex, d.outward ? other : own);
+  // Away from the own ball to its cusp, and from the other ball's cusp to that ball.
+  if (d.at_other) return d.outward ? corner_at(vertex, other) : cusp_at(circle, other);
+  return d.outward ? cusp_at(circle, own) : corner_at(vertex, own);
+}
+
+uint32_t SurfaceMap::along_loop(LoopElement start) const {
+  return start.is_circle() ? along_circle_rim(start.closed_half_edge()) : along_rim(start.half_edge());
+}
+
+uint32_t SurfaceMap::first_edge(uint32_t id) const {
+  const SurfacePatch record = patch(id);
+  if (record.kind == PatchKind::convex) {
+    const IdRange loops = boundary_.loops_of_face(record.source);
+    return loops.empty() ? no_id : along_loop(boundary_.loop_start(loops.first));
+  }
+  if (record.kind == PatchKind::saddle) return twin(along_rim(half_edge_of(record.source, record.part)));
+  if (record.kind == PatchKind::circle_saddle) {
+    const ClosedHalfEdge first(record.source, 0);
+    return twin(along_circle_rim(circle_side_of(first) == record.part ? first : ClosedHalfEdge(record.source, 1)));
+  }
+  if (record.part == no_id) return twin(side_of_saddle(boundary_.half_edge_at(record.source, 0), false));
+  const IdRange arcs = surface_.cut_patches().arcs(record.part);
+  return arcs.empty() ? no_id : edge_of_patch_arc(arcs.first);
+}
+
+uint32_t SurfaceMap::next_loop(uint32_t h) const {
+  const Directed d = directed(h);
+  const uint32_t e = d.edge.source;
+  if (d.arc != no_id) {
+    const CutPatches &cut = surface_.cut_patches();
+    const IdRange arcs = cut.arcs(cut.piece_of_arc(d.arc));
+    uint32_t last = d.arc;
+    while (cut.arc(last).next == last + 1) ++last;
+    return edge_of_patch_arc(last + 1 < arcs.last ? last + 1 : arcs.first);
+  }
+  if (d.outward && (d.edge.kind == EdgeKind::rim || d.edge.kind == EdgeKind::circle_rim)) {
+    const uint32_t loop = boundary_.loop_of(
+        d.edge.kind == EdgeKind::rim ? LoopElement::arc(e) : LoopElement::circle(ClosedHalfEdge::from_id(e)));
+    const IdRange loops = boundary_.loops_of_face(boundary_.face_of_loop(loop));
+    return along_loop(boundary_.loop_start(loop + 1 < loops.last ? loop + 1 : loops.first));
+  }
+  if (d.edge.kind == EdgeKind::circle_rim) {
+    const ClosedHalfEdge circle = ClosedHalfEdge::from_id(e);
+    if (surface_.cusped_circles().of_circle(circle.circle()) != no_id) return h;
+    return twin(along_circle_rim(ClosedHalfEdge(circle.circle(), 1 - circle.side())));
+  }
+  return first_edge(left(h));
+}
+
+}  // namespace hsp

@@ -1,0 +1,147 @@
+// The smooth surface as a map: patches, edges between two patches each, corners. All numbers follow from those of the
+// boundary, exceptions come after them.
+//
+// With F faces, A arcs, C circles and V vertices of the boundary, arcs numbered by the first of their two half-edges:
+//   patch   f                     convex
+//           F + a                 saddle of arc a; with cusps its part at the ball that the caller gave first
+//           F + A + c             saddle of circle c, likewise
+//           F + A + C + v         concave patch of vertex v; its first piece if it is cut
+//           then: the other parts of arcs with cusps, of circles with cusps, further pieces of cut patches
+//   edge    2 a + s               between the saddle of arc a and the convex patch on its ball s, in the caller's order
+//           2 A + 2 c + s         the same for circle c
+//           2 A + 2 C + 2 a + e   the side between the saddle of arc a and the concave patch at its end e; with cusps
+//                                 the part of it at ball 0
+//           then: the parts at ball 1 of sides with cusps, in the same order; creases
+//   corner  as in cut_patches.hpp
+//
+// A directed edge is 2 edge or 2 edge + 1. The first runs counter-clockwise about the axis of its circle; the patch on
+// its left, seen from outside of the solid, is `left`. For the edges of arcs and circles the axis leads from ball 0 to
+// ball 1, as in the boundary; sides run from ball 0 to ball 1.
+#pragma once
+
+#include "surface/surface.hpp"
+
+namespace hsp {
+
+enum class PatchKind : uint8_t { convex, saddle, concave, circle_saddle };
+struct SurfacePatch {
+  PatchKind kind;
+  uint32_t source;  // face, arc, circle or vertex
+  uint32_t part;    // of a saddle with cusps, the ball (0 or 1) that it lies at; of a concave patch, the piece
+};
+
+enum class EdgeKind : uint8_t { rim, circle_rim, side, crease };
+struct SurfaceEdge {
+  EdgeKind kind;
+  uint32_t source;  // rim: half-edge on the convex patch's ball; circle_rim: id of the closed half-edge there;
+                    // side: the half-edge that starts at the vertex; crease: arc of cut patches
+  uint32_t part;    // of a side with cusps, the ball (0 or 1) that it lies at
+};
+
+class SurfaceMap {
+ public:
+  SurfaceMap(const BallSet &balls, const Boundary &boundary, const Surface &surface)
+      : balls_(balls), boundary_(boundary), surface_(surface) {}
+
+  uint32_t patch_count() const { return first_extra_piece() + surface_.cut_patches().extra_pieces().size(); }
+  uint32_t edge_count() const { return first_crease() + surface_.counts().joints.creases; }
+  uint32_t corner_count() const { return first_crease_corner() + surface_.counts().joints.crease_corners; }
+
+  SurfacePatch patch(uint32_t id) const;
+  SurfaceEdge edge(uint32_t id) const;
+
+  // Steps from directed edges, as in quad-edges.
+  static uint32_t twin(uint32_t h) { return h ^ 1; }
+  uint32_t next(uint32_t h) const;      // around the left patch
+  uint32_t previous(uint32_t h) const;  // the same the other way
+  uint32_t left(uint32_t h) const;
+  uint32_t origin(uint32_t h) const;  // corner; no_id if the edge is a whole circle
+  // A directed edge with the patch on its left; no_id if it has none: a whole sphere, or nothing is left of it.
+  uint32_t first_edge(uint32_t patch) const;
+  // Of the next loop around the same patch, the first one after the last.
+  uint32_t next_loop(uint32_t h) const;
+
+  uint32_t patch_of_piece(uint32_t piece) const;
+  // no_id for a hidden patch, and for a corner where no edge ends: the cusp of a whole circle.
+  uint32_t shell_of(uint32_t patch) const;
+  uint32_t shell_of_corner(uint32_t corner) const;
+
+  uint32_t first_cusp() const { return 3 * boundary_.vertex_count(); }
+  uint32_t first_crease_corner() const { return first_cusp() + 2 * surface_.cusped_circles().count(); }
+
+  // Calls visit(h) for one directed edge of each loop of a patch.
+  template <class Visit>
+  void for_each_loop(uint32_t patch, Visit visit) const {
+    const uint32_t first = first_edge(patch);
+    if (first == no_id) return;
+    uint32_t loop = first;
+    do {
+      visit(loop);
+      loop = next_loop(loop);
+    } while (loop != first);
+  }
+  // And for each directed edge of a loop.
+  template <class Visit>
+  void for_each_edge(uint32_t loop, Visit visit) const {
+    uint32_t h = loop;
+    do {
+      visit(h);
+      h = next(h);
+    } while (h != loop);
+  }
+
+  // Half-edges of arcs.
+  uint32_t arc_of(uint32_t half_edge) const;
+  uint32_t side_of(uint32_t half_edge) const;  // the place of its ball among the two of the arc
+  uint32_t half_edge_of(uint32_t arc, uint32_t side) const;
+  uint32_t cusped_circle_of(uint32_t half_edge) const;  // no_id if there are no cusps
+
+ private:
+  uint32_t first_saddle() const { return boundary_.face_count(); }
+  uint32_t first_circle_saddle() const { return first_saddle() + boundary_.arc_count(); }
+  uint32_t first_concave() const { return first_circle_saddle() + boundary_.circle_count(); }
+  uint32_t first_extra_saddle() const { return first_concave() + boundary_.vertex_count(); }
+  uint32_t first_extra_circle() const { return first_extra_saddle() + surface_.cusped_circles().arcs(); }
+  uint32_t first_extra_piece() const { return first_extra_circle() + surface_.cusped_circles().whole_circles(); }
+
+  uint32_t first_circle_rim() const { return 2 * boundary_.arc_count(); }
+  uint32_t first_side() const { return first_circle_rim() + 2 * boundary_.circle_count(); }
+  uint32_t first_extra_side() const { return first_side() + 2 * boundary_.arc_count(); }
+  uint32_t first_crease() const { return first_extra_side() + 2 * surface_.cusped_circles().arcs(); }
+
+  // A directed edge, decoded. Outward: its left patch is convex, or concave; else it is a saddle.
+  struct Directed {
+    SurfaceEdge edge;
+    uint32_t arc;  // of cut patches, if it is one
+    bool outward;
+    bool at_other;  // a part of a side that is not at the ball of its half-edge
+  };
+  Directed directed(uint32_t h) const;
+
+  // A rim has its convex patch on its left in the direction of its half-edge.
+  uint32_t along_rim(uint32_t half_edge) const;
+  uint32_t along_circle_rim(ClosedHalfEdge e) const;
+  uint32_t along_loop(LoopElement start) const;
+  // The side at the start of a half-edge, its part at the half-edge's ball or at the other one, with the saddle patch
+  // on its left: it runs away from the half-edge's ball.
+  uint32_t side_of_saddle(uint32_t half_edge, bool at_other) const;
+  uint32_t edge_of_patch_arc(uint32_t arc) const;
+  uint32_t patch_arc_of_side(uint32_t half_edge, uint32_t part) const;
+  // The half-edge that starts at a vertex on the circle of two of its balls; around the concave patch, the half-edges
+  // of the sides before and after that of a half-edge.
+  uint32_t half_edge_on_circle(uint32_t vertex, uint32_t opposite) const;
+  uint32_t side_before(uint32_t half_edge) const;
+  uint32_t side_after(uint32_t half_edge) const;
+
+  uint32_t circle_side_of(ClosedHalfEdge e) const;
+  uint32_t cusped_arc_of(uint32_t half_edge) const;
+  uint32_t corner_at(uint32_t vertex, uint32_t ball) const;
+  uint32_t cusp_at(uint32_t circle, uint32_t ball) const;
+  uint32_t concave_patch(uint32_t vertex, uint32_t piece) const;
+
+  const BallSet &balls_;
+  const Boundary &boundary_;
+  const Surface &surface_;
+};
+
+}  // namespace hsp

@@ -1,0 +1,124 @@
+#include "surface/surface_positions.hpp"
+
+#include "sphere/arc_geometry.hpp"
+
+namespace hsp {
+namespace {
+
+Vec3 difference(const BallSet &balls, const Position &from, const Position &to) {
+  return balls.difference(from.ball, to.ball) + (to.offset - from.offset);
+}
+
+Vec3 scaled_to(const Vec3 &v, double length) {
+  const double own = std::sqrt(dot(v, v));
+  return own > 0.0 ? (length / own) * v : Vec3{0.0, 0.0, 0.0};
+}
+
+// The cap that another probe cuts out of the one at a position: unit vector and height on the unit sphere.
+struct ProbeCap {
+  Vec3 axis;
+  double height;
+
+  ProbeCap(const BallSet &balls, const Boundary &boundary, const Position &from, uint32_t other) {
+    const Vec3 to = difference(balls, from, position_of_vertex(balls, boundary, other));
+    axis = scaled_to(to, 1.0);
+    height = std::sqrt(dot(to, to)) / (2 * static_cast<double>(balls.probe_steps));
+  }
+};
+
+Vec3 towards(const BallSet &balls, const Position &position, uint32_t ball) {
+  return scaled_to(balls.difference(position.ball, ball) - position.offset, 1.0);
+}
+
+Position position_of_cusp(const BallSet &balls, const CuspedCircles &cusped, uint32_t circle, uint32_t side) {
+  const CirclePosition position = position_of_circle(balls, cusped.ball(circle, 0), cusped.ball(circle, 1));
+  const double p = static_cast<double>(balls.probe_steps);
+  const double along = std::sqrt((p - position.radius) * (p + position.radius));
+  return {position.centre.ball, position.centre.offset + (side == 0 ? -along : along) * position.axis};
+}
+
+// Where an arc of a cut patch comes from the crease before it: there its circle leaves the cap of that crease.
+Position position_of_crease_corner(const BallSet &balls, const Boundary &boundary, const CutPatches &cut,
+                                   uint32_t arc) {
+  const Position centre = position_of_vertex(balls, boundary, cut.piece(cut.piece_of_arc(arc)).vertex);
+  const ProbeCap own(balls, boundary, centre, cut.arc(arc).across);
+  const ProbeCap before(balls, boundary, centre, cut.arc(cut.previous(arc)).across);
+  const CircleCrossing<Vec3, double> crossing(own.axis, own.height, before.axis, before.height);
+  const double D = crossing.discriminant(1.0);
+  const Vec3 point = crossing.nn > 0.0 ? crossing.point(D > 0.0 ? std::sqrt(D) : 0.0) : own.axis;
+  return {centre.ball, centre.offset + static_cast<double>(balls.probe_steps) * point};
+}
+
+// The convex patch is the face, shrunk towards the centre of its ball.
+ArcPosition position_of_rim(const BallSet &balls, uint32_t own, uint32_t other, double angle) {
+  const bool first = balls.given_before(own, other);
+  const CirclePosition circle = position_of_circle(balls, first ? own : other, first ? other : own);
+  const double p = static_cast<double>(balls.probe_steps);
+  const double shrinkage = balls.r[own] > 0.0 ? (balls.r[own] - p) / balls.r[own] : 0.0;
+  const Vec3 from_own = balls.difference(own, circle.centre.ball) + circle.centre.offset;
+  return {{own, shrinkage * from_own}, circle.axis, shrinkage * circle.radius, angle};
+}
+
+ArcPosition position_of_side(const BallSet &balls, const Boundary &boundary, const SurfaceMap &map,
+                             const SurfaceEdge &edge) {
+  const Position centre = position_of_vertex(balls, boundary, boundary.half_edge(edge.source).vertex);
+  const uint32_t own = boundary.ball_of(edge.source);
+  const uint32_t other = boundary.half_edge(edge.source).circle;
+  const bool first = map.side_of(edge.source) == 0;
+  const double p = static_cast<double>(balls.probe_steps);
+  const Vec3 from = towards(balls, centre, first ? own : other);
+  const Vec3 to = towards(balls, centre, first ? other : own);
+  const Vec3 normal = cross(from, to);
+  double angle = arc_tangent(std::sqrt(dot(normal, normal)), dot(from, to));
+  if (map.cusped_circle_of(edge.source) != no_id) {
+    const uint32_t ball = (edge.part == 0) == first ? own : other;
+    const CircleGeometry circle(balls, ball, ball == own ? other : own);
+    const double to_cusp = std::sqrt((p - circle.radius) * (p + circle.radius));
+    angle = arc_tangent(circle.height, circle.radius) - arc_tangent(to_cusp, circle.radius);
+    if (!(angle > 0.0)) angle = 0.0;
+  }
+  return {centre, scaled_to(normal, 1.0), p, angle};
+}
+
+}  // namespace
+
+Position position_of_corner(const BallSet &balls, const Boundary &boundary, const Surface &surface, uint32_t corner) {
+  const SurfaceMap map(balls, boundary, surface);
+  if (corner >= map.first_crease_corner()) {
+    const CutPatches &cut = surface.cut_patches();
+    return position_of_crease_corner(balls, boundary, cut,
+                                     cut.crease_corners().member(corner - map.first_crease_corner()));
+  }
+  if (corner >= map.first_cusp()) {
+    const uint32_t cusp = corner - map.first_cusp();
+    return position_of_cusp(balls, surface.cusped_circles(), cusp / 2, cusp % 2);
+  }
+  const Position vertex = position_of_vertex(balls, boundary, corner / 3);
+  const uint32_t ball = boundary.vertex(corner / 3).ball[corner % 3];
+  return {vertex.ball, vertex.offset + static_cast<double>(balls.probe_steps) * towards(balls, vertex, ball)};
+}
+
+ArcPosition position_of_edge(const BallSet &balls, const Boundary &boundary, const Surface &surface, uint32_t edge) {
+  const SurfaceMap map(balls, boundary, surface);
+  const SurfaceEdge record = map.edge(edge);
+  if (record.kind == EdgeKind::rim) {
+    return position_of_rim(balls, boundary.ball_of(record.source), boundary.half_edge(record.source).circle,
+                           angle_of_arc(balls, boundary, record.source));
+  }
+  if (record.kind == EdgeKind::circle_rim) {
+    const ClosedHalfEdge circle = ClosedHalfEdge::from_id(record.source);
+    return position_of_rim(balls, boundary.ball_of(circle), boundary.neighbour(circle), 2 * pi);
+  }
+  if (record.kind == EdgeKind::side) return position_of_side(balls, boundary, map, record);
+  const CutPatches &cut = surface.cut_patches();
+  const PatchArc &arc = cut.arc(record.source);
+  const Position centre = position_of_vertex(balls, boundary, cut.piece(cut.piece_of_arc(record.source)).vertex);
+  const ProbeCap cap(balls, boundary, centre, arc.across);
+  const double p = static_cast<double>(balls.probe_steps);
+  return {{centre.ball, centre.offset + p * cap.height * cap.axis},
+          cap.axis,
+          p * std::sqrt((1.0 - cap.height) * (1.0 + cap.height)),
+          arc.angle};
+}
+
+}  // namespace hsp

@@ -1,0 +1,77 @@
+// The self-check holds for sound surfaces and names what is wrong with others.
+#pragma once
+
+#include "surface/surface_check.hpp"
+#include "surface_shells_cases.hpp"
+
+namespace cases {
+
+inline hsp::SurfaceInvariant checked() {
+  return hsp::check_surface(small_union().balls(), small_union().boundary(), small_surface().builder().surface())
+      .invariant;
+}
+
+inline uint32_t sound_surfaces() {
+  for (const MapCase &c : map_cases) {
+    if (!small_surface().build(*c.scene) || checked() != hsp::SurfaceInvariant::none) {
+      return static_cast<uint32_t>(&c - map_cases);
+    }
+  }
+  for (uint32_t seed = 0; seed < 200; ++seed) {
+    if (!small_surface().build(random_scene(seed)) || checked() != hsp::SurfaceInvariant::none) return 100 + seed;
+  }
+  return all_hold;
+}
+
+struct EulerCase {
+  const SurfaceScene *scene;
+  int32_t euler;
+};
+constexpr EulerCase euler_cases[] = {{&three_throat, 0}, {&three_almost, 0},         {&three_open, 6},
+                                     {&spindle, 4},      {&void_in_tetrahedron, -4}, {&cut_spindle, 2}};
+
+inline uint32_t euler_numbers() {
+  return first_failing(euler_cases, [](const EulerCase &c) {
+    if (!small_surface().build(*c.scene)) return false;
+    int32_t euler = 0;
+    hsp::count_euler(small_union().balls(), small_union().boundary(), small_surface().builder().surface(),
+                     [&euler](uint32_t, int32_t n) { euler += n; });
+    return euler == c.euler;
+  });
+}
+
+// Records that are spoilt behind the builder's back.
+inline uint32_t mistakes_are_named() {
+  if (!small_surface().build(three_throat)) return 0;
+  hsp::CutPatches cut = small_surface().builder().surface().cut_patches();
+  uint32_t crease = 0;
+  while (cut.arc(crease).is_side()) ++crease;
+  cut.arc(crease).angle *= 0.99;
+  if (checked() != hsp::SurfaceInvariant::creases) return 1;
+  cut.arc(cut.arc(crease).twin).angle *= 0.99;
+  if (checked() != hsp::SurfaceInvariant::closure) return 2;
+  if (!small_surface().build(cut_spindle)) return 3;
+  cut = small_surface().builder().surface().cut_patches();
+  for (uint32_t a = 0; a < cut.arc_count(); ++a) {
+    if (cut.arc(a).is_side()) continue;
+    const uint32_t own = cut.arc(a).corner;
+    cut.arc(a).corner = own ^ 1U;
+    const hsp::SurfaceInvariant found = checked();
+    if (found == hsp::SurfaceInvariant::none) return 100 + a;
+    cut.arc(a).corner = own;
+  }
+  return checked() == hsp::SurfaceInvariant::none ? all_hold : 4;
+}
+
+// Eight spheres through a point: the surface is not closed, and says so.
+inline uint32_t open_joints_are_named() {
+  if (!small_surface().build(eight_through_a_point)) return 0;
+  return small_surface().builder().surface().is_closed() || checked() != hsp::SurfaceInvariant::joints ? 1 : all_hold;
+}
+
+inline constexpr Check surface_surface_check[] = {{"sound_surfaces", sound_surfaces},
+                                                  {"euler_numbers", euler_numbers},
+                                                  {"mistakes_are_named", mistakes_are_named},
+                                                  {"open_joints_are_named", open_joints_are_named}};
+
+}  // namespace cases
