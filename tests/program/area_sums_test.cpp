@@ -89,7 +89,6 @@ TEST(AreaSums, SurfacesThatAreRefused) {
       {"--probe", "1.4", "--surface", "vdw"},
       {"--probe", "1.4", "--surface"},
       {"--probe", "1.4", "--surface", "ses", "--surface", "ses"},
-      {"--probe", "1.4", "--surface", "ses", "--gradient"},
       {"--probe", "1.4", "--surface", "ses", "--weights", "weights.txt"},
       {"--probe", "1.4", "--surface", "ses", "--by", "residue", "--relative"},
       {"--probe", "1.4", "--surface", "ses", "--interface", "A,B"}};
