@@ -39,7 +39,7 @@ class EdgeDistances {
       L::store(cells.squared + k, square(disc_.x, disc_.left, cells.first_column + k));
     }
     // What four lanes read behind the last column.
-    for (uint32_t k = cells.columns; k % 4 != 0; ++k) cells.squared[k] = std::numeric_limits<double>::infinity();
+    for (uint32_t k = cells.columns; k % 4 != 0; ++k) cells.squared[k] = infinite;
     for (uint32_t k = 0; k < cells.rows; k += n) {
       L::store(cells.in_row + k, disc_.squared - square(disc_.y, disc_.bottom, cells.first_row + k));
     }
@@ -48,6 +48,9 @@ class EdgeDistances {
  private:
   using L = DoubleLanes<n>;
   using Real = typename L::Real;
+
+  // A constant, since without optimisation a call would be code that other files have as well.
+  static constexpr double infinite = std::numeric_limits<double>::infinity();
 
   Real square(double coordinate, double origin, uint32_t first) const {
     constexpr double counted[] = {0.0, 1.0, 2.0, 3.0};
