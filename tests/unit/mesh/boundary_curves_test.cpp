@@ -71,7 +71,7 @@ TEST(BoundaryCurves, CirclesCloseAndMayBeEnlarged) {
   const BuiltBoundary built(two);
   CarvedMemory memory;
   hsp::BoundaryCurves curves;
-  memory.carve(curves, 1);
+  memory.carve(curves, 1U);
   ASSERT_TRUE(curves.build(built.balls(), built.boundary(), 100.0));
   ASSERT_EQ(curves.count(), 1U);
   ASSERT_TRUE(curves.is_circle(0));
@@ -90,7 +90,7 @@ TEST(BoundaryCurves, RefusesMorePointsThanAnyLimitAllows) {
   const BuiltBoundary built(two);
   CarvedMemory memory;
   hsp::BoundaryCurves curves;
-  memory.carve(curves, 1);
+  memory.carve(curves, 1U);
   EXPECT_FALSE(curves.build(built.balls(), built.boundary(), 1e-9));
 }
 

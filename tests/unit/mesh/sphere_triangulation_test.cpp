@@ -49,7 +49,7 @@ void expect_delaunay(const SphereTriangulation &sphere) {
 TEST(SphereTriangulation, StartsAsAnOctahedronInEveryTurn) {
   CarvedMemory memory;
   SphereTriangulation sphere;
-  memory.carve(sphere, 6);
+  memory.carve(sphere, 6U);
   for (uint32_t turn = 0; turn < SphereTriangulation::octahedron_turns; ++turn) {
     sphere.start(turn);
     EXPECT_EQ(sphere.point_count(), 6U);
@@ -61,7 +61,7 @@ TEST(SphereTriangulation, StartsAsAnOctahedronInEveryTurn) {
 TEST(SphereTriangulation, IsDelaunaysForAnyPoints) {
   CarvedMemory memory;
   SphereTriangulation sphere;
-  memory.carve(sphere, 206);
+  memory.carve(sphere, 206U);
   for (int turn = 0; turn < 10; ++turn) {
     oracle::RandomSource random(static_cast<uint64_t>(turn) + 1);
     sphere.start(0);
@@ -76,7 +76,7 @@ TEST(SphereTriangulation, IsDelaunaysForAnyPoints) {
 TEST(SphereTriangulation, TakesPointsThatCoincideOrLieOnEdges) {
   CarvedMemory memory;
   SphereTriangulation sphere;
-  memory.carve(sphere, 200);
+  memory.carve(sphere, 200U);
   sphere.start(0);
   std::map<std::pair<int, std::pair<int, int>>, uint32_t> known;
   for (int round = 0; round < 2; ++round) {
@@ -100,7 +100,7 @@ TEST(SphereTriangulation, TakesPointsThatCoincideOrLieOnEdges) {
 TEST(SphereTriangulation, FixesEdges) {
   CarvedMemory memory;
   SphereTriangulation sphere;
-  memory.carve(sphere, 400);
+  memory.carve(sphere, 400U);
   int fixed = 0;
   for (int turn = 0; turn < 50; ++turn) {
     oracle::RandomSource random(static_cast<uint64_t>(turn) + 100);
@@ -129,7 +129,7 @@ TEST(SphereTriangulation, FixesEdges) {
 TEST(SphereTriangulation, NamesObstacles) {
   CarvedMemory memory;
   SphereTriangulation sphere;
-  memory.carve(sphere, 20);
+  memory.carve(sphere, 20U);
   sphere.start(0);
   const uint32_t west = sphere.insert(hsp::rounded({-0.2, 0, 1}));
   const uint32_t east = sphere.insert(hsp::rounded({0.2, 0, 1}));

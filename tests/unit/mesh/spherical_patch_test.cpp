@@ -58,7 +58,7 @@ void emit(SphericalPatch &patch, Triangles &triangles) {
 TEST(SphericalPatch, AWholeSphere) {
   CarvedMemory memory;
   SphericalPatch patch;
-  memory.carve(patch, 3000);
+  memory.carve(patch, 3000U);
   for (const double spacing : {10.0, 0.5, 0.1}) {
     Triangles triangles;
     patch.begin(spacing);
@@ -74,7 +74,7 @@ TEST(SphericalPatch, AWholeSphere) {
 TEST(SphericalPatch, ABeltBetweenTwoCircles) {
   CarvedMemory memory;
   SphericalPatch patch;
-  memory.carve(patch, 3000);
+  memory.carve(patch, 3000U);
   Triangles triangles;
   patch.begin(0.1);
   patch.keep_off({0, 0, 1}, 0.5);
@@ -91,7 +91,7 @@ TEST(SphericalPatch, ABeltBetweenTwoCircles) {
 TEST(SphericalPatch, TwoFacesOfOneSphere) {
   CarvedMemory memory;
   SphericalPatch patch;
-  memory.carve(patch, 3000);
+  memory.carve(patch, 3000U);
   Triangles triangles;
   patch.begin(0.2);
   // Small faces around the poles.
@@ -109,7 +109,7 @@ TEST(SphericalPatch, TwoFacesOfOneSphere) {
 TEST(SphericalPatch, NamesCurvesThatAreTooCoarse) {
   CarvedMemory memory;
   SphericalPatch patch;
-  memory.carve(patch, 3000);
+  memory.carve(patch, 3000U);
   for (const uint32_t points : {6U, 400U}) {
     Triangles triangles;
     patch.begin(0.5);
@@ -147,7 +147,7 @@ TEST(SphericalPatch, SaysHowManyPointsItNeeds) {
 TEST(SphericalPatch, DividesEdgesThatMayBeElsewhere) {
   CarvedMemory memory;
   SphericalPatch patch;
-  memory.carve(patch, 100);
+  memory.carve(patch, 100U);
   for (const bool elsewhere : {false, true}) {
     patch.begin(2.0);
     patch.keep_off({0, 0, 1}, -0.98);
