@@ -1489,7 +1489,7 @@ contains
   pure function hsp_boundary_bytes_bound(balls, neighbours, vertices, circles) result(bytes)
     integer(c_int32_t), intent(in) :: balls, neighbours, vertices, circles
     integer(c_size_t) :: bytes
-    bytes = 4096_c_size_t + 64_c_size_t*int(balls, c_size_t) + 256_c_size_t*int(neighbours, c_size_t) &
+    bytes = 5120_c_size_t + 64_c_size_t*int(balls, c_size_t) + 256_c_size_t*int(neighbours, c_size_t) &
             + 160_c_size_t*int(vertices, c_size_t) + 80_c_size_t*int(circles, c_size_t)
   end function
 

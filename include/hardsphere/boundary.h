@@ -53,7 +53,7 @@ HSP_API int32_t hsp_boundary_bytes(const hsp_boundary_limits *limits, size_t *by
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
 #define HSP_BOUNDARY_BYTES(balls, neighbours, vertices, circles)                      \
-  ((size_t)4096 + (size_t)64 * (size_t)(balls) + (size_t)256 * (size_t)(neighbours) + \
+  ((size_t)5120 + (size_t)64 * (size_t)(balls) + (size_t)256 * (size_t)(neighbours) + \
    (size_t)160 * (size_t)(vertices) + (size_t)80 * (size_t)(circles))
 /** What every worker but the first adds to it at most. */
 #define HSP_WORKER_BYTES(balls, neighbours, vertices, circles)                        \
