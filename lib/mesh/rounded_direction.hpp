@@ -17,9 +17,11 @@ struct RoundedDirection {
 
 inline constexpr double rounded_radius = 0x1p30;
 
-// Of a vector of any length but 0.
+// Upwards where there is no direction, as at a ball without radius: then points coincide, which no structure survives.
 inline RoundedDirection rounded(const Vec3 &v) {
-  const double scale = rounded_radius / std::sqrt(dot(v, v));
+  const double square = dot(v, v);
+  if (!(square > 0.0)) return {0, 0, static_cast<int32_t>(rounded_radius)};
+  const double scale = rounded_radius / std::sqrt(square);
   const auto nearest = [scale](double x) {
     const double scaled = x * scale;
     return static_cast<int32_t>(scaled < 0.0 ? scaled - 0.5 : scaled + 0.5);
