@@ -84,17 +84,28 @@ struct Tally {
   uint32_t compared = 0, uncertain = 0;
 };
 
-// Where an arc or a vertex is born within the steps a quotient is uncertain, and says so.
+bool same_counts(const hsp_surface_counts &a, const hsp_surface_counts &b) {
+  return a.convex_patches == b.convex_patches && a.saddle_patches == b.saddle_patches &&
+         a.concave_patches == b.concave_patches && a.cusped_patches == b.cusped_patches &&
+         a.cut_patches == b.cut_patches && a.hidden_patches == b.hidden_patches;
+}
+
+// Where a patch, a cusp or a cut is born within the steps a quotient is uncertain. The counts say so; its own error does
+// as a rule, not always: of four steps the three widest may contain the birth.
 void expect_derivative(const Set &set, const SmoothSurface::Gradient &area, const SmoothSurface::Gradient &volume,
                        size_t k, Tally &tally) {
   constexpr double widest = 0x1p-10;
+  const hsp_surface_counts counts = SmoothSurface(set.balls, set.probe).counts();
+  bool same = true;
   std::array<long double, quotient_levels> of_area{}, of_volume{};
   for (size_t level = 0; level < quotient_levels; ++level) {
     hsp_surface_totals at[2];
     for (int side = 0; side < 2; ++side) {
       Set moved = set;
       moved.number(k) += std::ldexp(side == 0 ? widest : -widest, -static_cast<int>(level));
-      at[side] = SmoothSurface(moved.balls, moved.probe).totals();
+      const SmoothSurface surface(moved.balls, moved.probe);
+      at[side] = surface.totals();
+      same = same && same_counts(surface.counts(), counts);
     }
     of_area[level] = at[0].area - at[1].area;
     of_volume[level] = at[0].volume - at[1].volume;
@@ -103,7 +114,7 @@ void expect_derivative(const Set &set, const SmoothSurface::Gradient &area, cons
   const DifferenceQuotient by_area = extrapolated_quotient(of_area, widest, noise_of_area);
   const DifferenceQuotient by_volume = extrapolated_quotient(of_volume, widest, noise_of_volume);
   ++tally.compared;
-  if (by_area.error > 1e-5 || by_volume.error > 1e-5) {
+  if (!same || by_area.error > 1e-5 || by_volume.error > 1e-5) {
     ++tally.uncertain;
     return;
   }
@@ -188,7 +199,8 @@ TEST(SurfaceGradient, OfRandomSets) {
     Set set;
     set.probe = 0.8 + 1.5 * random.fraction();
     for (int ball = 0; ball < 8; ++ball) {
-      set.balls.add(6 * random.fraction(), 6 * random.fraction(), 6 * random.fraction(), 0.8 + random.fraction());
+      const double x = 6 * random.fraction(), y = 6 * random.fraction(), z = 6 * random.fraction();
+      set.balls.add(x, y, z, 0.8 + random.fraction());
     }
     const SmoothSurface surface(set.balls, set.probe);
     cut += surface.counts().cut_patches;
