@@ -10,6 +10,9 @@ bool ArcBatches::fill() {
   if (fits_) {
     gather_whole_ball();
     finished_ = true;
+  } else if (is_single_) {
+    gather_element();
+    finished_ = true;
   } else {
     gather_loops();
   }
@@ -86,7 +89,6 @@ bool ArcBatches::find_loop() {
 
 // Loop after loop, as many half-edges as there is room for.
 void ArcBatches::gather_loops() {
-  const auto root_at = [this](uint32_t e) { return boundary_.root_discriminant(boundary_.half_edge(e).vertex); };
   // A half-edge takes a slot and those before and after it.
   while (batch_.count + 3 <= ArcBatch::capacity) {
     if (walk_ == no_id) {
@@ -101,6 +103,19 @@ void ArcBatches::gather_loops() {
     put(boundary_.half_edge(walk_).circle, root_at(walk_));
     if (walk_ == start_) walk_ = no_id;
   }
+}
+
+// With the slots before and after it; a circle is the one loop that is left.
+void ArcBatches::gather_element() {
+  if (element_.is_circle()) {
+    loops_ = {boundary_.loop_of(element_), boundary_.loop_of(element_) + 1};
+    return;
+  }
+  const uint32_t e = element_.half_edge();
+  const HalfEdge &half_edge = boundary_.half_edge(e);
+  put(boundary_.previous_circle(ball_, half_edge), 0.0);
+  put(half_edge.circle, root_at(e), e);
+  put(boundary_.half_edge(half_edge.next).circle, root_at(half_edge.next));
 }
 
 // After the loops of half-edges.

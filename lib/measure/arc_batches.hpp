@@ -21,6 +21,13 @@ class ArcBatches {
         loops_(face == no_id ? boundary.loops(ball) : boundary.loops_of_face(face)),
         first_(half_edges_.first),
         fits_(face == no_id && half_edges_.size() + circles_.size() <= ArcBatch::capacity) {}
+  // One arc or circle alone.
+  ArcBatches(const BallSet &balls, const Boundary &boundary, LoopElement element)
+      : ArcBatches(balls, boundary, boundary.face(boundary.face_of(element)).ball, boundary.face_of(element)) {
+    half_edges_ = loops_ = {0, 0};
+    element_ = element;
+    is_single_ = true;
+  }
 
   // Fills and evaluates the next batch; false if there is none.
   bool next() { return !finished_ && fill(); }
@@ -34,8 +41,12 @@ class ArcBatches {
   bool fill();
   void gather_whole_ball();
   void gather_loops();
+  void gather_element();
   bool find_loop();
   void put(uint32_t other, double root_discriminant, uint32_t half_edge = no_id);
+  double root_at(uint32_t half_edge) const {
+    return boundary_.root_discriminant(boundary_.half_edge(half_edge).vertex);
+  }
   void put_circles();
   void pad();
   bool evaluate();
@@ -56,6 +67,8 @@ class ArcBatches {
   uint32_t circle_ = 0;
   uint32_t start_ = no_id, walk_ = no_id;  // the first half-edge of the loop, and the next one; no_id between loops
   bool finished_ = false;
+  bool is_single_ = false;
+  LoopElement element_;  // if it is single
 
   const uint32_t first_;  // half-edge of the ball
   const bool fits_;       // into one batch: all that the ball has

@@ -5,18 +5,15 @@
 
 namespace hsp {
 
-// With R the radius with probe and r without, the face and its vector area shrink by (r / R)^2.
 SurfaceMeasure measure_surface_of_ball(const BallSet &balls, const Boundary &boundary, const Surface &surface,
                                        uint32_t i) {
   SurfaceMeasure result;
   const uint32_t faces = boundary.faces(i).size();
   if (faces == 0) return result;
-  const double p = static_cast<double>(balls.probe_steps);
-  const double R = balls.r[i];
   const Vec3 origin_to_centre = offset_from_origin(balls, boundary, i);
   double triple_volume = 0.0;
 
-  FreeSurface face(boundary, R);
+  FreeSurface face(boundary, balls.r[i]);
   ArcBatches arcs(balls, boundary, i);
   SaddlePatches saddles(balls, boundary, i);
   while (arcs.next()) {
@@ -28,10 +25,10 @@ SurfaceMeasure measure_surface_of_ball(const BallSet &balls, const Boundary &bou
     triple_volume += measures.triple_volume;
   }
   const double steradians = face.steradians(faces, boundary.loops(i).size());
-  const double r = R - p;
-  const double shrinkage = R > 0.0 ? r / R * (r / R) : 0.0;
+  const double r = balls.r[i] - static_cast<double>(balls.probe_steps);
+  const double shrinkage = shrinkage_of_faces(balls, i);
   result.convex = r * r * steradians;
-  triple_volume += r * result.convex + shrinkage * dot(origin_to_centre, face.vector_area());
+  triple_volume += r * result.convex + shrinkage * shrinkage * dot(origin_to_centre, face.vector_area());
 
   double concave = 0.0;
   double concave_volume = 0.0;

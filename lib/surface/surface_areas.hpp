@@ -17,6 +17,13 @@ struct SurfaceMeasure {
   double area() const { return convex + saddle + concave; }
 };
 
+// With R the radius with probe and r without, the convex patches are the faces, shrunk by r / R; areas and vector areas
+// by its square.
+inline double shrinkage_of_faces(const BallSet &balls, uint32_t i) {
+  const double R = balls.r[i];
+  return R > 0.0 ? (R - static_cast<double>(balls.probe_steps)) / R : 0.0;
+}
+
 // Ball i of the grid's order, in lattice steps. Sums run in the order of its half-edges and circles.
 SurfaceMeasure measure_surface_of_ball(const BallSet &balls, const Boundary &boundary, const Surface &surface,
                                        uint32_t i);

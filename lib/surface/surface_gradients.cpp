@@ -63,7 +63,6 @@ class ConcaveDerivatives {
 
 }  // namespace
 
-// With R the radius with probe and r without, the face and its vector area shrink by (r / R)^2.
 SurfaceGradient surface_gradient_of_ball(const BallSet &balls, const Boundary &boundary, const Surface &surface,
                                          uint32_t i) {
   SurfaceGradient result;
@@ -91,7 +90,7 @@ SurfaceGradient surface_gradient_of_ball(const BallSet &balls, const Boundary &b
   const double steradians = face.steradians(faces, boundary.loops(i).size());
   const double r = R - static_cast<double>(balls.probe_steps);
   const Vec3 vector_area = face.vector_area();
-  const double shrinkage = R > 0.0 ? r / R : 0.0;
+  const double shrinkage = shrinkage_of_faces(balls, i);
   result.measure.convex = r * r * steradians;
   triple_volume +=
       r * result.measure.convex + shrinkage * shrinkage * dot(offset_from_origin(balls, boundary, i), vector_area);

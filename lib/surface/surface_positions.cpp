@@ -1,6 +1,7 @@
 #include "surface/surface_positions.hpp"
 
 #include "sphere/arc_geometry.hpp"
+#include "surface/surface_areas.hpp"
 
 namespace hsp {
 namespace {
@@ -53,8 +54,7 @@ Position position_of_crease_corner(const BallSet &balls, const Boundary &boundar
 ArcPosition position_of_rim(const BallSet &balls, uint32_t own, uint32_t other, double angle) {
   const bool first = balls.given_before(own, other);
   const CirclePosition circle = position_of_circle(balls, first ? own : other, first ? other : own);
-  const double p = static_cast<double>(balls.probe_steps);
-  const double shrinkage = balls.r[own] > 0.0 ? (balls.r[own] - p) / balls.r[own] : 0.0;
+  const double shrinkage = shrinkage_of_faces(balls, own);
   const Vec3 from_own = balls.difference(own, circle.centre.ball) + circle.centre.offset;
   return {{own, shrinkage * from_own}, circle.axis, shrinkage * circle.radius, angle};
 }

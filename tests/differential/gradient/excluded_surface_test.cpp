@@ -90,8 +90,8 @@ bool same_counts(const hsp_surface_counts &a, const hsp_surface_counts &b) {
          a.cut_patches == b.cut_patches && a.hidden_patches == b.hidden_patches;
 }
 
-// Where a patch, a cusp or a cut is born within the steps a quotient is uncertain. The counts say so; its own error does
-// as a rule, not always: of four steps the three widest may contain the birth.
+// Where a patch, a cusp or a cut is born within the steps a quotient is uncertain. The counts say so; its own error
+// does as a rule, not always: of four steps the three widest may contain the birth.
 void expect_derivative(const Set &set, const SmoothSurface::Gradient &area, const SmoothSurface::Gradient &volume,
                        size_t k, Tally &tally) {
   constexpr double widest = 0x1p-10;

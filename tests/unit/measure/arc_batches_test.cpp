@@ -73,7 +73,33 @@ class ArcsOfBall {
     seen.circles += circles;
   }
 
+  // Holds the batch of every arc and circle alone against it.
+  void check_singles(Seen &seen) {
+    for (const uint32_t e : boundary_.half_edges(ball_)) check_single(hsp::LoopElement::arc(e), seen);
+    for (const hsp::ClosedHalfEdge e : boundary_.circles(ball_)) check_single(hsp::LoopElement::circle(e), seen);
+  }
+
  private:
+  void check_single(hsp::LoopElement element, Seen &seen) {
+    hsp::ArcBatches arcs(balls_, boundary_, element);
+    ASSERT_TRUE(arcs.next());
+    const hsp::ArcBatch &batch = arcs.batch();
+    uint32_t pieces = 0;
+    for (uint32_t c = 0; c < batch.count; ++c) {
+      if (!batch.has_piece(c)) continue;
+      ++pieces;
+      if (element.is_circle()) {
+        EXPECT_EQ(batch.angle[c], 2 * hsp::pi);
+        EXPECT_EQ(batch.other[c], boundary_.neighbour(element.closed_half_edge()));
+      } else {
+        EXPECT_EQ(arcs.half_edge(c), element.half_edge());
+        check_arc(batch, c, element.half_edge(), seen);
+      }
+    }
+    EXPECT_EQ(pieces, 1U);
+    EXPECT_FALSE(arcs.next());
+  }
+
   hsp::exact::Plane plane(uint32_t other) const { return hsp::exact::plane_of(own_, balls_.ball(other)); }
 
   Vec3 offset_of(const hsp::HalfEdge &half_edge) const {
@@ -131,6 +157,7 @@ Seen check_all(const oracle::Balls &set) {
   for (uint32_t i = 0; i < set.size(); ++i) {
     ArcsOfBall ball(built, i);
     ball.check(hsp::no_id, seen);
+    ball.check_singles(by_faces);
     check_wide_code(built, i);
     for (const uint32_t face : built.boundary().faces(i)) {
       ball.check(face, by_faces);
