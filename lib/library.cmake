@@ -56,6 +56,7 @@ set(HSP_LIBRARY_SOURCES
   lib/measure/positions.cpp
   lib/measure/shell_volumes.cpp
   lib/measure/tangency.cpp
+  lib/surface/concave_patches.cpp
   lib/surface/covered_gaps.cpp
   lib/surface/cusped_circles.cpp
   lib/surface/cut_patches.cpp

@@ -1505,8 +1505,8 @@ contains
   pure function hsp_surface_bytes_bound(vertices, faces, neighbours, pieces, arcs, cusped_circles) result(bytes)
     integer(c_int32_t), intent(in) :: vertices, faces, neighbours, pieces, arcs, cusped_circles
     integer(c_size_t) :: bytes
-    bytes = 8192_c_size_t + 108_c_size_t*int(vertices, c_size_t) + 8_c_size_t*int(faces, c_size_t) &
-            + 1152_c_size_t*int(neighbours, c_size_t) + 72_c_size_t*int(pieces, c_size_t) &
+    bytes = 8192_c_size_t + 54_c_size_t*int(vertices, c_size_t) + 8_c_size_t*int(faces, c_size_t) &
+            + 1152_c_size_t*int(neighbours, c_size_t) + 106_c_size_t*int(pieces, c_size_t) &
             + 26_c_size_t*int(arcs, c_size_t) + 16_c_size_t*int(cusped_circles, c_size_t)
   end function
 

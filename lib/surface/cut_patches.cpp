@@ -4,6 +4,7 @@ namespace hsp {
 
 void CutPatches::carve(Workspace &workspace, uint32_t vertices, uint32_t pieces, uint32_t arcs) {
   first_piece_ = workspace.take<uint32_t>(uint64_t{vertices} + 1);
+  patch_ = workspace.take<ConcavePatch>(pieces);
   pieces_ = FixedVector(workspace.take<PatchPiece>(pieces));
   arcs_ = FixedVector(workspace.take<PatchArc>(arcs));
   creases_.carve(workspace, arcs);

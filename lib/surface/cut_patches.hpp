@@ -27,11 +27,18 @@ struct CreaseSums {
   double angle = 0.0;              // of c phi
 };
 
+// What is left of the concave patch of a vertex.
+struct ConcavePatch {
+  double area = 0.0;                // square steps
+  double volume = 0.0;              // its term of the divergence theorem about the origin of the component, cubic steps
+  Vec3 vector_area{0.0, 0.0, 0.0};  // integral of the directions from the vertex, over the part of the unit sphere
+};
+
 struct PatchPiece {
   uint32_t vertex;
   uint32_t first_arc;  // those of a piece are consecutive, and those of the next piece follow
   double area;         // square steps
-  double volume;       // its term of the divergence theorem about the origin of the component, cubic steps
+  double volume;       // as above
   CreaseSums creases;
 };
 
@@ -56,6 +63,10 @@ class CutPatches {
   // All vertices are added in the order of their ids; a hidden patch as one piece without arcs.
   void clear();
   void begin_vertex(uint32_t vertex) { first_piece_[vertex] = pieces_.size(); }
+  // What its pieces are together, before any of them.
+  void begin_patch(const ConcavePatch &patch) {
+    if (pieces_.required() < patch_.size()) patch_[pieces_.size()] = patch;
+  }
   void begin_piece(uint32_t vertex, double area, double volume, const CreaseSums &creases = {});
   void add_arc(uint32_t across, double angle, bool last_of_loop);
   void finish(uint32_t vertices);
@@ -69,6 +80,8 @@ class CutPatches {
   // None for a patch that is whole.
   IdRange pieces(uint32_t vertex) const { return {first_piece_[vertex], first_piece_[vertex + 1]}; }
   bool is_cut(uint32_t vertex) const { return first_piece_[vertex] < first_piece_[vertex + 1]; }
+  // Of a vertex that is cut.
+  const ConcavePatch &patch(uint32_t vertex) const { return patch_[first_piece_[vertex]]; }
   const PatchPiece &piece(uint32_t k) const { return pieces_[k]; }
   IdRange arcs(uint32_t piece) const { return {first_arc(piece), first_arc(piece + 1)}; }
   IdRange arcs_of_vertex(uint32_t vertex) const {
@@ -95,6 +108,7 @@ class CutPatches {
   uint32_t first_arc(uint32_t piece) const { return piece < pieces_.size() ? pieces_[piece].first_arc : arcs_.size(); }
 
   Span<uint32_t> first_piece_;  // [vertices + 1]
+  Span<ConcavePatch> patch_;    // at the first piece of its vertex
   FixedVector<PatchPiece> pieces_;
   FixedVector<PatchArc> arcs_;
   uint32_t loop_ = 0;  // first arc of the loop at hand

@@ -117,22 +117,10 @@ void ProbeCaps::measure_sides(const BallSet &balls, const Boundary &boundary, co
   const uint32_t lane = vertex_ % ProbeTriangles::lanes;
   const uint32_t first = vertex_ - lane;
   if (measured_ != first || grid_ != &grid || build_ != grid.builds()) {
-    gather_triangles(balls, boundary, first, triangles_);
-    for (uint32_t k = 0; k < ProbeTriangles::lanes; ++k) {
-      const uint32_t v = first + k < boundary.vertex_count() ? first + k : boundary.vertex_count() - 1;
-      const Vec3 &offset = grid.position(v).offset;
-      triangles_.offset[0][k] = offset.x;
-      triangles_.offset[1][k] = offset.y;
-      triangles_.offset[2][k] = offset.z;
-    }
-#if HSP_AVX2
-    if (boundary.has_wide_code()) {
-      measure_triangles_avx2(arrays_of(balls), triangles_);
-    } else
-#endif
-    {
-      measure_triangles(arrays_of(balls), triangles_);
-    }
+    const uint32_t last = boundary.vertex_count() - 1;
+    FourVertices four;
+    for (uint32_t k = 0; k < ProbeTriangles::lanes; ++k) four[k] = first + k < last ? first + k : last;
+    measure_triangles(balls, boundary, grid.places(), four, triangles_);
     measured_ = first;
     grid_ = &grid;
     build_ = grid.builds();

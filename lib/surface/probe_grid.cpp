@@ -24,9 +24,25 @@ constexpr bool keeps_rows_apart() {
 }
 static_assert(keeps_rows_apart());
 
+// For the floats of so many vertices.
+constexpr uint64_t doubles_for(uint32_t vertices) {
+  return (uint64_t{vertices} + spare_probes + 1) / 2;
+}
+
+// Twice as many T of half the size in the same memory, whose lives begin.
+template <class T>
+Span<T> begin_array(Span<double> memory) {
+  static_assert(2 * sizeof(T) == sizeof(double));
+  unsigned char *const bytes = reinterpret_cast<unsigned char *>(memory.data());
+  const uint32_t count = 2 * memory.size();
+  T *first = nullptr;
+  for (uint32_t k = count; k-- > 0;) first = ::new (static_cast<void *>(bytes + k * sizeof(T))) T;
+  return {first, count};
+}
+
 uint32_t buckets_for(uint32_t vertices) {
   uint64_t buckets = least_buckets;
-  while (buckets < vertices) buckets *= 2;
+  while (buckets < vertices / 2) buckets *= 2;
   return static_cast<uint32_t>(buckets);
 }
 
@@ -67,10 +83,10 @@ OrderedVertex in_order_of_rank(const BallSet &balls, const VertexRecord &vertex)
 
 }  // namespace
 
-void gather_triangles(const BallSet &balls, const Boundary &boundary, uint32_t first, ProbeTriangles &triangles) {
-  const uint32_t last = boundary.vertex_count() - 1;
+void gather_triangles(const BallSet &balls, const Boundary &boundary, const FourVertices &vertices,
+                      ProbeTriangles &triangles) {
   for (uint32_t lane = 0; lane < ProbeTriangles::lanes; ++lane) {
-    const uint32_t v = first + lane < last ? first + lane : last;
+    const uint32_t v = vertices[lane];
     const OrderedVertex ordered = in_order_of_rank(balls, boundary.vertex(v));
     for (int k = 0; k < 3; ++k) triangles.ball[k][lane] = ordered.ball[k];
     triangles.sign[lane] = ordered.sign;
@@ -78,15 +94,37 @@ void gather_triangles(const BallSet &balls, const Boundary &boundary, uint32_t f
   }
 }
 
-void ProbeGrid::carve(Workspace &workspace, uint32_t vertices) {
-  position_ = workspace.take<Position>(vertices);
-  bucket_ = workspace.take<uint32_t>(vertices);
-  first_ = workspace.take<uint32_t>(uint64_t{buckets_for(vertices)} + 1);
-  const uint64_t with_spares = uint64_t{vertices} + spare_probes;
-  x_ = workspace.take<float>(with_spares);
-  y_ = workspace.take<float>(with_spares);
-  z_ = workspace.take<float>(with_spares);
-  vertex_ = workspace.take<uint32_t>(with_spares);
+void measure_triangles(const BallSet &balls, const Boundary &boundary, const ProbePlaces &places,
+                       const FourVertices &vertices, ProbeTriangles &triangles) {
+  gather_triangles(balls, boundary, vertices, triangles);
+  for (uint32_t lane = 0; lane < ProbeTriangles::lanes; ++lane) {
+    const Vec3 &offset = places.offset[vertices[lane]];
+    triangles.offset[0][lane] = offset.x;
+    triangles.offset[1][lane] = offset.y;
+    triangles.offset[2][lane] = offset.z;
+  }
+#if HSP_AVX2
+  if (boundary.has_wide_code()) return measure_triangles_avx2(arrays_of(balls), triangles);
+#endif
+  measure_triangles(arrays_of(balls), triangles);
+}
+
+void ProbeGrid::carve(Workspace &workspace, uint32_t vertices, uint64_t shared) {
+  const auto at_least = [shared](uint64_t count) { return count > shared ? count : shared; };
+  place_.offset = workspace.take<Vec3>(vertices);
+  place_.ball = workspace.take<uint32_t>(at_least(vertices));
+  first_ = workspace.take<uint32_t>(at_least(uint64_t{buckets_for(vertices)} + 1));
+  doubles_ = workspace.take<double>(4 * doubles_for(vertices));
+}
+
+// Four arrays in the memory of doubles.
+void ProbeGrid::lay_out(uint32_t vertices) {
+  const uint32_t doubles = static_cast<uint32_t>(doubles_for(vertices));
+  const auto part = [&](uint32_t k) { return doubles_.part(k * doubles, (k + 1) * doubles); };
+  x_ = begin_array<float>(part(0));
+  y_ = begin_array<float>(part(1));
+  z_ = begin_array<float>(part(2));
+  vertex_ = begin_array<uint32_t>(part(3));
 }
 
 // The differences of balls to the centre, an integer, are exact, what is added to them is not: positions have an error
@@ -135,7 +173,9 @@ void ProbeGrid::place_all(const BallSet &balls, const Boundary &boundary) {
   const uint32_t n = boundary.vertex_count();
   ProbeTriangles triangles;
   for (uint32_t first = 0; first < n; first += ProbeTriangles::lanes) {
-    gather_triangles(balls, boundary, first, triangles);
+    FourVertices four;
+    for (uint32_t lane = 0; lane < ProbeTriangles::lanes; ++lane) four[lane] = first + lane < n ? first + lane : n - 1;
+    gather_triangles(balls, boundary, four, triangles);
 #if HSP_AVX2
     if (boundary.has_wide_code()) {
       place_probes_avx2(arrays_of(balls), triangles);
@@ -147,9 +187,11 @@ void ProbeGrid::place_all(const BallSet &balls, const Boundary &boundary) {
     for (uint32_t lane = 0; lane < ProbeTriangles::lanes && first + lane < n; ++lane) {
       const uint32_t v = first + lane;
       const double x = triangles.offset[0][lane];
-      position_[v] = x == x
-                         ? Position{triangles.ball[0][lane], {x, triangles.offset[1][lane], triangles.offset[2][lane]}}
-                         : position_of_vertex(balls, boundary, v);
+      const Position position =
+          x == x ? Position{triangles.ball[0][lane], {x, triangles.offset[1][lane], triangles.offset[2][lane]}}
+                 : position_of_vertex(balls, boundary, v);
+      place_.ball[v] = position.ball;
+      place_.offset[v] = position.offset;
     }
   }
 }
@@ -159,21 +201,19 @@ void ProbeGrid::build(const BallSet &balls, const Boundary &boundary) {
   ++builds_;
   choose_units(balls);
   place_all(balls, boundary);
+  lay_out(n);
   buckets_ = buckets_for(n);
   // Counting sort: first_[b] counts bucket b, then is where it ends, then where it starts.
   for (uint32_t b = 0; b <= buckets_; ++b) first_[b] = 0;
-  for (uint32_t v = 0; v < n; ++v) {
-    bucket_[v] = bucket_of(in_units(balls, position_[v]));
-    ++first_[bucket_[v]];
-  }
+  for (uint32_t v = 0; v < n; ++v) ++first_[bucket_of(in_units(balls, place_[v]))];
   uint32_t sum = 0;
   for (uint32_t b = 0; b <= buckets_; ++b) {
     sum += first_[b];
     first_[b] = sum;
   }
   for (uint32_t v = n; v-- > 0;) {
-    const Vec3 place = in_units(balls, position_[v]);
-    const uint32_t to = --first_[bucket_[v]];
+    const Vec3 place = in_units(balls, place_[v]);
+    const uint32_t to = --first_[bucket_of(place)];
     x_[to] = static_cast<float>(place.x);
     y_[to] = static_cast<float>(place.y);
     z_[to] = static_cast<float>(place.z);
@@ -187,7 +227,7 @@ void ProbeGrid::start_search(const BallSet &balls, uint32_t vertex, ProbeSearch 
   search.y = y_.data();
   search.z = z_.data();
   search.vertex = vertex_.data();
-  const Vec3 place = in_units(balls, position_[vertex]);
+  const Vec3 place = in_units(balls, place_[vertex]);
   search.own[0] = static_cast<float>(place.x);
   search.own[1] = static_cast<float>(place.y);
   search.own[2] = static_cast<float>(place.z);
@@ -201,10 +241,11 @@ void ProbeGrid::start_search(const BallSet &balls, uint32_t vertex, ProbeSearch 
     ranges += static_cast<uint32_t>(first_[first] != first_[last]);
   };
   const uint32_t mask = buckets_ - 1;
+  const uint32_t bucket = bucket_of(place);
   for (uint32_t z = 0; z < 3; ++z) {
     for (uint32_t y = 0; y < 3; ++y) {
       const uint64_t step = (uint64_t{y} - 1) * step_y + (uint64_t{z} - 1) * step_z - 1;
-      const uint32_t row = (bucket_[vertex] + static_cast<uint32_t>(step)) & mask;
+      const uint32_t row = (bucket + static_cast<uint32_t>(step)) & mask;
       if (row + 3 <= buckets_) [[likely]] {
         add(row, row + 3);
       } else {

@@ -13,23 +13,35 @@
 
 namespace hsp {
 
+// Where the probes stand: each relative to the ball of lowest rank that it touches.
+struct ProbePlaces {
+  Span<uint32_t> ball;
+  Span<Vec3> offset;
+
+  Position operator[](uint32_t vertex) const { return {ball[vertex], offset[vertex]}; }
+};
+
 class ProbeGrid {
  public:
-  // For at most so many vertices; with a measuring workspace it only counts.
-  void carve(Workspace &workspace, uint32_t vertices);
+  // For at most so many vertices; with a measuring workspace it only counts. Once all searches are done the memory is
+  // free for other use: two arrays of numbers, of which `shared` asks for so many each, a vector and two doubles for
+  // every vertex.
+  void carve(Workspace &workspace, uint32_t vertices, uint64_t shared = 0);
+  Span<uint32_t> first_shared() const { return first_; }
+  Span<uint32_t> second_shared() const { return place_.ball; }
+  Span<Vec3> shared_vectors() const { return place_.offset; }
+  Span<double> shared_doubles() const { return doubles_; }
   // The boundary must not have more vertices, the probe must not be 0.
   void build(const BallSet &balls, const Boundary &boundary);
 
   // Changes with every build.
   uint32_t builds() const { return builds_; }
 
-  Span<const Position> positions() const { return position_; }
-  const Position &position(uint32_t vertex) const { return position_[vertex]; }
+  const ProbePlaces &places() const { return place_; }
+  Position position(uint32_t vertex) const { return place_[vertex]; }
   // From one vertex to another. The reverse is the negative, bit for bit.
   Vec3 difference(const BallSet &balls, uint32_t from, uint32_t to) const {
-    const Position &p = position_[from];
-    const Position &q = position_[to];
-    return balls.difference(p.ball, q.ball) + (q.offset - p.offset);
+    return balls.difference(place_.ball[from], place_.ball[to]) + (place_.offset[to] - place_.offset[from]);
   }
 
   // What a search around this vertex needs, but for the triangle. It finds the vertex itself, too.
@@ -37,13 +49,14 @@ class ProbeGrid {
 
  private:
   void choose_units(const BallSet &balls);
+  void lay_out(uint32_t vertices);
   void place_all(const BallSet &balls, const Boundary &boundary);
   Vec3 in_units(const BallSet &balls, const Position &position) const;
   uint32_t bucket_of(const Vec3 &place) const;
 
-  Span<Position> position_;
-  Span<uint32_t> bucket_;  // [vertices]
+  ProbePlaces place_;
   Span<uint32_t> first_;   // [buckets + 1]
+  Span<double> doubles_;   // the memory of the next four; twice as many as vertices, and more
   Span<float> x_, y_, z_;  // by buckets; seven spare ones may be read behind the last
   Span<uint32_t> vertex_;  // as these
   uint32_t buckets_ = 1;   // a power of two
@@ -53,7 +66,11 @@ class ProbeGrid {
   float square_of_reach_ = 0.0F, inverse_square_of_reach_ = 0.0F, margin_ = 0.0F;
 };
 
-// The balls of four vertices from `first` on, or up to the last one, by rank, with signs and discriminants.
-void gather_triangles(const BallSet &balls, const Boundary &boundary, uint32_t first, ProbeTriangles &triangles);
+// The balls of four vertices, by rank, with signs and discriminants; then everything about their triangles.
+using FourVertices = uint32_t[ProbeTriangles::lanes];
+void gather_triangles(const BallSet &balls, const Boundary &boundary, const FourVertices &vertices,
+                      ProbeTriangles &triangles);
+void measure_triangles(const BallSet &balls, const Boundary &boundary, const ProbePlaces &places,
+                       const FourVertices &vertices, ProbeTriangles &triangles);
 
 }  // namespace hsp

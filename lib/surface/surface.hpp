@@ -10,6 +10,7 @@
 
 #include "core/fixed_vector.hpp"
 #include "core/workspace.hpp"
+#include "surface/concave_patches.hpp"
 #include "surface/patch_corners.hpp"
 #include "surface/probe_caps.hpp"
 #include "surface/surface_shells.hpp"
@@ -40,12 +41,6 @@ constexpr SurfaceLimits default_surface_limits(uint32_t vertices, uint32_t faces
   return {vertices, faces, 64, vertices / 4 + 16, vertices + vertices / 4 + 64, vertices / 8 + circles + 16};
 }
 
-struct ConcavePatch {
-  double area;       // square steps
-  double volume;     // its term of the divergence theorem about the origin of the component, cubic steps
-  Vec3 vector_area;  // integral of the directions from the vertex, over the part of the unit sphere
-};
-
 struct SurfaceCounts {
   uint32_t cut_patches = 0;      // concave patches that other probes cut
   uint32_t hidden_patches = 0;   // of these, those of which nothing is left
@@ -56,17 +51,15 @@ struct SurfaceCounts {
 
 class Surface {
  public:
-  const ConcavePatch &patch(uint32_t vertex) const { return patch_[vertex]; }
+  ConcavePatch patch(uint32_t vertex) const { return concave_[vertex]; }
   const SurfaceCounts &counts() const { return counts_; }
-  // Where the probe of a concave patch stands; there are none without a probe.
-  const Position &position(uint32_t vertex) const { return position_[vertex]; }
   // The exceptions: concave patches that others cut, and circles with cusps.
   const CutPatches &cut_patches() const { return cut_patches_; }
   const CuspedCircles &cusped_circles() const { return cusped_circles_; }
   // Of the two half-edges of each arc the first: numbers the arcs.
   const RankedBits &first_half_edges() const { return first_half_edges_; }
   const SurfaceShells &shells() const { return shells_; }
-  Span<int32_t> scratch() const { return scratch_; }  // [faces + pieces]
+  Span<uint32_t> scratch() const { return scratch_; }  // [faces + pieces]
   // Whether everything that meets is found from all sides. Not so where vertices coincide, and where four probes or a
   // cusp and a probe meet in one point that rounding takes apart; areas are not concerned.
   bool is_closed() const { return counts_.joints.open == 0; }
@@ -74,13 +67,12 @@ class Surface {
  private:
   friend class SurfaceBuilder;
 
-  Span<ConcavePatch> patch_;       // [vertices]
-  Span<const Position> position_;  // [vertices]
+  ConcavePatches concave_;
   CutPatches cut_patches_;
   CuspedCircles cusped_circles_;
   RankedBits first_half_edges_;
   SurfaceShells shells_;
-  Span<int32_t> scratch_;
+  Span<uint32_t> scratch_;
   SurfaceCounts counts_;
 };
 

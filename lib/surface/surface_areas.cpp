@@ -33,7 +33,7 @@ SurfaceMeasure measure_surface_of_ball(const BallSet &balls, const Boundary &bou
   double concave = 0.0;
   double concave_volume = 0.0;
   for (const uint32_t e : boundary.half_edges(i)) {
-    const ConcavePatch &patch = surface.patch(boundary.half_edge(e).vertex);
+    const ConcavePatch patch = surface.patch(boundary.half_edge(e).vertex);
     concave += patch.area;
     concave_volume += patch.volume;
   }

@@ -1,6 +1,5 @@
 #include "surface/surface_builder.hpp"
 
-#include "measure/areas.hpp"
 #include "surface/circles_in_doubles.hpp"
 #include "surface/circles_in_integers.hpp"
 
@@ -10,14 +9,14 @@ namespace hsp {
 // arcs, and circles without corners.
 void SurfaceBuilder::carve(Workspace &workspace, const SurfaceLimits &limits) {
   limits_ = limits;
-  grid_.carve(workspace, limits.vertices);
-  surface_.position_ = grid_.positions();
+  const uint64_t nodes = uint64_t{limits.faces} + limits.pieces;
+  grid_.carve(workspace, limits.vertices, nodes);
+  surface_.concave_.use(grid_);
   probe_.carve(workspace, limits.neighbours);
-  surface_.patch_ = workspace.take<ConcavePatch>(limits.vertices);
   surface_.cut_patches_.carve(workspace, limits.vertices, limits.pieces, limits.arcs);
   surface_.cusped_circles_.carve(workspace, limits.cusped_circles);
-  surface_.shells_.carve(workspace, limits.faces, limits.pieces);
-  surface_.scratch_ = workspace.take<int32_t>(uint64_t{limits.faces} + limits.pieces);
+  surface_.shells_.use(grid_.first_shared());
+  surface_.scratch_ = grid_.second_shared();
   surface_.first_half_edges_.carve(workspace, 3 * uint64_t{limits.vertices});
   const uint64_t caps = uint64_t{limits.neighbours} + ProbeCaps::sides;
   corners_ = FixedVector(workspace.take<RegionCorner>(6 * caps));
@@ -34,13 +33,10 @@ Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary) {
   needed_ = {boundary.vertex_count(), boundary.face_count()};
   if (needed_.vertices > limits_.vertices || needed_.faces > limits_.faces) return Status::capacity;
   number_arcs(boundary);
-  const double p = static_cast<double>(balls.probe_steps);
   if (balls.probe_steps == 0) {
-    for (uint32_t v = 0; v < needed_.vertices; ++v) {
-      surface_.patch_[v] = {0.0, 0.0, {0.0, 0.0, 0.0}};
-      cut.begin_vertex(v);
-    }
+    for (uint32_t v = 0; v < needed_.vertices; ++v) cut.begin_vertex(v);
     cut.finish(needed_.vertices);
+    surface_.concave_.clear(needed_.vertices);
     surface_.shells_.find(boundary, cusped, cut);
     return Status::ok;
   }
@@ -49,24 +45,22 @@ Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary) {
     cut.begin_vertex(v);
     const ProbeState state = probe_.gather(balls, boundary, grid_, v);
     needed_.neighbours = larger_count(needed_.neighbours, clamped_count(probe_.met()));
-    const Position &position = grid_.position(v);
-    const Vec3 arm = offset_from_origin(balls, boundary, position.ball) + position.offset;
-    double steradians = 0.0;
-    Vec3 vector_area{0.0, 0.0, 0.0};
-    if (state == ProbeState::whole) {
-      steradians = probe_.whole_steradians();
-      vector_area = probe_.whole_vector_area();
-    } else if (state == ProbeState::crossed) {
+    if (state == ProbeState::crossed) {
       if (probe_.overflowed()) continue;
       const uint32_t cut_before = surface_.counts_.cut_patches;
+      double steradians = 0.0;
+      Vec3 vector_area{0.0, 0.0, 0.0};
       if (!measure_cut_patch(steradians, vector_area)) return Status::check;
-      if (surface_.counts_.cut_patches > cut_before) store_pieces(boundary, v, p, arm);
-    } else {
+      if (surface_.counts_.cut_patches == cut_before) continue;
+      const ConcaveScale scale(balls, boundary, grid_.position(v));
+      cut.begin_patch(scale.patch(steradians, vector_area));
+      store_pieces(boundary, v, scale);
+    } else if (state == ProbeState::hidden) {
       ++surface_.counts_.cut_patches;
       ++surface_.counts_.hidden_patches;
+      cut.begin_patch({});
       cut.begin_piece(v, 0.0, 0.0);
     }
-    surface_.patch_[v] = in_steps(p, arm, steradians, vector_area);
   }
   cut.finish(needed_.vertices);
   cusped.find(balls, boundary);
@@ -76,6 +70,7 @@ Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary) {
   if (needed_.neighbours > limits_.neighbours || cut.overflowed() || needed_.cusped_circles > limits_.cusped_circles) {
     return Status::capacity;
   }
+  surface_.concave_.measure(balls, boundary, grid_.places(), cut);
   surface_.counts_.cusped_arcs = cusped.arcs() + cusped.whole_circles();
   surface_.counts_.joints = join_patches(boundary, cusped, cut);
   // A hidden patch lacks even its corners, which convex patches and saddles have.
@@ -95,14 +90,9 @@ void SurfaceBuilder::number_arcs(const Boundary &boundary) {
   first.count();
 }
 
-// The outward normal is towards the probe's centre.
-ConcavePatch SurfaceBuilder::in_steps(double p, const Vec3 &arm, double steradians, const Vec3 &vector_area) const {
-  return {p * p * steradians, -p * p * (p * steradians + dot(arm, vector_area)) / 3, vector_area};
-}
-
 // Loops that bound one piece one after the other, that around the piece first. If it is uncertain which piece has a
 // hole, all loops bound one: then the surface is not closed.
-void SurfaceBuilder::store_pieces(const Boundary &boundary, uint32_t vertex, double p, const Vec3 &arm) {
+void SurfaceBuilder::store_pieces(const Boundary &boundary, uint32_t vertex, const ConcaveScale &scale) {
   CutPatches &cut = surface_.cut_patches_;
   const Span<RegionArc> arcs = arcs_.items();
   if (arcs.empty()) cut.begin_piece(vertex, 0.0, 0.0);
@@ -122,7 +112,7 @@ void SurfaceBuilder::store_pieces(const Boundary &boundary, uint32_t vertex, dou
       if (arcs[loop].loop == loop) steradians += loop == piece ? 2 * pi : -2 * pi;
       vector_area = vector_area + arcs[loop].vector_area;
     }
-    const ConcavePatch measured = in_steps(p, arm, steradians > 0.0 ? steradians : 0.0, vector_area);
+    const ConcavePatch measured = scale.patch(steradians > 0.0 ? steradians : 0.0, vector_area);
     cut.begin_piece(vertex, measured.area, measured.volume, creases);
     for (uint32_t loop = 0; loop < arcs.size(); ++loop) {
       if (arcs[loop].piece != piece || arcs[loop].loop != loop) continue;

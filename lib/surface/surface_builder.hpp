@@ -22,9 +22,8 @@ class SurfaceBuilder {
   bool measure_cut_patch(double &steradians, Vec3 &vector_area);
   bool accept(const FreeRegion &region, double &steradians, Vec3 &vector_area);
   void number_arcs(const Boundary &boundary);
-  void store_pieces(const Boundary &boundary, uint32_t vertex, double p, const Vec3 &arm);
+  void store_pieces(const Boundary &boundary, uint32_t vertex, const ConcaveScale &scale);
   void add_crease(const RegionArc &arc, CreaseSums &creases) const;
-  ConcavePatch in_steps(double p, const Vec3 &arm, double steradians, const Vec3 &vector_area) const;
 
   SurfaceLimits limits_;
   SurfaceLimits needed_;

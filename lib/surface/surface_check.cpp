@@ -91,22 +91,24 @@ class SurfaceChecker {
 
   void check_shells() {
     const uint32_t shells = surface_.shells().count();
-    const Span<int32_t> euler = surface_.scratch().part(0, shells);
-    for (int32_t &e : euler) e = 0;
-    count_euler(balls_, boundary_, surface_, [euler](uint32_t shell, int32_t n) { euler[shell] += n; });
+    // 2 minus the characteristic, modulo 2^32.
+    const Span<uint32_t> lacking = surface_.scratch().part(0, shells);
+    for (uint32_t &e : lacking) e = 2;
+    count_euler(balls_, boundary_, surface_,
+                [lacking](uint32_t shell, int32_t n) { lacking[shell] -= static_cast<uint32_t>(n); });
     for (uint32_t s = 0; s < shells && holds(); ++s) {
-      if (euler[s] > 2 || euler[s] % 2 != 0) fail(SurfaceInvariant::shells, s);
+      if (lacking[s] >> 31 != 0 || lacking[s] % 2 != 0) fail(SurfaceInvariant::shells, s);
     }
   }
 
   // What is left of a concave patch is not more than the patch, and its pieces are all of it.
   void check_areas_at(uint32_t v) {
     const double most = tolerance * length_ * length_;
-    const ConcavePatch &patch = surface_.patch(v);
     const CutPatches &cut = surface_.cut_patches();
     double area = 0.0;
     double volume = 0.0;
     if (!cut.is_cut(v)) return;
+    const ConcavePatch &patch = cut.patch(v);
     for (const uint32_t piece : cut.pieces(v)) {
       area += cut.piece(piece).area;
       volume += cut.piece(piece).volume;

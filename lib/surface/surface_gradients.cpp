@@ -16,8 +16,9 @@ class ConcaveDerivatives {
   ConcaveDerivatives(const BallSet &balls, const Boundary &boundary, const Surface &surface, uint32_t i)
       : balls_(balls), boundary_(boundary), surface_(surface), ball_(i), p_(static_cast<double>(balls.probe_steps)) {}
 
-  void add(uint32_t vertex, SurfaceGradient &result) const {
-    const ConcavePatch &patch = surface_.patch(vertex);
+  // `offset` from the ball's centre to the vertex.
+  void add(uint32_t vertex, const Vec3 &offset, SurfaceGradient &result) const {
+    const ConcavePatch patch = surface_.patch(vertex);
     result.measure.concave += patch.area / 3;
     result.measure.volume += patch.volume / 3;
     const VertexRecord &record = boundary_.vertex(vertex);
@@ -34,11 +35,10 @@ class ConcaveDerivatives {
 
     const Vec3 q_volume = -p_ * p_ * patch.vector_area;
     const Vec3 q_area = combine(2 * p_, patch.vector_area, -p_, creases.directions);
-    const Position &position = surface_.position(vertex);
     const uint32_t slot = record.slot_of(ball_);
     const uint32_t own = ball_, next = record.ball[(slot + 1) % 3], last = record.ball[(slot + 2) % 3];
     const auto normal = [&](uint32_t ball) {
-      return (1.0 / balls_.r[ball]) * (position.offset - balls_.difference(position.ball, ball));
+      return (1.0 / balls_.r[ball]) * (offset - balls_.difference(ball_, ball));
     };
     const Vec3 n = normal(own);
     // The triple product of the normals in the record's order has the vertex's sign; its size is exact but for
@@ -72,10 +72,16 @@ SurfaceGradient surface_gradient_of_ball(const BallSet &balls, const Boundary &b
   FreeSurface face(boundary, R);
   ArcBatches arcs(balls, boundary, i);
   SaddlePatches saddles(balls, boundary, i);
+  const ConcaveDerivatives concave(balls, boundary, surface, i);
   double triple_volume = 0.0;
   while (arcs.next()) {
     const ArcBatch &batch = arcs.batch();
     face.add(batch);
+    for (uint32_t s = 0; s < batch.count && balls.probe_steps > 0; ++s) {
+      if (batch.arc[s] == 0) continue;
+      const Vec3 twice_offset{batch.px[s], batch.py[s], batch.pz[s]};
+      concave.add(boundary.half_edge(arcs.half_edge(s)).vertex, 0.5 * twice_offset, result);
+    }
     // Without a probe an arc is what its saddle becomes in the limit, a circle of radius 0 is not.
     result.degenerate = result.degenerate || (balls.probe_steps == 0 && batch.any_touching);
     const SaddleDerivatives saddle = saddles.differentiate(batch);
@@ -94,15 +100,12 @@ SurfaceGradient surface_gradient_of_ball(const BallSet &balls, const Boundary &b
   result.measure.convex = r * r * steradians;
   triple_volume +=
       r * result.measure.convex + shrinkage * shrinkage * dot(offset_from_origin(balls, boundary, i), vector_area);
-  result.measure.volume = triple_volume / 3;
+  result.measure.volume += triple_volume / 3;
   result.volume_centre = combine(1.0, result.volume_centre, shrinkage * shrinkage, vector_area);
   result.volume_radius += result.measure.convex;
   result.area_centre = combine(1.0, result.area_centre, R > 0.0 ? 2 * shrinkage / R : 0.0, vector_area);
   result.area_radius += 2 * r * steradians;
   result.area_offset -= 2 * r * steradians;
-  if (balls.probe_steps == 0) return result;
-  const ConcaveDerivatives concave(balls, boundary, surface, i);
-  for (const uint32_t e : boundary.half_edges(i)) concave.add(boundary.half_edge(e).vertex, result);
   return result;
 }
 

@@ -39,7 +39,7 @@ PatchMeasure measure_patch(const BallSet &balls, const Boundary &boundary, const
   if (record.kind == PatchKind::concave) {
     const uint32_t origin = boundary.component_origin(boundary.vertex(record.source).ball[0]);
     if (record.part == no_id) {
-      const ConcavePatch &whole = surface.patch(record.source);
+      const ConcavePatch whole = surface.patch(record.source);
       return {whole.area, whole.volume, origin};
     }
     const PatchPiece &piece = surface.cut_patches().piece(record.part);

@@ -13,9 +13,8 @@ namespace hsp {
 
 class SurfaceShells {
  public:
-  void carve(Workspace &workspace, uint32_t faces, uint32_t pieces) {
-    shell_ = workspace.take<uint32_t>(uint64_t{faces} + pieces);
-  }
+  // Memory for all faces and pieces of cut patches.
+  void use(Span<uint32_t> memory) { shell_ = memory; }
   void find(const Boundary &boundary, const CuspedCircles &cusped, const CutPatches &cut);
 
   uint32_t count() const { return count_; }

@@ -108,10 +108,13 @@ inline const hsp::ProbeTriangles *triangle_of(uint32_t vertex) {
   const hsp::BallSet &balls = small_union().balls();
   const uint32_t lane = vertex % hsp::ProbeTriangles::lanes;
   const uint32_t first = vertex - lane;
-  hsp::gather_triangles(balls, small_union().boundary(), first, triangles);
+  hsp::FourVertices four;
   for (uint32_t k = 0; k < hsp::ProbeTriangles::lanes; ++k) {
-    const uint32_t v = first + k < SearchedProbes::vertices() ? first + k : SearchedProbes::vertices() - 1;
-    const hsp::Vec3 &offset = searched_probes().grid().position(v).offset;
+    four[k] = first + k < SearchedProbes::vertices() ? first + k : SearchedProbes::vertices() - 1;
+  }
+  hsp::gather_triangles(balls, small_union().boundary(), four, triangles);
+  for (uint32_t k = 0; k < hsp::ProbeTriangles::lanes; ++k) {
+    const hsp::Vec3 offset = searched_probes().grid().position(four[k]).offset;
     triangles.offset[0][k] = offset.x;
     triangles.offset[1][k] = offset.y;
     triangles.offset[2][k] = offset.z;

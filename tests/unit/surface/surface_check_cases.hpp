@@ -69,9 +69,21 @@ inline uint32_t open_joints_are_named() {
   return small_surface().builder().surface().is_closed() || checked() != hsp::SurfaceInvariant::joints ? 1 : all_hold;
 }
 
+// Balls apart, without a vertex: their shells need memory all the same.
+inline uint32_t more_faces_than_probes() {
+  SurfaceScene apart{8, {}, usual_probe};
+  for (uint32_t k = 0; k < 8; ++k)
+    apart.ball[k] = {1000000000 * static_cast<int32_t>(k % 2), 1000000000 * static_cast<int32_t>(k / 2 % 2),
+                     1000000000 * static_cast<int32_t>(k / 4), carbon};
+  if (!small_surface().build(apart, {0, 8, 0, 0, 0, 0})) return 0;
+  if (small_surface().builder().surface().shells().count() != 8) return 1;
+  return checked() == hsp::SurfaceInvariant::none ? all_hold : 2;
+}
+
 inline constexpr Check surface_surface_check[] = {{"sound_surfaces", sound_surfaces},
                                                   {"euler_numbers", euler_numbers},
                                                   {"mistakes_are_named", mistakes_are_named},
-                                                  {"open_joints_are_named", open_joints_are_named}};
+                                                  {"open_joints_are_named", open_joints_are_named},
+                                                  {"more_faces_than_probes", more_faces_than_probes}};
 
 }  // namespace cases

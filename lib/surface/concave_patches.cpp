@@ -1,0 +1,40 @@
+#include "surface/concave_patches.hpp"
+
+namespace hsp {
+
+// The lives of these doubles begin here: the memory held floats.
+void ConcavePatches::put(uint32_t vertex, const ConcavePatch &patch) {
+  ::new (static_cast<void *>(&area_and_volume_[2 * vertex])) double(patch.area);
+  ::new (static_cast<void *>(&area_and_volume_[2 * vertex + 1])) double(patch.volume);
+  vector_area_[vertex] = patch.vector_area;
+}
+
+void ConcavePatches::clear(uint32_t vertices) {
+  for (uint32_t v = 0; v < vertices; ++v) put(v, {});
+}
+
+// A vector area takes the place of the offset that it is computed from, after the last of its four has been read.
+void ConcavePatches::measure(const BallSet &balls, const Boundary &boundary, const ProbePlaces &places,
+                             const CutPatches &cut) {
+  constexpr uint32_t lanes = ProbeTriangles::lanes;
+  const uint32_t vertices = boundary.vertex_count();
+  ProbeTriangles triangles;
+  for (uint32_t first = 0; first < vertices; first += lanes) {
+    const uint32_t count = vertices - first < lanes ? vertices - first : lanes;
+    FourVertices four;
+    for (uint32_t lane = 0; lane < lanes; ++lane) four[lane] = first + (lane < count ? lane : 0);
+    measure_triangles(balls, boundary, places, four, triangles);
+    for (uint32_t lane = 0; lane < count; ++lane) {
+      const uint32_t v = first + lane;
+      if (cut.is_cut(v)) {
+        put(v, cut.patch(v));
+        continue;
+      }
+      const Vec3 vector_area{triangles.vector_area[0][lane], triangles.vector_area[1][lane],
+                             triangles.vector_area[2][lane]};
+      put(v, ConcaveScale(balls, boundary, places[v]).patch(triangles.steradians[lane], vector_area));
+    }
+  }
+}
+
+}  // namespace hsp
