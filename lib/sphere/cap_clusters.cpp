@@ -20,8 +20,22 @@ bool caps_meet(const Caps &caps, const exact::Predicates &predicates, uint32_t j
 
 }  // namespace
 
-// Cluster by cluster: each cap that is known to belong to one takes what it meets of the caps that are left, whose
-// number falls quickly.
+// The largest cap of taken_[first .. last - 1] changes places with the first one.
+void CapClusters::bring_largest(const Caps &caps, uint32_t first, uint32_t last) {
+  uint32_t largest = first;
+  double least = caps.b[taken_[first]];
+  for (uint32_t k = first + 1; k < last; ++k) {
+    const double b = caps.b[taken_[k]];
+    largest = b < least ? k : largest;
+    least = b < least ? b : least;
+  }
+  const uint32_t cap = taken_[largest];
+  taken_[largest] = taken_[first];
+  taken_[first] = cap;
+}
+
+// Cluster by cluster: each cap that is known to belong to one takes what it meets of the caps that are left. Their
+// number falls quickly, as the largest caps, which meet most others, come first.
 uint32_t CapClusters::find(const Caps &caps) {
   const uint32_t n = caps.count;
   for (uint32_t k = 0; k < n; ++k) taken_[k] = k;
@@ -30,8 +44,10 @@ uint32_t CapClusters::find(const Caps &caps) {
   uint32_t representative = no_id;
   uint32_t known = 0;  // caps that have been taken; they come first
   for (uint32_t member = 0; member < n; ++member) {
+    const bool begins = member == known;
+    if (known < n) bring_largest(caps, member, begins ? n : known);
     const uint32_t j = taken_[member];
-    if (member == known) {
+    if (begins) {
       ++clusters;
       ++known;
       representative = j;

@@ -18,6 +18,8 @@ class CapClusters {
   bool is_representative(uint32_t cap) const { return cluster_[cap] == cap; }
 
  private:
+  void bring_largest(const Caps &caps, uint32_t first, uint32_t last);
+
   Span<uint32_t> cluster_;  // the cap that stands for it
   Span<uint32_t> taken_;
 };
