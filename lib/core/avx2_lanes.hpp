@@ -113,8 +113,12 @@ inline Floats larger(Floats a, Floats b) {
 inline Doubles larger(Doubles a, Doubles b) {
   return {_mm256_max_pd(a.v, b.v)};
 }
-inline Floats magnitude(Floats a) {
-  return {_mm256_andnot_ps(_mm256_set1_ps(-0.0F), a.v)};
+inline Floats smaller(Floats a, Floats b) {
+  return {_mm256_min_ps(a.v, b.v)};
+}
+// c in lanes where a > b, d in the others, also where a or b is NaN.
+inline Floats where_greater(Floats a, Floats b, Floats c, Floats d) {
+  return {_mm256_blendv_ps(d.v, c.v, _mm256_cmp_ps(a.v, b.v, _CMP_GT_OQ))};
 }
 
 // Eight doubles as floats, rounded to nearest.
@@ -125,6 +129,9 @@ inline Floats to_floats(Doubles low, Doubles high) {
 // Comparisons; all false for NaN.
 inline LaneBits greater(Floats a, Floats b) {
   return static_cast<LaneBits>(_mm256_movemask_ps(_mm256_cmp_ps(a.v, b.v, _CMP_GT_OQ)));
+}
+inline LaneBits not_greater(Floats a, Floats b) {  // but true for NaN
+  return static_cast<LaneBits>(_mm256_movemask_ps(_mm256_cmp_ps(a.v, b.v, _CMP_NGT_UQ)));
 }
 inline LaneBits not_less(Floats a, Floats b) {
   return static_cast<LaneBits>(_mm256_movemask_ps(_mm256_cmp_ps(a.v, b.v, _CMP_GE_OQ)));

@@ -39,7 +39,8 @@ struct PairLanes {
                 minus_fused(others.b, others.b, minus_fused(g, g, minus_fused(cap.b, cap.b, Lanes::all(1)))))) {}
 };
 
-// Pairs that wait until there are enough of them. The numbers of the caps are small integers.
+// Pairs that wait until there are enough of them. The numbers of the caps are small integers. Who adds pairs keeps how
+// many there are, in a register: for the compiler, a vector that is stored may change any object, so a count here too.
 template <class Lanes, uint32_t room>
 struct alignas(32) CrossingPairs {
   using Real = typename Lanes::Real;
@@ -48,12 +49,11 @@ struct alignas(32) CrossingPairs {
   Real kx[size], ky[size], kz[size], kb[size];
   Real g[size], q[size];
   Real j[size], k[size];
-  uint32_t count = 0;
 
-  bool is_full() const { return count > room - Lanes::lanes; }
-  // Adds the chosen ones of the pairs of cap j with caps k, k + 1, ...
-  void add(uint32_t j_cap, const LaneCaps<Lanes> &cap, uint32_t k_cap, const LaneCaps<Lanes> &others,
-           const PairLanes<Lanes> &pair, LaneBits chosen) {
+  static bool is_full(uint32_t count) { return count > room - Lanes::lanes; }
+  // Adds the chosen ones of the pairs of cap j with caps k to `count` others. Returns how many there are then.
+  uint32_t add(uint32_t count, Lanes j_cap, const LaneCaps<Lanes> &cap, Lanes k_caps, const LaneCaps<Lanes> &others,
+               const PairLanes<Lanes> &pair, LaneBits chosen) {
     const FrontOrder order = front_order<Lanes>(chosen);
     cap.x.store(jx + count);
     cap.y.store(jy + count);
@@ -65,9 +65,9 @@ struct alignas(32) CrossingPairs {
     store_front(kb + count, others.b, order);
     store_front(g + count, pair.g, order);
     store_front(q + count, pair.q, order);
-    Lanes::all(static_cast<Real>(j_cap)).store(j + count);
-    store_front(k + count, Lanes::ascending() + Lanes::all(static_cast<Real>(k_cap)), order);
-    count += ones(chosen);
+    j_cap.store(j + count);
+    store_front(k + count, k_caps, order);
+    return count + ones(chosen);
   }
 };
 

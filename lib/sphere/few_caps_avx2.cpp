@@ -74,6 +74,7 @@ template <class Lanes, uint32_t vectors>
 class FewCapsSearch {
  public:
   using Real = typename Lanes::Real;
+  using Pairs = CrossingPairs<Lanes, 32>;
 
   FewCapsSearch(const CapPointers<Real> &caps, uint32_t count, uint32_t first_later, FewCaps &found)
       : caps_(caps), count_(count), first_later_(first_later), found_(found) {}
@@ -107,8 +108,9 @@ class FewCapsSearch {
       if (j < first_later_) continue;
       const LaneBits crossing = (relations.at_points & after) >> shift & ((1U << Lanes::lanes) - 1U);
       if (crossing == 0) continue;
-      if (pairs_.is_full() && !test_points()) return false;
-      pairs_.add(j, cap, shift, all_caps[v], pair, crossing);
+      if (Pairs::is_full(pair_count_) && !test_points()) return false;
+      pair_count_ = pairs_.add(pair_count_, Lanes::all(static_cast<Real>(j)), cap,
+                               Lanes::ascending() + Lanes::all(static_cast<Real>(shift)), all_caps[v], pair, crossing);
     }
     const CapBits cross = relations.cross & after;
     const CapBits inside = relations.inside & after;
@@ -123,7 +125,8 @@ class FewCapsSearch {
 
   // The points of the pairs that wait, against all caps. False if one is neither covered nor free for certain.
   bool test_points() {
-    for (uint32_t p = 0; p < pairs_.count; p += Lanes::lanes) {
+    const uint32_t count = pair_count_;
+    for (uint32_t p = 0; p < count; p += Lanes::lanes) {
       const LaneCrossings<Lanes> crossings(pairs_, p);
       PointTest<Lanes> minus(crossings.minus), plus(crossings.plus);
       for (uint32_t t = 0; t < count_; ++t) {
@@ -131,14 +134,14 @@ class FewCapsSearch {
         minus.against(cap);
         plus.against(cap);
       }
-      const LaneBits valid = first_lanes(pairs_.count - p) & ((1U << Lanes::lanes) - 1U);
+      const LaneBits valid = first_lanes(count - p) & ((1U << Lanes::lanes) - 1U);
       const LaneBits minus_covered = minus.covered(), plus_covered = plus.covered();
       const LaneBits minus_outside = minus.outside(), plus_outside = plus.outside();
       if (((minus_covered | minus_outside) & (plus_covered | plus_outside) & valid) != valid) return false;
       keep_free(p, minus_outside & ~minus_covered & valid, plus_outside & ~plus_covered & valid);
     }
-    found_.crossing += pairs_.count;
-    pairs_.count = 0;
+    found_.crossing += count;
+    pair_count_ = 0;
     return true;
   }
 
@@ -157,7 +160,8 @@ class FewCapsSearch {
   CapBits touched_ = 0;  // circles that cross another one or lie inside another cap
   CapBits unsure_ = 0;
   Clusters clusters_;
-  CrossingPairs<Lanes, 32> pairs_;
+  Pairs pairs_;
+  uint32_t pair_count_ = 0;
 };
 
 template <class Lanes, class Real>

@@ -35,12 +35,12 @@ void LaneSearch::carve(Workspace &workspace, uint32_t neighbours, Span<uint32_t>
   enabled = has_avx2() && neighbours <= PairSweep::most_caps;
   // Rows of whole vectors.
   const uint32_t row = (neighbours + FloatCaps::spare + 7) / 8 * 8;
-  Parts<float> floats_of_caps(workspace.take<float>(13 * static_cast<uint64_t>(row)).data(), row);
+  Parts<float> floats_of_caps(workspace.take<float>(14 * static_cast<uint64_t>(row)).data(), row);
   sweep_.caps = take_caps(floats_of_caps);
   sweep_.by_size = take_caps(floats_of_caps);
   sweep_.exposed = take_caps(floats_of_caps);
   sweep_.exposed_cap = floats_of_caps.take();
-  sweep_.crossed = workspace.take<uint8_t>(row / 8).data();
+  sweep_.crossed = floats_of_caps.take();
   uncrossed_ = workspace.take<uint32_t>(neighbours);
 
   // Five arrays of candidates.

@@ -20,15 +20,16 @@ struct PairSweep {
   static constexpr uint32_t size_classes = 3;
   FloatCaps caps;
   uint32_t count = 0, first_later = 0;
-  FloatCaps by_size;             // the caps again, by classes of size
+  FloatCaps by_size;             // the larger caps again, by classes of size
   FloatCaps exposed;             // later caps whose circles do not certainly lie inside a large cap as a whole
   float *exposed_cap = nullptr;  // their numbers
-  uint8_t *crossed = nullptr;    // bits of those whose circles certainly cross another one, eight in each
+  float *crossed = nullptr;      // for each the largest q of its circle and another one; both certainly cross if it is
+                                 // above the bound
   uint32_t class_end[size_classes] = {};
   uint32_t exposed_count = 0;
   // Where to go on.
   uint32_t row = 0, column = 0;
-  uint32_t crossing = 0;  // pairs so far whose circles cross for certain
+  uint32_t crossing = 0;  // pairs so far whose circles may cross
 };
 
 // After caps, count and first_later, and memory for the rest.

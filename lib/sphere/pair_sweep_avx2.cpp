@@ -10,8 +10,10 @@ using Bounds = CapPairBounds<float>;
 using Caps8 = LaneCaps<Floats>;
 using Points8 = LanePoints<Floats>;
 
-// Heights below which caps belong to the first class, and to the second.
-constexpr float class_limits[PairSweep::size_classes - 1] = {0.6F, 0.8F};
+// Heights below which caps belong to the first class, to the second and to the third.
+constexpr float class_limits[PairSweep::size_classes] = {0.4F, 0.6F, 0.8F};
+// Those of the first two are called large.
+constexpr uint32_t last_large_class = 1;
 
 CapPointers<float> pointers(const FloatCaps &caps) {
   return {caps.x, caps.y, caps.z, caps.b};
@@ -25,186 +27,230 @@ void store_chosen(const FloatCaps &to, uint32_t place, const Caps8 &caps, FrontO
 }
 
 void sort_by_size(PairSweep &sweep) {
+  const CapPointers<float> from = pointers(sweep.caps);
+  const FloatCaps to = sweep.by_size;
+  const uint32_t count = sweep.count;
+  Floats least = Floats::all(-4.0F);
   uint32_t end = 0;
   for (uint32_t c = 0; c < PairSweep::size_classes; ++c) {
-    for (uint32_t k = 0; k < sweep.count; k += 8) {
-      const Caps8 caps = Caps8::load(pointers(sweep.caps), k);
-      LaneBits members = first_lanes(sweep.count - k);
-      if (c > 0) members &= ~greater(Floats::all(class_limits[c - 1]), caps.b);
-      if (c + 1 < PairSweep::size_classes) members &= greater(Floats::all(class_limits[c]), caps.b);
-      store_chosen(sweep.by_size, end, caps, FrontOrder::of_eight(members));
+    const Floats limit = Floats::all(class_limits[c]);
+    // What stands behind the last cap is of no class.
+    for (uint32_t k = 0; k < count; k += 8) {
+      const Caps8 caps = Caps8::load(from, k);
+      const LaneBits members = greater(limit, caps.b) & not_greater(least, caps.b);
+      store_chosen(to, end, caps, FrontOrder::of_eight(members));
       end += ones(members);
     }
     sweep.class_end[c] = end;
+    least = limit;
   }
 }
 
-// The lanes whose circles certainly lie inside a cap of the first class. With d = u_k.(b_j u_j) - b_k the depth of its
-// centre and S = 1 - g^2, circle j lies inside cap k iff d > 0 and d^2 > S (1 - b_j^2), as
-// q = S (1 - b_j^2) - d^2. Where d < 1.2 its square has an error of 2.4 * 73 e and the other side one of 91 e, below
-// 512 e together; where d is larger, d^2 - S (1 - b_j^2) > 0.4.
-LaneBits inside_large_cap(const PairSweep &sweep, const Caps8 &later) {
-  const Floats one = Floats::all(1.0F);
-  const Floats square = minus_fused(later.b, later.b, one);
-  const Floats margin = Floats::all(Bounds::crossing);
-  Floats most = Floats::all(-1.0F);
-  for (uint32_t t = 0; t < sweep.class_end[0]; ++t) {
-    const Caps8 large = Caps8::all_of(pointers(sweep.by_size), t);
-    const Floats g = later.dot(large);
-    const Floats depth = fused_minus(g, later.b, large.b);
-    const Floats S = minus_fused(g, g, one);
-    most = larger(most, minus_fused(S, square, depth * magnitude(depth)));
+// How some circles lie to the large caps. With d = u_k.(b_j u_j) - b_k the depth of the centre of circle j in cap k and
+// S = 1 - g^2, the circles cross iff q = S (1 - b_j^2) - d^2 > 0, and circle j lies inside cap k iff q < 0 and d > 0.
+// Where |d| < 1.2 its square has an error of 2.4 * 73 e and the other product one of 91 e, below 512 e together; where
+// it is larger, -q > 0.4. If -q > 512 e, |d| is above 512 e too.
+struct AmongLargeCaps {
+  Floats inside = Floats::all(-4.0F);    // the circle lies inside one if this is above the bound
+  Floats crossing = Floats::all(-4.0F);  // and it crosses one if this is
+
+  AmongLargeCaps(const CapPointers<float> &large, uint32_t count, const Caps8 &later) {
+    const Floats one = Floats::all(1.0F);
+    const Floats square = minus_fused(later.b, later.b, one);
+    Floats least = Floats::all(4.0F);
+    for (uint32_t t = 0; t < count; ++t) {
+      const Caps8 cap = Caps8::all_of(large, t);
+      const Floats g = later.dot(cap);
+      const Floats depth = fused_minus(g, later.b, cap.b);
+      const Floats S = minus_fused(g, g, one);
+      const Floats minus_q = minus_fused(S, square, depth * depth);
+      inside = larger(inside, smaller(depth, minus_q));
+      least = smaller(least, minus_q);
+    }
+    crossing = -least;
   }
-  return greater(most, margin);
-}
+};
 
 void keep_exposed(PairSweep &sweep) {
+  const CapPointers<float> caps = pointers(sweep.caps), large = pointers(sweep.by_size);
+  const FloatCaps exposed = sweep.exposed;
+  float *const exposed_cap = sweep.exposed_cap, *const crossed = sweep.crossed;
+  const uint32_t count = sweep.count, large_caps = sweep.class_end[last_large_class];
+  const Floats margin = Floats::all(Bounds::crossing);
   uint32_t kept = 0;
-  for (uint32_t j = sweep.first_later; j < sweep.count; j += 8) {
-    const Caps8 later = Caps8::load(pointers(sweep.caps), j);
-    const LaneBits chosen = first_lanes(sweep.count - j) & ~inside_large_cap(sweep, later);
+  for (uint32_t j = sweep.first_later; j < count; j += 8) {
+    const Caps8 later = Caps8::load(caps, j);
+    const AmongLargeCaps among(large, large_caps, later);
+    const LaneBits chosen = first_lanes(count - j) & not_greater(among.inside, margin);
     const FrontOrder order = FrontOrder::of_eight(chosen);
-    store_chosen(sweep.exposed, kept, later, order);
-    store_front(sweep.exposed_cap + kept, Floats::ascending() + Floats::all(static_cast<float>(j)), order);
+    store_chosen(exposed, kept, later, order);
+    store_front(exposed_cap + kept, Floats::ascending() + Floats::all(static_cast<float>(j)), order);
+    store_front(crossed + kept, among.crossing, order);
     kept += ones(chosen);
   }
   // What follows the last one crosses nothing.
   const Floats zero = Floats::all(0.0F);
-  zero.store(sweep.exposed.x + kept);
-  zero.store(sweep.exposed.y + kept);
-  zero.store(sweep.exposed.z + kept);
-  Floats::all(4.0F).store(sweep.exposed.b + kept);
+  zero.store(exposed.x + kept);
+  zero.store(exposed.y + kept);
+  zero.store(exposed.z + kept);
+  Floats::all(4.0F).store(exposed.b + kept);
+  zero.store(crossed + kept);
   sweep.exposed_count = kept;
-  for (uint32_t a = 0; a < kept; a += 8) sweep.crossed[a / 8] = 0;
 }
 
-// Crossing points that no cap has been found to cover so far.
+// Crossing points that no cap has been found to cover so far. Their count is kept apart, as that of CrossingPairs is.
 struct alignas(32) OpenPoints {
   static constexpr uint32_t size = 2 * PairSweep::batch + 16;
   float x[size], y[size], z[size], error[size];
   float pair[size];  // its number in the batch, and that plus `batch` for p+
-  uint32_t count = 0;
 
-  void keep(const Points8 &points, Floats pairs, LaneBits chosen) {
+  // Puts the chosen ones behind `count` others. Returns how many there are then.
+  uint32_t keep(uint32_t count, const Points8 &points, Floats pairs, LaneBits chosen) {
     const FrontOrder order = FrontOrder::of_eight(chosen);
     store_front(x + count, points.x, order);
     store_front(y + count, points.y, order);
     store_front(z + count, points.z, order);
     store_front(error + count, points.error, order);
     store_front(pair + count, pairs, order);
-    count += ones(chosen);
+    return count + ones(chosen);
   }
   Points8 at(uint32_t p) const {
     return {Floats::load(x + p), Floats::load(y + p), Floats::load(z + p), Floats::load(error + p)};
   }
 };
 
-// Which lanes of two vectors of points certainly lie inside one of the caps first .. last - 1 of by_size.
-struct Covered {
+// Which lanes of two vectors of points do not certainly lie inside one of caps begin .. end - 1.
+struct NotCovered {
   LaneBits first, second;
 
-  Covered(const PairSweep &sweep, const Points8 &a, const Points8 &b, uint32_t begin, uint32_t end) {
+  NotCovered(const CapPointers<float> &caps, uint32_t begin, uint32_t end, const Points8 &a, const Points8 &b) {
     Floats deepest_a = Floats::all(-4.0F), deepest_b = deepest_a;
     for (uint32_t t = begin; t < end; ++t) {
-      const Caps8 cap = Caps8::all_of(pointers(sweep.by_size), t);
+      const Caps8 cap = Caps8::all_of(caps, t);
       deepest_a = larger(deepest_a, a.depth(cap));
       deepest_b = larger(deepest_b, b.depth(cap));
     }
-    first = greater(deepest_a, a.error);
-    second = greater(deepest_b, b.error);
+    first = not_greater(deepest_a, a.error);
+    second = not_greater(deepest_b, b.error);
   }
 };
 
 using Pairs = CrossingPairs<Floats, PairSweep::batch>;
 
-// The points of the pairs that are in no large cap.
-void open_points(const PairSweep &sweep, const Pairs &pairs, OpenPoints &open) {
-  for (uint32_t p = 0; p < pairs.count; p += 8) {
+// The points of `count` pairs that are in no cap of the first class. Returns how many they are.
+uint32_t open_points(const CapPointers<float> &by_size, uint32_t first_class, const Pairs &pairs, uint32_t count,
+                     OpenPoints &open) {
+  const Floats points_bound = Floats::all(Bounds::points), infinite = Floats::all(__builtin_inff());
+  uint32_t left = 0;
+  for (uint32_t p = 0; p < count; p += 8) {
     LaneCrossings<Floats> crossings(pairs, p);
     // Of circles that do not cross for certain no point is certainly covered.
-    const LaneBits valid = first_lanes(pairs.count - p);
-    const LaneBits sure = greater(Floats::load(pairs.q + p), Floats::all(Bounds::points));
-    const Covered covered(sweep, crossings.minus, crossings.plus, 0, sweep.class_end[0]);
+    const Floats error = where_greater(Floats::load(pairs.q + p), points_bound, crossings.plus.error, infinite);
+    crossings.minus.error = crossings.plus.error = error;
+    const LaneBits valid = first_lanes(count - p);
+    const NotCovered open_lanes(by_size, 0, first_class, crossings.minus, crossings.plus);
     const Floats number = Floats::ascending() + Floats::all(static_cast<float>(p));
-    open.keep(crossings.minus, number, valid & ~(sure & covered.first));
-    open.keep(crossings.plus, number + Floats::all(static_cast<float>(PairSweep::batch)),
-              valid & ~(sure & covered.second));
+    left = open.keep(left, crossings.minus, number, valid & open_lanes.first);
+    left = open.keep(left, crossings.plus, number + Floats::all(static_cast<float>(PairSweep::batch)),
+                     valid & open_lanes.second);
   }
+  return left;
 }
 
-void leave_out_covered(const PairSweep &sweep, uint32_t begin, uint32_t end, OpenPoints &open) {
-  const uint32_t count = open.count;
-  open.count = 0;
+// Leaves out points that are in one of caps begin .. end - 1. Returns how many are left of `count`.
+uint32_t leave_out_covered(const CapPointers<float> &by_size, uint32_t begin, uint32_t end, OpenPoints &open,
+                           uint32_t count) {
+  uint32_t left = 0;
   for (uint32_t p = 0; p < count; p += 16) {
     const Points8 a = open.at(p), b = open.at(p + 8);
     const Floats pairs_a = Floats::load(open.pair + p), pairs_b = Floats::load(open.pair + p + 8);
-    const Covered covered(sweep, a, b, begin, end);
-    open.keep(a, pairs_a, first_lanes(count - p) & ~covered.first);
-    if (count - p > 8) open.keep(b, pairs_b, first_lanes(count - p - 8) & ~covered.second);
+    const NotCovered open_lanes(by_size, begin, end, a, b);
+    left = open.keep(left, a, pairs_a, first_lanes(count - p) & open_lanes.first);
+    if (count - p > 8) left = open.keep(left, b, pairs_b, first_lanes(count - p - 8) & open_lanes.second);
   }
+  return left;
 }
 
-// Whether a point is certainly outside all caps but its own two, on which it lies.
-bool is_free(const PairSweep &sweep, const OpenPoints &open, uint32_t p) {
+enum class PointAnswer { covered, free, doubtful };
+
+// A point is certainly free outside all caps but its own two, on which it lies.
+PointAnswer among_all_caps(const CapPointers<float> &caps, uint32_t count, const OpenPoints &open, uint32_t p) {
   const Points8 point{Floats::all_of(open.x + p), Floats::all_of(open.y + p), Floats::all_of(open.z + p),
                       Floats::all_of(open.error + p)};
+  const Floats below = -point.error;
+  Floats deepest = Floats::all(-4.0F);
   uint32_t near = 0;
-  for (uint32_t t = 0; t < sweep.count; t += 8) {
-    const Caps8 caps = Caps8::load(pointers(sweep.caps), t);
-    near += ones(not_less(point.depth(caps), -point.error) & first_lanes(sweep.count - t));
+  // What stands behind the last cap is far from the point, unless nothing is certain of it.
+  for (uint32_t t = 0; t < count; t += 8) {
+    const Floats depth = point.depth(Caps8::load(caps, t));
+    deepest = larger(deepest, depth);
+    near += ones(not_less(depth, below));
   }
-  return near == 2;
+  if (greater(deepest, point.error) != 0) return PointAnswer::covered;
+  return near == 2 ? PointAnswer::free : PointAnswer::doubtful;
 }
 
-uint32_t cap_number(const PairSweep &sweep, uint32_t exposed) {
-  return static_cast<uint32_t>(sweep.exposed_cap[exposed]);
+uint32_t cap_number(const PairSweep &sweep, float exposed) {
+  return static_cast<uint32_t>(sweep.exposed_cap[static_cast<uint32_t>(exposed)]);
 }
 
 // What is left of a batch.
-uint32_t answer(PairSweep &sweep, const Pairs &pairs, OpenPair *answers) {
+uint32_t answer(const PairSweep &sweep, const Pairs &pairs, uint32_t count, OpenPair *answers) {
   OpenPoints open;
-  open_points(sweep, pairs, open);
+  const CapPointers<float> by_size = pointers(sweep.by_size);
+  uint32_t points = open_points(by_size, sweep.class_end[0], pairs, count, open);
   for (uint32_t c = 1; c < PairSweep::size_classes; ++c) {
-    leave_out_covered(sweep, sweep.class_end[c - 1], sweep.class_end[c], open);
+    points = leave_out_covered(by_size, sweep.class_end[c - 1], sweep.class_end[c], open, points);
   }
-  uint64_t any = 0, doubtful = 0, minus = 0, plus = 0;
-  for (uint32_t p = 0; p < open.count; ++p) {
+  const CapPointers<float> caps = pointers(sweep.caps);
+  uint64_t doubtful = 0, minus = 0, plus = 0;
+  for (uint32_t p = 0; p < points; ++p) {
+    const PointAnswer state = among_all_caps(caps, sweep.count, open, p);
+    if (state == PointAnswer::covered) continue;
     const uint32_t number = static_cast<uint32_t>(open.pair[p]);
     const uint64_t bit = UINT64_C(1) << number % PairSweep::batch;
-    any |= bit;
-    if (!(pairs.q[number % PairSweep::batch] > Bounds::points) || !is_free(sweep, open, p)) doubtful |= bit;
+    if (state == PointAnswer::doubtful) doubtful |= bit;
     (number < PairSweep::batch ? minus : plus) |= bit;
   }
   uint32_t found = 0;
-  for (; any != 0; any &= any - 1) {
+  for (uint64_t any = minus | plus; any != 0; any &= any - 1) {
     const uint32_t p = static_cast<uint32_t>(__builtin_ctzll(any));
-    answers[found++] = {cap_number(sweep, static_cast<uint32_t>(pairs.j[p])),
-                        cap_number(sweep, static_cast<uint32_t>(pairs.k[p])), (doubtful >> p & 1U) == 0,
+    answers[found++] = {cap_number(sweep, pairs.j[p]), cap_number(sweep, pairs.k[p]), (doubtful >> p & 1U) == 0,
                         (minus >> p & 1U) != 0, (plus >> p & 1U) != 0};
   }
-  sweep.crossing += pairs.count;
   return found;
 }
 
-// Adds pairs of the row from its column on until there are enough; circles that cross are marked. Returns whether the
-// row is done.
-bool add_pairs_of_row(PairSweep &sweep, Pairs &pairs) {
-  const uint32_t row = sweep.row;
-  const Caps8 cap = Caps8::all_of(pointers(sweep.exposed), row);
-  LaneBits crossed = 0;
-  uint32_t c = sweep.column;
-  for (; c < sweep.exposed_count && !pairs.is_full(); c += 8) {
-    const Caps8 others = Caps8::load(pointers(sweep.exposed), c);
-    const PairLanes<Floats> pair(cap, others);
-    const LaneBits valid = first_lanes(sweep.exposed_count - c) & (c > row ? 255U : 254U << (row - c));
-    const LaneBits crossing = valid & greater(pair.q, Floats::all(Bounds::crossing));
-    pairs.add(row, cap, c, others, pair, valid & ~greater(Floats::all(-Bounds::crossing), pair.q));
-    sweep.crossed[c / 8] = static_cast<uint8_t>(sweep.crossed[c / 8] | crossing);
-    crossed |= crossing;
+// Adds pairs from the sweep's row and column on until there are enough of them. Circles that cross are marked. Returns
+// how many pairs there are.
+uint32_t add_pairs(PairSweep &sweep, Pairs &pairs) {
+  const CapPointers<float> exposed = pointers(sweep.exposed);
+  float *const crossed = sweep.crossed;
+  const uint32_t exposed_count = sweep.exposed_count;
+  const Floats margin = Floats::all(Bounds::crossing), apart = Floats::all(-Bounds::crossing);
+  uint32_t row = sweep.row, column = sweep.column, count = 0;
+  while (row + 1 < exposed_count && !Pairs::is_full(count)) {
+    const Caps8 cap = Caps8::all_of(exposed, row);
+    const Floats row_number = Floats::all(static_cast<float>(row));
+    Floats numbers = Floats::ascending() + Floats::all(static_cast<float>(column));
+    Floats highest = Floats::all(-4.0F);
+    for (; column < exposed_count && !Pairs::is_full(count); column += 8) {
+      const Caps8 others = Caps8::load(exposed, column);
+      const PairLanes<Floats> pair(cap, others);
+      highest = larger(highest, pair.q);
+      larger(pair.q, Floats::load(crossed + column)).store(crossed + column);
+      count = pairs.add(count, row_number, cap, numbers, others, pair, not_greater(apart, pair.q));
+      numbers = numbers + Floats::all(8.0F);
+    }
+    // The number of a lane that crosses is above any bound.
+    const float mark = static_cast<float>(greater(highest, margin));
+    crossed[row] = crossed[row] > mark ? crossed[row] : mark;
+    if (column >= exposed_count) column = ++row + 1;
   }
-  if (crossed != 0) sweep.crossed[row / 8] = static_cast<uint8_t>(sweep.crossed[row / 8] | 1U << row % 8);
-  sweep.column = c;
-  return c >= sweep.exposed_count;
+  sweep.row = row;
+  sweep.column = column;
+  sweep.crossing += count;
+  return count;
 }
 
 }  // namespace
@@ -213,28 +259,28 @@ void start_sweep(PairSweep &sweep) {
   sort_by_size(sweep);
   keep_exposed(sweep);
   sweep.row = 0;
-  sweep.column = 0;
+  sweep.column = 1;
   sweep.crossing = 0;
 }
 
 uint32_t next_open_pairs(PairSweep &sweep, OpenPair *answers) {
+  Pairs pairs;
   while (sweep.row + 1 < sweep.exposed_count) {
-    Pairs pairs;
-    while (sweep.row + 1 < sweep.exposed_count && !pairs.is_full()) {
-      if (!add_pairs_of_row(sweep, pairs)) continue;
-      ++sweep.row;
-      sweep.column = (sweep.row + 1) & ~7U;
-    }
-    const uint32_t found = answer(sweep, pairs, answers);
+    const uint32_t count = add_pairs(sweep, pairs);
+    const uint32_t found = answer(sweep, pairs, count, answers);
     if (found > 0) return found;
   }
   return 0;
 }
 
 uint32_t uncrossed_caps(const PairSweep &sweep, uint32_t *caps) {
+  const Floats margin = Floats::all(Bounds::crossing);
   uint32_t found = 0;
-  for (uint32_t a = 0; a < sweep.exposed_count; ++a) {
-    if ((sweep.crossed[a / 8] >> a % 8 & 1U) == 0) caps[found++] = cap_number(sweep, a);
+  for (uint32_t a = 0; a < sweep.exposed_count; a += 8) {
+    LaneBits left = first_lanes(sweep.exposed_count - a) & not_greater(Floats::load(sweep.crossed + a), margin);
+    for (; left != 0; left &= left - 1) {
+      caps[found++] = static_cast<uint32_t>(sweep.exposed_cap[a + lowest(left)]);
+    }
   }
   return found;
 }

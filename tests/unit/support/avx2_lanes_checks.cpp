@@ -92,6 +92,10 @@ const char *check_comparisons() {
   const float y[8] = {2.0F, 2.0F, 2.0F, 1.0F, nan, nan, 8.0F, 0.0F};
   if (greater(Floats::load(x), Floats::load(y)) != 0x84) return "greater, floats";
   if (not_less(Floats::load(x), Floats::load(y)) != 0x86) return "not_less, floats";
+  if (not_greater(Floats::load(x), Floats::load(y)) != 0x7B) return "not_greater, floats";
+  const float chosen[8] = {1.0F, 1.0F, 0.0F, 1.0F, 1.0F, 1.0F, 1.0F, 0.0F};
+  const Floats zero = Floats::all(0.0F), one = Floats::all(1.0F);
+  if (!lanes_are(where_greater(Floats::load(x), Floats::load(y), zero, one), chosen)) return "where_greater";
   const double u[4] = {1.0, 2.0, 3.0, __builtin_nan("")};
   const double v[4] = {2.0, 2.0, 2.0, 1.0};
   if (greater(Doubles::load(u), Doubles::load(v)) != 4) return "greater, doubles";
@@ -121,8 +125,9 @@ const char *check_parts_and_counts() {
   if (!lanes_are(larger(Floats::load(fa), Floats::load(fb)), larger_ones)) return "larger, floats";
   const double larger_doubles[4] = {2.0, 2.0, 3.0, 0.5};
   if (!lanes_are(larger(Doubles::load(da), Doubles::load(db)), larger_doubles)) return "larger, doubles";
-  const float sizes[8] = {1.0F, 2.0F, 3.0F, 0.5F, 8.0F, 16.0F, 0.0F, 7.0F};
-  if (!lanes_are(magnitude(Floats::load(fa)), sizes)) return "magnitude, floats";
+  float smaller_ones[8];
+  for (uint32_t k = 0; k < 8; ++k) smaller_ones[k] = fa[k] < fb[k] ? fa[k] : fb[k];
+  if (!lanes_are(smaller(Floats::load(fa), Floats::load(fb)), smaller_ones)) return "smaller, floats";
 
   LaneCounts<Floats> floats;
   LaneCounts<Doubles> doubles;

@@ -21,7 +21,7 @@ LanePair<typename Lanes::Real> pair_in(const ThreeCaps<typename Lanes::Real> &th
   const Cap u = Cap::all_of(caps, j), v = Cap::all_of(caps, k);
   const PairLanes<Lanes> pair(u, v);
   CrossingPairs<Lanes, 32> pairs;
-  pairs.add(j, u, k, v, pair, 1);
+  pairs.add(0, Lanes::all(0), u, Lanes::all(1), v, pair, 1);
   const LaneCrossings<Lanes> points(pairs, 0);
   LanePair<typename Lanes::Real> result{};
   result.g = first(pair.g);
