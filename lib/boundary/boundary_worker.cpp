@@ -1,5 +1,6 @@
 #include "boundary/boundary_worker.hpp"
 
+#include "core/first_index.hpp"
 #include "model/block_sweep.hpp"
 
 namespace hsp {
@@ -7,17 +8,7 @@ namespace {
 
 // The first cube that begins at or behind a ball.
 uint32_t cube_from(const CubeGrid &grid, uint32_t ball) {
-  uint32_t low = 0;
-  uint32_t high = grid.cubes();
-  while (low < high) {
-    const uint32_t middle = low + (high - low) / 2;
-    if (grid.balls_in(middle).first < ball) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
-  return low;
+  return first_index(0, grid.cubes(), [&grid, ball](uint32_t cube) { return grid.balls_in(cube).first >= ball; });
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // k-th: so that the members of a sparse kind have consecutive ids without a table in either direction.
 #pragma once
 
+#include "core/first_index.hpp"
 #include "core/workspace.hpp"
 
 namespace hsp {
@@ -35,19 +36,10 @@ class RankedBits {
   uint32_t rank(uint32_t k) const { return before_[k / 64] + ones(words_[k / 64] & ((uint64_t{1} << k % 64) - 1)); }
   // The member of rank r; there must be one.
   uint32_t member(uint32_t r) const {
-    uint32_t low = 0;
-    uint32_t high = used_;
-    while (high - low > 1) {
-      const uint32_t middle = low + (high - low) / 2;
-      if (before_[middle] <= r) {
-        low = middle;
-      } else {
-        high = middle;
-      }
-    }
-    uint64_t word = words_[low];
-    for (uint32_t left = r - before_[low]; left > 0; --left) word &= word - 1;
-    return 64 * low + ones((word & (~word + 1)) - 1);
+    const uint32_t at = first_index(1, used_, [this, r](uint32_t w) { return before_[w] > r; }) - 1;
+    uint64_t word = words_[at];
+    for (uint32_t left = r - before_[at]; left > 0; --left) word &= word - 1;
+    return 64 * at + ones((word & (~word + 1)) - 1);
   }
 
  private:

@@ -1,5 +1,6 @@
 #include "picture/paint.hpp"
 
+#include "core/first_index.hpp"
 #include "core/sorting.hpp"
 
 namespace hsp {
@@ -58,16 +59,7 @@ uint32_t Paint::key_of(uint32_t piece) const {
 
 uint32_t Paint::shade_of(uint32_t piece) const {
   const uint32_t key = key_of(piece);
-  uint32_t low = 0;
-  for (uint32_t high = shades_.size(); low < high;) {
-    const uint32_t middle = low + (high - low) / 2;
-    if (shades_[middle] < key) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
-  return low;
+  return first_index(0, shades_.size(), [this, key](uint32_t shade) { return shades_[shade] >= key; });
 }
 
 uint32_t Paint::shade_colour(uint32_t shade, uint32_t stop) const {

@@ -1,5 +1,7 @@
 #include "sphere/caps.hpp"
 
+#include "core/first_index.hpp"
+
 namespace hsp {
 
 void Caps::carve(Workspace &workspace, uint32_t capacity) {
@@ -227,17 +229,7 @@ void Caps::add_half_sphere(const exact::Vector &normal) {
 }
 
 uint32_t Caps::cap_of(uint32_t other) const {
-  uint32_t low = 0;
-  uint32_t high = count;
-  while (high - low > 1) {
-    const uint32_t middle = low + (high - low) / 2;
-    if (ball[middle] <= other) {
-      low = middle;
-    } else {
-      high = middle;
-    }
-  }
-  return low;
+  return first_index(1, count, [this, other](uint32_t k) { return ball[k] > other; }) - 1;
 }
 
 }  // namespace hsp

@@ -1,5 +1,6 @@
 #include "surface/cusped_circles.hpp"
 
+#include "core/first_index.hpp"
 #include "sphere/arc_geometry.hpp"
 #include "surface/saddle.hpp"
 
@@ -57,47 +58,23 @@ void CuspedCircles::find(const BallSet &balls, const Boundary &boundary) {
 }
 
 uint32_t CuspedCircles::of_arc(uint32_t a, uint32_t b) const {
-  uint32_t low = 0;
-  uint32_t high = first_whole_;
-  while (low < high) {
-    const uint32_t middle = low + (high - low) / 2;
-    if (circle_[middle].ball[0] < a) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
-  for (uint32_t k = low; k < first_whole_ && circle_[k].ball[0] == a; ++k) {
+  const uint32_t first = first_index(0, first_whole_, [this, a](uint32_t k) { return circle_[k].ball[0] >= a; });
+  for (uint32_t k = first; k < first_whole_ && circle_[k].ball[0] == a; ++k) {
     if (circle_[k].ball[1] == b) return k;
   }
   return no_id;
 }
 
 uint32_t CuspedCircles::half_edge(uint32_t arc_number) const {
-  uint32_t low = 0;
-  uint32_t high = first_whole_;
-  while (high - low > 1) {
-    const uint32_t middle = low + (high - low) / 2;
-    if (circle_[middle].first_arc <= arc_number) {
-      low = middle;
-    } else {
-      high = middle;
-    }
-  }
-  return circle_[low].element + (arc_number - circle_[low].first_arc);
+  const auto is_behind = [this, arc_number](uint32_t k) { return circle_[k].first_arc > arc_number; };
+  const Circle &circle = circle_[first_index(1, first_whole_, is_behind) - 1];
+  return circle.element + (arc_number - circle.first_arc);
 }
 
 uint32_t CuspedCircles::of_circle(uint32_t circle) const {
-  for (uint32_t low = first_whole_, high = count(); low < high;) {
-    const uint32_t middle = low + (high - low) / 2;
-    if (circle_[middle].element == circle) return middle;
-    if (circle_[middle].element < circle) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
-  return no_id;
+  const uint32_t k =
+      first_index(first_whole_, count(), [this, circle](uint32_t c) { return circle_[c].element >= circle; });
+  return k < count() && circle_[k].element == circle ? k : no_id;
 }
 
 }  // namespace hsp

@@ -1,5 +1,7 @@
 #include "surface/cut_patches.hpp"
 
+#include "core/first_index.hpp"
+
 namespace hsp {
 
 void CutPatches::carve(Workspace &workspace, uint32_t vertices, uint32_t pieces, uint32_t arcs) {
@@ -53,17 +55,7 @@ uint32_t CutPatches::previous(uint32_t arc) const {
 }
 
 uint32_t CutPatches::piece_of_arc(uint32_t arc) const {
-  uint32_t low = 0;
-  uint32_t high = piece_count();
-  while (high - low > 1) {
-    const uint32_t middle = low + (high - low) / 2;
-    if (piece(middle).first_arc <= arc) {
-      low = middle;
-    } else {
-      high = middle;
-    }
-  }
-  return low;
+  return first_index(1, piece_count(), [this, arc](uint32_t k) { return piece(k).first_arc > arc; }) - 1;
 }
 
 }  // namespace hsp

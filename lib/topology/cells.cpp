@@ -1,5 +1,6 @@
 #include "topology/cells.hpp"
 
+#include "core/first_index.hpp"
 #include "model/vertical_ray.hpp"
 
 namespace hsp {
@@ -12,35 +13,19 @@ bool reaches_higher(const exact::LatticeBall &a, const exact::LatticeBall &b) {
   return top_a != top_b ? top_a > top_b : exact::ranks_before(a, b);
 }
 
-// First k in [0, count) with not_before(k); count if there is none.
-template <class NotBefore>
-uint32_t first_that(uint32_t count, NotBefore not_before) {
-  uint32_t low = 0;
-  uint32_t high = count;
-  while (low < high) {
-    const uint32_t middle = low + (high - low) / 2;
-    if (not_before(middle)) {
-      high = middle;
-    } else {
-      low = middle + 1;
-    }
-  }
-  return low;
-}
-
 // The simple face that holds the highest point of a ball, given the maximal face that does. Every great circle that
 // cuts this face passes the highest point inside it.
 uint32_t simple_face_of_top(const Boundary &boundary, const Topology &topology, uint32_t ball, uint32_t face) {
   const FixedVector<CutArc> &arcs = topology.cut_arcs;
-  uint32_t k = first_that(arcs.size(), [&](uint32_t arc) { return arcs[arc].ball >= ball; });
+  uint32_t k = first_index(0, arcs.size(), [&](uint32_t arc) { return arcs[arc].ball >= ball; });
   for (; k < arcs.size() && arcs[k].ball == ball; ++k) {
     const uint32_t poles = arcs[k].poles;
     if ((poles & CutArc::passes_north) == 0 || arcs[k].face != face) continue;
     const bool behind_south = (poles & CutArc::south_first) != 0 && (poles & CutArc::vertex_at_south) != 0;
     return topology.quads.left(quarter_edge(topology.cut_first_edge[k] + (behind_south ? 1U : 0U)));
   }
-  uint32_t simple = first_that(topology.face_count,
-                               [&](uint32_t candidate) { return topology.ball_of(boundary, candidate) >= ball; });
+  uint32_t simple = first_index(0, topology.face_count,
+                                [&](uint32_t candidate) { return topology.ball_of(boundary, candidate) >= ball; });
   while (topology.faces[simple].face != face) ++simple;
   return simple;
 }
