@@ -1,5 +1,7 @@
 #include "model/block_sweep.hpp"
 
+#include "core/first_index.hpp"
+
 namespace hsp {
 namespace {
 
@@ -21,6 +23,7 @@ const CubeBlock &BlockSweep::block_around(uint32_t cube) {
     return block_;
   }
   const bool first_call = at_ == no_id;
+  if (first_call) skip_to_rows(at);
   const CubeCoordinates &last = table_.coordinates(first_call ? cube : at_);
   const bool same_row = !first_call && in_row(last, at.y, at.z);
   if (!same_row) begin_row(at);
@@ -44,6 +47,9 @@ const CubeBlock &BlockSweep::block_around(uint32_t cube) {
 }
 
 const CubeBlock &BlockSweep::block_around_ball(uint32_t ball) {
+  if (of_ball_ == no_id) {
+    of_ball_ = first_index(0, grid_.cubes(), [this, ball](uint32_t cube) { return grid_.balls_in(cube).last > ball; });
+  }
   while (grid_.balls_in(of_ball_).last <= ball) ++of_ball_;
   return block_around(of_ball_);
 }
@@ -52,6 +58,17 @@ const CubeBlock &BlockSweep::block_around_ball(uint32_t ball) {
 uint32_t BlockSweep::comes_before(uint32_t cube, uint32_t end, int64_t x) const {
   const bool is_there = cube < end;
   return static_cast<uint32_t>(is_there) & static_cast<uint32_t>(table_.coordinates(is_there ? cube : 0).x < x);
+}
+
+// As if the sweep had been just before the first cube that it is asked for.
+void BlockSweep::skip_to_rows(const CubeCoordinates &at) {
+  Row *row = row_;
+  for (int64_t z = at.z - 1; z <= at.z + 1; ++z) {
+    for (int64_t y = at.y - 1; y <= at.y + 1; ++y, ++row) {
+      row->end =
+          first_index(0, table_.count(), [&](uint32_t cube) { return !before_row(table_.coordinates(cube), y, z); });
+    }
+  }
 }
 
 void BlockSweep::begin_row(const CubeCoordinates &at) {

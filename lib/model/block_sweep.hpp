@@ -1,7 +1,7 @@
 // The blocks around the cubes of a grid, one after the other in the order of their numbers. Where the grid has a
 // directory of rows, it is asked. Elsewhere, as this is the order of z, y and x, each of the nine rows of a block only
 // ever moves forward: so a sweep over all cubes walks over them a fixed number of times and asks the hash table
-// nothing.
+// nothing; one over the last cubes does not walk over the first ones.
 #pragma once
 
 #include "model/cube_grid.hpp"
@@ -26,6 +26,7 @@ class BlockSweep {
   };
 
   uint32_t comes_before(uint32_t cube, uint32_t end, int64_t x) const;
+  void skip_to_rows(const CubeCoordinates &at);
   void begin_row(const CubeCoordinates &at);
 
   const CubeGrid &grid_;
@@ -33,7 +34,7 @@ class BlockSweep {
   Row row_[9];
   CubeBlock block_;
   uint32_t at_ = no_id;  // the cube that it is around
-  uint32_t of_ball_ = 0;
+  uint32_t of_ball_ = no_id;
 };
 
 }  // namespace hsp
