@@ -1,7 +1,6 @@
 #include "boundary/boundary_builder.hpp"
 
 #include "boundary/components.hpp"
-#include "boundary/half_edge_links.hpp"
 #include "boundary/shells.hpp"
 #include "core/processor.hpp"
 #include "exact/discriminant.hpp"
@@ -9,9 +8,9 @@
 namespace hsp {
 namespace {
 
-// Stages by their numbers.
-enum : uint32_t { search, place_vertices, assemble_all };
-static_assert(assemble_all + 1 == BoundaryBuilder::stages);
+// Each stage reads what all workers have done in those before.
+enum Stage : uint32_t { searching, placing, counting, distributing, linking, settling, connecting };
+static_assert(connecting + 1 == BoundaryBuilder::stages);
 
 }  // namespace
 
@@ -51,7 +50,7 @@ void BoundaryBuilder::carve(Workspace &workspace, const BoundaryLimits &limits) 
   const uint32_t part = count == 1 ? scratch_.size() : scratch_.size() / count / 16 * 16;
   for (uint32_t w = 0; w < count; ++w) {
     BoundaryWorker &worker = workers_.empty() ? measured : workers_[w];
-    worker.carve(workspace, limits, arrays(), w, scratch_.part(w * part, (w + 1) * part));
+    worker.carve(workspace, limits, arrays(), w, scratch_, scratch_.part(w * part, (w + 1) * part));
   }
 }
 
@@ -80,19 +79,16 @@ Status BoundaryBuilder::work(uint32_t stage, uint32_t worker) {
   }
   BoundaryWorker &own = workers_[worker];
   if (own.done() != stage) return Status::state;
-  if (stage == search) {
+  if (stage == searching) {
     if (grid_->balls().n <= limits_.balls) own.search(*grid_, arrays().ball_state.data());
   } else {
     const Found all = found();
-    if (stage == place_vertices && worker == 0) {
+    if (stage == placing && worker == 0) {
       arrays().balls = grid_->balls().n;
       arrays().vertices.set_count(all.vertices);
       arrays().circles.set_count(all.circles);
     }
-    if (all.fits) {
-      if (stage == place_vertices) place(worker);
-      if (stage == assemble_all && worker == 0) assemble();
-    }
+    if (all.fits) assemble(stage, worker);
   }
   own.count_stage();
   return Status::ok;
@@ -127,11 +123,38 @@ BoundaryBuilder::Found BoundaryBuilder::found() const {
   return all;
 }
 
+void BoundaryBuilder::assemble(uint32_t stage, uint32_t worker) {
+  BoundaryArrays &a = arrays();
+  BoundaryWorker &own = workers_[worker];
+  switch (stage) {
+    case placing:
+      place(worker);
+      if (worker == 0) join_components();
+      break;
+    case counting:
+      own.count(a);
+      break;
+    case distributing:
+      distribute(worker);
+      break;
+    case linking:
+      own.link(*grid_, boundary_, scratch_, a);
+      break;
+    case settling:
+      settle(worker);
+      break;
+    default:
+      // Neither knows of the other.
+      if (worker == 0) find_shells(boundary_, a, scratch_);
+      if (worker == count_ - 1) number_components(*grid_, a);
+  }
+}
+
 // Puts a worker's vertices and circles behind those of the workers before it. As shares ascend, this is their order if
 // one worker finds them all.
 void BoundaryBuilder::place(uint32_t worker) {
   BoundaryArrays &a = arrays();
-  const BoundaryWorker &own = workers_[worker];
+  BoundaryWorker &own = workers_[worker];
   uint32_t first_vertex = 0;
   uint32_t first_circle = 0;
   for (const BoundaryWorker &earlier : workers_.part(0, worker)) {
@@ -142,7 +165,9 @@ void BoundaryBuilder::place(uint32_t worker) {
     for (uint32_t k = 0; k < own.vertices().size(); ++k) a.vertices.room()[first_vertex + k] = own.vertices()[k];
     for (uint32_t k = 0; k < own.circles().size(); ++k) a.circles.room()[first_circle + k] = own.circles()[k];
   }
-  find_root_discriminants(first_vertex, first_vertex + own.vertices().size());
+  own.placed_vertices = {first_vertex, first_vertex + own.vertices().size()};
+  own.placed_circles = {first_circle, first_circle + own.circles().size()};
+  find_root_discriminants(first_vertex, own.placed_vertices.last);
 }
 
 void BoundaryBuilder::find_root_discriminants(uint32_t first, uint32_t last) {
@@ -168,15 +193,38 @@ void BoundaryBuilder::join_components() {
   for (const BoundaryWorker &worker : workers_.part(1, count_)) worker.join_components(components);
 }
 
-void BoundaryBuilder::assemble() {
-  const BallSet &balls = grid_->balls();
+void BoundaryBuilder::distribute(uint32_t worker) {
   BoundaryArrays &a = arrays();
-  link_half_edges(balls, a, scratch_);
-  BoundaryWorker &own = workers_[0];
-  own.faces.find(*grid_, boundary_, a, own.caps, scratch_);
-  find_shells(boundary_, a, scratch_);
-  join_components();
-  number_components(*grid_, a);
+  const BoundaryWorker &own = workers_[worker];
+  HalfEdgeCounts before;
+  for (const BoundaryWorker &earlier : workers_.part(0, worker)) {
+    before.half_edges += earlier.counts.half_edges;
+    before.closed += earlier.counts.closed;
+  }
+  distribute_half_edges(own.touching, before, a);
+  if (worker + 1 < count_) return;
+  a.first_half_edge[a.balls] = before.half_edges + own.counts.half_edges;
+  a.first_closed_half_edge[a.balls] = before.closed + own.counts.closed;
+}
+
+// Without gaps between those of workers, loops and faces have the numbers that one worker would give them. Their
+// records are all moved by worker 0, in order, as they may go where others come from. Wherever else their numbers are
+// stored is left to whom it belongs.
+void BoundaryBuilder::settle(uint32_t worker) {
+  BoundaryArrays &a = arrays();
+  uint32_t loops = 0;
+  uint32_t faces = 0;
+  for (uint32_t w = 0; w < count_; ++w) {
+    const BoundaryWorker &from = workers_[w];
+    const uint32_t loops_down = from.loops.first - loops;
+    const uint32_t faces_down = from.faces.first - faces;
+    if (worker == w && w != 0) return from.renumber(loops_down, faces_down, a);
+    if (worker == 0 && w != 0) from.move_down(loops_down, faces_down, a);
+    loops += from.loops.size();
+    faces += from.faces.size();
+  }
+  a.first_loop[a.balls] = a.loop_count = loops;
+  a.first_face[a.balls] = a.face_count = faces;
 }
 
 }  // namespace hsp

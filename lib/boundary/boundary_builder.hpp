@@ -16,7 +16,7 @@ class BoundaryBuilder {
   // The same in parts: begin, every stage by every worker, end. Workers that are in one stage may run side by side. The
   // grid stays as it is until the end. Status::range if there are not so many workers.
   Status begin(const CubeGrid &grid, uint32_t workers);
-  static constexpr uint32_t stages = 3;
+  static constexpr uint32_t stages = 7;
   // Status::state if nothing has begun, this worker is not just before that stage, or any worker has not done the one
   // before; Status::id if there is no such stage or worker.
   Status work(uint32_t stage, uint32_t worker);
@@ -55,10 +55,12 @@ class BoundaryBuilder {
     bool fits = false;
   };
   Found found() const;
+  void assemble(uint32_t stage, uint32_t worker);
   void place(uint32_t worker);
   void find_root_discriminants(uint32_t first, uint32_t last);
   void join_components();
-  void assemble();
+  void distribute(uint32_t worker);
+  void settle(uint32_t worker);
 
   BoundaryLimits limits_;
   BoundaryLimits needed_;

@@ -30,20 +30,25 @@ BallShare share_of(const CubeGrid &grid, uint32_t worker, uint32_t workers) {
 BoundaryWorker::BoundaryWorker() = default;
 
 void BoundaryWorker::carve(Workspace &workspace, const BoundaryLimits &limits, BoundaryArrays &arrays, uint32_t worker,
-                           Span<uint32_t> borrowed) {
+                           Span<uint32_t> scratch, Span<uint32_t> borrowed) {
   caps.carve(workspace, limits.neighbours);
   finder_.carve(workspace, limits.neighbours);
-  faces.carve(workspace, limits.neighbours);
+  face_finder_.carve(workspace, limits.neighbours);
   lanes.carve(workspace, limits.neighbours, borrowed);
   if (worker == 0) {
     vertices_ = arrays.vertices;
     circles_ = arrays.circles;
     parent_ = arrays.component_origin;
+    // What is behind the loops. The numbers of components are not known yet.
+    if (!scratch.empty()) arriving_ = scratch.part(scratch.size() - limits.balls, scratch.size());
+    leaving_ = arrays.component;
     return;
   }
   vertices_ = FixedVector<VertexRecord>(workspace.take<VertexRecord>(limits.vertices));
   circles_ = FixedVector<CircleRecord>(workspace.take<CircleRecord>(limits.circles));
   parent_ = workspace.take<uint32_t>(limits.balls);
+  arriving_ = parent_;  // as soon as components are joined
+  leaving_ = workspace.take<uint32_t>(limits.balls);
 }
 
 void BoundaryWorker::start(const BallShare &share) {
@@ -91,13 +96,64 @@ void BoundaryWorker::search(const CubeGrid &grid, uint8_t *ball_state) {
       } else {
         finder_.find(balls, caps, vertices_, circles_);
       }
-      ball_state[i] |= static_cast<uint8_t>(faces.count_clusters(caps, clusters) * BoundaryArrays::one_cluster);
+      ball_state[i] |= static_cast<uint8_t>(face_finder_.count_clusters(caps, clusters) * BoundaryArrays::one_cluster);
     }
   }
 }
 
 void BoundaryWorker::join_components(DisjointSets &components) const {
   for (uint32_t i = met_.first; i < met_.last; ++i) components.join(i, parent_[i]);
+}
+
+// Two balls that meet are around each other's cubes, and records are in the order of their first balls.
+void BoundaryWorker::count(BoundaryArrays &a) {
+  const auto first_met = [this](const auto &records, IdRange placed) {
+    return first_index(0, placed.first, [&](uint32_t id) { return records[id].ball[0] >= met_.first; });
+  };
+  touching.balls = share_.balls;
+  touching.vertices = {first_met(a.vertices, placed_vertices), placed_vertices.last};
+  touching.circles = {first_met(a.circles, placed_circles), placed_circles.last};
+  counts = count_half_edges(touching, a);
+}
+
+// A loop has two half-edges at least, or is closed, and a face has a loop unless it is a whole sphere: so there is room
+// enough between where the numbers of two workers begin.
+void BoundaryWorker::link(const CubeGrid &grid, const Boundary &boundary, Span<uint32_t> scratch, BoundaryArrays &a) {
+  const BallRange own = share_.balls;
+  const auto most_loops_before = [&a](uint32_t ball) {
+    return a.first_half_edge[ball] / 2 + a.first_closed_half_edge[ball];
+  };
+  const HalfEdgeChain chain(arriving_, leaving_, {met_.first, met_.last});
+  loops.first = most_loops_before(own.first);
+  loops.last = link_half_edges(grid.balls(), own, chain, loops.first, a);
+  faces.first = loops.first + own.first;
+  faces.last = face_finder_.find(grid, boundary, own, loops, faces.first, caps,
+                                 scratch.part(loops.first, most_loops_before(own.last)), a);
+}
+
+void BoundaryWorker::move_down(uint32_t loops_down, uint32_t faces_down, BoundaryArrays &a) const {
+  for (const uint32_t loop : loops) {
+    a.loop_start[loop - loops_down] = a.loop_start[loop];
+    a.loop_face[loop - loops_down] = a.loop_face[loop] - faces_down;
+  }
+  for (const uint32_t f : faces) {
+    const FaceRecord &face = a.faces[f];
+    a.faces[f - faces_down] = {face.ball, face.first_loop - loops_down, no_id};
+  }
+}
+
+void BoundaryWorker::renumber(uint32_t loops_down, uint32_t faces_down, BoundaryArrays &a) const {
+  const BallRange own = share_.balls;
+  for (uint32_t i = own.first; i < own.last; ++i) {
+    a.first_loop[i] -= loops_down;
+    a.first_face[i] -= faces_down;
+  }
+  for (HalfEdge &half_edge : a.half_edges.part(a.first_half_edge[own.first], a.first_half_edge[own.last])) {
+    half_edge.loop -= loops_down;
+  }
+  const Span<const ClosedHalfEdge> closed =
+      a.closed_half_edge.part(a.first_closed_half_edge[own.first], a.first_closed_half_edge[own.last]);
+  for (const ClosedHalfEdge e : closed) a.circles[e.circle()].loop[e.side()] -= loops_down;
 }
 
 }  // namespace hsp

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "boundary/faces.hpp"
+#include "boundary/half_edge_links.hpp"
 #include "sphere/lane_search.hpp"
 
 namespace hsp {
@@ -21,9 +22,10 @@ class alignas(64) BoundaryWorker {
  public:
   BoundaryWorker();  // not in every place where there is one
 
-  // Worker 0 finds into the boundary's own arrays; the others have copies of them.
+  // Worker 0 finds into the boundary's own arrays; the others have copies of them. scratch [loops + balls] is common;
+  // `borrowed` is this worker's part of it.
   void carve(Workspace &workspace, const BoundaryLimits &limits, BoundaryArrays &arrays, uint32_t worker,
-             Span<uint32_t> borrowed);
+             Span<uint32_t> scratch, Span<uint32_t> borrowed);
 
   // Takes a share. Nothing is found, no stage done.
   void start(const BallShare &share);
@@ -41,22 +43,36 @@ class alignas(64) BoundaryWorker {
   // Joins what this worker found to be one component.
   void join_components(DisjointSets &components) const;
 
+  // Counts the half-edges on the share's balls, once all vertices and circles are in their places.
+  void count(BoundaryArrays &arrays);
+  // Chains the half-edges of the share's balls to loops and gathers these to faces, once all half-edges are in their
+  // places. The numbers of loops and faces leave gaps behind those of the worker before.
+  void link(const CubeGrid &grid, const Boundary &boundary, Span<uint32_t> scratch, BoundaryArrays &arrays);
+  // Closes such gaps: in the records of loops and faces; in everything else that stores their numbers.
+  void move_down(uint32_t loops_down, uint32_t faces_down, BoundaryArrays &arrays) const;
+  void renumber(uint32_t loops_down, uint32_t faces_down, BoundaryArrays &arrays) const;
+
   // Stages done. Other workers may ask, and then see what was written before.
   uint32_t done() const { return __atomic_load_n(&done_, __ATOMIC_ACQUIRE); }
   void count_stage() { __atomic_store_n(&done_, done_ + 1, __ATOMIC_RELEASE); }
 
   Caps caps;
-  FaceFinder faces;
   LaneSearch lanes;
+  IdRange placed_vertices, placed_circles;  // where in the boundary
+  TouchingRecords touching;                 // the share's balls
+  HalfEdgeCounts counts;                    // on them
+  IdRange loops, faces;                     // of them, as link() numbers these
 
  private:
   void cover(const CubeBlock &block);
 
   BallShare share_;
   VertexFinder finder_;
+  FaceFinder face_finder_;
   FixedVector<VertexRecord> vertices_;
   FixedVector<CircleRecord> circles_;
-  Span<uint32_t> parent_;  // [balls] disjoint sets of those that were met
+  Span<uint32_t> parent_;              // [balls] disjoint sets of those that were met
+  Span<uint32_t> arriving_, leaving_;  // [balls] words for chaining
   BallRange met_{0, 0};
   uint32_t neighbours_ = 0;
   uint32_t done_ = 0;

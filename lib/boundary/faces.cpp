@@ -9,18 +9,18 @@ namespace {
 // cheaper than gathering the caps again; with many caps few balls have several loops.
 constexpr uint32_t few_caps = 16;
 
-// Numbers the faces of one ball from the partition of its loops, in the order of their first loops. Returns whether the
-// loops of every face are consecutive.
-bool number_faces(DisjointSets &sets, uint32_t ball, IdRange loops, BoundaryArrays &arrays) {
+// Numbers the faces of one ball from the partition of its loops, in the order of their first loops and from face_count
+// on, which counts them. Returns whether the loops of every face are consecutive.
+bool number_faces(DisjointSets &sets, uint32_t ball, IdRange loops, uint32_t &face_count, BoundaryArrays &arrays) {
   bool consecutive = true;
   for (const uint32_t loop : loops) {
     const uint32_t representative = sets.find(loop - loops.first);
     if (representative == loop - loops.first) {
-      arrays.loop_face[loop] = arrays.face_count;
-      arrays.faces[arrays.face_count++] = {ball, loop, no_id};
+      arrays.loop_face[loop] = face_count;
+      arrays.faces[face_count++] = {ball, loop, no_id};
     } else {
       arrays.loop_face[loop] = arrays.loop_face[loops.first + representative];
-      consecutive = consecutive && arrays.loop_face[loop] == arrays.face_count - 1;
+      consecutive = consecutive && arrays.loop_face[loop] == face_count - 1;
     }
   }
   return consecutive;
@@ -28,9 +28,8 @@ bool number_faces(DisjointSets &sets, uint32_t ball, IdRange loops, BoundaryArra
 
 // Renumbers the loops of one ball so that those of a face are consecutive and otherwise keep their order.
 // number [loops] is scratch memory.
-void sort_loops_by_face(const Boundary &boundary, uint32_t ball, IdRange faces, BoundaryArrays &arrays,
-                        Span<uint32_t> number) {
-  const IdRange loops = boundary.loops(ball);
+void sort_loops_by_face(const Boundary &boundary, uint32_t ball, IdRange loops, IdRange faces, Span<uint32_t> number,
+                        BoundaryArrays &arrays) {
   for (const uint32_t f : faces) arrays.faces[f].first_loop = 0;
   for (const uint32_t loop : loops) ++arrays.faces[arrays.loop_face[loop]].first_loop;
   uint32_t next = loops.first;
@@ -75,7 +74,7 @@ static_assert((few_caps + 1) * BoundaryArrays::one_cluster <= 256);
 // If a sphere has a free point, its free faces and its clusters alternate around the loops as the nodes of a tree whose
 // edges are the loops (the sphere less disjoint closed curves). Hence #faces = #loops - #clusters + 1.
 void FaceFinder::join_loops(const BallSet &balls, BlockSweep &sweep, const Boundary &boundary, uint32_t ball,
-                            uint32_t counted_clusters, Caps &caps, DisjointSets &loops) {
+                            uint32_t first_loop, uint32_t counted_clusters, Caps &caps, DisjointSets &loops) {
   uint32_t clusters = counted_clusters;
   const auto gather_again = [&]() {
     caps.gather(balls, sweep.block_around_ball(ball), ball, nullptr);
@@ -86,34 +85,33 @@ void FaceFinder::join_loops(const BallSet &balls, BlockSweep &sweep, const Bound
     for (uint32_t loop = 1; loop < loops.size(); ++loop) loops.join(0, loop);
   } else if (clusters > 1) {
     if (counted_clusters != not_counted) gather_again();
-    join_loops_by_meridians(caps, boundary, loops);
+    join_loops_by_meridians(caps, boundary, first_loop, loops);
   }
 }
 
-void FaceFinder::find(const CubeGrid &grid, const Boundary &boundary, BoundaryArrays &arrays, Caps &caps,
-                      Span<uint32_t> scratch) {
-  arrays.face_count = 0;
+uint32_t FaceFinder::find(const CubeGrid &grid, const Boundary &boundary, BallRange range, IdRange loops,
+                          uint32_t first, Caps &caps, Span<uint32_t> scratch, BoundaryArrays &arrays) {
+  uint32_t faces = first;
   BlockSweep sweep(grid);
-  for (uint32_t i = 0; i < arrays.balls; ++i) {
-    arrays.first_face[i] = arrays.face_count;
-    const IdRange loops = boundary.loops(i);
-    if (loops.empty()) {
-      if (arrays.ball_state[i] == BoundaryArrays::without_caps) {
-        arrays.faces[arrays.face_count++] = {i, loops.first, no_id};
-      }
+  for (uint32_t i = range.first; i < range.last; ++i) {
+    const uint32_t first_face = arrays.first_face[i] = faces;
+    const IdRange own{arrays.first_loop[i], i + 1 < range.last ? arrays.first_loop[i + 1] : loops.last};
+    if (own.empty()) {
+      if (arrays.ball_state[i] == BoundaryArrays::without_caps) arrays.faces[faces++] = {i, own.first, no_id};
       continue;
     }
     // Smaller numbers stay representatives.
-    DisjointSets sets(scratch.part(0, loops.size()));
+    DisjointSets sets(scratch.part(0, own.size()));
     sets.reset();
-    if (loops.size() > 1) {
-      join_loops(grid.balls(), sweep, boundary, i, arrays.ball_state[i] / BoundaryArrays::one_cluster, caps, sets);
+    if (own.size() > 1) {
+      join_loops(grid.balls(), sweep, boundary, i, own.first, arrays.ball_state[i] / BoundaryArrays::one_cluster, caps,
+                 sets);
     }
-    if (!number_faces(sets, i, loops, arrays)) {
-      sort_loops_by_face(boundary, i, {arrays.first_face[i], arrays.face_count}, arrays, scratch);
+    if (!number_faces(sets, i, own, faces, arrays)) {
+      sort_loops_by_face(boundary, i, own, {first_face, faces}, scratch, arrays);
     }
   }
-  arrays.first_face[arrays.balls] = arrays.face_count;
+  return faces;
 }
 
 // The general case: several clusters of caps and several faces on one sphere. For one cap of every cluster take the
@@ -123,9 +121,9 @@ void FaceFinder::find(const CubeGrid &grid, const Boundary &boundary, BoundaryAr
 // This joins all loops l_1 .. l_r of a face f: the sphere minus f is r discs. The meridian from a cluster in disc a to
 // the pole leaves the disc through l_a, and each further disc it enters it leaves through that disc's loop, so the
 // chain of joins links l_a to the loop of the pole's disc, or to the pole if that is free.
-void FaceFinder::join_loops_by_meridians(Caps &caps, const Boundary &boundary, DisjointSets &loops) {
+void FaceFinder::join_loops_by_meridians(Caps &caps, const Boundary &boundary, uint32_t first_loop,
+                                         DisjointSets &loops) {
   const exact::Predicates predicates = caps.predicates();
-  const uint32_t first_loop = boundary.loops(caps.origin).first;
   uint32_t pole_loop = no_id;
   for (uint32_t representative = 0; representative < caps.count; ++representative) {
     if (!clusters_.is_representative(representative)) continue;

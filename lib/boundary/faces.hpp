@@ -16,15 +16,17 @@ class FaceFinder {
   // known already, or counted if they are few; 0 if they are not.
   uint32_t count_clusters(const Caps &caps, uint32_t known);
 
-  // Gathers the loops of every ball into faces and sorts them by face. The caps of a ball are gathered again, into
-  // `caps`, if it has several loops and its clusters were not counted, or if only meridians show which loops belong
-  // together. `arrays` are those of the boundary; scratch [loops].
-  void find(const CubeGrid &grid, const Boundary &boundary, BoundaryArrays &arrays, Caps &caps, Span<uint32_t> scratch);
+  // Gathers the loops of some consecutive balls, which are consecutive too, into faces numbered from `first` on, and
+  // sorts them by face. Returns the number after the last face. Writes only what belongs to these balls. The caps of a
+  // ball are gathered again, into `caps`, if it has several loops and its clusters were not counted, or if only
+  // meridians show which loops belong together. `arrays` are those of the boundary; scratch [loops].
+  uint32_t find(const CubeGrid &grid, const Boundary &boundary, BallRange range, IdRange loops, uint32_t first,
+                Caps &caps, Span<uint32_t> scratch, BoundaryArrays &arrays);
 
  private:
-  void join_loops(const BallSet &balls, BlockSweep &sweep, const Boundary &boundary, uint32_t ball,
+  void join_loops(const BallSet &balls, BlockSweep &sweep, const Boundary &boundary, uint32_t ball, uint32_t first_loop,
                   uint32_t counted_clusters, Caps &caps, DisjointSets &loops);
-  void join_loops_by_meridians(Caps &caps, const Boundary &boundary, DisjointSets &loops);
+  void join_loops_by_meridians(Caps &caps, const Boundary &boundary, uint32_t first_loop, DisjointSets &loops);
 
   CapClusters clusters_;
   FreeIntervals intervals_;

@@ -2,61 +2,47 @@
 
 #include "core/key_places.hpp"
 #include "core/sorting.hpp"
-#include "sphere/half_edge_chain.hpp"
 
 namespace hsp {
 namespace {
 
-// Starts of the parts of a counting sort from counts stored one slot later.
-void accumulate(Span<uint32_t> first, uint32_t n) {
-  for (uint32_t i = 0; i < n; ++i) first[i + 1] += first[i];
-}
-// After filling, the running starts are the ends of the parts: back by one.
-void step_back(Span<uint32_t> first, uint32_t n) {
-  for (uint32_t i = n; i > 0; --i) first[i] = first[i - 1];
-  first[0] = 0;
+// Calls visit(side) for each side of a record on which a ball of the range lies. The balls of records ascend.
+template <class Record, class Visit>
+void for_sides_on(BallRange range, const Record &record, Visit visit) {
+  constexpr uint32_t sides = sizeof record.ball / sizeof record.ball[0];
+  if (record.ball[0] >= range.first && record.ball[sides - 1] < range.last) {
+    for (uint32_t side = 0; side < sides; ++side) visit(side);
+    return;
+  }
+  for (uint32_t side = 0; side < sides; ++side) {
+    if (record.ball[side] >= range.first && record.ball[side] < range.last) visit(side);
+  }
 }
 
-// Every vertex starts a half-edge on each of its balls. On ball[0] of a positive vertex the loop arrives along the
-// circle of ball[1] and leaves along that of ball[2]; the roles rotate cyclically over the three balls, and swap for a
-// negative vertex. Until half-edges are chained, `next` is where their numbers go in half_edge_at, and `loop` is the
-// circle along which the loop arrives.
-void distribute_vertices(BoundaryArrays &a) {
-  const Span<uint32_t> first = a.first_half_edge;
-  for (uint32_t i = 0; i <= a.balls; ++i) first[i] = 0;
-  for (const VertexRecord &vertex : a.vertices.items()) {
-    for (const uint32_t ball : vertex.ball) ++first[ball + 1];
+// A counting sort of sides of records by their balls, in two steps. After the first one first[i] is the end of the part
+// of ball i, counted from the range's first one, and after the second its beginning.
+template <class Record>
+uint32_t count_sides(Span<const Record> records, BallRange range, Span<uint32_t> first) {
+  for (uint32_t i = range.first; i < range.last; ++i) first[i] = 0;
+  for (const Record &record : records) {
+    for_sides_on(range, record, [&](uint32_t side) { ++first[record.ball[side]]; });
   }
-  accumulate(first, a.balls);
-  for (uint32_t v = 0; v < a.vertices.size(); ++v) {
-    const VertexRecord &vertex = a.vertices[v];
-    // Which of the other two comes first cannot be predicted: an index tells, not a branch.
-    const uint32_t preceding = vertex.positive() ? 1 : 2;
-    for (uint32_t t = 0; t < 3; ++t) {
-      a.half_edges[first[vertex.ball[t]]++] = {v, vertex.ball[(t + 3 - preceding) % 3], 3 * v + t,
-                                               vertex.ball[(t + preceding) % 3]};
-    }
+  uint32_t total = 0;
+  for (uint32_t i = range.first; i < range.last; ++i) first[i] = total += first[i];
+  return total;
+}
+template <class Record, class Put>
+void distribute_sides(Span<const Record> records, IdRange ids, BallRange range, uint32_t before, Span<uint32_t> first,
+                      Put put) {
+  for (uint32_t i = range.first; i < range.last; ++i) first[i] += before;
+  for (uint32_t id = ids.last; id-- > ids.first;) {
+    const Record &record = records[id];
+    for_sides_on(range, record, [&](uint32_t side) { put(--first[record.ball[side]], record, id, side); });
   }
-  step_back(first, a.balls);
 }
 
 uint32_t arriving_circle(const HalfEdge &half_edge) {
   return half_edge.loop;
-}
-
-void distribute_circles(BoundaryArrays &a) {
-  const Span<uint32_t> first = a.first_closed_half_edge;
-  for (uint32_t i = 0; i <= a.balls; ++i) first[i] = 0;
-  for (const CircleRecord &circle : a.circles.items()) {
-    for (const uint32_t ball : circle.ball) ++first[ball + 1];
-  }
-  accumulate(first, a.balls);
-  for (uint32_t c = 0; c < a.circles.size(); ++c) {
-    for (uint32_t side = 0; side < 2; ++side) {
-      a.closed_half_edge[first[a.circles[c].ball[side]]++] = ClosedHalfEdge(c, side);
-    }
-  }
-  step_back(first, a.balls);
 }
 
 // Sums over what lies on a ball run in the order of the ranks of the balls around it, so that neither ids nor the place
@@ -187,19 +173,40 @@ class BallLinker {
 
 }  // namespace
 
-void link_half_edges(const BallSet &balls, BoundaryArrays &a, Span<uint32_t> scratch) {
-  distribute_vertices(a);
-  distribute_circles(a);
-  // The numbers of components are not known yet.
-  const HalfEdgeChain chain(scratch.part(0, a.balls), a.component.part(0, a.balls));
+HalfEdgeCounts count_half_edges(const TouchingRecords &touching, BoundaryArrays &a) {
+  const auto [range, v, c] = touching;
+  return {count_sides<VertexRecord>(a.vertices.items().part(v.first, v.last), range, a.first_half_edge),
+          count_sides<CircleRecord>(a.circles.items().part(c.first, c.last), range, a.first_closed_half_edge)};
+}
+
+void distribute_half_edges(const TouchingRecords &touching, HalfEdgeCounts before, BoundaryArrays &a) {
+  // Every vertex starts a half-edge on each of its balls. On ball[0] of a positive vertex the loop arrives along the
+  // circle of ball[1] and leaves along that of ball[2]; the roles rotate cyclically over the three balls, and swap for
+  // a negative vertex. Until half-edges are chained, `next` is where their numbers go in half_edge_at, and `loop` is
+  // the circle along which the loop arrives.
+  distribute_sides<VertexRecord>(
+      a.vertices.items(), touching.vertices, touching.balls, before.half_edges, a.first_half_edge,
+      [&a](uint32_t to, const VertexRecord &vertex, uint32_t v, uint32_t t) {
+        // Which of the other two comes first cannot be predicted: an index tells, not a
+        // branch.
+        const uint32_t preceding = vertex.positive() ? 1 : 2;
+        a.half_edges[to] = {v, vertex.ball[(t + 3 - preceding) % 3], 3 * v + t, vertex.ball[(t + preceding) % 3]};
+      });
+  distribute_sides<CircleRecord>(a.circles.items(), touching.circles, touching.balls, before.closed,
+                                 a.first_closed_half_edge,
+                                 [&a](uint32_t to, const CircleRecord &, uint32_t c, uint32_t side) {
+                                   a.closed_half_edge[to] = ClosedHalfEdge(c, side);
+                                 });
+}
+
+uint32_t link_half_edges(const BallSet &balls, BallRange range, const HalfEdgeChain &chain, uint32_t loops,
+                         BoundaryArrays &a) {
   BallLinker linker(balls, a, chain);
-  uint32_t loops = 0;
-  for (uint32_t i = 0; i < a.balls; ++i) {
+  for (uint32_t i = range.first; i < range.last; ++i) {
     a.first_loop[i] = loops;
     loops = linker.link(i, loops);
   }
-  a.first_loop[a.balls] = loops;
-  a.loop_count = loops;
+  return loops;
 }
 
 }  // namespace hsp

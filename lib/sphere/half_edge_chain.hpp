@@ -4,6 +4,7 @@
 // half-edge follows one other, so that one that was found is no candidate any more.
 #pragma once
 
+#include "core/id_range.hpp"
 #include "core/workspace.hpp"
 #include "sphere/half_edges.hpp"
 
@@ -13,9 +14,13 @@ class HalfEdgeChain {
  public:
   HalfEdgeChain() = default;
   // Words for circles with numbers below their size; 0 between calls.
-  HalfEdgeChain(Span<uint32_t> arriving, Span<uint32_t> leaving) : arriving_(arriving), leaving_(leaving) {
-    for (uint32_t &word : arriving_) word = 0;
-    for (uint32_t &word : leaving_) word = 0;
+  HalfEdgeChain(Span<uint32_t> arriving, Span<uint32_t> leaving)
+      : HalfEdgeChain(arriving, leaving, {0, arriving.size()}) {}
+  // Only for circles with numbers in a range.
+  HalfEdgeChain(Span<uint32_t> arriving, Span<uint32_t> leaving, IdRange circles)
+      : arriving_(arriving), leaving_(leaving) {
+    for (uint32_t &word : arriving_.part(circles.first, circles.last)) word = 0;
+    for (uint32_t &word : leaving_.part(circles.first, circles.last)) word = 0;
   }
 
   // Stores in each half-edge the number of its follower, the first of them being number `first`. previous(h) is the
