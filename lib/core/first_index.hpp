@@ -5,8 +5,8 @@
 
 namespace hsp {
 
-// The first k in first .. last - 1 with holds(k), which must hold from there on; `last` if there is none. first <= last;
-// last - first < 2^32 - 1.
+// The first k in first .. last - 1 with holds(k), which must hold from there on; `last` if there is none. There must be
+// first <= last and last - first < 2^32 - 1.
 template <class Holds>
 constexpr uint32_t first_index(uint32_t first, uint32_t last, Holds holds) {
   // It does not hold at `before`, which wraps around below 0, and holds at `last`. So close to how processors choose
