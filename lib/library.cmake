@@ -80,9 +80,12 @@ set(HSP_LIBRARY_SOURCES
   lib/surface/triangle_kernel.cpp
   lib/surface/triangle_kernel_avx2.cpp
   lib/mesh/boundary_curves.cpp
+  lib/mesh/boundary_outline.cpp
   lib/mesh/mesh_builder.cpp
   lib/mesh/sphere_triangulation.cpp
+  lib/mesh/saddle_band.cpp
   lib/mesh/spherical_patch.cpp
+  lib/mesh/surface_outline.cpp
   lib/view/depth_buffer.cpp
   lib/view/depth_order.cpp
   lib/view/depth_rows.cpp

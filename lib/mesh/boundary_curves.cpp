@@ -5,27 +5,7 @@
 
 namespace hsp {
 
-namespace {
-
-// A direction perpendicular to a unit vector: away from its longest axis.
-Vec3 perpendicular_to(const Vec3 &axis) {
-  const double x = std::fabs(axis.x);
-  const double y = std::fabs(axis.y);
-  const double z = std::fabs(axis.z);
-  const Vec3 other = x <= y && x <= z ? Vec3{1.0, 0.0, 0.0} : y <= z ? Vec3{0.0, 1.0, 0.0} : Vec3{0.0, 0.0, 1.0};
-  const Vec3 across = cross(axis, other);
-  return 1.0 / std::sqrt(dot(across, across)) * across;
-}
-
-double segments_of(double length_of_curve, double length) {
-  const double wanted = length_of_curve / length;
-  const double floor = wanted < 0x1p30 ? static_cast<double>(static_cast<int64_t>(wanted)) : wanted;
-  return floor < wanted ? floor + 1.0 : floor;
-}
-
-}  // namespace
-
-CurvePoints::CurvePoints(const BallSet &balls, const Boundary &boundary, const BoundaryCurve &curve, bool is_circle,
+CurvePoints::CurvePoints(const BallSet &balls, const Boundary &boundary, const MeshCurve &curve, bool is_circle,
                          double least_radius)
     : segments_(curve.segments) {
   uint32_t own;
@@ -53,29 +33,22 @@ CurvePoints::CurvePoints(const BallSet &balls, const Boundary &boundary, const B
   y_ = cross(x_, circle.axis);
 }
 
-// Both ends of an arc may be of the same three balls. Then there may be another arc between them, and not both may be
-// one segment.
 double segments_of_arc(const BallSet &balls, const Boundary &boundary, uint32_t half_edge, double length) {
-  const HalfEdge &start = boundary.half_edge(half_edge);
   const uint32_t own = boundary.ball_of(half_edge);
-  const double radius = CircleGeometry(balls, own, start.circle).radius;
-  const double segments = segments_of(angle_of(balls, boundary, own, half_edge) * radius, length);
-  const bool same_balls = boundary.half_edge(start.next).circle == boundary.previous_circle(own, start);
-  const double fewest = same_balls ? 2.0 : 1.0;
-  return segments < fewest ? fewest : segments;
+  const double radius = CircleGeometry(balls, own, boundary.half_edge(half_edge).circle).radius;
+  return segments_of(angle_of(balls, boundary, own, half_edge) * radius, length,
+                     has_ends_of_same_balls(boundary, half_edge) ? 2.0 : 1.0);
 }
 
 double segments_of_circle(const BallSet &balls, const Boundary &boundary, uint32_t circle, double length) {
   const CircleRecord &record = boundary.circle(circle);
   const double radius = CircleGeometry(balls, record.ball[0], record.ball[1]).radius;
-  const double segments = segments_of(2 * pi * radius, length);
-  constexpr double fewest = 6.0;
-  return segments < fewest ? fewest : segments;
+  return segments_of(2 * pi * radius, length, fewest_of_circle);
 }
 
 void BoundaryCurves::carve(Workspace &workspace, uint32_t curves) {
   curve_of_ = workspace.take<uint32_t>(2 * uint64_t{curves});
-  curve_ = workspace.take<BoundaryCurve>(curves);
+  curve_ = workspace.take<MeshCurve>(curves);
 }
 
 bool BoundaryCurves::build(const BallSet &balls, const Boundary &boundary, double length) {

@@ -3,25 +3,18 @@
 #pragma once
 
 #include "core/elementary.hpp"
-#include "measure/boundary_positions.hpp"
+#include "mesh/mesh_curve.hpp"
 
 namespace hsp {
 
-// An arc, named by its half-edge on the ball of lower rank, or a circle.
-struct BoundaryCurve {
-  uint32_t element;       // a half-edge or a circle
-  uint32_t segments;      // between its points
-  uint32_t first_sample;  // number in the mesh of the points between its ends, of a circle of all of them
-  bool refine;            // wants twice as many segments
-  bool refined;           // has more segments than its length demands
-};
-
+// The element of a curve is an arc, named by its half-edge on the ball of lower rank, or a circle.
+//
 // A curve's points are those on a circle at equal angles, clockwise about the axis from the ball of lower rank to the
 // other.
 class CurvePoints {
  public:
   // Circles are at least as large as least_radius.
-  CurvePoints(const BallSet &balls, const Boundary &boundary, const BoundaryCurve &curve, bool is_circle,
+  CurvePoints(const BallSet &balls, const Boundary &boundary, const MeshCurve &curve, bool is_circle,
               double least_radius = 0.0);
 
   // Point k of 0 .. segments.
@@ -50,14 +43,16 @@ class BoundaryCurves {
   uint32_t of_half_edge(uint32_t e) const { return curve_of_[e]; }
   uint32_t of_circle(uint32_t circle) const { return first_circle_ + circle; }
   bool is_circle(uint32_t curve) const { return curve >= first_circle_; }
-  const BoundaryCurve &curve(uint32_t c) const { return curve_[c]; }
-  BoundaryCurve &curve(uint32_t c) { return curve_[c]; }
+  const MeshCurve &curve(uint32_t c) const { return curve_[c]; }
+  MeshCurve &curve(uint32_t c) { return curve_[c]; }
+  // The memory of all curves, for who has others.
+  Span<MeshCurve> room() { return curve_; }
   // Points besides the vertices of the boundary.
   uint32_t samples(uint32_t c) const { return is_circle(c) ? curve_[c].segments : curve_[c].segments - 1; }
 
  private:
   Span<uint32_t> curve_of_;  // [half-edges]
-  Span<BoundaryCurve> curve_;
+  Span<MeshCurve> curve_;
   uint32_t first_circle_ = 0;
   uint32_t count_ = 0;
 };

@@ -3,14 +3,13 @@
 #pragma once
 
 #include "core/fixed_vector.hpp"
-#include "core/vec3.hpp"
-#include "core/workspace.hpp"
+#include "surface/surface_map.hpp"
 
 namespace hsp {
 
 struct MeshLimits {
-  uint32_t balls = 0;
-  uint32_t curves = 0;  // arcs and circles of the boundary
+  uint32_t balls = 0;   // spheres with patches: balls, and vertices of the boundary for a smooth surface
+  uint32_t curves = 0;  // arcs and circles of the boundary, or edges of the smooth surface
   uint32_t vertices = 0;
   uint32_t triangles = 0;
   uint32_t points = 0;  // most points of any one sphere while it is triangulated
@@ -22,23 +21,18 @@ struct MeshLimits {
   }
 };
 
-// Kinds of patches, and what their numbers count.
-enum class PatchKind : uint8_t {
-  convex = 0,   // faces of the boundary
-  saddle = 1,   // arcs, then circles
-  concave = 2,  // vertices
-};
-
 struct MeshVertex {
   double position[3];  // in the caller's coordinates
   double normal[3];    // of length 1, outward; where patches meet along an edge, the middle of theirs
-  uint32_t ball;       // one that it lies on: the first in the caller's order
+  uint32_t ball;       // of the smooth surface as of its triangles; of a boundary one that it lies on: the first in
+                       // the caller's order
 };
 
 struct MeshTriangle {
   uint32_t vertex[3];  // counter-clockwise, seen from outside
   uint32_t patch;
-  uint32_t ball;  // one that the patch belongs to: the first in the caller's order
+  uint32_t ball;  // of a saddle the one on whose side of the narrowest place it lies, of a concave patch the one that
+                  // the probe touches nearest to it
   PatchKind kind;
 };
 
@@ -50,9 +44,25 @@ class Mesh {
   uint32_t refined_count() const { return refined_; }  // curves with more points than their length demands
   const MeshVertex &vertex(uint32_t v) const { return vertices_[v]; }
   const MeshTriangle &triangle(uint32_t t) const { return triangles_[t]; }
+  // They are in the order of their patches.
+  IdRange triangles_of(uint32_t patch) const { return {first_from(patch), first_from(patch + 1)}; }
 
  private:
   friend class MeshBuilder;
+
+  uint32_t first_from(uint32_t patch) const {
+    uint32_t low = 0;
+    uint32_t high = triangle_count();
+    while (low < high) {
+      const uint32_t middle = low + (high - low) / 2;
+      if (triangles_[middle].patch < patch) {
+        low = middle + 1;
+      } else {
+        high = middle;
+      }
+    }
+    return low;
+  }
 
   FixedVector<MeshVertex> vertices_;
   FixedVector<MeshTriangle> triangles_;

@@ -1,15 +1,9 @@
 // Fills a mesh: patch by patch, until all that share a curve agree how many points it has.
 #pragma once
 
-#include "mesh/boundary_curves.hpp"
-#include "mesh/mesh.hpp"
-#include "mesh/spherical_patch.hpp"
+#include "mesh/surface_outline.hpp"
 
 namespace hsp {
-
-// Limits that nearly always suffice for edges of this length, in lattice steps. Status::range if they would be too
-// large.
-Status expected_mesh_limits(const BallSet &balls, const Boundary &boundary, double edge, MeshLimits &limits);
 
 class MeshBuilder {
  public:
@@ -19,6 +13,9 @@ class MeshBuilder {
   // then reports what suffices as far as it is known. Status::range if there are more points than any limit allows.
   // Status::check if two borders are so close to each other that no number of points tells them apart.
   Status build(const BallSet &balls, const Boundary &boundary, double edge);
+
+  // The same for the smooth surface. Status::check also if the surface is not closed.
+  Status build(const BallSet &balls, const Boundary &boundary, const Surface &surface, double edge);
 
   const Mesh &mesh() const { return mesh_; }
   const MeshLimits &needed() const { return needed_; }
@@ -30,22 +27,25 @@ class MeshBuilder {
     bool outdated;
   };
 
-  void add_boundary_vertices(const BallSet &balls, const Boundary &boundary);
-  void add_samples(const BallSet &balls, const Boundary &boundary, uint32_t curve);
-  void add_vertex(const BallSet &balls, const Position &position, const uint32_t *owners, uint32_t count);
-  bool triangulate_ball(const BallSet &balls, const Boundary &boundary, double edge, uint32_t i);
-  void add_loop(const BallSet &balls, const Boundary &boundary, uint32_t i, uint32_t loop);
-  void keep_off_neighbours(const BallSet &balls, const Boundary &boundary, uint32_t i);
-  bool is_too_fine(const BallSet &balls, const Boundary &boundary, uint32_t curve) const;
-  bool refine(const BallSet &balls, const Boundary &boundary);
-  void remove_outdated();
+  template <class Outline>
+  Status build_all(Outline &outline, double edge);
+  template <class Outline>
+  bool triangulate(Outline &outline, double edge, uint32_t sphere);
+  template <class Outline>
+  void add_samples(Outline &outline, uint32_t c);
+  template <class Outline>
+  bool refine(Outline &outline);
+  void remove_outdated(uint32_t first_of_bands);
+  template <class Outline>
+  void name_balls(const Outline &outline);
+  void sort_by_patches();
 
   MeshLimits limits_;
   MeshLimits needed_;
   Mesh mesh_;
   BoundaryCurves curves_;
   SphericalPatch patch_;
-  Span<PatchRange> range_;       // [balls]
+  Span<PatchRange> range_;       // [spheres]
   Span<uint32_t> vertex_moves_;  // [vertices]
 };
 

@@ -17,12 +17,18 @@ struct BorderSample {
   Vec3 direction;           // from the sphere's centre, of any length
   uint32_t vertex;          // its number in the mesh
   uint32_t curve;           // that leads to the next one
-  uint32_t other_patch[2];  // of those that share the point, besides this one; no_id if there are fewer
+  uint32_t other_patch[2];  // of those that share the point, besides this one, and that may join any of their points:
+                            // no_id if there are fewer, any_patch for a point that many may share
+
+  static constexpr uint32_t any_patch = no_id - 1;
 
   // Whether another patch might have an edge between the two, too.
   bool may_be_joined_elsewhere(const BorderSample &other) const {
     for (const uint32_t p : other_patch) {
-      if (p != no_id && (p == other.other_patch[0] || p == other.other_patch[1])) return true;
+      if (p == no_id) continue;
+      for (const uint32_t q : other.other_patch) {
+        if (q != no_id && (p == q || p == any_patch || q == any_patch)) return true;
+      }
     }
     return false;
   }

@@ -61,6 +61,8 @@ class SurfaceMap {
   // Of the next loop around the same patch, the first one after the last.
   uint32_t next_loop(uint32_t h) const;
 
+  // The patch of a vertex; of a cut one that of a piece.
+  uint32_t concave_patch(uint32_t vertex, uint32_t piece) const;
   uint32_t patch_of_piece(uint32_t piece) const;
   // no_id for a hidden patch, and for a corner where no edge ends: the cusp of a whole circle.
   uint32_t shell_of(uint32_t patch) const;
@@ -137,7 +139,6 @@ class SurfaceMap {
   uint32_t cusped_arc_of(uint32_t half_edge) const;
   uint32_t corner_at(uint32_t vertex, uint32_t ball) const;
   uint32_t cusp_at(uint32_t circle, uint32_t ball) const;
-  uint32_t concave_patch(uint32_t vertex, uint32_t piece) const;
 
   const BallSet &balls_;
   const Boundary &boundary_;

@@ -43,7 +43,7 @@ TEST(BoundaryCurves, PointsRunAlongTheArc) {
   memory.carve(curves, boundary.arc_count());
   ASSERT_TRUE(curves.build(balls, boundary, 100.0));
   for (uint32_t c = 0; c < curves.count(); ++c) {
-    const hsp::BoundaryCurve &curve = curves.curve(c);
+    const hsp::MeshCurve &curve = curves.curve(c);
     const hsp::CurvePoints points(balls, boundary, curve, false);
     const uint32_t own = boundary.ball_of(curve.element);
     const uint32_t other = boundary.half_edge(curve.element).circle;
@@ -75,7 +75,7 @@ TEST(BoundaryCurves, CirclesCloseAndMayBeEnlarged) {
   ASSERT_TRUE(curves.build(built.balls(), built.boundary(), 100.0));
   ASSERT_EQ(curves.count(), 1U);
   ASSERT_TRUE(curves.is_circle(0));
-  const hsp::BoundaryCurve &curve = curves.curve(0);
+  const hsp::MeshCurve &curve = curves.curve(0);
   EXPECT_EQ(curves.samples(0), curve.segments);
   const hsp::CurvePoints points(built.balls(), built.boundary(), curve, true);
   const hsp::Vec3 gap = points.at(0).offset - points.at(curve.segments).offset;

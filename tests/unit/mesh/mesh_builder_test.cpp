@@ -2,42 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <map>
-#include <utility>
-
 #include "built_boundary.hpp"
-#include "carved_memory.hpp"
+#include "built_mesh.hpp"
+#include "built_surface.hpp"
+#include "lattice_lengths.hpp"
 #include "random_balls.hpp"
 
 namespace {
-
-struct BuiltMesh {
-  BuiltMesh(const BuiltBoundary &built, double edge) {
-    hsp::MeshLimits limits;
-    EXPECT_EQ(hsp::expected_mesh_limits(built.balls(), built.boundary(), edge, limits), hsp::Status::ok);
-    memory.carve(builder, limits);
-    status = builder.build(built.balls(), built.boundary(), edge);
-  }
-
-  CarvedMemory memory;
-  hsp::MeshBuilder builder;
-  hsp::Status status;
-};
-
-// Every edge in two triangles that run through it in opposite directions.
-bool is_closed(const hsp::Mesh &mesh) {
-  std::map<std::pair<uint32_t, uint32_t>, int> edges;
-  for (uint32_t t = 0; t < mesh.triangle_count(); ++t) {
-    for (int k = 0; k < 3; ++k) {
-      const uint32_t *const v = mesh.triangle(t).vertex;
-      ++edges[{v[k], v[(k + 1) % 3]}];
-    }
-  }
-  for (const auto &[edge, times] : edges) {
-    if (times != 1 || edges.count({edge.second, edge.first}) == 0) return false;
-  }
-  return true;
-}
 
 TEST(MeshBuilder, ExpectedLimitsSufficeForRandomSets) {
   int closed = 0, refined = 0;
@@ -45,12 +16,11 @@ TEST(MeshBuilder, ExpectedLimitsSufficeForRandomSets) {
     oracle::RandomSource random(seed);
     const BuiltBoundary built(seed % 2 == 0 ? oracle::loose_balls(random, 30) : oracle::dense_balls(random, 20));
     const double edge = 0.4 * static_cast<double>(built.balls().largest_radius);
-    const BuiltMesh mesh(built, edge);
-    if (mesh.status != hsp::Status::ok) continue;
-    const hsp::Mesh &found = mesh.builder.mesh();
-    if (is_closed(found)) ++closed;
-    if (found.refined_count() > 0) ++refined;
-    EXPECT_EQ(int64_t{found.vertex_count()} - found.triangle_count() / 2, built.boundary().euler());
+    const BuiltMesh mesh(edge, built.balls(), built.boundary());
+    if (mesh.status() != hsp::Status::ok) continue;
+    if (mesh.is_closed()) ++closed;
+    if (mesh.mesh().refined_count() > 0) ++refined;
+    EXPECT_EQ(mesh.euler(), built.boundary().euler());
   }
   EXPECT_EQ(closed, 60);
   EXPECT_GT(refined, 0);
@@ -60,9 +30,9 @@ TEST(MeshBuilder, NamesWhatSuffices) {
   oracle::RandomSource random(3);
   const BuiltBoundary built(oracle::loose_balls(random, 10));
   const double edge = 0.5 * static_cast<double>(built.balls().largest_radius);
-  const BuiltMesh reference(built, edge);
-  ASSERT_EQ(reference.status, hsp::Status::ok);
-  const hsp::MeshLimits exact = reference.builder.needed();
+  const BuiltMesh reference(edge, built.balls(), built.boundary());
+  ASSERT_EQ(reference.status(), hsp::Status::ok);
+  const hsp::MeshLimits exact = reference.builder().needed();
   uint32_t hsp::MeshLimits::*const all[] = {&hsp::MeshLimits::balls, &hsp::MeshLimits::curves,
                                             &hsp::MeshLimits::vertices, &hsp::MeshLimits::triangles,
                                             &hsp::MeshLimits::points};
@@ -80,16 +50,154 @@ TEST(MeshBuilder, NamesWhatSuffices) {
 // Balls that touch in a point: the circle between them has no length, and still there is one surface.
 TEST(MeshBuilder, BallsThatTouch) {
   const BuiltBoundary built(oracle::Balls{{0, 0, 0, 1000}, {1500, 0, 2000, 1500}});
-  const BuiltMesh mesh(built, 300.0);
-  ASSERT_EQ(mesh.status, hsp::Status::ok);
-  EXPECT_TRUE(is_closed(mesh.builder.mesh()));
-  EXPECT_EQ(int64_t{mesh.builder.mesh().vertex_count()} - mesh.builder.mesh().triangle_count() / 2, 2);
+  const BuiltMesh mesh(300.0, built.balls(), built.boundary());
+  ASSERT_EQ(mesh.status(), hsp::Status::ok);
+  EXPECT_TRUE(mesh.is_closed());
+  EXPECT_EQ(mesh.euler(), 2);
 }
 
 TEST(MeshBuilder, EdgesTooShortForAnyLimit) {
   const BuiltBoundary built(oracle::Balls{{0, 0, 0, 1000}, {1500, 0, 1000, 1500}});
   hsp::MeshLimits limits;
   EXPECT_EQ(hsp::expected_mesh_limits(built.balls(), built.boundary(), 1e-3, limits), hsp::Status::range);
+}
+
+// Of the surface as a map: corners less edges, and every patch as a sphere with holes.
+int64_t euler_of(const BuiltSurface &built) {
+  const hsp::SurfaceMap map(built.balls(), built.boundary(), built.surface());
+  int64_t faces_and_holes = 0;
+  for (uint32_t p = 0; p < map.patch_count(); ++p) {
+    int64_t loops = 0;
+    map.for_each_loop(p, [&](uint32_t) { ++loops; });
+    faces_and_holes += 2 - loops;
+  }
+  int64_t edges = 0;
+  for (uint32_t e = 0; e < map.edge_count(); ++e) edges += map.origin(2 * e) != hsp::no_id ? 1 : 0;
+  int64_t corners = 0;
+  for (uint32_t c = 0; c < map.corner_count(); ++c) corners += map.shell_of_corner(c) != hsp::no_id ? 1 : 0;
+  return corners - edges + faces_and_holes;
+}
+
+TEST(MeshBuilder, SmoothSurfacesOfRandomSets) {
+  int closed = 0, refined = 0, more_room = 0, cusped = 0, cut = 0;
+  for (uint64_t seed = 1; seed <= 200; ++seed) {
+    oracle::RandomSource random(seed);
+    const oracle::Balls set = seed % 4 == 0   ? oracle::degenerate_balls(random, 12)
+                              : seed % 4 == 1 ? oracle::dense_balls(random, 10)
+                              : seed % 4 == 2 ? oracle::loose_balls(random, 30)
+                                              : oracle::clustered_balls(random, 16);
+    const support::BallList lengths = oracle::in_lengths(set, 1);
+    const double largest = *std::max_element(lengths.radius.begin(), lengths.radius.end());
+    const BuiltSurface built(lengths, std::floor(0.3 * largest * static_cast<double>(1 + seed % 5)));
+    ASSERT_EQ(built.status(), hsp::Status::ok);
+    if (!built.surface().is_closed()) continue;
+    const BuiltMesh mesh(0.3 * largest, built.balls(), built.boundary(), built.surface());
+    if (mesh.status() == hsp::Status::capacity) ++more_room;
+    if (mesh.status() != hsp::Status::ok) continue;
+    if (mesh.is_closed()) ++closed;
+    if (mesh.mesh().refined_count() > 0) ++refined;
+    EXPECT_EQ(mesh.euler(), euler_of(built)) << seed;
+    const hsp::SurfaceMeasure exact = built.total();
+    EXPECT_NEAR(mesh.area(), exact.area(), 0.06 * exact.area()) << seed;
+    EXPECT_NEAR(mesh.volume(), exact.volume, 0.06 * exact.volume) << seed;
+    cusped += built.surface().counts().cusped_arcs > 0 ? 1 : 0;
+    cut += built.surface().counts().cut_patches > 0 ? 1 : 0;
+  }
+  EXPECT_GE(closed, 190);
+  EXPECT_LE(more_room, 2);
+  EXPECT_GT(refined, 0);
+  EXPECT_GT(cusped, 40);
+  EXPECT_GT(cut, 40);
+}
+
+// Half the edge, a quarter of the error: of a torus with a crease that is a whole circle, of three spindles, and of
+// cusps with cut patches between them.
+TEST(MeshBuilder, SmoothSurfacesConverge) {
+  for (const double circumradius : {2.9, 3.09, 3.2}) {
+    support::BallList three;
+    for (int k = 0; k < 3; ++k) {
+      const double x[] = {1.0, -0.5, -0.5};
+      const double y[] = {0.0, 0.8660254037844386, -0.8660254037844386};
+      three.add(circumradius * x[k], circumradius * y[k], 0.0, 1.7);
+    }
+    const BuiltSurface built(three, 1.4, 0.0);
+    ASSERT_EQ(built.status(), hsp::Status::ok);
+    ASSERT_TRUE(built.surface().is_closed());
+    const hsp::SurfaceMeasure exact = built.total();
+    double area[3], volume[3];
+    for (int k = 0; k < 3; ++k) {
+      const double edge = built.balls().lattice.steps(0.4 / (1 << k));
+      const BuiltMesh mesh(edge, built.balls(), built.boundary(), built.surface());
+      ASSERT_EQ(mesh.status(), hsp::Status::ok);
+      area[k] = exact.area() - mesh.area();
+      volume[k] = exact.volume - mesh.volume();
+    }
+    for (int k = 0; k < 2; ++k) {
+      EXPECT_GT(area[k], 3.0 * area[k + 1]) << circumradius;
+      EXPECT_LT(area[k], 6.0 * area[k + 1]) << circumradius;
+      EXPECT_GT(volume[k], 3.0 * volume[k + 1]) << circumradius;
+      EXPECT_LT(volume[k], 6.0 * volume[k + 1]) << circumradius;
+    }
+  }
+}
+
+// Patches in order, each with its own kind, and balls of which a probe touches one there.
+TEST(MeshBuilder, TrianglesOfEachPatch) {
+  oracle::RandomSource random(2);
+  const support::BallList lengths = oracle::in_lengths(oracle::loose_balls(random, 30), 1);
+  const BuiltSurface built(lengths, 300.0);
+  ASSERT_TRUE(built.surface().is_closed());
+  const BuiltMesh mesh(200.0, built.balls(), built.boundary(), built.surface());
+  ASSERT_EQ(mesh.status(), hsp::Status::ok);
+  const hsp::SurfaceMap map(built.balls(), built.boundary(), built.surface());
+  uint32_t next = 0;
+  for (uint32_t p = 0; p < map.patch_count(); ++p) {
+    const hsp::IdRange triangles = mesh.mesh().triangles_of(p);
+    EXPECT_EQ(triangles.first, next);
+    EXPECT_FALSE(triangles.empty());
+    next = triangles.last;
+    const hsp::SurfacePatch patch = map.patch(p);
+    for (const uint32_t t : triangles) {
+      const hsp::MeshTriangle &triangle = mesh.mesh().triangle(t);
+      EXPECT_EQ(triangle.kind, patch.kind);
+      if (patch.kind == hsp::PatchKind::convex) {
+        EXPECT_EQ(triangle.ball, built.boundary().face(patch.source).ball);
+      }
+      if (patch.kind == hsp::PatchKind::concave) {
+        EXPECT_LT(built.boundary().vertex(patch.source).slot_of(triangle.ball), 3U);
+      }
+    }
+  }
+  EXPECT_EQ(next, mesh.mesh().triangle_count());
+}
+
+TEST(MeshBuilder, OpenSurfacesAreRefused) {
+  support::BallList eight;  // whose spheres meet in one point, where the outside shrinks to it
+  for (int k = 0; k < 8; ++k) {
+    eight.add(k % 2 == 0 ? -800.0 : 800.0, k / 2 % 2 == 0 ? -1600.0 : 1600.0, k / 4 == 0 ? -1600.0 : 1600.0, 1000.0);
+  }
+  const BuiltSurface built(eight, 1400.0);
+  ASSERT_EQ(built.status(), hsp::Status::ok);
+  ASSERT_FALSE(built.surface().is_closed());
+  hsp::MeshLimits limits;
+  EXPECT_EQ(hsp::expected_mesh_limits(built.balls(), built.boundary(), built.surface(), 500.0, limits),
+            hsp::Status::check);
+  ASSERT_EQ(hsp::expected_mesh_limits(built.balls(), built.boundary(), 500.0, limits), hsp::Status::ok);
+  CarvedMemory memory;
+  hsp::MeshBuilder builder;
+  memory.carve(builder, limits);
+  EXPECT_EQ(builder.build(built.balls(), built.boundary(), built.surface(), 500.0), hsp::Status::check);
+}
+
+// Without a probe the smooth surface is the boundary.
+TEST(MeshBuilder, WithoutAProbe) {
+  oracle::RandomSource random(5);
+  const BuiltSurface built(oracle::in_lengths(oracle::loose_balls(random, 12), 1), 0.0);
+  ASSERT_EQ(built.status(), hsp::Status::ok);
+  const BuiltMesh mesh(300.0, built.balls(), built.boundary(), built.surface());
+  ASSERT_EQ(mesh.status(), hsp::Status::ok);
+  EXPECT_TRUE(mesh.is_closed());
+  EXPECT_EQ(mesh.euler(), built.boundary().euler());
 }
 
 }  // namespace

@@ -1,0 +1,162 @@
+#include "mesh/boundary_outline.hpp"
+
+#include "measure/areas.hpp"
+#include "mesh/mesh_sizes.hpp"
+#include "sphere/arc_geometry.hpp"
+
+namespace hsp {
+
+// How near each other points of a curve may be, as a share of the balls' radius.
+constexpr double least_segment = 0x1p-24;
+
+Status expected_mesh_limits(const BallSet &balls, const Boundary &boundary, double edge, MeshLimits &limits) {
+  MeshSizes sizes;
+  sizes.add_points(boundary.vertex_count());
+  for (uint32_t i = 0; i < balls.n; ++i) {
+    if (!boundary.is_exposed(i)) continue;
+    const double r = balls.r[i];
+    double border = 0.0;
+    double own = 0.0;
+    for (const uint32_t e : boundary.half_edges(i)) {
+      const bool lower = balls.ranks_before(i, boundary.half_edge(e).circle);
+      const double segments =
+          lower ? segments_of_arc(balls, boundary, e, edge) : segments_of_arc(balls, boundary, boundary.twin(e), edge);
+      border += segments;
+      if (lower) own += segments;
+    }
+    for (const ClosedHalfEdge e : boundary.circles(i)) {
+      const double segments = segments_of_circle(balls, boundary, e.circle(), edge);
+      border += segments;
+      if (e.side() == 0) own += segments;
+    }
+    sizes.add_points(own);
+    sizes.add_sphere(border, r > 0.0 ? measure_ball(balls, boundary, i).area / (r * r) : 4 * pi, spacing_on(r, edge));
+  }
+  return sizes.limits(balls.n, boundary.arc_count() + boundary.circle_count(), limits);
+}
+
+double spacing_on(double radius, double edge) {
+  return radius > 0.0 ? edge / radius : largest_ring_spacing;
+}
+
+MeshVertex mesh_vertex(const BallSet &balls, const Position &position, const Vec3 &normal, uint32_t ball) {
+  MeshVertex vertex;
+  to_coordinates(balls, position, vertex.position);
+  vertex.normal[0] = normal.x;
+  vertex.normal[1] = normal.y;
+  vertex.normal[2] = normal.z;
+  vertex.ball = ball;
+  return vertex;
+}
+
+void keep_off_neighbours(const BallSet &balls, const Boundary &boundary, uint32_t ball, SphericalPatch &patch) {
+  uint32_t latest = no_id;
+  const auto keep_off = [&](uint32_t other) {
+    if (other == latest) return;
+    latest = other;
+    const CircleGeometry circle(balls, ball, other);
+    patch.keep_off(circle.axis, circle.height / balls.r[ball]);
+  };
+  // Half-edges of a ball are in the order of their circles.
+  for (const uint32_t e : boundary.half_edges(ball)) keep_off(boundary.half_edge(e).circle);
+  for (const ClosedHalfEdge e : boundary.circles(ball)) keep_off(boundary.neighbour(e));
+}
+
+void BoundaryOutline::find_owners(uint32_t c, uint32_t owners[2]) const {
+  const uint32_t element = curves_.curve(c).element;
+  if (curves_.is_circle(c)) {
+    owners[0] = boundary_.circle(element).ball[0];
+    owners[1] = boundary_.circle(element).ball[1];
+  } else {
+    owners[0] = boundary_.ball_of(element);
+    owners[1] = boundary_.half_edge(element).circle;
+  }
+}
+
+MeshVertex BoundaryOutline::vertex_at(const Position &position, const uint32_t *owners, uint32_t count) const {
+  uint32_t ball = owners[0];
+  Vec3 sum{0.0, 0.0, 0.0};
+  for (uint32_t k = 0; k < count; ++k) {
+    const Vec3 arm = direction_from(balls_, owners[k], position);
+    const double length = std::sqrt(dot(arm, arm));
+    if (length > 0.0) sum = combine(1.0, sum, 1.0 / length, arm);
+    if (balls_.given_before(owners[k], ball)) ball = owners[k];
+  }
+  return mesh_vertex(balls_, position, unit(sum, {0.0, 0.0, 1.0}), ball);
+}
+
+MeshVertex BoundaryOutline::corner(uint32_t v) const {
+  return vertex_at(position_of_vertex(balls_, boundary_, v), boundary_.vertex(v).ball, 3);
+}
+
+void BoundaryOutline::add_samples(uint32_t c, FixedVector<MeshVertex> &vertices) const {
+  const MeshCurve &curve = curves_.curve(c);
+  const bool is_circle = curves_.is_circle(c);
+  const CurvePoints points(balls_, boundary_, curve, is_circle);
+  uint32_t owners[2];
+  find_owners(c, owners);
+  for (uint32_t k = is_circle ? 0 : 1; k < curve.segments; ++k) vertices.push(vertex_at(points.at(k), owners, 2));
+}
+
+MeshVertex BoundaryOutline::inner_vertex(uint32_t sphere, const Vec3 &direction) const {
+  const Vec3 normal = 1.0 / std::sqrt(dot(direction, direction)) * direction;
+  return mesh_vertex(balls_, {sphere, balls_.r[sphere] * normal}, normal, sphere);
+}
+
+bool BoundaryOutline::is_too_fine(uint32_t c) const {
+  const MeshCurve &curve = curves_.curve(c);
+  if (curves_.is_circle(c)) return false;
+  const uint32_t own = boundary_.ball_of(curve.element);
+  const double length = angle_of(balls_, boundary_, own, curve.element) *
+                        CircleGeometry(balls_, own, boundary_.half_edge(curve.element).circle).radius;
+  return length < least_segment * balls_.r[own] * curve.segments;
+}
+
+void BoundaryOutline::add_border(uint32_t sphere, SphericalPatch &patch) const {
+  keep_off_neighbours(balls_, boundary_, sphere, patch);
+  const IdRange faces = boundary_.faces(sphere);
+  for (const uint32_t loop : boundary_.loops(sphere)) {
+    patch.begin_loop(boundary_.face_of_loop(loop) - faces.first);
+    add_loop(sphere, loop, patch);
+  }
+}
+
+void BoundaryOutline::add_loop(uint32_t ball, uint32_t loop, SphericalPatch &patch) const {
+  const LoopElement start = boundary_.loop_start(loop);
+  if (start.is_circle()) {
+    const ClosedHalfEdge e = start.closed_half_edge();
+    const uint32_t c = curves_.of_circle(e.circle());
+    const MeshCurve &curve = curves_.curve(c);
+    const CurvePoints points(balls_, boundary_, curve, true, least_circle * balls_.r[ball]);
+    const bool forwards = balls_.ranks_before(ball, boundary_.neighbour(e));
+    for (uint32_t k = 0; k < curve.segments; ++k) {
+      const uint32_t at = forwards ? k : curve.segments - 1 - k;
+      patch.add(
+          {direction_from(balls_, ball, points.at(at)), curve.first_sample + at, c, {boundary_.neighbour(e), no_id}});
+    }
+    return;
+  }
+  uint32_t e = start.half_edge();
+  do {
+    const HalfEdge &half_edge = boundary_.half_edge(e);
+    const uint32_t c = curves_.of_half_edge(e);
+    const MeshCurve &curve = curves_.curve(c);
+    const Position at_start = position_of_vertex(balls_, boundary_, half_edge.vertex);
+    patch.add({direction_from(balls_, ball, at_start),
+               half_edge.vertex,
+               c,
+               {boundary_.previous_circle(ball, half_edge), half_edge.circle}});
+    if (curve.segments > 1) {
+      const CurvePoints points(balls_, boundary_, curve, false);
+      const bool forwards = curve.element == e;
+      for (uint32_t k = 1; k < curve.segments; ++k) {
+        const uint32_t at = forwards ? k : curve.segments - k;
+        patch.add(
+            {direction_from(balls_, ball, points.at(at)), curve.first_sample + at - 1, c, {half_edge.circle, no_id}});
+      }
+    }
+    e = half_edge.next;
+  } while (e != start.half_edge());
+}
+
+}  // namespace hsp

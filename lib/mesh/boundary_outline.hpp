@@ -1,0 +1,75 @@
+// What a mesh asks of a boundary, the van der Waals or the solvent-accessible surface: on which spheres patches lie,
+// which curves bound these, and where the points of those are.
+//
+// MeshBuilder asks the same of the smooth surface (surface_outline.hpp): corners, curves with points between their
+// ends, spheres with patches, and bands that are no part of any sphere.
+#pragma once
+
+#include "mesh/boundary_curves.hpp"
+#include "mesh/mesh.hpp"
+#include "mesh/spherical_patch.hpp"
+
+namespace hsp {
+
+// Limits that nearly always suffice for edges of this length, in lattice steps. Status::range if they would be too
+// large.
+Status expected_mesh_limits(const BallSet &balls, const Boundary &boundary, double edge, MeshLimits &limits);
+
+// The distance of points on a sphere as an angle.
+double spacing_on(double radius, double edge);
+
+MeshVertex mesh_vertex(const BallSet &balls, const Position &position, const Vec3 &normal, uint32_t ball);
+
+// The centres of caps whose circles bound the ball's faces.
+void keep_off_neighbours(const BallSet &balls, const Boundary &boundary, uint32_t ball, SphericalPatch &patch);
+
+class BoundaryOutline {
+ public:
+  BoundaryOutline(const BallSet &balls, const Boundary &boundary, BoundaryCurves &curves)
+      : balls_(balls), boundary_(boundary), curves_(curves) {}
+
+  uint32_t sphere_count() const { return balls_.n; }
+  uint32_t corner_count() const { return boundary_.vertex_count(); }
+  uint32_t curve_count() const { return boundary_.arc_count() + boundary_.circle_count(); }
+  MeshCurve &curve(uint32_t c) { return curves_.curve(c); }
+  // False if there are more points than any limit allows.
+  bool divide_curves(double length) { return curves_.build(balls_, boundary_, length); }
+
+  MeshVertex corner(uint32_t v) const;
+  // Every point between the curve's ends.
+  void add_samples(uint32_t c, FixedVector<MeshVertex> &vertices) const;
+  // More points on it would lie too near each other to tell anything apart.
+  bool is_too_fine(uint32_t c) const;
+  // The curve that has as many points, if not itself.
+  uint32_t partner(uint32_t c) const { return c; }
+  template <class Sink>
+  void for_each_sphere(uint32_t c, Sink sink) const {
+    uint32_t owners[2];
+    find_owners(c, owners);
+    for (const uint32_t ball : owners) sink(ball);
+  }
+
+  bool has_patches(uint32_t sphere) const { return boundary_.is_exposed(sphere); }
+  double spacing(uint32_t sphere, double edge) const { return spacing_on(balls_.r[sphere], edge); }
+  void add_border(uint32_t sphere, SphericalPatch &patch) const;
+  // A point inside a patch.
+  MeshVertex inner_vertex(uint32_t sphere, const Vec3 &direction) const;
+  uint32_t patch(uint32_t sphere, uint32_t face) const { return boundary_.faces(sphere).first + face; }
+  PatchKind kind(uint32_t) const { return PatchKind::convex; }
+  // Of a triangle with this middle.
+  uint32_t ball_at(uint32_t sphere, const double (&)[3]) const { return sphere; }
+
+  bool add_bands(double, FixedVector<MeshVertex> &, FixedVector<MeshTriangle> &) const { return true; }
+
+ private:
+  // In the order of their ranks for arcs.
+  void find_owners(uint32_t c, uint32_t owners[2]) const;
+  MeshVertex vertex_at(const Position &position, const uint32_t *owners, uint32_t count) const;
+  void add_loop(uint32_t ball, uint32_t loop, SphericalPatch &patch) const;
+
+  const BallSet &balls_;
+  const Boundary &boundary_;
+  BoundaryCurves &curves_;
+};
+
+}  // namespace hsp

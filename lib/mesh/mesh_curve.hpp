@@ -1,0 +1,58 @@
+// What the borders of patches have in common, whatever surface they bound: a curve has its points once, so that all
+// patches that share it share them.
+#pragma once
+
+#include "measure/boundary_positions.hpp"
+
+namespace hsp {
+
+struct MeshCurve {
+  uint32_t element;       // of the boundary or the surface: see those who fill it
+  uint32_t segments;      // between its points
+  uint32_t first_sample;  // number in the mesh of the points between its ends, of a closed one of all of them
+  bool refine;            // wants twice as many segments
+  bool refined;           // has more segments than its length demands
+};
+
+// A circle smaller than this, as a share of the sphere's radius, is triangulated as if it were so large: where balls
+// touch in a point it has no length at all.
+inline constexpr double least_circle = 0x1p-18;
+
+// Closed curves have no fewer segments.
+inline constexpr double fewest_of_circle = 6.0;
+
+// Segments of at most the given length, at least `fewest`; in doubles, which may be more than fits.
+inline double segments_of(double length_of_curve, double length, double fewest) {
+  const double wanted = length_of_curve / length;
+  const double floor = wanted < 0x1p30 ? static_cast<double>(static_cast<int64_t>(wanted)) : wanted;
+  const double segments = floor < wanted ? floor + 1.0 : floor;
+  return segments < fewest ? fewest : segments;
+}
+
+// Whether both ends of an arc are of the same three balls. Then there may be another arc between them, and not both may
+// be one segment.
+inline bool has_ends_of_same_balls(const Boundary &boundary, uint32_t half_edge) {
+  const HalfEdge &start = boundary.half_edge(half_edge);
+  return boundary.half_edge(start.next).circle == boundary.previous_circle(boundary.ball_of(half_edge), start);
+}
+
+// The same direction, of length 1; what `instead` says if it has no length.
+inline Vec3 unit(const Vec3 &v, const Vec3 &instead) {
+  const double square = dot(v, v);
+  return square > 0.0 ? 1.0 / std::sqrt(square) * v : instead;
+}
+
+// A direction perpendicular to a unit vector: away from its longest axis.
+inline Vec3 perpendicular_to(const Vec3 &axis) {
+  const double x = std::fabs(axis.x);
+  const double y = std::fabs(axis.y);
+  const double z = std::fabs(axis.z);
+  const Vec3 other = x <= y && x <= z ? Vec3{1.0, 0.0, 0.0} : y <= z ? Vec3{0.0, 1.0, 0.0} : Vec3{0.0, 0.0, 1.0};
+  return unit(cross(axis, other), other);
+}
+
+inline Vec3 direction_from(const BallSet &balls, uint32_t ball, const Position &position) {
+  return balls.difference(ball, position.ball) + position.offset;
+}
+
+}  // namespace hsp

@@ -1,0 +1,37 @@
+// How much a mesh will need, from what its patches measure.
+#pragma once
+
+#include "mesh/mesh.hpp"
+#include "mesh/ring_points.hpp"
+#include "mesh/sphere_triangulation.hpp"
+
+namespace hsp {
+
+// Triangles with sides of one length have two vertices for each triangle's area; those of a mesh are a little smaller.
+class MeshSizes {
+ public:
+  void add_points(double points) { vertices_ += points; }
+  // A sphere with patches of this solid angle, with so many points on their borders. Borders of many short arcs leave
+  // triangles that are divided.
+  void add_sphere(double border, double steradians, double spacing) {
+    const double everywhere = expected_ring_points(spacing < largest_ring_spacing ? spacing : largest_ring_spacing);
+    vertices_ += 0.75 * border + 1.2 * everywhere * steradians / (4 * pi) + SphereTriangulation::octahedron_points;
+    const double points = border + 1.2 * everywhere + 2.0 * SphereTriangulation::octahedron_points + 8.0;
+    if (points > most_points_) most_points_ = points;
+  }
+  Status limits(uint32_t spheres, uint32_t curves, MeshLimits &limits) const {
+    if (!(vertices_ < max_count / 2.5) || !(most_points_ < max_count)) return Status::range;
+    limits.balls = spheres;
+    limits.curves = curves;
+    limits.vertices = static_cast<uint32_t>(vertices_) + 16;
+    limits.triangles = 2 * limits.vertices;
+    limits.points = static_cast<uint32_t>(most_points_);
+    return Status::ok;
+  }
+
+ private:
+  double vertices_ = 0.0;
+  double most_points_ = 0.0;
+};
+
+}  // namespace hsp
