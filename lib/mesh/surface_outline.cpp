@@ -110,13 +110,13 @@ bool SurfaceOutline::is_too_fine(uint32_t c) const {
 }
 
 Vec3 SurfaceOutline::towards_vertex(const Position &position, uint32_t v) const {
-  const Position &centre = surface_.position(v);
+  const Position centre = probe_at(v);
   return balls_.difference(position.ball, centre.ball) + (centre.offset - position.offset);
 }
 
 // The first one in the caller's order of several.
 uint32_t SurfaceOutline::nearest_ball(uint32_t v, const Vec3 &from_probe) const {
-  const Position &centre = surface_.position(v);
+  const Position centre = probe_at(v);
   uint32_t nearest = no_id;
   double most = 0.0;
   for (const uint32_t b : boundary_.vertex(v).ball) {
@@ -139,7 +139,7 @@ MeshVertex SurfaceOutline::crease_vertex(const Position &position, const uint32_
 MeshVertex SurfaceOutline::corner(uint32_t id) const {
   if (id < map_.first_cusp()) {
     const uint32_t ball = boundary_.vertex(id / 3).ball[id % 3];
-    const Vec3 arm = direction_from(balls_, ball, surface_.position(id / 3));
+    const Vec3 arm = direction_from(balls_, ball, probe_at(id / 3));
     const double R = balls_.r[ball];
     return mesh_vertex(balls_, {ball, (R - probe()) / R * arm}, unit(arm, {0.0, 0.0, 1.0}), ball);
   }
@@ -203,14 +203,14 @@ MeshVertex SurfaceOutline::inner_vertex(uint32_t sphere, const Vec3 &direction) 
     return mesh_vertex(balls_, {sphere, (balls_.r[sphere] - probe()) * normal}, normal, sphere);
   }
   const uint32_t v = sphere - balls_.n;
-  const Position &centre = surface_.position(v);
+  const Position centre = probe_at(v);
   return mesh_vertex(balls_, {centre.ball, centre.offset - probe() * normal}, normal, nearest_ball(v, -normal));
 }
 
 uint32_t SurfaceOutline::ball_at(uint32_t sphere, const double (&middle)[3]) const {
   if (sphere < balls_.n) return sphere;
   double centre[3];
-  to_coordinates(balls_, surface_.position(sphere - balls_.n), centre);
+  to_coordinates(balls_, probe_at(sphere - balls_.n), centre);
   return nearest_ball(sphere - balls_.n, {middle[0] - centre[0], middle[1] - centre[1], middle[2] - centre[2]});
 }
 
@@ -257,7 +257,7 @@ void SurfaceOutline::add_ball_loop(uint32_t ball, uint32_t loop, SphericalPatch 
       }
       return;
     }
-    patch.add({direction_from(balls_, ball, surface_.position(corner / 3)), corner, c, {no_id, no_id}});
+    patch.add({direction_from(balls_, ball, probe_at(corner / 3)), corner, c, {no_id, no_id}});
     if (curve.segments == 1) return;
     const SaddleBand band = band_of_arc(edge.source);
     for (uint32_t k = 1; k < curve.segments; ++k) {
@@ -284,7 +284,7 @@ void SurfaceOutline::add_probe_loop(uint32_t v, uint32_t loop, SphericalPatch &p
       BorderSample start{{}, corner, c, {no_id, no_id}};
       if (corner < map_.first_cusp()) {
         const uint32_t ball = boundary_.vertex(v).ball[corner % 3];
-        start.direction = direction_from(balls_, ball, surface_.position(v));
+        start.direction = direction_from(balls_, ball, probe_at(v));
       } else {
         start.direction = towards_vertex(position_of_corner(balls_, boundary_, surface_, corner), v);
         start.other_patch[0] = BorderSample::any_patch;
@@ -317,7 +317,7 @@ void SurfaceOutline::add_probe_loop(uint32_t v, uint32_t loop, SphericalPatch &p
 void SurfaceOutline::keep_off_sides(uint32_t v, SphericalPatch &patch) const {
   const uint32_t *const ball = boundary_.vertex(v).ball;
   Vec3 from[3];
-  for (uint32_t t = 0; t < 3; ++t) from[t] = direction_from(balls_, ball[t], surface_.position(v));
+  for (uint32_t t = 0; t < 3; ++t) from[t] = direction_from(balls_, ball[t], probe_at(v));
   for (uint32_t t = 0; t < 3; ++t) {
     const Vec3 across = cross(from[(t + 1) % 3], from[(t + 2) % 3]);
     const double along = dot(across, from[t]);
@@ -330,7 +330,7 @@ void SurfaceOutline::keep_off_probes(uint32_t v, SphericalPatch &patch) const {
   const CutPatches &cut = surface_.cut_patches();
   for (const uint32_t a : cut.arcs_of_vertex(v)) {
     if (cut.arc(a).is_side()) continue;
-    const Vec3 away = -towards_vertex(surface_.position(v), cut.arc(a).across);
+    const Vec3 away = -towards_vertex(probe_at(v), cut.arc(a).across);
     const double distance = std::sqrt(dot(away, away));
     if (distance > 0.0) patch.keep_off(1.0 / distance * away, distance / (2 * probe()));
   }

@@ -63,6 +63,7 @@ class SurfaceOutline {
   MeshVertex vertex_of(const SaddleBand::Point &point) const {
     return mesh_vertex(balls_, point.position, point.normal, point.ball);
   }
+  Position probe_at(uint32_t v) const { return position_of_vertex(balls_, boundary_, v); }
   // From a point to where the probe of a vertex stands.
   Vec3 towards_vertex(const Position &position, uint32_t v) const;
   uint32_t nearest_ball(uint32_t v, const Vec3 &from_probe) const;
