@@ -37,4 +37,39 @@ void sort_in_place(Span<T> items, Less less) {
   }
 }
 
+// The same for items that are spread evenly over their range: place_of(item, places) < places says about where in
+// order an item is. O(n) then; else, or where place_of is mistaken at all, as above. scratch: as many as items.
+template <class T, class PlaceOf, class Less>
+void sort_by_place(Span<T> items, Span<uint32_t> scratch, PlaceOf place_of, Less less) {
+  const uint32_t n = items.size();
+  if (n < 24) return sort_in_place(items, less);
+  const uint32_t places = (n - 1) / 2;
+  const Span<uint32_t> first = scratch.part(0, places + 1);
+  const Span<uint32_t> next = scratch.part(places + 1, 2 * places + 1);
+  for (uint32_t &each : first) each = 0;
+  for (const T &item : items) ++first[place_of(item, places) + 1];
+  for (uint32_t p = 0; p < places; ++p) {
+    first[p + 1] += first[p];
+    next[p] = first[p];
+  }
+  for (uint32_t p = 0; p < places; ++p) {
+    while (next[p] < first[p + 1]) {
+      T item = items[next[p]];
+      for (uint32_t q = place_of(item, places); q != p; q = place_of(item, places)) {
+        const T displaced = items[next[q]];
+        items[next[q]++] = item;
+        item = displaced;
+      }
+      items[next[p]++] = item;
+    }
+  }
+  bool in_order = true;
+  for (uint32_t p = 0; p < places; ++p) {
+    if (first[p] == first[p + 1]) continue;
+    sort_in_place(items.part(first[p], first[p + 1]), less);
+    if (first[p] > 0 && less(items[first[p]], items[first[p] - 1])) in_order = false;
+  }
+  if (!in_order) sort_in_place(items, less);
+}
+
 }  // namespace hsp

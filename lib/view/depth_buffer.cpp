@@ -30,6 +30,32 @@ struct CellRange {
   }
 };
 
+// Cells first .. last - 1 of one direction.
+struct SideBySide {
+  uint32_t first, last;
+
+  SideBySide common(const SideBySide &other) const {
+    return {first > other.first ? first : other.first, last < other.last ? last : other.last};
+  }
+};
+
+// Those that a coarse cell consists of; or the coarse cells of a tile.
+SideBySide parts_of(uint32_t coarse, uint32_t cells) {
+  const uint32_t first = coarse * coarse_side;
+  return SideBySide{first, cells}.common({first, first + coarse_side});
+}
+
+float lowest_of(Span<float> floor, uint32_t row_length, const SideBySide &columns, const SideBySide &rows) {
+  float lowest = floor[rows.first * row_length + columns.first];
+  for (uint32_t row = rows.first; row < rows.last; ++row) {
+    for (uint32_t column = columns.first; column < columns.last; ++column) {
+      const float here = floor[row * row_length + column];
+      lowest = here < lowest ? here : lowest;
+    }
+  }
+  return lowest;
+}
+
 }  // namespace
 
 // The cells that a disc meets, with the distances of their nearest or farthest edges. squared: of the radius, or a
@@ -60,9 +86,12 @@ void DepthBuffer::carve(Workspace &workspace, uint32_t balls) {
   const uint64_t wanted = cells_per_ball * balls + further_cells;
   const uint64_t cells = wanted < most_cells ? wanted : most_cells;
   floor_ = workspace.take<float>(cells);
-  // c columns and r rows have at most (c + 3)(r + 3)/16 coarse cells, and c + r <= c r + 1.
-  coarse_ = workspace.take<float>(cells / 4 + 1);
-  stale_ = workspace.take<uint8_t>(cells / 4 + 1);
+  // c columns and r rows have at most (c + 3)(r + 3)/16 coarse cells, and c + r <= c r + 1. The same of these.
+  const uint64_t coarse = cells / 4 + 1;
+  coarse_ = workspace.take<float>(coarse);
+  stale_ = workspace.take<uint8_t>(coarse);
+  tile_ = workspace.take<float>(coarse / 4 + 1);
+  stale_tile_ = workspace.take<uint8_t>(coarse / 4 + 1);
 }
 
 // Coordinates of a view are sums of three products of exact differences by components of an axis. The axes are off by
@@ -84,39 +113,57 @@ void DepthBuffer::lay_out(const BoundingBox &box, double extent, double largest)
   const float nothing = static_cast<float>(-4.0 * extent - 1.0);
   for (uint32_t cell = 0; cell < columns_ * rows_; ++cell) floor_[cell] = nothing;
   coarse_columns_ = coarse_cells(columns_);
-  for (uint32_t cell = 0; cell < coarse_columns_ * coarse_cells(rows_); ++cell) {
+  coarse_rows_ = coarse_cells(rows_);
+  for (uint32_t cell = 0; cell < coarse_columns_ * coarse_rows_; ++cell) {
     coarse_[cell] = nothing;
     stale_[cell] = 0;
   }
-}
-
-float DepthBuffer::lowest_of(uint32_t coarse_column, uint32_t coarse_row) {
-  const uint32_t coarse = coarse_row * coarse_columns_ + coarse_column;
-  if (stale_[coarse] == 0) return coarse_[coarse];
-  stale_[coarse] = 0;
-  const uint32_t first_column = coarse_column * coarse_side;
-  const uint32_t first_row = coarse_row * coarse_side;
-  const uint32_t last_column = first_column + coarse_side < columns_ ? first_column + coarse_side : columns_;
-  const uint32_t last_row = first_row + coarse_side < rows_ ? first_row + coarse_side : rows_;
-  float lowest = floor_[first_row * columns_ + first_column];
-  for (uint32_t row = first_row; row < last_row; ++row) {
-    for (uint32_t column = first_column; column < last_column; ++column) {
-      const float here = floor_[row * columns_ + column];
-      lowest = here < lowest ? here : lowest;
-    }
+  tile_columns_ = coarse_cells(coarse_columns_);
+  for (uint32_t cell = 0; cell < tile_columns_ * coarse_cells(coarse_rows_); ++cell) {
+    tile_[cell] = nothing;
+    stale_tile_[cell] = 0;
   }
-  coarse_[coarse] = lowest;
-  return lowest;
 }
 
+void DepthBuffer::look_after_coarse_cell(uint32_t coarse_column, uint32_t coarse_row) {
+  const uint32_t coarse = coarse_row * coarse_columns_ + coarse_column;
+  coarse_[coarse] = lowest_of(floor_, columns_, parts_of(coarse_column, columns_), parts_of(coarse_row, rows_));
+  stale_[coarse] = 0;
+  stale_tile_[coarse_row / coarse_side * tile_columns_ + coarse_column / coarse_side] = 1;
+}
+
+void DepthBuffer::look_after_tile(uint32_t tile_column, uint32_t tile_row) {
+  const uint32_t tile = tile_row * tile_columns_ + tile_column;
+  tile_[tile] =
+      lowest_of(coarse_, coarse_columns_, parts_of(tile_column, coarse_columns_), parts_of(tile_row, coarse_rows_));
+  stale_tile_[tile] = 0;
+}
+
+// The margin is that of hides() for both the radius and the height, and as much again for rounding R^2.
 bool DepthBuffer::is_above(const BoundingBox &box, double height) {
-  const double margin = 8 * margin_;
+  const double margin = 16 * margin_;
   const double raised = height + margin;
   const CellRange columns(box.left - margin, box.right + margin, left_, cells_per_length_, columns_);
   const CellRange rows(box.bottom - margin, box.top + margin, bottom_, cells_per_length_, rows_);
-  for (uint32_t row = rows.first / coarse_side; row < coarse_cells(rows.last); ++row) {
-    for (uint32_t column = columns.first / coarse_side; column < coarse_cells(columns.last); ++column) {
-      if (static_cast<double>(lowest_of(column, row)) <= raised) return false;
+  const SideBySide coarse_columns{columns.first / coarse_side, coarse_cells(columns.last)};
+  const SideBySide coarse_rows{rows.first / coarse_side, coarse_cells(rows.last)};
+  const auto is_lower = [raised](float floor) { return static_cast<double>(floor) <= raised; };
+  for (uint32_t row = coarse_rows.first / coarse_side; row < coarse_cells(coarse_rows.last); ++row) {
+    for (uint32_t column = coarse_columns.first / coarse_side; column < coarse_cells(coarse_columns.last); ++column) {
+      const uint32_t tile = row * tile_columns_ + column;
+      if (!is_lower(tile_[tile])) continue;
+      const SideBySide own_columns = coarse_columns.common(parts_of(column, coarse_columns_));
+      const SideBySide own_rows = coarse_rows.common(parts_of(row, coarse_rows_));
+      for (uint32_t y = own_rows.first; y < own_rows.last; ++y) {
+        for (uint32_t x = own_columns.first; x < own_columns.last; ++x) {
+          const uint32_t coarse = y * coarse_columns_ + x;
+          if (!is_lower(coarse_[coarse])) continue;
+          if (stale_[coarse] == 0) return false;
+          look_after_coarse_cell(x, y);
+          if (is_lower(coarse_[coarse])) return false;
+        }
+      }
+      if (stale_tile_[tile] != 0) look_after_tile(column, row);
     }
   }
   return true;

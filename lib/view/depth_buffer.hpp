@@ -1,7 +1,8 @@
 // A grid over the view plane that holds for each cell a depth below which nothing is seen, because one ball fills the
 // cell above it. A ball whose front lies below that depth wherever it appears is hidden. All comparisons carry a margin
 // for rounding, so what is found hidden is hidden; not everything hidden is found. Coarse cells of 4 x 4 cells hold the
-// lowest floor among them, which suffices for whatever lies deep inside.
+// lowest floor among them, and tiles of 4 x 4 coarse cells the lowest of these, which suffices for whatever lies deep
+// inside. What they hold may be out of date, hence too low; it is looked after when it does not suffice.
 #pragma once
 
 #include "core/workspace.hpp"
@@ -35,7 +36,8 @@ class DepthBuffer {
   // lowers it below all of them.
   void lay_out(const BoundingBox &box, double extent, double largest);
 
-  // Whether the floor lies above a height everywhere in a box.
+  // Whether the floor lies above a height everywhere in a box. Then it hides() all balls in the box that reach up to
+  // that height.
   bool is_above(const BoundingBox &box, double height);
   // Whether the floor lies above the ball's front everywhere.
   bool hides(const ProjectedBall &disc) const;
@@ -48,16 +50,20 @@ class DepthBuffer {
  private:
   DiscCells cells_of(double x, double y, double radius, double squared, CellEdge edge) const;
   FloorCells floor_cells() const { return {floor_.data(), columns_, stale_.data(), coarse_columns_}; }
-  float lowest_of(uint32_t coarse_column, uint32_t coarse_row);
+  void look_after_coarse_cell(uint32_t coarse_column, uint32_t coarse_row);
+  void look_after_tile(uint32_t tile_column, uint32_t tile_row);
 
   Span<float> floor_;                 // [columns * rows]
   Span<float> coarse_;                // [coarse columns * coarse rows] the lowest of a coarse cell's floors, or less
   Span<uint8_t> stale_;               // whether it may be less
+  Span<float> tile_;                  // [tile columns * tile rows] the lowest of what its coarse cells hold, or less
+  Span<uint8_t> stale_tile_;          // whether it may be less
   double left_ = 0.0, bottom_ = 0.0;  // the corner of cell 0
   double cell_ = 1.0, cells_per_length_ = 1.0;
   double margin_ = 0.0;
   uint32_t columns_ = 0, rows_ = 0;
-  uint32_t coarse_columns_ = 0;
+  uint32_t coarse_columns_ = 0, coarse_rows_ = 0;
+  uint32_t tile_columns_ = 0;
   bool wide_ = false;
 };
 

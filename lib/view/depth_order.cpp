@@ -34,25 +34,41 @@ bool is_farther(const BallSet &balls, const exact::Vector &direction, uint32_t a
 }
 
 // The rounded depths decide where they differ by more than twice their error, 4e times the sum of three products of at
-// most 2^28 by the largest difference from the origin.
-void sort_by_depth(const BallSet &balls, const ViewFrame &frame, Span<DepthKey> keys) {
+// most 2^28 by the largest difference from the origin. They are rounded integers, so that a spread is at least 1.
+void sort_by_depth(const BallSet &balls, const ViewFrame &frame, Span<DepthKey> keys, Span<uint32_t> scratch) {
+  if (keys.empty()) return;
   const Vec3 direction = exact::to_double(frame.direction);
-  double farthest = 0.0;
-  for (DepthKey &key : keys) {
-    const double x = balls.x[key.ball] - frame.origin.x;
-    const double y = balls.y[key.ball] - frame.origin.y;
-    const double z = balls.z[key.ball] - frame.origin.z;
-    key.depth = direction.x * x + direction.y * y + direction.z * z;
+  double largest = 0.0;
+  const auto depth_of = [&](uint32_t ball) {
+    const double x = balls.x[ball] - frame.origin.x;
+    const double y = balls.y[ball] - frame.origin.y;
+    const double z = balls.z[ball] - frame.origin.z;
     const double size = std::fabs(direction.x * x) + std::fabs(direction.y * y) + std::fabs(direction.z * z);
-    farthest = size > farthest ? size : farthest;
+    largest = size > largest ? size : largest;
+    return direction.x * x + direction.y * y + direction.z * z;
+  };
+  double farthest = depth_of(keys[0].ball);
+  double nearest = farthest;
+  for (DepthKey &key : keys) {
+    key.depth = depth_of(key.ball);
+    farthest = key.depth < farthest ? key.depth : farthest;
+    nearest = key.depth > nearest ? key.depth : nearest;
   }
-  const double uncertain = 16 * unit_roundoff * farthest;
-  sort_in_place(keys, [&](const DepthKey &a, const DepthKey &b) {
-    const double difference = a.depth - b.depth;
-    if (difference < -uncertain) return true;
-    if (difference > uncertain) return false;
-    return is_farther(balls, frame.direction, a.ball, b.ball);
-  });
+  const double uncertain = 16 * unit_roundoff * largest;
+  const double part_of_spread = nearest > farthest ? 1.0 / (nearest - farthest) : 0.0;
+  sort_by_place(
+      keys, scratch,
+      [&](const DepthKey &key, uint32_t places) {
+        const uint32_t place =
+            static_cast<uint32_t>((key.depth - farthest) * part_of_spread * static_cast<double>(places));
+        return place < places ? place : places - 1;
+      },
+      [&](const DepthKey &a, const DepthKey &b) {
+        const double difference = a.depth - b.depth;
+        if (difference < -uncertain) return true;
+        if (difference > uncertain) return false;
+        return is_farther(balls, frame.direction, a.ball, b.ball);
+      });
 }
 
 }  // namespace hsp

@@ -16,7 +16,7 @@ struct DepthKey {
   uint32_t item;  // whatever goes with the ball
 };
 
-// Sorts by ball, farthest first; sets the depths of the keys itself.
-void sort_by_depth(const BallSet &balls, const ViewFrame &frame, Span<DepthKey> keys);
+// Sorts by ball, farthest first; sets the depths of the keys itself. scratch: as many as keys.
+void sort_by_depth(const BallSet &balls, const ViewFrame &frame, Span<DepthKey> keys, Span<uint32_t> scratch);
 
 }  // namespace hsp

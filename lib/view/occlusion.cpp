@@ -1,110 +1,144 @@
 #include "view/occlusion.hpp"
 
+#include <limits>
+
 namespace hsp {
+namespace {
 
-// The balls in question of a cube together.
-struct OcclusionCuller::CubeExtent {
-  BoundingBox box;
-  double top = 0.0;
-  bool empty = true;
+constexpr uint32_t most_buckets = 256;
+constexpr uint32_t ahead = 16;  // cubes to come whose extents are asked of the memory
+constexpr uint8_t raised = 2;   // in visible[]: a ball that has raised the floor
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
-  CubeExtent(Span<ProjectedBall> discs, const BallRange &own, Span<uint8_t> visible) {
-    for (uint32_t i = own.first; i < own.last; ++i) {
-      if (visible[i] == 0) continue;
-      const ProjectedBall &disc = discs[i];
-      box.widen(disc, empty);
-      top = empty || disc.z + disc.r > top ? disc.z + disc.r : top;
-      empty = false;
-    }
+double smaller(double a, double b) {
+  return b < a ? b : a;
+}
+double larger(double a, double b) {
+  return b > a ? b : a;
+}
+// Floats that are no larger and no smaller.
+float rounded_down(double a) {
+  return static_cast<float>(a - 0x1p-23 * std::fabs(a));
+}
+float rounded_up(double a) {
+  return static_cast<float>(a + 0x1p-23 * std::fabs(a));
+}
+
+// What some balls take of the space of a view.
+struct Extent {
+  BoundingBox box{infinite, -infinite, infinite, -infinite};
+  double lowest_top = infinite, highest_top = -infinite;
+
+  void widen(const ProjectedBall &disc) {
+    box.left = smaller(box.left, disc.x - disc.r);
+    box.right = larger(box.right, disc.x + disc.r);
+    box.bottom = smaller(box.bottom, disc.y - disc.r);
+    box.top = larger(box.top, disc.y + disc.r);
+    const double top = disc.z + disc.r;
+    lowest_top = smaller(lowest_top, top);
+    highest_top = larger(highest_top, top);
   }
+  void widen(const Extent &other) {
+    box.left = smaller(box.left, other.box.left);
+    box.right = larger(box.right, other.box.right);
+    box.bottom = smaller(box.bottom, other.box.bottom);
+    box.top = larger(box.top, other.box.top);
+    lowest_top = smaller(lowest_top, other.lowest_top);
+    highest_top = larger(highest_top, other.highest_top);
+  }
+  bool empty() const { return highest_top < lowest_top; }
 };
+
+ProjectedBall placed(const BallSet &balls, const ViewFrame &frame, uint32_t i) {
+  const Vec3 centre = frame.centre_of(balls, i);
+  return {centre.x, centre.y, centre.z, balls.r[i]};
+}
+
+}  // namespace
 
 void OcclusionCuller::carve(Workspace &workspace, uint32_t balls) {
   floor_.carve(workspace, balls);
-  disc_ = workspace.take<ProjectedBall>(balls);
-  bucket_ = workspace.take<uint32_t>(static_cast<uint64_t>(balls) + 1);
+  extent_ = workspace.take<CubeExtent>(balls);
+  bucket_ = workspace.take<uint32_t>(most_buckets + 1);
   order_ = workspace.take<uint32_t>(balls);
 }
 
-// False if there is nothing that could hide anything.
-bool OcclusionCuller::prepare(const BallSet &balls, const ViewFrame &frame, Span<uint8_t> visible) {
-  bool any = false;
-  BoundingBox box;
+// One pass over all balls. False if there is nothing that could hide anything.
+bool OcclusionCuller::prepare(const CubeGrid &grid, const ViewFrame &frame, Span<uint8_t> visible) {
+  constexpr CubeExtent nothing{0.0F, 0.0F, 0.0F, 0.0F, -std::numeric_limits<float>::infinity()};
+  const BallSet &balls = grid.balls();
+  Extent all;
   double extent = 0.0;
   double largest = 0.0;
-  for (uint32_t i = 0; i < balls.n; ++i) {
-    if (visible[i] == 0) continue;
-    const Vec3 centre = frame.centre_of(balls, i);
-    const ProjectedBall disc{centre.x, centre.y, centre.z, balls.r[i]};
-    disc_[i] = disc;
-    box.widen(disc, !any);
-    const double top = disc.z + disc.r;
-    lowest_top_ = !any || top < lowest_top_ ? top : lowest_top_;
-    highest_top_ = !any || top > highest_top_ ? top : highest_top_;
-    const double distance = std::fabs(disc.x) + std::fabs(disc.y) + std::fabs(disc.z) + disc.r;
-    extent = distance > extent ? distance : extent;
-    largest = disc.r > largest ? disc.r : largest;
-    any = true;
+  for (uint32_t cube = 0; cube < grid.cubes(); ++cube) {
+    const BallRange own = grid.balls_in(cube);
+    Extent here;
+    for (uint32_t i = own.first; i < own.last; ++i) {
+      if (visible[i] == 0) continue;
+      const ProjectedBall disc = placed(balls, frame, i);
+      here.widen(disc);
+      extent = larger(extent, std::fabs(disc.x) + std::fabs(disc.y) + std::fabs(disc.z) + disc.r);
+      largest = larger(largest, disc.r);
+    }
+    all.widen(here);
+    extent_[cube] = here.empty() ? nothing
+                                 : CubeExtent{rounded_down(here.box.left), rounded_up(here.box.right),
+                                              rounded_down(here.box.bottom), rounded_up(here.box.top),
+                                              rounded_up(here.highest_top)};
   }
   if (largest == 0.0) return false;
-  floor_.lay_out(box, extent, largest);
+  lowest_top_ = all.lowest_top;
+  highest_top_ = all.highest_top;
+  floor_.lay_out(all.box, extent, largest);
   return true;
 }
 
-// A counting sort of the cubes that hold balls in question. Whatever hides a ball's highest point has a higher top, so
-// that most of it has been there before; the order has no other effect than on what is found.
-void OcclusionCuller::order_cubes(const CubeGrid &grid, Span<uint8_t> visible) {
-  const uint32_t buckets = grid.balls().n;
+// A counting sort of the cubes that hold balls in question.
+void OcclusionCuller::order_cubes(uint32_t cubes) {
   const double spread = highest_top_ - lowest_top_;
-  const double scale = spread > 0.0 ? static_cast<double>(buckets) / spread : 0.0;
-  // The cube's bucket, or `buckets` if nothing of it is in question.
+  const double scale = spread > 0.0 ? static_cast<double>(most_buckets) / spread : 0.0;
+  // The cube's bucket, or most_buckets if nothing of it is in question. Heights are rounded upwards.
   const auto bucket_of = [&](uint32_t cube) {
-    const CubeExtent extent(disc_, grid.balls_in(cube), visible);
-    if (extent.empty) return buckets;
-    const double place = (highest_top_ - extent.top) * scale;
-    return place < static_cast<double>(buckets - 1) ? static_cast<uint32_t>(place) : buckets - 1;
+    const double top = static_cast<double>(extent_[cube].height);
+    if (top < lowest_top_) return most_buckets;
+    const double place = (highest_top_ - top) * scale;
+    if (place >= most_buckets - 1) return most_buckets - 1;
+    return place > 0.0 ? static_cast<uint32_t>(place) : 0U;
   };
-  for (uint32_t b = 0; b <= buckets; ++b) bucket_[b] = 0;
-  for (uint32_t cube = 0; cube < grid.cubes(); ++cube) {
+  for (uint32_t b = 0; b <= most_buckets; ++b) bucket_[b] = 0;
+  for (uint32_t cube = 0; cube < cubes; ++cube) {
     const uint32_t bucket = bucket_of(cube);
-    if (bucket < buckets) ++bucket_[bucket + 1];
+    if (bucket < most_buckets) ++bucket_[bucket + 1];
   }
-  for (uint32_t b = 0; b < buckets; ++b) bucket_[b + 1] += bucket_[b];
-  ordered_ = bucket_[buckets];
-  for (uint32_t cube = 0; cube < grid.cubes(); ++cube) {
+  for (uint32_t b = 0; b < most_buckets; ++b) bucket_[b + 1] += bucket_[b];
+  ordered_ = bucket_[most_buckets];
+  for (uint32_t cube = 0; cube < cubes; ++cube) {
     const uint32_t bucket = bucket_of(cube);
-    if (bucket < buckets) order_[bucket_[bucket]++] = cube;
+    if (bucket < most_buckets) order_[bucket_[bucket]++] = cube;
   }
 }
 
-void OcclusionCuller::ask_about_cube(const BallRange &own, Span<uint8_t> visible) {
-  const CubeExtent extent(disc_, own, visible);
-  const bool all_hidden = floor_.is_above(extent.box, extent.top);
-  for (uint32_t i = own.first; i < own.last; ++i) {
-    if (visible[i] != 0 && (all_hidden || floor_.hides(disc_[i]))) visible[i] = 0;
-  }
-}
-
-// All cubes of a bucket are tested before any of them raises the depth buffer: their order depends on ids.
 void OcclusionCuller::hide(const CubeGrid &grid, const ViewFrame &frame, Span<uint8_t> visible) {
   const BallSet &balls = grid.balls();
-  if (!prepare(balls, frame, visible)) return;
-  order_cubes(grid, visible);
-  uint32_t first = 0;
-  for (uint32_t b = 0; first < ordered_; ++b) {
-    const uint32_t last = bucket_[b];
-    for (uint32_t k = first; k < last; ++k) ask_about_cube(grid.balls_in(order_[k]), visible);
-    for (uint32_t k = first; k < last; ++k) {
-      const BallRange own = grid.balls_in(order_[k]);
-      for (uint32_t i = own.first; i < own.last; ++i) {
-        if (visible[i] != 0) floor_.raise(disc_[i]);
-      }
+  if (!prepare(grid, frame, visible)) return;
+  order_cubes(grid.cubes());
+  for (uint32_t k = 0; k < ordered_; ++k) {
+    if (k + ahead < ordered_) __builtin_prefetch(&extent_[order_[k + ahead]]);
+    const CubeExtent &extent = extent_[order_[k]];
+    const BoundingBox box{extent.left, extent.right, extent.bottom, extent.top};
+    if (floor_.is_above(box, extent.height)) continue;
+    const BallRange own = grid.balls_in(order_[k]);
+    for (uint32_t i = own.first; i < own.last; ++i) {
+      if (visible[i] == 0) continue;
+      const ProjectedBall disc = placed(balls, frame, i);
+      if (floor_.hides(disc)) continue;
+      floor_.raise(disc);
+      visible[i] = raised;
     }
-    first = last;
   }
   // Once more against the whole floor: in the first round a ball did not know of all that lies above it.
   for (uint32_t i = 0; i < balls.n; ++i) {
-    if (visible[i] != 0 && floor_.hides(disc_[i])) visible[i] = 0;
+    visible[i] = visible[i] == raised && !floor_.hides(placed(balls, frame, i)) ? 1 : 0;
   }
 }
 

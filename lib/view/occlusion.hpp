@@ -1,4 +1,9 @@
 // Balls that are hidden behind others as a whole, found without an exact question.
+//
+// A ball is found hidden if the floor of depths that all balls together make lies above its front. So what is found
+// does not depend on the order in which balls are looked at: whatever is hidden by part of the floor is hidden by all
+// of it, and does not raise it. The order is for speed: cubes of balls with the highest tops first, so that most of
+// what lies deep is left out cube by cube, without a look at its balls.
 #pragma once
 
 #include "model/cube_grid.hpp"
@@ -17,16 +22,19 @@ class OcclusionCuller {
   DepthBuffer &floor() { return floor_; }
 
  private:
-  struct CubeExtent;
+  // What the balls in question of a cube take, rounded outwards. Without such a ball the height is minus infinity.
+  struct CubeExtent {
+    float left, right, bottom, top;  // in the view plane
+    float height;                    // of the highest front
+  };
 
-  bool prepare(const BallSet &balls, const ViewFrame &frame, Span<uint8_t> visible);
-  void order_cubes(const CubeGrid &grid, Span<uint8_t> visible);
-  void ask_about_cube(const BallRange &own, Span<uint8_t> visible);
+  bool prepare(const CubeGrid &grid, const ViewFrame &frame, Span<uint8_t> visible);
+  void order_cubes(uint32_t cubes);
 
   DepthBuffer floor_;
-  Span<ProjectedBall> disc_;  // [balls]
-  Span<uint32_t> bucket_;     // [balls + 1]
-  Span<uint32_t> order_;      // [balls] cubes, the one with the highest top first, up to the width of a bucket
+  Span<CubeExtent> extent_;  // [balls] of cubes
+  Span<uint32_t> bucket_;
+  Span<uint32_t> order_;  // [balls] cubes, those with the highest fronts first, up to the width of a bucket
   uint32_t ordered_ = 0;
   double lowest_top_ = 0.0, highest_top_ = 0.0;
 };

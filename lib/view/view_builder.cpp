@@ -70,7 +70,7 @@ void ViewBuilder::add_piece(const BallSet &balls) {
 void ViewBuilder::sort_pieces(const BallSet &balls) {
   const Span<DepthKey> keys = keys_.part(0, cut_.size());
   for (uint32_t k = 0; k < keys.size(); ++k) keys[k] = {0.0, cut_[k].ball, k};
-  sort_by_depth(balls, structure_.frame, keys);
+  sort_by_depth(balls, structure_.frame, keys, scratch_.part(0, keys.size()));
   structure_.pieces.clear();
   for (const DepthKey &key : keys) structure_.pieces.push(cut_[key.item]);
 }

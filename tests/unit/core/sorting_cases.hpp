@@ -17,15 +17,18 @@ constexpr ToSort to_sort[] = {
     {24, 3, false, false},    {25, 25, false, false},  {25, 1, false, false},   {64, 64, false, false},
     {199, 100, false, false}, {200, 200, true, false}, {200, 200, false, true}, {200, 7, false, false}};
 
-inline uint32_t sorted_whatever_the_length() {
-  return first_failing(to_sort, [](const ToSort &c) {
+// sort(items, scratch) sorts them in ascending order.
+template <class Sort>
+uint32_t sorted_whatever_the_length(Sort sort) {
+  return first_failing(to_sort, [sort](const ToSort &c) {
     uint32_t items[200], times[200] = {};
     Random random(c.length + c.different);
     for (uint32_t k = 0; k < c.length; ++k) {
       items[k] = c.ascending ? k : c.descending ? c.length - 1 - k : random.below(c.different);
       ++times[items[k]];
     }
-    hsp::sort_in_place(hsp::Span<uint32_t>(items, c.length), [](uint32_t a, uint32_t b) { return a < b; });
+    uint32_t scratch[200];
+    sort(hsp::Span<uint32_t>(items, c.length), hsp::Span<uint32_t>(scratch, c.length));
     for (uint32_t k = 0; k < c.length; ++k) {
       if (k > 0 && items[k] < items[k - 1]) return false;
       --times[items[k]];
@@ -34,6 +37,30 @@ inline uint32_t sorted_whatever_the_length() {
       if (rest != 0) return false;
     }
     return true;
+  });
+}
+
+constexpr auto ascending = [](uint32_t a, uint32_t b) { return a < b; };
+
+inline uint32_t sorted_in_place() {
+  return sorted_whatever_the_length(
+      [](hsp::Span<uint32_t> items, hsp::Span<uint32_t>) { hsp::sort_in_place(items, ascending); });
+}
+
+// Whatever is said about the places: the truth, nothing, nearly the truth, the opposite.
+inline uint32_t sorted_by_place() {
+  struct Guess {
+    uint32_t (*place)(uint32_t item, uint32_t places);
+  };
+  constexpr Guess guesses[] = {{[](uint32_t item, uint32_t places) { return item * places / 200; }},
+                               {[](uint32_t, uint32_t) { return 0U; }},
+                               {[](uint32_t, uint32_t places) { return places - 1; }},
+                               {[](uint32_t item, uint32_t places) { return (item ^ 8U) * places / 210; }},
+                               {[](uint32_t item, uint32_t places) { return places - 1 - item * places / 200; }}};
+  return first_failing(guesses, [](const Guess &guess) {
+    return sorted_whatever_the_length([&guess](hsp::Span<uint32_t> items, hsp::Span<uint32_t> scratch) {
+             hsp::sort_by_place(items, scratch, guess.place, ascending);
+           }) == all_hold;
   });
 }
 
@@ -48,7 +75,8 @@ inline uint32_t sorted_by_the_given_order() {
   return all_hold;
 }
 
-inline constexpr Check core_sorting[] = {{"sorted_whatever_the_length", sorted_whatever_the_length},
+inline constexpr Check core_sorting[] = {{"sorted_in_place", sorted_in_place},
+                                         {"sorted_by_place", sorted_by_place},
                                          {"sorted_by_the_given_order", sorted_by_the_given_order}};
 
 }  // namespace cases

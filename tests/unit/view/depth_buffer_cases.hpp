@@ -161,6 +161,52 @@ inline uint32_t floors_of_boxes() {
   });
 }
 
+// What is_above() says of a box is what hides() says of balls all over it, after every ball that raises the floor: what
+// is kept about coarse cells and tiles is never too high, and is looked after when it is too low.
+inline uint32_t boxes_know_what_has_been_raised() {
+  Random random(11);
+  SmallFloor small({0, 1200, 0, 1200}, 2000, 100);
+  const hsp::BoundingBox whole{150, 1100, 150, 1100};
+  for (uint32_t round = 0; round < 6; ++round) {
+    for (int row = 0; row < 25; ++row) {
+      for (int column = 0; column < 25; ++column) {
+        small.floor().raise({column * 50.0, row * 50.0, 100.0 * round, 100});
+        const double x = 80.0 * static_cast<double>(random.below(15));
+        const double y = 80.0 * static_cast<double>(random.below(15));
+        const double height = 100.0 * static_cast<double>(random.below(round + 2));
+        bool above = true;  // each of the cells, at its middle, above which a front of next to no size lies
+        for (double v = y + 10; v < y + 80; v += 20) {
+          for (double u = x + 10; u < x + 80; u += 20) {
+            above = above && small.floor().hides({u, v, height, 0.0});
+          }
+        }
+        if (small.floor().is_above({x + 10, x + 70, y + 10, y + 70}, height) != above) return round;
+      }
+    }
+    if (!small.floor().is_above(whole, 100.0 * round + 10) || small.floor().is_above(whole, 100.0 * round + 100)) {
+      return 10 + round;
+    }
+  }
+  return all_hold;
+}
+
+// A floor over the first tile of 16 x 16 cells, 320 wide, and a part of the next one above or to the right.
+inline uint32_t tiles_know_their_own_floors() {
+  constexpr bool swaps[] = {false, true};
+  return first_failing(swaps, [](bool swap) {
+    SmallFloor small({0, 1200, 0, 1200}, 2000, 100);
+    for (double v = 0; v <= 400; v += 50) {
+      for (double u = 0; u <= 320; u += 50) small.floor().raise({swap ? v : u, swap ? u : v, 0, 100});
+    }
+    const auto is_above = [&](double left, double right, double bottom, double top) {
+      return small.floor().is_above(
+          swap ? hsp::BoundingBox{bottom, top, left, right} : hsp::BoundingBox{left, right, bottom, top}, 0);
+    };
+    return is_above(10, 310, 10, 310) && is_above(10, 70, 330, 390) && !is_above(10, 70, 570, 630) &&
+           is_above(10, 310, 10, 390);
+  });
+}
+
 // Balls that have heights next to 0, which differ by less than the depths of the centres can tell.
 inline uint32_t the_order_of_raising_has_no_effect() {
   constexpr double extent = 1e7;
@@ -194,6 +240,8 @@ inline constexpr Check view_depth_buffer[] = {
     {"floors_lie_below_fronts", floors_lie_below_fronts},
     {"floors_by_hand", floors_by_hand},
     {"floors_of_boxes", floors_of_boxes},
+    {"boxes_know_what_has_been_raised", boxes_know_what_has_been_raised},
+    {"tiles_know_their_own_floors", tiles_know_their_own_floors},
     {"the_order_of_raising_has_no_effect", the_order_of_raising_has_no_effect}};
 
 }  // namespace cases
