@@ -1,5 +1,6 @@
-// counted_stages: runs each stage of the library once, for valgrind to count its instructions. After each it prints a
-// line: stage, molecule, probe, number of balls. instruction_budgets.sh runs it.
+// counted_stages: runs each stage of the library once, and the z-buffer that frames are measured against, for valgrind
+// to count their instructions. After each it prints a line: stage, molecule, probe, number of balls.
+// instruction_budgets.sh runs it.
 // `counted_stages --build` prints how it and the library were built, --code what runs on this processor: `wide` for
 // code for AVX2 where there is some, or `scalar`.
 //
@@ -18,6 +19,8 @@
 #include "query_workload.hpp"
 #include "sizes.hpp"
 #include "view_handle.hpp"
+#include "z_buffer/analytic_z_buffer.hpp"
+#include "z_buffer/placement.hpp"
 
 // valgrind knows the stages by this function: callgrind begins to count when it is called, and dumps when it returns.
 // The name is that of C, so that it can be given on the command line.
@@ -69,6 +72,10 @@ void count_stages(const bench::Balls &balls, const Surface &surface) {
   count("view_farther", balls, surface, [&] { farther.compute(towards); });
   bench::View all(model, &boundary, HSP_PIECES_OUTSIDE_ALL, {towards});
   count("view_all", balls, surface, [&] { all.compute(towards); });
+  // What frames are measured against: both start with the centres and a direction.
+  bench::Placement placement(balls.xyz, balls.radius);
+  bench::AnalyticZBuffer z_buffer;
+  count("z_buffer", balls, surface, [&] { z_buffer.draw(placement.place(bench::axes_towards(towards))); });
 }
 
 }  // namespace

@@ -23,13 +23,15 @@ if [ "${2:-}" != --write ] && [ "$build" != "$budgets_build" ]; then
   exit 77
 fi
 
-# Functions of the interface switch counting on and off, so what the program itself does is not in it.
+# Functions of the interface and those of the z-buffer switch counting on and off, so what the program itself does is
+# not in it.
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 run() {
   rm -f "$work"/dump*
-  valgrind --tool=callgrind --branch-sim=yes --toggle-collect='hsp_*' --zero-before=counted_stage \
-    --dump-after=counted_stage --dump-line=no --compress-strings=no --compress-pos=no \
+  valgrind --tool=callgrind --branch-sim=yes --toggle-collect='hsp_*' \
+    --toggle-collect='bench::AnalyticZBuffer::draw*' --toggle-collect='bench::Placement::place*' \
+    --zero-before=counted_stage --dump-after=counted_stage --dump-line=no --compress-strings=no --compress-pos=no \
     --callgrind-out-file="$work/dump" "$1" >"$work/stages" 2>"$work/log" || { cat "$work/log" && exit 1; }
 
   # The n-th dump belongs to the n-th line that the program printed. Costs are lines of numbers under the object file
