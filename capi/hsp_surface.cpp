@@ -26,6 +26,21 @@ hsp_surface_totals to_c(const hsp::SurfaceMeasure &measure) {
   return {measure.area(), measure.volume, measure.convex, measure.saddle, measure.concave};
 }
 
+// Whether a computation may begin; the surface has no results from here on.
+int32_t begin(hsp_surface *surface, const hsp_boundary *boundary, const hsp_surface_limits *limits) {
+  if (!is_live(surface)) return HSP_E_ARGUMENT;
+  surface->complete = false;
+  if (!is_live(boundary) || !hsp::capi::may_write(limits)) return HSP_E_ARGUMENT;
+  return boundary->has_results() ? HSP_OK : HSP_E_STATE;
+}
+
+int32_t finish(hsp_surface &surface, const hsp_boundary &boundary, hsp::Status status, hsp_surface_limits *limits) {
+  surface.boundary = &boundary;
+  surface.computed = boundary.computed;
+  constexpr hsp_surface_limits (*convert)(const hsp::SurfaceLimits &) = to_c;
+  return hsp::capi::finish<convert>(surface, status, limits);
+}
+
 // Of equal balls all but one have no vertices. Without a probe all balls that touch from inside count.
 void flag_inner_contacts(const hsp::CubeGrid &grid, const hsp::Boundary &boundary, uint32_t *flags) {
   const hsp::BallSet &balls = grid.balls();
@@ -65,15 +80,20 @@ int32_t hsp_surface_init(void *memory, size_t bytes, const hsp_surface_limits *l
 }
 
 int32_t hsp_surface_compute(hsp_surface *surface, const hsp_boundary *boundary, hsp_surface_limits *limits) {
-  if (!is_live(surface)) return HSP_E_ARGUMENT;
-  surface->complete = false;
-  if (!is_live(boundary) || !hsp::capi::may_write(limits)) return HSP_E_ARGUMENT;
+  if (const int32_t status = begin(surface, boundary, limits); status != HSP_OK) return status;
+  return finish(*surface, *boundary, surface->builder.build(boundary->balls(), boundary->structure()), limits);
+}
+
+int32_t hsp_surface_compute_shells(hsp_surface *surface, const hsp_boundary *boundary, const uint32_t *shells,
+                                   uint32_t count, hsp_surface_limits *limits) {
+  if (const int32_t status = begin(surface, boundary, limits); status == HSP_E_ARGUMENT) return status;
+  if (shells == nullptr && count > 0) return HSP_E_ARGUMENT;
   if (!boundary->has_results()) return HSP_E_STATE;
-  const hsp::Status status = surface->builder.build(boundary->balls(), boundary->structure());
-  surface->boundary = boundary;
-  surface->computed = boundary->computed;
-  constexpr hsp_surface_limits (*convert)(const hsp::SurfaceLimits &) = to_c;
-  return hsp::capi::finish<convert>(*surface, status, limits);
+  const hsp::Span<const uint32_t> chosen(shells, count);
+  for (const uint32_t shell : chosen) {
+    if (shell >= boundary->structure().shell_count()) return HSP_E_ID;
+  }
+  return finish(*surface, *boundary, surface->builder.build(boundary->balls(), boundary->structure(), chosen), limits);
 }
 
 int32_t hsp_surface_get_counts(const hsp_surface *surface, hsp_surface_counts *counts) {

@@ -234,6 +234,7 @@ int32_t hsp_surface_get_shells(const hsp_surface *surface, hsp_surface_shell *ou
     out[shell].area += measure.area;
     out[shell].volume += measure.volume;
     ++out[shell].patches;
+    out[shell].chosen = results.map.is_chosen(id) ? 1 : 0;
   }
   hsp::count_euler(results.balls, results.boundary, results.surface,
                    [out](uint32_t shell, int32_t n) { out[shell].euler += n; });

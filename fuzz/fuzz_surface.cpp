@@ -22,6 +22,7 @@ class Result {
   Result &operator=(const Result &) = delete;
 
   const surface_result &get() const { return surface_; }
+  surface_result &get() { return surface_; }
 
  private:
   fuzz::ComputedSet set_;
@@ -189,6 +190,40 @@ void require_no_order(const fuzz::ScaledBalls &set, const surface_result &refere
   FUZZ_REQUIRE(same(&other.get().counts, &reference.counts, 1), "counts differ in another order");
 }
 
+// hsp_surface_compute_shells, property 1; and two parts, each of which is measured when it is chosen: of both together
+// the convex and saddle patches are those of the whole, up to what rounding makes of them.
+void require_parts(surface_result &s, fuzz::Bytes &bytes) {
+  const uint32_t count = s.base->counts.shells;
+  std::vector<uint32_t> parts[2], all;
+  for (uint32_t shell = 0; shell < count; ++shell) {
+    parts[bytes.below(2)].push_back(shell);
+    all.push_back(shell);
+  }
+  hsp_surface_limits most = s.needed;
+  const auto measured = [&](const std::vector<uint32_t> &shells) {
+    const int32_t status = hsp_surface_compute_shells(s.surface, s.base->boundary, shells.data(),
+                                                      static_cast<uint32_t>(shells.size()), &most);
+    hsp_surface_totals totals{};
+    if (status == HSP_E_CAPACITY) return totals;
+    FUZZ_REQUIRE(status == HSP_OK, hsp_status_text(status));
+    hsp_surface_counts counts{};
+    FUZZ_REQUIRE(hsp_surface_get_counts(s.surface, &counts) == HSP_OK, "counts of a part");
+    uint32_t invariant = 0, id = 0;
+    const int32_t check = hsp_surface_check(s.surface, &invariant, &id);
+    FUZZ_REQUIRE(check == (counts.open_joints > 0 ? HSP_E_CHECK : HSP_OK), "a part is no map");
+    FUZZ_REQUIRE(hsp_surface_measure(s.surface, &totals, nullptr, 0, nullptr) == HSP_OK, "a part has no area");
+    return totals;
+  };
+  const hsp_surface_totals first = measured(parts[0]), second = measured(parts[1]);
+  const double tolerance = 1e-6 * (1.0 + s.base->totals.area) * extent_of(s);
+  if (first.area + second.area > 0) {
+    FUZZ_REQUIRE(first.convex_area + second.convex_area <= s.totals.convex_area + tolerance, "convex patches of parts");
+    FUZZ_REQUIRE(first.saddle_area + second.saddle_area <= s.totals.saddle_area + tolerance, "saddles of parts");
+  }
+  const hsp_surface_totals together = measured(all);
+  FUZZ_REQUIRE(same(&together, &s.totals, 1), "all shells are not the whole");
+}
+
 // V' = -A: the difference quotient lies between the areas at both ends, up to what areas change in between.
 void require_derivative(const fuzz::ScaledBalls &set, const surface_result &reference) {
   fuzz::ScaledBalls wider = set;
@@ -232,7 +267,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   fuzz::Bytes bytes(data, size);
   fuzz::ScaledBalls set = fuzz::ball_set(bytes, 24);
   if (bytes.below(4) != 0) set.probe_steps = 1 + bytes.below(static_cast<uint32_t>(4 * set.steps_per_unit));
-  const Result reference(set);
+  Result reference(set);
   require_sound(set, reference.get());
   require_gradient(reference.get());
   require_map(reference.get(), reference.get().base->counts);
@@ -244,5 +279,6 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   require_no_order(set, reference.get(), bytes);
   require_derivative(set, reference.get());
   require_capacities(reference.get(), bytes);
+  require_parts(reference.get(), bytes);
   return 0;
 }

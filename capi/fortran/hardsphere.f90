@@ -305,7 +305,7 @@ module hardsphere
     integer(c_int32_t) :: euler
     integer(c_int32_t) :: genus
     integer(c_int32_t) :: patches
-    integer(c_int32_t) :: reserved
+    integer(c_int32_t) :: chosen
   end type
 
   type, bind(C) :: hsp_surface_totals
@@ -924,6 +924,17 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
+    function hsp_surface_compute_shells(surface, boundary, shells, count, limits) result(status) &
+      bind(C, name="hsp_surface_compute_shells")
+      import :: c_int32_t, c_ptr, hsp_surface_limits
+      type(c_ptr), value :: surface
+      type(c_ptr), value :: boundary
+      integer(c_int32_t), intent(in), optional :: shells(*)     ! count
+      integer(c_int32_t), value :: count
+      type(hsp_surface_limits), intent(inout), optional :: limits
+      integer(c_int32_t) :: status
+    end function
+
     function hsp_surface_get_counts(surface, counts) result(status) bind(C, name="hsp_surface_get_counts")
       import :: c_int32_t, c_ptr, hsp_surface_counts
       type(c_ptr), value :: surface
@@ -1505,7 +1516,7 @@ contains
   pure function hsp_surface_bytes_bound(vertices, faces, neighbours, pieces, arcs, cusped_circles) result(bytes)
     integer(c_int32_t), intent(in) :: vertices, faces, neighbours, pieces, arcs, cusped_circles
     integer(c_size_t) :: bytes
-    bytes = 8192_c_size_t + 54_c_size_t*int(vertices, c_size_t) + 8_c_size_t*int(faces, c_size_t) &
+    bytes = 8192_c_size_t + 54_c_size_t*int(vertices, c_size_t) + 9_c_size_t*int(faces, c_size_t) &
             + 1152_c_size_t*int(neighbours, c_size_t) + 106_c_size_t*int(pieces, c_size_t) &
             + 26_c_size_t*int(arcs, c_size_t) + 16_c_size_t*int(cusped_circles, c_size_t)
   end function

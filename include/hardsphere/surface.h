@@ -82,7 +82,7 @@ HSP_API int32_t hsp_surface_bytes(const hsp_surface_limits *limits, size_t *byte
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
 #define HSP_SURFACE_BYTES(vertices, faces, neighbours, pieces, arcs, cusped_circles)                    \
-  ((size_t)8192 + (size_t)54 * (size_t)(vertices) + (size_t)8 * (size_t)(faces) +                       \
+  ((size_t)8192 + (size_t)54 * (size_t)(vertices) + (size_t)9 * (size_t)(faces) +                       \
    (size_t)1152 * (size_t)(neighbours) + (size_t)106 * (size_t)(pieces) + (size_t)26 * (size_t)(arcs) + \
    (size_t)16 * (size_t)(cusped_circles))
 
@@ -104,6 +104,24 @@ HSP_API int32_t hsp_surface_init(void *memory, size_t bytes, const hsp_surface_l
  *  @retval HSP_E_STATE     the boundary holds no results, or its model has changed since
  *  @retval HSP_E_CHECK     no decision about a concave patch is consistent: please report it */
 HSP_API int32_t hsp_surface_compute(hsp_surface *surface, const hsp_boundary *boundary, hsp_surface_limits *limits);
+
+/** The same for a part of the boundary: shells [count] of it, numbered as in hsp_face.shell, in any order. The shells
+ *  of one cell of the complement (hsp_topology_get_cell_shells) make that cell all the room that a probe has. With
+ *  those of cell 0 it comes from outside: voids are filled, and what lies in them is gone.
+ *
+ *  hsp_surface_measure and hsp_surface_gradient are of the chosen part alone. Patches, edges, corners and shells are
+ *  there of both parts: that of the rest is a surface of its own, and hsp_surface_shell.chosen tells them apart. No
+ *  probe at a vertex of one part cuts a patch of the other, so that chosen shells of the surface are not those of the
+ *  whole complement. hsp_surface_counts are of both parts, too.
+ *  - Property 1: with all shells of the boundary the same as hsp_surface_compute.
+ *
+ *  @retval HSP_E_ARGUMENT  surface or boundary is NULL; shells is NULL with a count above 0; bad struct_size of limits
+ *  @retval HSP_E_CAPACITY  a limit is too small; limits, if not NULL, become limits to retry with
+ *  @retval HSP_E_STATE     the boundary holds no results, or its model has changed since
+ *  @retval HSP_E_ID        the boundary has not all of these shells
+ *  @retval HSP_E_CHECK     no decision about a concave patch is consistent: please report it */
+HSP_API int32_t hsp_surface_compute_shells(hsp_surface *surface, const hsp_boundary *boundary, const uint32_t *shells,
+                                           uint32_t count, hsp_surface_limits *limits);
 
 /** How many of everything. Frozen. */
 typedef struct hsp_surface_counts {
@@ -268,23 +286,23 @@ typedef struct hsp_surface_corner {
   uint32_t
       ball[2]; /**< the ball it lies on; of a cusp, those of its circle, the one on its side first; else HSP_NONE */
   uint32_t vertex[3]; /**< the vertex, or the three of its concave patches; else HSP_NONE */
-  uint32_t shell;     /**< HSP_NONE for the cusp of a whole circle */
+  uint32_t shell;     /**< HSP_NONE for the cusp of a whole circle; a cusp may be one of a shell of each part */
   uint32_t reserved;  /**< 0 */
 } hsp_surface_corner;
 
 /** A shell: a connected component of the surface. Frozen. */
 typedef struct hsp_surface_shell {
-  double area;       /**< length^2 */
-  double volume;     /**< of what it encloses, length^3; negative if that is outside of the solid */
-  int32_t euler;     /**< Euler characteristic */
-  uint32_t genus;    /**< 1 - euler/2: number of handles */
-  uint32_t patches;  /**< how many it consists of */
-  uint32_t reserved; /**< 0 */
+  double area;      /**< length^2 */
+  double volume;    /**< of what it encloses, length^3; negative if that is outside of the solid */
+  int32_t euler;    /**< Euler characteristic */
+  uint32_t genus;   /**< 1 - euler/2: number of handles */
+  uint32_t patches; /**< how many it consists of */
+  uint32_t chosen;  /**< 1; of the rest that hsp_surface_compute_shells left out, 0 */
 } hsp_surface_shell;
 
 /** The patches first .. first + count - 1, exactly count records, of hsp_surface_map_counts.patches in all; out may be
  *  NULL with count 0.
- *  - Property 1: areas of all patches sum to the area of hsp_surface_measure, up to rounding.
+ *  - Property 1: areas of all patches, in chosen shells, sum to the area of hsp_surface_measure, up to rounding.
  *
  *  @retval HSP_E_ARGUMENT  surface is NULL; out is NULL with a count above 0
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since
@@ -312,7 +330,7 @@ HSP_API int32_t hsp_surface_get_corners(const hsp_surface *surface, uint32_t fir
                                         hsp_surface_corner *out);
 
 /** The shells: hsp_surface_map_counts.shells records.
- *  - Property 1: areas and volumes sum to those of hsp_surface_measure, up to rounding.
+ *  - Property 1: areas and volumes of the chosen ones sum to those of hsp_surface_measure, up to rounding.
  *
  *  Cost: O(size of the surface).
  *  @retval HSP_E_ARGUMENT  surface or needed is NULL; out is NULL with a capacity above 0

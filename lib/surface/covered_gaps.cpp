@@ -8,7 +8,8 @@ namespace hsp {
 
 // Every ball covers an arc whose mid-point lies in the direction of its centre (exact/angular_order.hpp), and the ball
 // that covers the end of the gap has the first such mid-point after that of the ball that covers its start.
-CoveredGap gap_behind(const BallSet &balls, const Boundary &boundary, uint32_t ball, uint32_t half_edge) {
+CoveredGap gap_behind(const BallSet &balls, const Boundary &boundary, const ChosenFaces &chosen, uint32_t ball,
+                      uint32_t half_edge) {
   const HalfEdge &start = boundary.half_edge(half_edge);
   const auto direction = [&](uint32_t other) { return balls.exact_difference(ball, other); };
   const uint32_t previous_circle = boundary.previous_circle(ball, start);
@@ -16,6 +17,7 @@ CoveredGap gap_behind(const BallSet &balls, const Boundary &boundary, uint32_t b
   uint32_t best_cover = no_id;
   for (const uint32_t e : boundary.half_edges(ball)) {
     if (boundary.half_edge(e).circle != start.circle) continue;
+    if (!chosen.all() && !chosen.together(boundary.face_of(e), boundary.face_of(half_edge))) continue;
     const HalfEdge &next = boundary.half_edge(boundary.half_edge(e).next);
     const bool nearer = best.vertex == no_id || next.circle == previous_circle ||
                         (best_cover != previous_circle &&

@@ -28,8 +28,10 @@ void ProbeCaps::carve(Workspace &workspace, uint32_t neighbours) {
   others_ = FixedVector(workspace.take<Other>(neighbours));
 }
 
-ProbeState ProbeCaps::gather(const BallSet &balls, const Boundary &boundary, const ProbeGrid &grid, uint32_t vertex) {
+ProbeState ProbeCaps::gather(const BallSet &balls, const Boundary &boundary, const ChosenFaces &chosen,
+                             const ProbeGrid &grid, uint32_t vertex) {
   vertex_ = vertex;
+  chosen_ = &chosen;
   others_.clear();
   for (bool &known : gap_known_) known = false;
   measure_sides(balls, boundary, grid);
@@ -85,6 +87,7 @@ void ProbeCaps::take(const BallSet &balls, const Boundary &boundary, const Probe
   // Vertices of other components cut nothing that those of this one do not (PROOFS.md, section 5).
   if (boundary.component(boundary.vertex(other).ball[0]) != boundary.component(boundary.vertex(vertex_).ball[0]))
     return;
+  if (!chosen_->all() && !chosen_->together(face_at_vertex(boundary, other), face_at_vertex(boundary, vertex_))) return;
   if (square < coincident * coincident) {
     if (same_circle_rule(balls, boundary, other, true) == Rule::hide) hidden_ = true;
     return;
@@ -169,7 +172,7 @@ ProbeCaps::Rule ProbeCaps::same_circle_rule(const BallSet &balls, const Boundary
 
 void ProbeCaps::find_gap(const BallSet &balls, const Boundary &boundary, uint32_t slot) {
   const CoveredGap gap =
-      gap_behind(balls, boundary, boundary.vertex(vertex_).ball[slot], boundary.half_edge_at(vertex_, slot));
+      gap_behind(balls, boundary, *chosen_, boundary.vertex(vertex_).ball[slot], boundary.half_edge_at(vertex_, slot));
   across_[slot] = gap.vertex;
   gap_edge_[slot] = gap.half_edge;
   gap_known_[slot] = true;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "sphere/caps.hpp"
+#include "surface/chosen_faces.hpp"
 #include "surface/probe_grid.hpp"
 
 namespace hsp {
@@ -23,7 +24,8 @@ class ProbeCaps {
 
   // Finds the caps of the vertex; whole: nothing but the three sides; hidden: nothing is left of the patch. If there is
   // no room, met() tells how much would have sufficed.
-  ProbeState gather(const BallSet &balls, const Boundary &boundary, const ProbeGrid &grid, uint32_t vertex);
+  ProbeState gather(const BallSet &balls, const Boundary &boundary, const ChosenFaces &chosen, const ProbeGrid &grid,
+                    uint32_t vertex);
 
   uint64_t met() const { return others_.required(); }
   bool overflowed() const { return others_.overflowed(); }
@@ -73,6 +75,7 @@ class ProbeCaps {
 
   // Of the vertex at hand.
   uint32_t vertex_ = no_id;
+  const ChosenFaces *chosen_ = nullptr;
   Triangle triangle_;
   double side_error_ = 0.0;
   bool hidden_ = false;

@@ -59,6 +59,8 @@ class Surface {
   // Of the two half-edges of each arc the first: numbers the arcs.
   const RankedBits &first_half_edges() const { return first_half_edges_; }
   const SurfaceShells &shells() const { return shells_; }
+  // What is measured. Patches, edges and shells are there of both parts.
+  const ChosenFaces &chosen() const { return chosen_; }
   Span<uint32_t> scratch() const { return scratch_; }  // [faces + pieces]
   // Whether everything that meets is found from all sides. Not so where vertices coincide, and where four probes or a
   // cusp and a probe meet in one point that rounding takes apart; areas are not concerned.
@@ -67,6 +69,7 @@ class Surface {
  private:
   friend class SurfaceBuilder;
 
+  ChosenFaces chosen_;
   ConcavePatches concave_;
   CutPatches cut_patches_;
   CuspedCircles cusped_circles_;

@@ -5,16 +5,21 @@
 
 namespace hsp {
 
-SurfaceMeasure measure_surface_of_ball(const BallSet &balls, const Boundary &boundary, const Surface &surface,
-                                       uint32_t i) {
+namespace {
+
+// Of one of its faces, or of all.
+SurfaceMeasure measure_faces_of_ball(const BallSet &balls, const Boundary &boundary, const Surface &surface, uint32_t i,
+                                     uint32_t one) {
   SurfaceMeasure result;
-  const uint32_t faces = boundary.faces(i).size();
+  const bool all = one == no_id;
+  const uint32_t faces = all ? boundary.faces(i).size() : 1;
+  const uint32_t loops = all ? boundary.loops(i).size() : boundary.loops_of_face(one).size();
   if (faces == 0) return result;
   const Vec3 origin_to_centre = offset_from_origin(balls, boundary, i);
   double triple_volume = 0.0;
 
   FreeSurface face(boundary, balls.r[i]);
-  ArcBatches arcs(balls, boundary, i);
+  ArcBatches arcs(balls, boundary, i, one);
   SaddlePatches saddles(balls, boundary, i);
   while (arcs.next()) {
     const ArcBatch &batch = arcs.batch();
@@ -24,7 +29,7 @@ SurfaceMeasure measure_surface_of_ball(const BallSet &balls, const Boundary &bou
     result.saddle += measures.area;
     triple_volume += measures.triple_volume;
   }
-  const double steradians = face.steradians(faces, boundary.loops(i).size());
+  const double steradians = face.steradians(faces, loops);
   const double r = balls.r[i] - static_cast<double>(balls.probe_steps);
   const double shrinkage = shrinkage_of_faces(balls, i);
   result.convex = r * r * steradians;
@@ -33,6 +38,7 @@ SurfaceMeasure measure_surface_of_ball(const BallSet &balls, const Boundary &bou
   double concave = 0.0;
   double concave_volume = 0.0;
   for (const uint32_t e : boundary.half_edges(i)) {
+    if (!all && boundary.face_of(e) != one) continue;
     const ConcavePatch patch = surface.patch(boundary.half_edge(e).vertex);
     concave += patch.area;
     concave_volume += patch.volume;
@@ -40,6 +46,16 @@ SurfaceMeasure measure_surface_of_ball(const BallSet &balls, const Boundary &bou
   result.concave = concave / 3;
   result.volume = (triple_volume + concave_volume) / 3;
   return result;
+}
+
+}  // namespace
+
+SurfaceMeasure measure_surface_of_ball(const BallSet &balls, const Boundary &boundary, const Surface &surface,
+                                       uint32_t i) {
+  SurfaceMeasure sum;
+  for_each_chosen_part(boundary, surface.chosen(), i,
+                       [&](uint32_t one) { sum += measure_faces_of_ball(balls, boundary, surface, i, one); });
+  return sum;
 }
 
 }  // namespace hsp

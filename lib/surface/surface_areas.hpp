@@ -15,6 +15,12 @@ struct SurfaceMeasure {
   double volume = 0.0;                               // term of the divergence theorem
 
   double area() const { return convex + saddle + concave; }
+  void operator+=(const SurfaceMeasure &other) {
+    convex += other.convex;
+    saddle += other.saddle;
+    concave += other.concave;
+    volume += other.volume;
+  }
 };
 
 // With R the radius with probe and r without, the convex patches are the faces, shrunk by r / R; areas and vector areas
@@ -22,6 +28,17 @@ struct SurfaceMeasure {
 inline double shrinkage_of_faces(const BallSet &balls, uint32_t i) {
   const double R = balls.r[i];
   return R > 0.0 ? (R - static_cast<double>(balls.probe_steps)) / R : 0.0;
+}
+
+// Calls visit(face) for the chosen faces of a ball, or visit(no_id) if these are all.
+template <class Visit>
+void for_each_chosen_part(const Boundary &boundary, const ChosenFaces &chosen, uint32_t ball, Visit visit) {
+  bool all = true;
+  for (const uint32_t face : boundary.faces(ball)) all = all && chosen.has(face);
+  if (all) return visit(no_id);
+  for (const uint32_t face : boundary.faces(ball)) {
+    if (chosen.has(face)) visit(face);
+  }
 }
 
 // Ball i of the grid's order, in lattice steps. Sums run in the order of its half-edges and circles.

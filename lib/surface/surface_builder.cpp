@@ -15,6 +15,7 @@ void SurfaceBuilder::carve(Workspace &workspace, const SurfaceLimits &limits) {
   probe_.carve(workspace, limits.neighbours);
   surface_.cut_patches_.carve(workspace, limits.vertices, limits.pieces, limits.arcs);
   surface_.cusped_circles_.carve(workspace, limits.cusped_circles);
+  surface_.chosen_.carve(workspace, limits.faces);
   surface_.shells_.use(grid_.first_shared());
   surface_.scratch_ = grid_.second_shared();
   surface_.first_half_edges_.carve(workspace, 3 * uint64_t{limits.vertices});
@@ -24,6 +25,14 @@ void SurfaceBuilder::carve(Workspace &workspace, const SurfaceLimits &limits) {
 }
 
 Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary) {
+  return build(balls, boundary, nullptr);
+}
+
+Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary, Span<const uint32_t> shells) {
+  return build(balls, boundary, &shells);
+}
+
+Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary, const Span<const uint32_t> *shells) {
   surface_.counts_ = {};
   uncertain_holes_ = 0;
   CutPatches &cut = surface_.cut_patches_;
@@ -32,6 +41,12 @@ Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary) {
   cusped.clear();
   needed_ = {boundary.vertex_count(), boundary.face_count()};
   if (needed_.vertices > limits_.vertices || needed_.faces > limits_.faces) return Status::capacity;
+  const ChosenFaces &chosen = surface_.chosen_;
+  if (shells == nullptr) {
+    surface_.chosen_.choose_all();
+  } else {
+    surface_.chosen_.choose(boundary, *shells, surface_.scratch_);
+  }
   number_arcs(boundary);
   if (balls.probe_steps == 0) {
     for (uint32_t v = 0; v < needed_.vertices; ++v) cut.begin_vertex(v);
@@ -43,7 +58,7 @@ Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary) {
   grid_.build(balls, boundary);
   for (uint32_t v = 0; v < needed_.vertices; ++v) {
     cut.begin_vertex(v);
-    const ProbeState state = probe_.gather(balls, boundary, grid_, v);
+    const ProbeState state = probe_.gather(balls, boundary, chosen, grid_, v);
     needed_.neighbours = larger_count(needed_.neighbours, clamped_count(probe_.met()));
     if (state == ProbeState::crossed) {
       if (probe_.overflowed()) continue;

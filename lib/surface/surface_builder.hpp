@@ -13,12 +13,15 @@ class SurfaceBuilder {
   // Status::capacity if a limit is too small; needed() then reports what suffices. Status::check if the caps of a patch
   // yield no region of it, neither in doubles nor in integers.
   Status build(const BallSet &balls, const Boundary &boundary);
+  // Of some shells of the boundary alone.
+  Status build(const BallSet &balls, const Boundary &boundary, Span<const uint32_t> shells);
 
   const Surface &surface() const { return surface_; }
   const SurfaceLimits &needed() const { return needed_; }
   SurfaceLimits retry_limits() const { return limits_.covering(needed_); }
 
  private:
+  Status build(const BallSet &balls, const Boundary &boundary, const Span<const uint32_t> *shells);
   bool measure_cut_patch(double &steradians, Vec3 &vector_area);
   bool accept(const FreeRegion &region, double &steradians, Vec3 &vector_area);
   void number_arcs(const Boundary &boundary);

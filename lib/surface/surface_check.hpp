@@ -37,6 +37,8 @@ void count_euler(const BallSet &balls, const Boundary &boundary, const Surface &
   for (uint32_t corner = 0; corner < map.corner_count(); ++corner) {
     const uint32_t shell = map.shell_of_corner(corner);
     if (shell != no_id) add(shell, 1);
+    const uint32_t other = map.other_shell_of_cusp(corner);
+    if (other != no_id) add(other, 1);
   }
   for (uint32_t patch = 0; patch < map.patch_count(); ++patch) {
     const uint32_t shell = map.shell_of(patch);

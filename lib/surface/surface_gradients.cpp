@@ -61,16 +61,17 @@ class ConcaveDerivatives {
   const double p_;
 };
 
-}  // namespace
-
-SurfaceGradient surface_gradient_of_ball(const BallSet &balls, const Boundary &boundary, const Surface &surface,
-                                         uint32_t i) {
+// Of one of a ball's faces, or of all.
+SurfaceGradient gradient_of_faces(const BallSet &balls, const Boundary &boundary, const Surface &surface, uint32_t i,
+                                  uint32_t one) {
   SurfaceGradient result;
-  const uint32_t faces = boundary.faces(i).size();
+  const bool all = one == no_id;
+  const uint32_t faces = all ? boundary.faces(i).size() : 1;
+  const uint32_t loops = all ? boundary.loops(i).size() : boundary.loops_of_face(one).size();
   if (faces == 0) return result;
   const double R = balls.r[i];
   FreeSurface face(boundary, R);
-  ArcBatches arcs(balls, boundary, i);
+  ArcBatches arcs(balls, boundary, i, one);
   SaddlePatches saddles(balls, boundary, i);
   const ConcaveDerivatives concave(balls, boundary, surface, i);
   double triple_volume = 0.0;
@@ -93,7 +94,7 @@ SurfaceGradient surface_gradient_of_ball(const BallSet &balls, const Boundary &b
     result.volume_radius += saddle.volume_radius;
     result.area_offset += saddle.area_offset;
   }
-  const double steradians = face.steradians(faces, boundary.loops(i).size());
+  const double steradians = face.steradians(faces, loops);
   const double r = R - static_cast<double>(balls.probe_steps);
   const Vec3 vector_area = face.vector_area();
   const double shrinkage = shrinkage_of_faces(balls, i);
@@ -107,6 +108,16 @@ SurfaceGradient surface_gradient_of_ball(const BallSet &balls, const Boundary &b
   result.area_radius += 2 * r * steradians;
   result.area_offset -= 2 * r * steradians;
   return result;
+}
+
+}  // namespace
+
+SurfaceGradient surface_gradient_of_ball(const BallSet &balls, const Boundary &boundary, const Surface &surface,
+                                         uint32_t i) {
+  SurfaceGradient sum;
+  for_each_chosen_part(boundary, surface.chosen(), i,
+                       [&](uint32_t one) { sum += gradient_of_faces(balls, boundary, surface, i, one); });
+  return sum;
 }
 
 }  // namespace hsp

@@ -32,6 +32,16 @@ struct SurfaceGradient {
   double area_radius = 0.0, volume_radius = 0.0;
   double area_offset = 0.0;  // this ball's share of dA/dt; that of dV/dt is -measure.area()
   bool degenerate = false;   // one of its vertices is
+
+  void operator+=(const SurfaceGradient &other) {
+    measure += other.measure;
+    area_centre = area_centre + other.area_centre;
+    volume_centre = volume_centre + other.volume_centre;
+    area_radius += other.area_radius;
+    volume_radius += other.volume_radius;
+    area_offset += other.area_offset;
+    degenerate = degenerate || other.degenerate;
+  }
 };
 SurfaceGradient surface_gradient_of_ball(const BallSet &balls, const Boundary &boundary, const Surface &surface,
                                          uint32_t i);

@@ -47,20 +47,36 @@ uint32_t SurfaceMap::patch_of_piece(uint32_t piece) const {
   return concave_patch(surface_.cut_patches().piece(piece).vertex, piece);
 }
 
-uint32_t SurfaceMap::shell_of(uint32_t id) const {
-  const SurfaceShells &shells = surface_.shells();
+uint32_t SurfaceMap::face_beside(uint32_t id) const {
   const SurfacePatch record = patch(id);
-  if (record.kind == PatchKind::convex) return shells.of_face(record.source);
-  if (record.kind == PatchKind::saddle) {
-    return shells.of_face(boundary_.face_of(half_edge_of(record.source, record.part)));
+  if (record.kind == PatchKind::convex) return record.source;
+  if (record.kind == PatchKind::saddle) return boundary_.face_of(half_edge_of(record.source, record.part));
+  if (record.kind == PatchKind::concave) return face_at_vertex(boundary_, record.source);
+  const ClosedHalfEdge first(record.source, 0);
+  const ClosedHalfEdge at_part = circle_side_of(first) == record.part ? first : ClosedHalfEdge(record.source, 1);
+  return boundary_.face_of_loop(boundary_.loop_of(at_part));
+}
+
+uint32_t SurfaceMap::shell_of(uint32_t id) const {
+  const SurfacePatch record = patch(id);
+  if (record.kind == PatchKind::concave && record.part != no_id) return surface_.shells().of_piece(record.part);
+  return surface_.shells().of_face(face_beside(id));
+}
+
+// The half-edges of a circle on one ball are neighbours.
+uint32_t SurfaceMap::other_shell_of_cusp(uint32_t corner) const {
+  if (surface_.chosen().all() || corner < first_cusp() || corner >= first_crease_corner()) return no_id;
+  const uint32_t cusp = corner - first_cusp();
+  const LoopElement element = surface_.cusped_circles().element(cusp / 2);
+  if (element.is_circle()) return no_id;
+  const uint32_t first = element.half_edge();
+  const uint32_t ball = boundary_.ball_of(first);
+  for (uint32_t e = first; e < boundary_.half_edges(ball).last; ++e) {
+    if (boundary_.half_edge(e).circle != boundary_.half_edge(first).circle) break;
+    if (surface_.chosen().together(boundary_.face_of(e), boundary_.face_of(first))) continue;
+    return surface_.shells().of_face(boundary_.face_of(cusp % 2 == 0 ? e : boundary_.twin(e)));
   }
-  if (record.kind == PatchKind::circle_saddle) {
-    const ClosedHalfEdge first(record.source, 0);
-    const ClosedHalfEdge at_part = circle_side_of(first) == record.part ? first : ClosedHalfEdge(record.source, 1);
-    return shells.of_face(boundary_.face_of_loop(boundary_.loop_of(at_part)));
-  }
-  if (record.part != no_id) return shells.of_piece(record.part);
-  return shells.of_face(boundary_.face_of(boundary_.half_edge_at(record.source, 0)));
+  return no_id;
 }
 
 uint32_t SurfaceMap::shell_of_corner(uint32_t corner) const {

@@ -67,6 +67,10 @@ class SurfaceMap {
   // no_id for a hidden patch, and for a corner where no edge ends: the cusp of a whole circle.
   uint32_t shell_of(uint32_t patch) const;
   uint32_t shell_of_corner(uint32_t corner) const;
+  // A cusp is a corner of both parts if its circle has arcs of both: the shell of the other one, else no_id.
+  uint32_t other_shell_of_cusp(uint32_t corner) const;
+  // Whether a patch is of the part that is measured.
+  bool is_chosen(uint32_t patch) const { return surface_.chosen().has(face_beside(patch)); }
 
   uint32_t first_cusp() const { return 3 * boundary_.vertex_count(); }
   uint32_t first_crease_corner() const { return first_cusp() + 2 * surface_.cusped_circles().count(); }
@@ -110,6 +114,9 @@ class SurfaceMap {
   uint32_t first_side() const { return first_circle_rim() + 2 * boundary_.circle_count(); }
   uint32_t first_extra_side() const { return first_side() + 2 * boundary_.arc_count(); }
   uint32_t first_crease() const { return first_extra_side() + 2 * surface_.cusped_circles().arcs(); }
+
+  // A face of the boundary's shell that a patch belongs to.
+  uint32_t face_beside(uint32_t patch) const;
 
   // A directed edge, decoded. Outward: its left patch is convex, or concave; else it is a saddle.
   struct Directed {

@@ -144,6 +144,7 @@ static int call_surface(surface_result *s, void *memory, size_t bytes) {
   bad += hsp_surface_limits_init(&limits, (uint32_t)sizeof limits, c->boundary) != HSP_OK;
   bad += hsp_surface_bytes(&s->needed, &size) != HSP_OK;
   bad += hsp_surface_init(memory, bytes, &s->needed, &surface) != HSP_OK;
+  bad += hsp_surface_compute_shells(surface, c->boundary, &needed, 1, NULL) != HSP_OK;
   bad += hsp_surface_compute(surface, c->boundary, NULL) != HSP_OK;
   bad += hsp_surface_get_counts(surface, &counts) != HSP_OK;
   bad += hsp_surface_measure(surface, &s->totals, s->balls, c->n, &needed) != HSP_OK;

@@ -242,10 +242,31 @@ static void out_of_order(void) {
     check_outputs_untouched();
   }
 
+  check_scene("shells");
+  {
+    const uint32_t chosen[3] = {0, 0, 1};
+    hsp_surface_totals whole, part;
+    CHECK_EQUAL(hsp_surface_measure(surface, &whole, NULL, 0, NULL), HSP_OK);
+    CHECK_EQUAL(hsp_surface_compute_shells(NULL, boundary, chosen, 1, NULL), HSP_E_ARGUMENT);
+    CHECK_EQUAL(hsp_surface_compute_shells(surface, NULL, chosen, 1, NULL), HSP_E_ARGUMENT);
+    CHECK_EQUAL(hsp_surface_compute_shells(surface, boundary, NULL, 1, NULL), HSP_E_ARGUMENT);
+    check_all_readers(surface, HSP_E_STATE);
+    CHECK_EQUAL(hsp_surface_compute_shells(surface, boundary, chosen, 3, NULL), HSP_E_ID);
+    check_all_readers(surface, HSP_E_STATE);
+    CHECK_EQUAL(hsp_surface_compute_shells(surface, boundary, chosen, 2, NULL), HSP_OK);
+    check_has_results();
+    CHECK_EQUAL(hsp_surface_measure(surface, &part, NULL, 0, NULL), HSP_OK);
+    CHECK(memcmp(&whole, &part, sizeof whole) == 0);
+    CHECK_EQUAL(hsp_surface_compute_shells(surface, boundary, NULL, 0, NULL), HSP_OK);
+    CHECK_EQUAL(hsp_surface_measure(surface, &part, NULL, 0, NULL), HSP_OK);
+    CHECK(part.area == 0 && part.volume == 0);
+  }
+
   check_scene("the model has changed");
   set_balls();
   check_all_readers(surface, HSP_E_STATE);
   CHECK_EQUAL(hsp_surface_compute(surface, boundary, NULL), HSP_E_STATE);
+  CHECK_EQUAL(hsp_surface_compute_shells(surface, boundary, NULL, 0, NULL), HSP_E_STATE);
   CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
   CHECK_EQUAL(hsp_surface_compute(surface, boundary, NULL), HSP_OK);
   check_has_results();

@@ -22,7 +22,8 @@ double length(const Point &a) {
 
 }  // namespace
 
-DistanceFromOutside::DistanceFromOutside(std::vector<ProbedBall> balls) : balls_(std::move(balls)) {
+DistanceFromOutside::DistanceFromOutside(std::vector<ProbedBall> balls, Room room)
+    : balls_(std::move(balls)), room_(std::move(room)) {
   for (size_t i = 0; i < balls_.size(); ++i) {
     for (size_t j = 0; j < i; ++j) {
       const Point to = plus(balls_[j].centre, -1, balls_[i].centre);
@@ -56,8 +57,9 @@ DistanceFromOutside::DistanceFromOutside(std::vector<ProbedBall> balls) : balls_
 }
 
 bool DistanceFromOutside::is_outside(const Point &y) const {
-  return std::all_of(balls_.begin(), balls_.end(),
-                     [&](const ProbedBall &ball) { return length(plus(y, -1, ball.centre)) >= ball.radius - 1e-9; });
+  return room_(y) && std::all_of(balls_.begin(), balls_.end(), [&](const ProbedBall &ball) {
+           return length(plus(y, -1, ball.centre)) >= ball.radius - 1e-9;
+         });
 }
 
 DistanceFromOutside::Nearest DistanceFromOutside::operator()(const Point &x) const {
@@ -82,8 +84,9 @@ DistanceFromOutside::Nearest DistanceFromOutside::operator()(const Point &x) con
   return best;
 }
 
-AreaAndVolume excluded_surface_by_lines(const std::vector<ProbedBall> &balls, double probe, int lines) {
-  const DistanceFromOutside distance(balls);
+AreaAndVolume excluded_surface_by_lines(const std::vector<ProbedBall> &balls, double probe, int lines,
+                                        const Room &room) {
+  const DistanceFromOutside distance(balls, room);
   AreaAndVolume sum;
   Point low{}, high{};
   for (size_t axis = 0; axis < 3; ++axis) {

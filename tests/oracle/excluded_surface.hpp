@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <vector>
 
 namespace oracle {
@@ -15,9 +16,15 @@ struct ProbedBall {
   double radius = 0;  // with the probe
 };
 
+// Whether a point that is in no open ball counts as outside: what is left out, as voids, is filled.
+using Room = std::function<bool(const Point &)>;
+inline bool everywhere(const Point &) {
+  return true;
+}
+
 class DistanceFromOutside {
  public:
-  explicit DistanceFromOutside(std::vector<ProbedBall> balls);
+  explicit DistanceFromOutside(std::vector<ProbedBall> balls, Room room = everywhere);
 
   struct Nearest {
     double distance = 0;
@@ -35,6 +42,7 @@ class DistanceFromOutside {
   [[nodiscard]] bool is_outside(const Point &y) const;
 
   std::vector<ProbedBall> balls_;
+  Room room_;
   std::vector<Circle> circles_;
   std::vector<Point> vertices_;
 };
@@ -45,6 +53,7 @@ struct AreaAndVolume {
 
 // `lines` along each axis and either other one. A surface element dA is crossed by |n_x| dA of the lines along x per
 // area, and n_x^2 + n_y^2 + n_z^2 = 1: weights |n| make the three directions' crossings an area.
-AreaAndVolume excluded_surface_by_lines(const std::vector<ProbedBall> &balls, double probe, int lines);
+AreaAndVolume excluded_surface_by_lines(const std::vector<ProbedBall> &balls, double probe, int lines,
+                                        const Room &room = everywhere);
 
 }  // namespace oracle

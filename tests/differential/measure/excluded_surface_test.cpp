@@ -2,6 +2,8 @@
 // itself in every way.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "excluded_surface.hpp"
@@ -10,9 +12,29 @@
 
 namespace {
 
+using oracle::Point;
 using oracle::ProbedBall;
 
-hsp_surface_totals library_surface(const std::vector<ProbedBall> &balls, double probe, hsp_surface_counts &counts) {
+std::vector<uint32_t> shells_of_cell(const hsp_boundary *boundary, uint32_t cell) {
+  support::OwnedTopology topology;
+  topology.take(support::topology_limits_for(boundary));
+  topology.compute([&](hsp_topology *handle, hsp_topology_limits *limits) {
+    return hsp_topology_compute(handle, boundary, limits);
+  });
+  hsp_topology_counts counts;
+  support::expect_ok(hsp_topology_get_counts(topology.get(), &counts), "hsp_topology_get_counts");
+  EXPECT_EQ(counts.cells, 2U);
+  std::vector<uint32_t> shells(counts.shells);
+  uint32_t needed = 0;
+  support::expect_ok(hsp_topology_get_cell_shells(topology.get(), cell, shells.data(), counts.shells, &needed),
+                     "hsp_topology_get_cell_shells");
+  shells.resize(needed);
+  return shells;
+}
+
+// Of the whole complement, or of one of its cells.
+hsp_surface_totals library_surface(const std::vector<ProbedBall> &balls, double probe, hsp_surface_counts &counts,
+                                   uint32_t cell = HSP_NONE) {
   support::BallList list;
   for (const ProbedBall &ball : balls) {
     list.add(ball.centre[0], ball.centre[1], ball.centre[2], ball.radius - probe);
@@ -29,8 +51,12 @@ hsp_surface_totals library_surface(const std::vector<ProbedBall> &balls, double 
   });
   support::OwnedSurface surface;
   surface.take(support::surface_limits_for(boundary.get()));
+  const std::vector<uint32_t> shells =
+      cell == HSP_NONE ? std::vector<uint32_t>{} : shells_of_cell(boundary.get(), cell);
   surface.compute([&](hsp_surface *handle, hsp_surface_limits *limits) {
-    return hsp_surface_compute(handle, boundary.get(), limits);
+    return cell == HSP_NONE ? hsp_surface_compute(handle, boundary.get(), limits)
+                            : hsp_surface_compute_shells(handle, boundary.get(), shells.data(),
+                                                         static_cast<uint32_t>(shells.size()), limits);
   });
   hsp_surface_totals totals;
   support::expect_ok(hsp_surface_measure(surface.get(), &totals, nullptr, 0, nullptr), "hsp_surface_measure");
@@ -39,10 +65,11 @@ hsp_surface_totals library_surface(const std::vector<ProbedBall> &balls, double 
 }
 
 void expect_as_by_lines(const std::vector<ProbedBall> &balls, double probe, int lines, double tolerance,
-                        hsp_surface_counts &counts) {
-  const hsp_surface_totals found = library_surface(balls, probe, counts);
-  const oracle::AreaAndVolume expected = oracle::excluded_surface_by_lines(balls, probe, lines);
-  EXPECT_NEAR(found.volume, expected.volume, tolerance * found.volume);
+                        hsp_surface_counts &counts, uint32_t cell = HSP_NONE,
+                        const oracle::Room &room = oracle::everywhere) {
+  const hsp_surface_totals found = library_surface(balls, probe, counts, cell);
+  const oracle::AreaAndVolume expected = oracle::excluded_surface_by_lines(balls, probe, lines, room);
+  EXPECT_NEAR(found.volume, expected.volume, tolerance * std::abs(found.volume));
   EXPECT_NEAR(found.area, expected.area, tolerance * found.area);
 }
 
@@ -81,6 +108,77 @@ TEST(ExcludedSurface, OfRandomSets) {
   }
   EXPECT_GT(cut, 25U);
   EXPECT_GT(cusped, 5U);
+}
+
+// Six balls around a void, almost as an octahedron: probes inside and outside overlap, also such that have no two balls
+// in common. A point that is in no ball is in the void if it is in the convex hull of the centres.
+class Cage {
+ public:
+  explicit Cage(support::Random &random) {
+    const auto shaken = [&random](double x) { return x + (static_cast<double>(random.below(101)) - 50) / 500; };
+    for (size_t k = 0; k < 6; ++k) {
+      ProbedBall ball{{}, 3.1};
+      for (size_t axis = 0; axis < 3; ++axis) {
+        ball.centre[axis] = shaken(axis != k / 2 ? 0.0 : k % 2 == 0 ? 3.4 : -3.4);
+      }
+      balls_.push_back(ball);
+    }
+    for (size_t i = 0; i < 6; ++i) {
+      for (size_t j = 0; j < 6; ++j) {
+        for (size_t k = 0; k < 6; ++k) add_facet(i, j, k);
+      }
+    }
+  }
+  [[nodiscard]] const std::vector<ProbedBall> &balls() const { return balls_; }
+  [[nodiscard]] bool encloses(const Point &y) const {
+    return std::all_of(facets_.begin(), facets_.end(), [&](const Facet &facet) { return facet.above(y) < 0; });
+  }
+
+ private:
+  struct Facet {
+    Point normal;
+    double height;
+    [[nodiscard]] double above(const Point &y) const {
+      return normal[0] * y[0] + normal[1] * y[1] + normal[2] * y[2] - height;
+    }
+  };
+  void add_facet(size_t i, size_t j, size_t k) {
+    if (i == j || j == k || k == i) return;
+    const auto &a = balls_[i].centre, &b = balls_[j].centre, &c = balls_[k].centre;
+    Facet facet{{(b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1]),
+                 (b[2] - a[2]) * (c[0] - a[0]) - (b[0] - a[0]) * (c[2] - a[2]),
+                 (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])},
+                0};
+    facet.height = facet.above(a);
+    for (size_t m = 0; m < balls_.size(); ++m) {
+      if (m != i && m != j && m != k && facet.above(balls_[m].centre) > 0) return;
+    }
+    facets_.push_back(facet);
+  }
+
+  std::vector<ProbedBall> balls_;
+  std::vector<Facet> facets_;
+};
+
+// The outer cell alone, the void alone, both: where probes of the two overlap they cut each other only in the last.
+TEST(ExcludedSurface, OfOneCell) {
+  const double a = 1.79555934;
+  const std::vector<ProbedBall> four = {{{a, a, a}, 3.1}, {{a, -a, -a}, 3.1}, {{-a, a, -a}, 3.1}, {{-a, -a, a}, 3.1}};
+  const auto is_near = [](const Point &y) { return y[0] * y[0] + y[1] * y[1] + y[2] * y[2] < 1; };
+  hsp_surface_counts counts;
+  expect_as_by_lines(four, 1.4, 64, 2e-3, counts, 0, [&](const Point &y) { return !is_near(y); });
+  EXPECT_EQ(counts.cut_patches, 0U);
+  expect_as_by_lines(four, 1.4, 64, 3e-3, counts, 1, is_near);
+  EXPECT_EQ(counts.cut_patches, 0U);
+  support::Random random(16);
+  for (const double probe : {1.4, 1.8, 2.2, 2.4}) {
+    SCOPED_TRACE(probe);
+    const Cage cage(random);
+    const auto is_void = [&](const Point &y) { return cage.encloses(y); };
+    expect_as_by_lines(cage.balls(), probe, 50, 3e-2, counts);
+    expect_as_by_lines(cage.balls(), probe, 50, 3e-2, counts, 0, [&](const Point &y) { return !is_void(y); });
+    expect_as_by_lines(cage.balls(), probe, 50, 3e-2, counts, 1, is_void);
+  }
 }
 
 }  // namespace

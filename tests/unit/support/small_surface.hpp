@@ -54,13 +54,14 @@ class SmallSurface {
   static constexpr hsp::SurfaceLimits most = {60, 40, 30, 60, 400, 30};
 
   bool build(const SurfaceScene &scene, const hsp::SurfaceLimits &limits = most) {
-    if (!small_union().build(scene.ball, scene.n, scene.probe)) return false;
-    hsp::Workspace measured;
-    builder_.carve(measured, limits);
-    if (measured.bytes() > sizeof memory_) return false;
-    hsp::Workspace workspace(memory_, sizeof memory_);
-    builder_.carve(workspace, limits);
+    if (!carve(scene, limits)) return false;
     status_ = builder_.build(small_union().balls(), small_union().boundary());
+    return status_ == hsp::Status::ok;
+  }
+  // Of some shells of the boundary.
+  bool build_of(const SurfaceScene &scene, const uint32_t *shells, uint32_t count) {
+    if (!carve(scene, most)) return false;
+    status_ = builder_.build(small_union().balls(), small_union().boundary(), {shells, count});
     return status_ == hsp::Status::ok;
   }
 
@@ -76,6 +77,16 @@ class SmallSurface {
   }
 
  private:
+  bool carve(const SurfaceScene &scene, const hsp::SurfaceLimits &limits) {
+    if (!small_union().build(scene.ball, scene.n, scene.probe)) return false;
+    hsp::Workspace measured;
+    builder_.carve(measured, limits);
+    if (measured.bytes() > sizeof memory_) return false;
+    hsp::Workspace workspace(memory_, sizeof memory_);
+    builder_.carve(workspace, limits);
+    return true;
+  }
+
   hsp::SurfaceBuilder builder_;
   hsp::Status status_ = hsp::Status::state;
   alignas(64) unsigned char memory_[72 * 1024];

@@ -41,7 +41,7 @@ inline uint32_t arcs_and_gaps_are_a_turn() {
         if (boundary.half_edge(e).circle != other) continue;
         if (first == hsp::no_id) first = e;
         turn += hsp::angle_of_arc(balls, boundary, e);
-        const hsp::CoveredGap gap = hsp::gap_behind(balls, boundary, own, e);
+        const hsp::CoveredGap gap = hsp::gap_behind(balls, boundary, {}, own, e);
         turn += hsp::angle_of_gap(balls, boundary, own, e, gap);
         if (gap.vertex == boundary.half_edge(e).vertex || gap.vertex != boundary.end_vertex(gap.half_edge))
           return false;
@@ -52,7 +52,7 @@ inline uint32_t arcs_and_gaps_are_a_turn() {
       uint32_t walked = 0;
       uint32_t e = first;
       do {
-        e = hsp::gap_behind(balls, boundary, own, e).half_edge;
+        e = hsp::gap_behind(balls, boundary, {}, own, e).half_edge;
       } while (++walked < arcs && e != first);
       if (walked != arcs || e != first) return false;
     }
@@ -75,7 +75,7 @@ inline uint32_t closed_gaps() {
     const hsp::Boundary &boundary = small_union().boundary();
     for (const uint32_t e : boundary.half_edges(own)) {
       if (boundary.half_edge(e).circle != other) continue;
-      const hsp::CoveredGap gap = hsp::gap_behind(small_union().balls(), boundary, own, e);
+      const hsp::CoveredGap gap = hsp::gap_behind(small_union().balls(), boundary, {}, own, e);
       return near(hsp::angle_of_gap(small_union().balls(), boundary, own, e, gap), c.gap, 1e-14);
     }
     return false;

@@ -11,6 +11,7 @@ struct ProbeScene {
   alignas(64) unsigned char memory[24 * 1024];
   hsp::ProbeGrid grid;
   hsp::ProbeCaps probe;
+  hsp::ChosenFaces chosen;
 
   bool build(const SurfaceScene &scene, uint32_t neighbours = 30) {
     if (!small_union().build(scene.ball, scene.n, scene.probe)) return false;
@@ -26,7 +27,7 @@ struct ProbeScene {
     return true;
   }
   hsp::ProbeState gather(uint32_t vertex) {
-    return probe.gather(small_union().balls(), small_union().boundary(), grid, vertex);
+    return probe.gather(small_union().balls(), small_union().boundary(), chosen, grid, vertex);
   }
 };
 inline ProbeScene &probe_scene() {
