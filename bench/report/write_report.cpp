@@ -18,6 +18,7 @@
 #include "peers_tables.hpp"
 #include "plots.hpp"
 #include "scaling_tables.hpp"
+#include "smooth_surface_tables.hpp"
 #include "speed_goals.hpp"
 #include "topology_tables.hpp"
 
@@ -81,6 +82,7 @@ void write_report(std::ostream &out, const std::filesystem::path &folder) {
   report::write_topology(out, run);
   report::write_frames(out, run);
   report::write_gradients(out, run);
+  report::write_smooth_surface(out, run);
   report::write_scaling(out, run);
   report::write_queries(out, run);
 }
