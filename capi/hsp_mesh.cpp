@@ -25,6 +25,41 @@ int32_t check_edge(double edge) {
   return edge > 0.0 ? HSP_OK : HSP_E_ARGUMENT;
 }
 
+const hsp::BallSet &balls_of(const hsp_boundary &boundary) {
+  return boundary.balls();
+}
+const hsp::BallSet &balls_of(const hsp_surface &surface) {
+  return surface.boundary->balls();
+}
+
+// For the triangles of a boundary or a surface: expect(steps, enough) says what suffices for edges of so many steps.
+template <class Source, class Expect>
+int32_t init_limits(hsp_mesh_limits *limits, uint32_t struct_size, const Source *source, double edge, Expect expect) {
+  if (limits == nullptr || !is_live(source) || !hsp::capi::is_struct_size<hsp_mesh_limits>(struct_size)) {
+    return HSP_E_ARGUMENT;
+  }
+  if (const int32_t status = check_edge(edge); status != HSP_OK) return status;
+  if (!source->has_results()) return HSP_E_STATE;
+  hsp::MeshLimits enough;
+  const hsp::Status status = expect(balls_of(*source).lattice.steps(edge), enough);
+  if (status == hsp::Status::ok) hsp::capi::write_struct(to_c(enough), limits, struct_size);
+  return hsp::capi::to_c(status);
+}
+
+// build(steps) makes the triangles and names the boundary.
+template <class Source, class Build>
+int32_t compute(hsp_mesh *mesh, const Source *source, double edge, hsp_mesh_limits *limits, Build build) {
+  if (!is_live(mesh)) return HSP_E_ARGUMENT;
+  mesh->complete = false;
+  if (!is_live(source) || !hsp::capi::may_write(limits)) return HSP_E_ARGUMENT;
+  if (const int32_t status = check_edge(edge); status != HSP_OK) return status;
+  if (!source->has_results()) return HSP_E_STATE;
+  const hsp::Status status = build(balls_of(*source).lattice.steps(edge));
+  mesh->computed = mesh->boundary->computed;
+  constexpr hsp_mesh_limits (*convert)(const hsp::MeshLimits &) = to_c;
+  return hsp::capi::finish<convert>(*mesh, status, limits);
+}
+
 hsp::Vec3 corner_of(const hsp::Mesh &mesh, const hsp::MeshTriangle &triangle, uint32_t k) {
   const double *const xyz = mesh.vertex(triangle.vertex[k]).position;
   return {xyz[0], xyz[1], xyz[2]};
@@ -44,16 +79,17 @@ void share_areas(const hsp::Mesh &mesh, double *areas) {
 }  // namespace
 
 int32_t hsp_mesh_limits_init(hsp_mesh_limits *limits, uint32_t struct_size, const hsp_boundary *boundary, double edge) {
-  if (limits == nullptr || !is_live(boundary) || !hsp::capi::is_struct_size<hsp_mesh_limits>(struct_size)) {
-    return HSP_E_ARGUMENT;
-  }
-  if (const int32_t status = check_edge(edge); status != HSP_OK) return status;
-  if (!boundary->has_results()) return HSP_E_STATE;
-  const hsp::BallSet &balls = boundary->balls();
-  hsp::MeshLimits enough;
-  const hsp::Status status = hsp::expected_mesh_limits(balls, boundary->structure(), balls.lattice.steps(edge), enough);
-  if (status == hsp::Status::ok) hsp::capi::write_struct(to_c(enough), limits, struct_size);
-  return hsp::capi::to_c(status);
+  return init_limits(limits, struct_size, boundary, edge, [boundary](double steps, hsp::MeshLimits &enough) {
+    return hsp::expected_mesh_limits(boundary->balls(), boundary->structure(), steps, enough);
+  });
+}
+
+int32_t hsp_mesh_limits_init_surface(hsp_mesh_limits *limits, uint32_t struct_size, const hsp_surface *surface,
+                                     double edge) {
+  return init_limits(limits, struct_size, surface, edge, [surface](double steps, hsp::MeshLimits &enough) {
+    const hsp_boundary &boundary = *surface->boundary;
+    return hsp::expected_mesh_limits(boundary.balls(), boundary.structure(), surface->structure(), steps, enough);
+  });
 }
 
 int32_t hsp_mesh_bytes(const hsp_mesh_limits *limits, size_t *bytes) {
@@ -71,17 +107,18 @@ int32_t hsp_mesh_init(void *memory, size_t bytes, const hsp_mesh_limits *limits,
 }
 
 int32_t hsp_mesh_compute(hsp_mesh *mesh, const hsp_boundary *boundary, double edge, hsp_mesh_limits *limits) {
-  if (!is_live(mesh)) return HSP_E_ARGUMENT;
-  mesh->complete = false;
-  if (!is_live(boundary) || !hsp::capi::may_write(limits)) return HSP_E_ARGUMENT;
-  if (const int32_t status = check_edge(edge); status != HSP_OK) return status;
-  if (!boundary->has_results()) return HSP_E_STATE;
-  const hsp::BallSet &balls = boundary->balls();
-  const hsp::Status status = mesh->builder.build(balls, boundary->structure(), balls.lattice.steps(edge));
-  mesh->boundary = boundary;
-  mesh->computed = boundary->computed;
-  constexpr hsp_mesh_limits (*convert)(const hsp::MeshLimits &) = to_c;
-  return hsp::capi::finish<convert>(*mesh, status, limits);
+  return compute(mesh, boundary, edge, limits, [mesh, boundary](double steps) {
+    mesh->boundary = boundary;
+    return mesh->builder.build(boundary->balls(), boundary->structure(), steps);
+  });
+}
+
+int32_t hsp_mesh_compute_surface(hsp_mesh *mesh, const hsp_surface *surface, double edge, hsp_mesh_limits *limits) {
+  return compute(mesh, surface, edge, limits, [mesh, surface](double steps) {
+    const hsp_boundary &boundary = *surface->boundary;
+    mesh->boundary = &boundary;
+    return mesh->builder.build(boundary.balls(), boundary.structure(), surface->structure(), steps);
+  });
 }
 
 int32_t hsp_mesh_get_counts(const hsp_mesh *mesh, hsp_mesh_counts *counts) {
@@ -127,5 +164,14 @@ int32_t hsp_mesh_get_triangles(const hsp_mesh *mesh, uint32_t *corners, uint32_t
     if (patches != nullptr) patches[t] = triangle.patch;
     if (balls != nullptr) balls[t] = caller[triangle.ball];
   }
+  return HSP_OK;
+}
+
+int32_t hsp_mesh_get_patch(const hsp_mesh *mesh, uint32_t patch, uint32_t *first, uint32_t *count) {
+  if (!is_live(mesh) || first == nullptr || count == nullptr) return HSP_E_ARGUMENT;
+  if (!mesh->has_results()) return HSP_E_STATE;
+  const hsp::IdRange triangles = mesh->builder.mesh().triangles_of(patch);
+  *first = triangles.first;
+  *count = triangles.size();
   return HSP_OK;
 }

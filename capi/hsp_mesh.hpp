@@ -1,7 +1,7 @@
 // What is behind the handle hsp_mesh.
 #pragma once
 
-#include "hsp_boundary.hpp"
+#include "hsp_surface.hpp"
 #include "mesh/mesh_builder.hpp"
 
 struct hsp_mesh {

@@ -1,6 +1,9 @@
-// The triangles of any boundary, with edges of any length: a closed surface with the boundary's Euler characteristic,
-// the same bytes twice, and limits that are too small. HSP_E_CHECK is right where borders come together.
+// The triangles of any boundary and of the smooth surface over it, with edges of any length: a closed surface with the
+// Euler characteristic of what it is made from, the same bytes twice, and limits that are too small. HSP_E_CHECK is
+// right where borders come together, and where joints of the smooth surface are open.
 #include <mesh_result.h>
+
+#include <vector>
 
 #include "computed_set.hpp"
 #include "required_limits.hpp"
@@ -11,8 +14,9 @@ using fuzz::same;
 
 class Result {
  public:
-  Result(const computed &base, double edge) : status_(mesh_result_make(&base, edge, &mesh_)) {
-    FUZZ_REQUIRE(status_ == HSP_OK || status_ == HSP_E_CHECK, hsp_status_text(status_));
+  Result(const computed &base, double edge) : status_(mesh_result_make(&base, edge, &mesh_)) { require_status(); }
+  Result(const surface_result &base, double edge) : status_(mesh_result_make_surface(&base, edge, &mesh_)) {
+    require_status();
   }
   ~Result() { mesh_result_release(&mesh_); }
   Result(const Result &) = delete;
@@ -22,20 +26,60 @@ class Result {
   const mesh_result &get() const { return mesh_; }
 
  private:
+  void require_status() const { FUZZ_REQUIRE(status_ == HSP_OK || status_ == HSP_E_CHECK, hsp_status_text(status_)); }
+
   mesh_result mesh_{};
   int32_t status_;
 };
 
-void require_sound(const computed &base, const mesh_result &mesh) {
+class Surface {
+ public:
+  explicit Surface(const computed &base) {
+    const int32_t status = surface_result_make(&base, &surface_);
+    FUZZ_REQUIRE(status == HSP_OK, hsp_status_text(status));
+  }
+  ~Surface() { surface_result_release(&surface_); }
+  Surface(const Surface &) = delete;
+  Surface &operator=(const Surface &) = delete;
+
+  const surface_result &get() const { return surface_; }
+  bool is_closed() const { return surface_.counts.open_joints == 0; }
+  // Of a surface that is closed.
+  int64_t euler() const {
+    hsp_surface_map_counts map{};
+    FUZZ_REQUIRE(hsp_surface_get_map_counts(surface_.surface, &map) == HSP_OK, "counts of the map");
+    std::vector<hsp_surface_shell> shells(map.shells);
+    uint32_t needed = 0;
+    const int32_t status = hsp_surface_get_shells(surface_.surface, shells.data(), map.shells, &needed);
+    FUZZ_REQUIRE(status == HSP_OK, hsp_status_text(status));
+    int64_t sum = 0;
+    for (const hsp_surface_shell &shell : shells) sum += shell.euler;
+    return sum;
+  }
+
+ private:
+  surface_result surface_{};
+};
+
+void require_sound(const mesh_result &mesh, int64_t expected_euler) {
   const char *const fault = mesh_fault(&mesh);
   FUZZ_REQUIRE(fault == nullptr, fault);
   const int64_t euler = static_cast<int64_t>(mesh.counts.vertices) - mesh.counts.triangles / 2;
-  FUZZ_REQUIRE(euler == base.counts.euler, "another Euler characteristic");
+  FUZZ_REQUIRE(euler == expected_euler, "another Euler characteristic");
+  uint32_t next = 0;
+  while (next < mesh.counts.triangles) {
+    uint32_t first = 0;
+    uint32_t count = 0;
+    const int32_t status = hsp_mesh_get_patch(mesh.mesh, mesh.patches[next], &first, &count);
+    FUZZ_REQUIRE(status == HSP_OK && first == next && count > 0, "triangles of a patch");
+    next += count;
+  }
 }
 
-void require_capacities(const computed &base, const mesh_result &reference, fuzz::Bytes &bytes) {
+void require_capacities(const mesh_result &reference, fuzz::Bytes &bytes) {
   const auto compute = [&](hsp_mesh *mesh, hsp_mesh_limits *limits) {
-    return hsp_mesh_compute(mesh, base.boundary, reference.edge, limits);
+    return reference.surface == nullptr ? hsp_mesh_compute(mesh, reference.base->boundary, reference.edge, limits)
+                                        : hsp_mesh_compute_surface(mesh, reference.surface, reference.edge, limits);
   };
   const auto read = [&](const hsp_mesh *mesh) {
     hsp_mesh_counts counts{};
@@ -46,6 +90,18 @@ void require_capacities(const computed &base, const mesh_result &reference, fuzz
     return status;
   };
   fuzz::require_limits<support::MeshKind>(reference.needed, bytes, compute, read);
+}
+
+// Of a boundary, or of a surface.
+template <class Base>
+void require_mesh(const Base &base, double edge, int64_t euler, fuzz::Bytes &bytes) {
+  const Result reference(base, edge);
+  if (reference.status() != HSP_OK) return;
+  require_sound(reference.get(), euler);
+  const Result again(base, edge);
+  FUZZ_REQUIRE(same(reference.get().xyz, again.get().xyz, reference.get().counts.vertices), "other positions");
+  FUZZ_REQUIRE(same(reference.get().corners, again.get().corners, reference.get().counts.triangles), "other triangles");
+  require_capacities(reference.get(), bytes);
 }
 
 }  // namespace
@@ -61,12 +117,17 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   hsp_mesh_limits expected;
   const int32_t fits = hsp_mesh_limits_init(&expected, sizeof expected, base.boundary, edge);
   FUZZ_REQUIRE(fits == HSP_OK, hsp_status_text(fits));
-  const Result reference(base, edge);
-  if (reference.status() != HSP_OK) return 0;
-  require_sound(base, reference.get());
-  const Result again(base, edge);
-  FUZZ_REQUIRE(same(reference.get().xyz, again.get().xyz, reference.get().counts.vertices), "other positions");
-  FUZZ_REQUIRE(same(reference.get().corners, again.get().corners, reference.get().counts.triangles), "other triangles");
-  require_capacities(base, reference.get(), bytes);
+  require_mesh(base, edge, base.counts.euler, bytes);
+  const Surface surface(base);
+  const int32_t fits_surface = hsp_mesh_limits_init_surface(&expected, sizeof expected, surface.get().surface, edge);
+  hsp_model_info info{};
+  FUZZ_REQUIRE(hsp_model_get_info(base.model, &info) == HSP_OK, "info");
+  if (surface.is_closed()) {
+    FUZZ_REQUIRE(fits_surface == HSP_OK, hsp_status_text(fits_surface));
+    require_mesh(surface.get(), edge, info.probe > 0.0 ? surface.euler() : base.counts.euler, bytes);
+  } else {
+    FUZZ_REQUIRE(fits_surface == HSP_E_CHECK, "limits for a surface that is open");
+    FUZZ_REQUIRE(Result(surface.get(), edge).status() == HSP_E_CHECK, "triangles of a surface that is open");
+  }
   return 0;
 }

@@ -11,7 +11,7 @@
  *   hardsphere/measure.h    areas and volumes
  *   hardsphere/gradient.h   their derivatives
  *   hardsphere/surface.h    the smooth surface that a probe leaves, its area and volume (Section 4.3)
- *   hardsphere/mesh.h       the boundary as triangles
+ *   hardsphere/mesh.h       boundary or smooth surface as triangles
  *   hardsphere/topology.h   the boundary as quad-edges with simple faces, shells, cells, point location (Step 3)
  *   hardsphere/view.h       pieces in painter's order as true arcs (Section 5.1)
  *   hardsphere/picture.h    a view as SVG, EPS or PDF

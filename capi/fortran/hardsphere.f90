@@ -1070,6 +1070,16 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
+    function hsp_mesh_limits_init_surface(limits, struct_size, surface, edge) result(status) &
+      bind(C, name="hsp_mesh_limits_init_surface")
+      import :: c_double, c_int32_t, c_ptr, hsp_mesh_limits
+      type(hsp_mesh_limits), intent(inout) :: limits
+      integer(c_int32_t), value :: struct_size
+      type(c_ptr), value :: surface
+      real(c_double), value :: edge
+      integer(c_int32_t) :: status
+    end function
+
     function hsp_mesh_bytes(limits, bytes) result(status) bind(C, name="hsp_mesh_bytes")
       import :: c_int32_t, c_size_t, hsp_mesh_limits
       type(hsp_mesh_limits), intent(in) :: limits
@@ -1090,6 +1100,16 @@ module hardsphere
       import :: c_double, c_int32_t, c_ptr, hsp_mesh_limits
       type(c_ptr), value :: mesh
       type(c_ptr), value :: boundary
+      real(c_double), value :: edge
+      type(hsp_mesh_limits), intent(inout), optional :: limits
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_mesh_compute_surface(mesh, surface, edge, limits) result(status) &
+      bind(C, name="hsp_mesh_compute_surface")
+      import :: c_double, c_int32_t, c_ptr, hsp_mesh_limits
+      type(c_ptr), value :: mesh
+      type(c_ptr), value :: surface
       real(c_double), value :: edge
       type(hsp_mesh_limits), intent(inout), optional :: limits
       integer(c_int32_t) :: status
@@ -1125,6 +1145,15 @@ module hardsphere
       integer(c_int32_t), intent(inout), optional :: balls(*)       ! triangles; 0-based
       integer(c_int32_t), value :: capacity
       integer(c_int32_t), intent(inout), optional :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_mesh_get_patch(mesh, patch, first, count) result(status) bind(C, name="hsp_mesh_get_patch")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: mesh
+      integer(c_int32_t), value :: patch  ! 0-based
+      integer(c_int32_t), intent(inout) :: first  ! 0-based
+      integer(c_int32_t), intent(inout) :: count
       integer(c_int32_t) :: status
     end function
 

@@ -7,7 +7,10 @@
  * more points.
  *
  * Areas and volumes of a mesh are those of its triangles. They approach those of the surface with the square of the
- * edge's length; hsp_boundary_measure has the exact ones. */
+ * edge's length; hsp_boundary_measure and hsp_surface_measure have the exact ones.
+ *
+ * There are meshes of a boundary, which is the van der Waals surface or with a probe the solvent-accessible one, and of
+ * the smooth surface over it (surface.h). Either way triangles are in the order of their patches. */
 #ifndef HARDSPHERE_MESH_H
 #define HARDSPHERE_MESH_H
 
@@ -26,8 +29,8 @@ typedef struct hsp_mesh hsp_mesh;
 /** The limits that fix a mesh's memory. */
 typedef struct hsp_mesh_limits {
   uint32_t struct_size; /**< sizeof(hsp_mesh_limits) */
-  uint32_t balls;       /**< of the model */
-  uint32_t curves;      /**< arcs and circles of the boundary */
+  uint32_t balls;       /**< of the model; of a smooth surface, balls and vertices of the boundary */
+  uint32_t curves;      /**< arcs and circles of the boundary; of a smooth surface, its edges */
   uint32_t vertices;    /**< of the mesh, with those that finer ones have replaced */
   uint32_t triangles;   /**< of the mesh, with those that finer ones have replaced */
   uint32_t points;      /**< most points of any one sphere while it is triangulated */
@@ -40,6 +43,15 @@ typedef struct hsp_mesh_limits {
  *  @retval HSP_E_STATE       the boundary holds no results, or its model has changed since */
 HSP_API int32_t hsp_mesh_limits_init(hsp_mesh_limits *limits, uint32_t struct_size, const hsp_boundary *boundary,
                                      double edge);
+
+/** The same for a computed smooth surface.
+ *  @retval HSP_E_ARGUMENT    limits or surface is NULL; struct_size is bad; edge is not above 0
+ *  @retval HSP_E_NOT_FINITE  edge is NaN or infinite
+ *  @retval HSP_E_RANGE       there would be more than HSP_MAX_BALLS of something
+ *  @retval HSP_E_STATE       the surface holds no results, or its model or boundary has changed since
+ *  @retval HSP_E_CHECK       the surface has open joints: hsp_surface_counts */
+HSP_API int32_t hsp_mesh_limits_init_surface(hsp_mesh_limits *limits, uint32_t struct_size, const hsp_surface *surface,
+                                             double edge);
 
 /** Bytes that hsp_mesh_init needs.
  *  - Property 1: at most HSP_MESH_BYTES of the five limits.
@@ -79,11 +91,28 @@ HSP_API int32_t hsp_mesh_init(void *memory, size_t bytes, const hsp_mesh_limits 
  *                            touch in a point: no number of points tells them apart */
 HSP_API int32_t hsp_mesh_compute(hsp_mesh *mesh, const hsp_boundary *boundary, double edge, hsp_mesh_limits *limits);
 
+/** Triangles for a computed smooth surface, with edges of about the given length. Everything else is as for a
+ *  boundary, which must outlive the mesh with its model; the surface need not. Without a probe the smooth surface is
+ *  the boundary, and so are its triangles. After hsp_surface_compute_shells they are those of the chosen part alone.
+ *  - Property 1: the triangles are closed surfaces, and the number of vertices less half that of triangles is the sum
+ *    of hsp_surface_shell.euler over the chosen shells, or the status says that there are none.
+ *  - Property 2: the same model, boundary and edge yield the same bytes on every machine.
+ *
+ *  @retval HSP_E_ARGUMENT    mesh or surface is NULL; bad struct_size of limits; edge is not above 0
+ *  @retval HSP_E_NOT_FINITE  edge is NaN or infinite
+ *  @retval HSP_E_RANGE       there would be more than HSP_MAX_BALLS of something
+ *  @retval HSP_E_CAPACITY    a limit is too small; limits, if not NULL, become limits to retry with
+ *  @retval HSP_E_STATE       the surface holds no results, or its model or boundary has changed since
+ *  @retval HSP_E_CHECK       the surface has open joints: hsp_surface_counts; or two borders on one sphere are closer
+ *                            than 1e-9 of its radius along a curve */
+HSP_API int32_t hsp_mesh_compute_surface(hsp_mesh *mesh, const hsp_surface *surface, double edge,
+                                         hsp_mesh_limits *limits);
+
 /** How many of everything. Frozen. */
 typedef struct hsp_mesh_counts {
   uint32_t vertices;  /**< of the triangles */
   uint32_t triangles; /**< of the mesh */
-  uint32_t curves;    /**< arcs and circles of the boundary */
+  uint32_t curves;    /**< arcs and circles of the boundary; edges of the smooth surface */
   uint32_t refined;   /**< of these, those that got more points than their length demands */
 } hsp_mesh_counts;
 
@@ -96,8 +125,8 @@ HSP_API int32_t hsp_mesh_get_counts(const hsp_mesh *mesh, hsp_mesh_counts *count
  *  arrays may be NULL, else it holds capacity >= vertices entries, xyz and normals [capacity][3]; needed may be NULL
  *  and else becomes their number.
  *  normals have length 1 and point outward; on a border, where the patches that meet have one each, it is the direction
- *  of their sum. areas: a third of all triangles around a vertex. balls: the ball that the vertex lies on, in the
- *  caller's order, on a border the first of them.
+ *  of their sum. areas: a third of all triangles around a vertex. balls: in the caller's order, the ball that the
+ *  vertex lies on, on a border of a boundary the first of them; of a smooth surface, as those of triangles.
  *  - Property 1: the areas sum to the area of the mesh, up to rounding.
  *
  *  @retval HSP_E_ARGUMENT  mesh is NULL
@@ -108,13 +137,19 @@ HSP_API int32_t hsp_mesh_get_vertices(const hsp_mesh *mesh, double *xyz, double 
 
 /** The triangles: the numbers of their vertices, and what each belongs to. Each array may be NULL, else it holds
  *  capacity >= triangles entries, corners [capacity][3]; needed may be NULL and else becomes their number. kinds:
- *  HSP_PATCH_CONVEX for all of a boundary. patches: the number of the face. balls: the ball of the patch, in the
- *  caller's order.
+ *  HSP_PATCH_CONVEX for all of a boundary. patches: the number of the face, of a smooth surface that of its patch;
+ *  ascending. balls: in the caller's order, the ball of a convex patch; on a saddle patch the one on whose side of the
+ *  narrowest place the triangle lies; on a concave patch the one that the probe touches nearest to it.
  *  @retval HSP_E_ARGUMENT  mesh is NULL
  *  @retval HSP_E_CAPACITY  an array is given and capacity is too small; nothing but *needed is written
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since */
 HSP_API int32_t hsp_mesh_get_triangles(const hsp_mesh *mesh, uint32_t *corners, uint32_t *kinds, uint32_t *patches,
                                        uint32_t *balls, uint32_t capacity, uint32_t *needed);
+
+/** The triangles of one patch: *first .. *first + *count - 1; *count becomes 0 if it has none.
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since */
+HSP_API int32_t hsp_mesh_get_patch(const hsp_mesh *mesh, uint32_t patch, uint32_t *first, uint32_t *count);
 
 #ifdef __cplusplus
 }

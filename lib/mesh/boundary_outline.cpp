@@ -114,10 +114,14 @@ bool BoundaryOutline::is_too_fine(uint32_t c) const {
 
 void BoundaryOutline::add_border(uint32_t sphere, SphericalPatch &patch) const {
   keep_off_neighbours(balls_, boundary_, sphere, patch);
-  const IdRange faces = boundary_.faces(sphere);
-  for (const uint32_t loop : boundary_.loops(sphere)) {
-    patch.begin_loop(boundary_.face_of_loop(loop) - faces.first);
-    add_loop(sphere, loop, patch);
+  uint32_t number = 0;
+  for (const uint32_t face : boundary_.faces(sphere)) {
+    if (!faces_.has(face)) continue;
+    for (const uint32_t loop : boundary_.loops_of_face(face)) {
+      patch.begin_loop(number);
+      add_loop(sphere, loop, patch);
+    }
+    ++number;
   }
 }
 

@@ -23,10 +23,37 @@ MeshVertex mesh_vertex(const BallSet &balls, const Position &position, const Vec
 // The centres of caps whose circles bound the ball's faces.
 void keep_off_neighbours(const BallSet &balls, const Boundary &boundary, uint32_t ball, SphericalPatch &patch);
 
+// The faces of a boundary that a mesh is made of, numbered on each ball: all, or chosen ones.
+class MeshedFaces {
+ public:
+  // NULL: all.
+  MeshedFaces(const Boundary &boundary, const ChosenFaces *chosen) : boundary_(boundary), chosen_(chosen) {}
+
+  bool has(uint32_t face) const { return chosen_ == nullptr || chosen_->has(face); }
+  bool any(uint32_t ball) const {
+    bool found = false;
+    for (const uint32_t face : boundary_.faces(ball)) found = found || has(face);
+    return found;
+  }
+  // Number k of the ball.
+  uint32_t face(uint32_t ball, uint32_t k) const {
+    if (chosen_ == nullptr) return boundary_.faces(ball).first + k;
+    uint32_t before = 0;
+    for (const uint32_t face : boundary_.faces(ball)) {
+      if (has(face) && before++ == k) return face;
+    }
+    return no_id;
+  }
+
+ private:
+  const Boundary &boundary_;
+  const ChosenFaces *chosen_;
+};
+
 class BoundaryOutline {
  public:
-  BoundaryOutline(const BallSet &balls, const Boundary &boundary, BoundaryCurves &curves)
-      : balls_(balls), boundary_(boundary), curves_(curves) {}
+  BoundaryOutline(const BallSet &balls, const Boundary &boundary, BoundaryCurves &curves, const ChosenFaces *chosen)
+      : balls_(balls), boundary_(boundary), curves_(curves), faces_(boundary, chosen) {}
 
   uint32_t sphere_count() const { return balls_.n; }
   uint32_t corner_count() const { return boundary_.vertex_count(); }
@@ -49,12 +76,12 @@ class BoundaryOutline {
     for (const uint32_t ball : owners) sink(ball);
   }
 
-  bool has_patches(uint32_t sphere) const { return boundary_.is_exposed(sphere); }
+  bool has_patches(uint32_t sphere) const { return faces_.any(sphere); }
   double spacing(uint32_t sphere, double edge) const { return spacing_on(balls_.r[sphere], edge); }
   void add_border(uint32_t sphere, SphericalPatch &patch) const;
   // A point inside a patch.
   MeshVertex inner_vertex(uint32_t sphere, const Vec3 &direction) const;
-  uint32_t patch(uint32_t sphere, uint32_t face) const { return boundary_.faces(sphere).first + face; }
+  uint32_t patch(uint32_t sphere, uint32_t face) const { return faces_.face(sphere, face); }
   PatchKind kind(uint32_t) const { return PatchKind::convex; }
   // Of a triangle with this middle.
   uint32_t ball_at(uint32_t sphere, const double (&)[3]) const { return sphere; }
@@ -70,6 +97,7 @@ class BoundaryOutline {
   const BallSet &balls_;
   const Boundary &boundary_;
   BoundaryCurves &curves_;
+  const MeshedFaces faces_;
 };
 
 }  // namespace hsp

@@ -45,12 +45,12 @@ class Mesh {
   const MeshVertex &vertex(uint32_t v) const { return vertices_[v]; }
   const MeshTriangle &triangle(uint32_t t) const { return triangles_[t]; }
   // They are in the order of their patches.
-  IdRange triangles_of(uint32_t patch) const { return {first_from(patch), first_from(patch + 1)}; }
+  IdRange triangles_of(uint32_t patch) const { return {first_from(patch), first_from(uint64_t{patch} + 1)}; }
 
  private:
   friend class MeshBuilder;
 
-  uint32_t first_from(uint32_t patch) const {
+  uint32_t first_from(uint64_t patch) const {
     uint32_t low = 0;
     uint32_t high = triangle_count();
     while (low < high) {

@@ -27,12 +27,15 @@ void MeshBuilder::carve(Workspace &workspace, const MeshLimits &limits) {
 }
 
 Status MeshBuilder::build(const BallSet &balls, const Boundary &boundary, double edge) {
-  BoundaryOutline outline(balls, boundary, curves_);
+  BoundaryOutline outline(balls, boundary, curves_, nullptr);
   return build_all(outline, edge);
 }
 
 Status MeshBuilder::build(const BallSet &balls, const Boundary &boundary, const Surface &surface, double edge) {
-  if (balls.probe_steps == 0) return build(balls, boundary, edge);
+  if (balls.probe_steps == 0) {
+    BoundaryOutline outline(balls, boundary, curves_, &surface.chosen());
+    return build_all(outline, edge);
+  }
   if (!surface.is_closed()) return Status::check;
   SurfaceOutline outline(balls, boundary, surface, curves_.room());
   return build_all(outline, edge);

@@ -192,7 +192,7 @@ double SurfaceOutline::spacing(uint32_t sphere, double edge) const {
 }
 
 uint32_t SurfaceOutline::patch(uint32_t sphere, uint32_t face) const {
-  if (sphere < balls_.n) return boundary_.faces(sphere).first + face;
+  if (sphere < balls_.n) return faces_.face(sphere, face);
   const uint32_t v = sphere - balls_.n;
   return map_.concave_patch(v, surface_.cut_patches().pieces(v).first + face);
 }
@@ -217,12 +217,14 @@ uint32_t SurfaceOutline::ball_at(uint32_t sphere, const double (&middle)[3]) con
 void SurfaceOutline::add_border(uint32_t sphere, SphericalPatch &patch) const {
   if (sphere < balls_.n) {
     keep_off_neighbours(balls_, boundary_, sphere, patch);
-    const IdRange faces = boundary_.faces(sphere);
-    for (const uint32_t face : faces) {
+    uint32_t number = 0;
+    for (const uint32_t face : boundary_.faces(sphere)) {
+      if (!faces_.has(face)) continue;
       map_.for_each_loop(face, [&](uint32_t loop) {
-        patch.begin_loop(face - faces.first);
+        patch.begin_loop(number);
         add_ball_loop(sphere, loop, patch);
       });
+      ++number;
     }
     return;
   }
@@ -410,6 +412,7 @@ bool SurfaceOutline::add_bands(double length, FixedVector<MeshVertex> &vertices,
     const SaddleBand band = is_arc ? band_of_arc(map_.half_edge_of(k, 1)) : band_of_circle(k - arcs);
     for (uint32_t part = 0; part < band.parts(); ++part) {
       Grid grid = is_arc ? grid_of_arc(k, part, band.has_cusps()) : grid_of_circle(k - arcs, part, band, length);
+      if (!map_.is_chosen(grid.patch)) continue;
       if (2.0 * grid.turns * grid.rows + static_cast<double>(triangles.required()) > max_count) return false;
       add_grid(band, grid, vertices, triangles);
     }

@@ -1,4 +1,4 @@
-// What a mesh asks of the smooth surface (boundary_outline.hpp). Corners and curves are those of SurfaceMap. Convex
+// What a mesh asks of the smooth surface, of the part of it that is measured (boundary_outline.hpp). Corners and curves are those of SurfaceMap. Convex
 // patches lie on balls, concave ones on the probe's sphere at a vertex; on both a patch is triangulated by its outward
 // normals. Saddles are bands of equal numbers of points on opposite edges.
 //
@@ -19,7 +19,12 @@ class SurfaceOutline {
  public:
   // The surface must be closed, and its probe is not 0.
   SurfaceOutline(const BallSet &balls, const Boundary &boundary, const Surface &surface, Span<MeshCurve> curves)
-      : balls_(balls), boundary_(boundary), surface_(surface), map_(balls, boundary, surface), curve_(curves) {}
+      : balls_(balls),
+        boundary_(boundary),
+        surface_(surface),
+        map_(balls, boundary, surface),
+        faces_(boundary, &surface.chosen()),
+        curve_(curves) {}
 
   // Balls, then vertices.
   uint32_t sphere_count() const { return balls_.n + boundary_.vertex_count(); }
@@ -42,7 +47,9 @@ class SurfaceOutline {
     }
   }
 
-  bool has_patches(uint32_t sphere) const { return sphere >= balls_.n || boundary_.is_exposed(sphere); }
+  bool has_patches(uint32_t sphere) const {
+    return sphere < balls_.n ? faces_.any(sphere) : faces_.has(face_at_vertex(boundary_, sphere - balls_.n));
+  }
   double spacing(uint32_t sphere, double edge) const;
   void add_border(uint32_t sphere, SphericalPatch &patch) const;
   MeshVertex inner_vertex(uint32_t sphere, const Vec3 &direction) const;
@@ -83,6 +90,7 @@ class SurfaceOutline {
   const Boundary &boundary_;
   const Surface &surface_;
   const SurfaceMap map_;
+  const MeshedFaces faces_;
   Span<MeshCurve> curve_;
 };
 

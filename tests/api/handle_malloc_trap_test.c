@@ -185,6 +185,18 @@ static int call_mesh(mesh_result *m, void *memory, size_t bytes) {
   return bad;
 }
 
+static int call_surface_mesh(const mesh_result *m, void *memory, size_t bytes) {
+  hsp_mesh *mesh = NULL;
+  hsp_mesh_limits limits;
+  uint32_t first = 0, count = 0;
+  int bad = 0;
+  bad += hsp_mesh_limits_init_surface(&limits, (uint32_t)sizeof limits, m->surface, m->edge) != HSP_OK;
+  bad += hsp_mesh_init(memory, bytes, &m->needed, &mesh) != HSP_OK;
+  bad += hsp_mesh_compute_surface(mesh, m->surface, m->edge, NULL) != HSP_OK;
+  bad += hsp_mesh_get_patch(mesh, 0, &first, &count) != HSP_OK || count == 0;
+  return bad;
+}
+
 static int call_topology(topology_result *t, void *memory, size_t bytes, uint32_t *ids, uint32_t room) {
   const computed *c = t->base;
   hsp_topology *topology = NULL;
@@ -358,6 +370,33 @@ static void trap_mesh(void) {
   computed_release(&c);
 }
 
+static void trap_surface_mesh(void) {
+  static const double xyz[4][3] = {{0, 0, 0}, {1.5, 0, 0}, {2.0, 1.4, 0}, {1.0, 0.7, 1.1}};
+  static const double radius[4] = {1.0, 1.2, 0.9, 1.1};
+  hsp_model_options options;
+  computed c;
+  surface_result s;
+  mesh_result m;
+  CHECK_EQUAL(hsp_model_options_init(&options, (uint32_t)sizeof options), HSP_OK);
+  options.probe = 1.4;
+  CHECK_EQUAL(computed_make(4, xyz[0], radius, &options, &c), HSP_OK);
+  CHECK_EQUAL(surface_result_make(&c, &s), HSP_OK);
+  if (CHECK_EQUAL(mesh_result_make_surface(&s, 0.3, &m), HSP_OK)) {
+    size_t bytes = 0;
+    void *memory;
+    int bad;
+    CHECK_EQUAL(hsp_mesh_bytes(&m.needed, &bytes), HSP_OK);
+    memory = test_zeros(bytes, 1);
+    arm();
+    bad = call_surface_mesh(&m, memory, bytes);
+    disarm(bad);
+    free(memory);
+  }
+  mesh_result_release(&m);
+  surface_result_release(&s);
+  computed_release(&c);
+}
+
 static void trap_view(const computed *c, uint32_t pieces) {
   hsp_view_options options;
   view_result v;
@@ -386,6 +425,7 @@ int main(void) {
   uint32_t which;
   check_trap();
   trap_mesh();
+  trap_surface_mesh();
   for (which = 0; which < ball_set_count(); ++which) {
     ball_set_make(which, &set);
     if (set.n == 0) continue;

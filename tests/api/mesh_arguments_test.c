@@ -6,12 +6,14 @@
 #include "check.h"
 #include "untouched.h"
 
-enum { BALLS = THREE_BALLS, CURVES = 8, VERTICES = 600, TRIANGLES = 1200, POINTS = 300 };
+enum { BALLS = THREE_BALLS, SPHERES = BALLS + 4, CURVES = 32, VERTICES = 600, TRIANGLES = 1200, POINTS = 300 };
 static unsigned char model_memory[HSP_MODEL_BYTES(BALLS)];
 static unsigned char boundary_memory[HSP_BOUNDARY_BYTES(BALLS, BALLS, 16, 16)];
-static unsigned char mesh_memory[HSP_MESH_BYTES(BALLS, CURVES, VERTICES, TRIANGLES, POINTS)];
+static unsigned char surface_memory[HSP_SURFACE_BYTES(16, 16, 16, 16, 64, 16)];
+static unsigned char mesh_memory[HSP_MESH_BYTES(SPHERES, CURVES, VERTICES, TRIANGLES, POINTS)];
 static hsp_model *model;
 static hsp_boundary *boundary;
+static hsp_surface *surface;
 static hsp_mesh *mesh;
 static double edge; /* less than half the first ball's radius */
 
@@ -57,6 +59,7 @@ static void check_all_readers(const hsp_mesh *which, int32_t status) {
   CHECK_EQUAL(hsp_mesh_get_triangles(which, corners, kinds, patches, balls, TRIANGLES, &needed), status);
   CHECK_EQUAL(hsp_mesh_get_vertices(which, NULL, NULL, NULL, NULL, 0, NULL), status);
   CHECK_EQUAL(hsp_mesh_get_triangles(which, NULL, NULL, NULL, NULL, 0, NULL), status);
+  CHECK_EQUAL(hsp_mesh_get_patch(which, 0, &needed, &needed), status);
   check_arrays_untouched();
   CHECK_UNTOUCHED(needed);
 }
@@ -71,12 +74,15 @@ static void check_has_results(void) {
 }
 
 static void set_balls(void) {
-  CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
+  hsp_model_options options;
+  CHECK_EQUAL(hsp_model_options_init(&options, (uint32_t)sizeof options), HSP_OK);
+  options.probe = 0.5 * three_balls_radius[0];
+  CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, three_balls_radius, &options, NULL), HSP_OK);
   edge = 0.4 * three_balls_radius[0];
 }
 
 static hsp_mesh_limits good_limits(void) {
-  const hsp_mesh_limits good = {(uint32_t)sizeof good, BALLS, CURVES, VERTICES, TRIANGLES, POINTS};
+  const hsp_mesh_limits good = {(uint32_t)sizeof good, SPHERES, CURVES, VERTICES, TRIANGLES, POINTS};
   return good;
 }
 
@@ -133,6 +139,48 @@ static void defaults(void) {
   check_arrays_untouched();
   CHECK_EQUAL(hsp_mesh_limits_init(&limits, size, boundary, edge), HSP_OK);
   CHECK(limits.struct_size == size && limits.balls == BALLS && limits.vertices > 20);
+}
+
+static void surface_defaults(void) {
+  const uint32_t size = (uint32_t)sizeof limits;
+  fill_outputs();
+  CHECK_EQUAL(hsp_mesh_limits_init_surface(NULL, size, surface, edge), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_mesh_limits_init_surface(&limits, 8, surface, edge), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_mesh_limits_init_surface(&limits, size, NULL, edge), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_mesh_limits_init_surface(&limits, size, surface, edge), HSP_E_STATE);
+  CHECK_EQUAL(hsp_surface_compute(surface, boundary, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_mesh_limits_init_surface(&limits, size, surface, 0.0), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_mesh_limits_init_surface(&limits, size, surface, (double)NAN), HSP_E_NOT_FINITE);
+  CHECK_EQUAL(hsp_mesh_limits_init_surface(&limits, size, surface, 1e-6 * edge), HSP_E_RANGE);
+  CHECK_EQUAL(hsp_mesh_limits_init_surface(&limits, size, surface, 1e-300), HSP_E_RANGE);
+  check_arrays_untouched();
+  CHECK_EQUAL(hsp_mesh_limits_init_surface(&limits, size, surface, edge), HSP_OK);
+  CHECK(limits.struct_size == size && limits.balls > BALLS && limits.vertices > 20);
+}
+
+static void computing_surface(void) {
+  hsp_mesh_limits asked = good_limits();
+  uint32_t first = 0, count = 0;
+  CHECK_EQUAL(hsp_mesh_compute_surface(NULL, surface, edge, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_mesh_compute_surface(mesh, NULL, edge, NULL), HSP_E_ARGUMENT);
+  check_all_readers(mesh, HSP_E_STATE);
+  CHECK_EQUAL(hsp_mesh_compute_surface(mesh, surface, edge, &asked), HSP_OK);
+  check_has_results();
+  CHECK_EQUAL(hsp_mesh_get_patch(mesh, 0, NULL, &count), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_mesh_get_patch(mesh, 0, &first, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_mesh_get_patch(mesh, 0, &first, &count), HSP_OK);
+  CHECK(first == 0 && count > 0);
+  CHECK_EQUAL(hsp_mesh_get_patch(mesh, HSP_NONE, &first, &count), HSP_OK);
+  CHECK_EQUAL(count, 0);
+  asked.struct_size = 4;
+  CHECK_EQUAL(hsp_mesh_compute_surface(mesh, surface, edge, &asked), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_mesh_compute_surface(mesh, surface, 0.0, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_mesh_compute_surface(mesh, surface, (double)NAN, NULL), HSP_E_NOT_FINITE);
+  CHECK_EQUAL(hsp_mesh_compute_surface(mesh, surface, 1e-300, NULL), HSP_E_RANGE);
+  CHECK_EQUAL(hsp_mesh_compute_surface(mesh, surface, edge / 32, NULL), HSP_E_CAPACITY);
+  check_all_readers(mesh, HSP_E_STATE);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_mesh_compute_surface(mesh, surface, edge, NULL), HSP_E_STATE);
 }
 
 static void computing(void) {
@@ -195,13 +243,19 @@ static void changes(void) {
 }
 
 int main(void) {
+  const hsp_surface_limits of_surface = {(uint32_t)sizeof of_surface, 16, 16, 16, 16, 64, 16};
   const hsp_boundary_limits of_boundary = {(uint32_t)sizeof of_boundary, BALLS, BALLS, 16, 16, 0};
   CHECK_EQUAL(hsp_model_init(model_memory, sizeof model_memory, BALLS, &model), HSP_OK);
   CHECK_EQUAL(hsp_boundary_init(boundary_memory, sizeof boundary_memory, &of_boundary, &boundary), HSP_OK);
+  CHECK_EQUAL(hsp_surface_init(surface_memory, sizeof surface_memory, &of_surface, &surface), HSP_OK);
   set_balls();
   refused_limits();
   defaults();
   computing();
+  surface_defaults();
+  computing_surface();
+  CHECK_EQUAL(hsp_mesh_compute(mesh, boundary, edge, NULL), HSP_OK);
+  check_has_results();
   capacities();
   changes();
   return check_report();

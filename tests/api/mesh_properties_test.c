@@ -1,5 +1,6 @@
-/* What the header promises of every mesh, on all sets of the interface tests with several probes: a closed surface with
- * the boundary's own Euler characteristic, vertices on their balls, areas and volumes that approach the exact ones. */
+/* What the header promises of every mesh, of boundaries and of smooth surfaces, on all sets of the interface tests with
+ * several probes: a closed surface with the Euler characteristic of what it is made from, vertices on their balls,
+ * areas and volumes that approach the exact ones. */
 #include <hardsphere.h>
 #include <math.h>
 #include <stdio.h>
@@ -92,39 +93,139 @@ static void sizes(void) {
   sweep_sizes(&mesh_handle, &bound, values, sizeof values / sizeof values[0]);
 }
 
-static uint32_t meshes, refused;
+static uint32_t meshes, refused, surfaces, open;
+
+static void check_closed(const ball_set *set, const mesh_result *m, int64_t euler) {
+  const known_handle known = {&mesh_handle, m, &m->needed, same_results, no_results, NULL};
+  const char *const fault = mesh_fault(m);
+  if (fault != NULL) printf("%s: %s\n", set->name, fault);
+  CHECK(fault == NULL);
+  CHECK_EQUAL((int64_t)m->counts.vertices - (int64_t)m->counts.triangles / 2, euler);
+  CHECK(m->enlargements <= 20);
+  if (set->n <= 6 && m->counts.vertices < 150) sweep_limits(&known, set->name);
+  if (set->n == 4 && m->counts.vertices < 300) sweep_alignments(&known, NULL);
+}
+
+static void check_boundary(const ball_set *set, const computed *c, double edge) {
+  mesh_result m;
+  const int32_t status = mesh_result_make(c, edge, &m);
+  ++meshes;
+  if (status == HSP_E_CHECK) {
+    ++refused;
+  } else if (CHECK_EQUAL(status, HSP_OK)) {
+    check_closed(set, &m, c->counts.euler);
+    check_positions(&m);
+    check_triangles(&m);
+  }
+  mesh_result_release(&m);
+}
+
+static int64_t euler_of_shells(const hsp_surface *surface) {
+  hsp_surface_map_counts map;
+  int64_t sum = 0;
+  uint32_t shells = 0, s;
+  hsp_surface_shell *shell;
+  CHECK_EQUAL(hsp_surface_get_map_counts(surface, &map), HSP_OK);
+  shell = test_zeros(map.shells, sizeof *shell);
+  CHECK_EQUAL(hsp_surface_get_shells(surface, shell, map.shells, &shells), HSP_OK);
+  for (s = 0; s < shells; ++s) sum += shell[s].euler;
+  free(shell);
+  return sum;
+}
+
+/* The triangles of every patch are one range, of its kind and of the balls that its probes touch, and together they
+ * come near its area. */
+static void check_patches(const surface_result *s, const mesh_result *m) {
+  hsp_surface_map_counts map;
+  uint32_t p, t, next = 0;
+  CHECK_EQUAL(hsp_surface_get_map_counts(s->surface, &map), HSP_OK);
+  for (p = 0; p < map.patches; ++p) {
+    hsp_surface_patch patch;
+    uint32_t first = HSP_NONE, count = HSP_NONE;
+    CHECK_EQUAL(hsp_surface_get_patches(s->surface, p, 1, &patch), HSP_OK);
+    CHECK_EQUAL(hsp_mesh_get_patch(m->mesh, p, &first, &count), HSP_OK);
+    if (!CHECK(first == next && count <= m->counts.triangles - first)) return;
+    for (t = first; t < first + count; ++t) {
+      CHECK_EQUAL(m->patches[t], p);
+      CHECK_EQUAL(m->kinds[t], patch.kind);
+      CHECK(m->balls[t] < s->base->n);
+      if (patch.kind == HSP_PATCH_CONVEX) CHECK_EQUAL(m->balls[t], s->base->faces[patch.source].ball);
+      if (patch.kind == HSP_PATCH_CONCAVE) {
+        const uint32_t *const ball = s->base->vertices[patch.source].ball;
+        CHECK(m->balls[t] == ball[0] || m->balls[t] == ball[1] || m->balls[t] == ball[2]);
+      }
+    }
+    next = first + count;
+  }
+  CHECK_EQUAL(next, m->counts.triangles);
+}
+
+static void check_surface(const ball_set *set, const computed *c, double probe, double edge) {
+  surface_result s;
+  if (CHECK_EQUAL(surface_result_make(c, &s), HSP_OK)) {
+    mesh_result m;
+    const int32_t status = mesh_result_make_surface(&s, edge, &m);
+    ++surfaces;
+    if (s.counts.open_joints > 0) {
+      hsp_mesh_limits limits;
+      ++open;
+      CHECK_EQUAL(status, HSP_E_CHECK);
+      CHECK_EQUAL(hsp_mesh_limits_init_surface(&limits, (uint32_t)sizeof limits, s.surface, edge), HSP_E_CHECK);
+    } else if (status == HSP_E_CHECK) {
+      ++refused;
+    } else if (CHECK_EQUAL(status, HSP_OK)) {
+      check_closed(set, &m, probe > 0.0 ? euler_of_shells(s.surface) : c->counts.euler);
+      if (probe > 0.0) check_patches(&s, &m);
+    }
+    mesh_result_release(&m);
+  }
+  surface_result_release(&s);
+}
 
 static void check_set(const ball_set *set, double probe) {
   const hsp_model_options options = options_of(probe);
   computed c;
-  mesh_result m;
   double largest = 0.0;
   uint32_t i;
-  int32_t status;
   check_scene("%s, probe %g", set->name, probe);
   if (!CHECK_EQUAL(computed_make(set->n, set->xyz, set->radius, &options, &c), HSP_OK)) return;
-  ++meshes;
   for (i = 0; i < c.n; ++i) largest = c.radius[i] > largest ? c.radius[i] : largest;
-  status = mesh_result_make(&c, largest > 0.0 ? 0.4 * largest : 1.0, &m);
-  if (status == HSP_E_CHECK) {
-    ++refused;
-  } else if (CHECK_EQUAL(status, HSP_OK)) {
-    const known_handle known = {&mesh_handle, &m, &m.needed, same_results, no_results, NULL};
-    const char *const fault = mesh_fault(&m);
-    if (fault != NULL) printf("%s: %s\n", set->name, fault);
-    CHECK(fault == NULL);
-    CHECK_EQUAL((int64_t)m.counts.vertices - (int64_t)m.counts.triangles / 2, c.counts.euler);
-    CHECK(m.enlargements <= 20);
-    check_positions(&m);
-    check_triangles(&m);
-    if (set->n <= 6 && m.counts.vertices < 600) sweep_limits(&known, set->name);
-    if (set->n > 3 && set->n < 6) sweep_alignments(&known, NULL);
-  }
-  mesh_result_release(&m);
+  check_boundary(set, &c, largest > 0.0 ? largest : 1.0);
+  check_surface(set, &c, probe, largest > 0.0 ? largest : 1.0);
   computed_release(&c);
 }
 
-/* Half the edge, a quarter of the error. */
+/* Half the edge, a quarter of the error: of the boundary, and of the smooth surface of the same balls. */
+static void check_quarters(const double *error) {
+  CHECK(error[0] > 3.0 * error[1] && error[0] < 6.0 * error[1]);
+  CHECK(error[1] > 3.0 * error[2] && error[1] < 6.0 * error[2]);
+}
+
+static void surface_converges(void) {
+  static const double xyz[4][3] = {{0, 0, 0}, {2.5, 0, 0}, {2.9, 2.4, 0}, {-1.0, 4.0, 0.3}};
+  static const double radius[4] = {1.0, 1.2, 0.9, 0.8};
+  const double origin[3] = {0.0, 0.0, 0.0};
+  const hsp_model_options options = options_of(1.4);
+  double area[3], volume[3];
+  computed c;
+  surface_result s;
+  int k;
+  check_scene("convergence of the smooth surface");
+  CHECK_EQUAL(computed_make(4, xyz[0], radius, &options, &c), HSP_OK);
+  CHECK_EQUAL(surface_result_make(&c, &s), HSP_OK);
+  for (k = 0; k < 3; ++k) {
+    mesh_result m;
+    CHECK_EQUAL(mesh_result_make_surface(&s, 0.2 / (1 << k), &m), HSP_OK);
+    area[k] = s.totals.area - mesh_area(&m);
+    volume[k] = s.totals.volume - mesh_volume(&m, origin);
+    mesh_result_release(&m);
+  }
+  check_quarters(area);
+  check_quarters(volume);
+  surface_result_release(&s);
+  computed_release(&c);
+}
+
 static void converges(void) {
   static const double xyz[5][3] = {{0, 0, 0}, {1.5, 0, 0}, {2.0, 1.4, 0}, {1.0, 0.7, 1.1}, {-1.0, 0.9, 0.3}};
   static const double radius[5] = {1.0, 1.2, 0.9, 1.1, 0.8};
@@ -141,29 +242,19 @@ static void converges(void) {
     volume[k] = c.totals.volume - mesh_volume(&m, origin);
     mesh_result_release(&m);
   }
-  for (k = 0; k < 2; ++k) {
-    CHECK(area[k] > 3.0 * area[k + 1] && area[k] < 6.0 * area[k + 1]);
-    CHECK(volume[k] > 3.0 * volume[k + 1] && volume[k] < 6.0 * volume[k + 1]);
-  }
+  check_quarters(area);
+  check_quarters(volume);
   computed_release(&c);
 }
 
 int main(void) {
   static const double probes[] = {0.0, 0.25, 1.5};
-  static ball_set set;
-  uint32_t which, k;
   sizes();
-  for (k = 0; k < sizeof probes / sizeof probes[0]; ++k) {
-    for (which = 0; which < ball_set_count(); ++which) {
-      ball_set_make(which, &set);
-      check_set(&set, probes[k]);
-    }
-    for (which = 0; which < topology_set_count(); ++which) {
-      topology_set_make(which, &set);
-      check_set(&set, probes[k]);
-    }
-  }
+  sets_with_probes(probes, (uint32_t)(sizeof probes / sizeof probes[0]), check_set);
   converges();
-  CHECK(50 * refused <= meshes);
+  surface_converges();
+  printf("%u meshes, %u surfaces of which %u open, %u refused\n", meshes, surfaces, open, refused);
+  CHECK(50 * refused <= meshes + surfaces);
+  CHECK(10 * open <= 3 * surfaces);
   return check_report();
 }

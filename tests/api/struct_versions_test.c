@@ -96,6 +96,11 @@ static int32_t write_surface_limits(void *out, uint32_t size) {
 static int32_t write_mesh_limits(void *out, uint32_t size) {
   return hsp_mesh_limits_init(out, size, h.boundary, 1.0);
 }
+static int32_t write_surface_mesh_limits(void *out, uint32_t size) {
+  CHECK_EQUAL(hsp_boundary_compute(h.boundary, h.model, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_surface_compute(surface, h.boundary, NULL), HSP_OK);
+  return hsp_mesh_limits_init_surface(out, size, surface, 1.0);
+}
 static int32_t write_topology_limits(void *out, uint32_t size) {
   return hsp_topology_limits_init(out, size, h.boundary);
 }
@@ -155,7 +160,7 @@ static const struct versioned {
      sizeof(hsp_mesh_limits),
      sizeof(hsp_mesh_limits),
      read_mesh_limits,
-     {write_mesh_limits, return_mesh_limits, NULL}},
+     {write_mesh_limits, return_mesh_limits, write_surface_mesh_limits}},
     {"hsp_topology_limits",
      sizeof(hsp_topology_limits),
      sizeof(hsp_topology_limits),

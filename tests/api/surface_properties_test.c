@@ -324,20 +324,9 @@ static void check_set(const ball_set *set, double probe) {
 
 int main(void) {
   static const double probes[] = {0.0, 0.25, 1.5, 4.0};
-  static ball_set set;
-  uint32_t which, k;
   size_t i;
   for (i = 0; i < sizeof known_surfaces / sizeof known_surfaces[0]; ++i) check_known(&known_surfaces[i]);
   sizes();
-  for (k = 0; k < sizeof probes / sizeof probes[0]; ++k) {
-    for (which = 0; which < ball_set_count(); ++which) {
-      ball_set_make(which, &set);
-      check_set(&set, probes[k]);
-    }
-    for (which = 0; which < topology_set_count(); ++which) {
-      topology_set_make(which, &set);
-      check_set(&set, probes[k]);
-    }
-  }
+  sets_with_probes(probes, (uint32_t)(sizeof probes / sizeof probes[0]), check_set);
   return check_report();
 }

@@ -8,7 +8,8 @@ HANDLE_FUNCTIONS(mesh)
 
 static int32_t compute_handle(void *handle, const void *source, void *limits) {
   const mesh_result *m = source;
-  return hsp_mesh_compute(handle, m->base->boundary, m->edge, limits);
+  return m->surface == NULL ? hsp_mesh_compute(handle, m->base->boundary, m->edge, limits)
+                            : hsp_mesh_compute_surface(handle, m->surface, m->edge, limits);
 }
 
 const handle_kind mesh_handle = {(uint32_t)sizeof(hsp_mesh_limits),
@@ -20,12 +21,13 @@ const handle_kind mesh_handle = {(uint32_t)sizeof(hsp_mesh_limits),
                                  compute_handle,
                                  17};
 
-int32_t mesh_result_make(const computed *base, double edge, mesh_result *m) {
+static int32_t make(const computed *base, const hsp_surface *surface, double edge, mesh_result *m) {
   void *mesh = NULL;
   uint32_t vertices = 0, triangles = 0;
   int32_t status;
   memset(m, 0, sizeof *m);
   m->base = base;
+  m->surface = surface;
   m->edge = edge;
   status = grow_until_computed(&mesh_handle, m, base->n, &m->memory, &mesh, &m->needed, &m->enlargements);
   m->mesh = mesh;
@@ -47,6 +49,14 @@ int32_t mesh_result_make(const computed *base, double edge, mesh_result *m) {
     status = hsp_mesh_get_triangles(m->mesh, m->corners[0], m->kinds, m->patches, m->balls, triangles, &triangles);
   }
   return status;
+}
+
+int32_t mesh_result_make(const computed *base, double edge, mesh_result *m) {
+  return make(base, NULL, edge, m);
+}
+
+int32_t mesh_result_make_surface(const surface_result *base, double edge, mesh_result *m) {
+  return make(base->base, base->surface, edge, m);
 }
 
 void mesh_result_release(mesh_result *m) {

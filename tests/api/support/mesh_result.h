@@ -1,14 +1,15 @@
-/* The triangles of a computed boundary, in memory of their own, and whether they are a closed surface. */
+/* The triangles of a computed boundary or smooth surface, in memory of their own, and whether they are closed. */
 #pragma once
 
-#include "computed.h"
+#include "surface_result.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
 typedef struct mesh_result {
-  const computed *base; /* what it was computed from; must outlive it */
+  const computed *base;       /* what it was computed from; must outlive it */
+  const hsp_surface *surface; /* over that; NULL if the triangles are the boundary's */
   double edge;
   void *memory;
   hsp_mesh *mesh;
@@ -23,10 +24,11 @@ typedef struct mesh_result {
 /* Computes and reads everything. The first status that is not HSP_OK, or HSP_OK. To be followed by
  * mesh_result_release in either case. */
 int32_t mesh_result_make(const computed *base, double edge, mesh_result *result);
+int32_t mesh_result_make_surface(const surface_result *base, double edge, mesh_result *result);
 
 void mesh_result_release(mesh_result *result);
 
-/* How such handles are made; they are computed from a `mesh_result`, which needs but its base and edge. */
+/* How such handles are made; they are computed from a `mesh_result`, which needs but its base, surface and edge. */
 extern const handle_kind mesh_handle;
 
 /* What is wrong with a closed, oriented surface of these triangles: an edge that is not in two of them in opposite

@@ -206,3 +206,18 @@ void topology_set_make(uint32_t which, ball_set *set) {
     catalogue[which - ball_set_count()](set);
   }
 }
+
+void sets_with_probes(const double *probes, uint32_t count, void (*check)(const ball_set *set, double probe)) {
+  static ball_set set;
+  uint32_t which, k;
+  for (k = 0; k < count; ++k) {
+    for (which = 0; which < ball_set_count(); ++which) {
+      ball_set_make(which, &set);
+      check(&set, probes[k]);
+    }
+    for (which = 0; which < topology_set_count(); ++which) {
+      topology_set_make(which, &set);
+      check(&set, probes[k]);
+    }
+  }
+}

@@ -9,6 +9,9 @@ uint32_t topology_set_count(void);
 /* Set number `which`, always the same. */
 void topology_set_make(uint32_t which, ball_set *set);
 
+/* Calls check(set, probe) for all sets of ball_sets.h and these, with each of the probes. */
+void sets_with_probes(const double *probes, uint32_t count, void (*check)(const ball_set *set, double probe));
+
 /* ---- sets with a known topology, by name ---- */
 
 /* Hollow walls of spacing 64, 8 and 1 about the origin, in this order, and a ball of radius 1/8 in the middle. */
