@@ -1,6 +1,6 @@
-// What a mesh asks of the smooth surface, of the part of it that is measured (boundary_outline.hpp). Corners and curves are those of SurfaceMap. Convex
-// patches lie on balls, concave ones on the probe's sphere at a vertex; on both a patch is triangulated by its outward
-// normals. Saddles are bands of equal numbers of points on opposite edges.
+// What a mesh asks of the smooth surface, of the part of it that is measured (boundary_outline.hpp). Corners and curves
+// are those of SurfaceMap. Convex patches lie on balls, concave ones on the probe's sphere at a vertex; on both a patch
+// is triangulated by its outward normals. Saddles are bands of equal numbers of points on opposite edges.
 //
 // No two patches join the same points twice but along a shared edge: bands join neighbours alone, patches on balls
 // share no two points of theirs with others but along an edge, and pieces at vertices share their creases' points.

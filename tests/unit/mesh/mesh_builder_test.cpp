@@ -189,6 +189,32 @@ TEST(MeshBuilder, OpenSurfacesAreRefused) {
   EXPECT_EQ(builder.build(built.balls(), built.boundary(), built.surface(), 500.0), hsp::Status::check);
 }
 
+// A void in an octahedron: probes outside and inside overlap, and cusps are corners of both surfaces. With the shells
+// chosen one by one each is a sphere, also without a probe.
+TEST(MeshBuilder, ChosenShells) {
+  for (const double probe : {0.0, 2200.0}) {
+    support::BallList six;
+    for (const double at : {-3400.0, 3400.0}) {
+      six.add(at, 0.0, 0.0, 3100.0 - probe);
+      six.add(0.0, at, 0.0, 3100.0 - probe);
+      six.add(0.0, 0.0, at, 3100.0 - probe);
+    }
+    BuiltSurface built(six, probe);
+    ASSERT_EQ(built.status(), hsp::Status::ok);
+    ASSERT_EQ(built.boundary().shell_count(), 2U);
+    for (uint32_t shell = 0; shell < 2; ++shell) {
+      ASSERT_EQ(built.choose({shell}), hsp::Status::ok);
+      ASSERT_TRUE(built.surface().is_closed());
+      EXPECT_EQ(built.surface().cusped_circles().count() > 0, probe > 0.0);
+      const BuiltMesh mesh(100.0, built.balls(), built.boundary(), built.surface());
+      ASSERT_EQ(mesh.status(), hsp::Status::ok);
+      EXPECT_TRUE(mesh.is_closed());
+      EXPECT_EQ(mesh.euler(), 2);
+      EXPECT_NEAR(mesh.area(), built.total().area(), 0.02 * built.total().area());
+    }
+  }
+}
+
 // Without a probe the smooth surface is the boundary.
 TEST(MeshBuilder, WithoutAProbe) {
   oracle::RandomSource random(5);

@@ -21,6 +21,16 @@ class BuiltSurface {
                     this->balls(), found);
   }
 
+  // Again, of some shells of the boundary alone.
+  hsp::Status choose(const std::vector<uint32_t> &shells) {
+    const hsp::Boundary &found = boundary();
+    const hsp::Span<const uint32_t> chosen(shells.data(), static_cast<uint32_t>(shells.size()));
+    status_ = build(surface_memory_, surface_,
+                    hsp::default_surface_limits(found.vertex_count(), found.face_count(), found.circle_count()),
+                    balls(), found, chosen);
+    return status_;
+  }
+
   hsp::Status status() const { return status_; }
   const hsp::CubeGrid &grid() const { return built_.grid(); }
   const hsp::BallSet &balls() const { return grid().balls(); }
