@@ -24,6 +24,12 @@ class DisjointSets {
   }
   // Whether the root is k's parent: then they are in one set.
   bool has_parent(uint32_t k, uint32_t root) const { return parent_[k] == root; }
+  // Of numbers k[first .. last - 1] the place of the first one whose parent is not the root; last if there is none.
+  uint32_t first_elsewhere(const uint32_t *k, uint32_t first, uint32_t last, uint32_t root) const {
+    const uint32_t *const parent = parent_.data();
+    while (first < last && parent[k[first]] == root) ++first;
+    return first;
+  }
   // The root without path halving, for shared reading.
   uint32_t root(uint32_t k) const {
     while (parent_[k] != k) k = parent_[k];

@@ -32,9 +32,9 @@ void add_candidates(CandidateBlock &block, const BallArrays &balls, uint32_t fir
 // Puts candidates that meet nothing behind the last one.
 void end_candidates(CandidateBlock &block);
 
-// The ids of the candidates number first .. last - 1 that are not certainly disjoint from candidate `own`. Returns
-// their number, or a larger one than `most` if they are more. Room for most + spare_ids.
-uint32_t near_candidates(const CandidateBlock &block, uint32_t own, uint32_t first, uint32_t last, uint32_t *near,
-                         uint32_t most);
+// The ids of the other candidates that are not certainly disjoint from candidate `own`, as they stand in the block, of
+// which `earlier` stand before it. Returns their number, or a larger one than `most` if they are more. Room for most +
+// spare_ids.
+uint32_t near_candidates(const CandidateBlock &block, uint32_t own, uint32_t *near, uint32_t most, uint32_t &earlier);
 
 }  // namespace hsp

@@ -38,21 +38,35 @@ void end_candidates(CandidateBlock &block) {
   zero.store(block.r + block.count);
 }
 
-uint32_t near_candidates(const CandidateBlock &block, uint32_t own, uint32_t first, uint32_t last, uint32_t *near,
-                         uint32_t most) {
-  const Floats x = Floats::all_of(block.x + own), y = Floats::all_of(block.y + own), z = Floats::all_of(block.z + own),
-               r = Floats::all_of(block.r + own);
+uint32_t near_candidates(const CandidateBlock &block, uint32_t own, uint32_t *near, uint32_t most, uint32_t &earlier) {
+  const float *const xs = block.x, *const ys = block.y, *const zs = block.z, *const rs = block.r;
+  const uint32_t *const ids = block.ball;
+  const Floats x = Floats::all_of(xs + own), y = Floats::all_of(ys + own), z = Floats::all_of(zs + own),
+               r = Floats::all_of(rs + own);
   const Floats margin = Floats::all(block.margin);
   uint32_t found = 0;
-  for (uint32_t c = first; c < last; c += 8) {
-    const Floats dx = Floats::load(block.x + c) - x, dy = Floats::load(block.y + c) - y,
-                 dz = Floats::load(block.z + c) - z, sum = Floats::load(block.r + c) + r;
-    const Floats excess = fused(dx, dx, fused(dy, dy, minus_fused(sum, sum, dz * dz)));
-    const LaneBits chosen = not_less(margin, excess) & first_lanes(last - c);
-    store_front(near + found, Integers::load(block.ball + c), FrontOrder::of_eight(chosen));
+  const auto near_lanes = [=](uint32_t c) {
+    const Floats dx = Floats::load(xs + c) - x, dy = Floats::load(ys + c) - y, dz = Floats::load(zs + c) - z,
+                 sum = Floats::load(rs + c) + r;
+    return not_less(margin, fused(dx, dx, fused(dy, dy, minus_fused(sum, sum, dz * dz))));
+  };
+  const auto keep = [&](uint32_t c, LaneBits chosen) {
+    store_front(near + found, Integers::load(ids + c), FrontOrder::of_eight(chosen));
     found += ones(chosen);
-    if (found > most) return found;
-  }
+  };
+  // What stands behind the last one is near to nothing.
+  const auto keep_near = [&](uint32_t first, uint32_t last) {
+    for (uint32_t c = first; c < last && found <= most; c += 8) keep(c, near_lanes(c));
+  };
+  const uint32_t with_own = own & ~7U;
+  keep_near(0, with_own);
+  earlier = found;
+  if (found > most) return found;
+  const LaneBits own_lane = 1U << (own - with_own);
+  const LaneBits chosen = near_lanes(with_own) & ~own_lane;
+  keep(with_own, chosen);
+  earlier += ones(chosen & (own_lane - 1U));
+  keep_near(with_own + 8, block.count);
   return found;
 }
 

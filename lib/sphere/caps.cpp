@@ -27,6 +27,10 @@ class Caps::Joining {
     components_->join(i_, j);
     root_ = components_->find(i_);
   }
+  void join_all(const uint32_t *balls, uint32_t first, uint32_t last) {
+    if (components_ == nullptr) return;
+    while ((first = components_->first_elsewhere(balls, first, last, root_)) < last) join(balls[first++]);
+  }
 
  private:
   DisjointSets *components_;
@@ -129,7 +133,7 @@ void Caps::take_circles(const BallSet &balls, uint32_t i, uint32_t n, uint32_t n
   first_later = n_earlier;
   doubles_made_ = false;
   Joining joining(i, components);
-  for (uint32_t k = first_later; k < count; ++k) joining.join(ball[k]);
+  joining.join_all(ball.data(), first_later, count);
 }
 
 void Caps::make_doubles() {

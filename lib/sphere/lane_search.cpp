@@ -80,14 +80,11 @@ bool LaneSearch::start_cube(const CubeGrid &grid, uint32_t cube, const CubeBlock
 bool LaneSearch::gather(const BallSet &balls, uint32_t i, Caps &caps, DisjointSets *components) {
   const uint32_t place = own_place_ + (i - first_own_);
   uint32_t *const near = caps.ball.data();
-  const uint32_t most = caps.capacity();
-  const uint32_t earlier = near_candidates(candidates_, place, 0, place, near, most);
-  if (earlier > most) return false;
-  const uint32_t later =
-      near_candidates(candidates_, place, place + 1, candidates_.count, near + earlier, most - earlier);
-  if (later > most - earlier) return false;
-  if (!make_float_caps(arrays_of(balls), i, near, earlier + later, sweep_.caps)) return false;
-  caps.take_circles(balls, i, earlier + later, earlier, components);
+  uint32_t earlier = 0;
+  const uint32_t found = near_candidates(candidates_, place, near, caps.capacity(), earlier);
+  if (found > caps.capacity()) return false;
+  if (!make_float_caps(arrays_of(balls), i, near, found, sweep_.caps)) return false;
+  caps.take_circles(balls, i, found, earlier, components);
   return true;
 }
 

@@ -46,7 +46,19 @@ inline uint32_t joins_that_change_nothing() {
   return first_false(conditions);
 }
 
+// Places of numbers, not numbers; the last one is not looked at.
+inline uint32_t first_with_another_parent() {
+  uint32_t parent[5] = {0, 1, 1, 0, 1};
+  const hsp::DisjointSets sets(hsp::Span<uint32_t>(parent, 5));
+  const uint32_t numbers[] = {2, 4, 3, 1, 0};
+  const bool conditions[] = {sets.first_elsewhere(numbers, 0, 5, 1) == 2, sets.first_elsewhere(numbers, 2, 5, 1) == 2,
+                             sets.first_elsewhere(numbers, 3, 5, 1) == 4, sets.first_elsewhere(numbers, 3, 4, 1) == 4,
+                             sets.first_elsewhere(numbers, 5, 5, 1) == 5};
+  return first_false(conditions);
+}
+
 inline constexpr Check core_disjoint_sets[] = {{"smaller_numbers_represent", smaller_numbers_represent},
-                                               {"joins_that_change_nothing", joins_that_change_nothing}};
+                                               {"joins_that_change_nothing", joins_that_change_nothing},
+                                               {"first_with_another_parent", first_with_another_parent}};
 
 }  // namespace cases

@@ -96,27 +96,34 @@ TEST(CandidateBlock, NoneThatMeetsIsLeftOut) {
     const int64_t far = (INT64_C(1) << 50) / side * side - 2 * side;
     const hsp::exact::Vector centre = k % 4 == 0 ? hsp::exact::Vector{far + side / 2, -far + side / 2, side / 2}
                                                  : hsp::exact::Vector{side / 2, -side / 2, 5 * side + side / 2};
-    const std::vector<LatticeBall> balls = balls_around(random, centre, side);
+    std::vector<LatticeBall> balls = balls_around(random, centre, side);
+    const uint32_t own = static_cast<uint32_t>(k) % 40;
+    std::swap(balls[0], balls[own]);
     const Candidates candidates(balls, centre, side);
     const uint32_t n = static_cast<uint32_t>(balls.size());
     std::vector<uint32_t> near(n + hsp::spare_ids);
-    const uint32_t found = hsp::near_candidates(candidates.block, 0, 1, n, near.data(), n);
+    uint32_t earlier = 0;
+    const uint32_t found = hsp::near_candidates(candidates.block, own, near.data(), n, earlier);
     ASSERT_LT(found, n);
     ASSERT_TRUE(std::is_sorted(near.begin(), near.begin() + found));
-    for (uint32_t j = 1; j < n; ++j) {
-      const bool meets = hsp::exact::pair_relation(balls[0], balls[j]) != hsp::exact::PairRelation::disjoint;
+    ASSERT_EQ(earlier, std::lower_bound(near.begin(), near.begin() + found, own) - near.begin());
+    ASSERT_FALSE(std::binary_search(near.begin(), near.begin() + found, own));
+    for (uint32_t j = 0; j < n; ++j) {
+      if (j == own) continue;
+      const bool meets = hsp::exact::pair_relation(balls[own], balls[j]) != hsp::exact::PairRelation::disjoint;
       const bool is_listed = std::binary_search(near.begin(), near.begin() + found, j);
       ASSERT_TRUE(is_listed || !meets) << "side " << side << ", set " << k;
       meeting += meets ? 1U : 0U;
       near_misses += is_listed && !meets ? 1U : 0U;
       if (is_listed) {
-        ASSERT_LE(excess(balls[0], balls[j]), 2.0 * static_cast<double>(candidates.block.margin) + 1e-9 * square(side));
+        ASSERT_LE(excess(balls[own], balls[j]),
+                  2.0 * static_cast<double>(candidates.block.margin) + 1e-9 * square(side));
       }
     }
     // More than asked for.
     if (found > 9) {
-      ASSERT_GT(hsp::near_candidates(candidates.block, 0, 1, n, near.data(), found - 1), found - 1);
-      ASSERT_EQ(hsp::near_candidates(candidates.block, 0, 1, n, near.data(), found), found);
+      ASSERT_GT(hsp::near_candidates(candidates.block, own, near.data(), found - 1, earlier), found - 1);
+      ASSERT_EQ(hsp::near_candidates(candidates.block, own, near.data(), found, earlier), found);
     }
   }
   EXPECT_GT(meeting, 20000U);
