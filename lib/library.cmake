@@ -30,6 +30,7 @@ set(HSP_LIBRARY_SOURCES
   lib/sphere/lane_search.cpp
   lib/sphere/near_balls_avx2.cpp
   lib/sphere/pair_sweep_avx2.cpp
+  lib/sphere/root_discriminants_avx2.cpp
   lib/sphere/vertex_finder.cpp
   lib/boundary/boundary_builder.cpp
   lib/boundary/boundary_check.cpp

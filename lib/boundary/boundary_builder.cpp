@@ -4,6 +4,7 @@
 #include "boundary/shells.hpp"
 #include "core/processor.hpp"
 #include "exact/discriminant.hpp"
+#include "sphere/root_discriminants.hpp"
 
 namespace hsp {
 namespace {
@@ -174,13 +175,26 @@ void BoundaryBuilder::find_root_discriminants(uint32_t first, uint32_t last) {
   const BallSet &balls = grid_->balls();
   BoundaryArrays &a = arrays();
   const Span<const VertexRecord> vertices = a.vertices.room();
-  for (uint32_t v = first; v < last; ++v) {
+  const auto find_exactly = [&](uint32_t v) {
     const VertexRecord &vertex = vertices[v];
     const exact::LatticeBall origin = balls.ball(vertex.ball[0]);
     a.root_discriminant[v] =
         std::sqrt(exact::discriminant(exact::sphere_of(origin), exact::plane_of(origin, balls.ball(vertex.ball[1])),
                                       exact::plane_of(origin, balls.ball(vertex.ball[2]))));
+  };
+#if HSP_AVX2
+  if (a.wide_code && first < last) {
+    static_assert(sizeof(VertexRecord) == 4 * sizeof(uint32_t));
+    uint32_t done = 0;
+    const bool certain =
+        find_roots_in_lanes(arrays_of(balls), vertices[first].ball, last - first, &a.root_discriminant[first], done);
+    for (uint32_t v = first; !certain && v < first + done; ++v) {
+      if (a.root_discriminant[v] == doubtful_root) find_exactly(v);
+    }
+    first += done;
   }
+#endif
+  for (uint32_t v = first; v < last; ++v) find_exactly(v);
 }
 
 // The sets of worker 0 are those of all. They do not know the balls behind its share and those around it.

@@ -212,12 +212,20 @@ struct LongCounts {
   }
 };
 // Rounded to nearest, for all 64-bit integers: the upper half plus 2^84 + 2^63 and the lower plus 2^52, whose bits can
-// be put together, are exact doubles; so is the first difference, and the last sum is rounded once.
-inline Doubles to_doubles(LongIntegers a) {
+// be put together, are exact doubles; so is the first difference, and the last sum is rounded once. What is left out by
+// that is exact too: either the difference has no smaller exponent than the lower half plus 2^52, or the sum is exact.
+inline Doubles to_doubles(LongIntegers a, Doubles &left_out) {
   const __m256i low = _mm256_blend_epi32(_mm256_set1_epi64x(0x4330000000000000), a.v, 0x55);
   const __m256i high = _mm256_xor_si256(_mm256_srli_epi64(a.v, 32), _mm256_set1_epi64x(0x4530000080000000));
   const __m256d both = _mm256_castsi256_pd(_mm256_set1_epi64x(0x4530000080100000));
-  return {_mm256_add_pd(_mm256_sub_pd(_mm256_castsi256_pd(high), both), _mm256_castsi256_pd(low))};
+  const Doubles upper{_mm256_sub_pd(_mm256_castsi256_pd(high), both)}, lower{_mm256_castsi256_pd(low)};
+  const Doubles sum = upper + lower;
+  left_out = lower - (sum - upper);
+  return sum;
+}
+inline Doubles to_doubles(LongIntegers a) {
+  Doubles left_out{};
+  return to_doubles(a, left_out);
 }
 
 // Orders of lanes that bring the chosen ones to the front, for the processor's permutations: eight bytes each, widened
