@@ -172,8 +172,9 @@ static inline int32_t hsp_workspace_view(hsp_workspace *work, int use_boundary, 
   return status;
 }
 
-/** Compute the solvent-excluded surface over the boundary that hsp_workspace_boundary has computed. */
-static inline int32_t hsp_workspace_surface(hsp_workspace *work) {
+/** Compute the solvent-excluded surface of shells [count] of the boundary that hsp_workspace_boundary has computed; of
+ *  all of it if shells is NULL. */
+static inline int32_t hsp_workspace_surface_of(hsp_workspace *work, const uint32_t *shells, uint32_t count) {
   int32_t status = HSP_OK;
   if (work->surface == NULL) {
     if (work->surface_limits.struct_size == 0) {
@@ -183,12 +184,19 @@ static inline int32_t hsp_workspace_surface(hsp_workspace *work) {
     if (status != HSP_OK) return status;
   }
   hsp_surface_limits limits = work->surface_limits;
-  while ((status = hsp_surface_compute(work->surface, work->boundary, &limits)) == HSP_E_CAPACITY) {
+  for (;;) {
+    status = shells == NULL ? hsp_surface_compute(work->surface, work->boundary, &limits)
+                            : hsp_surface_compute_shells(work->surface, work->boundary, shells, count, &limits);
+    if (status != HSP_E_CAPACITY) return status;
     work->surface_limits = limits;
     status = hsp_workspace_make_surface(work);
     if (status != HSP_OK) return status;
   }
-  return status;
+}
+
+/** Compute the solvent-excluded surface over the boundary that hsp_workspace_boundary has computed. */
+static inline int32_t hsp_workspace_surface(hsp_workspace *work) {
+  return hsp_workspace_surface_of(work, NULL, 0);
 }
 
 /** Give all memory back; the workspace is as at first. */

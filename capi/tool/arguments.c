@@ -195,6 +195,7 @@ static bool take_measure_option(struct reading *reading, const char *argument, b
   if (strcmp(argument, "--csv") == 0) flag = &request->csv;
   if (strcmp(argument, "--polar") == 0) flag = &request->polar;
   if (strcmp(argument, "--relative") == 0) flag = &request->relative;
+  if (strcmp(argument, "--outer") == 0) flag = &request->outer;
   if (flag != NULL) {
     *flag = true;
     return true;
@@ -338,12 +339,17 @@ static bool check_measure(struct reading *reading) {
   if (request->surface_seen && request->probe == 0.0) {
     return failure_in_usage(reading->failure, "--surface needs a probe, --probe 1.4");
   }
-  if (request->excluded_surface && (request->weights != NULL || request->relative || request->interface != NULL)) {
+  if (request->outer && !request->excluded_surface) {
+    return failure_in_usage(reading->failure, "--outer is for the solvent-excluded surface: it needs --surface ses");
+  }
+  if (request->excluded_surface && request->weights != NULL && request->gradient) {
+    return failure_in_usage(reading->failure,
+                            "--gradient with --weights is of the solvent-accessible surface: not with --surface ses");
+  }
+  if (request->excluded_surface && (request->relative || request->interface != NULL)) {
     return failure_in_usage(reading->failure,
                             "%s is of the solvent-accessible surface: it has no use with --surface ses",
-                            request->weights != NULL ? "--weights"
-                            : request->relative      ? "--relative"
-                                                     : "--interface");
+                            request->relative ? "--relative" : "--interface");
   }
   if (request->pdb_out != NULL && request->format != FORMAT_PDB) {
     return failure_in_usage(reading->failure, "--pdb-out has no use here: it writes a .pdb file again");
@@ -450,7 +456,8 @@ bool request_wants_balls(const struct request *request) {
 }
 
 bool request_wants_areas(const struct request *request) {
-  return request_wants_balls(request) || request->by != GROUPING_NONE || request->pdb_out != NULL || request->polar;
+  return request_wants_balls(request) || request->by != GROUPING_NONE || request->pdb_out != NULL || request->polar ||
+         (request->excluded_surface && request->weights != NULL);
 }
 
 void request_free(struct request *request) {

@@ -43,6 +43,7 @@ struct request {
   bool relative;
   bool surface_seen;
   bool excluded_surface; /* measure the solvent-excluded surface instead of the boundary */
+  bool outer;            /* of the outer cell alone */
   const char *interface; /* two groups of chains, or NULL */
   bool shells;
   bool void_balls;   /* of `voids` */

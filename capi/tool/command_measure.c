@@ -65,7 +65,7 @@ static void print_json(const struct request *request, const struct molecule *mol
   text_buffer_add(out, ", \"volume\": ");
   json_number(out, measurement->totals.volume);
   if (request->excluded_surface) {
-    text_buffer_add(out, ", \"surface\": \"ses\", \"convex_area\": ");
+    text_buffer_add(out, ", \"surface\": \"ses\", %s\"convex_area\": ", request->outer ? "\"outer\": true, " : "");
     json_number(out, measurement->surface.convex_area);
     text_buffer_add(out, ", \"saddle_area\": ");
     json_number(out, measurement->surface.saddle_area);
@@ -116,8 +116,9 @@ static void print_tables(const struct request *request, const struct molecule *m
                     quantity_text(value, measurement->surface.concave_area, TOTAL_DECIMALS), unit);
   }
   if (measurement->weights != NULL) {
-    text_buffer_add(out, "  %-16s %s, the sum of weight x free area\n", "weighted area",
-                    quantity_text(value, measurement->weighted_area, TOTAL_DECIMALS));
+    text_buffer_add(out, "  %-16s %s, the sum of weight x %s\n", "weighted area",
+                    quantity_text(value, measurement->weighted_area, TOTAL_DECIMALS),
+                    request->excluded_surface ? "share of the area" : "free area");
   }
   if (request->polar) {
     text_buffer_add(out, "  %-16s %s %s^2, of nitrogen and oxygen\n", "polar area",

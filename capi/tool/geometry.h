@@ -29,6 +29,9 @@ bool geometry_compute_topology(struct geometry *geometry, struct failure *failur
 /* Compute the solvent-excluded surface over the boundary, which is computed. */
 bool geometry_compute_surface(struct geometry *geometry, struct failure *failure);
 
+/* The same of the outer cell alone, as if voids were filled. */
+bool geometry_compute_outer_surface(struct geometry *geometry, struct failure *failure);
+
 /* Make triangles of the boundary, which is computed. */
 bool geometry_compute_mesh(struct geometry *geometry, double edge, struct failure *failure);
 

@@ -55,8 +55,13 @@ static bool measure_weighted_gradient(const struct molecule *molecule, const str
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
-static bool measure_weighted_area(const struct geometry *geometry, struct measurement *measurement,
-                                  struct failure *failure) {
+/* Of the solvent-excluded surface the balls' shares are there already. */
+static bool measure_weighted_area(const struct request *request, uint32_t atoms, const struct geometry *geometry,
+                                  struct measurement *measurement, struct failure *failure) {
+  if (request->excluded_surface) {
+    for (uint32_t i = 0; i < atoms; ++i) measurement->weighted_area += measurement->weights[i] * measurement->area[i];
+    return true;
+  }
   hsp_energy energy;
   const int32_t status = hsp_boundary_gradient(geometry->work.boundary, measurement->weights, 1.0, 0.0,
                                                HSP_TANGENT_OVERLAP, &energy, NULL, NULL, NULL, 0, NULL, NULL);
@@ -66,10 +71,13 @@ static bool measure_weighted_area(const struct geometry *geometry, struct measur
 }
 
 /* The solvent-excluded surface, with each ball's share of it as its area. */
-static bool measure_excluded_surface(const struct molecule *molecule, struct geometry *geometry,
-                                     struct measurement *measurement, struct failure *failure) {
+static bool measure_excluded_surface(const struct request *request, const struct molecule *molecule,
+                                     struct geometry *geometry, struct measurement *measurement,
+                                     struct failure *failure) {
   hsp_surface_totals *shares = NULL;
-  if (!geometry_compute_surface(geometry, failure)) return false;
+  const bool computed =
+      request->outer ? geometry_compute_outer_surface(geometry, failure) : geometry_compute_surface(geometry, failure);
+  if (!computed) return false;
   if (measurement->area != NULL) {
     shares = calloc((size_t)molecule->atoms + 1, sizeof *shares);
     if (shares == NULL) return failure_of_memory(failure);
@@ -90,7 +98,7 @@ static bool measure_areas(const struct request *request, const struct molecule *
     measurement->area = allocate(molecule, 1, failure);
     if (measurement->area == NULL) return false;
   }
-  if (request->excluded_surface) return measure_excluded_surface(molecule, geometry, measurement, failure);
+  if (request->excluded_surface) return measure_excluded_surface(request, molecule, geometry, measurement, failure);
   progress_show(&geometry->progress, "measuring");
   const int32_t status = hsp_boundary_measure(geometry->work.boundary, NULL, &measurement->totals, measurement->area,
                                               NULL, measurement->area == NULL ? 0 : molecule->atoms, NULL);
@@ -120,7 +128,7 @@ bool measurement_make(const struct request *request, const struct molecule *mole
   for (uint32_t i = 0; request->polar && i < molecule->atoms; ++i) {
     *polarity_sum(measurement, molecule->label[i].element) += measurement->area[i];
   }
-  if (weighted && !measure_weighted_area(geometry, measurement, failure)) return false;
+  if (weighted && !measure_weighted_area(request, molecule->atoms, geometry, measurement, failure)) return false;
   if (!request->gradient) return true;
   progress_show(&geometry->progress, "computing derivatives");
   return measure_gradients(molecule, geometry, request->excluded_surface, measurement, failure) &&

@@ -82,6 +82,33 @@ TEST(AreaSums, SolventExcludedSurface) {
   EXPECT_NE(table.out.find("saddle area"), std::string::npos) << table.out;
 }
 
+// Balls that leave room for a probe between them. What it reaches there is no part of the outer surface.
+TEST(AreaSums, OuterSurface) {
+  const std::vector<std::string> whole = {"measure", "good/cage.xyzr", "--probe", "0.09", "--surface", "ses"};
+  std::vector<std::string> outer = whole;
+  outer.emplace_back("--outer");
+  const Json all = run_json(whole), outside = run_json(outer);
+  EXPECT_EQ(all["outer"].kind, Json::Kind::null);
+  EXPECT_EQ(outside["outer"].kind, Json::Kind::boolean);
+  EXPECT_LT(outside["convex_area"].number, all["convex_area"].number);
+  EXPECT_GT(outside["volume"].number, all["volume"].number);
+  // Without a void they are the same.
+  const std::string crambin = support::own_molecule("crambin.pdb").string();
+  const Json open = run_json({"measure", crambin, "--probe", "6", "--surface", "ses", "--outer"});
+  EXPECT_NEAR(open["area"].number, 2022.630997030, 1e-8);
+  const Outcome table = run_program(outer);
+  EXPECT_NE(table.out.find("from outside"), std::string::npos) << table.out;
+}
+
+TEST(AreaSums, WeightedSharesOfTheExcludedSurface) {
+  const Json json = run_json({"measure", "good/water.pdb", "--probe", "1.4", "--surface", "ses", "--per-ball",
+                              "--weights", "good/water.weights"});
+  const std::vector<Json> &balls = json["balls"].items;
+  ASSERT_EQ(balls.size(), 3u);
+  EXPECT_NEAR(json["weighted_area"].number,
+              balls[0]["area"].number - 0.5 * balls[1]["area"].number + 2 * balls[2]["area"].number, 1e-9);
+}
+
 TEST(AreaSums, SurfacesThatAreRefused) {
   const std::string crambin = support::own_molecule("crambin.pdb").string();
   const std::vector<std::vector<std::string>> refused = {
@@ -89,7 +116,9 @@ TEST(AreaSums, SurfacesThatAreRefused) {
       {"--probe", "1.4", "--surface", "vdw"},
       {"--probe", "1.4", "--surface"},
       {"--probe", "1.4", "--surface", "ses", "--surface", "ses"},
-      {"--probe", "1.4", "--surface", "ses", "--weights", "weights.txt"},
+      {"--probe", "1.4", "--surface", "ses", "--weights", "weights.txt", "--gradient"},
+      {"--probe", "1.4", "--surface", "sas", "--outer"},
+      {"--probe", "1.4", "--outer"},
       {"--probe", "1.4", "--surface", "ses", "--by", "residue", "--relative"},
       {"--probe", "1.4", "--surface", "ses", "--interface", "A,B"}};
   for (const std::vector<std::string> &options : refused) {
