@@ -11,9 +11,11 @@ namespace {
 // Runs of a part per round: at least this many balls altogether, some hundred microseconds.
 constexpr size_t balls_per_round = 1000;
 
-double cpu_seconds() {
+double seconds_of(Clock clock) {
   std::timespec now{};
-  if (clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now) != 0) throw std::runtime_error("no CPU clock");
+  if (clock_gettime(clock == Clock::of_thread ? CLOCK_THREAD_CPUTIME_ID : CLOCK_MONOTONIC, &now) != 0) {
+    throw std::runtime_error("no such clock");
+  }
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
@@ -25,16 +27,16 @@ double median(std::vector<double> values) {
 
 }  // namespace
 
-void alternate(benchmark::State &state, size_t balls, const std::vector<Part> &parts) {
+void alternate(benchmark::State &state, size_t balls, const std::vector<Part> &parts, Clock clock) {
   const size_t runs = std::max<size_t>(1, balls_per_round / std::max<size_t>(1, balls));
   std::vector<std::vector<double>> seconds(parts.size());
   std::vector<std::vector<double>> ratios(parts.size());
   for (auto iteration : state) {
     static_cast<void>(iteration);
-    double begin = cpu_seconds();
+    double begin = seconds_of(clock);
     for (size_t part = 0; part < parts.size(); ++part) {
       for (size_t run = 0; run < runs; ++run) parts[part].run();
-      const double end = cpu_seconds();
+      const double end = seconds_of(clock);
       seconds[part].push_back((end - begin) / static_cast<double>(runs));
       ratios[part].push_back(seconds[part].back() / seconds.front().back());
       begin = end;

@@ -89,4 +89,34 @@ void write_queries(std::ostream &out, const Run &run) {
   table.write(out);
 }
 
+void write_split_work(std::ostream &out, const Run &run) {
+  out << R"(## Work split among threads
+
+Boundary and areas and volumes of every ball, by the clock on the wall: microseconds per atom. alone:
+hsp_boundary_compute and hsp_boundary_measure; one thread, two threads: hsp_boundary_begin, _work, _end and
+hsp_boundary_measure_range by threads of the program that are started anew each time, 8 workers for each. The ratios are
+medians over the turns: how many times as fast as alone. All give the same bits.
+
+)";
+  for (const Surface &surface : surfaces) {
+    out << "### " << surface.heading << "\n\n";
+    const std::string prefix = std::string("split_work/") + surface.name + '/';
+    Table table({"molecule", "n", "alone", "one thread", "two threads", "one, ratio", "two, ratio"});
+    for (const std::string &molecule : molecules_by_size(run, prefix)) {
+      const Measurement *m = run.find(prefix + molecule);
+      if (m == nullptr) {
+        table.row({molecule, run.benchmarks.at(prefix + molecule).error, "-", "-", "-", "-", "-"});
+        continue;
+      }
+      std::vector<std::string> cells{molecule, grouped(m->counter("atoms"))};
+      for (const char *part : {"alone", "by_one", "by_two"}) {
+        cells.push_back(three_digits(m->counter(std::string(part) + "_seconds") / m->counter("atoms") * 1e6));
+      }
+      for (const char *ratio : {"by_one_ratio", "by_two_ratio"}) cells.push_back(fixed(1 / m->counter(ratio), 2));
+      table.row(cells);
+    }
+    table.write(out);
+  }
+}
+
 }  // namespace report

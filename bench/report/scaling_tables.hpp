@@ -13,5 +13,6 @@ void write_scaling(std::ostream &out, const Run &run);
 
 // Nanoseconds per query by kind and molecule.
 void write_queries(std::ostream &out, const Run &run);
+void write_split_work(std::ostream &out, const Run &run);
 
 }  // namespace report

@@ -45,7 +45,7 @@ void write_head(std::ostream &out, const report::Run &run) {
   out << "# Benchmark report\n\n"
       << "- date: " << context(run, "date") << '\n'
       << "- machine: " << context(run, "cpu_model") << ", " << context(run, "num_cpus")
-      << " processors; one thread is used\n"
+      << " processors; one thread is used but where work is split\n"
       << "- load average: " << describe_load(run) << '\n'
       << "- compiler: " << context(run, "compiler") << '\n'
       << "- flags: `" << context(run, "flags") << "`\n"
@@ -85,6 +85,7 @@ void write_report(std::ostream &out, const std::filesystem::path &folder) {
   report::write_smooth_surface(out, run);
   report::write_scaling(out, run);
   report::write_queries(out, run);
+  report::write_split_work(out, run);
 }
 
 }  // namespace

@@ -1,24 +1,18 @@
-// split_work: Steps 1 and 2 with areas of every ball, split among 1, 2 and 4 threads by hsp_boundary_begin and
-// hsp_boundary_measure_range, beside hsp_boundary_compute and hsp_boundary_measure. Wall time, the least of some runs
-// that take turns, in milliseconds, and how many times faster than the latter. To be run on a quiet machine:
-//   split_work [COPIES [RUNS]]     copies^3 of the stand-in for SOD, 3 unless given; 7 runs
-#include <algorithm>
+// Steps 1 and 2 with areas of every ball, split among 1 and 2 threads by hsp_boundary_begin and
+// hsp_boundary_measure_range, by turns with hsp_boundary_compute and hsp_boundary_measure. By the clock on the wall, so
+// to be run on a quiet machine.
 #include <atomic>
 #include <barrier>
-#include <chrono>
-#include <cstdio>
-#include <cstdlib>
 #include <cstring>
-#include <exception>
-#include <functional>
 #include <stdexcept>
 #include <thread>
 #include <vector>
 
-#include "handles.hpp"
+#include "alternation.hpp"
 #include "sizes.hpp"
-#include "tiling.hpp"
+#include "suite.hpp"
 
+namespace bench {
 namespace {
 
 constexpr uint32_t workers_per_thread = 8;
@@ -72,15 +66,8 @@ void compute_split(hsp_boundary *boundary, const hsp_model *model, uint32_t thre
                      "hsp_boundary_measure_end");
 }
 
-double milliseconds(const std::function<void()> &run) {
-  const auto start = std::chrono::steady_clock::now();
-  run();
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
-
-void time_surface(const bench::Balls &balls, const bench::Surface &surface, int runs) {
-  constexpr uint32_t threads[] = {1, 2, 4};
-  bench::Model model(balls, surface.probe);
+void alone_and_split(benchmark::State &state, Subject &subject) {
+  const Model &model = *subject.model;
   support::OwnedBoundary boundary;
   const auto compute = [&model](hsp_boundary *handle, hsp_boundary_limits *limits) {
     return hsp_boundary_compute(handle, model.get(), limits);
@@ -88,38 +75,27 @@ void time_surface(const bench::Balls &balls, const bench::Surface &surface, int 
   boundary.take(support::default_boundary_limits(model.size()));
   boundary.compute(compute);
   hsp_boundary_limits limits = boundary.needed();
-  limits.workers = 4 * workers_per_thread;
+  limits.workers = 2 * workers_per_thread;
   boundary.take(limits);
-  Measures expected(model.size()), found(model.size());
-  double least[4] = {1e30, 1e30, 1e30, 1e30};
-  for (int run = 0; run < runs; ++run) {
-    least[0] = std::min(least[0], milliseconds([&] { compute_alone(boundary.get(), model.get(), expected); }));
-    for (int k = 0; k < 3; ++k) {
-      least[k + 1] =
-          std::min(least[k + 1], milliseconds([&] { compute_split(boundary.get(), model.get(), threads[k], found); }));
-      if (!(found == expected)) throw std::runtime_error("other bits when split");
-    }
-  }
-  std::printf("%s %s %u balls: not split %.1f ms", balls.name.c_str(), surface.name, model.size(), least[0]);
-  for (int k = 0; k < 3; ++k)
-    std::printf(", %u threads %.1f ms (%.2f)", threads[k], least[k + 1], least[0] / least[k + 1]);
-  std::printf("\n");
+  Measures alone(model.size()), by_one(model.size()), by_two(model.size());
+  alternate(state, model.size(),
+            {{"alone", [&] { compute_alone(boundary.get(), model.get(), alone); }},
+             {"by_one", [&] { compute_split(boundary.get(), model.get(), 1, by_one); }},
+             {"by_two", [&] { compute_split(boundary.get(), model.get(), 2, by_two); }}},
+            Clock::on_the_wall);
+  if (!(by_one == alone && by_two == alone)) throw std::runtime_error("other bits when split");
 }
 
 }  // namespace
 
-int main(int argc, char **argv) {
-  const int copies = argc > 1 ? std::atoi(argv[1]) : 3;
-  const int runs = argc > 2 ? std::atoi(argv[2]) : 7;
-  try {
-    for (const bench::Molecule &molecule : bench::paper_molecules()) {
-      if (molecule.name != "sod_stand_in") continue;
-      const bench::Balls balls = bench::tiled(with_radii(molecule, bench::Radii::van_der_waals), copies);
-      for (const bench::Surface &surface : bench::surfaces) time_surface(balls, surface, runs);
+void register_suite() {
+  for (const Surface &surface : surfaces) {
+    const std::string group = std::string("split_work/") + surface.name + '/';
+    for (const Size &size : all_sizes()) {
+      register_case(group + size.name, {group + size.name, size.balls, surface.probe}, alone_and_split)
+          ->Unit(benchmark::kMicrosecond);
     }
-  } catch (const std::exception &error) {
-    std::fprintf(stderr, "split_work: %s\n", error.what());
-    return 1;
   }
-  return 0;
 }
+
+}  // namespace bench
