@@ -1,6 +1,7 @@
 #include "boundary/half_edge_links.hpp"
 
 #include "core/key_places.hpp"
+#include "core/small_code.hpp"
 #include "core/sorting.hpp"
 
 namespace hsp {
@@ -10,7 +11,7 @@ namespace {
 template <class Record, class Visit>
 void for_sides_on(BallRange range, const Record &record, Visit visit) {
   constexpr uint32_t sides = sizeof record.ball / sizeof record.ball[0];
-  if (record.ball[0] >= range.first && record.ball[sides - 1] < range.last) {
+  if (!small_code && record.ball[0] >= range.first && record.ball[sides - 1] < range.last) {
     for (uint32_t side = 0; side < sides; ++side) visit(side);
     return;
   }
