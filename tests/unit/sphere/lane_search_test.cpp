@@ -51,6 +51,7 @@ class Builder {
     append_bytes(bytes, &builder_.needed(), 1);
     append_bytes(bytes, a.ball_state.data(), a.balls);
     if (status != hsp::Status::ok) return bytes;
+    append_bytes(bytes, a.root_discriminant.data(), a.vertices.size());
     append_bytes(bytes, a.half_edges.data(), builder_.boundary().half_edge_count());
     append_bytes(bytes, a.half_edge_at.data(), builder_.boundary().half_edge_count());
     append_bytes(bytes, a.loop_start.data(), a.loop_count);
