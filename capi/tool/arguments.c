@@ -417,8 +417,9 @@ static bool check(struct reading *reading) {
   if (!selection_suits(&request->selection, request->format, reading->failure)) return false;
   if (!check_measure(reading)) return false;
   if (request->command == COMMAND_DRAW && !drawing_check(&request->drawing, reading->failure)) return false;
-  if (request->command == COMMAND_MESH && !meshing_check(&request->meshing, request->probe, reading->failure)) {
-    return false;
+  if (request->command == COMMAND_MESH) {
+    if (!meshing_check(&request->meshing, request->probe, reading->failure)) return false;
+    request->excluded_surface = request->meshing.surface == MESH_SOLVENT_EXCLUDED;
   }
   if (!check_files(reading)) return false;
   return apply_overrides(reading) && load_table(reading);

@@ -39,8 +39,8 @@ static void print_table(const struct request *request, const struct molecule *mo
   char value[NUMBER_BYTES];
   char remark[80];
   report_heading(out, request, molecule);
-  report_row(out, "surface", request->probe > 0.0 ? "sas" : "vdw",
-             request->probe > 0.0 ? "of the balls with the probe" : "of the balls alone");
+  static const char *const remarks[] = {"of the balls alone", "of the balls with the probe", "that the probe leaves"};
+  report_row(out, "surface", meshing_surface_name(&request->meshing), remarks[request->meshing.surface]);
   report_row(out, "edge", quantity_text(value, mesh->edge, 3), "of a triangle, about");
   report_row_count(out, "vertices", mesh->vertices, "");
   report_row_count(out, "triangles", mesh->triangles, "closed: each edge in two of them");
@@ -68,8 +68,11 @@ bool command_mesh(const struct request *request, const struct molecule *molecule
   mesh.atoms = molecule->atoms;
   mesh.edge = edge_of(request);
   mesh.probe = request->probe;
+  const bool smooth = meshing->surface == MESH_SOLVENT_EXCLUDED;
   bool done = check_second_file(request, failure) && geometry_compute_boundary(geometry, failure) &&
-              geometry_compute_mesh(geometry, mesh.edge, failure) && triangle_mesh_read(geometry->mesh, &mesh, failure);
+              (!smooth || geometry_compute_surface(geometry, failure)) &&
+              geometry_compute_mesh(geometry, smooth, mesh.edge, failure) &&
+              triangle_mesh_read(geometry->mesh, &mesh, failure);
   if (done) progress_show(&geometry->progress, "writing");
   done = done && mesh_file_write(&mesh, meshing->format, meshing->out, &bytes, failure);
   if (done && !output_is_standard(meshing->out)) {

@@ -67,16 +67,28 @@ bool geometry_compute_outer_surface(struct geometry *geometry, struct failure *f
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
-bool geometry_compute_mesh(struct geometry *geometry, double edge, struct failure *failure) {
+static int32_t mesh_limits(const hsp_workspace *work, bool of_surface, double edge, hsp_mesh_limits *limits) {
+  const uint32_t size = (uint32_t)sizeof *limits;
+  return of_surface ? hsp_mesh_limits_init_surface(limits, size, work->surface, edge)
+                    : hsp_mesh_limits_init(limits, size, work->boundary, edge);
+}
+
+bool geometry_compute_mesh(struct geometry *geometry, bool of_surface, double edge, struct failure *failure) {
+  const hsp_workspace *work = &geometry->work;
   hsp_mesh_limits limits;
   progress_show(&geometry->progress, "making triangles");
-  int32_t status = hsp_mesh_limits_init(&limits, (uint32_t)sizeof limits, geometry->work.boundary, edge);
+  int32_t status = mesh_limits(work, of_surface, edge, &limits);
+  if (status == HSP_E_CHECK) {
+    return failure_in_input(failure, 0, "patches of the surface meet in one point: it has no triangles there");
+  }
   do {
     size_t bytes = 0;
     if (status == HSP_OK || status == HSP_E_CAPACITY) status = hsp_mesh_bytes(&limits, &bytes);
     if (status == HSP_OK) status = hsp_workspace_allocate(&geometry->mesh_memory, bytes);
     if (status == HSP_OK) status = hsp_mesh_init(geometry->mesh_memory, bytes, &limits, &geometry->mesh);
-    if (status == HSP_OK) status = hsp_mesh_compute(geometry->mesh, geometry->work.boundary, edge, &limits);
+    if (status != HSP_OK) continue;
+    status = of_surface ? hsp_mesh_compute_surface(geometry->mesh, work->surface, edge, &limits)
+                        : hsp_mesh_compute(geometry->mesh, work->boundary, edge, &limits);
   } while (status == HSP_E_CAPACITY);
   if (status == HSP_E_CHECK) {
     return failure_in_input(failure, 0, "borders of the surface come together: no triangles tell them apart");

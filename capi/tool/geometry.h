@@ -32,8 +32,8 @@ bool geometry_compute_surface(struct geometry *geometry, struct failure *failure
 /* The same of the outer cell alone, as if voids were filled. */
 bool geometry_compute_outer_surface(struct geometry *geometry, struct failure *failure);
 
-/* Make triangles of the boundary, which is computed. */
-bool geometry_compute_mesh(struct geometry *geometry, double edge, struct failure *failure);
+/* Make triangles of the boundary or of the solvent-excluded surface, which is computed. */
+bool geometry_compute_mesh(struct geometry *geometry, bool of_surface, double edge, struct failure *failure);
 
 /* Cut and sort the pieces of a view: from the boundary if that was computed, from the model alone if not. */
 bool geometry_compute_view(struct geometry *geometry, const hsp_view_options *options, struct failure *failure);

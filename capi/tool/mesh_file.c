@@ -169,7 +169,7 @@ static bool write_stl(const struct triangle_mesh *mesh, struct mesh_writer *writ
 /* ---- MSMS: numbers from 1 on; 3 is its number of a convex patch, 1 of a saddle, 2 of a concave one ---- */
 
 static int msms_kind(uint32_t kind) {
-  return kind == HSP_PATCH_CONVEX ? 3 : kind == HSP_PATCH_SADDLE ? 1 : 2;
+  return kind == HSP_PATCH_CONVEX ? 3 : kind == HSP_PATCH_CONCAVE ? 2 : 1;
 }
 
 static void msms_head(const struct triangle_mesh *mesh, const char *what, uint32_t count, struct text_buffer *out) {

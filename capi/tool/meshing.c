@@ -8,7 +8,8 @@
 static const char *const format_names[] = {"ply", "obj", "stl", "vert"};
 static const char *const extensions[] = {"PLY", "OBJ", "STL", "VERT"};
 enum { FORMATS = sizeof format_names / sizeof format_names[0] };
-static const char *const surface_names[] = {"vdw", "sas"};
+static const char *const surface_names[] = {"vdw", "sas", "ses"};
+enum { SURFACES = sizeof surface_names / sizeof surface_names[0] };
 
 static bool take_file(struct meshing *meshing, struct option_reader *reader, const char *option, const char *value) {
   if (!option_value(reader, option, &value, "a file")) return false;
@@ -36,7 +37,7 @@ bool meshing_take_option(struct meshing *meshing, struct option_reader *reader, 
     return take_choice(reader, "--triangles", value, "ply, obj, stl or vert", format_names, FORMATS, &meshing->format);
   }
   if (option_is(argument, "--surface", &value)) {
-    return take_choice(reader, "--surface", value, "vdw or sas", surface_names, 2, &meshing->surface);
+    return take_choice(reader, "--surface", value, "vdw, sas or ses", surface_names, SURFACES, &meshing->surface);
   }
   if (option_is(argument, "--edge", &value)) {
     if (!option_value(reader, "--edge", &value, "a length")) return false;
@@ -65,6 +66,10 @@ static bool find_format(struct meshing *meshing) {
   return true;
 }
 
+const char *meshing_surface_name(const struct meshing *meshing) {
+  return surface_names[meshing->surface];
+}
+
 bool meshing_check(struct meshing *meshing, double probe, struct failure *failure) {
   if (meshing->out == NULL) return failure_in_usage(failure, "mesh needs -o OUT, a file .ply, .obj, .stl or .vert");
   if (!find_format(meshing)) {
@@ -75,11 +80,12 @@ bool meshing_check(struct meshing *meshing, double probe, struct failure *failur
   if (meshing->format == MESH_MSMS && output_is_standard(meshing->out)) {
     return failure_in_usage(failure, "vert makes two files, .vert and .face: they have no place on standard output");
   }
-  if (meshing->surface == MESH_SOLVENT_ACCESSIBLE && probe == 0.0) {
-    return failure_in_usage(failure, "--surface sas needs a probe, --probe 1.4");
+  if (meshing->surface > MESH_VAN_DER_WAALS && probe == 0.0) {
+    return failure_in_usage(failure, "--surface %s needs a probe, --probe 1.4", meshing_surface_name(meshing));
   }
   if (meshing->surface == MESH_VAN_DER_WAALS && probe > 0.0) {
     return failure_in_usage(failure, "--surface vdw is that of the balls alone: it has no use for --probe");
   }
+  if (meshing->surface < 0) meshing->surface = probe > 0.0 ? MESH_SOLVENT_ACCESSIBLE : MESH_VAN_DER_WAALS;
   return true;
 }

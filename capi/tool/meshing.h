@@ -8,13 +8,13 @@
 #include "option_reader.h"
 
 enum mesh_format { MESH_PLY, MESH_OBJ, MESH_STL, MESH_MSMS };
-enum mesh_surface { MESH_VAN_DER_WAALS, MESH_SOLVENT_ACCESSIBLE };
+enum mesh_surface { MESH_VAN_DER_WAALS, MESH_SOLVENT_ACCESSIBLE, MESH_SOLVENT_EXCLUDED };
 
 /* Choices are negative where the user has said nothing. */
 struct meshing {
   const char *out; /* a file, or NULL; of MSMS the one with the vertices */
   int format;      /* meshing_check sets it, by the extension of out if the user has not said */
-  int surface;
+  int surface; /* meshing_check sets it, by the probe if the user has not said */
   double edge; /* negative: not said */
 };
 
@@ -23,6 +23,9 @@ struct meshing {
 
 /* Take the argument if it is an option of `mesh`, and its value from the reader; *known tells whether it is one. */
 bool meshing_take_option(struct meshing *meshing, struct option_reader *reader, const char *argument, bool *known);
+
+/* What the user calls the surface. */
+const char *meshing_surface_name(const struct meshing *meshing);
 
 /* Whether all options go together, with this probe; sets what follows from them. */
 bool meshing_check(struct meshing *meshing, double probe, struct failure *failure);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <map>
+#include <set>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -21,6 +22,7 @@ const std::string molecule = "good/water.pdb";
 struct Triangles {
   std::vector<std::array<double, 3>> places;
   std::vector<std::array<size_t, 3>> corners;
+  std::set<int> kinds;  // of patches, in .ply
 };
 
 std::vector<std::string> lines_of(const std::string &text) {
@@ -88,7 +90,7 @@ Triangles read_ply(const std::string &text) {
     const std::vector<double> x = numbers_of(lines.at(++at));
     EXPECT_EQ(x.size(), 7u);
     EXPECT_EQ(x[0], 3);
-    EXPECT_EQ(x[4], 0);
+    mesh.kinds.insert(static_cast<int>(x[4]));
     mesh.corners.push_back({static_cast<size_t>(x[1]), static_cast<size_t>(x[2]), static_cast<size_t>(x[3])});
   }
   return mesh;
@@ -166,6 +168,7 @@ TEST(Mesh, AllFormatsHoldTheSameClosedSurface) {
     if (format == "vert") meshes[format] = read_msms(text, read_file(folder.path("out.face")));
     expect_closed(meshes[format], format);
   }
+  EXPECT_EQ(meshes["ply"].kinds, (std::set<int>{0}));
   const double volume = run_json({"measure", molecule})["volume"].number;
   for (const auto &[format, mesh] : meshes) {
     EXPECT_EQ(mesh.corners.size(), meshes["ply"].corners.size()) << format;
@@ -201,6 +204,22 @@ TEST(Mesh, ShorterEdgesComeCloserToTheSurface) {
     EXPECT_GT(error, 0);
     last = error;
   }
+}
+
+// All three kinds of patches, and the volume that measure says.
+TEST(Mesh, OfTheSmoothSurface) {
+  const TemporaryFile out("mesh.ply");
+  const Json json = run_json({"mesh", molecule, "--probe", "1.4", "--surface", "ses", "--edge", "0.3", "--triangles",
+                              "ply", "-o", out.path()});
+  const Triangles mesh = read_ply(read_file(out.path()));
+  expect_closed(mesh, "smooth surface");
+  EXPECT_EQ(mesh.kinds, (std::set<int>{0, 1, 2}));
+  const Json exact = run_json({"measure", molecule, "--probe", "1.4", "--surface", "ses"});
+  EXPECT_NEAR(json["triangle_area"].number, exact["area"].number, 0.02 * exact["area"].number);
+  EXPECT_NEAR(volume_of(mesh), exact["volume"].number, 0.02 * exact["volume"].number);
+  const Outcome without = run_program({"mesh", molecule, "--surface", "ses", "-o", "-"});
+  EXPECT_EQ(without.status, 2);
+  EXPECT_EQ(without.err, "hardsphere: --surface ses needs a probe, --probe 1.4\n");
 }
 
 TEST(Mesh, GoesToStandardOutputAlone) {
