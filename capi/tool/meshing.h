@@ -14,8 +14,8 @@ enum mesh_surface { MESH_VAN_DER_WAALS, MESH_SOLVENT_ACCESSIBLE, MESH_SOLVENT_EX
 struct meshing {
   const char *out; /* a file, or NULL; of MSMS the one with the vertices */
   int format;      /* meshing_check sets it, by the extension of out if the user has not said */
-  int surface; /* meshing_check sets it, by the probe if the user has not said */
-  double edge; /* negative: not said */
+  int surface;     /* meshing_check sets it, by the probe if the user has not said */
+  double edge;     /* negative: not said */
 };
 
 #define MESHING_DEFAULT \

@@ -136,6 +136,22 @@ MeshVertex SurfaceOutline::crease_vertex(const Position &position, const uint32_
   return mesh_vertex(balls_, position, unit(sum, {0.0, 0.0, 1.0}), ball);
 }
 
+// The patches there are those of the probes at the ends of the circle's arcs; around a whole circle they turn about the
+// axis. The half-edges of a circle on one ball are neighbours.
+Vec3 SurfaceOutline::normal_at_cusp(uint32_t k, uint32_t side, const Position &position) const {
+  const CuspedCircles &cusped = surface_.cusped_circles();
+  const CirclePosition circle = position_of_circle(balls_, cusped.ball(k, side), cusped.ball(k, 1 - side));
+  if (cusped.element(k).is_circle()) return circle.axis;
+  Vec3 sum{0.0, 0.0, 0.0};
+  for (uint32_t e = cusped.element(k).half_edge(); e < boundary_.half_edges(cusped.ball(k, 0)).last; ++e) {
+    if (boundary_.half_edge(e).circle != cusped.ball(k, 1)) break;
+    if (!faces_.has(boundary_.face_of(e))) continue;
+    const uint32_t ends[2] = {boundary_.half_edge(e).vertex, boundary_.end_vertex(e)};
+    for (const uint32_t v : ends) sum = sum + towards_vertex(position, v);
+  }
+  return unit(sum, circle.axis);
+}
+
 MeshVertex SurfaceOutline::corner(uint32_t id) const {
   if (id < map_.first_cusp()) {
     const uint32_t ball = boundary_.vertex(id / 3).ball[id % 3];
@@ -148,8 +164,7 @@ MeshVertex SurfaceOutline::corner(uint32_t id) const {
     const uint32_t k = (id - map_.first_cusp()) / 2;
     const uint32_t side = (id - map_.first_cusp()) % 2;
     const CuspedCircles &cusped = surface_.cusped_circles();
-    const CirclePosition circle = position_of_circle(balls_, cusped.ball(k, side), cusped.ball(k, 1 - side));
-    return mesh_vertex(balls_, position, circle.axis, cusped.ball(k, side));
+    return mesh_vertex(balls_, position, normal_at_cusp(k, side, position), cusped.ball(k, side));
   }
   const CutPatches &cut = surface_.cut_patches();
   const uint32_t arc = cut.crease_corners().member(id - map_.first_crease_corner());

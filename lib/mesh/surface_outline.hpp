@@ -74,6 +74,7 @@ class SurfaceOutline {
   // From a point to where the probe of a vertex stands.
   Vec3 towards_vertex(const Position &position, uint32_t v) const;
   uint32_t nearest_ball(uint32_t v, const Vec3 &from_probe) const;
+  Vec3 normal_at_cusp(uint32_t circle, uint32_t side, const Position &position) const;
   MeshVertex crease_vertex(const Position &position, const uint32_t *vertices, uint32_t count) const;
   void add_ball_loop(uint32_t ball, uint32_t loop, SphericalPatch &patch) const;
   void add_probe_loop(uint32_t v, uint32_t loop, SphericalPatch &patch) const;

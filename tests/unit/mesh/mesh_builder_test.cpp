@@ -210,6 +210,7 @@ TEST(MeshBuilder, ChosenShells) {
       ASSERT_EQ(mesh.status(), hsp::Status::ok);
       EXPECT_TRUE(mesh.is_closed());
       EXPECT_EQ(mesh.euler(), 2);
+      EXPECT_EQ(mesh.wrong_normals(), 0U);
       EXPECT_NEAR(mesh.area(), built.total().area(), 0.02 * built.total().area());
     }
   }

@@ -12,6 +12,8 @@
 
 class BuiltMesh {
  public:
+  using Point = std::array<double, 3>;
+
   // Of a boundary, or with a surface of that; with the limits that are expected to suffice.
   template <class... Source>
   BuiltMesh(double edge, const Source &...source) {
@@ -57,7 +59,20 @@ class BuiltMesh {
     return rings == mesh().vertex_count();
   }
 
-  using Point = std::array<double, 3>;
+  // Vertices whose normal does not point to the side that their triangles show.
+  uint32_t wrong_normals() const {
+    std::vector<double> along(mesh().vertex_count(), 0.0);
+    for (uint32_t t = 0; t < mesh().triangle_count(); ++t) {
+      const Point n = twice_area(t);
+      for (const uint32_t v : mesh().triangle(t).vertex) {
+        for (size_t axis = 0; axis < 3; ++axis) along[v] += mesh().vertex(v).normal[axis] * n[axis];
+      }
+    }
+    uint32_t wrong = 0;
+    for (const double a : along) wrong += a > 0.0 ? 0 : 1;
+    return wrong;
+  }
+
   double area() const {
     double sum = 0.0;
     for (uint32_t t = 0; t < mesh().triangle_count(); ++t) {
