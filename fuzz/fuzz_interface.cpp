@@ -10,13 +10,14 @@
 #include "gradient_calls.hpp"
 #include "strangers.hpp"
 #include "struct_version.hpp"
+#include "surface_calls.hpp"
 #include "topology_calls.hpp"
 
 namespace {
 
 class Session {
  public:
-  explicit Session(fuzz::Bytes &bytes) : bytes_(bytes), topology_(bytes) {
+  explicit Session(fuzz::Bytes &bytes) : bytes_(bytes), topology_(bytes), surface_(bytes) {
     // Most sessions begin in the usual order; else few would ever hold results.
     if (bytes_.one_in(4)) return;
     init_model();
@@ -25,10 +26,12 @@ class Session {
     compute();
     topology_.init(boundary_, complete_);
     topology_.compute(boundary_, complete_, version_);
+    surface_.init(boundary_, complete_);
+    surface_.compute(boundary_, complete_, version_);
   }
 
   void step() {
-    switch (bytes_.below(24)) {
+    switch (bytes_.below(28)) {
       case 0:
         init_model();
         break;
@@ -89,6 +92,16 @@ class Session {
       case 22:
         go_on();
         break;
+      case 23:
+        surface_.init(boundary_, complete_);
+        break;
+      case 24:
+        surface_.compute(null() ? nullptr : boundary_, complete_, version_);
+        break;
+      case 25:
+      case 26:
+        surface_.read(version_);
+        break;
       default:
         constants();
     }
@@ -134,6 +147,7 @@ class Session {
     const size_t given = missing < bytes ? bytes - missing : 0;
     // what referred to the old memory goes first
     topology_.drop();
+    surface_.drop();
     boundary_ = nullptr;
     model_ = nullptr;
     model_memory_ = std::vector<uint8_t>(misalignment + given + 1, 0x3C);  // new memory: see lib/core/poison.hpp
@@ -307,6 +321,7 @@ class Session {
     const size_t misalignment = bytes_.below(16);
     const size_t given = missing < bytes ? bytes - missing : 0;
     topology_.drop();
+    surface_.drop();
     boundary_ = nullptr;
     boundary_memory_ = std::vector<uint8_t>(misalignment + given + 1, 0x3C);
     hsp_boundary *made = nullptr;
@@ -491,6 +506,7 @@ class Session {
 
   fuzz::Bytes &bytes_;
   fuzz::TopologyCalls topology_;
+  fuzz::SurfaceCalls surface_;
   std::vector<uint8_t> model_memory_, boundary_memory_;
   hsp_model *model_ = nullptr;
   hsp_boundary *boundary_ = nullptr;

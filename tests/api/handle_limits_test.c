@@ -1,10 +1,11 @@
-/* The limits of boundaries, topologies and views: what hsp_X_limits_init says, and every limit, size and memory that is
- * refused. */
+/* The limits of boundaries, topologies, surfaces and views: what hsp_X_limits_init says, and every limit, size and
+ * memory that is refused. */
 #include <hardsphere.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "check.h"
+#include "surface_result.h"
 #include "topology_result.h"
 #include "untouched.h"
 #include "view_result.h"
@@ -33,6 +34,12 @@ static const kind_of_limits kinds[] = {{"boundary",
                                         {0},
                                         0,
                                         {{(uint32_t)sizeof(hsp_topology_limits), SMALL, SMALL, 40, 8}}},
+                                       {"surface",
+                                        &surface_handle,
+                                        {0}, /* as of topologies: see surface_properties_test.c */
+                                        {0},
+                                        0,
+                                        {{(uint32_t)sizeof(hsp_surface_limits), SMALL, SMALL, 4, 8, 40, 2}}},
                                        {"view",
                                         &view_handle,
                                         {0, 1, 1, 12},

@@ -8,6 +8,15 @@
 #include "untouched.h"
 
 static four_handles h;
+static hsp_surface *surface;
+
+/* A surface of its own, as four_handles has none. */
+static void make_surface(void) {
+  static unsigned char memory[SIZE];
+  const hsp_surface_limits limits = {(uint32_t)sizeof limits, 64, 64, BALLS, 64, 256, 16};
+  CHECK_EQUAL(hsp_surface_init(memory, sizeof memory, &limits, &surface), HSP_OK);
+  CHECK_EQUAL(hsp_surface_compute(surface, h.boundary, NULL), HSP_OK);
+}
 static const char *scene;
 
 static int32_t take_nothing(void *context, const char *bytes, size_t count) {
@@ -41,6 +50,7 @@ static void refused_as_model(void *handle) {
 static void refused_as_boundary(void *handle) {
   hsp_boundary_counts counts;
   hsp_topology_limits limits;
+  hsp_surface_limits of_surface;
   hsp_totals totals;
   hsp_energy energy;
   uint32_t needed, invariant, id;
@@ -70,6 +80,9 @@ static void refused_as_boundary(void *handle) {
   CHECK_EQUAL(hsp_boundary_check(handle, &invariant, &id), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_topology_limits_init(&limits, sizeof limits, handle), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_topology_compute(h.topology, handle, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_surface_limits_init(&of_surface, sizeof of_surface, handle), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_surface_compute(surface, handle, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_surface_compute_shells(surface, handle, NULL, 0, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_view_compute(h.view, h.model, handle, NULL, NULL), HSP_E_ARGUMENT);
   four_handles_compute(&h);
 }
@@ -99,6 +112,32 @@ static void refused_as_topology(void *handle) {
   CHECK_EQUAL(hsp_topology_check(handle, &invariant, &id), HSP_E_ARGUMENT);
 }
 
+static void refused_as_surface(void *handle) {
+  hsp_surface_counts counts;
+  hsp_surface_map_counts map;
+  hsp_surface_totals totals;
+  hsp_energy energy;
+  const uint32_t shell = 0;
+  uint32_t needed, invariant, id;
+  check_scene("%s as a surface", scene);
+  CHECK_EQUAL(hsp_surface_compute(handle, h.boundary, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_surface_compute_shells(handle, h.boundary, &shell, 1, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_surface_get_counts(handle, &counts), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_surface_measure(handle, &totals, NULL, 0, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_surface_gradient(handle, 1, 1, &energy, NULL, NULL, NULL, 0, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_surface_get_map_counts(handle, &map), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_surface_next(handle, 0), HSP_NONE);
+  CHECK_EQUAL(hsp_surface_previous(handle, 0), HSP_NONE);
+  CHECK_EQUAL(hsp_surface_next_loop(handle, 0), HSP_NONE);
+  CHECK_EQUAL(hsp_surface_origin(handle, 0), HSP_NONE);
+  CHECK_EQUAL(hsp_surface_left(handle, 0), HSP_NONE);
+  CHECK_EQUAL(hsp_surface_get_patches(handle, 0, 0, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_surface_get_edges(handle, 0, 0, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_surface_get_corners(handle, 0, 0, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_surface_get_shells(handle, NULL, 0, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_surface_check(handle, &invariant, &id), HSP_E_ARGUMENT);
+}
+
 static void refused_as_view(void *handle) {
   hsp_view_info info;
   uint32_t needed;
@@ -116,6 +155,7 @@ static void refused_as_anything(void *handle, const char *what) {
   refused_as_model(handle);
   refused_as_boundary(handle);
   refused_as_topology(handle);
+  refused_as_surface(handle);
   refused_as_view(handle);
 }
 
@@ -123,19 +163,28 @@ static void handles_of_other_kinds(void) {
   scene = "a model";
   refused_as_boundary(h.model);
   refused_as_topology(h.model);
+  refused_as_surface(h.model);
   refused_as_view(h.model);
   scene = "a boundary";
   refused_as_model(h.boundary);
   refused_as_topology(h.boundary);
+  refused_as_surface(h.boundary);
   refused_as_view(h.boundary);
   scene = "a topology";
   refused_as_model(h.topology);
   refused_as_boundary(h.topology);
+  refused_as_surface(h.topology);
   refused_as_view(h.topology);
+  scene = "a surface";
+  refused_as_model(surface);
+  refused_as_boundary(surface);
+  refused_as_topology(surface);
+  refused_as_view(surface);
   scene = "a view";
   refused_as_model(h.view);
   refused_as_boundary(h.view);
   refused_as_topology(h.view);
+  refused_as_surface(h.view);
 }
 
 /* Copies at another address, as realloc makes them. */
@@ -144,9 +193,9 @@ static void moved_handles(void) {
     unsigned char bytes[4096];
     double alignment;
   } copy;
-  void *const handles[4] = {h.model, h.boundary, h.topology, h.view};
+  void *const handles[5] = {h.model, h.boundary, h.topology, h.view, surface};
   int i;
-  for (i = 0; i < 4; ++i) {
+  for (i = 0; i < 5; ++i) {
     unpoison(handles[i], 4096);
     memcpy(copy.bytes, handles[i], 4096);
     refused_as_anything(copy.bytes, "a moved handle");
@@ -168,20 +217,25 @@ static void no_handles_at_all(void) {
 /* Nothing but the tag of a handle is gone: what was computed from it must not follow the pointer any more. */
 static void forgotten_handles(void) {
   hsp_view_info info;
+  hsp_surface_counts counts;
   uint64_t tag;
   four_handles_compute(&h);
+  CHECK_EQUAL(hsp_surface_compute(surface, h.boundary, NULL), HSP_OK);
   check_scene("a model without its tag");
   memcpy(&tag, h.model, sizeof tag);
   memset(h.model, 0, sizeof tag);
   check_status(contents_of_boundary(h.boundary), HSP_E_STATE);
   check_status(contents_of_topology(h.topology), HSP_E_STATE);
   CHECK_EQUAL(hsp_view_get_info(h.view, &info), HSP_E_STATE);
+  CHECK_EQUAL(hsp_surface_get_counts(surface, &counts), HSP_E_STATE);
   memcpy(h.model, &tag, sizeof tag);
   check_scene("a boundary without its tag");
   memcpy(&tag, h.boundary, sizeof tag);
   memset(h.boundary, 0, sizeof tag);
   check_status(contents_of_topology(h.topology), HSP_E_STATE);
+  CHECK_EQUAL(hsp_surface_get_counts(surface, &counts), HSP_E_STATE);
   memcpy(h.boundary, &tag, sizeof tag);
+  CHECK_EQUAL(hsp_surface_get_counts(surface, &counts), HSP_OK);
   check_status(contents_of_topology(h.topology), HSP_OK);
   CHECK_EQUAL(hsp_view_get_info(h.view, &info), HSP_OK);
 }
@@ -209,6 +263,7 @@ static void dead_handles(void) {
 int main(void) {
   h = four_handles_make(BALLS);
   four_handles_compute(&h);
+  make_surface();
   handles_of_other_kinds();
   moved_handles();
   no_handles_at_all();

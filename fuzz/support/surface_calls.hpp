@@ -1,0 +1,147 @@
+// One surface handle in a random sequence of calls, and what each call must say.
+#pragma once
+
+#include <cmath>
+
+#include "call_checks.hpp"
+#include "struct_version.hpp"
+
+namespace fuzz {
+
+class SurfaceCalls {
+ public:
+  explicit SurfaceCalls(Bytes &bytes) : bytes_(bytes) {}
+
+  // To be called before the boundary's memory goes.
+  void drop() { surface_ = nullptr; }
+
+  void init(const hsp_boundary *boundary, bool boundary_complete) {
+    hsp_surface_limits limits{};
+    const int32_t suited = hsp_surface_limits_init(&limits, sizeof limits, boundary);
+    FUZZ_REQUIRE(suited == (boundary == nullptr ? HSP_E_ARGUMENT
+                            : boundary_complete ? HSP_OK
+                                                : HSP_E_STATE),
+                 "hsp_surface_limits_init");
+    if (suited != HSP_OK || bytes_.below(3) == 0) {
+      const uint32_t n = bytes_.below(28);
+      limits = {sizeof limits, 8 * n, 4 * n + 1, n, 8 * n, 30 * n, 2 * n};
+    }
+    if (bytes_.one_in(16)) limits.arcs = 0xFFFFFFFF;
+    StructVersion<hsp_surface_limits> version(limits, bytes_);
+    size_t size = 12345;
+    const int32_t status = hsp_surface_bytes(version.get(), &size);
+    FUZZ_REQUIRE(status == (!version.good()               ? HSP_E_ARGUMENT
+                            : limits.arcs > HSP_MAX_BALLS ? HSP_E_RANGE
+                                                          : HSP_OK),
+                 "hsp_surface_bytes");
+    FUZZ_REQUIRE(status == HSP_OK || size == 12345, "bytes written on failure");
+    if (status != HSP_OK) {
+      size = 4096;
+    } else {
+      FUZZ_REQUIRE(size <= HSP_SURFACE_BYTES(limits.vertices, limits.faces, limits.neighbours, limits.pieces,
+                                             limits.arcs, limits.cusped_circles),
+                   "hsp_surface_bytes, property 1");
+    }
+    const size_t missing = bytes_.one_in(8) ? 1 + bytes_.below(200) : 0;
+    const size_t misalignment = bytes_.below(16);
+    const size_t given = missing < size ? size - missing : 0;
+    surface_ = nullptr;
+    memory_ = std::vector<uint8_t>(misalignment + given + 1, 0x3C);
+    hsp_surface *made = nullptr;
+    const int32_t done = hsp_surface_init(memory_.data() + misalignment, given, version.get(), &made);
+    FUZZ_REQUIRE(done == (status != HSP_OK ? status : missing > 0 ? HSP_E_MEMORY : HSP_OK), "hsp_surface_init");
+    FUZZ_REQUIRE(memory_.back() == 0x3C, "written past the surface's memory");
+    if (done != HSP_OK) {
+      FUZZ_REQUIRE(made == nullptr, "a handle after failure");
+      return;
+    }
+    surface_ = made;
+    limits_ = limits;
+    complete_ = false;
+  }
+
+  // Of the whole boundary, or of shells with any numbers. version: changes with the boundary's results.
+  void compute(const hsp_boundary *boundary, bool boundary_complete, uint64_t version) {
+    hsp_surface *surface = null(bytes_) ? nullptr : surface_;
+    hsp_surface_limits needed = limits_;
+    uint32_t shells[3];
+    for (uint32_t &shell : shells) shell = bytes_.one_in(20) ? HSP_NONE - bytes_.byte() : bytes_.below(2);
+    const uint32_t count = bytes_.below(4);
+    const bool all = bytes_.below(2) == 0, no_shells = !all && null(bytes_);
+    const int32_t status =
+        all ? hsp_surface_compute(surface, boundary, &needed)
+            : hsp_surface_compute_shells(surface, boundary, no_shells ? nullptr : shells, count, &needed);
+    FUZZ_REQUIRE(memory_.empty() || memory_.back() == 0x3C, "written past the surface's memory");
+    if (surface == nullptr) {
+      FUZZ_REQUIRE(status == HSP_E_ARGUMENT, "hsp_surface_compute, arguments");
+      return;
+    }
+    // Whatever comes of it, earlier results are gone.
+    complete_ = status == HSP_OK;
+    if (boundary == nullptr || (no_shells && count > 0) || !boundary_complete) {
+      const bool bad = boundary == nullptr || (no_shells && count > 0);
+      FUZZ_REQUIRE(status == (bad ? HSP_E_ARGUMENT : HSP_E_STATE), "hsp_surface_compute, refused");
+      return;
+    }
+    hsp_boundary_counts counts{};
+    FUZZ_REQUIRE(hsp_boundary_get_counts(boundary, &counts) == HSP_OK, "hsp_boundary_get_counts");
+    bool there = true;
+    for (uint32_t k = 0; k < count && !all; ++k) there = there && shells[k] < counts.shells;
+    if (!there) {
+      FUZZ_REQUIRE(status == HSP_E_ID, "a shell that is not there");
+      return;
+    }
+    version_ = version;
+    FUZZ_REQUIRE(status == HSP_OK || status == HSP_E_CAPACITY, "a status that hsp_surface_compute does not have");
+    const bool more = needed.vertices > limits_.vertices || needed.faces > limits_.faces ||
+                      needed.neighbours > limits_.neighbours || needed.pieces > limits_.pieces ||
+                      needed.arcs > limits_.arcs || needed.cusped_circles > limits_.cusped_circles;
+    FUZZ_REQUIRE(more == (status == HSP_E_CAPACITY), "a limit is raised exactly after HSP_E_CAPACITY");
+  }
+
+  void read(uint64_t version) {
+    hsp_surface *surface = null(bytes_) ? nullptr : surface_;
+    const int32_t expected = surface == nullptr                 ? HSP_E_ARGUMENT
+                             : complete_ && version_ == version ? HSP_OK
+                                                                : HSP_E_STATE;
+    hsp_surface_counts counts{};
+    hsp_surface_totals totals{};
+    hsp_energy energy{};
+    hsp_surface_map_counts map{};
+    uint32_t invariant = 12345, id = 12345, needed = 12345;
+    FUZZ_REQUIRE(hsp_surface_get_counts(surface, &counts) == expected, "hsp_surface_get_counts");
+    FUZZ_REQUIRE(hsp_surface_measure(surface, &totals, nullptr, 0, nullptr) == expected, "hsp_surface_measure");
+    const double tension = number(bytes_, true);
+    const int32_t gradient = hsp_surface_gradient(surface, tension, 1, &energy, nullptr, nullptr, nullptr, 0, nullptr);
+    FUZZ_REQUIRE(gradient == (expected == HSP_OK && !std::isfinite(tension) ? HSP_E_NOT_FINITE : expected),
+                 "hsp_surface_gradient");
+    const int32_t of_map = expected == HSP_OK && counts.open_joints > 0 ? HSP_E_CHECK : expected;
+    FUZZ_REQUIRE(hsp_surface_get_map_counts(surface, &map) == of_map, "hsp_surface_get_map_counts");
+    FUZZ_REQUIRE(hsp_surface_check(surface, &invariant, &id) == of_map, "hsp_surface_check");
+    FUZZ_REQUIRE(expected == HSP_OK ? invariant == (counts.open_joints > 0 ? 1 : 0) : invariant == 12345, "invariant");
+    const int32_t shells = hsp_surface_get_shells(surface, nullptr, 0, &needed);
+    FUZZ_REQUIRE(shells == (of_map == HSP_OK && map.shells > 0 ? HSP_E_CAPACITY : of_map), "hsp_surface_get_shells");
+    FUZZ_REQUIRE(needed == (of_map == HSP_OK ? map.shells : 12345), "how many shells");
+    const uint32_t patch = bytes_.below(60), h = bytes_.one_in(12) ? HSP_NONE - bytes_.below(5) : bytes_.below(400);
+    hsp_surface_patch record{};
+    FUZZ_REQUIRE(hsp_surface_get_patches(surface, patch, 1, &record) ==
+                     (of_map == HSP_OK && patch >= map.patches ? HSP_E_ID : of_map),
+                 "hsp_surface_get_patches");
+    const bool there = of_map == HSP_OK && h / 2 < map.edges;
+    for (const uint32_t to :
+         {hsp_surface_next(surface, h), hsp_surface_previous(surface, h), hsp_surface_next_loop(surface, h)}) {
+      FUZZ_REQUIRE(there ? to / 2 < map.edges : to == HSP_NONE, "a step from a directed edge");
+    }
+    FUZZ_REQUIRE(there ? hsp_surface_left(surface, h) < map.patches : hsp_surface_left(surface, h) == HSP_NONE, "left");
+  }
+
+ private:
+  Bytes &bytes_;
+  std::vector<uint8_t> memory_;
+  hsp_surface *surface_ = nullptr;
+  hsp_surface_limits limits_{};
+  bool complete_ = false;  // it got results, from that version of the boundary's
+  uint64_t version_ = 0;
+};
+
+}  // namespace fuzz
