@@ -33,6 +33,19 @@ std::vector<double> numbers_of(const std::string &line) {
   return numbers;
 }
 
+// Three balls around a throat that the probe does not pass: a sphere.
+TEST(Examples, TrianglesAreOneSphere) {
+  const TemporaryFile file("triangles.xyzr", "1.8 0 0 1.7\n-0.9 1.56 0 1.7\n-0.9 -1.56 0 1.7\n");
+  const Outcome outcome = run_example("triangles", {file.path(), "1.4", "0.5"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::vector<std::string> lines = lines_of(outcome.out);
+  ASSERT_GT(lines.size(), 2u);
+  EXPECT_EQ(lines[0], "OFF");
+  const std::vector<double> counts = numbers_of(lines[1]);
+  EXPECT_EQ(counts.at(0) - counts.at(1) / 2, 2.0);
+  EXPECT_EQ(lines.size(), 2 + static_cast<size_t>(counts[0] + counts[1]));
+}
+
 // The ring is a torus of six balls and six free circles. Every face but the first is reached across an edge of
 // an earlier one, and who lies across whom is mutual.
 TEST(Examples, WalkShellVisitsATorus) {
