@@ -1,6 +1,7 @@
 #include "hsp_view.hpp"
 #include "hsp_boundary.hpp"
 #include "view/view_rotation.hpp"
+#include "view_options.hpp"
 
 using hsp::capi::is_live;
 
@@ -18,14 +19,6 @@ int32_t from_c(const hsp_view_limits *given, hsp::ViewLimits &result) {
 
 hsp_view_limits to_c(const hsp::ViewLimits &limits) {
   return {sizeof(hsp_view_limits), limits.balls, limits.neighbours, limits.arcs};
-}
-
-constexpr hsp_view_options default_view_options = {
-    sizeof(hsp_view_options), HSP_PIECES_OUTSIDE_FARTHER, 0, 0, {0.0, 0.0, 1.0}, {0.0, 1.0, 0.0}};
-
-bool is_valid(const hsp_view_options &options) {
-  return options.pieces <= HSP_PIECES_OUTSIDE_ALL && (options.flags & ~HSP_VIEW_ALL_BALLS) == 0 &&
-         options.reserved == 0;
 }
 
 }  // namespace
@@ -49,7 +42,7 @@ int32_t hsp_view_init(void *memory, size_t bytes, const hsp_view_limits *limits,
 }
 
 int32_t hsp_view_options_init(hsp_view_options *options, uint32_t struct_size) {
-  return hsp::capi::write_struct(default_view_options, options, struct_size) ? HSP_OK : HSP_E_ARGUMENT;
+  return hsp::capi::write_struct(hsp::capi::default_view_options, options, struct_size) ? HSP_OK : HSP_E_ARGUMENT;
 }
 
 int32_t hsp_view_options_turn(hsp_view_options *options, double x, double y, double z) {
@@ -68,19 +61,15 @@ int32_t hsp_view_compute(hsp_view *view, const hsp_model *model, const hsp_bound
                          const hsp_view_options *options, hsp_view_limits *limits) {
   if (!is_live(view)) return HSP_E_ARGUMENT;
   view->complete = false;
-  hsp::ViewRequest request;
-  if (!is_live(model) || !hsp::capi::may_write(limits)) return HSP_E_ARGUMENT;
-  if (options != nullptr) {
-    hsp_view_options wanted;
-    if (!hsp::capi::read_struct(options, default_view_options, wanted) || !is_valid(wanted)) return HSP_E_ARGUMENT;
-    for (int k = 0; k < 3; ++k) {
-      request.direction.towards[k] = wanted.towards[k];
-      request.direction.up[k] = wanted.up[k];
-    }
-    request.kind =
-        wanted.pieces == HSP_PIECES_OUTSIDE_ALL ? hsp::PieceKind::outside_all : hsp::PieceKind::outside_farther;
-    request.all_balls = (wanted.flags & HSP_VIEW_ALL_BALLS) != 0;
+  hsp_view_options wanted;
+  if (!is_live(model) || !hsp::capi::may_write(limits) || !hsp::capi::read_view_options(options, wanted)) {
+    return HSP_E_ARGUMENT;
   }
+  hsp::ViewRequest request;
+  request.direction = hsp::capi::direction_of(wanted);
+  request.kind =
+      wanted.pieces == HSP_PIECES_OUTSIDE_ALL ? hsp::PieceKind::outside_all : hsp::PieceKind::outside_farther;
+  request.all_balls = (wanted.flags & HSP_VIEW_ALL_BALLS) != 0;
   if (boundary == nullptr) {
     if (request.kind == hsp::PieceKind::outside_all) return HSP_E_ARGUMENT;
   } else {

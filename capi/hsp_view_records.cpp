@@ -1,24 +1,14 @@
 #include "core/elementary.hpp"
 #include "hsp_view.hpp"
 #include "view/projected_arcs.hpp"
+#include "view_options.hpp"
 
 using hsp::capi::is_live;
 
 namespace {
 
 using hsp::capi::check_request;
-using hsp::capi::to_array;
-
-// Lengths of a view in the caller's unit.
-struct ViewLengths {
-  const hsp::exact::Lattice &lattice;
-
-  double operator()(double steps) const { return lattice.length(steps); }
-  void point(const double steps[2], double out[2]) const {
-    out[0] = lattice.length(steps[0]);
-    out[1] = lattice.length(steps[1]);
-  }
-};
+using hsp::capi::ViewLengths;
 
 double length_of(const double v[2]) {
   return std::sqrt(v[0] * v[0] + v[1] * v[1]);
@@ -49,11 +39,7 @@ int32_t hsp_view_get_info(const hsp_view *view, hsp_view_info *info) {
   const hsp::View &structure = view->structure();
   const ViewLengths length{balls.lattice};
   *info = {};
-  to_array(structure.frame.origin, info->origin);
-  for (double &coordinate : info->origin) coordinate = length(coordinate);
-  to_array(structure.frame.right, info->right);
-  to_array(structure.frame.up, info->up);
-  to_array(structure.frame.towards, info->towards);
+  hsp::capi::put_frame(length, structure.frame, *info);
   const hsp::ViewBox box = hsp::box_of(balls, structure);
   length.point(box.low, info->low);
   length.point(box.high, info->high);

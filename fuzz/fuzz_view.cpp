@@ -10,43 +10,11 @@
 #include "guarded_output.hpp"
 #include "required_limits.hpp"
 #include "topology_input.hpp"
+#include "view_input.hpp"
 
 namespace {
 
 using fuzz::same;
-
-// ---- input ----
-
-struct Direction {
-  double towards[3];
-};
-constexpr Direction nice_directions[] = {{{0, 0, 0}},  {{0, 0, 1}},   {{0, 0, -1}}, {{1, 0, 0}},  {{-3, 0, 0}},
-                                         {{0, 1, 0}},  {{0, -1, 0}},  {{1, 1, 0}},  {{0, -1, 1}}, {{1, 1, 1}},
-                                         {{-1, 1, 1}}, {{-2, -2, 2}}, {{3, 4, 0}},  {{1, 2, 2}},  {{-6, 2, 3}}};
-
-double component(fuzz::Bytes &bytes) {
-  const uint32_t high = bytes.below(256), low = bytes.below(256);
-  return (static_cast<double>(high) - 127.5) + static_cast<double>(low) / 256;
-}
-
-hsp_view_options view_options(fuzz::Bytes &bytes) {
-  hsp_view_options options;
-  FUZZ_REQUIRE(hsp_view_options_init(&options, sizeof options) == HSP_OK, "hsp_view_options_init");
-  const uint32_t kind = bytes.below(4);
-  if (kind == 3) {
-    const double x = component(bytes) * 3, y = component(bytes) * 3, z = component(bytes) * 3;
-    FUZZ_REQUIRE(hsp_view_options_turn(&options, x, y, z) == HSP_OK, "hsp_view_options_turn");
-  } else if (kind == 2) {
-    for (double &x : options.towards) x = component(bytes);
-    for (double &x : options.up) x = bytes.below(5) - 2.0;
-  } else {
-    const Direction &nice = nice_directions[bytes.below(static_cast<uint32_t>(std::size(nice_directions)))];
-    std::copy(nice.towards, nice.towards + 3, options.towards);
-  }
-  options.pieces = bytes.below(2);
-  options.flags = bytes.below(2);
-  return options;
-}
 
 // ---- records ----
 
@@ -247,7 +215,7 @@ void require_pictures(const view_result &v, const view_result &other, fuzz::Byte
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   fuzz::Bytes bytes(data, size);
-  const hsp_view_options options = view_options(bytes);
+  const hsp_view_options options = fuzz::view_options(bytes);
   const bool with_boundary = options.pieces == HSP_PIECES_OUTSIDE_ALL || bytes.one_in(3);
   const fuzz::ScaledBalls set = fuzz::topology_set(bytes);
   const Result reference(set, options, with_boundary);

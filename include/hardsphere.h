@@ -15,6 +15,7 @@
  *   hardsphere/topology.h   the boundary as quad-edges with simple faces, shells, cells, point location (Step 3)
  *   hardsphere/view.h       pieces in painter's order as true arcs (Section 5.1)
  *   hardsphere/picture.h    a view as SVG, EPS or PDF
+ *   hardsphere/map.h        what is seen as faces, edges and vertices of the view plane (Section 5.2)
  * The paper is Halperin and Overmars, "Spheres, Molecules, and Hidden Surface Removal", UU-CS-1994-36.
  *
  * ARRAYS
@@ -78,8 +79,8 @@
  * HANDLES AFTER A FAILURE
  *   hsp_model_set and hsp_X_compute replace what the handle held, whether they succeed or not. One that fails, for
  *   whatever reason, leaves the handle as hsp_X_init makes it: a model is empty (hsp_model_get_info says so: 0 balls,
- *   step 1e-8); a boundary, surface, mesh, topology or view holds no results, and reading it yields HSP_E_STATE. All
- *   other functions leave what a handle holds as it is, whatever they return.
+ *   step 1e-8); a boundary, surface, mesh, topology, view or map holds no results, and reading it yields HSP_E_STATE.
+ *   All other functions leave what a handle holds as it is, whatever they return.
  */
 #ifndef HARDSPHERE_H
 #define HARDSPHERE_H
@@ -87,6 +88,7 @@
 #include "hardsphere/boundary.h"
 #include "hardsphere/element.h"
 #include "hardsphere/gradient.h"
+#include "hardsphere/map.h"
 #include "hardsphere/measure.h"
 #include "hardsphere/mesh.h"
 #include "hardsphere/model.h"

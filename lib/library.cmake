@@ -129,6 +129,8 @@ set(HSP_LIBRARY_SOURCES
   capi/hsp_gradient.cpp
   capi/hsp_surface.cpp
   capi/hsp_surface_records.cpp
+  capi/hsp_map.cpp
+  capi/hsp_map_records.cpp
   capi/hsp_mesh.cpp
   capi/hsp_topology.cpp
   capi/hsp_topology_records.cpp

@@ -12,7 +12,8 @@
 !   uint8_t selected[n]          integer(c_int8_t) :: selected(n), 0 or not 0
 !   hsp_model *, hsp_boundary *,
 !   hsp_surface *, hsp_mesh *,
-!   hsp_topology *, hsp_view *   type(c_ptr)
+!   hsp_topology *, hsp_view *,
+!   hsp_map *                    type(c_ptr)
 !   void *memory                 type(c_ptr) from c_loc of an array with the TARGET attribute; the handle lives in it,
 !                                so the array must outlive the handle and must not be reallocated
 !   T *out, uint32_t capacity    out(*) with capacity elements; other extents stand behind the declarations
@@ -92,6 +93,11 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_PIECES_OUTSIDE_FARTHER = 0_c_int32_t
   integer(c_int32_t), parameter :: HSP_PIECES_OUTSIDE_ALL = 1_c_int32_t
   integer(c_int32_t), parameter :: HSP_VIEW_ALL_BALLS = 1_c_int32_t
+
+  integer(c_int32_t), parameter :: HSP_MAP_PLAIN = 0_c_int32_t
+  integer(c_int32_t), parameter :: HSP_MAP_TRIPLE = 1_c_int32_t
+  integer(c_int32_t), parameter :: HSP_MAP_T = 2_c_int32_t
+  integer(c_int32_t), parameter :: HSP_MAP_TANGENCY = 3_c_int32_t
 
   integer(c_int32_t), parameter :: HSP_FORMAT_SVG = 0_c_int32_t
   integer(c_int32_t), parameter :: HSP_FORMAT_EPS = 1_c_int32_t
@@ -475,6 +481,67 @@ module hardsphere
     real(c_double) :: end(2)           ! length
     integer(c_int32_t) :: piece        ! 0-based
     integer(c_int32_t) :: other_ball   ! 0-based, HSP_NONE on the silhouette
+  end type
+
+  type, bind(C) :: hsp_map_limits
+    integer(c_int32_t) :: struct_size  ! hsp_map_limits_init sets it
+    integer(c_int32_t) :: balls
+    integer(c_int32_t) :: neighbours
+    integer(c_int32_t) :: edges
+  end type
+
+  type, bind(C) :: hsp_map_info
+    real(c_double) :: origin(3)        ! length
+    real(c_double) :: right(3)
+    real(c_double) :: up(3)
+    real(c_double) :: towards(3)
+    real(c_double) :: area             ! length^2
+    real(c_double) :: perturbation     ! length
+    integer(c_int32_t) :: vertices
+    integer(c_int32_t) :: edges
+    integer(c_int32_t) :: faces
+    integer(c_int32_t) :: components
+    integer(c_int32_t) :: balls
+    integer(c_int32_t) :: reserved
+  end type
+
+  type, bind(C) :: hsp_map_vertex
+    real(c_double) :: xyz(3)           ! length
+    integer(c_int32_t) :: kind         ! HSP_MAP_*
+    integer(c_int32_t) :: h            ! 0-based
+    integer(c_int32_t) :: ball(3)      ! 0-based
+    integer(c_int32_t) :: reserved
+  end type
+
+  type, bind(C) :: hsp_map_edge
+    real(c_double) :: centre(2)        ! length
+    real(c_double) :: first(2)         ! length
+    real(c_double) :: second(2)        ! length
+    real(c_double) :: from             ! radians
+    real(c_double) :: to               ! radians
+    integer(c_int32_t) :: ball(2)      ! 0-based
+    integer(c_int32_t) :: face(2)      ! 0-based
+    integer(c_int32_t) :: vertex(2)    ! 0-based
+    integer(c_int32_t) :: next(2)      ! 0-based
+  end type
+
+  type, bind(C) :: hsp_map_face
+    real(c_double) :: area             ! length^2
+    integer(c_int32_t) :: ball         ! 0-based
+    integer(c_int32_t) :: h            ! 0-based
+    integer(c_int32_t) :: loops
+    integer(c_int32_t) :: reserved
+  end type
+
+  type, bind(C) :: hsp_map_sight
+    real(c_double) :: depth            ! length
+    integer(c_int32_t) :: ball         ! 0-based
+    integer(c_int32_t) :: face         ! 0-based
+  end type
+
+  type, bind(C) :: hsp_map_point
+    real(c_double) :: xyz(3)           ! length
+    real(c_double) :: gap(2)           ! length
   end type
 
   type, bind(C) :: hsp_picture_options
@@ -1425,6 +1492,155 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
+    ! ---- the visibility map ----------------------------------------------------------------------------------------
+
+    function hsp_map_limits_init(limits, struct_size, balls) result(status) bind(C, name="hsp_map_limits_init")
+      import :: c_int32_t, hsp_map_limits
+      type(hsp_map_limits), intent(inout) :: limits
+      integer(c_int32_t), value :: struct_size
+      integer(c_int32_t), value :: balls
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_map_bytes(limits, bytes) result(status) bind(C, name="hsp_map_bytes")
+      import :: c_int32_t, c_size_t, hsp_map_limits
+      type(hsp_map_limits), intent(in) :: limits
+      integer(c_size_t), intent(inout) :: bytes
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_map_init(memory, bytes, limits, map) result(status) bind(C, name="hsp_map_init")
+      import :: c_int32_t, c_ptr, c_size_t, hsp_map_limits
+      type(c_ptr), value :: memory
+      integer(c_size_t), value :: bytes
+      type(hsp_map_limits), intent(in) :: limits
+      type(c_ptr), intent(inout) :: map
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_map_compute(map, model, options, limits) result(status) bind(C, name="hsp_map_compute")
+      import :: c_int32_t, c_ptr, hsp_map_limits, hsp_view_options
+      type(c_ptr), value :: map
+      type(c_ptr), value :: model
+      type(hsp_view_options), intent(in), optional :: options
+      type(hsp_map_limits), intent(inout), optional :: limits
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_map_get_info(map, info) result(status) bind(C, name="hsp_map_get_info")
+      import :: c_int32_t, c_ptr, hsp_map_info
+      type(c_ptr), value :: map
+      type(hsp_map_info), intent(inout) :: info
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_map_next(map, h) result(found) bind(C, name="hsp_map_next")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: map
+      integer(c_int32_t), value :: h  ! a directed edge, 0-based
+      integer(c_int32_t) :: found
+    end function
+
+    function hsp_map_previous(map, h) result(found) bind(C, name="hsp_map_previous")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: map
+      integer(c_int32_t), value :: h  ! a directed edge, 0-based
+      integer(c_int32_t) :: found
+    end function
+
+    function hsp_map_next_loop(map, h) result(found) bind(C, name="hsp_map_next_loop")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: map
+      integer(c_int32_t), value :: h  ! a directed edge, 0-based
+      integer(c_int32_t) :: found
+    end function
+
+    function hsp_map_origin(map, h) result(found) bind(C, name="hsp_map_origin")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: map
+      integer(c_int32_t), value :: h  ! a directed edge, 0-based
+      integer(c_int32_t) :: found
+    end function
+
+    function hsp_map_left(map, h) result(found) bind(C, name="hsp_map_left")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: map
+      integer(c_int32_t), value :: h  ! a directed edge, 0-based
+      integer(c_int32_t) :: found
+    end function
+
+    function hsp_map_get_vertices(map, first, count, out) result(status) bind(C, name="hsp_map_get_vertices")
+      import :: c_int32_t, c_ptr, hsp_map_vertex
+      type(c_ptr), value :: map
+      integer(c_int32_t), value :: first  ! 0-based
+      integer(c_int32_t), value :: count
+      type(hsp_map_vertex), intent(inout), optional :: out(*)
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_map_get_edges(map, first, count, out) result(status) bind(C, name="hsp_map_get_edges")
+      import :: c_int32_t, c_ptr, hsp_map_edge
+      type(c_ptr), value :: map
+      integer(c_int32_t), value :: first  ! 0-based
+      integer(c_int32_t), value :: count
+      type(hsp_map_edge), intent(inout), optional :: out(*)
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_map_get_faces(map, first, count, out) result(status) bind(C, name="hsp_map_get_faces")
+      import :: c_int32_t, c_ptr, hsp_map_face
+      type(c_ptr), value :: map
+      integer(c_int32_t), value :: first  ! 0-based
+      integer(c_int32_t), value :: count
+      type(hsp_map_face), intent(inout), optional :: out(*)
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_map_get_areas(map, area, capacity, needed) result(status) bind(C, name="hsp_map_get_areas")
+      import :: c_double, c_int32_t, c_ptr
+      type(c_ptr), value :: map
+      real(c_double), intent(inout), optional :: area(*)  ! n
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_map_get_outline(map, ball, h, capacity, needed) result(status) bind(C, name="hsp_map_get_outline")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: map
+      integer(c_int32_t), value :: ball  ! 0-based
+      integer(c_int32_t), intent(inout), optional :: h(*)  ! 0-based
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_map_pick(map, x, y, sight) result(status) bind(C, name="hsp_map_pick")
+      import :: c_double, c_int32_t, c_ptr, hsp_map_sight
+      type(c_ptr), value :: map
+      real(c_double), value :: x
+      real(c_double), value :: y
+      type(hsp_map_sight), intent(inout) :: sight
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_map_get_point(map, edge, t, point) result(status) bind(C, name="hsp_map_get_point")
+      import :: c_double, c_int32_t, c_ptr, hsp_map_point
+      type(c_ptr), value :: map
+      integer(c_int32_t), value :: edge  ! 0-based
+      real(c_double), value :: t
+      type(hsp_map_point), intent(inout) :: point
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_map_check(map, invariant, id) result(status) bind(C, name="hsp_map_check")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: map
+      integer(c_int32_t), intent(inout) :: invariant
+      integer(c_int32_t), intent(inout) :: id
+      integer(c_int32_t) :: status
+    end function
+
     ! ---- pictures --------------------------------------------------------------------------------------------------
 
     function hsp_picture_options_init(options, struct_size) result(status) bind(C, name="hsp_picture_options_init")
@@ -1493,6 +1709,13 @@ contains
     integer(c_int32_t) :: turned
     turned = HSP_NONE
     if (h /= HSP_NONE) turned = ieor(h, 1_c_int32_t)
+  end function
+
+  !> HSP_MAP_TWIN of the header: the directed edge h the other way.
+  elemental function hsp_map_twin(h) result(turned)
+    integer(c_int32_t), intent(in) :: h
+    integer(c_int32_t) :: turned
+    turned = hsp_surface_twin(h)
   end function
 
   elemental function quad_turned(q, quarters) result(turned)
@@ -1573,6 +1796,14 @@ contains
     integer(c_size_t) :: bytes
     bytes = 32768_c_size_t + 192_c_size_t*int(balls, c_size_t) + 384_c_size_t*int(neighbours, c_size_t) &
             + 64_c_size_t*int(arcs, c_size_t)
+  end function
+
+  !> HSP_MAP_BYTES of the header, for the size of an allocation.
+  pure function hsp_map_bytes_bound(balls, neighbours, edges) result(bytes)
+    integer(c_int32_t), intent(in) :: balls, neighbours, edges
+    integer(c_size_t) :: bytes
+    bytes = 32768_c_size_t + 288_c_size_t*int(balls, c_size_t) + 208_c_size_t*int(neighbours, c_size_t) &
+            + 352_c_size_t*int(edges, c_size_t)
   end function
 
   !> hsp_status_text as a Fortran string.

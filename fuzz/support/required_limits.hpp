@@ -23,6 +23,9 @@ inline size_t most_bytes(const hsp_topology_limits &limits) {
 inline size_t most_bytes(const hsp_view_limits &limits) {
   return HSP_VIEW_BYTES(limits.balls, limits.neighbours, limits.arcs);
 }
+inline size_t most_bytes(const hsp_map_limits &limits) {
+  return HSP_MAP_BYTES(limits.balls, limits.neighbours, limits.edges);
+}
 
 // `exact`: the limits that the computation needs. `compute` takes a handle and limits to hand back and returns its
 // status, `read` takes it and returns the status of reading; where that is HSP_OK it has compared what it read.

@@ -96,7 +96,9 @@ void DiscGrid::gather(uint32_t i, FixedVector<uint32_t> &near) const {
 }
 
 DiscGrid::Highest DiscGrid::highest_at(double x, double y, uint32_t except) const {
-  constexpr double close = 0x1p-24;  // of the radius
+  constexpr double close = 0x1p-24;    // of the radius
+  constexpr double farthest = 0x1p52;  // farther out than any disc, and still within integers
+  if (std::fabs(x) > farthest || std::fabs(y) > farthest) return {no_id, true};
   uint32_t best = no_id;
   double highest = 0.0;
   double runner_up = 0.0;     // of two or more

@@ -31,6 +31,8 @@ Status MapBuilder::build_moved(const BallSet &balls, double perturbation) {
     needed_.edges = larger_count(needed_.edges, arcs_.needed_edges());
     return Status::capacity;
   }
+  // Every arc becomes an edge at least.
+  needed_.edges = larger_count(needed_.edges, arcs_.arcs().size());
   if (!arcs_.certain()) return Status::check;
   const uint32_t edges = clamped_count(linker_.count_edges(arcs_.arcs(), map_.balls.size()));
   needed_.edges = larger_count(needed_.edges, edges);

@@ -107,6 +107,7 @@ void MapFaceFinder::add_outer_loops(VisibilityMap &map) {
     loop.face = map.faces.size();
     map.faces.push({loop.owner, l, loop.area});
     uint32_t &first = first_face_[loop.owner == no_id ? balls : loop.owner];
+    if (first == no_id && loop.owner != no_id) ++map.owners;
     next_face_[loop.face] = first;
     first = loop.face;
   }

@@ -336,8 +336,19 @@ bool MapLinker::link_half_edges(VisibilityMap &map) {
   return true;
 }
 
+// Whether all open arcs end at vertices. A silhouette that is seen from where angles begin is joined with what is seen
+// up to there, unless roundings have hidden that.
+bool MapLinker::all_end_at_vertices() const {
+  for (const MapArc &arc : arcs_) {
+    if (!arc.closed && (arc.end[0].kind == MapVertexKind::plain || arc.end[1].kind == MapVertexKind::plain))
+      return false;
+  }
+  return true;
+}
+
 bool MapLinker::link(Span<const MapArc> arcs, VisibilityMap &map) {
   arcs_ = arcs;
+  if (!all_end_at_vertices()) return false;
   sort_named_ends(map.balls.size());
   if (!add_common_vertices(map)) return false;
   add_landings(map);

@@ -5,8 +5,8 @@
 // a silhouette is a vertex of its own, the stem of a T, which is put in its place among the visible arcs of that
 // silhouette. Then no angles need to be sorted: what follows a half-edge is known from labels too.
 //
-// A triple that is not three, a tangency that is not two or a T that misses all arcs shows that roundings have decided
-// differently about one and the same thing. Then there is no map.
+// A triple that is not three, a tangency that is not two, a T that misses all arcs or an end without a label shows that
+// roundings have decided differently about one and the same thing. Then there is no map.
 #pragma once
 
 #include "visibility/arc_finder.hpp"
@@ -38,6 +38,7 @@ class MapLinker {
     uint32_t vertex;
   };
 
+  bool all_end_at_vertices() const;
   void sort_named_ends(uint32_t balls);
   bool add_common_vertices(VisibilityMap &map);
   bool add_common_vertex(Span<const NamedEnd> ends, uint32_t first_ball, VisibilityMap &map);

@@ -53,11 +53,31 @@ EdgePoint edge_point(const VisibilityMap &map, uint32_t e, double t) {
   return {at.x, at.y, at.z, 0.0, gap > 0.0 ? gap : 0.0};
 }
 
-void sum_visible_areas(const VisibilityMap &map, Span<double> area) {
+void sum_visible_areas(const VisibilityMap &map, Span<const uint32_t> caller, Span<double> area) {
   for (double &sum : area) sum = 0.0;
-  for (uint32_t f = 1; f < map.faces.size(); ++f) {
-    if (map.faces[f].owner != no_id) area[map.faces[f].owner] += map.faces[f].area;
+  for (const MapFace &face : map.faces.items()) {
+    if (face.owner != no_id) area[caller[map.balls[face.owner].ball]] += face.area;
   }
+}
+
+double covered_area(const VisibilityMap &map) {
+  double sum = 0.0;
+  for (const MapFace &face : map.faces.items()) sum += face.owner == no_id ? 0.0 : face.area;
+  return sum;
+}
+
+uint32_t previous_half_edge(const VisibilityMap &map, uint32_t h) {
+  uint32_t leaving = h;
+  for (;;) {
+    const uint32_t arriving = leaving ^ 1U;
+    leaving = map.half_edges[arriving].next;
+    if (leaving == h) return arriving;
+  }
+}
+
+uint32_t next_loop(const VisibilityMap &map, uint32_t loop) {
+  const MapLoop &of = map.loops[loop];
+  return of.next_of_face != no_id ? of.next_of_face : map.faces[of.face].first_loop;
 }
 
 }  // namespace hsp

@@ -29,7 +29,16 @@ struct EdgePoint {
 // t: a parameter of the edge.
 EdgePoint edge_point(const VisibilityMap &map, uint32_t edge, double t);
 
-// Adds up the areas of each ball's faces. area [balls of the map].
-void sum_visible_areas(const VisibilityMap &map, Span<double> area);
+// Adds up the areas of each ball's faces; area [n], by the numbers that the caller gave the balls.
+void sum_visible_areas(const VisibilityMap &map, Span<const uint32_t> caller, Span<double> area);
+
+// All that the balls cover.
+double covered_area(const VisibilityMap &map);
+
+// The half-edge before another one around its face: the one before it around their common vertex, the other way.
+uint32_t previous_half_edge(const VisibilityMap &map, uint32_t h);
+
+// The loop of the same face after another one, the first one after the last.
+uint32_t next_loop(const VisibilityMap &map, uint32_t loop);
 
 }  // namespace hsp

@@ -89,6 +89,7 @@ struct VisibilityMap {
   ViewFrame frame;
   double perturbation = 0.0;  // no centre was moved farther, in lattice steps
   uint32_t components = 0;    // connected parts of the edges
+  uint32_t owners = 0;        // balls with faces
   Span<const SeenBall> balls;
   FixedVector<MapVertex> vertices;
   FixedVector<MapEdge> edges;
@@ -113,6 +114,7 @@ struct VisibilityMap {
     loops.clear();
     faces.clear();
     components = 0;
+    owners = 0;
   }
 
   uint32_t origin(uint32_t half_edge) const { return edges[half_edge / 2].vertex[half_edge % 2]; }

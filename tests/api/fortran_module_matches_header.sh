@@ -56,6 +56,7 @@ same "names of constants" "$work/constants" "$work/constants.module"
     echo "  printf(\"worker bytes %zu\n\", HSP_WORKER_BYTES($limits));"
     echo "  printf(\"topology bytes %zu\n\", HSP_TOPOLOGY_BYTES($limits));"
     echo "  printf(\"view bytes %zu\n\", HSP_VIEW_BYTES(${limits%,*}));"
+    echo "  printf(\"map bytes %zu\n\", HSP_MAP_BYTES(${limits%,*}));"
     echo "  printf(\"surface bytes %zu\n\", HSP_SURFACE_BYTES($limits,0,0));"
     echo "  printf(\"mesh bytes %zu\n\", HSP_MESH_BYTES($limits,0));"
   done
@@ -65,11 +66,11 @@ same "names of constants" "$work/constants" "$work/constants.module"
   for q in 0 1 2 3 4 5 6 7 1073741820 1073741823 2147483647; do
     echo "  printf(\"turned %ld %ld %ld\n\", (long)HSP_QUAD_ROT(UINT32_C($q)), (long)HSP_QUAD_INVERSE_ROT(UINT32_C($q)),"
     echo "         (long)HSP_QUAD_SYM(UINT32_C($q)));"
-    echo "  printf(\"twin %ld\n\", (long)HSP_SURFACE_TWIN(UINT32_C($q)));"
+    echo "  printf(\"twin %ld %ld\n\", (long)HSP_SURFACE_TWIN(UINT32_C($q)), (long)HSP_MAP_TWIN(UINT32_C($q)));"
   done
   echo '  printf("turned %ld %ld %ld\n", (long)(int32_t)HSP_QUAD_ROT(HSP_NONE),'
   echo '         (long)(int32_t)HSP_QUAD_INVERSE_ROT(HSP_NONE), (long)(int32_t)HSP_QUAD_SYM(HSP_NONE));'
-  echo '  printf("twin %ld\n", (long)(int32_t)HSP_SURFACE_TWIN(HSP_NONE));'
+  echo '  printf("twin %ld %ld\n", (long)(int32_t)HSP_SURFACE_TWIN(HSP_NONE), (long)(int32_t)HSP_MAP_TWIN(HSP_NONE));'
   echo '  return 0; }'
 } >"$work/constants.c"
 "$cc" -std=c99 -o "$work/constants.c.out" "$work/constants.c"
@@ -88,6 +89,7 @@ same "names of constants" "$work/constants" "$work/constants.module"
     echo "  print '(a, i0)', 'worker bytes ', hsp_worker_bytes_bound($limits)"
     echo "  print '(a, i0)', 'topology bytes ', hsp_topology_bytes_bound($limits)"
     echo "  print '(a, i0)', 'view bytes ', hsp_view_bytes_bound(${limits%,*})"
+    echo "  print '(a, i0)', 'map bytes ', hsp_map_bytes_bound(${limits%,*})"
     echo "  print '(a, i0)', 'surface bytes ', hsp_surface_bytes_bound($limits,0,0)"
     echo "  print '(a, i0)', 'mesh bytes ', hsp_mesh_bytes_bound($limits,0)"
   done
@@ -95,7 +97,7 @@ same "names of constants" "$work/constants" "$work/constants.module"
   echo "  print '(a, i0)', 'mesh bytes ', hsp_mesh_bytes_bound(0,0,0,0,1000)"
   for q in 0 1 2 3 4 5 6 7 1073741820 1073741823 2147483647 HSP_NONE; do
     echo "  print '(a, 2(i0, 1x), i0)', 'turned ', hsp_quad_rot($q), hsp_quad_inverse_rot($q), hsp_quad_sym($q)"
-    echo "  print '(a, i0)', 'twin ', hsp_surface_twin($q)"
+    echo "  print '(a, i0, 1x, i0)', 'twin ', hsp_surface_twin($q), hsp_map_twin($q)"
   done
   echo 'end program'
 } >"$work/constants.f90"

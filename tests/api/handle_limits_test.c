@@ -1,10 +1,11 @@
-/* The limits of boundaries, topologies, surfaces and views: what hsp_X_limits_init says, and every limit, size and
- * memory that is refused. */
+/* The limits of boundaries, topologies, surfaces, views and maps: what hsp_X_limits_init says, and every limit, size
+ * and memory that is refused. */
 #include <hardsphere.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "check.h"
+#include "map_result.h"
 #include "surface_result.h"
 #include "topology_result.h"
 #include "untouched.h"
@@ -45,7 +46,13 @@ static const kind_of_limits kinds[] = {{"boundary",
                                         {0, 1, 1, 12},
                                         {0, 0, 0, 64},
                                         (HSP_MAX_BALLS - 64) / 12,
-                                        {{(uint32_t)sizeof(hsp_view_limits), SMALL, SMALL, 40}}}};
+                                        {{(uint32_t)sizeof(hsp_view_limits), SMALL, SMALL, 40}}},
+                                       {"map",
+                                        &map_handle,
+                                        {0, 1, 1, 12},
+                                        {0, 0, 0, 64},
+                                        (HSP_MAX_BALLS - 64) / 12,
+                                        {{(uint32_t)sizeof(hsp_map_limits), SMALL, SMALL, 40}}}};
 enum { KINDS = sizeof kinds / sizeof kinds[0] };
 
 /* How many numbers the limits consist of: struct_size, the limits, and for some kinds one that is reserved. */

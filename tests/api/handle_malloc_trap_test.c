@@ -6,6 +6,7 @@
 #include "ball_sets.h"
 #include "check.h"
 #include "malloc_trap.h"
+#include "map_result.h"
 #include "mesh_result.h"
 #include "surface_result.h"
 #include "topology_result.h"
@@ -62,8 +63,8 @@ static void buffers_release(buffers *b) {
   free(b->row);
 }
 
-/* Every function but those of topologies, views and pictures, into the arrays of `c` and into `numbers`; the number of
- * calls that did not succeed. */
+/* Every function but those of topologies, views, pictures and maps, into the arrays of `c` and into `numbers`; how many
+ * calls did not succeed. */
 static int call_boundary(computed *c, const buffers *b) {
   hsp_model *model = NULL;
   hsp_boundary *boundary = NULL;
@@ -194,6 +195,39 @@ static int call_surface_mesh(const mesh_result *m, void *memory, size_t bytes) {
   bad += hsp_mesh_init(memory, bytes, &m->needed, &mesh) != HSP_OK;
   bad += hsp_mesh_compute_surface(mesh, m->surface, m->edge, NULL) != HSP_OK;
   bad += hsp_mesh_get_patch(mesh, 0, &first, &count) != HSP_OK || count == 0;
+  return bad;
+}
+
+static int call_map(map_result *m, void *memory, size_t bytes) {
+  hsp_map *map = NULL;
+  hsp_map_limits limits;
+  hsp_map_info info;
+  hsp_map_sight sight;
+  hsp_map_point point;
+  uint32_t needed = 0, invariant, id;
+  size_t size = 0;
+  int bad = 0;
+  bad += hsp_map_limits_init(&limits, (uint32_t)sizeof limits, m->base->n) != HSP_OK;
+  bad += hsp_map_bytes(&m->needed, &size) != HSP_OK;
+  bad += hsp_map_init(memory, bytes, &m->needed, &map) != HSP_OK;
+  bad += hsp_map_compute(map, m->base->model, &m->options, NULL) != HSP_OK;
+  bad += hsp_map_get_info(map, &info) != HSP_OK;
+  bad += hsp_map_get_vertices(map, 0, m->info.vertices, m->vertices) != HSP_OK;
+  bad += hsp_map_get_edges(map, 0, m->info.edges, m->edges) != HSP_OK;
+  bad += hsp_map_get_faces(map, 0, m->info.faces, m->faces) != HSP_OK;
+  bad += hsp_map_get_areas(map, m->area, m->base->n, &needed) != HSP_OK;
+  bad += hsp_map_check(map, &invariant, &id) != HSP_OK;
+  bad += hsp_map_pick(map, 0.1, 0.2, &sight) != HSP_OK;
+  for (id = 0; id < 2 * m->info.edges; ++id) {
+    bad += hsp_map_get_point(map, id / 2, m->edges[id / 2].from, &point) != HSP_OK;
+    bad += hsp_map_previous(map, hsp_map_next(map, id)) != id;
+    bad += hsp_map_left(map, hsp_map_next_loop(map, id)) != hsp_map_left(map, id);
+    bad += hsp_map_origin(map, id) == HSP_NONE;
+  }
+  if (m->base->n > 0) {
+    const int32_t status = hsp_map_get_outline(map, 0, NULL, 0, &needed);
+    bad += status != (needed == 0 ? HSP_OK : HSP_E_CAPACITY);
+  }
   return bad;
 }
 
@@ -419,6 +453,25 @@ static void trap_view(const computed *c, uint32_t pieces) {
   view_result_release(&v);
 }
 
+static void trap_map(const computed *c) {
+  hsp_view_options options;
+  map_result m;
+  CHECK_EQUAL(hsp_view_options_init(&options, (uint32_t)sizeof options), HSP_OK);
+  CHECK_EQUAL(hsp_view_options_turn(&options, 25, 35, 0), HSP_OK);
+  if (CHECK_EQUAL(map_result_make(c, &options, &m), HSP_OK)) {
+    size_t bytes = 0;
+    void *memory;
+    int bad;
+    CHECK_EQUAL(hsp_map_bytes(&m.needed, &bytes), HSP_OK);
+    memory = test_zeros(bytes, 1);
+    arm();
+    bad = call_map(&m, memory, bytes);
+    disarm(bad);
+    free(memory);
+  }
+  map_result_release(&m);
+}
+
 int main(void) {
   static ball_set set;
   computed c;
@@ -441,6 +494,7 @@ int main(void) {
       if (set.n > 0) trap_topology(&c);
       trap_view(&c, HSP_PIECES_OUTSIDE_FARTHER);
       trap_view(&c, HSP_PIECES_OUTSIDE_ALL);
+      trap_map(&c);
     }
     computed_release(&c);
   }

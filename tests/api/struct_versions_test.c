@@ -21,6 +21,7 @@ static four_handles h;
 static unsigned char other_memory[2 * SIZE], surface_memory[SIZE], mesh_memory[1 << 18];
 static hsp_surface *surface;
 static hsp_mesh *mesh;
+static hsp_map *map;
 
 static int32_t ignore_bytes(void *context, const char *bytes, size_t count) {
   (void)context;
@@ -69,6 +70,13 @@ static int32_t read_view_limits(const void *given) {
   CHECK_EQUAL(hsp_view_init(other_memory, sizeof other_memory, given, &made), status);
   return status;
 }
+static int32_t read_map_limits(const void *given) {
+  size_t bytes = 0;
+  hsp_map *made = NULL;
+  const int32_t status = hsp_map_bytes(given, &bytes);
+  CHECK_EQUAL(hsp_map_init(other_memory, sizeof other_memory, given, &made), status);
+  return status;
+}
 static int32_t read_view_options(const void *given) {
   return hsp_view_compute(h.view, h.model, NULL, given, NULL);
 }
@@ -107,6 +115,9 @@ static int32_t write_topology_limits(void *out, uint32_t size) {
 static int32_t write_view_limits(void *out, uint32_t size) {
   return hsp_view_limits_init(out, size, BALLS);
 }
+static int32_t write_map_limits(void *out, uint32_t size) {
+  return hsp_map_limits_init(out, size, BALLS);
+}
 
 /* The size comes with the struct where a computation hands limits back. */
 static int32_t return_boundary_limits(void *out, uint32_t size) {
@@ -129,6 +140,12 @@ static int32_t return_topology_limits(void *out, uint32_t size) {
   CHECK_EQUAL(hsp_boundary_compute(h.boundary, h.model, NULL), HSP_OK);
   memcpy(out, &size, sizeof size);
   return hsp_topology_compute(h.topology, h.boundary, out);
+}
+static int32_t return_map_limits(void *out, uint32_t size) {
+  const hsp_map_limits of_map = {(uint32_t)sizeof of_map, BALLS, BALLS, 64};
+  CHECK_EQUAL(hsp_map_init(other_memory, sizeof other_memory, &of_map, &map), HSP_OK);
+  memcpy(out, &size, sizeof size);
+  return hsp_map_compute(map, h.model, NULL, out);
 }
 static int32_t return_view_limits(void *out, uint32_t size) {
   memcpy(out, &size, sizeof size);
@@ -171,6 +188,11 @@ static const struct versioned {
      sizeof(hsp_view_limits),
      read_view_limits,
      {write_view_limits, return_view_limits, NULL}},
+    {"hsp_map_limits",
+     sizeof(hsp_map_limits),
+     sizeof(hsp_map_limits),
+     read_map_limits,
+     {write_map_limits, return_map_limits, NULL}},
     {"hsp_view_options",
      sizeof(hsp_view_options),
      sizeof(hsp_view_options),

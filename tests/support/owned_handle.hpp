@@ -81,6 +81,15 @@ struct ViewKind {
   static constexpr auto bytes = hsp_view_bytes;
   static constexpr auto init = hsp_view_init;
 };
+struct MapKind {
+  using Handle = hsp_map;
+  using Limits = hsp_map_limits;
+  static constexpr int enlargements = 12;
+  static constexpr std::array limits = {&Limits::balls, &Limits::neighbours, &Limits::edges};
+  static constexpr const char *name = "hsp_map";
+  static constexpr auto bytes = hsp_map_bytes;
+  static constexpr auto init = hsp_map_init;
+};
 
 // A handle of such a kind. Calls that fail throw std::runtime_error.
 template <class Kind>

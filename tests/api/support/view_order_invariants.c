@@ -2,14 +2,8 @@
  * name any of several equal balls. */
 #include <string.h>
 
+#include "same_ball.h"
 #include "view_invariants.h"
-
-static int same_ball(const computed *a, uint32_t i, const computed *b, uint32_t j) {
-  if (i == HSP_NONE || j == HSP_NONE) return i == j;
-  if (i >= a->n || j >= b->n) return 0;
-  return a->radius[i] == b->radius[j] && a->xyz[3 * i] == b->xyz[3 * j] && a->xyz[3 * i + 1] == b->xyz[3 * j + 1] &&
-         a->xyz[3 * i + 2] == b->xyz[3 * j + 2];
-}
 
 const char *view_difference_after_permutation(const view_result *a, const view_result *b) {
   uint32_t i;

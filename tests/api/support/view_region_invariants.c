@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "placed_balls.h"
 #include "random_numbers.h"
 #include "vectors.h"
 #include "view_invariants.h"
@@ -10,43 +11,31 @@
 /* The balls in view coordinates, from the caller's own numbers. */
 typedef struct scene {
   const view_result *v;
-  double (*position)[3];
+  placed_balls balls;
   uint32_t *piece;     /* of each ball, or HSP_NONE */
   uint32_t *contained; /* lies in another ball, of equal ones all */
-  double margin;       /* what is nearer than this to a sphere is left undecided */
 } scene;
 
 static void scene_make(const view_result *v, scene *s) {
   const computed *c = v->base;
   uint32_t i, j;
-  double largest = 0, extent = 0;
   s->v = v;
-  s->position = test_zeros(c->n, sizeof *s->position);
+  placed_balls_make(c, v->info.origin, v->info.right, v->info.up, v->info.towards, &s->balls);
   s->piece = test_zeros(c->n, sizeof *s->piece);
   s->contained = test_zeros(c->n, sizeof *s->contained);
-  for (i = 0; i < c->n; ++i) {
-    double from_origin[3];
-    difference(&c->xyz[3 * i], v->info.origin, from_origin);
-    s->position[i][0] = dot(from_origin, v->info.right);
-    s->position[i][1] = dot(from_origin, v->info.up);
-    s->position[i][2] = dot(from_origin, v->info.towards);
-    s->piece[i] = HSP_NONE;
-    largest = fmax(largest, c->radius[i]);
-    extent = fmax(extent, length(from_origin));
-  }
+  for (i = 0; i < c->n; ++i) s->piece[i] = HSP_NONE;
   for (i = 0; i < v->info.pieces; ++i) s->piece[v->pieces[i].ball] = i;
-  s->margin = 1e-7 * largest + 1e-12 * extent + 8 * c->rounding;
   for (i = 0; i < c->n; ++i) {
     for (j = 0; j < c->n; ++j) {
       double apart[3];
-      difference(s->position[i], s->position[j], apart);
-      if (j != i && length(apart) + c->radius[i] <= c->radius[j] + s->margin) s->contained[i] = 1;
+      difference(s->balls.position[i], s->balls.position[j], apart);
+      if (j != i && length(apart) + c->radius[i] <= c->radius[j] + s->balls.margin) s->contained[i] = 1;
     }
   }
 }
 
 static void scene_release(scene *s) {
-  free(s->position);
+  placed_balls_release(&s->balls);
   free(s->piece);
   free(s->contained);
 }
@@ -82,17 +71,16 @@ static int winding(const view_result *v, uint32_t piece, const double p[2]) {
 
 /* 1 if ball j is farther than ball i, 0 if not, -1 if that is not for sure. */
 static int farther(const scene *s, uint32_t j, uint32_t i) {
-  const double gap = s->position[i][2] - s->position[j][2];
+  const double gap = s->balls.position[i][2] - s->balls.position[j][2];
   if (s->piece[i] != HSP_NONE && s->piece[j] != HSP_NONE) return s->piece[j] < s->piece[i];
-  return fabs(gap) <= s->margin ? -1 : gap > 0;
+  return fabs(gap) <= s->balls.margin ? -1 : gap > 0;
 }
 
 /* Whether the point of ball i's front hemisphere over p is cut away: 1, 0, or -1 if that is not for sure. */
 static int cut_away(const scene *s, uint32_t i, const double p[2]) {
   const view_result *v = s->v;
   const computed *c = v->base;
-  const double x = p[0] - s->position[i][0], y = p[1] - s->position[i][1];
-  const double point[3] = {p[0], p[1], s->position[i][2] + sqrt(fmax(0, c->radius[i] * c->radius[i] - x * x - y * y))};
+  const double point[3] = {p[0], p[1], front_height(&s->balls, i, p)};
   const int all_cut = (v->options.flags & HSP_VIEW_ALL_BALLS) != 0 && !v->with_boundary;
   int perhaps = 0;
   uint32_t j;
@@ -100,10 +88,10 @@ static int cut_away(const scene *s, uint32_t i, const double p[2]) {
     double apart[3], depth;
     int sure = 1;
     if (j == i) continue;
-    difference(point, s->position[j], apart);
+    difference(point, s->balls.position[j], apart);
     depth = c->radius[j] - length(apart);
-    if (depth < -s->margin) continue;
-    if (depth < s->margin) sure = 0;
+    if (depth < -s->balls.margin) continue;
+    if (depth < s->balls.margin) sure = 0;
     if (v->options.pieces == HSP_PIECES_OUTSIDE_FARTHER) {
       const int is_farther = farther(s, j, i);
       if (is_farther == 0) continue;
@@ -117,29 +105,6 @@ static int cut_away(const scene *s, uint32_t i, const double p[2]) {
   return perhaps ? -1 : 0;
 }
 
-/* The ball that is seen over p, HSP_NONE if none is, HSP_NONE - 1 if that is not for sure. */
-static uint32_t seen(const scene *s, const double p[2]) {
-  const computed *c = s->v->base;
-  double best = -INFINITY, second = -INFINITY;
-  uint32_t i, found = HSP_NONE;
-  for (i = 0; i < c->n; ++i) {
-    const double x = p[0] - s->position[i][0], y = p[1] - s->position[i][1];
-    const double inside = c->radius[i] * c->radius[i] - x * x - y * y;
-    double height;
-    if (fabs(sqrt(x * x + y * y) - c->radius[i]) <= s->margin) return HSP_NONE - 1;
-    if (inside < 0) continue;
-    height = s->position[i][2] + sqrt(inside);
-    if (height > best) {
-      second = best;
-      best = height;
-      found = i;
-    } else if (height > second) {
-      second = height;
-    }
-  }
-  return found != HSP_NONE && best - second <= s->margin ? HSP_NONE - 1 : found;
-}
-
 /* Whether a point is beyond the silhouette of a piece's ball, and so outside its loops. */
 static int outside_disc(const hsp_view_piece *piece, const double p[2]) {
   return hypot(p[0] - piece->centre[0], p[1] - piece->centre[1]) > piece->radius * (1 + 1e-9);
@@ -148,7 +113,7 @@ static int outside_disc(const hsp_view_piece *piece, const double p[2]) {
 static const char *broken_at(const scene *s, uint32_t i, const double p[2]) {
   const view_result *v = s->v;
   const int cut = cut_away(s, i, p);
-  const uint32_t visible = seen(s, p);
+  const uint32_t visible = seen_ball(&s->balls, p);
   if (s->piece[i] != HSP_NONE) {
     const int turns = winding(v, s->piece[i], p);
     if (turns != 0 && turns != 1) return "loops of a piece wind about a point neither once nor not at all";
@@ -159,7 +124,7 @@ static const char *broken_at(const scene *s, uint32_t i, const double p[2]) {
     /* with a boundary, balls without faces have no G-piece */
     return "a ball has no piece although something is left of it";
   }
-  if (visible < HSP_NONE - 1) {
+  if (visible < UNSURE_BALL) {
     uint32_t k = v->info.pieces;
     while (k > 0 && (outside_disc(&v->pieces[k - 1], p) || winding(v, k - 1, p) == 0)) --k;
     if (k == 0) return "nothing is painted where a ball is seen";
@@ -176,15 +141,15 @@ const char *broken_view_regions(const view_result *v, uint32_t samples, uint64_t
   uint32_t i, k;
   scene_make(v, &s);
   for (i = 0; i < c->n && broken == NULL; ++i) {
-    if (c->radius[i] <= 1000 * s.margin) continue;
+    if (c->radius[i] <= 1000 * s.balls.margin) continue;
     for (k = 0; k < samples && broken == NULL; ++k) {
       const double part = 0.999 * sqrt(random_fraction(&state)), angle = 2 * pi * random_fraction(&state);
       int tries;
       /* a defect covers an area; what rounding does to an arc is gone a little aside */
       for (tries = 0; tries < 3; ++tries) {
         const double aside = 1e-5 * tries;
-        const double p[2] = {s.position[i][0] + (part - aside) * c->radius[i] * cos(angle + aside),
-                             s.position[i][1] + (part - aside) * c->radius[i] * sin(angle + aside)};
+        const double p[2] = {s.balls.position[i][0] + (part - aside) * c->radius[i] * cos(angle + aside),
+                             s.balls.position[i][1] + (part - aside) * c->radius[i] * sin(angle + aside)};
         broken = broken_at(&s, i, p);
         if (broken == NULL) break;
       }

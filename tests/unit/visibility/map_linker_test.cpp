@@ -111,6 +111,19 @@ TEST(MapLinker, RefusesEndsWithoutPartners) {
   EXPECT_GT(broken[1], 10);
 }
 
+// As where roundings have hidden what a silhouette is joined with where angles begin.
+TEST(MapLinker, RefusesOpenArcsThatEndNowhere) {
+  PlacedBalls placed({{0, 0, 0, 50}, {60, 0, 1, 50}, {30, 50, 2, 50}});
+  Linked linked(placed);
+  ASSERT_TRUE(linked.link());
+  const std::vector<MapArc> good = linked.arcs;
+  for (uint32_t end = 0; end < 2 * good.size(); ++end) {
+    linked.arcs = good;
+    linked.arcs[end / 2].end[end % 2] = {MapVertexKind::plain, hsp::no_id};
+    EXPECT_FALSE(linked.link()) << end;
+  }
+}
+
 // A stem that ends beside all arcs of its silhouette.
 TEST(MapLinker, RefusesStemsThatDoNotLand) {
   PlacedBalls placed({{0, 0, 0, 50}, {60, 0, 100, 50}, {200, 0, 0, 20}});

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "built_map.hpp"
 #include "random_balls.hpp"
@@ -108,11 +110,50 @@ TEST(MapQueries, SumAreasByBalls) {
   oracle::RandomSource random(22);
   const BuiltMap built(oracle::loose_balls(random, 60), {1, 2, 3});
   const hsp::VisibilityMap &map = built.map();
-  std::vector<double> area(map.balls.size(), 7), expected(map.balls.size(), 0);
-  hsp::sum_visible_areas(map, {area.data(), map.balls.size()});
+  const uint32_t n = built.grid().balls().n;
+  std::vector<double> area(n, 7), expected(n, 0);
+  hsp::sum_visible_areas(map, built.grid().balls().caller, {area.data(), n});
+  double all = 0;
   for (const hsp::MapFace &face : map.faces.items())
-    if (face.owner != hsp::no_id) expected[face.owner] += face.area;
+    if (face.owner != hsp::no_id) {
+      expected[built.caller(face.owner)] += face.area;
+      all += face.area;
+    }
   EXPECT_EQ(area, expected);
+  EXPECT_EQ(hsp::covered_area(map), all);
+  EXPECT_EQ(map.owners, n - static_cast<uint32_t>(std::count(expected.begin(), expected.end(), 0.0)));
+}
+
+TEST(MapQueries, StepBackAndFromLoopToLoop) {
+  oracle::RandomSource random(23);
+  uint32_t holes = 0;
+  for (int time = 0; time < 10; ++time) {
+    const BuiltMap built(oracle::loose_balls(random, 60), {1, 2, 3});
+    const hsp::VisibilityMap &map = built.map();
+    for (uint32_t h = 0; h < map.half_edges.size(); ++h)
+      EXPECT_EQ(hsp::previous_half_edge(map, map.half_edges[h].next), h);
+    std::vector<int> reached(map.loops.size(), 0);
+    for (uint32_t f = 0; f < map.faces.size(); ++f) {
+      uint32_t loop = map.faces[f].first_loop;
+      do {
+        EXPECT_EQ(map.loops[loop].face, f);
+        ++reached[loop];
+        holes += f != 0 && map.loops[loop].area < 0;
+        loop = hsp::next_loop(map, loop);
+      } while (loop != map.faces[f].first_loop);
+    }
+    EXPECT_EQ(std::count(reached.begin(), reached.end(), 1), static_cast<std::ptrdiff_t>(map.loops.size()));
+  }
+  EXPECT_GT(holes, 0U);
+}
+
+TEST(MapQueries, SeeNothingFarOut) {
+  const BuiltMap built({{0, 0, 0, 5}, {6, 0, 0, 5}});
+  for (const double far : {1e9, -1e9, 0x1p52, 1e18, -1e300, std::numeric_limits<double>::infinity()}) {
+    EXPECT_EQ(hsp::sight_at(built.map(), built.discs(), far, 0).ball, hsp::no_id);
+    EXPECT_EQ(hsp::sight_at(built.map(), built.discs(), 0, far).ball, hsp::no_id);
+    EXPECT_EQ(hsp::face_at(built.map(), built.discs(), far, far), 0U);
+  }
 }
 
 }  // namespace

@@ -1,0 +1,118 @@
+#include "hsp_map.hpp"
+
+#include "view_options.hpp"
+#include "visibility/map_check.hpp"
+#include "visibility/map_queries.hpp"
+
+using hsp::capi::is_live;
+
+namespace {
+
+// The limits that a program gives.
+int32_t from_c(const hsp_map_limits *given, hsp::MapLimits &result) {
+  hsp_map_limits limits;
+  if (!hsp::capi::read_struct(given, {}, limits)) return HSP_E_ARGUMENT;
+  if (limits.balls > HSP_MAX_BALLS || limits.neighbours > HSP_MAX_BALLS || limits.edges > HSP_MAX_BALLS)
+    return HSP_E_RANGE;
+  result = {limits.balls, limits.neighbours, limits.edges};
+  return HSP_OK;
+}
+
+hsp_map_limits to_c(const hsp::MapLimits &limits) {
+  return {sizeof(hsp_map_limits), limits.balls, limits.neighbours, limits.edges};
+}
+
+// The map in which h is a directed edge; null if there is none.
+const hsp::VisibilityMap *map_with(const hsp_map *map, uint32_t h) {
+  if (!is_live(map) || !map->has_results()) return nullptr;
+  return h < map->structure().half_edges.size() ? &map->structure() : nullptr;
+}
+
+}  // namespace
+
+int32_t hsp_map_limits_init(hsp_map_limits *limits, uint32_t struct_size, uint32_t balls) {
+  return hsp::capi::init_limits<hsp::MapLimits, to_c>(limits, struct_size, balls);
+}
+
+int32_t hsp_map_bytes(const hsp_map_limits *limits, size_t *bytes) {
+  if (bytes == nullptr) return HSP_E_ARGUMENT;
+  hsp::MapLimits wanted;
+  if (const int32_t status = from_c(limits, wanted); status != HSP_OK) return status;
+  return hsp::capi::get_bytes<hsp_map>(wanted, bytes);
+}
+
+int32_t hsp_map_init(void *memory, size_t bytes, const hsp_map_limits *limits, hsp_map **map) {
+  if (memory == nullptr || map == nullptr) return HSP_E_ARGUMENT;
+  hsp::MapLimits wanted;
+  if (const int32_t status = from_c(limits, wanted); status != HSP_OK) return status;
+  return hsp::capi::init(memory, bytes, wanted, map);
+}
+
+int32_t hsp_map_compute(hsp_map *map, const hsp_model *model, const hsp_view_options *options, hsp_map_limits *limits) {
+  if (!is_live(map)) return HSP_E_ARGUMENT;
+  map->complete = false;
+  hsp_view_options wanted;
+  if (!is_live(model) || !hsp::capi::may_write(limits) || !hsp::capi::read_view_options(options, wanted)) {
+    return HSP_E_ARGUMENT;
+  }
+  const hsp::Status status = map->builder.build(model->grid, hsp::capi::direction_of(wanted));
+  map->model = model;
+  map->revision = model->revision;
+  return hsp::capi::finish<to_c>(*map, status, limits);
+}
+
+uint32_t hsp_map_next(const hsp_map *map, uint32_t h) {
+  const hsp::VisibilityMap *const of = map_with(map, h);
+  return of == nullptr ? HSP_NONE : of->half_edges[h].next;
+}
+
+uint32_t hsp_map_previous(const hsp_map *map, uint32_t h) {
+  const hsp::VisibilityMap *const of = map_with(map, h);
+  return of == nullptr ? HSP_NONE : hsp::previous_half_edge(*of, h);
+}
+
+uint32_t hsp_map_next_loop(const hsp_map *map, uint32_t h) {
+  const hsp::VisibilityMap *const of = map_with(map, h);
+  return of == nullptr ? HSP_NONE : of->loops[hsp::next_loop(*of, of->half_edges[h].loop)].first_half_edge;
+}
+
+uint32_t hsp_map_origin(const hsp_map *map, uint32_t h) {
+  const hsp::VisibilityMap *const of = map_with(map, h);
+  return of == nullptr ? HSP_NONE : of->origin(h);
+}
+
+uint32_t hsp_map_left(const hsp_map *map, uint32_t h) {
+  const hsp::VisibilityMap *const of = map_with(map, h);
+  return of == nullptr ? HSP_NONE : of->face_of(h);
+}
+
+int32_t hsp_map_pick(const hsp_map *map, double x, double y, hsp_map_sight *sight) {
+  if (!is_live(map) || sight == nullptr) return HSP_E_ARGUMENT;
+  if (!map->has_results()) return HSP_E_STATE;
+  if (!hsp::is_finite(x) || !hsp::is_finite(y)) return HSP_E_NOT_FINITE;
+  const hsp::exact::Lattice &lattice = map->balls().lattice;
+  const double at[2] = {lattice.steps(x), lattice.steps(y)};
+  const hsp::MapSight seen = hsp::sight_at(map->structure(), map->builder.discs(), at[0], at[1]);
+  *sight = {lattice.length(seen.depth), map->caller(seen.ball),
+            hsp::face_at(map->structure(), map->builder.discs(), at[0], at[1])};
+  return HSP_OK;
+}
+
+int32_t hsp_map_get_point(const hsp_map *map, uint32_t edge, double t, hsp_map_point *point) {
+  if (!is_live(map) || point == nullptr) return HSP_E_ARGUMENT;
+  if (!map->has_results()) return HSP_E_STATE;
+  const hsp::VisibilityMap &of = map->structure();
+  if (edge >= of.edges.size()) return HSP_E_ID;
+  if (!hsp::is_finite(t)) return HSP_E_NOT_FINITE;
+  if (t < of.edges[edge].from || t > of.edges[edge].to) return HSP_E_RANGE;
+  const hsp::capi::ViewLengths length{map->balls().lattice};
+  const hsp::EdgePoint found = hsp::edge_point(of, edge, t);
+  *point = {{length(found.x), length(found.y), length(found.z)}, {length(found.gap_left), length(found.gap_right)}};
+  return HSP_OK;
+}
+
+int32_t hsp_map_check(hsp_map *map, uint32_t *invariant, uint32_t *id) {
+  if (!is_live(map) || invariant == nullptr || id == nullptr) return HSP_E_ARGUMENT;
+  if (!map->has_results()) return HSP_E_STATE;
+  return hsp::capi::report(hsp::check_map(map->structure(), map->builder.scratch()), invariant, id);
+}

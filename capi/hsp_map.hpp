@@ -1,0 +1,25 @@
+// What is behind the handle hsp_map.
+#pragma once
+
+#include "hsp_model.hpp"
+#include "visibility/map_builder.hpp"
+
+struct hsp_map {
+  using Builder = hsp::MapBuilder;
+  static constexpr uint64_t kind = 0x6d61702e2e2e2e21;  // "map....!" in ASCII
+
+  uintptr_t tag;
+  Builder builder;
+  const hsp_model *model = nullptr;  // what was computed last
+  uint64_t revision = 0;
+  bool complete = false;
+
+  // Whether results may be read: computed, and the model unchanged since.
+  bool has_results() const { return complete && hsp::capi::is_live(model) && revision == model->revision; }
+  const hsp::VisibilityMap &structure() const { return builder.structure(); }
+  const hsp::BallSet &balls() const { return model->balls(); }
+  // The caller's number of a ball of the map.
+  uint32_t caller(uint32_t ball) const {
+    return ball == hsp::no_id ? HSP_NONE : balls().caller[structure().balls[ball].ball];
+  }
+};

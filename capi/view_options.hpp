@@ -1,0 +1,51 @@
+// What views and maps share: where to look from, and how their coordinates come back in the caller's unit.
+#pragma once
+
+#include "conversion.hpp"
+#include "versioned_struct.hpp"
+#include "view/view_frame.hpp"
+
+namespace hsp::capi {
+
+inline constexpr hsp_view_options default_view_options = {
+    sizeof(hsp_view_options), HSP_PIECES_OUTSIDE_FARTHER, 0, 0, {0.0, 0.0, 1.0}, {0.0, 1.0, 0.0}};
+
+// Options as a program gives them, completed; null means defaults. False if they are bad.
+inline bool read_view_options(const hsp_view_options *given, hsp_view_options &complete) {
+  complete = default_view_options;
+  if (given == nullptr) return true;
+  return read_struct(given, default_view_options, complete) && complete.pieces <= HSP_PIECES_OUTSIDE_ALL &&
+         (complete.flags & ~HSP_VIEW_ALL_BALLS) == 0 && complete.reserved == 0;
+}
+
+inline ViewDirection direction_of(const hsp_view_options &options) {
+  ViewDirection direction{};
+  for (int k = 0; k < 3; ++k) {
+    direction.towards[k] = options.towards[k];
+    direction.up[k] = options.up[k];
+  }
+  return direction;
+}
+
+// Lengths of a view in the caller's unit.
+struct ViewLengths {
+  const exact::Lattice &lattice;
+
+  double operator()(double steps) const { return lattice.length(steps); }
+  void point(const double steps[2], double out[2]) const {
+    out[0] = lattice.length(steps[0]);
+    out[1] = lattice.length(steps[1]);
+  }
+};
+
+// The frame of a view, for an info that has one.
+template <class Info>
+void put_frame(const ViewLengths &length, const ViewFrame &frame, Info &info) {
+  to_array(frame.origin, info.origin);
+  for (double &coordinate : info.origin) coordinate = length(coordinate);
+  to_array(frame.right, info.right);
+  to_array(frame.up, info.up);
+  to_array(frame.towards, info.towards);
+}
+
+}  // namespace hsp::capi

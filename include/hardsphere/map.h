@@ -1,0 +1,266 @@
+/* hardsphere/map.h: the visibility map, what is seen of the balls as a subdivision of the view plane (Section 5.2).
+ *
+ * A view is for painting; a map knows what is seen. View coordinates are those of view.h: x to the right, y up, z
+ * towards the viewer. Edges cut the view plane into faces, each of which shows one ball or the background:
+ *   silhouette   an edge on the outline of a ball, a part of a circle: on its left that ball, on its right what is
+ *                behind it
+ *   crease       an edge where two spheres meet, a part of an ellipse: on its left the ball whose centre is nearer, on
+ *                its right the other one
+ * Edges end at vertices:
+ *   triple       three creases where three spheres meet
+ *   T            a curve, the stem, goes behind a nearer ball, on that ball's silhouette
+ *   tangency     a crease goes over into the silhouette of the nearer ball
+ *   plain        some point of a closed curve that has no other vertex
+ * Directed edges are numbers, as everywhere: edge e is 2e along its curve and 2e + 1 against it, HSP_MAP_TWIN turns one
+ * around, and the face is on the left. Around a face run one outer loop counter-clockwise and any number of holes
+ * clockwise; face 0 is the unbounded one and has holes only. A face of the background may also lie inside.
+ *
+ * Unlike all else but the smooth surface a map rests on floating-point roots. Labels hold it together, not positions:
+ * whatever does not fit shows while it is linked. Then every ball is moved by a tiny part of its radius, the same for
+ * the same ball, and the map of these is made; hsp_map_info says how far. So there is a map that holds all the
+ * invariants of hsp_map_check, or a status and none. The same input yields the same bytes on every machine. */
+#ifndef HARDSPHERE_MAP_H
+#define HARDSPHERE_MAP_H
+
+#include "view.h"
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** What is seen of the balls from one direction. */
+typedef struct hsp_map hsp_map;
+
+/** The limits that fix a map's memory. */
+typedef struct hsp_map_limits {
+  uint32_t struct_size; /**< sizeof(hsp_map_limits) */
+  uint32_t balls;       /**< of the model */
+  uint32_t neighbours;  /**< most balls whose discs meet the disc of any one and that reach higher than its centre */
+  uint32_t edges;       /**< of the map */
+} hsp_map_limits;
+
+/** Limits that suffice for most molecules of `balls` atoms: neighbours min(balls, 256), edges 12 balls + 64.
+ *  @retval HSP_E_ARGUMENT  limits is NULL or struct_size is bad
+ *  @retval HSP_E_RANGE     more than (HSP_MAX_BALLS - 64) / 12 balls; set the limits by hand then */
+HSP_API int32_t hsp_map_limits_init(hsp_map_limits *limits, uint32_t struct_size, uint32_t balls);
+
+/** Bytes that hsp_map_init needs.
+ *  - Property 1: at most HSP_MAP_BYTES of the three limits.
+ *  - Property 2: grows with each limit.
+ *
+ *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
+ *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
+HSP_API int32_t hsp_map_bytes(const hsp_map_limits *limits, size_t *bytes);
+
+/** The same as an upper bound that is a constant expression, for static arrays. */
+#define HSP_MAP_BYTES(balls, neighbours, edges) \
+  ((size_t)32768 + (size_t)288 * (size_t)(balls) + (size_t)208 * (size_t)(neighbours) + (size_t)352 * (size_t)(edges))
+
+/** Make an empty map in caller memory of any alignment; sets *map.
+ *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
+ *  @retval HSP_E_MEMORY    bytes is less than hsp_map_bytes says; nothing is written
+ *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
+HSP_API int32_t hsp_map_init(void *memory, size_t bytes, const hsp_map_limits *limits, hsp_map **map);
+
+/** Find what is seen from one direction; any number of times, from any directions. options: where to look from, as for
+ *  hsp_view_compute, NULL for the defaults; pieces and flags have to be good there and have no effect here. The model
+ *  must outlive the map: after hsp_model_set what reads the map yields HSP_E_STATE until it is computed again. On
+ *  failure it holds no results. limits: see LIMITS in hardsphere.h; at most twelve retries, hardly ever more than
+ *  three.
+ *  - Property 1: the order of the balls has no effect but on the numbers of balls.
+ *  - Property 2: hsp_map_check finds nothing.
+ *
+ *  Cost: O(n log n), and for each ball that may be seen the balls whose discs meet its disc and that reach higher:
+ *  O(n + k) expected for k edges of molecules; at worst, with all discs in one place, O(n^3).
+ *  @retval HSP_E_ARGUMENT    map or model is NULL; bad options; bad struct_size of limits
+ *  @retval HSP_E_CAPACITY    a limit is too small
+ *  @retval HSP_E_NOT_FINITE  a component of towards or up is NaN or infinite
+ *  @retval HSP_E_CHECK       roundings could not be overcome by moving balls three times */
+HSP_API int32_t hsp_map_compute(hsp_map *map, const hsp_model *model, const hsp_view_options *options,
+                                hsp_map_limits *limits);
+
+/** What the map shows, and where. Frozen. */
+typedef struct hsp_map_info {
+  double origin[3];    /**< the point with view coordinates 0 0 0: the middle of the balls' centres, length */
+  double right[3];     /**< unit vector: the x axis of the view coordinates */
+  double up[3];        /**< unit vector: the y axis */
+  double towards[3];   /**< unit vector: the z axis */
+  double area;         /**< of the view plane that balls cover, length^2 */
+  double perturbation; /**< no centre was moved farther, length; 0 unless roundings had to be overcome */
+  uint32_t vertices;   /**< of the map */
+  uint32_t edges;      /**< of the map */
+  uint32_t faces;      /**< of the map, the unbounded one included */
+  uint32_t components; /**< connected parts of the edges */
+  uint32_t balls;      /**< how many of them are seen */
+  uint32_t reserved;   /**< 0 */
+} hsp_map_info;
+
+/** Describe the map.
+ *  - Property 1: vertices - edges + faces = 1 + components.
+ *
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
+HSP_API int32_t hsp_map_get_info(const hsp_map *map, hsp_map_info *info);
+
+/* ---- steps ------------------------------------------------------------------------------------------------------- */
+
+/** The directed edge h, a uint32_t, the other way. h may be evaluated several times. HSP_NONE yields HSP_NONE. */
+#define HSP_MAP_TWIN(h) ((h) == HSP_NONE ? HSP_NONE : ((h) ^ UINT32_C(1)))
+
+/** The next directed edge around the face on the left of h, from where h ends; h itself if it is a whole curve. Like
+ *  the next four functions HSP_NONE if there is no such directed edge or no results.
+ *  - Property 1: left(next(h)) = left(h), origin(next(h)) = origin(twin(h)). */
+HSP_API uint32_t hsp_map_next(const hsp_map *map, uint32_t h);
+
+/** The previous one, the inverse of next. */
+HSP_API uint32_t hsp_map_previous(const hsp_map *map, uint32_t h);
+
+/** A directed edge of the next loop around the face on the left of h; of the first loop after the last. So all loops of
+ *  a face are reached from `h` of its hsp_map_face. */
+HSP_API uint32_t hsp_map_next_loop(const hsp_map *map, uint32_t h);
+
+/** The vertex where h starts. */
+HSP_API uint32_t hsp_map_origin(const hsp_map *map, uint32_t h);
+
+/** The face on the left of h. */
+HSP_API uint32_t hsp_map_left(const hsp_map *map, uint32_t h);
+
+/* ---- records ----------------------------------------------------------------------------------------------------- */
+
+#define HSP_MAP_PLAIN UINT32_C(0)    /**< on a closed curve without other vertices */
+#define HSP_MAP_TRIPLE UINT32_C(1)   /**< where three creases meet */
+#define HSP_MAP_T UINT32_C(2)        /**< where a curve goes behind a silhouette */
+#define HSP_MAP_TANGENCY UINT32_C(3) /**< where a crease goes over into a silhouette */
+
+/** A vertex. Frozen. */
+typedef struct hsp_map_vertex {
+  double xyz[3];     /**< view coordinates, length; of a T those of the stem, which is behind */
+  uint32_t kind;     /**< HSP_MAP_* */
+  uint32_t h;        /**< a directed edge that starts here, of a T the stem; the others are next(twin(h)) and so on */
+  uint32_t ball[3];  /**< whose curves meet here: T: of the stem's one or two balls, then the nearer ball, in ball[2];
+                          triple: in any order; tangency: the farther one, the nearer one; else HSP_NONE */
+  uint32_t reserved; /**< 0 */
+} hsp_map_vertex;
+
+/** An edge: the points centre + cos(t) first + sin(t) second of the view plane for t from `from` to `to`. first and
+ *  second stand at right angles, their lengths are the semi-axes; second is a quarter turn ahead of first. Frozen. */
+typedef struct hsp_map_edge {
+  double centre[2];   /**< of its circle or ellipse, length */
+  double first[2];    /**< length */
+  double second[2];   /**< length */
+  double from;        /**< in [-3 pi, pi] */
+  double to;          /**< not below `from`, and at most 2 pi above it */
+  uint32_t ball[2];   /**< silhouette: the ball, HSP_NONE; crease: the nearer ball, the farther one */
+  uint32_t face[2];   /**< on its left and on its right */
+  uint32_t vertex[2]; /**< where it starts and ends */
+  uint32_t next[2];   /**< after 2 edge around face[0], after 2 edge + 1 around face[1] */
+} hsp_map_edge;
+
+/** A face: a part of the view plane where one ball is seen, or the background. Frozen. */
+typedef struct hsp_map_face {
+  double area;       /**< in the view plane, length^2; 0 for the unbounded one */
+  uint32_t ball;     /**< the caller's index; HSP_NONE: the background */
+  uint32_t h;        /**< a directed edge of its outer loop, of any hole for face 0; HSP_NONE if there are no edges */
+  uint32_t loops;    /**< around it, with the holes */
+  uint32_t reserved; /**< 0 */
+} hsp_map_face;
+
+/** The vertices first .. first + count - 1, exactly count records, of hsp_map_info.vertices in all; out may be NULL
+ *  with count 0.
+ *  @retval HSP_E_ARGUMENT  map is NULL; out is NULL with a count above 0
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since
+ *  @retval HSP_E_ID        not all of these vertices are there */
+HSP_API int32_t hsp_map_get_vertices(const hsp_map *map, uint32_t first, uint32_t count, hsp_map_vertex *out);
+
+/** The edges first .. first + count - 1, exactly count records, of hsp_map_info.edges in all; out may be NULL with
+ *  count 0.
+ *  - Property 1: edges end at their vertices up to rounding.
+ *
+ *  @retval HSP_E_ARGUMENT  map is NULL; out is NULL with a count above 0
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since
+ *  @retval HSP_E_ID        not all of these edges are there */
+HSP_API int32_t hsp_map_get_edges(const hsp_map *map, uint32_t first, uint32_t count, hsp_map_edge *out);
+
+/** The faces first .. first + count - 1, exactly count records, of hsp_map_info.faces in all; out may be NULL with
+ *  count 0.
+ *  - Property 1: the areas of all faces with a ball sum to hsp_map_info.area, up to rounding.
+ *
+ *  @retval HSP_E_ARGUMENT  map is NULL; out is NULL with a count above 0
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since
+ *  @retval HSP_E_ID        not all of these faces are there */
+HSP_API int32_t hsp_map_get_faces(const hsp_map *map, uint32_t first, uint32_t count, hsp_map_face *out);
+
+/** How much of each ball is seen: areas in the view plane, length^2, in the caller's order; 0 of what is hidden.
+ *  @retval HSP_E_ARGUMENT  map or needed is NULL; area is NULL with a capacity above 0
+ *  @retval HSP_E_CAPACITY  capacity is smaller than *needed, the number of balls
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
+HSP_API int32_t hsp_map_get_areas(const hsp_map *map, double *area, uint32_t capacity, uint32_t *needed);
+
+/** The visible outline of a ball: a directed edge of every loop around what is seen of it. Follow each with
+ *  hsp_map_next until it is back; what is seen is on the left.
+ *  Cost: O(faces); for many balls walk through all faces instead.
+ *  @retval HSP_E_ARGUMENT  map or needed is NULL; h is NULL with a capacity above 0
+ *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since
+ *  @retval HSP_E_ID        no such ball */
+HSP_API int32_t hsp_map_get_outline(const hsp_map *map, uint32_t ball, uint32_t *h, uint32_t capacity,
+                                    uint32_t *needed);
+
+/* ---- questions --------------------------------------------------------------------------------------------------- */
+
+/** What is seen at a point of the view plane. Frozen. */
+typedef struct hsp_map_sight {
+  double depth;  /**< z of the ball's front there, length; -infinity for the background */
+  uint32_t ball; /**< the caller's index; HSP_NONE: the background */
+  uint32_t face; /**< HSP_NONE if the point is so close to an edge that roundings decide */
+} hsp_map_sight;
+
+/** What is seen at (x, y), in view coordinates.
+ *  Cost: O(balls whose discs are near), and O(faces and edges around the ball's faces) for the face.
+ *  @retval HSP_E_ARGUMENT    a null pointer
+ *  @retval HSP_E_STATE       nothing computed, or the model has changed since
+ *  @retval HSP_E_NOT_FINITE  x or y is NaN or infinite */
+HSP_API int32_t hsp_map_pick(const hsp_map *map, double x, double y, hsp_map_sight *sight);
+
+/** A point of an edge. Frozen. */
+typedef struct hsp_map_point {
+  double xyz[3]; /**< view coordinates, length */
+  double gap[2]; /**< how far behind it what is seen on its left and right is, length; infinite: the background */
+} hsp_map_point;
+
+/** The point of an edge at parameter t, from `from` to `to` of its hsp_map_edge, and the gaps beside it: of a
+ *  silhouette the one on the left is 0, of a crease both are.
+ *  @retval HSP_E_ARGUMENT    a null pointer
+ *  @retval HSP_E_STATE       nothing computed, or the model has changed since
+ *  @retval HSP_E_ID          no such edge
+ *  @retval HSP_E_NOT_FINITE  t is NaN or infinite
+ *  @retval HSP_E_RANGE       t is beyond the edge */
+HSP_API int32_t hsp_map_get_point(const hsp_map *map, uint32_t edge, double t, hsp_map_point *point);
+
+/* ---- self-check -------------------------------------------------------------------------------------------------- */
+
+/** Check the invariants of a computed map. If all hold, *invariant becomes 0 and *id HSP_NONE. Else *invariant becomes
+ *  the number of the first that is violated, and *id that of the vertex, edge, directed edge, loop or face where it
+ *  fails, HSP_NONE if it is about the whole:
+ *    1  vertices: their kinds tell how many edges they have, and they name a directed edge that starts there
+ *    2  edges: parameters ascend by a whole turn at most, and the balls of both ends are those of the edge
+ *    3  next is one to one, from where a directed edge ends
+ *    4  the balls named around a loop are one, that of its face
+ *    5  faces: one outer loop each but for the unbounded one, of a positive area; holes have negative ones
+ *    6  vertices - edges + faces = 1 + components
+ *    7  positions: edges end at their vertices, and every T lies on its silhouette
+ *    8  areas: of a face that of its loops, and all together that within the outermost edges
+ *  map may not be used by others meanwhile. Cost: O(size of the map).
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since
+ *  @retval HSP_E_CHECK     an invariant is violated */
+HSP_API int32_t hsp_map_check(hsp_map *map, uint32_t *invariant, uint32_t *id);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
