@@ -42,7 +42,7 @@ int32_t hsp_view_init(void *memory, size_t bytes, const hsp_view_limits *limits,
 }
 
 int32_t hsp_view_options_init(hsp_view_options *options, uint32_t struct_size) {
-  return hsp::capi::write_struct(hsp::capi::default_view_options, options, struct_size) ? HSP_OK : HSP_E_ARGUMENT;
+  return hsp::capi::write_struct(hsp::capi::default_view_options(), options, struct_size) ? HSP_OK : HSP_E_ARGUMENT;
 }
 
 int32_t hsp_view_options_turn(hsp_view_options *options, double x, double y, double z) {

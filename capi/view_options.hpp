@@ -7,14 +7,16 @@
 
 namespace hsp::capi {
 
-inline constexpr hsp_view_options default_view_options = {
-    sizeof(hsp_view_options), HSP_PIECES_OUTSIDE_FARTHER, 0, 0, {0.0, 0.0, 1.0}, {0.0, 1.0, 0.0}};
+// A function, so that the archive has no symbol for it.
+constexpr hsp_view_options default_view_options() {
+  return {sizeof(hsp_view_options), HSP_PIECES_OUTSIDE_FARTHER, 0, 0, {0.0, 0.0, 1.0}, {0.0, 1.0, 0.0}};
+}
 
 // Options as a program gives them, completed; null means defaults. False if they are bad.
 inline bool read_view_options(const hsp_view_options *given, hsp_view_options &complete) {
-  complete = default_view_options;
+  complete = default_view_options();
   if (given == nullptr) return true;
-  return read_struct(given, default_view_options, complete) && complete.pieces <= HSP_PIECES_OUTSIDE_ALL &&
+  return read_struct(given, default_view_options(), complete) && complete.pieces <= HSP_PIECES_OUTSIDE_ALL &&
          (complete.flags & ~HSP_VIEW_ALL_BALLS) == 0 && complete.reserved == 0;
 }
 
