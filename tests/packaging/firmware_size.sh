@@ -34,7 +34,7 @@ image 17 17 "a model and all queries"
 image 3 62 "a model, hsp_query_ball, boundary, measure, gradient"
 image 7 81 "the same with topology"
 image 35 101 "boundary, measure, gradient and smooth surface"
-image 8 70 "a model, a view from it alone, pictures"
+image 8 71 "a model, a view from it alone, pictures"
 image 31 125 "everything but the smooth surface"
 rm -rf "$work/build"
 exit $failed
