@@ -1,22 +1,9 @@
 # cmake -DSUITE=bench_section_3_alternatives -DWRITE_REPORT=write_report -P report_has_alternatives.cmake: the way from
 # this suite to the report, for acetyl, without looking at times. Its 85 balls lie in 21 of 63 cubes.
-set(folder ${CMAKE_CURRENT_BINARY_DIR}/report_has_alternatives)
-file(REMOVE_RECURSE ${folder})
-file(MAKE_DIRECTORY ${folder})
-execute_process(COMMAND ${SUITE} --benchmark_filter=/acetyl$ --benchmark_min_time=0.001 --benchmark_out_format=json
-    --benchmark_out=${folder}/suite.json
-  OUTPUT_QUIET ERROR_QUIET RESULT_VARIABLE status)
-if(NOT status EQUAL 0)
-  message(FATAL_ERROR "the suite failed: ${status}")
-endif()
-execute_process(COMMAND ${WRITE_REPORT} ${folder} OUTPUT_VARIABLE report ERROR_VARIABLE error RESULT_VARIABLE status)
-if(NOT status EQUAL 0)
-  message(FATAL_ERROR "the report failed: ${status} ${error}")
-endif()
-string(REGEX REPLACE " +" " " report "${report}")
+include(${CMAKE_CURRENT_LIST_DIR}/report_of_suites.cmake)
+run_suite(${SUITE} --benchmark_filter=/acetyl$ --benchmark_min_time=0.001)
+write_report()
 
-# A positive number with three significant digits.
-set(time "[0-9,.]*[1-9][0-9,.]*")
 set(seven "")
 foreach(structure RANGE 1 7)
   string(APPEND seven " ${time} [|]")

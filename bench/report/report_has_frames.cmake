@@ -1,40 +1,17 @@
 # cmake -DSUITE=bench_paper_section_5_1 -DWRITE_REPORT=write_report -P report_has_frames.cmake: the way from the suite to
 # the report for crambin, without looking at times; and verdicts from made-up results, in which the z-buffer of triangles
 # takes twice the analytic one's time. Times in seconds there, three repetitions, of which the median counts.
-set(folder ${CMAKE_CURRENT_BINARY_DIR}/report_has_frames)
-file(REMOVE_RECURSE ${folder})
-file(MAKE_DIRECTORY ${folder})
-function(write_report)
-  execute_process(COMMAND ${WRITE_REPORT} ${folder} OUTPUT_VARIABLE report ERROR_VARIABLE error RESULT_VARIABLE status)
-  if(NOT status EQUAL 0)
-    message(FATAL_ERROR "the report failed: ${status} ${error}")
-  endif()
-  string(REGEX REPLACE " +" " " report "${report}")
-  set(report "${report}" PARENT_SCOPE)
-endfunction()
-function(expect_row row)
-  if(NOT report MATCHES "${row}")
-    message(FATAL_ERROR "the report lacks a row like ${row}\n${report}")
-  endif()
-endfunction()
-
-execute_process(COMMAND ${SUITE} --benchmark_filter=/crambin/ --benchmark_repetitions=2 --benchmark_out_format=json
-    --benchmark_out=${folder}/section_5_1.json
-  OUTPUT_QUIET ERROR_QUIET RESULT_VARIABLE status)
-if(NOT status EQUAL 0)
-  message(FATAL_ERROR "the suite failed: ${status}")
-endif()
+include(${CMAKE_CURRENT_LIST_DIR}/report_of_suites.cmake)
+run_suite(${SUITE} --benchmark_filter=/crambin/ --benchmark_repetitions=2)
 write_report()
-# A positive number with three significant digits, one with a fixed number of decimals, and a count of at least 100.
-set(time "[0-9,.]*[1-9][0-9,.]*")
-set(number "[0-9,]+[.]?[0-9]*")
+# A count of at least 100.
 set(many "[0-9,]*[1-9][0-9,]*[0-9][0-9]")
 expect_row("[|] crambin [|] 327 [|] 1[.]72 [|] 3[.]40 [|] 1[.]40 [|] 0[.]85 [|] 1[.]10 [|] ${time} [|] ${time} [|] ${time} [|] ${time} [|] ${time} [|] ${time} [|]\n")
 expect_row("[|] crambin [|] 0[.]412 [|] ${time} [|] ${time} [|] ${time} [|] ${time} [|] ${time} [|] ${many} [|] ${many} [|] ${many} [|] ${many} [|] ${many} [|]\n")
 expect_row("[|] crambin [|] 327 [|] ${time} [|] ${time} [|] ${time} [|] ${time} [|] ${time} [|] ${time} [|] ${time} [|] ${many} [|] ${many} [|] ${many} [|]\n")
 expect_row("[|] frame / z-buffer of triangles, the five molecules [|] 1[.]00 [|] ${time} [|] ${time} [|] ${time} [|] [^|]+ [|]\n")
 
-file(REMOVE ${folder}/section_5_1.json)
+file(REMOVE ${folder}/bench_paper_section_5_1.json)
 set(entries "")
 function(add_result name atoms h g g_alone)
   foreach(wrong 0 0 9)

@@ -1,28 +1,12 @@
 # cmake -DSUITE=bench_paper_section_2 -DWRITE_REPORT=write_report -P report_has_section_2.cmake: the way from a suite to
 # the report, without looking at times. The figures are the paper's (k 1.95, rho 0.76, max 16, aver. 5.5), then ours.
-set(folder ${CMAKE_CURRENT_BINARY_DIR}/report_has_section_2)
-file(REMOVE_RECURSE ${folder})
-file(MAKE_DIRECTORY ${folder})
-execute_process(COMMAND ${SUITE} --benchmark_min_time=0.001 --benchmark_repetitions=2 --benchmark_out_format=json
-    --benchmark_out=${folder}/section_2.json
-  OUTPUT_QUIET ERROR_QUIET RESULT_VARIABLE status)
-if(NOT status EQUAL 0)
-  message(FATAL_ERROR "the suite failed: ${status}")
-endif()
-execute_process(COMMAND ${WRITE_REPORT} ${folder} OUTPUT_VARIABLE report ERROR_VARIABLE error RESULT_VARIABLE status)
-if(NOT status EQUAL 0)
-  message(FATAL_ERROR "the report failed: ${status} ${error}")
-endif()
-string(REGEX REPLACE " +" " " report "${report}")
-foreach(row
-    "| caffeine | 24 | 2.17 | 2.171 | 0.71 | 0.711 | 10 | 10 | 4.5 | 4.500 |"
-    "| SOD (our stand-in) | 4,392 | 1.95 | 1.953 | 0.76 | 0.763 | 16 | 16 | 5.5 | 5.477 |")
-  string(FIND "${report}" "${row}" place)
-  if(place EQUAL -1)
-    message(FATAL_ERROR "the report lacks the row ${row}\n${report}")
-  endif()
-endforeach()
-file(REMOVE ${folder}/section_2.json)
+include(${CMAKE_CURRENT_LIST_DIR}/report_of_suites.cmake)
+run_suite(${SUITE} --benchmark_min_time=0.001 --benchmark_repetitions=2)
+write_report()
+expect_text("| caffeine | 24 | 2.17 | 2.171 | 0.71 | 0.711 | 10 | 10 | 4.5 | 4.500 |")
+expect_text("| SOD (our stand-in) | 4,392 | 1.95 | 1.953 | 0.76 | 0.763 | 16 | 16 | 5.5 | 5.477 |")
+
+file(REMOVE ${folder}/bench_paper_section_2.json)
 execute_process(COMMAND ${WRITE_REPORT} ${folder} OUTPUT_QUIET ERROR_QUIET RESULT_VARIABLE status)
 if(status EQUAL 0)
   message(FATAL_ERROR "a report was written from a folder without results")
