@@ -4,6 +4,7 @@ program fortran_interface_test
   use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int64_t, c_int8_t, c_loc, c_null_ptr, c_ptr, c_size_t, &
                                          c_sizeof, c_associated
   use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
+  use fortran_checks
   use hardsphere
   implicit none
 
@@ -16,7 +17,6 @@ program fortran_interface_test
                                                     9.0_c_double, 9.0_c_double, 9.0_c_double], [3, 4])
   real(c_double), parameter :: radius(n) = [1.5_c_double, 1.5_c_double, 1.25_c_double, 0.5_c_double]
 
-  integer :: checks = 0, failures = 0
   integer(c_int8_t), allocatable, target :: model_memory(:), boundary_memory(:)
   type(c_ptr) :: model, boundary
 
@@ -29,25 +29,9 @@ program fortran_interface_test
   call gradient_functions()
   call area_rows()
   call reports_errors()
-  print '(i0, a, i0, a)', checks, ' checks, ', failures, ' failed'
-  if (failures > 0 .or. checks == 0) stop 1
+  call report_checks()
 
 contains
-
-  subroutine check(holds, what)
-    logical, intent(in) :: holds
-    character(len=*), intent(in) :: what
-    checks = checks + 1
-    if (holds) return
-    failures = failures + 1
-    print '(a, a)', 'failed: ', what
-  end subroutine
-
-  subroutine expect(status, expected, what)
-    integer(c_int32_t), intent(in) :: status, expected
-    character(len=*), intent(in) :: what
-    call check(status == expected, what//': '//hsp_status_message(status)//', expected '//hsp_status_message(expected))
-  end subroutine
 
   subroutine sizes_and_constants()
     type(hsp_model_options) :: options

@@ -1,6 +1,7 @@
 ! The visibility map as a Fortran program sees it: every function is called, and records arrive field by field.
 program fortran_map_test
   use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int8_t, c_loc, c_null_ptr, c_ptr, c_size_t, c_sizeof
+  use fortran_checks
   use hardsphere
   implicit none
 
@@ -11,7 +12,6 @@ program fortran_map_test
   real(c_double), parameter :: radius(n) = [5.0_c_double, 1.0_c_double]
   real(c_double), parameter :: pi = acos(-1.0_c_double)
 
-  integer :: checks = 0, failures = 0
   integer(c_int8_t), allocatable, target :: model_memory(:), map_memory(:)
   type(c_ptr) :: model = c_null_ptr, map = c_null_ptr
   type(hsp_map_info) :: info
@@ -20,30 +20,9 @@ program fortran_map_test
   call compute()
   call records()
   call questions()
-  print '(i0, a, i0, a)', checks, ' checks, ', failures, ' failed'
-  if (failures > 0 .or. checks == 0) stop 1
+  call report_checks()
 
 contains
-
-  subroutine check(holds, what)
-    logical, intent(in) :: holds
-    character(len=*), intent(in) :: what
-    checks = checks + 1
-    if (holds) return
-    failures = failures + 1
-    print '(a, a)', 'failed: ', what
-  end subroutine
-
-  subroutine expect(status, expected, what)
-    integer(c_int32_t), intent(in) :: status, expected
-    character(len=*), intent(in) :: what
-    call check(status == expected, what//': '//hsp_status_message(status)//', expected '//hsp_status_message(expected))
-  end subroutine
-
-  logical function near(a, b)
-    real(c_double), intent(in) :: a, b
-    near = abs(a - b) < 1e-12_c_double
-  end function
 
   subroutine sizes()
     type(hsp_map_limits) :: limits

@@ -2,6 +2,7 @@
 ! their patches, with areas that come near the exact ones.
 program fortran_mesh_test
   use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int8_t, c_loc, c_ptr, c_size_t, c_sizeof
+  use fortran_checks
   use hardsphere_workspace
   implicit none
 
@@ -11,7 +12,6 @@ program fortran_mesh_test
                                                     1.0_c_double, 1.5_c_double, 0.0_c_double], [3, 3])
   real(c_double), parameter :: radius(n) = [1.5_c_double, 1.5_c_double, 1.25_c_double]
   real(c_double), parameter :: edge = 0.3_c_double
-  integer :: failures = 0
   type(hsp_workspace), target :: work
   type(hsp_model_options) :: options
   type(hsp_totals) :: totals
@@ -30,8 +30,7 @@ program fortran_mesh_test
   call read_back(totals%area, 1)
   call make(.true.)
   call read_back(smooth%area, 3)
-  if (failures > 0) stop 1
-  print '(a)', 'triangles from Fortran are closed'
+  call report_checks()
 
 contains
 
@@ -99,19 +98,5 @@ contains
       if (count <= 0) exit
       next = next + count
     end do
-  end subroutine
-
-  subroutine check(holds, what)
-    logical, intent(in) :: holds
-    character(len=*), intent(in) :: what
-    if (holds) return
-    failures = failures + 1
-    print '(a, a)', 'failed: ', what
-  end subroutine
-
-  subroutine expect(status, expected, what)
-    integer(c_int32_t), intent(in) :: status, expected
-    character(len=*), intent(in) :: what
-    call check(status == expected, what//': '//hsp_status_message(status))
   end subroutine
 end program

@@ -2,6 +2,7 @@
 ! field, the two flat arrays hold what the steps say, ids are 0-based indices.
 program fortran_topology_test
   use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int8_t, c_loc, c_null_ptr, c_ptr, c_size_t, c_sizeof
+  use fortran_checks
   use hardsphere
   implicit none
 
@@ -10,7 +11,6 @@ program fortran_topology_test
   real(c_double), parameter :: apart(3) = [9.0_c_double, 0.5_c_double, 0.5_c_double]
   real(c_double), parameter :: middle(3) = 0.5_c_double, outside(3) = [-5.0_c_double, 2.0_c_double, 1.0_c_double]
 
-  integer :: checks = 0, failures = 0
   real(c_double) :: xyz(3, n), radius(n)
   integer(c_int8_t), allocatable, target :: model_memory(:), boundary_memory(:), topology_memory(:)
   type(c_ptr) :: model, boundary, topology = c_null_ptr
@@ -24,25 +24,9 @@ program fortran_topology_test
   call shells_and_cells()
   call scan_and_places()
   call check_and_errors()
-  print '(i0, a, i0, a)', checks, ' checks, ', failures, ' failed'
-  if (failures > 0 .or. checks == 0) stop 1
+  call report_checks()
 
 contains
-
-  subroutine check(holds, what)
-    logical, intent(in) :: holds
-    character(len=*), intent(in) :: what
-    checks = checks + 1
-    if (holds) return
-    failures = failures + 1
-    print '(a, a)', 'failed: ', what
-  end subroutine
-
-  subroutine expect(status, expected, what)
-    integer(c_int32_t), intent(in) :: status, expected
-    character(len=*), intent(in) :: what
-    call check(status == expected, what//': '//hsp_status_message(status)//', expected '//hsp_status_message(expected))
-  end subroutine
 
   subroutine compute_boundary()
     integer(c_size_t) :: bytes

@@ -37,6 +37,7 @@ program fortran_view_test
   use, intrinsic :: iso_c_binding, only: c_double, c_funloc, c_int32_t, c_int64_t, c_int8_t, c_loc, c_null_char, &
                                          c_null_funptr, c_null_ptr, c_ptr, c_size_t, c_sizeof
   use collected_picture
+  use fortran_checks
   use hardsphere
   implicit none
 
@@ -49,7 +50,6 @@ program fortran_view_test
   integer(c_int32_t), parameter :: atomic_number(n) = [8, 1, 1]
   real(c_double), parameter :: pi = acos(-1.0_c_double)
 
-  integer :: checks = 0, failures = 0
   integer(c_int8_t), allocatable, target :: model_memory(:), boundary_memory(:), view_memory(:)
   type(c_ptr) :: model, boundary, view = c_null_ptr
 
@@ -61,30 +61,9 @@ program fortran_view_test
   call palettes()
   call draw_water()
   call reports_errors()
-  print '(i0, a, i0, a)', checks, ' checks, ', failures, ' failed'
-  if (failures > 0 .or. checks == 0) stop 1
+  call report_checks()
 
 contains
-
-  subroutine check(holds, what)
-    logical, intent(in) :: holds
-    character(len=*), intent(in) :: what
-    checks = checks + 1
-    if (holds) return
-    failures = failures + 1
-    print '(a, a)', 'failed: ', what
-  end subroutine
-
-  subroutine expect(status, expected, what)
-    integer(c_int32_t), intent(in) :: status, expected
-    character(len=*), intent(in) :: what
-    call check(status == expected, what//': '//hsp_status_message(status)//', expected '//hsp_status_message(expected))
-  end subroutine
-
-  logical function near(a, b)
-    real(c_double), intent(in) :: a, b
-    near = abs(a - b) < 1e-12_c_double
-  end function
 
   subroutine sizes()
     type(hsp_view_limits) :: limits

@@ -2,12 +2,11 @@
 ! against sets whose figures are known; and what becomes of it when balls are refused or the workspace is copied.
 program fortran_workspace_test
   use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int32_t
-  use, intrinsic :: iso_fortran_env, only: error_unit
+  use fortran_checks
   use hardsphere_workspace
   implicit none
 
   real(c_double), parameter :: pi = acos(-1.0_c_double)
-  integer :: failures = 0
   type(hsp_workspace), target :: work
 
   call nothing_set()
@@ -16,8 +15,7 @@ program fortran_workspace_test
   call rows_of_balls(20_c_int32_t)
   call refused()
   call copied()
-  if (failures > 0) stop 1
-  print '(a)', 'the Fortran workspace works'
+  call report_checks()
 
 contains
 
@@ -110,29 +108,5 @@ contains
     copy = work
     call expect(hsp_boundary_get_counts(copy%boundary, counts), HSP_OK, 'the handle of the original')
     call check(c_associated(copy%boundary, work%boundary), 'one handle')
-  end subroutine
-
-  function near(a, b)
-    real(c_double), intent(in) :: a, b
-    logical :: near
-    near = abs(a - b) <= 1e-12_c_double*max(1.0_c_double, abs(b))
-  end function
-
-  subroutine expect(status, expected, what)
-    integer(c_int32_t), intent(in) :: status, expected
-    character(len=*), intent(in) :: what
-    if (status /= expected) then
-      write (error_unit, '(3a,i0,a,i0)') 'FAILED ', what, ': ', status, ', expected ', expected
-      failures = failures + 1
-    end if
-  end subroutine
-
-  subroutine check(holds, what)
-    logical, intent(in) :: holds
-    character(len=*), intent(in) :: what
-    if (.not. holds) then
-      write (error_unit, '(2a)') 'FAILED ', what
-      failures = failures + 1
-    end if
   end subroutine
 end program
