@@ -11,9 +11,13 @@ class MapFaceFinder {
  public:
   void carve(Workspace &workspace, const MapLimits &limits);
 
-  // Fills loops, faces and components. False if half-edges do not chain up to loops, if the labels around a loop name
-  // two balls, if it cannot be told what is seen along a loop without labels, if a hole lies in no face, if the
-  // highest point of a ball is seen but no face of it, or if the numbers contradict Euler's formula.
+  // Fills loops, faces and components. False where something does not fit:
+  //   half-edges do not chain up to loops;
+  //   the labels of a loop's edges name two balls;
+  //   a loop has no labels, and nowhere along it is it certain which ball is behind;
+  //   a hole lies in no face of its owner;
+  //   the highest point of a ball is seen, but the ball has no face;
+  //   the numbers contradict Euler's formula.
   bool find(const DiscGrid &grid, VisibilityMap &map);
 
   // Memory that is free between calls; [2 edges + 1].
