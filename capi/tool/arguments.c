@@ -21,9 +21,10 @@ struct reading {
 };
 
 bool command_find(const char *name, enum command *command) {
-  static const char *const names[] = {"model", "boundary", "measure", "query", "voids", "mesh", "draw"};
-  static const enum command commands[] = {COMMAND_MODEL, COMMAND_BOUNDARY, COMMAND_MEASURE, COMMAND_QUERY,
-                                          COMMAND_VOIDS, COMMAND_MESH,     COMMAND_DRAW};
+  static const char *const names[] = {"model", "boundary", "measure", "query", "voids", "mesh", "map", "pick", "draw"};
+  static const enum command commands[] = {COMMAND_MODEL, COMMAND_BOUNDARY, COMMAND_MEASURE,
+                                          COMMAND_QUERY, COMMAND_VOIDS,    COMMAND_MESH,
+                                          COMMAND_MAP,   COMMAND_PICK,     COMMAND_DRAW};
   for (size_t i = 0; i < sizeof commands / sizeof commands[0]; ++i) {
     if (strcmp(name, names[i]) == 0) {
       *command = commands[i];
@@ -135,6 +136,13 @@ static bool take_query(struct reading *reading, enum query_kind kind, const char
   request->query_radius = numbers[3];
   if (request->query_radius < 0.0) return failure_in_usage(reading->failure, "--ball: R must not be negative");
   return true;
+}
+
+static bool take_at(struct reading *reading, const char *value) {
+  struct option_vector *at = &reading->request->at;
+  if (at->given) return failure_in_usage(reading->failure, "--at is given twice");
+  at->given = true;
+  return option_numbers(&reading->options, "--at", value, "XY", at->xyz);
 }
 
 static bool take_format(struct reading *reading, const char *value) {
@@ -280,6 +288,15 @@ static bool take_argument(struct reading *reading, const char *argument) {
     if (!meshing_take_option(&request->meshing, &reading->options, argument, &known)) return false;
     if (known) return true;
   }
+  if (request->command == COMMAND_MAP || request->command == COMMAND_PICK) {
+    if (!viewing_take_option(&request->viewing, &reading->options, argument, &known)) return false;
+    if (known) return true;
+  }
+  if (request->command == COMMAND_MAP && strcmp(argument, "--per-ball") == 0) {
+    request->per_ball = true;
+    return true;
+  }
+  if (request->command == COMMAND_PICK && option_is(argument, "--at", &value)) return take_at(reading, value);
   if (request->command == COMMAND_DRAW) {
     if (!drawing_take_option(&request->drawing, &reading->options, argument, &known)) return false;
     if (known) return true;
@@ -409,6 +426,10 @@ static bool check(struct reading *reading) {
   if (request->command == COMMAND_QUERY && request->query == QUERY_NONE) {
     return failure_in_usage(reading->failure, "query needs --point X Y Z or --ball X Y Z R");
   }
+  if (request->command == COMMAND_PICK && !request->at.given) {
+    return failure_in_usage(reading->failure, "pick needs --at X Y");
+  }
+  if (!viewing_check(&request->viewing, reading->failure)) return false;
   if (!check_several(reading) || !find_format(reading)) return false;
   if (format_has_radii(request->format) && (reading->radii_seen || reading->radius_seen)) {
     return failure_in_usage(reading->failure, "%s has no use here: .xyzr and .pqr files bring their own radii",

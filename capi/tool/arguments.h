@@ -12,6 +12,7 @@
 #include "residues.h"
 #include "selection.h"
 #include "text_buffer.h"
+#include "viewing.h"
 
 enum command {
   COMMAND_MODEL,
@@ -20,6 +21,8 @@ enum command {
   COMMAND_QUERY,
   COMMAND_VOIDS,
   COMMAND_MESH,
+  COMMAND_MAP,
+  COMMAND_PICK,
   COMMAND_DRAW
 };
 
@@ -37,7 +40,7 @@ struct request {
   enum molecule_format format;
   bool json;
   bool csv;
-  bool per_ball;
+  bool per_ball; /* of `measure` and `map` */
   bool gradient;
   bool polar;
   bool relative;
@@ -57,8 +60,10 @@ struct request {
   enum query_kind query;
   double position[3];
   double query_radius;
-  struct meshing meshing; /* of `mesh` */
-  struct drawing drawing; /* of `draw` */
+  struct meshing meshing;  /* of `mesh` */
+  struct viewing viewing;  /* of `map` and `pick` */
+  struct option_vector at; /* of `pick`: x and y */
+  struct drawing drawing;  /* of `draw` */
   const struct radii_set *set;
   const char *radii_file;   /* with radii by residue and atom, or NULL */
   struct radii_table table; /* of that file, or of the set; empty if there is none */

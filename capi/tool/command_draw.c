@@ -51,16 +51,9 @@ static bool make_colours(const struct request *request, const struct molecule *m
 }
 
 static bool view_options_of(const struct drawing *drawing, hsp_view_options *options, struct failure *failure) {
-  int32_t status = hsp_view_options_init(options, (uint32_t)sizeof *options);
-  if (status != HSP_OK) return failure_in_library(failure, status);
+  const int32_t status = viewing_options(&drawing->viewing, options);
   if (drawing->pieces >= 0) options->pieces = (uint32_t)drawing->pieces;
   if (drawing->all_balls) options->flags |= HSP_VIEW_ALL_BALLS;
-  if (drawing->view.given) memcpy(options->towards, drawing->view.xyz, sizeof options->towards);
-  if (drawing->up.given) memcpy(options->up, drawing->up.xyz, sizeof options->up);
-  if (drawing->rotate.given) {
-    const double *angle = drawing->rotate.xyz;
-    status = hsp_view_options_turn(options, angle[0], angle[1], angle[2]);
-  }
   return status == HSP_OK || failure_in_library(failure, status);
 }
 

@@ -22,6 +22,10 @@ bool command_query(const struct request *request, const struct molecule *molecul
                    struct text_buffer *out, struct failure *failure);
 bool command_mesh(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                   struct text_buffer *out, struct failure *failure);
+bool command_map(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
+                 struct text_buffer *out, struct failure *failure);
+bool command_pick(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
+                  struct text_buffer *out, struct failure *failure);
 bool command_draw(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                   struct text_buffer *out, struct failure *failure);
 

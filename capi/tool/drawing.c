@@ -57,19 +57,6 @@ static const struct choice_option choice_options[] = {
     {"--pieces", offsetof(struct drawing, pieces), piece_names, PIECES, "g or h"},
 };
 
-struct vector_option {
-  const char *name;
-  size_t place;
-  bool direction; /* 0,0,0 is none */
-};
-
-static const struct vector_option vector_options[] = {
-    {"--view", offsetof(struct drawing, view), true},
-    {"--rotate", offsetof(struct drawing, rotate), false},
-    {"--up", offsetof(struct drawing, up), true},
-    {"--centre", offsetof(struct drawing, centre), false},
-};
-
 static bool twice(const struct option_reader *reader, const char *option) {
   return failure_in_usage(reader->failure, "%s is given twice", option);
 }
@@ -89,17 +76,6 @@ static bool take_choice(struct option_reader *reader, const struct choice_option
   if (*choice >= 0) return twice(reader, option->name);
   *choice = option_choice(reader, option->name, value, option->words, option->count);
   return *choice >= 0;
-}
-
-static bool take_vector(struct option_reader *reader, const struct vector_option *option, const char *value,
-                        struct drawing_vector *vector) {
-  if (vector->given) return twice(reader, option->name);
-  if (!option_numbers(reader, option->name, value, "XYZ", vector->xyz)) return false;
-  vector->given = true;
-  if (option->direction && vector->xyz[0] == 0.0 && vector->xyz[1] == 0.0 && vector->xyz[2] == 0.0) {
-    return failure_in_usage(reader->failure, "%s: 0,0,0 is no direction", option->name);
-  }
-  return true;
 }
 
 static int hexadecimal_digit(char c) {
@@ -156,11 +132,11 @@ bool drawing_take_option(struct drawing *drawing, struct option_reader *reader, 
       return take_choice(reader, option, value, (int *)(void *)(base + option->place));
     }
   }
-  for (size_t i = 0; i < sizeof vector_options / sizeof vector_options[0]; ++i) {
-    const struct vector_option *option = &vector_options[i];
-    if (option_is(argument, option->name, &value)) {
-      return take_vector(reader, option, value, (struct drawing_vector *)(void *)(base + option->place));
-    }
+  if (!viewing_take_option(&drawing->viewing, reader, argument, known)) return false;
+  if (*known) return true;
+  *known = true;
+  if (option_is(argument, "--centre", &value)) {
+    return option_vector(reader, "--centre", value, false, &drawing->centre);
   }
   if (option_is(argument, "--background", &value)) return take_background(reader, value, &drawing->background);
   if (option_is(argument, "--title", &value)) {
@@ -207,18 +183,10 @@ bool drawing_check(struct drawing *drawing, struct failure *failure) {
     return failure_in_usage(failure, "-o: '%s' is no .svg, .eps or .pdf file",
                             excerpt(shown, drawing->out, strlen(drawing->out)));
   }
-  if (drawing->rotate.given && (drawing->view.given || drawing->up.given)) {
-    return failure_in_usage(failure, "one way to look at it: either --rotate or --view and --up");
-  }
+  if (!viewing_check(&drawing->viewing, failure)) return false;
   if (drawing->centre.given && drawing->scale < 0.0) return failure_in_usage(failure, "--centre needs --scale");
   if (drawing->margin >= 0.0 && drawing->scale >= 0.0) {
     return failure_in_usage(failure, "either --margin around all that is seen, or --scale");
-  }
-  for (int axis = 0; axis < 3; ++axis) {
-    const double angle = drawing->rotate.xyz[axis];
-    if (angle > 1e6 || angle < -1e6) {
-      return failure_in_usage(failure, "--rotate: angles must be between -1000000 and 1000000 degrees");
-    }
   }
   return true;
 }

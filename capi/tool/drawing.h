@@ -7,22 +7,15 @@
 
 #include "failure.h"
 #include "option_reader.h"
-
-/* Three numbers of one option; `given` tells whether there are any. */
-struct drawing_vector {
-  bool given;
-  double xyz[3];
-};
+#include "viewing.h"
 
 /* Numbers and choices are negative where the user has said nothing. Choices are numbered as in hardsphere.h. */
 struct drawing {
   const char *out; /* a file, or NULL */
   const char *title;
-  struct drawing_vector view;   /* towards the viewer */
-  struct drawing_vector rotate; /* degrees */
-  struct drawing_vector up;
-  struct drawing_vector centre; /* of a fixed frame */
-  int format;                   /* where the user has not said, drawing_check sets it by the extension of out */
+  struct viewing viewing;
+  struct option_vector centre; /* of a fixed frame */
+  int format;                  /* where the user has not said, drawing_check sets it by the extension of out */
   int style;
   int palette;
   int unit;

@@ -103,6 +103,29 @@ bool geometry_compute_view(struct geometry *geometry, const hsp_view_options *op
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
+bool geometry_compute_map(struct geometry *geometry, const struct viewing *viewing, struct failure *failure) {
+  const hsp_model *model = geometry->work.model;
+  hsp_view_options options;
+  hsp_map_limits limits;
+  hsp_model_info info;
+  progress_show(&geometry->progress, "finding what is seen");
+  int32_t status = viewing_options(viewing, &options);
+  if (status == HSP_OK) status = hsp_model_get_info(model, &info);
+  if (status == HSP_OK) status = hsp_map_limits_init(&limits, (uint32_t)sizeof limits, info.balls);
+  if (status != HSP_OK) return failure_in_library(failure, status);
+  do {
+    size_t bytes = 0;
+    status = hsp_map_bytes(&limits, &bytes);
+    if (status == HSP_OK) status = hsp_workspace_allocate(&geometry->map_memory, bytes);
+    if (status == HSP_OK) status = hsp_map_init(geometry->map_memory, bytes, &limits, &geometry->map);
+    if (status == HSP_OK) status = hsp_map_compute(geometry->map, model, &options, &limits);
+  } while (status == HSP_E_CAPACITY);
+  if (status == HSP_E_CHECK) {
+    return failure_in_input(failure, 0, "too many balls stand exactly behind each other: look from elsewhere");
+  }
+  return status == HSP_OK || failure_in_library(failure, status);
+}
+
 bool geometry_list_shells(const struct geometry *geometry, hsp_shell **shells, uint32_t *count,
                           struct failure *failure) {
   *count = 0;
@@ -119,5 +142,6 @@ bool geometry_list_shells(const struct geometry *geometry, hsp_shell **shells, u
 void geometry_free(struct geometry *geometry) {
   progress_end(&geometry->progress);
   free(geometry->mesh_memory);
+  free(geometry->map_memory);
   hsp_workspace_free(&geometry->work);
 }

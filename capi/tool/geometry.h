@@ -8,12 +8,15 @@
 #include "hardsphere_workspace.h"
 #include "molecule.h"
 #include "progress.h"
+#include "viewing.h"
 
 struct geometry {
   hsp_workspace work;       /* zeros at first */
   struct progress progress; /* of what is done here; not watched at first */
   hsp_mesh *mesh;           /* NULL at first */
   void *mesh_memory;
+  hsp_map *map; /* NULL at first */
+  void *map_memory;
 };
 
 /* Make the model. A ball that the library refuses is named by its line. */
@@ -37,6 +40,9 @@ bool geometry_compute_mesh(struct geometry *geometry, bool of_surface, double ed
 
 /* Cut and sort the pieces of a view: from the boundary if that was computed, from the model alone if not. */
 bool geometry_compute_view(struct geometry *geometry, const hsp_view_options *options, struct failure *failure);
+
+/* Find what is seen, from the model alone. */
+bool geometry_compute_map(struct geometry *geometry, const struct viewing *viewing, struct failure *failure);
 
 /* The shells of a computed topology; *shells is to be freed on true. */
 bool geometry_list_shells(const struct geometry *geometry, hsp_shell **shells, uint32_t *count,

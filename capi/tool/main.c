@@ -30,6 +30,10 @@ static command_function *function_of(enum command command) {
       return command_voids;
     case COMMAND_MESH:
       return command_mesh;
+    case COMMAND_MAP:
+      return command_map;
+    case COMMAND_PICK:
+      return command_pick;
     case COMMAND_DRAW:
       return command_draw;
   }

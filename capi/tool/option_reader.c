@@ -68,6 +68,17 @@ bool option_numbers(struct option_reader *reader, const char *option, const char
   return true;
 }
 
+bool option_vector(struct option_reader *reader, const char *option, const char *value, bool direction,
+                   struct option_vector *vector) {
+  if (vector->given) return failure_in_usage(reader->failure, "%s is given twice", option);
+  if (!option_numbers(reader, option, value, "XYZ", vector->xyz)) return false;
+  vector->given = true;
+  if (direction && vector->xyz[0] == 0.0 && vector->xyz[1] == 0.0 && vector->xyz[2] == 0.0) {
+    return failure_in_usage(reader->failure, "%s: 0,0,0 is no direction", option);
+  }
+  return true;
+}
+
 bool option_value(struct option_reader *reader, const char *option, const char **value, const char *what) {
   if (*value == NULL) *value = option_next(reader);
   if (*value == NULL) return failure_in_usage(reader->failure, "%s needs %s", option, what);

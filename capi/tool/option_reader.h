@@ -29,6 +29,16 @@ bool option_length(struct option_reader *reader, const char *option, const char 
 bool option_numbers(struct option_reader *reader, const char *option, const char *value, const char *names,
                     double *numbers);
 
+/* Three numbers of one option; `given` tells whether there are any. */
+struct option_vector {
+  bool given;
+  double xyz[3];
+};
+
+/* Take them, once. direction: 0,0,0 is none. */
+bool option_vector(struct option_reader *reader, const char *option, const char *value, bool direction,
+                   struct option_vector *vector);
+
 /* The value of an option, behind '=' or as the next argument. False: there is none, and the failure says that `what`
  * is needed, for instance "a length". */
 bool option_value(struct option_reader *reader, const char *option, const char **value, const char *what);

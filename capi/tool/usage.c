@@ -11,6 +11,9 @@ static const char overview[] =
     "  hardsphere voids    FILE [options]   the cavities in the union and the balls around them\n"
     "  hardsphere query    FILE [options]   which balls contain a point or meet a ball\n"
     "  hardsphere mesh     FILE -o OUT      the surface as triangles: .ply, .obj, .stl, or .vert and .face\n"
+    "  hardsphere map      FILE [options]   what is seen from a direction: faces, edges, the visible area of each "
+    "ball\n"
+    "  hardsphere pick     FILE --at X,Y    the ball that is seen at a point\n"
     "  hardsphere draw     FILE -o OUT      a picture with hidden parts removed: .svg, .eps or .pdf\n"
     "  hardsphere COMMAND --help            more about a command\n"
     "  hardsphere --version\n"
@@ -183,6 +186,35 @@ static const char mesh_text[] =
     "JSON: n, vertices, triangles, edge, triangle_area, bytes; triangle_area approaches the area of measure.\n"
     "\n";
 
+static const char map_text[] =
+    "hardsphere map FILE [options]\n"
+    "\n"
+    "Counts what is seen from a direction: faces, each of which shows one ball or the background, the edges between\n"
+    "them, and vertices, where edges end. Areas are those in the view plane. Where balls stand exactly behind each\n"
+    "other all are moved a little, and the table says by how much.\n"
+    "  --view X,Y,Z           the direction towards the viewer; default 0,0,1\n"
+    "  --up X,Y,Z             the direction that appears upwards; default as for draw\n"
+    "  --rotate X,Y,Z         instead of both, as for draw\n"
+    "  --per-ball             list the balls that are seen\n"
+    "Example: hardsphere map 1crn.pdb --view 1,0,0 --per-ball\n"
+    "JSON: n, vertices, edges, faces, visible_balls, visible_area, moved, balls: [{ball, visible_area}, ...], those\n"
+    "that are seen, by their indices in the order of the file, counted from 0; faces counts the background.\n"
+    "\n";
+
+static const char pick_text[] =
+    "hardsphere pick FILE --at X,Y [options]\n"
+    "\n"
+    "Names the ball that is seen at a point of the view plane, and how near its surface is there. X is to the right, "
+    "Y\n"
+    "upwards, and depth grows towards the viewer; origin and unit are those of the file.\n"
+    "  --at X,Y               the point\n"
+    "  --view X,Y,Z           the direction towards the viewer; default 0,0,1\n"
+    "  --up X,Y,Z             the direction that appears upwards; default as for draw\n"
+    "  --rotate X,Y,Z         instead of both, as for draw\n"
+    "Example: hardsphere pick 1crn.pdb --at 10,12\n"
+    "JSON: ball, its index in the order of the file, counted from 0, and depth; null where there is none.\n"
+    "\n";
+
 static const char draw_text[] =
     "hardsphere draw FILE -o OUT [options]\n"
     "\n"
@@ -252,6 +284,12 @@ void usage_of_command(struct text_buffer *out, enum command command) {
       break;
     case COMMAND_MESH:
       text = mesh_text;
+      break;
+    case COMMAND_MAP:
+      text = map_text;
+      break;
+    case COMMAND_PICK:
+      text = pick_text;
       break;
     case COMMAND_DRAW:
       text = draw_text;

@@ -1,0 +1,26 @@
+/* From where a user looks at the balls: the options of draw, map and pick. */
+#ifndef HARDSPHERE_TOOL_VIEWING_H
+#define HARDSPHERE_TOOL_VIEWING_H
+
+#include <stdbool.h>
+
+#include "failure.h"
+#include "hardsphere.h"
+#include "option_reader.h"
+
+struct viewing {
+  struct option_vector view;   /* towards the viewer */
+  struct option_vector rotate; /* degrees */
+  struct option_vector up;
+};
+
+/* Take the argument if it is one of these options, and its value from the reader; *known tells whether it is one. */
+bool viewing_take_option(struct viewing *viewing, struct option_reader *reader, const char *argument, bool *known);
+
+/* Which of them go together. */
+bool viewing_check(const struct viewing *viewing, struct failure *failure);
+
+/* The same for the library, defaults included. The status of the library. */
+int32_t viewing_options(const struct viewing *viewing, hsp_view_options *options);
+
+#endif
