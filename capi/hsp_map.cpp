@@ -94,7 +94,7 @@ int32_t hsp_map_pick(const hsp_map *map, double x, double y, hsp_map_sight *sigh
   const double at[2] = {lattice.steps(x), lattice.steps(y)};
   const hsp::MapSight seen = hsp::sight_at(map->structure(), map->builder.discs(), at[0], at[1]);
   *sight = {lattice.length(seen.depth), map->caller(seen.ball),
-            hsp::face_at(map->structure(), map->builder.discs(), at[0], at[1])};
+            hsp::face_at(map->structure(), seen.ball, at[0], at[1])};
   return HSP_OK;
 }
 

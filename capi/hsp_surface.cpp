@@ -86,9 +86,9 @@ int32_t hsp_surface_compute(hsp_surface *surface, const hsp_boundary *boundary, 
 
 int32_t hsp_surface_compute_shells(hsp_surface *surface, const hsp_boundary *boundary, const uint32_t *shells,
                                    uint32_t count, hsp_surface_limits *limits) {
-  if (const int32_t status = begin(surface, boundary, limits); status == HSP_E_ARGUMENT) return status;
-  if (shells == nullptr && count > 0) return HSP_E_ARGUMENT;
-  if (!boundary->has_results()) return HSP_E_STATE;
+  const int32_t status = begin(surface, boundary, limits);
+  if (status == HSP_E_ARGUMENT || (shells == nullptr && count > 0)) return HSP_E_ARGUMENT;
+  if (status != HSP_OK) return status;
   const hsp::Span<const uint32_t> chosen(shells, count);
   for (const uint32_t shell : chosen) {
     if (shell >= boundary->structure().shell_count()) return HSP_E_ID;

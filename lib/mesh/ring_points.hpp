@@ -2,6 +2,8 @@
 // so that consecutive ones are near each other.
 #pragma once
 
+#include <cstdint>
+
 #include "core/elementary.hpp"
 #include "core/vec3.hpp"
 

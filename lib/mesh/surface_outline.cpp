@@ -65,6 +65,11 @@ SaddleBand SurfaceOutline::band_of_circle(uint32_t circle) const {
   return {balls_, boundary_, on_ball(circle, 1), surface_.cusped_circles().of_circle(circle) != no_id};
 }
 
+SaddleBand SurfaceOutline::band_of_saddle(uint32_t k) const {
+  const uint32_t arcs = boundary_.arc_count();
+  return k < arcs ? band_of_arc(map_.half_edge_of(k, 1)) : band_of_circle(k - arcs);
+}
+
 double SurfaceOutline::segments_of_edge(uint32_t c, double length) const {
   const SurfaceEdge edge = map_.edge(c);
   if (edge.kind == EdgeKind::rim) {
@@ -424,7 +429,7 @@ bool SurfaceOutline::add_bands(double length, FixedVector<MeshVertex> &vertices,
   const uint32_t arcs = boundary_.arc_count();
   for (uint32_t k = 0; k < arcs + boundary_.circle_count(); ++k) {
     const bool is_arc = k < arcs;
-    const SaddleBand band = is_arc ? band_of_arc(map_.half_edge_of(k, 1)) : band_of_circle(k - arcs);
+    const SaddleBand band = band_of_saddle(k);
     for (uint32_t part = 0; part < band.parts(); ++part) {
       Grid grid = is_arc ? grid_of_arc(k, part, band.has_cusps()) : grid_of_circle(k - arcs, part, band, length);
       if (!map_.is_chosen(grid.patch)) continue;
@@ -502,8 +507,7 @@ Status SurfaceOutline::expected_limits(double edge, MeshLimits &limits) const {
     sizes.add_sphere(border, steradians, spacing(s, edge));
   }
   for (uint32_t k = 0; k < boundary_.arc_count() + boundary_.circle_count(); ++k) {
-    const bool is_arc = k < boundary_.arc_count();
-    const SaddleBand band = is_arc ? band_of_arc(map_.half_edge_of(k, 1)) : band_of_circle(k - boundary_.arc_count());
+    const SaddleBand band = band_of_saddle(k);
     const double turns = segments_of(band.width(), edge, fewest_of_circle);
     for (uint32_t part = 0; part < band.parts(); ++part)
       sizes.add_points(turns * segments_of(band.length(part), edge, 1.0));

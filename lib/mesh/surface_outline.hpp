@@ -66,6 +66,7 @@ class SurfaceOutline {
   bool is_closed(uint32_t c) const { return map_.origin(2 * c) == no_id; }
   SaddleBand band_of_arc(uint32_t half_edge) const;
   SaddleBand band_of_circle(uint32_t circle) const;
+  SaddleBand band_of_saddle(uint32_t k) const;  // of arc k, or behind all arcs of a circle
   ClosedHalfEdge on_ball(uint32_t circle, uint32_t side) const;
   MeshVertex vertex_of(const SaddleBand::Point &point) const {
     return mesh_vertex(balls_, point.position, point.normal, point.ball);

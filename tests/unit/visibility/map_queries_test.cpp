@@ -21,6 +21,10 @@ double highest_front(const hsp::VisibilityMap &map, double x, double y) {
   return highest;
 }
 
+uint32_t face_at(const BuiltMap &built, double x, double y) {
+  return hsp::face_at(built.map(), hsp::sight_at(built.map(), built.discs(), x, y).ball, x, y);
+}
+
 // Faces by areas: so many of random points are in each.
 TEST(MapQueries, FindFacesAsOftenAsTheirAreasSay) {
   oracle::RandomSource random(20);
@@ -34,7 +38,7 @@ TEST(MapQueries, FindFacesAsOftenAsTheirAreasSay) {
     for (size_t column = 0; column < grid.columns; ++column) {
       const double x = grid.x(column);
       const double y = grid.y(row);
-      const uint32_t face = hsp::face_at(map, built.discs(), x, y);
+      const uint32_t face = face_at(built, x, y);
       ASSERT_LT(face, map.faces.size());
       counted[face] += grid.side * grid.side;
       const hsp::MapSight sight = hsp::sight_at(map, built.discs(), x, y);
@@ -59,13 +63,13 @@ TEST(MapQueries, FindFacesWithinHoles) {
   const hsp::VisibilityMap &map = built.map();
   const hsp::SeenBall &large = map.balls[map.balls.size() - 1];
   ASSERT_EQ(large.r, 3000);
-  const uint32_t inner = hsp::face_at(map, built.discs(), large.x + 3, large.y + 4);
-  const uint32_t outer = hsp::face_at(map, built.discs(), large.x + 3, large.y + 2500);
+  const uint32_t inner = face_at(built, large.x + 3, large.y + 4);
+  const uint32_t outer = face_at(built, large.x + 3, large.y + 2500);
   ASSERT_LT(inner, map.faces.size());
   ASSERT_LT(outer, map.faces.size());
   EXPECT_LT(map.faces[inner].area, map.faces[outer].area);
   EXPECT_EQ(map.faces[inner].owner, map.faces[outer].owner);
-  EXPECT_EQ(hsp::face_at(map, built.discs(), large.x + 3001, large.y), 0U);
+  EXPECT_EQ(face_at(built, large.x + 3001, large.y), 0U);
 }
 
 TEST(MapQueries, TellDepthAndGapAlongEdges) {
@@ -152,7 +156,7 @@ TEST(MapQueries, SeeNothingFarOut) {
   for (const double far : {1e9, -1e9, 0x1p52, 1e18, -1e300, std::numeric_limits<double>::infinity()}) {
     EXPECT_EQ(hsp::sight_at(built.map(), built.discs(), far, 0).ball, hsp::no_id);
     EXPECT_EQ(hsp::sight_at(built.map(), built.discs(), 0, far).ball, hsp::no_id);
-    EXPECT_EQ(hsp::face_at(built.map(), built.discs(), far, far), 0U);
+    EXPECT_EQ(face_at(built, far, far), 0U);
   }
 }
 
