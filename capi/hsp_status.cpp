@@ -36,6 +36,8 @@ const char *hsp_status_text(int32_t status) {
       return "a radius, the probe or the step is negative";
     case HSP_E_RANGE:
       return "a value lies beyond the lattice or the largest size";
+    case HSP_E_CONFLICT:
+      return "balls and sticks that cannot be painted; which ones is reported";
     default:
       return "unknown status";
   }

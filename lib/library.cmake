@@ -110,6 +110,10 @@ set(HSP_LIBRARY_SOURCES
   lib/visibility/seen_balls.cpp
   lib/visibility/silhouette_arcs.cpp
   lib/visibility/trigonometric_roots.cpp
+  lib/sticks/drawing_order.cpp
+  lib/sticks/stick_outlines.cpp
+  lib/sticks/stick_sweep.cpp
+  lib/sticks/stick_view_builder.cpp
   lib/picture/byte_sink.cpp
   lib/picture/eps_writer.cpp
   lib/picture/escaped_text.cpp

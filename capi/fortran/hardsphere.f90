@@ -47,6 +47,7 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_E_NOT_FINITE = -10_c_int32_t
   integer(c_int32_t), parameter :: HSP_E_NEGATIVE = -11_c_int32_t
   integer(c_int32_t), parameter :: HSP_E_RANGE = -12_c_int32_t
+  integer(c_int32_t), parameter :: HSP_E_CONFLICT = -13_c_int32_t
 
   integer(c_int32_t), parameter :: HSP_NONE = -1_c_int32_t              ! 0xFFFFFFFF
   integer(c_int32_t), parameter :: HSP_MAX_BALLS = 268435455_c_int32_t  ! 0x0FFFFFFF

@@ -21,6 +21,7 @@ extern "C" {
 #define HSP_E_NOT_FINITE (-10) /**< a value is NaN or infinite */
 #define HSP_E_NEGATIVE (-11)   /**< a radius, the probe or the step is negative */
 #define HSP_E_RANGE (-12)      /**< a value lies beyond the lattice or the largest size */
+#define HSP_E_CONFLICT (-13)   /**< balls and sticks that cannot be painted; which ones is reported */
 
 /** What stands above beside a status, for messages; never NULL, "unknown status" for numbers not listed above. */
 HSP_API const char *hsp_status_text(int32_t status);

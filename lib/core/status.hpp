@@ -17,6 +17,7 @@ enum class Status : int32_t {
   not_finite = -10,
   negative = -11,
   range = -12,
+  conflict = -13,
 };
 
 // The id that no ball, vertex, loop or face has.

@@ -1,0 +1,148 @@
+#include "built_sticks.hpp"
+
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+#include "lattice_lengths.hpp"
+#include "path_painter.hpp"
+#include "seen_cylinders.hpp"
+#include "sticks/stick_outlines.hpp"
+
+BuiltSticks::BuiltSticks(const oracle::Balls &balls, std::vector<Ends> ends, double radius,
+                         const std::array<double, 3> &towards, bool whole)
+    : grid_(oracle::in_lengths(balls, 1)), ends_(std::move(ends)), radius_(radius), whole_(whole) {
+  status_ = grid_.status();
+  if (status_ != hsp::Status::ok) return;
+  take({static_cast<uint32_t>(balls.size()), 0, 16});
+  look(towards);
+}
+
+hsp::Status BuiltSticks::build(const std::array<double, 3> &towards) {
+  return builder_.build(balls(), {{towards[0], towards[1], towards[2]}, {0, 1, 0}}, static_cast<uint32_t>(ends_.size()),
+                        radius_, [this](uint32_t k) {
+                          return hsp::StickEnds{ends_[k][0], ends_[k][1], whole_};
+                        });
+}
+
+void BuiltSticks::look(const std::array<double, 3> &towards) {
+  for (int left = 3;; --left) {
+    status_ = build(towards);
+    if (status_ != hsp::Status::capacity || left == 0) return;
+    take(builder_.retry_limits());
+  }
+}
+
+std::string BuiltSticks::violation() const {
+  const hsp::StickViolation &violation = builder_.violation();
+  return std::to_string(static_cast<int>(violation.conflict)) + " " + std::to_string(violation.first) + " " +
+         std::to_string(violation.second);
+}
+
+namespace {
+
+// The names of the z-buffer: balls by their numbers, then two for each stick, that of its first ball first.
+uint32_t name_of(const BuiltSticks &built, const hsp::StickPath &path) {
+  const hsp::BallSet &balls = built.balls();
+  if (path.stick == hsp::no_id) return balls.caller[path.ball];
+  const uint32_t k = built.view().sticks[path.stick].caller;
+  return balls.n + 2 * k + (balls.caller[path.ball] == built.ends()[k][0] ? 0 : 1);
+}
+
+oracle::Path path_of(const hsp::StickView &view, uint32_t path) {
+  oracle::Path result;
+  hsp::visit_outline(view, path, [&](const hsp::ProjectedArc &arc, bool, bool) {
+    const hsp::ProjectedEllipse &e = arc.ellipse;
+    result.push_back({{e.centre[0], e.centre[1]},
+                      {std::hypot(e.major[0], e.major[1]), std::hypot(e.minor[0], e.minor[1])},
+                      std::atan2(e.major[1], e.major[0]),
+                      arc.from,
+                      arc.to,
+                      {arc.start[0], arc.start[1]},
+                      {arc.end[0], arc.end[1]}});
+  });
+  return result;
+}
+
+// What is wrong with the arcs of a path by themselves.
+std::string broken(const oracle::Path &path, double tolerance) {
+  for (size_t k = 0; k < path.size(); ++k) {
+    const oracle::PathArc &arc = path[k];
+    if (arc.end != path[(k + 1) % path.size()].start) return "a path that is not closed";
+    for (size_t axis = 0; axis < 2; ++axis) {
+      if (std::abs(arc.at(arc.from)[axis] - arc.start[axis]) > tolerance) return "an arc that starts elsewhere";
+      if (std::abs(arc.at(arc.to)[axis] - arc.end[axis]) > tolerance) return "an arc that ends elsewhere";
+    }
+    if (std::abs(arc.from) > 6.2832 || std::abs(arc.to) > 6.2832) return "parameters beyond a turn";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string sticks_disagree(const BuiltSticks &built, size_t pixels) {
+  std::ostringstream text;
+  if (built.status() != hsp::Status::ok) {
+    text << "status " << static_cast<int>(built.status()) << ", " << built.violation();
+    return text.str();
+  }
+  const hsp::StickView &view = built.view();
+  const hsp::BallSet &balls = built.balls();
+  std::vector<oracle::PlainBall> seen(balls.n);
+  double largest = 0;
+  for (uint32_t i = 0; i < balls.n; ++i) {
+    const hsp::Vec3 centre = view.frame.centre_of(balls, i);
+    seen[balls.caller[i]] = {{centre.x, centre.y, centre.z}, balls.r[i]};
+    largest = std::max(largest, balls.r[i]);
+  }
+  std::vector<oracle::PlainCylinder> cylinders;
+  for (const BuiltSticks::Ends &ends : built.ends()) {
+    const oracle::PlainBall &one = seen[ends[0]], &two = seen[ends[1]];
+    const double length =
+        std::hypot(two.centre[0] - one.centre[0], two.centre[1] - one.centre[1], two.centre[2] - one.centre[2]);
+    // In the middle between the planes in which it leaves the balls.
+    const double out = std::sqrt(one.radius * one.radius - built.radius() * built.radius());
+    const double in = std::sqrt(two.radius * two.radius - built.radius() * built.radius());
+    cylinders.push_back(
+        {one.centre, two.centre, built.radius(), built.whole() ? 2 : (out + length - in) / (2 * length)});
+  }
+  const oracle::PixelGrid grid = oracle::grid_around(seen, pixels);
+  std::vector<oracle::SeenPixel> image = oracle::z_buffer(seen, grid);
+  oracle::add_cylinders(cylinders, balls.n, grid, image);
+
+  std::vector<oracle::Path> paths;
+  std::vector<uint32_t> name;
+  for (uint32_t p = 0; p < view.paths.size(); ++p) {
+    paths.push_back(path_of(view, p));
+    name.push_back(name_of(built, view.paths[p]));
+    const std::string fault = broken(paths.back(), 1e-9 * largest + 1e-7);
+    if (!fault.empty()) return fault + ", path " + std::to_string(p);
+  }
+  const oracle::PaintedImage painted = oracle::painted(paths, grid);
+  const auto near_edge = [&](uint32_t path, size_t pixel) {
+    return path != oracle::no_ball && oracle::passes_near(paths[path], grid.x(pixel % grid.columns),
+                                                          grid.y(pixel / grid.columns), 1e-6 * grid.side);
+  };
+  size_t excluded = 0;
+  for (const oracle::PaintedImage::Winding &winding : painted.windings) {
+    if (near_edge(winding.path, winding.pixel)) continue;
+    text << "path " << winding.path << " runs " << winding.times << " times around pixel " << winding.pixel;
+    return text.str();
+  }
+  for (size_t k = 0; k < image.size(); ++k) {
+    const uint32_t path = painted.non_zero[k];
+    const uint32_t shown = path == oracle::no_ball ? oracle::no_ball : name[path];
+    if (shown == image[k].ball) continue;
+    bool close = std::abs(image[k].depth - image[k].runner_up) < 1e-8 * largest;
+    for (uint32_t p = 0; p < paths.size() && !close; ++p) close = near_edge(p, k);
+    if (!close) {
+      text << "pixel " << k << " (" << grid.x(k % grid.columns) << ", " << grid.y(k / grid.columns) << ") shows "
+           << shown << " instead of " << image[k].ball << ", " << balls.n << " balls, depth " << image[k].depth
+           << " over " << image[k].runner_up;
+      return text.str();
+    }
+    ++excluded;
+  }
+  if (excluded > image.size() / 1000) return std::to_string(excluded) + " pixels excluded";
+  return "";
+}

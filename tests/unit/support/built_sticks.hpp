@@ -1,0 +1,46 @@
+// Balls and sticks as a view of them, and its pictures held against the z-buffer.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "built_grid.hpp"
+#include "lattice_ball.hpp"
+#include "sticks/stick_view_builder.hpp"
+
+class BuiltSticks {
+ public:
+  using Ends = std::array<uint32_t, 2>;
+
+  // Lattice step 1. Limits grow until they suffice, three times at most.
+  BuiltSticks(const oracle::Balls &balls, std::vector<Ends> ends, double radius,
+              const std::array<double, 3> &towards = {0, 0, 1}, bool whole = false);
+
+  void look(const std::array<double, 3> &towards);
+  void take(const hsp::StickLimits &limits) { memory_.carve(builder_, limits); }
+  hsp::Status build(const std::array<double, 3> &towards);
+
+  hsp::Status status() const { return status_; }
+  const hsp::StickView &view() const { return builder_.structure(); }
+  const hsp::StickViewBuilder &builder() const { return builder_; }
+  const hsp::BallSet &balls() const { return grid_.grid().balls(); }
+  const std::vector<Ends> &ends() const { return ends_; }
+  double radius() const { return radius_; }
+  bool whole() const { return whole_; }
+  // The conflict and its numbers as text.
+  std::string violation() const;
+
+ private:
+  BuiltGrid grid_;
+  CarvedMemory memory_;
+  hsp::StickViewBuilder builder_;
+  std::vector<Ends> ends_;
+  double radius_;
+  bool whole_;
+  hsp::Status status_ = hsp::Status::ok;
+};
+
+// Empty, or how what is painted differs from the z-buffer of balls and cylinders.
+std::string sticks_disagree(const BuiltSticks &built, size_t pixels);
