@@ -1,6 +1,8 @@
+#include "hsp_map.hpp"
 #include "hsp_view.hpp"
 #include "picture/palettes.hpp"
 #include "picture/picture.hpp"
+#include "visibility/map_paths.hpp"
 
 using hsp::capi::is_live;
 
@@ -87,6 +89,38 @@ hsp::PictureOptions from_c(const hsp_picture_options &options) {
           {options.centre[0], options.centre[1], options.centre[2]}};
 }
 
+// Of one call: all but where its paths are from.
+struct Call {
+  const uint32_t *colour;
+  const hsp_picture_options *options;
+  const char *title;
+  const char *description;
+  hsp_sink sink;
+  void *context;
+  uint64_t *bytes;
+};
+
+// write(options, taken) writes the picture of a handle with results.
+template <class Handle, class Write>
+int32_t write_checked(const Handle *handle, const Call &call, Write write) {
+  if (call.bytes != nullptr) *call.bytes = 0;
+  if (!is_live(handle) || call.sink == nullptr) return HSP_E_ARGUMENT;
+  hsp_picture_options wanted = defaults();
+  if (call.options != nullptr && !(hsp::capi::read_struct(call.options, defaults(), wanted) && is_valid(wanted))) {
+    return HSP_E_ARGUMENT;
+  }
+  // Without results the number of colours is not known.
+  const bool ready = handle->has_results();
+  if (ready && call.colour != nullptr && !are_colours(call.colour, handle->balls().n)) return HSP_E_ARGUMENT;
+  if (!is_finite(wanted)) return HSP_E_NOT_FINITE;
+  if (!is_in_range(wanted)) return HSP_E_RANGE;
+  if (!ready) return HSP_E_STATE;
+  uint64_t taken = 0;
+  const hsp::Status status = write(from_c(wanted), taken);
+  if (call.bytes != nullptr) *call.bytes = taken;
+  return hsp::capi::to_c(status);
+}
+
 }  // namespace
 
 namespace hsp::capi {
@@ -110,22 +144,20 @@ uint32_t hsp_palette_colour(uint32_t palette, uint32_t atomic_number, uint32_t c
 
 int32_t hsp_picture_write(hsp_view *view, const uint32_t *colour, const hsp_picture_options *options, const char *title,
                           const char *description, hsp_sink sink, void *context, uint64_t *bytes) {
-  if (bytes != nullptr) *bytes = 0;
-  if (!is_live(view) || sink == nullptr) return HSP_E_ARGUMENT;
-  hsp_picture_options wanted = defaults();
-  if (options != nullptr && !(hsp::capi::read_struct(options, defaults(), wanted) && is_valid(wanted))) {
-    return HSP_E_ARGUMENT;
-  }
-  // Without results the number of colours is not known.
-  const bool ready = view->has_results();
-  if (ready && colour != nullptr && !are_colours(colour, view->balls().n)) return HSP_E_ARGUMENT;
-  if (!is_finite(wanted)) return HSP_E_NOT_FINITE;
-  if (!is_in_range(wanted)) return HSP_E_RANGE;
-  if (!ready) return HSP_E_STATE;
-  const hsp::View &structure = view->structure();
-  uint64_t taken = 0;
-  const hsp::Status status = hsp::write_picture({view->balls(), structure, colour, title, description}, from_c(wanted),
-                                                view->builder.scratch(), sink, context, taken);
-  if (bytes != nullptr) *bytes = taken;
-  return hsp::capi::to_c(status);
+  const Call call{colour, options, title, description, sink, context, bytes};
+  return write_checked(view, call, [&](const hsp::PictureOptions &wanted, uint64_t &taken) {
+    return hsp::write_picture({view->balls(), hsp::paths_of(view->structure()), colour, title, description}, wanted,
+                              view->builder.scratch(), sink, context, taken);
+  });
+}
+
+int32_t hsp_picture_write_map(hsp_map *map, const uint32_t *colour, const hsp_picture_options *options,
+                              const char *title, const char *description, hsp_sink sink, void *context,
+                              uint64_t *bytes) {
+  const Call call{colour, options, title, description, sink, context, bytes};
+  return write_checked(map, call, [&](const hsp::PictureOptions &wanted, uint64_t &taken) {
+    const hsp::MapPaths paths(map->balls(), map->structure(), map->builder.scratch());
+    return hsp::write_picture({map->balls(), paths.paths(), colour, title, description}, wanted,
+                              map->builder.more_scratch(), sink, context, taken);
+  });
 }

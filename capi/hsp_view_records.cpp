@@ -1,5 +1,6 @@
 #include "core/elementary.hpp"
 #include "hsp_view.hpp"
+#include "view/painted_paths.hpp"
 #include "view/projected_arcs.hpp"
 #include "view_options.hpp"
 
@@ -40,7 +41,7 @@ int32_t hsp_view_get_info(const hsp_view *view, hsp_view_info *info) {
   const ViewLengths length{balls.lattice};
   *info = {};
   hsp::capi::put_frame(length, structure.frame, *info);
-  const hsp::ViewBox box = hsp::box_of(balls, structure);
+  const hsp::ViewBox box = hsp::box_of(balls, hsp::paths_of(structure));
   length.point(box.low, info->low);
   length.point(box.high, info->high);
   info->depth_low = length(box.depth_low);

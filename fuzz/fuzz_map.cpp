@@ -1,6 +1,6 @@
 // Visibility maps of any set: everything the header promises about records, steps and what is seen, the same bytes
-// twice, no effect of the order of the balls, short arrays and limits that are too small. HSP_E_CHECK is right where
-// roundings cannot be overcome.
+// twice, no effect of the order of the balls, short arrays and limits that are too small; pictures. HSP_E_CHECK
+// is right where roundings cannot be overcome.
 #include <map_invariants.h>
 
 #include <cmath>
@@ -8,6 +8,7 @@
 
 #include "computed_set.hpp"
 #include "guarded_output.hpp"
+#include "picture_calls.hpp"
 #include "required_limits.hpp"
 #include "topology_input.hpp"
 #include "view_input.hpp"
@@ -150,7 +151,12 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   FUZZ_REQUIRE(what == nullptr, what);
   require_short_arrays(reference.get(), bytes);
   require_answers(reference.get(), bytes);
+  const auto writes = [](const map_result &m) {
+    return [&m](auto... arguments) { return hsp_picture_write_map(m.map, arguments...); };
+  };
   require_unchanged(reference.get());
   require_capacities(reference.get(), bytes);
+  fuzz::require_pictures(*reference.get().base, writes(reference.get()), *other.get().base, writes(other.get()), bytes);
+  require_unchanged(reference.get());
   return 0;
 }

@@ -14,8 +14,8 @@
  *   hardsphere/mesh.h       boundary or smooth surface as triangles
  *   hardsphere/topology.h   the boundary as quad-edges with simple faces, shells, cells, point location (Step 3)
  *   hardsphere/view.h       pieces in painter's order as true arcs (Section 5.1)
- *   hardsphere/picture.h    a view as SVG, EPS or PDF
  *   hardsphere/map.h        what is seen as faces, edges and vertices of the view plane (Section 5.2)
+ *   hardsphere/picture.h    a view or a map as SVG, EPS or PDF
  * The paper is Halperin and Overmars, "Spheres, Molecules, and Hidden Surface Removal", UU-CS-1994-36.
  *
  * ARRAYS

@@ -93,6 +93,7 @@ set(HSP_LIBRARY_SOURCES
   lib/view/depth_rows_avx2.cpp
   lib/view/occlusion.cpp
   lib/view/piece_arcs.cpp
+  lib/view/painted_paths.cpp
   lib/view/projected_arcs.cpp
   lib/view/view_builder.cpp
   lib/view/view_frame.cpp
@@ -106,6 +107,7 @@ set(HSP_LIBRARY_SOURCES
   lib/visibility/map_check.cpp
   lib/visibility/map_faces.cpp
   lib/visibility/map_linker.cpp
+  lib/visibility/map_paths.cpp
   lib/visibility/map_queries.cpp
   lib/visibility/seen_balls.cpp
   lib/visibility/silhouette_arcs.cpp

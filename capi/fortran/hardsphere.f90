@@ -1672,6 +1672,20 @@ module hardsphere
       integer(c_int64_t), intent(inout), optional :: bytes
       integer(c_int32_t) :: status
     end function
+
+    function hsp_picture_write_map(map, colour, options, title, description, sink, context, bytes) result(status) &
+      bind(C, name="hsp_picture_write_map")
+      import :: c_char, c_funptr, c_int32_t, c_int64_t, c_ptr, hsp_picture_options
+      type(c_ptr), value :: map
+      integer(c_int32_t), intent(in), optional :: colour(*)     ! n; 0xRRGGBB
+      type(hsp_picture_options), intent(in), optional :: options
+      character(kind=c_char), intent(in), optional :: title(*)  ! ends with c_null_char
+      character(kind=c_char), intent(in), optional :: description(*)  ! ends with c_null_char
+      type(c_funptr), value :: sink                             ! of a function with the interface hsp_sink
+      type(c_ptr), value :: context
+      integer(c_int64_t), intent(inout), optional :: bytes
+      integer(c_int32_t) :: status
+    end function
   end interface
 
 contains

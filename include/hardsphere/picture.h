@@ -1,7 +1,9 @@
-/* hardsphere/picture.h: a view as SVG, EPS or PDF.
+/* hardsphere/picture.h: a view or a visibility map as SVG, EPS or PDF.
  *
- * A view as a vector picture: one path per piece, true arcs, painted back to front. The bytes depend on the view,
- * the colours and the options alone, not on the machine.
+ * A view as a vector picture: one path per piece, true arcs, painted back to front. A map as a vector picture: one path
+ * for each ball that is seen, around all of its faces; no two paths overlap, and lines are drawn apart, each edge once.
+ * That is for plotters, cutters and click maps; on screens seams of the background shine through where paths meet,
+ * which views do not have. The bytes depend on the view or map, the colours and the options alone, not on the machine.
  *   SVG   elliptical arcs; each path carries the caller's ball index as data-ball
  *   EPS   arcs of the unit circle under a matrix: exact
  *   PDF   cubic pieces of at most 45 degrees, within 4.3e-6 of the semi-axis of the arc
@@ -9,6 +11,7 @@
 #ifndef HARDSPHERE_PICTURE_H
 #define HARDSPHERE_PICTURE_H
 
+#include "map.h"
 #include "view.h"
 
 #include <stddef.h>
@@ -101,6 +104,33 @@ HSP_API uint32_t hsp_palette_colour(uint32_t palette, uint32_t atomic_number, ui
 HSP_API int32_t hsp_picture_write(hsp_view *view, const uint32_t *colour, const hsp_picture_options *options,
                                   const char *title, const char *description, hsp_sink sink, void *context,
                                   uint64_t *bytes);
+
+/** Write a picture of what is seen, from a computed map: for each ball that is seen one path around all of its faces,
+ *  farthest ball first. Paths share their borders and nothing else; holes are clockwise loops, by either fill rule. All
+ *  arguments are those of hsp_picture_write, and all options apply:
+ *    lines        are drawn after all paths, every edge of the map once, as parts of open paths; those of a ball, its
+ *                 silhouette and where it is the nearer one of a crease, follow each other. SVG: without data-ball, and
+ *                 whoever clicks on them clicks on what is below
+ *    fitted size  what is seen of the balls has the same box as in a view
+ *  Coordinates are rounded as in pictures of views, in SVG to 0.01 px or less on pages of up to 1000 px: by so much
+ *  neighbours may overlap or leave a gap. Of a map whose balls were moved (hsp_map_info) it shows the moved ones.
+ *  Uses the map's scratch memory, hence not const; results stay valid.
+ *  - Property 1: the same bytes for every order of the balls, up to the values of data-ball. (Of balls that are equal
+ *    in centre and radius the first one counts, with its colour.)
+ *
+ *  Cost: O(edges log edges); bytes proportional to edges.
+ *  @retval HSP_E_ARGUMENT    map or sink is NULL; unknown format, style, unit or flag; reserved is not 0; bad
+ *                            struct_size; width and height are both 0; a centre without a scale; a colour above
+ *                            0xFFFFFF
+ *  @retval HSP_E_STATE       the map holds no results, or the model has changed since
+ *  @retval HSP_E_SINK        the sink refused
+ *  @retval HSP_E_NOT_FINITE  a value of options is NaN or infinite
+ *  @retval HSP_E_RANGE       width or height is negative or beyond 1e6, margin or fog beyond its range, outline beyond
+ *                            1e6, scale negative; a ball reaches farther than 1e7 px from the middle of a fixed
+ *                            frame */
+HSP_API int32_t hsp_picture_write_map(hsp_map *map, const uint32_t *colour, const hsp_picture_options *options,
+                                      const char *title, const char *description, hsp_sink sink, void *context,
+                                      uint64_t *bytes);
 
 #ifdef __cplusplus
 }

@@ -99,7 +99,7 @@ class EpsWriter {
   void put_prolog() {
     sink_.put("%%BeginProlog\n/hardsphere 32 dict def hardsphere begin\n");
     sink_.put(procedures);
-    sink_.put(paint_.lines() ? "/I{stroke}bind def\n" : "/I{newpath}bind def\n");
+    sink_.put(paint_.lines_along() ? "/I{stroke}bind def\n" : "/I{newpath}bind def\n");
     if (!paint_.flat()) put_shading();
     sink_.put("%%EndProlog\n");
   }
@@ -143,35 +143,46 @@ class EpsWriter {
       sink_.put("rectfill\n");
     }
     uint32_t level = fog_levels + 1;  // of the colour in use, or of none
-    for (uint32_t p = 0; p < input_.view.pieces.size(); ++p) {
-      if (paint_.lines() && paint_.fog_level(p) != level) {
-        level = paint_.fog_level(p);
-        put_packed(paint_.line_colour(level), " C\n");
-      }
-      put_path(p);
+    for (uint32_t p = 0; p < input_.paths.size(); ++p) {
+      if (paint_.lines_along()) put_line_colour(p, level);
+      put_path(p, PathPart::outline);
       if (paint_.flat()) {
         put_packed(paint_.flat_colour(p), " F\n");
       } else {
         put_shaded(p);
       }
     }
+    if (paint_.own_lines()) sink_.put("1 setlinecap\n");
+    level = fog_levels + 1;
+    for (uint32_t p = 0; paint_.own_lines() && p < input_.paths.size(); ++p) {
+      put_line_colour(p, level);
+      put_path(p, PathPart::lines);
+      sink_.put("stroke\n");
+    }
   }
 
-  void put_shaded(uint32_t piece) {
-    const uint32_t ball = input_.view.pieces[piece].ball;
-    const PagePoint at = page_.centre_of(input_, piece);
+  // level: that of the colour in use.
+  void put_line_colour(uint32_t path, uint32_t &level) {
+    if (paint_.fog_level(path) == level) return;
+    level = paint_.fog_level(path);
+    put_packed(paint_.line_colour(level), " C\n");
+  }
+
+  void put_shaded(uint32_t path) {
+    const uint32_t ball = input_.paths.ball_of(path);
+    const PagePoint at = page_.centre_of(input_, path);
     put_number(at.x, 4);
     put_number(at.y, 4);
     // A scale of 0 would be an error.
     const int64_t radius = scaled(input_.balls.r[ball] * page_.scale, point_decimals);
     put_scaled(sink_, radius > 0 ? radius : 1, point_decimals);
     sink_.put(' ');
-    put_integer(sink_, paint_.shade_of(piece));
+    put_integer(sink_, paint_.shade_of(path));
     sink_.put(" G\n");
   }
 
-  void put_path(uint32_t piece) {
-    visit_arcs(input_.balls, input_.view, piece, [&](const ProjectedArc &plane_arc, bool first, bool last) {
+  void put_path(uint32_t path, PathPart part) {
+    input_.paths.visit(input_.balls, path, part, [&](const ProjectedArc &plane_arc, bool first, bool closes) {
       const PageArc arc = page_.place(plane_arc);
       if (first) put_point(arc.start, "M\n");
       if (arc.semi_axis[1] < narrowest_ellipse) {
@@ -179,7 +190,7 @@ class EpsWriter {
       } else {
         put_arc(arc);
       }
-      if (last) sink_.put("Z\n");
+      if (closes) sink_.put("Z\n");
     });
   }
 

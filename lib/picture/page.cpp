@@ -27,10 +27,10 @@ constexpr double farthest_from_middle = 1e7;
 // Lines that suit the balls: .9 px where their mean radius is 34 px. Those of a fixed frame must not depend on what is
 // seen, so that all balls count.
 double chosen_line(const PictureInput &input, bool fixed, double scale) {
-  const uint32_t count = fixed ? input.balls.n : input.view.pieces.size();
+  const uint32_t count = fixed ? input.balls.n : input.paths.size();
   if (count == 0) return 0.9;
   double sum = 0.0;
-  for (uint32_t k = 0; k < count; ++k) sum += input.balls.r[fixed ? k : input.view.pieces[k].ball];
+  for (uint32_t k = 0; k < count; ++k) sum += input.balls.r[fixed ? k : input.paths.ball_of(k)];
   return 0.9 * clamped(std::sqrt(sum / count * scale / 34.0), 0.45, 1.9);
 }
 
@@ -67,8 +67,8 @@ PageArc Page::place(const ProjectedArc &arc) const {
 }
 
 Page lay_out(const PictureInput &input, const PictureOptions &options) {
-  const ViewBox box = box_of(input.balls, input.view);
-  const bool empty = input.view.pieces.size() == 0;
+  const ViewBox box = box_of(input.balls, input.paths);
+  const bool empty = input.paths.size() == 0;
   const bool fixed = options.scale > 0.0;
   const double size[2] = {box.high[0] - box.low[0], box.high[1] - box.low[1]};
   const double margin = options.margin * (size[0] > size[1] ? size[0] : size[1]);
@@ -87,10 +87,10 @@ Page lay_out(const PictureInput &input, const PictureOptions &options) {
   page.scale = 0.0;
   if (fixed) {
     const exact::Lattice &lattice = input.balls.lattice;
-    const Vec3 &origin = input.view.frame.origin;
-    const Vec3 centre = input.view.frame.to_view({lattice.steps(options.centre[0]) - origin.x,
-                                                  lattice.steps(options.centre[1]) - origin.y,
-                                                  lattice.steps(options.centre[2]) - origin.z});
+    const Vec3 &origin = input.paths.frame().origin;
+    const Vec3 centre = input.paths.frame().to_view({lattice.steps(options.centre[0]) - origin.x,
+                                                     lattice.steps(options.centre[1]) - origin.y,
+                                                     lattice.steps(options.centre[2]) - origin.z});
     page.scale = options.scale * page.unit * lattice.step();
     page.middle[0] = centre.x;
     page.middle[1] = centre.y;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "picture/picture.hpp"
-#include "view/projected_arcs.hpp"
 
 namespace hsp {
 
@@ -40,8 +39,8 @@ struct Page {
     return {(point[0] - middle[0]) * scale + width / 2, (point[1] - middle[1]) * scale + height / 2};
   }
   PageArc place(const ProjectedArc &arc) const;
-  PagePoint centre_of(const PictureInput &input, uint32_t piece) const {
-    const Vec3 centre = input.view.frame.centre_of(input.balls, input.view.pieces[piece].ball);
+  PagePoint centre_of(const PictureInput &input, uint32_t path) const {
+    const Vec3 centre = input.paths.frame().centre_of(input.balls, input.paths.ball_of(path));
     const double point[2] = {centre.x, centre.y};
     return place(point);
   }

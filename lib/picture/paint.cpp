@@ -15,6 +15,7 @@ Paint::Paint(const PictureInput &input, const PictureOptions &options, const Pag
     : input_(input),
       style_(options.style),
       lines_(page.line > 0.0),
+      along_(lines_ && !input.paths.have_own_lines()),
       fog_(options.fog),
       background_(options.background),
       outline_(options.outline_colour),
@@ -22,43 +23,43 @@ Paint::Paint(const PictureInput &input, const PictureOptions &options, const Pag
       nearest_(page.nearest),
       shading_(options.style == PictureStyle::soft) {
   if (flat()) return;
-  const uint32_t pieces = input.view.pieces.size();
-  for (uint32_t p = 0; p < pieces; ++p) scratch[p] = key_of(p);
-  sort_in_place(scratch.part(0, pieces), [](uint32_t a, uint32_t b) { return a < b; });
+  const uint32_t paths = input.paths.size();
+  for (uint32_t p = 0; p < paths; ++p) scratch[p] = key_of(p);
+  sort_in_place(scratch.part(0, paths), [](uint32_t a, uint32_t b) { return a < b; });
   uint32_t distinct = 0;
-  for (uint32_t p = 0; p < pieces; ++p) {
+  for (uint32_t p = 0; p < paths; ++p) {
     if (p == 0 || scratch[p] != scratch[distinct - 1]) scratch[distinct++] = scratch[p];
   }
   shades_ = scratch.part(0, distinct);
 }
 
 // f^(5/4), f = 0 at the nearest and 1 at the farthest centre.
-double Paint::fog_share(uint32_t piece) const {
+double Paint::fog_share(uint32_t path) const {
   if (!(nearest_ > farthest_)) return 0.0;
-  const double depth = input_.view.frame.centre_of(input_.balls, input_.view.pieces[piece].ball).z;
+  const double depth = input_.paths.frame().centre_of(input_.balls, input_.paths.ball_of(path)).z;
   const double f = (nearest_ - depth) / (nearest_ - farthest_);
   if (!(f > 0.0)) return 0.0;
   return f < 1.0 ? f * std::sqrt(std::sqrt(f)) : 1.0;
 }
 
-uint32_t Paint::fog_level(uint32_t piece) const {
-  return fog_ > 0.0 ? static_cast<uint32_t>(fog_levels * fog_share(piece) + 0.5) : 0;
+uint32_t Paint::fog_level(uint32_t path) const {
+  return fog_ > 0.0 ? static_cast<uint32_t>(fog_levels * fog_share(path) + 0.5) : 0;
 }
 
-uint32_t Paint::flat_colour(uint32_t piece) const {
-  return mixed(input_.colour_of(input_.view.pieces[piece].ball), background_, fog_ * fog_share(piece));
+uint32_t Paint::flat_colour(uint32_t path) const {
+  return mixed(input_.colour_of(input_.paths.ball_of(path)), background_, fog_ * fog_share(path));
 }
 
 uint32_t Paint::line_colour(uint32_t level) const {
   return mixed(outline_, background_, fog_on_lines * fog_ * level / fog_levels);
 }
 
-uint32_t Paint::key_of(uint32_t piece) const {
-  return fog_level(piece) << 24 | input_.colour_of(input_.view.pieces[piece].ball);
+uint32_t Paint::key_of(uint32_t path) const {
+  return fog_level(path) << 24 | input_.colour_of(input_.paths.ball_of(path));
 }
 
-uint32_t Paint::shade_of(uint32_t piece) const {
-  const uint32_t key = key_of(piece);
+uint32_t Paint::shade_of(uint32_t path) const {
+  const uint32_t key = key_of(path);
   return first_index(0, shades_.size(), [this, key](uint32_t shade) { return shades_[shade] >= key; });
 }
 

@@ -1,4 +1,4 @@
-// Which colour each piece gets: the ball's own, the light on it, and fog.
+// Which colour each path gets: the ball's own, the light on it, and fog.
 #pragma once
 
 #include "picture/page.hpp"
@@ -12,34 +12,36 @@ constexpr uint32_t fog_levels = 10;
 
 class Paint {
  public:
-  // scratch: as many entries as there are pieces.
+  // scratch: as many entries as there are paths.
   Paint(const PictureInput &input, const PictureOptions &options, const Page &page, Span<uint32_t> scratch);
 
-  // Every piece in one colour, or shades.
+  // Every path in one colour, or shades.
   bool flat() const { return style_ == PictureStyle::flat; }
-  bool lines() const { return lines_; }
+  // Lines along the outline of each path, or lines of their own after all paths.
+  bool lines_along() const { return along_; }
+  bool own_lines() const { return lines_ && !along_; }
   uint32_t background() const { return background_; }
 
-  uint32_t flat_colour(uint32_t piece) const;
+  uint32_t flat_colour(uint32_t path) const;
 
-  // The different shades, and which of them a piece has. None if the style is flat.
+  // The different shades, and which of them a path has. None if the style is flat.
   const Shading &shading() const { return shading_; }
   uint32_t shades() const { return shades_.size(); }
-  uint32_t shade_of(uint32_t piece) const;
+  uint32_t shade_of(uint32_t path) const;
   uint32_t shade_colour(uint32_t shade, uint32_t stop) const;
 
   // Lines fade, too; does not increase in drawing order, up to rounding.
-  uint32_t fog_level(uint32_t piece) const;
+  uint32_t fog_level(uint32_t path) const;
   uint32_t line_colour(uint32_t level) const;
 
  private:
   // How far into the fog, from 0 to 1.
-  double fog_share(uint32_t piece) const;
-  uint32_t key_of(uint32_t piece) const;
+  double fog_share(uint32_t path) const;
+  uint32_t key_of(uint32_t path) const;
 
   const PictureInput &input_;
   PictureStyle style_;
-  bool lines_;
+  bool lines_, along_;
   double fog_;
   uint32_t background_, outline_;
   double farthest_, nearest_;

@@ -120,28 +120,38 @@ class PdfWriter {
       sink_.put("re f\n");
     }
     uint32_t level = fog_levels + 1;  // of the colour in use, or of none
-    for (uint32_t p = 0; p < input_.view.pieces.size(); ++p) {
-      if (paint_.lines() && paint_.fog_level(p) != level) {
-        level = paint_.fog_level(p);
-        put_channels(paint_.line_colour(level));
-        sink_.put("RG\n");
-      }
+    for (uint32_t p = 0; p < input_.paths.size(); ++p) {
+      if (paint_.lines_along()) put_line_colour(p, level);
       if (paint_.flat()) {
         put_channels(paint_.flat_colour(p));
         sink_.put("rg\n");
-        put_path(p);
-        sink_.put(paint_.lines() ? "B\n" : "f\n");
+        put_path(p, PathPart::outline);
+        sink_.put(paint_.lines_along() ? "B\n" : "f\n");
       } else {
         put_shaded(p);
       }
     }
+    if (paint_.own_lines()) sink_.put("1 J\n");
+    level = fog_levels + 1;
+    for (uint32_t p = 0; paint_.own_lines() && p < input_.paths.size(); ++p) {
+      put_line_colour(p, level);
+      if (put_path(p, PathPart::lines)) sink_.put("S\n");
+    }
+  }
+
+  // level: that of the colour in use.
+  void put_line_colour(uint32_t path, uint32_t &level) {
+    if (paint_.fog_level(path) == level) return;
+    level = paint_.fog_level(path);
+    put_channels(paint_.line_colour(level));
+    sink_.put("RG\n");
   }
 
   // The path twice: painting ends it, and a line along it must not be clipped by it.
-  void put_shaded(uint32_t piece) {
-    const uint32_t ball = input_.view.pieces[piece].ball;
+  void put_shaded(uint32_t path) {
+    const uint32_t ball = input_.paths.ball_of(path);
     sink_.put("q\n");
-    put_path(piece);
+    put_path(path, PathPart::outline);
     sink_.put("W n ");
     // A scale of 0 would be an error.
     const int64_t rounded = scaled(input_.balls.r[ball] * page_.scale, decimals_);
@@ -150,25 +160,29 @@ class PdfWriter {
     sink_.put(" 0 0 ");
     put_scaled(sink_, radius, decimals_);
     sink_.put(' ');
-    put_point(page_.centre_of(input_, piece));
+    put_point(page_.centre_of(input_, path));
     sink_.put("cm /S");
-    put_integer(sink_, paint_.shade_of(piece));
+    put_integer(sink_, paint_.shade_of(path));
     sink_.put(" sh Q\n");
-    if (!paint_.lines()) return;
-    put_path(piece);
+    if (!paint_.lines_along()) return;
+    put_path(path, PathPart::outline);
     sink_.put("S\n");
   }
 
-  void put_path(uint32_t piece) {
-    visit_arcs(input_.balls, input_.view, piece, [&](const ProjectedArc &plane_arc, bool first, bool last) {
+  // False if there is nothing in it.
+  bool put_path(uint32_t path, PathPart part) {
+    bool any = false;
+    input_.paths.visit(input_.balls, path, part, [&](const ProjectedArc &plane_arc, bool first, bool closes) {
       const PageArc arc = page_.place(plane_arc);
       if (first) {
         put_point(arc.start);
         sink_.put("m\n");
       }
       put_cubics(arc);
-      if (last) sink_.put("h\n");
+      if (closes) sink_.put("h\n");
+      any = true;
     });
+    return any;
   }
 
   void put_cubics(const PageArc &arc) {

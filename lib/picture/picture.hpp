@@ -1,8 +1,8 @@
-// A view as a vector picture. Ranges of the options are checked at the C interface.
+// What is seen as a vector picture. Ranges of the options are checked at the C interface.
 #pragma once
 
 #include "picture/byte_sink.hpp"
-#include "view/view.hpp"
+#include "view/painted_paths.hpp"
 
 namespace hsp {
 
@@ -30,7 +30,7 @@ constexpr uint32_t plain_colour = 0xD2CDC3;
 
 struct PictureInput {
   const BallSet &balls;
-  const View &view;
+  PaintedPaths paths;
   const uint32_t *colour;  // by the caller's index, or null: all plain
   const char *title;       // may be null
   const char *description;
@@ -38,7 +38,7 @@ struct PictureInput {
   uint32_t colour_of(uint32_t ball) const { return colour == nullptr ? plain_colour : colour[balls.caller[ball]]; }
 };
 
-// scratch: as many entries as there are pieces. Status::range if the balls are too large for a fixed frame;
+// scratch: as many entries as there are paths. Status::range if the balls are too large for a fixed frame;
 // Status::sink if the sink refused. bytes: those that it has taken.
 Status write_picture(const PictureInput &input, const PictureOptions &options, Span<uint32_t> scratch,
                      SinkFunction function, void *context, uint64_t &bytes);

@@ -21,7 +21,8 @@ class SvgWriter {
   void write() {
     put_head();
     if (!paint_.flat()) put_gradients();
-    put_pieces();
+    put_paths();
+    if (paint_.own_lines()) put_lines();
     sink_.put("</svg>\n");
   }
 
@@ -92,8 +93,8 @@ class SvgWriter {
       }
       sink_.put("</radialGradient>\n");
     }
-    for (uint32_t p = 0; p < input_.view.pieces.size(); ++p) {
-      const uint32_t ball = input_.view.pieces[p].ball;
+    for (uint32_t p = 0; p < input_.paths.size(); ++p) {
+      const uint32_t ball = input_.paths.ball_of(p);
       const PagePoint at = page_.centre_of(input_, p);
       sink_.put("<radialGradient id=\"b");
       put_integer(sink_, p);
@@ -112,30 +113,37 @@ class SvgWriter {
     sink_.put("</defs>\n");
   }
 
-  // A group of its own for each colour of lines.
-  void put_group(uint32_t level) {
-    sink_.put("<g");
-    if (paint_.lines()) {
-      put_paint(" stroke", paint_.line_colour(level));
-      put_attribute(" stroke-width", page_.line, 4);
-      sink_.put(" stroke-linejoin=\"round\"");
-    }
-    sink_.put(">\n");
+  void put_stroke(uint32_t level) {
+    put_paint(" stroke", paint_.line_colour(level));
+    put_attribute(" stroke-width", page_.line, 4);
+    sink_.put(" stroke-linejoin=\"round\"");
   }
 
-  void put_pieces() {
-    uint32_t level = fog_levels + 1;  // of the open group, or of none
-    for (uint32_t p = 0; p < input_.view.pieces.size(); ++p) {
-      const uint32_t own = paint_.lines() ? paint_.fog_level(p) : 0;
-      if (own != level) {
-        if (level <= fog_levels) sink_.put("</g>\n");
-        put_group(own);
-        level = own;
+  // Ends the open group, of level `open`, and begins that of `level`. False if they are the same.
+  bool changes_group(uint32_t level, uint32_t &open) {
+    if (level == open) return false;
+    end_group(open);
+    open = level;
+    sink_.put("<g");
+    return true;
+  }
+  void end_group(uint32_t open) {
+    if (open <= fog_levels) sink_.put("</g>\n");
+  }
+
+  // A group of its own for each colour of lines along the paths.
+  void put_paths() {
+    uint32_t open = fog_levels + 1;  // the group's level, or none
+    for (uint32_t p = 0; p < input_.paths.size(); ++p) {
+      const uint32_t level = paint_.lines_along() ? paint_.fog_level(p) : 0;
+      if (changes_group(level, open)) {
+        if (paint_.lines_along()) put_stroke(level);
+        sink_.put(">\n");
       }
       sink_.put("<path");
       if (options_.ids) {
         sink_.put(" data-ball=\"");
-        put_integer(sink_, input_.balls.caller[input_.view.pieces[p].ball]);
+        put_integer(sink_, input_.balls.caller[input_.paths.ball_of(p)]);
         sink_.put('"');
       }
       if (paint_.flat()) {
@@ -146,17 +154,36 @@ class SvgWriter {
         sink_.put(")\"");
       }
       sink_.put(" d=\"");
-      put_path(p);
+      put_arcs(p, PathPart::outline);
       sink_.put("\"/>\n");
     }
-    if (level <= fog_levels) sink_.put("</g>\n");
+    end_group(open);
+  }
+
+  // Whoever clicks on a line clicks on the path below.
+  void put_lines() {
+    uint32_t open = fog_levels + 1;
+    for (uint32_t p = 0; p < input_.paths.size(); ++p) {
+      bool any = false;
+      input_.paths.visit(input_.balls, p, PathPart::lines, [&](const ProjectedArc &, bool, bool) { any = true; });
+      if (!any) continue;
+      if (changes_group(paint_.fog_level(p), open)) {
+        sink_.put(" fill=\"none\" pointer-events=\"none\"");
+        put_stroke(open);
+        sink_.put(" stroke-linecap=\"round\">\n");
+      }
+      sink_.put("<path d=\"");
+      put_arcs(p, PathPart::lines);
+      sink_.put("\"/>\n");
+    }
+    end_group(open);
   }
 
   // A renderer finds the centre of an arc from its ends. Rounding these by u moves the centre of an ellipse with
   // semi-axes a > b along the major axis by about u a / b, hence the finer the flatter the ellipse.
-  int decimals_of(uint32_t piece) const {
+  int decimals_of(uint32_t path, PathPart part) const {
     int decimals = page_.decimals;
-    visit_arcs(input_.balls, input_.view, piece, [&](const ProjectedArc &plane_arc, bool, bool) {
+    input_.paths.visit(input_.balls, path, part, [&](const ProjectedArc &plane_arc, bool, bool) {
       const PageArc arc = page_.place(plane_arc);
       if (arc.semi_axis[1] < narrowest_ellipse) return;
       const double flatness = arc.semi_axis[1] / arc.semi_axis[0];
@@ -165,9 +192,9 @@ class SvgWriter {
     return decimals;
   }
 
-  void put_path(uint32_t piece) {
-    const int decimals = decimals_of(piece);
-    visit_arcs(input_.balls, input_.view, piece, [&](const ProjectedArc &plane_arc, bool first, bool last) {
+  void put_arcs(uint32_t path, PathPart part) {
+    const int decimals = decimals_of(path, part);
+    input_.paths.visit(input_.balls, path, part, [&](const ProjectedArc &plane_arc, bool first, bool closes) {
       const PageArc arc = page_.place(plane_arc);
       if (first) {
         sink_.put('M');
@@ -181,7 +208,7 @@ class SvgWriter {
       } else {
         put_arc(arc, decimals);
       }
-      if (last) sink_.put('Z');
+      if (closes) sink_.put('Z');
     });
   }
 

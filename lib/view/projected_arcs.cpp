@@ -17,20 +17,4 @@ ProjectedEllipse ellipse_of(const BallSet &balls, const ViewFrame &frame, uint32
           {geometry.radius * circle.across.x, geometry.radius * circle.across.y}};
 }
 
-ViewBox box_of(const BallSet &balls, const View &view) {
-  ViewBox box{};
-  for (uint32_t p = 0; p < view.pieces.size(); ++p) {
-    const Vec3 centre = view.frame.centre_of(balls, view.pieces[p].ball);
-    const double r = balls.r[view.pieces[p].ball];
-    const auto widen = [p](double low_value, double high_value, double &low, double &high) {
-      low = p == 0 || low_value < low ? low_value : low;
-      high = p == 0 || high_value > high ? high_value : high;
-    };
-    widen(centre.x - r, centre.x + r, box.low[0], box.high[0]);
-    widen(centre.y - r, centre.y + r, box.low[1], box.high[1]);
-    widen(centre.z, centre.z, box.depth_low, box.depth_high);
-  }
-  return box;
-}
-
 }  // namespace hsp

@@ -46,19 +46,11 @@ struct ProjectedEllipse {
 // The silhouette of a ball (other = no_id), or its circle with another ball.
 ProjectedEllipse ellipse_of(const BallSet &balls, const ViewFrame &frame, uint32_t ball, uint32_t other);
 
-// What the silhouettes of all pieces take of the view plane, and the depths of their centres; zeros without pieces.
-struct ViewBox {
-  double low[2];
-  double high[2];
-  double depth_low, depth_high;
-};
-ViewBox box_of(const BallSet &balls, const View &view);
-
 struct ProjectedArc {
   ProjectedEllipse ellipse;
   double from, to;  // to > from: counter-clockwise
   double start[2], end[2];
-  uint32_t other_ball;  // grid order, no_id on the silhouette
+  uint32_t other_ball;  // grid order, no_id on a silhouette
 };
 
 // Calls visit(arc, first_of_loop, last_of_loop) for the arcs of a piece, loop after loop.

@@ -9,11 +9,8 @@
 //
 // A ball that reaches less than about 2^-40 of its radius out of another one counts as inside.
 //
-// Theory and practice: Katz, Overmars and Sharir's divide and conquer (Section 5.2) takes O((n + k) log^2 n) for a map
-// of k vertices. This looks at each curve of a ball that may be seen on its own: O(n log n) and, for each, the balls
-// whose discs meet its disc and that reach higher. At worst those are all balls in a column of the largest ball's
-// width, n of them, so that O(n^3) is all that can be promised; when the smallest radius is a fixed part of the
-// largest, buried balls and curves are found by cells that are covered as a whole.
+// Cost: O(n log n) and, for each curve that may be seen, the balls whose discs meet its disc and that reach higher.
+// lib/visibility/THEORY.md says what that is at worst, and beside the bound of Section 5.2.
 #pragma once
 
 #include "visibility/map_faces.hpp"
@@ -37,8 +34,9 @@ class MapBuilder {
 
   // For tests that break it.
   VisibilityMap &arrays() { return map_; }
-  // Scratch memory for checks; [2 edges + 1].
+  // Scratch memory for checks and pictures; [2 edges + 1] and [edges].
   Span<uint32_t> scratch() { return faces_.scratch(); }
+  Span<uint32_t> more_scratch() { return faces_.more_scratch(); }
 
  private:
   Status build_moved(const BallSet &balls, double perturbation);

@@ -20,8 +20,9 @@ class MapFaceFinder {
   //   the numbers contradict Euler's formula.
   bool find(const DiscGrid &grid, VisibilityMap &map);
 
-  // Memory that is free between calls; [2 edges + 1].
+  // Memory that is free between calls; [2 edges + 1] and [edges].
   Span<uint32_t> scratch() { return next_face_; }
+  Span<uint32_t> more_scratch() { return parent_; }
 
  private:
   bool trace_loops(const DiscGrid &grid, VisibilityMap &map);

@@ -60,6 +60,7 @@ program fortran_view_test
   call pieces_of_faces()
   call palettes()
   call draw_water()
+  call draw_map()
   call reports_errors()
   call report_checks()
 
@@ -238,6 +239,27 @@ contains
                   'no colours, title, description, number of bytes')
       call check(index(picture%text, merge('%!PS-', '%PDF-', format == HSP_FORMAT_EPS)) == 1, 'EPS or PDF')
     end do
+  end subroutine
+
+  subroutine draw_map()
+    type(hsp_map_limits) :: limits
+    type(picture_text), target :: picture
+    integer(c_int8_t), allocatable, target :: map_memory(:)
+    type(c_ptr) :: map
+    integer(c_size_t) :: size
+    integer(c_int64_t) :: bytes
+    call expect(hsp_model_set(model, n, water, water_radius), HSP_OK, 'hsp_model_set')
+    call expect(hsp_map_limits_init(limits, int(c_sizeof(limits), c_int32_t), n), HSP_OK, 'hsp_map_limits_init')
+    call expect(hsp_map_bytes(limits, size), HSP_OK, 'hsp_map_bytes')
+    allocate (map_memory(size))
+    call expect(hsp_map_init(c_loc(map_memory), size, limits, map), HSP_OK, 'hsp_map_init')
+    picture%text = ''
+    call expect(hsp_picture_write_map(map, sink=c_funloc(append), context=c_loc(picture)), HSP_E_STATE, 'no map yet')
+    call expect(hsp_map_compute(map, model), HSP_OK, 'hsp_map_compute')
+    call expect(hsp_picture_write_map(map, title='water'//c_null_char, sink=c_funloc(append), context=c_loc(picture), &
+                                      bytes=bytes), HSP_OK, 'hsp_picture_write_map')
+    call check(bytes == len(picture%text) .and. index(picture%text, '</svg>') > 0, 'an SVG of a map')
+    call check(index(picture%text, 'data-ball="2"') > 0 .and. index(picture%text, 'fill="none"') > 0, 'paths and lines')
   end subroutine
 
   subroutine reports_errors()

@@ -198,7 +198,34 @@ static int call_surface_mesh(const mesh_result *m, void *memory, size_t bytes) {
   return bad;
 }
 
-static int call_map(map_result *m, void *memory, size_t bytes) {
+static int32_t count_bytes(void *context, const char *bytes, size_t count) {
+  (void)bytes;
+  *(uint64_t *)context += count;
+  return 0;
+}
+
+/* Every format in every style, of a view or else of a map; the number of calls that did not succeed. */
+static int write_everything(hsp_view *view, hsp_map *map, const uint32_t *colour) {
+  hsp_picture_options options;
+  uint32_t format, style;
+  int bad = hsp_picture_options_init(&options, (uint32_t)sizeof options) != HSP_OK;
+  for (format = HSP_FORMAT_SVG; format <= HSP_FORMAT_PDF; ++format) {
+    for (style = HSP_STYLE_FLAT; style <= HSP_STYLE_SOFT; ++style) {
+      uint64_t taken = 0, said = 0;
+      options.format = format;
+      options.style = style;
+      if (map == NULL) {
+        bad += hsp_picture_write(view, colour, &options, "title", "text", count_bytes, &taken, &said) != HSP_OK;
+      } else {
+        bad += hsp_picture_write_map(map, colour, &options, "title", "text", count_bytes, &taken, &said) != HSP_OK;
+      }
+      bad += taken == 0 || taken != said;
+    }
+  }
+  return bad;
+}
+
+static int call_map(map_result *m, void *memory, size_t bytes, const uint32_t *colour) {
   hsp_map *map = NULL;
   hsp_map_limits limits;
   hsp_map_info info;
@@ -217,6 +244,7 @@ static int call_map(map_result *m, void *memory, size_t bytes) {
   bad += hsp_map_get_faces(map, 0, m->info.faces, m->faces) != HSP_OK;
   bad += hsp_map_get_areas(map, m->area, m->base->n, &needed) != HSP_OK;
   bad += hsp_map_check(map, &invariant, &id) != HSP_OK;
+  bad += write_everything(NULL, map, colour);
   bad += hsp_map_pick(map, 0.1, 0.2, &sight) != HSP_OK;
   for (id = 0; id < 2 * m->info.edges; ++id) {
     bad += hsp_map_get_point(map, id / 2, m->edges[id / 2].from, &point) != HSP_OK;
@@ -261,30 +289,6 @@ static int call_topology(topology_result *t, void *memory, size_t bytes, uint32_
   return bad;
 }
 
-static int32_t count_bytes(void *context, const char *bytes, size_t count) {
-  (void)bytes;
-  *(uint64_t *)context += count;
-  return 0;
-}
-
-/* Every format in every style; the number of calls that did not succeed. */
-static int write_everything(hsp_view *view, const uint32_t *colour) {
-  hsp_picture_options options;
-  uint32_t format, style;
-  int bad = hsp_picture_options_init(&options, (uint32_t)sizeof options) != HSP_OK;
-  for (format = HSP_FORMAT_SVG; format <= HSP_FORMAT_PDF; ++format) {
-    for (style = HSP_STYLE_FLAT; style <= HSP_STYLE_SOFT; ++style) {
-      uint64_t taken = 0, said = 0;
-      options.format = format;
-      options.style = style;
-      bad +=
-          hsp_picture_write(view, colour, &options, "a title", "a description", count_bytes, &taken, &said) != HSP_OK;
-      bad += taken == 0 || taken != said;
-    }
-  }
-  return bad;
-}
-
 /* Every function of views and pictures, into the arrays of `v`; the number of calls that did not succeed. */
 static int call_view(view_result *v, void *memory, size_t bytes, uint32_t *colour) {
   const computed *c = v->base;
@@ -306,7 +310,7 @@ static int call_view(view_result *v, void *memory, size_t bytes, uint32_t *colou
   bad += hsp_view_get_loops(view, v->loops, v->info.loops, &needed) != HSP_OK;
   bad += hsp_view_get_arcs(view, v->arcs, v->info.arcs, &needed) != HSP_OK;
   for (i = 0; i < c->n; ++i) colour[i] = hsp_palette_colour(i % 4, i % 120, i);
-  return bad + write_everything(view, colour);
+  return bad + write_everything(view, NULL, colour);
 }
 
 /* The trap notices. */
@@ -459,15 +463,18 @@ static void trap_map(const computed *c) {
   CHECK_EQUAL(hsp_view_options_init(&options, (uint32_t)sizeof options), HSP_OK);
   CHECK_EQUAL(hsp_view_options_turn(&options, 25, 35, 0), HSP_OK);
   if (CHECK_EQUAL(map_result_make(c, &options, &m), HSP_OK)) {
+    uint32_t *colour;
     size_t bytes = 0;
     void *memory;
     int bad;
     CHECK_EQUAL(hsp_map_bytes(&m.needed, &bytes), HSP_OK);
     memory = test_zeros(bytes, 1);
+    colour = test_zeros(c->n, sizeof *colour);
     arm();
-    bad = call_map(&m, memory, bytes);
+    bad = call_map(&m, memory, bytes, colour);
     disarm(bad);
     free(memory);
+    free(colour);
   }
   map_result_release(&m);
 }

@@ -1,4 +1,5 @@
-/* Every argument of the functions for pictures that the header refuses, calls out of order, and sinks that refuse. */
+/* Every argument of the functions for pictures that the header refuses, calls out of order, and sinks that refuse; of
+ * views and of maps. */
 #include <hardsphere.h>
 #include <math.h>
 #include <stdlib.h>
@@ -8,11 +9,13 @@
 #include "picture_sink.h"
 #include "untouched.h"
 
-enum { BALLS = THREE_BALLS, ARCS = 40 };
+enum { BALLS = THREE_BALLS, ARCS = 40, EDGES = 40 };
 static unsigned char model_memory[HSP_MODEL_BYTES(BALLS)];
 static unsigned char view_memory[HSP_VIEW_BYTES(BALLS, BALLS, ARCS)];
+static unsigned char map_memory[HSP_MAP_BYTES(BALLS, BALLS, EDGES)];
 static hsp_model *model;
 static hsp_view *view;
+static hsp_map *map;
 
 static const uint32_t colours[BALLS] = {0x000000, 0xFFFFFF, 0x123456};
 
@@ -44,77 +47,97 @@ static void options_init(void) {
   CHECK(options.scale == 0 && options.centre[0] == 0 && options.centre[1] == 0 && options.centre[2] == 0);
 }
 
-/* The call is refused before the sink hears of it. */
-static void check_refused(hsp_view *which, const uint32_t *colour, const hsp_picture_options *options,
-                          int32_t expected) {
+/* Of the view, or of the map if there is no view. */
+static int32_t write_either(hsp_view *of_view, hsp_map *of_map, const uint32_t *colour,
+                            const hsp_picture_options *options, picture_sink *sink, uint64_t *bytes) {
+  if (of_view == NULL) {
+    return hsp_picture_write_map(of_map, colour, options, "t", "", picture_sink_take, sink, bytes);
+  }
+  return hsp_picture_write(of_view, colour, options, "t", "", picture_sink_take, sink, bytes);
+}
+
+/* The calls for the view and for the map are refused before the sink hears of it. */
+static void check_refused(const uint32_t *colour, const hsp_picture_options *options, int32_t expected) {
   picture_sink sink;
+  uint64_t bytes[2] = {77, 77};
   picture_sink_start(&sink, SIZE_MAX);
-  CHECK_EQUAL(hsp_picture_write(which, colour, options, "title", NULL, picture_sink_take, &sink, NULL), expected);
+  CHECK_EQUAL(write_either(view, NULL, colour, options, &sink, &bytes[0]), expected);
+  CHECK_EQUAL(write_either(NULL, map, colour, options, &sink, &bytes[1]), expected);
+  CHECK_EQUAL(bytes[0] + bytes[1], 0);
   CHECK_EQUAL(sink.calls, 0);
   picture_sink_release(&sink);
 }
 
 static void check_written(const uint32_t *colour, const hsp_picture_options *options) {
-  picture_sink sink;
-  uint64_t bytes = 77;
-  picture_sink_start(&sink, SIZE_MAX);
-  CHECK_EQUAL(hsp_picture_write(view, colour, options, NULL, "", picture_sink_take, &sink, &bytes), HSP_OK);
-  CHECK(sink.count > 100 && sink.odd == 0);
-  CHECK_EQUAL(bytes, sink.count);
-  picture_sink_release(&sink);
+  int which;
+  for (which = 0; which < 2; ++which) {
+    picture_sink sink;
+    uint64_t bytes = 77;
+    picture_sink_start(&sink, SIZE_MAX);
+    CHECK_EQUAL(write_either(which == 0 ? view : NULL, map, colour, options, &sink, &bytes), HSP_OK);
+    CHECK(sink.count > 100 && sink.odd == 0);
+    CHECK_EQUAL(bytes, sink.count);
+    picture_sink_release(&sink);
+  }
 }
 
 static void bad_choices(void) {
   static const uint32_t too_large[3] = {0x1000000, 0x80000000, HSP_NONE};
   hsp_picture_options options;
   int k;
-  check_refused(NULL, colours, NULL, HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_picture_write(NULL, colours, NULL, NULL, NULL, picture_sink_take, NULL, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_picture_write(view, colours, NULL, NULL, NULL, NULL, NULL, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_picture_write((hsp_view *)(void *)map, colours, NULL, NULL, NULL, picture_sink_take, NULL, NULL),
+              HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_picture_write_map(NULL, colours, NULL, NULL, NULL, picture_sink_take, NULL, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_picture_write_map(map, colours, NULL, NULL, NULL, NULL, NULL, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_picture_write_map((hsp_map *)(void *)view, colours, NULL, NULL, NULL, picture_sink_take, NULL, NULL),
+              HSP_E_ARGUMENT);
   options = good_options();
   options.struct_size = 0;
-  check_refused(view, colours, &options, HSP_E_ARGUMENT);
+  check_refused(colours, &options, HSP_E_ARGUMENT);
   options.struct_size = 1028;
-  check_refused(view, colours, &options, HSP_E_ARGUMENT);
+  check_refused(colours, &options, HSP_E_ARGUMENT);
   {
     /* nothing behind the size is read; the sanitizers see it if it is */
     uint32_t *size_alone = malloc(sizeof *size_alone);
     CHECK(size_alone != NULL);
     if (size_alone == NULL) return;
     *size_alone = (uint32_t)sizeof *size_alone;
-    check_refused(view, colours, (const hsp_picture_options *)(const void *)size_alone, HSP_E_ARGUMENT);
+    check_refused(colours, (const hsp_picture_options *)(const void *)size_alone, HSP_E_ARGUMENT);
     free(size_alone);
   }
   options = good_options();
   options.format = HSP_FORMAT_PDF + 1;
-  check_refused(view, colours, &options, HSP_E_ARGUMENT);
+  check_refused(colours, &options, HSP_E_ARGUMENT);
   options = good_options();
   options.style = HSP_STYLE_SOFT + 1;
-  check_refused(view, colours, &options, HSP_E_ARGUMENT);
+  check_refused(colours, &options, HSP_E_ARGUMENT);
   options = good_options();
   options.unit = HSP_UNIT_MM + 1;
-  check_refused(view, colours, &options, HSP_E_ARGUMENT);
+  check_refused(colours, &options, HSP_E_ARGUMENT);
   options = good_options();
   options.reserved = 1;
-  check_refused(view, colours, &options, HSP_E_ARGUMENT);
+  check_refused(colours, &options, HSP_E_ARGUMENT);
   options = good_options();
   options.width = options.height = 0;
-  check_refused(view, colours, &options, HSP_E_ARGUMENT);
+  check_refused(colours, &options, HSP_E_ARGUMENT);
   for (k = 2; k < 32; ++k) {
     options = good_options();
     options.flags = HSP_PICTURE_NO_IDS | HSP_PICTURE_NO_BACKGROUND | (UINT32_C(1) << k);
-    check_refused(view, colours, &options, HSP_E_ARGUMENT);
+    check_refused(colours, &options, HSP_E_ARGUMENT);
   }
   for (k = 0; k < 3; ++k) {
     uint32_t colour[BALLS] = {1, 2, 3};
     check_scene("colour %lx", (unsigned long)too_large[k]);
     options = good_options();
     options.background = too_large[k];
-    check_refused(view, colours, &options, HSP_E_ARGUMENT);
+    check_refused(colours, &options, HSP_E_ARGUMENT);
     options = good_options();
     options.outline_colour = too_large[k];
-    check_refused(view, colours, &options, HSP_E_ARGUMENT);
+    check_refused(colours, &options, HSP_E_ARGUMENT);
     colour[k] = too_large[k];
-    check_refused(view, colour, NULL, HSP_E_ARGUMENT);
+    check_refused(colour, NULL, HSP_E_ARGUMENT);
   }
   check_scene("%s", "");
 }
@@ -135,24 +158,24 @@ static void bad_values(void) {
       check_scene("value %d is %g", which, odd[k]);
       options = good_options();
       *value_of(&options, which) = odd[k];
-      check_refused(view, colours, &options, HSP_E_NOT_FINITE);
+      check_refused(colours, &options, HSP_E_NOT_FINITE);
     }
     check_scene("value %d", which);
     options = good_options();
     options.height = 500;
     *value_of(&options, which) = nextafter(most[which], INFINITY);
-    check_refused(view, colours, &options, HSP_E_RANGE);
+    check_refused(colours, &options, HSP_E_RANGE);
     *value_of(&options, which) = 1e300;
-    check_refused(view, colours, &options, HSP_E_RANGE);
+    check_refused(colours, &options, HSP_E_RANGE);
     *value_of(&options, which) = most[which];
     check_written(colours, &options);
     *value_of(&options, which) = least[which];
     check_written(colours, &options);
     if (which == 3) continue; /* any negative width of lines is good */
     *value_of(&options, which) = -5e-324;
-    check_refused(view, colours, &options, HSP_E_RANGE);
+    check_refused(colours, &options, HSP_E_RANGE);
     *value_of(&options, which) = -10;
-    check_refused(view, colours, &options, HSP_E_RANGE);
+    check_refused(colours, &options, HSP_E_RANGE);
   }
   check_scene("%s", "");
 }
@@ -164,69 +187,76 @@ static void bad_frames(void) {
   for (k = 0; k < 3; ++k) {
     options = good_options();
     options.scale = odd[k];
-    check_refused(view, colours, &options, HSP_E_NOT_FINITE);
+    check_refused(colours, &options, HSP_E_NOT_FINITE);
     for (axis = 0; axis < 3; ++axis) {
       options = good_options();
       options.scale = 1;
       options.centre[axis] = odd[k];
-      check_refused(view, colours, &options, HSP_E_NOT_FINITE);
+      check_refused(colours, &options, HSP_E_NOT_FINITE);
     }
   }
   for (axis = 0; axis < 3; ++axis) {
     options = good_options();
     options.centre[axis] = 1;
-    check_refused(view, colours, &options, HSP_E_ARGUMENT); /* without a scale */
+    check_refused(colours, &options, HSP_E_ARGUMENT); /* without a scale */
     options.scale = 1;
     check_written(colours, &options);
     if (axis == 2) continue; /* towards the viewer: any distance is good */
     options.centre[axis] = 9.99e6;
     check_written(colours, &options);
     options.centre[axis] = -1.001e7;
-    check_refused(view, colours, &options, HSP_E_RANGE);
+    check_refused(colours, &options, HSP_E_RANGE);
     options.centre[axis] = 1e300;
-    check_refused(view, colours, &options, HSP_E_RANGE);
+    check_refused(colours, &options, HSP_E_RANGE);
   }
   options = good_options();
   options.scale = -5e-324;
-  check_refused(view, colours, &options, HSP_E_RANGE);
+  check_refused(colours, &options, HSP_E_RANGE);
   options.scale = -1;
-  check_refused(view, colours, &options, HSP_E_RANGE);
+  check_refused(colours, &options, HSP_E_RANGE);
   options.scale = 5e-324;
   check_written(colours, &options);
   options.scale = 1e6;
   check_written(colours, &options);
   options.scale = 1e8;
-  check_refused(view, colours, &options, HSP_E_RANGE);
+  check_refused(colours, &options, HSP_E_RANGE);
   options.scale = 1e308;
-  check_refused(view, colours, &options, HSP_E_RANGE);
+  check_refused(colours, &options, HSP_E_RANGE);
 }
 
 static void states(void) {
   hsp_view_limits limits;
+  hsp_map_limits map_limits;
   hsp_view_options options;
   CHECK_EQUAL(hsp_view_limits_init(&limits, (uint32_t)sizeof limits, BALLS), HSP_OK);
   limits.arcs = ARCS;
+  CHECK_EQUAL(hsp_map_limits_init(&map_limits, (uint32_t)sizeof map_limits, BALLS), HSP_OK);
+  map_limits.edges = EDGES;
   check_scene("nothing computed");
   CHECK_EQUAL(hsp_view_init(view_memory, sizeof view_memory, &limits, &view), HSP_OK);
-  check_refused(view, colours, NULL, HSP_E_STATE);
+  CHECK_EQUAL(hsp_map_init(map_memory, sizeof map_memory, &map_limits, &map), HSP_OK);
+  check_refused(colours, NULL, HSP_E_STATE);
   check_scene("a failed computation");
   CHECK_EQUAL(hsp_view_options_init(&options, (uint32_t)sizeof options), HSP_OK);
   options.towards[1] = NAN;
   CHECK_EQUAL(hsp_view_compute(view, model, NULL, &options, NULL), HSP_E_NOT_FINITE);
-  check_refused(view, colours, NULL, HSP_E_STATE);
+  CHECK_EQUAL(hsp_map_compute(map, model, &options, NULL), HSP_E_NOT_FINITE);
+  check_refused(colours, NULL, HSP_E_STATE);
   check_scene("the model was set again");
   CHECK_EQUAL(hsp_view_compute(view, model, NULL, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_map_compute(map, model, NULL, NULL), HSP_OK);
   check_written(colours, NULL);
   CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
-  check_refused(view, colours, NULL, HSP_E_STATE);
+  check_refused(colours, NULL, HSP_E_STATE);
   CHECK_EQUAL(hsp_view_compute(view, model, NULL, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_map_compute(map, model, NULL, NULL), HSP_OK);
   check_written(colours, NULL);
   check_written(NULL, NULL);
   check_scene("%s", "");
 }
 
 /* A sink that refuses: at every byte of a small picture the status, the number of bytes taken, and no call after. */
-static void refusing_sinks(void) {
+static void refusing_sinks(hsp_view *of_view, hsp_map *of_map) {
   hsp_picture_options options = good_options();
   picture_sink all;
   uint32_t format, style;
@@ -236,14 +266,14 @@ static void refusing_sinks(void) {
       options.format = format;
       options.style = style;
       picture_sink_start(&all, SIZE_MAX);
-      CHECK_EQUAL(hsp_picture_write(view, colours, &options, "t", "d", picture_sink_take, &all, NULL), HSP_OK);
+      CHECK_EQUAL(write_either(of_view, of_map, colours, &options, &all, NULL), HSP_OK);
       for (accepts = 0; accepts < all.count; accepts += accepts < 40 || accepts + 40 > all.count ? 1 : 37) {
         picture_sink sink;
         uint64_t bytes = 77;
         check_scene("format %u, style %u, %u of %u bytes", (unsigned)format, (unsigned)style, (unsigned)accepts,
                     (unsigned)all.count);
         picture_sink_start(&sink, accepts);
-        CHECK_EQUAL(hsp_picture_write(view, colours, &options, "t", "d", picture_sink_take, &sink, &bytes), HSP_E_SINK);
+        CHECK_EQUAL(write_either(of_view, of_map, colours, &options, &sink, &bytes), HSP_E_SINK);
         CHECK_EQUAL(bytes, sink.count);
         CHECK_EQUAL(sink.refused, 1);
         CHECK_EQUAL(sink.odd, 0);
@@ -255,7 +285,7 @@ static void refusing_sinks(void) {
       {
         picture_sink sink;
         picture_sink_start(&sink, all.count);
-        CHECK_EQUAL(hsp_picture_write(view, colours, &options, "t", "d", picture_sink_take, &sink, NULL), HSP_OK);
+        CHECK_EQUAL(write_either(of_view, of_map, colours, &options, &sink, NULL), HSP_OK);
         CHECK_EQUAL(sink.count, all.count);
         picture_sink_release(&sink);
       }
@@ -299,6 +329,7 @@ int main(void) {
   bad_choices();
   bad_values();
   bad_frames();
-  refusing_sinks();
+  refusing_sinks(view, NULL);
+  refusing_sinks(NULL, map);
   return check_report();
 }

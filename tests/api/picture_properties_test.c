@@ -1,11 +1,13 @@
-/* Pictures of every set of topology_sets.h in every format and style: the same bytes every time and for every order of
- * the balls but for data-ball, nothing that is not a number, one path for each piece, and what titles become. */
+/* Pictures of views and maps of every set of topology_sets.h in every format and style: the same bytes every time and
+ * for every order of the balls but for data-ball, nothing that is not a number, one path for each piece or ball that is
+ * seen, and what titles become. */
 #include <hardsphere.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "check.h"
+#include "map_result.h"
 #include "picture_sink.h"
 #include "topology_sets.h"
 #include "view_result.h"
@@ -24,23 +26,52 @@ static uint32_t occurrences(const picture_sink *sink, const char *text) {
   return count;
 }
 
-static void write_picture(const view_result *v, const uint32_t *colour, const hsp_picture_options *options,
+/* What is drawn: a view, or a map if there is no view. */
+typedef struct subject {
+  hsp_view *view;
+  hsp_map *map;
+  uint32_t paths;
+} subject;
+
+static subject of_view(const view_result *v) {
+  const subject s = {v->view, NULL, v->info.pieces};
+  return s;
+}
+
+static subject of_map(const map_result *m) {
+  const subject s = {NULL, m->map, m->info.balls};
+  return s;
+}
+
+static void write_subject(const subject *s, const uint32_t *colour, const hsp_picture_options *options,
                           const char *title, const char *description, picture_sink *sink) {
   uint64_t bytes = 77;
+  int32_t status;
   picture_sink_start(sink, SIZE_MAX);
-  CHECK_EQUAL(hsp_picture_write(v->view, colour, options, title, description, picture_sink_take, sink, &bytes), HSP_OK);
+  if (s->view != NULL) {
+    status = hsp_picture_write(s->view, colour, options, title, description, picture_sink_take, sink, &bytes);
+  } else {
+    status = hsp_picture_write_map(s->map, colour, options, title, description, picture_sink_take, sink, &bytes);
+  }
+  CHECK_EQUAL(status, HSP_OK);
   CHECK_EQUAL(bytes, sink->count);
   CHECK_EQUAL(sink->odd, 0);
   CHECK_EQUAL(sink->refused, 0);
 }
 
-static void check_text(const picture_sink *sink, const hsp_picture_options *options, const view_result *v) {
+static void write_picture(const view_result *v, const uint32_t *colour, const hsp_picture_options *options,
+                          const char *title, const char *description, picture_sink *sink) {
+  const subject s = of_view(v);
+  write_subject(&s, colour, options, title, description, sink);
+}
+
+static void check_text(const picture_sink *sink, const hsp_picture_options *options, uint32_t paths) {
   CHECK_EQUAL(occurrences(sink, "nan"), 0);
   CHECK_EQUAL(occurrences(sink, "inf"), 0);
   if (options->format == HSP_FORMAT_SVG) {
     CHECK(occurrences(sink, "<svg") == 1 && occurrences(sink, "</svg>") == 1);
-    CHECK_EQUAL(occurrences(sink, "data-ball=\""), options->flags & HSP_PICTURE_NO_IDS ? 0 : v->info.pieces);
-    CHECK(occurrences(sink, "<path") >= v->info.pieces);
+    CHECK_EQUAL(occurrences(sink, "data-ball=\""), options->flags & HSP_PICTURE_NO_IDS ? 0 : paths);
+    CHECK(occurrences(sink, "<path") >= paths);
     CHECK_EQUAL(strlen(sink->bytes), sink->count);
   } else if (options->format == HSP_FORMAT_EPS) {
     CHECK(starts_with(sink, "%!PS-Adobe-3.0 EPSF-3.0"));
@@ -52,7 +83,8 @@ static void check_text(const picture_sink *sink, const hsp_picture_options *opti
   }
 }
 
-/* hsp_picture_write, property 1: the same bytes for every order of the balls, up to the values of data-ball. */
+/* hsp_picture_write and hsp_picture_write_map, property 1: the same bytes for every order of the balls, but for the
+ * values of data-ball. */
 static void check_order(const picture_sink *one, const picture_sink *other) {
   size_t length = 0, other_length = 0;
   char *bare = picture_without_ids(one->bytes, one->count, &length);
@@ -62,13 +94,29 @@ static void check_order(const picture_sink *one, const picture_sink *other) {
   free(other_bare);
 }
 
+/* The same balls in two orders, with their colours. */
+static void every_order(const subject subjects[2], const uint32_t *colour, const uint32_t *other_colour,
+                        const hsp_picture_options *options) {
+  picture_sink one, again, of_other;
+  write_subject(&subjects[0], colour, options, "title", NULL, &one);
+  write_subject(&subjects[0], colour, options, "title", "", &again);
+  write_subject(&subjects[1], other_colour, options, "title", NULL, &of_other);
+  check_text(&one, options, subjects[0].paths);
+  if (CHECK_EQUAL(one.count, again.count)) CHECK_BYTES(one.bytes, again.bytes, one.count);
+  check_order(&one, &of_other);
+  picture_sink_release(&one);
+  picture_sink_release(&again);
+  picture_sink_release(&of_other);
+}
+
 static void every_set(void) {
   static ball_set set, shuffled;
   static uint32_t order[BALL_SET_MOST], colour[BALL_SET_MOST], other_colour[BALL_SET_MOST];
-  uint32_t which, i, format, style;
+  uint32_t which, i, format, style, invariant, id;
   for (which = 0; which < topology_set_count(); ++which) {
     computed c, other;
     view_result v, w;
+    map_result m, o;
     hsp_view_options looking;
     topology_set_make(which, &set);
     ball_set_shuffle(set.n, which + 1, order);
@@ -83,12 +131,16 @@ static void every_set(void) {
     CHECK_EQUAL(computed_make(set.n, set.xyz, set.radius, NULL, &c), HSP_OK);
     CHECK_EQUAL(computed_make(set.n, shuffled.xyz, shuffled.radius, NULL, &other), HSP_OK);
     memset(&w, 0, sizeof w);
+    memset(&m, 0, sizeof m);
+    memset(&o, 0, sizeof o);
     if (CHECK_EQUAL(view_result_make(&c, &looking, 1, &v), HSP_OK) &&
-        CHECK_EQUAL(view_result_make(&other, &looking, 1, &w), HSP_OK)) {
+        CHECK_EQUAL(view_result_make(&other, &looking, 1, &w), HSP_OK) &&
+        CHECK_EQUAL(map_result_make(&c, &looking, &m), HSP_OK) &&
+        CHECK_EQUAL(map_result_make(&other, &looking, &o), HSP_OK)) {
       for (format = HSP_FORMAT_SVG; format <= HSP_FORMAT_PDF; ++format) {
         for (style = HSP_STYLE_FLAT; style <= HSP_STYLE_SOFT; ++style) {
           hsp_picture_options options;
-          picture_sink one, again, of_other;
+          const subject views[2] = {of_view(&v), of_view(&w)}, maps[2] = {of_map(&m), of_map(&o)};
           check_scene("%s, format %u, style %u", set.name, (unsigned)format, (unsigned)style);
           CHECK_EQUAL(hsp_picture_options_init(&options, (uint32_t)sizeof options), HSP_OK);
           options.format = format;
@@ -96,18 +148,14 @@ static void every_set(void) {
           options.flags = (which + style) % 4;
           if (which % 3 == 0) options.outline = 0;
           if (which % 5 == 0) options.height = 250;
-          write_picture(&v, colour, &options, "title", NULL, &one);
-          write_picture(&v, colour, &options, "title", "", &again);
-          write_picture(&w, other_colour, &options, "title", NULL, &of_other);
-          check_text(&one, &options, &v);
-          if (CHECK_EQUAL(one.count, again.count)) CHECK_BYTES(one.bytes, again.bytes, one.count);
-          check_order(&one, &of_other);
-          picture_sink_release(&one);
-          picture_sink_release(&again);
-          picture_sink_release(&of_other);
+          every_order(views, colour, other_colour, &options);
+          every_order(maps, colour, other_colour, &options);
         }
       }
+      CHECK_EQUAL(hsp_map_check(m.map, &invariant, &id), HSP_OK);
     }
+    map_result_release(&m);
+    map_result_release(&o);
     view_result_release(&v);
     view_result_release(&w);
     computed_release(&c);
@@ -150,7 +198,7 @@ static void titles(void) {
       check_scene("title %u, format %u", (unsigned)i, (unsigned)format);
       options.format = format;
       write_picture(&v, NULL, &options, texts[i].text, NULL, &sink);
-      check_text(&sink, &options, &v);
+      check_text(&sink, &options, v.info.pieces);
       if (format == HSP_FORMAT_SVG) CHECK_EQUAL(occurrences(&sink, texts[i].in_svg), 1);
       picture_sink_release(&sink);
       write_picture(&v, NULL, &options, "x", texts[i].text, &sink);

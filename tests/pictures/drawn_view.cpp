@@ -4,8 +4,6 @@
 
 namespace {
 
-constexpr double step = 0x1p-10;
-
 uint32_t atomic_number(int64_t radius) {
   switch (radius) {
     case 1700:
@@ -21,27 +19,33 @@ uint32_t atomic_number(int64_t radius) {
   }
 }
 
-int32_t take(void *context, const char *bytes, size_t count) {
+}  // namespace
+
+int32_t append_bytes(void *context, const char *bytes, size_t count) {
   static_cast<std::string *>(context)->append(bytes, count);
   return 0;
 }
 
-}  // namespace
+std::vector<uint32_t> colours_of(const oracle::Balls &balls) {
+  std::vector<uint32_t> colours;
+  for (const oracle::LatticeBall &ball : balls) {
+    colours.push_back(hsp_palette_colour(HSP_PALETTE_SOFT, atomic_number(ball.radius), 0));
+  }
+  return colours;
+}
 
 DrawnView::DrawnView(const oracle::Balls &balls, Direction towards, uint32_t pieces)
-    : scene_(balls, step),
+    : scene_(balls, drawn_step),
       view_(scene_, ViewChoice{pieces, 0, pieces == HSP_PIECES_OUTSIDE_ALL, towards, {}}),
-      records_(view_.records()) {
-  for (const oracle::LatticeBall &ball : balls) {
-    colours_.push_back(hsp_palette_colour(HSP_PALETTE_SOFT, atomic_number(ball.radius), 0));
-  }
-}
+      records_(view_.records()),
+      colours_(colours_of(balls)) {}
 
 std::string DrawnView::picture(const hsp_picture_options &options, const char *title, const char *description) const {
   std::string text;
   uint64_t bytes = 0;
-  expect_ok(hsp_picture_write(view_.handle(), colours_.data(), &options, title, description, take, &text, &bytes),
-            "hsp_picture_write");
+  expect_ok(
+      hsp_picture_write(view_.handle(), colours_.data(), &options, title, description, append_bytes, &text, &bytes),
+      "hsp_picture_write");
   if (bytes != text.size()) throw std::runtime_error("hsp_picture_write: another number of bytes");
   return text;
 }

@@ -49,6 +49,9 @@ class Machine {
       const std::vector<double> a = take(4);
       path_.paint = std::to_string(a[3]);
       finish();
+    } else if (word == "stroke") {
+      file_.lines.push_back(path_);
+      path_ = {};
     } else {
       stack_.clear();  // the page's beginning
     }

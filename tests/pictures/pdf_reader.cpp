@@ -81,7 +81,8 @@ PictureFile read_pdf(const std::string &text) {
       if (!path.loops.empty()) file.paths.push_back(path);  // the background is a rectangle
       path = {};
     } else if (word == "S") {
-      path = {};  // painted before
+      file.lines.push_back(path);
+      path = {};
     }
     stack.clear();
   }

@@ -31,7 +31,7 @@ struct Segment {
 struct Loop {
   PagePoint start{};
   std::vector<Segment> segments;
-  bool closed = false;
+  bool closed = false;  // lines may be open
 };
 
 struct PaintedPath {
@@ -45,6 +45,7 @@ struct PictureFile {
   double width = 0;  // px
   double height = 0;
   std::vector<PaintedPath> paths;
+  std::vector<PaintedPath> lines;  // that are not filled
 };
 
 PictureFile read_svg(const std::string &text);

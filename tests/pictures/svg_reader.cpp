@@ -75,6 +75,7 @@ class PathReader {
     arc.kind = Segment::Kind::arc;
     arc.start = here_;
     arc.end = here_ = point();
+    if (arc.start == arc.end) return;  // which the standard wants left out
     const double c = std::cos(rotation);
     const double s = std::sin(rotation);
     // Where the ellipse is the unit circle: half the chord, and the centre from the middle of the chord.
@@ -132,7 +133,7 @@ PictureFile read_svg(const std::string &text) {
     const std::string ball = attribute(element, "data-ball");
     if (!ball.empty()) path.ball = static_cast<uint32_t>(std::stoul(ball));
     path.loops = PathReader(attribute(element, "d"), file.height).read();
-    file.paths.push_back(path);
+    (path.paint.empty() ? file.lines : file.paths).push_back(path);
   }
   return file;
 }

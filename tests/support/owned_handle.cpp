@@ -41,4 +41,10 @@ hsp_view_limits default_view_limits(uint32_t balls) {
   return limits;
 }
 
+hsp_map_limits default_map_limits(uint32_t balls) {
+  hsp_map_limits limits;
+  expect_ok(hsp_map_limits_init(&limits, sizeof limits, balls), "hsp_map_limits_init");
+  return limits;
+}
+
 }  // namespace support

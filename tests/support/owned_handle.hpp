@@ -144,11 +144,13 @@ using OwnedBoundary = OwnedHandle<BoundaryKind>;
 using OwnedSurface = OwnedHandle<SurfaceKind>;
 using OwnedTopology = OwnedHandle<TopologyKind>;
 using OwnedView = OwnedHandle<ViewKind>;
+using OwnedMap = OwnedHandle<MapKind>;
 
 hsp_boundary_limits default_boundary_limits(uint32_t balls);
 hsp_surface_limits surface_limits_for(const hsp_boundary *boundary);
 hsp_topology_limits topology_limits_for(const hsp_boundary *boundary);
 hsp_view_limits default_view_limits(uint32_t balls);
+hsp_map_limits default_map_limits(uint32_t balls);
 
 // All records of a getter, which is called with (Record *out, uint32_t capacity, uint32_t *needed).
 template <class Record, class Getter>

@@ -104,24 +104,25 @@ inline uint32_t arcs_join() {
       return near(a[0], x, 1e-6) && near(a[1], y, 1e-6);
     };
     bool holds = true;
-    for (uint32_t p = 0; p < input.view.pieces.size(); ++p) {
+    for (uint32_t p = 0; p < input.paths.size(); ++p) {
       double at[2] = {}, start[2] = {};
-      hsp::visit_arcs(input.balls, input.view, p, [&](const hsp::ProjectedArc &seen, bool first, bool last) {
-        if (first) {
-          while (reader.take("16#")) reader.find("\n");  // colours
-          holds = holds && reader.numbers(start) && reader.take(" M\n");
-          at[0] = start[0];
-          at[1] = start[1];
-        }
-        WrittenArc arc;
-        holds = holds && arc.read(reader) && close(at, arc.at(arc.from, 0), arc.at(arc.from, 1));
-        at[0] = arc.at(arc.to, 0);
-        at[1] = arc.at(arc.to, 1);
-        const hsp::PagePoint end = page.place(seen.end);
-        holds =
-            holds && close(at, end.x, end.y) && near((arc.to - arc.from) * hsp::pi / 180, seen.to - seen.from, 1e-6);
-        if (last) holds = holds && close(at, start[0], start[1]) && reader.take("Z\n");
-      });
+      input.paths.visit(input.balls, p, hsp::PathPart::outline,
+                        [&](const hsp::ProjectedArc &seen, bool first, bool last) {
+                          if (first) {
+                            while (reader.take("16#")) reader.find("\n");  // colours
+                            holds = holds && reader.numbers(start) && reader.take(" M\n");
+                            at[0] = start[0];
+                            at[1] = start[1];
+                          }
+                          WrittenArc arc;
+                          holds = holds && arc.read(reader) && close(at, arc.at(arc.from, 0), arc.at(arc.from, 1));
+                          at[0] = arc.at(arc.to, 0);
+                          at[1] = arc.at(arc.to, 1);
+                          const hsp::PagePoint end = page.place(seen.end);
+                          holds = holds && close(at, end.x, end.y) &&
+                                  near((arc.to - arc.from) * hsp::pi / 180, seen.to - seen.from, 1e-6);
+                          if (last) holds = holds && close(at, start[0], start[1]) && reader.take("Z\n");
+                        });
     }
     return holds;
   });

@@ -54,9 +54,9 @@ inline uint32_t sizes_of_pages() {
     const hsp::PagePoint middle = page.place(c.middle);
     const auto equal = [](double a, double b) { return near(a, b, 1e-12 * (1 + b)); };
     double farthest = 1e9, nearest = -1e9;
-    for (uint32_t p = 0; p < input.view.pieces.size(); ++p) {
-      const uint32_t ball = input.view.pieces[p].ball;
-      const hsp::Vec3 centre = input.view.frame.centre_of(input.balls, ball);
+    for (uint32_t p = 0; p < input.paths.size(); ++p) {
+      const uint32_t ball = input.paths.ball_of(p);
+      const hsp::Vec3 centre = input.paths.frame().centre_of(input.balls, ball);
       farthest = centre.z < farthest ? centre.z : farthest;
       nearest = centre.z > nearest ? centre.z : nearest;
       const double reach = input.balls.r[ball] * page.scale;
@@ -120,7 +120,7 @@ inline uint32_t pages_of_fixed_frames() {
     for (int axis = 0; axis < 3; ++axis) options.centre[axis] = c.centre[axis];
     const hsp::PictureInput input = picture_input();
     const hsp::Page page = hsp::lay_out(input, options);
-    const hsp::Vec3 centre = input.view.frame.centre_of(input.balls, small_union().grid().grid_index(1));
+    const hsp::Vec3 centre = input.paths.frame().centre_of(input.balls, small_union().grid().grid_index(1));
     const double point[2] = {centre.x, centre.y};
     const hsp::PagePoint at = page.place(point);
     const auto equal = [](double a, double b) { return near(a, b, 1e-12 * (1 + (b < 0 ? -b : b))); };

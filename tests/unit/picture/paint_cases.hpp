@@ -92,7 +92,7 @@ inline uint32_t lines_fade_less() {
       if (of.paint().fog_level(p) > of.paint().fog_level(p - 1)) return false;
     }
     options.outline = 0;
-    return of.paint().lines() && !PaintOf(options, nullptr).paint().lines();
+    return of.paint().lines_along() && !PaintOf(options, nullptr).paint().lines_along();
   });
 }
 

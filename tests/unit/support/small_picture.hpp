@@ -11,7 +11,7 @@ namespace cases {
 // What a picture of small_view() is made of.
 inline hsp::PictureInput picture_input(const uint32_t *colour = nullptr, const char *title = nullptr,
                                        const char *description = nullptr) {
-  return {small_view().balls(), small_view().view(), colour, title, description};
+  return {small_view().balls(), hsp::paths_of(small_view().view()), colour, title, description};
 }
 
 using PictureText = KeptText<64 * 1024>;

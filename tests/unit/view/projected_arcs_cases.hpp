@@ -86,30 +86,6 @@ inline uint32_t ellipses_lie_on_both_spheres() {
   });
 }
 
-struct Seen {
-  uint32_t n;
-  SmallBall ball[3];
-  hsp::ViewBox box;  // around the middle of the centres
-};
-constexpr Seen seen_boxes[] = {
-    {0, {}, {{0, 0}, {0, 0}, 0, 0}},
-    {1, {{70, -80, 90, 10}}, {{-10, -10}, {10, 10}, 0, 0}},
-    {2, {{0, 0, 0, 10}, {100, 40, 60, 30}}, {{-60, -30}, {80, 50}, -30, 30}},
-    {3, {{60, 0, 0, 10}, {-20, 0, 100, 50}, {0, 200, 40, 5}}, {{-90, -150}, {50, 105}, -50, 50}},
-    // What is hidden takes no room, nor does a ball without a radius.
-    {2, {{0, 0, 0, 10}, {100, 60, -40, 0}}, {{-60, -40}, {-40, -20}, 20, 20}},
-    {2, {{0, 0, 0, 10}, {-100, -60, 40, 0}}, {{40, 20}, {60, 40}, -20, -20}},
-    {2, {{0, 0, 0, 10}, {0, 0, 40, 20}}, {{-20, -20}, {20, 20}, 20, 20}}};
-
-inline uint32_t boxes_around_silhouettes() {
-  return first_failing(seen_boxes, [](const Seen &c) {
-    if (!small_view().succeeds(c.ball, c.n, {})) return false;
-    const hsp::ViewBox box = hsp::box_of(small_view().balls(), small_view().view());
-    return box.low[0] == c.box.low[0] && box.low[1] == c.box.low[1] && box.high[0] == c.box.high[0] &&
-           box.high[1] == c.box.high[1] && box.depth_low == c.box.depth_low && box.depth_high == c.box.depth_high;
-  });
-}
-
 // The arcs of a piece are visited loop after loop, each from the end of the one before it, and start and end on their
 // ellipses.
 inline uint32_t arcs_are_chained() {
@@ -150,7 +126,6 @@ inline uint32_t arcs_are_chained() {
 
 inline constexpr Check view_projected_arcs[] = {{"bases_of_circles", bases_of_circles},
                                                 {"ellipses_lie_on_both_spheres", ellipses_lie_on_both_spheres},
-                                                {"boxes_around_silhouettes", boxes_around_silhouettes},
                                                 {"arcs_are_chained", arcs_are_chained}};
 
 }  // namespace cases

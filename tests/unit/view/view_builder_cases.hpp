@@ -6,6 +6,7 @@
 
 #include "small_scenes.hpp"
 #include "small_view.hpp"
+#include "view/painted_paths.hpp"
 
 namespace cases {
 
@@ -34,7 +35,7 @@ inline uint32_t seen_at(double x, double y, bool &certain) {
 inline bool paints_what_is_seen() {
   const hsp::View &view = small_view().view();
   const hsp::BallSet &balls = small_view().balls();
-  const hsp::ViewBox box = hsp::box_of(balls, view);
+  const hsp::ViewBox box = hsp::box_of(balls, hsp::paths_of(view));
   uint32_t compared = 0;
   for (int row = 0; row < 20; ++row) {
     for (int column = 0; column < 20; ++column) {

@@ -1,0 +1,69 @@
+// What a picture paints, whatever has found it: a path of arcs in the view plane for each of some balls. A room that
+// knows what is seen hands out such paths; the room of pictures knows no more of it than this.
+#pragma once
+
+#include "view/projected_arcs.hpp"
+
+namespace hsp {
+
+// Takes arcs one after the other. `first` begins a run of arcs, each of which starts where the one before it ends;
+// `closes` is true where such a run ends at its start.
+struct ArcVisitor {
+  void *context;
+  void (*take)(void *context, const ProjectedArc &arc, bool first, bool closes);
+
+  void operator()(const ProjectedArc &arc, bool first, bool closes) const { take(context, arc, first, closes); }
+};
+
+// What is filled of a path, or what is drawn with the colour of its lines after all paths are filled.
+enum class PathPart : uint32_t { outline, lines };
+
+class PaintedPaths {
+ public:
+  // What is told of `source`; balls are in grid order.
+  struct Functions {
+    uint32_t (*ball_of)(const void *source, uint32_t path);
+    // The loops around a path, all of them closed.
+    void (*visit_outline)(const void *source, const BallSet &balls, uint32_t path, const ArcVisitor &visitor);
+    // Null where lines run along the outline of each path as it is painted.
+    void (*visit_lines)(const void *source, const BallSet &balls, uint32_t path, const ArcVisitor &visitor);
+  };
+
+  // `source` and `frame` have to outlive this.
+  PaintedPaths(const ViewFrame &frame, uint32_t count, const void *source, const Functions &functions)
+      : frame_(&frame), source_(source), functions_(functions), count_(count) {}
+
+  const ViewFrame &frame() const { return *frame_; }
+  uint32_t size() const { return count_; }
+  uint32_t ball_of(uint32_t path) const { return functions_.ball_of(source_, path); }
+  bool have_own_lines() const { return functions_.visit_lines != nullptr; }
+
+  // Calls visit(arc, first, closes) as an ArcVisitor is called.
+  template <class Visit>
+  void visit(const BallSet &balls, uint32_t path, PathPart part, Visit visit) const {
+    const ArcVisitor visitor{&visit, [](void *context, const ProjectedArc &arc, bool first, bool closes) {
+                               (*static_cast<Visit *>(context))(arc, first, closes);
+                             }};
+    (part == PathPart::outline ? functions_.visit_outline : functions_.visit_lines)(source_, balls, path, visitor);
+  }
+
+ private:
+  const ViewFrame *frame_;
+  const void *source_;
+  Functions functions_;
+  uint32_t count_;
+};
+
+// The pieces of a view, painted one over the other.
+PaintedPaths paths_of(const View &view);
+
+// What the silhouettes of the balls of all paths take of the view plane, and the depths of their centres; zeros without
+// paths.
+struct ViewBox {
+  double low[2];
+  double high[2];
+  double depth_low, depth_high;
+};
+ViewBox box_of(const BallSet &balls, const PaintedPaths &paths);
+
+}  // namespace hsp

@@ -1,0 +1,42 @@
+// What is seen as paths to be painted: all faces of a ball are one, and no two overlap.
+#pragma once
+
+#include "view/painted_paths.hpp"
+#include "visibility/visibility_map.hpp"
+
+namespace hsp {
+
+// A directed edge as an arc of the view plane, from vertex to vertex.
+ProjectedArc arc_of(const VisibilityMap &map, uint32_t half_edge);
+
+// The balls that are seen, farthest first, with their faces.
+class MapPaths {
+ public:
+  // scratch [2 edges + 1]; it and the map have to outlive this. O(F log F) for F faces.
+  MapPaths(const BallSet &balls, const VisibilityMap &map, Span<uint32_t> scratch);
+  MapPaths(const MapPaths &) = delete;  // those who paint point here
+  MapPaths &operator=(const MapPaths &) = delete;
+
+  uint32_t size() const { return first_.size(); }
+  // Grid order.
+  uint32_t ball_of(uint32_t path) const { return map_.balls[map_.faces[first_face(path)].owner].ball; }
+
+  // Calls visitor(arc, first, closes) for the loops around the faces of a path.
+  void visit_outline(uint32_t path, const ArcVisitor &visitor) const;
+  // The same for the edges of these loops that are the ball's own: its silhouette, and creases where it is the nearer
+  // one. So each edge of the map belongs to one path. A run is as long as such edges follow each other.
+  void visit_lines(uint32_t path, const ArcVisitor &visitor) const;
+
+  PaintedPaths paths() const;
+
+ private:
+  uint32_t first_face(uint32_t path) const { return faces_[first_[path]]; }
+  template <class Visit>
+  void visit_loops(uint32_t path, Visit visit) const;
+
+  const VisibilityMap &map_;
+  Span<uint32_t> faces_;  // that show balls, by ball
+  Span<uint32_t> first_;  // of them, of each path
+};
+
+}  // namespace hsp

@@ -1,0 +1,7 @@
+#include "painted_paths_cases.hpp"
+
+#include "expect_cases.hpp"
+
+TEST(PaintedPaths, Cases) {
+  expect_cases(cases::view_painted_paths);
+}
