@@ -21,7 +21,7 @@ enum { carbon = 6 };
 
 /* What was drawn. */
 struct drawn {
-  hsp_view_info view;
+  hsp_view_info view; /* or as much of it as a map has */
   hsp_picture_options options;
   double width; /* in the picture's unit */
   double height;
@@ -52,7 +52,7 @@ static bool make_colours(const struct request *request, const struct molecule *m
 
 static bool view_options_of(const struct drawing *drawing, hsp_view_options *options, struct failure *failure) {
   const int32_t status = viewing_options(&drawing->viewing, options);
-  if (drawing->pieces >= 0) options->pieces = (uint32_t)drawing->pieces;
+  if (drawing->pieces >= 0 && !drawing_is_of_map(drawing)) options->pieces = (uint32_t)drawing->pieces;
   if (drawing->all_balls) options->flags |= HSP_VIEW_ALL_BALLS;
   return status == HSP_OK || failure_in_library(failure, status);
 }
@@ -117,9 +117,42 @@ static const char *base_name(const char *path) {
   return slash == NULL ? path : slash + 1;
 }
 
+/* The box of what is seen: no ball that is hidden reaches beyond. */
+static void find_box(const struct molecule *molecule, double probe, hsp_view_info *view) {
+  const double *const axis[2] = {view->right, view->up};
+  bool any = false;
+  for (uint32_t i = 0; i < molecule->atoms; ++i) {
+    const double radius = molecule->radius[i] + probe;
+    if (radius <= 0.0) continue;
+    for (int k = 0; k < 2; ++k) {
+      double at = 0.0;
+      for (int c = 0; c < 3; ++c) at += axis[k][c] * (molecule->xyz[3 * (size_t)i + (size_t)c] - view->origin[c]);
+      if (!any || at - radius < view->low[k]) view->low[k] = at - radius;
+      if (!any || at + radius > view->high[k]) view->high[k] = at + radius;
+    }
+    any = true;
+  }
+}
+
+static int32_t get_info(const struct request *request, const struct molecule *molecule, const struct geometry *geometry,
+                        hsp_view_info *view) {
+  hsp_map_info map;
+  if (!drawing_is_of_map(&request->drawing)) return hsp_view_get_info(geometry->work.view, view);
+  const int32_t status = hsp_map_get_info(geometry->map, &map);
+  if (status != HSP_OK) return status;
+  memcpy(view->origin, map.origin, sizeof view->origin);
+  memcpy(view->right, map.right, sizeof view->right);
+  memcpy(view->up, map.up, sizeof view->up);
+  memcpy(view->towards, map.towards, sizeof view->towards);
+  view->pieces = map.balls;
+  view->arcs = map.edges;
+  find_box(molecule, request->probe, view);
+  return HSP_OK;
+}
+
 static bool write_picture(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                           const uint32_t *colour, struct drawn *drawn, struct failure *failure) {
-  const int32_t status = hsp_view_get_info(geometry->work.view, &drawn->view);
+  const int32_t status = get_info(request, molecule, geometry, &drawn->view);
   if (status != HSP_OK) return failure_in_library(failure, status);
   if (!picture_options_of(&request->drawing, molecule->atoms, &drawn->view, &drawn->options, failure)) return false;
   find_size(drawn);
@@ -128,22 +161,28 @@ static bool write_picture(const struct request *request, const struct molecule *
   snprintf(description, sizeof description, "%" PRIu32 " balls, seen from %s", molecule->atoms,
            direction_text(towards, drawn->view.towards));
   const char *title = request->drawing.title != NULL ? request->drawing.title : base_name(input_name(request->file));
-  const struct picture picture = {colour, drawn->options, title, description};
+  hsp_view *const view = drawing_is_of_map(&request->drawing) ? NULL : geometry->work.view;
+  const struct picture picture = {view, geometry->map, colour, drawn->options, title, description};
   progress_show(&geometry->progress, "writing");
-  return picture_file_write(geometry->work.view, &picture, request->drawing.out, &geometry->progress, &drawn->bytes,
-                            failure);
+  return picture_file_write(&picture, request->drawing.out, &geometry->progress, &drawn->bytes, failure);
+}
+
+/* What the picture is made of. */
+static bool compute(const struct request *request, struct geometry *geometry, struct failure *failure) {
+  hsp_view_options options;
+  if (drawing_is_of_map(&request->drawing)) return geometry_compute_map(geometry, &request->drawing.viewing, failure);
+  return view_options_of(&request->drawing, &options, failure) &&
+         (options.pieces != HSP_PIECES_OUTSIDE_ALL || geometry_compute_boundary(geometry, failure)) &&
+         geometry_compute_view(geometry, &options, failure);
 }
 
 static bool draw(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                  struct drawn *drawn, struct failure *failure) {
-  hsp_view_options options;
   uint32_t *colour = NULL;
-  if (!view_options_of(&request->drawing, &options, failure)) return false;
   if (drawing_occlusion(&request->drawing, molecule->atoms) > 0.0) progress_show(&geometry->progress, "shading");
   if (!make_colours(request, molecule, geometry, &colour, &drawn->occlusion, failure)) return false;
-  const bool done = (options.pieces != HSP_PIECES_OUTSIDE_ALL || geometry_compute_boundary(geometry, failure)) &&
-                    geometry_compute_view(geometry, &options, failure) &&
-                    write_picture(request, molecule, geometry, colour, drawn, failure);
+  const bool done =
+      compute(request, geometry, failure) && write_picture(request, molecule, geometry, colour, drawn, failure);
   free(colour);
   return done;
 }
@@ -177,8 +216,11 @@ static void print_table(const struct request *request, const struct molecule *mo
   report_row(out, "view", value, "");
   snprintf(value, sizeof value, "%.6g", drawn->occlusion);
   report_row(out, "occlusion", value, drawn->occlusion > 0.0 ? "buried balls are darker" : "no ball is darkened");
-  report_row_count(out, "pieces", drawn->view.pieces, "painted one over the other, farthest first");
-  report_row_count(out, "arcs", drawn->view.arcs, "of circles and ellipses around them");
+  const bool of_map = drawing_is_of_map(&request->drawing);
+  report_row_count(out, "pieces", drawn->view.pieces,
+                   of_map ? "balls, side by side" : "painted one over the other, farthest first");
+  report_row_count(out, "arcs", drawn->view.arcs,
+                   of_map ? "of circles and ellipses between them" : "of circles and ellipses around them");
   report_row_count(out, "bytes", (int64_t)drawn->bytes, "");
 }
 

@@ -9,13 +9,13 @@
 #include "number.h"
 #include "output_file.h"
 
-enum { FORMATS = 3, STYLES = 3, PALETTES = 3, UNITS = 2, PIECES = 2 };
+enum { FORMATS = 3, STYLES = 3, PALETTES = 3, UNITS = 2, PIECES = 3 };
 
-/* In the order of their numbers in hardsphere.h. */
+/* In the order of their numbers in hardsphere.h; what is visible comes last. */
 static const char *const style_names[STYLES] = {"flat", "headlight", "soft"};
 static const char *const palette_names[PALETTES] = {"soft", "jmol", "chain"};
 static const char *const unit_names[UNITS] = {"px", "mm"};
-static const char *const piece_names[PIECES] = {"g", "h"};
+static const char *const piece_names[PIECES] = {"g", "h", "visible"};
 static const char *const format_names[FORMATS] = {"SVG", "EPS", "PDF"};
 static const char *const picture_names[FORMATS] = {"svg", "eps", "pdf"};
 
@@ -54,7 +54,7 @@ static const struct choice_option choice_options[] = {
     {"--palette", offsetof(struct drawing, palette), palette_names, PALETTES, "soft, jmol or chain"},
     {"--unit", offsetof(struct drawing, unit), unit_names, UNITS, "px or mm"},
     {"--picture", offsetof(struct drawing, format), picture_names, FORMATS, "svg, eps or pdf"},
-    {"--pieces", offsetof(struct drawing, pieces), piece_names, PIECES, "g or h"},
+    {"--pieces", offsetof(struct drawing, pieces), piece_names, PIECES, "g, h or visible"},
 };
 
 static bool twice(const struct option_reader *reader, const char *option) {
@@ -188,7 +188,14 @@ bool drawing_check(struct drawing *drawing, struct failure *failure) {
   if (drawing->margin >= 0.0 && drawing->scale >= 0.0) {
     return failure_in_usage(failure, "either --margin around all that is seen, or --scale");
   }
+  if (drawing->all_balls && drawing_is_of_map(drawing)) {
+    return failure_in_usage(failure, "either --all-balls, hidden ones too, or --pieces visible");
+  }
   return true;
+}
+
+bool drawing_is_of_map(const struct drawing *drawing) {
+  return drawing->pieces == PIECES - 1;
 }
 
 uint32_t drawing_style(const struct drawing *drawing, uint32_t balls) {

@@ -9,7 +9,8 @@
 #include "option_reader.h"
 #include "viewing.h"
 
-/* Numbers and choices are negative where the user has said nothing. Choices are numbered as in hardsphere.h. */
+/* Numbers and choices are negative where the user has said nothing. Choices are numbered as in hardsphere.h;
+ * see drawing_is_of_map. */
 struct drawing {
   const char *out; /* a file, or NULL */
   const char *title;
@@ -45,6 +46,9 @@ bool drawing_take_option(struct drawing *drawing, struct option_reader *reader, 
 
 /* Which options go together, and what format the file's name asks for. */
 bool drawing_check(struct drawing *drawing, struct failure *failure);
+
+/* Whether what is visible is drawn, from a map, and no pieces of a view one over the other. */
+bool drawing_is_of_map(const struct drawing *drawing);
 
 /* The style and the occlusion for a number of balls, defaults included. */
 uint32_t drawing_style(const struct drawing *drawing, uint32_t balls);

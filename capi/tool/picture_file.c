@@ -21,13 +21,22 @@ static int32_t take(void *context, const char *bytes, size_t count) {
   return 0;
 }
 
-bool picture_file_write(hsp_view *view, const struct picture *picture, const char *path,
-                        const struct progress *progress, uint64_t *bytes, struct failure *failure) {
+static int32_t write_picture(const struct picture *picture, struct sink *sink, uint64_t *bytes) {
+  const hsp_picture_options *options = &picture->options;
+  if (picture->view == NULL) {
+    return hsp_picture_write_map(picture->map, picture->colour, options, picture->title, picture->description, take,
+                                 sink, bytes);
+  }
+  return hsp_picture_write(picture->view, picture->colour, options, picture->title, picture->description, take, sink,
+                           bytes);
+}
+
+bool picture_file_write(const struct picture *picture, const char *path, const struct progress *progress,
+                        uint64_t *bytes, struct failure *failure) {
   struct output_file file;
   if (!output_file_open(&file, path, failure)) return false;
   struct sink sink = {&file, 0, progress};
-  const int32_t status = hsp_picture_write(view, picture->colour, &picture->options, picture->title,
-                                           picture->description, take, &sink, bytes);
+  const int32_t status = write_picture(picture, &sink, bytes);
   if (status == HSP_OK || status == HSP_E_SINK) return output_file_finish(&file, failure);
   output_file_abandon(&file);
   return failure_in_library(failure, status);

@@ -1,4 +1,4 @@
-/* A picture of a computed view, in a file. */
+/* A picture of a computed view or map, in a file. */
 #ifndef HARDSPHERE_TOOL_PICTURE_FILE_H
 #define HARDSPHERE_TOOL_PICTURE_FILE_H
 
@@ -10,6 +10,8 @@
 #include "progress.h"
 
 struct picture {
+  hsp_view *view; /* or NULL: */
+  hsp_map *map;
   const uint32_t *colour; /* [balls of the model], 0xRRGGBB */
   hsp_picture_options options;
   const char *title;
@@ -18,7 +20,7 @@ struct picture {
 
 /* Write the picture to the file `path` (output_file.h); *bytes becomes its size. False, with the file named, if it
  * cannot be written in full. */
-bool picture_file_write(hsp_view *view, const struct picture *picture, const char *path,
-                        const struct progress *progress, uint64_t *bytes, struct failure *failure);
+bool picture_file_write(const struct picture *picture, const char *path, const struct progress *progress,
+                        uint64_t *bytes, struct failure *failure);
 
 #endif

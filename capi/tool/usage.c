@@ -249,15 +249,18 @@ static const char draw_text[] =
     "                         default FFFFFF\n"
     "  --title TEXT           the title in the file; default the name of FILE\n"
     "  --water                draw water too; it is left out unless there is nothing else\n"
-    "  --pieces g|h           cut balls by farther ones, or by all others, which leaves seams; default g\n"
+    "  --pieces g|h|visible   cut balls by farther ones, or by all others, which leaves seams; default g. visible:\n"
+    "                         exactly what is seen of each, nothing over anything else, every line once, for "
+    "plotters,\n"
+    "                         cutters and click maps\n"
     "  --all-balls            paint hidden balls too\n"
     "The same input gives the same bytes.\n"
     "Example: hardsphere draw 4hhb.pdb -o haemoglobin.svg --palette chain\n"
     "JSON: n, pieces, arcs, bytes, style, width, height, occlusion; pieces is how many balls are painted, arcs how "
     "many\n"
-    "parts of circles and ellipses bound them, bytes the size of OUT; width and height are in the given unit, "
-    "occlusion\n"
-    "is 0 where balls are not darkened.\n"
+    "parts of circles and ellipses bound them (between visible ones each counts once), bytes the size of OUT; width "
+    "and\n"
+    "height are in the given unit, occlusion is 0 where balls are not darkened.\n"
     "\n";
 
 void usage_of_program(struct text_buffer *out) {

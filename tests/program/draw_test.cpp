@@ -235,12 +235,14 @@ TEST(Draw, NothingToSeeIsAPictureToo) {
   for (const char *file : {"good/point.xyzr", "good/points.xyzr"}) {
     for (const char *extension : {".svg", ".eps", ".pdf"}) {
       const TemporaryFile out(std::string("nothing") + extension);
-      const Json json = run_json({"draw", file, "-o", out.path(), "--pieces", "h", "--occlusion", "1"});
-      EXPECT_EQ(json["pieces"].number, 0);
-      EXPECT_EQ(json["arcs"].number, 0);
-      EXPECT_EQ(json["bytes"].number, static_cast<double>(std::filesystem::file_size(out.path())));
-      EXPECT_GT(json["width"].number, 0);
-      EXPECT_GT(json["height"].number, 0);
+      for (const char *pieces : {"h", "visible"}) {
+        const Json json = run_json({"draw", file, "-o", out.path(), "--pieces", pieces, "--occlusion", "1"});
+        EXPECT_EQ(json["pieces"].number, 0);
+        EXPECT_EQ(json["arcs"].number, 0);
+        EXPECT_EQ(json["bytes"].number, static_cast<double>(std::filesystem::file_size(out.path())));
+        EXPECT_GT(json["width"].number, 0);
+        EXPECT_GT(json["height"].number, 0);
+      }
     }
   }
 }
@@ -265,6 +267,34 @@ TEST(Draw, Pieces) {
   EXPECT_EQ(g["arcs"].number, 3);
   EXPECT_EQ(h["arcs"].number, 4);
   EXPECT_EQ(h["pieces"].number, 2);
+}
+
+// What is visible, from a map: a path for each ball that is seen, and the page of other pieces.
+TEST(Draw, VisiblePieces) {
+  const TemporaryFile out("visible.svg");
+  for (const std::vector<std::string> &options :
+       {std::vector<std::string>{}, std::vector<std::string>{"--probe", "1.4", "--rotate", "20,40,60"},
+        std::vector<std::string>{"--height", "70", "--unit", "mm", "--style", "flat", "--outline", "0"},
+        std::vector<std::string>{"--scale", "9", "--centre", "1,2,3"}}) {
+    std::vector<std::string> arguments = {"draw", crambin(), "-o", out.path()};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Json painted = run_json(arguments);
+    arguments.insert(arguments.end(), {"--pieces", "visible"});
+    const Json visible = run_json(arguments);
+    const std::string svg = read_file(out.path());
+    const std::vector<std::string> looking = {"map", crambin(), "--probe", "1.4", "--rotate", "20,40,60"};
+    const Json map =
+        run_json(options.size() == 4 && options[0] == "--probe" ? looking : std::vector<std::string>{"map", crambin()});
+    EXPECT_EQ(visible["pieces"].number, map["visible_balls"].number);
+    EXPECT_EQ(visible["arcs"].number, map["edges"].number);
+    EXPECT_EQ(visible["bytes"].number, static_cast<double>(svg.size()));
+    EXPECT_EQ(visible["pieces"].number, static_cast<double>(occurrences(svg, "data-ball=")));
+    EXPECT_NEAR(visible["width"].number, painted["width"].number, 1e-5);
+    EXPECT_NEAR(visible["height"].number, painted["height"].number, 1e-5);
+  }
+  const Outcome both = draw_to(out.path(), crambin(), {"--pieces", "visible", "--all-balls"});
+  EXPECT_EQ(both.status, 2);
+  EXPECT_NE(both.err.find("either --all-balls"), std::string::npos) << both.err;
 }
 
 TEST(Draw, ProbeMakesBallsLarger) {
@@ -294,9 +324,9 @@ TEST(Draw, OptionsThatChangeThePicture) {
         std::vector<std::string>{"--outline", "0"}, std::vector<std::string>{"--outline", "4"},
         std::vector<std::string>{"--margin", "0.2"}, std::vector<std::string>{"--occlusion", "0"},
         std::vector<std::string>{"--occlusion", "1"}, std::vector<std::string>{"--width", "200"},
-        std::vector<std::string>{"--pieces", "h"}, std::vector<std::string>{"--all-balls"},
-        std::vector<std::string>{"--probe", "1.4"}, std::vector<std::string>{"--radii", "chem3d"},
-        std::vector<std::string>{"--background", "none"}}) {
+        std::vector<std::string>{"--pieces", "h"}, std::vector<std::string>{"--pieces", "visible"},
+        std::vector<std::string>{"--all-balls"}, std::vector<std::string>{"--probe", "1.4"},
+        std::vector<std::string>{"--radii", "chem3d"}, std::vector<std::string>{"--background", "none"}}) {
     const std::string picture = drawn(crambin(), options);
     EXPECT_EQ(std::count(seen.begin(), seen.end(), picture), 0) << options.front();
     seen.push_back(picture);
