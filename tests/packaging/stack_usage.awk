@@ -11,8 +11,20 @@ function quoted(key,    from, rest) {
   return substr(rest, 1, index(rest, "\"") - 1)
 }
 
+# What calls through pointers reach is told by types: those of class PaintedPaths (lib/view/painted_paths.hpp) its
+# functions, those of an ArcVisitor the lambdas that take arcs.
+function reached_by(from) {
+  if (from ~ /10ArcVisitor/) return "a visitor"
+  if (from ~ /12PaintedPaths|12PictureInput|[SEP][vpd][gsf]Writer|3hsp5Paint/) return "a function of paths"
+  return "__indirect_call"
+}
+
 /^node:/ {
   title = quoted("title")
+  if (title ~ /12PaintedPaths5visitI.*_FUN/) callee["a visitor", ++callees["a visitor"]] = title
+  if (title ~ /EPKvj$|EPKvRKNS_7BallSetEjRKNS_10ArcVisitorE$/) {
+    callee["a function of paths", ++callees["a function of paths"]] = title
+  }
   label = quoted("label")
   if (match(label, /[0-9]+ bytes \([a-z,]+\)/)) {
     text = substr(label, RSTART, RLENGTH)
@@ -29,6 +41,7 @@ function quoted(key,    from, rest) {
   to = quoted("targetname")
   # the caller's sink is the one function that may be called through a pointer; what it takes is not counted
   if (to == "__indirect_call" && from ~ /8ByteSink5flushEv$/) next
+  if (to == "__indirect_call") to = reached_by(from)
   if (!((from, to) in seen)) {
     seen[from, to] = 1
     callee[from, ++callees[from]] = to

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The most stack that each entry point can take, from the compiler's own call graph and frame sizes. Fails on recursion,
-# on frames whose size is known at run time only, on calls through pointers, and beyond the limit.
+# on frames whose size is known at run time only, on calls through pointers but those of known types, and beyond the limit.
 #   stack_usage.sh SOURCE-FOLDER WORK-FOLDER G++ LIMIT-IN-BYTES
 # g++ alone writes the call graph (-fcallgraph-info). What memcpy, memset, sqrt and a caller's sink take is not counted.
 set -euo pipefail
