@@ -82,11 +82,16 @@ set(HSP_LIBRARY_SOURCES
   lib/surface/triangle_kernel_avx2.cpp
   lib/mesh/boundary_curves.cpp
   lib/mesh/boundary_outline.cpp
+  lib/mesh/concave_outline.cpp
+  lib/mesh/convex_outline.cpp
   lib/mesh/mesh_builder.cpp
   lib/mesh/sphere_triangulation.cpp
   lib/mesh/saddle_band.cpp
+  lib/mesh/saddle_grids.cpp
   lib/mesh/spherical_patch.cpp
+  lib/mesh/surface_curves.cpp
   lib/mesh/surface_outline.cpp
+  lib/mesh/surface_vertices.cpp
   lib/view/depth_buffer.cpp
   lib/view/depth_order.cpp
   lib/view/depth_rows.cpp

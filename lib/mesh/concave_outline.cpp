@@ -1,0 +1,114 @@
+#include "mesh/concave_outline.hpp"
+
+namespace hsp {
+
+void ConcaveOutline::add_border(SphericalPatch &patch) const {
+  keep_off_sides(patch);
+  keep_off_probes(patch);
+  const SurfaceMap &map = curves_.map();
+  const IdRange pieces = curves_.surface().cut_patches().pieces(vertex_);
+  const uint32_t count = pieces.empty() ? 1 : pieces.size();
+  for (uint32_t face = 0; face < count; ++face) {
+    map.for_each_loop(map.concave_patch(vertex_, pieces.first + face), [&](uint32_t loop) {
+      patch.begin_loop(face);
+      add_loop(loop, patch);
+    });
+  }
+}
+
+void ConcaveOutline::add_loop(uint32_t loop, SphericalPatch &patch) const {
+  const SurfaceMap &map = curves_.map();
+  map.for_each_edge(loop, [&](uint32_t h) {
+    const uint32_t c = h / 2;
+    const uint32_t corner = map.origin(h);
+    if (corner != no_id) add_corner(corner, c, patch);
+    const uint32_t first = corner == no_id ? 0 : 1;
+    if (curves_.curve(c).segments == first) return;
+    if (map.edge(c).kind == EdgeKind::crease) {
+      add_crease(h, first, patch);
+    } else {
+      add_side(h, patch);
+    }
+  });
+}
+
+// Cusps are shared with the patches of all probes on the circle.
+void ConcaveOutline::add_corner(uint32_t corner, uint32_t curve, SphericalPatch &patch) const {
+  BorderSample start{{}, corner, curve, {no_id, no_id}};
+  if (corner < curves_.map().first_cusp()) {
+    const uint32_t ball = curves_.boundary().vertex(vertex_).ball[corner % 3];
+    start.direction = direction_from(curves_.balls(), ball, sphere_.centre());
+  } else {
+    start.direction =
+        sphere_.way_from(position_of_corner(curves_.balls(), curves_.boundary(), curves_.surface(), corner));
+    start.other_patch[0] = BorderSample::any_patch;
+  }
+  patch.add(start);
+}
+
+// Other pieces share points of creases.
+void ConcaveOutline::add_crease(uint32_t h, uint32_t first, SphericalPatch &patch) const {
+  const CutPatches &cut = curves_.surface().cut_patches();
+  const SurfaceMap &map = curves_.map();
+  const uint32_t c = h / 2;
+  const MeshCurve &curve = curves_.curve(c);
+  const bool forwards = h % 2 == 0;
+  const uint32_t arc = map.edge(c).source;
+  const uint32_t across = cut.arc(forwards ? arc : cut.arc(arc).twin).across;
+  const CreasePoints points(curves_.balls(), curves_.boundary(), curves_.surface(), c, map.origin(2 * c));
+  for (uint32_t k = first; k < curve.segments; ++k) {
+    const uint32_t at = forwards ? k : curve.segments - 1 - k + first;
+    patch.add({sphere_.way_from(points.at(at, curve.segments)), curve.first_sample + at - first, c, {across, no_id}});
+  }
+}
+
+void ConcaveOutline::add_side(uint32_t h, SphericalPatch &patch) const {
+  const uint32_t c = h / 2;
+  const MeshCurve &curve = curves_.curve(c);
+  const SurfaceEdge edge = curves_.map().edge(c);
+  const SaddleBand band = curves_.band_of_arc(edge.source);
+  const Vec3 outward = band.outward_at_end(1 - curves_.map().side_of(edge.source));
+  for (uint32_t k = 1; k < curve.segments; ++k) {
+    const uint32_t at = h % 2 == 0 ? k : curve.segments - k;
+    patch.add({band.at(outward, edge.part, at, curve.segments).normal, curve.first_sample + at - 1, c, {no_id, no_id}});
+  }
+}
+
+// Outward normals lie within the cone of the ways from the three balls to the probe's centre.
+void ConcaveOutline::keep_off_sides(SphericalPatch &patch) const {
+  const uint32_t *const ball = curves_.boundary().vertex(vertex_).ball;
+  Vec3 from[3];
+  for (uint32_t t = 0; t < 3; ++t) from[t] = direction_from(curves_.balls(), ball[t], sphere_.centre());
+  for (uint32_t t = 0; t < 3; ++t) {
+    const Vec3 across = cross(from[(t + 1) % 3], from[(t + 2) % 3]);
+    const double along = dot(across, from[t]);
+    const double length = std::sqrt(dot(across, across));
+    if (along != 0.0 && length > 0.0) patch.keep_off((along > 0.0 ? -1.0 : 1.0) / length * across, 0.0);
+  }
+}
+
+void ConcaveOutline::keep_off_probes(SphericalPatch &patch) const {
+  const CutPatches &cut = curves_.surface().cut_patches();
+  for (const uint32_t a : cut.arcs_of_vertex(vertex_)) {
+    if (cut.arc(a).is_side()) continue;
+    const ProbeSphere other(curves_.balls(), curves_.boundary(), cut.arc(a).across);
+    const Vec3 away = -other.way_from(sphere_.centre());
+    const double distance = std::sqrt(dot(away, away));
+    if (distance > 0.0) patch.keep_off(1.0 / distance * away, distance / (2 * curves_.probe()));
+  }
+}
+
+MeshVertex ConcaveOutline::inner_vertex(const Vec3 &direction) const {
+  const Vec3 normal = 1.0 / std::sqrt(dot(direction, direction)) * direction;
+  const Position &centre = sphere_.centre();
+  return mesh_vertex(curves_.balls(), {centre.ball, centre.offset - curves_.probe() * normal}, normal,
+                     sphere_.nearest_ball(-normal));
+}
+
+uint32_t ConcaveOutline::ball_at(const double (&point)[3]) const {
+  double centre[3];
+  to_coordinates(curves_.balls(), sphere_.centre(), centre);
+  return sphere_.nearest_ball({point[0] - centre[0], point[1] - centre[1], point[2] - centre[2]});
+}
+
+}  // namespace hsp

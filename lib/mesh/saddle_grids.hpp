@@ -1,0 +1,30 @@
+// The saddles of the smooth surface as triangles: every part of a saddle is a grid of as many points on opposite edges.
+#pragma once
+
+#include "mesh/boundary_outline.hpp"
+#include "mesh/mesh_sizes.hpp"
+#include "mesh/surface_curves.hpp"
+
+namespace hsp {
+
+class SaddleGrids {
+ public:
+  explicit SaddleGrids(const SurfaceCurves &curves) : curves_(curves) {}
+
+  // What they are expected to need. The curves need not be divided yet.
+  void add_sizes(double length, MeshSizes &sizes) const;
+  // Of chosen patches. Edges of whole circles' profiles have about this length. False if there are more triangles than
+  // any limit allows.
+  bool add_triangles(double length, FixedVector<MeshVertex> &vertices, FixedVector<MeshTriangle> &triangles) const;
+
+ private:
+  struct Grid;
+  Grid grid_of_arc(uint32_t arc, uint32_t part, bool has_cusps) const;
+  Grid grid_of_circle(uint32_t circle, uint32_t part, const SaddleBand &band, double length) const;
+  void add_grid(const SaddleBand &band, Grid &grid, FixedVector<MeshVertex> &vertices,
+                FixedVector<MeshTriangle> &triangles) const;
+
+  const SurfaceCurves &curves_;
+};
+
+}  // namespace hsp

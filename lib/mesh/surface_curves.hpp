@@ -1,0 +1,70 @@
+// The edges of the smooth surface (surface_map.hpp) as polygons: how many points each has. The two rims of a saddle
+// have equally many, and so have its two sides, as bands demand.
+#pragma once
+
+#include "core/elementary.hpp"
+#include "mesh/mesh_curve.hpp"
+#include "mesh/saddle_band.hpp"
+#include "surface/surface_positions.hpp"
+
+namespace hsp {
+
+// The points of a crease at equal angles, from its start; no_id: a whole circle.
+class CreasePoints {
+ public:
+  CreasePoints(const BallSet &balls, const Boundary &boundary, const Surface &surface, uint32_t edge, uint32_t start);
+
+  Position at(uint32_t k, uint32_t segments) const {
+    const SinCos turn = sin_cos(arc_.angle * k / segments);
+    const Vec3 arm = combine(turn.cosine, x_, turn.sine, cross(arc_.axis, x_));
+    return {arc_.centre.ball, arc_.centre.offset + arm};
+  }
+
+ private:
+  ArcPosition arc_;
+  Vec3 x_;
+};
+
+class SurfaceCurves {
+ public:
+  // Memory for the map's edges; none if only lengths are asked for. The surface must be closed, its probe not 0.
+  SurfaceCurves(const BallSet &balls, const Boundary &boundary, const Surface &surface, Span<MeshCurve> room)
+      : balls_(balls), boundary_(boundary), surface_(surface), map_(balls, boundary, surface), curve_(room) {}
+
+  const BallSet &balls() const { return balls_; }
+  const Boundary &boundary() const { return boundary_; }
+  const Surface &surface() const { return surface_; }
+  const SurfaceMap &map() const { return map_; }
+  double probe() const { return static_cast<double>(balls_.probe_steps); }
+
+  uint32_t count() const { return map_.edge_count(); }
+  const MeshCurve &curve(uint32_t c) const { return curve_[c]; }
+  MeshCurve &curve(uint32_t c) { return curve_[c]; }
+  bool is_closed(uint32_t c) const { return map_.origin(2 * c) == no_id; }
+
+  // Segments of about the given length, in doubles, which may be more than fits.
+  double segments(uint32_t c, double length) const;
+  // Gives all curves their segments. False if there are more than max_count.
+  bool divide(double length);
+  // More points on it would lie too near each other to tell anything apart.
+  bool is_too_fine(uint32_t c) const;
+  // The curve that has as many points, if not itself.
+  uint32_t partner(uint32_t c) const;
+
+  // Saddles: of arcs, then of circles.
+  uint32_t saddle_count() const { return boundary_.arc_count() + boundary_.circle_count(); }
+  SaddleBand band_of_saddle(uint32_t k) const;
+  SaddleBand band_of_arc(uint32_t half_edge) const;
+  SaddleBand band_of_circle(uint32_t circle) const;
+
+ private:
+  ClosedHalfEdge on_ball(uint32_t circle, uint32_t side) const;
+
+  const BallSet &balls_;
+  const Boundary &boundary_;
+  const Surface &surface_;
+  const SurfaceMap map_;
+  Span<MeshCurve> curve_;
+};
+
+}  // namespace hsp

@@ -1,0 +1,57 @@
+// What every mesh has to be: closed, oriented, with the Euler characteristic of what it is a mesh of.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "mesh_defects.hpp"
+#include "meshed_balls.hpp"
+#include "molecule_file.hpp"
+
+inline support::BallList molecule_balls(const std::filesystem::path &file) {
+  return with_radii(support::read_atoms(file), support::Radii::van_der_waals);
+}
+
+inline void expect_sound(const MadeMesh &mesh, int64_t euler) {
+  ASSERT_EQ(mesh.status(), HSP_OK) << hsp_status_text(mesh.status());
+  const char *const fault = mesh_fault(&mesh.get());
+  EXPECT_EQ(fault, nullptr) << (fault == nullptr ? "" : fault);
+  EXPECT_EQ(mesh.euler(), euler);
+}
+
+// Shares by which area and volume are too small. With edges half as long they fall as the square; those of parts that
+// bulge and of hollow ones may cancel before.
+struct MeshErrors {
+  double area, volume;
+};
+inline MeshErrors errors_of(const MadeMesh &mesh, double area, double volume) {
+  const double origin[3] = {0.0, 0.0, 0.0};
+  return {1.0 - mesh_area(&mesh.get()) / area, 1.0 - mesh_volume(&mesh.get(), origin) / volume};
+}
+inline void expect_quarter(double coarse, double fine) {
+  EXPECT_LT(std::fabs(fine), 0.33 * std::fabs(coarse));
+}
+
+// Boundary and smooth surface of a molecule, with edges of this length and half of it.
+inline void expect_meshes(const support::BallList &atoms, double probe, double edge) {
+  const MeshedBalls balls(atoms, probe);
+  MeshErrors boundary[2], surface[2];
+  for (int k = 0; k < 2; ++k) {
+    const MadeMesh of_boundary(balls.boundary(), edge / (1 << k));
+    expect_sound(of_boundary, balls.boundary().counts.euler);
+    boundary[k] = errors_of(of_boundary, balls.boundary().totals.area, balls.boundary().totals.volume);
+    if (probe == 0.0) continue;
+    ASSERT_TRUE(balls.has_closed_surface());
+    const MadeMesh of_surface(balls.surface(), edge / (1 << k));
+    expect_sound(of_surface, balls.surface_euler());
+    surface[k] = errors_of(of_surface, balls.surface().totals.area, balls.surface().totals.volume);
+  }
+  expect_quarter(boundary[0].area, boundary[1].area);
+  expect_quarter(boundary[0].volume, boundary[1].volume);
+  if (probe == 0.0) return;
+  expect_quarter(surface[0].area, surface[1].area);
+  expect_quarter(surface[0].volume, surface[1].volume);
+}

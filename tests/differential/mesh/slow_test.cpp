@@ -1,0 +1,29 @@
+// Meshes of larger molecules, and of many more sets.
+#include <gtest/gtest.h>
+
+#include "mesh_expectations.hpp"
+
+namespace {
+
+TEST(Slow, MeshesOfTheBenchMolecules) {
+  for (const char *const name : {"felix_model.pdb", "ubiquitin.pdb", "sod_stand_in.pdb"}) {
+    const support::BallList atoms = molecule_balls(support::own_molecule(name));
+    expect_meshes(atoms, 0.0, 0.8);
+    expect_meshes(atoms, 1.4, 0.8);
+  }
+}
+
+TEST(Slow, MeshesOfFurtherMolecules) {
+  int found = 0;
+  for (const char *const name : {"1crn.pdb", "1ubq.pdb", "2sod_dimer_OY.cif", "sod_model_4392.pdb", "4hhb.pdb.gz"}) {
+    const auto path = support::further_molecule(name);
+    if (!path) continue;
+    ++found;
+    const support::BallList atoms = molecule_balls(*path);
+    expect_meshes(atoms, 0.0, 0.8);
+    for (const double probe : {1.0, 1.4, 3.0}) expect_meshes(atoms, probe, 0.8);
+  }
+  if (found == 0) GTEST_SKIP() << "no further molecules";
+}
+
+}  // namespace
