@@ -10,16 +10,16 @@ using hsp::capi::check_range;
 // The limits that a program gives.
 int32_t from_c(const hsp_topology_limits *given, hsp::TopologyLimits &result) {
   hsp_topology_limits limits;
-  if (!hsp::capi::read_struct(given, {}, limits) || limits.reserved != 0) return HSP_E_ARGUMENT;
+  if (!hsp::capi::read_struct(given, {}, limits)) return HSP_E_ARGUMENT;
   if (limits.balls > HSP_MAX_BALLS || limits.neighbours > HSP_MAX_BALLS || limits.edges > HSP_MAX_BALLS ||
-      limits.cut_arcs > HSP_MAX_BALLS)
+      limits.cut_arcs > HSP_MAX_BALLS || limits.shells > HSP_MAX_BALLS)
     return HSP_E_RANGE;
-  result = {limits.balls, limits.neighbours, limits.edges, limits.cut_arcs};
+  result = {limits.balls, limits.neighbours, limits.edges, limits.cut_arcs, limits.shells};
   return HSP_OK;
 }
 
 hsp_topology_limits to_c(const hsp::TopologyLimits &limits) {
-  return {sizeof(hsp_topology_limits), limits.balls, limits.neighbours, limits.edges, limits.cut_arcs, 0};
+  return {sizeof(hsp_topology_limits), limits.balls, limits.neighbours, limits.edges, limits.cut_arcs, limits.shells};
 }
 
 constexpr uint32_t number_of(hsp::TopologyInvariant invariant) {

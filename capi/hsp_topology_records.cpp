@@ -31,7 +31,7 @@ hsp_topology_vertex vertex_record(const TopologyResults &results, uint32_t id) {
   } else if (id < results.topology.first_pole) {
     record.kind = HSP_POINT_CIRCLE;
     const hsp::HostBalls pair =
-        hsp::balls_of_host(results.boundary, results.topology.subdivision[id - own_vertices].host);
+        hsp::balls_of_host(results.boundary, results.topology.subdivision_vertex(results.boundary, id).host);
     const bool first = results.balls.given_before(pair.a, pair.b);
     record.ball[0] = caller(first ? pair.a : pair.b);
     record.ball[1] = caller(first ? pair.b : pair.a);

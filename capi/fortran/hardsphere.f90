@@ -345,7 +345,7 @@ module hardsphere
     integer(c_int32_t) :: neighbours
     integer(c_int32_t) :: edges
     integer(c_int32_t) :: cut_arcs
-    integer(c_int32_t) :: reserved
+    integer(c_int32_t) :: shells
   end type
 
   type, bind(C) :: hsp_topology_counts
@@ -1802,7 +1802,7 @@ contains
     integer(c_int32_t), intent(in) :: balls, neighbours, edges, cut_arcs
     integer(c_size_t) :: bytes
     bytes = 4096_c_size_t + 64_c_size_t*int(balls, c_size_t) + 192_c_size_t*int(neighbours, c_size_t) &
-            + 160_c_size_t*int(edges, c_size_t) + 160_c_size_t*int(cut_arcs, c_size_t)
+            + 112_c_size_t*int(edges, c_size_t) + 96_c_size_t*int(cut_arcs, c_size_t)
   end function
 
   !> HSP_VIEW_BYTES of the header, for the size of an allocation.

@@ -35,14 +35,14 @@ class TopologyCalls {
       limits.edges = bytes_.below(200);
       limits.cut_arcs = bytes_.below(40);
     }
-    if (bytes_.one_in(40)) limits.reserved = 1;
+    if (bytes_.one_in(4)) limits.shells = bytes_.below(5);
+    if (bytes_.one_in(40)) limits.shells = 0xFFFFFFFF;
     if (bytes_.one_in(16)) limits.edges = 0xFFFFFFFF;
     StructVersion<hsp_topology_limits> version(limits, bytes_);
     size_t size = 12345;
     const int32_t status = hsp_topology_bytes(version.get(), &size);
-    const int32_t expected = !version.good() || limits.reserved != 0 ? HSP_E_ARGUMENT
-                             : limits.edges > HSP_MAX_BALLS          ? HSP_E_RANGE
-                                                                     : HSP_OK;
+    const bool too_many = limits.edges > HSP_MAX_BALLS || limits.shells > HSP_MAX_BALLS;
+    const int32_t expected = !version.good() ? HSP_E_ARGUMENT : too_many ? HSP_E_RANGE : HSP_OK;
     FUZZ_REQUIRE(status == expected, "hsp_topology_bytes");
     FUZZ_REQUIRE(status == HSP_OK || size == 12345, "bytes written on failure");
     if (status != HSP_OK) {
@@ -88,7 +88,8 @@ class TopologyCalls {
     version_ = version;
     FUZZ_REQUIRE(status == HSP_OK || status == HSP_E_CAPACITY, "a status that hsp_topology_compute does not have");
     const bool more = needed.balls > limits_.balls || needed.neighbours > limits_.neighbours ||
-                      needed.edges > limits_.edges || needed.cut_arcs > limits_.cut_arcs;
+                      needed.edges > limits_.edges || needed.cut_arcs > limits_.cut_arcs ||
+                      (limits_.shells > 0 && needed.shells > limits_.shells);
     FUZZ_REQUIRE(more == (status == HSP_E_CAPACITY), "a limit is raised exactly after HSP_E_CAPACITY");
   }
 

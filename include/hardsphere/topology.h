@@ -50,33 +50,34 @@ typedef struct hsp_topology_limits {
   uint32_t neighbours;  /**< as in hsp_boundary_limits */
   uint32_t edges;       /**< edges; vertices and simple faces are never more */
   uint32_t cut_arcs;    /**< cut arcs that cut faces with several loops */
-  uint32_t reserved;    /**< 0 */
+  uint32_t shells;      /**< shells; 0: as many as the edges allow, two for each. Fewer take less memory */
 } hsp_topology_limits;
 
-/** Limits for a computed boundary that nearly always suffice: its balls and neighbours, four cut arcs for every loop
- *  of a face beyond the first, and edges for its arcs, circles and whole spheres and four for every cut arc.
+/** Limits for a computed boundary that nearly always suffice: its balls, neighbours and shells, four cut arcs for every
+ *  loop of a face beyond the first, and edges for its arcs, circles and whole spheres and four for every cut arc.
  *  Without a boundary, for memory that is fixed beforehand, set them by hand: for molecules of `balls` atoms, van der
- *  Waals or solvent-accessible, neighbours min(balls, 256), edges 16 balls + 96 and cut_arcs 2 balls + 16 suffice.
+ *  Waals or solvent-accessible, neighbours min(balls, 256), edges 16 balls + 96, cut_arcs 2 balls + 16 and shells 0
+ *  suffice.
  *  @retval HSP_E_ARGUMENT  limits or boundary is NULL; struct_size is bad
  *  @retval HSP_E_STATE     the boundary holds no results, or its model has changed since */
 HSP_API int32_t hsp_topology_limits_init(hsp_topology_limits *limits, uint32_t struct_size,
                                          const hsp_boundary *boundary);
 
 /** Bytes that hsp_topology_init needs.
- *  - Property 1: at most HSP_TOPOLOGY_BYTES of the four limits.
- *  - Property 2: grows with each limit.
+ *  - Property 1: at most HSP_TOPOLOGY_BYTES of the first four limits.
+ *  - Property 2: grows with each limit, shells being as many as the edges allow if they are 0.
  *
- *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size; reserved is not 0
+ *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
 HSP_API int32_t hsp_topology_bytes(const hsp_topology_limits *limits, size_t *bytes);
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
 #define HSP_TOPOLOGY_BYTES(balls, neighbours, edges, cut_arcs)                                                        \
-  ((size_t)4096 + (size_t)64 * (size_t)(balls) + (size_t)192 * (size_t)(neighbours) + (size_t)160 * (size_t)(edges) + \
-   (size_t)160 * (size_t)(cut_arcs))
+  ((size_t)4096 + (size_t)64 * (size_t)(balls) + (size_t)192 * (size_t)(neighbours) + (size_t)112 * (size_t)(edges) + \
+   (size_t)96 * (size_t)(cut_arcs))
 
 /** Make an empty topology in caller memory of any alignment; sets *topology.
- *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size; reserved is not 0
+ *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
  *  @retval HSP_E_MEMORY    bytes is less than hsp_topology_bytes says; nothing is written
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
 HSP_API int32_t hsp_topology_init(void *memory, size_t bytes, const hsp_topology_limits *limits,

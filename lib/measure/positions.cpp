@@ -45,16 +45,13 @@ double turn_within(const Vec3 &axis, const Vec3 &from, const Vec3 &to, double la
 }
 
 uint32_t count_subdivision_vertices(const Topology &topology, uint32_t host) {
-  uint32_t count = 0;
-  for (uint32_t s = topology.subdivision.first(host); s != no_id; s = topology.subdivision[s].next) ++count;
-  return count;
+  return edge_of(topology.chain_end(host)) - edge_of(topology.chain_start(host));
 }
 
-// Subdivision vertex number k of a host edge, in the direction of the loop of its ball a.
-const SubdivisionVertex &subdivision_vertex_on(const Topology &topology, uint32_t host, uint32_t k) {
-  uint32_t split = topology.subdivision.first(host);
-  for (; k > 0; --k) split = topology.subdivision[split].next;
-  return topology.subdivision[split];
+// Subdivision vertex number k of a host edge, in the direction of the loop of its ball a: there its edge k ends.
+SubdivisionVertex subdivision_vertex_on(const Boundary &boundary, const Topology &topology, uint32_t host, uint32_t k) {
+  const uint32_t q = topology.chain_start(host) + quarter_edge(k);
+  return topology.subdivision_vertex(boundary, topology.quads.origin(sym(q)));
 }
 
 // An arc or half of a free circle: its circle, and the angle of one of the edges it is cut into.
@@ -94,13 +91,13 @@ EdgeGeometry geometry_on_host(const BallSet &balls, const Boundary &boundary, co
   } else {
     // The loop of a traverses half h of a circle from its point h to the other one.
     const uint32_t start = frame_is_a ? host_id - half_edges : (host_id - half_edges) ^ 1U;
-    from = from_centre(host.split(balls, topology.subdivision[start]));
+    from = from_centre(host.split(balls, topology.subdivision.vertex(boundary, start)));
   }
   // Vertices and pieces are numbered in the direction of the loop of a.
   const uint32_t wanted = frame_is_a ? piece : splits - piece;
   double left = whole;
   for (uint32_t k = 0; k < splits; ++k) {
-    const SubdivisionVertex &split = subdivision_vertex_on(topology, host_id, frame_is_a ? k : splits - 1 - k);
+    const SubdivisionVertex split = subdivision_vertex_on(boundary, topology, host_id, frame_is_a ? k : splits - 1 - k);
     const Vec3 point = from_centre(host.split(balls, split));
     const double turn = turn_within(axis, from, point, left);
     if (k == wanted) {
@@ -153,7 +150,7 @@ Position position_of_point(const BallSet &balls, const Boundary &boundary, const
     case VertexKind::boundary_vertex:
       return position_of_vertex(balls, boundary, vertex);
     case VertexKind::subdivision_vertex: {
-      const SubdivisionVertex &point = topology.subdivision_vertex(boundary, vertex);
+      const SubdivisionVertex point = topology.subdivision_vertex(boundary, vertex);
       const HostFrame frame(balls, balls_of_host(boundary, point.host));
       return {frame.frame, frame.split(balls, point)};
     }

@@ -105,7 +105,7 @@ void CutArcFinder::find_pieces(const Boundary &boundary, uint32_t face, uint32_t
     if (boundary.face_of(leave) != face) return;
     const LoopElement entry = locate_on_boundary(caps, predicates, boundary, interval.entry_cap, meridian, -1);
     pending_[pending_count_++] = {
-        caps.origin, cap, face, {leave, entry}, poles_on(caps, predicates, meridian, interval), {no_id, no_id}};
+        caps.origin, cap, face, {leave, entry}, poles_on(caps, predicates, meridian, interval), {}};
   });
 }
 

@@ -17,6 +17,19 @@
 
 namespace hsp {
 
+// Where a cut arc ends: a subdivision vertex, and the side of the host edge it comes to (subdivision.hpp).
+class CutArcEnd {
+ public:
+  CutArcEnd() = default;
+  constexpr CutArcEnd(uint32_t point, uint32_t side) : code_(2 * point + side) {}
+
+  constexpr uint32_t point() const { return code_ / 2; }
+  constexpr uint32_t side() const { return code_ % 2; }  // 0 that of the host's ball a, 1 that of b
+
+ private:
+  uint32_t code_;
+};
+
 // Counter-clockwise about the normal of its plane, from `end[0]` to `end[1]`; its left side is that of the normal.
 struct CutArc {
   uint32_t ball;
@@ -24,7 +37,7 @@ struct CutArc {
   uint32_t face;
   LoopElement end[2];
   uint32_t poles;      // passes_*, vertex_at_*
-  uint32_t vertex[2];  // the subdivision vertices at its ends, once these are inserted
+  CutArcEnd place[2];  // of its ends, once their vertices are inserted
 
   static constexpr uint32_t passes_north = 1;
   static constexpr uint32_t passes_south = 2;

@@ -11,13 +11,15 @@ class SimpleFaceBuilder {
   void run() {
     start_vertices();
     number_edges();
-    for (uint32_t point = 0; point < topology_.subdivision.size(); ++point) {
-      const uint32_t host = topology_.subdivision[point].host;
-      if (topology_.subdivision.first(host) == point && !Subdivision::is_half_circle(boundary_, host)) {
+    const Subdivision &points = topology_.subdivision;
+    for (uint32_t point = points.first_inner(); point < points.size(); ++point) {
+      const uint32_t host = points.host(point);
+      if (points.first(host) == point && !Subdivision::is_half_circle(boundary_, host)) {
         link_host(host, boundary_.half_edge(host).vertex, end_of(host));
       }
     }
     for (uint32_t c = 0; c < boundary_.circle_count(); ++c) link_circle(c);
+    for (uint32_t k = 0; k < topology_.cut_arcs.size(); ++k) branch_off(k);
     for (uint32_t first = 0; first < topology_.cut_arcs.size();) first = link_cut_arcs(first);
     link_spheres();
     link_loops_and_number_faces();
@@ -37,7 +39,7 @@ class SimpleFaceBuilder {
   uint32_t add_host(uint32_t host, uint32_t source) {
     const uint32_t first = quarter_edge(quads_.edges);
     add_edge(source);
-    for (uint32_t s = topology_.subdivision.first(host); s != no_id; s = topology_.subdivision[s].next) {
+    for (uint32_t s = topology_.subdivision.first(host); s != no_id; s = topology_.subdivision.next(s)) {
       add_edge(source);
     }
     const uint32_t last = quarter_edge(quads_.edges - 1);
@@ -93,41 +95,21 @@ class SimpleFaceBuilder {
     topology_.vertex_edge[from] = q;  // every vertex starts an edge, as loops continue where they arrive
   }
 
-  // The cut arc that leaves a subdivision vertex into the face on one side, as a quarter-edge away from it; no_id if
-  // none.
-  uint32_t leaving(const SubdivisionVertex &point, uint32_t side) const {
-    const CutArcEnd end = point.cut_end[side];
-    if (!end.exists()) return no_id;
-    const uint32_t arc = end.arc();
-    const uint32_t first = topology_.cut_first_edge[arc];
-    const uint32_t last = first + topology_.cut_arcs[arc].pieces() - 1;
-    return end.end() == 0 ? quarter_edge(first) : sym(quarter_edge(last));
-  }
-
-  // Links `before` to `after`, both with the face on their left, at a subdivision vertex; a cut arc into the face comes
-  // between them.
-  void pass_subdivision_vertex(const SubdivisionVertex &point, uint32_t side, uint32_t before, uint32_t after) {
-    const uint32_t branch = leaving(point, side);
-    if (branch == no_id) {
-      quads_.link_lnext(before, after);
-    } else {
-      quads_.link_lnext(before, branch);
-      quads_.link_lnext(sym(branch), after);
-    }
+  // Links `before` to `after` at a subdivision vertex, along the loop of ball a; that of b comes back.
+  void pass_subdivision_vertex(uint32_t before, uint32_t after) {
+    quads_.link_lnext(before, after);
+    quads_.link_lnext(sym(after), sym(before));
   }
 
   // Links the edges of one host edge, from vertex `from` to vertex `to` in the direction of the loop of its first ball.
   // Returns the last of them.
   uint32_t link_host(uint32_t host, uint32_t from, uint32_t to) {
     uint32_t q = topology_.chain_start(host);
-    for (uint32_t s = topology_.subdivision.first(host); s != no_id; s = topology_.subdivision[s].next) {
-      const SubdivisionVertex &point = topology_.subdivision[s];
+    for (uint32_t s = topology_.subdivision.first(host); s != no_id; s = topology_.subdivision.next(s)) {
       set_ends(q, from, vertex_of_subdivision(s));
       from = vertex_of_subdivision(s);
-      const uint32_t following = q + 4;
-      pass_subdivision_vertex(point, 0, q, following);
-      pass_subdivision_vertex(point, 1, sym(following), sym(q));
-      q = following;
+      pass_subdivision_vertex(q, q + 4);
+      q += 4;
     }
     set_ends(q, from, to);
     return q;
@@ -139,10 +121,22 @@ class SimpleFaceBuilder {
     for (uint32_t h = 0; h < 2; ++h) {
       const uint32_t last =
           link_host(half[h], vertex_of_subdivision(2 * circle + h), vertex_of_subdivision(2 * circle + 1 - h));
-      const SubdivisionVertex &end = topology_.subdivision[2 * circle + 1 - h];
-      const uint32_t following = topology_.chain_start(half[1 - h]);
-      pass_subdivision_vertex(end, 0, last, following);
-      pass_subdivision_vertex(end, 1, sym(following), sym(last));
+      pass_subdivision_vertex(last, topology_.chain_start(half[1 - h]));
+    }
+  }
+
+  // A cut arc comes between the two edges that meet, on its side, where it ends. Its vertices still have the edge along
+  // the loop of ball a as theirs.
+  void branch_off(uint32_t cut_arc) {
+    const CutArc &arc = topology_.cut_arcs[cut_arc];
+    const uint32_t first = topology_.cut_first_edge[cut_arc];
+    const uint32_t leaving[2] = {quarter_edge(first), sym(quarter_edge(first + arc.pieces() - 1))};
+    for (uint32_t end = 0; end < 2; ++end) {
+      const uint32_t along = topology_.vertex_edge[vertex_of_subdivision(arc.place[end].point())];
+      const uint32_t after = arc.place[end].side() == 0 ? along : quads_.next_on_face(sym(along));
+      const uint32_t before = sym(quads_.next[after]);
+      quads_.link_lnext(before, leaving[end]);
+      quads_.link_lnext(sym(leaving[end]), after);
     }
   }
 
@@ -169,7 +163,7 @@ class SimpleFaceBuilder {
       if ((arc.poles & CutArc::vertex_at_north) != 0 && pole_vertex[0] == no_id) pole_vertex[0] = add_pole(ball, 0);
       if ((arc.poles & CutArc::vertex_at_south) != 0 && pole_vertex[1] == no_id) pole_vertex[1] = add_pole(ball, 1);
       uint32_t q = quarter_edge(topology_.cut_first_edge[last]);
-      uint32_t from = vertex_of_subdivision(arc.vertex[0]);
+      uint32_t from = vertex_of_subdivision(arc.place[0].point());
       const bool south_first = (arc.poles & CutArc::south_first) != 0;
       for (uint32_t turn = 0; turn < 2; ++turn) {
         const uint32_t lowest = (turn == 0) == south_first ? 1 : 0;
@@ -178,7 +172,7 @@ class SimpleFaceBuilder {
         from = pole_vertex[lowest];
         q += 4;
       }
-      set_ends(q, from, vertex_of_subdivision(arc.vertex[1]));
+      set_ends(q, from, vertex_of_subdivision(arc.place[1].point()));
     }
     for (uint32_t lowest = 0; lowest < 2; ++lowest) {
       if (pole_vertex[lowest] != no_id) link_pole(arcs.items().part(first, last), first, lowest);
@@ -356,8 +350,8 @@ uint64_t count_uncut_edges(const BallSet &balls, const Boundary &boundary) {
 
 uint64_t count_edges(const BallSet &balls, const Boundary &boundary, const Topology &topology) {
   // Every subdivision vertex beyond the two of each free circle makes one edge into two.
-  uint64_t edges = count_uncut_edges(balls, boundary) + topology.subdivision.size() -
-                   2 * static_cast<uint64_t>(boundary.circle_count());
+  uint64_t edges =
+      count_uncut_edges(balls, boundary) + (topology.subdivision.size() - topology.subdivision.first_inner());
   for (const CutArc &arc : topology.cut_arcs.items()) edges += arc.pieces();
   return edges;
 }

@@ -98,30 +98,27 @@ HostBalls balls_of_host(const Boundary &boundary, uint32_t host) {
   return {boundary.half_edge(boundary.twin(host)).circle, boundary.half_edge(host).circle};
 }
 
-void Subdivision::carve(Workspace &workspace, uint32_t edges, uint32_t cut_arcs) {
-  // An arc has two half-edges and is one edge or more, a free circle has two halves and at least two edges.
-  first_ = workspace.take<uint32_t>(2 * static_cast<uint64_t>(edges));
-  points_ =
-      FixedVector<SubdivisionVertex>(workspace.take<SubdivisionVertex>(edges + 2 * static_cast<uint64_t>(cut_arcs)));
+void Subdivision::carve(Workspace &workspace, uint32_t cut_arcs) {
+  points_ = FixedVector<InnerPoint>(workspace.take<InnerPoint>(2 * static_cast<uint64_t>(cut_arcs)));
 }
 
-void Subdivision::insert(const BallSet &balls, const Boundary &boundary, Span<CutArc> arcs) {
+void Subdivision::insert(const BallSet &balls, const Boundary &boundary, Span<CutArc> arcs, Span<uint32_t> first) {
+  first_ = first;
   const uint32_t hosts = half_circle(boundary, boundary.circle_count(), 0);
   for (uint32_t host = 0; host < hosts; ++host) first_[host] = no_id;
   points_.clear();
-  for (uint32_t c = 0; c < boundary.circle_count(); ++c) {
-    const CircleRecord &circle = boundary.circle(c);
-    const uint32_t host = half_circle(boundary, c, 0);
-    points_.push({host, circle.ball[0], circle.ball[1], -1, {}, no_id});
-    points_.push({host, circle.ball[0], circle.ball[1], +1, {}, no_id});
-  }
-  for (uint32_t k = 0; k < arcs.size(); ++k) {
-    for (uint32_t end = 0; end < 2; ++end) arcs[k].vertex[end] = insert_end(balls, boundary, arcs[k], k, end);
+  first_inner_ = 2 * boundary.circle_count();
+  for (CutArc &arc : arcs) {
+    for (uint32_t end = 0; end < 2; ++end) arc.place[end] = insert_end(balls, boundary, arc, end);
   }
 }
 
-uint32_t Subdivision::insert_end(const BallSet &balls, const Boundary &boundary, const CutArc &arc, uint32_t arc_id,
-                                 uint32_t end) {
+SubdivisionVertex Subdivision::point_of_circle(const Boundary &boundary, uint32_t k) {
+  const CircleRecord &circle = boundary.circle(k / 2);
+  return {half_circle(boundary, k / 2, 0), circle.ball[0], circle.ball[1], k % 2 == 0 ? -1 : +1};
+}
+
+CutArcEnd Subdivision::insert_end(const BallSet &balls, const Boundary &boundary, const CutArc &arc, uint32_t end) {
   // The arc leaves the circle it starts on: as that circle sees it, in the entry into the arc's plane; it ends in an
   // exit. The other ball sees the circle the other way round.
   int sign = end == 0 ? -1 : +1;
@@ -142,12 +139,9 @@ uint32_t Subdivision::insert_end(const BallSet &balls, const Boundary &boundary,
     pair = side == 0 ? HostBalls{arc.ball, other} : HostBalls{other, arc.ball};
   }
   if (side == 1) sign = -sign;
-  const CutArcEnd cut_end(arc_id, end);
   const uint32_t circle = circle_of(boundary, host_id);
   const auto end_on_point_of_circle = [&](int point_sign) {
-    const uint32_t split = 2 * circle + (point_sign > 0 ? 1 : 0);
-    points_[split].cut_end[side] = cut_end;
-    return split;
+    return CutArcEnd(2 * circle + (point_sign > 0 ? 1U : 0U), side);
   };
   // A cut arc through the circle's own axis; seen from b the plane of the halves is reversed.
   if (on_circle && arc.cap == (side == 0 ? pair.b : pair.a)) return end_on_point_of_circle(side == 0 ? sign : -sign);
@@ -175,20 +169,19 @@ uint32_t Subdivision::insert_end(const BallSet &balls, const Boundary &boundary,
     }
 
     // The list is sorted in the direction of the loop of ball a, clockwise. It is short.
-    for (; *link != no_id; link = &points_[*link].next) {
-      SubdivisionVertex &point = points_[*link];
+    for (; *link != no_id; link = &points_[*link - first_inner_].next) {
+      SubdivisionVertex &point = points_[*link - first_inner_].vertex;
       const Plane other = plane_of_cut(balls, pair.a, point.ball, point.cap);
       const bool one_plane =
           are_parallel(plane, other) && dot(plane.v, balls.exact_difference(arc.ball, point.ball)) == 0;
       if (one_plane && point.sign == (same_direction(plane, other) ? sign : -sign)) {
-        point.cut_end[side] = cut_end;
         // The ball of lower rank defines the plane, so that the position does not depend on ids.
         if (balls.ranks_before(arc.ball, point.ball)) {
           point.ball = arc.ball;
           point.cap = arc.cap;
           point.sign = sign;
         }
-        return *link;
+        return {*link, side};
       }
       const PointTest test(host, plane, other);
       const PlacedPoint placed(test, host.reference, plane, sign);
@@ -198,11 +191,9 @@ uint32_t Subdivision::insert_end(const BallSet &balls, const Boundary &boundary,
     }
   }
   const uint32_t following = *link;
-  *link = points_.size();
-  SubdivisionVertex point{host_id, arc.ball, arc.cap, sign, {}, following};
-  point.cut_end[side] = cut_end;
-  points_.push(point);
-  return points_.size() - 1;
+  *link = size();
+  points_.push({{host_id, arc.ball, arc.cap, sign}, following});
+  return {size() - 1, side};
 }
 
 }  // namespace hsp

@@ -17,26 +17,10 @@
 
 namespace hsp {
 
-// An end of a cut arc.
-class CutArcEnd {
- public:
-  constexpr CutArcEnd() = default;
-  constexpr CutArcEnd(uint32_t arc, uint32_t end) : code_(2 * arc + end) {}
-
-  constexpr bool exists() const { return code_ != no_id; }
-  constexpr uint32_t arc() const { return code_ / 2; }
-  constexpr uint32_t end() const { return code_ % 2; }
-
- private:
-  uint32_t code_ = no_id;
-};
-
 struct SubdivisionVertex {
-  uint32_t host;         // of the two points of a free circle: its half 0
-  uint32_t ball, cap;    // the plane: that of a cut arc of `ball` through the axis of the circle of `cap`
-  int32_t sign;          // p+ or p- of the host's circle and the plane, on the host's ball a
-  CutArcEnd cut_end[2];  // on the side of a and of b
-  uint32_t next;         // the next one in the direction of the loop of ball a; no_id at the last
+  uint32_t host;       // of the two points of a free circle: its half 0
+  uint32_t ball, cap;  // the plane: that of a cut arc of `ball` through the axis of the circle of `cap`
+  int32_t sign;        // p+ or p- of the host's circle and the plane, on the host's ball a
 };
 
 // The balls a and b of a host edge; ids of host edges are those of Subdivision.
@@ -50,11 +34,12 @@ exact::Plane plane_of_cut(const BallSet &balls, uint32_t origin, uint32_t ball, 
 
 class Subdivision {
  public:
-  void carve(Workspace &workspace, uint32_t edges, uint32_t cut_arcs);
+  void carve(Workspace &workspace, uint32_t cut_arcs);
 
   // Subdivides the host edges at the ends of the cut arcs, and stores the vertices in these. Every free circle is
   // subdivided at its two points in the plane of its halves, whether or not a cut arc ends there.
-  void insert(const BallSet &balls, const Boundary &boundary, Span<CutArc> arcs);
+  // first [hosts] is memory for first(), which nothing else may use as long as that is called.
+  void insert(const BallSet &balls, const Boundary &boundary, Span<CutArc> arcs, Span<uint32_t> first);
 
   // The id of a host edge is that of the half-edge on ball a, or for half a circle half_circle(): the loop of ball a
   // traverses half 0 from point 2 circle to point 2 circle + 1, and half 1 back to the first.
@@ -64,17 +49,30 @@ class Subdivision {
   // Whether a host edge is half of a free circle, and of which.
   static bool is_half_circle(const Boundary &boundary, uint32_t host) { return host >= boundary.half_edge_count(); }
   static uint32_t circle_of(const Boundary &boundary, uint32_t host) { return (host - boundary.half_edge_count()) / 2; }
+  // Points 0 .. first_inner() - 1 are those of the free circles, two each, which need no memory. The others lie inside
+  // host edges: from the first of a host each leads to the next one in the direction of the loop of ball a, the last to
+  // no_id.
+  uint32_t size() const { return first_inner_ + points_.size(); }
+  uint32_t first_inner() const { return first_inner_; }
   uint32_t first(uint32_t host) const { return first_[host]; }
-  const SubdivisionVertex &operator[](uint32_t k) const { return points_[k]; }
-  // Points 0 .. 2 circles - 1 are those of the free circles.
-  uint32_t size() const { return points_.size(); }
+  uint32_t next(uint32_t k) const { return points_[k - first_inner_].next; }
+  uint32_t host(uint32_t k) const { return points_[k - first_inner_].vertex.host; }
+  SubdivisionVertex vertex(const Boundary &boundary, uint32_t k) const {
+    return k < first_inner_ ? point_of_circle(boundary, k) : points_[k - first_inner_].vertex;
+  }
 
  private:
-  // The number of the subdivision vertex at one end of a cut arc.
-  uint32_t insert_end(const BallSet &balls, const Boundary &boundary, const CutArc &arc, uint32_t arc_id, uint32_t end);
+  struct InnerPoint {
+    SubdivisionVertex vertex;
+    uint32_t next;
+  };
+
+  static SubdivisionVertex point_of_circle(const Boundary &boundary, uint32_t k);
+  CutArcEnd insert_end(const BallSet &balls, const Boundary &boundary, const CutArc &arc, uint32_t end);
 
   Span<uint32_t> first_;  // [hosts] first subdivision vertex inside it
-  FixedVector<SubdivisionVertex> points_;
+  uint32_t first_inner_ = 0;
+  FixedVector<InnerPoint> points_;
 };
 
 }  // namespace hsp

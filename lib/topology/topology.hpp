@@ -21,12 +21,32 @@ struct TopologyLimits {
   uint32_t neighbours = 0;
   uint32_t edges = 0;
   uint32_t cut_arcs = 0;
+  uint32_t shells = 0;  // 0 is as many as the edges allow
 
   // The smallest limits that are no smaller than these and others.
   constexpr TopologyLimits covering(const TopologyLimits &other) const {
     return {larger_count(balls, other.balls), larger_count(neighbours, other.neighbours),
-            larger_count(edges, other.edges), larger_count(cut_arcs, other.cut_arcs)};
+            larger_count(edges, other.edges), larger_count(cut_arcs, other.cut_arcs),
+            shells == 0 ? 0 : larger_count(shells, other.shells)};
   }
+
+  // A shell is no less than two edges.
+  constexpr uint32_t most_shells() const { return shells == 0 || shells > edges / 2 ? edges / 2 : shells; }
+  // Two of every whole sphere, which is a shell. At any other at least two cut arcs meet, and each passes two at most.
+  constexpr uint64_t most_poles() const {
+    return no_more_than_edges(static_cast<uint64_t>(cut_arcs) + 2 * static_cast<uint64_t>(most_shells()));
+  }
+  // Each has at least two edges, and an edge has two faces. If shells are few: vertices - edges + faces is at most two
+  // for each. Free circles, whole spheres and subdivision vertices bring as many vertices as edges, three arcs come
+  // with two vertices, and the pieces of a cut arc, three at most, perhaps with none. That leaves a face for every
+  // third of the edges, two for every cut arc and two for every shell.
+  constexpr uint64_t most_simple_faces() const {
+    return no_more_than_edges(edges / 3 + 2 * static_cast<uint64_t>(cut_arcs) +
+                              2 * static_cast<uint64_t>(most_shells()));
+  }
+
+ private:
+  constexpr uint64_t no_more_than_edges(uint64_t wanted) const { return wanted < edges ? wanted : edges; }
 };
 
 // The highest or lowest point of a ball.
@@ -78,6 +98,9 @@ struct Topology {
 
   QuadEdges quads;
   uint32_t first_circle_edge = 0, first_cut_edge = 0, first_sphere_edge = 0;
+  // [2 edges] While the structure is built, the first subdivision vertices of host edges: an arc has two half-edges and
+  // is one edge or more, a free circle has two halves and at least two edges. Then what traversals and checks need.
+  Span<uint32_t> shared;
   Span<uint32_t> chain;           // [2 edges] by half-edge or half circle: chain_start, and chain_is_cut in bit 0
   Span<uint32_t> cut_first_edge;  // [cut arcs]
   Span<uint32_t> edge_source;     // [edges] arc, half circle, cut arc, or ball of a whole sphere
@@ -92,8 +115,9 @@ struct Topology {
   uint32_t face_count = 0;
 
   Span<ShellRecord> shells;
-  Span<uint32_t> traversal;  // [simple faces] shell by shell, in the order of the traversal
-  Span<ComponentRecord> components;
+  Span<uint32_t> traversal;          // [simple faces] of `shared`: shell by shell, in the order of the traversal
+  Span<uint32_t> marks;              // [edges] of `shared`: scratch memory
+  Span<ComponentRecord> components;  // each has an outer shell
   uint32_t shell_count = 0;
   uint32_t component_count = 0;
   uint32_t cell_count = 0;
@@ -135,8 +159,8 @@ struct Topology {
     if (vertex < boundary.vertex_count()) return VertexKind::boundary_vertex;
     return vertex < first_pole ? VertexKind::subdivision_vertex : VertexKind::pole;
   }
-  const SubdivisionVertex &subdivision_vertex(const Boundary &boundary, uint32_t vertex) const {
-    return subdivision[vertex - boundary.vertex_count()];
+  SubdivisionVertex subdivision_vertex(const Boundary &boundary, uint32_t vertex) const {
+    return subdivision.vertex(boundary, vertex - boundary.vertex_count());
   }
   Pole pole_at(uint32_t vertex) const { return pole[vertex - first_pole]; }
 

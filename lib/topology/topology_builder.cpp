@@ -14,25 +14,28 @@ TopologyLimits limits_for(const BallSet &balls, const Boundary &boundary, uint32
     if (loops > 1) cut_arcs += 4 * (static_cast<uint64_t>(loops) - 1);
   }
   const auto clamp = [](uint64_t wanted) { return wanted < max_count ? static_cast<uint32_t>(wanted) : max_count; };
-  return {balls.n, neighbours, clamp(count_uncut_edges(balls, boundary) + 4 * cut_arcs), clamp(cut_arcs)};
+  return {balls.n, neighbours, clamp(count_uncut_edges(balls, boundary) + 4 * cut_arcs), clamp(cut_arcs),
+          boundary.shell_count()};
 }
 
 void Topology::carve(Workspace &workspace, const TopologyLimits &limits) {
   const uint64_t edges = limits.edges;
   cut_arcs = FixedVector<CutArc>(workspace.take<CutArc>(limits.cut_arcs));
-  subdivision.carve(workspace, limits.edges, limits.cut_arcs);
+  subdivision.carve(workspace, limits.cut_arcs);
   quads.bind(workspace.take<uint32_t>(QuadEdges::numbers_per_edge * edges));
+  shared = workspace.take<uint32_t>(2 * edges);
+  traversal = shared.part(0, shared.size() / 2);
+  marks = shared.part(shared.size() / 2, shared.size());
   chain = workspace.take<uint32_t>(2 * edges);
   cut_first_edge = workspace.take<uint32_t>(limits.cut_arcs);
   edge_source = workspace.take<uint32_t>(edges);
   host_of_arc = workspace.take<uint32_t>(edges);
-  // Every vertex starts at least two edges, every simple face has at least two, and a shell is no less than two edges.
-  vertex_edge = workspace.take<uint32_t>(edges);
-  pole = workspace.take<Pole>(edges);
-  faces = workspace.take<SimpleFace>(edges);
-  shells = workspace.take<ShellRecord>(edges / 2);
-  traversal = workspace.take<uint32_t>(edges);
-  components = workspace.take<ComponentRecord>(limits.balls);
+  vertex_edge = workspace.take<uint32_t>(edges);  // every vertex starts at least two edges
+  pole = workspace.take<Pole>(limits.most_poles());
+  faces = workspace.take<SimpleFace>(limits.most_simple_faces());
+  const uint32_t most_shells = limits.most_shells();
+  shells = workspace.take<ShellRecord>(most_shells);
+  components = workspace.take<ComponentRecord>(limits.balls < most_shells ? limits.balls : most_shells);
 }
 
 void TopologyBuilder::carve(Workspace &workspace, const TopologyLimits &limits) {
@@ -41,14 +44,14 @@ void TopologyBuilder::carve(Workspace &workspace, const TopologyLimits &limits) 
   structure_.carve(workspace, limits);
   finder_.carve(workspace, limits.neighbours);
   gathered_.carve(workspace, limits.neighbours);
-  marks_ = workspace.take<uint32_t>(limits.edges);
 }
 
 Status TopologyBuilder::build(const CubeGrid &grid, const Boundary &boundary, uint32_t neighbours) {
   const BallSet &balls = grid.balls();
   scanned_ = false;
-  needed_ = {balls.n, neighbours, clamped_count(count_uncut_edges(balls, boundary)), 0};
-  const bool fits = needed_.balls <= limits_.balls && needed_.neighbours <= limits_.neighbours;
+  needed_ = {balls.n, neighbours, clamped_count(count_uncut_edges(balls, boundary)), 0, boundary.shell_count()};
+  const bool fits = needed_.balls <= limits_.balls && needed_.neighbours <= limits_.neighbours &&
+                    (limits_.shells == 0 || needed_.shells <= limits_.shells);
   if (!fits || needed_.edges > limits_.edges) return Status::capacity;
 
   // Quad-edges come later. Of the two loops or more of a face each has an edge at least, and an edge eight numbers.
@@ -58,7 +61,7 @@ Status TopologyBuilder::build(const CubeGrid &grid, const Boundary &boundary, ui
     needed_.edges = 0;
     return Status::capacity;
   }
-  structure_.subdivision.insert(balls, boundary, structure_.cut_arcs.items());
+  structure_.subdivision.insert(balls, boundary, structure_.cut_arcs.items(), structure_.shared);
   needed_.edges = clamped_count(count_edges(balls, boundary, structure_));
   if (needed_.edges > limits_.edges) return Status::capacity;
 
@@ -71,7 +74,7 @@ Status TopologyBuilder::build(const CubeGrid &grid, const Boundary &boundary, ui
 const Topology &TopologyBuilder::scanned(const Boundary &boundary) {
   // Written once: afterwards several threads may read.
   if (!scanned_) {
-    traverse_shells(boundary, structure_, marks_);
+    traverse_shells(boundary, structure_, structure_.marks);
     scanned_ = true;
   }
   return structure_;

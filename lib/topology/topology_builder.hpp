@@ -26,7 +26,7 @@ class TopologyBuilder {
   TopologyLimits retry_limits() const { return limits_.covering(needed_); }
 
   // Scratch memory for checks; [edges].
-  Span<uint32_t> marks() const { return marks_; }
+  Span<uint32_t> marks() const { return structure_.marks; }
 
  private:
   TopologyLimits limits_;
@@ -35,7 +35,6 @@ class TopologyBuilder {
   CutArcFinder finder_;
   GatheredBall gathered_;
   bool scanned_ = false;
-  Span<uint32_t> marks_;
 };
 
 }  // namespace hsp

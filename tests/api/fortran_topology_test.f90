@@ -84,7 +84,7 @@ contains
     call expect(hsp_topology_limits_init(limits, bytes_of_limits, c_null_ptr), HSP_E_ARGUMENT, 'limits without a boundary')
     call expect(hsp_topology_limits_init(limits, bytes_of_limits, boundary), HSP_OK, 'hsp_topology_limits_init')
     call check(limits%balls == n .and. limits%struct_size == bytes_of_limits, 'limits for a boundary')
-    call check(limits%reserved == 0, 'limits for a boundary')
+    call check(limits%shells == 3, 'limits for a boundary')
     call expect(hsp_topology_bytes(limits, bytes), HSP_OK, 'hsp_topology_bytes')
     call check(bytes > 0 .and. bytes <= hsp_topology_bytes_bound(limits%balls, limits%neighbours, limits%edges, &
                                                                  limits%cut_arcs), 'hsp_topology_bytes_bound')
@@ -260,8 +260,8 @@ contains
     limits%edges = HSP_MAX_BALLS + 1
     call expect(hsp_topology_bytes(limits, bytes), HSP_E_RANGE, 'too many')
     limits%edges = HSP_MAX_BALLS
-    limits%reserved = 1
-    call expect(hsp_topology_bytes(limits, bytes), HSP_E_ARGUMENT, 'reserved')
+    limits%shells = HSP_MAX_BALLS + 1
+    call expect(hsp_topology_bytes(limits, bytes), HSP_E_RANGE, 'too many shells')
     call expect(hsp_boundary_compute(boundary, model), HSP_OK, 'hsp_boundary_compute')
     call expect(hsp_topology_get_counts(topology, counts), HSP_E_STATE, 'the boundary was computed again')
   end subroutine

@@ -162,11 +162,45 @@ static void no_topology_results(const void *handle) {
   CHECK_EQUAL(count, 12345);
 }
 
+/* The limit of which 0 stands for as many as the edges allow, beside limits that are exact, and beside none. */
+static void sweep_shells(const known_handle *known, const topology_result *all, const char *name) {
+  const uint32_t needed = all->needed.shells;
+  uint32_t values[AROUND], i, few;
+  values_around(needed, values);
+  for (i = 0; i < AROUND; ++i) {
+    for (few = 0; few < 2; ++few) {
+      hsp_topology_limits limits = all->needed;
+      size_t bytes = 0;
+      guarded_memory memory;
+      hsp_topology *topology = NULL;
+      check_scene("%s, shells %u of %u", name, (unsigned)values[i], (unsigned)needed);
+      limits.shells = values[i];
+      if (few) limits.edges = limits.cut_arcs = 0;
+      CHECK_EQUAL(hsp_topology_bytes(&limits, &bytes), HSP_OK);
+      memory = guarded_take(bytes, i, GUARDED_RANDOM);
+      CHECK_EQUAL(hsp_topology_init(memory.block, bytes, &limits, &topology), HSP_OK);
+      if ((values[i] == 0 || values[i] >= needed) && (!few || all->needed.edges == 0)) {
+        CHECK_EQUAL(hsp_topology_compute(topology, all->base->boundary, &limits), HSP_OK);
+        CHECK_BYTES(&limits, &all->needed, sizeof limits);
+        known->check_results(topology, all);
+      } else {
+        CHECK_EQUAL(hsp_topology_compute(topology, all->base->boundary, &limits), HSP_E_CAPACITY);
+        CHECK_EQUAL(limits.shells, values[i] == 0 || values[i] > needed ? values[i] : needed);
+        CHECK(limits.edges <= all->needed.edges && (few == 0 || limits.edges > 0));
+        known->check_no_results(topology);
+      }
+      CHECK(guarded_clean(&memory));
+      guarded_give_back(&memory);
+    }
+  }
+}
+
 static void sweep_topology(const computed *c, const char *name) {
   topology_result all;
   if (CHECK_EQUAL(topology_result_make(c, &all), HSP_OK)) {
     const known_handle known = {&topology_handle, &all, &all.needed, topology_results, no_topology_results, NULL};
     sweep_limits(&known, name);
+    sweep_shells(&known, &all, name);
   }
   topology_result_release(&all);
 }

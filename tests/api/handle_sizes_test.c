@@ -56,7 +56,7 @@ static size_t view_macro(const limit_numbers *limits) {
   return HSP_VIEW_BYTES(n[1], n[2], n[3]);
 }
 static const size_bound bounds[KINDS] = {{boundary_macro, {4096, 64, 256, 160, 80}},
-                                         {topology_macro, {4096, 64, 192, 160, 160}},
+                                         {topology_macro, {4096, 64, 192, 112, 96}},
                                          {view_macro, {32768, 192, 384, 64, 0}}};
 
 /* Limits that suffice for molecules of so many balls; of a topology as the header says. */
@@ -98,6 +98,25 @@ static void sizes(int kind) {
     more.number[which] *= 2;
     CHECK(size_of(k, &bounds[kind], &few) < size_of(k, &bounds[kind], &more));
   }
+}
+
+/* Shells are no limit of their own to the macro: 0 stands for as many as the edges allow, which is the most. */
+static void shells_of_topologies(void) {
+  limit_numbers limits = default_limits(&topology_handle, 1000);
+  const size_t most = size_of(&topology_handle, &bounds[1], &limits);
+  const uint32_t edges = limits.number[3];
+  size_t bytes = 0, before = 0;
+  uint32_t shells;
+  check_scene("shells of topologies");
+  for (shells = 1; shells < edges; shells += 1 + shells / 8, before = bytes) {
+    limits.number[5] = shells;
+    bytes = size_of(&topology_handle, &bounds[1], &limits);
+    CHECK(bytes >= before && bytes <= most);
+    CHECK(shells > 1 || 5 * bytes < 4 * most); /* few shells make a difference */
+    CHECK(shells + 8 < edges / 2 ? bytes < most : shells < edges / 2 || bytes == most);
+  }
+  limits.number[5] = HSP_MAX_BALLS;
+  CHECK(size_of(&topology_handle, &bounds[1], &limits) == most);
 }
 
 /* ---- alignment ---- */
@@ -193,6 +212,7 @@ int main(void) {
   int kind;
   model_sizes();
   for (kind = 0; kind < KINDS; ++kind) sizes(kind);
+  shells_of_topologies();
   topology_set_two_in_a_void(&set);
   every_alignment(&set);
   ball_set_start(&set, "chain", 1e-8);

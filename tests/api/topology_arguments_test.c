@@ -287,7 +287,7 @@ static void limits_init(void) {
   CHECK_EQUAL(hsp_topology_limits_init(&limits, (uint32_t)sizeof limits, boundary), HSP_OK);
   CHECK_EQUAL(limits.balls, BALLS);
   CHECK_EQUAL(limits.neighbours, BALLS - 1);
-  CHECK_EQUAL(limits.reserved, 0);
+  CHECK_EQUAL(limits.shells, 1);
 }
 
 int main(void) {

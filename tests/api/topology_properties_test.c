@@ -127,7 +127,7 @@ static void limits_for(const topology_result *t) {
   for (i = 0; i < c->counts.faces; ++i) many_loops += c->faces[i].loops > 1 ? c->faces[i].loops - 1 : 0;
   if (!CHECK_EQUAL(hsp_topology_limits_init(&limits, (uint32_t)sizeof limits, c->boundary), HSP_OK)) return;
   CHECK_EQUAL(limits.struct_size, sizeof limits);
-  CHECK_EQUAL(limits.reserved, 0);
+  CHECK_EQUAL(limits.shells, c->counts.shells);
   CHECK_EQUAL(limits.balls, c->n);
   CHECK_EQUAL(limits.neighbours, c->needed.neighbours);
   CHECK(limits.edges >= c->counts.arcs + 2 * c->counts.circles);

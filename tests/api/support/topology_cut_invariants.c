@@ -19,8 +19,8 @@ static const char *broken_counts(const topology_result *t) {
   if ((k->start_face == HSP_NONE) != (t->base->n == 0)) return "start_face is HSP_NONE exactly without balls";
   if (k->start_face != HSP_NONE && k->start_face >= k->simple_faces) return "start_face: no such simple face";
   if (t->enlargements > 3) return "hsp_topology_compute: more than three enlargements";
-  if (t->needed.struct_size != sizeof t->needed || t->needed.reserved != 0 || t->needed.balls != t->base->n ||
-      t->needed.edges != k->edges) {
+  if (t->needed.struct_size != sizeof t->needed || t->needed.shells != t->counts.shells ||
+      t->needed.balls != t->base->n || t->needed.edges != k->edges) {
     return "hsp_topology_compute: limits not exact after HSP_OK";
   }
   return NULL;

@@ -12,7 +12,7 @@ static int32_t compute_handle(void *handle, const void *source, void *limits) {
 
 const handle_kind topology_handle = {(uint32_t)sizeof(hsp_topology_limits),
                                      4,
-                                     {"", "balls", "neighbours", "edges", "cut arcs"},
+                                     {"", "balls", "neighbours", "edges", "cut arcs", "shells"},
                                      NULL,
                                      bytes_of_limits,
                                      init_handle,

@@ -20,6 +20,7 @@ void BuiltTopology::build() {
     limits.neighbours = std::max(limits.neighbours, needed.neighbours);
     limits.edges = std::max(limits.edges, needed.edges);
     limits.cut_arcs = std::max(limits.cut_arcs, needed.cut_arcs);
+    limits.shells = needed.shells;
   }
   structure_ = status_ == hsp::Status::ok ? builder_.scanned(boundary()) : builder_.structure();
 }

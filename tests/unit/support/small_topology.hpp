@@ -12,7 +12,7 @@ class SmallTopology {
   // False if something does not fit or fails.
   bool build(const SmallBall *balls, uint32_t n) {
     if (!small_union().build(balls, n)) return false;
-    const hsp::TopologyLimits limits{n, SmallUnion::most_balls, 120, 30};
+    const hsp::TopologyLimits limits{n, SmallUnion::most_balls, 120, 30, 0};
     hsp::Workspace measured;
     builder_.carve(measured, limits);
     if (measured.bytes() > sizeof memory_) return false;

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <vector>
 
 #include "boundary/half_edge_links.hpp"
@@ -47,6 +48,7 @@ class Check {
 
  private:
   const hsp::Subdivision &points() { return built_.structure().subdivision; }
+  hsp::SubdivisionVertex vertex(uint32_t split) { return points().vertex(built_.boundary(), split); }
   uint32_t vertex_of(uint32_t split) { return built_.boundary().vertex_count() + split; }
   Vector position_of(uint32_t vertex) {
     return long_vectors::position(
@@ -58,9 +60,11 @@ class Check {
     const hsp::HostBalls pair = hsp::balls_of_host(built_.boundary(), host);
     const long_vectors::Circle circle(built_.balls(), pair.a, pair.b);
     std::vector<uint32_t> vertices{first};
-    for (uint32_t s = points().first(host); s != hsp::no_id; s = points()[s].next) {
-      ASSERT_EQ(points()[s].host, host);
-      vertices.push_back(vertex_of(s));
+    const hsp::Topology &topology = built_.structure();
+    const uint32_t end = topology.chain_end(host);
+    for (uint32_t q = topology.chain_start(host); q != end; q += 4) {
+      vertices.push_back(topology.quads.origin(hsp::sym(q)));
+      ASSERT_EQ(vertex(vertices.back() - built_.boundary().vertex_count()).host, host);
     }
     vertices.push_back(last);
     seen_.points += static_cast<int>(vertices.size()) - 2;
@@ -93,34 +97,23 @@ class Check {
     }
   }
 
-  // Every end of every cut arc is one subdivision vertex, on the side of its ball; there the arc leaves the cap that it
-  // starts at, or comes to the one it ends at.
+  // Every end of every cut arc is one subdivision vertex, on the side of its ball, and no other is there; the arc
+  // leaves the cap that it starts at, or comes to the one it ends at.
   void check_ends() {
     const hsp::Topology &topology = built_.structure();
-    std::vector<int> met(2 * topology.cut_arcs.size());
-    for (uint32_t s = 0; s < points().size(); ++s) {
-      const hsp::SubdivisionVertex &point = points()[s];
-      const hsp::HostBalls pair = hsp::balls_of_host(built_.boundary(), point.host);
-      if (point.cut_end[0].exists() && point.cut_end[1].exists()) {
-        const bool on_circle = s < 2 * built_.boundary().circle_count();
-        ++(on_circle ? seen_.shared_on_circles : seen_.shared_on_arcs);
-        // Ids must have no effect on the position: of the two planes that are one it is that of the ball of lower rank.
-        const bool a_first = ranks_before(built_.balls().ball(pair.a), built_.balls().ball(pair.b));
-        if (!on_circle) {
-          ASSERT_EQ(point.ball, a_first ? pair.a : pair.b) << oracle::to_text(set_);
-        }
-      }
-      for (uint32_t side = 0; side < 2; ++side) {
-        const hsp::CutArcEnd cut_end = point.cut_end[side];
-        if (!cut_end.exists()) continue;
-        ASSERT_LT(2 * cut_end.arc() + cut_end.end(), met.size());
-        ++met[2 * cut_end.arc() + cut_end.end()];
-        const hsp::CutArc &arc = topology.cut_arcs[cut_end.arc()];
-        const uint32_t end = cut_end.end();
+    std::vector<std::array<int, 2>> ends(points().size());
+    for (uint32_t k = 0; k < topology.cut_arcs.size(); ++k) {
+      for (uint32_t end = 0; end < 2; ++end) {
+        const hsp::CutArc &arc = topology.cut_arcs[k];
+        const uint32_t s = arc.place[end].point();
+        const uint32_t side = arc.place[end].side();
+        ASSERT_LT(s, ends.size());
+        ASSERT_EQ(++ends[s][side], 1) << oracle::to_text(set_);
+        const hsp::HostBalls pair = hsp::balls_of_host(built_.boundary(), vertex(s).host);
         const uint32_t own = side == 0 ? pair.a : pair.b;
         const uint32_t other = side == 0 ? pair.b : pair.a;
         ASSERT_EQ(arc.ball, own);
-        const uint32_t q = hsp::quarter_edge(topology.cut_first_edge[cut_end.arc()]);
+        const uint32_t q = hsp::quarter_edge(topology.cut_first_edge[k]);
         const uint32_t outward = end == 0 ? q : hsp::sym(q + 4 * (arc.pieces() - 1));
         ASSERT_EQ(topology.quads.origin(outward), vertex_of(s)) << oracle::to_text(set_);
         // Counter-clockwise about the normal of the upright plane through the cap's axis.
@@ -133,13 +126,24 @@ class Check {
         ASSERT_NEAR(static_cast<double>(dot(at, normal) / (length(normal) * length(at))), 0.0, 1e-5);
         const long double inward = dot(cross(normal, at), towards) / scale;
         if (end == 0) {
-          ASSERT_LE(inward, tie) << "arc " << cut_end.arc() << ": " << oracle::to_text(set_);
+          ASSERT_LE(inward, tie) << "arc " << k << ": " << oracle::to_text(set_);
         } else {
-          ASSERT_GE(inward, -tie) << "arc " << cut_end.arc() << ": " << oracle::to_text(set_);
+          ASSERT_GE(inward, -tie) << "arc " << k << ": " << oracle::to_text(set_);
         }
       }
     }
-    for (const int times : met) ASSERT_EQ(times, 1) << oracle::to_text(set_);
+    for (uint32_t s = 0; s < points().size(); ++s) {
+      const bool on_circle = s < 2 * built_.boundary().circle_count();
+      ASSERT_TRUE(on_circle || ends[s][0] + ends[s][1] > 0) << oracle::to_text(set_);
+      if (ends[s][0] == 0 || ends[s][1] == 0) continue;
+      ++(on_circle ? seen_.shared_on_circles : seen_.shared_on_arcs);
+      // Ids must have no effect on the position: of the two planes that are one it is that of the ball of lower rank.
+      const hsp::HostBalls pair = hsp::balls_of_host(built_.boundary(), vertex(s).host);
+      const bool a_first = ranks_before(built_.balls().ball(pair.a), built_.balls().ball(pair.b));
+      if (!on_circle) {
+        ASSERT_EQ(vertex(s).ball, a_first ? pair.a : pair.b) << oracle::to_text(set_);
+      }
+    }
   }
 
   // Positions at ties are as good as the square root of the precision.

@@ -2,6 +2,7 @@
 // given fill them to the end.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "built_topology.hpp"
@@ -25,23 +26,33 @@ TEST(TopologyMemory, ArraysAreAsLongAsTheirIndices) {
   for (const uint32_t balls : {0U, 1U, 2U, 17U}) {
     for (const uint32_t edges : {0U, 2U, 3U, 16U, 41U}) {
       for (const uint32_t extra : {0U, 1U, 13U}) {
-        with_structure({balls, balls, edges, extra}, [&](const Topology &structure) {
-          EXPECT_EQ(structure.cut_arcs.capacity(), extra);
-          EXPECT_EQ(structure.cut_first_edge.size(), extra);
-          EXPECT_EQ(structure.quads.next.size(), 4 * edges);
-          EXPECT_EQ(structure.quads.start.size(), 4 * edges);
-          // Arcs have a use on either side and are an edge each; of free circles there are two halves, an edge each.
-          EXPECT_GE(structure.chain.size(), 2 * edges);
-          EXPECT_GE(structure.host_of_arc.size(), edges);
-          EXPECT_GE(structure.edge_source.size(), edges);
-          // A lens: as many vertices and simple faces as edges. A whole sphere: two poles for two edges.
-          EXPECT_GE(structure.vertex_edge.size(), edges);
-          EXPECT_GE(structure.pole.size(), edges);
-          EXPECT_GE(structure.faces.size(), edges);
-          EXPECT_GE(structure.traversal.size(), edges);
-          EXPECT_GE(structure.shells.size(), edges / 2);
-          EXPECT_EQ(structure.components.size(), balls);
-        });
+        for (const uint32_t shells : {0U, 1U, 5U, 1000U}) {
+          with_structure({balls, balls, edges, extra, shells}, [&](const Topology &structure) {
+            EXPECT_EQ(structure.cut_arcs.capacity(), extra);
+            EXPECT_EQ(structure.cut_first_edge.size(), extra);
+            EXPECT_EQ(structure.quads.next.size(), 4 * edges);
+            EXPECT_EQ(structure.quads.start.size(), 4 * edges);
+            // Arcs have a use on either side and are an edge each; of free circles there are two halves, an edge each.
+            EXPECT_GE(structure.chain.size(), 2 * edges);
+            EXPECT_GE(structure.shared.size(), 2 * edges);
+            EXPECT_GE(structure.host_of_arc.size(), edges);
+            EXPECT_GE(structure.edge_source.size(), edges);
+            EXPECT_GE(structure.vertex_edge.size(), edges);
+            EXPECT_GE(structure.traversal.size(), edges);
+            EXPECT_GE(structure.marks.size(), edges);
+            const uint32_t most = shells == 0 ? edges / 2 : std::min(shells, edges / 2);
+            EXPECT_EQ(structure.shells.size(), most);
+            EXPECT_EQ(structure.components.size(), std::min(balls, most));
+            // A lens: as many simple faces as edges. A whole sphere: two poles for two edges.
+            EXPECT_GE(structure.faces.size(), std::min(edges, 2 * most));
+            EXPECT_GE(structure.pole.size(), std::min(edges, 2 * most));
+            if (shells == 0) {
+              EXPECT_EQ(structure.faces.size(), edges);
+            }
+            EXPECT_LE(structure.faces.size(), edges);
+            EXPECT_LE(structure.pole.size(), edges);
+          });
+        }
       }
     }
   }
@@ -56,6 +67,9 @@ void expect_within_arrays(BuiltTopology &built) {
   EXPECT_LE(structure.shell_count, structure.shells.size());
   EXPECT_LE(structure.component_count, structure.components.size());
   EXPECT_LE(built.boundary().half_edge_count() + 2 * built.boundary().circle_count(), structure.chain.size());
+  // In proportion: with few shells there is less room.
+  EXPECT_EQ(structure.shell_count, structure.shells.size());
+  EXPECT_LE(structure.subdivision.size() - structure.subdivision.first_inner(), 2 * structure.cut_arcs.size());
   EXPECT_LE(structure.cell_count, built.marks().size() + 1);
   EXPECT_LE(structure.vertex_count, built.marks().size());
 }
@@ -81,6 +95,20 @@ TEST(TopologyMemory, SetsFillWhatTheyNeed) {
   }
 }
 
+// Zero shells are as many as the edges allow, and stay so.
+TEST(TopologyLimits, CoverShells) {
+  const TopologyLimits any{4, 3, 21, 2, 0};
+  const TopologyLimits two{4, 3, 21, 2, 2};
+  EXPECT_EQ(any.most_shells(), 10U);
+  EXPECT_EQ(two.most_shells(), 2U);
+  EXPECT_EQ(any.covering({5, 3, 30, 2, 7}).shells, 0U);
+  EXPECT_EQ(two.covering({5, 3, 30, 2, 7}).shells, 7U);
+  EXPECT_EQ(two.covering({5, 3, 30, 2, 0}).shells, 2U);
+  EXPECT_EQ(two.most_poles(), 6U);
+  EXPECT_EQ(two.most_simple_faces(), 15U);
+  EXPECT_EQ(any.most_simple_faces(), 21U);
+}
+
 // A whole sphere, a lens, and a ball with three studs, whose face has three loops.
 TEST(TopologyLimits, ForOneBoundary) {
   BuiltTopology built(oracle::Balls{{0, 0, 0, 1000},
@@ -95,6 +123,7 @@ TEST(TopologyLimits, ForOneBoundary) {
   EXPECT_EQ(limits.balls, 7U);
   EXPECT_EQ(limits.neighbours, 3U);
   EXPECT_EQ(limits.cut_arcs, 4U * 2);
+  EXPECT_EQ(limits.shells, 3U);
   EXPECT_EQ(limits.edges, 2U * 3 + 2 + 2 + 4 * limits.cut_arcs);
   EXPECT_LE(built.builder().needed().edges, limits.edges);
   EXPECT_LE(built.builder().needed().cut_arcs, limits.cut_arcs);
