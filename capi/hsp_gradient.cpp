@@ -16,15 +16,31 @@ hsp::TouchingBalls to_touching_balls(uint32_t tangency) {
 
 static_assert(hsp::one_sided_flag == HSP_GRADIENT_ONE_SIDED);
 
-// Names the first weight that is not a number; weights and first_bad may be null.
-int32_t check_weights(const double *sigma, uint32_t n, uint32_t *first_bad) {
+// Names the first weight of a range that is not a number; weights and first_bad may be null.
+int32_t check_weights(const double *sigma, hsp::IdRange range, uint32_t *first_bad) {
   if (first_bad != nullptr) *first_bad = HSP_NONE;
-  for (uint32_t i = 0; sigma != nullptr && i < n; ++i) {
+  for (uint32_t i = range.first; sigma != nullptr && i < range.last; ++i) {
     if (hsp::is_finite(sigma[i])) continue;
     if (first_bad != nullptr) *first_bad = i;
     return HSP_E_NOT_FINITE;
   }
   return HSP_OK;
+}
+
+// Where gradients go; each may be null.
+struct GradientArrays {
+  double *d_centre, *d_radius;
+  uint32_t *flags;
+
+  void put(uint32_t i, const hsp::EnergyGradient &gradient) const {
+    put_vector(gradient.centre, d_centre, i);
+    if (d_radius != nullptr) d_radius[i] = gradient.radius;
+    if (flags != nullptr) flags[i] = gradient.one_sided ? HSP_GRADIENT_ONE_SIDED : 0;
+  }
+};
+
+hsp_energy to_c(const hsp::Energy &energy) {
+  return {energy.value, energy.area, energy.volume, energy.by_probe};
 }
 
 // The boundary holds nothing of balls inside others, nor of what they touch.
@@ -47,19 +63,56 @@ int32_t hsp_boundary_gradient(const hsp_boundary *boundary, const double *sigma,
   const uint32_t n = grid.balls().n;
   const bool wanted = d_centre != nullptr || d_radius != nullptr || flags != nullptr;
   if (!hsp::capi::fits(wanted, capacity, n, needed)) return HSP_E_CAPACITY;
-  if (const int32_t status = check_weights(sigma, n, first_bad); status != HSP_OK) return status;
+  if (const int32_t status = check_weights(sigma, {0, n}, first_bad); status != HSP_OK) return status;
   if (!hsp::is_finite(tension) || !hsp::is_finite(pressure)) return HSP_E_NOT_FINITE;
 
   const hsp::Boundary &structure = boundary->structure();
   const hsp::EnergyTerms terms{{sigma, to_touching_balls(tangency)}, tension, pressure};
-  const hsp::Energy found =
-      hsp::differentiate_energy(grid, structure, terms, [&](uint32_t i, const hsp::EnergyGradient &gradient) {
-        put_vector(gradient.centre, d_centre, i);
-        if (d_radius != nullptr) d_radius[i] = gradient.radius;
-        if (flags != nullptr) flags[i] = gradient.one_sided ? HSP_GRADIENT_ONE_SIDED : 0;
-      });
+  const GradientArrays arrays{d_centre, d_radius, flags};
+  const hsp::Energy found = hsp::differentiate_energy(
+      grid, structure, terms, [&](uint32_t i, const hsp::EnergyGradient &gradient) { arrays.put(i, gradient); });
   if (flags != nullptr) flag_inner_contacts(grid, structure, flags);
-  if (energy != nullptr) *energy = {found.value, found.area, found.volume, found.by_probe};
+  if (energy != nullptr) *energy = to_c(found);
+  return HSP_OK;
+}
+
+int32_t hsp_boundary_gradient_range(const hsp_boundary *boundary, const double *sigma, double tension, double pressure,
+                                    uint32_t tangency, uint32_t first, uint32_t count, double *d_centre,
+                                    double *d_radius, uint32_t *flags, double *shares, uint32_t *first_bad) {
+  if (!is_live(boundary) || !is_tangency(tangency)) return HSP_E_ARGUMENT;
+  // Any of the arrays may be missing.
+  int32_t status = hsp::capi::check_range(boundary, first, count, boundary,
+                                          [](const hsp_boundary &b) { return b.structure().ball_count(); });
+  if (status != HSP_OK) return status;
+  const hsp::IdRange range{first, first + count};
+  status = check_weights(sigma, range, first_bad);
+  if (status != HSP_OK) return status;
+  if (!hsp::is_finite(tension) || !hsp::is_finite(pressure)) return HSP_E_NOT_FINITE;
+  const hsp::EnergyTerms terms{{sigma, to_touching_balls(tangency)}, tension, pressure};
+  const GradientArrays arrays{d_centre, d_radius, flags};
+  hsp::differentiate_balls(boundary->model->grid, boundary->structure(), terms, range,
+                           [&](uint32_t i, const hsp::EnergyGradient &gradient, const hsp::EnergyShare &share) {
+                             arrays.put(i, gradient);
+                             const double numbers[3] = {share.area, share.volume, share.by_probe};
+                             put_vector(numbers, shares, i);
+                           });
+  return HSP_OK;
+}
+
+int32_t hsp_boundary_gradient_end(const hsp_boundary *boundary, double tension, double pressure, hsp_energy *energy,
+                                  uint32_t *flags, const double *shares) {
+  if (!is_live(boundary) || (energy != nullptr && shares == nullptr)) return HSP_E_ARGUMENT;
+  if (!boundary->has_results()) return HSP_E_STATE;
+  if (!hsp::is_finite(tension) || !hsp::is_finite(pressure)) return HSP_E_NOT_FINITE;
+  const hsp::CubeGrid &grid = boundary->model->grid;
+  if (flags != nullptr) flag_inner_contacts(grid, boundary->structure(), flags);
+  if (energy == nullptr) return HSP_OK;
+  hsp::EnergySum sum;
+  for (uint32_t i = 0; i < grid.balls().n; ++i) {
+    const double *own = shares + 3 * static_cast<size_t>(i);
+    sum.add({own[0], own[1], own[2]});
+  }
+  *energy = to_c(sum.total(grid.balls().lattice, tension, pressure));
   return HSP_OK;
 }
 
@@ -73,7 +126,7 @@ int32_t hsp_boundary_derivatives(const hsp_boundary *boundary, const double *sig
   const bool wanted = area_centre != nullptr || area_radius != nullptr || volume_centre != nullptr ||
                       volume_radius != nullptr || flags != nullptr;
   if (!hsp::capi::fits(wanted, capacity, n, needed)) return HSP_E_CAPACITY;
-  if (const int32_t status = check_weights(sigma, n, first_bad); status != HSP_OK) return status;
+  if (const int32_t status = check_weights(sigma, {0, n}, first_bad); status != HSP_OK) return status;
   const hsp::Boundary &structure = boundary->structure();
   const hsp::AreaWeights weights{sigma, to_touching_balls(tangency)};
   hsp::differentiate_measures(grid, structure, weights, [&](uint32_t i, const hsp::MeasureGradient &gradient) {

@@ -497,6 +497,7 @@ class Session {
   void call_parts() {
     const hsp_boundary *boundary = null() ? nullptr : boundary_;
     fuzz::call_measure_parts(bytes_, boundary, reader_status(boundary), balls_);
+    fuzz::call_gradient_parts(bytes_, boundary, reader_status(boundary), balls_);
   }
 
   void call_derivatives() {

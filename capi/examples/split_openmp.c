@@ -1,9 +1,8 @@
-/* One boundary computed and measured by the threads of OpenMP.
+/* One boundary computed, measured and differentiated by the threads of OpenMP.
  *   split_openmp FILE.xyzr [WORKERS]       x y z r on each line */
 #include "split_work.h"
 
-static int32_t compute(struct molecule *m, uint32_t workers, hsp_totals *totals) {
-  const uint32_t n = m->balls.count;
+static int32_t compute(struct molecule *m, uint32_t workers, hsp_totals *totals, hsp_energy *energy) {
   uint32_t stages = 0;
   int32_t status = hsp_boundary_begin(m->boundary, m->model, workers, &stages);
   if (status != HSP_OK) return status;
@@ -15,17 +14,14 @@ static int32_t compute(struct molecule *m, uint32_t workers, hsp_totals *totals)
   status = hsp_boundary_end(m->boundary, &m->limits);
   if (status != HSP_OK) return status;
 #pragma omp parallel for schedule(dynamic)
-  for (int part = 0; part < (int)workers; ++part) {
-    const uint32_t first = first_of_part(n, (uint32_t)part, workers);
-    hsp_boundary_measure_range(m->boundary, NULL, first, first_of_part(n, (uint32_t)part + 1, workers) - first, m->area,
-                               m->volume);
-  }
-  return hsp_boundary_measure_end(m->boundary, totals, m->area, m->volume);
+  for (int part = 0; part < (int)workers; ++part) measure_part(m, (uint32_t)part, workers);
+  return end_measuring(m, totals, energy);
 }
 
 int main(int count, char **arguments) {
   static struct molecule molecule;
   hsp_totals totals;
+  hsp_energy energy;
   const unsigned long workers = count == 3 ? strtoul(arguments[2], NULL, 10) : 16;
   if (count < 2 || count > 3 || workers < 1 || workers > HSP_MAX_WORKERS) {
     fprintf(stderr, "usage: split_openmp FILE.xyzr [WORKERS]\n");
@@ -35,11 +31,11 @@ int main(int count, char **arguments) {
   if (done) {
     int32_t status = make_molecule(&molecule, (uint32_t)workers);
     if (status == HSP_OK) {
-      while ((status = compute(&molecule, (uint32_t)workers, &totals)) == HSP_E_CAPACITY) {
+      while ((status = compute(&molecule, (uint32_t)workers, &totals, &energy)) == HSP_E_CAPACITY) {
         if ((status = make_boundary(&molecule)) != HSP_OK) break;
       }
     }
-    if (status == HSP_OK) status = compare_with_one(&molecule, &totals);
+    if (status == HSP_OK) status = compare_with_one(&molecule, &totals, &energy);
     if (status != HSP_OK) fprintf(stderr, "split_openmp: %s\n", hsp_status_text(status));
     done = status == HSP_OK;
   }

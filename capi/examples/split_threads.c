@@ -1,4 +1,4 @@
-/* One boundary computed and measured by several threads of C11.
+/* One boundary computed, measured and differentiated by several threads of C11.
  *   split_threads FILE.xyzr [THREADS]       x y z r on each line */
 #include <stdatomic.h>
 #include <threads.h>
@@ -34,6 +34,7 @@ struct job {
   atomic_uint next[16]; /* worker that has no thread yet, of each stage; the last one is for the measuring */
   int32_t status;       /* of hsp_boundary_end */
   hsp_totals totals;
+  hsp_energy energy;
 };
 
 enum { MEASURING = 15 };
@@ -41,7 +42,6 @@ enum { MEASURING = 15 };
 static int take_part(void *argument) {
   struct job *job = argument;
   const struct molecule *m = job->molecule;
-  const uint32_t n = m->balls.count;
   uint32_t worker;
   for (uint32_t stage = 0; stage < job->stages; ++stage) {
     while ((worker = atomic_fetch_add(&job->next[stage], 1)) < job->workers) {
@@ -55,9 +55,7 @@ static int take_part(void *argument) {
   mtx_unlock(&job->barrier.mutex);
   if (job->status != HSP_OK) return 0;
   while ((worker = atomic_fetch_add(&job->next[MEASURING], 1)) < job->workers) {
-    const uint32_t first = first_of_part(n, worker, job->workers);
-    hsp_boundary_measure_range(m->boundary, NULL, first, first_of_part(n, worker + 1, job->workers) - first, m->area,
-                               m->volume);
+    measure_part(m, worker, job->workers);
   }
   return 0;
 }
@@ -78,7 +76,7 @@ static int32_t compute(struct job *job, uint32_t threads) {
   mtx_unlock(&job->barrier.mutex);
   take_part(job);
   for (uint32_t k = 0; k < started; ++k) thrd_join(thread[k], NULL);
-  return job->status == HSP_OK ? hsp_boundary_measure_end(m->boundary, &job->totals, m->area, m->volume) : job->status;
+  return job->status == HSP_OK ? end_measuring(m, &job->totals, &job->energy) : job->status;
 }
 
 int main(int count, char **arguments) {
@@ -101,7 +99,7 @@ int main(int count, char **arguments) {
         if ((status = make_boundary(&molecule)) != HSP_OK) break;
       }
     }
-    if (status == HSP_OK) status = compare_with_one(&molecule, &job.totals);
+    if (status == HSP_OK) status = compare_with_one(&molecule, &job.totals, &job.energy);
     if (status != HSP_OK) fprintf(stderr, "split_threads: %s\n", hsp_status_text(status));
     done = status == HSP_OK;
   }

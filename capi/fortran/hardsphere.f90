@@ -917,6 +917,37 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
+    function hsp_boundary_gradient_range(boundary, sigma, tension, pressure, tangency, first, count, d_centre, d_radius, &
+                                         flags, shares, first_bad) result(status) &
+      bind(C, name="hsp_boundary_gradient_range")
+      import :: c_double, c_int32_t, c_ptr
+      type(c_ptr), value :: boundary
+      real(c_double), intent(in), optional :: sigma(*)          ! n
+      real(c_double), value :: tension
+      real(c_double), value :: pressure
+      integer(c_int32_t), value :: tangency                     ! HSP_TANGENT_*
+      integer(c_int32_t), value :: first
+      integer(c_int32_t), value :: count
+      real(c_double), intent(inout), optional :: d_centre(3, *) ! 3, n
+      real(c_double), intent(inout), optional :: d_radius(*)    ! n
+      integer(c_int32_t), intent(inout), optional :: flags(*)   ! n; HSP_GRADIENT_*
+      real(c_double), intent(inout), optional :: shares(3, *)   ! 3, n
+      integer(c_int32_t), intent(inout), optional :: first_bad
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_boundary_gradient_end(boundary, tension, pressure, energy, flags, shares) result(status) &
+      bind(C, name="hsp_boundary_gradient_end")
+      import :: c_double, c_int32_t, c_ptr, hsp_energy
+      type(c_ptr), value :: boundary
+      real(c_double), value :: tension
+      real(c_double), value :: pressure
+      type(hsp_energy), intent(inout), optional :: energy
+      integer(c_int32_t), intent(inout), optional :: flags(*)   ! n; HSP_GRADIENT_*
+      real(c_double), intent(in), optional :: shares(3, *)      ! 3, n
+      integer(c_int32_t) :: status
+    end function
+
     function hsp_boundary_derivatives(boundary, sigma, tangency, area_centre, area_radius, volume_centre, &
                                       volume_radius, flags, capacity, needed, first_bad) result(status) &
       bind(C, name="hsp_boundary_derivatives")

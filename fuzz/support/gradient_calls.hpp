@@ -51,6 +51,50 @@ inline void call_measure_parts(Bytes &bytes, const hsp_boundary *boundary, int32
   FUZZ_REQUIRE(face_volume.untouched_from(face_volume.data() == nullptr ? 0 : faces), "volumes of faces");
 }
 
+inline void call_gradient_parts(Bytes &bytes, const hsp_boundary *boundary, int32_t reader_status, uint32_t balls) {
+  const bool odd = bytes.one_in(3);
+  std::vector<double> sigma(balls + 1);
+  for (double &x : sigma) x = number(bytes, odd);
+  const double tension = number(bytes, odd), pressure = number(bytes, odd);
+  const uint32_t tangency = bytes.one_in(20) ? 2 + bytes.byte() : bytes.below(2);
+  const uint32_t first = bytes.below(30), count = bytes.one_in(8) ? HSP_NONE - bytes.below(3) : bytes.below(30);
+  const bool there = first <= balls && count <= balls - first;
+  const bool no_sigma = null(bytes);
+  const bool finite = std::isfinite(tension) && std::isfinite(pressure);
+  bool finite_weights = true;
+  for (uint32_t i = first; there && i < first + count && !no_sigma; ++i) {
+    finite_weights = finite_weights && std::isfinite(sigma[i]);
+  }
+  Output<double> centre(180, null(bytes)), radius(60, null(bytes)), shares(180, null(bytes));
+  Output<uint32_t> flags(60, null(bytes));
+  uint32_t first_bad = 12345;
+  int32_t status =
+      hsp_boundary_gradient_range(boundary, no_sigma ? nullptr : sigma.data(), tension, pressure, tangency, first,
+                                  count, centre.data(), radius.data(), flags.data(), shares.data(), &first_bad);
+  const int32_t refused = boundary == nullptr || tangency > HSP_TANGENT_DISJOINT ? HSP_E_ARGUMENT
+                          : reader_status != HSP_OK                              ? reader_status
+                          : !there                                               ? HSP_E_ID
+                          : !finite_weights || !finite                           ? HSP_E_NOT_FINITE
+                                                                                 : HSP_OK;
+  FUZZ_REQUIRE(status == refused, "hsp_boundary_gradient_range");
+  FUZZ_REQUIRE(finite_weights || status != HSP_E_NOT_FINITE || !std::isfinite(sigma[first_bad]),
+               "first_bad of a range");
+  const uint32_t end = status == HSP_OK ? first + count : 0;
+  FUZZ_REQUIRE(centre.untouched_from(centre.data() == nullptr ? 0 : 3 * end), "centre beyond a range");
+  FUZZ_REQUIRE(radius.untouched_from(radius.data() == nullptr ? 0 : end), "radius beyond a range");
+  FUZZ_REQUIRE(flags.untouched_from(flags.data() == nullptr ? 0 : end), "flags beyond a range");
+  FUZZ_REQUIRE(shares.untouched_from(shares.data() == nullptr ? 0 : 3 * end), "shares beyond a range");
+  Output<hsp_energy> energy(1, null(bytes));
+  status = hsp_boundary_gradient_end(boundary, tension, pressure, energy.data(), flags.data(), shares.data());
+  const bool nothing_to_sum = energy.data() != nullptr && shares.data() == nullptr;
+  FUZZ_REQUIRE(status == (boundary == nullptr || nothing_to_sum ? HSP_E_ARGUMENT
+                          : reader_status != HSP_OK             ? reader_status
+                          : !finite                             ? HSP_E_NOT_FINITE
+                                                                : HSP_OK),
+               "hsp_boundary_gradient_end");
+  FUZZ_REQUIRE(energy.untouched_from(status == HSP_OK && energy.data() != nullptr ? 1 : 0), "energy on failure");
+}
+
 inline void call_gradient(Bytes &bytes, const hsp_boundary *boundary, int32_t reader_status, uint32_t balls) {
   const bool odd = bytes.one_in(3);
   std::vector<double> sigma(balls + 1);

@@ -110,27 +110,57 @@ void differentiate_measures(const CubeGrid &grid, const Boundary &boundary, cons
   });
 }
 
+// What one ball contributes to an energy.
+struct EnergyShare {
+  double area;      // weighted, in lattice steps
+  double volume;    // in lattice steps
+  double by_probe;  // in the caller's unit
+};
+
+class EnergySum {
+ public:
+  void add(const EnergyShare &share) {
+    area_.add(share.area);
+    volume_.add(share.volume);
+    by_probe_.add(share.by_probe);
+  }
+  Energy total(const exact::Lattice &lattice, double tension, double pressure) const {
+    Energy energy;
+    energy.area = lattice.area(area_.total());
+    energy.volume = lattice.volume(volume_.total());
+    energy.value = tension * energy.area + pressure * energy.volume;
+    energy.by_probe = by_probe_.total();
+    return energy;
+  }
+
+ private:
+  TreeSum area_, volume_, by_probe_;
+};
+
+// Calls sink(i, gradient, share) for every ball i of a range of the input.
+template <class Sink>
+void differentiate_balls(const CubeGrid &grid, const Boundary &boundary, const EnergyTerms &terms, IdRange range,
+                         Sink sink) {
+  const BallSet &balls = grid.balls();
+  visit_in_input_order(grid, boundary, range, [&](uint32_t i, uint32_t ball) {
+    const BallGradient own = gradient_of_ball(balls, boundary, terms.weights, ball);
+    const EnergyGradient gradient = gradient_of_energy(balls.lattice, terms, own);
+    const EnergyShare share{terms.weights.of(balls, ball) * own.measure.area, own.measure.volume, gradient.radius};
+    sink(i, gradient, share);
+  });
+}
+
 // Calls sink(i, gradient) for every ball i of the input, and returns the energy.
 template <class Sink>
 Energy differentiate_energy(const CubeGrid &grid, const Boundary &boundary, const EnergyTerms &terms, Sink sink) {
   const BallSet &balls = grid.balls();
-  TreeSum area;
-  TreeSum volume;
-  TreeSum by_probe;
-  visit_in_input_order(grid, boundary, [&](uint32_t i, uint32_t ball) {
-    const BallGradient own = gradient_of_ball(balls, boundary, terms.weights, ball);
-    const EnergyGradient gradient = gradient_of_energy(balls.lattice, terms, own);
-    area.add(terms.weights.of(balls, ball) * own.measure.area);
-    volume.add(own.measure.volume);
-    by_probe.add(gradient.radius);
-    sink(i, gradient);
-  });
-  Energy energy;
-  energy.area = balls.lattice.area(area.total());
-  energy.volume = balls.lattice.volume(volume.total());
-  energy.value = terms.tension * energy.area + terms.pressure * energy.volume;
-  energy.by_probe = by_probe.total();
-  return energy;
+  EnergySum sum;
+  differentiate_balls(grid, boundary, terms, {0, balls.n},
+                      [&](uint32_t i, const EnergyGradient &gradient, const EnergyShare &share) {
+                        sum.add(share);
+                        sink(i, gradient);
+                      });
+  return sum.total(balls.lattice, terms.tension, terms.pressure);
 }
 
 }  // namespace hsp

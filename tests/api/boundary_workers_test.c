@@ -2,6 +2,7 @@
  * order of their work, whatever the limits; and the status of every call at a wrong time. The same areas and volumes
  * for all ranges in which they are measured. */
 #include <hardsphere.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -129,6 +130,95 @@ static void every_range(const ball_set *set) {
     CHECK_EQUAL(hsp_boundary_measure_range(c->boundary, NULL, 0, n, area[1], area[1]), HSP_E_STATE);
     CHECK_EQUAL(hsp_boundary_measure_end(c->boundary, NULL, area[1], area[1]), HSP_E_STATE);
     CHECK_BYTES(area[1], area[0], sizeof area[0]);
+  }
+  computations_release(&all);
+}
+
+/* What is refused of gradients in parts, with nothing written. */
+static void refused_gradients(const computed *c, uint32_t n) {
+  static const double nan_twice[2] = {NAN, NAN};
+  double numbers[3 * BALL_SET_MOST], kept[3 * BALL_SET_MOST];
+  uint32_t flags[BALL_SET_MOST], kept_flags[BALL_SET_MOST], bad = 12345;
+  hsp_energy energy, no_energy;
+  memset(numbers, 0xA5, sizeof numbers);
+  memset(flags, 0xA5, sizeof flags);
+  memset(&energy, 0xA5, sizeof energy);
+  memcpy(kept, numbers, sizeof kept);
+  memcpy(kept_flags, flags, sizeof kept_flags);
+  memcpy(&no_energy, &energy, sizeof energy);
+#define RANGE(boundary, sigma, tension, pressure, tangency, first, count)                                          \
+  hsp_boundary_gradient_range(boundary, sigma, tension, pressure, tangency, first, count, numbers, numbers, flags, \
+                              numbers, &bad)
+  CHECK_EQUAL(RANGE(NULL, NULL, 1, 1, HSP_TANGENT_OVERLAP, 0, n), HSP_E_ARGUMENT);
+  CHECK_EQUAL(RANGE(c->boundary, NULL, 1, 1, 2, 0, n), HSP_E_ARGUMENT);
+  CHECK_EQUAL(RANGE(c->boundary, NULL, 1, 1, HSP_TANGENT_OVERLAP, 0, n + 1), HSP_E_ID);
+  CHECK_EQUAL(RANGE(c->boundary, NULL, 1, 1, HSP_TANGENT_OVERLAP, n, 1), HSP_E_ID);
+  CHECK_EQUAL(RANGE(c->boundary, NULL, 1, 1, HSP_TANGENT_OVERLAP, 2, HSP_NONE), HSP_E_ID);
+  CHECK_EQUAL(bad, 12345);
+  CHECK_EQUAL(RANGE(c->boundary, NULL, NAN, 1, HSP_TANGENT_OVERLAP, 0, n), HSP_E_NOT_FINITE);
+  CHECK_EQUAL(bad, HSP_NONE);
+  CHECK_EQUAL(RANGE(c->boundary, NULL, 1, INFINITY, HSP_TANGENT_OVERLAP, 0, n), HSP_E_NOT_FINITE);
+  if (n > 1) {
+    /* Weights outside of a range are not looked at, but for those of neighbours: of none, if it is empty. */
+    CHECK_EQUAL(RANGE(c->boundary, nan_twice, 1, 1, HSP_TANGENT_OVERLAP, 1, 1), HSP_E_NOT_FINITE);
+    CHECK_EQUAL(bad, 1);
+    CHECK_EQUAL(RANGE(c->boundary, nan_twice, 1, 1, HSP_TANGENT_OVERLAP, 1, 0), HSP_OK);
+    CHECK_EQUAL(bad, HSP_NONE);
+  }
+  CHECK_EQUAL(RANGE(c->boundary, NULL, 1, 1, HSP_TANGENT_DISJOINT, n, 0), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_gradient_end(NULL, 1, 1, &energy, flags, numbers), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_gradient_end(c->boundary, 1, 1, &energy, flags, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_gradient_end(c->boundary, NAN, 1, &energy, flags, numbers), HSP_E_NOT_FINITE);
+  CHECK_EQUAL(hsp_boundary_gradient_end(c->boundary, 1, -INFINITY, &energy, flags, numbers), HSP_E_NOT_FINITE);
+  CHECK_EQUAL(hsp_boundary_gradient_end(c->boundary, 1, 1, NULL, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_compute(c->boundary, NULL, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(RANGE(c->boundary, NULL, 1, 1, HSP_TANGENT_OVERLAP, 0, n), HSP_E_STATE);
+  CHECK_EQUAL(hsp_boundary_gradient_end(c->boundary, 1, 1, &energy, flags, numbers), HSP_E_STATE);
+#undef RANGE
+  CHECK_BYTES(numbers, kept, sizeof kept);
+  CHECK_BYTES(flags, kept_flags, sizeof kept_flags);
+  CHECK_BYTES(&energy, &no_energy, sizeof energy);
+}
+
+/* hsp_boundary_gradient_end, property 1. */
+static void every_gradient_range(const ball_set *set) {
+  computations all;
+  uint32_t parts, i;
+  if (computations_make(set, NULL, &all)) {
+    const computed *c = &all.boundary;
+    const uint32_t n = set->n;
+    double centre[2][3 * BALL_SET_MOST], radius[2][BALL_SET_MOST], shares[3 * BALL_SET_MOST], sigma[BALL_SET_MOST];
+    uint32_t flags[2][BALL_SET_MOST], order[BALL_SET_MOST];
+    for (i = 0; i < n; ++i) sigma[i] = i % 4 == 1 ? 0 : 0.75 * i - 2;
+    for (parts = 1; parts <= 9; ++parts) {
+      const double *const weights = parts % 2 == 0 ? sigma : NULL;
+      const uint32_t tangency = parts % 3 == 0 ? HSP_TANGENT_DISJOINT : HSP_TANGENT_OVERLAP;
+      hsp_energy energy[2];
+      check_scene("gradient of %s in %u parts", set->name, (unsigned)parts);
+      memset(centre, 0xA5, sizeof centre);
+      memset(radius, 0xA5, sizeof radius);
+      memset(flags, 0xA5, sizeof flags);
+      CHECK_EQUAL(hsp_boundary_gradient(c->boundary, weights, 0.7, -1.3, tangency, &energy[0], centre[0], radius[0],
+                                        flags[0], n, NULL, NULL),
+                  HSP_OK);
+      ball_set_shuffle(parts, parts, order);
+      for (i = 0; i < parts; ++i) {
+        const uint32_t first = n * order[i] / parts, last = n * (order[i] + 1) / parts;
+        CHECK_EQUAL(hsp_boundary_gradient_range(c->boundary, weights, 0.7, -1.3, tangency, first, last - first,
+                                                centre[1], radius[1], flags[1], shares, NULL),
+                    HSP_OK);
+      }
+      CHECK_EQUAL(hsp_boundary_gradient_end(c->boundary, 0.7, -1.3, &energy[1], flags[1], shares), HSP_OK);
+      CHECK_BYTES(centre[1], centre[0], sizeof centre[0]);
+      CHECK_BYTES(radius[1], radius[0], sizeof radius[0]);
+      CHECK_BYTES(flags[1], flags[0], sizeof flags[0]);
+      CHECK_BYTES(&energy[1], &energy[0], sizeof energy[0]);
+      /* Every array may be missing. */
+      CHECK_EQUAL(
+          hsp_boundary_gradient_range(c->boundary, weights, 0.7, -1.3, tangency, 0, n, NULL, NULL, NULL, NULL, NULL),
+          HSP_OK);
+    }
+    refused_gradients(c, n);
   }
   computations_release(&all);
 }
@@ -264,6 +354,7 @@ int main(void) {
     topology_set_make(which, &set);
     every_split(&set);
     every_range(&set);
+    every_gradient_range(&set);
     small_limits(&set);
   }
   ball_set_start(&set, "chain", 1e-8);

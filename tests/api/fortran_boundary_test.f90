@@ -329,12 +329,27 @@ contains
     type(hsp_totals) :: totals
     real(c_double) :: centre(3, n), by_radius(n), area(n), moved(3, n), at(-1:1)
     real(c_double) :: area_centre(3, n), area_radius(n), volume_centre(3, n), volume_radius(n)
-    integer(c_int32_t) :: flags(n), needed, first_bad
+    real(c_double) :: part_centre(3, n), part_radius(n), shares(3, n)
+    type(hsp_energy) :: part_energy
+    integer(c_int32_t) :: flags(n), part_flags(n), needed, first_bad
     integer :: axis, step
     call compute_all()
     flags = 7
     call expect(hsp_boundary_gradient(boundary, sigma, 0.5_c_double, 2.0_c_double, HSP_TANGENT_OVERLAP, energy, centre, &
                                       by_radius, flags, n), HSP_OK, 'hsp_boundary_gradient')
+    call expect(hsp_boundary_gradient_range(boundary, sigma, 0.5_c_double, 2.0_c_double, HSP_TANGENT_OVERLAP, 1_c_int32_t, &
+                                            n - 1, part_centre, part_radius, part_flags, shares), HSP_OK, 'a range')
+    call expect(hsp_boundary_gradient_range(boundary, sigma, 0.5_c_double, 2.0_c_double, HSP_TANGENT_OVERLAP, 0_c_int32_t, &
+                                            1_c_int32_t, part_centre, part_radius, part_flags, shares, first_bad), HSP_OK, &
+                'hsp_boundary_gradient_range')
+    call expect(hsp_boundary_gradient_end(boundary, 0.5_c_double, 2.0_c_double, part_energy, part_flags, shares), HSP_OK, &
+                'hsp_boundary_gradient_end')
+    call check(all(part_centre == centre) .and. all(part_radius == by_radius) .and. all(part_flags == flags) .and. &
+               first_bad == HSP_NONE, 'a gradient in two ranges')
+    call check(part_energy%value == energy%value .and. part_energy%area == energy%area .and. &
+               part_energy%volume == energy%volume .and. part_energy%d_probe == energy%d_probe, 'an energy in two ranges')
+    call expect(hsp_boundary_gradient_range(boundary, sigma, 0.5_c_double, 2.0_c_double, HSP_TANGENT_OVERLAP, n, &
+                                            1_c_int32_t), HSP_E_ID, 'a range that is not there')
     call expect(hsp_boundary_derivatives(boundary, sigma, HSP_TANGENT_OVERLAP, area_centre, area_radius, volume_centre, &
                                          volume_radius, capacity=n, needed=needed, first_bad=first_bad), HSP_OK, &
                 'hsp_boundary_derivatives')

@@ -120,6 +120,9 @@ static int call_boundary(computed *c, const buffers *b) {
   bad += hsp_boundary_measure_faces(boundary, b->face_area, b->face_volume, counts.faces, NULL) != HSP_OK;
   bad += hsp_boundary_gradient(boundary, NULL, 1, 1, HSP_TANGENT_OVERLAP, &energy, b->by_centre, b->by_radius, b->flags,
                                c->n, NULL, NULL) != HSP_OK;
+  bad += hsp_boundary_gradient_range(boundary, NULL, 1, 1, HSP_TANGENT_OVERLAP, 0, c->n, b->by_centre, b->by_radius,
+                                     b->flags, b->by_centre, NULL) != HSP_OK;
+  bad += hsp_boundary_gradient_end(boundary, 1, 1, &energy, b->flags, b->by_centre) != HSP_OK;
   bad += hsp_boundary_derivatives(boundary, NULL, HSP_TANGENT_OVERLAP, NULL, c->area, NULL, c->volume, NULL, c->n,
                                   &needed, NULL) != HSP_OK;
   bad += hsp_boundary_get_area_row(boundary, 0, HSP_TANGENT_DISJOINT, b->row, c->n, &needed) != HSP_OK;

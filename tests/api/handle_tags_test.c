@@ -74,6 +74,10 @@ static void refused_as_boundary(void *handle) {
   CHECK_EQUAL(hsp_boundary_measure_faces(handle, NULL, NULL, 0, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_gradient(handle, NULL, 1, 1, HSP_TANGENT_OVERLAP, &energy, NULL, NULL, NULL, 0, NULL, NULL),
               HSP_E_ARGUMENT);
+  CHECK_EQUAL(
+      hsp_boundary_gradient_range(handle, NULL, 1, 1, HSP_TANGENT_OVERLAP, 0, 0, numbers, numbers, &id, numbers, NULL),
+      HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_gradient_end(handle, 1, 1, &energy, &id, numbers), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_derivatives(handle, NULL, HSP_TANGENT_OVERLAP, NULL, NULL, NULL, NULL, NULL, 0, NULL, NULL),
               HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_get_area_row(handle, 0, HSP_TANGENT_OVERLAP, NULL, 0, &needed), HSP_E_ARGUMENT);
