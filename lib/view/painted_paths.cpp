@@ -11,10 +11,12 @@ void visit_piece(const void *view, const BallSet &balls, uint32_t piece, const A
   visit_arcs(balls, *static_cast<const View *>(view), piece, visitor);
 }
 
+constexpr PaintedPaths::Functions of_view{ball_of_piece, visit_piece, nullptr};
+
 }  // namespace
 
 PaintedPaths paths_of(const View &view) {
-  return {view.frame, view.pieces.size(), &view, {ball_of_piece, visit_piece, nullptr}};
+  return {view.frame, view.pieces.size(), &view, of_view};
 }
 
 ViewBox box_of(const BallSet &balls, const PaintedPaths &paths) {

@@ -29,14 +29,15 @@ class PaintedPaths {
     void (*visit_lines)(const void *source, const BallSet &balls, uint32_t path, const ArcVisitor &visitor);
   };
 
-  // `source` and `frame` have to outlive this.
+  // All but the count have to outlive this. The functions are a named constant, which linkers can leave out.
   PaintedPaths(const ViewFrame &frame, uint32_t count, const void *source, const Functions &functions)
-      : frame_(&frame), source_(source), functions_(functions), count_(count) {}
+      : frame_(&frame), source_(source), functions_(&functions), count_(count) {}
+  PaintedPaths(const ViewFrame &frame, uint32_t count, const void *source, const Functions &&functions) = delete;
 
   const ViewFrame &frame() const { return *frame_; }
   uint32_t size() const { return count_; }
-  uint32_t ball_of(uint32_t path) const { return functions_.ball_of(source_, path); }
-  bool have_own_lines() const { return functions_.visit_lines != nullptr; }
+  uint32_t ball_of(uint32_t path) const { return functions_->ball_of(source_, path); }
+  bool have_own_lines() const { return functions_->visit_lines != nullptr; }
 
   // Calls visit(arc, first, closes) as an ArcVisitor is called.
   template <class Visit>
@@ -44,13 +45,13 @@ class PaintedPaths {
     const ArcVisitor visitor{&visit, [](void *context, const ProjectedArc &arc, bool first, bool closes) {
                                (*static_cast<Visit *>(context))(arc, first, closes);
                              }};
-    (part == PathPart::outline ? functions_.visit_outline : functions_.visit_lines)(source_, balls, path, visitor);
+    (part == PathPart::outline ? functions_->visit_outline : functions_->visit_lines)(source_, balls, path, visitor);
   }
 
  private:
   const ViewFrame *frame_;
   const void *source_;
-  Functions functions_;
+  const Functions *functions_;
   uint32_t count_;
 };
 

@@ -27,6 +27,8 @@ void visit_lines_of_path(const void *source, const BallSet &, uint32_t path, con
   paths_behind(source).visit_lines(path, visitor);
 }
 
+constexpr PaintedPaths::Functions of_map{ball_of_path, visit_path, visit_lines_of_path};
+
 }  // namespace
 
 // A crease's parameter counts from its steepest direction, which appears shortened; that of a projected ellipse from
@@ -115,7 +117,7 @@ void MapPaths::visit_lines(uint32_t path, const ArcVisitor &visitor) const {
 }
 
 PaintedPaths MapPaths::paths() const {
-  return {map_.frame, size(), this, {ball_of_path, visit_path, visit_lines_of_path}};
+  return {map_.frame, size(), this, of_map};
 }
 
 }  // namespace hsp
