@@ -1,6 +1,8 @@
 // How values cross the C interface: statuses, vectors, output arrays, violations.
 #pragma once
 
+#include "core/floating_point.hpp"
+#include "core/id_range.hpp"
 #include "core/status.hpp"
 #include "core/vec3.hpp"
 #include "handle_tag.hpp"
@@ -43,6 +45,17 @@ inline int32_t check_output(const void *out, uint32_t capacity, uint32_t count, 
 inline bool fits(bool wanted, uint32_t capacity, uint32_t count, uint32_t *needed) {
   if (needed != nullptr) *needed = count;
   return !wanted || capacity >= count;
+}
+
+// Names the first weight of a range that is not a number; weights and first_bad may be null.
+inline int32_t check_weights(const double *sigma, IdRange range, uint32_t *first_bad) {
+  if (first_bad != nullptr) *first_bad = HSP_NONE;
+  for (uint32_t i = range.first; sigma != nullptr && i < range.last; ++i) {
+    if (is_finite(sigma[i])) continue;
+    if (first_bad != nullptr) *first_bad = i;
+    return HSP_E_NOT_FINITE;
+  }
+  return HSP_OK;
 }
 
 // What every copying function of a computed handle checks: arguments, state, and that exactly count(*handle) records

@@ -2,6 +2,7 @@
 #include "measure/tangency.hpp"
 #include "measure/totals.hpp"
 
+using hsp::capi::check_weights;
 using hsp::capi::is_live;
 using hsp::capi::put_vector;
 
@@ -15,17 +16,6 @@ hsp::TouchingBalls to_touching_balls(uint32_t tangency) {
 }
 
 static_assert(hsp::one_sided_flag == HSP_GRADIENT_ONE_SIDED);
-
-// Names the first weight of a range that is not a number; weights and first_bad may be null.
-int32_t check_weights(const double *sigma, hsp::IdRange range, uint32_t *first_bad) {
-  if (first_bad != nullptr) *first_bad = HSP_NONE;
-  for (uint32_t i = range.first; sigma != nullptr && i < range.last; ++i) {
-    if (hsp::is_finite(sigma[i])) continue;
-    if (first_bad != nullptr) *first_bad = i;
-    return HSP_E_NOT_FINITE;
-  }
-  return HSP_OK;
-}
 
 // Where gradients go; each may be null.
 struct GradientArrays {

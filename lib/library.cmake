@@ -80,6 +80,7 @@ set(HSP_LIBRARY_SOURCES
   lib/surface/surface_shells.cpp
   lib/surface/triangle_kernel.cpp
   lib/surface/triangle_kernel_avx2.cpp
+  lib/surface/weighted_joints.cpp
   lib/mesh/boundary_curves.cpp
   lib/mesh/boundary_outline.cpp
   lib/mesh/concave_outline.cpp

@@ -1067,6 +1067,24 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
+    function hsp_surface_weighted_gradient(surface, sigma, tension, pressure, energy, d_centre, d_radius, flags, &
+                                           capacity, needed, first_bad) result(status) &
+      bind(C, name="hsp_surface_weighted_gradient")
+      import :: c_double, c_int32_t, c_ptr, hsp_energy
+      type(c_ptr), value :: surface
+      real(c_double), intent(in), optional :: sigma(*)          ! n
+      real(c_double), value :: tension
+      real(c_double), value :: pressure
+      type(hsp_energy), intent(inout), optional :: energy
+      real(c_double), intent(inout), optional :: d_centre(3, *) ! 3, n
+      real(c_double), intent(inout), optional :: d_radius(*)    ! n
+      integer(c_int32_t), intent(inout), optional :: flags(*)   ! n; HSP_SURFACE_DEGENERATE
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
+      integer(c_int32_t), intent(inout), optional :: first_bad
+      integer(c_int32_t) :: status
+    end function
+
     function hsp_surface_get_map_counts(surface, counts) result(status) bind(C, name="hsp_surface_get_map_counts")
       import :: c_int32_t, c_ptr, hsp_surface_map_counts
       type(c_ptr), value :: surface

@@ -108,13 +108,26 @@ class SurfaceCalls {
     hsp_surface_totals totals{};
     hsp_energy energy{};
     hsp_surface_map_counts map{};
-    uint32_t invariant = 12345, id = 12345, needed = 12345;
+    uint32_t invariant = 12345, id = 12345, needed = 12345, balls = 0;
     FUZZ_REQUIRE(hsp_surface_get_counts(surface, &counts) == expected, "hsp_surface_get_counts");
-    FUZZ_REQUIRE(hsp_surface_measure(surface, &totals, nullptr, 0, nullptr) == expected, "hsp_surface_measure");
+    FUZZ_REQUIRE(hsp_surface_measure(surface, &totals, nullptr, 0, &balls) == expected, "hsp_surface_measure");
     const double tension = number(bytes_, true);
     const int32_t gradient = hsp_surface_gradient(surface, tension, 1, &energy, nullptr, nullptr, nullptr, 0, nullptr);
     FUZZ_REQUIRE(gradient == (expected == HSP_OK && !std::isfinite(tension) ? HSP_E_NOT_FINITE : expected),
                  "hsp_surface_gradient");
+    std::vector<double> sigma(balls, 1.0);
+    uint32_t bad = HSP_NONE, first_bad = 12345;
+    if (balls > 0) {
+      const uint32_t changed = bytes_.below(balls);
+      sigma[changed] = number(bytes_, true);
+      if (!std::isfinite(sigma[changed])) bad = changed;
+    }
+    const int32_t weighted = hsp_surface_weighted_gradient(surface, sigma.data(), 1, tension, &energy, nullptr, nullptr,
+                                                           nullptr, 0, nullptr, &first_bad);
+    FUZZ_REQUIRE(
+        weighted == (expected == HSP_OK && (bad != HSP_NONE || !std::isfinite(tension)) ? HSP_E_NOT_FINITE : expected),
+        "hsp_surface_weighted_gradient");
+    FUZZ_REQUIRE(first_bad == (expected == HSP_OK ? bad : 12345), "the first weight that is no number");
     const int32_t of_map = expected == HSP_OK && counts.open_joints > 0 ? HSP_E_CHECK : expected;
     FUZZ_REQUIRE(hsp_surface_get_map_counts(surface, &map) == of_map, "hsp_surface_get_map_counts");
     FUZZ_REQUIRE(hsp_surface_check(surface, &invariant, &id) == of_map, "hsp_surface_check");

@@ -170,7 +170,7 @@ HSP_API int32_t hsp_surface_measure(const hsp_surface *surface, hsp_surface_tota
                                     uint32_t capacity, uint32_t *needed);
 
 /** The ball has a vertex of more than three spheres, or of three that its probe just fits between; or another ball is
- *  equal to it. */
+ *  equal to it; or the plane of a saddle's narrowest place passes through a ball's centre, and weights differ there. */
 #define HSP_SURFACE_DEGENERATE UINT32_C(1)
 
 /** E = tension * A + pressure * V of the smooth surface and its gradient, in one pass.
@@ -195,6 +195,26 @@ HSP_API int32_t hsp_surface_measure(const hsp_surface *surface, hsp_surface_tota
 HSP_API int32_t hsp_surface_gradient(const hsp_surface *surface, double tension, double pressure, hsp_energy *energy,
                                      double *d_centre, double *d_radius, uint32_t *flags, uint32_t capacity,
                                      uint32_t *needed);
+
+/** The same of E = tension * sum_i sigma_i A_i + pressure * V, with A_i ball i's share of the area as
+ *  hsp_surface_measure has it. sigma [n], NULL for all ones; energy->area becomes sum_i sigma_i A_i; first_bad may be
+ *  NULL and else becomes the first ball whose sigma is NaN or infinite, HSP_NONE if there is none. The other arguments
+ *  are those of hsp_surface_gradient. On failure nothing but *needed and *first_bad is written.
+ *  - Property 1: properties 1 and 3 of hsp_surface_gradient; with pressure 0 property 2, for 2 sum_i sigma_i A_i.
+ *  - Property 2: without sigma everything is what hsp_surface_gradient says, bit for bit; with a sigma that is the same
+ *    for all balls it is that of this multiple of the area, up to rounding.
+ *
+ *  Shares are less smooth than their sum. Where an arc or a vertex is born what one ball has passes to another with a
+ *  square root: next to that derivatives grow without bound. Where the plane of an arc or a circle passes a ball's
+ *  centre they jump, which HSP_SURFACE_DEGENERATE flags.
+ *  @retval HSP_E_ARGUMENT    surface is NULL
+ *  @retval HSP_E_CAPACITY    an array is given and capacity < n
+ *  @retval HSP_E_STATE       nothing computed, or model or boundary changed since
+ *  @retval HSP_E_NOT_FINITE  a sigma, tension or pressure is NaN or infinite */
+HSP_API int32_t hsp_surface_weighted_gradient(const hsp_surface *surface, const double *sigma, double tension,
+                                              double pressure, hsp_energy *energy, double *d_centre, double *d_radius,
+                                              uint32_t *flags, uint32_t capacity, uint32_t *needed,
+                                              uint32_t *first_bad);
 
 /* ---- patches, edges, corners ------------------------------------------------------------------------------------- */
 

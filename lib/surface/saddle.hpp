@@ -22,6 +22,10 @@ class SaddlePatches {
   SaddleMeasures measure(const ArcBatch &batch);
   SaddleDerivatives differentiate(const ArcBatch &batch);
 
+  const RolledBall &rolled() const { return rolled_; }
+  // Of the last batch: those of its slots.
+  const double (&circle_radius() const)[ArcBatch::room] { return circle_radius_; }
+
  private:
   void find_circle_radii(const ArcBatch &batch);
 

@@ -2,6 +2,8 @@
 
 #include "measure/areas.hpp"
 #include "surface/saddle.hpp"
+#include "surface/vertex_contacts.hpp"
+#include "surface/weighted_joints.hpp"
 
 namespace hsp {
 namespace {
@@ -35,18 +37,10 @@ class ConcaveDerivatives {
 
     const Vec3 q_volume = -p_ * p_ * patch.vector_area;
     const Vec3 q_area = combine(2 * p_, patch.vector_area, -p_, creases.directions);
-    const uint32_t slot = record.slot_of(ball_);
-    const uint32_t own = ball_, next = record.ball[(slot + 1) % 3], last = record.ball[(slot + 2) % 3];
-    const auto normal = [&](uint32_t ball) {
-      return (1.0 / balls_.r[ball]) * (offset - balls_.difference(ball_, ball));
-    };
-    const Vec3 n = normal(own);
-    // The triple product of the normals in the record's order has the vertex's sign; its size is exact but for
-    // rounding.
-    const double twice = 2 * balls_.r[own] * balls_.r[next] * balls_.r[last];
-    const Vec3 share = (record.positive() ? twice : -twice) / root * cross(normal(next), normal(last));
-    const double z_area = dot(q_area, share);
-    const double z_volume = dot(q_volume, share);
+    const VertexContacts contacts(balls_, boundary_, vertex, ball_, offset);
+    const Vec3 n = contacts.normal[0];
+    const double z_area = dot(q_area, contacts.share);
+    const double z_volume = dot(q_volume, contacts.share);
     result.area_centre = combine(1.0, result.area_centre, z_area, n);
     result.area_radius += z_area;
     result.volume_centre = combine(1.0, result.volume_centre, z_volume, n);
@@ -62,8 +56,8 @@ class ConcaveDerivatives {
 };
 
 // Of one of a ball's faces, or of all.
-SurfaceGradient gradient_of_faces(const BallSet &balls, const Boundary &boundary, const Surface &surface, uint32_t i,
-                                  uint32_t one) {
+SurfaceGradient gradient_of_faces(const BallSet &balls, const Boundary &boundary, const Surface &surface,
+                                  const AreaWeights &weights, uint32_t i, uint32_t one) {
   SurfaceGradient result;
   const bool all = one == no_id;
   const uint32_t faces = all ? boundary.faces(i).size() : 1;
@@ -74,14 +68,18 @@ SurfaceGradient gradient_of_faces(const BallSet &balls, const Boundary &boundary
   ArcBatches arcs(balls, boundary, i, one);
   SaddlePatches saddles(balls, boundary, i);
   const ConcaveDerivatives concave(balls, boundary, surface, i);
+  const bool weighted = weights.weight != nullptr;
+  WeightedJoints joints(balls, boundary, surface, weights, i);
   double triple_volume = 0.0;
   while (arcs.next()) {
     const ArcBatch &batch = arcs.batch();
     face.add(batch);
     for (uint32_t s = 0; s < batch.count && balls.probe_steps > 0; ++s) {
       if (batch.arc[s] == 0) continue;
-      const Vec3 twice_offset{batch.px[s], batch.py[s], batch.pz[s]};
-      concave.add(boundary.half_edge(arcs.half_edge(s)).vertex, 0.5 * twice_offset, result);
+      const uint32_t vertex = boundary.half_edge(arcs.half_edge(s)).vertex;
+      const Vec3 offset = 0.5 * Vec3{batch.px[s], batch.py[s], batch.pz[s]};
+      concave.add(vertex, offset, result);
+      if (weighted && boundary.root_discriminant(vertex) > 0.0) joints.add_vertex(vertex, offset);
     }
     // Without a probe an arc is what its saddle becomes in the limit, a circle of radius 0 is not.
     result.degenerate = result.degenerate || (balls.probe_steps == 0 && batch.any_touching);
@@ -93,6 +91,7 @@ SurfaceGradient gradient_of_faces(const BallSet &balls, const Boundary &boundary
     result.area_radius += saddle.area_radius;
     result.volume_radius += saddle.volume_radius;
     result.area_offset += saddle.area_offset;
+    if (weighted) joints.add_saddles(batch, saddles);
   }
   const double steradians = face.steradians(faces, loops);
   const double r = R - static_cast<double>(balls.probe_steps);
@@ -107,16 +106,17 @@ SurfaceGradient gradient_of_faces(const BallSet &balls, const Boundary &boundary
   result.area_centre = combine(1.0, result.area_centre, R > 0.0 ? 2 * shrinkage / R : 0.0, vector_area);
   result.area_radius += 2 * r * steradians;
   result.area_offset -= 2 * r * steradians;
+  if (weighted) result.weigh(joints.weight(), joints.sums());
   return result;
 }
 
 }  // namespace
 
 SurfaceGradient surface_gradient_of_ball(const BallSet &balls, const Boundary &boundary, const Surface &surface,
-                                         uint32_t i) {
+                                         const AreaWeights &weights, uint32_t i) {
   SurfaceGradient sum;
   for_each_chosen_part(boundary, surface.chosen(), i,
-                       [&](uint32_t one) { sum += gradient_of_faces(balls, boundary, surface, i, one); });
+                       [&](uint32_t one) { sum += gradient_of_faces(balls, boundary, surface, weights, i, one); });
   return sum;
 }
 

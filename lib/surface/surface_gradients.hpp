@@ -13,7 +13,8 @@
 //              q_V = -N,   q_A = 2 N/p - p * sum over creases of c * (integral of the direction over the angle)
 //              contact k:  z = q.(n_l x n_m) / det(n_k, n_l, n_m);   d/dc_k = z n_k, d/dR_k = z
 //              dA/dt = 2 A/p - p * sum over creases of c phi
-// Cusps add nothing. On a crease each of the two patches adds its own half.
+// Cusps add nothing. On a crease each of the two patches adds its own half. Where areas have weights that are not equal
+// weighted_joints.hpp has what comes to that.
 //
 // V and A are differentiable where no vertex is degenerate: of more than three spheres, or with centres in its plane
 // (D = 0), so that arcs and vertices come and go there with an angle. There the derivatives are those of the patches
@@ -21,18 +22,26 @@
 #pragma once
 
 #include "core/summation.hpp"
+#include "measure/totals.hpp"
 #include "surface/surface_areas.hpp"
+#include "surface/weighted_joints.hpp"
 
 namespace hsp {
 
-// Ball i's part, in lattice steps.
+// Ball i's part, in lattice steps. The areas that are differentiated are weighted, those of `measure` are not.
 struct SurfaceGradient {
   SurfaceMeasure measure;
   Vec3 area_centre{0.0, 0.0, 0.0}, volume_centre{0.0, 0.0, 0.0};
   double area_radius = 0.0, volume_radius = 0.0;
   double area_offset = 0.0;  // this ball's share of dA/dt; that of dV/dt is -measure.area()
-  bool degenerate = false;   // one of its vertices is
+  bool degenerate = false;   // one of its vertices is, or a waist between weights (weighted_joints.hpp)
 
+  void weigh(double weight, const AreaDerivatives &joints) {
+    area_centre = combine(weight, area_centre, 1.0, joints.centre);
+    area_radius = weight * area_radius + joints.radius;
+    area_offset = weight * area_offset + joints.offset;
+    degenerate = degenerate || joints.one_sided;
+  }
   void operator+=(const SurfaceGradient &other) {
     measure += other.measure;
     area_centre = area_centre + other.area_centre;
@@ -44,9 +53,9 @@ struct SurfaceGradient {
   }
 };
 SurfaceGradient surface_gradient_of_ball(const BallSet &balls, const Boundary &boundary, const Surface &surface,
-                                         uint32_t i);
+                                         const AreaWeights &weights, uint32_t i);
 
-// tension * A + pressure * V, in the caller's unit.
+// tension * S + pressure * V, S the weighted area, in the caller's unit.
 struct SurfaceEnergy {
   double area = 0.0, volume = 0.0, value = 0.0;
   double by_probe = 0.0;  // with radii that do not contain it
@@ -63,7 +72,7 @@ struct SurfaceEnergyGradient {
 // caller's order.
 template <class Sink>
 SurfaceEnergy differentiate_surface(const CubeGrid &grid, const Boundary &boundary, const Surface &surface,
-                                    double tension, double pressure, Sink sink) {
+                                    const EnergyTerms &terms, Sink sink) {
   const BallSet &balls = grid.balls();
   const exact::Lattice &lattice = balls.lattice;
   TreeSum area;
@@ -71,16 +80,16 @@ SurfaceEnergy differentiate_surface(const CubeGrid &grid, const Boundary &bounda
   TreeSum by_probe;
   // A step of the lattice may be any power of ten: each is converted on its own.
   const auto combined = [&](double of_area, double of_volume) {
-    return tension * lattice.length(of_area) + pressure * lattice.area(of_volume);
+    return terms.tension * lattice.length(of_area) + terms.pressure * lattice.area(of_volume);
   };
   visit_in_input_order(grid, boundary, [&](uint32_t i, uint32_t ball) {
-    const SurfaceGradient own = surface_gradient_of_ball(balls, boundary, surface, ball);
+    const SurfaceGradient own = surface_gradient_of_ball(balls, boundary, surface, terms.weights, ball);
     const SurfaceEnergyGradient gradient{
         {combined(own.area_centre.x, own.volume_centre.x), combined(own.area_centre.y, own.volume_centre.y),
          combined(own.area_centre.z, own.volume_centre.z)},
         combined(own.area_radius, own.volume_radius),
         own.degenerate};
-    area.add(own.measure.area());
+    area.add(terms.weights.of(balls, ball) * own.measure.area());
     volume.add(own.measure.volume);
     by_probe.add(gradient.radius + combined(own.area_offset, -own.measure.area()));
     sink(i, gradient);
@@ -88,7 +97,7 @@ SurfaceEnergy differentiate_surface(const CubeGrid &grid, const Boundary &bounda
   SurfaceEnergy energy;
   energy.area = lattice.area(area.total());
   energy.volume = lattice.volume(volume.total());
-  energy.value = tension * energy.area + pressure * energy.volume;
+  energy.value = terms.tension * energy.area + terms.pressure * energy.volume;
   energy.by_probe = by_probe.total();
   return energy;
 }

@@ -15,6 +15,10 @@ Vec3 scaled_to(const Vec3 &v, double length) {
   return own > 0.0 ? (length / own) * v : Vec3{0.0, 0.0, 0.0};
 }
 
+Vec3 towards(const BallSet &balls, const Position &position, uint32_t ball) {
+  return scaled_to(balls.difference(position.ball, ball) - position.offset, 1.0);
+}
+
 // The cap that another probe cuts out of the one at a position: unit vector and height on the unit sphere.
 struct ProbeCap {
   Vec3 axis;
@@ -25,11 +29,27 @@ struct ProbeCap {
     axis = scaled_to(to, 1.0);
     height = std::sqrt(dot(to, to)) / (2 * static_cast<double>(balls.probe_steps));
   }
+  // That of an arc of the patch of a vertex; a side's is the half of the sphere beyond it.
+  ProbeCap(const BallSet &balls, const Boundary &boundary, const Position &from, const VertexRecord &vertex,
+           const PatchArc &arc) {
+    if (!arc.is_side()) {
+      *this = ProbeCap(balls, boundary, from, arc.across);
+      return;
+    }
+    const uint32_t slot = arc.slot();
+    const Vec3 normal = scaled_to(
+        cross(towards(balls, from, vertex.ball[(slot + 1) % 3]), towards(balls, from, vertex.ball[(slot + 2) % 3])),
+        1.0);
+    axis = dot(normal, towards(balls, from, vertex.ball[slot])) > 0.0 ? -normal : normal;
+    height = 0.0;
+  }
+  // Where its circle leaves the other cap.
+  Vec3 exit_of(const ProbeCap &other) const {
+    const CircleCrossing<Vec3, double> crossing(axis, height, other.axis, other.height);
+    const double D = crossing.discriminant(1.0);
+    return crossing.nn > 0.0 ? crossing.point(D > 0.0 ? std::sqrt(D) : 0.0) : axis;
+  }
 };
-
-Vec3 towards(const BallSet &balls, const Position &position, uint32_t ball) {
-  return scaled_to(balls.difference(position.ball, ball) - position.offset, 1.0);
-}
 
 Position position_of_cusp(const BallSet &balls, const CuspedCircles &cusped, uint32_t circle, uint32_t side) {
   const CirclePosition position = position_of_circle(balls, cusped.ball(circle, 0), cusped.ball(circle, 1));
@@ -44,10 +64,7 @@ Position position_of_crease_corner(const BallSet &balls, const Boundary &boundar
   const Position centre = position_of_vertex(balls, boundary, cut.piece(cut.piece_of_arc(arc)).vertex);
   const ProbeCap own(balls, boundary, centre, cut.arc(arc).across);
   const ProbeCap before(balls, boundary, centre, cut.arc(cut.previous(arc)).across);
-  const CircleCrossing<Vec3, double> crossing(own.axis, own.height, before.axis, before.height);
-  const double D = crossing.discriminant(1.0);
-  const Vec3 point = crossing.nn > 0.0 ? crossing.point(D > 0.0 ? std::sqrt(D) : 0.0) : own.axis;
-  return {centre.ball, centre.offset + static_cast<double>(balls.probe_steps) * point};
+  return {centre.ball, centre.offset + static_cast<double>(balls.probe_steps) * own.exit_of(before)};
 }
 
 // The convex patch is the face, shrunk towards the centre of its ball.
@@ -119,6 +136,17 @@ ArcPosition position_of_edge(const BallSet &balls, const Boundary &boundary, con
           cap.axis,
           p * std::sqrt((1.0 - cap.height) * (1.0 + cap.height)),
           arc.angle};
+}
+
+CreaseArc crease_on_probe(const BallSet &balls, const Boundary &boundary, const CutPatches &cut, uint32_t arc) {
+  const uint32_t vertex = cut.piece(cut.piece_of_arc(arc)).vertex;
+  const VertexRecord &record = boundary.vertex(vertex);
+  const Position centre = position_of_vertex(balls, boundary, vertex);
+  const auto cap_of = [&](uint32_t a) { return ProbeCap(balls, boundary, centre, record, cut.arc(a)); };
+  const ProbeCap own = cap_of(arc);
+  if (cut.arc(arc).next == arc) return {own.axis, own.height, {0.0, 0.0, 0.0}};
+  const Vec3 start = own.exit_of(cap_of(cut.previous(arc)));
+  return {own.axis, own.height, cap_of(cut.arc(arc).next).exit_of(own) - start};
 }
 
 }  // namespace hsp

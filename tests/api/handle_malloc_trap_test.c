@@ -153,6 +153,8 @@ static int call_surface(surface_result *s, void *memory, size_t bytes) {
   bad += hsp_surface_get_counts(surface, &counts) != HSP_OK;
   bad += hsp_surface_measure(surface, &s->totals, s->balls, c->n, &needed) != HSP_OK;
   bad += hsp_surface_gradient(surface, 1, 1, &energy, NULL, c->area, NULL, c->n, &needed) != HSP_OK;
+  bad += hsp_surface_weighted_gradient(surface, c->radius, 1, 1, &energy, NULL, c->area, NULL, c->n, &needed, NULL) !=
+         HSP_OK;
   bad += hsp_surface_check(surface, &invariant, &id) != (counts.open_joints == 0 ? HSP_OK : HSP_E_CHECK);
   status = hsp_surface_get_map_counts(surface, &map);
   bad += status != (counts.open_joints == 0 ? HSP_OK : HSP_E_CHECK);

@@ -129,6 +129,8 @@ static void refused_as_surface(void *handle) {
   CHECK_EQUAL(hsp_surface_get_counts(handle, &counts), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_surface_measure(handle, &totals, NULL, 0, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_surface_gradient(handle, 1, 1, &energy, NULL, NULL, NULL, 0, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_surface_weighted_gradient(handle, NULL, 1, 1, &energy, NULL, NULL, NULL, 0, NULL, NULL),
+              HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_surface_get_map_counts(handle, &map), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_surface_next(handle, 0), HSP_NONE);
   CHECK_EQUAL(hsp_surface_previous(handle, 0), HSP_NONE);

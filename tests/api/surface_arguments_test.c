@@ -25,7 +25,8 @@ static hsp_surface_patch patches[4];
 static hsp_surface_edge edges[4];
 static hsp_surface_corner corners[4];
 static hsp_surface_shell shells[2];
-static uint32_t needed, invariant, id;
+static uint32_t needed, first_bad, invariant, id;
+static double sigma[BALLS] = {1, -2, 0.5};
 
 static void fill_outputs(void) {
   FILL(limits);
@@ -42,6 +43,7 @@ static void fill_outputs(void) {
   FILL(corners);
   FILL(shells);
   FILL(needed);
+  FILL(first_bad);
   FILL(invariant);
   FILL(id);
 }
@@ -61,8 +63,15 @@ static void check_outputs_untouched(void) {
   CHECK_UNTOUCHED(corners);
   CHECK_UNTOUCHED(shells);
   CHECK_UNTOUCHED(needed);
+  CHECK_UNTOUCHED(first_bad);
   CHECK_UNTOUCHED(invariant);
   CHECK_UNTOUCHED(id);
+}
+
+/* hsp_surface_weighted_gradient with all outputs. */
+static int32_t weighted_with(const hsp_surface *which, double tension, double pressure, uint32_t capacity) {
+  return hsp_surface_weighted_gradient(which, sigma, tension, pressure, &energy, d_centre, d_radius, flags, capacity,
+                                       &needed, &first_bad);
 }
 
 /* All reading functions with good arguments must say `status` and write nothing. */
@@ -73,6 +82,8 @@ static void check_all_readers(const hsp_surface *which, int32_t status) {
   CHECK_EQUAL(hsp_surface_measure(which, NULL, NULL, 0, NULL), status);
   CHECK_EQUAL(hsp_surface_gradient(which, 1, 1, &energy, d_centre, d_radius, flags, BALLS, &needed), status);
   CHECK_EQUAL(hsp_surface_gradient(which, 1, 1, NULL, NULL, NULL, NULL, 0, NULL), status);
+  CHECK_EQUAL(weighted_with(which, 1, 1, BALLS), status);
+  CHECK_EQUAL(hsp_surface_weighted_gradient(which, NULL, 1, 1, NULL, NULL, NULL, NULL, 0, NULL, NULL), status);
   CHECK_EQUAL(hsp_surface_get_map_counts(which, &map), status);
   CHECK_EQUAL(hsp_surface_get_patches(which, 0, 4, patches), status);
   CHECK_EQUAL(hsp_surface_get_edges(which, 0, 4, edges), status);
@@ -94,6 +105,11 @@ static void check_has_results(void) {
   CHECK_EQUAL(hsp_surface_gradient(surface, 1, 1, &energy, d_centre, d_radius, flags, BALLS, &needed), HSP_OK);
   CHECK_NEAR(energy.value, totals.area + totals.volume, 1e-12 * energy.value);
   CHECK_EQUAL(hsp_surface_gradient(surface, 1, 1, NULL, NULL, NULL, NULL, 0, NULL), HSP_OK);
+  CHECK_EQUAL(weighted_with(surface, 1, 1, BALLS), HSP_OK);
+  CHECK(needed == BALLS && first_bad == HSP_NONE);
+  CHECK_NEAR(energy.area, balls[0].area - 2 * balls[1].area + 0.5 * balls[2].area, 1e-12 * totals.area);
+  CHECK_NEAR(energy.value, energy.area + totals.volume, 1e-12 * totals.volume);
+  CHECK_EQUAL(hsp_surface_weighted_gradient(surface, sigma, 1, 1, NULL, NULL, NULL, NULL, 0, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_surface_get_map_counts(surface, &map), HSP_OK);
   CHECK_EQUAL(map.shells, 1);
   CHECK_EQUAL(hsp_surface_check(surface, &invariant, &id), HSP_OK);
@@ -202,6 +218,40 @@ static void defaults(void) {
   CHECK_EQUAL(limits.cusped_circles, 16);
 }
 
+static void weights(void) {
+  static const double not_finite[3] = {(double)NAN, (double)INFINITY, (double)-INFINITY};
+  int which;
+  uint32_t i;
+  check_scene("weights");
+  fill_outputs();
+  CHECK_EQUAL(weighted_with(surface, 1, 1, BALLS - 1), HSP_E_CAPACITY);
+  CHECK_EQUAL(needed, BALLS);
+  FILL(needed);
+  check_outputs_untouched();
+  for (which = 0; which < 3; ++which) {
+    const double bad = not_finite[which];
+    for (i = 0; i < BALLS; ++i) {
+      const double good = sigma[i];
+      sigma[i] = bad;
+      /* whatever it is multiplied with */
+      CHECK_EQUAL(weighted_with(surface, which == 1 ? 0 : 1, 1, BALLS), HSP_E_NOT_FINITE);
+      CHECK(needed == BALLS && first_bad == i);
+      CHECK_EQUAL(hsp_surface_weighted_gradient(surface, sigma, 1, 1, NULL, NULL, NULL, NULL, 0, NULL, NULL),
+                  HSP_E_NOT_FINITE);
+      sigma[i] = good;
+      FILL(needed);
+      FILL(first_bad);
+      check_outputs_untouched();
+    }
+    CHECK_EQUAL(weighted_with(surface, bad, 1, BALLS), HSP_E_NOT_FINITE);
+    CHECK_EQUAL(weighted_with(surface, 1, bad, BALLS), HSP_E_NOT_FINITE);
+    CHECK(needed == BALLS && first_bad == HSP_NONE);
+    FILL(needed);
+    FILL(first_bad);
+    check_outputs_untouched();
+  }
+}
+
 static void out_of_order(void) {
   int which;
   check_scene("no surface yet");
@@ -242,6 +292,7 @@ static void out_of_order(void) {
     check_outputs_untouched();
   }
 
+  weights();
   check_scene("shells");
   {
     const uint32_t chosen[3] = {0, 0, 1};

@@ -163,14 +163,23 @@ typedef struct surface_gradient {
   uint32_t *flags;
 } surface_gradient;
 
-static void surface_gradient_make(const surface_result *s, double tension, double pressure, surface_gradient *g) {
+/* sigma may be NULL. */
+static void surface_gradient_make(const surface_result *s, const double *sigma, double tension, double pressure,
+                                  surface_gradient *g) {
   const uint32_t n = s->base->n;
   uint32_t i;
   g->centre = test_zeros(n, 3 * sizeof *g->centre);
   g->radius = test_zeros(n, sizeof *g->radius);
   g->flags = test_zeros(n, sizeof *g->flags);
-  CHECK_EQUAL(hsp_surface_gradient(s->surface, tension, pressure, &g->energy, g->centre, g->radius, g->flags, n, NULL),
-              HSP_OK);
+  if (sigma == NULL) {
+    CHECK_EQUAL(
+        hsp_surface_gradient(s->surface, tension, pressure, &g->energy, g->centre, g->radius, g->flags, n, NULL),
+        HSP_OK);
+  } else {
+    CHECK_EQUAL(hsp_surface_weighted_gradient(s->surface, sigma, tension, pressure, &g->energy, g->centre, g->radius,
+                                              g->flags, n, NULL, NULL),
+                HSP_OK);
+  }
   for (i = 0; i < n; ++i) {
     CHECK(isfinite(g->centre[3 * i]) && isfinite(g->centre[3 * i + 1]) && isfinite(g->centre[3 * i + 2]));
     CHECK(isfinite(g->radius[i]) && (g->flags[i] & ~HSP_SURFACE_DEGENERATE) == 0);
@@ -180,6 +189,91 @@ static void surface_gradient_release(surface_gradient *g) {
   free(g->centre);
   free(g->radius);
   free(g->flags);
+}
+
+static void same_gradients(const surface_gradient *a, const surface_gradient *b, uint32_t n) {
+  CHECK_BYTES(&a->energy, &b->energy, sizeof a->energy);
+  CHECK_BYTES(a->centre, b->centre, 3 * (size_t)n * sizeof(double));
+  CHECK_BYTES(a->radius, b->radius, n * sizeof(double));
+  CHECK_BYTES(a->flags, b->flags, n * sizeof(uint32_t));
+}
+
+/* Weights of balls that follow from their coordinates, so that another order of the balls does not change them. */
+static double *weights_of(const computed *c) {
+  double *sigma = test_zeros(c->n, sizeof *sigma);
+  uint32_t i;
+  for (i = 0; i < c->n; ++i) sigma[i] = 1 + sin(17 * c->xyz[3 * i] + 5 * c->xyz[3 * i + 1] + 3 * c->xyz[3 * i + 2]);
+  return sigma;
+}
+
+/* hsp_surface_weighted_gradient: what it says for equal weights and without any; its sums; without a probe it is the
+ * boundary's gradient. */
+static void check_weights(const ball_set *set, const surface_result *s, double probe) {
+  const uint32_t n = set->n;
+  double *sigma = weights_of(s->base), *twos = test_zeros(n, sizeof *twos);
+  double sum[3] = {0, 0, 0}, growth = 0, scale = 1.0, largest = 1.0, area = 0.0;
+  surface_gradient plain, weighted;
+  int degenerate = 0;
+  uint32_t i, axis;
+  surface_gradient_make(s, NULL, 1.5, -0.25, &plain);
+  CHECK_EQUAL(hsp_surface_weighted_gradient(s->surface, NULL, 1.5, -0.25, NULL, NULL, NULL, NULL, 0, NULL, NULL),
+              HSP_OK);
+  surface_gradient_make(s, twos, 1.5, -0.25, &weighted);
+  CHECK_EQUAL(hsp_surface_weighted_gradient(s->surface, NULL, 1.5, -0.25, &weighted.energy, weighted.centre,
+                                            weighted.radius, weighted.flags, n, NULL, NULL),
+              HSP_OK);
+  same_gradients(&plain, &weighted, n);
+  surface_gradient_release(&weighted);
+  for (i = 0; i < n; ++i) twos[i] = 2;
+  surface_gradient_make(s, twos, 0.75, -0.25, &weighted);
+  CHECK_NEAR(weighted.energy.value, plain.energy.value, 1e-12 * (1.0 + fabs(plain.energy.value) + s->totals.area));
+  for (i = 0; i < n; ++i) {
+    CHECK_EQUAL(weighted.flags[i], plain.flags[i]);
+    CHECK_NEAR(weighted.radius[i], plain.radius[i], 1e-12 * (1.0 + fabs(plain.radius[i]) + s->totals.area));
+    for (axis = 0; axis < 3; ++axis) {
+      const double expected = plain.centre[3 * i + axis];
+      CHECK_NEAR(weighted.centre[3 * i + axis], expected, 1e-12 * (1.0 + fabs(expected) + s->totals.area));
+    }
+  }
+  surface_gradient_release(&weighted);
+  surface_gradient_release(&plain);
+  surface_gradient_make(s, sigma, 1, 0, &weighted);
+  for (i = 0; i < n; ++i) {
+    const double *c = set->xyz + 3 * i, *d = weighted.centre + 3 * i;
+    for (axis = 0; axis < 3; ++axis) {
+      sum[axis] += d[axis];
+      growth += c[axis] * d[axis];
+      scale += fabs(d[axis]);
+      largest = fmax(largest, fabs(c[axis]));
+    }
+    growth += set->radius[i] * weighted.radius[i];
+    scale += fabs(weighted.radius[i]);
+    largest = fmax(largest, set->radius[i]);
+    area += sigma[i] * s->balls[i].area;
+    if (weighted.flags[i] != 0) degenerate = 1;
+  }
+  CHECK_NEAR(weighted.energy.area, area, 1e-11 * (1.0 + s->totals.area));
+  CHECK_NEAR(weighted.energy.value, area, 1e-11 * (1.0 + s->totals.area));
+  CHECK_NEAR(weighted.energy.volume, s->totals.volume, 1e-11 * (1.0 + s->totals.volume));
+  if (!degenerate) {
+    for (axis = 0; axis < 3; ++axis) CHECK_NEAR(sum[axis], 0.0, 1e-9 * scale);
+    CHECK_NEAR(growth + probe * weighted.energy.d_probe, 2 * area, 1e-9 * scale * (largest + probe));
+  }
+  if (!degenerate && probe == 0.0) {
+    surface_gradient_make(s, NULL, 1, 0, &plain);
+    CHECK_EQUAL(hsp_boundary_gradient(s->base->boundary, sigma, 1, 0, HSP_TANGENT_DISJOINT, &plain.energy, plain.centre,
+                                      plain.radius, plain.flags, n, NULL, NULL),
+                HSP_OK);
+    for (i = 0; i < n; ++i) {
+      CHECK_NEAR(weighted.radius[i], plain.radius[i], 1e-9 * scale);
+      for (axis = 0; axis < 3; ++axis)
+        CHECK_NEAR(weighted.centre[3 * i + axis], plain.centre[3 * i + axis], 1e-9 * scale);
+    }
+    surface_gradient_release(&plain);
+  }
+  surface_gradient_release(&weighted);
+  free(twos);
+  free(sigma);
 }
 
 /* hsp_surface_gradient, properties 1, 2 and 4, for the area alone and for the volume alone. Where vertices are
@@ -192,7 +286,7 @@ static void check_gradient(const ball_set *set, const surface_result *s, double 
     const double value = of_volume ? s->totals.volume : s->totals.area;
     int degenerate = 0;
     uint32_t i, axis;
-    surface_gradient_make(s, of_volume ? 0 : 1, of_volume ? 1 : 0, &g);
+    surface_gradient_make(s, NULL, of_volume ? 0 : 1, of_volume ? 1 : 0, &g);
     CHECK_NEAR(g.energy.value, value, 1e-11 * (1.0 + value));
     CHECK_NEAR(g.energy.area, s->totals.area, 1e-11 * (1.0 + s->totals.area));
     CHECK_NEAR(g.energy.volume, s->totals.volume, 1e-11 * (1.0 + s->totals.volume));
@@ -228,9 +322,10 @@ static void check_gradient(const ball_set *set, const surface_result *s, double 
 /* Property 3, of a set and the same in another order. */
 static void check_gradient_order(const surface_result *s, const surface_result *other, const uint32_t *order) {
   surface_gradient here, there;
+  double *sigma = weights_of(s->base), *permuted = weights_of(other->base);
   uint32_t i;
-  surface_gradient_make(s, 1.5, -0.25, &here);
-  surface_gradient_make(other, 1.5, -0.25, &there);
+  surface_gradient_make(s, sigma, 1.5, -0.25, &here);
+  surface_gradient_make(other, permuted, 1.5, -0.25, &there);
   for (i = 0; i < s->base->n; ++i) {
     CHECK_BYTES(there.centre + 3 * i, here.centre + 3 * (size_t)order[i], 3 * sizeof(double));
     CHECK_BYTES(there.radius + i, here.radius + order[i], sizeof(double));
@@ -238,6 +333,8 @@ static void check_gradient_order(const surface_result *s, const surface_result *
   }
   surface_gradient_release(&here);
   surface_gradient_release(&there);
+  free(sigma);
+  free(permuted);
 }
 
 /* The solid holds the balls without the probe, and lies in the union with it. */
@@ -314,6 +411,7 @@ static void check_set(const ball_set *set, double probe) {
     check_sums(&s, probe);
     check_bounds(set, &s);
     check_gradient(set, &s, probe);
+    check_weights(set, &s, probe);
     check_order(set, &options, &s);
     if (set->n <= 30) sweep_limits(&known, set->name);
     if (set->n > 3 && set->n < 10) sweep_alignments(&known, NULL);

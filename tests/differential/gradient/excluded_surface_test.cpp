@@ -1,10 +1,12 @@
-// Gradients of the smooth surface's area and volume against difference quotients of the library's own, which
-// differential_measure_excluded_surface holds against lines: molecules, and sets at random that meet themselves.
+// Gradients of the smooth surface's area and volume, and of its balls' shares of the area with weights, against
+// difference quotients of the library's own, which differential_measure_excluded_surface holds against lines:
+// molecules, and sets at random that meet themselves.
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 #include <iostream>
+#include <utility>
 #include <vector>
 
 #include "difference_quotients.hpp"
@@ -38,6 +40,14 @@ class SmoothSurface {
     support::expect_ok(hsp_surface_measure(surface_.get(), &totals, nullptr, 0, nullptr), "hsp_surface_measure");
     return totals;
   }
+  // The shares of the balls, times weights.
+  [[nodiscard]] double weighted_area(const std::vector<double> &sigma) const {
+    std::vector<hsp_surface_totals> balls(n_);
+    support::expect_ok(hsp_surface_measure(surface_.get(), nullptr, balls.data(), n_, nullptr), "hsp_surface_measure");
+    double sum = 0;
+    for (uint32_t i = 0; i < n_; ++i) sum += sigma[i] * balls[i].area;
+    return sum;
+  }
   [[nodiscard]] hsp_surface_counts counts() const {
     hsp_surface_counts counts;
     support::expect_ok(hsp_surface_get_counts(surface_.get(), &counts), "hsp_surface_get_counts");
@@ -50,14 +60,26 @@ class SmoothSurface {
     std::vector<uint32_t> flags;
   };
   [[nodiscard]] Gradient gradient(double tension, double pressure) const {
-    Gradient g{{}, std::vector<double>(3 * size_t{n_}), std::vector<double>(n_), std::vector<uint32_t>(n_)};
+    Gradient g = empty_gradient();
     support::expect_ok(hsp_surface_gradient(surface_.get(), tension, pressure, &g.energy, g.centre.data(),
                                             g.radius.data(), g.flags.data(), n_, nullptr),
                        "hsp_surface_gradient");
     return g;
   }
+  // Of the weighted area.
+  [[nodiscard]] Gradient gradient(const std::vector<double> &sigma) const {
+    Gradient g = empty_gradient();
+    support::expect_ok(hsp_surface_weighted_gradient(surface_.get(), sigma.data(), 1, 0, &g.energy, g.centre.data(),
+                                                     g.radius.data(), g.flags.data(), n_, nullptr, nullptr),
+                       "hsp_surface_weighted_gradient");
+    return g;
+  }
 
  private:
+  [[nodiscard]] Gradient empty_gradient() const {
+    return {{}, std::vector<double>(3 * size_t{n_}), std::vector<double>(n_), std::vector<uint32_t>(n_)};
+  }
+
   support::OwnedModel model_;
   support::OwnedBoundary boundary_;
   support::OwnedSurface surface_;
@@ -81,7 +103,23 @@ double component(const SmoothSurface::Gradient &g, size_t k) {
 }
 
 struct Tally {
-  uint32_t compared = 0, uncertain = 0;
+  uint32_t compared = 0, uncertain = 0, weighted_uncertain = 0;
+};
+std::ostream &operator<<(std::ostream &out, const Tally &tally) {
+  return out << tally.compared << " compared, " << tally.uncertain << " uncertain, with weights "
+             << tally.weighted_uncertain;
+}
+
+// What the balls have in common is not smooth where arcs and vertices are born: its quotients converge less often.
+struct Gradients {
+  SmoothSurface::Gradient area, volume, weighted;
+  std::vector<double> sigma;
+
+  Gradients(const SmoothSurface &surface, std::vector<double> weights)
+      : area(surface.gradient(1, 0)),
+        volume(surface.gradient(0, 1)),
+        weighted(surface.gradient(weights)),
+        sigma(std::move(weights)) {}
 };
 
 bool same_counts(const hsp_surface_counts &a, const hsp_surface_counts &b) {
@@ -92,28 +130,38 @@ bool same_counts(const hsp_surface_counts &a, const hsp_surface_counts &b) {
 
 // Where a patch, a cusp or a cut is born within the steps a quotient is uncertain. The counts say so; its own error
 // does as a rule, not always: of four steps the three widest may contain the birth.
-void expect_derivative(const Set &set, const SmoothSurface::Gradient &area, const SmoothSurface::Gradient &volume,
-                       size_t k, Tally &tally) {
+void expect_derivative(const Set &set, const Gradients &found, size_t k, Tally &tally) {
+  const SmoothSurface::Gradient &area = found.area, &volume = found.volume;
   constexpr double widest = 0x1p-10;
   const hsp_surface_counts counts = SmoothSurface(set.balls, set.probe).counts();
   bool same = true;
-  std::array<long double, quotient_levels> of_area{}, of_volume{};
+  std::array<long double, quotient_levels> of_area{}, of_volume{}, of_weighted{};
   for (size_t level = 0; level < quotient_levels; ++level) {
     hsp_surface_totals at[2];
+    double weighted[2];
     for (int side = 0; side < 2; ++side) {
       Set moved = set;
       moved.number(k) += std::ldexp(side == 0 ? widest : -widest, -static_cast<int>(level));
       const SmoothSurface surface(moved.balls, moved.probe);
       at[side] = surface.totals();
+      weighted[side] = surface.weighted_area(found.sigma);
       same = same && same_counts(surface.counts(), counts);
     }
     of_area[level] = at[0].area - at[1].area;
     of_volume[level] = at[0].volume - at[1].volume;
+    of_weighted[level] = weighted[0] - weighted[1];
   }
   const double noise_of_area = 1e-14 * area.energy.area, noise_of_volume = 1e-14 * volume.energy.volume;
   const DifferenceQuotient by_area = extrapolated_quotient(of_area, widest, noise_of_area);
   const DifferenceQuotient by_volume = extrapolated_quotient(of_volume, widest, noise_of_volume);
+  const DifferenceQuotient by_weighted = extrapolated_quotient(of_weighted, widest, noise_of_area);
   ++tally.compared;
+  if (!same || by_weighted.error > 1e-4) {
+    ++tally.weighted_uncertain;
+  } else if (found.weighted.flags[k / 4 < found.sigma.size() ? k / 4 : 0] == 0) {
+    EXPECT_NEAR(component(found.weighted, k), static_cast<double>(by_weighted.value),
+                2 * static_cast<double>(by_weighted.error) + 1e-7);
+  }
   if (!same || by_area.error > 1e-5 || by_volume.error > 1e-5) {
     ++tally.uncertain;
     return;
@@ -151,13 +199,16 @@ void expect_sums(Set set, const SmoothSurface::Gradient &area, const SmoothSurfa
 
 void expect_gradient(const Set &set, size_t chosen, support::Random &random, Tally &tally) {
   const SmoothSurface surface(set.balls, set.probe);
-  const SmoothSurface::Gradient area = surface.gradient(1, 0), volume = surface.gradient(0, 1);
-  expect_sums(set, area, volume);
-  expect_derivative(set, area, volume, set.numbers() - 1, tally);
+  std::vector<double> sigma(set.balls.size());
+  for (double &weight : sigma) weight = 3 * random.fraction() - 1;
+  const Gradients found(surface, sigma);
+  expect_sums(set, found.area, found.volume);
+  EXPECT_NEAR(found.weighted.energy.value, surface.weighted_area(sigma), 1e-12 * found.area.energy.area);
+  expect_derivative(set, found, set.numbers() - 1, tally);
   for (size_t k = 0; k < chosen; ++k) {
     const size_t number = random.below(static_cast<uint32_t>(set.numbers() - 1));
-    if (area.flags[number / 4] != 0) continue;
-    expect_derivative(set, area, volume, number, tally);
+    if (found.area.flags[number / 4] != 0) continue;
+    expect_derivative(set, found, number, tally);
   }
 }
 
@@ -178,8 +229,9 @@ TEST(SurfaceGradient, OfMolecules) {
       expect_gradient(molecule(support::own_molecule(name), probe, random), 15, random, tally);
     }
   }
-  std::cout << tally.compared << " compared, " << tally.uncertain << " uncertain\n";
+  std::cout << tally << "\n";
   EXPECT_LT(5 * tally.uncertain, tally.compared);
+  EXPECT_LT(3 * tally.weighted_uncertain, tally.compared);
 }
 
 TEST(SurfaceGradient, OfHaemoglobin) {
@@ -188,7 +240,7 @@ TEST(SurfaceGradient, OfHaemoglobin) {
   support::Random random(17);
   Tally tally;
   expect_gradient(molecule(*file, 1.4, random, support::Records::protein), 8, random, tally);
-  std::cout << tally.compared << " compared, " << tally.uncertain << " uncertain\n";
+  std::cout << tally << "\n";
 }
 
 TEST(SurfaceGradient, OfRandomSets) {
@@ -209,8 +261,9 @@ TEST(SurfaceGradient, OfRandomSets) {
     expect_gradient(set, 6, random, tally);
     if (HasFailure()) return;
   }
-  std::cout << tally.compared << " compared, " << tally.uncertain << " uncertain\n";
+  std::cout << tally << "\n";
   EXPECT_LT(5 * tally.uncertain, tally.compared);
+  EXPECT_LT(3 * tally.weighted_uncertain, tally.compared);
   EXPECT_GT(cut, 60U);
   EXPECT_GT(cusped, 20U);
 }

@@ -13,10 +13,12 @@ struct GradientOfScene {
   hsp::SurfaceEnergy energy;
   hsp::SurfaceEnergyGradient ball[8];
 };
-inline GradientOfScene gradient_of_scene(double tension, double pressure) {
+// weight [n]; null for all ones.
+inline GradientOfScene gradient_of_scene(double tension, double pressure, const double *weight = nullptr) {
   GradientOfScene result{};
   result.energy = hsp::differentiate_surface(
-      small_union().grid(), small_union().boundary(), small_surface().builder().surface(), tension, pressure,
+      small_union().grid(), small_union().boundary(), small_surface().builder().surface(),
+      {{weight}, tension, pressure},
       [&result](uint32_t i, const hsp::SurfaceEnergyGradient &gradient) { result.ball[i] = gradient; });
   return result;
 }
@@ -50,6 +52,11 @@ inline int32_t &number_of(SurfaceScene &scene, uint32_t k) {
   return *numbers[k % 4];
 }
 
+inline double derivative(const GradientOfScene &gradient, const SurfaceScene &scene, uint32_t k) {
+  if (k == 4 * scene.n) return gradient.energy.by_probe;
+  return k % 4 < 3 ? gradient.ball[k / 4].centre[k % 4] : gradient.ball[k / 4].radius;
+}
+
 inline uint32_t derivatives_by_differences() {
   return first_failing(smooth_scenes, [](const SurfaceScene *scene) {
     constexpr double length = 1e8;  // of the scene
@@ -73,12 +80,8 @@ inline uint32_t derivatives_by_differences() {
       if (!small_surface().build(*scene)) return false;
       const GradientOfScene area = gradient_of_scene(1, 0);
       const GradientOfScene volume = gradient_of_scene(0, 1);
-      const auto component = [&](const GradientOfScene &gradient) {
-        if (k == 4 * scene->n) return gradient.energy.by_probe;
-        return k % 4 < 3 ? gradient.ball[k / 4].centre[k % 4] : gradient.ball[k / 4].radius;
-      };
-      if (!near(component(area), by_area, 3e-7 * length)) return false;
-      if (!near(component(volume), by_volume, 3e-7 * length * length)) return false;
+      if (!near(derivative(area, *scene, k), by_area, 3e-7 * length)) return false;
+      if (!near(derivative(volume, *scene, k), by_volume, 3e-7 * length * length)) return false;
     }
     return true;
   });

@@ -1,0 +1,32 @@
+// How a vertex of the boundary moves with the three spheres through it, seen from one of them. With their normals n_k
+// there it stays on all three: n_k.v' = n_k.c_k' + R_k', so v' is the sum of (n_k.c_k' + R_k') g_k over the spheres,
+// where g_0 = (n_1 x n_2) / det(n_0, n_1, n_2) and so on.
+#pragma once
+
+#include "boundary/boundary.hpp"
+
+namespace hsp {
+
+struct VertexContacts {
+  uint32_t ball[3];  // that which sees it first; the others in the order of the vertex's record
+  Vec3 normal[3];
+  Vec3 share;   // g_0
+  double sign;  // of the determinant
+
+  // A vertex with a discriminant above 0. `offset` from the centre of ball `own` to it.
+  VertexContacts(const BallSet &balls, const Boundary &boundary, uint32_t vertex, uint32_t own, const Vec3 &offset) {
+    const VertexRecord &record = boundary.vertex(vertex);
+    const uint32_t slot = record.slot_of(own);
+    double twice = 2.0;
+    for (uint32_t k = 0; k < 3; ++k) {
+      ball[k] = record.ball[(slot + k) % 3];
+      normal[k] = (1.0 / balls.r[ball[k]]) * (offset - balls.difference(own, ball[k]));
+      twice *= balls.r[ball[k]];
+    }
+    // The determinant has the vertex's sign; its size is exact but for rounding.
+    sign = record.positive() ? 1.0 : -1.0;
+    share = sign * twice / boundary.root_discriminant(vertex) * cross(normal[1], normal[2]);
+  }
+};
+
+}  // namespace hsp

@@ -1,0 +1,175 @@
+#include "surface/weighted_joints.hpp"
+
+#include "sphere/arc_geometry.hpp"
+#include "surface/saddle_kernel.hpp"
+#include "surface/surface_areas.hpp"
+#include "surface/surface_positions.hpp"
+#include "surface/vertex_contacts.hpp"
+
+namespace hsp {
+namespace {
+
+using Kernel = SaddleKernel<1>;
+using Profile = Kernel::Profile;
+
+Vec3 to_vector(const Kernel::Vector &v) {
+  return {v.x[0], v.y[0], v.z[0]};
+}
+
+Kernel::Real lane(double x) {
+  return Kernel::L::all(x);
+}
+
+// The circle of two balls, and the profiles of the probe on it.
+struct SaddleCircle {
+  double probe, radius, height, other_height, distance, ball_radius, other_ball_radius;
+
+  // Computed on the ball of lower rank, so that all see the same.
+  SaddleCircle(const BallSet &balls, uint32_t a, uint32_t b)
+      : probe(static_cast<double>(balls.probe_steps)), ball_radius(balls.r[a]), other_ball_radius(balls.r[b]) {
+    const Vec3 between = balls.difference(a, b);
+    distance = std::sqrt(dot(between, between));
+    const bool in_order = balls.ranks_before(a, b);
+    const CircleGeometry circle(balls, in_order ? a : b, in_order ? b : a);
+    radius = circle.radius;
+    height = in_order ? circle.height : distance - circle.height;
+    other_height = in_order ? distance - circle.height : circle.height;
+  }
+  // Seen from a, the parts at a and b times a number each.
+  Profile weighted(double weight, double other_weight) const {
+    const auto part = [this](double own_height, double own_radius, double opposite_height, double opposite_radius) {
+      return Profile(lane(probe), lane(radius), lane(own_height), lane(own_radius), lane(opposite_height),
+                     lane(opposite_radius));
+    };
+    return {weight, part(height, ball_radius, other_height, other_ball_radius), other_weight,
+            part(other_height, other_ball_radius, height, ball_radius)};
+  }
+};
+
+// The side between the saddle of balls a and b and a concave patch of weight `mean`: what its conormal speed, summed
+// along it and times the difference of the weights, is of the speed of the vertex and of that of a's centre.
+struct SideSpeed {
+  double of_vertex = 0.0, of_centre = 0.0;
+
+  SideSpeed(const BallSet &balls, uint32_t a, uint32_t b, double weight, double other_weight) {
+    if (weight == 0.0 && other_weight == 0.0) return;
+    const SaddleCircle circle(balls, a, b);
+    if (!(circle.radius > 0.0)) return;
+    const Profile profile = circle.weighted(weight, other_weight);
+    const double p = circle.probe, T = profile.T[0], S = profile.S[0], Q = profile.Q[0];
+    of_vertex = p * (T - p * S / circle.radius);
+    of_centre = p * p * (circle.other_height * S - circle.radius * Q) / (circle.radius * circle.distance);
+  }
+};
+
+}  // namespace
+
+// The mean of its balls' weights; their own if they are equal.
+double WeightedJoints::weight_of_vertex(uint32_t vertex) const {
+  const VertexRecord &record = boundary_.vertex(vertex);
+  const double first = weight_of(record.ball[0]);
+  return first + ((weight_of(record.ball[1]) - first) + (weight_of(record.ball[2]) - first)) / 3;
+}
+
+void WeightedJoints::add_saddles(const ArcBatch &batch, const SaddlePatches &saddles) {
+  const double(&circle_radius)[ArcBatch::room] = saddles.circle_radius();
+  for (uint32_t s = 0; s < batch.count; ++s) {
+    const double other_weight = weight_of(batch.other[s]);
+    if (other_weight == weight_ || !batch.has_piece(s) || !(circle_radius[s] > 0.0)) continue;
+    const Kernel::Slot slot(batch, circle_radius, saddles.rolled(), s);
+    const Profile other = slot.other_profile();
+    Kernel::DerivativeSums part;
+    part.add(slot, Profile(0.0, other, other_weight - weight_, other));
+    sums_.centre = sums_.centre + to_vector(part.area_centre);
+    sums_.radius += part.area_radius[0];
+    sums_.offset += part.area_offset[0];
+    add_waist(batch, s, circle_radius[s], weight_ - other_weight);
+    sums_.one_sided = sums_.one_sided || (p_ > 0.0 && lies_at_a_centre(batch.other[s]));
+  }
+}
+
+// Where the plane of the circle passes beyond a centre the saddle is all the other ball's, up to the border of the
+// patch on that ball.
+void WeightedJoints::add_waist(const ArcBatch &batch, uint32_t s, double rho, double difference) {
+  const double height = 0.5 * batch.twice_height[s];
+  const double other_height = 1.0 / batch.inverse_distance[s] - height;
+  const double per_distance = difference * batch.inverse_distance[s];
+  const double angle = batch.angle[s];
+  const double R = balls_.r[ball_];
+  const double other_R = balls_.r[batch.other[s]];
+  const Vec3 u{batch.ux[s], batch.uy[s], batch.uz[s]};
+  const Vec3 rho_I = 0.5 * Vec3{batch.Xx[s], batch.Xy[s], batch.Xz[s]};
+  if (has_cusps(p_, rho, height, other_height)) return;
+  if (height >= 0.0 && other_height >= 0.0) {
+    const double waist = per_distance * (rho - p_);
+    sums_.centre = sums_.centre + combine(waist * angle * height, u, waist * (1.0 - p_ / rho), rho_I);
+    sums_.radius += waist * angle * R;
+  } else if (other_height < 0.0) {
+    const double shrinkage = shrinkage_of_faces(balls_, batch.other[s]);
+    const double border = per_distance * shrinkage * shrinkage * other_R;
+    sums_.centre = sums_.centre + combine(border * height * angle, u, border, rho_I);
+    sums_.radius += border * angle * R;
+  } else {
+    const double shrinkage = shrinkage_of_faces(balls_, ball_);
+    const double inclined = per_distance * shrinkage * shrinkage * (rho * rho - height * other_height);
+    const double along = -difference * shrinkage * (1.0 - shrinkage) * rho / R;
+    sums_.centre = sums_.centre + combine(along * height / rho, rho_I, -along * rho * angle, u);
+    sums_.centre = sums_.centre + combine(inclined / R, rho_I, inclined * height * angle / R, u);
+    sums_.radius += inclined * angle;
+  }
+}
+
+// Whether the plane of a circle passes through one of the two centres.
+bool WeightedJoints::lies_at_a_centre(uint32_t other) const {
+  const exact::LatticeBall own = balls_.ball(ball_), opposite = balls_.ball(other);
+  return exact::plane_of(own, opposite).h == 0 || exact::plane_of(opposite, own).h == 0;
+}
+
+// Of the concave patch and its creases, the integrals that multiply the speed of the vertex. On a crease with the axis
+// a towards the vertex across, at the height c, the conormals n and n' of the two sides are (a - c w)/s and
+// (-a - c w')/s: half the sum of the two weights belongs to n + n', half their difference to n - n' = 2 s a.
+Vec3 WeightedJoints::concave_part(uint32_t vertex, double mean) const {
+  const ConcavePatch patch = surface_.patch(vertex);
+  Vec3 sum = (mean - weight_) * 2 * p_ * patch.vector_area;
+  const CutPatches &cut = surface_.cut_patches();
+  if (!cut.is_cut(vertex)) return sum;
+  for (const uint32_t a : cut.arcs_of_vertex(vertex)) {
+    const PatchArc &arc = cut.arc(a);
+    if (arc.is_side()) continue;
+    const double across = weight_of_vertex(arc.across);
+    if (across == weight_ && mean == weight_) continue;
+    const CreaseArc crease = crease_on_probe(balls_, boundary_, cut, a);
+    const double c = crease.height;
+    const double square_of_radius = (1.0 - c) * (1.0 + c);
+    const Vec3 radial = cross(crease.chord, crease.axis);
+    const double half_sum = 0.5 * (mean + across) - weight_;
+    const double half_difference = 0.5 * (mean - across);
+    sum = combine(1.0, sum, -p_ * half_sum * c, combine(c * arc.angle, crease.axis, 1.0, radial));
+    sum = combine(1.0, sum, p_ * half_difference * square_of_radius, combine(arc.angle, crease.axis, 1.0 / c, radial));
+  }
+  return sum;
+}
+
+void WeightedJoints::add_vertex(uint32_t vertex, const Vec3 &offset) {
+  const double mean = weight_of_vertex(vertex);
+  const VertexContacts contacts(balls_, boundary_, vertex, ball_, offset);
+  Vec3 by_vertex = concave_part(vertex, mean);
+  const double other[3] = {weight_ - mean, weight_of(contacts.ball[1]) - mean, weight_of(contacts.ball[2]) - mean};
+  // Side k faces ball k: out of the saddle, towards that ball, across the plane through the other two and the vertex.
+  for (uint32_t k = 0; k < 3; ++k) {
+    const uint32_t a = k == 0 ? 1 : 0;
+    const uint32_t b = k == 2 ? 1 : 2;
+    const SideSpeed speed(balls_, contacts.ball[a], contacts.ball[b], other[a], other[b]);
+    const Vec3 normal = cross(contacts.normal[a], contacts.normal[b]);
+    const double sine = std::sqrt(dot(normal, normal));
+    if (!(sine > 0.0)) continue;
+    const Vec3 outward = ((k == 1 ? contacts.sign : -contacts.sign) / sine) * normal;
+    by_vertex = combine(1.0, by_vertex, speed.of_vertex, outward);
+    if (k != 0) sums_.centre = combine(1.0, sums_.centre, speed.of_centre, outward);
+  }
+  const double z = dot(by_vertex, contacts.share);
+  sums_.centre = combine(1.0, sums_.centre, z, contacts.normal[0]);
+  sums_.radius += z;
+}
+
+}  // namespace hsp
