@@ -30,13 +30,15 @@ typedef struct hsp_workspace {
   hsp_topology *topology;              /**< NULL before hsp_workspace_topology */
   hsp_view *view;                      /**< NULL before hsp_workspace_view */
   hsp_surface *surface;                /**< NULL before hsp_workspace_surface */
-  void *memory[5];                     /**< of the five handles */
+  hsp_mesh *mesh;                      /**< NULL before hsp_workspace_mesh */
+  void *memory[6];                     /**< of the six handles */
   uint32_t most_balls;                 /**< what the model has room for */
   uint32_t reserved;                   /**< 0 */
   hsp_boundary_limits boundary_limits; /**< what the boundary has room for */
   hsp_topology_limits topology_limits; /**< what the topology has room for */
   hsp_view_limits view_limits;         /**< what the view has room for */
   hsp_surface_limits surface_limits;   /**< what the surface has room for */
+  hsp_mesh_limits mesh_limits;         /**< what the mesh has room for */
 } hsp_workspace;
 
 /* Memory of another size, without its contents. */
@@ -87,8 +89,17 @@ static inline int32_t hsp_workspace_make_surface(hsp_workspace *work) {
   return status;
 }
 
-/** Take n balls into the model; arguments and statuses as hsp_model_set. Boundary, topology, view and surface hold no
- *  results then. */
+static inline int32_t hsp_workspace_make_mesh(hsp_workspace *work) {
+  size_t bytes = 0;
+  int32_t status = hsp_mesh_bytes(&work->mesh_limits, &bytes);
+  work->mesh = NULL;
+  if (status == HSP_OK) status = hsp_workspace_allocate(&work->memory[5], bytes);
+  if (status == HSP_OK) status = hsp_mesh_init(work->memory[5], bytes, &work->mesh_limits, &work->mesh);
+  return status;
+}
+
+/** Take n balls into the model; arguments and statuses as hsp_model_set. Boundary, topology, view, surface and mesh
+ *  hold no results then. */
 static inline int32_t hsp_workspace_set(hsp_workspace *work, uint32_t n, const double *xyz, const double *radius,
                                         const hsp_model_options *options, uint32_t *first_bad) {
   if (work->model == NULL || n > work->most_balls) {
@@ -102,6 +113,7 @@ static inline int32_t hsp_workspace_set(hsp_workspace *work, uint32_t n, const d
     if (status == HSP_OK && work->topology != NULL) status = hsp_workspace_make_topology(work);
     if (status == HSP_OK && work->view != NULL) status = hsp_workspace_make_view(work);
     if (status == HSP_OK && work->surface != NULL) status = hsp_workspace_make_surface(work);
+    if (status == HSP_OK && work->mesh != NULL) status = hsp_workspace_make_mesh(work);
     if (status == HSP_OK) status = hsp_workspace_allocate(&work->memory[0], bytes);
     if (status == HSP_OK) status = hsp_model_init(work->memory[0], bytes, n, &work->model);
     if (status != HSP_OK) return status;
@@ -126,6 +138,7 @@ static inline int32_t hsp_workspace_boundary(hsp_workspace *work) {
     work->boundary_limits = limits;
     status = work->topology != NULL ? hsp_workspace_make_topology(work) : HSP_OK;
     if (status == HSP_OK && work->surface != NULL) status = hsp_workspace_make_surface(work);
+    if (status == HSP_OK && work->mesh != NULL) status = hsp_workspace_make_mesh(work);
     if (status == HSP_OK) status = hsp_workspace_make_boundary(work);
     if (status != HSP_OK) return status;
   }
@@ -199,9 +212,46 @@ static inline int32_t hsp_workspace_surface(hsp_workspace *work) {
   return hsp_workspace_surface_of(work, NULL, 0);
 }
 
+/* Limits of the mesh that suffice for edges of this length, too. */
+static inline int32_t hsp_workspace_raise_mesh_limits(hsp_workspace *work, int use_surface, double edge) {
+  hsp_mesh_limits *limits = &work->mesh_limits;
+  hsp_mesh_limits wanted;
+  const int32_t status = use_surface != 0 ? hsp_mesh_limits_init_surface(&wanted, sizeof wanted, work->surface, edge)
+                                          : hsp_mesh_limits_init(&wanted, sizeof wanted, work->boundary, edge);
+  if (status != HSP_OK) return status;
+  limits->struct_size = wanted.struct_size;
+  if (limits->balls < wanted.balls) limits->balls = wanted.balls;
+  if (limits->curves < wanted.curves) limits->curves = wanted.curves;
+  if (limits->vertices < wanted.vertices) limits->vertices = wanted.vertices;
+  if (limits->triangles < wanted.triangles) limits->triangles = wanted.triangles;
+  if (limits->points < wanted.points) limits->points = wanted.points;
+  return HSP_OK;
+}
+
+/** Compute triangles with edges of about the given length, for the boundary that hsp_workspace_boundary has computed
+ *  or, with use_surface not 0, for the smooth surface over it that hsp_workspace_surface has computed. */
+static inline int32_t hsp_workspace_mesh(hsp_workspace *work, int use_surface, double edge) {
+  int32_t status = HSP_OK;
+  if (work->mesh == NULL) {
+    status = hsp_workspace_raise_mesh_limits(work, use_surface, edge);
+    if (status == HSP_OK) status = hsp_workspace_make_mesh(work);
+    if (status != HSP_OK) return status;
+  }
+  for (;;) {
+    hsp_mesh_limits limits = work->mesh_limits;
+    status = use_surface != 0 ? hsp_mesh_compute_surface(work->mesh, work->surface, edge, &limits)
+                              : hsp_mesh_compute(work->mesh, work->boundary, edge, &limits);
+    if (status != HSP_E_CAPACITY) return status;
+    work->mesh_limits = limits;
+    status = hsp_workspace_raise_mesh_limits(work, use_surface, edge);
+    if (status == HSP_OK) status = hsp_workspace_make_mesh(work);
+    if (status != HSP_OK) return status;
+  }
+}
+
 /** Give all memory back; the workspace is as at first. */
 static inline void hsp_workspace_free(hsp_workspace *work) {
-  for (int i = 0; i < 5; ++i) free(work->memory[i]);
+  for (int i = 0; i < 6; ++i) free(work->memory[i]);
   memset(work, 0, sizeof *work);
 }
 

@@ -29,31 +29,36 @@ module hardsphere_workspace
     type(c_ptr) :: topology = c_null_ptr
     type(c_ptr) :: view = c_null_ptr
     type(c_ptr) :: surface = c_null_ptr
+    type(c_ptr) :: mesh = c_null_ptr
     integer(c_int32_t), private :: most_balls = 0
-    type(memory_block), private :: memory(5)
+    type(memory_block), private :: memory(6)
     type(hsp_boundary_limits), private :: boundary_limits
     type(hsp_topology_limits), private :: topology_limits
     type(hsp_view_limits), private :: view_limits
     type(hsp_surface_limits), private :: surface_limits
+    type(hsp_mesh_limits), private :: mesh_limits
   contains
     procedure :: set => set_balls
     procedure :: compute_boundary
     procedure :: compute_topology
     procedure :: compute_view
     procedure :: compute_surface
+    procedure :: compute_mesh
     procedure, private :: make_boundary
     procedure, private :: make_topology
     procedure, private :: make_view
     procedure, private :: make_surface
+    procedure, private :: make_mesh
+    procedure, private :: raise_mesh_limits
   end type
 
-  private :: set_balls, compute_boundary, compute_topology, compute_view, compute_surface, make_boundary, make_topology, &
-    make_view, make_surface, allocated_to
+  private :: set_balls, compute_boundary, compute_topology, compute_view, compute_surface, compute_mesh, make_boundary, &
+    make_topology, make_view, make_surface, make_mesh, raise_mesh_limits, allocated_to
 
 contains
 
-  ! Takes n balls into the model; arguments and statuses as hsp_model_set. Boundary, topology, view and surface hold no
-  ! results then.
+  ! Takes n balls into the model; arguments and statuses as hsp_model_set. Boundary, topology, view, surface and mesh hold
+  ! no results then.
   function set_balls(self, n, xyz, radius, options, first_bad) result(status)
     class(hsp_workspace), intent(inout), target :: self
     integer(c_int32_t), intent(in) :: n
@@ -72,6 +77,7 @@ contains
       if (status == HSP_OK .and. c_associated(self%topology)) status = self%make_topology()
       if (status == HSP_OK .and. c_associated(self%view)) status = self%make_view()
       if (status == HSP_OK .and. c_associated(self%surface)) status = self%make_surface()
+      if (status == HSP_OK .and. c_associated(self%mesh)) status = self%make_mesh()
       if (status == HSP_OK) status = allocated_to(self%memory(1), bytes)
       if (status == HSP_OK) status = hsp_model_init(c_loc(self%memory(1)%bytes), bytes, n, self%model)
       if (status /= HSP_OK) return
@@ -99,6 +105,7 @@ contains
       status = HSP_OK
       if (c_associated(self%topology)) status = self%make_topology()
       if (status == HSP_OK .and. c_associated(self%surface)) status = self%make_surface()
+      if (status == HSP_OK .and. c_associated(self%mesh)) status = self%make_mesh()
       if (status == HSP_OK) status = self%make_boundary()
       if (status /= HSP_OK) return
     end do
@@ -172,6 +179,58 @@ contains
     end do
   end function
 
+  ! Computes triangles with edges of about the given length for the boundary that compute_boundary has computed or, if
+  ! use_surface is there and true, for the smooth surface over it that compute_surface has computed.
+  function compute_mesh(self, edge, use_surface) result(status)
+    class(hsp_workspace), intent(inout), target :: self
+    real(c_double), intent(in) :: edge
+    logical, intent(in), optional :: use_surface
+    type(hsp_mesh_limits) :: limits
+    integer(c_int32_t) :: status
+    logical :: smooth
+    smooth = .false.
+    if (present(use_surface)) smooth = use_surface
+    if (.not. c_associated(self%mesh)) then
+      status = hsp_mesh_limits_init(self%mesh_limits, int(c_sizeof(limits), c_int32_t), self%boundary, edge)
+      if (status == HSP_OK) status = self%raise_mesh_limits(edge, smooth)
+      if (status == HSP_OK) status = self%make_mesh()
+      if (status /= HSP_OK) return
+    end if
+    do
+      limits = self%mesh_limits
+      if (smooth) then
+        status = hsp_mesh_compute_surface(self%mesh, self%surface, edge, limits)
+      else
+        status = hsp_mesh_compute(self%mesh, self%boundary, edge, limits)
+      end if
+      if (status /= HSP_E_CAPACITY) return
+      self%mesh_limits = limits
+      status = self%raise_mesh_limits(edge, smooth)
+      if (status == HSP_OK) status = self%make_mesh()
+      if (status /= HSP_OK) return
+    end do
+  end function
+
+  ! Limits of the mesh that suffice for edges of this length, too.
+  function raise_mesh_limits(self, edge, smooth) result(status)
+    class(hsp_workspace), intent(inout), target :: self
+    real(c_double), intent(in) :: edge
+    logical, intent(in) :: smooth
+    type(hsp_mesh_limits) :: wanted
+    integer(c_int32_t) :: status
+    if (smooth) then
+      status = hsp_mesh_limits_init_surface(wanted, int(c_sizeof(wanted), c_int32_t), self%surface, edge)
+    else
+      status = hsp_mesh_limits_init(wanted, int(c_sizeof(wanted), c_int32_t), self%boundary, edge)
+    end if
+    if (status /= HSP_OK) return
+    self%mesh_limits%balls = max(self%mesh_limits%balls, wanted%balls)
+    self%mesh_limits%curves = max(self%mesh_limits%curves, wanted%curves)
+    self%mesh_limits%vertices = max(self%mesh_limits%vertices, wanted%vertices)
+    self%mesh_limits%triangles = max(self%mesh_limits%triangles, wanted%triangles)
+    self%mesh_limits%points = max(self%mesh_limits%points, wanted%points)
+  end function
+
   ! Handles of the current limits, without results.
 
   function make_boundary(self) result(status)
@@ -212,6 +271,16 @@ contains
     status = hsp_surface_bytes(self%surface_limits, bytes)
     if (status == HSP_OK) status = allocated_to(self%memory(5), bytes)
     if (status == HSP_OK) status = hsp_surface_init(c_loc(self%memory(5)%bytes), bytes, self%surface_limits, self%surface)
+  end function
+
+  function make_mesh(self) result(status)
+    class(hsp_workspace), intent(inout), target :: self
+    integer(c_int32_t) :: status
+    integer(c_size_t) :: bytes
+    self%mesh = c_null_ptr
+    status = hsp_mesh_bytes(self%mesh_limits, bytes)
+    if (status == HSP_OK) status = allocated_to(self%memory(6), bytes)
+    if (status == HSP_OK) status = hsp_mesh_init(c_loc(self%memory(6)%bytes), bytes, self%mesh_limits, self%mesh)
   end function
 
   ! Memory of another size, without its contents.

@@ -24,6 +24,7 @@ contains
     call expect(work%compute_topology(), HSP_E_STATE, 'no boundary')
     call expect(work%compute_surface(), HSP_E_STATE, 'no boundary for a surface')
     call expect(work%compute_view(), HSP_E_ARGUMENT, 'no model to be seen')
+    call expect(work%compute_mesh(1.0_c_double), HSP_E_STATE, 'no boundary for triangles')
   end subroutine
 
   ! n unit balls in a row at distance 1: each inner one loses two caps of height 1/2, and what is left is symmetric.
@@ -38,7 +39,9 @@ contains
     type(hsp_surface_counts) :: patches
     type(hsp_surface_map_counts) :: map
     type(hsp_surface_patch) :: patch(1)
-    integer(c_int32_t) :: invariant, id
+    type(hsp_mesh_counts) :: coarse, fine, smooth
+    real(c_double) :: sigma(n)
+    integer(c_int32_t) :: invariant, id, first_bad
     integer(c_int32_t) :: status
     integer :: i
     xyz = 0
@@ -71,6 +74,13 @@ contains
                 'its gradient')
     call check(near(energy%area, totals%area), 'the energy is the area')
     if (n > 1) call check(near(gradient(1, n), 2*pi) .and. near(gradient(1, 1), -2*pi), 'the ends pull as before')
+    ! Weights 1 .. n: of the inner balls, which have all the same area, the weights at both ends count.
+    sigma = [(real(i, c_double), i=1, n)]
+    first_bad = 0
+    call expect(hsp_surface_weighted_gradient(work%surface, sigma, 1.0_c_double, 0.0_c_double, energy, gradient, &
+                                              capacity=n, first_bad=first_bad), HSP_OK, 'with weights')
+    call check(near(energy%area, sum(sigma*area)) .and. first_bad == HSP_NONE, 'the weighted area')
+    if (n > 1) call check(near(gradient(1, n), pi*(2*n - 1)), 'the last pair pulls with the sum of its weights')
     call expect(hsp_surface_compute_shells(work%surface, work%boundary, [0], 1), HSP_OK, 'of its only shell')
     call expect(hsp_surface_measure(work%surface, surface, capacity=0), HSP_OK, 'its areas again')
     call check(near(surface%area, totals%area), 'which is all')
@@ -80,6 +90,14 @@ contains
     call check(patch(1)%kind == HSP_PATCH_CONVEX .and. (n == 1 .or. &
                hsp_surface_left(work%surface, patch(1)%h) == 0), 'the patch beside its edge')
     call expect(hsp_surface_check(work%surface, invariant, id), HSP_OK, 'its invariants')
+    call expect(work%compute_mesh(1.0_c_double), HSP_OK, 'triangles')
+    call expect(hsp_mesh_get_counts(work%mesh, coarse), HSP_OK, 'how many')
+    call expect(work%compute_mesh(0.5_c_double), HSP_OK, 'smaller triangles')
+    call expect(hsp_mesh_get_counts(work%mesh, fine), HSP_OK, 'how many more')
+    call check(2*fine%vertices - fine%triangles == 4 .and. fine%triangles > coarse%triangles, 'one closed surface')
+    call expect(work%compute_mesh(0.5_c_double, use_surface=.true.), HSP_OK, 'triangles of the surface')
+    call expect(hsp_mesh_get_counts(work%mesh, smooth), HSP_OK, 'as many')
+    call check(smooth%triangles == fine%triangles, 'without a probe: those of the boundary')
     call expect(work%compute_view(), HSP_OK, 'view of the model')
     call expect(work%compute_view(use_boundary=.true.), HSP_OK, 'view of the boundary')
     call expect(hsp_view_get_info(work%view, info), HSP_OK, 'its figures')

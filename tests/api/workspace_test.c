@@ -1,10 +1,12 @@
 /* The workspace over malloc: handles that grow, for set after set, with the results that handles of ample size have.
  * The address sanitizer sees what is not given back. */
 #include <hardsphere_workspace.h>
+#include <math.h>
 
 #include "ball_sets.h"
 #include "check.h"
 #include "computed.h"
+#include "mesh_result.h"
 #include "topology_sets.h"
 #include "view_result.h"
 
@@ -17,8 +19,31 @@ static int32_t compute_all(hsp_workspace *work, const ball_set *set) {
   return status;
 }
 
+/* Triangles of the boundary, and of the surface, which without a probe is the boundary. */
+static void check_mesh(hsp_workspace *work, const computed *c) {
+  mesh_result own;
+  hsp_mesh_counts counts;
+  double edge = 0.1;
+  int32_t status;
+  uint32_t i;
+  int smooth;
+  for (i = 0; i < c->n; ++i) edge = fmax(edge, 0.8 * c->radius[i]);
+  status = mesh_result_make(c, edge, &own);
+  CHECK_EQUAL(hsp_workspace_mesh(work, 0, edge), status);
+  for (smooth = 0; smooth < 2 && status == HSP_OK; ++smooth) {
+    double(*const xyz)[3] = test_zeros(own.counts.vertices, sizeof *xyz);
+    CHECK_EQUAL(hsp_workspace_mesh(work, smooth, edge), HSP_OK);
+    CHECK_EQUAL(hsp_mesh_get_counts(work->mesh, &counts), HSP_OK);
+    CHECK_BYTES(&counts, &own.counts, sizeof counts);
+    CHECK_EQUAL(hsp_mesh_get_vertices(work->mesh, xyz[0], NULL, NULL, NULL, own.counts.vertices, NULL), HSP_OK);
+    CHECK_BYTES(xyz[0], own.xyz[0], own.counts.vertices * sizeof *xyz);
+    free(xyz);
+  }
+  mesh_result_release(&own);
+}
+
 /* What the workspace holds is what the same balls give by themselves. */
-static void check_results(const hsp_workspace *work, const ball_set *set) {
+static void check_results(hsp_workspace *work, const ball_set *set) {
   computed c;
   hsp_boundary_counts counts;
   hsp_topology_counts topology;
@@ -38,6 +63,7 @@ static void check_results(const hsp_workspace *work, const ball_set *set) {
   CHECK_NEAR(surface.area, expected.area, 1e-12 * (1.0 + expected.area));
   CHECK_EQUAL(hsp_view_get_info(work->view, &view), HSP_OK);
   CHECK_EQUAL(view.kind, HSP_PIECES_OUTSIDE_FARTHER);
+  if (set->n <= 30) check_mesh(work, &c);
   computed_release(&c);
 }
 
@@ -55,7 +81,7 @@ static void set_after_set(void) {
   }
   hsp_workspace_free(&work);
   CHECK(work.model == NULL && work.boundary == NULL && work.topology == NULL && work.view == NULL &&
-        work.surface == NULL);
+        work.surface == NULL && work.mesh == NULL);
   check_scene("after it was freed");
   CHECK_EQUAL(compute_all(&work, &set), HSP_OK);
   check_results(&work, &set);
@@ -69,6 +95,7 @@ static void out_of_date(void) {
   hsp_boundary_counts counts;
   hsp_topology_counts topology;
   hsp_view_info view;
+  hsp_mesh_counts mesh;
   uint32_t i;
   ball_set_start(&few, "a ball", 1e-8);
   ball_set_add(&few, 0, 0, 0, 1);
@@ -78,6 +105,8 @@ static void out_of_date(void) {
   CHECK_EQUAL(hsp_workspace_boundary(&work), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_workspace_topology(&work), HSP_E_STATE);
   CHECK_EQUAL(hsp_workspace_view(&work, 0, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_workspace_mesh(&work, 0, 1), HSP_E_STATE);
+  CHECK_EQUAL(hsp_workspace_mesh(&work, 1, 1), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_workspace_set(&work, 0, NULL, NULL, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_workspace_boundary(&work), HSP_OK);
   for (i = 0; i < 4; ++i) {
@@ -85,10 +114,13 @@ static void out_of_date(void) {
     check_scene("%s, time %u", set->name, (unsigned)i);
     CHECK_EQUAL(compute_all(&work, set), HSP_OK);
     check_results(&work, set);
+    CHECK_EQUAL(hsp_workspace_mesh(&work, i / 2 % 2, 2), HSP_OK);
     CHECK_EQUAL(hsp_workspace_set(&work, many.n - i, many.xyz, many.radius, NULL, NULL), HSP_OK);
     CHECK_EQUAL(hsp_boundary_get_counts(work.boundary, &counts), HSP_E_STATE);
     CHECK_EQUAL(hsp_topology_get_counts(work.topology, &topology), HSP_E_STATE);
     CHECK_EQUAL(hsp_view_get_info(work.view, &view), HSP_E_STATE);
+    CHECK_EQUAL(hsp_mesh_get_counts(work.mesh, &mesh), HSP_E_STATE);
+    CHECK_EQUAL(hsp_workspace_mesh(&work, 0, 2), HSP_E_STATE);
     CHECK_EQUAL(hsp_workspace_topology(&work), HSP_E_STATE);
   }
   check_scene("a refused set");
@@ -102,8 +134,39 @@ static void out_of_date(void) {
   hsp_workspace_free(&work);
 }
 
+/* Shorter and shorter edges in one workspace, of the boundary and of the surface in turn; with a probe these differ. */
+static void shorter_edges(void) {
+  static ball_set set;
+  hsp_workspace work = {0};
+  hsp_model_options options;
+  hsp_mesh_counts counts;
+  uint32_t last[2] = {0, 0}, k;
+  CHECK_EQUAL(hsp_model_options_init(&options, sizeof options), HSP_OK);
+  options.probe = 1.4;
+  ball_set_start(&set, "a chain with a probe", 1e-8);
+  ball_set_add_chain(&set, 12, 5);
+  check_scene("%s", set.name);
+  CHECK_EQUAL(hsp_workspace_set(&work, set.n, set.xyz, set.radius, &options, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_workspace_boundary(&work), HSP_OK);
+  CHECK_EQUAL(hsp_workspace_mesh(&work, 1, 1), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_workspace_surface(&work), HSP_OK);
+  for (k = 0; k < 6; ++k) {
+    CHECK_EQUAL(hsp_workspace_mesh(&work, k % 2, k < 2 ? 2 : k < 4 ? 0.7 : 0.3), HSP_OK);
+    CHECK_EQUAL(hsp_mesh_get_counts(work.mesh, &counts), HSP_OK);
+    CHECK(counts.vertices > last[k % 2]);
+    last[k % 2] = counts.vertices;
+  }
+  CHECK(last[0] > last[1]);
+  CHECK_EQUAL(hsp_workspace_mesh(&work, 0, NAN), HSP_E_NOT_FINITE);
+  CHECK_EQUAL(hsp_mesh_get_counts(work.mesh, &counts), HSP_E_STATE);
+  CHECK_EQUAL(hsp_workspace_mesh(&work, 1, 0), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_workspace_mesh(&work, 1, 2), HSP_OK);
+  hsp_workspace_free(&work);
+}
+
 int main(void) {
   set_after_set();
+  shorter_edges();
   out_of_date();
   return check_report();
 }
