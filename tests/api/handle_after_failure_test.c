@@ -183,11 +183,105 @@ static void failed_view(void) {
   check_scene("%s", "");
 }
 
+static void failed_surface(void) {
+  const four_handles h = four_handles_make(FEW);
+  const fifth_handles f = fifth_handles_make(FEW);
+  const hsp_boundary_limits limits = four_boundary_limits(BALLS);
+  const uint32_t no_shell = HSP_NONE, shell = 0;
+  hsp_boundary *empty = NULL;
+  contents one, triangles;
+  check_status(contents_of_surface(f.surface), HSP_E_STATE);
+  CHECK_EQUAL(hsp_surface_compute(f.surface, NULL, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_surface_compute(f.surface, h.boundary, NULL), HSP_E_STATE);
+  check_status(contents_of_surface(f.surface), HSP_E_STATE);
+  CHECK_EQUAL(hsp_model_set(h.model, FEW, four_xyz, four_radius, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_compute(h.boundary, h.model, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_surface_compute(f.surface, h.boundary, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_mesh_compute_surface(f.mesh, f.surface, 2, NULL), HSP_OK);
+  one = contents_of_surface(f.surface);
+  triangles = contents_of_mesh(f.mesh);
+  check_status(one, HSP_OK);
+  check_status(triangles, HSP_OK);
+  check_scene("no boundary");
+  CHECK_EQUAL(hsp_surface_compute(f.surface, NULL, NULL), HSP_E_ARGUMENT);
+  check_status(contents_of_surface(f.surface), HSP_E_STATE);
+  CHECK_EQUAL(hsp_surface_next(f.surface, 0), HSP_NONE);
+  check_same_contents(&triangles, contents_of_mesh(f.mesh)); /* they are of the boundary */
+  CHECK_EQUAL(hsp_surface_compute(f.surface, h.boundary, NULL), HSP_OK);
+  check_same_contents(&one, contents_of_surface(f.surface));
+  check_scene("a shell that is not there");
+  CHECK_EQUAL(hsp_surface_compute_shells(f.surface, h.boundary, &no_shell, 1, NULL), HSP_E_ID);
+  check_status(contents_of_surface(f.surface), HSP_E_STATE);
+  CHECK_EQUAL(hsp_surface_compute_shells(f.surface, h.boundary, &shell, 1, NULL), HSP_OK);
+  check_same_contents(&one, contents_of_surface(f.surface));
+  check_scene("a boundary without results");
+  CHECK_EQUAL(hsp_boundary_init(small_memory, SIZE, &limits, &empty), HSP_OK);
+  CHECK_EQUAL(hsp_surface_compute(f.surface, empty, NULL), HSP_E_STATE);
+  check_status(contents_of_surface(f.surface), HSP_E_STATE);
+  check_scene("too small");
+  four_handles_set(&h, BALLS);
+  CHECK_EQUAL(hsp_boundary_compute(h.boundary, h.model, NULL), HSP_OK);
+  check_status(contents_of_mesh(f.mesh), HSP_E_STATE);
+  CHECK_EQUAL(hsp_surface_compute(f.surface, h.boundary, NULL), HSP_E_CAPACITY);
+  check_status(contents_of_surface(f.surface), HSP_E_STATE);
+  CHECK_EQUAL(hsp_mesh_compute_surface(f.mesh, f.surface, 2, NULL), HSP_E_STATE);
+  CHECK_EQUAL(hsp_surface_compute(f.surface, empty, NULL), HSP_E_STATE);
+  check_status(contents_of_surface(f.surface), HSP_E_STATE);
+  CHECK_EQUAL(hsp_model_set(h.model, FEW, four_xyz, four_radius, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_compute(h.boundary, h.model, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_surface_compute(f.surface, h.boundary, NULL), HSP_OK);
+  check_same_contents(&one, contents_of_surface(f.surface));
+  check_scene("%s", "");
+}
+
+/* Every way in which triangles are refused, from a mesh that holds results and from one that was too small. */
+static void failed_mesh(void) {
+  const four_handles h = four_handles_make(BALLS);
+  const fifth_handles f = fifth_handles_make(BALLS);
+  const hsp_surface_limits limits = four_surface_limits(BALLS);
+  hsp_surface *empty = NULL;
+  contents one;
+  int refusal, too_small;
+  check_status(contents_of_mesh(f.mesh), HSP_E_STATE);
+  CHECK_EQUAL(hsp_surface_init(small_memory, SIZE, &limits, &empty), HSP_OK);
+  four_handles_compute(&h);
+  CHECK_EQUAL(hsp_surface_compute(f.surface, h.boundary, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_mesh_compute(f.mesh, h.boundary, 2, NULL), HSP_OK);
+  one = contents_of_mesh(f.mesh);
+  check_status(one, HSP_OK);
+  for (too_small = 0; too_small < 2; ++too_small) {
+    static const int32_t expected[] = {HSP_E_ARGUMENT,   HSP_E_ARGUMENT, HSP_E_ARGUMENT, HSP_E_ARGUMENT,
+                                       HSP_E_NOT_FINITE, HSP_E_RANGE,    HSP_E_STATE,    HSP_E_NOT_FINITE};
+    for (refusal = 0; refusal < 8; ++refusal) {
+      int32_t status = HSP_OK;
+      check_scene("refusal %d, too small before: %d", refusal, too_small);
+      CHECK_EQUAL(hsp_mesh_compute(f.mesh, h.boundary, too_small ? 0.05 : 2, NULL),
+                  too_small ? HSP_E_CAPACITY : HSP_OK);
+      check_status(contents_of_mesh(f.mesh), too_small ? HSP_E_STATE : HSP_OK);
+      if (refusal == 0) status = hsp_mesh_compute(f.mesh, NULL, 2, NULL);
+      if (refusal == 1) status = hsp_mesh_compute(f.mesh, h.boundary, 0, NULL);
+      if (refusal == 2) status = hsp_mesh_compute_surface(f.mesh, NULL, 2, NULL);
+      if (refusal == 3) status = hsp_mesh_compute_surface(f.mesh, f.surface, -1, NULL);
+      if (refusal == 4) status = hsp_mesh_compute(f.mesh, h.boundary, NAN, NULL);
+      if (refusal == 5) status = hsp_mesh_compute(f.mesh, h.boundary, 1e-7, NULL);
+      if (refusal == 6) status = hsp_mesh_compute_surface(f.mesh, empty, 2, NULL);
+      if (refusal == 7) status = hsp_mesh_compute_surface(f.mesh, f.surface, INFINITY, NULL);
+      CHECK_EQUAL(status, expected[refusal]);
+      check_status(contents_of_mesh(f.mesh), HSP_E_STATE);
+    }
+  }
+  CHECK_EQUAL(hsp_mesh_compute(f.mesh, h.boundary, 2, NULL), HSP_OK);
+  check_same_contents(&one, contents_of_mesh(f.mesh));
+  check_scene("%s", "");
+}
+
 int main(void) {
   failed_set();
   failed_set_behind_results();
   failed_boundary();
   failed_topology();
   failed_view();
+  failed_surface();
+  failed_mesh();
   return check_report();
 }

@@ -152,10 +152,80 @@ static void refused_of_view(void) {
   check_same_contents(&before, contents_of_view(h.view));
 }
 
+static void refused_of_surface(void) {
+  const four_handles h = four_handles_make(BALLS);
+  const fifth_handles f = fifth_handles_make(BALLS);
+  static const double weights[BALLS] = {1, 2, NAN, 3};
+  hsp_surface_limits limits = four_surface_limits(BALLS);
+  hsp_surface *made = NULL;
+  contents before;
+  hsp_surface_totals totals[BALLS];
+  hsp_surface_patch patch;
+  hsp_surface_edge edge;
+  hsp_surface_corner corner;
+  hsp_mesh_limits of_mesh;
+  double number[3 * BALLS];
+  uint32_t invariant, id, count;
+  four_handles_compute(&h);
+  CHECK_EQUAL(hsp_surface_compute(f.surface, h.boundary, NULL), HSP_OK);
+  before = contents_of_surface(f.surface);
+  check_status(before, HSP_OK);
+  CHECK_EQUAL(hsp_surface_init(f.surface_memory, 10, &limits, &made), HSP_E_MEMORY);
+  limits.struct_size = 4;
+  CHECK_EQUAL(hsp_surface_init(f.surface_memory, FIFTH_SIZE, &limits, &made), HSP_E_ARGUMENT);
+  limits = four_surface_limits(BALLS);
+  limits.pieces = HSP_NONE;
+  CHECK_EQUAL(hsp_surface_init(f.surface_memory, FIFTH_SIZE, &limits, &made), HSP_E_RANGE);
+  CHECK_EQUAL(hsp_surface_get_counts(f.surface, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_surface_measure(f.surface, NULL, totals, BALLS - 1, NULL), HSP_E_CAPACITY);
+  CHECK_EQUAL(hsp_surface_gradient(f.surface, 1, NAN, NULL, number, NULL, NULL, BALLS, NULL), HSP_E_NOT_FINITE);
+  CHECK_EQUAL(hsp_surface_gradient(f.surface, 1, 1, NULL, number, NULL, NULL, 0, NULL), HSP_E_CAPACITY);
+  CHECK_EQUAL(hsp_surface_weighted_gradient(f.surface, weights, 1, 0, NULL, number, NULL, NULL, BALLS, NULL, &id),
+              HSP_E_NOT_FINITE);
+  CHECK_EQUAL(hsp_surface_get_map_counts(f.surface, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_surface_get_patches(f.surface, HSP_NONE, 1, &patch), HSP_E_ID);
+  CHECK_EQUAL(hsp_surface_get_edges(f.surface, 0, HSP_NONE, &edge), HSP_E_ID);
+  CHECK_EQUAL(hsp_surface_get_corners(f.surface, HSP_NONE, 2, &corner), HSP_E_ID);
+  CHECK_EQUAL(hsp_surface_get_shells(f.surface, NULL, 0, &count), HSP_E_CAPACITY);
+  CHECK_EQUAL(hsp_surface_check(f.surface, NULL, &id), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_surface_check(f.surface, &invariant, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_mesh_limits_init_surface(&of_mesh, 0, f.surface, 2), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_mesh_compute_surface(NULL, f.surface, 2, NULL), HSP_E_ARGUMENT);
+  check_same_contents(&before, contents_of_surface(f.surface));
+}
+
+static void refused_of_mesh(void) {
+  const four_handles h = four_handles_make(BALLS);
+  const fifth_handles f = fifth_handles_make(BALLS);
+  hsp_mesh_limits limits = four_mesh_limits();
+  hsp_mesh *made = NULL;
+  contents before;
+  double points[3];
+  uint32_t ids[3], first, count;
+  four_handles_compute(&h);
+  CHECK_EQUAL(hsp_mesh_compute(f.mesh, h.boundary, 2, NULL), HSP_OK);
+  before = contents_of_mesh(f.mesh);
+  check_status(before, HSP_OK);
+  CHECK_EQUAL(hsp_mesh_init(f.mesh_memory, 10, &limits, &made), HSP_E_MEMORY);
+  limits.struct_size = 0;
+  CHECK_EQUAL(hsp_mesh_init(f.mesh_memory, FIFTH_SIZE, &limits, &made), HSP_E_ARGUMENT);
+  limits = four_mesh_limits();
+  limits.points = HSP_NONE;
+  CHECK_EQUAL(hsp_mesh_init(f.mesh_memory, FIFTH_SIZE, &limits, &made), HSP_E_RANGE);
+  CHECK_EQUAL(hsp_mesh_get_counts(f.mesh, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_mesh_get_vertices(f.mesh, points, NULL, NULL, NULL, 1, NULL), HSP_E_CAPACITY);
+  CHECK_EQUAL(hsp_mesh_get_triangles(f.mesh, ids, NULL, NULL, NULL, 1, &count), HSP_E_CAPACITY);
+  CHECK_EQUAL(hsp_mesh_get_patch(f.mesh, 0, NULL, &count), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_mesh_get_patch(f.mesh, 0, &first, NULL), HSP_E_ARGUMENT);
+  check_same_contents(&before, contents_of_mesh(f.mesh));
+}
+
 int main(void) {
   refused_of_model();
   refused_of_boundary();
   refused_of_topology();
   refused_of_view();
+  refused_of_surface();
+  refused_of_mesh();
   return check_report();
 }

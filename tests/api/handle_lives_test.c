@@ -62,6 +62,7 @@ static void one_after_another(void) {
     memset(&other, 0, sizeof other);
     if (computations_make(&set, &options, &all) && computations_make(&other_set, &options, &other)) {
       for (kind = 0; kind < KINDS; ++kind) {
+        if (handle_of(&all, kind) == NULL || handle_of(&other, kind) == NULL) continue;
         check_scene("%s, then %s, with %s", set.name, other_set.name, kinds_of_life[kind].name);
         same_results(kind, &all, &other);
       }

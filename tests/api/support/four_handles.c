@@ -9,6 +9,7 @@ const double four_radius[BALLS] = {1.5, 1.5, 1.25, 1};
 const double four_inside[3] = {1, 0.5, 0};
 
 static unsigned char memory[4][SIZE];
+static unsigned char fifth_memory[2][FIFTH_SIZE];
 
 hsp_boundary_limits four_boundary_limits(uint32_t balls) {
   hsp_boundary_limits limits;
@@ -28,6 +29,27 @@ hsp_view_limits four_view_limits(uint32_t balls) {
   CHECK_EQUAL(hsp_view_limits_init(&limits, (uint32_t)sizeof limits, balls), HSP_OK);
   limits.arcs = balls == BALLS ? ARCS : 2;
   return limits;
+}
+
+hsp_surface_limits four_surface_limits(uint32_t balls) {
+  const hsp_surface_limits limits = {(uint32_t)sizeof limits, balls == BALLS ? VERTICES : 0, 16, BALLS, 8, 32, 4};
+  return limits;
+}
+
+hsp_mesh_limits four_mesh_limits(void) {
+  const hsp_mesh_limits limits = {(uint32_t)sizeof limits, 16, EDGES, POINTS, 2 * POINTS, 128};
+  return limits;
+}
+
+fifth_handles fifth_handles_make(uint32_t balls) {
+  const hsp_surface_limits of_surface = four_surface_limits(balls);
+  const hsp_mesh_limits of_mesh = four_mesh_limits();
+  fifth_handles h;
+  h.surface_memory = fifth_memory[0];
+  h.mesh_memory = fifth_memory[1];
+  CHECK_EQUAL(hsp_surface_init(h.surface_memory, FIFTH_SIZE, &of_surface, &h.surface), HSP_OK);
+  CHECK_EQUAL(hsp_mesh_init(h.mesh_memory, FIFTH_SIZE, &of_mesh, &h.mesh), HSP_OK);
+  return h;
 }
 
 four_handles four_handles_make(uint32_t balls) {
@@ -93,6 +115,22 @@ contents contents_of_view(const hsp_view *view) {
   memset(&read, 0, sizeof read);
   read.status = hsp_view_get_info(view, &read.counts.view);
   CHECK_EQUAL(hsp_view_get_arcs(view, read.records.arcs, ARCS, &count), read.status);
+  return read;
+}
+
+contents contents_of_surface(const hsp_surface *surface) {
+  contents read;
+  memset(&read, 0, sizeof read);
+  read.status = hsp_surface_get_map_counts(surface, &read.counts.surface);
+  CHECK_EQUAL(hsp_surface_get_edges(surface, 0, read.counts.surface.edges, read.records.surface_edges), read.status);
+  return read;
+}
+
+contents contents_of_mesh(const hsp_mesh *mesh) {
+  contents read;
+  memset(&read, 0, sizeof read);
+  read.status = hsp_mesh_get_counts(mesh, &read.counts.mesh);
+  CHECK_EQUAL(hsp_mesh_get_vertices(mesh, read.records.points[0], NULL, NULL, NULL, POINTS, NULL), read.status);
   return read;
 }
 

@@ -42,17 +42,33 @@ typedef struct model_contents {
 
 model_contents contents_of_model(const hsp_model *model);
 
+/* A surface and a mesh over the boundary of such a set: the surface has room for so many balls, the mesh for all with
+ * edges of 2, not for much shorter ones. Always in the same memory, of so many bytes each. */
+enum { FIFTH_SIZE = 1 << 17, POINTS = 300 };
+typedef struct fifth_handles {
+  hsp_surface *surface;
+  hsp_mesh *mesh;
+  void *surface_memory, *mesh_memory;
+} fifth_handles;
+hsp_surface_limits four_surface_limits(uint32_t balls);
+hsp_mesh_limits four_mesh_limits(void);
+fifth_handles fifth_handles_make(uint32_t balls);
+
 /* What another handle holds, as its functions tell: the status of reading it, and what that wrote. */
 typedef struct contents {
   union {
     hsp_boundary_counts boundary;
     hsp_topology_counts topology;
     hsp_view_info view;
+    hsp_surface_map_counts surface;
+    hsp_mesh_counts mesh;
   } counts;
   union {
     hsp_vertex vertices[VERTICES];
     hsp_topology_edge edges[EDGES];
     hsp_view_arc arcs[ARCS];
+    hsp_surface_edge surface_edges[EDGES];
+    double points[POINTS][3];
   } records;
   int32_t status;
 } contents;
@@ -60,6 +76,8 @@ typedef struct contents {
 contents contents_of_boundary(const hsp_boundary *boundary);
 contents contents_of_topology(const hsp_topology *topology);
 contents contents_of_view(const hsp_view *view);
+contents contents_of_surface(const hsp_surface *surface);
+contents contents_of_mesh(const hsp_mesh *mesh);
 
 void check_status(contents read, int32_t status);
 void check_same_contents(const contents *a, contents b);

@@ -130,6 +130,82 @@ static uint64_t view_hash(const void *view, const void *source, unsigned char *b
   return bad ? 0 : hash;
 }
 
+/* Patches and what lies between them only where every joint is closed. */
+static uint64_t surface_hash(const void *surface, const void *source, unsigned char *buffer, uint32_t room) {
+  const surface_result *s = source;
+  const uint32_t n = s->base->n;
+  double *numbers = (void *)buffer;
+  uint32_t *flags = (void *)(numbers + 4 * (size_t)n);
+  uint64_t hash = UINT64_C(0xCBF29CE484222325);
+  hsp_surface_counts counts;
+  hsp_surface_map_counts map;
+  hsp_surface_totals totals;
+  hsp_energy energy;
+  uint32_t needed = 0, h;
+  int bad = 0;
+  if (hsp_surface_get_counts(surface, &counts) != HSP_OK) return 0;
+  hash = mixed_hash(hash, &counts, sizeof counts);
+  bad |= hsp_surface_measure(surface, &totals, (void *)buffer, n, &needed) != HSP_OK;
+  hash = mixed_hash(mixed_hash(hash, &totals, sizeof totals), buffer, n * sizeof totals);
+  bad |= hsp_surface_gradient(surface, 1, -0.5, &energy, numbers, numbers + 3 * (size_t)n, flags, n, NULL) != HSP_OK;
+  hash = mixed_hash(mixed_hash(hash, &energy, sizeof energy), numbers, 4 * (size_t)n * sizeof *numbers);
+  hash = mixed_hash(hash, flags, n * sizeof *flags);
+  bad |= hsp_surface_weighted_gradient(surface, s->base->radius, 1, 0, &energy, numbers, numbers + 3 * (size_t)n, flags,
+                                       n, NULL, NULL) != HSP_OK;
+  hash = mixed_hash(mixed_hash(hash, &energy, sizeof energy), numbers, 4 * (size_t)n * sizeof *numbers);
+  if (hsp_surface_get_map_counts(surface, &map) != HSP_OK) return bad || counts.open_joints == 0 ? 0 : hash;
+  hash = mixed_hash(hash, &map, sizeof map);
+  bad |= map.patches > room || map.edges > room || map.corners > room || map.shells > room;
+  if (bad) return 0;
+  bad |= hsp_surface_get_patches(surface, 0, map.patches, (void *)buffer) != HSP_OK;
+  hash = mixed_hash(hash, buffer, map.patches * sizeof(hsp_surface_patch));
+  bad |= hsp_surface_get_edges(surface, 0, map.edges, (void *)buffer) != HSP_OK;
+  hash = mixed_hash(hash, buffer, map.edges * sizeof(hsp_surface_edge));
+  bad |= hsp_surface_get_corners(surface, 0, map.corners, (void *)buffer) != HSP_OK;
+  hash = mixed_hash(hash, buffer, map.corners * sizeof(hsp_surface_corner));
+  bad |= hsp_surface_get_shells(surface, (void *)buffer, room, &needed) != HSP_OK;
+  hash = mixed_hash(hash, buffer, needed * sizeof(hsp_surface_shell));
+  for (h = 0; h < 2 * map.edges; h += 3) {
+    uint32_t steps[5];
+    steps[0] = hsp_surface_next(surface, h);
+    steps[1] = hsp_surface_previous(surface, h);
+    steps[2] = hsp_surface_next_loop(surface, h);
+    steps[3] = hsp_surface_origin(surface, h);
+    steps[4] = hsp_surface_left(surface, h);
+    hash = mixed_hash(hash, steps, sizeof steps);
+  }
+  return bad ? 0 : hash;
+}
+
+static uint64_t mesh_hash(const void *mesh, const void *source, unsigned char *buffer, uint32_t room) {
+  uint64_t hash = UINT64_C(0xCBF29CE484222325);
+  hsp_mesh_counts counts;
+  uint32_t numbers[2], patch;
+  double *const reals = (void *)buffer;
+  uint32_t *const ids = (void *)buffer;
+  int bad = 0;
+  (void)source;
+  if (hsp_mesh_get_counts(mesh, &counts) != HSP_OK || counts.vertices > room || counts.triangles > room) return 0;
+  hash = mixed_hash(hash, &counts, sizeof counts);
+  bad |= hsp_mesh_get_vertices(mesh, reals, NULL, NULL, NULL, room, NULL) != HSP_OK;
+  hash = mixed_hash(hash, reals, 3 * (size_t)counts.vertices * sizeof *reals);
+  bad |= hsp_mesh_get_vertices(mesh, NULL, reals, NULL, NULL, room, NULL) != HSP_OK;
+  hash = mixed_hash(hash, reals, 3 * (size_t)counts.vertices * sizeof *reals);
+  bad |= hsp_mesh_get_vertices(mesh, NULL, NULL, reals, NULL, room, NULL) != HSP_OK;
+  hash = mixed_hash(hash, reals, counts.vertices * sizeof *reals);
+  bad |= hsp_mesh_get_vertices(mesh, NULL, NULL, NULL, ids, room, NULL) != HSP_OK;
+  hash = mixed_hash(hash, ids, counts.vertices * sizeof *ids);
+  bad |= hsp_mesh_get_triangles(mesh, ids, NULL, NULL, NULL, room, NULL) != HSP_OK;
+  hash = mixed_hash(hash, ids, 3 * (size_t)counts.triangles * sizeof *ids);
+  bad |= hsp_mesh_get_triangles(mesh, NULL, NULL, ids, NULL, room, NULL) != HSP_OK;
+  hash = mixed_hash(hash, ids, counts.triangles * sizeof *ids);
+  for (patch = 0; patch < 20; ++patch) {
+    bad |= hsp_mesh_get_patch(mesh, patch, &numbers[0], &numbers[1]) != HSP_OK;
+    hash = mixed_hash(hash, numbers, sizeof numbers);
+  }
+  return bad ? 0 : hash;
+}
+
 /* ---- what uses scratch memory; 0 if a call fails ---- */
 
 static int use_boundary(void *boundary) {
@@ -153,11 +229,48 @@ static int use_view(void *view) {
   return status == HSP_OK;
 }
 
+static int use_surface(void *surface) {
+  hsp_surface_counts counts;
+  uint32_t invariant, id;
+  return hsp_surface_get_counts(surface, &counts) == HSP_OK &&
+         hsp_surface_check(surface, &invariant, &id) == (counts.open_joints == 0 ? HSP_OK : HSP_E_CHECK);
+}
+
+/* No function of a mesh uses scratch memory. */
+static int use_mesh(void *mesh) {
+  hsp_mesh_counts counts;
+  return hsp_mesh_get_counts(mesh, &counts) == HSP_OK;
+}
+
 /* ---- a computation of any kind ---- */
 
 const kind_of_life kinds_of_life[KINDS] = {{&boundary_handle, "a boundary", boundary_hash, use_boundary},
                                            {&topology_handle, "a topology", topology_hash, use_topology},
-                                           {&view_handle, "a view", view_hash, use_view}};
+                                           {&view_handle, "a view", view_hash, use_view},
+                                           {&surface_handle, "a surface", surface_hash, use_surface},
+                                           {&mesh_handle, "a mesh", mesh_hash, use_mesh}};
+
+/* A probe half as large as the largest ball, and triangles as large as that ball. Where joints are open or borders
+ * touch in a point there are no triangles. */
+static int make_surface(const ball_set *set, computations *all) {
+  const computed *c = &all->rolled;
+  hsp_model_options options;
+  double largest = 1e-3;
+  uint32_t i;
+  int32_t status;
+  for (i = 0; i < set->n; ++i) {
+    if (set->radius[i] > largest) largest = set->radius[i];
+  }
+  CHECK_EQUAL(hsp_model_options_init(&options, (uint32_t)sizeof options), HSP_OK);
+  options.probe = 0.5 * largest;
+  if (!CHECK_EQUAL(computed_make(set->n, set->xyz, set->radius, &options, &all->rolled), HSP_OK)) return 0;
+  if (!CHECK_EQUAL(surface_result_make(c, &all->surface), HSP_OK)) return 0;
+  status = mesh_result_make_surface(&all->surface, largest, &all->mesh);
+  if (status == HSP_E_CHECK) all->mesh.mesh = NULL;
+  all->room += 8 * (c->counts.arcs + c->counts.circles + c->counts.vertices) + c->counts.faces +
+               all->mesh.counts.vertices + all->mesh.counts.triangles;
+  return status == HSP_E_CHECK || CHECK_EQUAL(status, HSP_OK);
+}
 
 int computations_make(const ball_set *set, const hsp_view_options *options, computations *all) {
   const computed *c = &all->boundary;
@@ -170,39 +283,39 @@ int computations_make(const ball_set *set, const hsp_view_options *options, comp
   all->room += all->topology.counts.edges + all->topology.counts.shells + all->topology.counts.cells;
   if (!CHECK_EQUAL(view_result_make(c, options, 1, &all->view), HSP_OK)) return 0;
   all->room += all->view.info.arcs;
-  return 1;
+  return make_surface(set, all);
 }
 
 void computations_release(computations *all) {
+  mesh_result_release(&all->mesh);
+  surface_result_release(&all->surface);
+  computed_release(&all->rolled);
   view_result_release(&all->view);
   topology_result_release(&all->topology);
   computed_release(&all->boundary);
 }
 
 const void *source_of(const computations *all, int kind) {
-  return kind == BOUNDARY   ? (const void *)&all->boundary
-         : kind == TOPOLOGY ? (const void *)&all->topology
-                            : (const void *)&all->view;
+  const void *const sources[KINDS] = {&all->boundary, &all->topology, &all->view, &all->surface, &all->mesh};
+  return sources[kind];
 }
 
 void *handle_of(const computations *all, int kind) {
-  return kind == BOUNDARY   ? (void *)all->boundary.boundary
-         : kind == TOPOLOGY ? (void *)all->topology.topology
-                            : (void *)all->view.view;
+  void *const handles[KINDS] = {all->boundary.boundary, all->topology.topology, all->view.view, all->surface.surface,
+                                all->mesh.mesh};
+  return handles[kind];
 }
 
 limit_numbers limits_of(const computations *all, int kind) {
+  const void *const needed[KINDS] = {&all->boundary.needed, &all->topology.needed, &all->view.needed,
+                                     &all->surface.needed, &all->mesh.needed};
   limit_numbers limits;
   memset(&limits, 0, sizeof limits);
-  memcpy(&limits,
-         kind == BOUNDARY   ? (const void *)&all->boundary.needed
-         : kind == TOPOLOGY ? (const void *)&all->topology.needed
-                            : (const void *)&all->view.needed,
-         kinds_of_life[kind].kind->struct_size);
+  memcpy(&limits, needed[kind], kinds_of_life[kind].kind->struct_size);
   return limits;
 }
 
 unsigned char *buffer_for(const computations *all) {
-  return test_zeros(all->room,
-                    sizeof(hsp_vertex) + sizeof(hsp_topology_edge) + sizeof(hsp_shell) + sizeof(hsp_view_arc));
+  return test_zeros(all->room, sizeof(hsp_vertex) + sizeof(hsp_topology_edge) + sizeof(hsp_shell) +
+                                   sizeof(hsp_view_arc) + sizeof(hsp_surface_edge));
 }
