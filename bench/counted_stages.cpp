@@ -16,6 +16,7 @@
 
 #include "branch_predictor.hpp"
 #include "core/processor.hpp"
+#include "map_handle.hpp"
 #include "query_workload.hpp"
 #include "sizes.hpp"
 #include "view_handle.hpp"
@@ -72,7 +73,9 @@ void count_stages(const bench::Balls &balls, const Surface &surface) {
   count("view_farther", balls, surface, [&] { farther.compute(towards); });
   bench::View all(model, &boundary, HSP_PIECES_OUTSIDE_ALL, {towards});
   count("view_all", balls, surface, [&] { all.compute(towards); });
-  // What frames are measured against: both start with the centres and a direction.
+  bench::VisibleMap map(model, {towards});
+  count("map", balls, surface, [&] { map.compute(towards); });
+  // What frames and maps are measured against: both start with the centres and a direction.
   bench::Placement placement(balls.xyz, balls.radius);
   bench::AnalyticZBuffer z_buffer;
   count("z_buffer", balls, surface, [&] { z_buffer.draw(placement.place(bench::axes_towards(towards))); });

@@ -33,9 +33,9 @@ if [ "$peers" = yes ]; then install_optional_packages "${packages_of_peers[@]}";
 cmake -S "$source_folder" -B "$build_folder" -G Ninja -DCMAKE_BUILD_TYPE=Release -DHSP_BENCH=ON \
   -DHSP_TESTS=OFF -DHSP_TOOL=OFF -DHSP_FUZZ=OFF -DHSP_FORTRAN=OFF -DHSP_BENCH_PEERS=$peers
 suites=(bench_paper_section_2 bench_paper_section_3 bench_section_3_alternatives bench_paper_section_4_2
-  bench_paper_section_5_1 bench_topology bench_gradients bench_surface bench_scaling bench_queries
+  bench_paper_section_5_1 bench_visibility bench_topology bench_gradients bench_surface bench_scaling bench_queries
   bench_split_work bench_degenerate)
-if [ "$peers" = yes ]; then suites+=(bench_peers_surfaces bench_peers_queries); fi
+if [ "$peers" = yes ]; then suites+=(bench_peers_surfaces bench_peers_queries bench_peers_visibility); fi
 cmake --build "$build_folder" --target "${suites[@]}" write_report
 
 # Version 0.1.0, with its own benchmarks and the one for lattices, which it had not.
@@ -98,6 +98,7 @@ run_suite bench_paper_section_3 5 0.02
 run_suite bench_section_3_alternatives 3 0.02
 run_suite bench_paper_section_4_2 5 0.02
 run_suite bench_paper_section_5_1 3 0.02
+run_suite bench_visibility 3 0.02
 run_suite bench_topology 5 0.05
 run_suite bench_gradients 5 0.05
 run_suite bench_surface 5 0.05
@@ -109,6 +110,7 @@ if [ "$peers" = yes ]; then
   # These take their turns within one repetition.
   run_suite bench_peers_surfaces 1 0.02
   run_suite bench_peers_queries 1 0.02
+  run_suite bench_peers_visibility 1 0.02  # half a minute, once
 fi
 # Of version 0.1.0 what the goals are about, as often as the same of this version.
 if [ "$old" = yes ]; then

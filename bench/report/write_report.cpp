@@ -21,6 +21,7 @@
 #include "smooth_surface_tables.hpp"
 #include "speed_goals.hpp"
 #include "topology_tables.hpp"
+#include "visibility_tables.hpp"
 
 namespace {
 
@@ -81,6 +82,7 @@ void write_report(std::ostream &out, const std::filesystem::path &folder) {
   report::write_section_4_2(out, run);
   report::write_topology(out, run);
   report::write_frames(out, run);
+  report::write_visibility(out, run);
   report::write_gradients(out, run);
   report::write_smooth_surface(out, run);
   report::write_scaling(out, run);
