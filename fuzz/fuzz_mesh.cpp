@@ -1,6 +1,6 @@
 // The triangles of any boundary and of the smooth surface over it, with edges of any length: a closed surface with the
 // Euler characteristic of what it is made from, the same bytes twice, and limits that are too small. HSP_E_CHECK is
-// right where borders come together, and where joints of the smooth surface are open.
+// right where borders lie on each other, and where joints of the smooth surface are open.
 #include <mesh_result.h>
 
 #include <vector>

@@ -86,6 +86,8 @@ set(HSP_LIBRARY_SOURCES
   lib/mesh/concave_outline.cpp
   lib/mesh/convex_outline.cpp
   lib/mesh/mesh_builder.cpp
+  lib/mesh/pinched_cells.cpp
+  lib/mesh/pinched_patch.cpp
   lib/mesh/sphere_triangulation.cpp
   lib/mesh/saddle_band.cpp
   lib/mesh/saddle_grids.cpp

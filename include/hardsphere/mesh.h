@@ -4,7 +4,8 @@
  * directions, and the triangles around a vertex form one ring. They run counter-clockwise seen from outside. Every
  * vertex lies on the surface up to rounding, and every triangle belongs to one patch. How the faces, arcs and vertices
  * hang together is the exact boundary's own: where a border is so thin that chords of its arcs would cross, these get
- * more points.
+ * more points. Where no number of points tells borders apart, because they touch or run along each other, there are
+ * triangles without area between them; vertices may lie in one place.
  *
  * Areas and volumes of a mesh are those of its triangles. They approach those of the surface with the square of the
  * edge's length; hsp_boundary_measure and hsp_surface_measure have the exact ones.
@@ -87,8 +88,9 @@ HSP_API int32_t hsp_mesh_init(void *memory, size_t bytes, const hsp_mesh_limits 
  *  @retval HSP_E_RANGE       there would be more than HSP_MAX_BALLS of something
  *  @retval HSP_E_CAPACITY    a limit is too small; limits, if not NULL, become limits to retry with
  *  @retval HSP_E_STATE       the boundary holds no results, or its model has changed since
- *  @retval HSP_E_CHECK       two borders on one sphere are closer than 1e-9 of its radius along a curve, as where balls
- *                            touch in a point: no number of points tells them apart */
+ *  @retval HSP_E_CHECK       borders on one sphere lie on each other along a curve, up to rounding, so that nothing
+ *                            tells which is on which side: more than two of them, or with different points. Among
+ *                            thousands of degenerate sets there is none */
 HSP_API int32_t hsp_mesh_compute(hsp_mesh *mesh, const hsp_boundary *boundary, double edge, hsp_mesh_limits *limits);
 
 /** Triangles for a computed smooth surface, with edges of about the given length. Everything else is as for a
@@ -103,8 +105,7 @@ HSP_API int32_t hsp_mesh_compute(hsp_mesh *mesh, const hsp_boundary *boundary, d
  *  @retval HSP_E_RANGE       there would be more than HSP_MAX_BALLS of something
  *  @retval HSP_E_CAPACITY    a limit is too small; limits, if not NULL, become limits to retry with
  *  @retval HSP_E_STATE       the surface holds no results, or its model or boundary has changed since
- *  @retval HSP_E_CHECK       the surface has open joints: hsp_surface_counts; or two borders on one sphere are closer
- *                            than 1e-9 of its radius along a curve */
+ *  @retval HSP_E_CHECK       the surface has open joints: hsp_surface_counts; or as for a boundary */
 HSP_API int32_t hsp_mesh_compute_surface(hsp_mesh *mesh, const hsp_surface *surface, double edge,
                                          hsp_mesh_limits *limits);
 

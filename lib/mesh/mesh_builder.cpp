@@ -9,6 +9,8 @@ namespace {
 // How often points of curves are doubled, and how many one may have then.
 constexpr int most_rounds = 12;
 constexpr uint32_t most_segments = UINT32_C(1) << 14;
+// Borders may be pinched after so many rounds, or where points cannot be nearer each other.
+constexpr int rounds_before_pinching = 4;
 // No more vertices than so many times those of the first round, and some. Borders that come together would ask for ever
 // more of them.
 constexpr uint64_t most_growth = 8;
@@ -43,32 +45,10 @@ Status MeshBuilder::build(const BallSet &balls, const Boundary &boundary, const 
 
 template <class Outline>
 Status MeshBuilder::build_all(Outline &outline, double edge) {
-  const uint32_t spheres = outline.sphere_count();
-  needed_ = {spheres, outline.curve_count(), 0, 0, 0};
+  needed_ = {outline.sphere_count(), outline.curve_count(), 0, 0, 0};
   if (needed_.balls > limits_.balls || needed_.curves > limits_.curves) return Status::capacity;
-  mesh_.vertices_.clear();
-  mesh_.triangles_.clear();
-  if (!outline.divide_curves(edge)) return Status::range;
-  mesh_.curves_ = outline.curve_count();
-  mesh_.refined_ = 0;
-  for (uint32_t v = 0; v < outline.corner_count(); ++v) mesh_.vertices_.push(outline.corner(v));
-  for (uint32_t c = 0; c < outline.curve_count(); ++c) add_samples(outline, c);
-  for (uint32_t s = 0; s < spheres; ++s) range_[s] = {0, 0, outline.has_patches(s)};
-  // Patches need none of what is stored, so that everything is counted even if there is no room for it.
-  bool complete = false;
-  uint64_t most_vertices = 0;
-  for (int round = 0; round < most_rounds && !complete && needed_.points <= limits_.points; ++round) {
-    complete = true;
-    for (uint32_t s = 0; s < spheres; ++s) {
-      if (!range_[s].outdated) continue;
-      range_[s].outdated = false;
-      if (!triangulate(outline, edge, s)) complete = false;
-      needed_.points = larger_count(needed_.points, clamped_count(patch_.needed_points()));
-    }
-    if (complete || needed_.points > limits_.points) break;
-    if (round == 0) most_vertices = most_growth * mesh_.vertices_.required() + growth_of_small_meshes;
-    if (!refine(outline) || mesh_.vertices_.required() > most_vertices) return Status::check;
-  }
+  const Status status = triangulate_all(outline, edge);
+  if (status == Status::check || status == Status::range) return status;
   const uint32_t first_of_bands = clamped_count(mesh_.triangles_.required());
   if (!outline.add_bands(edge, mesh_.vertices_, mesh_.triangles_)) return Status::range;
   const uint64_t vertices = mesh_.vertices_.required();
@@ -79,11 +59,45 @@ Status MeshBuilder::build_all(Outline &outline, double edge) {
   if (vertices > limits_.vertices || triangles > limits_.triangles || needed_.points > limits_.points) {
     return Status::capacity;
   }
-  if (!complete) return Status::check;
   remove_outdated(first_of_bands);
   name_balls(outline);
   sort_by_patches();
   return Status::ok;
+}
+
+// Status::capacity if there is no room for the points of a sphere.
+template <class Outline>
+Status MeshBuilder::triangulate_all(Outline &outline, double edge) {
+  const uint32_t spheres = outline.sphere_count();
+  mesh_.vertices_.clear();
+  mesh_.triangles_.clear();
+  if (!outline.divide_curves(edge)) return Status::range;
+  mesh_.curves_ = outline.curve_count();
+  mesh_.refined_ = 0;
+  for (uint32_t v = 0; v < outline.corner_count(); ++v) mesh_.vertices_.push(outline.corner(v));
+  for (uint32_t c = 0; c < outline.curve_count(); ++c) add_samples(outline, c);
+  for (uint32_t s = 0; s < spheres; ++s) range_[s] = {0, 0, outline.has_patches(s), false};
+  // Patches need none of what is stored, so that everything is counted even if there is no room for it.
+  uint64_t most_vertices = 0;
+  int pinching_from = rounds_before_pinching;
+  for (int round = 0; round < most_rounds; ++round) {
+    bool complete = true;
+    for (uint32_t s = 0; s < spheres; ++s) {
+      if (!range_[s].outdated) continue;
+      range_[s].outdated = false;
+      range_[s].unfinished = !triangulate(outline, edge, s, round >= pinching_from);
+      complete = complete && !range_[s].unfinished;
+      needed_.points = larger_count(needed_.points, clamped_count(patch_.needed_points()));
+    }
+    if (needed_.points > limits_.points) return Status::capacity;
+    if (complete) return Status::ok;
+    if (round == 0) most_vertices = most_growth * mesh_.vertices_.required() + growth_of_small_meshes;
+    if (refine(outline) && mesh_.vertices_.required() <= most_vertices) continue;
+    if (round >= pinching_from) break;
+    pinching_from = round + 1;
+    for (uint32_t s = 0; s < spheres; ++s) range_[s].outdated = range_[s].outdated || range_[s].unfinished;
+  }
+  return Status::check;
 }
 
 template <class Outline>
@@ -94,10 +108,14 @@ void MeshBuilder::add_samples(Outline &outline, uint32_t c) {
 
 // The triangles have the sphere as their ball until name_balls.
 template <class Outline>
-bool MeshBuilder::triangulate(Outline &outline, double edge, uint32_t sphere) {
-  patch_.begin(outline.spacing(sphere, edge));
-  outline.add_border(sphere, patch_);
-  const PatchState state = patch_.triangulate();
+bool MeshBuilder::triangulate(Outline &outline, double edge, uint32_t sphere, bool pinched) {
+  const auto attempt = [&](bool pinch) {
+    patch_.begin(outline.spacing(sphere, edge));
+    outline.add_border(sphere, patch_);
+    return patch_.triangulate(pinch);
+  };
+  PatchState state = attempt(false);
+  if (state == PatchState::too_coarse && pinched) state = attempt(true);
   if (state == PatchState::too_coarse) {
     patch_.for_each_coarse_curve([&](uint32_t c) { outline.curve(c).refine = true; });
   }

@@ -11,7 +11,7 @@ class MeshBuilder {
 
   // The boundary with edges of about this length, in lattice steps. Status::capacity if a limit is too small; needed()
   // then reports what suffices as far as it is known. Status::range if there are more points than any limit allows.
-  // Status::check if two borders are so close to each other that no number of points tells them apart.
+  // Status::check if borders lie on each other in ways that nothing tells apart.
   Status build(const BallSet &balls, const Boundary &boundary, double edge);
 
   // The same for the smooth surface. Status::check also if the surface is not closed.
@@ -24,13 +24,16 @@ class MeshBuilder {
  private:
   struct PatchRange {
     uint32_t first, last;  // triangles
-    bool outdated;
+    bool outdated;         // to be made again
+    bool unfinished;       // not made at all
   };
 
   template <class Outline>
   Status build_all(Outline &outline, double edge);
   template <class Outline>
-  bool triangulate(Outline &outline, double edge, uint32_t sphere);
+  Status triangulate_all(Outline &outline, double edge);
+  template <class Outline>
+  bool triangulate(Outline &outline, double edge, uint32_t sphere, bool pinched);
   template <class Outline>
   void add_samples(Outline &outline, uint32_t c);
   template <class Outline>

@@ -268,6 +268,7 @@ bool SphereTriangulation::gather_crossings(uint32_t a, uint32_t b, uint32_t &obs
     const uint32_t left = triangle.point[previous_corner(edge)];
     if (triangle.fixed[edge]) {
       obstacle = right;
+      other_obstacle_ = left;
       return false;
     }
     crossing_[crossings_++] = {right, left};
@@ -292,6 +293,7 @@ bool SphereTriangulation::gather_crossings(uint32_t a, uint32_t b, uint32_t &obs
 // until none does.
 bool SphereTriangulation::fix_edge(uint32_t a, uint32_t b, uint32_t &obstacle) {
   TriangleEdge found;
+  other_obstacle_ = no_id;
   if (!find_edge(a, b, found)) {
     if (!gather_crossings(a, b, obstacle)) return false;
     flipped_ = true;

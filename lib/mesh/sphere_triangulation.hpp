@@ -50,6 +50,8 @@ class SphereTriangulation {
   // Makes the edge from a to b one that stays. False if it meets a point or such an edge: `obstacle` then becomes one
   // of the points there.
   bool fix_edge(uint32_t a, uint32_t b, uint32_t &obstacle);
+  // After that: the other end of the edge in the way, or no_id.
+  uint32_t other_obstacle() const { return other_obstacle_; }
   // Flips what fix_edge has left that is not Delaunay's.
   void restore_all();
 
@@ -88,6 +90,7 @@ class SphereTriangulation {
   uint32_t triangle_count_ = 0;
   uint32_t stacked_ = 0;
   uint32_t crossings_ = 0;
+  uint32_t other_obstacle_ = no_id;
   uint32_t last_ = 0;  // where the next search begins
   bool flipped_ = false;
 };

@@ -27,6 +27,7 @@ void SphericalPatch::carve(Workspace &workspace, uint32_t points) {
 void SphericalPatch::begin(double spacing) {
   spacing_ = spacing < largest_ring_spacing ? spacing : largest_ring_spacing;
   all_coarse_ = false;
+  pinched_ = false;
   latest_cap_ = 0;
   samples_.clear();
   loops_.clear();
@@ -91,7 +92,7 @@ uint32_t SphericalPatch::choose_octahedron() const {
   return best;
 }
 
-PatchState SphericalPatch::triangulate() {
+PatchState SphericalPatch::triangulate(bool pinched) {
   if (!(expected_ring_points(spacing_) < max_count)) {
     needed_points_ = uint64_t{max_count} + 1;
     return PatchState::capacity;
@@ -109,6 +110,7 @@ PatchState SphericalPatch::triangulate() {
   if (needed_points_ > inputs_.capacity()) return PatchState::capacity;
   sphere_.start(turn);
   insert_points();
+  if (pinched) return triangulate_pinched();
   if (!link_loops() || !fix_borders()) return PatchState::too_coarse;
   sphere_.restore_all();
   if (spread_faces() && name_corners() && has_right_numbers()) return PatchState::complete;
@@ -202,8 +204,7 @@ bool SphericalPatch::fix_borders() {
 // Every face floods what lies to the left of its loops.
 bool SphericalPatch::spread_faces() {
   const uint32_t triangles = sphere_.triangle_count();
-  constexpr Part none{no_id, {no_id, no_id, no_id}, {no_id, no_id, no_id}, {false, false, false}};
-  for (uint32_t t = 0; t < triangles; ++t) parts_[t] = none;
+  for (uint32_t t = 0; t < triangles; ++t) parts_[t] = no_part;
   uint32_t waiting = 0;
   const auto take = [&](uint32_t t, uint32_t face) {
     if (parts_[t].face != no_id) return parts_[t].face == face;
@@ -217,16 +218,16 @@ bool SphericalPatch::spread_faces() {
       if (links_[k].next == no_id) continue;
       TriangleEdge left;
       if (!sphere_.find_edge(links_[k].point, links_[links_[k].next].point, left)) return false;
-      bool &border = parts_[left.triangle].border[left.edge];
-      if (border || !take(left.triangle, loops_[loop].face)) return false;
-      border = true;
+      uint32_t &strand = parts_[left.triangle].strand[left.edge];
+      if (strand != no_id || !take(left.triangle, loops_[loop].face)) return false;
+      strand = k;
     }
   }
   while (waiting > 0) {
     const uint32_t t = queue_[--waiting];
     for (uint32_t e = 0; e < 3; ++e) {
       if (sphere_.triangle(t).fixed[e]) {
-        if (!parts_[t].border[e]) return false;  // a border from behind
+        if (parts_[t].strand[e] == no_id) return false;  // a border from behind
       } else if (!take(sphere_.triangle(t).neighbour[e], parts_[t].face)) {
         return false;
       }

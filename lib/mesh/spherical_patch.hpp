@@ -5,6 +5,9 @@
 // that keep away from them. The borders become edges, and what lies to their left is taken. Which loops belong to one
 // face is known beforehand; that the triangles agree is checked, with the number of triangles that Euler's formula
 // demands, so that a border sampled too coarsely is noticed and never yields a wrong mesh.
+//
+// Where borders touch, or run along each other, no number of points tells them apart. Then `pinched` asks for triangles
+// without area between them (pinched_patch.cpp), checked in the same way.
 #pragma once
 
 #include "core/fixed_vector.hpp"
@@ -52,7 +55,8 @@ class SphericalPatch {
   void begin_loop(uint32_t face);
   void add(const BorderSample &sample);
   // Without loops the whole sphere is face 0.
-  PatchState triangulate();
+  // pinched: what runs along something else on the way to the next point may take the same way.
+  PatchState triangulate(bool pinched = false);
 
   // The points that have been there, or an upper bound of them after PatchState::capacity.
   uint64_t needed_points() const { return needed_points_; }
@@ -83,6 +87,12 @@ class SphericalPatch {
     uint32_t next, previous;  // samples; no_id if it is cut off
     uint32_t point;
     bool coarse;
+    // Where borders are pinched:
+    bool closed;
+    uint32_t face;
+    uint32_t closing;  // the sample in the same place where the next border ends, counter-clockwise from the way to the
+                       // next one on; no_id if there is no such way
+    uint32_t middle;   // a sample between this one and that, if there has to be one, else no_id
   };
   struct Ear {
     uint32_t face;
@@ -93,8 +103,9 @@ class SphericalPatch {
     uint32_t face;       // no_id: not of the patch
     uint32_t corner[3];  // samples, and for points inside vertices of the mesh
     uint32_t middle[3];  // of edges, where they are divided, else no_id
-    bool border[3];      // edges that a loop runs along
+    uint32_t strand[3];  // of edges that a loop runs along with the triangle on its left, the sample, else no_id
   };
+  static constexpr Part no_part{no_id, {no_id, no_id, no_id}, {no_id, no_id, no_id}, {no_id, no_id, no_id}};
 
   uint32_t last_sample(uint32_t loop) const {
     return loop + 1 < loops_.size() ? loops_[loop + 1].first : samples_.size();
@@ -111,8 +122,41 @@ class SphericalPatch {
   bool name_corners();
   bool has_right_numbers();
 
+  // Pinched borders: pinched_patch.cpp.
+  PatchState triangulate_pinched();
+  void link_samples();
+  bool route_strands();
+  bool add_detour(uint32_t sample, uint32_t obstacle);
+  bool lay_strands();
+  bool find_covered();
+  bool has_covered_point() const;
+  bool name_faces();
+  bool close_wedges();
+  bool close_wedge(uint32_t sample, const TriangleEdge &way);
+  void add_corridors();
+  bool add_necks();
+  bool add_faces_without_extent();
+  void add_face_without_extent(uint32_t first_loop, uint32_t last_loop);
+  void add_detours();
+  bool has_right_cells();
+  uint32_t end_of_loop(uint32_t loop) const {
+    return loop + 1 < loops_.size() ? loops_[loop + 1].first : border_samples_;
+  }
+  bool has_length(uint32_t sample) const { return links_[sample].point != links_[links_[sample].next].point; }
+  uint32_t strand_back(const TriangleEdge &way) const;
+  bool is_extra(uint32_t sample) const { return sample >= border_samples_; }
+  uint32_t add_extra(uint32_t face, const Vec3 &direction);
+  uint32_t middle_of(uint32_t a, uint32_t b);
+  uint32_t middle_of_wedge(uint32_t sample);
+  void add_cell(uint32_t face, const uint32_t *corner, uint32_t count);
+  template <class Visit>
+  void for_each_of_neck(uint32_t sample, Visit visit) const;
+
   double spacing_ = 1.0;
   bool all_coarse_ = false;
+  bool pinched_ = false;
+  uint32_t border_samples_ = 0;  // if pinched; those behind belong to no border
+  uint32_t linked_samples_ = 0;  // of these, those behind are linked to nothing
   uint64_t needed_points_ = 0;
   uint32_t latest_cap_ = 0;
   SphereTriangulation sphere_;
@@ -130,6 +174,16 @@ class SphericalPatch {
 
 template <class NewVertex, class NewTriangle>
 void SphericalPatch::emit(NewVertex new_vertex, NewTriangle triangle) {
+  if (pinched_) {
+    for (uint32_t k = border_samples_; k < samples_.size(); ++k) {
+      samples_[k].vertex = new_vertex(samples_[k].direction);
+    }
+    for (uint32_t t = 0; t < sphere_.triangle_count(); ++t) {
+      for (uint32_t &middle : parts_[t].middle) {
+        if (middle != no_id) middle = samples_[middle].vertex;
+      }
+    }
+  }
   // Points inside: a point has one number, whichever triangle names it first.
   Span<uint32_t> vertex_at = queue_;
   for (uint32_t p = 0; p < sphere_.point_count(); ++p) vertex_at[p] = no_id;

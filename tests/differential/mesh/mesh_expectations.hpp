@@ -3,13 +3,15 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
+#include "lattice_lengths.hpp"
 #include "mesh_defects.hpp"
 #include "meshed_balls.hpp"
 #include "molecule_file.hpp"
+#include "random_balls.hpp"
 
 inline support::BallList molecule_balls(const std::filesystem::path &file) {
   return with_radii(support::read_atoms(file), support::Radii::van_der_waals);
@@ -54,4 +56,24 @@ inline void expect_meshes(const support::BallList &atoms, double probe, double e
   if (probe == 0.0) return;
   expect_quarter(surface[0].area, surface[1].area);
   expect_quarter(surface[0].volume, surface[1].volume);
+}
+
+// Of a random set of any kind, most of them full of ties. False if its smooth surface has open joints, and no mesh.
+inline bool expect_meshes_of_set(uint64_t seed) {
+  SCOPED_TRACE(seed);
+  oracle::RandomSource random(seed);
+  const support::BallList lengths = oracle::in_lengths(oracle::any_balls(random, 3 + seed % 12), 1);
+  double largest = 1.0;
+  for (const double r : lengths.radius) largest = std::max(largest, r);
+  const double probe = std::floor(0.3 * largest * static_cast<double>(seed % 5));
+  const MeshedBalls balls(lengths, probe, 1.0);
+  const double edge = 0.5 * (largest + probe);
+  expect_sound(MadeMesh(balls.boundary(), edge), balls.boundary().counts.euler);
+  if (probe == 0.0) return true;
+  if (balls.has_closed_surface()) {
+    expect_sound(MadeMesh(balls.surface(), edge), balls.surface_euler());
+  } else {
+    EXPECT_EQ(MadeMesh(balls.surface(), edge).status(), HSP_E_CHECK);
+  }
+  return balls.has_closed_surface();
 }

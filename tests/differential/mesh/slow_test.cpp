@@ -26,4 +26,10 @@ TEST(Slow, MeshesOfFurtherMolecules) {
   if (found == 0) GTEST_SKIP() << "no further molecules";
 }
 
+TEST(Slow, MeshesOfManySets) {
+  int open = 0;
+  for (uint64_t seed = 501; seed <= 8000; ++seed) open += expect_meshes_of_set(seed) ? 0 : 1;
+  EXPECT_LE(open, 150);
+}
+
 }  // namespace

@@ -14,16 +14,22 @@ class BuiltMesh {
  public:
   using Point = std::array<double, 3>;
 
-  // Of a boundary, or with a surface of that; with the limits that are expected to suffice.
+  // Of a boundary, or with a surface of that; with the limits that are expected to suffice, or with larger ones.
   template <class... Source>
   BuiltMesh(double edge, const Source &...source) {
     hsp::MeshLimits limits;
     EXPECT_EQ(hsp::expected_mesh_limits(source..., edge, limits), hsp::Status::ok);
-    memory_.carve(builder_, limits);
-    status_ = builder_.build(source..., edge);
+    for (;;) {
+      memory_.carve(builder_, limits);
+      status_ = builder_.build(source..., edge);
+      if (status_ != hsp::Status::capacity || retries_ == 20) break;
+      limits = builder_.retry_limits();
+      ++retries_;
+    }
   }
 
   hsp::Status status() const { return status_; }
+  uint32_t retries() const { return retries_; }
   const hsp::MeshBuilder &builder() const { return builder_; }
   const hsp::Mesh &mesh() const { return builder_.mesh(); }
   int64_t euler() const { return int64_t{mesh().vertex_count()} - mesh().triangle_count() / 2; }
@@ -107,5 +113,6 @@ class BuiltMesh {
 
   CarvedMemory memory_;
   hsp::MeshBuilder builder_;
-  hsp::Status status_;
+  hsp::Status status_ = hsp::Status::state;
+  uint32_t retries_ = 0;
 };

@@ -1,0 +1,257 @@
+// The cells without area of patches whose borders touch or run along each other (pinched_patch.cpp): they join what the
+// triangles beside them leave open. Points that belong to no border are added where an edge would be there twice.
+#include "mesh/spherical_patch.hpp"
+
+namespace hsp {
+
+// Samples counter-clockwise, at most six. Edges between points that other patches may join, too, are those of the cell
+// and never across it.
+void SphericalPatch::add_cell(uint32_t face, const uint32_t *corner, uint32_t count) {
+  if (count < 3) return;
+  if (count == 3) {
+    ears_.push({face, {corner[0], corner[1], corner[2]}});
+    return;
+  }
+  uint32_t first = 0;
+  while (first < count && !is_extra(corner[first])) ++first;
+  if (first < count) {
+    for (uint32_t k = 1; k + 1 < count; ++k) {
+      ears_.push({face, {corner[first], corner[(first + k) % count], corner[(first + k + 1) % count]}});
+    }
+    return;
+  }
+  const uint32_t centre = add_extra(face, to_double(sphere_.point(links_[corner[0]].point)));
+  for (uint32_t k = 0; k < count; ++k) ears_.push({face, {centre, corner[k], corner[(k + 1) % count]}});
+}
+
+// What divides an edge from b to a, if the border leads from b to a as well, or another patch may have it, too.
+uint32_t SphericalPatch::middle_of(uint32_t a, uint32_t b) {
+  if (a == b) return no_id;
+  if (links_[b].next != a && !samples_[a].may_be_joined_elsewhere(samples_[b])) return no_id;
+  return add_extra(links_[a].face,
+                   to_double(sphere_.point(links_[a].point)) + to_double(sphere_.point(links_[b].point)));
+}
+
+// A wedge may end where the border without length begins that leads to its own begin.
+uint32_t SphericalPatch::middle_of_wedge(uint32_t sample) {
+  const uint32_t end = links_[sample].closing;
+  return links_[end].next == sample ? no_id : middle_of(end, sample);
+}
+
+bool SphericalPatch::close_wedges() {
+  for (uint32_t k = 0; k < linked_samples_; ++k) {
+    if (!has_length(k)) continue;
+    TriangleEdge way;
+    if (!sphere_.find_edge(links_[k].point, links_[links_[k].next].point, way) || !close_wedge(k, way)) return false;
+    Link &end = links_[links_[k].closing];
+    if (end.closed || end.face != links_[k].face || samples_.overflowed()) return false;
+    end.closed = true;
+  }
+  return true;
+}
+
+bool SphericalPatch::close_wedge(uint32_t sample, const TriangleEdge &way) {
+  uint32_t strand = no_id;
+  if (parts_[way.triangle].face == no_id) {
+    strand = strand_back(way);
+    if (strand == no_id) return false;
+    links_[sample].closing = links_[strand].next;
+    links_[sample].middle = middle_of_wedge(sample);
+    return true;
+  }
+  const uint32_t p = links_[sample].point;
+  uint32_t t = way.triangle;
+  uint32_t edge = 0;
+  for (;;) {
+    const uint32_t corner = sphere_.triangle(t).corner_of(p);
+    if (parts_[t].corner[corner] != no_id) return false;
+    parts_[t].corner[corner] = sample;
+    edge = next_corner(corner);
+    strand = parts_[t].strand[edge];
+    if (strand != no_id) break;
+    if (sphere_.triangle(t).fixed[edge]) return false;
+    t = sphere_.triangle(t).neighbour[edge];
+  }
+  const uint32_t end = links_[strand].next;
+  links_[sample].closing = end;
+  links_[sample].middle = middle_of_wedge(sample);
+  if (end == sample) return true;
+  // The triangle there has the edge from `strand` to the sample instead of the border.
+  const uint32_t divided = middle_of(strand, sample);
+  parts_[t].middle[edge] = divided;
+  uint32_t cell[5];
+  uint32_t count = 0;
+  const uint32_t all[5] = {strand, end, links_[sample].middle, sample, divided};
+  for (const uint32_t corner : all) {
+    if (corner != no_id) cell[count++] = corner;
+  }
+  add_cell(links_[sample].face, cell, count);
+  return true;
+}
+
+void SphericalPatch::add_corridors() {
+  for (uint32_t a = 0; a < linked_samples_; ++a) {
+    TriangleEdge way;
+    if (!has_length(a) || !sphere_.find_edge(links_[a].point, links_[links_[a].next].point, way)) continue;
+    if (parts_[way.triangle].face != no_id) continue;
+    const uint32_t c = strand_back(way);
+    if (c < a) continue;
+    const uint32_t b = links_[a].next;
+    const uint32_t d = links_[c].next;
+    uint32_t cell[6];
+    uint32_t count = 0;
+    const uint32_t all[6] = {a, b, links_[c].middle, b == c ? no_id : c, d == a ? no_id : d, links_[a].middle};
+    for (const uint32_t corner : all) {
+      if (corner != no_id) cell[count++] = corner;
+    }
+    add_cell(links_[a].face, cell, count);
+  }
+}
+
+// The samples around a neck, counter-clockwise: from where a wedge begins to where it ends, along the border to where
+// the next one begins, and so on.
+template <class Visit>
+void SphericalPatch::for_each_of_neck(uint32_t sample, Visit visit) const {
+  uint32_t at = sample;
+  do {
+    if (links_[at].middle != no_id) visit(links_[at].middle);
+    at = links_[at].closing;
+    visit(at);
+    while (!has_length(at)) {
+      at = links_[at].next;
+      visit(at);
+    }
+  } while (at != sample);
+}
+
+// Once for every neck, from its first sample where a wedge begins.
+bool SphericalPatch::add_necks() {
+  for (uint32_t k = 0; k < linked_samples_; ++k) {
+    if (!has_length(k)) continue;
+    uint32_t count = 0;
+    uint32_t corner[3] = {no_id, no_id, no_id};
+    bool is_first = true;
+    for_each_of_neck(k, [&](uint32_t sample) {
+      if (count < 3) corner[count] = sample;
+      ++count;
+      is_first = is_first && (sample >= linked_samples_ || sample >= k || !has_length(sample));
+    });
+    if (!is_first || count < 3) continue;
+    if (count == 3) {
+      add_cell(links_[k].face, corner, 3);
+      continue;
+    }
+    const uint32_t centre = add_extra(links_[k].face, to_double(sphere_.point(links_[k].point)));
+    if (samples_.overflowed()) return false;
+    uint32_t before = k;
+    for_each_of_neck(k, [&](uint32_t sample) {
+      ears_.push({links_[k].face, {centre, before, sample}});
+      before = sample;
+    });
+  }
+  return true;
+}
+
+// Faces that are there and have no extent, as those of a ball that is a point: all of the border is in one place. One
+// way leads around all loops, from the first one to every other one and back. Beside it runs another one, with a point
+// of its own for every step, and that one closes around a point.
+bool SphericalPatch::add_faces_without_extent() {
+  uint32_t last = 0;
+  for (uint32_t first = 0; first < loops_.size(); first = last) {
+    last = first;
+    bool any = false;
+    bool all = true;
+    while (last < loops_.size() && loops_[last].face == loops_[first].face) {
+      bool has_some = false;
+      for (uint32_t k = loops_[last].first; k < end_of_loop(last); ++k) has_some = has_some || has_length(k);
+      any = any || has_some;
+      all = all && has_some;
+      ++last;
+    }
+    if (any != all) return false;
+    if (any) continue;
+    add_face_without_extent(first, last);
+    if (samples_.overflowed()) return false;
+  }
+  return true;
+}
+
+void SphericalPatch::add_face_without_extent(uint32_t first_loop, uint32_t last_loop) {
+  const uint32_t start = loops_[first_loop].first;
+  const uint32_t face = loops_[first_loop].face;
+  const Vec3 place = to_double(sphere_.point(links_[start].point));
+  const uint32_t centre = add_extra(face, place);
+  const uint32_t inner_start = add_extra(face, place);
+  uint32_t at = start;
+  uint32_t inner = inner_start;
+  const auto step = [&](uint32_t to, bool closes) {
+    const uint32_t inner_to = closes ? inner_start : add_extra(face, place);
+    ears_.push({face, {at, to, inner_to}});
+    ears_.push({face, {at, inner_to, inner}});
+    ears_.push({face, {centre, inner, inner_to}});
+    at = to;
+    inner = inner_to;
+  };
+  for (uint32_t loop = first_loop; loop < last_loop; ++loop) {
+    uint32_t bridge = no_id;
+    if (loop > first_loop) {
+      bridge = add_extra(face, place);
+      step(bridge, false);
+      step(loops_[loop].first, false);
+    }
+    for (uint32_t k = loops_[loop].first; k < end_of_loop(loop); ++k) {
+      step(links_[k].next, loop == first_loop && last_loop == first_loop + 1 && links_[k].next == start);
+    }
+    if (loop > first_loop) {
+      step(bridge, false);
+      step(start, loop + 1 == last_loop);
+    }
+  }
+}
+
+void SphericalPatch::add_detours() {
+  for (uint32_t k = 0; k < border_samples_; ++k) {
+    const uint32_t first = links_[k].next;
+    if (!is_extra(first)) continue;
+    uint32_t at = links_[first].next;
+    uint32_t before = no_id;
+    for (; is_extra(at); at = links_[at].next) {
+      if (before != no_id) ears_.push({links_[k].face, {first, at, before}});
+      before = at;
+    }
+    if (before != no_id) ears_.push({links_[k].face, {first, at, before}});
+    ears_.push({links_[k].face, {first, k, at}});
+  }
+}
+
+// As for patches that are not pinched (has_right_numbers), with everything added: 2 V - B - T = 2 (2 - loops).
+bool SphericalPatch::has_right_cells() {
+  const uint32_t faces = loops_[loops_.size() - 1].face + 1;
+  for (uint32_t face = 0; face < faces; ++face) balance_[face] = -4;
+  for (uint32_t loop = 0; loop < loops_.size(); ++loop) balance_[loops_[loop].face] += 2;
+  for (uint32_t k = 0; k < samples_.size(); ++k) balance_[links_[k].face] += is_extra(k) ? 2 : 1;
+  for (uint32_t k = 0; k < ears_.size(); ++k) --balance_[ears_[k].face];
+  Span<uint32_t> face_of_point = queue_;
+  for (uint32_t p = 0; p < sphere_.point_count(); ++p) face_of_point[p] = no_id;
+  for (uint32_t t = 0; t < sphere_.triangle_count(); ++t) {
+    const uint32_t face = parts_[t].face;
+    if (face == no_id) continue;
+    --balance_[face];
+    for (uint32_t c = 0; c < 3; ++c) {
+      if (parts_[t].middle[c] != no_id) --balance_[face];
+      const uint32_t p = sphere_.triangle(t).point[c];
+      if (sample_at_[p] == no_id) {
+        if (face_of_point[p] == no_id) balance_[face] += 2;
+        face_of_point[p] = face;
+      } else if (parts_[t].corner[c] == no_id) {
+        return false;
+      }
+    }
+  }
+  for (uint32_t face = 0; face < faces; ++face) {
+    if (balance_[face] != 0) return false;
+  }
+  return true;
+}
+
+}  // namespace hsp
