@@ -51,6 +51,40 @@ void flag_inner_contacts(const hsp::CubeGrid &grid, const hsp::Boundary &boundar
   });
 }
 
+// Where gradients go; each may be null.
+struct GradientArrays {
+  double *d_centre, *d_radius;
+  uint32_t *flags;
+
+  bool any() const { return d_centre != nullptr || d_radius != nullptr || flags != nullptr; }
+  void put(uint32_t i, const hsp::SurfaceEnergyGradient &gradient) const {
+    hsp::capi::put_vector(gradient.centre, d_centre, i);
+    if (d_radius != nullptr) d_radius[i] = gradient.radius;
+    if (flags != nullptr) flags[i] = gradient.degenerate ? HSP_SURFACE_DEGENERATE : 0;
+  }
+};
+
+int32_t get_gradient(const hsp_surface *surface, const double *sigma, double tension, double pressure,
+                     hsp_energy *energy, const GradientArrays &arrays, uint32_t capacity, uint32_t *needed,
+                     uint32_t *first_bad) {
+  if (!is_live(surface)) return HSP_E_ARGUMENT;
+  if (!surface->has_results()) return HSP_E_STATE;
+  const hsp::CubeGrid &grid = surface->boundary->model->grid;
+  const uint32_t n = grid.balls().n;
+  if (!hsp::capi::fits(arrays.any(), capacity, n, needed)) return HSP_E_CAPACITY;
+  if (const int32_t status = hsp::capi::check_weights(sigma, {0, n}, first_bad); status != HSP_OK) return status;
+  if (!hsp::is_finite(tension) || !hsp::is_finite(pressure)) return HSP_E_NOT_FINITE;
+
+  const hsp::Boundary &boundary = surface->boundary->structure();
+  const hsp::EnergyTerms terms{{sigma}, tension, pressure};
+  const hsp::SurfaceEnergy found = hsp::differentiate_surface(
+      grid, boundary, surface->builder.surface(), terms,
+      [&arrays](uint32_t i, const hsp::SurfaceEnergyGradient &gradient) { arrays.put(i, gradient); });
+  if (arrays.flags != nullptr) flag_inner_contacts(grid, boundary, arrays.flags);
+  if (energy != nullptr) *energy = {found.value, found.area, found.volume, found.by_probe};
+  return HSP_OK;
+}
+
 }  // namespace
 
 int32_t hsp_surface_limits_init(hsp_surface_limits *limits, uint32_t struct_size, const hsp_boundary *boundary) {
@@ -125,31 +159,13 @@ int32_t hsp_surface_measure(const hsp_surface *surface, hsp_surface_totals *tota
 
 int32_t hsp_surface_gradient(const hsp_surface *surface, double tension, double pressure, hsp_energy *energy,
                              double *d_centre, double *d_radius, uint32_t *flags, uint32_t capacity, uint32_t *needed) {
-  return hsp_surface_weighted_gradient(surface, nullptr, tension, pressure, energy, d_centre, d_radius, flags, capacity,
-                                       needed, nullptr);
+  return get_gradient(surface, nullptr, tension, pressure, energy, {d_centre, d_radius, flags}, capacity, needed,
+                      nullptr);
 }
 
 int32_t hsp_surface_weighted_gradient(const hsp_surface *surface, const double *sigma, double tension, double pressure,
                                       hsp_energy *energy, double *d_centre, double *d_radius, uint32_t *flags,
                                       uint32_t capacity, uint32_t *needed, uint32_t *first_bad) {
-  if (!is_live(surface)) return HSP_E_ARGUMENT;
-  if (!surface->has_results()) return HSP_E_STATE;
-  const hsp::CubeGrid &grid = surface->boundary->model->grid;
-  const uint32_t n = grid.balls().n;
-  const bool wanted = d_centre != nullptr || d_radius != nullptr || flags != nullptr;
-  if (!hsp::capi::fits(wanted, capacity, n, needed)) return HSP_E_CAPACITY;
-  if (const int32_t status = hsp::capi::check_weights(sigma, {0, n}, first_bad); status != HSP_OK) return status;
-  if (!hsp::is_finite(tension) || !hsp::is_finite(pressure)) return HSP_E_NOT_FINITE;
-
-  const hsp::Boundary &boundary = surface->boundary->structure();
-  const hsp::EnergyTerms terms{{sigma}, tension, pressure};
-  const hsp::SurfaceEnergy found = hsp::differentiate_surface(
-      grid, boundary, surface->builder.surface(), terms, [&](uint32_t i, const hsp::SurfaceEnergyGradient &gradient) {
-        hsp::capi::put_vector(gradient.centre, d_centre, i);
-        if (d_radius != nullptr) d_radius[i] = gradient.radius;
-        if (flags != nullptr) flags[i] = gradient.degenerate ? HSP_SURFACE_DEGENERATE : 0;
-      });
-  if (flags != nullptr) flag_inner_contacts(grid, boundary, flags);
-  if (energy != nullptr) *energy = {found.value, found.area, found.volume, found.by_probe};
-  return HSP_OK;
+  return get_gradient(surface, sigma, tension, pressure, energy, {d_centre, d_radius, flags}, capacity, needed,
+                      first_bad);
 }
