@@ -49,6 +49,14 @@ PointAnswer test_point(const CapTests &tests, double x, double y, double z, doub
   return near == 2 ? PointAnswer::free : PointAnswer::uncertain;
 }
 
+// find_vertices_exactly for circles that certainly cross. Their points are computed anew: if those of a pair were
+// passed on, every pair would store them.
+[[gnu::noinline]] void find_vertices_of_crossing(const BallSet &balls, const Caps &caps, const CapTests &tests,
+                                                 uint32_t j, uint32_t k, FixedVector<VertexRecord> &vertices) {
+  const CrossingPoints points(caps, j, k, CapPair(caps, j, k));
+  find_vertices_exactly(balls, caps, tests, j, k, &points, vertices);
+}
+
 }  // namespace
 
 void CapTests::carve(Workspace &workspace, uint32_t capacity) {
@@ -116,7 +124,7 @@ VertexFinder::pair(const BallSet &balls, const Caps &caps, uint32_t j, uint32_t 
   }
   if (answer[0] == PointAnswer::uncertain || answer[1] == PointAnswer::uncertain) {
     exact::count_answer(exact::Question::vertex_pair, exact::Stage::exact);
-    find_vertices_exactly(balls, caps, tests_, j, k, &points, vertices);
+    find_vertices_of_crossing(balls, caps, tests_, j, k, vertices);
     return;
   }
   exact::count_answer(exact::Question::vertex_pair, exact::Stage::filter);
