@@ -1,7 +1,9 @@
 #include "hsp_map.hpp"
+#include "hsp_sticks.hpp"
 #include "hsp_view.hpp"
 #include "picture/palettes.hpp"
 #include "picture/picture.hpp"
+#include "sticks/stick_outlines.hpp"
 #include "visibility/map_paths.hpp"
 
 using hsp::capi::is_live;
@@ -159,5 +161,15 @@ int32_t hsp_picture_write_map(hsp_map *map, const uint32_t *colour, const hsp_pi
     const hsp::MapPaths paths(map->balls(), map->structure(), map->builder.scratch());
     return hsp::write_picture({map->balls(), paths.paths(), colour, title, description}, wanted,
                               map->builder.more_scratch(), sink, context, taken);
+  });
+}
+
+int32_t hsp_picture_write_sticks(hsp_sticks *sticks, const uint32_t *colour, const hsp_picture_options *options,
+                                 const char *title, const char *description, hsp_sink sink, void *context,
+                                 uint64_t *bytes) {
+  const Call call{colour, options, title, description, sink, context, bytes};
+  return write_checked(sticks, call, [&](const hsp::PictureOptions &wanted, uint64_t &taken) {
+    return hsp::write_picture({sticks->balls(), hsp::paths_of(sticks->structure()), colour, title, description}, wanted,
+                              sticks->builder.scratch(), sink, context, taken);
   });
 }

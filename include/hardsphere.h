@@ -15,7 +15,8 @@
  *   hardsphere/topology.h   the boundary as quad-edges with simple faces, shells, cells, point location (Step 3)
  *   hardsphere/view.h       pieces in painter's order as true arcs (Section 5.1)
  *   hardsphere/map.h        what is seen as faces, edges and vertices of the view plane (Section 5.2)
- *   hardsphere/picture.h    a view or a map as SVG, EPS or PDF
+ *   hardsphere/sticks.h     balls and sticks in an order to paint them
+ *   hardsphere/picture.h    a view, a map, or balls and sticks as SVG, EPS or PDF
  * The paper is Halperin and Overmars, "Spheres, Molecules, and Hidden Surface Removal", UU-CS-1994-36.
  *
  * ARRAYS
@@ -95,6 +96,7 @@
 #include "hardsphere/picture.h"
 #include "hardsphere/query.h"
 #include "hardsphere/status.h"
+#include "hardsphere/sticks.h"
 #include "hardsphere/surface.h"
 #include "hardsphere/topology.h"
 #include "hardsphere/version.h"

@@ -151,7 +151,8 @@ set(HSP_LIBRARY_SOURCES
   capi/hsp_cells.cpp
   capi/hsp_view.cpp
   capi/hsp_view_records.cpp
-  capi/hsp_picture.cpp)
+  capi/hsp_picture.cpp
+  capi/hsp_sticks.cpp)
 list(TRANSFORM HSP_LIBRARY_SOURCES PREPEND ${PROJECT_SOURCE_DIR}/)
 # In the cache, so that projects that carry this one as a subdirectory can call the function below, too.
 set(HSP_LIBRARY_SOURCES ${HSP_LIBRARY_SOURCES} CACHE INTERNAL "The sources of the library")

@@ -13,7 +13,7 @@
 !   hsp_model *, hsp_boundary *,
 !   hsp_surface *, hsp_mesh *,
 !   hsp_topology *, hsp_view *,
-!   hsp_map *                    type(c_ptr)
+!   hsp_map *, hsp_sticks *      type(c_ptr)
 !   void *memory                 type(c_ptr) from c_loc of an array with the TARGET attribute; the handle lives in it,
 !                                so the array must outlive the handle and must not be reallocated
 !   T *out, uint32_t capacity    out(*) with capacity elements; other extents stand behind the declarations
@@ -99,6 +99,17 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_MAP_TRIPLE = 1_c_int32_t
   integer(c_int32_t), parameter :: HSP_MAP_T = 2_c_int32_t
   integer(c_int32_t), parameter :: HSP_MAP_TANGENCY = 3_c_int32_t
+
+  integer(c_int32_t), parameter :: HSP_STICK_WHOLE = 1_c_int32_t
+  integer(c_int32_t), parameter :: HSP_STICKS_NO_CONFLICT = 0_c_int32_t
+  integer(c_int32_t), parameter :: HSP_STICKS_BALLS_MEET = 1_c_int32_t
+  integer(c_int32_t), parameter :: HSP_STICKS_NO_BALL = 2_c_int32_t
+  integer(c_int32_t), parameter :: HSP_STICKS_SAME_ENDS = 3_c_int32_t
+  integer(c_int32_t), parameter :: HSP_STICKS_THIN_BALL = 4_c_int32_t
+  integer(c_int32_t), parameter :: HSP_STICKS_SHARP_ANGLE = 5_c_int32_t
+  integer(c_int32_t), parameter :: HSP_STICKS_MEET = 6_c_int32_t
+  integer(c_int32_t), parameter :: HSP_STICKS_STICK_IN_BALL = 7_c_int32_t
+  integer(c_int32_t), parameter :: HSP_STICKS_CYCLE = 8_c_int32_t
 
   integer(c_int32_t), parameter :: HSP_FORMAT_SVG = 0_c_int32_t
   integer(c_int32_t), parameter :: HSP_FORMAT_EPS = 1_c_int32_t
@@ -543,6 +554,39 @@ module hardsphere
   type, bind(C) :: hsp_map_point
     real(c_double) :: xyz(3)           ! length
     real(c_double) :: gap(2)           ! length
+  end type
+
+  type, bind(C) :: hsp_sticks_limits
+    integer(c_int32_t) :: struct_size  ! hsp_sticks_limits_init sets it
+    integer(c_int32_t) :: balls
+    integer(c_int32_t) :: sticks
+    integer(c_int32_t) :: pairs
+  end type
+
+  type, bind(C) :: hsp_stick
+    integer(c_int32_t) :: ball(2)      ! 0-based
+    integer(c_int32_t) :: flags        ! HSP_STICK_*
+    integer(c_int32_t) :: reserved
+  end type
+
+  type, bind(C) :: hsp_sticks_conflict
+    integer(c_int32_t) :: kind         ! HSP_STICKS_*
+    integer(c_int32_t) :: first        ! 0-based
+    integer(c_int32_t) :: second       ! 0-based
+    integer(c_int32_t) :: reserved
+  end type
+
+  type, bind(C) :: hsp_sticks_info
+    real(c_double) :: origin(3)        ! length
+    real(c_double) :: right(3)
+    real(c_double) :: up(3)
+    real(c_double) :: towards(3)
+    real(c_double) :: low(2)           ! length
+    real(c_double) :: high(2)          ! length
+    integer(c_int32_t) :: paths
+    integer(c_int32_t) :: balls
+    integer(c_int32_t) :: sticks
+    integer(c_int32_t) :: arcs
   end type
 
   type, bind(C) :: hsp_picture_options
@@ -1542,6 +1586,53 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
+    ! ---- balls and sticks ------------------------------------------------------------------------------------------
+
+    function hsp_sticks_limits_init(limits, struct_size, balls) result(status) bind(C, name="hsp_sticks_limits_init")
+      import :: c_int32_t, hsp_sticks_limits
+      type(hsp_sticks_limits), intent(inout) :: limits
+      integer(c_int32_t), value :: struct_size
+      integer(c_int32_t), value :: balls
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_sticks_bytes(limits, bytes) result(status) bind(C, name="hsp_sticks_bytes")
+      import :: c_int32_t, c_size_t, hsp_sticks_limits
+      type(hsp_sticks_limits), intent(in) :: limits
+      integer(c_size_t), intent(inout) :: bytes
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_sticks_init(memory, bytes, limits, sticks) result(status) bind(C, name="hsp_sticks_init")
+      import :: c_int32_t, c_ptr, c_size_t, hsp_sticks_limits
+      type(c_ptr), value :: memory
+      integer(c_size_t), value :: bytes
+      type(hsp_sticks_limits), intent(in) :: limits
+      type(c_ptr), intent(inout) :: sticks
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_sticks_compute(sticks, model, options, stick, count, radius, conflict, limits) result(status) &
+      bind(C, name="hsp_sticks_compute")
+      import :: c_double, c_int32_t, c_ptr, hsp_stick, hsp_sticks_conflict, hsp_sticks_limits, hsp_view_options
+      type(c_ptr), value :: sticks
+      type(c_ptr), value :: model
+      type(hsp_view_options), intent(in), optional :: options
+      type(hsp_stick), intent(in), optional :: stick(*)
+      integer(c_int32_t), value :: count
+      real(c_double), value :: radius
+      type(hsp_sticks_conflict), intent(inout), optional :: conflict
+      type(hsp_sticks_limits), intent(inout), optional :: limits
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_sticks_get_info(sticks, info) result(status) bind(C, name="hsp_sticks_get_info")
+      import :: c_int32_t, c_ptr, hsp_sticks_info
+      type(c_ptr), value :: sticks
+      type(hsp_sticks_info), intent(inout) :: info
+      integer(c_int32_t) :: status
+    end function
+
     ! ---- the visibility map ----------------------------------------------------------------------------------------
 
     function hsp_map_limits_init(limits, struct_size, balls) result(status) bind(C, name="hsp_map_limits_init")
@@ -1735,6 +1826,20 @@ module hardsphere
       integer(c_int64_t), intent(inout), optional :: bytes
       integer(c_int32_t) :: status
     end function
+
+    function hsp_picture_write_sticks(sticks, colour, options, title, description, sink, context, bytes) &
+      result(status) bind(C, name="hsp_picture_write_sticks")
+      import :: c_char, c_funptr, c_int32_t, c_int64_t, c_ptr, hsp_picture_options
+      type(c_ptr), value :: sticks
+      integer(c_int32_t), intent(in), optional :: colour(*)     ! n; 0xRRGGBB
+      type(hsp_picture_options), intent(in), optional :: options
+      character(kind=c_char), intent(in), optional :: title(*)  ! ends with c_null_char
+      character(kind=c_char), intent(in), optional :: description(*)  ! ends with c_null_char
+      type(c_funptr), value :: sink                             ! of a function with the interface hsp_sink
+      type(c_ptr), value :: context
+      integer(c_int64_t), intent(inout), optional :: bytes
+      integer(c_int32_t) :: status
+    end function
   end interface
 
 contains
@@ -1868,6 +1973,14 @@ contains
     integer(c_size_t) :: bytes
     bytes = 32768_c_size_t + 288_c_size_t*int(balls, c_size_t) + 208_c_size_t*int(neighbours, c_size_t) &
             + 352_c_size_t*int(edges, c_size_t)
+  end function
+
+  !> HSP_STICKS_BYTES of the header, for the size of an allocation.
+  pure function hsp_sticks_bytes_bound(balls, sticks, pairs) result(bytes)
+    integer(c_int32_t), intent(in) :: balls, sticks, pairs
+    integer(c_size_t) :: bytes
+    bytes = 8192_c_size_t + 128_c_size_t*int(balls, c_size_t) + 336_c_size_t*int(sticks, c_size_t) &
+            + 16_c_size_t*int(pairs, c_size_t)
   end function
 
   !> hsp_status_text as a Fortran string.

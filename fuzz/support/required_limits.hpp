@@ -26,6 +26,9 @@ inline size_t most_bytes(const hsp_view_limits &limits) {
 inline size_t most_bytes(const hsp_map_limits &limits) {
   return HSP_MAP_BYTES(limits.balls, limits.neighbours, limits.edges);
 }
+inline size_t most_bytes(const hsp_sticks_limits &limits) {
+  return HSP_STICKS_BYTES(limits.balls, limits.sticks, limits.pairs);
+}
 
 // `exact`: the limits that the computation needs. `compute` takes a handle and limits to hand back and returns its
 // status, `read` takes it and returns the status of reading; where that is HSP_OK it has compared what it read.

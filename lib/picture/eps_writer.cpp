@@ -146,7 +146,7 @@ class EpsWriter {
     for (uint32_t p = 0; p < input_.paths.size(); ++p) {
       if (paint_.lines_along()) put_line_colour(p, level);
       put_path(p, PathPart::outline);
-      if (paint_.flat()) {
+      if (paint_.flat(p)) {
         put_packed(paint_.flat_colour(p), " F\n");
       } else {
         put_shaded(p);

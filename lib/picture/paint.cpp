@@ -47,6 +47,7 @@ uint32_t Paint::fog_level(uint32_t path) const {
 }
 
 uint32_t Paint::flat_colour(uint32_t path) const {
+  if (!flat()) return shade_colour(shade_of(path), shading_.intervals() / 2);
   return mixed(input_.colour_of(input_.paths.ball_of(path)), background_, fog_ * fog_share(path));
 }
 

@@ -22,6 +22,8 @@ class Paint {
   bool own_lines() const { return lines_ && !along_; }
   uint32_t background() const { return background_; }
 
+  // Whether a path has one colour, and which one: in a picture of shades that halfway to the rim.
+  bool flat(uint32_t path) const { return flat() || input_.paths.is_plain(path); }
   uint32_t flat_colour(uint32_t path) const;
 
   // The different shades, and which of them a path has. None if the style is flat.

@@ -122,7 +122,7 @@ class PdfWriter {
     uint32_t level = fog_levels + 1;  // of the colour in use, or of none
     for (uint32_t p = 0; p < input_.paths.size(); ++p) {
       if (paint_.lines_along()) put_line_colour(p, level);
-      if (paint_.flat()) {
+      if (paint_.flat(p)) {
         put_channels(paint_.flat_colour(p));
         sink_.put("rg\n");
         put_path(p, PathPart::outline);

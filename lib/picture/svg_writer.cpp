@@ -94,6 +94,7 @@ class SvgWriter {
       sink_.put("</radialGradient>\n");
     }
     for (uint32_t p = 0; p < input_.paths.size(); ++p) {
+      if (paint_.flat(p)) continue;
       const uint32_t ball = input_.paths.ball_of(p);
       const PagePoint at = page_.centre_of(input_, p);
       sink_.put("<radialGradient id=\"b");
@@ -146,7 +147,7 @@ class SvgWriter {
         put_integer(sink_, input_.balls.caller[input_.paths.ball_of(p)]);
         sink_.put('"');
       }
-      if (paint_.flat()) {
+      if (paint_.flat(p)) {
         put_paint(" fill", paint_.flat_colour(p));
       } else {
         sink_.put(" fill=\"url(#b");

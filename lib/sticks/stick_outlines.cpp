@@ -1,6 +1,28 @@
 #include "sticks/stick_outlines.hpp"
 
 namespace hsp {
+namespace {
+
+const StickView &as_view(const void *source) {
+  return *static_cast<const StickView *>(source);
+}
+uint32_t ball_of_path(const void *view, uint32_t path) {
+  return as_view(view).paths[path].ball;
+}
+void visit_path(const void *view, const BallSet &, uint32_t path, const ArcVisitor &visitor) {
+  visit_outline(as_view(view), path, visitor);
+}
+bool is_stick(const void *view, uint32_t path) {
+  return as_view(view).paths[path].stick != no_id;
+}
+
+constexpr PaintedPaths::Functions of_sticks{ball_of_path, visit_path, nullptr, is_stick};
+
+}  // namespace
+
+PaintedPaths paths_of(const StickView &view) {
+  return {view.frame, view.paths.size(), &view, of_sticks};
+}
 
 // Under the other part: at most as long as that is. Under the ball: its front is over the stick wherever the axis is
 // beyond the junction circle, but for the caps in other sticks. Of such a cap everything is within `reach` of the

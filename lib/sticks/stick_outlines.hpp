@@ -3,6 +3,7 @@
 
 #include "core/elementary.hpp"
 #include "sticks/stick_view.hpp"
+#include "view/painted_paths.hpp"
 
 namespace hsp {
 
@@ -92,5 +93,8 @@ void visit_outline(const StickView &view, uint32_t path, Visit visit) {
   visit(line_between(high_left, low_left, record.ball), false, false);
   visit(ProjectedArc{low, 0.0, pi, {low_left[0], low_left[1]}, {low_right[0], low_right[1]}, record.ball}, false, true);
 }
+
+// For pictures. Halves of sticks have one colour. The view has to outlive them.
+PaintedPaths paths_of(const StickView &view);
 
 }  // namespace hsp

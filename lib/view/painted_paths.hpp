@@ -27,6 +27,8 @@ class PaintedPaths {
     void (*visit_outline)(const void *source, const BallSet &balls, uint32_t path, const ArcVisitor &visitor);
     // Null where lines run along the outline of each path as it is painted.
     void (*visit_lines)(const void *source, const BallSet &balls, uint32_t path, const ArcVisitor &visitor);
+    // Whether a path has one colour where balls are shaded. Null where all paths are of balls.
+    bool (*is_plain)(const void *source, uint32_t path) = nullptr;
   };
 
   // All but the count have to outlive this. The functions are a named constant, which linkers can leave out.
@@ -37,6 +39,7 @@ class PaintedPaths {
   const ViewFrame &frame() const { return *frame_; }
   uint32_t size() const { return count_; }
   uint32_t ball_of(uint32_t path) const { return functions_->ball_of(source_, path); }
+  bool is_plain(uint32_t path) const { return functions_->is_plain != nullptr && functions_->is_plain(source_, path); }
   bool have_own_lines() const { return functions_->visit_lines != nullptr; }
 
   // Calls visit(arc, first, closes) as an ArcVisitor is called.

@@ -63,8 +63,8 @@ static void buffers_release(buffers *b) {
   free(b->row);
 }
 
-/* Every function but those of topologies, views, pictures and maps, into the arrays of `c` and into `numbers`; how many
- * calls did not succeed. */
+/* Every function but those of topologies, views, sticks, pictures and maps, into the arrays of `c` and `numbers`; how
+ * many calls did not succeed. */
 static int call_boundary(computed *c, const buffers *b) {
   hsp_model *model = NULL;
   hsp_boundary *boundary = NULL;
@@ -226,6 +226,30 @@ static int write_everything(hsp_view *view, hsp_map *map, const uint32_t *colour
       }
       bad += taken == 0 || taken != said;
     }
+  }
+  return bad;
+}
+
+/* Balls and sticks, of balls that do not meet. */
+static int call_sticks(const hsp_model *model, void *memory, size_t bytes) {
+  static const hsp_stick stick[2] = {{{0, 1}, 0, 0}, {{2, 1}, HSP_STICK_WHOLE, 0}};
+  hsp_sticks *sticks = NULL;
+  hsp_sticks_limits limits;
+  hsp_sticks_conflict conflict;
+  hsp_sticks_info info;
+  hsp_picture_options options;
+  size_t size = 0;
+  int bad = hsp_picture_options_init(&options, (uint32_t)sizeof options) != HSP_OK;
+  bad += hsp_sticks_limits_init(&limits, (uint32_t)sizeof limits, 3) != HSP_OK;
+  bad += hsp_sticks_bytes(&limits, &size) != HSP_OK || size > bytes;
+  bad += hsp_sticks_init(memory, size, &limits, &sticks) != HSP_OK;
+  bad += hsp_sticks_compute(sticks, model, NULL, stick, 2, 0.5, &conflict, NULL) != HSP_OK;
+  bad += hsp_sticks_get_info(sticks, &info) != HSP_OK;
+  bad += info.balls != 3;
+  for (options.format = HSP_FORMAT_SVG; options.format <= HSP_FORMAT_PDF; ++options.format) {
+    uint64_t taken = 0, said = 0;
+    bad += hsp_picture_write_sticks(sticks, NULL, &options, "title", "text", count_bytes, &taken, &said) != HSP_OK;
+    bad += taken == 0 || taken != said;
   }
   return bad;
 }
@@ -462,6 +486,18 @@ static void trap_view(const computed *c, uint32_t pieces) {
   view_result_release(&v);
 }
 
+static void trap_sticks(void) {
+  static const double xyz[9] = {0, 0, 0, 10, 0, 3, 10, 10, -2}, radius[3] = {2, 2, 3};
+  static unsigned char memory[HSP_STICKS_BYTES(3, 6, 256)], model_memory[HSP_MODEL_BYTES(3)];
+  hsp_model *model = NULL;
+  int bad;
+  CHECK_EQUAL(hsp_model_init(model_memory, sizeof model_memory, 3, &model), HSP_OK);
+  CHECK_EQUAL(hsp_model_set(model, 3, xyz, radius, NULL, NULL), HSP_OK);
+  arm();
+  bad = call_sticks(model, memory, sizeof memory);
+  disarm(bad);
+}
+
 static void trap_map(const computed *c) {
   hsp_view_options options;
   map_result m;
@@ -491,6 +527,7 @@ int main(void) {
   check_trap();
   trap_mesh();
   trap_surface_mesh();
+  trap_sticks();
   for (which = 0; which < ball_set_count(); ++which) {
     ball_set_make(which, &set);
     if (set.n == 0) continue;

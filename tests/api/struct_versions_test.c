@@ -22,6 +22,7 @@ static unsigned char other_memory[2 * SIZE], surface_memory[SIZE], mesh_memory[1
 static hsp_surface *surface;
 static hsp_mesh *mesh;
 static hsp_map *map;
+static hsp_sticks *sticks;
 
 static int32_t ignore_bytes(void *context, const char *bytes, size_t count) {
   (void)context;
@@ -77,6 +78,13 @@ static int32_t read_map_limits(const void *given) {
   CHECK_EQUAL(hsp_map_init(other_memory, sizeof other_memory, given, &made), status);
   return status;
 }
+static int32_t read_sticks_limits(const void *given) {
+  size_t bytes = 0;
+  hsp_sticks *made = NULL;
+  const int32_t status = hsp_sticks_bytes(given, &bytes);
+  CHECK_EQUAL(hsp_sticks_init(other_memory, sizeof other_memory, given, &made), status);
+  return status;
+}
 static int32_t read_view_options(const void *given) {
   return hsp_view_compute(h.view, h.model, NULL, given, NULL);
 }
@@ -118,6 +126,9 @@ static int32_t write_view_limits(void *out, uint32_t size) {
 static int32_t write_map_limits(void *out, uint32_t size) {
   return hsp_map_limits_init(out, size, BALLS);
 }
+static int32_t write_sticks_limits(void *out, uint32_t size) {
+  return hsp_sticks_limits_init(out, size, BALLS);
+}
 
 /* The size comes with the struct where a computation hands limits back. */
 static int32_t return_boundary_limits(void *out, uint32_t size) {
@@ -146,6 +157,17 @@ static int32_t return_map_limits(void *out, uint32_t size) {
   CHECK_EQUAL(hsp_map_init(other_memory, sizeof other_memory, &of_map, &map), HSP_OK);
   memcpy(out, &size, sizeof size);
   return hsp_map_compute(map, h.model, NULL, out);
+}
+/* The balls of this test meet, so none may: of an empty model. */
+static int32_t return_sticks_limits(void *out, uint32_t size) {
+  static unsigned char memory[HSP_MODEL_BYTES(0)];
+  const hsp_sticks_limits of_sticks = {(uint32_t)sizeof of_sticks, BALLS, BALLS, 64};
+  hsp_model *empty = NULL;
+  CHECK_EQUAL(hsp_model_init(memory, sizeof memory, 0, &empty), HSP_OK);
+  CHECK_EQUAL(hsp_model_set(empty, 0, NULL, NULL, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_sticks_init(other_memory, sizeof other_memory, &of_sticks, &sticks), HSP_OK);
+  memcpy(out, &size, sizeof size);
+  return hsp_sticks_compute(sticks, empty, NULL, NULL, 0, 0.5, NULL, out);
 }
 static int32_t return_view_limits(void *out, uint32_t size) {
   memcpy(out, &size, sizeof size);
@@ -193,6 +215,11 @@ static const struct versioned {
      sizeof(hsp_map_limits),
      read_map_limits,
      {write_map_limits, return_map_limits, NULL}},
+    {"hsp_sticks_limits",
+     sizeof(hsp_sticks_limits),
+     sizeof(hsp_sticks_limits),
+     read_sticks_limits,
+     {write_sticks_limits, return_sticks_limits, NULL}},
     {"hsp_view_options",
      sizeof(hsp_view_options),
      sizeof(hsp_view_options),

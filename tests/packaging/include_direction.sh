@@ -10,7 +10,7 @@ readme=lib/README.md
 # boundary: topology, measure and surface know nothing of view, visibility, sticks and picture, nor these of them.
 rooms="core exact model sphere boundary topology measure surface mesh view visibility sticks picture capi"
 declare -A stands_on=([core]="" [exact]="core" [model]="exact" [sphere]="model" [boundary]="sphere"
-  [topology]="boundary" [measure]="topology" [surface]="measure" [mesh]="surface" [view]="boundary" [visibility]="view" [sticks]="view" [picture]="view" [capi]="mesh visibility picture")
+  [topology]="boundary" [measure]="topology" [surface]="measure" [mesh]="surface" [view]="boundary" [visibility]="view" [sticks]="view" [picture]="view" [capi]="mesh visibility sticks picture")
 failed=0
 
 complain() {

@@ -90,6 +90,15 @@ struct MapKind {
   static constexpr auto bytes = hsp_map_bytes;
   static constexpr auto init = hsp_map_init;
 };
+struct SticksKind {
+  using Handle = hsp_sticks;
+  using Limits = hsp_sticks_limits;
+  static constexpr int enlargements = 2;
+  static constexpr std::array limits = {&Limits::balls, &Limits::sticks, &Limits::pairs};
+  static constexpr const char *name = "hsp_sticks";
+  static constexpr auto bytes = hsp_sticks_bytes;
+  static constexpr auto init = hsp_sticks_init;
+};
 
 // A handle of such a kind. Calls that fail throw std::runtime_error.
 template <class Kind>

@@ -1,0 +1,111 @@
+#include "hsp_sticks.hpp"
+
+#include "sticks/stick_outlines.hpp"
+#include "view_options.hpp"
+
+using hsp::capi::is_live;
+
+namespace {
+
+static_assert(static_cast<uint32_t>(hsp::StickConflict::none) == HSP_STICKS_NO_CONFLICT &&
+              static_cast<uint32_t>(hsp::StickConflict::balls_meet) == HSP_STICKS_BALLS_MEET &&
+              static_cast<uint32_t>(hsp::StickConflict::no_ball) == HSP_STICKS_NO_BALL &&
+              static_cast<uint32_t>(hsp::StickConflict::same_ends) == HSP_STICKS_SAME_ENDS &&
+              static_cast<uint32_t>(hsp::StickConflict::thin_ball) == HSP_STICKS_THIN_BALL &&
+              static_cast<uint32_t>(hsp::StickConflict::sharp_angle) == HSP_STICKS_SHARP_ANGLE &&
+              static_cast<uint32_t>(hsp::StickConflict::sticks_meet) == HSP_STICKS_MEET &&
+              static_cast<uint32_t>(hsp::StickConflict::stick_in_ball) == HSP_STICKS_STICK_IN_BALL &&
+              static_cast<uint32_t>(hsp::StickConflict::cycle) == HSP_STICKS_CYCLE);
+
+// The limits that a program gives.
+int32_t from_c(const hsp_sticks_limits *given, hsp::StickLimits &result) {
+  hsp_sticks_limits limits;
+  if (!hsp::capi::read_struct(given, {}, limits)) return HSP_E_ARGUMENT;
+  if (limits.balls > HSP_MAX_BALLS || limits.sticks > HSP_MAX_BALLS || limits.pairs > HSP_MAX_BALLS) return HSP_E_RANGE;
+  result = {limits.balls, limits.sticks, limits.pairs};
+  return HSP_OK;
+}
+
+hsp_sticks_limits to_c(const hsp::StickLimits &limits) {
+  return {sizeof(hsp_sticks_limits), limits.balls, limits.sticks, limits.pairs};
+}
+
+bool are_valid(const hsp_stick *stick, uint32_t count) {
+  if (stick == nullptr) return count == 0;
+  for (uint32_t k = 0; k < count; ++k) {
+    if ((stick[k].flags & ~HSP_STICK_WHOLE) != 0 || stick[k].reserved != 0) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+int32_t hsp_sticks_limits_init(hsp_sticks_limits *limits, uint32_t struct_size, uint32_t balls) {
+  return hsp::capi::init_limits<hsp::StickLimits, to_c>(limits, struct_size, balls);
+}
+
+int32_t hsp_sticks_bytes(const hsp_sticks_limits *limits, size_t *bytes) {
+  if (bytes == nullptr) return HSP_E_ARGUMENT;
+  hsp::StickLimits wanted;
+  if (const int32_t status = from_c(limits, wanted); status != HSP_OK) return status;
+  return hsp::capi::get_bytes<hsp_sticks>(wanted, bytes);
+}
+
+int32_t hsp_sticks_init(void *memory, size_t bytes, const hsp_sticks_limits *limits, hsp_sticks **sticks) {
+  if (memory == nullptr || sticks == nullptr) return HSP_E_ARGUMENT;
+  hsp::StickLimits wanted;
+  if (const int32_t status = from_c(limits, wanted); status != HSP_OK) return status;
+  return hsp::capi::init(memory, bytes, wanted, sticks);
+}
+
+int32_t hsp_sticks_compute(hsp_sticks *sticks, const hsp_model *model, const hsp_view_options *options,
+                           const hsp_stick *stick, uint32_t count, double radius, hsp_sticks_conflict *conflict,
+                           hsp_sticks_limits *limits) {
+  if (!is_live(sticks)) return HSP_E_ARGUMENT;
+  sticks->complete = false;
+  hsp_view_options wanted;
+  if (!is_live(model) || !hsp::capi::may_write(limits) || !hsp::capi::read_view_options(options, wanted) ||
+      !are_valid(stick, count)) {
+    return HSP_E_ARGUMENT;
+  }
+  if (!hsp::is_finite(radius)) return HSP_E_NOT_FINITE;
+  if (radius < 0.0) return HSP_E_NEGATIVE;
+  if (radius == 0.0) return HSP_E_RANGE;
+  const hsp::Status status = sticks->builder.build(
+      model->balls(), hsp::capi::direction_of(wanted), count, model->balls().lattice.steps(radius),
+      [stick](uint32_t k) {
+        return hsp::StickEnds{stick[k].ball[0], stick[k].ball[1], (stick[k].flags & HSP_STICK_WHOLE) != 0};
+      });
+  sticks->model = model;
+  sticks->revision = model->revision;
+  if (conflict != nullptr && (status == hsp::Status::ok || status == hsp::Status::conflict)) {
+    const hsp::StickViolation &violation = sticks->builder.violation();
+    *conflict = {static_cast<uint32_t>(violation.conflict), violation.first, violation.second, 0};
+  }
+  return hsp::capi::finish<to_c>(*sticks, status, limits);
+}
+
+int32_t hsp_sticks_get_info(const hsp_sticks *sticks, hsp_sticks_info *info) {
+  if (!is_live(sticks) || info == nullptr) return HSP_E_ARGUMENT;
+  if (!sticks->has_results()) return HSP_E_STATE;
+  const hsp::StickView &of = sticks->structure();
+  const hsp::capi::ViewLengths length{sticks->balls().lattice};
+  *info = {};
+  hsp::capi::put_frame(length, of.frame, *info);
+  for (uint32_t p = 0; p < of.paths.size(); ++p) {
+    hsp::visit_outline(of, p, [info](const hsp::ProjectedArc &, bool, bool) { ++info->arcs; });
+    const hsp::StickPath &path = of.paths[p];
+    if (path.stick != hsp::no_id) continue;
+    const hsp::PlacedBall &ball = of.balls[path.ball];
+    const double centre[2] = {length(ball.centre.x), length(ball.centre.y)};
+    const double r = length(ball.r);
+    for (int k = 0; k < 2; ++k) {
+      if (info->balls == 0 || centre[k] - r < info->low[k]) info->low[k] = centre[k] - r;
+      if (info->balls == 0 || centre[k] + r > info->high[k]) info->high[k] = centre[k] + r;
+    }
+    ++info->balls;
+  }
+  info->paths = of.paths.size();
+  info->sticks = of.sticks.size();
+  return HSP_OK;
+}

@@ -1,0 +1,137 @@
+/* hardsphere/sticks.h: balls and sticks as a picture, with hidden parts removed.
+ *
+ * A stick is a solid cylinder between the centres of two balls. View coordinates are those of view.h: x to the right, y
+ * up, z towards the viewer. What is painted are balls, without what of them is inside sticks, and halves of sticks: the
+ * part of a stick that is outside its two balls is cut in the middle, and each half belongs to its ball, whose colour
+ * it has. They are painted one over the other; whatever covers a part of something comes later. This order is not a
+ * sort by depth, which is wrong for sticks: it follows from all pairs of which one covers a part of the other.
+ *
+ * That is possible where nothing meets but sticks and the balls at their ends, and those inside these balls alone:
+ *   balls           do not meet each other
+ *   a stick         is thinner than both its balls, and meets no other ball and no other stick
+ *   two sticks      that end in one ball do not meet outside of it: its radius is at least that of the sticks divided
+ *                   by the sine of half the angle between them; at 60 degrees twice that of the sticks
+ * and where no balls and sticks cover each other around a circle, like the flaps of a carton. All of this is checked.
+ * What does not hold is named, and there is no picture then, rather than a wrong one. Roundings of about 2^-50 of all
+ * lengths decide where it holds or fails by less than that. */
+#ifndef HARDSPHERE_STICKS_H
+#define HARDSPHERE_STICKS_H
+
+#include "view.h"
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** The balls and sticks as they are seen from one direction. */
+typedef struct hsp_sticks hsp_sticks;
+
+/** The limits that fix the memory of balls and sticks. */
+typedef struct hsp_sticks_limits {
+  uint32_t struct_size; /**< sizeof(hsp_sticks_limits) */
+  uint32_t balls;       /**< of the model */
+  uint32_t sticks;      /**< most sticks */
+  uint32_t pairs;       /**< of balls and halves of sticks of which one may cover a part of the other */
+} hsp_sticks_limits;
+
+/** Limits that suffice for most molecules of `balls` atoms: sticks 2 balls, pairs 64 balls + 64.
+ *  @retval HSP_E_ARGUMENT  limits is NULL or struct_size is bad
+ *  @retval HSP_E_RANGE     more than (HSP_MAX_BALLS - 64) / 64 balls; set the limits by hand then */
+HSP_API int32_t hsp_sticks_limits_init(hsp_sticks_limits *limits, uint32_t struct_size, uint32_t balls);
+
+/** Bytes that hsp_sticks_init needs.
+ *  - Property 1: at most HSP_STICKS_BYTES of the three limits.
+ *  - Property 2: grows with each limit.
+ *
+ *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
+ *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
+HSP_API int32_t hsp_sticks_bytes(const hsp_sticks_limits *limits, size_t *bytes);
+
+/** The same as an upper bound that is a constant expression, for static arrays. */
+#define HSP_STICKS_BYTES(balls, sticks, pairs) \
+  ((size_t)8192 + (size_t)128 * (size_t)(balls) + (size_t)336 * (size_t)(sticks) + (size_t)16 * (size_t)(pairs))
+
+/** Make balls and sticks without results in caller memory of any alignment; sets *sticks.
+ *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
+ *  @retval HSP_E_MEMORY    bytes is less than hsp_sticks_bytes says; nothing is written
+ *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
+HSP_API int32_t hsp_sticks_init(void *memory, size_t bytes, const hsp_sticks_limits *limits, hsp_sticks **sticks);
+
+/** A stick that is not cut in two: all of it belongs to ball[0]. For halves of the same colour, which else have a line
+ *  between them. */
+#define HSP_STICK_WHOLE UINT32_C(1)
+
+/** A stick. Frozen. */
+typedef struct hsp_stick {
+  uint32_t ball[2];  /**< its ends, the caller's indices */
+  uint32_t flags;    /**< HSP_STICK_* */
+  uint32_t reserved; /**< 0 */
+} hsp_stick;
+
+#define HSP_STICKS_NO_CONFLICT UINT32_C(0) /**< there is none */
+#define HSP_STICKS_BALLS_MEET UINT32_C(1)  /**< two balls that meet */
+#define HSP_STICKS_NO_BALL UINT32_C(2)     /**< a stick, and its end, which is no ball */
+#define HSP_STICKS_SAME_ENDS UINT32_C(3) /**< two sticks between the same balls; or a stick twice, whose ends are one */
+#define HSP_STICKS_THIN_BALL UINT32_C(4) /**< a stick, and the ball at its end, which is not thicker */
+#define HSP_STICKS_SHARP_ANGLE UINT32_C(5)   /**< two sticks that meet outside the ball in which both end */
+#define HSP_STICKS_MEET UINT32_C(6)          /**< two other sticks that meet */
+#define HSP_STICKS_STICK_IN_BALL UINT32_C(7) /**< a stick, and a ball that it meets and does not end in */
+#define HSP_STICKS_CYCLE \
+  UINT32_C(8) /**< a stick of a circle of balls and halves of sticks, each of which covers
+                                                  a part of the next; and how many they are */
+
+/** Why there is no picture. Frozen. */
+typedef struct hsp_sticks_conflict {
+  uint32_t kind;     /**< HSP_STICKS_* */
+  uint32_t first;    /**< a number of a ball or stick as said there; HSP_NONE without conflict */
+  uint32_t second;   /**< likewise */
+  uint32_t reserved; /**< 0 */
+} hsp_sticks_conflict;
+
+/** Find what is painted from one direction; any number of times. options: where to look from, as for hsp_view_compute,
+ *  NULL for the defaults; pieces and flags have to be good there and have no effect here. stick [count]: may be NULL
+ *  if count is 0. radius: of all sticks. The model must outlive the handle: after hsp_model_set what reads the handle
+ *  yields HSP_E_STATE until this is called again. conflict may be NULL; it is written on HSP_OK and HSP_E_CONFLICT.
+ *  Which one of several conflicts it is depends on the direction. limits: see LIMITS in hardsphere.h; at most two
+ *  retries. On failure the handle holds no results.
+ *
+ *  Cost: O(m log m) for m balls and halves of sticks, and for each those that share a vertical line of the view plane
+ *  with it.
+ *  @retval HSP_E_ARGUMENT    sticks or model is NULL; bad options; stick is NULL and count is not 0; an unknown flag or
+ *                            a reserved field of a stick that is not 0; bad struct_size of limits
+ *  @retval HSP_E_CAPACITY    a limit is too small
+ *  @retval HSP_E_NOT_FINITE  radius or a component of towards or up is NaN or infinite
+ *  @retval HSP_E_NEGATIVE    radius is negative
+ *  @retval HSP_E_RANGE       radius is 0
+ *  @retval HSP_E_CONFLICT    balls and sticks that cannot be painted; see conflict */
+HSP_API int32_t hsp_sticks_compute(hsp_sticks *sticks, const hsp_model *model, const hsp_view_options *options,
+                                   const hsp_stick *stick, uint32_t count, double radius, hsp_sticks_conflict *conflict,
+                                   hsp_sticks_limits *limits);
+
+/** What is painted, and where. Frozen. */
+typedef struct hsp_sticks_info {
+  double origin[3];  /**< the point with view coordinates 0 0 0: the middle of the balls' centres, length */
+  double right[3];   /**< unit vector: the x axis of the view coordinates */
+  double up[3];      /**< unit vector: the y axis */
+  double towards[3]; /**< unit vector: the z axis */
+  double low[2];     /**< of the box of all balls in the view plane, length; 0 0 without balls */
+  double high[2];    /**< of the same box */
+  uint32_t paths;    /**< balls and halves of sticks that are painted */
+  uint32_t balls;    /**< of these */
+  uint32_t sticks;   /**< as given */
+  uint32_t arcs;     /**< parts of circles, ellipses and lines around all paths */
+} hsp_sticks_info;
+
+/** Describe what is painted.
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
+HSP_API int32_t hsp_sticks_get_info(const hsp_sticks *sticks, hsp_sticks_info *info);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

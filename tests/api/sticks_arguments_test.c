@@ -1,0 +1,247 @@
+/* Balls and sticks: every argument that the header refuses, every call out of order, and every conflict by its name. */
+#include <hardsphere.h>
+#include <math.h>
+#include <string.h>
+
+#include "check.h"
+#include "picture_sink.h"
+#include "untouched.h"
+
+enum { BALLS = 4, STICKS = 3, PAIRS = 40 };
+static unsigned char model_memory[HSP_MODEL_BYTES(BALLS)];
+static unsigned char sticks_memory[HSP_STICKS_BYTES(BALLS, STICKS, PAIRS)];
+static hsp_model *model;
+static hsp_sticks *sticks;
+static hsp_sticks_info info;
+static hsp_sticks_conflict conflict;
+
+/* A corner of a square, its neighbours, and a ball behind the middle. */
+static const double xyz[3 * BALLS] = {0, 0, 0, 10, 0, 0, 0, 10, 0, 5, 5, -20};
+static const double radius[BALLS] = {2, 2, 2, 1};
+static const hsp_stick good[STICKS] = {{{0, 1}, 0, 0}, {{2, 0}, HSP_STICK_WHOLE, 0}, {{3, 1}, 0, 0}};
+
+static hsp_sticks_limits good_limits(void) {
+  const hsp_sticks_limits limits = {(uint32_t)sizeof limits, BALLS, STICKS, PAIRS};
+  return limits;
+}
+
+static void check_no_results(const hsp_sticks *which, int32_t status) {
+  FILL(info);
+  CHECK_EQUAL(hsp_sticks_get_info(which, &info), status);
+  CHECK_UNTOUCHED(info);
+}
+
+static int32_t compute(const hsp_stick *stick, uint32_t count, double thick) {
+  FILL(conflict);
+  return hsp_sticks_compute(sticks, model, NULL, stick, count, thick, &conflict, NULL);
+}
+
+static void check_has_results(void) {
+  CHECK_EQUAL(compute(good, STICKS, 0.5), HSP_OK);
+  CHECK(conflict.kind == HSP_STICKS_NO_CONFLICT && conflict.first == HSP_NONE && conflict.second == HSP_NONE);
+  CHECK_EQUAL(hsp_sticks_get_info(sticks, &info), HSP_OK);
+  CHECK(info.paths == 9 && info.balls == BALLS && info.sticks == STICKS);
+  CHECK(info.arcs == 26 || info.arcs == 27); /* 20 of sticks; one of a whole circle, else two for each stick in front */
+  CHECK(fabs(info.low[0] + info.origin[0] + 2) < 1e-6 && fabs(info.high[1] + info.origin[1] - 12) < 1e-6);
+  CHECK(info.towards[2] == 1 && info.up[1] == 1 && info.right[0] == 1);
+}
+
+static void refused_limits(void) {
+  hsp_sticks_limits bad = good_limits();
+  size_t bytes = 0;
+  hsp_sticks *made = NULL;
+  int which;
+  CHECK_EQUAL(hsp_sticks_bytes(NULL, &bytes), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_sticks_bytes(&bad, NULL), HSP_E_ARGUMENT);
+  for (which = 0; which < 5; ++which) {
+    const int32_t status = which < 2 ? HSP_E_ARGUMENT : HSP_E_RANGE;
+    bad = good_limits();
+    if (which == 0) bad.struct_size = 12;
+    if (which == 1) bad.struct_size = 1028;
+    if (which == 2) bad.balls = HSP_MAX_BALLS + 1;
+    if (which == 3) bad.sticks = HSP_NONE;
+    if (which == 4) bad.pairs = HSP_MAX_BALLS + 1;
+    CHECK_EQUAL(hsp_sticks_bytes(&bad, &bytes), status);
+    CHECK_EQUAL(hsp_sticks_init(sticks_memory, sizeof sticks_memory, &bad, &made), status);
+  }
+  CHECK_EQUAL(bytes, 0);
+  bad = good_limits();
+  CHECK_EQUAL(hsp_sticks_bytes(&bad, &bytes), HSP_OK);
+  CHECK(bytes <= sizeof sticks_memory);
+  CHECK_EQUAL(hsp_sticks_init(NULL, bytes, &bad, &made), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_sticks_init(sticks_memory, bytes, NULL, &made), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_sticks_init(sticks_memory, bytes, &bad, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_sticks_init(sticks_memory, bytes - 1, &bad, &made), HSP_E_MEMORY);
+  CHECK(made == NULL);
+  CHECK_EQUAL(hsp_sticks_limits_init(NULL, (uint32_t)sizeof bad, 1), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_sticks_limits_init(&bad, 8, 1), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_sticks_limits_init(&bad, (uint32_t)sizeof bad, (HSP_MAX_BALLS - 64) / 64 + 1), HSP_E_RANGE);
+  CHECK_EQUAL(hsp_sticks_limits_init(&bad, (uint32_t)sizeof bad, 10), HSP_OK);
+  CHECK(bad.balls == 10 && bad.sticks == 20 && bad.pairs == 704);
+}
+
+/* Numbers of the handle's own that do not suffice. */
+static void small_limits(void) {
+  static const hsp_sticks_limits small[] = {
+      {(uint32_t)sizeof small[0], BALLS - 1, STICKS, PAIRS},
+      {(uint32_t)sizeof small[0], BALLS, STICKS - 1, PAIRS},
+      {(uint32_t)sizeof small[0], BALLS, STICKS, 3},
+      {(uint32_t)sizeof small[0], 0, 0, 0},
+  };
+  size_t which;
+  for (which = 0; which < sizeof small / sizeof small[0]; ++which) {
+    hsp_sticks_limits asked = small[which];
+    int retries = 0;
+    int32_t status;
+    for (;; ++retries) {
+      CHECK_EQUAL(hsp_sticks_init(sticks_memory, sizeof sticks_memory, &asked, &sticks), HSP_OK);
+      status = hsp_sticks_compute(sticks, model, NULL, good, STICKS, 0.5, NULL, &asked);
+      if (status != HSP_E_CAPACITY || retries == 2) break;
+      check_no_results(sticks, HSP_E_STATE);
+    }
+    CHECK_EQUAL(status, HSP_OK);
+    CHECK(retries > 0);
+    CHECK(asked.balls == BALLS && asked.sticks == STICKS && asked.pairs > 3 && asked.pairs <= PAIRS);
+  }
+}
+
+static void check_refused(const hsp_stick *stick, uint32_t count, double thick, int32_t expected) {
+  check_has_results();
+  CHECK_EQUAL(compute(stick, count, thick), expected);
+  CHECK_UNTOUCHED(conflict);
+  check_no_results(sticks, HSP_E_STATE);
+}
+
+static void computing(void) {
+  hsp_sticks_limits asked = good_limits();
+  hsp_view_options options;
+  hsp_stick bad = good[0];
+  check_no_results(NULL, HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_sticks_init(sticks_memory, sizeof sticks_memory, &asked, &sticks), HSP_OK);
+  check_no_results(sticks, HSP_E_STATE);
+  CHECK_EQUAL(hsp_sticks_compute(NULL, model, NULL, good, STICKS, 0.5, NULL, NULL), HSP_E_ARGUMENT);
+  check_has_results();
+  CHECK_EQUAL(hsp_sticks_get_info(sticks, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_sticks_compute(sticks, NULL, NULL, good, STICKS, 0.5, NULL, NULL), HSP_E_ARGUMENT);
+  check_no_results(sticks, HSP_E_STATE);
+  check_refused(NULL, 1, 0.5, HSP_E_ARGUMENT);
+  bad.flags = 2;
+  check_refused(&bad, 1, 0.5, HSP_E_ARGUMENT);
+  bad.flags = 0;
+  bad.reserved = 1;
+  check_refused(&bad, 1, 0.5, HSP_E_ARGUMENT);
+  check_refused(good, STICKS, (double)NAN, HSP_E_NOT_FINITE);
+  check_refused(good, STICKS, (double)INFINITY, HSP_E_NOT_FINITE);
+  check_refused(good, STICKS, -0.5, HSP_E_NEGATIVE);
+  check_refused(good, STICKS, 0, HSP_E_RANGE);
+  CHECK_EQUAL(compute(NULL, 0, 0.5), HSP_OK);
+  CHECK_EQUAL(hsp_view_options_init(&options, (uint32_t)sizeof options), HSP_OK);
+  options.towards[1] = (double)NAN;
+  CHECK_EQUAL(hsp_sticks_compute(sticks, model, &options, good, STICKS, 0.5, NULL, NULL), HSP_E_NOT_FINITE);
+  options.towards[1] = 0;
+  options.flags = 2;
+  CHECK_EQUAL(hsp_sticks_compute(sticks, model, &options, good, STICKS, 0.5, NULL, NULL), HSP_E_ARGUMENT);
+  asked.struct_size = 4;
+  CHECK_EQUAL(hsp_sticks_compute(sticks, model, NULL, good, STICKS, 0.5, NULL, &asked), HSP_E_ARGUMENT);
+  check_no_results(sticks, HSP_E_STATE);
+}
+
+static void check_conflict(const hsp_stick *stick, uint32_t count, double thick, uint32_t kind, uint32_t first,
+                           uint32_t second) {
+  check_has_results();
+  CHECK_EQUAL(compute(stick, count, thick), HSP_E_CONFLICT);
+  CHECK_EQUAL(conflict.kind, kind);
+  CHECK_EQUAL(conflict.first, first);
+  CHECK_EQUAL(conflict.second, second);
+  CHECK_EQUAL(conflict.reserved, 0);
+  check_no_results(sticks, HSP_E_STATE);
+}
+
+static void conflicts(void) {
+  static const double meeting[BALLS] = {2, 9, 2, 1};
+  static const hsp_stick beyond = {{0, BALLS}, 0, 0}, point = {{2, 2}, 0, 0};
+  static const hsp_stick twice[2] = {{{0, 1}, 0, 0}, {{1, 0}, 0, 0}};
+  static const hsp_stick across[2] = {{{0, 1}, 0, 0}, {{2, 0}, 0, 0}};
+  check_conflict(&beyond, 1, 0.5, HSP_STICKS_NO_BALL, 0, BALLS);
+  check_conflict(&point, 1, 0.5, HSP_STICKS_SAME_ENDS, 0, 0);
+  check_conflict(twice, 2, 0.5, HSP_STICKS_SAME_ENDS, 0, 1);
+  check_conflict(good, STICKS, 1.25, HSP_STICKS_THIN_BALL, 2, 3);
+  check_conflict(across, 2, 1.5, HSP_STICKS_SHARP_ANGLE, 0, 1); /* 2 < 1.5 sqrt(2) */
+  CHECK_EQUAL(compute(across, 2, 1.4), HSP_OK);
+  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, meeting, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(compute(NULL, 0, 0.5), HSP_E_CONFLICT);
+  CHECK(conflict.kind == HSP_STICKS_BALLS_MEET && conflict.first == 0 && conflict.second == 1);
+  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
+}
+
+static int32_t write_picture(hsp_sticks *which, const uint32_t *colour, const hsp_picture_options *options,
+                             picture_sink *sink) {
+  uint64_t bytes = 1;
+  int32_t status;
+  picture_sink_start(sink, SIZE_MAX);
+  status = hsp_picture_write_sticks(which, colour, options, "a <title>", NULL, picture_sink_take, sink, &bytes);
+  CHECK_EQUAL(bytes, sink->count);
+  if (status != HSP_OK) CHECK_EQUAL(bytes, 0);
+  return status;
+}
+
+/* One path for each ball and part of a stick, with its colour. */
+static void pictures(void) {
+  static const uint32_t colours[BALLS] = {0x112233, 0x445566, 0x778899, 0xAABBCC};
+  static const uint32_t too_bright[BALLS] = {0x112233, 0x445566, 0x778899, 0x1000000};
+  hsp_picture_options options;
+  picture_sink sink;
+  uint64_t bytes = 1;
+  uint32_t style;
+  CHECK_EQUAL(hsp_picture_options_init(&options, (uint32_t)sizeof options), HSP_OK);
+  CHECK_EQUAL(write_picture(NULL, colours, &options, &sink), HSP_E_ARGUMENT);
+  picture_sink_release(&sink);
+  check_has_results();
+  CHECK_EQUAL(hsp_picture_write_sticks(sticks, colours, NULL, NULL, NULL, NULL, NULL, &bytes), HSP_E_ARGUMENT);
+  CHECK_EQUAL(write_picture(sticks, too_bright, &options, &sink), HSP_E_ARGUMENT);
+  picture_sink_release(&sink);
+  options.fog = 2;
+  CHECK_EQUAL(write_picture(sticks, colours, &options, &sink), HSP_E_RANGE);
+  picture_sink_release(&sink);
+  options.fog = 0;
+  for (style = HSP_STYLE_FLAT; style <= HSP_STYLE_SOFT; ++style) {
+    options.style = style;
+    if (CHECK_EQUAL(write_picture(sticks, colours, &options, &sink), HSP_OK)) {
+      const char *at;
+      int paths = 0, plain = 0;
+      CHECK_EQUAL(sink.odd, 0);
+      for (at = strstr(sink.bytes, "<path"); at != NULL; at = strstr(at + 1, "<path")) {
+        ++paths;
+        plain += strstr(at, "fill=\"#") == strstr(at, "fill=");
+      }
+      CHECK_EQUAL(paths, 9);
+      CHECK_EQUAL(plain, style == HSP_STYLE_FLAT ? 9 : 5);
+    }
+    picture_sink_release(&sink);
+  }
+  CHECK_EQUAL(compute(NULL, 1, 0.5), HSP_E_ARGUMENT);
+  CHECK_EQUAL(write_picture(sticks, colours, &options, &sink), HSP_E_STATE);
+  picture_sink_release(&sink);
+}
+
+static void order_of_calls(void) {
+  const hsp_sticks_limits limits = good_limits();
+  check_has_results();
+  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
+  check_no_results(sticks, HSP_E_STATE);
+  check_has_results();
+  CHECK_EQUAL(hsp_sticks_init(sticks_memory, sizeof sticks_memory, &limits, &sticks), HSP_OK);
+  check_no_results(sticks, HSP_E_STATE);
+}
+
+int main(void) {
+  CHECK_EQUAL(hsp_model_init(model_memory, sizeof model_memory, BALLS, &model), HSP_OK);
+  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
+  refused_limits();
+  computing();
+  conflicts();
+  pictures();
+  order_of_calls();
+  small_limits();
+  return check_report();
+}
