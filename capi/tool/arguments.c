@@ -438,6 +438,9 @@ static bool check(struct reading *reading) {
   if (!selection_suits(&request->selection, request->format, reading->failure)) return false;
   if (!check_measure(reading)) return false;
   if (request->command == COMMAND_DRAW && !drawing_check(&request->drawing, reading->failure)) return false;
+  if (request->command == COMMAND_DRAW && drawing_is_of_sticks(&request->drawing) && request->probe > 0.0) {
+    return failure_in_usage(reading->failure, "--probe is not for --as ball-and-stick");
+  }
   if (request->command == COMMAND_MESH) {
     if (!meshing_check(&request->meshing, request->probe, reading->failure)) return false;
     request->excluded_surface = request->meshing.surface == MESH_SOLVENT_EXCLUDED;

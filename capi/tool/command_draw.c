@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "ball_and_stick.h"
 #include "commands.h"
 #include "input_report.h"
 #include "line_reader.h"
@@ -21,7 +22,8 @@ enum { carbon = 6 };
 
 /* What was drawn. */
 struct drawn {
-  hsp_view_info view; /* or as much of it as a map has */
+  hsp_view_info view; /* or as much of it as a map has, or balls and sticks have */
+  uint32_t sticks;
   hsp_picture_options options;
   double width; /* in the picture's unit */
   double height;
@@ -134,9 +136,27 @@ static void find_box(const struct molecule *molecule, double probe, hsp_view_inf
   }
 }
 
+static int32_t get_sticks_info(const hsp_sticks *sticks, struct drawn *drawn) {
+  hsp_sticks_info info;
+  hsp_view_info *const view = &drawn->view;
+  const int32_t status = hsp_sticks_get_info(sticks, &info);
+  if (status != HSP_OK) return status;
+  memcpy(view->origin, info.origin, sizeof view->origin);
+  memcpy(view->towards, info.towards, sizeof view->towards);
+  memcpy(view->up, info.up, sizeof view->up);
+  memcpy(view->low, info.low, sizeof view->low);
+  memcpy(view->high, info.high, sizeof view->high);
+  view->pieces = info.paths;
+  view->arcs = info.arcs;
+  drawn->sticks = info.sticks;
+  return HSP_OK;
+}
+
 static int32_t get_info(const struct request *request, const struct molecule *molecule, const struct geometry *geometry,
-                        hsp_view_info *view) {
+                        struct drawn *drawn) {
   hsp_map_info map;
+  hsp_view_info *const view = &drawn->view;
+  if (drawing_is_of_sticks(&request->drawing)) return get_sticks_info(geometry->sticks, drawn);
   if (!drawing_is_of_map(&request->drawing)) return hsp_view_get_info(geometry->work.view, view);
   const int32_t status = hsp_map_get_info(geometry->map, &map);
   if (status != HSP_OK) return status;
@@ -152,7 +172,7 @@ static int32_t get_info(const struct request *request, const struct molecule *mo
 
 static bool write_picture(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                           const uint32_t *colour, struct drawn *drawn, struct failure *failure) {
-  const int32_t status = get_info(request, molecule, geometry, &drawn->view);
+  const int32_t status = get_info(request, molecule, geometry, drawn);
   if (status != HSP_OK) return failure_in_library(failure, status);
   if (!picture_options_of(&request->drawing, molecule->atoms, &drawn->view, &drawn->options, failure)) return false;
   find_size(drawn);
@@ -162,14 +182,18 @@ static bool write_picture(const struct request *request, const struct molecule *
            direction_text(towards, drawn->view.towards));
   const char *title = request->drawing.title != NULL ? request->drawing.title : base_name(input_name(request->file));
   hsp_view *const view = drawing_is_of_map(&request->drawing) ? NULL : geometry->work.view;
-  const struct picture picture = {view, geometry->map, colour, drawn->options, title, description};
+  const struct picture picture = {view, geometry->map, geometry->sticks, colour, drawn->options, title, description};
   progress_show(&geometry->progress, "writing");
   return picture_file_write(&picture, request->drawing.out, &geometry->progress, &drawn->bytes, failure);
 }
 
 /* What the picture is made of. */
-static bool compute(const struct request *request, struct geometry *geometry, struct failure *failure) {
+static bool compute(const struct request *request, const struct molecule *molecule, const uint32_t *colour,
+                    struct geometry *geometry, struct failure *failure) {
   hsp_view_options options;
+  if (drawing_is_of_sticks(&request->drawing)) {
+    return ball_and_stick_compute(molecule, &request->drawing, colour, geometry, failure);
+  }
   if (drawing_is_of_map(&request->drawing)) return geometry_compute_map(geometry, &request->drawing.viewing, failure);
   return view_options_of(&request->drawing, &options, failure) &&
          (options.pieces != HSP_PIECES_OUTSIDE_ALL || geometry_compute_boundary(geometry, failure)) &&
@@ -181,8 +205,8 @@ static bool draw(const struct request *request, const struct molecule *molecule,
   uint32_t *colour = NULL;
   if (drawing_occlusion(&request->drawing, molecule->atoms) > 0.0) progress_show(&geometry->progress, "shading");
   if (!make_colours(request, molecule, geometry, &colour, &drawn->occlusion, failure)) return false;
-  const bool done =
-      compute(request, geometry, failure) && write_picture(request, molecule, geometry, colour, drawn, failure);
+  const bool done = compute(request, molecule, colour, geometry, failure) &&
+                    write_picture(request, molecule, geometry, colour, drawn, failure);
   free(colour);
   return done;
 }
@@ -191,6 +215,7 @@ static void print_json(const struct request *request, const struct molecule *mol
                        struct text_buffer *out) {
   text_buffer_add(out, "{\"n\": %" PRIu32 ", \"pieces\": %" PRIu32 ", \"arcs\": %" PRIu32 ", \"bytes\": %" PRIu64,
                   molecule->atoms, drawn->view.pieces, drawn->view.arcs, drawn->bytes);
+  if (drawing_is_of_sticks(&request->drawing)) text_buffer_add(out, ", \"sticks\": %" PRIu32, drawn->sticks);
   text_buffer_add(out, ", \"style\": \"%s\", \"width\": ", drawing_style_name(drawn->options.style));
   json_number(out, drawn->width);
   text_buffer_add(out, ", \"height\": ");
@@ -217,10 +242,16 @@ static void print_table(const struct request *request, const struct molecule *mo
   snprintf(value, sizeof value, "%.6g", drawn->occlusion);
   report_row(out, "occlusion", value, drawn->occlusion > 0.0 ? "buried balls are darker" : "no ball is darkened");
   const bool of_map = drawing_is_of_map(&request->drawing);
+  const bool of_sticks = drawing_is_of_sticks(&request->drawing);
+  if (of_sticks) report_row_count(out, "sticks", drawn->sticks, "bonds by covalent radii");
   report_row_count(out, "pieces", drawn->view.pieces,
-                   of_map ? "balls, side by side" : "painted one over the other, farthest first");
+                   of_map      ? "balls, side by side"
+                   : of_sticks ? "balls, sticks and halves of sticks, painted one over the other"
+                               : "painted one over the other, farthest first");
   report_row_count(out, "arcs", drawn->view.arcs,
-                   of_map ? "of circles and ellipses between them" : "of circles and ellipses around them");
+                   of_map      ? "of circles and ellipses between them"
+                   : of_sticks ? "of circles, ellipses and lines around them"
+                               : "of circles and ellipses around them");
   report_row_count(out, "bytes", (int64_t)drawn->bytes, "");
 }
 

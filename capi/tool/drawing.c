@@ -9,13 +9,14 @@
 #include "number.h"
 #include "output_file.h"
 
-enum { FORMATS = 3, STYLES = 3, PALETTES = 3, UNITS = 2, PIECES = 3 };
+enum { FORMATS = 3, STYLES = 3, PALETTES = 3, UNITS = 2, PIECES = 3, KINDS = 2 };
 
 /* In the order of their numbers in hardsphere.h; what is visible comes last. */
 static const char *const style_names[STYLES] = {"flat", "headlight", "soft"};
 static const char *const palette_names[PALETTES] = {"soft", "jmol", "chain"};
 static const char *const unit_names[UNITS] = {"px", "mm"};
 static const char *const piece_names[PIECES] = {"g", "h", "visible"};
+static const char *const kind_names[KINDS] = {"balls", "ball-and-stick"};
 static const char *const format_names[FORMATS] = {"SVG", "EPS", "PDF"};
 static const char *const picture_names[FORMATS] = {"svg", "eps", "pdf"};
 
@@ -39,6 +40,8 @@ static const struct number_option number_options[] = {
     {"--margin", offsetof(struct drawing, margin), false, 10.0, "between 0 and 10"},
     {"--scale", offsetof(struct drawing, scale), true, 1e9, "above 0 and at most 1000000000"},
     {"--occlusion", offsetof(struct drawing, occlusion), false, 1.0, "between 0 and 1"},
+    {"--ball-size", offsetof(struct drawing, ball_size), true, 1.0, "above 0 and at most 1"},
+    {"--stick", offsetof(struct drawing, stick), true, 1e6, "above 0 and at most 1000000"},
 };
 
 struct choice_option {
@@ -55,6 +58,7 @@ static const struct choice_option choice_options[] = {
     {"--unit", offsetof(struct drawing, unit), unit_names, UNITS, "px or mm"},
     {"--picture", offsetof(struct drawing, format), picture_names, FORMATS, "svg, eps or pdf"},
     {"--pieces", offsetof(struct drawing, pieces), piece_names, PIECES, "g, h or visible"},
+    {"--as", offsetof(struct drawing, as), kind_names, KINDS, "balls or ball-and-stick"},
 };
 
 static bool twice(const struct option_reader *reader, const char *option) {
@@ -191,7 +195,17 @@ bool drawing_check(struct drawing *drawing, struct failure *failure) {
   if (drawing->all_balls && drawing_is_of_map(drawing)) {
     return failure_in_usage(failure, "either --all-balls, hidden ones too, or --pieces visible");
   }
+  if (drawing_is_of_sticks(drawing) && (drawing->pieces >= 0 || drawing->all_balls || drawing->occlusion > 0.0)) {
+    return failure_in_usage(failure, "--pieces, --all-balls and --occlusion are not for --as ball-and-stick");
+  }
+  if (!drawing_is_of_sticks(drawing) && (drawing->ball_size >= 0.0 || drawing->stick >= 0.0)) {
+    return failure_in_usage(failure, "--ball-size and --stick are for --as ball-and-stick");
+  }
   return true;
+}
+
+bool drawing_is_of_sticks(const struct drawing *drawing) {
+  return drawing->as == 1;
 }
 
 bool drawing_is_of_map(const struct drawing *drawing) {
@@ -205,7 +219,7 @@ uint32_t drawing_style(const struct drawing *drawing, uint32_t balls) {
 
 double drawing_occlusion(const struct drawing *drawing, uint32_t balls) {
   if (drawing->occlusion >= 0.0) return drawing->occlusion;
-  if (balls > MOST_OCCLUDED_BALLS) return 0.0;
+  if (drawing_is_of_sticks(drawing) || balls > MOST_OCCLUDED_BALLS) return 0.0;
   return balls > MOST_SOFT_BALLS || drawing_style(drawing, balls) == HSP_STYLE_SOFT ? 0.5 : 0.0;
 }
 

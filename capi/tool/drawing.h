@@ -21,6 +21,7 @@ struct drawing {
   int palette;
   int unit;
   int pieces;
+  int as;         /* see drawing_is_of_sticks */
   int background; /* 0xRRGGBB, or DRAWING_NO_BACKGROUND */
   double width;
   double height;
@@ -29,16 +30,19 @@ struct drawing {
   double margin;
   double scale; /* of a fixed frame */
   double occlusion;
+  double ball_size; /* of sticks: parts of the radii */
+  double stick;     /* radius */
   bool all_balls;
   bool water; /* is drawn, and not left out */
 };
 
 #define DRAWING_NO_BACKGROUND 0x1000000
 
-#define DRAWING_DEFAULT                                                                                  \
-  {                                                                                                      \
-    .format = -1, .style = -1, .palette = -1, .unit = -1, .pieces = -1, .background = -1, .width = -1.0, \
-    .height = -1.0, .outline = -1.0, .fog = -1.0, .margin = -1.0, .scale = -1.0, .occlusion = -1.0       \
+#define DRAWING_DEFAULT                                                                                                \
+  {                                                                                                                    \
+    .format = -1, .style = -1, .palette = -1, .unit = -1, .pieces = -1, .as = -1, .background = -1, .width = -1.0,     \
+    .height = -1.0, .outline = -1.0, .fog = -1.0, .margin = -1.0, .scale = -1.0, .occlusion = -1.0, .ball_size = -1.0, \
+    .stick = -1.0                                                                                                      \
   }
 
 /* Take the argument if it is an option of `draw`, and its value from the reader; *known tells whether it is one. */
@@ -49,6 +53,9 @@ bool drawing_check(struct drawing *drawing, struct failure *failure);
 
 /* Whether what is visible is drawn, from a map, and no pieces of a view one over the other. */
 bool drawing_is_of_map(const struct drawing *drawing);
+
+/* Whether balls and sticks are drawn, and no balls of full size. */
+bool drawing_is_of_sticks(const struct drawing *drawing);
 
 /* The style and the occlusion for a number of balls, defaults included. */
 uint32_t drawing_style(const struct drawing *drawing, uint32_t balls);

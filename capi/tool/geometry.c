@@ -143,5 +143,6 @@ void geometry_free(struct geometry *geometry) {
   progress_end(&geometry->progress);
   free(geometry->mesh_memory);
   free(geometry->map_memory);
+  free(geometry->sticks_memory);
   hsp_workspace_free(&geometry->work);
 }

@@ -17,6 +17,8 @@ struct geometry {
   void *mesh_memory;
   hsp_map *map; /* NULL at first */
   void *map_memory;
+  hsp_sticks *sticks; /* NULL at first; ball_and_stick.h computes them */
+  void *sticks_memory;
 };
 
 /* Make the model. A ball that the library refuses is named by its line. */

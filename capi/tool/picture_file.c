@@ -23,6 +23,10 @@ static int32_t take(void *context, const char *bytes, size_t count) {
 
 static int32_t write_picture(const struct picture *picture, struct sink *sink, uint64_t *bytes) {
   const hsp_picture_options *options = &picture->options;
+  if (picture->sticks != NULL) {
+    return hsp_picture_write_sticks(picture->sticks, picture->colour, options, picture->title, picture->description,
+                                    take, sink, bytes);
+  }
   if (picture->view == NULL) {
     return hsp_picture_write_map(picture->map, picture->colour, options, picture->title, picture->description, take,
                                  sink, bytes);

@@ -1,4 +1,4 @@
-/* A picture of a computed view or map, in a file. */
+/* A picture of a computed view or map, or of balls and sticks, in a file. */
 #ifndef HARDSPHERE_TOOL_PICTURE_FILE_H
 #define HARDSPHERE_TOOL_PICTURE_FILE_H
 
@@ -11,7 +11,8 @@
 
 struct picture {
   hsp_view *view; /* or NULL: */
-  hsp_map *map;
+  hsp_map *map;   /* or NULL: */
+  hsp_sticks *sticks;
   const uint32_t *colour; /* [balls of the model], 0xRRGGBB */
   hsp_picture_options options;
   const char *title;

@@ -254,13 +254,22 @@ static const char draw_text[] =
     "plotters,\n"
     "                         cutters and click maps\n"
     "  --all-balls            paint hidden balls too\n"
+    "  --as ball-and-stick    small balls, and sticks where atoms are closer than the sum of their covalent radii and\n"
+    "                         0.4 A; each half has the colour of its ball. Lengths have to be in A. Noble gases, "
+    "alkali\n"
+    "                         and alkaline earth metals have no sticks. What cannot be drawn rightly, as where a "
+    "stick\n"
+    "                         runs into a third ball, is refused; default balls\n"
+    "  --ball-size S          radii of these balls, as a part of those of the atoms; default 0.25\n"
+    "  --stick R              the radius of the sticks; default 0.12\n"
     "The same input gives the same bytes.\n"
     "Example: hardsphere draw 4hhb.pdb -o haemoglobin.svg --palette chain\n"
     "JSON: n, pieces, arcs, bytes, style, width, height, occlusion; pieces is how many balls are painted, arcs how "
     "many\n"
     "parts of circles and ellipses bound them (between visible ones each counts once), bytes the size of OUT; width "
     "and\n"
-    "height are in the given unit, occlusion is 0 where balls are not darkened.\n"
+    "height are in the given unit, occlusion is 0 where balls are not darkened. With --as ball-and-stick pieces are\n"
+    "balls, sticks and halves of sticks, and sticks is how many bonds there are.\n"
     "\n";
 
 void usage_of_program(struct text_buffer *out) {

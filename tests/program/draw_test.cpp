@@ -368,4 +368,40 @@ TEST(Draw, FullDisk) {
   }
 }
 
+// Bonds, halves of two colours, and what is refused.
+TEST(Draw, BallsAndSticks) {
+  const std::vector<std::string> sticks = {"--as", "ball-and-stick"};
+  const auto with = [&sticks](std::vector<std::string> more) {
+    more.insert(more.begin(), sticks.begin(), sticks.end());
+    return more;
+  };
+  const TemporaryFile out("sticks.svg");
+  // Caffeine: 25 bonds, those between carbons in one part.
+  const std::string caffeine = molecules_folder() + "/caffeine.pdb";
+  const Outcome outcome = draw_to(out.path(), caffeine, with({"--json"}));
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("\"n\": 24, \"pieces\": 60,"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("\"sticks\": 25,"), std::string::npos) << outcome.out;
+  const std::string svg = read_file(out.path());
+  EXPECT_EQ(occurrences(svg, "<path"), 60U);
+  EXPECT_EQ(occurrences(svg, "fill=\"url(#"), 24U);
+  EXPECT_EQ(drawn(caffeine, sticks), drawn(caffeine, with({"--ball-size", "0.25", "--stick", "0.12"})));
+  for (const char *extension : {".svg", ".eps", ".pdf"}) {
+    const std::string picture = drawn(crambin(), with({"--style", "flat"}), extension);
+    EXPECT_GT(picture.size(), 50000U);
+  }
+  const auto refusal = [&](const std::vector<std::string> &options) {
+    return draw_to(out.path(), caffeine, options).err;
+  };
+  EXPECT_NE(refusal(with({"--ball-size", "1"})).find("meet: a smaller --ball-size"), std::string::npos);
+  EXPECT_NE(refusal(with({"--stick", "0.4"})).find("is not thicker than its sticks"), std::string::npos);
+  EXPECT_NE(
+      draw_to(out.path(), crambin(), with({"--ball-size", "0.15", "--stick", "0.22"})).err.find("meet: see --ball"),
+      std::string::npos);
+  EXPECT_NE(refusal(with({"--probe", "1"})).find("--probe is not for"), std::string::npos);
+  EXPECT_NE(refusal(with({"--pieces", "h"})).find("are not for --as"), std::string::npos);
+  EXPECT_NE(refusal({"--stick", "0.1"}).find("are for --as"), std::string::npos);
+  EXPECT_NE(refusal({"--as", "ribbons"}).find("is not balls or ball-and-stick"), std::string::npos);
+}
+
 }  // namespace

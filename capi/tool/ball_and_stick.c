@@ -1,0 +1,98 @@
+#include "ball_and_stick.h"
+
+#include <stdlib.h>
+
+#include "bonds.h"
+
+static const double default_ball_size = 0.25;
+static const double default_stick = 0.12;
+
+static bool set_balls(const struct molecule *molecule, double size, struct geometry *geometry,
+                      struct failure *failure) {
+  double *radius = calloc((size_t)molecule->atoms + 1, sizeof *radius);
+  if (radius == NULL) return failure_of_memory(failure);
+  for (uint32_t i = 0; i < molecule->atoms; ++i) radius[i] = size * molecule->radius[i];
+  const int32_t status = hsp_workspace_set(&geometry->work, molecule->atoms, molecule->xyz, radius, NULL, NULL);
+  free(radius);
+  return status == HSP_OK || failure_in_library(failure, status);
+}
+
+static bool failure_of_conflict(const struct molecule *molecule, const hsp_stick *stick,
+                                const hsp_sticks_conflict *conflict, struct failure *failure) {
+  const uint32_t first = conflict->first, second = conflict->second;
+  const bool of_balls = conflict->kind == HSP_STICKS_BALLS_MEET;
+  const uint64_t line = molecule->line[of_balls ? first : stick[first].ball[0]];
+  const unsigned long a = of_balls ? first : stick[first].ball[0], b = of_balls ? second : stick[first].ball[1];
+  switch (conflict->kind) {
+    case HSP_STICKS_BALLS_MEET:
+      return failure_in_input(failure, line, "balls %lu and %lu meet: a smaller --ball-size keeps them apart", a, b);
+    case HSP_STICKS_THIN_BALL:
+      return failure_in_input(failure, line, "ball %lu is not thicker than its sticks: see --ball-size and --stick",
+                              (unsigned long)second);
+    case HSP_STICKS_STICK_IN_BALL:
+      return failure_in_input(failure, line, "the stick between balls %lu and %lu runs into ball %lu", a, b,
+                              (unsigned long)second);
+    case HSP_STICKS_CYCLE:
+      return failure_in_input(failure, line,
+                              "the stick between balls %lu and %lu is one of %lu balls and sticks that lie over each "
+                              "other around a circle: look from elsewhere",
+                              a, b, (unsigned long)second);
+    default:
+      return failure_in_input(failure, line,
+                              "the sticks between balls %lu and %lu and balls %lu and %lu meet: see --ball-size and "
+                              "--stick",
+                              a, b, (unsigned long)stick[second].ball[0], (unsigned long)stick[second].ball[1]);
+  }
+}
+
+static bool compute(const struct molecule *molecule, const struct drawing *drawing, const hsp_stick *stick,
+                    uint32_t count, struct geometry *geometry, struct failure *failure) {
+  const double radius = drawing->stick > 0.0 ? drawing->stick : default_stick;
+  const hsp_model *model = geometry->work.model;
+  hsp_view_options options;
+  hsp_sticks_limits limits;
+  hsp_sticks_conflict conflict;
+  progress_show(&geometry->progress, "ordering balls and sticks");
+  int32_t status = viewing_options(&drawing->viewing, &options);
+  if (status == HSP_OK) status = hsp_sticks_limits_init(&limits, (uint32_t)sizeof limits, molecule->atoms);
+  if (status != HSP_OK) return failure_in_library(failure, status);
+  limits.sticks = count;
+  do {
+    size_t bytes = 0;
+    status = hsp_sticks_bytes(&limits, &bytes);
+    if (status == HSP_OK) status = hsp_workspace_allocate(&geometry->sticks_memory, bytes);
+    if (status == HSP_OK) status = hsp_sticks_init(geometry->sticks_memory, bytes, &limits, &geometry->sticks);
+    if (status == HSP_OK) {
+      status = hsp_sticks_compute(geometry->sticks, model, &options, stick, count, radius, &conflict, &limits);
+    }
+  } while (status == HSP_E_CAPACITY);
+  if (status == HSP_E_CONFLICT) return failure_of_conflict(molecule, stick, &conflict, failure);
+  return status == HSP_OK || failure_in_library(failure, status);
+}
+
+/* A stick for each bond, to be freed; NULL where memory is short. */
+static hsp_stick *sticks_of(uint32_t (*bonds)[2], uint32_t count, const uint32_t *colour) {
+  hsp_stick *stick = calloc((size_t)count + 1, sizeof *stick);
+  for (uint32_t k = 0; stick != NULL && k < count; ++k) {
+    const uint32_t *bond = bonds[k];
+    stick[k].ball[0] = bond[0];
+    stick[k].ball[1] = bond[1];
+    if (colour[bond[0]] == colour[bond[1]]) stick[k].flags = HSP_STICK_WHOLE;
+  }
+  return stick;
+}
+
+bool ball_and_stick_compute(const struct molecule *molecule, const struct drawing *drawing, const uint32_t *colour,
+                            struct geometry *geometry, struct failure *failure) {
+  uint32_t(*bonds)[2] = NULL;
+  uint32_t count = 0;
+  if (!bonds_find(molecule, geometry, &bonds, &count, failure)) return false;
+  hsp_stick *stick = sticks_of(bonds, count, colour);
+  free(bonds);
+  if (stick == NULL) return failure_of_memory(failure);
+  const double size = drawing->ball_size > 0.0 ? drawing->ball_size : default_ball_size;
+  const bool done =
+      set_balls(molecule, size, geometry, failure) && compute(molecule, drawing, stick, count, geometry, failure);
+  free(stick);
+  return done;
+}

@@ -1,0 +1,15 @@
+/* A molecule as small balls for its atoms and sticks for its bonds. */
+#ifndef HARDSPHERE_TOOL_BALL_AND_STICK_H
+#define HARDSPHERE_TOOL_BALL_AND_STICK_H
+
+#include "drawing.h"
+#include "geometry.h"
+#include "molecule.h"
+
+/* Find the bonds, and compute balls and sticks into the geometry, whose model becomes that of the small balls. colour:
+ * that of each atom; a bond between equal ones is a whole stick. False, with the balls and sticks that are in each
+ * other's way named, if these cannot be drawn. */
+bool ball_and_stick_compute(const struct molecule *molecule, const struct drawing *drawing, const uint32_t *colour,
+                            struct geometry *geometry, struct failure *failure);
+
+#endif

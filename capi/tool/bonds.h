@@ -1,0 +1,17 @@
+/* Which atoms are bonded: those that are about as close as covalent radii say. */
+#ifndef HARDSPHERE_TOOL_BONDS_H
+#define HARDSPHERE_TOOL_BONDS_H
+
+#include "geometry.h"
+#include "molecule.h"
+
+/* How much longer than the sum of the covalent radii of its atoms a bond may be, in angstrom. */
+#define BOND_TOLERANCE 0.4
+
+/* The bonds of a molecule, as pairs of its atoms, the smaller number first; *bonds is to be freed on true. An atom of
+ * no known element counts as carbon; noble gases, alkali and alkaline earth metals but beryllium have no bonds. The
+ * model of the geometry becomes another one. */
+bool bonds_find(const struct molecule *molecule, struct geometry *geometry, uint32_t (**bonds)[2], uint32_t *count,
+                struct failure *failure);
+
+#endif
