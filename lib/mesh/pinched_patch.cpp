@@ -40,11 +40,10 @@ PatchState SphericalPatch::triangulate_pinched() {
     add_corridors();
     add_detours();
   }
-  if (samples_.overflowed() || ears_.overflowed()) {
-    const uint64_t extra = samples_.required() > ears_.required() ? samples_.required() : ears_.required();
-    if (extra > needed_points_) needed_points_ = extra;
-    return PatchState::capacity;
-  }
+  // Also where there is room: what is needed does not depend on that.
+  const uint64_t used = samples_.required() > ears_.required() ? samples_.required() : ears_.required();
+  if (used > needed_points_) needed_points_ = used;
+  if (samples_.overflowed() || ears_.overflowed()) return PatchState::capacity;
   pinched_ = good && has_right_cells();
   all_coarse_ = !pinched_;
   return pinched_ ? PatchState::complete : PatchState::too_coarse;

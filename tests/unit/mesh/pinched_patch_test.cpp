@@ -199,6 +199,8 @@ TEST(PinchedPatch, SaysHowManyPointsItNeeds) {
   const std::vector<Loop> loops = {circle(0.5, 24, true), circle(0.5, 24, false)};
   const Pinched enough(loops, 0.5, 0.5);
   ASSERT_EQ(enough.state, PatchState::complete);
+  EXPECT_EQ(Pinched(loops, 0.5, 0.5, static_cast<uint32_t>(enough.needed)).state, PatchState::complete);
+  EXPECT_EQ(Pinched(loops, 0.5, 0.5, static_cast<uint32_t>(enough.needed - 1)).state, PatchState::capacity);
   uint32_t room = 60;
   int retries = 0;
   for (; retries < 20; ++retries) {
