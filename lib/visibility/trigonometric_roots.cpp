@@ -43,6 +43,14 @@ double value_at(const Piece &piece, double s) {
   return b[0];
 }
 
+// Whether the sign changes next to s, for a < s < b at the ends of which it is known.
+bool changes_next_to(const Piece &piece, double s, double a, double b) {
+  constexpr double beside = 1e-6;
+  const bool low = s - beside > a ? value_at(piece, s - beside) > 0.0 : piece.b[0] > 0.0;
+  const bool high = s + beside < b ? value_at(piece, s + beside) > 0.0 : piece.b[4] > 0.0;
+  return low != high;
+}
+
 // The only root of a piece, by the Illinois variant of false position; Newton's method finishes it.
 double only_root(const Piece &piece) {
   double a = 0.0, b = 1.0;
@@ -52,7 +60,12 @@ double only_root(const Piece &piece) {
   for (int step = 0; step < 60; ++step) {
     const double previous = s;
     s = (at_a * b - at_b * a) / (at_a - at_b);
-    if (b - a < 1e-7 || (step > 0 && std::fabs(s - previous) < 1e-7)) break;
+    if (b - a < 1e-7) break;
+    if (step > 0 && std::fabs(s - previous) < 1e-7) {
+      // Steps are also short next to an end where the value is nearly 0.
+      if (changes_next_to(piece, s, a, b)) break;
+      s = 0.5 * (a + b);
+    }
     const double value = value_at(piece, s);
     if (value == 0.0) break;
     if ((value > 0.0) == (at_b > 0.0)) {

@@ -62,6 +62,24 @@ TEST(TrigonometricRoots, CloseToEachOtherAreTwo) {
   }
 }
 
+// An interval that ends next to another root: the value there is nearly 0, of either sign.
+TEST(TrigonometricRoots, AreNotLostWhenTheIntervalEndsAtAnother) {
+  for (const double at : {0.1, 0.7, 1.2}) {
+    for (int ulps = -40; ulps <= 40; ++ulps) {
+      const double end = at * (1 + ulps * 0x1p-52);
+      double root[hsp::most_trigonometric_roots];
+      for (const double sign : {-1.0, 1.0}) {
+        const TrigonometricPolynomial f{sign * std::cos(at), -sign, 0, 0};  // roots at -at and at
+        ASSERT_GE(hsp::find_roots(f, -1.4, end, root), 1U) << at << ' ' << ulps;
+        EXPECT_NEAR(root[0], -at, 1e-9) << at << ' ' << ulps;
+        const uint32_t count = hsp::find_roots(f, -end, 1.4, root);
+        ASSERT_GE(count, 1U) << at << ' ' << ulps;
+        EXPECT_NEAR(root[count - 1], at, 1e-9) << at << ' ' << ulps;
+      }
+    }
+  }
+}
+
 TEST(TrigonometricRoots, AreNoneWhereItTouches) {
   double root[hsp::most_trigonometric_roots];
   EXPECT_EQ(hsp::find_roots({1 + 0x1p-45, -1, 0, 0}, -1, 1.3, root), 0U);
