@@ -34,7 +34,7 @@ struct EdgeEllipse {
   }
 };
 
-// Whether a loop runs around a point, by the parity of its crossings with a ray to the right.
+// Whether a loop runs around a point, by the parity of its crossings with a ray.
 bool surrounds(const VisibilityMap &map, uint32_t loop, double x, double y);
 
 }  // namespace hsp

@@ -72,6 +72,28 @@ TEST(MapQueries, FindFacesWithinHoles) {
   EXPECT_EQ(face_at(built, large.x + 3001, large.y), 0U);
 }
 
+// Points at the height of vertices to their left and right, in a scene that is symmetric about all its axes.
+TEST(MapQueries, FindFacesAtTheHeightOfVertices) {
+  const BuiltMap built({{-40, 0, 0, 60}, {40, 0, 0, 60}, {0, 300, 0, 60}, {0, -300, 0, 60}, {0, 0, -10, 80}});
+  const hsp::VisibilityMap &map = built.map();
+  ASSERT_EQ(built.status(), hsp::Status::ok);
+  int asked = 0;
+  for (const hsp::MapVertex &vertex : map.vertices.items()) {
+    for (int k = -100; k <= 100; ++k) {
+      const double x = 1.07 * k;
+      if (std::abs(x - vertex.x) < 1e-3) continue;
+      for (const double y : {vertex.y, -vertex.y, 0.0}) {
+        const hsp::MapSight sight = hsp::sight_at(map, built.discs(), x, y);
+        const uint32_t face = hsp::face_at(map, sight.ball, x, y);
+        ASSERT_LT(face, map.faces.size()) << x << ' ' << y;
+        EXPECT_EQ(map.faces[face].owner, sight.ball);
+        ++asked;
+      }
+    }
+  }
+  EXPECT_GT(asked, 1000);
+}
+
 TEST(MapQueries, TellDepthAndGapAlongEdges) {
   oracle::RandomSource random(21);
   int edges = 0, gaps = 0, outlines = 0, creases = 0;
