@@ -1,6 +1,7 @@
 #include "hsp_map.hpp"
 
 #include "view_options.hpp"
+#include "visibility/face_pole.hpp"
 #include "visibility/map_check.hpp"
 #include "visibility/map_queries.hpp"
 
@@ -108,6 +109,16 @@ int32_t hsp_map_get_point(const hsp_map *map, uint32_t edge, double t, hsp_map_p
   const hsp::capi::ViewLengths length{map->balls().lattice};
   const hsp::EdgePoint found = hsp::edge_point(of, edge, t);
   *point = {{length(found.x), length(found.y), length(found.z)}, {length(found.gap_left), length(found.gap_right)}};
+  return HSP_OK;
+}
+
+int32_t hsp_map_get_pole(const hsp_map *map, uint32_t face, hsp_map_pole *pole) {
+  if (!is_live(map) || pole == nullptr) return HSP_E_ARGUMENT;
+  if (!map->has_results()) return HSP_E_STATE;
+  if (face == 0 || face >= map->structure().faces.size()) return HSP_E_ID;
+  const hsp::capi::ViewLengths length{map->balls().lattice};
+  const hsp::FacePole found = hsp::find_pole(map->structure(), face);
+  *pole = {{length(found.x), length(found.y)}, length(found.radius), length(found.bound)};
   return HSP_OK;
 }
 

@@ -106,9 +106,9 @@ int32_t hsp_map_get_outline(const hsp_map *map, uint32_t ball, uint32_t *h, uint
   if (ball >= map->balls().n) return HSP_E_ID;
   const hsp::VisibilityMap &of = map->structure();
   const auto visit = [&](auto take) {
-    for (const hsp::MapFace &face : of.faces.items()) {
-      if (map->caller(face.owner) != ball) continue;
-      for (uint32_t l = face.first_loop; l != hsp::no_id; l = of.loops[l].next_of_face) take(of.loops[l]);
+    const uint32_t first = of.first_face[map->model->grid.grid_index(ball)];
+    for (uint32_t f = first; f != hsp::no_id; f = of.next_face_of(f)) {
+      for (uint32_t l = of.faces[f].first_loop; l != hsp::no_id; l = of.loops[l].next_of_face) take(of.loops[l]);
     }
   };
   uint32_t count = 0;

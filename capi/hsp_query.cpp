@@ -1,6 +1,7 @@
 #include "hsp_model.hpp"
 #include "model/neighbour_lists.hpp"
 #include "model/queries.hpp"
+#include "model/ray_query.hpp"
 
 using hsp::capi::is_live;
 
@@ -61,4 +62,20 @@ int32_t hsp_query_pairs(const hsp_model *model, uint32_t flags, uint32_t *first,
   const int32_t status = hsp::capi::check_output(ids, capacity, begins[n], needed);
   if (status == HSP_OK) hsp::list_neighbours(model->grid, rows, begins, {ids, begins[n]});
   return status;
+}
+
+int32_t hsp_query_ray(const hsp_model *model, const double *origin, const double *direction, hsp_ray_hit *hit) {
+  if (!is_live(model) || origin == nullptr || direction == nullptr || hit == nullptr) return HSP_E_ARGUMENT;
+  const hsp::BallSet &balls = model->balls();
+  hsp::exact::LatticeRay ray;
+  if (const hsp::Status status = hsp::round_ray(balls, origin, direction, ray); status != hsp::Status::ok) {
+    return hsp::capi::to_c(status);
+  }
+  const hsp::RayHit found = hsp::first_ball_on_ray(model->grid, ray);
+  const hsp::exact::Lattice &lattice = balls.lattice;
+  *hit = {{lattice.length(found.point.x), lattice.length(found.point.y), lattice.length(found.point.z)},
+          lattice.length(found.distance),
+          found.ball == hsp::no_id ? HSP_NONE : balls.caller[found.ball],
+          0};
+  return HSP_OK;
 }

@@ -19,6 +19,7 @@ set(HSP_LIBRARY_SOURCES
   lib/model/query_hits.cpp
   lib/model/query_hits_avx2.cpp
   lib/model/row_directory.cpp
+  lib/model/ray_query.cpp
   lib/model/vertical_ray.cpp
   lib/sphere/arc_geometry.cpp
   lib/sphere/cap_clusters.cpp
@@ -110,7 +111,9 @@ set(HSP_LIBRARY_SOURCES
   lib/visibility/arc_finder.cpp
   lib/visibility/crease_arcs.cpp
   lib/visibility/disc_grid.cpp
+  lib/visibility/edge_distance.cpp
   lib/visibility/edge_geometry.cpp
+  lib/visibility/face_pole.cpp
   lib/visibility/map_builder.cpp
   lib/visibility/map_check.cpp
   lib/visibility/map_faces.cpp

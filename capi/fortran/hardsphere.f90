@@ -152,6 +152,13 @@ module hardsphere
     integer(c_int32_t) :: flags        ! HSP_PACKING_*
   end type
 
+  type, bind(C) :: hsp_ray_hit
+    real(c_double) :: xyz(3)           ! length
+    real(c_double) :: distance         ! length
+    integer(c_int32_t) :: ball         ! 0-based
+    integer(c_int32_t) :: reserved
+  end type
+
   type, bind(C) :: hsp_boundary_limits
     integer(c_int32_t) :: struct_size  ! hsp_boundary_limits_init sets it
     integer(c_int32_t) :: balls
@@ -556,6 +563,12 @@ module hardsphere
     real(c_double) :: gap(2)           ! length
   end type
 
+  type, bind(C) :: hsp_map_pole
+    real(c_double) :: centre(2)        ! length
+    real(c_double) :: radius           ! length
+    real(c_double) :: bound            ! length
+  end type
+
   type, bind(C) :: hsp_sticks_limits
     integer(c_int32_t) :: struct_size  ! hsp_sticks_limits_init sets it
     integer(c_int32_t) :: balls
@@ -754,6 +767,15 @@ module hardsphere
       integer(c_int32_t), intent(inout), optional :: ids(*)
       integer(c_int32_t), value :: capacity
       integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_query_ray(model, origin, direction, hit) result(status) bind(C, name="hsp_query_ray")
+      import :: c_double, c_int32_t, c_ptr, hsp_ray_hit
+      type(c_ptr), value :: model
+      real(c_double), intent(in) :: origin(3)
+      real(c_double), intent(in) :: direction(3)
+      type(hsp_ray_hit), intent(inout) :: hit
       integer(c_int32_t) :: status
     end function
 
@@ -1771,6 +1793,14 @@ module hardsphere
       integer(c_int32_t), value :: edge  ! 0-based
       real(c_double), value :: t
       type(hsp_map_point), intent(inout) :: point
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_map_get_pole(map, face, pole) result(status) bind(C, name="hsp_map_get_pole")
+      import :: c_int32_t, c_ptr, hsp_map_pole
+      type(c_ptr), value :: map
+      integer(c_int32_t), value :: face  ! 0-based
+      type(hsp_map_pole), intent(inout) :: pole
       integer(c_int32_t) :: status
     end function
 

@@ -13,7 +13,8 @@
  *   plain        some point of a closed curve that has no other vertex
  * Directed edges are numbers, as everywhere: edge e is 2e along its curve and 2e + 1 against it, HSP_MAP_TWIN turns one
  * around, and the face is on the left. Around a face run one outer loop counter-clockwise and any number of holes
- * clockwise; face 0 is the unbounded one and has holes only. A face of the background may also lie inside.
+ * clockwise; face 0 is the unbounded one and has holes only. A face of the background may also lie inside. The faces of
+ * one ball follow each other, those of the background first.
  *
  * Unlike all else but the smooth surface a map rests on floating-point roots. Labels hold it together, not positions:
  * whatever does not fit shows while it is linked. Then every ball is moved by a tiny part of its radius, the same for
@@ -201,7 +202,8 @@ HSP_API int32_t hsp_map_get_areas(const hsp_map *map, double *area, uint32_t cap
 
 /** The visible outline of a ball: a directed edge of every loop around what is seen of it. Follow each with
  *  hsp_map_next until it is back; what is seen is on the left.
- *  Cost: O(faces); for many balls walk through all faces instead.
+ *
+ *  Cost: O(loops around what is seen of the ball).
  *  @retval HSP_E_ARGUMENT  map or needed is NULL; h is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since
@@ -219,7 +221,8 @@ typedef struct hsp_map_sight {
 } hsp_map_sight;
 
 /** What is seen at (x, y), in view coordinates.
- *  Cost: O(balls whose discs are near), and O(faces and edges around the ball's faces) for the face.
+ *
+ *  Cost: O(balls whose discs are near), and O(edges around the ball's faces) for the face.
  *  @retval HSP_E_ARGUMENT    a null pointer
  *  @retval HSP_E_STATE       nothing computed, or the model has changed since
  *  @retval HSP_E_NOT_FINITE  x or y is NaN or infinite */
@@ -240,6 +243,23 @@ typedef struct hsp_map_point {
  *  @retval HSP_E_RANGE       t is beyond the edge */
 HSP_API int32_t hsp_map_get_point(const hsp_map *map, uint32_t edge, double t, hsp_map_point *point);
 
+/** The point of a face that is farthest from its edges, where a label has most room. Frozen. */
+typedef struct hsp_map_pole {
+  double centre[2]; /**< view coordinates, length */
+  double radius;    /**< how far the nearest edge is from there, length */
+  double bound;     /**< nowhere in the face it is farther, length; not below `radius` */
+} hsp_map_pole;
+
+/** The pole of inaccessibility of a face: the centre of a circle in the face that is nearly the largest one. bound is
+ *  at most radius (1 + 1/64), unless the face is so long and thin that 4096 points do not suffice to know that; then it
+ *  says what is known. All are up to rounding.
+ *
+ *  Cost: O(edges around the face), times the points that are looked at: some hundred for most faces.
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since
+ *  @retval HSP_E_ID        no such face, or the unbounded one */
+HSP_API int32_t hsp_map_get_pole(const hsp_map *map, uint32_t face, hsp_map_pole *pole);
+
 /* ---- self-check -------------------------------------------------------------------------------------------------- */
 
 /** Check the invariants of a computed map. If all hold, *invariant becomes 0 and *id HSP_NONE. Else *invariant becomes
@@ -249,7 +269,8 @@ HSP_API int32_t hsp_map_get_point(const hsp_map *map, uint32_t edge, double t, h
  *    2  edges: parameters ascend by a whole turn at most, and the balls of both ends are those of the edge
  *    3  next is one to one, from where a directed edge ends
  *    4  the balls named around a loop are one, that of its face
- *    5  faces: one outer loop each but for the unbounded one, of a positive area; holes have negative ones
+ *    5  faces: one outer loop each but for the unbounded one, of a positive area; holes have negative ones; those of
+ *       one ball follow each other
  *    6  vertices - edges + faces = 1 + components
  *    7  positions: edges end at their vertices, and every T lies on its silhouette
  *    8  areas: of a face that of its loops, and all together that within the outermost edges

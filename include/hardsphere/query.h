@@ -1,4 +1,4 @@
-/* hardsphere/query.h: which balls contain a point, meet a ball, meet each other (Section 3).
+/* hardsphere/query.h: which balls contain a point, meet a ball, meet each other, are first on a ray (Section 3).
  *
  * Balls are closed: touching counts. Query positions and radii are rounded to the model's lattice, then decided
  * exactly. Hits are the caller's ball indices, ascending, without duplicates. Radii include the model's probe. */
@@ -79,6 +79,32 @@ HSP_API int32_t hsp_query_neighbours(const hsp_model *model, uint32_t ball, uint
  *  @retval HSP_E_RANGE     more than 2^32 - 1 ids; first becomes 0 everywhere */
 HSP_API int32_t hsp_query_pairs(const hsp_model *model, uint32_t flags, uint32_t *first, uint32_t *ids,
                                 uint32_t capacity, uint32_t *needed);
+
+/** Where a ray first meets a ball. Frozen. */
+typedef struct hsp_ray_hit {
+  double xyz[3];     /**< the point, length; 0 if there is none */
+  double distance;   /**< of the point from the origin, length; infinite if there is none */
+  uint32_t ball;     /**< the caller's index; HSP_NONE: the ray meets no ball */
+  uint32_t reserved; /**< 0 */
+} hsp_ray_hit;
+
+/** The first ball on the ray from origin [3] along direction [3], a vector of any length but 0: the ball that has the
+ *  first point of the ray that lies in any ball; of several such balls the one with the lowest index. A ray that
+ *  touches a ball meets it. If the origin lies in balls, the one with the lowest index is first, at distance 0.
+ *
+ *  The direction is rounded too, to integers times a power of two: by at most 2^-53 of its largest component. Which
+ *  ball is first on the ray that has been rounded is decided exactly. The distance then has a relative error of at most
+ *  2^-49, and each coordinate of the point is off by at most 2^-49 of what the origin's and the point's distances from
+ *  0 0 0 sum to.
+ *  - Property 1: the order of the balls has no effect but on indices.
+ *
+ *  Cost: proportional to the layers of cubes that the ray crosses up to the hit, at most to n; O(n^(1/3)) expected for
+ *  sets as in Theorem 2.1 that fill their box.
+ *  @retval HSP_OK            *hit is set, whether or not there is one
+ *  @retval HSP_E_ARGUMENT    a null pointer
+ *  @retval HSP_E_NOT_FINITE  a coordinate or a component is NaN or infinite
+ *  @retval HSP_E_RANGE       a coordinate is beyond 2^50 lattice steps, or the direction is 0 0 0 */
+HSP_API int32_t hsp_query_ray(const hsp_model *model, const double *origin, const double *direction, hsp_ray_hit *hit);
 
 #ifdef __cplusplus
 }

@@ -71,6 +71,10 @@ class CubeTable {
     CubeProbe probe(linear_hash(cube), used_slots_);
     for (; slots_[probe.slot] != no_id; probe.next()) ++length;
     slots_[probe.slot] = count_;
+    if (count_ == 0) low_ = high_ = cube;
+    widen(cube.x, low_.x, high_.x);
+    widen(cube.y, low_.y, high_.y);
+    widen(cube.z, low_.z, high_.z);
     cubes_[count_++] = cube;
     if (length > longest_probe_) longest_probe_ = length;
   }
@@ -79,13 +83,22 @@ class CubeTable {
   uint32_t slots() const { return used_slots_; }
   uint32_t longest_probe() const { return longest_probe_; }
   const CubeCoordinates &coordinates(uint32_t number) const { return cubes_[number]; }
+  // The corners of the box around all cubes, if there are any.
+  const CubeCoordinates &low() const { return low_; }
+  const CubeCoordinates &high() const { return high_; }
 
  private:
+  static void widen(int64_t value, int64_t &low, int64_t &high) {
+    low = value < low ? value : low;
+    high = value > high ? value : high;
+  }
+
   Span<uint32_t> slots_;  // cube numbers, no_id = empty
   Span<CubeCoordinates> cubes_;
   uint32_t used_slots_ = 0;
   uint32_t count_ = 0;
   uint32_t longest_probe_ = 0;
+  CubeCoordinates low_{}, high_{};
 };
 
 }  // namespace hsp

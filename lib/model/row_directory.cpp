@@ -1,25 +1,11 @@
 #include "model/row_directory.hpp"
 
 namespace hsp {
-namespace {
-
-void widen(int64_t value, int64_t &low, int64_t &high) {
-  low = value < low ? value : low;
-  high = value > high ? value : high;
-}
-
-}  // namespace
 
 void RowDirectory::build(const CubeTable &cubes, Span<const uint32_t> first_ball, Span<uint32_t> cells) {
   clear();
   if (cubes.count() == 0) return;
-  CubeCoordinates low = cubes.coordinates(0), high = low;
-  for (uint32_t cube = 1; cube < cubes.count(); ++cube) {
-    const CubeCoordinates &at = cubes.coordinates(cube);
-    widen(at.x, low.x, high.x);
-    widen(at.y, low.y, high.y);
-    widen(at.z, low.z, high.z);
-  }
+  const CubeCoordinates &low = cubes.low(), &high = cubes.high();
   // In doubles, which do not overflow. No factor is above 2^52.
   const double wanted = static_cast<double>(high.x - low.x + 2) * static_cast<double>(high.y - low.y + 1) *
                         static_cast<double>(high.z - low.z + 1);

@@ -109,6 +109,9 @@ class MapCheck {
     for (uint32_t f = 0; f < map_.faces.size(); ++f) {
       const MapFace &face = map_.faces[f];
       if (f == 0 ? face.owner != no_id : face.first_loop == no_id) return fail(MapInvariant::faces, f);
+      if (face.owner != no_id && !is_ball(face.owner)) return fail(MapInvariant::faces, f);
+      const bool begins = f == 0 || face.owner != map_.faces[f - 1].owner;
+      if (begins && map_.first_face_of(face.owner) != f) return fail(MapInvariant::faces, f);
       for (uint32_t l = face.first_loop; l != no_id; l = map_.loops[l].next_of_face) {
         if (l >= map_.loops.size() || seen++ == map_.loops.size()) return fail(MapInvariant::faces, f);
         const MapLoop &loop = map_.loops[l];

@@ -13,7 +13,8 @@ enum class MapInvariant : uint32_t {
   edges = 2,       // parameters ascend by a whole turn at most, and the balls of both ends are those of the edge
   successors = 3,  // every half-edge has one successor, which begins where it ends, and one predecessor
   loops = 4,       // the balls named around a loop are its owner
-  faces = 5,       // one outer loop each, but for the unbounded one, of a positive area; the holes have negative ones
+  faces = 5,       // one outer loop each, but for the unbounded one, of a positive area; the holes have negative ones;
+                   // those of one owner follow each other
   euler = 6,       // V - E + F = 1 + C
   positions = 7,   // edges end at their vertices, and every T lies on its silhouette
   areas = 8,       // a face has the area of its loops, and all together that within the outermost edges

@@ -21,8 +21,8 @@ double swept_twice(const VisibilityMap &map, const MapEdge &edge, double x, doub
 void MapFaceFinder::carve(Workspace &workspace, const MapLimits &limits) {
   const uint64_t edges = limits.edges;
   parent_ = workspace.take<uint32_t>(edges);
-  first_face_ = workspace.take<uint32_t>(static_cast<uint64_t>(limits.balls) + 1);
-  next_face_ = workspace.take<uint32_t>(2 * edges + 1);
+  first_face_ = workspace.take<uint32_t>(limits.balls);
+  scratch_ = workspace.take<uint32_t>(2 * edges + 1);
 }
 
 // Areas are taken about the loop's first point, so that nothing large cancels.
@@ -97,35 +97,51 @@ void MapFaceFinder::count_components(VisibilityMap &map) {
   }
 }
 
+// Counts the outer loops of each owner, then gives them the numbers of faces from the last loop to the first, so that
+// first_face_ ends where each owner begins.
 void MapFaceFinder::add_outer_loops(VisibilityMap &map) {
-  const uint32_t balls = map.balls.size();
-  for (uint32_t k = 0; k <= balls; ++k) first_face_[k] = no_id;
-  map.faces.push({no_id, no_id, 0.0});
-  for (uint32_t l = 0; l < map.loops.size(); ++l) {
+  for (uint32_t &first : first_face_) first = no_id;
+  map.first_face = first_face_;
+  uint32_t background = 1;
+  for (const MapLoop &loop : map.loops.items()) {
+    if (loop.area <= 0.0) continue;
+    if (loop.owner == no_id) {
+      ++background;
+    } else {
+      uint32_t &count = first_face_[map.balls[loop.owner].ball];
+      count = count == no_id ? 1 : count + 1;
+    }
+  }
+  uint32_t faces = background;
+  for (const SeenBall &ball : map.balls) {
+    uint32_t &count = first_face_[ball.ball];
+    if (count == no_id) continue;
+    ++map.owners;
+    faces += count;
+    count = faces;
+  }
+  map.faces.set_count(faces);
+  map.faces[0] = {no_id, no_id, 0.0};
+  for (uint32_t l = map.loops.size(); l-- > 0;) {
     MapLoop &loop = map.loops[l];
     if (loop.area <= 0.0) continue;
-    loop.face = map.faces.size();
-    map.faces.push({loop.owner, l, loop.area});
-    uint32_t &first = first_face_[loop.owner == no_id ? balls : loop.owner];
-    if (first == no_id && loop.owner != no_id) ++map.owners;
-    next_face_[loop.face] = first;
-    first = loop.face;
+    loop.face = --(loop.owner == no_id ? background : first_face_[map.balls[loop.owner].ball]);
+    map.faces[loop.face] = {loop.owner, l, loop.area};
   }
 }
 
 // The innermost face of the hole's owner with the hole within its outer loop, the unbounded face if there is none.
 uint32_t MapFaceFinder::face_around(const MapLoop &hole, const VisibilityMap &map) const {
   const bool background = hole.owner == no_id;
-  const uint32_t first = first_face_[background ? map.balls.size() : hole.owner];
-  if (first == no_id) return background ? 0 : no_id;
-  if (!background && next_face_[first] == no_id) return first;
-  // Some point that is not likely to be at the height of a vertex.
+  const uint32_t first = map.first_face_of(hole.owner);
+  if (first == no_id || map.next_face_of(first) == no_id) return first;
+  // Some point that is not likely to be in the direction of a vertex.
   const MapEdge &edge = map.edges[hole.first_half_edge / 2];
   const EdgeEllipse ellipse(map.balls, edge);
   const SinCos t = sin_cos(edge.from + 0.3819660112501051 * (edge.to - edge.from));
   uint32_t best = background ? 0 : no_id;
   double smallest = 0.0;
-  for (uint32_t f = first; f != no_id; f = next_face_[f]) {
+  for (uint32_t f = background ? map.next_face_of(0) : first; f != no_id; f = map.next_face_of(f)) {
     const double area = map.loops[map.faces[f].first_loop].area;
     if (area <= -hole.area || (smallest > 0.0 && area >= smallest)) continue;
     if (!surrounds(map, map.faces[f].first_loop, ellipse.x(t), ellipse.y(t))) continue;
@@ -163,7 +179,7 @@ bool MapFaceFinder::add_holes(VisibilityMap &map) {
 bool MapFaceFinder::tops_have_faces(const DiscGrid &grid, const VisibilityMap &map) const {
   for (uint32_t k = 0; k < map.balls.size(); ++k) {
     const SeenBall &ball = map.balls[k];
-    if (ball.inside != 0 || first_face_[k] != no_id) continue;
+    if (ball.inside != 0 || first_face_[ball.ball] != no_id) continue;
     const DiscGrid::Highest top = grid.highest_at(ball.x, ball.y, no_id);
     if (top.ball == k && top.certain) return false;
   }

@@ -21,7 +21,7 @@ class MapFaceFinder {
   bool find(const DiscGrid &grid, VisibilityMap &map);
 
   // Memory that is free between calls; [2 edges + 1] and [edges].
-  Span<uint32_t> scratch() { return next_face_; }
+  Span<uint32_t> scratch() { return scratch_; }
   Span<uint32_t> more_scratch() { return parent_; }
 
  private:
@@ -35,8 +35,8 @@ class MapFaceFinder {
   uint32_t face_around(const MapLoop &hole, const VisibilityMap &map) const;
 
   Span<uint32_t> parent_;      // [edges] of vertices
-  Span<uint32_t> first_face_;  // [balls + 1] of an owner, the background last
-  Span<uint32_t> next_face_;   // [2 edges + 1] of the same owner
+  Span<uint32_t> first_face_;  // [balls] as the map's
+  Span<uint32_t> scratch_;     // [2 edges + 1]
 };
 
 }  // namespace hsp

@@ -27,9 +27,8 @@ MapSight sight_at(const VisibilityMap &map, const DiscGrid &grid, double x, doub
 // surrounds it from the face's side.
 uint32_t face_at(const VisibilityMap &map, uint32_t ball, double x, double y) {
   uint32_t found = no_id;
-  for (uint32_t f = 0; f < map.faces.size(); ++f) {
+  for (uint32_t f = map.first_face_of(ball); f != no_id; f = map.next_face_of(f)) {
     const MapFace &face = map.faces[f];
-    if (face.owner != ball) continue;
     uint32_t count = f == 0 ? 1 : 0;  // around the unbounded face is nothing
     for (uint32_t l = face.first_loop; l != no_id; l = map.loops[l].next_of_face) {
       count += surrounds(map, l, x, y) ? 1U : 0U;

@@ -15,8 +15,8 @@ struct MapSight {
 // The ball by the discs at the point, without the map's edges: O(balls of a few squares).
 MapSight sight_at(const VisibilityMap &map, const DiscGrid &grid, double x, double y);
 
-// The face at a point where that ball is seen, among the faces of the ball: O(edges of their outer loops and holes),
-// and over all faces to find these. no_id where edges are so close that roundings decide.
+// The face at a point where that ball is seen, among the faces of the ball: O(edges of their outer loops and holes).
+// no_id where edges are so close that roundings decide.
 uint32_t face_at(const VisibilityMap &map, uint32_t ball, double x, double y);
 
 // A point of an edge, and how far below it the surface is on either side; infinite beside all balls. One of both is 0,

@@ -84,7 +84,7 @@ struct MapFace {
   double area;          // 0 for the unbounded face
 };
 
-// Face 0 is the unbounded one.
+// Face 0 is the unbounded one. The faces of one owner follow each other, those of the background first.
 struct VisibilityMap {
   ViewFrame frame;
   double perturbation = 0.0;  // no centre was moved farther, in lattice steps
@@ -96,6 +96,7 @@ struct VisibilityMap {
   FixedVector<MapHalfEdge> half_edges;
   FixedVector<MapLoop> loops;
   FixedVector<MapFace> faces;
+  Span<const uint32_t> first_face;  // [balls of the model] in grid order; no_id of balls without faces
 
   // Every vertex has at least two edges, so that there are no more vertices than edges. Loops are at most twice the
   // edges, and faces at most one more than edges: F = 1 + C + E - V, and E - V is half the number of vertices of three.
@@ -119,6 +120,12 @@ struct VisibilityMap {
 
   uint32_t origin(uint32_t half_edge) const { return edges[half_edge / 2].vertex[half_edge % 2]; }
   uint32_t face_of(uint32_t half_edge) const { return loops[half_edges[half_edge].loop].face; }
+  // The first face that shows a ball or, for no_id, the background; no_id if there is none.
+  uint32_t first_face_of(uint32_t owner) const { return owner == no_id ? 0 : first_face[balls[owner].ball]; }
+  // The face after another one of the same owner; no_id after the last.
+  uint32_t next_face_of(uint32_t face) const {
+    return face + 1 < faces.size() && faces[face + 1].owner == faces[face].owner ? face + 1 : no_id;
+  }
 };
 
 }  // namespace hsp

@@ -129,6 +129,7 @@ contains
 
   subroutine query_functions()
     integer(c_int32_t) :: ids(n), first(n + 1), pairs(6), needed, meets
+    type(hsp_ray_hit) :: hit
     ids = -7
     call expect(hsp_query_point(model, xyz(:, 1), ids, n, needed), HSP_OK, 'hsp_query_point')
     call check(needed == 1 .and. ids(1) == 0 .and. ids(2) == -7, 'hits of a point')
@@ -155,6 +156,12 @@ contains
     call check(all(pairs(first(2) + 1:first(3)) == [0, 2]), 'the row of ball 1')
     call expect(hsp_query_pairs(model, HSP_PAIRS_ONCE, first, pairs, 3_c_int32_t, needed), HSP_OK, 'pairs once')
     call check(all(first == [0, 2, 3, 3, 3]) .and. all(pairs(1:3) == [1, 2, 2]), 'pairs once')
+    call check(c_sizeof(hit) == 40, 'size of hsp_ray_hit')
+    call expect(hsp_query_ray(model, xyz(:, 4) - [50, 0, 0], [0.25_c_double, 0.0_c_double, 0.0_c_double], hit), HSP_OK, &
+                'hsp_query_ray')
+    call check(hit%ball == 3 .and. abs(hit%distance - (50 - radius(4))) < 1e-12_c_double, 'first on a ray')
+    call check(all(abs(hit%xyz - (xyz(:, 4) - [radius(4), 0.0_c_double, 0.0_c_double])) < 1e-12_c_double), 'where it is')
+    call expect(hsp_query_ray(model, xyz(:, 4), [0.0_c_double, 0.0_c_double, 0.0_c_double], hit), HSP_E_RANGE, 'no direction')
   end subroutine
 
   subroutine boundary_functions()

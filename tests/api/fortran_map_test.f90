@@ -31,6 +31,7 @@ contains
     type(hsp_map_face) :: face
     type(hsp_map_sight) :: sight
     type(hsp_map_point) :: point
+    type(hsp_map_pole) :: pole
     call check(c_sizeof(limits) == 16, 'size of hsp_map_limits')
     call check(c_sizeof(info) == 136, 'size of hsp_map_info')
     call check(c_sizeof(vertex) == 48, 'size of hsp_map_vertex')
@@ -38,6 +39,7 @@ contains
     call check(c_sizeof(face) == 24, 'size of hsp_map_face')
     call check(c_sizeof(sight) == 16, 'size of hsp_map_sight')
     call check(c_sizeof(point) == 40, 'size of hsp_map_point')
+    call check(c_sizeof(pole) == 32, 'size of hsp_map_pole')
   end subroutine
 
   subroutine compute()
@@ -100,9 +102,14 @@ contains
   subroutine questions()
     type(hsp_map_sight) :: sight
     type(hsp_map_point) :: point
+    type(hsp_map_pole) :: pole
     integer(c_int32_t) :: invariant, id
     call expect(hsp_map_pick(map, 0.5_c_double, 0.0_c_double, sight), HSP_OK, 'hsp_map_pick')
     call check(sight%ball == 1 .and. near(sight%depth, 11.0_c_double) .and. sight%face > 0, 'the nearer ball')
+    call expect(hsp_map_get_pole(map, sight%face, pole), HSP_OK, 'hsp_map_get_pole')
+    call check(near(pole%centre(1), 0.5_c_double) .and. abs(pole%centre(2)) < 1e-12_c_double, 'the pole of a disc')
+    call check(near(pole%radius, 1.0_c_double) .and. pole%bound >= pole%radius, 'its radius')
+    call expect(hsp_map_get_pole(map, 0, pole), HSP_E_ID, 'the unbounded face')
     call expect(hsp_map_pick(map, -0.5_c_double, 4.0_c_double, sight), HSP_OK, 'hsp_map_pick')
     call check(sight%ball == 0 .and. near(sight%depth, -7.0_c_double), 'the farther ball')
     call expect(hsp_map_get_point(map, 0, 0.0_c_double, point), HSP_OK, 'hsp_map_get_point')

@@ -77,6 +77,7 @@ static int call_boundary(computed *c, const buffers *b) {
   hsp_energy energy;
   uint32_t needed, invariant, id, flags, stages = 0, stage;
   int32_t meets;
+  hsp_ray_hit hit;
   size_t bytes;
   double radius;
   int bad = 0;
@@ -98,6 +99,7 @@ static int call_boundary(computed *c, const buffers *b) {
   bad += hsp_query_pairs(model, 0, b->first, NULL, 0, &needed) != (needed > 0 ? HSP_E_CAPACITY : HSP_OK);
   bad += hsp_query_pairs(model, 0, b->first, b->pairs, b->pair_count, &needed) != HSP_OK;
   bad += hsp_query_pairs(model, HSP_PAIRS_ONCE, b->first, b->pairs, b->pair_count, &needed) != HSP_OK;
+  bad += hsp_query_ray(model, c->xyz, c->xyz + 3, &hit) == HSP_E_ARGUMENT;
   bad += hsp_boundary_limits_init(&limits, (uint32_t)sizeof limits, c->n) != HSP_OK;
   bad += hsp_boundary_bytes(&c->needed, &bytes) != HSP_OK;
   bad += hsp_boundary_init(b->boundary, b->boundary_bytes, &c->needed, &boundary) != HSP_OK;
@@ -260,6 +262,7 @@ static int call_map(map_result *m, void *memory, size_t bytes, const uint32_t *c
   hsp_map_info info;
   hsp_map_sight sight;
   hsp_map_point point;
+  hsp_map_pole pole;
   uint32_t needed = 0, invariant, id;
   size_t size = 0;
   int bad = 0;
@@ -275,6 +278,7 @@ static int call_map(map_result *m, void *memory, size_t bytes, const uint32_t *c
   bad += hsp_map_check(map, &invariant, &id) != HSP_OK;
   bad += write_everything(NULL, map, colour);
   bad += hsp_map_pick(map, 0.1, 0.2, &sight) != HSP_OK;
+  for (id = 1; id < m->info.faces; ++id) bad += hsp_map_get_pole(map, id, &pole) != HSP_OK;
   for (id = 0; id < 2 * m->info.edges; ++id) {
     bad += hsp_map_get_point(map, id / 2, m->edges[id / 2].from, &point) != HSP_OK;
     bad += hsp_map_previous(map, hsp_map_next(map, id)) != id;

@@ -32,6 +32,7 @@ static void refused_as_model(void *handle) {
   hsp_packing packing;
   uint32_t ids[BALLS], first[BALLS + 1], needed;
   int32_t meets;
+  hsp_ray_hit hit;
   check_scene("%s as a model", scene);
   CHECK_EQUAL(hsp_model_set(handle, BALLS, four_xyz, four_radius, NULL, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_model_get_info(handle, &info), HSP_E_ARGUMENT);
@@ -41,6 +42,7 @@ static void refused_as_model(void *handle) {
   CHECK_EQUAL(hsp_query_meets(handle, four_inside, 1, &meets), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_query_neighbours(handle, 0, ids, BALLS, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_query_pairs(handle, 0, first, ids, BALLS, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_query_ray(handle, four_inside, four_inside, &hit), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_compute(h.boundary, handle, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_begin(h.boundary, handle, 1, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_view_compute(h.view, handle, NULL, NULL, NULL), HSP_E_ARGUMENT);

@@ -21,6 +21,7 @@ static double areas[BALLS];
 static uint32_t outline[EDGES];
 static hsp_map_sight sight;
 static hsp_map_point point;
+static hsp_map_pole pole;
 static uint32_t needed, invariant, id;
 
 static void fill_outputs(void) {
@@ -32,6 +33,7 @@ static void fill_outputs(void) {
   FILL(outline);
   FILL(sight);
   FILL(point);
+  FILL(pole);
   FILL(needed);
   FILL(invariant);
   FILL(id);
@@ -46,6 +48,7 @@ static void check_outputs_untouched(void) {
   CHECK_UNTOUCHED(outline);
   CHECK_UNTOUCHED(sight);
   CHECK_UNTOUCHED(point);
+  CHECK_UNTOUCHED(pole);
   CHECK_UNTOUCHED(needed);
   CHECK_UNTOUCHED(invariant);
   CHECK_UNTOUCHED(id);
@@ -64,6 +67,7 @@ static void check_all_readers(hsp_map *which, int32_t status) {
   CHECK_EQUAL(hsp_map_get_outline(which, 0, outline, EDGES, &needed), status);
   CHECK_EQUAL(hsp_map_pick(which, 0, 0, &sight), status);
   CHECK_EQUAL(hsp_map_get_point(which, 0, 0, &point), status);
+  CHECK_EQUAL(hsp_map_get_pole(which, 1, &pole), status);
   CHECK_EQUAL(hsp_map_check(which, &invariant, &id), status);
   CHECK_EQUAL(hsp_map_next(which, 0), HSP_NONE);
   CHECK_EQUAL(hsp_map_previous(which, 0), HSP_NONE);
@@ -182,6 +186,10 @@ static void refused_requests(void) {
   CHECK_EQUAL(hsp_map_pick(map, 0, -(double)INFINITY, &sight), HSP_E_NOT_FINITE);
   CHECK_EQUAL(hsp_map_get_point(map, 0, 0, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_map_get_point(map, EDGES, 0, &point), HSP_E_ID);
+  CHECK_EQUAL(hsp_map_get_pole(map, 1, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_map_get_pole(map, 0, &pole), HSP_E_ID);
+  CHECK_EQUAL(hsp_map_get_pole(map, EDGES, &pole), HSP_E_ID);
+  CHECK_EQUAL(hsp_map_get_pole(map, HSP_NONE, &pole), HSP_E_ID);
   CHECK_EQUAL(hsp_map_get_point(map, 0, (double)NAN, &point), HSP_E_NOT_FINITE);
   CHECK_EQUAL(hsp_map_get_point(map, 0, 100, &point), HSP_E_RANGE);
   CHECK_EQUAL(hsp_map_get_point(map, 0, -100, &point), HSP_E_RANGE);

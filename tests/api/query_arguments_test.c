@@ -8,15 +8,17 @@
 enum { BALLS = 3 };
 static unsigned char memory[HSP_MODEL_BYTES(BALLS)];
 static hsp_model *model;
-static const double origin[3] = {0, 0, 0};
+static const double origin[3] = {0, 0, 0}, upwards[3] = {0, 0, 1};
 static uint32_t ids[4], first[BALLS + 1], needed;
 static int32_t meets;
+static hsp_ray_hit hit;
 
 static void fill_outputs(void) {
   FILL(ids);
   FILL(first);
   FILL(needed);
   FILL(meets);
+  FILL(hit);
 }
 
 static void check_outputs_untouched(void) {
@@ -24,6 +26,7 @@ static void check_outputs_untouched(void) {
   CHECK_UNTOUCHED(first);
   CHECK_UNTOUCHED(needed);
   CHECK_UNTOUCHED(meets);
+  CHECK_UNTOUCHED(hit);
 }
 
 static void null_pointers(void) {
@@ -48,21 +51,30 @@ static void null_pointers(void) {
   CHECK_EQUAL(hsp_query_pairs(model, 0, NULL, ids, 4, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_query_pairs(model, 0, first, NULL, 1, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_query_pairs(model, 0, first, ids, 4, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_query_ray(NULL, origin, upwards, &hit), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_query_ray(model, NULL, upwards, &hit), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_query_ray(model, origin, NULL, &hit), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_query_ray(model, origin, upwards, NULL), HSP_E_ARGUMENT);
   check_outputs_untouched();
 }
 
 static void bad_numbers(void) {
   static const double not_finite[3] = {NAN, INFINITY, -INFINITY};
   static const double far[4] = {1e30, -1e30, 1e300, -1.7e308};
+  static const double too_far[3] = {1e30, 0, 0}, nothing[3] = {0, -0.0, 0};
   int v, axis;
   double xyz[3] = {0, 0, 0};
   fill_outputs();
+  CHECK_EQUAL(hsp_query_ray(model, origin, nothing, &hit), HSP_E_RANGE);
   for (v = 0; v < 3; ++v) {
     for (axis = 0; axis < 3; ++axis) {
       xyz[axis] = not_finite[v];
       CHECK_EQUAL(hsp_query_point(model, xyz, ids, 4, &needed), HSP_E_NOT_FINITE);
       CHECK_EQUAL(hsp_query_ball(model, xyz, 1, ids, 4, &needed), HSP_E_NOT_FINITE);
       CHECK_EQUAL(hsp_query_meets(model, xyz, 1, &meets), HSP_E_NOT_FINITE);
+      CHECK_EQUAL(hsp_query_ray(model, xyz, upwards, &hit), HSP_E_NOT_FINITE);
+      CHECK_EQUAL(hsp_query_ray(model, origin, xyz, &hit), HSP_E_NOT_FINITE);
+      CHECK_EQUAL(hsp_query_ray(model, too_far, xyz, &hit), HSP_E_NOT_FINITE);
       xyz[axis] = 0;
     }
     CHECK_EQUAL(hsp_query_ball(model, xyz, not_finite[v], ids, 4, &needed), HSP_E_NOT_FINITE);
@@ -74,6 +86,7 @@ static void bad_numbers(void) {
       CHECK_EQUAL(hsp_query_point(model, xyz, ids, 4, &needed), HSP_E_RANGE);
       CHECK_EQUAL(hsp_query_ball(model, xyz, 1, ids, 4, &needed), HSP_E_RANGE);
       CHECK_EQUAL(hsp_query_meets(model, xyz, 1, &meets), HSP_E_RANGE);
+      CHECK_EQUAL(hsp_query_ray(model, xyz, upwards, &hit), HSP_E_RANGE);
       xyz[axis] = 0;
     }
   }
@@ -162,6 +175,11 @@ static void empty_models(void) {
     CHECK_EQUAL(hsp_query_pairs(model, 0, first, NULL, 0, &needed), HSP_OK);
     CHECK_EQUAL(needed, 0);
     CHECK_EQUAL(first[0], 0);
+    CHECK_EQUAL(hsp_query_ray(model, origin, upwards, &hit), HSP_OK);
+    CHECK_EQUAL(hit.ball, HSP_NONE);
+    CHECK(isinf(hit.distance) && hit.distance > 0);
+    CHECK(hit.xyz[0] == 0 && hit.xyz[1] == 0 && hit.xyz[2] == 0);
+    CHECK_EQUAL(hit.reserved, 0);
   }
 }
 

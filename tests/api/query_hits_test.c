@@ -95,6 +95,72 @@ static void check_cutoff(const ball_set *set, double cutoff) {
   CHECK_EQUAL(needed, place);
 }
 
+/* The closed ball that a ray meets first, ball by ball in doubles, and how far along the ray that is. If another one is
+ * met within 1e-7 of it, or one is grazed, *others becomes 1. */
+static uint32_t expected_on_ray(const ball_set *set, const double *origin, const double *direction, double *at,
+                                int *others) {
+  const double size = sqrt(direction[0] * direction[0] + direction[1] * direction[1] + direction[2] * direction[2]);
+  uint32_t i, first = HSP_NONE;
+  *at = INFINITY;
+  *others = 0;
+  for (i = 0; i < set->n; ++i) {
+    const double r = 0.001 * (double)(steps(set->radius[i]) + steps(probe));
+    double u[3], foot = 0, beside = 0, entry;
+    int axis;
+    for (axis = 0; axis < 3; ++axis) {
+      u[axis] = 0.001 * (double)(steps(set->xyz[3 * i + (uint32_t)axis]) - steps(origin[axis]));
+      foot += u[axis] * direction[axis] / size;
+    }
+    for (axis = 0; axis < 3; ++axis) beside += pow(u[axis] - foot * direction[axis] / size, 2);
+    /* a ball that is only grazed may be missed */
+    if (fabs(beside - r * r) < 1e-9) *others = 1;
+    if (beside > r * r) continue;
+    entry = foot - sqrt(r * r - beside);
+    if (foot + sqrt(r * r - beside) < 0) continue;
+    entry = entry > 0 ? entry : 0;
+    if (fabs(entry - *at) < 1e-7) *others = 1;
+    if (entry >= *at) continue;
+    *at = entry;
+    first = i;
+  }
+  return first;
+}
+
+static void check_ray(const ball_set *set, const double *origin, const double *direction) {
+  hsp_ray_hit hit;
+  double at;
+  int others, axis;
+  const uint32_t first = expected_on_ray(set, origin, direction, &at, &others);
+  const double size = sqrt(direction[0] * direction[0] + direction[1] * direction[1] + direction[2] * direction[2]);
+  CHECK_EQUAL(hsp_query_ray(model, origin, direction, &hit), HSP_OK);
+  CHECK_EQUAL(hit.reserved, 0);
+  if (!others) CHECK_EQUAL(hit.ball, first);
+  if (others || first == HSP_NONE) return;
+  CHECK_NEAR(hit.distance, at, 1e-4);
+  for (axis = 0; axis < 3; ++axis) {
+    CHECK_NEAR(hit.xyz[axis], 0.001 * (double)steps(origin[axis]) + hit.distance * direction[axis] / size,
+               1e-12 * (1 + fabs(origin[axis]) + hit.distance));
+  }
+}
+
+/* Rays past the ball and through it, from outside and from its centre. */
+static void check_rays(const ball_set *set, const double *centre) {
+  static const double directions[][3] = {{1, 0, 0},   {0, -1, 0}, {0, 0, 3},   {1, 1, 0},
+                                         {-1, 1, -1}, {1, 2, -3}, {-5, 1, .1}, {-.3, 7, 2}};
+  static const double back[] = {0, 3, 25, 4000};
+  size_t d, b;
+  for (d = 0; d < sizeof directions / sizeof directions[0]; ++d) {
+    for (b = 0; b < sizeof back / sizeof back[0]; ++b) {
+      double origin[3];
+      int axis;
+      for (axis = 0; axis < 3; ++axis) {
+        origin[axis] = centre[axis] - back[b] * directions[d][axis] + (axis == 1 ? 0.137 : 0.041);
+      }
+      check_ray(set, origin, directions[d]);
+    }
+  }
+}
+
 static void check_set(const ball_set *set) {
   static const double reaches[] = {0, 0.001, 0.5, 1, 1.25, 3, 10, 777, 20000};
   static const double around[][3] = {{0, 0, 0},        {1, 0, 0}, {0, -1, 0},      {0, 0, 1.001},
@@ -115,6 +181,8 @@ static void check_set(const ball_set *set) {
     hits = expected_hits(set, centre, steps(set->radius[i]) + steps(probe), i, expected);
     CHECK_EQUAL(hsp_query_neighbours(model, i, ids, BALL_SET_MOST, &needed), HSP_OK);
     if (CHECK_EQUAL(needed, hits)) CHECK_BYTES(ids, expected, hits * sizeof ids[0]);
+    check_scene("%s, rays near %u", set->name, (unsigned)i);
+    check_rays(set, centre);
     for (a = 0; a < sizeof around / sizeof around[0]; ++a) {
       for (r = 0; r < sizeof reaches / sizeof reaches[0]; ++r) {
         check_scene("%s, near %u, offset %u, reach %g", set->name, (unsigned)i, (unsigned)a, reaches[r]);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "big_integer.hpp"
+
 namespace oracle {
 namespace {
 
@@ -16,7 +18,72 @@ Int128 squared_radius_sum(const LatticeBall &a, const LatticeBall &b) {
   return sum * sum;
 }
 
+// How far along a ray the foot of a centre is, times the square of the direction's length, and the square of half the
+// chord, times the fourth power of that length.
+struct Chord {
+  BigInteger foot, squared;
+};
+
+BigInteger big_dot(const Vector &a, const Vector &b) {
+  return BigInteger(a[0]) * BigInteger(b[0]) + BigInteger(a[1]) * BigInteger(b[1]) +
+         BigInteger(a[2]) * BigInteger(b[2]);
+}
+
+// By the line's distance from the centre.
+Chord chord_of(const LatticeBall &ball, const LatticePoint &origin, const LatticePoint &direction) {
+  const Vector to_centre = centre_difference(ball_around(origin, 0), ball);
+  const Vector along = {direction[0], direction[1], direction[2]};
+  const BigInteger length = big_dot(along, along);
+  const BigInteger u[3] = {BigInteger(to_centre[0]), BigInteger(to_centre[1]), BigInteger(to_centre[2])};
+  const BigInteger d[3] = {BigInteger(along[0]), BigInteger(along[1]), BigInteger(along[2])};
+  BigInteger beside;
+  for (size_t k = 0; k < 3; ++k) {
+    const BigInteger part = u[k] * d[(k + 1) % 3] - u[(k + 1) % 3] * d[k];
+    beside = beside + part * part;
+  }
+  return {big_dot(to_centre, along), BigInteger(Int128{ball.radius} * ball.radius) * length - beside};
+}
+
+// Sign of E + sqrt(a).
+int sign_with_root(const BigInteger &E, const BigInteger &a) {
+  if (E.sign() >= 0) return E.sign() > 0 || a.sign() > 0 ? 1 : 0;
+  return (a - E * E).sign();
+}
+
+// Sign of E and a term together, of which the sign and the square are given.
+int sign_with_term(const BigInteger &E, const BigInteger &term_squared, int term_sign) {
+  if (E.sign() * term_sign >= 0) return E.sign() != 0 ? E.sign() : term_sign;
+  return E.sign() * (E * E - term_squared).sign();
+}
+
+bool contains(const LatticeBall &ball, const LatticePoint &point) {
+  return squared_distance(ball, ball_around(point, 0)) <= Int128{ball.radius} * ball.radius;
+}
+
 }  // namespace
+
+int compare_entries(const LatticeBall &first, const LatticeBall &second, const LatticePoint &origin,
+                    const LatticePoint &direction) {
+  const Chord a = chord_of(first, origin, direction);
+  const Chord b = chord_of(second, origin, direction);
+  // (E + sqrt(b)) against sqrt(a), squared if both are positive.
+  const BigInteger E = a.foot - b.foot;
+  if (const int side = sign_with_root(E, b.squared); side <= 0) return side < 0 || a.squared.sign() > 0 ? -1 : 0;
+  const int term_sign = b.squared.sign() == 0 ? 0 : E.sign();
+  return sign_with_term(E * E + b.squared - a.squared, BigInteger(4) * E * E * b.squared, term_sign);
+}
+
+uint32_t first_on_ray(const Balls &balls, const LatticePoint &origin, const LatticePoint &direction) {
+  for (uint32_t i = 0; i < balls.size(); ++i)
+    if (contains(balls[i], origin)) return i;
+  uint32_t first = no_ball;
+  for (uint32_t i = 0; i < balls.size(); ++i) {
+    const Chord chord = chord_of(balls[i], origin, direction);
+    if (chord.foot.sign() < 0 || chord.squared.sign() < 0) continue;
+    if (first == no_ball || compare_entries(balls[i], balls[first], origin, direction) < 0) first = i;
+  }
+  return first;
+}
 
 std::vector<uint32_t> balls_meeting(const Balls &balls, const LatticeBall &query) {
   std::vector<uint32_t> hits;

@@ -14,6 +14,15 @@ std::vector<uint32_t> balls_meeting(const Balls &balls, const LatticeBall &query
 // The other balls that meet ball `ball`, ascending.
 std::vector<uint32_t> neighbours(const Balls &balls, uint32_t ball);
 
+// Whether the ray from a point, which lies outside both balls, along a vector enters the first ball before (-1), with
+// (0) or behind (1) the second one. It meets both. Any 64-bit numbers.
+int compare_entries(const LatticeBall &first, const LatticeBall &second, const LatticePoint &origin,
+                    const LatticePoint &direction);
+
+// The closed ball with the least t >= 0 for which it contains origin + t direction, of several the one with the lowest
+// number; no_ball if there is none.
+uint32_t first_on_ray(const Balls &balls, const LatticePoint &origin, const LatticePoint &direction);
+
 // The figures of Section 2. Numbers that are not defined are 0 and named by a flag.
 struct Figures {
   long double k = 0;                // largest radius / smallest radius

@@ -91,6 +91,25 @@ TEST_F(MapCheck, Faces) {
   expect<hsp::MapLoop>(map().loops, MapInvariant::faces, [](hsp::MapLoop &l) { l.next_of_face = l.next_of_face == 0; });
 }
 
+// Faces with other numbers, though all else follows them.
+TEST_F(MapCheck, FacesOfOneOwnerFollowEachOther) {
+  const uint32_t n = map().faces.size();
+  const auto exchange = [&](uint32_t f, uint32_t g) {
+    std::swap(map().faces[f], map().faces[g]);
+    for (hsp::MapLoop &loop : map().loops.items()) loop.face = loop.face == f ? g : loop.face == g ? f : loop.face;
+  };
+  uint32_t noticed = 0;
+  for (uint32_t f = 1; f + 1 < n; ++f) {
+    const bool alike = map().faces[f].owner == map().faces[f + 1].owner;
+    exchange(f, f + 1);
+    EXPECT_EQ(violated(), alike ? MapInvariant::none : MapInvariant::faces) << f;
+    noticed += alike ? 0 : 1;
+    exchange(f, f + 1);
+  }
+  EXPECT_GT(noticed, 10U);
+  EXPECT_EQ(violated(), MapInvariant::none);
+}
+
 TEST_F(MapCheck, Euler) {
   ++map().components;
   EXPECT_EQ(violated(), MapInvariant::euler);
