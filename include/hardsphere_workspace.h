@@ -31,7 +31,8 @@ typedef struct hsp_workspace {
   hsp_view *view;                      /**< NULL before hsp_workspace_view */
   hsp_surface *surface;                /**< NULL before hsp_workspace_surface */
   hsp_mesh *mesh;                      /**< NULL before hsp_workspace_mesh */
-  void *memory[6];                     /**< of the six handles */
+  hsp_map *map;                        /**< NULL before hsp_workspace_map */
+  void *memory[7];                     /**< of the seven handles */
   uint32_t most_balls;                 /**< what the model has room for */
   uint32_t reserved;                   /**< 0 */
   hsp_boundary_limits boundary_limits; /**< what the boundary has room for */
@@ -39,6 +40,7 @@ typedef struct hsp_workspace {
   hsp_view_limits view_limits;         /**< what the view has room for */
   hsp_surface_limits surface_limits;   /**< what the surface has room for */
   hsp_mesh_limits mesh_limits;         /**< what the mesh has room for */
+  hsp_map_limits map_limits;           /**< what the map has room for */
 } hsp_workspace;
 
 /* Memory of another size, without its contents. */
@@ -98,8 +100,17 @@ static inline int32_t hsp_workspace_make_mesh(hsp_workspace *work) {
   return status;
 }
 
-/** Take n balls into the model; arguments and statuses as hsp_model_set. Boundary, topology, view, surface and mesh
- *  hold no results then. */
+static inline int32_t hsp_workspace_make_map(hsp_workspace *work) {
+  size_t bytes = 0;
+  int32_t status = hsp_map_bytes(&work->map_limits, &bytes);
+  work->map = NULL;
+  if (status == HSP_OK) status = hsp_workspace_allocate(&work->memory[6], bytes);
+  if (status == HSP_OK) status = hsp_map_init(work->memory[6], bytes, &work->map_limits, &work->map);
+  return status;
+}
+
+/** Take n balls into the model; arguments and statuses as hsp_model_set. Boundary, topology, view, surface, mesh and
+ *  map hold no results then. */
 static inline int32_t hsp_workspace_set(hsp_workspace *work, uint32_t n, const double *xyz, const double *radius,
                                         const hsp_model_options *options, uint32_t *first_bad) {
   if (work->model == NULL || n > work->most_balls) {
@@ -114,6 +125,7 @@ static inline int32_t hsp_workspace_set(hsp_workspace *work, uint32_t n, const d
     if (status == HSP_OK && work->view != NULL) status = hsp_workspace_make_view(work);
     if (status == HSP_OK && work->surface != NULL) status = hsp_workspace_make_surface(work);
     if (status == HSP_OK && work->mesh != NULL) status = hsp_workspace_make_mesh(work);
+    if (status == HSP_OK && work->map != NULL) status = hsp_workspace_make_map(work);
     if (status == HSP_OK) status = hsp_workspace_allocate(&work->memory[0], bytes);
     if (status == HSP_OK) status = hsp_model_init(work->memory[0], bytes, n, &work->model);
     if (status != HSP_OK) return status;
@@ -185,6 +197,25 @@ static inline int32_t hsp_workspace_view(hsp_workspace *work, int use_boundary, 
   return status;
 }
 
+/** Compute the visibility map of the model. options as for hsp_map_compute. */
+static inline int32_t hsp_workspace_map(hsp_workspace *work, const hsp_view_options *options) {
+  int32_t status = HSP_OK;
+  if (work->map == NULL) {
+    if (work->map_limits.struct_size == 0) {
+      status = hsp_map_limits_init(&work->map_limits, sizeof work->map_limits, work->most_balls);
+    }
+    if (status == HSP_OK) status = hsp_workspace_make_map(work);
+    if (status != HSP_OK) return status;
+  }
+  hsp_map_limits limits = work->map_limits;
+  while ((status = hsp_map_compute(work->map, work->model, options, &limits)) == HSP_E_CAPACITY) {
+    work->map_limits = limits;
+    status = hsp_workspace_make_map(work);
+    if (status != HSP_OK) return status;
+  }
+  return status;
+}
+
 /** Compute the solvent-excluded surface of shells [count] of the boundary that hsp_workspace_boundary has computed; of
  *  all of it if shells is NULL. */
 static inline int32_t hsp_workspace_surface_of(hsp_workspace *work, const uint32_t *shells, uint32_t count) {
@@ -251,7 +282,7 @@ static inline int32_t hsp_workspace_mesh(hsp_workspace *work, int use_surface, d
 
 /** Give all memory back; the workspace is as at first. */
 static inline void hsp_workspace_free(hsp_workspace *work) {
-  for (int i = 0; i < 6; ++i) free(work->memory[i]);
+  for (int i = 0; i < 7; ++i) free(work->memory[i]);
   memset(work, 0, sizeof *work);
 }
 

@@ -30,13 +30,15 @@ module hardsphere_workspace
     type(c_ptr) :: view = c_null_ptr
     type(c_ptr) :: surface = c_null_ptr
     type(c_ptr) :: mesh = c_null_ptr
+    type(c_ptr) :: map = c_null_ptr
     integer(c_int32_t), private :: most_balls = 0
-    type(memory_block), private :: memory(6)
+    type(memory_block), private :: memory(7)
     type(hsp_boundary_limits), private :: boundary_limits
     type(hsp_topology_limits), private :: topology_limits
     type(hsp_view_limits), private :: view_limits
     type(hsp_surface_limits), private :: surface_limits
     type(hsp_mesh_limits), private :: mesh_limits
+    type(hsp_map_limits), private :: map_limits
   contains
     procedure :: set => set_balls
     procedure :: compute_boundary
@@ -44,21 +46,23 @@ module hardsphere_workspace
     procedure :: compute_view
     procedure :: compute_surface
     procedure :: compute_mesh
+    procedure :: compute_map
     procedure, private :: make_boundary
     procedure, private :: make_topology
     procedure, private :: make_view
     procedure, private :: make_surface
     procedure, private :: make_mesh
     procedure, private :: raise_mesh_limits
+    procedure, private :: make_map
   end type
 
-  private :: set_balls, compute_boundary, compute_topology, compute_view, compute_surface, compute_mesh, make_boundary, &
-    make_topology, make_view, make_surface, make_mesh, raise_mesh_limits, allocated_to
+  private :: set_balls, compute_boundary, compute_topology, compute_view, compute_surface, compute_mesh, compute_map, &
+    make_boundary, make_topology, make_view, make_surface, make_mesh, raise_mesh_limits, make_map, allocated_to
 
 contains
 
-  ! Takes n balls into the model; arguments and statuses as hsp_model_set. Boundary, topology, view, surface and mesh hold
-  ! no results then.
+  ! Takes n balls into the model; arguments and statuses as hsp_model_set. Boundary, topology, view, surface, mesh and map
+  ! hold no results then.
   function set_balls(self, n, xyz, radius, options, first_bad) result(status)
     class(hsp_workspace), intent(inout), target :: self
     integer(c_int32_t), intent(in) :: n
@@ -78,6 +82,7 @@ contains
       if (status == HSP_OK .and. c_associated(self%view)) status = self%make_view()
       if (status == HSP_OK .and. c_associated(self%surface)) status = self%make_surface()
       if (status == HSP_OK .and. c_associated(self%mesh)) status = self%make_mesh()
+      if (status == HSP_OK .and. c_associated(self%map)) status = self%make_map()
       if (status == HSP_OK) status = allocated_to(self%memory(1), bytes)
       if (status == HSP_OK) status = hsp_model_init(c_loc(self%memory(1)%bytes), bytes, n, self%model)
       if (status /= HSP_OK) return
@@ -211,6 +216,27 @@ contains
     end do
   end function
 
+  ! Computes the visibility map of the model; options as for hsp_map_compute.
+  function compute_map(self, options) result(status)
+    class(hsp_workspace), intent(inout), target :: self
+    type(hsp_view_options), intent(in), optional :: options
+    type(hsp_map_limits) :: limits
+    integer(c_int32_t) :: status
+    if (.not. c_associated(self%map)) then
+      status = hsp_map_limits_init(self%map_limits, int(c_sizeof(limits), c_int32_t), self%most_balls)
+      if (status == HSP_OK) status = self%make_map()
+      if (status /= HSP_OK) return
+    end if
+    limits = self%map_limits
+    do
+      status = hsp_map_compute(self%map, self%model, options, limits)
+      if (status /= HSP_E_CAPACITY) return
+      self%map_limits = limits
+      status = self%make_map()
+      if (status /= HSP_OK) return
+    end do
+  end function
+
   ! Limits of the mesh that suffice for edges of this length, too.
   function raise_mesh_limits(self, edge, smooth) result(status)
     class(hsp_workspace), intent(inout), target :: self
@@ -281,6 +307,16 @@ contains
     status = hsp_mesh_bytes(self%mesh_limits, bytes)
     if (status == HSP_OK) status = allocated_to(self%memory(6), bytes)
     if (status == HSP_OK) status = hsp_mesh_init(c_loc(self%memory(6)%bytes), bytes, self%mesh_limits, self%mesh)
+  end function
+
+  function make_map(self) result(status)
+    class(hsp_workspace), intent(inout), target :: self
+    integer(c_int32_t) :: status
+    integer(c_size_t) :: bytes
+    self%map = c_null_ptr
+    status = hsp_map_bytes(self%map_limits, bytes)
+    if (status == HSP_OK) status = allocated_to(self%memory(7), bytes)
+    if (status == HSP_OK) status = hsp_map_init(c_loc(self%memory(7)%bytes), bytes, self%map_limits, self%map)
   end function
 
   ! Memory of another size, without its contents.

@@ -25,6 +25,7 @@ contains
     call expect(work%compute_surface(), HSP_E_STATE, 'no boundary for a surface')
     call expect(work%compute_view(), HSP_E_ARGUMENT, 'no model to be seen')
     call expect(work%compute_mesh(1.0_c_double), HSP_E_STATE, 'no boundary for triangles')
+    call expect(work%compute_map(), HSP_E_ARGUMENT, 'no model for a map')
   end subroutine
 
   ! n unit balls in a row at distance 1: each inner one loses two caps of height 1/2, and what is left is symmetric.
@@ -35,6 +36,7 @@ contains
     type(hsp_energy) :: energy
     type(hsp_topology_counts) :: counts
     type(hsp_view_info) :: info
+    type(hsp_map_info) :: seen
     type(hsp_surface_totals) :: surface, shares(n)
     type(hsp_surface_counts) :: patches
     type(hsp_surface_map_counts) :: map
@@ -102,6 +104,10 @@ contains
     call expect(work%compute_view(use_boundary=.true.), HSP_OK, 'view of the boundary')
     call expect(hsp_view_get_info(work%view, info), HSP_OK, 'its figures')
     call check(info%pieces == n, 'every ball of the row is seen')
+    call expect(work%compute_map(), HSP_OK, 'map')
+    call expect(hsp_map_get_info(work%map, seen), HSP_OK, 'its figures')
+    call check(seen%balls == n .and. seen%faces == n + 1 .and. seen%components == 1, 'each in one face')
+    call check(near(seen%area, pi + (n - 1)*(pi/3 + sqrt(0.75_c_double))), 'discs at distance 1')
   end subroutine
 
   subroutine refused()

@@ -56,6 +56,7 @@ static void failed_set_behind_results(void) {
   const four_handles h = four_handles_make(BALLS);
   four_handles_compute(&h);
   CHECK_EQUAL(hsp_model_set(h.model, BALLS, four_xyz, bad_radius, NULL, NULL), HSP_E_NEGATIVE);
+  check_status(contents_of_map(h.map), HSP_E_STATE);
   check_status(contents_of_boundary(h.boundary), HSP_E_STATE);
   check_status(contents_of_topology(h.topology), HSP_E_STATE);
   check_status(contents_of_view(h.view), HSP_E_STATE);
@@ -275,12 +276,50 @@ static void failed_mesh(void) {
   check_scene("%s", "");
 }
 
+/* Every way in which a map is refused. */
+static void failed_map(void) {
+  const four_handles h = four_handles_make(FEW);
+  hsp_model *other = NULL;
+  contents one;
+  int refusal, too_small;
+  check_status(contents_of_map(h.map), HSP_E_STATE);
+  CHECK_EQUAL(hsp_model_init(other_memory, SIZE, BALLS, &other), HSP_OK);
+  CHECK_EQUAL(hsp_model_set(other, FEW, four_xyz, four_radius, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_map_compute(h.map, other, NULL, NULL), HSP_OK);
+  one = contents_of_map(h.map);
+  check_status(one, HSP_OK);
+  four_handles_set(&h, BALLS);
+  for (too_small = 0; too_small < 2; ++too_small) {
+    static const int32_t expected[] = {HSP_E_ARGUMENT, HSP_E_ARGUMENT,   HSP_E_ARGUMENT,
+                                       HSP_E_ARGUMENT, HSP_E_NOT_FINITE, HSP_E_NOT_FINITE};
+    for (refusal = 0; refusal < 6; ++refusal) {
+      hsp_view_options options;
+      check_scene("refusal %d of a map, too small before: %d", refusal, too_small);
+      CHECK_EQUAL(hsp_map_compute(h.map, too_small ? h.model : other, NULL, NULL), too_small ? HSP_E_CAPACITY : HSP_OK);
+      check_status(contents_of_map(h.map), too_small ? HSP_E_STATE : HSP_OK);
+      CHECK_EQUAL(hsp_view_options_init(&options, (uint32_t)sizeof options), HSP_OK);
+      if (refusal == 1) options.struct_size = 0;
+      if (refusal == 2) options.pieces = 2;
+      if (refusal == 3) options.reserved = 1;
+      if (refusal == 4) options.towards[1] = NAN;
+      if (refusal == 5) options.up[2] = INFINITY;
+      CHECK_EQUAL(hsp_map_compute(h.map, refusal == 0 ? NULL : other, &options, NULL), expected[refusal]);
+      check_status(contents_of_map(h.map), HSP_E_STATE);
+      CHECK_EQUAL(hsp_map_next(h.map, 0), HSP_NONE);
+    }
+  }
+  CHECK_EQUAL(hsp_map_compute(h.map, other, NULL, NULL), HSP_OK);
+  check_same_contents(&one, contents_of_map(h.map));
+  check_scene("%s", "");
+}
+
 int main(void) {
   failed_set();
   failed_set_behind_results();
   failed_boundary();
   failed_topology();
   failed_view();
+  failed_map();
   failed_surface();
   failed_mesh();
   return check_report();

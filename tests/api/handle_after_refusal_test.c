@@ -18,6 +18,7 @@ static void refused_of_model(void) {
   model_contents before, after;
   uint32_t ids[BALLS], first[BALLS + 1], count;
   int32_t meets;
+  hsp_ray_hit hit;
   four_handles_set(&h, BALLS);
   before = contents_of_model(h.model);
   CHECK_EQUAL(before.hit_count, 3);
@@ -35,6 +36,7 @@ static void refused_of_model(void) {
   CHECK_EQUAL(hsp_query_neighbours(h.model, BALLS, ids, BALLS, &count), HSP_E_ID);
   CHECK_EQUAL(hsp_query_pairs(h.model, 2, first, ids, BALLS, &count), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_query_pairs(h.model, 0, first, ids, 1, &count), HSP_E_CAPACITY);
+  CHECK_EQUAL(hsp_query_ray(h.model, far_away, four_inside, &hit), HSP_E_RANGE);
   CHECK_EQUAL(hsp_boundary_compute(NULL, h.model, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_view_compute(NULL, h.model, NULL, NULL, NULL), HSP_E_ARGUMENT);
   after = contents_of_model(h.model);
@@ -220,11 +222,47 @@ static void refused_of_mesh(void) {
   check_same_contents(&before, contents_of_mesh(f.mesh));
 }
 
+static void refused_of_map(void) {
+  const four_handles h = four_handles_make(BALLS);
+  hsp_map_limits limits = four_map_limits(BALLS);
+  hsp_map *made = NULL;
+  contents before;
+  hsp_map_vertex vertex;
+  hsp_map_edge edge;
+  hsp_map_face face;
+  hsp_map_sight sight;
+  hsp_map_point point;
+  hsp_map_pole pole;
+  double area[BALLS];
+  uint32_t invariant, id, loop, count;
+  four_handles_compute(&h);
+  before = contents_of_map(h.map);
+  CHECK_EQUAL(hsp_map_init(h.map_memory, 10, &limits, &made), HSP_E_MEMORY);
+  limits.edges = HSP_NONE;
+  CHECK_EQUAL(hsp_map_init(h.map_memory, SIZE, &limits, &made), HSP_E_RANGE);
+  CHECK_EQUAL(hsp_map_init(h.map_memory, SIZE, NULL, &made), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_map_get_info(h.map, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_map_get_vertices(h.map, HSP_NONE, 1, &vertex), HSP_E_ID);
+  CHECK_EQUAL(hsp_map_get_edges(h.map, 0, HSP_NONE, &edge), HSP_E_ID);
+  CHECK_EQUAL(hsp_map_get_faces(h.map, 1, HSP_NONE, &face), HSP_E_ID);
+  CHECK_EQUAL(hsp_map_get_areas(h.map, area, BALLS - 1, &count), HSP_E_CAPACITY);
+  CHECK_EQUAL(hsp_map_get_outline(h.map, BALLS, &loop, 1, &count), HSP_E_ID);
+  CHECK_EQUAL(hsp_map_get_outline(h.map, 0, NULL, 0, &count), HSP_E_CAPACITY);
+  CHECK_EQUAL(hsp_map_pick(h.map, NAN, 0, &sight), HSP_E_NOT_FINITE);
+  CHECK_EQUAL(hsp_map_get_point(h.map, HSP_NONE, 0, &point), HSP_E_ID);
+  CHECK_EQUAL(hsp_map_get_point(h.map, 0, 1000, &point), HSP_E_RANGE);
+  CHECK_EQUAL(hsp_map_get_pole(h.map, 0, &pole), HSP_E_ID);
+  CHECK_EQUAL(hsp_map_check(h.map, NULL, &id), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_map_check(h.map, &invariant, NULL), HSP_E_ARGUMENT);
+  check_same_contents(&before, contents_of_map(h.map));
+}
+
 int main(void) {
   refused_of_model();
   refused_of_boundary();
   refused_of_topology();
   refused_of_view();
+  refused_of_map();
   refused_of_surface();
   refused_of_mesh();
   return check_report();

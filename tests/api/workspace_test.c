@@ -16,6 +16,7 @@ static int32_t compute_all(hsp_workspace *work, const ball_set *set) {
   if (status == HSP_OK) status = hsp_workspace_topology(work);
   if (status == HSP_OK) status = hsp_workspace_view(work, 1, NULL);
   if (status == HSP_OK) status = hsp_workspace_surface(work);
+  if (status == HSP_OK) status = hsp_workspace_map(work, NULL);
   return status;
 }
 
@@ -50,6 +51,8 @@ static void check_results(hsp_workspace *work, const ball_set *set) {
   hsp_view_info view;
   hsp_totals totals, expected;
   hsp_surface_totals surface; /* without a probe it is the boundary */
+  hsp_map_info map;
+  uint32_t invariant, id;
   CHECK_EQUAL(computed_make(set->n, set->xyz, set->radius, NULL, &c), HSP_OK);
   CHECK_EQUAL(hsp_boundary_get_counts(work->boundary, &counts), HSP_OK);
   CHECK_BYTES(&counts, &c.counts, sizeof counts);
@@ -61,6 +64,9 @@ static void check_results(hsp_workspace *work, const ball_set *set) {
   CHECK_EQUAL(topology.shells, counts.shells);
   CHECK_EQUAL(hsp_surface_measure(work->surface, &surface, NULL, 0, NULL), HSP_OK);
   CHECK_NEAR(surface.area, expected.area, 1e-12 * (1.0 + expected.area));
+  CHECK_EQUAL(hsp_map_get_info(work->map, &map), HSP_OK);
+  CHECK_EQUAL(map.vertices + map.faces, 1 + map.components + map.edges);
+  CHECK_EQUAL(hsp_map_check(work->map, &invariant, &id), HSP_OK);
   CHECK_EQUAL(hsp_view_get_info(work->view, &view), HSP_OK);
   CHECK_EQUAL(view.kind, HSP_PIECES_OUTSIDE_FARTHER);
   if (set->n <= 30) check_mesh(work, &c);
@@ -81,7 +87,7 @@ static void set_after_set(void) {
   }
   hsp_workspace_free(&work);
   CHECK(work.model == NULL && work.boundary == NULL && work.topology == NULL && work.view == NULL &&
-        work.surface == NULL && work.mesh == NULL);
+        work.surface == NULL && work.mesh == NULL && work.map == NULL);
   check_scene("after it was freed");
   CHECK_EQUAL(compute_all(&work, &set), HSP_OK);
   check_results(&work, &set);
@@ -96,6 +102,7 @@ static void out_of_date(void) {
   hsp_topology_counts topology;
   hsp_view_info view;
   hsp_mesh_counts mesh;
+  hsp_map_info map;
   uint32_t i;
   ball_set_start(&few, "a ball", 1e-8);
   ball_set_add(&few, 0, 0, 0, 1);
@@ -107,6 +114,7 @@ static void out_of_date(void) {
   CHECK_EQUAL(hsp_workspace_view(&work, 0, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_workspace_mesh(&work, 0, 1), HSP_E_STATE);
   CHECK_EQUAL(hsp_workspace_mesh(&work, 1, 1), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_workspace_map(&work, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_workspace_set(&work, 0, NULL, NULL, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_workspace_boundary(&work), HSP_OK);
   for (i = 0; i < 4; ++i) {
@@ -121,6 +129,7 @@ static void out_of_date(void) {
     CHECK_EQUAL(hsp_view_get_info(work.view, &view), HSP_E_STATE);
     CHECK_EQUAL(hsp_mesh_get_counts(work.mesh, &mesh), HSP_E_STATE);
     CHECK_EQUAL(hsp_workspace_mesh(&work, 0, 2), HSP_E_STATE);
+    CHECK_EQUAL(hsp_map_get_info(work.map, &map), HSP_E_STATE);
     CHECK_EQUAL(hsp_workspace_topology(&work), HSP_E_STATE);
   }
   check_scene("a refused set");

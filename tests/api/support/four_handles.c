@@ -8,7 +8,7 @@ const double four_xyz[3 * BALLS] = {0, 0, 0, 2, 0, 0, 1, 1.5, 0, 9, 0, 0};
 const double four_radius[BALLS] = {1.5, 1.5, 1.25, 1};
 const double four_inside[3] = {1, 0.5, 0};
 
-static unsigned char memory[4][SIZE];
+static unsigned char memory[5][SIZE];
 static unsigned char fifth_memory[2][FIFTH_SIZE];
 
 hsp_boundary_limits four_boundary_limits(uint32_t balls) {
@@ -52,19 +52,27 @@ fifth_handles fifth_handles_make(uint32_t balls) {
   return h;
 }
 
+hsp_map_limits four_map_limits(uint32_t balls) {
+  const hsp_map_limits limits = {(uint32_t)sizeof limits, balls, balls, balls == BALLS ? EDGES : 1};
+  return limits;
+}
+
 four_handles four_handles_make(uint32_t balls) {
   const hsp_boundary_limits of_boundary = four_boundary_limits(BALLS);
   const hsp_topology_limits of_topology = four_topology_limits(balls);
   const hsp_view_limits of_view = four_view_limits(balls);
+  const hsp_map_limits of_map = four_map_limits(balls);
   four_handles h;
   h.model_memory = memory[0];
   h.boundary_memory = memory[1];
   h.topology_memory = memory[2];
   h.view_memory = memory[3];
+  h.map_memory = memory[4];
   CHECK_EQUAL(hsp_model_init(h.model_memory, SIZE, BALLS, &h.model), HSP_OK);
   CHECK_EQUAL(hsp_boundary_init(h.boundary_memory, SIZE, &of_boundary, &h.boundary), HSP_OK);
   CHECK_EQUAL(hsp_topology_init(h.topology_memory, SIZE, &of_topology, &h.topology), HSP_OK);
   CHECK_EQUAL(hsp_view_init(h.view_memory, SIZE, &of_view, &h.view), HSP_OK);
+  CHECK_EQUAL(hsp_map_init(h.map_memory, SIZE, &of_map, &h.map), HSP_OK);
   return h;
 }
 
@@ -77,9 +85,11 @@ void four_handles_compute(const four_handles *h) {
   CHECK_EQUAL(hsp_boundary_compute(h->boundary, h->model, NULL), HSP_OK);
   CHECK_EQUAL(hsp_topology_compute(h->topology, h->boundary, NULL), HSP_OK);
   CHECK_EQUAL(hsp_view_compute(h->view, h->model, NULL, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_map_compute(h->map, h->model, NULL, NULL), HSP_OK);
   check_status(contents_of_boundary(h->boundary), HSP_OK);
   check_status(contents_of_topology(h->topology), HSP_OK);
   check_status(contents_of_view(h->view), HSP_OK);
+  check_status(contents_of_map(h->map), HSP_OK);
 }
 
 model_contents contents_of_model(const hsp_model *model) {
@@ -131,6 +141,14 @@ contents contents_of_mesh(const hsp_mesh *mesh) {
   memset(&read, 0, sizeof read);
   read.status = hsp_mesh_get_counts(mesh, &read.counts.mesh);
   CHECK_EQUAL(hsp_mesh_get_vertices(mesh, read.records.points[0], NULL, NULL, NULL, POINTS, NULL), read.status);
+  return read;
+}
+
+contents contents_of_map(const hsp_map *map) {
+  contents read;
+  memset(&read, 0, sizeof read);
+  read.status = hsp_map_get_info(map, &read.counts.map);
+  CHECK_EQUAL(hsp_map_get_edges(map, 0, read.counts.map.edges, read.records.map_edges), read.status);
   return read;
 }
 

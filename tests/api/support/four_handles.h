@@ -16,13 +16,15 @@ typedef struct four_handles {
   hsp_boundary *boundary;
   hsp_topology *topology;
   hsp_view *view;
-  void *model_memory, *boundary_memory, *topology_memory, *view_memory;
+  hsp_map *map;
+  void *model_memory, *boundary_memory, *topology_memory, *view_memory, *map_memory;
 } four_handles;
 
 /* Limits that suffice for all balls, or for so few of them. */
 hsp_boundary_limits four_boundary_limits(uint32_t balls);
 hsp_topology_limits four_topology_limits(uint32_t balls);
 hsp_view_limits four_view_limits(uint32_t balls);
+hsp_map_limits four_map_limits(uint32_t balls);
 
 /* Empty handles: model and boundary have room for all balls, the others for so many. Always in the same memory. */
 four_handles four_handles_make(uint32_t balls);
@@ -60,6 +62,7 @@ typedef struct contents {
     hsp_boundary_counts boundary;
     hsp_topology_counts topology;
     hsp_view_info view;
+    hsp_map_info map;
     hsp_surface_map_counts surface;
     hsp_mesh_counts mesh;
   } counts;
@@ -67,6 +70,7 @@ typedef struct contents {
     hsp_vertex vertices[VERTICES];
     hsp_topology_edge edges[EDGES];
     hsp_view_arc arcs[ARCS];
+    hsp_map_edge map_edges[EDGES];
     hsp_surface_edge surface_edges[EDGES];
     double points[POINTS][3];
   } records;
@@ -76,6 +80,7 @@ typedef struct contents {
 contents contents_of_boundary(const hsp_boundary *boundary);
 contents contents_of_topology(const hsp_topology *topology);
 contents contents_of_view(const hsp_view *view);
+contents contents_of_map(const hsp_map *map);
 contents contents_of_surface(const hsp_surface *surface);
 contents contents_of_mesh(const hsp_mesh *mesh);
 

@@ -206,6 +206,48 @@ static uint64_t mesh_hash(const void *mesh, const void *source, unsigned char *b
   return bad ? 0 : hash;
 }
 
+/* With questions to it. */
+static uint64_t map_hash(const void *map, const void *source, unsigned char *buffer, uint32_t room) {
+  uint64_t hash = UINT64_C(0xCBF29CE484222325);
+  hsp_map_info info;
+  uint32_t needed = 0, id;
+  int bad = 0;
+  (void)source;
+  if (hsp_map_get_info(map, &info) != HSP_OK) return 0;
+  hash = mixed_hash(hash, &info, sizeof info);
+  bad |= hsp_map_get_vertices(map, 0, info.vertices, (void *)buffer) != HSP_OK;
+  hash = mixed_hash(hash, buffer, info.vertices * sizeof(hsp_map_vertex));
+  bad |= hsp_map_get_edges(map, 0, info.edges, (void *)buffer) != HSP_OK;
+  hash = mixed_hash(hash, buffer, info.edges * sizeof(hsp_map_edge));
+  bad |= hsp_map_get_faces(map, 0, info.faces, (void *)buffer) != HSP_OK;
+  hash = mixed_hash(hash, buffer, info.faces * sizeof(hsp_map_face));
+  bad |= hsp_map_get_areas(map, (void *)buffer, room, &needed) != HSP_OK;
+  hash = mixed_hash(hash, buffer, needed * sizeof(double));
+  if (needed > 0) {
+    bad |= hsp_map_get_outline(map, 0, (void *)buffer, room, &needed) != HSP_OK;
+    hash = mixed_hash(hash, buffer, needed * sizeof(uint32_t));
+  }
+  for (id = 0; id < 2 * info.edges; id += 3) {
+    hsp_map_point point;
+    uint32_t steps[2];
+    steps[0] = hsp_map_previous(map, id);
+    steps[1] = hsp_map_next_loop(map, id);
+    hash = mixed_hash(hash, steps, sizeof steps);
+    bad |= hsp_map_get_edges(map, id / 2, 1, (void *)buffer) != HSP_OK;
+    bad |= hsp_map_get_point(map, id / 2, ((hsp_map_edge *)(void *)buffer)->to, &point) != HSP_OK;
+    hash = mixed_hash(hash, &point, sizeof point);
+  }
+  for (id = 1; id < info.faces; id += 1 + info.faces / 8) {
+    hsp_map_pole pole;
+    hsp_map_sight sight;
+    bad |= hsp_map_get_pole(map, id, &pole) != HSP_OK;
+    hash = mixed_hash(hash, &pole, sizeof pole);
+    bad |= hsp_map_pick(map, pole.centre[0], pole.centre[1], &sight) != HSP_OK;
+    hash = mixed_hash(hash, &sight, sizeof sight);
+  }
+  return bad ? 0 : hash;
+}
+
 /* ---- what uses scratch memory; 0 if a call fails ---- */
 
 static int use_boundary(void *boundary) {
@@ -242,13 +284,19 @@ static int use_mesh(void *mesh) {
   return hsp_mesh_get_counts(mesh, &counts) == HSP_OK;
 }
 
+static int use_map(void *map) {
+  uint32_t invariant, id;
+  return hsp_map_check(map, &invariant, &id) == HSP_OK;
+}
+
 /* ---- a computation of any kind ---- */
 
 const kind_of_life kinds_of_life[KINDS] = {{&boundary_handle, "a boundary", boundary_hash, use_boundary},
                                            {&topology_handle, "a topology", topology_hash, use_topology},
                                            {&view_handle, "a view", view_hash, use_view},
                                            {&surface_handle, "a surface", surface_hash, use_surface},
-                                           {&mesh_handle, "a mesh", mesh_hash, use_mesh}};
+                                           {&mesh_handle, "a mesh", mesh_hash, use_mesh},
+                                           {&map_handle, "a map", map_hash, use_map}};
 
 /* A probe half as large as the largest ball, and triangles as large as that ball. Where joints are open or borders
  * touch in a point there are no triangles. */
@@ -283,10 +331,13 @@ int computations_make(const ball_set *set, const hsp_view_options *options, comp
   all->room += all->topology.counts.edges + all->topology.counts.shells + all->topology.counts.cells;
   if (!CHECK_EQUAL(view_result_make(c, options, 1, &all->view), HSP_OK)) return 0;
   all->room += all->view.info.arcs;
+  if (!CHECK_EQUAL(map_result_make(c, options, &all->map), HSP_OK)) return 0;
+  all->room += all->map.info.edges + all->map.info.faces;
   return make_surface(set, all);
 }
 
 void computations_release(computations *all) {
+  map_result_release(&all->map);
   mesh_result_release(&all->mesh);
   surface_result_release(&all->surface);
   computed_release(&all->rolled);
@@ -296,19 +347,19 @@ void computations_release(computations *all) {
 }
 
 const void *source_of(const computations *all, int kind) {
-  const void *const sources[KINDS] = {&all->boundary, &all->topology, &all->view, &all->surface, &all->mesh};
+  const void *const sources[KINDS] = {&all->boundary, &all->topology, &all->view, &all->surface, &all->mesh, &all->map};
   return sources[kind];
 }
 
 void *handle_of(const computations *all, int kind) {
-  void *const handles[KINDS] = {all->boundary.boundary, all->topology.topology, all->view.view, all->surface.surface,
-                                all->mesh.mesh};
+  void *const handles[KINDS] = {all->boundary.boundary, all->topology.topology, all->view.view,
+                                all->surface.surface,   all->mesh.mesh,         all->map.map};
   return handles[kind];
 }
 
 limit_numbers limits_of(const computations *all, int kind) {
   const void *const needed[KINDS] = {&all->boundary.needed, &all->topology.needed, &all->view.needed,
-                                     &all->surface.needed, &all->mesh.needed};
+                                     &all->surface.needed,  &all->mesh.needed,     &all->map.needed};
   limit_numbers limits;
   memset(&limits, 0, sizeof limits);
   memcpy(&limits, needed[kind], kinds_of_life[kind].kind->struct_size);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ball_sets.h"
+#include "map_result.h"
 #include "mesh_result.h"
 #include "topology_result.h"
 #include "view_result.h"
@@ -15,7 +16,7 @@ typedef struct kind_of_life {
   /* Calls what uses scratch memory; 0 if a call fails. */
   int (*use)(void *handle);
 } kind_of_life;
-enum { BOUNDARY, TOPOLOGY, VIEW, SURFACE, MESH, KINDS };
+enum { BOUNDARY, TOPOLOGY, VIEW, SURFACE, MESH, MAP, KINDS };
 extern const kind_of_life kinds_of_life[KINDS];
 
 /* FNV-1a, goes on from a hash. */
@@ -26,13 +27,14 @@ typedef struct computations {
   computed boundary;
   topology_result topology;
   view_result view;
+  map_result map;
   computed rolled; /* the boundary with a probe */
   surface_result surface;
   mesh_result mesh; /* of the surface; its handle is NULL if there is none */
   uint32_t room;    /* what no number of records exceeds */
 } computations;
 
-/* Computes the boundary of a set, and unless `options` is NULL its topology and that view, the smooth surface and
+/* Computes the boundary of a set, and unless `options` is NULL its topology, that view and map, the smooth surface and
  * triangles of it; false, after a failed check, if a call fails. To be followed by computations_release. */
 int computations_make(const ball_set *set, const hsp_view_options *options, computations *all);
 void computations_release(computations *all);
