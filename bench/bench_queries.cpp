@@ -1,6 +1,6 @@
-// Point and ball queries with van der Waals balls, as users ask them: many distinct centres, so that neither caches nor
-// branch prediction can learn them. "box": uniform in the surrounding box, mostly empty space for long molecules;
-// "atom": within 1 Angstrom of an atom.
+// Point, ball and ray queries with van der Waals balls, as users ask them: many distinct centres, so that neither
+// caches nor branch prediction can learn them. "box": uniform in the surrounding box, mostly empty space for long
+// molecules; "atom": within 1 Angstrom of an atom. Rays go from one of these points towards the next.
 #include "suite.hpp"
 #include "tiling.hpp"
 
@@ -32,6 +32,18 @@ void register_queries(const SubjectRecipe &recipe, const std::string &where, Cen
                   for (auto iteration : state) {
                     static_cast<void>(iteration);
                     hits = query_balls(*subject.model, points, radius);
+                  }
+                  state.counters["queries"] = queries;
+                  state.counters["hits_per_query"] = static_cast<double>(hits) / queries;
+                })
+      ->Unit(benchmark::kMicrosecond);
+  register_case("queries/ray_" + where + '/' + recipe.key, recipe,
+                [centres](benchmark::State &state, Subject &subject) {
+                  const std::vector<double> points = centres(*subject.model, queries + 1);
+                  size_t hits = 0;
+                  for (auto iteration : state) {
+                    static_cast<void>(iteration);
+                    hits = query_rays(*subject.model, points);
                   }
                   state.counters["queries"] = queries;
                   state.counters["hits_per_query"] = static_cast<double>(hits) / queries;

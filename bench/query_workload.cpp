@@ -109,6 +109,19 @@ size_t query_balls(const Model &model, const std::vector<double> &points, double
   return hits;
 }
 
+size_t query_rays(const Model &model, const std::vector<double> &points) {
+  size_t hits = 0;
+  for (size_t i = 0; i + 5 < points.size(); i += 3) {
+    const double *const from = &points[i];
+    const double direction[3] = {from[3] - from[0], from[4] - from[1], from[5] - from[2]};
+    hsp_ray_hit hit{};
+    const int32_t status = hsp_query_ray(model.get(), from, direction, &hit);
+    if (status != HSP_OK) expect_ok(status, "hsp_query_ray");
+    hits += hit.ball != HSP_NONE ? 1 : 0;
+  }
+  return hits;
+}
+
 size_t query_all_neighbours(const Model &model) {
   std::array<uint32_t, most_hits> ids;
   size_t hits = 0;

@@ -24,6 +24,10 @@ std::vector<double> random_points_near_surface(const Model &model, size_t count)
 size_t query_points(const Model &model, const std::vector<double> &points);
 size_t query_balls(const Model &model, const std::vector<double> &points, double radius);
 
+// Ask for the first ball on the ray from each of the points [count][3] towards the next one. Returns how many rays meet
+// one.
+size_t query_rays(const Model &model, const std::vector<double> &points);
+
 // Ask for the neighbours of every ball of the model (Step 1). Returns the number of neighbours listed.
 size_t query_all_neighbours(const Model &model);
 

@@ -98,6 +98,24 @@ void require_answers(const map_result &m, fuzz::Bytes &bytes) {
   FUZZ_REQUIRE(sight.face == HSP_NONE || m.faces[sight.face].ball == sight.ball, "the face of a sight");
 }
 
+// A pole of any face: the middle of a circle in it, and what its ball and face are there.
+void require_pole(const map_result &m, fuzz::Bytes &bytes) {
+  const uint32_t face = bytes.below(m.info.faces + 2);
+  hsp_map_pole pole{};
+  const int32_t status = hsp_map_get_pole(m.map, face, &pole);
+  FUZZ_REQUIRE(status == (face == 0 || face >= m.info.faces ? HSP_E_ID : HSP_OK), "the status of a pole");
+  if (status != HSP_OK) return;
+  FUZZ_REQUIRE(std::isfinite(pole.centre[0]) && std::isfinite(pole.centre[1]), "a pole that is nowhere");
+  FUZZ_REQUIRE(pole.radius >= 0 && pole.bound >= pole.radius && std::isfinite(pole.bound), "the radius of a pole");
+  FUZZ_REQUIRE(3.1415 * pole.radius * pole.radius <= m.faces[face].area * (1 + 1e-6), "a circle larger than its face");
+  hsp_map_sight sight{};
+  FUZZ_REQUIRE(hsp_map_pick(m.map, pole.centre[0], pole.centre[1], &sight) == HSP_OK, "what is seen at a pole");
+  double largest = 0;
+  for (uint32_t i = 0; i < m.base->n; ++i) largest = std::fmax(largest, m.base->radius[i]);
+  // Where faces are wide enough there is no doubt.
+  if (pole.radius > 1e-4 * largest) FUZZ_REQUIRE(sight.face == face, "a pole in another face");
+}
+
 // What has been read can be read again, also after a check, which uses scratch memory.
 void require_unchanged(const map_result &m) {
   uint32_t invariant = 0, id = 0;
@@ -158,5 +176,6 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   require_capacities(reference.get(), bytes);
   fuzz::require_pictures(*reference.get().base, writes(reference.get()), *other.get().base, writes(other.get()), bytes);
   require_unchanged(reference.get());
+  require_pole(reference.get(), bytes);
   return 0;
 }

@@ -1,5 +1,6 @@
 // The queries of Section 3 against all balls one by one, in integers, with arrays of exactly and of less than the size.
 #include <algorithm>
+#include <cmath>
 
 #include "brute_queries.hpp"
 #include "checked_model.hpp"
@@ -63,6 +64,53 @@ Place next_place(fuzz::Bytes &bytes, const fuzz::ScaledBalls &set) {
   return place;
 }
 
+// Towards a ball, along an axis or a diagonal, or anywhere, with numbers of any size.
+Place next_direction(fuzz::Bytes &bytes, const fuzz::ScaledBalls &set, const Place &origin) {
+  Place direction{};
+  if (set.n() > 0 && bytes.one_in(2)) {
+    const Place centre = centre_of(set.balls[bytes.below(set.n())]);
+    for (size_t axis = 0; axis < 3; ++axis) direction[axis] = centre[axis] - origin[axis];
+  } else {
+    for (int64_t &component : direction) component = bytes.below(7) - int64_t{3};
+  }
+  if (bytes.one_in(8)) direction[bytes.below(3)] += int64_t{1} << bytes.below(52);
+  return direction;
+}
+
+// The same first ball, and a point on its sphere or, if that is in a ball, the origin.
+void check_ray(const hsp_model *model, const fuzz::ScaledBalls &set, const oracle::Balls &balls, const Place &origin,
+               const Place &direction) {
+  const double from[3] = {set.length(origin[0]), set.length(origin[1]), set.length(origin[2])};
+  const double along[3] = {static_cast<double>(direction[0]), static_cast<double>(direction[1]),
+                           static_cast<double>(direction[2])};
+  hsp_ray_hit hit{};
+  const int32_t status = hsp_query_ray(model, from, along, &hit);
+  if (direction == Place{}) {
+    FUZZ_REQUIRE(status == HSP_E_RANGE, "a ray without a direction");
+    return;
+  }
+  FUZZ_REQUIRE(status == HSP_OK, "hsp_query_ray");
+  const uint32_t first = oracle::first_on_ray(balls, origin, direction);
+  FUZZ_REQUIRE(hit.ball == (first == oracle::no_ball ? HSP_NONE : first), "the first ball on a ray");
+  if (first == oracle::no_ball) {
+    FUZZ_REQUIRE(std::isinf(hit.distance), "the distance of nothing");
+    return;
+  }
+  const Place centre = centre_of(balls[first]);
+  double squared = 0, size = 0;
+  for (size_t axis = 0; axis < 3; ++axis) {
+    const double difference = hit.xyz[axis] - set.length(centre[axis]);
+    squared += difference * difference;
+    size += std::fabs(hit.xyz[axis]) + std::fabs(from[axis]);
+  }
+  const double radius = set.length(balls[first].radius);
+  const double tolerance = 1e-13 * (size + radius);
+  if (hit.distance == 0.0)
+    FUZZ_REQUIRE(std::sqrt(squared) <= radius + tolerance, "the origin in its ball");
+  else
+    FUZZ_REQUIRE(std::fabs(std::sqrt(squared) - radius) <= tolerance, "a point on the sphere");
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
@@ -94,6 +142,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     int32_t meets = -1;
     FUZZ_REQUIRE(hsp_query_meets(model, xyz, set.length(reach), &meets) == HSP_OK, "hsp_query_meets");
     FUZZ_REQUIRE(meets == (hits.empty() ? 0 : 1), "meets");
+    check_ray(model, set, balls, place, next_direction(bytes, set, place));
   }
   return 0;
 }

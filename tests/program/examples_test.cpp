@@ -220,6 +220,46 @@ TEST(Examples, DockingOfTwoBalls) {
   EXPECT_LE(x * x + y * y + z * z, 6.25);
 }
 
+// A small ball before a large one, and one behind it that is not seen. Of the large one a ring is left, of which the
+// widest place is beyond its middle: 5 - (2.5 - 1) wide, at half that from its rim.
+TEST(Examples, LabelsOfThreeBalls) {
+  const TemporaryFile file("three.xyzr", "0 0 0 5\n2.5 0 20 1\n0 0 -20 3\n");
+  const Outcome outcome = run_example("labels", {file.path()});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::vector<std::string> lines = lines_of(outcome.out);
+  ASSERT_GT(lines.size(), 20u) << outcome.out;
+  // The origin is the middle of the centres: 1.25 0.
+  const std::vector<double> large = numbers_of(lines[1]), small = numbers_of(lines[2]);
+  ASSERT_EQ(large.size(), 5u) << lines[1];
+  ASSERT_EQ(small.size(), 5u) << lines[2];
+  EXPECT_NEAR(large[1], 24 * pi, 1e-6);
+  EXPECT_NEAR(small[1], pi, 1e-6);
+  EXPECT_NEAR(small[2], 1.25, 1e-6);
+  EXPECT_NEAR(small[3], 0, 1e-6);
+  EXPECT_NEAR(small[4], 1, 1e-6);
+  const double widest = 0.5 * (5 + 1.5);
+  EXPECT_LE(large[4], widest);
+  EXPECT_GE(large[4], widest / (1 + 1.0 / 64) - 1e-6);
+  EXPECT_LE(std::hypot(large[2] + 1.25, large[3]), 5 - large[4] + 2e-6);
+  EXPECT_GE(std::hypot(large[2] + 1.25, large[3]), 5 - widest - 0.1);
+  EXPECT_EQ(lines[3], "most is seen of ball 0");
+  EXPECT_EQ(lines[4].substr(0, 3), "rim");
+  size_t on_rim = 0;
+  double x = 0;
+  double y = 0;
+  for (; std::sscanf(lines.at(5 + on_rim).c_str(), "%lf %lf", &x, &y) == 2; ++on_rim) {
+    EXPECT_NEAR(std::hypot(x + 1.25, y), 5, 2e-6);
+  }
+  EXPECT_GT(on_rim, 30u);
+  EXPECT_EQ(lines.at(5 + on_rim).substr(0, 4), "hole");
+  for (size_t i = 6 + on_rim; i < lines.size(); ++i) {
+    ASSERT_EQ(std::sscanf(lines[i].c_str(), "%lf %lf", &x, &y), 2);
+    EXPECT_NEAR(std::hypot(x - 1.25, y), 1, 2e-6);
+  }
+  // From the other side the ball behind is in front.
+  EXPECT_EQ(numbers_of(lines_of(run_example("labels", {file.path(), "0", "0", "-1"}).out).at(2)).at(0), 2);
+}
+
 // Points on a line 1.5 apart: up to a cutoff of 3 each has two later ones, the last two fewer. 3 counts, less does not.
 TEST(Examples, NeighbourListOfARow) {
   std::ostringstream row;
@@ -279,8 +319,13 @@ TEST(Examples, RefuseBadFiles) {
   const TemporaryFile bad("bad.xyzr", "0 0 0 1\n0 0 1\n");
   const std::string good = "good/one.xyzr";
   const std::vector<std::pair<std::string, std::vector<std::string>>> calls = {
-      {"dynamics", {bad.path()}}, {"face_loops", {bad.path()}},    {"neighbour_list", {bad.path(), "3"}},
-      {"threads", {bad.path()}},  {"docking", {good, bad.path()}}, {"turntable", {bad.path(), "no_picture"}}};
+      {"dynamics", {bad.path()}},
+      {"face_loops", {bad.path()}},
+      {"neighbour_list", {bad.path(), "3"}},
+      {"labels", {bad.path()}},
+      {"threads", {bad.path()}},
+      {"docking", {good, bad.path()}},
+      {"turntable", {bad.path(), "no_picture"}}};
   for (const auto &[example, arguments] : calls) {
     const Outcome outcome = run_example(example, arguments);
     EXPECT_EQ(outcome.status, 1) << example;
