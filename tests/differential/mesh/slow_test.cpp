@@ -15,11 +15,11 @@ TEST(Slow, MeshesOfTheBenchMolecules) {
 
 TEST(Slow, MeshesOfFurtherMolecules) {
   int found = 0;
-  for (const char *const name : {"1crn.pdb", "1ubq.pdb", "2sod_dimer_OY.cif", "sod_model_4392.pdb", "4hhb.pdb.gz"}) {
+  for (const char *const name : {"1crn.pdb", "1ubq.pdb", "4hhb.pdb.gz"}) {
     const auto path = support::further_molecule(name);
     if (!path) continue;
     ++found;
-    const support::BallList atoms = molecule_balls(*path);
+    const support::BallList atoms = molecule_balls(*path, support::Records::protein);
     expect_meshes(atoms, 0.0, 0.8);
     for (const double probe : {1.0, 1.4, 3.0}) expect_meshes(atoms, probe, 0.8);
   }
