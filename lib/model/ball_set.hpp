@@ -25,6 +25,13 @@ class BallRounding {
  public:
   // Checks probe, step and all radii, and chooses the lattice. first_bad: the offending ball, or no_id.
   Status prepare(const BallInput &input, uint32_t &first_bad);
+  // Begins to read ball i of the input from memory.
+  void fetch(uint32_t i) const {
+    const double *const xyz = input_.xyz + 3 * static_cast<size_t>(i);
+    __builtin_prefetch(xyz);
+    __builtin_prefetch(xyz + 2);  // which may be in another line
+    __builtin_prefetch(input_.radius + i);
+  }
   // Ball i of the input on the lattice.
   Status round(uint32_t i, exact::LatticeBall &ball) const;
 

@@ -4,6 +4,12 @@
 #include "model/grid_order.hpp"
 
 namespace hsp {
+namespace {
+
+// Balls of a large set are far from each other in the order of the input, and on their way while others are rounded.
+constexpr uint32_t fetched_ahead = 12;
+
+}  // namespace
 
 CubeCoordinates CubeGrid::cube_at(const exact::Vector &point, int64_t side) {
   return CubeAxis(side).cube_at(point);
@@ -66,11 +72,12 @@ Status CubeGrid::build(const BallInput &input, uint32_t &first_bad) {
   balls_.largest_radius = largest;
 
   const CubeAxis axis(side_);
-  const Span<uint32_t> order = grid_order(
-      balls_, axis,
-      {scratch_slots_.part(0, input.n), scratch_slots_.part(input.n, 2 * input.n), grid_index_, first_ball_});
+  const GridOrderScratch scratch{scratch_slots_.part(0, input.n), scratch_slots_.part(input.n, 2 * input.n),
+                                 grid_index_, scratch_links_, first_ball_};
+  const Span<uint32_t> order = grid_order(balls_, axis, scratch);
   table_.clear(input.n);
   for (uint32_t place = 0; place < input.n; ++place) {
+    if (place + fetched_ahead < input.n) rounding.fetch(order[place + fetched_ahead]);
     static_cast<void>(rounding.round(order[place], ball));
     balls_.store(place, ball);
     grid_index_[order[place]] = place;

@@ -32,9 +32,9 @@ class CubeAxis {
   double reciprocal_;
 };
 
-// Scratch memory: an entry per ball in each of the first three, and at least 2 counters, of which up to 2048 are used.
+// Scratch memory: an entry per ball in each but the last, and at least 2 counters, of which up to 2048 are used.
 struct GridOrderScratch {
-  Span<uint32_t> order, other_order, digits, counters;
+  Span<uint32_t> order, other_order, keys, other_keys, counters;
 };
 
 // Returns the numbers of the balls in grid order, in scratch.order or scratch.other_order. O(n) if no more than a

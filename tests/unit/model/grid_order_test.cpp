@@ -49,9 +49,9 @@ void expect_order(std::vector<hsp::exact::LatticeBall> given, int64_t side, uint
   std::sort(expected.begin(), expected.end(), [&](uint32_t a, uint32_t b) {
     return cube(a) != cube(b) ? cube(a) < cube(b) : hsp::exact::ranks_before(given[a], given[b]);
   });
-  std::vector<uint32_t> order(set.n), other_order(set.n), digits(set.n), counters(2 + spare_counters);
-  const hsp::Span<uint32_t> found =
-      hsp::grid_order(set.balls, axis, {span_of(order), span_of(other_order), span_of(digits), span_of(counters)});
+  std::vector<uint32_t> order(set.n), other_order(set.n), keys(set.n), other_keys(set.n), counters(2 + spare_counters);
+  const hsp::Span<uint32_t> found = hsp::grid_order(
+      set.balls, axis, {span_of(order), span_of(other_order), span_of(keys), span_of(other_keys), span_of(counters)});
   EXPECT_EQ(std::vector<uint32_t>(found.begin(), found.end()), expected)
       << set.n << " balls, side " << side << ", " << counters.size() << " counters";
   hsp::grid_order_by_comparing(set.balls, axis, span_of(order));
