@@ -104,7 +104,7 @@ struct DoubleLanes {
 #if defined(__AVX2__)
     if constexpr (n == 4) return reinterpret_cast<Real>(_mm256_sqrt_pd(reinterpret_cast<__m256d>(a)));
 #endif
-    Real root;
+    Real root = a;  // GCC -O1 does not see that every lane is written
     for (uint32_t k = 0; k < n; ++k) root[k] = std::sqrt(a[k]);
     return root;
   }
