@@ -231,27 +231,7 @@ bool SphericalPatch::has_right_cells() {
   for (uint32_t loop = 0; loop < loops_.size(); ++loop) balance_[loops_[loop].face] += 2;
   for (uint32_t k = 0; k < samples_.size(); ++k) balance_[links_[k].face] += is_extra(k) ? 2 : 1;
   for (uint32_t k = 0; k < ears_.size(); ++k) --balance_[ears_[k].face];
-  Span<uint32_t> face_of_point = queue_;
-  for (uint32_t p = 0; p < sphere_.point_count(); ++p) face_of_point[p] = no_id;
-  for (uint32_t t = 0; t < sphere_.triangle_count(); ++t) {
-    const uint32_t face = parts_[t].face;
-    if (face == no_id) continue;
-    --balance_[face];
-    for (uint32_t c = 0; c < 3; ++c) {
-      if (parts_[t].middle[c] != no_id) --balance_[face];
-      const uint32_t p = sphere_.triangle(t).point[c];
-      if (sample_at_[p] == no_id) {
-        if (face_of_point[p] == no_id) balance_[face] += 2;
-        face_of_point[p] = face;
-      } else if (parts_[t].corner[c] == no_id) {
-        return false;
-      }
-    }
-  }
-  for (uint32_t face = 0; face < faces; ++face) {
-    if (balance_[face] != 0) return false;
-  }
-  return true;
+  return has_right_insides(faces);
 }
 
 }  // namespace hsp

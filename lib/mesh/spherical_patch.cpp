@@ -267,6 +267,10 @@ bool SphericalPatch::has_right_numbers() {
     balance += 2;
     for (uint32_t k = loops_[loop].first; k < last_sample(loop); ++k) balance += links_[k].next != no_id ? 1 : 0;
   }
+  return has_right_insides(faces);
+}
+
+bool SphericalPatch::has_right_insides(uint32_t faces) {
   Span<uint32_t> face_of_point = queue_;
   for (uint32_t p = 0; p < sphere_.point_count(); ++p) face_of_point[p] = no_id;
   for (uint32_t t = 0; t < sphere_.triangle_count(); ++t) {
@@ -274,6 +278,7 @@ bool SphericalPatch::has_right_numbers() {
     if (face == no_id) continue;
     --balance_[face];
     for (uint32_t c = 0; c < 3; ++c) {
+      if (parts_[t].middle[c] != no_id) --balance_[face];
       const uint32_t p = sphere_.triangle(t).point[c];
       if (sample_at_[p] == no_id) {
         if (face_of_point[p] == no_id) balance_[face] += 2;

@@ -121,6 +121,8 @@ class SphericalPatch {
   bool spread_faces();
   bool name_corners();
   bool has_right_numbers();
+  // Takes the triangles off the balances of their faces and adds twice the points inside: whether all are 0 then.
+  bool has_right_insides(uint32_t faces);
 
   // Pinched borders: pinched_patch.cpp.
   PatchState triangulate_pinched();
