@@ -1,6 +1,7 @@
 #include "model/cube_grid.hpp"
 
 #include "core/processor.hpp"
+#include "core/small_code.hpp"
 #include "model/grid_order.hpp"
 
 namespace hsp {
@@ -77,7 +78,7 @@ Status CubeGrid::build(const BallInput &input, uint32_t &first_bad) {
   const Span<uint32_t> order = grid_order(balls_, axis, scratch);
   table_.clear(input.n);
   for (uint32_t place = 0; place < input.n; ++place) {
-    if (place + fetched_ahead < input.n) rounding.fetch(order[place + fetched_ahead]);
+    if (!small_code && place + fetched_ahead < input.n) rounding.fetch(order[place + fetched_ahead]);
     static_cast<void>(rounding.round(order[place], ball));
     balls_.store(place, ball);
     grid_index_[order[place]] = place;

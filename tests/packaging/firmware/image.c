@@ -34,6 +34,8 @@ static void query(void) {
   result |= hsp_query_neighbours(model, 0, ids, BALLS, &needed);
   static uint32_t first[BALLS + 1];
   result |= hsp_query_pairs(model, 0, first, ids, BALLS, &needed);
+  hsp_ray_hit hit;
+  result |= hsp_query_ray(model, xyz, xyz + 3, &hit);
 #endif
 }
 #endif
