@@ -1,5 +1,6 @@
 #include "visibility/map_queries.hpp"
 
+#include <cmath>
 #include <limits>
 
 #include "visibility/edge_geometry.hpp"
@@ -26,6 +27,9 @@ MapSight sight_at(const VisibilityMap &map, const DiscGrid &grid, double x, doub
 // A point lies in a face if it is within its outer loop and within none of its holes: of all these an odd number
 // surrounds it from the face's side.
 uint32_t face_at(const VisibilityMap &map, uint32_t ball, double x, double y) {
+  // Beyond all balls there is one face, and differences to such points may overflow.
+  constexpr double beyond = 0x1p53;
+  if (!(std::fabs(x) < beyond && std::fabs(y) < beyond)) return map.first_face_of(no_id);
   uint32_t found = no_id;
   for (uint32_t f = map.first_face_of(ball); f != no_id; f = map.next_face_of(f)) {
     const MapFace &face = map.faces[f];
