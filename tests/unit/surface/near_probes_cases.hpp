@@ -158,7 +158,7 @@ inline uint32_t all_that_cut() {
     return found || !cuts;
   });
   if (bad != all_hold) return bad;
-  return cutting > 500 && 3 * found_in_vain < cutting ? all_hold : 100;
+  return cutting > 200 && 3 * found_in_vain < cutting ? all_hold : 100;
 }
 
 inline constexpr Check surface_near_probes[] = {{"all_that_overlap", all_that_overlap}, {"all_that_cut", all_that_cut}};
