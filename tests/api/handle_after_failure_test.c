@@ -264,7 +264,7 @@ static void failed_mesh(void) {
       if (refusal == 2) status = hsp_mesh_compute_surface(f.mesh, NULL, 2, NULL);
       if (refusal == 3) status = hsp_mesh_compute_surface(f.mesh, f.surface, -1, NULL);
       if (refusal == 4) status = hsp_mesh_compute(f.mesh, h.boundary, NAN, NULL);
-      if (refusal == 5) status = hsp_mesh_compute(f.mesh, h.boundary, 1e-7, NULL);
+      if (refusal == 5) status = hsp_mesh_compute(f.mesh, h.boundary, 1e-12, NULL);
       if (refusal == 6) status = hsp_mesh_compute_surface(f.mesh, empty, 2, NULL);
       if (refusal == 7) status = hsp_mesh_compute_surface(f.mesh, f.surface, INFINITY, NULL);
       CHECK_EQUAL(status, expected[refusal]);

@@ -150,7 +150,7 @@ static void every_alignment(const ball_set *set) {
   hsp_view_options options;
   CHECK_EQUAL(hsp_view_options_init(&options, (uint32_t)sizeof options), HSP_OK);
   if (computations_make(set, &options, &all)) {
-    for (known_kind = 0; known_kind < KINDS; ++known_kind) {
+    for (known_kind = 0; known_kind < BOUNDED; ++known_kind) {
       const limit_numbers needed = limits_of(&all, known_kind);
       const known_handle known = {
           kinds_of_life[known_kind].kind, source_of(&all, known_kind), &needed, check_results, check_no_results, NULL};
