@@ -204,7 +204,7 @@ bool SphericalPatch::fix_borders() {
 // Every face floods what lies to the left of its loops.
 bool SphericalPatch::spread_faces() {
   const uint32_t triangles = sphere_.triangle_count();
-  for (uint32_t t = 0; t < triangles; ++t) parts_[t] = no_part;
+  for (uint32_t t = 0; t < triangles; ++t) parts_[t] = Part{};
   uint32_t waiting = 0;
   const auto take = [&](uint32_t t, uint32_t face) {
     if (parts_[t].face != no_id) return parts_[t].face == face;

@@ -100,12 +100,12 @@ class SphericalPatch {
   };
   // What belongs to a triangle of the sphere.
   struct Part {
-    uint32_t face;       // no_id: not of the patch
-    uint32_t corner[3];  // samples, and for points inside vertices of the mesh
-    uint32_t middle[3];  // of edges, where they are divided, else no_id
-    uint32_t strand[3];  // of edges that a loop runs along with the triangle on its left, the sample, else no_id
+    uint32_t face = no_id;                       // no_id: not of the patch
+    uint32_t corner[3] = {no_id, no_id, no_id};  // samples, and for points inside vertices of the mesh
+    uint32_t middle[3] = {no_id, no_id, no_id};  // of edges, where they are divided, else no_id
+    // Of edges that a loop runs along with the triangle on its left, the sample, else no_id.
+    uint32_t strand[3] = {no_id, no_id, no_id};
   };
-  static constexpr Part no_part{no_id, {no_id, no_id, no_id}, {no_id, no_id, no_id}, {no_id, no_id, no_id}};
 
   uint32_t last_sample(uint32_t loop) const {
     return loop + 1 < loops_.size() ? loops_[loop + 1].first : samples_.size();
