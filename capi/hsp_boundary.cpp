@@ -83,11 +83,6 @@ void drop_results(hsp_boundary &boundary) {
   ++boundary.computed;
 }
 
-void take_model(hsp_boundary &boundary, const hsp_model *model) {
-  boundary.model = model;
-  boundary.revision = model->revision;
-}
-
 }  // namespace
 
 int32_t hsp_boundary_limits_init(hsp_boundary_limits *limits, uint32_t struct_size, uint32_t balls) {
@@ -112,7 +107,7 @@ int32_t hsp_boundary_compute(hsp_boundary *boundary, const hsp_model *model, hsp
   if (!is_live(boundary)) return HSP_E_ARGUMENT;
   drop_results(*boundary);
   if (!is_live(model) || !hsp::capi::may_write(limits)) return HSP_E_ARGUMENT;
-  take_model(*boundary, model);
+  boundary->model.set(model);
   return hsp::capi::finish<to_c>(*boundary, boundary->builder.build(model->grid), limits);
 }
 
@@ -120,7 +115,7 @@ int32_t hsp_boundary_begin(hsp_boundary *boundary, const hsp_model *model, uint3
   if (!is_live(boundary)) return HSP_E_ARGUMENT;
   drop_results(*boundary);
   if (!is_live(model) || stages == nullptr) return HSP_E_ARGUMENT;
-  take_model(*boundary, model);
+  boundary->model.set(model);
   const hsp::Status status = boundary->builder.begin(model->grid, workers);
   if (status == hsp::Status::ok) *stages = hsp::BoundaryBuilder::stages;
   return hsp::capi::to_c(status);

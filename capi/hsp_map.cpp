@@ -57,8 +57,7 @@ int32_t hsp_map_compute(hsp_map *map, const hsp_model *model, const hsp_view_opt
     return HSP_E_ARGUMENT;
   }
   const hsp::Status status = map->builder.build(model->grid, hsp::capi::direction_of(wanted));
-  map->model = model;
-  map->revision = model->revision;
+  map->model.set(model);
   return hsp::capi::finish<to_c>(*map, status, limits);
 }
 

@@ -55,7 +55,6 @@ int32_t compute(hsp_mesh *mesh, const Source *source, double edge, hsp_mesh_limi
   if (const int32_t status = check_edge(edge); status != HSP_OK) return status;
   if (!source->has_results()) return HSP_E_STATE;
   const hsp::Status status = build(balls_of(*source).lattice.steps(edge));
-  mesh->computed = mesh->boundary->computed;
   constexpr hsp_mesh_limits (*convert)(const hsp::MeshLimits &) = to_c;
   return hsp::capi::finish<convert>(*mesh, status, limits);
 }
@@ -108,7 +107,7 @@ int32_t hsp_mesh_init(void *memory, size_t bytes, const hsp_mesh_limits *limits,
 
 int32_t hsp_mesh_compute(hsp_mesh *mesh, const hsp_boundary *boundary, double edge, hsp_mesh_limits *limits) {
   return compute(mesh, boundary, edge, limits, [mesh, boundary](double steps) {
-    mesh->boundary = boundary;
+    mesh->boundary.set(boundary);
     return mesh->builder.build(boundary->balls(), boundary->structure(), steps);
   });
 }
@@ -116,7 +115,7 @@ int32_t hsp_mesh_compute(hsp_mesh *mesh, const hsp_boundary *boundary, double ed
 int32_t hsp_mesh_compute_surface(hsp_mesh *mesh, const hsp_surface *surface, double edge, hsp_mesh_limits *limits) {
   return compute(mesh, surface, edge, limits, [mesh, surface](double steps) {
     const hsp_boundary &boundary = *surface->boundary;
-    mesh->boundary = &boundary;
+    mesh->boundary.set(&boundary);
     return mesh->builder.build(boundary.balls(), boundary.structure(), surface->structure(), steps);
   });
 }

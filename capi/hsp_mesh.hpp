@@ -10,12 +10,9 @@ struct hsp_mesh {
 
   uintptr_t tag;
   Builder builder;
-  const hsp_boundary *boundary = nullptr;  // what was computed last
-  uint64_t computed = 0;
+  hsp::capi::Source<hsp_boundary> boundary{};
   bool complete = false;
 
   // Whether results may be read: computed, and neither the boundary nor the model has changed since.
-  bool has_results() const {
-    return complete && hsp::capi::is_live(boundary) && computed == boundary->computed && boundary->has_results();
-  }
+  bool has_results() const { return complete && boundary.is_unchanged(); }
 };

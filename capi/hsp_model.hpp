@@ -3,6 +3,7 @@
 
 #include "handle_memory.hpp"
 #include "model/cube_grid.hpp"
+#include "source.hpp"
 
 struct hsp_model {
   using Builder = hsp::CubeGrid;
@@ -12,5 +13,7 @@ struct hsp_model {
   Builder grid;
   uint64_t revision = 0;  // counts hsp_model_set, so that a boundary notices when its model has changed
 
+  uint64_t version() const { return revision; }
+  static constexpr bool has_results() { return true; }  // of no ball at least
   const hsp::BallSet &balls() const { return grid.balls(); }
 };

@@ -76,8 +76,7 @@ int32_t hsp_sticks_compute(hsp_sticks *sticks, const hsp_model *model, const hsp
       [stick](uint32_t k) {
         return hsp::StickEnds{stick[k].ball[0], stick[k].ball[1], (stick[k].flags & HSP_STICK_WHOLE) != 0};
       });
-  sticks->model = model;
-  sticks->revision = model->revision;
+  sticks->model.set(model);
   if (conflict != nullptr && (status == hsp::Status::ok || status == hsp::Status::conflict)) {
     const hsp::StickViolation &violation = sticks->builder.violation();
     *conflict = {static_cast<uint32_t>(violation.conflict), violation.first, violation.second, 0};

@@ -35,8 +35,7 @@ int32_t begin(hsp_surface *surface, const hsp_boundary *boundary, const hsp_surf
 }
 
 int32_t finish(hsp_surface &surface, const hsp_boundary &boundary, hsp::Status status, hsp_surface_limits *limits) {
-  surface.boundary = &boundary;
-  surface.computed = boundary.computed;
+  surface.boundary.set(&boundary);
   constexpr hsp_surface_limits (*convert)(const hsp::SurfaceLimits &) = to_c;
   return hsp::capi::finish<convert>(surface, status, limits);
 }

@@ -76,8 +76,7 @@ int32_t hsp_topology_compute(hsp_topology *topology, const hsp_boundary *boundar
   if (!boundary->has_results()) return HSP_E_STATE;
   const hsp::Status status =
       topology->builder.build(boundary->model->grid, boundary->structure(), boundary->builder.needed().neighbours);
-  topology->boundary = boundary;
-  topology->computed = boundary->computed;
+  topology->boundary.set(boundary);
   return hsp::capi::finish<to_c>(*topology, status, limits);
 }
 

@@ -10,14 +10,11 @@ struct hsp_topology {
 
   uintptr_t tag;
   Builder builder;
-  const hsp_boundary *boundary = nullptr;  // what was computed last
-  uint64_t computed = 0;
+  hsp::capi::Source<hsp_boundary> boundary{};
   bool complete = false;
 
   // Whether results may be read: computed, and neither the boundary nor the model has changed since.
-  bool has_results() const {
-    return complete && hsp::capi::is_live(boundary) && computed == boundary->computed && boundary->has_results();
-  }
+  bool has_results() const { return complete && boundary.is_unchanged(); }
   const hsp::Topology &structure() const { return builder.structure(); }
   // The same with its shells scanned.
   const hsp::Topology &scanned() { return builder.scanned(boundary->structure()); }

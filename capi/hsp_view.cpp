@@ -75,11 +75,10 @@ int32_t hsp_view_compute(hsp_view *view, const hsp_model *model, const hsp_bound
   } else {
     if (!is_live(boundary)) return HSP_E_ARGUMENT;
     if (!boundary->has_results()) return HSP_E_STATE;
-    if (boundary->model != model) return HSP_E_ARGUMENT;
+    if (!boundary->model.is(model)) return HSP_E_ARGUMENT;
   }
   const hsp::Status status =
       view->builder.build(model->grid, boundary == nullptr ? nullptr : &boundary->structure(), request);
-  view->model = model;
-  view->revision = model->revision;
+  view->model.set(model);
   return hsp::capi::finish<to_c>(*view, status, limits);
 }

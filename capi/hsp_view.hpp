@@ -10,12 +10,11 @@ struct hsp_view {
 
   uintptr_t tag;
   Builder builder;
-  const hsp_model *model = nullptr;  // what was computed last
-  uint64_t revision = 0;
+  hsp::capi::Source<hsp_model> model{};
   bool complete = false;
 
   // Whether results may be read: computed, and the model unchanged since.
-  bool has_results() const { return complete && hsp::capi::is_live(model) && revision == model->revision; }
+  bool has_results() const { return complete && model.is_unchanged(); }
   const hsp::View &structure() const { return builder.structure(); }
   const hsp::BallSet &balls() const { return model->balls(); }
 };
