@@ -1,7 +1,7 @@
 # cmake -DWRITE_REPORT=write_report -P report_judges_goals.cmake: exponents, ratios and verdicts from made-up results.
 # Step 3: van der Waals n^1, solvent-accessible n^1.1. Version 0.1.0 takes twice as long here as where the goals were set,
 # so that limits that are times are twice as long, and bytes and ratios are not. Three repetitions each, of which the
-# least counts for times, the median otherwise.
+# least counts for times, the median otherwise. Times are judged by what the versions measured by turns.
 include(${CMAKE_CURRENT_LIST_DIR}/report_of_suites.cmake)
 set(entries "")
 function(add_results name)
@@ -33,9 +33,8 @@ add_results(topology/${s}/c atoms=100000 topology_seconds=0.158489 bytes=81000.0
 add_results(topology/${s}/d atoms=1000000 topology_seconds=1.99526 bytes=729000.0 topology_ratio=0.11)
 add_results(topology/${v}/sod_stand_in atoms=1000 topology_seconds=0.001 bytes=600000.0)
 add_results(topology/${s}/sod_stand_in atoms=1000 topology_seconds=0.001 bytes=300001.0)
-add_results(gradients/${v}/sod_stand_in atoms=1000 gradient_seconds=0.0005)
-add_results(gradients/${s}/sod_stand_in atoms=1000 gradient_seconds=0.000119)
-add_results(queries/point_atom/sod_stand_in queries=800)
+# A time outside of the turns, which is not judged.
+add_results(gradients/${v}/sod_stand_in atoms=1000 gradient_seconds=0.0009)
 add_results(split_work/van_der_waals/a atoms=49999 by_two_ratio=0.9)
 add_results(split_work/van_der_waals/b atoms=50000 by_two_ratio=0.5)
 add_results(split_work/van_der_waals/c atoms=60000 by_two_ratio=0.6)
@@ -49,13 +48,21 @@ string(SUBSTRING "${entries}" 1 -1 entries)
 file(WRITE ${folder}/made_up.json "{\"context\": {\"load_avg\": [1.75, 1, 1]}, \"benchmarks\": [${entries}]}")
 
 set(entries "")
+add_results(gradients/${v}/sod_stand_in atoms=1000 gradient_seconds=0.0005)
+add_results(gradients/${s}/sod_stand_in atoms=1000 gradient_seconds=0.000119)
+add_results(queries/point_atom/sod_stand_in queries=800)
+add_results(surface/compute/sod_stand_in atoms=1000 surface_seconds=0.0010 measure_seconds=0.0010)
+string(SUBSTRING "${entries}" 1 -1 entries)
+file(WRITE ${folder}/turns/now/made_up.json "{\"context\": {\"load_avg\": [1, 1, 1]}, \"benchmarks\": [${entries}]}")
+
+set(entries "")
 add_results(gradients/${v}/sod_stand_in atoms=1000 gradient_seconds=0.00086)
 add_results(gradients/${s}/sod_stand_in atoms=1000 gradient_seconds=0.00042)
 # A least of 1 us for half a ball makes 2000 ns, twice, instead of 6320.
 add_results(scaling/${s_build} atoms=0.5)
 add_results(scaling/${s_boundary} atoms=0.5)
 string(SUBSTRING "${entries}" 1 -1 entries)
-file(WRITE ${folder}/0.1.0/made_up.json "{\"context\": {\"load_avg\": [1, 1, 1]}, \"benchmarks\": [${entries}]}")
+file(WRITE ${folder}/turns/0.1.0/made_up.json "{\"context\": {\"load_avg\": [1, 1, 1]}, \"benchmarks\": [${entries}]}")
 
 write_report()
 expect_text("| gradient of everything, v | 430 | 860 | 500 | 500 | 240 | must |")

@@ -237,11 +237,11 @@ std::string verdict(const Goal &goal, double value, double must, double best) {
 
 }  // namespace
 
-void write_speed_goals(std::ostream &out, const Run &run, const Run *old) {
+void write_speed_goals(std::ostream &out, const Run &run, const Turns *turns) {
   out << "## Goals\n\nThe stand-in for SOD, 4392 balls, one thread; nanoseconds per ball or query, the least of the "
          "repetitions, or ratios; v: van\nder Waals, s: solvent-accessible. ";
-  if (old != nullptr) {
-    out << "Version 0.1.0 ran in the same run. The limits were set on another machine; those that are times\nare "
+  if (turns != nullptr) {
+    out << "Version 0.1.0 took turns with this one. The limits were set on another machine; those that are\ntimes are "
            "scaled here by what that version takes on the two machines.\n\n";
   } else {
     out << "The limits were set on another machine, and version 0.1.0 did not run: those\nthat are times stand as they "
@@ -249,11 +249,11 @@ void write_speed_goals(std::ostream &out, const Run &run, const Run *old) {
   }
   Table table({"what", "0.1.0 there", "0.1.0 here", "now", "must", "goal", "verdict"});
   for (const Goal &goal : speed_goals()) {
-    const auto now = goal.figure(run);
     const bool is_new = goal.kind == Kind::new_time;
-    const Figure of_old = is_new ? steps_1_and_2(surfaces[1].name) : goal.figure;
-    const auto before = old != nullptr ? of_old(*old) : std::nullopt;
     const bool scales = goal.kind == Kind::time || is_new;
+    const auto now = goal.figure(scales && turns != nullptr ? turns->now : run);
+    const Figure of_old = is_new ? steps_1_and_2(surfaces[1].name) : goal.figure;
+    const auto before = turns != nullptr ? of_old(turns->old) : std::nullopt;
     const double scale = scales && before ? *before / goal.old_elsewhere : 1;
     const double must = goal.must * scale;
     const double best = goal.goal * scale;

@@ -1,6 +1,7 @@
-// write_report FOLDER > report.md: a Markdown report of the benchmark results (*.json) in the folder, of those of
-// version 0.1.0 in FOLDER/0.1.0 and of the pictures in FOLDER/plots, as far as these are there. `write_report --plots
-// FOLDER` puts the tables for the pictures into FOLDER/plots, see plots.gp.
+// write_report FOLDER > report.md: a Markdown report of the benchmark results (*.json) in the folder, of what this
+// version and version 0.1.0 measured by turns in FOLDER/turns/now and FOLDER/turns/0.1.0, and of the pictures in
+// FOLDER/plots, as far as these are there. `write_report --plots FOLDER` puts the tables for the pictures into
+// FOLDER/plots, see plots.gp.
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -58,18 +59,18 @@ void write_head(std::ostream &out, const report::Run &run) {
       << "- molecules: bench/molecules/README.md; felix is a model, SOD a generated stand-in of the same figures\n\n";
 }
 
-// Version 0.1.0, if it was measured in the same run.
-std::optional<report::Run> read_old_version(const std::filesystem::path &folder) {
-  if (!std::filesystem::is_directory(folder / "0.1.0")) return std::nullopt;
-  return report::read_run(folder / "0.1.0");
+// What this version and version 0.1.0 measured by turns, if they did.
+std::optional<report::Turns> read_turns(const std::filesystem::path &folder) {
+  if (!std::filesystem::is_directory(folder)) return std::nullopt;
+  return report::Turns{report::read_run(folder / "now"), report::read_run(folder / "0.1.0")};
 }
 
 void write_report(std::ostream &out, const std::filesystem::path &folder) {
   const report::Run run = report::read_run(folder);
-  const std::optional<report::Run> old = read_old_version(folder);
+  const std::optional<report::Turns> turns = read_turns(folder / "turns");
   const auto plot = [&](const char *name, const char *caption) { report::show_plot(out, folder, name, caption); };
   write_head(out, run);
-  report::write_speed_goals(out, run, old ? &*old : nullptr);
+  report::write_speed_goals(out, run, turns ? &*turns : nullptr);
   report::write_exponents(out, run);
   plot("scaling", "Nanoseconds per ball of each stage against the number of balls");
   report::write_peers(out, run);
