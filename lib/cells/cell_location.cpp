@@ -1,0 +1,77 @@
+#include "cells/cell_location.hpp"
+
+#include "cells/power_predicates.hpp"
+#include "model/grid_order.hpp"
+
+namespace hsp {
+namespace {
+
+using I128 = exact::WideInteger<exact::FastLimb, 128>;
+
+// The power of a point to a ball, |x - c|^2 - r^2, exactly: both differences are below 2^33.
+I128 exact_power(const exact::LatticeBall &ball, const exact::Vector &point) {
+  const auto square = [](int64_t a) {
+    const auto wide = exact::WideInteger<exact::FastLimb, 64>::from(a);
+    return exact::product<128>(wide, wide);
+  };
+  return square(point.x - ball.centre.x) + square(point.y - ball.centre.y) + square(point.z - ball.centre.z) -
+         square(ball.radius);
+}
+
+// Rounded, but for the sum of squares.
+double power(const BallSet &balls, uint32_t ball, const Vec3 &point) {
+  const Vec3 d = point - Vec3{balls.x[ball], balls.y[ball], balls.z[ball]};
+  return dot(d, d) - balls.r[ball] * balls.r[ball];
+}
+
+// Of two balls that of less power; of equal ones that of lower rank, which is inflated more.
+bool has_less_power(const BallSet &balls, uint32_t a, uint32_t b, const exact::Vector &point) {
+  const int sign = (exact_power(balls.ball(a), point) - exact_power(balls.ball(b), point)).sign();
+  return sign != 0 ? sign < 0 : balls.ranks_before(a, b);
+}
+
+// The free part of the power cell of a ball that holds a point.
+uint32_t part_at(const BallSet &balls, const FreeSpace &space, IdRange parts, const CubeFrame &frame,
+                 const exact::Vector &point) {
+  const uint32_t ball = space.cell(parts.first).ball;
+  const PowerPredicates exact(balls, ball, frame);
+  for (const uint32_t cell : parts) {
+    for (const uint32_t k : space.landmarks_of(cell)) {
+      const uint32_t *const code = space.landmarks[k].code;
+      if (exact.reaches(plane_of_code(code[0], ball), plane_of_code(code[1], ball), plane_of_code(code[2], ball),
+                        point)) {
+        return cell;
+      }
+    }
+  }
+  return parts.first;  // not reached
+}
+
+}  // namespace
+
+uint32_t cell_at(const BallSet &balls, const FreeSpace &space, const exact::Vector &point) {
+  const CubeAxis axis(space.side);
+  const CubeCoordinates at = axis.cube_at(point);
+  const uint32_t cube = space.cover.find(at);
+  if (cube == no_id) return space.runs.find(space.cover, at);
+  const Span<const uint32_t> members = space.cover.balls(cube);
+  const Vec3 x = exact::to_double(point);
+  const double side = static_cast<double>(space.side);
+  const double doubt = 64 * unit_roundoff * side * side;
+  uint32_t best = 0;
+  double least = power(balls, members[0], x);
+  for (uint32_t k = 1; k < members.size(); ++k) {
+    const double candidate = power(balls, members[k], x);
+    if (candidate > least + doubt) continue;
+    if (candidate < least - doubt || has_less_power(balls, members[k], members[best], point)) {
+      best = k;
+      least = candidate;
+    }
+  }
+  if (exact_power(balls.ball(members[best]), point).sign() <= 0) return no_id;
+  const IdRange parts = space.parts_of(space.cover.first_entry(cube) + best);
+  if (parts.size() == 1) return parts.first;
+  return part_at(balls, space, parts, CubeFrame(at, space.side), point);
+}
+
+}  // namespace hsp

@@ -1,0 +1,95 @@
+#include "cells/cube_cover.hpp"
+
+#include "core/sorting.hpp"
+#include "model/grid_order.hpp"
+
+namespace hsp {
+namespace {
+
+// Along one axis, the square of how far a position is from a cube.
+uint64_t squared_gap(int64_t position, int64_t cube, int64_t side) {
+  const int64_t before = cube * side - position;
+  const int64_t gap = before > 0 ? before : before + side < 0 ? before + side : 0;
+  return static_cast<uint64_t>(gap * gap);
+}
+
+// Calls visit(cube) for each cube that a ball meets.
+template <class Visit>
+void for_each_cube(const exact::LatticeBall &ball, const CubeAxis &axis, Visit visit) {
+  const auto first = [&](int64_t c) { return axis.cube_at(c - ball.radius - 1); };
+  const auto last = [&](int64_t c) { return axis.cube_at(c + ball.radius); };
+  const exact::Vector &c = ball.centre;
+  const CubeCoordinates low{first(c.x), first(c.y), first(c.z)}, high{last(c.x), last(c.y), last(c.z)};
+  const uint64_t reach = static_cast<uint64_t>(ball.radius * ball.radius);
+  for (int64_t z = low.z; z <= high.z; ++z) {
+    const uint64_t in_z = squared_gap(c.z, z, axis.side());
+    for (int64_t y = low.y; y <= high.y; ++y) {
+      const uint64_t in_yz = in_z + squared_gap(c.y, y, axis.side());
+      for (int64_t x = low.x; x <= high.x; ++x) {
+        if (in_yz + squared_gap(c.x, x, axis.side()) <= reach) visit(CubeCoordinates{x, y, z});
+      }
+    }
+  }
+}
+
+bool comes_before(const CubeCoordinates &a, const CubeCoordinates &b) {
+  if (a.z != b.z) return a.z < b.z;
+  if (a.y != b.y) return a.y < b.y;
+  return a.x < b.x;
+}
+
+}  // namespace
+
+void CubeCover::carve(Workspace &workspace, uint32_t cubes, uint32_t entries) {
+  capacity_ = cubes;
+  const auto slots = workspace.take<uint32_t>(CubeTable::slots_for(cubes));
+  const auto coordinates = workspace.take<CubeCoordinates>(cubes);
+  table_ = CubeTable(slots, coordinates);
+  sorted_ = workspace.take<CubeCoordinates>(cubes);
+  first_entry_ = workspace.take<uint32_t>(static_cast<uint64_t>(cubes) + 1);
+  entries_ = workspace.take<uint32_t>(entries);
+}
+
+bool CubeCover::build(const CubeGrid &grid) {
+  const BallSet &balls = grid.balls();
+  const CubeAxis axis(grid.side());
+  // Those that there is no room for are counted once for every ball that meets them.
+  uint64_t cubes = 0, entries = 0;
+  table_.clear(capacity_);
+  for (uint32_t i = 0; i < balls.n; ++i) {
+    for_each_cube(balls.ball(i), axis, [&](const CubeCoordinates &cube) {
+      ++entries;
+      if (table_.find(cube) != no_id) return;
+      if (cubes++ < capacity_) table_.append(cube);
+    });
+  }
+  needed_cubes_ = clamped_count(cubes);
+  needed_entries_ = clamped_count(entries);
+  if (cubes > capacity_ || entries > entries_.size()) return false;
+
+  const Span<CubeCoordinates> sorted = sorted_.part(0, needed_cubes_);
+  for (uint32_t k = 0; k < sorted.size(); ++k) sorted[k] = table_.coordinates(k);
+  sort_in_place(sorted, comes_before);
+  table_.clear(needed_cubes_);
+  for (const CubeCoordinates &cube : sorted) table_.append(cube);
+
+  for (uint32_t k = 0; k <= needed_cubes_; ++k) first_entry_[k] = 0;
+  const auto count = [&](const CubeCoordinates &cube) { ++first_entry_[table_.find(cube)]; };
+  for (uint32_t i = 0; i < balls.n; ++i) for_each_cube(balls.ball(i), axis, count);
+  // Each becomes where the cube's entries end, and then, entry by entry from the last ball on, where they begin.
+  uint32_t end = 0;
+  most_balls_ = 0;
+  for (uint32_t k = 0; k < needed_cubes_; ++k) {
+    most_balls_ = larger_count(most_balls_, first_entry_[k]);
+    end += first_entry_[k];
+    first_entry_[k] = end;
+  }
+  first_entry_[needed_cubes_] = end;
+  for (uint32_t i = balls.n; i-- > 0;) {
+    const auto enter = [&](const CubeCoordinates &cube) { entries_[--first_entry_[table_.find(cube)]] = i; };
+    for_each_cube(balls.ball(i), axis, enter);
+  }
+  return true;
+}
+
+}  // namespace hsp

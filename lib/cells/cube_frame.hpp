@@ -1,0 +1,112 @@
+// One cube of the grid and the planes that bound power cells in it, in doubles with their error bounds.
+//
+// Positions are y = 2 (x - centre of the cube), so that the cube is |y_k| <= side. A plane is v.y = h with a unit normal;
+// its near side is v.y <= h. With u = 2^-53, s the side and balls of this cube or one next to it: centres and radii are
+// integers below 2^53, so differences are exact, and v is off by less than 8 u. h comes from (c_far - c_near).(sum of both
+// centres) less a difference of squared radii, factored; it is off by less than 100 u s + 8 u |h|, where a plane that
+// meets the cube has |h| < 4 s. So v.y - h is off by less than 512 u s at a point that is known exactly. A point of three
+// planes is y = H / B, where B is off by less than 32 u and each part of H by less than 1024 u s: y by less than
+// 4096 u s / |B|, its doubt.
+#pragma once
+
+#include "core/floating_point.hpp"
+#include "model/ball_set.hpp"
+#include "model/cube_table.hpp"
+
+namespace hsp {
+
+// What bounds a power cell: the points with equal powers to two balls, or a side of the cube. On the near side the power
+// to ball `near` is the smaller one. Side 2 k is the lower one in direction k, side 2 k + 1 the upper one.
+struct PowerPlane {
+  uint32_t near, far;
+  friend constexpr bool operator==(const PowerPlane &, const PowerPlane &) = default;
+
+  constexpr bool is_side() const { return near == no_id; }
+  constexpr uint32_t side() const { return far; }
+};
+constexpr PowerPlane side_plane(uint32_t side) {
+  return {no_id, side};
+}
+inline constexpr uint32_t cube_sides = 6;
+
+struct UnitPlane {
+  Vec3 v;
+  double h;
+};
+
+// A position and a bound for its error, which is huge where the planes are too close to each other.
+struct PlacedPoint {
+  Vec3 y;
+  double doubt;
+};
+inline constexpr double no_certainty = 1e300;
+
+class CubeFrame {
+ public:
+  CubeFrame() = default;
+  CubeFrame(const CubeCoordinates &cube, int64_t side)
+      : low_{cube.x * side, cube.y * side, cube.z * side}, exact_side_(side), side_(static_cast<double>(side)) {
+    centre_ = to_double(low_) + 0.5 * Vec3{side_, side_, side_};
+  }
+
+  const exact::Vector &low() const { return low_; }
+  int64_t exact_side() const { return exact_side_; }
+  double side() const { return side_; }
+  // How far v.y - h of a plane may be off.
+  double plane_doubt() const { return 512 * unit_roundoff * side_; }
+
+  // Of a ball, as a position.
+  Vec3 centre_of(const BallSet &balls, uint32_t ball) const {
+    return 2.0 * (Vec3{balls.x[ball], balls.y[ball], balls.z[ball]} - centre_);
+  }
+  static UnitPlane side_in_doubles(uint32_t side, double distance) {
+    const double sign = side % 2 == 0 ? -1.0 : 1.0;
+    return {{side / 2 == 0 ? sign : 0.0, side / 2 == 1 ? sign : 0.0, side / 2 == 2 ? sign : 0.0}, distance};
+  }
+  // Of two balls with different centres.
+  UnitPlane between(const BallSet &balls, uint32_t near, uint32_t far) const {
+    const Vec3 v = balls.difference(near, far);
+    const Vec3 sum = 0.5 * (centre_of(balls, near) + centre_of(balls, far));
+    const double h = dot(v, sum) - (balls.r[far] - balls.r[near]) * (balls.r[far] + balls.r[near]);
+    const double scale = 1.0 / std::sqrt(dot(v, v));
+    return {scale * v, scale * h};
+  }
+  UnitPlane plane(const BallSet &balls, const PowerPlane &plane) const {
+    return plane.is_side() ? side_in_doubles(plane.side(), side_) : between(balls, plane.near, plane.far);
+  }
+
+  // Where three planes meet.
+  PlacedPoint common_point(const UnitPlane &P, const UnitPlane &Q, const UnitPlane &R) const {
+    const Vec3 qr = cross(Q.v, R.v);
+    const Vec3 rp = cross(R.v, P.v);
+    const Vec3 n = cross(P.v, Q.v);
+    const double B = dot(n, R.v);
+    const double size = std::fabs(B);
+    if (!(size > 1e-8)) return {{0, 0, 0}, no_certainty};
+    const double scale = 1.0 / B;
+    const Vec3 H = P.h * qr + Q.h * rp + R.h * n;
+    return {scale * H, 4096 * unit_roundoff * side_ / size};
+  }
+
+  // On which side of a plane a point lies: +1 the near one, -1 the far one, 0 is not certain.
+  int side_of(const PlacedPoint &point, const UnitPlane &S) const {
+    const double beyond = dot(S.v, point.y) - S.h;
+    const double doubt = point.doubt + plane_doubt();
+    return beyond < -doubt ? 1 : beyond > doubt ? -1 : 0;
+  }
+  // Whether points at a squared distance from a centre are outside its sphere, of squared diameter W: +1 outside, -1
+  // inside, 0 is not certain. The points lie in this cube or on its sides.
+  int outside(double squared_distance, double doubt, double W) const {
+    const double excess = squared_distance - W;
+    const double margin = side_ * (16 * doubt + 1024 * unit_roundoff * side_);
+    return excess > margin ? 1 : excess < -margin ? -1 : 0;
+  }
+
+ private:
+  exact::Vector low_{};
+  int64_t exact_side_ = 1;
+  double side_ = 1.0;
+  Vec3 centre_{};
+};
+
+}  // namespace hsp

@@ -1,0 +1,161 @@
+// The cubes that no ball meets, as O(cubes) boxes: runs along x between the others of a row, rows without any between
+// those of a layer, and layers without any. The outermost ones reach to infinity.
+#pragma once
+
+#include "cells/cube_cover.hpp"
+#include "core/first_index.hpp"
+
+namespace hsp {
+
+class EmptyRuns {
+ public:
+  void carve(Workspace &workspace, uint32_t cubes);
+  // Numbers the runs 0, 1 .. in the order of z, y and x; run 0 is that below all balls.
+  void build(const CubeCover &cover);
+
+  uint32_t count() const { return count_; }
+  // The run that holds a cube that no ball meets.
+  uint32_t find(const CubeCover &cover, const CubeCoordinates &cube) const;
+  // Calls visit(a, b) for each two runs with a common side, once.
+  template <class Visit>
+  void for_each_contact(const CubeCover &cover, Visit visit) const;
+
+ private:
+  struct Row {
+    int64_t y;
+    uint32_t first_cube;
+    uint32_t before, after;  // the run of rows before this one, if any; the run behind its last cube
+  };
+  struct Layer {
+    int64_t z;
+    uint32_t first_row;
+    uint32_t before, after;  // the run of layers before this one, if any; the run of rows behind its last row
+  };
+  // Runs along one line and how far they reach, in their order.
+  struct Stretch {
+    int64_t low, high;
+    uint32_t run;
+  };
+  static constexpr int64_t infinity = INT64_C(1) << 60;
+
+  uint32_t end_of_row(uint32_t row) const { return rows_[row + 1].first_cube; }
+  uint32_t end_of_layer(uint32_t layer) const { return layers_[layer + 1].first_row; }
+  // Calls visit(stretch) for the runs in a row, or for the runs of rows in a layer.
+  template <class Visit>
+  void for_each_in_row(const CubeCover &cover, uint32_t row, Visit visit) const;
+  template <class Visit>
+  void for_each_in_layer(uint32_t layer, Visit visit) const;
+  template <class Visit>
+  void contacts_of_rows(const CubeCover &cover, uint32_t row, uint32_t other, Visit visit) const;
+  template <class Visit>
+  void contacts_of_layers(const CubeCover &cover, uint32_t layer, Visit visit) const;
+  // The run of rows in a layer that holds y, or the row there: the first row that is not before it.
+  uint32_t first_row_at(uint32_t layer, int64_t y) const {
+    return first_index(layers_[layer].first_row, end_of_layer(layer), [&](uint32_t row) { return rows_[row].y >= y; });
+  }
+  uint32_t run_of_rows(uint32_t layer, uint32_t first_row) const {
+    return first_row < end_of_layer(layer) ? rows_[first_row].before : layers_[layer].after;
+  }
+
+  Span<uint32_t> before_cube_;  // [cubes] the run before a cube in its row; no_id if there is none
+  Span<Row> rows_;              // [rows + 1]
+  Span<Layer> layers_;          // [layers + 1]; the last one is behind all
+  uint32_t row_count_ = 0, layer_count_ = 0, count_ = 0;
+};
+
+template <class Visit>
+void EmptyRuns::for_each_in_row(const CubeCover &cover, uint32_t row, Visit visit) const {
+  int64_t low = -infinity;
+  for (uint32_t cube = rows_[row].first_cube; cube < end_of_row(row); ++cube) {
+    const int64_t x = cover.cube(cube).x;
+    if (before_cube_[cube] != no_id) visit(Stretch{low, x, before_cube_[cube]});
+    low = x + 1;
+  }
+  visit(Stretch{low, infinity, rows_[row].after});
+}
+
+template <class Visit>
+void EmptyRuns::for_each_in_layer(uint32_t layer, Visit visit) const {
+  int64_t low = -infinity;
+  for (uint32_t row = layers_[layer].first_row; row < end_of_layer(layer); ++row) {
+    if (rows_[row].before != no_id) visit(Stretch{low, rows_[row].y, rows_[row].before});
+    low = rows_[row].y + 1;
+  }
+  visit(Stretch{low, infinity, layers_[layer].after});
+}
+
+template <class Visit>
+void EmptyRuns::contacts_of_rows(const CubeCover &cover, uint32_t row, uint32_t other, Visit visit) const {
+  // For each run of one row those of the other that begin before it ends, from the first that does not end before it.
+  uint32_t at = rows_[other].first_cube;
+  int64_t low = -infinity;
+  for_each_in_row(cover, row, [&](const Stretch &stretch) {
+    for (;;) {
+      const bool last = at == end_of_row(other);
+      const int64_t high = last ? infinity : cover.cube(at).x;
+      const uint32_t run = last ? rows_[other].after : before_cube_[at];
+      const int64_t from = stretch.low > low ? stretch.low : low;
+      const int64_t to = stretch.high < high ? stretch.high : high;
+      if (run != no_id && from < to) visit(stretch.run, run);
+      if (last || high >= stretch.high) break;
+      low = high + 1;
+      ++at;
+    }
+  });
+}
+
+template <class Visit>
+void EmptyRuns::contacts_of_layers(const CubeCover &cover, uint32_t layer, Visit visit) const {
+  const uint32_t other = layer + 1;
+  uint32_t at = layers_[other].first_row;
+  int64_t low = -infinity;
+  for_each_in_layer(layer, [&](const Stretch &stretch) {
+    for (;;) {
+      const bool last = at == end_of_layer(other);
+      const int64_t high = last ? infinity : rows_[at].y;
+      const uint32_t run = run_of_rows(other, at);
+      const int64_t from = stretch.low > low ? stretch.low : low;
+      const int64_t to = stretch.high < high ? stretch.high : high;
+      if (run != no_id && from < to) visit(stretch.run, run);
+      if (last || high >= stretch.high) break;
+      low = high + 1;
+      ++at;
+    }
+  });
+  for (uint32_t above = 0; above < 2; ++above) {
+    const uint32_t of = layer + above, to = layer + 1 - above;
+    for (uint32_t row = layers_[of].first_row; row < end_of_layer(of); ++row) {
+      const uint32_t there = first_row_at(to, rows_[row].y);
+      if (there < end_of_layer(to) && rows_[there].y == rows_[row].y) {
+        if (above == 0) contacts_of_rows(cover, row, there, visit);
+        continue;
+      }
+      const uint32_t run = run_of_rows(to, there);
+      for_each_in_row(cover, row, [&](const Stretch &stretch) { visit(stretch.run, run); });
+    }
+  }
+}
+
+template <class Visit>
+void EmptyRuns::for_each_contact(const CubeCover &cover, Visit visit) const {
+  for (uint32_t layer = 0; layer < layer_count_; ++layer) {
+    const uint32_t below = layers_[layer].before, above = layers_[layer + 1].before;
+    const auto with_layers = [&](const Stretch &stretch) {
+      if (below != no_id) visit(stretch.run, below);
+      if (above != no_id) visit(stretch.run, above);
+    };
+    for_each_in_layer(layer, with_layers);
+    for (uint32_t row = layers_[layer].first_row; row < end_of_layer(layer); ++row) {
+      const uint32_t before = rows_[row].before, after = run_of_rows(layer, row + 1);
+      for_each_in_row(cover, row, [&](const Stretch &stretch) {
+        with_layers(stretch);
+        if (before != no_id) visit(stretch.run, before);
+        if (after != no_id) visit(stretch.run, after);
+      });
+      if (after == no_id) contacts_of_rows(cover, row, row + 1, visit);
+    }
+    if (above == no_id) contacts_of_layers(cover, layer, visit);
+  }
+}
+
+}  // namespace hsp

@@ -1,0 +1,328 @@
+#include "cells/facet_overlay.hpp"
+
+namespace hsp {
+namespace {
+
+constexpr uint32_t parts_per_plane = 4, names_per_plane = 16;
+
+bool same_pair(const PowerPlane &a, const PowerPlane &b) {
+  return (a.near == b.near && a.far == b.far) || (a.near == b.far && a.far == b.near);
+}
+
+// The balls of two lines, each once; false if they are not three.
+bool three_balls(const PowerPlane &a, const PowerPlane &b, uint32_t ball[3]) {
+  if (a.is_side() || b.is_side() || same_pair(a, b)) return false;
+  const bool near_shared = b.near == a.near || b.near == a.far;
+  const bool far_shared = b.far == a.near || b.far == a.far;
+  if (!near_shared && !far_shared) return false;
+  ball[0] = a.near;
+  ball[1] = a.far;
+  ball[2] = near_shared ? b.far : b.near;
+  return true;
+}
+
+// Whether the common point of two lines lies on a third one for all weights.
+bool concur(const PowerPlane &a, const PowerPlane &b, const PowerPlane &line) {
+  if ((!a.is_side() && same_pair(a, line)) || (!b.is_side() && same_pair(b, line))) return true;
+  uint32_t ball[3];
+  if (!three_balls(a, b, ball)) return false;
+  const auto is_one = [&](uint32_t k) { return k == ball[0] || k == ball[1] || k == ball[2]; };
+  return is_one(line.near) && is_one(line.far);
+}
+
+double &along(Vec3 &y, uint32_t axis) {
+  return axis == 0 ? y.x : axis == 1 ? y.y : y.z;
+}
+
+}  // namespace
+
+void FacetOverlay::carve(Workspace &workspace, uint32_t balls) {
+  const uint64_t planes = PowerPolytope::most_planes(balls);
+  corners_ = workspace.take<Corner>(2 * planes);
+  other_corners_ = workspace.take<Corner>(2 * planes);
+  edges_ = workspace.take<Edge>(2 * planes);
+  other_edges_ = workspace.take<Edge>(2 * planes);
+  sides_ = workspace.take<int8_t>(2 * planes);
+  parts_ = FixedVector<Part>(workspace.take<Part>(parts_per_plane * planes));
+  names_ = FixedVector<Name>(workspace.take<Name>(names_per_plane * planes));
+}
+
+// A corner lies on a line of the facet above, at its corner if it lies on two of them.
+void FacetOverlay::lies_on(Corner &corner, uint32_t edge) const {
+  if (corner.edge_of[1] == no_id) {
+    corner.edge_of[1] = edge;
+  } else if (corner.edge_of[1] != edge && corner.corner_of[1] == no_id) {
+    corner.corner_of[1] = polygon_[1].corner_between(corner.edge_of[1], edge);
+  }
+}
+
+// The piece is the whole facet below, in the frame of the cube above.
+void FacetOverlay::start() {
+  const Polygon &below = polygon_[0], &above = polygon_[1];
+  size_ = below.size();
+  for (uint32_t k = 0; k < size_; ++k) {
+    const FacetCorner &corner = below.corner(k);
+    PlacedPoint at = corner.at;
+    along(at.y, side_.side() / 2) = -frame_.side();
+    corners_[k] = {at, {k, no_id}, {k, no_id}, 0};
+    const PowerPlane line = below.line(k);
+    edges_[k] = {line, frame_.plane(*balls_, line), {k, no_id}};
+  }
+  // Both facets may lie along the same sides.
+  for (uint32_t e = 0; e < above.size(); ++e) {
+    if (!above.line(e).is_side()) continue;
+    for (uint32_t k = 0; k < size_; ++k) {
+      if (!(edges_[k].line == above.line(e))) continue;
+      edges_[k].of[1] = e;
+      lies_on(corners_[k], e);
+      lies_on(corners_[next(k)], e);
+    }
+  }
+}
+
+int FacetOverlay::side_of(uint32_t corner, const PowerPlane &line, const UnitPlane &plane) const {
+  const PowerPlane &a = edges_[previous(corner)].line, &b = edges_[corner].line;
+  if (concur(a, b, line)) return 0;
+  const int side = frame_.side_of(corners_[corner].at, plane);
+  if (side != 0) return side;
+  return PowerPredicates(*balls_, polygon_[0].facet->ball, frame_).side_of(a, b, side_, line);
+}
+
+// Cuts off the piece what is beyond an edge of the facet above. Returns whether anything is left.
+bool FacetOverlay::cut(uint32_t edge) {
+  const PowerPlane line = polygon_[1].line(edge);
+  if (line.is_side()) return true;
+  const UnitPlane plane = frame_.plane(*balls_, line);
+  bool any_near = false, any_beyond = false;
+  for (uint32_t k = 0; k < size_; ++k) {
+    const int side = side_of(k, line, plane);
+    sides_[k] = static_cast<int8_t>(side);
+    any_near |= side > 0;
+    any_beyond |= side < 0;
+  }
+  if (!any_near) return false;
+  for (uint32_t k = 0; k < size_; ++k) {
+    if (sides_[k] != 0) continue;
+    lies_on(corners_[k], edge);
+    if (sides_[next(k)] == 0) edges_[k].of[1] = edge;
+  }
+  if (!any_beyond) return true;
+
+  uint32_t count = 0;
+  const auto add = [&](const Corner &corner, const Edge &out) {
+    other_corners_[count] = corner;
+    other_edges_[count++] = out;
+  };
+  const auto crossing = [&](const Edge &crossed) {
+    Corner corner{frame_.common_point(crossed.plane, plane, side_plane_), {no_id, no_id}, {crossed.of[0], edge}, 0};
+    if (crossed.of[1] != no_id && crossed.of[1] != edge) {
+      corner.corner_of[1] = polygon_[1].corner_between(crossed.of[1], edge);
+    }
+    return corner;
+  };
+  const Edge along_line{line, plane, {no_id, edge}};
+  for (uint32_t k = 0; k < size_; ++k) {
+    const int here = sides_[k], there = sides_[next(k)];
+    if (here >= 0) add(corners_[k], here == 0 && there < 0 ? along_line : edges_[k]);
+    if (here > 0 && there < 0) add(crossing(edges_[k]), along_line);
+    if (here < 0 && there > 0) add(crossing(edges_[k]), edges_[k]);
+  }
+  const auto corners = corners_;
+  corners_ = other_corners_;
+  other_corners_ = corners;
+  const auto edges = edges_;
+  edges_ = other_edges_;
+  other_edges_ = edges;
+  size_ = count;
+  return true;
+}
+
+// Which corners of a piece of two facets of one ball lie outside it.
+void FacetOverlay::find_outside() {
+  const uint32_t ball = polygon_[0].facet->ball;
+  const Vec3 centre = frame_.centre_of(*balls_, ball);
+  const double r = balls_->r[ball];
+  for (uint32_t k = 0; k < size_; ++k) {
+    Corner &corner = corners_[k];
+    int outside = 0;
+    for (uint32_t which = 0; which < 2; ++which) {
+      if (corner.corner_of[which] == no_id) continue;
+      outside = polygon_[which].corner(corner.corner_of[which]).cell != no_id ? 1 : -1;
+    }
+    if (outside == 0) {
+      const Vec3 y = corner.at.y - centre;
+      outside = frame_.outside(dot(y, y), corner.at.doubt, 4 * r * r);
+    }
+    if (outside == 0) {
+      const PowerPredicates exact(*balls_, ball, frame_);
+      outside = exact.is_outside(edges_[previous(k)].line, edges_[k].line, side_) ? 1 : -1;
+    }
+    corner.outside = outside > 0 ? 1 : 0;
+  }
+}
+
+// Whether an edge of such a piece is outside the ball, if its ends are.
+bool FacetOverlay::edge_is_free(uint32_t k) const {
+  const Edge &edge = edges_[k];
+  for (uint32_t which = 0; which < 2; ++which) {
+    if (edge.of[which] != no_id && polygon_[which].corner(edge.of[which]).edge_free != 0) return true;
+  }
+  return PowerPredicates(*balls_, polygon_[0].facet->ball, frame_)
+      .is_free(edge.line, side_, edges_[previous(k)].line, edges_[next(k)].line);
+}
+
+// The cell of a corner outside the ball of one of the two facets; no_id if it is inside a facet with several cells.
+uint32_t FacetOverlay::cell_of(uint32_t which, uint32_t corner) const {
+  const Polygon &polygon = polygon_[which];
+  if (polygon.facet->cell != no_id) return polygon.facet->cell;
+  const Corner &at = corners_[corner];
+  if (at.corner_of[which] != no_id) return polygon.corner(at.corner_of[which]).cell;
+  const uint32_t edge = at.edge_of[which];
+  if (edge == no_id) return no_id;
+  const uint32_t from = polygon.corner(edge).cell;
+  const uint32_t to = polygon.corner(polygon.next(edge)).cell;
+  if (from == to || to == no_id) return from;
+  if (from == no_id) return to;
+  // The ball covers a part of the edge, on one side of the corner.
+  const PowerPlane &across = edges_[corner].of[which] == edge ? edges_[previous(corner)].line : edges_[corner].line;
+  const PowerPredicates exact(*balls_, polygon.facet->ball, frame_);
+  const PowerPlane line = polygon.line(edge);
+  const int covered = exact.side_of_middle(line, side_, across);
+  return exact.side_of(line, polygon.line(polygon.previous(edge)), side_, across) == covered ? to : from;
+}
+
+// Three balls make a corner that is the same in all pieces around it.
+bool FacetOverlay::name_of(uint32_t corner, Name &name) const {
+  if (!three_balls(edges_[previous(corner)].line, edges_[corner].line, name.ball)) return false;
+  const auto order = [&](uint32_t a, uint32_t b) {
+    if (name.ball[a] <= name.ball[b]) return;
+    const uint32_t larger = name.ball[a];
+    name.ball[a] = name.ball[b];
+    name.ball[b] = larger;
+  };
+  order(0, 1);
+  order(1, 2);
+  order(0, 1);
+  return true;
+}
+
+void FacetOverlay::add_part(uint32_t below, uint32_t above, uint32_t first, uint32_t count,
+                            FixedVector<AdjacentCells> &contacts, uint64_t first_contact) {
+  uint32_t cell[2] = {no_id, no_id};
+  for (uint32_t n = 0, k = first; n < count; ++n, k = next(k)) {
+    for (uint32_t which = 0; which < 2; ++which) {
+      if (cell[which] == no_id) cell[which] = cell_of(which, k);
+    }
+  }
+  if (polygon_[0].facet->cell != no_id && polygon_[1].facet->cell != no_id) {
+    if (contacts.required() == first_contact) contacts.push({{cell[0], cell[1]}});
+    return;
+  }
+  parts_.push({{below, above}, {cell[0], cell[1]}, clamped_count(names_.required())});
+  for (uint32_t n = 0, k = first; n < count; ++n, k = next(k)) {
+    Name name;
+    if (name_of(k, name)) names_.push(name);
+  }
+}
+
+void FacetOverlay::overlay(uint32_t below, uint32_t above, FixedVector<AdjacentCells> &contacts) {
+  start();
+  for (uint32_t edge = 0; edge < polygon_[1].size(); ++edge) {
+    if (!cut(edge)) return;
+  }
+  const uint64_t first_contact = contacts.required();
+  if (polygon_[0].facet->ball != polygon_[1].facet->ball) {
+    return add_part(below, above, 0, size_, contacts, first_contact);
+  }
+  find_outside();
+  // sides_[k]: the edge from corner k on joins it to the next one.
+  bool any_gap = false;
+  for (uint32_t k = 0; k < size_; ++k) {
+    const bool joins = corners_[k].outside != 0 && corners_[next(k)].outside != 0 && edge_is_free(k);
+    sides_[k] = joins ? 1 : 0;
+    any_gap |= !joins;
+  }
+  if (!any_gap) return add_part(below, above, 0, size_, contacts, first_contact);
+  for (uint32_t k = 0; k < size_; ++k) {
+    if (corners_[k].outside == 0 || sides_[previous(k)] != 0) continue;
+    uint32_t count = 1;
+    for (uint32_t at = k; sides_[at] != 0; at = next(at)) ++count;
+    add_part(below, above, k, count, contacts, first_contact);
+  }
+}
+
+// Hands cells on from part to part of a facet, and then writes the contacts of all parts.
+Status FacetOverlay::resolve(FixedVector<AdjacentCells> &contacts) {
+  const uint32_t count = parts_.size();
+  const auto names_of = [&](uint32_t part) {
+    return IdRange{parts_[part].first_name, part + 1 < count ? parts_[part + 1].first_name : names_.size()};
+  };
+  const auto touch = [&](uint32_t a, uint32_t b) {
+    for (const uint32_t k : names_of(a)) {
+      for (const uint32_t l : names_of(b)) {
+        if (names_[k] == names_[l]) return true;
+      }
+    }
+    return false;
+  };
+  bool unknown = false;
+  for (bool progress = true; progress;) {
+    progress = unknown = false;
+    for (uint32_t a = 0; a < count; ++a) {
+      for (uint32_t which = 0; which < 2; ++which) {
+        if (parts_[a].cell[which] != no_id) continue;
+        unknown = true;
+        for (uint32_t b = 0; b < count; ++b) {
+          if (parts_[b].facet[which] != parts_[a].facet[which] || parts_[b].cell[which] == no_id || !touch(a, b)) {
+            continue;
+          }
+          parts_[a].cell[which] = parts_[b].cell[which];
+          progress = true;
+          break;
+        }
+      }
+    }
+  }
+  if (unknown) return Status::check;
+  for (uint32_t a = 0; a < count; ++a) {
+    const Part &part = parts_[a];
+    bool is_new = true;
+    for (uint32_t b = a; b-- > 0 && parts_[b].facet[0] == part.facet[0] && parts_[b].facet[1] == part.facet[1];) {
+      if (parts_[b].cell[0] == part.cell[0] && parts_[b].cell[1] == part.cell[1]) is_new = false;
+    }
+    if (is_new) contacts.push({{part.cell[0], part.cell[1]}});
+  }
+  return Status::ok;
+}
+
+Status FacetOverlay::find(const BallSet &balls, const CubeFrame &frame, uint32_t axis, const SideFacets &below,
+                          IdRange range, const SideFacets &above, FixedVector<AdjacentCells> &contacts) {
+  balls_ = &balls;
+  frame_ = frame;
+  side_ = side_plane(2 * axis);
+  side_plane_ = CubeFrame::side_in_doubles(2 * axis, frame.side());
+  parts_.clear();
+  names_.clear();
+  for (const uint32_t b : range) {
+    const SideFacet &lower = below.facet(b);
+    if (lower.side != 2 * axis + 1 || lower.outside == 0) continue;
+    for (uint32_t a = 0; a < above.facets().size(); ++a) {
+      const SideFacet &upper = above.facet(a);
+      if (upper.side != 2 * axis || upper.outside == 0) continue;
+      if (axis != 0 && (lower.high.x < upper.low.x || upper.high.x < lower.low.x)) continue;
+      if (axis != 1 && (lower.high.y < upper.low.y || upper.high.y < lower.low.y)) continue;
+      if (axis != 2 && (lower.high.z < upper.low.z || upper.high.z < lower.low.z)) continue;
+      polygon_[0] = {&below, &lower};
+      polygon_[1] = {&above, &upper};
+      overlay(b, a, contacts);
+    }
+  }
+  if (parts_.overflowed() || names_.overflowed()) {
+    const uint64_t by_parts = parts_.required() / parts_per_plane, by_names = names_.required() / names_per_plane;
+    needed_balls_ = clamped_count((by_parts > by_names ? by_parts : by_names) + 1);
+    return Status::capacity;
+  }
+  return resolve(contacts);
+}
+
+}  // namespace hsp

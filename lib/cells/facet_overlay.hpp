@@ -1,0 +1,101 @@
+// Where the cells of two cubes touch on their common side: the overlay of the facets that the power cells of both have
+// there.
+//
+// A piece is what two facets have in common, a convex polygon. If they belong to two balls, neither covers any of the
+// piece: a point of it in one ball has the least power to that ball in the one cube, and to the other ball in the other
+// cube, but both balls then meet both cubes and the powers would have to be equal. So the piece is outside both balls. If
+// the facets belong to one ball, the corners of the piece outside it, joined by edges outside it, are the connected parts
+// of the piece without the ball, as in power_cell.hpp. Each such part joins a cell of one cube and a cell of the other.
+//
+// The facets are polygons of lines, each where the powers to two balls are equal, cut from each other by the exact side of
+// a corner, two lines, and a third line. Lines of three balls whose pairs make up a triangle have a common point for all
+// weights, and a line may be in both facets: such corners lie on the line, all others on one side of it.
+//
+// Which cell a part belongs to is known by a corner of the facet, or by a point of an edge between two such corners. A part
+// that touches no border of a facet touches others in it, at corners that three facets of the other cube have in common,
+// and one of these parts reaches the border: every part of a facet outside a ball does.
+#pragma once
+
+#include "cells/free_space.hpp"
+#include "cells/side_facets.hpp"
+
+namespace hsp {
+
+class FacetOverlay {
+ public:
+  void carve(Workspace &workspace, uint32_t balls);
+  // Finds the contacts of the facets on a side of a cube, `upper`, with those numbered first .. last - 1 of the cube
+  // below it in direction `axis`, whose facets on the same side are those with side 2 axis + 1. frame is that of the cube
+  // above. Status::capacity: more balls per cube would have sufficed, needed_balls(). Status::check cannot happen.
+  Status find(const BallSet &balls, const CubeFrame &frame, uint32_t axis, const SideFacets &below, IdRange range,
+              const SideFacets &above, FixedVector<AdjacentCells> &contacts);
+  uint32_t needed_balls() const { return needed_balls_; }
+
+ private:
+  struct Edge {
+    PowerPlane line;
+    UnitPlane plane;
+    uint32_t of[2];  // the edges of the two facets on which it lies, or no_id
+  };
+  struct Corner {
+    PlacedPoint at;
+    uint32_t corner_of[2];  // the corners of the two facets that it is, or no_id
+    uint32_t edge_of[2];    // edges of the two facets on which it lies, or no_id
+    uint32_t outside;
+  };
+  // A connected part of a piece whose cell on one of the sides is not known, or that may tell others theirs.
+  struct Part {
+    uint32_t facet[2];
+    uint32_t cell[2];
+    uint32_t first_name;  // those of a part are consecutive, and those of the next one follow
+  };
+  struct Name {
+    uint32_t ball[3];
+    friend constexpr bool operator==(const Name &, const Name &) = default;
+  };
+
+  // A facet of one of the two cubes, as lines.
+  struct Polygon {
+    const SideFacets *facets;
+    const SideFacet *facet;
+    const FacetCorner &corner(uint32_t k) const { return facets->corner(*facet, k); }
+    uint32_t size() const { return facet->corners; }
+    uint32_t next(uint32_t k) const { return k + 1 < size() ? k + 1 : 0; }
+    uint32_t previous(uint32_t k) const { return (k > 0 ? k : size()) - 1; }
+    PowerPlane line(uint32_t k) const { return plane_of_code(corner(k).line, facet->ball); }
+    // The corner between two edges; no_id if they are not neighbours.
+    uint32_t corner_between(uint32_t a, uint32_t b) const { return next(a) == b ? b : next(b) == a ? a : no_id; }
+  };
+
+  void start();
+  bool cut(uint32_t edge);
+  int side_of(uint32_t corner, const PowerPlane &line, const UnitPlane &plane) const;
+  void lies_on(Corner &corner, uint32_t edge) const;
+  void overlay(uint32_t below, uint32_t above, FixedVector<AdjacentCells> &contacts);
+  void find_outside();
+  bool edge_is_free(uint32_t k) const;
+  void add_part(uint32_t below, uint32_t above, uint32_t first, uint32_t count, FixedVector<AdjacentCells> &contacts,
+                uint64_t first_contact);
+  uint32_t cell_of(uint32_t which, uint32_t corner) const;
+  bool name_of(uint32_t corner, Name &name) const;
+  Status resolve(FixedVector<AdjacentCells> &contacts);
+
+  uint32_t previous(uint32_t k) const { return (k > 0 ? k : size_) - 1; }
+  uint32_t next(uint32_t k) const { return k + 1 < size_ ? k + 1 : 0; }
+
+  const BallSet *balls_ = nullptr;
+  CubeFrame frame_;
+  PowerPlane side_{};
+  UnitPlane side_plane_{};
+  Polygon polygon_[2]{};
+  // The piece: corner k and the edge from it to the next one. The others are where it is cut to.
+  Span<Corner> corners_, other_corners_;
+  Span<Edge> edges_, other_edges_;
+  Span<int8_t> sides_;
+  uint32_t size_ = 0;
+  FixedVector<Part> parts_;
+  FixedVector<Name> names_;
+  uint32_t needed_balls_ = 0;
+};
+
+}  // namespace hsp

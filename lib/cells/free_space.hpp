@@ -1,0 +1,116 @@
+// Free space, what no ball of a set covers, as simple cells (Theorem 2.4): in every cube of the grid that balls meet the
+// free parts of their power cells, each of which lies at one ball, and runs of cubes that no ball meets. All ids of balls
+// are the grid's.
+//
+//   cells   the runs, cell 0 below all balls | the free parts, by cubes, in each by balls, in each by parts
+//
+// Cells are adjacent if they have a piece of a facet or of a side of cubes in common. Regions are what adjacent cells
+// make up, the components of free space; that of cell 0 is the outside, and has number 0.
+#pragma once
+
+#include "cells/cube_cover.hpp"
+#include "cells/cube_frame.hpp"
+#include "cells/empty_runs.hpp"
+#include "core/fixed_vector.hpp"
+#include "core/id_range.hpp"
+#include "core/workspace.hpp"
+
+namespace hsp {
+
+struct FreeSpaceLimits {
+  uint32_t cubes = 0;
+  uint32_t entries = 0;      // pairs of a cube and a ball that meets it
+  uint32_t cells = 0;
+  uint32_t adjacencies = 0;
+  uint32_t landmarks = 0;    // vertices of power cells with several free parts
+  uint32_t facets = 0;       // of power cells on sides between cubes that balls meet
+  uint32_t corners = 0;      // of these facets
+  uint32_t cube_balls = 0;   // that meet one cube
+  uint32_t cube_corners = 0; // of all power cells of one cube
+
+  // The smallest limits that are no smaller than these and others.
+  constexpr FreeSpaceLimits covering(const FreeSpaceLimits &other) const {
+    return {larger_count(cubes, other.cubes),
+            larger_count(entries, other.entries),
+            larger_count(cells, other.cells),
+            larger_count(adjacencies, other.adjacencies),
+            larger_count(landmarks, other.landmarks),
+            larger_count(facets, other.facets),
+            larger_count(corners, other.corners),
+            larger_count(cube_balls, other.cube_balls),
+            larger_count(cube_corners, other.cube_corners)};
+  }
+};
+
+enum class CellKind : uint32_t {
+  run,      // cubes that no ball meets
+  at_ball,  // a free part of a power cell that its ball meets
+  apart,    // a whole power cell that its ball does not meet
+};
+
+struct FreeCell {
+  uint32_t cube;  // of the cover, and its ball; no_id for a run
+  uint32_t ball;
+  CellKind kind;
+  uint32_t region;
+  uint32_t first_landmark;  // those of a cell are consecutive, and those of the next cell follow
+};
+
+// A vertex of a power cell outside its ball: the other balls or sides, as codes. It is in the cell that has it.
+struct Landmark {
+  uint32_t code[3];
+};
+
+struct AdjacentCells {
+  uint32_t cell[2];
+};
+
+// A code is a side of the cube, or a ball and six.
+constexpr PowerPlane plane_of_code(uint32_t code, uint32_t ball) {
+  return code < cube_sides ? side_plane(code) : PowerPlane{ball, code - cube_sides};
+}
+
+class FreeSpace {
+ public:
+  uint32_t cube_count() const { return cover.cubes(); }
+  uint32_t cell_count() const { return cells.size(); }
+  uint32_t run_count() const { return runs.count(); }
+  uint32_t adjacency_count() const { return contacts.size(); }
+  uint32_t region_count() const { return regions; }
+  const FreeCell &cell(uint32_t c) const { return cells[c]; }
+  // In ascending order.
+  Span<const uint32_t> neighbours(uint32_t c) const {
+    return neighbour.part(first_neighbour[c], first_neighbour[c + 1]);
+  }
+  IdRange landmarks_of(uint32_t c) const {
+    return {cells[c].first_landmark, c + 1 < cells.size() ? cells[c + 1].first_landmark : landmarks.size()};
+  }
+  // The free parts of the power cell of an entry of the cover.
+  IdRange parts_of(uint32_t entry) const { return {first_part[entry], first_part[entry + 1]}; }
+
+  void carve(Workspace &workspace, const FreeSpaceLimits &limits) {
+    cover.carve(workspace, limits.cubes, limits.entries);
+    runs.carve(workspace, limits.cubes);
+    cells = FixedVector<FreeCell>(workspace.take<FreeCell>(limits.cells));
+    landmarks = FixedVector<Landmark>(workspace.take<Landmark>(limits.landmarks));
+    contacts = FixedVector<AdjacentCells>(workspace.take<AdjacentCells>(limits.adjacencies));
+    first_part = workspace.take<uint32_t>(static_cast<uint64_t>(limits.entries) + 1);
+    first_neighbour = workspace.take<uint32_t>(static_cast<uint64_t>(limits.cells) + 1);
+    neighbour = workspace.take<uint32_t>(2 * static_cast<uint64_t>(limits.adjacencies));
+    region_sets = workspace.take<uint32_t>(limits.cells);
+  }
+
+  CubeCover cover;
+  EmptyRuns runs;
+  FixedVector<FreeCell> cells;
+  FixedVector<Landmark> landmarks;
+  FixedVector<AdjacentCells> contacts;  // each two cells once
+  Span<uint32_t> first_part;            // [entries + 1]
+  Span<uint32_t> first_neighbour;       // [cells + 1]
+  Span<uint32_t> neighbour;             // [2 adjacencies]
+  Span<uint32_t> region_sets;           // [cells] scratch memory of the builder
+  int64_t side = 1;
+  uint32_t regions = 0;
+};
+
+}  // namespace hsp

@@ -1,0 +1,206 @@
+#include "cells/free_space_builder.hpp"
+
+#include "core/disjoint_sets.hpp"
+#include "core/sorting.hpp"
+
+namespace hsp {
+
+FreeSpaceLimits expected_free_space_limits(uint32_t balls) {
+  const auto limit = [&](uint32_t each, uint32_t more) {
+    const uint64_t wanted = static_cast<uint64_t>(each) * balls + more;
+    return wanted < max_count ? static_cast<uint32_t>(wanted) : max_count;
+  };
+  return {limit(2, 64),  limit(8, 64),  limit(10, 256), limit(40, 1024), limit(16, 512),
+          limit(16, 512), limit(80, 2048), balls < 192 ? balls : 192, balls < 192 ? limit(40, 64) : 192 * 40};
+}
+
+void FreeSpaceBuilder::carve(Workspace &workspace, const FreeSpaceLimits &limits) {
+  limits_ = limits;
+  structure_.carve(workspace, limits);
+  cell_.carve(workspace, limits.cube_balls);
+  contacts_.carve(workspace, limits.cube_balls, limits.cube_corners);
+  overlay_.carve(workspace, limits.cube_balls);
+  kept_.carve(workspace, limits.facets, limits.corners);
+  open_.carve(workspace, clamped_count(3 * PowerPolytope::most_planes(limits.cube_balls)), limits.cube_corners);
+  first_kept_ = workspace.take<uint32_t>(static_cast<uint64_t>(limits.cubes) + 1);
+  touched_ = workspace.take<uint8_t>(PowerPolytope::most_vertices(limits.cube_balls));
+}
+
+Status FreeSpaceBuilder::build(const CubeGrid &grid) {
+  const BallSet &balls = grid.balls();
+  FreeSpace &space = structure_;
+  needed_ = {};
+  contacts_known_ = true;
+  space.cells.clear();
+  space.landmarks.clear();
+  space.contacts.clear();
+  kept_.clear();
+  space.side = grid.side();
+  space.regions = 0;
+  const bool covered = space.cover.build(grid);
+  needed_.cubes = space.cover.needed_cubes();
+  needed_.entries = space.cover.needed_entries();
+  if (!covered) return Status::capacity;
+  needed_.cube_balls = space.cover.most_balls();
+  if (needed_.cube_balls > limits_.cube_balls) return Status::capacity;
+
+  add_runs();
+  for (uint32_t k = 0; k < space.cover.cubes(); ++k) {
+    const Status status = add_cube(balls, surroundings(k));
+    if (status != Status::ok) return status;
+  }
+  space.first_part[space.cover.entries()] = clamped_count(space.cells.required());
+  if (!gather_needs()) return Status::capacity;
+  link_cells();
+  find_regions();
+  return Status::ok;
+}
+
+// Whether there was room for everything.
+bool FreeSpaceBuilder::gather_needs() {
+  note(needed_.cells, structure_.cells.required());
+  note(needed_.landmarks, structure_.landmarks.required());
+  note(needed_.facets, kept_.facets().required());
+  note(needed_.corners, kept_.corners().required());
+  if (contacts_known_) note(needed_.adjacencies, structure_.contacts.required());
+  return contacts_known_ && !structure_.cells.overflowed() && !structure_.landmarks.overflowed() &&
+         !structure_.contacts.overflowed();
+}
+
+void FreeSpaceBuilder::add_runs() {
+  FreeSpace &space = structure_;
+  space.runs.build(space.cover);
+  for (uint32_t run = 0; run < space.runs.count(); ++run) space.cells.push({no_id, no_id, CellKind::run, 0, 0});
+  space.runs.for_each_contact(space.cover, [&](uint32_t a, uint32_t b) { space.contacts.push({{a, b}}); });
+}
+
+FreeSpaceBuilder::Cube FreeSpaceBuilder::surroundings(uint32_t number) const {
+  const CubeCover &cover = structure_.cover;
+  const CubeCoordinates &at = cover.cube(number);
+  Cube cube{number, CubeFrame(at, structure_.side), {}, {}};
+  for (uint32_t side = 0; side < cube_sides; ++side) {
+    const int64_t step = side % 2 == 0 ? -1 : 1;
+    const uint32_t axis = side / 2;
+    const CubeCoordinates beside{at.x + (axis == 0 ? step : 0), at.y + (axis == 1 ? step : 0),
+                                 at.z + (axis == 2 ? step : 0)};
+    cube.neighbour[side] = cover.find(beside);
+    cube.run[side] = cube.neighbour[side] == no_id ? structure_.runs.find(cover, beside) : no_id;
+  }
+  return cube;
+}
+
+Status FreeSpaceBuilder::add_cube(const BallSet &balls, const Cube &cube) {
+  FreeSpace &space = structure_;
+  const Span<const uint32_t> members = space.cover.balls(cube.number);
+  cell_.enter(balls, cube.frame, members);
+  cell_.drop_dominated();
+  contacts_.clear(members.size());
+  open_.clear();
+  first_kept_[cube.number] = clamped_count(kept_.facets().required());
+  for (uint32_t k = 0; k < members.size(); ++k) {
+    const uint32_t first_cell = clamped_count(space.cells.required());
+    space.first_part[space.cover.first_entry(cube.number) + k] = first_cell;
+    cell_.build(k);
+    if (cell_.empty()) continue;
+    cell_.find_free_parts();
+    add_parts(cube);
+    const Status status = contacts_.add(cell_, k, first_cell, space.contacts);
+    if (status == Status::check) return status;
+    if (status == Status::capacity) contacts_known_ = false;
+    touch_runs(cube, first_cell);
+    for (uint32_t side = 0; side < cube_sides; ++side) {
+      if (cube.neighbour[side] != no_id) (side % 2 == 0 ? open_ : kept_).add(cell_, side, first_cell);
+    }
+  }
+  note(needed_.cube_corners, contacts_.needed_corners());
+  note(needed_.cube_corners, open_.corners().required());
+  first_kept_[cube.number + 1] = clamped_count(kept_.facets().required());
+  if (kept_.overflowed() || open_.overflowed()) contacts_known_ = false;
+  return contacts_known_ ? touch_cubes(balls, cube) : Status::ok;
+}
+
+// The free parts of a power cell as cells.
+void FreeSpaceBuilder::add_parts(const Cube &cube) {
+  FreeSpace &space = structure_;
+  const PowerPolytope &polytope = cell_.polytope();
+  for (uint32_t part = 0; part < cell_.parts(); ++part) {
+    const CellKind kind = cell_.parts() > 1 || cell_.meets_ball() ? CellKind::at_ball : CellKind::apart;
+    space.cells.push({cube.number, cell_.ball(), kind, 0, clamped_count(space.landmarks.required())});
+    if (cell_.parts() == 1) continue;
+    for (uint32_t v = 0; v < polytope.size(); ++v) {
+      if (cell_.part_of(v) != part) continue;
+      const uint32_t *const plane = polytope[v].plane;
+      space.landmarks.push({{cell_.code_of(plane[0]), cell_.code_of(plane[1]), cell_.code_of(plane[2])}});
+    }
+  }
+}
+
+// On sides where no ball meets the cube beyond, everything is outside all balls.
+void FreeSpaceBuilder::touch_runs(const Cube &cube, uint32_t first_cell) {
+  const PowerPolytope &polytope = cell_.polytope();
+  for (uint32_t side = 0; side < cube_sides; ++side) {
+    if (cube.run[side] == no_id) continue;
+    for (uint32_t part = 0; part < cell_.parts(); ++part) touched_[part] = 0;
+    for (uint32_t v = 0; v < polytope.size(); ++v) {
+      const uint32_t part = cell_.part_of(v);
+      if (part == no_id || touched_[part] != 0 || !polytope[v].has(side)) continue;
+      touched_[part] = 1;
+      structure_.contacts.push({{cube.run[side], first_cell + part}});
+    }
+  }
+}
+
+Status FreeSpaceBuilder::touch_cubes(const BallSet &balls, const Cube &cube) {
+  for (uint32_t axis = 0; axis < 3; ++axis) {
+    const uint32_t below = cube.neighbour[2 * axis];
+    if (below == no_id) continue;
+    const IdRange range{first_kept_[below], first_kept_[below + 1]};
+    const Status status = overlay_.find(balls, cube.frame, axis, kept_, range, open_, structure_.contacts);
+    if (status == Status::check) return status;
+    if (status == Status::capacity) {
+      note(needed_.cube_balls, overlay_.needed_balls());
+      contacts_known_ = false;
+      break;
+    }
+  }
+  return Status::ok;
+}
+
+// The neighbours of each cell, from the contacts.
+void FreeSpaceBuilder::link_cells() {
+  FreeSpace &space = structure_;
+  const uint32_t cells = space.cells.size();
+  for (uint32_t c = 0; c <= cells; ++c) space.first_neighbour[c] = 0;
+  for (const AdjacentCells &pair : space.contacts.items()) {
+    ++space.first_neighbour[pair.cell[0]];
+    ++space.first_neighbour[pair.cell[1]];
+  }
+  uint32_t end = 0;
+  for (uint32_t c = 0; c < cells; ++c) {
+    end += space.first_neighbour[c];
+    space.first_neighbour[c] = end;
+  }
+  space.first_neighbour[cells] = end;
+  for (const AdjacentCells &pair : space.contacts.items()) {
+    space.neighbour[--space.first_neighbour[pair.cell[0]]] = pair.cell[1];
+    space.neighbour[--space.first_neighbour[pair.cell[1]]] = pair.cell[0];
+  }
+  for (uint32_t c = 0; c < cells; ++c) {
+    sort_in_place(space.neighbour.part(space.first_neighbour[c], space.first_neighbour[c + 1]),
+                  [](uint32_t a, uint32_t b) { return a < b; });
+  }
+}
+
+void FreeSpaceBuilder::find_regions() {
+  FreeSpace &space = structure_;
+  const uint32_t cells = space.cells.size();
+  DisjointSets sets(space.region_sets.part(0, cells));
+  sets.reset();
+  for (const AdjacentCells &pair : space.contacts.items()) static_cast<void>(sets.join(pair.cell[0], pair.cell[1]));
+  for (uint32_t c = 0; c < cells; ++c) {
+    const uint32_t root = sets.root(c);  // the smallest of its set
+    space.cells[c].region = root == c ? space.regions++ : space.cells[root].region;
+  }
+}
+
+}  // namespace hsp

@@ -1,0 +1,60 @@
+// Cuts free space into cells.
+#pragma once
+
+#include "cells/cube_contacts.hpp"
+#include "cells/facet_overlay.hpp"
+#include "cells/free_space.hpp"
+
+namespace hsp {
+
+// Limits that suffice for most molecules.
+FreeSpaceLimits expected_free_space_limits(uint32_t balls);
+
+class FreeSpaceBuilder {
+ public:
+  void carve(Workspace &workspace, const FreeSpaceLimits &limits);
+
+  // Status::capacity if a limit is too small; needed() then tells what suffices, with 0 for what is not known yet.
+  // Status::check would mean that cells disagree, and cannot happen.
+  Status build(const CubeGrid &grid);
+
+  const FreeSpace &structure() const { return structure_; }
+  // To be broken by tests.
+  FreeSpace &structure() { return structure_; }
+  const FreeSpaceLimits &needed() const { return needed_; }
+  // What to try again with after Status::capacity.
+  FreeSpaceLimits retry_limits() const { return limits_.covering(needed_); }
+
+ private:
+  // A cube and what is on its six sides.
+  struct Cube {
+    uint32_t number;
+    CubeFrame frame;
+    uint32_t neighbour[cube_sides];  // a cube of the cover, or no_id
+    uint32_t run[cube_sides];        // the run there if there is no such cube
+  };
+
+  void add_runs();
+  Status add_cube(const BallSet &balls, const Cube &cube);
+  void add_parts(const Cube &cube);
+  void touch_runs(const Cube &cube, uint32_t first_cell);
+  Status touch_cubes(const BallSet &balls, const Cube &cube);
+  Cube surroundings(uint32_t number) const;
+  void note(uint32_t &needed, uint64_t count) const { needed = larger_count(needed, clamped_count(count)); }
+  bool gather_needs();
+  void link_cells();
+  void find_regions();
+
+  FreeSpaceLimits limits_, needed_;
+  FreeSpace structure_;
+  PowerCell cell_;
+  CubeContacts contacts_;
+  FacetOverlay overlay_;
+  SideFacets kept_;               // facets on upper sides, for the cubes that follow
+  SideFacets open_;               // facets of one cube on its lower sides
+  Span<uint32_t> first_kept_;     // [cubes + 1]
+  Span<uint8_t> touched_;         // [corners of one cell] parts that a run touches
+  bool contacts_known_ = true;
+};
+
+}  // namespace hsp

@@ -1,0 +1,76 @@
+// The power cell of one ball in one cube: the points of the cube whose power to no other ball that meets the cube is
+// smaller. What it has outside its ball falls into free parts.
+//
+// Theorem. The components of a convex polytope K without a ball B correspond to the components of the graph of the
+// vertices of K outside B, joined by the edges of K that lie outside B as a whole. Proof: from a common point q of K and B
+// every ray leaves the convex B once and K once, so K without B retracts to the boundary of K without B; in the same way
+// every facet retracts to its border, and an edge, of which B covers an interval, to its ends. If K and B have no common
+// point, all vertices and edges are outside and connected.
+#pragma once
+
+#include "cells/power_polytope.hpp"
+#include "cells/power_predicates.hpp"
+
+namespace hsp {
+
+class PowerCell {
+ public:
+  void carve(Workspace &workspace, uint32_t balls);
+
+  // The cube whose power cells follow, and the balls that meet it.
+  void enter(const BallSet &balls, const CubeFrame &frame, Span<const uint32_t> members);
+  // Balls whose power cells are certainly empty, as another ball has less power all over the cube, are out of the game
+  // from then on; so are those that are found to be empty.
+  void drop_dominated();
+
+  // The power cell of member number k, which may be empty.
+  void build(uint32_t k);
+  // Which of its vertices are outside the ball, which edges, and its free parts.
+  void find_free_parts();
+
+  bool empty() const { return polytope_.size() == 0; }
+  uint32_t ball() const { return members_[member_]; }
+  const PowerPolytope &polytope() const { return polytope_; }
+  uint32_t parts() const { return parts_; }
+  // The free part of a vertex; no_id for a vertex inside the ball.
+  uint32_t part_of(uint32_t vertex) const { return part_[vertex]; }
+  // Whether the edge opposite to plane k of a vertex is outside the ball as a whole.
+  bool is_free_edge(uint32_t vertex, uint32_t k) const { return (free_edges_[vertex] >> k & 1) != 0; }
+  // Whether the ball and its power cell have a common point. Only asked for cells without vertices in the ball.
+  bool meets_ball() const;
+
+  // Plane numbers: sides, then members.
+  PowerPlane plane(uint32_t number) const {
+    return number < cube_sides ? side_plane(number) : PowerPlane{ball(), members_[number - cube_sides]};
+  }
+  // What a number says to whoever does not know the members: a side, or a ball and six.
+  uint32_t code_of(uint32_t number) const { return number < cube_sides ? number : cube_sides + members_[number - cube_sides]; }
+
+ private:
+  struct Candidate {
+    double distance;  // of the plane from the ball's centre, negative if the centre is beyond
+    uint32_t plane;
+  };
+
+  bool find_beyond(uint32_t number, bool &all);
+  double farthest() const;
+  bool is_outside(const PolytopeVertex &vertex) const;
+  bool edge_is_free(uint32_t v, uint32_t k) const;
+  bool has_centre_before(uint32_t number) const;
+  bool contains_disc(uint32_t number) const;
+
+  const BallSet *balls_ = nullptr;
+  CubeFrame frame_;
+  Span<const uint32_t> members_;
+  uint32_t member_ = 0;
+  Vec3 centre_{};
+  PowerPolytope polytope_;
+  Span<UnitPlane> planes_;       // [sides + members]
+  Span<Candidate> candidates_;   // [members]
+  Span<uint8_t> out_of_game_;    // [members]
+  Span<uint32_t> part_;          // [vertices]
+  Span<uint8_t> free_edges_;     // [vertices] bits
+  uint32_t parts_ = 0;
+};
+
+}  // namespace hsp

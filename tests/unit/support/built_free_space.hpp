@@ -1,0 +1,47 @@
+// Free space as cells, in memory that grows until it suffices.
+#pragma once
+
+#include "built_grid.hpp"
+#include "cells/free_space_builder.hpp"
+#include "lattice_ball.hpp"
+
+class BuiltFreeSpace {
+ public:
+  explicit BuiltFreeSpace(const oracle::Balls &balls)
+      : BuiltFreeSpace(balls, hsp::expected_free_space_limits(static_cast<uint32_t>(balls.size()))) {}
+  BuiltFreeSpace(const oracle::Balls &balls, const hsp::FreeSpaceLimits &limits) : grid_(listed(balls)) {
+    status_ = build(limits);
+    while (status_ == hsp::Status::capacity && retries_ < 20) {
+      ++retries_;
+      status_ = build(builder_.retry_limits());
+    }
+  }
+
+  hsp::Status build(const hsp::FreeSpaceLimits &limits) {
+    memory_.carve(builder_, limits);
+    return builder_.build(grid_.grid());
+  }
+
+  hsp::Status status() const { return status_; }
+  uint32_t retries() const { return retries_; }
+  const hsp::CubeGrid &grid() const { return grid_.grid(); }
+  const hsp::BallSet &balls() const { return grid_.grid().balls(); }
+  const hsp::FreeSpace &space() const { return builder_.structure(); }
+  hsp::FreeSpaceBuilder &builder() { return builder_; }
+
+ private:
+  static support::BallList listed(const oracle::Balls &balls) {
+    support::BallList list;
+    for (const oracle::LatticeBall &ball : balls) {
+      list.add(static_cast<double>(ball.x), static_cast<double>(ball.y), static_cast<double>(ball.z),
+               static_cast<double>(ball.radius));
+    }
+    return list;
+  }
+
+  BuiltGrid grid_;
+  CarvedMemory memory_;
+  hsp::FreeSpaceBuilder builder_;
+  hsp::Status status_ = hsp::Status::ok;
+  uint32_t retries_ = 0;
+};
