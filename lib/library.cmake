@@ -21,6 +21,16 @@ set(HSP_LIBRARY_SOURCES
   lib/model/row_directory.cpp
   lib/model/ray_query.cpp
   lib/model/vertical_ray.cpp
+  lib/cells/cell_location.cpp
+  lib/cells/cube_contacts.cpp
+  lib/cells/cube_cover.cpp
+  lib/cells/empty_runs.cpp
+  lib/cells/facet_overlay.cpp
+  lib/cells/free_space_builder.cpp
+  lib/cells/power_cell.cpp
+  lib/cells/power_polytope.cpp
+  lib/cells/power_predicates.cpp
+  lib/cells/side_facets.cpp
   lib/sphere/arc_geometry.cpp
   lib/sphere/cap_clusters.cpp
   lib/sphere/candidate_block_avx2.cpp
@@ -48,16 +58,6 @@ set(HSP_LIBRARY_SOURCES
   lib/topology/topology_builder.cpp
   lib/topology/topology_check.cpp
   lib/topology/traversal.cpp
-  lib/cells/cell_location.cpp
-  lib/cells/cube_contacts.cpp
-  lib/cells/cube_cover.cpp
-  lib/cells/empty_runs.cpp
-  lib/cells/facet_overlay.cpp
-  lib/cells/free_space_builder.cpp
-  lib/cells/power_cell.cpp
-  lib/cells/power_polytope.cpp
-  lib/cells/power_predicates.cpp
-  lib/cells/side_facets.cpp
   lib/measure/arc_batches.cpp
   lib/measure/arc_kernel.cpp
   lib/measure/arc_kernel_avx2.cpp

@@ -28,8 +28,7 @@ uint32_t CubeContacts::cell_at(const Member &member, const Corner &corner) const
   return no_id;
 }
 
-Status CubeContacts::add(const PowerCell &cell, uint32_t k, uint32_t first_cell,
-                         FixedVector<AdjacentCells> &contacts) {
+Status CubeContacts::add(const PowerCell &cell, uint32_t k, uint32_t first_cell, FixedVector<AdjacentCells> &contacts) {
   const PowerPolytope &polytope = cell.polytope();
   Member &own = members_[k];
   own = {clamped_count(corners_.required()), 0, first_cell, cell.parts(), no_id};

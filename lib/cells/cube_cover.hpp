@@ -1,5 +1,5 @@
-// The cubes of the grid that balls meet, and the balls that meet each of them. A ball that touches a cube meets it, as the
-// symbolic perturbation inflates it.
+// The cubes of the grid that balls meet, and the balls that meet each of them. A ball that touches a cube meets it, as
+// the symbolic perturbation inflates it.
 #pragma once
 
 #include "core/fixed_vector.hpp"

@@ -1,12 +1,12 @@
 // One cube of the grid and the planes that bound power cells in it, in doubles with their error bounds.
 //
-// Positions are y = 2 (x - centre of the cube), so that the cube is |y_k| <= side. A plane is v.y = h with a unit normal;
-// its near side is v.y <= h. With u = 2^-53, s the side and balls of this cube or one next to it: centres and radii are
-// integers below 2^53, so differences are exact, and v is off by less than 8 u. h comes from (c_far - c_near).(sum of both
-// centres) less a difference of squared radii, factored; it is off by less than 100 u s + 8 u |h|, where a plane that
-// meets the cube has |h| < 4 s. So v.y - h is off by less than 512 u s at a point that is known exactly. A point of three
-// planes is y = H / B, where B is off by less than 32 u and each part of H by less than 1024 u s: y by less than
-// 4096 u s / |B|, its doubt.
+// Positions are y = 2 (x - centre of the cube), so that the cube is |y_k| <= side. A plane is v.y = h with a unit
+// normal; its near side is v.y <= h. With u = 2^-53, s the side and balls of this cube or one next to it: centres and
+// radii are integers below 2^53, so differences are exact, and v is off by less than 8 u. h comes from (c_far -
+// c_near).(sum of both centres) less a difference of squared radii, factored; it is off by less than 100 u s + 8 u |h|,
+// where a plane that meets the cube has |h| < 4 s. So v.y - h is off by less than 512 u s at a point that is known
+// exactly. A point of three planes is y = H / B, where B is off by less than 32 u and each part of H by less than 1024
+// u s: y by less than 4096 u s / |B|, its doubt.
 #pragma once
 
 #include "core/floating_point.hpp"
@@ -15,8 +15,8 @@
 
 namespace hsp {
 
-// What bounds a power cell: the points with equal powers to two balls, or a side of the cube. On the near side the power
-// to ball `near` is the smaller one. Side 2 k is the lower one in direction k, side 2 k + 1 the upper one.
+// What bounds a power cell: the points with equal powers to two balls, or a side of the cube. On the near side the
+// power to ball `near` is the smaller one. Side 2 k is the lower one in direction k, side 2 k + 1 the upper one.
 struct PowerPlane {
   uint32_t near, far;
   friend constexpr bool operator==(const PowerPlane &, const PowerPlane &) = default;

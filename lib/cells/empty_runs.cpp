@@ -41,8 +41,7 @@ uint32_t EmptyRuns::find(const CubeCover &cover, const CubeCoordinates &cube) co
   const uint32_t row = first_row_at(layer, cube.y);
   if (row == end_of_layer(layer) || rows_[row].y != cube.y) return run_of_rows(layer, row);
   const uint32_t end = end_of_row(row);
-  const uint32_t next =
-      first_index(rows_[row].first_cube, end, [&](uint32_t k) { return cover.cube(k).x >= cube.x; });
+  const uint32_t next = first_index(rows_[row].first_cube, end, [&](uint32_t k) { return cover.cube(k).x >= cube.x; });
   return next < end ? before_cube_[next] : rows_[row].after;
 }
 

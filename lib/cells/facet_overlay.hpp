@@ -3,17 +3,18 @@
 //
 // A piece is what two facets have in common, a convex polygon. If they belong to two balls, neither covers any of the
 // piece: a point of it in one ball has the least power to that ball in the one cube, and to the other ball in the other
-// cube, but both balls then meet both cubes and the powers would have to be equal. So the piece is outside both balls. If
-// the facets belong to one ball, the corners of the piece outside it, joined by edges outside it, are the connected parts
-// of the piece without the ball, as in power_cell.hpp. Each such part joins a cell of one cube and a cell of the other.
+// cube, but both balls then meet both cubes and the powers would have to be equal. So the piece is outside both balls.
+// If the facets belong to one ball, the corners of the piece outside it, joined by edges outside it, are the connected
+// parts of the piece without the ball, as in power_cell.hpp. Each such part joins a cell of one cube and a cell of the
+// other.
 //
-// The facets are polygons of lines, each where the powers to two balls are equal, cut from each other by the exact side of
-// a corner, two lines, and a third line. Lines of three balls whose pairs make up a triangle have a common point for all
-// weights, and a line may be in both facets: such corners lie on the line, all others on one side of it.
+// The facets are polygons of lines, each where the powers to two balls are equal, cut from each other by the exact side
+// of a corner, two lines, and a third line. Lines of three balls whose pairs make up a triangle have a common point for
+// all weights, and a line may be in both facets: such corners lie on the line, all others on one side of it.
 //
-// Which cell a part belongs to is known by a corner of the facet, or by a point of an edge between two such corners. A part
-// that touches no border of a facet touches others in it, at corners that three facets of the other cube have in common,
-// and one of these parts reaches the border: every part of a facet outside a ball does.
+// Which cell a part belongs to is known by a corner of the facet, or by a point of an edge between two such corners. A
+// part that touches no border of a facet touches others in it, at corners that three facets of the other cube have in
+// common, and one of these parts reaches the border: every part of a facet outside a ball does.
 #pragma once
 
 #include "cells/free_space.hpp"
@@ -25,8 +26,8 @@ class FacetOverlay {
  public:
   void carve(Workspace &workspace, uint32_t balls);
   // Finds the contacts of the facets on a side of a cube, `upper`, with those numbered first .. last - 1 of the cube
-  // below it in direction `axis`, whose facets on the same side are those with side 2 axis + 1. frame is that of the cube
-  // above. Status::capacity: more balls per cube would have sufficed, needed_balls(). Status::check cannot happen.
+  // below it in direction `axis`, whose facets on the same side are those with side 2 axis + 1. frame is that of the
+  // cube above. Status::capacity: more balls per cube would have sufficed, needed_balls(). Status::check cannot happen.
   Status find(const BallSet &balls, const CubeFrame &frame, uint32_t axis, const SideFacets &below, IdRange range,
               const SideFacets &above, FixedVector<AdjacentCells> &contacts);
   uint32_t needed_balls() const { return needed_balls_; }

@@ -1,6 +1,6 @@
-// Free space, what no ball of a set covers, as simple cells (Theorem 2.4): in every cube of the grid that balls meet the
-// free parts of their power cells, each of which lies at one ball, and runs of cubes that no ball meets. All ids of balls
-// are the grid's.
+// Free space, what no ball of a set covers, as simple cells (Theorem 2.4): in every cube of the grid that balls meet
+// the free parts of their power cells, each of which lies at one ball, and runs of cubes that no ball meets. All ids of
+// balls are the grid's.
 //
 //   cells   the runs, cell 0 below all balls | the free parts, by cubes, in each by balls, in each by parts
 //
@@ -19,14 +19,14 @@ namespace hsp {
 
 struct FreeSpaceLimits {
   uint32_t cubes = 0;
-  uint32_t entries = 0;      // pairs of a cube and a ball that meets it
+  uint32_t entries = 0;  // pairs of a cube and a ball that meets it
   uint32_t cells = 0;
   uint32_t adjacencies = 0;
-  uint32_t landmarks = 0;    // vertices of power cells with several free parts
-  uint32_t facets = 0;       // of power cells on sides between cubes that balls meet
-  uint32_t corners = 0;      // of these facets
-  uint32_t cube_balls = 0;   // that meet one cube
-  uint32_t cube_corners = 0; // of all power cells of one cube
+  uint32_t landmarks = 0;     // vertices of power cells with several free parts
+  uint32_t facets = 0;        // of power cells on sides between cubes that balls meet
+  uint32_t corners = 0;       // of these facets
+  uint32_t cube_balls = 0;    // that meet one cube
+  uint32_t cube_corners = 0;  // of all power cells of one cube
 
   // The smallest limits that are no smaller than these and others.
   constexpr FreeSpaceLimits covering(const FreeSpaceLimits &other) const {

@@ -10,8 +10,15 @@ FreeSpaceLimits expected_free_space_limits(uint32_t balls) {
     const uint64_t wanted = static_cast<uint64_t>(each) * balls + more;
     return wanted < max_count ? static_cast<uint32_t>(wanted) : max_count;
   };
-  return {limit(2, 64),  limit(8, 64),  limit(10, 256), limit(40, 1024), limit(16, 512),
-          limit(16, 512), limit(80, 2048), balls < 192 ? balls : 192, balls < 192 ? limit(40, 64) : 192 * 40};
+  return {limit(2, 64),
+          limit(8, 64),
+          limit(10, 256),
+          limit(40, 1024),
+          limit(16, 512),
+          limit(16, 512),
+          limit(80, 2048),
+          balls < 192 ? balls : 192,
+          balls < 192 ? limit(40, 64) : 192 * 40};
 }
 
 void FreeSpaceBuilder::carve(Workspace &workspace, const FreeSpaceLimits &limits) {

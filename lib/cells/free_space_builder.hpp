@@ -50,10 +50,10 @@ class FreeSpaceBuilder {
   PowerCell cell_;
   CubeContacts contacts_;
   FacetOverlay overlay_;
-  SideFacets kept_;               // facets on upper sides, for the cubes that follow
-  SideFacets open_;               // facets of one cube on its lower sides
-  Span<uint32_t> first_kept_;     // [cubes + 1]
-  Span<uint8_t> touched_;         // [corners of one cell] parts that a run touches
+  SideFacets kept_;            // facets on upper sides, for the cubes that follow
+  SideFacets open_;            // facets of one cube on its lower sides
+  Span<uint32_t> first_kept_;  // [cubes + 1]
+  Span<uint8_t> touched_;      // [corners of one cell] parts that a run touches
   bool contacts_known_ = true;
 };
 

@@ -2,10 +2,10 @@
 // smaller. What it has outside its ball falls into free parts.
 //
 // Theorem. The components of a convex polytope K without a ball B correspond to the components of the graph of the
-// vertices of K outside B, joined by the edges of K that lie outside B as a whole. Proof: from a common point q of K and B
-// every ray leaves the convex B once and K once, so K without B retracts to the boundary of K without B; in the same way
-// every facet retracts to its border, and an edge, of which B covers an interval, to its ends. If K and B have no common
-// point, all vertices and edges are outside and connected.
+// vertices of K outside B, joined by the edges of K that lie outside B as a whole. Proof: from a common point q of K
+// and B every ray leaves the convex B once and K once, so K without B retracts to the boundary of K without B; in the
+// same way every facet retracts to its border, and an edge, of which B covers an interval, to its ends. If K and B have
+// no common point, all vertices and edges are outside and connected.
 #pragma once
 
 #include "cells/power_polytope.hpp"
@@ -44,7 +44,9 @@ class PowerCell {
     return number < cube_sides ? side_plane(number) : PowerPlane{ball(), members_[number - cube_sides]};
   }
   // What a number says to whoever does not know the members: a side, or a ball and six.
-  uint32_t code_of(uint32_t number) const { return number < cube_sides ? number : cube_sides + members_[number - cube_sides]; }
+  uint32_t code_of(uint32_t number) const {
+    return number < cube_sides ? number : cube_sides + members_[number - cube_sides];
+  }
 
  private:
   struct Candidate {
@@ -65,11 +67,11 @@ class PowerCell {
   uint32_t member_ = 0;
   Vec3 centre_{};
   PowerPolytope polytope_;
-  Span<UnitPlane> planes_;       // [sides + members]
-  Span<Candidate> candidates_;   // [members]
-  Span<uint8_t> out_of_game_;    // [members]
-  Span<uint32_t> part_;          // [vertices]
-  Span<uint8_t> free_edges_;     // [vertices] bits
+  Span<UnitPlane> planes_;      // [sides + members]
+  Span<Candidate> candidates_;  // [members]
+  Span<uint8_t> out_of_game_;   // [members]
+  Span<uint32_t> part_;         // [vertices]
+  Span<uint8_t> free_edges_;    // [vertices] bits
   uint32_t parts_ = 0;
 };
 

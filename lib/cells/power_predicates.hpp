@@ -1,7 +1,8 @@
-// Questions about power cells in a cube, decided by integers with the symbolic perturbation of exact/exact_predicates.hpp.
+// Questions about power cells in a cube, decided by integers with the symbolic perturbation of
+// exact/exact_predicates.hpp.
 //
-// One ball is the origin: y = 2 (x - c), its sphere is |y|^2 = W, and the plane of balls a and b is v.y = h with
-// v = c_b - c_a and h = h_b - h_a, where h_j = |c_j - c|^2 + w - w_j: what is nearer to a, by power, has v.y <= h. Under
+// One ball is the origin: y = 2 (x - c), its sphere is |y|^2 = W, and the plane of balls a and b is v.y = h with v =
+// c_b - c_a and h = h_b - h_a, where h_j = |c_j - c|^2 + w - w_j: what is nearer to a, by power, has v.y <= h. Under
 // the perturbation h gets eps_a - eps_b. Sides of the cube have unit normals and are not perturbed.
 //
 // The balls need not meet each other, only one cube or two with a common side, so that |v| and |y| are below 2^34 and
@@ -23,12 +24,13 @@ class PowerPredicates {
   // On which side of plane S the common point of P, Q and R lies: +1 the near one, -1 the far one; 0 if S goes through
   // that point whatever the weights are, which takes planes of pairs that are the edges of a cycle.
   int side_of(const PowerPlane &P, const PowerPlane &Q, const PowerPlane &R, const PowerPlane &S) const;
-  // Whether the common point of P, Q and R lies outside the origin ball. Here and below each plane is that of the origin
-  // ball and another one, or a side.
+  // Whether the common point of P, Q and R lies outside the origin ball. Here and below each plane is that of the
+  // origin ball and another one, or a side.
   bool is_outside(const PowerPlane &P, const PowerPlane &Q, const PowerPlane &R) const;
   // Whether the line of P and Q meets the origin ball.
   bool meets_line(const PowerPlane &P, const PowerPlane &Q) const;
-  // On which side of R the line of P and Q is nearest to the centre: +1 the near one, -1 the far one. R may be any plane.
+  // On which side of R the line of P and Q is nearest to the centre: +1 the near one, -1 the far one. R may be any
+  // plane.
   int side_of_middle(const PowerPlane &P, const PowerPlane &Q, const PowerPlane &R) const;
   // Whether an edge is outside the ball as a whole, whose ends are: on the line of P and Q, from R1 to R2.
   bool is_free(const PowerPlane &P, const PowerPlane &Q, const PowerPlane &R1, const PowerPlane &R2) const {

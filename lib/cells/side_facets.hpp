@@ -19,9 +19,9 @@ struct SideFacet {
   uint32_t ball;
   uint32_t side;
   uint32_t first_corner, corners;
-  uint32_t cell;      // the cell of all corners outside the ball; no_id if there are several
-  uint32_t outside;   // how many corners there are outside
-  Vec3 low, high;     // a box around the facet, along the side
+  uint32_t cell;     // the cell of all corners outside the ball; no_id if there are several
+  uint32_t outside;  // how many corners there are outside
+  Vec3 low, high;    // a box around the facet, along the side
 };
 
 class SideFacets {
