@@ -64,10 +64,14 @@ set(HSP_LIBRARY_SOURCES
   lib/measure/areas.cpp
   lib/measure/boundary_metric_check.cpp
   lib/measure/boundary_positions.cpp
+  lib/measure/curvature.cpp
   lib/measure/gradients.cpp
   lib/measure/positions.cpp
   lib/measure/shell_volumes.cpp
   lib/measure/tangency.cpp
+  lib/contacts/chord_clipper.cpp
+  lib/contacts/contacts_builder.cpp
+  lib/contacts/contacts_check.cpp
   lib/surface/concave_patches.cpp
   lib/surface/covered_gaps.cpp
   lib/surface/cusped_circles.cpp

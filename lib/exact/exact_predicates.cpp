@@ -195,6 +195,24 @@ PointStatus ExactPredicates<Limb>::point_status(const Sphere &sphere, const Plan
 }
 
 template <class Limb>
+Sign ExactPredicates<Limb>::near(const Sphere &sphere, const Plane &P, const Plane &Q, const Plane &R, const Plane &S) {
+  using E = Evaluation<Limb>;
+  const Vector n = cross(P.v, Q.v);
+  const auto H = E::H_of(P, Q, R, n);
+  const auto B = E::dot128(n, R.v);
+  const int sign_B = B.sign();
+  const int value = (product<192>(B, E::I64::from(S.h)) - E::template dot_long<192>(H, S.v)).sign();
+  if (value != 0) return {value * sign_B, false};
+  // The origin's coefficient is minus the sum of the others.
+  const auto a = E::dot128(cross(Q.v, R.v), S.v);
+  const auto b = E::dot128(cross(R.v, P.v), S.v);
+  const auto c = E::dot128(n, S.v);
+  const Term terms[] = {
+      {origin_plane(sphere), (B - a - b - c).sign()}, {P, a.sign()}, {Q, b.sign()}, {R, c.sign()}, {S, -sign_B}};
+  return {first_in_rank(terms) > 0 ? sign_B : -sign_B, true};
+}
+
+template <class Limb>
 double ExactPredicates<Limb>::discriminant(const Sphere &sphere, const Plane &P, const Plane &Q) {
   using E = Evaluation<Limb>;
   const double D = E::D_of(sphere, cross(P.v, Q.v), E::q_of(P, Q)).to_double();
@@ -237,6 +255,25 @@ double ExactPredicates<Limb>::cross_dot_cross(const Vector &u, const Vector &v, 
 template <class Limb>
 int ExactPredicates<Limb>::cross_dot_cross_sign(const Vector &u, const Vector &v, const Vector &z) {
   return Evaluation<Limb>::dot128(cross(u, v), cross(u, z)).sign();
+}
+
+template <class Limb>
+ChordFactors ExactPredicates<Limb>::chord_factors(const Plane &P, const Plane &Q) {
+  using E = Evaluation<Limb>;
+  const Vector n = cross(P.v, Q.v);
+  const int64_t uv = dot(P.v, Q.v);
+  const auto N = E::dot128(n, n);
+  const auto alpha = E::times(P.h, dot(Q.v, Q.v)) - E::times(Q.h, uv);
+  const auto beta = E::times(Q.h, dot(P.v, P.v)) - E::times(P.h, uv);
+  return {alpha.to_double(), beta.to_double(), (N + N - alpha - beta).to_double(), N.to_double()};
+}
+
+template <class Limb>
+double ExactPredicates<Limb>::line_parameter(const Plane &P, const Plane &Q, const Plane &R) {
+  using E = Evaluation<Limb>;
+  const Vector n = cross(P.v, Q.v);
+  // -A = H.n
+  return E::template dot_long<192>(E::H_of(P, Q, R, n), n).to_double() / E::dot128(n, R.v).to_double();
 }
 
 template <class Limb>

@@ -24,6 +24,11 @@ struct PointStatus {
   bool tied[2];
 };
 
+// What the parts of contacts by a chord are made of (lib/contacts), each rounded once.
+struct ChordFactors {
+  double alpha, beta, third, N;  // third = 2 N - alpha - beta
+};
+
 // p+ and p- are (q x n + s sqrt(D) n)/N for s = +1 and -1, n = u x v. Seen from outside along u, circle P runs
 // counter-clockwise and its part inside Q goes from p- to p+.
 template <class Limb>
@@ -34,6 +39,9 @@ struct ExactPredicates {
   static Sign side(const Sphere &sphere, const Plane &P, const Plane &R);
   // For circles P, Q that cross: whether their common points lie inside R.
   static PointStatus point_status(const Sphere &sphere, const Plane &P, const Plane &Q, const Plane &R);
+  // For four balls whose planes meet in one point, their power vertex (B not 0): +1 if it is nearer to them than to
+  // ball S, in power distance, else -1. All are balls.
+  static Sign near(const Sphere &sphere, const Plane &P, const Plane &Q, const Plane &R, const Plane &S);
 
   // Exact values, rounded once, for metric quantities.
   static double discriminant(const Sphere &sphere, const Plane &P,
@@ -45,6 +53,9 @@ struct ExactPredicates {
   static int triple_product_sign(const Vector &u, const Vector &v, const Vector &z);
   static double cross_dot_cross(const Vector &u, const Vector &v, const Vector &z);  // (u x v).(u x z)
   static int cross_dot_cross_sign(const Vector &u, const Vector &v, const Vector &z);
+  static ChordFactors chord_factors(const Plane &P, const Plane &Q);
+  // Where on the line (q x n + t n)/N of two planes a third one lies, for B not 0: t = -A/B, both rounded once.
+  static double line_parameter(const Plane &P, const Plane &Q, const Plane &R);
   static void radical_vector(const Plane &P, const Plane &Q, double q[3]);  // q = h_P v - h_Q u
 
   // Squared distance of two lattice points against a squared length: sign(|d|^2 - s^2) for |d_k|, s < 2^62.

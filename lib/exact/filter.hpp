@@ -6,7 +6,7 @@
 //   q: 6e L^3      D: W N relative 7e, q.q 36e L^6, last subtraction 5e L^6     |D error| <= 48e L^6, used 64
 //   H: 18.5e L^4   A: 18.5 + 3 + 9                                              |A error| <= 30.5e L^6, used 64
 //   B: 4e L^3, used 8         F: W B B 11, H.H 2*3*18.5 + 27 = 138, last 10       |F error| <= 159e L^8, used 256
-//   beta: 8e L^4, used 10
+//   beta: 8e L^4, used 10     G: h_S B 6, s.H 18.5 + 9, last subtraction 4         |G error| <= 38e L^5, used 64
 // The slack of more than a quarter absorbs terms in e^2, the rounding of the bounds and any order of additions. L^8 <
 // 2^248, so nothing overflows.
 #pragma once
@@ -19,13 +19,13 @@
 namespace hsp::exact {
 
 struct FilterBounds {
-  double D, A, F, B, beta;
+  double D, A, F, B, beta, G;
 
   static FilterBounds for_length_squared(double L2) {
     const double L4 = L2 * L2;
     const double L = std::sqrt(L2);
     return {64 * unit_roundoff * L4 * L2, 64 * unit_roundoff * L4 * L2, 256 * unit_roundoff * L4 * L4,
-            8 * unit_roundoff * L2 * L, 10 * unit_roundoff * L4};
+            8 * unit_roundoff * L2 * L,   10 * unit_roundoff * L4,      64 * unit_roundoff * L4 * L};
   }
 };
 
@@ -64,6 +64,15 @@ inline bool filter_point_status(const FilterBounds &bounds, const Sphere &sphere
   if (decider == 0) return false;
   status = {{F > 0 ? -decider : decider, decider}, {false, false}};
   return true;
+}
+
+inline int filter_near(const FilterBounds &bounds, const Plane &P, const Plane &Q, const Plane &R, const Plane &S) {
+  const CircleCrossing<Vec3, double> crossing = circle_crossing(P, Q);
+  const Vec3 z = to_double(R.v);
+  const double B = dot(crossing.n, z);
+  const Vec3 H = combine(1.0, cross(crossing.q, z), static_cast<double>(R.h), crossing.n);
+  const double G = static_cast<double>(S.h) * B - dot(to_double(S.v), H);
+  return certain_sign(B, bounds.B) * certain_sign(G, bounds.G);
 }
 
 }  // namespace hsp::exact

@@ -10,7 +10,7 @@
 //   h, v.v, u.v, n = u x v, W  <= L^2          64 bits        B = n.z                <= L^3       128 bits
 //   q = h_P v - h_Q u          <= 2 L^3       128 bits        H = q x z + h_R n      <= 3 L^4     128 bits
 //   D = W n.n - q.q            <= 4 L^6       192 bits        A = -H.n               <= 3 L^6     192 bits
-//   F = W B^2 - H.H            <= 9 L^8       256 bits
+//   F = W B^2 - H.H            <= 9 L^8       256 bits        G = h_S B - s.H            <= 4 L^5     192 bits
 // Only differences of centres enter, so the extent of the set does not matter.
 #pragma once
 

@@ -33,6 +33,10 @@ class Predicates {
     count_answer(Question::point_status, status.tied[0] || status.tied[1] ? Stage::perturbation : Stage::exact);
     return status;
   }
+  Sign near(const Plane &P, const Plane &Q, const Plane &R, const Plane &S) const {
+    const int sign = filter_near(bounds_, P, Q, R, S);
+    return sign != 0 ? filtered(Question::near, sign) : counted(Question::near, Exact::near(sphere_, P, Q, R, S));
+  }
   // +1 if the point p^sign of circles P, Q lies inside R, else -1.
   int inside(const Plane &P, const Plane &Q, int sign, const Plane &R) const {
     return point_status(P, Q, R).side[sign > 0 ? 1 : 0];

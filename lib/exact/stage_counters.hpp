@@ -6,13 +6,13 @@
 
 namespace hsp::exact {
 
-enum class Question : uint32_t { crossing, side, point_status, vertex_pair };
+enum class Question : uint32_t { crossing, side, point_status, vertex_pair, near };
 // lanes: the code for wide registers (sphere/lane_search.hpp), before the filter is asked.
 enum class Stage : uint32_t { filter, exact, perturbation, lanes };
 
 #if defined(HSP_COUNT_STAGES)
 struct StageCounters {
-  uint64_t answers[4][4] = {};
+  uint64_t answers[5][4] = {};
   uint64_t of(Question question, Stage stage) const {
     return answers[static_cast<uint32_t>(question)][static_cast<uint32_t>(stage)];
   }

@@ -56,7 +56,7 @@ double filter_value_beta(const Plane &P, const Plane &R) {
 // Bounds of -1 make every sign certain, so that nothing but the quantity in question decides.
 double filter_value_F(const Sphere &sphere, const Plane &P, const Plane &Q, const Plane &R) {
   return value_behind([&](double bound) {
-    const FilterBounds bounds{0.0, -1.0, bound, -1.0, 0.0};
+    const FilterBounds bounds{0.0, -1.0, bound, -1.0, 0.0, 0.0};
     PointStatus status{};
     if (!hsp::exact::filter_point_status(bounds, sphere, P, Q, R, status)) return 0;
     return status.side[0] == status.side[1] ? -1 : 1;
@@ -65,7 +65,7 @@ double filter_value_F(const Sphere &sphere, const Plane &P, const Plane &Q, cons
 
 double filter_value_B(const Sphere &sphere, const Plane &P, const Plane &Q, const Plane &R) {
   return value_behind([&](double bound) {
-    const FilterBounds bounds{0.0, 0.0, -infinity, bound, 0.0};  // F counts as certainly positive
+    const FilterBounds bounds{0.0, 0.0, -infinity, bound, 0.0, 0.0};  // F counts as certainly positive
     PointStatus status{};
     return hsp::exact::filter_point_status(bounds, sphere, P, Q, R, status) ? status.side[1] : 0;
   });
@@ -74,7 +74,7 @@ double filter_value_B(const Sphere &sphere, const Plane &P, const Plane &Q, cons
 // Only where F < 0, for the filter asks for A nowhere else.
 double filter_value_A(const Sphere &sphere, const Plane &P, const Plane &Q, const Plane &R) {
   return value_behind([&](double bound) {
-    const FilterBounds bounds{0.0, bound, 0.0, -1.0, 0.0};
+    const FilterBounds bounds{0.0, bound, 0.0, -1.0, 0.0, 0.0};
     PointStatus status{};
     return hsp::exact::filter_point_status(bounds, sphere, P, Q, R, status) ? status.side[1] : 0;
   });

@@ -1,0 +1,164 @@
+#include "contacts/chord_clipper.hpp"
+
+namespace hsp {
+namespace {
+
+// A chord on the unit sphere as m + s w, with s from -1 at p- to 1 at p+. What error bounds for a test u_l.p - b_l of
+// p+ and p- (cap_pair.hpp) adds up the errors of both parts, so that it bounds f = u_l.m - b_l and g = u_l.w together,
+// and f + g and f - g; two more additions are within its slack.
+struct UnitChord {
+  Vec3 m, w;
+  double error;
+
+  UnitChord(const Caps &caps, uint32_t j, uint32_t k, const CapPair &pair) {
+    const UnitCircleCrossing crossing(caps.axis(j), pair.bj, caps.axis(k), pair.bk, pair.g);
+    const double root = std::sqrt(pair.q);
+    const double s = 1.0 / crossing.nn;
+    m = crossing.scaled_middle(s);
+    w = crossing.scaled_normal(root * s);
+    error = unit_roundoff * s * (256.0 * s + 80.0 / root);
+  }
+};
+
+// The same, for testing against pairs of caps.
+struct LaneChord {
+  Lanes mx, my, mz, wx, wy, wz;
+
+  explicit LaneChord(const UnitChord &chord)
+      : mx(all_lanes(chord.m.x)),
+        my(all_lanes(chord.m.y)),
+        mz(all_lanes(chord.m.z)),
+        wx(all_lanes(chord.w.x)),
+        wy(all_lanes(chord.w.y)),
+        wz(all_lanes(chord.w.z)) {}
+
+  // Depths of p- and p+ in the test caps t and t + 1.
+  struct Depths {
+    Lanes end[2];
+  };
+  Depths depths(const CapTests &tests, uint32_t t) const {
+    const Lanes x = load_lanes(&tests.ux[t]);
+    const Lanes y = load_lanes(&tests.uy[t]);
+    const Lanes z = load_lanes(&tests.uz[t]);
+    const Lanes f = mx * x + my * y + mz * z - load_lanes(&tests.b[t]);
+    const Lanes g = wx * x + wy * y + wz * z;
+    return {{f - g, f + g}};
+  }
+  // Whether one of the caps t to t + 3 certainly holds both ends.
+  bool inside_one(const CapTests &tests, uint32_t t, const Lanes &bound) const {
+    const Depths a = depths(tests, t);
+    const Depths b = depths(tests, t + lane_count);
+    return any(((a.end[0] > bound) & (a.end[1] > bound)) | ((b.end[0] > bound) & (b.end[1] > bound)));
+  }
+};
+
+// Where a cap clips: s = -f/g with |f| < |g|. With errors of f and g that are together at most E and |g| >= 2E the
+// quotient is off by at most E/(|g| - E) <= 2E/|g|; its own rounding is below E/|g|, as E >= 256e and |g| <= 1 + E.
+struct Clip {
+  double s, error;
+  uint32_t cap;
+};
+
+// The exact stage. The order in which caps are asked does not matter: the answers agree with each other.
+bool clip_exactly(const Caps &caps, uint32_t j, uint32_t k, ChordEnds &ends) {
+  const exact::Predicates predicates = caps.predicates();
+  const exact::Plane &P = caps.plane(j);
+  const exact::Plane &Q = caps.plane(k);
+  if (predicates.crossing(P, Q).sign < 0) return false;
+  ends = {{no_id, no_id}};
+  for (uint32_t l = 0; l < caps.count; ++l) {
+    if (l == j || l == k) continue;
+    const exact::Plane &R = caps.plane(l);
+    const exact::PointStatus status = predicates.point_status(P, Q, R);
+    if (status.side[0] > 0 && status.side[1] > 0) return false;
+    for (int end = 0; end < 2; ++end) {
+      uint32_t &clipper = ends.clipper[end];
+      if (status.side[end] < 0) continue;
+      if (clipper == no_id || predicates.near(P, Q, caps.plane(clipper), R).sign < 0) clipper = l;
+    }
+  }
+  return ends.free_ends() > 0 ||
+         predicates.near(P, Q, caps.plane(ends.clipper[0]), caps.plane(ends.clipper[1])).sign > 0;
+}
+
+// Whether cap l rather than the one that did so far clips the chord.
+bool clips_more(const Caps &caps, uint32_t j, uint32_t k, const Clip &now, const Clip &next, double direction) {
+  if (now.cap == no_id) return true;
+  const double nearer = (now.s - next.s) * direction;
+  const double error = now.error + next.error;
+  if (nearer > error) return true;
+  if (nearer < -error) return false;
+  return caps.predicates().near(caps.plane(j), caps.plane(k), caps.plane(now.cap), caps.plane(next.cap)).sign < 0;
+}
+
+}  // namespace
+
+void ChordClipper::carve(Workspace &workspace, uint32_t capacity) {
+  tests_.carve(workspace, capacity);
+  covered_ = workspace.take<uint8_t>(capacity);
+}
+
+void ChordClipper::start(const Caps &caps) {
+  tests_.fill(caps);
+  for (uint32_t j = 0; j < caps.count; ++j) covered_[j] = 0;
+  hint_ = 0;
+}
+
+bool ChordClipper::clip(const Caps &caps, uint32_t j, uint32_t k, ChordEnds &ends) {
+  if ((covered_[j] | covered_[k]) != 0) return false;
+  const CapPair pair(caps, j, k);
+  if (pair.certainly_apart()) {
+    if (pair.certainly_inside()) covered_[j] = 1;
+    if (pair.certainly_contains()) covered_[k] = 1;
+    return false;
+  }
+  if (pair.certainly_cross()) {
+    const Answer answer = clip_in_doubles(caps, j, k, pair, ends);
+    if (answer != Answer::uncertain) return answer == Answer::left;
+  }
+  return clip_exactly(caps, j, k, ends);
+}
+
+// Of the caps only the chord's own two may be nearer to its ends than doubles tell.
+ChordClipper::Answer ChordClipper::clip_in_doubles(const Caps &caps, uint32_t j, uint32_t k, const CapPair &pair,
+                                                   ChordEnds &ends) {
+  static_assert(CapTests::group == 2 * lane_count);
+  const UnitChord chord(caps, j, k, pair);
+  const LaneChord lanes(chord);
+  const Lanes bound = all_lanes(chord.error);
+  if (lanes.inside_one(tests_, hint_, bound)) return Answer::gone;
+
+  Clip clip[2] = {{-1.0, 0.0, no_id}, {1.0, 0.0, no_id}};
+  uint32_t near = 0;
+  bool certain = true;
+  for (uint32_t t = 0; t < tests_.count; t += lane_count) {
+    const auto [end] = lanes.depths(tests_, t);
+    const LaneMask holds[2] = {end[0] > bound, end[1] > bound};
+    if (any(holds[0] & holds[1])) {
+      hint_ = t - t % CapTests::group;
+      return Answer::gone;
+    }
+    near += count(((end[0] >= -bound) & (end[0] <= bound)) | ((end[1] >= -bound) & (end[1] <= bound)));
+    const LaneMask cuts = (holds[0] & (end[1] < -bound)) | (holds[1] & (end[0] < -bound));
+    if (!any(cuts)) continue;
+    for (uint32_t lane = 0; lane < lane_count; ++lane) {
+      if (cuts[lane] == 0) continue;
+      const uint32_t side = holds[1][lane] != 0 ? 1 : 0;
+      const double f = 0.5 * (end[1][lane] + end[0][lane]);
+      const double g = 0.5 * (end[1][lane] - end[0][lane]);
+      const double size = g < 0.0 ? -g : g;
+      certain = certain && size >= 2 * chord.error;
+      const Clip next{-f / g, 3 * chord.error / size, tests_.cap[t + lane]};
+      if (clips_more(caps, j, k, clip[side], next, side == 1 ? 1.0 : -1.0)) clip[side] = next;
+    }
+    if (clip[0].s - clip[1].s > clip[0].error + clip[1].error && certain) return Answer::gone;
+  }
+  if (near != 2 || !certain) return Answer::uncertain;
+  ends = {{clip[0].cap, clip[1].cap}};
+  if (ends.free_ends() > 0 || clip[1].s - clip[0].s > clip[0].error + clip[1].error) return Answer::left;
+  const exact::Sign sign =
+      caps.predicates().near(caps.plane(j), caps.plane(k), caps.plane(ends.clipper[0]), caps.plane(ends.clipper[1]));
+  return sign.sign > 0 ? Answer::left : Answer::gone;
+}
+
+}  // namespace hsp

@@ -1,0 +1,72 @@
+// Contacts between groups of balls: residues, chains, molecules. Areas and free borders of all contacts between two
+// groups, summed in the order in which contacts were found, which does not depend on the order of the input.
+#pragma once
+
+#include "contacts/contacts.hpp"
+#include "core/sorting.hpp"
+
+namespace hsp {
+
+struct GroupContact {
+  uint32_t group[2];      // ascending
+  uint32_t contacts = 0;  // of a ball of the one and a ball of the other
+  double area = 0.0;      // lattice steps
+  double edge = 0.0;
+};
+
+// The contacts between balls of different groups.
+class ContactGroups {
+ public:
+  // group: by the caller's index; no_id for balls of no group. scratch [contacts]
+  ContactGroups(const BallSet &balls, const Contacts &contacts, const uint32_t *group, Span<uint32_t> scratch)
+      : balls_(balls), contacts_(contacts), group_(group) {
+    uint32_t count = 0;
+    for (uint32_t id = 0; id < contacts.contact_count(); ++id) {
+      const Pair pair = pair_of(id);
+      if (pair.low < pair.high && pair.high != no_id) scratch[count++] = id;
+    }
+    order_ = scratch.part(0, count);
+    sort_in_place(order_, [this](uint32_t a, uint32_t b) {
+      const Pair p = pair_of(a);
+      const Pair q = pair_of(b);
+      return p.low != q.low ? p.low < q.low : p.high != q.high ? p.high < q.high : a < b;
+    });
+  }
+
+  // Calls sink(contact) for every two groups that have one, ascending.
+  template <class Sink>
+  void visit(Sink sink) const {
+    for (uint32_t k = 0; k < order_.size();) {
+      const Pair pair = pair_of(order_[k]);
+      GroupContact sum{{pair.low, pair.high}};
+      for (; k < order_.size(); ++k) {
+        const Pair next = pair_of(order_[k]);
+        if (next.low != pair.low || next.high != pair.high) break;
+        const ContactRecord &contact = contacts_.contact(order_[k]);
+        ++sum.contacts;
+        sum.area += contact.area;
+        sum.edge += contact.edge;
+      }
+      sink(sum);
+    }
+  }
+
+ private:
+  struct Pair {
+    uint32_t low, high;
+  };
+  Pair pair_of(uint32_t id) const {
+    const auto group_of = [this](uint32_t ball) { return group_[balls_.caller[ball]]; };
+    const ContactRecord &contact = contacts_.contact(id);
+    const uint32_t a = group_of(contact.ball[0]);
+    const uint32_t b = group_of(contact.ball[1]);
+    return a < b ? Pair{a, b} : Pair{b, a};
+  }
+
+  const BallSet &balls_;
+  const Contacts &contacts_;
+  const uint32_t *group_;
+  Span<uint32_t> order_;
+};
+
+}  // namespace hsp

@@ -1,0 +1,121 @@
+// Who touches whom, and how the union is shared out among its balls, by power distance.
+//
+// With pi_i(x) = |x - c_i|^2 - r_i^2 the cell of ball i is the part of the union where pi_i is least: convex, inside
+// the ball. The contact of two balls is the plane piece where their cells meet: the disk of their circle, cut off by
+// the other balls. It is empty unless an arc or all of their circle is free, or a chord that they share with a third
+// ball survives (chord_clipper.hpp). A surviving chord is a triangle of the dual complex, its inner ends are tetrahedra
+// (Edelsbrunner 1995). What the symbolic perturbation makes of touching balls are contacts of area 0.
+//
+// Ids of balls are the grid's. Readers use the accessors of class Contacts.
+#pragma once
+
+#include "boundary/boundary.hpp"
+
+namespace hsp {
+
+struct ContactLimits {
+  uint32_t balls = 0;
+  uint32_t neighbours = 0;
+  uint32_t contacts = 0;
+  uint32_t triangles = 0;   // 0: they are only counted
+  uint32_t tetrahedra = 0;  // the same
+
+  // The smallest limits that are no smaller than these and others.
+  constexpr ContactLimits covering(const ContactLimits &other) const {
+    return {larger_count(balls, other.balls), larger_count(neighbours, other.neighbours),
+            larger_count(contacts, other.contacts), larger_count(triangles, other.triangles),
+            larger_count(tetrahedra, other.tetrahedra)};
+  }
+};
+
+// In lattice steps.
+struct ContactRecord {
+  uint32_t ball[2];  // ascending
+  uint32_t chords;   // that bound it
+  uint32_t code;
+  double area;
+  double edge;  // length of the free part of the circle
+
+  static constexpr uint32_t arc_bit = 1;       // a part of the circle is free
+  static constexpr uint32_t circle_bit = 2;    // all of it
+  static constexpr uint32_t touching_bit = 4;  // the spheres only touch
+
+  bool has_arc() const { return (code & arc_bit) != 0; }
+  bool is_circle() const { return (code & circle_bit) != 0; }
+  bool is_touching() const { return (code & touching_bit) != 0; }
+  uint32_t other(uint32_t own) const { return ball[0] ^ ball[1] ^ own; }
+};
+
+// How much of a simplex is on the boundary of the union. A triangle with one free end is regular, with two singular; an
+// edge with arcs is regular, one with a whole circle singular; a ball without contacts is singular, without faces
+// interior.
+enum class SimplexKind : uint32_t { singular, regular, interior };
+
+struct TriangleRecord {
+  uint32_t ball[3];    // ascending
+  uint32_t free_ends;  // of its chord
+
+  SimplexKind kind() const {
+    return free_ends == 0 ? SimplexKind::interior : free_ends == 1 ? SimplexKind::regular : SimplexKind::singular;
+  }
+};
+
+struct TetrahedronRecord {
+  uint32_t ball[4];  // ascending
+};
+
+struct SimplexCounts {
+  uint32_t of[4][3] = {};  // by dimension and kind
+
+  uint32_t dimension(uint32_t d) const { return of[d][0] + of[d][1] + of[d][2]; }
+  int64_t euler() const {
+    return static_cast<int64_t>(dimension(0)) - dimension(1) + dimension(2) - static_cast<int64_t>(dimension(3));
+  }
+};
+
+// The memory, carved once for given limits.
+struct ContactArrays {
+  FixedVector<ContactRecord> contacts;
+  FixedVector<TriangleRecord> triangles;
+  FixedVector<TetrahedronRecord> tetrahedra;
+  Span<uint32_t> links;         // [contacts] while they are found: the next one with the same first ball; then scratch
+  Span<uint32_t> row;           // [2 contacts] the contacts of each ball, by the caller's index of the other ball
+  Span<uint32_t> first_in_row;  // [balls + 1]
+  Span<double> cell_volume;     // [balls]
+  Span<double> contact_area;    // [balls] of all contacts of a ball
+  SimplexCounts simplices;
+  uint32_t balls = 0;
+
+  void carve(Workspace &workspace, const ContactLimits &limits);
+};
+
+class Contacts {
+ public:
+  uint32_t ball_count() const { return a_.balls; }
+  uint32_t contact_count() const { return a_.contacts.size(); }
+  const ContactRecord &contact(uint32_t id) const { return a_.contacts[id]; }
+  // The contacts of a ball, ascending by the other ball in the caller's order.
+  Span<const uint32_t> row(uint32_t ball) const {
+    return a_.row.part(a_.first_in_row[ball], a_.first_in_row[ball + 1]);
+  }
+  double cell_volume(uint32_t ball) const { return a_.cell_volume[ball]; }
+  double contact_area(uint32_t ball) const { return a_.contact_area[ball]; }
+
+  const SimplexCounts &simplices() const { return a_.simplices; }
+  // Those that there was room for.
+  Span<const TriangleRecord> triangles() const { return a_.triangles.items(); }
+  Span<const TetrahedronRecord> tetrahedra() const { return a_.tetrahedra.items(); }
+
+ private:
+  friend class ContactsBuilder;
+
+  ContactArrays a_;
+};
+
+// Ball j as seen from ball i: twice the signed distance of their contact's plane from the centre of i is h / |v|.
+inline double contact_height(const BallSet &balls, uint32_t i, uint32_t j) {
+  const exact::Plane P = exact::plane_of(balls.ball(i), balls.ball(j));
+  return static_cast<double>(P.h) / (2 * std::sqrt(static_cast<double>(dot(P.v, P.v))));
+}
+
+}  // namespace hsp

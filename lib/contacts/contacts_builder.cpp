@@ -1,0 +1,266 @@
+#include "contacts/contacts_builder.hpp"
+
+#include "core/sorting.hpp"
+#include "exact/discriminant.hpp"
+#include "measure/areas.hpp"
+#include "model/block_sweep.hpp"
+
+namespace hsp {
+namespace {
+
+// A contact that was counted, but for which there was no room.
+constexpr uint32_t no_room = no_id - 1;
+
+}  // namespace
+
+void ContactArrays::carve(Workspace &workspace, const ContactLimits &limits) {
+  const uint64_t most_contacts = limits.contacts;
+  const uint64_t most_balls = limits.balls;
+  contacts = FixedVector<ContactRecord>(workspace.take<ContactRecord>(most_contacts));
+  triangles = FixedVector<TriangleRecord>(workspace.take<TriangleRecord>(limits.triangles));
+  tetrahedra = FixedVector<TetrahedronRecord>(workspace.take<TetrahedronRecord>(limits.tetrahedra));
+  links = workspace.take<uint32_t>(most_contacts);
+  row = workspace.take<uint32_t>(2 * most_contacts);
+  first_in_row = workspace.take<uint32_t>(most_balls + 1);
+  cell_volume = workspace.take<double>(most_balls);
+  contact_area = workspace.take<double>(most_balls);
+}
+
+void ContactsBuilder::carve(Workspace &workspace, const ContactLimits &limits) {
+  limits_ = limits;
+  contacts_.a_.carve(workspace, limits);
+  caps_.carve(workspace, limits.neighbours);
+  clipper_.carve(workspace, limits.neighbours);
+  contact_of_cap_ = workspace.take<uint32_t>(limits.neighbours);
+}
+
+Status ContactsBuilder::build(const CubeGrid &grid, const Boundary &boundary) {
+  const BallSet &balls = grid.balls();
+  clear(balls.n);
+  if (balls.n > limits_.balls) return Status::capacity;
+  BlockSweep sweep(grid);
+  for (uint32_t cube = 0; cube < grid.cubes(); ++cube) {
+    const CubeBlock &block = sweep.block_around(cube);
+    const BallRange own = grid.balls_in(cube);
+    for (uint32_t i = own.first; i < own.last; ++i) {
+      if (boundary.is_contained(i)) continue;
+      caps_.gather(balls, block, i, nullptr);
+      needed_.neighbours = larger_count(needed_.neighbours, caps_.met);
+      // Once a ball has more neighbours than there is room for, the rest is only counted.
+      if (needed_.neighbours > limits_.neighbours) continue;
+      caps_.keep_if([&boundary](uint32_t j) { return !boundary.is_contained(j); });
+      recall_contacts();
+      find_chords(balls);
+      add_free_edges(balls, boundary);
+    }
+  }
+  if (const Status status = check_capacity(); status != Status::ok) return status;
+  measure_contacts(balls);
+  make_rows(balls);
+  count_simplices(boundary);
+  return Status::ok;
+}
+
+void ContactsBuilder::clear(uint32_t balls) {
+  ContactArrays &a = contacts_.a_;
+  needed_ = {balls, 0, 0, 0, 0};
+  a.contacts.clear();
+  a.triangles.clear();
+  a.tetrahedra.clear();
+  a.simplices = {};
+  a.balls = balls;
+  if (balls > limits_.balls) return;
+  // While contacts are found, the first one of each ball with later balls.
+  for (uint32_t i = 0; i <= balls; ++i) a.first_in_row[i] = no_id;
+  for (uint32_t i = 0; i < balls; ++i) a.cell_volume[i] = a.contact_area[i] = 0.0;
+}
+
+ContactRecord *ContactsBuilder::stored(uint32_t id) {
+  return id == no_room ? nullptr : &contacts_.a_.contacts[id];
+}
+
+uint32_t ContactsBuilder::find_contact(uint32_t a, uint32_t b) {
+  ContactArrays &arrays = contacts_.a_;
+  uint32_t &first = arrays.first_in_row[a];
+  for (uint32_t id = first; id != no_id; id = arrays.links[id]) {
+    if (arrays.contacts[id].ball[1] == b) return id;
+  }
+  const bool fits = arrays.contacts.required() < arrays.contacts.capacity();
+  const uint32_t id = arrays.contacts.size();
+  arrays.contacts.push({{a, b}, 0, 0, 0.0, 0.0});
+  if (!fits) return no_room;
+  arrays.links[id] = first;
+  first = id;
+  return id;
+}
+
+// The contacts of the ball at hand with later ones that chords at earlier balls have.
+void ContactsBuilder::recall_contacts() {
+  const ContactArrays &a = contacts_.a_;
+  uint32_t later = 0;
+  for (uint32_t k = 0; k < caps_.count; ++k) {
+    contact_of_cap_[k] = no_id;
+    later += caps_.ball[k] < caps_.origin ? 1U : 0U;
+  }
+  caps_.first_later = later;
+  for (uint32_t id = a.first_in_row[caps_.origin]; id != no_id; id = a.links[id]) {
+    contact_of_cap_[caps_.cap_of(a.contacts[id].ball[1])] = id;
+  }
+}
+
+ContactRecord *ContactsBuilder::contact_of_cap(uint32_t cap) {
+  uint32_t &id = contact_of_cap_[cap];
+  if (id == no_id) id = find_contact(caps_.origin, caps_.ball[cap]);
+  return stored(id);
+}
+
+void ContactsBuilder::find_chords(const BallSet &balls) {
+  clipper_.start(caps_);
+  for (uint32_t j = caps_.first_later; j < caps_.count; ++j) {
+    for (uint32_t k = j + 1; k < caps_.count; ++k) {
+      ChordEnds ends;
+      if (clipper_.clip(caps_, j, k, ends)) add_chord(balls, j, k, ends);
+    }
+  }
+}
+
+// With y = 2 (x - c) the chord runs along (q x n + t n)/N, and what it adds to half the sum of distance times length
+// over the chords of a contact is beta (t+ - t-) / (8 |u| N) for P, and likewise for the two others.
+void ContactsBuilder::add_chord(const BallSet &balls, uint32_t j, uint32_t k, const ChordEnds &ends) {
+  ContactArrays &a = contacts_.a_;
+  const exact::Plane &P = caps_.plane(j);
+  const exact::Plane &Q = caps_.plane(k);
+  const double root = ends.free_ends() > 0 ? std::sqrt(exact::discriminant(caps_.sphere, P, Q)) : 0.0;
+  const auto end_at = [&](int end, double at_vertex) {
+    const uint32_t clipper = ends.clipper[end];
+    return clipper == no_id ? at_vertex : exact::Exact::line_parameter(P, Q, caps_.plane(clipper));
+  };
+  const double extent = end_at(1, root) - end_at(0, -root);
+  const exact::ChordFactors factors = exact::Exact::chord_factors(P, Q);
+  // Infinitely short chords may have an extent below 0 by rounding.
+  const double scale = extent > 0.0 ? extent / (8 * factors.N) : 0.0;
+  const auto part = [scale](double factor, const exact::Vector &v) {
+    return scale * (factor / std::sqrt(static_cast<double>(dot(v, v))));
+  };
+  const auto add = [](ContactRecord *contact, double area) {
+    if (contact == nullptr) return;
+    contact->area += area;
+    ++contact->chords;
+  };
+  const uint32_t first = caps_.ball[j];
+  const uint32_t second = caps_.ball[k];
+  add(contact_of_cap(j), part(factors.beta, P.v));
+  add(contact_of_cap(k), part(factors.alpha, Q.v));
+  add(stored(find_contact(first, second)), part(factors.third, balls.exact_difference(first, second)));
+
+  const TriangleRecord triangle{{caps_.origin, first, second}, ends.free_ends()};
+  a.triangles.push(triangle);
+  ++a.simplices.of[2][static_cast<uint32_t>(triangle.kind())];
+  // Each tetrahedron is an end of four chords, of which one is that of its first three balls.
+  for (const uint32_t clipper : ends.clipper) {
+    if (clipper != no_id && clipper > k) a.tetrahedra.push({{caps_.origin, first, second, caps_.ball[clipper]}});
+  }
+}
+
+// Arcs and circles of the ball at hand: its part of its cell, and the free borders of its contacts with later balls.
+void ContactsBuilder::add_free_edges(const BallSet &balls, const Boundary &boundary) {
+  const uint32_t i = caps_.origin;
+  const uint32_t faces = boundary.faces(i).size();
+  if (faces == 0) return;
+  const double radius = balls.r[i];
+  FreeSurface surface(boundary, radius);
+  ArcBatches arcs(balls, boundary, i);
+  while (arcs.next()) {
+    const ArcBatch &batch = arcs.batch();
+    surface.add(batch);
+    for (uint32_t s = 0; s < batch.count; ++s) {
+      if (batch.other[s] < i || !batch.has_piece(s)) continue;
+      ContactRecord *const contact = contact_of_cap(caps_.cap_of(batch.other[s]));
+      if (contact == nullptr) continue;
+      contact->edge += batch.angle[s];  // not yet a length
+      contact->code |= batch.arc[s] != 0 ? ContactRecord::arc_bit : ContactRecord::circle_bit;
+    }
+  }
+  // r A, the part of three times the volume about the centre.
+  const double steradians = surface.steradians(faces, boundary.loops(i).size());
+  contacts_.a_.cell_volume[i] = radius * radius * radius * steradians;
+}
+
+Status ContactsBuilder::check_capacity() {
+  const ContactArrays &a = contacts_.a_;
+  needed_.contacts = clamped_count(a.contacts.required());
+  if (limits_.triangles > 0) needed_.triangles = clamped_count(a.triangles.required());
+  if (limits_.tetrahedra > 0) needed_.tetrahedra = clamped_count(a.tetrahedra.required());
+  const bool fits = needed_.neighbours <= limits_.neighbours && !a.contacts.overflowed() &&
+                    needed_.triangles <= limits_.triangles && needed_.tetrahedra <= limits_.tetrahedra;
+  return fits ? Status::ok : Status::capacity;
+}
+
+// Areas, and cells as cones over their faces and contacts. The order of the sums is that in which contacts are found,
+// which does not depend on the order of the input.
+void ContactsBuilder::measure_contacts(const BallSet &balls) {
+  ContactArrays &a = contacts_.a_;
+  for (ContactRecord &contact : a.contacts.items()) {
+    const auto [first, second] = contact.ball;
+    const exact::LatticeBall own = balls.ball(first);
+    const exact::Plane P = exact::plane_of(own, balls.ball(second));
+    const double Delta = exact::Exact::circle_discriminant(exact::sphere_of(own), P);
+    const double square = Delta > 0.0 ? Delta / (4 * static_cast<double>(dot(P.v, P.v))) : 0.0;
+    if (square == 0.0) contact.code |= ContactRecord::touching_bit;
+    const double area = contact.area + 0.5 * square * contact.edge;
+    contact.area = area > 0.0 && square > 0.0 ? area : 0.0;
+    contact.edge *= std::sqrt(square);
+    a.contact_area[first] += contact.area;
+    a.contact_area[second] += contact.area;
+    a.cell_volume[first] += contact_height(balls, first, second) * contact.area;
+    a.cell_volume[second] += contact_height(balls, second, first) * contact.area;
+  }
+  for (uint32_t i = 0; i < a.balls; ++i) {
+    const double volume = a.cell_volume[i] / 3;
+    a.cell_volume[i] = volume > 0.0 ? volume : 0.0;
+  }
+}
+
+void ContactsBuilder::make_rows(const BallSet &balls) {
+  ContactArrays &a = contacts_.a_;
+  for (uint32_t i = 0; i <= a.balls; ++i) a.first_in_row[i] = 0;
+  for (const ContactRecord &contact : a.contacts.items()) {
+    for (const uint32_t ball : contact.ball) ++a.first_in_row[ball];
+  }
+  uint32_t end = 0;
+  for (uint32_t i = 0; i < a.balls; ++i) a.first_in_row[i] = end += a.first_in_row[i];
+  a.first_in_row[a.balls] = end;
+  // From their ends down, so that they are at their beginnings then.
+  for (uint32_t id = 0; id < a.contacts.size(); ++id) {
+    for (const uint32_t ball : a.contacts[id].ball) a.row[--a.first_in_row[ball]] = id;
+  }
+  for (uint32_t i = 0; i < a.balls; ++i) {
+    sort_in_place(a.row.part(a.first_in_row[i], a.first_in_row[i + 1]), [&](uint32_t p, uint32_t q) {
+      return balls.given_before(a.contacts[p].other(i), a.contacts[q].other(i));
+    });
+  }
+}
+
+// Triangles are counted as they are found.
+void ContactsBuilder::count_simplices(const Boundary &boundary) {
+  ContactArrays &a = contacts_.a_;
+  const auto count = [&a](uint32_t dimension, SimplexKind kind) {
+    ++a.simplices.of[dimension][static_cast<uint32_t>(kind)];
+  };
+  for (uint32_t i = 0; i < a.balls; ++i) {
+    const bool has_contacts = a.first_in_row[i] < a.first_in_row[i + 1];
+    if (boundary.is_exposed(i)) {
+      count(0, has_contacts ? SimplexKind::regular : SimplexKind::singular);
+    } else if (has_contacts) {
+      count(0, SimplexKind::interior);
+    }
+  }
+  for (const ContactRecord &contact : a.contacts.items()) {
+    count(1, contact.is_circle() ? SimplexKind::singular
+             : contact.has_arc() ? SimplexKind::regular
+                                 : SimplexKind::interior);
+  }
+  a.simplices.of[3][static_cast<uint32_t>(SimplexKind::interior)] = clamped_count(a.tetrahedra.required());
+}
+
+}  // namespace hsp

@@ -1,0 +1,58 @@
+// Fills contacts: the pass over all balls of a boundary. Every chord is clipped at the first of its three balls in the
+// grid's order, and its parts of their three contacts follow from exact integers rounded once: so they keep their
+// digits where spheres nearly meet in one point.
+#pragma once
+
+#include "contacts/chord_clipper.hpp"
+#include "contacts/contacts.hpp"
+
+namespace hsp {
+
+// Limits that suffice for most molecules, for a boundary whose balls meet at most so many others. Status::range if one
+// would be larger than max_count.
+constexpr Status default_contact_limits(uint32_t balls, uint32_t neighbours, ContactLimits &limits) {
+  if (balls > (max_count - 64) / 12) return Status::range;
+  limits = {balls, neighbours, 12 * balls + 64, 0, 0};
+  return Status::ok;
+}
+
+class ContactsBuilder {
+ public:
+  void carve(Workspace &workspace, const ContactLimits &limits);
+
+  // Status::capacity if a limit is too small; needed() then reports what suffices, once `neighbours` does. Of contacts
+  // that may be more than there are, by no more than the triangles.
+  Status build(const CubeGrid &grid, const Boundary &boundary);
+
+  const Contacts &contacts() const { return contacts_; }
+  // Triangles and tetrahedra count if they have limits.
+  const ContactLimits &needed() const { return needed_; }
+  ContactLimits retry_limits() const { return limits_.covering(needed_); }
+  // [contacts]
+  Span<uint32_t> scratch() { return contacts_.a_.links; }
+  // For tests, which break them.
+  ContactArrays &arrays() { return contacts_.a_; }
+
+ private:
+  void clear(uint32_t balls);
+  void recall_contacts();
+  void find_chords(const BallSet &balls);
+  void add_chord(const BallSet &balls, uint32_t j, uint32_t k, const ChordEnds &ends);
+  void add_free_edges(const BallSet &balls, const Boundary &boundary);
+  ContactRecord *contact_of_cap(uint32_t cap);
+  uint32_t find_contact(uint32_t a, uint32_t b);
+  ContactRecord *stored(uint32_t id);
+  Status check_capacity();
+  void measure_contacts(const BallSet &balls);
+  void make_rows(const BallSet &balls);
+  void count_simplices(const Boundary &boundary);
+
+  ContactLimits limits_;
+  ContactLimits needed_;
+  Contacts contacts_;
+  Caps caps_;
+  ChordClipper clipper_;
+  Span<uint32_t> contact_of_cap_;  // [neighbours] of the ball at hand, for later balls; no_id where none is known yet
+};
+
+}  // namespace hsp

@@ -1,0 +1,90 @@
+#include "contacts/contacts_check.hpp"
+
+#include "core/summation.hpp"
+#include "measure/areas.hpp"
+
+namespace hsp {
+namespace {
+
+constexpr double tolerance = 0x1p-44;
+
+bool stands_in(Span<const uint32_t> row, uint32_t id) {
+  for (const uint32_t other : row) {
+    if (other == id) return true;
+  }
+  return false;
+}
+
+class ContactsCheck {
+ public:
+  ContactsCheck(const BallSet &balls, const Boundary &boundary, const Contacts &contacts)
+      : balls_(balls), boundary_(boundary), contacts_(contacts) {}
+
+  ContactViolation run() const {
+    uint64_t in_rows = 0;
+    for (uint32_t i = 0; i < balls_.n; ++i) in_rows += contacts_.row(i).size();
+    if (in_rows != 2 * uint64_t{contacts_.contact_count()}) return {ContactInvariant::records, 0};
+    for (uint32_t id = 0; id < contacts_.contact_count(); ++id) {
+      if (!is_possible(id)) return {ContactInvariant::records, id};
+    }
+    if (2 * contacts_.simplices().euler() != boundary_.euler()) return {ContactInvariant::euler, 0};
+    return check_cells();
+  }
+
+ private:
+  bool is_possible(uint32_t id) const {
+    const ContactRecord &contact = contacts_.contact(id);
+    const auto [a, b] = contact.ball;
+    if (a >= b || !stands_in(contacts_.row(a), id) || !stands_in(contacts_.row(b), id)) return false;
+    const double r = balls_.r[a] < balls_.r[b] ? balls_.r[a] : balls_.r[b];
+    const double slack = 1.0 + tolerance * (4.0 + contact.chords);
+    // Written so that a value that is not a number fails.
+    return contact.area >= 0.0 && contact.area <= pi * r * r * slack && contact.edge >= 0.0 &&
+           contact.edge <= 2 * pi * r * slack;
+  }
+
+  ContactViolation check_cells() const {
+    TreeSum cells, union_volume;
+    double scale = 0.0;
+    for (uint32_t i = 0; i < balls_.n; ++i) {
+      const double r = balls_.r[i];
+      double terms = 8.0;
+      Vec3 sum{0.0, 0.0, 0.0};
+      if (boundary_.is_exposed(i)) {
+        FreeSurface surface(boundary_, r);
+        ArcBatches arcs(balls_, boundary_, i);
+        while (arcs.next()) {
+          surface.add(arcs.batch());
+          terms += arcs.batch().count;
+        }
+        sum = surface.vector_area();
+        union_volume.add(measure_ball(balls_, boundary_, i).volume);
+      }
+      for (const uint32_t id : contacts_.row(i)) {
+        const ContactRecord &contact = contacts_.contact(id);
+        const Vec3 v = balls_.difference(i, contact.other(i));
+        sum = combine(1.0, sum, contact.area / std::sqrt(dot(v, v)), v);
+        terms += 2.0 + contact.chords;
+      }
+      const double error = tolerance * terms * r * r;
+      if (!(dot(sum, sum) <= error * error)) return {ContactInvariant::closure, i};
+      const Vec3 arm = offset_from_origin(balls_, boundary_, i);
+      cells.add(contacts_.cell_volume(i));
+      scale += error * (r + std::sqrt(dot(arm, arm)));
+    }
+    const double difference = cells.total() - union_volume.total();
+    return std::fabs(difference) <= scale ? ContactViolation{} : ContactViolation{ContactInvariant::volume, 0};
+  }
+
+  const BallSet &balls_;
+  const Boundary &boundary_;
+  const Contacts &contacts_;
+};
+
+}  // namespace
+
+ContactViolation check_contacts(const BallSet &balls, const Boundary &boundary, const Contacts &contacts) {
+  return ContactsCheck(balls, boundary, contacts).run();
+}
+
+}  // namespace hsp

@@ -1,0 +1,27 @@
+// Laws that contacts and cells obey, checked from their records and the boundary: two ways to compute that have little
+// in common. The tolerances are those of rounding.
+#pragma once
+
+#include "contacts/contacts.hpp"
+
+namespace hsp {
+
+// Numbered as in hardsphere.h.
+enum class ContactInvariant : uint32_t {
+  none = 0,
+  records = 1,  // each contact stands in the rows of its two balls, with numbers that it may have
+  euler = 2,    // the boundary's Euler characteristic is twice that of the dual complex
+  closure = 3,  // faces and contacts of a ball close its cell: their vector areas sum to 0
+  volume = 4,   // the cells sum to the volume of the union
+};
+
+// The first violated invariant, and the id of the contact or ball where it fails; no_id where none does.
+struct ContactViolation {
+  ContactInvariant invariant = ContactInvariant::none;
+  uint32_t id = no_id;
+};
+
+// O(size)
+ContactViolation check_contacts(const BallSet &balls, const Boundary &boundary, const Contacts &contacts);
+
+}  // namespace hsp

@@ -1,0 +1,64 @@
+// The laws of contacts notice records that are broken. That whole ones obey them is seen with every set of the
+// builder's tests.
+#include "contacts/contacts_check.hpp"
+
+#include <gtest/gtest.h>
+
+#include "built_contacts.hpp"
+#include "lattice_lengths.hpp"
+#include "random_balls.hpp"
+
+namespace {
+
+using hsp::ContactInvariant;
+
+class ContactsCheckTest : public testing::Test {
+ protected:
+  static support::BallList balls() {
+    oracle::RandomSource random(95);
+    return oracle::in_lengths(oracle::loose_balls(random, 30), 1);
+  }
+  hsp::ContactViolation check() const {
+    return hsp::check_contacts(built_.balls(), built_.boundary(), built_.contacts());
+  }
+  hsp::ContactArrays &arrays() { return built_.builder().arrays(); }
+
+  BuiltContacts built_{balls()};
+};
+
+TEST_F(ContactsCheckTest, AcceptsWhatWasBuilt) {
+  ASSERT_EQ(built_.status(), hsp::Status::ok);
+  EXPECT_EQ(check().invariant, ContactInvariant::none);
+  EXPECT_EQ(check().id, hsp::no_id);
+}
+
+TEST_F(ContactsCheckTest, SeesAContactInNoRow) {
+  arrays().row[0] = arrays().row[1];
+  EXPECT_EQ(check().invariant, ContactInvariant::records);
+}
+
+TEST_F(ContactsCheckTest, SeesNumbersThatNoContactHas) {
+  const double area = arrays().contacts[3].area;
+  arrays().contacts[3].area = -area - 1.0;
+  EXPECT_EQ(check().invariant, ContactInvariant::records);
+  EXPECT_EQ(check().id, 3U);
+  arrays().contacts[3].area = 0.0 / (area - area);
+  EXPECT_EQ(check().invariant, ContactInvariant::records);
+}
+
+TEST_F(ContactsCheckTest, SeesAWrongCount) {
+  ++arrays().simplices.of[3][2];
+  EXPECT_EQ(check().invariant, ContactInvariant::euler);
+}
+
+TEST_F(ContactsCheckTest, SeesAnAreaThatIsALittleOff) {
+  arrays().contacts[5].area *= 1.0 + 1e-9;
+  EXPECT_EQ(check().invariant, ContactInvariant::closure);
+}
+
+TEST_F(ContactsCheckTest, SeesAVolumeThatIsALittleOff) {
+  arrays().cell_volume[7] *= 1.0 + 1e-8;
+  EXPECT_EQ(check().invariant, ContactInvariant::volume);
+}
+
+}  // namespace
