@@ -10,6 +10,8 @@
  *   hardsphere/boundary.h   the boundary of the union: vertices, arcs, circles, faces (Section 4.2, Steps 1 and 2)
  *   hardsphere/measure.h    areas and volumes
  *   hardsphere/gradient.h   their derivatives
+ *   hardsphere/curvature.h  integrated mean and Gaussian curvature
+ *   hardsphere/contacts.h   which balls touch and by how much, shares of the union, the dual complex
  *   hardsphere/surface.h    the smooth surface that a probe leaves, its area and volume (Section 4.3)
  *   hardsphere/mesh.h       boundary or smooth surface as triangles
  *   hardsphere/topology.h   the boundary as quad-edges with simple faces, shells, cells, point location (Step 3)
@@ -80,13 +82,16 @@
  * HANDLES AFTER A FAILURE
  *   hsp_model_set and hsp_X_compute replace what the handle held, whether they succeed or not. One that fails, for
  *   whatever reason, leaves the handle as hsp_X_init makes it: a model is empty (hsp_model_get_info says so: 0 balls,
- *   step 1e-8); a boundary, surface, mesh, topology, view or map holds no results, and reading it yields HSP_E_STATE.
+ *   step 1e-8); a boundary, surface, mesh, topology, view, map or contacts hold no results, and reading them yields
+ *   HSP_E_STATE.
  *   All other functions leave what a handle holds as it is, whatever they return.
  */
 #ifndef HARDSPHERE_H
 #define HARDSPHERE_H
 
 #include "hardsphere/boundary.h"
+#include "hardsphere/contacts.h"
+#include "hardsphere/curvature.h"
 #include "hardsphere/element.h"
 #include "hardsphere/gradient.h"
 #include "hardsphere/map.h"

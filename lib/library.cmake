@@ -158,6 +158,8 @@ set(HSP_LIBRARY_SOURCES
   capi/hsp_boundary.cpp
   capi/hsp_measure.cpp
   capi/hsp_gradient.cpp
+  capi/hsp_curvature.cpp
+  capi/hsp_contacts.cpp
   capi/hsp_surface.cpp
   capi/hsp_surface_records.cpp
   capi/hsp_map.cpp

@@ -13,7 +13,8 @@
 !   hsp_model *, hsp_boundary *,
 !   hsp_surface *, hsp_mesh *,
 !   hsp_topology *, hsp_view *,
-!   hsp_map *, hsp_sticks *      type(c_ptr)
+!   hsp_map *, hsp_sticks *,
+!   hsp_contacts *               type(c_ptr)
 !   void *memory                 type(c_ptr) from c_loc of an array with the TARGET attribute; the handle lives in it,
 !                                so the array must outlive the handle and must not be reallocated
 !   T *out, uint32_t capacity    out(*) with capacity elements; other extents stand behind the declarations
@@ -67,6 +68,15 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_TANGENT_OVERLAP = 0_c_int32_t
   integer(c_int32_t), parameter :: HSP_TANGENT_DISJOINT = 1_c_int32_t
   integer(c_int32_t), parameter :: HSP_GRADIENT_ONE_SIDED = 1_c_int32_t
+  integer(c_int32_t), parameter :: HSP_CURVATURE_ONE_SIDED = 1_c_int32_t
+
+  integer(c_int32_t), parameter :: HSP_CONTACT_TOUCHING = 1_c_int32_t
+  integer(c_int32_t), parameter :: HSP_CONTACT_BURIED = 2_c_int32_t
+  integer(c_int32_t), parameter :: HSP_CONTACT_CIRCLE = 4_c_int32_t
+  integer(c_int32_t), parameter :: HSP_SIMPLEX_SINGULAR = 0_c_int32_t
+  integer(c_int32_t), parameter :: HSP_SIMPLEX_REGULAR = 1_c_int32_t
+  integer(c_int32_t), parameter :: HSP_SIMPLEX_INTERIOR = 2_c_int32_t
+
   integer(c_int32_t), parameter :: HSP_SURFACE_DEGENERATE = 1_c_int32_t
 
   integer(c_int32_t), parameter :: HSP_PATCH_CONVEX = 0_c_int32_t
@@ -248,6 +258,68 @@ module hardsphere
     real(c_double) :: area             ! length^2
     real(c_double) :: volume           ! length^3
     real(c_double) :: d_probe          ! dE/d(probe)
+  end type
+
+  type, bind(C) :: hsp_curvatures
+    real(c_double) :: mean             ! length
+    real(c_double) :: gauss
+  end type
+
+  type, bind(C) :: hsp_morphometry
+    real(c_double) :: pressure         ! factors: of the volume,
+    real(c_double) :: tension          ! of the weighted area,
+    real(c_double) :: bending          ! of the weighted mean curvature
+    real(c_double) :: gaussian         ! and of the Gaussian curvature
+  end type
+
+  type, bind(C) :: hsp_morphometric_energy
+    real(c_double) :: value
+    real(c_double) :: volume           ! length^3
+    real(c_double) :: area             ! length^2
+    real(c_double) :: mean             ! length
+    real(c_double) :: gauss
+    real(c_double) :: d_probe          ! dE/d(probe)
+  end type
+
+  type, bind(C) :: hsp_contacts_limits
+    integer(c_int32_t) :: struct_size  ! hsp_contacts_limits_init sets it
+    integer(c_int32_t) :: balls
+    integer(c_int32_t) :: neighbours
+    integer(c_int32_t) :: contacts
+    integer(c_int32_t) :: triangles    ! to keep; 0: they are only counted
+    integer(c_int32_t) :: tetrahedra   ! the same
+  end type
+
+  type, bind(C) :: hsp_contact
+    real(c_double) :: area             ! length^2
+    real(c_double) :: edge             ! length of its border on the surface
+    real(c_double) :: distance         ! of the centres
+    integer(c_int32_t) :: ball(2)      ! a < b
+    integer(c_int32_t) :: chords       ! straight sides
+    integer(c_int32_t) :: flags        ! HSP_CONTACT_*
+    integer(c_int32_t) :: reserved(2)  ! 0
+  end type
+
+  type, bind(C) :: hsp_group_contact
+    real(c_double) :: area             ! length^2
+    real(c_double) :: edge             ! length
+    integer(c_int32_t) :: group(2)     ! g < h
+    integer(c_int32_t) :: contacts
+    integer(c_int32_t) :: reserved     ! 0
+  end type
+
+  type, bind(C) :: hsp_complex
+    integer(c_int32_t) :: singular(4)  ! balls, edges, triangles, tetrahedra
+    integer(c_int32_t) :: regular(4)
+    integer(c_int32_t) :: interior(4)
+    integer(c_int32_t) :: euler
+    integer(c_int32_t) :: betti(3)     ! components, tunnels, voids
+  end type
+
+  type, bind(C) :: hsp_simplex
+    integer(c_int32_t) :: ball(4)      ! ascending; the last one of a triangle is HSP_NONE
+    integer(c_int32_t) :: kind         ! HSP_SIMPLEX_*
+    integer(c_int32_t) :: reserved     ! 0
   end type
 
   type, bind(C) :: hsp_area_derivative
@@ -1049,6 +1121,140 @@ module hardsphere
     function hsp_boundary_check(boundary, invariant, id) result(status) bind(C, name="hsp_boundary_check")
       import :: c_int32_t, c_ptr
       type(c_ptr), value :: boundary
+      integer(c_int32_t), intent(inout) :: invariant
+      integer(c_int32_t), intent(inout) :: id
+      integer(c_int32_t) :: status
+    end function
+
+    ! ---- curvature -------------------------------------------------------------------------------------------------
+
+    function hsp_boundary_curvature(boundary, totals, mean, gauss_thirds, capacity, needed) result(status) &
+      bind(C, name="hsp_boundary_curvature")
+      import :: c_double, c_int32_t, c_ptr, hsp_curvatures
+      type(c_ptr), value :: boundary
+      type(hsp_curvatures), intent(inout), optional :: totals
+      real(c_double), intent(inout), optional :: mean(*)             ! n
+      integer(c_int32_t), intent(inout), optional :: gauss_thirds(*) ! n
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_boundary_morphometry(boundary, sigma, factors, energy, d_centre, d_radius, flags, capacity, needed, &
+                                      first_bad) result(status) bind(C, name="hsp_boundary_morphometry")
+      import :: c_double, c_int32_t, c_ptr, hsp_morphometric_energy, hsp_morphometry
+      type(c_ptr), value :: boundary
+      real(c_double), intent(in), optional :: sigma(*)          ! n
+      type(hsp_morphometry), intent(in) :: factors
+      type(hsp_morphometric_energy), intent(inout), optional :: energy
+      real(c_double), intent(inout), optional :: d_centre(3, *) ! 3, n
+      real(c_double), intent(inout), optional :: d_radius(*)    ! n
+      integer(c_int32_t), intent(inout), optional :: flags(*)   ! n; HSP_CURVATURE_*
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
+      integer(c_int32_t), intent(inout), optional :: first_bad
+      integer(c_int32_t) :: status
+    end function
+
+    ! ---- contacts --------------------------------------------------------------------------------------------------
+
+    function hsp_contacts_limits_init(limits, struct_size, boundary) result(status) &
+      bind(C, name="hsp_contacts_limits_init")
+      import :: c_int32_t, c_ptr, hsp_contacts_limits
+      type(hsp_contacts_limits), intent(inout) :: limits
+      integer(c_int32_t), value :: struct_size
+      type(c_ptr), value :: boundary
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_contacts_bytes(limits, bytes) result(status) bind(C, name="hsp_contacts_bytes")
+      import :: c_int32_t, c_size_t, hsp_contacts_limits
+      type(hsp_contacts_limits), intent(in) :: limits
+      integer(c_size_t), intent(inout) :: bytes
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_contacts_init(memory, bytes, limits, contacts) result(status) bind(C, name="hsp_contacts_init")
+      import :: c_int32_t, c_ptr, c_size_t, hsp_contacts_limits
+      type(c_ptr), value :: memory
+      integer(c_size_t), value :: bytes
+      type(hsp_contacts_limits), intent(in) :: limits
+      type(c_ptr), intent(inout) :: contacts
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_contacts_compute(contacts, boundary, limits) result(status) bind(C, name="hsp_contacts_compute")
+      import :: c_int32_t, c_ptr, hsp_contacts_limits
+      type(c_ptr), value :: contacts
+      type(c_ptr), value :: boundary
+      type(hsp_contacts_limits), intent(inout), optional :: limits
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_contacts_get(contacts, out, capacity, needed) result(status) bind(C, name="hsp_contacts_get")
+      import :: c_int32_t, c_ptr, hsp_contact
+      type(c_ptr), value :: contacts
+      type(hsp_contact), intent(inout), optional :: out(*)
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_contacts_get_row(contacts, ball, out, capacity, needed) result(status) &
+      bind(C, name="hsp_contacts_get_row")
+      import :: c_int32_t, c_ptr, hsp_contact
+      type(c_ptr), value :: contacts
+      integer(c_int32_t), value :: ball
+      type(hsp_contact), intent(inout), optional :: out(*)
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_contacts_measure(contacts, totals, cell_volume, contact_area, capacity, needed) result(status) &
+      bind(C, name="hsp_contacts_measure")
+      import :: c_double, c_int32_t, c_ptr, hsp_totals
+      type(c_ptr), value :: contacts
+      type(hsp_totals), intent(inout), optional :: totals
+      real(c_double), intent(inout), optional :: cell_volume(*)  ! n
+      real(c_double), intent(inout), optional :: contact_area(*) ! n
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_contacts_group(contacts, group, out, capacity, needed) result(status) &
+      bind(C, name="hsp_contacts_group")
+      import :: c_int32_t, c_ptr, hsp_group_contact
+      type(c_ptr), value :: contacts
+      integer(c_int32_t), intent(in) :: group(*)                 ! n
+      type(hsp_group_contact), intent(inout), optional :: out(*)
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_contacts_get_complex(contacts, counts) result(status) bind(C, name="hsp_contacts_get_complex")
+      import :: c_int32_t, c_ptr, hsp_complex
+      type(c_ptr), value :: contacts
+      type(hsp_complex), intent(inout) :: counts
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_contacts_get_simplices(contacts, dimension, out, capacity, needed) result(status) &
+      bind(C, name="hsp_contacts_get_simplices")
+      import :: c_int32_t, c_ptr, hsp_simplex
+      type(c_ptr), value :: contacts
+      integer(c_int32_t), value :: dimension
+      type(hsp_simplex), intent(inout), optional :: out(*)
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_contacts_check(contacts, invariant, id) result(status) bind(C, name="hsp_contacts_check")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: contacts
       integer(c_int32_t), intent(inout) :: invariant
       integer(c_int32_t), intent(inout) :: id
       integer(c_int32_t) :: status
@@ -1970,6 +2176,15 @@ contains
     bytes = 8192_c_size_t + 54_c_size_t*int(vertices, c_size_t) + 9_c_size_t*int(faces, c_size_t) &
             + 1152_c_size_t*int(neighbours, c_size_t) + 106_c_size_t*int(pieces, c_size_t) &
             + 26_c_size_t*int(arcs, c_size_t) + 16_c_size_t*int(cusped_circles, c_size_t)
+  end function
+
+  !> HSP_CONTACTS_BYTES of the header, for the size of an allocation.
+  pure function hsp_contacts_bytes_bound(balls, neighbours, contacts, triangles, tetrahedra) result(bytes)
+    integer(c_int32_t), intent(in) :: balls, neighbours, contacts, triangles, tetrahedra
+    integer(c_size_t) :: bytes
+    bytes = 4096_c_size_t + 20_c_size_t*int(balls, c_size_t) + 128_c_size_t*int(neighbours, c_size_t) &
+            + 44_c_size_t*int(contacts, c_size_t) + 16_c_size_t*int(triangles, c_size_t) &
+            + 16_c_size_t*int(tetrahedra, c_size_t)
   end function
 
   !> HSP_MESH_BYTES of the header, for the size of an allocation.

@@ -20,6 +20,9 @@ inline size_t most_bytes(const hsp_mesh_limits &limits) {
 inline size_t most_bytes(const hsp_topology_limits &limits) {
   return HSP_TOPOLOGY_BYTES(limits.balls, limits.neighbours, limits.edges, limits.cut_arcs);
 }
+inline size_t most_bytes(const hsp_contacts_limits &limits) {
+  return HSP_CONTACTS_BYTES(limits.balls, limits.neighbours, limits.contacts, limits.triangles, limits.tetrahedra);
+}
 inline size_t most_bytes(const hsp_view_limits &limits) {
   return HSP_VIEW_BYTES(limits.balls, limits.neighbours, limits.arcs);
 }

@@ -28,6 +28,8 @@ program fortran_interface_test
   call measure_of_parts()
   call gradient_functions()
   call area_rows()
+  call curvatures()
+  call contacts_functions()
   call reports_errors()
   call report_checks()
 
@@ -442,6 +444,77 @@ contains
     call expect(hsp_boundary_get_area_row(boundary, 3_c_int32_t, HSP_TANGENT_DISJOINT, row, 3_c_int32_t, needed), HSP_OK, &
                 'row of the ball apart')
     call check(needed == 1 .and. row(1)%ball == 3 .and. abs(row(1)%radius - 4*pi) < 1e-13_c_double, 'row of one entry')
+  end subroutine
+
+  subroutine curvatures()
+    type(hsp_curvatures) :: totals
+    type(hsp_morphometry) :: factors
+    type(hsp_morphometric_energy) :: energy
+    real(c_double) :: mean(n), d_centre(3, n), d_radius(n), sigma(n)
+    integer(c_int32_t) :: thirds(n), flags(n), needed, first_bad
+    call expect(hsp_boundary_curvature(boundary, totals, mean, thirds, n, needed), HSP_OK, 'hsp_boundary_curvature')
+    call check(needed == n, 'needed of curvatures')
+    call check(abs(sum(mean) - totals%mean) < 1e-12_c_double, 'sum of mean curvatures')
+    call check(sum(thirds) == 24, 'Gauss-Bonnet')
+    call check(abs(totals%gauss - 8*pi) < 1e-13_c_double, 'Gaussian curvature')
+    call check(abs(mean(4) - 2*pi) < 1e-14_c_double, 'mean curvature of a ball alone')
+    sigma = 1
+    factors = hsp_morphometry(0.0_c_double, 0.0_c_double, 1.0_c_double, 0.0_c_double)
+    call expect(hsp_boundary_morphometry(boundary, sigma, factors, energy, d_centre, d_radius, flags, n, needed, &
+                                         first_bad), HSP_OK, 'hsp_boundary_morphometry')
+    call check(first_bad == HSP_NONE .and. all(flags == 0), 'flags of a morphometric energy')
+    call check(abs(energy%value - totals%mean) < 1e-12_c_double, 'bending energy')
+    call check(abs(sum(d_radius*radius) + sum(d_centre*xyz) - energy%mean) < 1e-12_c_double, 'homogeneity')
+    call check(maxval(abs(sum(d_centre, dim=2))) < 1e-13_c_double, 'sum of derivatives')
+    call expect(hsp_boundary_morphometry(boundary, factors=factors, capacity=0_c_int32_t), HSP_OK, 'nothing asked')
+  end subroutine
+
+  subroutine contacts_functions()
+    type(hsp_contacts_limits) :: limits
+    type(hsp_contact) :: contact(3), row(2)
+    type(hsp_group_contact) :: between(1)
+    type(hsp_complex) :: counts
+    type(hsp_simplex) :: triangle(1)
+    type(hsp_totals) :: totals, of_boundary
+    type(c_ptr) :: contacts
+    integer(c_int8_t), allocatable, target :: memory(:)
+    integer(c_size_t) :: bytes
+    integer(c_int32_t) :: needed, invariant, id
+    integer(c_int32_t), parameter :: group(n) = [5, 5, 2, 2]
+    real(c_double) :: cell(n), area(n)
+    call expect(hsp_contacts_limits_init(limits, int(c_sizeof(limits), c_int32_t), boundary), HSP_OK, &
+                'hsp_contacts_limits_init')
+    call check(limits%balls == n .and. limits%contacts == 12*n + 64, 'limits of contacts')
+    limits%triangles = 1
+    limits%tetrahedra = 1
+    call expect(hsp_contacts_bytes(limits, bytes), HSP_OK, 'hsp_contacts_bytes')
+    call check(bytes <= hsp_contacts_bytes_bound(limits%balls, limits%neighbours, limits%contacts, limits%triangles, &
+                                                 limits%tetrahedra), 'hsp_contacts_bytes_bound')
+    allocate (memory(bytes))
+    call expect(hsp_contacts_init(c_loc(memory), bytes, limits, contacts), HSP_OK, 'hsp_contacts_init')
+    call expect(hsp_contacts_get(contacts, capacity=0_c_int32_t, needed=needed), HSP_E_STATE, 'contacts of nothing')
+    call expect(hsp_contacts_compute(contacts, boundary, limits), HSP_OK, 'hsp_contacts_compute')
+    call check(limits%contacts == 3 .and. limits%triangles == 1 .and. limits%tetrahedra == 0, 'limits that were needed')
+    call expect(hsp_contacts_get(contacts, contact, 3_c_int32_t, needed), HSP_OK, 'hsp_contacts_get')
+    call check(needed == 3 .and. all(contact(1)%ball == [0, 1]) .and. all(contact(3)%ball == [1, 2]), 'balls of contacts')
+    call check(all(contact%chords == 1) .and. all(contact%flags == 0), 'contacts with one side')
+    call check(abs(contact(1)%distance - 2) < 1e-15_c_double, 'distance of a contact')
+    call expect(hsp_contacts_get_row(contacts, 2_c_int32_t, row, 2_c_int32_t, needed), HSP_OK, 'hsp_contacts_get_row')
+    call check(needed == 2 .and. row(1)%area == contact(2)%area .and. row(2)%area == contact(3)%area, 'a row')
+    call expect(hsp_contacts_measure(contacts, totals, cell, area, n, needed), HSP_OK, 'hsp_contacts_measure')
+    call expect(hsp_boundary_measure(boundary, totals=of_boundary, capacity=0_c_int32_t), HSP_OK, 'volume')
+    call check(abs(totals%volume - of_boundary%volume) < 1e-12_c_double, 'volume of the cells')
+    call check(abs(sum(area) - 2*sum(contact%area)) < 1e-12_c_double, 'areas of contacts')
+    call check(abs(cell(4) - pi/6) < 1e-14_c_double, 'cell of a ball alone')
+    call expect(hsp_contacts_group(contacts, group, between, 1_c_int32_t, needed), HSP_OK, 'hsp_contacts_group')
+    call check(all(between(1)%group == [2, 5]) .and. between(1)%contacts == 2, 'contacts of two groups')
+    call expect(hsp_contacts_get_complex(contacts, counts), HSP_OK, 'hsp_contacts_get_complex')
+    call check(counts%singular(1) == 1 .and. counts%regular(2) == 3 .and. counts%singular(3) == 1, 'simplices')
+    call check(counts%euler == 2 .and. all(counts%betti == [2, 0, 0]), 'Betti numbers')
+    call expect(hsp_contacts_get_simplices(contacts, 2_c_int32_t, triangle, 1_c_int32_t, needed), HSP_OK, &
+                'hsp_contacts_get_simplices')
+    call check(all(triangle(1)%ball == [0, 1, 2, HSP_NONE]) .and. triangle(1)%kind == HSP_SIMPLEX_SINGULAR, 'a triangle')
+    call expect(hsp_contacts_check(contacts, invariant, id), HSP_OK, 'hsp_contacts_check')
   end subroutine
 
   subroutine reports_errors()

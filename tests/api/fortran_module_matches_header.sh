@@ -60,9 +60,11 @@ same "names of constants" "$work/constants" "$work/constants.module"
     echo "  printf(\"sticks bytes %zu\n\", HSP_STICKS_BYTES(${limits%,*}));"
     echo "  printf(\"surface bytes %zu\n\", HSP_SURFACE_BYTES($limits,0,0));"
     echo "  printf(\"mesh bytes %zu\n\", HSP_MESH_BYTES($limits,0));"
+    echo "  printf(\"contacts bytes %zu\n\", HSP_CONTACTS_BYTES($limits,0));"
   done
   echo '  printf("surface bytes %zu\n", HSP_SURFACE_BYTES(0,0,0,0,1000,0) + 2 * HSP_SURFACE_BYTES(0,0,0,0,0,1000));'
   echo '  printf("mesh bytes %zu\n", HSP_MESH_BYTES(0,0,0,0,1000));'
+  echo '  printf("contacts bytes %zu\n", HSP_CONTACTS_BYTES(0,0,0,0,1000));'
   # the algebra of quarter-edges, on the first two edges and at both ends of what fits
   for q in 0 1 2 3 4 5 6 7 1073741820 1073741823 2147483647; do
     echo "  printf(\"turned %ld %ld %ld\n\", (long)HSP_QUAD_ROT(UINT32_C($q)), (long)HSP_QUAD_INVERSE_ROT(UINT32_C($q)),"
@@ -94,9 +96,11 @@ same "names of constants" "$work/constants" "$work/constants.module"
     echo "  print '(a, i0)', 'sticks bytes ', hsp_sticks_bytes_bound(${limits%,*})"
     echo "  print '(a, i0)', 'surface bytes ', hsp_surface_bytes_bound($limits,0,0)"
     echo "  print '(a, i0)', 'mesh bytes ', hsp_mesh_bytes_bound($limits,0)"
+    echo "  print '(a, i0)', 'contacts bytes ', hsp_contacts_bytes_bound($limits,0)"
   done
   echo "  print '(a, i0)', 'surface bytes ', hsp_surface_bytes_bound(0,0,0,0,1000,0) + 2 * hsp_surface_bytes_bound(0,0,0,0,0,1000)"
   echo "  print '(a, i0)', 'mesh bytes ', hsp_mesh_bytes_bound(0,0,0,0,1000)"
+  echo "  print '(a, i0)', 'contacts bytes ', hsp_contacts_bytes_bound(0,0,0,0,1000)"
   for q in 0 1 2 3 4 5 6 7 1073741820 1073741823 2147483647 HSP_NONE; do
     echo "  print '(a, 2(i0, 1x), i0)', 'turned ', hsp_quad_rot($q), hsp_quad_inverse_rot($q), hsp_quad_sym($q)"
     echo "  print '(a, i0, 1x, i0)', 'twin ', hsp_surface_twin($q), hsp_map_twin($q)"

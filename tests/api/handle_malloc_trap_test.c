@@ -233,6 +233,39 @@ static int write_everything(hsp_view *view, hsp_map *map, const uint32_t *colour
 }
 
 /* Balls and sticks, of balls that do not meet. */
+static int call_contacts(const computed *c, void *memory, size_t bytes) {
+  static hsp_contact contact[64];
+  static hsp_group_contact sum[64];
+  static hsp_simplex simplex[64];
+  static const uint32_t group[4] = {0, 1, 1, 2};
+  hsp_contacts *contacts = NULL;
+  hsp_contacts_limits limits;
+  hsp_complex counts;
+  hsp_totals totals;
+  hsp_curvatures curvatures;
+  hsp_morphometric_energy energy;
+  const hsp_morphometry factors = {1, 1, 1, 1};
+  uint32_t needed, invariant, id;
+  size_t size = 0;
+  int bad = 0;
+  bad += hsp_contacts_limits_init(&limits, (uint32_t)sizeof limits, c->boundary) != HSP_OK;
+  limits.triangles = limits.tetrahedra = 64;
+  bad += hsp_contacts_bytes(&limits, &size) != HSP_OK || size > bytes;
+  bad += hsp_contacts_init(memory, size, &limits, &contacts) != HSP_OK;
+  bad += hsp_contacts_compute(contacts, c->boundary, &limits) != HSP_OK;
+  bad += hsp_contacts_get(contacts, contact, 64, &needed) != HSP_OK || needed == 0;
+  bad += hsp_contacts_get_row(contacts, 0, contact, 64, &needed) != HSP_OK;
+  bad += hsp_contacts_measure(contacts, &totals, c->area, c->volume, c->n, &needed) != HSP_OK;
+  bad += hsp_contacts_group(contacts, group, sum, 64, &needed) != HSP_OK;
+  bad += hsp_contacts_get_complex(contacts, &counts) != HSP_OK;
+  bad += hsp_contacts_get_simplices(contacts, 2, simplex, 64, &needed) != HSP_OK;
+  bad += hsp_contacts_check(contacts, &invariant, &id) != HSP_OK;
+  bad += hsp_boundary_curvature(c->boundary, &curvatures, c->area, NULL, c->n, &needed) != HSP_OK;
+  bad += hsp_boundary_morphometry(c->boundary, NULL, &factors, &energy, NULL, c->area, NULL, c->n, &needed, NULL) !=
+         HSP_OK;
+  return bad;
+}
+
 static int call_sticks(const hsp_model *model, void *memory, size_t bytes) {
   static const hsp_stick stick[2] = {{{0, 1}, 0, 0}, {{2, 1}, HSP_STICK_WHOLE, 0}};
   hsp_sticks *sticks = NULL;
@@ -490,6 +523,20 @@ static void trap_view(const computed *c, uint32_t pieces) {
   view_result_release(&v);
 }
 
+static void trap_contacts(void) {
+  static const double xyz[4][3] = {{0, 0, 0}, {1.5, 0, 0}, {2.0, 1.4, 0}, {1.0, 0.7, 1.1}};
+  static const double radius[4] = {1.0, 1.2, 0.9, 1.1};
+  static unsigned char memory[HSP_CONTACTS_BYTES(4, 8, 128, 64, 64)];
+  computed c;
+  if (CHECK_EQUAL(computed_make(4, xyz[0], radius, NULL, &c), HSP_OK)) {
+    int bad;
+    arm();
+    bad = call_contacts(&c, memory, sizeof memory);
+    disarm(bad);
+  }
+  computed_release(&c);
+}
+
 static void trap_sticks(void) {
   static const double xyz[9] = {0, 0, 0, 10, 0, 3, 10, 10, -2}, radius[3] = {2, 2, 3};
   static unsigned char memory[HSP_STICKS_BYTES(3, 6, 256)], model_memory[HSP_MODEL_BYTES(3)];
@@ -531,6 +578,7 @@ int main(void) {
   check_trap();
   trap_mesh();
   trap_surface_mesh();
+  trap_contacts();
   trap_sticks();
   for (which = 0; which < ball_set_count(); ++which) {
     ball_set_make(which, &set);

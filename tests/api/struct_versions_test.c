@@ -23,6 +23,7 @@ static hsp_surface *surface;
 static hsp_mesh *mesh;
 static hsp_map *map;
 static hsp_sticks *sticks;
+static hsp_contacts *contacts;
 
 static int32_t ignore_bytes(void *context, const char *bytes, size_t count) {
   (void)context;
@@ -62,6 +63,13 @@ static int32_t read_topology_limits(const void *given) {
   hsp_topology *made = NULL;
   const int32_t status = hsp_topology_bytes(given, &bytes);
   CHECK_EQUAL(hsp_topology_init(other_memory, sizeof other_memory, given, &made), status);
+  return status;
+}
+static int32_t read_contacts_limits(const void *given) {
+  size_t bytes = 0;
+  hsp_contacts *made = NULL;
+  const int32_t status = hsp_contacts_bytes(given, &bytes);
+  CHECK_EQUAL(hsp_contacts_init(other_memory, sizeof other_memory, given, &made), status);
   return status;
 }
 static int32_t read_view_limits(const void *given) {
@@ -120,6 +128,9 @@ static int32_t write_surface_mesh_limits(void *out, uint32_t size) {
 static int32_t write_topology_limits(void *out, uint32_t size) {
   return hsp_topology_limits_init(out, size, h.boundary);
 }
+static int32_t write_contacts_limits(void *out, uint32_t size) {
+  return hsp_contacts_limits_init(out, size, h.boundary);
+}
 static int32_t write_view_limits(void *out, uint32_t size) {
   return hsp_view_limits_init(out, size, BALLS);
 }
@@ -146,6 +157,14 @@ static int32_t return_mesh_limits(void *out, uint32_t size) {
   CHECK_EQUAL(hsp_boundary_compute(h.boundary, h.model, NULL), HSP_OK);
   memcpy(out, &size, sizeof size);
   return hsp_mesh_compute(mesh, h.boundary, 1.0, out);
+}
+static int32_t return_contacts_limits(void *out, uint32_t size) {
+  static unsigned char memory[HSP_CONTACTS_BYTES(BALLS, 8, 16, 0, 0)];
+  const hsp_contacts_limits of_contacts = {(uint32_t)sizeof of_contacts, BALLS, 8, 16, 0, 0};
+  CHECK_EQUAL(hsp_contacts_init(memory, sizeof memory, &of_contacts, &contacts), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_compute(h.boundary, h.model, NULL), HSP_OK);
+  memcpy(out, &size, sizeof size);
+  return hsp_contacts_compute(contacts, h.boundary, out);
 }
 static int32_t return_topology_limits(void *out, uint32_t size) {
   CHECK_EQUAL(hsp_boundary_compute(h.boundary, h.model, NULL), HSP_OK);
@@ -200,6 +219,11 @@ static const struct versioned {
      sizeof(hsp_mesh_limits),
      read_mesh_limits,
      {write_mesh_limits, return_mesh_limits, write_surface_mesh_limits}},
+    {"hsp_contacts_limits",
+     sizeof(hsp_contacts_limits),
+     sizeof(hsp_contacts_limits),
+     read_contacts_limits,
+     {write_contacts_limits, return_contacts_limits, NULL}},
     {"hsp_topology_limits",
      sizeof(hsp_topology_limits),
      sizeof(hsp_topology_limits),

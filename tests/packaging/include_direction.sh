@@ -11,7 +11,7 @@ readme=lib/README.md
 # of free space need no boundary.
 rooms="core exact model cells sphere boundary topology measure contacts surface mesh view visibility sticks picture capi"
 declare -A stands_on=([core]="" [exact]="core" [model]="exact" [cells]="model" [sphere]="model" [boundary]="sphere"
-  [topology]="boundary" [measure]="topology" [contacts]="measure" [surface]="measure" [mesh]="surface" [view]="boundary" [visibility]="view" [sticks]="view" [picture]="view" [capi]="mesh visibility sticks picture")
+  [topology]="boundary" [measure]="topology" [contacts]="measure" [surface]="measure" [mesh]="surface" [view]="boundary" [visibility]="view" [sticks]="view" [picture]="view" [capi]="contacts mesh visibility sticks picture")
 failed=0
 
 complain() {

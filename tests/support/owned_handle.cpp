@@ -35,6 +35,12 @@ hsp_topology_limits topology_limits_for(const hsp_boundary *boundary) {
   return limits;
 }
 
+hsp_contacts_limits contacts_limits_for(const hsp_boundary *boundary) {
+  hsp_contacts_limits limits;
+  expect_ok(hsp_contacts_limits_init(&limits, sizeof limits, boundary), "hsp_contacts_limits_init");
+  return limits;
+}
+
 hsp_view_limits default_view_limits(uint32_t balls) {
   hsp_view_limits limits;
   expect_ok(hsp_view_limits_init(&limits, sizeof limits, balls), "hsp_view_limits_init");

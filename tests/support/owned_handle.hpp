@@ -72,6 +72,15 @@ struct TopologyKind {
   static constexpr auto bytes = hsp_topology_bytes;
   static constexpr auto init = hsp_topology_init;
 };
+struct ContactsKind {
+  using Handle = hsp_contacts;
+  using Limits = hsp_contacts_limits;
+  static constexpr int enlargements = 3;
+  static constexpr std::array limits = {&Limits::balls, &Limits::neighbours, &Limits::contacts};
+  static constexpr const char *name = "hsp_contacts";
+  static constexpr auto bytes = hsp_contacts_bytes;
+  static constexpr auto init = hsp_contacts_init;
+};
 struct ViewKind {
   using Handle = hsp_view;
   using Limits = hsp_view_limits;
@@ -152,12 +161,14 @@ class OwnedHandle {
 using OwnedBoundary = OwnedHandle<BoundaryKind>;
 using OwnedSurface = OwnedHandle<SurfaceKind>;
 using OwnedTopology = OwnedHandle<TopologyKind>;
+using OwnedContacts = OwnedHandle<ContactsKind>;
 using OwnedView = OwnedHandle<ViewKind>;
 using OwnedMap = OwnedHandle<MapKind>;
 
 hsp_boundary_limits default_boundary_limits(uint32_t balls);
 hsp_surface_limits surface_limits_for(const hsp_boundary *boundary);
 hsp_topology_limits topology_limits_for(const hsp_boundary *boundary);
+hsp_contacts_limits contacts_limits_for(const hsp_boundary *boundary);
 hsp_view_limits default_view_limits(uint32_t balls);
 hsp_map_limits default_map_limits(uint32_t balls);
 

@@ -1,0 +1,227 @@
+#include "hsp_contacts.hpp"
+
+#include "contacts/contact_groups.hpp"
+#include "contacts/contacts_check.hpp"
+#include "core/summation.hpp"
+
+using hsp::capi::check_output;
+using hsp::capi::check_request;
+using hsp::capi::is_live;
+
+namespace {
+
+// The limits that a program gives.
+int32_t from_c(const hsp_contacts_limits *given, hsp::ContactLimits &result) {
+  hsp_contacts_limits limits;
+  if (!hsp::capi::read_struct(given, {}, limits)) return HSP_E_ARGUMENT;
+  if (limits.balls > HSP_MAX_BALLS || limits.neighbours > HSP_MAX_BALLS || limits.contacts > HSP_MAX_BALLS ||
+      limits.triangles > HSP_MAX_BALLS || limits.tetrahedra > HSP_MAX_BALLS)
+    return HSP_E_RANGE;
+  result = {limits.balls, limits.neighbours, limits.contacts, limits.triangles, limits.tetrahedra};
+  return HSP_OK;
+}
+
+hsp_contacts_limits to_c(const hsp::ContactLimits &limits) {
+  return {sizeof(hsp_contacts_limits),
+          limits.balls,
+          limits.neighbours,
+          limits.contacts,
+          limits.triangles,
+          limits.tetrahedra};
+}
+
+constexpr uint32_t number_of(hsp::ContactInvariant invariant) {
+  return static_cast<uint32_t>(invariant);
+}
+
+// The numbers that the header gives the invariants of hsp_contacts_check, and kinds of simplices.
+using hsp::ContactInvariant;
+static_assert(number_of(ContactInvariant::none) == 0);
+static_assert(number_of(ContactInvariant::records) == 1 && number_of(ContactInvariant::euler) == 2);
+static_assert(number_of(ContactInvariant::closure) == 3 && number_of(ContactInvariant::volume) == 4);
+static_assert(static_cast<uint32_t>(hsp::SimplexKind::singular) == HSP_SIMPLEX_SINGULAR);
+static_assert(static_cast<uint32_t>(hsp::SimplexKind::regular) == HSP_SIMPLEX_REGULAR);
+static_assert(static_cast<uint32_t>(hsp::SimplexKind::interior) == HSP_SIMPLEX_INTERIOR);
+
+hsp_contact to_c(const hsp::BallSet &balls, const hsp::ContactRecord &contact) {
+  const auto [first, second] = contact.ball;
+  const hsp::Vec3 v = balls.difference(first, second);
+  const uint32_t a = balls.caller[first];
+  const uint32_t b = balls.caller[second];
+  const uint32_t flags = (contact.is_touching() ? HSP_CONTACT_TOUCHING : 0) |
+                         (contact.has_arc() || contact.is_circle() ? 0 : HSP_CONTACT_BURIED) |
+                         (contact.is_circle() ? HSP_CONTACT_CIRCLE : 0);
+  return {balls.lattice.area(contact.area),
+          balls.lattice.length(contact.edge),
+          balls.lattice.length(std::sqrt(dot(v, v))),
+          {a < b ? a : b, a < b ? b : a},
+          contact.chords,
+          flags,
+          {0, 0}};
+}
+
+// The balls of a simplex in the caller's order, ascending.
+template <uint32_t n>
+hsp_simplex to_simplex(const hsp::BallSet &balls, const uint32_t (&ball)[n], hsp::SimplexKind kind) {
+  hsp_simplex simplex{{HSP_NONE, HSP_NONE, HSP_NONE, HSP_NONE}, static_cast<uint32_t>(kind), 0};
+  for (uint32_t k = 0; k < n; ++k) simplex.ball[k] = balls.caller[ball[k]];
+  hsp::sort_in_place(hsp::Span<uint32_t>(simplex.ball, n), [](uint32_t a, uint32_t b) { return a < b; });
+  return simplex;
+}
+
+}  // namespace
+
+int32_t hsp_contacts_limits_init(hsp_contacts_limits *limits, uint32_t struct_size, const hsp_boundary *boundary) {
+  if (limits == nullptr || !is_live(boundary) || !hsp::capi::is_struct_size<hsp_contacts_limits>(struct_size)) {
+    return HSP_E_ARGUMENT;
+  }
+  if (!boundary->has_results()) return HSP_E_STATE;
+  hsp::ContactLimits defaults;
+  const hsp::Status status =
+      hsp::default_contact_limits(boundary->balls().n, boundary->builder.needed().neighbours, defaults);
+  if (status == hsp::Status::ok) hsp::capi::write_struct(to_c(defaults), limits, struct_size);
+  return hsp::capi::to_c(status);
+}
+
+int32_t hsp_contacts_bytes(const hsp_contacts_limits *limits, size_t *bytes) {
+  if (bytes == nullptr) return HSP_E_ARGUMENT;
+  hsp::ContactLimits wanted;
+  if (const int32_t status = from_c(limits, wanted); status != HSP_OK) return status;
+  return hsp::capi::get_bytes<hsp_contacts>(wanted, bytes);
+}
+
+int32_t hsp_contacts_init(void *memory, size_t bytes, const hsp_contacts_limits *limits, hsp_contacts **contacts) {
+  if (memory == nullptr || contacts == nullptr) return HSP_E_ARGUMENT;
+  hsp::ContactLimits wanted;
+  if (const int32_t status = from_c(limits, wanted); status != HSP_OK) return status;
+  return hsp::capi::init(memory, bytes, wanted, contacts);
+}
+
+int32_t hsp_contacts_compute(hsp_contacts *contacts, const hsp_boundary *boundary, hsp_contacts_limits *limits) {
+  if (!is_live(contacts)) return HSP_E_ARGUMENT;
+  contacts->complete = false;
+  if (!is_live(boundary) || !hsp::capi::may_write(limits)) return HSP_E_ARGUMENT;
+  if (!boundary->has_results()) return HSP_E_STATE;
+  const hsp::Status status = contacts->builder.build(boundary->model->grid, boundary->structure());
+  contacts->boundary.set(boundary);
+  return hsp::capi::finish<static_cast<hsp_contacts_limits (*)(const hsp::ContactLimits &)>(to_c)>(*contacts, status,
+                                                                                                   limits);
+}
+
+int32_t hsp_contacts_get(const hsp_contacts *contacts, hsp_contact *out, uint32_t capacity, uint32_t *needed) {
+  const int32_t status = check_request(contacts, out, capacity, needed,
+                                       [](const hsp_contacts &c) { return c.structure().contact_count(); });
+  if (status != HSP_OK) return status;
+  const hsp::Contacts &structure = contacts->structure();
+  const hsp::BallSet &balls = contacts->balls();
+  uint32_t written = 0;
+  for (uint32_t i = 0; i < balls.n; ++i) {
+    const uint32_t ball = contacts->grid().grid_index(i);
+    for (const uint32_t id : structure.row(ball)) {
+      const hsp::ContactRecord &contact = structure.contact(id);
+      if (balls.given_before(ball, contact.other(ball))) out[written++] = to_c(balls, contact);
+    }
+  }
+  return HSP_OK;
+}
+
+int32_t hsp_contacts_get_row(const hsp_contacts *contacts, uint32_t ball, hsp_contact *out, uint32_t capacity,
+                             uint32_t *needed) {
+  if (!is_live(contacts) || needed == nullptr || (out == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
+  if (!contacts->has_results()) return HSP_E_STATE;
+  if (ball >= contacts->balls().n) return HSP_E_ID;
+  const hsp::Span<const uint32_t> row = contacts->structure().row(contacts->grid().grid_index(ball));
+  const int32_t status = check_output(out, capacity, row.size(), needed);
+  if (status != HSP_OK) return status;
+  for (uint32_t k = 0; k < row.size(); ++k) out[k] = to_c(contacts->balls(), contacts->structure().contact(row[k]));
+  return HSP_OK;
+}
+
+int32_t hsp_contacts_measure(const hsp_contacts *contacts, hsp_totals *totals, double *cell_volume,
+                             double *contact_area, uint32_t capacity, uint32_t *needed) {
+  if (!is_live(contacts)) return HSP_E_ARGUMENT;
+  if (!contacts->has_results()) return HSP_E_STATE;
+  const hsp::BallSet &balls = contacts->balls();
+  const bool wanted = cell_volume != nullptr || contact_area != nullptr;
+  if (!hsp::capi::fits(wanted, capacity, balls.n, needed)) return HSP_E_CAPACITY;
+  const hsp::Contacts &structure = contacts->structure();
+  hsp::TreeSum area, volume;
+  for (uint32_t i = 0; i < balls.n; ++i) {
+    const uint32_t ball = contacts->grid().grid_index(i);
+    area.add(structure.contact_area(ball));
+    volume.add(structure.cell_volume(ball));
+    if (cell_volume != nullptr) cell_volume[i] = balls.lattice.volume(structure.cell_volume(ball));
+    if (contact_area != nullptr) contact_area[i] = balls.lattice.area(structure.contact_area(ball));
+  }
+  // A contact is one of two balls.
+  if (totals != nullptr) *totals = {balls.lattice.area(0.5 * area.total()), balls.lattice.volume(volume.total())};
+  return HSP_OK;
+}
+
+int32_t hsp_contacts_group(hsp_contacts *contacts, const uint32_t *group, hsp_group_contact *out, uint32_t capacity,
+                           uint32_t *needed) {
+  if (!is_live(contacts) || group == nullptr || needed == nullptr || (out == nullptr && capacity > 0)) {
+    return HSP_E_ARGUMENT;
+  }
+  if (!contacts->has_results()) return HSP_E_STATE;
+  const hsp::ContactGroups groups(contacts->balls(), contacts->structure(), group, contacts->builder.scratch());
+  uint32_t count = 0;
+  groups.visit([&count](const hsp::GroupContact &) { ++count; });
+  const int32_t status = check_output(out, capacity, count, needed);
+  if (status != HSP_OK) return status;
+  const hsp::exact::Lattice &lattice = contacts->balls().lattice;
+  groups.visit([&](const hsp::GroupContact &sum) {
+    *out++ = {lattice.area(sum.area), lattice.length(sum.edge), {sum.group[0], sum.group[1]}, sum.contacts, 0};
+  });
+  return HSP_OK;
+}
+
+int32_t hsp_contacts_get_complex(const hsp_contacts *contacts, hsp_complex *counts) {
+  if (!is_live(contacts) || counts == nullptr) return HSP_E_ARGUMENT;
+  if (!contacts->has_results()) return HSP_E_STATE;
+  const hsp::SimplexCounts &simplices = contacts->structure().simplices();
+  const hsp::Boundary &boundary = contacts->boundary->structure();
+  *counts = {};
+  for (uint32_t d = 0; d < 4; ++d) {
+    counts->singular[d] = simplices.of[d][HSP_SIMPLEX_SINGULAR];
+    counts->regular[d] = simplices.of[d][HSP_SIMPLEX_REGULAR];
+    counts->interior[d] = simplices.of[d][HSP_SIMPLEX_INTERIOR];
+  }
+  // Components, and by Alexander duality voids; the rest follows from Euler's formula.
+  counts->euler = static_cast<int32_t>(simplices.euler());
+  counts->betti[0] = boundary.component_count();
+  counts->betti[2] = boundary.shell_count() - boundary.component_count();
+  counts->betti[1] = counts->betti[0] + counts->betti[2] - static_cast<uint32_t>(counts->euler);
+  return HSP_OK;
+}
+
+int32_t hsp_contacts_get_simplices(const hsp_contacts *contacts, uint32_t dimension, hsp_simplex *out,
+                                   uint32_t capacity, uint32_t *needed) {
+  if (!is_live(contacts) || needed == nullptr || (out == nullptr && capacity > 0) || dimension < 2 || dimension > 3) {
+    return HSP_E_ARGUMENT;
+  }
+  if (!contacts->has_results()) return HSP_E_STATE;
+  const hsp::Contacts &structure = contacts->structure();
+  const uint32_t kept = dimension == 2 ? structure.triangles().size() : structure.tetrahedra().size();
+  if (kept < structure.simplices().dimension(dimension)) return HSP_E_STATE;
+  const int32_t status = check_output(out, capacity, kept, needed);
+  if (status != HSP_OK) return status;
+  const hsp::BallSet &balls = contacts->balls();
+  for (uint32_t k = 0; k < kept; ++k) {
+    if (dimension == 2) {
+      const hsp::TriangleRecord &triangle = structure.triangles()[k];
+      out[k] = to_simplex(balls, triangle.ball, triangle.kind());
+    } else {
+      out[k] = to_simplex(balls, structure.tetrahedra()[k].ball, hsp::SimplexKind::interior);
+    }
+  }
+  return HSP_OK;
+}
+
+int32_t hsp_contacts_check(const hsp_contacts *contacts, uint32_t *invariant, uint32_t *id) {
+  if (!is_live(contacts) || invariant == nullptr || id == nullptr) return HSP_E_ARGUMENT;
+  if (!contacts->has_results()) return HSP_E_STATE;
+  const hsp::ContactViolation violation =
+      hsp::check_contacts(contacts->balls(), contacts->boundary->structure(), contacts->structure());
+  return hsp::capi::report(violation, invariant, id);
+}

@@ -1,0 +1,200 @@
+/* hardsphere/contacts.h: which balls touch and by how much, each ball's share of the union, the dual complex.
+ *
+ * With the power |x - c_i|^2 - r_i^2 of a point x to ball i, radii with the probe:
+ *   cell      of a ball: the points of the union with no less power to another ball; convex, inside the ball
+ *   contact   of two balls: where their cells meet; the disk of their circle, cut off straight by other balls
+ *   simplex   one to four balls whose cells have a common point: ball, edge (a contact), triangle, tetrahedron. All
+ *             simplices are the dual complex (Edelsbrunner 1995), which has the holes of the union
+ * All of it is decided exactly, as if ties were broken by infinitesimally inflated balls (hardsphere/boundary.h): balls
+ * that touch have a contact of area 0. Where three spheres share a circle the area of the disk in it counts for two of
+ * the three balls; cells and all sums are continuous there too. */
+#ifndef HARDSPHERE_CONTACTS_H
+#define HARDSPHERE_CONTACTS_H
+
+#include "boundary.h"
+#include "measure.h"
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** The contacts and cells of the balls of a boundary. */
+typedef struct hsp_contacts hsp_contacts;
+
+/** The limits that fix the memory of contacts. */
+typedef struct hsp_contacts_limits {
+  uint32_t struct_size; /**< sizeof(hsp_contacts_limits) */
+  uint32_t balls;       /**< most balls of the model */
+  uint32_t neighbours;  /**< as in hsp_boundary_limits */
+  uint32_t contacts;    /**< contacts, each once */
+  uint32_t triangles;   /**< triangles to keep for hsp_contacts_get_simplices; 0: they are only counted */
+  uint32_t tetrahedra;  /**< the same of tetrahedra */
+} hsp_contacts_limits;
+
+/** Limits for a computed boundary that nearly always suffice for molecules: its balls and neighbours, contacts 12 balls
+ *  + 64, no triangles and tetrahedra to keep.
+ *  @retval HSP_E_ARGUMENT  limits or boundary is NULL; struct_size is bad
+ *  @retval HSP_E_STATE     the boundary holds no results, or its model has changed since
+ *  @retval HSP_E_RANGE     more than (HSP_MAX_BALLS - 64) / 12 balls; set the limits by hand then */
+HSP_API int32_t hsp_contacts_limits_init(hsp_contacts_limits *limits, uint32_t struct_size,
+                                         const hsp_boundary *boundary);
+
+/** Bytes that hsp_contacts_init needs.
+ *  - Property 1: at most HSP_CONTACTS_BYTES of the limits.
+ *  - Property 2: grows with each limit.
+ *
+ *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
+ *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
+HSP_API int32_t hsp_contacts_bytes(const hsp_contacts_limits *limits, size_t *bytes);
+
+/** The same as an upper bound that is a constant expression, for static arrays. */
+#define HSP_CONTACTS_BYTES(balls, neighbours, contacts, triangles, tetrahedra)        \
+  ((size_t)4096 + (size_t)20 * (size_t)(balls) + (size_t)128 * (size_t)(neighbours) + \
+   (size_t)44 * (size_t)(contacts) + (size_t)16 * (size_t)(triangles) + (size_t)16 * (size_t)(tetrahedra))
+
+/** Make empty contacts in caller memory of any alignment; sets *contacts.
+ *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
+ *  @retval HSP_E_MEMORY    bytes is less than hsp_contacts_bytes says; nothing is written
+ *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
+HSP_API int32_t hsp_contacts_init(void *memory, size_t bytes, const hsp_contacts_limits *limits,
+                                  hsp_contacts **contacts);
+
+/** Compute contacts, cells and dual complex of the balls of a computed boundary. Boundary and model must outlive the
+ *  contacts; after hsp_model_set or hsp_boundary_compute what reads the contacts yields HSP_E_STATE until they are
+ *  computed again. On failure they hold no results. limits: see LIMITS in hardsphere.h; at most three retries.
+ *  - Property 1: the order of the balls has no effect but on ids and on their order.
+ *
+ *  Cost: O(n) for sets as in Theorem 2.1; O(m^3) per ball with m neighbours at worst.
+ *  @retval HSP_E_ARGUMENT  contacts or boundary is NULL; bad struct_size of limits
+ *  @retval HSP_E_CAPACITY  a limit is too small; limits, if not NULL, become limits to retry with
+ *  @retval HSP_E_STATE     the boundary holds no results, or its model has changed since */
+HSP_API int32_t hsp_contacts_compute(hsp_contacts *contacts, const hsp_boundary *boundary, hsp_contacts_limits *limits);
+
+/* ---- contacts ---------------------------------------------------------------------------------------------------- */
+
+#define HSP_CONTACT_TOUCHING UINT32_C(1) /**< the spheres only touch: area 0 */
+#define HSP_CONTACT_BURIED UINT32_C(2)   /**< no part of its border is on the surface of the union */
+#define HSP_CONTACT_CIRCLE UINT32_C(4)   /**< the whole disk, with all of its border on the surface */
+
+/** A contact of two balls. Frozen. */
+typedef struct hsp_contact {
+  double area;          /**< length^2 */
+  double edge;          /**< length of the part of its border that is on the surface of the union */
+  double distance;      /**< of the two centres */
+  uint32_t ball[2];     /**< its two balls a < b */
+  uint32_t chords;      /**< straight sides */
+  uint32_t flags;       /**< HSP_CONTACT_* */
+  uint32_t reserved[2]; /**< 0 */
+} hsp_contact;
+
+/** All contacts, ascending in their balls.
+ *  - Property 1: 3 V = sum_i r_i A_i + the sum of distance times area over all contacts, up to rounding.
+ *
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
+ *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since */
+HSP_API int32_t hsp_contacts_get(const hsp_contacts *contacts, hsp_contact *out, uint32_t capacity, uint32_t *needed);
+
+/** The contacts of one ball, ascending in the other one.
+ *  - Property 1: the records are those of hsp_contacts_get, bit for bit.
+ *
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
+ *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since
+ *  @retval HSP_E_ID        no such ball */
+HSP_API int32_t hsp_contacts_get_row(const hsp_contacts *contacts, uint32_t ball, hsp_contact *out, uint32_t capacity,
+                                     uint32_t *needed);
+
+/** Volume of the cell and area of all contacts of each ball; cell_volume [n] and contact_area [n] may each be NULL and
+ *  else hold capacity >= n entries. totals, if not NULL, become the area of all contacts, each once, and the volume of
+ *  all cells. needed may be NULL and else becomes n.
+ *  - Property 1: the cells sum to the volume of the union.
+ *  - Property 2: cell_volume and contact_area do not depend on the order of the balls, bit for bit.
+ *
+ *  @retval HSP_E_ARGUMENT  contacts is NULL
+ *  @retval HSP_E_CAPACITY  an array is given and capacity < n
+ *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since */
+HSP_API int32_t hsp_contacts_measure(const hsp_contacts *contacts, hsp_totals *totals, double *cell_volume,
+                                     double *contact_area, uint32_t capacity, uint32_t *needed);
+
+/** What two groups of balls have in contact. Frozen. */
+typedef struct hsp_group_contact {
+  double area;       /**< of all contacts between them */
+  double edge;       /**< length of their borders on the surface of the union */
+  uint32_t group[2]; /**< the groups g < h */
+  uint32_t contacts; /**< how many */
+  uint32_t reserved; /**< 0 */
+} hsp_group_contact;
+
+/** Sums over the contacts between groups of balls, as residues or chains: for every two different groups that have any,
+ *  ascending. group [n] tells each ball's; balls with HSP_NONE belong to none. Uses memory of the handle.
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
+ *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since */
+HSP_API int32_t hsp_contacts_group(hsp_contacts *contacts, const uint32_t *group, hsp_group_contact *out,
+                                   uint32_t capacity, uint32_t *needed);
+
+/* ---- the dual complex -------------------------------------------------------------------------------------------- */
+
+#define HSP_SIMPLEX_SINGULAR UINT32_C(0) /**< on the boundary of the union, and in no larger simplex */
+#define HSP_SIMPLEX_REGULAR UINT32_C(1)  /**< on the boundary, and in a larger simplex; triangles: on one side only */
+#define HSP_SIMPLEX_INTERIOR UINT32_C(2) /**< not on the boundary */
+
+/** How many simplices there are, and the topology of the union. Frozen. */
+typedef struct hsp_complex {
+  uint32_t singular[4]; /**< simplices of HSP_SIMPLEX_SINGULAR: balls, edges, triangles, tetrahedra */
+  uint32_t regular[4];  /**< of HSP_SIMPLEX_REGULAR */
+  uint32_t interior[4]; /**< of HSP_SIMPLEX_INTERIOR */
+  int32_t euler;        /**< balls - edges + triangles - tetrahedra */
+  uint32_t betti[3];    /**< of the union: components, independent tunnels, voids */
+} hsp_complex;
+
+/** The simplices of the dual complex by dimension and kind.
+ *  A ball is singular without contacts and interior without a face; an edge is singular with a whole free circle,
+ *  regular with free arcs; a triangle is singular with two free vertices, regular with one.
+ *  - Property 1: euler = betti[0] - betti[1] + betti[2], half of that of the boundary.
+ *  - Property 2: the boundary has as many vertices as regular and twice singular triangles, and as many circles as
+ *    singular edges.
+ *
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since */
+HSP_API int32_t hsp_contacts_get_complex(const hsp_contacts *contacts, hsp_complex *counts);
+
+/** A triangle or tetrahedron of the dual complex. Frozen. */
+typedef struct hsp_simplex {
+  uint32_t ball[4];  /**< ascending; ball[3] of a triangle is HSP_NONE */
+  uint32_t kind;     /**< HSP_SIMPLEX_* */
+  uint32_t reserved; /**< 0 */
+} hsp_simplex;
+
+/** The triangles (dimension 2) or tetrahedra (3), in no particular order. Those of dimension 0 and 1 are balls and
+ *  contacts.
+ *  @retval HSP_E_ARGUMENT  a null pointer; another dimension
+ *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
+ *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since; or those of this dimension were only
+ *                          counted, as hsp_contacts_limits said, and there are some */
+HSP_API int32_t hsp_contacts_get_simplices(const hsp_contacts *contacts, uint32_t dimension, hsp_simplex *out,
+                                           uint32_t capacity, uint32_t *needed);
+
+/* ---- self-check -------------------------------------------------------------------------------------------------- */
+
+/** Check contacts and cells against laws that hold for every set of balls: two ways to compute that have little in
+ *  common. *invariant becomes 0 or the number of the first that is violated, *id the contact or ball concerned.
+ *    1  each contact stands with both of its balls, with numbers that it may have
+ *    2  the Euler characteristic of the dual complex is half of that of the boundary
+ *    3  faces and contacts of each ball close its cell: their vector areas sum to 0
+ *    4  the cells sum to the volume of the union
+ *  Cost: O(size).
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since
+ *  @retval HSP_E_CHECK     an invariant is violated: a bug of the library */
+HSP_API int32_t hsp_contacts_check(const hsp_contacts *contacts, uint32_t *invariant, uint32_t *id);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,86 @@
+/* hardsphere/curvature.h: integrated mean and Gaussian curvature of the union's boundary, and energies with them.
+ *
+ * Faces of ball i have the mean curvature 1 / r_i and the Gaussian curvature 1 / r_i^2. An edge counts as the limit of
+ * a rounded concave one: over an arc of length l the normals turn by the angle beta between the two outward ones.
+ *   M = sum_i A_i / r_i - 1/2 sum over arcs and circles of l beta
+ *   G = 2 pi * the Euler characteristic of the boundary
+ * So the layer of small width t inside the union has the volume A t - M t^2 + G t^3 / 3 (Steiner), and with the volume
+ * and area these are all that a morphometric solvation energy is made of. Radii include the probe. */
+#ifndef HARDSPHERE_CURVATURE_H
+#define HARDSPHERE_CURVATURE_H
+
+#include "boundary.h"
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Integrated curvatures of the boundary. Frozen. */
+typedef struct hsp_curvatures {
+  double mean;  /**< M, length */
+  double gauss; /**< G = pi/3 times the sum of gauss_thirds */
+} hsp_curvatures;
+
+/** Integrated curvatures, in all and by ball: mean [n] and gauss_thirds [n] may each be NULL and else hold capacity >=
+ *  n entries. Each edge is shared by its two balls, each vertex by its three. gauss_thirds[i] = 6 (2 faces - loops) -
+ *  vertices, all of ball i, is in units of pi/3. totals and needed may be NULL; needed becomes n.
+ *  - Property 1: the sum of gauss_thirds is 6 times the Euler characteristic of the boundary.
+ *  - Property 2: mean and gauss_thirds do not depend on the order of the balls, bit for bit.
+ *
+ *  Cost: O(n + vertices + circles).
+ *  @retval HSP_E_ARGUMENT  boundary is NULL
+ *  @retval HSP_E_CAPACITY  an array is given and capacity < n
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
+HSP_API int32_t hsp_boundary_curvature(const hsp_boundary *boundary, hsp_curvatures *totals, double *mean,
+                                       int32_t *gauss_thirds, uint32_t capacity, uint32_t *needed);
+
+/** The factors of a morphometric energy. Frozen. */
+typedef struct hsp_morphometry {
+  double pressure; /**< of the volume */
+  double tension;  /**< of the weighted area */
+  double bending;  /**< of the weighted mean curvature */
+  double gaussian; /**< of the Gaussian curvature */
+} hsp_morphometry;
+
+/** A morphometric energy and its parts. Frozen. */
+typedef struct hsp_morphometric_energy {
+  double value;   /**< pressure V + tension sum sigma_i A_i + bending M(sigma) + gaussian G */
+  double volume;  /**< V */
+  double area;    /**< sum sigma_i A_i */
+  double mean;    /**< M(sigma) = sum sigma_i A_i / r_i - 1/2 sum of l beta (sigma_i + sigma_j) / 2 over the edges */
+  double gauss;   /**< G */
+  double d_probe; /**< the derivative by the probe, the sum of all d_radius */
+} hsp_morphometric_energy;
+
+/** The derivatives of the energy are those of one side, or it has none: as HSP_GRADIENT_ONE_SIDED, and besides where
+ *  four spheres or more meet in a vertex of the ball, or one of its vertices is where two circles only touch. */
+#define HSP_CURVATURE_ONE_SIDED UINT32_C(1)
+
+/** A morphometric energy and its gradient in one pass; balls that touch count as overlapping.
+ *  sigma [n], NULL for all ones; energy may be NULL. d_centre [n][3], d_radius [n] and flags [n] =
+ *  HSP_CURVATURE_ONE_SIDED may each be NULL and else hold capacity >= n entries. needed may be NULL and else becomes n;
+ *  first_bad may be NULL and else becomes the first ball whose sigma is NaN or infinite, HSP_NONE if there is none.
+ *  M is continuous; its slope is unbounded where an arc is born or dies and where balls begin to touch. G is constant
+ *  but for jumps. On failure nothing but *needed and *first_bad is written.
+ *  - Property 1: the sum of d_centre is zero up to rounding.
+ *  - Property 2: with only bending not 0, sum_i (r_i d_radius_i + c_i . d_centre_i) is M(sigma).
+ *  - Property 3: d_centre, d_radius and flags do not depend on the order of the balls, bit for bit.
+ *
+ *  Cost: O(n + vertices + circles).
+ *  @retval HSP_E_ARGUMENT    boundary or factors is NULL
+ *  @retval HSP_E_CAPACITY    an array is given and capacity < n
+ *  @retval HSP_E_STATE       nothing computed, or the model has changed since
+ *  @retval HSP_E_NOT_FINITE  a sigma or a factor is NaN or infinite */
+HSP_API int32_t hsp_boundary_morphometry(const hsp_boundary *boundary, const double *sigma,
+                                         const hsp_morphometry *factors, hsp_morphometric_energy *energy,
+                                         double *d_centre, double *d_radius, uint32_t *flags, uint32_t capacity,
+                                         uint32_t *needed, uint32_t *first_bad);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
