@@ -21,6 +21,9 @@ set(HSP_LIBRARY_SOURCES
   lib/model/row_directory.cpp
   lib/model/ray_query.cpp
   lib/model/vertical_ray.cpp
+  lib/poses/pose.cpp
+  lib/poses/pose_queries.cpp
+  lib/poses/sphere_tree.cpp
   lib/cells/cell_location.cpp
   lib/cells/cube_contacts.cpp
   lib/cells/cube_cover.cpp

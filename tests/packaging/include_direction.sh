@@ -8,10 +8,13 @@ readme=lib/README.md
 
 # What each room stands on. It may include itself, these rooms, and what these stand on. Two wings stand over the
 # boundary: topology, measure, contacts and surface know nothing of view, visibility, sticks and picture, nor these of them. Cells
-# of free space need no boundary.
-rooms="core exact model cells sphere boundary topology measure contacts surface mesh view visibility sticks picture capi"
-declare -A stands_on=([core]="" [exact]="core" [model]="exact" [cells]="model" [sphere]="model" [boundary]="sphere"
-  [topology]="boundary" [measure]="topology" [contacts]="measure" [surface]="measure" [mesh]="surface" [view]="boundary" [visibility]="view" [sticks]="view" [picture]="view" [capi]="contacts mesh visibility sticks picture")
+# of free space and poses need no boundary.
+rooms="core exact model cells poses sphere boundary topology measure contacts surface mesh"
+rooms+=" view visibility sticks picture capi"
+declare -A stands_on=([core]="" [exact]="core" [model]="exact" [cells]="model" [poses]="model" [sphere]="model"
+  [boundary]="sphere" [topology]="boundary" [measure]="topology" [contacts]="measure" [surface]="measure" [mesh]="surface"
+  [view]="boundary" [visibility]="view" [sticks]="view" [picture]="view"
+  [capi]="contacts mesh visibility sticks picture")
 failed=0
 
 complain() {

@@ -1,0 +1,52 @@
+// A rigid motion of a molecule: x goes to R x + t, R the rotation of a quaternion.
+//
+// Moved centres are snapped: to the lattice point nearest to their image, which is computed in doubles. As long as
+// coordinates are below 2^40 steps that is within 0.87 steps of the ideal image. So what integers decide about snapped
+// balls holds for the ideal ones wherever the gap between two of them is more than a step from 0. A pose gives the same
+// snapped balls on every machine.
+#pragma once
+
+#include "core/floating_point.hpp"
+#include "core/status.hpp"
+#include "core/vec3.hpp"
+#include "exact/lattice.hpp"
+
+namespace hsp {
+
+class Pose {
+ public:
+  // At rest.
+  Pose() = default;
+
+  // quaternion: w, x, y, z, of any length but 0; translation: lengths. Status::not_finite for what is no number,
+  // Status::range for a quaternion of length 0 or beyond 2^-300 to 2^300, or a translation beyond the lattice.
+  static Status make(const double *quaternion, const double *translation, const exact::Lattice &lattice, Pose &pose);
+
+  // In steps, not rounded to the lattice.
+  Vec3 image(const Vec3 &p) const {
+    return {(row_[0].x * p.x + row_[0].y * p.y + row_[0].z * p.z) + translation_.x,
+            (row_[1].x * p.x + row_[1].y * p.y + row_[1].z * p.z) + translation_.y,
+            (row_[2].x * p.x + row_[2].y * p.y + row_[2].z * p.z) + translation_.z};
+  }
+  // The lattice point nearest to it, of a point within `reach` of the origin that has_room_for accepts.
+  Vec3 snapped(const Vec3 &p) const {
+    const Vec3 moved = image(p);
+    return {static_cast<double>(nearest(moved.x)), static_cast<double>(nearest(moved.y)),
+            static_cast<double>(nearest(moved.z))};
+  }
+  // Whether images of points within `reach` of the origin are on the lattice: differences of their coordinates and
+  // those of other lattice points are exact doubles then.
+  bool has_room_for(double reach) const { return reach + largest_shift() <= exact::query_radius_limit; }
+  // More than a snapped point can be away from its ideal image, and than distances of such points are rounded by.
+  double slack(double reach) const { return 1.0 + 0x1p-48 * (reach + largest_shift()); }
+
+ private:
+  double largest_shift() const {
+    return std::fabs(translation_.x) + std::fabs(translation_.y) + std::fabs(translation_.z);
+  }
+
+  Vec3 row_[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  Vec3 translation_{0, 0, 0};  // steps
+};
+
+}  // namespace hsp

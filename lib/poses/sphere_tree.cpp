@@ -1,0 +1,145 @@
+#include "poses/sphere_tree.hpp"
+
+#include "core/sorting.hpp"
+
+namespace hsp {
+namespace {
+
+double along(const BallSet &balls, int axis, uint32_t i) {
+  return axis == 0 ? balls.x[i] : axis == 1 ? balls.y[i] : balls.z[i];
+}
+
+Vec3 centre_of(const BallSet &balls, uint32_t i) {
+  return {balls.x[i], balls.y[i], balls.z[i]};
+}
+
+double length(const Vec3 &v) {
+  return std::sqrt(dot(v, v));
+}
+
+}  // namespace
+
+void SphereTree::carve(Workspace &workspace, uint32_t balls) {
+  // Leaves have at least two balls, but for a set of one.
+  nodes_ = FixedVector<TreeNode>(workspace.take<TreeNode>(balls));
+  x_ = workspace.take<double>(balls);
+  y_ = workspace.take<double>(balls);
+  z_ = workspace.take<double>(balls);
+  r_ = workspace.take<double>(balls);
+  caller_ = workspace.take<uint32_t>(balls);
+  for (Span<uint32_t> &each : along_) each = workspace.take<uint32_t>(balls);
+  waiting_ = workspace.take<uint32_t>(balls);
+  in_second_ = workspace.take<uint8_t>(balls);
+  clear();
+}
+
+Status SphereTree::build(const BallSet &balls) {
+  clear();
+  lattice_ = balls.lattice;
+  reach_ = 0;
+  if (balls.n > x_.size()) return Status::capacity;
+  if (balls.n == 0) return Status::ok;
+  sort_axes(balls);
+  struct Task {
+    uint32_t first, last;
+    uint32_t parent;  // whose second child it is, or no_id
+  };
+  Task tasks[largest_height + 1];
+  uint32_t count = 0;
+  tasks[count++] = {0, balls.n, no_id};
+  while (count > 0) {
+    const Task task = tasks[--count];
+    const uint32_t k = nodes_.size();
+    if (task.parent != no_id) nodes_[task.parent].second = k;
+    nodes_.push(node_around(balls, task.first, task.last));
+    if (task.last - task.first <= leaf_size) continue;
+    const uint32_t middle = task.first + (task.last - task.first) / 2;
+    split(balls, task.first, middle, task.last);
+    tasks[count++] = {middle, task.last, k};
+    tasks[count++] = {task.first, middle, no_id};
+  }
+  for (uint32_t p = 0; p < balls.n; ++p) {
+    const uint32_t i = along_[0][p];
+    x_[p] = balls.x[i];
+    y_[p] = balls.y[i];
+    z_[p] = balls.z[i];
+    r_[p] = balls.r[i];
+    caller_[p] = balls.caller[i];
+    const double reach = length(centre(p));
+    if (reach > reach_) reach_ = reach;
+  }
+  // Centres of nodes are convex combinations of centres.
+  reach_ = reach_ * (1 + 0x1p-48) + 1;
+  return Status::ok;
+}
+
+void SphereTree::sort_axes(const BallSet &balls) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const Span<uint32_t> order = along_[axis].part(0, balls.n);
+    for (uint32_t i = 0; i < balls.n; ++i) order[i] = i;
+    sort_in_place(order, [&](uint32_t i, uint32_t j) {
+      const double a = along(balls, axis, i);
+      const double b = along(balls, axis, j);
+      return a != b ? a < b : i < j;  // the grid's order, which depends on the balls alone
+    });
+  }
+}
+
+// A sphere nearly as small as it can be: from the middle of the box some steps, ever smaller, towards the ball that
+// sticks out most (Badoiu and Clarkson 2003).
+TreeNode SphereTree::node_around(const BallSet &balls, uint32_t first, uint32_t last) const {
+  const auto middle_of = [&](int axis) {
+    return (along(balls, axis, along_[axis][first]) + along(balls, axis, along_[axis][last - 1])) / 2;
+  };
+  Vec3 centre{middle_of(0), middle_of(1), middle_of(2)};
+  const auto farthest = [&](double &distance) {
+    uint32_t found = no_id;
+    for (uint32_t p = first; p < last; ++p) {
+      const uint32_t i = along_[0][p];
+      const double d = length(centre_of(balls, i) - centre) + balls.r[i];
+      if (found == no_id || d > distance) {
+        distance = d;
+        found = i;
+      }
+    }
+    return found;
+  };
+  constexpr int steps = 16;
+  double radius = 0;
+  for (int k = 0; k < steps && last - first > 1; ++k) {
+    const uint32_t i = farthest(radius);
+    centre = centre + (0.5 / (k + 2)) * (centre_of(balls, i) - centre);
+  }
+  farthest(radius);
+  return {centre, radius * (1 + 0x1p-48) + 1, first, last, 0};
+}
+
+// The balls [first, last) of all three orders fall apart into those before and those from the middle along the widest
+// axis, each part in order.
+void SphereTree::split(const BallSet &balls, uint32_t first, uint32_t middle, uint32_t last) {
+  int widest = 0;
+  double width = -1;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double spread = along(balls, axis, along_[axis][last - 1]) - along(balls, axis, along_[axis][first]);
+    if (spread > width) {
+      width = spread;
+      widest = axis;
+    }
+  }
+  for (uint32_t p = first; p < last; ++p) in_second_[along_[widest][p]] = p < middle ? 0 : 1;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (axis == widest) continue;
+    const Span<uint32_t> order = along_[axis];
+    uint32_t kept = first, moved = 0;
+    for (uint32_t p = first; p < last; ++p) {
+      if (in_second_[order[p]] != 0) {
+        waiting_[moved++] = order[p];
+      } else {
+        order[kept++] = order[p];
+      }
+    }
+    for (uint32_t k = 0; k < moved; ++k) order[kept + k] = waiting_[k];
+  }
+}
+
+}  // namespace hsp

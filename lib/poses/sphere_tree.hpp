@@ -1,0 +1,61 @@
+// A molecule prepared for meeting another one: a binary tree of spheres, each around the balls below it. Children share
+// the balls of their parent evenly, by the median along the axis on which the centres are spread most (Quinlan 1994).
+//
+// The tree depends on the balls alone, not on their order, but for balls that are equal.
+#pragma once
+
+#include "core/fixed_vector.hpp"
+#include "core/workspace.hpp"
+#include "model/ball_set.hpp"
+
+namespace hsp {
+
+struct TreeNode {
+  Vec3 centre;
+  double radius;         // somewhat more than enough for all balls below
+  uint32_t first, last;  // balls [first, last) in the order of the tree
+  uint32_t second;       // the second child, 0 for leaves; the first one follows its parent
+
+  bool is_leaf() const { return second == 0; }
+};
+
+class SphereTree {
+ public:
+  static constexpr uint32_t leaf_size = 4;
+  // Halving the largest number of balls until they fit a leaf.
+  static constexpr uint32_t largest_height = 27;
+
+  void carve(Workspace &workspace, uint32_t balls);
+  // Status::capacity if there is room for fewer balls; the tree is empty then.
+  Status build(const BallSet &balls);
+  void clear() { nodes_.clear(); }
+
+  bool empty() const { return nodes_.size() == 0; }
+  uint32_t ball_count() const { return empty() ? 0 : nodes_[0].last; }
+  uint32_t node_count() const { return nodes_.size(); }
+  const TreeNode &node(uint32_t k) const { return nodes_[k]; }
+  // Balls in the order of the tree: integers, in steps.
+  Vec3 centre(uint32_t i) const { return {x_[i], y_[i], z_[i]}; }
+  double radius(uint32_t i) const { return r_[i]; }
+  uint32_t caller(uint32_t i) const { return caller_[i]; }
+  // No centre of a ball or of a node is farther from the origin.
+  double reach() const { return reach_; }
+  const exact::Lattice &lattice() const { return lattice_; }
+
+ private:
+  void sort_axes(const BallSet &balls);
+  TreeNode node_around(const BallSet &balls, uint32_t first, uint32_t last) const;
+  void split(const BallSet &balls, uint32_t first, uint32_t middle, uint32_t last);
+
+  FixedVector<TreeNode> nodes_;
+  Span<double> x_, y_, z_, r_;
+  Span<uint32_t> caller_;
+  // While the tree is built: the balls of each node ascending along each axis.
+  Span<uint32_t> along_[3];
+  Span<uint32_t> waiting_;
+  Span<uint8_t> in_second_;
+  exact::Lattice lattice_;
+  double reach_ = 0;
+};
+
+}  // namespace hsp

@@ -1,0 +1,168 @@
+#include "poses/pose_queries.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "point_lattices.hpp"
+#include "random_poses.hpp"
+
+namespace {
+
+using oracle::Balls;
+using oracle::Int128;
+using oracle::LatticeBall;
+using Pairs = std::vector<std::pair<uint32_t, uint32_t>>;
+
+// The balls where the pose puts them.
+Balls moved(const Balls &balls, const hsp::Pose &pose) {
+  Balls images;
+  for (const LatticeBall &ball : balls) {
+    const hsp::Vec3 p =
+        pose.snapped({static_cast<double>(ball.x), static_cast<double>(ball.y), static_cast<double>(ball.z)});
+    images.push_back({static_cast<int64_t>(p.x), static_cast<int64_t>(p.y), static_cast<int64_t>(p.z), ball.radius});
+  }
+  return images;
+}
+
+Int128 square_of_distance(const LatticeBall &a, const LatticeBall &b) {
+  const oracle::Vector v = oracle::centre_difference(a, b);
+  return oracle::dot(v, v);
+}
+
+struct BruteForce {
+  BruteForce(const Balls &fixed, const Balls &moving) {
+    for (uint32_t i = 0; i < fixed.size(); ++i)
+      for (uint32_t j = 0; j < moving.size(); ++j) {
+        const Int128 square = square_of_distance(fixed[i], moving[j]);
+        const Int128 sum = Int128{fixed[i].radius} + moving[j].radius;
+        if (square <= sum * sum) pairs.emplace_back(i, j);
+        gap = std::min(gap, std::sqrt(static_cast<long double>(square)) - static_cast<long double>(sum));
+      }
+  }
+  Pairs pairs;
+  long double gap = INFINITY;
+};
+
+// Empty, or what the trees say otherwise than brute force.
+std::string complaint(const Balls &fixed, const Balls &moving, const hsp::Pose &pose) {
+  const BuiltTree rest(fixed), other(moving);
+  const Balls images = moved(moving, pose);
+  const BruteForce brute(fixed, images);
+  if (hsp::any_balls_meet(rest.tree(), other.tree(), pose) == brute.pairs.empty()) return "hit";
+  std::vector<hsp::MeetingPair> room(brute.pairs.size() + 1);
+  const uint64_t count =
+      hsp::list_meeting_pairs(rest.tree(), other.tree(), pose, {room.data(), static_cast<uint32_t>(room.size())});
+  Pairs pairs;
+  for (uint64_t k = 0; k < count && k < room.size(); ++k) pairs.emplace_back(room[k].fixed, room[k].moving);
+  if (pairs != brute.pairs) return "pairs";
+  if (hsp::sum_overlaps(rest.tree(), other.tree(), pose).pairs != count) return "count";
+  const hsp::PairGap least = hsp::least_gap(rest.tree(), other.tree(), pose);
+  if (fixed.empty() || moving.empty()) return least.fixed == hsp::no_id && std::isinf(least.gap) ? "" : "gap of none";
+  if (std::fabs(least.gap - static_cast<double>(brute.gap)) > 1e-15 * std::fabs(least.gap) + 1e-6) return "gap";
+  if (least.fixed >= fixed.size() || least.moving >= moving.size()) return "pair of the gap";
+  const auto gap_of = [&](uint32_t i, uint32_t j) {
+    return std::sqrt(static_cast<double>(square_of_distance(fixed[i], images[j]))) -
+           static_cast<double>(fixed[i].radius + images[j].radius);
+  };
+  // Squares below 2^53 are exact, and their roots are rounded alike everywhere.
+  const double distance = least.gap + static_cast<double>(fixed[least.fixed].radius + moving[least.moving].radius);
+  const bool is_exact = distance < 0x1p26;
+  const double error = is_exact ? 0 : 0x1p-50 * distance;
+  if (std::fabs(gap_of(least.fixed, least.moving) - least.gap) > error) return "gap of its pair";
+  for (uint32_t i = 0; i <= least.fixed; ++i)
+    for (uint32_t j = 0; j < (i == least.fixed ? least.moving : moving.size()); ++j) {
+      const double gap = gap_of(i, j);
+      if (gap < least.gap - error || (is_exact && gap == least.gap)) return "an earlier pair";
+    }
+  return "";
+}
+
+TEST(PoseQueries, AgreeWithBruteForce) {
+  oracle::RandomSource random(6);
+  for (int k = 0; k < 1500; ++k) {
+    const Balls fixed = oracle::any_balls(random, static_cast<size_t>(random.in(1, 40)));
+    const Balls moving = k % 5 == 0 ? fixed : oracle::any_balls(random, static_cast<size_t>(random.in(1, 40)));
+    int64_t size = 1;
+    for (const LatticeBall &ball : fixed) size = std::max({size, std::abs(ball.x), std::abs(ball.y), std::abs(ball.z)});
+    const PoseNumbers numbers = random_pose(random, k % 7 == 0 ? 0 : 3 * size);
+    ASSERT_EQ(complaint(fixed, moving, pose_of(numbers)), "") << oracle::to_text(fixed) << "\n"
+                                                              << oracle::to_text(moving);
+  }
+}
+
+// Where all spheres touch in many points at once.
+TEST(PoseQueries, AgreeOnLattices) {
+  const Balls fixed = oracle::box_lattice({4, 4, 4}, {4, 4, 4}, 2);
+  for (const int64_t radius : {1, 2, 3})
+    for (int shift = -24; shift <= 24; ++shift) {
+      const Balls moving = oracle::box_lattice({3, 4, 2}, {4, 4, 4}, radius);
+      for (const std::array<double, 4> &q : {std::array<double, 4>{1, 0, 0, 0}, {1, 1, 0, 0}, {1, 1, 1, 1}}) {
+        const auto s = static_cast<double>(shift);
+        ASSERT_EQ(complaint(fixed, moving, pose_of({q, {s, 0, 0}})), "") << shift;
+        ASSERT_EQ(complaint(fixed, moving, pose_of({q, {s, 4, s}})), "") << shift;
+      }
+    }
+}
+
+TEST(PoseQueries, AgreeFarFromTheOrigin) {
+  oracle::RandomSource random(7);
+  for (int k = 0; k < 300; ++k) {
+    Balls fixed = oracle::any_balls(random, 20), moving = oracle::any_balls(random, 20);
+    const int64_t far = int64_t{1} << random.in(20, 49);
+    for (LatticeBall &ball : fixed) ball.x += far;
+    for (LatticeBall &ball : moving) ball.y -= far;
+    // A turn by a right angle, and any other.
+    for (const std::array<double, 4> &q : {std::array<double, 4>{1, 0, 0, 1}, {0.9, 0.1, -0.2, 0.3}})
+      ASSERT_EQ(complaint(fixed, moving, pose_of({q, {0, 0, 0}})), "") << far;
+  }
+}
+
+TEST(PoseQueries, KnowEmptyMolecules) {
+  const Balls none, one{{0, 0, 0, 5}};
+  for (const auto &[fixed, moving] : {std::pair{none, none}, {none, one}, {one, none}})
+    EXPECT_EQ(complaint(fixed, moving, hsp::Pose()), "");
+}
+
+TEST(PoseQueries, CountPairsThatThereIsNoRoomFor) {
+  const Balls balls(30, {0, 0, 0, 5});
+  const BuiltTree one(balls), two(balls);
+  std::vector<hsp::MeetingPair> room(10, {77, 77});
+  EXPECT_EQ(hsp::list_meeting_pairs(one.tree(), two.tree(), hsp::Pose(), {room.data(), 9}), 900U);
+  EXPECT_EQ(room[9].fixed, 77U);
+  EXPECT_EQ(hsp::list_meeting_pairs(one.tree(), two.tree(), hsp::Pose(), {}), 900U);
+}
+
+// Lenses by slices across the line of the centres.
+TEST(PoseQueries, SumTheVolumesOfOverlaps) {
+  oracle::RandomSource random(8);
+  for (int time = 0; time < 40; ++time) {
+    const Balls fixed = oracle::balls_in_box(random, 4, 900, 100, 1500);
+    const Balls moving = oracle::balls_in_box(random, 3, 900, 100, 1500);
+    long double sum = 0;
+    for (const LatticeBall &a : fixed)
+      for (const LatticeBall &b : moving) {
+        const long double d = std::sqrt(static_cast<long double>(square_of_distance(a, b)));
+        const long double r = static_cast<long double>(a.radius), s = static_cast<long double>(b.radius);
+        constexpr int slices = 20000;
+        const long double from = std::max(-r, d - s), to = std::min(r, d + s), width = (to - from) / slices;
+        for (int k = 0; k < slices && width > 0; ++k) {
+          const long double t = from + (k + 0.5L) * width;
+          sum += width * 3.14159265358979324L * std::min(r * r - t * t, s * s - (d - t) * (d - t));
+        }
+      }
+    const BuiltTree rest(fixed), other(moving);
+    EXPECT_NEAR(hsp::sum_overlaps(rest.tree(), other.tree(), hsp::Pose()).volume, static_cast<double>(sum),
+                1e-7 * static_cast<double>(sum));
+  }
+  // One ball within the other, and two that touch.
+  const BuiltTree large({{0, 0, 0, 10}}), small({{3, 0, 0, 2}}), beside({{12, 0, 0, 2}});
+  EXPECT_NEAR(hsp::sum_overlaps(large.tree(), small.tree(), hsp::Pose()).volume, 33.510321638291124, 1e-13);
+  const hsp::Overlap touching = hsp::sum_overlaps(large.tree(), beside.tree(), hsp::Pose());
+  EXPECT_EQ(touching.pairs, 1U);
+  EXPECT_EQ(touching.volume, 0);
+}
+
+}  // namespace

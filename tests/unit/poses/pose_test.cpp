@@ -1,0 +1,101 @@
+#include "poses/pose.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "random_poses.hpp"
+
+namespace {
+
+using hsp::Pose;
+using hsp::Status;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Status made(const std::array<double, 4> &quaternion, const std::array<double, 3> &translation) {
+  Pose pose;
+  return Pose::make(quaternion.data(), translation.data(), hsp::exact::Lattice::with_step(0.5), pose);
+}
+
+// R x + t by the product of quaternions q x q*, in extended precision: not the formula of the library.
+std::array<long double, 3> ideal_image(const PoseNumbers &pose, const hsp::Vec3 &p) {
+  using Quaternion = std::array<long double, 4>;
+  const auto product = [](const Quaternion &a, const Quaternion &b) {
+    return Quaternion{
+        a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3], a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
+        a[0] * b[2] - a[1] * b[3] + a[2] * b[0] + a[3] * b[1], a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0]};
+  };
+  const Quaternion q{pose.quaternion[0], pose.quaternion[1], pose.quaternion[2], pose.quaternion[3]};
+  const Quaternion turned = product(product(q, {0, p.x, p.y, p.z}), {q[0], -q[1], -q[2], -q[3]});
+  const long double square = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
+  return {turned[1] / square + pose.translation[0], turned[2] / square + pose.translation[1],
+          turned[3] / square + pose.translation[2]};
+}
+
+TEST(Pose, IsAtRestFirst) {
+  const hsp::Vec3 image = Pose().image({1, -2, 3});
+  EXPECT_EQ(image.x, 1);
+  EXPECT_EQ(image.y, -2);
+  EXPECT_EQ(image.z, 3);
+}
+
+TEST(Pose, SnapsToThePointsNearestToIdealImages) {
+  oracle::RandomSource random(1);
+  for (int k = 0; k < 5000; ++k) {
+    const int64_t most = int64_t{1} << random.in(1, 40);
+    const PoseNumbers numbers = random_pose(random, most);
+    const hsp::Vec3 p{static_cast<double>(random.in(-most, most)), static_cast<double>(random.in(-most, most)),
+                      static_cast<double>(random.in(-most, most))};
+    const hsp::Vec3 snapped = pose_of(numbers).snapped(p);
+    const std::array<long double, 3> ideal = ideal_image(numbers, p);
+    const long double x = snapped.x - ideal[0], y = snapped.y - ideal[1], z = snapped.z - ideal[2];
+    EXPECT_LT(x * x + y * y + z * z, 0.87L * 0.87L);
+    EXPECT_EQ(snapped.x, std::floor(snapped.x));
+  }
+}
+
+// Quaternions of any length are the same rotation where powers of two are between them.
+TEST(Pose, DoesNotDependOnTheLengthOfTheQuaternion) {
+  const std::array<double, 3> translation{1, 2, 3};
+  PoseNumbers numbers{{0.3, -0.7, 0.2, 0.6}, translation};
+  const hsp::Vec3 image = pose_of(numbers).image({10, 20, 30});
+  for (const double scale : {0x1p-299, 0x1p-40, -1.0, 0x1p10, 0x1p300}) {
+    PoseNumbers scaled = numbers;
+    for (double &component : scaled.quaternion) component *= scale;
+    const hsp::Vec3 other = pose_of(scaled).image({10, 20, 30});
+    EXPECT_EQ(other.x, image.x) << scale;
+    EXPECT_EQ(other.y, image.y) << scale;
+    EXPECT_EQ(other.z, image.z) << scale;
+  }
+}
+
+TEST(Pose, RefusesWhatIsNone) {
+  EXPECT_EQ(made({1, 0, 0, 0}, {0, 0, 0}), Status::ok);
+  EXPECT_EQ(made({0, 0, 0, 0}, {0, 0, 0}), Status::range);
+  EXPECT_EQ(made({0x1p-301, 0, 0, 0}, {0, 0, 0}), Status::range);
+  EXPECT_EQ(made({0, 0x1p301, 0, 0}, {0, 0, 0}), Status::range);
+  EXPECT_EQ(made({1, 0, 0, 0}, {0x1p49, 0, -0x1p49}), Status::ok);
+  EXPECT_EQ(made({1, 0, 0, 0}, {0, 0x1.8p49, 0}), Status::range);
+  for (const double bad : {infinity, -infinity, std::numeric_limits<double>::quiet_NaN()}) {
+    for (size_t k = 0; k < 4; ++k) {
+      std::array<double, 4> quaternion{1, 0, 0, 0};
+      quaternion[k] = bad;
+      EXPECT_EQ(made(quaternion, {0, 0, 0}), Status::not_finite);
+    }
+    for (size_t k = 0; k < 3; ++k) {
+      std::array<double, 3> translation{};
+      translation[k] = bad;
+      EXPECT_EQ(made({1, 0, 0, 0}, translation), Status::not_finite);
+    }
+  }
+}
+
+TEST(Pose, HasRoomAsFarAsDifferencesAreExact) {
+  PoseNumbers numbers;
+  numbers.translation = {0x1p50, 0, 0};
+  EXPECT_TRUE(pose_of(numbers).has_room_for(0x1p50));
+  EXPECT_FALSE(pose_of(numbers).has_room_for(0x1.000002p50));
+}
+
+}  // namespace

@@ -1,0 +1,106 @@
+#include "poses/sphere_tree.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "random_poses.hpp"
+
+namespace {
+
+using hsp::SphereTree;
+using hsp::TreeNode;
+
+// Empty, or how the nodes are no tree of spheres around all balls.
+std::string complaint(const oracle::Balls &balls) {
+  const BuiltTree built(balls);
+  const SphereTree &tree = built.tree();
+  if (built.status() != hsp::Status::ok || tree.ball_count() != balls.size()) return "not built";
+  std::vector<uint32_t> callers;
+  for (uint32_t i = 0; i < tree.ball_count(); ++i) {
+    const uint32_t caller = tree.caller(i);
+    callers.push_back(caller);
+    const oracle::LatticeBall ball{static_cast<int64_t>(tree.centre(i).x), static_cast<int64_t>(tree.centre(i).y),
+                                   static_cast<int64_t>(tree.centre(i).z), static_cast<int64_t>(tree.radius(i))};
+    if (caller >= balls.size() || ball != balls[caller]) return "another ball";
+    if (std::hypot(tree.centre(i).x, tree.centre(i).y, tree.centre(i).z) > tree.reach()) return "reach";
+  }
+  std::sort(callers.begin(), callers.end());
+  for (uint32_t i = 0; i < callers.size(); ++i)
+    if (callers[i] != i) return "a ball twice";
+  uint32_t nodes = 0;
+  for (uint32_t k = 0; k < tree.node_count(); ++k) {
+    const TreeNode &node = tree.node(k);
+    for (uint32_t i = node.first; i < node.last; ++i) {
+      const hsp::Vec3 v = tree.centre(i) - node.centre;
+      if (std::hypot(v.x, v.y, v.z) + tree.radius(i) > node.radius) return "a ball sticks out";
+    }
+    if (std::hypot(node.centre.x, node.centre.y, node.centre.z) > tree.reach()) return "reach of a node";
+    const uint32_t size = node.last - node.first;
+    if (node.is_leaf() != (size <= SphereTree::leaf_size)) return "size of a leaf";
+    ++nodes;
+    if (node.is_leaf()) continue;
+    const TreeNode &one = tree.node(k + 1), &two = tree.node(node.second);
+    if (one.first != node.first || one.last != two.first || two.last != node.last) return "not a division";
+    if (two.last - two.first - (one.last - one.first) > 1) return "uneven";
+  }
+  return nodes == (balls.empty() ? 0 : tree.node_count()) ? "" : "nodes";
+}
+
+TEST(SphereTree, HoldsAllBalls) {
+  oracle::RandomSource random(2);
+  for (size_t n = 0; n <= 40; ++n) EXPECT_EQ(complaint(oracle::loose_balls(random, n)), "") << n;
+  for (int k = 0; k < 200; ++k) {
+    const oracle::Balls balls = oracle::any_balls(random, static_cast<size_t>(random.in(1, 90)));
+    ASSERT_EQ(complaint(balls), "") << oracle::to_text(balls);
+  }
+  EXPECT_EQ(complaint(oracle::loose_balls(random, 3000)), "");
+  EXPECT_EQ(complaint(oracle::Balls(500, {7, 8, 9, 10})), "");
+}
+
+// Its spheres are small: what it is for.
+TEST(SphereTree, HasSmallSpheres) {
+  const BuiltTree pair({{-5, 0, 0, 2}, {5, 0, 0, 2}});
+  EXPECT_LT(pair.tree().node(0).radius, 8.5);
+  const BuiltTree single({{3, 4, 5, 6}});
+  EXPECT_LT(single.tree().node(0).radius, 7.001);
+  oracle::RandomSource random(3);
+  const BuiltTree many(oracle::balls_in_box(random, 4096, 100000, 1, 1));
+  double sum = 0;
+  uint32_t leaves = 0;
+  for (uint32_t k = 0; k < many.tree().node_count(); ++k) {
+    if (!many.tree().node(k).is_leaf()) continue;
+    sum += many.tree().node(k).radius;
+    ++leaves;
+  }
+  // Four of 4096 points of a cube of side 200000 fill one of side 20000.
+  EXPECT_LT(sum / leaves, 12000);
+}
+
+TEST(SphereTree, DoesNotDependOnTheOrderOfTheBalls) {
+  oracle::RandomSource random(4);
+  for (int time = 0; time < 20; ++time) {
+    const oracle::Balls balls = oracle::any_balls(random, 60);
+    const BuiltTree one(balls), two(oracle::permuted(balls, random.permutation(balls.size())));
+    ASSERT_EQ(one.tree().node_count(), two.tree().node_count());
+    for (uint32_t k = 0; k < one.tree().node_count(); ++k) {
+      EXPECT_EQ(one.tree().node(k).centre.x, two.tree().node(k).centre.x);
+      EXPECT_EQ(one.tree().node(k).radius, two.tree().node(k).radius);
+    }
+    for (uint32_t i = 0; i < 60; ++i) EXPECT_EQ(one.tree().radius(i), two.tree().radius(i));
+  }
+}
+
+TEST(SphereTree, RefusesMoreBallsThanItHasRoomFor) {
+  oracle::RandomSource random(5);
+  const BuiltGrid grid(oracle::in_lengths(oracle::loose_balls(random, 10), 1.0));
+  CarvedMemory memory;
+  SphereTree tree;
+  memory.carve(tree, 9U);
+  EXPECT_EQ(tree.build(grid.grid().balls()), hsp::Status::capacity);
+  EXPECT_TRUE(tree.empty());
+  EXPECT_EQ(tree.ball_count(), 0U);
+}
+
+}  // namespace
