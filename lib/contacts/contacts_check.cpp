@@ -1,7 +1,7 @@
 #include "contacts/contacts_check.hpp"
 
 #include "core/summation.hpp"
-#include "measure/areas.hpp"
+#include "measure/gradients.hpp"
 
 namespace hsp {
 namespace {
@@ -48,18 +48,10 @@ class ContactsCheck {
     double scale = 0.0;
     for (uint32_t i = 0; i < balls_.n; ++i) {
       const double r = balls_.r[i];
-      double terms = 8.0;
-      Vec3 sum{0.0, 0.0, 0.0};
-      if (boundary_.is_exposed(i)) {
-        FreeSurface surface(boundary_, r);
-        ArcBatches arcs(balls_, boundary_, i);
-        while (arcs.next()) {
-          surface.add(arcs.batch());
-          terms += arcs.batch().count;
-        }
-        sum = surface.vector_area();
-        union_volume.add(measure_ball(balls_, boundary_, i).volume);
-      }
+      const BallGradient faces = gradient_of_ball(balls_, boundary_, {}, i);
+      double terms = 8.0 + boundary_.half_edges(i).size() + boundary_.circles(i).size();
+      Vec3 sum = faces.vector_area;
+      union_volume.add(faces.measure.volume);
       for (const uint32_t id : contacts_.row(i)) {
         const ContactRecord &contact = contacts_.contact(id);
         const Vec3 v = balls_.difference(i, contact.other(i));
