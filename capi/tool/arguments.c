@@ -21,9 +21,10 @@ struct reading {
 };
 
 bool command_find(const char *name, enum command *command) {
-  static const char *const names[] = {"model", "boundary", "measure", "query", "voids", "mesh", "map", "pick", "draw"};
-  static const enum command commands[] = {COMMAND_MODEL, COMMAND_BOUNDARY, COMMAND_MEASURE,
-                                          COMMAND_QUERY, COMMAND_VOIDS,    COMMAND_MESH,
+  static const char *const names[] = {"model",   "boundary", "measure", "query", "voids", "contacts",
+                                      "complex", "mesh",     "map",     "pick",  "draw"};
+  static const enum command commands[] = {COMMAND_MODEL, COMMAND_BOUNDARY, COMMAND_MEASURE, COMMAND_QUERY,
+                                          COMMAND_VOIDS, COMMAND_CONTACTS, COMMAND_COMPLEX, COMMAND_MESH,
                                           COMMAND_MAP,   COMMAND_PICK,     COMMAND_DRAW};
   for (size_t i = 0; i < sizeof commands / sizeof commands[0]; ++i) {
     if (strcmp(name, names[i]) == 0) {
@@ -200,6 +201,7 @@ static bool take_measure_option(struct reading *reading, const char *argument, b
   bool *flag = NULL;
   if (strcmp(argument, "--per-ball") == 0) flag = &request->per_ball;
   if (strcmp(argument, "--gradient") == 0) flag = &request->gradient;
+  if (strcmp(argument, "--curvature") == 0) flag = &request->curvature;
   if (strcmp(argument, "--csv") == 0) flag = &request->csv;
   if (strcmp(argument, "--polar") == 0) flag = &request->polar;
   if (strcmp(argument, "--relative") == 0) flag = &request->relative;
@@ -313,6 +315,15 @@ static bool take_argument(struct reading *reading, const char *argument) {
     return option_value(&reading->options, "--min-volume", &value, "a volume") &&
            option_length(&reading->options, "--min-volume", value, &request->min_volume);
   }
+  if (request->command == COMMAND_CONTACTS && strcmp(argument, "--cells") == 0) {
+    request->cells = true;
+    return true;
+  }
+  if (request->command == COMMAND_CONTACTS && option_is(argument, "--by", &value)) return take_grouping(reading, value);
+  if (request->command == COMMAND_CONTACTS && option_is(argument, "--least", &value)) {
+    return option_value(&reading->options, "--least", &value, "an area") &&
+           option_length(&reading->options, "--least", value, &request->least);
+  }
   if (request->command == COMMAND_QUERY && option_is(argument, "--point", &value)) {
     return take_query(reading, QUERY_POINT, value);
   }
@@ -367,6 +378,15 @@ static bool check_measure(struct reading *reading) {
     return failure_in_usage(reading->failure,
                             "%s is of the solvent-accessible surface: it has no use with --surface ses",
                             request->relative ? "--relative" : "--interface");
+  }
+  if (request->curvature && request->excluded_surface) {
+    return failure_in_usage(reading->failure,
+                            "--curvature is of the solvent-accessible surface: it has no use with --surface ses");
+  }
+  if (request->curvature && request->csv) {
+    return failure_in_usage(reading->failure,
+                            "--csv prints one table, of balls or of groups: --curvature has no place "
+                            "in it");
   }
   if (request->pdb_out != NULL && request->format != FORMAT_PDB) {
     return failure_in_usage(reading->failure, "--pdb-out has no use here: it writes a .pdb file again");

@@ -20,6 +20,8 @@ enum command {
   COMMAND_MEASURE,
   COMMAND_QUERY,
   COMMAND_VOIDS,
+  COMMAND_CONTACTS,
+  COMMAND_COMPLEX,
   COMMAND_MESH,
   COMMAND_MAP,
   COMMAND_PICK,
@@ -42,6 +44,7 @@ struct request {
   bool csv;
   bool per_ball; /* of `measure` and `map` */
   bool gradient;
+  bool curvature;
   bool polar;
   bool relative;
   bool surface_seen;
@@ -51,6 +54,8 @@ struct request {
   bool shells;
   bool void_balls;   /* of `voids` */
   double min_volume; /* of `voids` */
+  bool cells;        /* of `contacts` */
+  double least;      /* area of a contact that is listed */
   enum grouping by;
   const char *weights; /* a file, or NULL */
   const char *pdb_out; /* a file, or NULL */

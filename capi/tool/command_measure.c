@@ -64,6 +64,12 @@ static void print_json(const struct request *request, const struct molecule *mol
   json_number(out, measurement->totals.area);
   text_buffer_add(out, ", \"volume\": ");
   json_number(out, measurement->totals.volume);
+  if (request->curvature) {
+    text_buffer_add(out, ", \"mean_curvature\": ");
+    json_number(out, measurement->curvatures.mean);
+    text_buffer_add(out, ", \"gauss_curvature\": ");
+    json_number(out, measurement->curvatures.gauss);
+  }
   if (request->excluded_surface) {
     text_buffer_add(out, ", \"surface\": \"ses\", %s\"convex_area\": ", request->outer ? "\"outer\": true, " : "");
     json_number(out, measurement->surface.convex_area);
@@ -107,6 +113,12 @@ static void print_tables(const struct request *request, const struct molecule *m
                   unit);
   text_buffer_add(out, "  %-16s %s %s^3\n", "volume", quantity_text(value, measurement->totals.volume, TOTAL_DECIMALS),
                   unit);
+  if (request->curvature) {
+    text_buffer_add(out, "  %-16s %s %s, integrated over the boundary\n", "mean curvature",
+                    quantity_text(value, measurement->curvatures.mean, TOTAL_DECIMALS), unit);
+    text_buffer_add(out, "  %-16s %s, 2 pi times its Euler characteristic\n", "gauss curvature",
+                    quantity_text(value, measurement->curvatures.gauss, TOTAL_DECIMALS));
+  }
   if (request->excluded_surface) {
     text_buffer_add(out, "  %-16s %s %s^2, where the probe touches one atom\n", "convex area",
                     quantity_text(value, measurement->surface.convex_area, TOTAL_DECIMALS), unit);

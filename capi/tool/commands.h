@@ -18,6 +18,10 @@ bool command_measure(const struct request *request, const struct molecule *molec
                      struct text_buffer *out, struct failure *failure);
 bool command_voids(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                    struct text_buffer *out, struct failure *failure);
+bool command_contacts(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
+                      struct text_buffer *out, struct failure *failure);
+bool command_complex(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
+                     struct text_buffer *out, struct failure *failure);
 bool command_query(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                    struct text_buffer *out, struct failure *failure);
 bool command_mesh(const struct request *request, const struct molecule *molecule, struct geometry *geometry,

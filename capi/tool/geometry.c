@@ -45,6 +45,22 @@ bool geometry_compute_topology(struct geometry *geometry, struct failure *failur
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
+bool geometry_compute_contacts(struct geometry *geometry, struct failure *failure) {
+  if (!geometry_compute_boundary(geometry, failure)) return false;
+  hsp_contacts_limits limits;
+  progress_show(&geometry->progress, "finding contacts");
+  int32_t status = hsp_contacts_limits_init(&limits, (uint32_t)sizeof limits, geometry->work.boundary);
+  if (status != HSP_OK) return failure_in_library(failure, status);
+  do {
+    size_t bytes = 0;
+    status = hsp_contacts_bytes(&limits, &bytes);
+    if (status == HSP_OK) status = hsp_workspace_allocate(&geometry->contacts_memory, bytes);
+    if (status == HSP_OK) status = hsp_contacts_init(geometry->contacts_memory, bytes, &limits, &geometry->contacts);
+    if (status == HSP_OK) status = hsp_contacts_compute(geometry->contacts, geometry->work.boundary, &limits);
+  } while (status == HSP_E_CAPACITY);
+  return status == HSP_OK || failure_in_library(failure, status);
+}
+
 bool geometry_compute_surface(struct geometry *geometry, struct failure *failure) {
   progress_show(&geometry->progress, "computing the surface");
   const int32_t status = hsp_workspace_surface(&geometry->work);
@@ -144,5 +160,6 @@ void geometry_free(struct geometry *geometry) {
   free(geometry->mesh_memory);
   free(geometry->map_memory);
   free(geometry->sticks_memory);
+  free(geometry->contacts_memory);
   hsp_workspace_free(&geometry->work);
 }

@@ -19,6 +19,8 @@ struct geometry {
   void *map_memory;
   hsp_sticks *sticks; /* NULL at first; ball_and_stick.h computes them */
   void *sticks_memory;
+  hsp_contacts *contacts; /* NULL at first */
+  void *contacts_memory;
 };
 
 /* Make the model. A ball that the library refuses is named by its line. */
@@ -30,6 +32,9 @@ bool geometry_compute_boundary(struct geometry *geometry, struct failure *failur
 
 /* Compute the boundary and its topology. */
 bool geometry_compute_topology(struct geometry *geometry, struct failure *failure);
+
+/* Compute the boundary and the contacts over it. */
+bool geometry_compute_contacts(struct geometry *geometry, struct failure *failure);
 
 /* Compute the solvent-excluded surface over the boundary, which is computed. */
 bool geometry_compute_surface(struct geometry *geometry, struct failure *failure);

@@ -28,6 +28,10 @@ static command_function *function_of(enum command command) {
       return command_query;
     case COMMAND_VOIDS:
       return command_voids;
+    case COMMAND_CONTACTS:
+      return command_contacts;
+    case COMMAND_COMPLEX:
+      return command_complex;
     case COMMAND_MESH:
       return command_mesh;
     case COMMAND_MAP:

@@ -129,6 +129,11 @@ bool measurement_make(const struct request *request, const struct molecule *mole
     *polarity_sum(measurement, molecule->label[i].element) += measurement->area[i];
   }
   if (weighted && !measure_weighted_area(request, molecule->atoms, geometry, measurement, failure)) return false;
+  if (request->curvature) {
+    const int32_t status =
+        hsp_boundary_curvature(geometry->work.boundary, &measurement->curvatures, NULL, NULL, 0, NULL);
+    if (status != HSP_OK) return failure_in_library(failure, status);
+  }
   if (!request->gradient) return true;
   progress_show(&geometry->progress, "computing derivatives");
   return measure_gradients(molecule, geometry, request->excluded_surface, measurement, failure) &&

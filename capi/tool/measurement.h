@@ -25,6 +25,7 @@ struct measurement {
   struct gradient of_area;
   struct gradient of_volume;
   struct gradient of_weighted_area;
+  hsp_curvatures curvatures;                  /* if they were asked for */
   double polar_area, apolar_area, other_area; /* if they were asked for */
   uint32_t one_sided;                         /* balls whose derivatives are one-sided because they touch another */
 };

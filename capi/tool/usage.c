@@ -9,6 +9,8 @@ static const char overview[] =
     "  hardsphere boundary FILE [options]   the boundary of the union: vertices, arcs, faces, voids\n"
     "  hardsphere measure  FILE [options]   area and volume, in total, by ball, residue or chain, and their gradients\n"
     "  hardsphere voids    FILE [options]   the cavities in the union and the balls around them\n"
+    "  hardsphere contacts FILE [options]   which balls, residues or chains touch and by how much, each ball's cell\n"
+    "  hardsphere complex  FILE [options]   the dual complex: simplices by kind, Betti numbers\n"
     "  hardsphere query    FILE [options]   which balls contain a point or meet a ball\n"
     "  hardsphere mesh     FILE -o OUT      the surface as triangles: .ply, .obj, .stl, or .vert and .face\n"
     "  hardsphere map      FILE [options]   what is seen from a direction: faces, edges, the visible area of each "
@@ -111,6 +113,7 @@ static const char measure_text[] =
     "  --outer                of that surface what a probe reaches from outside: as if voids were filled\n"
     "  --per-ball             also the free area of every ball\n"
     "  --gradient             also the derivatives of area and volume by every centre and radius\n"
+    "  --curvature            also the integrated mean and Gaussian curvature of the boundary\n"
     "  --weights FILE         also the sum of weight x free area; one number per ball, each on its own line, #\n"
     "                         comments\n"
     "  --polar                also the areas of nitrogen and oxygen, of carbon, sulfur and selenium, and of all "
@@ -127,7 +130,8 @@ static const char measure_text[] =
     "  --pdb-out FILE         write the .pdb file again with the free area of each atom in columns 61-66. Decimals\n"
     "                         that do not fit are left off; atoms that are not read are left out\n"
     "Example: hardsphere measure 4hhb.pdb --no-water --probe 1.4 --by residue --relative\n"
-    "JSON: n, area, volume; with --weights weighted_area; with --polar polar_area, apolar_area, other_area; with\n"
+    "JSON: n, area, volume; with --curvature mean_curvature, gauss_curvature; with --weights weighted_area; with\n"
+    "--polar polar_area, apolar_area, other_area; with\n"
     "--surface ses surface: \"ses\", with --outer outer: true, convex_area, saddle_area, concave_area; with\n"
     "--interface interface: {groups: [{atoms, alone, together}, ...], together, buried}; with --per-ball or "
     "--gradient\n"
@@ -150,6 +154,34 @@ static const char voids_text[] =
     "number in the library, components how many pieces of the union lie in it, balls their indices in the order of "
     "the\n"
     "file, counted from 0, ascending; smaller is how many voids --min-volume leaves out.\n"
+    "\n";
+
+static const char contacts_text[] =
+    "hardsphere contacts FILE [--by residue|chain] [--cells] [--least A] [options]\n"
+    "\n"
+    "Shares the union out among its balls: a point belongs to the cell of the ball from which it has the least power,\n"
+    "distance^2 - radius^2. Two balls are in contact where their cells meet, in a plane piece; its edge is the length\n"
+    "of its border on the surface. The cells sum to the volume of the union.\n"
+    "  --by residue|chain     sums over the contacts between residues or chains, instead of those between balls\n"
+    "  --cells                also volume, free area and contact area of every ball's cell\n"
+    "  --least A              list only contacts, or sums, of area A or more\n"
+    "Example: hardsphere contacts 1crn.pdb --probe 1.4 --by residue --least 5\n"
+    "JSON: n, contacts, area, pairs: [{balls: [i, j], area, edge, distance}, ...], with --by pairs: [{residues:\n"
+    "[\"A:THR:1\", \"A:THR:2\"], area, edge, atom_pairs}, ...] or chains: [\"A\", \"B\"]; with --cells cells: "
+    "[{volume, area,\n"
+    "contact}, ...] in the order of the file.\n"
+    "\n";
+
+static const char complex_text[] =
+    "hardsphere complex FILE [options]\n"
+    "\n"
+    "Counts the simplices of the dual complex (Edelsbrunner 1995), exactly, ties and all: one to four balls whose "
+    "cells\n"
+    "have a common point. It has the holes of the union. A simplex is interior if it shows nothing on the boundary;\n"
+    "else it is singular if it is part of no larger one, triangles if both sides show, and regular if not.\n"
+    "Example: hardsphere complex 1crn.pdb\n"
+    "JSON: n, simplices: {singular: [balls, edges, triangles, tetrahedra], regular: [...], interior: [...]}, euler,\n"
+    "betti: [components, tunnels, voids].\n"
     "\n";
 
 static const char query_text[] =
@@ -293,6 +325,12 @@ void usage_of_command(struct text_buffer *out, enum command command) {
       break;
     case COMMAND_VOIDS:
       text = voids_text;
+      break;
+    case COMMAND_CONTACTS:
+      text = contacts_text;
+      break;
+    case COMMAND_COMPLEX:
+      text = complex_text;
       break;
     case COMMAND_MESH:
       text = mesh_text;

@@ -156,6 +156,37 @@ TEST(JsonOutput, ShellsAndVoidsHaveTheirKeys) {
   }
 }
 
+TEST(JsonOutput, ContactsAndComplexHaveTheirKeys) {
+  for (const std::string &file : files) {
+    const Json plain = run_json({"contacts", file});
+    EXPECT_EQ(plain.keys, (Keys{"n", "contacts", "area", "pairs", "input"})) << file;
+    EXPECT_EQ(static_cast<double>(plain["pairs"].items.size()), plain["contacts"].number) << file;
+    double sum = 0.0;
+    for (const Json &pair : plain["pairs"].items) {
+      EXPECT_EQ(pair.keys, (Keys{"balls", "area", "edge", "distance"})) << file;
+      EXPECT_LT(pair["balls"].items.at(0).number, pair["balls"].items.at(1).number) << file;
+      sum += pair["area"].number;
+    }
+    EXPECT_NEAR(sum, plain["area"].number, 1e-12 * (1.0 + sum)) << file;
+    const Json measured = run_json({"measure", file, "--curvature"});
+    EXPECT_EQ(measured.keys, (Keys{"n", "area", "volume", "mean_curvature", "gauss_curvature", "input"})) << file;
+    double volume = 0.0;
+    const Json with_cells = run_json({"contacts", file, "--cells"});
+    for (const Json &cell : with_cells["cells"].items) {
+      EXPECT_EQ(cell.keys, (Keys{"volume", "area", "contact"})) << file;
+      volume += cell["volume"].number;
+    }
+    EXPECT_NEAR(volume, measured["volume"].number, 1e-11 * (1.0 + volume)) << file;
+    const Json complex = run_json({"complex", file});
+    EXPECT_EQ(complex.keys, (Keys{"n", "simplices", "euler", "betti", "input"})) << file;
+    EXPECT_EQ(complex["simplices"].keys, (Keys{"singular", "regular", "interior"})) << file;
+    const Json boundary = run_json({"boundary", file});
+    EXPECT_EQ(2 * complex["euler"].number, boundary["euler"].number) << file;
+    EXPECT_EQ(complex["betti"].items.at(2).number, boundary["voids"].number) << file;
+    EXPECT_EQ(run_json({"contacts", file, "--least", "1e9"})["pairs"].items.size(), 0U) << file;
+  }
+}
+
 TEST(JsonOutput, QueryHasItsKeys) {
   for (const std::string &file : files) {
     for (const std::vector<std::string> &query :
@@ -175,7 +206,7 @@ TEST(JsonOutput, InputHasItsKeys) {
                      "balls", "waters", "water_atoms", "hetatm", "hydrogens",        "radius_zero", "radius_by_element",
                      "model", "models", "left_out"};
   for (const std::string &file : files) {
-    for (const char *command : {"model", "boundary", "measure", "voids"}) {
+    for (const char *command : {"model", "boundary", "measure", "voids", "contacts", "complex"}) {
       const Json input = run_json({command, file})["input"];
       EXPECT_EQ(input.keys, keys) << file;
       EXPECT_EQ(input["file"].text, file);
