@@ -1,6 +1,10 @@
-#include "hsp_topology.hpp"
-#include "measure/positions.hpp"
-#include "measure/shell_volumes.hpp"
+#include "hsp_cells.hpp"
+
+#include <limits>
+
+#include "cells/cell_location.hpp"
+#include "conversion.hpp"
+#include "handle_memory.hpp"
 #include "model/queries.hpp"
 
 using hsp::capi::is_live;
@@ -8,101 +12,139 @@ using hsp::capi::is_live;
 namespace {
 
 using hsp::capi::check_output;
-using hsp::capi::check_request;
+using hsp::capi::check_range;
+
+static_assert(static_cast<uint32_t>(hsp::CellKind::run) == HSP_CELL_RUN &&
+              static_cast<uint32_t>(hsp::CellKind::at_ball) == HSP_CELL_AT_BALL &&
+              static_cast<uint32_t>(hsp::CellKind::apart) == HSP_CELL_APART);
+
+// The limits that a program gives.
+int32_t from_c(const hsp_cells_limits *given, hsp::FreeSpaceLimits &result) {
+  hsp_cells_limits limits;
+  if (!hsp::capi::read_struct(given, {}, limits)) return HSP_E_ARGUMENT;
+  if (limits.cubes > HSP_MAX_BALLS || limits.entries > HSP_MAX_BALLS || limits.cells > HSP_MAX_BALLS ||
+      limits.adjacencies > HSP_MAX_BALLS || limits.landmarks > HSP_MAX_BALLS || limits.facets > HSP_MAX_BALLS ||
+      limits.corners > HSP_MAX_BALLS || limits.cube_balls > HSP_MAX_BALLS || limits.cube_corners > HSP_MAX_BALLS)
+    return HSP_E_RANGE;
+  result = {limits.cubes,  limits.entries, limits.cells,      limits.adjacencies, limits.landmarks,
+            limits.facets, limits.corners, limits.cube_balls, limits.cube_corners};
+  return HSP_OK;
+}
+
+hsp_cells_limits to_c(const hsp::FreeSpaceLimits &limits) {
+  return {sizeof(hsp_cells_limits), limits.cubes,  limits.entries, limits.cells,      limits.adjacencies,
+          limits.landmarks,         limits.facets, limits.corners, limits.cube_balls, limits.cube_corners};
+}
+
+// The corner of cubes as a length.
+double corner(const hsp_cells &cells, int64_t cube) {
+  if (cube <= -hsp::EmptyRuns::infinity) return -std::numeric_limits<double>::infinity();
+  if (cube >= hsp::EmptyRuns::infinity) return std::numeric_limits<double>::infinity();
+  return cells.balls().lattice.length(static_cast<double>(cube * cells.structure().side));
+}
+
+void put_box(const hsp_cells &cells, const hsp::CubeCoordinates &low, const hsp::CubeCoordinates &high,
+             hsp_free_cell &record) {
+  hsp::capi::to_array({corner(cells, low.x), corner(cells, low.y), corner(cells, low.z)}, record.low);
+  hsp::capi::to_array({corner(cells, high.x), corner(cells, high.y), corner(cells, high.z)}, record.high);
+}
 
 }  // namespace
 
-int32_t hsp_topology_get_shells(hsp_topology *topology, hsp_shell *out, uint32_t capacity, uint32_t *needed) {
-  const int32_t status = check_request(topology, out, capacity, needed,
-                                       [](const hsp_topology &handle) { return handle.structure().shell_count; });
+int32_t hsp_cells_limits_init(hsp_cells_limits *limits, uint32_t struct_size, uint32_t balls) {
+  return hsp::capi::init_limits<hsp::FreeSpaceLimits, to_c>(limits, struct_size, balls);
+}
+
+int32_t hsp_cells_bytes(const hsp_cells_limits *limits, size_t *bytes) {
+  if (bytes == nullptr) return HSP_E_ARGUMENT;
+  hsp::FreeSpaceLimits wanted;
+  if (const int32_t status = from_c(limits, wanted); status != HSP_OK) return status;
+  return hsp::capi::get_bytes<hsp_cells>(wanted, bytes);
+}
+
+int32_t hsp_cells_init(void *memory, size_t bytes, const hsp_cells_limits *limits, hsp_cells **cells) {
+  if (memory == nullptr || cells == nullptr) return HSP_E_ARGUMENT;
+  hsp::FreeSpaceLimits wanted;
+  if (const int32_t status = from_c(limits, wanted); status != HSP_OK) return status;
+  return hsp::capi::init(memory, bytes, wanted, cells);
+}
+
+int32_t hsp_cells_compute(hsp_cells *cells, const hsp_model *model, hsp_cells_limits *limits) {
+  if (!is_live(cells)) return HSP_E_ARGUMENT;
+  cells->complete = false;
+  if (!is_live(model) || !hsp::capi::may_write(limits)) return HSP_E_ARGUMENT;
+  const hsp::Status status = cells->builder.build(model->grid);
+  cells->model.set(model);
+  return hsp::capi::finish<to_c>(*cells, status, limits);
+}
+
+int32_t hsp_cells_get_counts(const hsp_cells *cells, hsp_cells_counts *counts) {
+  if (!is_live(cells) || counts == nullptr) return HSP_E_ARGUMENT;
+  if (!cells->has_results()) return HSP_E_STATE;
+  const hsp::FreeSpace &space = cells->structure();
+  *counts = {space.cube_count(), space.power_cells,       space.cell_count(),
+             space.run_count(),  space.adjacency_count(), space.region_count()};
+  return HSP_OK;
+}
+
+int32_t hsp_cells_get_cells(const hsp_cells *cells, uint32_t first, uint32_t count, hsp_free_cell *out) {
+  const int32_t status =
+      check_range(cells, first, count, out, [](const hsp_cells &handle) { return handle.structure().cell_count(); });
   if (status != HSP_OK) return status;
-  const hsp::Topology &structure = topology->scanned();
-  const hsp::Boundary &boundary = topology->boundary->structure();
-  const hsp::BallSet &balls = topology->balls();
-  for (uint32_t s = 0; s < structure.shell_count; ++s) {
-    const hsp::ShellRecord &shell = structure.shells[s];
-    hsp_shell &record = out[s];
-    const hsp::BallMeasure measure = hsp::measure_shell(balls, boundary, structure, s);
-    record.area = balls.lattice.area(measure.area);
-    record.volume = balls.lattice.volume(shell.is_void ? -measure.volume : measure.volume);
-    const uint32_t vertex = structure.quads.origin(structure.faces[shell.start_face].q);
-    hsp::to_coordinates(balls, hsp::position_of_point(balls, boundary, structure, vertex), record.point);
-    record.euler = shell.euler();
-    record.genus = shell.genus();
-    record.kind = shell.is_void ? HSP_SHELL_VOID : HSP_SHELL_OUTER;
-    record.component = shell.component;
-    record.cell = shell.cell;
-    record.faces = shell.faces;
-    record.simple_faces = shell.simple_faces;
-    record.edges = shell.edges;
-    record.vertices = shell.vertices;
-    record.start_face = shell.start_face;
+  const hsp::FreeSpace &space = cells->structure();
+  for (uint32_t k = 0; k < count; ++k) {
+    const uint32_t c = first + k;
+    const hsp::FreeCell &cell = space.cell(c);
+    hsp_free_cell &record = out[k];
+    record.cube = cell.cube;
+    record.kind = static_cast<uint32_t>(cell.kind);
+    record.region = cell.region;
+    record.neighbours = space.neighbours(c).size();
+    record.reserved = 0;
+    record.ball = HSP_NONE;
+    if (cell.kind == hsp::CellKind::run) continue;
+    record.ball = cells->balls().caller[cell.ball];
+    const hsp::CubeCoordinates &cube = space.cover.cube(cell.cube);
+    put_box(*cells, cube, {cube.x + 1, cube.y + 1, cube.z + 1}, record);
   }
+  if (first >= space.run_count() || count == 0) return HSP_OK;
+  space.runs.for_each_run(space.cover,
+                          [&](uint32_t run, const hsp::CubeCoordinates &low, const hsp::CubeCoordinates &high) {
+                            if (run >= first && run - first < count) put_box(*cells, low, high, out[run - first]);
+                          });
   return HSP_OK;
 }
 
-int32_t hsp_topology_get_components(const hsp_topology *topology, hsp_component *out, uint32_t capacity,
-                                    uint32_t *needed) {
-  const int32_t status = check_request(topology, out, capacity, needed,
-                                       [](const hsp_topology &handle) { return handle.structure().component_count; });
+int32_t hsp_cells_get_neighbours(const hsp_cells *cells, uint32_t cell, uint32_t *neighbours, uint32_t capacity,
+                                 uint32_t *needed) {
+  if (!is_live(cells) || needed == nullptr || (neighbours == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
+  if (!cells->has_results()) return HSP_E_STATE;
+  const hsp::FreeSpace &space = cells->structure();
+  if (cell >= space.cell_count()) return HSP_E_ID;
+  const hsp::Span<const uint32_t> list = space.neighbours(cell);
+  if (const int32_t status = check_output(neighbours, capacity, list.size(), needed); status != HSP_OK) return status;
+  for (uint32_t k = 0; k < list.size(); ++k) neighbours[k] = list[k];
+  return HSP_OK;
+}
+
+int32_t hsp_cells_get_pairs(const hsp_cells *cells, uint32_t first, uint32_t count, hsp_cell_pair *out) {
+  const int32_t status = check_range(cells, first, count, out,
+                                     [](const hsp_cells &handle) { return handle.structure().adjacency_count(); });
   if (status != HSP_OK) return status;
-  const hsp::BallSet &balls = topology->balls();
-  for (uint32_t c = 0; c < *needed; ++c) {
-    const hsp::ComponentRecord &component = topology->structure().components[c];
-    out[c] = {
-        component.balls, balls.caller[component.top_ball], component.outer_shell, component.shells, component.cell, 0};
+  for (uint32_t k = 0; k < count; ++k) {
+    const hsp::AdjacentCells &pair = cells->structure().contacts[first + k];
+    const bool in_order = pair.cell[0] < pair.cell[1];
+    out[k] = {{pair.cell[in_order ? 0 : 1], pair.cell[in_order ? 1 : 0]}};
   }
   return HSP_OK;
 }
 
-int32_t hsp_topology_get_cells(hsp_topology *topology, hsp_cell *out, uint32_t capacity, uint32_t *needed) {
-  const int32_t status = check_request(topology, out, capacity, needed,
-                                       [](const hsp_topology &handle) { return handle.structure().cell_count; });
-  if (status != HSP_OK) return status;
-  hsp::measure_cells(topology->balls(), topology->boundary->structure(), topology->scanned(),
-                     hsp::Span<hsp_cell>(out, *needed));
-  return HSP_OK;
-}
-
-int32_t hsp_topology_get_cell_shells(const hsp_topology *topology, uint32_t cell, uint32_t *shells, uint32_t capacity,
-                                     uint32_t *needed) {
-  if (!is_live(topology) || needed == nullptr || (shells == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
-  if (!topology->has_results()) return HSP_E_STATE;
-  const hsp::Topology &structure = topology->structure();
-  if (cell >= structure.cell_count) return HSP_E_ID;
-  uint32_t count = 0;
-  for (uint32_t s = 0; s < structure.shell_count; ++s) count += structure.shells[s].cell == cell ? 1U : 0U;
-  if (const int32_t status = check_output(shells, capacity, count, needed); status != HSP_OK) return status;
-  uint32_t written = 0;
-  for (uint32_t s = 0; s < structure.shell_count; ++s) {
-    if (structure.shells[s].cell == cell) shells[written++] = s;
-  }
-  return HSP_OK;
-}
-
-int32_t hsp_topology_get_traversal(hsp_topology *topology, uint32_t shell, uint32_t *faces, uint32_t capacity,
-                                   uint32_t *needed) {
-  if (!is_live(topology) || needed == nullptr || (faces == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
-  if (!topology->has_results()) return HSP_E_STATE;
-  if (shell >= topology->structure().shell_count) return HSP_E_ID;
-  const hsp::Topology &structure = topology->scanned();
-  const hsp::ShellRecord &record = structure.shells[shell];
-  if (const int32_t status = check_output(faces, capacity, record.simple_faces, needed); status != HSP_OK) {
-    return status;
-  }
-  for (uint32_t k = 0; k < record.simple_faces; ++k) faces[k] = structure.traversal[record.first_traversed + k];
-  return HSP_OK;
-}
-
-int32_t hsp_topology_locate(const hsp_topology *topology, const double *xyz, uint32_t *cell) {
-  if (!is_live(topology) || xyz == nullptr || cell == nullptr) return HSP_E_ARGUMENT;
-  if (!topology->has_results()) return HSP_E_STATE;
-  const hsp::CubeGrid &grid = topology->boundary->model->grid;
+int32_t hsp_cells_locate(const hsp_cells *cells, const double *xyz, uint32_t *cell) {
+  if (!is_live(cells) || xyz == nullptr || cell == nullptr) return HSP_E_ARGUMENT;
+  if (!cells->has_results()) return HSP_E_STATE;
   hsp::LatticeQuery point;
-  const hsp::Status status = hsp::round_query(grid.balls(), xyz, 0.0, point);
+  const hsp::Status status = hsp::round_query(cells->balls(), xyz, 0.0, point);
   if (status != hsp::Status::ok) return hsp::capi::to_c(status);
-  *cell = hsp::any_ball_meets(grid, point)
-              ? HSP_NONE
-              : hsp::cell_of_point(grid, topology->boundary->structure(), topology->structure(), point.centre);
+  *cell = hsp::cell_at(cells->balls(), cells->structure(), point.centre);
   return HSP_OK;
 }

@@ -170,6 +170,7 @@ set(HSP_LIBRARY_SOURCES
   capi/hsp_mesh.cpp
   capi/hsp_topology.cpp
   capi/hsp_topology_records.cpp
+  capi/hsp_topology_cells.cpp
   capi/hsp_cells.cpp
   capi/hsp_view.cpp
   capi/hsp_view_records.cpp

@@ -14,7 +14,7 @@
 !   hsp_surface *, hsp_mesh *,
 !   hsp_topology *, hsp_view *,
 !   hsp_map *, hsp_sticks *,
-!   hsp_contacts *               type(c_ptr)
+!   hsp_contacts *, hsp_cells *  type(c_ptr)
 !   void *memory                 type(c_ptr) from c_loc of an array with the TARGET attribute; the handle lives in it,
 !                                so the array must outlive the handle and must not be reallocated
 !   T *out, uint32_t capacity    out(*) with capacity elements; other extents stand behind the declarations
@@ -109,6 +109,10 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_MAP_TRIPLE = 1_c_int32_t
   integer(c_int32_t), parameter :: HSP_MAP_T = 2_c_int32_t
   integer(c_int32_t), parameter :: HSP_MAP_TANGENCY = 3_c_int32_t
+
+  integer(c_int32_t), parameter :: HSP_CELL_RUN = 0_c_int32_t
+  integer(c_int32_t), parameter :: HSP_CELL_AT_BALL = 1_c_int32_t
+  integer(c_int32_t), parameter :: HSP_CELL_APART = 2_c_int32_t
 
   integer(c_int32_t), parameter :: HSP_STICK_WHOLE = 1_c_int32_t
   integer(c_int32_t), parameter :: HSP_STICKS_NO_CONFLICT = 0_c_int32_t
@@ -639,6 +643,43 @@ module hardsphere
     real(c_double) :: centre(2)        ! length
     real(c_double) :: radius           ! length
     real(c_double) :: bound            ! length
+  end type
+
+  type, bind(C) :: hsp_cells_limits
+    integer(c_int32_t) :: struct_size  ! hsp_cells_limits_init sets it
+    integer(c_int32_t) :: cubes
+    integer(c_int32_t) :: entries
+    integer(c_int32_t) :: cells
+    integer(c_int32_t) :: adjacencies
+    integer(c_int32_t) :: landmarks
+    integer(c_int32_t) :: facets
+    integer(c_int32_t) :: corners
+    integer(c_int32_t) :: cube_balls
+    integer(c_int32_t) :: cube_corners
+  end type
+
+  type, bind(C) :: hsp_cells_counts
+    integer(c_int32_t) :: cubes
+    integer(c_int32_t) :: power_cells
+    integer(c_int32_t) :: cells
+    integer(c_int32_t) :: runs
+    integer(c_int32_t) :: adjacencies
+    integer(c_int32_t) :: regions
+  end type
+
+  type, bind(C) :: hsp_free_cell
+    real(c_double) :: low(3)           ! length
+    real(c_double) :: high(3)          ! length
+    integer(c_int32_t) :: ball         ! 0-based
+    integer(c_int32_t) :: cube         ! 0-based
+    integer(c_int32_t) :: kind         ! HSP_CELL_*
+    integer(c_int32_t) :: region       ! 0-based
+    integer(c_int32_t) :: neighbours
+    integer(c_int32_t) :: reserved
+  end type
+
+  type, bind(C) :: hsp_cell_pair
+    integer(c_int32_t) :: cell(2)      ! 0-based
   end type
 
   type, bind(C) :: hsp_sticks_limits
@@ -1814,6 +1855,84 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
+    ! ---- free space as cells ---------------------------------------------------------------------------------------
+
+    function hsp_cells_limits_init(limits, struct_size, balls) result(status) bind(C, name="hsp_cells_limits_init")
+      import :: c_int32_t, hsp_cells_limits
+      type(hsp_cells_limits), intent(inout) :: limits
+      integer(c_int32_t), value :: struct_size
+      integer(c_int32_t), value :: balls
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_cells_bytes(limits, bytes) result(status) bind(C, name="hsp_cells_bytes")
+      import :: c_int32_t, c_size_t, hsp_cells_limits
+      type(hsp_cells_limits), intent(in) :: limits
+      integer(c_size_t), intent(inout) :: bytes
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_cells_init(memory, bytes, limits, cells) result(status) bind(C, name="hsp_cells_init")
+      import :: c_int32_t, c_ptr, c_size_t, hsp_cells_limits
+      type(c_ptr), value :: memory
+      integer(c_size_t), value :: bytes
+      type(hsp_cells_limits), intent(in) :: limits
+      type(c_ptr), intent(inout) :: cells
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_cells_compute(cells, model, limits) result(status) bind(C, name="hsp_cells_compute")
+      import :: c_int32_t, c_ptr, hsp_cells_limits
+      type(c_ptr), value :: cells
+      type(c_ptr), value :: model
+      type(hsp_cells_limits), intent(inout), optional :: limits
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_cells_get_counts(cells, counts) result(status) bind(C, name="hsp_cells_get_counts")
+      import :: c_int32_t, c_ptr, hsp_cells_counts
+      type(c_ptr), value :: cells
+      type(hsp_cells_counts), intent(inout) :: counts
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_cells_get_cells(cells, first, count, out) result(status) bind(C, name="hsp_cells_get_cells")
+      import :: c_int32_t, c_ptr, hsp_free_cell
+      type(c_ptr), value :: cells
+      integer(c_int32_t), value :: first
+      integer(c_int32_t), value :: count
+      type(hsp_free_cell), intent(inout), optional :: out(*)  ! count
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_cells_get_neighbours(cells, cell, neighbours, capacity, needed) result(status) &
+      bind(C, name="hsp_cells_get_neighbours")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: cells
+      integer(c_int32_t), value :: cell
+      integer(c_int32_t), intent(inout), optional :: neighbours(*)
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_cells_get_pairs(cells, first, count, out) result(status) bind(C, name="hsp_cells_get_pairs")
+      import :: c_int32_t, c_ptr, hsp_cell_pair
+      type(c_ptr), value :: cells
+      integer(c_int32_t), value :: first
+      integer(c_int32_t), value :: count
+      type(hsp_cell_pair), intent(inout), optional :: out(*)  ! count
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_cells_locate(cells, xyz, cell) result(status) bind(C, name="hsp_cells_locate")
+      import :: c_double, c_int32_t, c_ptr
+      type(c_ptr), value :: cells
+      real(c_double), intent(in) :: xyz(3)
+      integer(c_int32_t), intent(inout) :: cell
+      integer(c_int32_t) :: status
+    end function
+
     ! ---- balls and sticks ------------------------------------------------------------------------------------------
 
     function hsp_sticks_limits_init(limits, struct_size, balls) result(status) bind(C, name="hsp_sticks_limits_init")
@@ -2218,6 +2337,19 @@ contains
     integer(c_size_t) :: bytes
     bytes = 32768_c_size_t + 288_c_size_t*int(balls, c_size_t) + 208_c_size_t*int(neighbours, c_size_t) &
             + 352_c_size_t*int(edges, c_size_t)
+  end function
+
+  !> HSP_CELLS_BYTES of the header, for the size of an allocation.
+  pure function hsp_cells_bytes_bound(cubes, entries, cells, adjacencies, landmarks, facets, corners, cube_balls, &
+                                      cube_corners) result(bytes)
+    integer(c_int32_t), intent(in) :: cubes, entries, cells, adjacencies, landmarks, facets, corners
+    integer(c_int32_t), intent(in) :: cube_balls, cube_corners
+    integer(c_size_t) :: bytes
+    bytes = 24576_c_size_t + 128_c_size_t*int(cubes, c_size_t) + 8_c_size_t*int(entries, c_size_t) &
+            + 28_c_size_t*int(cells, c_size_t) + 16_c_size_t*int(adjacencies, c_size_t) &
+            + 12_c_size_t*int(landmarks, c_size_t) + 72_c_size_t*int(facets, c_size_t) &
+            + 48_c_size_t*int(corners, c_size_t) + 1152_c_size_t*int(cube_balls, c_size_t) &
+            + 64_c_size_t*int(cube_corners, c_size_t)
   end function
 
   !> HSP_STICKS_BYTES of the header, for the size of an allocation.

@@ -32,6 +32,10 @@ inline size_t most_bytes(const hsp_map_limits &limits) {
 inline size_t most_bytes(const hsp_sticks_limits &limits) {
   return HSP_STICKS_BYTES(limits.balls, limits.sticks, limits.pairs);
 }
+inline size_t most_bytes(const hsp_cells_limits &limits) {
+  return HSP_CELLS_BYTES(limits.cubes, limits.entries, limits.cells, limits.adjacencies, limits.landmarks,
+                         limits.facets, limits.corners, limits.cube_balls, limits.cube_corners);
+}
 
 // `exact`: the limits that the computation needs. `compute` takes a handle and limits to hand back and returns its
 // status, `read` takes it and returns the status of reading; where that is HSP_OK it has compared what it read.

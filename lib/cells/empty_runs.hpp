@@ -16,6 +16,11 @@ class EmptyRuns {
   uint32_t count() const { return count_; }
   // The run that holds a cube that no ball meets.
   uint32_t find(const CubeCover &cover, const CubeCoordinates &cube) const;
+  // Calls visit(run, low, high) for each run, in any order: it is the cubes from low to before high, along axes where
+  // it has no end from -infinity or to infinity.
+  static constexpr int64_t infinity = INT64_C(1) << 60;
+  template <class Visit>
+  void for_each_run(const CubeCover &cover, Visit visit) const;
   // Calls visit(a, b) for each two runs with a common side, once.
   template <class Visit>
   void for_each_contact(const CubeCover &cover, Visit visit) const;
@@ -36,7 +41,6 @@ class EmptyRuns {
     int64_t low, high;
     uint32_t run;
   };
-  static constexpr int64_t infinity = INT64_C(1) << 60;
 
   uint32_t end_of_row(uint32_t row) const { return rows_[row + 1].first_cube; }
   uint32_t end_of_layer(uint32_t layer) const { return layers_[layer + 1].first_row; }
@@ -134,6 +138,29 @@ void EmptyRuns::contacts_of_layers(const CubeCover &cover, uint32_t layer, Visit
       for_each_in_row(cover, row, [&](const Stretch &stretch) { visit(stretch.run, run); });
     }
   }
+}
+
+template <class Visit>
+void EmptyRuns::for_each_run(const CubeCover &cover, Visit visit) const {
+  constexpr int64_t all = infinity;
+  int64_t low_z = -all;
+  for (uint32_t layer = 0; layer < layer_count_; ++layer) {
+    const int64_t z = layers_[layer].z;
+    if (layers_[layer].before != no_id) {
+      visit(layers_[layer].before, CubeCoordinates{-all, -all, low_z}, CubeCoordinates{all, all, z});
+    }
+    for_each_in_layer(layer, [&](const Stretch &rows) {
+      visit(rows.run, CubeCoordinates{-all, rows.low, z}, CubeCoordinates{all, rows.high, z + 1});
+    });
+    for (uint32_t row = layers_[layer].first_row; row < end_of_layer(layer); ++row) {
+      const int64_t y = rows_[row].y;
+      for_each_in_row(cover, row, [&](const Stretch &cubes) {
+        visit(cubes.run, CubeCoordinates{cubes.low, y, z}, CubeCoordinates{cubes.high, y + 1, z + 1});
+      });
+    }
+    low_z = z + 1;
+  }
+  visit(layers_[layer_count_].before, CubeCoordinates{-all, -all, low_z}, CubeCoordinates{all, all, all});
 }
 
 template <class Visit>

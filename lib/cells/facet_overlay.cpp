@@ -317,12 +317,13 @@ Status FacetOverlay::find(const BallSet &balls, const CubeFrame &frame, uint32_t
       overlay(b, a, contacts);
     }
   }
-  if (parts_.overflowed() || names_.overflowed()) {
-    const uint64_t by_parts = parts_.required() / parts_per_plane, by_names = names_.required() / names_per_plane;
-    needed_balls_ = clamped_count((by_parts > by_names ? by_parts : by_names) + 1);
-    return Status::capacity;
-  }
-  return resolve(contacts);
+  const auto balls_for = [](uint64_t required, uint64_t per_plane) {
+    const uint64_t planes = (required + per_plane - 1) / per_plane;
+    return clamped_count(planes > cube_sides ? planes - cube_sides : 0);
+  };
+  needed_balls_ =
+      larger_count(balls_for(parts_.required(), parts_per_plane), balls_for(names_.required(), names_per_plane));
+  return parts_.overflowed() || names_.overflowed() ? Status::capacity : resolve(contacts);
 }
 
 }  // namespace hsp

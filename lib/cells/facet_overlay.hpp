@@ -27,7 +27,7 @@ class FacetOverlay {
   void carve(Workspace &workspace, uint32_t balls);
   // Finds the contacts of the facets on a side of a cube, `upper`, with those numbered first .. last - 1 of the cube
   // below it in direction `axis`, whose facets on the same side are those with side 2 axis + 1. frame is that of the
-  // cube above. Status::capacity: more balls per cube would have sufficed, needed_balls(). Status::check cannot happen.
+  // cube above. Status::capacity: memory for needed_balls() per cube would have sufficed. Status::check cannot happen.
   Status find(const BallSet &balls, const CubeFrame &frame, uint32_t axis, const SideFacets &below, IdRange range,
               const SideFacets &above, FixedVector<AdjacentCells> &contacts);
   uint32_t needed_balls() const { return needed_balls_; }

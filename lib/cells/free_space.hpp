@@ -42,6 +42,15 @@ struct FreeSpaceLimits {
   }
 };
 
+// Limits that suffice for most molecules. Status::range if one would be larger than max_count.
+constexpr Status default_limits(uint32_t balls, FreeSpaceLimits &limits) {
+  if (balls > (max_count - 2048) / 80) return Status::range;
+  const uint32_t in_cube = balls < 192 ? balls : 192;
+  limits = {2 * balls + 64,   8 * balls + 64,    10 * balls + 256, 40 * balls + 1024, 16 * balls + 512,
+            16 * balls + 512, 80 * balls + 2048, in_cube,          40 * in_cube + 64};
+  return Status::ok;
+}
+
 enum class CellKind : uint32_t {
   run,      // cubes that no ball meets
   at_ball,  // a free part of a power cell that its ball meets
@@ -111,6 +120,7 @@ class FreeSpace {
   Span<uint32_t> region_sets;           // [cells] scratch memory of the builder
   int64_t side = 1;
   uint32_t regions = 0;
+  uint32_t power_cells = 0;  // that are not empty
 };
 
 }  // namespace hsp

@@ -5,22 +5,6 @@
 
 namespace hsp {
 
-FreeSpaceLimits expected_free_space_limits(uint32_t balls) {
-  const auto limit = [&](uint32_t each, uint32_t more) {
-    const uint64_t wanted = static_cast<uint64_t>(each) * balls + more;
-    return wanted < max_count ? static_cast<uint32_t>(wanted) : max_count;
-  };
-  return {limit(2, 64),
-          limit(8, 64),
-          limit(10, 256),
-          limit(40, 1024),
-          limit(16, 512),
-          limit(16, 512),
-          limit(80, 2048),
-          balls < 192 ? balls : 192,
-          balls < 192 ? limit(40, 64) : 192 * 40};
-}
-
 void FreeSpaceBuilder::carve(Workspace &workspace, const FreeSpaceLimits &limits) {
   limits_ = limits;
   structure_.carve(workspace, limits);
@@ -43,7 +27,7 @@ Status FreeSpaceBuilder::build(const CubeGrid &grid) {
   space.contacts.clear();
   kept_.clear();
   space.side = grid.side();
-  space.regions = 0;
+  space.regions = space.power_cells = 0;
   const bool covered = space.cover.build(grid);
   needed_.cubes = space.cover.needed_cubes();
   needed_.entries = space.cover.needed_entries();
@@ -109,6 +93,7 @@ Status FreeSpaceBuilder::add_cube(const BallSet &balls, const Cube &cube) {
     space.first_part[space.cover.first_entry(cube.number) + k] = first_cell;
     cell_.build(k);
     if (cell_.empty()) continue;
+    ++space.power_cells;
     cell_.find_free_parts();
     add_parts(cube);
     const Status status = contacts_.add(cell_, k, first_cell, space.contacts);
@@ -164,8 +149,8 @@ Status FreeSpaceBuilder::touch_cubes(const BallSet &balls, const Cube &cube) {
     const IdRange range{first_kept_[below], first_kept_[below + 1]};
     const Status status = overlay_.find(balls, cube.frame, axis, kept_, range, open_, structure_.contacts);
     if (status == Status::check) return status;
+    note(needed_.cube_balls, overlay_.needed_balls());
     if (status == Status::capacity) {
-      note(needed_.cube_balls, overlay_.needed_balls());
       contacts_known_ = false;
       break;
     }

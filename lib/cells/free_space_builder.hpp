@@ -7,9 +7,6 @@
 
 namespace hsp {
 
-// Limits that suffice for most molecules.
-FreeSpaceLimits expected_free_space_limits(uint32_t balls);
-
 class FreeSpaceBuilder {
  public:
   void carve(Workspace &workspace, const FreeSpaceLimits &limits);

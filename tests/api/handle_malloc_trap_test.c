@@ -289,6 +289,28 @@ static int call_sticks(const hsp_model *model, void *memory, size_t bytes) {
   return bad;
 }
 
+/* Cells of free space, all functions. */
+static int call_cells(const hsp_model *model, void *memory, size_t bytes) {
+  static const double origin[3] = {0, 0, 0};
+  hsp_cells *cells = NULL;
+  hsp_cells_limits limits;
+  hsp_cells_counts counts;
+  hsp_free_cell cell;
+  hsp_cell_pair pair;
+  uint32_t neighbours[64], needed = 0, found = 0;
+  size_t size = 0;
+  int bad = hsp_cells_limits_init(&limits, (uint32_t)sizeof limits, 3) != HSP_OK;
+  bad += hsp_cells_bytes(&limits, &size) != HSP_OK || size > bytes;
+  bad += hsp_cells_init(memory, size, &limits, &cells) != HSP_OK;
+  bad += hsp_cells_compute(cells, model, NULL) != HSP_OK;
+  bad += hsp_cells_get_counts(cells, &counts) != HSP_OK || counts.regions != 1;
+  bad += hsp_cells_get_cells(cells, 0, 1, &cell) != HSP_OK;
+  bad += hsp_cells_get_pairs(cells, 0, 1, &pair) != HSP_OK;
+  bad += hsp_cells_get_neighbours(cells, 0, neighbours, 64, &needed) != HSP_OK || needed != cell.neighbours;
+  bad += hsp_cells_locate(cells, origin, &found) != HSP_OK || found != HSP_NONE;
+  return bad;
+}
+
 static int call_map(map_result *m, void *memory, size_t bytes, const uint32_t *colour) {
   hsp_map *map = NULL;
   hsp_map_limits limits;
@@ -549,6 +571,18 @@ static void trap_sticks(void) {
   disarm(bad);
 }
 
+static void trap_cells(void) {
+  static const double xyz[9] = {0, 0, 0, 3, 0, 1, 10, 10, -2}, radius[3] = {2, 2, 3};
+  static unsigned char memory[1 << 18], model_memory[HSP_MODEL_BYTES(3)];
+  hsp_model *model = NULL;
+  int bad;
+  CHECK_EQUAL(hsp_model_init(model_memory, sizeof model_memory, 3, &model), HSP_OK);
+  CHECK_EQUAL(hsp_model_set(model, 3, xyz, radius, NULL, NULL), HSP_OK);
+  arm();
+  bad = call_cells(model, memory, sizeof memory);
+  disarm(bad);
+}
+
 static void trap_map(const computed *c) {
   hsp_view_options options;
   map_result m;
@@ -580,6 +614,7 @@ int main(void) {
   trap_surface_mesh();
   trap_contacts();
   trap_sticks();
+  trap_cells();
   for (which = 0; which < ball_set_count(); ++which) {
     ball_set_make(which, &set);
     if (set.n == 0) continue;

@@ -24,6 +24,8 @@ static hsp_mesh *mesh;
 static hsp_map *map;
 static hsp_sticks *sticks;
 static hsp_contacts *contacts;
+static hsp_cells *cells;
+static unsigned char cells_memory[1 << 18];
 
 static int32_t ignore_bytes(void *context, const char *bytes, size_t count) {
   (void)context;
@@ -93,6 +95,13 @@ static int32_t read_sticks_limits(const void *given) {
   CHECK_EQUAL(hsp_sticks_init(other_memory, sizeof other_memory, given, &made), status);
   return status;
 }
+static int32_t read_cells_limits(const void *given) {
+  size_t bytes = 0;
+  hsp_cells *made = NULL;
+  const int32_t status = hsp_cells_bytes(given, &bytes);
+  CHECK_EQUAL(hsp_cells_init(cells_memory, sizeof cells_memory, given, &made), status);
+  return status;
+}
 static int32_t read_view_options(const void *given) {
   return hsp_view_compute(h.view, h.model, NULL, given, NULL);
 }
@@ -141,6 +150,10 @@ static int32_t write_sticks_limits(void *out, uint32_t size) {
   return hsp_sticks_limits_init(out, size, BALLS);
 }
 
+static int32_t write_cells_limits(void *out, uint32_t size) {
+  return hsp_cells_limits_init(out, size, BALLS);
+}
+
 /* The size comes with the struct where a computation hands limits back. */
 static int32_t return_boundary_limits(void *out, uint32_t size) {
   memcpy(out, &size, sizeof size);
@@ -187,6 +200,13 @@ static int32_t return_sticks_limits(void *out, uint32_t size) {
   CHECK_EQUAL(hsp_sticks_init(other_memory, sizeof other_memory, &of_sticks, &sticks), HSP_OK);
   memcpy(out, &size, sizeof size);
   return hsp_sticks_compute(sticks, empty, NULL, NULL, 0, 0.5, NULL, out);
+}
+static int32_t return_cells_limits(void *out, uint32_t size) {
+  hsp_cells_limits of_cells;
+  CHECK_EQUAL(hsp_cells_limits_init(&of_cells, (uint32_t)sizeof of_cells, BALLS), HSP_OK);
+  CHECK_EQUAL(hsp_cells_init(cells_memory, sizeof cells_memory, &of_cells, &cells), HSP_OK);
+  memcpy(out, &size, sizeof size);
+  return hsp_cells_compute(cells, h.model, out);
 }
 static int32_t return_view_limits(void *out, uint32_t size) {
   memcpy(out, &size, sizeof size);
@@ -244,6 +264,11 @@ static const struct versioned {
      sizeof(hsp_sticks_limits),
      read_sticks_limits,
      {write_sticks_limits, return_sticks_limits, NULL}},
+    {"hsp_cells_limits",
+     sizeof(hsp_cells_limits),
+     sizeof(hsp_cells_limits),
+     read_cells_limits,
+     {write_cells_limits, return_cells_limits, NULL}},
     {"hsp_view_options",
      sizeof(hsp_view_options),
      sizeof(hsp_view_options),

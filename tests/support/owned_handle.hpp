@@ -108,6 +108,17 @@ struct SticksKind {
   static constexpr auto bytes = hsp_sticks_bytes;
   static constexpr auto init = hsp_sticks_init;
 };
+struct CellsKind {
+  using Handle = hsp_cells;
+  using Limits = hsp_cells_limits;
+  static constexpr int enlargements = 6;
+  static constexpr std::array limits = {&Limits::cubes,       &Limits::entries,    &Limits::cells,
+                                        &Limits::adjacencies, &Limits::landmarks,  &Limits::facets,
+                                        &Limits::corners,     &Limits::cube_balls, &Limits::cube_corners};
+  static constexpr const char *name = "hsp_cells";
+  static constexpr auto bytes = hsp_cells_bytes;
+  static constexpr auto init = hsp_cells_init;
+};
 
 // A handle of such a kind. Calls that fail throw std::runtime_error.
 template <class Kind>

@@ -81,6 +81,24 @@ void check(const Balls &balls, uint32_t &empty_seen) {
       if (other != run) contacts.insert({std::min(run, other), std::max(run, other)});
     }
   });
+  std::map<uint32_t, Box> boxes;
+  runs.for_each_run(cover, [&](uint32_t run, const CubeCoordinates &from, const CubeCoordinates &to) {
+    EXPECT_TRUE(boxes.insert({run, {from, {to.x - 1, to.y - 1, to.z - 1}}}).second);
+  });
+  ASSERT_EQ(boxes.size(), runs.count());
+  box.for_each([&](const CubeCoordinates &cube) {
+    uint32_t holding = 0;
+    for (const auto &[run, held] : boxes) {
+      if (held.low.x > cube.x || held.high.x < cube.x || held.low.y > cube.y || held.high.y < cube.y ||
+          held.low.z > cube.z || held.high.z < cube.z) {
+        continue;
+      }
+      ++holding;
+      ASSERT_EQ(cover.find(cube), no_id);
+      ASSERT_EQ(runs.find(cover, cube), run);
+    }
+    ASSERT_EQ(holding, cover.find(cube) == no_id ? 1U : 0U);
+  });
   ASSERT_EQ(entries, cover.entries());
   ASSERT_EQ(met, cover.cubes());
   ASSERT_EQ(found.size(), runs.count());

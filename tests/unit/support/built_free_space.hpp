@@ -8,7 +8,7 @@
 class BuiltFreeSpace {
  public:
   explicit BuiltFreeSpace(const oracle::Balls &balls)
-      : BuiltFreeSpace(balls, hsp::expected_free_space_limits(static_cast<uint32_t>(balls.size()))) {}
+      : BuiltFreeSpace(balls, usual_limits(static_cast<uint32_t>(balls.size()))) {}
   BuiltFreeSpace(const oracle::Balls &balls, const hsp::FreeSpaceLimits &limits) : grid_(listed(balls)) {
     status_ = build(limits);
     while (status_ == hsp::Status::capacity && retries_ < 20) {
@@ -30,6 +30,11 @@ class BuiltFreeSpace {
   hsp::FreeSpaceBuilder &builder() { return builder_; }
 
  private:
+  static hsp::FreeSpaceLimits usual_limits(uint32_t balls) {
+    hsp::FreeSpaceLimits limits;
+    static_cast<void>(hsp::default_limits(balls, limits));
+    return limits;
+  }
   static support::BallList listed(const oracle::Balls &balls) {
     support::BallList list;
     for (const oracle::LatticeBall &ball : balls) {

@@ -1,0 +1,21 @@
+// What is behind the handle hsp_cells.
+#pragma once
+
+#include "cells/free_space_builder.hpp"
+#include "hsp_model.hpp"
+#include "source.hpp"
+
+struct hsp_cells {
+  using Builder = hsp::FreeSpaceBuilder;
+  static constexpr uint64_t kind = 0x63656C6C73;  // "cells" in ASCII
+
+  uintptr_t tag;
+  Builder builder;
+  hsp::capi::Source<hsp_model> model{};
+  bool complete = false;
+
+  // Whether results may be read: computed, and the model unchanged since.
+  bool has_results() const { return complete && model.is_unchanged(); }
+  const hsp::FreeSpace &structure() const { return builder.structure(); }
+  const hsp::BallSet &balls() const { return model->balls(); }
+};

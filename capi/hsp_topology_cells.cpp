@@ -1,0 +1,108 @@
+#include "hsp_topology.hpp"
+#include "measure/positions.hpp"
+#include "measure/shell_volumes.hpp"
+#include "model/queries.hpp"
+
+using hsp::capi::is_live;
+
+namespace {
+
+using hsp::capi::check_output;
+using hsp::capi::check_request;
+
+}  // namespace
+
+int32_t hsp_topology_get_shells(hsp_topology *topology, hsp_shell *out, uint32_t capacity, uint32_t *needed) {
+  const int32_t status = check_request(topology, out, capacity, needed,
+                                       [](const hsp_topology &handle) { return handle.structure().shell_count; });
+  if (status != HSP_OK) return status;
+  const hsp::Topology &structure = topology->scanned();
+  const hsp::Boundary &boundary = topology->boundary->structure();
+  const hsp::BallSet &balls = topology->balls();
+  for (uint32_t s = 0; s < structure.shell_count; ++s) {
+    const hsp::ShellRecord &shell = structure.shells[s];
+    hsp_shell &record = out[s];
+    const hsp::BallMeasure measure = hsp::measure_shell(balls, boundary, structure, s);
+    record.area = balls.lattice.area(measure.area);
+    record.volume = balls.lattice.volume(shell.is_void ? -measure.volume : measure.volume);
+    const uint32_t vertex = structure.quads.origin(structure.faces[shell.start_face].q);
+    hsp::to_coordinates(balls, hsp::position_of_point(balls, boundary, structure, vertex), record.point);
+    record.euler = shell.euler();
+    record.genus = shell.genus();
+    record.kind = shell.is_void ? HSP_SHELL_VOID : HSP_SHELL_OUTER;
+    record.component = shell.component;
+    record.cell = shell.cell;
+    record.faces = shell.faces;
+    record.simple_faces = shell.simple_faces;
+    record.edges = shell.edges;
+    record.vertices = shell.vertices;
+    record.start_face = shell.start_face;
+  }
+  return HSP_OK;
+}
+
+int32_t hsp_topology_get_components(const hsp_topology *topology, hsp_component *out, uint32_t capacity,
+                                    uint32_t *needed) {
+  const int32_t status = check_request(topology, out, capacity, needed,
+                                       [](const hsp_topology &handle) { return handle.structure().component_count; });
+  if (status != HSP_OK) return status;
+  const hsp::BallSet &balls = topology->balls();
+  for (uint32_t c = 0; c < *needed; ++c) {
+    const hsp::ComponentRecord &component = topology->structure().components[c];
+    out[c] = {
+        component.balls, balls.caller[component.top_ball], component.outer_shell, component.shells, component.cell, 0};
+  }
+  return HSP_OK;
+}
+
+int32_t hsp_topology_get_cells(hsp_topology *topology, hsp_cell *out, uint32_t capacity, uint32_t *needed) {
+  const int32_t status = check_request(topology, out, capacity, needed,
+                                       [](const hsp_topology &handle) { return handle.structure().cell_count; });
+  if (status != HSP_OK) return status;
+  hsp::measure_cells(topology->balls(), topology->boundary->structure(), topology->scanned(),
+                     hsp::Span<hsp_cell>(out, *needed));
+  return HSP_OK;
+}
+
+int32_t hsp_topology_get_cell_shells(const hsp_topology *topology, uint32_t cell, uint32_t *shells, uint32_t capacity,
+                                     uint32_t *needed) {
+  if (!is_live(topology) || needed == nullptr || (shells == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
+  if (!topology->has_results()) return HSP_E_STATE;
+  const hsp::Topology &structure = topology->structure();
+  if (cell >= structure.cell_count) return HSP_E_ID;
+  uint32_t count = 0;
+  for (uint32_t s = 0; s < structure.shell_count; ++s) count += structure.shells[s].cell == cell ? 1U : 0U;
+  if (const int32_t status = check_output(shells, capacity, count, needed); status != HSP_OK) return status;
+  uint32_t written = 0;
+  for (uint32_t s = 0; s < structure.shell_count; ++s) {
+    if (structure.shells[s].cell == cell) shells[written++] = s;
+  }
+  return HSP_OK;
+}
+
+int32_t hsp_topology_get_traversal(hsp_topology *topology, uint32_t shell, uint32_t *faces, uint32_t capacity,
+                                   uint32_t *needed) {
+  if (!is_live(topology) || needed == nullptr || (faces == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
+  if (!topology->has_results()) return HSP_E_STATE;
+  if (shell >= topology->structure().shell_count) return HSP_E_ID;
+  const hsp::Topology &structure = topology->scanned();
+  const hsp::ShellRecord &record = structure.shells[shell];
+  if (const int32_t status = check_output(faces, capacity, record.simple_faces, needed); status != HSP_OK) {
+    return status;
+  }
+  for (uint32_t k = 0; k < record.simple_faces; ++k) faces[k] = structure.traversal[record.first_traversed + k];
+  return HSP_OK;
+}
+
+int32_t hsp_topology_locate(const hsp_topology *topology, const double *xyz, uint32_t *cell) {
+  if (!is_live(topology) || xyz == nullptr || cell == nullptr) return HSP_E_ARGUMENT;
+  if (!topology->has_results()) return HSP_E_STATE;
+  const hsp::CubeGrid &grid = topology->boundary->model->grid;
+  hsp::LatticeQuery point;
+  const hsp::Status status = hsp::round_query(grid.balls(), xyz, 0.0, point);
+  if (status != hsp::Status::ok) return hsp::capi::to_c(status);
+  *cell = hsp::any_ball_meets(grid, point)
+              ? HSP_NONE
+              : hsp::cell_of_point(grid, topology->boundary->structure(), topology->structure(), point.centre);
+  return HSP_OK;
+}

@@ -1,0 +1,159 @@
+/* hardsphere/cells.h: what no ball covers, as O(n) simple cells with their neighbours (Section 2, Theorem 2.4).
+ *
+ * Space is cut by the cubes of the grid, whose side is twice the largest radius. In a cube that balls meet every point
+ * belongs to the ball to which it has the least power, its squared distance from the centre less the squared radius:
+ * that makes a convex polytope for each ball, its power cell. What is outside the ball falls into free parts. Cubes
+ * that no ball meets are taken together to runs along x, rows and layers of them.
+ *
+ *   cell           a free part of a power cell, or a run: 0 .. cells - 1. Runs come first; cell 0 is the one below all
+ *                  balls, which reaches to infinity
+ *   neighbours     two cells with a piece of a facet or of a side of cubes in common, from where to where a point can
+ *                  move through free space
+ *   region         what neighbours make up: a connected component of free space, a cell of the complement in topology.h
+ *                  in another order. Region 0 is the outside
+ *
+ * All of this is decided in integers, as the boundary is; balls that touch count as meeting, so that nothing passes
+ * between them. A probe is a part of the model: a model that is grown by one has the cells where its centre may be. */
+#ifndef HARDSPHERE_CELLS_H
+#define HARDSPHERE_CELLS_H
+
+#include "model.h"
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Free space as cells. */
+typedef struct hsp_cells hsp_cells;
+
+/** The limits that fix the memory of cells. */
+typedef struct hsp_cells_limits {
+  uint32_t struct_size;  /**< sizeof(hsp_cells_limits) */
+  uint32_t cubes;        /**< that balls meet */
+  uint32_t entries;      /**< pairs of a ball and a cube that it meets */
+  uint32_t cells;        /**< free parts and runs */
+  uint32_t adjacencies;  /**< pairs of neighbours */
+  uint32_t landmarks;    /**< vertices of power cells with several free parts */
+  uint32_t facets;       /**< of power cells on sides between two cubes that balls meet, each side once */
+  uint32_t corners;      /**< of all these facets */
+  uint32_t cube_balls;   /**< most balls that meet one cube; rarely some more */
+  uint32_t cube_corners; /**< vertices of all power cells of one cube */
+} hsp_cells_limits;
+
+/** Limits that suffice for most molecules of `balls` atoms, about 6.5 kB for each: cubes 2 balls + 64, entries
+ *  8 balls + 64, cells 10 balls + 256, adjacencies 40 balls + 1024, landmarks and facets 16 balls + 512, corners
+ *  80 balls + 2048, cube_balls min(balls, 192), cube_corners 40 cube_balls + 64.
+ *  @retval HSP_E_ARGUMENT  limits is NULL or struct_size is bad
+ *  @retval HSP_E_RANGE     more than (HSP_MAX_BALLS - 2048) / 80 balls; set the limits by hand then */
+HSP_API int32_t hsp_cells_limits_init(hsp_cells_limits *limits, uint32_t struct_size, uint32_t balls);
+
+/** Bytes that hsp_cells_init needs.
+ *  - Property 1: at most HSP_CELLS_BYTES of the limits.
+ *  - Property 2: grows with each limit.
+ *
+ *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
+ *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
+HSP_API int32_t hsp_cells_bytes(const hsp_cells_limits *limits, size_t *bytes);
+
+/** The same as an upper bound that is a constant expression, for static arrays. */
+#define HSP_CELLS_BYTES(cubes, entries, cells, adjacencies, landmarks, facets, corners, cube_balls, cube_corners) \
+  ((size_t)24576 + (size_t)128 * (size_t)(cubes) + (size_t)8 * (size_t)(entries) + (size_t)28 * (size_t)(cells) + \
+   (size_t)16 * (size_t)(adjacencies) + (size_t)12 * (size_t)(landmarks) + (size_t)72 * (size_t)(facets) +        \
+   (size_t)48 * (size_t)(corners) + (size_t)1152 * (size_t)(cube_balls) + (size_t)64 * (size_t)(cube_corners))
+
+/** Make cells without results in caller memory of any alignment; sets *cells.
+ *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
+ *  @retval HSP_E_MEMORY    bytes is less than hsp_cells_bytes says; nothing is written
+ *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
+HSP_API int32_t hsp_cells_init(void *memory, size_t bytes, const hsp_cells_limits *limits, hsp_cells **cells);
+
+/** Cut the free space of a model into cells. The model must outlive them; after hsp_model_set what reads the cells
+ *  yields HSP_E_STATE until they are computed again. On failure they hold no results. limits: see LIMITS in
+ *  hardsphere.h; at most six retries.
+ *  - Property 1: the order of the balls has no effect but on their numbers, unless balls are equal.
+ *
+ *  Cost: O(n) for sets as in Theorem 2.1.
+ *  @retval HSP_E_ARGUMENT  cells or model is NULL; bad struct_size of limits
+ *  @retval HSP_E_CAPACITY  a limit is too small; limits, if not NULL, become limits to retry with
+ *  @retval HSP_E_CHECK     cells contradict each other, which cannot happen: please report it */
+HSP_API int32_t hsp_cells_compute(hsp_cells *cells, const hsp_model *model, hsp_cells_limits *limits);
+
+/** How many of everything. Frozen. */
+typedef struct hsp_cells_counts {
+  uint32_t cubes;       /**< that balls meet */
+  uint32_t power_cells; /**< in all of these, free or not */
+  uint32_t cells;       /**< free parts and runs */
+  uint32_t runs;        /**< of these */
+  uint32_t adjacencies; /**< pairs of neighbours */
+  uint32_t regions;     /**< connected components of free space: 1 + voids */
+} hsp_cells_counts;
+
+/** How many cells, neighbours and regions there are.
+ *  - Property 1: regions is the number of cells of the complement that hsp_topology_get_counts reports.
+ *
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
+HSP_API int32_t hsp_cells_get_counts(const hsp_cells *cells, hsp_cells_counts *counts);
+
+#define HSP_CELL_RUN UINT32_C(0)     /**< cubes that no ball meets */
+#define HSP_CELL_AT_BALL UINT32_C(1) /**< a free part of the power cell of a ball that meets that power cell */
+#define HSP_CELL_APART UINT32_C(2)   /**< a whole power cell, which its ball does not meet */
+
+/** A cell of free space. Frozen. */
+typedef struct hsp_free_cell {
+  double low[3];       /**< the box that holds it: of a run itself, else its cube; length, infinite without an end */
+  double high[3];      /**< likewise */
+  uint32_t ball;       /**< whose power cell it is a part of; HSP_NONE for a run */
+  uint32_t cube;       /**< 0 .. cubes - 1, those with the lowest z first, of these with the lowest y; HSP_NONE */
+  uint32_t kind;       /**< HSP_CELL_* */
+  uint32_t region;     /**< what it belongs to */
+  uint32_t neighbours; /**< how many it has */
+  uint32_t reserved;   /**< 0 */
+} hsp_free_cell;
+
+/** The cells first .. first + count - 1, exactly count records, of hsp_cells_counts.cells in all; out may be NULL with
+ *  count 0. Cost: O(count), and if runs are among them O(runs).
+ *  @retval HSP_E_ARGUMENT  cells is NULL; out is NULL with a count above 0
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since
+ *  @retval HSP_E_ID        not all of these cells are there */
+HSP_API int32_t hsp_cells_get_cells(const hsp_cells *cells, uint32_t first, uint32_t count, hsp_free_cell *out);
+
+/** The neighbours of a cell, ascending.
+ *  - Property 1: a cell is a neighbour of each of its neighbours, and in the same region.
+ *
+ *  @retval HSP_E_ARGUMENT  cells or needed is NULL; neighbours is NULL with a capacity above 0
+ *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since
+ *  @retval HSP_E_ID        there is no such cell */
+HSP_API int32_t hsp_cells_get_neighbours(const hsp_cells *cells, uint32_t cell, uint32_t *neighbours, uint32_t capacity,
+                                         uint32_t *needed);
+
+/** Two cells that are neighbours, the lower number first. Frozen. */
+typedef struct hsp_cell_pair {
+  uint32_t cell[2]; /**< numbers of cells */
+} hsp_cell_pair;
+
+/** The pairs first .. first + count - 1 of neighbours, each pair once, exactly count records, of
+ *  hsp_cells_counts.adjacencies in all; out may be NULL with count 0.
+ *  @retval HSP_E_ARGUMENT  cells is NULL; out is NULL with a count above 0
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since
+ *  @retval HSP_E_ID        not all of these pairs are there */
+HSP_API int32_t hsp_cells_get_pairs(const hsp_cells *cells, uint32_t first, uint32_t count, hsp_cell_pair *out);
+
+/** Where the point xyz [3] lies: *cell becomes its cell, or HSP_NONE if it lies in a ball. Exact; the point is rounded
+ *  to the lattice.
+ *  Cost: O(1) for sets as in Theorem 2.1 in cubes that balls meet, O(log n) in others.
+ *  @retval HSP_E_ARGUMENT    a null pointer
+ *  @retval HSP_E_STATE       nothing computed, or the model has changed since
+ *  @retval HSP_E_NOT_FINITE  xyz holds a NaN or an infinity
+ *  @retval HSP_E_RANGE       xyz lies beyond 2^50 lattice steps */
+HSP_API int32_t hsp_cells_locate(const hsp_cells *cells, const double *xyz, uint32_t *cell);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,243 @@
+/* Cells of free space: every argument that the header refuses, every call out of order, and what records say of balls
+ * whose cells can be counted by hand. */
+#include <hardsphere.h>
+#include <math.h>
+#include <string.h>
+
+#include "check.h"
+#include "untouched.h"
+
+enum { BALLS = 26, CUBES = 64, ENTRIES = 512, CELLS = 800, PAIRS = 4000, MARKS = 1000, FACETS = 2000, CORNERS = 9000 };
+enum { IN_CUBE = BALLS, IN_CUBE_CORNERS = 1200 };
+static unsigned char model_memory[HSP_MODEL_BYTES(BALLS)];
+static unsigned char
+    cells_memory[HSP_CELLS_BYTES(CUBES, ENTRIES, CELLS, PAIRS, MARKS, FACETS, CORNERS, IN_CUBE, IN_CUBE_CORNERS)];
+static hsp_model *model;
+static hsp_cells *cells;
+static hsp_cells_counts counts;
+static hsp_free_cell records[CELLS];
+static hsp_cell_pair pairs[PAIRS];
+static uint32_t neighbours[CELLS], number;
+
+/* A ball in the middle of a cube of the grid, whose side is 4: nothing but one power cell, of the whole cube. */
+static const double one_xyz[3] = {2, 2, 2}, one_radius[1] = {2};
+
+static hsp_cells_limits good_limits(void) {
+  const hsp_cells_limits limits = {
+      (uint32_t)sizeof limits, CUBES, ENTRIES, CELLS, PAIRS, MARKS, FACETS, CORNERS, IN_CUBE, IN_CUBE_CORNERS};
+  return limits;
+}
+
+static void check_no_results(const hsp_cells *which, int32_t status) {
+  static const double origin[3] = {0, 0, 0};
+  hsp_free_cell record;
+  hsp_cell_pair pair;
+  FILL(counts);
+  FILL(record);
+  FILL(pair);
+  FILL(number);
+  CHECK_EQUAL(hsp_cells_get_counts(which, &counts), status);
+  CHECK_EQUAL(hsp_cells_get_cells(which, 0, 1, &record), status);
+  CHECK_EQUAL(hsp_cells_get_pairs(which, 0, 1, &pair), status);
+  CHECK_EQUAL(hsp_cells_get_neighbours(which, 0, neighbours, CELLS, &number), status);
+  CHECK_EQUAL(hsp_cells_locate(which, origin, &number), status);
+  CHECK_UNTOUCHED(counts);
+  CHECK_UNTOUCHED(record);
+  CHECK_UNTOUCHED(pair);
+  CHECK_UNTOUCHED(number);
+}
+
+static void set_one(void) {
+  CHECK_EQUAL(hsp_model_set(model, 1, one_xyz, one_radius, NULL, NULL), HSP_OK);
+}
+
+static void check_has_results(void) {
+  CHECK_EQUAL(hsp_cells_compute(cells, model, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_cells_get_counts(cells, &counts), HSP_OK);
+}
+
+static void refused_limits(void) {
+  size_t bytes = 0;
+  hsp_cells *made = NULL;
+  hsp_cells_limits bad = good_limits();
+  int which;
+  CHECK_EQUAL(hsp_cells_bytes(NULL, &bytes), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_cells_bytes(&bad, NULL), HSP_E_ARGUMENT);
+  for (which = 0; which < 11; ++which) {
+    const int32_t status = which < 2 ? HSP_E_ARGUMENT : HSP_E_RANGE;
+    uint32_t words[10];
+    bad = good_limits();
+    memcpy(words, &bad, sizeof words);
+    if (which == 0) words[0] = 36;
+    if (which == 1) words[0] = 1028;
+    if (which >= 2) words[which - 1] = HSP_MAX_BALLS + 1;
+    memcpy(&bad, words, sizeof words);
+    CHECK_EQUAL(hsp_cells_bytes(&bad, &bytes), status);
+    CHECK_EQUAL(hsp_cells_init(cells_memory, sizeof cells_memory, &bad, &made), status);
+  }
+  CHECK_EQUAL(bytes, 0);
+  bad = good_limits();
+  CHECK_EQUAL(hsp_cells_bytes(&bad, &bytes), HSP_OK);
+  CHECK(bytes <= sizeof cells_memory);
+  CHECK_EQUAL(hsp_cells_init(NULL, bytes, &bad, &made), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_cells_init(cells_memory, bytes, NULL, &made), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_cells_init(cells_memory, bytes, &bad, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_cells_init(cells_memory, bytes - 1, &bad, &made), HSP_E_MEMORY);
+  CHECK(made == NULL);
+  CHECK_EQUAL(hsp_cells_limits_init(NULL, (uint32_t)sizeof bad, 1), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_cells_limits_init(&bad, 8, 1), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_cells_limits_init(&bad, (uint32_t)sizeof bad, (HSP_MAX_BALLS - 2048) / 80 + 1), HSP_E_RANGE);
+  CHECK_EQUAL(hsp_cells_limits_init(&bad, (uint32_t)sizeof bad, 10), HSP_OK);
+  CHECK(bad.cubes == 84 && bad.entries == 144 && bad.cells == 356 && bad.adjacencies == 1424 && bad.landmarks == 672);
+  CHECK(bad.facets == 672 && bad.corners == 2848 && bad.cube_balls == 10 && bad.cube_corners == 464);
+  CHECK_EQUAL(hsp_cells_limits_init(&bad, (uint32_t)sizeof bad, 1000), HSP_OK);
+  CHECK(bad.cube_balls == 192 && bad.cube_corners == 192 * 40 + 64);
+}
+
+static void computing(void) {
+  hsp_cells_limits asked = good_limits();
+  static const double not_finite[3] = {0, (double)NAN, 0}, far_away[3] = {1e300, 0, 0};
+  check_no_results(NULL, HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_cells_init(cells_memory, sizeof cells_memory, &asked, &cells), HSP_OK);
+  check_no_results(cells, HSP_E_STATE);
+  CHECK_EQUAL(hsp_cells_compute(NULL, model, NULL), HSP_E_ARGUMENT);
+  set_one();
+  check_has_results();
+  CHECK_EQUAL(hsp_cells_get_counts(cells, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_cells_get_cells(cells, 0, 1, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_cells_get_cells(cells, counts.cells, 0, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_cells_get_cells(cells, counts.cells, 1, records), HSP_E_ID);
+  CHECK_EQUAL(hsp_cells_get_cells(cells, 1, HSP_NONE, records), HSP_E_ID);
+  CHECK_EQUAL(hsp_cells_get_pairs(cells, 0, 1, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_cells_get_pairs(cells, counts.adjacencies, 0, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_cells_get_pairs(cells, counts.adjacencies, 1, pairs), HSP_E_ID);
+  CHECK_EQUAL(hsp_cells_get_neighbours(cells, 0, NULL, 1, &number), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_cells_get_neighbours(cells, 0, neighbours, CELLS, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_cells_get_neighbours(cells, counts.cells, neighbours, CELLS, &number), HSP_E_ID);
+  CHECK_EQUAL(hsp_cells_get_neighbours(cells, 0, NULL, 0, &number), HSP_E_CAPACITY);
+  CHECK(number > 0);
+  CHECK_EQUAL(hsp_cells_locate(cells, NULL, &number), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_cells_locate(cells, one_xyz, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_cells_locate(cells, not_finite, &number), HSP_E_NOT_FINITE);
+  CHECK_EQUAL(hsp_cells_locate(cells, far_away, &number), HSP_E_RANGE);
+  CHECK_EQUAL(hsp_cells_compute(cells, NULL, NULL), HSP_E_ARGUMENT);
+  check_no_results(cells, HSP_E_STATE);
+  check_has_results();
+  asked.struct_size = 4;
+  CHECK_EQUAL(hsp_cells_compute(cells, model, &asked), HSP_E_ARGUMENT);
+  check_no_results(cells, HSP_E_STATE);
+}
+
+static uint32_t cell_at(double x, double y, double z) {
+  const double xyz[3] = {x, y, z};
+  uint32_t cell = 0;
+  CHECK_EQUAL(hsp_cells_locate(cells, xyz, &cell), HSP_OK);
+  return cell;
+}
+
+/* It touches the six cubes around its own, and there is nothing else but runs: below and above, before and behind each
+ * of the three layers of cubes, and to the left and right of the five rows. */
+static void one_ball(void) {
+  uint32_t k, at_ball = 0, infinite = 0, seen;
+  set_one();
+  check_has_results();
+  CHECK(counts.cubes == 7 && counts.power_cells == 7 && counts.regions == 1);
+  CHECK_EQUAL(counts.runs, 2 + 6 + 10);
+  CHECK_EQUAL(hsp_cells_get_cells(cells, 0, counts.cells, records), HSP_OK);
+  for (k = 0; k < counts.cells; ++k) {
+    const hsp_free_cell *cell = &records[k];
+    CHECK(cell->region == 0 && cell->reserved == 0 && cell->neighbours > 0);
+    CHECK((cell->kind == HSP_CELL_RUN) == (k < counts.runs));
+    CHECK((cell->kind == HSP_CELL_RUN) == (cell->ball == HSP_NONE) &&
+          (cell->ball == HSP_NONE) == (cell->cube == HSP_NONE));
+    infinite += isinf(cell->low[0]) || isinf(cell->high[0]) ? 1U : 0U;
+    if (cell->kind == HSP_CELL_RUN) continue;
+    ++at_ball;
+    CHECK(cell->kind == HSP_CELL_AT_BALL && cell->ball == 0 && fabs(cell->high[1] - cell->low[1] - 4) < 1e-9);
+  }
+  CHECK_EQUAL(at_ball, counts.cells - counts.runs);
+  CHECK_EQUAL(infinite, counts.runs);
+  CHECK(records[0].low[2] < 0 && isinf(records[0].low[2]) && fabs(records[0].high[2] + 4) < 1e-9);
+  CHECK_EQUAL(cell_at(0, 0, -100), 0);
+  CHECK_EQUAL(cell_at(2, 2, 2), HSP_NONE);
+  CHECK_EQUAL(cell_at(2, 2, 4), HSP_NONE);
+  k = cell_at(0.1, 0.1, 0.1);
+  CHECK(k != HSP_NONE && records[k].kind == HSP_CELL_AT_BALL && records[k].low[0] == 0 && records[k].high[2] == 4);
+
+  CHECK_EQUAL(hsp_cells_get_pairs(cells, 0, counts.adjacencies, pairs), HSP_OK);
+  for (k = 0; k < counts.adjacencies; ++k) {
+    uint32_t found = 0;
+    CHECK(pairs[k].cell[0] < pairs[k].cell[1] && pairs[k].cell[1] < counts.cells);
+    CHECK_EQUAL(hsp_cells_get_neighbours(cells, pairs[k].cell[1], neighbours, CELLS, &number), HSP_OK);
+    CHECK_EQUAL(number, records[pairs[k].cell[1]].neighbours);
+    for (seen = 0; seen < number; ++seen) found += neighbours[seen] == pairs[k].cell[0] ? 1U : 0U;
+    CHECK_EQUAL(found, 1);
+  }
+}
+
+/* A closed cage: what is in it is a region of its own, and it is open once one ball is away. */
+static void cage(void) {
+  double xyz[3 * BALLS], radius[BALLS];
+  uint32_t n = 0, x, y, z;
+  for (x = 0; x < 3; ++x) {
+    for (y = 0; y < 3; ++y) {
+      for (z = 0; z < 3; ++z) {
+        if (x == 1 && y == 1 && z == 1) continue;
+        xyz[3 * n] = 10.0 * x;
+        xyz[3 * n + 1] = 10.0 * y;
+        xyz[3 * n + 2] = 10.0 * z;
+        radius[n++] = 7.5;
+      }
+    }
+  }
+  CHECK_EQUAL(hsp_model_set(model, n, xyz, radius, NULL, NULL), HSP_OK);
+  check_has_results();
+  CHECK_EQUAL(counts.regions, 2);
+  CHECK_EQUAL(hsp_cells_get_cells(cells, 0, counts.cells, records), HSP_OK);
+  CHECK_EQUAL(records[cell_at(10, 10, 10)].region, 1);
+  CHECK_EQUAL(records[cell_at(10, 10, 100)].region, 0);
+  radius[4] = 0;
+  CHECK_EQUAL(hsp_model_set(model, n, xyz, radius, NULL, NULL), HSP_OK);
+  check_no_results(cells, HSP_E_STATE);
+  check_has_results();
+  CHECK_EQUAL(counts.regions, 1);
+}
+
+/* Every limit below what is needed is refused, and what is handed back suffices in the end. */
+static void small_limits(void) {
+  uint32_t needed[10], words[10], which;
+  hsp_cells_limits asked = good_limits();
+  set_one();
+  CHECK_EQUAL(hsp_cells_compute(cells, model, &asked), HSP_OK);
+  memcpy(needed, &asked, sizeof needed);
+  CHECK(asked.cubes == 7 && asked.cube_balls >= 1);
+  for (which = 1; which < 10; ++which) {
+    int retries = 0;
+    int32_t status;
+    if (needed[which] == 0) continue;
+    memcpy(words, needed, sizeof words);
+    --words[which];
+    memcpy(&asked, words, sizeof asked);
+    for (;; ++retries) {
+      CHECK_EQUAL(hsp_cells_init(cells_memory, sizeof cells_memory, &asked, &cells), HSP_OK);
+      status = hsp_cells_compute(cells, model, &asked);
+      if (status != HSP_E_CAPACITY || retries == 6) break;
+      check_no_results(cells, HSP_E_STATE);
+    }
+    CHECK_EQUAL(status, HSP_OK);
+    CHECK(retries > 0);
+    CHECK(memcmp(&asked, needed, sizeof needed) == 0);
+  }
+}
+
+int main(void) {
+  CHECK_EQUAL(hsp_model_init(model_memory, sizeof model_memory, BALLS, &model), HSP_OK);
+  refused_limits();
+  computing();
+  one_ball();
+  cage();
+  set_one();
+  check_has_results();
+  small_limits();
+  return check_report();
+}
