@@ -249,6 +249,40 @@ TEST(FreeSpace, WithHollowsInside) {
   EXPECT_EQ(seen.regions, 2U + 3 + 3);
 }
 
+// A row of large balls, whose discs cut the facets between them in two, and small balls just beyond the side of cubes on
+// which these facets lie: facets that touch no border of what they lie in.
+TEST(FreeSpace, OfFacetsInsideFacets) {
+  oracle::RandomSource random(8);
+  Seen seen;
+  uint32_t crossings = 0;
+  for (int k = 0; k < 40; ++k) {
+    const bool mirrored = random.one_in(2);
+    const auto at = [&](int64_t x) { return mirrored ? 4000 - x : x; };
+    Balls balls;
+    for (int64_t y = -250; y <= 2250; y += 500) balls.push_back({at(1300), y, 900, 1000});
+    for (int i = 0; i < 30; ++i) {
+      const int64_t radius = random.in(1, 4), gap = random.in(1, 10);
+      const int64_t y = random.in(1150, 1350), above = random.in(1620, 1950), below = random.in(20, 160);
+      balls.push_back({at(2000 + radius + gap), y, random.one_in(2) ? above : below, radius});
+    }
+    ASSERT_NO_FATAL_FAILURE(check(balls, random, 10, seen)) << k;
+    const BuiltFreeSpace built(balls);
+    const FreeSpace &space = built.space();
+    for (int n = 0; n < 100; ++n) {
+      const LatticePoint on{2000, random.in(1150, 1350), random.in(0, 1999)};
+      const LatticePoint before{1999, on[1], on[2]};
+      if (!is_free(balls, on) || !is_free(balls, before)) continue;
+      const uint32_t a = hsp::cell_at(built.balls(), space, {before[0], before[1], before[2]});
+      const uint32_t b = hsp::cell_at(built.balls(), space, {on[0], on[1], on[2]});
+      if (least_power(built, space.cell(a).cube, balls, on) != space.cell(a).ball) continue;
+      ASSERT_TRUE(adjacent(space, a, b));
+      ++crossings;
+    }
+  }
+  EXPECT_GT(seen.several_parts, 50U);
+  EXPECT_GT(crossings, 500U);
+}
+
 // Centres and radii as large as a lattice may have them.
 TEST(FreeSpace, OfTheLargestNumbers) {
   oracle::RandomSource random(6);
