@@ -249,8 +249,8 @@ TEST(FreeSpace, WithHollowsInside) {
   EXPECT_EQ(seen.regions, 2U + 3 + 3);
 }
 
-// A row of large balls, whose discs cut the facets between them in two, and small balls just beyond the side of cubes on
-// which these facets lie: facets that touch no border of what they lie in.
+// A row of large balls, whose discs cut the facets between them in two, and small balls just beyond the side of cubes
+// on which these facets lie: facets that touch no border of what they lie in.
 TEST(FreeSpace, OfFacetsInsideFacets) {
   oracle::RandomSource random(8);
   Seen seen;
