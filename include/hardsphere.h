@@ -83,8 +83,8 @@
  * HANDLES AFTER A FAILURE
  *   hsp_model_set and hsp_X_compute replace what the handle held, whether they succeed or not. One that fails, for
  *   whatever reason, leaves the handle as hsp_X_init makes it: a model is empty (hsp_model_get_info says so: 0 balls,
- *   step 1e-8); a boundary, surface, mesh, topology, view, map, contacts or cells hold no results, and reading them yields
- *   HSP_E_STATE.
+ *   step 1e-8); a boundary, surface, mesh, topology, view, map, contacts or cells hold no results, and reading them
+ *   yields HSP_E_STATE.
  *   All other functions leave what a handle holds as it is, whatever they return.
  */
 #ifndef HARDSPHERE_H
