@@ -22,10 +22,10 @@ struct reading {
 
 bool command_find(const char *name, enum command *command) {
   static const char *const names[] = {"model",   "boundary", "measure", "query", "voids", "contacts",
-                                      "complex", "mesh",     "map",     "pick",  "draw"};
+                                      "complex", "cells",    "mesh",    "map",   "pick",  "draw"};
   static const enum command commands[] = {COMMAND_MODEL, COMMAND_BOUNDARY, COMMAND_MEASURE, COMMAND_QUERY,
-                                          COMMAND_VOIDS, COMMAND_CONTACTS, COMMAND_COMPLEX, COMMAND_MESH,
-                                          COMMAND_MAP,   COMMAND_PICK,     COMMAND_DRAW};
+                                          COMMAND_VOIDS, COMMAND_CONTACTS, COMMAND_COMPLEX, COMMAND_CELLS,
+                                          COMMAND_MESH,  COMMAND_MAP,      COMMAND_PICK,    COMMAND_DRAW};
   for (size_t i = 0; i < sizeof commands / sizeof commands[0]; ++i) {
     if (strcmp(name, names[i]) == 0) {
       *command = commands[i];

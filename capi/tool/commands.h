@@ -22,6 +22,8 @@ bool command_contacts(const struct request *request, const struct molecule *mole
                       struct text_buffer *out, struct failure *failure);
 bool command_complex(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                      struct text_buffer *out, struct failure *failure);
+bool command_cells(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
+                   struct text_buffer *out, struct failure *failure);
 bool command_query(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                    struct text_buffer *out, struct failure *failure);
 bool command_mesh(const struct request *request, const struct molecule *molecule, struct geometry *geometry,

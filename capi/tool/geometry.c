@@ -61,6 +61,24 @@ bool geometry_compute_contacts(struct geometry *geometry, struct failure *failur
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
+bool geometry_compute_cells(struct geometry *geometry, struct failure *failure) {
+  const hsp_model *model = geometry->work.model;
+  hsp_cells_limits limits;
+  hsp_model_info info;
+  progress_show(&geometry->progress, "cutting free space");
+  int32_t status = hsp_model_get_info(model, &info);
+  if (status == HSP_OK) status = hsp_cells_limits_init(&limits, (uint32_t)sizeof limits, info.balls);
+  if (status != HSP_OK) return failure_in_library(failure, status);
+  do {
+    size_t bytes = 0;
+    status = hsp_cells_bytes(&limits, &bytes);
+    if (status == HSP_OK) status = hsp_workspace_allocate(&geometry->cells_memory, bytes);
+    if (status == HSP_OK) status = hsp_cells_init(geometry->cells_memory, bytes, &limits, &geometry->cells);
+    if (status == HSP_OK) status = hsp_cells_compute(geometry->cells, model, &limits);
+  } while (status == HSP_E_CAPACITY);
+  return status == HSP_OK || failure_in_library(failure, status);
+}
+
 bool geometry_compute_surface(struct geometry *geometry, struct failure *failure) {
   progress_show(&geometry->progress, "computing the surface");
   const int32_t status = hsp_workspace_surface(&geometry->work);
@@ -161,5 +179,6 @@ void geometry_free(struct geometry *geometry) {
   free(geometry->map_memory);
   free(geometry->sticks_memory);
   free(geometry->contacts_memory);
+  free(geometry->cells_memory);
   hsp_workspace_free(&geometry->work);
 }

@@ -21,6 +21,8 @@ struct geometry {
   void *sticks_memory;
   hsp_contacts *contacts; /* NULL at first */
   void *contacts_memory;
+  hsp_cells *cells; /* NULL at first */
+  void *cells_memory;
 };
 
 /* Make the model. A ball that the library refuses is named by its line. */
@@ -35,6 +37,9 @@ bool geometry_compute_topology(struct geometry *geometry, struct failure *failur
 
 /* Compute the boundary and the contacts over it. */
 bool geometry_compute_contacts(struct geometry *geometry, struct failure *failure);
+
+/* Cut free space into cells, from the model alone. */
+bool geometry_compute_cells(struct geometry *geometry, struct failure *failure);
 
 /* Compute the solvent-excluded surface over the boundary, which is computed. */
 bool geometry_compute_surface(struct geometry *geometry, struct failure *failure);

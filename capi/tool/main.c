@@ -32,6 +32,8 @@ static command_function *function_of(enum command command) {
       return command_contacts;
     case COMMAND_COMPLEX:
       return command_complex;
+    case COMMAND_CELLS:
+      return command_cells;
     case COMMAND_MESH:
       return command_mesh;
     case COMMAND_MAP:

@@ -11,6 +11,7 @@ static const char overview[] =
     "  hardsphere voids    FILE [options]   the cavities in the union and the balls around them\n"
     "  hardsphere contacts FILE [options]   which balls, residues or chains touch and by how much, each ball's cell\n"
     "  hardsphere complex  FILE [options]   the dual complex: simplices by kind, Betti numbers\n"
+    "  hardsphere cells    FILE [options]   free space as simple cells: how many, neighbours, connected regions\n"
     "  hardsphere query    FILE [options]   which balls contain a point or meet a ball\n"
     "  hardsphere mesh     FILE -o OUT      the surface as triangles: .ply, .obj, .stl, or .vert and .face\n"
     "  hardsphere map      FILE [options]   what is seen from a direction: faces, edges, the visible area of each "
@@ -184,6 +185,17 @@ static const char complex_text[] =
     "betti: [components, tunnels, voids].\n"
     "\n";
 
+static const char cells_text[] =
+    "hardsphere cells FILE [options]\n"
+    "\n"
+    "Cuts what no ball covers into simple cells: in every cube of the grid that balls meet, whose side is twice the\n"
+    "largest radius, the points at which one ball has the least power, outside that ball; and runs of other cubes.\n"
+    "There are O(n) of them, with O(n) pairs of neighbours. With --probe they are the places where the centre of a\n"
+    "probe may be, and a region is where it can go.\n"
+    "Example: hardsphere cells 1crn.pdb --probe 1.4\n"
+    "JSON: n, cubes, cells, free_cells, adjacencies, regions; cells counts those of all cubes, free or not.\n"
+    "\n";
+
 static const char query_text[] =
     "hardsphere query FILE --point X Y Z [options]\n"
     "hardsphere query FILE --ball X Y Z R [options]\n"
@@ -331,6 +343,9 @@ void usage_of_command(struct text_buffer *out, enum command command) {
       break;
     case COMMAND_COMPLEX:
       text = complex_text;
+      break;
+    case COMMAND_CELLS:
+      text = cells_text;
       break;
     case COMMAND_MESH:
       text = mesh_text;

@@ -187,6 +187,15 @@ TEST(JsonOutput, ContactsAndComplexHaveTheirKeys) {
   }
 }
 
+TEST(JsonOutput, CellsHaveTheirKeys) {
+  for (const std::string &file : files) {
+    const Json cells = run_json({"cells", file});
+    EXPECT_EQ(cells.keys, (Keys{"n", "cubes", "cells", "free_cells", "adjacencies", "regions", "input"})) << file;
+    EXPECT_EQ(cells["regions"].number, 1.0 + run_json({"boundary", file})["voids"].number) << file;
+    EXPECT_GE(cells["free_cells"].number, 1.0) << file;
+  }
+}
+
 TEST(JsonOutput, QueryHasItsKeys) {
   for (const std::string &file : files) {
     for (const std::vector<std::string> &query :
@@ -206,7 +215,7 @@ TEST(JsonOutput, InputHasItsKeys) {
                      "balls", "waters", "water_atoms", "hetatm", "hydrogens",        "radius_zero", "radius_by_element",
                      "model", "models", "left_out"};
   for (const std::string &file : files) {
-    for (const char *command : {"model", "boundary", "measure", "voids", "contacts", "complex"}) {
+    for (const char *command : {"model", "boundary", "measure", "voids", "contacts", "complex", "cells"}) {
       const Json input = run_json({command, file})["input"];
       EXPECT_EQ(input.keys, keys) << file;
       EXPECT_EQ(input["file"].text, file);
