@@ -7,6 +7,7 @@
  *   hardsphere/element.h    radii by element
  *   hardsphere/model.h      a set of balls on its lattice, and how well it behaves: k, rho, overlaps (Section 2)
  *   hardsphere/query.h      which balls contain a point, meet a ball, or meet each other (Section 3)
+ *   hardsphere/pose.h       a molecule against a moved one: hits, pairs, gaps (Sections 3 and 6)
  *   hardsphere/boundary.h   the boundary of the union: vertices, arcs, circles, faces (Section 4.2, Steps 1 and 2)
  *   hardsphere/measure.h    areas and volumes
  *   hardsphere/gradient.h   their derivatives
@@ -101,6 +102,7 @@
 #include "hardsphere/mesh.h"
 #include "hardsphere/model.h"
 #include "hardsphere/picture.h"
+#include "hardsphere/pose.h"
 #include "hardsphere/query.h"
 #include "hardsphere/status.h"
 #include "hardsphere/sticks.h"

@@ -158,6 +158,7 @@ set(HSP_LIBRARY_SOURCES
   capi/hsp_element.cpp
   capi/hsp_model.cpp
   capi/hsp_query.cpp
+  capi/hsp_body.cpp
   capi/hsp_boundary.cpp
   capi/hsp_measure.cpp
   capi/hsp_gradient.cpp

@@ -14,7 +14,8 @@
 !   hsp_surface *, hsp_mesh *,
 !   hsp_topology *, hsp_view *,
 !   hsp_map *, hsp_sticks *,
-!   hsp_contacts *, hsp_cells *  type(c_ptr)
+!   hsp_contacts *, hsp_cells *,
+!   hsp_body *                   type(c_ptr)
 !   void *memory                 type(c_ptr) from c_loc of an array with the TARGET attribute; the handle lives in it,
 !                                so the array must outlive the handle and must not be reallocated
 !   T *out, uint32_t capacity    out(*) with capacity elements; other extents stand behind the declarations
@@ -262,6 +263,23 @@ module hardsphere
     real(c_double) :: area             ! length^2
     real(c_double) :: volume           ! length^3
     real(c_double) :: d_probe          ! dE/d(probe)
+  end type
+
+  type, bind(C) :: hsp_pose
+    real(c_double) :: quaternion(4)    ! w x y z, of any length but 0
+    real(c_double) :: translation(3)   ! length
+  end type
+
+  type, bind(C) :: hsp_body_gap
+    real(c_double) :: gap              ! length
+    integer(c_int32_t) :: fixed        ! ball of the body at rest
+    integer(c_int32_t) :: moving
+  end type
+
+  type, bind(C) :: hsp_body_overlap
+    real(c_double) :: volume           ! length^3, summed pair by pair
+    integer(c_int32_t) :: pairs
+    integer(c_int32_t) :: reserved     ! 0
   end type
 
   type, bind(C) :: hsp_curvatures
@@ -889,6 +907,85 @@ module hardsphere
       real(c_double), intent(in) :: origin(3)
       real(c_double), intent(in) :: direction(3)
       type(hsp_ray_hit), intent(inout) :: hit
+      integer(c_int32_t) :: status
+    end function
+
+    ! ---- bodies and poses ------------------------------------------------------------------------------------------
+
+    function hsp_body_bytes(balls, bytes) result(status) bind(C, name="hsp_body_bytes")
+      import :: c_int32_t, c_size_t
+      integer(c_int32_t), value :: balls
+      integer(c_size_t), intent(inout) :: bytes
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_body_init(memory, bytes, balls, body) result(status) bind(C, name="hsp_body_init")
+      import :: c_int32_t, c_ptr, c_size_t
+      type(c_ptr), value :: memory
+      integer(c_size_t), value :: bytes
+      integer(c_int32_t), value :: balls
+      type(c_ptr), intent(inout) :: body
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_body_set(body, model) result(status) bind(C, name="hsp_body_set")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: body
+      type(c_ptr), value :: model
+      integer(c_int32_t) :: status
+    end function
+
+    ! The matrix is row by row, as in C: transpose Fortran's.
+    function hsp_pose_from_matrix(matrix, translation, pose) result(status) bind(C, name="hsp_pose_from_matrix")
+      import :: c_double, c_int32_t, hsp_pose
+      real(c_double), intent(in) :: matrix(9)
+      real(c_double), intent(in) :: translation(3)
+      type(hsp_pose), intent(inout) :: pose
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_body_hits(fixed, moving, poses, pose, hit, first_bad) result(status) bind(C, name="hsp_body_hits")
+      import :: c_int32_t, c_ptr, hsp_pose
+      type(c_ptr), value :: fixed
+      type(c_ptr), value :: moving
+      integer(c_int32_t), value :: poses
+      type(hsp_pose), intent(in) :: pose(*)
+      integer(c_int32_t), intent(inout) :: hit(*)
+      integer(c_int32_t), intent(inout), optional :: first_bad ! counts from 0
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_body_gaps(fixed, moving, poses, pose, gap, first_bad) result(status) bind(C, name="hsp_body_gaps")
+      import :: c_int32_t, c_ptr, hsp_body_gap, hsp_pose
+      type(c_ptr), value :: fixed
+      type(c_ptr), value :: moving
+      integer(c_int32_t), value :: poses
+      type(hsp_pose), intent(in) :: pose(*)
+      type(hsp_body_gap), intent(inout) :: gap(*)
+      integer(c_int32_t), intent(inout), optional :: first_bad ! counts from 0
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_body_overlaps(fixed, moving, poses, pose, overlap, first_bad) result(status) &
+      bind(C, name="hsp_body_overlaps")
+      import :: c_int32_t, c_ptr, hsp_body_overlap, hsp_pose
+      type(c_ptr), value :: fixed
+      type(c_ptr), value :: moving
+      integer(c_int32_t), value :: poses
+      type(hsp_pose), intent(in) :: pose(*)
+      type(hsp_body_overlap), intent(inout) :: overlap(*)
+      integer(c_int32_t), intent(inout), optional :: first_bad ! counts from 0
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_body_pairs(fixed, moving, pose, pair, capacity, needed) result(status) bind(C, name="hsp_body_pairs")
+      import :: c_int32_t, c_ptr, hsp_pose
+      type(c_ptr), value :: fixed
+      type(c_ptr), value :: moving
+      type(hsp_pose), intent(in) :: pose
+      integer(c_int32_t), intent(inout), optional :: pair(2, *) ! 2, needed
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2270,6 +2367,13 @@ contains
     integer(c_int32_t), intent(in) :: balls
     integer(c_size_t) :: bytes
     bytes = 1024_c_size_t + 128_c_size_t*int(balls, c_size_t)
+  end function
+
+  !> HSP_BODY_BYTES of the header, for the size of an allocation.
+  pure function hsp_body_bytes_bound(balls) result(bytes)
+    integer(c_int32_t), intent(in) :: balls
+    integer(c_size_t) :: bytes
+    bytes = 2048_c_size_t + 112_c_size_t*int(balls, c_size_t)
   end function
 
   !> HSP_BOUNDARY_BYTES of the header, for the size of an allocation.

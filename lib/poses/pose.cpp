@@ -23,4 +23,33 @@ Status Pose::make(const double *quaternion, const double *translation, const exa
   return Status::ok;
 }
 
+Status quaternion_of_rotation(const double *matrix, double *quaternion) {
+  for (int k = 0; k < 9; ++k)
+    if (!is_finite(matrix[k])) return Status::not_finite;
+  const Vec3 row[3] = {
+      {matrix[0], matrix[1], matrix[2]}, {matrix[3], matrix[4], matrix[5]}, {matrix[6], matrix[7], matrix[8]}};
+  constexpr double tolerance = 1e-6;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j <= i; ++j)
+      if (!(std::fabs(dot(row[i], row[j]) - (i == j ? 1.0 : 0.0)) <= tolerance)) return Status::range;
+  if (dot(cross(row[0], row[1]), row[2]) < 0) return Status::range;
+  // Four times the squares of the components, and from the largest one the others by its products with them (Shepperd
+  // 1978).
+  const double xx = row[0].x, yy = row[1].y, zz = row[2].z;
+  const double squares[4] = {1.0 + ((xx + yy) + zz), 1.0 + ((xx - yy) - zz), 1.0 + ((yy - xx) - zz),
+                             1.0 + ((zz - xx) - yy)};
+  const double x_by_w = row[2].y - row[1].z, y_by_w = row[0].z - row[2].x, z_by_w = row[1].x - row[0].y;
+  const double x_by_y = row[0].y + row[1].x, x_by_z = row[0].z + row[2].x, y_by_z = row[1].z + row[2].y;
+  const double products[4][4] = {{squares[0], x_by_w, y_by_w, z_by_w},
+                                 {x_by_w, squares[1], x_by_y, x_by_z},
+                                 {y_by_w, x_by_y, squares[2], y_by_z},
+                                 {z_by_w, x_by_z, y_by_z, squares[3]}};
+  int largest = 0;
+  for (int k = 1; k < 4; ++k)
+    if (squares[k] > squares[largest]) largest = k;
+  const double scale = 0.5 / std::sqrt(squares[largest]);
+  for (int k = 0; k < 4; ++k) quaternion[k] = scale * products[largest][k];
+  return Status::ok;
+}
+
 }  // namespace hsp

@@ -78,6 +78,14 @@ double lens_volume(double d, double r, double s) {
 
 }  // namespace
 
+Status make_pose(const SphereTree &fixed, const SphereTree &moving, const double *quaternion, const double *translation,
+                 Pose &pose) {
+  if (fixed.lattice().step() != moving.lattice().step()) return Status::argument;
+  const Status status = Pose::make(quaternion, translation, moving.lattice(), pose);
+  if (status != Status::ok) return status;
+  return pose.has_room_for(moving.reach()) ? Status::ok : Status::range;
+}
+
 bool any_balls_meet(const SphereTree &fixed, const SphereTree &moving, const Pose &pose) {
   return visit_meeting_pairs(fixed, moving, pose, [](uint32_t, uint32_t, const Vec3 &) { return true; });
 }

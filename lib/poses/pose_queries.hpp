@@ -10,6 +10,11 @@
 
 namespace hsp {
 
+// The pose of the numbers of Pose::make, for these molecules. Status::argument if their lattices have different steps,
+// Status::range if the pose has no room for the moving one, or what Pose::make says.
+Status make_pose(const SphereTree &fixed, const SphereTree &moving, const double *quaternion, const double *translation,
+                 Pose &pose);
+
 // Whether any two balls meet.
 bool any_balls_meet(const SphereTree &fixed, const SphereTree &moving, const Pose &pose);
 

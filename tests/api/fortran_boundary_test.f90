@@ -30,6 +30,7 @@ program fortran_interface_test
   call area_rows()
   call curvatures()
   call contacts_functions()
+  call bodies()
   call reports_errors()
   call report_checks()
 
@@ -467,6 +468,38 @@ contains
     call check(abs(sum(d_radius*radius) + sum(d_centre*xyz) - energy%mean) < 1e-12_c_double, 'homogeneity')
     call check(maxval(abs(sum(d_centre, dim=2))) < 1e-13_c_double, 'sum of derivatives')
     call expect(hsp_boundary_morphometry(boundary, factors=factors, capacity=0_c_int32_t), HSP_OK, 'nothing asked')
+  end subroutine
+
+  subroutine bodies()
+    type(c_ptr) :: body
+    type(hsp_pose) :: pose(2)
+    type(hsp_body_gap) :: gap(2)
+    type(hsp_body_overlap) :: overlap(2)
+    integer(c_int8_t), allocatable, target :: memory(:)
+    integer(c_size_t) :: bytes
+    integer(c_int32_t) :: hit(2), pair(2, n), needed, first_bad
+    real(c_double), parameter :: quarter(3, 3) = reshape([0.0_c_double, 1.0_c_double, 0.0_c_double, -1.0_c_double, &
+      0.0_c_double, 0.0_c_double, 0.0_c_double, 0.0_c_double, 1.0_c_double], [3, 3])
+    call expect(hsp_body_bytes(n, bytes), HSP_OK, 'hsp_body_bytes')
+    call check(bytes <= hsp_body_bytes_bound(n), 'hsp_body_bytes_bound')
+    allocate (memory(bytes))
+    call expect(hsp_body_init(c_loc(memory), bytes, n, body), HSP_OK, 'hsp_body_init')
+    call expect(hsp_body_set(body, model), HSP_OK, 'hsp_body_set')
+    pose(1) = hsp_pose([1.0_c_double, 0.0_c_double, 0.0_c_double, 0.0_c_double], [0.0_c_double, 0.0_c_double, 0.0_c_double])
+    call expect(hsp_pose_from_matrix([transpose(quarter)], [0.0_c_double, 0.0_c_double, 1000.0_c_double], pose(2)), HSP_OK, &
+                'hsp_pose_from_matrix')
+    call check(abs(pose(2)%quaternion(1) - pose(2)%quaternion(4)) < 1e-15_c_double, 'a quarter turn')
+    call expect(hsp_body_hits(body, body, 2_c_int32_t, pose, hit, first_bad), HSP_OK, 'hsp_body_hits')
+    call check(all(hit == [1, 0]) .and. first_bad == HSP_NONE, 'hits')
+    call expect(hsp_body_gaps(body, body, 2_c_int32_t, pose, gap), HSP_OK, 'hsp_body_gaps')
+    call check(gap(1)%gap == -2*maxval(radius) .and. gap(1)%fixed == gap(1)%moving, 'the gap of a body in its place')
+    call check(gap(2)%gap > 900.0_c_double, 'the gap of a body far away')
+    call expect(hsp_body_overlaps(body, body, 2_c_int32_t, pose, overlap), HSP_OK, 'hsp_body_overlaps')
+    call check(overlap(2)%pairs == 0 .and. overlap(2)%volume == 0.0_c_double, 'no overlap')
+    call expect(hsp_body_pairs(body, body, pose(2), pair, n, needed), HSP_OK, 'hsp_body_pairs')
+    call check(needed == 0, 'no pairs')
+    call expect(hsp_body_pairs(body, body, pose(1), capacity=0_c_int32_t, needed=needed), HSP_E_CAPACITY, 'no room')
+    call check(needed == overlap(1)%pairs .and. needed >= n, 'as many pairs')
   end subroutine
 
   subroutine contacts_functions()

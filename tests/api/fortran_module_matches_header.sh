@@ -51,6 +51,7 @@ same "names of constants" "$work/constants" "$work/constants.module"
   echo '  printf("%s\n", HSP_VERSION_STRING);'
   # the size macros, at arguments that tell their coefficients apart
   echo '  printf("model bytes %zu %zu\n", HSP_MODEL_BYTES(0), HSP_MODEL_BYTES(1000));'
+  echo '  printf("body bytes %zu %zu\n", HSP_BODY_BYTES(0), HSP_BODY_BYTES(1000));'
   for limits in 0,0,0,0 1000,0,0,0 0,1000,0,0 0,0,1000,0 0,0,0,1000; do
     echo "  printf(\"boundary bytes %zu\n\", HSP_BOUNDARY_BYTES($limits));"
     echo "  printf(\"worker bytes %zu\n\", HSP_WORKER_BYTES($limits));"
@@ -87,6 +88,7 @@ same "names of constants" "$work/constants" "$work/constants.module"
   done <"$work/constants"
   echo "  print '(a)', HSP_VERSION_STRING"
   echo "  print '(a, i0, 1x, i0)', 'model bytes ', hsp_model_bytes_bound(0), hsp_model_bytes_bound(1000)"
+  echo "  print '(a, i0, 1x, i0)', 'body bytes ', hsp_body_bytes_bound(0), hsp_body_bytes_bound(1000)"
   for limits in 0,0,0,0 1000,0,0,0 0,1000,0,0 0,0,1000,0 0,0,0,1000; do
     echo "  print '(a, i0)', 'boundary bytes ', hsp_boundary_bytes_bound($limits)"
     echo "  print '(a, i0)', 'worker bytes ', hsp_worker_bytes_bound($limits)"

@@ -545,6 +545,33 @@ static void trap_view(const computed *c, uint32_t pieces) {
   view_result_release(&v);
 }
 
+static void trap_bodies(void) {
+  static const double xyz[3][3] = {{0, 0, 0}, {1.5, 0, 0}, {2.0, 1.4, 0}};
+  static const double radius[3] = {1.0, 1.2, 0.9}, matrix[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1}, shift[3] = {1, 2, 0};
+  static unsigned char memory[HSP_BODY_BYTES(3)];
+  computed c;
+  if (CHECK_EQUAL(computed_make(3, xyz[0], radius, NULL, &c), HSP_OK)) {
+    hsp_body *body = NULL;
+    hsp_pose pose;
+    hsp_body_gap gap;
+    hsp_body_overlap overlap;
+    uint32_t hit, pair[18], needed;
+    int bad = 0;
+    size_t bytes = 0;
+    arm();
+    bad += hsp_body_bytes(3, &bytes) != HSP_OK || bytes > sizeof memory;
+    bad += hsp_body_init(memory, bytes, 3, &body) != HSP_OK;
+    bad += hsp_body_set(body, c.model) != HSP_OK;
+    bad += hsp_pose_from_matrix(matrix, shift, &pose) != HSP_OK;
+    bad += hsp_body_hits(body, body, 1, &pose, &hit, NULL) != HSP_OK || hit != 1;
+    bad += hsp_body_gaps(body, body, 1, &pose, &gap, NULL) != HSP_OK;
+    bad += hsp_body_overlaps(body, body, 1, &pose, &overlap, NULL) != HSP_OK;
+    bad += hsp_body_pairs(body, body, &pose, pair, 9, &needed) != HSP_OK;
+    disarm(bad);
+  }
+  computed_release(&c);
+}
+
 static void trap_contacts(void) {
   static const double xyz[4][3] = {{0, 0, 0}, {1.5, 0, 0}, {2.0, 1.4, 0}, {1.0, 0.7, 1.1}};
   static const double radius[4] = {1.0, 1.2, 0.9, 1.1};
@@ -613,6 +640,7 @@ int main(void) {
   trap_mesh();
   trap_surface_mesh();
   trap_contacts();
+  trap_bodies();
   trap_sticks();
   trap_cells();
   for (which = 0; which < ball_set_count(); ++which) {

@@ -14,7 +14,7 @@ rooms+=" view visibility sticks picture capi"
 declare -A stands_on=([core]="" [exact]="core" [model]="exact" [cells]="model" [poses]="model" [sphere]="model"
   [boundary]="sphere" [topology]="boundary" [measure]="topology" [contacts]="measure" [surface]="measure" [mesh]="surface"
   [view]="boundary" [visibility]="view" [sticks]="view" [picture]="view"
-  [capi]="cells contacts mesh visibility sticks picture")
+  [capi]="cells poses contacts mesh visibility sticks picture")
 failed=0
 
 complain() {

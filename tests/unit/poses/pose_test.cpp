@@ -70,6 +70,43 @@ TEST(Pose, DoesNotDependOnTheLengthOfTheQuaternion) {
   }
 }
 
+// From the matrix of a pose back to its quaternion, up to its sign: quarter and half turns about all axes among them.
+TEST(Pose, FindsTheQuaternionOfAMatrix) {
+  oracle::RandomSource random(9);
+  for (int k = 0; k < 3000; ++k) {
+    const PoseNumbers numbers = random_pose(random, 0);
+    const hsp::Pose pose = pose_of(numbers);
+    const hsp::Vec3 x = pose.image({1, 0, 0}), y = pose.image({0, 1, 0}), z = pose.image({0, 0, 1});
+    const double matrix[9] = {x.x, y.x, z.x, x.y, y.y, z.y, x.z, y.z, z.z};
+    PoseNumbers found;
+    ASSERT_EQ(hsp::quaternion_of_rotation(matrix, found.quaternion.data()), Status::ok);
+    double square = 0, product = 0, unit = 0;
+    for (size_t c = 0; c < 4; ++c) {
+      square += numbers.quaternion[c] * numbers.quaternion[c];
+      product += numbers.quaternion[c] * found.quaternion[c];
+      unit += found.quaternion[c] * found.quaternion[c];
+    }
+    EXPECT_NEAR(std::fabs(product), std::sqrt(square), 1e-14 * std::sqrt(square));
+    EXPECT_NEAR(unit, 1, 1e-14);
+  }
+}
+
+TEST(Pose, RefusesMatricesThatAreNoRotations) {
+  double quaternion[4] = {7, 7, 7, 7};
+  const double reflection[9] = {1, 0, 0, 0, 1, 0, 0, 0, -1}, scaled[9] = {1.00001, 0, 0, 0, 1, 0, 0, 0, 1};
+  const double sheared[9] = {1, 1e-5, 0, 0, 1, 0, 0, 0, 1}, none[9] = {};
+  const double turned[9] = {0, -1, 0, 1, 4e-7, 0, 0, 0, 1};
+  double bad[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+  bad[5] = std::numeric_limits<double>::quiet_NaN();
+  for (const double *matrix : {reflection, scaled, sheared, none})
+    EXPECT_EQ(hsp::quaternion_of_rotation(matrix, quaternion), Status::range);
+  EXPECT_EQ(hsp::quaternion_of_rotation(bad, quaternion), Status::not_finite);
+  EXPECT_EQ(quaternion[0], 7);
+  EXPECT_EQ(hsp::quaternion_of_rotation(turned, quaternion), Status::ok);
+  EXPECT_NEAR(quaternion[0], std::sqrt(0.5), 1e-6);
+  EXPECT_NEAR(quaternion[3], std::sqrt(0.5), 1e-6);
+}
+
 TEST(Pose, RefusesWhatIsNone) {
   EXPECT_EQ(made({1, 0, 0, 0}, {0, 0, 0}), Status::ok);
   EXPECT_EQ(made({0, 0, 0, 0}, {0, 0, 0}), Status::range);

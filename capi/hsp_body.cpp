@@ -1,0 +1,105 @@
+#include "hsp_body.hpp"
+#include "hsp_model.hpp"
+#include "poses/pose_queries.hpp"
+
+using hsp::capi::is_live;
+
+namespace {
+
+int32_t make_pose(const hsp_body *fixed, const hsp_body *moving, const hsp_pose &numbers, hsp::Pose &pose) {
+  return hsp::capi::to_c(hsp::make_pose(fixed->tree, moving->tree, numbers.quaternion, numbers.translation, pose));
+}
+
+// Checks all poses before anything is written, then calls answer(k, pose) for each.
+template <class Answer>
+int32_t for_each_pose(const hsp_body *fixed, const hsp_body *moving, uint32_t poses, const hsp_pose *numbers,
+                      const void *out, uint32_t *first_bad, Answer answer) {
+  if (first_bad != nullptr) *first_bad = HSP_NONE;
+  if (!is_live(fixed) || !is_live(moving) || (poses > 0 && (numbers == nullptr || out == nullptr)))
+    return HSP_E_ARGUMENT;
+  hsp::Pose pose;
+  for (uint32_t k = 0; k < poses; ++k) {
+    const int32_t status = make_pose(fixed, moving, numbers[k], pose);
+    if (status == HSP_OK) continue;
+    if (first_bad != nullptr && status != HSP_E_ARGUMENT) *first_bad = k;
+    return status;
+  }
+  for (uint32_t k = 0; k < poses; ++k) {
+    static_cast<void>(make_pose(fixed, moving, numbers[k], pose));
+    answer(k, pose);
+  }
+  return HSP_OK;
+}
+
+}  // namespace
+
+int32_t hsp_body_bytes(uint32_t balls, size_t *bytes) {
+  if (bytes == nullptr) return HSP_E_ARGUMENT;
+  if (balls > HSP_MAX_BALLS) return HSP_E_RANGE;
+  return hsp::capi::get_bytes<hsp_body>(balls, bytes);
+}
+
+int32_t hsp_body_init(void *memory, size_t bytes, uint32_t balls, hsp_body **body) {
+  if (memory == nullptr || body == nullptr) return HSP_E_ARGUMENT;
+  if (balls > HSP_MAX_BALLS) return HSP_E_RANGE;
+  return hsp::capi::init(memory, bytes, balls, body);
+}
+
+int32_t hsp_body_set(hsp_body *body, const hsp_model *model) {
+  if (!is_live(body)) return HSP_E_ARGUMENT;
+  body->tree.clear();
+  if (!is_live(model)) return HSP_E_ARGUMENT;
+  return hsp::capi::to_c(body->tree.build(model->balls()));
+}
+
+int32_t hsp_pose_from_matrix(const double *matrix, const double *translation, hsp_pose *pose) {
+  if (matrix == nullptr || translation == nullptr || pose == nullptr) return HSP_E_ARGUMENT;
+  hsp_pose found;
+  const hsp::Status status = hsp::quaternion_of_rotation(matrix, found.quaternion);
+  if (status != hsp::Status::ok) return hsp::capi::to_c(status);
+  for (int k = 0; k < 3; ++k) {
+    if (!hsp::is_finite(translation[k])) return HSP_E_NOT_FINITE;
+    found.translation[k] = translation[k];
+  }
+  *pose = found;
+  return HSP_OK;
+}
+
+int32_t hsp_body_hits(const hsp_body *fixed, const hsp_body *moving, uint32_t poses, const hsp_pose *pose,
+                      uint32_t *hit, uint32_t *first_bad) {
+  return for_each_pose(fixed, moving, poses, pose, hit, first_bad, [&](uint32_t k, const hsp::Pose &at) {
+    hit[k] = hsp::any_balls_meet(fixed->tree, moving->tree, at) ? 1 : 0;
+  });
+}
+
+int32_t hsp_body_gaps(const hsp_body *fixed, const hsp_body *moving, uint32_t poses, const hsp_pose *pose,
+                      hsp_body_gap *gap, uint32_t *first_bad) {
+  return for_each_pose(fixed, moving, poses, pose, gap, first_bad, [&](uint32_t k, const hsp::Pose &at) {
+    const hsp::PairGap found = hsp::least_gap(fixed->tree, moving->tree, at);
+    gap[k] = {fixed->tree.lattice().length(found.gap), found.fixed, found.moving};
+  });
+}
+
+int32_t hsp_body_overlaps(const hsp_body *fixed, const hsp_body *moving, uint32_t poses, const hsp_pose *pose,
+                          hsp_body_overlap *overlap, uint32_t *first_bad) {
+  return for_each_pose(fixed, moving, poses, pose, overlap, first_bad, [&](uint32_t k, const hsp::Pose &at) {
+    const hsp::Overlap found = hsp::sum_overlaps(fixed->tree, moving->tree, at);
+    overlap[k] = {fixed->tree.lattice().volume(found.volume), hsp::clamped_count(found.pairs), 0};
+  });
+}
+
+int32_t hsp_body_pairs(const hsp_body *fixed, const hsp_body *moving, const hsp_pose *pose, uint32_t *pair,
+                       uint32_t capacity, uint32_t *needed) {
+  if (!is_live(fixed) || !is_live(moving) || pose == nullptr || needed == nullptr ||
+      (pair == nullptr && capacity > 0)) {
+    return HSP_E_ARGUMENT;
+  }
+  hsp::Pose at;
+  if (const int32_t status = make_pose(fixed, moving, *pose, at); status != HSP_OK) return status;
+  const uint32_t count = hsp::clamped_count(hsp::list_meeting_pairs(fixed->tree, moving->tree, at, {}));
+  if (count == hsp::no_id) return HSP_E_RANGE;
+  const int32_t status = hsp::capi::check_output(pair, capacity, count, needed);
+  if (status != HSP_OK) return status;
+  hsp::list_meeting_pairs(fixed->tree, moving->tree, at, {reinterpret_cast<hsp::MeetingPair *>(pair), count});
+  return HSP_OK;
+}

@@ -1,0 +1,123 @@
+/* hardsphere/pose.h: molecule against molecule: one at rest, one turned and moved as a whole (Sections 3 and 6).
+ *
+ *   hsp_body_bytes(n, &bytes);                    hsp_body *body;
+ *   hsp_body_init(memory, bytes, n, &body);       hsp_body_set(body, model);
+ *   hsp_body_hits(fixed, moving, poses, pose, hit, NULL);
+ *
+ * A body is a molecule prepared as a tree of spheres around its balls. Its balls are those of the model, on the same
+ * lattice; it does not need the model any more. A pose puts the point x of the moving body at R x + t, where R is the
+ * rotation of a quaternion about the origin, and each ball on the lattice again: on the lattice point nearest to where
+ * it is moved, as doubles find it. As long as coordinates are below 2^40 steps that is within 0.87 steps of the ideal
+ * place. So answers are exact for the balls that are compared, the same on every machine, and right for the ideal ones
+ * wherever no gap is within a step of 0. Balls that touch meet.
+ *
+ * Both bodies need lattices of the same step: set hsp_model_options.step where radii differ much. Bodies are only read
+ * by the functions that ask, so that any number of threads may ask at once, and a list of poses may be split over
+ * threads in any way: every pose has its own answer. */
+#ifndef HARDSPHERE_POSE_H
+#define HARDSPHERE_POSE_H
+
+#include "model.h"
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** A molecule prepared for poses. */
+typedef struct hsp_body hsp_body;
+
+/** Bytes that hsp_body_init needs for at most `balls` balls, alignment slack included.
+ *  - Property 1: at most HSP_BODY_BYTES(balls).
+ *
+ *  @retval HSP_E_ARGUMENT  bytes is NULL
+ *  @retval HSP_E_RANGE     balls > HSP_MAX_BALLS, or the size does not fit a size_t */
+HSP_API int32_t hsp_body_bytes(uint32_t balls, size_t *bytes);
+
+/** The same as an upper bound that is a constant expression, for static arrays. */
+#define HSP_BODY_BYTES(balls) ((size_t)2048 + (size_t)112 * (size_t)(balls))
+
+/** Make a body without balls in caller memory of any alignment; sets *body.
+ *  @retval HSP_E_ARGUMENT  memory or body is NULL
+ *  @retval HSP_E_MEMORY    bytes is less than hsp_body_bytes says; nothing is written
+ *  @retval HSP_E_RANGE     balls > HSP_MAX_BALLS, or the size does not fit a size_t */
+HSP_API int32_t hsp_body_init(void *memory, size_t bytes, uint32_t balls, hsp_body **body);
+
+/** Take the balls of a model. May be called any number of times. On failure the body has no balls.
+ *  - Property 1: the order of the balls has no effect but on the ids.
+ *
+ *  Cost: O(n log n).
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_CAPACITY  the body has room for fewer balls */
+HSP_API int32_t hsp_body_set(hsp_body *body, const hsp_model *model);
+
+/** Where a body is: x goes to R x + t. Frozen. */
+typedef struct hsp_pose {
+  double quaternion[4];  /**< w x y z, of any length but 0: the rotation R; 1 0 0 0 is none */
+  double translation[3]; /**< t, lengths */
+} hsp_pose;
+
+/** The pose of a rotation matrix, row by row, and a translation [3].
+ *  Entries of R R^T may differ from those of the unit matrix by 1e-6; the pose has the rotation of the quaternion that
+ *  is nearest to it.
+ *  @retval HSP_E_ARGUMENT    a null pointer
+ *  @retval HSP_E_NOT_FINITE  a number is NaN or infinite
+ *  @retval HSP_E_RANGE       the matrix is no rotation: not orthonormal, or a reflection */
+HSP_API int32_t hsp_pose_from_matrix(const double *matrix, const double *translation, hsp_pose *pose);
+
+/** Whether any ball of the moving body meets one of the body at rest, for each of so many poses: hit [poses] becomes 1
+ *  or 0. first_bad may be NULL, else it becomes the first pose that is refused, or HSP_NONE; nothing else is written
+ *  then.
+ *
+ *  Cost: about a microsecond for free poses of a hundred atoms, nearly independent of the size of the body at rest.
+ *  @retval HSP_E_ARGUMENT    a null pointer with poses > 0, a dead handle, or lattices of different steps
+ *  @retval HSP_E_NOT_FINITE  a number of a pose is NaN or infinite
+ *  @retval HSP_E_RANGE       a quaternion has length 0, or its largest component is not within 2^-300 and 2^300; a
+ *                            pose moves balls by more than 2^50 steps, or may move one farther than 2^51 steps */
+HSP_API int32_t hsp_body_hits(const hsp_body *fixed, const hsp_body *moving, uint32_t poses, const hsp_pose *pose,
+                              uint32_t *hit, uint32_t *first_bad);
+
+/** The pair of balls that are nearest. Frozen. */
+typedef struct hsp_body_gap {
+  double gap;      /**< length: |c - c'| - r - r', least of all pairs; negative for the pair that overlaps deepest */
+  uint32_t fixed;  /**< ball of the body at rest; HSP_NONE if a body has no balls: the gap is infinite then */
+  uint32_t moving; /**< ball of the moving body, likewise */
+} hsp_body_gap;
+
+/** The least gap for each of so many poses: gap [poses]. Of equal gaps that of the first ball at rest, then of the
+ *  first moving one. Otherwise as hsp_body_hits; a gap is off by at most 2^-51 of the distance of the two centres.
+ *  @retval HSP_E_ARGUMENT    as for hsp_body_hits
+ *  @retval HSP_E_NOT_FINITE  as for hsp_body_hits
+ *  @retval HSP_E_RANGE       as for hsp_body_hits */
+HSP_API int32_t hsp_body_gaps(const hsp_body *fixed, const hsp_body *moving, uint32_t poses, const hsp_pose *pose,
+                              hsp_body_gap *gap, uint32_t *first_bad);
+
+/** How much two bodies overlap. Frozen. */
+typedef struct hsp_body_overlap {
+  double volume;     /**< length^3: the intersections of all pairs of balls, summed pair by pair */
+  uint32_t pairs;    /**< pairs that meet; 2^32 - 1 if there are more */
+  uint32_t reserved; /**< 0 */
+} hsp_body_overlap;
+
+/** The penalty that docking codes want, for each of so many poses: overlap [poses]. Otherwise as hsp_body_hits.
+ *  @retval HSP_E_ARGUMENT    as for hsp_body_hits
+ *  @retval HSP_E_NOT_FINITE  as for hsp_body_hits
+ *  @retval HSP_E_RANGE       as for hsp_body_hits */
+HSP_API int32_t hsp_body_overlaps(const hsp_body *fixed, const hsp_body *moving, uint32_t poses, const hsp_pose *pose,
+                                  hsp_body_overlap *overlap, uint32_t *first_bad);
+
+/** All pairs of balls that meet in one pose: pair [needed][2], the ball at rest first, ascending.
+ *  @retval HSP_E_ARGUMENT    a null pointer, a dead handle, or lattices of different steps
+ *  @retval HSP_E_CAPACITY    capacity < *needed; nothing is written to pair
+ *  @retval HSP_E_NOT_FINITE  as for hsp_body_hits
+ *  @retval HSP_E_RANGE       as for hsp_body_hits, or more than 2^32 - 2 pairs */
+HSP_API int32_t hsp_body_pairs(const hsp_body *fixed, const hsp_body *moving, const hsp_pose *pose, uint32_t *pair,
+                               uint32_t capacity, uint32_t *needed);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
