@@ -20,7 +20,7 @@ enum class PathPart : uint32_t { outline, lines };
 
 class PaintedPaths {
  public:
-  // What is told of `source`; balls are in grid order.
+  // How a room answers for its paths. `source` is what it has found, as it was given below; balls are in grid order.
   struct Functions {
     uint32_t (*ball_of)(const void *source, uint32_t path);
     // The loops around a path, all of them closed.

@@ -3,13 +3,10 @@
 #include "core/sorting.hpp"
 #include "view/depth_order.hpp"
 #include "visibility/edge_geometry.hpp"
+#include "visibility/loop_runs.hpp"
 
 namespace hsp {
 namespace {
-
-bool is_own(uint32_t half_edge) {
-  return half_edge % 2 == 0;
-}
 
 const MapPaths &paths_behind(const void *source) {
   return *static_cast<const MapPaths *>(source);
@@ -56,32 +53,24 @@ ProjectedArc arc_of(const VisibilityMap &map, uint32_t half_edge) {
   return arc;
 }
 
-// Euler's formula and a vertex at least for each connected part of the edges: there are no more faces with balls than
-// edges, and no more balls with faces.
 MapPaths::MapPaths(const BallSet &balls, const VisibilityMap &map, Span<uint32_t> scratch) : map_(map) {
   uint32_t count = 0;
-  for (uint32_t f = 1; f < map.faces.size(); ++f) {
-    if (map.faces[f].owner != no_id) scratch[count++] = f;
+  for (uint32_t k = 0; k < map.balls.size(); ++k) {
+    const uint32_t first = map.first_face_of(k);
+    if (first != no_id) scratch[count++] = first;
   }
-  faces_ = scratch.part(0, count);
-  sort_in_place(faces_, [&](uint32_t f, uint32_t g) {
-    const uint32_t a = map.faces[f].owner;
-    const uint32_t b = map.faces[g].owner;
-    return a == b ? f < g : is_farther(balls, map.frame.direction, map.balls[a].ball, map.balls[b].ball);
+  first_face_ = scratch.part(0, count);
+  sort_in_place(first_face_, [&](uint32_t f, uint32_t g) {
+    return is_farther(balls, map.frame.direction, map.balls[map.faces[f].owner].ball,
+                      map.balls[map.faces[g].owner].ball);
   });
-  uint32_t paths = 0;
-  for (uint32_t k = 0; k < count; ++k) {
-    if (k == 0 || map.faces[faces_[k]].owner != map.faces[faces_[k - 1]].owner) scratch[count + paths++] = k;
-  }
-  first_ = scratch.part(count, count + paths);
 }
 
 // Calls visit(first half-edge) for each loop.
 template <class Visit>
 void MapPaths::visit_loops(uint32_t path, Visit visit) const {
-  const uint32_t end = path + 1 < first_.size() ? first_[path + 1] : faces_.size();
-  for (uint32_t k = first_[path]; k < end; ++k) {
-    for (uint32_t l = map_.faces[faces_[k]].first_loop; l != no_id; l = map_.loops[l].next_of_face) {
+  for (uint32_t f = first_face_[path]; f != no_id; f = map_.next_face_of(f)) {
+    for (uint32_t l = map_.faces[f].first_loop; l != no_id; l = map_.loops[l].next_of_face) {
       visit(map_.loops[l].first_half_edge);
     }
   }
@@ -89,30 +78,15 @@ void MapPaths::visit_loops(uint32_t path, Visit visit) const {
 
 void MapPaths::visit_outline(uint32_t path, const ArcVisitor &visitor) const {
   visit_loops(path, [&](uint32_t first) {
-    uint32_t h = first;
-    do {
-      const uint32_t next = map_.half_edges[h].next;
-      visitor(arc_of(map_, h), h == first, next == first);
-      h = next;
-    } while (h != first);
+    visit_loop(first, successor(),
+               [&](uint32_t h, bool begins, bool closes) { visitor(arc_of(map_, h), begins, closes); });
   });
 }
 
-// A loop with edges of others is entered behind one of these, so that no run is cut in two.
 void MapPaths::visit_lines(uint32_t path, const ArcVisitor &visitor) const {
   visit_loops(path, [&](uint32_t first) {
-    uint32_t h = first;
-    while (is_own(h) && map_.half_edges[h].next != first) h = map_.half_edges[h].next;
-    const bool whole = is_own(h);
-    const uint32_t start = map_.half_edges[h].next;
-    bool begins = true;
-    h = start;
-    do {
-      const uint32_t next = map_.half_edges[h].next;
-      if (is_own(h)) visitor(arc_of(map_, h), begins, whole && next == start);
-      begins = !is_own(h);
-      h = next;
-    } while (h != start);
+    visit_own_runs(first, successor(),
+                   [&](uint32_t h, bool begins, bool closes) { visitor(arc_of(map_, h), begins, closes); });
   });
 }
 

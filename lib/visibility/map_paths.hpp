@@ -12,14 +12,15 @@ ProjectedArc arc_of(const VisibilityMap &map, uint32_t half_edge);
 // The balls that are seen, farthest first, with their faces.
 class MapPaths {
  public:
-  // scratch [2 edges + 1]; it and the map have to outlive this. O(F log F) for F faces.
+  // scratch: as many as balls are seen, which are no more than edges; it and the map have to outlive this.
+  // O(n + m log m) for m of n balls.
   MapPaths(const BallSet &balls, const VisibilityMap &map, Span<uint32_t> scratch);
   MapPaths(const MapPaths &) = delete;  // those who paint point here
   MapPaths &operator=(const MapPaths &) = delete;
 
-  uint32_t size() const { return first_.size(); }
+  uint32_t size() const { return first_face_.size(); }
   // Grid order.
-  uint32_t ball_of(uint32_t path) const { return map_.balls[map_.faces[first_face(path)].owner].ball; }
+  uint32_t ball_of(uint32_t path) const { return map_.balls[map_.faces[first_face_[path]].owner].ball; }
 
   // Calls visitor(arc, first, closes) for the loops around the faces of a path.
   void visit_outline(uint32_t path, const ArcVisitor &visitor) const;
@@ -30,13 +31,14 @@ class MapPaths {
   PaintedPaths paths() const;
 
  private:
-  uint32_t first_face(uint32_t path) const { return faces_[first_[path]]; }
+  auto successor() const {
+    return [this](uint32_t h) { return map_.half_edges[h].next; };
+  }
   template <class Visit>
   void visit_loops(uint32_t path, Visit visit) const;
 
   const VisibilityMap &map_;
-  Span<uint32_t> faces_;  // that show balls, by ball
-  Span<uint32_t> first_;  // of them, of each path
+  Span<uint32_t> first_face_;  // of each path
 };
 
 }  // namespace hsp

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "drawn_map.hpp"
 #include "drawn_view.hpp"
 #include "molecule_balls.hpp"
 #include "raster.hpp"
@@ -21,6 +22,12 @@ const DrawnView &caffeine() {
   return view;
 }
 
+// What is seen of each ball, side by side, and lines of their own.
+const DrawnMap &crambin_map() {
+  static const DrawnMap map(read_molecule(support::own_molecule("crambin.pdb")));
+  return map;
+}
+
 hsp_picture_options options_of(uint32_t format, uint32_t style) {
   hsp_picture_options options = picture_options(format, style);
   options.width = 500;
@@ -33,23 +40,27 @@ const char *const description =
     "\xC3\xA9t\xC3\xA9; a long text to be wrapped, a long text to be wrapped, a long text, "
     "a long text to be wrapped, a long text to be wrapped.";
 
-Raster from_svg(const DrawnView &view, uint32_t style) {
-  const std::string file = view.picture(options_of(HSP_FORMAT_SVG, style), title, description);
+template <class Drawn>
+Raster from_svg(const Drawn &drawn, uint32_t style) {
+  const std::string file = drawn.picture(options_of(HSP_FORMAT_SVG, style), title, description);
   return read_png(run_on(file, "in.svg", "rsvg-convert -o out.png in.svg", "out.png"));
 }
-Raster from_eps(const DrawnView &view, uint32_t style) {
-  const std::string file = view.picture(options_of(HSP_FORMAT_EPS, style), title, description);
+template <class Drawn>
+Raster from_eps(const Drawn &drawn, uint32_t style) {
+  const std::string file = drawn.picture(options_of(HSP_FORMAT_EPS, style), title, description);
   return read_ppm(run_on(file, "in.eps",
                          "gs -q -dSAFER -dBATCH -dNOPAUSE -dEPSCrop -r96 -dGraphicsAlphaBits=4 -sDEVICE=ppmraw "
                          "-sOutputFile=out.ppm in.eps",
                          "out.ppm"));
 }
-Raster from_pdf(const DrawnView &view, uint32_t style) {
-  const std::string file = view.picture(options_of(HSP_FORMAT_PDF, style), title, description);
+template <class Drawn>
+Raster from_pdf(const Drawn &drawn, uint32_t style) {
+  const std::string file = drawn.picture(options_of(HSP_FORMAT_PDF, style), title, description);
   return read_ppm(run_on(file, "in.pdf", "pdftoppm -r 96 -singlefile in.pdf out", "out.ppm"));
 }
-Raster from_browser(const DrawnView &view, uint32_t style) {
-  const std::string file = view.picture(options_of(HSP_FORMAT_SVG, style), title, description);
+template <class Drawn>
+Raster from_browser(const Drawn &drawn, uint32_t style) {
+  const std::string file = drawn.picture(options_of(HSP_FORMAT_SVG, style), title, description);
   const std::string page = "<!DOCTYPE html><html><body style=\"margin:0\">" + file + "</body></html>";
   // It talks about buses and displays that are not there.
   return read_png(run_on(page, "in.html",
@@ -75,12 +86,14 @@ TEST_P(Renderers, AgreeOnSvgAndPdf) {
   if (!has_program("rsvg-convert") || !has_program("pdftoppm")) GTEST_SKIP() << "rsvg-convert or pdftoppm is missing";
   expect_alike(from_svg(crambin(), GetParam()), from_pdf(crambin(), GetParam()), "crambin, SVG and PDF");
   expect_alike(from_svg(caffeine(), GetParam()), from_pdf(caffeine(), GetParam()), "caffeine, SVG and PDF");
+  expect_alike(from_svg(crambin_map(), GetParam()), from_pdf(crambin_map(), GetParam()), "map of crambin, SVG and PDF");
 }
 
 TEST_P(Renderers, AgreeOnEpsAndPdf) {
   if (!has_program("gs") || !has_program("pdftoppm")) GTEST_SKIP() << "gs or pdftoppm is missing";
   expect_alike(from_eps(crambin(), GetParam()), from_pdf(crambin(), GetParam()), "crambin, EPS and PDF");
   expect_alike(from_eps(caffeine(), GetParam()), from_pdf(caffeine(), GetParam()), "caffeine, EPS and PDF");
+  expect_alike(from_eps(crambin_map(), GetParam()), from_pdf(crambin_map(), GetParam()), "map of crambin, EPS and PDF");
 }
 
 TEST_P(Renderers, AgreeWithABrowser) {
@@ -103,6 +116,12 @@ TEST_P(Renderers, FindValidXml) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Styles, Renderers, testing::Values(HSP_STYLE_FLAT, HSP_STYLE_HEADLIGHT, HSP_STYLE_SOFT));
+
+// A map's picture is that of the view, but for seams and lines: what is painted over is not seen.
+TEST(MapPictures, LookLikeViews) {
+  if (!has_program("pdftoppm")) GTEST_SKIP() << "pdftoppm is missing";
+  expect_alike(from_pdf(crambin_map(), HSP_STYLE_FLAT), from_pdf(crambin(), HSP_STYLE_FLAT), "map and view of crambin");
+}
 
 // The comparison is not blind.
 TEST(RasterComparison, TellsPicturesApart) {
