@@ -1,8 +1,15 @@
 #include "bonds.h"
 
+#include <math.h>
 #include <stdlib.h>
+#include <string.h>
+
+#include "stated_bonds.h"
 
 enum { CARBON = 6, ELEMENTS = 96 };
+
+/* Of 80 degrees. */
+static const double cosine_between = 0.17364817766693036;
 
 /* In hundredths of an angstrom, by atomic number: B. Cordero et al., Dalton Trans. (2008) 2832, Table 2; carbon as sp3,
  * manganese, iron and cobalt with low spin. 0: bonds are none, or ionic. */
@@ -32,16 +39,68 @@ static bool list_pairs(const struct molecule *molecule, struct geometry *geometr
   int32_t status = hsp_workspace_set(&geometry->work, molecule->atoms, molecule->xyz, radius, NULL, NULL);
   free(radius);
   if (status == HSP_OK) {
-    status = hsp_query_pairs(geometry->work.model, HSP_PAIRS_ONCE, first, NULL, 0, &needed);
+    status = hsp_query_pairs(geometry->work.model, 0, first, NULL, 0, &needed);
     if (status == HSP_E_CAPACITY) status = HSP_OK;
   }
   if (status != HSP_OK) return failure_in_library(failure, status);
   *ids = calloc((size_t)needed + 1, sizeof **ids);
   if (*ids == NULL) return failure_of_memory(failure);
-  status = hsp_query_pairs(geometry->work.model, HSP_PAIRS_ONCE, first, *ids, needed, &needed);
+  status = hsp_query_pairs(geometry->work.model, 0, first, *ids, needed, &needed);
   if (status == HSP_OK) return true;
   free(*ids);
   return failure_in_library(failure, status);
+}
+
+static double squared_distance(const struct molecule *molecule, uint32_t i, uint32_t j) {
+  double sum = 0.0;
+  for (size_t axis = 0; axis < 3; ++axis) {
+    const double d = molecule->xyz[3 * (size_t)i + axis] - molecule->xyz[3 * (size_t)j + axis];
+    sum += d * d;
+  }
+  return sum;
+}
+
+/* Whether a third atom that is close enough to both lies between two of them: the angle there is more than 80 degrees.
+ * In rings of three it is about 60. Then the two are neighbours of the third one whom poor coordinates bring too close.
+ */
+static bool has_atom_between(const struct molecule *molecule, const uint32_t *first, const uint32_t *ids, uint32_t i,
+                             uint32_t j) {
+  const double length = squared_distance(molecule, i, j);
+  uint32_t b = first[j];
+  for (uint32_t a = first[i]; a < first[i + 1]; ++a) {
+    while (b < first[j + 1] && ids[b] < ids[a]) ++b;
+    if (b == first[j + 1] || ids[b] != ids[a] || radius_of(&molecule->label[ids[a]]) <= 0.0) continue;
+    const double one = squared_distance(molecule, i, ids[a]), two = squared_distance(molecule, j, ids[a]);
+    if (one + two - 2.0 * cosine_between * sqrt(one * two) < length) return true;
+  }
+  return false;
+}
+
+/* Pairs that are close enough, but for those that records decide about, and those of the records, in order. */
+static bool join_pairs(const struct molecule *molecule, const uint32_t *first, const uint32_t *ids,
+                       uint32_t (**bonds)[2], uint32_t *count) {
+  struct stated_bonds stated;
+  bool enough = stated_bonds_find(molecule, &stated);
+  const size_t most = (size_t)first[molecule->atoms] + stated.count;
+  *count = 0;
+  *bonds = enough && most < UINT32_MAX ? calloc(most + 1, sizeof **bonds) : NULL;
+  enough = *bonds != NULL;
+  size_t next = 0;
+  for (uint32_t i = 0; enough && i < molecule->atoms; ++i) {
+    for (; next < stated.count && stated.pair[next][0] == i; ++next) {
+      memcpy((*bonds)[(*count)++], stated.pair[next], sizeof **bonds);
+    }
+    for (uint32_t k = first[i]; k < first[i + 1]; ++k) {
+      const uint32_t j = ids[k];
+      if (j < i || (stated.named[i] && stated.named[j])) continue;
+      if (radius_of(&molecule->label[i]) <= 0.0 || radius_of(&molecule->label[j]) <= 0.0) continue;
+      if (has_atom_between(molecule, first, ids, i, j)) continue;
+      (*bonds)[*count][0] = i;
+      (*bonds)[(*count)++][1] = j;
+    }
+  }
+  stated_bonds_free(&stated);
+  return enough;
 }
 
 bool bonds_find(const struct molecule *molecule, struct geometry *geometry, uint32_t (**bonds)[2], uint32_t *count,
@@ -53,18 +112,8 @@ bool bonds_find(const struct molecule *molecule, struct geometry *geometry, uint
     free(first);
     return false;
   }
-  *count = 0;
-  *bonds = calloc((size_t)first[molecule->atoms] + 1, sizeof **bonds);
-  if (*bonds != NULL) {
-    for (uint32_t i = 0; i < molecule->atoms; ++i) {
-      for (uint32_t k = first[i]; k < first[i + 1]; ++k) {
-        if (radius_of(&molecule->label[i]) <= 0.0 || radius_of(&molecule->label[ids[k]]) <= 0.0) continue;
-        (*bonds)[*count][0] = i;
-        (*bonds)[(*count)++][1] = ids[k];
-      }
-    }
-  }
+  const bool done = join_pairs(molecule, first, ids, bonds, count);
   free(first);
   free(ids);
-  return *bonds != NULL || failure_of_memory(failure);
+  return done || failure_of_memory(failure);
 }

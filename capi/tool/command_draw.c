@@ -243,7 +243,11 @@ static void print_table(const struct request *request, const struct molecule *mo
   report_row(out, "occlusion", value, drawn->occlusion > 0.0 ? "buried balls are darker" : "no ball is darkened");
   const bool of_map = drawing_is_of_map(&request->drawing);
   const bool of_sticks = drawing_is_of_sticks(&request->drawing);
-  if (of_sticks) report_row_count(out, "sticks", drawn->sticks, "bonds by covalent radii");
+  if (of_sticks) {
+    report_row_count(
+        out, "sticks", drawn->sticks,
+        molecule->bonds > 0 ? "bonds by CONECT records, else by covalent radii" : "bonds by covalent radii");
+  }
   report_row_count(out, "pieces", drawn->view.pieces,
                    of_map      ? "balls, side by side"
                    : of_sticks ? "balls, sticks and halves of sticks, painted one over the other"

@@ -44,6 +44,19 @@ bool molecule_add(struct molecule *molecule, const double xyz[3], double radius,
   return true;
 }
 
+bool molecule_add_bond(struct molecule *molecule, const struct stated_bond *bond, struct failure *failure) {
+  if (molecule->bonds == molecule->bond_capacity) {
+    const size_t capacity = molecule->bond_capacity == 0 ? 64 : 2 * molecule->bond_capacity;
+    if (capacity > SIZE_MAX / sizeof *molecule->bond) return failure_of_memory(failure);
+    struct stated_bond *grown = realloc(molecule->bond, capacity * sizeof *grown);
+    if (grown == NULL) return failure_of_memory(failure);
+    molecule->bond = grown;
+    molecule->bond_capacity = capacity;
+  }
+  molecule->bond[molecule->bonds++] = *bond;
+  return true;
+}
+
 /* Elements without a radius, each with its first line and its atoms. */
 struct missing {
   struct element_symbol element;
@@ -147,6 +160,7 @@ void molecule_free(struct molecule *molecule) {
   free(molecule->radius);
   free(molecule->line);
   free(molecule->label);
+  free(molecule->bond);
   molecule_init(molecule, molecule->format, molecule->model);
 }
 

@@ -22,6 +22,16 @@ struct residue_label {
   char insertion[2];
 };
 
+/* The serial number of an atom as written, which in large files is none; empty where no bonds are stated by it. */
+struct serial_label {
+  char text[6];
+};
+
+/* A bond that the file states. There may be no such atoms, or several. */
+struct stated_bond {
+  struct serial_label serial[2];
+};
+
 /* What a person calls an atom; empty where the file does not say. */
 struct atom_label {
   char name[8];
@@ -30,10 +40,15 @@ struct atom_label {
   bool hetatm;       /* the file says that it belongs to no chain: to a ligand, an ion, water */
   bool by_name;      /* its radius is by residue and atom */
   bool virtual_site; /* no atom, but a place beside one; becomes a ball only if the user gives its symbol a radius */
+  struct serial_label serial;
 };
 
-#define ATOM_LABEL_NONE \
-  { "", {"", "", "", ""}, {""}, false, false, false }
+#define ATOM_LABEL_NONE                                \
+  {                                                    \
+    "", {"", "", "", ""}, {""}, false, false, false, { \
+      ""                                               \
+    }                                                  \
+  }
 
 /* What a file holds beside the atoms that became balls, in atoms unless it says otherwise. */
 struct left_out {
@@ -58,6 +73,9 @@ struct molecule {
   struct atom_label *label; /* [atoms] */
   uint64_t model;           /* which model was read, counted from 1 */
   uint64_t models;          /* how many the file has */
+  struct stated_bond *bond; /* [bonds] as they are read */
+  size_t bonds;
+  size_t bond_capacity;
   struct left_out left_out;
 };
 
@@ -67,6 +85,9 @@ void molecule_init(struct molecule *molecule, enum molecule_format format, uint6
 /* Append an atom. False when memory is short or the library could not take so many. */
 bool molecule_add(struct molecule *molecule, const double xyz[3], double radius, const struct atom_label *label,
                   uint64_t line, struct failure *failure);
+
+/* Append a bond that the file states. False when memory is short. */
+bool molecule_add_bond(struct molecule *molecule, const struct stated_bond *bond, struct failure *failure);
 
 /* Atom `from` takes the place of atom `to`. */
 void molecule_move_atom(struct molecule *molecule, uint32_t to, uint32_t from);

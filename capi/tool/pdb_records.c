@@ -45,6 +45,21 @@ enum pdb_record pdb_record_of(const char *line, size_t length) {
   return PDB_ALIEN;
 }
 
+/* Bonds in a CONECT record: of the atom in columns 7-11 with those in 12-16, 17-21, 22-26 and 27-31. What old versions
+ * of the format have behind them are no bonds. */
+static bool take_bonds(const struct line_reader *reader, struct molecule *molecule, struct failure *failure) {
+  struct stated_bond bond;
+  const size_t length = reader->length;
+  label_copy(bond.serial[0].text, sizeof bond.serial[0].text, field_in_columns(reader->text, length, 7, 11));
+  if (bond.serial[0].text[0] == '\0') return true;
+  for (size_t column = 12; column <= 27; column += 5) {
+    const struct field other = field_in_columns(reader->text, length, column, column + 4);
+    label_copy(bond.serial[1].text, sizeof bond.serial[1].text, other);
+    if (other.length > 0 && !molecule_add_bond(molecule, &bond, failure)) return false;
+  }
+  return true;
+}
+
 bool pdb_record_is_hetatm(const char *line) {
   while (is_blank(*line)) ++line;
   return to_upper(*line) == 'H';
@@ -75,6 +90,10 @@ enum line_status pdb_next_atom(struct line_reader *reader, struct molecule *mole
     pdb_models_step(models, record);
     alien_seen = alien_seen || record == PDB_ALIEN;
     *record_seen = *record_seen || record == PDB_ATOM || record == PDB_MODEL || record == PDB_OTHER;
+    if (record == PDB_OTHER && molecule->format == FORMAT_PDB &&
+        begins_with_word(reader->text, reader->length, "CONECT") && !take_bonds(reader, molecule, failure)) {
+      return LINE_FAILED;
+    }
     if (record != PDB_ATOM) continue;
     if (models->count == molecule->model) return LINE_READ;
     ++molecule->left_out.other_models;

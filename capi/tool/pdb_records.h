@@ -37,7 +37,8 @@ struct pdb_models {
 /* Step over a record. */
 void pdb_models_step(struct pdb_models *models, enum pdb_record record);
 
-/* Step to the next atom record of the molecule's model, and count what other models have. LINE_END: there is none left.
+/* Step to the next atom record of the molecule's model, and count what other models have; in .pdb files take the bonds
+ * that CONECT records state, wherever these are. LINE_END: there is none left.
  * A file that has lines, but not one record of the format, fails. `models` and `record_seen` are zeros at first. */
 enum line_status pdb_next_atom(struct line_reader *reader, struct molecule *molecule, struct pdb_models *models,
                                bool *record_seen, struct failure *failure);

@@ -1,7 +1,7 @@
 /* .pdb: records in fixed columns, after "Protein Data Bank contents guide", version 3.3. Of an atom record count, in
  * columns from 1: name 13-16, alternate location 17, residue 18-20, chain 22, number and insertion code 23-27,
  * x 31-38, y 39-46, z 47-54, element 77-78; where there is no chain, the segment in 73-76. Neighbouring fields may
- * touch. Serial numbers are not looked at. */
+ * touch. Serial numbers, 7-11, are texts that CONECT records name atoms by. */
 #include <string.h>
 
 #include "alternate_locations.h"
@@ -88,6 +88,7 @@ static bool read_atom(const struct line_reader *reader, struct alternate_locatio
   label_copy(label.name, sizeof label.name, name);
   label_residue(reader, &label.residue);
   label.hetatm = pdb_record_is_hetatm(reader->text);
+  label_copy(label.serial.text, sizeof label.serial.text, field_in_columns(reader->text, reader->length, 7, 11));
   const struct field segment = field_in_columns(reader->text, reader->length, 73, 76);
   bool keep;
   if (!alternate_locations_keep(seen, &label, segment, column(reader, 17), &keep)) return failure_of_memory(failure);

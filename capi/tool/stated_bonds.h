@@ -1,0 +1,19 @@
+/* The bonds that a file states, as pairs of atoms of the molecule. */
+#ifndef HARDSPHERE_TOOL_STATED_BONDS_H
+#define HARDSPHERE_TOOL_STATED_BONDS_H
+
+#include "molecule.h"
+
+struct stated_bonds {
+  uint32_t (*pair)[2]; /* the smaller number first; ascending, none twice */
+  size_t count;
+  bool *named; /* [atoms] whether an atom is in one of them */
+};
+
+/* Find the atoms of all stated bonds; those that name an atom that is not there, or several, or one atom twice, are
+ * left out. To be freed on true and on false, which means that memory is short. */
+bool stated_bonds_find(const struct molecule *molecule, struct stated_bonds *bonds);
+
+void stated_bonds_free(struct stated_bonds *bonds);
+
+#endif
