@@ -3,7 +3,6 @@
 #include "hsp_view.hpp"
 #include "picture/palettes.hpp"
 #include "picture/picture.hpp"
-#include "sticks/stick_outlines.hpp"
 #include "visibility/map_paths.hpp"
 
 using hsp::capi::is_live;
@@ -169,7 +168,7 @@ int32_t hsp_picture_write_sticks(hsp_sticks *sticks, const uint32_t *colour, con
                                  uint64_t *bytes) {
   const Call call{colour, options, title, description, sink, context, bytes};
   return write_checked(sticks, call, [&](const hsp::PictureOptions &wanted, uint64_t &taken) {
-    return hsp::write_picture({sticks->balls(), hsp::paths_of(sticks->structure()), colour, title, description}, wanted,
+    return hsp::write_picture({sticks->balls(), sticks->builder.paths(), colour, title, description}, wanted,
                               sticks->builder.scratch(), sink, context, taken);
   });
 }

@@ -1,6 +1,7 @@
 #include "hsp_sticks.hpp"
 
-#include "sticks/stick_outlines.hpp"
+#include <initializer_list>
+
 #include "view_options.hpp"
 
 using hsp::capi::is_live;
@@ -21,13 +22,15 @@ static_assert(static_cast<uint32_t>(hsp::StickConflict::none) == HSP_STICKS_NO_C
 int32_t from_c(const hsp_sticks_limits *given, hsp::StickLimits &result) {
   hsp_sticks_limits limits;
   if (!hsp::capi::read_struct(given, {}, limits)) return HSP_E_ARGUMENT;
-  if (limits.balls > HSP_MAX_BALLS || limits.sticks > HSP_MAX_BALLS || limits.pairs > HSP_MAX_BALLS) return HSP_E_RANGE;
-  result = {limits.balls, limits.sticks, limits.pairs};
+  for (const uint32_t limit : {limits.balls, limits.sticks, limits.pairs, limits.edges}) {
+    if (limit > HSP_MAX_BALLS) return HSP_E_RANGE;
+  }
+  result = {limits.balls, limits.sticks, limits.pairs, limits.edges};
   return HSP_OK;
 }
 
 hsp_sticks_limits to_c(const hsp::StickLimits &limits) {
-  return {sizeof(hsp_sticks_limits), limits.balls, limits.sticks, limits.pairs};
+  return {sizeof(hsp_sticks_limits), limits.balls, limits.sticks, limits.pairs, limits.edges};
 }
 
 bool are_valid(const hsp_stick *stick, uint32_t count) {
@@ -91,8 +94,10 @@ int32_t hsp_sticks_get_info(const hsp_sticks *sticks, hsp_sticks_info *info) {
   const hsp::capi::ViewLengths length{sticks->balls().lattice};
   *info = {};
   hsp::capi::put_frame(length, of.frame, *info);
-  for (uint32_t p = 0; p < of.paths.size(); ++p) {
-    hsp::visit_outline(of, p, [info](const hsp::ProjectedArc &, bool, bool) { ++info->arcs; });
+  const hsp::PaintedPaths paths = sticks->builder.paths();
+  for (uint32_t p = 0; p < paths.size(); ++p) {
+    paths.visit(sticks->balls(), p, hsp::PathPart::outline,
+                [info](const hsp::ProjectedArc &, bool, bool) { ++info->arcs; });
     const hsp::StickPath &path = of.paths[p];
     if (path.stick != hsp::no_id) continue;
     const hsp::PlacedBall &ball = of.balls[path.ball];

@@ -47,7 +47,7 @@ Result computed_with(const hsp_model *model, const hsp_view_options &options, co
   Result result{};
   const auto count = static_cast<uint32_t>(stick.size());
   // Suffices for so few.
-  result.needed = {sizeof result.needed, 200, 200, 200 * 200};
+  result.needed = {sizeof result.needed, 200, 200, 200 * 200, 4000};
   support::OwnedHandle<support::SticksKind> sticks;
   sticks.take(result.needed);
   result.status =
@@ -61,12 +61,17 @@ Result computed_with(const hsp_model *model, const hsp_view_options &options, co
 // Numbers are those of balls or sticks, as the kind says.
 void require_named(const Result &result, uint32_t n, uint32_t count) {
   const uint32_t kind = result.conflict.kind, first = result.conflict.first, second = result.conflict.second;
-  FUZZ_REQUIRE((result.status == HSP_OK) == (kind == HSP_STICKS_NO_CONFLICT), "a conflict, by the status");
+  const bool without_order = kind == HSP_STICKS_BALLS_MEET || kind == HSP_STICKS_CYCLE;
+  FUZZ_REQUIRE((result.status == HSP_OK) == (kind == HSP_STICKS_NO_CONFLICT || without_order),
+               "a conflict, by the status");
+  FUZZ_REQUIRE(result.status != HSP_OK || (result.needed.edges > 0) == without_order, "edges, by the order");
+  if (result.status == HSP_OK) {
+    FUZZ_REQUIRE(result.info.balls <= n && result.info.sticks == count, "numbers of info");
+    FUZZ_REQUIRE(result.info.paths <= result.info.balls + 2 * count, "paths of info");
+  }
   switch (kind) {
     case HSP_STICKS_NO_CONFLICT:
       FUZZ_REQUIRE(first == HSP_NONE && second == HSP_NONE, "no conflict");
-      FUZZ_REQUIRE(result.info.balls <= n && result.info.sticks == count, "numbers of info");
-      FUZZ_REQUIRE(result.info.paths <= result.info.balls + 2 * count, "paths of info");
       break;
     case HSP_STICKS_BALLS_MEET:
       FUZZ_REQUIRE(first < second && second < n, "two balls");

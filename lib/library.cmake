@@ -140,7 +140,13 @@ set(HSP_LIBRARY_SOURCES
   lib/visibility/seen_balls.cpp
   lib/visibility/silhouette_arcs.cpp
   lib/visibility/trigonometric_roots.cpp
+  lib/sticks/body_sight.cpp
   lib/sticks/drawing_order.cpp
+  lib/sticks/region_arcs.cpp
+  lib/sticks/region_builder.cpp
+  lib/sticks/region_linker.cpp
+  lib/sticks/region_loops.cpp
+  lib/sticks/region_outlines.cpp
   lib/sticks/stick_outlines.cpp
   lib/sticks/stick_sweep.cpp
   lib/sticks/stick_view_builder.cpp

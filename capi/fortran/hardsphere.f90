@@ -705,6 +705,7 @@ module hardsphere
     integer(c_int32_t) :: balls
     integer(c_int32_t) :: sticks
     integer(c_int32_t) :: pairs
+    integer(c_int32_t) :: edges
   end type
 
   type, bind(C) :: hsp_stick
@@ -2457,11 +2458,11 @@ contains
   end function
 
   !> HSP_STICKS_BYTES of the header, for the size of an allocation.
-  pure function hsp_sticks_bytes_bound(balls, sticks, pairs) result(bytes)
-    integer(c_int32_t), intent(in) :: balls, sticks, pairs
+  pure function hsp_sticks_bytes_bound(balls, sticks, pairs, edges) result(bytes)
+    integer(c_int32_t), intent(in) :: balls, sticks, pairs, edges
     integer(c_size_t) :: bytes
-    bytes = 8192_c_size_t + 128_c_size_t*int(balls, c_size_t) + 336_c_size_t*int(sticks, c_size_t) &
-            + 16_c_size_t*int(pairs, c_size_t)
+    bytes = 16384_c_size_t + 192_c_size_t*int(balls, c_size_t) + 384_c_size_t*int(sticks, c_size_t) &
+            + 20_c_size_t*int(pairs, c_size_t) + 320_c_size_t*int(edges, c_size_t)
   end function
 
   !> hsp_status_text as a Fortran string.

@@ -20,23 +20,15 @@ static bool set_balls(const struct molecule *molecule, double size, struct geome
 static bool failure_of_conflict(const struct molecule *molecule, const hsp_stick *stick,
                                 const hsp_sticks_conflict *conflict, struct failure *failure) {
   const uint32_t first = conflict->first, second = conflict->second;
-  const bool of_balls = conflict->kind == HSP_STICKS_BALLS_MEET;
-  const uint64_t line = molecule->line[of_balls ? first : stick[first].ball[0]];
-  const unsigned long a = of_balls ? first : stick[first].ball[0], b = of_balls ? second : stick[first].ball[1];
+  const uint64_t line = molecule->line[stick[first].ball[0]];
+  const unsigned long a = stick[first].ball[0], b = stick[first].ball[1];
   switch (conflict->kind) {
-    case HSP_STICKS_BALLS_MEET:
-      return failure_in_input(failure, line, "balls %lu and %lu meet: a smaller --ball-size keeps them apart", a, b);
     case HSP_STICKS_THIN_BALL:
       return failure_in_input(failure, line, "ball %lu is not thicker than its sticks: see --ball-size and --stick",
                               (unsigned long)second);
     case HSP_STICKS_STICK_IN_BALL:
       return failure_in_input(failure, line, "the stick between balls %lu and %lu runs into ball %lu", a, b,
                               (unsigned long)second);
-    case HSP_STICKS_CYCLE:
-      return failure_in_input(failure, line,
-                              "the stick between balls %lu and %lu is one of %lu balls and sticks that lie over each "
-                              "other around a circle: look from elsewhere",
-                              a, b, (unsigned long)second);
     default:
       return failure_in_input(failure, line,
                               "the sticks between balls %lu and %lu and balls %lu and %lu meet: see --ball-size and "

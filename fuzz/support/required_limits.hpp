@@ -30,7 +30,7 @@ inline size_t most_bytes(const hsp_map_limits &limits) {
   return HSP_MAP_BYTES(limits.balls, limits.neighbours, limits.edges);
 }
 inline size_t most_bytes(const hsp_sticks_limits &limits) {
-  return HSP_STICKS_BYTES(limits.balls, limits.sticks, limits.pairs);
+  return HSP_STICKS_BYTES(limits.balls, limits.sticks, limits.pairs, limits.edges);
 }
 inline size_t most_bytes(const hsp_cells_limits &limits) {
   return HSP_CELLS_BYTES(limits.cubes, limits.entries, limits.cells, limits.adjacencies, limits.landmarks,

@@ -6,14 +6,18 @@
  * it has. They are painted one over the other; whatever covers a part of something comes later. This order is not a
  * sort by depth, which is wrong for sticks: it follows from all pairs of which one covers a part of the other.
  *
- * That is possible where nothing meets but sticks and the balls at their ends, and those inside these balls alone:
- *   balls           do not meet each other
+ * There is no such order where balls meet, or where balls and sticks cover each other around a circle, like the flaps
+ * of a carton. Then what is seen of each is found instead, as for a visibility map: no two paths overlap, and each line
+ * between them is drawn once. Like a map it rests on floating-point roots and labels that hold it together; where
+ * roundings decide differently about the same thing, all balls are moved by less than 2^-13 of their radii.
+ *
+ * Sticks meet nothing outside the balls at their ends:
  *   a stick         is thinner than both its balls, and meets no other ball and no other stick
  *   two sticks      that end in one ball do not meet outside of it: its radius is at least that of the sticks divided
  *                   by the sine of half the angle between them; at 60 degrees twice that of the sticks
- * and where no balls and sticks cover each other around a circle, like the flaps of a carton. All of this is checked.
- * What does not hold is named, and there is no picture then, rather than a wrong one. Roundings of about 2^-50 of all
- * lengths decide where it holds or fails by less than that. */
+ * All of this is checked. What does not hold is named, and there is no picture then, rather than a wrong one. A stick
+ * between balls that meet may be inside them; then nothing is asked of it. Roundings of about 2^-50 of all lengths
+ * decide where it holds or fails by less than that. */
 #ifndef HARDSPHERE_STICKS_H
 #define HARDSPHERE_STICKS_H
 
@@ -34,16 +38,19 @@ typedef struct hsp_sticks_limits {
   uint32_t struct_size; /**< sizeof(hsp_sticks_limits) */
   uint32_t balls;       /**< of the model */
   uint32_t sticks;      /**< most sticks */
-  uint32_t pairs;       /**< of balls and halves of sticks of which one may cover a part of the other */
+  uint32_t pairs;       /**< of balls and halves of sticks of which one may cover a part of the other; two if they
+                                are balls that meet */
+  uint32_t edges;       /**< between what is seen of balls and sticks where there is no order to paint them */
 } hsp_sticks_limits;
 
-/** Limits that suffice for most molecules of `balls` atoms: sticks 2 balls, pairs 64 balls + 64.
+/** Limits that suffice for most molecules of `balls` atoms of which the balls do not meet: sticks 2 balls, pairs
+ *  64 balls + 64, edges 0.
  *  @retval HSP_E_ARGUMENT  limits is NULL or struct_size is bad
  *  @retval HSP_E_RANGE     more than (HSP_MAX_BALLS - 64) / 64 balls; set the limits by hand then */
 HSP_API int32_t hsp_sticks_limits_init(hsp_sticks_limits *limits, uint32_t struct_size, uint32_t balls);
 
 /** Bytes that hsp_sticks_init needs.
- *  - Property 1: at most HSP_STICKS_BYTES of the three limits.
+ *  - Property 1: at most HSP_STICKS_BYTES of the four limits.
  *  - Property 2: grows with each limit.
  *
  *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
@@ -51,8 +58,9 @@ HSP_API int32_t hsp_sticks_limits_init(hsp_sticks_limits *limits, uint32_t struc
 HSP_API int32_t hsp_sticks_bytes(const hsp_sticks_limits *limits, size_t *bytes);
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
-#define HSP_STICKS_BYTES(balls, sticks, pairs) \
-  ((size_t)8192 + (size_t)128 * (size_t)(balls) + (size_t)336 * (size_t)(sticks) + (size_t)16 * (size_t)(pairs))
+#define HSP_STICKS_BYTES(balls, sticks, pairs, edges)                                                              \
+  ((size_t)16384 + (size_t)192 * (size_t)(balls) + (size_t)384 * (size_t)(sticks) + (size_t)20 * (size_t)(pairs) + \
+   (size_t)320 * (size_t)(edges))
 
 /** Make balls and sticks without results in caller memory of any alignment; sets *sticks.
  *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
@@ -72,7 +80,7 @@ typedef struct hsp_stick {
 } hsp_stick;
 
 #define HSP_STICKS_NO_CONFLICT UINT32_C(0) /**< there is none */
-#define HSP_STICKS_BALLS_MEET UINT32_C(1)  /**< two balls that meet */
+#define HSP_STICKS_BALLS_MEET UINT32_C(1)  /**< two balls that meet: no order, but HSP_OK */
 #define HSP_STICKS_NO_BALL UINT32_C(2)     /**< a stick, and its end, which is no ball */
 #define HSP_STICKS_SAME_ENDS UINT32_C(3) /**< two sticks between the same balls; or a stick twice, whose ends are one */
 #define HSP_STICKS_THIN_BALL UINT32_C(4) /**< a stick, and the ball at its end, which is not thicker */
@@ -81,9 +89,10 @@ typedef struct hsp_stick {
 #define HSP_STICKS_STICK_IN_BALL UINT32_C(7) /**< a stick, and a ball that it meets and does not end in */
 #define HSP_STICKS_CYCLE \
   UINT32_C(8) /**< a stick of a circle of balls and halves of sticks, each of which covers
-                                                  a part of the next; and how many they are */
+                                                  a part of the next; and how many they are: no
+                                                  order, but HSP_OK */
 
-/** Why there is no picture. Frozen. */
+/** Why there is no picture, or no order in which to paint it. Frozen. */
 typedef struct hsp_sticks_conflict {
   uint32_t kind;     /**< HSP_STICKS_* */
   uint32_t first;    /**< a number of a ball or stick as said there; HSP_NONE without conflict */
@@ -94,19 +103,21 @@ typedef struct hsp_sticks_conflict {
 /** Find what is painted from one direction; any number of times. options: where to look from, as for hsp_view_compute,
  *  NULL for the defaults; pieces and flags have to be good there and have no effect here. stick [count]: may be NULL
  *  if count is 0. radius: of all sticks. The model must outlive the handle: after hsp_model_set what reads the handle
- *  yields HSP_E_STATE until this is called again. conflict may be NULL; it is written on HSP_OK and HSP_E_CONFLICT.
- *  Which one of several conflicts it is depends on the direction. limits: see LIMITS in hardsphere.h; at most two
- *  retries. On failure the handle holds no results.
+ *  yields HSP_E_STATE until this is called again. conflict may be NULL; it is written on HSP_OK and HSP_E_CONFLICT: on
+ *  HSP_OK it tells whether there is an order to paint, or why none. Which one of several conflicts it is depends on the
+ *  direction. limits: see LIMITS in hardsphere.h; at most twelve retries, hardly ever more than three. On failure the
+ *  handle holds no results.
  *
  *  Cost: O(m log m) for m balls and halves of sticks, and for each those that share a vertical line of the view plane
- *  with it.
+ *  with it; without an order also for each those that may cover a part of it, sorted.
  *  @retval HSP_E_ARGUMENT    sticks or model is NULL; bad options; stick is NULL and count is not 0; an unknown flag or
  *                            a reserved field of a stick that is not 0; bad struct_size of limits
  *  @retval HSP_E_CAPACITY    a limit is too small
  *  @retval HSP_E_NOT_FINITE  radius or a component of towards or up is NaN or infinite
  *  @retval HSP_E_NEGATIVE    radius is negative
  *  @retval HSP_E_RANGE       radius is 0
- *  @retval HSP_E_CONFLICT    balls and sticks that cannot be painted; see conflict */
+ *  @retval HSP_E_CONFLICT    balls and sticks that cannot be painted; see conflict
+ *  @retval HSP_E_CHECK       roundings could not be overcome by moving balls three times */
 HSP_API int32_t hsp_sticks_compute(hsp_sticks *sticks, const hsp_model *model, const hsp_view_options *options,
                                    const hsp_stick *stick, uint32_t count, double radius, hsp_sticks_conflict *conflict,
                                    hsp_sticks_limits *limits);
@@ -119,7 +130,7 @@ typedef struct hsp_sticks_info {
   double towards[3]; /**< unit vector: the z axis */
   double low[2];     /**< of the box of all balls in the view plane, length; 0 0 without balls */
   double high[2];    /**< of the same box */
-  uint32_t paths;    /**< balls and halves of sticks that are painted */
+  uint32_t paths;    /**< balls and halves of sticks that are painted; without an order those that are seen */
   uint32_t balls;    /**< of these */
   uint32_t sticks;   /**< as given */
   uint32_t arcs;     /**< parts of circles, ellipses and lines around all paths */

@@ -34,7 +34,8 @@ struct Stick {
   double first, last;  // the planes of the junction circles along the axis, from the foot
   uint32_t ball[2];    // the farther and the nearer one
   uint32_t caller;     // the caller's number
-  uint32_t parts;      // 2: each half belongs to its ball. 1: all of it belongs to the ball that was named first
+  uint32_t parts;      // 2: each half belongs to its ball. 1: all of it belongs to the ball that was named first. 0:
+                       // it is inside its balls, which meet
   uint32_t owner[2];   // of the parts
 
   // Where the halves meet: in the middle of what is outside both balls.
@@ -54,7 +55,8 @@ struct Stick {
   }
 };
 
-// From the farther ball, `foot`, to the nearer one, `top`. The balls shall be disjoint and thicker than the stick.
+// From the farther ball, `foot`, to the nearer one, `top`. The balls shall be thicker than the stick, and have
+// different centres. Where first >= last all of it is inside them.
 inline Stick stick_between(const PlacedBall &foot, const PlacedBall &top, double radius) {
   Stick stick{};
   const Vec3 d = top.centre - foot.centre;

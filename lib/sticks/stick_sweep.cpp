@@ -13,7 +13,7 @@ double squared_distance(const Vec3 &a, const Vec3 &b) {
 }  // namespace
 
 void StickSweep::carve(Workspace &workspace, const StickLimits &limits) {
-  items_ = FixedVector<Item>(workspace.take<Item>(limits.balls + 2 * static_cast<uint64_t>(limits.sticks)));
+  items_ = FixedVector<SweptBox>(workspace.take<SweptBox>(limits.balls + 2 * static_cast<uint64_t>(limits.sticks)));
 }
 
 void StickSweep::refuse(StickConflict conflict, uint32_t first, uint32_t second) {
@@ -31,7 +31,13 @@ void StickSweep::compare_balls(uint32_t a, uint32_t b) {
   const PlacedBall &two = view_->balls[b];
   const double sum = one.r + two.r;
   if (squared_distance(one.centre, two.centre) < sum * sum) {
-    return refuse(StickConflict::balls_meet, caller_[a], caller_[b]);
+    if (meeting_.conflict == StickConflict::none) {
+      const bool ascending = caller_[a] < caller_[b];
+      meeting_ = {StickConflict::balls_meet, caller_[ascending ? a : b], caller_[ascending ? b : a]};
+    }
+    add(true, a, b);
+    add(false, a, b);
+    return;
   }
   const double dx = two.centre.x - one.centre.x;
   const double dy = two.centre.y - one.centre.y;
@@ -120,8 +126,9 @@ void StickSweep::add_items() {
                    balls_ + 2 * k + part});
     }
   }
-  sort_in_place(items_.items(),
-                [](const Item &a, const Item &b) { return a.left != b.left ? a.left < b.left : a.body < b.body; });
+  sort_in_place(items_.items(), [](const SweptBox &a, const SweptBox &b) {
+    return a.left != b.left ? a.left < b.left : a.body < b.body;
+  });
 }
 
 StickViolation StickSweep::find(const StickView &view, Span<const uint32_t> caller, FixedVector<StickPair> &pairs) {
@@ -130,16 +137,18 @@ StickViolation StickSweep::find(const StickView &view, Span<const uint32_t> call
   pairs_ = &pairs;
   balls_ = caller.size();
   violation_ = {};
+  meeting_ = {};
   pairs.clear();
   for (uint32_t k = 0; k < view.sticks.size(); ++k) {
     const Stick &stick = view.sticks[k];
+    if (stick.parts == 0) continue;
     const uint32_t first = balls_ + 2 * k;
     pairs.push({stick.ball[0], first});
     if (stick.parts == 2) pairs.push({first, first + 1});
     pairs.push({first + stick.parts - 1, stick.ball[1]});
   }
   add_items();
-  const Span<const Item> items = items_.items();
+  const Span<const SweptBox> items = items_.items();
   for (uint32_t i = 0; i < items.size(); ++i) {
     for (uint32_t j = i + 1; j < items.size() && items[j].left < items[i].right; ++j) {
       if (items[j].bottom >= items[i].top || items[j].top <= items[i].bottom) continue;

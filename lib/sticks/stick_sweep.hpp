@@ -1,6 +1,6 @@
 // All pairs of balls and parts of sticks of which one may cover the other: what has to be painted first, and whether
-// they meet where they must not. What meets in space overlaps in the view plane, so that one sweep from left to right
-// finds both.
+// they meet, or do so where they must not. What meets in space overlaps in the view plane, so that one sweep from left
+// to right finds both.
 //
 // Which one is over the other: two disjoint convex bodies that appear over each other do so in one way, wherever they
 // overlap. A part of a stick is contained in the balls of the stick's radius around its axis, which are disjoint from
@@ -22,21 +22,27 @@ struct StickPair {
   uint32_t below, above;
 };
 
+// The box of a body in the view plane.
+struct SweptBox {
+  double left, right, bottom, top;
+  uint32_t body;
+};
+
 class StickSweep {
  public:
   void carve(Workspace &workspace, const StickLimits &limits);
 
   // Finds the pairs of the balls and sticks of a view, some more than once. Those of a stick with its two balls and
-  // its parts with each other are among them. caller: the caller's numbers of balls. The first conflict that is found
-  // ends the sweep.
+  // its parts with each other are among them, those of balls that meet both ways. caller: the caller's numbers of
+  // balls. The first conflict that is found ends the sweep; that balls meet is none.
   StickViolation find(const StickView &view, Span<const uint32_t> caller, FixedVector<StickPair> &pairs);
 
- private:
-  struct Item {
-    double left, right, bottom, top;
-    uint32_t body;
-  };
+  // The first balls found that meet. They have no order, and sticks with them none that holds for pictures.
+  const StickViolation &meeting() const { return meeting_; }
+  // Of all balls and parts, sorted by their left sides.
+  Span<const SweptBox> boxes() const { return items_.items(); }
 
+ private:
   void add_items();
   void compare(uint32_t a, uint32_t b);
   void compare_balls(uint32_t a, uint32_t b);
@@ -48,12 +54,13 @@ class StickSweep {
   const Stick &stick_of(uint32_t body) const { return view_->sticks[(body - balls_) / 2]; }
   uint32_t part_of(uint32_t body) const { return (body - balls_) % 2; }
 
-  FixedVector<Item> items_;
+  FixedVector<SweptBox> items_;
   const StickView *view_ = nullptr;
   Span<const uint32_t> caller_;
   FixedVector<StickPair> *pairs_ = nullptr;
   uint32_t balls_ = 0;
   StickViolation violation_;
+  StickViolation meeting_;
 };
 
 }  // namespace hsp

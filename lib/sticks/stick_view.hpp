@@ -1,5 +1,5 @@
-// Balls and sticks as they are seen: what is painted of them and in which order. All balls are disjoint, and nothing
-// else of sticks meets than what the balls that they end in hide; stick_sweep.hpp checks that.
+// Balls and sticks as they are seen: what is painted of them and in which order, if they have one. Nothing of sticks
+// meets balls or sticks but inside the balls that they end in; stick_sweep.hpp checks that.
 #pragma once
 
 #include "core/fixed_vector.hpp"
@@ -11,32 +11,35 @@ namespace hsp {
 struct StickLimits {
   uint32_t balls = 0;  // of the model
   uint32_t sticks = 0;
-  uint32_t pairs = 0;  // of balls and parts of sticks that are seen one over the other
+  uint32_t pairs = 0;  // of balls and parts of sticks that are seen one over the other; twice if balls meet
+  uint32_t edges = 0;  // around what is seen of them, where they have no drawing order
 
   // The smallest limits that are no smaller than these and others.
   constexpr StickLimits covering(const StickLimits &other) const {
-    return {larger_count(balls, other.balls), larger_count(sticks, other.sticks), larger_count(pairs, other.pairs)};
+    return {larger_count(balls, other.balls), larger_count(sticks, other.sticks), larger_count(pairs, other.pairs),
+            larger_count(edges, other.edges)};
   }
 };
 
-// Limits that suffice for most molecules. Status::range if one would be larger than max_count.
+// Limits that suffice for most molecules whose balls and sticks have a drawing order. Status::range if one would be
+// larger than max_count.
 constexpr Status default_limits(uint32_t balls, StickLimits &limits) {
   if (balls > (max_count - 64) / 64) return Status::range;
-  limits = {balls, 2 * balls, 64 * balls + 64};
+  limits = {balls, 2 * balls, 64 * balls + 64, 0};
   return Status::ok;
 }
 
-// What cannot be drawn, with the numbers that the caller gave.
+// What cannot be drawn, or has no drawing order, with the numbers that the caller gave.
 enum class StickConflict : uint32_t {
   none = 0,
-  balls_meet = 1,     // two balls
+  balls_meet = 1,     // two balls: no order
   no_ball = 2,        // a stick, and a ball that does not exist
   same_ends = 3,      // two sticks; or a stick twice, both ends of which are one ball
   thin_ball = 4,      // a stick, and a ball at its end that is not thicker
   sharp_angle = 5,    // two sticks that meet outside the ball where both end
   sticks_meet = 6,    // two sticks
   stick_in_ball = 7,  // a stick, and a ball that it runs into
-  cycle = 8,          // a stick over others that are over it, and how many balls and parts of sticks that are
+  cycle = 8,          // a stick over others that are over it, and how many balls and parts of sticks that are: no order
 };
 
 struct StickViolation {

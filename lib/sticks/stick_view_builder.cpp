@@ -24,6 +24,12 @@ bool find_bite(const Stick &stick, StickBite &bite) {
   return true;
 }
 
+bool has_bite(const Stick &stick, StickBite &bite) {
+  return stick.parts > 0 && find_bite(stick, bite);
+}
+
+constexpr double perturbations[] = {0.0, 0x1p-20, 0x1p-17, 0x1p-14};
+
 }  // namespace
 
 void StickViewBuilder::carve(Workspace &workspace, const StickLimits &limits) {
@@ -37,6 +43,7 @@ void StickViewBuilder::carve(Workspace &workspace, const StickLimits &limits) {
   grid_of_ = workspace.take<uint32_t>(limits.balls);
   depth_ = workspace.take<double>(bodies);
   order_ = workspace.take<uint32_t>(bodies);
+  regions_.carve(workspace, limits);
 }
 
 Status StickViewBuilder::refuse(StickConflict conflict, uint32_t first, uint32_t second) {
@@ -48,6 +55,7 @@ Status StickViewBuilder::begin(const BallSet &balls, const ViewDirection &direct
   needed_ = {};
   violation_ = {};
   view_.clear();
+  regions_.clear();
   if (const Status status = look_from(direction, view_.frame); status != Status::ok) return status;
   needed_.balls = balls.n;
   needed_.sticks = count;
@@ -65,35 +73,33 @@ Status StickViewBuilder::add_stick(const BallSet &balls, uint32_t k, const Stick
   if (ends.first >= balls_) return refuse(StickConflict::no_ball, k, ends.first);
   if (ends.second >= balls_) return refuse(StickConflict::no_ball, k, ends.second);
   if (ends.first == ends.second) return refuse(StickConflict::same_ends, k, k);
-  uint32_t foot = grid_of_[ends.first];
-  uint32_t top = grid_of_[ends.second];
-  for (const uint32_t ball : {foot, top}) {
+  const uint32_t one = grid_of_[ends.first];
+  const uint32_t other = grid_of_[ends.second];
+  for (const uint32_t ball : {one, other}) {
     if (!(view_.balls[ball].r > radius)) return refuse(StickConflict::thin_ball, k, balls.caller[ball]);
   }
-  const double foot_z = view_.balls[foot].centre.z;
-  const double top_z = view_.balls[top].centre.z;
-  const bool swapped = foot_z != top_z ? foot_z > top_z : foot > top;
-  if (swapped) {
-    const uint32_t other = foot;
-    foot = top;
-    top = other;
-  }
-  // Before anything is divided by the length between them.
+  view_.sticks.push(make_stick(one, other, radius, k, ends.whole));
+  return Status::ok;
+}
+
+// Between two balls of grid order, the first of which owns it if it is whole.
+Stick StickViewBuilder::make_stick(uint32_t one, uint32_t other, double radius, uint32_t caller, bool whole) const {
+  const double foot_z = view_.balls[one].centre.z;
+  const double top_z = view_.balls[other].centre.z;
+  const bool swapped = foot_z != top_z ? foot_z > top_z : one > other;
+  const uint32_t foot = swapped ? other : one;
+  const uint32_t top = swapped ? one : other;
   const Vec3 d = view_.balls[top].centre - view_.balls[foot].centre;
-  const double sum = view_.balls[top].r + view_.balls[foot].r;
-  if (dot(d, d) < sum * sum) {
-    return refuse(StickConflict::balls_meet, ends.first < ends.second ? ends.first : ends.second,
-                  ends.first < ends.second ? ends.second : ends.first);
-  }
-  Stick stick = stick_between(view_.balls[foot], view_.balls[top], radius);
+  Stick stick{};
+  if (dot(d, d) > 0.0) stick = stick_between(view_.balls[foot], view_.balls[top], radius);
   stick.ball[0] = foot;
   stick.ball[1] = top;
-  stick.caller = k;
-  stick.parts = ends.whole ? 1 : 2;
-  stick.owner[0] = ends.whole ? grid_of_[ends.first] : foot;
-  stick.owner[1] = ends.whole ? grid_of_[ends.first] : top;
-  view_.sticks.push(stick);
-  return Status::ok;
+  stick.caller = caller;
+  stick.owner[0] = whole ? one : foot;
+  stick.owner[1] = whole ? one : top;
+  stick.radius = radius;
+  stick.parts = !(stick.first < stick.last) ? 0 : whole ? 1 : 2;
+  return stick;
 }
 
 // A counting sort by balls, then by angles.
@@ -101,13 +107,13 @@ void StickViewBuilder::find_bites() {
   const Span<uint32_t> first = view_.first_bite.part(0, balls_ + 1);
   for (uint32_t &each : first) each = 0;
   StickBite bite{};
-  for (const Stick &stick : view_.sticks.items()) first[stick.ball[1]] += find_bite(stick, bite) ? 1U : 0U;
+  for (const Stick &stick : view_.sticks.items()) first[stick.ball[1]] += has_bite(stick, bite) ? 1U : 0U;
   uint32_t end = 0;
   for (uint32_t i = 0; i < balls_; ++i) first[i] = end += first[i];
   first[balls_] = end;
   view_.bites.set_count(end);
   for (uint32_t k = 0; k < view_.sticks.size(); ++k) {
-    if (!find_bite(view_.sticks[k], bite)) continue;
+    if (!has_bite(view_.sticks[k], bite)) continue;
     bite.stick = k;
     view_.bites[--first[view_.sticks[k].ball[1]]] = bite;
   }
@@ -139,12 +145,7 @@ void StickViewBuilder::add_paths(uint32_t bodies) {
   }
 }
 
-Status StickViewBuilder::finish(const BallSet &balls) {
-  violation_ = sweep_.find(view_, balls.caller.part(0, balls_), pairs_);
-  if (violation_.conflict != StickConflict::none) return Status::conflict;
-  needed_.pairs = clamped_count(pairs_.required());
-  if (pairs_.overflowed()) return Status::capacity;
-  const uint32_t bodies = balls_ + 2 * view_.sticks.size();
+void StickViewBuilder::find_depths() {
   for (uint32_t i = 0; i < balls_; ++i) depth_[i] = view_.balls[i].centre.z;
   for (uint32_t k = 0; k < view_.sticks.size(); ++k) {
     const Stick &stick = view_.sticks[k];
@@ -154,14 +155,79 @@ Status StickViewBuilder::finish(const BallSet &balls) {
       depth_[balls_ + 2 * k + part] = stick.on_axis(s).z;
     }
   }
+}
+
+Status StickViewBuilder::find_pairs(const BallSet &balls) {
+  violation_ = sweep_.find(view_, balls.caller.part(0, balls_), pairs_);
+  if (violation_.conflict != StickConflict::none) return Status::conflict;
+  needed_.pairs = larger_count(needed_.pairs, clamped_count(pairs_.required()));
+  return pairs_.overflowed() ? Status::capacity : Status::ok;
+}
+
+Status StickViewBuilder::finish(const BallSet &balls) {
+  if (const Status status = find_pairs(balls); status != Status::ok) return status;
+  find_depths();
+  violation_ = sweep_.meeting();
+  if (violation_.conflict != StickConflict::none) return find_regions(balls);
+  const uint32_t bodies = balls_ + 2 * view_.sticks.size();
   const uint32_t placed = sorter_.sort(pairs_.items(), depth_.part(0, bodies), order_.part(0, bodies));
   if (placed < bodies) {
     const DrawingOrder::Cycle cycle = sorter_.find_cycle(pairs_.items(), bodies);
     // Balls alone have no cycles, and come first.
-    return refuse(StickConflict::cycle, view_.sticks[path_of(cycle.last).stick].caller, cycle.length);
+    violation_ = {StickConflict::cycle, view_.sticks[path_of(cycle.last).stick].caller, cycle.length};
+    return find_regions(balls);
   }
   find_bites();
   add_paths(bodies);
+  return Status::ok;
+}
+
+void StickViewBuilder::move(const BallSet &balls, double perturbation) {
+  for (uint32_t i = 0; i < balls_; ++i) {
+    view_.balls[i].centre = moved_centre(balls, i, view_.frame.centre_of(balls, i), perturbation);
+  }
+  for (Stick &stick : view_.sticks.items()) {
+    const bool whole = stick.owner[0] == stick.owner[1];
+    const uint32_t one = stick.owner[0];
+    stick = make_stick(one, stick.ball[0] == one ? stick.ball[1] : stick.ball[0], stick.radius, stick.caller, whole);
+  }
+}
+
+// Where roundings decide differently about one and the same thing, or what is moved meets what it only touched, all
+// balls are moved a little more.
+Status StickViewBuilder::find_regions(const BallSet &balls) {
+  const StickViolation reason = violation_;
+  for (const double perturbation : perturbations) {
+    Status status = Status::ok;
+    if (perturbation > 0.0) {
+      move(balls, perturbation);
+      status = find_pairs(balls);
+      if (status == Status::conflict) continue;
+    }
+    if (status == Status::ok) status = find_moved_regions(balls, perturbation);
+    if (status == Status::check) continue;
+    violation_ = reason;
+    return status;
+  }
+  violation_ = {};
+  regions_.clear();
+  return Status::check;
+}
+
+// A stick that the ball at its top hides as a whole is left out: that ball hides all that it would hide.
+Status StickViewBuilder::find_moved_regions(const BallSet &balls, double perturbation) {
+  for (Stick &stick : view_.sticks.items()) {
+    if (stick.parts > 0 && hidden_by_top(stick, 0, view_.balls[stick.ball[1]].r)) stick.parts = 0;
+  }
+  find_bites();
+  const uint32_t bodies = balls_ + 2 * view_.sticks.size();
+  const Status status = regions_.build(view_, pairs_.items(), sweep_.boxes(), depth_.part(0, bodies));
+  needed_.edges = larger_count(needed_.edges, regions_.needed_edges());
+  if (status != Status::ok) return status;
+  regions_.set_frame(view_.frame, perturbation * static_cast<double>(balls.largest_radius));
+  view_.paths.clear();
+  const StickRegions &regions = regions_.structure();
+  for (uint32_t p = 0; p < regions.paths; ++p) view_.paths.push(path_of(regions.owner_of(p)));
   return Status::ok;
 }
 

@@ -10,10 +10,15 @@
 //   a ball at the nearer end comes after the stick. Where both are painted the ball is over it: where the stick is, the
 //     ball's front is inside it, in the cap that is left out.
 //   all others are disjoint, so that one of two is over the other wherever they overlap.
+// Where balls meet, or bodies cover each other around a circle, there is no such order. Then what is seen of each body
+// is found instead, from the same pairs (region_builder.hpp).
 #pragma once
 
 #include "model/ball_set.hpp"
 #include "sticks/drawing_order.hpp"
+#include "sticks/region_builder.hpp"
+#include "sticks/region_outlines.hpp"
+#include "sticks/stick_outlines.hpp"
 
 namespace hsp {
 
@@ -28,8 +33,9 @@ class StickViewBuilder {
   void carve(Workspace &workspace, const StickLimits &limits);
 
   // radius: of all sticks, in lattice steps, positive. Status::capacity if a limit is too small; needed() then tells
-  // what suffices, with 0 for what is not known yet. Status::conflict if it cannot be drawn; violation() tells why.
-  // Status::not_finite if a component of the direction is not.
+  // what suffices, with 0 for what is not known yet. Status::conflict if it cannot be drawn; violation() tells why. It
+  // also tells why there is no drawing order where there is a result without. Status::check if there is none because
+  // roundings cannot be overcome, Status::not_finite if a component of the direction is not.
   template <class EndsOf>
   Status build(const BallSet &balls, const ViewDirection &direction, uint32_t count, double radius, EndsOf ends_of) {
     Status status = begin(balls, direction, count);
@@ -37,7 +43,10 @@ class StickViewBuilder {
     return status == Status::ok ? finish(balls) : status;
   }
 
+  // Its sticks and centres are a little moved where regions are perturbed.
   const StickView &structure() const { return view_; }
+  const StickRegions &regions() const { return regions_.structure(); }
+  PaintedPaths paths() const { return regions().exist ? paths_of(regions()) : paths_of(view_); }
   const StickViolation &violation() const { return violation_; }
   const StickLimits &needed() const { return needed_; }
   // What to try again with after Status::capacity.
@@ -49,7 +58,13 @@ class StickViewBuilder {
   Status begin(const BallSet &balls, const ViewDirection &direction, uint32_t count);
   Status add_stick(const BallSet &balls, uint32_t k, const StickEnds &ends, double radius);
   Status finish(const BallSet &balls);
+  Status find_pairs(const BallSet &balls);
+  Status find_regions(const BallSet &balls);
+  Status find_moved_regions(const BallSet &balls, double perturbation);
   Status refuse(StickConflict conflict, uint32_t first, uint32_t second);
+  Stick make_stick(uint32_t one, uint32_t other, double radius, uint32_t caller, bool whole) const;
+  void move(const BallSet &balls, double perturbation);
+  void find_depths();
   void find_bites();
   void add_paths(uint32_t bodies);
   StickPath path_of(uint32_t body) const;
@@ -60,6 +75,7 @@ class StickViewBuilder {
   StickView view_;
   StickSweep sweep_;
   DrawingOrder sorter_;
+  RegionBuilder regions_;
   FixedVector<StickPair> pairs_;
   Span<uint32_t> grid_of_;  // [balls] by the caller's numbers
   Span<double> depth_;      // [balls + 2 sticks]

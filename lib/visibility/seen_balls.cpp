@@ -31,6 +31,11 @@ Vec3 direction_of_shift(const BallSet &balls, uint32_t i) {
 
 }  // namespace
 
+// The radius of a cube's circumsphere is less than 2 of its half sides.
+Vec3 moved_centre(const BallSet &balls, uint32_t i, const Vec3 &centre, double perturbation) {
+  return combine(1.0, centre, perturbation / 2 * balls.r[i], direction_of_shift(balls, i));
+}
+
 void SeenBalls::carve(Workspace &workspace, uint32_t balls) {
   hidden_.carve(workspace, balls);
   visible_ = workspace.take<uint8_t>(balls);
@@ -45,14 +50,13 @@ void SeenBalls::choose(const CubeGrid &grid, const ViewFrame &frame) {
   hidden_.hide(grid, frame, visible_);
 }
 
-// The radius of a cube's circumsphere is less than 2 of its half sides.
 void SeenBalls::place(const BallSet &balls, const ViewFrame &frame, double perturbation) {
   moved_ = perturbation > 0.0;
   count_ = 0;
   for (uint32_t i = 0; i < balls.n; ++i) {
     if (visible_[i] == 0) continue;
     Vec3 centre = frame.centre_of(balls, i);
-    if (moved_) centre = combine(1.0, centre, perturbation / 2 * balls.r[i], direction_of_shift(balls, i));
+    if (moved_) centre = moved_centre(balls, i, centre, perturbation);
     balls_[count_++] = {centre.x, centre.y, centre.z, balls.r[i], i, 0};
   }
   sort_in_place(balls_.part(0, count_), [&balls](const SeenBall &a, const SeenBall &b) {

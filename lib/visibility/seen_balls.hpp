@@ -15,14 +15,17 @@ struct SeenBall {
   double top() const { return z + r; }
 };
 
+// A centre in view coordinates, moved by at most `perturbation` times the ball's radius, in a way that depends on its
+// centre and radius alone.
+Vec3 moved_centre(const BallSet &balls, uint32_t i, const Vec3 &centre, double perturbation);
+
 class SeenBalls {
  public:
   void carve(Workspace &workspace, uint32_t balls);
 
   // Leaves out what is hidden as a whole for certain; that is so for every perturbation afterwards.
   void choose(const CubeGrid &grid, const ViewFrame &frame);
-  // Places what is left and sorts it. Every centre is moved by at most `perturbation` times the ball's radius, in a way
-  // that depends on its centre and radius alone.
+  // Places what is left and sorts it, every centre moved as above.
   void place(const BallSet &balls, const ViewFrame &frame, double perturbation);
 
   Span<const SeenBall> balls() const { return balls_.part(0, count_); }

@@ -38,7 +38,7 @@ program fortran_sticks_test
   integer(c_size_t) :: bytes
   integer(c_int64_t) :: taken
 
-  call check(c_sizeof(limits) == 16, 'size of hsp_sticks_limits')
+  call check(c_sizeof(limits) == 20, 'size of hsp_sticks_limits')
   call check(c_sizeof(stick(1)) == 16, 'size of hsp_stick')
   call check(c_sizeof(conflict) == 16, 'size of hsp_sticks_conflict')
   call check(c_sizeof(info) == 144, 'size of hsp_sticks_info')
@@ -48,9 +48,11 @@ program fortran_sticks_test
   call expect(hsp_model_init(c_loc(model_memory), bytes, n, model), HSP_OK, 'hsp_model_init')
   call expect(hsp_model_set(model, n, xyz, radius), HSP_OK, 'hsp_model_set')
   call expect(hsp_sticks_limits_init(limits, int(c_sizeof(limits), c_int32_t), n), HSP_OK, 'hsp_sticks_limits_init')
-  call check(limits%balls == n .and. limits%sticks == 2*n .and. limits%pairs == 64*n + 64, 'limits')
+  call check(limits%balls == n .and. limits%sticks == 2*n .and. limits%pairs == 64*n + 64 &
+             .and. limits%edges == 0, 'limits')
   call expect(hsp_sticks_bytes(limits, bytes), HSP_OK, 'hsp_sticks_bytes')
-  call check(bytes <= hsp_sticks_bytes_bound(limits%balls, limits%sticks, limits%pairs), 'hsp_sticks_bytes_bound')
+  call check(bytes <= hsp_sticks_bytes_bound(limits%balls, limits%sticks, limits%pairs, limits%edges), &
+             'hsp_sticks_bytes_bound')
   allocate (sticks_memory(bytes))
   call expect(hsp_sticks_init(c_loc(sticks_memory), bytes, limits, sticks), HSP_OK, 'hsp_sticks_init')
   call expect(hsp_sticks_get_info(sticks, info), HSP_E_STATE, 'info of nothing')

@@ -232,7 +232,6 @@ static int write_everything(hsp_view *view, hsp_map *map, const uint32_t *colour
   return bad;
 }
 
-/* Balls and sticks, of balls that do not meet. */
 static int call_contacts(const computed *c, void *memory, size_t bytes) {
   static hsp_contact contact[64];
   static hsp_group_contact sum[64];
@@ -266,7 +265,8 @@ static int call_contacts(const computed *c, void *memory, size_t bytes) {
   return bad;
 }
 
-static int call_sticks(const hsp_model *model, void *memory, size_t bytes) {
+/* Balls and sticks, which have an order to paint them if `edges` is 0. */
+static int call_sticks(const hsp_model *model, void *memory, size_t bytes, uint32_t edges) {
   static const hsp_stick stick[2] = {{{0, 1}, 0, 0}, {{2, 1}, HSP_STICK_WHOLE, 0}};
   hsp_sticks *sticks = NULL;
   hsp_sticks_limits limits;
@@ -276,11 +276,13 @@ static int call_sticks(const hsp_model *model, void *memory, size_t bytes) {
   size_t size = 0;
   int bad = hsp_picture_options_init(&options, (uint32_t)sizeof options) != HSP_OK;
   bad += hsp_sticks_limits_init(&limits, (uint32_t)sizeof limits, 3) != HSP_OK;
+  limits.edges = edges;
   bad += hsp_sticks_bytes(&limits, &size) != HSP_OK || size > bytes;
   bad += hsp_sticks_init(memory, size, &limits, &sticks) != HSP_OK;
   bad += hsp_sticks_compute(sticks, model, NULL, stick, 2, 0.5, &conflict, NULL) != HSP_OK;
   bad += hsp_sticks_get_info(sticks, &info) != HSP_OK;
   bad += info.balls != 3;
+  bad += (conflict.kind == HSP_STICKS_BALLS_MEET) != (edges > 0);
   for (options.format = HSP_FORMAT_SVG; options.format <= HSP_FORMAT_PDF; ++options.format) {
     uint64_t taken = 0, said = 0;
     bad += hsp_picture_write_sticks(sticks, NULL, &options, "title", "text", count_bytes, &taken, &said) != HSP_OK;
@@ -588,13 +590,16 @@ static void trap_contacts(void) {
 
 static void trap_sticks(void) {
   static const double xyz[9] = {0, 0, 0, 10, 0, 3, 10, 10, -2}, radius[3] = {2, 2, 3};
-  static unsigned char memory[HSP_STICKS_BYTES(3, 6, 256)], model_memory[HSP_MODEL_BYTES(3)];
+  static const double meeting[3] = {5, 6, 5};
+  static unsigned char memory[HSP_STICKS_BYTES(3, 6, 256, 100)], model_memory[HSP_MODEL_BYTES(3)];
   hsp_model *model = NULL;
   int bad;
   CHECK_EQUAL(hsp_model_init(model_memory, sizeof model_memory, 3, &model), HSP_OK);
   CHECK_EQUAL(hsp_model_set(model, 3, xyz, radius, NULL, NULL), HSP_OK);
   arm();
-  bad = call_sticks(model, memory, sizeof memory);
+  bad = call_sticks(model, memory, sizeof memory, 0);
+  bad += hsp_model_set(model, 3, xyz, meeting, NULL, NULL) != HSP_OK;
+  bad += call_sticks(model, memory, sizeof memory, 100);
   disarm(bad);
 }
 

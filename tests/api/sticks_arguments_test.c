@@ -7,9 +7,9 @@
 #include "picture_sink.h"
 #include "untouched.h"
 
-enum { BALLS = 4, STICKS = 3, PAIRS = 40 };
+enum { BALLS = 4, STICKS = 3, PAIRS = 40, EDGES = 100 };
 static unsigned char model_memory[HSP_MODEL_BYTES(BALLS)];
-static unsigned char sticks_memory[HSP_STICKS_BYTES(BALLS, STICKS, PAIRS)];
+static unsigned char sticks_memory[HSP_STICKS_BYTES(BALLS, STICKS, PAIRS, EDGES)];
 static hsp_model *model;
 static hsp_sticks *sticks;
 static hsp_sticks_info info;
@@ -21,7 +21,7 @@ static const double radius[BALLS] = {2, 2, 2, 1};
 static const hsp_stick good[STICKS] = {{{0, 1}, 0, 0}, {{2, 0}, HSP_STICK_WHOLE, 0}, {{3, 1}, 0, 0}};
 
 static hsp_sticks_limits good_limits(void) {
-  const hsp_sticks_limits limits = {(uint32_t)sizeof limits, BALLS, STICKS, PAIRS};
+  const hsp_sticks_limits limits = {(uint32_t)sizeof limits, BALLS, STICKS, PAIRS, EDGES};
   return limits;
 }
 
@@ -53,7 +53,7 @@ static void refused_limits(void) {
   int which;
   CHECK_EQUAL(hsp_sticks_bytes(NULL, &bytes), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_sticks_bytes(&bad, NULL), HSP_E_ARGUMENT);
-  for (which = 0; which < 5; ++which) {
+  for (which = 0; which < 6; ++which) {
     const int32_t status = which < 2 ? HSP_E_ARGUMENT : HSP_E_RANGE;
     bad = good_limits();
     if (which == 0) bad.struct_size = 12;
@@ -61,6 +61,7 @@ static void refused_limits(void) {
     if (which == 2) bad.balls = HSP_MAX_BALLS + 1;
     if (which == 3) bad.sticks = HSP_NONE;
     if (which == 4) bad.pairs = HSP_MAX_BALLS + 1;
+    if (which == 5) bad.edges = HSP_MAX_BALLS + 1;
     CHECK_EQUAL(hsp_sticks_bytes(&bad, &bytes), status);
     CHECK_EQUAL(hsp_sticks_init(sticks_memory, sizeof sticks_memory, &bad, &made), status);
   }
@@ -77,16 +78,16 @@ static void refused_limits(void) {
   CHECK_EQUAL(hsp_sticks_limits_init(&bad, 8, 1), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_sticks_limits_init(&bad, (uint32_t)sizeof bad, (HSP_MAX_BALLS - 64) / 64 + 1), HSP_E_RANGE);
   CHECK_EQUAL(hsp_sticks_limits_init(&bad, (uint32_t)sizeof bad, 10), HSP_OK);
-  CHECK(bad.balls == 10 && bad.sticks == 20 && bad.pairs == 704);
+  CHECK(bad.balls == 10 && bad.sticks == 20 && bad.pairs == 704 && bad.edges == 0);
 }
 
 /* Numbers of the handle's own that do not suffice. */
 static void small_limits(void) {
   static const hsp_sticks_limits small[] = {
-      {(uint32_t)sizeof small[0], BALLS - 1, STICKS, PAIRS},
-      {(uint32_t)sizeof small[0], BALLS, STICKS - 1, PAIRS},
-      {(uint32_t)sizeof small[0], BALLS, STICKS, 3},
-      {(uint32_t)sizeof small[0], 0, 0, 0},
+      {(uint32_t)sizeof small[0], BALLS - 1, STICKS, PAIRS, 0},
+      {(uint32_t)sizeof small[0], BALLS, STICKS - 1, PAIRS, 0},
+      {(uint32_t)sizeof small[0], BALLS, STICKS, 3, 0},
+      {(uint32_t)sizeof small[0], 0, 0, 0, 0},
   };
   size_t which;
   for (which = 0; which < sizeof small / sizeof small[0]; ++which) {
@@ -158,7 +159,6 @@ static void check_conflict(const hsp_stick *stick, uint32_t count, double thick,
 }
 
 static void conflicts(void) {
-  static const double meeting[BALLS] = {2, 9, 2, 1};
   static const hsp_stick beyond = {{0, BALLS}, 0, 0}, point = {{2, 2}, 0, 0};
   static const hsp_stick twice[2] = {{{0, 1}, 0, 0}, {{1, 0}, 0, 0}};
   static const hsp_stick across[2] = {{{0, 1}, 0, 0}, {{2, 0}, 0, 0}};
@@ -168,10 +168,6 @@ static void conflicts(void) {
   check_conflict(good, STICKS, 1.25, HSP_STICKS_THIN_BALL, 2, 3);
   check_conflict(across, 2, 1.5, HSP_STICKS_SHARP_ANGLE, 0, 1); /* 2 < 1.5 sqrt(2) */
   CHECK_EQUAL(compute(across, 2, 1.4), HSP_OK);
-  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, meeting, NULL, NULL), HSP_OK);
-  CHECK_EQUAL(compute(NULL, 0, 0.5), HSP_E_CONFLICT);
-  CHECK(conflict.kind == HSP_STICKS_BALLS_MEET && conflict.first == 0 && conflict.second == 1);
-  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
 }
 
 static int32_t write_picture(hsp_sticks *which, const uint32_t *colour, const hsp_picture_options *options,
@@ -183,6 +179,44 @@ static int32_t write_picture(hsp_sticks *which, const uint32_t *colour, const hs
   CHECK_EQUAL(bytes, sink->count);
   if (status != HSP_OK) CHECK_EQUAL(bytes, 0);
   return status;
+}
+
+/* Balls that meet: no order, but what is seen of each. */
+static void without_order(void) {
+  static const double meeting[BALLS] = {2, 8.5, 2, 1};
+  const uint32_t colours[BALLS] = {0x112233, 0x445566, 0x778899, 0xAABBCC};
+  hsp_sticks_limits asked = good_limits();
+  hsp_picture_options options;
+  picture_sink sink;
+  int retries = 0;
+  int32_t status;
+  CHECK_EQUAL(hsp_picture_options_init(&options, (uint32_t)sizeof options), HSP_OK);
+  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, meeting, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(compute(good, 2, 0.5), HSP_OK);
+  CHECK_EQUAL(conflict.kind, HSP_STICKS_BALLS_MEET);
+  CHECK(conflict.first == 0 && conflict.second == 1);
+  CHECK_EQUAL(hsp_sticks_get_info(sticks, &info), HSP_OK);
+  CHECK(info.sticks == 2 && info.balls == 3 && info.paths == 4); /* a stick and a ball are hidden */
+  CHECK(info.arcs > 6 && info.arcs < 40);
+  if (CHECK_EQUAL(write_picture(sticks, colours, &options, &sink), HSP_OK)) {
+    CHECK(strstr(sink.bytes, "data-ball=\"1\"") != NULL && strstr(sink.bytes, "data-ball=\"3\"") == NULL);
+  }
+  picture_sink_release(&sink);
+  asked.edges = 0;
+  for (;; ++retries) {
+    CHECK_EQUAL(hsp_sticks_init(sticks_memory, sizeof sticks_memory, &asked, &sticks), HSP_OK);
+    status = hsp_sticks_compute(sticks, model, NULL, good, 2, 0.5, NULL, &asked);
+    if (status != HSP_E_CAPACITY || retries == 12) break;
+    check_no_results(sticks, HSP_E_STATE);
+  }
+  CHECK_EQUAL(status, HSP_OK);
+  CHECK(retries > 0 && asked.edges > 6 && asked.edges <= EDGES);
+  asked.edges -= 1;
+  CHECK_EQUAL(hsp_sticks_init(sticks_memory, sizeof sticks_memory, &asked, &sticks), HSP_OK);
+  CHECK_EQUAL(hsp_sticks_compute(sticks, model, NULL, good, 2, 0.5, NULL, NULL), HSP_E_CAPACITY);
+  asked = good_limits();
+  CHECK_EQUAL(hsp_sticks_init(sticks_memory, sizeof sticks_memory, &asked, &sticks), HSP_OK);
+  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
 }
 
 /* One path for each ball and part of a stick, with its colour. */
@@ -240,6 +274,7 @@ int main(void) {
   refused_limits();
   computing();
   conflicts();
+  without_order();
   pictures();
   order_of_calls();
   small_limits();

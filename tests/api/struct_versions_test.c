@@ -190,10 +190,10 @@ static int32_t return_map_limits(void *out, uint32_t size) {
   memcpy(out, &size, sizeof size);
   return hsp_map_compute(map, h.model, NULL, out);
 }
-/* The balls of this test meet, so none may: of an empty model. */
+/* Of an empty model, which no limit is too small for. */
 static int32_t return_sticks_limits(void *out, uint32_t size) {
   static unsigned char memory[HSP_MODEL_BYTES(0)];
-  const hsp_sticks_limits of_sticks = {(uint32_t)sizeof of_sticks, BALLS, BALLS, 64};
+  const hsp_sticks_limits of_sticks = {(uint32_t)sizeof of_sticks, BALLS, BALLS, 64, 0};
   hsp_model *empty = NULL;
   CHECK_EQUAL(hsp_model_init(memory, sizeof memory, 0, &empty), HSP_OK);
   CHECK_EQUAL(hsp_model_set(empty, 0, NULL, NULL, NULL, NULL), HSP_OK);

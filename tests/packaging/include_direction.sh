@@ -13,7 +13,7 @@ rooms="core exact model cells poses sphere boundary topology measure contacts su
 rooms+=" view visibility sticks picture capi"
 declare -A stands_on=([core]="" [exact]="core" [model]="exact" [cells]="model" [poses]="model" [sphere]="model"
   [boundary]="sphere" [topology]="boundary" [measure]="topology" [contacts]="measure" [surface]="measure" [mesh]="surface"
-  [view]="boundary" [visibility]="view" [sticks]="view" [picture]="view"
+  [view]="boundary" [visibility]="view" [sticks]="visibility" [picture]="view"
   [capi]="cells poses contacts mesh visibility sticks picture")
 failed=0
 

@@ -393,7 +393,10 @@ TEST(Draw, BallsAndSticks) {
   const auto refusal = [&](const std::vector<std::string> &options) {
     return draw_to(out.path(), caffeine, options).err;
   };
-  EXPECT_NE(refusal(with({"--ball-size", "1"})).find("meet: a smaller --ball-size"), std::string::npos);
+  // Balls that meet, and hide all sticks: what is seen of each.
+  const Outcome full = draw_to(out.path(), caffeine, with({"--json", "--ball-size", "1"}));
+  EXPECT_NE(full.out.find("\"pieces\": 1"), std::string::npos) << full.out << full.err;
+  EXPECT_NE(full.out.find("\"sticks\": 25,"), std::string::npos) << full.out;
   EXPECT_NE(refusal(with({"--stick", "0.4"})).find("is not thicker than its sticks"), std::string::npos);
   EXPECT_NE(
       draw_to(out.path(), crambin(), with({"--ball-size", "0.15", "--stick", "0.22"})).err.find("meet: see --ball"),

@@ -102,8 +102,8 @@ struct MapKind {
 struct SticksKind {
   using Handle = hsp_sticks;
   using Limits = hsp_sticks_limits;
-  static constexpr int enlargements = 2;
-  static constexpr std::array limits = {&Limits::balls, &Limits::sticks, &Limits::pairs};
+  static constexpr int enlargements = 12;
+  static constexpr std::array limits = {&Limits::balls, &Limits::sticks, &Limits::pairs, &Limits::edges};
   static constexpr const char *name = "hsp_sticks";
   static constexpr auto bytes = hsp_sticks_bytes;
   static constexpr auto init = hsp_sticks_init;

@@ -26,11 +26,24 @@ hsp::Status BuiltSticks::build(const std::array<double, 3> &towards) {
 }
 
 void BuiltSticks::look(const std::array<double, 3> &towards) {
-  for (int left = 3;; --left) {
+  for (int left = 12;; --left) {
     status_ = build(towards);
     if (status_ != hsp::Status::capacity || left == 0) return;
     take(builder_.retry_limits());
   }
+}
+
+StickModel sticks_between_close(oracle::Balls atoms, double part) {
+  StickModel model{std::move(atoms), {}};
+  for (uint32_t i = 0; i < model.balls.size(); ++i)
+    for (uint32_t j = 0; j < i; ++j) {
+      const oracle::LatticeBall &a = model.balls[i], &b = model.balls[j];
+      const double distance =
+          std::hypot(static_cast<double>(a.x - b.x), static_cast<double>(a.y - b.y), static_cast<double>(a.z - b.z));
+      if (distance < 0.6 * static_cast<double>(a.radius + b.radius)) model.ends.push_back({i, j});
+    }
+  for (oracle::LatticeBall &ball : model.balls) ball.radius = std::llround(part * static_cast<double>(ball.radius));
+  return model;
 }
 
 std::string BuiltSticks::violation() const {
@@ -49,33 +62,60 @@ uint32_t name_of(const BuiltSticks &built, const hsp::StickPath &path) {
   return balls.n + 2 * k + (balls.caller[path.ball] == built.ends()[k][0] ? 0 : 1);
 }
 
-oracle::Path path_of(const hsp::StickView &view, uint32_t path) {
-  oracle::Path result;
-  hsp::visit_outline(view, path, [&](const hsp::ProjectedArc &arc, bool, bool) {
+struct DrawnPath {
+  oracle::Path arcs;
+  std::vector<std::array<bool, 2>> ends;  // whether an arc is the first, or the last of a loop
+};
+
+DrawnPath path_of(const BuiltSticks &built, uint32_t path, hsp::PathPart part) {
+  DrawnPath result;
+  built.builder().paths().visit(built.balls(), path, part, [&](const hsp::ProjectedArc &arc, bool first, bool closes) {
     const hsp::ProjectedEllipse &e = arc.ellipse;
-    result.push_back({{e.centre[0], e.centre[1]},
-                      {std::hypot(e.major[0], e.major[1]), std::hypot(e.minor[0], e.minor[1])},
-                      std::atan2(e.major[1], e.major[0]),
-                      arc.from,
-                      arc.to,
-                      {arc.start[0], arc.start[1]},
-                      {arc.end[0], arc.end[1]}});
+    result.arcs.push_back({{e.centre[0], e.centre[1]},
+                           {std::hypot(e.major[0], e.major[1]), std::hypot(e.minor[0], e.minor[1])},
+                           std::atan2(e.major[1], e.major[0]),
+                           arc.from,
+                           arc.to,
+                           {arc.start[0], arc.start[1]},
+                           {arc.end[0], arc.end[1]}});
+    result.ends.push_back({first, closes});
   });
   return result;
 }
 
 // What is wrong with the arcs of a path by themselves.
-std::string broken(const oracle::Path &path, double tolerance) {
-  for (size_t k = 0; k < path.size(); ++k) {
-    const oracle::PathArc &arc = path[k];
-    if (arc.end != path[(k + 1) % path.size()].start) return "a path that is not closed";
+std::string broken(const DrawnPath &path, double tolerance) {
+  size_t first = 0;
+  for (size_t k = 0; k < path.arcs.size(); ++k) {
+    const oracle::PathArc &arc = path.arcs[k];
+    if (path.ends[k][0]) first = k;
+    if (!path.ends[k][1] && k + 1 == path.arcs.size()) return "a loop without an end";
+    if (arc.end != path.arcs[path.ends[k][1] ? first : k + 1].start) return "a path that is not closed";
     for (size_t axis = 0; axis < 2; ++axis) {
       if (std::abs(arc.at(arc.from)[axis] - arc.start[axis]) > tolerance) return "an arc that starts elsewhere";
       if (std::abs(arc.at(arc.to)[axis] - arc.end[axis]) > tolerance) return "an arc that ends elsewhere";
     }
-    if (std::abs(arc.from) > 6.2832 || std::abs(arc.to) > 6.2832) return "parameters beyond a turn";
+    if (std::abs(arc.from) > 9.4248 || std::abs(arc.to) > 9.4248) return "parameters far beyond a turn";
   }
   return "";
+}
+
+// Each edge of regions is one path's own line, and on two outlines at most.
+std::string broken_lines(const BuiltSticks &built) {
+  const hsp::StickRegions &regions = built.builder().regions();
+  if (!regions.exist) return "";
+  size_t lines = 0, outlines = 0;
+  double area = 0, swept = 0;
+  for (uint32_t p = 0; p < regions.paths; ++p) {
+    lines += path_of(built, p, hsp::PathPart::lines).arcs.size();
+    const DrawnPath outline = path_of(built, p, hsp::PathPart::outline);
+    outlines += outline.arcs.size();
+    for (const oracle::PathArc &arc : outline.arcs) swept += arc.swept_area();
+  }
+  for (const hsp::RegionLoop &loop : regions.loops.items()) area += loop.owner == hsp::no_id ? 0 : loop.area;
+  if (std::abs(area - swept) > 1e-7 * area) return "areas of loops are not those of paths";
+  if (lines != regions.edges.size()) return "lines that are missing, or drawn twice";
+  return outlines < lines || outlines > 2 * lines ? "outlines that are missing" : "";
 }
 
 }  // namespace
@@ -110,18 +150,22 @@ std::string sticks_disagree(const BuiltSticks &built, size_t pixels) {
   std::vector<oracle::SeenPixel> image = oracle::z_buffer(seen, grid);
   oracle::add_cylinders(cylinders, balls.n, grid, image);
 
+  const double moved = built.builder().regions().perturbation;
+  const double tolerance = built.builder().regions().exist ? 1e-6 * largest : 1e-9 * largest + 1e-7;
   std::vector<oracle::Path> paths;
   std::vector<uint32_t> name;
   for (uint32_t p = 0; p < view.paths.size(); ++p) {
-    paths.push_back(path_of(view, p));
+    const DrawnPath path = path_of(built, p, hsp::PathPart::outline);
+    paths.push_back(path.arcs);
     name.push_back(name_of(built, view.paths[p]));
-    const std::string fault = broken(paths.back(), 1e-9 * largest + 1e-7);
+    const std::string fault = broken(path, tolerance);
     if (!fault.empty()) return fault + ", path " + std::to_string(p);
   }
+  if (const std::string fault = broken_lines(built); !fault.empty()) return fault;
   const oracle::PaintedImage painted = oracle::painted(paths, grid);
   const auto near_edge = [&](uint32_t path, size_t pixel) {
     return path != oracle::no_ball && oracle::passes_near(paths[path], grid.x(pixel % grid.columns),
-                                                          grid.y(pixel / grid.columns), 1e-6 * grid.side);
+                                                          grid.y(pixel / grid.columns), 1e-6 * grid.side + 3 * moved);
   };
   size_t excluded = 0;
   for (const oracle::PaintedImage::Winding &winding : painted.windings) {
@@ -133,7 +177,7 @@ std::string sticks_disagree(const BuiltSticks &built, size_t pixels) {
     const uint32_t path = painted.non_zero[k];
     const uint32_t shown = path == oracle::no_ball ? oracle::no_ball : name[path];
     if (shown == image[k].ball) continue;
-    bool close = std::abs(image[k].depth - image[k].runner_up) < 1e-8 * largest;
+    bool close = std::abs(image[k].depth - image[k].runner_up) < 1e-8 * largest + 3 * moved;
     for (uint32_t p = 0; p < paths.size() && !close; ++p) close = near_edge(p, k);
     if (!close) {
       text << "pixel " << k << " (" << grid.x(k % grid.columns) << ", " << grid.y(k / grid.columns) << ") shows "

@@ -14,7 +14,7 @@ class BuiltSticks {
  public:
   using Ends = std::array<uint32_t, 2>;
 
-  // Lattice step 1. Limits grow until they suffice, three times at most.
+  // Lattice step 1. Limits grow until they suffice, twelve times at most.
   BuiltSticks(const oracle::Balls &balls, std::vector<Ends> ends, double radius,
               const std::array<double, 3> &towards = {0, 0, 1}, bool whole = false);
 
@@ -41,6 +41,13 @@ class BuiltSticks {
   bool whole_;
   hsp::Status status_ = hsp::Status::ok;
 };
+
+// Bonds between atoms closer than .6 of their van der Waals radii together; balls of a part of these.
+struct StickModel {
+  oracle::Balls balls;
+  std::vector<BuiltSticks::Ends> ends;
+};
+StickModel sticks_between_close(oracle::Balls atoms, double part);
 
 // Empty, or how what is painted differs from the z-buffer of balls and cylinders.
 std::string sticks_disagree(const BuiltSticks &built, size_t pixels);

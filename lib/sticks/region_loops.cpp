@@ -1,0 +1,153 @@
+#include "sticks/region_loops.hpp"
+
+#include <initializer_list>
+
+#include "core/sorting.hpp"
+
+namespace hsp {
+namespace {
+
+// Twice the area that an edge sweeps about a point, as of half-edge 2e (Green's formula).
+double swept_twice(const StickRegions &regions, const MapEdge &edge, double x, double y) {
+  const RegionVertex &v = regions.vertices[edge.vertex[0]];
+  const RegionVertex &w = regions.vertices[edge.vertex[1]];
+  if (regions.scene.is_straight(edge.ball, edge.nearer)) return (v.x - x) * (w.y - v.y) - (v.y - y) * (w.x - v.x);
+  const RoundCurve curve = regions.scene.round_curve(edge.ball, edge.nearer);
+  return (curve.middle.x - x) * (w.y - v.y) - (curve.middle.y - y) * (w.x - v.x) +
+         (curve.first.x * curve.second.y - curve.first.y * curve.second.x) * (edge.to - edge.from);
+}
+
+bool is_behind_contour(const StickRegions &regions, uint32_t half_edge) {
+  return half_edge % 2 == 1 && regions.edges[half_edge / 2].is_silhouette();
+}
+
+}  // namespace
+
+void RegionLoops::carve(Workspace &workspace, const StickLimits &limits) {
+  const uint64_t edges = limits.edges;
+  traced_ = workspace.take<uint8_t>(2 * edges);
+  seen_ = workspace.take<uint8_t>(limits.balls + 2 * static_cast<uint64_t>(limits.sticks));
+  parent_ = workspace.take<uint32_t>(edges);
+}
+
+// Areas are taken about the loop's first point, so that nothing large cancels.
+bool RegionLoops::trace(uint32_t first, StickRegions &regions) {
+  RegionLoop loop{first, no_id, 0.0};
+  const RegionVertex origin = regions.vertices[regions.origin(first)];
+  double twice = 0.0;
+  uint32_t h = first;
+  do {
+    const uint32_t next = regions.next[h];
+    if (next == no_id || traced_[h] != 0 || regions.origin(next) != regions.origin(h ^ 1U)) return false;
+    traced_[h] = 1;
+    const uint32_t owner = regions.left_of(h);
+    if (owner != no_id) {
+      if (loop.owner != no_id && loop.owner != owner) return false;
+      loop.owner = owner;
+    }
+    const double swept = swept_twice(regions, regions.edges[h / 2], origin.x, origin.y);
+    twice += h % 2 == 0 ? swept : -swept;
+    h = next;
+  } while (h != first);
+  loop.area = 0.5 * twice;
+  regions.loops.push(loop);
+  return true;
+}
+
+// By what is highest behind the longest edge on a contour, at a point of it where that is certain.
+bool RegionLoops::name_owner(const BodySight &sight, const StickRegions &regions, RegionLoop &loop) const {
+  uint32_t best = no_id;
+  double longest = -1.0;
+  uint32_t h = loop.first_half_edge;
+  do {
+    if (is_behind_contour(regions, h)) {
+      const MapEdge &edge = regions.edges[h / 2];
+      const bool of_ball = regions.scene.is_ball(edge.ball);
+      const double length = (edge.to - edge.from) *
+                            (of_ball ? regions.scene.balls[edge.ball].r : regions.scene.stick_at(edge.ball).length);
+      if (length > longest) {
+        longest = length;
+        best = h;
+      }
+    }
+    h = regions.next[h];
+  } while (h != loop.first_half_edge);
+  if (best == no_id) return true;
+  const MapEdge &edge = regions.edges[best / 2];
+  for (const double part : {0.3819660112501051, 0.7639320225002103, 0.1458980337503154, 0.5278640450004206}) {
+    const Vec3 at = regions.scene.at(edge.ball, no_id, edge.from + part * (edge.to - edge.from));
+    const BodySight::Highest behind = sight.highest_at(at.x, at.y, edge.ball);
+    if (!behind.certain) continue;
+    if (loop.owner != no_id && loop.owner != behind.body) return false;
+    loop.owner = behind.body;
+    return true;
+  }
+  return loop.owner != no_id;
+}
+
+bool RegionLoops::fits_euler(const StickRegions &regions) {
+  const uint32_t vertices = regions.vertices.size();
+  DisjointSets parts(parent_.part(0, vertices));
+  parts.reset();
+  uint64_t components = vertices;
+  for (const MapEdge &edge : regions.edges.items()) {
+    if (parts.join(edge.vertex[0], edge.vertex[1])) --components;
+  }
+  return static_cast<uint64_t>(vertices) + regions.loops.size() == regions.edges.size() + 2 * components;
+}
+
+// Curves that coincide may all be lost.
+bool RegionLoops::middles_have_loops(const BodySight &sight, const StickRegions &regions) {
+  const StickScene &scene = regions.scene;
+  const auto is_lost = [&](uint32_t body, double x, double y) {
+    if (seen_[body] != 0) return false;
+    const BodySight::Highest highest = sight.highest_at(x, y, no_id);
+    return highest.certain && highest.body == body;
+  };
+  for (uint32_t i = 0; i < scene.balls.size(); ++i) {
+    if (is_lost(i, scene.balls[i].x, scene.balls[i].y)) return false;
+  }
+  for (uint32_t k = 0; k < scene.sticks.size(); ++k) {
+    const Stick &stick = scene.sticks[k];
+    for (uint32_t part = 0; part < stick.parts; ++part) {
+      const Vec3 middle = stick.on_axis(0.5 * (stick.begin_of(part) + stick.end_of(part)));
+      const double back = stick.radius * stick.axis.z;
+      if (is_lost(scene.body_of(k, part), middle.x - back * stick.e[0], middle.y - back * stick.e[1])) return false;
+    }
+  }
+  return true;
+}
+
+bool RegionLoops::find(const BodySight &sight, Span<const double> depth, StickRegions &regions) {
+  regions.loops.clear();
+  const uint32_t half_edges = regions.next.size();
+  for (uint32_t h = 0; h < half_edges; ++h) traced_[h] = 0;
+  for (uint32_t h = 0; h < half_edges; ++h) {
+    if (traced_[h] == 0 && !trace(h, regions)) return false;
+  }
+  for (uint8_t &seen : seen_) seen = 0;
+  for (RegionLoop &loop : regions.loops.items()) {
+    if (!name_owner(sight, regions, loop)) return false;
+    if (loop.owner != no_id) seen_[loop.owner] = 1;
+  }
+  if (!fits_euler(regions) || !middles_have_loops(sight, regions)) return false;
+  sort_in_place(regions.loops.items(), [depth](const RegionLoop &a, const RegionLoop &b) {
+    if (a.owner != b.owner) {
+      if (a.owner == no_id || b.owner == no_id) return b.owner == no_id;
+      return depth[a.owner] != depth[b.owner] ? depth[a.owner] < depth[b.owner] : a.owner < b.owner;
+    }
+    return a.first_half_edge < b.first_half_edge;
+  });
+  double area = 0.0;
+  for (uint32_t l = 0; l < regions.loops.size(); ++l) {
+    const RegionLoop &loop = regions.loops[l];
+    area += loop.area;
+    const bool last = l + 1 == regions.loops.size() || regions.loops[l + 1].owner != loop.owner;
+    if (!last) continue;
+    if (loop.owner != no_id && !(area > 0.0)) return false;
+    area = 0.0;
+  }
+  return true;
+}
+
+}  // namespace hsp
