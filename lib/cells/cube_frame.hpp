@@ -101,6 +101,16 @@ class CubeFrame {
     const double margin = side_ * (16 * doubt + 1024 * unit_roundoff * side_);
     return excess > margin ? 1 : excess < -margin ? -1 : 0;
   }
+  // The same for the segment between two points outside: it is off by no more than its ends are.
+  int segment_outside(const PlacedPoint &from, const PlacedPoint &to, const Vec3 &centre, double radius) const {
+    const Vec3 a = from.y - centre;
+    const Vec3 e = to.y - from.y;
+    const double length = dot(e, e);
+    const double along = -dot(a, e);
+    const double part = along <= 0.0 ? 0.0 : along >= length ? 1.0 : along / length;
+    const Vec3 nearest = a + part * e;
+    return outside(dot(nearest, nearest), from.doubt > to.doubt ? from.doubt : to.doubt, 4 * radius * radius);
+  }
 
  private:
   exact::Vector low_{};

@@ -42,6 +42,7 @@ void FacetOverlay::carve(Workspace &workspace, uint32_t balls) {
   other_corners_ = workspace.take<Corner>(2 * planes);
   edges_ = workspace.take<Edge>(2 * planes);
   other_edges_ = workspace.take<Edge>(2 * planes);
+  above_planes_ = workspace.take<UnitPlane>(planes);
   sides_ = workspace.take<int8_t>(2 * planes);
   parts_ = FixedVector<Part>(workspace.take<Part>(parts_per_plane * planes));
   names_ = FixedVector<Name>(workspace.take<Name>(names_per_plane * planes));
@@ -56,6 +57,23 @@ void FacetOverlay::lies_on(Corner &corner, uint32_t edge) const {
   }
 }
 
+// Whether the facet below is certainly beyond one of the edges of the one above.
+bool FacetOverlay::is_apart() const {
+  const Polygon &below = polygon_[0], &above = polygon_[1];
+  const uint32_t axis = side_.side() / 2;
+  for (uint32_t e = 0; e < above.size(); ++e) {
+    const UnitPlane plane = above_planes_[e];
+    bool beyond = true;
+    for (uint32_t k = 0; k < below.size() && beyond; ++k) {
+      PlacedPoint at = below.corner(k).at;
+      along(at.y, axis) = -frame_.side();
+      beyond = frame_.side_of(at, plane) < 0;
+    }
+    if (beyond) return true;
+  }
+  return false;
+}
+
 // The piece is the whole facet below, in the frame of the cube above.
 void FacetOverlay::start() {
   const Polygon &below = polygon_[0], &above = polygon_[1];
@@ -66,7 +84,7 @@ void FacetOverlay::start() {
     along(at.y, side_.side() / 2) = -frame_.side();
     corners_[k] = {at, {k, no_id}, {k, no_id}, 0};
     const PowerPlane line = below.line(k);
-    edges_[k] = {line, frame_.plane(*balls_, line), {k, no_id}};
+    edges_[k] = {line, {k, no_id}};
   }
   // Both facets may lie along the same sides.
   for (uint32_t e = 0; e < above.size(); ++e) {
@@ -81,10 +99,10 @@ void FacetOverlay::start() {
 }
 
 int FacetOverlay::side_of(uint32_t corner, const PowerPlane &line, const UnitPlane &plane) const {
-  const PowerPlane &a = edges_[previous(corner)].line, &b = edges_[corner].line;
-  if (concur(a, b, line)) return 0;
   const int side = frame_.side_of(corners_[corner].at, plane);
   if (side != 0) return side;
+  const PowerPlane &a = edges_[previous(corner)].line, &b = edges_[corner].line;
+  if (concur(a, b, line)) return 0;
   return PowerPredicates(*balls_, polygon_[0].facet->ball, frame_).side_of(a, b, side_, line);
 }
 
@@ -92,7 +110,7 @@ int FacetOverlay::side_of(uint32_t corner, const PowerPlane &line, const UnitPla
 bool FacetOverlay::cut(uint32_t edge) {
   const PowerPlane line = polygon_[1].line(edge);
   if (line.is_side()) return true;
-  const UnitPlane plane = frame_.plane(*balls_, line);
+  const UnitPlane plane = above_planes_[edge];
   bool any_near = false, any_beyond = false;
   for (uint32_t k = 0; k < size_; ++k) {
     const int side = side_of(k, line, plane);
@@ -114,13 +132,16 @@ bool FacetOverlay::cut(uint32_t edge) {
     other_edges_[count++] = out;
   };
   const auto crossing = [&](const Edge &crossed) {
-    Corner corner{frame_.common_point(crossed.plane, plane, side_plane_), {no_id, no_id}, {crossed.of[0], edge}, 0};
+    Corner corner{frame_.common_point(frame_.plane(*balls_, crossed.line), plane, side_plane_),
+                  {no_id, no_id},
+                  {crossed.of[0], edge},
+                  0};
     if (crossed.of[1] != no_id && crossed.of[1] != edge) {
       corner.corner_of[1] = polygon_[1].corner_between(crossed.of[1], edge);
     }
     return corner;
   };
-  const Edge along_line{line, plane, {no_id, edge}};
+  const Edge along_line{line, {no_id, edge}};
   for (uint32_t k = 0; k < size_; ++k) {
     const int here = sides_[k], there = sides_[next(k)];
     if (here >= 0) add(corners_[k], here == 0 && there < 0 ? along_line : edges_[k]);
@@ -167,7 +188,11 @@ bool FacetOverlay::edge_is_free(uint32_t k) const {
   for (uint32_t which = 0; which < 2; ++which) {
     if (edge.of[which] != no_id && polygon_[which].corner(edge.of[which]).edge_free != 0) return true;
   }
-  return PowerPredicates(*balls_, polygon_[0].facet->ball, frame_)
+  const uint32_t ball = polygon_[0].facet->ball;
+  const int outside =
+      frame_.segment_outside(corners_[k].at, corners_[next(k)].at, frame_.centre_of(*balls_, ball), balls_->r[ball]);
+  if (outside != 0) return outside > 0;
+  return PowerPredicates(*balls_, ball, frame_)
       .is_free(edge.line, side_, edges_[previous(k)].line, edges_[next(k)].line);
 }
 
@@ -303,18 +328,19 @@ Status FacetOverlay::find(const BallSet &balls, const CubeFrame &frame, uint32_t
   side_plane_ = CubeFrame::side_in_doubles(2 * axis, frame.side());
   parts_.clear();
   names_.clear();
-  for (const uint32_t b : range) {
-    const SideFacet &lower = below.facet(b);
-    if (lower.side != 2 * axis + 1 || lower.outside == 0) continue;
-    for (uint32_t a = 0; a < above.facets().size(); ++a) {
-      const SideFacet &upper = above.facet(a);
-      if (upper.side != 2 * axis || upper.outside == 0) continue;
+  for (uint32_t a = 0; a < above.facets().size(); ++a) {
+    const SideFacet &upper = above.facet(a);
+    if (upper.side != 2 * axis || upper.outside == 0) continue;
+    polygon_[1] = {&above, &upper};
+    for (uint32_t e = 0; e < upper.corners; ++e) above_planes_[e] = frame_.plane(balls, polygon_[1].line(e));
+    for (const uint32_t b : range) {
+      const SideFacet &lower = below.facet(b);
+      if (lower.side != 2 * axis + 1 || lower.outside == 0) continue;
       if (axis != 0 && (lower.high.x < upper.low.x || upper.high.x < lower.low.x)) continue;
       if (axis != 1 && (lower.high.y < upper.low.y || upper.high.y < lower.low.y)) continue;
       if (axis != 2 && (lower.high.z < upper.low.z || upper.high.z < lower.low.z)) continue;
       polygon_[0] = {&below, &lower};
-      polygon_[1] = {&above, &upper};
-      overlay(b, a, contacts);
+      if (!is_apart()) overlay(b, a, contacts);
     }
   }
   const auto balls_for = [](uint64_t required, uint64_t per_plane) {

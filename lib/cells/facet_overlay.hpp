@@ -35,7 +35,6 @@ class FacetOverlay {
  private:
   struct Edge {
     PowerPlane line;
-    UnitPlane plane;
     uint32_t of[2];  // the edges of the two facets on which it lies, or no_id
   };
   struct Corner {
@@ -68,6 +67,7 @@ class FacetOverlay {
     uint32_t corner_between(uint32_t a, uint32_t b) const { return next(a) == b ? b : next(b) == a ? a : no_id; }
   };
 
+  bool is_apart() const;
   void start();
   bool cut(uint32_t edge);
   int side_of(uint32_t corner, const PowerPlane &line, const UnitPlane &plane) const;
@@ -92,6 +92,7 @@ class FacetOverlay {
   // The piece: corner k and the edge from it to the next one. The others are where it is cut to.
   Span<Corner> corners_, other_corners_;
   Span<Edge> edges_, other_edges_;
+  Span<UnitPlane> above_planes_;  // of the edges of the facet above
   Span<int8_t> sides_;
   uint32_t size_ = 0;
   FixedVector<Part> parts_;

@@ -99,9 +99,11 @@ Status FreeSpaceBuilder::add_cube(const BallSet &balls, const Cube &cube) {
     const Status status = contacts_.add(cell_, k, first_cell, space.contacts);
     if (status == Status::check) return status;
     if (status == Status::capacity) contacts_known_ = false;
-    touch_runs(cube, first_cell);
+    const uint32_t sides = cell_.polytope().sides();
+    touch_runs(cube, sides, first_cell);
     for (uint32_t side = 0; side < cube_sides; ++side) {
-      if (cube.neighbour[side] != no_id) (side % 2 == 0 ? open_ : kept_).add(cell_, side, first_cell);
+      if ((sides >> side & 1) != 0 && cube.neighbour[side] != no_id)
+        (side % 2 == 0 ? open_ : kept_).add(cell_, side, first_cell);
     }
   }
   note(needed_.cube_corners, contacts_.needed_corners());
@@ -128,10 +130,10 @@ void FreeSpaceBuilder::add_parts(const Cube &cube) {
 }
 
 // On sides where no ball meets the cube beyond, everything is outside all balls.
-void FreeSpaceBuilder::touch_runs(const Cube &cube, uint32_t first_cell) {
+void FreeSpaceBuilder::touch_runs(const Cube &cube, uint32_t sides, uint32_t first_cell) {
   const PowerPolytope &polytope = cell_.polytope();
   for (uint32_t side = 0; side < cube_sides; ++side) {
-    if (cube.run[side] == no_id) continue;
+    if ((sides >> side & 1) == 0 || cube.run[side] == no_id) continue;
     for (uint32_t part = 0; part < cell_.parts(); ++part) touched_[part] = 0;
     for (uint32_t v = 0; v < polytope.size(); ++v) {
       const uint32_t part = cell_.part_of(v);

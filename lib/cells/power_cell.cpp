@@ -122,19 +122,11 @@ bool PowerCell::is_outside(const PolytopeVertex &vertex) const {
       .is_outside(plane(vertex.plane[0]), plane(vertex.plane[1]), plane(vertex.plane[2]));
 }
 
-// Both ends are outside. The distance of a segment from a point is off by no more than its ends are.
+// Both ends are outside.
 bool PowerCell::edge_is_free(uint32_t v, uint32_t k) const {
   const PolytopeVertex &from = polytope_[v];
   const PolytopeVertex &to = polytope_[from.neighbour[k]];
-  const Vec3 a = from.at.y - centre_;
-  const Vec3 e = to.at.y - from.at.y;
-  const double length = dot(e, e);
-  const double along = -dot(a, e);
-  const double part = along <= 0.0 ? 0.0 : along >= length ? 1.0 : along / length;
-  const Vec3 nearest = a + part * e;
-  const double r = balls_->r[ball()];
-  const double doubt = from.at.doubt > to.at.doubt ? from.at.doubt : to.at.doubt;
-  const int outside = frame_.outside(dot(nearest, nearest), doubt, 4 * r * r);
+  const int outside = frame_.segment_outside(from.at, to.at, centre_, balls_->r[ball()]);
   if (outside != 0) return outside > 0;
   const uint32_t a_plane = from.plane[k == 0 ? 1 : 0], b_plane = from.plane[k == 2 ? 1 : 2];
   uint32_t last = 0;

@@ -5,7 +5,7 @@ namespace hsp {
 void PowerPolytope::carve(Workspace &workspace, uint32_t balls) {
   vertices_ = workspace.take<PolytopeVertex>(2 * most_vertices(balls));
   beyond_ = workspace.take<uint8_t>(2 * most_vertices(balls));
-  place_ = workspace.take<uint32_t>(2 * most_vertices(balls));
+  holes_ = workspace.take<uint32_t>(2 * most_vertices(balls));
   open_ = workspace.take<uint32_t>(most_planes(balls));
   for (uint32_t &end : open_) end = no_id;
   count_ = 0;
@@ -40,36 +40,47 @@ void PowerPolytope::link(uint32_t vertex, uint32_t k, uint32_t plane) {
 
 void PowerPolytope::cut(uint32_t plane, const UnitPlane *planes, const CubeFrame &frame) {
   const uint32_t old = count_;
-  uint32_t end = old;
+  uint32_t holes = 0;
+  for (uint32_t v = 0; v < old; ++v) {
+    holes_[holes] = v;
+    holes += beyond_[v];
+  }
+  // New vertices take the places of those that go, as far as these suffice. The marks stay as they are meanwhile.
+  uint32_t made = 0;
+  PolytopeVertex *const vertices = vertices_.data();
   for (uint32_t v = 0; v < old; ++v) {
     if (beyond_[v] != 0) continue;
     for (uint32_t k = 0; k < 3; ++k) {
-      const uint32_t w = vertices_[v].neighbour[k];
-      if (beyond_[w] == 0) continue;
-      PolytopeVertex &vertex = vertices_[end];
-      const uint32_t a = vertices_[v].plane[k == 0 ? 1 : 0];
-      const uint32_t b = vertices_[v].plane[k == 2 ? 1 : 2];
+      const uint32_t w = vertices[v].neighbour[k];
+      if (w >= old || beyond_[w] == 0) continue;
+      const uint32_t place = made < holes ? holes_[made] : old + made - holes;
+      ++made;
+      PolytopeVertex &vertex = vertices_[place];
+      const uint32_t a = vertices[v].plane[k == 0 ? 1 : 0];
+      const uint32_t b = vertices[v].plane[k == 2 ? 1 : 2];
       vertex.plane[0] = a;
       vertex.plane[1] = b;
       vertex.plane[2] = plane;
       vertex.neighbour[2] = v;
       vertex.at = frame.common_point(planes[a], planes[b], planes[plane]);
-      vertices_[v].neighbour[k] = end;
-      beyond_[end] = 0;
-      link(end, 0, a);
-      link(end, 1, b);
-      ++end;
+      vertices[v].neighbour[k] = place;
+      link(place, 0, a);
+      link(place, 1, b);
     }
   }
-  count_ = 0;
-  for (uint32_t v = 0; v < end; ++v) {
-    if (beyond_[v] != 0) continue;
-    place_[v] = count_;
-    vertices_[count_] = vertices_[v];
-    ++count_;
-  }
-  for (uint32_t v = 0; v < count_; ++v) {
-    for (uint32_t &neighbour : vertices_[v].neighbour) neighbour = place_[neighbour];
+  count_ = made > holes ? old + made - holes : old;
+  // The last vertices take the places that are left, from the last one on.
+  for (; holes > made; --holes) move(--count_, holes_[holes - 1]);
+}
+
+// Moves a vertex, unless it is there, and tells its neighbours.
+void PowerPolytope::move(uint32_t from, uint32_t to) {
+  if (from == to) return;
+  vertices_[to] = vertices_[from];
+  for (const uint32_t w : vertices_[to].neighbour) {
+    for (uint32_t &back : vertices_[w].neighbour) {
+      if (back == from) back = to;
+    }
   }
 }
 

@@ -34,15 +34,24 @@ class PowerPolytope {
   void make_empty() { count_ = 0; }
 
   uint32_t size() const { return count_; }
+  // On which sides of the cube it has a facet, as bits.
+  uint32_t sides() const {
+    uint32_t bits = 0;
+    for (uint32_t v = 0; v < count_; ++v) {
+      for (const uint32_t number : vertices_[v].plane) bits |= number < cube_sides ? 1U << number : 0U;
+    }
+    return bits;
+  }
   const PolytopeVertex &operator[](uint32_t v) const { return vertices_[v]; }
   void set_beyond(uint32_t v, bool beyond) { beyond_[v] = beyond ? 1 : 0; }
 
  private:
   void link(uint32_t vertex, uint32_t k, uint32_t plane);
+  void move(uint32_t from, uint32_t to);
 
   Span<PolytopeVertex> vertices_;
   Span<uint8_t> beyond_;
-  Span<uint32_t> place_;  // [vertices] where a vertex goes
+  Span<uint32_t> holes_;  // [vertices] places of those that are cut off
   Span<uint32_t> open_;   // [planes] the edge on it and the new plane that still waits for its other end
   uint32_t count_ = 0;
 };
