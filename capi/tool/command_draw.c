@@ -250,7 +250,7 @@ static void print_table(const struct request *request, const struct molecule *mo
   }
   report_row_count(out, "pieces", drawn->view.pieces,
                    of_map      ? "balls, side by side"
-                   : of_sticks ? "balls, sticks and halves of sticks, painted one over the other"
+                   : of_sticks ? "balls, sticks and halves of sticks"
                                : "painted one over the other, farthest first");
   report_row_count(out, "arcs", drawn->view.arcs,
                    of_map      ? "of circles and ellipses between them"

@@ -3,8 +3,9 @@
  * A view as a vector picture: one path per piece, true arcs, painted back to front. A map as a vector picture: one path
  * for each ball that is seen, around all of its faces; no two paths overlap, and lines are drawn apart, each edge once.
  * That is for plotters, cutters and click maps; on screens seams of the background shine through where paths meet,
- * which views do not have. Balls and sticks: one path for each ball and half of a stick, painted back to front. The
- * bytes depend on these, the colours and the options alone, not on the machine.
+ * which views do not have. Balls and sticks: one path for each ball and half of a stick, painted back to front; or,
+ * where they have no such order, around what is seen of each, as of a map. The bytes depend on these, the colours and
+ * the options alone, not on the machine.
  *   SVG   elliptical arcs; each path carries the caller's ball index as data-ball
  *   EPS   arcs of the unit circle under a matrix: exact
  *   PDF   cubic pieces of at most 45 degrees, within 4.3e-6 of the semi-axis of the arc

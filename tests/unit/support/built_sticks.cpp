@@ -65,6 +65,7 @@ uint32_t name_of(const BuiltSticks &built, const hsp::StickPath &path) {
 struct DrawnPath {
   oracle::Path arcs;
   std::vector<std::array<bool, 2>> ends;  // whether an arc is the first, or the last of a loop
+  bool turned = false;                    // a minor axis is not a quarter turn ahead of the major one
 };
 
 DrawnPath path_of(const BuiltSticks &built, uint32_t path, hsp::PathPart part) {
@@ -79,6 +80,7 @@ DrawnPath path_of(const BuiltSticks &built, uint32_t path, hsp::PathPart part) {
                            {arc.start[0], arc.start[1]},
                            {arc.end[0], arc.end[1]}});
     result.ends.push_back({first, closes});
+    if (e.major[0] * e.minor[1] < e.major[1] * e.minor[0]) result.turned = true;
   });
   return result;
 }
@@ -86,6 +88,7 @@ DrawnPath path_of(const BuiltSticks &built, uint32_t path, hsp::PathPart part) {
 // What is wrong with the arcs of a path by themselves.
 std::string broken(const DrawnPath &path, double tolerance) {
   size_t first = 0;
+  if (path.turned) return "a minor axis on the wrong side";
   for (size_t k = 0; k < path.arcs.size(); ++k) {
     const oracle::PathArc &arc = path.arcs[k];
     if (path.ends[k][0]) first = k;
