@@ -21,11 +21,11 @@ struct reading {
 };
 
 bool command_find(const char *name, enum command *command) {
-  static const char *const names[] = {"model",   "boundary", "measure", "query", "voids", "contacts",
-                                      "complex", "cells",    "mesh",    "map",   "pick",  "draw"};
-  static const enum command commands[] = {COMMAND_MODEL, COMMAND_BOUNDARY, COMMAND_MEASURE, COMMAND_QUERY,
-                                          COMMAND_VOIDS, COMMAND_CONTACTS, COMMAND_COMPLEX, COMMAND_CELLS,
-                                          COMMAND_MESH,  COMMAND_MAP,      COMMAND_PICK,    COMMAND_DRAW};
+  static const char *const names[] = {"model", "boundary", "measure", "query", "voids", "contacts", "complex",
+                                      "cells", "clash",    "mesh",    "map",   "pick",  "draw"};
+  static const enum command commands[] = {
+      COMMAND_MODEL, COMMAND_BOUNDARY, COMMAND_MEASURE, COMMAND_QUERY, COMMAND_VOIDS, COMMAND_CONTACTS, COMMAND_COMPLEX,
+      COMMAND_CELLS, COMMAND_CLASH,    COMMAND_MESH,    COMMAND_MAP,   COMMAND_PICK,  COMMAND_DRAW};
   for (size_t i = 0; i < sizeof commands / sizeof commands[0]; ++i) {
     if (strcmp(name, names[i]) == 0) {
       *command = commands[i];
@@ -303,6 +303,12 @@ static bool take_argument(struct reading *reading, const char *argument) {
     if (!drawing_take_option(&request->drawing, &reading->options, argument, &known)) return false;
     if (known) return true;
   }
+  if (request->command == COMMAND_CLASH && option_is(argument, "--rotate", &value)) {
+    return option_vector(&reading->options, "--rotate", value, false, &request->viewing.rotate);
+  }
+  if (request->command == COMMAND_CLASH && option_is(argument, "--translate", &value)) {
+    return option_vector(&reading->options, "--translate", value, false, &request->translate);
+  }
   if (request->command == COMMAND_BOUNDARY && strcmp(argument, "--shells") == 0) {
     request->shells = true;
     return true;
@@ -407,6 +413,11 @@ static bool find_format(struct reading *reading) {
 /* What goes with one file alone. */
 static bool check_several(struct reading *reading) {
   const struct request *request = reading->request;
+  if (request->command == COMMAND_CLASH) {
+    return request->files == 2 ||
+           failure_in_usage(reading->failure,
+                            "clash takes two files: the molecule at rest, then the one that is moved");
+  }
   if (request->files < 2) return true;
   if (request->command == COMMAND_DRAW) return failure_in_usage(reading->failure, "draw takes one file at a time");
   if (request->command == COMMAND_MESH) return failure_in_usage(reading->failure, "mesh takes one file at a time");

@@ -23,6 +23,7 @@ enum command {
   COMMAND_CONTACTS,
   COMMAND_COMPLEX,
   COMMAND_CELLS,
+  COMMAND_CLASH,
   COMMAND_MESH,
   COMMAND_MAP,
   COMMAND_PICK,
@@ -66,10 +67,11 @@ struct request {
   enum query_kind query;
   double position[3];
   double query_radius;
-  struct meshing meshing;  /* of `mesh` */
-  struct viewing viewing;  /* of `map` and `pick` */
-  struct option_vector at; /* of `pick`: x and y */
-  struct drawing drawing;  /* of `draw` */
+  struct meshing meshing;         /* of `mesh` */
+  struct viewing viewing;         /* of `map` and `pick`; of `clash` its rotation */
+  struct option_vector translate; /* of `clash` */
+  struct option_vector at;        /* of `pick`: x and y */
+  struct drawing drawing;         /* of `draw` */
   const struct radii_set *set;
   const char *radii_file;   /* with radii by residue and atom, or NULL */
   struct radii_table table; /* of that file, or of the set; empty if there is none */

@@ -8,12 +8,13 @@ bool failure_in_library(struct failure *failure, int32_t status) {
   return failure_in_input(failure, 0, "%s", hsp_status_text(status));
 }
 
-bool geometry_set_model(struct geometry *geometry, const struct molecule *molecule, double probe,
+bool geometry_set_model(struct geometry *geometry, const struct molecule *molecule, double probe, double step,
                         struct failure *failure) {
   hsp_model_options options;
   int32_t status = hsp_model_options_init(&options, (uint32_t)sizeof options);
   if (status != HSP_OK) return failure_in_library(failure, status);
   options.probe = probe;
+  options.step = step;
   progress_show(&geometry->progress, "building the model");
   uint32_t first_bad = HSP_NONE;
   status = hsp_workspace_set(&geometry->work, molecule->atoms, molecule->xyz, molecule->radius, &options, &first_bad);

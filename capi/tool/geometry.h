@@ -25,8 +25,9 @@ struct geometry {
   void *cells_memory;
 };
 
-/* Make the model. A ball that the library refuses is named by its line. */
-bool geometry_set_model(struct geometry *geometry, const struct molecule *molecule, double probe,
+/* Make the model. A ball that the library refuses is named by its line. step: of the lattice, 0 for the library's
+ * choice. */
+bool geometry_set_model(struct geometry *geometry, const struct molecule *molecule, double probe, double step,
                         struct failure *failure);
 
 /* Compute the boundary of the model, with as much memory as it turns out to need. */

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "arguments.h"
+#include "command_clash.h"
 #include "commands.h"
 #include "failure.h"
 #include "geometry.h"
@@ -34,6 +35,8 @@ static command_function *function_of(enum command command) {
       return command_complex;
     case COMMAND_CELLS:
       return command_cells;
+    case COMMAND_CLASH: /* of two molecules: run_clash */
+      break;
     case COMMAND_MESH:
       return command_mesh;
     case COMMAND_MAP:
@@ -61,7 +64,7 @@ static bool run_command(const struct request *request, struct text_buffer *out, 
   bool done = read_molecule(request->file, request->format, request->model, &molecule, failure) &&
               prepare(request, &molecule, failure);
   geometry.progress = progress_begin(molecule.atoms, PROGRESS_LEAST_BALLS);
-  done = done && geometry_set_model(&geometry, &molecule, request->probe, failure) &&
+  done = done && geometry_set_model(&geometry, &molecule, request->probe, 0.0, failure) &&
          function_of(request->command)(request, &molecule, &geometry, out, failure);
   geometry_free(&geometry);
   molecule_free(&molecule);
@@ -103,6 +106,34 @@ static bool run_files(enum command command, int files, int count, char **argumen
   return true;
 }
 
+/* Two files: the molecule at rest and the one that is moved. */
+static bool run_clash(int count, char **arguments, struct text_buffer *out, struct failure *failure) {
+  struct request request[2];
+  struct molecule molecule[2];
+  memset(request, 0, sizeof request);
+  memset(molecule, 0, sizeof molecule);
+  bool done = true;
+  for (int k = 0; k < 2 && done; ++k) {
+    done = request_parse(&request[k], COMMAND_CLASH, k, count, arguments, failure);
+    if (request[0].list_radii) break;
+  }
+  if (done && request[0].list_radii) {
+    done = radii_list_print(out, failure);
+  } else {
+    for (int k = 0; k < 2 && done; ++k) {
+      done = read_molecule(request[k].file, request[k].format, request[k].model, &molecule[k], failure) &&
+             prepare(&request[k], &molecule[k], failure);
+    }
+    const struct clashing fixed = {&request[0], &molecule[0]}, moving = {&request[1], &molecule[1]};
+    done = done && command_clash(&fixed, &moving, out, failure);
+  }
+  for (int k = 0; k < 2; ++k) {
+    molecule_free(&molecule[k]);
+    request_free(&request[k]);
+  }
+  return done;
+}
+
 static bool asks_for_help(int count, char **arguments) {
   for (int i = 0; i < count && strcmp(arguments[i], "--") != 0; ++i) {
     if (strcmp(arguments[i], "--help") == 0 || strcmp(arguments[i], "-h") == 0) return true;
@@ -135,6 +166,7 @@ static bool run(int count, char **arguments, struct text_buffer *out, struct fai
     usage_of_command(out, command);
     return true;
   }
+  if (command == COMMAND_CLASH) return run_clash(count - 1, arguments + 1, out, failure);
   struct request request;
   bool done = request_parse(&request, command, 0, count - 1, arguments + 1, failure);
   const int files = request.list_radii ? 0 : request.files;

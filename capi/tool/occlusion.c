@@ -82,7 +82,7 @@ static bool find_crowd(const struct geometry *geometry, uint32_t balls, bool *cr
 static bool add_free_part(const struct molecule *molecule, double probe, double weight, bool limited, double *area,
                           double *exposure, bool *crowded, struct failure *failure) {
   struct geometry inflated = {.work = {0}};
-  bool done = geometry_set_model(&inflated, molecule, probe, failure);
+  bool done = geometry_set_model(&inflated, molecule, probe, 0.0, failure);
   if (done && limited) done = find_crowd(&inflated, molecule->atoms, crowded, failure);
   if (done && *crowded) {
     geometry_free(&inflated);

@@ -12,6 +12,7 @@ static const char overview[] =
     "  hardsphere contacts FILE [options]   which balls, residues or chains touch and by how much, each ball's cell\n"
     "  hardsphere complex  FILE [options]   the dual complex: simplices by kind, Betti numbers\n"
     "  hardsphere cells    FILE [options]   free space as simple cells: how many, neighbours, connected regions\n"
+    "  hardsphere clash    FILE FILE        a molecule against another one, turned and moved: what meets, and the gap\n"
     "  hardsphere query    FILE [options]   which balls contain a point or meet a ball\n"
     "  hardsphere mesh     FILE -o OUT      the surface as triangles: .ply, .obj, .stl, or .vert and .face\n"
     "  hardsphere map      FILE [options]   what is seen from a direction: faces, edges, the visible area of each "
@@ -230,6 +231,19 @@ static const char mesh_text[] =
     "JSON: n, vertices, triangles, edge, triangle_area, bytes; triangle_area approaches the area of measure.\n"
     "\n";
 
+static const char clash_text[] =
+    "hardsphere clash FILE FILE [options]\n"
+    "\n"
+    "Tells which balls of the first molecule meet balls of the second one, which is turned and then moved. Balls that\n"
+    "touch meet. The gap is the least distance between two balls; it is negative where balls overlap.\n"
+    "  --rotate X,Y,Z         turn the second one by X, then Y, then Z degrees about axes through the mean of its\n"
+    "                         centres\n"
+    "  --translate X,Y,Z      then move it\n"
+    "Example: hardsphere clash 1crn.pdb caffeine.pdb --rotate 0,90,0 --translate 12,0,3.5\n"
+    "JSON: hit, pairs: [[first, second], ...], gap, nearest: [first, second], overlap_volume, fixed: {n, input} and\n"
+    "moving: {n, input}; balls by their indices in the order of their files, counted from 0.\n"
+    "\n";
+
 static const char map_text[] =
     "hardsphere map FILE [options]\n"
     "\n"
@@ -346,6 +360,9 @@ void usage_of_command(struct text_buffer *out, enum command command) {
       break;
     case COMMAND_CELLS:
       text = cells_text;
+      break;
+    case COMMAND_CLASH:
+      text = clash_text;
       break;
     case COMMAND_MESH:
       text = mesh_text;

@@ -13,7 +13,7 @@ PATH=$work/bin:$PATH
 
 # What the lines read.
 molecules=$source/bench/molecules inputs=$source/tests/program/inputs/good
-cp "$molecules/crambin.pdb" "$work/files/crambin.pdb"
+cp "$molecules/crambin.pdb" "$molecules/caffeine.pdb" "$work/files"
 cp "$molecules/crambin.pdb" "$work/files/1crn.pdb"
 gzip -c "$molecules/crambin.pdb" >"$work/files/1crn.pdb.gz"
 awk '/^(ATOM|HETATM)/ { print 1 + NR % 3 }' "$molecules/crambin.pdb" >"$work/files/sigma.txt"
@@ -33,10 +33,10 @@ foreign=(4hhb.pdb)
     hardsphere "$command" --help | sed -n 's/^Example: //p'
   done
   sed -n '/^\.SH EXAMPLES/,$p' "$source/capi/tool/hardsphere.1" | grep hardsphere | sed 's/\\-/-/g'
-} | sed -e 's/\<FILE\>/1crn.pdb/' -e 's/X,Y,Z/10,10,10/' -e 's/X,Y/10,12/' -e 's/\<OUT\.svg/out.svg/' | sort -u >"$work/lines"
+} | sed -e 's/\<FILE\>/1crn.pdb/g' -e 's/X,Y,Z/10,10,10/' -e 's/X,Y/10,12/' -e 's/\<OUT\.svg/out.svg/' | sort -u >"$work/lines"
 # Fewer would mean that they are written in another way now, and not found.
 [ "$(wc -l <"$work/lines")" -ge 25 ] || { cat "$work/lines" && echo "are all the lines that were found" && exit 1; }
-for command in model boundary measure voids query mesh map pick draw; do
+for command in model boundary measure voids query clash mesh map pick draw; do
   grep -q "hardsphere $command 1crn" "$work/lines" || { echo "README.md shows no hardsphere $command" && exit 1; }
 done
 

@@ -43,6 +43,8 @@ TEST(Map, HasTheFacesThatCgalCounts) {
   for (const auto &[file, faces] : known) {
     EXPECT_EQ(run_json({"map", file, "--view", "0,0,-1"})["faces"].number, faces) << file;
   }
+  // The same of crambin upside down.
+  EXPECT_EQ(run_json({"map", molecule("crambin.pdb")})["faces"].number, 205);
 }
 
 TEST(Map, AreasOfBallsSumUp) {

@@ -49,13 +49,6 @@ TEST_P(MapOfMolecule, NeedsNoPerturbation) {
   for (const Direction &towards : directions) EXPECT_EQ(BuiltMap(atoms, towards).map().perturbation, 0);
 }
 
-// CGAL 5.5 finds so many faces in the envelope of crambin's spheres from either side.
-TEST(MapBuilder, FindsTheFacesOfAnEnvelope) {
-  const Balls atoms = read_molecule(support::own_molecule("crambin.pdb"));
-  EXPECT_EQ(BuiltMap(atoms, along_z).map().faces.size(), 205U);
-  EXPECT_EQ(BuiltMap(atoms, {0, 0, -1}).map().faces.size(), 204U);
-}
-
 INSTANTIATE_TEST_SUITE_P(Bench, MapOfMolecule,
                          testing::Values("caffeine.pdb", "acetyl_coa.pdb", "crambin.pdb", "felix_model.pdb",
                                          "ubiquitin.pdb", "sod_stand_in.pdb"));

@@ -1,0 +1,162 @@
+#include "command_clash.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "geometry.h"
+#include "input_report.h"
+#include "report.h"
+
+/* What is found, and the bodies that it is found with. */
+struct clash {
+  struct geometry geometry[2];
+  void *memory[2];
+  hsp_body *body[2]; /* at rest, moving */
+  hsp_body_gap gap;
+  hsp_body_overlap overlap;
+  uint32_t *pair; /* [overlap.pairs][2] */
+};
+
+static void clash_free(struct clash *clash) {
+  for (int k = 0; k < 2; ++k) {
+    geometry_free(&clash->geometry[k]);
+    free(clash->memory[k]);
+  }
+  free(clash->pair);
+}
+
+/* Both models on one lattice: the coarser one of those that they would choose. */
+static bool set_models(const struct clashing *const both[2], struct clash *clash, struct failure *failure) {
+  double step[2];
+  for (int k = 0; k < 2; ++k) {
+    failure->file = both[k]->request->file;
+    if (!geometry_set_model(&clash->geometry[k], both[k]->molecule, both[k]->request->probe, 0.0, failure))
+      return false;
+    hsp_model_info info;
+    const int32_t status = hsp_model_get_info(clash->geometry[k].work.model, &info);
+    if (status != HSP_OK) return failure_in_library(failure, status);
+    step[k] = info.step;
+  }
+  if (step[0] == step[1]) return true;
+  const int finer = step[0] < step[1] ? 0 : 1;
+  failure->file = both[finer]->request->file;
+  return geometry_set_model(&clash->geometry[finer], both[finer]->molecule, both[finer]->request->probe,
+                            step[1 - finer], failure);
+}
+
+static bool make_bodies(struct clash *clash, struct failure *failure) {
+  for (int k = 0; k < 2; ++k) {
+    const hsp_model *const model = clash->geometry[k].work.model;
+    hsp_model_info info;
+    size_t bytes = 0;
+    int32_t status = hsp_model_get_info(model, &info);
+    if (status == HSP_OK) status = hsp_body_bytes(info.balls, &bytes);
+    if (status != HSP_OK) return failure_in_library(failure, status);
+    clash->memory[k] = malloc(bytes);
+    if (clash->memory[k] == NULL) return failure_of_memory(failure);
+    status = hsp_body_init(clash->memory[k], bytes, info.balls, &clash->body[k]);
+    if (status == HSP_OK) status = hsp_body_set(clash->body[k], model);
+    if (status != HSP_OK) return failure_in_library(failure, status);
+  }
+  return true;
+}
+
+/* Turned about the mean of its centres as draw turns what it shows, then moved. */
+static int32_t pose_of(const struct clashing *moving, hsp_pose *pose) {
+  const struct molecule *const molecule = moving->molecule;
+  double mean[3] = {0.0, 0.0, 0.0}, translation[3];
+  hsp_view_options options;
+  const int32_t status = viewing_options(&moving->request->viewing, &options);
+  if (status != HSP_OK) return status;
+  /* The viewer's axes, seen from the balls, are the rows of the rotation. */
+  const double *const u = options.up, *const t = options.towards;
+  const double matrix[9] = {u[1] * t[2] - u[2] * t[1],
+                            u[2] * t[0] - u[0] * t[2],
+                            u[0] * t[1] - u[1] * t[0],
+                            u[0],
+                            u[1],
+                            u[2],
+                            t[0],
+                            t[1],
+                            t[2]};
+  for (uint32_t i = 0; i < molecule->atoms; ++i) {
+    for (int axis = 0; axis < 3; ++axis) mean[axis] += molecule->xyz[3 * (size_t)i + (size_t)axis] / molecule->atoms;
+  }
+  for (int row = 0; row < 3; ++row) {
+    const double *const m = matrix + 3 * row;
+    translation[row] =
+        mean[row] + moving->request->translate.xyz[row] - (m[0] * mean[0] + m[1] * mean[1] + m[2] * mean[2]);
+  }
+  return hsp_pose_from_matrix(
+      moving->request->viewing.rotate.given ? matrix : (const double[9]){1, 0, 0, 0, 1, 0, 0, 0, 1}, translation, pose);
+}
+
+static bool find(const struct clashing *moving, struct clash *clash, struct failure *failure) {
+  const hsp_body *const fixed = clash->body[0], *const other = clash->body[1];
+  hsp_pose pose;
+  int32_t status = pose_of(moving, &pose);
+  if (status == HSP_OK) status = hsp_body_gaps(fixed, other, 1, &pose, &clash->gap, NULL);
+  if (status == HSP_E_RANGE) {
+    return failure_in_usage(failure, "--translate: the second molecule comes to lie beyond the lattice");
+  }
+  if (status == HSP_OK) status = hsp_body_overlaps(fixed, other, 1, &pose, &clash->overlap, NULL);
+  if (status != HSP_OK) return failure_in_library(failure, status);
+  const uint32_t count = clash->overlap.pairs;
+  uint32_t needed = 0;
+  clash->pair = calloc(2 * (size_t)count + 2, sizeof *clash->pair);
+  if (clash->pair == NULL) return failure_of_memory(failure);
+  status = hsp_body_pairs(fixed, other, &pose, clash->pair, count, &needed);
+  return status == HSP_OK || failure_in_library(failure, status);
+}
+
+static void input_json(const char *key, const struct clashing *one, struct text_buffer *out) {
+  text_buffer_add(out, ", \"%s\": {\"n\": %" PRIu32, key, one->molecule->atoms);
+  input_report_json(out, one->request, one->molecule);
+  text_buffer_add(out, "}");
+}
+
+static void print_json(const struct clashing *const both[2], const struct clash *clash, struct text_buffer *out) {
+  text_buffer_add(out, "{\"hit\": %s, \"pairs\": [", clash->overlap.pairs > 0 ? "true" : "false");
+  for (uint32_t k = 0; k < clash->overlap.pairs; ++k) {
+    text_buffer_add(out, "%s[%" PRIu32 ", %" PRIu32 "]", k > 0 ? ", " : "", clash->pair[2 * (size_t)k],
+                    clash->pair[2 * (size_t)k + 1]);
+  }
+  text_buffer_add(out, "], \"gap\": ");
+  json_number(out, clash->gap.gap);
+  text_buffer_add(out, ", \"nearest\": [%" PRIu32 ", %" PRIu32 "], \"overlap_volume\": ", clash->gap.fixed,
+                  clash->gap.moving);
+  json_number(out, clash->overlap.volume);
+  input_json("fixed", both[0], out);
+  input_json("moving", both[1], out);
+  text_buffer_add(out, "}\n");
+}
+
+static void print_table(const struct clashing *const both[2], const struct clash *clash, struct text_buffer *out) {
+  char value[NUMBER_BYTES], remark[100];
+  const char *const unit = format_unit(both[0]->molecule->format);
+  for (int k = 0; k < 2; ++k) report_heading(out, both[k]->request, both[k]->molecule);
+  snprintf(remark, sizeof remark, "of ball %" PRIu32 " of the first and %" PRIu32 " of the second, %s",
+           clash->gap.fixed, clash->gap.moving, unit);
+  report_row_count(out, "pairs", clash->overlap.pairs, "of balls that meet");
+  report_row(out, "least gap", quantity_text(value, clash->gap.gap, 6), remark);
+  snprintf(remark, sizeof remark, "%s^3, summed pair by pair", unit);
+  report_row(out, "overlap", quantity_text(value, clash->overlap.volume, 6), remark);
+}
+
+bool command_clash(const struct clashing *fixed, const struct clashing *moving, struct text_buffer *out,
+                   struct failure *failure) {
+  const struct clashing *const both[2] = {fixed, moving};
+  if (strcmp(format_unit(fixed->molecule->format), format_unit(moving->molecule->format)) != 0) {
+    return failure_in_usage(failure, "the files have different units: %s and %s", format_unit(fixed->molecule->format),
+                            format_unit(moving->molecule->format));
+  }
+  struct clash clash;
+  memset(&clash, 0, sizeof clash);
+  const bool done = set_models(both, &clash, failure) && make_bodies(&clash, failure) && find(moving, &clash, failure);
+  if (done && fixed->request->json) print_json(both, &clash, out);
+  if (done && !fixed->request->json) print_table(both, &clash, out);
+  clash_free(&clash);
+  return done;
+}
