@@ -73,7 +73,7 @@ class RegionsOfMolecule : public testing::TestWithParam<const char *> {};
 // From balls that meet here and there to the van der Waals surface, which hides most sticks.
 TEST_P(RegionsOfMolecule, ShowWhatIsVisible) {
   const Balls atoms = read_molecule(support::own_molecule(GetParam()));
-  const int count = atoms.size() > 100 ? 3 : 40;
+  const int count = atoms.size() > 100 ? 2 : 40;
   for (int k = 0; k < count; ++k)
     for (const double part : {0.37, 0.5, 1.0}) {
       const StickModel model = sticks_between_close(atoms, part);
@@ -82,7 +82,7 @@ TEST_P(RegionsOfMolecule, ShowWhatIsVisible) {
         ADD_FAILURE() << part << " " << built.violation();
         continue;
       }
-      EXPECT_EQ(sticks_disagree(built, 200), "") << k << " " << part;
+      EXPECT_EQ(sticks_disagree(built, atoms.size() > 100 ? 200 : 100), "") << k << " " << part;
       EXPECT_EQ(built.builder().regions().perturbation, 0) << k << " " << part;
     }
 }
@@ -93,7 +93,7 @@ INSTANTIATE_TEST_SUITE_P(Molecules, RegionsOfMolecule, testing::Values("caffeine
 TEST(RegionBuilder, ShowsBallsThatMeet) {
   oracle::RandomSource random(51);
   int drawn = 0, with_sticks = 0;
-  for (int time = 0; time < 400; ++time) {
+  for (int time = 0; time < 250; ++time) {
     StickModel model{{{0, 0, 0, 500}}, {}};
     const size_t n = 1 + random.below(5);
     while (model.balls.size() <= n) {
@@ -109,7 +109,7 @@ TEST(RegionBuilder, ShowsBallsThatMeet) {
     if (built.status() == hsp::Status::conflict) continue;
     ++drawn;
     for (const hsp::StickPath &path : built.view().paths.items()) with_sticks += path.stick != hsp::no_id ? 1 : 0;
-    ASSERT_EQ(sticks_disagree(built, 150), "") << time << oracle::to_text(model.balls);
+    ASSERT_EQ(sticks_disagree(built, 100), "") << time << oracle::to_text(model.balls);
   }
   EXPECT_GT(drawn, 100);
   EXPECT_GT(with_sticks, 100);
