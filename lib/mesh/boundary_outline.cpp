@@ -62,6 +62,15 @@ void keep_off_neighbours(const BallSet &balls, const Boundary &boundary, uint32_
   for (const ClosedHalfEdge e : boundary.circles(ball)) keep_off(boundary.neighbour(e));
 }
 
+double MeshedFaces::steradians(const BallSet &balls, uint32_t ball) const {
+  double area = 0.0;
+  for (const uint32_t face : boundary_.faces(ball)) {
+    if (has(face)) area += measure_face(balls, boundary_, face).area;
+  }
+  const double r = balls.r[ball];
+  return r > 0.0 ? area / (r * r) : 0.0;
+}
+
 void BoundaryOutline::find_owners(uint32_t c, uint32_t owners[2]) const {
   const uint32_t element = curves_.curve(c).element;
   if (curves_.is_circle(c)) {

@@ -35,6 +35,8 @@ class MeshedFaces {
     for (const uint32_t face : boundary_.faces(ball)) found = found || has(face);
     return found;
   }
+  // Of these faces on the unit sphere.
+  double steradians(const BallSet &balls, uint32_t ball) const;
   // Number k of the ball.
   uint32_t face(uint32_t ball, uint32_t k) const {
     if (chosen_ == nullptr) return boundary_.faces(ball).first + k;
@@ -78,6 +80,7 @@ class BoundaryOutline {
 
   bool has_patches(uint32_t sphere) const { return faces_.any(sphere); }
   double spacing(uint32_t sphere, double edge) const { return spacing_on(balls_.r[sphere], edge); }
+  double steradians(uint32_t sphere) const { return faces_.steradians(balls_, sphere); }
   void add_border(uint32_t sphere, SphericalPatch &patch) const;
   // A point inside a patch.
   MeshVertex inner_vertex(uint32_t sphere, const Vec3 &direction) const;

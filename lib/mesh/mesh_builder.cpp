@@ -1,6 +1,7 @@
 #include "mesh/mesh_builder.hpp"
 
 #include "core/sorting.hpp"
+#include "mesh/mesh_sizes.hpp"
 
 namespace hsp {
 
@@ -47,6 +48,7 @@ template <class Outline>
 Status MeshBuilder::build_all(Outline &outline, double edge) {
   needed_ = {outline.sphere_count(), outline.curve_count(), 0, 0, 0};
   if (needed_.balls > limits_.balls || needed_.curves > limits_.curves) return Status::capacity;
+  if (has_too_many_inside(outline, edge)) return Status::range;
   const Status status = triangulate_all(outline, edge);
   if (status == Status::check || status == Status::range) return status;
   const uint32_t first_of_bands = clamped_count(mesh_.triangles_.required());
@@ -63,6 +65,17 @@ Status MeshBuilder::build_all(Outline &outline, double edge) {
   name_balls(outline);
   sort_by_patches();
   return Status::ok;
+}
+
+// Told from areas before any point is made. Most meshes are not too fine even if all spheres were free.
+template <class Outline>
+bool MeshBuilder::has_too_many_inside(const Outline &outline, double edge) const {
+  PointsInside at_most;
+  for (uint32_t s = 0; s < outline.sphere_count(); ++s) at_most.add(4 * pi, outline.spacing(s, edge));
+  if (!at_most.are_too_many()) return false;
+  PointsInside points;
+  for (uint32_t s = 0; s < outline.sphere_count(); ++s) points.add(outline.steradians(s), outline.spacing(s, edge));
+  return points.are_too_many();
 }
 
 // Status::capacity if there is no room for the points of a sphere.

@@ -31,6 +31,8 @@ class MeshBuilder {
   template <class Outline>
   Status build_all(Outline &outline, double edge);
   template <class Outline>
+  bool has_too_many_inside(const Outline &outline, double edge) const;
+  template <class Outline>
   Status triangulate_all(Outline &outline, double edge);
   template <class Outline>
   bool triangulate(Outline &outline, double edge, uint32_t sphere, bool pinched);

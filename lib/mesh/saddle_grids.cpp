@@ -32,6 +32,8 @@ struct SaddleGrids::Grid {
   uint32_t corner[2][2];  // by ends and balls; cusps are corners, too
   uint32_t inner;         // first point inside
 
+  // At most: rows at cusps have half as many.
+  double triangles() const { return 2.0 * turns * rows; }
   uint32_t at(uint32_t k, uint32_t l) const {
     const uint32_t turn = closed && k == turns ? 0 : k;
     const bool at_end = !closed && (k == 0 || k == turns);
@@ -89,20 +91,36 @@ SaddleGrids::Grid SaddleGrids::grid_of_circle(uint32_t circle, uint32_t part, co
   return grid;
 }
 
-bool SaddleGrids::add_triangles(double length, FixedVector<MeshVertex> &vertices,
-                                FixedVector<MeshTriangle> &triangles) const {
+// Calls visit(band, grid) for the parts of chosen patches, until it says false.
+template <class Visit>
+bool SaddleGrids::for_each_grid(double length, Visit visit) const {
   const uint32_t arcs = curves_.boundary().arc_count();
   for (uint32_t k = 0; k < curves_.saddle_count(); ++k) {
     const bool is_arc = k < arcs;
     const SaddleBand band = curves_.band_of_saddle(k);
     for (uint32_t part = 0; part < band.parts(); ++part) {
       Grid grid = is_arc ? grid_of_arc(k, part, band.has_cusps()) : grid_of_circle(k - arcs, part, band, length);
-      if (!curves_.map().is_chosen(grid.patch)) continue;
-      if (2.0 * grid.turns * grid.rows + static_cast<double>(triangles.required()) > max_count) return false;
-      add_grid(band, grid, vertices, triangles);
+      if (curves_.map().is_chosen(grid.patch) && !visit(band, grid)) return false;
     }
   }
   return true;
+}
+
+bool SaddleGrids::fit(double length) const {
+  double triangles = 0.0;
+  return for_each_grid(length, [&](const SaddleBand &, const Grid &grid) {
+    triangles += grid.triangles();
+    return triangles <= max_count;
+  });
+}
+
+bool SaddleGrids::add_triangles(double length, FixedVector<MeshVertex> &vertices,
+                                FixedVector<MeshTriangle> &triangles) const {
+  return for_each_grid(length, [&](const SaddleBand &band, Grid &grid) {
+    if (grid.triangles() + static_cast<double>(triangles.required()) > max_count) return false;
+    add_grid(band, grid, vertices, triangles);
+    return true;
+  });
 }
 
 void SaddleGrids::add_grid(const SaddleBand &band, Grid &grid, FixedVector<MeshVertex> &vertices,

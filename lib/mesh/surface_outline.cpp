@@ -8,6 +8,12 @@ double SurfaceOutline::spacing(uint32_t sphere, double edge) const {
   return spacing_on(sphere < balls() ? curves_.balls().r[sphere] - curves_.probe() : curves_.probe(), edge);
 }
 
+double SurfaceOutline::steradians(uint32_t sphere) const {
+  if (sphere < balls()) return faces_.steradians(curves_.balls(), sphere);
+  if (!has_patches(sphere)) return 0.0;
+  return curves_.surface().patch(sphere - balls()).area / (curves_.probe() * curves_.probe());
+}
+
 uint32_t SurfaceOutline::patch(uint32_t sphere, uint32_t face) const {
   if (sphere < balls()) return faces_.face(sphere, face);
   const uint32_t v = sphere - balls();

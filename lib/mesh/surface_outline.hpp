@@ -30,7 +30,7 @@ class SurfaceOutline {
   uint32_t corner_count() const { return map().corner_count(); }
   uint32_t curve_count() const { return curves_.count(); }
   MeshCurve &curve(uint32_t c) { return curves_.curve(c); }
-  bool divide_curves(double length) { return curves_.divide(length); }
+  bool divide_curves(double length) { return curves_.divide(length) && SaddleGrids(curves_).fit(length); }
   Status expected_limits(double edge, MeshLimits &limits) const;
 
   MeshVertex corner(uint32_t id) const { return vertices_.corner(id); }
@@ -50,6 +50,7 @@ class SurfaceOutline {
     return sphere < balls() ? faces_.any(sphere) : faces_.has(face_at_vertex(curves_.boundary(), sphere - balls()));
   }
   double spacing(uint32_t sphere, double edge) const;
+  double steradians(uint32_t sphere) const;
   void add_border(uint32_t sphere, SphericalPatch &patch) const;
   MeshVertex inner_vertex(uint32_t sphere, const Vec3 &direction) const;
   uint32_t patch(uint32_t sphere, uint32_t face) const;

@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "built_boundary.hpp"
 #include "built_mesh.hpp"
 #include "built_surface.hpp"
 #include "lattice_lengths.hpp"
+#include "mesh/mesh_sizes.hpp"
 #include "random_balls.hpp"
 
 namespace {
@@ -85,6 +88,43 @@ TEST(MeshBuilder, EdgesTooShortForAnyLimit) {
   const BuiltBoundary built(oracle::Balls{{0, 0, 0, 1000}, {1500, 0, 1000, 1500}});
   hsp::MeshLimits limits;
   EXPECT_EQ(hsp::expected_mesh_limits(built.balls(), built.boundary(), 1e-3, limits), hsp::Status::range);
+}
+
+// The points of a few hundred spheres would take minutes to count one by one, and those of the saddles of a row.
+TEST(MeshBuilder, TooManyPointsAreSeenBeforeAnyIsMade) {
+  const hsp::MeshLimits few = {1000, 20000, 100, 100, 100};
+  CarvedMemory memory;
+  hsp::MeshBuilder builder;
+  memory.carve(builder, few);
+  oracle::RandomSource random(5);
+  const oracle::Balls loose = oracle::loose_balls(random, 300);
+  const BuiltBoundary built(loose);
+  const double edge = 3e-4 * static_cast<double>(built.balls().largest_radius);
+  EXPECT_EQ(builder.build(built.balls(), built.boundary(), edge), hsp::Status::range);
+  const BuiltSurface smooth(oracle::in_lengths(loose, 1), 2.0);
+  ASSERT_EQ(smooth.status(), hsp::Status::ok);
+  memory.carve(builder, hsp::MeshLimits{100000, 100000, 100, 100, 100});
+  EXPECT_EQ(builder.build(smooth.balls(), smooth.boundary(), smooth.surface(), edge), hsp::Status::range);
+  support::BallList row;
+  for (int k = 0; k < 40; ++k) row.add(280.0 * k, 0, 0, 10);
+  const BuiltSurface saddles(row, 1000.0);
+  ASSERT_EQ(saddles.status(), hsp::Status::ok);
+  EXPECT_EQ(builder.build(saddles.balls(), saddles.boundary(), saddles.surface(), 0.06), hsp::Status::range);
+}
+
+// Spheres with few points do not count, however many there are, nor does what is covered.
+TEST(MeshBuilder, PointsInsidePatches) {
+  const double spacing = std::sqrt(14.6 / hsp::max_count);
+  hsp::PointsInside points;
+  points.add(4 * hsp::pi, 1.01 * spacing);
+  EXPECT_FALSE(points.are_too_many());
+  points.add(0.1 * 4 * hsp::pi, spacing);
+  EXPECT_TRUE(points.are_too_many());
+  hsp::PointsInside others;
+  for (int k = 0; k < 4; ++k) others.add(hsp::pi / 4.04, spacing);
+  for (const double s : {2.0, 0.2}) others.add(1e12, s);
+  others.add(0.0, 0.0);
+  EXPECT_FALSE(others.are_too_many());
 }
 
 // Of the surface as a map: corners less edges, and every patch as a sphere with holes.
