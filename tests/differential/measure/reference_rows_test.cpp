@@ -1,9 +1,12 @@
-// Areas, volumes and numbers of vertices of molecules from 24 to 164965 atoms against values found by other programs.
+// Areas, volumes and numbers of vertices of molecules from 24 to 164965 atoms against values found by other programs;
+// the same of their smooth surfaces.
 //
 // Where a molecule's file is not there the test says "skipped".
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "lattice_lengths.hpp"
 #include "library_run.hpp"
@@ -70,6 +73,119 @@ INSTANTIATE_TEST_SUITE_P(
     [](const testing::TestParamInfo<Row> &row) {
       const std::string file = row.param.file;
       return file.substr(0, file.find('.')) + (row.param.probe > 0 ? "Accessible" : "VanDerWaals");
+    });
+
+// ---- smooth surfaces, for a probe of 1.4 ----
+
+// The values are those of an independent program in doubles, whose areas and volumes agree with lines through the
+// definition, with V' = -A and with quadrature of the concave patches.
+struct SmoothRow {
+  double area, volume;
+  double convex, saddle, concave;
+  uint32_t concave_patches, cut, cusped;  // cusped: arcs and whole circles
+};
+
+// To `digits` of a relative precision; lengths are in angstrom.
+void compare_smooth(const support::BallList &list, const SmoothRow &row, double digits,
+                    double units = static_cast<double>(steps_per_angstrom)) {
+  const LibraryBoundary boundary(oracle::on_lattice(list, 0, units), 1, 1.4 * units);
+  support::OwnedSurface surface;
+  surface.take(support::surface_limits_for(boundary.handle()));
+  surface.compute([&](hsp_surface *handle, hsp_surface_limits *limits) {
+    return hsp_surface_compute(handle, boundary.handle(), limits);
+  });
+  hsp_surface_totals totals;
+  hsp_surface_counts counts;
+  expect_ok(hsp_surface_measure(surface.get(), &totals, nullptr, 0, nullptr), "hsp_surface_measure");
+  expect_ok(hsp_surface_get_counts(surface.get(), &counts), "hsp_surface_get_counts");
+  const double unit = 1 / units;
+  EXPECT_NEAR(totals.area * unit * unit, row.area, digits * row.area);
+  EXPECT_NEAR(totals.volume * unit * unit * unit, row.volume, digits * row.volume);
+  if (row.convex > 0) {
+    // Their sum is known to more digits than they are.
+    const double printed = std::max(digits, 1e-9) * row.area;
+    EXPECT_NEAR(totals.convex_area * unit * unit, row.convex, printed);
+    EXPECT_NEAR(totals.saddle_area * unit * unit, row.saddle, printed);
+    EXPECT_NEAR(totals.concave_area * unit * unit, row.concave, printed);
+  }
+  if (row.concave_patches > 0) {
+    EXPECT_EQ(counts.concave_patches, row.concave_patches);
+    EXPECT_EQ(counts.cut_patches, row.cut);
+    EXPECT_EQ(counts.cusped_patches, row.cusped);
+    EXPECT_EQ(counts.open_joints, 0U);
+  }
+}
+
+TEST(ReferenceRows, SmoothSurfacesOfTheProjectsOwnMolecules) {
+  const auto atoms = [](const char *name) {
+    return with_radii(support::read_atoms(support::own_molecule(name)), support::Radii::metals_as_sulfur);
+  };
+  compare_smooth(atoms("caffeine.pdb"),
+                 {182.6053055199, 164.3407116951, 86.9990059303, 78.4289742200, 17.1773253697, 58, 0, 0}, 1e-12);
+  compare_smooth(atoms("crambin.pdb"),
+                 {2319.064883323, 4664.897270837, 860.388078879, 896.522219402, 562.154585041, 480, 38, 21}, 1e-12);
+}
+
+// Rings, a void, and lattices, whose values are the limits of inflated balls.
+TEST(ReferenceRows, SmoothSurfacesOfSymmetricSets) {
+  support::BallList ring, cavity, grid, wide_grid;
+  constexpr double diagonal = 3.11126984;
+  constexpr double rings[8][3] = {
+      {4.4, 0, 0},     {diagonal, diagonal, -0.04}, {0, 4.4, -0.04}, {-diagonal, diagonal, 0},
+      {-4.4, 0, 0.08}, {-diagonal, -diagonal, 0.2}, {0, -4.4, 0.36}, {diagonal, -diagonal, 0.56}};
+  for (const auto &c : rings) ring.add(c[0], c[1], c[2], 1.7);
+  for (int k = 0; k < 40; ++k) {
+    const double z = 4.8 * (1 - (2 * k + 1) / 40.0);
+    const double turn = k * std::numbers::pi * (3 - std::sqrt(5.0));
+    const double rho = std::sqrt(4.8 * 4.8 - z * z);
+    const auto rounded = [](double x) { return std::nearbyint(x * 1e8) / 1e8; };
+    cavity.add(rounded(rho * std::cos(turn)), rounded(rho * std::sin(turn)), rounded(z), 1.7);
+  }
+  for (int x = 0; x < 3; ++x) {
+    for (int y = 0; y < 3; ++y) {
+      for (int z = 0; z < 3; ++z) {
+        grid.add(x, y, z, 0.9);
+        wide_grid.add(2.6 * x, 2.6 * y, 2.6 * z, 1.2);
+      }
+    }
+  }
+  compare_smooth(ring, {261.5695947954, 183.4017052863, 158.156503965, 103.41309083, 0, 0, 0, 0}, 1e-11, 1e8);
+  compare_smooth(cavity, {641.9377902208, 792.6536298566, 244.616174726, 262.826528217, 134.495087278, 0, 0, 0}, 1e-11,
+                 1e8);
+  compare_smooth(grid, {67.6596077, 45.5116003, 0, 0, 0, 0, 0, 0}, 2e-9);
+  compare_smooth(wide_grid, {304.230888, 331.901243, 0, 0, 0, 0, 0, 0}, 2e-9);
+}
+
+struct SmoothMolecule {
+  const char *file;
+  SmoothRow row;
+  support::Records records = support::Records::all;
+};
+
+class FurtherSmoothSurfaces : public testing::TestWithParam<SmoothMolecule> {};
+
+TEST_P(FurtherSmoothSurfaces, HaveTheReferenceValues) {
+  const std::optional<std::filesystem::path> file = support::further_molecule(GetParam().file);
+  if (!file) GTEST_SKIP() << GetParam().file << " is not in the folder of further molecules";
+  const std::vector<support::Atom> atoms = support::read_atoms(*file, GetParam().records);
+  compare_smooth(with_radii(atoms, support::Radii::metals_as_sulfur), GetParam().row, 2e-11);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    ReferenceRows, FurtherSmoothSurfaces,
+    testing::Values(
+        SmoothMolecule{"sod_model_4392.pdb",
+                       {26481.54187164, 64728.10394243, 7956.864091, 9613.698104, 8910.979677, 6118, 1168, 691}},
+        SmoothMolecule{"4hhb.pdb.gz",
+                       {27504.00120672, 66429.91120292, 7561.786539, 10052.156501, 9890.058167, 6440, 1162, 693},
+                       protein},
+        SmoothMolecule{"3l5q.xyz.gz",
+                       {450726.2207037, 1256785.601979, 104926.763, 159128.862, 186670.595, 111558, 24514, 14479}},
+        SmoothMolecule{"6zu5.cif.gz",
+                       {940989.7379, 2341230.46209, 233066.176, 351389.967, 356533.595, 234356, 45751, 27220}}),
+    [](const testing::TestParamInfo<SmoothMolecule> &molecule) {
+      const std::string file = molecule.param.file;
+      return file.substr(0, file.find('.'));
     });
 
 }  // namespace
