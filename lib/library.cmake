@@ -79,6 +79,7 @@ set(HSP_LIBRARY_SOURCES
   lib/surface/covered_gaps.cpp
   lib/surface/cusped_circles.cpp
   lib/surface/cut_patches.cpp
+  lib/surface/flat_patches.cpp
   lib/surface/near_probes.cpp
   lib/surface/near_probes_avx2.cpp
   lib/surface/patch_corners.cpp
@@ -88,6 +89,7 @@ set(HSP_LIBRARY_SOURCES
   lib/surface/saddle.cpp
   lib/surface/saddle_kernel.cpp
   lib/surface/saddle_kernel_avx2.cpp
+  lib/surface/settled_circles.cpp
   lib/surface/surface_areas.cpp
   lib/surface/surface_gradients.cpp
   lib/surface/surface_builder.cpp
@@ -103,6 +105,7 @@ set(HSP_LIBRARY_SOURCES
   lib/mesh/boundary_outline.cpp
   lib/mesh/concave_outline.cpp
   lib/mesh/convex_outline.cpp
+  lib/mesh/flat_strips.cpp
   lib/mesh/mesh_builder.cpp
   lib/mesh/pinched_cells.cpp
   lib/mesh/pinched_patch.cpp

@@ -14,9 +14,12 @@
  * bits, which moves a border by about 1e-9 of p; else the status is HSP_E_CHECK. Vertices of the boundary that are
  * closer to each other than 2^-25 p count as one point.
  *
- * Where patches meet each of them is decided on its own. If one finds a corner or a crease that another does not, which
- * takes vertices that count as one point, or four probes that meet in one up to rounding, the joint is open: areas and
- * volumes hold nevertheless, but the surface cannot be read as patches, edges and corners.
+ * Where four probes meet in one point up to rounding, or a cusp and a probe, and where vertices count as one point, all
+ * patches there follow one decision, that of probes in general position infinitely near. Patches without area, as of
+ * vertices in the plane of their balls' centres, then join what is beside them. But where several ties come together,
+ * as of eight spheres that meet in a point or balls of radius 0, a patch may have a corner or a crease that another
+ * lacks. Then the joint is open: areas and volumes hold nevertheless, but the surface cannot be read as patches, edges
+ * and corners. Of 7500 random sets, two thirds of them full of ties, 10 have such joints.
  *
  * PATCHES, EDGES, CORNERS follow from the boundary. With F faces, A arcs, C circles, V vertices of it, whose ids these
  * are, and "its ball 0" and "ball 1" those of hsp_arc and hsp_circle:
@@ -94,7 +97,7 @@ HSP_API int32_t hsp_surface_init(void *memory, size_t bytes, const hsp_surface_l
 
 /** Compute the surface over a computed boundary. Boundary and model must outlive the surface; after hsp_model_set or
  *  hsp_boundary_compute what reads the surface yields HSP_E_STATE until it is computed again. On failure it holds no
- *  results. limits: see LIMITS in hardsphere.h; at most three retries.
+ *  results. limits: see LIMITS in hardsphere.h; at most four retries.
  *  - Property 1: the order of the balls has no effect.
  *
  *  Cost: O(vertices) for sets as in Theorem 2.1 with probes no larger than balls; O(m^3) per vertex with m probes that

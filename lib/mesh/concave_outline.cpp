@@ -94,7 +94,8 @@ void ConcaveOutline::keep_off_probes(SphericalPatch &patch) const {
     const ProbeSphere other(curves_.balls(), curves_.boundary(), cut.arc(a).across);
     const Vec3 away = -other.way_from(sphere_.centre());
     const double distance = std::sqrt(dot(away, away));
-    if (distance > 0.0) patch.keep_off(1.0 / distance * away, distance / (2 * curves_.probe()));
+    if (distance > coincident_distance * curves_.probe())
+      patch.keep_off(1.0 / distance * away, distance / (2 * curves_.probe()));
   }
 }
 

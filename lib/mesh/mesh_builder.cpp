@@ -1,6 +1,7 @@
 #include "mesh/mesh_builder.hpp"
 
 #include "core/sorting.hpp"
+#include "mesh/flat_strips.hpp"
 #include "mesh/mesh_sizes.hpp"
 
 namespace hsp {
@@ -122,6 +123,15 @@ void MeshBuilder::add_samples(Outline &outline, uint32_t c) {
 // The triangles have the sphere as their ball until name_balls.
 template <class Outline>
 bool MeshBuilder::triangulate(Outline &outline, double edge, uint32_t sphere, bool pinched) {
+  if (Vec3 normal; outline.is_flat(sphere, normal)) {
+    patch_.begin(outline.spacing(sphere, edge));
+    outline.add_border(sphere, patch_);
+    const FlatStrips strips(patch_, normal);
+    if (!patch_.overflowed() && strips.are_strips()) {
+      emit(outline, sphere, strips);
+      return true;
+    }
+  }
   const auto attempt = [&](bool pinch) {
     patch_.begin(outline.spacing(sphere, edge));
     outline.add_border(sphere, patch_);
@@ -133,9 +143,15 @@ bool MeshBuilder::triangulate(Outline &outline, double edge, uint32_t sphere, bo
     patch_.for_each_coarse_curve([&](uint32_t c) { outline.curve(c).refine = true; });
   }
   if (state != PatchState::complete) return false;
+  emit(outline, sphere, patch_);
+  return true;
+}
+
+template <class Outline, class Triangles>
+void MeshBuilder::emit(Outline &outline, uint32_t sphere, Triangles &triangles) {
   range_[sphere].first = clamped_count(mesh_.triangles_.required());
   const PatchKind kind = outline.kind(sphere);
-  patch_.emit(
+  triangles.emit(
       [&](const Vec3 &direction) {
         const uint32_t number = clamped_count(mesh_.vertices_.required());
         mesh_.vertices_.push(outline.inner_vertex(sphere, direction));
@@ -145,7 +161,6 @@ bool MeshBuilder::triangulate(Outline &outline, double edge, uint32_t sphere, bo
         mesh_.triangles_.push({{corners[0], corners[1], corners[2]}, outline.patch(sphere, face), sphere, kind});
       });
   range_[sphere].last = clamped_count(mesh_.triangles_.required());
-  return true;
 }
 
 // Twice as many points on the curves that want them, and on those that must have as many; the spheres on both sides are

@@ -36,6 +36,8 @@ class MeshBuilder {
   Status triangulate_all(Outline &outline, double edge);
   template <class Outline>
   bool triangulate(Outline &outline, double edge, uint32_t sphere, bool pinched);
+  template <class Outline, class Triangles>
+  void emit(Outline &outline, uint32_t sphere, Triangles &triangles);
   template <class Outline>
   void add_samples(Outline &outline, uint32_t c);
   template <class Outline>

@@ -7,11 +7,11 @@
 
 namespace hsp {
 
-// A lower bound, for meshes that are far too fine: a patch of E points by its area alone has at least 0.7 E vertices. A
-// border of b segments keeps at most 0.7 b points away (share_kept_off in spherical_patch.cpp, times two over the square
-// root of three) but has b points itself, which two patches share; so over all patches the vertices are at least E - 0.2
-// b, and at least b/2. A closed mesh has no fewer triangles than vertices, and with so many of them nearly twice as many:
-// more than E.
+// A lower bound, for meshes that are far too fine: a patch of E points by its area alone has at least 0.7 E vertices.
+// A border of b segments keeps at most 0.7 b points away (share_kept_off in spherical_patch.cpp, times two over the
+// square root of three) but has b points itself, which two patches share; so over all patches the vertices are at
+// least E - 0.2 b, and at least b/2. A closed mesh has no fewer triangles than vertices, and with so many of them
+// nearly twice as many: more than E.
 class PointsInside {
  public:
   // Spheres with few points are left out.

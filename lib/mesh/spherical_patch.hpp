@@ -11,6 +11,7 @@
 #pragma once
 
 #include "core/fixed_vector.hpp"
+#include "core/id_range.hpp"
 #include "mesh/sphere_triangulation.hpp"
 
 namespace hsp {
@@ -57,6 +58,13 @@ class SphericalPatch {
   // Without loops the whole sphere is face 0.
   // pinched: what runs along something else on the way to the next point may take the same way.
   PatchState triangulate(bool pinched = false);
+
+  // What has been added.
+  uint32_t loop_count() const { return loops_.size(); }
+  uint32_t face_of_loop(uint32_t loop) const { return loops_[loop].face; }
+  IdRange samples_of_loop(uint32_t loop) const { return {loops_[loop].first, last_sample(loop)}; }
+  const BorderSample &sample(uint32_t k) const { return samples_[k]; }
+  bool overflowed() const { return samples_.overflowed(); }
 
   // The points that have been there, or an upper bound of them after PatchState::capacity.
   uint64_t needed_points() const { return needed_points_; }

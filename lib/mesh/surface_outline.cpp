@@ -1,6 +1,7 @@
 #include "mesh/surface_outline.hpp"
 
 #include "measure/areas.hpp"
+#include "surface/flat_patches.hpp"
 
 namespace hsp {
 
@@ -12,6 +13,13 @@ double SurfaceOutline::steradians(uint32_t sphere) const {
   if (sphere < balls()) return faces_.steradians(curves_.balls(), sphere);
   if (!has_patches(sphere)) return 0.0;
   return curves_.surface().patch(sphere - balls()).area / (curves_.probe() * curves_.probe());
+}
+
+bool SurfaceOutline::is_flat(uint32_t sphere, Vec3 &normal) const {
+  if (sphere < balls() || !curves_.surface().cut_patches().is_cut(sphere - balls())) return false;
+  const Boundary &boundary = curves_.boundary();
+  const Position position = position_of_vertex(curves_.balls(), boundary, sphere - balls());
+  return hsp::is_flat(curves_.balls(), boundary, position, sphere - balls(), normal);
 }
 
 uint32_t SurfaceOutline::patch(uint32_t sphere, uint32_t face) const {

@@ -65,7 +65,8 @@ ProbeState ProbeCaps::gather(const BallSet &balls, const Boundary &boundary, con
   if (others_.overflowed()) return ProbeState::crossed;
 
   const double error = vertex_error * static_cast<double>(balls.largest_radius);
-  sort_and_merge(4 * error);
+  merge_distance_ = 4 * error;
+  sort_and_merge();
   store_caps();
   // Errors of axis and height: of two vertices, over their distance; caps.hpp has 3.5e for the axis.
   double largest = side_error_;
@@ -178,8 +179,8 @@ void ProbeCaps::find_gap(const BallSet &balls, const Boundary &boundary, uint32_
   gap_known_[slot] = true;
 }
 
-// By position, so that ids have no effect; of several vertices in one place the first stays.
-void ProbeCaps::sort_and_merge(double merge_distance) {
+// By position, so that ids have no effect; of several vertices in one place the first stays, the others come last.
+void ProbeCaps::sort_and_merge() {
   sort_in_place(others_.items(), [](const Other &a, const Other &b) {
     if (a.height != b.height) return a.height < b.height;
     if (a.axis.x != b.axis.x) return a.axis.x < b.axis.x;
@@ -191,11 +192,14 @@ void ProbeCaps::sort_and_merge(double merge_distance) {
   for (uint32_t k = 0; k < all.size(); ++k) {
     bool again = false;
     for (uint32_t j = kept_; j-- > 0 && !again;) {
-      if (all[k].distance - all[j].distance > merge_distance) break;
+      if (all[k].distance - all[j].distance > merge_distance_) break;
       again = squared(combine(all[k].distance, all[k].axis, -all[j].distance, all[j].axis)) <=
-              merge_distance * merge_distance;
+              merge_distance_ * merge_distance_;
     }
-    if (!again) all[kept_++] = all[k];
+    if (again) continue;
+    const Other kept = all[k];
+    all[k] = all[kept_];
+    all[kept_++] = kept;
   }
 }
 

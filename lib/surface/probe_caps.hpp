@@ -32,8 +32,33 @@ class ProbeCaps {
   Caps &caps() { return caps_; }
   const Caps &caps() const { return caps_; }
   static constexpr uint32_t sides = 3;  // caps 0, 1, 2
+  uint32_t vertex() const { return vertex_; }
+  // Unit vectors towards the balls that the sides are opposite to, and whether these are counter-clockwise seen from
+  // outside.
+  const Vec3 &corner(uint32_t side) const { return triangle_.corner[side]; }
+  bool is_counter_clockwise() const { return triangles_.sign[vertex_ % ProbeTriangles::lanes] < 0.0; }
   // The ball of the vertex that a side is opposite to.
   uint32_t ball_opposite(uint32_t side) const { return triangles_.ball[side][vertex_ % ProbeTriangles::lanes]; }
+
+  // The caps of the three sides alone, after whole or hidden.
+  void keep_sides() {
+    others_.clear();
+    kept_ = 0;
+    store_caps();
+    amplification_ = 1.0 + side_error_ / (3 * unit_roundoff);
+  }
+  // Calls visit(vertex) for the vertex of a cap of another probe, and for those in the same place that were left out
+  // for it.
+  template <class Visit>
+  void for_each_in_place(uint32_t cap, Visit visit) const {
+    const Other &own = others_[cap - sides];
+    visit(own.vertex);
+    for (uint32_t k = kept_; k < others_.size(); ++k) {
+      const Other &other = others_[k];
+      const Vec3 apart = combine(other.distance, other.axis, -own.distance, own.axis);
+      if (dot(apart, apart) <= merge_distance_ * merge_distance_) visit(other.vertex);
+    }
+  }
 
   // How much larger the errors of the caps are than sphere/caps.hpp has them.
   double amplification() const { return amplification_; }
@@ -63,12 +88,13 @@ class ProbeCaps {
   bool misses(const Vec3 &axis, double height, double error) const;
   Rule same_circle_rule(const BallSet &balls, const Boundary &boundary, uint32_t other, bool coincident);
   void find_gap(const BallSet &balls, const Boundary &boundary, uint32_t slot);
-  void sort_and_merge(double merge_distance);
+  void sort_and_merge();
   void store_caps();
 
   Caps caps_;
   FixedVector<Other> others_;
   uint32_t kept_ = 0;  // of these, after merging
+  double merge_distance_ = 0.0;
   double amplification_ = 1.0;
   double whole_steradians_ = 0.0;
   Vec3 whole_vector_area_{0.0, 0.0, 0.0};

@@ -62,8 +62,8 @@ class Surface {
   // What is measured. Patches, edges and shells are there of both parts.
   const ChosenFaces &chosen() const { return chosen_; }
   Span<uint32_t> scratch() const { return scratch_; }  // [faces + pieces]
-  // Whether everything that meets is found from all sides. Not so where vertices coincide, and where four probes or a
-  // cusp and a probe meet in one point that rounding takes apart; areas are not concerned.
+  // Whether everything that meets is found from all sides. Not so where several ties come together that no rule
+  // decides for all patches at once (settled_circles.hpp); areas are not concerned.
   bool is_closed() const { return counts_.joints.open == 0; }
 
  private:

@@ -2,8 +2,15 @@
 
 #include "surface/circles_in_doubles.hpp"
 #include "surface/circles_in_integers.hpp"
+#include "surface/settled_circles.hpp"
 
 namespace hsp {
+namespace {
+
+// Areas on the unit sphere that differ by less are the same up to rounding.
+constexpr double least_steradians = 1e-6;
+
+}  // namespace
 
 // The arcs around the union of m caps have at most 6m - 12 corners for m >= 3, as the edges of a planar graph; so many
 // arcs, and circles without corners.
@@ -33,15 +40,13 @@ Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary, Spa
 }
 
 Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary, const Span<const uint32_t> *shells) {
-  surface_.counts_ = {};
-  uncertain_holes_ = 0;
   CutPatches &cut = surface_.cut_patches_;
   CuspedCircles &cusped = surface_.cusped_circles_;
+  surface_.counts_ = {};
   cut.clear();
   cusped.clear();
   needed_ = {boundary.vertex_count(), boundary.face_count()};
   if (needed_.vertices > limits_.vertices || needed_.faces > limits_.faces) return Status::capacity;
-  const ChosenFaces &chosen = surface_.chosen_;
   if (shells == nullptr) {
     surface_.chosen_.choose_all();
   } else {
@@ -56,20 +61,76 @@ Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary, con
     return Status::ok;
   }
   grid_.build(balls, boundary);
+  cusped.find(balls, boundary);
+  needed_.cusped_circles = clamped_count(cusped.required());
+  Status status = cut_patches(balls, boundary, Decisions::of_each_patch);
+  if (status != Status::ok) return status;
+  // Where joints are open, once more with decisions that patches share, if that helps.
+  if (const uint32_t open = surface_.counts_.joints.open; open > 0) {
+    status = cut_patches(balls, boundary, Decisions::shared);
+    if (status == Status::ok && surface_.counts_.joints.open >= open) {
+      status = cut_patches(balls, boundary, Decisions::of_each_patch);
+    }
+    if (status != Status::ok) return status;
+  }
+  surface_.concave_.measure(balls, boundary, grid_.places(), cut);
+  surface_.counts_.cusped_arcs = cusped.arcs() + cusped.whole_circles();
+  surface_.shells_.find(boundary, cusped, cut);
+  return Status::ok;
+}
+
+// All concave patches, and the joints of those that are cut.
+Status SurfaceBuilder::cut_patches(const BallSet &balls, const Boundary &boundary, Decisions decisions) {
+  CutPatches &cut = surface_.cut_patches_;
+  const CuspedCircles &cusped = surface_.cusped_circles_;
+  const ChosenFaces &chosen = surface_.chosen_;
+  FlatPatches flat(balls, boundary, chosen, grid_, cusped);
+  surface_.counts_ = {};
+  uncertain_holes_ = 0;
+  cut.clear();
   for (uint32_t v = 0; v < needed_.vertices; ++v) {
     cut.begin_vertex(v);
     const ProbeState state = probe_.gather(balls, boundary, chosen, grid_, v);
     needed_.neighbours = larger_count(needed_.neighbours, clamped_count(probe_.met()));
     if (state == ProbeState::crossed) {
       if (probe_.overflowed()) continue;
-      const uint32_t cut_before = surface_.counts_.cut_patches;
+      const SurfaceCounts before = surface_.counts_;
       double steradians = 0.0;
       Vec3 vector_area{0.0, 0.0, 0.0};
       if (!measure_cut_patch(steradians, vector_area)) return Status::check;
-      if (surface_.counts_.cut_patches == cut_before) continue;
+      if (decisions == Decisions::shared) {
+        if (steradians < least_steradians && store_flat_patch(flat, v)) {
+          surface_.counts_ = before;
+          ++surface_.counts_.cut_patches;
+          continue;
+        }
+        const SettledCircles settled(balls, boundary, chosen, grid_, cusped, probe_);
+        if (settle(settled, steradians, before)) {
+          if (surface_.counts_.cut_patches == before.cut_patches) continue;
+          const ConcaveScale scale(balls, boundary, grid_.position(v));
+          cut.begin_patch(scale.patch(steradians, vector_area));
+          store_pieces(boundary, v, scale, &settled);
+          continue;
+        }
+        surface_.counts_ = before;
+        measure_cut_patch(steradians, vector_area);
+      }
+      if (surface_.counts_.cut_patches == before.cut_patches) continue;
       const ConcaveScale scale(balls, boundary, grid_.position(v));
       cut.begin_patch(scale.patch(steradians, vector_area));
-      store_pieces(boundary, v, scale);
+      store_pieces(boundary, v, scale, nullptr);
+    } else if (decisions == Decisions::shared &&
+               (state == ProbeState::hidden || probe_.whole_steradians() < least_steradians) &&
+               store_flat_patch(flat, v)) {
+      ++surface_.counts_.cut_patches;
+    } else if (decisions == Decisions::shared && state == ProbeState::whole && has_mates(balls, boundary)) {
+      const SurfaceCounts before = surface_.counts_;
+      const SettledCircles settled(balls, boundary, chosen, grid_, cusped, probe_);
+      if (!settle(settled, probe_.whole_steradians(), before)) continue;
+      const ConcaveScale scale(balls, boundary, grid_.position(v));
+      surface_.counts_.cut_patches = before.cut_patches + 1;
+      cut.begin_patch(scale.patch(probe_.whole_steradians(), probe_.whole_vector_area()));
+      store_pieces(boundary, v, scale, &settled);
     } else if (state == ProbeState::hidden) {
       ++surface_.counts_.cut_patches;
       ++surface_.counts_.hidden_patches;
@@ -78,20 +139,41 @@ Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary, con
     }
   }
   cut.finish(needed_.vertices);
-  cusped.find(balls, boundary);
-  needed_.pieces = clamped_count(cut.required_pieces());
-  needed_.arcs = clamped_count(cut.required_arcs());
-  needed_.cusped_circles = clamped_count(cusped.required());
+  needed_.pieces = larger_count(needed_.pieces, clamped_count(cut.required_pieces()));
+  needed_.arcs = larger_count(needed_.arcs, clamped_count(cut.required_arcs()));
   if (needed_.neighbours > limits_.neighbours || cut.overflowed() || needed_.cusped_circles > limits_.cusped_circles) {
     return Status::capacity;
   }
-  surface_.concave_.measure(balls, boundary, grid_.places(), cut);
-  surface_.counts_.cusped_arcs = cusped.arcs() + cusped.whole_circles();
   surface_.counts_.joints = join_patches(boundary, cusped, cut);
   // A hidden patch lacks even its corners, which convex patches and saddles have.
   surface_.counts_.joints.open += uncertain_holes_ + surface_.counts_.hidden_patches;
-  surface_.shells_.find(boundary, cusped, cut);
   return Status::ok;
+}
+
+// Of a whole patch: whether some side has a crease with a vertex in the same place.
+bool SurfaceBuilder::has_mates(const BallSet &balls, const Boundary &boundary) {
+  probe_.keep_sides();
+  return SettledCircles(balls, boundary, surface_.chosen_, grid_, surface_.cusped_circles_, probe_).has_mates();
+}
+
+bool SurfaceBuilder::store_flat_patch(FlatPatches &flat, uint32_t vertex) {
+  if (!flat.find(vertex)) return false;
+  surface_.cut_patches_.begin_patch({});
+  flat.store(surface_.cut_patches_);
+  return true;
+}
+
+// The arcs of the patch as decisions that patches share have them. False if these leave another area: that is right as
+// it is.
+bool SurfaceBuilder::settle(const SettledCircles &circles, double steradians, const SurfaceCounts &before) {
+  FreeRegion region;
+  if (!FreeRegionFinder(circles, corners_, arcs_, ProbeCaps::sides).find(region) || region.arcs == 0) return false;
+  const double more = region.steradians() - steradians;
+  const double off = more > pi ? more - 2 * pi : more < -pi ? more + 2 * pi : more;
+  if (!(off < least_steradians && -off < least_steradians)) return false;
+  surface_.counts_.cut_patches = before.cut_patches + (region.cutting_arcs > 0 || circles.has_mates() ? 1 : 0);
+  surface_.counts_.hidden_patches = before.hidden_patches;
+  return true;
 }
 
 void SurfaceBuilder::number_arcs(const Boundary &boundary) {
@@ -107,7 +189,8 @@ void SurfaceBuilder::number_arcs(const Boundary &boundary) {
 
 // Loops that bound one piece one after the other, that around the piece first. If it is uncertain which piece has a
 // hole, all loops bound one: then the surface is not closed.
-void SurfaceBuilder::store_pieces(const Boundary &boundary, uint32_t vertex, const ConcaveScale &scale) {
+void SurfaceBuilder::store_pieces(const Boundary &boundary, uint32_t vertex, const ConcaveScale &scale,
+                                  const SettledCircles *settled) {
   CutPatches &cut = surface_.cut_patches_;
   const Span<RegionArc> arcs = arcs_.items();
   if (arcs.empty()) cut.begin_piece(vertex, 0.0, 0.0);
@@ -134,10 +217,17 @@ void SurfaceBuilder::store_pieces(const Boundary &boundary, uint32_t vertex, con
       uint32_t a = loop;
       do {
         const uint32_t circle = arcs[a].circle;
-        const uint32_t across = circle < ProbeCaps::sides
-                                    ? PatchArc::side(boundary.vertex(vertex).slot_of(probe_.ball_opposite(circle)))
-                                    : probe_.caps().ball[circle];
-        cut.add_arc(across, arcs[a].angle, arcs[a].next == loop);
+        const bool last = arcs[a].next == loop;
+        if (settled != nullptr) {
+          SettledCircles::Part parts[SettledCircles::most_parts];
+          const uint32_t count = settled->parts_of(arcs[a], corners_.items(), parts);
+          for (uint32_t k = 0; k < count; ++k) cut.add_arc(parts[k].across, parts[k].angle, last && k + 1 == count);
+        } else {
+          const uint32_t across = circle < ProbeCaps::sides
+                                      ? PatchArc::side(boundary.vertex(vertex).slot_of(probe_.ball_opposite(circle)))
+                                      : probe_.caps().ball[circle];
+          cut.add_arc(across, arcs[a].angle, last);
+        }
         a = arcs[a].next;
       } while (a != loop);
     }

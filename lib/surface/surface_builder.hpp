@@ -1,7 +1,9 @@
 // Fills a surface: the pass over all vertices of a boundary.
 #pragma once
 
+#include "surface/flat_patches.hpp"
 #include "surface/free_region.hpp"
+#include "surface/settled_circles.hpp"
 #include "surface/surface.hpp"
 
 namespace hsp {
@@ -22,10 +24,17 @@ class SurfaceBuilder {
 
  private:
   Status build(const BallSet &balls, const Boundary &boundary, const Span<const uint32_t> *shells);
+  // Of each concave patch on its own, or such that all patches that meet in a point share them (settled_circles.hpp).
+  enum class Decisions : uint8_t { of_each_patch, shared };
+  Status cut_patches(const BallSet &balls, const Boundary &boundary, Decisions decisions);
+  bool has_mates(const BallSet &balls, const Boundary &boundary);
+  bool store_flat_patch(FlatPatches &flat, uint32_t vertex);
+  bool settle(const SettledCircles &circles, double steradians, const SurfaceCounts &before);
   bool measure_cut_patch(double &steradians, Vec3 &vector_area);
   bool accept(const FreeRegion &region, double &steradians, Vec3 &vector_area);
   void number_arcs(const Boundary &boundary);
-  void store_pieces(const Boundary &boundary, uint32_t vertex, const ConcaveScale &scale);
+  void store_pieces(const Boundary &boundary, uint32_t vertex, const ConcaveScale &scale,
+                    const SettledCircles *settled);
   void add_crease(const RegionArc &arc, CreaseSums &creases) const;
 
   SurfaceLimits limits_;

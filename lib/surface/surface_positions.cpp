@@ -1,6 +1,7 @@
 #include "surface/surface_positions.hpp"
 
 #include "sphere/arc_geometry.hpp"
+#include "surface/flat_patches.hpp"
 #include "surface/surface_areas.hpp"
 
 namespace hsp {
@@ -19,28 +20,55 @@ Vec3 towards(const BallSet &balls, const Position &position, uint32_t ball) {
   return scaled_to(balls.difference(position.ball, ball) - position.offset, 1.0);
 }
 
+// The unit normal of the side that is opposite to a ball, away from this.
+Vec3 beyond_side(const BallSet &balls, const VertexRecord &vertex, const Position &from, uint32_t slot) {
+  const Vec3 normal = scaled_to(
+      cross(towards(balls, from, vertex.ball[(slot + 1) % 3]), towards(balls, from, vertex.ball[(slot + 2) % 3])), 1.0);
+  return dot(normal, towards(balls, from, vertex.ball[slot])) > 0.0 ? -normal : normal;
+}
+
+// Where another vertex lies that is infinitely near: across the plane of the own three balls, if the vertex lies there,
+// or else beyond the side on the two balls that they share.
+Vec3 towards_coincident(const BallSet &balls, const Boundary &boundary, const Position &from, uint32_t vertex,
+                        uint32_t other) {
+  Vec3 normal;
+  if (is_flat(balls, boundary, from, vertex, normal)) return -normal;
+  const VertexRecord &own = boundary.vertex(vertex);
+  const VertexRecord &record = boundary.vertex(other);
+  uint32_t slot = 0;
+  for (uint32_t t = 0; t < 3; ++t) {
+    const uint32_t ball = own.ball[t];
+    if (record.ball[0] != ball && record.ball[1] != ball && record.ball[2] != ball) slot = t;
+  }
+  return beyond_side(balls, own, from, slot);
+}
+
 // The cap that another probe cuts out of the one at a position: unit vector and height on the unit sphere.
 struct ProbeCap {
   Vec3 axis;
   double height;
 
-  ProbeCap(const BallSet &balls, const Boundary &boundary, const Position &from, uint32_t other) {
+  ProbeCap(const Vec3 &direction, double above) : axis(direction), height(above) {}
+  // `from` is that of `vertex`.
+  ProbeCap(const BallSet &balls, const Boundary &boundary, const Position &from, uint32_t vertex, uint32_t other) {
     const Vec3 to = difference(balls, from, position_of_vertex(balls, boundary, other));
-    axis = scaled_to(to, 1.0);
-    height = std::sqrt(dot(to, to)) / (2 * static_cast<double>(balls.probe_steps));
-  }
-  // That of an arc of the patch of a vertex; a side's is the half of the sphere beyond it.
-  ProbeCap(const BallSet &balls, const Boundary &boundary, const Position &from, const VertexRecord &vertex,
-           const PatchArc &arc) {
-    if (!arc.is_side()) {
-      *this = ProbeCap(balls, boundary, from, arc.across);
+    const double p = static_cast<double>(balls.probe_steps);
+    const double square = dot(to, to);
+    if (square < coincident_distance * coincident_distance * p * p) {
+      axis = towards_coincident(balls, boundary, from, vertex, other);
+      height = 0.0;
       return;
     }
-    const uint32_t slot = arc.slot();
-    const Vec3 normal = scaled_to(
-        cross(towards(balls, from, vertex.ball[(slot + 1) % 3]), towards(balls, from, vertex.ball[(slot + 2) % 3])),
-        1.0);
-    axis = dot(normal, towards(balls, from, vertex.ball[slot])) > 0.0 ? -normal : normal;
+    axis = scaled_to(to, 1.0);
+    height = std::sqrt(square) / (2 * p);
+  }
+  // That of an arc of the patch of a vertex; a side's is the half of the sphere beyond it.
+  ProbeCap(const BallSet &balls, const Boundary &boundary, const Position &from, uint32_t vertex, const PatchArc &arc) {
+    if (!arc.is_side()) {
+      *this = ProbeCap(balls, boundary, from, vertex, arc.across);
+      return;
+    }
+    axis = beyond_side(balls, boundary.vertex(vertex), from, arc.slot());
     height = 0.0;
   }
   // Where its circle leaves the other cap.
@@ -58,13 +86,32 @@ Position position_of_cusp(const BallSet &balls, const CuspedCircles &cusped, uin
   return {position.centre.ball, position.centre.offset + (side == 0 ? -along : along) * position.axis};
 }
 
-// Where an arc of a cut patch comes from the crease before it: there its circle leaves the cap of that crease.
+// Where an arc of a cut patch begins, seen from the vertex on the unit sphere: there its circle leaves the cap of the
+// arc before it. If both are creases with vertices in one place they have one circle; then it leaves what lies beyond
+// the side between these two.
+Vec3 start_of_arc(const BallSet &balls, const Boundary &boundary, const CutPatches &cut, const Position &centre,
+                  uint32_t vertex, uint32_t arc) {
+  const PatchArc &own = cut.arc(arc);
+  const PatchArc &before = cut.arc(cut.previous(arc));
+  const ProbeCap cap(balls, boundary, centre, vertex, own);
+  if (!own.is_side() && !before.is_side() && own.across != before.across) {
+    const double p = static_cast<double>(balls.probe_steps);
+    const Position at = position_of_vertex(balls, boundary, own.across);
+    const Vec3 apart = difference(balls, at, position_of_vertex(balls, boundary, before.across));
+    if (dot(apart, apart) < coincident_distance * coincident_distance * p * p) {
+      const Vec3 normal = towards_coincident(balls, boundary, at, own.across, before.across);
+      return cap.exit_of({normal, dot(normal, difference(balls, centre, at)) / p});
+    }
+  }
+  return cap.exit_of(ProbeCap(balls, boundary, centre, vertex, before));
+}
+
 Position position_of_crease_corner(const BallSet &balls, const Boundary &boundary, const CutPatches &cut,
                                    uint32_t arc) {
-  const Position centre = position_of_vertex(balls, boundary, cut.piece(cut.piece_of_arc(arc)).vertex);
-  const ProbeCap own(balls, boundary, centre, cut.arc(arc).across);
-  const ProbeCap before(balls, boundary, centre, cut.arc(cut.previous(arc)).across);
-  return {centre.ball, centre.offset + static_cast<double>(balls.probe_steps) * own.exit_of(before)};
+  const uint32_t vertex = cut.piece(cut.piece_of_arc(arc)).vertex;
+  const Position centre = position_of_vertex(balls, boundary, vertex);
+  return {centre.ball, centre.offset + static_cast<double>(balls.probe_steps) *
+                                           start_of_arc(balls, boundary, cut, centre, vertex, arc)};
 }
 
 // The convex patch is the face, shrunk towards the centre of its ball.
@@ -129,8 +176,9 @@ ArcPosition position_of_edge(const BallSet &balls, const Boundary &boundary, con
   if (record.kind == EdgeKind::side) return position_of_side(balls, boundary, map, record);
   const CutPatches &cut = surface.cut_patches();
   const PatchArc &arc = cut.arc(record.source);
-  const Position centre = position_of_vertex(balls, boundary, cut.piece(cut.piece_of_arc(record.source)).vertex);
-  const ProbeCap cap(balls, boundary, centre, arc.across);
+  const uint32_t vertex = cut.piece(cut.piece_of_arc(record.source)).vertex;
+  const Position centre = position_of_vertex(balls, boundary, vertex);
+  const ProbeCap cap(balls, boundary, centre, vertex, arc.across);
   const double p = static_cast<double>(balls.probe_steps);
   return {{centre.ball, centre.offset + p * cap.height * cap.axis},
           cap.axis,
@@ -140,13 +188,12 @@ ArcPosition position_of_edge(const BallSet &balls, const Boundary &boundary, con
 
 CreaseArc crease_on_probe(const BallSet &balls, const Boundary &boundary, const CutPatches &cut, uint32_t arc) {
   const uint32_t vertex = cut.piece(cut.piece_of_arc(arc)).vertex;
-  const VertexRecord &record = boundary.vertex(vertex);
   const Position centre = position_of_vertex(balls, boundary, vertex);
-  const auto cap_of = [&](uint32_t a) { return ProbeCap(balls, boundary, centre, record, cut.arc(a)); };
-  const ProbeCap own = cap_of(arc);
-  if (cut.arc(arc).next == arc) return {own.axis, own.height, {0.0, 0.0, 0.0}};
-  const Vec3 start = own.exit_of(cap_of(cut.previous(arc)));
-  return {own.axis, own.height, cap_of(cut.arc(arc).next).exit_of(own) - start};
+  const ProbeCap own(balls, boundary, centre, vertex, cut.arc(arc));
+  const uint32_t next = cut.arc(arc).next;
+  if (next == arc) return {own.axis, own.height, {0.0, 0.0, 0.0}};
+  const Vec3 start = start_of_arc(balls, boundary, cut, centre, vertex, arc);
+  return {own.axis, own.height, start_of_arc(balls, boundary, cut, centre, vertex, next) - start};
 }
 
 }  // namespace hsp

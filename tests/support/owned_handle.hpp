@@ -46,7 +46,7 @@ struct BoundaryKind {
 struct SurfaceKind {
   using Handle = hsp_surface;
   using Limits = hsp_surface_limits;
-  static constexpr int enlargements = 3;
+  static constexpr int enlargements = 4;
   static constexpr std::array limits = {&Limits::vertices, &Limits::faces, &Limits::neighbours,
                                         &Limits::pieces,   &Limits::arcs,  &Limits::cusped_circles};
   static constexpr const char *name = "hsp_surface";

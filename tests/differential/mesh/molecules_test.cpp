@@ -31,11 +31,11 @@ TEST(Crambin, TrianglesLieFlat) {
   }
 }
 
-// Closed whatever the set. Smooth surfaces with open joints have none.
+// Closed whatever the set, but where more than one decision is left to chance (surface.h).
 TEST(RandomSets, HaveClosedMeshes) {
-  int open = 0;
-  for (uint64_t seed = 1; seed <= 500; ++seed) open += expect_meshes_of_set(seed) ? 0 : 1;
-  EXPECT_LE(open, 10);
+  int refused = 0;
+  for (uint64_t seed = 1; seed <= 1000; ++seed) refused += expect_meshes_of_set(seed) ? 0 : 1;
+  EXPECT_LE(refused, 1);
 }
 
 }  // namespace

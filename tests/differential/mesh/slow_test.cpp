@@ -27,9 +27,10 @@ TEST(Slow, MeshesOfFurtherMolecules) {
 }
 
 TEST(Slow, MeshesOfManySets) {
-  int open = 0;
-  for (uint64_t seed = 501; seed <= 8000; ++seed) open += expect_meshes_of_set(seed) ? 0 : 1;
-  EXPECT_LE(open, 150);
+  int refused = 0;
+  for (uint64_t seed = 501; seed <= 8000; ++seed) refused += expect_meshes_of_set(seed) ? 0 : 1;
+  std::printf("%d of 7500 sets without a mesh\n", refused);
+  EXPECT_LE(refused, 12);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "built_surface.hpp"
 #include "lattice_lengths.hpp"
 #include "mesh/mesh_sizes.hpp"
+#include "point_lattices.hpp"
 #include "random_balls.hpp"
 
 namespace {
@@ -237,21 +238,18 @@ TEST(MeshBuilder, TrianglesOfEachPatch) {
 }
 
 TEST(MeshBuilder, OpenSurfacesAreRefused) {
-  support::BallList eight;  // whose spheres meet in one point, where the outside shrinks to it
-  for (int k = 0; k < 8; ++k) {
-    eight.add(k % 2 == 0 ? -800.0 : 800.0, k / 2 % 2 == 0 ? -1600.0 : 1600.0, k / 4 == 0 ? -1600.0 : 1600.0, 1000.0);
-  }
-  const BuiltSurface built(eight, 1400.0);
+  // Corners of a box whose eight spheres meet in one point.
+  const BuiltSurface built(oracle::in_lengths(oracle::slanted_lattice({2, 2, 2}, {4, 6, 12}, 20), 1), 29.0);
   ASSERT_EQ(built.status(), hsp::Status::ok);
   ASSERT_FALSE(built.surface().is_closed());
   hsp::MeshLimits limits;
-  EXPECT_EQ(hsp::expected_mesh_limits(built.balls(), built.boundary(), built.surface(), 500.0, limits),
+  EXPECT_EQ(hsp::expected_mesh_limits(built.balls(), built.boundary(), built.surface(), 15.0, limits),
             hsp::Status::check);
-  ASSERT_EQ(hsp::expected_mesh_limits(built.balls(), built.boundary(), 500.0, limits), hsp::Status::ok);
+  ASSERT_EQ(hsp::expected_mesh_limits(built.balls(), built.boundary(), 15.0, limits), hsp::Status::ok);
   CarvedMemory memory;
   hsp::MeshBuilder builder;
   memory.carve(builder, limits);
-  EXPECT_EQ(builder.build(built.balls(), built.boundary(), built.surface(), 500.0), hsp::Status::check);
+  EXPECT_EQ(builder.build(built.balls(), built.boundary(), built.surface(), 15.0), hsp::Status::check);
 }
 
 // A void in an octahedron: probes outside and inside overlap, and cusps are corners of both surfaces. With the shells

@@ -63,9 +63,20 @@ inline uint32_t mistakes_are_named() {
   return checked() == hsp::SurfaceInvariant::none ? all_hold : 4;
 }
 
-// Eight spheres through a point: the surface is not closed, and says so.
+// Corners of a box whose eight spheres meet in a point, so that many vertices are in one place: the surface is not
+// closed, and says so.
+constexpr SurfaceScene box_that_just_closes = {8,
+                                               {{0, 0, 0, 20},
+                                                {8, 12, 24, 20},
+                                                {18, -36, 12, 20},
+                                                {26, -24, 36, 20},
+                                                {72, 24, -36, 20},
+                                                {80, 36, -12, 20},
+                                                {90, -12, -24, 20},
+                                                {98, 0, 0, 20}},
+                                               29};
 inline uint32_t open_joints_are_named() {
-  if (!small_surface().build(eight_through_a_point)) return 0;
+  if (!small_surface().build(box_that_just_closes)) return 0;
   return small_surface().builder().surface().is_closed() || checked() != hsp::SurfaceInvariant::joints ? 1 : all_hold;
 }
 

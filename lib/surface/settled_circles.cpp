@@ -1,0 +1,411 @@
+#include "surface/settled_circles.hpp"
+
+#include "core/decimal.hpp"
+#include "core/elementary.hpp"
+#include "measure/areas.hpp"
+#include "sphere/arc_geometry.hpp"
+#include "surface/covered_gaps.hpp"
+
+namespace hsp {
+namespace {
+
+// The unit sphere as that of a probe on the lattice: y = 2^30 x.
+constexpr int64_t W = INT64_C(1) << 60;
+constexpr double steps_of_probe = 0x1p29;
+
+// Nearer to the border of a patch than this, in units of p, a corner is on it.
+constexpr double border = 1e-6;
+
+// The triangle that a vertex sees, as the numbers of its balls in the record of the vertex have it.
+struct SeenTriangle {
+  Vec3 inward[3];
+
+  SeenTriangle(const BallSet &balls, const Boundary &boundary, const Position &position, uint32_t vertex) {
+    Vec3 to[3];
+    for (uint32_t t = 0; t < 3; ++t) {
+      to[t] = balls.difference(position.ball, boundary.vertex(vertex).ball[t]) - position.offset;
+    }
+    for (uint32_t t = 0; t < 3; ++t) {
+      const Vec3 normal = cross(to[(t + 1) % 3], to[(t + 2) % 3]);
+      const double length = std::sqrt(dot(normal, normal));
+      inward[t] = length > 0.0 ? (dot(normal, to[t]) < 0.0 ? -1.0 : 1.0) / length * normal : Vec3{0.0, 0.0, 0.0};
+    }
+  }
+};
+
+// The half-edge that starts at a vertex on the circle of the two balls besides this one.
+uint32_t half_edge_opposite(const Boundary &boundary, uint32_t vertex, uint32_t slot) {
+  const uint32_t e = boundary.half_edge_at(vertex, (slot + 1) % 3);
+  return boundary.half_edge(e).circle != boundary.vertex(vertex).ball[slot]
+             ? e
+             : boundary.half_edge_at(vertex, (slot + 2) % 3);
+}
+
+// The vertex across the covered gap beside this one on the circle with cusps that a side is on; no_id without cusps.
+uint32_t across_cusps(const BallSet &balls, const Boundary &boundary, const ChosenFaces &chosen,
+                      const CuspedCircles &cusped, uint32_t vertex, uint32_t slot) {
+  const VertexRecord &record = boundary.vertex(vertex);
+  const uint32_t a = slot == 0 ? 1 : 0;
+  const uint32_t b = slot == 2 ? 1 : 2;
+  if (cusped.of_arc(record.ball[a], record.ball[b]) == no_id) return no_id;
+  const uint32_t e = half_edge_opposite(boundary, vertex, slot);
+  return gap_behind(balls, boundary, chosen, boundary.ball_of(e), e).vertex;
+}
+
+}  // namespace
+
+SettledCircles::SettledCircles(const BallSet &balls, const Boundary &boundary, const ChosenFaces &chosen,
+                               const ProbeGrid &grid, const CuspedCircles &cusped, ProbeCaps &probe)
+    : balls_(balls),
+      boundary_(boundary),
+      chosen_(chosen),
+      grid_(grid),
+      cusped_(cusped),
+      probe_(probe),
+      caps_(probe.caps()),
+      predicates_({W, probe.vertex()}, 0x1p60),
+      error_(probe.amplification() * unit_roundoff) {
+  const exact::Vector own = on_lattice(probe.vertex());
+  probe.caps().set_planes([&](uint32_t k) -> exact::Plane {
+    if (is_side(k)) return exact::virtual_plane({1, 0, 0}, 0);
+    const exact::Vector other = on_lattice(caps_.ball[k]);
+    const exact::Vector v{other.x - own.x, other.y - own.y, other.z - own.z};
+    return {v, dot(v, v), 1, caps_.ball[k]};
+  });
+  for (uint32_t side = 0; side < ProbeCaps::sides; ++side) find_cusps(side);
+}
+
+void SettledCircles::find_cusps(uint32_t side) {
+  cusp_cap_[side] = mate_[side] = no_id;
+  const uint32_t vertex = probe_.vertex();
+  const VertexRecord &record = boundary_.vertex(vertex);
+  const uint32_t slot = record.slot_of(probe_.ball_opposite(side));
+  const uint32_t across = across_cusps(balls_, boundary_, chosen_, cusped_, vertex, slot);
+  if (across == no_id) return;
+  const double p = static_cast<double>(balls_.probe_steps);
+  const CirclePosition position =
+      position_of_circle(balls_, record.ball[slot == 0 ? 1 : 0], record.ball[slot == 2 ? 1 : 2]);
+  const Position at = grid_.position(vertex);
+  const Vec3 centre = balls_.difference(at.ball, position.centre.ball) + (position.centre.offset - at.offset);
+  const double half = std::sqrt((p - position.radius) * (p + position.radius));
+  SideCircle &circle = circle_[side];
+  circle.cusp[0] = (1.0 / p) * combine(1.0, centre, -half, position.axis);
+  circle.cusp[1] = (1.0 / p) * combine(1.0, centre, half, position.axis);
+  const double distance = std::sqrt(dot(centre, centre));
+  circle.outward = distance > 0.0 ? (-1.0 / distance) * centre : Vec3{0.0, 0.0, 0.0};
+  circle.radius = position.radius / p;
+  const Vec3 to = grid_.difference(balls_, vertex, across);
+  if (dot(to, to) < coincident_distance * coincident_distance * p * p) {
+    mate_[side] = across;
+    return;
+  }
+  for (uint32_t k = ProbeCaps::sides; k < caps_.count; ++k) {
+    probe_.for_each_in_place(k, [&](uint32_t other) {
+      if (other == across) cusp_cap_[side] = k;
+    });
+  }
+}
+
+// Seen from the ball of lowest rank of the component, as sums of volumes are.
+exact::Vector SettledCircles::on_lattice(uint32_t vertex) const {
+  const Position position = grid_.position(vertex);
+  const Vec3 arm = offset_from_origin(balls_, boundary_, position.ball) + position.offset;
+  const double scale = steps_of_probe / static_cast<double>(balls_.probe_steps);
+  return {nearest(scale * arm.x), nearest(scale * arm.y), nearest(scale * arm.z)};
+}
+
+Answer SettledCircles::crossing(uint32_t j, uint32_t k, Crossing &crossing) const {
+  if (!is_side(k)) {
+    if (!is_side(j)) return crossing_of_probes(j, k, crossing);
+    const CircleCrossing<Vec3, double> pair(caps_.axis(j), caps_.b[j], caps_.axis(k), caps_.b[k]);
+    const double D = pair.discriminant(1.0);
+    if (!has_cusps(j, k) && !(D > 0x1p-40)) return Answer::no;
+    const double root = D > 0.0 ? std::sqrt(D) : 0.0;
+    crossing = {j, k, root, {pair.point(-root), pair.point(root)}, 0.0};
+    return Answer::yes;
+  }
+  // Two sides meet at the corner on the ball that neither is opposite to. n = u x v with the outward normals u and v:
+  // the vertex's sign tells on which side that is.
+  const uint32_t third = 3 - j - k;
+  const Vec3 n = cross(caps_.axis(j), caps_.axis(k));
+  const bool positive = (k - j == 1) == probe_.is_counter_clockwise();
+  const Vec3 at = probe_.corner(third);
+  crossing = {j, k, std::sqrt(dot(n, n)), {positive ? -at : at, positive ? at : -at}, 0.0};
+  return Answer::yes;
+}
+
+Answer SettledCircles::crossing_of_probes(uint32_t j, uint32_t k, Crossing &crossing) const {
+  const CircleCrossing<Vec3, double> pair(caps_.axis(j), caps_.b[j], caps_.axis(k), caps_.b[k]);
+  const double D = pair.discriminant(1.0);
+  const double scale = error_ * std::sqrt(pair.nn + dot(pair.q, pair.q));
+  if (D < -256 * scale) return Answer::no;
+  if (D > 4096 * scale) {
+    const double root = std::sqrt(D);
+    crossing = {j, k, root, {pair.point(-root), pair.point(root)}, 256 * error_ / root};
+    return Answer::yes;
+  }
+  const exact::Plane &P = caps_.plane(j);
+  const exact::Plane &Q = caps_.plane(k);
+  if (predicates_.crossing(P, Q).sign < 0) return Answer::no;
+  const double exact_D = exact::Exact::discriminant(predicates_.sphere(), P, Q);
+  const double root = std::sqrt(exact_D > 0.0 ? exact_D : 0.0);
+  constexpr double to_unit = 1.0 / steps_of_probe;
+  crossing = {j,
+              k,
+              std::sqrt(D > 0.0 ? D : 0.0),
+              {to_unit * crossing_point(P, Q, -1, root), to_unit * crossing_point(P, Q, 1, root)},
+              -1.0};
+  return Answer::yes;
+}
+
+Answer SettledCircles::contains(const Crossing &crossing, int sign, uint32_t r) const {
+  const Vec3 &point = crossing.point[sign > 0 ? 1 : 0];
+  if (is_side(crossing.second)) {
+    const uint32_t third = 3 - crossing.first - crossing.second;
+    return dot(point, probe_.corner(third)) > 0.0 ? Answer::no : Answer::yes;
+  }
+  if (is_side(crossing.first)) {
+    if (has_cusps(crossing.first, crossing.second)) return Answer::no;
+    if (mate_[crossing.first] == no_id || !is_beyond_axis(crossing.first, point)) return Answer::yes;
+    return dot(caps_.axis(r), point) > caps_.b[r] ? Answer::yes : Answer::no;
+  }
+  if (is_side(r)) return r > 0 || is_in_patches(crossing, sign) ? Answer::no : Answer::yes;
+  const double above = dot(caps_.axis(r), point) - caps_.b[r];
+  if (crossing.error >= 0.0) {
+    if (above > crossing.error) return Answer::yes;
+    if (above < -crossing.error) return Answer::no;
+  }
+  const exact::Plane &P = caps_.plane(crossing.first);
+  const exact::Plane &Q = caps_.plane(crossing.second);
+  if (predicates_.crossing(P, Q).sign < 0) return above > 0.0 ? Answer::yes : Answer::no;
+  return predicates_.inside(P, Q, sign, caps_.plane(r)) > 0 ? Answer::yes : Answer::no;
+}
+
+// All three patches ask the same questions, in the order of the vertices. Of several vertices in one place that counts
+// whose patch the corner is deepest in.
+bool SettledCircles::is_in_patches(const Crossing &crossing, int sign) const {
+  const double p = static_cast<double>(balls_.probe_steps);
+  const uint32_t own = probe_.vertex();
+  const Vec3 &point = crossing.point[sign > 0 ? 1 : 0];
+  uint32_t vertex[3] = {own, vertex_at(crossing.first, point), vertex_at(crossing.second, point)};
+  const auto order = [&vertex](int a, int b) {
+    if (vertex[a] < vertex[b]) return;
+    const uint32_t other = vertex[a];
+    vertex[a] = vertex[b];
+    vertex[b] = other;
+  };
+  order(0, 1);
+  order(1, 2);
+  order(0, 1);
+  const Vec3 from_own = p * point;
+  double deepest = 0.0;
+  bool at_border = false;
+  int answer = -1;
+  for (int t = 0; t < 3; ++t) {
+    const SeenTriangle triangle(balls_, boundary_, grid_.position(vertex[t]), vertex[t]);
+    const Vec3 to = from_own - grid_.difference(balls_, own, vertex[t]);
+    double least = 2.0;
+    for (uint32_t slot = 0; slot < 3; ++slot) {
+      const double above = dot(to, triangle.inward[slot]) / p;
+      if (above < least) least = above;
+      if (!(above < border) || answer >= 0) continue;
+      if (above < -border) continue;
+      const uint32_t across = across_cusps(balls_, boundary_, chosen_, cusped_, vertex[t], slot);
+      const uint32_t b = vertex[(t + 1) % 3];
+      const uint32_t c = vertex[(t + 2) % 3];
+      if (across != b && across != c) continue;
+      const Vec3 along = cross(grid_.difference(balls_, vertex[t], across), to);
+      const Vec3 third = grid_.difference(balls_, vertex[t], across == b ? c : b);
+      answer = (dot(third, along) > 0.0) == (dot(triangle.inward[slot], along) > 0.0) ? 1 : 0;
+    }
+    if (least < -border) return false;
+    if (least < border) at_border = true;
+    if (std::fabs(least) > std::fabs(deepest)) deepest = least;
+  }
+  if (!at_border) return true;
+  return answer >= 0 ? answer > 0 : deepest > 0.0;
+}
+
+Answer SettledCircles::lies_inside(uint32_t k, uint32_t r) const {
+  const double above = caps_.b[k] * dot(caps_.axis(k), caps_.axis(r)) - caps_.b[r];
+  const double certain = 32 * error_;
+  if (above > certain) return Answer::yes;
+  if (above < -certain || is_side(k) || is_side(r)) return Answer::no;
+  return predicates_.side(caps_.plane(k), caps_.plane(r)).sign > 0 ? Answer::yes : Answer::no;
+}
+
+double SettledCircles::turn_between(uint32_t k, uint32_t from, uint32_t to) const {
+  return turn_about(axis(k), across_axis(k, axis(from)), across_axis(k, axis(to)));
+}
+
+// The order of the mid-points of what the other caps cover (exact/PROOFS.md, section 4); that of the exit's own cap is
+// a whole turn away.
+bool SettledCircles::ends_sooner(uint32_t k, const RegionCorner &exit, const RegionCorner &a,
+                                 const RegionCorner &b) const {
+  const uint32_t from = exit.other(k);
+  if (a.other(k) == from || b.other(k) == from) return a.other(k) != from;
+  return turn_between(k, from, a.other(k)) < turn_between(k, from, b.other(k));
+}
+
+// From the middle of what the first cap covers to that of the second, less half of what each of them covers.
+double SettledCircles::arc_angle(uint32_t k, const RegionCorner &exit, const RegionCorner &entry) const {
+  const auto half = [this, k](uint32_t cap, const Vec3 &end) {
+    const Vec3 middle = across_axis(k, axis(cap));
+    const double angle = turn_about(axis(k), middle, end - caps_.b[k] * axis(k));
+    return angle > pi ? 2 * pi - angle : angle;
+  };
+  const uint32_t from = exit.other(k);
+  const uint32_t to = entry.other(k);
+  const double whole = from == to ? 2 * pi : turn_between(k, from, to);
+  const double angle = whole - half(from, exit.point) - half(to, entry.point);
+  return angle > 0.0 ? angle : 0.0;
+}
+
+double SettledCircles::exterior_angle(const RegionCorner &corner) const {
+  const double g = dot(caps_.axis(corner.first), caps_.axis(corner.second));
+  return arc_tangent(corner.root, g - caps_.b[corner.first] * caps_.b[corner.second]);
+}
+
+// ---- what arcs consist of ----
+
+namespace {
+
+double angle_between(const Vec3 &a, const Vec3 &b) {
+  const Vec3 n = cross(a, b);
+  return arc_tangent(std::sqrt(dot(n, n)), dot(a, b));
+}
+
+}  // namespace
+
+uint32_t SettledCircles::parts_of(const RegionArc &arc, Span<const RegionCorner> corners,
+                                  Part (&parts)[most_parts]) const {
+  const uint32_t k = arc.circle;
+  if (is_side(k)) return parts_of_side(arc, corners, parts);
+  uint32_t in_place = 0;
+  probe_.for_each_in_place(k, [&in_place](uint32_t) { ++in_place; });
+  if (in_place == 1) {
+    parts[0] = {caps_.ball[k], arc.angle};
+    return 1;
+  }
+  // The sides between vertices in one place, where their patches meet in a crease.
+  const Vec3 centre = caps_.b[k] * caps_.axis(k);
+  const double radius = std::sqrt((1.0 - caps_.b[k]) * (1.0 + caps_.b[k]));
+  const bool whole = arc.start == no_id;
+  const Vec3 sideways = cross(caps_.axis(k), probe_.corner(0));
+  const double length = std::sqrt(dot(sideways, sideways));
+  Vec3 x = whole ? (radius / length) * sideways : corners[arc.start].point - centre;
+  const Vec3 y = cross(caps_.axis(k), x);
+  const auto at = [&](double turn) {
+    const SinCos s = sin_cos(turn);
+    return centre + combine(s.cosine, x, s.sine, y);
+  };
+  double cut[most_parts];
+  uint32_t cuts = 0;
+  const double p = static_cast<double>(balls_.probe_steps);
+  probe_.for_each_in_place(k, [&](uint32_t u) {
+    const Position place = grid_.position(u);
+    const SeenTriangle triangle(balls_, boundary_, place, u);
+    const Vec3 from_u = (-1.0 / p) * grid_.difference(balls_, probe_.vertex(), u);
+    for (uint32_t slot = 0; slot < 3; ++slot) {
+      const uint32_t across = across_cusps(balls_, boundary_, chosen_, cusped_, u, slot);
+      bool is_here = false;
+      probe_.for_each_in_place(k, [&](uint32_t other) { is_here = is_here || (other == across && other < u); });
+      if (!is_here) continue;
+      // (centre + x cos + y sin + from_u) . inward = 0
+      const Vec3 &n = triangle.inward[slot];
+      const double a = dot(x, n);
+      const double b = dot(y, n);
+      const double c = -dot(centre + from_u, n);
+      const double size = std::sqrt(a * a + b * b);
+      if (!(std::fabs(c) < size)) continue;
+      const double middle = arc_tangent(b, a);
+      const double off = arc_tangent(std::sqrt((size - c) * (size + c)), c);
+      for (int sign = -1; sign <= 1; sign += 2) {
+        double turn = middle + sign * off;
+        while (turn < 0.0) turn += 2 * pi;
+        while (turn >= 2 * pi) turn -= 2 * pi;
+        if (!(turn < arc.angle) || cuts == most_parts - 1) continue;
+        if (depth_in(u, at(turn), slot) > 0.0) cut[cuts++] = turn;
+      }
+    }
+  });
+  for (uint32_t i = 1; i < cuts; ++i) {
+    for (uint32_t j = i; j > 0 && cut[j] < cut[j - 1]; --j) {
+      const double other = cut[j];
+      cut[j] = cut[j - 1];
+      cut[j - 1] = other;
+    }
+  }
+  uint32_t count = 0;
+  double from = 0.0;
+  for (uint32_t i = 0; i <= cuts; ++i) {
+    const double to = i < cuts ? cut[i] : arc.angle;
+    const uint32_t across = vertex_at(k, at(0.5 * from + 0.5 * to));
+    if (count > 0 && parts[count - 1].across == across) {
+      parts[count - 1].angle += to - from;
+    } else {
+      parts[count++] = {across, to - from};
+    }
+    from = to;
+  }
+  if (whole && count > 1 && parts[count - 1].across == parts[0].across) {
+    parts[0].angle += parts[--count].angle;
+  }
+  return count;
+}
+
+// How far within the triangle that a vertex sees a point of the own sphere lies; of the sides besides one.
+double SettledCircles::depth_in(uint32_t vertex, const Vec3 &point, uint32_t besides) const {
+  const double p = static_cast<double>(balls_.probe_steps);
+  const SeenTriangle triangle(balls_, boundary_, grid_.position(vertex), vertex);
+  const Vec3 to = point - (1.0 / p) * grid_.difference(balls_, probe_.vertex(), vertex);
+  double least = 2.0;
+  for (uint32_t slot = 0; slot < 3; ++slot) {
+    const double above = dot(to, triangle.inward[slot]);
+    if (slot != besides && above < least) least = above;
+  }
+  return least;
+}
+
+// Of the vertices in the place of a cap, the one whose patch has a point.
+uint32_t SettledCircles::vertex_at(uint32_t cap, const Vec3 &point) const {
+  uint32_t best = caps_.ball[cap];
+  double deepest = -2.0;
+  probe_.for_each_in_place(cap, [&](uint32_t vertex) {
+    const double depth = depth_in(vertex, point);
+    if (depth > deepest || (depth == deepest && vertex < best)) {
+      deepest = depth;
+      best = vertex;
+    }
+  });
+  return best;
+}
+
+uint32_t SettledCircles::parts_of_side(const RegionArc &arc, Span<const RegionCorner> corners,
+                                       Part (&parts)[most_parts]) const {
+  const uint32_t side = arc.circle;
+  const VertexRecord &record = boundary_.vertex(probe_.vertex());
+  const uint32_t slot = record.slot_of(probe_.ball_opposite(side));
+  if (mate_[side] == no_id || arc.start == no_id) {
+    parts[0] = {PatchArc::side(slot), arc.angle};
+    return 1;
+  }
+  // It runs from one ball's corner to the other's, or from or to a cap beyond the axis.
+  const RegionCorner &start = corners[arc.start];
+  const RegionCorner &end = corners[arc.end];
+  const bool from_ball = is_side(start.other(side));
+  const bool to_ball = is_side(end.other(side));
+  const SideCircle &circle = circle_[side];
+  const auto cusp_near = [&](const Vec3 &point) {
+    return dot(point, circle.cusp[0]) > dot(point, circle.cusp[1]) ? circle.cusp[0] : circle.cusp[1];
+  };
+  const Vec3 first = from_ball ? cusp_near(start.point) : start.point;
+  const Vec3 last = to_ball ? cusp_near(end.point) : end.point;
+  uint32_t count = 0;
+  if (from_ball) parts[count++] = {PatchArc::side(slot), angle_between(start.point, first)};
+  parts[count++] = {mate_[side], angle_between(first, last)};
+  if (to_ball) parts[count++] = {PatchArc::side(slot), angle_between(last, end.point)};
+  return count;
+}
+
+}  // namespace hsp

@@ -1,0 +1,98 @@
+// Caps of the sphere of one probe as a source of decisions for free_region.hpp where several patches meet in one point:
+// every question that patches share has one answer for all of them. For surfaces whose joints are open otherwise.
+//
+// What doubles know for certain they decide, as in circles_in_doubles.hpp. Else
+//   four probes in one point, and two that touch or circles that do: exactly, for the vertices rounded to a lattice of
+//     2^-29 p, as the spheres of equal balls. Ties are left to the symbolic perturbation, so the answers are those of
+//     one set of probes in general position, whichever of its spheres asks;
+//   a side of the patch: no cap cuts one, but on a circle with cusps that of the vertex across the covered gap, in the
+//     two cusps, which no other cap contains (PROOFS.md, sections 4 to 6);
+//     But where the vertex across is in the same place, and the gap a whole turn, the side itself is the crease between
+//     the cusps;
+//   whether a corner of three creases lies in the patches: if it is clearly outside of one, in none of them. If it is
+//     at a cusp, where a crease starts, it is there iff that crease enters the third cap.
+#pragma once
+
+#include "surface/cusped_circles.hpp"
+#include "surface/cut_patches.hpp"
+#include "surface/free_region.hpp"
+#include "surface/probe_caps.hpp"
+
+namespace hsp {
+
+class SettledCircles {
+ public:
+  // Of the vertex that the caps were gathered for, whose planes it overwrites.
+  SettledCircles(const BallSet &balls, const Boundary &boundary, const ChosenFaces &chosen, const ProbeGrid &grid,
+                 const CuspedCircles &cusped, ProbeCaps &probe);
+
+  struct Crossing {
+    uint32_t first, second;
+    double root;
+    Vec3 point[2];  // p-, p+
+    double error;   // of axis.point - height for any cap; negative if only integers know
+  };
+
+  uint32_t count() const { return caps_.count; }
+  Vec3 axis(uint32_t k) const { return caps_.axis(k); }
+  double height(uint32_t k) const { return caps_.b[k]; }
+
+  Answer crossing(uint32_t j, uint32_t k, Crossing &crossing) const;
+  Answer contains(const Crossing &crossing, int sign, uint32_t r) const;
+  RegionCorner corner(const Crossing &crossing, int sign) const {
+    return {crossing.first, crossing.second, sign, crossing.root, crossing.point[sign > 0 ? 1 : 0], 0.0, false};
+  }
+  Answer lies_inside(uint32_t k, uint32_t r) const;
+  bool ends_sooner(uint32_t k, const RegionCorner &exit, const RegionCorner &a, const RegionCorner &b) const;
+  double arc_angle(uint32_t k, const RegionCorner &exit, const RegionCorner &entry) const;
+  double exterior_angle(const RegionCorner &corner) const;
+
+  // Whether a side lies beyond its cusps against a vertex in the same place.
+  bool has_mates() const { return mate_[0] != no_id || mate_[1] != no_id || mate_[2] != no_id; }
+  // What a free arc consists of: parts of the side, creases with several vertices in one place.
+  struct Part {
+    uint32_t across;  // as PatchArc has it
+    double angle;
+  };
+  static constexpr uint32_t most_parts = 8;
+  uint32_t parts_of(const RegionArc &arc, Span<const RegionCorner> corners, Part (&parts)[most_parts]) const;
+
+ private:
+  // The circle of a side, seen from the vertex, in units of p.
+  struct SideCircle {
+    Vec3 cusp[2];  // as the balls of the record have them
+    Vec3 outward;  // from the axis to the vertex
+    double radius;
+  };
+  bool is_beyond_axis(uint32_t side, const Vec3 &point) const {
+    return circle_[side].radius + dot(point, circle_[side].outward) < 0.0;
+  }
+  uint32_t parts_of_side(const RegionArc &arc, Span<const RegionCorner> corners, Part (&parts)[most_parts]) const;
+  uint32_t vertex_at(uint32_t cap, const Vec3 &point) const;
+  double depth_in(uint32_t vertex, const Vec3 &point, uint32_t besides = no_id) const;
+
+  void find_cusps(uint32_t side);
+  static bool is_side(uint32_t k) { return k < ProbeCaps::sides; }
+  bool has_cusps(uint32_t side, uint32_t cap) const { return cusp_cap_[side] == cap; }
+  Answer crossing_of_probes(uint32_t j, uint32_t k, Crossing &crossing) const;
+  bool is_in_patches(const Crossing &crossing, int sign) const;
+  // Seen along the circle: from the middle of what one cap covers to that of another.
+  Vec3 across_axis(uint32_t k, const Vec3 &v) const { return combine(1.0, v, -dot(v, axis(k)), axis(k)); }
+  double turn_between(uint32_t k, uint32_t from, uint32_t to) const;
+  exact::Vector on_lattice(uint32_t vertex) const;
+
+  const BallSet &balls_;
+  const Boundary &boundary_;
+  const ChosenFaces &chosen_;
+  const ProbeGrid &grid_;
+  const CuspedCircles &cusped_;
+  const ProbeCaps &probe_;
+  const Caps &caps_;
+  exact::Predicates predicates_;
+  double error_;
+  uint32_t cusp_cap_[ProbeCaps::sides];  // the cap that meets a side in its cusps
+  uint32_t mate_[ProbeCaps::sides];      // or the vertex in the same place
+  SideCircle circle_[ProbeCaps::sides];  // of sides with cusps
+};
+
+}  // namespace hsp

@@ -1,0 +1,65 @@
+// Where four probes meet in a point, or a probe and a cusp, or several vertices are in one place, all patches there
+// agree: the surface is closed.
+#include "surface/settled_circles.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "built_surface.hpp"
+#include "lattice_lengths.hpp"
+#include "point_lattices.hpp"
+#include "random_balls.hpp"
+#include "surface/surface_check.hpp"
+
+namespace {
+
+// 1: closed, and all invariants hold. 0: open.
+int closed(const oracle::Balls &balls, double probe) {
+  const BuiltSurface built(oracle::in_lengths(balls, 1), probe);
+  EXPECT_EQ(built.status(), hsp::Status::ok);
+  if (built.status() != hsp::Status::ok || !built.surface().is_closed()) return 0;
+  const hsp::SurfaceViolation violation = hsp::check_surface(built.balls(), built.boundary(), built.surface());
+  EXPECT_EQ(violation.invariant, hsp::SurfaceInvariant::none) << violation.id;
+  return 1;
+}
+
+TEST(SettledCircles, Lattices) {
+  int seen = 0, open = 0;
+  for (const int64_t radius : {3, 4, 5, 6, 7, 8, 9}) {
+    for (const double probe : {1.0, 2.0, 3.0, 4.0, 5.0, 7.0, 9.0}) {
+      for (const oracle::Balls &lattice :
+           {oracle::box_lattice({2, 2, 2}, {12, 12, 12}, radius), oracle::box_lattice({3, 3, 2}, {12, 12, 12}, radius),
+            oracle::box_lattice({2, 3, 2}, {6, 8, 24}, radius), oracle::box_lattice({2, 2, 3}, {4, 6, 12}, radius)}) {
+        SCOPED_TRACE(testing::Message() << lattice.size() << " balls of " << radius << ", probe " << probe);
+        ++seen;
+        if (closed(lattice, probe) == 0) ++open;
+      }
+    }
+  }
+  // Where eight spheres meet in a point.
+  EXPECT_EQ(seen, 196);
+  EXPECT_LE(open, 3);
+}
+
+// Four balls through a point, and four probes that meet in it: with balls of any size but none.
+TEST(SettledCircles, RandomSetsFullOfTies) {
+  int seen = 0, open = 0;
+  for (uint64_t seed = 1; seed <= 600; ++seed) {
+    oracle::RandomSource random(seed);
+    oracle::Balls balls = oracle::degenerate_balls(random, 3 + seed % 12);
+    double largest = 1.0;
+    for (oracle::LatticeBall &ball : balls) {
+      if (ball.radius == 0) ball.radius = 1;
+      largest = std::max(largest, static_cast<double>(ball.radius));
+    }
+    SCOPED_TRACE(seed);
+    ++seen;
+    if (closed(balls, std::max(1.0, std::floor(0.3 * largest * static_cast<double>(1 + seed % 4)))) == 0) ++open;
+  }
+  EXPECT_EQ(seen, 600);
+  EXPECT_LE(open, 2);
+}
+
+}  // namespace
