@@ -115,6 +115,7 @@ exact::Vector SettledCircles::on_lattice(uint32_t vertex) const {
 }
 
 Answer SettledCircles::crossing(uint32_t j, uint32_t k, Crossing &crossing) const {
+  if (is_point(j) || is_point(k)) return Answer::no;
   if (!is_side(k)) {
     if (!is_side(j)) return crossing_of_probes(j, k, crossing);
     const CircleCrossing<Vec3, double> pair(caps_.axis(j), caps_.b[j], caps_.axis(k), caps_.b[k]);
@@ -170,6 +171,7 @@ Answer SettledCircles::contains(const Crossing &crossing, int sign, uint32_t r) 
     return dot(caps_.axis(r), point) > caps_.b[r] ? Answer::yes : Answer::no;
   }
   if (is_side(r)) return r > 0 || is_in_patches(crossing, sign) ? Answer::no : Answer::yes;
+  if (is_point(r)) return Answer::no;
   const double above = dot(caps_.axis(r), point) - caps_.b[r];
   if (crossing.error >= 0.0) {
     if (above > crossing.error) return Answer::yes;
@@ -227,6 +229,8 @@ bool SettledCircles::is_in_patches(const Crossing &crossing, int sign) const {
 }
 
 Answer SettledCircles::lies_inside(uint32_t k, uint32_t r) const {
+  if (is_point(k)) return Answer::yes;
+  if (is_point(r)) return Answer::no;
   const double above = caps_.b[k] * dot(caps_.axis(k), caps_.axis(r)) - caps_.b[r];
   const double certain = 32 * error_;
   if (above > certain) return Answer::yes;

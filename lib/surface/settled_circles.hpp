@@ -72,6 +72,8 @@ class SettledCircles {
   double depth_in(uint32_t vertex, const Vec3 &point, uint32_t besides = no_id) const;
 
   void find_cusps(uint32_t side);
+  // Of a probe that touches this one, up to rounding: seen so from both, it cuts nothing.
+  bool is_point(uint32_t k) const { return caps_.b[k] > 1.0 - 0x1p-40; }
   static bool is_side(uint32_t k) { return k < ProbeCaps::sides; }
   bool has_cusps(uint32_t side, uint32_t cap) const { return cusp_cap_[side] == cap; }
   Answer crossing_of_probes(uint32_t j, uint32_t k, Crossing &crossing) const;

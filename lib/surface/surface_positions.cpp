@@ -61,6 +61,7 @@ struct ProbeCap {
     }
     axis = scaled_to(to, 1.0);
     height = std::sqrt(square) / (2 * p);
+    if (height > 1.0) height = 1.0;
   }
   // That of an arc of the patch of a vertex; a side's is the half of the sphere beyond it.
   ProbeCap(const BallSet &balls, const Boundary &boundary, const Position &from, uint32_t vertex, const PatchArc &arc) {

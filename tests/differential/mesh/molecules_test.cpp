@@ -35,7 +35,7 @@ TEST(Crambin, TrianglesLieFlat) {
 TEST(RandomSets, HaveClosedMeshes) {
   int refused = 0;
   for (uint64_t seed = 1; seed <= 1000; ++seed) refused += expect_meshes_of_set(seed) ? 0 : 1;
-  EXPECT_LE(refused, 1);
+  EXPECT_LE(refused, 2);
 }
 
 }  // namespace
