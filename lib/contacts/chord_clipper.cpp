@@ -133,6 +133,8 @@ ChordClipper::Answer ChordClipper::clip_in_doubles(const Caps &caps, uint32_t j,
   bool certain = true;
   for (uint32_t t = 0; t < tests_.count; t += lane_count) {
     const auto [end] = lanes.depths(tests_, t);
+    // Most caps hold neither end, and none is near.
+    if (!any(~((end[0] < -bound) & (end[1] < -bound)))) continue;
     const LaneMask holds[2] = {end[0] > bound, end[1] > bound};
     if (any(holds[0] & holds[1])) {
       hint_ = t - t % CapTests::group;
