@@ -69,7 +69,7 @@ bool CubeCover::build(const CubeGrid &grid) {
 
   const Span<CubeCoordinates> sorted = sorted_.part(0, needed_cubes_);
   for (uint32_t k = 0; k < sorted.size(); ++k) sorted[k] = table_.coordinates(k);
-  sort_in_place(sorted, comes_before);
+  sort_in_place(sorted, [](const CubeCoordinates &a, const CubeCoordinates &b) { return comes_before(a, b); });
   table_.clear(needed_cubes_);
   for (const CubeCoordinates &cube : sorted) table_.append(cube);
 

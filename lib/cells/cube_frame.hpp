@@ -55,21 +55,25 @@ class CubeFrame {
   // How far v.y - h of a plane may be off.
   double plane_doubt() const { return 512 * unit_roundoff * side_; }
 
-  // Of a ball, as a position.
-  Vec3 centre_of(const BallSet &balls, uint32_t ball) const {
-    return 2.0 * (Vec3{balls.x[ball], balls.y[ball], balls.z[ball]} - centre_);
+  // From the centre of the cube to that of a ball.
+  Vec3 offset_of(const BallSet &balls, uint32_t ball) const {
+    return Vec3{balls.x[ball], balls.y[ball], balls.z[ball]} - centre_;
   }
+  // The centre of a ball, as a position.
+  Vec3 centre_of(const BallSet &balls, uint32_t ball) const { return 2.0 * offset_of(balls, ball); }
   static UnitPlane side_in_doubles(uint32_t side, double distance) {
     const double sign = side % 2 == 0 ? -1.0 : 1.0;
     return {{side / 2 == 0 ? sign : 0.0, side / 2 == 1 ? sign : 0.0, side / 2 == 2 ? sign : 0.0}, distance};
   }
-  // Of two balls with different centres.
-  UnitPlane between(const BallSet &balls, uint32_t near, uint32_t far) const {
-    const Vec3 v = balls.difference(near, far);
-    const Vec3 sum = 0.5 * (centre_of(balls, near) + centre_of(balls, far));
-    const double h = dot(v, sum) - (balls.r[far] - balls.r[near]) * (balls.r[far] + balls.r[near]);
+  // Of two balls with different centres, by their offsets and radii.
+  static UnitPlane between(const Vec3 &near, double near_radius, const Vec3 &far, double far_radius) {
+    const Vec3 v = far - near;
+    const double h = dot(v, near + far) - (far_radius - near_radius) * (far_radius + near_radius);
     const double scale = 1.0 / std::sqrt(dot(v, v));
     return {scale * v, scale * h};
+  }
+  UnitPlane between(const BallSet &balls, uint32_t near, uint32_t far) const {
+    return between(offset_of(balls, near), balls.r[near], offset_of(balls, far), balls.r[far]);
   }
   UnitPlane plane(const BallSet &balls, const PowerPlane &plane) const {
     return plane.is_side() ? side_in_doubles(plane.side(), side_) : between(balls, plane.near, plane.far);

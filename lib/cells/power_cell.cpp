@@ -8,6 +8,7 @@ namespace hsp {
 void PowerCell::carve(Workspace &workspace, uint32_t balls) {
   polytope_.carve(workspace, balls);
   planes_ = workspace.take<UnitPlane>(PowerPolytope::most_planes(balls));
+  placed_ = workspace.take<Member>(balls);
   candidates_ = workspace.take<Candidate>(balls);
   out_of_game_ = workspace.take<uint8_t>(balls);
   part_ = workspace.take<uint32_t>(PowerPolytope::most_vertices(balls));
@@ -19,26 +20,27 @@ void PowerCell::enter(const BallSet &balls, const CubeFrame &frame, Span<const u
   frame_ = frame;
   members_ = members;
   for (uint32_t side = 0; side < cube_sides; ++side) planes_[side] = CubeFrame::side_in_doubles(side, frame.side());
-  for (uint32_t k = 0; k < members.size(); ++k) out_of_game_[k] = 0;
+  for (uint32_t k = 0; k < members.size(); ++k) {
+    const Vec3 offset = frame.offset_of(balls, members[k]);
+    const double radius = balls.r[members[k]];
+    placed_[k] = {offset, radius, dot(offset, offset) - radius * radius};
+    out_of_game_[k] = 0;
+  }
 }
 
 // The power to ball j less that to ball i is, but for a factor, g_j - g_i - (c_j - c_i).y with g = |c|^2 - r^2 and
 // centres from that of the cube. Its mean over the cube is that at y = 0.
 void PowerCell::drop_dominated() {
-  const BallSet &balls = *balls_;
   const double doubt = 64 * unit_roundoff * frame_.side() * frame_.side();
   for (uint32_t a = 0; a < members_.size(); ++a) {
-    const uint32_t i = members_[a];
-    const Vec3 c = 0.5 * frame_.centre_of(balls, i);
-    const double g = dot(c, c) - balls.r[i] * balls.r[i];
+    const Member &first = placed_[a];
     for (uint32_t b = a + 1; b < members_.size(); ++b) {
-      const uint32_t j = members_[b];
-      const Vec3 d = 0.5 * frame_.centre_of(balls, j);
-      const double mean = dot(d, d) - balls.r[j] * balls.r[j] - g;
-      const Vec3 v = balls.difference(i, j);
+      const double mean = placed_[b].power - first.power;
+      const Vec3 v = placed_[b].offset - first.offset;
       const double spread = frame_.side() * (std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z));
       if (spread == 0.0) {
-        const bool first_wins = balls.r[i] != balls.r[j] ? balls.r[i] > balls.r[j] : balls.ranks_before(i, j);
+        const bool first_wins = first.radius != placed_[b].radius ? first.radius > placed_[b].radius
+                                                                  : balls_->ranks_before(members_[a], members_[b]);
         out_of_game_[first_wins ? b : a] = 1;
       } else if (mean > spread + doubt) {
         out_of_game_[b] = 1;
@@ -85,12 +87,13 @@ void PowerCell::build(uint32_t k) {
   member_ = k;
   parts_ = 0;
   if (out_of_game_[k] != 0) return polytope_.make_empty();
-  centre_ = frame_.centre_of(*balls_, ball());
+  const Member own = placed_[k];
+  centre_ = 2.0 * own.offset;
   uint32_t count = 0;
   for (uint32_t m = 0; m < members_.size(); ++m) {
     if (m == k || out_of_game_[m] != 0) continue;
     const uint32_t number = cube_sides + m;
-    const UnitPlane S = frame_.between(*balls_, ball(), members_[m]);
+    const UnitPlane S = CubeFrame::between(own.offset, own.radius, placed_[m].offset, placed_[m].radius);
     planes_[number] = S;
     candidates_[count++] = {S.h - dot(S.v, centre_), number};
   }

@@ -49,6 +49,12 @@ class PowerCell {
   }
 
  private:
+  // A ball that meets the cube: from the centre of the cube to its own, its radius, and the square of the one less that
+  // of the other.
+  struct Member {
+    Vec3 offset;
+    double radius, power;
+  };
   struct Candidate {
     double distance;  // of the plane from the ball's centre, negative if the centre is beyond
     uint32_t plane;
@@ -67,6 +73,7 @@ class PowerCell {
   uint32_t member_ = 0;
   Vec3 centre_{};
   PowerPolytope polytope_;
+  Span<Member> placed_;         // [members]
   Span<UnitPlane> planes_;      // [sides + members]
   Span<Candidate> candidates_;  // [members]
   Span<uint8_t> out_of_game_;   // [members]
