@@ -55,6 +55,7 @@ void count_stages(const bench::Balls &balls, const Surface &surface) {
     count("surface", balls, surface, [&] { smooth.compute(); });
     count("surface_measure", balls, surface, [&] { smooth.measure(); });
     count("surface_gradient", balls, surface, [&] { smooth.gradient(); });
+    count("surface_weighted", balls, surface, [&] { smooth.weighted_gradient(); });
   }
   bench::Topology topology(boundary);
   count("topology", balls, surface, [&] { topology.compute(); });

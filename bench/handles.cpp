@@ -3,6 +3,15 @@
 #include <algorithm>
 
 namespace bench {
+namespace {
+
+std::vector<double> unequal_weights(uint32_t balls) {
+  std::vector<double> weights;
+  for (uint32_t ball = 0; ball < balls; ++ball) weights.push_back(1.0 + ball % 3);
+  return weights;
+}
+
+}  // namespace
 
 Model::Model(const Balls &balls, double probe) : balls_(&balls), model_(balls.size()) {
   expect_ok(hsp_model_options_init(&options_, sizeof options_), "hsp_model_options_init");
@@ -20,10 +29,10 @@ double Model::largest_radius() const {
   return info.largest_radius;
 }
 
-Boundary::Boundary(Model &model, Room room) : model_(&model), area_(model.size()), volume_(model.size()) {
+Boundary::Boundary(Model &model, Room room)
+    : model_(&model), area_(model.size()), volume_(model.size()), weight_(unequal_weights(model.size())) {
   by_centre_.resize(3 * size_t{model.size()});
   by_radius_.resize(model.size());
-  for (uint32_t ball = 0; ball < model.size(); ++ball) weight_.push_back(1.0 + ball % 3);
   hsp_boundary_limits limits = support::default_boundary_limits(model.size());
   if (room == Room::exact) {
     limits.vertices = 4 * limits.balls + 64;
@@ -68,6 +77,7 @@ hsp_boundary_counts Boundary::counts() const {
 SmoothSurface::SmoothSurface(const Boundary &boundary)
     : boundary_(&boundary),
       balls_(boundary.model().size()),
+      weight_(unequal_weights(boundary.model().size())),
       by_centre_(3 * size_t{boundary.model().size()}),
       by_radius_(boundary.model().size()) {
   surface_.take(support::surface_limits_for(boundary.get()));
@@ -94,6 +104,15 @@ hsp_energy SmoothSurface::gradient() {
   expect_ok(hsp_surface_gradient(surface_.get(), 1.0, 1.0, &energy, by_centre_.data(), by_radius_.data(), nullptr,
                                  static_cast<uint32_t>(by_radius_.size()), nullptr),
             "hsp_surface_gradient");
+  return energy;
+}
+
+hsp_energy SmoothSurface::weighted_gradient() {
+  hsp_energy energy{};
+  expect_ok(hsp_surface_weighted_gradient(surface_.get(), weight_.data(), 1.0, 1.0, &energy, by_centre_.data(),
+                                          by_radius_.data(), nullptr, static_cast<uint32_t>(by_radius_.size()), nullptr,
+                                          nullptr),
+            "hsp_surface_weighted_gradient");
   return energy;
 }
 

@@ -83,12 +83,15 @@ class SmoothSurface {
   hsp_surface_totals measure();
   // The sum of area and volume, with its derivatives by every centre and radius.
   hsp_energy gradient();
+  // The same with a weight for the area of each ball.
+  hsp_energy weighted_gradient();
   hsp_surface_counts counts() const;
   size_t bytes() const { return surface_.bytes(); }
 
  private:
   const Boundary *boundary_;
   std::vector<hsp_surface_totals> balls_;
+  std::vector<double> weight_;
   std::vector<double> by_centre_;
   std::vector<double> by_radius_;
   support::OwnedSurface surface_;
