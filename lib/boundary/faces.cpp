@@ -1,6 +1,7 @@
 #include "boundary/faces.hpp"
 
 #include "boundary/point_location.hpp"
+#include "sphere/lane_search.hpp"
 
 namespace hsp {
 namespace {
@@ -59,6 +60,18 @@ void sort_loops_by_face(const Boundary &boundary, uint32_t ball, IdRange loops, 
   }
 }
 
+// The balls whose circles bound the free part of a ball, each once. Returns their number.
+uint32_t balls_of_loops(const Boundary &boundary, uint32_t ball, Span<uint32_t> others) {
+  uint32_t count = 0;
+  // Half-edges of one circle follow each other.
+  for (const uint32_t e : boundary.half_edges(ball)) {
+    const uint32_t other = boundary.half_edge(e).circle;
+    if (count == 0 || others[count - 1] != other) others[count++] = other;
+  }
+  for (const ClosedHalfEdge e : boundary.circles(ball)) others[count++] = boundary.neighbour(e);
+  return count;
+}
+
 }  // namespace
 
 void FaceFinder::carve(Workspace &workspace, uint32_t neighbours) {
@@ -80,7 +93,17 @@ void FaceFinder::join_loops(const BallSet &balls, BlockSweep &sweep, const Bound
     caps.gather(balls, sweep.block_around_ball(ball), ball, nullptr);
     clusters = clusters_.find(caps);
   };
-  if (clusters == not_counted) gather_again();
+  if (clusters == not_counted) {
+    // Every cluster has a loop around it, so that the caps of the loops are of all clusters. If these make up one,
+    // there is one.
+    const uint32_t n = balls_of_loops(boundary, ball, caps.ball);
+    if (caps.wide) clusters = count_few_clusters(balls, ball, caps.ball.data(), n);
+    if (clusters == not_counted) {
+      caps.gather_given(balls, ball, n);
+      clusters = clusters_.find(caps);
+    }
+    if (clusters > 1) gather_again();
+  }
   if (loops.size() == clusters) {  // one face
     for (uint32_t loop = 1; loop < loops.size(); ++loop) loops.join(0, loop);
   } else if (clusters > 1) {

@@ -18,8 +18,9 @@ class FaceFinder {
 
   // Gathers the loops of some consecutive balls, which are consecutive too, into faces numbered from `first` on, and
   // sorts them by face. Returns the number after the last face. Writes only what belongs to these balls. The caps of a
-  // ball are gathered again, into `caps`, if it has several loops and its clusters were not counted, or if only
-  // meridians show which loops belong together. `arrays` are those of the boundary; scratch [loops].
+  // ball are gathered again, into `caps`, if it has several loops and its clusters were not counted: first those of its
+  // loops, and all if these do not hang together. And so they are if only meridians show which loops belong together.
+  // `arrays` are those of the boundary; scratch [loops].
   uint32_t find(const CubeGrid &grid, const Boundary &boundary, BallRange range, IdRange loops, uint32_t first,
                 Caps &caps, Span<uint32_t> scratch, BoundaryArrays &arrays);
 

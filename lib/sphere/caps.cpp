@@ -54,6 +54,9 @@ void Caps::start(const BallSet &balls, uint32_t i) {
 struct Caps::Distance {
   Vec3 v;
   double sum, squared;
+
+  Distance(const Vec3 &difference, double radii) : v(difference), sum(radii), squared(dot(v, v)) {}
+  Distance(const BallSet &balls, uint32_t i, uint32_t j) : Distance(balls.difference(i, j), balls.r[j] + balls.r[i]) {}
 };
 
 // Ball j is not certainly disjoint from the origin ball. Returns false if it contains it.
@@ -117,12 +120,25 @@ void Caps::gather(const BallSet &balls, const CubeBlock &block, uint32_t i, Disj
     const BallRange range = block.range[k];
     for (uint32_t j = range.first; j < range.last; ++j) {
       const Vec3 v{xs[j] - x, ys[j] - y, zs[j] - z};
-      const Distance distance{v, rs[j] + radius, dot(v, v)};
+      const Distance distance(v, rs[j] + radius);
       // A certainly disjoint pair stops here.
       if (distance.squared > distance.sum * distance.sum * (1.0 + 8 * unit_roundoff)) continue;
       if (!take(own, j, distance, joining)) return;
     }
   }
+}
+
+// No cap comes behind its ball.
+void Caps::gather_given(const BallSet &balls, uint32_t i, uint32_t n) {
+  start(balls, i);
+  Joining joining(i, nullptr);
+#if HSP_AVX2
+  if (wide) {
+    take_all(ball.data(), n, joining);
+    return;
+  }
+#endif
+  for (uint32_t k = 0; k < n; ++k) take(balls.ball(i), ball[k], {balls, i, ball[k]}, joining);
 }
 
 #if HSP_AVX2
@@ -192,9 +208,7 @@ bool Caps::take_all(uint32_t *near, uint32_t hits, Joining &joining) {
       }
     }
     for (const uint32_t end = hits - k < 4 ? hits : k + 4; k < end; ++k) {
-      const Vec3 v = balls_->difference(origin, near[k]);
-      const Distance distance{v, balls_->r[near[k]] + balls_->r[origin], dot(v, v)};
-      if (!take(balls_->ball(origin), near[k], distance, joining)) return false;
+      if (!take(balls_->ball(origin), near[k], {*balls_, origin, near[k]}, joining)) return false;
     }
   }
   return true;

@@ -51,6 +51,9 @@ struct Caps {
   // components, if given.
   void gather(const BallSet &balls, const CubeBlock &block, uint32_t i, DisjointSets *components);
 
+  // The caps of ball i by n balls alone, which are in `ball` in any order and meet ball i.
+  void gather_given(const BallSet &balls, uint32_t i, uint32_t n);
+
 #if HSP_AVX2
   // As gather, of which only the balls are known: there are n of them in `ball`, and all certainly meet ball i in
   // proper circles. Their caps follow with make_doubles, if they are needed.

@@ -12,6 +12,9 @@ namespace hsp {
 
 #if HSP_AVX2
 
+// The number of clusters of the caps of ball i by n others; 0 if these are many, or if floats are not certain.
+uint32_t count_few_clusters(const BallSet &balls, uint32_t i, const uint32_t *others, uint32_t n);
+
 class LaneSearch {
  public:
   // Borrows memory while balls are searched.
@@ -34,6 +37,8 @@ class LaneSearch {
   bool find_few(Caps &caps, FewCaps &found);
   void find_many(const BallSet &balls, Caps &caps, VertexFinder &finder, FixedVector<VertexRecord> &vertices,
                  FixedVector<CircleRecord> &circles);
+  static bool find_among_near(const BallSet &balls, const Caps &caps, const OpenPair &pair,
+                              FixedVector<VertexRecord> &vertices);
 
   CandidateBlock candidates_;
   uint32_t first_own_ = 0;  // ball of the cube
@@ -43,6 +48,10 @@ class LaneSearch {
 };
 
 #else
+
+inline uint32_t count_few_clusters(const BallSet &, uint32_t, const uint32_t *, uint32_t) {
+  return 0;
+}
 
 class LaneSearch {
  public:

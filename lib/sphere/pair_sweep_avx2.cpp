@@ -11,9 +11,10 @@ using Caps8 = LaneCaps<Floats>;
 using Points8 = LanePoints<Floats>;
 
 // Heights below which caps belong to the first class, to the second and to the third.
-constexpr float class_limits[PairSweep::size_classes] = {0.4F, 0.6F, 0.8F};
+constexpr float class_limits[PairSweep::size_classes] = {0.5F, 0.7F, 0.85F};
 // Those of the first two are called large.
 constexpr uint32_t last_large_class = 1;
+constexpr uint32_t last_class = PairSweep::size_classes - 1;
 
 CapPointers<float> pointers(const FloatCaps &caps) {
   return {caps.x, caps.y, caps.z, caps.b};
@@ -117,6 +118,9 @@ struct alignas(32) OpenPoints {
   Points8 at(uint32_t p) const {
     return {Floats::load(x + p), Floats::load(y + p), Floats::load(z + p), Floats::load(error + p)};
   }
+  Points8 in_all_lanes(uint32_t p) const {
+    return {Floats::all_of(x + p), Floats::all_of(y + p), Floats::all_of(z + p), Floats::all_of(error + p)};
+  }
 };
 
 // Which lanes of two vectors of points do not certainly lie inside one of caps begin .. end - 1.
@@ -157,26 +161,31 @@ uint32_t open_points(const CapPointers<float> &by_size, uint32_t first_class, co
   return left;
 }
 
+constexpr uint32_t passed_at_once = 16;
+
 // Leaves out points that are in one of caps begin .. end - 1. Returns how many are left of `count`.
 uint32_t leave_out_covered(const CapPointers<float> &by_size, uint32_t begin, uint32_t end, OpenPoints &open,
                            uint32_t count) {
   uint32_t left = 0;
-  for (uint32_t p = 0; p < count; p += 16) {
+  for (uint32_t p = 0; p < count; p += passed_at_once) {
     const Points8 a = open.at(p), b = open.at(p + 8);
     const Floats pairs_a = Floats::load(open.pair + p), pairs_b = Floats::load(open.pair + p + 8);
     const NotCovered open_lanes(by_size, begin, end, a, b);
     left = open.keep(left, a, pairs_a, first_lanes(count - p) & open_lanes.first);
-    if (count - p > 8) left = open.keep(left, b, pairs_b, first_lanes(count - p - 8) & open_lanes.second);
+    // Without a branch on how many there are.
+    left = open.keep(left, b, pairs_b, first_lanes(count - p > 8 ? count - p - 8 : 0) & open_lanes.second);
   }
   return left;
 }
 
-enum class PointAnswer { covered, free, doubtful };
+// A point is open if it is not certainly covered. It is certainly free outside all caps but its own two, on which it
+// lies.
+struct PointAnswer {
+  bool open, certain;
+};
 
-// A point is certainly free outside all caps but its own two, on which it lies.
 PointAnswer among_all_caps(const CapPointers<float> &caps, uint32_t count, const OpenPoints &open, uint32_t p) {
-  const Points8 point{Floats::all_of(open.x + p), Floats::all_of(open.y + p), Floats::all_of(open.z + p),
-                      Floats::all_of(open.error + p)};
+  const Points8 point = open.in_all_lanes(p);
   const Floats below = -point.error;
   Floats deepest = Floats::all(-4.0F);
   uint32_t near = 0;
@@ -186,12 +195,33 @@ PointAnswer among_all_caps(const CapPointers<float> &caps, uint32_t count, const
     deepest = larger(deepest, depth);
     near += ones(not_less(depth, below));
   }
-  if (greater(deepest, point.error) != 0) return PointAnswer::covered;
-  return near == 2 ? PointAnswer::free : PointAnswer::doubtful;
+  return {greater(deepest, point.error) == 0, near == 2};
 }
 
 uint32_t cap_number(const PairSweep &sweep, float exposed) {
   return static_cast<uint32_t>(sweep.exposed_cap[static_cast<uint32_t>(exposed)]);
+}
+
+// Finds the caps, other than its own two, outside which the points that pair number p of the batch names do not
+// certainly lie.
+void find_near_caps(const CapPointers<float> &caps, uint32_t count, const OpenPoints &open, uint32_t points, uint32_t p,
+                    OpenPair &pair) {
+  const auto add = [&](uint32_t cap) {
+    bool is_there = cap == pair.j || cap == pair.k;
+    for (uint32_t n = 0; n < pair.near; ++n) is_there = is_there || pair.near_cap[n] == cap;
+    if (is_there) return;
+    if (pair.near < OpenPair::most_near) pair.near_cap[pair.near] = cap;
+    ++pair.near;
+  };
+  for (uint32_t o = 0; o < points; ++o) {
+    const uint32_t number = static_cast<uint32_t>(open.pair[o]);
+    if (number % PairSweep::batch != p || !(number < PairSweep::batch ? pair.minus : pair.plus)) continue;
+    const Points8 point = open.in_all_lanes(o);
+    for (uint32_t t = 0; t < count; t += 8) {
+      LaneBits near = first_lanes(count - t) & not_less(point.depth(Caps8::load(caps, t)), -point.error);
+      for (; near != 0 && pair.near <= OpenPair::most_near; near &= near - 1) add(t + lowest(near));
+    }
+  }
 }
 
 // What is left of a batch.
@@ -199,24 +229,34 @@ uint32_t answer(const PairSweep &sweep, const Pairs &pairs, uint32_t count, Open
   OpenPoints open;
   const CapPointers<float> by_size = pointers(sweep.by_size);
   uint32_t points = open_points(by_size, sweep.class_end[0], pairs, count, open);
-  for (uint32_t c = 1; c < PairSweep::size_classes; ++c) {
-    points = leave_out_covered(by_size, sweep.class_end[c - 1], sweep.class_end[c], open, points);
+  // Class by class as long as that saves a pass.
+  for (uint32_t c = 0, next = 0; c < last_class; c = next) {
+    next = points > passed_at_once ? c + 1 : last_class;
+    points = leave_out_covered(by_size, sweep.class_end[c], sweep.class_end[next], open, points);
   }
   const CapPointers<float> caps = pointers(sweep.caps);
   uint64_t doubtful = 0, minus = 0, plus = 0;
   for (uint32_t p = 0; p < points; ++p) {
+    // No branch depends on the answer, which cannot be predicted.
     const PointAnswer state = among_all_caps(caps, sweep.count, open, p);
-    if (state == PointAnswer::covered) continue;
     const uint32_t number = static_cast<uint32_t>(open.pair[p]);
-    const uint64_t bit = UINT64_C(1) << number % PairSweep::batch;
-    if (state == PointAnswer::doubtful) doubtful |= bit;
-    (number < PairSweep::batch ? minus : plus) |= bit;
+    const uint64_t bit = static_cast<uint64_t>(state.open) << number % PairSweep::batch;
+    doubtful |= state.certain ? 0 : bit;
+    minus |= number < PairSweep::batch ? bit : 0;
+    plus |= number < PairSweep::batch ? 0 : bit;
   }
   uint32_t found = 0;
   for (uint64_t any = minus | plus; any != 0; any &= any - 1) {
     const uint32_t p = static_cast<uint32_t>(__builtin_ctzll(any));
-    answers[found++] = {cap_number(sweep, pairs.j[p]), cap_number(sweep, pairs.k[p]), (doubtful >> p & 1U) == 0,
-                        (minus >> p & 1U) != 0, (plus >> p & 1U) != 0};
+    OpenPair &pair = answers[found++];
+    pair = {cap_number(sweep, pairs.j[p]),
+            cap_number(sweep, pairs.k[p]),
+            (doubtful >> p & 1U) == 0,
+            (minus >> p & 1U) != 0,
+            (plus >> p & 1U) != 0,
+            0,
+            {}};
+    if (!pair.certain) find_near_caps(caps, sweep.count, open, points, p, pair);
   }
   return found;
 }
@@ -253,6 +293,23 @@ uint32_t add_pairs(PairSweep &sweep, Pairs &pairs) {
   return count;
 }
 
+// Whether a circle certainly crosses another one, or lies inside a cap as a whole: by the formulas of AmongLargeCaps,
+// the circle being one and the caps all, itself among them, of which nothing is certain.
+bool has_covered_point(const CapPointers<float> &caps, uint32_t count, uint32_t circle) {
+  const Caps8 own = Caps8::all_of(caps, circle);
+  const Floats one = Floats::all(1.0F), margin = Floats::all(Bounds::crossing);
+  const Floats square = minus_fused(own.b, own.b, one);
+  Floats covered = Floats::all(-4.0F);
+  for (uint32_t t = 0; t < count; t += 8) {
+    const Caps8 cap = Caps8::load(caps, t);
+    const Floats g = own.dot(cap);
+    const Floats depth = fused_minus(g, own.b, cap.b);
+    const Floats minus_q = minus_fused(minus_fused(g, g, one), square, depth * depth);
+    covered = larger(covered, larger(smaller(depth, minus_q), -minus_q));
+  }
+  return greater(covered, margin) != 0;
+}
+
 }  // namespace
 
 void start_sweep(PairSweep &sweep) {
@@ -279,7 +336,9 @@ uint32_t uncrossed_caps(const PairSweep &sweep, uint32_t *caps) {
   for (uint32_t a = 0; a < sweep.exposed_count; a += 8) {
     LaneBits left = first_lanes(sweep.exposed_count - a) & not_greater(Floats::load(sweep.crossed + a), margin);
     for (; left != 0; left &= left - 1) {
-      caps[found++] = static_cast<uint32_t>(sweep.exposed_cap[a + lowest(left)]);
+      const uint32_t cap = static_cast<uint32_t>(sweep.exposed_cap[a + lowest(left)]);
+      caps[found] = cap;
+      found += static_cast<uint32_t>(!has_covered_point(pointers(sweep.caps), sweep.count, cap));
     }
   }
   return found;

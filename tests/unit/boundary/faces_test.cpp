@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "boundary/boundary_check.hpp"
@@ -53,6 +54,28 @@ TEST(MeridianWalks, WalksThatStayCovered) {
          oracle::axis_symmetries(oracle::joined({{0, 0, 0, 1000}, small, large}, ring()))) {
       EXPECT_EQ(loops_of_faces(balls), (std::vector<uint32_t>{1, 2}));
     }
+  }
+}
+
+// Rings of sixteen caps, 17 degrees wide, around the axis z: more caps than are counted at once. Of a belt of three
+// rings the middle one has no free arc, and without it the caps of the two loops do not hang together.
+oracle::Balls ring_of_sixteen(double degrees) {
+  const double latitude = degrees * std::acos(-1.0) / 180;
+  return oracle::ring_around_z(16, 1000 * std::cos(latitude), std::lround(1000 * std::sin(latitude)), 296, 0.1);
+}
+
+TEST(ClustersOfManyCaps, BeltWhoseMiddleIsCovered) {
+  const oracle::Balls belt =
+      oracle::joined(ring_of_sixteen(20), oracle::joined(ring_of_sixteen(0), ring_of_sixteen(-20)));
+  for (const oracle::Balls &balls : oracle::axis_symmetries(oracle::joined({{0, 0, 0, 1000}}, belt))) {
+    EXPECT_EQ(loops_of_faces(balls), (std::vector<uint32_t>{1, 1}));
+  }
+}
+
+TEST(ClustersOfManyCaps, TwoRings) {
+  const oracle::Balls rings = oracle::joined(ring_of_sixteen(45), ring_of_sixteen(-45));
+  for (const oracle::Balls &balls : oracle::axis_symmetries(oracle::joined({{0, 0, 0, 1000}}, rings))) {
+    EXPECT_EQ(loops_of_faces(balls), (std::vector<uint32_t>{1, 1, 2}));
   }
 }
 
