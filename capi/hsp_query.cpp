@@ -8,27 +8,24 @@ using hsp::capi::is_live;
 namespace {
 
 // Rounds the query, asks, and reports as every output array is reported.
-template <auto find>
 int32_t ask(const hsp_model *model, const double *xyz, double radius, uint32_t *ids, uint32_t capacity,
             uint32_t *needed) {
   if (!is_live(model) || xyz == nullptr || needed == nullptr || (ids == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
-  hsp::LatticeQuery query;
-  const hsp::Status status = hsp::round_query(model->balls(), xyz, radius, query);
-  if (status != hsp::Status::ok) return hsp::capi::to_c(status);
   hsp::QueryResult result{ids, capacity, 0};
-  find(model->grid, query, result);
+  const hsp::Status status = hsp::find_balls(model->grid, xyz, radius, result);
+  if (status != hsp::Status::ok) return hsp::capi::to_c(status);
   return hsp::capi::check_output(ids, capacity, result.hits, needed);
 }
 
 }  // namespace
 
 int32_t hsp_query_point(const hsp_model *model, const double *xyz, uint32_t *ids, uint32_t capacity, uint32_t *needed) {
-  return ask<hsp::find_balls_at_point>(model, xyz, 0.0, ids, capacity, needed);
+  return ask(model, xyz, 0.0, ids, capacity, needed);
 }
 
 int32_t hsp_query_ball(const hsp_model *model, const double *xyz, double radius, uint32_t *ids, uint32_t capacity,
                        uint32_t *needed) {
-  return ask<hsp::find_balls_at_ball>(model, xyz, radius, ids, capacity, needed);
+  return ask(model, xyz, radius, ids, capacity, needed);
 }
 
 int32_t hsp_query_meets(const hsp_model *model, const double *xyz, double radius, int32_t *meets) {

@@ -58,6 +58,7 @@ struct Doubles {
     return {_mm256_setr_pd(p[index[0]], p[index[1]], p[index[2]], p[index[3]])};
   }
   static Doubles all(double x) { return {_mm256_set1_pd(x)}; }
+  static Doubles of(double a, double b, double c, double d) { return {_mm256_setr_pd(a, b, c, d)}; }
   static Doubles ascending() { return {_mm256_setr_pd(0, 1, 2, 3)}; }
   static Doubles all_of(const double *p) { return {_mm256_broadcast_sd(p)}; }
   void store(double *p) const { _mm256_storeu_pd(p, v); }
@@ -78,7 +79,12 @@ struct Integers {
   static Integers ascending() { return {_mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7)}; }
   void store(uint32_t *p) const { _mm256_storeu_si256(reinterpret_cast<__m256i *>(p), v); }
 
+  // All bits of the lowest `count` lanes.
+  static Integers first_set(uint32_t count) { return {_mm256_cmpgt_epi32(all(count).v, ascending().v)}; }
+
   friend Integers operator+(Integers a, Integers b) { return {_mm256_add_epi32(a.v, b.v)}; }
+  friend Integers operator-(Integers a, Integers b) { return {_mm256_sub_epi32(a.v, b.v)}; }
+  friend Integers operator&(Integers a, Integers b) { return {_mm256_and_si256(a.v, b.v)}; }
 };
 
 // a b + c, a b - c and c - a b, rounded once.
@@ -116,6 +122,28 @@ inline Doubles larger(Doubles a, Doubles b) {
 inline Floats smaller(Floats a, Floats b) {
   return {_mm256_min_ps(a.v, b.v)};
 }
+inline Doubles smaller(Doubles a, Doubles b) {
+  return {_mm256_min_pd(a.v, b.v)};
+}
+// Without what is behind the point.
+inline Doubles truncated(Doubles a) {
+  return {_mm256_round_pd(a.v, _MM_FROUND_TO_ZERO | _MM_FROUND_NO_EXC)};
+}
+// 1 in lanes where a >= b, 0 in the others, also where a or b is NaN.
+inline Doubles one_where_not_less(Doubles a, Doubles b) {
+  return {_mm256_and_pd(_mm256_cmp_pd(a.v, b.v, _CMP_GE_OQ), _mm256_set1_pd(1.0))};
+}
+inline double first(Doubles a) {
+  return _mm256_cvtsd_f64(a.v);
+}
+template <int lane>
+Doubles in_all_lanes(Doubles a) {
+  return {_mm256_permute4x64_pd(a.v, lane * 0x55)};
+}
+// Doubles that are integers below 2^31 in size, as such.
+inline void store_integers(uint32_t *p, Doubles a) {
+  _mm_storeu_si128(reinterpret_cast<__m128i *>(p), _mm256_cvttpd_epi32(a.v));
+}
 // c in lanes where a > b, d in the others, also where a or b is NaN.
 inline Floats where_greater(Floats a, Floats b, Floats c, Floats d) {
   return {_mm256_blendv_ps(d.v, c.v, _mm256_cmp_ps(a.v, b.v, _CMP_GT_OQ))};
@@ -145,6 +173,26 @@ inline LaneBits not_less(Doubles a, Doubles b) {
 
 inline LaneBits equal(Integers a, Integers b) {
   return static_cast<LaneBits>(_mm256_movemask_ps(_mm256_castsi256_ps(_mm256_cmpeq_epi32(a.v, b.v))));
+}
+
+// Of integers with a sign.
+inline Integers larger_signed(Integers a, Integers b) {
+  return {_mm256_max_epi32(a.v, b.v)};
+}
+inline LaneBits sign_bits(Integers a) {
+  return static_cast<LaneBits>(_mm256_movemask_ps(_mm256_castsi256_ps(a.v)));
+}
+inline LaneBits greater_signed(Integers a, Integers b) {
+  return sign_bits({_mm256_cmpgt_epi32(a.v, b.v)});
+}
+// Whether a > b in all lanes that are set.
+inline bool all_greater(Integers a, Integers b, Integers set) {
+  return _mm256_testc_si256(_mm256_cmpgt_epi32(a.v, b.v), set.v) != 0;
+}
+// The upper 32 bits of eight doubles: sign, exponent and the first bits behind the point.
+inline Integers upper_halves(Doubles low, Doubles high) {
+  const __m256 pairs = _mm256_shuffle_ps(_mm256_castpd_ps(low.v), _mm256_castpd_ps(high.v), 0xDD);
+  return {_mm256_permute4x64_epi64(_mm256_castps_si256(pairs), 0xD8)};
 }
 
 // By the sign bit: true for -0.

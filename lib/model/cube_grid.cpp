@@ -45,7 +45,24 @@ void CubeGrid::clear() {
   side_ = 1;
   table_.clear(0);
   rows_.clear();
+#if HSP_AVX2
+  query_grid_ = {};
+#endif
   first_ball_[0] = 0;
+}
+
+void CubeGrid::make_row_directory() {
+  if (has_row_directories) rows_.build(table_, first_ball_, scratch_slots_);
+#if HSP_AVX2
+  query_grid_ = {};
+  if (!rows_.is_there()) return;
+  const double side = static_cast<double>(side_);
+  rows_.describe(query_grid_);
+  query_grid_.side = side;
+  query_grid_.inverse_side = 1.0 / side;
+  query_grid_.largest_radius = static_cast<double>(balls_.largest_radius);
+  query_grid_.factor = balls_.lattice.factor();
+#endif
 }
 
 Status CubeGrid::build(const BallInput &input, uint32_t &first_bad) {

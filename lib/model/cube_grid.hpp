@@ -7,6 +7,7 @@
 #include "model/ball_range.hpp"
 #include "model/ball_set.hpp"
 #include "model/cube_table.hpp"
+#include "model/query_hits.hpp"
 #include "model/row_directory.hpp"
 
 namespace hsp {
@@ -53,9 +54,14 @@ class CubeGrid {
   // directory of rows, which is to be made again after that.
   Span<uint32_t> scratch_slots() { return scratch_slots_; }
   Span<uint32_t> scratch_links() { return scratch_links_; }
-  void make_row_directory() {
-    if (has_row_directories) rows_.build(table_, first_ball_, scratch_slots_);
+  void make_row_directory();
+
+#if HSP_AVX2
+  // The directory for whole queries.
+  const QueryGrid &query_grid() const {
+    return query_grid_;
   }
+#endif
 
  private:
   void clear();
@@ -63,6 +69,9 @@ class CubeGrid {
   BallSet balls_;
   CubeTable table_;
   RowDirectory rows_;
+#if HSP_AVX2
+  QueryGrid query_grid_;
+#endif
   Span<uint32_t> first_ball_;  // [cubes + 1]
   Span<uint32_t> grid_index_;  // [n] caller -> grid order
   Span<uint32_t> scratch_slots_, scratch_links_;

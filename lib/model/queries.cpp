@@ -168,6 +168,23 @@ void find_balls_at_ball(const CubeGrid &grid, const LatticeQuery &query, QueryRe
   collect(grid, query, no_id, cubes_at_ball(grid, query), result);
 }
 
+Status find_balls(const CubeGrid &grid, const double *xyz, double radius, QueryResult &result) {
+#if HSP_AVX2
+  if (grid.wide() && find_balls_avx2(grid.query_grid(), query_arrays(grid.balls()), xyz, radius, result.ids,
+                                     result.capacity, result.hits)) {
+    return Status::ok;
+  }
+#endif
+  LatticeQuery query;
+  if (const Status status = round_query(grid.balls(), xyz, radius, query); status != Status::ok) return status;
+  if (query.radius == 0) {
+    find_balls_at_point(grid, query, result);
+  } else {
+    find_balls_at_ball(grid, query, result);
+  }
+  return Status::ok;
+}
+
 bool any_ball_meets(const CubeGrid &grid, const LatticeQuery &query) {
   HitFinder finder(grid, query, no_id);
   bool found = false;
@@ -179,6 +196,12 @@ bool any_ball_meets(const CubeGrid &grid, const LatticeQuery &query) {
 }
 
 void find_neighbours(const CubeGrid &grid, uint32_t place, QueryResult &result) {
+#if HSP_AVX2
+  if (grid.wide() && find_neighbours_avx2(grid.query_grid(), query_arrays(grid.balls()), place, result.ids,
+                                          result.capacity, result.hits)) {
+    return;
+  }
+#endif
   const exact::LatticeBall ball = grid.balls().ball(place);
   const LatticeQuery query{ball.centre, ball.radius};
   collect(grid, query, ball.index, cubes_at_ball(grid, query), result);

@@ -33,6 +33,9 @@ void find_balls_at_point(const CubeGrid &grid, const LatticeQuery &point, QueryR
 // reach or at all balls.
 void find_balls_at_ball(const CubeGrid &grid, const LatticeQuery &query, QueryResult &result);
 
+// Rounds a position and a radius, in the caller's unit, and finds the balls that meet that ball; a point has radius 0.
+Status find_balls(const CubeGrid &grid, const double *xyz, double radius, QueryResult &result);
+
 // Whether any ball meets the query ball.
 bool any_ball_meets(const CubeGrid &grid, const LatticeQuery &query);
 

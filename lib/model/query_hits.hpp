@@ -27,6 +27,16 @@ struct QueryHits {
   uint32_t count;
 };
 
+// A set with a directory of rows (row_directory.hpp), for whole queries by the code for wide registers. Lengths in
+// steps and numbers of cubes, as doubles; x, y, z and 0.
+struct QueryGrid {
+  const uint32_t *cells = nullptr;  // of the directory; null: there is none
+  uint64_t row, layer;              // entries of one row, rows of one layer
+  double low[4], size[4];           // the first cube, and how many there are
+  double side, inverse_side, largest_radius;
+  double factor = 0.0;  // of lengths, for steps; 0 without a directory, or if lengths are divided
+};
+
 // Balls meet if |c_j - c| <= r_j + r on the lattice. The differences and the sum are exact as doubles; the squares have
 // a relative error below 5 units of 2^-53, fused or not, so that only near-ties need integers.
 constexpr double meeting_doubt = 16 * 0x1p-53;
@@ -48,6 +58,13 @@ void add_hits(const QueryArrays &balls, const QueryBall &query, const BallRange 
               QueryHits &hits);
 void add_hits_avx2(const QueryArrays &balls, const QueryBall &query, const BallRange *ranges, uint32_t count,
                    QueryHits &hits);
+// The balls that meet a ball in the caller's unit, as find_balls() of queries.hpp. False, and nothing is written, if
+// the query is to be refused, or meets many rows of cubes or balls.
+bool find_balls_avx2(const QueryGrid &grid, const QueryArrays &balls, const double *xyz, double radius, uint32_t *ids,
+                     uint32_t capacity, uint32_t &hits);
+// The same for find_neighbours().
+bool find_neighbours_avx2(const QueryGrid &grid, const QueryArrays &balls, uint32_t place, uint32_t *ids,
+                          uint32_t capacity, uint32_t &hits);
 
 void sort_ascending(uint32_t *ids, uint32_t count);
 // Writes the hits, if there are no more than the room, in ascending order.

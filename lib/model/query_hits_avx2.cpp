@@ -3,39 +3,80 @@
 #include "model/query_hits.hpp"
 
 #include "core/avx2_lanes.hpp"
+#include "exact/lattice.hpp"
 
 namespace hsp {
 namespace {
 
-// Which of four balls meet the query, and of which that is not certain.
-struct Verdict {
-  LaneBits meet, doubtful;
-};
-
+// One query in all lanes.
 struct WideQuery {
   Doubles x, y, z, r;
+};
 
-  Verdict test(const QueryArrays &balls, size_t j) const {
-    const Doubles dx = x - Doubles::load(balls.x + j);
-    const Doubles dy = y - Doubles::load(balls.y + j);
-    const Doubles dz = z - Doubles::load(balls.z + j);
-    const Doubles sum = r + Doubles::load(balls.r + j);
-    const Doubles within = sum * sum;
-    const Doubles excess = fused(dz, dz, fused(dy, dy, fused_minus(dx, dx, within)));
-    return {negative(excess), not_less(within * Doubles::all(meeting_doubt), magnitude(excess))};
+// Four balls: their distances from the query, and the sums of the radii, squared.
+struct Squares {
+  Doubles excess, within;
+
+  Squares(const QueryArrays &balls, const WideQuery &query, size_t j) {
+    const Doubles dx = query.x - Doubles::load(balls.x + j);
+    const Doubles dy = query.y - Doubles::load(balls.y + j);
+    const Doubles dz = query.z - Doubles::load(balls.z + j);
+    const Doubles sum = query.r + Doubles::load(balls.r + j);
+    within = sum * sum;
+    excess = fused(dz, dz, fused(dy, dy, fused_minus(dx, dx, within)));
   }
 };
 
-// Of the eight balls from j on. Apart, so that the loop above it needs no room for what this leaves untouched.
-[[gnu::noinline]] LaneBits decided(const QueryArrays &balls, const QueryBall &query, uint32_t j, LaneBits doubtful,
-                                   LaneBits meet) {
+// Of the eight balls from j on. Apart, and with the query in registers, so that loops around it need no room for what
+// this leaves untouched.
+[[gnu::noinline, gnu::cold]] LaneBits decided(const QueryArrays &balls, Doubles x, Doubles y, Doubles z, Doubles r,
+                                              uint32_t j, LaneBits doubtful, LaneBits meet) {
   for (; doubtful != 0; doubtful &= doubtful - 1) {
     const uint32_t lane = lowest(doubtful), k = j + lane;
     const bool meets =
-        meet_exactly(balls.x[k] - query.x, balls.y[k] - query.y, balls.z[k] - query.z, balls.r[k] + query.r);
+        meet_exactly(balls.x[k] - first(x), balls.y[k] - first(y), balls.z[k] - first(z), balls.r[k] + first(r));
     meet = (meet & ~(1U << lane)) | static_cast<LaneBits>(meets) << lane;
   }
   return meet;
+}
+
+// Of the eight balls from j on, those before ball `last` that meet the query. Upper halves of doubles tell their signs,
+// and their sizes well enough for a doubt somewhat larger than meeting_doubt: within 2^-48 instead of 2^-49. A square
+// of 0 has no doubt but that of an excess of 0; others are not below 1.
+inline LaneBits meeting(const QueryArrays &balls, const WideQuery &query, uint32_t j, uint32_t last) {
+  static_assert(meeting_doubt == 0x1p-49);
+  const Squares low(balls, query, j), high(balls, query, size_t{j} + 4);
+  const Integers excess = upper_halves(low.excess, high.excess);
+  const Integers within = upper_halves(low.within, high.within);
+  const Integers doubt = larger_signed(within - Integers::all(48U << 20), Integers::all(0));
+  const Integers size = excess & Integers::all(INT32_MAX);
+  const Integers valid = Integers::first_set(last - j);
+  if (!all_greater(size, doubt, valid)) [[unlikely]] {
+    const LaneBits doubtful = sign_bits(valid) & ~greater_signed(size, doubt);
+    return decided(balls, query.x, query.y, query.z, query.r, j, doubtful, sign_bits(excess)) & sign_bits(valid);
+  }
+  return sign_bits(excess & valid);
+}
+
+// Adds the hits among the balls of the ranges, but for those of which excluded(ids) has the bits.
+template <class Excluded>
+inline void add_hits_but(const QueryArrays &balls_at, const WideQuery &query, const BallRange *ranges, uint32_t count,
+                         QueryHits &hits, Excluded excluded) {
+  const QueryArrays balls = balls_at;  // in registers
+  uint32_t found = hits.count;
+  for (const BallRange *range = ranges; range < ranges + count; ++range) {
+    uint32_t j = range->first;
+    const uint32_t last = range->last;
+    // Nearly always once: that is easier to predict than steps of four.
+    do {
+      const Integers ids = Integers::load(balls.caller + j);
+      const LaneBits meet = meeting(balls, query, j, last) & ~excluded(ids);
+      store_front(hits.ids + (found < QueryHits::room ? found : QueryHits::room), ids, FrontOrder::of_eight(meet));
+      found += ones(meet);
+      j += 8;
+    } while (j < last);
+  }
+  hits.count = found;
 }
 
 // Compares each lane with that at the place given by `partners`; the lanes of `takes_larger` keep the larger one.
@@ -104,31 +145,11 @@ inline void merge(Integers *eights, uint32_t half) {
 
 }  // namespace
 
-void add_hits_avx2(const QueryArrays &balls_at, const QueryBall &query, const BallRange *ranges, uint32_t count,
+void add_hits_avx2(const QueryArrays &balls, const QueryBall &query, const BallRange *ranges, uint32_t count,
                    QueryHits &hits) {
-  const QueryArrays balls = balls_at;  // in registers
-  const WideQuery wide{Doubles::all(query.x), Doubles::all(query.y), Doubles::all(query.z), Doubles::all(query.r)};
   const Integers excluded = Integers::all(query.excluded);
-  uint32_t found = hits.count;
-  for (const BallRange *range = ranges; range < ranges + count; ++range) {
-    uint32_t j = range->first;
-    const uint32_t last = range->last;
-    // Nearly always once: that is easier to predict than steps of four.
-    do {
-      const Verdict low = wide.test(balls, j), high = wide.test(balls, size_t{j} + 4);
-      LaneBits meet = low.meet | high.meet << 4;
-      const LaneBits valid = first_lanes(last - j);
-      const LaneBits doubtful = (low.doubtful | high.doubtful << 4) & valid;
-      if (doubtful != 0) [[unlikely]]
-        meet = decided(balls, query, j, doubtful, meet);
-      const Integers ids = Integers::load(balls.caller + j);
-      meet &= valid & ~equal(ids, excluded);
-      store_front(hits.ids + (found < QueryHits::room ? found : QueryHits::room), ids, FrontOrder::of_eight(meet));
-      found += ones(meet);
-      j += 8;
-    } while (j < last);
-  }
-  hits.count = found;
+  add_hits_but(balls, {Doubles::all(query.x), Doubles::all(query.y), Doubles::all(query.z), Doubles::all(query.r)},
+               ranges, count, hits, [excluded](Integers ids) { return equal(ids, excluded); });
 }
 
 void write_ascending_avx2(const QueryHits &hits, uint32_t *ids) {
@@ -150,6 +171,90 @@ void write_ascending_avx2(const QueryHits &hits, uint32_t *ids) {
   }
   for (uint32_t k = 0; k + 1 < used; ++k) eights[k].store(ids + 8 * k);
   store_ids(ids + 8 * (used - 1), eights[used - 1], count - 8 * (used - 1));
+}
+
+namespace {
+
+// floor(value / side) for integers below 2^52 in size, as CubeAxis::cube_at of grid_order.hpp.
+Doubles cubes_at(const QueryGrid &grid, Doubles value) {
+  const Doubles side = Doubles::all(grid.side);
+  const Doubles quotient = truncated(value * Doubles::all(grid.inverse_side));
+  const Doubles rest = value - quotient * side;
+  return quotient - (Doubles::all(1.0) - one_where_not_less(rest, Doubles::all(0.0))) + one_where_not_less(rest, side);
+}
+
+// Parts of rows of cubes. Whether a row has more than eight balls cannot be predicted, so that what is behind them is a
+// range of its own.
+struct Rows {
+  static constexpr uint32_t most = 9;
+  BallRange range[2 * most + 1];
+  uint32_t count = 0;
+
+  // Those of the cubes from `low` to `high` in which there are balls. False if there are too many rows.
+  bool find(const QueryGrid &grid, Doubles low, Doubles high) {
+    const Doubles origin = Doubles::load(grid.low), size = Doubles::load(grid.size), zero = Doubles::all(0.0);
+    const auto clipped = [&](Doubles cube) { return smaller(larger(cube - origin, zero), size); };
+    uint32_t from[4], to[4];
+    store_integers(from, clipped(low));
+    store_integers(to, clipped(high + Doubles::all(1.0)));
+    if (uint64_t{to[1] - from[1]} * (to[2] - from[2]) > most) return false;
+    for (uint32_t z = from[2]; z < to[2]; ++z) {
+      const uint32_t *row = grid.cells + (z * grid.layer + from[1]) * grid.row;
+      for (uint32_t y = from[1]; y < to[1]; ++y, row += grid.row) {
+        const uint32_t first = row[from[0]], last = row[to[0]];
+        const uint32_t eight = first + 8;
+        range[count] = {first, last < eight ? last : eight};
+        count += static_cast<uint32_t>(first != last);
+        range[count] = {eight, last};
+        count += static_cast<uint32_t>(last > eight);
+      }
+    }
+    return true;
+  }
+};
+
+// The rest of a query for a ball on the lattice. Inlined: where a function with a wide argument is called last, GCC 12
+// leaves the upper halves of registers in use, which makes all code behind it slow.
+template <class Excluded>
+[[gnu::always_inline]] inline bool find_around(const QueryGrid &grid, const QueryArrays &balls, Doubles ball,
+                                               Excluded excluded, uint32_t *ids, uint32_t capacity, uint32_t &hits) {
+  const WideQuery query{in_all_lanes<0>(ball), in_all_lanes<1>(ball), in_all_lanes<2>(ball), in_all_lanes<3>(ball)};
+  const Doubles reach = query.r + Doubles::all(grid.largest_radius);
+  Rows rows;
+  if (!rows.find(grid, cubes_at(grid, ball - reach), cubes_at(grid, ball + reach))) return false;
+  QueryHits found;
+  found.count = 0;
+  add_hits_but(balls, query, rows.range, rows.count, found, excluded);
+  if (found.count > QueryHits::room) return false;
+  hits = found.count;
+  if (found.count <= capacity) write_ascending_avx2(found, ids);
+  return true;
+}
+
+}  // namespace
+
+bool find_balls_avx2(const QueryGrid &grid, const QueryArrays &balls, const double *xyz, double radius, uint32_t *ids,
+                     uint32_t capacity, uint32_t &hits) {
+  // The position and the radius on the lattice: Lattice::round() and nearest().
+  constexpr double c = exact::coordinate_limit;
+  constexpr double least[4] = {-c, -c, -c, 0.0}, most[4] = {c, c, c, exact::query_radius_limit};
+  const Doubles steps = Doubles::of(xyz[0], xyz[1], xyz[2], radius) * Doubles::all(grid.factor);
+  const LaneBits good = not_less(steps, Doubles::load(least)) & not_less(Doubles::load(most), steps);
+  if (good != 15U || grid.factor == 0.0) return false;
+  const Doubles half = Doubles::all(0.5);
+  const Doubles whole = truncated(steps), rest = steps - whole;
+  const Doubles ball = whole + one_where_not_less(rest, half) - one_where_not_less(-half, rest);
+  return find_around(
+      grid, balls, ball, [](Integers) { return LaneBits{0}; }, ids, capacity, hits);
+}
+
+bool find_neighbours_avx2(const QueryGrid &grid, const QueryArrays &balls, uint32_t place, uint32_t *ids,
+                          uint32_t capacity, uint32_t &hits) {
+  if (grid.cells == nullptr) return false;
+  const Doubles ball = Doubles::of(balls.x[place], balls.y[place], balls.z[place], balls.r[place]);
+  const Integers own = Integers::all(balls.caller[place]);
+  return find_around(
+      grid, balls, ball, [own](Integers others) { return equal(others, own); }, ids, capacity, hits);
 }
 
 }  // namespace hsp

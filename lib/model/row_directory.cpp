@@ -30,4 +30,15 @@ void RowDirectory::build(const CubeTable &cubes, Span<const uint32_t> first_ball
   }
 }
 
+void RowDirectory::describe(QueryGrid &grid) const {
+  const int64_t low[4] = {low_.x, low_.y, low_.z, 0}, size[4] = {width_, rows_y_, rows_z_, 0};
+  for (int axis = 0; axis < 4; ++axis) {
+    grid.low[axis] = static_cast<double>(low[axis]);
+    grid.size[axis] = static_cast<double>(size[axis]);
+  }
+  grid.row = static_cast<uint64_t>(width_) + 1;
+  grid.layer = static_cast<uint64_t>(rows_y_);
+  grid.cells = cells_.data();
+}
+
 }  // namespace hsp

@@ -6,6 +6,7 @@
 #include "core/small_code.hpp"
 #include "model/ball_range.hpp"
 #include "model/cube_table.hpp"
+#include "model/query_hits.hpp"
 
 namespace hsp {
 
@@ -19,6 +20,8 @@ class RowDirectory {
   void clear() { width_ = 0; }
 
   bool is_there() const { return has_row_directories && width_ != 0; }
+  // Where it is and how large, for code for wide registers.
+  void describe(QueryGrid &grid) const;
   // The balls of the cubes from `low` to `high`: a range for each row that has any, in ascending order. Returns their
   // number; there must be room for all rows.
   uint32_t find(const CubeCoordinates &low, const CubeCoordinates &high, Span<BallRange> rows) const {

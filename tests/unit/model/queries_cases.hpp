@@ -1,6 +1,7 @@
 // Which balls a point or a ball meets: by hand where they touch, else by a look at every ball.
 #pragma once
 
+#include <cmath>
 #include <initializer_list>
 #include <limits>
 
@@ -187,9 +188,48 @@ inline uint32_t queries_are_rounded() {
   });
 }
 
+// Whole queries against their two steps, on sets with and without a directory of rows: positions between and next to
+// places of the lattice, at its limits and beyond, and room for fewer hits than there are.
+inline uint32_t whole_queries() {
+  constexpr uint32_t n = SmallGrid::most_balls;
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  constexpr double odd[] = {0.0,    -0.0,    0.5,     -0.5,   0x1p50,  -0x1p50, 0x1p50 + 1, 0x1p51,    0x1p51 + 1,
+                            -1e-30, -0x1p52, -0x1p60, 1e-300, -1e-300, 1e308,   no_number,  -infinite, infinite};
+  Random random(4);
+  static LatticePoint balls[n];
+  scatter(random, balls);
+  uint32_t answered = 0, refused = 0, cut = 0;
+  for (const int64_t far : {0, 1000000}) {
+    balls[3].x += far;
+    if (!small_grid().build(balls, n)) return 0;
+    const hsp::CubeGrid &grid = small_grid().grid();
+    if (grid.rows().is_there() != (hsp::has_row_directories && far == 0)) return 1;
+    for (uint32_t round = 0; round < 3000; ++round) {
+      const auto quarters = [&random](int64_t most) { return 0.25 * static_cast<double>(random.in(-most, most)); };
+      double number[4];
+      for (double &x : number) x = quarters(240);
+      number[3] = round % 3 == 0 ? 0.0 : std::fabs(quarters(round % 2 == 0 ? 40 : 250));
+      if (round % 4 == 0) number[random.below(4)] = odd[random.below(sizeof odd / sizeof odd[0])];
+      const uint32_t capacity = round % 5 == 0 ? random.below(20) : n;
+      Answer whole(capacity), expected(capacity);
+      hsp::LatticeQuery query;
+      const hsp::Status status = hsp::round_query(grid.balls(), number, number[3], query);
+      if (status == hsp::Status::ok) hsp::find_balls_at_ball(grid, query, expected.result);
+      if (hsp::find_balls(grid, number, number[3], whole.result) != status) return 2;
+      if (whole.result.hits != expected.result.hits) return 3;
+      for (uint32_t k = 0; k < n; ++k) {
+        if (whole.ids[k] != expected.ids[k]) return 4;
+      }
+      ++(status != hsp::Status::ok ? refused : expected.result.hits > capacity ? cut : answered);
+    }
+  }
+  return answered > 3000 && refused > 300 && cut > 100 ? all_hold : 5;
+}
+
 inline constexpr Check model_queries[] = {{"hits_by_hand", hits_by_hand},
                                           {"hits_among_many", hits_among_many},
                                           {"neighbours_of_balls", neighbours_of_balls},
-                                          {"queries_are_rounded", queries_are_rounded}};
+                                          {"queries_are_rounded", queries_are_rounded},
+                                          {"whole_queries", whole_queries}};
 
 }  // namespace cases

@@ -83,6 +83,21 @@ const char *check_integer_lanes() {
   }
   const uint32_t others[8] = {5, 0, 7, 0, UINT32_MAX, 10, 0, 12};
   if (equal(Integers::load(expected), Integers::load(others)) != 0xA5) return "equal, integers";
+  const uint32_t a[8] = {0, UINT32_MAX, 7, 0x80000000U, 3, 3, 4, 5}, b[8] = {1, 0, 6, 0x7FFFFFFFU, 3, 2, 4, 6};
+  const uint32_t largest[8] = {1, 0, 7, 0x7FFFFFFFU, 3, 3, 4, 6};
+  const uint32_t less[8] = {UINT32_MAX, UINT32_MAX, 1, 1, 0, 1, 0, UINT32_MAX}, both[8] = {0, 0, 6, 0, 3, 2, 4, 4};
+  const Integers x = Integers::load(a), y = Integers::load(b);
+  if (!lanes_are(larger_signed(x, y), largest)) return "larger_signed";
+  if (!lanes_are(x - y, less) || !lanes_are(x & y, both)) return "-, &";
+  if (sign_bits(x) != 0x0A || greater_signed(x, y) != 0x24) return "signs";
+  if (!all_greater(x, y, Integers::load(a) & Integers::all(0)) || all_greater(x, y, Integers::first_set(3)))
+    return "all";
+  for (uint32_t count = 0; count < 12; ++count) {
+    if (sign_bits(Integers::first_set(count)) != first_lanes(count)) return "first_set";
+  }
+  const double low[4] = {1.0, -1.0, 0.0, 2.0}, high[4] = {-0.0, 0x1.8p0, 0x1.00001p0, -4.0};
+  const uint32_t upper[8] = {0x3FF00000, 0xBFF00000, 0, 0x40000000, 0x80000000U, 0x3FF80000, 0x3FF00001, 0xC0100000U};
+  if (!lanes_are(upper_halves(Doubles::load(low), Doubles::load(high)), upper)) return "upper_halves";
   return lowest(0x50) == 4 ? nullptr : "lowest";
 }
 
@@ -128,6 +143,19 @@ const char *check_parts_and_counts() {
   float smaller_ones[8];
   for (uint32_t k = 0; k < 8; ++k) smaller_ones[k] = fa[k] < fb[k] ? fa[k] : fb[k];
   if (!lanes_are(smaller(Floats::load(fa), Floats::load(fb)), smaller_ones)) return "smaller, floats";
+
+  const double smaller_doubles[4] = {1.0, -2.0, -4.0, 0.25}, second[4] = {-2.0, -2.0, -2.0, -2.0};
+  if (!lanes_are(smaller(Doubles::load(da), Doubles::load(db)), smaller_doubles)) return "smaller, doubles";
+  if (!lanes_are(in_all_lanes<1>(Doubles::load(da)), second) || first(Doubles::load(da)) != 1.0) return "in_all_lanes";
+  const double fractions[4] = {2.75, -2.75, -0x1p51 - 0.5, 0.5}, whole[4] = {2.0, -2.0, -0x1p51, 0.0};
+  if (!lanes_are(truncated(Doubles::load(fractions)), whole)) return "truncated";
+  const double bounds[4] = {2.75, -2.5, __builtin_nan(""), 0.25}, reached[4] = {1.0, 0.0, 0.0, 1.0};
+  if (!lanes_are(one_where_not_less(Doubles::load(fractions), Doubles::load(bounds)), reached)) return "not less";
+  const double numbers[4] = {2147483647.0, 0.0, 7.0, 65536.0};
+  uint32_t integers[4];
+  store_integers(integers, Doubles::load(numbers));
+  if (integers[0] != 2147483647 || integers[1] != 0 || integers[2] != 7 || integers[3] != 65536)
+    return "store_integers";
 
   LaneCounts<Floats> floats;
   LaneCounts<Doubles> doubles;
