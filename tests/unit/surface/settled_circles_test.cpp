@@ -62,4 +62,15 @@ TEST(SettledCircles, RandomSetsFullOfTies) {
   EXPECT_LE(open, 2);
 }
 
+// Balls that are points without the probe, on a sphere of its size: cusps of several circles, and probes, meet in each
+// of them.
+TEST(SettledCircles, CuspsAndProbesInOnePoint) {
+  for (const oracle::Balls &balls :
+       {oracle::Balls{{6, 3, 2, 0}, {-6, 3, 2, 0}, {0, -6, 2, 0}, {2, 3, -6, 0}},
+        oracle::Balls{{5, 0, 0, 0}, {-5, 0, 0, 0}, {0, 5, 0, 0}, {0, -5, 0, 0}, {0, 0, 5, 0}, {0, 0, -5, 0}},
+        oracle::Balls{{3, 4, 0, 0}, {-3, 4, 0, 0}, {0, -4, 3, 0}, {0, -4, -3, 0}}}) {
+    EXPECT_EQ(closed(balls, balls[0].x == 6 ? 7.0 : 5.0), 1);
+  }
+}
+
 }  // namespace
