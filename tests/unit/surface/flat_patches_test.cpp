@@ -55,6 +55,10 @@ TEST(FlatPatches, JoinWhatIsBesideThem) {
     }
     EXPECT_EQ(surface.cut_patches().piece_count(), set.pieces);
     EXPECT_EQ(surface.counts().joints.creases, set.creases);
+    for (uint32_t a = 0; a < surface.cut_patches().arc_count(); ++a) {
+      const hsp::PatchArc &arc = surface.cut_patches().arc(a);
+      EXPECT_TRUE(arc.is_side() || arc.angle > 0.1);
+    }
     EXPECT_EQ(euler_of(built), set.euler);
   }
 }
