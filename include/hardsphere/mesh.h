@@ -10,6 +10,9 @@
  * Areas and volumes of a mesh are those of its triangles. They approach those of the surface with the square of the
  * edge's length; hsp_boundary_measure and hsp_surface_measure have the exact ones.
  *
+ * How flat triangles lie: on the smooth surface of crambin, probe 1.4, neighbours of one tangent plane differ by 80, 35
+ * and 11 degrees at most with edges of 0.6, 0.3 and 0.15, by 18, 10 and 5 in the mean; the worst are next to cusps.
+ *
  * There are meshes of a boundary, which is the van der Waals surface or with a probe the solvent-accessible one, and of
  * the smooth surface over it (surface.h). Either way triangles are in the order of their patches. */
 #ifndef HARDSPHERE_MESH_H
