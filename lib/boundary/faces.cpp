@@ -1,6 +1,7 @@
 #include "boundary/faces.hpp"
 
 #include "boundary/point_location.hpp"
+#include "core/small_code.hpp"
 #include "sphere/lane_search.hpp"
 
 namespace hsp {
@@ -93,7 +94,7 @@ void FaceFinder::join_loops(const BallSet &balls, BlockSweep &sweep, const Bound
     caps.gather(balls, sweep.block_around_ball(ball), ball, nullptr);
     clusters = clusters_.find(caps);
   };
-  if (clusters == not_counted) {
+  if (clusters == not_counted && !small_code) {
     // Every cluster has a loop around it, so that the caps of the loops are of all clusters. If these make up one,
     // there is one.
     const uint32_t n = balls_of_loops(boundary, ball, caps.ball);
@@ -104,6 +105,7 @@ void FaceFinder::join_loops(const BallSet &balls, BlockSweep &sweep, const Bound
     }
     if (clusters > 1) gather_again();
   }
+  if (clusters == not_counted) gather_again();
   if (loops.size() == clusters) {  // one face
     for (uint32_t loop = 1; loop < loops.size(); ++loop) loops.join(0, loop);
   } else if (clusters > 1) {

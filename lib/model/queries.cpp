@@ -1,5 +1,7 @@
 #include "model/queries.hpp"
 
+#include "core/small_code.hpp"
+
 namespace hsp {
 namespace {
 
@@ -177,7 +179,7 @@ Status find_balls(const CubeGrid &grid, const double *xyz, double radius, QueryR
 #endif
   LatticeQuery query;
   if (const Status status = round_query(grid.balls(), xyz, radius, query); status != Status::ok) return status;
-  if (query.radius == 0) {
+  if (!small_code && query.radius == 0) {
     find_balls_at_point(grid, query, result);
   } else {
     find_balls_at_ball(grid, query, result);
