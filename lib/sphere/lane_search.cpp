@@ -138,37 +138,6 @@ uint32_t LaneSearch::find(const BallSet &balls, Caps &caps, VertexFinder &finder
   return found.clusters;
 }
 
-// Points of a pair that floats leave open, of which they are certain that all but a few caps do not cover them: those
-// few in doubles, so that the ball's other caps are not needed. False if doubles are not certain either.
-bool LaneSearch::find_among_near(const BallSet &balls, const Caps &caps, const OpenPair &pair,
-                                 FixedVector<VertexRecord> &vertices) {
-  if (pair.near > OpenPair::most_near) return false;
-  constexpr uint32_t room = most_few_caps / 2;
-  constexpr uint32_t most = 2 + OpenPair::most_near;
-  static_assert(most == 4, "as many as caps_of_circles looks at");
-  const uint32_t count = 2 + pair.near;
-  uint32_t near[most] = {caps.ball[pair.j], caps.ball[pair.k], caps.origin, caps.origin};
-  for (uint32_t k = 2; k < count; ++k) near[k] = caps.ball[pair.near_cap[k - 2]];
-  double ux[room], uy[room], uz[room], b[room];
-  uint32_t ball[most];
-  double length_squared = 0.0;
-  if (caps_of_circles(arrays_of(balls), caps.origin, near, count, {ux, uy, uz, b, ball}, length_squared) < count) {
-    return false;
-  }
-  for (uint32_t k = count; k < room; ++k) {
-    ux[k] = uy[k] = uz[k] = 0.0;
-    b[k] = 4.0;
-  }
-  FewCaps found;
-  if (!find_few_in_doubles(ux, uy, uz, b, count, 0, found)) return false;
-  for (const FreePoint &point : Span<const FreePoint>(found.point, found.points)) {
-    if (point.j != 0 || point.k != 1 || !(point.positive != 0 ? pair.plus : pair.minus)) continue;
-    vertices.push(
-        {{caps.origin, caps.ball[pair.j], caps.ball[pair.k]}, point.positive != 0 ? VertexRecord::positive_bit : 0U});
-  }
-  return true;
-}
-
 void LaneSearch::find_many(const BallSet &balls, Caps &caps, VertexFinder &finder, FixedVector<VertexRecord> &vertices,
                            FixedVector<CircleRecord> &circles) {
   bool prepared = false;
@@ -186,7 +155,6 @@ void LaneSearch::find_many(const BallSet &balls, Caps &caps, VertexFinder &finde
   while (const uint32_t found = next_open_pairs(sweep_, pairs)) {
     for (const OpenPair &pair : Span<const OpenPair>(pairs, found)) {
       if (!pair.certain || !floats) {
-        if (floats && doubles && find_among_near(balls, caps, pair, vertices)) continue;
         prepare();
         ++passed_on;
         finder.decide_pair(balls, caps, pair.j, pair.k, vertices);

@@ -37,8 +37,6 @@ class LaneSearch {
   bool find_few(Caps &caps, FewCaps &found);
   void find_many(const BallSet &balls, Caps &caps, VertexFinder &finder, FixedVector<VertexRecord> &vertices,
                  FixedVector<CircleRecord> &circles);
-  static bool find_among_near(const BallSet &balls, const Caps &caps, const OpenPair &pair,
-                              FixedVector<VertexRecord> &vertices);
 
   CandidateBlock candidates_;
   uint32_t first_own_ = 0;  // ball of the cube

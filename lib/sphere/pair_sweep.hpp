@@ -9,12 +9,9 @@ namespace hsp {
 
 // A pair of caps with a point that is not certainly covered.
 struct OpenPair {
-  static constexpr uint32_t most_near = 2;
-  uint32_t j, k;     // j < k
-  bool certain;      // then the points named here are free, and no other one is
-  bool minus, plus;  // if it is not certain, points that are not named here are covered all the same
-  uint8_t near;      // if it is not certain: how many other caps may cover a point named here, or more than most_near
-  uint32_t near_cap[most_near];
+  uint32_t j, k;  // j < k
+  bool certain;   // then the points named here are free, and no other one is
+  bool minus, plus;
 };
 
 struct PairSweep {

@@ -202,28 +202,6 @@ uint32_t cap_number(const PairSweep &sweep, float exposed) {
   return static_cast<uint32_t>(sweep.exposed_cap[static_cast<uint32_t>(exposed)]);
 }
 
-// Finds the caps, other than its own two, outside which the points that pair number p of the batch names do not
-// certainly lie.
-void find_near_caps(const CapPointers<float> &caps, uint32_t count, const OpenPoints &open, uint32_t points, uint32_t p,
-                    OpenPair &pair) {
-  const auto add = [&](uint32_t cap) {
-    bool is_there = cap == pair.j || cap == pair.k;
-    for (uint32_t n = 0; n < pair.near; ++n) is_there = is_there || pair.near_cap[n] == cap;
-    if (is_there) return;
-    if (pair.near < OpenPair::most_near) pair.near_cap[pair.near] = cap;
-    ++pair.near;
-  };
-  for (uint32_t o = 0; o < points; ++o) {
-    const uint32_t number = static_cast<uint32_t>(open.pair[o]);
-    if (number % PairSweep::batch != p || !(number < PairSweep::batch ? pair.minus : pair.plus)) continue;
-    const Points8 point = open.in_all_lanes(o);
-    for (uint32_t t = 0; t < count; t += 8) {
-      LaneBits near = first_lanes(count - t) & not_less(point.depth(Caps8::load(caps, t)), -point.error);
-      for (; near != 0 && pair.near <= OpenPair::most_near; near &= near - 1) add(t + lowest(near));
-    }
-  }
-}
-
 // What is left of a batch.
 uint32_t answer(const PairSweep &sweep, const Pairs &pairs, uint32_t count, OpenPair *answers) {
   OpenPoints open;
@@ -248,15 +226,8 @@ uint32_t answer(const PairSweep &sweep, const Pairs &pairs, uint32_t count, Open
   uint32_t found = 0;
   for (uint64_t any = minus | plus; any != 0; any &= any - 1) {
     const uint32_t p = static_cast<uint32_t>(__builtin_ctzll(any));
-    OpenPair &pair = answers[found++];
-    pair = {cap_number(sweep, pairs.j[p]),
-            cap_number(sweep, pairs.k[p]),
-            (doubtful >> p & 1U) == 0,
-            (minus >> p & 1U) != 0,
-            (plus >> p & 1U) != 0,
-            0,
-            {}};
-    if (!pair.certain) find_near_caps(caps, sweep.count, open, points, p, pair);
+    answers[found++] = {cap_number(sweep, pairs.j[p]), cap_number(sweep, pairs.k[p]), (doubtful >> p & 1U) == 0,
+                        (minus >> p & 1U) != 0, (plus >> p & 1U) != 0};
   }
   return found;
 }

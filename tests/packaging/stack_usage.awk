@@ -15,7 +15,7 @@ function quoted(key,    from, rest) {
 # functions, those of an ArcVisitor the lambdas that take arcs.
 function reached_by(from) {
   if (from ~ /10ArcVisitor/) return "a visitor"
-  if (from ~ /12PaintedPaths|12PictureInput|[SEP][vpd][gsf]Writer|3hsp5Paint/) return "a function of paths"
+  if (from ~ /12PaintedPaths|12PictureInput|[SEP][vpd][gsf]Writer|3hsp5Paint|^hsp_sticks_get_info$/) return "a function of paths"
   return "__indirect_call"
 }
 
