@@ -56,6 +56,13 @@ succeed crambin.residues "$program" measure --by residue --json bench/molecules/
 succeed crambin.voids "$program" voids --json bench/molecules/crambin.pdb --probe 1.4
 succeed crambin.output "$program" measure bench/molecules/crambin.pdb --pdb-out "$outputs/crambin.pdb"
 succeed formats "$program" measure --csv tests/program/inputs/good/water.{pdb,cif,gro}
+succeed crambin.map "$program" map --json bench/molecules/crambin.pdb --view 1,2,3
+succeed crambin.pick "$program" pick --json bench/molecules/crambin.pdb --at 10,12 --view 1,2,3
+succeed crambin.contacts "$program" contacts --cells --json bench/molecules/crambin.pdb --probe 1.4
+succeed crambin.complex "$program" complex --json bench/molecules/crambin.pdb
+succeed crambin.curvature "$program" measure --curvature --json bench/molecules/crambin.pdb
+succeed crambin.cells "$program" cells --json bench/molecules/crambin.pdb --probe 1.4
+succeed crambin.clash "$program" clash --json bench/molecules/c{rambin,affeine}.pdb --rotate 10,20,30 --translate 8,11,4
 degenerate=tests/portability/inputs/degenerate.xyzr
 both_commands succeed degenerate $degenerate
 both_commands succeed degenerate.probe $degenerate --probe 0.5
