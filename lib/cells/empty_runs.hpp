@@ -49,6 +49,14 @@ class EmptyRuns {
   void for_each_in_row(const CubeCover &cover, uint32_t row, Visit visit) const;
   template <class Visit>
   void for_each_in_layer(uint32_t layer, Visit visit) const;
+  // A place on another line, among the cubes or rows that its runs end at, and where the run before it begins.
+  struct OtherLine {
+    uint32_t at, end;
+    int64_t low;
+  };
+  // For a stretch of one line those of the other that begin before it ends, from the first that does not end before it.
+  template <class HighAt, class RunAt, class Visit>
+  static void visit_beside(const Stretch &stretch, OtherLine &line, HighAt high_at, RunAt run_at, Visit visit);
   template <class Visit>
   void contacts_of_rows(const CubeCover &cover, uint32_t row, uint32_t other, Visit visit) const;
   template <class Visit>
@@ -88,44 +96,36 @@ void EmptyRuns::for_each_in_layer(uint32_t layer, Visit visit) const {
   visit(Stretch{low, infinity, layers_[layer].after});
 }
 
+template <class HighAt, class RunAt, class Visit>
+void EmptyRuns::visit_beside(const Stretch &stretch, OtherLine &line, HighAt high_at, RunAt run_at, Visit visit) {
+  for (;;) {
+    const bool last = line.at == line.end;
+    const int64_t high = last ? infinity : high_at(line.at);
+    const uint32_t run = run_at(line.at);
+    const int64_t from = stretch.low > line.low ? stretch.low : line.low;
+    const int64_t to = stretch.high < high ? stretch.high : high;
+    if (run != no_id && from < to) visit(stretch.run, run);
+    if (last || high >= stretch.high) break;
+    line.low = high + 1;
+    ++line.at;
+  }
+}
+
 template <class Visit>
 void EmptyRuns::contacts_of_rows(const CubeCover &cover, uint32_t row, uint32_t other, Visit visit) const {
-  // For each run of one row those of the other that begin before it ends, from the first that does not end before it.
-  uint32_t at = rows_[other].first_cube;
-  int64_t low = -infinity;
-  for_each_in_row(cover, row, [&](const Stretch &stretch) {
-    for (;;) {
-      const bool last = at == end_of_row(other);
-      const int64_t high = last ? infinity : cover.cube(at).x;
-      const uint32_t run = last ? rows_[other].after : before_cube_[at];
-      const int64_t from = stretch.low > low ? stretch.low : low;
-      const int64_t to = stretch.high < high ? stretch.high : high;
-      if (run != no_id && from < to) visit(stretch.run, run);
-      if (last || high >= stretch.high) break;
-      low = high + 1;
-      ++at;
-    }
-  });
+  OtherLine line{rows_[other].first_cube, end_of_row(other), -infinity};
+  const auto high_at = [&](uint32_t cube) { return cover.cube(cube).x; };
+  const auto run_at = [&](uint32_t cube) { return cube == line.end ? rows_[other].after : before_cube_[cube]; };
+  for_each_in_row(cover, row, [&](const Stretch &stretch) { visit_beside(stretch, line, high_at, run_at, visit); });
 }
 
 template <class Visit>
 void EmptyRuns::contacts_of_layers(const CubeCover &cover, uint32_t layer, Visit visit) const {
   const uint32_t other = layer + 1;
-  uint32_t at = layers_[other].first_row;
-  int64_t low = -infinity;
-  for_each_in_layer(layer, [&](const Stretch &stretch) {
-    for (;;) {
-      const bool last = at == end_of_layer(other);
-      const int64_t high = last ? infinity : rows_[at].y;
-      const uint32_t run = run_of_rows(other, at);
-      const int64_t from = stretch.low > low ? stretch.low : low;
-      const int64_t to = stretch.high < high ? stretch.high : high;
-      if (run != no_id && from < to) visit(stretch.run, run);
-      if (last || high >= stretch.high) break;
-      low = high + 1;
-      ++at;
-    }
-  });
+  OtherLine line{layers_[other].first_row, end_of_layer(other), -infinity};
+  const auto high_at = [&](uint32_t row) { return rows_[row].y; };
+  const auto run_at = [&](uint32_t row) { return run_of_rows(other, row); };
+  for_each_in_layer(layer, [&](const Stretch &stretch) { visit_beside(stretch, line, high_at, run_at, visit); });
   for (uint32_t above = 0; above < 2; ++above) {
     const uint32_t of = layer + above, to = layer + 1 - above;
     for (uint32_t row = layers_[of].first_row; row < end_of_layer(of); ++row) {
