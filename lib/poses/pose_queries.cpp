@@ -1,6 +1,7 @@
 #include "poses/pose_queries.hpp"
 
 #include "core/sorting.hpp"
+#include "model/query_hits.hpp"
 
 namespace hsp {
 namespace {
@@ -21,13 +22,6 @@ struct MovedLeaf {
   uint32_t first, last;
   Vec3 centre[SphereTree::leaf_size];
 };
-
-// Integers in doubles: differences of coordinates are exact, and below 2^31 where the squares are formed.
-bool meet(const Vec3 &difference, double sum) {
-  if (std::fabs(difference.x) > sum || std::fabs(difference.y) > sum || std::fabs(difference.z) > sum) return false;
-  const auto square = [](double x) { return static_cast<uint64_t>(static_cast<int64_t>(x) * static_cast<int64_t>(x)); };
-  return square(difference.x) + square(difference.y) + square(difference.z) <= square(sum);
-}
 
 // Calls visit(ball at rest, moving ball, vector between their centres), in the order of the trees, for all pairs that
 // meet, until it returns true: whether it did.
@@ -53,7 +47,10 @@ bool visit_meeting_pairs(const SphereTree &fixed, const SphereTree &moving, cons
       for (uint32_t i = a.first; i < a.last; ++i)
         for (uint32_t j = moved.first; j < moved.last; ++j) {
           const Vec3 difference = moved.centre[j - moved.first] - fixed.centre(i);
-          if (meet(difference, fixed.radius(i) + moving.radius(j)) && visit(i, j, difference)) return true;
+          if (meet(difference.x, difference.y, difference.z, fixed.radius(i) + moving.radius(j)) &&
+              visit(i, j, difference)) {
+            return true;
+          }
         }
     } else if (opens_fixed(a, b)) {
       tasks[count++] = {a.second, task.moving};
