@@ -68,7 +68,9 @@ static int32_t pose_of(const struct clashing *moving, hsp_pose *pose) {
   const struct molecule *const molecule = moving->molecule;
   double mean[3] = {0.0, 0.0, 0.0}, translation[3];
   hsp_view_options options;
-  const int32_t status = viewing_options(&moving->request->viewing, &options);
+  const double *const angle = moving->request->viewing.rotate.xyz; /* 0 if none are given */
+  int32_t status = hsp_view_options_init(&options, (uint32_t)sizeof options);
+  if (status == HSP_OK) status = hsp_view_options_turn(&options, angle[0], angle[1], angle[2]);
   if (status != HSP_OK) return status;
   /* The viewer's axes, seen from the balls, are the rows of the rotation. */
   const double *const u = options.up, *const t = options.towards;
@@ -89,8 +91,7 @@ static int32_t pose_of(const struct clashing *moving, hsp_pose *pose) {
     translation[row] =
         mean[row] + moving->request->translate.xyz[row] - (m[0] * mean[0] + m[1] * mean[1] + m[2] * mean[2]);
   }
-  return hsp_pose_from_matrix(
-      moving->request->viewing.rotate.given ? matrix : (const double[9]){1, 0, 0, 0, 1, 0, 0, 0, 1}, translation, pose);
+  return hsp_pose_from_matrix(matrix, translation, pose);
 }
 
 static bool find(const struct clashing *moving, struct clash *clash, struct failure *failure) {

@@ -13,7 +13,7 @@ class SaddleGrids {
 
   // What they are expected to need. The curves need not be divided yet.
   void add_sizes(double length, MeshSizes &sizes) const;
-  // False if the chosen patches alone have more triangles than any limit allows: told before any is made.
+  // Whether the chosen patches have no more triangles than any limit allows. Makes none.
   bool fit(double length) const;
   // Of chosen patches. Edges of whole circles' profiles have about this length. False if there are more triangles than
   // any limit allows.
