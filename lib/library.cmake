@@ -24,12 +24,14 @@ set(HSP_LIBRARY_SOURCES
   lib/poses/pose.cpp
   lib/poses/pose_queries.cpp
   lib/poses/sphere_tree.cpp
+  lib/cells/arrangement.cpp
   lib/cells/cell_location.cpp
   lib/cells/cube_contacts.cpp
   lib/cells/cube_cover.cpp
   lib/cells/empty_runs.cpp
   lib/cells/facet_overlay.cpp
   lib/cells/free_space_builder.cpp
+  lib/cells/free_space_check.cpp
   lib/cells/power_cell.cpp
   lib/cells/power_polytope.cpp
   lib/cells/power_predicates.cpp

@@ -28,6 +28,12 @@ constexpr PowerPlane side_plane(uint32_t side) {
   return {no_id, side};
 }
 inline constexpr uint32_t cube_sides = 6;
+// The cube on the other side of one.
+constexpr CubeCoordinates beside(const CubeCoordinates &cube, uint32_t side) {
+  const int64_t step = side % 2 == 0 ? -1 : 1;
+  const uint32_t axis = side / 2;
+  return {cube.x + (axis == 0 ? step : 0), cube.y + (axis == 1 ? step : 0), cube.z + (axis == 2 ? step : 0)};
+}
 
 struct UnitPlane {
   Vec3 v;

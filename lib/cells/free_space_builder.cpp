@@ -70,12 +70,9 @@ FreeSpaceBuilder::Cube FreeSpaceBuilder::surroundings(uint32_t number) const {
   const CubeCoordinates &at = cover.cube(number);
   Cube cube{number, CubeFrame(at, structure_.side), {}, {}};
   for (uint32_t side = 0; side < cube_sides; ++side) {
-    const int64_t step = side % 2 == 0 ? -1 : 1;
-    const uint32_t axis = side / 2;
-    const CubeCoordinates beside{at.x + (axis == 0 ? step : 0), at.y + (axis == 1 ? step : 0),
-                                 at.z + (axis == 2 ? step : 0)};
-    cube.neighbour[side] = cover.find(beside);
-    cube.run[side] = cube.neighbour[side] == no_id ? structure_.runs.find(cover, beside) : no_id;
+    const CubeCoordinates there = beside(at, side);
+    cube.neighbour[side] = cover.find(there);
+    cube.run[side] = cube.neighbour[side] == no_id ? structure_.runs.find(cover, there) : no_id;
   }
   return cube;
 }

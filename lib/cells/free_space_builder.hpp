@@ -4,6 +4,7 @@
 #include "cells/cube_contacts.hpp"
 #include "cells/facet_overlay.hpp"
 #include "cells/free_space.hpp"
+#include "cells/free_space_check.hpp"
 
 namespace hsp {
 
@@ -18,6 +19,7 @@ class FreeSpaceBuilder {
   const FreeSpace &structure() const { return structure_; }
   // To be broken by tests.
   FreeSpace &structure() { return structure_; }
+  FreeSpaceScratch scratch() { return {cell_, structure_.region_sets, touched_}; }
   const FreeSpaceLimits &needed() const { return needed_; }
   // What to try again with after Status::capacity.
   FreeSpaceLimits retry_limits() const { return limits_.covering(needed_); }

@@ -109,6 +109,8 @@ void check(const Balls &balls, oracle::RandomSource &random, int points, Seen &s
   ASSERT_EQ(built.status(), hsp::Status::ok) << oracle::to_text(balls);
   const FreeSpace &space = built.space();
   ASSERT_NO_FATAL_FAILURE(check_structure(built, seen)) << oracle::to_text(balls);
+  const hsp::FreeSpaceViolation violation = hsp::check_free_space(built.balls(), space, built.builder().scratch());
+  ASSERT_EQ(violation.invariant, hsp::FreeSpaceInvariant::none) << oracle::to_text(balls) << violation.id;
   ASSERT_EQ(space.region_count(), topology.structure().cell_count) << oracle::to_text(balls);
   seen.regions += space.region_count();
 

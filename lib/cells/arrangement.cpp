@@ -1,0 +1,78 @@
+#include "cells/arrangement.hpp"
+
+#include "core/disjoint_sets.hpp"
+#include "exact/predicates.hpp"
+#include "model/queries.hpp"
+
+namespace hsp {
+namespace {
+
+// No ball has an index as large.
+constexpr uint32_t crosses_another = UINT32_C(1) << 31;
+static_assert(max_count < crosses_another);
+
+class CircleCount {
+ public:
+  CircleCount(const CubeGrid &grid, uint32_t place, Span<uint32_t> ids, Span<uint32_t> parents)
+      : grid_(grid), own_(grid.balls().ball(place)), ids_(ids), parents_(parents) {}
+
+  // Of these balls, by the caller's indices, only those whose spheres meet this one in a circle matter.
+  Arrangement run(uint32_t neighbours) {
+    const BallSet &balls = grid_.balls();
+    uint32_t circles = 0;
+    double length_squared = static_cast<double>(exact::sphere_of(own_).W);
+    for (uint32_t k = 0; k < neighbours; ++k) {
+      const uint32_t place = grid_.grid_index(ids_[k]);
+      const exact::LatticeBall other = balls.ball(place);
+      if (exact::pair_relation(own_, other) != exact::PairRelation::circle) continue;
+      const exact::Plane plane = exact::plane_of(own_, other);
+      const double squared = static_cast<double>(dot(plane.v, plane.v));
+      length_squared = squared > length_squared ? squared : length_squared;
+      ids_[circles++] = place;
+    }
+    DisjointSets sets(parents_.part(0, circles));
+    sets.reset();
+    Arrangement count;
+    const exact::Predicates predicates(exact::sphere_of(own_), length_squared);
+    for (uint32_t j = 0; j < circles; ++j) {
+      const exact::Plane plane = plane_of(j);
+      for (uint32_t k = j + 1; k < circles; ++k) {
+        if (predicates.crossing(plane, plane_of(k)).sign < 0) continue;
+        count.vertices += 2;
+        ids_[j] |= crosses_another;
+        ids_[k] |= crosses_another;
+        static_cast<void>(sets.join(j, k));
+      }
+    }
+    count.edges = 2 * count.vertices;
+    count.faces = count.vertices + 1;
+    for (uint32_t k = 0; k < circles; ++k) {
+      count.edges += (ids_[k] & crosses_another) == 0 ? 1 : 0;
+      count.faces += sets.root(k) == k ? 1 : 0;
+    }
+    return count;
+  }
+
+ private:
+  exact::Plane plane_of(uint32_t k) const {
+    return exact::plane_of(own_, grid_.balls().ball(ids_[k] & ~crosses_another));
+  }
+
+  const CubeGrid &grid_;
+  const exact::LatticeBall own_;
+  Span<uint32_t> ids_, parents_;
+};
+
+}  // namespace
+
+Arrangement arrangement_on_sphere(const CubeGrid &grid, uint32_t place, Span<uint32_t> scratch, uint64_t &words) {
+  const uint32_t room = scratch.size() / 2;
+  const Span<uint32_t> ids = scratch.part(0, room);
+  QueryResult result{ids.data(), room, 0};
+  find_neighbours(grid, place, result);
+  words = 2 * uint64_t{result.hits};
+  if (result.hits > room) return {};
+  return CircleCount(grid, place, ids, scratch.part(room, 2 * room)).run(result.hits);
+}
+
+}  // namespace hsp
