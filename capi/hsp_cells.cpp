@@ -2,9 +2,11 @@
 
 #include <limits>
 
+#include "cells/arrangement.hpp"
 #include "cells/cell_location.hpp"
 #include "conversion.hpp"
 #include "handle_memory.hpp"
+#include "hsp_topology.hpp"
 #include "model/queries.hpp"
 
 using hsp::capi::is_live;
@@ -17,6 +19,17 @@ using hsp::capi::check_range;
 static_assert(static_cast<uint32_t>(hsp::CellKind::run) == HSP_CELL_RUN &&
               static_cast<uint32_t>(hsp::CellKind::at_ball) == HSP_CELL_AT_BALL &&
               static_cast<uint32_t>(hsp::CellKind::apart) == HSP_CELL_APART);
+
+constexpr uint32_t number_of(hsp::FreeSpaceInvariant invariant) {
+  return static_cast<uint32_t>(invariant);
+}
+
+// The numbers that the header gives the invariants of hsp_cells_check.
+using hsp::FreeSpaceInvariant;
+static_assert(number_of(FreeSpaceInvariant::none) == 0);
+static_assert(number_of(FreeSpaceInvariant::records) == 1 && number_of(FreeSpaceInvariant::neighbours) == 2);
+static_assert(number_of(FreeSpaceInvariant::regions) == 3 && number_of(FreeSpaceInvariant::power_cells) == 4);
+static_assert(number_of(FreeSpaceInvariant::facets) == 5 && number_of(FreeSpaceInvariant::complement) == 6);
 
 // The limits that a program gives.
 int32_t from_c(const hsp_cells_limits *given, hsp::FreeSpaceLimits &result) {
@@ -146,5 +159,45 @@ int32_t hsp_cells_locate(const hsp_cells *cells, const double *xyz, uint32_t *ce
   const hsp::Status status = hsp::round_query(cells->balls(), xyz, 0.0, point);
   if (status != hsp::Status::ok) return hsp::capi::to_c(status);
   *cell = hsp::cell_at(cells->balls(), cells->structure(), point.centre);
+  return HSP_OK;
+}
+
+int32_t hsp_cells_check(hsp_cells *cells, const hsp_topology *topology, uint32_t *invariant, uint32_t *id) {
+  if (!is_live(cells) || invariant == nullptr || id == nullptr) return HSP_E_ARGUMENT;
+  if (topology != nullptr && !is_live(topology)) return HSP_E_ARGUMENT;
+  if (!cells->has_results() || (topology != nullptr && !topology->has_results())) return HSP_E_STATE;
+  if (topology != nullptr && !topology->boundary->model.is(&*cells->model)) return HSP_E_ARGUMENT;
+  const hsp::FreeSpace &space = cells->structure();
+  hsp::FreeSpaceViolation violation = hsp::check_free_space(cells->balls(), space, cells->builder.scratch());
+  if (violation.invariant == FreeSpaceInvariant::none && topology != nullptr &&
+      space.region_count() != topology->structure().cell_count) {
+    violation.invariant = FreeSpaceInvariant::complement;
+  }
+  return hsp::capi::report(violation, invariant, id);
+}
+
+int32_t hsp_model_arrangement(const hsp_model *model, hsp_arrangement *totals, hsp_arrangement *of_ball,
+                              uint32_t *scratch, uint32_t words, uint32_t *words_needed) {
+  if (!is_live(model) || words_needed == nullptr || (scratch == nullptr && words > 0)) return HSP_E_ARGUMENT;
+  const hsp::CubeGrid &grid = model->grid;
+  uint64_t needed = 0;
+  for (uint32_t i = 0; i < grid.balls().n; ++i) {
+    uint64_t own = 0;
+    static_cast<void>(hsp::arrangement_on_sphere(grid, i, {}, own));
+    needed = own > needed ? own : needed;
+  }
+  if (needed > UINT32_MAX) return HSP_E_RANGE;
+  *words_needed = static_cast<uint32_t>(needed);
+  if (needed > words) return HSP_E_CAPACITY;
+  hsp::Arrangement sum;
+  for (uint32_t i = 0; i < grid.balls().n; ++i) {
+    const hsp::Arrangement own = hsp::arrangement_on_sphere(grid, i, {scratch, words}, needed);
+    sum.vertices += own.vertices;
+    sum.edges += own.edges;
+    sum.faces += own.faces;
+    if (of_ball != nullptr) of_ball[grid.balls().caller[i]] = {own.vertices, own.edges, own.faces};
+  }
+  // Three spheres see each vertex and two each edge.
+  if (totals != nullptr) *totals = {sum.vertices / 3, sum.edges / 2, sum.faces};
   return HSP_OK;
 }

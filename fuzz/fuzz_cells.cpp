@@ -57,6 +57,34 @@ void require_sound(const Result &result, const hsp_cells *cells) {
   }
 }
 
+bool same_results(const Result &a, const Result &b) {
+  return a.counts.cells == b.counts.cells && a.counts.adjacencies == b.counts.adjacencies &&
+         fuzz::same(a.cells.data(), b.cells.data(), a.counts.cells) &&
+         fuzz::same(a.pairs.data(), b.pairs.data(), a.counts.adjacencies);
+}
+
+// Sums over spheres are those of the totals, no scratch memory is written behind its end, and the union has no more
+// vertices than the arrangement.
+void require_arrangement(const computed &base, const fuzz::ScaledBalls &set) {
+  uint32_t needed = 12345;
+  hsp_arrangement totals{}, sum{};
+  const int32_t counted = hsp_model_arrangement(base.model, &totals, nullptr, nullptr, 0, &needed);
+  FUZZ_REQUIRE(counted == (needed > 0 ? HSP_E_CAPACITY : HSP_OK), "words of scratch memory");
+  std::vector<uint32_t> scratch(needed);
+  std::vector<hsp_arrangement> spheres(set.n());
+  FUZZ_REQUIRE(hsp_model_arrangement(base.model, &totals, spheres.data(), scratch.data(), needed, &needed) == HSP_OK,
+               "hsp_model_arrangement");
+  for (const hsp_arrangement &sphere : spheres) {
+    sum.vertices += sphere.vertices;
+    sum.edges += sphere.edges;
+    sum.faces += sphere.faces;
+    FUZZ_REQUIRE(sphere.faces > sphere.vertices, "faces of a sphere");
+  }
+  FUZZ_REQUIRE(sum.vertices == 3 * totals.vertices && sum.edges == 2 * totals.edges && sum.faces == totals.faces,
+               "sums over spheres");
+  FUZZ_REQUIRE(totals.vertices >= base.counts.vertices && totals.edges >= totals.vertices, "what balls cover counts");
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
@@ -67,10 +95,15 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   support::OwnedHandle<support::CellsKind> cells;
   const Result reference = compute(model, set.n(), cells);
   require_sound(reference, cells.get());
+  require_arrangement(base.get(), set);
+  uint32_t invariant = 12345, id = 12345;
 
   topology_result topology{};
   FUZZ_REQUIRE(topology_result_make(&base.get(), &topology) == HSP_OK, "topology");
   FUZZ_REQUIRE(reference.counts.regions == topology.counts.cells, "regions are not the cells of the complement");
+  FUZZ_REQUIRE(hsp_cells_check(cells.get(), topology.topology, &invariant, &id) == HSP_OK, "hsp_cells_check");
+  FUZZ_REQUIRE(invariant == 0 && id == HSP_NONE, "a violated invariant");
+  FUZZ_REQUIRE(same_results(reference, read(cells.get())), "results after the check");
   std::map<uint32_t, uint32_t> cell_of;
   for (int k = 0; k < 16; ++k) {
     double xyz[3];
@@ -92,11 +125,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     hsp_cells_counts counts{};
     const int32_t status = hsp_cells_get_counts(handle, &counts);
     if (status != HSP_OK) return status;
-    const Result other = read(handle);
-    FUZZ_REQUIRE(fuzz::same(other.cells.data(), reference.cells.data(), reference.counts.cells),
-                 "cells the second time");
-    FUZZ_REQUIRE(fuzz::same(other.pairs.data(), reference.pairs.data(), reference.counts.adjacencies),
-                 "pairs the second time");
+    FUZZ_REQUIRE(same_results(reference, read(handle)), "cells the second time");
     return status;
   };
   fuzz::require_limits<support::CellsKind>(reference.needed, bytes, again, compare);

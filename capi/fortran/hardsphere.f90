@@ -700,6 +700,12 @@ module hardsphere
     integer(c_int32_t) :: cell(2)      ! 0-based
   end type
 
+  type, bind(C) :: hsp_arrangement
+    integer(c_int64_t) :: vertices
+    integer(c_int64_t) :: edges
+    integer(c_int64_t) :: faces
+  end type
+
   type, bind(C) :: hsp_sticks_limits
     integer(c_int32_t) :: struct_size  ! hsp_sticks_limits_init sets it
     integer(c_int32_t) :: balls
@@ -2028,6 +2034,27 @@ module hardsphere
       type(c_ptr), value :: cells
       real(c_double), intent(in) :: xyz(3)
       integer(c_int32_t), intent(inout) :: cell
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_cells_check(cells, topology, invariant, id) result(status) bind(C, name="hsp_cells_check")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: cells
+      type(c_ptr), value :: topology
+      integer(c_int32_t), intent(inout) :: invariant
+      integer(c_int32_t), intent(inout) :: id
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_model_arrangement(model, totals, of_ball, scratch, words, words_needed) result(status) &
+        bind(C, name="hsp_model_arrangement")
+      import :: c_int32_t, c_ptr, hsp_arrangement
+      type(c_ptr), value :: model
+      type(hsp_arrangement), intent(inout), optional :: totals
+      type(hsp_arrangement), intent(inout), optional :: of_ball(*)  ! n
+      integer(c_int32_t), intent(inout), optional :: scratch(*)  ! words
+      integer(c_int32_t), value :: words
+      integer(c_int32_t), intent(inout) :: words_needed
       integer(c_int32_t) :: status
     end function
 

@@ -18,6 +18,7 @@
 #define HARDSPHERE_CELLS_H
 
 #include "model.h"
+#include "topology.h"
 
 #include <stddef.h>
 #include <stdint.h>
@@ -151,6 +152,44 @@ HSP_API int32_t hsp_cells_get_pairs(const hsp_cells *cells, uint32_t first, uint
  *  @retval HSP_E_NOT_FINITE  xyz holds a NaN or an infinity
  *  @retval HSP_E_RANGE       xyz lies beyond 2^50 lattice steps */
 HSP_API int32_t hsp_cells_locate(const hsp_cells *cells, const double *xyz, uint32_t *cell);
+
+/** Check the invariants of computed cells. If all hold, *invariant becomes 0 and *id HSP_NONE. Else *invariant becomes
+ *  the number of the first that is violated, and *id that of the cell or, for 4, of the cube concerned:
+ *  1. runs come first, then the free parts of each ball in each cube
+ *  2. neighbours ascend, no cell is its own, and of two cells both are neighbours of each other or none
+ *  3. regions are the connected components of neighbours, numbered by their first cells
+ *  4. every power cell, cut once more, is a polytope of which three planes meet in each vertex, with vertices - edges +
+ *     facets = 2, and has as many free parts as there are cells of it
+ *  5. what a cell has a facet on, outside its ball, has a neighbour of it on the other side; and there are no others
+ *  6. regions are as many as cells of the complement in `topology`; not checked if that is NULL
+ *
+ *  Uses the cells' scratch memory, hence not const; results stay valid. Cost: about that of hsp_cells_compute.
+ *  @retval HSP_OK          all hold
+ *  @retval HSP_E_ARGUMENT  cells, invariant or id is NULL; a topology of another model
+ *  @retval HSP_E_STATE     nothing computed, in the topology either, or the model has changed since
+ *  @retval HSP_E_CHECK     one is violated: please report it */
+HSP_API int32_t hsp_cells_check(hsp_cells *cells, const hsp_topology *topology, uint32_t *invariant, uint32_t *id);
+
+/** Into how many vertices, edges and faces spheres cut each other; what balls cover counts as well. A circle of two
+ *  spheres that crosses no other is one edge, and a sphere that meets no other is one face. Frozen. */
+typedef struct hsp_arrangement {
+  uint64_t vertices; /**< where three spheres meet */
+  uint64_t edges;    /**< on circles of two spheres */
+  uint64_t faces;    /**< on spheres */
+} hsp_arrangement;
+
+/** How large the arrangement of all spheres is (Theorem 2.2), by exact counts and without storing it: *totals in all,
+ *  of_ball [n] what lies on each sphere; either may be NULL. scratch is memory of `words` numbers, of which
+ *  *words_needed becomes what suffices: twice the most balls that meet one.
+ *  - Property 1: of all spheres together, vertices are 3 and edges 2 times those of *totals, and faces the same.
+ *  - Property 2: the order of the balls has no effect but on the places in of_ball, unless balls are equal.
+ *
+ *  Cost: O(n) for sets as in Theorem 2.1; O(m^2) for a sphere that meets m others.
+ *  @retval HSP_E_ARGUMENT  model or words_needed is NULL; scratch is NULL with words above 0
+ *  @retval HSP_E_CAPACITY  words is less than *words_needed; nothing else is written
+ *  @retval HSP_E_RANGE     a ball meets 2^31 others or more */
+HSP_API int32_t hsp_model_arrangement(const hsp_model *model, hsp_arrangement *totals, hsp_arrangement *of_ball,
+                                      uint32_t *scratch, uint32_t words, uint32_t *words_needed);
 
 #ifdef __cplusplus
 }

@@ -5,11 +5,12 @@
 #include <string.h>
 
 #include "check.h"
+#include "four_handles.h"
 #include "untouched.h"
 
-enum { BALLS = 26, CUBES = 64, ENTRIES = 512, CELLS = 800, PAIRS = 4000, MARKS = 1000, FACETS = 2000, CORNERS = 9000 };
-enum { IN_CUBE = BALLS, IN_CUBE_CORNERS = 1200 };
-static unsigned char model_memory[HSP_MODEL_BYTES(BALLS)];
+enum { CAGE = 26, CUBES = 64, ENTRIES = 512, CELLS = 800, PAIRS = 4000, MARKS = 1000, FACETS = 2000, CORNERS = 9000 };
+enum { IN_CUBE = CAGE, IN_CUBE_CORNERS = 1200 };
+static unsigned char model_memory[HSP_MODEL_BYTES(CAGE)];
 static unsigned char
     cells_memory[HSP_CELLS_BYTES(CUBES, ENTRIES, CELLS, PAIRS, MARKS, FACETS, CORNERS, IN_CUBE, IN_CUBE_CORNERS)];
 static hsp_model *model;
@@ -18,6 +19,7 @@ static hsp_cells_counts counts;
 static hsp_free_cell records[CELLS];
 static hsp_cell_pair pairs[PAIRS];
 static uint32_t neighbours[CELLS], number;
+static uint32_t invariant, violated_at;
 
 /* A ball in the middle of a cube of the grid, whose side is 4: nothing but one power cell, of the whole cube. */
 static const double one_xyz[3] = {2, 2, 2}, one_radius[1] = {2};
@@ -28,7 +30,7 @@ static hsp_cells_limits good_limits(void) {
   return limits;
 }
 
-static void check_no_results(const hsp_cells *which, int32_t status) {
+static void check_no_results(hsp_cells *which, int32_t status) {
   static const double origin[3] = {0, 0, 0};
   hsp_free_cell record;
   hsp_cell_pair pair;
@@ -36,6 +38,11 @@ static void check_no_results(const hsp_cells *which, int32_t status) {
   FILL(record);
   FILL(pair);
   FILL(number);
+  FILL(invariant);
+  FILL(violated_at);
+  CHECK_EQUAL(hsp_cells_check(which, NULL, &invariant, &violated_at), status);
+  CHECK_UNTOUCHED(invariant);
+  CHECK_UNTOUCHED(violated_at);
   CHECK_EQUAL(hsp_cells_get_counts(which, &counts), status);
   CHECK_EQUAL(hsp_cells_get_cells(which, 0, 1, &record), status);
   CHECK_EQUAL(hsp_cells_get_pairs(which, 0, 1, &pair), status);
@@ -53,6 +60,8 @@ static void set_one(void) {
 
 static void check_has_results(void) {
   CHECK_EQUAL(hsp_cells_compute(cells, model, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_cells_check(cells, NULL, &invariant, &violated_at), HSP_OK);
+  CHECK(invariant == 0 && violated_at == HSP_NONE);
   CHECK_EQUAL(hsp_cells_get_counts(cells, &counts), HSP_OK);
 }
 
@@ -177,7 +186,7 @@ static void one_ball(void) {
 
 /* A closed cage: what is in it is a region of its own, and it is open once one ball is away. */
 static void cage(void) {
-  double xyz[3 * BALLS], radius[BALLS];
+  double xyz[3 * CAGE], radius[CAGE];
   uint32_t n = 0, x, y, z;
   for (x = 0; x < 3; ++x) {
     for (y = 0; y < 3; ++y) {
@@ -201,6 +210,57 @@ static void cage(void) {
   check_no_results(cells, HSP_E_STATE);
   check_has_results();
   CHECK_EQUAL(counts.regions, 1);
+}
+
+/* With a topology, which must be one of the same model, and have results. */
+static void checking(void) {
+  const four_handles h = four_handles_make(BALLS);
+  four_handles_compute(&h);
+  set_one();
+  check_has_results();
+  CHECK_EQUAL(hsp_cells_check(cells, NULL, NULL, &violated_at), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_cells_check(cells, NULL, &invariant, NULL), HSP_E_ARGUMENT);
+  FILL(invariant);
+  CHECK_EQUAL(hsp_cells_check(cells, h.topology, &invariant, &violated_at), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_cells_check(cells, (const hsp_topology *)(const void *)model, &invariant, &violated_at),
+              HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_cells_compute(cells, h.model, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_topology_compute(h.topology, NULL, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_cells_check(cells, h.topology, &invariant, &violated_at), HSP_E_STATE);
+  CHECK_UNTOUCHED(invariant);
+  four_handles_compute(&h);
+  CHECK_EQUAL(hsp_cells_compute(cells, h.model, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_cells_check(cells, h.topology, &invariant, &violated_at), HSP_OK);
+  CHECK(invariant == 0 && violated_at == HSP_NONE);
+}
+
+/* Three unit spheres that share two points, and one apart. Words one too few are refused. */
+static void arrangement(void) {
+  static const double xyz[12] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 9, 9, 9}, radius[4] = {1, 1, 1, 1};
+  hsp_arrangement total, of_ball[4];
+  uint32_t scratch[4], k;
+  FILL(total);
+  FILL(of_ball);
+  FILL(number);
+  CHECK_EQUAL(hsp_model_set(model, 4, xyz, radius, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_model_arrangement(NULL, &total, of_ball, scratch, 4, &number), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_model_arrangement(model, &total, of_ball, NULL, 4, &number), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_model_arrangement(model, &total, of_ball, scratch, 4, NULL), HSP_E_ARGUMENT);
+  CHECK_UNTOUCHED(number);
+  CHECK_EQUAL(hsp_model_arrangement(model, &total, of_ball, scratch, 3, &number), HSP_E_CAPACITY);
+  CHECK_EQUAL(number, 4);
+  CHECK_EQUAL(hsp_model_arrangement(model, &total, of_ball, NULL, 0, &number), HSP_E_CAPACITY);
+  CHECK_UNTOUCHED(total);
+  CHECK_UNTOUCHED(of_ball);
+  CHECK_EQUAL(hsp_model_arrangement(model, &total, of_ball, scratch, 4, &number), HSP_OK);
+  CHECK_EQUAL(number, 4);
+  CHECK(total.vertices == 2 && total.edges == 6 && total.faces == 13);
+  for (k = 0; k < 3; ++k) CHECK(of_ball[k].vertices == 2 && of_ball[k].edges == 4 && of_ball[k].faces == 4);
+  CHECK(of_ball[3].vertices == 0 && of_ball[3].edges == 0 && of_ball[3].faces == 1);
+  CHECK_EQUAL(hsp_model_arrangement(model, NULL, NULL, scratch, 4, &number), HSP_OK);
+  CHECK_EQUAL(hsp_model_set(model, 0, NULL, NULL, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_model_arrangement(model, &total, NULL, NULL, 0, &number), HSP_OK);
+  CHECK(number == 0 && total.faces == 0 && total.vertices == 0 && total.edges == 0);
 }
 
 /* Every limit below what is needed is refused, and what is handed back suffices in the end. */
@@ -231,11 +291,13 @@ static void small_limits(void) {
 }
 
 int main(void) {
-  CHECK_EQUAL(hsp_model_init(model_memory, sizeof model_memory, BALLS, &model), HSP_OK);
+  CHECK_EQUAL(hsp_model_init(model_memory, sizeof model_memory, CAGE, &model), HSP_OK);
   refused_limits();
   computing();
   one_ball();
   cage();
+  checking();
+  arrangement();
   set_one();
   check_has_results();
   small_limits();

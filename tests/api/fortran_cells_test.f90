@@ -16,6 +16,7 @@ program fortran_cells_test
   type(hsp_cells_counts) :: counts
   type(hsp_free_cell), allocatable :: records(:)
   type(hsp_cell_pair), allocatable :: pairs(:)
+  type(hsp_arrangement) :: arrangement, spheres(n)
   integer(c_int32_t) :: neighbours(100), needed, cell, last
   integer(c_size_t) :: bytes
 
@@ -56,5 +57,13 @@ program fortran_cells_test
   call check(cell == 0, 'far below')
   call expect(hsp_cells_locate(cells, xyz(:, 1), cell), HSP_OK, 'hsp_cells_locate in a ball')
   call check(cell == HSP_NONE, 'in the ball')
+  call expect(hsp_cells_check(cells, c_null_ptr, cell, last), HSP_OK, 'hsp_cells_check')
+  call check(cell == 0 .and. last == HSP_NONE, 'no invariant is violated')
+
+  call check(c_sizeof(arrangement) == 24, 'size of hsp_arrangement')
+  call expect(hsp_model_arrangement(model, arrangement, spheres, words=0_c_int32_t, words_needed=needed), HSP_OK, &
+              'hsp_model_arrangement')
+  call check(arrangement%vertices == 0 .and. arrangement%edges == 0 .and. arrangement%faces == 1, 'one face')
+  call check(spheres(1)%faces == 1 .and. needed == 0, 'of one sphere')
   call report_checks()
 end program

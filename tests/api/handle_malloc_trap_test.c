@@ -299,6 +299,7 @@ static int call_cells(const hsp_model *model, void *memory, size_t bytes) {
   hsp_cells_counts counts;
   hsp_free_cell cell;
   hsp_cell_pair pair;
+  hsp_arrangement arrangement;
   uint32_t neighbours[64], needed = 0, found = 0;
   size_t size = 0;
   int bad = hsp_cells_limits_init(&limits, (uint32_t)sizeof limits, 3) != HSP_OK;
@@ -310,6 +311,8 @@ static int call_cells(const hsp_model *model, void *memory, size_t bytes) {
   bad += hsp_cells_get_pairs(cells, 0, 1, &pair) != HSP_OK;
   bad += hsp_cells_get_neighbours(cells, 0, neighbours, 64, &needed) != HSP_OK || needed != cell.neighbours;
   bad += hsp_cells_locate(cells, origin, &found) != HSP_OK || found != HSP_NONE;
+  bad += hsp_cells_check(cells, NULL, &found, &needed) != HSP_OK;
+  bad += hsp_model_arrangement(model, &arrangement, NULL, neighbours, 64, &needed) != HSP_OK || arrangement.faces < 3;
   return bad;
 }
 
