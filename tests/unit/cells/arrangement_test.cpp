@@ -60,7 +60,6 @@ void check(const Balls &balls) {
                ? 2U
                : 0U;
   };
-  Arrangement total;
   for (uint32_t a = 0; a < n; ++a) {
     Arrangement sphere;
     oracle::DisjointSets joined(n);

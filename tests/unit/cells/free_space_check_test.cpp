@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <vector>
 
 #include "built_free_space.hpp"
 #include "point_lattices.hpp"
@@ -31,6 +32,23 @@ class FreeSpaceCheckTest : public testing::Test {
       if (space().landmarks_of(c).empty() != several && space().cell(c).kind == hsp::CellKind::at_ball) return c;
     }
     return no_id;
+  }
+
+  // The lists from the pairs.
+  void list_neighbours() {
+    const uint32_t cells = space().cell_count();
+    std::vector<std::vector<uint32_t>> lists(cells);
+    for (const auto &pair : space().contacts.items()) {
+      lists[pair.cell[0]].push_back(pair.cell[1]);
+      lists[pair.cell[1]].push_back(pair.cell[0]);
+    }
+    uint32_t at = 0;
+    for (uint32_t c = 0; c < cells; ++c) {
+      space().first_neighbour[c] = at;
+      std::sort(lists[c].begin(), lists[c].end());
+      for (const uint32_t other : lists[c]) space().neighbour[at++] = other;
+    }
+    space().first_neighbour[cells] = at;
   }
 
   BuiltFreeSpace built_{oracle::cage_of_26(100, 75)};
@@ -114,24 +132,35 @@ TEST_F(FreeSpaceCheckTest, SeesALandmarkThatChangedItsCell) {
 
 // Two cells that trade their neighbours: each is still seen from both sides.
 TEST_F(FreeSpaceCheckTest, SeesNeighboursThatAreNotAcross) {
-  uint32_t a = space().run_count(), b = no_id;
-  for (uint32_t c = a + 1; c < space().cell_count() && b == no_id; ++c) {
-    const bool alike = space().neighbours(c).size() == space().neighbours(a).size();
-    const bool far = space().cell(c).cube != space().cell(a).cube;
-    if (alike && far && space().cell(c).region == space().cell(a).region) b = c;
-  }
-  ASSERT_NE(b, no_id);
+  const uint32_t a = cell_with(false);
+  uint32_t b = a + 1;
+  while (space().cell(b).cube == space().cell(a).cube || space().cell(b).region != space().cell(a).region) ++b;
   const auto traded = [&](uint32_t c) { return c == a ? b : c == b ? a : c; };
   for (auto &pair : space().contacts.items()) pair = {{traded(pair.cell[0]), traded(pair.cell[1])}};
-  for (uint32_t k = 0; k < space().neighbour.size(); ++k) space().neighbour[k] = traded(space().neighbour[k]);
-  for (uint32_t k = 0; k < space().neighbours(a).size(); ++k) {
-    std::swap(space().neighbour[space().first_neighbour[a] + k], space().neighbour[space().first_neighbour[b] + k]);
-  }
-  for (uint32_t c = 0; c < space().cell_count(); ++c) {
-    const auto list = space().neighbours(c);
-    std::sort(space().neighbour.data() + space().first_neighbour[c],
-              space().neighbour.data() + space().first_neighbour[c] + list.size());
-  }
+  list_neighbours();
+  EXPECT_EQ(check().invariant, FreeSpaceInvariant::facets);
+}
+
+// A pair more, of cells of two cubes without a common side.
+TEST_F(FreeSpaceCheckTest, SeesANeighbourTooMany) {
+  const uint32_t a = cell_with(false);
+  const auto &at = space().cover.cube(space().cell(a).cube);
+  uint32_t b = a + 1;
+  while (space().cover.cube(space().cell(b).cube).z < at.z + 2 || space().cell(b).region != space().cell(a).region) ++b;
+  space().contacts.push({{a, b}});
+  list_neighbours();
+  expect(FreeSpaceInvariant::facets, a);
+}
+
+// A pair less, of cells that are still joined by others.
+TEST_F(FreeSpaceCheckTest, SeesANeighbourThatIsMissing) {
+  const auto several = [&](uint32_t c) { return c >= space().run_count() && space().neighbours(c).size() > 4; };
+  uint32_t k = 0;
+  while (!several(space().contacts[k].cell[0]) || !several(space().contacts[k].cell[1])) ++k;
+  const uint32_t last = space().contacts.size() - 1;
+  space().contacts[k] = space().contacts[last];
+  space().contacts.shrink(last);
+  list_neighbours();
   EXPECT_EQ(check().invariant, FreeSpaceInvariant::facets);
 }
 
