@@ -32,7 +32,9 @@ typedef struct hsp_workspace {
   hsp_surface *surface;                /**< NULL before hsp_workspace_surface */
   hsp_mesh *mesh;                      /**< NULL before hsp_workspace_mesh */
   hsp_map *map;                        /**< NULL before hsp_workspace_map */
-  void *memory[7];                     /**< of the seven handles */
+  hsp_contacts *contacts;              /**< NULL before hsp_workspace_contacts */
+  hsp_cells *cells;                    /**< NULL before hsp_workspace_cells */
+  void *memory[9];                     /**< of the nine handles */
   uint32_t most_balls;                 /**< what the model has room for */
   uint32_t reserved;                   /**< 0 */
   hsp_boundary_limits boundary_limits; /**< what the boundary has room for */
@@ -41,6 +43,8 @@ typedef struct hsp_workspace {
   hsp_surface_limits surface_limits;   /**< what the surface has room for */
   hsp_mesh_limits mesh_limits;         /**< what the mesh has room for */
   hsp_map_limits map_limits;           /**< what the map has room for */
+  hsp_contacts_limits contacts_limits; /**< what the contacts have room for */
+  hsp_cells_limits cells_limits;       /**< what the cells have room for */
 } hsp_workspace;
 
 /* Memory of another size, without its contents. */
@@ -109,8 +113,28 @@ static inline int32_t hsp_workspace_make_map(hsp_workspace *work) {
   return status;
 }
 
-/** Take n balls into the model; arguments and statuses as hsp_model_set. Boundary, topology, view, surface, mesh and
- *  map hold no results then. */
+static inline int32_t hsp_workspace_make_contacts(hsp_workspace *work) {
+  size_t bytes = 0;
+  int32_t status = hsp_contacts_bytes(&work->contacts_limits, &bytes);
+  work->contacts = NULL;
+  if (status == HSP_OK) status = hsp_workspace_allocate(&work->memory[7], bytes);
+  if (status == HSP_OK) {
+    status = hsp_contacts_init(work->memory[7], bytes, &work->contacts_limits, &work->contacts);
+  }
+  return status;
+}
+
+static inline int32_t hsp_workspace_make_cells(hsp_workspace *work) {
+  size_t bytes = 0;
+  int32_t status = hsp_cells_bytes(&work->cells_limits, &bytes);
+  work->cells = NULL;
+  if (status == HSP_OK) status = hsp_workspace_allocate(&work->memory[8], bytes);
+  if (status == HSP_OK) status = hsp_cells_init(work->memory[8], bytes, &work->cells_limits, &work->cells);
+  return status;
+}
+
+/** Take n balls into the model; arguments and statuses as hsp_model_set. Boundary, topology, view, surface, mesh, map,
+ *  contacts and cells hold no results then. */
 static inline int32_t hsp_workspace_set(hsp_workspace *work, uint32_t n, const double *xyz, const double *radius,
                                         const hsp_model_options *options, uint32_t *first_bad) {
   if (work->model == NULL || n > work->most_balls) {
@@ -126,6 +150,8 @@ static inline int32_t hsp_workspace_set(hsp_workspace *work, uint32_t n, const d
     if (status == HSP_OK && work->surface != NULL) status = hsp_workspace_make_surface(work);
     if (status == HSP_OK && work->mesh != NULL) status = hsp_workspace_make_mesh(work);
     if (status == HSP_OK && work->map != NULL) status = hsp_workspace_make_map(work);
+    if (status == HSP_OK && work->contacts != NULL) status = hsp_workspace_make_contacts(work);
+    if (status == HSP_OK && work->cells != NULL) status = hsp_workspace_make_cells(work);
     if (status == HSP_OK) status = hsp_workspace_allocate(&work->memory[0], bytes);
     if (status == HSP_OK) status = hsp_model_init(work->memory[0], bytes, n, &work->model);
     if (status != HSP_OK) return status;
@@ -151,6 +177,7 @@ static inline int32_t hsp_workspace_boundary(hsp_workspace *work) {
     status = work->topology != NULL ? hsp_workspace_make_topology(work) : HSP_OK;
     if (status == HSP_OK && work->surface != NULL) status = hsp_workspace_make_surface(work);
     if (status == HSP_OK && work->mesh != NULL) status = hsp_workspace_make_mesh(work);
+    if (status == HSP_OK && work->contacts != NULL) status = hsp_workspace_make_contacts(work);
     if (status == HSP_OK) status = hsp_workspace_make_boundary(work);
     if (status != HSP_OK) return status;
   }
@@ -211,6 +238,44 @@ static inline int32_t hsp_workspace_map(hsp_workspace *work, const hsp_view_opti
   while ((status = hsp_map_compute(work->map, work->model, options, &limits)) == HSP_E_CAPACITY) {
     work->map_limits = limits;
     status = hsp_workspace_make_map(work);
+    if (status != HSP_OK) return status;
+  }
+  return status;
+}
+
+/** Compute the contacts of the balls of the boundary that hsp_workspace_boundary has computed. */
+static inline int32_t hsp_workspace_contacts(hsp_workspace *work) {
+  int32_t status = HSP_OK;
+  if (work->contacts == NULL) {
+    if (work->contacts_limits.struct_size == 0) {
+      status = hsp_contacts_limits_init(&work->contacts_limits, sizeof work->contacts_limits, work->boundary);
+    }
+    if (status == HSP_OK) status = hsp_workspace_make_contacts(work);
+    if (status != HSP_OK) return status;
+  }
+  hsp_contacts_limits limits = work->contacts_limits;
+  while ((status = hsp_contacts_compute(work->contacts, work->boundary, &limits)) == HSP_E_CAPACITY) {
+    work->contacts_limits = limits;
+    status = hsp_workspace_make_contacts(work);
+    if (status != HSP_OK) return status;
+  }
+  return status;
+}
+
+/** Cut the free space of the model into cells. */
+static inline int32_t hsp_workspace_cells(hsp_workspace *work) {
+  int32_t status = HSP_OK;
+  if (work->cells == NULL) {
+    if (work->cells_limits.struct_size == 0) {
+      status = hsp_cells_limits_init(&work->cells_limits, sizeof work->cells_limits, work->most_balls);
+    }
+    if (status == HSP_OK) status = hsp_workspace_make_cells(work);
+    if (status != HSP_OK) return status;
+  }
+  hsp_cells_limits limits = work->cells_limits;
+  while ((status = hsp_cells_compute(work->cells, work->model, &limits)) == HSP_E_CAPACITY) {
+    work->cells_limits = limits;
+    status = hsp_workspace_make_cells(work);
     if (status != HSP_OK) return status;
   }
   return status;
@@ -282,7 +347,7 @@ static inline int32_t hsp_workspace_mesh(hsp_workspace *work, int use_surface, d
 
 /** Give all memory back; the workspace is as at first. */
 static inline void hsp_workspace_free(hsp_workspace *work) {
-  for (int i = 0; i < 7; ++i) free(work->memory[i]);
+  for (int i = 0; i < 9; ++i) free(work->memory[i]);
   memset(work, 0, sizeof *work);
 }
 

@@ -31,14 +31,18 @@ module hardsphere_workspace
     type(c_ptr) :: surface = c_null_ptr
     type(c_ptr) :: mesh = c_null_ptr
     type(c_ptr) :: map = c_null_ptr
+    type(c_ptr) :: contacts = c_null_ptr
+    type(c_ptr) :: cells = c_null_ptr
     integer(c_int32_t), private :: most_balls = 0
-    type(memory_block), private :: memory(7)
+    type(memory_block), private :: memory(9)
     type(hsp_boundary_limits), private :: boundary_limits
     type(hsp_topology_limits), private :: topology_limits
     type(hsp_view_limits), private :: view_limits
     type(hsp_surface_limits), private :: surface_limits
     type(hsp_mesh_limits), private :: mesh_limits
     type(hsp_map_limits), private :: map_limits
+    type(hsp_contacts_limits), private :: contacts_limits
+    type(hsp_cells_limits), private :: cells_limits
   contains
     procedure :: set => set_balls
     procedure :: compute_boundary
@@ -47,6 +51,8 @@ module hardsphere_workspace
     procedure :: compute_surface
     procedure :: compute_mesh
     procedure :: compute_map
+    procedure :: compute_contacts
+    procedure :: compute_cells
     procedure, private :: make_boundary
     procedure, private :: make_topology
     procedure, private :: make_view
@@ -54,15 +60,18 @@ module hardsphere_workspace
     procedure, private :: make_mesh
     procedure, private :: raise_mesh_limits
     procedure, private :: make_map
+    procedure, private :: make_contacts
+    procedure, private :: make_cells
   end type
 
   private :: set_balls, compute_boundary, compute_topology, compute_view, compute_surface, compute_mesh, compute_map, &
-    make_boundary, make_topology, make_view, make_surface, make_mesh, raise_mesh_limits, make_map, allocated_to
+    compute_contacts, compute_cells, make_boundary, make_topology, make_view, make_surface, make_mesh, raise_mesh_limits, &
+    make_map, make_contacts, make_cells, allocated_to
 
 contains
 
-  ! Takes n balls into the model; arguments and statuses as hsp_model_set. Boundary, topology, view, surface, mesh and map
-  ! hold no results then.
+  ! Takes n balls into the model; arguments and statuses as hsp_model_set. Boundary, topology, view, surface, mesh, map,
+  ! contacts and cells hold no results then.
   function set_balls(self, n, xyz, radius, options, first_bad) result(status)
     class(hsp_workspace), intent(inout), target :: self
     integer(c_int32_t), intent(in) :: n
@@ -83,6 +92,8 @@ contains
       if (status == HSP_OK .and. c_associated(self%surface)) status = self%make_surface()
       if (status == HSP_OK .and. c_associated(self%mesh)) status = self%make_mesh()
       if (status == HSP_OK .and. c_associated(self%map)) status = self%make_map()
+      if (status == HSP_OK .and. c_associated(self%contacts)) status = self%make_contacts()
+      if (status == HSP_OK .and. c_associated(self%cells)) status = self%make_cells()
       if (status == HSP_OK) status = allocated_to(self%memory(1), bytes)
       if (status == HSP_OK) status = hsp_model_init(c_loc(self%memory(1)%bytes), bytes, n, self%model)
       if (status /= HSP_OK) return
@@ -111,6 +122,7 @@ contains
       if (c_associated(self%topology)) status = self%make_topology()
       if (status == HSP_OK .and. c_associated(self%surface)) status = self%make_surface()
       if (status == HSP_OK .and. c_associated(self%mesh)) status = self%make_mesh()
+      if (status == HSP_OK .and. c_associated(self%contacts)) status = self%make_contacts()
       if (status == HSP_OK) status = self%make_boundary()
       if (status /= HSP_OK) return
     end do
@@ -237,6 +249,46 @@ contains
     end do
   end function
 
+  ! Computes the contacts of the balls of the boundary that compute_boundary has computed.
+  function compute_contacts(self) result(status)
+    class(hsp_workspace), intent(inout), target :: self
+    type(hsp_contacts_limits) :: limits
+    integer(c_int32_t) :: status
+    if (.not. c_associated(self%contacts)) then
+      status = hsp_contacts_limits_init(self%contacts_limits, int(c_sizeof(limits), c_int32_t), self%boundary)
+      if (status == HSP_OK) status = self%make_contacts()
+      if (status /= HSP_OK) return
+    end if
+    limits = self%contacts_limits
+    do
+      status = hsp_contacts_compute(self%contacts, self%boundary, limits)
+      if (status /= HSP_E_CAPACITY) return
+      self%contacts_limits = limits
+      status = self%make_contacts()
+      if (status /= HSP_OK) return
+    end do
+  end function
+
+  ! Cuts the free space of the model into cells.
+  function compute_cells(self) result(status)
+    class(hsp_workspace), intent(inout), target :: self
+    type(hsp_cells_limits) :: limits
+    integer(c_int32_t) :: status
+    if (.not. c_associated(self%cells)) then
+      status = hsp_cells_limits_init(self%cells_limits, int(c_sizeof(limits), c_int32_t), self%most_balls)
+      if (status == HSP_OK) status = self%make_cells()
+      if (status /= HSP_OK) return
+    end if
+    limits = self%cells_limits
+    do
+      status = hsp_cells_compute(self%cells, self%model, limits)
+      if (status /= HSP_E_CAPACITY) return
+      self%cells_limits = limits
+      status = self%make_cells()
+      if (status /= HSP_OK) return
+    end do
+  end function
+
   ! Limits of the mesh that suffice for edges of this length, too.
   function raise_mesh_limits(self, edge, smooth) result(status)
     class(hsp_workspace), intent(inout), target :: self
@@ -317,6 +369,26 @@ contains
     status = hsp_map_bytes(self%map_limits, bytes)
     if (status == HSP_OK) status = allocated_to(self%memory(7), bytes)
     if (status == HSP_OK) status = hsp_map_init(c_loc(self%memory(7)%bytes), bytes, self%map_limits, self%map)
+  end function
+
+  function make_contacts(self) result(status)
+    class(hsp_workspace), intent(inout), target :: self
+    integer(c_int32_t) :: status
+    integer(c_size_t) :: bytes
+    self%contacts = c_null_ptr
+    status = hsp_contacts_bytes(self%contacts_limits, bytes)
+    if (status == HSP_OK) status = allocated_to(self%memory(8), bytes)
+    if (status == HSP_OK) status = hsp_contacts_init(c_loc(self%memory(8)%bytes), bytes, self%contacts_limits, self%contacts)
+  end function
+
+  function make_cells(self) result(status)
+    class(hsp_workspace), intent(inout), target :: self
+    integer(c_int32_t) :: status
+    integer(c_size_t) :: bytes
+    self%cells = c_null_ptr
+    status = hsp_cells_bytes(self%cells_limits, bytes)
+    if (status == HSP_OK) status = allocated_to(self%memory(9), bytes)
+    if (status == HSP_OK) status = hsp_cells_init(c_loc(self%memory(9)%bytes), bytes, self%cells_limits, self%cells)
   end function
 
   ! Memory of another size, without its contents.

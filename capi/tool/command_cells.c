@@ -29,7 +29,7 @@ bool command_cells(const struct request *request, const struct molecule *molecul
                    struct text_buffer *out, struct failure *failure) {
   if (!geometry_compute_cells(geometry, failure)) return false;
   hsp_cells_counts found;
-  const int32_t status = hsp_cells_get_counts(geometry->cells, &found);
+  const int32_t status = hsp_cells_get_counts(geometry->work.cells, &found);
   if (status != HSP_OK) return failure_in_library(failure, status);
   if (request->json) {
     print_json(request, molecule, &found, out);

@@ -44,7 +44,7 @@ bool command_complex(const struct request *request, const struct molecule *molec
                      struct text_buffer *out, struct failure *failure) {
   if (!geometry_compute_contacts(geometry, failure)) return false;
   hsp_complex found;
-  const int32_t status = hsp_contacts_get_complex(geometry->contacts, &found);
+  const int32_t status = hsp_contacts_get_complex(geometry->work.contacts, &found);
   if (status != HSP_OK) return failure_in_library(failure, status);
   if (request->json) {
     print_json(request, molecule, &found, out);

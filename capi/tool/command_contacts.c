@@ -32,11 +32,11 @@ static void findings_free(struct findings *found) {
 }
 
 static bool find_contacts(const struct geometry *geometry, struct findings *found, struct failure *failure) {
-  int32_t status = hsp_contacts_get(geometry->contacts, NULL, 0, &found->contact_count);
+  int32_t status = hsp_contacts_get(geometry->work.contacts, NULL, 0, &found->contact_count);
   if (status != HSP_OK && status != HSP_E_CAPACITY) return failure_in_library(failure, status);
   found->contacts = calloc((size_t)found->contact_count + 1, sizeof *found->contacts);
   if (found->contacts == NULL) return failure_of_memory(failure);
-  status = hsp_contacts_get(geometry->contacts, found->contacts, found->contact_count, &found->contact_count);
+  status = hsp_contacts_get(geometry->work.contacts, found->contacts, found->contact_count, &found->contact_count);
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
@@ -47,7 +47,7 @@ static bool find_cells(const struct molecule *molecule, const struct geometry *g
   found->free_area = calloc((size_t)n + 1, sizeof *found->free_area);
   found->area = calloc((size_t)n + 1, sizeof *found->area);
   if (found->cell == NULL || found->free_area == NULL || found->area == NULL) return failure_of_memory(failure);
-  int32_t status = hsp_contacts_measure(geometry->contacts, NULL, found->cell, found->area, n, NULL);
+  int32_t status = hsp_contacts_measure(geometry->work.contacts, NULL, found->cell, found->area, n, NULL);
   if (status == HSP_OK) {
     status = hsp_boundary_measure(geometry->work.boundary, NULL, NULL, found->free_area, NULL, n, NULL);
   }
@@ -74,11 +74,11 @@ static bool find_groups(const struct request *request, const struct molecule *mo
                     number_groups(molecule, found, failure);
   free(nothing);
   if (!done) return false;
-  int32_t status = hsp_contacts_group(geometry->contacts, found->group_of, NULL, 0, &found->between_count);
+  int32_t status = hsp_contacts_group(geometry->work.contacts, found->group_of, NULL, 0, &found->between_count);
   if (status != HSP_OK && status != HSP_E_CAPACITY) return failure_in_library(failure, status);
   found->between = calloc((size_t)found->between_count + 1, sizeof *found->between);
   if (found->between == NULL) return failure_of_memory(failure);
-  status = hsp_contacts_group(geometry->contacts, found->group_of, found->between, found->between_count,
+  status = hsp_contacts_group(geometry->work.contacts, found->group_of, found->between, found->between_count,
                               &found->between_count);
   return status == HSP_OK || failure_in_library(failure, status);
 }
@@ -221,7 +221,7 @@ bool command_contacts(const struct request *request, const struct molecule *mole
   if (done && request->by != GROUPING_NONE) done = find_groups(request, molecule, geometry, &found, failure);
   if (done && request->cells) done = find_cells(molecule, geometry, &found, failure);
   if (done) {
-    const int32_t status = hsp_contacts_measure(geometry->contacts, &found.totals, NULL, NULL, 0, NULL);
+    const int32_t status = hsp_contacts_measure(geometry->work.contacts, &found.totals, NULL, NULL, 0, NULL);
     done = status == HSP_OK || failure_in_library(failure, status);
   }
   if (done && request->json) print_json(request, molecule, &found, out);

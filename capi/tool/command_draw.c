@@ -158,7 +158,7 @@ static int32_t get_info(const struct request *request, const struct molecule *mo
   hsp_view_info *const view = &drawn->view;
   if (drawing_is_of_sticks(&request->drawing)) return get_sticks_info(geometry->sticks, drawn);
   if (!drawing_is_of_map(&request->drawing)) return hsp_view_get_info(geometry->work.view, view);
-  const int32_t status = hsp_map_get_info(geometry->map, &map);
+  const int32_t status = hsp_map_get_info(geometry->work.map, &map);
   if (status != HSP_OK) return status;
   memcpy(view->origin, map.origin, sizeof view->origin);
   memcpy(view->right, map.right, sizeof view->right);
@@ -182,7 +182,8 @@ static bool write_picture(const struct request *request, const struct molecule *
            direction_text(towards, drawn->view.towards));
   const char *title = request->drawing.title != NULL ? request->drawing.title : base_name(input_name(request->file));
   hsp_view *const view = drawing_is_of_map(&request->drawing) ? NULL : geometry->work.view;
-  const struct picture picture = {view, geometry->map, geometry->sticks, colour, drawn->options, title, description};
+  const struct picture picture = {view,  geometry->work.map, geometry->sticks, colour, drawn->options,
+                                  title, description};
   progress_show(&geometry->progress, "writing");
   return picture_file_write(&picture, request->drawing.out, &geometry->progress, &drawn->bytes, failure);
 }

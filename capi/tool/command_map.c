@@ -83,7 +83,7 @@ bool command_map(const struct request *request, const struct molecule *molecule,
   struct seen seen;
   memset(&seen, 0, sizeof seen);
   const bool done = geometry_compute_map(geometry, &request->viewing, failure) &&
-                    read_map(geometry->map, molecule->atoms, &seen, failure);
+                    read_map(geometry->work.map, molecule->atoms, &seen, failure);
   if (done && request->json) print_json(request, molecule, &seen, out);
   if (done && !request->json) print_table(request, molecule, &seen, out);
   free(seen.area);

@@ -72,7 +72,7 @@ bool command_mesh(const struct request *request, const struct molecule *molecule
   bool done = check_second_file(request, failure) && geometry_compute_boundary(geometry, failure) &&
               (!smooth || geometry_compute_surface(geometry, failure)) &&
               geometry_compute_mesh(geometry, smooth, mesh.edge, failure) &&
-              triangle_mesh_read(geometry->mesh, &mesh, failure);
+              triangle_mesh_read(geometry->work.mesh, &mesh, failure);
   if (done) progress_show(&geometry->progress, "writing");
   done = done && mesh_file_write(&mesh, meshing->format, meshing->out, &bytes, failure);
   if (done && !output_is_standard(meshing->out)) {

@@ -57,7 +57,7 @@ bool command_pick(const struct request *request, const struct molecule *molecule
                   struct text_buffer *out, struct failure *failure) {
   hsp_map_sight sight;
   if (!geometry_compute_map(geometry, &request->viewing, failure)) return false;
-  const int32_t status = pick(geometry->map, request->at.xyz, &sight);
+  const int32_t status = pick(geometry->work.map, request->at.xyz, &sight);
   if (status != HSP_OK) return failure_in_library(failure, status);
   if (request->json) {
     print_json(request, molecule, &sight, out);

@@ -48,35 +48,14 @@ bool geometry_compute_topology(struct geometry *geometry, struct failure *failur
 
 bool geometry_compute_contacts(struct geometry *geometry, struct failure *failure) {
   if (!geometry_compute_boundary(geometry, failure)) return false;
-  hsp_contacts_limits limits;
   progress_show(&geometry->progress, "finding contacts");
-  int32_t status = hsp_contacts_limits_init(&limits, (uint32_t)sizeof limits, geometry->work.boundary);
-  if (status != HSP_OK) return failure_in_library(failure, status);
-  do {
-    size_t bytes = 0;
-    status = hsp_contacts_bytes(&limits, &bytes);
-    if (status == HSP_OK) status = hsp_workspace_allocate(&geometry->contacts_memory, bytes);
-    if (status == HSP_OK) status = hsp_contacts_init(geometry->contacts_memory, bytes, &limits, &geometry->contacts);
-    if (status == HSP_OK) status = hsp_contacts_compute(geometry->contacts, geometry->work.boundary, &limits);
-  } while (status == HSP_E_CAPACITY);
+  const int32_t status = hsp_workspace_contacts(&geometry->work);
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
 bool geometry_compute_cells(struct geometry *geometry, struct failure *failure) {
-  const hsp_model *model = geometry->work.model;
-  hsp_cells_limits limits;
-  hsp_model_info info;
   progress_show(&geometry->progress, "cutting free space");
-  int32_t status = hsp_model_get_info(model, &info);
-  if (status == HSP_OK) status = hsp_cells_limits_init(&limits, (uint32_t)sizeof limits, info.balls);
-  if (status != HSP_OK) return failure_in_library(failure, status);
-  do {
-    size_t bytes = 0;
-    status = hsp_cells_bytes(&limits, &bytes);
-    if (status == HSP_OK) status = hsp_workspace_allocate(&geometry->cells_memory, bytes);
-    if (status == HSP_OK) status = hsp_cells_init(geometry->cells_memory, bytes, &limits, &geometry->cells);
-    if (status == HSP_OK) status = hsp_cells_compute(geometry->cells, model, &limits);
-  } while (status == HSP_E_CAPACITY);
+  const int32_t status = hsp_workspace_cells(&geometry->work);
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
@@ -102,29 +81,15 @@ bool geometry_compute_outer_surface(struct geometry *geometry, struct failure *f
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
-static int32_t mesh_limits(const hsp_workspace *work, bool of_surface, double edge, hsp_mesh_limits *limits) {
-  const uint32_t size = (uint32_t)sizeof *limits;
-  return of_surface ? hsp_mesh_limits_init_surface(limits, size, work->surface, edge)
-                    : hsp_mesh_limits_init(limits, size, work->boundary, edge);
-}
-
 bool geometry_compute_mesh(struct geometry *geometry, bool of_surface, double edge, struct failure *failure) {
-  const hsp_workspace *work = &geometry->work;
+  hsp_workspace *work = &geometry->work;
   hsp_mesh_limits limits;
   progress_show(&geometry->progress, "making triangles");
-  int32_t status = mesh_limits(work, of_surface, edge, &limits);
-  if (status == HSP_E_CHECK) {
+  if (of_surface &&
+      hsp_mesh_limits_init_surface(&limits, (uint32_t)sizeof limits, work->surface, edge) == HSP_E_CHECK) {
     return failure_in_input(failure, 0, "patches of the surface meet in one point: it has no triangles there");
   }
-  do {
-    size_t bytes = 0;
-    if (status == HSP_OK || status == HSP_E_CAPACITY) status = hsp_mesh_bytes(&limits, &bytes);
-    if (status == HSP_OK) status = hsp_workspace_allocate(&geometry->mesh_memory, bytes);
-    if (status == HSP_OK) status = hsp_mesh_init(geometry->mesh_memory, bytes, &limits, &geometry->mesh);
-    if (status != HSP_OK) continue;
-    status = of_surface ? hsp_mesh_compute_surface(geometry->mesh, work->surface, edge, &limits)
-                        : hsp_mesh_compute(geometry->mesh, work->boundary, edge, &limits);
-  } while (status == HSP_E_CAPACITY);
+  const int32_t status = hsp_workspace_mesh(work, of_surface, edge);
   if (status == HSP_E_CHECK) {
     return failure_in_input(failure, 0, "borders of the surface come together: no triangles tell them apart");
   }
@@ -139,22 +104,10 @@ bool geometry_compute_view(struct geometry *geometry, const hsp_view_options *op
 }
 
 bool geometry_compute_map(struct geometry *geometry, const struct viewing *viewing, struct failure *failure) {
-  const hsp_model *model = geometry->work.model;
   hsp_view_options options;
-  hsp_map_limits limits;
-  hsp_model_info info;
   progress_show(&geometry->progress, "finding what is seen");
   int32_t status = viewing_options(viewing, &options);
-  if (status == HSP_OK) status = hsp_model_get_info(model, &info);
-  if (status == HSP_OK) status = hsp_map_limits_init(&limits, (uint32_t)sizeof limits, info.balls);
-  if (status != HSP_OK) return failure_in_library(failure, status);
-  do {
-    size_t bytes = 0;
-    status = hsp_map_bytes(&limits, &bytes);
-    if (status == HSP_OK) status = hsp_workspace_allocate(&geometry->map_memory, bytes);
-    if (status == HSP_OK) status = hsp_map_init(geometry->map_memory, bytes, &limits, &geometry->map);
-    if (status == HSP_OK) status = hsp_map_compute(geometry->map, model, &options, &limits);
-  } while (status == HSP_E_CAPACITY);
+  if (status == HSP_OK) status = hsp_workspace_map(&geometry->work, &options);
   if (status == HSP_E_CHECK) {
     return failure_in_input(failure, 0, "too many balls stand exactly behind each other: look from elsewhere");
   }
@@ -176,10 +129,6 @@ bool geometry_list_shells(const struct geometry *geometry, hsp_shell **shells, u
 
 void geometry_free(struct geometry *geometry) {
   progress_end(&geometry->progress);
-  free(geometry->mesh_memory);
-  free(geometry->map_memory);
   free(geometry->sticks_memory);
-  free(geometry->contacts_memory);
-  free(geometry->cells_memory);
   hsp_workspace_free(&geometry->work);
 }

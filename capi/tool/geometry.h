@@ -13,16 +13,8 @@
 struct geometry {
   hsp_workspace work;       /* zeros at first */
   struct progress progress; /* of what is done here; not watched at first */
-  hsp_mesh *mesh;           /* NULL at first */
-  void *mesh_memory;
-  hsp_map *map; /* NULL at first */
-  void *map_memory;
-  hsp_sticks *sticks; /* NULL at first; ball_and_stick.h computes them */
+  hsp_sticks *sticks;       /* NULL at first; ball_and_stick.h computes them */
   void *sticks_memory;
-  hsp_contacts *contacts; /* NULL at first */
-  void *contacts_memory;
-  hsp_cells *cells; /* NULL at first */
-  void *cells_memory;
 };
 
 /* Make the model. A ball that the library refuses is named by its line. step: of the lattice, 0 for the library's

@@ -26,6 +26,8 @@ contains
     call expect(work%compute_view(), HSP_E_ARGUMENT, 'no model to be seen')
     call expect(work%compute_mesh(1.0_c_double), HSP_E_STATE, 'no boundary for triangles')
     call expect(work%compute_map(), HSP_E_ARGUMENT, 'no model for a map')
+    call expect(work%compute_contacts(), HSP_E_STATE, 'no boundary for contacts')
+    call expect(work%compute_cells(), HSP_E_ARGUMENT, 'no model for cells')
   end subroutine
 
   ! n unit balls in a row at distance 1: each inner one loses two caps of height 1/2, and what is left is symmetric.
@@ -43,7 +45,7 @@ contains
     type(hsp_surface_patch) :: patch(1)
     type(hsp_mesh_counts) :: coarse, fine, smooth
     real(c_double) :: sigma(n)
-    integer(c_int32_t) :: invariant, id, first_bad
+    integer(c_int32_t) :: invariant, id, first_bad, needed
     integer(c_int32_t) :: status
     integer :: i
     xyz = 0
@@ -108,6 +110,12 @@ contains
     call expect(hsp_map_get_info(work%map, seen), HSP_OK, 'its figures')
     call check(seen%balls == n .and. seen%faces == n + 1 .and. seen%components == 1, 'each in one face')
     call check(near(seen%area, pi + (n - 1)*(pi/3 + sqrt(0.75_c_double))), 'discs at distance 1')
+    call expect(work%compute_contacts(), HSP_OK, 'contacts')
+    call expect(hsp_contacts_get(work%contacts, capacity=0, needed=needed), merge(HSP_OK, HSP_E_CAPACITY, n == 1), &
+                'how many')
+    call check(needed == n - 1, 'each touches the next')
+    call expect(work%compute_cells(), HSP_OK, 'cells')
+    call expect(hsp_cells_check(work%cells, work%topology, invariant, id), HSP_OK, 'their invariants')
   end subroutine
 
   subroutine refused()

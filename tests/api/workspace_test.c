@@ -17,6 +17,8 @@ static int32_t compute_all(hsp_workspace *work, const ball_set *set) {
   if (status == HSP_OK) status = hsp_workspace_view(work, 1, NULL);
   if (status == HSP_OK) status = hsp_workspace_surface(work);
   if (status == HSP_OK) status = hsp_workspace_map(work, NULL);
+  if (status == HSP_OK) status = hsp_workspace_contacts(work);
+  if (status == HSP_OK) status = hsp_workspace_cells(work);
   return status;
 }
 
@@ -49,9 +51,10 @@ static void check_results(hsp_workspace *work, const ball_set *set) {
   hsp_boundary_counts counts;
   hsp_topology_counts topology;
   hsp_view_info view;
-  hsp_totals totals, expected;
+  hsp_totals totals, expected, cells;
   hsp_surface_totals surface; /* without a probe it is the boundary */
   hsp_map_info map;
+  hsp_cells_counts free_space;
   uint32_t invariant, id;
   CHECK_EQUAL(computed_make(set->n, set->xyz, set->radius, NULL, &c), HSP_OK);
   CHECK_EQUAL(hsp_boundary_get_counts(work->boundary, &counts), HSP_OK);
@@ -67,9 +70,17 @@ static void check_results(hsp_workspace *work, const ball_set *set) {
   CHECK_EQUAL(hsp_map_get_info(work->map, &map), HSP_OK);
   CHECK_EQUAL(map.vertices + map.faces, 1 + map.components + map.edges);
   CHECK_EQUAL(hsp_map_check(work->map, &invariant, &id), HSP_OK);
+  CHECK_EQUAL(hsp_contacts_check(work->contacts, &invariant, &id), HSP_OK);
+  CHECK_EQUAL(hsp_contacts_measure(work->contacts, &cells, NULL, NULL, 0, NULL), HSP_OK);
+  CHECK_NEAR(cells.volume, expected.volume, 1e-12 * (1.0 + expected.volume));
   CHECK_EQUAL(hsp_view_get_info(work->view, &view), HSP_OK);
   CHECK_EQUAL(view.kind, HSP_PIECES_OUTSIDE_FARTHER);
-  if (set->n <= 30) check_mesh(work, &c);
+  CHECK_EQUAL(hsp_cells_get_counts(work->cells, &free_space), HSP_OK);
+  CHECK_EQUAL(free_space.regions, topology.cells);
+  if (set->n <= 30) {
+    CHECK_EQUAL(hsp_cells_check(work->cells, work->topology, &invariant, &id), HSP_OK);
+    check_mesh(work, &c);
+  }
   computed_release(&c);
 }
 
@@ -87,7 +98,7 @@ static void set_after_set(void) {
   }
   hsp_workspace_free(&work);
   CHECK(work.model == NULL && work.boundary == NULL && work.topology == NULL && work.view == NULL &&
-        work.surface == NULL && work.mesh == NULL && work.map == NULL);
+        work.surface == NULL && work.mesh == NULL && work.map == NULL && work.contacts == NULL && work.cells == NULL);
   check_scene("after it was freed");
   CHECK_EQUAL(compute_all(&work, &set), HSP_OK);
   check_results(&work, &set);
@@ -103,6 +114,8 @@ static void out_of_date(void) {
   hsp_view_info view;
   hsp_mesh_counts mesh;
   hsp_map_info map;
+  hsp_complex complex;
+  hsp_cells_counts cells;
   uint32_t i;
   ball_set_start(&few, "a ball", 1e-8);
   ball_set_add(&few, 0, 0, 0, 1);
@@ -115,6 +128,8 @@ static void out_of_date(void) {
   CHECK_EQUAL(hsp_workspace_mesh(&work, 0, 1), HSP_E_STATE);
   CHECK_EQUAL(hsp_workspace_mesh(&work, 1, 1), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_workspace_map(&work, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_workspace_contacts(&work), HSP_E_STATE);
+  CHECK_EQUAL(hsp_workspace_cells(&work), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_workspace_set(&work, 0, NULL, NULL, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_workspace_boundary(&work), HSP_OK);
   for (i = 0; i < 4; ++i) {
@@ -130,6 +145,9 @@ static void out_of_date(void) {
     CHECK_EQUAL(hsp_mesh_get_counts(work.mesh, &mesh), HSP_E_STATE);
     CHECK_EQUAL(hsp_workspace_mesh(&work, 0, 2), HSP_E_STATE);
     CHECK_EQUAL(hsp_map_get_info(work.map, &map), HSP_E_STATE);
+    CHECK_EQUAL(hsp_contacts_get_complex(work.contacts, &complex), HSP_E_STATE);
+    CHECK_EQUAL(hsp_workspace_contacts(&work), HSP_E_STATE);
+    CHECK_EQUAL(hsp_cells_get_counts(work.cells, &cells), HSP_E_STATE);
     CHECK_EQUAL(hsp_workspace_topology(&work), HSP_E_STATE);
   }
   check_scene("a refused set");
