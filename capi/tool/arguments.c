@@ -256,6 +256,24 @@ static bool take_selection_option(struct reading *reading, const char *argument,
   return true;
 }
 
+/* The options of commands that go through trajectories; *known tells whether it is one of them. */
+static bool take_trajectory_option(struct reading *reading, const char *argument, bool *known) {
+  struct request *request = reading->request;
+  const char *value = NULL;
+  *known = true;
+  if (option_is(argument, "--trajectory", &value)) {
+    return take_path(reading, "--trajectory", value, &request->trajectory);
+  }
+  if (option_is(argument, "--frames", &value)) {
+    if (!option_value(&reading->options, "--frames", &value, "frames, A:B:S")) return false;
+    if (request->frames_given) return failure_in_usage(reading->failure, "--frames is given twice");
+    request->frames_given = true;
+    return frame_range_parse(&request->frames, value, reading->failure);
+  }
+  *known = false;
+  return true;
+}
+
 static bool take_file(struct reading *reading, const char *argument) {
   struct request *request = reading->request;
   if (input_is_standard(argument)) {
@@ -282,6 +300,10 @@ static bool take_argument(struct reading *reading, const char *argument) {
   bool known = false;
   if (!take_selection_option(reading, argument, &known)) return false;
   if (known) return true;
+  if (request->command == COMMAND_MEASURE || request->command == COMMAND_CONTACTS) {
+    if (!take_trajectory_option(reading, argument, &known)) return false;
+    if (known) return true;
+  }
   if (request->command == COMMAND_MEASURE) {
     if (!take_measure_option(reading, argument, &known)) return false;
     if (known) return true;
@@ -338,6 +360,33 @@ static bool take_argument(struct reading *reading, const char *argument) {
   }
   char shown[EXCERPT_BYTES];
   return failure_in_usage(reading->failure, "unknown option '%s'", excerpt(shown, argument, strlen(argument)));
+}
+
+/* What goes with a trajectory, of which each frame has one line. */
+static bool check_trajectory(struct reading *reading) {
+  struct request *request = reading->request;
+  const char *path = request->trajectory;
+  if (path == NULL) {
+    return !request->frames_given || failure_in_usage(reading->failure, "--frames needs --trajectory");
+  }
+  if (request->files > 1) return failure_in_usage(reading->failure, "--trajectory takes one file at a time");
+  if (request->pdb_out != NULL) return failure_in_usage(reading->failure, "--pdb-out is not for a --trajectory");
+  if (request->csv && request->json) return true; /* refused with the options of measure */
+  const char *longer = request->per_ball              ? "--per-ball"
+                       : request->gradient            ? "--gradient"
+                       : request->by != GROUPING_NONE ? "--by"
+                       : request->cells               ? "--cells"
+                                                      : NULL;
+  if (longer != NULL && !request->json) {
+    return failure_in_usage(reading->failure, "%s has no place in the one row of a frame: it needs --json", longer);
+  }
+  request->csv = false; /* it is the table of frames anyway */
+  if (!input_is_standard(path)) return true;
+  if (input_is_standard(request->file) || (request->weights != NULL && input_is_standard(request->weights))) {
+    return failure_in_usage(reading->failure, "standard input is one file, not two");
+  }
+  if (format_has_frames(request->format)) return true;
+  return failure_in_usage(reading->failure, "--trajectory from standard input is .pdb, .xyz or .gro, as FILE is");
 }
 
 /* Which options of `measure` go together, and with the format of the file. */
@@ -467,7 +516,7 @@ static bool check(struct reading *reading) {
                             reading->radii_seen ? "--radii" : "--radius");
   }
   if (!selection_suits(&request->selection, request->format, reading->failure)) return false;
-  if (!check_measure(reading)) return false;
+  if (!check_trajectory(reading) || !check_measure(reading)) return false;
   if (request->command == COMMAND_DRAW && !drawing_check(&request->drawing, reading->failure)) return false;
   if (request->command == COMMAND_DRAW && drawing_is_of_sticks(&request->drawing) && request->probe > 0.0) {
     return failure_in_usage(reading->failure, "--probe is not for --as ball-and-stick");
@@ -485,6 +534,7 @@ bool request_parse(struct request *request, enum command command, int file, int 
   memset(request, 0, sizeof *request);
   request->command = command;
   request->model = 1;
+  request->frames = (struct frame_range)FRAME_RANGE_ALL;
   request->selection = (struct selection)SELECTION_EVERYTHING;
   request->set = &radii_bondi;
   request->meshing = (struct meshing)MESHING_DEFAULT;

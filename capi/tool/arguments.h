@@ -6,6 +6,7 @@
 
 #include "drawing.h"
 #include "failure.h"
+#include "frame_range.h"
 #include "meshing.h"
 #include "molecule.h"
 #include "radii.h"
@@ -59,10 +60,13 @@ struct request {
   bool cells;        /* of `contacts` */
   double least;      /* area of a contact that is listed */
   enum grouping by;
-  const char *weights; /* a file, or NULL */
-  const char *pdb_out; /* a file, or NULL */
-  double probe;        /* 0 if none was given */
-  uint64_t model;      /* counted from 1 */
+  const char *weights;    /* a file, or NULL */
+  const char *pdb_out;    /* a file, or NULL */
+  double probe;           /* 0 if none was given */
+  uint64_t model;         /* counted from 1 */
+  const char *trajectory; /* a file with frames of the molecule, or NULL; of `measure` and `contacts` */
+  bool frames_given;
+  struct frame_range frames;
   struct selection selection;
   enum query_kind query;
   double position[3];

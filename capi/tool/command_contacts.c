@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "commands.h"
+#include "csv.h"
 #include "input_report.h"
 #include "report.h"
 
@@ -135,7 +136,9 @@ static void pairs_json(const struct request *request, const struct findings *fou
 
 static void print_json(const struct request *request, const struct molecule *molecule, const struct findings *found,
                        struct text_buffer *out) {
-  text_buffer_add(out, "{\"n\": %" PRIu32 ", \"contacts\": %" PRIu32 ", \"area\": ", molecule->atoms,
+  text_buffer_add(out, "{");
+  json_frame(out, &molecule->frame);
+  text_buffer_add(out, "\"n\": %" PRIu32 ", \"contacts\": %" PRIu32 ", \"area\": ", molecule->atoms,
                   found->contact_count);
   json_number(out, found->totals.area);
   text_buffer_add(out, ", \"pairs\": [");
@@ -213,6 +216,20 @@ static void print_tables(const struct request *request, const struct molecule *m
   if (request->cells) print_cells(molecule, found, out);
 }
 
+/* A row of the table of frames. */
+static void print_frame(const struct molecule *molecule, const struct findings *found, struct text_buffer *out) {
+  if (molecule->frame.first) {
+    csv_frame_titles(out);
+    text_buffer_add(out, "contacts,area,volume\n");
+  }
+  csv_frame(out, molecule);
+  text_buffer_add(out, "%" PRIu32 ",", found->contact_count);
+  csv_number(out, found->totals.area);
+  text_buffer_add(out, ",");
+  csv_number(out, found->totals.volume);
+  text_buffer_add(out, "\n");
+}
+
 bool command_contacts(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                       struct text_buffer *out, struct failure *failure) {
   struct findings found;
@@ -224,8 +241,13 @@ bool command_contacts(const struct request *request, const struct molecule *mole
     const int32_t status = hsp_contacts_measure(geometry->work.contacts, &found.totals, NULL, NULL, 0, NULL);
     done = status == HSP_OK || failure_in_library(failure, status);
   }
-  if (done && request->json) print_json(request, molecule, &found, out);
-  if (done && !request->json) print_tables(request, molecule, &found, out);
+  if (done && request->json) {
+    print_json(request, molecule, &found, out);
+  } else if (done && molecule->frame.number > 0) {
+    print_frame(molecule, &found, out);
+  } else if (done) {
+    print_tables(request, molecule, &found, out);
+  }
   findings_free(&found);
   return done;
 }

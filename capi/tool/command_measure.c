@@ -4,6 +4,7 @@
 
 #include "ball_table.h"
 #include "commands.h"
+#include "csv.h"
 #include "group_table.h"
 #include "input_report.h"
 #include "interface.h"
@@ -60,7 +61,9 @@ static void interface_print(const char *text, const struct interface *interface,
 static void print_json(const struct request *request, const struct molecule *molecule, const struct findings *found,
                        struct text_buffer *out) {
   const struct measurement *measurement = &found->measurement;
-  text_buffer_add(out, "{\"n\": %" PRIu32 ", \"area\": ", molecule->atoms);
+  text_buffer_add(out, "{");
+  json_frame(out, &molecule->frame);
+  text_buffer_add(out, "\"n\": %" PRIu32 ", \"area\": ", molecule->atoms);
   json_number(out, measurement->totals.area);
   text_buffer_add(out, ", \"volume\": ");
   json_number(out, measurement->totals.volume);
@@ -154,10 +157,69 @@ static void print_tables(const struct request *request, const struct molecule *m
   if (request->by != GROUPING_NONE) group_table_print(molecule, &found->groups, request->relative, out);
 }
 
+/* A row of the table of frames. */
+struct row {
+  const char *name[20];
+  double value[20];
+  size_t columns;
+};
+
+static void add_column(struct row *row, const char *name, double value) {
+  row->name[row->columns] = name;
+  row->value[row->columns++] = value;
+}
+
+static struct row row_of(const struct request *request, const struct findings *found) {
+  const struct measurement *measurement = &found->measurement;
+  struct row row = {.columns = 0};
+  add_column(&row, "area", measurement->totals.area);
+  add_column(&row, "volume", measurement->totals.volume);
+  if (request->curvature) {
+    add_column(&row, "mean_curvature", measurement->curvatures.mean);
+    add_column(&row, "gauss_curvature", measurement->curvatures.gauss);
+  }
+  if (request->excluded_surface) {
+    add_column(&row, "convex_area", measurement->surface.convex_area);
+    add_column(&row, "saddle_area", measurement->surface.saddle_area);
+    add_column(&row, "concave_area", measurement->surface.concave_area);
+  }
+  if (measurement->weights != NULL) add_column(&row, "weighted_area", measurement->weighted_area);
+  if (request->polar) {
+    add_column(&row, "polar_area", measurement->polar_area);
+    add_column(&row, "apolar_area", measurement->apolar_area);
+    add_column(&row, "other_area", measurement->other_area);
+  }
+  if (request->interface != NULL) {
+    add_column(&row, "first_alone", found->interface.side[0].alone);
+    add_column(&row, "second_alone", found->interface.side[1].alone);
+    add_column(&row, "together", found->interface.together);
+    add_column(&row, "buried", found->interface.buried);
+  }
+  return row;
+}
+
+static void print_frame(const struct request *request, const struct molecule *molecule, const struct findings *found,
+                        struct text_buffer *out) {
+  const struct row row = row_of(request, found);
+  if (molecule->frame.first) {
+    csv_frame_titles(out);
+    for (size_t k = 0; k < row.columns; ++k) {
+      text_buffer_add(out, "%s%s", row.name[k], k + 1 < row.columns ? "," : "\n");
+    }
+  }
+  csv_frame(out, molecule);
+  for (size_t k = 0; k < row.columns; ++k) {
+    csv_number(out, row.value[k]);
+    text_buffer_add(out, "%s", k + 1 < row.columns ? "," : "\n");
+  }
+}
+
 static void print(const struct request *request, const struct molecule *molecule, const struct findings *found,
                   struct text_buffer *out) {
   if (request->json) {
     print_json(request, molecule, found, out);
+  } else if (molecule->frame.number > 0) {
+    print_frame(request, molecule, found, out);
   } else if (!request->csv) {
     print_tables(request, molecule, found, out);
   } else if (request->by == GROUPING_NONE) {

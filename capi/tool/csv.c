@@ -1,6 +1,7 @@
 #include "csv.h"
 
 #include <float.h>
+#include <inttypes.h>
 #include <string.h>
 
 #include "report.h"
@@ -18,4 +19,17 @@ void csv_text(struct text_buffer *out, const char *text) {
 void csv_number(struct text_buffer *out, double value) {
   char shown[NUMBER_BYTES];
   if (value >= -DBL_MAX && value <= DBL_MAX) text_buffer_add(out, "%s", exact_text(shown, value));
+}
+
+void csv_frame_titles(struct text_buffer *out) {
+  text_buffer_add(out, "frame,time,step,atoms,");
+}
+
+void csv_frame(struct text_buffer *out, const struct molecule *molecule) {
+  const struct frame_stamp *frame = &molecule->frame;
+  text_buffer_add(out, "%" PRIu64 ",", frame->number);
+  if (frame->timed) csv_number(out, frame->time);
+  text_buffer_add(out, ",");
+  if (frame->stepped) text_buffer_add(out, "%" PRId64, frame->step);
+  text_buffer_add(out, ",%" PRIu32 ",", molecule->atoms);
 }

@@ -169,6 +169,7 @@ static void json_count(struct text_buffer *out, const char *name, uint64_t count
 }
 
 void input_report_json(struct text_buffer *out, const struct request *request, const struct molecule *molecule) {
+  if (molecule->frame.number > 0) return; /* it would be the same for all frames */
   const struct among among = count_among(molecule);
   const struct left_out *left_out = &molecule->left_out;
   text_buffer_add(out, ", \"input\": {\"file\": ");

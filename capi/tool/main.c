@@ -1,9 +1,11 @@
 /* The program hardsphere: molecule files in, exact geometry out, over the library's C interface alone.
- * Results are gathered first and printed last, so that stdout has nothing of a file that fails. */
+ * Results are gathered first and printed last, so that stdout has nothing of a file that fails, and of a trajectory
+ * nothing of a frame that fails. */
 #include <string.h>
 
 #include "arguments.h"
 #include "command_clash.h"
+#include "command_frames.h"
 #include "commands.h"
 #include "failure.h"
 #include "geometry.h"
@@ -13,9 +15,6 @@
 #include "several_files.h"
 #include "text_buffer.h"
 #include "usage.h"
-
-typedef bool command_function(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
-                              struct text_buffer *out, struct failure *failure);
 
 static command_function *function_of(enum command command) {
   switch (command) {
@@ -64,8 +63,12 @@ static bool run_command(const struct request *request, struct text_buffer *out, 
   bool done = read_molecule(request->file, request->format, request->model, &molecule, failure) &&
               prepare(request, &molecule, failure);
   geometry.progress = progress_begin(molecule.atoms, PROGRESS_LEAST_BALLS);
-  done = done && geometry_set_model(&geometry, &molecule, request->probe, 0.0, failure) &&
-         function_of(request->command)(request, &molecule, &geometry, out, failure);
+  if (done && request->trajectory != NULL) {
+    done = command_frames(request, &molecule, &geometry, function_of(request->command), failure);
+  } else {
+    done = done && geometry_set_model(&geometry, &molecule, request->probe, 0.0, failure) &&
+           function_of(request->command)(request, &molecule, &geometry, out, failure);
+  }
   geometry_free(&geometry);
   molecule_free(&molecule);
   return done;

@@ -12,6 +12,7 @@ void molecule_init(struct molecule *molecule, enum molecule_format format, uint6
   memset(molecule, 0, sizeof *molecule);
   molecule->format = format;
   molecule->model = model;
+  molecule->most = HSP_MAX_BALLS;
 }
 
 static bool grow(struct molecule *molecule) {
@@ -25,15 +26,19 @@ static bool grow(struct molecule *molecule) {
   if (line != NULL) molecule->line = line;
   struct atom_label *label = realloc(molecule->label, capacity * sizeof *label);
   if (label != NULL) molecule->label = label;
-  if (xyz == NULL || radius == NULL || line == NULL || label == NULL) return false;
+  uint32_t *place = realloc(molecule->place, capacity * sizeof *place);
+  if (place != NULL) molecule->place = place;
+  if (xyz == NULL || radius == NULL || line == NULL || label == NULL || place == NULL) return false;
   molecule->capacity = (uint32_t)capacity; /* at most twice HSP_MAX_BALLS */
   return true;
 }
 
 bool molecule_add(struct molecule *molecule, const double xyz[3], double radius, const struct atom_label *label,
                   uint64_t line, struct failure *failure) {
-  if (molecule->atoms == HSP_MAX_BALLS) {
-    return failure_in_input(failure, line, "more than %lu atoms", (unsigned long)HSP_MAX_BALLS);
+  if (molecule->read == molecule->most) {
+    const bool library = molecule->most == HSP_MAX_BALLS;
+    return failure_in_input(failure, line, "more than %" PRIu32 " atoms%s", molecule->most,
+                            library ? "" : ", which the molecule has");
   }
   if (molecule->atoms == molecule->capacity && !grow(molecule)) return failure_of_memory(failure);
   const size_t atom = molecule->atoms++;
@@ -41,6 +46,7 @@ bool molecule_add(struct molecule *molecule, const double xyz[3], double radius,
   molecule->radius[atom] = radius;
   molecule->line[atom] = line;
   molecule->label[atom] = *label;
+  molecule->place[atom] = molecule->read++;
   return true;
 }
 
@@ -96,6 +102,7 @@ void molecule_move_atom(struct molecule *molecule, uint32_t to, uint32_t from) {
   memcpy(molecule->xyz + 3 * (size_t)to, molecule->xyz + 3 * (size_t)from, 3 * sizeof *molecule->xyz);
   molecule->radius[to] = molecule->radius[from];
   molecule->line[to] = molecule->line[from];
+  molecule->place[to] = molecule->place[from];
   molecule->label[to] = molecule->label[from];
 }
 
@@ -160,6 +167,7 @@ void molecule_free(struct molecule *molecule) {
   free(molecule->radius);
   free(molecule->line);
   free(molecule->label);
+  free(molecule->place);
   free(molecule->bond);
   molecule_init(molecule, molecule->format, molecule->model);
 }

@@ -63,13 +63,26 @@ struct left_out {
   uint64_t others;
 };
 
+/* What is known of a frame of a trajectory beside its atoms. */
+struct frame_stamp {
+  uint64_t number; /* counted from 1; 0: it is no frame of a trajectory */
+  bool first;      /* of those that are looked at */
+  bool timed;
+  double time; /* as the file has it: picoseconds, or whatever its writer took */
+  bool stepped;
+  int64_t step; /* of the simulation */
+};
+
 struct molecule {
   enum molecule_format format;
   uint32_t atoms;
   uint32_t capacity;
+  uint32_t read;            /* atoms that were read, whatever became of them */
+  uint32_t most;            /* that may be read */
   double *xyz;              /* [atoms][3] */
   double *radius;           /* [atoms] */
-  uint64_t *line;           /* [atoms], the line that an atom was read from */
+  uint64_t *line;           /* [atoms], the line that an atom was read from; 0: none */
+  uint32_t *place;          /* [atoms], its place among those read */
   struct atom_label *label; /* [atoms] */
   uint64_t model;           /* which model was read, counted from 1 */
   uint64_t models;          /* how many the file has */
@@ -77,12 +90,13 @@ struct molecule {
   size_t bonds;
   size_t bond_capacity;
   struct left_out left_out;
+  struct frame_stamp frame;
 };
 
 /* Prepare for reading one model of a file, counted from 1. */
 void molecule_init(struct molecule *molecule, enum molecule_format format, uint64_t model);
 
-/* Append an atom. False when memory is short or the library could not take so many. */
+/* Append an atom. False when memory is short or there are too many: for the library, or for whoever set `most`. */
 bool molecule_add(struct molecule *molecule, const double xyz[3], double radius, const struct atom_label *label,
                   uint64_t line, struct failure *failure);
 

@@ -5,6 +5,7 @@
 #include <inttypes.h>
 #include <string.h>
 
+#include "frame_title.h"
 #include "number.h"
 #include "read_molecule.h"
 
@@ -88,11 +89,12 @@ static bool is_box(const struct line_reader *reader) {
 }
 
 /* Step over a title, which may be empty, to the number of atoms behind it. LINE_END: only empty lines are left. */
-static enum line_status find_model(struct line_reader *reader, const struct molecule *molecule, uint64_t *count,
+static enum line_status find_model(struct line_reader *reader, struct molecule *molecule, uint64_t *count,
                                    struct failure *failure) {
   enum line_status status = line_reader_next(reader, failure);
   while (status == LINE_READ) {
     const bool empty = is_empty(reader);
+    frame_title_read(reader->text, &molecule->frame);
     status = line_reader_next(reader, failure);
     if (status == LINE_READ && is_count(reader, count)) return LINE_READ;
     if (empty || status == LINE_FAILED) continue; /* what follows empty lines is a title */
@@ -131,9 +133,20 @@ static bool read_gro(struct line_reader *reader, struct molecule *molecule, stru
   }
 }
 
+static enum line_status next_gro(struct line_reader *reader, bool *begun, bool wanted, struct molecule *molecule,
+                                 struct failure *failure) {
+  (void)begun;
+  (void)wanted;
+  uint64_t count = 0;
+  const enum line_status status = find_model(reader, molecule, &count, failure);
+  if (status != LINE_READ) return status;
+  return read_announced_model(reader, count, read_model, molecule, failure) ? LINE_READ : LINE_FAILED;
+}
+
 const struct molecule_reader gro_reader = {.name = "gro",
                                            .extensions = "GRO",
                                            .has_elements = true,
                                            .has_residues = true,
                                            .unit = "angstrom",
-                                           .read = read_gro};
+                                           .read = read_gro,
+                                           .next = next_gro};

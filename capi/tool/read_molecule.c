@@ -105,6 +105,17 @@ bool read_announced_model(struct line_reader *reader, uint64_t count, announced_
                           read);
 }
 
+enum line_status read_next_model(enum molecule_format format, struct line_reader *reader, bool *begun, bool wanted,
+                                 struct molecule *molecule, struct failure *failure) {
+  molecule->models = 0;
+  molecule->model = wanted ? 1 : 2;
+  return readers[format]->next(reader, begun, wanted, molecule, failure);
+}
+
+bool format_has_frames(enum molecule_format format) {
+  return readers[format]->next != NULL;
+}
+
 /* Nothing follows from a file without atoms, but that something went wrong before. */
 static bool check_atoms(const struct molecule *molecule, struct failure *failure) {
   if (molecule->model > 1 && molecule->model > molecule->models) {

@@ -20,6 +20,9 @@ struct molecule_reader {
   const char *unit;
   /* Read the model of the file that the molecule asks for, from the first line on. */
   bool (*read)(struct line_reader *reader, struct molecule *molecule, struct failure *failure);
+  /* The same for the next model as a frame of a trajectory, read_next_model; NULL where there are no such files. */
+  enum line_status (*next)(struct line_reader *reader, bool *begun, bool wanted, struct molecule *molecule,
+                           struct failure *failure);
 };
 
 extern const struct molecule_reader xyzr_reader; /* x y z r */
@@ -41,6 +44,15 @@ typedef enum line_status announced_atoms(struct line_reader *reader, uint64_t co
  * read last. False: the model, if it is wanted, or one before it breaks off, or an atom cannot be read. */
 bool read_announced_model(struct line_reader *reader, uint64_t count, announced_atoms *read_atoms,
                           struct molecule *molecule, struct failure *failure);
+
+/* Read the next model of a file, one after the other from the first line on, or step over it. The molecule is empty at
+ * first, and `most` says how many atoms there may be; its frame gets what the file tells. *begun, false before the
+ * first model, is the reader's. LINE_END: there is none left. */
+enum line_status read_next_model(enum molecule_format format, struct line_reader *reader, bool *begun, bool wanted,
+                                 struct molecule *molecule, struct failure *failure);
+
+/* Whether a format's files are read as trajectories. */
+bool format_has_frames(enum molecule_format format);
 
 /* The names of all formats as a person lists them: "a, b or c", each with the prefix before it. */
 #define FORMAT_LIST_BYTES 120

@@ -6,6 +6,7 @@
 
 #include "alternate_locations.h"
 #include "characters.h"
+#include "frame_title.h"
 #include "pdb_records.h"
 #include "read_molecule.h"
 #include "residue_kinds.h"
@@ -118,10 +119,37 @@ static bool read_pdb(struct line_reader *reader, struct molecule *molecule, stru
   return status == LINE_END;
 }
 
+/* Read the records of one model, from the one after its MODEL, if that has begun, to its end. */
+static enum line_status read_records(struct line_reader *reader, bool *begun, bool wanted,
+                                     struct alternate_locations *seen, struct molecule *molecule,
+                                     struct failure *failure) {
+  for (;;) {
+    const enum line_status status = line_reader_next(reader, failure);
+    const bool within = *begun;
+    if (status == LINE_END) *begun = false;
+    if (status != LINE_READ) return status == LINE_END && within ? LINE_READ : status;
+    const enum pdb_record record = pdb_record_of(reader->text, reader->length);
+    if (record == PDB_MODEL || record == PDB_ATOM) *begun = true;
+    if (record == PDB_END) *begun = false;
+    if (within && (record == PDB_MODEL || record == PDB_END)) return LINE_READ;
+    if (record == PDB_OTHER && !within) frame_title_read(reader->text, &molecule->frame);
+    if (record == PDB_ATOM && wanted && !read_atom(reader, seen, molecule, failure)) return LINE_FAILED;
+  }
+}
+
+static enum line_status next_pdb(struct line_reader *reader, bool *begun, bool wanted, struct molecule *molecule,
+                                 struct failure *failure) {
+  struct alternate_locations seen = ALTERNATE_LOCATIONS_NONE;
+  const enum line_status status = read_records(reader, begun, wanted, &seen, molecule, failure);
+  alternate_locations_free(&seen);
+  return status;
+}
+
 const struct molecule_reader pdb_reader = {.name = "pdb",
                                            .extensions = "PDB# ENT",
                                            .has_elements = true,
                                            .has_residues = true,
                                            .has_hetatm = true,
                                            .unit = "angstrom",
-                                           .read = read_pdb};
+                                           .read = read_pdb,
+                                           .next = next_pdb};

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "characters.h"
+#include "frame_title.h"
 #include "number.h"
 #include "read_molecule.h"
 #include "residue_kinds.h"
@@ -132,6 +133,7 @@ static enum line_status read_model(struct line_reader *reader, uint64_t count, b
   size_t found = 0;
   enum line_status status = line_reader_next(reader, failure); /* the title, possibly blank */
   if (status == LINE_READ && wanted && !columns_of_title(reader, &columns, failure)) return LINE_FAILED;
+  if (status == LINE_READ) frame_title_read(reader->text, &molecule->frame);
   for (*read = 0; status == LINE_READ && *read < count; ++*read) {
     status = next_filled_line(reader, column, MOST_COLUMNS, &found, failure);
     if (status != LINE_READ) break;
@@ -140,25 +142,41 @@ static enum line_status read_model(struct line_reader *reader, uint64_t count, b
   return status;
 }
 
-static bool read_xyz(struct line_reader *reader, struct molecule *molecule, struct failure *failure) {
-  uint64_t count_before = 0;
-  for (;;) {
-    uint64_t count = 0;
-    struct field column[1];
-    size_t columns = 0;
-    const enum line_status status = next_filled_line(reader, column, 1, &columns, failure);
-    if (status != LINE_READ) return status == LINE_END;
-    if (columns != 1 || number_parse_count(column[0].text, column[0].length, &count) != NUMBER_OK) {
-      if (molecule->models == 0) {
-        return failure_in_input(failure, reader->number, "expected the number of atoms alone on this line");
-      }
-      return failure_in_input(failure, reader->number, "data after the last atom (%" PRIu64 " announced)",
-                              count_before);
+/* Step to the next model and read it if it is wanted. */
+static enum line_status next_announced(struct line_reader *reader, uint64_t *count_before, struct molecule *molecule,
+                                       struct failure *failure) {
+  uint64_t count = 0;
+  struct field column[1];
+  size_t columns = 0;
+  const enum line_status status = next_filled_line(reader, column, 1, &columns, failure);
+  if (status != LINE_READ) return status;
+  if (columns != 1 || number_parse_count(column[0].text, column[0].length, &count) != NUMBER_OK) {
+    if (molecule->models == 0) {
+      failure_in_input(failure, reader->number, "expected the number of atoms alone on this line");
+    } else {
+      failure_in_input(failure, reader->number, "data after the last atom (%" PRIu64 " announced)", *count_before);
     }
-    count_before = count;
-    if (!read_announced_model(reader, count, read_model, molecule, failure)) return false;
+    return LINE_FAILED;
+  }
+  *count_before = count;
+  return read_announced_model(reader, count, read_model, molecule, failure) ? LINE_READ : LINE_FAILED;
+}
+
+static bool read_xyz(struct line_reader *reader, struct molecule *molecule, struct failure *failure) {
+  uint64_t count = 0;
+  for (;;) {
+    const enum line_status status = next_announced(reader, &count, molecule, failure);
+    if (status != LINE_READ) return status == LINE_END;
   }
 }
 
+static enum line_status next_xyz(struct line_reader *reader, bool *begun, bool wanted, struct molecule *molecule,
+                                 struct failure *failure) {
+  (void)begun;
+  (void)wanted;
+  uint64_t count = 0;
+  return next_announced(reader, &count, molecule, failure);
+}
+
 const struct molecule_reader xyz_reader = {
-    .name = "xyz", .extensions = "XYZ", .has_elements = true, .unit = "angstrom", .read = read_xyz};
+    .name = "xyz", .extensions = "XYZ", .has_elements = true, .unit = "angstrom", .read = read_xyz, .next = next_xyz};

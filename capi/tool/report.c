@@ -139,6 +139,21 @@ void json_text(struct text_buffer *out, const char *text) {
   text_buffer_add(out, "\"");
 }
 
+void json_frame(struct text_buffer *out, const struct frame_stamp *frame) {
+  if (frame->number == 0) return;
+  text_buffer_add(out, "\"frame\": %" PRIu64 ", \"time\": ", frame->number);
+  if (frame->timed) {
+    json_number(out, frame->time);
+  } else {
+    text_buffer_add(out, "null");
+  }
+  if (frame->stepped) {
+    text_buffer_add(out, ", \"step\": %" PRId64 ", ", frame->step);
+  } else {
+    text_buffer_add(out, ", \"step\": null, ");
+  }
+}
+
 void json_residue_number(struct text_buffer *out, const char *text) {
   const char *digits = text[0] == '-' ? text + 1 : text;
   size_t length = 0;

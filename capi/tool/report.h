@@ -50,6 +50,9 @@ void json_vector(struct text_buffer *out, const double xyz[3]);
  * U+FFFD, the replacement character. */
 void json_text(struct text_buffer *out, const char *text);
 
+/* What a result of JSON begins with: nothing, or of a frame of a trajectory its number, time and step. */
+void json_frame(struct text_buffer *out, const struct frame_stamp *frame);
+
 /* The number of a residue. Most are whole numbers, but files with more residues than columns write letters, and some
  * write nothing: these remain texts. */
 void json_residue_number(struct text_buffer *out, const char *text);

@@ -69,7 +69,7 @@ static const char statuses[] =
     "the file as its first column. One that cannot be read has its line on stderr and stops no other.\n"
     "\n"
     "Exit status: 0 success, 1 bad input, 2 bad usage; then one line on stderr says why, and of that file stdout has\n"
-    "nothing.\n";
+    "nothing; of a --trajectory it has the frames before the one at fault.\n";
 
 /* So that the help of a command fits a screen. */
 static const char for_all_commands[] =
@@ -131,6 +131,12 @@ static const char measure_text[] =
     "  --csv                  print the balls, or with --by the sums, as comma-separated values and nothing else\n"
     "  --pdb-out FILE         write the .pdb file again with the free area of each atom in columns 61-66. Decimals\n"
     "                         that do not fit are left off; atoms that are not read are left out\n"
+    "  --trajectory RUN       go through the frames of a .xtc, .dcd, .pdb, .xyz or .gro file instead, each with the\n"
+    "                         atoms that are read of FILE, which has their names and radii, in its order. A frame is\n"
+    "                         a row of comma-separated values, or with --json a line, printed before the next is\n"
+    "                         read. Boxes are not used: the molecule is taken as it stands in the frame. A frame at\n"
+    "                         fault ends the run with status 1; the rows before it stay\n"
+    "  --frames A:B:S         only the frames A to B, counted from 1, in steps of S; or A alone, A:, :B, ::S\n"
     "Example: hardsphere measure 4hhb.pdb --no-water --probe 1.4 --by residue --relative\n"
     "JSON: n, area, volume; with --curvature mean_curvature, gauss_curvature; with --weights weighted_area; with\n"
     "--polar polar_area, apolar_area, other_area; with\n"
@@ -140,7 +146,8 @@ static const char measure_text[] =
     "balls: [{ball, atom, element, chain, residue, number, insertion, xyz, radius, area, with --weights weight, and\n"
     "with --gradient area_gradient: [x, y, z], volume_gradient, area_dr, volume_dr, and with both weighted_gradient,\n"
     "weighted_dr}, ...] in the order of the file and as far as it names them; with --by residues: [{chain, name,\n"
-    "number, insertion, atoms, area, relative}, ...] or chains: [{chain, atoms, area}, ...].\n"
+    "number, insertion, atoms, area, relative}, ...] or chains: [{chain, atoms, area}, ...]; with --trajectory first\n"
+    "frame, time (in ps, or as .xyz says) and step, null where the file does not tell, and no input.\n"
     "\n";
 
 static const char voids_text[] =
@@ -167,6 +174,8 @@ static const char contacts_text[] =
     "  --by residue|chain     sums over the contacts between residues or chains, instead of those between balls\n"
     "  --cells                also volume, free area and contact area of every ball's cell\n"
     "  --least A              list only contacts, or sums, of area A or more\n"
+    "  --trajectory RUN, --frames A:B:S\n"
+    "                         for every frame a row of numbers, or with --json a line with the list: see measure\n"
     "Example: hardsphere contacts 1crn.pdb --probe 1.4 --by residue --least 5\n"
     "JSON: n, contacts, area, pairs: [{balls: [i, j], area, edge, distance}, ...], with --by pairs: [{residues:\n"
     "[\"A:THR:1\", \"A:THR:2\"], area, edge, atom_pairs}, ...] or chains: [\"A\", \"B\"]; with --cells cells: "

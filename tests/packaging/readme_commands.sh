@@ -19,6 +19,7 @@ gzip -c "$molecules/crambin.pdb" >"$work/files/1crn.pdb.gz"
 awk '/^(ATOM|HETATM)/ { print 1 + NR % 3 }' "$molecules/crambin.pdb" >"$work/files/sigma.txt"
 cp "$inputs/water.cif" "$inputs/one.cif" "$work/files"
 cp "$inputs/residues.gro" "$work/files/frame.gro"
+cp "$inputs/../crambin.xtc" "$work/files/run.xtc"
 foreign=(4hhb.pdb)
 
 # Lines of code in README.md and code within its text; in the summary of commands FILE and X,Y,Z stand for something,

@@ -1,0 +1,71 @@
+#include "byte_reader.h"
+
+#include <errno.h>
+#include <float.h>
+#include <string.h>
+
+#include "line_reader.h"
+
+bool byte_reader_open(struct byte_reader *reader, const char *path, struct failure *failure) {
+  if (input_is_standard(path)) {
+    reader->file = stdin;
+    return true;
+  }
+  errno = 0;
+  reader->file = fopen(path, "rb");
+  if (reader->file != NULL) return true;
+  return failure_in_input(failure, 0, "%s", errno != 0 ? strerror(errno) : "cannot be opened");
+}
+
+bool byte_reader_at_end(const struct byte_reader *reader) {
+  const int byte = getc(reader->file);
+  if (byte != EOF) ungetc(byte, reader->file);
+  return byte == EOF && !ferror(reader->file);
+}
+
+bool byte_reader_take(struct byte_reader *reader, void *out, size_t count, struct failure *failure) {
+  errno = 0;
+  if (fread(out, 1, count, reader->file) == count) return true;
+  const bool broken = ferror(reader->file);
+  return failure_in_input(failure, 0, "%s",
+                          !broken      ? "cut off: the file ends here"
+                          : errno != 0 ? strerror(errno)
+                                       : "cannot be read");
+}
+
+bool byte_reader_skip(struct byte_reader *reader, uint64_t count, struct failure *failure) {
+  unsigned char ignored[8192];
+  while (count > 0) {
+    const size_t piece = count < sizeof ignored ? (size_t)count : sizeof ignored;
+    if (!byte_reader_take(reader, ignored, piece, failure)) return false;
+    count -= piece;
+  }
+  return true;
+}
+
+void byte_reader_close(struct byte_reader *reader) {
+  if (reader->file != NULL && reader->file != stdin) fclose(reader->file);
+  reader->file = NULL;
+}
+
+int32_t bits_to_i32(uint32_t bits) {
+  int32_t value;
+  memcpy(&value, &bits, sizeof value);
+  return value;
+}
+
+float bits_to_float(uint32_t bits) {
+  float value;
+  memcpy(&value, &bits, sizeof value);
+  return value;
+}
+
+double bits_to_double(uint64_t bits) {
+  double value;
+  memcpy(&value, &bits, sizeof value);
+  return value;
+}
+
+bool is_finite(double value) {
+  return value >= -DBL_MAX && value <= DBL_MAX;
+}

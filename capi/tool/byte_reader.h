@@ -1,0 +1,48 @@
+/* Bytes of a binary file, one piece after the other. */
+#ifndef HARDSPHERE_TOOL_BYTE_READER_H
+#define HARDSPHERE_TOOL_BYTE_READER_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#include "failure.h"
+
+struct byte_reader {
+  FILE *file; /* closed by byte_reader_close unless it is standard input */
+};
+
+/* Open a file, or standard input; false with the system's reason if that cannot be done. */
+bool byte_reader_open(struct byte_reader *reader, const char *path, struct failure *failure);
+
+/* Whether there are no more bytes. */
+bool byte_reader_at_end(const struct byte_reader *reader);
+
+/* Read so many bytes. False: the file ends before, or cannot be read. */
+bool byte_reader_take(struct byte_reader *reader, void *out, size_t count, struct failure *failure);
+
+/* The same without keeping them. */
+bool byte_reader_skip(struct byte_reader *reader, uint64_t count, struct failure *failure);
+
+void byte_reader_close(struct byte_reader *reader);
+
+/* Numbers as they lie in memory, lowest or highest byte first. */
+static inline uint32_t bytes_to_u32(const unsigned char *at, bool highest_first) {
+  return highest_first ? (uint32_t)at[0] << 24 | (uint32_t)at[1] << 16 | (uint32_t)at[2] << 8 | at[3]
+                       : (uint32_t)at[3] << 24 | (uint32_t)at[2] << 16 | (uint32_t)at[1] << 8 | at[0];
+}
+static inline uint64_t bytes_to_u64(const unsigned char *at, bool highest_first) {
+  const uint64_t first = bytes_to_u32(at, highest_first), second = bytes_to_u32(at + 4, highest_first);
+  return highest_first ? first << 32 | second : second << 32 | first;
+}
+
+/* The signed number with these bits. */
+int32_t bits_to_i32(uint32_t bits);
+float bits_to_float(uint32_t bits);
+double bits_to_double(uint64_t bits);
+
+/* Not NaN, nor infinite. */
+bool is_finite(double value);
+
+#endif

@@ -1,0 +1,22 @@
+/* A command on the frames of a trajectory, one after the other. */
+#ifndef HARDSPHERE_TOOL_COMMAND_FRAMES_H
+#define HARDSPHERE_TOOL_COMMAND_FRAMES_H
+
+#include <stdbool.h>
+
+#include "arguments.h"
+#include "failure.h"
+#include "geometry.h"
+#include "molecule.h"
+#include "text_buffer.h"
+
+/* What a command does with a molecule. */
+typedef bool command_function(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
+                              struct text_buffer *out, struct failure *failure);
+
+/* Put each frame that the request asks for into the molecule, which is prepared, and print what the command writes for
+ * it before the next one is read. Memory is that of one frame. A failure stops all; what was printed stays. */
+bool command_frames(const struct request *request, struct molecule *molecule, struct geometry *geometry,
+                    command_function *command, struct failure *failure);
+
+#endif

@@ -1,0 +1,21 @@
+/* .xtc, GROMACS's compressed trajectories: frames of coordinates as whole multiples of a length, in nanometres. */
+#ifndef HARDSPHERE_TOOL_READ_XTC_H
+#define HARDSPHERE_TOOL_READ_XTC_H
+
+#include "byte_reader.h"
+#include "line_reader.h"
+#include "molecule.h"
+
+/* What a frame is unpacked from. Zeros at first. */
+struct xtc {
+  unsigned char *packed;
+  size_t capacity;
+};
+
+/* Read the next frame into xyz [atoms][3], in angstrom, or step over it. Frames of another number of atoms fail. */
+enum line_status xtc_next(struct xtc *xtc, struct byte_reader *reader, bool wanted, uint32_t atoms, double *xyz,
+                          struct frame_stamp *stamp, struct failure *failure);
+
+void xtc_free(struct xtc *xtc);
+
+#endif

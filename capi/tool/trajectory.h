@@ -1,0 +1,48 @@
+/* Frames of a trajectory, one after the other, in memory for one of them. */
+#ifndef HARDSPHERE_TOOL_TRAJECTORY_H
+#define HARDSPHERE_TOOL_TRAJECTORY_H
+
+#include "byte_reader.h"
+#include "line_reader.h"
+#include "molecule.h"
+#include "read_dcd.h"
+#include "read_xtc.h"
+
+enum trajectory_format { TRAJECTORY_MODELS, TRAJECTORY_XTC, TRAJECTORY_DCD };
+
+struct trajectory {
+  enum trajectory_format format;
+  enum molecule_format models; /* of a file of models */
+  const char *path;
+  uint32_t atoms;  /* of every frame */
+  uint64_t frames; /* read or stepped over */
+  double *xyz;     /* [atoms][3], angstrom: the frame read last */
+  uint64_t *line;  /* [atoms], where its atoms stand; NULL in binary files */
+  struct frame_stamp stamp;
+  /* The rest is this file's. */
+  struct line_reader *lines;
+  bool begun; /* the next model's first line was read with the last one */
+  struct molecule model;
+  struct byte_reader bytes;
+  struct xtc xtc;
+  struct dcd dcd;
+};
+
+/* What the file is, by its extension; of standard input what the molecule is. False: no trajectory, and the failure
+ * says what would be one. */
+bool trajectory_format_of(const char *path, enum molecule_format molecule, struct trajectory *trajectory,
+                          struct failure *failure);
+
+/* Open the file, whose format is known, for a molecule of so many atoms. Close it on true and on false. */
+bool trajectory_open(struct trajectory *trajectory, const char *path, uint32_t atoms, struct failure *failure);
+
+/* Read the next frame, or step over it: then only the number of its atoms may be checked. LINE_END: there is none.
+ * LINE_FAILED: the failure has its number. */
+enum line_status trajectory_next(struct trajectory *trajectory, bool wanted, struct failure *failure);
+
+/* Put "frame N: " before the reason of a failure that concerns a frame of the file. Always false. */
+bool failure_in_frame(struct failure *failure, const struct trajectory *trajectory);
+
+void trajectory_close(struct trajectory *trajectory);
+
+#endif

@@ -1,0 +1,50 @@
+// Trajectories as simulation programs write them, after descriptions of the formats, with no code of the program.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace trajectories {
+
+using Bytes = std::string;
+
+// The number with its highest or its lowest byte first.
+Bytes bytes_of(uint64_t value, int count, bool highest_first);
+uint32_t bits_of(float value);
+
+// Whole coordinates in units of 1/precision nanometres.
+using Place = std::array<int64_t, 3>;
+
+struct XtcOptions {
+  int32_t step = 0;
+  float time = 0;
+  float precision = 1000;
+  float box = 5;
+  int first_index = 20;  // of the radices of small differences
+  bool large = false;    // the magic number of very large files
+};
+
+// One frame. How atoms are grouped is drawn at random, as far as the format leaves that open.
+Bytes xtc_frame(const std::vector<Place> &atoms, const XtcOptions &options, std::mt19937 &random);
+
+struct DcdOptions {
+  bool highest_first = false;
+  bool charmm = true;  // else X-PLOR
+  bool cell = false;
+  bool fourth = false;
+  uint32_t frames = 0;
+  uint32_t first_step = 1000;
+  uint32_t interval = 100;
+  float delta = 0.5F;
+  std::vector<uint32_t> free_atoms;  // counted from 1; if any, the others are fixed
+};
+
+using Floats = std::vector<std::array<float, 3>>;
+
+Bytes dcd_header(uint32_t atoms, const DcdOptions &options);
+Bytes dcd_frame(const Floats &atoms, bool first, const DcdOptions &options);
+
+}  // namespace trajectories
