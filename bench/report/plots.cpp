@@ -123,12 +123,22 @@ std::vector<Line> alternatives(const std::string &what, const std::function<Amou
   return lines;
 }
 
+std::vector<Line> decompositions(const std::string &kind) {
+  const std::string prefix = "section_2/" + kind + '/';
+  return {{"in space", prefix, counter_of("space")},
+          {"in cubes", prefix, counter_of("cubes")},
+          {"free power cells", prefix, counter_of("cells")}};
+}
+
 }  // namespace
 
 void write_plot_data(const std::filesystem::path &folder, const Run &run) {
   for (const Surface &surface : surfaces) {
     write_table(folder / (std::string("scaling_") + surface.name + ".dat"), run, stages(surface.name));
     write_table(folder / (std::string("peers_") + surface.name + ".dat"), run, surface_peers(surface.name));
+  }
+  for (const char *kind : {"figure_4", "decompositions"}) {
+    write_table(folder / (std::string("section_2_") + kind + ".dat"), run, decompositions(kind));
   }
   for (const char *kind : {"point_atom", "ball_atom"}) {
     write_table(folder / (std::string("searches_") + kind + ".dat"), run, searches(kind));

@@ -82,3 +82,16 @@ if (drawable("alternatives_ball_atom", "alternatives_memory")) {
   @draw
   unset multiplot
 }
+
+if (drawable("section_2_figure_4", "section_2_decompositions")) {
+  set output folder."/figure_4.svg"
+  set multiplot layout 1, 2
+  set ylabel "cells" textcolor rgb "#333333"
+  file = half("section_2_figure_4")
+  set title "Figure 4"
+  @draw
+  file = half("section_2_decompositions")
+  set title "Molecules"
+  @draw
+  unset multiplot
+}
