@@ -81,7 +81,7 @@ void register_suite() {
     register_decompositions("section_2/figure_4/" + size, recipe, Spheres::disjoint);
   }
   for (const Molecule &molecule : paper_molecules()) {
-    if (molecule.atoms.size() > 400) continue;  // minutes
+    if (molecule.atoms.size() > 100) continue;  // minutes
     const SubjectRecipe recipe{molecule.name + "_vdw",
                                [molecule] { return with_radii(molecule, Radii::van_der_waals); }};
     register_decompositions("section_2/decompositions/" + molecule.name, recipe, Spheres::any);
