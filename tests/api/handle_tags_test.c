@@ -9,6 +9,9 @@
 
 static four_handles h;
 static hsp_surface *surface;
+static hsp_contacts *contacts;
+static hsp_cells *cells;
+static hsp_body *body;
 
 /* A surface of its own, as four_handles has none. */
 static void make_surface(void) {
@@ -17,6 +20,33 @@ static void make_surface(void) {
   CHECK_EQUAL(hsp_surface_init(memory, sizeof memory, &limits, &surface), HSP_OK);
   CHECK_EQUAL(hsp_surface_compute(surface, h.boundary, NULL), HSP_OK);
 }
+
+/* Contacts, cells and a body likewise. */
+static void make_further(void) {
+  enum { CELLS_SIZE = 1 << 18 };
+  static unsigned char contacts_memory[SIZE], cells_memory[CELLS_SIZE], body_memory[SIZE];
+  hsp_contacts_limits of_contacts;
+  hsp_cells_limits of_cells;
+  CHECK_EQUAL(hsp_contacts_limits_init(&of_contacts, (uint32_t)sizeof of_contacts, h.boundary), HSP_OK);
+  CHECK_EQUAL(hsp_contacts_init(contacts_memory, sizeof contacts_memory, &of_contacts, &contacts), HSP_OK);
+  CHECK_EQUAL(hsp_cells_limits_init(&of_cells, (uint32_t)sizeof of_cells, BALLS), HSP_OK);
+  CHECK_EQUAL(hsp_cells_init(cells_memory, sizeof cells_memory, &of_cells, &cells), HSP_OK);
+  CHECK_EQUAL(hsp_body_init(body_memory, sizeof body_memory, BALLS, &body), HSP_OK);
+}
+
+static void compute_further(void) {
+  CHECK_EQUAL(hsp_contacts_compute(contacts, h.boundary, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_cells_compute(cells, h.model, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_body_set(body, h.model), HSP_OK);
+}
+
+static void check_further(int32_t of_contacts, int32_t of_cells) {
+  hsp_complex complex;
+  hsp_cells_counts counts;
+  CHECK_EQUAL(hsp_contacts_get_complex(contacts, &complex), of_contacts);
+  CHECK_EQUAL(hsp_cells_get_counts(cells, &counts), of_cells);
+}
+
 static const char *scene;
 
 static int32_t take_nothing(void *context, const char *bytes, size_t count) {
@@ -34,6 +64,9 @@ static void refused_as_model(void *handle) {
   int32_t meets;
   hsp_ray_hit hit;
   check_scene("%s as a model", scene);
+  CHECK_EQUAL(hsp_cells_compute(cells, handle, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_body_set(body, handle), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_model_arrangement(handle, NULL, NULL, NULL, 0, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_model_set(handle, BALLS, four_xyz, four_radius, NULL, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_model_get_info(handle, &info), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_model_get_packing(handle, &packing), HSP_E_ARGUMENT);
@@ -50,6 +83,7 @@ static void refused_as_model(void *handle) {
 }
 
 static void refused_as_boundary(void *handle) {
+  hsp_contacts_limits of_contacts;
   hsp_boundary_counts counts;
   hsp_topology_limits limits;
   hsp_surface_limits of_surface;
@@ -58,6 +92,8 @@ static void refused_as_boundary(void *handle) {
   uint32_t needed, invariant, id;
   double numbers[BALLS];
   check_scene("%s as a boundary", scene);
+  CHECK_EQUAL(hsp_contacts_limits_init(&of_contacts, sizeof of_contacts, handle), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_contacts_compute(contacts, handle, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_compute(handle, h.model, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_begin(handle, h.model, 1, &id), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_work(handle, 0, 0), HSP_E_ARGUMENT);
@@ -116,6 +152,7 @@ static void refused_as_topology(void *handle) {
   CHECK_EQUAL(hsp_topology_get_traversal(handle, 0, NULL, 0, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_topology_locate(handle, four_inside, &cell), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_topology_check(handle, &invariant, &id), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_cells_check(cells, handle, &invariant, &id), HSP_E_ARGUMENT);
 }
 
 static void refused_as_surface(void *handle) {
@@ -158,13 +195,69 @@ static void refused_as_view(void *handle) {
   CHECK_EQUAL(hsp_picture_write(handle, NULL, NULL, NULL, NULL, take_nothing, NULL, NULL), HSP_E_ARGUMENT);
 }
 
-static void refused_as_anything(void *handle, const char *what) {
-  scene = what;
+static void refused_as_contacts(void *handle) {
+  const uint32_t group[BALLS] = {0, 0, 0, 0};
+  hsp_complex complex;
+  hsp_totals totals;
+  uint32_t needed, invariant, id;
+  check_scene("%s as contacts", scene);
+  CHECK_EQUAL(hsp_contacts_compute(handle, h.boundary, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_contacts_get(handle, NULL, 0, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_contacts_get_row(handle, 0, NULL, 0, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_contacts_measure(handle, &totals, NULL, NULL, 0, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_contacts_group(handle, group, NULL, 0, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_contacts_get_complex(handle, &complex), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_contacts_get_simplices(handle, 2, NULL, 0, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_contacts_check(handle, &invariant, &id), HSP_E_ARGUMENT);
+}
+
+static void refused_as_cells(void *handle) {
+  hsp_cells_counts counts;
+  uint32_t needed, invariant, id;
+  check_scene("%s as cells", scene);
+  CHECK_EQUAL(hsp_cells_compute(handle, h.model, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_cells_get_counts(handle, &counts), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_cells_get_cells(handle, 0, 0, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_cells_get_pairs(handle, 0, 0, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_cells_get_neighbours(handle, 0, NULL, 0, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_cells_locate(handle, four_inside, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_cells_check(handle, NULL, &invariant, &id), HSP_E_ARGUMENT);
+}
+
+static void refused_as_body(void *handle) {
+  uint32_t needed;
+  hsp_pose pose;
+  memset(&pose, 0, sizeof pose);
+  check_scene("%s as a body", scene);
+  CHECK_EQUAL(hsp_body_set(handle, h.model), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_body_hits(handle, body, 0, NULL, NULL, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_body_hits(body, handle, 0, NULL, NULL, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_body_gaps(handle, body, 0, NULL, NULL, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_body_gaps(body, handle, 0, NULL, NULL, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_body_overlaps(handle, body, 0, NULL, NULL, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_body_overlaps(body, handle, 0, NULL, NULL, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_body_pairs(handle, body, &pose, NULL, 0, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_body_pairs(body, handle, &pose, NULL, 0, &needed), HSP_E_ARGUMENT);
+}
+
+static void refused_as_one_of_five(void *handle) {
   refused_as_model(handle);
   refused_as_boundary(handle);
   refused_as_topology(handle);
   refused_as_surface(handle);
   refused_as_view(handle);
+}
+
+static void refused_as_further(void *handle) {
+  refused_as_contacts(handle);
+  refused_as_cells(handle);
+  refused_as_body(handle);
+}
+
+static void refused_as_anything(void *handle, const char *what) {
+  scene = what;
+  refused_as_one_of_five(handle);
+  refused_as_further(handle);
 }
 
 static void handles_of_other_kinds(void) {
@@ -173,26 +266,43 @@ static void handles_of_other_kinds(void) {
   refused_as_topology(h.model);
   refused_as_surface(h.model);
   refused_as_view(h.model);
+  refused_as_further(h.model);
   scene = "a boundary";
   refused_as_model(h.boundary);
   refused_as_topology(h.boundary);
   refused_as_surface(h.boundary);
   refused_as_view(h.boundary);
+  refused_as_further(h.boundary);
   scene = "a topology";
   refused_as_model(h.topology);
   refused_as_boundary(h.topology);
   refused_as_surface(h.topology);
   refused_as_view(h.topology);
+  refused_as_further(h.topology);
   scene = "a surface";
   refused_as_model(surface);
   refused_as_boundary(surface);
   refused_as_topology(surface);
   refused_as_view(surface);
+  refused_as_further(surface);
   scene = "a view";
   refused_as_model(h.view);
   refused_as_boundary(h.view);
   refused_as_topology(h.view);
   refused_as_surface(h.view);
+  refused_as_further(h.view);
+  scene = "contacts";
+  refused_as_one_of_five(contacts);
+  refused_as_cells(contacts);
+  refused_as_body(contacts);
+  scene = "cells";
+  refused_as_one_of_five(cells);
+  refused_as_contacts(cells);
+  refused_as_body(cells);
+  scene = "a body";
+  refused_as_one_of_five(body);
+  refused_as_contacts(body);
+  refused_as_cells(body);
 }
 
 /* Copies at another address, as realloc makes them. */
@@ -201,9 +311,9 @@ static void moved_handles(void) {
     unsigned char bytes[4096];
     double alignment;
   } copy;
-  void *const handles[5] = {h.model, h.boundary, h.topology, h.view, surface};
+  void *const handles[8] = {h.model, h.boundary, h.topology, h.view, surface, contacts, cells, body};
   int i;
-  for (i = 0; i < 5; ++i) {
+  for (i = 0; i < 8; ++i) {
     unpoison(handles[i], 4096);
     memcpy(copy.bytes, handles[i], 4096);
     refused_as_anything(copy.bytes, "a moved handle");
@@ -229,6 +339,8 @@ static void forgotten_handles(void) {
   uint64_t tag;
   four_handles_compute(&h);
   CHECK_EQUAL(hsp_surface_compute(surface, h.boundary, NULL), HSP_OK);
+  compute_further();
+  check_further(HSP_OK, HSP_OK);
   check_scene("a model without its tag");
   memcpy(&tag, h.model, sizeof tag);
   memset(h.model, 0, sizeof tag);
@@ -236,12 +348,14 @@ static void forgotten_handles(void) {
   check_status(contents_of_topology(h.topology), HSP_E_STATE);
   CHECK_EQUAL(hsp_view_get_info(h.view, &info), HSP_E_STATE);
   CHECK_EQUAL(hsp_surface_get_counts(surface, &counts), HSP_E_STATE);
+  check_further(HSP_E_STATE, HSP_E_STATE);
   memcpy(h.model, &tag, sizeof tag);
   check_scene("a boundary without its tag");
   memcpy(&tag, h.boundary, sizeof tag);
   memset(h.boundary, 0, sizeof tag);
   check_status(contents_of_topology(h.topology), HSP_E_STATE);
   CHECK_EQUAL(hsp_surface_get_counts(surface, &counts), HSP_E_STATE);
+  check_further(HSP_E_STATE, HSP_OK);
   memcpy(h.boundary, &tag, sizeof tag);
   CHECK_EQUAL(hsp_surface_get_counts(surface, &counts), HSP_OK);
   check_status(contents_of_topology(h.topology), HSP_OK);
@@ -272,6 +386,7 @@ int main(void) {
   h = four_handles_make(BALLS);
   four_handles_compute(&h);
   make_surface();
+  make_further();
   handles_of_other_kinds();
   moved_handles();
   no_handles_at_all();
