@@ -67,15 +67,17 @@ int32_t hsp_pose_from_matrix(const double *matrix, const double *translation, hs
 
 int32_t hsp_body_hits(const hsp_body *fixed, const hsp_body *moving, uint32_t poses, const hsp_pose *pose,
                       uint32_t *hit, uint32_t *first_bad) {
+  hsp::PairPlace witness;
   return for_each_pose(fixed, moving, poses, pose, hit, first_bad, [&](uint32_t k, const hsp::Pose &at) {
-    hit[k] = hsp::any_balls_meet(fixed->tree, moving->tree, at) ? 1 : 0;
+    hit[k] = hsp::any_balls_meet(fixed->tree, moving->tree, at, witness) ? 1 : 0;
   });
 }
 
 int32_t hsp_body_gaps(const hsp_body *fixed, const hsp_body *moving, uint32_t poses, const hsp_pose *pose,
                       hsp_body_gap *gap, uint32_t *first_bad) {
+  hsp::PairPlace witness;
   return for_each_pose(fixed, moving, poses, pose, gap, first_bad, [&](uint32_t k, const hsp::Pose &at) {
-    const hsp::PairGap found = hsp::least_gap(fixed->tree, moving->tree, at);
+    const hsp::PairGap found = hsp::least_gap(fixed->tree, moving->tree, at, witness);
     gap[k] = {fixed->tree.lattice().length(found.gap), found.fixed, found.moving};
   });
 }

@@ -23,6 +23,7 @@ set(HSP_LIBRARY_SOURCES
   lib/model/vertical_ray.cpp
   lib/poses/pose.cpp
   lib/poses/pose_queries.cpp
+  lib/poses/rational_pose.cpp
   lib/poses/sphere_tree.cpp
   lib/cells/arrangement.cpp
   lib/cells/cell_location.cpp

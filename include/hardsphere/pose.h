@@ -13,7 +13,8 @@
  *
  * Both bodies need lattices of the same step: set hsp_model_options.step where radii differ much. Bodies are only read
  * by the functions that ask, so that any number of threads may ask at once, and a list of poses may be split over
- * threads in any way: every pose has its own answer. */
+ * threads in any way: every pose has its own answer. Poses that follow each other closely in a list, as frames do, cost
+ * less: the pair of balls that decided about one is looked at first for the next. */
 #ifndef HARDSPHERE_POSE_H
 #define HARDSPHERE_POSE_H
 

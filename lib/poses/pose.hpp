@@ -13,6 +13,11 @@
 
 namespace hsp {
 
+// The lattice point nearest to a point in steps.
+inline Vec3 snapped(const Vec3 &p) {
+  return {static_cast<double>(nearest(p.x)), static_cast<double>(nearest(p.y)), static_cast<double>(nearest(p.z))};
+}
+
 class Pose {
  public:
   // At rest.
@@ -29,22 +34,23 @@ class Pose {
             (row_[2].x * p.x + row_[2].y * p.y + row_[2].z * p.z) + translation_.z};
   }
   // The lattice point nearest to it, of a point within `reach` of the origin that has_room_for accepts.
-  Vec3 snapped(const Vec3 &p) const {
-    const Vec3 moved = image(p);
-    return {static_cast<double>(nearest(moved.x)), static_cast<double>(nearest(moved.y)),
-            static_cast<double>(nearest(moved.z))};
-  }
+  Vec3 snapped(const Vec3 &p) const { return hsp::snapped(image(p)); }
   // Whether images of points within `reach` of the origin are on the lattice: differences of their coordinates and
   // those of other lattice points are exact doubles then.
   bool has_room_for(double reach) const { return reach + largest_shift() <= exact::query_radius_limit; }
   // More than a snapped point can be away from its ideal image, and than distances of such points are rounded by.
   double slack(double reach) const { return 1.0 + 0x1p-48 * (reach + largest_shift()); }
 
- private:
   double largest_shift() const {
     return std::fabs(translation_.x) + std::fabs(translation_.y) + std::fabs(translation_.z);
   }
+  // Rounds the translation to the lattice, and returns it.
+  Vec3 snap_translation() {
+    translation_ = hsp::snapped(translation_);
+    return translation_;
+  }
 
+ private:
   Vec3 row_[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   Vec3 translation_{0, 0, 0};  // steps
 };

@@ -14,53 +14,142 @@ bool opens_fixed(const TreeNode &fixed, const TreeNode &moving) {
   return moving.is_leaf() || (!fixed.is_leaf() && fixed.radius > moving.radius);
 }
 
-// The snapped balls of a leaf of the moving molecule.
-struct MovedLeaf {
-  MovedLeaf(const SphereTree &moving, const TreeNode &leaf, const Pose &pose) : first(leaf.first), last(leaf.last) {
-    for (uint32_t j = first; j < last; ++j) centre[j - first] = pose.snapped(moving.centre(j));
+// Where the balls of a snapped pose are, and what is decided about them.
+class SnappedBalls {
+ public:
+  SnappedBalls(const SphereTree &fixed, const SphereTree &moving, const Pose &pose)
+      : pose_(&pose), slack_(pose.slack(fixed.reach() + moving.reach())) {}
+
+  // Of a ball of the moving molecule, or of a node: at most slack() from where it is.
+  Vec3 image(const Vec3 &p) const { return pose_->image(p); }
+  double slack() const { return slack_; }
+  // Where a ball is whose image has been found.
+  Vec3 place(const Vec3 &image) const { return snapped(image); }
+
+  // Whether a ball at rest about c and the ball about p meet; `between`: from c to the place of p.
+  bool meet(const Vec3 &, const Vec3 &, const Vec3 &between, double sum) const {
+    return hsp::meet(between.x, between.y, between.z, sum);
   }
-  uint32_t first, last;
+  double distance(const Vec3 &, const Vec3 &, const Vec3 &between) const { return std::sqrt(dot(between, between)); }
+
+ private:
+  const Pose *pose_;
+  double slack_;
+};
+
+// The same of a rational pose: doubles say where a ball is up to the slack.
+class RationalBalls {
+ public:
+  RationalBalls(const SphereTree &fixed, const SphereTree &moving, const RationalPose &pose)
+      : pose_(&pose), slack_(pose.slack(fixed.reach() + moving.reach())) {}
+
+  Vec3 image(const Vec3 &p) const { return pose_->image(p); }
+  double slack() const { return slack_; }
+  Vec3 place(const Vec3 &image) const { return image; }
+
+  bool meet(const Vec3 &c, const Vec3 &p, const Vec3 &between, double sum) const {
+    const double square = dot(between, between);
+    const double least = sum - slack_, most = sum + slack_;
+    if (square > most * most * (1 + meeting_doubt)) return false;
+    if (least > 0 && square < least * least * (1 - meeting_doubt)) return true;
+    return pose_->meet_exactly(c, p, sum);
+  }
+  double distance(const Vec3 &c, const Vec3 &p, const Vec3 &) const { return pose_->distance(c, p); }
+
+ private:
+  const RationalPose *pose_;
+  double slack_;
+};
+
+// The balls of a leaf of the moving molecule that may meet one below a node at rest.
+struct NearBalls {
+  template <class Balls>
+  NearBalls(const SphereTree &moving, const TreeNode &leaf, const TreeNode &fixed, const Balls &balls) {
+    for (uint32_t j = leaf.first; j < leaf.last; ++j) {
+      const Vec3 image = balls.image(moving.centre(j));
+      const Vec3 between = image - fixed.centre;
+      const double sum = fixed.radius + moving.radius(j) + balls.slack();
+      if (dot(between, between) > sum * sum) continue;
+      ball[count] = j;
+      centre[count++] = balls.place(image);
+    }
+  }
+  uint32_t count = 0;
+  uint32_t ball[SphereTree::leaf_size];
   Vec3 centre[SphereTree::leaf_size];
 };
 
 // Calls visit(ball at rest, moving ball, vector between their centres), in the order of the trees, for all pairs that
 // meet, until it returns true: whether it did.
-template <class Visit>
-bool visit_meeting_pairs(const SphereTree &fixed, const SphereTree &moving, const Pose &pose, Visit visit) {
+template <class Balls, class Visit>
+bool visit_meeting_pairs(const SphereTree &fixed, const SphereTree &moving, const Balls &balls, Visit visit) {
   if (fixed.empty() || moving.empty()) return false;
-  const double slack = pose.slack(fixed.reach() + moving.reach());
   struct Task {
     uint32_t fixed, moving;
+    Vec3 image;  // of the moving node's centre
   };
   Task tasks[most_waiting];
   uint32_t count = 0;
-  tasks[count++] = {0, 0};
+  const double slack = balls.slack();
+  const auto push_if_near = [&](uint32_t f, uint32_t m, const Vec3 &image) {
+    const TreeNode &a = fixed.node(f);
+    const Vec3 between = image - a.centre;
+    const double sum = a.radius + moving.node(m).radius + slack;
+    if (dot(between, between) <= sum * sum) tasks[count++] = {f, m, image};
+  };
+  push_if_near(0, 0, balls.image(moving.node(0).centre));
   while (count > 0) {
     const Task task = tasks[--count];
     const TreeNode &a = fixed.node(task.fixed);
     const TreeNode &b = moving.node(task.moving);
-    const Vec3 between = pose.image(b.centre) - a.centre;
-    const double sum = a.radius + b.radius + slack;
-    if (dot(between, between) > sum * sum) continue;
     if (a.is_leaf() && b.is_leaf()) {
-      const MovedLeaf moved(moving, b, pose);
-      for (uint32_t i = a.first; i < a.last; ++i)
-        for (uint32_t j = moved.first; j < moved.last; ++j) {
-          const Vec3 difference = moved.centre[j - moved.first] - fixed.centre(i);
-          if (meet(difference.x, difference.y, difference.z, fixed.radius(i) + moving.radius(j)) &&
-              visit(i, j, difference)) {
+      const NearBalls near(moving, b, a, balls);
+      for (uint32_t i = a.first; i < a.last && near.count > 0; ++i) {
+        const Vec3 c = fixed.centre(i);
+        for (uint32_t k = 0; k < near.count; ++k) {
+          const uint32_t j = near.ball[k];
+          const Vec3 between = near.centre[k] - c;
+          if (balls.meet(c, moving.centre(j), between, fixed.radius(i) + moving.radius(j)) && visit(i, j, between))
             return true;
-          }
         }
+      }
     } else if (opens_fixed(a, b)) {
-      tasks[count++] = {a.second, task.moving};
-      tasks[count++] = {task.fixed + 1, task.moving};
+      push_if_near(a.second, task.moving, task.image);
+      push_if_near(task.fixed + 1, task.moving, task.image);
     } else {
-      tasks[count++] = {task.fixed, b.second};
-      tasks[count++] = {task.fixed, task.moving + 1};
+      push_if_near(task.fixed, b.second, balls.image(moving.node(b.second).centre));
+      push_if_near(task.fixed, task.moving + 1, balls.image(moving.node(task.moving + 1).centre));
     }
   }
   return false;
+}
+
+template <class Balls>
+bool any_meet(const SphereTree &fixed, const SphereTree &moving, const Balls &balls, PairPlace &witness) {
+  if (witness.fixed < fixed.ball_count() && witness.moving < moving.ball_count()) {
+    const Vec3 c = fixed.centre(witness.fixed), p = moving.centre(witness.moving);
+    const double sum = fixed.radius(witness.fixed) + moving.radius(witness.moving);
+    if (balls.meet(c, p, balls.place(balls.image(p)) - c, sum)) return true;
+  }
+  return visit_meeting_pairs(fixed, moving, balls, [&](uint32_t i, uint32_t j, const Vec3 &) {
+    witness = {i, j};
+    return true;
+  });
+}
+
+template <class Balls>
+uint64_t list_pairs(const SphereTree &fixed, const SphereTree &moving, const Balls &balls, Span<MeetingPair> pairs) {
+  uint64_t count = 0;
+  visit_meeting_pairs(fixed, moving, balls, [&](uint32_t i, uint32_t j, const Vec3 &) {
+    if (count < pairs.size()) pairs[static_cast<uint32_t>(count)] = {fixed.caller(i), moving.caller(j)};
+    ++count;
+    return false;
+  });
+  if (count <= pairs.size())
+    sort_in_place(pairs.part(0, static_cast<uint32_t>(count)), [](const MeetingPair &a, const MeetingPair &b) {
+      return a.fixed != b.fixed ? a.fixed < b.fixed : a.moving < b.moving;
+    });
+  return count;
 }
 
 // What two balls have in common, by the distance of their centres.
@@ -73,6 +162,71 @@ double lens_volume(double d, double r, double s) {
   return pi / 12.0 * (depth * depth) * ((d * d + 2.0 * d * (r + s)) - 3.0 * (difference * difference)) / d;
 }
 
+template <class Balls>
+PairGap find_least_gap(const SphereTree &fixed, const SphereTree &moving, const Balls &balls, PairPlace &witness) {
+  PairGap best;
+  if (fixed.empty() || moving.empty()) return best;
+  const double slack = balls.slack();
+  const auto compare = [&](uint32_t i, uint32_t j, const Vec3 &between) {
+    const Vec3 c = fixed.centre(i);
+    const double sum = fixed.radius(i) + moving.radius(j);
+    // Nothing nearer than this can be better, with more room than all roundings take.
+    const double enough = best.gap + sum + (slack + 0x1p-46 * sum);
+    if (enough < 0 || dot(between, between) > enough * enough) return;
+    const PairGap found{balls.distance(c, moving.centre(j), between) - sum, fixed.caller(i), moving.caller(j)};
+    const bool is_first = found.fixed != best.fixed ? found.fixed < best.fixed : found.moving < best.moving;
+    if (found.gap > best.gap || (found.gap == best.gap && !is_first)) return;
+    best = found;
+    witness = {i, j};
+  };
+  if (witness.fixed < fixed.ball_count() && witness.moving < moving.ball_count())
+    compare(witness.fixed, witness.moving,
+            balls.place(balls.image(moving.centre(witness.moving))) - fixed.centre(witness.fixed));
+  struct Task {
+    double bound;  // no gap below these nodes is less
+    uint32_t fixed, moving;
+    Vec3 image;  // of the moving node's centre
+  };
+  const auto task_of = [&](uint32_t f, uint32_t m, const Vec3 &image) -> Task {
+    const TreeNode &a = fixed.node(f);
+    const Vec3 between = image - a.centre;
+    return {std::sqrt(dot(between, between)) - (a.radius + moving.node(m).radius + slack), f, m, image};
+  };
+  Task tasks[most_waiting];
+  uint32_t count = 0;
+  tasks[count++] = task_of(0, 0, balls.image(moving.node(0).centre));
+  while (count > 0) {
+    const Task task = tasks[--count];
+    if (task.bound > best.gap) continue;
+    const TreeNode &a = fixed.node(task.fixed);
+    const TreeNode &b = moving.node(task.moving);
+    if (a.is_leaf() && b.is_leaf()) {
+      for (uint32_t j = b.first; j < b.last; ++j) {
+        const Vec3 image = balls.image(moving.centre(j));
+        const Vec3 from_node = image - a.centre;
+        const double enough = best.gap + (a.radius + moving.radius(j)) + slack;
+        if (enough < 0 || dot(from_node, from_node) > enough * enough * (1 + meeting_doubt)) continue;
+        const Vec3 place = balls.place(image);
+        for (uint32_t i = a.first; i < a.last; ++i) compare(i, j, place - fixed.centre(i));
+      }
+      continue;
+    }
+    const bool by_fixed = opens_fixed(a, b);
+    Task near = by_fixed ? task_of(task.fixed + 1, task.moving, task.image)
+                         : task_of(task.fixed, task.moving + 1, balls.image(moving.node(task.moving + 1).centre));
+    Task far = by_fixed ? task_of(a.second, task.moving, task.image)
+                        : task_of(task.fixed, b.second, balls.image(moving.node(b.second).centre));
+    if (far.bound < near.bound) {
+      const Task swapped = near;
+      near = far;
+      far = swapped;
+    }
+    if (far.bound <= best.gap) tasks[count++] = far;
+    if (near.bound <= best.gap) tasks[count++] = near;
+  }
+  return best;
+}
+
 }  // namespace
 
 Status make_pose(const SphereTree &fixed, const SphereTree &moving, const double *quaternion, const double *translation,
@@ -83,81 +237,49 @@ Status make_pose(const SphereTree &fixed, const SphereTree &moving, const double
   return pose.has_room_for(moving.reach()) ? Status::ok : Status::range;
 }
 
-bool any_balls_meet(const SphereTree &fixed, const SphereTree &moving, const Pose &pose) {
-  return visit_meeting_pairs(fixed, moving, pose, [](uint32_t, uint32_t, const Vec3 &) { return true; });
+Status make_pose(const SphereTree &fixed, const SphereTree &moving, const int32_t *quaternion,
+                 const double *translation, RationalPose &pose) {
+  if (fixed.lattice().step() != moving.lattice().step()) return Status::argument;
+  const Status status = RationalPose::make(quaternion, translation, moving.lattice(), pose);
+  if (status != Status::ok) return status;
+  return pose.has_room_for(moving.reach()) ? Status::ok : Status::range;
+}
+
+bool any_balls_meet(const SphereTree &fixed, const SphereTree &moving, const Pose &pose, PairPlace &witness) {
+  return any_meet(fixed, moving, SnappedBalls(fixed, moving, pose), witness);
+}
+
+bool any_balls_meet(const SphereTree &fixed, const SphereTree &moving, const RationalPose &pose, PairPlace &witness) {
+  return any_meet(fixed, moving, RationalBalls(fixed, moving, pose), witness);
 }
 
 uint64_t list_meeting_pairs(const SphereTree &fixed, const SphereTree &moving, const Pose &pose,
                             Span<MeetingPair> pairs) {
-  uint64_t count = 0;
-  visit_meeting_pairs(fixed, moving, pose, [&](uint32_t i, uint32_t j, const Vec3 &) {
-    if (count < pairs.size()) pairs[static_cast<uint32_t>(count)] = {fixed.caller(i), moving.caller(j)};
-    ++count;
-    return false;
-  });
-  if (count <= pairs.size())
-    sort_in_place(pairs.part(0, static_cast<uint32_t>(count)), [](const MeetingPair &a, const MeetingPair &b) {
-      return a.fixed != b.fixed ? a.fixed < b.fixed : a.moving < b.moving;
-    });
-  return count;
+  return list_pairs(fixed, moving, SnappedBalls(fixed, moving, pose), pairs);
+}
+
+uint64_t list_meeting_pairs(const SphereTree &fixed, const SphereTree &moving, const RationalPose &pose,
+                            Span<MeetingPair> pairs) {
+  return list_pairs(fixed, moving, RationalBalls(fixed, moving, pose), pairs);
 }
 
 Overlap sum_overlaps(const SphereTree &fixed, const SphereTree &moving, const Pose &pose) {
   Overlap sum;
-  visit_meeting_pairs(fixed, moving, pose, [&](uint32_t i, uint32_t j, const Vec3 &difference) {
-    ++sum.pairs;
-    sum.volume += lens_volume(std::sqrt(dot(difference, difference)), fixed.radius(i), moving.radius(j));
-    return false;
-  });
+  visit_meeting_pairs(
+      fixed, moving, SnappedBalls(fixed, moving, pose), [&](uint32_t i, uint32_t j, const Vec3 &difference) {
+        ++sum.pairs;
+        sum.volume += lens_volume(std::sqrt(dot(difference, difference)), fixed.radius(i), moving.radius(j));
+        return false;
+      });
   return sum;
 }
 
-PairGap least_gap(const SphereTree &fixed, const SphereTree &moving, const Pose &pose) {
-  PairGap best;
-  if (fixed.empty() || moving.empty()) return best;
-  const double slack = pose.slack(fixed.reach() + moving.reach());
-  struct Task {
-    double bound;  // no gap below these nodes is less
-    uint32_t fixed, moving;
-  };
-  const auto task_of = [&](uint32_t f, uint32_t m) -> Task {
-    const TreeNode &a = fixed.node(f);
-    const TreeNode &b = moving.node(m);
-    const Vec3 between = pose.image(b.centre) - a.centre;
-    return {std::sqrt(dot(between, between)) - (a.radius + b.radius + slack), f, m};
-  };
-  Task tasks[most_waiting];
-  uint32_t count = 0;
-  tasks[count++] = task_of(0, 0);
-  while (count > 0) {
-    const Task task = tasks[--count];
-    if (task.bound > best.gap) continue;
-    const TreeNode &a = fixed.node(task.fixed);
-    const TreeNode &b = moving.node(task.moving);
-    if (a.is_leaf() && b.is_leaf()) {
-      const MovedLeaf moved(moving, b, pose);
-      for (uint32_t i = a.first; i < a.last; ++i)
-        for (uint32_t j = moved.first; j < moved.last; ++j) {
-          const Vec3 difference = moved.centre[j - moved.first] - fixed.centre(i);
-          const PairGap found{std::sqrt(dot(difference, difference)) - (fixed.radius(i) + moving.radius(j)),
-                              fixed.caller(i), moving.caller(j)};
-          const bool is_first = found.fixed != best.fixed ? found.fixed < best.fixed : found.moving < best.moving;
-          if (found.gap < best.gap || (found.gap == best.gap && is_first)) best = found;
-        }
-      continue;
-    }
-    const bool by_fixed = opens_fixed(a, b);
-    Task near = by_fixed ? task_of(task.fixed + 1, task.moving) : task_of(task.fixed, task.moving + 1);
-    Task far = by_fixed ? task_of(a.second, task.moving) : task_of(task.fixed, b.second);
-    if (far.bound < near.bound) {
-      const Task swapped = near;
-      near = far;
-      far = swapped;
-    }
-    tasks[count++] = far;
-    tasks[count++] = near;
-  }
-  return best;
+PairGap least_gap(const SphereTree &fixed, const SphereTree &moving, const Pose &pose, PairPlace &witness) {
+  return find_least_gap(fixed, moving, SnappedBalls(fixed, moving, pose), witness);
+}
+
+PairGap least_gap(const SphereTree &fixed, const SphereTree &moving, const RationalPose &pose, PairPlace &witness) {
+  return find_least_gap(fixed, moving, RationalBalls(fixed, moving, pose), witness);
 }
 
 }  // namespace hsp

@@ -1,11 +1,12 @@
 // A moving molecule against one at rest: does any ball of the one meet one of the other, which pairs meet, and how far
 // apart are they. Both are prepared as trees on lattices of the same step; the pose must have room for the reach of the
-// moving one. What is decided is decided about the snapped balls of the pose (pose.hpp), in integers, as brute force
-// would; trees only leave out what is certainly apart. Balls that touch meet. Nothing is written to, so that many
-// threads may ask at once.
+// moving one. What is decided is decided in integers, as brute force would, about the snapped balls of a pose
+// (pose.hpp) or about the ideal ones of a rational pose (rational_pose.hpp); trees only leave out what is certainly
+// apart. Balls that touch meet. Nothing is written to, so that many threads may ask at once.
 #pragma once
 
 #include "poses/pose.hpp"
+#include "poses/rational_pose.hpp"
 #include "poses/sphere_tree.hpp"
 
 namespace hsp {
@@ -14,9 +15,24 @@ namespace hsp {
 // Status::range if the pose has no room for the moving one, or what Pose::make says.
 Status make_pose(const SphereTree &fixed, const SphereTree &moving, const double *quaternion, const double *translation,
                  Pose &pose);
+// Likewise, of the numbers of RationalPose::make.
+Status make_pose(const SphereTree &fixed, const SphereTree &moving, const int32_t *quaternion,
+                 const double *translation, RationalPose &pose);
 
-// Whether any two balls meet.
-bool any_balls_meet(const SphereTree &fixed, const SphereTree &moving, const Pose &pose);
+// Two balls, by their places in the trees: those that decided the last answer. Whoever asks about one pose after the
+// other hands them on; they are looked at first, and where poses change little nothing else may be needed. Answers do
+// not depend on them, and any numbers may stand there.
+struct PairPlace {
+  uint32_t fixed = no_id, moving = no_id;
+};
+
+// Whether any two balls meet. If so the witness becomes a pair that does, else it stays as it is.
+bool any_balls_meet(const SphereTree &fixed, const SphereTree &moving, const Pose &pose, PairPlace &witness);
+bool any_balls_meet(const SphereTree &fixed, const SphereTree &moving, const RationalPose &pose, PairPlace &witness);
+inline bool any_balls_meet(const SphereTree &fixed, const SphereTree &moving, const Pose &pose) {
+  PairPlace none;
+  return any_balls_meet(fixed, moving, pose, none);
+}
 
 struct MeetingPair {
   uint32_t fixed, moving;  // the caller's indices
@@ -25,6 +41,8 @@ struct MeetingPair {
 // Writes the pairs that meet, as many as there is room for, and returns how many there are. Ascending if all fit, else
 // in no order that means anything.
 uint64_t list_meeting_pairs(const SphereTree &fixed, const SphereTree &moving, const Pose &pose,
+                            Span<MeetingPair> pairs);
+uint64_t list_meeting_pairs(const SphereTree &fixed, const SphereTree &moving, const RationalPose &pose,
                             Span<MeetingPair> pairs);
 
 struct Overlap {
@@ -42,7 +60,13 @@ struct PairGap {
 };
 
 // The least distance between two balls, less than 0 for the pair that overlaps deepest; its error is at most 2^-51 of
-// the distance of the centres. Of equal ones the first, by the ball at rest. Infinite if one molecule has no balls.
-PairGap least_gap(const SphereTree &fixed, const SphereTree &moving, const Pose &pose);
+// the distance of the centres. Of equal ones the first, by the ball at rest. Infinite if one molecule has no balls. The
+// witness becomes the pair.
+PairGap least_gap(const SphereTree &fixed, const SphereTree &moving, const Pose &pose, PairPlace &witness);
+PairGap least_gap(const SphereTree &fixed, const SphereTree &moving, const RationalPose &pose, PairPlace &witness);
+inline PairGap least_gap(const SphereTree &fixed, const SphereTree &moving, const Pose &pose) {
+  PairPlace none;
+  return least_gap(fixed, moving, pose, none);
+}
 
 }  // namespace hsp

@@ -8,6 +8,7 @@
 
 #include "point_lattices.hpp"
 #include "random_poses.hpp"
+#include "rational_images.hpp"
 
 namespace {
 
@@ -46,6 +47,29 @@ struct BruteForce {
   long double gap = INFINITY;
 };
 
+// Empty, or what is answered otherwise from any witness. What comes back is a pair of the answer.
+template <class AnyPose>
+std::string witness_complaint(const hsp::SphereTree &fixed, const hsp::SphereTree &moving, const AnyPose &pose,
+                              const hsp::PairGap &least) {
+  hsp::PairPlace none;
+  const bool hit = hsp::any_balls_meet(fixed, moving, pose, none);
+  if (hit != (none.fixed != hsp::no_id)) return "witness of a hit";
+  const uint32_t f = fixed.ball_count(), m = moving.ball_count();
+  for (const hsp::PairPlace &start :
+       {hsp::PairPlace{0, 0}, {f / 2, m / 2}, {f - 1, m - 1}, {f, 0}, {0, m}, {hsp::no_id, 0}, none}) {
+    hsp::PairPlace witness = start;
+    if (hsp::any_balls_meet(fixed, moving, pose, witness) != hit) return "hit from a witness";
+    if (!hit && (witness.fixed != start.fixed || witness.moving != start.moving)) return "witness without a hit";
+    witness = start;
+    const hsp::PairGap found = hsp::least_gap(fixed, moving, pose, witness);
+    if (found.gap != least.gap || found.fixed != least.fixed || found.moving != least.moving)
+      return "gap from a witness";
+    if (f > 0 && m > 0 && (fixed.caller(witness.fixed) != found.fixed || moving.caller(witness.moving) != found.moving))
+      return "witness of the gap";
+  }
+  return "";
+}
+
 // Empty, or what the trees say otherwise than brute force.
 std::string complaint(const Balls &fixed, const Balls &moving, const hsp::Pose &pose) {
   const BuiltTree rest(fixed), other(moving);
@@ -60,6 +84,7 @@ std::string complaint(const Balls &fixed, const Balls &moving, const hsp::Pose &
   if (pairs != brute.pairs) return "pairs";
   if (hsp::sum_overlaps(rest.tree(), other.tree(), pose).pairs != count) return "count";
   const hsp::PairGap least = hsp::least_gap(rest.tree(), other.tree(), pose);
+  if (const std::string text = witness_complaint(rest.tree(), other.tree(), pose, least); !text.empty()) return text;
   if (fixed.empty() || moving.empty()) return least.fixed == hsp::no_id && std::isinf(least.gap) ? "" : "gap of none";
   if (std::fabs(least.gap - static_cast<double>(brute.gap)) > 1e-15 * std::fabs(least.gap) + 1e-6) return "gap";
   if (least.fixed >= fixed.size() || least.moving >= moving.size()) return "pair of the gap";
@@ -118,6 +143,64 @@ TEST(PoseQueries, AgreeFarFromTheOrigin) {
     for (const std::array<double, 4> &q : {std::array<double, 4>{1, 0, 0, 1}, {0.9, 0.1, -0.2, 0.3}})
       ASSERT_EQ(complaint(fixed, moving, pose_of({q, {0, 0, 0}})), "") << far;
   }
+}
+
+// Empty, or what the trees say otherwise than large integers of a rational pose.
+std::string rational_complaint(const Balls &fixed, const Balls &moving, const RationalNumbers &numbers) {
+  const BuiltTree rest(fixed), other(moving);
+  const double translation[3] = {static_cast<double>(numbers.shift[0]), static_cast<double>(numbers.shift[1]),
+                                 static_cast<double>(numbers.shift[2])};
+  hsp::RationalPose pose;
+  if (hsp::make_pose(rest.tree(), other.tree(), numbers.quaternion.data(), translation, pose) != hsp::Status::ok)
+    return "refused";
+  Pairs expected;
+  double gap = INFINITY, error = 0;
+  for (uint32_t i = 0; i < fixed.size(); ++i)
+    for (uint32_t j = 0; j < moving.size(); ++j) {
+      if (exact_relation(fixed[i], moving[j], numbers) <= 0) expected.emplace_back(i, j);
+      const auto point = [](const LatticeBall &ball) {
+        return hsp::Vec3{static_cast<double>(ball.x), static_cast<double>(ball.y), static_cast<double>(ball.z)};
+      };
+      const double distance = pose.distance(point(fixed[i]), point(moving[j]));
+      gap = std::min(gap, distance - static_cast<double>(fixed[i].radius + moving[j].radius));
+      error = std::max(error, 0x1p-50 * distance);
+    }
+  std::vector<hsp::MeetingPair> room(expected.size() + 1);
+  const uint64_t count =
+      hsp::list_meeting_pairs(rest.tree(), other.tree(), pose, {room.data(), static_cast<uint32_t>(room.size())});
+  Pairs pairs;
+  for (uint64_t k = 0; k < count && k < room.size(); ++k) pairs.emplace_back(room[k].fixed, room[k].moving);
+  if (pairs != expected) return "pairs";
+  hsp::PairPlace witness;
+  if (hsp::any_balls_meet(rest.tree(), other.tree(), pose, witness) == expected.empty()) return "hit";
+  witness = {};
+  const hsp::PairGap least = hsp::least_gap(rest.tree(), other.tree(), pose, witness);
+  if (!(std::fabs(least.gap - gap) <= error)) return "gap";
+  return witness_complaint(rest.tree(), other.tree(), pose, least);
+}
+
+TEST(PoseQueries, AgreeWithLargeIntegersInRationalPoses) {
+  oracle::RandomSource random(11);
+  for (int k = 0; k < 250; ++k) {
+    const Balls fixed = oracle::any_balls(random, static_cast<size_t>(random.in(1, 16)));
+    const Balls moving = k % 5 == 0 ? fixed : oracle::any_balls(random, static_cast<size_t>(random.in(1, 16)));
+    int64_t size = 1;
+    for (const LatticeBall &ball : fixed) size = std::max({size, std::abs(ball.x), std::abs(ball.y), std::abs(ball.z)});
+    const RationalNumbers numbers = random_rational(random, k % 7 == 0 ? 0 : 2 * size);
+    ASSERT_EQ(rational_complaint(fixed, moving, numbers), "") << oracle::to_text(fixed) << "\n"
+                                                              << oracle::to_text(moving);
+  }
+}
+
+// Turned by angles of 3, 4, 5 or right ones, lattices meet in many points; the same molecule lies in its own place.
+TEST(PoseQueries, AgreeOnLatticesInRationalPoses) {
+  const Balls fixed = oracle::box_lattice({2, 3, 3}, {10, 10, 10}, 5);
+  for (const std::array<int32_t, 4> &q :
+       {std::array<int32_t, 4>{7, 0, 0, 0}, {2, 0, 0, 1}, {1, 1, 1, 1}, {INT32_MAX, INT32_MAX, 0, 0}})
+    for (const int64_t shift : {0, 5, 10, 15, 20, 30}) {
+      EXPECT_EQ(rational_complaint(fixed, fixed, {q, {shift, 0, 0}}), "") << shift;
+      EXPECT_EQ(rational_complaint(fixed, fixed, {q, {shift, -shift, 10}}), "") << shift;
+    }
 }
 
 TEST(PoseQueries, KnowEmptyMolecules) {
