@@ -48,7 +48,7 @@ class FlatStrips {
         if (advance) add(vertex_of(c));
         if (next_rung != no_id && !(last && !ring)) add(next_rung);
         if (!advance) add(vertex_of(c));
-        if (vertex_of(b) != corner[0]) add(vertex_of(b));
+        if (corners > 0 && vertex_of(b) != corner[0]) add(vertex_of(b));
         for (uint32_t k = 2; k < corners; ++k) {
           const uint32_t three[3] = {corner[0], corner[k - 1], corner[k]};
           triangle(face, three);
