@@ -1,10 +1,11 @@
 # Tests and fuzz harnesses link the library compiled once more with HSP_CHECK_INDEX: an index out of range traps, and under
-# the address sanitizer the arrays in a handle's memory lie between poisoned bytes. Programs in folders with the property
+# the address sanitizer the arrays in a handle's memory lie between poisoned bytes. With HSP_COUNT_STAGES it counts what
+# the predicates' stages answer, for one test. Programs in folders with the property
 # HSP_SHIPPED_LIBRARY, benchmarks for instance, link the archive that is installed. Libraries that both kinds of programs
 # use link hardsphere_tested, which is what suits the program.
 include_guard(GLOBAL)
 
-hsp_library_objects(hardsphere_checked_objects HSP_CHECK_INDEX=1)
+hsp_library_objects(hardsphere_checked_objects HSP_CHECK_INDEX=1 HSP_COUNT_STAGES=1)
 add_library(hardsphere_checked STATIC $<TARGET_OBJECTS:hardsphere_checked_objects>)
 set_target_properties(hardsphere_checked_objects hardsphere_checked PROPERTIES EXCLUDE_FROM_ALL ON)
 get_target_property(language hardsphere LINKER_LANGUAGE)

@@ -3,8 +3,11 @@
 // here has internal linkage, so that files *_avx2.cpp have their own copy (processor.hpp).
 #pragma once
 
-#if defined(__SSE2__)
+// The header of all instructions takes most of a second to read: where those of SSE2 do, theirs.
+#if defined(__AVX2__)
 #include <immintrin.h>
+#elif defined(__SSE2__)
+#include <emmintrin.h>
 #endif
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// How often each stage of each predicate answered. Compiled only with HSP_COUNT_STAGES, which a test defines for its
-// own copy of the library; the shipped library has no globals.
+// How often each stage of each predicate answered. Compiled only with HSP_COUNT_STAGES, as the copy of the library that
+// tests link is; the shipped library has no globals.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ struct StageCounters {
     return answers[static_cast<uint32_t>(question)][static_cast<uint32_t>(stage)];
   }
 };
-inline StageCounters stage_counters;
+inline thread_local StageCounters stage_counters;
 inline void count_answer(Question question, Stage stage, uint64_t times = 1) {
   stage_counters.answers[static_cast<uint32_t>(question)][static_cast<uint32_t>(stage)] += times;
 }

@@ -1,18 +1,18 @@
 #!/usr/bin/env bash
 # The library as distributions and users with other tools make it, installed and linked by programs in C and C++.
-#   library_variants.sh VARIANT SOURCE-FOLDER WORK-FOLDER C-COMPILER C++-COMPILER
+#   library_variants.sh VARIANT SOURCE-FOLDER WORK-FOLDER C-COMPILER C++-COMPILER INSTALL-PREFIX
 # VARIANT
 #   shared     BUILD_SHARED_LIBS: exports the header's functions and nothing else, has a soname, needs no C++ run time
 #   plain      no single object: no linker and no objcopy but ar
 #   lto_fat    -g -flto=auto -ffat-lto-objects, as Fedora and Ubuntu build their packages; linked with and without -flto
 #   lto        -flto alone
-#   hardened   with the hardening flags of Debian
+#   hardened   with the hardening flags of Debian, no single object
 #   lld        clang, linked by lld
-#   musl       linked with the C library musl, statically
+#   musl       what is installed in INSTALL-PREFIX, linked with the C library musl, statically
 # Exit status 77: a tool is missing here.
 set -euo pipefail
 export LC_ALL=C
-variant=$1 source=$2 work=$3 cc=$4 cxx=$5
+variant=$1 source=$2 work=$3 cc=$4 cxx=$5 prefix=$6
 here=$(cd "$(dirname "$0")" && pwd)
 rm -rf "$work"
 mkdir -p "$work"
@@ -29,6 +29,7 @@ case $variant in
   hardened)
     flags='-g -D_FORTIFY_SOURCE=2 -fstack-protector-strong -fstack-clash-protection -fcf-protection'
     links=('-Wl,-z,relro -Wl,-z,now -pie -fPIE')
+    options=(-DHSP_SINGLE_OBJECT=OFF)
     ;;
   lld)
     cc=clang cxx=clang++
@@ -39,18 +40,20 @@ case $variant in
   *) echo "unknown variant: $variant" && exit 1 ;;
 esac
 
-prefix=$work/prefix
-{
+if [ "$variant" != musl ]; then
+  prefix=$work/prefix
   cmake -S "$source" -B "$work/build" -DCMAKE_C_COMPILER="$cc" -DCMAKE_CXX_COMPILER="$cxx" -DCMAKE_CXX_FLAGS="$flags" \
     -DCMAKE_C_FLAGS="$flags" -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX="$prefix" -DCMAKE_INSTALL_LIBDIR=lib \
     -DHSP_WERROR=ON -DHSP_TOOL=OFF -DHSP_TESTS=OFF -DHSP_BENCH=OFF -DHSP_FUZZ=OFF -DHSP_FORTRAN=OFF "${options[@]}" &&
     cmake --build "$work/build" --parallel 2 && cmake --install "$work/build"
-} >"$work/log" 2>&1 || { tail -n 40 "$work/log" && exit 1; }
+fi >"$work/log" 2>&1 || { tail -n 40 "$work/log" && exit 1; }
+libraries=$prefix/lib
+if [ "$variant" = musl ]; then libraries=$(dirname "$(find "$prefix" -name libhardsphere.a)"); fi
 
 functions=$(bash "$here/header_functions.sh" "$source/include/hardsphere.h")
 case $variant in
   shared)
-    library=$prefix/lib/libhardsphere.so
+    library=$libraries/libhardsphere.so
     diff -u --label header --label library <(echo "$functions") \
       <(readelf --dyn-syms -W "$library" | awk '$5 ~ /GLOBAL|WEAK/ && $7 != "UND" {print $8}' | sort)
     readelf -d "$library" >"$work/dynamic"
@@ -58,23 +61,23 @@ case $variant in
     grep -qF "[libhardsphere.so.$abi]" "$work/dynamic" || { echo "the soname does not end with ABI number $abi" && exit 1; }
     if grep -E 'NEEDED.*(stdc\+\+|libc\+\+)' "$work/dynamic"; then exit 1; fi
     ;;
-  plain | lto*)
+  plain | hardened | lto*)
     # What the symbol table of the archive has besides is the library's own C++ code, in a namespace.
-    nm -g --defined-only "$prefix/lib/libhardsphere.a" 2>/dev/null | awk 'NF == 3 {print $3}' | sort -u >"$work/symbols"
+    nm -g --defined-only "$libraries/libhardsphere.a" 2>/dev/null | awk 'NF == 3 {print $3}' | sort -u >"$work/symbols"
     diff -u --label header --label archive <(echo "$functions") <(grep '^hsp_' "$work/symbols")
     if grep -vE '^hsp_|^_Z' "$work/symbols"; then echo "other symbols than the library's own" && exit 1; fi
     if c++filt <"$work/symbols" | grep -vE '^hsp_|hsp::'; then echo "C++ code of others" && exit 1; fi
     ;;
-  lld | musl) bash "$here/archive_symbols.sh" "$prefix/lib/libhardsphere.a" "$source/include/hardsphere.h" ;;
+  lld | musl) bash "$here/archive_symbols.sh" "$libraries/libhardsphere.a" "$source/include/hardsphere.h" ;;
 esac
 
 # Programs in C99, C++20 and C++23.
-PKG_CONFIG_PATH=$prefix/lib/pkgconfig
+PKG_CONFIG_PATH=$libraries/pkgconfig
 export PKG_CONFIG_PATH
 read -ra package <<<"$(pkg-config --cflags --libs hardsphere)"
 build_and_run() { # compiler and flags
   "$@" "${package[@]}" -o "$work/program"
-  LD_LIBRARY_PATH=$prefix/lib "$work/program" >"$work/output"
+  LD_LIBRARY_PATH=$libraries "$work/program" >"$work/output"
   [ -s "$work/output" ] || { echo "it prints nothing" && exit 1; }
 }
 for link in "${links[@]}"; do

@@ -7,7 +7,7 @@ cd "$1"
 allowed='bit|cfloat|cmath|cstddef|cstdint|cstring|initializer_list|limits|new|type_traits|utility'
 
 # The compiler's own, for code beyond the target's baseline (lib/core/processor.hpp).
-allowed+='|cpuid.h|immintrin.h'
+allowed+='|cpuid.h|emmintrin.h|immintrin.h'
 
 includes=$(grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]*<' -r lib capi/*.cpp capi/*.hpp)
 if refused=$(grep -vE "include[[:space:]]*<($allowed)>" <<<"$includes"); then

@@ -1,5 +1,5 @@
 // How often each stage of each predicate answers on molecules, on a set without any rule, and on lattices where ties
-// abound. Linked with a copy of the library that counts (HSP_COUNT_STAGES). vertex_pair is the question whether and
+// abound. The tested library counts (HSP_COUNT_STAGES). vertex_pair is the question whether and
 // where two caps' circles have free points, asked once for each pair of caps that is not surely apart: the filter is
 // then the arithmetic in doubles of sphere/cap_pair.hpp, and exact means that it was passed on to crossing and
 // point_status, which have stages of their own. Where the processor has wide registers, they answer first (lanes).
