@@ -1,4 +1,4 @@
-// How long the sweeps of the slow tests are.
+// How long the sweeps of tests over sets are.
 #pragma once
 
 #include <cstdlib>
@@ -11,9 +11,18 @@ inline bool long_tests() {
   return asked != nullptr && *asked != '\0';
 }
 
-// The number of sets a sweep tries. The usual form tries the first sets of the long one.
+// Of so many sets one is tried. Builds that repeat the tests of another one, with sanitizers or 32-bit limbs, look for
+// what depends on the code that runs rather than on the numbers, and take several times as long for a set.
+inline constexpr int sets_for_one = HSP_REPEATED_TESTS ? 4 : 1;
+
+// The number of sets that a sweep tries.
+inline int sets(int number) {
+  return (number + sets_for_one - 1) / sets_for_one;
+}
+
+// The same for slow tests. The usual form tries the first sets of the long one.
 inline int rounds(int usual, int many) {
-  return long_tests() ? many : usual;
+  return long_tests() ? many : sets(usual);
 }
 
 }  // namespace oracle

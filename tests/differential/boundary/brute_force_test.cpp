@@ -4,6 +4,7 @@
 
 #include "boundary_comparison.hpp"
 #include "named_balls.hpp"
+#include "sweep_length.hpp"
 
 namespace {
 
@@ -29,7 +30,7 @@ class RandomBoundary : public testing::TestWithParam<Kind> {};
 TEST_P(RandomBoundary, IsThatOfBruteForce) {
   const Kind &kind = GetParam();
   RandomSource random(11);
-  for (int k = 0; k < kind.sets; ++k) {
+  for (int k = 0; k < oracle::sets(kind.sets); ++k) {
     const Balls balls = kind.make(random, static_cast<size_t>(random.in(kind.fewest, kind.most)));
     ASSERT_EQ(complaint_about_smallest(balls, boundary_differs(2, static_cast<uint64_t>(k))), "");
   }
@@ -91,7 +92,7 @@ TEST(SmallGrid, EveryThreeBallsAreRight) {
 // The same structure far from the origin and at every scale of the lattice that the radii allow.
 TEST(Placement, ChangesNothing) {
   RandomSource random(14);
-  for (int k = 0; k < 300; ++k) {
+  for (int k = 0; k < oracle::sets(300); ++k) {
     const Balls balls = oracle::any_balls(random, static_cast<size_t>(random.in(2, 12)));
     const oracle::BoundaryRecord record = oracle::brute_boundary(balls);
     const auto expected = oracle::canonical(record, oracle::tie_ranks(balls));

@@ -5,6 +5,7 @@
 #include "named_balls.hpp"
 #include "random_balls.hpp"
 #include "smallest_failing.hpp"
+#include "sweep_length.hpp"
 
 namespace {
 
@@ -13,7 +14,7 @@ using oracle::RandomSource;
 
 TEST(BoundaryInvariants, OfRandomSets) {
   RandomSource random(51);
-  for (int k = 0; k < 4000; ++k) {
+  for (int k = 0; k < oracle::sets(4000); ++k) {
     const Balls balls = oracle::any_balls(random, static_cast<size_t>(random.in(2, 25)));
     ASSERT_EQ(complaint_about_smallest(balls, boundary_invariant_broken), "");
   }
@@ -21,7 +22,7 @@ TEST(BoundaryInvariants, OfRandomSets) {
 
 TEST(BoundaryInvariants, OfDegenerateSets) {
   RandomSource random(52);
-  for (int k = 0; k < 8000; ++k) {
+  for (int k = 0; k < oracle::sets(8000); ++k) {
     const Balls balls = oracle::degenerate_balls(random, static_cast<size_t>(random.in(2, 14)));
     ASSERT_EQ(complaint_about_smallest(balls, boundary_invariant_broken), "");
   }
@@ -29,7 +30,7 @@ TEST(BoundaryInvariants, OfDegenerateSets) {
 
 TEST(BoundaryInvariants, OfCrownedSets) {
   RandomSource random(53);
-  for (int k = 0; k < 1000; ++k)
+  for (int k = 0; k < oracle::sets(1000); ++k)
     ASSERT_EQ(complaint_about_smallest(oracle::crowned_balls(random, 25), boundary_invariant_broken), "");
 }
 

@@ -5,6 +5,7 @@
 #include "nerve.hpp"
 #include "random_balls.hpp"
 #include "smallest_failing.hpp"
+#include "sweep_length.hpp"
 
 namespace {
 
@@ -29,7 +30,7 @@ std::string topology_differs(const Balls &balls) {
 TEST(Topology, IsThatOfTheNerve) {
   oracle::RandomSource random(22);
   std::array<int, 3> seen = {0, 0, 0};
-  for (int k = 0; k < 10000; ++k) {
+  for (int k = 0; k < oracle::sets(10000); ++k) {
     const Balls balls = oracle::degenerate_balls(random, static_cast<size_t>(random.in(1, 9)));
     ASSERT_EQ(complaint_about_smallest(balls, topology_differs), "");
     const std::array<int64_t, 3> betti = oracle::nerve_betti_numbers(balls);
@@ -43,7 +44,7 @@ TEST(Topology, IsThatOfTheNerve) {
 
 TEST(Topology, OfCrownedBallsIsThatOfTheNerve) {
   oracle::RandomSource random(24);
-  for (int k = 0; k < 300; ++k) {
+  for (int k = 0; k < oracle::sets(300); ++k) {
     const Balls balls = oracle::crowned_balls(random, static_cast<size_t>(random.in(9, 26)));
     ASSERT_EQ(complaint_about_smallest(balls, topology_differs), "");
   }
@@ -53,7 +54,7 @@ TEST(Topology, OfCrownedBallsIsThatOfTheNerve) {
 TEST(Topology, OfBoxesThatNearlyClose) {
   oracle::RandomSource random(23);
   int voids = 0;
-  for (int k = 0; k < 500; ++k) {
+  for (int k = 0; k < oracle::sets(500); ++k) {
     Balls balls;
     for (int64_t corner = 0; corner < 8; ++corner)
       balls.push_back({4 * (corner & 1), 6 * (corner >> 1 & 1), 12 * (corner >> 2), random.in(6, 7)});

@@ -19,6 +19,7 @@
 #include "named_balls.hpp"
 #include "slice_quadrature.hpp"
 #include "smallest_failing.hpp"
+#include "sweep_length.hpp"
 
 namespace {
 
@@ -134,7 +135,7 @@ TEST(VolumeGradient, IsTheVectorAreaOfSlices) {
   for (const oracle::NamedBalls &set : sets_of_every_kind(95))
     EXPECT_EQ(complaint_about_smallest(set.balls, volume_gradient_differs), "") << set.name;
   RandomSource random(96);
-  for (int k = 0; k < 300; ++k) {
+  for (int k = 0; k < oracle::sets(300); ++k) {
     const Balls balls = oracle::degenerate_balls(random, static_cast<size_t>(random.in(1, 10)));
     ASSERT_EQ(complaint_about_smallest(balls, volume_gradient_differs), "");
   }

@@ -14,6 +14,7 @@
 #include "library_derivatives.hpp"
 #include "measure_differences.hpp"
 #include "smallest_failing.hpp"
+#include "sweep_length.hpp"
 
 namespace {
 
@@ -74,7 +75,7 @@ std::string flags_are_wrong(const Balls &balls) {
 
 TEST(OneSidedGradients, FlagsNameTheBallsThatTouchAtAFreePoint) {
   oracle::RandomSource random(111);
-  for (int k = 0; k < 6000; ++k) {
+  for (int k = 0; k < oracle::sets(6000); ++k) {
     const Balls balls = k % 2 == 0 ? oracle::degenerate_balls(random, static_cast<size_t>(random.in(2, 8)))
                                    : oracle::tangent_balls(random, static_cast<size_t>(random.in(2, 6)));
     ASSERT_EQ(complaint_about_smallest(balls, flags_are_wrong), "");
@@ -133,7 +134,7 @@ std::string derivatives_differ(const Balls &balls, uint32_t tangency, const Ball
 TEST(OneSidedGradients, AreThoseOfTheSideAskedFor) {
   oracle::RandomSource random(113);
   int free = 0;
-  for (int k = 0; k < 400; ++k) {
+  for (int k = 0; k < oracle::sets(400); ++k) {
     const TouchingSet set = touching_set(random, false);
     ASSERT_EQ(derivatives_differ(set.balls, HSP_TANGENT_OVERLAP, set.moved(-1)), "") << oracle::to_text(set.balls);
     ASSERT_EQ(derivatives_differ(set.balls, HSP_TANGENT_DISJOINT, set.moved(1)), "") << oracle::to_text(set.balls);
@@ -150,7 +151,7 @@ TEST(OneSidedGradients, AreThoseOfTheSideAskedFor) {
 // A ball that touches another from inside counts as lying inside it, whichever side is asked for.
 TEST(OneSidedGradients, FromInsideAreThoseOfTheBallInside) {
   oracle::RandomSource random(114);
-  for (int k = 0; k < 400; ++k) {
+  for (int k = 0; k < oracle::sets(400); ++k) {
     const TouchingSet set = touching_set(random, true);
     for (const uint32_t tangency : {HSP_TANGENT_OVERLAP, HSP_TANGENT_DISJOINT}) {
       ASSERT_EQ(derivatives_differ(set.balls, tangency, set.moved(-1)), "") << oracle::to_text(set.balls);
@@ -191,7 +192,7 @@ bool has_one_sided_derivatives(const Balls &balls) {
 TEST(OneSidedGradients, OtherTiesMakeNoJump) {
   oracle::RandomSource random(115);
   int compared = 0;
-  for (int k = 0; k < 12000; ++k) {
+  for (int k = 0; k < oracle::sets(12000); ++k) {
     const Balls balls = k % 2 == 0 ? oracle::degenerate_balls(random, static_cast<size_t>(random.in(3, 8)))
                                    : oracle::crowned_balls(random, static_cast<size_t>(random.in(9, 14)));
     if (has_one_sided_derivatives(balls) || LibraryBoundary(balls).counts().tied_vertices == 0) continue;

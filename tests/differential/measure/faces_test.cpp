@@ -7,6 +7,7 @@
 #include "gradient_sets.hpp"
 #include "library_derivatives.hpp"
 #include "smallest_failing.hpp"
+#include "sweep_length.hpp"
 
 namespace {
 
@@ -34,7 +35,7 @@ TEST(MeasuresOfFaces, OfMolecules) {
 // Property 1 of hsp_boundary_measure_faces, on sets with ties too.
 TEST(MeasuresOfFaces, SumToThoseOfTheBalls) {
   oracle::RandomSource random(104);
-  for (int k = 0; k < 2000; ++k) {
+  for (int k = 0; k < oracle::sets(2000); ++k) {
     const Balls balls = oracle::any_balls(random, static_cast<size_t>(random.in(1, 30)));
     const LibraryBoundary boundary(balls);
     const LibraryFaceMeasures faces = measure_faces(boundary);

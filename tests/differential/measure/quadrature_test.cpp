@@ -8,6 +8,7 @@
 #include "measure_comparison.hpp"
 #include "named_balls.hpp"
 #include "random_balls.hpp"
+#include "sweep_length.hpp"
 
 namespace {
 
@@ -35,7 +36,7 @@ TEST(Measures, OfDenseClusteredAndBeltedSetsAreThoseOfSlices) {
 
 TEST(Measures, OfDegenerateSetsAreThoseOfSlices) {
   RandomSource random(63);
-  for (int k = 0; k < 500; ++k) {
+  for (int k = 0; k < oracle::sets(500); ++k) {
     const Balls balls = oracle::degenerate_balls(random, static_cast<size_t>(random.in(1, 10)));
     ASSERT_EQ(complaint_about_smallest(balls, measures_differ), "");
   }
@@ -57,7 +58,7 @@ TEST(Measures, OfNamedSetsAreThoseOfSlices) {
 // Property 1 of hsp_boundary_measure.
 TEST(Measures, OfEachBallDoNotDependOnTheOrderOfTheBallsToTheBit) {
   RandomSource random(64);
-  for (int k = 0; k < 1500; ++k) {
+  for (int k = 0; k < oracle::sets(1500); ++k) {
     Balls balls = oracle::any_balls(random, static_cast<size_t>(random.in(2, 30)));
     std::sort(balls.begin(), balls.end());
     // Equal balls are told apart by their index only: here the area may wander from one to the other.
@@ -74,7 +75,7 @@ TEST(Measures, OfEachBallDoNotDependOnTheOrderOfTheBallsToTheBit) {
 
 TEST(Measures, DoNotDependOnThePlace) {
   RandomSource random(65);
-  for (int k = 0; k < 300; ++k) {
+  for (int k = 0; k < oracle::sets(300); ++k) {
     const Balls balls = oracle::any_balls(random, static_cast<size_t>(random.in(2, 25)));
     const int64_t far = int64_t{1} << random.in(0, 49);
     Balls moved;
@@ -90,7 +91,7 @@ TEST(Measures, DoNotDependOnThePlace) {
 
 TEST(Measures, ScaleAsAreasAndVolumes) {
   RandomSource random(66);
-  for (int k = 0; k < 300; ++k) {
+  for (int k = 0; k < oracle::sets(300); ++k) {
     const Balls balls = oracle::any_balls(random, static_cast<size_t>(random.in(2, 25)));
     const int64_t factor = random.in(2, 1000000);
     Balls scaled;
@@ -108,7 +109,7 @@ TEST(Measures, ScaleAsAreasAndVolumes) {
 
 TEST(Measures, AddUpToTheTotals) {
   RandomSource random(67);
-  for (int k = 0; k < 500; ++k) {
+  for (int k = 0; k < oracle::sets(500); ++k) {
     const Balls balls = oracle::any_balls(random, static_cast<size_t>(random.in(1, 60)));
     const Measures measures = LibraryBoundary(balls).measure();
     long double area = 0;

@@ -6,6 +6,7 @@
 #include "nerve.hpp"
 #include "random_balls.hpp"
 #include "smallest_failing.hpp"
+#include "sweep_length.hpp"
 #include "topology_complaints.hpp"
 
 namespace {
@@ -20,7 +21,7 @@ std::string betti_numbers_or_invariants(const Balls &balls) {
 TEST(BettiNumbers, OfDegenerateSets) {
   oracle::RandomSource random(42);
   std::array<int, 3> seen = {0, 0, 0};
-  for (int k = 0; k < 10000; ++k) {
+  for (int k = 0; k < oracle::sets(10000); ++k) {
     const Balls balls = oracle::degenerate_balls(random, static_cast<size_t>(random.in(1, 9)));
     ASSERT_EQ(complaint_about_smallest(balls, betti_numbers_or_invariants), "");
     const std::array<int64_t, 3> betti = oracle::nerve_betti_numbers(balls);
@@ -33,7 +34,7 @@ TEST(BettiNumbers, OfDegenerateSets) {
 
 TEST(BettiNumbers, OfCrownedBalls) {
   oracle::RandomSource random(43);
-  for (int k = 0; k < 200; ++k) {
+  for (int k = 0; k < oracle::sets(200); ++k) {
     const Balls balls = oracle::crowned_balls(random, static_cast<size_t>(random.in(9, 26)));
     ASSERT_EQ(complaint_about_smallest(balls, betti_numbers_or_invariants), "");
   }
@@ -41,7 +42,7 @@ TEST(BettiNumbers, OfCrownedBalls) {
 
 TEST(BettiNumbers, OfBoxesThatNearlyClose) {
   oracle::RandomSource random(44);
-  for (int k = 0; k < 300; ++k) {
+  for (int k = 0; k < oracle::sets(300); ++k) {
     Balls balls;
     for (int64_t corner = 0; corner < 8; ++corner)
       balls.push_back({4 * (corner & 1), 6 * (corner >> 1 & 1), 12 * (corner >> 2), random.in(6, 7)});
@@ -52,7 +53,7 @@ TEST(BettiNumbers, OfBoxesThatNearlyClose) {
 
 TEST(Invariants, OfAnySets) {
   oracle::RandomSource random(45);
-  for (int k = 0; k < 1500; ++k) {
+  for (int k = 0; k < oracle::sets(1500); ++k) {
     const Balls balls = oracle::any_balls(random, static_cast<size_t>(random.in(5, 40)));
     ASSERT_EQ(complaint_about_smallest(balls, topology_invariant_broken), "");
   }
@@ -60,7 +61,7 @@ TEST(Invariants, OfAnySets) {
 
 TEST(Invariants, OrdersOfAnySets) {
   oracle::RandomSource random(46);
-  for (int k = 0; k < 1000; ++k) {
+  for (int k = 0; k < oracle::sets(1000); ++k) {
     const Balls balls = oracle::any_balls(random, static_cast<size_t>(random.in(3, 30)));
     ASSERT_EQ(complaint_about_smallest(balls, topology_orders_disagree), "");
   }
@@ -74,7 +75,7 @@ TEST(Invariants, AnglesInAnyOrder) {
         Balls{{0, 0, 0, 70}, {30, 20, 60, 7}, {60, 30, 20, 7}}})
     EXPECT_EQ(topology_orders_disagree(balls), "");
   oracle::RandomSource random(47);
-  for (int k = 0; k < 300; ++k) {
+  for (int k = 0; k < oracle::sets(300); ++k) {
     const Balls balls = oracle::any_balls(random, static_cast<size_t>(random.in(3, 30)));
     ASSERT_EQ(complaint_about_smallest(balls, topology_orders_disagree), "");
   }

@@ -8,6 +8,7 @@
 #include "dual_complex.hpp"
 #include "nested_balls.hpp"
 #include "smallest_failing.hpp"
+#include "sweep_length.hpp"
 #include "topology_complaints.hpp"
 
 namespace {
@@ -27,7 +28,7 @@ TEST(Nesting, OfShellsInShells) {
   oracle::RandomSource random(52);
   int components_in_voids = 0;
   int deep = 0;
-  for (int k = 0; k < 400; ++k) {
+  for (int k = 0; k < oracle::sets(400); ++k) {
     const Balls balls = nested_balls(random);
     ASSERT_TRUE(small_enough_for_dual_complex(balls)) << oracle::to_text(balls);
     ASSERT_EQ(complaint_about_smallest(balls, nesting_or_invariants), "");
@@ -48,7 +49,7 @@ TEST(Nesting, OfShellsInShells) {
 
 TEST(Nesting, OfDegenerateSets) {
   oracle::RandomSource random(53);
-  for (int k = 0; k < 3000; ++k) {
+  for (int k = 0; k < oracle::sets(3000); ++k) {
     const Balls balls = oracle::degenerate_balls(random, static_cast<size_t>(random.in(2, 12)));
     ASSERT_EQ(complaint_about_smallest(balls, nesting_disagrees), "");
   }
@@ -56,12 +57,13 @@ TEST(Nesting, OfDegenerateSets) {
 
 TEST(Location, InShellsInShells) {
   oracle::RandomSource random(54);
-  for (int k = 0; k < 400; ++k) ASSERT_EQ(complaint_about_smallest(nested_balls(random), locations_of), "");
+  for (int k = 0; k < oracle::sets(400); ++k)
+    ASSERT_EQ(complaint_about_smallest(nested_balls(random), locations_of), "");
 }
 
 TEST(Location, InDegenerateSets) {
   oracle::RandomSource random(55);
-  for (int k = 0; k < 2500; ++k) {
+  for (int k = 0; k < oracle::sets(2500); ++k) {
     const Balls balls = oracle::degenerate_balls(random, static_cast<size_t>(random.in(1, 12)));
     ASSERT_EQ(complaint_about_smallest(balls, locations_of), "");
   }
@@ -72,7 +74,7 @@ TEST(Location, InDegenerateSets) {
 TEST(Location, InBoxesThatNearlyClose) {
   oracle::RandomSource random(56);
   constexpr std::array<std::array<int64_t, 3>, 3> boxes = {{{6, 6, 8}, {6, 8, 6}, {8, 6, 6}}};
-  for (int k = 0; k < 300; ++k) {
+  for (int k = 0; k < oracle::sets(300); ++k) {
     const auto &sides = boxes[static_cast<size_t>(random.in(0, 2))];
     Balls balls;
     for (int64_t corner = 0; corner < 8; ++corner)

@@ -3,6 +3,7 @@
 
 #include "picture_comparison.hpp"
 #include "smallest_failing.hpp"
+#include "sweep_length.hpp"
 #include "view_sets.hpp"
 
 namespace {
@@ -49,7 +50,7 @@ TEST(Painter, ShowsRandomSets) {
 
 TEST(Painter, ShowsRandomDegenerateSets) {
   oracle::RandomSource random(92);
-  for (int k = 0; k < 300; ++k) {
+  for (int k = 0; k < oracle::sets(300); ++k) {
     const Balls balls = oracle::degenerate_balls(random, static_cast<size_t>(random.in(2, 20)));
     expect_right_pictures(balls, {even_directions()[static_cast<size_t>(random.in(0, 4))]}, 60, "");
   }

@@ -8,6 +8,7 @@
 
 #include "exact_depth.hpp"
 #include "smallest_failing.hpp"
+#include "sweep_length.hpp"
 #include "view_complaints.hpp"
 #include "view_sets.hpp"
 
@@ -64,7 +65,7 @@ TEST_P(Pieces, OfRandomSets) {
 
 TEST_P(Pieces, OfRandomDegenerateSets) {
   oracle::RandomSource random(95);
-  for (int k = 0; k < 400; ++k) {
+  for (int k = 0; k < oracle::sets(400); ++k) {
     const Balls balls = oracle::degenerate_balls(random, static_cast<size_t>(random.in(2, 16)));
     expect_invariant(GetParam().invariant, balls, {even_directions()[static_cast<size_t>(random.in(0, 4))]}, "");
   }
@@ -86,7 +87,7 @@ INSTANTIATE_TEST_SUITE_P(All, Pieces,
 TEST(DepthOrder, IsThatOfIntegers) {
   oracle::RandomSource random(96);
   constexpr int64_t largest = int64_t{1} << 28;
-  for (int k = 0; k < 200; ++k) {
+  for (int k = 0; k < oracle::sets(200); ++k) {
     // Of the largest component, so that the direction stays as it is.
     const std::array<int64_t, 3> v = {largest, largest - random.in(1, 9), random.in(1, 3)};
     Balls balls;
@@ -123,7 +124,7 @@ Balls balls_at_a_point(oracle::RandomSource &random, const std::array<int64_t, 3
 
 TEST(ViewArcs, OfNoLengthAreNoWholeTurns) {
   oracle::RandomSource random(97);
-  for (int k = 0; k < 100; ++k) {
+  for (int k = 0; k < oracle::sets(100); ++k) {
     const Balls balls = balls_at_a_point(random, {3000000, 4000000, 0}, 5000000);
     for (const Invariant invariant : {records, opposite_areas_disagree}) {
       expect_invariant(invariant, balls, {{0, 0, 1}, {0, 1, 1}, uneven_directions()[0]}, "");
@@ -136,7 +137,7 @@ TEST(ViewArcs, OfNoLengthAreNoWholeTurns) {
 TEST(ViewArcs, MeetInAPointOfTheSilhouette) {
   oracle::RandomSource random(98);
   constexpr int64_t largest = int64_t{1} << 28;
-  for (int k = 0; k < 100; ++k) {
+  for (int k = 0; k < oracle::sets(100); ++k) {
     const int64_t z = 2 * random.in(0, 3000000) + 1;
     const int64_t y = 3 * (largest / 4) + 3 * z;  // 3 x - 4 y + 12 z = 0
     const Direction towards = {static_cast<double>(largest), static_cast<double>(y), static_cast<double>(z)};
