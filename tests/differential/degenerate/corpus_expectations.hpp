@@ -37,8 +37,8 @@ inline std::string complaint_about(const oracle::Balls &balls, Check check) {
 // After so many failures the rest of a corpus is left out.
 inline constexpr int enough_failures = 5;
 
-// The sets with at least `least` and at most `most` balls pass the check. Of every `part` of them one is tried, fewer where
-// tests are repeated, all in the long form of the slow tests.
+// The sets with at least `least` and at most `most` balls pass the check. Of every `part` of them one is tried, of more
+// where tests are repeated, all in the long form of the slow tests.
 inline void expect_of_all(size_t least, size_t most, Check check, size_t part = 1) {
   size_t seen = 0;
   size_t met = 0;
