@@ -55,17 +55,17 @@ struct SurfaceResults {
 constexpr uint32_t number_of(hsp::PatchKind kind) {
   return static_cast<uint32_t>(kind);
 }
-constexpr uint32_t number_of(hsp::EdgeKind kind) {
+constexpr uint32_t number_of(hsp::SurfaceEdgeKind kind) {
   return static_cast<uint32_t>(kind);
 }
 static_assert(number_of(hsp::PatchKind::convex) == HSP_PATCH_CONVEX &&
               number_of(hsp::PatchKind::saddle) == HSP_PATCH_SADDLE);
 static_assert(number_of(hsp::PatchKind::circle_saddle) == HSP_PATCH_CIRCLE_SADDLE &&
               number_of(hsp::PatchKind::concave) == HSP_PATCH_CONCAVE);
-static_assert(number_of(hsp::EdgeKind::rim) == HSP_SURFACE_RIM &&
-              number_of(hsp::EdgeKind::circle_rim) == HSP_SURFACE_CIRCLE_RIM);
-static_assert(number_of(hsp::EdgeKind::side) == HSP_SURFACE_SIDE &&
-              number_of(hsp::EdgeKind::crease) == HSP_SURFACE_CREASE);
+static_assert(number_of(hsp::SurfaceEdgeKind::rim) == HSP_SURFACE_RIM &&
+              number_of(hsp::SurfaceEdgeKind::circle_rim) == HSP_SURFACE_CIRCLE_RIM);
+static_assert(number_of(hsp::SurfaceEdgeKind::side) == HSP_SURFACE_SIDE &&
+              number_of(hsp::SurfaceEdgeKind::crease) == HSP_SURFACE_CREASE);
 
 hsp_surface_patch patch_record(const SurfaceResults &results, uint32_t id) {
   const hsp::SurfacePatch patch = results.map.patch(id);
@@ -104,9 +104,9 @@ hsp_surface_edge edge_record(const SurfaceResults &results, uint32_t id) {
     record.previous[side] = results.map.previous(h);
   }
   record.kind = number_of(edge.kind);
-  record.source = edge.kind == hsp::EdgeKind::crease       ? HSP_NONE
-                  : edge.kind == hsp::EdgeKind::circle_rim ? hsp::ClosedHalfEdge::from_id(edge.source).circle()
-                                                           : results.map.arc_of(edge.source);
+  record.source = edge.kind == hsp::SurfaceEdgeKind::crease       ? HSP_NONE
+                  : edge.kind == hsp::SurfaceEdgeKind::circle_rim ? hsp::ClosedHalfEdge::from_id(edge.source).circle()
+                                                                  : results.map.arc_of(edge.source);
   return record;
 }
 

@@ -238,6 +238,11 @@ function(hsp_library_objects name)
   target_compile_features(${name} PUBLIC cxx_std_20)
   set_target_properties(${name} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ${HSP_POSITION_INDEPENDENT}
     CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+  # The interface's files stay apart: each has a to_c for its own structures.
+  set_target_properties(${name} PROPERTIES UNITY_BUILD ${HSP_UNITY_BUILD} UNITY_BUILD_BATCH_SIZE 10)
+  set(interface ${HSP_LIBRARY_SOURCES})
+  list(FILTER interface INCLUDE REGEX "/capi/hsp_[a-z_]+\\.cpp$")
+  set_source_files_properties(${interface} TARGET_DIRECTORY ${name} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   target_include_directories(${name} PUBLIC ${hardsphere_SOURCE_DIR}/include ${hardsphere_SOURCE_DIR}/lib
     PRIVATE ${hardsphere_SOURCE_DIR}/capi)
   target_compile_definitions(${name} PUBLIC $<$<BOOL:${HSP_PORTABLE_LIMBS}>:HSP_PORTABLE_LIMBS=1> ${ARGN})

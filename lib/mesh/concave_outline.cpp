@@ -24,7 +24,7 @@ void ConcaveOutline::add_loop(uint32_t loop, SphericalPatch &patch) const {
     if (corner != no_id) add_corner(corner, c, patch);
     const uint32_t first = corner == no_id ? 0 : 1;
     if (curves_.curve(c).segments == first) return;
-    if (map.edge(c).kind == EdgeKind::crease) {
+    if (map.edge(c).kind == SurfaceEdgeKind::crease) {
       add_crease(h, first, patch);
     } else {
       add_side(h, patch);

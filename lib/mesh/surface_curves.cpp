@@ -36,14 +36,14 @@ SaddleBand SurfaceCurves::band_of_saddle(uint32_t k) const {
 
 double SurfaceCurves::segments(uint32_t c, double length) const {
   const SurfaceEdge edge = map_.edge(c);
-  if (edge.kind == EdgeKind::rim) {
+  if (edge.kind == SurfaceEdgeKind::rim) {
     return segments_of(band_of_arc(edge.source).width(), length,
                        has_ends_of_same_balls(boundary_, edge.source) ? 2.0 : 1.0);
   }
-  if (edge.kind == EdgeKind::circle_rim) {
+  if (edge.kind == SurfaceEdgeKind::circle_rim) {
     return segments_of(band_of_circle(ClosedHalfEdge::from_id(edge.source).circle()).width(), length, fewest_of_circle);
   }
-  if (edge.kind == EdgeKind::side) return segments_of(band_of_arc(edge.source).length(edge.part), length, 1.0);
+  if (edge.kind == SurfaceEdgeKind::side) return segments_of(band_of_arc(edge.source).length(edge.part), length, 1.0);
   // Several creases may join the same two corners.
   const ArcPosition arc = position_of_edge(balls_, boundary_, surface_, c);
   return segments_of(arc.radius * arc.angle, length, is_closed(c) ? fewest_of_circle : 2.0);
@@ -61,19 +61,19 @@ bool SurfaceCurves::divide(double length) {
 }
 
 uint32_t SurfaceCurves::partner(uint32_t c) const {
-  return map_.edge(c).kind == EdgeKind::crease ? c : c ^ 1;
+  return map_.edge(c).kind == SurfaceEdgeKind::crease ? c : c ^ 1;
 }
 
 bool SurfaceCurves::is_too_fine(uint32_t c) const {
   if (is_closed(c)) return false;
   const SurfaceEdge edge = map_.edge(c);
   double length = 0.0;
-  if (edge.kind == EdgeKind::crease) {
+  if (edge.kind == SurfaceEdgeKind::crease) {
     const ArcPosition arc = position_of_edge(balls_, boundary_, surface_, c);
     length = arc.radius * arc.angle;
   } else {
     const SaddleBand band = band_of_arc(edge.source);
-    length = edge.kind == EdgeKind::rim ? band.way_of_probe() : band.length(edge.part);
+    length = edge.kind == SurfaceEdgeKind::rim ? band.way_of_probe() : band.length(edge.part);
   }
   return length < least_segment * probe() * curve_[c].segments;
 }

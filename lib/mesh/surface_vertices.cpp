@@ -59,16 +59,16 @@ void SurfaceVertices::add_samples(uint32_t c, FixedVector<MeshVertex> &vertices)
   const SurfaceEdge edge = map.edge(c);
   const uint32_t segments = curves_.curve(c).segments;
   const auto push = [&](const SaddleBand::Point &point) { vertices.push(vertex_of_band(balls, point)); };
-  if (edge.kind == EdgeKind::circle_rim) {
+  if (edge.kind == SurfaceEdgeKind::circle_rim) {
     const ClosedHalfEdge circle = ClosedHalfEdge::from_id(edge.source);
     const SaddleBand band = curves_.band_of_circle(circle.circle());
     const uint32_t side = band.ball(0) == boundary.ball_of(circle) ? 0 : 1;
     for (uint32_t k = 0; k < segments; ++k) push(band.on_ball(side, band.outward(k, segments)));
-  } else if (edge.kind == EdgeKind::rim) {
+  } else if (edge.kind == SurfaceEdgeKind::rim) {
     const SaddleBand band = curves_.band_of_arc(edge.source);
     const uint32_t side = map.side_of(edge.source);
     for (uint32_t k = 1; k < segments; ++k) push(band.on_ball(side, band.outward(k, segments)));
-  } else if (edge.kind == EdgeKind::side) {
+  } else if (edge.kind == SurfaceEdgeKind::side) {
     const SaddleBand band = curves_.band_of_arc(edge.source);
     const Vec3 outward = band.outward_at_end(1 - map.side_of(edge.source));
     for (uint32_t l = 1; l < segments; ++l) push(band.at(outward, edge.part, l, segments));

@@ -10,13 +10,13 @@ const StickRegions &as_regions(const void *source) {
   return *static_cast<const StickRegions *>(source);
 }
 
-uint32_t ball_of_path(const void *source, uint32_t path) {
+uint32_t ball_of_region(const void *source, uint32_t path) {
   const StickScene &scene = as_regions(source).scene;
   const uint32_t body = as_regions(source).owner_of(path);
   return scene.is_ball(body) ? body : scene.stick_at(body).owner[scene.part_of(body)];
 }
 
-bool is_stick(const void *source, uint32_t path) {
+bool is_stick_region(const void *source, uint32_t path) {
   return !as_regions(source).scene.is_ball(as_regions(source).owner_of(path));
 }
 
@@ -30,7 +30,7 @@ void visit_loops(const StickRegions &regions, uint32_t path, Visit visit) {
   }
 }
 
-void visit_path(const void *source, const BallSet &, uint32_t path, const ArcVisitor &visitor) {
+void visit_region(const void *source, const BallSet &, uint32_t path, const ArcVisitor &visitor) {
   const StickRegions &regions = as_regions(source);
   const auto next = [&regions](uint32_t h) { return regions.next[h]; };
   visit_loops(regions, path, [&](uint32_t first) {
@@ -38,7 +38,7 @@ void visit_path(const void *source, const BallSet &, uint32_t path, const ArcVis
   });
 }
 
-void visit_lines_of_path(const void *source, const BallSet &, uint32_t path, const ArcVisitor &visitor) {
+void visit_lines_of_region(const void *source, const BallSet &, uint32_t path, const ArcVisitor &visitor) {
   const StickRegions &regions = as_regions(source);
   const auto next = [&regions](uint32_t h) { return regions.next[h]; };
   visit_loops(regions, path, [&](uint32_t first) {
@@ -47,7 +47,7 @@ void visit_lines_of_path(const void *source, const BallSet &, uint32_t path, con
   });
 }
 
-constexpr PaintedPaths::Functions of_regions{ball_of_path, visit_path, visit_lines_of_path, is_stick};
+constexpr PaintedPaths::Functions of_regions{ball_of_region, visit_region, visit_lines_of_region, is_stick_region};
 
 }  // namespace
 

@@ -65,7 +65,7 @@ class SurfaceChecker {
   // The circle of a crease is computed from each of its two probes; its angle was, when they were cut.
   void check_crease(uint32_t h) {
     const SurfaceEdge edge = map_.edge(h / 2);
-    if (edge.kind != EdgeKind::crease || h % 2 != 0) return;
+    if (edge.kind != SurfaceEdgeKind::crease || h % 2 != 0) return;
     const CutPatches &cut = surface_.cut_patches();
     const PatchArc &arc = cut.arc(edge.source);
     const double radius = position_of_edge(balls_, boundary_, surface_, h / 2).radius;

@@ -121,22 +121,23 @@ SurfacePatch SurfaceMap::patch(uint32_t id) const {
 }
 
 SurfaceEdge SurfaceMap::edge(uint32_t id) const {
-  if (id < first_circle_rim()) return {EdgeKind::rim, half_edge_of(id / 2, id % 2), 0};
+  if (id < first_circle_rim()) return {SurfaceEdgeKind::rim, half_edge_of(id / 2, id % 2), 0};
   if (id < first_side()) {
     const uint32_t k = id - first_circle_rim();
     const ClosedHalfEdge first(k / 2, 0);
-    return {EdgeKind::circle_rim, circle_side_of(first) == k % 2 ? first.id() : ClosedHalfEdge(k / 2, 1).id(), 0};
+    return {SurfaceEdgeKind::circle_rim, circle_side_of(first) == k % 2 ? first.id() : ClosedHalfEdge(k / 2, 1).id(),
+            0};
   }
   // End e of an arc is where the half-edge on its ball 1 - e starts.
   if (id < first_extra_side()) {
     const uint32_t k = id - first_side();
-    return {EdgeKind::side, half_edge_of(k / 2, 1 - k % 2), 0};
+    return {SurfaceEdgeKind::side, half_edge_of(k / 2, 1 - k % 2), 0};
   }
   if (id < first_crease()) {
     const uint32_t k = id - first_extra_side();
-    return {EdgeKind::side, half_edge_of(arc_of(surface_.cusped_circles().half_edge(k / 2)), 1 - k % 2), 1};
+    return {SurfaceEdgeKind::side, half_edge_of(arc_of(surface_.cusped_circles().half_edge(k / 2)), 1 - k % 2), 1};
   }
-  return {EdgeKind::crease, surface_.cut_patches().creases().member(id - first_crease()), 0};
+  return {SurfaceEdgeKind::crease, surface_.cut_patches().creases().member(id - first_crease()), 0};
 }
 
 // ---- directed edges ----
@@ -210,11 +211,11 @@ uint32_t SurfaceMap::side_after(uint32_t half_edge) const {
 SurfaceMap::Directed SurfaceMap::directed(uint32_t h) const {
   Directed d{edge(h / 2), no_id, false, false};
   const bool forward = h % 2 == 0;
-  if (d.edge.kind == EdgeKind::rim) {
+  if (d.edge.kind == SurfaceEdgeKind::rim) {
     d.outward = forward == (side_of(d.edge.source) == 1);
-  } else if (d.edge.kind == EdgeKind::circle_rim) {
+  } else if (d.edge.kind == SurfaceEdgeKind::circle_rim) {
     d.outward = forward == (circle_side_of(ClosedHalfEdge::from_id(d.edge.source)) == 1);
-  } else if (d.edge.kind == EdgeKind::side) {
+  } else if (d.edge.kind == SurfaceEdgeKind::side) {
     const uint32_t side = side_of(d.edge.source);
     d.outward = forward != (side == 0);
     d.at_other = cusped_circle_of(d.edge.source) != no_id && d.edge.part != side;
@@ -230,8 +231,8 @@ SurfaceMap::Directed SurfaceMap::directed(uint32_t h) const {
 uint32_t SurfaceMap::next(uint32_t h) const {
   const Directed d = directed(h);
   const uint32_t e = d.edge.source;
-  if (d.edge.kind == EdgeKind::circle_rim) return h;
-  if (d.edge.kind == EdgeKind::rim) {
+  if (d.edge.kind == SurfaceEdgeKind::circle_rim) return h;
+  if (d.edge.kind == SurfaceEdgeKind::rim) {
     return d.outward ? along_rim(boundary_.half_edge(e).next) : side_of_saddle(e, false);
   }
   if (d.outward && d.arc != no_id) return edge_of_patch_arc(surface_.cut_patches().arc(d.arc).next);
@@ -243,8 +244,8 @@ uint32_t SurfaceMap::next(uint32_t h) const {
 uint32_t SurfaceMap::previous(uint32_t h) const {
   const Directed d = directed(h);
   const uint32_t e = d.edge.source;
-  if (d.edge.kind == EdgeKind::circle_rim) return h;
-  if (d.edge.kind == EdgeKind::rim) {
+  if (d.edge.kind == SurfaceEdgeKind::circle_rim) return h;
+  if (d.edge.kind == SurfaceEdgeKind::rim) {
     return d.outward ? along_rim(boundary_.twin(side_after(e))) : side_of_saddle(boundary_.twin(e), true);
   }
   if (d.outward && d.arc != no_id) return edge_of_patch_arc(surface_.cut_patches().previous(d.arc));
@@ -256,7 +257,7 @@ uint32_t SurfaceMap::left(uint32_t h) const {
   const Directed d = directed(h);
   const uint32_t e = d.edge.source;
   if (d.arc != no_id) return patch_of_piece(surface_.cut_patches().piece_of_arc(d.arc));
-  if (d.edge.kind == EdgeKind::circle_rim) {
+  if (d.edge.kind == SurfaceEdgeKind::circle_rim) {
     const ClosedHalfEdge circle = ClosedHalfEdge::from_id(e);
     if (d.outward) return boundary_.face_of_loop(boundary_.loop_of(circle));
     const uint32_t k = surface_.cusped_circles().of_circle(circle.circle());
@@ -265,7 +266,7 @@ uint32_t SurfaceMap::left(uint32_t h) const {
                : first_circle_saddle() + circle.circle();
   }
   if (d.outward) {
-    return d.edge.kind == EdgeKind::rim ? boundary_.face_of(e) : first_concave() + boundary_.half_edge(e).vertex;
+    return d.edge.kind == SurfaceEdgeKind::rim ? boundary_.face_of(e) : first_concave() + boundary_.half_edge(e).vertex;
   }
   const uint32_t part = side_of(e) ^ (d.at_other ? 1U : 0U);
   return part == 1 && cusped_circle_of(e) != no_id ? first_extra_saddle() + cusped_arc_of(e)
@@ -275,11 +276,11 @@ uint32_t SurfaceMap::left(uint32_t h) const {
 uint32_t SurfaceMap::origin(uint32_t h) const {
   const Directed d = directed(h);
   const uint32_t e = d.edge.source;
-  if (d.edge.kind == EdgeKind::circle_rim) return no_id;
-  if (d.edge.kind == EdgeKind::crease) return surface_.cut_patches().arc(d.arc).corner;
+  if (d.edge.kind == SurfaceEdgeKind::circle_rim) return no_id;
+  if (d.edge.kind == SurfaceEdgeKind::crease) return surface_.cut_patches().arc(d.arc).corner;
   const uint32_t own = boundary_.ball_of(e);
   const uint32_t vertex = boundary_.half_edge(e).vertex;
-  if (d.edge.kind == EdgeKind::rim) return corner_at(d.outward ? vertex : boundary_.end_vertex(e), own);
+  if (d.edge.kind == SurfaceEdgeKind::rim) return corner_at(d.outward ? vertex : boundary_.end_vertex(e), own);
   const uint32_t other = boundary_.half_edge(e).circle;
   const uint32_t circle = cusped_circle_of(e);
   if (circle == no_id) return corner_at(vertex, d.outward ? other : own);
@@ -318,13 +319,13 @@ uint32_t SurfaceMap::next_loop(uint32_t h) const {
     while (cut.arc(last).next == last + 1) ++last;
     return edge_of_patch_arc(last + 1 < arcs.last ? last + 1 : arcs.first);
   }
-  if (d.outward && (d.edge.kind == EdgeKind::rim || d.edge.kind == EdgeKind::circle_rim)) {
+  if (d.outward && (d.edge.kind == SurfaceEdgeKind::rim || d.edge.kind == SurfaceEdgeKind::circle_rim)) {
     const uint32_t loop = boundary_.loop_of(
-        d.edge.kind == EdgeKind::rim ? LoopElement::arc(e) : LoopElement::circle(ClosedHalfEdge::from_id(e)));
+        d.edge.kind == SurfaceEdgeKind::rim ? LoopElement::arc(e) : LoopElement::circle(ClosedHalfEdge::from_id(e)));
     const IdRange loops = boundary_.loops_of_face(boundary_.face_of_loop(loop));
     return along_loop(boundary_.loop_start(loop + 1 < loops.last ? loop + 1 : loops.first));
   }
-  if (d.edge.kind == EdgeKind::circle_rim) {
+  if (d.edge.kind == SurfaceEdgeKind::circle_rim) {
     const ClosedHalfEdge circle = ClosedHalfEdge::from_id(e);
     if (surface_.cusped_circles().of_circle(circle.circle()) != no_id) return h;
     return twin(along_circle_rim(ClosedHalfEdge(circle.circle(), 1 - circle.side())));

@@ -30,9 +30,9 @@ struct SurfacePatch {
   uint32_t part;    // of a saddle with cusps, the ball (0 or 1) that it lies at; of a concave patch, the piece
 };
 
-enum class EdgeKind : uint8_t { rim, circle_rim, side, crease };
+enum class SurfaceEdgeKind : uint8_t { rim, circle_rim, side, crease };
 struct SurfaceEdge {
-  EdgeKind kind;
+  SurfaceEdgeKind kind;
   uint32_t source;  // rim: half-edge on the convex patch's ball; circle_rim: id of the closed half-edge there;
                     // side: the half-edge that starts at the vertex; crease: arc of cut patches
   uint32_t part;    // of a side with cusps, the ball (0 or 1) that it lies at

@@ -166,15 +166,15 @@ Position position_of_corner(const BallSet &balls, const Boundary &boundary, cons
 ArcPosition position_of_edge(const BallSet &balls, const Boundary &boundary, const Surface &surface, uint32_t edge) {
   const SurfaceMap map(balls, boundary, surface);
   const SurfaceEdge record = map.edge(edge);
-  if (record.kind == EdgeKind::rim) {
+  if (record.kind == SurfaceEdgeKind::rim) {
     return position_of_rim(balls, boundary.ball_of(record.source), boundary.half_edge(record.source).circle,
                            angle_of_arc(balls, boundary, record.source));
   }
-  if (record.kind == EdgeKind::circle_rim) {
+  if (record.kind == SurfaceEdgeKind::circle_rim) {
     const ClosedHalfEdge circle = ClosedHalfEdge::from_id(record.source);
     return position_of_rim(balls, boundary.ball_of(circle), boundary.neighbour(circle), 2 * pi);
   }
-  if (record.kind == EdgeKind::side) return position_of_side(balls, boundary, map, record);
+  if (record.kind == SurfaceEdgeKind::side) return position_of_side(balls, boundary, map, record);
   const CutPatches &cut = surface.cut_patches();
   const PatchArc &arc = cut.arc(record.source);
   const uint32_t vertex = cut.piece(cut.piece_of_arc(record.source)).vertex;

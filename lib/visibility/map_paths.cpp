@@ -12,19 +12,19 @@ const MapPaths &paths_behind(const void *source) {
   return *static_cast<const MapPaths *>(source);
 }
 
-uint32_t ball_of_path(const void *source, uint32_t path) {
+uint32_t ball_of_face(const void *source, uint32_t path) {
   return paths_behind(source).ball_of(path);
 }
 
-void visit_path(const void *source, const BallSet &, uint32_t path, const ArcVisitor &visitor) {
+void visit_face(const void *source, const BallSet &, uint32_t path, const ArcVisitor &visitor) {
   paths_behind(source).visit_outline(path, visitor);
 }
 
-void visit_lines_of_path(const void *source, const BallSet &, uint32_t path, const ArcVisitor &visitor) {
+void visit_lines_of_face(const void *source, const BallSet &, uint32_t path, const ArcVisitor &visitor) {
   paths_behind(source).visit_lines(path, visitor);
 }
 
-constexpr PaintedPaths::Functions of_map{ball_of_path, visit_path, visit_lines_of_path};
+constexpr PaintedPaths::Functions of_map{ball_of_face, visit_face, visit_lines_of_face};
 
 }  // namespace
 

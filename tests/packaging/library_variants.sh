@@ -2,11 +2,11 @@
 # The library as distributions and users with other tools make it, installed and linked by programs in C and C++.
 #   library_variants.sh VARIANT SOURCE-FOLDER WORK-FOLDER C-COMPILER C++-COMPILER INSTALL-PREFIX
 # VARIANT
-#   shared     BUILD_SHARED_LIBS: exports the header's functions and nothing else, has a soname, needs no C++ run time
-#   plain      no single object: no linker and no objcopy but ar
+#   shared     BUILD_SHARED_LIBS with the hardening flags of Debian: exports the header's functions and nothing else, has
+#              a soname, needs no C++ run time
 #   lto_fat    -g -flto=auto -ffat-lto-objects, as Fedora and Ubuntu build their packages; linked with and without -flto
 #   lto        -flto alone
-#   hardened   with the hardening flags of Debian, no single object
+#   plain      with these flags and no single object: no linker and no objcopy but ar
 #   lld        clang, linked by lld
 #   musl       what is installed in INSTALL-PREFIX, linked with the C library musl, statically
 # Exit status 77: a tool is missing here.
@@ -21,15 +21,14 @@ need() {
   command -v "$1" >/dev/null || { echo "skipped: there is no $1 here" && exit 77; }
 }
 flags='' options=() links=('')
+hardening='-g -D_FORTIFY_SOURCE=2 -fstack-protector-strong -fstack-clash-protection -fcf-protection'
 case $variant in
-  shared) options=(-DBUILD_SHARED_LIBS=ON) ;;
-  plain) options=(-DHSP_SINGLE_OBJECT=OFF) ;;
+  shared) flags=$hardening options=(-DBUILD_SHARED_LIBS=ON) ;;
   lto_fat) flags='-g -flto=auto -ffat-lto-objects' links=('' '-flto=auto') ;;
   lto) flags='-flto' links=('-flto') ;;
-  hardened)
-    flags='-g -D_FORTIFY_SOURCE=2 -fstack-protector-strong -fstack-clash-protection -fcf-protection'
+  plain)
+    flags=$hardening options=(-DHSP_SINGLE_OBJECT=OFF)
     links=('-Wl,-z,relro -Wl,-z,now -pie -fPIE')
-    options=(-DHSP_SINGLE_OBJECT=OFF)
     ;;
   lld)
     cc=clang cxx=clang++
@@ -44,7 +43,8 @@ if [ "$variant" != musl ]; then
   prefix=$work/prefix
   cmake -S "$source" -B "$work/build" -DCMAKE_C_COMPILER="$cc" -DCMAKE_CXX_COMPILER="$cxx" -DCMAKE_CXX_FLAGS="$flags" \
     -DCMAKE_C_FLAGS="$flags" -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX="$prefix" -DCMAKE_INSTALL_LIBDIR=lib \
-    -DHSP_WERROR=ON -DHSP_TOOL=OFF -DHSP_TESTS=OFF -DHSP_BENCH=OFF -DHSP_FUZZ=OFF -DHSP_FORTRAN=OFF "${options[@]}" &&
+    -DHSP_WERROR=ON -DHSP_UNITY_BUILD=ON -DHSP_TOOL=OFF -DHSP_TESTS=OFF -DHSP_BENCH=OFF -DHSP_FUZZ=OFF \
+    -DHSP_FORTRAN=OFF "${options[@]}" &&
     cmake --build "$work/build" --parallel 2 && cmake --install "$work/build"
 fi >"$work/log" 2>&1 || { tail -n 40 "$work/log" && exit 1; }
 libraries=$prefix/lib
@@ -61,7 +61,7 @@ case $variant in
     grep -qF "[libhardsphere.so.$abi]" "$work/dynamic" || { echo "the soname does not end with ABI number $abi" && exit 1; }
     if grep -E 'NEEDED.*(stdc\+\+|libc\+\+)' "$work/dynamic"; then exit 1; fi
     ;;
-  plain | hardened | lto*)
+  plain | lto*)
     # What the symbol table of the archive has besides is the library's own C++ code, in a namespace.
     nm -g --defined-only "$libraries/libhardsphere.a" 2>/dev/null | awk 'NF == 3 {print $3}' | sort -u >"$work/symbols"
     diff -u --label header --label archive <(echo "$functions") <(grep '^hsp_' "$work/symbols")

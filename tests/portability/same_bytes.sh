@@ -31,7 +31,8 @@ mkdir -p "$work"
 build() {
   "$@" >>"$work/log" 2>&1 || { tail -n 40 "$work/log" && exit 1; }
 }
-options=(-DCMAKE_C_COMPILER="$c_compiler" -DCMAKE_CXX_COMPILER="$cxx_compiler" -DCMAKE_BUILD_TYPE=Release -DHSP_WERROR=ON)
+options=(-DCMAKE_C_COMPILER="$c_compiler" -DCMAKE_CXX_COMPILER="$cxx_compiler" -DCMAKE_BUILD_TYPE=Release -DHSP_WERROR=ON
+  -DHSP_UNITY_BUILD=ON)
 if [ -n "$emulator" ]; then
   # Linked statically, so that the emulator needs none of the target's shared libraries.
   options+=(-DCMAKE_SYSTEM_NAME=Linux -DCMAKE_EXE_LINKER_FLAGS=-static -DCMAKE_CROSSCOMPILING_EMULATOR="$emulator")

@@ -21,7 +21,7 @@ TEST(SurfaceCurves, PartnersHaveAsManySegments) {
       EXPECT_EQ(curves.partner(partner), c);
       EXPECT_EQ(curves.curve(partner).segments, curves.curve(c).segments);
       EXPECT_FALSE(curves.is_too_fine(c));
-      const bool is_crease = curves.map().edge(c).kind == hsp::EdgeKind::crease;
+      const bool is_crease = curves.map().edge(c).kind == hsp::SurfaceEdgeKind::crease;
       EXPECT_EQ(partner == c, is_crease);
       creases += is_crease ? 1 : 0;
       if (curves.is_closed(c)) {
@@ -47,7 +47,7 @@ TEST(SurfaceCurves, PointsOfCreases) {
     const hsp::CutPatches &cut = built.surface().cut_patches();
     for (uint32_t c = 0; c < curves.count(); ++c) {
       const hsp::SurfaceEdge edge = curves.map().edge(c);
-      if (edge.kind != hsp::EdgeKind::crease) continue;
+      if (edge.kind != hsp::SurfaceEdgeKind::crease) continue;
       const uint32_t start = curves.map().origin(2 * c);
       const uint32_t segments = curves.curve(c).segments;
       const hsp::CreasePoints points(built.balls(), built.boundary(), built.surface(), c, start);

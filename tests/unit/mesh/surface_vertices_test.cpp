@@ -53,12 +53,12 @@ TEST(SurfaceVertices, LieOnTheSurface) {
       source.add_samples(c, vertices);
       const uint32_t ends = divided.get().is_closed(c) ? 0 : 1;
       ASSERT_EQ(vertices.required(), divided.get().curve(c).segments - ends);
-      const hsp::EdgeKind kind = map.edge(c).kind;
+      const hsp::SurfaceEdgeKind kind = map.edge(c).kind;
       ++kinds[static_cast<uint32_t>(kind)];
       for (uint32_t k = 0; k < vertices.size(); ++k) {
         expect_unit(vertices[k]);
         const hsp::Position position = position_of(balls, vertices[k]);
-        const bool on_ball = kind == hsp::EdgeKind::rim || kind == hsp::EdgeKind::circle_rim;
+        const bool on_ball = kind == hsp::SurfaceEdgeKind::rim || kind == hsp::SurfaceEdgeKind::circle_rim;
         if (on_ball) {
           EXPECT_NEAR(std::sqrt(dot(position.offset, position.offset)), balls.r[vertices[k].ball] - p, 1e-6 * p);
         }
