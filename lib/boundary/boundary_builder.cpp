@@ -2,7 +2,6 @@
 
 #include "boundary/components.hpp"
 #include "boundary/shells.hpp"
-#include "core/processor.hpp"
 #include "exact/discriminant.hpp"
 #include "sphere/root_discriminants.hpp"
 
@@ -16,7 +15,7 @@ static_assert(connecting + 1 == BoundaryBuilder::stages);
 }  // namespace
 
 void BoundaryArrays::carve(Workspace &workspace, const BoundaryLimits &limits) {
-  wide_code = has_avx2();
+  wide_code = workspace.wide_code();
   const uint64_t n = limits.balls;
   const uint64_t v = limits.vertices;
   const uint64_t loops = limits.most_loops();

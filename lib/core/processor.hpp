@@ -18,15 +18,17 @@ namespace hsp {
 
 #if HSP_AVX2
 inline bool has_avx2() {
+  if (__get_cpuid_max(0, nullptr) < 7) return false;
   unsigned a = 0, b = 0, c = 0, d = 0;
-  if (__get_cpuid_count(1, 0, &a, &b, &c, &d) == 0) return false;
+  __cpuid_count(1, 0, a, b, c, d);
   // The instructions, and that the operating system saves the registers.
   constexpr unsigned needed = bit_FMA | bit_POPCNT | bit_OSXSAVE | bit_AVX;
   if ((c & needed) != needed) return false;
   unsigned low = 0, high = 0;
   __asm__("xgetbv" : "=a"(low), "=d"(high) : "c"(0));
   if ((low & 6U) != 6U) return false;
-  return __get_cpuid_count(7, 0, &a, &b, &c, &d) != 0 && (b & bit_AVX2) != 0;
+  __cpuid_count(7, 0, a, b, c, d);
+  return (b & bit_AVX2) != 0;
 }
 #else
 constexpr bool has_avx2() {

@@ -1,6 +1,5 @@
 #include "model/cube_grid.hpp"
 
-#include "core/processor.hpp"
 #include "core/small_code.hpp"
 #include "model/grid_order.hpp"
 
@@ -18,7 +17,7 @@ CubeCoordinates CubeGrid::cube_at(const exact::Vector &point, int64_t side) {
 
 void CubeGrid::carve(Workspace &workspace, uint32_t n) {
   capacity_ = n;
-  wide_ = has_avx2();
+  wide_ = workspace.wide_code();
   const auto slots = workspace.take<uint32_t>(CubeTable::slots_for(n));
   const auto cubes = workspace.take<CubeCoordinates>(n);
   table_ = CubeTable(slots, cubes);

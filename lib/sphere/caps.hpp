@@ -6,7 +6,6 @@
 #pragma once
 
 #include "core/disjoint_sets.hpp"
-#include "core/processor.hpp"
 #include "core/workspace.hpp"
 #include "exact/predicates.hpp"
 #include "model/cube_grid.hpp"

@@ -44,7 +44,7 @@ uint32_t count_few_clusters(const BallSet &balls, uint32_t i, const uint32_t *ot
 }
 
 void LaneSearch::carve(Workspace &workspace, uint32_t neighbours, Span<uint32_t> borrowed) {
-  enabled = has_avx2() && neighbours <= PairSweep::most_caps;
+  enabled = workspace.wide_code() && neighbours <= PairSweep::most_caps;
   // Rows of whole vectors.
   const uint32_t row = (neighbours + FloatCaps::spare + 7) / 8 * 8;
   Parts<float> floats_of_caps(workspace.take<float>(14 * static_cast<uint64_t>(row)).data(), row);
