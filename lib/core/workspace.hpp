@@ -32,7 +32,7 @@ class Workspace {
     wide_code_ = has_avx2();
   }
 
-  // Whether what is carved here may use the code for AVX2. The processor is asked once for a handle, and not at all for a
+  // Whether what is carved here may use the code for AVX2. The processor is asked once for a handle and never for a
   // size: in a virtual machine that traps to the host and takes tens of microseconds.
   bool wide_code() const { return wide_code_; }
 
