@@ -246,7 +246,7 @@ TEST(Trajectory, FramesGiveWhatFilesGive) {
     xyz += xyz_of(frames[k], " i = " + step + ", time" + time.substr(1) + ", E = -1.5");
     gro += gro_of(frames[k], "Ligand in nothing " + time + " step= " + step);
     pdb += pdb_of(frames[k], "TITLE     Ligand " + time + " step= " + step + "\nMODEL  1\n", "TER\nENDMDL\n");
-    bare += pdb_of(frames[k], k == 1 ? "MODEL 2\n" : "", "END\n");
+    bare += pdb_of(frames[k], k > 0 ? "MODEL 2\n" : "", k == 1 ? "" : "END\n");
   }
   const TemporaryFile file("ligand.xyz", xyz_of(frames[2], "")), xtc_file("run.xtc", xtc), xyz_file("run.xyz", xyz),
       gro_file("run.gro", gro), pdb_file("run.pdb", pdb), bare_file("bare.ent", bare);
