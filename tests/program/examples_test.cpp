@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <iomanip>
@@ -31,6 +32,16 @@ std::vector<double> numbers_of(const std::string &line) {
   std::vector<double> numbers;
   for (double number; stream >> number;) numbers.push_back(number);
   return numbers;
+}
+
+// The first balls of a list as the examples read them.
+std::string text_of(const support::BallList &balls, size_t count) {
+  std::ostringstream text;
+  for (size_t i = 0; i < count; ++i) {
+    text << balls.xyz[3 * i] << ' ' << balls.xyz[3 * i + 1] << ' ' << balls.xyz[3 * i + 2] << ' ' << balls.radius[i]
+         << '\n';
+  }
+  return text.str();
 }
 
 // Three balls around a throat that the probe does not pass: a sphere.
@@ -176,12 +187,7 @@ TEST(Examples, FaceLoopsOfThreeBalls) {
 TEST(Examples, DynamicsKeepsTheEnergy) {
   const support::BallList crambin =
       with_radii(support::read_atoms(support::own_molecule("crambin.pdb")), support::Radii::van_der_waals);
-  std::ostringstream text;
-  for (size_t i = 0; i < 100; ++i) {
-    text << crambin.xyz[3 * i] << ' ' << crambin.xyz[3 * i + 1] << ' ' << crambin.xyz[3 * i + 2] << ' '
-         << crambin.radius[i] << '\n';
-  }
-  const TemporaryFile file("hundred.xyzr", text.str());
+  const TemporaryFile file("hundred.xyzr", text_of(crambin, 100));
   const Outcome outcome = run_example("dynamics", {file.path(), "60"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const std::vector<std::string> lines = lines_of(outcome.out);
@@ -218,6 +224,70 @@ TEST(Examples, DockingOfTwoBalls) {
   ASSERT_EQ(std::sscanf(lines[1].c_str(), "best shift %lf %lf %lf: 1 contacts", &x, &y, &z), 3) << lines[1];
   EXPECT_GT(x * x + y * y + z * z, 2.25);
   EXPECT_LE(x * x + y * y + z * z, 6.25);
+}
+
+struct PrintedPose {
+  double w, x, y, z;
+  std::array<double, 3> shift;
+
+  // By two cross products: p + 2 w (u x p) + 2 u x (u x p) for a quaternion w, u of length 1.
+  std::array<double, 3> image(const double *p) const {
+    const std::array<double, 3> u{x, y, z};
+    const auto cross = [&u](const auto &v) {
+      return std::array<double, 3>{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+    };
+    const std::array<double, 3> once = cross(p), twice = cross(once);
+    std::array<double, 3> moved{};
+    for (size_t k = 0; k < 3; ++k) moved[k] = p[k] + 2 * w * once[k] + 2 * twice[k] + shift[k];
+    return moved;
+  }
+};
+
+support::BallList about_mean(support::BallList balls) {
+  for (size_t axis = 0; axis < 3; ++axis) {
+    double sum = 0;
+    for (size_t i = axis; i < balls.xyz.size(); i += 3) sum += balls.xyz[i];
+    for (size_t i = axis; i < balls.xyz.size(); i += 3) balls.xyz[i] -= sum / balls.size();
+  }
+  return balls;
+}
+
+// Caffeine finds a place at crambin. Brute force over all pairs finds no clash there, and as many contacts.
+TEST(Examples, MonteCarloDocksCaffeine) {
+  const auto molecule = [](const char *file) {
+    return with_radii(support::read_atoms(support::own_molecule(file)), support::Radii::van_der_waals);
+  };
+  const support::BallList crambin = molecule("crambin.pdb"), caffeine = molecule("caffeine.pdb");
+  const TemporaryFile receptor("receptor.xyzr", text_of(crambin, crambin.size()));
+  const TemporaryFile ligand("ligand.xyzr", text_of(caffeine, caffeine.size()));
+  const Outcome outcome = run_example("monte_carlo", {receptor.path(), ligand.path(), "3000"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::vector<std::string> lines = lines_of(outcome.out);
+  ASSERT_GE(lines.size(), 2u);
+  unsigned clashes = 0, accepted = 0, contacts = 0;
+  ASSERT_EQ(std::sscanf(lines[0].c_str(), "3001 poses: %u clash, %u accepted", &clashes, &accepted), 2) << lines[0];
+  EXPECT_GT(clashes, 100u);
+  EXPECT_GT(accepted, 100u);
+  EXPECT_LE(clashes + accepted, 3000u);
+  PrintedPose pose{};
+  ASSERT_EQ(std::sscanf(lines[1].c_str(), "best: %u contacts, quaternion %lf %lf %lf %lf, translation %lf %lf %lf",
+                        &contacts, &pose.w, &pose.x, &pose.y, &pose.z, &pose.shift[0], &pose.shift[1], &pose.shift[2]),
+            8)
+      << lines[1];
+  EXPECT_GT(contacts, 20u);
+  const support::BallList fixed = about_mean(crambin), moving = about_mean(caffeine);
+  unsigned within_reach = 0;
+  for (size_t j = 0; j < moving.size(); ++j) {
+    const std::array<double, 3> at = pose.image(&moving.xyz[3 * j]);
+    for (size_t i = 0; i < fixed.size(); ++i) {
+      const double gap =
+          std::hypot(at[0] - fixed.xyz[3 * i], at[1] - fixed.xyz[3 * i + 1], at[2] - fixed.xyz[3 * i + 2]) -
+          fixed.radius[i] - moving.radius[j];
+      EXPECT_GT(gap, 0);
+      within_reach += gap <= 1 ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(within_reach, contacts);
 }
 
 // A small ball before a large one, and one behind it that is not seen. Of the large one a ring is left, of which the
@@ -325,6 +395,7 @@ TEST(Examples, RefuseBadFiles) {
       {"labels", {bad.path()}},
       {"threads", {bad.path()}},
       {"docking", {good, bad.path()}},
+      {"monte_carlo", {good, bad.path()}},
       {"turntable", {bad.path(), "no_picture"}}};
   for (const auto &[example, arguments] : calls) {
     const Outcome outcome = run_example(example, arguments);
