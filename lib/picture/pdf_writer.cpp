@@ -10,7 +10,8 @@ namespace {
 // A cubic with handles 4/3 tan(d/4) stays within 4.3e-6 of the semi-axis of an arc of d = 45 degrees.
 constexpr double longest_cubic = pi / 4 * (1 + 1e-12);
 
-constexpr uint32_t catalog = 1, page_tree = 2, only_page = 3, resources = 4, contents = 5, length = 6, about = 7;
+constexpr uint32_t catalog = 1, page_tree = 2, only_page = 3, resources = 4, contents = 5, length_of_contents = 6,
+                   about = 7;
 constexpr uint32_t objects = 7;
 
 class PdfWriter {
@@ -32,7 +33,7 @@ class PdfWriter {
     const uint64_t bytes = sink_.position() - start;
     sink_.put("endstream");
     end();
-    begin(length);
+    begin(length_of_contents);
     put_integer(sink_, bytes);
     end();
     begin(about);
