@@ -63,7 +63,7 @@ void write_figure_4(std::ostream &out, const Run &run) {
          "below\n"
          "the other, and as many above and across. Its spheres are disjoint, and its cells in space are counted "
          "exactly;\n"
-         "of the molecules, with van der Waals radii, about one in a hundred is uncertain.\n\n";
+         "those of the molecules, with van der Waals radii, are counted by bisection and approximate.\n\n";
   Table table({"set", "n", "in space", "in cubes", "free power cells", "adjacent"});
   const auto add = [&](const std::string &set, const Measurement &m) {
     table.row({set, grouped(m.counter("atoms")), grouped(m.counter("space")), grouped(m.counter("cubes")),

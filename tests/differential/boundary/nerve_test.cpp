@@ -37,9 +37,11 @@ TEST(Topology, IsThatOfTheNerve) {
     for (size_t d = 0; d < 3; ++d) seen[d] += betti[d] > (d == 0 ? 1 : 0) ? 1 : 0;
   }
   // The sets are interesting: several components, tunnels, and even voids occur.
-  EXPECT_GT(seen[0], 1000);
-  EXPECT_GT(seen[1], 200);
-  EXPECT_GT(seen[2], 5);
+  EXPECT_GT(seen[0], oracle::sets(1000));
+  EXPECT_GT(seen[1], oracle::sets(200));
+  if (oracle::sets_for_one == 1) {
+    EXPECT_GT(seen[2], 5);
+  }
 }
 
 TEST(Topology, OfCrownedBallsIsThatOfTheNerve) {

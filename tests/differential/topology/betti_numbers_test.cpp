@@ -27,9 +27,11 @@ TEST(BettiNumbers, OfDegenerateSets) {
     const std::array<int64_t, 3> betti = oracle::nerve_betti_numbers(balls);
     for (size_t d = 0; d < 3; ++d) seen[d] += betti[d] > (d == 0 ? 1 : 0) ? 1 : 0;
   }
-  EXPECT_GT(seen[0], 1000);
-  EXPECT_GT(seen[1], 200);
-  EXPECT_GT(seen[2], 0);
+  EXPECT_GT(seen[0], oracle::sets(1000));
+  EXPECT_GT(seen[1], oracle::sets(200));
+  if (oracle::sets_for_one == 1) {
+    EXPECT_GT(seen[2], 0);
+  }
 }
 
 TEST(BettiNumbers, OfCrownedBalls) {
