@@ -5,8 +5,8 @@
 // The plane x = t cuts the decomposition in that of circles: trapezoids between two arcs and two walls, and a wall
 // stands at each end of a circle and at each crossing of two. A cell is a maximal interval of t in which a trapezoid
 // exists. So it is enough to look at slices between the abscissae where anything happens. Of disjoint spheres these are
-// known in closed form and the count in all of space is exact; else they are found by bisection to 1e-7, and the count is
-// approximate.
+// known in closed form and the count in all of space is exact; else they are found by bisection to 1e-7, and the count
+// is approximate.
 #pragma once
 
 #include <cstdint>

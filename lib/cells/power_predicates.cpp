@@ -74,7 +74,7 @@ class Inflations {
     coefficient_[count_++] = coefficient;
   }
 
-  uint32_t ball_[8];
+  uint32_t ball_[8] = {};
   Integer<bits> coefficient_[8];
   int count_ = 0;
 };
