@@ -10,7 +10,7 @@
 #   bash tests/run.sh --help    prints this
 # Installs the packages that are missing, builds in build/, prints what ctest says and repeats its closing lines at the
 # end; build/logs holds all of it. The exit status is 0 only if every test succeeded. Run again it builds only what has
-# changed. On two cores the first takes less than 12 minutes, packages included, --all less than 40. Where the compilers
+# changed. On two cores the first takes some 20 minutes, packages included, --all about an hour. Where the compilers
 # for riscv64 and armhf cannot be had, their tests are skipped. CMAKE_BUILD_PARALLEL_LEVEL and CTEST_PARALLEL_LEVEL: the
 # number of jobs, as many as there are cores unless given. HSP_MOLECULES: a folder of further molecules.
 set -euo pipefail
