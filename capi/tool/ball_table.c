@@ -1,9 +1,9 @@
 #include "ball_table.h"
 
-#include <float.h>
 #include <inttypes.h>
 
 #include "csv.h"
+#include "number.h"
 #include "report.h"
 
 /* The derivatives that there may be, in the order of the keys and columns. In tables each takes the four columns of
@@ -61,7 +61,7 @@ static bool suits_decimals(const struct gradient *gradient, uint32_t atoms) {
 }
 
 static void print_derivative(double value, bool with_decimals, struct text_buffer *out) {
-  if (!(magnitude(value) <= DBL_MAX)) {
+  if (!is_finite(value)) {
     text_buffer_add(out, "  %*s", DERIVATIVE_WIDTH, "-");
   } else if (with_decimals) {
     text_buffer_add(out, "  %*.6f", DERIVATIVE_WIDTH, magnitude(value) < 5e-7 ? 0.0 : value); /* no "-0.000000" */

@@ -1,20 +1,13 @@
 #include "byte_reader.h"
 
 #include <errno.h>
-#include <float.h>
 #include <string.h>
 
 #include "line_reader.h"
 
 bool byte_reader_open(struct byte_reader *reader, const char *path, struct failure *failure) {
-  if (input_is_standard(path)) {
-    reader->file = stdin;
-    return true;
-  }
-  errno = 0;
-  reader->file = fopen(path, "rb");
-  if (reader->file != NULL) return true;
-  return failure_in_input(failure, 0, "%s", errno != 0 ? strerror(errno) : "cannot be opened");
+  reader->file = input_open(path, failure);
+  return reader->file != NULL;
 }
 
 bool byte_reader_at_end(const struct byte_reader *reader) {
@@ -64,8 +57,4 @@ double bits_to_double(uint64_t bits) {
   double value;
   memcpy(&value, &bits, sizeof value);
   return value;
-}
-
-bool is_finite(double value) {
-  return value >= -DBL_MAX && value <= DBL_MAX;
 }

@@ -42,7 +42,4 @@ int32_t bits_to_i32(uint32_t bits);
 float bits_to_float(uint32_t bits);
 double bits_to_double(uint64_t bits);
 
-/* Not NaN, nor infinite. */
-bool is_finite(double value);
-
 #endif

@@ -1,9 +1,9 @@
 #include "csv.h"
 
-#include <float.h>
 #include <inttypes.h>
 #include <string.h>
 
+#include "number.h"
 #include "report.h"
 
 void csv_text(struct text_buffer *out, const char *text) {
@@ -18,7 +18,7 @@ void csv_text(struct text_buffer *out, const char *text) {
 
 void csv_number(struct text_buffer *out, double value) {
   char shown[NUMBER_BYTES];
-  if (value >= -DBL_MAX && value <= DBL_MAX) text_buffer_add(out, "%s", exact_text(shown, value));
+  if (is_finite(value)) text_buffer_add(out, "%s", exact_text(shown, value));
 }
 
 void csv_frame_titles(struct text_buffer *out) {

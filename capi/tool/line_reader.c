@@ -15,6 +15,14 @@ const char *input_name(const char *path) {
   return input_is_standard(path) ? "standard input" : path;
 }
 
+FILE *input_open(const char *path, struct failure *failure) {
+  if (input_is_standard(path)) return stdin;
+  errno = 0;
+  FILE *file = fopen(path, "rb");
+  if (file == NULL) failure_in_input(failure, 0, "%s", errno != 0 ? strerror(errno) : "cannot be opened");
+  return file;
+}
+
 bool line_reader_open(struct line_reader *reader, const char *path, struct failure *failure) {
   reader->text = NULL;
   reader->length = 0;
@@ -26,16 +34,8 @@ bool line_reader_open(struct line_reader *reader, const char *path, struct failu
   reader->filled = 0;
   reader->bytes = 0;
   reader->progress = (struct progress){false};
-  if (input_is_standard(path)) {
-    reader->file = stdin;
-    return true;
-  }
-  errno = 0;
-  reader->file = fopen(path, "rb");
-  if (reader->file == NULL) {
-    return failure_in_input(failure, 0, "%s", errno != 0 ? strerror(errno) : "cannot be opened");
-  }
-  return true;
+  reader->file = input_open(path, failure);
+  return reader->file != NULL;
 }
 
 /* Copy the rest of standard input into a file. False with errno. */

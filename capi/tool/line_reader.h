@@ -33,7 +33,11 @@ bool input_is_standard(const char *path);
 /* What a person calls an input: its name, or "standard input". */
 const char *input_name(const char *path);
 
-/* Open a file, or standard input; false with the system's reason if that cannot be done. */
+/* A file to be read, or standard input, which is not to be closed; NULL with the system's reason if that cannot be
+ * done. */
+FILE *input_open(const char *path, struct failure *failure);
+
+/* The same as a reader of lines. */
 bool line_reader_open(struct line_reader *reader, const char *path, struct failure *failure);
 
 /* Put what is left of standard input into a file without a name and read that from now on, so that rewind(stdin) begins

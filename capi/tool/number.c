@@ -1,7 +1,6 @@
 #include "number.h"
 
 #include <float.h>
-#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -145,4 +144,8 @@ const char *number_complaint(enum number_status status) {
       return "is too large";
   }
   return "is not a number";
+}
+
+bool is_finite(double value) {
+  return value >= -DBL_MAX && value <= DBL_MAX;
 }

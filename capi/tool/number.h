@@ -2,6 +2,7 @@
 #ifndef HARDSPHERE_TOOL_NUMBER_H
 #define HARDSPHERE_TOOL_NUMBER_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -25,5 +26,8 @@ enum number_status number_parse_count(const char *text, size_t length, uint64_t 
 
 /* What is wrong, to be put after the quoted text: "is not a number", ... */
 const char *number_complaint(enum number_status status);
+
+/* Not NaN, nor infinite. */
+bool is_finite(double value);
 
 #endif

@@ -9,6 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "number.h"
+
 enum { HEADER_BYTES = 84, CELL_BYTES = 48, CHUNK_FLOATS = 2048 };
 
 /* CHARMM's unit of time, sqrt(u angstrom^2 / (kcal/mol)), in picoseconds. */

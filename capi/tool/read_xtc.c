@@ -16,6 +16,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "number.h"
+
 enum {
   MAGIC = 1995,
   MAGIC_LARGE = 2023, /* with 64 bits for the number of bytes */

@@ -1,6 +1,5 @@
 #include "report.h"
 
-#include <float.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,6 +8,7 @@
 #include "characters.h"
 #include "input_report.h"
 #include "line_reader.h"
+#include "number.h"
 #include "residues.h"
 
 void report_row(struct text_buffer *out, const char *name, const char *value, const char *remark) {
@@ -32,7 +32,7 @@ const char *count_text(char out[NUMBER_BYTES], int64_t value) {
 const char *quantity_text(char out[NUMBER_BYTES], double value, int decimals) {
   value += 0.0; /* no "-0" */
   const double magnitude = value < 0.0 ? -value : value;
-  if (!(magnitude <= DBL_MAX)) return memcpy(out, "-", 2);
+  if (!is_finite(magnitude)) return memcpy(out, "-", 2);
   if (magnitude >= 1e12 || (magnitude > 0.0 && magnitude < 1e-2)) {
     snprintf(out, NUMBER_BYTES, "%.8e", value);
   } else {
@@ -108,7 +108,7 @@ void report_ball(struct text_buffer *out, struct ball_columns columns, const str
 }
 
 void json_number(struct text_buffer *out, double value) {
-  if (value >= -DBL_MAX && value <= DBL_MAX) {
+  if (is_finite(value)) {
     char shown[NUMBER_BYTES];
     text_buffer_add(out, "%s", exact_text(shown, value));
   } else {

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "fields.h"
+#include "number.h"
 #include "read_molecule.h"
 
 bool trajectory_format_of(const char *path, enum molecule_format molecule, struct trajectory *trajectory,
