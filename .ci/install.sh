@@ -15,7 +15,7 @@ packages_for_all_tests=(clang clang-14 lld musl-tools libclang-rt-14-dev g++-aar
   valgrind)
 optional_packages_for_all_tests=(g++-riscv64-linux-gnu g++-arm-linux-gnueabihf)
 # What `bench/run.sh --peers` times beside the library. FreeSASA's archive needs two libraries that it reads files with.
-packages_of_peers=(freesasa libxml2-dev libjson-c-dev libcgal-dev libnanoflann-dev gemmi-dev)
+packages_of_peers=(freesasa libxml2-dev libjson-c-dev libcgal-dev libnanoflann-dev gemmi-dev libfcl-dev)
 
 as_root() {
   if [ "$(id -u)" -eq 0 ]; then

@@ -2,16 +2,23 @@
 # the address sanitizer the arrays in a handle's memory lie between poisoned bytes. With HSP_COUNT_STAGES it counts what
 # the predicates' stages answer, for one test. Programs in folders with the property
 # HSP_SHIPPED_LIBRARY, benchmarks for instance, link the archive that is installed. Libraries that both kinds of programs
-# use link hardsphere_tested, which is what suits the program.
+# use link hardsphere_tested, which is what suits the program. With HSP_CHECKED_LIBRARY the archive itself is checked.
 include_guard(GLOBAL)
 
-hsp_library_objects(hardsphere_checked_objects HSP_CHECK_INDEX=1 HSP_COUNT_STAGES=1)
-add_library(hardsphere_checked STATIC $<TARGET_OBJECTS:hardsphere_checked_objects>)
-set_target_properties(hardsphere_checked_objects hardsphere_checked PROPERTIES EXCLUDE_FROM_ALL ON)
-get_target_property(language hardsphere LINKER_LANGUAGE)
-set_target_properties(hardsphere_checked PROPERTIES LINKER_LANGUAGE ${language})
-target_include_directories(hardsphere_checked PUBLIC ${hardsphere_SOURCE_DIR}/include)
-target_link_libraries(hardsphere_checked PUBLIC m PRIVATE hardsphere_sanitizers)
+set(HSP_CHECKS HSP_CHECK_INDEX=1 HSP_COUNT_STAGES=1)
+if(HSP_CHECKED_LIBRARY)
+  target_compile_definitions(hardsphere_objects PUBLIC ${HSP_CHECKS})
+  add_library(hardsphere_checked_objects ALIAS hardsphere_objects)
+  add_library(hardsphere_checked ALIAS hardsphere)
+else()
+  hsp_library_objects(hardsphere_checked_objects ${HSP_CHECKS})
+  add_library(hardsphere_checked STATIC $<TARGET_OBJECTS:hardsphere_checked_objects>)
+  set_target_properties(hardsphere_checked_objects hardsphere_checked PROPERTIES EXCLUDE_FROM_ALL ON)
+  get_target_property(language hardsphere LINKER_LANGUAGE)
+  set_target_properties(hardsphere_checked PROPERTIES LINKER_LANGUAGE ${language})
+  target_include_directories(hardsphere_checked PUBLIC ${hardsphere_SOURCE_DIR}/include)
+  target_link_libraries(hardsphere_checked PUBLIC m PRIVATE hardsphere_sanitizers)
+endif()
 
 define_property(TARGET PROPERTY HSP_SHIPPED_LIBRARY INHERITED BRIEF_DOCS "Whether a program links the installed archive"
   FULL_DOCS "Whether a program that links hardsphere_tested links hardsphere or hardsphere_checked")

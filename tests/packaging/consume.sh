@@ -23,9 +23,10 @@ fi
 case $way in
   find_package | find_package_source | subdirectory)
     where=-DCMAKE_PREFIX_PATH=$prefix
-    [ "$way" = subdirectory ] && where=-DHARDSPHERE_SOURCE=$source
+    [ "$way" = subdirectory ] && where="-DHARDSPHERE_SOURCE=$source -DHSP_UNITY_BUILD=ON"
+    # shellcheck disable=SC2086 # two options
     cmake -S "$here/consumers/${way%_source}" -B "$work" -DLANGUAGE="$language" -DCMAKE_BUILD_TYPE=Release \
-      -DCMAKE_"${language}"_COMPILER="$compiler" "$where" \
+      -DCMAKE_"${language}"_COMPILER="$compiler" $where \
       >"$work/log" 2>&1 || { cat "$work/log" && exit 1; }
     cmake --build "$work" --parallel 2 >>"$work/log" 2>&1 || { cat "$work/log" && exit 1; }
     # The compiler that compiled the package's module reads that; every other compiles its own.

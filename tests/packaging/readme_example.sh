@@ -7,20 +7,17 @@ readme=$1 include=$2 archive=$3 work=$4 cc=$5
 rm -rf "$work"
 mkdir -p "$work"
 
-block() { # language, number
-  awk -v language="$1" -v number="$2" '
-    $0 == "```" language { inside = ++found == number; next }
-    /^```/ { inside = 0 }
-    inside' "$readme"
-}
-block c 1 >"$work/example.c"
+mkdir "$work/blocks"
+awk -v folder="$work/blocks" -f "$(dirname "$0")/page_blocks.awk" "$readme"
+c_blocks=("$work"/blocks/*.c) fortran_blocks=("$work"/blocks/*.fortran)
+cp "${c_blocks[0]}" "$work/example.c"
 grep -q 'int main' "$work/example.c" || { echo "README.md has no C example with a main function" && exit 1; }
 grep -q 'hsp_' "$work/example.c" || { echo "README.md's example does not use the library" && exit 1; }
 
 # Unit balls at distance 1: each loses a cap of height 1/2. The gradient of the area is 2 pi along the axis.
 {
   echo '#include <hardsphere_workspace.h>'
-  block c 2
+  cat "${c_blocks[1]}"
   cat <<'MAIN'
 #include <math.h>
 int main(void) {
@@ -43,7 +40,7 @@ done
 if [ $# -ge 8 ]; then
   fortran=$6 modules=$7 fortran_archive=$8
   {
-    block fortran 1
+    cat "${fortran_blocks[0]}"
     cat <<'MAIN'
 program check
   use hardsphere_workspace
