@@ -43,8 +43,8 @@ BodySight::Front BodySight::front_at(uint32_t body, double x, double y) const {
 BodySight::Highest BodySight::highest_at(double x, double y, uint32_t except) const {
   const double from = x - widest_;
   uint32_t k = first_index(0, items_.size(), [&](uint32_t i) { return items_[i].left >= from; });
-  Highest highest{no_id, true};
-  double best = 0.0, second = 0.0;
+  Highest highest{no_id, true, 0.0};
+  double second = 0.0;
   uint32_t found = 0;
   for (; k < items_.size() && items_[k].left <= x; ++k) {
     const SweptBox &item = items_[k];
@@ -56,16 +56,16 @@ BodySight::Highest BodySight::highest_at(double x, double y, uint32_t except) co
     const Front front = front_at(item.body, x, y);
     if (!front.certain) highest.certain = false;
     if (!front.exists) continue;
-    if (found == 0 || front.z > best) {
-      second = best;
-      best = front.z;
+    if (found == 0 || front.z > highest.z) {
+      second = highest.z;
+      highest.z = front.z;
       highest.body = item.body;
     } else if (found == 1 || front.z > second) {
       second = front.z;
     }
     ++found;
   }
-  if (found > 1 && best - second < close * largest_) highest.certain = false;
+  if (found > 1 && highest.z - second < close * largest_) highest.certain = false;
   return highest;
 }
 

@@ -16,6 +16,7 @@ class BodySight {
   struct Highest {
     uint32_t body;
     bool certain;
+    double z;  // of its front there
   };
   Highest highest_at(double x, double y, uint32_t except) const;
 

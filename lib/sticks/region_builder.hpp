@@ -1,5 +1,5 @@
 // What is seen of balls and sticks without a drawing order, exactly: from the pairs of which one may cover the other to
-// loops around what is seen of each.
+// the faces that show each.
 //
 // Balls and sticks are convex, so that what the visibility map rests on holds for them as well: the surface that is
 // seen is the upper envelope of their fronts, only contours hide something, and the circles where two of them meet hide
@@ -33,6 +33,10 @@ class RegionBuilder {
   }
 
   const StickRegions &structure() const { return regions_; }
+  // For points of the view plane. boxes: as for build.
+  BodySight sight(Span<const SweptBox> boxes) const { return {regions_.scene, boxes, arcs_.inside()}; }
+  // Scratch memory for checks; [2 edges].
+  Span<uint32_t> scratch() { return linker_.scratch(); }
   uint32_t needed_edges() const { return arcs_.needed_edges(); }
 
  private:

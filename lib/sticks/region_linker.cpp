@@ -90,19 +90,26 @@ bool RegionLinker::name(uint32_t end, NamedEnd &named) const {
   return true;
 }
 
-uint32_t RegionLinker::add_vertex(uint32_t end, StickRegions &regions) {
+uint32_t RegionLinker::add_vertex(uint32_t end, MapVertexKind kind, uint32_t third, StickRegions &regions) {
   const MapArc &arc = arcs_[end / 2];
   const Vec3 at = scene_.at(arc.ball, arc.nearer, end % 2 == 0 ? arc.from : arc.to);
   const uint32_t v = regions.vertices.size();
-  regions.vertices.push({at.x, at.y});
+  regions.vertices.push({at.x, at.y, at.z, kind, no_id, {arc.ball, arc.nearer, third}});
   return v;
 }
 
 bool RegionLinker::add_corner(Span<const NamedEnd> ends, StickRegions &regions) {
   const Corner corner = ends[0].corner;
-  const uint32_t count = corner == Corner::triple || corner == Corner::middle ? 3 : 2;
+  const MapVertexKind kind = corner == Corner::triple   ? MapVertexKind::triple
+                             : corner == Corner::middle ? MapVertexKind::halves
+                                                        : MapVertexKind::tangency;
+  const uint32_t count = degree_of(kind);
   if (ends.size() != count) return false;
-  const uint32_t v = add_vertex(ends[0].end, regions);
+  // Of a crease or half circle, whose bodies are those of all that meet there.
+  uint32_t named = ends[0].end;
+  for (const NamedEnd &each : ends) named = arcs_[each.end / 2].nearer != no_id ? each.end : named;
+  const uint32_t third = corner == Corner::triple ? arcs_[named / 2].end[named % 2].ball : no_id;
+  const uint32_t v = add_vertex(named, kind, third, regions);
   ends_[v] = static_cast<uint8_t>(count);
   for (uint32_t k = 0; k < count; ++k) {
     end_at_[3 * v + k] = ends[k].end;
@@ -119,8 +126,8 @@ bool RegionLinker::add_vertices(StickRegions &regions) {
     if (arc.closed) continue;
     const ArcEnd &label = arc.end[end % 2];
     if (label.kind == MapVertexKind::t) {
-      const uint32_t v = add_vertex(end, regions);
-      const RegionVertex &at = regions.vertices[v];
+      const uint32_t v = add_vertex(end, MapVertexKind::t, label.ball, regions);
+      const MapVertex &at = regions.vertices[v];
       landing_.push({label.ball, scene_.landing(label.ball, at.x, at.y), v});
       ends_[v] = 1;
       end_at_[3 * v] = end;
@@ -162,7 +169,7 @@ void RegionLinker::add_whole_edge(uint32_t a, StickRegions &regions) {
   uint32_t v = vertex_at_[2 * a];
   uint32_t w = vertex_at_[2 * a + 1];
   if (arc.closed) {
-    v = w = add_vertex(2 * a, regions);
+    v = w = add_vertex(2 * a, MapVertexKind::plain, no_id, regions);
     ends_[v] = 0;
     end_at_[3 * v] = 2 * a;
   }
@@ -245,11 +252,12 @@ bool RegionLinker::add_edges(StickRegions &regions) {
 }
 
 bool RegionLinker::link_half_edges(StickRegions &regions) {
-  regions.next.set_count(2 * static_cast<uint64_t>(regions.edges.size()));
-  for (uint32_t &next : regions.next.items()) next = no_id;
-  const auto follow = [&](uint32_t arriving, uint32_t out) { regions.next[arriving] = out; };
+  regions.half_edges.set_count(2 * static_cast<uint64_t>(regions.edges.size()));
+  for (MapHalfEdge &half_edge : regions.half_edges.items()) half_edge = {no_id, no_id};
+  const auto follow = [&](uint32_t arriving, uint32_t out) { regions.half_edges[arriving].next = out; };
   for (uint32_t v = 0; v < regions.vertices.size(); ++v) {
     const uint32_t out = leaving(end_at_[3 * v]);
+    regions.vertices[v].leaving = out;
     if (ends_[v] == 0) {
       follow(out, out);
       follow(out ^ 1U, out ^ 1U);

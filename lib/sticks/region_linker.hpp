@@ -22,6 +22,9 @@ class RegionLinker {
   // of these ends cuts an arc in two, but the first one on a closed arc. False if something does not fit.
   bool link(Span<const MapArc> arcs, StickRegions &regions);
 
+  // Memory that is free between calls; [2 edges].
+  Span<uint32_t> scratch() { return vertex_at_; }
+
  private:
   enum class Corner : uint32_t { triple, tangency, foot, middle, top };
 
@@ -44,7 +47,8 @@ class RegionLinker {
 
   bool name(uint32_t end, NamedEnd &named) const;
   NamedEnd name_of_triple(uint32_t end) const;
-  uint32_t add_vertex(uint32_t end, StickRegions &regions);
+  // At the end of an arc, whose bodies it names, and a third one.
+  uint32_t add_vertex(uint32_t end, MapVertexKind kind, uint32_t third, StickRegions &regions);
   bool add_vertices(StickRegions &regions);
   bool add_corner(Span<const NamedEnd> ends, StickRegions &regions);
   bool add_edges(StickRegions &regions);

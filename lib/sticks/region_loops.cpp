@@ -7,16 +7,6 @@
 namespace hsp {
 namespace {
 
-// Twice the area that an edge sweeps about a point, as of half-edge 2e (Green's formula).
-double swept_twice(const StickRegions &regions, const MapEdge &edge, double x, double y) {
-  const RegionVertex &v = regions.vertices[edge.vertex[0]];
-  const RegionVertex &w = regions.vertices[edge.vertex[1]];
-  if (regions.scene.is_straight(edge.ball, edge.nearer)) return (v.x - x) * (w.y - v.y) - (v.y - y) * (w.x - v.x);
-  const RoundCurve curve = regions.scene.round_curve(edge.ball, edge.nearer);
-  return (curve.middle.x - x) * (w.y - v.y) - (curve.middle.y - y) * (w.x - v.x) +
-         (curve.first.x * curve.second.y - curve.first.y * curve.second.x) * (edge.to - edge.from);
-}
-
 bool is_behind_contour(const StickRegions &regions, uint32_t half_edge) {
   return half_edge % 2 == 1 && regions.edges[half_edge / 2].is_silhouette();
 }
@@ -32,12 +22,12 @@ void RegionLoops::carve(Workspace &workspace, const StickLimits &limits) {
 
 // Areas are taken about the loop's first point, so that nothing large cancels.
 bool RegionLoops::trace(uint32_t first, StickRegions &regions) {
-  RegionLoop loop{first, no_id, 0.0};
-  const RegionVertex origin = regions.vertices[regions.origin(first)];
+  MapLoop loop{first, no_id, no_id, no_id, 0.0};
+  const MapVertex origin = regions.vertices[regions.origin(first)];
   double twice = 0.0;
   uint32_t h = first;
   do {
-    const uint32_t next = regions.next[h];
+    const uint32_t next = regions.half_edges[h].next;
     if (next == no_id || traced_[h] != 0 || regions.origin(next) != regions.origin(h ^ 1U)) return false;
     traced_[h] = 1;
     const uint32_t owner = regions.left_of(h);
@@ -45,7 +35,7 @@ bool RegionLoops::trace(uint32_t first, StickRegions &regions) {
       if (loop.owner != no_id && loop.owner != owner) return false;
       loop.owner = owner;
     }
-    const double swept = swept_twice(regions, regions.edges[h / 2], origin.x, origin.y);
+    const double swept = swept_twice(regions, h / 2, origin.x, origin.y);
     twice += h % 2 == 0 ? swept : -swept;
     h = next;
   } while (h != first);
@@ -55,7 +45,7 @@ bool RegionLoops::trace(uint32_t first, StickRegions &regions) {
 }
 
 // By what is highest behind the longest edge on a contour, at a point of it where that is certain.
-bool RegionLoops::name_owner(const BodySight &sight, const StickRegions &regions, RegionLoop &loop) const {
+bool RegionLoops::name_owner(const BodySight &sight, const StickRegions &regions, MapLoop &loop) const {
   uint32_t best = no_id;
   double longest = -1.0;
   uint32_t h = loop.first_half_edge;
@@ -70,7 +60,7 @@ bool RegionLoops::name_owner(const BodySight &sight, const StickRegions &regions
         best = h;
       }
     }
-    h = regions.next[h];
+    h = regions.half_edges[h].next;
   } while (h != loop.first_half_edge);
   if (best == no_id) return true;
   const MapEdge &edge = regions.edges[best / 2];
@@ -85,15 +75,16 @@ bool RegionLoops::name_owner(const BodySight &sight, const StickRegions &regions
   return loop.owner != no_id;
 }
 
-bool RegionLoops::fits_euler(const StickRegions &regions) {
+bool RegionLoops::fits_euler(StickRegions &regions) {
   const uint32_t vertices = regions.vertices.size();
   DisjointSets parts(parent_.part(0, vertices));
   parts.reset();
-  uint64_t components = vertices;
+  regions.components = vertices;
   for (const MapEdge &edge : regions.edges.items()) {
-    if (parts.join(edge.vertex[0], edge.vertex[1])) --components;
+    if (parts.join(edge.vertex[0], edge.vertex[1])) --regions.components;
   }
-  return static_cast<uint64_t>(vertices) + regions.loops.size() == regions.edges.size() + 2 * components;
+  return static_cast<uint64_t>(vertices) + regions.loops.size() ==
+         regions.edges.size() + 2 * static_cast<uint64_t>(regions.components);
 }
 
 // Curves that coincide may all be lost.
@@ -118,36 +109,47 @@ bool RegionLoops::middles_have_loops(const BodySight &sight, const StickRegions 
   return true;
 }
 
+void RegionLoops::number_loops(StickRegions &regions) {
+  for (uint32_t l = 0; l < regions.loops.size(); ++l) {
+    uint32_t h = regions.loops[l].first_half_edge;
+    do {
+      regions.half_edges[h].loop = l;
+      h = regions.half_edges[h].next;
+    } while (h != regions.loops[l].first_half_edge);
+  }
+}
+
 bool RegionLoops::find(const BodySight &sight, Span<const double> depth, StickRegions &regions) {
   regions.loops.clear();
-  const uint32_t half_edges = regions.next.size();
+  const uint32_t half_edges = regions.half_edges.size();
   for (uint32_t h = 0; h < half_edges; ++h) traced_[h] = 0;
   for (uint32_t h = 0; h < half_edges; ++h) {
     if (traced_[h] == 0 && !trace(h, regions)) return false;
   }
   for (uint8_t &seen : seen_) seen = 0;
-  for (RegionLoop &loop : regions.loops.items()) {
+  for (MapLoop &loop : regions.loops.items()) {
     if (!name_owner(sight, regions, loop)) return false;
     if (loop.owner != no_id) seen_[loop.owner] = 1;
   }
   if (!fits_euler(regions) || !middles_have_loops(sight, regions)) return false;
-  sort_in_place(regions.loops.items(), [depth](const RegionLoop &a, const RegionLoop &b) {
+  sort_in_place(regions.loops.items(), [depth](const MapLoop &a, const MapLoop &b) {
     if (a.owner != b.owner) {
       if (a.owner == no_id || b.owner == no_id) return b.owner == no_id;
       return depth[a.owner] != depth[b.owner] ? depth[a.owner] < depth[b.owner] : a.owner < b.owner;
     }
     return a.first_half_edge < b.first_half_edge;
   });
+  number_loops(regions);
   double area = 0.0;
   for (uint32_t l = 0; l < regions.loops.size(); ++l) {
-    const RegionLoop &loop = regions.loops[l];
+    const MapLoop &loop = regions.loops[l];
     area += loop.area;
     const bool last = l + 1 == regions.loops.size() || regions.loops[l + 1].owner != loop.owner;
     if (!last) continue;
     if (loop.owner != no_id && !(area > 0.0)) return false;
     area = 0.0;
   }
-  return true;
+  return find_faces(regions);
 }
 
 }  // namespace hsp

@@ -1,9 +1,9 @@
-// Loops around what is seen of balls and sticks from linked half-edges, and what proves that they fit together.
+// Loops around what is seen of balls and sticks from linked half-edges, their faces, and what proves that they fit
+// together.
 #pragma once
 
 #include "core/disjoint_sets.hpp"
-#include "sticks/body_sight.hpp"
-#include "sticks/stick_regions.hpp"
+#include "sticks/region_faces.hpp"
 
 namespace hsp {
 
@@ -11,21 +11,23 @@ class RegionLoops {
  public:
   void carve(Workspace &workspace, const StickLimits &limits);
 
-  // Fills the loops, those of a body one after the other. False where something does not fit:
+  // Fills loops, those of a body one after the other, and faces. False where something does not fit:
   //   1. half-edges do not chain up to loops;
   //   2. the labels of a loop's edges name two bodies;
   //   3. behind a contour the body that the loop names is not the highest one, or a loop has no labels and nowhere
   //      along it is it certain what is behind;
   //   4. the numbers contradict Euler's formula;
   //   5. the middle of a body is seen, but the body has no loop;
-  //   6. what is seen of a body has no area.
+  //   6. what is seen of a body has no area;
+  //   7. a hole lies in no face of its owner.
   // depth [bodies]: loops are in its ascending order.
   bool find(const BodySight &sight, Span<const double> depth, StickRegions &regions);
 
  private:
   bool trace(uint32_t first, StickRegions &regions);
-  bool name_owner(const BodySight &sight, const StickRegions &regions, RegionLoop &loop) const;
-  bool fits_euler(const StickRegions &regions);
+  bool name_owner(const BodySight &sight, const StickRegions &regions, MapLoop &loop) const;
+  static void number_loops(StickRegions &regions);
+  bool fits_euler(StickRegions &regions);
   bool middles_have_loops(const BodySight &sight, const StickRegions &regions);
 
   Span<uint8_t> traced_;   // [2 edges]

@@ -32,7 +32,7 @@ void visit_loops(const StickRegions &regions, uint32_t path, Visit visit) {
 
 void visit_region(const void *source, const BallSet &, uint32_t path, const ArcVisitor &visitor) {
   const StickRegions &regions = as_regions(source);
-  const auto next = [&regions](uint32_t h) { return regions.next[h]; };
+  const auto next = [&regions](uint32_t h) { return regions.half_edges[h].next; };
   visit_loops(regions, path, [&](uint32_t first) {
     visit_loop(first, next, [&](uint32_t h, bool begins, bool closes) { visitor(arc_of(regions, h), begins, closes); });
   });
@@ -40,7 +40,7 @@ void visit_region(const void *source, const BallSet &, uint32_t path, const ArcV
 
 void visit_lines_of_region(const void *source, const BallSet &, uint32_t path, const ArcVisitor &visitor) {
   const StickRegions &regions = as_regions(source);
-  const auto next = [&regions](uint32_t h) { return regions.next[h]; };
+  const auto next = [&regions](uint32_t h) { return regions.half_edges[h].next; };
   visit_loops(regions, path, [&](uint32_t first) {
     visit_own_runs(first, next,
                    [&](uint32_t h, bool begins, bool closes) { visitor(arc_of(regions, h), begins, closes); });
@@ -55,8 +55,8 @@ constexpr PaintedPaths::Functions of_regions{ball_of_region, visit_region, visit
 // ellipse from the end of its major axis, a quarter turn ahead.
 ProjectedArc arc_of(const StickRegions &regions, uint32_t half_edge) {
   const MapEdge &edge = regions.edges[half_edge / 2];
-  const RegionVertex &v = regions.vertices[regions.origin(half_edge)];
-  const RegionVertex &w = regions.vertices[regions.origin(half_edge ^ 1U)];
+  const MapVertex &v = regions.vertices[regions.origin(half_edge)];
+  const MapVertex &w = regions.vertices[regions.origin(half_edge ^ 1U)];
   const double start[2] = {v.x, v.y};
   const double end[2] = {w.x, w.y};
   if (regions.scene.is_straight(edge.ball, edge.nearer)) return line_between(start, end, no_id);

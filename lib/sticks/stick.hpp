@@ -37,9 +37,13 @@ struct Stick {
   uint32_t parts;      // 2: each half belongs to its ball. 1: all of it belongs to the ball that was named first. 0:
                        // it is inside its balls, which meet
   uint32_t owner[2];   // of the parts
+  uint32_t turned;     // 1 if the caller named the nearer ball first, else 0
+  bool inside;         // its balls, before they were moved
 
   // Where the halves meet: in the middle of what is outside both balls.
   double middle() const { return 0.5 * (first + last); }
+  // The caller's number of a part: 0 or 1 as that of its ball, 0 of a whole stick.
+  uint32_t half_of(uint32_t part) const { return parts == 2 ? part ^ turned : 0; }
   double begin_of(uint32_t part) const { return part == 0 ? first : middle(); }
   double end_of(uint32_t part) const { return part + 1 == parts ? last : middle(); }
 

@@ -1,37 +1,38 @@
-// What is seen of balls and sticks that have no drawing order, or balls of which meet: for each body the loops around
-// what is seen of it. Edges and half-edges are those of a visibility map, with the curves of stick_scene.hpp.
+// What is seen of balls and sticks as a subdivision of the view plane: a visibility map of them. Records are those of a
+// VisibilityMap, with bodies in place of balls and the curves of stick_scene.hpp. For each body that is seen there is
+// also the first of its loops, in an order for painting.
 #pragma once
 
 #include "sticks/stick_scene.hpp"
-#include "visibility/visibility_map.hpp"
+#include "visibility/edge_geometry.hpp"
 
 namespace hsp {
-
-struct RegionVertex {
-  double x, y;
-};
-
-struct RegionLoop {
-  uint32_t first_half_edge;
-  uint32_t owner;  // the body that is seen on the left, no_id for the background
-  double area;     // negative around holes
-};
 
 struct StickRegions {
   bool exist = false;
   double perturbation = 0.0;  // no centre was moved farther, in lattice steps
   ViewFrame frame;
   StickScene scene;
-  uint32_t paths = 0;
-  FixedVector<RegionVertex> vertices;  // [edges]
+  uint32_t components = 0;
+  uint32_t paths = 0;               // bodies that are seen
+  FixedVector<MapVertex> vertices;  // [edges]
   FixedVector<MapEdge> edges;
-  FixedVector<uint32_t> next;     // [2 edges] the half-edge that follows around the region on the left
-  FixedVector<RegionLoop> loops;  // [2 edges] those of a body follow each other; background last
-  Span<uint32_t> first_loop;      // [paths] of each body that is seen, farthest first
+  FixedVector<MapHalfEdge> half_edges;  // [2 edges]
+  FixedVector<MapLoop> loops;           // [2 edges] those of a body follow each other; background last
+  FixedVector<MapFace> faces;           // [2 edges + 1] the unbounded one, background, then in the order of loops
+  Span<uint32_t> first_loop;            // [paths] of each body that is seen, farthest first
+  Span<uint32_t> first_face;            // [bodies] no_id of those without faces
 
   // The body that a path is of.
   uint32_t owner_of(uint32_t path) const { return loops[first_loop[path]].owner; }
   uint32_t origin(uint32_t half_edge) const { return edges[half_edge / 2].vertex[half_edge % 2]; }
+  uint32_t face_of(uint32_t half_edge) const { return loops[half_edges[half_edge].loop].face; }
+  // The first face that shows a body or, for no_id, the background; no_id if there is none.
+  uint32_t first_face_of(uint32_t owner) const { return owner == no_id ? 0 : first_face[owner]; }
+  // The face after another one of the same owner; no_id after the last.
+  uint32_t next_face_of(uint32_t face) const {
+    return face + 1 < faces.size() && faces[face + 1].owner == faces[face].owner ? face + 1 : no_id;
+  }
   // The body on the left, no_id where that is known from other edges only.
   uint32_t left_of(uint32_t half_edge) const {
     const MapEdge &edge = edges[half_edge / 2];
@@ -40,21 +41,50 @@ struct StickRegions {
   }
   void carve(Workspace &workspace, const StickLimits &limits) {
     const uint64_t most = limits.edges;
-    vertices = FixedVector<RegionVertex>(workspace.take<RegionVertex>(most));
+    const uint64_t bodies = limits.balls + 2 * static_cast<uint64_t>(limits.sticks);
+    vertices = FixedVector<MapVertex>(workspace.take<MapVertex>(most));
     edges = FixedVector<MapEdge>(workspace.take<MapEdge>(most));
-    next = FixedVector<uint32_t>(workspace.take<uint32_t>(2 * most));
-    loops = FixedVector<RegionLoop>(workspace.take<RegionLoop>(2 * most));
-    first_loop = workspace.take<uint32_t>(limits.balls + 2 * static_cast<uint64_t>(limits.sticks));
+    half_edges = FixedVector<MapHalfEdge>(workspace.take<MapHalfEdge>(2 * most));
+    loops = FixedVector<MapLoop>(workspace.take<MapLoop>(2 * most));
+    faces = FixedVector<MapFace>(workspace.take<MapFace>(2 * most + 1));
+    first_loop = workspace.take<uint32_t>(bodies);
+    first_face = workspace.take<uint32_t>(bodies);
   }
   void clear() {
     exist = false;
     perturbation = 0.0;
+    components = 0;
     paths = 0;
     vertices.clear();
     edges.clear();
-    next.clear();
+    half_edges.clear();
     loops.clear();
+    faces.clear();
   }
 };
+
+// For what holds for maps of whatever bodies; lines as ellipses without a minor axis, from one end of the major one to
+// the other.
+inline EdgeCurve curve_of(const StickRegions &regions, uint32_t e) {
+  const MapEdge &edge = regions.edges[e];
+  if (!regions.scene.is_straight(edge.ball, edge.nearer)) {
+    const RoundCurve curve = regions.scene.round_curve(edge.ball, edge.nearer);
+    return {EdgeEllipse(curve.middle, curve.first, curve.second), edge.from, edge.to};
+  }
+  const MapVertex &v = regions.vertices[edge.vertex[0]];
+  const MapVertex &w = regions.vertices[edge.vertex[1]];
+  const Vec3 from{v.x, v.y, 0.0};
+  const Vec3 to{w.x, w.y, 0.0};
+  return {EdgeEllipse(combine(0.5, from, 0.5, to), 0.5 * (to - from), Vec3{}), -pi, 0.0};
+}
+
+inline void put_ends(const StickRegions &regions, uint32_t e, double ends[2][2]) {
+  const MapEdge &edge = regions.edges[e];
+  for (int end = 0; end < 2; ++end) {
+    const Vec3 at = regions.scene.at(edge.ball, edge.nearer, end == 0 ? edge.from : edge.to);
+    ends[end][0] = at.x;
+    ends[end][1] = at.y;
+  }
+}
 
 }  // namespace hsp

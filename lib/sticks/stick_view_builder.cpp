@@ -97,8 +97,10 @@ Stick StickViewBuilder::make_stick(uint32_t one, uint32_t other, double radius, 
   stick.caller = caller;
   stick.owner[0] = whole ? one : foot;
   stick.owner[1] = whole ? one : top;
+  stick.turned = swapped ? 1 : 0;
   stick.radius = radius;
-  stick.parts = !(stick.first < stick.last) ? 0 : whole ? 1 : 2;
+  stick.inside = !(stick.first < stick.last);
+  stick.parts = stick.inside ? 0 : whole ? 1 : 2;
   return stick;
 }
 
@@ -164,7 +166,7 @@ Status StickViewBuilder::find_pairs(const BallSet &balls) {
   return pairs_.overflowed() ? Status::capacity : Status::ok;
 }
 
-Status StickViewBuilder::finish(const BallSet &balls) {
+Status StickViewBuilder::finish(const BallSet &balls, bool as_map) {
   if (const Status status = find_pairs(balls); status != Status::ok) return status;
   find_depths();
   violation_ = sweep_.meeting();
@@ -177,19 +179,23 @@ Status StickViewBuilder::finish(const BallSet &balls) {
     violation_ = {StickConflict::cycle, view_.sticks[path_of(cycle.last).stick].caller, cycle.length};
     return find_regions(balls);
   }
+  if (as_map) return find_regions(balls);
   find_bites();
   add_paths(bodies);
   return Status::ok;
 }
 
+// What was inside its balls stays out: nothing has been asked of it.
 void StickViewBuilder::move(const BallSet &balls, double perturbation) {
   for (uint32_t i = 0; i < balls_; ++i) {
     view_.balls[i].centre = moved_centre(balls, i, view_.frame.centre_of(balls, i), perturbation);
   }
   for (Stick &stick : view_.sticks.items()) {
     const bool whole = stick.owner[0] == stick.owner[1];
-    const uint32_t one = stick.owner[0];
-    stick = make_stick(one, stick.ball[0] == one ? stick.ball[1] : stick.ball[0], stick.radius, stick.caller, whole);
+    const bool inside = stick.inside;
+    stick = make_stick(stick.ball[stick.turned], stick.ball[1 - stick.turned], stick.radius, stick.caller, whole);
+    stick.inside = inside;
+    if (inside) stick.parts = 0;
   }
 }
 

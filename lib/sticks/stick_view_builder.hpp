@@ -11,7 +11,7 @@
 //     ball's front is inside it, in the cap that is left out.
 //   all others are disjoint, so that one of two is over the other wherever they overlap.
 // Where balls meet, or bodies cover each other around a circle, there is no such order. Then what is seen of each body
-// is found instead, from the same pairs (region_builder.hpp).
+// is found instead, from the same pairs (region_builder.hpp); also where somebody wants to know that as a map.
 #pragma once
 
 #include "model/ball_set.hpp"
@@ -32,15 +32,17 @@ class StickViewBuilder {
  public:
   void carve(Workspace &workspace, const StickLimits &limits);
 
-  // radius: of all sticks, in lattice steps, positive. Status::capacity if a limit is too small; needed() then tells
-  // what suffices, with 0 for what is not known yet. Status::conflict if it cannot be drawn; violation() tells why. It
-  // also tells why there is no drawing order where there is a result without. Status::check if there is none because
-  // roundings cannot be overcome, Status::not_finite if a component of the direction is not.
+  // radius: of all sticks, in lattice steps, positive. as_map: regions also where there is an order.
+  // Status::capacity if a limit is too small; needed() then tells what suffices, with 0 for what is not known yet.
+  // Status::conflict if it cannot be drawn; violation() tells why. It also tells why there is no drawing order where
+  // there is a result without. Status::check if there is none because roundings cannot be overcome, Status::not_finite
+  // if a component of the direction is not.
   template <class EndsOf>
-  Status build(const BallSet &balls, const ViewDirection &direction, uint32_t count, double radius, EndsOf ends_of) {
+  Status build(const BallSet &balls, const ViewDirection &direction, uint32_t count, double radius, bool as_map,
+               EndsOf ends_of) {
     Status status = begin(balls, direction, count);
     for (uint32_t k = 0; k < count && status == Status::ok; ++k) status = add_stick(balls, k, ends_of(k), radius);
-    return status == Status::ok ? finish(balls) : status;
+    return status == Status::ok ? finish(balls, as_map) : status;
   }
 
   // Its sticks and centres are a little moved where regions are perturbed.
@@ -51,13 +53,18 @@ class StickViewBuilder {
   const StickLimits &needed() const { return needed_; }
   // What to try again with after Status::capacity.
   StickLimits retry_limits() const { return limits_.covering(needed_); }
-  // Scratch memory for writers of pictures; [balls + 2 sticks].
+  // What regions show at a point.
+  BodySight::Highest highest_at(double x, double y) const {
+    return regions_.sight(sweep_.boxes()).highest_at(x, y, no_id);
+  }
+  // Scratch memory for writers of pictures, [balls + 2 sticks], and for checks of regions, [2 edges].
   Span<uint32_t> scratch() { return order_; }
+  Span<uint32_t> more_scratch() { return regions_.scratch(); }
 
  private:
   Status begin(const BallSet &balls, const ViewDirection &direction, uint32_t count);
   Status add_stick(const BallSet &balls, uint32_t k, const StickEnds &ends, double radius);
-  Status finish(const BallSet &balls);
+  Status finish(const BallSet &balls, bool as_map);
   Status find_pairs(const BallSet &balls);
   Status find_regions(const BallSet &balls);
   Status find_moved_regions(const BallSet &balls, double perturbation);

@@ -13,9 +13,10 @@ double beside(const double v[2]) {
   return ray_x * v[1] - ray_y * v[0];
 }
 
-// How often an edge meets the ray from (x, y).
-uint32_t crossings(const VisibilityMap &map, const MapEdge &edge, double x, double y) {
-  const EdgeEllipse ellipse(map.balls, edge);
+}  // namespace
+
+uint32_t crossings(const EdgeCurve &curve, double x, double y) {
+  const EdgeEllipse &ellipse = curve.ellipse;
   const double c = beside(ellipse.first);
   const double s = beside(ellipse.second);
   const double from_centre[2] = {x - ellipse.centre[0], y - ellipse.centre[1]};
@@ -26,26 +27,13 @@ uint32_t crossings(const VisibilityMap &map, const MapEdge &edge, double x, doub
   const double half = arc_tangent(std::sqrt(squared), height);
   uint32_t count = 0;
   for (double t : {middle - half, middle + half}) {
-    while (t >= edge.from) t -= 2 * pi;
-    while (t < edge.from) t += 2 * pi;
-    if (t >= edge.to) continue;
+    while (t >= curve.from) t -= 2 * pi;
+    while (t < curve.from) t += 2 * pi;
+    if (t >= curve.to) continue;
     const SinCos at = sin_cos(t);
     if (ray_x * (ellipse.x(at) - x) + ray_y * (ellipse.y(at) - y) > 0.0) ++count;
   }
   return count;
-}
-
-}  // namespace
-
-bool surrounds(const VisibilityMap &map, uint32_t loop, double x, double y) {
-  uint32_t count = 0;
-  const uint32_t first = map.loops[loop].first_half_edge;
-  uint32_t h = first;
-  do {
-    count += crossings(map, map.edges[h / 2], x, y);
-    h = map.half_edges[h].next;
-  } while (h != first);
-  return count % 2 == 1;
 }
 
 }  // namespace hsp

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "visibility/edge_distance.hpp"
-#include "visibility/edge_geometry.hpp"
+#include "visibility/face_nesting.hpp"
 
 namespace hsp {
 namespace {

@@ -2,21 +2,9 @@
 
 #include <initializer_list>
 
-#include "visibility/edge_geometry.hpp"
+#include "visibility/face_nesting.hpp"
 
 namespace hsp {
-namespace {
-
-// Twice the area that an edge sweeps about a point, as of half-edge 2e (Green's formula).
-double swept_twice(const VisibilityMap &map, const MapEdge &edge, double x, double y) {
-  const EdgeEllipse ellipse(map.balls, edge);
-  const MapVertex &v = map.vertices[edge.vertex[0]];
-  const MapVertex &w = map.vertices[edge.vertex[1]];
-  return (ellipse.centre[0] - x) * (w.y - v.y) - (ellipse.centre[1] - y) * (w.x - v.x) +
-         (ellipse.first[0] * ellipse.second[1] - ellipse.first[1] * ellipse.second[0]) * (edge.to - edge.from);
-}
-
-}  // namespace
 
 void MapFaceFinder::carve(Workspace &workspace, const MapLimits &limits) {
   const uint64_t edges = limits.edges;
@@ -44,7 +32,7 @@ bool MapFaceFinder::trace_loop(uint32_t first, VisibilityMap &map) {
       if (loop.owner != no_id && loop.owner != owner) return false;
       loop.owner = owner;
     }
-    const double swept = swept_twice(map, edge, origin.x, origin.y);
+    const double swept = swept_twice(map, h / 2, origin.x, origin.y);
     twice += forward ? swept : -swept;
     h = half_edge.next;
   } while (h != first);
@@ -128,51 +116,6 @@ void MapFaceFinder::add_outer_loops(VisibilityMap &map) {
     loop.face = --(loop.owner == no_id ? background : first_face_[map.balls[loop.owner].ball]);
     map.faces[loop.face] = {loop.owner, l, loop.area};
   }
-}
-
-// The innermost face of the hole's owner with the hole within its outer loop, the unbounded face if there is none.
-uint32_t MapFaceFinder::face_around(const MapLoop &hole, const VisibilityMap &map) const {
-  const bool background = hole.owner == no_id;
-  const uint32_t first = map.first_face_of(hole.owner);
-  if (first == no_id || map.next_face_of(first) == no_id) return first;
-  // Some point that is not likely to be in the direction of a vertex.
-  const MapEdge &edge = map.edges[hole.first_half_edge / 2];
-  const EdgeEllipse ellipse(map.balls, edge);
-  const SinCos t = sin_cos(edge.from + 0.3819660112501051 * (edge.to - edge.from));
-  uint32_t best = background ? 0 : no_id;
-  double smallest = 0.0;
-  for (uint32_t f = background ? map.next_face_of(0) : first; f != no_id; f = map.next_face_of(f)) {
-    const double area = map.loops[map.faces[f].first_loop].area;
-    if (area <= -hole.area || (smallest > 0.0 && area >= smallest)) continue;
-    if (!surrounds(map, map.faces[f].first_loop, ellipse.x(t), ellipse.y(t))) continue;
-    best = f;
-    smallest = area;
-  }
-  return best;
-}
-
-bool MapFaceFinder::add_holes(VisibilityMap &map) {
-  uint32_t holes = 0;
-  for (uint32_t l = 0; l < map.loops.size(); ++l) {
-    MapLoop &loop = map.loops[l];
-    if (loop.area > 0.0) continue;
-    ++holes;
-    loop.face = face_around(loop, map);
-    if (loop.face == no_id) return false;
-    // Behind the outer loop, before the holes that are there.
-    MapFace &face = map.faces[loop.face];
-    if (face.first_loop == no_id || loop.face == 0) {
-      loop.next_of_face = face.first_loop;
-      face.first_loop = l;
-    } else {
-      MapLoop &outer = map.loops[face.first_loop];
-      loop.next_of_face = outer.next_of_face;
-      outer.next_of_face = l;
-    }
-    if (loop.face != 0) face.area += loop.area;
-  }
-  // Each connected part of the edges has one hole around it.
-  return holes == map.components;
 }
 
 // Curves that coincide may all be lost.

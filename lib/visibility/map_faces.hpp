@@ -30,9 +30,7 @@ class MapFaceFinder {
   bool name_owner(const DiscGrid &grid, MapLoop &loop, const VisibilityMap &map) const;
   void count_components(VisibilityMap &map);
   void add_outer_loops(VisibilityMap &map);
-  bool add_holes(VisibilityMap &map);
   bool tops_have_faces(const DiscGrid &grid, const VisibilityMap &map) const;
-  uint32_t face_around(const MapLoop &hole, const VisibilityMap &map) const;
 
   Span<uint32_t> parent_;      // [edges] of vertices
   Span<uint32_t> first_face_;  // [balls] as the map's

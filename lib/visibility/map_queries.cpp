@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "visibility/edge_geometry.hpp"
+#include "visibility/curves.hpp"
 
 namespace hsp {
 namespace {
@@ -24,26 +24,6 @@ MapSight sight_at(const VisibilityMap &map, const DiscGrid &grid, double x, doub
   return {ball, front_at(map.balls[ball], x, y)};
 }
 
-// A point lies in a face if it is within its outer loop and within none of its holes: of all these an odd number
-// surrounds it from the face's side.
-uint32_t face_at(const VisibilityMap &map, uint32_t ball, double x, double y) {
-  // Beyond all balls there is one face, and differences to such points may overflow.
-  constexpr double beyond = 0x1p53;
-  if (!(std::fabs(x) < beyond && std::fabs(y) < beyond)) return map.first_face_of(no_id);
-  uint32_t found = no_id;
-  for (uint32_t f = map.first_face_of(ball); f != no_id; f = map.next_face_of(f)) {
-    const MapFace &face = map.faces[f];
-    uint32_t count = f == 0 ? 1 : 0;  // around the unbounded face is nothing
-    for (uint32_t l = face.first_loop; l != no_id; l = map.loops[l].next_of_face) {
-      count += surrounds(map, l, x, y) ? 1U : 0U;
-    }
-    if (count % 2 == 0) continue;
-    if (found != no_id) return no_id;
-    found = f;
-  }
-  return found;
-}
-
 EdgePoint edge_point(const VisibilityMap &map, uint32_t e, double t) {
   const MapEdge &edge = map.edges[e];
   const SeenBall &ball = map.balls[edge.ball];
@@ -60,12 +40,6 @@ void sum_visible_areas(const VisibilityMap &map, Span<const uint32_t> caller, Sp
   for (const MapFace &face : map.faces.items()) {
     if (face.owner != no_id) area[caller[map.balls[face.owner].ball]] += face.area;
   }
-}
-
-double covered_area(const VisibilityMap &map) {
-  double sum = 0.0;
-  for (const MapFace &face : map.faces.items()) sum += face.owner == no_id ? 0.0 : face.area;
-  return sum;
 }
 
 uint32_t previous_half_edge(const VisibilityMap &map, uint32_t h) {

@@ -15,10 +15,6 @@ struct MapSight {
 // The ball by the discs at the point, without the map's edges: O(balls of a few squares).
 MapSight sight_at(const VisibilityMap &map, const DiscGrid &grid, double x, double y);
 
-// The face at a point where that ball is seen, among the faces of the ball: O(edges of their outer loops and holes).
-// no_id where edges are so close that roundings decide.
-uint32_t face_at(const VisibilityMap &map, uint32_t ball, double x, double y);
-
 // A point of an edge, and how far below it the surface is on either side; infinite beside all balls. One of both is 0,
 // or both on a crease.
 struct EdgePoint {
@@ -32,8 +28,13 @@ EdgePoint edge_point(const VisibilityMap &map, uint32_t edge, double t);
 // Adds up the areas of each ball's faces; area [n], by the numbers that the caller gave the balls.
 void sum_visible_areas(const VisibilityMap &map, Span<const uint32_t> caller, Span<double> area);
 
-// All that the balls cover.
-double covered_area(const VisibilityMap &map);
+// All that is covered, of a map of whatever bodies.
+template <class Map>
+double covered_area(const Map &map) {
+  double sum = 0.0;
+  for (const MapFace &face : map.faces.items()) sum += face.owner == no_id ? 0.0 : face.area;
+  return sum;
+}
 
 // The half-edge before another one around its face: the one before it around their common vertex, the other way.
 uint32_t previous_half_edge(const VisibilityMap &map, uint32_t h);

@@ -9,6 +9,7 @@
 //   T        a curve, the stem, ends where it goes behind a nearer ball, on that ball's silhouette
 //   tangency the crease of two balls goes over into the silhouette of the nearer one
 //   plain    somewhere on a closed curve that has no other vertex
+//   halves   the halves of a stick and what is behind them; not of balls (lib/sticks)
 //
 // Unlike everything below this room the map rests on floating-point roots. What holds them together is checked while
 // it is built (map_builder.hpp). The same input gives the same bits on every machine.
@@ -40,7 +41,12 @@ constexpr Status default_limits(uint32_t balls, MapLimits &limits) {
   return Status::ok;
 }
 
-enum class MapVertexKind : uint32_t { plain = 0, triple = 1, t = 2, tangency = 3 };
+enum class MapVertexKind : uint32_t { plain = 0, triple = 1, t = 2, tangency = 3, halves = 4 };
+
+// How many edges meet at a vertex.
+constexpr uint32_t degree_of(MapVertexKind kind) {
+  return kind == MapVertexKind::plain || kind == MapVertexKind::tangency ? 2 : 3;
+}
 
 // Positions are view coordinates. All ids of balls are those of SeenBalls, nearest top first.
 struct MapVertex {

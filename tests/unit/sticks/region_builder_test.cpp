@@ -126,6 +126,16 @@ TEST(RegionBuilder, ShowsBallsInsideOthersAndTwice) {
   expect_shown({{0, 0, 0, 50}, {30, 0, 0, 20}, {100, 0, 0, 50}, {60, 60, 0, 40}}, {});
 }
 
+// A stick that is just as long as its balls are in each other: when they are moved it may look out, into a third ball.
+TEST(RegionBuilder, LeavesOutWhatWasInside) {
+  Balls balls;
+  for (int i = 0; i < 27; ++i) balls.push_back({4000 * (i % 3), 4000 * (i / 3 % 3), 4000 * (i / 9), 3000});
+  const BuiltSticks built(balls, {{4, 10}}, 1000);
+  EXPECT_EQ(built.status(), hsp::Status::ok) << built.violation();
+  EXPECT_GT(built.builder().regions().perturbation, 0);
+  EXPECT_EQ(sticks_disagree(built, 100), "");
+}
+
 // All balls at one height, or all in one column: half circles are seen edge on, contours coincide.
 TEST(RegionBuilder, ShowsPlaneGroupsAlongAxes) {
   Balls balls;

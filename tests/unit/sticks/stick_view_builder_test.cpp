@@ -33,6 +33,9 @@ TEST_P(SticksOfMolecule, ShowWhatIsVisible) {
       const BuiltSticks built(model.balls, model.ends, 120, towards, whole);
       EXPECT_EQ(sticks_disagree(built, 300), "") << towards[0];
     }
+  const BuiltSticks as_map(model.balls, model.ends, 120, along_z, false, true);
+  EXPECT_TRUE(as_map.builder().regions().exist);
+  EXPECT_EQ(sticks_disagree(as_map, 300), "");
 }
 
 INSTANTIATE_TEST_SUITE_P(Molecules, SticksOfMolecule, testing::Values("caffeine.pdb", "acetyl_coa.pdb", "crambin.pdb"));
@@ -58,6 +61,8 @@ TEST(StickViewBuilder, ShowsStars) {
     if (built.status() == hsp::Status::ok) {
       ++drawn;
       ASSERT_EQ(sticks_disagree(built, 150), "") << time << oracle::to_text(model.balls);
+      const BuiltSticks as_map(model.balls, model.ends, built.radius(), along_z, time % 2 == 0, true);
+      ASSERT_EQ(sticks_disagree(as_map, 100), "") << time << oracle::to_text(model.balls);
     } else {
       ++refused;
       ASSERT_EQ(built.status(), hsp::Status::conflict);

@@ -7,11 +7,13 @@
 #include "lattice_lengths.hpp"
 #include "path_painter.hpp"
 #include "seen_cylinders.hpp"
+#include "sticks/region_faces.hpp"
 #include "sticks/stick_outlines.hpp"
+#include "visibility/face_nesting.hpp"
 
 BuiltSticks::BuiltSticks(const oracle::Balls &balls, std::vector<Ends> ends, double radius,
-                         const std::array<double, 3> &towards, bool whole)
-    : grid_(oracle::in_lengths(balls, 1)), ends_(std::move(ends)), radius_(radius), whole_(whole) {
+                         const std::array<double, 3> &towards, bool whole, bool as_map)
+    : grid_(oracle::in_lengths(balls, 1)), ends_(std::move(ends)), radius_(radius), whole_(whole), as_map_(as_map) {
   status_ = grid_.status();
   if (status_ != hsp::Status::ok) return;
   take({static_cast<uint32_t>(balls.size()), 0, 16});
@@ -20,7 +22,7 @@ BuiltSticks::BuiltSticks(const oracle::Balls &balls, std::vector<Ends> ends, dou
 
 hsp::Status BuiltSticks::build(const std::array<double, 3> &towards) {
   return builder_.build(balls(), {{towards[0], towards[1], towards[2]}, {0, 1, 0}}, static_cast<uint32_t>(ends_.size()),
-                        radius_, [this](uint32_t k) {
+                        radius_, as_map_, [this](uint32_t k) {
                           return hsp::StickEnds{ends_[k][0], ends_[k][1], whole_};
                         });
 }
@@ -115,10 +117,59 @@ std::string broken_lines(const BuiltSticks &built) {
     outlines += outline.arcs.size();
     for (const oracle::PathArc &arc : outline.arcs) swept += arc.swept_area();
   }
-  for (const hsp::RegionLoop &loop : regions.loops.items()) area += loop.owner == hsp::no_id ? 0 : loop.area;
+  for (const hsp::MapLoop &loop : regions.loops.items()) area += loop.owner == hsp::no_id ? 0 : loop.area;
   if (std::abs(area - swept) > 1e-7 * area) return "areas of loops are not those of paths";
   if (lines != regions.edges.size()) return "lines that are missing, or drawn twice";
   return outlines < lines || outlines > 2 * lines ? "outlines that are missing" : "";
+}
+
+double length_of(const oracle::Path &path) {
+  double length = 0;
+  for (const oracle::PathArc &arc : path)
+    for (int k = 0; k < 16; ++k) {
+      const auto from = arc.at(arc.from + (arc.to - arc.from) * k / 16);
+      const auto to = arc.at(arc.from + (arc.to - arc.from) * (k + 1) / 16);
+      length += std::hypot(to[0] - from[0], to[1] - from[1]);
+    }
+  return length;
+}
+
+// What is wrong with the records of a map: its invariants, and the areas of the faces of each body against pixels.
+std::string broken_records(const BuiltSticks &built, const std::vector<oracle::Path> &paths,
+                           const std::vector<uint32_t> &name, const oracle::PixelGrid &grid,
+                           const std::vector<oracle::SeenPixel> &image) {
+  const hsp::StickRegions &regions = built.builder().regions();
+  std::vector<uint32_t> scratch(2 * regions.edges.size() + 1);
+  const hsp::MapViolation violation =
+      hsp::check_regions(regions, {scratch.data(), static_cast<uint32_t>(scratch.size())});
+  if (violation.invariant != hsp::MapInvariant::none)
+    return "invariant " + std::to_string(static_cast<int>(violation.invariant)) + " at " + std::to_string(violation.id);
+  std::vector<double> area(regions.scene.balls.size() + 2 * regions.scene.sticks.size(), 0);
+  for (const hsp::MapFace &face : regions.faces.items())
+    if (face.owner != hsp::no_id) area[face.owner] += face.area;
+  std::vector<double> counted(area.size(), 0);
+  for (const oracle::SeenPixel &pixel : image)
+    if (pixel.ball != oracle::no_ball) counted[pixel.ball] += grid.side * grid.side;
+  for (uint32_t p = 0; p < regions.paths; ++p) {
+    const double error = grid.side * length_of(paths[p]) + 8 * grid.side * grid.side;
+    if (std::abs(area[regions.owner_of(p)] - counted[name[p]]) > error)
+      return "path " + std::to_string(p) + " has another area than its pixels";
+  }
+  return "";
+}
+
+// What is seen at a point: the body as the z-buffer has it, and a face that shows it.
+std::string broken_sight(const BuiltSticks &built, double x, double y, const oracle::SeenPixel &pixel,
+                         double tolerance) {
+  const hsp::StickRegions &regions = built.builder().regions();
+  const hsp::BodySight::Highest seen = built.builder().highest_at(x, y);
+  const uint32_t face = hsp::face_at(regions, seen.body, x, y);
+  if (face == hsp::no_id || regions.faces[face].owner != seen.body) return "no face, or another one's";
+  if ((seen.body == hsp::no_id) != (pixel.ball == oracle::no_ball)) return "something, or nothing";
+  if (seen.body == hsp::no_id) return "";
+  for (uint32_t p = 0; p < regions.paths; ++p)
+    if (regions.owner_of(p) == seen.body && name_of(built, built.view().paths[p]) != pixel.ball) return "another body";
+  return std::abs(seen.z - pixel.depth) > tolerance ? "another depth" : "";
 }
 
 }  // namespace
@@ -191,5 +242,14 @@ std::string sticks_disagree(const BuiltSticks &built, size_t pixels) {
     ++excluded;
   }
   if (excluded > image.size() / 1000) return std::to_string(excluded) + " pixels excluded";
+  if (!built.builder().regions().exist) return "";
+  if (const std::string fault = broken_records(built, paths, name, grid, image); !fault.empty()) return fault;
+  for (size_t k = 0; k < image.size(); k += 97) {
+    const double x = grid.x(k % grid.columns), y = grid.y(k / grid.columns);
+    const std::string fault = broken_sight(built, x, y, image[k], 1e-3 * largest);
+    bool close = std::abs(image[k].depth - image[k].runner_up) < 1e-8 * largest + 3 * moved;
+    for (uint32_t p = 0; p < paths.size() && !close && !fault.empty(); ++p) close = near_edge(p, k);
+    if (!fault.empty() && !close) return "pixel " + std::to_string(k) + " is found to show " + fault;
+  }
   return "";
 }

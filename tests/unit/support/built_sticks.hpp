@@ -14,9 +14,9 @@ class BuiltSticks {
  public:
   using Ends = std::array<uint32_t, 2>;
 
-  // Lattice step 1. Limits grow until they suffice, twelve times at most.
+  // Lattice step 1. Limits grow until they suffice, twelve times at most. as_map: also where there is an order.
   BuiltSticks(const oracle::Balls &balls, std::vector<Ends> ends, double radius,
-              const std::array<double, 3> &towards = {0, 0, 1}, bool whole = false);
+              const std::array<double, 3> &towards = {0, 0, 1}, bool whole = false, bool as_map = false);
 
   void look(const std::array<double, 3> &towards);
   void take(const hsp::StickLimits &limits) { memory_.carve(builder_, limits); }
@@ -39,6 +39,7 @@ class BuiltSticks {
   std::vector<Ends> ends_;
   double radius_;
   bool whole_;
+  bool as_map_;
   hsp::Status status_ = hsp::Status::ok;
 };
 
@@ -49,5 +50,5 @@ struct StickModel {
 };
 StickModel sticks_between_close(oracle::Balls atoms, double part);
 
-// Empty, or how what is painted differs from the z-buffer of balls and cylinders.
+// Empty, or how what is painted differs from the z-buffer of balls and cylinders, and what the map says from both.
 std::string sticks_disagree(const BuiltSticks &built, size_t pixels);

@@ -9,7 +9,7 @@
 
 #include "built_map.hpp"
 #include "random_balls.hpp"
-#include "visibility/edge_geometry.hpp"
+#include "visibility/face_nesting.hpp"
 #include "visibility/map_queries.hpp"
 
 namespace {

@@ -8,6 +8,7 @@
 
 #include "built_map.hpp"
 #include "random_balls.hpp"
+#include "visibility/face_nesting.hpp"
 
 namespace {
 

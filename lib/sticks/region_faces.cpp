@@ -1,0 +1,35 @@
+#include "sticks/region_faces.hpp"
+
+#include <initializer_list>
+
+#include "visibility/face_nesting.hpp"
+#include "visibility/map_laws.hpp"
+
+namespace hsp {
+
+bool find_faces(StickRegions &regions) {
+  for (uint32_t &first : regions.first_face) first = no_id;
+  regions.faces.clear();
+  regions.faces.push({no_id, no_id, 0.0});
+  for (const bool background : {true, false}) {
+    for (uint32_t l = 0; l < regions.loops.size(); ++l) {
+      MapLoop &loop = regions.loops[l];
+      if ((loop.owner == no_id) != background || !(loop.area > 0.0)) continue;
+      loop.face = regions.faces.size();
+      if (!background && regions.first_face[loop.owner] == no_id) regions.first_face[loop.owner] = loop.face;
+      regions.faces.push({loop.owner, l, loop.area});
+    }
+  }
+  return add_holes(regions);
+}
+
+MapViolation check_regions(const StickRegions &regions, Span<uint32_t> scratch) {
+  const StickScene &scene = regions.scene;
+  MapBodies bodies{scene.balls.size() + 2 * scene.sticks.size(), 0.0};
+  const auto cover = [&bodies](double length) { bodies.largest = length > bodies.largest ? length : bodies.largest; };
+  for (const SeenBall &ball : scene.balls) cover(ball.r);
+  for (const Stick &stick : scene.sticks) cover(stick.length);
+  return MapLaws<StickRegions>(regions, bodies, scratch).run();
+}
+
+}  // namespace hsp
