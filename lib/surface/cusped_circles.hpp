@@ -23,6 +23,13 @@ class CuspedCircles {
   // The number of the circle of two balls a < b that has arcs, of a whole free circle; no_id if it has no cusps.
   uint32_t of_arc(uint32_t a, uint32_t b) const;
   uint32_t of_circle(uint32_t circle) const;
+  // Whether circle k is that of two balls a < b, or this whole one; false for every k that there is not.
+  bool is_of_arc(uint32_t k, uint32_t a, uint32_t b) const {
+    return k < first_whole_ && circle_[k].ball[0] == a && circle_[k].ball[1] == b;
+  }
+  bool is_of_circle(uint32_t k, uint32_t circle) const {
+    return k >= first_whole_ && k < count() && circle_[k].element == circle;
+  }
   // Arcs on these circles have consecutive numbers: that of a half-edge on ball 0 of circle k, and the reverse.
   uint32_t arc_number(uint32_t k, uint32_t half_edge) const {
     return circle_[k].first_arc + (half_edge - circle_[k].element);

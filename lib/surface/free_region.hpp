@@ -9,6 +9,7 @@
 
 #include "core/fixed_vector.hpp"
 #include "core/floating_point.hpp"
+#include "core/small_code.hpp"
 #include "core/vec3.hpp"
 
 namespace hsp {
@@ -78,6 +79,7 @@ class FreeRegionFinder {
   // False if an answer that matters is unknown, or the answers contradict each other.
   bool find(FreeRegion &region) {
     region_ = {};
+    crossed_ = 0;
     corners_.clear();
     arcs_.clear();
     for (uint32_t k = 1; k < circles_.count(); ++k) {
@@ -90,6 +92,7 @@ class FreeRegionFinder {
       corner.turn = circles_.exterior_angle(corner);
       region_.curvature -= corner.turn;
     }
+    list_corners();
     for (uint32_t k = 0; k < circles_.count(); ++k) {
       if (!add_arcs(k)) return false;
     }
@@ -106,6 +109,7 @@ class FreeRegionFinder {
     typename Circles::Crossing crossing;
     const Answer answer = circles_.crossing(j, k, crossing);
     if (answer != Answer::yes) return answer == Answer::no;
+    crossed_ |= bit(j) | bit(k);
     for (int sign = -1; sign <= 1; sign += 2) {
       Answer covered = Answer::no;
       for (uint32_t r = 0; r < circles_.count() && covered != Answer::yes; ++r) {
@@ -119,40 +123,65 @@ class FreeRegionFinder {
     return true;
   }
 
+  // Every exit takes an entry of its own. As there are as many entries as exits of all circles together, none is left
+  // over if this succeeds for all of them.
   bool add_arcs(uint32_t k) {
-    uint32_t exits = 0;
-    uint32_t entries = 0;
-    for (RegionCorner &exit : corners_.items()) {
-      if (!exit.on(k)) continue;
-      if (!exit.is_exit_of(k)) {
-        ++entries;
-        continue;
-      }
-      ++exits;
+    bool has_exits = false;
+    bool good = true;
+    for_each_corner(k, true, [&](RegionCorner &exit) {
+      has_exits = true;
+      if (!good) return;
       RegionCorner *end = nullptr;
-      for (RegionCorner &entry : corners_.items()) {
-        if (!entry.on(k) || entry.is_exit_of(k)) continue;
+      for_each_corner(k, false, [&](RegionCorner &entry) {
         if (end == nullptr || circles_.ends_sooner(k, exit, entry, *end)) end = &entry;
-      }
-      if (end == nullptr || end->taken) return false;
+      });
+      good = end != nullptr && !end->taken;
+      if (!good) return;
       end->taken = true;
       const double angle = circles_.arc_angle(k, exit, *end);
-      if (angle < 0.0) return false;
+      good = !(angle < 0.0);
+      if (!good) return;
       exit.arc = clamped_count(arcs_.required());
       arcs_.push({k, number_of(exit), number_of(*end), no_id, angle, -exit.turn, {}});
       add_arc(k, angle, end->point - exit.point);
+    });
+    return good && (has_exits || add_whole_circle(k));
+  }
+
+  // Every corner is an exit of one circle and an entry of another. As bits, if there are few of both.
+  void list_corners() {
+    are_listed_ = !small_code && circles_.count() <= few && corners_.size() <= few;
+    if (!are_listed_) return;
+    for (uint32_t k = 0; k < circles_.count(); ++k) exits_[k] = entries_[k] = 0;
+    for (uint32_t c = 0; c < corners_.size(); ++c) {
+      const RegionCorner &corner = corners_[c];
+      const bool forward = corner.sign > 0;
+      exits_[forward ? corner.first : corner.second] |= uint64_t{1} << c;
+      entries_[forward ? corner.second : corner.first] |= uint64_t{1} << c;
     }
-    if (exits != entries) return false;
-    return exits > 0 || add_whole_circle(k);
+  }
+  // In the order of the corners.
+  template <class Visit>
+  void for_each_corner(uint32_t k, bool exits, Visit visit) {
+    if (!small_code && are_listed_) {
+      for (uint64_t left = exits ? exits_[k] : entries_[k]; left != 0; left &= left - 1) {
+        visit(corners_[static_cast<uint32_t>(__builtin_ctzll(left))]);
+      }
+      return;
+    }
+    for (RegionCorner &corner : corners_.items()) {
+      if (corner.on(k) && corner.is_exit_of(k) == exits) visit(corner);
+    }
   }
 
   // Circle k has no corner: it is covered as a whole, or free as a whole.
   bool add_whole_circle(uint32_t k) {
+    // Where circles cross and leave no corner, the rest is in other caps.
+    if ((crossed_ & bit(k)) != 0) return true;
     Answer covered = Answer::no;
     for (uint32_t r = 0; r < circles_.count() && covered != Answer::yes; ++r) {
       if (r == k) continue;
       typename Circles::Crossing crossing;
-      // Where circles cross and leave no corner, the rest is in other caps.
       const bool crosses = circles_.crossing(r < k ? r : k, r < k ? k : r, crossing) == Answer::yes;
       const Answer inside = crosses ? Answer::yes : circles_.lies_inside(k, r);
       if (inside != Answer::no) covered = inside;
@@ -179,15 +208,23 @@ class FreeRegionFinder {
     region_.cutting_arcs += k >= sides_ ? 1U : 0U;
   }
 
+  // Of the first circles; others have none.
+  static uint64_t bit(uint32_t k) { return k < few ? uint64_t{1} << k : 0; }
+
   uint32_t number_of(const RegionCorner &corner) const {
     return static_cast<uint32_t>(&corner - corners_.items().data());
   }
+
+  static constexpr uint32_t few = 64;
 
   const Circles &circles_;
   FixedVector<RegionCorner> &corners_;
   FixedVector<RegionArc> &arcs_;
   const uint32_t sides_;
   FreeRegion region_;
+  uint64_t crossed_ = 0;                // circles that cross others
+  bool are_listed_ = false;             // the next two hold something:
+  uint64_t exits_[few], entries_[few];  // corners of each circle
 };
 
 }  // namespace hsp

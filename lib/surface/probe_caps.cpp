@@ -15,10 +15,8 @@ double squared(const Vec3 &a) {
   return dot(a, a);
 }
 
-void to_floats(const Vec3 &a, float (&floats)[3]) {
-  floats[0] = static_cast<float>(a.x);
-  floats[1] = static_cast<float>(a.y);
-  floats[2] = static_cast<float>(a.z);
+void to_floats(const double (&a)[3][ProbeTriangles::lanes], uint32_t lane, float (&floats)[3]) {
+  for (int axis = 0; axis < 3; ++axis) floats[axis] = static_cast<float>(a[axis][lane]);
 }
 
 }  // namespace
@@ -41,9 +39,9 @@ ProbeState ProbeCaps::gather(const BallSet &balls, const Boundary &boundary, con
   ProbeSearch search;
   grid.start_search(balls, vertex, search);
   for (int k = 0; k < 3; ++k) {
-    to_floats(triangle_.inward[k], search.inward[k]);
-    to_floats(triangle_.corner[k], search.corner[k]);
-    search.cosine[k] = static_cast<float>(triangle_.cosine[k]);
+    to_floats(triangles_.inward[k], lane_, search.inward[k]);
+    to_floats(triangles_.corner[k], lane_, search.corner[k]);
+    search.cosine[k] = static_cast<float>(triangles_.cosine[k][lane_]);
   }
   uint32_t found[ProbeSearch::room + ProbeSearch::spare];
   while (!search.done()) {
@@ -104,22 +102,22 @@ void ProbeCaps::take(const BallSet &balls, const Boundary &boundary, const Probe
 
 // Whether the cap leaves the triangle as it is, for certain (near_probes.hpp).
 bool ProbeCaps::misses(const Vec3 &axis, double height, double error) const {
-  const Triangle &t = triangle_;
-  const double above[3] = {dot(axis, t.inward[0]), dot(axis, t.inward[1]), dot(axis, t.inward[2])};
+  const double above[3] = {dot(axis, inward(0)), dot(axis, inward(1)), dot(axis, inward(2))};
   if (above[0] > -error && above[1] > -error && above[2] > -error) return false;
   const double reach = std::sqrt((1.0 - height) * (1.0 + height)) + error;
-  for (int k = 0; k < 3; ++k) {
+  for (uint32_t k = 0; k < 3; ++k) {
     if (above[k] > error || above[k] < -reach) continue;
-    const double a = dot(axis, t.corner[(k + 1) % 3]);
-    const double b = dot(axis, t.corner[(k + 2) % 3]);
-    if (b - t.cosine[k] * a > -2 * error && a - t.cosine[k] * b > -2 * error) return false;
+    const double a = dot(axis, corner((k + 1) % 3));
+    const double b = dot(axis, corner((k + 2) % 3));
+    const double cosine = triangles_.cosine[k][lane_];
+    if (b - cosine * a > -2 * error && a - cosine * b > -2 * error) return false;
   }
   return true;
 }
 
 void ProbeCaps::measure_sides(const BallSet &balls, const Boundary &boundary, const ProbeGrid &grid) {
-  const uint32_t lane = vertex_ % ProbeTriangles::lanes;
-  const uint32_t first = vertex_ - lane;
+  lane_ = vertex_ % ProbeTriangles::lanes;
+  const uint32_t first = vertex_ - lane_;
   if (measured_ != first || grid_ != &grid || build_ != grid.builds()) {
     const uint32_t last = boundary.vertex_count() - 1;
     FourVertices four;
@@ -129,22 +127,9 @@ void ProbeCaps::measure_sides(const BallSet &balls, const Boundary &boundary, co
     grid_ = &grid;
     build_ = grid.builds();
   }
-  read_triangle(lane);
-  side_error_ = vertex_error * static_cast<double>(balls.largest_radius) * triangles_.side_error[lane];
-}
-
-void ProbeCaps::read_triangle(uint32_t lane) {
-  const auto vector = [lane](const double(&a)[3][ProbeTriangles::lanes]) {
-    return Vec3{a[0][lane], a[1][lane], a[2][lane]};
-  };
-  for (int k = 0; k < 3; ++k) {
-    triangle_.corner[k] = vector(triangles_.corner[k]);
-    triangle_.inward[k] = vector(triangles_.inward[k]);
-    triangle_.cosine[k] = triangles_.cosine[k][lane];
-  }
-  const double steradians = triangles_.steradians[lane];
+  const double steradians = triangles_.steradians[lane_];
   whole_steradians_ = steradians > 0.0 ? steradians : 0.0;
-  whole_vector_area_ = vector(triangles_.vector_area);
+  side_error_ = vertex_error * static_cast<double>(balls.largest_radius) * triangles_.side_error[lane_];
 }
 
 // All bisector planes between vertices of one circle contain its axis, and the circles in which they cut the probe's
@@ -212,7 +197,7 @@ void ProbeCaps::store_caps() {
     caps_.b[count] = height;
     caps_.ball[count++] = vertex;
   };
-  for (const Vec3 &inward : triangle_.inward) store(-inward, 0.0, no_id);
+  for (uint32_t k = 0; k < sides; ++k) store(-inward(k), 0.0, no_id);
   for (const Other &other : others_.items().part(0, kept_)) store(other.axis, other.height, other.vertex);
   caps_.count = count;
 }

@@ -35,10 +35,10 @@ class ProbeCaps {
   uint32_t vertex() const { return vertex_; }
   // Unit vectors towards the balls that the sides are opposite to, and whether these are counter-clockwise seen from
   // outside.
-  const Vec3 &corner(uint32_t side) const { return triangle_.corner[side]; }
-  bool is_counter_clockwise() const { return triangles_.sign[vertex_ % ProbeTriangles::lanes] < 0.0; }
+  Vec3 corner(uint32_t side) const { return in_lane(triangles_.corner[side]); }
+  bool is_counter_clockwise() const { return triangles_.sign[lane_] < 0.0; }
   // The ball of the vertex that a side is opposite to.
-  uint32_t ball_opposite(uint32_t side) const { return triangles_.ball[side][vertex_ % ProbeTriangles::lanes]; }
+  uint32_t ball_opposite(uint32_t side) const { return triangles_.ball[side][lane_]; }
 
   // The caps of the three sides alone, after whole or hidden.
   void keep_sides() {
@@ -64,7 +64,7 @@ class ProbeCaps {
   double amplification() const { return amplification_; }
   // Of the whole triangle, in units of p^2.
   double whole_steradians() const { return whole_steradians_; }
-  Vec3 whole_vector_area() const { return whole_vector_area_; }
+  Vec3 whole_vector_area() const { return in_lane(triangles_.vector_area); }
 
  private:
   struct Other {
@@ -75,15 +75,10 @@ class ProbeCaps {
   };
   enum class Rule : uint8_t { keep, drop, hide };
 
-  // One triangle of four.
-  struct Triangle {
-    Vec3 corner[3];    // unit vectors towards the balls, by rank
-    Vec3 inward[3];    // unit normal of the side opposite ball k, on its side
-    double cosine[3];  // of its length
-  };
-
+  Vec3 in_lane(const double (&a)[3][ProbeTriangles::lanes]) const { return {a[0][lane_], a[1][lane_], a[2][lane_]}; }
+  // The unit normal of the side opposite ball k, on its side.
+  Vec3 inward(uint32_t k) const { return in_lane(triangles_.inward[k]); }
   void measure_sides(const BallSet &balls, const Boundary &boundary, const ProbeGrid &grid);
-  void read_triangle(uint32_t lane);
   void take(const BallSet &balls, const Boundary &boundary, const ProbeGrid &grid, uint32_t other);
   bool misses(const Vec3 &axis, double height, double error) const;
   Rule same_circle_rule(const BallSet &balls, const Boundary &boundary, uint32_t other, bool coincident);
@@ -97,12 +92,11 @@ class ProbeCaps {
   double merge_distance_ = 0.0;
   double amplification_ = 1.0;
   double whole_steradians_ = 0.0;
-  Vec3 whole_vector_area_{0.0, 0.0, 0.0};
 
   // Of the vertex at hand.
   uint32_t vertex_ = no_id;
   const ChosenFaces *chosen_ = nullptr;
-  Triangle triangle_;
+  uint32_t lane_ = 0;  // of the triangles below
   double side_error_ = 0.0;
   bool hidden_ = false;
   bool gap_known_[3];   // of the half-edge on ball k of the vertex's record

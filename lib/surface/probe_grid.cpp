@@ -56,20 +56,27 @@ void widen(double x, double &low, double &high) {
   high = x > high ? x : high;
 }
 
-// By rank, mostly without branches: which of three balls comes first cannot be predicted.
-OrderedVertex in_order_of_rank(const BallSet &balls, const VertexRecord &vertex) {
-  uint32_t ball[3] = {vertex.ball[0], vertex.ball[1], vertex.ball[2]};
-  double x[3] = {balls.x[ball[0]], balls.x[ball[1]], balls.x[ball[2]]};
+// The places of a vertex's balls in its record, by rank, in two bits each; and a bit for the sign that it has then.
+// Mostly without branches: which of three balls comes first cannot be predicted.
+uint8_t order_of_rank(const BallSet &balls, const VertexRecord &vertex) {
+  double x[3] = {balls.x[vertex.ball[0]], balls.x[vertex.ball[1]], balls.x[vertex.ball[2]]};
+  const auto code = [](uint32_t first, uint32_t second, uint32_t third, bool negative) {
+    return static_cast<uint8_t>(first | second << 2 | third << 4 | static_cast<uint32_t>(negative) << 6);
+  };
   if (x[0] == x[1] || x[1] == x[2] || x[0] == x[2]) [[unlikely]] {
-    return in_order(vertex, [&balls](uint32_t a, uint32_t b) { return balls.ranks_before(a, b); });
+    const OrderedVertex ordered =
+        in_order(vertex, [&balls](uint32_t a, uint32_t b) { return balls.ranks_before(a, b); });
+    const uint32_t *const ball = ordered.ball;
+    return code(vertex.slot_of(ball[0]), vertex.slot_of(ball[1]), vertex.slot_of(ball[2]), ordered.sign < 0);
   }
+  uint32_t place[3] = {0, 1, 2};
   uint32_t exchanges = vertex.positive() ? 0 : 1;
   const auto order = [&](int a, int b) {
     const bool exchange = x[b] < x[a];
     const uint32_t mask = 0U - static_cast<uint32_t>(exchange);
-    const uint32_t difference = (ball[a] ^ ball[b]) & mask;
-    ball[a] ^= difference;
-    ball[b] ^= difference;
+    const uint32_t difference = (place[a] ^ place[b]) & mask;
+    place[a] ^= difference;
+    place[b] ^= difference;
     const double smaller = exchange ? x[b] : x[a];
     x[b] = exchange ? x[a] : x[b];
     x[a] = smaller;
@@ -78,25 +85,26 @@ OrderedVertex in_order_of_rank(const BallSet &balls, const VertexRecord &vertex)
   order(0, 1);
   order(1, 2);
   order(0, 1);
-  return {{ball[0], ball[1], ball[2]}, 1 - 2 * static_cast<int>(exchanges & 1U)};
+  return code(place[0], place[1], place[2], (exchanges & 1U) != 0);
 }
 
 }  // namespace
 
-void gather_triangles(const BallSet &balls, const Boundary &boundary, const FourVertices &vertices,
+void gather_triangles(const Boundary &boundary, const ProbePlaces &places, const FourVertices &vertices,
                       ProbeTriangles &triangles) {
   for (uint32_t lane = 0; lane < ProbeTriangles::lanes; ++lane) {
     const uint32_t v = vertices[lane];
-    const OrderedVertex ordered = in_order_of_rank(balls, boundary.vertex(v));
-    for (int k = 0; k < 3; ++k) triangles.ball[k][lane] = ordered.ball[k];
-    triangles.sign[lane] = ordered.sign;
+    const VertexRecord &vertex = boundary.vertex(v);
+    const uint32_t order = places.order[v];
+    for (int k = 0; k < 3; ++k) triangles.ball[k][lane] = vertex.ball[order >> 2 * k & 3U];
+    triangles.sign[lane] = 1 - 2 * static_cast<int>(order >> 6);
     triangles.root_discriminant[lane] = boundary.root_discriminant(v);
   }
 }
 
 void measure_triangles(const BallSet &balls, const Boundary &boundary, const ProbePlaces &places,
                        const FourVertices &vertices, ProbeTriangles &triangles) {
-  gather_triangles(balls, boundary, vertices, triangles);
+  gather_triangles(boundary, places, vertices, triangles);
   for (uint32_t lane = 0; lane < ProbeTriangles::lanes; ++lane) {
     const Vec3 &offset = places.offset[vertices[lane]];
     triangles.offset[0][lane] = offset.x;
@@ -113,6 +121,7 @@ void ProbeGrid::carve(Workspace &workspace, uint32_t vertices, uint64_t shared) 
   const auto at_least = [shared](uint64_t count) { return count > shared ? count : shared; };
   place_.offset = workspace.take<Vec3>(vertices);
   place_.ball = workspace.take<uint32_t>(at_least(vertices));
+  place_.order = workspace.take<uint8_t>(vertices);
   first_ = workspace.take<uint32_t>(at_least(uint64_t{buckets_for(vertices)} + 1));
   doubles_ = workspace.take<double>(4 * doubles_for(vertices));
 }
@@ -171,11 +180,12 @@ uint32_t ProbeGrid::bucket_of(const Vec3 &place) const {
 
 void ProbeGrid::place_all(const BallSet &balls, const Boundary &boundary) {
   const uint32_t n = boundary.vertex_count();
+  for (uint32_t v = 0; v < n; ++v) place_.order[v] = order_of_rank(balls, boundary.vertex(v));
   ProbeTriangles triangles;
   for (uint32_t first = 0; first < n; first += ProbeTriangles::lanes) {
     FourVertices four;
     for (uint32_t lane = 0; lane < ProbeTriangles::lanes; ++lane) four[lane] = first + lane < n ? first + lane : n - 1;
-    gather_triangles(balls, boundary, four, triangles);
+    gather_triangles(boundary, place_, four, triangles);
 #if HSP_AVX2
     if (boundary.has_wide_code()) {
       place_probes_avx2(arrays_of(balls), triangles);

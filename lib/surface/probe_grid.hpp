@@ -17,6 +17,9 @@ namespace hsp {
 struct ProbePlaces {
   Span<uint32_t> ball;
   Span<Vec3> offset;
+  // The places of the three balls in the record of the vertex, by rank, in two bits each, and above them whether the
+  // vertex is p- of the circles of balls 1 and 2 on ball 0.
+  Span<uint8_t> order;
 
   Position operator[](uint32_t vertex) const { return {ball[vertex], offset[vertex]}; }
 };
@@ -68,7 +71,7 @@ class ProbeGrid {
 
 // The balls of four vertices, by rank, with signs and discriminants; then everything about their triangles.
 using FourVertices = uint32_t[ProbeTriangles::lanes];
-void gather_triangles(const BallSet &balls, const Boundary &boundary, const FourVertices &vertices,
+void gather_triangles(const Boundary &boundary, const ProbePlaces &places, const FourVertices &vertices,
                       ProbeTriangles &triangles);
 void measure_triangles(const BallSet &balls, const Boundary &boundary, const ProbePlaces &places,
                        const FourVertices &vertices, ProbeTriangles &triangles);

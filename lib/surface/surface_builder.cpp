@@ -181,7 +181,7 @@ void SurfaceBuilder::number_arcs(const Boundary &boundary) {
   first.clear(boundary.half_edge_count());
   for (uint32_t i = 0; i < boundary.ball_count(); ++i) {
     for (const uint32_t e : boundary.half_edges(i)) {
-      if (i < boundary.half_edge(e).circle) first.set(e);
+      first.set_if(e, i < boundary.half_edge(e).circle);
     }
   }
   first.count();

@@ -1,5 +1,6 @@
 #include "surface/surface_check.hpp"
 
+#include "exact/circle_crossing.hpp"
 #include "measure/areas.hpp"
 #include "surface/surface_patches.hpp"
 #include "surface/surface_positions.hpp"
@@ -9,6 +10,9 @@ namespace {
 
 // Up to rounding, of lengths in units of the largest radius.
 constexpr double tolerance = 1e-6;
+// By which patches that are decided in integers move their borders, in units of the probe's radius
+// (circles_in_integers.hpp).
+constexpr double rounding_of_planes = 0x1p-28;
 
 class SurfaceChecker {
  public:
@@ -70,8 +74,64 @@ class SurfaceChecker {
     const PatchArc &arc = cut.arc(edge.source);
     const double radius = position_of_edge(balls_, boundary_, surface_, h / 2).radius;
     const double off = (arc.angle - cut.arc(arc.twin).angle) * radius;
-    if (!(off * off <= tolerance * tolerance * length_ * length_)) fail(SurfaceInvariant::creases, h);
+    const double most = tolerance * length_ + uncertainty_of_crease(edge.source);
+    if (!(off <= most && -off <= most)) fail(SurfaceInvariant::creases, h);
   }
+
+  // A circle on the unit sphere about a vertex, that an arc of a cut patch lies on; and how far off it may be.
+  struct ArcCircle {
+    Vec3 axis;
+    double height, error;
+  };
+  ArcCircle circle_of(uint32_t vertex, const PatchArc &arc) const {
+    const double error = vertex_error * length_;
+    const Vec3 at = place_of(vertex);
+    if (!arc.is_side()) {
+      const Vec3 to = place_of(arc.across) - at;
+      const double distance = std::sqrt(dot(to, to));
+      if (!(distance > 0.0)) return {{0.0, 0.0, 0.0}, 0.0, 1.0};
+      return {(1.0 / distance) * to, distance / (2 * static_cast<double>(balls_.probe_steps)),
+              14 * error / distance + rounding_of_planes};
+    }
+    const VertexRecord &record = boundary_.vertex(vertex);
+    const Vec3 first = centre_of(record.ball[arc.slot() == 0 ? 1 : 0]) - at;
+    const Vec3 second = centre_of(record.ball[arc.slot() == 2 ? 1 : 2]) - at;
+    const Vec3 normal = cross(first, second);
+    const double length = std::sqrt(dot(normal, normal));
+    if (!(length > 0.0)) return {{0.0, 0.0, 0.0}, 0.0, 1.0};
+    const double longer = std::sqrt(dot(first, first)) + std::sqrt(dot(second, second));
+    return {(1.0 / length) * normal, 0.0, error * longer / length + rounding_of_planes};
+  }
+
+  // Where two circles cross at an angle whose sine is s, errors d of them move their crossing by d/s along one of them,
+  // and if they nearly touch by the root of d. So little is known of where a crease ends if two of the probes are close
+  // to each other, or it grazes the border.
+  double uncertainty_of_ends(uint32_t a) const {
+    const CutPatches &cut = surface_.cut_patches();
+    const PatchArc &arc = cut.arc(a);
+    if (arc.next == a) return 0.0;
+    const uint32_t vertex = cut.piece(cut.piece_of_arc(a)).vertex;
+    const ArcCircle own = circle_of(vertex, arc);
+    double sum = 0.0;
+    const uint32_t ends[2] = {arc.next, cut.previous(a)};
+    for (const uint32_t beside : ends) {
+      const ArcCircle other = circle_of(vertex, cut.arc(beside));
+      const CircleCrossing<Vec3, double> crossing(own.axis, own.height, other.axis, other.height);
+      const double D = crossing.discriminant(1.0);
+      const double error = own.error + other.error;
+      const double square = D > error ? D : error;
+      sum += 4 * error / std::sqrt(square);
+    }
+    return sum * static_cast<double>(balls_.probe_steps);
+  }
+
+  // In both of its patches.
+  double uncertainty_of_crease(uint32_t arc) const {
+    return uncertainty_of_ends(arc) + uncertainty_of_ends(surface_.cut_patches().arc(arc).twin);
+  }
+
+  Vec3 centre_of(uint32_t ball) const { return offset_from_origin(balls_, boundary_, ball); }
+  Vec3 place_of(uint32_t vertex) const { return from_origin(position_of_vertex(balls_, boundary_, vertex)); }
 
   Vec3 from_origin(const Position &position) const {
     return offset_from_origin(balls_, boundary_, position.ball) + position.offset;
@@ -141,11 +201,16 @@ class SurfaceChecker {
     }
     const Vec3 arm = from_origin(centre);
     Vec3 vector_area{0.0, 0.0, 0.0};
+    double uncertainty = 0.0;
     map_.for_each_loop(id, [&](uint32_t loop) {
-      map_.for_each_edge(loop, [&](uint32_t h) { vector_area = vector_area + vector_area_along(h, arm); });
+      map_.for_each_edge(loop, [&](uint32_t h) {
+        vector_area = vector_area + vector_area_along(h, arm);
+        const SurfaceEdge edge = map_.edge(h / 2);
+        if (edge.kind == SurfaceEdgeKind::crease) uncertainty += uncertainty_of_crease(edge.source);
+      });
     });
     const double off = 3 * measure.volume - radius * measure.area - dot(arm, vector_area);
-    const double most = tolerance * length_ * length_ * (length_ + std::sqrt(dot(arm, arm)));
+    const double most = (tolerance * length_ * length_ + p * uncertainty) * (length_ + std::sqrt(dot(arm, arm)));
     if (!(off <= most && -off <= most)) fail(SurfaceInvariant::closure, id);
   }
 

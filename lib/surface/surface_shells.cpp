@@ -18,20 +18,28 @@ void SurfaceShells::find(const Boundary &boundary, const CuspedCircles &cusped, 
   }
 }
 
+// In the order in which circles with cusps were found: the next one is always known.
 void SurfaceShells::join_saddles(const Boundary &boundary, const CuspedCircles &cusped, DisjointSets &sets) {
+  uint32_t next = 0;
   for (uint32_t i = 0; i < boundary.ball_count(); ++i) {
     uint32_t last = no_id;
     bool whole = false;
     for (const uint32_t e : boundary.half_edges(i)) {
       const uint32_t other = boundary.half_edge(e).circle;
       if (other < i) continue;
-      if (other != last) whole = cusped.of_arc(i, other) == no_id;
+      if (other != last) {
+        whole = !cusped.is_of_arc(next, i, other);
+        next += whole ? 0 : 1;
+      }
       last = other;
       if (whole) sets.join(boundary.face_of(e), boundary.face_of(boundary.twin(e)));
     }
   }
   for (uint32_t c = 0; c < boundary.circle_count(); ++c) {
-    if (cusped.of_circle(c) != no_id) continue;
+    if (cusped.is_of_circle(next, c)) {
+      ++next;
+      continue;
+    }
     const CircleRecord &circle = boundary.circle(c);
     sets.join(boundary.face_of_loop(circle.loop[0]), boundary.face_of_loop(circle.loop[1]));
   }

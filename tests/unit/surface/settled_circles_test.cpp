@@ -9,6 +9,7 @@
 
 #include "built_surface.hpp"
 #include "lattice_lengths.hpp"
+#include "named_balls.hpp"
 #include "point_lattices.hpp"
 #include "random_balls.hpp"
 #include "surface/surface_check.hpp"
@@ -60,6 +61,19 @@ TEST(SettledCircles, RandomSetsFullOfTies) {
   }
   EXPECT_EQ(seen, 600);
   EXPECT_LE(open, 2);
+}
+
+// Probes a few 1e-5 of their radius apart: where the crease between two of them ends is known to 1e-4.
+TEST(SettledCircles, CreasesOfProbesCloseToEachOther) {
+  const std::vector<oracle::KnownBalls> named = oracle::known_balls();
+  const auto found = std::find_if(named.begin(), named.end(), [](const auto &set) { return set.name == "fullerene"; });
+  ASSERT_NE(found, named.end());
+  for (const int probe : {40, 51, 60, 68, 76, 80}) {
+    SCOPED_TRACE(probe);
+    oracle::Balls balls = found->balls;
+    for (oracle::LatticeBall &ball : balls) ball.radius -= probe;
+    EXPECT_EQ(closed(balls, probe), 1);
+  }
 }
 
 // Balls that are points without the probe, on a sphere of its size: cusps of several circles, and probes, meet in each
