@@ -22,6 +22,7 @@ class SnappedBalls {
 
   // Of a ball of the moving molecule, or of a node: at most slack() from where it is.
   Vec3 image(const Vec3 &p) const { return pose_->image(p); }
+  PointPair image(const PointPair &p) const { return pose_->image(p); }
   double slack() const { return slack_; }
   // Where a ball is whose image has been found.
   Vec3 place(const Vec3 &image) const { return snapped(image); }
@@ -44,6 +45,7 @@ class RationalBalls {
       : pose_(&pose), slack_(pose.slack(fixed.reach() + moving.reach())) {}
 
   Vec3 image(const Vec3 &p) const { return pose_->image(p); }
+  PointPair image(const PointPair &p) const { return pose_->image(p); }
   double slack() const { return slack_; }
   Vec3 place(const Vec3 &image) const { return image; }
 
@@ -91,13 +93,12 @@ bool visit_meeting_pairs(const SphereTree &fixed, const SphereTree &moving, cons
   Task tasks[most_waiting];
   uint32_t count = 0;
   const double slack = balls.slack();
-  const auto push_if_near = [&](uint32_t f, uint32_t m, const Vec3 &image) {
-    const TreeNode &a = fixed.node(f);
-    const Vec3 between = image - a.centre;
-    const double sum = a.radius + moving.node(m).radius + slack;
-    if (dot(between, between) <= sum * sum) tasks[count++] = {f, m, image};
+  // Whether spheres around two nodes come near one of this radius; `between`: from the one centre to the others.
+  const auto are_near = [&](const PointPair &between, const TreeNode &p, const TreeNode &q, double radius) {
+    const Lanes sum{p.radius + radius + slack, q.radius + radius + slack};
+    return dot(between, between) <= sum * sum;
   };
-  push_if_near(0, 0, balls.image(moving.node(0).centre));
+  tasks[count++] = {0, 0, balls.image(moving.node(0).centre)};
   while (count > 0) {
     const Task task = tasks[--count];
     const TreeNode &a = fixed.node(task.fixed);
@@ -114,11 +115,16 @@ bool visit_meeting_pairs(const SphereTree &fixed, const SphereTree &moving, cons
         }
       }
     } else if (opens_fixed(a, b)) {
-      push_if_near(a.second, task.moving, task.image);
-      push_if_near(task.fixed + 1, task.moving, task.image);
+      const TreeNode &p = fixed.node(task.fixed + 1), &q = fixed.node(a.second);
+      const LaneMask near = are_near(PointPair(task.image, task.image) - PointPair(p.centre, q.centre), p, q, b.radius);
+      if (near[1] != 0) tasks[count++] = {a.second, task.moving, task.image};
+      if (near[0] != 0) tasks[count++] = {task.fixed + 1, task.moving, task.image};
     } else {
-      push_if_near(task.fixed, b.second, balls.image(moving.node(b.second).centre));
-      push_if_near(task.fixed, task.moving + 1, balls.image(moving.node(task.moving + 1).centre));
+      const TreeNode &p = moving.node(task.moving + 1), &q = moving.node(b.second);
+      const PointPair image = balls.image(PointPair(p.centre, q.centre));
+      const LaneMask near = are_near(image - PointPair(a.centre, a.centre), p, q, a.radius);
+      if (near[1] != 0) tasks[count++] = {task.fixed, b.second, image.point(1)};
+      if (near[0] != 0) tasks[count++] = {task.fixed, task.moving + 1, image.point(0)};
     }
   }
   return false;
