@@ -28,7 +28,7 @@ uint32_t CubeContacts::cell_at(const Member &member, const Corner &corner) const
   return no_id;
 }
 
-Status CubeContacts::add(const PowerCell &cell, uint32_t k, uint32_t first_cell, FixedVector<AdjacentCells> &contacts) {
+Status CubeContacts::add(const PowerCell &cell, uint32_t k, uint32_t first_cell, CellContacts &contacts) {
   const PowerPolytope &polytope = cell.polytope();
   Member &own = members_[k];
   own = {clamped_count(corners_.required()), 0, first_cell, cell.parts(), no_id};
@@ -41,13 +41,13 @@ Status CubeContacts::add(const PowerCell &cell, uint32_t k, uint32_t first_cell,
   if (corners_.overflowed()) return Status::capacity;
 
   const uint64_t first_contact = contacts.required();
-  const auto add_once = [&](const AdjacentCells &pair) {
+  const auto add_once = [&](const AdjacentCells &pair, const Vec3 &at) {
     const uint64_t stored = contacts.size();
     for (uint64_t c = first_contact; c < stored; ++c) {
       const AdjacentCells &known = contacts[static_cast<uint32_t>(c)];
       if (known.cell[0] == pair.cell[0] && known.cell[1] == pair.cell[1]) return;
     }
-    contacts.push(pair);
+    contacts.push(pair, cell.frame(), at);
   };
   for (uint32_t v = 0; v < polytope.size(); ++v) {
     if (cell.part_of(v) == no_id) continue;
@@ -57,14 +57,14 @@ Status CubeContacts::add(const PowerCell &cell, uint32_t k, uint32_t first_cell,
       if (plane < cube_sides || plane - cube_sides >= k) continue;
       Member &other = members_[plane - cube_sides];
       if (other.parts == 1 && own.parts == 1) {
-        if (other.joined != k) contacts.push({{other.first_cell, own_cell}});
+        if (other.joined != k) contacts.push({{other.first_cell, own_cell}}, cell.frame(), polytope[v].at.y);
         other.joined = k;
         continue;
       }
       const uint32_t a = polytope[v].plane[p == 0 ? 1 : 0], b = polytope[v].plane[p == 2 ? 1 : 2];
       const uint32_t other_cell = cell_at(other, sorted(a, b, cube_sides + k, no_id));
       if (other_cell == no_id) return Status::check;
-      add_once({{other_cell, own_cell}});
+      add_once({{other_cell, own_cell}}, polytope[v].at.y);
     }
   }
   return Status::ok;

@@ -21,6 +21,9 @@ class CubeCover {
   // The cubes are sorted by z, then y, then x.
   uint32_t cubes() const { return table_.count(); }
   const CubeCoordinates &cube(uint32_t k) const { return table_.coordinates(k); }
+  // The corners of the box around all cubes, if there are any.
+  const CubeCoordinates &low() const { return table_.low(); }
+  const CubeCoordinates &high() const { return table_.high(); }
   // The number of a cube; no_id if no ball meets it.
   uint32_t find(const CubeCoordinates &cube) const { return table_.find(cube); }
   uint32_t first_entry(uint32_t k) const { return first_entry_[k]; }

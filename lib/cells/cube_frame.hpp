@@ -9,6 +9,7 @@
 // u s: y by less than 4096 u s / |B|, its doubt.
 #pragma once
 
+#include "core/decimal.hpp"
 #include "core/floating_point.hpp"
 #include "model/ball_set.hpp"
 #include "model/cube_table.hpp"
@@ -58,6 +59,13 @@ class CubeFrame {
   const exact::Vector &low() const { return low_; }
   int64_t exact_side() const { return exact_side_; }
   double side() const { return side_; }
+  // The lattice point nearest to a position in the cube, but for the error of that; never one outside.
+  exact::Vector rounded(const Vec3 &y) const {
+    const auto along = [&](int64_t low, double at) {
+      return low + (at <= -side_ ? 0 : at >= side_ ? exact_side_ : nearest(0.5 * (side_ + at)));
+    };
+    return {along(low_.x, y.x), along(low_.y, y.y), along(low_.z, y.z)};
+  }
   // How far v.y - h of a plane may be off.
   double plane_doubt() const { return 512 * unit_roundoff * side_; }
 

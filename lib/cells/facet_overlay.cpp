@@ -231,26 +231,50 @@ bool FacetOverlay::name_of(uint32_t corner, Name &name) const {
   return true;
 }
 
-void FacetOverlay::add_part(uint32_t below, uint32_t above, uint32_t first, uint32_t count,
-                            FixedVector<AdjacentCells> &contacts, uint64_t first_contact) {
+// A point of a part, for paths: the middle of the corners of a piece of two balls, which is free; else the corner
+// that is farthest from the ball.
+Vec3 FacetOverlay::portal_of(uint32_t first, uint32_t count) const {
+  const uint32_t ball = polygon_[0].facet->ball;
+  const bool is_convex = polygon_[1].facet->ball != ball;
+  const Vec3 centre = frame_.centre_of(*balls_, ball);
+  Vec3 sum{0, 0, 0}, best = corners_[first].at.y;
+  double farthest = 0.0, known = 0.0;
+  for (uint32_t n = 0, k = first; n < count; ++n, k = next(k)) {
+    const PlacedPoint &at = corners_[k].at;
+    if (at.doubt >= no_certainty) continue;
+    sum = sum + at.y;
+    known += 1.0;
+    const double distance = dot(at.y - centre, at.y - centre);
+    if (distance <= farthest) continue;
+    farthest = distance;
+    best = at.y;
+  }
+  return is_convex && known > 0.0 ? (1.0 / known) * sum : best;
+}
+
+void FacetOverlay::add_part(uint32_t below, uint32_t above, uint32_t first, uint32_t count, CellContacts &contacts,
+                            uint64_t first_contact) {
   uint32_t cell[2] = {no_id, no_id};
   for (uint32_t n = 0, k = first; n < count; ++n, k = next(k)) {
     for (uint32_t which = 0; which < 2; ++which) {
       if (cell[which] == no_id) cell[which] = cell_of(which, k);
     }
   }
+  const Vec3 portal = contacts.has_portals() ? portal_of(first, count) : Vec3{};
   if (polygon_[0].facet->cell != no_id && polygon_[1].facet->cell != no_id) {
-    if (contacts.required() == first_contact) contacts.push({{cell[0], cell[1]}});
+    if (contacts.required() == first_contact) {
+      contacts.push({{cell[0], cell[1]}}, frame_, portal);
+    }
     return;
   }
-  parts_.push({{below, above}, {cell[0], cell[1]}, clamped_count(names_.required())});
+  parts_.push({{below, above}, {cell[0], cell[1]}, clamped_count(names_.required()), portal});
   for (uint32_t n = 0, k = first; n < count; ++n, k = next(k)) {
     Name name;
     if (name_of(k, name)) names_.push(name);
   }
 }
 
-void FacetOverlay::overlay(uint32_t below, uint32_t above, FixedVector<AdjacentCells> &contacts) {
+void FacetOverlay::overlay(uint32_t below, uint32_t above, CellContacts &contacts) {
   start();
   for (uint32_t edge = 0; edge < polygon_[1].size(); ++edge) {
     if (!cut(edge)) return;
@@ -277,7 +301,7 @@ void FacetOverlay::overlay(uint32_t below, uint32_t above, FixedVector<AdjacentC
 }
 
 // Hands cells on from part to part of a facet, and then writes the contacts of all parts.
-Status FacetOverlay::resolve(FixedVector<AdjacentCells> &contacts) {
+Status FacetOverlay::resolve(CellContacts &contacts) {
   const uint32_t count = parts_.size();
   const auto names_of = [&](uint32_t part) {
     return IdRange{parts_[part].first_name, part + 1 < count ? parts_[part + 1].first_name : names_.size()};
@@ -315,13 +339,13 @@ Status FacetOverlay::resolve(FixedVector<AdjacentCells> &contacts) {
     for (uint32_t b = a; b-- > 0 && parts_[b].facet[0] == part.facet[0] && parts_[b].facet[1] == part.facet[1];) {
       if (parts_[b].cell[0] == part.cell[0] && parts_[b].cell[1] == part.cell[1]) is_new = false;
     }
-    if (is_new) contacts.push({{part.cell[0], part.cell[1]}});
+    if (is_new) contacts.push({{part.cell[0], part.cell[1]}}, frame_, part.portal);
   }
   return Status::ok;
 }
 
 Status FacetOverlay::find(const BallSet &balls, const CubeFrame &frame, uint32_t axis, const SideFacets &below,
-                          IdRange range, const SideFacets &above, FixedVector<AdjacentCells> &contacts) {
+                          IdRange range, const SideFacets &above, CellContacts &contacts) {
   balls_ = &balls;
   frame_ = frame;
   side_ = side_plane(2 * axis);

@@ -29,7 +29,7 @@ class FacetOverlay {
   // below it in direction `axis`, whose facets on the same side are those with side 2 axis + 1. frame is that of the
   // cube above. Status::capacity: memory for needed_balls() per cube would have sufficed. Status::check cannot happen.
   Status find(const BallSet &balls, const CubeFrame &frame, uint32_t axis, const SideFacets &below, IdRange range,
-              const SideFacets &above, FixedVector<AdjacentCells> &contacts);
+              const SideFacets &above, CellContacts &contacts);
   uint32_t needed_balls() const { return needed_balls_; }
 
  private:
@@ -48,6 +48,7 @@ class FacetOverlay {
     uint32_t facet[2];
     uint32_t cell[2];
     uint32_t first_name;  // those of a part are consecutive, and those of the next one follow
+    Vec3 portal;
   };
   struct Name {
     uint32_t ball[3];
@@ -72,14 +73,15 @@ class FacetOverlay {
   bool cut(uint32_t edge);
   int side_of(uint32_t corner, const PowerPlane &line, const UnitPlane &plane) const;
   void lies_on(Corner &corner, uint32_t edge) const;
-  void overlay(uint32_t below, uint32_t above, FixedVector<AdjacentCells> &contacts);
+  void overlay(uint32_t below, uint32_t above, CellContacts &contacts);
   void find_outside();
   bool edge_is_free(uint32_t k) const;
-  void add_part(uint32_t below, uint32_t above, uint32_t first, uint32_t count, FixedVector<AdjacentCells> &contacts,
+  void add_part(uint32_t below, uint32_t above, uint32_t first, uint32_t count, CellContacts &contacts,
                 uint64_t first_contact);
+  Vec3 portal_of(uint32_t first, uint32_t count) const;
   uint32_t cell_of(uint32_t which, uint32_t corner) const;
   bool name_of(uint32_t corner, Name &name) const;
-  Status resolve(FixedVector<AdjacentCells> &contacts);
+  Status resolve(CellContacts &contacts);
 
   uint32_t previous(uint32_t k) const { return (k > 0 ? k : size_) - 1; }
   uint32_t next(uint32_t k) const { return k + 1 < size_ ? k + 1 : 0; }

@@ -8,6 +8,7 @@
 // make up, the components of free space; that of cell 0 is the outside, and has number 0.
 #pragma once
 
+#include "cells/cell_contacts.hpp"
 #include "cells/cube_cover.hpp"
 #include "cells/cube_frame.hpp"
 #include "cells/empty_runs.hpp"
@@ -70,10 +71,6 @@ struct Landmark {
   uint32_t code[3];
 };
 
-struct AdjacentCells {
-  uint32_t cell[2];
-};
-
 // A code is a side of the cube, or a ball and six.
 constexpr PowerPlane plane_of_code(uint32_t code, uint32_t ball) {
   return code < cube_sides ? side_plane(code) : PowerPlane{ball, code - cube_sides};
@@ -97,12 +94,12 @@ class FreeSpace {
   // The free parts of the power cell of an entry of the cover.
   IdRange parts_of(uint32_t entry) const { return {first_part[entry], first_part[entry + 1]}; }
 
-  void carve(Workspace &workspace, const FreeSpaceLimits &limits) {
+  void carve(Workspace &workspace, const FreeSpaceLimits &limits, bool with_portals) {
     cover.carve(workspace, limits.cubes, limits.entries);
     runs.carve(workspace, limits.cubes);
     cells = FixedVector<FreeCell>(workspace.take<FreeCell>(limits.cells));
     landmarks = FixedVector<Landmark>(workspace.take<Landmark>(limits.landmarks));
-    contacts = FixedVector<AdjacentCells>(workspace.take<AdjacentCells>(limits.adjacencies));
+    contacts.carve(workspace, limits.adjacencies, with_portals);
     first_part = workspace.take<uint32_t>(static_cast<uint64_t>(limits.entries) + 1);
     first_neighbour = workspace.take<uint32_t>(static_cast<uint64_t>(limits.cells) + 1);
     neighbour = workspace.take<uint32_t>(2 * static_cast<uint64_t>(limits.adjacencies));
@@ -113,11 +110,11 @@ class FreeSpace {
   EmptyRuns runs;
   FixedVector<FreeCell> cells;
   FixedVector<Landmark> landmarks;
-  FixedVector<AdjacentCells> contacts;  // each two cells once
-  Span<uint32_t> first_part;            // [entries + 1]
-  Span<uint32_t> first_neighbour;       // [cells + 1]
-  Span<uint32_t> neighbour;             // [2 adjacencies]
-  Span<uint32_t> region_sets;           // [cells] scratch memory of the builder
+  CellContacts contacts;
+  Span<uint32_t> first_part;       // [entries + 1]
+  Span<uint32_t> first_neighbour;  // [cells + 1]
+  Span<uint32_t> neighbour;        // [2 adjacencies]
+  Span<uint32_t> region_sets;      // [cells] scratch memory of the builder
   int64_t side = 1;
   uint32_t regions = 0;
   uint32_t power_cells = 0;  // that are not empty

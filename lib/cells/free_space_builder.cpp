@@ -5,9 +5,9 @@
 
 namespace hsp {
 
-void FreeSpaceBuilder::carve(Workspace &workspace, const FreeSpaceLimits &limits) {
+void FreeSpaceBuilder::carve(Workspace &workspace, const FreeSpaceLimits &limits, bool with_portals) {
   limits_ = limits;
-  structure_.carve(workspace, limits);
+  structure_.carve(workspace, limits, with_portals);
   cell_.carve(workspace, limits.cube_balls);
   contacts_.carve(workspace, limits.cube_balls, limits.cube_corners);
   overlay_.carve(workspace, limits.cube_balls);
@@ -136,7 +136,7 @@ void FreeSpaceBuilder::touch_runs(const Cube &cube, uint32_t sides, uint32_t fir
       const uint32_t part = cell_.part_of(v);
       if (part == no_id || touched_[part] != 0 || !polytope[v].has(side)) continue;
       touched_[part] = 1;
-      structure_.contacts.push({{cube.run[side], first_cell + part}});
+      structure_.contacts.push({{cube.run[side], first_cell + part}}, cube.frame, polytope[v].at.y);
     }
   }
 }

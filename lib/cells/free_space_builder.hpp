@@ -10,7 +10,7 @@ namespace hsp {
 
 class FreeSpaceBuilder {
  public:
-  void carve(Workspace &workspace, const FreeSpaceLimits &limits);
+  void carve(Workspace &workspace, const FreeSpaceLimits &limits, bool with_portals = false);
 
   // Status::capacity if a limit is too small; needed() then tells what suffices, with 0 for what is not known yet.
   // Status::check would mean that cells disagree, and cannot happen.

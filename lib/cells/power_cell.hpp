@@ -28,6 +28,7 @@ class PowerCell {
   // Which of its vertices are outside the ball, which edges, and its free parts.
   void find_free_parts();
 
+  const CubeFrame &frame() const { return frame_; }
   bool empty() const { return polytope_.size() == 0; }
   uint32_t ball() const { return members_[member_]; }
   const PowerPolytope &polytope() const { return polytope_; }
