@@ -1,0 +1,63 @@
+#include "paths/cell_crossing.hpp"
+
+#include "paths/free_segments.hpp"
+#include "paths/lattice_points.hpp"
+
+namespace hsp {
+namespace {
+
+constexpr double unreached = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+void CellCrossing::carve(Workspace &workspace, uint32_t cube_balls) {
+  power_cell_.carve(workspace, cube_balls);
+  stops_ = workspace.take<Stop>(PowerPolytope::most_vertices(cube_balls));
+}
+
+void CellCrossing::add(const BallSet &balls, const FreeSpace &space, uint32_t cell, const exact::Vector &from,
+                       const exact::Vector &to, FixedVector<exact::Vector> &points) {
+  const FreeCell &record = space.cell(cell);
+  if (record.kind != CellKind::at_ball || is_outside_ball(balls, record.ball, from, to)) return;
+  const Span<const uint32_t> members = space.cover.balls(record.cube);
+  uint32_t member = 0;
+  while (members[member] != record.ball) ++member;
+  power_cell_.enter(balls, CubeFrame(space.cover.cube(record.cube), space.side), members);
+  power_cell_.drop_dominated();
+  power_cell_.build(member);
+  power_cell_.find_free_parts();
+
+  // From the last point backwards, so that the way is found in its order.
+  const PowerPolytope &polytope = power_cell_.polytope();
+  const uint32_t size = polytope.size();
+  for (uint32_t v = 0; v < size; ++v) {
+    Stop &stop = stops_[v];
+    stop = {power_cell_.frame().rounded(polytope[v].at.y), unreached, no_id, power_cell_.part_of(v) == no_id};
+    if (!stop.done && is_outside_ball(balls, record.ball, stop.at, to)) stop.way = distance(stop.at, to);
+  }
+  uint32_t best = no_id;
+  double least = unreached;
+  for (;;) {
+    uint32_t here = no_id;
+    for (uint32_t v = 0; v < size; ++v) {
+      if (!stops_[v].done && stops_[v].way < unreached && (here == no_id || stops_[v].way < stops_[here].way)) here = v;
+    }
+    if (here == no_id || stops_[here].way >= least) break;
+    stops_[here].done = true;
+    const double whole = stops_[here].way + distance(from, stops_[here].at);
+    if (whole < least && is_outside_ball(balls, record.ball, from, stops_[here].at)) {
+      least = whole;
+      best = here;
+    }
+    for (uint32_t k = 0; k < 3; ++k) {
+      Stop &there = stops_[polytope[here].neighbour[k]];
+      const double way = stops_[here].way + distance(stops_[here].at, there.at);
+      if (there.done || !power_cell_.is_free_edge(here, k) || !(way < there.way)) continue;
+      there.way = way;
+      there.from = here;
+    }
+  }
+  for (uint32_t v = best; v != no_id; v = stops_[v].from) points.push(stops_[v].at);
+}
+
+}  // namespace hsp

@@ -1,0 +1,131 @@
+#include "paths/cell_search.hpp"
+
+#include "paths/lattice_points.hpp"
+
+namespace hsp {
+namespace {
+
+constexpr uint32_t not_seen = no_id, done = no_id - 1;
+
+// Where the intervals of two runs along one axis have points in common, as near to a value as that is.
+int64_t nearest_common(int64_t value, int64_t a_low, int64_t a_high, int64_t b_low, int64_t b_high) {
+  const int64_t low = a_low > b_low ? a_low : b_low, high = a_high < b_high ? a_high : b_high;
+  return value < low ? low : value > high ? high : value;
+}
+
+}  // namespace
+
+void CellSearch::carve(Workspace &workspace, const FreeSpaceLimits &limits) {
+  visits_ = workspace.take<Visit>(limits.cells);
+  heap_ = workspace.take<uint32_t>(limits.cells);
+  boxes_ = workspace.take<Box>(limits.cells);
+  first_link_ = workspace.take<uint32_t>(static_cast<uint64_t>(limits.cells) + 1);
+  links_ = workspace.take<uint32_t>(2 * static_cast<uint64_t>(limits.adjacencies));
+}
+
+void CellSearch::prepare(const FreeSpace &space) {
+  // Both have as many: the neighbours of a cell and its contacts.
+  const uint32_t cells = space.cell_count();
+  for (uint32_t c = 0; c <= cells; ++c) first_link_[c] = space.first_neighbour[c];
+  for (uint32_t contact = 0; contact < space.adjacency_count(); ++contact) {
+    for (const uint32_t cell : space.contacts[contact].cell) links_[first_link_[cell]++] = contact;
+  }
+  for (uint32_t c = cells; c > 0; --c) first_link_[c] = first_link_[c - 1];
+  first_link_[0] = 0;
+  constexpr int64_t beyond = INT64_C(1) << 52;
+  const auto corner = [&](int64_t cube) {
+    return cube <= -EmptyRuns::infinity ? -beyond : cube >= EmptyRuns::infinity ? beyond : cube * space.side;
+  };
+  space.runs.for_each_run(space.cover, [&](uint32_t run, const CubeCoordinates &low, const CubeCoordinates &high) {
+    boxes_[run] = {{corner(low.x), corner(low.y), corner(low.z)}, {corner(high.x), corner(high.y), corner(high.z)}};
+  });
+}
+
+// Of equal estimates that which is nearer to its end, then the lower number, so that the way depends on nothing else.
+bool CellSearch::comes_first(uint32_t a, uint32_t b) const {
+  const Visit &first = visits_[a], &second = visits_[b];
+  if (first.estimate != second.estimate) return first.estimate < second.estimate;
+  if (first.way != second.way) return first.way > second.way;
+  return a < b;
+}
+
+void CellSearch::place(uint32_t at, uint32_t cell) {
+  heap_[at] = cell;
+  visits_[cell].next = at;
+}
+
+void CellSearch::rise(uint32_t at) {
+  const uint32_t cell = heap_[at];
+  for (; at > 0 && comes_first(cell, heap_[(at - 1) / 2]); at = (at - 1) / 2) place(at, heap_[(at - 1) / 2]);
+  place(at, cell);
+}
+
+uint32_t CellSearch::take_first() {
+  const uint32_t first = heap_[0];
+  visits_[first].next = done;
+  if (--waiting_ == 0) return first;
+  const uint32_t cell = heap_[waiting_];
+  uint32_t at = 0;
+  for (;;) {
+    uint32_t below = 2 * at + 1;
+    if (below >= waiting_) break;
+    if (below + 1 < waiting_ && comes_first(heap_[below + 1], heap_[below])) ++below;
+    if (!comes_first(heap_[below], cell)) break;
+    place(at, heap_[below]);
+    at = below;
+  }
+  place(at, cell);
+  return first;
+}
+
+// Between two runs the point of their common side that is nearest to where one comes from.
+exact::Vector CellSearch::portal(const FreeSpace &space, uint32_t contact, const exact::Vector &from) const {
+  const uint32_t *const cell = space.contacts[contact].cell;
+  if (cell[0] >= space.run_count() || cell[1] >= space.run_count()) return space.contacts.portal(contact);
+  const Box &a = boxes_[cell[0]], &b = boxes_[cell[1]];
+  return {nearest_common(from.x, a.low.x, a.high.x, b.low.x, b.high.x),
+          nearest_common(from.y, a.low.y, a.high.y, b.low.y, b.high.y),
+          nearest_common(from.z, a.low.z, a.high.z, b.low.z, b.high.z)};
+}
+
+Status CellSearch::find(const FreeSpace &space, uint32_t from_cell, const exact::Vector &from, uint32_t to_cell,
+                        const exact::Vector &to) {
+  for (uint32_t c = 0; c < space.cell_count(); ++c) visits_[c].next = not_seen;
+  visits_[from_cell] = {from, 0.0, distance(from, to), no_id, 0};
+  heap_[0] = from_cell;
+  waiting_ = 1;
+  bool found = false;
+  while (waiting_ > 0 && !found) {
+    const uint32_t cell = take_first();
+    found = cell == to_cell;
+    if (found) break;
+    const Visit here = visits_[cell];
+    for (uint32_t k = first_link_[cell]; k < first_link_[cell + 1]; ++k) {
+      const uint32_t contact = links_[k];
+      const uint32_t *const pair = space.contacts[contact].cell;
+      const uint32_t other = pair[0] == cell ? pair[1] : pair[0];
+      Visit &there = visits_[other];
+      if (there.next == done) continue;
+      const exact::Vector at = portal(space, contact, here.entry);
+      const double way = here.way + distance(here.entry, at);
+      if (there.next == not_seen) {
+        there.next = waiting_++;
+        heap_[there.next] = other;
+      } else if (!(way < there.way)) {
+        continue;
+      }
+      const uint32_t in_heap = there.next;
+      there = {at, way, way + distance(at, to), cell, in_heap};
+      rise(in_heap);
+    }
+  }
+  if (!found) return Status::check;
+  uint32_t behind = no_id;
+  for (uint32_t cell = to_cell; cell != no_id; cell = visits_[cell].from) {
+    visits_[cell].next = behind;
+    behind = cell;
+  }
+  return Status::ok;
+}
+
+}  // namespace hsp

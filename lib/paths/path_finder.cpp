@@ -1,0 +1,99 @@
+#include "paths/path_finder.hpp"
+
+#include "cells/cell_location.hpp"
+#include "paths/free_segments.hpp"
+#include "paths/lattice_points.hpp"
+
+namespace hsp {
+
+void PathFinder::carve(Workspace &workspace, const PathLimits &limits) {
+  builder_.carve(workspace, limits.cells, true);
+  search_.carve(workspace, limits.cells);
+  crossing_.carve(workspace, limits.cells.cube_balls);
+  points_ = FixedVector<exact::Vector>(workspace.take<exact::Vector>(limits.points));
+}
+
+Status PathFinder::build(const CubeGrid &grid) {
+  points_.clear();
+  needed_points_ = 0;
+  const Status status = builder_.build(grid);
+  if (status == Status::ok) search_.prepare(builder_.structure());
+  return status;
+}
+
+Status PathFinder::find(const BallSet &balls, const exact::Vector &from, const exact::Vector &to,
+                        PathSummary &summary) {
+  const FreeSpace &space = builder_.structure();
+  points_.clear();
+  needed_points_ = 0;
+  summary = {PathEnds::covered, false, 0.0, 0.0};
+  const uint32_t first = cell_at(balls, space, from), last = cell_at(balls, space, to);
+  if (first == no_id || last == no_id) return Status::ok;
+  summary.ends = PathEnds::apart;
+  if (space.cell(first).region != space.cell(last).region) return Status::ok;
+  if (const Status status = search_.find(space, first, from, last, to); status != Status::ok) return status;
+
+  points_.push(from);
+  exact::Vector here = from;
+  for (uint32_t cell = first; cell != no_id; cell = search_.next(cell)) {
+    const uint32_t next = search_.next(cell);
+    const exact::Vector there = next == no_id ? to : search_.entry(next);
+    crossing_.add(balls, space, cell, here, there, points_);
+    points_.push(there);
+    here = there;
+  }
+  needed_points_ = clamped_count(points_.required());
+  if (points_.overflowed()) {
+    points_.clear();
+    return Status::capacity;
+  }
+  // A second time from the other end: shortcuts begin elsewhere.
+  for (uint32_t time = 0; time < 2; ++time) {
+    shorten(balls);
+    for (uint32_t a = 0, b = points_.size() - 1; a < b; ++a, --b) {
+      const exact::Vector point = points_[a];
+      points_[a] = points_[b];
+      points_[b] = point;
+    }
+  }
+  summary = {PathEnds::connected, true, 0.0, segment_clearance(balls, from, from)};
+  for (uint32_t k = 1; k < points_.size(); ++k) {
+    const exact::Vector &a = points_[k - 1], &b = points_[k];
+    summary.certified = summary.certified && is_free_segment(balls, space, a, b);
+    summary.length += distance(a, b);
+    const double clearance = segment_clearance(balls, a, b);
+    summary.clearance = clearance < summary.clearance ? clearance : summary.clearance;
+  }
+  return Status::ok;
+}
+
+// From each point on to one as late as can be found by doubling steps and then halving them.
+void PathFinder::shorten(const BallSet &balls) {
+  const FreeSpace &space = builder_.structure();
+  const uint32_t last = points_.size() - 1;
+  uint32_t kept = 0;
+  const auto is_free = [&](uint32_t to) { return is_free_segment(balls, space, points_[kept], points_[to]); };
+  for (uint32_t at = 0; at < last;) {
+    uint32_t reached = at + 1, beyond = last + 1;
+    if (is_free(last)) {
+      reached = last;
+    } else {
+      for (uint32_t step = 2; step <= last - at && beyond > last; step *= 2) {
+        if (is_free(at + step)) {
+          reached = at + step;
+        } else {
+          beyond = at + step;
+        }
+      }
+      while (beyond - reached > 1) {
+        const uint32_t middle = reached + (beyond - reached) / 2;
+        (is_free(middle) ? reached : beyond) = middle;
+      }
+    }
+    points_[++kept] = points_[reached];
+    at = reached;
+  }
+  points_.shrink(kept + 1);
+}
+
+}  // namespace hsp

@@ -1,0 +1,81 @@
+// Paths where they are few and simple, and samples of what paths_slow_test.cpp tries.
+#include "paths/path_finder.hpp"
+
+#include <gtest/gtest.h>
+
+#include "checked_paths.hpp"
+#include "point_lattices.hpp"
+#include "sweep_length.hpp"
+
+namespace {
+
+using namespace checked_paths;
+
+TEST(PathFinder, AroundNoBallsOneAndTwo) {
+  oracle::RandomSource random(1);
+  Seen seen;
+  ASSERT_NO_FATAL_FAILURE(check({}, random, 10, seen));
+  ASSERT_NO_FATAL_FAILURE(check({{0, 0, 0, 1000}}, random, 50, seen));
+  ASSERT_NO_FATAL_FAILURE(check({{0, 0, 0, 1000}, {1500, 0, 0, 1000}}, random, 50, seen));
+  ASSERT_NO_FATAL_FAILURE(check({{0, 0, 0, 1000}, {0, 0, 0, 1000}}, random, 50, seen));
+  ASSERT_NO_FATAL_FAILURE(check({{3, 4, 5, 0}}, random, 10, seen));
+  EXPECT_EQ(seen.certified, seen.found);
+  EXPECT_GT(seen.bent, 30U);
+}
+
+TEST(PathFinder, AroundSetsOfAllKinds) {
+  oracle::RandomSource random(2);
+  Seen seen;
+  for (int k = 0; k < oracle::sets(12); ++k) {
+    const Balls balls = oracle::any_balls(random, static_cast<size_t>(random.in(2, 20)));
+    ASSERT_NO_FATAL_FAILURE(check(balls, random, 8, seen)) << k;
+  }
+  EXPECT_GT(seen.found, 10U);
+  EXPECT_GT(100 * seen.certified, 90 * seen.found);
+}
+
+TEST(PathFinder, ThroughLattices) {
+  oracle::RandomSource random(3);
+  Seen seen;
+  for (const int64_t radius : {7071, 7072, 8661}) {
+    ASSERT_NO_FATAL_FAILURE(check_lattice(radius, 12, random, seen));
+  }
+  EXPECT_EQ(seen.certified, seen.found);
+  EXPECT_GT(seen.apart, 3U);
+  EXPECT_GT(seen.covered, 3U);
+}
+
+TEST(PathFinder, AmongTheLargestNumbers) {
+  oracle::RandomSource random(4);
+  Seen seen;
+  for (int k = 0; k < oracle::sets(4); ++k) ASSERT_NO_FATAL_FAILURE(check_large_numbers(6, random, seen)) << k;
+  EXPECT_EQ(seen.certified, seen.found);
+}
+
+TEST(PathFinder, ThroughAMolecule) {
+  oracle::RandomSource random(5);
+  Seen seen;
+  ASSERT_NO_FATAL_FAILURE(check(molecule("caffeine.pdb", 0), random, 60, seen));
+  EXPECT_EQ(seen.certified, seen.found);
+  EXPECT_EQ(seen.found, 60U);
+  EXPECT_GT(seen.bent, 15U);
+}
+
+TEST(PathFinder, AsksForRoomForPoints) {
+  const Balls balls = molecule("crambin.pdb", 0);
+  BuiltPaths large(balls);
+  const Vector from{-5000000, -5000000, -5000000}, to{25000000, 25000000, 20000000};
+  hsp::PathSummary summary{}, other{};
+  ASSERT_EQ(large.finder().find(large.balls(), from, to, summary), hsp::Status::ok);
+  const uint32_t needed = large.finder().needed_points();
+  ASSERT_GT(needed, 5U);
+  BuiltPaths small(balls, needed - 1), enough(balls, needed);
+  ASSERT_EQ(small.finder().find(small.balls(), from, to, other), hsp::Status::capacity);
+  EXPECT_EQ(small.finder().needed_points(), needed);
+  EXPECT_EQ(small.finder().points().size(), 0U);
+  ASSERT_EQ(enough.finder().find(enough.balls(), from, to, other), hsp::Status::ok);
+  EXPECT_EQ(summary.length, other.length);
+  EXPECT_EQ(large.finder().points().size(), enough.finder().points().size());
+}
+
+}  // namespace
