@@ -1,0 +1,92 @@
+#include "periodic/periodic_box.hpp"
+
+namespace hsp {
+namespace {
+
+exact::Vector less(const exact::Vector &v, int64_t times, const exact::Vector &w) {
+  return {v.x - times * w.x, v.y - times * w.y, v.z - times * w.z};
+}
+
+bool is_at_most(int64_t value, int64_t limit) {
+  return value <= limit && -value <= limit;
+}
+
+}  // namespace
+
+Status PeriodicBox::set(const exact::Lattice &lattice, const double vector[9]) {
+  for (int k = 0; k < 9; ++k) {
+    if (!is_finite(vector[k])) return Status::not_finite;
+  }
+  if (vector[1] != 0.0 || vector[2] != 0.0 || vector[5] != 0.0) return Status::argument;
+  int64_t steps[9];
+  for (int k = 0; k < 9; ++k) {
+    const double length = lattice.steps(vector[k]);
+    if (!(std::fabs(length) <= longest)) return Status::range;
+    steps[k] = nearest(length);
+  }
+  exact::Vector wanted[3];
+  for (int row = 0; row < 3; ++row) wanted[row] = {steps[3 * row], steps[3 * row + 1], steps[3 * row + 2]};
+  auto [a, b, c] = wanted;
+  if (a.x <= 0 || b.y <= 0 || c.z <= 0) return Status::range;
+  // How many of `whole` are nearest to a length.
+  const auto nearest_multiple = [](int64_t length, int64_t whole) {
+    return floored_quotient(2 * length + whole, 2 * whole);
+  };
+  int64_t skew[3];
+  skew[0] = nearest_multiple(b.x, a.x);
+  skew[1] = nearest_multiple(c.y, b.y);
+  if (!is_at_most(skew[0], largest_skew) || !is_at_most(skew[1], largest_skew)) return Status::range;
+  b = less(b, skew[0], a);
+  c = less(c, skew[1], b);
+  skew[2] = nearest_multiple(c.x, a.x);
+  if (!is_at_most(skew[2], largest_skew)) return Status::range;
+  c = less(c, skew[2], a);
+
+  for (int row = 0; row < 3; ++row) {
+    given_[row] = wanted[row];
+    skew_[row] = static_cast<int32_t>(skew[row]);
+  }
+  reduced_[0] = a;
+  reduced_[1] = b;
+  reduced_[2] = c;
+  return Status::ok;
+}
+
+bool PeriodicBox::suits(int64_t largest_radius) const {
+  constexpr int64_t most = 4 * largest_shift / 9 - 1;
+  const auto &[a, b, c] = reduced_;
+  const auto is_long = [&](int64_t side) { return 2 * largest_radius <= most * side; };
+  return is_long(a.x) && is_long(b.y) && is_long(c.z);
+}
+
+Status PeriodicBox::wrap(exact::Vector &point, BoxShift &shift) const {
+  const auto &[a, b, c] = reduced_;
+  exact::Vector p = point;
+  int64_t times[3];
+  times[2] = floored_quotient(p.z, c.z);
+  if (!is_at_most(times[2], farthest_copy)) return Status::range;
+  p = less(p, times[2], c);
+  times[1] = floored_quotient(p.y, b.y);
+  if (!is_at_most(times[1], farthest_copy)) return Status::range;
+  p = less(p, times[1], b);
+  times[0] = floored_quotient(p.x, a.x);
+  if (!is_at_most(times[0], farthest_copy)) return Status::range;
+  point = less(p, times[0], a);
+  for (int axis = 0; axis < 3; ++axis) shift.k[axis] = static_cast<int32_t>(times[axis]);
+  return Status::ok;
+}
+
+exact::Vector PeriodicBox::translation(const BoxShift &shift) const {
+  exact::Vector sum{0, 0, 0};
+  for (int axis = 0; axis < 3; ++axis) sum = less(sum, -int64_t{shift.k[axis]}, reduced_[axis]);
+  return sum;
+}
+
+// With b = B - p A and c = C - q b - r A.
+BoxShift PeriodicBox::in_given_vectors(const BoxShift &shift) const {
+  const auto [p, q, r] = skew_;
+  const auto [i, j, k] = shift.k;
+  return {{i - p * j + (q * p - r) * k, j - q * k, k}};
+}
+
+}  // namespace hsp

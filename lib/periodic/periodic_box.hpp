@@ -1,0 +1,120 @@
+// A box whose copies fill space, on the lattice of the balls: a along x, b in the plane of x and y.
+//
+// Every point has one place in the brick of 0 .. a.x, 0 .. b.y, 0 .. c.z: like those of the box its copies fill space.
+// Inside, b and c are reduced by whole multiples of the vectors before them, to |b.x|, |c.x| <= a.x/2 and |c.y| <=
+// b.y/2. Shifts of images are multiples of the reduced vectors; what a caller is told are multiples of the given ones.
+#pragma once
+
+#include "core/status.hpp"
+#include "core/vec3.hpp"
+#include "exact/lattice.hpp"
+
+namespace hsp {
+
+// Multiples of the three vectors of a box.
+struct BoxShift {
+  int32_t k[3] = {0, 0, 0};
+
+  constexpr bool operator==(const BoxShift &other) const = default;
+  constexpr bool is_zero() const { return (k[0] | k[1] | k[2]) == 0; }
+};
+
+constexpr BoxShift operator+(const BoxShift &p, const BoxShift &q) {
+  return {{p.k[0] + q.k[0], p.k[1] + q.k[1], p.k[2] + q.k[2]}};
+}
+constexpr BoxShift operator-(const BoxShift &p, const BoxShift &q) {
+  return {{p.k[0] - q.k[0], p.k[1] - q.k[1], p.k[2] - q.k[2]}};
+}
+// Lexicographic.
+constexpr bool comes_before(const BoxShift &p, const BoxShift &q) {
+  for (int axis = 0; axis < 2; ++axis) {
+    if (p.k[axis] != q.k[axis]) return p.k[axis] < q.k[axis];
+  }
+  return p.k[2] < q.k[2];
+}
+
+// The order in which images are visited.
+constexpr bool visited_before(const BoxShift &p, const BoxShift &q) {
+  for (int axis = 2; axis > 0; --axis) {
+    if (p.k[axis] != q.k[axis]) return p.k[axis] < q.k[axis];
+  }
+  return p.k[0] < q.k[0];
+}
+
+class PeriodicBox {
+ public:
+  static constexpr double longest = 0x1p44;          // components of vectors, in steps
+  static constexpr int32_t largest_shift = 127;      // of images that are near balls in the box
+  static constexpr int64_t largest_skew = 64;        // multiples that reduction may subtract
+  static constexpr int64_t farthest_copy = 1 << 17;  // from the box, along each vector
+
+  // Snaps the vectors, in the caller's unit, to the lattice. Status::argument if they lie otherwise; Status::range if
+  // one of the three lengths along the axes is not above 0 there, or anything too large.
+  Status set(const exact::Lattice &lattice, const double vector[9]);
+  // Whether shifts of the images that may meet balls in the brick have room, for balls up to this radius. With t twice
+  // the radius over the shortest of its sides multiples are at most 1 + t of c, half as many more of b, and for each of
+  // these half a multiple more of a: at most 9/4 (1 + t).
+  bool suits(int64_t largest_radius) const;
+
+  // Moves a point into the brick by whole vectors: it was `shift` away from there. Status::range if too far.
+  Status wrap(exact::Vector &point, BoxShift &shift) const;
+  // The sum of so many vectors; must not be far beyond what images need.
+  exact::Vector translation(const BoxShift &shift) const;
+  // In multiples of the given vectors.
+  BoxShift in_given_vectors(const BoxShift &shift) const;
+
+  // Calls sink(shift) for every image but itself, in the order of visited_before, of a point of the box that is no
+  // farther than `reach` from the brick of all places, and perhaps for some that are hardly farther.
+  template <class Sink>
+  void visit_images(const exact::Vector &point, int64_t reach, Sink sink) const {
+    const auto &[a, b, c] = reduced_;
+    const double within = static_cast<double>(reach) * static_cast<double>(reach) * (1.0 + 8 * unit_roundoff);
+    BoxShift shift;
+    const Multiples layers(point.z, c.z, reach);
+    for (int32_t k = layers.first; k <= layers.last; ++k) {
+      const int64_t z = point.z + k * c.z;
+      const Multiples rows(point.y + k * c.y, b.y, reach);
+      for (int32_t j = rows.first; j <= rows.last; ++j) {
+        const int64_t y = point.y + k * c.y + j * b.y;
+        const double square = square_of_gap(z, c.z) + square_of_gap(y, b.y);
+        if (square > within) continue;
+        const int64_t start = point.x + k * c.x + j * b.x;
+        const Multiples row(start, a.x, reach);
+        for (int32_t i = row.first; i <= row.last; ++i) {
+          shift = {{i, j, k}};
+          if (square + square_of_gap(start + i * a.x, a.x) <= within && !shift.is_zero()) sink(shift);
+        }
+      }
+    }
+  }
+
+  // In cubic steps, rounded thrice.
+  double volume() const { return to_double(reduced_[0]).x * to_double(reduced_[1]).y * to_double(reduced_[2]).z; }
+  // The given vectors on the lattice.
+  const exact::Vector &given(uint32_t k) const { return given_[k]; }
+
+ private:
+  // The multiples of a side that bring a coordinate into -reach .. side + reach.
+  struct Multiples {
+    Multiples(int64_t at, int64_t side, int64_t reach)
+        : first(static_cast<int32_t>(-floored_quotient(at + reach, side))),
+          last(static_cast<int32_t>(floored_quotient(side + reach - at, side))) {}
+    int32_t first, last;
+  };
+
+  static constexpr int64_t floored_quotient(int64_t a, int64_t b) {
+    const int64_t quotient = a / b;
+    return a % b < 0 ? quotient - 1 : quotient;
+  }
+  // From a coordinate to 0 .. side.
+  static double square_of_gap(int64_t at, int64_t side) {
+    const double gap = static_cast<double>(at < 0 ? -at : at > side ? at - side : 0);
+    return gap * gap;
+  }
+
+  exact::Vector given_[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  exact::Vector reduced_[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  int32_t skew_[3] = {0, 0, 0};  // how often a was subtracted from b, b from c, a from c
+};
+
+}  // namespace hsp

@@ -1,0 +1,23 @@
+// Laws that hold for every union in a periodic box: two ways to compute that have little in common.
+#pragma once
+
+#include "periodic/periodic_union.hpp"
+
+namespace hsp {
+
+enum class PeriodicInvariant : uint32_t {
+  none = 0,
+  records,  // a contact across a face is there from both sides, with the same flags
+  closure,  // faces and contacts of each ball close its cell: their vector areas sum to 0
+  outside,  // the vector areas of all faces sum to 0
+  volume,   // the cells sum to what faces, and contacts across the faces of the box, say of the volume
+};
+
+struct PeriodicViolation {
+  PeriodicInvariant invariant = PeriodicInvariant::none;
+  uint32_t id = no_id;  // the caller's ball concerned
+};
+
+PeriodicViolation check_periodic(const PeriodicUnion &periodic);
+
+}  // namespace hsp

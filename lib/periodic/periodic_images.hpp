@@ -1,0 +1,75 @@
+// The balls of a periodic box, each moved into the box, and the images of them that may meet one of these: numbered as
+// one set, first the balls in the order of the input, then the images by ball and by shift. So of images in one place
+// those of the earlier ball come first in every copy of the box, and the symbolic perturbation, which compares places,
+// radii and numbers, is the same in all of them.
+#pragma once
+
+#include "core/fixed_vector.hpp"
+#include "core/workspace.hpp"
+#include "model/ball_set.hpp"
+#include "periodic/periodic_box.hpp"
+
+namespace hsp {
+
+class PeriodicImages {
+ public:
+  void carve(Workspace &workspace, uint32_t balls, uint32_t images);
+
+  // On failure there are none; first_bad names the ball. Status::capacity if a limit is too small; counted_images()
+  // then says how many images there are.
+  Status build(const BallInput &input, const double vector[9], uint32_t &first_bad);
+
+  uint32_t balls() const { return n_; }
+  // With their images.
+  uint32_t size() const { return n_ + images_; }
+  uint64_t counted_images() const { return counted_; }
+  bool is_image(uint32_t k) const { return k >= n_; }
+  uint32_t ball_of(uint32_t k) const { return ball_of_[k]; }
+  const uint32_t *balls_of_all() const { return ball_of_.data(); }
+  // How far ball or image k is from ball_of(k), in vectors of the box.
+  BoxShift shift_of(uint32_t k) const {
+    if (!is_image(k)) return {};
+    const ImageShift &shift = shift_[k - n_];
+    return {{shift.k[0], shift.k[1], shift.k[2]}};
+  }
+  // The number of the ball, or of its image that is so far from it; no_id if it is not among these.
+  uint32_t find(uint32_t ball, const BoxShift &shift) const;
+
+  // How far the caller's ball is from its place in the box, and ball or image k from where the caller has put its ball.
+  const BoxShift &home(uint32_t ball) const { return home_[ball]; }
+  BoxShift shift_from_caller(uint32_t k) const { return shift_of(k) - home_[ball_of(k)]; }
+  // From the caller's ball `from` to ball or image `to`, seen from that ball's place in the box: the multiple of the
+  // given vectors by which the caller's second ball is to be moved.
+  BoxShift caller_shift(uint32_t from, uint32_t to) const {
+    return box_.in_given_vectors(shift_from_caller(to) + home_[from]);
+  }
+
+  const PeriodicBox &box() const { return box_; }
+  // Of the input; the set itself has its lengths in steps.
+  const exact::Lattice &lattice() const { return lattice_; }
+  int64_t probe_steps() const { return probe_steps_; }
+  int64_t largest_radius() const { return largest_radius_; }
+  // All of them, for a grid.
+  BallInput in_steps() const;
+
+ private:
+  struct ImageShift {
+    int8_t k[3];
+  };
+
+  Status fill(const BallInput &input, const double vector[9], uint32_t &first_bad);
+  void put(uint32_t k, const exact::Vector &centre, int64_t radius);
+
+  uint32_t n_ = 0, images_ = 0;
+  uint64_t counted_ = 0;
+  Span<uint32_t> ball_of_;      // [balls + images]
+  Span<ImageShift> shift_;      // [images]
+  Span<uint32_t> first_image_;  // [balls + 1]
+  Span<BoxShift> home_;         // [balls]
+  Span<double> xyz_, radius_;   // [balls + images][3], [balls + images]
+  PeriodicBox box_;
+  exact::Lattice lattice_;
+  int64_t probe_steps_ = 0, largest_radius_ = 0;
+};
+
+}  // namespace hsp

@@ -1,0 +1,119 @@
+// The union of balls in a periodic box: balls that leave it through one face come in through the opposite one.
+//
+// The ordinary boundary and the ordinary contacts of the balls in the box and of all images near them are computed.
+// What they say of the balls in the box is what copies of the box without end would show there: only balls that meet
+// cut a ball's sphere, its contacts and its cell, and what the symbolic perturbation decides depends on relative places
+// and on an order that all copies share (periodic_images.hpp). What lies on images alone, at the rim of the set, means
+// nothing and is never read.
+//
+// Numbers without "grid" are the caller's balls, or images behind them. Lengths are in steps.
+#pragma once
+
+#include "boundary/boundary_builder.hpp"
+#include "contacts/contacts_builder.hpp"
+#include "periodic/periodic_images.hpp"
+#include "periodic/windings.hpp"
+
+namespace hsp {
+
+struct PeriodicLimits {
+  uint32_t balls = 0;
+  uint32_t images = 0;
+  uint32_t neighbours = 0;
+  uint32_t vertices = 0;  // of balls and images
+  uint32_t circles = 0;
+  uint32_t contacts = 0;
+
+  // The smallest limits that are no smaller than these and others.
+  constexpr PeriodicLimits covering(const PeriodicLimits &other) const {
+    return {larger_count(balls, other.balls),           larger_count(images, other.images),
+            larger_count(neighbours, other.neighbours), larger_count(vertices, other.vertices),
+            larger_count(circles, other.circles),       larger_count(contacts, other.contacts)};
+  }
+};
+
+// Limits that suffice for most boxes of molecules. Status::range if one would be larger than max_count.
+constexpr Status default_limits(uint32_t balls, PeriodicLimits &limits) {
+  if (balls > (max_count - 2048) / 36) return Status::range;
+  const uint32_t all = 3 * balls + 128;
+  limits = {balls, all - balls, 256, 8 * all + 64, 2 * all + 16, 12 * all + 64};
+  return Status::ok;
+}
+
+// What the boundary in the box is made of. Each vertex, arc and circle counts once, whatever images it is seen on.
+struct PeriodicCounts {
+  uint32_t vertices = 0;
+  uint32_t arcs = 0;
+  uint32_t circles = 0;
+  uint32_t loops = 0;
+  uint32_t faces = 0;
+  uint32_t shells = 0;
+  uint32_t components = 0;
+  uint32_t contacts = 0;
+
+  int64_t euler() const { return int64_t{vertices} - arcs + 2 * int64_t{faces} - loops; }
+};
+
+// A contact, as seen from its first ball in the box.
+struct PeriodicContact {
+  uint32_t ball;   // the caller's
+  uint32_t other;  // the caller's ball, or an image
+  const ContactRecord *record;
+};
+
+class PeriodicUnion {
+ public:
+  void carve(Workspace &workspace, const PeriodicLimits &limits);
+
+  // Rounds balls and box to the lattice and computes everything. vector: a, b, c. first_bad names a ball that is to
+  // blame, or is no_id. Status::capacity if a limit is too small; needed() then reports what suffices of what was
+  // reached.
+  Status build(const BallInput &input, const double vector[9], uint32_t &first_bad);
+
+  const PeriodicLimits &needed() const { return needed_; }
+  PeriodicLimits retry_limits() const { return limits_.covering(needed_); }
+
+  const PeriodicImages &images() const { return images_; }
+  const PeriodicCounts &counts() const { return counts_; }
+  const Windings &windings() const { return windings_; }
+  const CubeGrid &grid() const { return grid_; }
+  const BallSet &balls() const { return grid_.balls(); }
+  const Boundary &boundary() const { return boundary_.boundary(); }
+  const Contacts &contacts() const { return contacts_.contacts(); }
+  // Whether the grid's ball is in the box, and not an image.
+  bool is_in_box(uint32_t grid_ball) const { return !images_.is_image(balls().caller[grid_ball]); }
+
+  // Calls sink(contact) for every contact of the caller's ball i, ascending by the other ball or image.
+  template <class Sink>
+  void visit_contacts_of(uint32_t i, Sink sink) const {
+    const uint32_t own = grid_.grid_index(i);
+    for (const uint32_t id : contacts().row(own)) {
+      const ContactRecord &record = contacts().contact(id);
+      sink(PeriodicContact{i, balls().caller[record.other(own)], &record});
+    }
+  }
+  // Whether a contact is listed at this ball of its two: each is once. That of two copies of one ball is listed with
+  // the shift that comes after that of the ball itself.
+  bool is_listed(const PeriodicContact &contact) const {
+    const uint32_t other = images_.ball_of(contact.other);
+    return other != contact.ball ? other > contact.ball : comes_before({}, images_.shift_of(contact.other));
+  }
+
+ private:
+  Status join_balls();
+  Status count();
+  Status find_shells();
+  uint32_t grid_index_moved(uint32_t grid_ball, const BoxShift &shift) const;
+  uint32_t face_across(uint32_t ball, uint32_t half_edge) const;
+  uint32_t face_across(uint32_t ball, ClosedHalfEdge circle) const;
+
+  PeriodicLimits limits_, needed_;
+  PeriodicImages images_;
+  CubeGrid grid_;
+  BoundaryBuilder boundary_;
+  ContactsBuilder contacts_;
+  Windings windings_;
+  PeriodicCounts counts_;
+};
+
+}  // namespace hsp
