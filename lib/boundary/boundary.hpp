@@ -220,6 +220,7 @@ class Boundary {
 
  private:
   friend class BoundaryBuilder;
+  friend class BoundaryPart;
 
   static IdRange range(Span<const uint32_t> first, uint32_t ball) { return {first[ball], first[ball + 1]}; }
 

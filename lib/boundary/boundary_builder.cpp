@@ -2,8 +2,6 @@
 
 #include "boundary/components.hpp"
 #include "boundary/shells.hpp"
-#include "exact/discriminant.hpp"
-#include "sphere/root_discriminants.hpp"
 
 namespace hsp {
 namespace {
@@ -138,7 +136,7 @@ void BoundaryBuilder::assemble(uint32_t stage, uint32_t worker) {
       distribute(worker);
       break;
     case linking:
-      own.link(*grid_, boundary_, scratch_, a);
+      link(worker);
       break;
     case settling:
       settle(worker);
@@ -167,33 +165,7 @@ void BoundaryBuilder::place(uint32_t worker) {
   }
   own.placed_vertices = {first_vertex, first_vertex + own.vertices().size()};
   own.placed_circles = {first_circle, first_circle + own.circles().size()};
-  find_root_discriminants(first_vertex, own.placed_vertices.last);
-}
-
-void BoundaryBuilder::find_root_discriminants(uint32_t first, uint32_t last) {
-  const BallSet &balls = grid_->balls();
-  BoundaryArrays &a = arrays();
-  const Span<const VertexRecord> vertices = a.vertices.room();
-  const auto find_exactly = [&](uint32_t v) {
-    const VertexRecord &vertex = vertices[v];
-    const exact::LatticeBall origin = balls.ball(vertex.ball[0]);
-    a.root_discriminant[v] =
-        std::sqrt(exact::discriminant(exact::sphere_of(origin), exact::plane_of(origin, balls.ball(vertex.ball[1])),
-                                      exact::plane_of(origin, balls.ball(vertex.ball[2]))));
-  };
-#if HSP_AVX2
-  if (a.wide_code && first < last) {
-    static_assert(sizeof(VertexRecord) == 4 * sizeof(uint32_t));
-    uint32_t done = 0;
-    const bool certain =
-        find_roots_in_lanes(arrays_of(balls), vertices[first].ball, last - first, &a.root_discriminant[first], done);
-    for (uint32_t v = first; !certain && v < first + done; ++v) {
-      if (a.root_discriminant[v] == doubtful_root) find_exactly(v);
-    }
-    first += done;
-  }
-#endif
-  for (uint32_t v = first; v < last; ++v) find_exactly(v);
+  BoundaryWorker::find_root_discriminants(grid_->balls(), first_vertex, own.placed_vertices.last, a);
 }
 
 // The sets of worker 0 are those of all. They do not know the balls behind its share and those around it.
@@ -218,6 +190,11 @@ void BoundaryBuilder::distribute(uint32_t worker) {
   if (worker + 1 < count_) return;
   a.first_half_edge[a.balls] = before.half_edges + own.counts.half_edges;
   a.first_closed_half_edge[a.balls] = before.closed + own.counts.closed;
+}
+
+void BoundaryBuilder::link(uint32_t worker) {
+  BlockSweep sweep(*grid_);
+  workers_[worker].link(grid_->balls(), sweep, boundary_, scratch_, arrays());
 }
 
 // Without gaps between those of workers, loops and faces have the numbers that one worker would give them. Their

@@ -57,9 +57,9 @@ class BoundaryBuilder {
   Found found() const;
   void assemble(uint32_t stage, uint32_t worker);
   void place(uint32_t worker);
-  void find_root_discriminants(uint32_t first, uint32_t last);
   void join_components();
   void distribute(uint32_t worker);
+  void link(uint32_t worker);
   void settle(uint32_t worker);
 
   BoundaryLimits limits_;

@@ -1,7 +1,9 @@
 #include "boundary/boundary_worker.hpp"
 
 #include "core/first_index.hpp"
+#include "exact/discriminant.hpp"
 #include "model/block_sweep.hpp"
+#include "sphere/root_discriminants.hpp"
 
 namespace hsp {
 namespace {
@@ -81,24 +83,59 @@ void BoundaryWorker::search(const CubeGrid &grid, uint8_t *ball_state) {
     cover(block);
     const BallRange own = grid.balls_in(cube);
     const bool in_lanes = lanes.start_cube(grid, cube, block);
-    for (uint32_t i = own.first; i < own.last; ++i) {
-      const bool by_lanes = in_lanes && lanes.gather(balls, i, caps, &components);
-      if (!by_lanes) caps.gather(balls, block, i, &components);
-      ball_state[i] = static_cast<uint8_t>((caps.contained ? BoundaryArrays::contained : 0) |
-                                           (caps.count == 0 ? BoundaryArrays::without_caps : 0));
-      if (caps.contained) continue;
-      if (caps.met > neighbours_) neighbours_ = caps.met;
-      // Once a ball has more neighbours than there is room for, the rest is only counted.
-      if (neighbours_ > caps.capacity()) continue;
-      uint32_t clusters = 0;
-      if (by_lanes) {
-        clusters = lanes.find(balls, caps, finder_, vertices_, circles_);
-      } else {
-        finder_.find(balls, caps, vertices_, circles_);
-      }
-      ball_state[i] |= static_cast<uint8_t>(face_finder_.count_clusters(caps, clusters) * BoundaryArrays::one_cluster);
-    }
+    for (uint32_t i = own.first; i < own.last; ++i) search_ball(balls, block, i, in_lanes, components, ball_state);
   }
+}
+
+void BoundaryWorker::search(const BallSet &balls, const double (&centre)[3], double side, uint8_t *ball_state) {
+  const CubeBlock everything{{{0, balls.n}}, 1};
+  cover(everything);
+  DisjointSets components(parent_.part(0, balls.n));
+  const bool in_lanes = lanes.start_block(balls, everything, 0, centre, side);
+  for (uint32_t i = 0; i < share_.balls.last; ++i) search_ball(balls, everything, i, in_lanes, components, ball_state);
+}
+
+void BoundaryWorker::search_ball(const BallSet &balls, const CubeBlock &block, uint32_t i, bool in_lanes,
+                                 DisjointSets &components, uint8_t *ball_state) {
+  const bool by_lanes = in_lanes && lanes.gather(balls, i, caps, &components);
+  if (!by_lanes) caps.gather(balls, block, i, &components);
+  ball_state[i] = static_cast<uint8_t>((caps.contained ? BoundaryArrays::contained : 0) |
+                                       (caps.count == 0 ? BoundaryArrays::without_caps : 0));
+  if (caps.contained) return;
+  if (caps.met > neighbours_) neighbours_ = caps.met;
+  // Once a ball has more neighbours than there is room for, the rest is only counted.
+  if (neighbours_ > caps.capacity()) return;
+  uint32_t clusters = 0;
+  if (by_lanes) {
+    clusters = lanes.find(balls, caps, finder_, vertices_, circles_);
+  } else {
+    finder_.find(balls, caps, vertices_, circles_);
+  }
+  ball_state[i] |= static_cast<uint8_t>(face_finder_.count_clusters(caps, clusters) * BoundaryArrays::one_cluster);
+}
+
+void BoundaryWorker::find_root_discriminants(const BallSet &balls, uint32_t first, uint32_t last, BoundaryArrays &a) {
+  const Span<const VertexRecord> vertices = a.vertices.room();
+  const auto find_exactly = [&](uint32_t v) {
+    const VertexRecord &vertex = vertices[v];
+    const exact::LatticeBall origin = balls.ball(vertex.ball[0]);
+    a.root_discriminant[v] =
+        std::sqrt(exact::discriminant(exact::sphere_of(origin), exact::plane_of(origin, balls.ball(vertex.ball[1])),
+                                      exact::plane_of(origin, balls.ball(vertex.ball[2]))));
+  };
+#if HSP_AVX2
+  if (a.wide_code && first < last) {
+    static_assert(sizeof(VertexRecord) == 4 * sizeof(uint32_t));
+    uint32_t done = 0;
+    const bool certain =
+        find_roots_in_lanes(arrays_of(balls), vertices[first].ball, last - first, &a.root_discriminant[first], done);
+    for (uint32_t v = first; !certain && v < first + done; ++v) {
+      if (a.root_discriminant[v] == doubtful_root) find_exactly(v);
+    }
+    first += done;
+  }
+#endif
+  for (uint32_t v = first; v < last; ++v) find_exactly(v);
 }
 
 void BoundaryWorker::join_components(DisjointSets &components) const {
@@ -118,16 +155,17 @@ void BoundaryWorker::count(BoundaryArrays &a) {
 
 // A loop has two half-edges at least, or is closed, and a face has a loop unless it is a whole sphere: so there is room
 // enough between where the numbers of two workers begin.
-void BoundaryWorker::link(const CubeGrid &grid, const Boundary &boundary, Span<uint32_t> scratch, BoundaryArrays &a) {
+void BoundaryWorker::link(const BallSet &balls, BlockSweep &sweep, const Boundary &boundary, Span<uint32_t> scratch,
+                          BoundaryArrays &a) {
   const BallRange own = share_.balls;
   const auto most_loops_before = [&a](uint32_t ball) {
     return a.first_half_edge[ball] / 2 + a.first_closed_half_edge[ball];
   };
   const HalfEdgeChain chain(arriving_, leaving_, {met_.first, met_.last});
   loops.first = most_loops_before(own.first);
-  loops.last = link_half_edges(grid.balls(), own, chain, loops.first, a);
+  loops.last = link_half_edges(balls, own, chain, loops.first, a);
   faces.first = loops.first + own.first;
-  faces.last = face_finder_.find(grid, boundary, own, loops, faces.first, caps,
+  faces.last = face_finder_.find(balls, sweep, boundary, own, loops, faces.first, caps,
                                  scratch.part(loops.first, most_loops_before(own.last)), a);
 }
 

@@ -32,6 +32,9 @@ class alignas(64) BoundaryWorker {
 
   // Vertices and circles of the share's balls, and which balls meet.
   void search(const CubeGrid &grid, uint8_t *ball_state);
+  // The same for the first balls of a set without a grid, the share's, that are at most 1.5 sides from a centre along
+  // each axis; no radius is larger than half a side.
+  void search(const BallSet &balls, const double (&centre)[3], double side, uint8_t *ball_state);
 
   const BallShare &share() const { return share_; }
   const FixedVector<VertexRecord> &vertices() const { return vertices_; }
@@ -43,11 +46,14 @@ class alignas(64) BoundaryWorker {
   // Joins what this worker found to be one component.
   void join_components(DisjointSets &components) const;
 
+  // sqrt(D) of vertices that are in their places.
+  static void find_root_discriminants(const BallSet &balls, uint32_t first, uint32_t last, BoundaryArrays &arrays);
   // Counts the half-edges on the share's balls, once all vertices and circles are in their places.
   void count(BoundaryArrays &arrays);
   // Chains the half-edges of the share's balls to loops and gathers these to faces, once all half-edges are in their
   // places. The numbers of loops and faces leave gaps behind those of the worker before.
-  void link(const CubeGrid &grid, const Boundary &boundary, Span<uint32_t> scratch, BoundaryArrays &arrays);
+  void link(const BallSet &balls, BlockSweep &sweep, const Boundary &boundary, Span<uint32_t> scratch,
+            BoundaryArrays &arrays);
   // Closes such gaps: in the records of loops and faces; in everything else that stores their numbers.
   void move_down(uint32_t loops_down, uint32_t faces_down, BoundaryArrays &arrays) const;
   void renumber(uint32_t loops_down, uint32_t faces_down, BoundaryArrays &arrays) const;
@@ -65,6 +71,8 @@ class alignas(64) BoundaryWorker {
 
  private:
   void cover(const CubeBlock &block);
+  void search_ball(const BallSet &balls, const CubeBlock &block, uint32_t i, bool in_lanes, DisjointSets &components,
+                   uint8_t *ball_state);
 
   BallShare share_;
   VertexFinder finder_;

@@ -114,10 +114,9 @@ void FaceFinder::join_loops(const BallSet &balls, BlockSweep &sweep, const Bound
   }
 }
 
-uint32_t FaceFinder::find(const CubeGrid &grid, const Boundary &boundary, BallRange range, IdRange loops,
-                          uint32_t first, Caps &caps, Span<uint32_t> scratch, BoundaryArrays &arrays) {
+uint32_t FaceFinder::find(const BallSet &balls, BlockSweep &sweep, const Boundary &boundary, BallRange range,
+                          IdRange loops, uint32_t first, Caps &caps, Span<uint32_t> scratch, BoundaryArrays &arrays) {
   uint32_t faces = first;
-  BlockSweep sweep(grid);
   for (uint32_t i = range.first; i < range.last; ++i) {
     const uint32_t first_face = arrays.first_face[i] = faces;
     const IdRange own{arrays.first_loop[i], i + 1 < range.last ? arrays.first_loop[i + 1] : loops.last};
@@ -129,8 +128,7 @@ uint32_t FaceFinder::find(const CubeGrid &grid, const Boundary &boundary, BallRa
     DisjointSets sets(scratch.part(0, own.size()));
     sets.reset();
     if (own.size() > 1) {
-      join_loops(grid.balls(), sweep, boundary, i, own.first, arrays.ball_state[i] / BoundaryArrays::one_cluster, caps,
-                 sets);
+      join_loops(balls, sweep, boundary, i, own.first, arrays.ball_state[i] / BoundaryArrays::one_cluster, caps, sets);
     }
     if (!number_faces(sets, i, own, faces, arrays)) {
       sort_loops_by_face(boundary, i, own, {first_face, faces}, scratch, arrays);

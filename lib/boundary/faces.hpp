@@ -20,9 +20,9 @@ class FaceFinder {
   // sorts them by face. Returns the number after the last face. Writes only what belongs to these balls. The caps of a
   // ball are gathered again, into `caps`, if it has several loops and its clusters were not counted: first those of its
   // loops, and all if these do not hang together. And so they are if only meridians show which loops belong together.
-  // `arrays` are those of the boundary; scratch [loops].
-  uint32_t find(const CubeGrid &grid, const Boundary &boundary, BallRange range, IdRange loops, uint32_t first,
-                Caps &caps, Span<uint32_t> scratch, BoundaryArrays &arrays);
+  // `sweep` is before these balls, `arrays` are those of the boundary; scratch [loops].
+  uint32_t find(const BallSet &balls, BlockSweep &sweep, const Boundary &boundary, BallRange range, IdRange loops,
+                uint32_t first, Caps &caps, Span<uint32_t> scratch, BoundaryArrays &arrays);
 
  private:
   void join_loops(const BallSet &balls, BlockSweep &sweep, const Boundary &boundary, uint32_t ball, uint32_t first_loop,

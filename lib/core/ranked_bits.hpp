@@ -20,6 +20,8 @@ class RankedBits {
     for (uint32_t w = 0; w < used_; ++w) words_[w] = 0;
   }
   void set(uint32_t k) { words_[k / 64] |= uint64_t{1} << k % 64; }
+  // Sets k, unless it is not to be: without a branch, where that cannot be predicted.
+  void set_if(uint32_t k, bool is_member) { words_[k / 64] |= uint64_t{is_member} << k % 64; }
   // To be called once all members are set.
   void count() {
     uint32_t sum = 0;

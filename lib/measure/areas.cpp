@@ -14,7 +14,7 @@ BallMeasure measure(const BallSet &balls, const Boundary &boundary, uint32_t i, 
   while (arcs.next()) surface.add(arcs.batch());
   BallMeasure result;
   result.area = radius * radius * surface.steradians(faces, loops);
-  result.volume = (radius * result.area + dot(offset_from_origin(balls, boundary, i), surface.vector_area())) / 3;
+  result.volume = volume_term(radius, result.area, offset_from_origin(balls, boundary, i), surface.vector_area());
   return result;
 }
 

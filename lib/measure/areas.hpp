@@ -53,6 +53,11 @@ inline Vec3 offset_from_origin(const BallSet &balls, const Boundary &boundary, u
   return {balls.x[i] - balls.x[origin], balls.y[i] - balls.y[origin], balls.z[i] - balls.z[origin]};
 }
 
+// One ball's term of the volume, from its radius, area and vector area.
+inline double volume_term(double radius, double area, const Vec3 &offset, const Vec3 &vector_area) {
+  return (radius * area + dot(offset, vector_area)) / 3;
+}
+
 // One ball's part, in lattice steps.
 struct BallMeasure {
   double area = 0.0;    // of its free faces

@@ -72,7 +72,7 @@ BallGradient gradient_of_ball(const BallSet &balls, const Boundary &boundary, co
   result.vector_area = surface.vector_area();
   result.measure.area = R * R * steradians;
   result.measure.volume =
-      (R * result.measure.area + dot(offset_from_origin(balls, boundary, k), result.vector_area)) / 3;
+      volume_term(R, result.measure.area, offset_from_origin(balls, boundary, k), result.vector_area);
   return result;
 }
 

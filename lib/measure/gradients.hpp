@@ -27,8 +27,13 @@ constexpr bool counts(Touching touching, TouchingBalls touching_balls) {
 struct AreaWeights {
   const double *weight = nullptr;  // in the caller's order; null for all ones
   TouchingBalls touching_balls = TouchingBalls::meet;
+  const uint32_t *owner = nullptr;  // null, or whose weight each ball of the caller's order has
 
-  double of(const BallSet &balls, uint32_t i) const { return weight == nullptr ? 1.0 : weight[balls.caller[i]]; }
+  double of(const BallSet &balls, uint32_t i) const {
+    if (weight == nullptr) return 1.0;
+    const uint32_t caller = balls.caller[i];
+    return weight[owner == nullptr ? caller : owner[caller]];
+  }
 };
 
 // Ball k's part, in lattice steps.

@@ -117,6 +117,16 @@ struct EnergyShare {
   double by_probe;  // in the caller's unit
 };
 
+// From sums of shares over all balls.
+inline Energy energy_of(const EnergyShare &sums, const exact::Lattice &lattice, double tension, double pressure) {
+  Energy energy;
+  energy.area = lattice.area(sums.area);
+  energy.volume = lattice.volume(sums.volume);
+  energy.value = tension * energy.area + pressure * energy.volume;
+  energy.by_probe = sums.by_probe;
+  return energy;
+}
+
 class EnergySum {
  public:
   void add(const EnergyShare &share) {
@@ -125,12 +135,7 @@ class EnergySum {
     by_probe_.add(share.by_probe);
   }
   Energy total(const exact::Lattice &lattice, double tension, double pressure) const {
-    Energy energy;
-    energy.area = lattice.area(area_.total());
-    energy.volume = lattice.volume(volume_.total());
-    energy.value = tension * energy.area + pressure * energy.volume;
-    energy.by_probe = by_probe_.total();
-    return energy;
+    return energy_of({area_.total(), volume_.total(), by_probe_.total()}, lattice, tension, pressure);
   }
 
  private:

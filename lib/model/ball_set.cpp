@@ -3,6 +3,27 @@
 #include <limits>
 
 namespace hsp {
+namespace {
+
+// The first coordinate that has no place on the lattice decides; the radius is finite.
+Status why_off_lattice(const exact::Lattice &lattice, const double *xyz) {
+  for (uint32_t axis = 0; axis < 3; ++axis) {
+    if (!is_finite(xyz[axis])) return Status::not_finite;
+    if (!(std::fabs(lattice.steps(xyz[axis])) <= exact::coordinate_limit)) return Status::range;
+  }
+  return Status::range;
+}
+
+}  // namespace
+
+Status round_ball(const exact::Lattice &lattice, int64_t probe_steps, const double *xyz, double radius, uint32_t i,
+                  exact::LatticeBall &ball) {
+  const double steps = lattice.steps(radius);
+  if (!lattice.round(xyz, ball.centre) || !(steps < exact::radius_limit)) return why_off_lattice(lattice, xyz);
+  ball.radius = nearest(steps) + probe_steps;
+  ball.index = i;
+  return static_cast<double>(ball.radius) < exact::radius_limit ? Status::ok : Status::range;
+}
 
 Status BallRounding::prepare(const BallInput &input, uint32_t &first_bad) {
   input_ = input;
@@ -52,24 +73,6 @@ Status BallRounding::prepare(const BallInput &input, uint32_t &first_bad) {
   probe_steps_ = nearest(probe);
   expected_radius_ = nearest(radius) + probe_steps_;
   return Status::ok;
-}
-
-Status BallRounding::round(uint32_t i, exact::LatticeBall &ball) const {
-  const double *const xyz = input_.xyz + 3 * static_cast<size_t>(i);
-  const double radius = lattice_.steps(input_.radius[i]);
-  if (!lattice_.round(xyz, ball.centre) || !(radius < exact::radius_limit)) return why_refused(xyz);
-  ball.radius = nearest(radius) + probe_steps_;
-  ball.index = i;
-  return static_cast<double>(ball.radius) < exact::radius_limit ? Status::ok : Status::range;
-}
-
-// The first coordinate that has no place on the lattice decides; the radius is finite.
-Status BallRounding::why_refused(const double *xyz) const {
-  for (uint32_t axis = 0; axis < 3; ++axis) {
-    if (!is_finite(xyz[axis])) return Status::not_finite;
-    if (!(std::fabs(lattice_.steps(xyz[axis])) <= exact::coordinate_limit)) return Status::range;
-  }
-  return Status::range;
 }
 
 }  // namespace hsp

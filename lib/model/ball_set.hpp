@@ -5,6 +5,7 @@
 #include "core/span.hpp"
 #include "core/status.hpp"
 #include "core/vec3.hpp"
+#include "core/workspace.hpp"
 #include "exact/lattice.hpp"
 #include "exact/lattice_ball.hpp"
 
@@ -20,6 +21,10 @@ struct BallInput {
   double largest_radius = 0.0;  // without probe; 0: of these balls
 };
 
+// Ball i on a lattice; Status::range or Status::not_finite if it has no place there. Its radius is finite and >= 0.
+Status round_ball(const exact::Lattice &lattice, int64_t probe_steps, const double *xyz, double radius, uint32_t i,
+                  exact::LatticeBall &ball);
+
 // Rounds balls of an input to their lattice one at a time, so that no second copy of the set is needed.
 class BallRounding {
  public:
@@ -33,7 +38,9 @@ class BallRounding {
     __builtin_prefetch(input_.radius + i);
   }
   // Ball i of the input on the lattice.
-  Status round(uint32_t i, exact::LatticeBall &ball) const;
+  Status round(uint32_t i, exact::LatticeBall &ball) const {
+    return round_ball(lattice_, probe_steps_, input_.xyz + 3 * static_cast<size_t>(i), input_.radius[i], i, ball);
+  }
 
   const exact::Lattice &lattice() const { return lattice_; }
   int64_t probe_steps() const { return probe_steps_; }
@@ -41,8 +48,6 @@ class BallRounding {
   int64_t expected_radius() const { return expected_radius_; }
 
  private:
-  Status why_refused(const double *xyz) const;
-
   BallInput input_;
   exact::Lattice lattice_;
   int64_t probe_steps_ = 0;
@@ -60,6 +65,19 @@ struct BallSet {
   exact::Lattice lattice;
   int64_t probe_steps = 0;
   int64_t largest_radius = 0;
+
+  // Room for so many balls.
+  void carve(Workspace &workspace, uint32_t capacity) {
+    // In one array, so that what is read behind the last ball of one coordinate is of the next.
+    const auto numbers = workspace.take<double>(4 * static_cast<uint64_t>(capacity) + read_behind);
+    if (!numbers.empty()) {
+      x = numbers.part(0, capacity);
+      y = numbers.part(capacity, 2 * capacity);
+      z = numbers.part(2 * capacity, 3 * capacity);
+      r = numbers.part(3 * capacity, 4 * capacity);
+    }
+    caller = workspace.take<uint32_t>(static_cast<uint64_t>(capacity) + read_behind);
+  }
 
   exact::LatticeBall ball(uint32_t i) const {
     return {{static_cast<int64_t>(x[i]), static_cast<int64_t>(y[i]), static_cast<int64_t>(z[i])},

@@ -16,15 +16,15 @@ bool before_row(const CubeCoordinates &cube, int64_t y, int64_t z) {
 
 const CubeBlock &BlockSweep::block_around(uint32_t cube) {
   if (cube == at_) return block_;
-  const CubeCoordinates &at = table_.coordinates(cube);
-  if (grid_.rows().is_there()) {
+  const CubeCoordinates &at = table_->coordinates(cube);
+  if (grid_->rows().is_there()) {
     at_ = cube;
-    block_ = grid_.block_around(at);
+    block_ = grid_->block_around(at);
     return block_;
   }
   const bool first_call = at_ == no_id;
   if (first_call) skip_to_rows(at);
-  const CubeCoordinates &last = table_.coordinates(first_call ? cube : at_);
+  const CubeCoordinates &last = table_->coordinates(first_call ? cube : at_);
   const bool same_row = !first_call && in_row(last, at.y, at.z);
   if (!same_row) begin_row(at);
   // From one cube to the next, a row loses and gains one cube at most: no branch is needed, and none could be
@@ -40,24 +40,26 @@ const CubeBlock &BlockSweep::block_around(uint32_t cube) {
       while (comes_before(row.first, row.end, at.x - 1) != 0) ++row.first;
       while (comes_before(row.last, row.end, at.x + 2) != 0) ++row.last;
     }
-    block_.range[block_.ranges] = grid_.balls_of(row.first, row.last);
+    block_.range[block_.ranges] = grid_->balls_of(row.first, row.last);
     block_.ranges += static_cast<uint32_t>(row.first != row.last);
   }
   return block_;
 }
 
 const CubeBlock &BlockSweep::block_around_ball(uint32_t ball) {
+  if (grid_ == nullptr) return block_;
   if (of_ball_ == no_id) {
-    of_ball_ = first_index(0, grid_.cubes(), [this, ball](uint32_t cube) { return grid_.balls_in(cube).last > ball; });
+    of_ball_ =
+        first_index(0, grid_->cubes(), [this, ball](uint32_t cube) { return grid_->balls_in(cube).last > ball; });
   }
-  while (grid_.balls_in(of_ball_).last <= ball) ++of_ball_;
+  while (grid_->balls_in(of_ball_).last <= ball) ++of_ball_;
   return block_around(of_ball_);
 }
 
 // 1 if the cube is one of the row and its x is smaller, else 0.
 uint32_t BlockSweep::comes_before(uint32_t cube, uint32_t end, int64_t x) const {
   const bool is_there = cube < end;
-  return static_cast<uint32_t>(is_there) & static_cast<uint32_t>(table_.coordinates(is_there ? cube : 0).x < x);
+  return static_cast<uint32_t>(is_there) & static_cast<uint32_t>(table_->coordinates(is_there ? cube : 0).x < x);
 }
 
 // As if the sweep had been just before the first cube that it is asked for.
@@ -66,7 +68,7 @@ void BlockSweep::skip_to_rows(const CubeCoordinates &at) {
   for (int64_t z = at.z - 1; z <= at.z + 1; ++z) {
     for (int64_t y = at.y - 1; y <= at.y + 1; ++y, ++row) {
       row->end =
-          first_index(0, table_.count(), [&](uint32_t cube) { return !before_row(table_.coordinates(cube), y, z); });
+          first_index(0, table_->count(), [&](uint32_t cube) { return !before_row(table_->coordinates(cube), y, z); });
     }
   }
 }
@@ -76,9 +78,9 @@ void BlockSweep::begin_row(const CubeCoordinates &at) {
   for (int64_t z = at.z - 1; z <= at.z + 1; ++z) {
     for (int64_t y = at.y - 1; y <= at.y + 1; ++y, ++row) {
       uint32_t cube = row->end;
-      while (cube < table_.count() && before_row(table_.coordinates(cube), y, z)) ++cube;
+      while (cube < table_->count() && before_row(table_->coordinates(cube), y, z)) ++cube;
       row->first = row->last = cube;
-      while (cube < table_.count() && in_row(table_.coordinates(cube), y, z)) ++cube;
+      while (cube < table_->count() && in_row(table_->coordinates(cube), y, z)) ++cube;
       row->end = cube;
     }
   }

@@ -10,7 +10,9 @@ namespace hsp {
 
 class BlockSweep {
  public:
-  explicit BlockSweep(const CubeGrid &grid) : grid_(grid), table_(grid.table()) {}
+  explicit BlockSweep(const CubeGrid &grid) : grid_(&grid), table_(&grid.table()) {}
+  // No grid: one block is around all balls.
+  explicit BlockSweep(const CubeBlock &everything) : block_(everything) {}
 
   // The same as grid.block_around() of the cube's coordinates. Cubes must not descend from call to call, and may be
   // left out.
@@ -29,8 +31,8 @@ class BlockSweep {
   void skip_to_rows(const CubeCoordinates &at);
   void begin_row(const CubeCoordinates &at);
 
-  const CubeGrid &grid_;
-  const CubeTable &table_;
+  const CubeGrid *grid_ = nullptr;
+  const CubeTable *table_ = nullptr;
   Row row_[9];
   CubeBlock block_;
   uint32_t at_ = no_id;  // the cube that it is around

@@ -23,15 +23,7 @@ void CubeGrid::carve(Workspace &workspace, uint32_t n) {
   table_ = CubeTable(slots, cubes);
   first_ball_ = workspace.take<uint32_t>(static_cast<uint64_t>(n) + 1);
   grid_index_ = workspace.take<uint32_t>(n);
-  // In one array, so that what is read behind the last ball of one coordinate is of the next.
-  const auto numbers = workspace.take<double>(4 * static_cast<uint64_t>(n) + BallSet::read_behind);
-  if (!numbers.empty()) {
-    balls_.x = numbers.part(0, n);
-    balls_.y = numbers.part(n, 2 * n);
-    balls_.z = numbers.part(2 * n, 3 * n);
-    balls_.r = numbers.part(3 * n, 4 * n);
-  }
-  balls_.caller = workspace.take<uint32_t>(static_cast<uint64_t>(n) + BallSet::read_behind);
+  balls_.carve(workspace, n);
   scratch_slots_ = workspace.take<uint32_t>(CubeTable::slots_for(n));
   scratch_links_ = workspace.take<uint32_t>(n);
 }

@@ -1,14 +1,14 @@
 // The balls of the cubes around one cube, copied side by side as floats relative to that cube's centre, for all balls
 // of the cube: what is certainly too far from one of them is left out eight at a time (candidate_block_avx2.cpp).
 //
-// No ball that meets another one is left out. With s the side of the cubes and e = 2^-24, coordinates are at most
-// 1.5 s, those of the cube's own balls at most s / 2, and both are rounded once. Let ball j meet ball i: their distance
-// d and the sum t of their radii satisfy d <= t <= s. Each difference has an error of at most
-// 1.5 s e + 0.5 s e + s e = 3 s e, so that the square of the distance has one of 2 d sqrt(3) 3 s e < 10.4 s^2 e. Both
-// radii and their sum are rounded: t has a relative error of 2e, its square one of 4 s^2 e. Partial sums of
-// dz^2 - t^2 + dy^2 + dx^2 lie between - s^2 and s^2, and there are four roundings: 4 s^2 e. Terms in e^2 are far below
-// the rest of 32 s^2 e = 2^-19 s^2, the margin below which d^2 - t^2 is taken for negative. All numbers are integers
-// below 2^33 in size, so nothing over- or underflows.
+// No ball that meets another one is left out. With s the side of the cubes and e = 2^-24, let ball j meet ball i: their
+// distance d and the sum t of their radii satisfy d <= t <= s. Coordinates are those of the cube's own balls, at most
+// s / 2, or of any balls, at most 1.5 s from a common centre; and those of balls that they meet, at most s more. Both
+// are rounded once, so that each difference has an error of at most 2.5 s e + 1.5 s e + s e = 5 s e, and the square of
+// the distance one of 2 d sqrt(3) 5 s e < 17.4 s^2 e. Both radii and their sum are rounded: t has a relative error of
+// 2e, its square one of 4 s^2 e. Partial sums of dz^2 - t^2 + dy^2 + dx^2 lie between - s^2 and s^2, and there are four
+// roundings: 4 s^2 e. Terms in e^2 are far below the rest of 32 s^2 e = 2^-19 s^2, the margin below which d^2 - t^2 is
+// taken for negative. All numbers are below 2^36 in size, so nothing over- or underflows.
 #pragma once
 
 #include "sphere/near_balls.hpp"

@@ -68,22 +68,26 @@ void LaneSearch::carve(Workspace &workspace, uint32_t neighbours, Span<uint32_t>
 
 bool LaneSearch::start_cube(const CubeGrid &grid, uint32_t cube, const CubeBlock &block) {
   if (!enabled) return false;
-  uint32_t total = 0;
-  for (uint32_t k = 0; k < block.ranges; ++k) total += block.range[k].last - block.range[k].first;
-  if (total > candidates_.room) return false;
   const CubeCoordinates &at = grid.table().coordinates(cube);
   const auto middle = [&grid](int64_t c) { return static_cast<double>(c * grid.side() + grid.side() / 2); };
   const double centre[3] = {middle(at.x), middle(at.y), middle(at.z)};
-  const double side = static_cast<double>(grid.side());
+  return start_block(grid.balls(), block, grid.balls_in(cube).first, centre, static_cast<double>(grid.side()));
+}
+
+bool LaneSearch::start_block(const BallSet &balls, const CubeBlock &block, uint32_t first_own,
+                             const double (&centre)[3], double side) {
+  if (!enabled) return false;
+  uint32_t total = 0;
+  for (uint32_t k = 0; k < block.ranges; ++k) total += block.range[k].last - block.range[k].first;
+  if (total > candidates_.room) return false;
   candidates_.margin = static_cast<float>(side * side * CandidateBlock::margin_of_squared_side);
   candidates_.count = 0;
-  const BallRange own = grid.balls_in(cube);
-  first_own_ = own.first;
-  const BallArrays balls = arrays_of(grid.balls());
+  first_own_ = first_own;
+  const BallArrays arrays = arrays_of(balls);
   for (uint32_t k = 0; k < block.ranges; ++k) {
     const BallRange range = block.range[k];
-    if (range.first <= own.first && own.first < range.last) own_place_ = candidates_.count + (own.first - range.first);
-    add_candidates(candidates_, balls, range.first, range.last, centre);
+    if (range.first <= first_own && first_own < range.last) own_place_ = candidates_.count + (first_own - range.first);
+    add_candidates(candidates_, arrays, range.first, range.last, centre);
   }
   end_candidates(candidates_);
   return true;

@@ -22,6 +22,10 @@ class LaneSearch {
 
   // For the balls of one cube, whose block of cubes is given. False if they are to be searched otherwise.
   bool start_cube(const CubeGrid &grid, uint32_t cube, const CubeBlock &block);
+  // The same for balls from `first_own` on that are at most 1.5 sides from a centre along each axis, and whose
+  // neighbours lie in the block.
+  bool start_block(const BallSet &balls, const CubeBlock &block, uint32_t first_own, const double (&centre)[3],
+                   double side);
   // The caps of ball i of that cube: their balls, and floats. False if that is left to Caps::gather.
   bool gather(const BallSet &balls, uint32_t i, Caps &caps, DisjointSets *components);
   // After gather: as VertexFinder::find. Returns the number of clusters of the caps, 0 if they were not counted.
@@ -56,6 +60,7 @@ class LaneSearch {
   static constexpr bool enabled = false;
   void carve(Workspace &, uint32_t, Span<uint32_t>) {}
   bool start_cube(const CubeGrid &, uint32_t, const CubeBlock &) { return false; }
+  bool start_block(const BallSet &, const CubeBlock &, uint32_t, const double (&)[3], double) { return false; }
   bool gather(const BallSet &, uint32_t, Caps &, DisjointSets *) { return false; }
   uint32_t find(const BallSet &, Caps &, VertexFinder &, FixedVector<VertexRecord> &, FixedVector<CircleRecord> &) {
     return 0;

@@ -1,0 +1,35 @@
+// What lies on some balls of a set alone: their half-edges, loops and faces, as class Boundary shows them. The balls
+// are the first of the set, and those that meet them are behind them; so each of their vertices is found at one of
+// them. Ball by ball there is the same as in the boundary of the whole, whatever the ids are. Nothing is known of the
+// others, of shells and components.
+#pragma once
+
+#include "boundary/boundary_worker.hpp"
+
+namespace hsp {
+
+class BoundaryPart {
+ public:
+  // limits: balls of the set, neighbours, and what lies on the balls asked for.
+  void carve(Workspace &workspace, const BoundaryLimits &limits);
+
+  // For the first `own` balls, at most 1.5 sides from a centre along each axis; no radius is larger than half a side.
+  // Status::capacity if a limit is too small: needed() then reports what suffices.
+  Status build(const BallSet &balls, uint32_t own, const double (&centre)[3], double side);
+  const BoundaryLimits &needed() const { return needed_; }
+
+  // Twins, shells and numbers of components are not there. The origin of a component is any ball of it.
+  const Boundary &boundary() const { return boundary_; }
+  // For any ball of the set one of its component, or itself. Joining all of them joins what own balls meet.
+  uint32_t joined(uint32_t ball) const { return boundary_.component_origin(ball); }
+
+ private:
+  BoundaryArrays &arrays() { return boundary_.a_; }
+
+  BoundaryLimits limits_, needed_;
+  Boundary boundary_;
+  Span<BoundaryWorker> worker_;  // one, where its alignment is seen to
+  Span<uint32_t> scratch_;
+};
+
+}  // namespace hsp
