@@ -37,6 +37,11 @@ set(HSP_LIBRARY_SOURCES
   lib/cells/power_polytope.cpp
   lib/cells/power_predicates.cpp
   lib/cells/side_facets.cpp
+  lib/paths/cell_crossing.cpp
+  lib/paths/cell_search.cpp
+  lib/paths/free_segments.cpp
+  lib/paths/path_finder.cpp
+  lib/paths/widest_probe.cpp
   lib/sphere/arc_geometry.cpp
   lib/sphere/cap_clusters.cpp
   lib/sphere/candidate_block_avx2.cpp
@@ -51,6 +56,7 @@ set(HSP_LIBRARY_SOURCES
   lib/sphere/vertex_finder.cpp
   lib/boundary/boundary_builder.cpp
   lib/boundary/boundary_check.cpp
+  lib/boundary/boundary_part.cpp
   lib/boundary/boundary_worker.cpp
   lib/boundary/components.cpp
   lib/boundary/faces.cpp
@@ -75,9 +81,18 @@ set(HSP_LIBRARY_SOURCES
   lib/measure/positions.cpp
   lib/measure/shell_volumes.cpp
   lib/measure/tangency.cpp
+  lib/updates/ball_cells.cpp
+  lib/updates/component_update.cpp
+  lib/updates/moving_balls.cpp
   lib/contacts/chord_clipper.cpp
   lib/contacts/contacts_builder.cpp
   lib/contacts/contacts_check.cpp
+  lib/periodic/periodic_box.cpp
+  lib/periodic/periodic_check.cpp
+  lib/periodic/periodic_images.cpp
+  lib/periodic/periodic_measures.cpp
+  lib/periodic/periodic_union.cpp
+  lib/periodic/windings.cpp
   lib/surface/concave_patches.cpp
   lib/surface/covered_gaps.cpp
   lib/surface/cusped_circles.cpp
@@ -150,6 +165,7 @@ set(HSP_LIBRARY_SOURCES
   lib/sticks/drawing_order.cpp
   lib/sticks/region_arcs.cpp
   lib/sticks/region_builder.cpp
+  lib/sticks/region_faces.cpp
   lib/sticks/region_linker.cpp
   lib/sticks/region_loops.cpp
   lib/sticks/region_outlines.cpp
@@ -176,6 +192,7 @@ set(HSP_LIBRARY_SOURCES
   capi/hsp_gradient.cpp
   capi/hsp_curvature.cpp
   capi/hsp_contacts.cpp
+  capi/hsp_periodic.cpp
   capi/hsp_surface.cpp
   capi/hsp_surface_records.cpp
   capi/hsp_map.cpp
@@ -185,10 +202,12 @@ set(HSP_LIBRARY_SOURCES
   capi/hsp_topology_records.cpp
   capi/hsp_topology_cells.cpp
   capi/hsp_cells.cpp
+  capi/hsp_paths.cpp
   capi/hsp_view.cpp
   capi/hsp_view_records.cpp
   capi/hsp_picture.cpp
-  capi/hsp_sticks.cpp)
+  capi/hsp_sticks.cpp
+  capi/hsp_sticks_map.cpp)
 list(TRANSFORM HSP_LIBRARY_SOURCES PREPEND ${PROJECT_SOURCE_DIR}/)
 # In the cache, so that projects that carry this one as a subdirectory can call the function below, too.
 set(HSP_LIBRARY_SOURCES ${HSP_LIBRARY_SOURCES} CACHE INTERNAL "The sources of the library")

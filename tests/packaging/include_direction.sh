@@ -7,14 +7,14 @@ cd "$1"
 readme=lib/README.md
 
 # What each room stands on. It may include itself, these rooms, and what these stand on. Two wings stand over the
-# boundary: topology, measure, contacts and surface know nothing of view, visibility, sticks and picture, nor these of them. Cells
-# of free space and poses need no boundary.
-rooms="core exact model cells poses sphere boundary topology measure contacts surface mesh"
+# boundary: topology, measure, contacts, periodic and surface know nothing of view, visibility, sticks and picture, nor
+# these of them. Cells of free space, paths through them and poses need no boundary.
+rooms="core exact model cells paths poses sphere boundary topology measure updates contacts periodic surface mesh"
 rooms+=" view visibility sticks picture capi"
-declare -A stands_on=([core]="" [exact]="core" [model]="exact" [cells]="model" [poses]="model" [sphere]="model"
-  [boundary]="sphere" [topology]="boundary" [measure]="topology" [contacts]="measure" [surface]="measure" [mesh]="surface"
+declare -A stands_on=([core]="" [exact]="core" [model]="exact" [cells]="model" [paths]="cells" [poses]="model" [sphere]="model"
+  [boundary]="sphere" [topology]="boundary" [measure]="topology" [updates]="measure" [contacts]="measure" [periodic]="contacts" [surface]="measure" [mesh]="surface"
   [view]="boundary" [visibility]="view" [sticks]="visibility" [picture]="view"
-  [capi]="cells poses contacts mesh visibility sticks picture")
+  [capi]="paths poses periodic mesh visibility sticks picture")
 failed=0
 
 complain() {
