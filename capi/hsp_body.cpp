@@ -10,14 +10,31 @@ int32_t make_pose(const hsp_body *fixed, const hsp_body *moving, const hsp_pose 
   return hsp::capi::to_c(hsp::make_pose(fixed->tree, moving->tree, numbers.quaternion, numbers.translation, pose));
 }
 
+int32_t make_pose(const hsp_body *fixed, const hsp_body *moving, const hsp_rational_pose &numbers,
+                  hsp::RationalPose &pose) {
+  return hsp::capi::to_c(hsp::make_pose(fixed->tree, moving->tree, numbers.quaternion, numbers.translation, pose));
+}
+
+// What the numbers of a pose make.
+template <class Numbers>
+struct PoseOf;
+template <>
+struct PoseOf<hsp_pose> {
+  using type = hsp::Pose;
+};
+template <>
+struct PoseOf<hsp_rational_pose> {
+  using type = hsp::RationalPose;
+};
+
 // Checks all poses before anything is written, then calls answer(k, pose) for each.
-template <class Answer>
-int32_t for_each_pose(const hsp_body *fixed, const hsp_body *moving, uint32_t poses, const hsp_pose *numbers,
+template <class Numbers, class Answer>
+int32_t for_each_pose(const hsp_body *fixed, const hsp_body *moving, uint32_t poses, const Numbers *numbers,
                       const void *out, uint32_t *first_bad, Answer answer) {
   if (first_bad != nullptr) *first_bad = HSP_NONE;
   if (!is_live(fixed) || !is_live(moving) || (poses > 0 && (numbers == nullptr || out == nullptr)))
     return HSP_E_ARGUMENT;
-  hsp::Pose pose;
+  typename PoseOf<Numbers>::type pose;
   for (uint32_t k = 0; k < poses; ++k) {
     const int32_t status = make_pose(fixed, moving, numbers[k], pose);
     if (status == HSP_OK) continue;
@@ -28,6 +45,42 @@ int32_t for_each_pose(const hsp_body *fixed, const hsp_body *moving, uint32_t po
     static_cast<void>(make_pose(fixed, moving, numbers[k], pose));
     answer(k, pose);
   }
+  return HSP_OK;
+}
+
+template <class Numbers>
+int32_t find_hits(const hsp_body *fixed, const hsp_body *moving, uint32_t poses, const Numbers *pose, uint32_t *hit,
+                  uint32_t *first_bad) {
+  hsp::PairPlace witness;
+  return for_each_pose(fixed, moving, poses, pose, hit, first_bad, [&](uint32_t k, const auto &at) {
+    hit[k] = hsp::any_balls_meet(fixed->tree, moving->tree, at, witness) ? 1 : 0;
+  });
+}
+
+template <class Numbers>
+int32_t find_gaps(const hsp_body *fixed, const hsp_body *moving, uint32_t poses, const Numbers *pose, hsp_body_gap *gap,
+                  uint32_t *first_bad) {
+  hsp::PairPlace witness;
+  return for_each_pose(fixed, moving, poses, pose, gap, first_bad, [&](uint32_t k, const auto &at) {
+    const hsp::PairGap found = hsp::least_gap(fixed->tree, moving->tree, at, witness);
+    gap[k] = {fixed->tree.lattice().length(found.gap), found.fixed, found.moving};
+  });
+}
+
+template <class Numbers>
+int32_t list_pairs(const hsp_body *fixed, const hsp_body *moving, const Numbers *pose, uint32_t *pair,
+                   uint32_t capacity, uint32_t *needed) {
+  if (!is_live(fixed) || !is_live(moving) || pose == nullptr || needed == nullptr ||
+      (pair == nullptr && capacity > 0)) {
+    return HSP_E_ARGUMENT;
+  }
+  typename PoseOf<Numbers>::type at;
+  if (const int32_t status = make_pose(fixed, moving, *pose, at); status != HSP_OK) return status;
+  const uint32_t count = hsp::clamped_count(hsp::list_meeting_pairs(fixed->tree, moving->tree, at, {}));
+  if (count == hsp::no_id) return HSP_E_RANGE;
+  const int32_t status = hsp::capi::check_output(pair, capacity, count, needed);
+  if (status != HSP_OK) return status;
+  hsp::list_meeting_pairs(fixed->tree, moving->tree, at, {reinterpret_cast<hsp::MeetingPair *>(pair), count});
   return HSP_OK;
 }
 
@@ -67,19 +120,22 @@ int32_t hsp_pose_from_matrix(const double *matrix, const double *translation, hs
 
 int32_t hsp_body_hits(const hsp_body *fixed, const hsp_body *moving, uint32_t poses, const hsp_pose *pose,
                       uint32_t *hit, uint32_t *first_bad) {
-  hsp::PairPlace witness;
-  return for_each_pose(fixed, moving, poses, pose, hit, first_bad, [&](uint32_t k, const hsp::Pose &at) {
-    hit[k] = hsp::any_balls_meet(fixed->tree, moving->tree, at, witness) ? 1 : 0;
-  });
+  return find_hits(fixed, moving, poses, pose, hit, first_bad);
+}
+
+int32_t hsp_body_rational_hits(const hsp_body *fixed, const hsp_body *moving, uint32_t poses,
+                               const hsp_rational_pose *pose, uint32_t *hit, uint32_t *first_bad) {
+  return find_hits(fixed, moving, poses, pose, hit, first_bad);
 }
 
 int32_t hsp_body_gaps(const hsp_body *fixed, const hsp_body *moving, uint32_t poses, const hsp_pose *pose,
                       hsp_body_gap *gap, uint32_t *first_bad) {
-  hsp::PairPlace witness;
-  return for_each_pose(fixed, moving, poses, pose, gap, first_bad, [&](uint32_t k, const hsp::Pose &at) {
-    const hsp::PairGap found = hsp::least_gap(fixed->tree, moving->tree, at, witness);
-    gap[k] = {fixed->tree.lattice().length(found.gap), found.fixed, found.moving};
-  });
+  return find_gaps(fixed, moving, poses, pose, gap, first_bad);
+}
+
+int32_t hsp_body_rational_gaps(const hsp_body *fixed, const hsp_body *moving, uint32_t poses,
+                               const hsp_rational_pose *pose, hsp_body_gap *gap, uint32_t *first_bad) {
+  return find_gaps(fixed, moving, poses, pose, gap, first_bad);
 }
 
 int32_t hsp_body_overlaps(const hsp_body *fixed, const hsp_body *moving, uint32_t poses, const hsp_pose *pose,
@@ -92,16 +148,10 @@ int32_t hsp_body_overlaps(const hsp_body *fixed, const hsp_body *moving, uint32_
 
 int32_t hsp_body_pairs(const hsp_body *fixed, const hsp_body *moving, const hsp_pose *pose, uint32_t *pair,
                        uint32_t capacity, uint32_t *needed) {
-  if (!is_live(fixed) || !is_live(moving) || pose == nullptr || needed == nullptr ||
-      (pair == nullptr && capacity > 0)) {
-    return HSP_E_ARGUMENT;
-  }
-  hsp::Pose at;
-  if (const int32_t status = make_pose(fixed, moving, *pose, at); status != HSP_OK) return status;
-  const uint32_t count = hsp::clamped_count(hsp::list_meeting_pairs(fixed->tree, moving->tree, at, {}));
-  if (count == hsp::no_id) return HSP_E_RANGE;
-  const int32_t status = hsp::capi::check_output(pair, capacity, count, needed);
-  if (status != HSP_OK) return status;
-  hsp::list_meeting_pairs(fixed->tree, moving->tree, at, {reinterpret_cast<hsp::MeetingPair *>(pair), count});
-  return HSP_OK;
+  return list_pairs(fixed, moving, pose, pair, capacity, needed);
+}
+
+int32_t hsp_body_rational_pairs(const hsp_body *fixed, const hsp_body *moving, const hsp_rational_pose *pose,
+                                uint32_t *pair, uint32_t capacity, uint32_t *needed) {
+  return list_pairs(fixed, moving, pose, pair, capacity, needed);
 }

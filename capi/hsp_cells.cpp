@@ -4,6 +4,7 @@
 
 #include "cells/arrangement.hpp"
 #include "cells/cell_location.hpp"
+#include "cells_limits.hpp"
 #include "conversion.hpp"
 #include "handle_memory.hpp"
 #include "hsp_topology.hpp"
@@ -35,18 +36,13 @@ static_assert(number_of(FreeSpaceInvariant::facets) == 5 && number_of(FreeSpaceI
 int32_t from_c(const hsp_cells_limits *given, hsp::FreeSpaceLimits &result) {
   hsp_cells_limits limits;
   if (!hsp::capi::read_struct(given, {}, limits)) return HSP_E_ARGUMENT;
-  if (limits.cubes > HSP_MAX_BALLS || limits.entries > HSP_MAX_BALLS || limits.cells > HSP_MAX_BALLS ||
-      limits.adjacencies > HSP_MAX_BALLS || limits.landmarks > HSP_MAX_BALLS || limits.facets > HSP_MAX_BALLS ||
-      limits.corners > HSP_MAX_BALLS || limits.cube_balls > HSP_MAX_BALLS || limits.cube_corners > HSP_MAX_BALLS)
-    return HSP_E_RANGE;
-  result = {limits.cubes,  limits.entries, limits.cells,      limits.adjacencies, limits.landmarks,
-            limits.facets, limits.corners, limits.cube_balls, limits.cube_corners};
-  return HSP_OK;
+  return hsp::capi::get_cells_limits(limits, result);
 }
 
 hsp_cells_limits to_c(const hsp::FreeSpaceLimits &limits) {
-  return {sizeof(hsp_cells_limits), limits.cubes,  limits.entries, limits.cells,      limits.adjacencies,
-          limits.landmarks,         limits.facets, limits.corners, limits.cube_balls, limits.cube_corners};
+  hsp_cells_limits result{};
+  hsp::capi::put_cells_limits(limits, result);
+  return result;
 }
 
 // The corner of cubes as a length.

@@ -1,37 +1,16 @@
+#include "gradient_arrays.hpp"
 #include "hsp_boundary.hpp"
 #include "measure/tangency.hpp"
 #include "measure/totals.hpp"
 
 using hsp::capi::check_weights;
+using hsp::capi::GradientArrays;
 using hsp::capi::is_live;
+using hsp::capi::is_tangency;
 using hsp::capi::put_vector;
+using hsp::capi::to_touching_balls;
 
 namespace {
-
-bool is_tangency(uint32_t tangency) {
-  return tangency == HSP_TANGENT_OVERLAP || tangency == HSP_TANGENT_DISJOINT;
-}
-hsp::TouchingBalls to_touching_balls(uint32_t tangency) {
-  return tangency == HSP_TANGENT_OVERLAP ? hsp::TouchingBalls::meet : hsp::TouchingBalls::apart;
-}
-
-static_assert(hsp::one_sided_flag == HSP_GRADIENT_ONE_SIDED);
-
-// Where gradients go; each may be null.
-struct GradientArrays {
-  double *d_centre, *d_radius;
-  uint32_t *flags;
-
-  void put(uint32_t i, const hsp::EnergyGradient &gradient) const {
-    put_vector(gradient.centre, d_centre, i);
-    if (d_radius != nullptr) d_radius[i] = gradient.radius;
-    if (flags != nullptr) flags[i] = gradient.one_sided ? HSP_GRADIENT_ONE_SIDED : 0;
-  }
-};
-
-hsp_energy to_c(const hsp::Energy &energy) {
-  return {energy.value, energy.area, energy.volume, energy.by_probe};
-}
 
 // The boundary holds nothing of balls inside others, nor of what they touch.
 void flag_inner_contacts(const hsp::CubeGrid &grid, const hsp::Boundary &boundary, uint32_t *flags) {
@@ -62,7 +41,7 @@ int32_t hsp_boundary_gradient(const hsp_boundary *boundary, const double *sigma,
   const hsp::Energy found = hsp::differentiate_energy(
       grid, structure, terms, [&](uint32_t i, const hsp::EnergyGradient &gradient) { arrays.put(i, gradient); });
   if (flags != nullptr) flag_inner_contacts(grid, structure, flags);
-  if (energy != nullptr) *energy = to_c(found);
+  if (energy != nullptr) *energy = hsp::capi::to_c(found);
   return HSP_OK;
 }
 
@@ -102,7 +81,7 @@ int32_t hsp_boundary_gradient_end(const hsp_boundary *boundary, double tension, 
     const double *own = shares + 3 * static_cast<size_t>(i);
     sum.add({own[0], own[1], own[2]});
   }
-  *energy = to_c(sum.total(grid.balls().lattice, tension, pressure));
+  *energy = hsp::capi::to_c(sum.total(grid.balls().lattice, tension, pressure));
   return HSP_OK;
 }
 

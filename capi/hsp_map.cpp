@@ -1,6 +1,7 @@
 #include "hsp_map.hpp"
 
 #include "view_options.hpp"
+#include "visibility/face_nesting.hpp"
 #include "visibility/face_pole.hpp"
 #include "visibility/map_check.hpp"
 #include "visibility/map_queries.hpp"

@@ -1,23 +1,8 @@
 #include "hsp_model.hpp"
 #include "model/packing_statistics.hpp"
+#include "model_options.hpp"
 
 using hsp::capi::is_live;
-
-namespace {
-
-constexpr hsp_model_options default_model_options = {sizeof(hsp_model_options), 0, 0.0, 0.0, 0.0};
-
-}  // namespace
-
-namespace hsp::capi {
-
-// It ended with `step` in version 0.1.
-template <>
-constexpr bool is_earlier_size<hsp_model_options>(uint32_t size) {
-  return size == 24;
-}
-
-}  // namespace hsp::capi
 
 int32_t hsp_model_bytes(uint32_t balls, size_t *bytes) {
   if (bytes == nullptr) return HSP_E_ARGUMENT;
@@ -35,7 +20,7 @@ int32_t hsp_model_init(void *memory, size_t bytes, uint32_t balls, hsp_model **m
 }
 
 int32_t hsp_model_options_init(hsp_model_options *options, uint32_t struct_size) {
-  return hsp::capi::write_struct(default_model_options, options, struct_size) ? HSP_OK : HSP_E_ARGUMENT;
+  return hsp::capi::write_struct(hsp::capi::default_model_options(), options, struct_size) ? HSP_OK : HSP_E_ARGUMENT;
 }
 
 int32_t hsp_model_set(hsp_model *model, uint32_t n, const double *xyz, const double *radius,
@@ -50,20 +35,8 @@ int32_t hsp_model_set(hsp_model *model, uint32_t n, const double *xyz, const dou
     bad = HSP_NONE;
     return status;
   };
-  if (n > 0 && (xyz == nullptr || radius == nullptr)) return refuse(HSP_E_ARGUMENT);
-  if (options != nullptr) {
-    hsp_model_options wanted;
-    if (!hsp::capi::read_struct(options, default_model_options, wanted) || wanted.reserved != 0) {
-      return refuse(HSP_E_ARGUMENT);
-    }
-    input.probe = wanted.probe;
-    input.step = wanted.step;
-    input.largest_radius = wanted.largest_radius;
-  }
+  if (!hsp::capi::get_input(n, xyz, radius, options, input)) return refuse(HSP_E_ARGUMENT);
   if (n > model->grid.capacity()) return refuse(HSP_E_CAPACITY);
-  input.n = n;
-  input.xyz = xyz;
-  input.radius = radius;
   return hsp::capi::to_c(model->grid.build(input, bad));
 }
 

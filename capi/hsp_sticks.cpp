@@ -41,6 +41,40 @@ bool are_valid(const hsp_stick *stick, uint32_t count) {
   return true;
 }
 
+// The sticks of one call, and whether a map is wanted also where there is an order.
+struct Given {
+  const hsp_stick *stick;
+  uint32_t count;
+  double radius;
+  bool as_map;
+};
+
+int32_t compute(hsp_sticks *sticks, const hsp_model *model, const hsp_view_options *options, const Given &given,
+                hsp_sticks_conflict *conflict, hsp_sticks_limits *limits) {
+  if (!is_live(sticks)) return HSP_E_ARGUMENT;
+  sticks->complete = false;
+  hsp_view_options wanted;
+  if (!is_live(model) || !hsp::capi::may_write(limits) || !hsp::capi::read_view_options(options, wanted) ||
+      !are_valid(given.stick, given.count)) {
+    return HSP_E_ARGUMENT;
+  }
+  if (!hsp::is_finite(given.radius)) return HSP_E_NOT_FINITE;
+  if (given.radius < 0.0) return HSP_E_NEGATIVE;
+  if (given.radius == 0.0) return HSP_E_RANGE;
+  const hsp::Status status =
+      sticks->builder.build(model->balls(), hsp::capi::direction_of(wanted), given.count,
+                            model->balls().lattice.steps(given.radius), given.as_map, [&given](uint32_t k) {
+                              const hsp_stick &stick = given.stick[k];
+                              return hsp::StickEnds{stick.ball[0], stick.ball[1], (stick.flags & HSP_STICK_WHOLE) != 0};
+                            });
+  sticks->model.set(model);
+  if (conflict != nullptr && (status == hsp::Status::ok || status == hsp::Status::conflict)) {
+    const hsp::StickViolation &violation = sticks->builder.violation();
+    *conflict = {static_cast<uint32_t>(violation.conflict), violation.first, violation.second, 0};
+  }
+  return hsp::capi::finish<to_c>(*sticks, status, limits);
+}
+
 }  // namespace
 
 int32_t hsp_sticks_limits_init(hsp_sticks_limits *limits, uint32_t struct_size, uint32_t balls) {
@@ -64,27 +98,13 @@ int32_t hsp_sticks_init(void *memory, size_t bytes, const hsp_sticks_limits *lim
 int32_t hsp_sticks_compute(hsp_sticks *sticks, const hsp_model *model, const hsp_view_options *options,
                            const hsp_stick *stick, uint32_t count, double radius, hsp_sticks_conflict *conflict,
                            hsp_sticks_limits *limits) {
-  if (!is_live(sticks)) return HSP_E_ARGUMENT;
-  sticks->complete = false;
-  hsp_view_options wanted;
-  if (!is_live(model) || !hsp::capi::may_write(limits) || !hsp::capi::read_view_options(options, wanted) ||
-      !are_valid(stick, count)) {
-    return HSP_E_ARGUMENT;
-  }
-  if (!hsp::is_finite(radius)) return HSP_E_NOT_FINITE;
-  if (radius < 0.0) return HSP_E_NEGATIVE;
-  if (radius == 0.0) return HSP_E_RANGE;
-  const hsp::Status status = sticks->builder.build(
-      model->balls(), hsp::capi::direction_of(wanted), count, model->balls().lattice.steps(radius),
-      [stick](uint32_t k) {
-        return hsp::StickEnds{stick[k].ball[0], stick[k].ball[1], (stick[k].flags & HSP_STICK_WHOLE) != 0};
-      });
-  sticks->model.set(model);
-  if (conflict != nullptr && (status == hsp::Status::ok || status == hsp::Status::conflict)) {
-    const hsp::StickViolation &violation = sticks->builder.violation();
-    *conflict = {static_cast<uint32_t>(violation.conflict), violation.first, violation.second, 0};
-  }
-  return hsp::capi::finish<to_c>(*sticks, status, limits);
+  return compute(sticks, model, options, {stick, count, radius, false}, conflict, limits);
+}
+
+int32_t hsp_sticks_compute_map(hsp_sticks *sticks, const hsp_model *model, const hsp_view_options *options,
+                               const hsp_stick *stick, uint32_t count, double radius, hsp_sticks_conflict *conflict,
+                               hsp_sticks_limits *limits) {
+  return compute(sticks, model, options, {stick, count, radius, true}, conflict, limits);
 }
 
 int32_t hsp_sticks_get_info(const hsp_sticks *sticks, hsp_sticks_info *info) {

@@ -16,5 +16,16 @@ struct hsp_sticks {
   // Whether results may be read: computed, and the model unchanged since.
   bool has_results() const { return complete && model.is_unchanged(); }
   const hsp::StickView &structure() const { return builder.structure(); }
+  const hsp::StickRegions &regions() const { return builder.regions(); }
   const hsp::BallSet &balls() const { return model->balls(); }
+  // Balls, and two halves of each stick.
+  uint32_t bodies() const { return balls().n + 2 * structure().sticks.size(); }
+  // The caller's number of a ball or half of a stick.
+  uint32_t caller(uint32_t body) const {
+    const uint32_t n = balls().n;
+    if (body == hsp::no_id) return HSP_NONE;
+    if (body < n) return balls().caller[body];
+    const hsp::Stick &stick = structure().sticks[(body - n) / 2];
+    return n + 2 * stick.caller + stick.half_of((body - n) % 2);
+  }
 };

@@ -2,6 +2,7 @@
 // the lattice, against brute force; no effect of the order of the balls; poses that are refused.
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <utility>
 #include <vector>
@@ -64,6 +65,36 @@ Answers answers_to(const hsp_body *fixed, const hsp_body *moving, const hsp_pose
   return result;
 }
 
+// The same of a rational pose but for overlaps. `step`: of the lattice.
+Answers rational_answers(const hsp_body *fixed, const hsp_body *moving, const hsp_rational_pose &pose, double step) {
+  Answers result;
+  uint32_t first_bad = 7, needed = 0;
+  FUZZ_REQUIRE(hsp_body_rational_hits(fixed, moving, 1, &pose, &result.hit, &first_bad) == HSP_OK, "rational hits");
+  FUZZ_REQUIRE(first_bad == HSP_NONE, "first_bad after HSP_OK");
+  FUZZ_REQUIRE(hsp_body_rational_gaps(fixed, moving, 1, &pose, &result.gap, nullptr) == HSP_OK, "rational gaps");
+  const int32_t status = hsp_body_rational_pairs(fixed, moving, &pose, nullptr, 0, &needed);
+  FUZZ_REQUIRE(status == (needed > 0 ? HSP_E_CAPACITY : HSP_OK), "the number of pairs");
+  std::vector<uint32_t> pair(2 * size_t{needed});
+  FUZZ_REQUIRE(hsp_body_rational_pairs(fixed, moving, &pose, pair.data(), needed, &needed) == HSP_OK, "rational pairs");
+  for (size_t k = 0; k < pair.size(); k += 2) result.pairs.emplace_back(pair[k], pair[k + 1]);
+  FUZZ_REQUIRE(std::is_sorted(result.pairs.begin(), result.pairs.end()), "the order of pairs");
+  FUZZ_REQUIRE(result.hit == (needed > 0 ? 1U : 0U), "hits, by the pairs");
+  // Two balls that nearly touch are at most the sum of their radii apart, less than 2^32 steps.
+  FUZZ_REQUIRE(std::fabs(result.gap.gap) <= 0x1p-18 * step || (result.gap.gap < 0) == (needed > 0),
+               "the sign of the gap");
+  return result;
+}
+
+// How far balls are from the origin, at most.
+double reach_of(const fuzz::ScaledBalls &set) {
+  double reach = 0;
+  for (const oracle::LatticeBall &ball : set.balls) {
+    const int64_t sum = std::abs(ball.x) + std::abs(ball.y) + std::abs(ball.z);
+    reach = std::max(reach, set.length(sum));
+  }
+  return reach;
+}
+
 // The quarter and half turns about x, as quaternions, and what they do.
 oracle::LatticeBall turned_about_x(oracle::LatticeBall ball, uint32_t quarters) {
   for (uint32_t k = 0; k < quarters; ++k) ball = {ball.x, -ball.z, ball.y, ball.radius};
@@ -114,6 +145,28 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   const Answers exact = answers_to(fixed.get(), moving.get(), pose);
   FUZZ_REQUIRE(exact.pairs == brute_force(set.with_probe(), turned), "pairs that meet");
 
+  // The same pose, then one of any integers, as rational ones: all that is known beforehand of the latter is that ideal
+  // places differ from snapped ones by less than a step.
+  const double step = set.step();
+  hsp_rational_pose rational{{0, 0, 0, 0}, {pose.translation[0], pose.translation[1], pose.translation[2]}};
+  const int32_t longer = static_cast<int32_t>(bytes.below(1000)) + 1;
+  for (size_t k = 0; k < 4; ++k) rational.quaternion[k] = longer * static_cast<int32_t>(pose.quaternion[k]);
+  FUZZ_REQUIRE(rational_answers(fixed.get(), moving.get(), rational, step).pairs == exact.pairs,
+               "pairs that meet in a rational pose");
+  for (size_t k = 0; k < 4; ++k) {
+    const uint32_t high = bytes.below(0x10000), low = bytes.below(0x10000);
+    rational.quaternion[k] = static_cast<int32_t>(high << 16 | low);
+  }
+  if (rational.quaternion[0] == 0) rational.quaternion[0] = INT32_MIN;
+  for (size_t k = 0; k < 4; ++k) pose.quaternion[k] = rational.quaternion[k];
+  const Answers ideal = rational_answers(fixed.get(), moving.get(), rational, step);
+  const Answers near = answers_to(fixed.get(), moving.get(), pose);
+  const double reach = reach_of(set) + reach_of(part) + std::fabs(pose.translation[0]) +
+                       std::fabs(pose.translation[1]) + std::fabs(pose.translation[2]);
+  FUZZ_REQUIRE(
+      near.gap.gap == ideal.gap.gap || std::fabs(near.gap.gap - ideal.gap.gap) <= 0.88 * step + 0x1p-45 * reach,
+      "gaps of snapped and ideal balls");
+
   // Any rotation: the order of the balls has no effect but on ids.
   for (double &component : pose.quaternion) component = static_cast<double>(bytes.below(256)) - 100;
   if (pose.quaternion[0] == 0) pose.quaternion[0] = 1;
@@ -147,5 +200,12 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   FUZZ_REQUIRE(status == HSP_OK || status == HSP_E_NOT_FINITE || status == HSP_E_RANGE, hsp_status_text(status));
   FUZZ_REQUIRE((status == HSP_OK) == (first_bad == HSP_NONE), "first_bad, by the status");
   FUZZ_REQUIRE(status == HSP_OK || gap.gap == -7, "written on failure");
+  std::copy(pose.translation, pose.translation + 3, rational.translation);
+  gap.gap = -7;
+  const int32_t other_status = hsp_body_rational_gaps(fixed.get(), moving.get(), 1, &rational, &gap, &first_bad);
+  FUZZ_REQUIRE(other_status == HSP_OK || other_status == HSP_E_NOT_FINITE || other_status == HSP_E_RANGE,
+               hsp_status_text(other_status));
+  FUZZ_REQUIRE((other_status == HSP_OK) == (first_bad == HSP_NONE), "first_bad, by the status");
+  FUZZ_REQUIRE(other_status == HSP_OK || gap.gap == -7, "written on failure");
   return 0;
 }

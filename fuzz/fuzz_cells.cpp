@@ -1,7 +1,10 @@
 // Cells of free space of any set: regions are the cells of the complement, neighbours are so for both, points are where
-// the topology has them, nothing depends on the order of the balls, and limits that are too small.
+// the topology has them, nothing depends on the order of the balls, and limits that are too small. Paths between any
+// points are there if and only if regions are the same, and stop at the widest probe.
 #include <topology_result.h>
 
+#include <array>
+#include <cmath>
 #include <cstring>
 #include <map>
 #include <vector>
@@ -85,6 +88,112 @@ void require_arrangement(const computed &base, const fuzz::ScaledBalls &set) {
   FUZZ_REQUIRE(totals.vertices >= base.counts.vertices && totals.edges >= totals.vertices, "what balls cover counts");
 }
 
+using Point = std::array<double, 3>;
+
+Point any_point(const fuzz::ScaledBalls &set, fuzz::Bytes &bytes) {
+  Point xyz{};
+  for (double &x : xyz) {
+    const int64_t steps = static_cast<int64_t>(bytes.below(4000)) - 2000;
+    x = set.length(steps * (1 + bytes.below(8)));
+  }
+  return xyz;
+}
+
+double distance(const double *a, const double *b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+// Computes paths and finds one, with memory that grows until it suffices.
+class FoundPath {
+ public:
+  FoundPath(const hsp_model *model, uint32_t n, const Point &from, const Point &to) {
+    hsp_paths_limits limits;
+    FUZZ_REQUIRE(hsp_paths_limits_init(&limits, sizeof limits, n) == HSP_OK, "hsp_paths_limits_init");
+    paths_.take(limits);
+    paths_.compute([&](hsp_paths *handle, hsp_paths_limits *asked) {
+      const int32_t status = hsp_paths_compute(handle, model, asked);
+      return status == HSP_OK ? hsp_paths_find(handle, from.data(), to.data(), &path, asked) : status;
+    });
+    points.resize(path.points);
+    uint32_t needed = 0;
+    double *const out = path.points == 0 ? nullptr : points[0].data();
+    FUZZ_REQUIRE(hsp_paths_get_points(paths_.get(), out, path.points, &needed) == HSP_OK, "hsp_paths_get_points");
+    FUZZ_REQUIRE(needed == path.points, "how many points");
+  }
+
+  hsp_path path{};
+  std::vector<Point> points;
+  const hsp_paths_limits &needed() const { return paths_.needed(); }
+
+ private:
+  support::OwnedHandle<support::PathsKind> paths_;
+};
+
+uint32_t expected_ends(const Result &reference, uint32_t here, uint32_t there) {
+  if (here == HSP_NONE || there == HSP_NONE) return HSP_PATH_COVERED;
+  return reference.cells[here].region == reference.cells[there].region ? HSP_PATH_CONNECTED : HSP_PATH_APART;
+}
+
+// What a path says of itself, from end to end.
+void require_sound(const FoundPath &found, const Point &from, const Point &to) {
+  const hsp_path &path = found.path;
+  FUZZ_REQUIRE((path.ends == HSP_PATH_CONNECTED) == (path.points > 0) && path.reserved == 0, "points of a path");
+  if (path.points == 0) return;
+  FUZZ_REQUIRE(found.points.front() == from && found.points.back() == to, "ends of a path");
+  double length = 0;
+  for (size_t k = 1; k < found.points.size(); ++k) {
+    length += distance(found.points[k - 1].data(), found.points[k].data());
+  }
+  FUZZ_REQUIRE(std::fabs(length - path.length) <= 1e-9 * (1 + length), "length of a path");
+  const double doubt = 1e-9 * (1 + length + std::hypot(from[0], from[1], from[2]));
+  FUZZ_REQUIRE(path.certified == 0 || path.clearance >= -doubt, "clearance of a certified path");
+}
+
+// One lattice step below the widest probe there is a path, and two above there is none.
+void require_widest(const fuzz::ScaledBalls &set, const hsp_model *model, const Point &from, const Point *to,
+                    bool passes, fuzz::Bytes &bytes) {
+  support::OwnedHandle<support::GateKind> gate;
+  hsp_gate_limits limits;
+  FUZZ_REQUIRE(hsp_gate_limits_init(&limits, sizeof limits, set.n()) == HSP_OK, "hsp_gate_limits_init");
+  gate.take(limits);
+  const auto compute = [&](hsp_gate *handle, hsp_gate_limits *asked) {
+    return hsp_gate_compute(handle, model, from.data(), to == nullptr ? nullptr : to->data(), asked);
+  };
+  int32_t status = HSP_OK;
+  gate.compute([&](hsp_gate *handle, hsp_gate_limits *asked) {
+    status = compute(handle, asked);
+    return status == HSP_E_RANGE ? HSP_OK : status;
+  });
+  if (status == HSP_E_RANGE) return;  // no lattice has room for balls grown that much
+  hsp_widest_probe widest{};
+  FUZZ_REQUIRE(hsp_gate_get(gate.get(), &widest) == HSP_OK, "hsp_gate_get");
+  FUZZ_REQUIRE((widest.passes != 0) == passes && widest.builds <= 64, "whether a point passes");
+  for (int k = 0; k < 3; ++k) {
+    FUZZ_REQUIRE(widest.gate[k] == HSP_NONE || widest.gate[k] < set.n(), "a ball of a gate");
+    FUZZ_REQUIRE(k == 0 || widest.gate[k] == HSP_NONE || widest.gate[k - 1] < widest.gate[k], "the order of a gate");
+  }
+  FUZZ_REQUIRE(passes || (widest.radius == 0 && widest.gate[0] == HSP_NONE), "nothing passes");
+  if (passes && to != nullptr && std::isfinite(widest.radius)) {
+    const auto steps = static_cast<int64_t>(std::floor(widest.radius / set.step()));
+    for (const int64_t more : {steps - 1, steps + 3}) {
+      fuzz::ScaledBalls grown = set;
+      grown.probe_steps += more;
+      if (more < 0 || grown.probe_steps >= INT64_C(1) << 29) continue;
+      const fuzz::ComputedSet other(grown);
+      const FoundPath found(other.get().model, set.n(), from, *to);
+      FUZZ_REQUIRE((found.path.ends == HSP_PATH_CONNECTED) == (more < steps), "the widest probe");
+    }
+  }
+  if (!bytes.one_in(4)) return;
+  const auto compare = [&](const hsp_gate *handle) {
+    hsp_widest_probe again{};
+    const int32_t read = hsp_gate_get(handle, &again);
+    FUZZ_REQUIRE(read != HSP_OK || std::memcmp(&again, &widest, sizeof widest) == 0, "the probe the second time");
+    return read;
+  };
+  fuzz::require_limits<support::GateKind>(gate.needed(), bytes, compute, compare);
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
@@ -106,11 +215,10 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   FUZZ_REQUIRE(same_results(reference, read(cells.get())), "results after the check");
   std::map<uint32_t, uint32_t> cell_of;
   for (int k = 0; k < 16; ++k) {
-    double xyz[3];
-    for (double &x : xyz) x = set.length(static_cast<int64_t>(bytes.below(4000)) - 2000) * (1 + bytes.below(8));
+    const Point xyz = any_point(set, bytes);
     uint32_t here = 0, there = 0;
-    FUZZ_REQUIRE(hsp_cells_locate(cells.get(), xyz, &here) == HSP_OK, "locate");
-    FUZZ_REQUIRE(hsp_topology_locate(topology.topology, xyz, &there) == HSP_OK, "locate in the topology");
+    FUZZ_REQUIRE(hsp_cells_locate(cells.get(), xyz.data(), &here) == HSP_OK, "locate");
+    FUZZ_REQUIRE(hsp_topology_locate(topology.topology, xyz.data(), &there) == HSP_OK, "locate in the topology");
     FUZZ_REQUIRE((here == HSP_NONE) == (there == HSP_NONE), "in a ball or not");
     if (here == HSP_NONE) continue;
     const auto known = cell_of.insert({reference.cells[here].region, there}).first;
@@ -129,6 +237,37 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     return status;
   };
   fuzz::require_limits<support::CellsKind>(reference.needed, bytes, again, compare);
+
+  const Point from = any_point(set, bytes), to = any_point(set, bytes);
+  uint32_t here = 0, there = 0;
+  FUZZ_REQUIRE(hsp_cells_locate(cells.get(), from.data(), &here) == HSP_OK, "locate");
+  FUZZ_REQUIRE(hsp_cells_locate(cells.get(), to.data(), &there) == HSP_OK, "locate");
+  const FoundPath found(model, set.n(), from, to);
+  FUZZ_REQUIRE(found.path.ends == expected_ends(reference, here, there), "whether there is a path");
+  require_sound(found, from, to);
+  const auto path_again = [&](hsp_paths *handle, hsp_paths_limits *limits) {
+    hsp_path path{};
+    const int32_t status = hsp_paths_compute(handle, model, limits);
+    if (status != HSP_OK) return status;
+    return hsp_paths_find(handle, from.data(), to.data(), &path, limits);
+  };
+  const auto same_path = [&](const hsp_paths *handle) {
+    std::vector<Point> points(found.points.size() + 1);
+    uint32_t needed = 0;
+    const int32_t status = hsp_paths_get_points(handle, points[0].data(), found.path.points, &needed);
+    if (status != HSP_OK) return status;
+    if (needed != found.path.points) return static_cast<int32_t>(HSP_E_STATE);  // the path had no room
+    points.resize(found.points.size());
+    FUZZ_REQUIRE(points == found.points, "a path the second time");
+    return status;
+  };
+  fuzz::require_limits<support::PathsKind>(found.needed(), bytes, path_again, same_path);
+  if (bytes.one_in(4)) {
+    const bool to_outside = bytes.one_in(2);
+    const bool outside = here != HSP_NONE && reference.cells[here].region == 0;
+    require_widest(set, model, from, to_outside ? nullptr : &to,
+                   to_outside ? outside : found.path.ends == HSP_PATH_CONNECTED, bytes);
+  }
 
   const fuzz::ComputedSet other(fuzz::permuted(set, fuzz::shuffled(set.n(), bytes)));
   support::OwnedHandle<support::CellsKind> permuted;

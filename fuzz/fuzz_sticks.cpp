@@ -1,5 +1,6 @@
 // Balls and sticks of any set: pictures or conflicts, the same twice, no effect of the order of the balls, and limits
-// that are too small.
+// that are too small. Maps of them: their invariants, and what is seen at points.
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <vector>
@@ -7,6 +8,7 @@
 #include "computed_set.hpp"
 #include "picture_calls.hpp"
 #include "required_limits.hpp"
+#include "seen_cylinders.hpp"
 #include "topology_input.hpp"
 #include "view_input.hpp"
 
@@ -95,6 +97,126 @@ void require_named(const Result &result, uint32_t n, uint32_t count) {
   }
 }
 
+// Balls and sticks in view coordinates, by the numbers of their map.
+struct PlainScene {
+  std::vector<oracle::PlainBall> balls;
+  std::vector<oracle::PlainCylinder> cylinders;
+  double largest = 0;
+
+  struct Highest {
+    uint32_t number = HSP_NONE;
+    double depth = -HUGE_VAL;
+    double runner_up = -HUGE_VAL;
+
+    void take(uint32_t other, double front) {
+      if (front > depth) number = other;
+      runner_up = std::fmax(runner_up, std::fmin(front, depth));
+      depth = std::fmax(depth, front);
+    }
+  };
+
+  Highest highest_at(double x, double y) const {
+    Highest highest;
+    const auto n = static_cast<uint32_t>(balls.size());
+    for (uint32_t i = 0; i < n; ++i)
+      if (balls[i].radius > 0) highest.take(i, oracle::front_of(balls[i], x, y));
+    for (uint32_t k = 0; k < cylinders.size(); ++k) {
+      const oracle::CylinderFront front = oracle::front_of(cylinders[k], x, y);
+      highest.take(HSP_STICKS_HALF(n, k, front.part < cylinders[k].change ? 0 : 1), front.depth);
+    }
+    return highest;
+  }
+};
+
+PlainScene scene_of(const fuzz::ScaledBalls &set, const std::vector<hsp_stick> &sticks, double radius,
+                    const hsp_map_info &info) {
+  PlainScene scene;
+  const support::BallList list = set.in_lengths();
+  oracle::ViewAxes axes;
+  std::copy(info.origin, info.origin + 3, axes.origin.begin());
+  std::copy(info.right, info.right + 3, axes.right.begin());
+  std::copy(info.up, info.up + 3, axes.up.begin());
+  std::copy(info.towards, info.towards + 3, axes.towards.begin());
+  for (size_t i = 0; i < list.radius.size(); ++i) {
+    scene.balls.push_back(
+        {axes.coordinates({list.xyz[3 * i], list.xyz[3 * i + 1], list.xyz[3 * i + 2]}), set.length(set.radius_of(i))});
+    scene.largest = std::fmax(scene.largest, scene.balls[i].radius);
+  }
+  for (const hsp_stick &stick : sticks) {
+    const oracle::PlainBall &one = scene.balls[stick.ball[0]], &two = scene.balls[stick.ball[1]];
+    const double length =
+        std::hypot(two.centre[0] - one.centre[0], two.centre[1] - one.centre[1], two.centre[2] - one.centre[2]);
+    const double out = std::sqrt((one.radius - radius) * (one.radius + radius));
+    const double in = std::sqrt((two.radius - radius) * (two.radius + radius));
+    const bool whole = (stick.flags & HSP_STICK_WHOLE) != 0;
+    scene.cylinders.push_back({one.centre, two.centre, radius, whole ? 2 : (out + length - in) / (2 * length)});
+  }
+  return scene;
+}
+
+// What is seen at some points where it is the same all around.
+void require_sights(const hsp_sticks *sticks, const hsp_map_info &info, const hsp_sticks_info &box,
+                    const PlainScene &scene, const std::vector<hsp_map_face> &faces, fuzz::Bytes &bytes) {
+  const double close = 1e-6 * scene.largest + 8 * info.perturbation;
+  for (int sample = 0; sample < 8; ++sample) {
+    const double right = bytes.below(256) / 255.0, up = bytes.below(256) / 255.0;
+    const double x = box.low[0] + 1.0001 * right * (box.high[0] - box.low[0]);
+    const double y = box.low[1] + 1.0001 * up * (box.high[1] - box.low[1]);
+    const PlainScene::Highest highest = scene.highest_at(x, y);
+    const uint32_t seen = highest.number;
+    bool sure = seen == HSP_NONE || highest.depth - highest.runner_up > close;
+    for (int side = 0; side < 4; ++side) {
+      const double aside[2] = {side < 2 ? close : -close, side % 2 == 0 ? close : -close};
+      if (scene.highest_at(x + aside[0], y + aside[1]).number != seen) sure = false;
+    }
+    hsp_map_sight sight{};
+    FUZZ_REQUIRE(hsp_sticks_pick(sticks, x, y, &sight) == HSP_OK, "a sight anywhere");
+    FUZZ_REQUIRE(sight.face == HSP_NONE || faces[sight.face].ball == sight.ball, "the face of a sight");
+    if (!sure) continue;
+    FUZZ_REQUIRE(sight.ball == seen, "another one is seen");
+    FUZZ_REQUIRE(sight.face != HSP_NONE, "no face away from edges");
+    if (seen != HSP_NONE) FUZZ_REQUIRE(std::fabs(sight.depth - highest.depth) < 0.05 * scene.largest, "another depth");
+  }
+}
+
+// A map of the same: sound, and it shows what is seen.
+void require_map(const fuzz::ScaledBalls &set, const hsp_model *model, const hsp_view_options &options,
+                 const std::vector<hsp_stick> &stick, double radius, const Result &reference, fuzz::Bytes &bytes) {
+  const auto count = static_cast<uint32_t>(stick.size());
+  support::OwnedHandle<support::SticksKind> sticks;
+  sticks.take({sizeof(hsp_sticks_limits), 200, 200, 200 * 200, 4000});
+  const int32_t status =
+      hsp_sticks_compute_map(sticks.get(), model, &options, stick.data(), count, radius, nullptr, nullptr);
+  hsp_map_info info{};
+  if (reference.status != HSP_OK || status == HSP_E_CHECK) {
+    FUZZ_REQUIRE(status == reference.status || status == HSP_E_CHECK, "a map by another status");
+    FUZZ_REQUIRE(hsp_sticks_get_map_info(sticks.get(), &info) == HSP_E_STATE, "a map after a failure");
+    return;
+  }
+  FUZZ_REQUIRE(status == HSP_OK, hsp_status_text(status));
+  FUZZ_REQUIRE(hsp_sticks_get_map_info(sticks.get(), &info) == HSP_OK, "hsp_sticks_get_map_info");
+  uint32_t invariant = 0, id = 0, needed = 0;
+  FUZZ_REQUIRE(hsp_sticks_check(sticks.get(), &invariant, &id) == HSP_OK, "an invariant of the map");
+  std::vector<hsp_map_vertex> vertices(info.vertices);
+  std::vector<hsp_map_edge> edges(info.edges);
+  std::vector<hsp_map_face> faces(info.faces);
+  std::vector<double> area(set.n() + 2 * size_t{count});
+  FUZZ_REQUIRE(hsp_sticks_get_vertices(sticks.get(), 0, info.vertices, vertices.data()) == HSP_OK, "vertices");
+  FUZZ_REQUIRE(hsp_sticks_get_edges(sticks.get(), 0, info.edges, edges.data()) == HSP_OK, "edges");
+  FUZZ_REQUIRE(hsp_sticks_get_faces(sticks.get(), 0, info.faces, faces.data()) == HSP_OK, "faces");
+  const auto bodies = static_cast<uint32_t>(area.size());
+  FUZZ_REQUIRE(hsp_sticks_get_areas(sticks.get(), area.data(), bodies, &needed) == HSP_OK, "areas");
+  double sum = 0;
+  for (const double each : area) sum += each;
+  FUZZ_REQUIRE(std::fabs(sum - info.area) <= 1e-9 * info.area, "the sum of areas");
+  for (const hsp_map_edge &edge : edges) {
+    FUZZ_REQUIRE(edge.ball[0] < bodies && (edge.ball[1] < bodies || edge.ball[1] == HSP_NONE), "whose edge it is");
+    FUZZ_REQUIRE(faces[edge.face[0]].ball == edge.ball[0], "what is on the left of an edge");
+    FUZZ_REQUIRE(edge.ball[1] == HSP_NONE || faces[edge.face[1]].ball == edge.ball[1], "and on the right");
+  }
+  require_sights(sticks.get(), info, reference.info, scene_of(set, stick, radius, info), faces, bytes);
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
@@ -132,6 +254,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     const auto write = [&sticks](auto... arguments) { return hsp_picture_write_sticks(sticks.get(), arguments...); };
     fuzz::require_pictures(base.get(), write, base.get(), write, bytes);
   }
+
+  require_map(set, base.get().model, options, stick, radius, reference, bytes);
 
   const std::vector<uint32_t> order = fuzz::shuffled(set.n(), bytes);
   std::vector<uint32_t> place(set.n());

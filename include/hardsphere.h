@@ -13,10 +13,12 @@
  *   hardsphere/gradient.h   their derivatives
  *   hardsphere/curvature.h  integrated mean and Gaussian curvature
  *   hardsphere/contacts.h   which balls touch and by how much, shares of the union, the dual complex
+ *   hardsphere/periodic.h   all of that in a box whose copies fill space: areas, volume, contacts, windings, strain
  *   hardsphere/surface.h    the smooth surface that a probe leaves, its area and volume (Section 4.3)
  *   hardsphere/mesh.h       boundary or smooth surface as triangles
  *   hardsphere/topology.h   the boundary as quad-edges with simple faces, shells, cells, point location (Step 3)
  *   hardsphere/cells.h      what no ball covers as simple cells, their neighbours, point location (Section 2)
+ *   hardsphere/paths.h      how a probe gets from one point to another, and how wide one may be (Section 2)
  *   hardsphere/view.h       pieces in painter's order as true arcs (Section 5.1)
  *   hardsphere/map.h        what is seen as faces, edges and vertices of the view plane (Section 5.2)
  *   hardsphere/sticks.h     balls and sticks in an order to paint them
@@ -84,8 +86,8 @@
  * HANDLES AFTER A FAILURE
  *   hsp_model_set and hsp_X_compute replace what the handle held, whether they succeed or not. One that fails, for
  *   whatever reason, leaves the handle as hsp_X_init makes it: a model is empty (hsp_model_get_info says so: 0 balls,
- *   step 1e-8); a boundary, surface, mesh, topology, view, map, contacts or cells hold no results, and reading them
- *   yields HSP_E_STATE.
+ *   step 1e-8); a boundary, surface, mesh, topology, view, map, contacts, cells, paths, a gate or a periodic union
+ *   hold no results, and reading them yields HSP_E_STATE.
  *   All other functions leave what a handle holds as it is, whatever they return.
  */
 #ifndef HARDSPHERE_H
@@ -101,6 +103,8 @@
 #include "hardsphere/measure.h"
 #include "hardsphere/mesh.h"
 #include "hardsphere/model.h"
+#include "hardsphere/paths.h"
+#include "hardsphere/periodic.h"
 #include "hardsphere/picture.h"
 #include "hardsphere/pose.h"
 #include "hardsphere/query.h"

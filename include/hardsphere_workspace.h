@@ -34,7 +34,9 @@ typedef struct hsp_workspace {
   hsp_map *map;                        /**< NULL before hsp_workspace_map */
   hsp_contacts *contacts;              /**< NULL before hsp_workspace_contacts */
   hsp_cells *cells;                    /**< NULL before hsp_workspace_cells */
-  void *memory[9];                     /**< of the nine handles */
+  hsp_paths *paths;                    /**< NULL before hsp_workspace_path */
+  hsp_gate *gate;                      /**< NULL before hsp_workspace_gate */
+  void *memory[11];                    /**< of the eleven handles */
   uint32_t most_balls;                 /**< what the model has room for */
   uint32_t reserved;                   /**< 0 */
   hsp_boundary_limits boundary_limits; /**< what the boundary has room for */
@@ -45,6 +47,8 @@ typedef struct hsp_workspace {
   hsp_map_limits map_limits;           /**< what the map has room for */
   hsp_contacts_limits contacts_limits; /**< what the contacts have room for */
   hsp_cells_limits cells_limits;       /**< what the cells have room for */
+  hsp_paths_limits paths_limits;       /**< what the paths have room for */
+  hsp_gate_limits gate_limits;         /**< what the gate has room for */
 } hsp_workspace;
 
 /* Memory of another size, without its contents. */
@@ -133,8 +137,26 @@ static inline int32_t hsp_workspace_make_cells(hsp_workspace *work) {
   return status;
 }
 
+static inline int32_t hsp_workspace_make_paths(hsp_workspace *work) {
+  size_t bytes = 0;
+  int32_t status = hsp_paths_bytes(&work->paths_limits, &bytes);
+  work->paths = NULL;
+  if (status == HSP_OK) status = hsp_workspace_allocate(&work->memory[9], bytes);
+  if (status == HSP_OK) status = hsp_paths_init(work->memory[9], bytes, &work->paths_limits, &work->paths);
+  return status;
+}
+
+static inline int32_t hsp_workspace_make_gate(hsp_workspace *work) {
+  size_t bytes = 0;
+  int32_t status = hsp_gate_bytes(&work->gate_limits, &bytes);
+  work->gate = NULL;
+  if (status == HSP_OK) status = hsp_workspace_allocate(&work->memory[10], bytes);
+  if (status == HSP_OK) status = hsp_gate_init(work->memory[10], bytes, &work->gate_limits, &work->gate);
+  return status;
+}
+
 /** Take n balls into the model; arguments and statuses as hsp_model_set. Boundary, topology, view, surface, mesh, map,
- *  contacts and cells hold no results then. */
+ *  contacts, cells, paths and gate hold no results then. */
 static inline int32_t hsp_workspace_set(hsp_workspace *work, uint32_t n, const double *xyz, const double *radius,
                                         const hsp_model_options *options, uint32_t *first_bad) {
   if (work->model == NULL || n > work->most_balls) {
@@ -152,6 +174,8 @@ static inline int32_t hsp_workspace_set(hsp_workspace *work, uint32_t n, const d
     if (status == HSP_OK && work->map != NULL) status = hsp_workspace_make_map(work);
     if (status == HSP_OK && work->contacts != NULL) status = hsp_workspace_make_contacts(work);
     if (status == HSP_OK && work->cells != NULL) status = hsp_workspace_make_cells(work);
+    if (status == HSP_OK && work->paths != NULL) status = hsp_workspace_make_paths(work);
+    if (status == HSP_OK && work->gate != NULL) status = hsp_workspace_make_gate(work);
     if (status == HSP_OK) status = hsp_workspace_allocate(&work->memory[0], bytes);
     if (status == HSP_OK) status = hsp_model_init(work->memory[0], bytes, n, &work->model);
     if (status != HSP_OK) return status;
@@ -281,6 +305,51 @@ static inline int32_t hsp_workspace_cells(hsp_workspace *work) {
   return status;
 }
 
+/** Find a path from one point to another, both [3], through the free space of the model; arguments and statuses as
+ *  hsp_paths_find. What only depends on the model is computed the first time. */
+static inline int32_t hsp_workspace_path(hsp_workspace *work, const double *from, const double *to, hsp_path *path) {
+  int32_t status = HSP_OK;
+  if (work->paths == NULL) {
+    if (work->paths_limits.struct_size == 0) {
+      status = hsp_paths_limits_init(&work->paths_limits, sizeof work->paths_limits, work->most_balls);
+    }
+    if (status == HSP_OK) status = hsp_workspace_make_paths(work);
+    if (status != HSP_OK) return status;
+  }
+  hsp_paths_limits limits = work->paths_limits;
+  for (;;) {
+    status = hsp_paths_find(work->paths, from, to, path, &limits);
+    if (status == HSP_E_STATE) {
+      status = hsp_paths_compute(work->paths, work->model, &limits);
+      if (status == HSP_OK) continue;
+    }
+    if (status != HSP_E_CAPACITY) return status;
+    work->paths_limits = limits;
+    status = hsp_workspace_make_paths(work);
+    if (status != HSP_OK) return status;
+  }
+}
+
+/** Find the widest probe from one point to another, both [3], or to the outside if `to` is NULL; arguments and statuses
+ *  as hsp_gate_compute. */
+static inline int32_t hsp_workspace_gate(hsp_workspace *work, const double *from, const double *to) {
+  int32_t status = HSP_OK;
+  if (work->gate == NULL) {
+    if (work->gate_limits.struct_size == 0) {
+      status = hsp_gate_limits_init(&work->gate_limits, sizeof work->gate_limits, work->most_balls);
+    }
+    if (status == HSP_OK) status = hsp_workspace_make_gate(work);
+    if (status != HSP_OK) return status;
+  }
+  hsp_gate_limits limits = work->gate_limits;
+  while ((status = hsp_gate_compute(work->gate, work->model, from, to, &limits)) == HSP_E_CAPACITY) {
+    work->gate_limits = limits;
+    status = hsp_workspace_make_gate(work);
+    if (status != HSP_OK) return status;
+  }
+  return status;
+}
+
 /** Compute the solvent-excluded surface of shells [count] of the boundary that hsp_workspace_boundary has computed; of
  *  all of it if shells is NULL. */
 static inline int32_t hsp_workspace_surface_of(hsp_workspace *work, const uint32_t *shells, uint32_t count) {
@@ -347,7 +416,7 @@ static inline int32_t hsp_workspace_mesh(hsp_workspace *work, int use_surface, d
 
 /** Give all memory back; the workspace is as at first. */
 static inline void hsp_workspace_free(hsp_workspace *work) {
-  for (int i = 0; i < 9; ++i) free(work->memory[i]);
+  for (int i = 0; i < 11; ++i) free(work->memory[i]);
   memset(work, 0, sizeof *work);
 }
 

@@ -15,7 +15,8 @@
 !   hsp_topology *, hsp_view *,
 !   hsp_map *, hsp_sticks *,
 !   hsp_contacts *, hsp_cells *,
-!   hsp_body *                   type(c_ptr)
+!   hsp_body *, hsp_paths *,
+!   hsp_gate *, hsp_periodic *   type(c_ptr)
 !   void *memory                 type(c_ptr) from c_loc of an array with the TARGET attribute; the handle lives in it,
 !                                so the array must outlive the handle and must not be reallocated
 !   T *out, uint32_t capacity    out(*) with capacity elements; other extents stand behind the declarations
@@ -110,10 +111,15 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_MAP_TRIPLE = 1_c_int32_t
   integer(c_int32_t), parameter :: HSP_MAP_T = 2_c_int32_t
   integer(c_int32_t), parameter :: HSP_MAP_TANGENCY = 3_c_int32_t
+  integer(c_int32_t), parameter :: HSP_MAP_HALVES = 4_c_int32_t
 
   integer(c_int32_t), parameter :: HSP_CELL_RUN = 0_c_int32_t
   integer(c_int32_t), parameter :: HSP_CELL_AT_BALL = 1_c_int32_t
   integer(c_int32_t), parameter :: HSP_CELL_APART = 2_c_int32_t
+
+  integer(c_int32_t), parameter :: HSP_PATH_CONNECTED = 0_c_int32_t
+  integer(c_int32_t), parameter :: HSP_PATH_APART = 1_c_int32_t
+  integer(c_int32_t), parameter :: HSP_PATH_COVERED = 2_c_int32_t
 
   integer(c_int32_t), parameter :: HSP_STICK_WHOLE = 1_c_int32_t
   integer(c_int32_t), parameter :: HSP_STICKS_NO_CONFLICT = 0_c_int32_t
@@ -270,6 +276,11 @@ module hardsphere
     real(c_double) :: translation(3)   ! length
   end type
 
+  type, bind(C) :: hsp_rational_pose
+    integer(c_int32_t) :: quaternion(4) ! w x y z, not all 0
+    real(c_double) :: translation(3)   ! length
+  end type
+
   type, bind(C) :: hsp_body_gap
     real(c_double) :: gap              ! length
     integer(c_int32_t) :: fixed        ! ball of the body at rest
@@ -320,6 +331,63 @@ module hardsphere
     integer(c_int32_t) :: chords       ! straight sides
     integer(c_int32_t) :: flags        ! HSP_CONTACT_*
     integer(c_int32_t) :: reserved(2)  ! 0
+  end type
+
+  type, bind(C) :: hsp_periodic_limits
+    integer(c_int32_t) :: struct_size  ! hsp_periodic_limits_init sets it
+    integer(c_int32_t) :: balls
+    integer(c_int32_t) :: images
+    integer(c_int32_t) :: neighbours
+    integer(c_int32_t) :: vertices     ! of balls and images
+    integer(c_int32_t) :: circles
+    integer(c_int32_t) :: contacts
+  end type
+
+  type, bind(C) :: hsp_periodic_counts
+    integer(c_int32_t) :: balls
+    integer(c_int32_t) :: images
+    integer(c_int32_t) :: vertices
+    integer(c_int32_t) :: arcs
+    integer(c_int32_t) :: circles
+    integer(c_int32_t) :: loops
+    integer(c_int32_t) :: faces
+    integer(c_int32_t) :: shells
+    integer(c_int32_t) :: components
+    integer(c_int32_t) :: contacts
+    integer(c_int32_t) :: euler
+    integer(c_int32_t) :: reserved     ! 0
+  end type
+
+  type, bind(C) :: hsp_periodic_totals
+    real(c_double) :: area             ! length^2
+    real(c_double) :: volume           ! length^3
+    real(c_double) :: box_volume
+    real(c_double) :: free_volume
+    real(c_double) :: contact_area
+  end type
+
+  type, bind(C) :: hsp_periodic_contact
+    real(c_double) :: area             ! length^2
+    real(c_double) :: edge             ! length of its border on the surface
+    real(c_double) :: distance         ! of the centres
+    integer(c_int32_t) :: ball(2)      ! a <= b
+    integer(c_int32_t) :: chords       ! straight sides
+    integer(c_int32_t) :: flags        ! HSP_CONTACT_*
+    integer(c_int32_t) :: shift(3)     ! of ball b
+    integer(c_int32_t) :: reserved     ! 0
+  end type
+
+  type, bind(C) :: hsp_winding
+    integer(c_int32_t) :: balls
+    integer(c_int32_t) :: first        ! ball
+    integer(c_int32_t) :: directions   ! 0 to 3
+    integer(c_int32_t) :: copies
+    integer(c_int32_t) :: row(9)       ! the first row first
+  end type
+
+  type, bind(C) :: hsp_image
+    integer(c_int32_t) :: ball
+    integer(c_int32_t) :: shift(3)
   end type
 
   type, bind(C) :: hsp_group_contact
@@ -706,6 +774,51 @@ module hardsphere
     integer(c_int64_t) :: faces
   end type
 
+  type, bind(C) :: hsp_paths_limits
+    integer(c_int32_t) :: struct_size  ! hsp_paths_limits_init sets it
+    integer(c_int32_t) :: cubes
+    integer(c_int32_t) :: entries
+    integer(c_int32_t) :: cells
+    integer(c_int32_t) :: adjacencies
+    integer(c_int32_t) :: landmarks
+    integer(c_int32_t) :: facets
+    integer(c_int32_t) :: corners
+    integer(c_int32_t) :: cube_balls
+    integer(c_int32_t) :: cube_corners
+    integer(c_int32_t) :: points
+  end type
+
+  type, bind(C) :: hsp_path
+    real(c_double) :: length           ! length
+    real(c_double) :: clearance        ! length
+    integer(c_int32_t) :: ends         ! HSP_PATH_*
+    integer(c_int32_t) :: certified    ! 0 or 1
+    integer(c_int32_t) :: points
+    integer(c_int32_t) :: reserved
+  end type
+
+  type, bind(C) :: hsp_gate_limits
+    integer(c_int32_t) :: struct_size  ! hsp_gate_limits_init sets it
+    integer(c_int32_t) :: balls
+    integer(c_int32_t) :: cubes
+    integer(c_int32_t) :: entries
+    integer(c_int32_t) :: cells
+    integer(c_int32_t) :: adjacencies
+    integer(c_int32_t) :: landmarks
+    integer(c_int32_t) :: facets
+    integer(c_int32_t) :: corners
+    integer(c_int32_t) :: cube_balls
+    integer(c_int32_t) :: cube_corners
+  end type
+
+  type, bind(C) :: hsp_widest_probe
+    real(c_double) :: radius           ! length
+    integer(c_int32_t) :: passes       ! 0 or 1
+    integer(c_int32_t) :: gate(3)      ! 0-based
+    integer(c_int32_t) :: builds
+    integer(c_int32_t) :: reserved
+  end type
+
   type, bind(C) :: hsp_sticks_limits
     integer(c_int32_t) :: struct_size  ! hsp_sticks_limits_init sets it
     integer(c_int32_t) :: balls
@@ -990,6 +1103,42 @@ module hardsphere
       type(c_ptr), value :: fixed
       type(c_ptr), value :: moving
       type(hsp_pose), intent(in) :: pose
+      integer(c_int32_t), intent(inout), optional :: pair(2, *) ! 2, needed
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_body_rational_hits(fixed, moving, poses, pose, hit, first_bad) result(status) &
+      bind(C, name="hsp_body_rational_hits")
+      import :: c_int32_t, c_ptr, hsp_rational_pose
+      type(c_ptr), value :: fixed
+      type(c_ptr), value :: moving
+      integer(c_int32_t), value :: poses
+      type(hsp_rational_pose), intent(in) :: pose(*)
+      integer(c_int32_t), intent(inout) :: hit(*)
+      integer(c_int32_t), intent(inout), optional :: first_bad ! counts from 0
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_body_rational_gaps(fixed, moving, poses, pose, gap, first_bad) result(status) &
+      bind(C, name="hsp_body_rational_gaps")
+      import :: c_int32_t, c_ptr, hsp_body_gap, hsp_rational_pose
+      type(c_ptr), value :: fixed
+      type(c_ptr), value :: moving
+      integer(c_int32_t), value :: poses
+      type(hsp_rational_pose), intent(in) :: pose(*)
+      type(hsp_body_gap), intent(inout) :: gap(*)
+      integer(c_int32_t), intent(inout), optional :: first_bad ! counts from 0
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_body_rational_pairs(fixed, moving, pose, pair, capacity, needed) result(status) &
+      bind(C, name="hsp_body_rational_pairs")
+      import :: c_int32_t, c_ptr, hsp_rational_pose
+      type(c_ptr), value :: fixed
+      type(c_ptr), value :: moving
+      type(hsp_rational_pose), intent(in) :: pose
       integer(c_int32_t), intent(inout), optional :: pair(2, *) ! 2, needed
       integer(c_int32_t), value :: capacity
       integer(c_int32_t), intent(inout) :: needed
@@ -1400,6 +1549,147 @@ module hardsphere
     function hsp_contacts_check(contacts, invariant, id) result(status) bind(C, name="hsp_contacts_check")
       import :: c_int32_t, c_ptr
       type(c_ptr), value :: contacts
+      integer(c_int32_t), intent(inout) :: invariant
+      integer(c_int32_t), intent(inout) :: id
+      integer(c_int32_t) :: status
+    end function
+
+    ! ---- periodic boxes --------------------------------------------------------------------------------------------
+
+    function hsp_periodic_limits_init(limits, struct_size, balls) result(status) &
+      bind(C, name="hsp_periodic_limits_init")
+      import :: c_int32_t, hsp_periodic_limits
+      type(hsp_periodic_limits), intent(inout) :: limits
+      integer(c_int32_t), value :: struct_size
+      integer(c_int32_t), value :: balls
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_periodic_bytes(limits, bytes) result(status) bind(C, name="hsp_periodic_bytes")
+      import :: c_int32_t, c_size_t, hsp_periodic_limits
+      type(hsp_periodic_limits), intent(in) :: limits
+      integer(c_size_t), intent(inout) :: bytes
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_periodic_init(memory, bytes, limits, periodic) result(status) bind(C, name="hsp_periodic_init")
+      import :: c_int32_t, c_ptr, c_size_t, hsp_periodic_limits
+      type(c_ptr), value :: memory
+      integer(c_size_t), value :: bytes
+      type(hsp_periodic_limits), intent(in) :: limits
+      type(c_ptr), intent(inout) :: periodic
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_periodic_compute(periodic, n, xyz, radius, options, box, limits, first_bad) result(status) &
+      bind(C, name="hsp_periodic_compute")
+      import :: c_double, c_int32_t, c_ptr, hsp_model_options, hsp_periodic_limits
+      type(c_ptr), value :: periodic
+      integer(c_int32_t), value :: n
+      real(c_double), intent(in), optional :: xyz(3, *)         ! 3, n
+      real(c_double), intent(in), optional :: radius(*)         ! n
+      type(hsp_model_options), intent(in), optional :: options
+      real(c_double), intent(in) :: box(9)                      ! the three vectors
+      type(hsp_periodic_limits), intent(inout), optional :: limits
+      integer(c_int32_t), intent(inout), optional :: first_bad
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_periodic_get_counts(periodic, counts) result(status) bind(C, name="hsp_periodic_get_counts")
+      import :: c_int32_t, c_ptr, hsp_periodic_counts
+      type(c_ptr), value :: periodic
+      type(hsp_periodic_counts), intent(inout) :: counts
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_periodic_measure(periodic, totals, area, cell_volume, capacity, needed) result(status) &
+      bind(C, name="hsp_periodic_measure")
+      import :: c_double, c_int32_t, c_ptr, hsp_periodic_totals
+      type(c_ptr), value :: periodic
+      type(hsp_periodic_totals), intent(inout), optional :: totals
+      real(c_double), intent(inout), optional :: area(*)        ! n
+      real(c_double), intent(inout), optional :: cell_volume(*) ! n
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_periodic_get_contacts(periodic, out, capacity, needed) result(status) &
+      bind(C, name="hsp_periodic_get_contacts")
+      import :: c_int32_t, c_ptr, hsp_periodic_contact
+      type(c_ptr), value :: periodic
+      type(hsp_periodic_contact), intent(inout), optional :: out(*)
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_periodic_get_windings(periodic, out, capacity, needed) result(status) &
+      bind(C, name="hsp_periodic_get_windings")
+      import :: c_int32_t, c_ptr, hsp_winding
+      type(c_ptr), value :: periodic
+      type(hsp_winding), intent(inout), optional :: out(*)
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_periodic_get_components(periodic, component, capacity, needed) result(status) &
+      bind(C, name="hsp_periodic_get_components")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: periodic
+      integer(c_int32_t), intent(inout), optional :: component(*) ! n
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_periodic_gradient(periodic, sigma, tension, pressure, tangency, energy, d_centre, d_radius, flags, &
+                                   d_strain, d_box, capacity, needed, first_bad) result(status) &
+      bind(C, name="hsp_periodic_gradient")
+      import :: c_double, c_int32_t, c_ptr, hsp_energy
+      type(c_ptr), value :: periodic
+      real(c_double), intent(in), optional :: sigma(*)          ! n
+      real(c_double), value :: tension
+      real(c_double), value :: pressure
+      integer(c_int32_t), value :: tangency                     ! HSP_TANGENT_*
+      type(hsp_energy), intent(inout), optional :: energy
+      real(c_double), intent(inout), optional :: d_centre(3, *) ! 3, n
+      real(c_double), intent(inout), optional :: d_radius(*)    ! n
+      integer(c_int32_t), intent(inout), optional :: flags(*)   ! n; HSP_GRADIENT_*
+      real(c_double), intent(inout), optional :: d_strain(9)    ! by eps_xx, eps_xy, ...
+      real(c_double), intent(inout), optional :: d_box(9)       ! by the components of box
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
+      integer(c_int32_t), intent(inout), optional :: first_bad
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_periodic_query_point(periodic, xyz, out, capacity, needed) result(status) &
+      bind(C, name="hsp_periodic_query_point")
+      import :: c_double, c_int32_t, c_ptr, hsp_image
+      type(c_ptr), value :: periodic
+      real(c_double), intent(in) :: xyz(3)
+      type(hsp_image), intent(inout), optional :: out(*)
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_periodic_query_neighbours(periodic, ball, out, capacity, needed) result(status) &
+      bind(C, name="hsp_periodic_query_neighbours")
+      import :: c_int32_t, c_ptr, hsp_image
+      type(c_ptr), value :: periodic
+      integer(c_int32_t), value :: ball
+      type(hsp_image), intent(inout), optional :: out(*)
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_periodic_check(periodic, invariant, id) result(status) bind(C, name="hsp_periodic_check")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: periodic
       integer(c_int32_t), intent(inout) :: invariant
       integer(c_int32_t), intent(inout) :: id
       integer(c_int32_t) :: status
@@ -2058,6 +2348,100 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
+    ! ---- paths through free space ----------------------------------------------------------------------------------
+
+    function hsp_paths_limits_init(limits, struct_size, balls) result(status) bind(C, name="hsp_paths_limits_init")
+      import :: c_int32_t, hsp_paths_limits
+      type(hsp_paths_limits), intent(inout) :: limits
+      integer(c_int32_t), value :: struct_size
+      integer(c_int32_t), value :: balls
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_paths_bytes(limits, bytes) result(status) bind(C, name="hsp_paths_bytes")
+      import :: c_int32_t, c_size_t, hsp_paths_limits
+      type(hsp_paths_limits), intent(in) :: limits
+      integer(c_size_t), intent(inout) :: bytes
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_paths_init(memory, bytes, limits, paths) result(status) bind(C, name="hsp_paths_init")
+      import :: c_int32_t, c_ptr, c_size_t, hsp_paths_limits
+      type(c_ptr), value :: memory
+      integer(c_size_t), value :: bytes
+      type(hsp_paths_limits), intent(in) :: limits
+      type(c_ptr), intent(inout) :: paths
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_paths_compute(paths, model, limits) result(status) bind(C, name="hsp_paths_compute")
+      import :: c_int32_t, c_ptr, hsp_paths_limits
+      type(c_ptr), value :: paths
+      type(c_ptr), value :: model
+      type(hsp_paths_limits), intent(inout), optional :: limits
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_paths_find(paths, from, to, path, limits) result(status) bind(C, name="hsp_paths_find")
+      import :: c_double, c_int32_t, c_ptr, hsp_path, hsp_paths_limits
+      type(c_ptr), value :: paths
+      real(c_double), intent(in) :: from(3)
+      real(c_double), intent(in) :: to(3)
+      type(hsp_path), intent(inout) :: path
+      type(hsp_paths_limits), intent(inout), optional :: limits
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_paths_get_points(paths, points, capacity, needed) result(status) bind(C, name="hsp_paths_get_points")
+      import :: c_double, c_int32_t, c_ptr
+      type(c_ptr), value :: paths
+      real(c_double), intent(inout), optional :: points(3, *)
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_gate_limits_init(limits, struct_size, balls) result(status) bind(C, name="hsp_gate_limits_init")
+      import :: c_int32_t, hsp_gate_limits
+      type(hsp_gate_limits), intent(inout) :: limits
+      integer(c_int32_t), value :: struct_size
+      integer(c_int32_t), value :: balls
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_gate_bytes(limits, bytes) result(status) bind(C, name="hsp_gate_bytes")
+      import :: c_int32_t, c_size_t, hsp_gate_limits
+      type(hsp_gate_limits), intent(in) :: limits
+      integer(c_size_t), intent(inout) :: bytes
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_gate_init(memory, bytes, limits, gate) result(status) bind(C, name="hsp_gate_init")
+      import :: c_int32_t, c_ptr, c_size_t, hsp_gate_limits
+      type(c_ptr), value :: memory
+      integer(c_size_t), value :: bytes
+      type(hsp_gate_limits), intent(in) :: limits
+      type(c_ptr), intent(inout) :: gate
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_gate_compute(gate, model, from, to, limits) result(status) bind(C, name="hsp_gate_compute")
+      import :: c_double, c_int32_t, c_ptr, hsp_gate_limits
+      type(c_ptr), value :: gate
+      type(c_ptr), value :: model
+      real(c_double), intent(in) :: from(3)
+      real(c_double), intent(in), optional :: to(3)
+      type(hsp_gate_limits), intent(inout), optional :: limits
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_gate_get(gate, widest) result(status) bind(C, name="hsp_gate_get")
+      import :: c_int32_t, c_ptr, hsp_widest_probe
+      type(c_ptr), value :: gate
+      type(hsp_widest_probe), intent(inout) :: widest
+      integer(c_int32_t) :: status
+    end function
+
     ! ---- balls and sticks ------------------------------------------------------------------------------------------
 
     function hsp_sticks_limits_init(limits, struct_size, balls) result(status) bind(C, name="hsp_sticks_limits_init")
@@ -2098,10 +2482,84 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
+    function hsp_sticks_compute_map(sticks, model, options, stick, count, radius, conflict, limits) result(status) &
+      bind(C, name="hsp_sticks_compute_map")
+      import :: c_double, c_int32_t, c_ptr, hsp_stick, hsp_sticks_conflict, hsp_sticks_limits, hsp_view_options
+      type(c_ptr), value :: sticks
+      type(c_ptr), value :: model
+      type(hsp_view_options), intent(in), optional :: options
+      type(hsp_stick), intent(in), optional :: stick(*)
+      integer(c_int32_t), value :: count
+      real(c_double), value :: radius
+      type(hsp_sticks_conflict), intent(inout), optional :: conflict
+      type(hsp_sticks_limits), intent(inout), optional :: limits
+      integer(c_int32_t) :: status
+    end function
+
     function hsp_sticks_get_info(sticks, info) result(status) bind(C, name="hsp_sticks_get_info")
       import :: c_int32_t, c_ptr, hsp_sticks_info
       type(c_ptr), value :: sticks
       type(hsp_sticks_info), intent(inout) :: info
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_sticks_get_map_info(sticks, info) result(status) bind(C, name="hsp_sticks_get_map_info")
+      import :: c_int32_t, c_ptr, hsp_map_info
+      type(c_ptr), value :: sticks
+      type(hsp_map_info), intent(inout) :: info
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_sticks_get_vertices(sticks, first, count, out) result(status) bind(C, name="hsp_sticks_get_vertices")
+      import :: c_int32_t, c_ptr, hsp_map_vertex
+      type(c_ptr), value :: sticks
+      integer(c_int32_t), value :: first  ! 0-based
+      integer(c_int32_t), value :: count
+      type(hsp_map_vertex), intent(inout), optional :: out(*)
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_sticks_get_edges(sticks, first, count, out) result(status) bind(C, name="hsp_sticks_get_edges")
+      import :: c_int32_t, c_ptr, hsp_map_edge
+      type(c_ptr), value :: sticks
+      integer(c_int32_t), value :: first  ! 0-based
+      integer(c_int32_t), value :: count
+      type(hsp_map_edge), intent(inout), optional :: out(*)
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_sticks_get_faces(sticks, first, count, out) result(status) bind(C, name="hsp_sticks_get_faces")
+      import :: c_int32_t, c_ptr, hsp_map_face
+      type(c_ptr), value :: sticks
+      integer(c_int32_t), value :: first  ! 0-based
+      integer(c_int32_t), value :: count
+      type(hsp_map_face), intent(inout), optional :: out(*)
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_sticks_get_areas(sticks, area, capacity, needed) result(status) bind(C, name="hsp_sticks_get_areas")
+      import :: c_double, c_int32_t, c_ptr
+      type(c_ptr), value :: sticks
+      real(c_double), intent(inout), optional :: area(*)  ! balls, then two for each stick
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_sticks_pick(sticks, x, y, sight) result(status) bind(C, name="hsp_sticks_pick")
+      import :: c_double, c_int32_t, c_ptr, hsp_map_sight
+      type(c_ptr), value :: sticks
+      real(c_double), value :: x
+      real(c_double), value :: y
+      type(hsp_map_sight), intent(inout) :: sight
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_sticks_check(sticks, invariant, id) result(status) bind(C, name="hsp_sticks_check")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: sticks
+      integer(c_int32_t), intent(inout) :: invariant
+      integer(c_int32_t), intent(inout) :: id
       integer(c_int32_t) :: status
     end function
 
@@ -2367,6 +2825,13 @@ contains
     turned = hsp_surface_twin(h)
   end function
 
+  !> HSP_STICKS_HALF of the header: the number of a half of a stick in a map of so many balls; all 0-based.
+  elemental function hsp_sticks_half(balls, stick, half) result(number)
+    integer(c_int32_t), intent(in) :: balls, stick, half
+    integer(c_int32_t) :: number
+    number = balls + 2_c_int32_t*stick + half
+  end function
+
   elemental function quad_turned(q, quarters) result(turned)
     integer(c_int32_t), intent(in) :: q, quarters
     integer(c_int32_t) :: turned
@@ -2438,6 +2903,15 @@ contains
             + 16_c_size_t*int(tetrahedra, c_size_t)
   end function
 
+  !> HSP_PERIODIC_BYTES of the header, for the size of an allocation.
+  pure function hsp_periodic_bytes_bound(balls, images, neighbours, vertices, circles, contacts) result(bytes)
+    integer(c_int32_t), intent(in) :: balls, images, neighbours, vertices, circles, contacts
+    integer(c_size_t) :: bytes
+    bytes = 16384_c_size_t + 384_c_size_t*int(balls, c_size_t) + 256_c_size_t*int(images, c_size_t) &
+            + 384_c_size_t*int(neighbours, c_size_t) + 160_c_size_t*int(vertices, c_size_t) &
+            + 80_c_size_t*int(circles, c_size_t) + 44_c_size_t*int(contacts, c_size_t)
+  end function
+
   !> HSP_MESH_BYTES of the header, for the size of an allocation.
   pure function hsp_mesh_bytes_bound(balls, curves, vertices, triangles, points) result(bytes)
     integer(c_int32_t), intent(in) :: balls, curves, vertices, triangles, points
@@ -2484,12 +2958,38 @@ contains
             + 64_c_size_t*int(cube_corners, c_size_t)
   end function
 
+  !> HSP_PATHS_BYTES of the header, for the size of an allocation.
+  pure function hsp_paths_bytes_bound(cubes, entries, cells, adjacencies, landmarks, facets, corners, cube_balls, &
+                                      cube_corners, points) result(bytes)
+    integer(c_int32_t), intent(in) :: cubes, entries, cells, adjacencies, landmarks, facets, corners
+    integer(c_int32_t), intent(in) :: cube_balls, cube_corners, points
+    integer(c_size_t) :: bytes
+    bytes = 32768_c_size_t + 128_c_size_t*int(cubes, c_size_t) + 8_c_size_t*int(entries, c_size_t) &
+            + 136_c_size_t*int(cells, c_size_t) + 48_c_size_t*int(adjacencies, c_size_t) &
+            + 12_c_size_t*int(landmarks, c_size_t) + 72_c_size_t*int(facets, c_size_t) &
+            + 48_c_size_t*int(corners, c_size_t) + 1664_c_size_t*int(cube_balls, c_size_t) &
+            + 64_c_size_t*int(cube_corners, c_size_t) + 24_c_size_t*int(points, c_size_t)
+  end function
+
+  !> HSP_GATE_BYTES of the header, for the size of an allocation.
+  pure function hsp_gate_bytes_bound(balls, cubes, entries, cells, adjacencies, landmarks, facets, corners, cube_balls, &
+                                     cube_corners) result(bytes)
+    integer(c_int32_t), intent(in) :: balls, cubes, entries, cells, adjacencies, landmarks, facets, corners
+    integer(c_int32_t), intent(in) :: cube_balls, cube_corners
+    integer(c_size_t) :: bytes
+    bytes = 32768_c_size_t + 160_c_size_t*int(balls, c_size_t) + 128_c_size_t*int(cubes, c_size_t) &
+            + 8_c_size_t*int(entries, c_size_t) + 28_c_size_t*int(cells, c_size_t) &
+            + 16_c_size_t*int(adjacencies, c_size_t) + 12_c_size_t*int(landmarks, c_size_t) &
+            + 72_c_size_t*int(facets, c_size_t) + 48_c_size_t*int(corners, c_size_t) &
+            + 1152_c_size_t*int(cube_balls, c_size_t) + 64_c_size_t*int(cube_corners, c_size_t)
+  end function
+
   !> HSP_STICKS_BYTES of the header, for the size of an allocation.
   pure function hsp_sticks_bytes_bound(balls, sticks, pairs, edges) result(bytes)
     integer(c_int32_t), intent(in) :: balls, sticks, pairs, edges
     integer(c_size_t) :: bytes
     bytes = 16384_c_size_t + 192_c_size_t*int(balls, c_size_t) + 384_c_size_t*int(sticks, c_size_t) &
-            + 20_c_size_t*int(pairs, c_size_t) + 320_c_size_t*int(edges, c_size_t)
+            + 20_c_size_t*int(pairs, c_size_t) + 400_c_size_t*int(edges, c_size_t)
   end function
 
   !> hsp_status_text as a Fortran string.

@@ -33,8 +33,10 @@ module hardsphere_workspace
     type(c_ptr) :: map = c_null_ptr
     type(c_ptr) :: contacts = c_null_ptr
     type(c_ptr) :: cells = c_null_ptr
+    type(c_ptr) :: paths = c_null_ptr
+    type(c_ptr) :: gate = c_null_ptr
     integer(c_int32_t), private :: most_balls = 0
-    type(memory_block), private :: memory(9)
+    type(memory_block), private :: memory(11)
     type(hsp_boundary_limits), private :: boundary_limits
     type(hsp_topology_limits), private :: topology_limits
     type(hsp_view_limits), private :: view_limits
@@ -43,6 +45,8 @@ module hardsphere_workspace
     type(hsp_map_limits), private :: map_limits
     type(hsp_contacts_limits), private :: contacts_limits
     type(hsp_cells_limits), private :: cells_limits
+    type(hsp_paths_limits), private :: paths_limits
+    type(hsp_gate_limits), private :: gate_limits
   contains
     procedure :: set => set_balls
     procedure :: compute_boundary
@@ -53,6 +57,8 @@ module hardsphere_workspace
     procedure :: compute_map
     procedure :: compute_contacts
     procedure :: compute_cells
+    procedure :: find_path
+    procedure :: compute_gate
     procedure, private :: make_boundary
     procedure, private :: make_topology
     procedure, private :: make_view
@@ -62,16 +68,19 @@ module hardsphere_workspace
     procedure, private :: make_map
     procedure, private :: make_contacts
     procedure, private :: make_cells
+    procedure, private :: make_paths
+    procedure, private :: make_gate
   end type
 
   private :: set_balls, compute_boundary, compute_topology, compute_view, compute_surface, compute_mesh, compute_map, &
-    compute_contacts, compute_cells, make_boundary, make_topology, make_view, make_surface, make_mesh, raise_mesh_limits, &
+    compute_contacts, compute_cells, find_path, compute_gate, make_paths, make_gate, make_boundary, make_topology, &
+    make_view, make_surface, make_mesh, raise_mesh_limits, &
     make_map, make_contacts, make_cells, allocated_to
 
 contains
 
   ! Takes n balls into the model; arguments and statuses as hsp_model_set. Boundary, topology, view, surface, mesh, map,
-  ! contacts and cells hold no results then.
+  ! contacts, cells, paths and gate hold no results then.
   function set_balls(self, n, xyz, radius, options, first_bad) result(status)
     class(hsp_workspace), intent(inout), target :: self
     integer(c_int32_t), intent(in) :: n
@@ -94,6 +103,8 @@ contains
       if (status == HSP_OK .and. c_associated(self%map)) status = self%make_map()
       if (status == HSP_OK .and. c_associated(self%contacts)) status = self%make_contacts()
       if (status == HSP_OK .and. c_associated(self%cells)) status = self%make_cells()
+      if (status == HSP_OK .and. c_associated(self%paths)) status = self%make_paths()
+      if (status == HSP_OK .and. c_associated(self%gate)) status = self%make_gate()
       if (status == HSP_OK) status = allocated_to(self%memory(1), bytes)
       if (status == HSP_OK) status = hsp_model_init(c_loc(self%memory(1)%bytes), bytes, n, self%model)
       if (status /= HSP_OK) return
@@ -289,6 +300,56 @@ contains
     end do
   end function
 
+  ! Finds a path from one point to another through the free space of the model; arguments and statuses as
+  ! hsp_paths_find. What only depends on the model is computed the first time.
+  function find_path(self, from, to, path) result(status)
+    class(hsp_workspace), intent(inout), target :: self
+    real(c_double), intent(in) :: from(3), to(3)
+    type(hsp_path), intent(inout) :: path
+    type(hsp_paths_limits) :: limits
+    integer(c_int32_t) :: status
+    if (.not. c_associated(self%paths)) then
+      status = hsp_paths_limits_init(self%paths_limits, int(c_sizeof(limits), c_int32_t), self%most_balls)
+      if (status == HSP_OK) status = self%make_paths()
+      if (status /= HSP_OK) return
+    end if
+    limits = self%paths_limits
+    do
+      status = hsp_paths_find(self%paths, from, to, path, limits)
+      if (status == HSP_E_STATE) then
+        status = hsp_paths_compute(self%paths, self%model, limits)
+        if (status == HSP_OK) cycle
+      end if
+      if (status /= HSP_E_CAPACITY) return
+      self%paths_limits = limits
+      status = self%make_paths()
+      if (status /= HSP_OK) return
+    end do
+  end function
+
+  ! Finds the widest probe from one point to another, or to the outside without `to`; arguments and statuses as
+  ! hsp_gate_compute.
+  function compute_gate(self, from, to) result(status)
+    class(hsp_workspace), intent(inout), target :: self
+    real(c_double), intent(in) :: from(3)
+    real(c_double), intent(in), optional :: to(3)
+    type(hsp_gate_limits) :: limits
+    integer(c_int32_t) :: status
+    if (.not. c_associated(self%gate)) then
+      status = hsp_gate_limits_init(self%gate_limits, int(c_sizeof(limits), c_int32_t), self%most_balls)
+      if (status == HSP_OK) status = self%make_gate()
+      if (status /= HSP_OK) return
+    end if
+    limits = self%gate_limits
+    do
+      status = hsp_gate_compute(self%gate, self%model, from, to, limits)
+      if (status /= HSP_E_CAPACITY) return
+      self%gate_limits = limits
+      status = self%make_gate()
+      if (status /= HSP_OK) return
+    end do
+  end function
+
   ! Limits of the mesh that suffice for edges of this length, too.
   function raise_mesh_limits(self, edge, smooth) result(status)
     class(hsp_workspace), intent(inout), target :: self
@@ -379,6 +440,26 @@ contains
     status = hsp_contacts_bytes(self%contacts_limits, bytes)
     if (status == HSP_OK) status = allocated_to(self%memory(8), bytes)
     if (status == HSP_OK) status = hsp_contacts_init(c_loc(self%memory(8)%bytes), bytes, self%contacts_limits, self%contacts)
+  end function
+
+  function make_paths(self) result(status)
+    class(hsp_workspace), intent(inout), target :: self
+    integer(c_int32_t) :: status
+    integer(c_size_t) :: bytes
+    self%paths = c_null_ptr
+    status = hsp_paths_bytes(self%paths_limits, bytes)
+    if (status == HSP_OK) status = allocated_to(self%memory(10), bytes)
+    if (status == HSP_OK) status = hsp_paths_init(c_loc(self%memory(10)%bytes), bytes, self%paths_limits, self%paths)
+  end function
+
+  function make_gate(self) result(status)
+    class(hsp_workspace), intent(inout), target :: self
+    integer(c_int32_t) :: status
+    integer(c_size_t) :: bytes
+    self%gate = c_null_ptr
+    status = hsp_gate_bytes(self%gate_limits, bytes)
+    if (status == HSP_OK) status = allocated_to(self%memory(11), bytes)
+    if (status == HSP_OK) status = hsp_gate_init(c_loc(self%memory(11)%bytes), bytes, self%gate_limits, self%gate)
   end function
 
   function make_cells(self) result(status)

@@ -36,6 +36,19 @@ inline size_t most_bytes(const hsp_cells_limits &limits) {
   return HSP_CELLS_BYTES(limits.cubes, limits.entries, limits.cells, limits.adjacencies, limits.landmarks,
                          limits.facets, limits.corners, limits.cube_balls, limits.cube_corners);
 }
+inline size_t most_bytes(const hsp_paths_limits &limits) {
+  return HSP_PATHS_BYTES(limits.cubes, limits.entries, limits.cells, limits.adjacencies, limits.landmarks,
+                         limits.facets, limits.corners, limits.cube_balls, limits.cube_corners, limits.points);
+}
+inline size_t most_bytes(const hsp_gate_limits &limits) {
+  return HSP_GATE_BYTES(limits.balls, limits.cubes, limits.entries, limits.cells, limits.adjacencies, limits.landmarks,
+                        limits.facets, limits.corners, limits.cube_balls, limits.cube_corners);
+}
+
+inline size_t most_bytes(const hsp_periodic_limits &limits) {
+  return HSP_PERIODIC_BYTES(limits.balls, limits.images, limits.neighbours, limits.vertices, limits.circles,
+                            limits.contacts);
+}
 
 // `exact`: the limits that the computation needs. `compute` takes a handle and limits to hand back and returns its
 // status, `read` takes it and returns the status of reading; where that is HSP_OK it has compared what it read.

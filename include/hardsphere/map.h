@@ -135,6 +135,7 @@ HSP_API uint32_t hsp_map_left(const hsp_map *map, uint32_t h);
 #define HSP_MAP_TRIPLE UINT32_C(1)   /**< where three creases meet */
 #define HSP_MAP_T UINT32_C(2)        /**< where a curve goes behind a silhouette */
 #define HSP_MAP_TANGENCY UINT32_C(3) /**< where a crease goes over into a silhouette */
+#define HSP_MAP_HALVES UINT32_C(4)   /**< where halves of a stick meet at their outline; in sticks.h only */
 
 /** A vertex. Frozen. */
 typedef struct hsp_map_vertex {

@@ -9,7 +9,8 @@
  * rotation of a quaternion about the origin, and each ball on the lattice again: on the lattice point nearest to where
  * it is moved, as doubles find it. As long as coordinates are below 2^40 steps that is within 0.87 steps of the ideal
  * place. So answers are exact for the balls that are compared, the same on every machine, and right for the ideal ones
- * wherever no gap is within a step of 0. Balls that touch meet.
+ * wherever no gap is within a step of 0. Balls that touch meet. Rational poses round nothing: their answers are exact
+ * for the ideal balls.
  *
  * Both bodies need lattices of the same step: set hsp_model_options.step where radii differ much. Bodies are only read
  * by the functions that ask, so that any number of threads may ask at once, and a list of poses may be split over
@@ -116,6 +117,41 @@ HSP_API int32_t hsp_body_overlaps(const hsp_body *fixed, const hsp_body *moving,
  *  @retval HSP_E_RANGE       as for hsp_body_hits, or more than 2^32 - 2 pairs */
 HSP_API int32_t hsp_body_pairs(const hsp_body *fixed, const hsp_body *moving, const hsp_pose *pose, uint32_t *pair,
                                uint32_t capacity, uint32_t *needed);
+
+/** Where a body is, without any rounding: x goes to R x + t with a rotation R of fractions, (the integer matrix of the
+ *  quaternion) / (the square of its length), and a lattice point t. Frozen. */
+typedef struct hsp_rational_pose {
+  int32_t quaternion[4]; /**< w x y z, not all 0, of any length: the rotation R; 1 0 0 0 is none */
+  double translation[3]; /**< t, lengths; what counts is the lattice point nearest to it */
+} hsp_rational_pose;
+
+/** As hsp_body_hits, for poses that move a body as truly rigid: no ball is put on the lattice again, and whether two
+ *  balls meet is decided about the ideal ones, in integers of 256 bits where doubles leave a doubt. Poses follow each
+ *  other as there.
+ *  - Property 1: the same rotation by a quaternion of another length has the same answers.
+ *
+ *  Cost: as hsp_body_hits but where balls nearly touch.
+ *  @retval HSP_E_ARGUMENT    as for hsp_body_hits
+ *  @retval HSP_E_NOT_FINITE  a number of a translation is NaN or infinite
+ *  @retval HSP_E_RANGE       a quaternion is 0; a pose moves balls by more than 2^50 steps, or may move one farther
+ *                            than 2^51 steps */
+HSP_API int32_t hsp_body_rational_hits(const hsp_body *fixed, const hsp_body *moving, uint32_t poses,
+                                       const hsp_rational_pose *pose, uint32_t *hit, uint32_t *first_bad);
+
+/** As hsp_body_gaps, for rational poses: of the ideal balls.
+ *  @retval HSP_E_ARGUMENT    as for hsp_body_hits
+ *  @retval HSP_E_NOT_FINITE  as for hsp_body_rational_hits
+ *  @retval HSP_E_RANGE       as for hsp_body_rational_hits */
+HSP_API int32_t hsp_body_rational_gaps(const hsp_body *fixed, const hsp_body *moving, uint32_t poses,
+                                       const hsp_rational_pose *pose, hsp_body_gap *gap, uint32_t *first_bad);
+
+/** As hsp_body_pairs, for a rational pose.
+ *  @retval HSP_E_ARGUMENT    a null pointer, a dead handle, or lattices of different steps
+ *  @retval HSP_E_CAPACITY    capacity < *needed; nothing is written to pair
+ *  @retval HSP_E_NOT_FINITE  as for hsp_body_rational_hits
+ *  @retval HSP_E_RANGE       as for hsp_body_rational_hits, or more than 2^32 - 2 pairs */
+HSP_API int32_t hsp_body_rational_pairs(const hsp_body *fixed, const hsp_body *moving, const hsp_rational_pose *pose,
+                                        uint32_t *pair, uint32_t capacity, uint32_t *needed);
 
 #ifdef __cplusplus
 }

@@ -1,4 +1,4 @@
-/* hardsphere/sticks.h: balls and sticks as a picture, with hidden parts removed.
+/* hardsphere/sticks.h: balls and sticks as a picture, with hidden parts removed, and as a visibility map.
  *
  * A stick is a solid cylinder between the centres of two balls. View coordinates are those of view.h: x to the right, y
  * up, z towards the viewer. What is painted are balls, without what of them is inside sticks, and halves of sticks: the
@@ -8,7 +8,8 @@
  *
  * There is no such order where balls meet, or where balls and sticks cover each other around a circle, like the flaps
  * of a carton. Then what is seen of each is found instead, as for a visibility map: no two paths overlap, and each line
- * between them is drawn once. Like a map it rests on floating-point roots and labels that hold it together; where
+ * between them is drawn once. That is a visibility map of balls and halves of sticks, which can also be had where there
+ * is an order, and read. Like a map of balls it rests on floating-point roots and labels that hold it together; where
  * roundings decide differently about the same thing, all balls are moved by less than 2^-13 of their radii.
  *
  * Sticks meet nothing outside the balls at their ends:
@@ -21,7 +22,7 @@
 #ifndef HARDSPHERE_STICKS_H
 #define HARDSPHERE_STICKS_H
 
-#include "view.h"
+#include "map.h"
 
 #include <stddef.h>
 #include <stdint.h>
@@ -40,7 +41,7 @@ typedef struct hsp_sticks_limits {
   uint32_t sticks;      /**< most sticks */
   uint32_t pairs;       /**< of balls and halves of sticks of which one may cover a part of the other; two if they
                                 are balls that meet */
-  uint32_t edges;       /**< between what is seen of balls and sticks where there is no order to paint them */
+  uint32_t edges;       /**< of the map, where there is one */
 } hsp_sticks_limits;
 
 /** Limits that suffice for most molecules of `balls` atoms of which the balls do not meet: sticks 2 balls, pairs
@@ -60,7 +61,7 @@ HSP_API int32_t hsp_sticks_bytes(const hsp_sticks_limits *limits, size_t *bytes)
 /** The same as an upper bound that is a constant expression, for static arrays. */
 #define HSP_STICKS_BYTES(balls, sticks, pairs, edges)                                                              \
   ((size_t)16384 + (size_t)192 * (size_t)(balls) + (size_t)384 * (size_t)(sticks) + (size_t)20 * (size_t)(pairs) + \
-   (size_t)320 * (size_t)(edges))
+   (size_t)400 * (size_t)(edges))
 
 /** Make balls and sticks without results in caller memory of any alignment; sets *sticks.
  *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
@@ -122,6 +123,23 @@ HSP_API int32_t hsp_sticks_compute(hsp_sticks *sticks, const hsp_model *model, c
                                    const hsp_stick *stick, uint32_t count, double radius, hsp_sticks_conflict *conflict,
                                    hsp_sticks_limits *limits);
 
+/** The same with a map in any case: also where there is an order to paint, which the conflict then tells. Pictures show
+ *  what is seen of each, side by side.
+ *  - Property 1: hsp_sticks_check finds nothing.
+ *
+ *  Cost: as for hsp_sticks_compute without an order.
+ *  @retval HSP_E_ARGUMENT    sticks or model is NULL; bad options; stick is NULL and count is not 0; an unknown flag or
+ *                            a reserved field of a stick that is not 0; bad struct_size of limits
+ *  @retval HSP_E_CAPACITY    a limit is too small
+ *  @retval HSP_E_NOT_FINITE  radius or a component of towards or up is NaN or infinite
+ *  @retval HSP_E_NEGATIVE    radius is negative
+ *  @retval HSP_E_RANGE       radius is 0
+ *  @retval HSP_E_CONFLICT    balls and sticks that cannot be painted; see conflict
+ *  @retval HSP_E_CHECK       roundings could not be overcome by moving balls three times */
+HSP_API int32_t hsp_sticks_compute_map(hsp_sticks *sticks, const hsp_model *model, const hsp_view_options *options,
+                                       const hsp_stick *stick, uint32_t count, double radius,
+                                       hsp_sticks_conflict *conflict, hsp_sticks_limits *limits);
+
 /** What is painted, and where. Frozen. */
 typedef struct hsp_sticks_info {
   double origin[3];  /**< the point with view coordinates 0 0 0: the middle of the balls' centres, length */
@@ -140,6 +158,72 @@ typedef struct hsp_sticks_info {
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
 HSP_API int32_t hsp_sticks_get_info(const hsp_sticks *sticks, hsp_sticks_info *info);
+
+/* ---- the map ----------------------------------------------------------------------------------------------------- */
+
+/* After hsp_sticks_compute_map, and after hsp_sticks_compute where there is no order to paint, there is a map of balls
+ * and halves of sticks. Its records are those of map.h, and all that is said there of vertices, edges and faces holds,
+ * but that
+ *   balls        are balls by their numbers and halves of sticks by HSP_STICKS_HALF; a whole stick is its half 0
+ *   silhouettes  are also the two lines along each half, ellipses with a second axis of 0
+ *   creases      are also the half circles where a stick leaves its balls, and where its halves meet
+ *   tangencies   are also where such a half circle goes over into the lines, or into the silhouette of the nearer ball;
+ *                halves in the middle of sticks meet at vertices of their own kind, HSP_MAP_HALVES
+ *   faces        of what is farther away come first */
+
+/** The number of a half of a stick in a map of so many balls: half 0 is that of its ball[0], half 1 that of ball[1]. */
+#define HSP_STICKS_HALF(balls, stick, half) ((balls) + UINT32_C(2) * (stick) + (half))
+
+/** Describe the map; `balls` are balls that are seen, without sticks.
+ *  - Property 1: vertices - edges + faces = 1 + components.
+ *
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_STATE     nothing computed, or an order to paint and no map, or the model has changed since */
+HSP_API int32_t hsp_sticks_get_map_info(const hsp_sticks *sticks, hsp_map_info *info);
+
+/** The vertices first .. first + count - 1 of the map, exactly count records; out may be NULL with count 0.
+ *  @retval HSP_E_ARGUMENT  sticks is NULL; out is NULL with a count above 0
+ *  @retval HSP_E_STATE     nothing computed, or an order to paint and no map, or the model has changed since
+ *  @retval HSP_E_ID        not all of these vertices are there */
+HSP_API int32_t hsp_sticks_get_vertices(const hsp_sticks *sticks, uint32_t first, uint32_t count, hsp_map_vertex *out);
+
+/** The edges first .. first + count - 1 of the map, exactly count records; out may be NULL with count 0.
+ *  - Property 1: edges end at their vertices up to rounding.
+ *
+ *  @retval HSP_E_ARGUMENT  sticks is NULL; out is NULL with a count above 0
+ *  @retval HSP_E_STATE     nothing computed, or an order to paint and no map, or the model has changed since
+ *  @retval HSP_E_ID        not all of these edges are there */
+HSP_API int32_t hsp_sticks_get_edges(const hsp_sticks *sticks, uint32_t first, uint32_t count, hsp_map_edge *out);
+
+/** The faces first .. first + count - 1 of the map, exactly count records; out may be NULL with count 0.
+ *  - Property 1: the areas of all faces with a ball or half of a stick sum to hsp_map_info.area, up to rounding.
+ *
+ *  @retval HSP_E_ARGUMENT  sticks is NULL; out is NULL with a count above 0
+ *  @retval HSP_E_STATE     nothing computed, or an order to paint and no map, or the model has changed since
+ *  @retval HSP_E_ID        not all of these faces are there */
+HSP_API int32_t hsp_sticks_get_faces(const hsp_sticks *sticks, uint32_t first, uint32_t count, hsp_map_face *out);
+
+/** How much of each ball and then of each half of a stick is seen, by their numbers in the map: areas in the view
+ *  plane, length^2; 0 of what is hidden and of the second half of a whole stick.
+ *  @retval HSP_E_ARGUMENT  sticks or needed is NULL; area is NULL with a capacity above 0
+ *  @retval HSP_E_CAPACITY  capacity is smaller than *needed, the number of balls and twice that of sticks
+ *  @retval HSP_E_STATE     nothing computed, or an order to paint and no map, or the model has changed since */
+HSP_API int32_t hsp_sticks_get_areas(const hsp_sticks *sticks, double *area, uint32_t capacity, uint32_t *needed);
+
+/** What is seen at (x, y), in view coordinates: the ball or half of a stick, its depth and the face.
+ *
+ *  Cost: O(balls and sticks), and O(edges around the faces of what is seen) for the face.
+ *  @retval HSP_E_ARGUMENT    a null pointer
+ *  @retval HSP_E_STATE       nothing computed, or an order to paint and no map, or the model has changed since
+ *  @retval HSP_E_NOT_FINITE  x or y is NaN or infinite */
+HSP_API int32_t hsp_sticks_pick(const hsp_sticks *sticks, double x, double y, hsp_map_sight *sight);
+
+/** Check the invariants of the map, those of hsp_map_check. sticks may not be used by others meanwhile. Cost: O(size of
+ *  the map).
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_STATE     nothing computed, or an order to paint and no map, or the model has changed since
+ *  @retval HSP_E_CHECK     an invariant is violated */
+HSP_API int32_t hsp_sticks_check(hsp_sticks *sticks, uint32_t *invariant, uint32_t *id);
 
 #ifdef __cplusplus
 }

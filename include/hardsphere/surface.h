@@ -74,8 +74,8 @@ typedef struct hsp_surface_limits {
  *  @retval HSP_E_STATE     the boundary holds no results, or its model has changed since */
 HSP_API int32_t hsp_surface_limits_init(hsp_surface_limits *limits, uint32_t struct_size, const hsp_boundary *boundary);
 
-/** Bytes that hsp_surface_init needs. With limits that just suffice 146 per ball for haemoglobin of 4384 atoms and a
- *  probe of 1.4; with those of hsp_surface_limits_init 176.
+/** Bytes that hsp_surface_init needs. With limits that just suffice 148 per ball for haemoglobin of 4384 atoms and a
+ *  probe of 1.4; with those of hsp_surface_limits_init 178.
  *  - Property 1: at most HSP_SURFACE_BYTES of the six limits.
  *  - Property 2: a larger limit needs no fewer.
  *

@@ -214,11 +214,100 @@ static void matrices(void) {
   CHECK_BYTES(&one, &other, sizeof one);
 }
 
+/* The poses of above by integers; touching is touching, whatever the angle. */
+static const hsp_rational_pose rational[POSES] = {
+    {{1, 0, 0, 0}, {0, 0, 100}}, {{2, 0, 0, 0}, {0, 0, 3}}, {{-1, 0, 0, 0}, {0, 0, 2}}, {{1, 0, 0, 1}, {4, -1, 0}}};
+
+static void check_rational_refused(const hsp_body *a, const hsp_body *b, uint32_t poses, const hsp_rational_pose *at,
+                                   int32_t status, uint32_t bad) {
+  uint32_t hit[POSES], pair[2], needed, first_bad = 77;
+  hsp_body_gap gap[POSES];
+  FILL(hit);
+  FILL(pair);
+  FILL(needed);
+  FILL(gap);
+  CHECK_EQUAL(hsp_body_rational_hits(a, b, poses, at, hit, &first_bad), status);
+  CHECK_EQUAL(first_bad, bad);
+  CHECK_EQUAL(hsp_body_rational_gaps(a, b, poses, at, gap, &first_bad), status);
+  CHECK_EQUAL(first_bad, bad);
+  CHECK_EQUAL(hsp_body_rational_pairs(a, b, bad != HSP_NONE ? at + bad : at, pair, 1, &needed), status);
+  CHECK_UNTOUCHED(hit);
+  CHECK_UNTOUCHED(pair);
+  CHECK_UNTOUCHED(needed);
+  CHECK_UNTOUCHED(gap);
+}
+
+static void rational_poses(void) {
+  hsp_rational_pose bad[POSES];
+  uint32_t hit[POSES], other_hit[POSES], pair[2 * 5], needed = 0, k;
+  hsp_body_gap gap[POSES], other_gap[POSES];
+  make();
+  check_rational_refused(NULL, moving, POSES, rational, HSP_E_ARGUMENT, HSP_NONE);
+  check_rational_refused(fixed, NULL, POSES, rational, HSP_E_ARGUMENT, HSP_NONE);
+  check_rational_refused(fixed, moving, POSES, NULL, HSP_E_ARGUMENT, HSP_NONE);
+  CHECK_EQUAL(hsp_body_rational_hits(fixed, moving, 1, rational, NULL, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_body_rational_gaps(fixed, moving, 1, rational, NULL, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_body_rational_pairs(fixed, moving, rational, NULL, 1, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_body_rational_pairs(fixed, moving, rational, pair, 1, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_body_rational_hits(fixed, moving, 0, NULL, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_body_rational_gaps(fixed, moving, 0, NULL, NULL, NULL), HSP_OK);
+  memcpy(bad, rational, sizeof bad);
+  bad[2].translation[1] = (double)NAN;
+  check_rational_refused(fixed, moving, POSES, bad, HSP_E_NOT_FINITE, 2);
+  bad[2].translation[1] = 1e300;
+  check_rational_refused(fixed, moving, POSES, bad, HSP_E_RANGE, 2);
+  memcpy(bad, rational, sizeof bad);
+  bad[3].quaternion[0] = bad[3].quaternion[3] = 0;
+  check_rational_refused(fixed, moving, POSES, bad, HSP_E_RANGE, 3);
+  CHECK_EQUAL(hsp_body_rational_hits(fixed, moving, POSES, rational, hit, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_body_hits(fixed, moving, POSES, pose, other_hit, NULL), HSP_OK);
+  CHECK_BYTES(hit, other_hit, sizeof hit);
+  CHECK_EQUAL(hsp_body_rational_gaps(fixed, moving, POSES, rational, gap, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_body_gaps(fixed, moving, POSES, pose, other_gap, NULL), HSP_OK);
+  for (k = 0; k < POSES; ++k) {
+    CHECK_NEAR(gap[k].gap, other_gap[k].gap, 1e-12);
+    CHECK(gap[k].fixed == other_gap[k].fixed && gap[k].moving == other_gap[k].moving);
+  }
+  CHECK_EQUAL(hsp_body_rational_pairs(fixed, moving, rational + 2, pair, 4, &needed), HSP_E_CAPACITY);
+  CHECK_EQUAL(needed, 5);
+  CHECK_EQUAL(hsp_body_rational_pairs(fixed, moving, rational + 2, pair, 5, &needed), HSP_OK);
+  for (k = 0; k < 5; ++k) CHECK(pair[2 * k] == k && pair[2 * k + 1] == k);
+}
+
+/* A ball turned about the one that it touches goes on to touch it, and one that is a step farther never does. Snapped
+ * poses cannot know. */
+static void rigid(void) {
+  hsp_rational_pose turn = {{0, 1, -2, 3}, {0, 0, 0}};
+  hsp_pose snapped = {{0, 1, -2, 3}, {0, 0, 0}};
+  double at[3] = {2, 0, 0};
+  uint32_t hit = 0, wrong = 0;
+  int farther, w;
+  for (farther = 0; farther < 2; ++farther) {
+    at[0] = farther ? 2.000000001 : 2;
+    CHECK_EQUAL(hsp_model_init(model_memory, sizeof model_memory, BALLS, &model), HSP_OK);
+    set_body(fixed_memory, sizeof fixed_memory, 1, &fixed);
+    CHECK_EQUAL(hsp_model_set(model, 1, at, radius, NULL, NULL), HSP_OK);
+    CHECK_EQUAL(hsp_body_init(moving_memory, sizeof moving_memory, 1, &moving), HSP_OK);
+    CHECK_EQUAL(hsp_body_set(moving, model), HSP_OK);
+    for (w = 1; w <= 100; ++w) {
+      turn.quaternion[0] = w;
+      snapped.quaternion[0] = w;
+      CHECK_EQUAL(hsp_body_rational_hits(fixed, moving, 1, &turn, &hit, NULL), HSP_OK);
+      CHECK_EQUAL(hit, farther ? 0 : 1);
+      CHECK_EQUAL(hsp_body_hits(fixed, moving, 1, &snapped, &hit, NULL), HSP_OK);
+      if (hit != (farther ? 0U : 1U)) ++wrong;
+    }
+  }
+  CHECK(wrong > 20);
+}
+
 int main(void) {
   sizes();
   make();
   refusals();
   answers();
   matrices();
+  rational_poses();
+  rigid();
   return check_report();
 }

@@ -473,6 +473,7 @@ contains
   subroutine bodies()
     type(c_ptr) :: body
     type(hsp_pose) :: pose(2)
+    type(hsp_rational_pose) :: rational(2)
     type(hsp_body_gap) :: gap(2)
     type(hsp_body_overlap) :: overlap(2)
     integer(c_int8_t), allocatable, target :: memory(:)
@@ -500,6 +501,15 @@ contains
     call check(needed == 0, 'no pairs')
     call expect(hsp_body_pairs(body, body, pose(1), capacity=0_c_int32_t, needed=needed), HSP_E_CAPACITY, 'no room')
     call check(needed == overlap(1)%pairs .and. needed >= n, 'as many pairs')
+    rational(1) = hsp_rational_pose([7, 0, 0, 0], [0.0_c_double, 0.0_c_double, 0.0_c_double])
+    rational(2) = hsp_rational_pose([1, 0, 0, 1], [0.0_c_double, 0.0_c_double, 1000.0_c_double])
+    call expect(hsp_body_rational_hits(body, body, 2_c_int32_t, rational, hit, first_bad), HSP_OK, 'rational hits')
+    call check(all(hit == [1, 0]) .and. first_bad == HSP_NONE, 'hits of rational poses')
+    call expect(hsp_body_rational_gaps(body, body, 2_c_int32_t, rational, gap), HSP_OK, 'rational gaps')
+    call check(gap(1)%gap == -2*maxval(radius) .and. gap(2)%gap > 900.0_c_double, 'gaps of rational poses')
+    call expect(hsp_body_rational_pairs(body, body, rational(1), capacity=0_c_int32_t, needed=needed), HSP_E_CAPACITY, &
+                'no room for pairs of a rational pose')
+    call check(needed == overlap(1)%pairs, 'as many pairs in a rational pose')
   end subroutine
 
   subroutine contacts_functions()

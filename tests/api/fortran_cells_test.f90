@@ -1,4 +1,5 @@
-! Cells of free space as a Fortran program sees them: every function is called, and records arrive field by field.
+! Cells of free space and paths through it as a Fortran program sees them: every function is called, and records arrive
+! field by field.
 program fortran_cells_test
   use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int8_t, c_loc, c_null_ptr, c_ptr, c_size_t, c_sizeof
   use fortran_checks
@@ -10,13 +11,21 @@ program fortran_cells_test
   real(c_double), parameter :: radius(n) = [2.0_c_double]
   real(c_double), parameter :: below(3) = [0.0_c_double, 0.0_c_double, -100.0_c_double]
 
-  integer(c_int8_t), allocatable, target :: model_memory(:), cells_memory(:)
-  type(c_ptr) :: model = c_null_ptr, cells = c_null_ptr
+  real(c_double), parameter :: above(3) = [2.0_c_double, 2.0_c_double, 8.0_c_double]
+  real(c_double), parameter :: under(3) = [2.0_c_double, 2.0_c_double, -8.0_c_double]
+
+  integer(c_int8_t), allocatable, target :: model_memory(:), cells_memory(:), paths_memory(:), gate_memory(:)
+  type(c_ptr) :: model = c_null_ptr, cells = c_null_ptr, paths = c_null_ptr, gate = c_null_ptr
   type(hsp_cells_limits) :: limits
   type(hsp_cells_counts) :: counts
   type(hsp_free_cell), allocatable :: records(:)
   type(hsp_cell_pair), allocatable :: pairs(:)
   type(hsp_arrangement) :: arrangement, spheres(n)
+  type(hsp_paths_limits) :: paths_limits
+  type(hsp_path) :: path
+  type(hsp_gate_limits) :: gate_limits
+  type(hsp_widest_probe) :: widest
+  real(c_double) :: points(3, 20)
   integer(c_int32_t) :: neighbours(100), needed, cell, last
   integer(c_size_t) :: bytes
 
@@ -65,5 +74,46 @@ program fortran_cells_test
               'hsp_model_arrangement')
   call check(arrangement%vertices == 0 .and. arrangement%edges == 0 .and. arrangement%faces == 1, 'one face')
   call check(spheres(1)%faces == 1 .and. needed == 0, 'of one sphere')
+
+  call check(c_sizeof(paths_limits) == 44 .and. c_sizeof(path) == 32, 'sizes of records of paths')
+  call expect(hsp_paths_limits_init(paths_limits, int(c_sizeof(paths_limits), c_int32_t), n), HSP_OK, &
+              'hsp_paths_limits_init')
+  call check(paths_limits%cubes == 66 .and. paths_limits%cube_balls == 1 .and. paths_limits%points == 1028, &
+             'limits of paths')
+  call expect(hsp_paths_bytes(paths_limits, bytes), HSP_OK, 'hsp_paths_bytes')
+  call check(bytes <= hsp_paths_bytes_bound(paths_limits%cubes, paths_limits%entries, paths_limits%cells, &
+                                            paths_limits%adjacencies, paths_limits%landmarks, paths_limits%facets, &
+                                            paths_limits%corners, paths_limits%cube_balls, paths_limits%cube_corners, &
+                                            paths_limits%points), 'hsp_paths_bytes_bound')
+  allocate (paths_memory(bytes))
+  call expect(hsp_paths_init(c_loc(paths_memory), bytes, paths_limits, paths), HSP_OK, 'hsp_paths_init')
+  call expect(hsp_paths_find(paths, under, above, path), HSP_E_STATE, 'a path through nothing')
+  call expect(hsp_paths_compute(paths, model, paths_limits), HSP_OK, 'hsp_paths_compute')
+  call check(paths_limits%cubes == 7 .and. paths_limits%points == 0, 'needed limits of paths')
+  call expect(hsp_paths_find(paths, under, above, path, paths_limits), HSP_OK, 'hsp_paths_find')
+  call check(path%ends == HSP_PATH_CONNECTED .and. path%certified == 1 .and. path%clearance > 0, 'around the ball')
+  call check(path%length > 16 .and. path%length < 30 .and. paths_limits%points >= path%points, 'its length')
+  call expect(hsp_paths_get_points(paths, points, size(points, 2, c_int32_t), needed), HSP_OK, 'hsp_paths_get_points')
+  call check(needed == path%points .and. needed > 2, 'how many points')
+  call check(all(points(:, 1) == under) .and. all(points(:, needed) == above), 'its ends')
+  call expect(hsp_paths_find(paths, xyz(:, 1), above, path), HSP_OK, 'hsp_paths_find from a centre')
+  call check(path%ends == HSP_PATH_COVERED .and. path%points == 0, 'no path')
+
+  call check(c_sizeof(gate_limits) == 44 .and. c_sizeof(widest) == 32, 'sizes of records of gates')
+  call expect(hsp_gate_limits_init(gate_limits, int(c_sizeof(gate_limits), c_int32_t), n), HSP_OK, 'hsp_gate_limits_init')
+  call check(gate_limits%balls == 1 .and. gate_limits%corners == 2128, 'limits of a gate')
+  call expect(hsp_gate_bytes(gate_limits, bytes), HSP_OK, 'hsp_gate_bytes')
+  call check(bytes <= hsp_gate_bytes_bound(gate_limits%balls, gate_limits%cubes, gate_limits%entries, gate_limits%cells, &
+                                           gate_limits%adjacencies, gate_limits%landmarks, gate_limits%facets, &
+                                           gate_limits%corners, gate_limits%cube_balls, gate_limits%cube_corners), &
+             'hsp_gate_bytes_bound')
+  allocate (gate_memory(bytes))
+  call expect(hsp_gate_init(c_loc(gate_memory), bytes, gate_limits, gate), HSP_OK, 'hsp_gate_init')
+  call expect(hsp_gate_get(gate, widest), HSP_E_STATE, 'no probe yet')
+  call expect(hsp_gate_compute(gate, model, under), HSP_OK, 'hsp_gate_compute to the outside')
+  call expect(hsp_gate_compute(gate, model, under, above, gate_limits), HSP_OK, 'hsp_gate_compute')
+  call expect(hsp_gate_get(gate, widest), HSP_OK, 'hsp_gate_get')
+  call check(abs(widest%radius - 4) < 1e-9_c_double .and. widest%passes == 1, 'the widest probe')
+  call check(widest%gate(1) == 0 .and. all(widest%gate(2:) == HSP_NONE), 'its gate')
   call report_checks()
 end program

@@ -29,7 +29,8 @@ grep -oE 'bind\(C, name="[a-z0-9_]+"\)' "$module" | sed 's/.*"\(.*\)".*/\1/' | s
 same functions "$work/functions.header" "$work/functions.module"
 
 # ---- their results and arguments: names, types, by value or by reference, and what is only read
-bash "$here/../packaging/header_text.sh" "$header" >"$work/headers.h"
+# Text that is said to be preprocessed has no lines that go on in the next one.
+bash "$here/../packaging/header_text.sh" "$header" | sed -e ':join' -e '/\\$/ { N; s/\\\n//; b join' -e '}' >"$work/headers.h"
 "$cc" -std=c99 -fpreprocessed -dD -E -P "$work/headers.h" 2>/dev/null >"$work/bare_header"
 sed '/^#/d' "$work/bare_header" | tr '\n' ' ' | tr -s ' ' | awk -f "$here/signatures_of_header.awk" |
   sort >"$work/signatures.header"
@@ -66,6 +67,7 @@ same "names of constants" "$work/constants" "$work/constants.module"
   echo '  printf("surface bytes %zu\n", HSP_SURFACE_BYTES(0,0,0,0,1000,0) + 2 * HSP_SURFACE_BYTES(0,0,0,0,0,1000));'
   echo '  printf("mesh bytes %zu\n", HSP_MESH_BYTES(0,0,0,0,1000));'
   echo '  printf("contacts bytes %zu\n", HSP_CONTACTS_BYTES(0,0,0,0,1000));'
+  echo '  printf("periodic bytes %zu\n", HSP_PERIODIC_BYTES(1000,300,20,7,5,3));'
   # the algebra of quarter-edges, on the first two edges and at both ends of what fits
   for q in 0 1 2 3 4 5 6 7 1073741820 1073741823 2147483647; do
     echo "  printf(\"turned %ld %ld %ld\n\", (long)HSP_QUAD_ROT(UINT32_C($q)), (long)HSP_QUAD_INVERSE_ROT(UINT32_C($q)),"
@@ -75,6 +77,7 @@ same "names of constants" "$work/constants" "$work/constants.module"
   echo '  printf("turned %ld %ld %ld\n", (long)(int32_t)HSP_QUAD_ROT(HSP_NONE),'
   echo '         (long)(int32_t)HSP_QUAD_INVERSE_ROT(HSP_NONE), (long)(int32_t)HSP_QUAD_SYM(HSP_NONE));'
   echo '  printf("twin %ld %ld\n", (long)(int32_t)HSP_SURFACE_TWIN(HSP_NONE), (long)(int32_t)HSP_MAP_TWIN(HSP_NONE));'
+  echo '  printf("half %ld\n", (long)HSP_STICKS_HALF(UINT32_C(1000), UINT32_C(10), UINT32_C(1)));'
   echo '  return 0; }'
 } >"$work/constants.c"
 "$cc" -std=c99 -o "$work/constants.c.out" "$work/constants.c"
@@ -103,10 +106,12 @@ same "names of constants" "$work/constants" "$work/constants.module"
   echo "  print '(a, i0)', 'surface bytes ', hsp_surface_bytes_bound(0,0,0,0,1000,0) + 2 * hsp_surface_bytes_bound(0,0,0,0,0,1000)"
   echo "  print '(a, i0)', 'mesh bytes ', hsp_mesh_bytes_bound(0,0,0,0,1000)"
   echo "  print '(a, i0)', 'contacts bytes ', hsp_contacts_bytes_bound(0,0,0,0,1000)"
+  echo "  print '(a, i0)', 'periodic bytes ', hsp_periodic_bytes_bound(1000,300,20,7,5,3)"
   for q in 0 1 2 3 4 5 6 7 1073741820 1073741823 2147483647 HSP_NONE; do
     echo "  print '(a, 2(i0, 1x), i0)', 'turned ', hsp_quad_rot($q), hsp_quad_inverse_rot($q), hsp_quad_sym($q)"
     echo "  print '(a, i0, 1x, i0)', 'twin ', hsp_surface_twin($q), hsp_map_twin($q)"
   done
+  echo "  print '(a, i0)', 'half ', hsp_sticks_half(1000, 10, 1)"
   echo 'end program'
 } >"$work/constants.f90"
 (cd "$work" && "$fc" -o constants.f90.out "$module" constants.f90 "$archive" -lm)

@@ -37,6 +37,13 @@ program fortran_sticks_test
   type(hsp_view_options) :: options
   integer(c_size_t) :: bytes
   integer(c_int64_t) :: taken
+  type(hsp_map_info) :: map_info
+  type(hsp_map_vertex) :: vertex(2)
+  type(hsp_map_edge) :: edge(2)
+  type(hsp_map_face) :: face(2)
+  type(hsp_map_sight) :: sight
+  real(c_double) :: area(7)
+  integer(c_int32_t) :: needed, invariant, id
 
   call check(c_sizeof(limits) == 20, 'size of hsp_sticks_limits')
   call check(c_sizeof(stick(1)) == 16, 'size of hsp_stick')
@@ -69,6 +76,30 @@ program fortran_sticks_test
   call expect(hsp_sticks_get_info(sticks, info), HSP_OK, 'hsp_sticks_get_info')
   call check(info%paths == 6 .and. info%balls == 3 .and. info%sticks == 2, 'numbers of info')
   call check(abs(info%high(2) + info%origin(2) - 13.0_c_double) < 1e-6_c_double, 'box of info')
+  call expect(hsp_sticks_get_map_info(sticks, map_info), HSP_E_STATE, 'an order and no map')
+  deallocate (sticks_memory)
+  limits%edges = 100
+  call expect(hsp_sticks_bytes(limits, bytes), HSP_OK, 'hsp_sticks_bytes with edges')
+  allocate (sticks_memory(bytes))
+  call expect(hsp_sticks_init(c_loc(sticks_memory), bytes, limits, sticks), HSP_OK, 'hsp_sticks_init with edges')
+  call expect(hsp_sticks_compute_map(sticks, model, options, stick, 2, 1.0_c_double, conflict, limits), HSP_OK, &
+              'hsp_sticks_compute_map')
+  call expect(hsp_sticks_get_map_info(sticks, map_info), HSP_OK, 'hsp_sticks_get_map_info')
+  call check(map_info%balls == 3 .and. map_info%vertices + map_info%faces == map_info%edges + map_info%components + 1, &
+             'numbers of the map')
+  call expect(hsp_sticks_get_vertices(sticks, 0, 2, vertex), HSP_OK, 'hsp_sticks_get_vertices')
+  call check(all(vertex%kind <= HSP_MAP_HALVES), 'kinds of vertices')
+  call expect(hsp_sticks_get_edges(sticks, 0, 2, edge), HSP_OK, 'hsp_sticks_get_edges')
+  call check(edge(1)%ball(1) >= 0 .and. edge(1)%ball(1) < 7, 'the ball or half of an edge')
+  call expect(hsp_sticks_get_faces(sticks, 0, 2, face), HSP_OK, 'hsp_sticks_get_faces')
+  call check(face(1)%ball == HSP_NONE .and. face(2)%area > 0, 'faces')
+  call expect(hsp_sticks_get_areas(sticks, area, 7, needed), HSP_OK, 'hsp_sticks_get_areas')
+  call check(needed == 7 .and. abs(sum(area) - map_info%area) < 1e-9_c_double, 'areas')
+  call expect(hsp_sticks_pick(sticks, 0.0_c_double - map_info%origin(1), 4.0_c_double - map_info%origin(2), sight), HSP_OK, &
+              'hsp_sticks_pick')
+  call check(sight%ball == hsp_sticks_half(n, 1, 0), 'a whole stick')
+  call expect(hsp_sticks_check(sticks, invariant, id), HSP_OK, 'hsp_sticks_check')
+  call check(invariant == 0, 'no violated invariant')
   call expect(hsp_sticks_compute(sticks, model, count=0_c_int32_t, radius=1.0_c_double), HSP_OK, 'without sticks')
   call expect(hsp_picture_write_sticks(sticks, title='sticks'//c_null_char, sink=c_funloc(count_bytes), &
                                        context=c_null_ptr, bytes=taken), HSP_OK, 'hsp_picture_write_sticks')

@@ -7,7 +7,10 @@ program fortran_workspace_test
   implicit none
 
   real(c_double), parameter :: pi = acos(-1.0_c_double)
+  real(c_double), parameter :: away(3) = [5.0_c_double, 7.0_c_double, 9.0_c_double]
   type(hsp_workspace), target :: work
+  type(hsp_path) :: path
+  type(hsp_widest_probe) :: widest
 
   call nothing_set()
   call rows_of_balls(1_c_int32_t)
@@ -28,6 +31,8 @@ contains
     call expect(work%compute_map(), HSP_E_ARGUMENT, 'no model for a map')
     call expect(work%compute_contacts(), HSP_E_STATE, 'no boundary for contacts')
     call expect(work%compute_cells(), HSP_E_ARGUMENT, 'no model for cells')
+    call expect(work%find_path(away, away, path), HSP_E_ARGUMENT, 'no model for a path')
+    call expect(work%compute_gate(away), HSP_E_ARGUMENT, 'no model for a probe')
   end subroutine
 
   ! n unit balls in a row at distance 1: each inner one loses two caps of height 1/2, and what is left is symmetric.
@@ -116,6 +121,12 @@ contains
     call check(needed == n - 1, 'each touches the next')
     call expect(work%compute_cells(), HSP_OK, 'cells')
     call expect(hsp_cells_check(work%cells, work%topology, invariant, id), HSP_OK, 'their invariants')
+    call expect(work%find_path(away, -away, path), HSP_OK, 'a path')
+    call check(path%ends == HSP_PATH_CONNECTED .and. path%certified == 1, 'past all balls')
+    call expect(work%compute_gate(away), HSP_OK, 'the widest probe')
+    call expect(work%compute_gate(away, -away), HSP_OK, 'the widest probe on that way')
+    call expect(hsp_gate_get(work%gate, widest), HSP_OK, 'how wide it is')
+    call check(widest%passes == 1 .and. widest%radius > 0, 'some probe passes')
   end subroutine
 
   subroutine refused()

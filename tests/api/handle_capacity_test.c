@@ -1,10 +1,14 @@
-/* Every limit of models, boundaries, topologies and views, for sets of every kind, at 0, 1, needed-1, needed and
- * needed+1: HSP_E_CAPACITY with nothing written beyond what the header names, or the same results as with ample memory.
- * Memory is of exactly the size that the bytes function tells, with guard bytes around it. */
+/* Every limit of models, boundaries, topologies, views, contacts, cells and bodies, for sets of every kind, at 0, 1,
+ * needed-1, needed and needed+1: HSP_E_CAPACITY with nothing written beyond what the header names, or the same results
+ * as with ample memory. Memory is of exactly the size that the bytes function tells, with guard bytes around it. */
 #include <hardsphere.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "body_result.h"
+#include "cells_result.h"
 #include "check.h"
+#include "contacts_result.h"
 #include "guarded_memory.h"
 #include "limit_sweep.h"
 #include "output_sweep.h"
@@ -262,6 +266,147 @@ static void sweep_views(const computed *c, uint32_t which, const char *name) {
   sweep_view(c, &options, 1, name);
 }
 
+/* ---- contacts, cells and bodies ---- */
+
+static void contacts_results(const void *contacts, const void *source) {
+  const contacts_result *all = source;
+  const uint32_t n = all->base->n;
+  hsp_complex counts;
+  hsp_totals totals;
+  uint32_t count = 0;
+  guarded_memory list = guarded_take(sizeof(hsp_contact) * all->count, 0, GUARDED_PATTERN);
+  guarded_memory volume = guarded_take(sizeof(double) * n, 0, GUARDED_PATTERN);
+  guarded_memory area = guarded_take(sizeof(double) * n, 0, GUARDED_PATTERN);
+  CHECK_EQUAL(hsp_contacts_get_complex(contacts, &counts), HSP_OK);
+  CHECK_BYTES(&counts, &all->counts, sizeof counts);
+  CHECK_EQUAL(hsp_contacts_get(contacts, (void *)list.block, all->count, &count), HSP_OK);
+  CHECK_BYTES(list.block, all->list, list.bytes);
+  CHECK_EQUAL(hsp_contacts_measure(contacts, &totals, (void *)volume.block, (void *)area.block, n, NULL), HSP_OK);
+  CHECK_BYTES(&totals, &all->totals, sizeof totals);
+  CHECK_BYTES(volume.block, all->cell_volume, volume.bytes);
+  CHECK_BYTES(area.block, all->contact_area, area.bytes);
+  CHECK(guarded_clean(&list) && guarded_clean(&volume) && guarded_clean(&area));
+  guarded_give_back(&list);
+  guarded_give_back(&volume);
+  guarded_give_back(&area);
+}
+
+static void no_contacts_results(const void *contacts) {
+  hsp_complex counts;
+  uint32_t count = 12345;
+  CHECK_EQUAL(hsp_contacts_get_complex(contacts, &counts), HSP_E_STATE);
+  CHECK_EQUAL(hsp_contacts_get(contacts, NULL, 0, &count), HSP_E_STATE);
+  CHECK_EQUAL(count, 12345);
+}
+
+/* The limits of which 0 stands for simplices that are only counted: which is enough, as what is needed is. */
+static void sweep_simplices(const contacts_result *all, const char *name) {
+  int dimension;
+  for (dimension = 2; dimension < 4; ++dimension) {
+    const uint32_t needed = dimension == 2 ? all->needed.triangles : all->needed.tetrahedra;
+    uint32_t values[AROUND], i;
+    values_around(needed, values);
+    for (i = 0; i < AROUND; ++i) {
+      const int enough = values[i] == 0 || values[i] >= needed;
+      hsp_contacts_limits limits = all->needed;
+      uint32_t *limit = dimension == 2 ? &limits.triangles : &limits.tetrahedra;
+      size_t bytes = 0;
+      guarded_memory memory;
+      hsp_contacts *contacts = NULL;
+      check_scene("%s, %u of %u simplices of dimension %d", name, (unsigned)values[i], (unsigned)needed, dimension);
+      *limit = values[i];
+      CHECK_EQUAL(hsp_contacts_bytes(&limits, &bytes), HSP_OK);
+      memory = guarded_take(bytes, i, GUARDED_RANDOM);
+      CHECK_EQUAL(hsp_contacts_init(memory.block, bytes, &limits, &contacts), HSP_OK);
+      CHECK_EQUAL(hsp_contacts_compute(contacts, all->base->boundary, &limits), enough ? HSP_OK : HSP_E_CAPACITY);
+      CHECK_EQUAL(*limit, values[i] == 0 ? 0 : needed);
+      CHECK_EQUAL(limits.contacts, all->needed.contacts);
+      if (enough) {
+        uint32_t count = 12345;
+        hsp_simplex *list = test_zeros(needed, sizeof *list);
+        contacts_results(contacts, all);
+        CHECK_EQUAL(hsp_contacts_get_simplices(contacts, (uint32_t)dimension, list, needed, &count),
+                    values[i] == 0 && needed > 0 ? HSP_E_STATE : HSP_OK);
+        CHECK_EQUAL(count, values[i] == 0 && needed > 0 ? 12345 : needed);
+        free(list);
+      } else {
+        no_contacts_results(contacts);
+      }
+      CHECK(guarded_clean(&memory));
+      guarded_give_back(&memory);
+    }
+  }
+}
+
+static void sweep_contacts(const computed *c, const char *name) {
+  contacts_result all;
+  if (CHECK_EQUAL(contacts_result_make(c, &all), HSP_OK)) {
+    hsp_contacts_limits needed = all.needed;
+    const known_handle known = {&contacts_handle, &all, &needed, contacts_results, no_contacts_results, NULL};
+    needed.triangles = needed.tetrahedra = 0;
+    sweep_limits(&known, name);
+    sweep_simplices(&all, name);
+  }
+  contacts_result_release(&all);
+}
+
+static void cells_results(const void *cells, const void *source) {
+  const cells_result *all = source;
+  hsp_cells_counts counts;
+  guarded_memory list = guarded_take(sizeof(hsp_free_cell) * all->counts.cells, 0, GUARDED_PATTERN);
+  guarded_memory pairs = guarded_take(sizeof(hsp_cell_pair) * all->counts.adjacencies, 0, GUARDED_PATTERN);
+  CHECK_EQUAL(hsp_cells_get_counts(cells, &counts), HSP_OK);
+  CHECK_BYTES(&counts, &all->counts, sizeof counts);
+  CHECK_EQUAL(hsp_cells_get_cells(cells, 0, counts.cells, (void *)list.block), HSP_OK);
+  CHECK_BYTES(list.block, all->list, list.bytes);
+  CHECK_EQUAL(hsp_cells_get_pairs(cells, 0, counts.adjacencies, (void *)pairs.block), HSP_OK);
+  CHECK_BYTES(pairs.block, all->pairs, pairs.bytes);
+  CHECK(guarded_clean(&list) && guarded_clean(&pairs));
+  guarded_give_back(&list);
+  guarded_give_back(&pairs);
+}
+
+static void no_cells_results(const void *cells) {
+  hsp_cells_counts counts;
+  hsp_free_cell cell;
+  CHECK_EQUAL(hsp_cells_get_counts(cells, &counts), HSP_E_STATE);
+  CHECK_EQUAL(hsp_cells_get_cells(cells, 0, 1, &cell), HSP_E_STATE);
+}
+
+static void sweep_cells(const computed *c, const char *name) {
+  cells_result all;
+  if (CHECK_EQUAL(cells_result_make(c, &all), HSP_OK)) {
+    const known_handle known = {&cells_handle, &all, &all.needed, cells_results, no_cells_results, NULL};
+    sweep_limits(&known, name);
+  }
+  cells_result_release(&all);
+}
+
+static void body_results(const void *body, const void *source) {
+  const body_result *all = source;
+  hsp_body_gap gap[BODY_POSES];
+  hsp_body_overlap overlap[BODY_POSES];
+  CHECK_EQUAL(hsp_body_gaps(body, body, BODY_POSES, body_poses, gap, NULL), HSP_OK);
+  CHECK_BYTES(gap, all->gap, sizeof gap);
+  CHECK_EQUAL(hsp_body_overlaps(body, body, BODY_POSES, body_poses, overlap, NULL), HSP_OK);
+  CHECK_BYTES(overlap, all->overlap, sizeof overlap);
+}
+
+static void no_body_results(const void *body) {
+  hsp_body_gap gap;
+  CHECK_EQUAL(hsp_body_gaps(body, body, 1, body_poses, &gap, NULL), HSP_OK);
+  CHECK_EQUAL(gap.fixed, HSP_NONE);
+}
+
+static void sweep_body(const computed *c, const char *name) {
+  body_result all;
+  if (CHECK_EQUAL(body_result_make(c, &all), HSP_OK)) {
+    const known_handle known = {&body_handle, &all, &all.needed, body_results, no_body_results, NULL};
+    sweep_limits(&known, name);
+  }
+  body_result_release(&all);
+}
+
 int main(void) {
   static ball_set set;
   computed all;
@@ -283,6 +428,10 @@ int main(void) {
     if (CHECK_EQUAL(computed_make(set.n, set.xyz, set.radius, NULL, &all), HSP_OK)) {
       sweep_topology(&all, set.name);
       sweep_views(&all, which, set.name);
+      sweep_body(&all, set.name);
+      if (which % 3 == 0) sweep_contacts(&all, set.name);
+      /* They have nine limits, so that a few balls must do. */
+      if (which % 3 == 1 && set.n <= 12) sweep_cells(&all, set.name);
     }
     computed_release(&all);
   }

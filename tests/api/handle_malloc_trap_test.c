@@ -272,7 +272,14 @@ static int call_sticks(const hsp_model *model, void *memory, size_t bytes, uint3
   hsp_sticks_limits limits;
   hsp_sticks_conflict conflict;
   hsp_sticks_info info;
+  hsp_map_info map_info;
+  hsp_map_vertex vertex;
+  hsp_map_edge edge;
+  hsp_map_face face;
+  hsp_map_sight sight;
   hsp_picture_options options;
+  double area[7];
+  uint32_t needed = 0, invariant = 0, id = 0;
   size_t size = 0;
   int bad = hsp_picture_options_init(&options, (uint32_t)sizeof options) != HSP_OK;
   bad += hsp_sticks_limits_init(&limits, (uint32_t)sizeof limits, 3) != HSP_OK;
@@ -283,6 +290,16 @@ static int call_sticks(const hsp_model *model, void *memory, size_t bytes, uint3
   bad += hsp_sticks_get_info(sticks, &info) != HSP_OK;
   bad += info.balls != 3;
   bad += (conflict.kind == HSP_STICKS_BALLS_MEET) != (edges > 0);
+  if (edges > 0) {
+    bad += hsp_sticks_compute_map(sticks, model, NULL, stick, 2, 0.5, NULL, NULL) != HSP_OK;
+    bad += hsp_sticks_get_map_info(sticks, &map_info) != HSP_OK;
+    bad += hsp_sticks_get_vertices(sticks, 0, 1, &vertex) != HSP_OK;
+    bad += hsp_sticks_get_edges(sticks, 0, 1, &edge) != HSP_OK;
+    bad += hsp_sticks_get_faces(sticks, 1, 1, &face) != HSP_OK;
+    bad += hsp_sticks_get_areas(sticks, area, 7, &needed) != HSP_OK;
+    bad += hsp_sticks_pick(sticks, 0, 0, &sight) != HSP_OK;
+    bad += hsp_sticks_check(sticks, &invariant, &id) != HSP_OK;
+  }
   for (options.format = HSP_FORMAT_SVG; options.format <= HSP_FORMAT_PDF; ++options.format) {
     uint64_t taken = 0, said = 0;
     bad += hsp_picture_write_sticks(sticks, NULL, &options, "title", "text", count_bytes, &taken, &said) != HSP_OK;
@@ -313,6 +330,64 @@ static int call_cells(const hsp_model *model, void *memory, size_t bytes) {
   bad += hsp_cells_locate(cells, origin, &found) != HSP_OK || found != HSP_NONE;
   bad += hsp_cells_check(cells, NULL, &found, &needed) != HSP_OK;
   bad += hsp_model_arrangement(model, &arrangement, NULL, neighbours, 64, &needed) != HSP_OK || arrangement.faces < 3;
+  return bad;
+}
+
+/* Paths through free space and the widest probe, all functions. */
+static int call_paths(const hsp_model *model, void *memory, size_t bytes) {
+  static const double from[3] = {-5, 0, 1}, to[3] = {9, 1, 0};
+  double points[30][3];
+  hsp_paths *paths = NULL;
+  hsp_paths_limits limits;
+  hsp_path path;
+  hsp_gate *gate = NULL;
+  hsp_gate_limits of_gate;
+  hsp_widest_probe widest;
+  uint32_t needed = 0;
+  size_t size = 0;
+  int bad = hsp_paths_limits_init(&limits, (uint32_t)sizeof limits, 3) != HSP_OK;
+  bad += hsp_paths_bytes(&limits, &size) != HSP_OK || size > bytes;
+  bad += hsp_paths_init(memory, size, &limits, &paths) != HSP_OK;
+  bad += hsp_paths_compute(paths, model, NULL) != HSP_OK;
+  bad += hsp_paths_find(paths, from, to, &path, NULL) != HSP_OK || path.ends != HSP_PATH_CONNECTED;
+  bad += hsp_paths_get_points(paths, points[0], 30, &needed) != HSP_OK || needed != path.points;
+  bad += hsp_gate_limits_init(&of_gate, (uint32_t)sizeof of_gate, 3) != HSP_OK;
+  bad += hsp_gate_bytes(&of_gate, &size) != HSP_OK || size > bytes;
+  bad += hsp_gate_init(memory, size, &of_gate, &gate) != HSP_OK;
+  bad += hsp_gate_compute(gate, model, from, to, NULL) != HSP_OK;
+  bad += hsp_gate_get(gate, &widest) != HSP_OK || widest.passes != 1;
+  return bad;
+}
+
+/* A periodic box, all functions. */
+static int call_periodic(void *memory, size_t bytes) {
+  static const double xyz[9] = {0, 0, 0, 3, 0, 1, 1, 1, -2}, radius[3] = {1.5, 1.5, 1.25};
+  static const double box[9] = {5, 0, 0, 1, 4, 0, -1, 1, 4.5};
+  static hsp_periodic_contact contact[64];
+  static hsp_image image[64];
+  hsp_periodic *periodic = NULL;
+  hsp_periodic_limits limits;
+  hsp_periodic_counts counts;
+  hsp_periodic_totals totals;
+  hsp_winding winding[3];
+  hsp_energy energy;
+  double area[3], cell[3], centre[9], strain[9], by_box[9];
+  uint32_t component[3], flags[3], needed = 0, invariant, id;
+  size_t size = 0;
+  int bad = hsp_periodic_limits_init(&limits, (uint32_t)sizeof limits, 3) != HSP_OK;
+  bad += hsp_periodic_bytes(&limits, &size) != HSP_OK || size > bytes;
+  bad += hsp_periodic_init(memory, size, &limits, &periodic) != HSP_OK;
+  bad += hsp_periodic_compute(periodic, 3, xyz, radius, NULL, box, &limits, NULL) != HSP_OK;
+  bad += hsp_periodic_get_counts(periodic, &counts) != HSP_OK || counts.contacts == 0;
+  bad += hsp_periodic_measure(periodic, &totals, area, cell, 3, &needed) != HSP_OK;
+  bad += hsp_periodic_get_contacts(periodic, contact, 64, &needed) != HSP_OK || needed == 0;
+  bad += hsp_periodic_get_windings(periodic, winding, 3, &needed) != HSP_OK || needed == 0;
+  bad += hsp_periodic_get_components(periodic, component, 3, &needed) != HSP_OK;
+  bad += hsp_periodic_gradient(periodic, NULL, 1, 1, HSP_TANGENT_OVERLAP, &energy, centre, area, flags, strain, by_box,
+                               3, &needed, NULL) != HSP_OK;
+  bad += hsp_periodic_query_point(periodic, xyz, image, 64, &needed) != HSP_OK || needed == 0;
+  bad += hsp_periodic_query_neighbours(periodic, 0, image, 64, &needed) != HSP_OK || needed == 0;
+  bad += hsp_periodic_check(periodic, &invariant, &id) != HSP_OK;
   return bad;
 }
 
@@ -558,6 +633,7 @@ static void trap_bodies(void) {
   if (CHECK_EQUAL(computed_make(3, xyz[0], radius, NULL, &c), HSP_OK)) {
     hsp_body *body = NULL;
     hsp_pose pose;
+    const hsp_rational_pose rational = {{1, 0, 0, 0}, {0, 0, 0}};
     hsp_body_gap gap;
     hsp_body_overlap overlap;
     uint32_t hit, pair[18], needed;
@@ -572,6 +648,9 @@ static void trap_bodies(void) {
     bad += hsp_body_gaps(body, body, 1, &pose, &gap, NULL) != HSP_OK;
     bad += hsp_body_overlaps(body, body, 1, &pose, &overlap, NULL) != HSP_OK;
     bad += hsp_body_pairs(body, body, &pose, pair, 9, &needed) != HSP_OK;
+    bad += hsp_body_rational_hits(body, body, 1, &rational, &hit, NULL) != HSP_OK || hit != 1;
+    bad += hsp_body_rational_gaps(body, body, 1, &rational, &gap, NULL) != HSP_OK;
+    bad += hsp_body_rational_pairs(body, body, &rational, pair, 9, &needed) != HSP_OK;
     disarm(bad);
   }
   computed_release(&c);
@@ -608,13 +687,22 @@ static void trap_sticks(void) {
 
 static void trap_cells(void) {
   static const double xyz[9] = {0, 0, 0, 3, 0, 1, 10, 10, -2}, radius[3] = {2, 2, 3};
-  static unsigned char memory[1 << 18], model_memory[HSP_MODEL_BYTES(3)];
+  static unsigned char memory[1 << 19], model_memory[HSP_MODEL_BYTES(3)];
   hsp_model *model = NULL;
   int bad;
   CHECK_EQUAL(hsp_model_init(model_memory, sizeof model_memory, 3, &model), HSP_OK);
   CHECK_EQUAL(hsp_model_set(model, 3, xyz, radius, NULL, NULL), HSP_OK);
   arm();
   bad = call_cells(model, memory, sizeof memory);
+  bad += call_paths(model, memory, sizeof memory);
+  disarm(bad);
+}
+
+static void trap_periodic(void) {
+  static unsigned char memory[1 << 19];
+  int bad;
+  arm();
+  bad = call_periodic(memory, sizeof memory);
   disarm(bad);
 }
 
@@ -651,6 +739,7 @@ int main(void) {
   trap_bodies();
   trap_sticks();
   trap_cells();
+  trap_periodic();
   for (which = 0; which < ball_set_count(); ++which) {
     ball_set_make(which, &set);
     if (set.n == 0) continue;

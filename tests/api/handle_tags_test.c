@@ -11,7 +11,10 @@ static four_handles h;
 static hsp_surface *surface;
 static hsp_contacts *contacts;
 static hsp_cells *cells;
+static hsp_paths *paths;
+static hsp_gate *gate;
 static hsp_body *body;
+static hsp_periodic *periodic;
 
 /* A surface of its own, as four_handles has none. */
 static void make_surface(void) {
@@ -21,30 +24,45 @@ static void make_surface(void) {
   CHECK_EQUAL(hsp_surface_compute(surface, h.boundary, NULL), HSP_OK);
 }
 
-/* Contacts, cells and a body likewise. */
+/* Contacts, cells, paths, a gate and a body likewise. */
 static void make_further(void) {
-  enum { CELLS_SIZE = 1 << 18 };
+  enum { CELLS_SIZE = 1 << 18, PATHS_SIZE = 1 << 19 };
   static unsigned char contacts_memory[SIZE], cells_memory[CELLS_SIZE], body_memory[SIZE];
+  static unsigned char paths_memory[PATHS_SIZE], gate_memory[CELLS_SIZE], periodic_memory[PATHS_SIZE];
+  hsp_periodic_limits of_periodic;
+  hsp_paths_limits of_paths;
+  hsp_gate_limits of_gate;
   hsp_contacts_limits of_contacts;
   hsp_cells_limits of_cells;
   CHECK_EQUAL(hsp_contacts_limits_init(&of_contacts, (uint32_t)sizeof of_contacts, h.boundary), HSP_OK);
   CHECK_EQUAL(hsp_contacts_init(contacts_memory, sizeof contacts_memory, &of_contacts, &contacts), HSP_OK);
   CHECK_EQUAL(hsp_cells_limits_init(&of_cells, (uint32_t)sizeof of_cells, BALLS), HSP_OK);
   CHECK_EQUAL(hsp_cells_init(cells_memory, sizeof cells_memory, &of_cells, &cells), HSP_OK);
+  CHECK_EQUAL(hsp_paths_limits_init(&of_paths, (uint32_t)sizeof of_paths, BALLS), HSP_OK);
+  CHECK_EQUAL(hsp_paths_init(paths_memory, sizeof paths_memory, &of_paths, &paths), HSP_OK);
+  CHECK_EQUAL(hsp_gate_limits_init(&of_gate, (uint32_t)sizeof of_gate, BALLS), HSP_OK);
+  CHECK_EQUAL(hsp_gate_init(gate_memory, sizeof gate_memory, &of_gate, &gate), HSP_OK);
+  CHECK_EQUAL(hsp_periodic_limits_init(&of_periodic, (uint32_t)sizeof of_periodic, BALLS), HSP_OK);
+  CHECK_EQUAL(hsp_periodic_init(periodic_memory, sizeof periodic_memory, &of_periodic, &periodic), HSP_OK);
   CHECK_EQUAL(hsp_body_init(body_memory, sizeof body_memory, BALLS, &body), HSP_OK);
 }
 
 static void compute_further(void) {
   CHECK_EQUAL(hsp_contacts_compute(contacts, h.boundary, NULL), HSP_OK);
   CHECK_EQUAL(hsp_cells_compute(cells, h.model, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_paths_compute(paths, h.model, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_gate_compute(gate, h.model, four_inside, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_body_set(body, h.model), HSP_OK);
 }
 
 static void check_further(int32_t of_contacts, int32_t of_cells) {
   hsp_complex complex;
   hsp_cells_counts counts;
+  hsp_widest_probe widest;
   CHECK_EQUAL(hsp_contacts_get_complex(contacts, &complex), of_contacts);
   CHECK_EQUAL(hsp_cells_get_counts(cells, &counts), of_cells);
+  CHECK_EQUAL(hsp_paths_get_points(paths, NULL, 0, &counts.cubes), of_cells);
+  CHECK_EQUAL(hsp_gate_get(gate, &widest), of_cells);
 }
 
 static const char *scene;
@@ -65,6 +83,8 @@ static void refused_as_model(void *handle) {
   hsp_ray_hit hit;
   check_scene("%s as a model", scene);
   CHECK_EQUAL(hsp_cells_compute(cells, handle, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_paths_compute(paths, handle, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_gate_compute(gate, handle, four_inside, NULL, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_body_set(body, handle), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_model_arrangement(handle, NULL, NULL, NULL, 0, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_model_set(handle, BALLS, four_xyz, four_radius, NULL, NULL), HSP_E_ARGUMENT);
@@ -224,10 +244,47 @@ static void refused_as_cells(void *handle) {
   CHECK_EQUAL(hsp_cells_check(handle, NULL, &invariant, &id), HSP_E_ARGUMENT);
 }
 
+static void refused_as_paths(void *handle) {
+  hsp_path path;
+  uint32_t needed;
+  check_scene("%s as paths", scene);
+  CHECK_EQUAL(hsp_paths_compute(handle, h.model, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_paths_find(handle, four_inside, four_inside, &path, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_paths_get_points(handle, NULL, 0, &needed), HSP_E_ARGUMENT);
+}
+
+static void refused_as_gate(void *handle) {
+  hsp_widest_probe widest;
+  check_scene("%s as a gate", scene);
+  CHECK_EQUAL(hsp_gate_compute(handle, h.model, four_inside, NULL, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_gate_get(handle, &widest), HSP_E_ARGUMENT);
+}
+
+static void refused_as_periodic(void *handle) {
+  static const double box[9] = {20, 0, 0, 0, 20, 0, 0, 0, 20};
+  hsp_periodic_counts counts;
+  uint32_t needed, id;
+  check_scene("%s as periodic", scene);
+  CHECK_EQUAL(hsp_periodic_compute(handle, BALLS, four_xyz, four_radius, NULL, box, NULL, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_get_counts(handle, &counts), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_measure(handle, NULL, NULL, NULL, 0, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_get_contacts(handle, NULL, 0, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_get_windings(handle, NULL, 0, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_get_components(handle, NULL, 0, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(
+      hsp_periodic_gradient(handle, NULL, 1, 0, HSP_TANGENT_OVERLAP, NULL, NULL, NULL, NULL, NULL, NULL, 0, NULL, NULL),
+      HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_query_point(handle, four_xyz, NULL, 0, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_query_neighbours(handle, 0, NULL, 0, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_check(handle, &needed, &id), HSP_E_ARGUMENT);
+}
+
 static void refused_as_body(void *handle) {
   uint32_t needed;
   hsp_pose pose;
+  hsp_rational_pose rational;
   memset(&pose, 0, sizeof pose);
+  memset(&rational, 0, sizeof rational);
   check_scene("%s as a body", scene);
   CHECK_EQUAL(hsp_body_set(handle, h.model), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_body_hits(handle, body, 0, NULL, NULL, NULL), HSP_E_ARGUMENT);
@@ -238,6 +295,12 @@ static void refused_as_body(void *handle) {
   CHECK_EQUAL(hsp_body_overlaps(body, handle, 0, NULL, NULL, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_body_pairs(handle, body, &pose, NULL, 0, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_body_pairs(body, handle, &pose, NULL, 0, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_body_rational_hits(handle, body, 0, NULL, NULL, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_body_rational_hits(body, handle, 0, NULL, NULL, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_body_rational_gaps(handle, body, 0, NULL, NULL, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_body_rational_gaps(body, handle, 0, NULL, NULL, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_body_rational_pairs(handle, body, &rational, NULL, 0, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_body_rational_pairs(body, handle, &rational, NULL, 0, &needed), HSP_E_ARGUMENT);
 }
 
 static void refused_as_one_of_five(void *handle) {
@@ -251,6 +314,9 @@ static void refused_as_one_of_five(void *handle) {
 static void refused_as_further(void *handle) {
   refused_as_contacts(handle);
   refused_as_cells(handle);
+  refused_as_paths(handle);
+  refused_as_gate(handle);
+  refused_as_periodic(handle);
   refused_as_body(handle);
 }
 
@@ -294,15 +360,41 @@ static void handles_of_other_kinds(void) {
   scene = "contacts";
   refused_as_one_of_five(contacts);
   refused_as_cells(contacts);
+  refused_as_paths(contacts);
+  refused_as_gate(contacts);
   refused_as_body(contacts);
   scene = "cells";
   refused_as_one_of_five(cells);
   refused_as_contacts(cells);
+  refused_as_paths(cells);
+  refused_as_gate(cells);
   refused_as_body(cells);
+  scene = "paths";
+  refused_as_one_of_five(paths);
+  refused_as_contacts(paths);
+  refused_as_cells(paths);
+  refused_as_gate(paths);
+  refused_as_body(paths);
+  scene = "a gate";
+  refused_as_one_of_five(gate);
+  refused_as_contacts(gate);
+  refused_as_cells(gate);
+  refused_as_paths(gate);
+  refused_as_body(gate);
+  scene = "a periodic union";
+  refused_as_one_of_five(periodic);
+  refused_as_contacts(periodic);
+  refused_as_cells(periodic);
+  refused_as_paths(periodic);
+  refused_as_gate(periodic);
+  refused_as_body(periodic);
   scene = "a body";
+  refused_as_periodic(body);
   refused_as_one_of_five(body);
   refused_as_contacts(body);
   refused_as_cells(body);
+  refused_as_paths(body);
+  refused_as_gate(body);
 }
 
 /* Copies at another address, as realloc makes them. */
@@ -311,9 +403,10 @@ static void moved_handles(void) {
     unsigned char bytes[4096];
     double alignment;
   } copy;
-  void *const handles[8] = {h.model, h.boundary, h.topology, h.view, surface, contacts, cells, body};
+  void *const handles[11] = {h.model, h.boundary, h.topology, h.view, surface, contacts,
+                             cells,   paths,      gate,       body,   periodic};
   int i;
-  for (i = 0; i < 8; ++i) {
+  for (i = 0; i < 11; ++i) {
     unpoison(handles[i], 4096);
     memcpy(copy.bytes, handles[i], 4096);
     refused_as_anything(copy.bytes, "a moved handle");

@@ -14,6 +14,7 @@ static hsp_model *model;
 static hsp_sticks *sticks;
 static hsp_sticks_info info;
 static hsp_sticks_conflict conflict;
+static hsp_map_info map_info;
 
 /* A corner of a square, its neighbours, and a ball behind the middle. */
 static const double xyz[3 * BALLS] = {0, 0, 0, 10, 0, 0, 0, 10, 0, 5, 5, -20};
@@ -219,6 +220,167 @@ static void without_order(void) {
   CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
 }
 
+static void check_no_map(hsp_sticks *which, int32_t status) {
+  hsp_map_vertex vertex;
+  hsp_map_edge edge;
+  hsp_map_face face;
+  hsp_map_sight sight;
+  double area[BALLS + 2 * STICKS];
+  uint32_t needed = 12345, invariant = 12345, id = 12345;
+  FILL(map_info);
+  FILL(vertex);
+  FILL(edge);
+  FILL(face);
+  FILL(sight);
+  FILL(area);
+  CHECK_EQUAL(hsp_sticks_get_map_info(which, &map_info), status);
+  CHECK_EQUAL(hsp_sticks_get_vertices(which, 0, 1, &vertex), status);
+  CHECK_EQUAL(hsp_sticks_get_edges(which, 0, 1, &edge), status);
+  CHECK_EQUAL(hsp_sticks_get_faces(which, 0, 1, &face), status);
+  CHECK_EQUAL(hsp_sticks_get_areas(which, area, BALLS + 2 * STICKS, &needed), status);
+  CHECK_EQUAL(hsp_sticks_pick(which, 0, 0, &sight), status);
+  CHECK_EQUAL(hsp_sticks_check(which, &invariant, &id), status);
+  CHECK_UNTOUCHED(map_info);
+  CHECK_UNTOUCHED(vertex);
+  CHECK_UNTOUCHED(edge);
+  CHECK_UNTOUCHED(face);
+  CHECK_UNTOUCHED(sight);
+  CHECK_UNTOUCHED(area);
+  CHECK(needed == 12345 && invariant == 12345 && id == 12345);
+}
+
+static void refused_records(void) {
+  hsp_map_vertex vertex;
+  hsp_map_edge edge;
+  hsp_map_face face;
+  hsp_map_sight sight;
+  double area[BALLS + 2 * STICKS];
+  uint32_t needed = 0, id = 0;
+  FILL(vertex);
+  FILL(edge);
+  FILL(face);
+  FILL(sight);
+  FILL(area);
+  CHECK_EQUAL(hsp_sticks_get_map_info(sticks, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_sticks_get_vertices(sticks, 0, 1, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_sticks_get_edges(sticks, 0, 1, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_sticks_get_faces(sticks, 0, 1, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_sticks_get_vertices(sticks, map_info.vertices, 0, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_sticks_get_edges(sticks, map_info.edges, 0, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_sticks_get_faces(sticks, map_info.faces, 0, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_sticks_get_vertices(sticks, map_info.vertices, 1, &vertex), HSP_E_ID);
+  CHECK_EQUAL(hsp_sticks_get_edges(sticks, map_info.edges, 1, &edge), HSP_E_ID);
+  CHECK_EQUAL(hsp_sticks_get_faces(sticks, map_info.faces, 1, &face), HSP_E_ID);
+  CHECK_EQUAL(hsp_sticks_get_faces(sticks, 1, HSP_NONE, &face), HSP_E_ID);
+  CHECK_EQUAL(hsp_sticks_get_areas(sticks, area, 1, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_sticks_get_areas(sticks, NULL, 1, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_sticks_get_areas(sticks, area, BALLS + 2 * STICKS - 1, &needed), HSP_E_CAPACITY);
+  CHECK_EQUAL(needed, BALLS + 2 * STICKS);
+  CHECK_EQUAL(hsp_sticks_pick(sticks, 0, 0, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_sticks_pick(sticks, (double)NAN, 0, &sight), HSP_E_NOT_FINITE);
+  CHECK_EQUAL(hsp_sticks_pick(sticks, 0, (double)INFINITY, &sight), HSP_E_NOT_FINITE);
+  CHECK_EQUAL(hsp_sticks_check(sticks, NULL, &id), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_sticks_check(sticks, &id, NULL), HSP_E_ARGUMENT);
+  CHECK_UNTOUCHED(vertex);
+  CHECK_UNTOUCHED(edge);
+  CHECK_UNTOUCHED(face);
+  CHECK_UNTOUCHED(sight);
+  CHECK_UNTOUCHED(area);
+}
+
+/* What is seen at a point of the file's coordinates, which are those of the view but for the origin. */
+static uint32_t seen_at(double x, double y, double depth) {
+  hsp_map_sight sight;
+  CHECK_EQUAL(hsp_sticks_pick(sticks, x - map_info.origin[0], y - map_info.origin[1], &sight), HSP_OK);
+  CHECK(sight.face != HSP_NONE);
+  if (sight.ball == HSP_NONE) {
+    CHECK(isinf(sight.depth));
+  } else {
+    CHECK(fabs(sight.depth + map_info.origin[2] - depth) < 1e-6 + 8 * map_info.perturbation);
+  }
+  return sight.ball;
+}
+
+static uint32_t half_of(uint32_t stick, uint32_t half) {
+  return HSP_STICKS_HALF(UINT32_C(4), stick, half);
+}
+
+/* A map where there is an order too: numbers, records and answers. */
+static void maps(void) {
+  static const hsp_stick turned = {{1, 3}, 0, 0};
+  static hsp_map_vertex vertex[EDGES];
+  static hsp_map_edge edge[EDGES];
+  static hsp_map_face face[EDGES];
+  const double slope = 20 / sqrt(450.0); /* how steep the third stick is: the depth of its front over its axis */
+  double area[BALLS + 2 * STICKS], sum = 0;
+  uint32_t needed = 0, invariant = 1, id = 1, k, kinds[5] = {0, 0, 0, 0, 0};
+  hsp_sticks_info other;
+  check_has_results();
+  check_no_map(sticks, HSP_E_STATE);
+  check_no_map(NULL, HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_sticks_compute_map(NULL, model, NULL, good, STICKS, 0.5, NULL, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_sticks_compute_map(sticks, model, NULL, good, STICKS, 0, NULL, NULL), HSP_E_RANGE);
+  check_no_map(sticks, HSP_E_STATE);
+  CHECK_EQUAL(hsp_sticks_compute_map(sticks, model, NULL, good, STICKS, 0.5, &conflict, NULL), HSP_OK);
+  CHECK_EQUAL(conflict.kind, HSP_STICKS_NO_CONFLICT);
+  CHECK_EQUAL(hsp_sticks_get_map_info(sticks, &map_info), HSP_OK);
+  CHECK_EQUAL(hsp_sticks_get_info(sticks, &other), HSP_OK);
+  CHECK(other.paths == 9 && other.balls == BALLS && map_info.balls == BALLS);
+  CHECK(map_info.vertices + map_info.faces == map_info.edges + 1 + map_info.components);
+  CHECK(map_info.components == 1 && map_info.edges <= EDGES && map_info.perturbation < 1e-4);
+  CHECK_EQUAL(hsp_sticks_check(sticks, &invariant, &id), HSP_OK);
+  CHECK(invariant == 0 && id == HSP_NONE);
+  refused_records();
+  CHECK_EQUAL(hsp_sticks_get_vertices(sticks, 0, map_info.vertices, vertex), HSP_OK);
+  CHECK_EQUAL(hsp_sticks_get_edges(sticks, 0, map_info.edges, edge), HSP_OK);
+  CHECK_EQUAL(hsp_sticks_get_faces(sticks, 0, map_info.faces, face), HSP_OK);
+  CHECK_EQUAL(hsp_sticks_get_areas(sticks, area, BALLS + 2 * STICKS, &needed), HSP_OK);
+  CHECK(area[half_of(1, 1)] == 0 && area[half_of(1, 0)] > 0 && area[half_of(0, 0)] > 0 && area[half_of(0, 1)] > 0);
+  for (k = 0; k < BALLS + 2 * STICKS; ++k) sum += area[k];
+  CHECK(fabs(sum - map_info.area) < 1e-9);
+  for (k = 1; k < map_info.faces; ++k) {
+    if (face[k].ball != HSP_NONE) area[face[k].ball] -= face[k].area;
+  }
+  for (k = 0; k < BALLS + 2 * STICKS; ++k) CHECK(fabs(area[k]) < 1e-9);
+  for (k = 0; k < map_info.vertices; ++k) ++kinds[vertex[k].kind];
+  /* Each of two halves has two with the other half; two at the foot of each stick that is not steep. */
+  CHECK(kinds[HSP_MAP_PLAIN] == 0 && kinds[HSP_MAP_TRIPLE] == 0 && kinds[HSP_MAP_HALVES] == 4);
+  CHECK(kinds[HSP_MAP_TANGENCY] >= 6 && kinds[HSP_MAP_T] >= 4);
+  for (k = 0; k < map_info.edges; ++k) {
+    const hsp_map_edge *e = &edge[k];
+    int end;
+    for (end = 0; end < 2; ++end) {
+      const double t = end == 0 ? e->from : e->to;
+      const double x = e->centre[0] + cos(t) * e->first[0] + sin(t) * e->second[0];
+      const double y = e->centre[1] + cos(t) * e->first[1] + sin(t) * e->second[1];
+      const hsp_map_vertex *v = &vertex[e->vertex[end]];
+      CHECK(fabs(v->xyz[0] - x) < 1e-6 && fabs(v->xyz[1] - y) < 1e-6);
+    }
+    CHECK(face[e->face[0]].ball == e->ball[0]);
+    CHECK(e->ball[1] == HSP_NONE || face[e->face[1]].ball == e->ball[1]);
+    /* of the level stick along the x axis the two lines */
+    if (e->ball[0] == half_of(0, 0) && e->ball[1] == HSP_NONE) CHECK(e->second[0] == 0 && e->second[1] == 0);
+  }
+  CHECK_EQUAL(seen_at(0.5, 0, sqrt(3.75)), 0);
+  CHECK_EQUAL(seen_at(4, 0, 0.5), half_of(0, 0));
+  CHECK_EQUAL(seen_at(6, 0, 0.5), half_of(0, 1));
+  CHECK_EQUAL(seen_at(0, 4, 0.5), half_of(1, 0));
+  CHECK_EQUAL(seen_at(0, 7, 0.5), half_of(1, 0));
+  CHECK_EQUAL(seen_at(4.6, 5.4, -20 + sqrt(1 - 2 * 0.4 * 0.4)), 3);
+  CHECK_EQUAL(seen_at(5, 5, -20 + 0.5 / sqrt(1 - slope * slope)), half_of(2, 0));
+  CHECK_EQUAL(seen_at(8, 2, -8 + 0.5 / sqrt(1 - slope * slope)), half_of(2, 1));
+  CHECK_EQUAL(seen_at(4, 9, 0), HSP_NONE);
+  CHECK_EQUAL(seen_at(1e300, -1e300, 0), HSP_NONE);
+  /* The steep one from its nearer ball, as the only one. */
+  CHECK_EQUAL(hsp_sticks_compute_map(sticks, model, NULL, &turned, 1, 0.5, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_sticks_get_map_info(sticks, &map_info), HSP_OK);
+  CHECK_EQUAL(seen_at(8, 2, -8 + 0.5 / sqrt(1 - slope * slope)), half_of(0, 0));
+  CHECK_EQUAL(seen_at(5, 5, -20 + 0.5 / sqrt(1 - slope * slope)), half_of(0, 1));
+  CHECK(map_info.components == 3);
+  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
+  check_no_map(sticks, HSP_E_STATE);
+}
+
 /* One path for each ball and part of a stick, with its colour. */
 static void pictures(void) {
   static const uint32_t colours[BALLS] = {0x112233, 0x445566, 0x778899, 0xAABBCC};
@@ -275,6 +437,7 @@ int main(void) {
   computing();
   conflicts();
   without_order();
+  maps();
   pictures();
   order_of_calls();
   small_limits();

@@ -25,7 +25,9 @@ static hsp_map *map;
 static hsp_sticks *sticks;
 static hsp_contacts *contacts;
 static hsp_cells *cells;
-static unsigned char cells_memory[1 << 18];
+static hsp_paths *paths;
+static hsp_gate *gate;
+static unsigned char cells_memory[1 << 19];
 
 static int32_t ignore_bytes(void *context, const char *bytes, size_t count) {
   (void)context;
@@ -102,6 +104,27 @@ static int32_t read_cells_limits(const void *given) {
   CHECK_EQUAL(hsp_cells_init(cells_memory, sizeof cells_memory, given, &made), status);
   return status;
 }
+static int32_t read_paths_limits(const void *given) {
+  size_t bytes = 0;
+  hsp_paths *made = NULL;
+  const int32_t status = hsp_paths_bytes(given, &bytes);
+  CHECK_EQUAL(hsp_paths_init(cells_memory, sizeof cells_memory, given, &made), status);
+  return status;
+}
+static int32_t read_gate_limits(const void *given) {
+  size_t bytes = 0;
+  hsp_gate *made = NULL;
+  const int32_t status = hsp_gate_bytes(given, &bytes);
+  CHECK_EQUAL(hsp_gate_init(cells_memory, sizeof cells_memory, given, &made), status);
+  return status;
+}
+static int32_t read_periodic_limits(const void *given) {
+  size_t bytes = 0;
+  hsp_periodic *made = NULL;
+  const int32_t status = hsp_periodic_bytes(given, &bytes);
+  CHECK_EQUAL(hsp_periodic_init(cells_memory, sizeof cells_memory, given, &made), status);
+  return status;
+}
 static int32_t read_view_options(const void *given) {
   return hsp_view_compute(h.view, h.model, NULL, given, NULL);
 }
@@ -152,6 +175,18 @@ static int32_t write_sticks_limits(void *out, uint32_t size) {
 
 static int32_t write_cells_limits(void *out, uint32_t size) {
   return hsp_cells_limits_init(out, size, BALLS);
+}
+
+static int32_t write_paths_limits(void *out, uint32_t size) {
+  return hsp_paths_limits_init(out, size, BALLS);
+}
+
+static int32_t write_gate_limits(void *out, uint32_t size) {
+  return hsp_gate_limits_init(out, size, BALLS);
+}
+
+static int32_t write_periodic_limits(void *out, uint32_t size) {
+  return hsp_periodic_limits_init(out, size, BALLS);
 }
 
 /* The size comes with the struct where a computation hands limits back. */
@@ -207,6 +242,40 @@ static int32_t return_cells_limits(void *out, uint32_t size) {
   CHECK_EQUAL(hsp_cells_init(cells_memory, sizeof cells_memory, &of_cells, &cells), HSP_OK);
   memcpy(out, &size, sizeof size);
   return hsp_cells_compute(cells, h.model, out);
+}
+static int32_t return_paths_limits(void *out, uint32_t size) {
+  hsp_paths_limits of_paths;
+  CHECK_EQUAL(hsp_paths_limits_init(&of_paths, (uint32_t)sizeof of_paths, BALLS), HSP_OK);
+  CHECK_EQUAL(hsp_paths_init(cells_memory, sizeof cells_memory, &of_paths, &paths), HSP_OK);
+  memcpy(out, &size, sizeof size);
+  return hsp_paths_compute(paths, h.model, out);
+}
+static int32_t return_found_limits(void *out, uint32_t size) {
+  static const double away[3] = {50, 50, 50};
+  hsp_paths_limits of_paths;
+  hsp_path path;
+  CHECK_EQUAL(hsp_paths_limits_init(&of_paths, (uint32_t)sizeof of_paths, BALLS), HSP_OK);
+  CHECK_EQUAL(hsp_paths_init(cells_memory, sizeof cells_memory, &of_paths, &paths), HSP_OK);
+  CHECK_EQUAL(hsp_paths_compute(paths, h.model, NULL), HSP_OK);
+  memcpy(out, &size, sizeof size);
+  return hsp_paths_find(paths, away, away, &path, out);
+}
+static int32_t return_gate_limits(void *out, uint32_t size) {
+  static const double away[3] = {50, 50, 50};
+  hsp_gate_limits of_gate;
+  CHECK_EQUAL(hsp_gate_limits_init(&of_gate, (uint32_t)sizeof of_gate, BALLS), HSP_OK);
+  CHECK_EQUAL(hsp_gate_init(cells_memory, sizeof cells_memory, &of_gate, &gate), HSP_OK);
+  memcpy(out, &size, sizeof size);
+  return hsp_gate_compute(gate, h.model, away, NULL, out);
+}
+static int32_t return_periodic_limits(void *out, uint32_t size) {
+  static const double box[9] = {40, 0, 0, 0, 40, 0, 0, 0, 40};
+  hsp_periodic *periodic = NULL;
+  hsp_periodic_limits limits;
+  CHECK_EQUAL(hsp_periodic_limits_init(&limits, (uint32_t)sizeof limits, BALLS), HSP_OK);
+  CHECK_EQUAL(hsp_periodic_init(cells_memory, sizeof cells_memory, &limits, &periodic), HSP_OK);
+  memcpy(out, &size, sizeof size);
+  return hsp_periodic_compute(periodic, BALLS, four_xyz, four_radius, NULL, box, out, NULL);
 }
 static int32_t return_view_limits(void *out, uint32_t size) {
   memcpy(out, &size, sizeof size);
@@ -269,6 +338,21 @@ static const struct versioned {
      sizeof(hsp_cells_limits),
      read_cells_limits,
      {write_cells_limits, return_cells_limits, NULL}},
+    {"hsp_paths_limits",
+     sizeof(hsp_paths_limits),
+     sizeof(hsp_paths_limits),
+     read_paths_limits,
+     {write_paths_limits, return_paths_limits, return_found_limits}},
+    {"hsp_gate_limits",
+     sizeof(hsp_gate_limits),
+     sizeof(hsp_gate_limits),
+     read_gate_limits,
+     {write_gate_limits, return_gate_limits, NULL}},
+    {"hsp_periodic_limits",
+     sizeof(hsp_periodic_limits),
+     sizeof(hsp_periodic_limits),
+     read_periodic_limits,
+     {write_periodic_limits, return_periodic_limits, NULL}},
     {"hsp_view_options",
      sizeof(hsp_view_options),
      sizeof(hsp_view_options),

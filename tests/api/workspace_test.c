@@ -10,6 +10,10 @@
 #include "topology_sets.h"
 #include "view_result.h"
 
+/* Outside all balls, so that there is a path. */
+static const double far_below[3] = {1e4, -2e4, -9e4}, far_above[3] = {0, 0, 9e4};
+static hsp_path path;
+
 static int32_t compute_all(hsp_workspace *work, const ball_set *set) {
   int32_t status = hsp_workspace_set(work, set->n, set->xyz, set->radius, NULL, NULL);
   if (status == HSP_OK) status = hsp_workspace_boundary(work);
@@ -19,6 +23,8 @@ static int32_t compute_all(hsp_workspace *work, const ball_set *set) {
   if (status == HSP_OK) status = hsp_workspace_map(work, NULL);
   if (status == HSP_OK) status = hsp_workspace_contacts(work);
   if (status == HSP_OK) status = hsp_workspace_cells(work);
+  if (status == HSP_OK) status = hsp_workspace_path(work, far_below, far_above, &path);
+  if (status == HSP_OK) status = hsp_workspace_gate(work, far_below, far_above);
   return status;
 }
 
@@ -55,6 +61,7 @@ static void check_results(hsp_workspace *work, const ball_set *set) {
   hsp_surface_totals surface; /* without a probe it is the boundary */
   hsp_map_info map;
   hsp_cells_counts free_space;
+  hsp_widest_probe widest;
   uint32_t invariant, id;
   CHECK_EQUAL(computed_make(set->n, set->xyz, set->radius, NULL, &c), HSP_OK);
   CHECK_EQUAL(hsp_boundary_get_counts(work->boundary, &counts), HSP_OK);
@@ -77,6 +84,9 @@ static void check_results(hsp_workspace *work, const ball_set *set) {
   CHECK_EQUAL(view.kind, HSP_PIECES_OUTSIDE_FARTHER);
   CHECK_EQUAL(hsp_cells_get_counts(work->cells, &free_space), HSP_OK);
   CHECK_EQUAL(free_space.regions, topology.cells);
+  CHECK(path.ends == HSP_PATH_CONNECTED && path.certified == 1);
+  CHECK_EQUAL(hsp_gate_get(work->gate, &widest), HSP_OK);
+  CHECK(widest.passes == 1 && widest.radius > 0);
   if (set->n <= 30) {
     CHECK_EQUAL(hsp_cells_check(work->cells, work->topology, &invariant, &id), HSP_OK);
     check_mesh(work, &c);
@@ -98,7 +108,8 @@ static void set_after_set(void) {
   }
   hsp_workspace_free(&work);
   CHECK(work.model == NULL && work.boundary == NULL && work.topology == NULL && work.view == NULL &&
-        work.surface == NULL && work.mesh == NULL && work.map == NULL && work.contacts == NULL && work.cells == NULL);
+        work.surface == NULL && work.mesh == NULL && work.map == NULL && work.contacts == NULL && work.cells == NULL &&
+        work.paths == NULL && work.gate == NULL);
   check_scene("after it was freed");
   CHECK_EQUAL(compute_all(&work, &set), HSP_OK);
   check_results(&work, &set);
@@ -116,6 +127,7 @@ static void out_of_date(void) {
   hsp_map_info map;
   hsp_complex complex;
   hsp_cells_counts cells;
+  hsp_widest_probe widest;
   uint32_t i;
   ball_set_start(&few, "a ball", 1e-8);
   ball_set_add(&few, 0, 0, 0, 1);
@@ -130,6 +142,8 @@ static void out_of_date(void) {
   CHECK_EQUAL(hsp_workspace_map(&work, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_workspace_contacts(&work), HSP_E_STATE);
   CHECK_EQUAL(hsp_workspace_cells(&work), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_workspace_path(&work, far_below, far_above, &path), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_workspace_gate(&work, far_below, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_workspace_set(&work, 0, NULL, NULL, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_workspace_boundary(&work), HSP_OK);
   for (i = 0; i < 4; ++i) {
@@ -148,6 +162,7 @@ static void out_of_date(void) {
     CHECK_EQUAL(hsp_contacts_get_complex(work.contacts, &complex), HSP_E_STATE);
     CHECK_EQUAL(hsp_workspace_contacts(&work), HSP_E_STATE);
     CHECK_EQUAL(hsp_cells_get_counts(work.cells, &cells), HSP_E_STATE);
+    CHECK_EQUAL(hsp_gate_get(work.gate, &widest), HSP_E_STATE);
     CHECK_EQUAL(hsp_workspace_topology(&work), HSP_E_STATE);
   }
   check_scene("a refused set");

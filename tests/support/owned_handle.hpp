@@ -119,6 +119,38 @@ struct CellsKind {
   static constexpr auto bytes = hsp_cells_bytes;
   static constexpr auto init = hsp_cells_init;
 };
+struct PathsKind {
+  using Handle = hsp_paths;
+  using Limits = hsp_paths_limits;
+  static constexpr int enlargements = 7;
+  static constexpr std::array limits = {&Limits::cubes,        &Limits::entries, &Limits::cells,   &Limits::adjacencies,
+                                        &Limits::landmarks,    &Limits::facets,  &Limits::corners, &Limits::cube_balls,
+                                        &Limits::cube_corners, &Limits::points};
+  static constexpr const char *name = "hsp_paths";
+  static constexpr auto bytes = hsp_paths_bytes;
+  static constexpr auto init = hsp_paths_init;
+};
+struct GateKind {
+  using Handle = hsp_gate;
+  using Limits = hsp_gate_limits;
+  static constexpr int enlargements = 40;
+  static constexpr std::array limits = {&Limits::balls,       &Limits::cubes,       &Limits::entries, &Limits::cells,
+                                        &Limits::adjacencies, &Limits::landmarks,   &Limits::facets,  &Limits::corners,
+                                        &Limits::cube_balls,  &Limits::cube_corners};
+  static constexpr const char *name = "hsp_gate";
+  static constexpr auto bytes = hsp_gate_bytes;
+  static constexpr auto init = hsp_gate_init;
+};
+struct PeriodicKind {
+  using Handle = hsp_periodic;
+  using Limits = hsp_periodic_limits;
+  static constexpr int enlargements = 5;
+  static constexpr std::array limits = {&Limits::balls,    &Limits::images,  &Limits::neighbours,
+                                        &Limits::vertices, &Limits::circles, &Limits::contacts};
+  static constexpr const char *name = "hsp_periodic";
+  static constexpr auto bytes = hsp_periodic_bytes;
+  static constexpr auto init = hsp_periodic_init;
+};
 
 // A handle of such a kind. Calls that fail throw std::runtime_error.
 template <class Kind>
@@ -173,6 +205,7 @@ using OwnedBoundary = OwnedHandle<BoundaryKind>;
 using OwnedSurface = OwnedHandle<SurfaceKind>;
 using OwnedTopology = OwnedHandle<TopologyKind>;
 using OwnedContacts = OwnedHandle<ContactsKind>;
+using OwnedPeriodic = OwnedHandle<PeriodicKind>;
 using OwnedView = OwnedHandle<ViewKind>;
 using OwnedMap = OwnedHandle<MapKind>;
 

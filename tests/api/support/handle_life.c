@@ -248,6 +248,79 @@ static uint64_t map_hash(const void *map, const void *source, unsigned char *buf
   return bad ? 0 : hash;
 }
 
+static uint64_t contacts_hash(const void *contacts, const void *source, unsigned char *buffer, uint32_t room) {
+  const contacts_result *c = source;
+  const uint32_t n = c->base->n;
+  double *numbers = (void *)buffer;
+  uint64_t hash = UINT64_C(0xCBF29CE484222325);
+  hsp_complex counts;
+  hsp_totals totals;
+  uint32_t needed = 0, i;
+  int bad = 0;
+  if (hsp_contacts_get_complex(contacts, &counts) != HSP_OK) return 0;
+  hash = mixed_hash(hash, &counts, sizeof counts);
+  bad |= hsp_contacts_get(contacts, (void *)buffer, room, &needed) != HSP_OK;
+  hash = mixed_hash(hash, buffer, needed * sizeof(hsp_contact));
+  for (i = 0; i < n; ++i) {
+    bad |= hsp_contacts_get_row(contacts, i, (void *)buffer, room, &needed) != HSP_OK;
+    hash = mixed_hash(hash, buffer, needed * sizeof(hsp_contact));
+  }
+  bad |= hsp_contacts_measure(contacts, &totals, numbers, numbers + n, n, NULL) != HSP_OK;
+  hash = mixed_hash(mixed_hash(hash, &totals, sizeof totals), numbers, 2 * (size_t)n * sizeof *numbers);
+  for (i = 2; i < 4; ++i) {
+    bad |= hsp_contacts_get_simplices(contacts, i, (void *)buffer, room, &needed) != HSP_OK;
+    hash = mixed_hash(hash, buffer, needed * sizeof(hsp_simplex));
+  }
+  return bad ? 0 : hash;
+}
+
+/* With the places of the balls' centres and of points beside them. */
+static uint64_t cells_hash(const void *cells, const void *source, unsigned char *buffer, uint32_t room) {
+  const computed *c = ((const cells_result *)source)->base;
+  uint64_t hash = UINT64_C(0xCBF29CE484222325);
+  hsp_cells_counts counts;
+  uint32_t needed = 0, i;
+  int bad = 0;
+  if (hsp_cells_get_counts(cells, &counts) != HSP_OK || counts.cells > room || counts.adjacencies > room) return 0;
+  hash = mixed_hash(hash, &counts, sizeof counts);
+  bad |= hsp_cells_get_cells(cells, 0, counts.cells, (void *)buffer) != HSP_OK;
+  hash = mixed_hash(hash, buffer, counts.cells * sizeof(hsp_free_cell));
+  bad |= hsp_cells_get_pairs(cells, 0, counts.adjacencies, (void *)buffer) != HSP_OK;
+  hash = mixed_hash(hash, buffer, counts.adjacencies * sizeof(hsp_cell_pair));
+  for (i = 0; i < counts.cells; i += 3) {
+    bad |= hsp_cells_get_neighbours(cells, i, (void *)buffer, room, &needed) != HSP_OK;
+    hash = mixed_hash(hash, buffer, needed * sizeof(uint32_t));
+  }
+  for (i = 0; i < 2 * c->n; ++i) {
+    double place[3];
+    memcpy(place, c->xyz + 3 * (size_t)(i / 2), sizeof place);
+    if (i % 2 != 0) place[2] += 1.5 * c->radius[i / 2];
+    bad |= hsp_cells_locate(cells, place, &needed) != HSP_OK;
+    hash = mixed_hash(hash, &needed, sizeof needed);
+  }
+  return bad ? 0 : hash;
+}
+
+/* Of a body that has balls; the one of itself with itself. */
+static uint64_t body_hash(const void *body, const void *source, unsigned char *buffer, uint32_t room) {
+  uint64_t hash = UINT64_C(0xCBF29CE484222325);
+  hsp_body_gap gap[BODY_POSES];
+  hsp_body_overlap overlap[BODY_POSES];
+  uint32_t hit[BODY_POSES], needed = 0;
+  int bad = hsp_body_gaps(body, body, BODY_POSES, body_poses, gap, NULL) != HSP_OK || gap[0].fixed == HSP_NONE;
+  (void)source;
+  if (bad) return 0;
+  hash = mixed_hash(hash, gap, sizeof gap);
+  bad |= hsp_body_overlaps(body, body, BODY_POSES, body_poses, overlap, NULL) != HSP_OK;
+  hash = mixed_hash(hash, overlap, sizeof overlap);
+  bad |= hsp_body_hits(body, body, BODY_POSES, body_poses, hit, NULL) != HSP_OK;
+  hash = mixed_hash(hash, hit, sizeof hit);
+  bad |= hsp_body_pairs(body, body, &body_poses[0], (void *)buffer, room, &needed) != HSP_OK;
+  hash = mixed_hash(hash, buffer, needed * 2 * sizeof(uint32_t));
+  bad |= hsp_body_rational_gaps(body, body, BODY_POSES, body_rational_poses, gap, NULL) != HSP_OK;
+  return bad ? 0 : mixed_hash(hash, gap, sizeof gap);
+}
+
 /* ---- what uses scratch memory; 0 if a call fails ---- */
 
 static int use_boundary(void *boundary) {
@@ -289,6 +362,28 @@ static int use_map(void *map) {
   return hsp_map_check(map, &invariant, &id) == HSP_OK;
 }
 
+static int use_contacts(void *contacts) {
+  hsp_group_contact sum;
+  uint32_t invariant, id, n = 0, needed = 0, *group, i;
+  int32_t status = hsp_contacts_measure(contacts, NULL, NULL, NULL, 0, &n);
+  group = test_zeros(n, sizeof *group);
+  for (i = 0; i < n; ++i) group[i] = i % 2;
+  if (status == HSP_OK) status = hsp_contacts_group(contacts, group, &sum, 1, &needed);
+  free(group);
+  return status == HSP_OK && hsp_contacts_check(contacts, &invariant, &id) == HSP_OK;
+}
+
+static int use_cells(void *cells) {
+  uint32_t invariant, id;
+  return hsp_cells_check(cells, NULL, &invariant, &id) == HSP_OK;
+}
+
+/* No function of a body uses scratch memory. */
+static int use_body(void *body) {
+  uint32_t hit = 0;
+  return hsp_body_hits(body, body, 1, body_poses, &hit, NULL) == HSP_OK && hit == 1;
+}
+
 /* ---- a computation of any kind ---- */
 
 const kind_of_life kinds_of_life[KINDS] = {{&boundary_handle, "a boundary", boundary_hash, use_boundary},
@@ -296,7 +391,10 @@ const kind_of_life kinds_of_life[KINDS] = {{&boundary_handle, "a boundary", boun
                                            {&view_handle, "a view", view_hash, use_view},
                                            {&surface_handle, "a surface", surface_hash, use_surface},
                                            {&mesh_handle, "a mesh", mesh_hash, use_mesh},
-                                           {&map_handle, "a map", map_hash, use_map}};
+                                           {&map_handle, "a map", map_hash, use_map},
+                                           {&contacts_handle, "contacts", contacts_hash, use_contacts},
+                                           {&cells_handle, "cells", cells_hash, use_cells},
+                                           {&body_handle, "a body", body_hash, use_body}};
 
 /* A probe half as large as the largest ball, and triangles as large as that ball. Where joints are open or borders
  * touch in a point there are no triangles. */
@@ -320,6 +418,22 @@ static int make_surface(const ball_set *set, computations *all) {
   return status == HSP_E_CHECK || CHECK_EQUAL(status, HSP_OK);
 }
 
+int computations_add_cells(computations *all) {
+  if (!CHECK_EQUAL(cells_result_make(&all->boundary, &all->cells), HSP_OK)) return 0;
+  all->room += all->cells.counts.cells + all->cells.counts.adjacencies;
+  return 1;
+}
+
+static int make_contacts_and_cells(computations *all) {
+  const computed *c = &all->boundary;
+  if (!CHECK_EQUAL(contacts_result_make(c, &all->contacts), HSP_OK)) return 0;
+  all->room += all->contacts.count + all->contacts.needed.triangles + all->contacts.needed.tetrahedra;
+  if (c->n <= CELLS_OF_BALLS && !computations_add_cells(all)) return 0;
+  if (!CHECK_EQUAL(body_result_make(c, &all->body), HSP_OK)) return 0;
+  all->room += all->body.overlap[0].pairs;
+  return 1;
+}
+
 int computations_make(const ball_set *set, const hsp_view_options *options, computations *all) {
   const computed *c = &all->boundary;
   memset(all, 0, sizeof *all);
@@ -333,10 +447,13 @@ int computations_make(const ball_set *set, const hsp_view_options *options, comp
   all->room += all->view.info.arcs;
   if (!CHECK_EQUAL(map_result_make(c, options, &all->map), HSP_OK)) return 0;
   all->room += all->map.info.edges + all->map.info.faces;
-  return make_surface(set, all);
+  return make_contacts_and_cells(all) && make_surface(set, all);
 }
 
 void computations_release(computations *all) {
+  body_result_release(&all->body);
+  cells_result_release(&all->cells);
+  contacts_result_release(&all->contacts);
   map_result_release(&all->map);
   mesh_result_release(&all->mesh);
   surface_result_release(&all->surface);
@@ -347,19 +464,23 @@ void computations_release(computations *all) {
 }
 
 const void *source_of(const computations *all, int kind) {
-  const void *const sources[KINDS] = {&all->boundary, &all->topology, &all->view, &all->surface, &all->mesh, &all->map};
+  const void *const sources[KINDS] = {&all->boundary, &all->topology, &all->view,  &all->surface, &all->mesh,
+                                      &all->map,      &all->contacts, &all->cells, &all->body};
   return sources[kind];
 }
 
 void *handle_of(const computations *all, int kind) {
-  void *const handles[KINDS] = {all->boundary.boundary, all->topology.topology, all->view.view,
-                                all->surface.surface,   all->mesh.mesh,         all->map.map};
+  void *const handles[KINDS] = {
+      all->boundary.boundary, all->topology.topology, all->view.view,
+      all->surface.surface,   all->mesh.mesh,         all->map.map,
+      all->contacts.contacts, all->cells.cells,       all->boundary.n > 0 ? all->body.body : NULL};
   return handles[kind];
 }
 
 limit_numbers limits_of(const computations *all, int kind) {
   const void *const needed[KINDS] = {&all->boundary.needed, &all->topology.needed, &all->view.needed,
-                                     &all->surface.needed,  &all->mesh.needed,     &all->map.needed};
+                                     &all->surface.needed,  &all->mesh.needed,     &all->map.needed,
+                                     &all->contacts.needed, &all->cells.needed,    &all->body.needed};
   limit_numbers limits;
   memset(&limits, 0, sizeof limits);
   memcpy(&limits, needed[kind], kinds_of_life[kind].kind->struct_size);

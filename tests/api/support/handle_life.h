@@ -3,6 +3,9 @@
 #pragma once
 
 #include "ball_sets.h"
+#include "body_result.h"
+#include "cells_result.h"
+#include "contacts_result.h"
 #include "map_result.h"
 #include "mesh_result.h"
 #include "topology_result.h"
@@ -16,11 +19,13 @@ typedef struct kind_of_life {
   /* Calls what uses scratch memory; 0 if a call fails. */
   int (*use)(void *handle);
 } kind_of_life;
-enum { BOUNDARY, TOPOLOGY, VIEW, SURFACE, MESH, MAP, KINDS };
+enum { BOUNDARY, TOPOLOGY, VIEW, SURFACE, MESH, MAP, CONTACTS, CELLS, BODY, KINDS };
 extern const kind_of_life kinds_of_life[KINDS];
 
 /* FNV-1a, goes on from a hash. */
 uint64_t mixed_hash(uint64_t hash, const void *bytes, size_t size);
+
+enum { CELLS_OF_BALLS = 20 };
 
 /* All that is computed of one set. */
 typedef struct computations {
@@ -31,15 +36,23 @@ typedef struct computations {
   computed rolled; /* the boundary with a probe */
   surface_result surface;
   mesh_result mesh; /* of the surface; its handle is NULL if there is none */
-  uint32_t room;    /* what no number of records exceeds */
+  contacts_result contacts;
+  cells_result cells; /* none of sets of more than CELLS_OF_BALLS balls, for the sake of time */
+  body_result body;
+  uint32_t room; /* what no number of records exceeds */
 } computations;
 
 /* Computes the boundary of a set, and unless `options` is NULL its topology, that view and map, the smooth surface and
- * triangles of it; false, after a failed check, if a call fails. To be followed by computations_release. */
+ * triangles of it, contacts, cells and the body; false, after a failed check, if a call fails. To be followed by
+ * computations_release. */
 int computations_make(const ball_set *set, const hsp_view_options *options, computations *all);
 void computations_release(computations *all);
 
-/* The handle of a kind, what it was computed from, and the limits that it needs. */
+/* Computes the cells of a larger set, too. */
+int computations_add_cells(computations *all);
+
+/* The handle of a kind, NULL if there is none or, of a body, no ball, what it was computed from, and the limits that it
+ * needs. */
 void *handle_of(const computations *all, int kind);
 const void *source_of(const computations *all, int kind);
 limit_numbers limits_of(const computations *all, int kind);

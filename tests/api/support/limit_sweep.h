@@ -32,7 +32,7 @@ void sweep_alignments(const known_handle *known, void (*more)(void *handle, cons
 /* What a kind's macro bounds the size of its memory by, and the macro's factors: of 1, and of every limit. */
 typedef struct size_bound {
   size_t (*macro)(const limit_numbers *limits);
-  double factors[7];
+  double factors[LIMIT_NUMBERS];
 } size_bound;
 
 /* Sizes of a kind's memory for all limits out of `values`, which ascend: property 1, the macro bounds them; property 2,

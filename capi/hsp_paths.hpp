@@ -1,0 +1,33 @@
+// What is behind the handles hsp_paths and hsp_gate.
+#pragma once
+
+#include "hsp_model.hpp"
+#include "paths/path_finder.hpp"
+#include "paths/widest_probe.hpp"
+#include "source.hpp"
+
+struct hsp_paths {
+  using Builder = hsp::PathFinder;
+  static constexpr uint64_t kind = 0x7061746873;  // "paths" in ASCII
+
+  uintptr_t tag;
+  Builder builder;
+  hsp::capi::Source<hsp_model> model{};
+  bool complete = false;
+
+  // Whether results may be read: computed, and the model unchanged since.
+  bool has_results() const { return complete && model.is_unchanged(); }
+};
+
+struct hsp_gate {
+  using Builder = hsp::WidestProbeFinder;
+  static constexpr uint64_t kind = 0x67617465;  // "gate" in ASCII
+
+  uintptr_t tag;
+  Builder builder;
+  hsp::capi::Source<hsp_model> model{};
+  hsp::WidestProbe widest{};
+  bool complete = false;
+
+  bool has_results() const { return complete && model.is_unchanged(); }
+};

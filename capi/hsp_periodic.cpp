@@ -1,0 +1,289 @@
+#include "hsp_periodic.hpp"
+
+#include "gradient_arrays.hpp"
+#include "measure/tangency.hpp"
+#include "model_options.hpp"
+#include "periodic/periodic_check.hpp"
+#include "periodic/periodic_measures.hpp"
+#include "periodic/periodic_queries.hpp"
+
+using hsp::capi::check_output;
+using hsp::capi::check_request;
+using hsp::capi::is_live;
+
+namespace {
+
+using hsp::PeriodicInvariant;
+static_assert(static_cast<uint32_t>(PeriodicInvariant::records) == 1);
+static_assert(static_cast<uint32_t>(PeriodicInvariant::closure) == 2);
+static_assert(static_cast<uint32_t>(PeriodicInvariant::outside) == 3);
+static_assert(static_cast<uint32_t>(PeriodicInvariant::volume) == 4);
+
+// The limits that a program gives.
+int32_t from_c(const hsp_periodic_limits *given, hsp::PeriodicLimits &result) {
+  hsp_periodic_limits limits;
+  if (!hsp::capi::read_struct(given, {}, limits)) return HSP_E_ARGUMENT;
+  const uint32_t counts[] = {limits.balls,    limits.images,  limits.neighbours,
+                             limits.vertices, limits.circles, limits.contacts};
+  for (const uint32_t count : counts) {
+    if (count > HSP_MAX_BALLS) return HSP_E_RANGE;
+  }
+  if (limits.balls + limits.images > HSP_MAX_BALLS) return HSP_E_RANGE;
+  result = {limits.balls, limits.images, limits.neighbours, limits.vertices, limits.circles, limits.contacts};
+  return HSP_OK;
+}
+
+hsp_periodic_limits periodic_to_c(const hsp::PeriodicLimits &limits) {
+  return {sizeof(hsp_periodic_limits),
+          limits.balls,
+          limits.images,
+          limits.neighbours,
+          limits.vertices,
+          limits.circles,
+          limits.contacts};
+}
+
+void put_shift(const hsp::BoxShift &shift, int32_t (&out)[3]) {
+  for (int k = 0; k < 3; ++k) out[k] = shift.k[k];
+}
+
+bool shift_comes_before(const int32_t (&p)[3], const int32_t (&q)[3]) {
+  return hsp::comes_before({{p[0], p[1], p[2]}}, {{q[0], q[1], q[2]}});
+}
+
+hsp_periodic_contact to_c(const hsp::PeriodicUnion &periodic, const hsp::PeriodicContact &contact) {
+  const hsp::ContactRecord &record = *contact.record;
+  const hsp::exact::Lattice &lattice = periodic.images().lattice();
+  const hsp::CubeGrid &grid = periodic.grid();
+  const hsp::Vec3 v = grid.balls().difference(grid.grid_index(contact.ball), grid.grid_index(contact.other));
+  hsp_periodic_contact result{};
+  result.area = lattice.area(record.area);
+  result.edge = lattice.length(record.edge);
+  result.distance = lattice.length(std::sqrt(dot(v, v)));
+  result.ball[0] = contact.ball;
+  result.ball[1] = periodic.images().ball_of(contact.other);
+  result.chords = record.chords;
+  result.flags = (record.is_touching() ? HSP_CONTACT_TOUCHING : 0) |
+                 (record.has_arc() || record.is_circle() ? 0 : HSP_CONTACT_BURIED) |
+                 (record.is_circle() ? HSP_CONTACT_CIRCLE : 0);
+  put_shift(periodic.images().caller_shift(contact.ball, contact.other), result.shift);
+  return result;
+}
+
+hsp_winding to_winding(const hsp::Windings &windings, uint32_t component) {
+  const hsp::WindingLattice &lattice = windings.lattice(component);
+  const uint64_t copies = lattice.copies();
+  hsp_winding result{};
+  result.first = windings.first_ball(component);
+  result.directions = lattice.rank;
+  result.copies = copies == 0 || copies >= HSP_NONE ? HSP_NONE : static_cast<uint32_t>(copies);
+  for (uint32_t r = 0; r < lattice.rank; ++r) {
+    for (int k = 0; k < 3; ++k) result.row[3 * r + static_cast<uint32_t>(k)] = lattice.row[r][k];
+  }
+  return result;
+}
+
+// Balls and images into an array that the program gives: counted, then written, then in their order. visit(sink) calls
+// sink(k) for each; from: how far the place that they are seen from has been moved into the box.
+template <class Visit>
+int32_t put_images(const hsp::PeriodicImages &images, const hsp::BoxShift &from, hsp_image *out, uint32_t capacity,
+                   uint32_t *needed, Visit visit) {
+  uint32_t count = 0;
+  visit([&](uint32_t) { ++count; });
+  if (const int32_t status = check_output(out, capacity, count, needed); status != HSP_OK) return status;
+  uint32_t written = 0;
+  visit([&](uint32_t k) {
+    hsp_image &image = out[written++];
+    image.ball = images.ball_of(k);
+    put_shift(images.box().in_given_vectors(images.shift_from_caller(k) + from), image.shift);
+  });
+  hsp::sort_in_place(hsp::Span<hsp_image>(out, count), [](const hsp_image &p, const hsp_image &q) {
+    return p.ball != q.ball ? p.ball < q.ball : shift_comes_before(p.shift, q.shift);
+  });
+  return HSP_OK;
+}
+
+// Balls in others are not on the boundary. What is seen of a ball in the box is so of its images.
+void flag_inner_contacts_in_box(const hsp::PeriodicUnion &periodic, uint32_t *flags) {
+  hsp::visit_free_inner_contacts(periodic.grid(), periodic.boundary(), [&](uint32_t inner, uint32_t outer) {
+    if (!periodic.is_in_box(inner)) return;
+    const uint32_t both[2] = {inner, outer};
+    for (const uint32_t ball : both) {
+      flags[periodic.images().ball_of(periodic.balls().caller[ball])] |= HSP_GRADIENT_ONE_SIDED;
+    }
+  });
+}
+
+}  // namespace
+
+int32_t hsp_periodic_limits_init(hsp_periodic_limits *limits, uint32_t struct_size, uint32_t balls) {
+  return hsp::capi::init_limits<hsp::PeriodicLimits, periodic_to_c>(limits, struct_size, balls);
+}
+
+int32_t hsp_periodic_bytes(const hsp_periodic_limits *limits, size_t *bytes) {
+  if (bytes == nullptr) return HSP_E_ARGUMENT;
+  hsp::PeriodicLimits wanted;
+  if (const int32_t status = from_c(limits, wanted); status != HSP_OK) return status;
+  return hsp::capi::get_bytes<hsp_periodic>(wanted, bytes);
+}
+
+int32_t hsp_periodic_init(void *memory, size_t bytes, const hsp_periodic_limits *limits, hsp_periodic **periodic) {
+  if (memory == nullptr || periodic == nullptr) return HSP_E_ARGUMENT;
+  hsp::PeriodicLimits wanted;
+  if (const int32_t status = from_c(limits, wanted); status != HSP_OK) return status;
+  return hsp::capi::init(memory, bytes, wanted, periodic);
+}
+
+int32_t hsp_periodic_compute(hsp_periodic *periodic, uint32_t n, const double *xyz, const double *radius,
+                             const hsp_model_options *options, const double *box, hsp_periodic_limits *limits,
+                             uint32_t *first_bad) {
+  if (!is_live(periodic)) return HSP_E_ARGUMENT;
+  periodic->complete = false;
+  uint32_t ignored = 0;
+  uint32_t &bad = first_bad != nullptr ? *first_bad : ignored;
+  bad = HSP_NONE;
+  hsp::BallInput input;
+  if (box == nullptr || !hsp::capi::may_write(limits) || !hsp::capi::get_input(n, xyz, radius, options, input)) {
+    return HSP_E_ARGUMENT;
+  }
+  if (n > HSP_MAX_BALLS) return HSP_E_RANGE;
+  return hsp::capi::finish<periodic_to_c>(*periodic, periodic->builder.build(input, box, bad), limits);
+}
+
+int32_t hsp_periodic_get_counts(const hsp_periodic *periodic, hsp_periodic_counts *counts) {
+  if (!is_live(periodic) || counts == nullptr) return HSP_E_ARGUMENT;
+  if (!periodic->has_results()) return HSP_E_STATE;
+  const hsp::PeriodicCounts &found = periodic->builder.counts();
+  const hsp::PeriodicImages &images = periodic->builder.images();
+  *counts = {images.balls(),
+             images.size() - images.balls(),
+             found.vertices,
+             found.arcs,
+             found.circles,
+             found.loops,
+             found.faces,
+             found.shells,
+             found.components,
+             found.contacts,
+             static_cast<int32_t>(found.euler()),
+             0};
+  return HSP_OK;
+}
+
+int32_t hsp_periodic_measure(const hsp_periodic *periodic, hsp_periodic_totals *totals, double *area,
+                             double *cell_volume, uint32_t capacity, uint32_t *needed) {
+  if (!is_live(periodic)) return HSP_E_ARGUMENT;
+  if (!periodic->has_results()) return HSP_E_STATE;
+  const bool wanted = area != nullptr || cell_volume != nullptr;
+  if (!hsp::capi::fits(wanted, capacity, periodic->balls(), needed)) return HSP_E_CAPACITY;
+  const hsp::PeriodicTotals found =
+      hsp::measure_periodic(periodic->builder, [&](uint32_t i, const hsp::BallMeasure &own) {
+        if (area != nullptr) area[i] = own.area;
+        if (cell_volume != nullptr) cell_volume[i] = own.volume;
+      });
+  if (totals != nullptr) {
+    *totals = {found.area, found.volume, found.box_volume, found.free_volume, found.contact_area};
+  }
+  return HSP_OK;
+}
+
+int32_t hsp_periodic_get_contacts(const hsp_periodic *periodic, hsp_periodic_contact *out, uint32_t capacity,
+                                  uint32_t *needed) {
+  const int32_t status =
+      check_request(periodic, out, capacity, needed, [](const hsp_periodic &p) { return p.builder.counts().contacts; });
+  if (status != HSP_OK) return status;
+  const hsp::PeriodicUnion &structure = periodic->builder;
+  uint32_t written = 0;
+  for (uint32_t i = 0; i < periodic->balls(); ++i) {
+    const uint32_t first = written;
+    structure.visit_contacts_of(i, [&](const hsp::PeriodicContact &contact) {
+      if (structure.is_listed(contact)) out[written++] = to_c(structure, contact);
+    });
+    hsp::sort_in_place(hsp::Span<hsp_periodic_contact>(out + first, written - first),
+                       [](const hsp_periodic_contact &p, const hsp_periodic_contact &q) {
+                         return p.ball[1] != q.ball[1] ? p.ball[1] < q.ball[1] : shift_comes_before(p.shift, q.shift);
+                       });
+  }
+  return HSP_OK;
+}
+
+int32_t hsp_periodic_get_windings(const hsp_periodic *periodic, hsp_winding *out, uint32_t capacity, uint32_t *needed) {
+  const int32_t status = check_request(periodic, out, capacity, needed,
+                                       [](const hsp_periodic &p) { return p.builder.counts().components; });
+  if (status != HSP_OK) return status;
+  const hsp::Windings &windings = periodic->builder.windings();
+  for (uint32_t c = 0; c < periodic->builder.counts().components; ++c) out[c] = to_winding(windings, c);
+  for (uint32_t i = 0; i < periodic->balls(); ++i) ++out[windings.component(i)].balls;
+  return HSP_OK;
+}
+
+int32_t hsp_periodic_get_components(const hsp_periodic *periodic, uint32_t *component, uint32_t capacity,
+                                    uint32_t *needed) {
+  const int32_t status =
+      check_request(periodic, component, capacity, needed, [](const hsp_periodic &p) { return p.balls(); });
+  if (status != HSP_OK) return status;
+  for (uint32_t i = 0; i < periodic->balls(); ++i) component[i] = periodic->builder.windings().component(i);
+  return HSP_OK;
+}
+
+int32_t hsp_periodic_gradient(const hsp_periodic *periodic, const double *sigma, double tension, double pressure,
+                              uint32_t tangency, hsp_energy *energy, double *d_centre, double *d_radius,
+                              uint32_t *flags, double *d_strain, double *d_box, uint32_t capacity, uint32_t *needed,
+                              uint32_t *first_bad) {
+  if (!is_live(periodic) || !hsp::capi::is_tangency(tangency)) return HSP_E_ARGUMENT;
+  if (!periodic->has_results()) return HSP_E_STATE;
+  const hsp::capi::GradientArrays arrays{d_centre, d_radius, flags};
+  const uint32_t n = periodic->balls();
+  if (!hsp::capi::fits(arrays.any(), capacity, n, needed)) return HSP_E_CAPACITY;
+  if (const int32_t status = hsp::capi::check_weights(sigma, {0, n}, first_bad); status != HSP_OK) return status;
+  if (!hsp::is_finite(tension) || !hsp::is_finite(pressure)) return HSP_E_NOT_FINITE;
+
+  const hsp::PeriodicUnion &structure = periodic->builder;
+  const hsp::EnergyTerms terms{hsp::weights_in_box(structure, sigma, hsp::capi::to_touching_balls(tangency)), tension,
+                               pressure};
+  const hsp::Energy found = hsp::differentiate_in_box(
+      structure, terms, [&](uint32_t i, const hsp::EnergyGradient &gradient) { arrays.put(i, gradient); });
+  if (flags != nullptr) flag_inner_contacts_in_box(structure, flags);
+  if (energy != nullptr) *energy = hsp::capi::to_c(found);
+  if (d_strain == nullptr && d_box == nullptr) return HSP_OK;
+  const hsp::BoxGradient by_all = hsp::differentiate_by_box(structure, terms);
+  for (int k = 0; k < 9; ++k) {
+    if (d_strain != nullptr) d_strain[k] = by_all.strain[k];
+    if (d_box != nullptr) d_box[k] = by_all.box[k];
+  }
+  return HSP_OK;
+}
+
+int32_t hsp_periodic_query_point(const hsp_periodic *periodic, const double *xyz, hsp_image *out, uint32_t capacity,
+                                 uint32_t *needed) {
+  if (!is_live(periodic) || xyz == nullptr || needed == nullptr || (out == nullptr && capacity > 0)) {
+    return HSP_E_ARGUMENT;
+  }
+  if (!periodic->has_results()) return HSP_E_STATE;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!hsp::is_finite(xyz[axis])) return HSP_E_NOT_FINITE;
+  }
+  const hsp::PeriodicImages &images = periodic->builder.images();
+  hsp::exact::Vector point;
+  if (!images.lattice().round(xyz, point)) return HSP_E_RANGE;
+  hsp::BoxShift home;
+  if (images.box().wrap(point, home) != hsp::Status::ok) return HSP_E_RANGE;
+  return put_images(images, home, out, capacity, needed,
+                    [&](auto sink) { hsp::visit_balls_at(periodic->builder, point, 0, sink); });
+}
+
+int32_t hsp_periodic_query_neighbours(const hsp_periodic *periodic, uint32_t ball, hsp_image *out, uint32_t capacity,
+                                      uint32_t *needed) {
+  if (!is_live(periodic) || needed == nullptr || (out == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
+  if (!periodic->has_results()) return HSP_E_STATE;
+  if (ball >= periodic->balls()) return HSP_E_ID;
+  const hsp::PeriodicImages &images = periodic->builder.images();
+  return put_images(images, images.home(ball), out, capacity, needed,
+                    [&](auto sink) { hsp::visit_neighbours_in_box(periodic->builder, ball, sink); });
+}
+
+int32_t hsp_periodic_check(const hsp_periodic *periodic, uint32_t *invariant, uint32_t *id) {
+  if (!is_live(periodic) || invariant == nullptr || id == nullptr) return HSP_E_ARGUMENT;
+  if (!periodic->has_results()) return HSP_E_STATE;
+  return hsp::capi::report(hsp::check_periodic(periodic->builder), invariant, id);
+}

@@ -1,0 +1,18 @@
+// What is behind the handle hsp_periodic.
+#pragma once
+
+#include "handle_memory.hpp"
+#include "periodic/periodic_union.hpp"
+
+struct hsp_periodic {
+  using Builder = hsp::PeriodicUnion;
+  static constexpr uint64_t kind = 0x706572696F646963;  // "periodic" in ASCII
+
+  uintptr_t tag;
+  Builder builder;
+  bool complete = false;
+
+  bool has_results() const { return complete; }
+  uint32_t balls() const { return builder.images().balls(); }
+  const hsp::exact::Lattice &lattice() const { return builder.images().lattice(); }
+};

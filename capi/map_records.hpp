@@ -1,0 +1,73 @@
+// How the records of maps come to the caller, of balls alone or with sticks: handle.caller(id) is the caller's number
+// of whatever is seen.
+#pragma once
+
+#include "view_options.hpp"
+#include "visibility/edge_geometry.hpp"
+#include "visibility/map_queries.hpp"
+
+namespace hsp::capi {
+
+// All but how many balls are seen.
+template <class Handle, class Map>
+void put_map_info(const Handle &handle, const Map &map, hsp_map_info &info) {
+  const ViewLengths length{handle.balls().lattice};
+  info = {};
+  put_frame(length, map.frame, info);
+  info.area = handle.balls().lattice.area(covered_area(map));
+  info.perturbation = length(map.perturbation);
+  info.vertices = map.vertices.size();
+  info.edges = map.edges.size();
+  info.faces = map.faces.size();
+  info.components = map.components;
+}
+
+template <class Handle, class Map>
+void put_vertices(const Handle &handle, const Map &map, uint32_t first, uint32_t count, hsp_map_vertex *out) {
+  const ViewLengths length{handle.balls().lattice};
+  for (uint32_t k = 0; k < count; ++k) {
+    const MapVertex &vertex = map.vertices[first + k];
+    out[k] = {{length(vertex.x), length(vertex.y), length(vertex.z)},
+              static_cast<uint32_t>(vertex.kind),
+              vertex.leaving,
+              {handle.caller(vertex.ball[0]), handle.caller(vertex.ball[1]), handle.caller(vertex.ball[2])},
+              0};
+  }
+}
+
+template <class Handle, class Map>
+void put_edges(const Handle &handle, const Map &map, uint32_t first, uint32_t count, hsp_map_edge *out) {
+  const ViewLengths length{handle.balls().lattice};
+  for (uint32_t k = 0; k < count; ++k) {
+    const uint32_t e = first + k;
+    const MapEdge &edge = map.edges[e];
+    const EdgeCurve curve = curve_of(map, e);
+    hsp_map_edge record{};
+    length.point(curve.ellipse.centre, record.centre);
+    length.point(curve.ellipse.first, record.first);
+    length.point(curve.ellipse.second, record.second);
+    record.from = curve.from;
+    record.to = curve.to;
+    record.ball[0] = handle.caller(edge.is_silhouette() ? edge.ball : edge.nearer);
+    record.ball[1] = handle.caller(edge.is_silhouette() ? no_id : edge.ball);
+    for (uint32_t side = 0; side < 2; ++side) {
+      record.face[side] = map.face_of(2 * e + side);
+      record.vertex[side] = edge.vertex[side];
+      record.next[side] = map.half_edges[2 * e + side].next;
+    }
+    out[k] = record;
+  }
+}
+
+template <class Handle, class Map>
+void put_faces(const Handle &handle, const Map &map, uint32_t first, uint32_t count, hsp_map_face *out) {
+  for (uint32_t k = 0; k < count; ++k) {
+    const MapFace &face = map.faces[first + k];
+    uint32_t loops = 0;
+    for (uint32_t l = face.first_loop; l != no_id; l = map.loops[l].next_of_face) ++loops;
+    const uint32_t h = face.first_loop == no_id ? HSP_NONE : map.loops[face.first_loop].first_half_edge;
+    out[k] = {handle.balls().lattice.area(face.area), handle.caller(face.owner), h, loops, 0};
+  }
+}
+
+}  // namespace hsp::capi

@@ -1,0 +1,265 @@
+// Unions in a periodic box: the library's check of itself, contacts and neighbours from both sides, cells and windings
+// that add up, the same bytes from other images of the balls and other vectors of the box, twice the box along one of
+// them, points against all images, and limits that are too small.
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <set>
+#include <vector>
+
+#include "fuzz_input.hpp"
+#include "required_limits.hpp"
+
+namespace {
+
+using Vectors = std::array<double, 9>;
+
+struct Crystal {
+  uint32_t n() const { return balls.size(); }
+  support::BallList balls;
+  Vectors box{};
+  hsp_model_options options{};
+};
+
+// Lengths of whole steps, mostly from few values. The box is never thinner than a fifth of the largest radius, so that
+// a few balls do not have thousands of images.
+Crystal crystal_from(fuzz::Bytes &bytes) {
+  Crystal crystal;
+  const uint32_t n = bytes.below(5);
+  const bool fine = bytes.one_in(3);
+  const auto length = [&](int64_t least, int64_t most) {
+    const int64_t whole = least + bytes.below(static_cast<uint32_t>(most - least + 1));
+    return static_cast<double>(fine ? 100 * whole + bytes.below(100) : 2 * whole);
+  };
+  crystal.box = {length(3, 8), 0, 0, length(-4, 4), length(3, 8), 0, length(-4, 4), length(-4, 4), length(3, 8)};
+  if (bytes.one_in(2)) crystal.box[3] = crystal.box[6] = crystal.box[7] = 0;
+  for (uint32_t i = 0; i < n; ++i) {
+    const double x = length(-8, 8);
+    const double y = length(-8, 8);
+    const double z = length(-8, 8);
+    crystal.balls.add(x, y, z, length(0, 5));
+  }
+  if (n > 0 && bytes.one_in(4)) {
+    crystal.balls.add(crystal.balls.xyz[0], crystal.balls.xyz[1], crystal.balls.xyz[2], crystal.balls.radius[0]);
+  }
+  crystal.options.struct_size = sizeof crystal.options;
+  crystal.options.step = 1.0;
+  crystal.options.probe = static_cast<double>(bytes.below(3));
+  return crystal;
+}
+
+void move_ball(Crystal &crystal, uint32_t i, const std::array<int, 3> &times) {
+  for (size_t axis = 0; axis < 3; ++axis) {
+    for (size_t row = 0; row < 3; ++row) {
+      crystal.balls.xyz[3 * size_t{i} + axis] += times[row] * crystal.box[3 * row + axis];
+    }
+  }
+}
+
+struct Result {
+  hsp_periodic_counts counts{};
+  hsp_periodic_totals totals{};
+  std::vector<double> area, cell, centre, radius;
+  std::vector<hsp_periodic_contact> contacts;
+  std::vector<hsp_winding> windings;
+  std::vector<uint32_t> component;
+  hsp_energy energy{};
+  std::array<double, 9> strain{}, box{};
+  hsp_periodic_limits needed{};
+};
+
+int32_t compute(hsp_periodic *handle, const Crystal &crystal, hsp_periodic_limits *limits) {
+  uint32_t first_bad = 7;
+  const int32_t status =
+      hsp_periodic_compute(handle, crystal.n(), crystal.balls.xyz.data(), crystal.balls.radius.data(), &crystal.options,
+                           crystal.box.data(), limits, &first_bad);
+  FUZZ_REQUIRE(first_bad == HSP_NONE, "a ball that is refused");
+  return status;
+}
+
+Result result_of(support::OwnedPeriodic &periodic, const Crystal &crystal) {
+  hsp_periodic_limits limits{};
+  FUZZ_REQUIRE(hsp_periodic_limits_init(&limits, sizeof limits, crystal.n()) == HSP_OK, "limits");
+  periodic.take(limits);
+  periodic.compute([&](hsp_periodic *handle, hsp_periodic_limits *asked) { return compute(handle, crystal, asked); });
+  const hsp_periodic *const p = periodic.get();
+  Result result;
+  result.needed = periodic.needed();
+  const uint32_t n = crystal.n();
+  uint32_t invariant = 7, id = 0;
+  FUZZ_REQUIRE(hsp_periodic_check(p, &invariant, &id) == HSP_OK && invariant == 0, "hsp_periodic_check");
+  FUZZ_REQUIRE(hsp_periodic_get_counts(p, &result.counts) == HSP_OK, "counts");
+  result.area.resize(n);
+  result.cell.resize(n);
+  result.radius.resize(n);
+  result.centre.resize(3 * size_t{n});
+  FUZZ_REQUIRE(hsp_periodic_measure(p, &result.totals, result.area.data(), result.cell.data(), n, nullptr) == HSP_OK,
+               "measures");
+  result.contacts = support::all_records<hsp_periodic_contact>(
+      [p](auto... out) { return hsp_periodic_get_contacts(p, out...); }, "hsp_periodic_get_contacts");
+  result.windings = support::all_records<hsp_winding>([p](auto... out) { return hsp_periodic_get_windings(p, out...); },
+                                                      "hsp_periodic_get_windings");
+  result.component = support::all_records<uint32_t>([p](auto... out) { return hsp_periodic_get_components(p, out...); },
+                                                    "hsp_periodic_get_components");
+  FUZZ_REQUIRE(hsp_periodic_gradient(p, nullptr, 1, 0.5, HSP_TANGENT_OVERLAP, &result.energy, result.centre.data(),
+                                     result.radius.data(), nullptr, result.strain.data(), result.box.data(), n, nullptr,
+                                     nullptr) == HSP_OK,
+               "gradient");
+  return result;
+}
+
+void require_laws(const hsp_periodic *periodic, const Crystal &crystal, const Result &result) {
+  const hsp_periodic_counts &c = result.counts;
+  FUZZ_REQUIRE(c.balls == crystal.n() && c.contacts == result.contacts.size(), "counts of balls and contacts");
+  FUZZ_REQUIRE(2 * c.arcs == 3 * c.vertices && c.euler % 2 == 0, "arcs of vertices");
+  FUZZ_REQUIRE(c.components == result.windings.size() && c.shells <= c.faces, "counts of components and shells");
+  FUZZ_REQUIRE(result.totals.free_volume >= 0.0 && result.totals.volume >= 0.0, "volumes below 0");
+  const double size = result.totals.box_volume;
+  FUZZ_REQUIRE(std::fabs(result.totals.volume + result.totals.free_volume - size) <= 1e-9 * size, "volume of the box");
+  std::vector<uint32_t> balls(c.components);
+  for (const uint32_t component : result.component) ++balls[component];
+  for (uint32_t k = 0; k < c.components; ++k) {
+    const hsp_winding &winding = result.windings[k];
+    FUZZ_REQUIRE(winding.balls == balls[k] && winding.directions <= 3 && winding.copies > 0, "a winding");
+    FUZZ_REQUIRE(result.component[winding.first] == k, "the first ball of a component");
+  }
+  double sum[3] = {0, 0, 0};
+  for (uint32_t i = 0; i < crystal.n(); ++i) {
+    FUZZ_REQUIRE(result.area[i] >= 0.0 && result.cell[i] >= 0.0 && std::isfinite(result.radius[i]),
+                 "numbers of a ball");
+    for (size_t axis = 0; axis < 3; ++axis) sum[axis] += result.centre[3 * size_t{i} + axis];
+  }
+  for (const double x : sum) FUZZ_REQUIRE(std::fabs(x) <= 1e-6 * (1.0 + size), "sum of the gradient");
+  for (size_t k = 0; k < 9; ++k)
+    FUZZ_REQUIRE(std::isfinite(result.strain[k]) && std::isfinite(result.box[k]), "a derivative by the box");
+
+  // Contacts are among neighbours, and those are from both sides.
+  using Key = std::array<int32_t, 5>;
+  std::set<Key> meeting;
+  for (uint32_t i = 0; i < crystal.n(); ++i) {
+    const auto row =
+        support::all_records<hsp_image>([&](auto... out) { return hsp_periodic_query_neighbours(periodic, i, out...); },
+                                        "hsp_periodic_query_neighbours");
+    for (const hsp_image &m : row) {
+      const Key key{static_cast<int32_t>(i), static_cast<int32_t>(m.ball), m.shift[0], m.shift[1], m.shift[2]};
+      FUZZ_REQUIRE(meeting.insert(key).second, "a neighbour twice");
+      FUZZ_REQUIRE(result.component[i] == result.component[m.ball], "neighbours in two components");
+    }
+  }
+  for (const Key &k : meeting)
+    FUZZ_REQUIRE(meeting.count({k[1], k[0], -k[2], -k[3], -k[4]}) == 1, "a neighbour from one side alone");
+  for (const hsp_periodic_contact &contact : result.contacts) {
+    const Key key{static_cast<int32_t>(contact.ball[0]), static_cast<int32_t>(contact.ball[1]), contact.shift[0],
+                  contact.shift[1], contact.shift[2]};
+    FUZZ_REQUIRE(contact.ball[0] <= contact.ball[1] && meeting.count(key) == 1, "a contact without neighbours");
+    FUZZ_REQUIRE(contact.area >= 0.0 && contact.edge >= 0.0 && contact.distance > 0.0, "numbers of a contact");
+  }
+}
+
+bool same_numbers(const std::vector<double> &p, const std::vector<double> &q) {
+  return p.size() == q.size() && (p.empty() || std::memcmp(p.data(), q.data(), p.size() * sizeof(double)) == 0);
+}
+
+// Everything but shifts.
+void require_same(const Result &p, const Result &q) {
+  FUZZ_REQUIRE(std::memcmp(&p.counts, &q.counts, sizeof p.counts) == 0, "counts of other images");
+  FUZZ_REQUIRE(std::memcmp(&p.totals, &q.totals, sizeof p.totals) == 0, "totals of other images");
+  FUZZ_REQUIRE(same_numbers(p.area, q.area) && same_numbers(p.cell, q.cell), "measures of other images");
+  FUZZ_REQUIRE(same_numbers(p.centre, q.centre) && same_numbers(p.radius, q.radius), "gradients of other images");
+  FUZZ_REQUIRE(std::memcmp(&p.energy, &q.energy, sizeof p.energy) == 0, "energies of other images");
+  FUZZ_REQUIRE(p.strain == q.strain, "strain of other images");
+}
+
+void require_point(const hsp_periodic *periodic, const Crystal &crystal, fuzz::Bytes &bytes) {
+  double at[3];
+  for (double &x : at) x = static_cast<double>(bytes.below(40)) - 20.0;
+  const auto found = support::all_records<hsp_image>(
+      [&](auto... out) { return hsp_periodic_query_point(periodic, at, out...); }, "hsp_periodic_query_point");
+  std::vector<std::array<int64_t, 4>> expected;
+  for (uint32_t i = 0; i < crystal.n(); ++i) {
+    const double *const xyz = &crystal.balls.xyz[3 * size_t{i}];
+    const double r = crystal.balls.radius[i] + crystal.options.probe;
+    // In a box that leans, far multiples of a or b make up for those of c.
+    const double high = std::ceil((r + std::fabs(at[2] - xyz[2])) / crystal.box[8]);
+    for (double c = -high; c <= high; ++c) {
+      const double y = xyz[1] + c * crystal.box[7] - at[1];
+      const double z = xyz[2] + c * crystal.box[8] - at[2];
+      for (double b = std::floor((-y - r) / crystal.box[4]); b <= std::ceil((-y + r) / crystal.box[4]); ++b) {
+        const double x = xyz[0] + c * crystal.box[6] + b * crystal.box[3] - at[0];
+        const double yy = y + b * crystal.box[4];
+        for (double a = std::floor((-x - r) / crystal.box[0]); a <= std::ceil((-x + r) / crystal.box[0]); ++a) {
+          const double xx = x + a * crystal.box[0];
+          if (xx * xx + yy * yy + z * z <= r * r)
+            expected.push_back({i, static_cast<int64_t>(a), static_cast<int64_t>(b), static_cast<int64_t>(c)});
+        }
+      }
+    }
+  }
+  std::sort(expected.begin(), expected.end());
+  FUZZ_REQUIRE(found.size() == expected.size(), "how many balls hold a point");
+  for (size_t k = 0; k < found.size(); ++k) {
+    const std::array<int64_t, 4> hit{found[k].ball, found[k].shift[0], found[k].shift[1], found[k].shift[2]};
+    FUZZ_REQUIRE(hit == expected[k], "which balls hold a point");
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+  fuzz::Bytes bytes(data, size);
+  const Crystal crystal = crystal_from(bytes);
+  support::OwnedPeriodic periodic;
+  const Result reference = result_of(periodic, crystal);
+  require_laws(periodic.get(), crystal, reference);
+  for (int k = 0; k < 3; ++k) require_point(periodic.get(), crystal, bytes);
+
+  Crystal moved = crystal;
+  for (uint32_t i = 0; i < crystal.n(); ++i) {
+    std::array<int, 3> times{};
+    for (int &t : times) t = static_cast<int>(bytes.below(9)) - 4;
+    move_ball(moved, i, times);
+  }
+  support::OwnedPeriodic other;
+  const Result of_images = result_of(other, moved);
+  require_same(reference, of_images);
+  FUZZ_REQUIRE(reference.box == of_images.box, "derivatives by the box from other images");
+  Crystal leaning = crystal;
+  const int lean = static_cast<int>(bytes.below(5)) - 2;
+  for (size_t axis = 0; axis < 3; ++axis) leaning.box[6 + axis] += lean * crystal.box[axis] + crystal.box[3 + axis];
+  require_same(reference, result_of(other, leaning));
+
+  // Twice as long along one vector, with every ball and a copy of it.
+  const size_t row = bytes.below(3);
+  Crystal twice = crystal;
+  for (uint32_t i = 0; i < crystal.n(); ++i) {
+    const double *const xyz = &crystal.balls.xyz[3 * size_t{i}];
+    const double *const v = &crystal.box[3 * row];
+    twice.balls.add(xyz[0] + v[0], xyz[1] + v[1], xyz[2] + v[2], crystal.balls.radius[i]);
+  }
+  for (size_t axis = 0; axis < 3; ++axis) twice.box[3 * row + axis] *= 2;
+  const Result doubled = result_of(other, twice);
+  FUZZ_REQUIRE(
+      doubled.counts.vertices == 2 * reference.counts.vertices && doubled.counts.euler == 2 * reference.counts.euler,
+      "the boundary in twice the box");
+  FUZZ_REQUIRE(doubled.counts.contacts == 2 * reference.counts.contacts, "contacts in twice the box");
+  const double scale = reference.totals.box_volume;
+  FUZZ_REQUIRE(std::fabs(doubled.totals.volume - 2 * reference.totals.volume) <= 1e-9 * scale,
+               "volume in twice the box");
+  for (uint32_t i = 0; i < crystal.n(); ++i) {
+    FUZZ_REQUIRE(
+        doubled.windings[doubled.component[i]].directions == reference.windings[reference.component[i]].directions,
+        "directions in twice the box");
+  }
+
+  fuzz::require_limits<support::PeriodicKind>(
+      reference.needed, bytes,
+      [&](hsp_periodic *handle, hsp_periodic_limits *limits) { return compute(handle, crystal, limits); },
+      [&](hsp_periodic *handle) {
+        hsp_periodic_totals totals{};
+        const int32_t status = hsp_periodic_measure(handle, &totals, nullptr, nullptr, 0, nullptr);
+        if (status == HSP_OK)
+          FUZZ_REQUIRE(std::memcmp(&totals, &reference.totals, sizeof totals) == 0, "totals with more room");
+        return status;
+      });
+  return 0;
+}

@@ -1,0 +1,200 @@
+/* hardsphere/paths.h: how a point, the centre of a probe, gets through free space, and how wide a probe may be (Section
+ * 2, Theorem 2.4).
+ *
+ * Free space is what no ball covers. A probe is a part of the model: in a model that is grown by one, paths are those
+ * of its centre. Whether there is a path is decided in integers, as everything combinatorial is; balls that touch count
+ * as meeting, so that nothing passes between them.
+ *
+ *   path           a polyline on the lattice, from cell to cell of free space and then shortened; it need not be the
+ *                  shortest one. It is certified if integers say of every segment that it meets no ball
+ *   widest probe   of the balls that get from one point to another in free space the largest radius, added to those of
+ *                  the model. From a point to the outside is to as far as one likes
+ *   gate           the balls that stop wider ones: three that close a passage, where the centre of the probe is in
+ *                  their plane, or the one that is nearest to an end if that is tighter than every passage */
+#ifndef HARDSPHERE_PATHS_H
+#define HARDSPHERE_PATHS_H
+
+#include "cells.h"
+#include "model.h"
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Paths through the free space of a model. */
+typedef struct hsp_paths hsp_paths;
+
+/** The limits that fix the memory of paths: those of cells, and points. */
+typedef struct hsp_paths_limits {
+  uint32_t struct_size;  /**< sizeof(hsp_paths_limits) */
+  uint32_t cubes;        /**< as hsp_cells_limits.cubes */
+  uint32_t entries;      /**< as hsp_cells_limits.entries */
+  uint32_t cells;        /**< as hsp_cells_limits.cells */
+  uint32_t adjacencies;  /**< as hsp_cells_limits.adjacencies */
+  uint32_t landmarks;    /**< as hsp_cells_limits.landmarks */
+  uint32_t facets;       /**< as hsp_cells_limits.facets */
+  uint32_t corners;      /**< as hsp_cells_limits.corners */
+  uint32_t cube_balls;   /**< as hsp_cells_limits.cube_balls */
+  uint32_t cube_corners; /**< as hsp_cells_limits.cube_corners */
+  uint32_t points;       /**< of a path before it is shortened */
+} hsp_paths_limits;
+
+/** Limits that suffice for most molecules of `balls` atoms, about 9 kB for each: those of hsp_cells_limits_init, and
+ *  points 4 balls + 1024.
+ *  @retval HSP_E_ARGUMENT  limits is NULL or struct_size is bad
+ *  @retval HSP_E_RANGE     more than (HSP_MAX_BALLS - 2048) / 80 balls; set the limits by hand then */
+HSP_API int32_t hsp_paths_limits_init(hsp_paths_limits *limits, uint32_t struct_size, uint32_t balls);
+
+/** Bytes that hsp_paths_init needs.
+ *  - Property 1: at most HSP_PATHS_BYTES of the limits.
+ *  - Property 2: grows with each limit.
+ *
+ *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
+ *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
+HSP_API int32_t hsp_paths_bytes(const hsp_paths_limits *limits, size_t *bytes);
+
+/** The same as an upper bound that is a constant expression, for static arrays. */
+#define HSP_PATHS_BYTES(cubes, entries, cells, adjacencies, landmarks, facets, corners, cube_balls, cube_corners,  \
+                        points)                                                                                    \
+  ((size_t)32768 + (size_t)128 * (size_t)(cubes) + (size_t)8 * (size_t)(entries) + (size_t)136 * (size_t)(cells) + \
+   (size_t)48 * (size_t)(adjacencies) + (size_t)12 * (size_t)(landmarks) + (size_t)72 * (size_t)(facets) +         \
+   (size_t)48 * (size_t)(corners) + (size_t)1664 * (size_t)(cube_balls) + (size_t)64 * (size_t)(cube_corners) +    \
+   (size_t)24 * (size_t)(points))
+
+/** Make paths without results in caller memory of any alignment; sets *paths.
+ *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
+ *  @retval HSP_E_MEMORY    bytes is less than hsp_paths_bytes says; nothing is written
+ *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
+HSP_API int32_t hsp_paths_init(void *memory, size_t bytes, const hsp_paths_limits *limits, hsp_paths **paths);
+
+/** Cut the free space of a model into cells, so that paths can be found. The model must outlive them; after
+ *  hsp_model_set what reads them yields HSP_E_STATE until they are computed again. On failure they hold no results.
+ *  limits: see LIMITS in hardsphere.h; at most six retries. points is 0 in what was needed: that depends on the path.
+ *
+ *  Cost: that of hsp_cells_compute.
+ *  @retval HSP_E_ARGUMENT  paths or model is NULL; bad struct_size of limits
+ *  @retval HSP_E_CAPACITY  a limit is too small; limits, if not NULL, become limits to retry with
+ *  @retval HSP_E_CHECK     cells contradict each other, which cannot happen: please report it */
+HSP_API int32_t hsp_paths_compute(hsp_paths *paths, const hsp_model *model, hsp_paths_limits *limits);
+
+#define HSP_PATH_CONNECTED UINT32_C(0) /**< there is a path */
+#define HSP_PATH_APART UINT32_C(1)     /**< the ends lie in two regions of free space */
+#define HSP_PATH_COVERED UINT32_C(2)   /**< at least one of the ends lies in a ball */
+
+/** A path. Frozen. */
+typedef struct hsp_path {
+  double length;      /**< of the polyline; 0 if there is none */
+  double clearance;   /**< least distance of the polyline from a ball; 0 if there is none, infinite without balls */
+  uint32_t ends;      /**< HSP_PATH_*, exactly */
+  uint32_t certified; /**< whether no segment meets a ball, exactly: 1 or 0 */
+  uint32_t points;    /**< 2 or more with the ends; 0 if there is none */
+  uint32_t reserved;  /**< 0 */
+} hsp_path;
+
+/** Find a path from one point to another, both [3], after hsp_paths_compute; they are rounded to the lattice. Its
+ *  points stay until the next call; on failure there are none. limits, if not NULL, become what was needed for cells
+ *  and path, or limits to retry with, for new paths: their struct_size has to be set.
+ *  - Property 1: there is a path if and only if hsp_cells_locate puts both points into one region.
+ *  - Property 2: a path that is not certified meets a ball by its rounding to the lattice, a few steps deep, in a
+ *    passage as narrow as that.
+ *
+ *  Cost: O(c log c) for the c cells that A* looks at, and for each of the points that remain O(n).
+ *  @retval HSP_E_ARGUMENT    paths, from, to or path is NULL; bad struct_size of limits
+ *  @retval HSP_E_CAPACITY    limits.points is too small; the paths keep their cells
+ *  @retval HSP_E_STATE       nothing computed, or the model has changed since
+ *  @retval HSP_E_CHECK       cells contradict each other, which cannot happen: please report it
+ *  @retval HSP_E_NOT_FINITE  a point holds a NaN or an infinity
+ *  @retval HSP_E_RANGE       a point lies beyond 2^50 lattice steps */
+HSP_API int32_t hsp_paths_find(hsp_paths *paths, const double *from, const double *to, hsp_path *path,
+                               hsp_paths_limits *limits);
+
+/** The points [needed][3] of the last path, from its start to its end; none if there was none.
+ *  @retval HSP_E_ARGUMENT  paths or needed is NULL; points is NULL with a capacity above 0
+ *  @retval HSP_E_CAPACITY  capacity is smaller than *needed, the number of points
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
+HSP_API int32_t hsp_paths_get_points(const hsp_paths *paths, double *points, uint32_t capacity, uint32_t *needed);
+
+/** What looks for the widest probe between two points. */
+typedef struct hsp_gate hsp_gate;
+
+/** The limits that fix the memory of a gate: balls of the model, and the cells of the balls as they grow. */
+typedef struct hsp_gate_limits {
+  uint32_t struct_size;  /**< sizeof(hsp_gate_limits) */
+  uint32_t balls;        /**< of the model */
+  uint32_t cubes;        /**< as hsp_cells_limits.cubes */
+  uint32_t entries;      /**< as hsp_cells_limits.entries */
+  uint32_t cells;        /**< as hsp_cells_limits.cells */
+  uint32_t adjacencies;  /**< as hsp_cells_limits.adjacencies */
+  uint32_t landmarks;    /**< as hsp_cells_limits.landmarks */
+  uint32_t facets;       /**< as hsp_cells_limits.facets */
+  uint32_t corners;      /**< as hsp_cells_limits.corners */
+  uint32_t cube_balls;   /**< as hsp_cells_limits.cube_balls */
+  uint32_t cube_corners; /**< as hsp_cells_limits.cube_corners */
+} hsp_gate_limits;
+
+/** Limits that suffice for most molecules of `balls` atoms, about 6.7 kB for each: those of hsp_cells_limits_init.
+ *  @retval HSP_E_ARGUMENT  limits is NULL or struct_size is bad
+ *  @retval HSP_E_RANGE     more than (HSP_MAX_BALLS - 2048) / 80 balls; set the limits by hand then */
+HSP_API int32_t hsp_gate_limits_init(hsp_gate_limits *limits, uint32_t struct_size, uint32_t balls);
+
+/** Bytes that hsp_gate_init needs.
+ *  - Property 1: at most HSP_GATE_BYTES of the limits.
+ *  - Property 2: grows with each limit.
+ *
+ *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
+ *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
+HSP_API int32_t hsp_gate_bytes(const hsp_gate_limits *limits, size_t *bytes);
+
+/** The same as an upper bound that is a constant expression, for static arrays. */
+#define HSP_GATE_BYTES(balls, cubes, entries, cells, adjacencies, landmarks, facets, corners, cube_balls,          \
+                       cube_corners)                                                                               \
+  ((size_t)32768 + (size_t)160 * (size_t)(balls) + (size_t)128 * (size_t)(cubes) + (size_t)8 * (size_t)(entries) + \
+   (size_t)28 * (size_t)(cells) + (size_t)16 * (size_t)(adjacencies) + (size_t)12 * (size_t)(landmarks) +          \
+   (size_t)72 * (size_t)(facets) + (size_t)48 * (size_t)(corners) + (size_t)1152 * (size_t)(cube_balls) +          \
+   (size_t)64 * (size_t)(cube_corners))
+
+/** Make a gate without results in caller memory of any alignment; sets *gate.
+ *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
+ *  @retval HSP_E_MEMORY    bytes is less than hsp_gate_bytes says; nothing is written
+ *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
+HSP_API int32_t hsp_gate_init(void *memory, size_t bytes, const hsp_gate_limits *limits, hsp_gate **gate);
+
+/** Find the widest probe from one point to another, both [3], or to the outside if `to` is NULL. The points are rounded
+ *  to the lattice. The model must outlive the gate; after hsp_model_set reading it yields HSP_E_STATE until it is
+ *  computed again. On failure it holds no results. limits: see LIMITS in hardsphere.h; at most forty retries.
+ *
+ *  Cost: that of some thirty times hsp_cells_compute, of balls that grow up to the widest probe.
+ *  @retval HSP_E_ARGUMENT    gate, model or from is NULL; bad struct_size of limits
+ *  @retval HSP_E_CAPACITY    a limit is too small; limits, if not NULL, become limits to retry with
+ *  @retval HSP_E_CHECK       cells contradict each other, which cannot happen: please report it
+ *  @retval HSP_E_NOT_FINITE  a point holds a NaN or an infinity
+ *  @retval HSP_E_RANGE       a point lies beyond 2^50 lattice steps, or a probe passes with which the largest ball has
+ *                            2^30 lattice steps or more: set the model with a larger step */
+HSP_API int32_t hsp_gate_compute(hsp_gate *gate, const hsp_model *model, const double *from, const double *to,
+                                 hsp_gate_limits *limits);
+
+/** The widest probe. Frozen. */
+typedef struct hsp_widest_probe {
+  double radius;     /**< added to the radii of the model; 0 if not even a point passes, infinite without balls */
+  uint32_t passes;   /**< whether a point does, exactly: 1 or 0 */
+  uint32_t gate[3];  /**< the balls that stop a wider one, ascending, HSP_NONE behind the last */
+  uint32_t builds;   /**< how often free space was cut into cells */
+  uint32_t reserved; /**< 0 */
+} hsp_widest_probe;
+
+/** The widest probe that was found.
+ *  - Property 1: a probe narrower by one lattice step passes, and one wider by one does not, exactly.
+ *  - Property 2: the order of the balls has no effect but on their numbers, unless several gates close at once.
+ *
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
+HSP_API int32_t hsp_gate_get(const hsp_gate *gate, hsp_widest_probe *widest);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

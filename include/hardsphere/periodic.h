@@ -1,0 +1,248 @@
+/* hardsphere/periodic.h: balls in a box whose copies fill space, as simulations have them.
+ *
+ * What leaves the box through one face comes in through the opposite one. Balls may be given anywhere: each counts
+ * once, with all of its images, so that broken and whole molecules are the same. A ball may meet several images of
+ * another one, and of itself. Everything combinatorial is decided exactly, and ties alike in all copies of the box.
+ *
+ * The box is given by its vectors a, b, c: box [9] holds a_x 0 0, b_x b_y 0, c_x c_y c_z, as GROMACS has it. They are
+ * rounded to the lattice of the balls once: components must have no more decimals than that for images to be images to
+ * the last bit. Angles may be any: b and c are reduced by whole multiples of the vectors before them inside.
+ *
+ * What has no meaning without an outside is not there: voids, the outer shell, views and meshes. Components instead
+ * tell in how many directions they go on for ever. */
+#ifndef HARDSPHERE_PERIODIC_H
+#define HARDSPHERE_PERIODIC_H
+
+#include "contacts.h"
+#include "gradient.h"
+#include "model.h"
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** A union of balls in a periodic box: its boundary, contacts and components. */
+typedef struct hsp_periodic hsp_periodic;
+
+/** The limits that fix the memory. */
+typedef struct hsp_periodic_limits {
+  uint32_t struct_size; /**< sizeof(hsp_periodic_limits) */
+  uint32_t balls;       /**< most balls */
+  uint32_t images;      /**< images of them that are near the box */
+  uint32_t neighbours;  /**< as in hsp_boundary_limits */
+  uint32_t vertices;    /**< of balls and images */
+  uint32_t circles;     /**< the same */
+  uint32_t contacts;    /**< the same */
+} hsp_periodic_limits;
+
+/** Limits that suffice for most boxes of at least `balls` atoms that are no thinner than four of the largest radii:
+ *  images 2 balls + 128, neighbours 256, and for balls and images together those of hsp_boundary_limits_init and
+ *  hsp_contacts_limits_init.
+ *  @retval HSP_E_ARGUMENT  limits is NULL or struct_size is bad
+ *  @retval HSP_E_RANGE     more than (HSP_MAX_BALLS - 2048) / 36 balls; set the limits by hand then */
+HSP_API int32_t hsp_periodic_limits_init(hsp_periodic_limits *limits, uint32_t struct_size, uint32_t balls);
+
+/** Bytes that hsp_periodic_init needs.
+ *  - Property 1: at most HSP_PERIODIC_BYTES of the limits.
+ *  - Property 2: grows with each limit.
+ *
+ *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
+ *  @retval HSP_E_RANGE     a limit, or balls and images together, is larger than HSP_MAX_BALLS, or the size does not
+ *                          fit a size_t */
+HSP_API int32_t hsp_periodic_bytes(const hsp_periodic_limits *limits, size_t *bytes);
+
+/** The same as an upper bound that is a constant expression, for static arrays. */
+#define HSP_PERIODIC_BYTES(balls, images, neighbours, vertices, circles, contacts)                          \
+  ((size_t)16384 + (size_t)384 * (size_t)(balls) + (size_t)256 * (size_t)(images) +                         \
+   (size_t)384 * (size_t)(neighbours) + (size_t)160 * (size_t)(vertices) + (size_t)80 * (size_t)(circles) + \
+   (size_t)44 * (size_t)(contacts))
+
+/** Make an empty union in caller memory of any alignment; sets *periodic.
+ *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
+ *  @retval HSP_E_MEMORY    bytes is less than hsp_periodic_bytes says; nothing is written
+ *  @retval HSP_E_RANGE     a limit, or balls and images together, is larger than HSP_MAX_BALLS, or the size does not
+ *                          fit a size_t */
+HSP_API int32_t hsp_periodic_init(void *memory, size_t bytes, const hsp_periodic_limits *limits,
+                                  hsp_periodic **periodic);
+
+/** Take n balls and a box, and compute boundary, contacts and components. Balls and options are those of hsp_model_set,
+ *  box [9] holds the three vectors; nothing is kept of the arrays. On failure there are no results. first_bad may be
+ *  NULL, else it is set to the index of the first ball that is refused, or HSP_NONE. limits: see LIMITS in
+ *  hardsphere.h; at most five retries.
+ *  - Property 1: which image of a ball is given, and which vectors for the same box, has no effect but on shifts: all
+ *    numbers are the same bit for bit.
+ *  - Property 2: a box of m x m x m copies has m^3 times everything that is counted or measured, up to rounding.
+ *
+ *  Source: contacts and cells as hardsphere/contacts.h, boundary as hardsphere/boundary.h, of the balls in the box and
+ *  the images that are within the two largest radii of it.
+ *  Cost: O(balls + images) for sets as in Theorem 2.1; as many images as such a margin of the box has room for.
+ *  @retval HSP_E_ARGUMENT    a null pointer, but xyz and radius with n = 0; bad struct_size; box [1], [2] or [5] is
+ *                            not 0
+ *  @retval HSP_E_CAPACITY    a limit is too small; limits, if not NULL, become limits to retry with
+ *  @retval HSP_E_NOT_FINITE  a coordinate, a radius, an option or a component of the box is NaN or infinite
+ *  @retval HSP_E_NEGATIVE    a radius or an option is negative
+ *  @retval HSP_E_RANGE       as hsp_model_set; or a_x, b_y or c_z is not above 0 on the lattice, a component is beyond
+ *                            2^44 steps, b or c needs more than 64 of the vectors before it to be reduced; a ball is
+ *                            more than 2^17 boxes away; one of the three lengths is below 2/55 of the largest radius */
+HSP_API int32_t hsp_periodic_compute(hsp_periodic *periodic, uint32_t n, const double *xyz, const double *radius,
+                                     const hsp_model_options *options, const double *box, hsp_periodic_limits *limits,
+                                     uint32_t *first_bad);
+
+/** What there is of each kind in the box, each once, whatever faces it lies across. Frozen. */
+typedef struct hsp_periodic_counts {
+  uint32_t balls;      /**< n */
+  uint32_t images;     /**< that were made of them */
+  uint32_t vertices;   /**< points of three spheres */
+  uint32_t arcs;       /**< between two vertices */
+  uint32_t circles;    /**< whole free circles */
+  uint32_t loops;      /**< as in hsp_boundary_counts */
+  uint32_t faces;      /**< as in hsp_boundary_counts */
+  uint32_t shells;     /**< connected components of the boundary; which is outside which has no meaning */
+  uint32_t components; /**< connected components of the union */
+  uint32_t contacts;   /**< pairs of balls, or of a ball and an image, in contact */
+  int32_t euler;       /**< V - E + sum over faces of (2 - loops): twice that of the union */
+  uint32_t reserved;   /**< 0 */
+} hsp_periodic_counts;
+
+/** Count.
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_STATE     nothing computed */
+HSP_API int32_t hsp_periodic_get_counts(const hsp_periodic *periodic, hsp_periodic_counts *counts);
+
+/** Area and volume of the union in the box. Frozen. */
+typedef struct hsp_periodic_totals {
+  double area;         /**< of the boundary, length^2 */
+  double volume;       /**< of the union, length^3 */
+  double box_volume;   /**< of the box on the lattice */
+  double free_volume;  /**< box_volume less volume; 0 exactly if there is no boundary but there are balls */
+  double contact_area; /**< of all contacts, each once */
+} hsp_periodic_totals;
+
+/** Area and volume of the union, and of each ball: area [n] is its free area, cell_volume [n] the volume of its cell,
+ *  which sum to the volume; each may be NULL and else holds capacity >= n entries. totals may be NULL. needed may be
+ *  NULL and else becomes n.
+ *  Accuracy: about 1e-14 of the totals for molecules.
+ *  @retval HSP_E_ARGUMENT  periodic is NULL
+ *  @retval HSP_E_CAPACITY  an array is given and capacity < n; nothing but *needed is written
+ *  @retval HSP_E_STATE     nothing computed */
+HSP_API int32_t hsp_periodic_measure(const hsp_periodic *periodic, hsp_periodic_totals *totals, double *area,
+                                     double *cell_volume, uint32_t capacity, uint32_t *needed);
+
+/** A contact of a ball and an image. Frozen. */
+typedef struct hsp_periodic_contact {
+  double area;       /**< length^2 */
+  double edge;       /**< length of the part of its border that is on the surface of the union */
+  double distance;   /**< of the two centres */
+  uint32_t ball[2];  /**< its two balls a <= b */
+  uint32_t chords;   /**< straight sides */
+  uint32_t flags;    /**< HSP_CONTACT_* of hardsphere/contacts.h */
+  int32_t shift[3];  /**< times the vectors of the box that ball b is to be moved by, both where they were given */
+  uint32_t reserved; /**< 0 */
+} hsp_periodic_contact;
+
+/** All contacts, each once, ascending in their balls and shifts. A ball in contact with its own images has each pair of
+ *  opposite shifts once.
+ *  - Property 1: 3 V = sum_i r_i A_i + the sum of distance times area over all contacts, up to rounding.
+ *
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
+ *  @retval HSP_E_STATE     nothing computed */
+HSP_API int32_t hsp_periodic_get_contacts(const hsp_periodic *periodic, hsp_periodic_contact *out, uint32_t capacity,
+                                          uint32_t *needed);
+
+/** A connected component of the union, and where it leads. Frozen. */
+typedef struct hsp_winding {
+  uint32_t balls;      /**< how many belong to it */
+  uint32_t first;      /**< the first of them */
+  uint32_t directions; /**< 0 to 3: in how many independent directions it goes on for ever; 0: it ends on all sides */
+  /** how many copies of it are apart from each other where it goes: with directions 3 so many interpenetrating nets,
+   *  else those in the line or plane of one. 1 if directions is 0; HSP_NONE if there are more */
+  uint32_t copies;
+  /** of the lattice of its windings, in multiples of the vectors of the box: as many rows of three as directions, in
+   *  echelon form with positive pivots and smaller numbers above them: equal lattices have equal rows; the rest is 0 */
+  int32_t row[9];
+} hsp_winding;
+
+/** The components, in the order of their first balls.
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
+ *  @retval HSP_E_STATE     nothing computed */
+HSP_API int32_t hsp_periodic_get_windings(const hsp_periodic *periodic, hsp_winding *out, uint32_t capacity,
+                                          uint32_t *needed);
+
+/** The component of each ball: component [n].
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
+ *  @retval HSP_E_STATE     nothing computed */
+HSP_API int32_t hsp_periodic_get_components(const hsp_periodic *periodic, uint32_t *component, uint32_t capacity,
+                                            uint32_t *needed);
+
+/** E = tension * sum_i sigma_i A_i + pressure * V and its derivatives by the balls and by the box. The arguments that
+ *  hsp_boundary_gradient has are as there; when a ball moves or grows all of its images do. d_strain [9] and d_box [9]
+ *  may be NULL.
+ *  d_strain [3 p + q] is by eps_pq, if all centres and vectors x become x + eps x and radii stay: its trace over
+ *  3 V_box is what E adds to the pressure, with its sign changed. d_box [3 k + p] is by component p of vector k, if all
+ *  centres keep their multiples of the vectors.
+ *  On failure nothing but *needed and *first_bad is written.
+ *  - Property 1: the sum of d_centre is zero up to rounding.
+ *  - Property 2: with all sigma equal, the trace of d_strain + sum_i r_i d_radius_i is 2 A for the area, 3 V for the
+ *    volume.
+ *
+ *  Cost: O(n + vertices + circles + contacts).
+ *  @retval HSP_E_ARGUMENT    periodic is NULL; unknown tangency
+ *  @retval HSP_E_CAPACITY    an array for balls is given and capacity < n
+ *  @retval HSP_E_STATE       nothing computed
+ *  @retval HSP_E_NOT_FINITE  a sigma, tension or pressure is NaN or infinite */
+HSP_API int32_t hsp_periodic_gradient(const hsp_periodic *periodic, const double *sigma, double tension,
+                                      double pressure, uint32_t tangency, hsp_energy *energy, double *d_centre,
+                                      double *d_radius, uint32_t *flags, double *d_strain, double *d_box,
+                                      uint32_t capacity, uint32_t *needed, uint32_t *first_bad);
+
+/** A ball, or an image of it. Frozen. */
+typedef struct hsp_image {
+  uint32_t ball;    /**< the caller's index */
+  int32_t shift[3]; /**< times the vectors of the box that it is to be moved by from where it was given */
+} hsp_image;
+
+/** The balls and images that contain the point xyz [3], wherever it is, ascending in balls and shifts. Touching counts.
+ *  - Property 1: at a point moved by vectors of the box the balls are the same and the shifts so much larger.
+ *
+ *  @retval HSP_E_ARGUMENT    a null pointer (out may be NULL with capacity 0)
+ *  @retval HSP_E_CAPACITY    capacity is smaller than *needed
+ *  @retval HSP_E_STATE       nothing computed
+ *  @retval HSP_E_NOT_FINITE  a coordinate is NaN or infinite
+ *  @retval HSP_E_RANGE       a coordinate is beyond 2^50 lattice steps, or more than 2^17 boxes away */
+HSP_API int32_t hsp_periodic_query_point(const hsp_periodic *periodic, const double *xyz, hsp_image *out,
+                                         uint32_t capacity, uint32_t *needed);
+
+/** The balls and images that meet ball `ball` where it was given, ascending in balls and shifts; itself is none of
+ *  them, but its images may be.
+ *  - Property 1: (j, s) is listed for i exactly if (i, -s) is listed for j.
+ *
+ *  @retval HSP_E_ARGUMENT  a null pointer (out may be NULL with capacity 0)
+ *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
+ *  @retval HSP_E_STATE     nothing computed
+ *  @retval HSP_E_ID        no such ball */
+HSP_API int32_t hsp_periodic_query_neighbours(const hsp_periodic *periodic, uint32_t ball, hsp_image *out,
+                                              uint32_t capacity, uint32_t *needed);
+
+/** Check the results against laws that hold for every set of balls in a box: two ways to compute that have little in
+ *  common. *invariant becomes 0 or the number of the first that is violated, *id the ball concerned, or HSP_NONE.
+ *    1  each contact of a ball is there from the other ball's side
+ *    2  faces and contacts of each ball close its cell: their vector areas sum to 0
+ *    3  the vector areas of all faces sum to 0
+ *    4  the cells sum to the volume that faces and contacts across the faces of the box have by the divergence theorem
+ *  Cost: O(size).
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_STATE     nothing computed
+ *  @retval HSP_E_CHECK     an invariant is violated: a bug of the library */
+HSP_API int32_t hsp_periodic_check(const hsp_periodic *periodic, uint32_t *invariant, uint32_t *id);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

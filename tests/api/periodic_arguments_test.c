@@ -1,0 +1,433 @@
+/* Periodic boxes: every argument that the header refuses, every call out of order, limits that are too small, closed
+ * forms of a few balls, queries against all images, and the laws that tie the outputs together. */
+#include <hardsphere.h>
+#include <math.h>
+#include <string.h>
+
+#include "check.h"
+#include "untouched.h"
+
+enum { BALLS = 4, IMAGES = 200, NEIGHBOURS = 40, VERTICES = 2000, CIRCLES = 400, CONTACTS = 1500, OUT = 200 };
+static unsigned char memory[HSP_PERIODIC_BYTES(BALLS, IMAGES, NEIGHBOURS, VERTICES, CIRCLES, CONTACTS)];
+static hsp_periodic *periodic;
+static const double pi = 3.14159265358979323846;
+
+/* A broken rod along a, a ball on its own beside it, and a skew box. */
+static const double xyz[3 * BALLS] = {0, 0, 0, 14, 0, 0, -4, 4.5, 8, 1.5, -3, 2};
+static const double radius[BALLS] = {1.25, 1.25, 1, 0.75};
+static const double small[9] = {2.5, 0, 0, 1, 3, 0, -0.75, 1.25, 2.75};
+static const double box[9] = {4, 0, 0, 1.25, 6.5, 0, -1.5, 0.75, 8};
+
+static hsp_periodic_counts counts;
+static hsp_periodic_totals totals;
+static hsp_periodic_contact contact[OUT];
+static hsp_winding winding[BALLS];
+static hsp_image image[OUT];
+static hsp_energy energy;
+static double area[BALLS], cell[BALLS], centre[BALLS][3], by_radius[BALLS], strain[9], by_box[9];
+static uint32_t component[BALLS], flags[BALLS], number, invariant, id;
+
+static hsp_periodic_limits good_limits(void) {
+  const hsp_periodic_limits limits = {(uint32_t)sizeof limits, BALLS, IMAGES, NEIGHBOURS, VERTICES, CIRCLES, CONTACTS};
+  return limits;
+}
+
+static void make(void) {
+  const hsp_periodic_limits limits = good_limits();
+  CHECK_EQUAL(hsp_periodic_init(memory, sizeof memory, &limits, &periodic), HSP_OK);
+}
+
+static void compute(uint32_t n, const double *at, const double *radii, const double *vectors) {
+  uint32_t bad = 0;
+  CHECK_EQUAL(hsp_periodic_compute(periodic, n, at, radii, NULL, vectors, NULL, &bad), HSP_OK);
+  CHECK_EQUAL(bad, HSP_NONE);
+  CHECK_EQUAL(hsp_periodic_check(periodic, &invariant, &id), HSP_OK);
+  CHECK_EQUAL(invariant, 0);
+  CHECK_EQUAL(hsp_periodic_get_counts(periodic, &counts), HSP_OK);
+  CHECK_EQUAL(counts.reserved, 0);
+  CHECK_EQUAL(hsp_periodic_measure(periodic, &totals, area, cell, BALLS, &number), HSP_OK);
+  CHECK_EQUAL(number, n);
+}
+
+static void refused_limits(void) {
+  hsp_periodic_limits bad = good_limits();
+  size_t bytes = 0;
+  hsp_periodic *made = NULL;
+  int which;
+  CHECK_EQUAL(hsp_periodic_bytes(NULL, &bytes), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_bytes(&bad, NULL), HSP_E_ARGUMENT);
+  for (which = 0; which < 9; ++which) {
+    const int32_t status = which < 2 ? HSP_E_ARGUMENT : HSP_E_RANGE;
+    uint32_t words[7];
+    bad = good_limits();
+    memcpy(words, &bad, sizeof words);
+    if (which == 0) words[0] = 24;
+    if (which == 1) words[0] = 1028;
+    if (which >= 2 && which < 8) words[which - 1] = HSP_MAX_BALLS + 1;
+    if (which == 8) words[2] = HSP_MAX_BALLS - BALLS + 1;
+    memcpy(&bad, words, sizeof words);
+    CHECK_EQUAL(hsp_periodic_bytes(&bad, &bytes), status);
+    CHECK_EQUAL(hsp_periodic_init(memory, sizeof memory, &bad, &made), status);
+  }
+  CHECK_EQUAL(bytes, 0);
+  bad = good_limits();
+  CHECK_EQUAL(hsp_periodic_bytes(&bad, &bytes), HSP_OK);
+  CHECK(bytes <= sizeof memory);
+  CHECK_EQUAL(hsp_periodic_init(NULL, bytes, &bad, &made), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_init(memory, bytes, NULL, &made), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_init(memory, bytes, &bad, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_init(memory, bytes - 1, &bad, &made), HSP_E_MEMORY);
+  CHECK(made == NULL);
+  CHECK_EQUAL(hsp_periodic_limits_init(NULL, (uint32_t)sizeof bad, 1), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_limits_init(&bad, 7, 1), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_limits_init(&bad, (uint32_t)sizeof bad, (HSP_MAX_BALLS - 2048) / 36 + 1), HSP_E_RANGE);
+  CHECK_EQUAL(hsp_periodic_limits_init(&bad, (uint32_t)sizeof bad, (HSP_MAX_BALLS - 2048) / 36), HSP_OK);
+  CHECK(bad.contacts <= HSP_MAX_BALLS && bad.balls + bad.images <= HSP_MAX_BALLS);
+  CHECK_EQUAL(hsp_periodic_limits_init(&bad, (uint32_t)sizeof bad, 10), HSP_OK);
+  CHECK(bad.balls == 10 && bad.images == 148 && bad.neighbours == 256 && bad.vertices == 8 * 158 + 64);
+  CHECK(bad.circles == 2 * 158 + 16 && bad.contacts == 12 * 158 + 64);
+}
+
+/* Everything that reads, on a handle without results or on none. */
+static void check_unread(const hsp_periodic *handle, int32_t status) {
+  FILL(counts);
+  FILL(totals);
+  FILL(contact);
+  FILL(winding);
+  FILL(component);
+  FILL(energy);
+  FILL(image);
+  FILL(number);
+  FILL(invariant);
+  CHECK_EQUAL(hsp_periodic_get_counts(handle, &counts), status);
+  CHECK_EQUAL(hsp_periodic_measure(handle, &totals, area, cell, BALLS, &number), status);
+  CHECK_EQUAL(hsp_periodic_get_contacts(handle, contact, OUT, &number), status);
+  CHECK_EQUAL(hsp_periodic_get_windings(handle, winding, BALLS, &number), status);
+  CHECK_EQUAL(hsp_periodic_get_components(handle, component, BALLS, &number), status);
+  CHECK_EQUAL(hsp_periodic_gradient(handle, NULL, 1, 0, HSP_TANGENT_OVERLAP, &energy, centre[0], by_radius, flags,
+                                    strain, by_box, BALLS, &number, NULL),
+              status);
+  CHECK_EQUAL(hsp_periodic_query_point(handle, xyz, image, OUT, &number), status);
+  CHECK_EQUAL(hsp_periodic_query_neighbours(handle, 0, image, OUT, &number), status);
+  CHECK_EQUAL(hsp_periodic_check(handle, &invariant, &id), status);
+  CHECK_UNTOUCHED(counts);
+  CHECK_UNTOUCHED(totals);
+  CHECK_UNTOUCHED(contact);
+  CHECK_UNTOUCHED(winding);
+  CHECK_UNTOUCHED(component);
+  CHECK_UNTOUCHED(energy);
+  CHECK_UNTOUCHED(image);
+  CHECK_UNTOUCHED(number);
+  CHECK_UNTOUCHED(invariant);
+}
+
+static void refused_reading(void) {
+  const double nowhere[3] = {0, (double)NAN, 0}, far_away[3] = {0, 0, 1e300}, boxes_away[3] = {0, 0, 8e6};
+  const double sigma[BALLS] = {1, 1, (double)INFINITY, 1};
+  uint32_t bad = 0;
+  make();
+  check_unread(NULL, HSP_E_ARGUMENT);
+  check_unread(periodic, HSP_E_STATE);
+  compute(BALLS, xyz, radius, box);
+  CHECK_EQUAL(hsp_periodic_get_counts(periodic, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_measure(periodic, NULL, NULL, cell, BALLS - 1, &number), HSP_E_CAPACITY);
+  CHECK_EQUAL(number, BALLS);
+  CHECK_EQUAL(hsp_periodic_measure(periodic, NULL, NULL, NULL, 0, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_periodic_get_contacts(periodic, contact, OUT, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_get_contacts(periodic, NULL, OUT, &number), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_get_contacts(periodic, NULL, 0, &number), HSP_E_CAPACITY);
+  CHECK_EQUAL(number, counts.contacts);
+  CHECK_EQUAL(hsp_periodic_get_windings(periodic, NULL, 0, &number), HSP_E_CAPACITY);
+  CHECK_EQUAL(number, counts.components);
+  CHECK_EQUAL(hsp_periodic_get_windings(periodic, winding, 0, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_get_components(periodic, component, BALLS - 1, &number), HSP_E_CAPACITY);
+  CHECK_EQUAL(number, BALLS);
+  CHECK_EQUAL(hsp_periodic_get_components(periodic, component, BALLS, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_gradient(periodic, NULL, 1, 0, 2, NULL, NULL, NULL, NULL, NULL, NULL, 0, NULL, NULL),
+              HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_gradient(periodic, NULL, 1, 0, HSP_TANGENT_DISJOINT, NULL, NULL, by_radius, NULL, NULL, NULL,
+                                    BALLS - 1, &number, NULL),
+              HSP_E_CAPACITY);
+  CHECK_EQUAL(hsp_periodic_gradient(periodic, sigma, 1, 0, HSP_TANGENT_OVERLAP, &energy, NULL, NULL, NULL, NULL, NULL,
+                                    0, NULL, &bad),
+              HSP_E_NOT_FINITE);
+  CHECK_EQUAL(bad, 2);
+  CHECK_EQUAL(hsp_periodic_gradient(periodic, NULL, (double)NAN, 0, HSP_TANGENT_OVERLAP, &energy, NULL, NULL, NULL,
+                                    NULL, NULL, 0, NULL, NULL),
+              HSP_E_NOT_FINITE);
+  CHECK_EQUAL(hsp_periodic_gradient(periodic, NULL, 0, (double)INFINITY, HSP_TANGENT_OVERLAP, &energy, NULL, NULL, NULL,
+                                    NULL, NULL, 0, NULL, NULL),
+              HSP_E_NOT_FINITE);
+  CHECK_EQUAL(hsp_periodic_query_point(periodic, NULL, image, OUT, &number), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_query_point(periodic, xyz, NULL, OUT, &number), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_query_point(periodic, xyz, image, OUT, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_query_point(periodic, xyz, NULL, 0, &number), HSP_E_CAPACITY);
+  CHECK_EQUAL(hsp_periodic_query_point(periodic, nowhere, image, OUT, &number), HSP_E_NOT_FINITE);
+  CHECK_EQUAL(hsp_periodic_query_point(periodic, far_away, image, OUT, &number), HSP_E_RANGE);
+  CHECK_EQUAL(hsp_periodic_query_point(periodic, boxes_away, image, OUT, &number), HSP_E_RANGE);
+  CHECK_EQUAL(hsp_periodic_query_neighbours(periodic, BALLS, image, OUT, &number), HSP_E_ID);
+  CHECK_EQUAL(hsp_periodic_query_neighbours(periodic, 0, NULL, OUT, &number), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_query_neighbours(periodic, 0, image, OUT, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_check(periodic, NULL, &id), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_check(periodic, &invariant, NULL), HSP_E_ARGUMENT);
+}
+
+static void check_refused(uint32_t n, const double *at, const double *radii, const hsp_model_options *options,
+                          const double *vectors, int32_t status, uint32_t first) {
+  uint32_t bad = 77;
+  CHECK_EQUAL(hsp_periodic_compute(periodic, n, at, radii, options, vectors, NULL, &bad), status);
+  CHECK_EQUAL(bad, first);
+  CHECK_EQUAL(hsp_periodic_get_counts(periodic, &counts), HSP_E_STATE);
+}
+
+static void refused_input(void) {
+  hsp_model_options options;
+  hsp_periodic_limits limits = good_limits();
+  double changed[9], moved[3 * BALLS], grown[BALLS];
+  int k;
+  make();
+  CHECK_EQUAL(hsp_model_options_init(&options, (uint32_t)sizeof options), HSP_OK);
+  CHECK_EQUAL(hsp_periodic_compute(NULL, BALLS, xyz, radius, NULL, box, NULL, NULL), HSP_E_ARGUMENT);
+  check_refused(BALLS, NULL, radius, NULL, box, HSP_E_ARGUMENT, HSP_NONE);
+  check_refused(BALLS, xyz, NULL, NULL, box, HSP_E_ARGUMENT, HSP_NONE);
+  check_refused(BALLS, xyz, radius, NULL, NULL, HSP_E_ARGUMENT, HSP_NONE);
+  limits.struct_size = 9;
+  CHECK_EQUAL(hsp_periodic_compute(periodic, BALLS, xyz, radius, NULL, box, &limits, NULL), HSP_E_ARGUMENT);
+  options.reserved = 1;
+  check_refused(BALLS, xyz, radius, &options, box, HSP_E_ARGUMENT, HSP_NONE);
+  options.reserved = 0;
+  options.probe = -1;
+  check_refused(BALLS, xyz, radius, &options, box, HSP_E_NEGATIVE, HSP_NONE);
+  options.probe = 0;
+  options.largest_radius = 1.1;
+  check_refused(BALLS, xyz, radius, &options, box, HSP_E_RANGE, 0);
+  for (k = 0; k < 9; ++k) {
+    memcpy(changed, box, sizeof changed);
+    changed[k] = (double)NAN;
+    check_refused(BALLS, xyz, radius, NULL, changed, HSP_E_NOT_FINITE, HSP_NONE);
+    changed[k] = k == 1 || k == 2 || k == 5 ? 0.5 : k % 4 == 0 ? -4 : 1e4;
+    check_refused(BALLS, xyz, radius, NULL, changed, k == 1 || k == 2 || k == 5 ? HSP_E_ARGUMENT : HSP_E_RANGE,
+                  HSP_NONE);
+  }
+  memcpy(changed, box, sizeof changed);
+  changed[8] = 0.01;
+  check_refused(BALLS, xyz, radius, NULL, changed, HSP_E_RANGE, HSP_NONE);
+  memcpy(moved, xyz, sizeof moved);
+  moved[7] = (double)INFINITY;
+  check_refused(BALLS, moved, radius, NULL, box, HSP_E_NOT_FINITE, 2);
+  moved[7] = 2e6;
+  check_refused(BALLS, moved, radius, NULL, box, HSP_E_RANGE, 2);
+  memcpy(grown, radius, sizeof grown);
+  grown[3] = -0.5;
+  check_refused(BALLS, xyz, grown, NULL, box, HSP_E_NEGATIVE, 3);
+  compute(BALLS, xyz, radius, box);
+  compute(0, NULL, NULL, box);
+  CHECK_EQUAL(counts.balls + counts.images + counts.faces + counts.components, 0);
+  CHECK(totals.volume == 0 && totals.free_volume == totals.box_volume && totals.box_volume == 4 * 6.5 * 8);
+}
+
+/* Every limit too small, alone and all together; what comes back leads to the same results. */
+static void too_little_room(void) {
+  const hsp_periodic_limits good = good_limits();
+  hsp_periodic_limits needed = good, limits;
+  hsp_periodic_totals expected, same;
+  int which, attempt;
+  make();
+  CHECK_EQUAL(hsp_periodic_compute(periodic, BALLS, xyz, radius, NULL, small, &needed, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_periodic_measure(periodic, &expected, NULL, NULL, 0, NULL), HSP_OK);
+  CHECK(needed.vertices > 0 && needed.circles > 0 && needed.balls == BALLS && needed.images <= IMAGES &&
+        needed.contacts <= CONTACTS);
+  for (which = 0; which <= 13; ++which) {
+    uint32_t words[7];
+    int k;
+    check_scene("limit %d", which);
+    memcpy(words, &needed, sizeof words);
+    for (k = 1; k < 7; ++k) {
+      if (which == k) words[k] -= 1;
+      if (which == 6 + k || which == 13) words[k] = 0;
+    }
+    memcpy(&limits, words, sizeof words);
+    for (attempt = 0; attempt < 6; ++attempt) {
+      const hsp_periodic_limits given = limits;
+      uint32_t of_given[7], asked[7];
+      int32_t status;
+      int more = 0;
+      CHECK_EQUAL(hsp_periodic_init(memory, sizeof memory, &given, &periodic), HSP_OK);
+      status = hsp_periodic_compute(periodic, BALLS, xyz, radius, NULL, small, &limits, NULL);
+      if (status == HSP_OK) break;
+      CHECK_EQUAL(status, HSP_E_CAPACITY);
+      check_unread(periodic, HSP_E_STATE);
+      memcpy(of_given, &given, sizeof of_given);
+      memcpy(asked, &limits, sizeof asked);
+      for (k = 1; k < 7; ++k) {
+        CHECK(asked[k] >= of_given[k]);
+        more += asked[k] > of_given[k];
+      }
+      CHECK(more > 0);
+    }
+    CHECK(attempt < 6 && (attempt > 0) == (which > 0));
+    CHECK_EQUAL(hsp_periodic_measure(periodic, &same, NULL, NULL, 0, NULL), HSP_OK);
+    CHECK_BYTES(&same, &expected, sizeof same);
+  }
+  check_scene("limits");
+}
+
+/* A rod of balls along a: two contacts, no vertex, one direction; and two single balls. */
+static void known_values(void) {
+  static const double cube[9] = {4, 0, 0, 0, 4, 0, 0, 0, 4};
+  static const double one[3] = {1, 2, 3}, large = 2.25, covering = 3.5, half = 2;
+  uint32_t i;
+  make();
+  compute(BALLS, xyz, radius, box);
+  CHECK(counts.balls == BALLS && counts.components == 3 && counts.contacts == 2 && counts.circles == 2);
+  CHECK(counts.vertices == 0 && counts.arcs == 0 && counts.faces == 4 && counts.loops == 4 && counts.shells == 3);
+  CHECK_EQUAL(counts.euler, 4);
+  CHECK_NEAR(totals.area, 2 * 2 * pi * 1.25 * 2 + 4 * pi * (1 + 0.5625), 1e-12);
+  CHECK_NEAR(totals.box_volume, 208, 1e-12);
+  CHECK_NEAR(totals.volume, 15.44616388015 + 4 * pi / 3 * (1 + 0.421875), 1e-11);
+  CHECK(totals.free_volume == totals.box_volume - totals.volume);
+  CHECK_NEAR(totals.contact_area, 2 * pi * (1.5625 - 1), 1e-12);
+  CHECK_EQUAL(hsp_periodic_get_windings(periodic, winding, BALLS, &number), HSP_OK);
+  CHECK_EQUAL(number, 3);
+  CHECK(winding[0].balls == 2 && winding[0].first == 0 && winding[0].directions == 1 && winding[0].copies == 1);
+  CHECK(winding[0].row[0] == 1 && winding[0].row[1] == 0 && winding[0].row[2] == 0 && winding[0].row[3] == 0);
+  CHECK(winding[1].balls == 1 && winding[1].first == 2 && winding[1].directions == 0 && winding[1].copies == 1);
+  CHECK(winding[2].balls == 1 && winding[2].first == 3 && winding[2].row[8] == 0);
+  CHECK_EQUAL(hsp_periodic_get_components(periodic, component, BALLS, &number), HSP_OK);
+  CHECK(component[0] == 0 && component[1] == 0 && component[2] == 1 && component[3] == 2);
+  /* Ball 1 is at 14: three boxes behind it is beside ball 0 on the right, four on the left. */
+  CHECK_EQUAL(hsp_periodic_get_contacts(periodic, contact, OUT, &number), HSP_OK);
+  CHECK_EQUAL(number, 2);
+  for (i = 0; i < 2; ++i) {
+    CHECK(contact[i].ball[0] == 0 && contact[i].ball[1] == 1 && contact[i].chords == 0 && contact[i].reserved == 0);
+    CHECK(contact[i].shift[0] == (int32_t)i - 4 && contact[i].shift[1] == 0 && contact[i].shift[2] == 0);
+    CHECK_EQUAL(contact[i].flags, HSP_CONTACT_CIRCLE);
+    CHECK_NEAR(contact[i].area, pi * 0.5625, 1e-12);
+    CHECK_NEAR(contact[i].edge, 2 * pi * 0.75, 1e-12);
+    CHECK_NEAR(contact[i].distance, 2, 1e-15);
+  }
+  CHECK_EQUAL(hsp_periodic_query_neighbours(periodic, 1, image, OUT, &number), HSP_OK);
+  CHECK(number == 2 && image[0].ball == 0 && image[0].shift[0] == 3 && image[1].shift[0] == 4);
+
+  /* One ball that meets six images of itself. */
+  compute(1, one, &large, cube);
+  CHECK(counts.contacts == 3 && counts.circles == 3 && counts.euler == -4 && counts.components == 1);
+  CHECK_NEAR(totals.volume, 45.160394395353, 1e-11);
+  CHECK_EQUAL(hsp_periodic_get_windings(periodic, winding, BALLS, &number), HSP_OK);
+  CHECK(winding[0].directions == 3 && winding[0].row[0] == 1 && winding[0].row[4] == 1 && winding[0].row[8] == 1);
+  CHECK_EQUAL(hsp_periodic_get_contacts(periodic, contact, OUT, &number), HSP_OK);
+  CHECK(number == 3 && contact[0].shift[2] == 1 && contact[1].shift[1] == 1 && contact[2].shift[0] == 1);
+  CHECK_EQUAL(hsp_periodic_gradient(periodic, NULL, 0, 1, HSP_TANGENT_OVERLAP, &energy, centre[0], by_radius, flags,
+                                    strain, by_box, BALLS, NULL, NULL),
+              HSP_OK);
+  for (i = 0; i < 9; ++i) {
+    CHECK_NEAR(strain[i], i % 4 == 0 ? 13.351768777757 : 0, 1e-11);
+    CHECK_NEAR(by_box[i], i % 4 == 0 ? 13.351768777757 / 4 : 0, 1e-11);
+  }
+  CHECK_NEAR(energy.volume, 45.160394395353, 1e-11);
+  CHECK_NEAR(by_radius[0], 42.411500823462, 1e-11);
+  CHECK_NEAR(energy.d_probe, 42.411500823462, 1e-11);
+  CHECK_NEAR(fabs(centre[0][0]) + fabs(centre[0][1]) + fabs(centre[0][2]), 0, 1e-11);
+  CHECK_EQUAL(flags[0], 0);
+
+  /* One that touches six of them, and one that leaves nothing free. */
+  compute(1, one, &half, cube);
+  CHECK(counts.contacts == 3 && totals.contact_area == 0);
+  CHECK_NEAR(totals.area, 16 * pi, 1e-12);
+  CHECK_EQUAL(hsp_periodic_gradient(periodic, NULL, 1, 0, HSP_TANGENT_DISJOINT, NULL, NULL, by_radius, flags, NULL,
+                                    NULL, 1, NULL, NULL),
+              HSP_OK);
+  CHECK_EQUAL(flags[0], HSP_GRADIENT_ONE_SIDED);
+  CHECK_NEAR(by_radius[0], 16 * pi, 1e-12);
+  compute(1, one, &covering, cube);
+  CHECK(counts.faces == 0 && counts.shells == 0 && totals.area == 0);
+  CHECK(totals.volume == 64 && totals.free_volume == 0);
+}
+
+/* Queries against all images within five boxes, in lengths that doubles hold exactly. */
+static void known_queries(void) {
+  uint32_t point, i, k;
+  make();
+  compute(BALLS, xyz, radius, box);
+  for (point = 0; point < 60; ++point) {
+    const double at[3] = {0.25 * (point % 7) - 3, 0.5 * (point % 11) - 1, 0.75 * (point % 13)};
+    uint32_t found = 0;
+    CHECK_EQUAL(hsp_periodic_query_point(periodic, at, image, OUT, &number), HSP_OK);
+    for (i = 0; i < BALLS; ++i) {
+      int32_t a, b, c;
+      for (a = -9; a <= 9; ++a) {
+        for (b = -5; b <= 5; ++b) {
+          for (c = -5; c <= 5; ++c) {
+            const double x = xyz[3 * i] + a * box[0] + b * box[3] + c * box[6] - at[0];
+            const double y = xyz[3 * i + 1] + b * box[4] + c * box[7] - at[1];
+            const double z = xyz[3 * i + 2] + c * box[8] - at[2];
+            if (x * x + y * y + z * z > radius[i] * radius[i]) continue;
+            CHECK(found < number && image[found].ball == i);
+            CHECK(image[found].shift[0] == a && image[found].shift[1] == b && image[found].shift[2] == c);
+            ++found;
+          }
+        }
+      }
+    }
+    CHECK_EQUAL(found, number);
+  }
+  /* Whoever meets another one is met by it, from the other side. */
+  for (i = 0; i < BALLS; ++i) {
+    static hsp_image back[OUT];
+    uint32_t n, m, there;
+    CHECK_EQUAL(hsp_periodic_query_neighbours(periodic, i, image, OUT, &n), HSP_OK);
+    for (k = 0; k < n; ++k) {
+      int found = 0;
+      CHECK_EQUAL(hsp_periodic_query_neighbours(periodic, image[k].ball, back, OUT, &m), HSP_OK);
+      for (there = 0; there < m; ++there) {
+        found += back[there].ball == i && back[there].shift[0] == -image[k].shift[0] &&
+                 back[there].shift[1] == -image[k].shift[1] && back[there].shift[2] == -image[k].shift[2];
+      }
+      CHECK_EQUAL(found, 1);
+    }
+  }
+}
+
+/* Sums and scaling (hsp_periodic_gradient, Properties 1 and 2), of contacts and of cells. */
+static void laws(void) {
+  double sum[3] = {0, 0, 0}, cells = 0, by_radii, tripled;
+  uint32_t i, pass, k;
+  make();
+  compute(BALLS, xyz, radius, small);
+  CHECK(counts.vertices > 0 && counts.contacts > BALLS);
+  CHECK_EQUAL(counts.euler,
+              (int32_t)counts.vertices - (int32_t)counts.arcs + 2 * (int32_t)counts.faces - (int32_t)counts.loops);
+  CHECK_EQUAL(hsp_periodic_get_contacts(periodic, contact, OUT, &number), HSP_OK);
+  tripled = 0;
+  for (k = 0; k < number; ++k) tripled += contact[k].distance * contact[k].area;
+  for (i = 0; i < BALLS; ++i) {
+    cells += cell[i];
+    tripled += radius[i] * area[i];
+  }
+  CHECK_NEAR(cells, totals.volume, 1e-12);
+  CHECK_NEAR(tripled, 3 * totals.volume, 1e-11);
+  for (pass = 0; pass < 2; ++pass) {
+    CHECK_EQUAL(hsp_periodic_gradient(periodic, NULL, pass == 0, pass, HSP_TANGENT_OVERLAP, &energy, centre[0],
+                                      by_radius, NULL, strain, NULL, BALLS, NULL, NULL),
+                HSP_OK);
+    by_radii = 0;
+    for (i = 0; i < BALLS; ++i) {
+      for (k = 0; k < 3; ++k) sum[k] += centre[i][k];
+      by_radii += radius[i] * by_radius[i];
+    }
+    for (k = 0; k < 3; ++k) CHECK_NEAR(sum[k], 0, 1e-12);
+    CHECK_NEAR(strain[0] + strain[4] + strain[8] + by_radii, pass == 0 ? 2 * totals.area : 3 * totals.volume, 1e-10);
+    CHECK_NEAR(energy.value, pass == 0 ? totals.area : totals.volume, 1e-12);
+  }
+}
+
+int main(void) {
+  refused_limits();
+  refused_reading();
+  refused_input();
+  too_little_room();
+  known_values();
+  known_queries();
+  laws();
+  return check_report();
+}
