@@ -21,11 +21,12 @@ struct reading {
 };
 
 bool command_find(const char *name, enum command *command) {
-  static const char *const names[] = {"model", "boundary", "measure", "query", "voids", "contacts", "complex",
-                                      "cells", "clash",    "mesh",    "map",   "pick",  "draw"};
-  static const enum command commands[] = {
-      COMMAND_MODEL, COMMAND_BOUNDARY, COMMAND_MEASURE, COMMAND_QUERY, COMMAND_VOIDS, COMMAND_CONTACTS, COMMAND_COMPLEX,
-      COMMAND_CELLS, COMMAND_CLASH,    COMMAND_MESH,    COMMAND_MAP,   COMMAND_PICK,  COMMAND_DRAW};
+  static const char *const names[] = {"model", "boundary", "measure", "query", "voids", "contacts", "complex", "cells",
+                                      "path",  "gate",     "clash",   "mesh",  "map",   "pick",     "draw"};
+  static const enum command commands[] = {COMMAND_MODEL, COMMAND_BOUNDARY, COMMAND_MEASURE, COMMAND_QUERY,
+                                          COMMAND_VOIDS, COMMAND_CONTACTS, COMMAND_COMPLEX, COMMAND_CELLS,
+                                          COMMAND_PATH,  COMMAND_GATE,     COMMAND_CLASH,   COMMAND_MESH,
+                                          COMMAND_MAP,   COMMAND_PICK,     COMMAND_DRAW};
   for (size_t i = 0; i < sizeof commands / sizeof commands[0]; ++i) {
     if (strcmp(name, names[i]) == 0) {
       *command = commands[i];
@@ -300,7 +301,11 @@ static bool take_argument(struct reading *reading, const char *argument) {
   bool known = false;
   if (!take_selection_option(reading, argument, &known)) return false;
   if (known) return true;
-  if (request->command == COMMAND_MEASURE || request->command == COMMAND_CONTACTS) {
+  const bool counts_areas = request->command == COMMAND_MEASURE || request->command == COMMAND_CONTACTS;
+  if ((counts_areas || request->command == COMMAND_BOUNDARY) && option_is(argument, "--box", &value)) {
+    return box_take_option(&request->box, &reading->options, value);
+  }
+  if (counts_areas) {
     if (!take_trajectory_option(reading, argument, &known)) return false;
     if (known) return true;
   }
@@ -331,6 +336,14 @@ static bool take_argument(struct reading *reading, const char *argument) {
   if (request->command == COMMAND_CLASH && option_is(argument, "--translate", &value)) {
     return option_vector(&reading->options, "--translate", value, false, &request->translate);
   }
+  if (request->command == COMMAND_PATH || request->command == COMMAND_GATE) {
+    if (option_is(argument, "--from", &value)) {
+      return option_vector(&reading->options, "--from", value, false, &request->from);
+    }
+    if (option_is(argument, "--to", &value)) {
+      return option_vector(&reading->options, "--to", value, false, &request->to);
+    }
+  }
   if (request->command == COMMAND_BOUNDARY && strcmp(argument, "--shells") == 0) {
     request->shells = true;
     return true;
@@ -348,6 +361,9 @@ static bool take_argument(struct reading *reading, const char *argument) {
     return true;
   }
   if (request->command == COMMAND_CONTACTS && option_is(argument, "--by", &value)) return take_grouping(reading, value);
+  if (request->command == COMMAND_CONTACTS && option_is(argument, "--map", &value)) {
+    return take_path(reading, "--map", value, &request->map);
+  }
   if (request->command == COMMAND_CONTACTS && option_is(argument, "--least", &value)) {
     return option_value(&reading->options, "--least", &value, "an area") &&
            option_length(&reading->options, "--least", value, &request->least);
@@ -371,6 +387,7 @@ static bool check_trajectory(struct reading *reading) {
   }
   if (request->files > 1) return failure_in_usage(reading->failure, "--trajectory takes one file at a time");
   if (request->pdb_out != NULL) return failure_in_usage(reading->failure, "--pdb-out is not for a --trajectory");
+  if (request->map != NULL) return failure_in_usage(reading->failure, "--map is not for a --trajectory");
   if (request->csv && request->json) return true; /* refused with the options of measure */
   const char *longer = request->per_ball              ? "--per-ball"
                        : request->gradient            ? "--gradient"
@@ -449,6 +466,19 @@ static bool check_measure(struct reading *reading) {
   return true;
 }
 
+/* What is of the outside, or not computed in a box. */
+static bool check_box(struct reading *reading) {
+  const struct request *request = reading->request;
+  if (request->box.source == BOX_NONE) return true;
+  const char *other = request->excluded_surface    ? "--surface ses"
+                      : request->interface != NULL ? "--interface"
+                      : request->curvature         ? "--curvature"
+                      : request->shells            ? "--shells"
+                      : request->pdb_out != NULL   ? "--pdb-out"
+                                                   : NULL;
+  return other == NULL || failure_in_usage(reading->failure, "%s is not for a --box", other);
+}
+
 /* The format of what is read: what the user says, or what its name says. */
 static bool find_format(struct reading *reading) {
   struct request *request = reading->request;
@@ -471,6 +501,7 @@ static bool check_several(struct reading *reading) {
   if (request->command == COMMAND_DRAW) return failure_in_usage(reading->failure, "draw takes one file at a time");
   if (request->command == COMMAND_MESH) return failure_in_usage(reading->failure, "mesh takes one file at a time");
   if (request->pdb_out != NULL) return failure_in_usage(reading->failure, "--pdb-out takes one file at a time");
+  if (request->map != NULL) return failure_in_usage(reading->failure, "--map takes one file at a time");
   if (request->weights != NULL && input_is_standard(request->weights)) {
     return failure_in_usage(reading->failure, "weights from standard input serve for one file");
   }
@@ -482,12 +513,20 @@ static bool check_files(struct reading *reading) {
   const struct request *request = reading->request;
   const bool draws = request->command == COMMAND_DRAW;
   const bool meshes = request->command == COMMAND_MESH;
-  const char *option = draws || meshes ? "-o" : "--pdb-out";
-  const char *out = draws ? request->drawing.out : meshes ? request->meshing.out : request->pdb_out;
+  const bool maps = request->map != NULL;
+  const char *option = draws || meshes ? "-o" : maps ? "--map" : "--pdb-out";
+  const char *out = draws    ? request->drawing.out
+                    : meshes ? request->meshing.out
+                    : maps   ? request->map
+                             : request->pdb_out;
   if (request->weights != NULL && input_is_standard(request->file) && input_is_standard(request->weights)) {
     return failure_in_usage(reading->failure, "standard input is either the molecule or its weights");
   }
   if (out == NULL) return true;
+  const size_t length = strlen(out);
+  if (maps && !output_is_standard(out) && (length < 5 || strcmp(out + length - 4, ".svg") != 0)) {
+    return failure_in_usage(reading->failure, "--map writes an .svg file, and its name says so");
+  }
   if (output_is_input(out, request->file) || (request->weights != NULL && output_is_input(out, request->weights)) ||
       (request->radii_file != NULL && output_is_input(out, request->radii_file))) {
     return failure_in_usage(reading->failure, "%s would write over the file that is read", option);
@@ -509,6 +548,15 @@ static bool check(struct reading *reading) {
   if (request->command == COMMAND_PICK && !request->at.given) {
     return failure_in_usage(reading->failure, "pick needs --at X Y");
   }
+  if (request->command == COMMAND_PATH && !(request->from.given && request->to.given)) {
+    return failure_in_usage(reading->failure, "path needs --from X Y Z and --to X Y Z");
+  }
+  if (request->command == COMMAND_GATE && !request->from.given) {
+    return failure_in_usage(reading->failure, "gate needs --from X Y Z");
+  }
+  if (request->command == COMMAND_GATE && reading->probe_seen) {
+    return failure_in_usage(reading->failure, "gate finds the probe: --probe is not for it");
+  }
   if (!viewing_check(&request->viewing, reading->failure)) return false;
   if (!check_several(reading) || !find_format(reading)) return false;
   if (format_has_radii(request->format) && (reading->radii_seen || reading->radius_seen)) {
@@ -516,7 +564,7 @@ static bool check(struct reading *reading) {
                             reading->radii_seen ? "--radii" : "--radius");
   }
   if (!selection_suits(&request->selection, request->format, reading->failure)) return false;
-  if (!check_trajectory(reading) || !check_measure(reading)) return false;
+  if (!check_trajectory(reading) || !check_measure(reading) || !check_box(reading)) return false;
   if (request->command == COMMAND_DRAW && !drawing_check(&request->drawing, reading->failure)) return false;
   if (request->command == COMMAND_DRAW && drawing_is_of_sticks(&request->drawing) && request->probe > 0.0) {
     return failure_in_usage(reading->failure, "--probe is not for --as ball-and-stick");

@@ -9,6 +9,7 @@
 #include "frame_range.h"
 #include "meshing.h"
 #include "molecule.h"
+#include "periodic_box.h"
 #include "radii.h"
 #include "residues.h"
 #include "selection.h"
@@ -24,6 +25,8 @@ enum command {
   COMMAND_CONTACTS,
   COMMAND_COMPLEX,
   COMMAND_CELLS,
+  COMMAND_PATH,
+  COMMAND_GATE,
   COMMAND_CLASH,
   COMMAND_MESH,
   COMMAND_MAP,
@@ -59,10 +62,12 @@ struct request {
   double min_volume; /* of `voids` */
   bool cells;        /* of `contacts` */
   double least;      /* area of a contact that is listed */
+  const char *map;   /* a file for a picture of contacts, or NULL */
   enum grouping by;
   const char *weights;    /* a file, or NULL */
   const char *pdb_out;    /* a file, or NULL */
   double probe;           /* 0 if none was given */
+  struct box_choice box;  /* of `boundary`, `measure` and `contacts` */
   uint64_t model;         /* counted from 1 */
   const char *trajectory; /* a file with frames of the molecule, or NULL; of `measure` and `contacts` */
   bool frames_given;
@@ -75,6 +80,7 @@ struct request {
   struct viewing viewing;         /* of `map` and `pick`; of `clash` its rotation */
   struct option_vector translate; /* of `clash` */
   struct option_vector at;        /* of `pick`: x and y */
+  struct option_vector from, to;  /* of `path` and `gate` */
   struct drawing drawing;         /* of `draw` */
   const struct radii_set *set;
   const char *radii_file;   /* with radii by residue and atom, or NULL */

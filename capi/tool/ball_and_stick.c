@@ -44,6 +44,9 @@ static bool compute(const struct molecule *molecule, const struct drawing *drawi
   hsp_view_options options;
   hsp_sticks_limits limits;
   hsp_sticks_conflict conflict;
+  int32_t (*const find)(hsp_sticks *, const hsp_model *, const hsp_view_options *, const hsp_stick *, uint32_t, double,
+                        hsp_sticks_conflict *, hsp_sticks_limits *) =
+      drawing_is_of_map(drawing) ? hsp_sticks_compute_map : hsp_sticks_compute;
   progress_show(&geometry->progress, "ordering balls and sticks");
   int32_t status = viewing_options(&drawing->viewing, &options);
   if (status == HSP_OK) status = hsp_sticks_limits_init(&limits, (uint32_t)sizeof limits, molecule->atoms);
@@ -55,7 +58,7 @@ static bool compute(const struct molecule *molecule, const struct drawing *drawi
     if (status == HSP_OK) status = hsp_workspace_allocate(&geometry->sticks_memory, bytes);
     if (status == HSP_OK) status = hsp_sticks_init(geometry->sticks_memory, bytes, &limits, &geometry->sticks);
     if (status == HSP_OK) {
-      status = hsp_sticks_compute(geometry->sticks, model, &options, stick, count, radius, &conflict, &limits);
+      status = find(geometry->sticks, model, &options, stick, count, radius, &conflict, &limits);
     }
   } while (status == HSP_E_CAPACITY);
   if (status == HSP_E_CONFLICT) return failure_of_conflict(molecule, stick, &conflict, failure);

@@ -5,6 +5,7 @@
 
 #include "commands.h"
 #include "input_report.h"
+#include "periodic_result.h"
 #include "report.h"
 
 /* The pieces of spheres are counted as the boundary has them; what hangs together is the topology's matter. */
@@ -98,8 +99,43 @@ static void print_table(const struct request *request, const struct molecule *mo
   if (list_them) print_shells(molecule, counted, out);
 }
 
+/* What is counted in a periodic box, where nothing is outside. */
+static void print_box(const struct request *request, const struct molecule *molecule,
+                      const struct periodic_result *result, struct text_buffer *out) {
+  const hsp_periodic_counts *counts = &result->counts;
+  if (request->json) {
+    text_buffer_add(out, "{\"n\": %" PRIu32 ", \"vertices\": %" PRIu32 ", \"arcs\": %" PRIu32 ", \"circles\": %" PRIu32,
+                    counts->balls, counts->vertices, counts->arcs, counts->circles);
+    text_buffer_add(out, ", \"faces\": %" PRIu32 ", \"shells\": %" PRIu32 ", \"components\": %" PRIu32, counts->faces,
+                    counts->shells, counts->components);
+    text_buffer_add(out, ", \"euler\": %" PRId32, counts->euler);
+    periodic_result_json(result, out);
+    input_report_json(out, request, molecule);
+    text_buffer_add(out, "}\n");
+    return;
+  }
+  report_heading(out, request, molecule);
+  report_row_count(out, "vertices", counts->vertices, "points on three spheres, outside all other balls");
+  report_row_count(out, "arcs", counts->arcs, "pieces of circles between two vertices");
+  report_row_count(out, "circles", counts->circles, "whole circles of two spheres");
+  report_row_count(out, "faces", counts->faces, "pieces of spheres");
+  report_row_count(out, "shells", counts->shells, "connected pieces of the boundary");
+  report_row_count(out, "euler", counts->euler, "Euler characteristic, summed over the shells");
+  periodic_result_rows(result, format_unit(molecule->format), out);
+}
+
+static bool count_in_box(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
+                         struct text_buffer *out, struct failure *failure) {
+  struct periodic_result result;
+  const bool done = periodic_result_make(request, molecule, geometry, &result, failure);
+  if (done) print_box(request, molecule, &result, out);
+  periodic_result_free(&result);
+  return done;
+}
+
 bool command_boundary(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                       struct text_buffer *out, struct failure *failure) {
+  if (request->box.source != BOX_NONE) return count_in_box(request, molecule, geometry, out, failure);
   if (!geometry_compute_topology(geometry, failure)) return false;
   struct counted counted;
   int32_t status = hsp_boundary_get_counts(geometry->work.boundary, &counted.boundary);

@@ -6,14 +6,19 @@
 #include <string.h>
 
 #include "commands.h"
+#include "contact_map.h"
 #include "csv.h"
 #include "input_report.h"
+#include "output_file.h"
+#include "periodic_result.h"
 #include "report.h"
 
 /* All that is printed. Arrays that were not asked for are NULL. */
 struct findings {
   hsp_totals totals;
-  hsp_contact *contacts; /* [contact_count] */
+  struct periodic_result box; /* if there is one; then contacts are of balls and images, moved by shifts */
+  hsp_contact *contacts;      /* [contact_count] */
+  int32_t *shift;             /* [contact_count][3], of the second ball */
   uint32_t contact_count;
   struct atom_groups groups;
   uint32_t *group_of;         /* [atoms] */
@@ -24,7 +29,9 @@ struct findings {
 
 static void findings_free(struct findings *found) {
   atom_groups_free(&found->groups);
+  periodic_result_free(&found->box);
   free(found->contacts);
+  free(found->shift);
   free(found->group_of);
   free(found->between);
   free(found->cell);
@@ -41,6 +48,16 @@ static bool find_contacts(const struct geometry *geometry, struct findings *foun
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
+/* A ball that touches its own image has that contact on two sides. */
+static bool find_cells_in_box(const struct molecule *molecule, struct findings *found, struct failure *failure) {
+  const int32_t status =
+      hsp_periodic_measure(found->box.periodic, NULL, found->free_area, found->cell, molecule->atoms, NULL);
+  for (uint32_t k = 0; k < found->contact_count; ++k) {
+    for (int side = 0; side < 2; ++side) found->area[found->contacts[k].ball[side]] += found->contacts[k].area;
+  }
+  return status == HSP_OK || failure_in_library(failure, status);
+}
+
 static bool find_cells(const struct molecule *molecule, const struct geometry *geometry, struct findings *found,
                        struct failure *failure) {
   const uint32_t n = molecule->atoms;
@@ -48,11 +65,71 @@ static bool find_cells(const struct molecule *molecule, const struct geometry *g
   found->free_area = calloc((size_t)n + 1, sizeof *found->free_area);
   found->area = calloc((size_t)n + 1, sizeof *found->area);
   if (found->cell == NULL || found->free_area == NULL || found->area == NULL) return failure_of_memory(failure);
+  if (found->box.periodic != NULL) return find_cells_in_box(molecule, found, failure);
   int32_t status = hsp_contacts_measure(geometry->work.contacts, NULL, found->cell, found->area, n, NULL);
   if (status == HSP_OK) {
     status = hsp_boundary_measure(geometry->work.boundary, NULL, NULL, found->free_area, NULL, n, NULL);
   }
   return status == HSP_OK || failure_in_library(failure, status);
+}
+
+/* Contacts in a box, as those of a molecule and shifts beside them. */
+static bool find_contacts_in_box(struct findings *found, struct failure *failure) {
+  const uint32_t count = found->contact_count = found->box.counts.contacts;
+  uint32_t needed = 0;
+  hsp_periodic_contact *list = calloc((size_t)count + 1, sizeof *list);
+  found->contacts = calloc((size_t)count + 1, sizeof *found->contacts);
+  found->shift = calloc((size_t)count + 1, 3 * sizeof *found->shift);
+  const bool room = list != NULL && found->contacts != NULL && found->shift != NULL;
+  const int32_t status = room ? hsp_periodic_get_contacts(found->box.periodic, list, count, &needed) : HSP_E_MEMORY;
+  for (uint32_t k = 0; status == HSP_OK && k < count; ++k) {
+    hsp_contact *contact = &found->contacts[k];
+    contact->area = list[k].area;
+    contact->edge = list[k].edge;
+    contact->distance = list[k].distance;
+    memcpy(contact->ball, list[k].ball, sizeof contact->ball);
+    memcpy(found->shift + 3 * (size_t)k, list[k].shift, sizeof list[k].shift);
+  }
+  free(list);
+  found->totals.area = found->box.totals.contact_area;
+  found->totals.volume = found->box.totals.volume;
+  return status == HSP_OK || failure_in_library(failure, status);
+}
+
+static int compare_groups(const void *left, const void *right) {
+  const hsp_group_contact *p = left, *q = right;
+  for (int k = 0; k < 2; ++k) {
+    if (p->group[k] != q->group[k]) return p->group[k] < q->group[k] ? -1 : 1;
+  }
+  /* Within a pair of groups the order of the contacts, which is the order of the sum. */
+  return p->reserved < q->reserved ? -1 : p->reserved > q->reserved;
+}
+
+/* Sums over the contacts between balls of different groups. */
+static bool sum_groups_in_box(struct findings *found, struct failure *failure) {
+  hsp_group_contact *list = calloc((size_t)found->contact_count + 1, sizeof *list);
+  found->between = list;
+  if (list == NULL) return failure_of_memory(failure);
+  uint32_t count = 0;
+  for (uint32_t k = 0; k < found->contact_count; ++k) {
+    const hsp_contact *contact = &found->contacts[k];
+    const uint32_t a = found->group_of[contact->ball[0]], b = found->group_of[contact->ball[1]];
+    if (a == b) continue;
+    list[count] = (hsp_group_contact){contact->area, contact->edge, {a < b ? a : b, a < b ? b : a}, 1, count};
+    ++count;
+  }
+  qsort(list, count, sizeof *list, compare_groups);
+  for (uint32_t k = 0; k < count; ++k) {
+    hsp_group_contact *last = found->between_count > 0 ? &list[found->between_count - 1] : NULL;
+    if (last == NULL || last->group[0] != list[k].group[0] || last->group[1] != list[k].group[1]) {
+      list[found->between_count++] = list[k];
+    } else {
+      last->area += list[k].area;
+      last->edge += list[k].edge;
+      ++last->contacts;
+    }
+  }
+  return true;
 }
 
 /* The number of each atom's residue or chain. */
@@ -75,6 +152,7 @@ static bool find_groups(const struct request *request, const struct molecule *mo
                     number_groups(molecule, found, failure);
   free(nothing);
   if (!done) return false;
+  if (found->box.periodic != NULL) return sum_groups_in_box(found, failure);
   int32_t status = hsp_contacts_group(geometry->work.contacts, found->group_of, NULL, 0, &found->between_count);
   if (status != HSP_OK && status != HSP_E_CAPACITY) return failure_in_library(failure, status);
   found->between = calloc((size_t)found->between_count + 1, sizeof *found->between);
@@ -129,6 +207,10 @@ static void pairs_json(const struct request *request, const struct findings *fou
     json_number(out, contact->edge);
     text_buffer_add(out, ", \"distance\": ");
     json_number(out, contact->distance);
+    if (found->shift != NULL) {
+      const int32_t *shift = found->shift + 3 * (size_t)k;
+      text_buffer_add(out, ", \"shift\": [%" PRId32 ", %" PRId32 ", %" PRId32 "]", shift[0], shift[1], shift[2]);
+    }
     text_buffer_add(out, "}");
     separator = ", ";
   }
@@ -161,6 +243,7 @@ static void print_json(const struct request *request, const struct molecule *mol
     }
     text_buffer_add(out, "]");
   }
+  if (found->box.periodic != NULL) periodic_result_json(&found->box, out);
   input_report_json(out, request, molecule);
   text_buffer_add(out, "}\n");
 }
@@ -170,14 +253,20 @@ static void print_pairs(const struct request *request, const struct molecule *mo
   char names[2][GROUP_NAME_BYTES];
   char values[3][NUMBER_BYTES];
   if (found->contact_count == 0) return;
-  text_buffer_add(out, "\n  %14s  %14s  %16s  %16s  %14s\n", "first", "second", "area", "edge",
-                  request->by == GROUPING_NONE ? "distance" : "atom pairs");
+  text_buffer_add(out, "\n  %14s  %14s  %16s  %16s  %14s%s\n", "first", "second", "area", "edge",
+                  request->by == GROUPING_NONE ? "distance" : "atom pairs",
+                  request->by == GROUPING_NONE && found->shift != NULL ? "  shift of second" : "");
   for (uint32_t k = 0; request->by == GROUPING_NONE && k < found->contact_count; ++k) {
     const hsp_contact *contact = &found->contacts[k];
     if (contact->area < request->least) continue;
-    text_buffer_add(out, "  %14" PRIu32 "  %14" PRIu32 "  %16s  %16s  %14s\n", contact->ball[0], contact->ball[1],
+    text_buffer_add(out, "  %14" PRIu32 "  %14" PRIu32 "  %16s  %16s  %14s", contact->ball[0], contact->ball[1],
                     quantity_text(values[0], contact->area, 6), quantity_text(values[1], contact->edge, 6),
                     quantity_text(values[2], contact->distance, 6));
+    if (found->shift != NULL) {
+      const int32_t *shift = found->shift + 3 * (size_t)k;
+      text_buffer_add(out, "  %4" PRId32 " %4" PRId32 " %4" PRId32, shift[0], shift[1], shift[2]);
+    }
+    text_buffer_add(out, "\n");
   }
   for (uint32_t k = 0; request->by != GROUPING_NONE && k < found->between_count; ++k) {
     const hsp_group_contact *sum = &found->between[k];
@@ -212,34 +301,71 @@ static void print_tables(const struct request *request, const struct molecule *m
                   quantity_text(value, found->totals.area, 10), unit);
   text_buffer_add(out, "  %-16s %s %s^3, of all cells\n", "volume", quantity_text(value, found->totals.volume, 10),
                   unit);
+  if (found->box.periodic != NULL) periodic_result_rows(&found->box, unit, out);
   print_pairs(request, molecule, found, out);
   if (request->cells) print_cells(molecule, found, out);
+}
+
+/* What is listed, as a picture. */
+static bool write_map(const struct request *request, const struct molecule *molecule, const struct findings *found,
+                      struct failure *failure) {
+  const bool grouped = request->by != GROUPING_NONE;
+  const uint32_t pairs = grouped ? found->between_count : found->contact_count;
+  struct contact_square *squares = calloc((size_t)pairs + 1, sizeof *squares);
+  if (squares == NULL) return failure_of_memory(failure);
+  struct contact_map map = {molecule, &found->groups, grouped ? found->groups.count : molecule->atoms, squares, 0};
+  for (uint32_t k = 0; k < pairs; ++k) {
+    const uint32_t *const pair = grouped ? found->between[k].group : found->contacts[k].ball;
+    const double area = grouped ? found->between[k].area : found->contacts[k].area;
+    if (area > 0.0 && area >= request->least) squares[map.count++] = (struct contact_square){pair[0], pair[1], area};
+  }
+  const bool done = contact_map_write(&map, request->map, failure);
+  free(squares);
+  return done;
 }
 
 /* A row of the table of frames. */
 static void print_frame(const struct molecule *molecule, const struct findings *found, struct text_buffer *out) {
   if (molecule->frame.first) {
     csv_frame_titles(out);
-    text_buffer_add(out, "contacts,area,volume\n");
+    text_buffer_add(out, "contacts,area,volume%s\n", found->box.periodic != NULL ? ",box_volume,free_volume" : "");
   }
   csv_frame(out, molecule);
   text_buffer_add(out, "%" PRIu32 ",", found->contact_count);
   csv_number(out, found->totals.area);
   text_buffer_add(out, ",");
   csv_number(out, found->totals.volume);
+  if (found->box.periodic != NULL) {
+    text_buffer_add(out, ",");
+    csv_number(out, found->box.totals.box_volume);
+    text_buffer_add(out, ",");
+    csv_number(out, found->box.totals.free_volume);
+  }
   text_buffer_add(out, "\n");
+}
+
+static bool find_all(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
+                     struct findings *found, struct failure *failure) {
+  if (request->box.source != BOX_NONE) {
+    return periodic_result_make(request, molecule, geometry, &found->box, failure) &&
+           find_contacts_in_box(found, failure);
+  }
+  if (!geometry_compute_contacts(geometry, failure) || !find_contacts(geometry, found, failure)) return false;
+  const int32_t status = hsp_contacts_measure(geometry->work.contacts, &found->totals, NULL, NULL, 0, NULL);
+  return status == HSP_OK || failure_in_library(failure, status);
 }
 
 bool command_contacts(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                       struct text_buffer *out, struct failure *failure) {
   struct findings found;
   memset(&found, 0, sizeof found);
-  bool done = geometry_compute_contacts(geometry, failure) && find_contacts(geometry, &found, failure);
+  bool done = find_all(request, molecule, geometry, &found, failure);
   if (done && request->by != GROUPING_NONE) done = find_groups(request, molecule, geometry, &found, failure);
   if (done && request->cells) done = find_cells(molecule, geometry, &found, failure);
-  if (done) {
-    const int32_t status = hsp_contacts_measure(geometry->work.contacts, &found.totals, NULL, NULL, 0, NULL);
-    done = status == HSP_OK || failure_in_library(failure, status);
+  if (done && request->map != NULL) done = write_map(request, molecule, &found, failure);
+  if (request->map != NULL && output_is_standard(request->map)) {
+    findings_free(&found);
+    return done;
   }
   if (done && request->json) {
     print_json(request, molecule, &found, out);

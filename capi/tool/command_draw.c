@@ -250,13 +250,13 @@ static void print_table(const struct request *request, const struct molecule *mo
         molecule->bonds > 0 ? "bonds by CONECT records, else by covalent radii" : "bonds by covalent radii");
   }
   report_row_count(out, "pieces", drawn->view.pieces,
-                   of_map      ? "balls, side by side"
-                   : of_sticks ? "balls, sticks and halves of sticks"
-                               : "painted one over the other, farthest first");
+                   of_sticks ? "balls, sticks and halves of sticks"
+                   : of_map  ? "balls, side by side"
+                             : "painted one over the other, farthest first");
   report_row_count(out, "arcs", drawn->view.arcs,
-                   of_map      ? "of circles and ellipses between them"
-                   : of_sticks ? "of circles, ellipses and lines around them"
-                               : "of circles and ellipses around them");
+                   of_sticks ? "of circles, ellipses and lines around them"
+                   : of_map  ? "of circles and ellipses between them"
+                             : "of circles and ellipses around them");
   report_row_count(out, "bytes", (int64_t)drawn->bytes, "");
 }
 

@@ -16,7 +16,10 @@ static void take_frame(const struct trajectory *trajectory, bool first, struct m
     memcpy(molecule->xyz + 3 * (size_t)i, trajectory->xyz + 3 * place, 3 * sizeof *molecule->xyz);
     molecule->line[i] = trajectory->line == NULL ? 0 : trajectory->line[place];
   }
+  /* A file may have its box once, before all frames; or the file of the molecule has it. */
+  const struct box_record known = molecule->frame.box;
   molecule->frame = trajectory->stamp;
+  if (!molecule->frame.box.given) molecule->frame.box = known;
   molecule->frame.first = first;
 }
 

@@ -67,6 +67,7 @@ static void print_json(const struct request *request, const struct molecule *mol
   json_number(out, measurement->totals.area);
   text_buffer_add(out, ", \"volume\": ");
   json_number(out, measurement->totals.volume);
+  if (measurement->box.periodic != NULL) periodic_result_json(&measurement->box, out);
   if (request->curvature) {
     text_buffer_add(out, ", \"mean_curvature\": ");
     json_number(out, measurement->curvatures.mean);
@@ -116,6 +117,7 @@ static void print_tables(const struct request *request, const struct molecule *m
                   unit);
   text_buffer_add(out, "  %-16s %s %s^3\n", "volume", quantity_text(value, measurement->totals.volume, TOTAL_DECIMALS),
                   unit);
+  if (measurement->box.periodic != NULL) periodic_result_rows(&measurement->box, unit, out);
   if (request->curvature) {
     text_buffer_add(out, "  %-16s %s %s, integrated over the boundary\n", "mean curvature",
                     quantity_text(value, measurement->curvatures.mean, TOTAL_DECIMALS), unit);
@@ -174,6 +176,10 @@ static struct row row_of(const struct request *request, const struct findings *f
   struct row row = {.columns = 0};
   add_column(&row, "area", measurement->totals.area);
   add_column(&row, "volume", measurement->totals.volume);
+  if (measurement->box.periodic != NULL) {
+    add_column(&row, "box_volume", measurement->box.totals.box_volume);
+    add_column(&row, "free_volume", measurement->box.totals.free_volume);
+  }
   if (request->curvature) {
     add_column(&row, "mean_curvature", measurement->curvatures.mean);
     add_column(&row, "gauss_curvature", measurement->curvatures.gauss);

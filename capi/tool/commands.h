@@ -24,6 +24,10 @@ bool command_complex(const struct request *request, const struct molecule *molec
                      struct text_buffer *out, struct failure *failure);
 bool command_cells(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                    struct text_buffer *out, struct failure *failure);
+bool command_path(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
+                  struct text_buffer *out, struct failure *failure);
+bool command_gate(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
+                  struct text_buffer *out, struct failure *failure);
 bool command_query(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                    struct text_buffer *out, struct failure *failure);
 bool command_mesh(const struct request *request, const struct molecule *molecule, struct geometry *geometry,

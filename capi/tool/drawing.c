@@ -195,8 +195,11 @@ bool drawing_check(struct drawing *drawing, struct failure *failure) {
   if (drawing->all_balls && drawing_is_of_map(drawing)) {
     return failure_in_usage(failure, "either --all-balls, hidden ones too, or --pieces visible");
   }
-  if (drawing_is_of_sticks(drawing) && (drawing->pieces >= 0 || drawing->all_balls || drawing->occlusion > 0.0)) {
-    return failure_in_usage(failure, "--pieces, --all-balls and --occlusion are not for --as ball-and-stick");
+  if (drawing_is_of_sticks(drawing) && drawing->pieces >= 0 && !drawing_is_of_map(drawing)) {
+    return failure_in_usage(failure, "--as ball-and-stick has no --pieces but visible");
+  }
+  if (drawing_is_of_sticks(drawing) && (drawing->all_balls || drawing->occlusion > 0.0)) {
+    return failure_in_usage(failure, "--all-balls and --occlusion are not for --as ball-and-stick");
   }
   if (!drawing_is_of_sticks(drawing) && (drawing->ball_size >= 0.0 || drawing->stick >= 0.0)) {
     return failure_in_usage(failure, "--ball-size and --stick are for --as ball-and-stick");

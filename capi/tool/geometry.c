@@ -53,9 +53,73 @@ bool geometry_compute_contacts(struct geometry *geometry, struct failure *failur
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
+/* Memory for the limits; what was in it before is lost. */
+static int32_t make_periodic(struct geometry *geometry) {
+  size_t bytes = 0;
+  int32_t status = hsp_periodic_bytes(&geometry->periodic_limits, &bytes);
+  geometry->periodic = NULL;
+  if (status == HSP_OK) status = hsp_workspace_allocate(&geometry->periodic_memory, bytes);
+  if (status == HSP_OK) {
+    status = hsp_periodic_init(geometry->periodic_memory, bytes, &geometry->periodic_limits, &geometry->periodic);
+  }
+  return status;
+}
+
+bool geometry_compute_periodic(struct geometry *geometry, const struct molecule *molecule, double probe,
+                               const double *box, struct failure *failure) {
+  hsp_model_options options;
+  int32_t status = hsp_model_options_init(&options, (uint32_t)sizeof options);
+  options.probe = probe;
+  progress_show(&geometry->progress, "computing the box");
+  if (status == HSP_OK && geometry->periodic == NULL) {
+    status = hsp_periodic_limits_init(&geometry->periodic_limits, (uint32_t)sizeof geometry->periodic_limits,
+                                      molecule->atoms);
+    if (status == HSP_OK) status = make_periodic(geometry);
+  }
+  while (status == HSP_OK) {
+    hsp_periodic_limits limits = geometry->periodic_limits;
+    status = hsp_periodic_compute(geometry->periodic, molecule->atoms, molecule->xyz, molecule->radius, &options, box,
+                                  &limits, NULL);
+    if (status != HSP_E_CAPACITY) break;
+    geometry->periodic_limits = limits;
+    status = make_periodic(geometry);
+  }
+  if (status == HSP_E_ARGUMENT) {
+    return failure_in_input(failure, 0, "the box: its vectors must be AX,0,0, BX,BY,0 and CX,CY,CZ");
+  }
+  if (status == HSP_E_RANGE) {
+    return failure_in_input(failure, 0, "the box is too thin for the balls, too large, or a ball is too far from it");
+  }
+  return status == HSP_OK || failure_in_library(failure, status);
+}
+
 bool geometry_compute_cells(struct geometry *geometry, struct failure *failure) {
   progress_show(&geometry->progress, "cutting free space");
   const int32_t status = hsp_workspace_cells(&geometry->work);
+  return status == HSP_OK || failure_in_library(failure, status);
+}
+
+bool geometry_find_path(struct geometry *geometry, const double from[3], const double to[3], hsp_path *path,
+                        struct failure *failure) {
+  progress_show(&geometry->progress, "looking for a path");
+  const int32_t status = hsp_workspace_path(&geometry->work, from, to, path);
+  if (status == HSP_E_RANGE) return failure_in_input(failure, 0, "--from or --to: %s", hsp_status_text(status));
+  return status == HSP_OK || failure_in_library(failure, status);
+}
+
+bool geometry_find_gate(struct geometry *geometry, const struct molecule *molecule, const double from[3],
+                        const double *to, struct failure *failure) {
+  enum { COARSER = 6 };
+  hsp_model_info info;
+  progress_show(&geometry->progress, "looking for the widest probe");
+  int32_t status = hsp_workspace_gate(&geometry->work, from, to);
+  for (int time = 0; time < COARSER && status == HSP_E_RANGE; ++time) {
+    status = hsp_model_get_info(geometry->work.model, &info);
+    if (status != HSP_OK) return failure_in_library(failure, status);
+    if (!geometry_set_model(geometry, molecule, 0.0, 10.0 * info.step, failure)) return false;
+    status = hsp_workspace_gate(&geometry->work, from, to);
+  }
+  if (status == HSP_E_RANGE) return failure_in_input(failure, 0, "--from or --to: %s", hsp_status_text(status));
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
@@ -130,5 +194,6 @@ bool geometry_list_shells(const struct geometry *geometry, hsp_shell **shells, u
 void geometry_free(struct geometry *geometry) {
   progress_end(&geometry->progress);
   free(geometry->sticks_memory);
+  free(geometry->periodic_memory);
   hsp_workspace_free(&geometry->work);
 }

@@ -15,6 +15,9 @@ struct geometry {
   struct progress progress; /* of what is done here; not watched at first */
   hsp_sticks *sticks;       /* NULL at first; ball_and_stick.h computes them */
   void *sticks_memory;
+  hsp_periodic *periodic; /* NULL at first */
+  void *periodic_memory;
+  hsp_periodic_limits periodic_limits;
 };
 
 /* Make the model. A ball that the library refuses is named by its line. step: of the lattice, 0 for the library's
@@ -31,8 +34,21 @@ bool geometry_compute_topology(struct geometry *geometry, struct failure *failur
 /* Compute the boundary and the contacts over it. */
 bool geometry_compute_contacts(struct geometry *geometry, struct failure *failure);
 
+/* Compute the union in a periodic box, [9], with as much memory as it turns out to need; of the molecule itself. */
+bool geometry_compute_periodic(struct geometry *geometry, const struct molecule *molecule, double probe,
+                               const double *box, struct failure *failure);
+
 /* Cut free space into cells, from the model alone. */
 bool geometry_compute_cells(struct geometry *geometry, struct failure *failure);
+
+/* Find a path through free space, from the model alone. */
+bool geometry_find_path(struct geometry *geometry, const double from[3], const double to[3], hsp_path *path,
+                        struct failure *failure);
+
+/* Find the widest probe from one point to another, or to the outside if `to` is NULL. The model is made again on a
+ * coarser lattice if probes are too wide for its own. */
+bool geometry_find_gate(struct geometry *geometry, const struct molecule *molecule, const double from[3],
+                        const double *to, struct failure *failure);
 
 /* Compute the solvent-excluded surface over the boundary, which is computed. */
 bool geometry_compute_surface(struct geometry *geometry, struct failure *failure);

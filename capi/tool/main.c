@@ -34,6 +34,10 @@ static command_function *function_of(enum command command) {
       return command_complex;
     case COMMAND_CELLS:
       return command_cells;
+    case COMMAND_PATH:
+      return command_path;
+    case COMMAND_GATE:
+      return command_gate;
     case COMMAND_CLASH: /* of two molecules: run_clash */
       break;
     case COMMAND_MESH:

@@ -26,7 +26,15 @@ static bool measure_gradients(const struct molecule *molecule, const struct geom
   uint32_t *flags = calloc((size_t)molecule->atoms + 1, sizeof *flags);
   if (flags == NULL) return failure_of_memory(failure);
   int32_t status;
-  if (excluded_surface) {
+  if (measurement->box.periodic != NULL) {
+    status = hsp_periodic_gradient(measurement->box.periodic, NULL, 1.0, 0.0, HSP_TANGENT_OVERLAP, NULL,
+                                   of_area->centre, of_area->radius, flags, NULL, NULL, molecule->atoms, NULL, NULL);
+    if (status == HSP_OK) {
+      status =
+          hsp_periodic_gradient(measurement->box.periodic, NULL, 0.0, 1.0, HSP_TANGENT_OVERLAP, NULL, of_volume->centre,
+                                of_volume->radius, NULL, NULL, NULL, molecule->atoms, NULL, NULL);
+    }
+  } else if (excluded_surface) {
     status = hsp_surface_gradient(geometry->work.surface, 1.0, 0.0, NULL, of_area->centre, of_area->radius, flags,
                                   molecule->atoms, NULL);
     if (status == HSP_OK) {
@@ -49,9 +57,13 @@ static bool measure_weighted_gradient(const struct molecule *molecule, const str
                                       struct measurement *measurement, struct failure *failure) {
   struct gradient *gradient = &measurement->of_weighted_area;
   if (!allocate_gradient(molecule, gradient, failure)) return false;
+  const hsp_periodic *const periodic = measurement->box.periodic;
   const int32_t status =
-      hsp_boundary_gradient(geometry->work.boundary, measurement->weights, 1.0, 0.0, HSP_TANGENT_OVERLAP, NULL,
-                            gradient->centre, gradient->radius, NULL, molecule->atoms, NULL, NULL);
+      periodic != NULL
+          ? hsp_periodic_gradient(periodic, measurement->weights, 1.0, 0.0, HSP_TANGENT_OVERLAP, NULL, gradient->centre,
+                                  gradient->radius, NULL, NULL, NULL, molecule->atoms, NULL, NULL)
+          : hsp_boundary_gradient(geometry->work.boundary, measurement->weights, 1.0, 0.0, HSP_TANGENT_OVERLAP, NULL,
+                                  gradient->centre, gradient->radius, NULL, molecule->atoms, NULL, NULL);
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
@@ -63,8 +75,12 @@ static bool measure_weighted_area(const struct request *request, uint32_t atoms,
     return true;
   }
   hsp_energy energy;
-  const int32_t status = hsp_boundary_gradient(geometry->work.boundary, measurement->weights, 1.0, 0.0,
-                                               HSP_TANGENT_OVERLAP, &energy, NULL, NULL, NULL, 0, NULL, NULL);
+  const hsp_periodic *const periodic = measurement->box.periodic;
+  const int32_t status = periodic != NULL
+                             ? hsp_periodic_gradient(periodic, measurement->weights, 1.0, 0.0, HSP_TANGENT_OVERLAP,
+                                                     &energy, NULL, NULL, NULL, NULL, NULL, 0, NULL, NULL)
+                             : hsp_boundary_gradient(geometry->work.boundary, measurement->weights, 1.0, 0.0,
+                                                     HSP_TANGENT_OVERLAP, &energy, NULL, NULL, NULL, 0, NULL, NULL);
   if (status != HSP_OK) return failure_in_library(failure, status);
   measurement->weighted_area = energy.area;
   return true;
@@ -100,6 +116,13 @@ static bool measure_areas(const struct request *request, const struct molecule *
   }
   if (request->excluded_surface) return measure_excluded_surface(request, molecule, geometry, measurement, failure);
   progress_show(&geometry->progress, "measuring");
+  if (measurement->box.periodic != NULL) {
+    const struct periodic_result *box = &measurement->box;
+    measurement->totals.area = box->totals.area;
+    measurement->totals.volume = box->totals.volume;
+    const int32_t status = hsp_periodic_measure(box->periodic, NULL, measurement->area, NULL, molecule->atoms, NULL);
+    return status == HSP_OK || failure_in_library(failure, status);
+  }
   const int32_t status = hsp_boundary_measure(geometry->work.boundary, NULL, &measurement->totals, measurement->area,
                                               NULL, measurement->area == NULL ? 0 : molecule->atoms, NULL);
   return status == HSP_OK || failure_in_library(failure, status);
@@ -123,7 +146,9 @@ bool measurement_make(const struct request *request, const struct molecule *mole
   memset(measurement, 0, sizeof *measurement);
   const bool weighted = request->weights != NULL;
   if (weighted && !weights_read(request->weights, molecule->atoms, &measurement->weights, failure)) return false;
-  if (!geometry_compute_boundary(geometry, failure)) return false;
+  const bool boxed = request->box.source != BOX_NONE;
+  if (boxed && !periodic_result_make(request, molecule, geometry, &measurement->box, failure)) return false;
+  if (!boxed && !geometry_compute_boundary(geometry, failure)) return false;
   if (!measure_areas(request, molecule, geometry, measurement, failure)) return false;
   for (uint32_t i = 0; request->polar && i < molecule->atoms; ++i) {
     *polarity_sum(measurement, molecule->label[i].element) += measurement->area[i];
@@ -141,6 +166,7 @@ bool measurement_make(const struct request *request, const struct molecule *mole
 }
 
 void measurement_free(struct measurement *measurement) {
+  periodic_result_free(&measurement->box);
   free(measurement->area);
   free(measurement->weights);
   struct gradient *const gradients[] = {&measurement->of_area, &measurement->of_volume, &measurement->of_weighted_area};

@@ -8,6 +8,7 @@
 #include "arguments.h"
 #include "geometry.h"
 #include "molecule.h"
+#include "periodic_result.h"
 
 /* The derivatives of one quantity with respect to every centre and every radius. */
 struct gradient {
@@ -27,6 +28,7 @@ struct measurement {
   struct gradient of_weighted_area;
   hsp_curvatures curvatures;                  /* if they were asked for */
   double polar_area, apolar_area, other_area; /* if they were asked for */
+  struct periodic_result box;                 /* if there is one; then all of this is of what is in it */
   uint32_t one_sided;                         /* balls whose derivatives are one-sided because they touch another */
 };
 

@@ -8,6 +8,7 @@
 
 #include "failure.h"
 #include "fields.h"
+#include "file_box.h"
 #include "radii.h"
 #include "radii_table.h"
 
@@ -63,7 +64,7 @@ struct left_out {
   uint64_t others;
 };
 
-/* What is known of a frame of a trajectory beside its atoms. */
+/* What is known of a molecule or of a frame of a trajectory beside its atoms. */
 struct frame_stamp {
   uint64_t number; /* counted from 1; 0: it is no frame of a trajectory */
   bool first;      /* of those that are looked at */
@@ -71,6 +72,7 @@ struct frame_stamp {
   double time; /* as the file has it: picoseconds, or whatever its writer took */
   bool stepped;
   int64_t step; /* of the simulation */
+  struct box_record box;
 };
 
 struct molecule {

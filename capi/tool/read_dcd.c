@@ -6,6 +6,7 @@
 #include "read_dcd.h"
 
 #include <inttypes.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -133,7 +134,7 @@ static bool take_axis(const struct dcd *dcd, struct byte_reader *reader, bool wa
   return take_end(dcd, reader, length, failure);
 }
 
-/* Six finite numbers: what they mean differs between writers. */
+/* Six finite numbers: what they mean differs between writers; take_cell knows two ways. */
 static bool check_cell(const struct dcd *dcd, const unsigned char *bytes, struct failure *failure) {
   for (int k = 0; k < 6; ++k) {
     if (!is_finite(bits_to_double(bytes_to_u64(bytes + 8 * k, dcd->highest_first)))) {
@@ -141,6 +142,19 @@ static bool check_cell(const struct dcd *dcd, const unsigned char *bytes, struct
     }
   }
   return true;
+}
+
+/* a, gamma, b, beta, alpha, c: angles in degrees, or their cosines where all are that small. */
+static void take_cell(const struct dcd *dcd, const unsigned char *bytes, struct box_record *box) {
+  double number[6];
+  for (int k = 0; k < 6; ++k) number[k] = bits_to_double(bytes_to_u64(bytes + 8 * k, dcd->highest_first));
+  const double length[3] = {number[0], number[2], number[5]};
+  double angle[3] = {number[4], number[3], number[1]};
+  const bool cosines = fabs(angle[0]) <= 1.0 && fabs(angle[1]) <= 1.0 && fabs(angle[2]) <= 1.0;
+  for (int k = 0; k < 3 && cosines; ++k) {
+    angle[k] = angle[k] == 0.0 ? 90.0 : acos(angle[k]) * (180.0 / 3.14159265358979323846);
+  }
+  box_from_angles(length, angle, box);
 }
 
 static bool take_frame(struct dcd *dcd, struct byte_reader *reader, bool wanted, uint32_t atoms, double *xyz,
@@ -168,6 +182,7 @@ enum line_status dcd_next(struct dcd *dcd, struct byte_reader *reader, bool want
   stamp->step = step;
   stamp->timed = stamp->stepped && dcd->delta > 0.0;
   stamp->time = (double)step * dcd->delta * picoseconds;
+  if (dcd->has_cell) take_cell(dcd, cell, &stamp->box);
   ++dcd->frames;
   return LINE_READ;
 }

@@ -76,15 +76,19 @@ static bool is_count(const struct line_reader *reader, uint64_t *count) {
          number_parse_count(field.text, field.length, count) == NUMBER_OK;
 }
 
-/* Three or nine numbers. */
-static bool is_box(const struct line_reader *reader) {
+/* Three or nine numbers: the lengths along the axes first, then a_y a_z b_x b_z c_x c_y. */
+static bool take_box(const struct line_reader *reader, struct box_record *box) {
+  static const int place[9] = {0, 4, 8, 1, 2, 3, 5, 6, 7};
   struct field field[9];
+  double vector[9] = {0};
   const size_t count = fields_split(reader->text, reader->length, field, 9);
   if (count != 3 && count != 9) return false;
   for (size_t i = 0; i < count; ++i) {
-    double ignored;
-    if (number_parse(field[i].text, field[i].length, &ignored) != NUMBER_OK) return false;
+    if (number_parse_times(field[i].text, field[i].length, POWER_OF_NANOMETRE, &vector[place[i]]) != NUMBER_OK) {
+      return false;
+    }
   }
+  box_from_vectors(vector, box);
   return true;
 }
 
@@ -118,7 +122,12 @@ static enum line_status read_model(struct line_reader *reader, uint64_t count, b
     if (!read_atom(reader, width, molecule, failure)) return LINE_FAILED;
   }
   status = line_reader_next(reader, failure);
-  if (status != LINE_READ || is_box(reader)) return status;
+  struct box_record box;
+  if (status != LINE_READ) return status;
+  if (take_box(reader, &box)) {
+    if (wanted) molecule->frame.box = box;
+    return status;
+  }
   failure_in_input(failure, reader->number, "expected the box, three or nine numbers, after %" PRIu64 " atom%s", count,
                    count == 1 ? "" : "s");
   return LINE_FAILED;

@@ -133,6 +133,7 @@ static enum line_status read_records(struct line_reader *reader, bool *begun, bo
     if (record == PDB_END) *begun = false;
     if (within && (record == PDB_MODEL || record == PDB_END)) return LINE_READ;
     if (record == PDB_OTHER && !within) frame_title_read(reader->text, &molecule->frame);
+    if (record == PDB_OTHER) box_from_cryst1(reader, &molecule->frame.box);
     if (record == PDB_ATOM && wanted && !read_atom(reader, seen, molecule, failure)) return LINE_FAILED;
   }
 }

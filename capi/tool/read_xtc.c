@@ -260,6 +260,9 @@ static bool take_start(struct byte_reader *reader, uint32_t atoms, bool *large, 
   stamp->stepped = stamp->timed = true;
   stamp->step = bits_to_i32(bytes_to_u32(bytes + 8, true));
   stamp->time = as_written(bits_to_float(bytes_to_u32(bytes + 12, true)));
+  double vector[9];
+  for (size_t k = 0; k < 9; ++k) vector[k] = 10.0 * as_written(bits_to_float(bytes_to_u32(bytes + 16 + 4 * k, true)));
+  box_from_vectors(vector, &stamp->box);
   return true;
 }
 

@@ -134,6 +134,7 @@ static enum line_status read_model(struct line_reader *reader, uint64_t count, b
   enum line_status status = line_reader_next(reader, failure); /* the title, possibly blank */
   if (status == LINE_READ && wanted && !columns_of_title(reader, &columns, failure)) return LINE_FAILED;
   if (status == LINE_READ) frame_title_read(reader->text, &molecule->frame);
+  if (status == LINE_READ && wanted) box_from_title(reader->text, &molecule->frame.box);
   for (*read = 0; status == LINE_READ && *read < count; ++*read) {
     status = next_filled_line(reader, column, MOST_COLUMNS, &found, failure);
     if (status != LINE_READ) break;

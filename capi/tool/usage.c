@@ -12,6 +12,9 @@ static const char overview[] =
     "  hardsphere contacts FILE [options]   which balls, residues or chains touch and by how much, each ball's cell\n"
     "  hardsphere complex  FILE [options]   the dual complex: simplices by kind, Betti numbers\n"
     "  hardsphere cells    FILE [options]   free space as simple cells: how many, neighbours, connected regions\n"
+    "  hardsphere path     FILE [options]   how a probe gets from one point to another\n"
+    "  hardsphere gate     FILE [options]   the widest probe that gets to a point or to the outside, and what stops "
+    "it\n"
     "  hardsphere clash    FILE FILE        a molecule against another one, turned and moved: what meets, and the gap\n"
     "  hardsphere query    FILE [options]   which balls contain a point or meet a ball\n"
     "  hardsphere mesh     FILE -o OUT      the surface as triangles: .ply, .obj, .stl, or .vert and .face\n"
@@ -134,8 +137,8 @@ static const char measure_text[] =
     "  --trajectory RUN       go through the frames of a .xtc, .dcd, .pdb, .xyz or .gro file instead, each with the\n"
     "                         atoms that are read of FILE, which has their names and radii, in its order. A frame is\n"
     "                         a row of comma-separated values, or with --json a line, printed before the next is\n"
-    "                         read. Boxes are not used: the molecule is taken as it stands in the frame. A frame at\n"
-    "                         fault ends the run with status 1; the rows before it stay\n"
+    "                         read. Boxes are not used without --box: the molecule is taken as it stands in the\n"
+    "                         frame. A frame at fault ends the run with status 1; the rows before it stay\n"
     "  --frames A:B:S         only the frames A to B, counted from 1, in steps of S; or A alone, A:, :B, ::S\n"
     "Example: hardsphere measure 4hhb.pdb --no-water --probe 1.4 --by residue --relative\n"
     "JSON: n, area, volume; with --curvature mean_curvature, gauss_curvature; with --weights weighted_area; with\n"
@@ -166,7 +169,7 @@ static const char voids_text[] =
     "\n";
 
 static const char contacts_text[] =
-    "hardsphere contacts FILE [--by residue|chain] [--cells] [--least A] [options]\n"
+    "hardsphere contacts FILE [--by residue|chain] [--cells] [--least A] [--map OUT.svg] [options]\n"
     "\n"
     "Shares the union out among its balls: a point belongs to the cell of the ball from which it has the least power,\n"
     "distance^2 - radius^2. Two balls are in contact where their cells meet, in a plane piece; its edge is the length\n"
@@ -174,6 +177,7 @@ static const char contacts_text[] =
     "  --by residue|chain     sums over the contacts between residues or chains, instead of those between balls\n"
     "  --cells                also volume, free area and contact area of every ball's cell\n"
     "  --least A              list only contacts, or sums, of area A or more\n"
+    "  --map OUT.svg          also a picture of the list: a square for each pair, darker the larger its area\n"
     "  --trajectory RUN, --frames A:B:S\n"
     "                         for every frame a row of numbers, or with --json a line with the list: see measure\n"
     "Example: hardsphere contacts 1crn.pdb --probe 1.4 --by residue --least 5\n"
@@ -204,6 +208,36 @@ static const char cells_text[] =
     "probe may be, and a region is where it can go.\n"
     "Example: hardsphere cells 1crn.pdb --probe 1.4\n"
     "JSON: n, cubes, cells, free_cells, adjacencies, regions; cells counts those of all cubes, free or not.\n"
+    "\n";
+
+static const char path_text[] =
+    "hardsphere path FILE --from X Y Z --to X Y Z [options]\n"
+    "\n"
+    "Finds a way through what no ball covers, with --probe one for the centre of a probe. Whether there is one is\n"
+    "decided in integers, and so is whether any segment of the polyline meets a ball: then it is not certified. It "
+    "is\n"
+    "a short way, but need not be the shortest.\n"
+    "Example: hardsphere path 1crn.pdb --from 0,0,0 --to 20,20,20 --probe 1.4\n"
+    "JSON: n, connected, covered, certified, length, clearance, points: [[x, y, z], ...]; covered tells whether an "
+    "end\n"
+    "lies in a ball, clearance is the least distance of the way from the balls grown by the probe; length and "
+    "clearance\n"
+    "are null where there is no way, clearance also without balls.\n"
+    "\n";
+
+static const char gate_text[] =
+    "hardsphere gate FILE --from X Y Z [--to X Y Z] [options]\n"
+    "\n"
+    "Finds the largest radius of a probe that gets from one point to another between the balls, or without --to to "
+    "the\n"
+    "outside. What stops a wider one are the three balls of the narrowest passage on the best way, or one ball if "
+    "the\n"
+    "probe has less room where it begins or ends.\n"
+    "Example: hardsphere gate 1crn.pdb --from 9.8,12.2,6.1\n"
+    "JSON: n, passes, widest_probe, gate: [i, j, k]; passes is false where not even a point gets through, then\n"
+    "widest_probe is null, as it is without balls; gate holds the indices of the balls in the order of the file, "
+    "counted\n"
+    "from 0, ascending.\n"
     "\n";
 
 static const char query_text[] =
@@ -326,7 +360,7 @@ static const char draw_text[] =
     "                         are those of CONECT records in .pdb files; between atoms that these do not name, those\n"
     "                         shorter than the covalent radii and 0.4 A together, in A. Where a stick runs into a "
     "third\n"
-    "                         ball or another stick nothing is drawn\n"
+    "                         ball or another stick nothing is drawn. Has no --pieces but visible\n"
     "  --ball-size S          radii of these balls, as a part of those of the atoms; default 0.25\n"
     "  --stick R              the radius of the sticks; default 0.12\n"
     "The same input gives the same bytes.\n"
@@ -342,6 +376,18 @@ static const char draw_text[] =
 void usage_of_program(struct text_buffer *out) {
   text_buffer_add(out, "%s%s%s%s", overview, files_and_radii, choosing_atoms, statuses);
 }
+
+/* Behind what boundary, measure and contacts say. */
+static const char box_text[] =
+    "In a periodic box, whose copies fill space, all images of the balls count:\n"
+    "  --box AX,BY,CZ         the box, or AX,0,0,BX,BY,0,CX,CY,CZ if it is skew\n"
+    "  --box file             that of FILE or of the frame: CRYST1 of .pdb, of .gro, .xtc and .dcd, Lattice of .xyz\n"
+    "Not with --shells, --surface ses, --interface, --curvature and --pdb-out. JSON has box: [9], box_volume,\n"
+    "free_volume, windings: [{balls, directions, copies, rows: [[i, j, k], ...]}, ...], in how many directions each\n"
+    "component goes on for ever and by which multiples of the box's vectors, strain_area: [9] and strain_volume: [9],\n"
+    "derivatives by eps_xx, eps_xy, ...; a contact has shift: [i, j, k], by which its second ball is to be moved; the\n"
+    "boundary has no exposed_balls and voids.\n"
+    "\n";
 
 void usage_of_command(struct text_buffer *out, enum command command) {
   const char *text = model_text;
@@ -370,6 +416,12 @@ void usage_of_command(struct text_buffer *out, enum command command) {
     case COMMAND_CELLS:
       text = cells_text;
       break;
+    case COMMAND_PATH:
+      text = path_text;
+      break;
+    case COMMAND_GATE:
+      text = gate_text;
+      break;
     case COMMAND_CLASH:
       text = clash_text;
       break;
@@ -386,7 +438,8 @@ void usage_of_command(struct text_buffer *out, enum command command) {
       text = draw_text;
       break;
   }
-  text_buffer_add(out, "%s%s", text, for_all_commands);
+  const bool boxes = command == COMMAND_BOUNDARY || command == COMMAND_MEASURE || command == COMMAND_CONTACTS;
+  text_buffer_add(out, "%s%s%s", text, boxes ? box_text : "", for_all_commands);
 }
 
 void usage_version(struct text_buffer *out) {

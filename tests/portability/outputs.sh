@@ -80,6 +80,10 @@ draw crambin.up.eps bench/molecules/crambin.pdb --style flat --view 1,2,-3 --up 
 draw crambin.faces.pdf bench/molecules/crambin.pdb --style flat --pieces h --rotate 90,0,0 --fog 0 --background none
 draw degenerate.faces.svg $degenerate --style flat --pieces h --view 1,1,1 --height 300
 draw degenerate.probe.svg $degenerate --style headlight --probe 0.5 --rotate 0,90,0 --palette chain
+draw crambin.seen.pdf bench/molecules/crambin.pdb --style flat --pieces visible --view 1,2,3
+for pieces in "" "--pieces visible" "--pieces visible --ball-size 0.6"; do
+  draw "crambin.sticks${pieces// /}.svg" bench/molecules/crambin.pdb --as ball-and-stick --view 1,2,3 $pieces
+done
 
 succeed crambin.drawn "$program" draw --json bench/molecules/crambin.pdb -o "$outputs/crambin.svg"
 

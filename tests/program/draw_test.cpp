@@ -402,7 +402,11 @@ TEST(Draw, BallsAndSticks) {
       draw_to(out.path(), crambin(), with({"--ball-size", "0.15", "--stick", "0.22"})).err.find("meet: see --ball"),
       std::string::npos);
   EXPECT_NE(refusal(with({"--probe", "1"})).find("--probe is not for"), std::string::npos);
-  EXPECT_NE(refusal(with({"--pieces", "h"})).find("are not for --as"), std::string::npos);
+  EXPECT_NE(refusal(with({"--pieces", "h"})).find("no --pieces but visible"), std::string::npos);
+  EXPECT_NE(refusal(with({"--all-balls"})).find("are not for --as"), std::string::npos);
+  // What is seen side by side: the same pieces, but for what is hidden.
+  const Outcome seen = draw_to(out.path(), caffeine, with({"--json", "--pieces", "visible"}));
+  EXPECT_NE(seen.out.find("\"n\": 24, \"pieces\": 49,"), std::string::npos) << seen.out << seen.err;
   EXPECT_NE(refusal({"--stick", "0.1"}).find("are for --as"), std::string::npos);
   EXPECT_NE(refusal({"--as", "ribbons"}).find("is not balls or ball-and-stick"), std::string::npos);
 }

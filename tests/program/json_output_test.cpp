@@ -196,6 +196,19 @@ TEST(JsonOutput, CellsHaveTheirKeys) {
   }
 }
 
+TEST(JsonOutput, PathAndGateHaveTheirKeys) {
+  for (const std::string &file : files) {
+    const Json path = run_json({"path", file, "--from", "0,0,-1000", "--to", "1000,0,0"});
+    EXPECT_EQ(path.keys, (Keys{"n", "connected", "covered", "certified", "length", "clearance", "points", "input"}))
+        << file;
+    EXPECT_TRUE(path["connected"].boolean) << file;
+    EXPECT_GE(path["points"].items.size(), 2U) << file;
+    const Json gate = run_json({"gate", file, "--from", "0,0,-1000"});
+    EXPECT_EQ(gate.keys, (Keys{"n", "passes", "widest_probe", "gate", "input"})) << file;
+    EXPECT_TRUE(gate["passes"].boolean) << file;
+  }
+}
+
 TEST(JsonOutput, QueryHasItsKeys) {
   for (const std::string &file : files) {
     for (const std::vector<std::string> &query :

@@ -45,6 +45,24 @@ TEST(ReferenceValues, AreaVolumeAndVertices) {
   }
 }
 
+// Crambin has a void for a probe of 1.4. The widest probe that gets out of it was found by a search among power
+// diagrams in doubles.
+TEST(ReferenceValues, WidestProbeOutOfAVoid) {
+  const std::string file = molecules_folder() + "/crambin.pdb", start = "9.8,12.2,6.1", outside = "60,0,0";
+  const Json gate = run_json({"gate", file, "--from", start});
+  EXPECT_NEAR(gate["widest_probe"].number, 0.838840049, 6e-10);
+  EXPECT_EQ(gate["gate"].items.size(), 3U);
+  const Json path = run_json({"path", file, "--from", start, "--to", outside, "--probe", "0.8388"});
+  EXPECT_TRUE(path["connected"].boolean);
+  EXPECT_TRUE(path["certified"].boolean);
+  EXPECT_GT(path["length"].number, 50.0);
+  EXPECT_LT(path["clearance"].number, 0.838840049 - 0.8388 + 1e-7);
+  const Json closed = run_json({"path", file, "--from", start, "--to", outside, "--probe", "0.8389"});
+  EXPECT_FALSE(closed["connected"].boolean);
+  EXPECT_FALSE(closed["covered"].boolean);
+  EXPECT_EQ(closed["points"].items.size(), 0U);
+}
+
 TEST(ReferenceValues, BallsSumToTheTotal) {
   for (const Reference &reference : references) {
     const std::string file = molecules_folder() + "/" + reference.file;

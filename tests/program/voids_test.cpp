@@ -87,6 +87,26 @@ TEST(Voids, NothingToList) {
   }
 }
 
+// Six balls around the origin leave eight windows, around each three of them: the radius of the circle through their
+// centres is sqrt(2/3).
+TEST(Voids, TheWidestProbeOutOfACage) {
+  const TemporaryFile file("open.xyzr", "1 0 0 0.7\n-1 0 0 0.7\n0 1 0 0.7\n0 -1 0 0.7\n0 0 1 0.7\n0 0 -1 0.7\n");
+  const Json gate = run_json({"gate", file.path(), "--from", "0 0 0"});
+  EXPECT_NEAR(gate["widest_probe"].number, std::sqrt(2.0 / 3) - 0.7, 2e-8);
+  EXPECT_EQ(gate["gate"].items.size(), 3U);
+  const Json tight = run_json({"gate", file.path(), "--from", "0.2,0,0", "--to", "-5,0,0.1"});
+  EXPECT_NEAR(tight["widest_probe"].number, 0.1, 1e-9);
+  ASSERT_EQ(tight["gate"].items.size(), 1U);
+  EXPECT_EQ(tight["gate"].items[0].number, 0);
+  const Json closed = run_json({"gate", "good/cage.xyzr", "--from", "0,0,0"});
+  EXPECT_FALSE(closed["passes"].boolean);
+  EXPECT_EQ(closed["gate"].items.size(), 0U);
+  // Balls as far apart as this have no place on the usual lattice when they grow until they meet.
+  const TemporaryFile far("far.xyzr", "50 0 0 1\n-50 0 0 1\n0 50 0 1\n0 -50 0 1\n0 0 50 1\n0 0 -50 1\n");
+  const Json wide = run_json({"gate", far.path(), "--from", "0,0,0"});
+  EXPECT_NEAR(wide["widest_probe"].number, 50 * std::sqrt(2.0 / 3) - 1, 1e-6);
+}
+
 // A ball inside takes its volume away and adds its sphere, and is one of the balls around the void.
 TEST(Voids, AGuestInTheCage) {
   const TemporaryFile file("guest.xyzr", cage(1) + "0 0 0 0.05\n");

@@ -1,0 +1,34 @@
+/* A molecule in a periodic box, and what every command says of it. */
+#ifndef HARDSPHERE_TOOL_PERIODIC_RESULT_H
+#define HARDSPHERE_TOOL_PERIODIC_RESULT_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "arguments.h"
+#include "geometry.h"
+#include "molecule.h"
+#include "text_buffer.h"
+
+struct periodic_result {
+  const hsp_periodic *periodic; /* the geometry's */
+  double box[9];
+  hsp_periodic_counts counts;
+  hsp_periodic_totals totals;
+  hsp_winding *windings; /* [counts.components] */
+  double strain_area[9], strain_volume[9];
+};
+
+/* Compute everything in the box that the request or the file names. Free the result on true and on false. */
+bool periodic_result_make(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
+                          struct periodic_result *result, struct failure *failure);
+
+void periodic_result_free(struct periodic_result *result);
+
+/* , "box": [..], "box_volume": .., "free_volume": .., "windings": [..], "strain_area": [..], "strain_volume": [..] */
+void periodic_result_json(const struct periodic_result *result, struct text_buffer *out);
+
+/* Rows of a table: the box, what of it is free, components by their directions. */
+void periodic_result_rows(const struct periodic_result *result, const char *unit, struct text_buffer *out);
+
+#endif

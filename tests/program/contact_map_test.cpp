@@ -1,0 +1,108 @@
+// The picture of `contacts --map` shows the pairs that the list has, each twice, and larger areas in later shades.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <regex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "json_outcome.hpp"
+#include "program_runner.hpp"
+#include "temporary_file.hpp"
+
+namespace {
+
+using Pair = std::pair<int, int>;
+
+// The shade of every square that is drawn; several squares of one place fail the test.
+std::map<Pair, int> drawn_squares(const std::string &svg) {
+  std::map<Pair, int> squares;
+  static const std::regex path("<path fill=\"#[0-9a-f]{6}\" d=\"([^\"]*)\"/>"), square("M([0-9]+) ([0-9]+)h");
+  int shade = 0;
+  for (std::sregex_iterator p(svg.begin(), svg.end(), path), end; p != end; ++p, ++shade) {
+    const std::string points = (*p)[1];
+    for (std::sregex_iterator s(points.begin(), points.end(), square); s != end; ++s) {
+      EXPECT_TRUE(squares.emplace(Pair{std::stoi((*s)[1]), std::stoi((*s)[2])}, shade).second) << s->str();
+    }
+  }
+  return squares;
+}
+
+void expect_drawn(const std::string &svg, const std::map<Pair, double> &areas) {
+  const std::map<Pair, int> squares = drawn_squares(svg);
+  EXPECT_EQ(squares.size(), 2 * areas.size());
+  std::map<int, std::pair<double, double>> range;  // of the areas in a shade
+  for (const auto &[pair, area] : areas) {
+    const auto one = squares.find(pair), other = squares.find({pair.second, pair.first});
+    ASSERT_TRUE(one != squares.end() && other != squares.end()) << pair.first << ' ' << pair.second;
+    EXPECT_EQ(one->second, other->second);
+    auto &[least, most] = range.emplace(one->second, std::pair{area, area}).first->second;
+    least = std::min(least, area);
+    most = std::max(most, area);
+  }
+  double before = 0.0;
+  for (const auto &[shade, areas_there] : range) {
+    EXPECT_GT(areas_there.first, before) << shade;
+    before = areas_there.second;
+  }
+}
+
+TEST(ContactMap, ShowsThePairsOfBalls) {
+  for (const char *file : {"good/water.pdb", "good/cage.xyzr", "good/one.xyzr", "good/same.xyzr"}) {
+    const TemporaryFile picture("map.svg");
+    const Json listed = run_json({"contacts", file, "--map", picture.path()});
+    std::map<Pair, double> areas;
+    for (const Json &pair : listed["pairs"].items) {
+      if (pair["area"].number == 0.0) continue;
+      const std::vector<Json> &balls = pair["balls"].items;
+      areas[{static_cast<int>(balls.at(0).number), static_cast<int>(balls.at(1).number)}] = pair["area"].number;
+    }
+    expect_drawn(read_file(picture.path()), areas);
+  }
+}
+
+TEST(ContactMap, ShowsThePairsOfResidues) {
+  const TemporaryFile picture("map.svg");
+  const std::string crambin = molecules_folder() + "/crambin.pdb";
+  const Json listed =
+      run_json({"contacts", crambin, "--by", "residue", "--least", "2", "--probe", "1.4", "--map", picture.path()});
+  std::map<std::string, int> row;
+  const Json measured = run_json({"measure", crambin, "--by", "residue"});
+  for (const Json &residue : measured["residues"].items) {
+    const std::string name =
+        residue["chain"].text + ':' + residue["name"].text + ':' + residue["number"].text + residue["insertion"].text;
+    ASSERT_TRUE(row.emplace(name, static_cast<int>(row.size())).second) << name;
+  }
+  std::map<Pair, double> areas;
+  for (const Json &pair : listed["pairs"].items) {
+    const std::vector<Json> &residues = pair["residues"].items;
+    areas[{row.at(residues.at(0).text), row.at(residues.at(1).text)}] = pair["area"].number;
+  }
+  ASSERT_GT(areas.size(), 100u);
+  const std::string svg = read_file(picture.path());
+  expect_drawn(svg, areas);
+  EXPECT_NE(svg.find(">45</text>"), std::string::npos);
+}
+
+TEST(ContactMap, OfTheReadmeIsAsItStandsThere) {
+  const TemporaryFile picture("map.svg");
+  run_json(
+      {"contacts", molecules_folder() + "/crambin.pdb", "--probe", "1.4", "--by", "residue", "--map", picture.path()});
+  EXPECT_EQ(read_file(picture.path()), read_file(pictures_folder() + "/crambin_contacts.svg"));
+}
+
+TEST(ContactMap, IsRefusedWhereItHasNoPlace) {
+  EXPECT_EQ(run_program({"contacts", "good/water.pdb", "good/two.xyzr", "--map", "map.svg"}).status, 2);
+  EXPECT_EQ(run_program({"contacts", "good/water.pdb", "--map", "map.png"}).status, 2);
+  const TemporaryFile read("water.svg", read_file(inputs_folder() + "/good/water.pdb"));
+  EXPECT_EQ(run_program({"contacts", read.path(), "--format", "pdb", "--map", read.path()}).status, 2);
+  EXPECT_EQ(run_program({"contacts", "good/water.pdb", "--map", "-", "--json"}).status, 2);
+  EXPECT_EQ(run_program({"contacts", "good/water.pdb", "--map", "nowhere/map.svg"}).status, 1);
+  const Outcome printed = run_program({"contacts", "good/water.pdb", "--map", "-"});
+  EXPECT_EQ(printed.status, 0);
+  EXPECT_EQ(printed.out.rfind("<svg", 0), 0u);
+}
+
+}  // namespace
