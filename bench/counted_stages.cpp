@@ -1,5 +1,5 @@
 // counted_stages: runs each stage of the library once, and the z-buffer that frames are measured against, for valgrind
-// to count their instructions. After each it prints a line: stage, molecule, probe, number of balls.
+// to count their instructions. After each it prints a line: stage, molecule, probe, number of balls, or of poses.
 // instruction_budgets.sh runs it.
 // `counted_stages --build` prints how it and the library were built, --code what runs on this processor: `wide` for
 // code for AVX2 where there is some, or `scalar`.
@@ -17,6 +17,7 @@
 #include "branch_predictor.hpp"
 #include "core/processor.hpp"
 #include "map_handle.hpp"
+#include "pose_workload.hpp"
 #include "query_workload.hpp"
 #include "sizes.hpp"
 #include "view_handle.hpp"
@@ -36,10 +37,16 @@ using bench::Surface;
 
 constexpr bench::View::Direction towards = {0.36, -0.48, 0.8};
 
-void count(const char *stage, const bench::Balls &balls, const Surface &surface, const std::function<void()> &run) {
+// What it costs is told for each of n.
+void count_each(const char *stage, const bench::Balls &balls, const Surface &surface, uint32_t n,
+                const std::function<void()> &run) {
   bench::settle_branch_predictor();
   counted_stage(run);
-  std::printf("%s %s %s %u\n", stage, balls.name.c_str(), surface.name, balls.size());
+  std::printf("%s %s %s %u\n", stage, balls.name.c_str(), surface.name, n);
+}
+
+void count(const char *stage, const bench::Balls &balls, const Surface &surface, const std::function<void()> &run) {
+  count_each(stage, balls, surface, balls.size(), run);
 }
 
 // As many points as balls, so that what is counted for each ball is what is counted for each query.
@@ -82,6 +89,22 @@ void count_stages(const bench::Balls &balls, const Surface &surface) {
   count("z_buffer", balls, surface, [&] { z_buffer.draw(placement.place(bench::axes_towards(towards))); });
 }
 
+// Molecules against the stand-in for SOD, in poses that bring them a fifth of an Angstrom near.
+void count_poses() {
+  const bench::PreparedBody fixed(bench::resting_molecule());
+  for (const bench::Balls &balls : bench::moving_molecules()) {
+    const bench::PreparedBody moving(balls);
+    constexpr uint32_t poses = 100;
+    const std::vector<hsp_pose> at = slid_poses(fixed, moving, poses, 0.2);
+    const auto count_pose = [&](const char *stage, const std::function<void()> &run) {
+      count_each(stage, balls, bench::surfaces[0], poses, run);
+    };
+    count_pose("pose_hit", [&] { count_hits(fixed, moving, at); });
+    count_pose("pose_gap", [&] { sum_gaps(fixed, moving, at); });
+    count_pose("pose_pairs", [&] { count_pairs(fixed, moving, at); });
+  }
+}
+
 }  // namespace
 
 int main(int argc, char **argv) {
@@ -99,6 +122,7 @@ int main(int argc, char **argv) {
       const bench::Balls balls = with_radii(molecule, bench::Radii::van_der_waals);
       for (const Surface &surface : bench::surfaces) count_stages(balls, surface);
     }
+    count_poses();
   } catch (const std::exception &error) {
     std::fprintf(stderr, "counted_stages: %s\n", error.what());
     return 1;

@@ -2,8 +2,8 @@
 # Runs every benchmark and writes build/bench/report/report.md, with the paper's figures beside ours.
 # Usage: bash bench/run.sh [--quick] [--peers]
 #   --quick  one repetition of each benchmark, as short as it gets: for trying out, not for quoting
-#   --peers  time other programs by turns with the library: FreeSASA, CGAL, nanoflann, gemmi. What of them is missing
-#            is installed from Debian's packages if it can be, and left out otherwise. Then version 0.1.0 of the
+#   --peers  time other programs by turns with the library: FreeSASA, CGAL, nanoflann, gemmi, FCL. What of them is
+#            missing is installed from Debian's packages if it can be, and left out otherwise. Then version 0.1.0 of the
 #            library, if it is in the repository's history
 # Missing packages are installed with apt-get (as root, or through sudo). The environment variable BENCH_BUILD names
 # another folder to build in. Takes five to ten minutes, once the machine has come to rest after building.
@@ -34,8 +34,10 @@ cmake -S "$source_folder" -B "$build_folder" -G Ninja -DCMAKE_BUILD_TYPE=Release
   -DHSP_TESTS=OFF -DHSP_TOOL=OFF -DHSP_FUZZ=OFF -DHSP_FORTRAN=OFF -DHSP_BENCH_PEERS=$peers
 suites=(bench_paper_section_2 bench_paper_section_3 bench_section_3_alternatives bench_paper_section_4_2
   bench_paper_section_5_1 bench_visibility bench_topology bench_gradients bench_surface bench_scaling bench_queries
-  bench_split_work bench_degenerate)
-if [ "$peers" = yes ]; then suites+=(bench_peers_surfaces bench_peers_queries bench_peers_visibility); fi
+  bench_poses bench_split_work bench_degenerate)
+if [ "$peers" = yes ]; then
+  suites+=(bench_peers_surfaces bench_peers_queries bench_peers_visibility bench_peers_poses)
+fi
 cmake --build "$build_folder" --target "${suites[@]}" write_report
 
 # Version 0.1.0, with its own benchmarks and the one for lattices, which it had not.
@@ -104,6 +106,7 @@ run_suite bench_gradients 5 0.05
 run_suite bench_surface 5 0.05
 run_suite bench_scaling 3 0.02
 run_suite bench_queries 5 0.02
+run_suite bench_poses 3 0.02
 run_suite bench_split_work 3 0.02
 run_suite bench_degenerate 5 0.02
 if [ "$peers" = yes ]; then
@@ -111,6 +114,7 @@ if [ "$peers" = yes ]; then
   run_suite bench_peers_surfaces 1 0.02
   run_suite bench_peers_queries 1 0.02
   run_suite bench_peers_visibility 1 0.02  # half a minute, once
+  run_suite bench_peers_poses 1 0.02
 fi
 # Limits that are times scale with what version 0.1.0 takes. A processor's clock changes while the suites run, so in what
 # these goals are about the versions take turns: round after round, in folders of their own.

@@ -62,6 +62,7 @@ int main(int argc, char **argv) {
   benchmark::AddCustomContext("cpu_model", bench::cpu_model());
   benchmark::AddCustomContext("compiler", BENCH_COMPILER);
   benchmark::AddCustomContext("flags", BENCH_FLAGS);
+  benchmark::AddCustomContext("wide_code", BENCH_WIDE_CODE);
   benchmark::AddCustomContext("radii_paper", std::string(support::describe(bench::Radii::paper)));
   benchmark::AddCustomContext("radii_van_der_waals", std::string(support::describe(bench::Radii::van_der_waals)));
   benchmark::AddCustomContext("hardsphere_version", std::to_string(hsp_version()));

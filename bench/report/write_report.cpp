@@ -18,6 +18,7 @@
 #include "paper_tables.hpp"
 #include "peers_tables.hpp"
 #include "plots.hpp"
+#include "pose_tables.hpp"
 #include "scaling_tables.hpp"
 #include "smooth_surface_tables.hpp"
 #include "speed_goals.hpp"
@@ -51,6 +52,7 @@ void write_head(std::ostream &out, const report::Run &run) {
       << "- load average: " << describe_load(run) << '\n'
       << "- compiler: " << context(run, "compiler") << '\n'
       << "- flags: `" << context(run, "flags") << "`\n"
+      << "- code for wider registers: " << context(run, "wide_code") << '\n'
       << "- hardsphere: version number " << context(run, "hardsphere_version") << '\n'
       << "- radii of the paper's tables, in Angstrom: " << context(run, "radii_paper") << '\n'
       << "- radii of the other tables: " << context(run, "radii_van_der_waals")
@@ -82,6 +84,7 @@ void write_report(std::ostream &out, const std::filesystem::path &folder) {
   report::write_section_3(out, run);
   report::write_alternatives(out, run);
   plot("alternatives", "Section 3's alternatives: ball queries and memory against the number of balls");
+  report::write_poses(out, run);
   report::write_section_4_2(out, run);
   report::write_topology(out, run);
   report::write_frames(out, run);
