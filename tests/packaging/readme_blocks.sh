@@ -7,17 +7,15 @@ set -euo pipefail
 source=$1 work=$2
 rm -rf "$work"
 mkdir -p "$work/home" "$work/blocks"
-awk -v folder="$work/blocks" '
-  /^## / { inside = $0 == "## Build, install, link" }
-  !inside { next }
-  /^```[a-z]+$/ { name = sprintf("%s/%02d.%s", folder, ++blocks, substr($0, 4)); open = 1; next }
-  /^```$/ { open = 0; close(name); next }
-  open { print > name }' "$source/README.md"
+awk -v folder="$work/blocks" -v section="## Build, install, link" -f "$source/tests/packaging/page_blocks.awk" "$source/README.md"
 blocks=("$work"/blocks/*)
 [ ${#blocks[@]} -ge 7 ] || { echo "only ${#blocks[@]} blocks were found" && exit 1; }
 
 cd "$work"
 export HOME=$work/home
+# Nothing is compiled twice here, so that large units do, whatever the blocks say of the build.
+echo 'set(HSP_UNITY_BUILD ON CACHE BOOL "")' >large_units.cmake
+export CMAKE_TOOLCHAIN_FILE=$work/large_units.cmake
 ln -s "$source" hardsphere
 cp "$source/capi/examples/minimal.c" .
 cp "$source/capi/fortran/water.f90" .

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Every command line with the program that README.md shows, and every example in its help and its manual page, runs as it
-# stands there: exit status 0, nothing on stderr, results on stdout or in the files that it names, and no other files.
+# Every command line with the program that README.md and capi/guide show, and every example in its help and its manual page, runs
+# as it stands there: exit status 0, nothing on stderr, results on stdout or in the files that it names, and no other files.
 #   readme_commands.sh own|further SOURCE-FOLDER WORK-FOLDER PROGRAM [FOLDER-OF-FURTHER-MOLECULES]
 # own: those on files that the project has, under the names that people know; further: those on molecules in the folder
 # HSP_MOLECULES, or else in the one given. If one is not there its lines are named, and the exit status is 77.
@@ -20,6 +20,7 @@ awk '/^(ATOM|HETATM)/ { print 1 + NR % 3 }' "$molecules/crambin.pdb" >"$work/fil
 cp "$inputs/water.cif" "$inputs/one.cif" "$work/files"
 cp "$inputs/residues.gro" "$work/files/frame.gro"
 cp "$inputs/../crambin.xtc" "$work/files/run.xtc"
+awk '/^ATOM/ { print substr($0, 31, 8), substr($0, 39, 8), substr($0, 47, 8), 1.7 }' "$molecules/crambin.pdb" >"$work/files/crambin.xyzr"
 foreign=(4hhb.pdb)
 
 # Lines of code in README.md and code within its text; in the summary of commands FILE and X,Y,Z stand for something,
@@ -29,12 +30,13 @@ foreign=(4hhb.pdb)
        (block || /^    /) && /^ *([a-z][^|]*\| )?hardsphere [-a-z]/ { print }' "$source/README.md" |
     sed -E -e 's/^ +//' -e 's/ {3,}.*//'
   # shellcheck disable=SC2016 # these are Markdown's
-  grep -o '`hardsphere [^`]*`' "$source/README.md" | tr -d '`'
+  grep -oh '`hardsphere [^`]*`' "$source/README.md" "$source"/capi/guide/*.md | tr -d '`'
   hardsphere --help | sed -n 's/^  hardsphere \([a-z]*\) .*FILE.*/\1/p' | while read -r command; do
     hardsphere "$command" --help | sed -n 's/^Example: //p'
   done
   sed -n '/^\.SH EXAMPLES/,$p' "$source/capi/tool/hardsphere.1" | grep hardsphere | sed 's/\\-/-/g'
-} | sed -e 's/\<FILE\>/1crn.pdb/g' -e 's/X,Y,Z/10,10,10/' -e 's/X,Y/10,12/' -e 's/\<OUT\.svg/out.svg/' | sort -u >"$work/lines"
+} | sed -e 's/\<FILE\>/1crn.pdb/g' -e 's/\<x\.\(pdb\|xyzr\)\>/crambin.\1/g' -e 's/ A:B/ 1:2/' -e 's/X,Y,Z/10,10,10/g' -e 's/X,Y/10,12/' \
+  -e 's/\<OUT\.svg/out.svg/' | sort -u >"$work/lines"
 # Fewer would mean that they are written in another way now, and not found.
 [ "$(wc -l <"$work/lines")" -ge 25 ] || { cat "$work/lines" && echo "are all the lines that were found" && exit 1; }
 for command in model boundary measure voids query clash mesh map pick draw; do
@@ -50,7 +52,8 @@ fail() {
 
 # The files that a line says it writes, one on each line.
 written() {
-  grep -oE '(> |-o |--output[ =]|--pdb-out[ =])[^ ]+' <<<"$1" | sed 's/.*[ =]//' | grep -vx -e - | sort -u || true
+  grep -oE '(> |-o |--output[ =]|--pdb-out[ =]|--map[ =])[^ ]+' <<<"$1" | sed 's/.*[ =]//' | grep -vx -e - |
+    sed -E 's/(.*)\.vert$/&\n\1.face/' | sort -u || true
 }
 
 run() { # in a folder of its own
