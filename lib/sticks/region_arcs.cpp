@@ -1,5 +1,6 @@
 #include "sticks/region_arcs.hpp"
 
+#include "core/elementary.hpp"
 #include "sticks/hidden_parts.hpp"
 
 namespace hsp {
@@ -88,6 +89,36 @@ void RegionArcs::end_curve(const Parts &parts, bool hidden, double from, double 
   push_visible(hidden_.items(), from, to, natural, body, nearer, arcs_);
 }
 
+// Of a silhouette, at most `half` from the angle `middle`.
+void RegionArcs::hide_angles(double middle, double half, const ArcEnd &end) {
+  const double from = middle - half;
+  const double to = middle + half;
+  if (from < -pi) {
+    hidden_.push({from + 2 * pi, pi, {end, {}}});
+    hidden_.push({-pi, to, {{}, end}});
+  } else if (to > pi) {
+    hidden_.push({from, pi, {end, {}}});
+    hidden_.push({-pi, to - 2 * pi, {{}, end}});
+  } else {
+    hidden_.push({from, to, {end, end}});
+  }
+}
+
+// A stick that comes towards the viewer out of a ball hides what is between its lines of the ball's silhouette. Where
+// it is nearly level the silhouette goes into its side all but where it goes behind its lines, which roots cannot tell
+// apart. False if it is no stick of the ball, or so steep that it ends before the silhouette.
+bool RegionArcs::hide_by_own_stick(uint32_t body, uint32_t ball) {
+  const Stick &stick = scene_.stick_at(body);
+  if (stick.ball[0] != ball || stick.parts == 0 || !(stick.first < stick.length * stick.seen)) return false;
+  const uint32_t k = scene_.stick_of(body);
+  if (asked_[k] == curve_) return true;
+  asked_[k] = curve_;
+  const uint32_t part = stick.parts == 2 && stick.first >= stick.middle() * stick.seen ? 1U : 0U;
+  hide_angles(arc_tangent(stick.e[1], stick.e[0]), arc_tangent(stick.radius, stick.first),
+              {MapVertexKind::t, scene_.body_of(k, part)});
+  return true;
+}
+
 // Sticks that go away from the viewer bite the ball.
 void RegionArcs::add_silhouette(uint32_t ball) {
   begin_curve();
@@ -97,24 +128,13 @@ void RegionArcs::add_silhouette(uint32_t ball) {
   for (const uint32_t k : bodies_above(ball)) {
     if (hidden) break;
     if (!scene_.is_ball(k)) {
-      hidden = hide_by_stick(parts, k, no_id);
+      hidden = !hide_by_own_stick(k, ball) && hide_by_stick(parts, k, no_id);
     } else if (inside_[k] == 0) {
       hidden = parts.add_ball_at_silhouette(scene_.balls[k], k, is_nearer(k, ball));
     }
   }
   for (const StickBite &bite : view_->bites_of(ball)) {
-    const ArcEnd end{MapVertexKind::tangency, scene_.body_of(bite.stick, 0)};
-    const double from = bite.middle - bite.half;
-    const double to = bite.middle + bite.half;
-    if (from < -pi) {
-      hidden_.push({from + 2 * pi, pi, {end, {}}});
-      hidden_.push({-pi, to, {{}, end}});
-    } else if (to > pi) {
-      hidden_.push({from, pi, {end, {}}});
-      hidden_.push({-pi, to - 2 * pi, {{}, end}});
-    } else {
-      hidden_.push({from, to, {end, end}});
-    }
+    hide_angles(bite.middle, bite.half, {MapVertexKind::tangency, scene_.body_of(bite.stick, 0)});
   }
   end_curve(parts, hidden, -pi, pi, {}, ball, no_id);
 }

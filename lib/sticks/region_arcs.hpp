@@ -48,6 +48,8 @@ class RegionArcs {
   bool hide(Parts &parts, uint32_t body, uint32_t except_ball, uint32_t except_stick, const ArcEnd &at_surface);
   template <class Parts>
   bool hide_by_stick(Parts &parts, uint32_t body, uint32_t except_stick);
+  bool hide_by_own_stick(uint32_t body, uint32_t ball);
+  void hide_angles(double middle, double half, const ArcEnd &end);
   void begin_curve();
   template <class Parts>
   void end_curve(const Parts &parts, bool hidden, double from, double to, const ArcEnd &natural, uint32_t body,

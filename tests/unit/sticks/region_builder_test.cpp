@@ -7,6 +7,7 @@
 
 #include "built_sticks.hpp"
 #include "molecule_balls.hpp"
+#include "point_lattices.hpp"
 #include "random_balls.hpp"
 
 namespace {
@@ -153,6 +154,19 @@ TEST(RegionBuilder, ShowsPlaneGroupsAlongAxes) {
   for (const Direction &towards : {along_z, Direction{1, 0, 0}, Direction{0, 1, 0}, Direction{1, 1, 0},
                                    Direction{1, 1, 1}, Direction{0, 0, -1}, Direction{0, 1, 2}})
     expect_regions(BuiltSticks(balls, ends, 100, towards), "1 ", 200);
+}
+
+// Hundreds of level sticks, one behind the other: once moved, all of them are nearly level.
+TEST(RegionBuilder, FindsLatticesOfSticksAlongTheirAxes) {
+  StickModel model{oracle::box_lattice({6, 6, 6}, {1000, 1000, 1000}, 300), {}};
+  for (uint32_t i = 0; i < model.balls.size(); ++i)
+    for (const uint32_t step : {1U, 6U, 36U})
+      if (i / step % 6 > 0) model.ends.push_back({i, i - step});
+  for (const Direction &towards : {along_z, Direction{0, -1, 0}, Direction{1, 1, 1}}) {
+    const BuiltSticks built(model.balls, model.ends, 90, towards, false, true);
+    ASSERT_EQ(built.status(), hsp::Status::ok);
+    EXPECT_LT(built.builder().regions().perturbation, 0.01);
+  }
 }
 
 TEST(RegionBuilder, TellsTheLimitsThatSuffice) {
