@@ -1,5 +1,5 @@
 // Balls and sticks of any set: pictures or conflicts, the same twice, no effect of the order of the balls, and limits
-// that are too small. Maps of them: their invariants, and what is seen at points.
+// that are too small. Maps of them: their invariants, what is seen at points, and limits.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -184,9 +184,12 @@ void require_map(const fuzz::ScaledBalls &set, const hsp_model *model, const hsp
                  const std::vector<hsp_stick> &stick, double radius, const Result &reference, fuzz::Bytes &bytes) {
   const auto count = static_cast<uint32_t>(stick.size());
   support::OwnedHandle<support::SticksKind> sticks;
-  sticks.take({sizeof(hsp_sticks_limits), 200, 200, 200 * 200, 4000});
-  const int32_t status =
-      hsp_sticks_compute_map(sticks.get(), model, &options, stick.data(), count, radius, nullptr, nullptr);
+  hsp_sticks_limits needed_limits{sizeof needed_limits, 200, 200, 200 * 200, 4000};
+  sticks.take(needed_limits);
+  const auto compute = [&](hsp_sticks *handle, hsp_sticks_limits *limits) {
+    return hsp_sticks_compute_map(handle, model, &options, stick.data(), count, radius, nullptr, limits);
+  };
+  const int32_t status = compute(sticks.get(), &needed_limits);
   hsp_map_info info{};
   if (reference.status != HSP_OK || status == HSP_E_CHECK) {
     FUZZ_REQUIRE(status == reference.status || status == HSP_E_CHECK, "a map by another status");
@@ -215,6 +218,12 @@ void require_map(const fuzz::ScaledBalls &set, const hsp_model *model, const hsp
     FUZZ_REQUIRE(edge.ball[1] == HSP_NONE || faces[edge.face[1]].ball == edge.ball[1], "and on the right");
   }
   require_sights(sticks.get(), info, reference.info, scene_of(set, stick, radius, info), faces, bytes);
+  fuzz::require_limits<support::SticksKind>(needed_limits, bytes, compute, [&info](const hsp_sticks *other) {
+    hsp_map_info read{};
+    const int32_t result = hsp_sticks_get_map_info(other, &read);
+    if (result == HSP_OK) FUZZ_REQUIRE(std::memcmp(&read, &info, sizeof read) == 0, "a map differs with more room");
+    return result;
+  });
 }
 
 }  // namespace
