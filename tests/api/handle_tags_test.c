@@ -15,6 +15,7 @@ static hsp_paths *paths;
 static hsp_gate *gate;
 static hsp_body *body;
 static hsp_periodic *periodic;
+static hsp_sticks *sticks;
 
 /* A surface of its own, as four_handles has none. */
 static void make_surface(void) {
@@ -24,11 +25,13 @@ static void make_surface(void) {
   CHECK_EQUAL(hsp_surface_compute(surface, h.boundary, NULL), HSP_OK);
 }
 
-/* Contacts, cells, paths, a gate and a body likewise. */
+/* Contacts, cells, paths, a gate, a body and sticks likewise. */
 static void make_further(void) {
   enum { CELLS_SIZE = 1 << 18, PATHS_SIZE = 1 << 19 };
   static unsigned char contacts_memory[SIZE], cells_memory[CELLS_SIZE], body_memory[SIZE];
   static unsigned char paths_memory[PATHS_SIZE], gate_memory[CELLS_SIZE], periodic_memory[PATHS_SIZE];
+  static unsigned char sticks_memory[SIZE];
+  const hsp_sticks_limits of_sticks = {(uint32_t)sizeof of_sticks, BALLS, 1, 32, 64};
   hsp_periodic_limits of_periodic;
   hsp_paths_limits of_paths;
   hsp_gate_limits of_gate;
@@ -45,6 +48,7 @@ static void make_further(void) {
   CHECK_EQUAL(hsp_periodic_limits_init(&of_periodic, (uint32_t)sizeof of_periodic, BALLS), HSP_OK);
   CHECK_EQUAL(hsp_periodic_init(periodic_memory, sizeof periodic_memory, &of_periodic, &periodic), HSP_OK);
   CHECK_EQUAL(hsp_body_init(body_memory, sizeof body_memory, BALLS, &body), HSP_OK);
+  CHECK_EQUAL(hsp_sticks_init(sticks_memory, sizeof sticks_memory, &of_sticks, &sticks), HSP_OK);
 }
 
 static void compute_further(void) {
@@ -53,12 +57,16 @@ static void compute_further(void) {
   CHECK_EQUAL(hsp_paths_compute(paths, h.model, NULL), HSP_OK);
   CHECK_EQUAL(hsp_gate_compute(gate, h.model, four_inside, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_body_set(body, h.model), HSP_OK);
+  CHECK_EQUAL(hsp_sticks_compute_map(sticks, h.model, NULL, NULL, 0, 1, NULL, NULL), HSP_OK);
 }
 
 static void check_further(int32_t of_contacts, int32_t of_cells) {
   hsp_complex complex;
   hsp_cells_counts counts;
   hsp_widest_probe widest;
+  hsp_map_info info;
+  CHECK_EQUAL(hsp_map_get_info(h.map, &info), of_cells);
+  CHECK_EQUAL(hsp_sticks_get_map_info(sticks, &info), of_cells);
   CHECK_EQUAL(hsp_contacts_get_complex(contacts, &complex), of_contacts);
   CHECK_EQUAL(hsp_cells_get_counts(cells, &counts), of_cells);
   CHECK_EQUAL(hsp_paths_get_points(paths, NULL, 0, &counts.cubes), of_cells);
@@ -215,6 +223,51 @@ static void refused_as_view(void *handle) {
   CHECK_EQUAL(hsp_picture_write(handle, NULL, NULL, NULL, NULL, take_nothing, NULL, NULL), HSP_E_ARGUMENT);
 }
 
+static void refused_as_map(void *handle) {
+  hsp_map_info info;
+  hsp_map_sight sight;
+  hsp_map_point point;
+  hsp_map_pole pole;
+  uint32_t needed, invariant, id;
+  check_scene("%s as a map", scene);
+  CHECK_EQUAL(hsp_map_compute(handle, h.model, NULL, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_map_get_info(handle, &info), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_map_next(handle, 0), HSP_NONE);
+  CHECK_EQUAL(hsp_map_previous(handle, 0), HSP_NONE);
+  CHECK_EQUAL(hsp_map_next_loop(handle, 0), HSP_NONE);
+  CHECK_EQUAL(hsp_map_origin(handle, 0), HSP_NONE);
+  CHECK_EQUAL(hsp_map_left(handle, 0), HSP_NONE);
+  CHECK_EQUAL(hsp_map_get_vertices(handle, 0, 0, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_map_get_edges(handle, 0, 0, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_map_get_faces(handle, 0, 0, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_map_get_areas(handle, NULL, 0, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_map_get_outline(handle, 0, NULL, 0, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_map_pick(handle, 0, 0, &sight), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_map_get_point(handle, 0, 0, &point), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_map_get_pole(handle, 1, &pole), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_map_check(handle, &invariant, &id), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_picture_write_map(handle, NULL, NULL, NULL, NULL, take_nothing, NULL, NULL), HSP_E_ARGUMENT);
+}
+
+static void refused_as_sticks(void *handle) {
+  hsp_sticks_info info;
+  hsp_map_info of_map;
+  hsp_map_sight sight;
+  uint32_t needed, invariant, id;
+  check_scene("%s as sticks", scene);
+  CHECK_EQUAL(hsp_sticks_compute(handle, h.model, NULL, NULL, 0, 1, NULL, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_sticks_compute_map(handle, h.model, NULL, NULL, 0, 1, NULL, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_sticks_get_info(handle, &info), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_sticks_get_map_info(handle, &of_map), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_sticks_get_vertices(handle, 0, 0, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_sticks_get_edges(handle, 0, 0, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_sticks_get_faces(handle, 0, 0, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_sticks_get_areas(handle, NULL, 0, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_sticks_pick(handle, 0, 0, &sight), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_sticks_check(handle, &invariant, &id), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_picture_write_sticks(handle, NULL, NULL, NULL, NULL, take_nothing, NULL, NULL), HSP_E_ARGUMENT);
+}
+
 static void refused_as_contacts(void *handle) {
   const uint32_t group[BALLS] = {0, 0, 0, 0};
   hsp_complex complex;
@@ -318,6 +371,8 @@ static void refused_as_further(void *handle) {
   refused_as_gate(handle);
   refused_as_periodic(handle);
   refused_as_body(handle);
+  refused_as_map(handle);
+  refused_as_sticks(handle);
 }
 
 static void refused_as_anything(void *handle, const char *what) {
@@ -359,38 +414,68 @@ static void handles_of_other_kinds(void) {
   refused_as_further(h.view);
   scene = "contacts";
   refused_as_one_of_five(contacts);
+  refused_as_map(contacts);
+  refused_as_sticks(contacts);
   refused_as_cells(contacts);
   refused_as_paths(contacts);
   refused_as_gate(contacts);
   refused_as_body(contacts);
   scene = "cells";
   refused_as_one_of_five(cells);
+  refused_as_map(cells);
+  refused_as_sticks(cells);
   refused_as_contacts(cells);
   refused_as_paths(cells);
   refused_as_gate(cells);
   refused_as_body(cells);
   scene = "paths";
   refused_as_one_of_five(paths);
+  refused_as_map(paths);
+  refused_as_sticks(paths);
   refused_as_contacts(paths);
   refused_as_cells(paths);
   refused_as_gate(paths);
   refused_as_body(paths);
   scene = "a gate";
   refused_as_one_of_five(gate);
+  refused_as_map(gate);
+  refused_as_sticks(gate);
   refused_as_contacts(gate);
   refused_as_cells(gate);
   refused_as_paths(gate);
   refused_as_body(gate);
   scene = "a periodic union";
   refused_as_one_of_five(periodic);
+  refused_as_map(periodic);
+  refused_as_sticks(periodic);
   refused_as_contacts(periodic);
   refused_as_cells(periodic);
   refused_as_paths(periodic);
   refused_as_gate(periodic);
   refused_as_body(periodic);
+  scene = "a map";
+  refused_as_one_of_five(h.map);
+  refused_as_contacts(h.map);
+  refused_as_cells(h.map);
+  refused_as_paths(h.map);
+  refused_as_gate(h.map);
+  refused_as_periodic(h.map);
+  refused_as_body(h.map);
+  refused_as_sticks(h.map);
+  scene = "sticks";
+  refused_as_one_of_five(sticks);
+  refused_as_contacts(sticks);
+  refused_as_cells(sticks);
+  refused_as_paths(sticks);
+  refused_as_gate(sticks);
+  refused_as_periodic(sticks);
+  refused_as_body(sticks);
+  refused_as_map(sticks);
   scene = "a body";
   refused_as_periodic(body);
   refused_as_one_of_five(body);
+  refused_as_map(body);
+  refused_as_sticks(body);
   refused_as_contacts(body);
   refused_as_cells(body);
   refused_as_paths(body);
@@ -403,10 +488,10 @@ static void moved_handles(void) {
     unsigned char bytes[4096];
     double alignment;
   } copy;
-  void *const handles[11] = {h.model, h.boundary, h.topology, h.view, surface, contacts,
-                             cells,   paths,      gate,       body,   periodic};
-  int i;
-  for (i = 0; i < 11; ++i) {
+  void *const handles[] = {h.model, h.boundary, h.topology, h.view,   surface, contacts, cells,
+                           paths,   gate,       body,       periodic, h.map,   sticks};
+  size_t i;
+  for (i = 0; i < sizeof handles / sizeof handles[0]; ++i) {
     unpoison(handles[i], 4096);
     memcpy(copy.bytes, handles[i], 4096);
     refused_as_anything(copy.bytes, "a moved handle");

@@ -53,7 +53,7 @@ static void in_threads(void) {
   ball_set_start(&set, "chain", 1e-8);
   ball_set_add_chain(&set, 120, 77);
   CHECK_EQUAL(hsp_view_options_init(&options, (uint32_t)sizeof options), HSP_OK);
-  if (computations_make(&set, &options, &all) && computations_add_cells(&all)) {
+  if (computations_make(&set, &options, &all) && computations_add_slow(&all, &options)) {
     for (kind = 0; kind < KINDS; ++kind) {
       work works[THREADS];
       pthread_t threads[THREADS];

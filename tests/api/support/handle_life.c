@@ -248,6 +248,32 @@ static uint64_t map_hash(const void *map, const void *source, unsigned char *buf
   return bad ? 0 : hash;
 }
 
+/* Of both a painting order and a map, with what is seen where balls are. */
+static uint64_t sticks_hash(const void *sticks, const void *source, unsigned char *buffer, uint32_t room) {
+  const sticks_result *s = source;
+  uint64_t hash = UINT64_C(0xCBF29CE484222325);
+  hsp_sticks_info info;
+  hsp_map_info map;
+  uint32_t needed = 0, i;
+  int bad = 0;
+  if (hsp_sticks_get_info(sticks, &info) != HSP_OK || hsp_sticks_get_map_info(sticks, &map) != HSP_OK) return 0;
+  hash = mixed_hash(mixed_hash(hash, &info, sizeof info), &map, sizeof map);
+  bad |= hsp_sticks_get_vertices(sticks, 0, map.vertices, (void *)buffer) != HSP_OK;
+  hash = mixed_hash(hash, buffer, map.vertices * sizeof(hsp_map_vertex));
+  bad |= hsp_sticks_get_edges(sticks, 0, map.edges, (void *)buffer) != HSP_OK;
+  hash = mixed_hash(hash, buffer, map.edges * sizeof(hsp_map_edge));
+  bad |= hsp_sticks_get_faces(sticks, 0, map.faces, (void *)buffer) != HSP_OK;
+  hash = mixed_hash(hash, buffer, map.faces * sizeof(hsp_map_face));
+  bad |= hsp_sticks_get_areas(sticks, (void *)buffer, room, &needed) != HSP_OK;
+  hash = mixed_hash(hash, buffer, needed * sizeof(double));
+  for (i = 0; i < s->base->n; i += 3) {
+    hsp_map_sight sight;
+    bad |= hsp_sticks_pick(sticks, s->base->xyz[3 * (size_t)i], s->base->xyz[3 * (size_t)i + 1], &sight) != HSP_OK;
+    hash = mixed_hash(hash, &sight, sizeof sight);
+  }
+  return bad ? 0 : hash;
+}
+
 static uint64_t contacts_hash(const void *contacts, const void *source, unsigned char *buffer, uint32_t room) {
   const contacts_result *c = source;
   const uint32_t n = c->base->n;
@@ -362,6 +388,16 @@ static int use_map(void *map) {
   return hsp_map_check(map, &invariant, &id) == HSP_OK;
 }
 
+static int use_sticks(void *sticks) {
+  uint32_t invariant, id;
+  picture_sink sink;
+  int32_t status;
+  picture_sink_start(&sink, SIZE_MAX);
+  status = hsp_picture_write_sticks(sticks, NULL, NULL, NULL, NULL, picture_sink_take, &sink, NULL);
+  picture_sink_release(&sink);
+  return status == HSP_OK && hsp_sticks_check(sticks, &invariant, &id) == HSP_OK;
+}
+
 static int use_contacts(void *contacts) {
   hsp_group_contact sum;
   uint32_t invariant, id, n = 0, needed = 0, *group, i;
@@ -392,6 +428,7 @@ const kind_of_life kinds_of_life[KINDS] = {{&boundary_handle, "a boundary", boun
                                            {&surface_handle, "a surface", surface_hash, use_surface},
                                            {&mesh_handle, "a mesh", mesh_hash, use_mesh},
                                            {&map_handle, "a map", map_hash, use_map},
+                                           {&sticks_handle, "sticks", sticks_hash, use_sticks},
                                            {&contacts_handle, "contacts", contacts_hash, use_contacts},
                                            {&cells_handle, "cells", cells_hash, use_cells},
                                            {&body_handle, "a body", body_hash, use_body}};
@@ -418,17 +455,27 @@ static int make_surface(const ball_set *set, computations *all) {
   return status == HSP_E_CHECK || CHECK_EQUAL(status, HSP_OK);
 }
 
-int computations_add_cells(computations *all) {
+static int add_cells(computations *all) {
   if (!CHECK_EQUAL(cells_result_make(&all->boundary, &all->cells), HSP_OK)) return 0;
   all->room += all->cells.counts.cells + all->cells.counts.adjacencies;
   return 1;
+}
+
+static int add_sticks(computations *all, const hsp_view_options *options) {
+  if (!CHECK_EQUAL(sticks_result_make(&all->boundary, options, &all->sticks), HSP_OK)) return 0;
+  all->room += 2 * all->sticks.count + all->sticks.map.edges + all->sticks.map.faces;
+  return 1;
+}
+
+int computations_add_slow(computations *all, const hsp_view_options *options) {
+  return add_cells(all) && add_sticks(all, options);
 }
 
 static int make_contacts_and_cells(computations *all) {
   const computed *c = &all->boundary;
   if (!CHECK_EQUAL(contacts_result_make(c, &all->contacts), HSP_OK)) return 0;
   all->room += all->contacts.count + all->contacts.needed.triangles + all->contacts.needed.tetrahedra;
-  if (c->n <= CELLS_OF_BALLS && !computations_add_cells(all)) return 0;
+  if (c->n <= CELLS_OF_BALLS && !add_cells(all)) return 0;
   if (!CHECK_EQUAL(body_result_make(c, &all->body), HSP_OK)) return 0;
   all->room += all->body.overlap[0].pairs;
   return 1;
@@ -447,6 +494,7 @@ int computations_make(const ball_set *set, const hsp_view_options *options, comp
   all->room += all->view.info.arcs;
   if (!CHECK_EQUAL(map_result_make(c, options, &all->map), HSP_OK)) return 0;
   all->room += all->map.info.edges + all->map.info.faces;
+  if (c->n <= STICKS_OF_BALLS && !add_sticks(all, options)) return 0;
   return make_contacts_and_cells(all) && make_surface(set, all);
 }
 
@@ -454,6 +502,7 @@ void computations_release(computations *all) {
   body_result_release(&all->body);
   cells_result_release(&all->cells);
   contacts_result_release(&all->contacts);
+  sticks_result_release(&all->sticks);
   map_result_release(&all->map);
   mesh_result_release(&all->mesh);
   surface_result_release(&all->surface);
@@ -464,23 +513,24 @@ void computations_release(computations *all) {
 }
 
 const void *source_of(const computations *all, int kind) {
-  const void *const sources[KINDS] = {&all->boundary, &all->topology, &all->view,  &all->surface, &all->mesh,
-                                      &all->map,      &all->contacts, &all->cells, &all->body};
+  const void *const sources[KINDS] = {&all->boundary, &all->topology, &all->view,     &all->surface, &all->mesh,
+                                      &all->map,      &all->sticks,   &all->contacts, &all->cells,   &all->body};
   return sources[kind];
 }
 
 void *handle_of(const computations *all, int kind) {
-  void *const handles[KINDS] = {
-      all->boundary.boundary, all->topology.topology, all->view.view,
-      all->surface.surface,   all->mesh.mesh,         all->map.map,
-      all->contacts.contacts, all->cells.cells,       all->boundary.n > 0 ? all->body.body : NULL};
+  void *const handles[KINDS] = {all->boundary.boundary, all->topology.topology,
+                                all->view.view,         all->surface.surface,
+                                all->mesh.mesh,         all->map.map,
+                                all->sticks.sticks,     all->contacts.contacts,
+                                all->cells.cells,       all->boundary.n > 0 ? all->body.body : NULL};
   return handles[kind];
 }
 
 limit_numbers limits_of(const computations *all, int kind) {
-  const void *const needed[KINDS] = {&all->boundary.needed, &all->topology.needed, &all->view.needed,
-                                     &all->surface.needed,  &all->mesh.needed,     &all->map.needed,
-                                     &all->contacts.needed, &all->cells.needed,    &all->body.needed};
+  const void *const needed[KINDS] = {
+      &all->boundary.needed, &all->topology.needed, &all->view.needed,     &all->surface.needed, &all->mesh.needed,
+      &all->map.needed,      &all->sticks.needed,   &all->contacts.needed, &all->cells.needed,   &all->body.needed};
   limit_numbers limits;
   memset(&limits, 0, sizeof limits);
   memcpy(&limits, needed[kind], kinds_of_life[kind].kind->struct_size);

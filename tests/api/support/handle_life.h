@@ -8,6 +8,7 @@
 #include "contacts_result.h"
 #include "map_result.h"
 #include "mesh_result.h"
+#include "sticks_result.h"
 #include "topology_result.h"
 #include "view_result.h"
 
@@ -19,13 +20,13 @@ typedef struct kind_of_life {
   /* Calls what uses scratch memory; 0 if a call fails. */
   int (*use)(void *handle);
 } kind_of_life;
-enum { BOUNDARY, TOPOLOGY, VIEW, SURFACE, MESH, MAP, CONTACTS, CELLS, BODY, KINDS };
+enum { BOUNDARY, TOPOLOGY, VIEW, SURFACE, MESH, MAP, STICKS, CONTACTS, CELLS, BODY, KINDS };
 extern const kind_of_life kinds_of_life[KINDS];
 
 /* FNV-1a, goes on from a hash. */
 uint64_t mixed_hash(uint64_t hash, const void *bytes, size_t size);
 
-enum { CELLS_OF_BALLS = 20 };
+enum { CELLS_OF_BALLS = 20, STICKS_OF_BALLS = 40 };
 
 /* All that is computed of one set. */
 typedef struct computations {
@@ -33,7 +34,8 @@ typedef struct computations {
   topology_result topology;
   view_result view;
   map_result map;
-  computed rolled; /* the boundary with a probe */
+  sticks_result sticks; /* its handle is NULL if there are more balls than STICKS_OF_BALLS, for the sake of time */
+  computed rolled;      /* the boundary with a probe */
   surface_result surface;
   mesh_result mesh; /* of the surface; its handle is NULL if there is none */
   contacts_result contacts;
@@ -42,14 +44,14 @@ typedef struct computations {
   uint32_t room; /* what no number of records exceeds */
 } computations;
 
-/* Computes the boundary of a set, and unless `options` is NULL its topology, that view and map, the smooth surface and
- * triangles of it, contacts, cells and the body; false, after a failed check, if a call fails. To be followed by
- * computations_release. */
+/* Computes the boundary of a set, and unless `options` is NULL its topology, that view and map, sticks, the smooth
+ * surface and triangles of it, contacts, cells and the body; false, after a failed check, if a call fails. To be
+ * followed by computations_release. */
 int computations_make(const ball_set *set, const hsp_view_options *options, computations *all);
 void computations_release(computations *all);
 
-/* Computes the cells of a larger set, too. */
-int computations_add_cells(computations *all);
+/* Computes the cells and sticks of a larger set, too. */
+int computations_add_slow(computations *all, const hsp_view_options *options);
 
 /* The handle of a kind, NULL if there is none or, of a body, no ball, what it was computed from, and the limits that it
  * needs. */

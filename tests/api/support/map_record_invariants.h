@@ -1,0 +1,20 @@
+/* What the header promises of the records of a map, of balls alone or of balls and halves of sticks. */
+#pragma once
+
+#include <hardsphere.h>
+
+typedef struct map_records {
+  const hsp_map_info *info;
+  const hsp_map_vertex *vertices;
+  const hsp_map_edge *edges;
+  const hsp_map_face *faces;
+  const double *area; /* of each body */
+  uint32_t balls;     /* bodies are balls, then */
+  uint32_t sticks;    /* the halves of so many sticks */
+  double largest;     /* radius */
+  double extent;      /* of the coordinates */
+} map_records;
+
+/* NULL, or a sentence about the first promise that does not hold. Later ones rely on what the earlier ones have found
+ * sound. */
+const char *broken_map_records(const map_records *m);
