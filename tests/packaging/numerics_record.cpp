@@ -143,6 +143,76 @@ void print_views(const std::string &set, const hsp_model *model, const hsp_bound
   }
 }
 
+// Records that are copied by their places.
+template <class Record, class Handle>
+void print_range(const std::string &set, const char *what, const Handle *handle, uint32_t count,
+                 int32_t (*getter)(const Handle *, uint32_t, uint32_t, Record *)) {
+  std::vector<Record> records(count);
+  expect_ok(getter(handle, 0, count, records.data()), what);
+  print(set, what, records);
+}
+
+void print_maps(const std::string &set, const hsp_model *model, uint32_t n) {
+  hsp_view_options options;
+  expect_ok(hsp_view_options_init(&options, sizeof options), "hsp_view_options_init");
+  expect_ok(hsp_view_options_turn(&options, 30.0, -20.0, 10.5), "hsp_view_options_turn");
+  support::OwnedMap map;
+  map.take(support::default_map_limits(n));
+  map.compute(
+      [&](hsp_map *handle, hsp_map_limits *limits) { return hsp_map_compute(handle, model, &options, limits); });
+  hsp_map_info info;
+  expect_ok(hsp_map_get_info(map.get(), &info), "hsp_map_get_info");
+  print_one(set, "map", info);
+  print_range(set, "map_vertices", map.get(), info.vertices, hsp_map_get_vertices);
+  print_range(set, "map_edges", map.get(), info.edges, hsp_map_get_edges);
+  print_range(set, "map_faces", map.get(), info.faces, hsp_map_get_faces);
+  std::vector<hsp_map_point> points(info.edges);
+  for (uint32_t e = 0; e < info.edges; ++e) {
+    hsp_map_edge edge;
+    expect_ok(hsp_map_get_edges(map.get(), e, 1, &edge), "hsp_map_get_edges");
+    expect_ok(hsp_map_get_point(map.get(), e, 0.5 * (edge.from + edge.to), &points[e]), "hsp_map_get_point");
+  }
+  print(set, "map_points", points);
+  std::vector<hsp_map_pole> poles(info.faces - 1);
+  for (uint32_t f = 1; f < info.faces; ++f) {
+    expect_ok(hsp_map_get_pole(map.get(), f, &poles[f - 1]), "hsp_map_get_pole");
+  }
+  print(set, "map_poles", poles);
+}
+
+// Balls of a quarter of their radii, with sticks between neighbours in the file that are close but do not meet then.
+void print_sticks(const std::string &set, const support::BallList &balls) {
+  support::BallList small = balls;
+  std::vector<hsp_stick> stick;
+  const auto n = static_cast<uint32_t>(balls.size());
+  for (double &radius : small.radius) radius *= 0.25;
+  for (uint32_t i = 0; i + 1 < n; ++i) {
+    const double *one = &balls.xyz[3 * size_t{i}];
+    const double squared = (one[3] - one[0]) * (one[3] - one[0]) + (one[4] - one[1]) * (one[4] - one[1]) +
+                           (one[5] - one[2]) * (one[5] - one[2]);
+    if (squared > 1.0 && squared < 2.5) stick.push_back({{i, i + 1}, i % 5 == 0 ? HSP_STICK_WHOLE : 0, 0});
+  }
+  support::OwnedModel model(n);
+  expect_ok(model.set(small, nullptr), "hsp_model_set");
+  hsp_sticks_limits limits;
+  expect_ok(hsp_sticks_limits_init(&limits, sizeof limits, n), "hsp_sticks_limits_init");
+  support::OwnedHandle<support::SticksKind> sticks;
+  sticks.take(limits);
+  sticks.compute([&](hsp_sticks *handle, hsp_sticks_limits *more) {
+    return hsp_sticks_compute_map(handle, model.get(), nullptr, stick.data(), static_cast<uint32_t>(stick.size()), 0.1,
+                                  nullptr, more);
+  });
+  hsp_sticks_info info;
+  expect_ok(hsp_sticks_get_info(sticks.get(), &info), "hsp_sticks_get_info");
+  print_one(set, "sticks", info);
+  hsp_map_info map;
+  expect_ok(hsp_sticks_get_map_info(sticks.get(), &map), "hsp_sticks_get_map_info");
+  print_one(set, "sticks_map", map);
+  print_range(set, "sticks_vertices", sticks.get(), map.vertices, hsp_sticks_get_vertices);
+  print_range(set, "sticks_edges", sticks.get(), map.edges, hsp_sticks_get_edges);
+  print_range(set, "sticks_faces", sticks.get(), map.faces, hsp_sticks_get_faces);
+}
+
 void print_set(const std::string &name, const support::BallList &balls, double probe) {
   const std::string set = name + (probe > 0.0 ? " probe" : " bare");
   const auto n = static_cast<uint32_t>(balls.size());
@@ -195,6 +265,7 @@ void print_set(const std::string &name, const support::BallList &balls, double p
   print_all(set, "shells", topology.get(), hsp_topology_get_shells);
   print_all(set, "cells", topology.get(), hsp_topology_get_cells);
   print_views(set, model.get(), boundary, n);
+  print_maps(set, model.get(), n);
 }
 
 // Balls on whole coordinates, so that many spheres go through one point and many touch: the perturbation decides.
@@ -217,8 +288,10 @@ int main() {
     for (const double probe : {0.0, 1.4}) {
       for (const char *molecule : {"caffeine.pdb", "crambin.pdb", "sod_stand_in.pdb"}) {
         const auto atoms = support::read_atoms(support::own_molecule(molecule));
-        print_set(std::string(molecule).substr(0, std::string(molecule).find('.')),
-                  support::with_radii(atoms, support::Radii::metals_as_sulfur), probe);
+        const std::string name = std::string(molecule).substr(0, std::string(molecule).find('.'));
+        const support::BallList balls = support::with_radii(atoms, support::Radii::metals_as_sulfur);
+        print_set(name, balls, probe);
+        if (probe == 0.0) print_sticks(name, balls);
       }
       print_set("lattice", lattice_balls(), probe > 0.0 ? 0.5 : 0.0);
     }

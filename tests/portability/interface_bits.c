@@ -129,6 +129,7 @@ int main(void) {
       print_surface(&c);
       print_topology(&c);
       print_views(&c);
+      print_maps(&c);
       computed_release(&c);
     }
   }

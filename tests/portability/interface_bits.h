@@ -21,3 +21,6 @@ void print_topology(const computed *c);
 
 /* Pieces, loops and arcs of several views; bytes of pictures as hashes; colours. */
 void print_views(const computed *c);
+
+/* Maps of balls from two directions with what they answer, and of balls and sticks. */
+void print_maps(const computed *c);
