@@ -385,6 +385,156 @@ TEST(Examples, ThreadsOnOneHandle) {
   }
 }
 
+// Atoms on springs and what their union costs: the energy falls from step to step, and where it ends is what the
+// program measures there.
+TEST(Examples, MinimiseDescends) {
+  const support::BallList crambin =
+      with_radii(support::read_atoms(support::own_molecule("crambin.pdb")), support::Radii::van_der_waals);
+  const TemporaryFile file("forty.xyzr", text_of(crambin, 40));
+  const double pressure = 0.03, tension = 0.06, bending = -0.2, gaussian = 0.5;
+  const Outcome outcome = run_example("minimise", {file.path(), "40", "0.03", "0.06", "-0.2", "0.5"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  std::vector<std::vector<double>> steps;
+  std::vector<std::vector<double>> ends;
+  for (const std::string &line : lines_of(outcome.out)) {
+    if (line.front() != '#') {
+      ends.push_back(numbers_of(line));
+    } else if (const std::vector<double> numbers = numbers_of(line.substr(1)); !numbers.empty()) {
+      ASSERT_EQ(numbers.size(), 6u) << line;
+      steps.push_back(numbers);
+    }
+  }
+  ASSERT_GT(steps.size(), 10u);
+  for (size_t k = 1; k < steps.size(); ++k) {
+    EXPECT_GT(steps[k][0], steps[k - 1][0]);
+    EXPECT_LE(steps[k][1], steps[k - 1][1]);
+  }
+  EXPECT_LT(steps.back()[2], 0.1 * steps.front()[2]);
+  ASSERT_EQ(ends.size(), 40u);
+  const TemporaryFile end("end.xyzr", outcome.out);
+  const Json found = run_json({"measure", end.path(), "--probe", "1.4", "--curvature"});
+  double energy = pressure * found["volume"].number + tension * found["area"].number +
+                  bending * found["mean_curvature"].number + gaussian * found["gauss_curvature"].number;
+  for (size_t i = 0; i < ends.size(); ++i) {
+    for (size_t axis = 0; axis < 3; ++axis) energy += 2.5 * std::pow(ends[i][axis] - crambin.xyz[3 * i + axis], 2);
+  }
+  EXPECT_NEAR(steps.back()[1], energy, 1e-5);
+  EXPECT_NEAR(steps.back()[3], found["volume"].number, 1e-5);
+  EXPECT_NEAR(steps.back()[4], found["area"].number, 1e-5);
+  EXPECT_NEAR(steps.back()[5], found["mean_curvature"].number, 1e-4);
+}
+
+// Unit spheres at distance 1: each loses a cap of height 1/2, and they touch in a disk of radius sqrt(3) / 2.
+TEST(Examples, InterfaceOfTwoBalls) {
+  const TemporaryFile first("first.xyzr", "0 0 0 1\n"), second("second.xyzr", "9 0 0 1\n1 0 0 1\n");
+  const Outcome outcome = run_example("interface", {first.path(), second.path(), "0"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::vector<std::string> lines = lines_of(outcome.out);
+  ASSERT_EQ(lines.size(), 6u) << outcome.out;
+  for (size_t chain = 1; chain <= 2; ++chain) {
+    const std::vector<double> row = numbers_of(lines[chain]);
+    ASSERT_EQ(row.size(), 5u);
+    EXPECT_EQ(row[1], static_cast<double>(chain));
+    EXPECT_NEAR(row[2], 4 * pi * static_cast<double>(chain), 1e-6);
+    EXPECT_NEAR(row[4], pi, 1e-6);
+  }
+  double buried = 0, area = 0, border = 0, pair = 0, distance = 0;
+  EXPECT_EQ(std::sscanf(lines[3].c_str(), "buried in all %lf", &buried), 1);
+  EXPECT_EQ(std::sscanf(lines[4].c_str(), "contact area %lf in 1 pairs of atoms, %lf of", &area, &border), 2);
+  EXPECT_EQ(std::sscanf(lines[5].c_str(), "0 of the first, 1 of the second: area %lf, distance %lf", &pair, &distance),
+            2);
+  EXPECT_NEAR(buried, 2 * pi, 1e-6);
+  EXPECT_NEAR(area, 0.75 * pi, 1e-6);
+  EXPECT_NEAR(border, pi * std::sqrt(3.0), 1e-6);
+  EXPECT_EQ(pair, area);
+  EXPECT_EQ(distance, 1.0);
+}
+
+// Two halves of crambin as if they were chains: the contacts between them that the program lists for the whole.
+TEST(Examples, InterfaceAgreesWithTheProgram) {
+  const support::BallList crambin =
+      with_radii(support::read_atoms(support::own_molecule("crambin.pdb")), support::Radii::van_der_waals);
+  const size_t half = 163;
+  const std::string all = text_of(crambin, crambin.size()), head = text_of(crambin, half);
+  const TemporaryFile whole("whole.xyzr", all), first("first.xyzr", head),
+      second("second.xyzr", all.substr(head.size()));
+  const Json contacts = run_json({"contacts", whole.path(), "--probe", "1.4"});
+  double expected = 0, largest = 0;
+  unsigned pairs = 0;
+  for (const Json &pair : contacts["pairs"].items) {
+    if ((pair["balls"].items[0].number < half) == (pair["balls"].items[1].number < half)) continue;
+    expected += pair["area"].number;
+    largest = std::max(largest, pair["area"].number);
+    ++pairs;
+  }
+  const Outcome outcome = run_example("interface", {first.path(), second.path()});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::vector<std::string> lines = lines_of(outcome.out);
+  ASSERT_EQ(lines.size(), 15u) << outcome.out;
+  double area = 0, top = 0;
+  unsigned found = 0;
+  ASSERT_EQ(std::sscanf(lines[4].c_str(), "contact area %lf in %u pairs", &area, &found), 2) << lines[4];
+  EXPECT_NEAR(area, expected, 1e-5);
+  EXPECT_EQ(found, pairs);
+  ASSERT_EQ(std::sscanf(lines[5].c_str(), "%*u of the first, %*u of the second: area %lf", &top), 1) << lines[5];
+  EXPECT_NEAR(top, largest, 1e-6);
+  const double alone[2] = {run_json({"measure", first.path(), "--probe", "1.4"})["area"].number,
+                           run_json({"measure", second.path(), "--probe", "1.4"})["area"].number};
+  const double together = run_json({"measure", whole.path(), "--probe", "1.4"})["area"].number;
+  double buried = 0;
+  ASSERT_EQ(std::sscanf(lines[3].c_str(), "buried in all %lf", &buried), 1);
+  EXPECT_NEAR(buried, alone[0] + alone[1] - together, 1e-5);
+}
+
+// Waters of radius 1.4 around two balls, one of which lies across a face of the box and is given far away: on the
+// points of a grid that are farther than that from the spheres of all images. They do not overlap.
+TEST(Examples, SolventBoxOfTwoBalls) {
+  const double box[3] = {12, 15, 18}, balls[2][4] = {{1, 2, 3, 2}, {31, -8, 8, 1.5}};
+  const int grid[3] = {4, 5, 6};
+  const TemporaryFile file("solute.xyzr", "1 2 3 2\n31 -8 8 1.5\n");
+  std::vector<std::array<double, 3>> waters;
+  const auto gap = [&](const std::array<double, 3> &at, const double(&ball)[4]) {
+    double square = 0;
+    for (size_t k = 0; k < 3; ++k) square += std::pow(std::remainder(at[k] - ball[k], box[k]), 2);
+    return std::sqrt(square) - 1.4 - ball[3];
+  };
+  unsigned near = 0;
+  for (int k = 0; k < 4 * 5 * 6; ++k) {
+    const int place[3] = {k % 4, k / 4 % 5, k / 20};
+    std::array<double, 3> at{};
+    for (size_t axis = 0; axis < 3; ++axis) at[axis] = (place[axis] + 0.5) * box[axis] / grid[axis];
+    const double least = std::min(gap(at, balls[0]), gap(at, balls[1]));
+    if (least <= 0) continue;
+    waters.push_back(at);
+    near += least <= 1 ? 1 : 0;
+  }
+  const Outcome outcome = run_example("solvent_box", {file.path(), "12", "15", "18"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::vector<std::string> lines = lines_of(outcome.out);
+  ASSERT_EQ(lines.size(), 5u) << outcome.out;
+  const double sphere = 4 * pi / 3 * 1.4 * 1.4 * 1.4, molecule = 4 * pi / 3 * (8 + 3.375);
+  const auto expect_volumes = [&](const std::string &line, const char *pattern, double volume) {
+    double found = 0, area = 0, free = 0, all = 0;
+    ASSERT_EQ(std::sscanf(line.c_str(), pattern, &found, &area, &free, &all), 4) << line;
+    EXPECT_NEAR(found, volume, 2e-6);
+    EXPECT_NEAR(free, 12 * 15 * 18 - volume, 2e-6);
+    EXPECT_EQ(all, 12 * 15 * 18);
+  };
+  expect_volumes(lines[0], "molecule: volume %lf, area %lf, free %lf of %lf", molecule);
+  const double many = static_cast<double>(waters.size());
+  EXPECT_EQ(lines[1], std::to_string(waters.size()) + " waters");
+  expect_volumes(lines[2], "with waters: volume %lf, area %lf, free %lf of %lf", molecule + many * sphere);
+  EXPECT_EQ(lines[3], std::to_string(near) + " waters no more than 1 from the molecule");
+  // The grid's points are 3 apart, so waters no more than 1 apart are all of one net.
+  EXPECT_EQ(lines[4], "1 components, the largest of " + std::to_string(waters.size() + 2) +
+                          " balls, endless in 3 directions at most");
+  EXPECT_GT(near, 5u);
+  EXPECT_LT(near, waters.size() / 2);
+  for (const char *side : {"nought", "1", "9999"}) {
+    EXPECT_EQ(run_example("solvent_box", {file.path(), "12", side, "18"}).status, 2);
+  }
+}
+
 TEST(Examples, RefuseBadFiles) {
   const TemporaryFile bad("bad.xyzr", "0 0 0 1\n0 0 1\n");
   const std::string good = "good/one.xyzr";
@@ -395,7 +545,10 @@ TEST(Examples, RefuseBadFiles) {
       {"labels", {bad.path()}},
       {"threads", {bad.path()}},
       {"docking", {good, bad.path()}},
+      {"interface", {good, bad.path()}},
+      {"minimise", {bad.path()}},
       {"monte_carlo", {good, bad.path()}},
+      {"solvent_box", {bad.path(), "9", "9", "9"}},
       {"turntable", {bad.path(), "no_picture"}}};
   for (const auto &[example, arguments] : calls) {
     const Outcome outcome = run_example(example, arguments);

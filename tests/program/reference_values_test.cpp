@@ -2,8 +2,11 @@
 // quadrature and by a regular triangulation, and the figures that Halperin and Overmars print in Section 2.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "json_outcome.hpp"
@@ -42,6 +45,42 @@ TEST(ReferenceValues, AreaVolumeAndVertices) {
     EXPECT_EQ(boundary["vertices"].number, reference.vertices);
     EXPECT_EQ(2 * boundary["arcs"].number, 3 * boundary["vertices"].number);
     EXPECT_EQ(boundary["voids"].number, boundary["shells"].number - boundary["components"].number);
+  }
+}
+
+// Contacts between residues of crambin, summed up from those of atoms that another program computed with 113 bits.
+// It knew residues by their numbers alone: one has an insertion code here.
+TEST(ReferenceValues, ContactsOfResidues) {
+  const struct {
+    const char *probe;
+    double area;
+    size_t pairs;
+    std::map<std::pair<int, int>, double> chosen;
+  } rows[] = {{"0",
+               420.916667194253,
+               81,
+               {{{1, 2}, 7.89606554790860}, {{3, 40}, 7.78380051826307}, {{16, 26}, 7.90486417720339}}},
+              {"1.4",
+               2750.75796874724,
+               199,
+               {{{1, 2}, 33.7715719480323}, {{3, 40}, 20.5147564349179}, {{16, 26}, 23.8106524595831}}}};
+  for (const auto &row : rows) {
+    const Json found =
+        run_json({"contacts", molecules_folder() + "/crambin.pdb", "--by", "residue", "--probe", row.probe});
+    std::map<std::pair<int, int>, double> areas;
+    for (const Json &pair : found["pairs"].items) {
+      const auto number_of = [&](size_t side) {
+        const std::string &name = pair["residues"].items.at(side).text;
+        return std::stoi(name.substr(name.rfind(':') + 1));
+      };
+      const std::pair<int, int> numbers = std::minmax({number_of(0), number_of(1)});
+      if (numbers.first != numbers.second) areas[numbers] += pair["area"].number;
+    }
+    double sum = 0.0;
+    for (const auto &[numbers, area] : areas) sum += area;
+    EXPECT_EQ(areas.size(), row.pairs) << row.probe;
+    EXPECT_NEAR(sum, row.area, 1e-10) << row.probe;
+    for (const auto &[numbers, area] : row.chosen) EXPECT_NEAR(areas[numbers], area, 2e-13 * area) << row.probe;
   }
 }
 

@@ -5,10 +5,12 @@
 #include <cstdio>
 #include <cstring>
 #include <limits>
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
 
+#include "json_reader.hpp"
 #include "program_runner.hpp"
 #include "temporary_file.hpp"
 #include "trajectory_writers.hpp"
@@ -294,6 +296,67 @@ TEST(Trajectory, PackedCoordinatesAreThoseOfTheFile) {
 }
 
 // The same as a table, of the frames that are asked for.
+// The box of every frame where the file has one each, of .gro, .xyz, .xtc and .dcd, whatever other frames have; and
+// what wraps in it.
+TEST(Trajectory, FramesHaveTheirOwnBoxes) {
+  const TemporaryFile molecule("one.xyz", "1\n\nC 0 0 0\n");
+  std::mt19937 random(23);
+  XtcOptions large, small;
+  large.box = 4;
+  small.box = 0.25F;
+  DcdOptions cell;
+  cell.cell = true;
+  cell.frames = 2;
+  const Bytes dcd = dcd_header(1, cell) + dcd_frame({{0, 0, 0}}, true, cell) + dcd_frame({{1, 0, 0}}, false, cell);
+  const std::string gro = "frame\n    1\n    1UNK      C    1   0.000   0.000   0.000\n   1.00000   1.20000   ";
+  const struct {
+    const char *name;
+    Bytes frames;
+    std::vector<double> volumes;
+  } files[] = {
+      {"boxes.xtc", xtc_frame({{0, 0, 0}}, large, random) + xtc_frame({{0, 0, 0}}, small, random), {64000, 15.625}},
+      {"boxes.dcd", dcd, {210000, 210000}},
+      {"boxes.gro", gro + "0.30000\n" + gro + "0.50000\n", {360, 600}},
+      {"boxes.xyz",
+       "1\nLattice=\"9 0 0 1 8 0 2 1 7\"\nC 0 0 0\n1\nLattice=\"3 0 0 0 9 0 0 0 9\"\nC 1 1 1\n",
+       {504, 243}}};
+  for (const auto &file : files) {
+    const TemporaryFile run(file.name, file.frames);
+    const Outcome outcome =
+        run_program({"measure", molecule.path(), "--trajectory", run.path(), "--box", "file", "--json"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const Lines lines = lines_of(outcome.out);
+    ASSERT_EQ(lines.size(), file.volumes.size()) << outcome.out;
+    for (size_t k = 0; k < lines.size(); ++k) {
+      const std::optional<Json> read = read_json(lines[k]);
+      ASSERT_TRUE(read.has_value()) << lines[k];
+      const Json &frame = *read;
+      EXPECT_NEAR(frame["box_volume"].number, file.volumes[k], 1e-4) << file.name;
+      EXPECT_NEAR(frame["free_volume"].number, frame["box_volume"].number - frame["volume"].number, 1e-4) << file.name;
+      // A carbon of radius 1.7 meets its images where the box is less wide.
+      bool thin = false;
+      for (const size_t side : {0U, 4U, 8U}) thin = thin || frame["box"].items.at(side).number < 3.4;
+      EXPECT_EQ(frame["windings"].items.at(0)["directions"].number > 0, thin) << file.name;
+    }
+  }
+  // The second frame has none of its own.
+  const TemporaryFile without("without.xyz", "1\nLattice=\"9 0 0 0 8 0 0 0 7\"\nC 0 0 0\n1\n\nC 0 0 0\n");
+  const Outcome known = run_program({"measure", molecule.path(), "--trajectory", without.path(), "--box", "file"});
+  EXPECT_EQ(known.status, 0) << known.err;
+  const TemporaryFile never("never.xyz", "1\n\nC 0 0 0\n");
+  const Outcome none = run_program({"measure", molecule.path(), "--trajectory", never.path(), "--box", "file"});
+  EXPECT_EQ(none.status, 1);
+  EXPECT_NE(none.err.find("frame 1"), std::string::npos) << none.err;
+  EXPECT_NE(none.err.find("the file has no box"), std::string::npos) << none.err;
+  const TemporaryFile refused("refused.xyz",
+                              "1\nLattice=\"9 0 0 0 8 0 0 0 7\"\nC 0 0 0\n"
+                              "1\nLattice=\"9 0 0 0 8 0 0 0 0.001\"\nC 0 0 0\n");
+  const Outcome thin = run_program({"measure", molecule.path(), "--trajectory", refused.path(), "--box", "file"});
+  EXPECT_EQ(thin.status, 1);
+  EXPECT_EQ(lines_of(thin.out).size(), 2U) << "the frame before is there";
+  EXPECT_NE(thin.err.find("frame 2"), std::string::npos) << thin.err;
+}
+
 TEST(Trajectory, TableOfFrames) {
   const std::vector<std::vector<Place>> frames = some_frames();
   std::string xyz;
