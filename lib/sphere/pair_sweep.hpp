@@ -23,8 +23,8 @@ struct PairSweep {
   FloatCaps by_size;             // the larger caps again, by classes of size
   FloatCaps exposed;             // later caps whose circles do not certainly lie inside a large cap as a whole
   float *exposed_cap = nullptr;  // their numbers
-  float *crossed = nullptr;      // for each the largest q of its circle and another one; both certainly cross if it is
-                                 // above the bound
+  float *crossed = nullptr;      // for each the largest q of its circle and that of a large cap; both certainly cross
+                                 // if it is above the bound
   uint32_t class_end[size_classes] = {};
   uint32_t exposed_count = 0;
   // Where to go on.

@@ -232,30 +232,22 @@ uint32_t answer(const PairSweep &sweep, const Pairs &pairs, uint32_t count, Open
   return found;
 }
 
-// Adds pairs from the sweep's row and column on until there are enough of them. Circles that cross are marked. Returns
-// how many pairs there are.
+// Adds pairs from the sweep's row and column on until there are enough of them. Returns how many pairs there are.
 uint32_t add_pairs(PairSweep &sweep, Pairs &pairs) {
   const CapPointers<float> exposed = pointers(sweep.exposed);
-  float *const crossed = sweep.crossed;
   const uint32_t exposed_count = sweep.exposed_count;
-  const Floats margin = Floats::all(Bounds::crossing), apart = Floats::all(-Bounds::crossing);
+  const Floats apart = Floats::all(-Bounds::crossing);
   uint32_t row = sweep.row, column = sweep.column, count = 0;
   while (row + 1 < exposed_count && !Pairs::is_full(count)) {
     const Caps8 cap = Caps8::all_of(exposed, row);
     const Floats row_number = Floats::all(static_cast<float>(row));
     Floats numbers = Floats::ascending() + Floats::all(static_cast<float>(column));
-    Floats highest = Floats::all(-4.0F);
     for (; column < exposed_count && !Pairs::is_full(count); column += 8) {
       const Caps8 others = Caps8::load(exposed, column);
       const PairLanes<Floats> pair(cap, others);
-      highest = larger(highest, pair.q);
-      larger(pair.q, Floats::load(crossed + column)).store(crossed + column);
       count = pairs.add(count, row_number, cap, numbers, others, pair, not_greater(apart, pair.q));
       numbers = numbers + Floats::all(8.0F);
     }
-    // The number of a lane that crosses is above any bound.
-    const float mark = static_cast<float>(greater(highest, margin));
-    crossed[row] = crossed[row] > mark ? crossed[row] : mark;
     if (column >= exposed_count) column = ++row + 1;
   }
   sweep.row = row;
