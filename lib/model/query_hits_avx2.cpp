@@ -62,7 +62,8 @@ inline LaneBits meeting(const QueryArrays &balls, const WideQuery &query, uint32
 template <class Excluded>
 inline void add_hits_but(const QueryArrays &balls_at, const WideQuery &query, const BallRange *ranges, uint32_t count,
                          QueryHits &hits, Excluded excluded) {
-  const QueryArrays balls = balls_at;  // in registers
+  // In registers: of one copy the compiler makes vectors, which have to wait for what has just been stored.
+  const QueryArrays balls{balls_at.x, balls_at.y, balls_at.z, balls_at.r, balls_at.caller};
   uint32_t found = hits.count;
   for (const BallRange *range = ranges; range < ranges + count; ++range) {
     uint32_t j = range->first;
@@ -125,6 +126,11 @@ inline void store_ids(uint32_t *ids, Integers a, uint32_t count) {
   _mm256_maskstore_epi32(reinterpret_cast<int *>(ids), wanted, a.v);
 }
 
+// No more than eight hits, in ascending order.
+inline void write_few_ascending(const QueryHits &hits, uint32_t *ids) {
+  store_ids(ids, sorted(load_ids(hits.ids, hits.count)), hits.count);
+}
+
 // Two sorted halves of `half` eights each, a power of two, to one.
 inline void merge(Integers *eights, uint32_t half) {
   const auto exchange_whole = [](Integers &a, Integers &b, Integers partner) {
@@ -154,10 +160,7 @@ void add_hits_avx2(const QueryArrays &balls, const QueryBall &query, const BallR
 
 void write_ascending_avx2(const QueryHits &hits, uint32_t *ids) {
   const uint32_t count = hits.count;
-  if (count <= 8) {
-    store_ids(ids, sorted(load_ids(hits.ids, count)), count);
-    return;
-  }
+  if (count <= 8) return write_few_ascending(hits, ids);
   // A power of two of eights, sorted each, then merged two by two.
   Integers eights[QueryHits::room / 8];
   uint32_t used = 0;
@@ -227,7 +230,12 @@ template <class Excluded>
   add_hits_but(balls, query, rows.range, rows.count, found, excluded);
   if (found.count > QueryHits::room) return false;
   hits = found.count;
-  if (found.count <= capacity) write_ascending_avx2(found, ids);
+  if (found.count > capacity) return true;
+  if (found.count <= 8) {
+    write_few_ascending(found, ids);
+  } else {
+    write_ascending_avx2(found, ids);
+  }
   return true;
 }
 
