@@ -1,6 +1,7 @@
-/* Every limit of models, boundaries, topologies, views, contacts, cells and bodies, for sets of every kind, at 0, 1,
- * needed-1, needed and needed+1: HSP_E_CAPACITY with nothing written beyond what the header names, or the same results
- * as with ample memory. Memory is of exactly the size that the bytes function tells, with guard bytes around it. */
+/* Every limit of models, boundaries, topologies, views, contacts, cells, bodies and periodic unions, for sets of every
+ * kind, at 0, 1, needed-1, needed and needed+1: HSP_E_CAPACITY with nothing written beyond what the header names, or
+ * the same results as with ample memory. Memory is of exactly the size that the bytes function tells, with guard bytes
+ * around it. */
 #include <hardsphere.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,6 +13,7 @@
 #include "guarded_memory.h"
 #include "limit_sweep.h"
 #include "output_sweep.h"
+#include "periodic_result.h"
 #include "topology_result.h"
 #include "topology_sets.h"
 #include "view_result.h"
@@ -266,7 +268,7 @@ static void sweep_views(const computed *c, uint32_t which, const char *name) {
   sweep_view(c, &options, 1, name);
 }
 
-/* ---- contacts, cells and bodies ---- */
+/* ---- contacts, cells, bodies and periodic unions ---- */
 
 static void contacts_results(const void *contacts, const void *source) {
   const contacts_result *all = source;
@@ -407,6 +409,50 @@ static void sweep_body(const computed *c, const char *name) {
   body_result_release(&all);
 }
 
+static void periodic_results(const void *periodic, const void *source) {
+  const periodic_result *all = source;
+  const uint32_t n = all->base->n;
+  hsp_periodic_counts counts;
+  hsp_periodic_totals totals;
+  uint32_t count = 0;
+  guarded_memory list = guarded_take(sizeof(hsp_periodic_contact) * all->counts.contacts, 0, GUARDED_PATTERN);
+  guarded_memory windings = guarded_take(sizeof(hsp_winding) * all->counts.components, 0, GUARDED_PATTERN);
+  guarded_memory area = guarded_take(sizeof(double) * n, 0, GUARDED_PATTERN);
+  guarded_memory volume = guarded_take(sizeof(double) * n, 0, GUARDED_PATTERN);
+  CHECK_EQUAL(hsp_periodic_get_counts(periodic, &counts), HSP_OK);
+  CHECK_BYTES(&counts, &all->counts, sizeof counts);
+  CHECK_EQUAL(hsp_periodic_get_contacts(periodic, (void *)list.block, all->counts.contacts, &count), HSP_OK);
+  CHECK_BYTES(list.block, all->contacts, list.bytes);
+  CHECK_EQUAL(hsp_periodic_get_windings(periodic, (void *)windings.block, all->counts.components, &count), HSP_OK);
+  CHECK_BYTES(windings.block, all->windings, windings.bytes);
+  CHECK_EQUAL(hsp_periodic_measure(periodic, &totals, (void *)area.block, (void *)volume.block, n, NULL), HSP_OK);
+  CHECK_BYTES(&totals, &all->totals, sizeof totals);
+  CHECK_BYTES(area.block, all->area, area.bytes);
+  CHECK_BYTES(volume.block, all->cell_volume, volume.bytes);
+  CHECK(guarded_clean(&list) && guarded_clean(&windings) && guarded_clean(&area) && guarded_clean(&volume));
+  guarded_give_back(&list);
+  guarded_give_back(&windings);
+  guarded_give_back(&area);
+  guarded_give_back(&volume);
+}
+
+static void no_periodic_results(const void *periodic) {
+  hsp_periodic_counts counts;
+  uint32_t count = 12345;
+  CHECK_EQUAL(hsp_periodic_get_counts(periodic, &counts), HSP_E_STATE);
+  CHECK_EQUAL(hsp_periodic_get_contacts(periodic, NULL, 0, &count), HSP_E_STATE);
+  CHECK_EQUAL(count, 12345);
+}
+
+static void sweep_periodic(const computed *c, const char *name) {
+  periodic_result all;
+  if (CHECK_EQUAL(periodic_result_make(c, &all), HSP_OK)) {
+    const known_handle known = {&periodic_handle, &all, &all.needed, periodic_results, no_periodic_results, NULL};
+    sweep_limits(&known, name);
+  }
+  periodic_result_release(&all);
+}
+
 int main(void) {
   static ball_set set;
   computed all;
@@ -430,6 +476,7 @@ int main(void) {
       sweep_views(&all, which, set.name);
       sweep_body(&all, set.name);
       if (which % 3 == 0) sweep_contacts(&all, set.name);
+      if (which % 3 == 2 && set.n <= 60) sweep_periodic(&all, set.name);
       /* They have nine limits, so that a few balls must do. */
       if (which % 3 == 1 && set.n <= 12) sweep_cells(&all, set.name);
     }

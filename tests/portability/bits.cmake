@@ -4,7 +4,8 @@ get_target_property(HSP_LIBRARY_ROOT hardsphere_objects SOURCE_DIR)
 
 add_executable(interface_bits ${HSP_PORTABILITY_HERE}/interface_bits.c ${HSP_PORTABILITY_HERE}/print_bits.c
   ${HSP_PORTABILITY_HERE}/print_gradients.c ${HSP_PORTABILITY_HERE}/print_topology.c
-  ${HSP_PORTABILITY_HERE}/print_views.c ${HSP_PORTABILITY_HERE}/print_maps.c)
+  ${HSP_PORTABILITY_HERE}/print_periodic.c ${HSP_PORTABILITY_HERE}/print_views.c
+  ${HSP_PORTABILITY_HERE}/print_maps.c)
 set_target_properties(interface_bits PROPERTIES C_STANDARD 99 C_STANDARD_REQUIRED ON C_EXTENSIONS OFF)
 target_link_libraries(interface_bits PRIVATE hsp_interface_checks hardsphere_warnings)
 # The ball sets are computed, too, and have to be the same.

@@ -128,6 +128,7 @@ int main(void) {
       print_gradients(&c);
       print_surface(&c);
       print_topology(&c);
+      print_periodic(&c);
       print_views(&c);
       print_maps(&c);
       computed_release(&c);

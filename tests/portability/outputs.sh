@@ -56,6 +56,8 @@ succeed crambin.residues "$program" measure --by residue --json bench/molecules/
 succeed crambin.voids "$program" voids --json bench/molecules/crambin.pdb --probe 1.4
 succeed crambin.output "$program" measure bench/molecules/crambin.pdb --pdb-out "$outputs/crambin.pdb"
 succeed formats "$program" measure --csv tests/program/inputs/good/water.{pdb,cif,gro}
+succeed crambin.box "$program" measure --json --probe 1.4 --box 25,0,0,7,18,0,-9,5,20 --per-ball bench/molecules/crambin.pdb
+succeed crambin.box.contacts "$program" contacts --json --box 40.96,18.65,22.52 bench/molecules/crambin.pdb
 succeed crambin.map "$program" map --json bench/molecules/crambin.pdb --view 1,2,3
 succeed crambin.pick "$program" pick --json bench/molecules/crambin.pdb --at 10,12 --view 1,2,3
 succeed crambin.contacts "$program" contacts --cells --json bench/molecules/crambin.pdb --probe 1.4

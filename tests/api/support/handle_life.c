@@ -347,6 +347,43 @@ static uint64_t body_hash(const void *body, const void *source, unsigned char *b
   return bad ? 0 : mixed_hash(hash, gap, sizeof gap);
 }
 
+/* With what is at the balls' centres. */
+static uint64_t periodic_hash(const void *periodic, const void *source, unsigned char *buffer, uint32_t room) {
+  const computed *c = ((const periodic_result *)source)->base;
+  const uint32_t n = c->n;
+  double *numbers = (void *)buffer;
+  uint32_t *flags = (void *)(numbers + 4 * (size_t)n);
+  uint64_t hash = UINT64_C(0xCBF29CE484222325);
+  hsp_periodic_counts counts;
+  hsp_periodic_totals totals;
+  hsp_energy energy;
+  double strain[9], box[9];
+  uint32_t needed = 0, i;
+  int bad = 0;
+  if (hsp_periodic_get_counts(periodic, &counts) != HSP_OK) return 0;
+  hash = mixed_hash(hash, &counts, sizeof counts);
+  bad |= hsp_periodic_measure(periodic, &totals, numbers, numbers + n, n, NULL) != HSP_OK;
+  hash = mixed_hash(mixed_hash(hash, &totals, sizeof totals), numbers, 2 * (size_t)n * sizeof *numbers);
+  bad |= hsp_periodic_get_contacts(periodic, (void *)buffer, room, &needed) != HSP_OK;
+  hash = mixed_hash(hash, buffer, needed * sizeof(hsp_periodic_contact));
+  bad |= hsp_periodic_get_windings(periodic, (void *)buffer, room, &needed) != HSP_OK;
+  hash = mixed_hash(hash, buffer, needed * sizeof(hsp_winding));
+  bad |= hsp_periodic_get_components(periodic, (void *)buffer, room, &needed) != HSP_OK;
+  hash = mixed_hash(hash, buffer, needed * sizeof(uint32_t));
+  bad |= hsp_periodic_gradient(periodic, c->radius, 1, -0.5, HSP_TANGENT_OVERLAP, &energy, numbers,
+                               numbers + 3 * (size_t)n, flags, strain, box, n, NULL, NULL) != HSP_OK;
+  hash = mixed_hash(mixed_hash(hash, &energy, sizeof energy), numbers, 4 * (size_t)n * sizeof *numbers);
+  hash = mixed_hash(mixed_hash(hash, flags, n * sizeof *flags), strain, sizeof strain);
+  hash = mixed_hash(hash, box, sizeof box);
+  for (i = 0; i < n; ++i) {
+    bad |= hsp_periodic_query_neighbours(periodic, i, (void *)buffer, room, &needed) != HSP_OK;
+    hash = mixed_hash(hash, buffer, needed * sizeof(hsp_image));
+    bad |= hsp_periodic_query_point(periodic, c->xyz + 3 * (size_t)i, (void *)buffer, room, &needed) != HSP_OK;
+    hash = mixed_hash(hash, buffer, needed * sizeof(hsp_image));
+  }
+  return bad ? 0 : hash;
+}
+
 /* ---- what uses scratch memory; 0 if a call fails ---- */
 
 static int use_boundary(void *boundary) {
@@ -420,6 +457,11 @@ static int use_body(void *body) {
   return hsp_body_hits(body, body, 1, body_poses, &hit, NULL) == HSP_OK && hit == 1;
 }
 
+static int use_periodic(void *periodic) {
+  uint32_t invariant, id;
+  return hsp_periodic_check(periodic, &invariant, &id) == HSP_OK;
+}
+
 /* ---- a computation of any kind ---- */
 
 const kind_of_life kinds_of_life[KINDS] = {{&boundary_handle, "a boundary", boundary_hash, use_boundary},
@@ -431,7 +473,8 @@ const kind_of_life kinds_of_life[KINDS] = {{&boundary_handle, "a boundary", boun
                                            {&sticks_handle, "sticks", sticks_hash, use_sticks},
                                            {&contacts_handle, "contacts", contacts_hash, use_contacts},
                                            {&cells_handle, "cells", cells_hash, use_cells},
-                                           {&body_handle, "a body", body_hash, use_body}};
+                                           {&body_handle, "a body", body_hash, use_body},
+                                           {&periodic_handle, "a periodic union", periodic_hash, use_periodic}};
 
 /* A probe half as large as the largest ball, and triangles as large as that ball. Where joints are open or borders
  * touch in a point there are no triangles. */
@@ -478,6 +521,8 @@ static int make_contacts_and_cells(computations *all) {
   if (c->n <= CELLS_OF_BALLS && !add_cells(all)) return 0;
   if (!CHECK_EQUAL(body_result_make(c, &all->body), HSP_OK)) return 0;
   all->room += all->body.overlap[0].pairs;
+  if (!CHECK_EQUAL(periodic_result_make(c, &all->periodic), HSP_OK)) return 0;
+  all->room += all->periodic.needed.images + all->periodic.counts.contacts;
   return 1;
 }
 
@@ -499,6 +544,7 @@ int computations_make(const ball_set *set, const hsp_view_options *options, comp
 }
 
 void computations_release(computations *all) {
+  periodic_result_release(&all->periodic);
   body_result_release(&all->body);
   cells_result_release(&all->cells);
   contacts_result_release(&all->contacts);
@@ -513,8 +559,9 @@ void computations_release(computations *all) {
 }
 
 const void *source_of(const computations *all, int kind) {
-  const void *const sources[KINDS] = {&all->boundary, &all->topology, &all->view,     &all->surface, &all->mesh,
-                                      &all->map,      &all->sticks,   &all->contacts, &all->cells,   &all->body};
+  const void *const sources[KINDS] = {&all->boundary, &all->topology, &all->view,    &all->surface,
+                                      &all->mesh,     &all->map,      &all->sticks,  &all->contacts,
+                                      &all->cells,    &all->body,     &all->periodic};
   return sources[kind];
 }
 
@@ -523,14 +570,16 @@ void *handle_of(const computations *all, int kind) {
                                 all->view.view,         all->surface.surface,
                                 all->mesh.mesh,         all->map.map,
                                 all->sticks.sticks,     all->contacts.contacts,
-                                all->cells.cells,       all->boundary.n > 0 ? all->body.body : NULL};
+                                all->cells.cells,       all->boundary.n > 0 ? all->body.body : NULL,
+                                all->periodic.periodic};
   return handles[kind];
 }
 
 limit_numbers limits_of(const computations *all, int kind) {
-  const void *const needed[KINDS] = {
-      &all->boundary.needed, &all->topology.needed, &all->view.needed,     &all->surface.needed, &all->mesh.needed,
-      &all->map.needed,      &all->sticks.needed,   &all->contacts.needed, &all->cells.needed,   &all->body.needed};
+  const void *const needed[KINDS] = {&all->boundary.needed, &all->topology.needed, &all->view.needed,
+                                     &all->surface.needed,  &all->mesh.needed,     &all->map.needed,
+                                     &all->sticks.needed,   &all->contacts.needed, &all->cells.needed,
+                                     &all->body.needed,     &all->periodic.needed};
   limit_numbers limits;
   memset(&limits, 0, sizeof limits);
   memcpy(&limits, needed[kind], kinds_of_life[kind].kind->struct_size);

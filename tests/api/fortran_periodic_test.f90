@@ -1,0 +1,95 @@
+! Balls in a periodic box as a Fortran program sees them: every function is called, and records arrive field by field.
+program fortran_periodic_test
+  use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int8_t, c_loc, c_null_ptr, c_ptr, c_size_t, c_sizeof
+  use fortran_checks
+  use hardsphere
+  implicit none
+
+  ! A rod along x, its second ball given three boxes away, and a ball beside it.
+  integer(c_int32_t), parameter :: n = 3
+  real(c_double), parameter :: pi = 3.14159265358979323846_c_double
+  real(c_double), parameter :: xyz(3, n) = reshape([0.0_c_double, 0.0_c_double, 0.0_c_double, &
+                                                    14.0_c_double, 0.0_c_double, 0.0_c_double, &
+                                                    1.0_c_double, 4.0_c_double, 4.0_c_double], [3, n])
+  real(c_double), parameter :: radius(n) = [1.25_c_double, 1.25_c_double, 1.0_c_double]
+  real(c_double), parameter :: box(9) = [4.0_c_double, 0.0_c_double, 0.0_c_double, &
+                                         1.0_c_double, 8.0_c_double, 0.0_c_double, &
+                                         -1.0_c_double, 2.0_c_double, 8.0_c_double]
+  real(c_double), parameter :: point(3) = [3.0_c_double, 8.0_c_double, 0.0_c_double]
+
+  integer(c_int8_t), allocatable, target :: memory(:)
+  type(c_ptr) :: periodic = c_null_ptr
+  type(hsp_model_options) :: options
+  type(hsp_periodic_limits) :: limits
+  type(hsp_periodic_counts) :: counts
+  type(hsp_periodic_totals) :: totals
+  type(hsp_periodic_contact) :: contacts(10)
+  type(hsp_winding) :: windings(n)
+  type(hsp_image) :: images(10)
+  type(hsp_energy) :: energy
+  real(c_double) :: area(n), cell_volume(n), d_centre(3, n), d_radius(n), d_strain(9), d_box(9), rod
+  integer(c_int32_t) :: component(n), flags(n), needed, invariant, id, bad
+  integer(c_size_t) :: bytes
+
+  call check(c_sizeof(limits) == 28 .and. c_sizeof(counts) == 48 .and. c_sizeof(totals) == 40, 'sizes of records')
+  call check(c_sizeof(contacts(1)) == 56 .and. c_sizeof(windings(1)) == 52 .and. c_sizeof(images(1)) == 16, &
+             'sizes of lists')
+  call expect(hsp_periodic_limits_init(limits, int(c_sizeof(limits), c_int32_t), n), HSP_OK, 'hsp_periodic_limits_init')
+  call check(limits%balls == 3 .and. limits%images == 134 .and. limits%contacts == 12*137 + 64, 'limits')
+  call expect(hsp_periodic_bytes(limits, bytes), HSP_OK, 'hsp_periodic_bytes')
+  call check(bytes <= hsp_periodic_bytes_bound(limits%balls, limits%images, limits%neighbours, limits%vertices, &
+                                               limits%circles, limits%contacts), 'hsp_periodic_bytes_bound')
+  allocate (memory(bytes))
+  call expect(hsp_periodic_init(c_loc(memory), bytes, limits, periodic), HSP_OK, 'hsp_periodic_init')
+  call expect(hsp_periodic_get_counts(periodic, counts), HSP_E_STATE, 'counts of nothing')
+
+  call expect(hsp_model_options_init(options, int(c_sizeof(options), c_int32_t)), HSP_OK, 'hsp_model_options_init')
+  call expect(hsp_periodic_compute(periodic, n, xyz, radius, options, box, limits, bad), HSP_OK, 'hsp_periodic_compute')
+  call check(bad == HSP_NONE .and. limits%vertices == 0 .and. limits%images > 0, 'needed limits')
+  call expect(hsp_periodic_get_counts(periodic, counts), HSP_OK, 'hsp_periodic_get_counts')
+  call check(counts%balls == 3 .and. counts%circles == 2 .and. counts%contacts == 2 .and. counts%components == 2, 'counts')
+  call check(counts%faces == 3 .and. counts%shells == 2 .and. counts%euler == 2 .and. counts%reserved == 0, 'more counts')
+
+  call expect(hsp_periodic_measure(periodic, totals, area, cell_volume, n, needed), HSP_OK, 'hsp_periodic_measure')
+  rod = 10*pi
+  call check(abs(totals%area - rod - 4*pi) < 1e-11_c_double .and. needed == n, 'area')
+  call check(abs(area(1) - rod/2) < 1e-11_c_double .and. abs(area(3) - 4*pi) < 1e-11_c_double, 'areas')
+  call check(abs(sum(cell_volume) - totals%volume) < 1e-11_c_double, 'cells')
+  call check(totals%box_volume == 256 .and. totals%free_volume == 256 - totals%volume, 'volumes')
+  call check(abs(totals%contact_area - 1.125_c_double*pi) < 1e-11_c_double, 'contact area')
+
+  call expect(hsp_periodic_get_contacts(periodic, contacts, size(contacts, kind=c_int32_t), needed), HSP_OK, &
+              'hsp_periodic_get_contacts')
+  call check(needed == 2 .and. all(contacts(1)%ball == [0, 1]) .and. contacts(1)%flags == HSP_CONTACT_CIRCLE, 'a contact')
+  call check(all(contacts(1)%shift == [-4, 0, 0]) .and. all(contacts(2)%shift == [-3, 0, 0]), 'shifts')
+  call check(contacts(1)%distance == 2 .and. contacts(1)%chords == 0, 'its distance')
+  call check(abs(contacts(2)%area - 0.5625_c_double*pi) < 1e-12_c_double, 'its area')
+  call check(abs(contacts(2)%edge - 1.5_c_double*pi) < 1e-12_c_double, 'its edge')
+  call expect(hsp_periodic_get_windings(periodic, windings, n, needed), HSP_OK, 'hsp_periodic_get_windings')
+  call check(needed == 2 .and. windings(1)%balls == 2 .and. windings(1)%directions == 1, 'the rod')
+  call check(all(windings(1)%row == [1, 0, 0, 0, 0, 0, 0, 0, 0]) .and. windings(1)%copies == 1, 'its windings')
+  call check(windings(2)%first == 2 .and. windings(2)%directions == 0, 'the ball beside it')
+  call expect(hsp_periodic_get_components(periodic, component, n, needed), HSP_OK, 'hsp_periodic_get_components')
+  call check(all(component == [0, 0, 1]), 'components')
+
+  call expect(hsp_periodic_gradient(periodic, tension=0.0_c_double, pressure=1.0_c_double, &
+                                    tangency=HSP_TANGENT_OVERLAP, energy=energy, d_centre=d_centre, &
+                                    d_radius=d_radius, flags=flags, d_strain=d_strain, d_box=d_box, capacity=n), HSP_OK, &
+              'hsp_periodic_gradient')
+  call check(abs(energy%value - totals%volume) < 1e-11_c_double .and. all(flags == 0), 'energy')
+  call check(maxval(abs(d_centre)) < 1e-11_c_double .and. maxval(abs(d_radius - area)) < 1e-11_c_double, 'gradient')
+  call check(abs(d_strain(1) - 2.25_c_double*pi) < 1e-11_c_double, 'strain')
+  call check(maxval(abs(d_strain(2:))) < 1e-11_c_double, 'no more strain')
+  call check(abs(d_box(1) - 0.5625_c_double*pi) < 1e-11_c_double, 'by the box')
+
+  ! The centre of ball 1 moved by b - 3 a.
+  call expect(hsp_periodic_query_point(periodic, point, images, size(images, kind=c_int32_t), needed), HSP_OK, &
+              'hsp_periodic_query_point')
+  call check(needed == 1 .and. images(1)%ball == 1 .and. all(images(1)%shift == [-3, 1, 0]), 'at a point')
+  call expect(hsp_periodic_query_neighbours(periodic, 1_c_int32_t, images, size(images, kind=c_int32_t), needed), HSP_OK, &
+              'hsp_periodic_query_neighbours')
+  call check(needed == 2 .and. all(images(1:2)%ball == 0) .and. images(1)%shift(1) == 3, 'neighbours')
+  call expect(hsp_periodic_check(periodic, invariant, id), HSP_OK, 'hsp_periodic_check')
+  call check(invariant == 0 .and. id == HSP_NONE, 'no invariant is violated')
+  call report_checks()
+end program
