@@ -105,13 +105,17 @@ int32_t put_images(const hsp::PeriodicImages &images, const hsp::BoxShift &from,
 
 // Balls in others are not on the boundary. What is seen of a ball in the box is so of its images.
 void flag_inner_contacts_in_box(const hsp::PeriodicUnion &periodic, uint32_t *flags) {
-  hsp::visit_free_inner_contacts(periodic.grid(), periodic.boundary(), [&](uint32_t inner, uint32_t outer) {
-    if (!periodic.is_in_box(inner)) return;
-    const uint32_t both[2] = {inner, outer};
-    for (const uint32_t ball : both) {
-      flags[periodic.images().ball_of(periodic.balls().caller[ball])] |= HSP_GRADIENT_ONE_SIDED;
-    }
-  });
+  const hsp::BallSet &balls = periodic.balls();
+  for (uint32_t inner = 0; inner < periodic.images().balls(); ++inner) {
+    if (!periodic.boundary().is_contained(inner)) continue;
+    hsp::visit_balls_touched_from_inside(periodic.grid(), inner, [&](uint32_t outer) {
+      if (balls.r[inner] == balls.r[outer] && !periodic.is_exposed(outer)) return;
+      const uint32_t both[2] = {inner, outer};
+      for (const uint32_t ball : both) {
+        flags[periodic.images().ball_of(balls.caller[ball])] |= HSP_GRADIENT_ONE_SIDED;
+      }
+    });
+  }
 }
 
 }  // namespace

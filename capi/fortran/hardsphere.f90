@@ -338,7 +338,7 @@ module hardsphere
     integer(c_int32_t) :: balls
     integer(c_int32_t) :: images
     integer(c_int32_t) :: neighbours
-    integer(c_int32_t) :: vertices     ! of balls and images
+    integer(c_int32_t) :: vertices     ! once from each side of the box
     integer(c_int32_t) :: circles
     integer(c_int32_t) :: contacts
   end type

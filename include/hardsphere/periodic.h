@@ -33,14 +33,14 @@ typedef struct hsp_periodic_limits {
   uint32_t balls;       /**< most balls */
   uint32_t images;      /**< images of them that are near the box */
   uint32_t neighbours;  /**< as in hsp_boundary_limits */
-  uint32_t vertices;    /**< of balls and images */
+  uint32_t vertices;    /**< of balls in the box; those across its faces once from each side */
   uint32_t circles;     /**< the same */
   uint32_t contacts;    /**< the same */
 } hsp_periodic_limits;
 
 /** Limits that suffice for most boxes of at least `balls` atoms that are no thinner than four of the largest radii:
- *  images 2 balls + 128, neighbours 256, and for balls and images together those of hsp_boundary_limits_init and
- *  hsp_contacts_limits_init.
+ *  images 2 balls + 128, neighbours 256, and as many vertices, circles and contacts as hsp_boundary_limits_init and
+ *  hsp_contacts_limits_init have for balls and images together.
  *  @retval HSP_E_ARGUMENT  limits is NULL or struct_size is bad
  *  @retval HSP_E_RANGE     more than (HSP_MAX_BALLS - 2048) / 36 balls; set the limits by hand then */
 HSP_API int32_t hsp_periodic_limits_init(hsp_periodic_limits *limits, uint32_t struct_size, uint32_t balls);

@@ -13,10 +13,21 @@ void BoundaryPart::carve(Workspace &workspace, const BoundaryLimits &limits) {
 }
 
 Status BoundaryPart::build(const BallSet &balls, uint32_t own, const double (&centre)[3], double side) {
+  worker_[0].start({0, 0, {0, own}});
+  worker_[0].search(balls, centre, side, arrays().ball_state.data());
+  return finish(balls, own, BlockSweep(CubeBlock{{{0, balls.n}}, 1}));
+}
+
+Status BoundaryPart::build(const CubeGrid &grid) {
+  worker_[0].start({0, grid.own_cubes(), {0, grid.own_balls()}});
+  worker_[0].search(grid, arrays().ball_state.data());
+  return finish(grid.balls(), grid.own_balls(), BlockSweep(grid));
+}
+
+// After the search.
+Status BoundaryPart::finish(const BallSet &balls, uint32_t own, BlockSweep sweep) {
   BoundaryArrays &a = arrays();
   BoundaryWorker &worker = worker_[0];
-  worker.start({0, 0, {0, own}});
-  worker.search(balls, centre, side, a.ball_state.data());
   const uint64_t vertices = worker.vertices().required(), circles = worker.circles().required();
   needed_ = {};
   needed_.neighbours = worker.neighbours();
@@ -36,8 +47,7 @@ Status BoundaryPart::build(const BallSet &balls, uint32_t own, const double (&ce
   distribute_half_edges(worker.touching, {}, a);
   a.first_half_edge[own] = worker.counts.half_edges;
   a.first_closed_half_edge[own] = worker.counts.closed;
-  BlockSweep everything(CubeBlock{{{0, balls.n}}, 1});
-  worker.link(balls, everything, boundary_, scratch_, a);
+  worker.link(balls, sweep, boundary_, scratch_, a);
   a.first_loop[own] = a.loop_count = worker.loops.last;
   a.first_face[own] = a.face_count = worker.faces.last;
   return Status::ok;

@@ -16,15 +16,22 @@ class BoundaryPart {
   // For the first `own` balls, at most 1.5 sides from a centre along each axis; no radius is larger than half a side.
   // Status::capacity if a limit is too small: needed() then reports what suffices.
   Status build(const BallSet &balls, uint32_t own, const double (&centre)[3], double side);
+  // For the balls of a grid that do not stand around.
+  Status build(const CubeGrid &grid);
   const BoundaryLimits &needed() const { return needed_; }
 
   // Twins, shells and numbers of components are not there. The origin of a component is any ball of it.
   const Boundary &boundary() const { return boundary_; }
   // For any ball of the set one of its component, or itself. Joining all of them joins what own balls meet.
   uint32_t joined(uint32_t ball) const { return boundary_.component_origin(ball); }
+  // A ball that stands around is inside others if this one is.
+  void take_state(uint32_t ball, uint32_t from) { arrays().ball_state[ball] = arrays().ball_state[from]; }
+  // [loops]
+  Span<uint32_t> scratch() { return scratch_; }
 
  private:
   BoundaryArrays &arrays() { return boundary_.a_; }
+  Status finish(const BallSet &balls, uint32_t own, BlockSweep sweep);
 
   BoundaryLimits limits_, needed_;
   Boundary boundary_;

@@ -37,9 +37,10 @@ void ContactsBuilder::carve(Workspace &workspace, const ContactLimits &limits) {
 Status ContactsBuilder::build(const CubeGrid &grid, const Boundary &boundary) {
   const BallSet &balls = grid.balls();
   clear(balls.n);
+  own_balls_ = grid.own_balls();
   if (balls.n > limits_.balls) return Status::capacity;
   BlockSweep sweep(grid);
-  for (uint32_t cube = 0; cube < grid.cubes(); ++cube) {
+  for (uint32_t cube = 0; cube < grid.own_cubes(); ++cube) {
     const CubeBlock &block = sweep.block_around(cube);
     const BallRange own = grid.balls_in(cube);
     for (uint32_t i = own.first; i < own.last; ++i) {
@@ -151,7 +152,9 @@ void ContactsBuilder::add_chord(const BallSet &balls, uint32_t j, uint32_t k, co
   const uint32_t second = caps_.ball[k];
   add(contact_of_cap(j), part(factors.beta, P.v));
   add(contact_of_cap(k), part(factors.alpha, Q.v));
-  add(stored(find_contact(first, second)), part(factors.third, balls.exact_difference(first, second)));
+  if (first < own_balls_) {
+    add(stored(find_contact(first, second)), part(factors.third, balls.exact_difference(first, second)));
+  }
 
   const TriangleRecord triangle{{caps_.origin, first, second}, ends.free_ends()};
   a.triangles.push(triangle);
@@ -234,7 +237,7 @@ void ContactsBuilder::make_rows(const BallSet &balls) {
   for (uint32_t id = 0; id < a.contacts.size(); ++id) {
     for (const uint32_t ball : a.contacts[id].ball) a.row[--a.first_in_row[ball]] = id;
   }
-  for (uint32_t i = 0; i < a.balls; ++i) {
+  for (uint32_t i = 0; i < own_balls_; ++i) {
     sort_in_place(a.row.part(a.first_in_row[i], a.first_in_row[i + 1]), [&](uint32_t p, uint32_t q) {
       return balls.given_before(a.contacts[p].other(i), a.contacts[q].other(i));
     });
@@ -247,7 +250,7 @@ void ContactsBuilder::count_simplices(const Boundary &boundary) {
   const auto count = [&a](uint32_t dimension, SimplexKind kind) {
     ++a.simplices.of[dimension][static_cast<uint32_t>(kind)];
   };
-  for (uint32_t i = 0; i < a.balls; ++i) {
+  for (uint32_t i = 0; i < own_balls_; ++i) {
     const bool has_contacts = a.first_in_row[i] < a.first_in_row[i + 1];
     if (boundary.is_exposed(i)) {
       count(0, has_contacts ? SimplexKind::regular : SimplexKind::singular);

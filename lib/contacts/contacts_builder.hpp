@@ -20,8 +20,9 @@ class ContactsBuilder {
  public:
   void carve(Workspace &workspace, const ContactLimits &limits);
 
-  // Status::capacity if a limit is too small; needed() then reports what suffices, once `neighbours` does. Of contacts
-  // that may be more than there are, by no more than the triangles.
+  // Where balls of the grid stand around, of the contacts of all others; boundary then says of those at least which are
+  // inside others. Status::capacity if a limit is too small; needed() then reports what suffices, once `neighbours`
+  // does. Of contacts that may be more than there are, by no more than the triangles.
   Status build(const CubeGrid &grid, const Boundary &boundary);
 
   const Contacts &contacts() const { return contacts_; }
@@ -49,6 +50,7 @@ class ContactsBuilder {
 
   ContactLimits limits_;
   ContactLimits needed_;
+  uint32_t own_balls_ = 0;  // the first ones
   Contacts contacts_;
   Caps caps_;
   ChordClipper clipper_;

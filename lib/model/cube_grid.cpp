@@ -30,6 +30,8 @@ void CubeGrid::carve(Workspace &workspace, uint32_t n) {
 
 void CubeGrid::clear() {
   balls_.n = 0;
+  own_balls_ = own_cubes_ = 0;
+  lift_ = last_own_layer_ = 0;
   static_cast<void>(exact::Lattice::for_largest_radius(0.0, 0.0, balls_.lattice));
   balls_.probe_steps = 0;
   balls_.largest_radius = 0;
@@ -56,7 +58,41 @@ void CubeGrid::make_row_directory() {
 #endif
 }
 
-Status CubeGrid::build(const BallInput &input, uint32_t &first_bad) {
+Span<uint32_t> CubeGrid::order_of(BallRange part, const CubeAxis &axis) {
+  const uint32_t n = balls_.n;
+  BallSet some;
+  some.x = balls_.x.part(part.first, part.last);
+  some.y = balls_.y.part(part.first, part.last);
+  some.z = balls_.z.part(part.first, part.last);
+  some.r = balls_.r.part(part.first, part.last);
+  some.caller = balls_.caller.part(part.first, part.last);
+  some.n = part.last - part.first;
+  return grid_order(some, axis,
+                    {scratch_slots_.part(part.first, part.last), scratch_slots_.part(n + part.first, n + part.last),
+                     grid_index_.part(part.first, part.last), scratch_links_.part(part.first, part.last), first_ball_});
+}
+
+// A part of the balls, in its order, to the same places, as new cubes.
+void CubeGrid::put(const BallRounding &rounding, const CubeAxis &axis, BallRange part, Span<const uint32_t> order) {
+  exact::LatticeBall ball;
+  const uint32_t cubes_before = table_.count();
+  for (uint32_t k = 0; k < order.size(); ++k) {
+    if (!small_code && k + fetched_ahead < order.size()) rounding.fetch(part.first + order[k + fetched_ahead]);
+    const uint32_t input = part.first + order[k];
+    const uint32_t place = part.first + k;
+    static_cast<void>(rounding.round(input, ball));
+    balls_.store(place, ball);
+    grid_index_[input] = place;
+    CubeCoordinates cube = axis.cube_at(ball.centre);
+    cube.z += lift_;
+    if (table_.count() == cubes_before || !(cube == table_.coordinates(table_.count() - 1))) {
+      first_ball_[table_.count()] = place;
+      table_.append(cube);
+    }
+  }
+}
+
+Status CubeGrid::build(const BallInput &input, uint32_t own, uint32_t &first_bad) {
   clear();
   BallRounding rounding;
   if (const Status status = rounding.prepare(input, first_bad); status != Status::ok) return status;
@@ -81,20 +117,21 @@ Status CubeGrid::build(const BallInput &input, uint32_t &first_bad) {
   balls_.largest_radius = largest;
 
   const CubeAxis axis(side_);
-  const GridOrderScratch scratch{scratch_slots_.part(0, input.n), scratch_slots_.part(input.n, 2 * input.n),
-                                 grid_index_, scratch_links_, first_ball_};
-  const Span<uint32_t> order = grid_order(balls_, axis, scratch);
+  const Span<const uint32_t> order = order_of({0, own}, axis);
+  Span<const uint32_t> others;
+  int64_t lowest = 0;
+  if (own < input.n) {
+    others = order_of({own, input.n}, axis);
+    lowest = axis.cube_at(static_cast<int64_t>(balls_.z[own + others[0]]));
+  }
   table_.clear(input.n);
-  for (uint32_t place = 0; place < input.n; ++place) {
-    if (!small_code && place + fetched_ahead < input.n) rounding.fetch(order[place + fetched_ahead]);
-    static_cast<void>(rounding.round(order[place], ball));
-    balls_.store(place, ball);
-    grid_index_[order[place]] = place;
-    const CubeCoordinates cube = axis.cube_at(ball.centre);
-    if (place == 0 || !(cube == table_.coordinates(table_.count() - 1))) {
-      first_ball_[table_.count()] = place;
-      table_.append(cube);
-    }
+  put(rounding, axis, {0, own}, order);
+  own_balls_ = own;
+  own_cubes_ = table_.count();
+  if (own < input.n) {
+    last_own_layer_ = own > 0 ? table_.high().z : 0;
+    lift_ = last_own_layer_ + 1 - lowest;
+    put(rounding, axis, {own, input.n}, others);
   }
   first_ball_[table_.count()] = input.n;
   make_row_directory();
@@ -118,19 +155,34 @@ BallRange CubeGrid::balls_in_row(int64_t x_low, int64_t x_high, int64_t y, int64
   return {0, 0};
 }
 
-CubeBlock CubeGrid::block_around(const CubeCoordinates &centre) const {
-  CubeBlock block;
+// Rows of cubes from `low` to `high`, nine at most.
+void CubeGrid::add_rows(const CubeCoordinates &low, const CubeCoordinates &high, CubeBlock &block) const {
   if (rows_.is_there()) {
-    block.ranges = rows_.find({centre.x - 1, centre.y - 1, centre.z - 1}, {centre.x + 1, centre.y + 1, centre.z + 1},
-                              {block.range, 9});
-  } else {
-    for (int64_t dz = -1; dz <= 1; ++dz) {
-      for (int64_t dy = -1; dy <= 1; ++dy) {
-        const BallRange range = balls_in_row(centre.x - 1, centre.x + 1, centre.y + dy, centre.z + dz);
-        if (!range.empty()) block.range[block.ranges++] = range;
-      }
+    block.ranges += rows_.find(low, high, {block.range + block.ranges, 9});
+    return;
+  }
+  for (int64_t z = low.z; z <= high.z; ++z) {
+    for (int64_t y = low.y; y <= high.y; ++y) {
+      const BallRange range = balls_in_row(low.x, high.x, y, z);
+      if (!range.empty()) block.range[block.ranges++] = range;
     }
   }
+}
+
+CubeBlock CubeGrid::block_around(const CubeCoordinates &centre) const {
+  CubeBlock block;
+  CubeCoordinates low{centre.x - 1, centre.y - 1, centre.z - 1};
+  CubeCoordinates high{centre.x + 1, centre.y + 1, centre.z + 1};
+  if (!has_others()) {
+    add_rows(low, high, block);
+    return block;
+  }
+  const CubeCoordinates highest{high.x, high.y, high.z < last_own_layer_ ? high.z : last_own_layer_};
+  add_rows(low, highest, block);
+  low.z += lift_;
+  high.z += lift_;
+  if (low.z <= last_own_layer_) low.z = last_own_layer_ + 1;
+  add_rows(low, high, block);
   return block;
 }
 

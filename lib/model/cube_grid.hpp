@@ -1,6 +1,10 @@
 // The balls of a set, sorted by cubes of side 2 r_max (Section 3), in the order of grid_order.hpp. Each ball is stored
 // once, in the cube of its centre: the centres of two balls that meet are in the same cube or in neighbouring ones, so
 // 27 cubes hold all neighbours of a ball.
+//
+// A set may end with balls that only stand around the others, like images in a periodic box. They come behind all
+// others in the grid's order, in cubes of their own in layers above those of the others: so what is found once, at the
+// first of its balls, is found at one of the others.
 #pragma once
 
 #include "core/workspace.hpp"
@@ -12,9 +16,12 @@
 
 namespace hsp {
 
-// The balls of the up to 27 cubes around a position: one range per row of cubes, in ascending order.
+class CubeAxis;
+
+// The balls of the up to 27 cubes around a position: one range per row of cubes, in ascending order; then as many of
+// balls that stand around, if there are such.
 struct CubeBlock {
-  BallRange range[9];
+  BallRange range[18];
   uint32_t ranges = 0;
 };
 
@@ -24,7 +31,9 @@ class CubeGrid {
   void carve(Workspace &workspace, uint32_t n);
 
   // Rounds and sorts the balls. On failure the grid is empty; first_bad names the ball.
-  Status build(const BallInput &input, uint32_t &first_bad);
+  Status build(const BallInput &input, uint32_t &first_bad) { return build(input, input.n, first_bad); }
+  // The same, where balls from number `own` of the input on stand around.
+  Status build(const BallInput &input, uint32_t own, uint32_t &first_bad);
 
   const BallSet &balls() const { return balls_; }
   uint32_t capacity() const { return capacity_; }
@@ -34,6 +43,10 @@ class CubeGrid {
   uint32_t grid_index(uint32_t caller) const { return grid_index_[caller]; }
 
   uint32_t cubes() const { return table_.count(); }
+  // Without those that stand around: the first balls, in the first cubes.
+  uint32_t own_balls() const { return own_balls_; }
+  uint32_t own_cubes() const { return own_cubes_; }
+  bool has_others() const { return own_balls_ < balls_.n; }
   BallRange balls_in(uint32_t cube) const { return balls_of(cube, cube + 1); }
   // Of cubes first .. last - 1.
   BallRange balls_of(uint32_t first, uint32_t last) const { return {first_ball_[first], first_ball_[last]}; }
@@ -65,6 +78,9 @@ class CubeGrid {
 
  private:
   void clear();
+  Span<uint32_t> order_of(BallRange part, const CubeAxis &axis);
+  void put(const BallRounding &rounding, const CubeAxis &axis, BallRange part, Span<const uint32_t> order);
+  void add_rows(const CubeCoordinates &low, const CubeCoordinates &high, CubeBlock &block) const;
 
   BallSet balls_;
   CubeTable table_;
@@ -76,6 +92,8 @@ class CubeGrid {
   Span<uint32_t> grid_index_;  // [n] caller -> grid order
   Span<uint32_t> scratch_slots_, scratch_links_;
   uint32_t capacity_ = 0;
+  uint32_t own_balls_ = 0, own_cubes_ = 0;
+  int64_t lift_ = 0, last_own_layer_ = 0;  // of cubes of balls that stand around; z of others
   int64_t side_ = 1;
   bool wide_ = false;
 };

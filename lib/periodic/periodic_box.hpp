@@ -68,6 +68,8 @@ class PeriodicBox {
   template <class Sink>
   void visit_images(const exact::Vector &point, int64_t reach, Sink sink) const {
     const auto &[a, b, c] = reduced_;
+    // An image is as deep in a copy of the brick as the point is in the brick.
+    if (is_deep(point.x, a.x, reach) && is_deep(point.y, b.y, reach) && is_deep(point.z, c.z, reach)) return;
     const double within = static_cast<double>(reach) * static_cast<double>(reach) * (1.0 + 8 * unit_roundoff);
     BoxShift shift;
     const Multiples layers(point.z, c.z, reach);
@@ -94,15 +96,31 @@ class PeriodicBox {
   const exact::Vector &given(uint32_t k) const { return given_[k]; }
 
  private:
-  // The multiples of a side that bring a coordinate into -reach .. side + reach.
+  // The multiples of a side that bring a coordinate into -reach .. side + reach. They are few, so that steps cost less
+  // than divisions.
   struct Multiples {
-    Multiples(int64_t at, int64_t side, int64_t reach)
-        : first(static_cast<int32_t>(-floored_quotient(at + reach, side))),
-          last(static_cast<int32_t>(floored_quotient(side + reach - at, side))) {}
-    int32_t first, last;
+    Multiples(int64_t at, int64_t side, int64_t reach) {
+      while (at >= side - reach) {
+        at -= side;
+        --first;
+      }
+      while (at < -reach) {
+        at += side;
+        ++first;
+      }
+      last = first;
+      while (at + side <= side + reach) {
+        at += side;
+        ++last;
+      }
+    }
+    int32_t first = 0, last = 0;
   };
+  // Whether a coordinate is farther than `reach` from both ends of its side.
+  static constexpr bool is_deep(int64_t at, int64_t side, int64_t reach) { return at > reach && side - at > reach; }
 
   static constexpr int64_t floored_quotient(int64_t a, int64_t b) {
+    if (a >= 0 && a < b) return 0;  // as most often
     const int64_t quotient = a / b;
     return a % b < 0 ? quotient - 1 : quotient;
   }

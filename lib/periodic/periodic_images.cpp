@@ -50,10 +50,14 @@ Status PeriodicImages::fill(const BallInput &input, const double vector[9], uint
   if (!box_.suits(largest_radius_)) return Status::range;
   for (uint32_t i = 0; i < input.n; ++i) {
     exact::LatticeBall ball;
-    BoxShift home;
-    static_cast<void>(rounding.round(i, ball));
-    static_cast<void>(box_.wrap(ball.centre, home));
-    if (i < room) first_image_[i] = clamped_count(counted_);
+    if (i < room) {
+      ball = stored(i);
+      first_image_[i] = clamped_count(counted_);
+    } else {
+      BoxShift home;
+      static_cast<void>(rounding.round(i, ball));
+      static_cast<void>(box_.wrap(ball.centre, home));
+    }
     // Whatever meets a ball in the box is that near to it.
     box_.visit_images(ball.centre, ball.radius + largest_radius_, [&](const BoxShift &shift) {
       if (input.n <= room && counted_ < shift_.size()) {
@@ -78,6 +82,13 @@ void PeriodicImages::put(uint32_t k, const exact::Vector &centre, int64_t radius
   xyz_[3 * k + 1] = static_cast<double>(centre.y);
   xyz_[3 * k + 2] = static_cast<double>(centre.z);
   radius_[k] = static_cast<double>(radius);
+}
+
+exact::LatticeBall PeriodicImages::stored(uint32_t k) const {
+  const double *const at = &xyz_[3 * k];
+  return {{static_cast<int64_t>(at[0]), static_cast<int64_t>(at[1]), static_cast<int64_t>(at[2])},
+          static_cast<int64_t>(radius_[k]),
+          k};
 }
 
 uint32_t PeriodicImages::find(uint32_t ball, const BoxShift &shift) const {

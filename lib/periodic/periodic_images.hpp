@@ -59,6 +59,7 @@ class PeriodicImages {
 
   Status fill(const BallInput &input, const double vector[9], uint32_t &first_bad);
   void put(uint32_t k, const exact::Vector &centre, int64_t radius);
+  exact::LatticeBall stored(uint32_t k) const;
 
   uint32_t n_ = 0, images_ = 0;
   uint64_t counted_ = 0;

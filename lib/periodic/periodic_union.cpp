@@ -1,7 +1,6 @@
 #include "periodic/periodic_union.hpp"
 
-#include "model/block_sweep.hpp"
-#include "model/query_hits.hpp"
+#include "periodic/periodic_queries.hpp"
 
 namespace hsp {
 
@@ -26,13 +25,16 @@ Status PeriodicUnion::build(const BallInput &input, const double vector[9], uint
   needed_.images = clamped_count(images_.counted_images());
   if (status != Status::ok) return status;
   uint32_t ignored = no_id;
-  status = grid_.build(images_.in_steps(), ignored);
+  status = grid_.build(images_.in_steps(), images_.balls(), ignored);
   if (status != Status::ok) return status;
   status = boundary_.build(grid_);
   needed_.neighbours = boundary_.needed().neighbours;
   needed_.vertices = boundary_.needed().vertices;
   needed_.circles = boundary_.needed().circles;
   if (status != Status::ok) return status;
+  for (uint32_t k = images_.balls(); k < images_.size(); ++k) {
+    boundary_.take_state(grid_.grid_index(k), grid_.grid_index(images_.ball_of(k)));
+  }
   status = contacts_.build(grid_, boundary());
   needed_.contacts = contacts_.needed().contacts;
   if (status != Status::ok) return status;
@@ -40,27 +42,28 @@ Status PeriodicUnion::build(const BallInput &input, const double vector[9], uint
   return status == Status::ok ? count() : status;
 }
 
-// Every pair that meets, once or twice: one of a ball in the box and an image is there again the other way round.
+// The union and its dual complex, whose edges are contacts, have the same components and windings: Edelsbrunner 1995,
+// for all copies of the box. Balls without a contact may have no cell: they are joined to all that meet them.
 Status PeriodicUnion::join_balls() {
-  const BallSet &set = balls();
   windings_.reset(images_.balls());
-  BlockSweep sweep(grid_);
-  for (uint32_t i = 0; i < set.n; ++i) {
-    if (!is_in_box(i)) continue;
-    const uint32_t own = set.caller[i];
-    const CubeBlock &block = sweep.block_around_ball(i);
-    for (uint32_t k = 0; k < block.ranges; ++k) {
-      for (uint32_t j = block.range[k].first; j < block.range[k].last; ++j) {
-        const uint32_t other = set.caller[j];
-        if (images_.ball_of(other) < own || j == i) continue;
-        if (!meet(set.x[j] - set.x[i], set.y[j] - set.y[i], set.z[j] - set.z[i], set.r[i] + set.r[j])) continue;
-        const BoxShift shift = images_.box().in_given_vectors(images_.shift_of(other));
-        if (!windings_.join(own, images_.ball_of(other), shift)) return Status::range;
-      }
+  bool fits = true;
+  for (uint32_t i = 0; i < images_.balls(); ++i) {
+    const auto join = [&](uint32_t other) {
+      const BoxShift shift = images_.box().in_given_vectors(images_.shift_of(other));
+      fits = fits && windings_.join(i, images_.ball_of(other), shift);
+    };
+    const uint32_t own = grid_.grid_index(i);
+    if (contacts().row(own).empty() && !boundary().is_free_of_caps(own)) {
+      visit_neighbours_in_box(*this, i, join);
+      continue;
     }
+    // Each once: what is across a face of the box is there again the other way round.
+    visit_contacts_of(i, [&](const PeriodicContact &contact) {
+      if (is_listed(contact)) join(contact.other);
+    });
   }
   counts_.components = windings_.number();
-  return Status::ok;
+  return fits ? Status::ok : Status::range;
 }
 
 Status PeriodicUnion::count() {

@@ -1,15 +1,15 @@
 // The union of balls in a periodic box: balls that leave it through one face come in through the opposite one.
 //
-// The ordinary boundary and the ordinary contacts of the balls in the box and of all images near them are computed.
-// What they say of the balls in the box is what copies of the box without end would show there: only balls that meet
-// cut a ball's sphere, its contacts and its cell, and what the symbolic perturbation decides depends on relative places
-// and on an order that all copies share (periodic_images.hpp). What lies on images alone, at the rim of the set, means
-// nothing and is never read.
+// The ordinary boundary and the ordinary contacts are computed, of the balls in the box alone, around which all images
+// near them stand. What they say is what copies of the box without end would show there: only balls that meet cut a
+// ball's sphere, its contacts and its cell, and what the symbolic perturbation decides depends on relative places and
+// on an order that all copies share (periodic_images.hpp). What balls in the box have in common across a face of it is
+// found once from each side.
 //
 // Numbers without "grid" are the caller's balls, or images behind them. Lengths are in steps.
 #pragma once
 
-#include "boundary/boundary_builder.hpp"
+#include "boundary/boundary_part.hpp"
 #include "contacts/contacts_builder.hpp"
 #include "periodic/periodic_images.hpp"
 #include "periodic/windings.hpp"
@@ -20,7 +20,7 @@ struct PeriodicLimits {
   uint32_t balls = 0;
   uint32_t images = 0;
   uint32_t neighbours = 0;
-  uint32_t vertices = 0;  // of balls and images
+  uint32_t vertices = 0;  // once for each side of the box that their balls are on
   uint32_t circles = 0;
   uint32_t contacts = 0;
 
@@ -81,7 +81,11 @@ class PeriodicUnion {
   const Boundary &boundary() const { return boundary_.boundary(); }
   const Contacts &contacts() const { return contacts_.contacts(); }
   // Whether the grid's ball is in the box, and not an image.
-  bool is_in_box(uint32_t grid_ball) const { return !images_.is_image(balls().caller[grid_ball]); }
+  bool is_in_box(uint32_t grid_ball) const { return grid_ball < images_.balls(); }
+  // Of the grid's ball or image.
+  bool is_exposed(uint32_t grid_ball) const {
+    return boundary().is_exposed(grid_.grid_index(images_.ball_of(balls().caller[grid_ball])));
+  }
 
   // Calls sink(contact) for every contact of the caller's ball i, ascending by the other ball or image.
   template <class Sink>
@@ -110,7 +114,7 @@ class PeriodicUnion {
   PeriodicLimits limits_, needed_;
   PeriodicImages images_;
   CubeGrid grid_;
-  BoundaryBuilder boundary_;
+  BoundaryPart boundary_;
   ContactsBuilder contacts_;
   Windings windings_;
   PeriodicCounts counts_;

@@ -149,6 +149,36 @@ TEST(PeriodicMeasures, DeriveByCentresAndRadii) {
   }
 }
 
+// Derivatives that another program computed with 113 bits: of the volume along the axes, and the trace of the area's.
+TEST(PeriodicMeasures, HaveTheReferenceStrains) {
+  constexpr BoxVectors cube{4, 0, 0, 0, 4, 0, 0, 0, 4}, skew{4, 0, 0, 1.25, 4.5, 0, -1.5, 0.75, 3.75};
+  struct {
+    std::vector<std::array<double, 4>> balls;
+    BoxVectors box;
+    double volume[3], area;
+  } const references[] = {
+      {{{1, 2, 3, 1.5}}, cube, {0, 0, 0}, 0},
+      {{{1, 2, 3, 2.25}}, cube, {13.351768777757, 13.351768777757, 13.351768777757}, 169.64600329385},
+      {{{0, 0, 0, 1.25}, {2, 0, 0, 1.25}}, cube, {7.068583470577, 0, 0}, 31.415926535898},
+      {{{0, 0, 0, 1.5}, {2, 1.25, 0.5, 1.75}},
+       skew,
+       {12.246073841633, 4.783622594388, 0.76537961510208},
+       48.702313403074},
+      {{{0, 0, 0, 1.75}, {2, 2, 0, 1.25}}, cube, {4.3040428463409, 4.3040428463409, 0}, 103.29702831218}};
+  for (const auto &reference : references) {
+    support::BallList balls;
+    for (const auto &b : reference.balls) balls.add(b[0], b[1], b[2], b[3]);
+    const BuiltPeriodic built(balls, reference.box, 0.0, 0.0);
+    ASSERT_EQ(built.status(), hsp::Status::ok);
+    const hsp::exact::Lattice &lattice = built->images().lattice();
+    const hsp::Strain volume = hsp::volume_by_strain(built.get());
+    const hsp::AreaWeights weights = hsp::weights_in_box(built.get(), nullptr, hsp::TouchingBalls::meet);
+    const hsp::Strain area = hsp::area_by_strain(built.get(), weights);
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(lattice.volume(volume.by[4 * k]), reference.volume[k], 1e-11);
+    EXPECT_NEAR(lattice.area(area.trace()), reference.area, 1e-10);
+  }
+}
+
 // Areas of balls and the volume of their union by slices, from explicit copies around a box in which nothing wraps.
 TEST(PeriodicMeasures, AreThoseOfSlices) {
   oracle::RandomSource random(333);

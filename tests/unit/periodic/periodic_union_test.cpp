@@ -7,13 +7,10 @@
 #include <cmath>
 #include <map>
 
-#include "built_contacts.hpp"
-#include "built_periodic.hpp"
 #include "lattice_lengths.hpp"
 #include "measure/boundary_positions.hpp"
 #include "molecule_file.hpp"
-#include "periodic/periodic_check.hpp"
-#include "random_balls.hpp"
+#include "periodic_crystals.hpp"
 
 namespace {
 
@@ -22,112 +19,38 @@ constexpr BoxVectors cube(double side) {
 }
 constexpr BoxVectors skew{4, 0, 0, 1.25, 4.5, 0, -1.5, 0.75, 3.75};
 
-support::BallList balls_of(const std::vector<std::array<double, 4>> &list) {
-  support::BallList balls;
-  for (const auto &b : list) balls.add(b[0], b[1], b[2], b[3]);
-  return balls;
-}
-
-void add_copy(const support::BallList &balls, const BoxVectors &box, const std::array<int, 3> &times, uint32_t i,
-              support::BallList &copies) {
-  double at[3];
-  for (size_t axis = 0; axis < 3; ++axis) {
-    at[axis] = balls.xyz[3 * i + axis];
-    for (size_t row = 0; row < 3; ++row) at[axis] += times[row] * box[3 * row + axis];
-  }
-  copies.add(at[0], at[1], at[2], balls.radius[i]);
-}
-
-// The balls of the middle copy first.
-support::BallList copies_around(const support::BallList &balls, const BoxVectors &box, int range) {
-  support::BallList copies = balls;
-  for (int a = -range; a <= range; ++a) {
-    for (int b = -range; b <= range; ++b) {
-      for (int c = -range; c <= range; ++c) {
-        if (a == 0 && b == 0 && c == 0) continue;
-        for (uint32_t i = 0; i < balls.size(); ++i) add_copy(balls, box, {a, b, c}, i, copies);
-      }
-    }
-  }
-  return copies;
-}
-
-// Whole numbers, so that everything is on the lattice, and often ties.
-struct RandomCrystal {
-  RandomCrystal(oracle::RandomSource &random, bool tied, int64_t largest = 3) {
-    const int64_t unit = tied ? 2 : 1000;
-    const auto whole = [&](int64_t least, int64_t most) {
-      return static_cast<double>(tied ? random.in(least, most) * unit : random.in(least * unit, most * unit));
-    };
-    box = {whole(4, 6), 0, 0, whole(-3, 3), whole(4, 6), 0, whole(-3, 3), whole(-3, 3), whole(4, 6)};
-    if (random.one_in(2)) box[3] = box[6] = box[7] = 0;
-    const int64_t n = random.in(1, 5);
-    for (int64_t i = 0; i < n; ++i) {
-      const double x = whole(-9, 9), y = whole(-9, 9), z = whole(-9, 9);
-      balls.add(x, y, z, whole(1, largest));
-    }
-    if (random.one_in(4)) balls.add(balls.xyz[0], balls.xyz[1], balls.xyz[2], balls.radius[0]);
-  }
-  support::BallList balls;
-  BoxVectors box;
-};
-
-void expect_laws(const BuiltPeriodic &built) {
-  const hsp::PeriodicViolation violation = hsp::check_periodic(built.get());
-  EXPECT_EQ(violation.invariant, hsp::PeriodicInvariant::none) << "ball " << violation.id;
-}
-
-// What is known of each ball: everything that is counted there, and numbers.
-void expect_as_in_copies(const RandomCrystal &crystal) {
-  const BuiltPeriodic built(crystal.balls, crystal.box);
-  ASSERT_EQ(built.status(), hsp::Status::ok);
-  expect_laws(built);
-  // Radii are at most 3, boxes at least 4 high along the last axis; the balls lie anywhere within four boxes.
-  support::BallList inside;
-  for (uint32_t i = 0; i < built.balls(); ++i) {
-    const hsp::exact::LatticeBall ball = built->balls().ball(built->grid().grid_index(i));
-    inside.add(static_cast<double>(ball.centre.x), static_cast<double>(ball.centre.y),
-               static_cast<double>(ball.centre.z), static_cast<double>(ball.radius));
-  }
-  const BuiltContacts copies(copies_around(inside, crystal.box, 4));
-  ASSERT_EQ(copies.status(), hsp::Status::ok);
-  for (uint32_t i = 0; i < built.balls(); ++i) {
-    const uint32_t here = built->grid().grid_index(i);
-    const uint32_t there = copies.grid().grid_index(i);
-    EXPECT_EQ(built->boundary().half_edges(here).size(), copies.boundary().half_edges(there).size());
-    EXPECT_EQ(built->boundary().circles(here).size(), copies.boundary().circles(there).size());
-    EXPECT_EQ(built->boundary().loops(here).size(), copies.boundary().loops(there).size());
-    EXPECT_EQ(built->boundary().faces(here).size(), copies.boundary().faces(there).size());
-    EXPECT_EQ(built->boundary().is_contained(here), copies.boundary().is_contained(there));
-    const double r = inside.radius[i];
-    EXPECT_NEAR(built.of_ball(i).area, hsp::measure_ball(copies.balls(), copies.boundary(), there).area, 1e-10 * r * r);
-    EXPECT_NEAR(built.of_ball(i).volume, copies.contacts().cell_volume(there), 1e-10 * r * r * r);
-    // Contacts by the distance of the other ball.
-    const auto contacts_of = [&](const hsp::BallSet &set, const hsp::Contacts &contacts, uint32_t ball) {
-      std::multimap<std::array<double, 4>, const hsp::ContactRecord *> found;
-      for (const uint32_t id : contacts.row(ball)) {
-        const uint32_t other = contacts.contact(id).other(ball);
-        const hsp::Vec3 v = set.difference(ball, other);
-        found.insert({{v.x, v.y, v.z, set.r[other]}, &contacts.contact(id)});
-      }
-      return found;
-    };
-    const auto mine = contacts_of(built->balls(), built->contacts(), here);
-    const auto theirs = contacts_of(copies.balls(), copies.contacts(), there);
-    ASSERT_EQ(mine.size(), theirs.size());
-    for (auto p = mine.begin(), q = theirs.begin(); p != mine.end(); ++p, ++q) {
-      EXPECT_EQ(p->first, q->first);
-      EXPECT_NEAR(p->second->area, q->second->area, 1e-10 * r * r);
-      EXPECT_NEAR(p->second->edge, q->second->edge, 1e-10 * r);
-      EXPECT_EQ(p->second->chords, q->second->chords);
-      EXPECT_EQ(p->second->code, q->second->code);
-    }
-  }
-}
-
 TEST(PeriodicUnion, IsThatOfManyCopies) {
   oracle::RandomSource random(321);
-  for (int set = 0; set < 12 && !HasFailure(); ++set) expect_as_in_copies({random, set % 2 == 0});
+  for (int set = 0; set < 12 && !HasFailure(); ++set) expect_as_in_copies(RandomCrystal(random, set % 2 == 0));
+}
+
+// Crystals in which all or many vertices tie, and their copies: body-centred and face-centred, caesium chloride, rock
+// salt, diamond, and a skew box with every ball twice.
+TEST(PeriodicUnion, OfCrystalsIsThatOfManyCopies) {
+  const std::vector<std::array<double, 4>> face_centred{{0, 0, 0, 3}, {0, 4, 4, 3}, {4, 0, 4, 3}, {4, 4, 0, 3}};
+  std::vector<std::array<double, 4>> rock_salt = face_centred, diamond;
+  for (const auto &[x, y, z, r] : face_centred) {
+    rock_salt.push_back({x + 4, y, z, 2});
+    diamond.push_back({x, y, z, 2});
+    diamond.push_back({x + 2, y + 2, z + 2, 2});
+  }
+  const BoxVectors leaning{4, 0, 0, 2, 4, 0, -2, 2, 4};
+  for (const auto &[balls, box] : std::vector<std::pair<std::vector<std::array<double, 4>>, BoxVectors>>{
+           {{{0, 0, 0, 2}}, cube(4)},
+           {{{0, 0, 0, 3}}, cube(4)},
+           {{{0, 0, 0, 4}}, cube(8)},
+           {{{0, 0, 0, 3}, {2, 2, 2, 3}}, cube(4)},
+           {{{0, 0, 0, 2}, {2, 2, 2, 1}}, cube(4)},
+           {face_centred, cube(8)},
+           {rock_salt, cube(8)},
+           {diamond, cube(8)},
+           {{{0, 0, 0, 2}, {0, 0, 0, 2}, {2, 1, 2, 2}, {2, 1, 2, 2}}, leaning}}) {
+    Crystal crystal;
+    crystal.balls = balls_of(balls);
+    crystal.box = box;
+    expect_as_in_copies(crystal, box[3] == 0.0 ? 2 : 4);
+    if (HasFailure()) return;
+  }
 }
 
 // A larger box of m x m x m copies has that many of everything, and what wraps less often there goes on all the same.
@@ -385,6 +308,7 @@ TEST(PeriodicUnion, HasTheReferenceValuesOfCrambin) {
     uint32_t vertices, arcs, circles, faces, contacts;
     int64_t euler;
     uint32_t rank;
+    std::array<std::array<int32_t, 3>, 3> rows;
   } const references[] = {
       {0.0,
        {40.96, 0, 0, 0, 18.65, 0, 0, 0, 22.52},
@@ -397,7 +321,8 @@ TEST(PeriodicUnion, HasTheReferenceValuesOfCrambin) {
        444,
        1009,
        -76,
-       2},
+       2,
+       {{{0, 1, 0}, {0, 0, 1}}}},
       {1.4,
        {40.96, 0, 0, 0, 18.65, 0, 0, 0, 22.52},
        2040.4173479224,
@@ -409,7 +334,8 @@ TEST(PeriodicUnion, HasTheReferenceValuesOfCrambin) {
        242,
        2124,
        -2,
-       2},
+       2,
+       {{{0, 1, 0}, {0, 0, 1}}}},
       {1.4,
        {25, 0, 0, 7, 18, 0, -9, 5, 20},
        1547.1613633888,
@@ -421,7 +347,8 @@ TEST(PeriodicUnion, HasTheReferenceValuesOfCrambin) {
        220,
        2226,
        -2,
-       3},
+       3,
+       {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}},
       {1.4,
        {30, 0, 0, 0, 30, 0, 0, 0, 30},
        2955.6038928619,
@@ -433,7 +360,8 @@ TEST(PeriodicUnion, HasTheReferenceValuesOfCrambin) {
        244,
        1993,
        2,
-       1},
+       1,
+       {{{1, 0, 0}}}},
   };
   for (const auto &reference : references) {
     const BuiltPeriodic built(balls, reference.box, reference.probe, 0.0);
@@ -451,12 +379,16 @@ TEST(PeriodicUnion, HasTheReferenceValuesOfCrambin) {
     EXPECT_EQ(counts.contacts, reference.contacts);
     EXPECT_EQ(counts.euler(), reference.euler);
     EXPECT_EQ(counts.components, 1U);
-    EXPECT_EQ(built->windings().lattice(0).rank, reference.rank);
-    EXPECT_EQ(built->windings().lattice(0).copies(), 1U);
+    const hsp::WindingLattice &lattice = built->windings().lattice(0);
+    EXPECT_EQ(lattice.rank, reference.rank);
+    EXPECT_EQ(lattice.copies(), 1U);
+    for (uint32_t row = 0; row < lattice.rank; ++row) {
+      for (size_t k = 0; k < 3; ++k) EXPECT_EQ(lattice.row[row][k], reference.rows[row][k]);
+    }
   }
 }
 
-// Crystals in which everything ties : touching spheres, holes, nothing left free.
+// Crystals in which everything ties: touching spheres, holes, nothing left free.
 TEST(PeriodicUnion, DecidesTiesOfCrystalsAlikeInAllCopies) {
   const auto euler_of = [](const std::vector<std::array<double, 4>> &balls, double side) {
     const BuiltPeriodic built(balls_of(balls), cube(side));
@@ -473,6 +405,25 @@ TEST(PeriodicUnion, DecidesTiesOfCrystalsAlikeInAllCopies) {
   EXPECT_EQ(filled.totals().volume, 64.0);
   EXPECT_EQ(filled.totals().free_volume, 0.0);
   EXPECT_NEAR(filled.of_ball(0).volume, 64.0, 1e-11);  // its cell is the box
+}
+
+// Components of balls that only touch, of one inside another one, and of one that is covered by others but inside none
+// of them: it has no cell and no contact.
+TEST(PeriodicUnion, JoinsBallsWithoutCells) {
+  const auto components = [](const std::vector<std::array<double, 4>> &balls, const BoxVectors &box) {
+    const BuiltPeriodic built(balls_of(balls), box);
+    EXPECT_EQ(built.status(), hsp::Status::ok);
+    return built->counts().components;
+  };
+  EXPECT_EQ(components({{0, 0, 0, 2}, {4, 0, 0, 2}, {0, 9, 0, 2}}, cube(20)), 2U);
+  EXPECT_EQ(components({{0, 0, 0, 5}, {39, 1, 1, 2}, {20, 20, 20, 1}}, cube(40)), 2U);
+  std::vector<std::array<double, 4>> covered{{0, 0, 0, 5}};
+  for (int k = 0; k < 8; ++k) covered.push_back({k % 2 * 20.0 - 10, k / 2 % 2 * 20.0 - 10, k / 4 * 20.0 - 10, 20});
+  const BuiltPeriodic built(balls_of(covered), cube(200));
+  ASSERT_EQ(built.status(), hsp::Status::ok);
+  EXPECT_FALSE(built->boundary().is_contained(built->grid().grid_index(0)));
+  EXPECT_EQ(built.of_ball(0).volume, 0.0);
+  EXPECT_EQ(built->counts().components, 1U);
 }
 
 TEST(PeriodicUnion, IsEmptyOrRefused) {
