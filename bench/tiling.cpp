@@ -93,8 +93,12 @@ Vector tightest_period(const Balls &balls, const Box &box) {
 
 }  // namespace
 
+std::array<double, 3> tiling_period(const Balls &balls) {
+  return tightest_period(balls, box_of(balls));
+}
+
 Balls tiled(const Balls &balls, int copies) {
-  const Vector period = tightest_period(balls, box_of(balls));
+  const Vector period = tiling_period(balls);
   Balls all;
   all.name = balls.name + "_x" + std::to_string(copies * copies * copies);
   for (int x = 0; x < copies; ++x) {

@@ -1,6 +1,8 @@
 // Large inputs out of small ones: copies of a molecule on a lattice.
 #pragma once
 
+#include <array>
+
 #include "paper_molecules.hpp"
 
 namespace bench {
@@ -9,5 +11,8 @@ namespace bench {
 // three axes until centres of different copies are about 3 Angstrom apart where they come nearest, as neighbouring
 // proteins are, so that a tiling is no looser than what it is made of.
 Balls tiled(const Balls &balls, int copies);
+
+// How far such copies are from each other along the three axes: the sides of a periodic box with one copy in it.
+std::array<double, 3> tiling_period(const Balls &balls);
 
 }  // namespace bench

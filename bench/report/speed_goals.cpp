@@ -179,6 +179,12 @@ std::vector<Goal> speed_goals() {
       return std::isnan(largest) ? std::nullopt : std::optional(1 / largest);
     };
   };
+  const auto in_box = [](size_t s) -> Figure {
+    return [prefix = std::string("periodic/") + surfaces[s].name + '/'](const Run &run) -> std::optional<double> {
+      const double largest = largest_amount(run, prefix, large_set, counter_of("box_ratio"));
+      return std::isnan(largest) ? std::nullopt : std::optional(largest);
+    };
+  };
   const std::string surface = "surface/compute" + set;
   const Figure for_gradient = [surface](const Run &run) -> std::optional<double> {
     const Measurement *m = run.find(surface);
@@ -221,6 +227,8 @@ std::vector<Goal> speed_goals() {
       {"bytes per ball of the smooth surface", Kind::at_most, 0, 150, 150, per_atom(surface, "bytes")},
       {"alone over two threads, from 50,000 balls, v", Kind::at_least, 0, 1.6, 1.85, speed_up(0)},
       {"alone over two threads, from 50,000 balls, s", Kind::at_least, 0, 1.6, 1.85, speed_up(1)},
+      {"periodic box / free space, from 4,000 balls, largest, v", Kind::at_most, 0, 1.15, 1.15, in_box(0)},
+      {"periodic box / free space, from 4,000 balls, largest, s", Kind::at_most, 0, 1.15, 1.15, in_box(1)},
       {"lattice, four spheres through every vertex", Kind::time, 10500, 9500, 5000,
        least_time("degenerate/everything/cubic_lattice")},
   };

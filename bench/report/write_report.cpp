@@ -17,6 +17,7 @@
 #include "measurements.hpp"
 #include "paper_tables.hpp"
 #include "peers_tables.hpp"
+#include "periodic_tables.hpp"
 #include "plots.hpp"
 #include "pose_tables.hpp"
 #include "scaling_tables.hpp"
@@ -91,6 +92,7 @@ void write_report(std::ostream &out, const std::filesystem::path &folder) {
   report::write_visibility(out, run);
   report::write_gradients(out, run);
   report::write_smooth_surface(out, run);
+  report::write_periodic(out, run);
   report::write_scaling(out, run);
   report::write_queries(out, run);
   report::write_split_work(out, run);
