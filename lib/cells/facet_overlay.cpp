@@ -44,6 +44,8 @@ void FacetOverlay::carve(Workspace &workspace, uint32_t balls) {
   other_edges_ = workspace.take<Edge>(2 * planes);
   above_planes_ = workspace.take<UnitPlane>(planes);
   sides_ = workspace.take<int8_t>(2 * planes);
+  below_ = workspace.take<Listed>(balls);
+  above_ = workspace.take<Listed>(balls);
   parts_ = FixedVector<Part>(workspace.take<Part>(parts_per_plane * planes));
   names_ = FixedVector<Name>(workspace.take<Name>(names_per_plane * planes));
 }
@@ -57,21 +59,57 @@ void FacetOverlay::lies_on(Corner &corner, uint32_t edge) const {
   }
 }
 
-// Whether the facet below is certainly beyond one of the edges of the one above.
-bool FacetOverlay::is_apart() const {
+// Whether all that may be found are two cells that touch.
+bool FacetOverlay::have_one_cell_each() const {
+  return polygon_[0].facet->cell != no_id && polygon_[1].facet->cell != no_id;
+}
+
+// Whether two facets of one ball have a corner in common, of the same two lines, that is outside the ball. Near that
+// corner both facets are the same.
+bool FacetOverlay::share_free_corner() const {
   const Polygon &below = polygon_[0], &above = polygon_[1];
-  const uint32_t axis = side_.side() / 2;
-  for (uint32_t e = 0; e < above.size(); ++e) {
-    const UnitPlane plane = above_planes_[e];
-    bool beyond = true;
-    for (uint32_t k = 0; k < below.size() && beyond; ++k) {
-      PlacedPoint at = below.corner(k).at;
-      along(at.y, axis) = -frame_.side();
-      beyond = frame_.side_of(at, plane) < 0;
+  uint32_t before = above.corner(above.size() - 1).line;
+  for (uint32_t k = 0; k < above.size(); ++k) {
+    const FacetCorner &corner = above.corner(k);
+    if (corner.cell != no_id) {
+      uint32_t other_before = below.corner(below.size() - 1).line;
+      for (uint32_t l = 0; l < below.size(); ++l) {
+        const uint32_t line = below.corner(l).line;
+        if ((line == corner.line && other_before == before) || (line == before && other_before == corner.line)) {
+          return true;
+        }
+        other_before = line;
+      }
     }
-    if (beyond) return true;
+    before = corner.line;
   }
   return false;
+}
+
+// Whether the facet below is certainly beyond one of the edges of the one above, or certainly has a corner outside the
+// ball in it.
+FacetOverlay::Meeting FacetOverlay::compare() {
+  const Polygon &below = polygon_[0], &above = polygon_[1];
+  const uint32_t axis = side_.side() / 2;
+  for (uint32_t k = 0; k < below.size(); ++k) {
+    other_corners_[k].at = below.corner(k).at;
+    along(other_corners_[k].at.y, axis) = -frame_.side();
+    sides_[k] = below.corner(k).cell != no_id ? 1 : 0;
+  }
+  for (uint32_t e = 0; e < above.size(); ++e) {
+    const UnitPlane &plane = above_planes_[e];
+    bool beyond = true;
+    for (uint32_t k = 0; k < below.size(); ++k) {
+      const int side = frame_.side_of(other_corners_[k].at, plane);
+      beyond &= side < 0;
+      if (side <= 0) sides_[k] = 0;
+    }
+    if (beyond) return Meeting::apart;
+  }
+  for (uint32_t k = 0; k < below.size(); ++k) {
+    if (sides_[k] != 0) return Meeting::together;
+  }
+  return Meeting::unknown;
 }
 
 // The piece is the whole facet below, in the frame of the cube above.
@@ -344,27 +382,56 @@ Status FacetOverlay::resolve(CellContacts &contacts) {
   return Status::ok;
 }
 
-Status FacetOverlay::find(const BallSet &balls, const CubeFrame &frame, uint32_t axis, const SideFacets &below,
-                          IdRange range, const SideFacets &above, CellContacts &contacts) {
+// The facets of a cube on a side that are not covered, with balls in ascending order as others are.
+uint32_t FacetOverlay::list(Span<Listed> out, const Side &side, uint32_t number, Span<const uint32_t> others) {
+  uint32_t count = 0, other = 0;
+  for (const uint32_t k : side.range) {
+    const SideFacet &facet = side.facets.facet(k);
+    if (facet.side != number) continue;
+    while (other < others.size() && others[other] < facet.ball) ++other;
+    out[count++] = {k, other < others.size() && others[other] == facet.ball};
+  }
+  return count;
+}
+
+Status FacetOverlay::find(const BallSet &balls, const CubeFrame &frame, uint32_t axis, const Side &below,
+                          const Side &above, CellContacts &contacts) {
   balls_ = &balls;
   frame_ = frame;
   side_ = side_plane(2 * axis);
   side_plane_ = CubeFrame::side_in_doubles(2 * axis, frame.side());
   parts_.clear();
   names_.clear();
-  for (uint32_t a = 0; a < above.facets().size(); ++a) {
-    const SideFacet &upper = above.facet(a);
-    if (upper.side != 2 * axis || upper.outside == 0) continue;
-    polygon_[1] = {&above, &upper};
-    for (uint32_t e = 0; e < upper.corners; ++e) above_planes_[e] = frame_.plane(balls, polygon_[1].line(e));
-    for (const uint32_t b : range) {
-      const SideFacet &lower = below.facet(b);
-      if (lower.side != 2 * axis + 1 || lower.outside == 0) continue;
-      if (axis != 0 && (lower.high.x < upper.low.x || upper.high.x < lower.low.x)) continue;
-      if (axis != 1 && (lower.high.y < upper.low.y || upper.high.y < lower.low.y)) continue;
-      if (axis != 2 && (lower.high.z < upper.low.z || upper.high.z < lower.low.z)) continue;
-      polygon_[0] = {&below, &lower};
-      if (!is_apart()) overlay(b, a, contacts);
+  const uint32_t lower_count = list(below_, below, 2 * axis + 1, above.members);
+  const uint32_t upper_count = list(above_, above, 2 * axis, below.members);
+  for (uint32_t a = 0; a < upper_count; ++a) {
+    const Listed &upper = above_[a];
+    polygon_[1] = {&above.facets, &above.facets.facet(upper.facet)};
+    bool has_planes = false;
+    for (uint32_t b = 0; b < lower_count; ++b) {
+      const Listed &lower = below_[b];
+      polygon_[0] = {&below.facets, &below.facets.facet(lower.facet)};
+      const SideFacet &over = *polygon_[1].facet, &under = *polygon_[0].facet;
+      if (over.ball != under.ball && upper.meets_both && lower.meets_both) continue;
+      if (axis != 0 && (under.high.x < over.low.x || over.high.x < under.low.x)) continue;
+      if (axis != 1 && (under.high.y < over.low.y || over.high.y < under.low.y)) continue;
+      if (axis != 2 && (under.high.z < over.low.z || over.high.z < under.low.z)) continue;
+      // A portal is chosen among all corners of the piece.
+      const bool one_contact = have_one_cell_each() && !contacts.has_portals();
+      if (one_contact && over.ball == under.ball && share_free_corner()) {
+        contacts.push({{under.cell, over.cell}});
+        continue;
+      }
+      if (!has_planes) {
+        for (uint32_t e = 0; e < over.corners; ++e) above_planes_[e] = frame_.plane(balls, polygon_[1].line(e));
+        has_planes = true;
+      }
+      const Meeting meeting = compare();
+      if (meeting == Meeting::together && one_contact) {
+        contacts.push({{under.cell, over.cell}});
+      } else if (meeting != Meeting::apart) {
+        overlay(lower.facet, upper.facet, contacts);
+      }
     }
   }
   const auto balls_for = [](uint64_t required, uint64_t per_plane) {

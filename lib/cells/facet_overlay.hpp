@@ -3,8 +3,8 @@
 //
 // A piece is what two facets have in common, a convex polygon. If they belong to two balls, neither covers any of the
 // piece: a point of it in one ball has the least power to that ball in the one cube, and to the other ball in the other
-// cube, but both balls then meet both cubes and the powers would have to be equal. So the piece is outside both balls.
-// If the facets belong to one ball, the corners of the piece outside it, joined by edges outside it, are the connected
+// cube, but both balls then meet both cubes and the powers would have to be equal. So the piece is outside both balls;
+// and facets of two balls that meet both cubes have no piece in common. If the facets belong to one ball, the corners of the piece outside it, joined by edges outside it, are the connected
 // parts of the piece without the ball, as in power_cell.hpp. Each such part joins a cell of one cube and a cell of the
 // other.
 //
@@ -15,6 +15,10 @@
 // Which cell a part belongs to is known by a corner of the facet, or by a point of an edge between two such corners. A
 // part that touches no border of a facet touches others in it, at corners that three facets of the other cube have in
 // common, and one of these parts reaches the border: every part of a facet outside a ball does.
+//
+// Most facets belong to one cell each. Then all that is asked of two of them is whether their piece has a point outside
+// the ball, and a corner that they share, or one of the one facet that is certainly in the other, answers that without
+// the piece.
 #pragma once
 
 #include "cells/free_space.hpp"
@@ -25,11 +29,18 @@ namespace hsp {
 class FacetOverlay {
  public:
   void carve(Workspace &workspace, uint32_t balls);
-  // Finds the contacts of the facets on a side of a cube, `upper`, with those numbered first .. last - 1 of the cube
-  // below it in direction `axis`, whose facets on the same side are those with side 2 axis + 1. frame is that of the
-  // cube above. Status::capacity: memory for needed_balls() per cube would have sufficed. Status::check cannot happen.
-  Status find(const BallSet &balls, const CubeFrame &frame, uint32_t axis, const SideFacets &below, IdRange range,
-              const SideFacets &above, CellContacts &contacts);
+  // One of the two cubes: its facets, and the balls that meet it.
+  struct Side {
+    const SideFacets &facets;
+    IdRange range;
+    Span<const uint32_t> members;
+  };
+  // Finds the contacts of the facets on a side of a cube, those `above` with side 2 axis, with those of the cube below
+  // it in direction `axis`, with side 2 axis + 1. frame is that of the cube above. Facets on one side come in the order
+  // of their balls. Status::capacity: memory for needed_balls() per cube would have sufficed. Status::check cannot
+  // happen.
+  Status find(const BallSet &balls, const CubeFrame &frame, uint32_t axis, const Side &below, const Side &above,
+              CellContacts &contacts);
   uint32_t needed_balls() const { return needed_balls_; }
 
  private:
@@ -68,7 +79,17 @@ class FacetOverlay {
     uint32_t corner_between(uint32_t a, uint32_t b) const { return next(a) == b ? b : next(b) == a ? a : no_id; }
   };
 
-  bool is_apart() const;
+  // A facet with a part outside its ball, and whether that meets the other cube too.
+  struct Listed {
+    uint32_t facet;
+    bool meets_both;
+  };
+  enum class Meeting { apart, together, unknown };
+
+  static uint32_t list(Span<Listed> out, const Side &side, uint32_t number, Span<const uint32_t> others);
+  bool have_one_cell_each() const;
+  bool share_free_corner() const;
+  Meeting compare();
   void start();
   bool cut(uint32_t edge);
   int side_of(uint32_t corner, const PowerPlane &line, const UnitPlane &plane) const;
@@ -96,6 +117,7 @@ class FacetOverlay {
   Span<Edge> edges_, other_edges_;
   Span<UnitPlane> above_planes_;  // of the edges of the facet above
   Span<int8_t> sides_;
+  Span<Listed> below_, above_;
   uint32_t size_ = 0;
   FixedVector<Part> parts_;
   FixedVector<Name> names_;

@@ -145,8 +145,10 @@ Status FreeSpaceBuilder::touch_cubes(const BallSet &balls, const Cube &cube) {
   for (uint32_t axis = 0; axis < 3; ++axis) {
     const uint32_t below = cube.neighbour[2 * axis];
     if (below == no_id) continue;
-    const IdRange range{first_kept_[below], first_kept_[below + 1]};
-    const Status status = overlay_.find(balls, cube.frame, axis, kept_, range, open_, structure_.contacts);
+    const CubeCover &cover = structure_.cover;
+    const FacetOverlay::Side lower{kept_, {first_kept_[below], first_kept_[below + 1]}, cover.balls(below)};
+    const FacetOverlay::Side upper{open_, {0, open_.facets().size()}, cover.balls(cube.number)};
+    const Status status = overlay_.find(balls, cube.frame, axis, lower, upper, structure_.contacts);
     if (status == Status::check) return status;
     note(needed_.cube_balls, overlay_.needed_balls());
     if (status == Status::capacity) {

@@ -13,9 +13,9 @@ void widen(double value, double doubt, double &low, double &high) {
 void SideFacets::add(const PowerCell &cell, uint32_t side, uint32_t first_cell) {
   const PowerPolytope &polytope = cell.polytope();
   uint32_t first = 0;
-  while (first < polytope.size() && !polytope[first].has(side)) ++first;
+  while (first < polytope.size() && (cell.part_of(first) == no_id || !polytope[first].has(side))) ++first;
   if (first == polytope.size()) return;
-  SideFacet facet{cell.ball(), side, clamped_count(corners_.required()), 0, no_id, 0, {}, {}};
+  SideFacet facet{cell.ball(), side, clamped_count(corners_.required()), 0, no_id, {}, {}};
   facet.low = facet.high = polytope[first].at.y;
   bool several = false;
   uint32_t v = first;
@@ -29,9 +29,8 @@ void SideFacets::add(const PowerCell &cell, uint32_t side, uint32_t first_cell) 
     corners_.push({vertex.at, in_cell, cell.code_of(line), cell.is_free_edge(v, opposite) ? 1U : 0U});
     ++facet.corners;
     if (in_cell != no_id) {
-      several |= facet.outside > 0 && facet.cell != in_cell;
+      several |= facet.cell != no_id && facet.cell != in_cell;
       facet.cell = in_cell;
-      ++facet.outside;
     }
     widen(vertex.at.y.x, vertex.at.doubt, facet.low.x, facet.high.x);
     widen(vertex.at.y.y, vertex.at.doubt, facet.low.y, facet.high.y);

@@ -19,9 +19,8 @@ struct SideFacet {
   uint32_t ball;
   uint32_t side;
   uint32_t first_corner, corners;
-  uint32_t cell;     // the cell of all corners outside the ball; no_id if there are several
-  uint32_t outside;  // how many corners there are outside
-  Vec3 low, high;    // a box around the facet, along the side
+  uint32_t cell;   // the cell of all corners outside the ball; no_id if there are several
+  Vec3 low, high;  // a box around the facet, along the side
 };
 
 class SideFacets {
@@ -34,7 +33,8 @@ class SideFacets {
     facets_.clear();
     corners_.clear();
   }
-  // The facet of a power cell on a side, if it has one there; first_cell is that of the cell's free part 0.
+  // The facet of a power cell on a side, if it has one there with a corner outside the ball; first_cell is that of the
+  // cell's free part 0.
   void add(const PowerCell &cell, uint32_t side, uint32_t first_cell);
 
   const FixedVector<SideFacet> &facets() const { return facets_; }
