@@ -32,7 +32,7 @@ Status CubeContacts::add(const PowerCell &cell, uint32_t k, uint32_t first_cell,
   const PowerPolytope &polytope = cell.polytope();
   Member &own = members_[k];
   own = {clamped_count(corners_.required()), 0, first_cell, cell.parts(), no_id};
-  for (uint32_t v = 0; v < polytope.size(); ++v) {
+  for (uint32_t v = 0; v < polytope.size() && own.parts > 1; ++v) {
     if (cell.part_of(v) == no_id) continue;
     const uint32_t *const plane = polytope[v].plane;
     corners_.push(sorted(plane[0], plane[1], plane[2], first_cell + cell.part_of(v)));
@@ -49,7 +49,8 @@ Status CubeContacts::add(const PowerCell &cell, uint32_t k, uint32_t first_cell,
     }
     contacts.push(pair, cell.frame(), at);
   };
-  for (uint32_t v = 0; v < polytope.size(); ++v) {
+  const uint32_t size = polytope.size();
+  for (uint32_t v = 0; v < size; ++v) {
     if (cell.part_of(v) == no_id) continue;
     const uint32_t own_cell = first_cell + cell.part_of(v);
     for (uint32_t p = 0; p < 3; ++p) {
@@ -62,7 +63,8 @@ Status CubeContacts::add(const PowerCell &cell, uint32_t k, uint32_t first_cell,
         continue;
       }
       const uint32_t a = polytope[v].plane[p == 0 ? 1 : 0], b = polytope[v].plane[p == 2 ? 1 : 2];
-      const uint32_t other_cell = cell_at(other, sorted(a, b, cube_sides + k, no_id));
+      const uint32_t other_cell =
+          other.parts == 1 ? other.first_cell : cell_at(other, sorted(a, b, cube_sides + k, no_id));
       if (other_cell == no_id) return Status::check;
       add_once({{other_cell, own_cell}}, polytope[v].at.y);
     }

@@ -1,6 +1,7 @@
 // Which free parts of the power cells of one cube are adjacent. A vertex of a facet that is outside both its balls (it
 // has the same power to both) is a vertex of both power cells, with the same four balls or sides, and the parts that it
-// belongs to are adjacent; every part of a facet without its balls has such a vertex.
+// belongs to are adjacent; every part of a facet without its balls has such a vertex. Vertices are only remembered of
+// power cells with several parts.
 #pragma once
 
 #include "cells/free_space.hpp"

@@ -7,6 +7,7 @@
 // where a plane that meets the cube has |h| < 4 s. So v.y - h is off by less than 512 u s at a point that is known
 // exactly. A point of three planes is y = H / B, where B is off by less than 32 u and each part of H by less than 1024
 // u s: y by less than 4096 u s / |B|, its doubt.
+//
 #pragma once
 
 #include "core/decimal.hpp"
@@ -116,18 +117,24 @@ class CubeFrame {
   // inside, 0 is not certain. The points lie in this cube or on its sides.
   int outside(double squared_distance, double doubt, double W) const {
     const double excess = squared_distance - W;
-    const double margin = side_ * (16 * doubt + 1024 * unit_roundoff * side_);
+    const double margin = sphere_doubt(doubt);
     return excess > margin ? 1 : excess < -margin ? -1 : 0;
   }
-  // The same for the segment between two points outside: it is off by no more than its ends are.
-  int segment_outside(const PlacedPoint &from, const PlacedPoint &to, const Vec3 &centre, double radius) const {
-    const Vec3 a = from.y - centre;
-    const Vec3 e = to.y - from.y;
-    const double length = dot(e, e);
-    const double along = -dot(a, e);
-    const double part = along <= 0.0 ? 0.0 : along >= length ? 1.0 : along / length;
-    const Vec3 nearest = a + part * e;
-    return outside(dot(nearest, nearest), from.doubt > to.doubt ? from.doubt : to.doubt, 4 * radius * radius);
+  // How far the square of a distance may be off.
+  double sphere_doubt(double doubt) const { return side_ * (16 * doubt + 1024 * unit_roundoff * side_); }
+  // The same for the segment between two points outside, at these squared distances: it is off by no more than its ends
+  // are. The square of its distance is `from` less the square of what leads from there to the middle of the line.
+  int segment_outside(const PlacedPoint &from, double from_squared, const PlacedPoint &to, double to_squared,
+                      const Vec3 &centre, double W) const {
+    const double doubt = from.doubt > to.doubt ? from.doubt : to.doubt;
+    const Vec3 edge = to.y - from.y;
+    const double length = dot(edge, edge);
+    const double along = dot(centre - from.y, edge);
+    if (along <= 0.0) return outside(from_squared, doubt, W);
+    if (along >= length) return outside(to_squared, doubt, W);
+    const double excess = (from_squared - W) * length - along * along;
+    const double margin = sphere_doubt(doubt) * length;
+    return excess > margin ? 1 : excess < -margin ? -1 : 0;
   }
 
  private:
@@ -135,6 +142,38 @@ class CubeFrame {
   int64_t exact_side_ = 1;
   double side_ = 1.0;
   Vec3 centre_{};
+};
+
+// Where a plane crosses an edge from a point p on its near side to q beyond it: y = p + t (q - p) with t = f(p) / (f(p) -
+// f(q)), f = v.y - h. Let p and q be off by at most d, so that f is off by e = d + 512 u s. The point at t of the true
+// edge differs from y by d, and f there is at most e. Along that edge f grows by f(q) - f(p) - 2 e or more over at most
+// |q - p| + 2 d. So y is off by less than d + 1.01 e |q - p| / (f(q) - f(p)) + 64 u s, the last term for the roundings, as
+// d < 2^-27 s and f(q) - f(p) > 2^-12 s. Doubts add up from cut to cut; where they are larger, three planes have to be
+// solved.
+class EdgeCrossing {
+ public:
+  explicit EdgeCrossing(const CubeFrame &frame)
+      : least_rise_(0x1p-12 * frame.side()),
+        most_doubt_(0x1p-27 * frame.side()),
+        rounding_(64 * unit_roundoff * frame.side()),
+        plane_doubt_(frame.plane_doubt()) {}
+
+  // Where f is near_value at one point and beyond_value at the other; false if this would be in too much doubt.
+  bool find(const PlacedPoint &near, double near_value, const PlacedPoint &beyond, double beyond_value,
+            PlacedPoint &crossing) const {
+    const double rise = beyond_value - near_value;
+    if (!(rise > least_rise_)) return false;
+    const double scale = 1.0 / rise;
+    const Vec3 edge = beyond.y - near.y;
+    const double length = std::fabs(edge.x) + std::fabs(edge.y) + std::fabs(edge.z);
+    const double doubt = near.doubt > beyond.doubt ? near.doubt : beyond.doubt;
+    crossing = {near.y + (-near_value * scale) * edge,
+                doubt + rounding_ + (1.01 * (doubt + plane_doubt_)) * (length * scale)};
+    return crossing.doubt < most_doubt_;
+  }
+
+ private:
+  double least_rise_, most_doubt_, rounding_, plane_doubt_;
 };
 
 }  // namespace hsp

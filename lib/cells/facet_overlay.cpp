@@ -227,8 +227,11 @@ bool FacetOverlay::edge_is_free(uint32_t k) const {
     if (edge.of[which] != no_id && polygon_[which].corner(edge.of[which]).edge_free != 0) return true;
   }
   const uint32_t ball = polygon_[0].facet->ball;
-  const int outside =
-      frame_.segment_outside(corners_[k].at, corners_[next(k)].at, frame_.centre_of(*balls_, ball), balls_->r[ball]);
+  const Vec3 centre = frame_.centre_of(*balls_, ball);
+  const PlacedPoint &from = corners_[k].at, &to = corners_[next(k)].at;
+  const double r = balls_->r[ball];
+  const int outside = frame_.segment_outside(from, dot(from.y - centre, from.y - centre), to,
+                                             dot(to.y - centre, to.y - centre), centre, 4 * r * r);
   if (outside != 0) return outside > 0;
   return PowerPredicates(*balls_, ball, frame_)
       .is_free(edge.line, side_, edges_[previous(k)].line, edges_[next(k)].line);

@@ -92,15 +92,27 @@ Status FreeSpaceBuilder::add_cube(const BallSet &balls, const Cube &cube) {
     if (cell_.empty()) continue;
     ++space.power_cells;
     cell_.find_free_parts();
+    if (cell_.parts() == 0) continue;
     add_parts(cube);
     const Status status = contacts_.add(cell_, k, first_cell, space.contacts);
     if (status == Status::check) return status;
     if (status == Status::capacity) contacts_known_ = false;
-    const uint32_t sides = cell_.polytope().sides();
-    touch_runs(cube, sides, first_cell);
+    // Of each side of the cube a vertex on it, outside the ball.
+    uint32_t on_side[cube_sides] = {no_id, no_id, no_id, no_id, no_id, no_id};
+    const uint32_t size = cell_.polytope().size();
+    for (uint32_t v = size; v-- > 0;) {
+      if (cell_.part_of(v) == no_id) continue;
+      for (const uint32_t number : cell_.polytope()[v].plane) {
+        if (number < cube_sides) on_side[number] = v;
+      }
+    }
     for (uint32_t side = 0; side < cube_sides; ++side) {
-      if ((sides >> side & 1) != 0 && cube.neighbour[side] != no_id)
-        (side % 2 == 0 ? open_ : kept_).add(cell_, side, first_cell);
+      if (on_side[side] == no_id) continue;
+      if (cube.neighbour[side] == no_id) {
+        touch_run(cube, side, on_side[side], first_cell);
+      } else {
+        (side % 2 == 0 ? open_ : kept_).add(cell_, side, on_side[side], first_cell);
+      }
     }
   }
   note(needed_.cube_corners, contacts_.needed_corners());
@@ -126,18 +138,17 @@ void FreeSpaceBuilder::add_parts(const Cube &cube) {
   }
 }
 
-// On sides where no ball meets the cube beyond, everything is outside all balls.
-void FreeSpaceBuilder::touch_runs(const Cube &cube, uint32_t sides, uint32_t first_cell) {
+// Beyond a side where no ball meets the cube there everything is outside all balls. Vertex `first` is the first that is
+// there and outside its ball.
+void FreeSpaceBuilder::touch_run(const Cube &cube, uint32_t side, uint32_t first, uint32_t first_cell) {
   const PowerPolytope &polytope = cell_.polytope();
-  for (uint32_t side = 0; side < cube_sides; ++side) {
-    if ((sides >> side & 1) == 0 || cube.run[side] == no_id) continue;
-    for (uint32_t part = 0; part < cell_.parts(); ++part) touched_[part] = 0;
-    for (uint32_t v = 0; v < polytope.size(); ++v) {
-      const uint32_t part = cell_.part_of(v);
-      if (part == no_id || touched_[part] != 0 || !polytope[v].has(side)) continue;
-      touched_[part] = 1;
-      structure_.contacts.push({{cube.run[side], first_cell + part}}, cube.frame, polytope[v].at.y);
-    }
+  for (uint32_t part = 0; part < cell_.parts(); ++part) touched_[part] = 0;
+  for (uint32_t v = first; v < polytope.size(); ++v) {
+    const uint32_t part = cell_.part_of(v);
+    if (part == no_id || touched_[part] != 0 || !polytope[v].has(side)) continue;
+    touched_[part] = 1;
+    structure_.contacts.push({{cube.run[side], first_cell + part}}, cube.frame, polytope[v].at.y);
+    if (cell_.parts() == 1) return;
   }
 }
 

@@ -36,7 +36,7 @@ class FreeSpaceBuilder {
   void add_runs();
   Status add_cube(const BallSet &balls, const Cube &cube);
   void add_parts(const Cube &cube);
-  void touch_runs(const Cube &cube, uint32_t sides, uint32_t first_cell);
+  void touch_run(const Cube &cube, uint32_t side, uint32_t first, uint32_t first_cell);
   Status touch_cubes(const BallSet &balls, const Cube &cube);
   Cube surroundings(uint32_t number) const;
   void note(uint32_t &needed, uint64_t count) const { needed = larger_count(needed, clamped_count(count)); }

@@ -1,7 +1,6 @@
 #include "cells/power_cell.hpp"
 
 #include "core/disjoint_sets.hpp"
-#include "core/sorting.hpp"
 
 namespace hsp {
 
@@ -51,36 +50,38 @@ void PowerCell::drop_dominated() {
   }
 }
 
-// Marks the vertices that lie beyond a plane. Returns whether there are any; all: there are no others.
-bool PowerCell::find_beyond(uint32_t number, bool &all) {
-  bool any = false;
-  all = true;
-  const UnitPlane &S = planes_[number];
-  for (uint32_t v = 0; v < polytope_.size(); ++v) {
-    const PolytopeVertex &vertex = polytope_[v];
-    int side = frame_.side_of(vertex.at, S);
-    if (side == 0) {
-      const PowerPredicates exact(*balls_, ball(), frame_);
-      side = exact.side_of(plane(vertex.plane[0]), plane(vertex.plane[1]), plane(vertex.plane[2]), plane(number));
-    }
-    polytope_.set_beyond(v, side < 0);
-    any |= side < 0;
-    all &= side < 0;
+// The planes of all others in the game that come as near to the ball's centre as any point of the cube.
+uint32_t PowerCell::list_candidates(double reach) {
+  const Member own = placed_[member_];
+  const double limit = reach * reach;
+  const uint32_t members = members_.size();
+  const Member *const placed = placed_.data();
+  const uint8_t *const out_of_game = out_of_game_.data();
+  Candidate *const candidates = candidates_.data();
+  uint32_t count = 0;
+  for (uint32_t m = 0; m < members; ++m) {
+    if (m == member_ || out_of_game[m] != 0) continue;
+    const Vec3 v = placed[m].offset - own.offset;
+    const double length = dot(v, v);
+    const double h = length + (own.radius - placed[m].radius) * (own.radius + placed[m].radius);
+    const double distance = h * std::fabs(h) / length;
+    candidates[count] = {distance, m};
+    count += distance > limit ? 0 : 1;
   }
-  return any;
+  return count;
 }
 
-// No vertex is farther from the ball's centre.
-double PowerCell::farthest() const {
-  double squared = 0.0, doubt = 0.0;
-  for (uint32_t v = 0; v < polytope_.size(); ++v) {
-    const PlacedPoint &at = polytope_[v].at;
-    const Vec3 y = at.y - centre_;
-    const double distance = dot(y, y);
-    squared = distance > squared ? distance : squared;
-    doubt = at.doubt > doubt ? at.doubt : doubt;
+// Restores a heap, nearest plane first, after its item `hole` has been replaced.
+void PowerCell::sift_down(uint32_t hole, uint32_t count) {
+  Candidate *const items = candidates_.data();
+  const Candidate item = items[hole];
+  for (uint32_t child = 2 * hole + 1; child < count; child = 2 * hole + 1) {
+    if (child + 1 < count && items[child + 1].distance < items[child].distance) ++child;
+    if (!(items[child].distance < item.distance)) break;
+    items[hole] = items[child];
+    hole = child;
   }
-  return std::sqrt(squared) + doubt + 2 * frame_.plane_doubt();
+  items[hole] = item;
 }
 
 void PowerCell::build(uint32_t k) {
@@ -89,37 +90,34 @@ void PowerCell::build(uint32_t k) {
   if (out_of_game_[k] != 0) return polytope_.make_empty();
   const Member own = placed_[k];
   centre_ = 2.0 * own.offset;
-  uint32_t count = 0;
-  for (uint32_t m = 0; m < members_.size(); ++m) {
-    if (m == k || out_of_game_[m] != 0) continue;
-    const uint32_t number = cube_sides + m;
-    const UnitPlane S = CubeFrame::between(own.offset, own.radius, placed_[m].offset, placed_[m].radius);
-    planes_[number] = S;
-    candidates_[count++] = {S.h - dot(S.v, centre_), number};
-  }
+  polytope_.start(frame_.side(), centre_);
+  const double slack = 2 * frame_.plane_doubt();
+  double reach = polytope_.reach() + slack;
+  uint32_t count = list_candidates(reach);
   // The planes that cut most come first, and none follows that is farther than all that is left.
-  sort_in_place(candidates_.part(0, count), [](const Candidate &a, const Candidate &b) {
-    return a.distance < b.distance || (a.distance == b.distance && a.plane < b.plane);
-  });
-  polytope_.start(frame_.side());
-  double reach = farthest();
-  for (uint32_t c = 0; c < count; ++c) {
-    if (candidates_[c].distance > reach) break;
-    bool all = false;
-    if (!find_beyond(candidates_[c].plane, all)) continue;
-    if (all) {
+  for (uint32_t hole = count / 2; hole-- > 0;) sift_down(hole, count);
+  while (count > 0 && candidates_[0].distance <= reach * reach) {
+    const uint32_t m = candidates_[0].member, number = cube_sides + m;
+    candidates_[0] = candidates_[--count];
+    sift_down(0, count);
+    planes_[number] = CubeFrame::between(own.offset, own.radius, placed_[m].offset, placed_[m].radius);
+    const uint32_t beyond = polytope_.find_beyond(planes_[number], frame_, [&](const PolytopeVertex &vertex) {
+      return PowerPredicates(*balls_, ball(), frame_)
+          .side_of(plane(vertex.plane[0]), plane(vertex.plane[1]), plane(vertex.plane[2]), plane(number));
+    });
+    if (beyond == 0) continue;
+    if (beyond == polytope_.size()) {
       out_of_game_[k] = 1;
       return polytope_.make_empty();
     }
-    polytope_.cut(candidates_[c].plane, planes_.data(), frame_);
-    reach = farthest();
+    polytope_.cut(number, planes_.data(), frame_);
+    reach = polytope_.reach() + slack;
   }
 }
 
 bool PowerCell::is_outside(const PolytopeVertex &vertex) const {
-  const Vec3 y = vertex.at.y - centre_;
   const double r = balls_->r[ball()];
-  const int outside = frame_.outside(dot(y, y), vertex.at.doubt, 4 * r * r);
+  const int outside = frame_.outside(vertex.squared, vertex.at.doubt, 4 * r * r);
   if (outside != 0) return outside > 0;
   return PowerPredicates(*balls_, ball(), frame_)
       .is_outside(plane(vertex.plane[0]), plane(vertex.plane[1]), plane(vertex.plane[2]));
@@ -129,7 +127,8 @@ bool PowerCell::is_outside(const PolytopeVertex &vertex) const {
 bool PowerCell::edge_is_free(uint32_t v, uint32_t k) const {
   const PolytopeVertex &from = polytope_[v];
   const PolytopeVertex &to = polytope_[from.neighbour[k]];
-  const int outside = frame_.segment_outside(from.at, to.at, centre_, balls_->r[ball()]);
+  const double r = balls_->r[ball()];
+  const int outside = frame_.segment_outside(from.at, from.squared, to.at, to.squared, centre_, 4 * r * r);
   if (outside != 0) return outside > 0;
   const uint32_t a_plane = from.plane[k == 0 ? 1 : 0], b_plane = from.plane[k == 2 ? 1 : 2];
   uint32_t last = 0;
@@ -140,34 +139,58 @@ bool PowerCell::edge_is_free(uint32_t v, uint32_t k) const {
 
 void PowerCell::find_free_parts() {
   const uint32_t size = polytope_.size();
-  DisjointSets sets(part_.part(0, size));
-  sets.reset();
   uint8_t *const outside = free_edges_.data();
-  for (uint32_t v = 0; v < size; ++v) outside[v] = is_outside(polytope_[v]) ? 8 : 0;
+  uint32_t *const part = part_.data();
+  parts_ = 0;
+  const PolytopeVertex *const vertices = &polytope_[0];
+  const Vec3 centre = centre_;
+  const double r = balls_->r[ball()];
+  const double W = 4 * r * r, doubt = frame_.sphere_doubt(polytope_.most_doubt());
+  uint32_t free_vertices = 0;
+  for (uint32_t v = 0; v < size; ++v) {
+    const double excess = vertices[v].squared - W;
+    const bool is_free = excess > doubt || (!(excess < -doubt) && is_outside(vertices[v]));
+    outside[v] = is_free ? 8 : 0;
+    part[v] = is_free ? v : no_id;
+    free_vertices += is_free ? 1 : 0;
+  }
+  if (free_vertices == 0) return;
+  // For most edges it is as certain that they are free as that their ends are, without a division: see segment_outside().
+  const auto is_certainly_free = [&](const PolytopeVertex &from, const PolytopeVertex &to) {
+    const Vec3 edge = to.at.y - from.at.y;
+    const double length = dot(edge, edge), along = dot(centre - from.at.y, edge);
+    if (along <= 0.0) return from.squared - W > doubt;
+    if (along >= length) return to.squared - W > doubt;
+    return (from.squared - W - doubt) * length > along * along;
+  };
+  // Until only one set is left, which most cells have in the end, edges join vertices.
+  DisjointSets sets(part_.part(0, size));
+  uint32_t left = free_vertices;
   for (uint32_t v = 0; v < size; ++v) {
     if (outside[v] == 0) continue;
+    const PolytopeVertex &from = vertices[v];
     for (uint32_t k = 0; k < 3; ++k) {
-      const uint32_t w = polytope_[v].neighbour[k];
-      if (w < v || outside[w] == 0 || !edge_is_free(v, k)) continue;
-      const PolytopeVertex &to = polytope_[w];
+      const uint32_t w = from.neighbour[k];
+      if (w < v || outside[w] == 0) continue;
+      const PolytopeVertex &to = vertices[w];
+      if (!is_certainly_free(from, to) && !edge_is_free(v, k)) continue;
       const uint32_t back = to.neighbour[0] == v ? 0 : to.neighbour[1] == v ? 1 : 2;
-      outside[v] |= static_cast<uint8_t>(1U << k);
-      outside[w] |= static_cast<uint8_t>(1U << back);
-      static_cast<void>(sets.join(v, w));
+      outside[v] = static_cast<uint8_t>(outside[v] | 1U << k);
+      outside[w] = static_cast<uint8_t>(outside[w] | 1U << back);
+      if (left > 1 && sets.join(v, w)) --left;
     }
+  }
+  if (left == 1) {
+    for (uint32_t v = 0; v < size; ++v) part[v] = outside[v] != 0 ? 0 : no_id;
+    parts_ = 1;
+    return;
   }
   // Numbers instead of representatives, which are the smallest of their sets.
-  parts_ = 0;
   for (uint32_t v = 0; v < size; ++v) {
-    if (outside[v] == 0) continue;
-    part_[v] = sets.root(v);
+    if (outside[v] != 0) part[v] = sets.root(v);
   }
   for (uint32_t v = 0; v < size; ++v) {
-    if (outside[v] == 0) {
-      part_[v] = no_id;
-    } else {
-      part_[v] = part_[v] == v ? parts_++ : part_[part_[v]];
-    }
+    if (outside[v] != 0) part[v] = part[v] == v ? parts_++ : part[part[v]];
   }
 }
 

@@ -56,13 +56,15 @@ class PowerCell {
     Vec3 offset;
     double radius, power;
   };
+  // A plane that may cut the cell. Its squared distance from the ball's centre, with the sign of that: negative if the
+  // centre is beyond.
   struct Candidate {
-    double distance;  // of the plane from the ball's centre, negative if the centre is beyond
-    uint32_t plane;
+    double distance;
+    uint32_t member;
   };
 
-  bool find_beyond(uint32_t number, bool &all);
-  double farthest() const;
+  uint32_t list_candidates(double reach);
+  void sift_down(uint32_t hole, uint32_t count);
   bool is_outside(const PolytopeVertex &vertex) const;
   bool edge_is_free(uint32_t v, uint32_t k) const;
   bool has_centre_before(uint32_t number) const;

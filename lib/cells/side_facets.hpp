@@ -33,9 +33,9 @@ class SideFacets {
     facets_.clear();
     corners_.clear();
   }
-  // The facet of a power cell on a side, if it has one there with a corner outside the ball; first_cell is that of the
-  // cell's free part 0.
-  void add(const PowerCell &cell, uint32_t side, uint32_t first_cell);
+  // The facet of a power cell on a side, of which vertex `first` of the cell is one outside the ball; first_cell is that
+  // of the cell's free part 0.
+  void add(const PowerCell &cell, uint32_t side, uint32_t first, uint32_t first_cell);
 
   const FixedVector<SideFacet> &facets() const { return facets_; }
   const FixedVector<FacetCorner> &corners() const { return corners_; }
