@@ -2954,7 +2954,7 @@ contains
     bytes = 24576_c_size_t + 128_c_size_t*int(cubes, c_size_t) + 8_c_size_t*int(entries, c_size_t) &
             + 28_c_size_t*int(cells, c_size_t) + 16_c_size_t*int(adjacencies, c_size_t) &
             + 12_c_size_t*int(landmarks, c_size_t) + 72_c_size_t*int(facets, c_size_t) &
-            + 48_c_size_t*int(corners, c_size_t) + 1152_c_size_t*int(cube_balls, c_size_t) &
+            + 48_c_size_t*int(corners, c_size_t) + 1536_c_size_t*int(cube_balls, c_size_t) &
             + 64_c_size_t*int(cube_corners, c_size_t)
   end function
 
@@ -2967,7 +2967,7 @@ contains
     bytes = 32768_c_size_t + 128_c_size_t*int(cubes, c_size_t) + 8_c_size_t*int(entries, c_size_t) &
             + 136_c_size_t*int(cells, c_size_t) + 48_c_size_t*int(adjacencies, c_size_t) &
             + 12_c_size_t*int(landmarks, c_size_t) + 72_c_size_t*int(facets, c_size_t) &
-            + 48_c_size_t*int(corners, c_size_t) + 1664_c_size_t*int(cube_balls, c_size_t) &
+            + 48_c_size_t*int(corners, c_size_t) + 2176_c_size_t*int(cube_balls, c_size_t) &
             + 64_c_size_t*int(cube_corners, c_size_t) + 24_c_size_t*int(points, c_size_t)
   end function
 
@@ -2981,7 +2981,7 @@ contains
             + 8_c_size_t*int(entries, c_size_t) + 28_c_size_t*int(cells, c_size_t) &
             + 16_c_size_t*int(adjacencies, c_size_t) + 12_c_size_t*int(landmarks, c_size_t) &
             + 72_c_size_t*int(facets, c_size_t) + 48_c_size_t*int(corners, c_size_t) &
-            + 1152_c_size_t*int(cube_balls, c_size_t) + 64_c_size_t*int(cube_corners, c_size_t)
+            + 1536_c_size_t*int(cube_balls, c_size_t) + 64_c_size_t*int(cube_corners, c_size_t)
   end function
 
   !> HSP_STICKS_BYTES of the header, for the size of an allocation.

@@ -144,12 +144,12 @@ class CubeFrame {
   Vec3 centre_{};
 };
 
-// Where a plane crosses an edge from a point p on its near side to q beyond it: y = p + t (q - p) with t = f(p) / (f(p) -
-// f(q)), f = v.y - h. Let p and q be off by at most d, so that f is off by e = d + 512 u s. The point at t of the true
-// edge differs from y by d, and f there is at most e. Along that edge f grows by f(q) - f(p) - 2 e or more over at most
-// |q - p| + 2 d. So y is off by less than d + 1.01 e |q - p| / (f(q) - f(p)) + 64 u s, the last term for the roundings, as
-// d < 2^-27 s and f(q) - f(p) > 2^-12 s. Doubts add up from cut to cut; where they are larger, three planes have to be
-// solved.
+// Where a plane crosses an edge from a point p on its near side to q beyond it: y = p + t (q - p) with
+// t = f(p) / (f(p) - f(q)), f = v.y - h. Let p and q be off by at most d, so that f is off by e = d + 512 u s. The
+// point at t of the true edge differs from y by d, and f there is at most e. Along that edge f grows by
+// f(q) - f(p) - 2 e or more over at most |q - p| + 2 d. So y is off by less than d + 1.01 e |q - p| / (f(q) - f(p)) +
+// 64 u s, the last term for the roundings, as d < 2^-27 s and f(q) - f(p) > 2^-12 s. Doubts add up from cut to cut;
+// where they are larger, three planes have to be solved.
 class EdgeCrossing {
  public:
   explicit EdgeCrossing(const CubeFrame &frame)

@@ -4,9 +4,9 @@
 // A piece is what two facets have in common, a convex polygon. If they belong to two balls, neither covers any of the
 // piece: a point of it in one ball has the least power to that ball in the one cube, and to the other ball in the other
 // cube, but both balls then meet both cubes and the powers would have to be equal. So the piece is outside both balls;
-// and facets of two balls that meet both cubes have no piece in common. If the facets belong to one ball, the corners of the piece outside it, joined by edges outside it, are the connected
-// parts of the piece without the ball, as in power_cell.hpp. Each such part joins a cell of one cube and a cell of the
-// other.
+// and facets of two balls that meet both cubes have no piece in common. If the facets belong to one ball, the corners
+// of the piece outside it, joined by edges outside it, are the connected parts of the piece without the ball, as in
+// power_cell.hpp. Each such part joins a cell of one cube and a cell of the other.
 //
 // The facets are polygons of lines, each where the powers to two balls are equal, cut from each other by the exact side
 // of a corner, two lines, and a third line. Lines of three balls whose pairs make up a triangle have a common point for

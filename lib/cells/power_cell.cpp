@@ -155,7 +155,7 @@ void PowerCell::find_free_parts() {
     free_vertices += is_free ? 1 : 0;
   }
   if (free_vertices == 0) return;
-  // For most edges it is as certain that they are free as that their ends are, without a division: see segment_outside().
+  // As CubeFrame::segment_outside() has it, and certain for most edges that are free.
   const auto is_certainly_free = [&](const PolytopeVertex &from, const PolytopeVertex &to) {
     const Vec3 edge = to.at.y - from.at.y;
     const double length = dot(edge, edge), along = dot(centre - from.at.y, edge);

@@ -34,8 +34,8 @@ class PowerPolytope {
   // beyond, is asked where these do not tell. Returns how many are beyond.
   template <class ExactSide>
   uint32_t find_beyond(const UnitPlane &S, const CubeFrame &frame, ExactSide exact_side);
-  // Cuts off the vertices that are beyond plane number `plane`, that of the last find_beyond(), of which there are some;
-  // `planes` are all of them. What is beyond a plane is connected, and so is the rest.
+  // Cuts off the vertices that are beyond plane number `plane`, that of the last find_beyond(), of which there are
+  // some; `planes` are all of them. What is beyond a plane is connected, and so is the rest.
   void cut(uint32_t plane, const UnitPlane *planes, const CubeFrame &frame);
   void make_empty() { count_ = 0; }
 

@@ -15,7 +15,7 @@ void SideFacets::add(const PowerCell &cell, uint32_t side, uint32_t first, uint3
   bool several = false;
   uint32_t corners = 0, the_cell = no_id;
   uint32_t v = first;
-  // The edge that is followed next is on the side and on this plane of v; `on` is the place of the side among its planes.
+  // The edge that is followed next is on the side, plane `on` of v, and on plane `along`.
   uint32_t on = vertices[v].place_of(side), along = on == 0 ? 1 : 0;
   do {
     const PolytopeVertex &vertex = vertices[v];

@@ -33,8 +33,8 @@ class SideFacets {
     facets_.clear();
     corners_.clear();
   }
-  // The facet of a power cell on a side, of which vertex `first` of the cell is one outside the ball; first_cell is that
-  // of the cell's free part 0.
+  // The facet of a power cell on a side, where `first` is a vertex of the cell outside the ball; first_cell is that of
+  // the cell's free part 0.
   void add(const PowerCell &cell, uint32_t side, uint32_t first, uint32_t first_cell);
 
   const FixedVector<SideFacet> &facets() const { return facets_; }
