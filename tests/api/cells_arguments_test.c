@@ -103,6 +103,22 @@ static void refused_limits(void) {
   CHECK(bad.cube_balls == 192 && bad.cube_corners == 192 * 40 + 64);
 }
 
+/* Much of one thing, and of all. */
+static void sizes(void) {
+  int which;
+  for (which = 0; which < 10; ++which) {
+    uint32_t n[10] = {0};
+    hsp_cells_limits limits;
+    size_t bytes = 0;
+    int other;
+    for (other = 1; other < 10; ++other) n[other] = which == 0 || which == other ? 1000000 : 0;
+    n[0] = (uint32_t)sizeof limits;
+    memcpy(&limits, n, sizeof limits);
+    CHECK_EQUAL(hsp_cells_bytes(&limits, &bytes), HSP_OK);
+    CHECK(bytes > 0 && bytes <= HSP_CELLS_BYTES(n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9]));
+  }
+}
+
 static void computing(void) {
   hsp_cells_limits asked = good_limits();
   static const double not_finite[3] = {0, (double)NAN, 0}, far_away[3] = {1e300, 0, 0};
@@ -293,6 +309,7 @@ static void small_limits(void) {
 int main(void) {
   CHECK_EQUAL(hsp_model_init(model_memory, sizeof model_memory, CAGE, &model), HSP_OK);
   refused_limits();
+  sizes();
   computing();
   one_ball();
   cage();

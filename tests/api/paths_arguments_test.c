@@ -92,6 +92,27 @@ static void find(const double *from, const double *to) {
 }
 
 /* What both kinds of limits refuse: all of `words`, one after the other, too large; bad sizes. */
+/* Much of one thing, and of all. */
+static void sizes(void) {
+  int which;
+  for (which = 0; which < 11; ++which) {
+    uint32_t n[11] = {0};
+    hsp_paths_limits of_paths;
+    hsp_gate_limits of_gate;
+    size_t bytes = 0;
+    int other;
+    for (other = 1; other < 11; ++other) n[other] = which == 0 || which == other ? 1000000 : 0;
+    n[0] = (uint32_t)sizeof of_paths;
+    memcpy(&of_paths, n, sizeof of_paths);
+    CHECK_EQUAL(hsp_paths_bytes(&of_paths, &bytes), HSP_OK);
+    CHECK(bytes > 0 && bytes <= HSP_PATHS_BYTES(n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10]));
+    n[0] = (uint32_t)sizeof of_gate;
+    memcpy(&of_gate, n, sizeof of_gate);
+    CHECK_EQUAL(hsp_gate_bytes(&of_gate, &bytes), HSP_OK);
+    CHECK(bytes > 0 && bytes <= HSP_GATE_BYTES(n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10]));
+  }
+}
+
 static void refused_paths_limits(void) {
   size_t bytes = 0;
   hsp_paths *made = NULL;
@@ -337,6 +358,7 @@ int main(void) {
   CHECK_EQUAL(hsp_model_init(model_memory, sizeof model_memory, CAGE, &model), HSP_OK);
   refused_paths_limits();
   refused_gate_limits();
+  sizes();
   finding_paths();
   finding_probes();
   cage();
