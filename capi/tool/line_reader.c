@@ -38,6 +38,13 @@ bool line_reader_open(struct line_reader *reader, const char *path, struct failu
   return reader->file != NULL;
 }
 
+#ifdef __wasi__
+/* There are no files without names, and no second names for a descriptor. */
+bool line_reader_keep_standard_input(struct failure *failure) {
+  failure->file = input_name("-");
+  return failure_in_input(failure, 0, "cannot be kept to be read again");
+}
+#else
 /* Copy the rest of standard input into a file. False with errno. */
 static bool copy_standard_input(FILE *copy) {
   char bytes[4096];
@@ -60,6 +67,7 @@ bool line_reader_keep_standard_input(struct failure *failure) {
   rewind(stdin);
   return kept;
 }
+#endif
 
 /* A person who watches sees large files grow. */
 static void show_progress(struct line_reader *reader) {

@@ -10,6 +10,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "same_file.h"
+
 /* Links that are followed one after the other, and names that are tried for a new file. */
 enum { MOST_LINKS = 40, MOST_NAMES = 100 };
 
@@ -54,24 +56,6 @@ static void release_signals(void) {
   unfinished = NULL;
   for (size_t i = 0; i < SIGNALS; ++i) sigaction(ending_signals[i], &action_before[i], NULL);
   sigaction(SIGXFSZ, &size_action_before, NULL);
-}
-
-bool output_is_standard(const char *path) {
-  return strcmp(path, "-") == 0 || strcmp(path, "/dev/stdout") == 0;
-}
-
-static bool same_file(const struct stat *a, const struct stat *b) {
-  return (S_ISREG(a->st_mode) || S_ISBLK(a->st_mode)) && a->st_dev == b->st_dev && a->st_ino == b->st_ino;
-}
-
-bool output_is_input(const char *out, const char *in) {
-  struct stat written;
-  struct stat read;
-  const bool from_standard = strcmp(in, "-") == 0;
-  const int found_out = output_is_standard(out) ? fstat(STDOUT_FILENO, &written) : stat(out, &written);
-  const int found_in = from_standard ? fstat(STDIN_FILENO, &read) : stat(in, &read);
-  if (found_in != 0) return !from_standard && strcmp(out, in) == 0;
-  return found_out == 0 && same_file(&written, &read);
 }
 
 /* The part of a path up to its last slash, slash included, and a name behind it. NULL: memory is short. */

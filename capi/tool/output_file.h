@@ -1,4 +1,5 @@
-/* The one way in which files are written: beside the old file, which is replaced at the end, whole or not at all. */
+/* The one way in which files are written: beside the old file, which is replaced at the end, whole or not at all. Where
+ * there are no signals and owners of files, output_file_in_place.c writes in the file's place. */
 #ifndef HARDSPHERE_TOOL_OUTPUT_FILE_H
 #define HARDSPHERE_TOOL_OUTPUT_FILE_H
 

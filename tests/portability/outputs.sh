@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # Runs a build's programs on a list of inputs and writes what they print, and their exit statuses, into a folder.
-#   outputs.sh SOURCE-FOLDER OUTPUT-FOLDER EMULATOR PROGRAM INTERFACE-BITS ARC-TANGENT-BITS
-# EMULATOR may be empty. Fails if a run that has to succeed does not.
+#   outputs.sh SOURCE-FOLDER OUTPUT-FOLDER EMULATOR PROGRAM INTERFACE-BITS ARC-TANGENT-BITS [NAMES]
+# EMULATOR may be empty. NAMES: a regular expression; only the outputs it matches. Fails if a run that has to succeed does
+# not.
 set -euo pipefail
-source=$1 outputs=$2 emulator=$3 program=$4 interface_bits=$5 arc_tangent_bits=$6
+source=$1 outputs=$2 emulator=$3 program=$4 interface_bits=$5 arc_tangent_bits=$6 names=${7:-}
 export LC_ALL=C
 rm -rf "$outputs"
 mkdir -p "$outputs"
@@ -13,12 +14,14 @@ failed=0
 record() { # name, command
   local name=$1 status=0
   shift
+  [[ $name =~ $names ]] || return 0
   # shellcheck disable=SC2086 # no emulator is no word
   $emulator "$@" >"$outputs/$name" 2>&1 </dev/null || status=$?
   echo "exit status $status" >>"$outputs/$name"
 }
 
 succeed() { # name, command
+  [[ $1 =~ $names ]] || return 0
   record "$@"
   if [ "$(tail -n 1 "$outputs/$1")" != "exit status 0" ]; then
     echo "$emulator ${*:2}"

@@ -1,0 +1,65 @@
+/* Output files where there are no signals, owners and processes: WebAssembly with WASI. A file is written in its place,
+ * and taken away if that fails; whoever stops the machine in between leaves a part of it. */
+#include <errno.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "output_file.h"
+#include "same_file.h"
+
+static bool give_up(struct output_file *file, struct failure *failure) {
+  const int reason = file->reason != 0 ? file->reason : errno;
+  const bool standard = file->stream == stdout;
+  failure->file = standard ? NULL : file->path;
+  output_file_abandon(file);
+  return failure_in_input(failure, 0, "%s%s", standard ? "standard output: " : "",
+                          reason != 0 ? strerror(reason) : "cannot be written");
+}
+
+bool output_file_open(struct output_file *file, const char *path, struct failure *failure) {
+  memset(file, 0, sizeof *file);
+  file->path = path;
+  if (output_is_standard(path)) {
+    file->stream = stdout;
+    return true;
+  }
+  struct stat standard;
+  struct stat old;
+  if (stat(path, &old) == 0 && fstat(STDOUT_FILENO, &standard) == 0 && same_file(&old, &standard)) {
+    failure->file = path;
+    return failure_in_input(failure, 0, "this is where standard output goes already");
+  }
+  errno = 0;
+  file->stream = fopen(path, "wb");
+  return file->stream != NULL || give_up(file, failure);
+}
+
+bool output_file_write(struct output_file *file, const char *bytes, size_t count) {
+  if (file->reason != 0) return false;
+  errno = 0;
+  if (count == 0 || fwrite(bytes, 1, count, file->stream) == count) return true;
+  file->reason = errno != 0 ? errno : EIO;
+  return false;
+}
+
+bool output_file_finish(struct output_file *file, struct failure *failure) {
+  errno = 0;
+  if (file->reason == 0 && fflush(file->stream) != 0) file->reason = errno != 0 ? errno : EIO;
+  if (file->reason != 0) return give_up(file, failure);
+  if (file->stream == stdout) return true;
+  FILE *stream = file->stream;
+  file->stream = NULL;
+  if (fclose(stream) == 0) return true;
+  file->reason = errno != 0 ? errno : EIO;
+  unlink(file->path);
+  return give_up(file, failure);
+}
+
+void output_file_abandon(struct output_file *file) {
+  if (file->stream != NULL && file->stream != stdout) {
+    fclose(file->stream);
+    unlink(file->path);
+  }
+  memset(file, 0, sizeof *file);
+}

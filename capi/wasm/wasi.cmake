@@ -1,0 +1,17 @@
+# Toolchain file for WebAssembly with clang and wasi-libc, the packages clang-14 lld-14 wasi-libc libclang-rt-14-dev-wasm32
+# libc++-14-dev-wasm32 libc++abi-14-dev-wasm32 of Debian 12:
+#   cmake -DCMAKE_TOOLCHAIN_FILE=capi/wasm/wasi.cmake -DHSP_TOOL=ON ...
+# The program hardsphere.wasm is a WASI command; `node capi/wasm/run.mjs hardsphere.wasm --help` runs it. CMake 3.25 knows
+# no system of this name, hence Generic: an archive, no shared library.
+set(CMAKE_SYSTEM_NAME Generic)
+set(CMAKE_SYSTEM_PROCESSOR wasm32)
+set(CMAKE_C_COMPILER clang-14)
+set(CMAKE_CXX_COMPILER clang++-14)
+set(CMAKE_C_COMPILER_TARGET wasm32-wasi)
+set(CMAKE_CXX_COMPILER_TARGET wasm32-wasi)
+set(CMAKE_AR llvm-ar-14)
+set(CMAKE_RANLIB llvm-ranlib-14)
+set(CMAKE_EXECUTABLE_SUFFIX_C .wasm)
+set(CMAKE_EXECUTABLE_SUFFIX_CXX .wasm)
+# The archive keeps its objects: wasm-ld leaves out what a program does not call.
+set(HSP_SINGLE_OBJECT OFF CACHE BOOL "")

@@ -1,0 +1,56 @@
+#!/usr/bin/env bash
+# Builds library and program for WebAssembly with Debian's clang and wasi-libc, runs them under Node, and compares every
+# byte of what they print with the reference outputs, which outputs.sh has written for the native build.
+#   wasm.sh SOURCE-FOLDER WORK-FOLDER REFERENCE-FOLDER few|all
+# `few`: the outputs for crambin and caffeine, degenerate balls, a few pictures and refusals. The program is left in
+# WORK-FOLDER for other tests. Exit status 77: something is missing here.
+set -euo pipefail
+source=$1 work=$2 reference=$3 which=$4
+here=$(cd "$(dirname "$0")" && pwd)
+rm -rf "$work"
+skip() {
+  echo "skipped: $*"
+  exit 77
+}
+for program in clang++-14 wasm-ld-14 llvm-ar-14 node; do
+  command -v $program >/dev/null || skip "there is no $program here"
+done
+for file in /usr/lib/wasm32-wasi/libc.a /usr/lib/wasm32-wasi/libc++.a; do
+  [ -e $file ] || skip "there is no $file; packages wasi-libc, libc++-14-dev-wasm32"
+done
+[ -e "$(clang-14 --target=wasm32-wasi -print-libgcc-file-name)" ] || skip "there is no libclang-rt-14-dev-wasm32"
+
+build() {
+  "$@" >>"$work/log" 2>&1 || { tail -n 40 "$work/log" && exit 1; }
+}
+mkdir -p "$work"
+build cmake -S "$here/target" -B "$work/build" -DCMAKE_TOOLCHAIN_FILE="$source/capi/wasm/wasi.cmake" \
+  -DCMAKE_BUILD_TYPE=Release -DHSP_WERROR=ON -DHSP_UNITY_BUILD=ON
+build cmake --build "$work/build" --target outputs --parallel 2
+
+# The archive asks for memory copies, arithmetic of 128 bits and the stack, and for nothing else.
+archive=$work/build/hardsphere/libhardsphere.a
+llvm-nm-14 "$archive" >"$work/symbols"
+asked=$(awk '$1 == "U" {print $2}' "$work/symbols" | sort -u)
+offered=$(awk 'NF == 3 {print $3}' "$work/symbols" | sort -u)
+refused=$(comm -23 <(echo "$asked") <(echo "$offered") | grep -vE '^(mem(cpy|move|set)|__(mul|ashl|ashr|lshr|udiv|umod|div|mod)ti3|__stack_pointer|__memory_base|__indirect_function_table)$' || true)
+[ -z "$refused" ] || { echo "the archive asks for symbols that are not allowed:" && echo "$refused" && exit 1; }
+
+names=''
+if [ "$which" = few ]; then
+  names='^(interface_bits|arc_tangent_bits|(crambin|caffeine|degenerate)(\.probe)?\.(measure|boundary)|crambin\.(contacts|map)'
+  names+='|draw\.(caffeine\.soft\.svg|crambin\.faces\.pdf|degenerate\.flat\.eps)|bad\.[a-d].*)$'
+fi
+programs=$work/build
+bash "$here/outputs.sh" "$source" "$work/outputs" "node --no-warnings $source/capi/wasm/run.mjs" \
+  "$programs/hardsphere/capi/hardsphere.wasm" "$programs/interface_bits.wasm" "$programs/arc_tangent_bits.wasm" "$names"
+failed=0
+for output in "$work/outputs"/*; do
+  cmp "$reference/${output##*/}" "$output" && continue
+  diff "$reference/${output##*/}" "$output" | cut -c 1-400 | head -n 4 || true
+  failed=$((failed + 1))
+done
+if [ "$which" = all ] && ! diff <(ls "$reference") <(ls "$work/outputs"); then failed=$((failed + 1)); fi
+[ $failed -eq 0 ] || { echo "$failed outputs differ from those of the native build" && exit 1; }
+mv "$programs/hardsphere/capi/hardsphere.wasm" "$work/hardsphere.wasm"
+rm -rf "$work/build" "$work/outputs"
