@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# The example of MPI: with several ranks it prints what it prints with one, finds each ball's bits of the whole, and its
+# totals are crambin's.
+#   split_mpi.sh RANKS SOURCE-FOLDER WORK-FOLDER SPLIT-MPI MPIEXEC
+# Exit status 77: MPI does not start processes here.
+set -euo pipefail
+ranks=$1 source=$2 work=$3 program=$4 mpiexec=$5
+export LC_ALL=C OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
+mkdir -p "$work"
+"$mpiexec" -n 1 true >"$work/log" 2>&1 || { echo "skipped: $(grep -m 1 . "$work/log")" && exit 77; }
+
+# Crambin, by the radii of the table in README.md.
+awk 'BEGIN { radius["C"] = 1.7; radius["N"] = 1.55; radius["O"] = 1.52; radius["S"] = 1.8 }
+  /^(ATOM|HETATM)/ {
+    element = substr($0, 77, 2)
+    gsub(/ /, "", element)
+    print substr($0, 31, 8), substr($0, 39, 8), substr($0, 47, 8), radius[element]
+  }' "$source/bench/molecules/crambin.pdb" >"$work/crambin.xyzr"
+
+# Small balls at one end and large ones at the other: parts on their own would not have the lattice of the whole.
+awk 'BEGIN { for (i = 0; i < 120; ++i) printf "%.12f %.12f %.12f %.12f\n", 0.9 * i, sin(i), cos(1.7 * i), 0.2 + i / 70 }' \
+  >"$work/growing.xyzr"
+
+for balls in "$work/crambin.xyzr" "$work/growing.xyzr" "$source/tests/portability/inputs/degenerate.xyzr" \
+  "$source/tests/program/inputs/good/corners.xyzr"; do
+  "$mpiexec" -n 1 "$program" "$balls" >"$work/one" 2>"$work/log" || { cat "$work/log" && exit 1; }
+  "$mpiexec" -n "$ranks" "$program" "$balls" check >"$work/several" 2>"$work/log" || { cat "$work/log" && exit 1; }
+  diff "$work/one" "$work/several" || { echo "$balls: $ranks ranks find something else than one" && exit 1; }
+  echo "$(cat "$work/several"); $(cat "$work/log")"
+  if [[ $balls == *crambin* ]]; then
+    grep -qE '^327 balls, area 4247\.65621155.*, volume 3571\.70310903' "$work/several"
+    # Each rank has something to do, and neighbours.
+    grep -qE "^$ranks ranks, 8 layers, [1-9][0-9]+ balls in halos" "$work/log"
+  fi
+done
