@@ -1,4 +1,4 @@
-# The target hardsphere_documentation: the public headers as HTML, by Doxygen, into documentation/html of the build folder. A
+# The target hardsphere_documentation: the public headers and the guides as HTML, by Doxygen, into documentation/html of the build folder. A
 # warning is an error. The target is there where Doxygen is, and is built on demand alone.
 find_package(Doxygen QUIET)
 if(NOT DOXYGEN_FOUND)
@@ -7,7 +7,9 @@ endif()
 
 # The headers are written to be read as they are: each opens with a plain comment, drawings and tables included, which the
 # filter hands over as it stands.
-set(DOXYGEN_FILTER_PATTERNS "*.h=awk -f ${CMAKE_CURRENT_LIST_DIR}/opening_comment.awk")
+set(DOXYGEN_FILTER_PATTERNS "*.h=awk -f ${CMAKE_CURRENT_LIST_DIR}/opening_comment.awk"
+  "*.md=awk -f ${CMAKE_CURRENT_LIST_DIR}/guide_links.awk")
+set(DOXYGEN_IMAGE_PATH ${CMAKE_CURRENT_LIST_DIR}/guide)
 set(DOXYGEN_PROJECT_BRIEF ${PROJECT_DESCRIPTION})
 set(DOXYGEN_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/documentation)
 set(DOXYGEN_OPTIMIZE_OUTPUT_FOR_C YES)
@@ -27,4 +29,4 @@ set(DOXYGEN_EXTRACT_ALL NO)
 # Parameters are described in sentences.
 set(DOXYGEN_WARN_NO_PARAMDOC NO)
 set(DOXYGEN_WARN_AS_ERROR FAIL_ON_WARNINGS)
-doxygen_add_docs(hardsphere_documentation ${PROJECT_SOURCE_DIR}/include)
+doxygen_add_docs(hardsphere_documentation ${PROJECT_SOURCE_DIR}/include ${CMAKE_CURRENT_LIST_DIR}/guide)

@@ -37,3 +37,6 @@ if(HSP_TOOL)
 endif()
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}
   COMPONENT hardsphere_documentation)
+# The guides, and beside them the examples that they link to.
+install(DIRECTORY ${CMAKE_CURRENT_LIST_DIR}/guide ${CMAKE_CURRENT_LIST_DIR}/examples DESTINATION ${CMAKE_INSTALL_DOCDIR}
+  COMPONENT hardsphere_documentation)
