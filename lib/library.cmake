@@ -103,6 +103,7 @@ set(HSP_LIBRARY_SOURCES
   lib/surface/patch_corners.cpp
   lib/surface/probe_caps.cpp
   lib/surface/probe_grid.cpp
+  lib/surface/probe_positions.cpp
   lib/surface/region_pieces.cpp
   lib/surface/saddle.cpp
   lib/surface/saddle_kernel.cpp

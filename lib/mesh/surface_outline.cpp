@@ -2,6 +2,7 @@
 
 #include "measure/areas.hpp"
 #include "surface/flat_patches.hpp"
+#include "surface/probe_positions.hpp"
 
 namespace hsp {
 
@@ -18,7 +19,7 @@ double SurfaceOutline::steradians(uint32_t sphere) const {
 bool SurfaceOutline::is_flat(uint32_t sphere, Vec3 &normal) const {
   if (sphere < balls() || !curves_.surface().cut_patches().is_cut(sphere - balls())) return false;
   const Boundary &boundary = curves_.boundary();
-  const Position position = position_of_vertex(curves_.balls(), boundary, sphere - balls());
+  const Position position = position_of_probe(curves_.balls(), boundary, sphere - balls());
   return hsp::is_flat(curves_.balls(), boundary, position, sphere - balls(), normal);
 }
 

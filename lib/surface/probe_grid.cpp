@@ -2,12 +2,15 @@
 
 #include "core/decimal.hpp"
 #include "sphere/caps.hpp"
+#include "surface/probe_positions.hpp"
 
 namespace hsp {
 namespace {
 
 constexpr uint32_t spare_probes = 7;
 constexpr uint32_t least_buckets = 128;
+// What a probe sees beside a point where two of its balls touch (probe_positions.hpp).
+constexpr double lune_of_touching = pi;
 
 // B and C above: in steps of 1 the rows are far enough apart within 128 buckets, and high bits spread them.
 constexpr uint64_t step_y = (UINT64_C(0x9E3779B97F4A7C15) & ~UINT64_C(127)) + 5;
@@ -61,7 +64,7 @@ void widen(double x, double &low, double &high) {
 uint8_t order_of_rank(const BallSet &balls, const VertexRecord &vertex) {
   double x[3] = {balls.x[vertex.ball[0]], balls.x[vertex.ball[1]], balls.x[vertex.ball[2]]};
   const auto code = [](uint32_t first, uint32_t second, uint32_t third, bool negative) {
-    return static_cast<uint8_t>(first | second << 2 | third << 4 | static_cast<uint32_t>(negative) << 6);
+    return static_cast<uint8_t>(first | second << 2 | third << 4 | (negative ? ProbePlaces::negative_bit : 0));
   };
   if (x[0] == x[1] || x[1] == x[2] || x[0] == x[2]) [[unlikely]] {
     const OrderedVertex ordered =
@@ -97,7 +100,7 @@ void gather_triangles(const Boundary &boundary, const ProbePlaces &places, const
     const VertexRecord &vertex = boundary.vertex(v);
     const uint32_t order = places.order[v];
     for (int k = 0; k < 3; ++k) triangles.ball[k][lane] = vertex.ball[order >> 2 * k & 3U];
-    triangles.sign[lane] = 1 - 2 * static_cast<int>(order >> 6);
+    triangles.sign[lane] = (order & ProbePlaces::negative_bit) != 0 ? -1.0 : 1.0;
     triangles.root_discriminant[lane] = boundary.root_discriminant(v);
   }
 }
@@ -112,9 +115,16 @@ void measure_triangles(const BallSet &balls, const Boundary &boundary, const Pro
     triangles.offset[2][lane] = offset.z;
   }
 #if HSP_AVX2
-  if (boundary.has_wide_code()) return measure_triangles_avx2(arrays_of(balls), triangles);
+  if (boundary.has_wide_code()) {
+    measure_triangles_avx2(arrays_of(balls), triangles);
+  } else
 #endif
-  measure_triangles(arrays_of(balls), triangles);
+  {
+    measure_triangles(arrays_of(balls), triangles);
+  }
+  for (uint32_t lane = 0; lane < ProbeTriangles::lanes; ++lane) {
+    if ((places.order[vertices[lane]] & ProbePlaces::touching_bit) != 0) triangles.steradians[lane] = lune_of_touching;
+  }
 }
 
 void ProbeGrid::carve(Workspace &workspace, uint32_t vertices, uint64_t shared) {
@@ -200,10 +210,22 @@ void ProbeGrid::place_all(const BallSet &balls, const Boundary &boundary) {
       const Position position =
           x == x ? Position{triangles.ball[0][lane], {x, triangles.offset[1][lane], triangles.offset[2][lane]}}
                  : position_of_vertex(balls, boundary, v);
+      if (triangles.root_discriminant[lane] == 0.0) [[unlikely]] {
+        place_touching(balls, boundary, v);
+        continue;
+      }
       place_.ball[v] = position.ball;
       place_.offset[v] = position.offset;
     }
   }
+}
+
+void ProbeGrid::place_touching(const BallSet &balls, const Boundary &boundary, uint32_t v) {
+  const Position position = position_of_probe(balls, boundary, v);
+  const Vec3 way = way_off_touching_point(balls, boundary, v);
+  if (dot(way, way) > 0.0) place_.order[v] = static_cast<uint8_t>(place_.order[v] | ProbePlaces::touching_bit);
+  place_.ball[v] = position.ball;
+  place_.offset[v] = position.offset;
 }
 
 void ProbeGrid::build(const BallSet &balls, const Boundary &boundary) {

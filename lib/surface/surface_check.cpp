@@ -2,6 +2,7 @@
 
 #include "exact/circle_crossing.hpp"
 #include "measure/areas.hpp"
+#include "surface/probe_positions.hpp"
 #include "surface/surface_patches.hpp"
 #include "surface/surface_positions.hpp"
 
@@ -131,7 +132,7 @@ class SurfaceChecker {
   }
 
   Vec3 centre_of(uint32_t ball) const { return offset_from_origin(balls_, boundary_, ball); }
-  Vec3 place_of(uint32_t vertex) const { return from_origin(position_of_vertex(balls_, boundary_, vertex)); }
+  Vec3 place_of(uint32_t vertex) const { return from_origin(position_of_probe(balls_, boundary_, vertex)); }
 
   Vec3 from_origin(const Position &position) const {
     return offset_from_origin(balls_, boundary_, position.ball) + position.offset;
@@ -196,7 +197,7 @@ class SurfaceChecker {
       centre = {boundary_.face(record.source).ball, {0.0, 0.0, 0.0}};
       radius = balls_.r[centre.ball] - p;
     } else {
-      centre = position_of_vertex(balls_, boundary_, record.source);
+      centre = position_of_probe(balls_, boundary_, record.source);
       radius = -p;
     }
     const Vec3 arm = from_origin(centre);

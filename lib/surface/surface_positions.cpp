@@ -2,6 +2,7 @@
 
 #include "sphere/arc_geometry.hpp"
 #include "surface/flat_patches.hpp"
+#include "surface/probe_positions.hpp"
 #include "surface/surface_areas.hpp"
 
 namespace hsp {
@@ -51,7 +52,7 @@ struct ProbeCap {
   ProbeCap(const Vec3 &direction, double above) : axis(direction), height(above) {}
   // `from` is that of `vertex`.
   ProbeCap(const BallSet &balls, const Boundary &boundary, const Position &from, uint32_t vertex, uint32_t other) {
-    const Vec3 to = difference(balls, from, position_of_vertex(balls, boundary, other));
+    const Vec3 to = difference(balls, from, position_of_probe(balls, boundary, other));
     const double p = static_cast<double>(balls.probe_steps);
     const double square = dot(to, to);
     if (square < coincident_distance * coincident_distance * p * p) {
@@ -97,8 +98,8 @@ Vec3 start_of_arc(const BallSet &balls, const Boundary &boundary, const CutPatch
   const ProbeCap cap(balls, boundary, centre, vertex, own);
   if (!own.is_side() && !before.is_side() && own.across != before.across) {
     const double p = static_cast<double>(balls.probe_steps);
-    const Position at = position_of_vertex(balls, boundary, own.across);
-    const Vec3 apart = difference(balls, at, position_of_vertex(balls, boundary, before.across));
+    const Position at = position_of_probe(balls, boundary, own.across);
+    const Vec3 apart = difference(balls, at, position_of_probe(balls, boundary, before.across));
     if (dot(apart, apart) < coincident_distance * coincident_distance * p * p) {
       const Vec3 normal = towards_coincident(balls, boundary, at, own.across, before.across);
       return cap.exit_of({normal, dot(normal, difference(balls, centre, at)) / p});
@@ -110,7 +111,7 @@ Vec3 start_of_arc(const BallSet &balls, const Boundary &boundary, const CutPatch
 Position position_of_crease_corner(const BallSet &balls, const Boundary &boundary, const CutPatches &cut,
                                    uint32_t arc) {
   const uint32_t vertex = cut.piece(cut.piece_of_arc(arc)).vertex;
-  const Position centre = position_of_vertex(balls, boundary, vertex);
+  const Position centre = position_of_probe(balls, boundary, vertex);
   return {centre.ball, centre.offset + static_cast<double>(balls.probe_steps) *
                                            start_of_arc(balls, boundary, cut, centre, vertex, arc)};
 }
@@ -126,7 +127,7 @@ ArcPosition position_of_rim(const BallSet &balls, uint32_t own, uint32_t other, 
 
 ArcPosition position_of_side(const BallSet &balls, const Boundary &boundary, const SurfaceMap &map,
                              const SurfaceEdge &edge) {
-  const Position centre = position_of_vertex(balls, boundary, boundary.half_edge(edge.source).vertex);
+  const Position centre = position_of_probe(balls, boundary, boundary.half_edge(edge.source).vertex);
   const uint32_t own = boundary.ball_of(edge.source);
   const uint32_t other = boundary.half_edge(edge.source).circle;
   const bool first = map.side_of(edge.source) == 0;
@@ -158,7 +159,7 @@ Position position_of_corner(const BallSet &balls, const Boundary &boundary, cons
     const uint32_t cusp = corner - map.first_cusp();
     return position_of_cusp(balls, surface.cusped_circles(), cusp / 2, cusp % 2);
   }
-  const Position vertex = position_of_vertex(balls, boundary, corner / 3);
+  const Position vertex = position_of_probe(balls, boundary, corner / 3);
   const uint32_t ball = boundary.vertex(corner / 3).ball[corner % 3];
   return {vertex.ball, vertex.offset + static_cast<double>(balls.probe_steps) * towards(balls, vertex, ball)};
 }
@@ -178,7 +179,7 @@ ArcPosition position_of_edge(const BallSet &balls, const Boundary &boundary, con
   const CutPatches &cut = surface.cut_patches();
   const PatchArc &arc = cut.arc(record.source);
   const uint32_t vertex = cut.piece(cut.piece_of_arc(record.source)).vertex;
-  const Position centre = position_of_vertex(balls, boundary, vertex);
+  const Position centre = position_of_probe(balls, boundary, vertex);
   const ProbeCap cap(balls, boundary, centre, vertex, arc.across);
   const double p = static_cast<double>(balls.probe_steps);
   return {{centre.ball, centre.offset + p * cap.height * cap.axis},
@@ -189,7 +190,7 @@ ArcPosition position_of_edge(const BallSet &balls, const Boundary &boundary, con
 
 CreaseArc crease_on_probe(const BallSet &balls, const Boundary &boundary, const CutPatches &cut, uint32_t arc) {
   const uint32_t vertex = cut.piece(cut.piece_of_arc(arc)).vertex;
-  const Position centre = position_of_vertex(balls, boundary, vertex);
+  const Position centre = position_of_probe(balls, boundary, vertex);
   const ProbeCap own(balls, boundary, centre, vertex, cut.arc(arc));
   const uint32_t next = cut.arc(arc).next;
   if (next == arc) return {own.axis, own.height, {0.0, 0.0, 0.0}};
