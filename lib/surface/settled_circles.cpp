@@ -9,9 +9,10 @@
 namespace hsp {
 namespace {
 
-// The unit sphere as that of a probe on the lattice: y = 2^30 x.
-constexpr int64_t W = INT64_C(1) << 60;
+// The unit sphere as that of the smaller probe on the lattice: y = (2^30 - 2^6) x.
 constexpr double steps_of_probe = 0x1p29;
+constexpr int64_t twice_smaller_probe = (INT64_C(1) << 30) - (INT64_C(1) << 6);
+constexpr int64_t W = twice_smaller_probe * twice_smaller_probe;
 
 // Nearer to the border of a patch than this, in units of p, a corner is on it.
 constexpr double border = 1e-6;
@@ -82,12 +83,12 @@ void SettledCircles::find_cusps(uint32_t side) {
   const uint32_t slot = record.slot_of(probe_.ball_opposite(side));
   const uint32_t across = across_cusps(balls_, boundary_, chosen_, cusped_, vertex, slot);
   if (across == no_id) return;
-  const double p = static_cast<double>(balls_.probe_steps);
+  const double p = smaller_probe();
   const CirclePosition position =
       position_of_circle(balls_, record.ball[slot == 0 ? 1 : 0], record.ball[slot == 2 ? 1 : 2]);
   const Position at = grid_.position(vertex);
   const Vec3 centre = balls_.difference(at.ball, position.centre.ball) + (position.centre.offset - at.offset);
-  const double half = std::sqrt((p - position.radius) * (p + position.radius));
+  const double half = position.radius < p ? std::sqrt((p - position.radius) * (p + position.radius)) : 0.0;
   SideCircle &circle = circle_[side];
   circle.cusp[0] = (1.0 / p) * combine(1.0, centre, -half, position.axis);
   circle.cusp[1] = (1.0 / p) * combine(1.0, centre, half, position.axis);
@@ -118,7 +119,7 @@ Answer SettledCircles::crossing(uint32_t j, uint32_t k, Crossing &crossing) cons
   if (is_point(j) || is_point(k)) return Answer::no;
   if (!is_side(k)) {
     if (!is_side(j)) return crossing_of_probes(j, k, crossing);
-    const CircleCrossing<Vec3, double> pair(caps_.axis(j), caps_.b[j], caps_.axis(k), caps_.b[k]);
+    const CircleCrossing<Vec3, double> pair(caps_.axis(j), height(j), caps_.axis(k), height(k));
     const double D = pair.discriminant(1.0);
     if (!has_cusps(j, k) && !(D > 0x1p-40)) return Answer::no;
     const double root = D > 0.0 ? std::sqrt(D) : 0.0;
@@ -136,7 +137,7 @@ Answer SettledCircles::crossing(uint32_t j, uint32_t k, Crossing &crossing) cons
 }
 
 Answer SettledCircles::crossing_of_probes(uint32_t j, uint32_t k, Crossing &crossing) const {
-  const CircleCrossing<Vec3, double> pair(caps_.axis(j), caps_.b[j], caps_.axis(k), caps_.b[k]);
+  const CircleCrossing<Vec3, double> pair(caps_.axis(j), height(j), caps_.axis(k), height(k));
   const double D = pair.discriminant(1.0);
   const double scale = error_ * std::sqrt(pair.nn + dot(pair.q, pair.q));
   if (D < -256 * scale) return Answer::no;
@@ -150,7 +151,7 @@ Answer SettledCircles::crossing_of_probes(uint32_t j, uint32_t k, Crossing &cros
   if (predicates_.crossing(P, Q).sign < 0) return Answer::no;
   const double exact_D = exact::Exact::discriminant(predicates_.sphere(), P, Q);
   const double root = std::sqrt(exact_D > 0.0 ? exact_D : 0.0);
-  constexpr double to_unit = 1.0 / steps_of_probe;
+  constexpr double to_unit = 2.0 / static_cast<double>(twice_smaller_probe);
   crossing = {j,
               k,
               std::sqrt(D > 0.0 ? D : 0.0),
@@ -168,11 +169,11 @@ Answer SettledCircles::contains(const Crossing &crossing, int sign, uint32_t r) 
   if (is_side(crossing.first)) {
     if (has_cusps(crossing.first, crossing.second)) return Answer::no;
     if (mate_[crossing.first] == no_id || !is_beyond_axis(crossing.first, point)) return Answer::yes;
-    return dot(caps_.axis(r), point) > caps_.b[r] ? Answer::yes : Answer::no;
+    return dot(caps_.axis(r), point) > height(r) ? Answer::yes : Answer::no;
   }
   if (is_side(r)) return r > 0 || is_in_patches(crossing, sign) ? Answer::no : Answer::yes;
   if (is_point(r)) return Answer::no;
-  const double above = dot(caps_.axis(r), point) - caps_.b[r];
+  const double above = dot(caps_.axis(r), point) - height(r);
   if (crossing.error >= 0.0) {
     if (above > crossing.error) return Answer::yes;
     if (above < -crossing.error) return Answer::no;
@@ -186,7 +187,7 @@ Answer SettledCircles::contains(const Crossing &crossing, int sign, uint32_t r) 
 // All three patches ask the same questions, in the order of the vertices. Of several vertices in one place that counts
 // whose patch the corner is deepest in.
 bool SettledCircles::is_in_patches(const Crossing &crossing, int sign) const {
-  const double p = static_cast<double>(balls_.probe_steps);
+  const double p = smaller_probe();
   const uint32_t own = probe_.vertex();
   const Vec3 &point = crossing.point[sign > 0 ? 1 : 0];
   uint32_t vertex[3] = {own, vertex_at(crossing.first, point), vertex_at(crossing.second, point)};
@@ -207,15 +208,19 @@ bool SettledCircles::is_in_patches(const Crossing &crossing, int sign) const {
     const SeenTriangle triangle(balls_, boundary_, grid_.position(vertex[t]), vertex[t]);
     const Vec3 to = from_own - grid_.difference(balls_, own, vertex[t]);
     double least = 2.0;
+    uint32_t met = no_id;
     for (uint32_t slot = 0; slot < 3; ++slot) {
       const double above = dot(to, triangle.inward[slot]) / p;
       if (above < least) least = above;
-      if (!(above < border) || answer >= 0) continue;
-      if (above < -border) continue;
+      if (!(above < border) || above < -border) continue;
       const uint32_t across = across_cusps(balls_, boundary_, chosen_, cusped_, vertex[t], slot);
       const uint32_t b = vertex[(t + 1) % 3];
       const uint32_t c = vertex[(t + 2) % 3];
       if (across != b && across != c) continue;
+      // Two sides have their cusps here, and a crease between these: no third probe contains either of them.
+      if (across == met) return false;
+      met = across;
+      if (answer >= 0) continue;
       const Vec3 along = cross(grid_.difference(balls_, vertex[t], across), to);
       const Vec3 third = grid_.difference(balls_, vertex[t], across == b ? c : b);
       answer = (dot(third, along) > 0.0) == (dot(triangle.inward[slot], along) > 0.0) ? 1 : 0;
@@ -231,7 +236,7 @@ bool SettledCircles::is_in_patches(const Crossing &crossing, int sign) const {
 Answer SettledCircles::lies_inside(uint32_t k, uint32_t r) const {
   if (is_point(k)) return Answer::yes;
   if (is_point(r)) return Answer::no;
-  const double above = caps_.b[k] * dot(caps_.axis(k), caps_.axis(r)) - caps_.b[r];
+  const double above = height(k) * dot(caps_.axis(k), caps_.axis(r)) - height(r);
   const double certain = 32 * error_;
   if (above > certain) return Answer::yes;
   if (above < -certain || is_side(k) || is_side(r)) return Answer::no;
@@ -255,7 +260,7 @@ bool SettledCircles::ends_sooner(uint32_t k, const RegionCorner &exit, const Reg
 double SettledCircles::arc_angle(uint32_t k, const RegionCorner &exit, const RegionCorner &entry) const {
   const auto half = [this, k](uint32_t cap, const Vec3 &end) {
     const Vec3 middle = across_axis(k, axis(cap));
-    const double angle = turn_about(axis(k), middle, end - caps_.b[k] * axis(k));
+    const double angle = turn_about(axis(k), middle, end - height(k) * axis(k));
     return angle > pi ? 2 * pi - angle : angle;
   };
   const uint32_t from = exit.other(k);
@@ -267,7 +272,7 @@ double SettledCircles::arc_angle(uint32_t k, const RegionCorner &exit, const Reg
 
 double SettledCircles::exterior_angle(const RegionCorner &corner) const {
   const double g = dot(caps_.axis(corner.first), caps_.axis(corner.second));
-  return arc_tangent(corner.root, g - caps_.b[corner.first] * caps_.b[corner.second]);
+  return arc_tangent(corner.root, g - height(corner.first) * height(corner.second));
 }
 
 // ---- what arcs consist of ----
@@ -292,8 +297,8 @@ uint32_t SettledCircles::parts_of(const RegionArc &arc, Span<const RegionCorner>
     return 1;
   }
   // The sides between vertices in one place, where their patches meet in a crease.
-  const Vec3 centre = caps_.b[k] * caps_.axis(k);
-  const double radius = std::sqrt((1.0 - caps_.b[k]) * (1.0 + caps_.b[k]));
+  const Vec3 centre = height(k) * caps_.axis(k);
+  const double radius = std::sqrt((1.0 - height(k)) * (1.0 + height(k)));
   const bool whole = arc.start == no_id;
   const Vec3 sideways = cross(caps_.axis(k), probe_.corner(0));
   const double length = std::sqrt(dot(sideways, sideways));
@@ -305,7 +310,7 @@ uint32_t SettledCircles::parts_of(const RegionArc &arc, Span<const RegionCorner>
   };
   double cut[most_parts];
   uint32_t cuts = 0;
-  const double p = static_cast<double>(balls_.probe_steps);
+  const double p = smaller_probe();
   probe_.for_each_in_place(k, [&](uint32_t u) {
     const Position place = grid_.position(u);
     const SeenTriangle triangle(balls_, boundary_, place, u);
@@ -360,7 +365,7 @@ uint32_t SettledCircles::parts_of(const RegionArc &arc, Span<const RegionCorner>
 
 // How far within the triangle that a vertex sees a point of the own sphere lies; of the sides besides one.
 double SettledCircles::depth_in(uint32_t vertex, const Vec3 &point, uint32_t besides) const {
-  const double p = static_cast<double>(balls_.probe_steps);
+  const double p = smaller_probe();
   const SeenTriangle triangle(balls_, boundary_, grid_.position(vertex), vertex);
   const Vec3 to = point - (1.0 / p) * grid_.difference(balls_, probe_.vertex(), vertex);
   double least = 2.0;

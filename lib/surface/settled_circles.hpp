@@ -10,7 +10,11 @@
 //     But where the vertex across is in the same place, and the gap a whole turn, the side itself is the crease between
 //     the cusps;
 //   whether a corner of three creases lies in the patches: if it is clearly outside of one, in none of them. If it is
-//     at a cusp, where a crease starts, it is there iff that crease enters the third cap.
+//     at a cusp, where a crease starts, it is there iff that crease enters the third cap. A crease that joins two cusps
+//     in one place enters none.
+//
+// All of this is asked for a probe that is smaller by a share of 2^-24, at the same vertices: with r = 0 all probes
+// around a ball meet in its centre, where their cusps and corners lie, too. Smaller ones keep apart.
 #pragma once
 
 #include "surface/cusped_circles.hpp"
@@ -35,7 +39,7 @@ class SettledCircles {
 
   uint32_t count() const { return caps_.count; }
   Vec3 axis(uint32_t k) const { return caps_.axis(k); }
-  double height(uint32_t k) const { return caps_.b[k]; }
+  double height(uint32_t k) const { return growth * caps_.b[k]; }
 
   Answer crossing(uint32_t j, uint32_t k, Crossing &crossing) const;
   Answer contains(const Crossing &crossing, int sign, uint32_t r) const;
@@ -58,12 +62,16 @@ class SettledCircles {
   uint32_t parts_of(const RegionArc &arc, Span<const RegionCorner> corners, Part (&parts)[most_parts]) const;
 
  private:
-  // The circle of a side, seen from the vertex, in units of p.
+  // The circle of a side, seen from the vertex, in units of the smaller probe.
   struct SideCircle {
     Vec3 cusp[2];  // as the balls of the record have them
     Vec3 outward;  // from the axis to the vertex
     double radius;
   };
+  // Of lengths on the unit sphere, as that of the smaller probe.
+  static constexpr double growth = 1.0 / (1.0 - 0x1p-24);
+  double smaller_probe() const { return static_cast<double>(balls_.probe_steps) / growth; }
+
   bool is_beyond_axis(uint32_t side, const Vec3 &point) const {
     return circle_[side].radius + dot(point, circle_[side].outward) < 0.0;
   }
@@ -73,7 +81,7 @@ class SettledCircles {
 
   void find_cusps(uint32_t side);
   // Of a probe that touches this one, up to rounding: seen so from both, it cuts nothing.
-  bool is_point(uint32_t k) const { return caps_.b[k] > 1.0 - 0x1p-40; }
+  bool is_point(uint32_t k) const { return height(k) > 1.0 - 0x1p-40; }
   static bool is_side(uint32_t k) { return k < ProbeCaps::sides; }
   bool has_cusps(uint32_t side, uint32_t cap) const { return cusp_cap_[side] == cap; }
   Answer crossing_of_probes(uint32_t j, uint32_t k, Crossing &crossing) const;
