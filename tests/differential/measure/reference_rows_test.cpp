@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "lattice_lengths.hpp"
 #include "library_run.hpp"
@@ -75,7 +77,7 @@ INSTANTIATE_TEST_SUITE_P(
       return file.substr(0, file.find('.')) + (row.param.probe > 0 ? "Accessible" : "VanDerWaals");
     });
 
-// ---- smooth surfaces, for a probe of 1.4 ----
+// ---- smooth surfaces, for a probe of 1.4 unless another one is given ----
 
 // The values are those of an independent program in doubles, whose areas and volumes agree with lines through the
 // definition, with V' = -A and with quadrature of the concave patches.
@@ -87,8 +89,8 @@ struct SmoothRow {
 
 // To `digits` of a relative precision; lengths are in angstrom.
 void compare_smooth(const support::BallList &list, const SmoothRow &row, double digits,
-                    double units = static_cast<double>(steps_per_angstrom)) {
-  const LibraryBoundary boundary(oracle::on_lattice(list, 0, units), 1, 1.4 * units);
+                    double units = static_cast<double>(steps_per_angstrom), double probe = 1.4) {
+  const LibraryBoundary boundary(oracle::on_lattice(list, 0, units), 1, probe * units);
   support::OwnedSurface surface;
   surface.take(support::surface_limits_for(boundary.handle()));
   surface.compute([&](hsp_surface *handle, hsp_surface_limits *limits) {
@@ -154,6 +156,87 @@ TEST(ReferenceRows, SmoothSurfacesOfSymmetricSets) {
                  1e8);
   compare_smooth(grid, {67.6596077, 45.5116003, 0, 0, 0, 0, 0, 0}, 2e-9);
   compare_smooth(wide_grid, {304.230888, 331.901243, 0, 0, 0, 0, 0, 0}, 2e-9);
+}
+
+// Saddles that reach their axis, probes that cut each other around a throat and from inside and outside of a void; four
+// and eight spheres through one point, whose values are the limits of inflated balls.
+TEST(ReferenceRows, SmoothSurfacesOfSmallSets) {
+  struct SmallSet {
+    const char *name;
+    std::vector<std::array<double, 4>> balls;
+    double probe;
+    SmoothRow row;
+    double digits;
+  };
+  constexpr double a = 1.79555934;
+  const auto triangle = [](double x, double left, double y) {
+    return std::vector<std::array<double, 4>>{{x, 0, 0, 1.7}, {left, y, 0, 1.7}, {left, -y, 0, 1.7}};
+  };
+  std::vector<std::array<double, 4>> corners;
+  for (const double x : {-0.8, 0.8}) {
+    for (const double y : {-1.6, 1.6}) {
+      for (const double z : {-1.6, 1.6}) corners.push_back({x, y, z, 1});
+    }
+  }
+  const SmallSet sets[] = {
+      {"two far",
+       {{0, 0, 0, 1.7}, {5.4, 0, 0, 1.7}},
+       1.4,
+       {74.82423590186, 41.80379383311, 67.9475820122, 6.8766538896, 0, 0, 0, 0},
+       1e-12},
+      {"two far, a larger probe",
+       {{0, 0, 0, 1.7}, {5.4, 0, 0, 1.7}},
+       3,
+       {80.96140531381, 47.93581275002, 57.1796599912, 23.7817453226, 0, 0, 0, 0},
+       1e-12},
+      {"spindle",
+       {{0, 0, 0, 1.7}, {6.1, 0, 0, 1.7}},
+       1.4,
+       {72.64919880183, 41.16523321646, 72.0478671336, 0.6013316682, 0, 0, 0, 0},
+       1e-12},
+      {"spindle of two sizes",
+       {{0, 0, 0, 2}, {5.6, 0, 0, 1.2}},
+       1.4,
+       {68.61845656966, 40.84146738944, 66.2984492731, 2.3200072966, 0, 0, 0, 0},
+       1e-12},
+      {"small on large",
+       {{0, 0, 0, 1.7}, {1.9, 0, 0, 0.3}},
+       1.4,
+       {36.93770058142, 20.82937123191, 34.3749409815, 2.5627595996, 0, 0, 0, 0},
+       1e-12},
+      {"throat",
+       triangle(2.9, -1.45, 2.51147367),
+       1.4,
+       {119.8830024625, 66.99444771262, 89.1358433827, 24.3930994435, 6.35405963625, 0, 0, 0},
+       1e-12},
+      {"throat, almost open",
+       triangle(3.09, -1.545, 2.6760185),
+       1.4,
+       {116.3057233727, 64.01665722428, 94.0598133676, 21.1175258521, 1.12838415294, 0, 0, 0},
+       1e-12},
+      {"open throat",
+       triangle(3.2, -1.6, 2.77128129),
+       1.4,
+       {112.4921565405, 62.85155162832, 97.3975152429, 15.0946412977, 0, 0, 0, 0},
+       1e-12},
+      {"void",
+       {{a, a, a, 1.7}, {a, -a, -a, 1.7}, {-a, a, -a, 1.7}, {-a, -a, a, 1.7}},
+       1.4,
+       {167.6627434343, 92.23100491818, 108.55494545, 36.4811662779, 22.6266317068, 8, 8, 0},
+       1e-12},
+      {"four through a point",
+       {{2.1, 0, 0, 1.7}, {0, 2.1, 0, 1.7}, {-2.1, 0, 0, 1.7}, {0, -2.1, 0, 1.7}},
+       1.4,
+       {114.7810576, 87.0340342, 0, 0, 0, 0, 0, 0},
+       1e-9},
+      {"eight through a point", corners, 1.4, {103.3358454, 50.3578564, 0, 0, 0, 0, 0, 0}, 2e-9},
+  };
+  for (const SmallSet &set : sets) {
+    SCOPED_TRACE(set.name);
+    support::BallList list;
+    for (const auto &[x, y, z, radius] : set.balls) list.add(x, y, z, radius);
+    compare_smooth(list, set.row, set.digits, 1e8, set.probe);
+  }
 }
 
 struct SmoothMolecule {
