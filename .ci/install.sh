@@ -15,7 +15,8 @@ packages_for_all_tests=(clang clang-14 lld musl-tools libclang-rt-14-dev g++-aar
   valgrind)
 # WebAssembly and the page that uses it, MPI, machines without an operating system.
 optional_packages_for_all_tests=(g++-riscv64-linux-gnu g++-arm-linux-gnueabihf wasi-libc libclang-rt-14-dev-wasm32
-  libc++-14-dev-wasm32 libc++abi-14-dev-wasm32 nodejs chromium openmpi-bin libopenmpi-dev)
+  libc++-14-dev-wasm32 libc++abi-14-dev-wasm32 nodejs chromium openmpi-bin libopenmpi-dev
+  qemu-system-arm)
 # What `bench/run.sh --peers` times beside the library. FreeSASA's archive needs two libraries that it reads files with.
 packages_of_peers=(freesasa libxml2-dev libjson-c-dev libcgal-dev libnanoflann-dev gemmi-dev libfcl-dev)
 

@@ -2,7 +2,7 @@
 # How much flash the library takes on a microcontroller: text and initialized data of whole images, newlib included,
 # compiled with -Os and linked with --gc-sections. An image larger than its budget fails.
 #   firmware_size.sh CORTEX SOURCE-FOLDER WORK-FOLDER
-# CORTEX: m4 or m7. Exit status 77: there is no compiler for it here.
+# CORTEX: m4 or m7. The library is left in WORK-FOLDER, for firmware_runs.sh. Exit status 77: there is no compiler for it here.
 set -euo pipefail
 cortex=$1 source=$2 work=$3
 here=$(cd "$(dirname "$0")/firmware" && pwd)
@@ -36,5 +36,6 @@ image 7 82 "the same with topology"
 image 35 122 "boundary, measure, gradient and smooth surface"
 image 8 72 "a model, a view from it alone, pictures"
 image 31 134 "all of these but the smooth surface"
+mv "$work/build/libhardsphere.a" "$work/libhardsphere.a"
 rm -rf "$work/build"
 exit $failed
