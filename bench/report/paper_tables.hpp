@@ -9,6 +9,7 @@ namespace report {
 
 void write_section_2(std::ostream &out, const Run &run);
 void write_figure_4(std::ostream &out, const Run &run);
+void write_free_space(std::ostream &out, const Run &run);
 void write_section_3(std::ostream &out, const Run &run);
 void write_section_4_2(std::ostream &out, const Run &run);
 

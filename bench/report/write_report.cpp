@@ -82,6 +82,7 @@ void write_report(std::ostream &out, const std::filesystem::path &folder) {
   report::write_section_2(out, run);
   report::write_figure_4(out, run);
   plot("figure_4", "Cells of decompositions in space and in cubes against the number of balls");
+  report::write_free_space(out, run);
   report::write_section_3(out, run);
   report::write_alternatives(out, run);
   plot("alternatives", "Section 3's alternatives: ball queries and memory against the number of balls");
