@@ -102,7 +102,8 @@ int32_t hsp_contacts_compute(hsp_contacts *contacts, const hsp_boundary *boundar
   contacts->complete = false;
   if (!is_live(boundary) || !hsp::capi::may_write(limits)) return HSP_E_ARGUMENT;
   if (!boundary->has_results()) return HSP_E_STATE;
-  const hsp::Status status = contacts->builder.build(boundary->model->grid, boundary->structure());
+  const hsp::Status status =
+      contacts->builder.build(boundary->model->grid, boundary->structure(), boundary->builder.needed().neighbours);
   contacts->boundary.set(boundary);
   return hsp::capi::finish<static_cast<hsp_contacts_limits (*)(const hsp::ContactLimits &)>(to_c)>(*contacts, status,
                                                                                                    limits);

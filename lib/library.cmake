@@ -85,6 +85,9 @@ set(HSP_LIBRARY_SOURCES
   lib/updates/component_update.cpp
   lib/updates/moving_balls.cpp
   lib/contacts/chord_clipper.cpp
+  lib/contacts/chord_kernel.cpp
+  lib/contacts/chord_kernel_avx2.cpp
+  lib/contacts/chord_walk.cpp
   lib/contacts/contacts_builder.cpp
   lib/contacts/contacts_check.cpp
   lib/periodic/periodic_box.cpp

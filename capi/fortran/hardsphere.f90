@@ -2898,8 +2898,8 @@ contains
   pure function hsp_contacts_bytes_bound(balls, neighbours, contacts, triangles, tetrahedra) result(bytes)
     integer(c_int32_t), intent(in) :: balls, neighbours, contacts, triangles, tetrahedra
     integer(c_size_t) :: bytes
-    bytes = 4096_c_size_t + 20_c_size_t*int(balls, c_size_t) + 128_c_size_t*int(neighbours, c_size_t) &
-            + 44_c_size_t*int(contacts, c_size_t) + 16_c_size_t*int(triangles, c_size_t) &
+    bytes = 4096_c_size_t + 28_c_size_t*int(balls, c_size_t) + 208_c_size_t*int(neighbours, c_size_t) &
+            + 60_c_size_t*int(contacts, c_size_t) + 16_c_size_t*int(triangles, c_size_t) &
             + 16_c_size_t*int(tetrahedra, c_size_t)
   end function
 
@@ -2909,7 +2909,7 @@ contains
     integer(c_size_t) :: bytes
     bytes = 16384_c_size_t + 384_c_size_t*int(balls, c_size_t) + 256_c_size_t*int(images, c_size_t) &
             + 384_c_size_t*int(neighbours, c_size_t) + 160_c_size_t*int(vertices, c_size_t) &
-            + 80_c_size_t*int(circles, c_size_t) + 44_c_size_t*int(contacts, c_size_t)
+            + 80_c_size_t*int(circles, c_size_t) + 60_c_size_t*int(contacts, c_size_t)
   end function
 
   !> HSP_MESH_BYTES of the header, for the size of an allocation.

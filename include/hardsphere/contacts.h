@@ -52,8 +52,8 @@ HSP_API int32_t hsp_contacts_bytes(const hsp_contacts_limits *limits, size_t *by
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
 #define HSP_CONTACTS_BYTES(balls, neighbours, contacts, triangles, tetrahedra)        \
-  ((size_t)4096 + (size_t)20 * (size_t)(balls) + (size_t)128 * (size_t)(neighbours) + \
-   (size_t)44 * (size_t)(contacts) + (size_t)16 * (size_t)(triangles) + (size_t)16 * (size_t)(tetrahedra))
+  ((size_t)4096 + (size_t)28 * (size_t)(balls) + (size_t)208 * (size_t)(neighbours) + \
+   (size_t)60 * (size_t)(contacts) + (size_t)16 * (size_t)(triangles) + (size_t)16 * (size_t)(tetrahedra))
 
 /** Make empty contacts in caller memory of any alignment; sets *contacts.
  *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
@@ -67,7 +67,8 @@ HSP_API int32_t hsp_contacts_init(void *memory, size_t bytes, const hsp_contacts
  *  computed again. On failure they hold no results. limits: see LIMITS in hardsphere.h; at most three retries.
  *  - Property 1: the order of the balls has no effect but on ids and on their order.
  *
- *  Cost: O(n) for sets as in Theorem 2.1; O(m^3) per ball with m neighbours at worst.
+ *  Cost: O(n) for sets as in Theorem 2.1; O(m^3) per ball with m neighbours at worst, where most
+ *  balls are hidden by others that do not contain them.
  *  @retval HSP_E_ARGUMENT  contacts or boundary is NULL; bad struct_size of limits
  *  @retval HSP_E_CAPACITY  a limit is too small; limits, if not NULL, become limits to retry with
  *  @retval HSP_E_STATE     the boundary holds no results, or its model has changed since */

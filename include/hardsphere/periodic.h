@@ -58,7 +58,7 @@ HSP_API int32_t hsp_periodic_bytes(const hsp_periodic_limits *limits, size_t *by
 #define HSP_PERIODIC_BYTES(balls, images, neighbours, vertices, circles, contacts)                          \
   ((size_t)16384 + (size_t)384 * (size_t)(balls) + (size_t)256 * (size_t)(images) +                         \
    (size_t)384 * (size_t)(neighbours) + (size_t)160 * (size_t)(vertices) + (size_t)80 * (size_t)(circles) + \
-   (size_t)44 * (size_t)(contacts))
+   (size_t)60 * (size_t)(contacts))
 
 /** Make an empty union in caller memory of any alignment; sets *periodic.
  *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size

@@ -112,10 +112,4 @@ class Contacts {
   ContactArrays a_;
 };
 
-// Ball j as seen from ball i: twice the signed distance of their contact's plane from the centre of i is h / |v|.
-inline double contact_height(const BallSet &balls, uint32_t i, uint32_t j) {
-  const exact::Plane P = exact::plane_of(balls.ball(i), balls.ball(j));
-  return static_cast<double>(P.h) / (2 * std::sqrt(static_cast<double>(dot(P.v, P.v))));
-}
-
 }  // namespace hsp

@@ -1,6 +1,6 @@
 #include "contacts/contacts_builder.hpp"
 
-#include "core/sorting.hpp"
+#include "exact/chord_line.hpp"
 #include "exact/discriminant.hpp"
 #include "measure/areas.hpp"
 #include "model/block_sweep.hpp"
@@ -10,6 +10,17 @@ namespace {
 
 // A contact that was counted, but for which there was no room.
 constexpr uint32_t no_room = no_id - 1;
+
+// The balls of a block that come after ball i.
+CubeBlock part_behind(const CubeBlock &block, uint32_t i) {
+  CubeBlock part;
+  part.ranges = 0;
+  for (uint32_t k = 0; k < block.ranges; ++k) {
+    const BallRange &range = block.range[k];
+    if (range.last > i + 1) part.range[part.ranges++] = {range.first > i ? range.first : i + 1, range.last};
+  }
+  return part;
+}
 
 }  // namespace
 
@@ -30,34 +41,34 @@ void ContactsBuilder::carve(Workspace &workspace, const ContactLimits &limits) {
   limits_ = limits;
   contacts_.a_.carve(workspace, limits);
   caps_.carve(workspace, limits.neighbours);
-  clipper_.carve(workspace, limits.neighbours);
+  walk_.carve(workspace, limits);
   contact_of_cap_ = workspace.take<uint32_t>(limits.neighbours);
 }
 
-Status ContactsBuilder::build(const CubeGrid &grid, const Boundary &boundary) {
+Status ContactsBuilder::build(const CubeGrid &grid, const Boundary &boundary, uint32_t neighbours) {
   const BallSet &balls = grid.balls();
   clear(balls.n);
   own_balls_ = grid.own_balls();
-  if (balls.n > limits_.balls) return Status::capacity;
+  needed_.neighbours = neighbours;
+  if (balls.n > limits_.balls || neighbours > limits_.neighbours) return Status::capacity;
+  walk_.start(balls.n, own_balls_);
   BlockSweep sweep(grid);
   for (uint32_t cube = 0; cube < grid.own_cubes(); ++cube) {
     const CubeBlock &block = sweep.block_around(cube);
     const BallRange own = grid.balls_in(cube);
     for (uint32_t i = own.first; i < own.last; ++i) {
       if (boundary.is_contained(i)) continue;
-      caps_.gather(balls, block, i, nullptr);
-      needed_.neighbours = larger_count(needed_.neighbours, caps_.met);
-      // Once a ball has more neighbours than there is room for, the rest is only counted.
-      if (needed_.neighbours > limits_.neighbours) continue;
-      caps_.keep_if([&boundary](uint32_t j) { return !boundary.is_contained(j); });
+      caps_.gather(balls, walk_.asks_for_all_caps(boundary, i) ? block : part_behind(block, i), i, nullptr);
+      start_ball(boundary);
+      walk_.find(boundary, caps_);
       recall_contacts();
-      find_chords(balls);
+      walk_.visit(caps_, [&](const FoundChord &chord) { add_chord(balls, boundary, chord); });
       add_free_edges(balls, boundary);
     }
   }
   if (const Status status = check_capacity(); status != Status::ok) return status;
   measure_contacts(balls);
-  make_rows(balls);
+  make_rows(grid);
   count_simplices(boundary);
   return Status::ok;
 }
@@ -95,17 +106,21 @@ uint32_t ContactsBuilder::find_contact(uint32_t a, uint32_t b) {
   return id;
 }
 
+void ContactsBuilder::start_ball(const Boundary &boundary) {
+  const auto is_inside = [&boundary](uint32_t ball) { return boundary.is_contained(ball); };
+  bool any_inside = false;
+  for (uint32_t k = 0; k < caps_.count; ++k) any_inside = any_inside || is_inside(caps_.ball[k]);
+  if (any_inside) caps_.keep_if([&is_inside](uint32_t j) { return !is_inside(j); });
+  caps_.first_later = 0;
+  while (caps_.first_later < caps_.count && caps_.ball[caps_.first_later] < caps_.origin) ++caps_.first_later;
+  for (uint32_t k = caps_.first_later; k < caps_.count; ++k) contact_of_cap_[k] = no_id;
+}
+
 // The contacts of the ball at hand with later ones that chords at earlier balls have.
 void ContactsBuilder::recall_contacts() {
   const ContactArrays &a = contacts_.a_;
-  uint32_t later = 0;
-  for (uint32_t k = 0; k < caps_.count; ++k) {
-    contact_of_cap_[k] = no_id;
-    later += caps_.ball[k] < caps_.origin ? 1U : 0U;
-  }
-  caps_.first_later = later;
   for (uint32_t id = a.first_in_row[caps_.origin]; id != no_id; id = a.links[id]) {
-    contact_of_cap_[caps_.cap_of(a.contacts[id].ball[1])] = id;
+    contact_of_cap_[walk_.cap_of(a.contacts[id].ball[1])] = id;
   }
 }
 
@@ -115,29 +130,26 @@ ContactRecord *ContactsBuilder::contact_of_cap(uint32_t cap) {
   return stored(id);
 }
 
-void ContactsBuilder::find_chords(const BallSet &balls) {
-  clipper_.start(caps_);
-  for (uint32_t j = caps_.first_later; j < caps_.count; ++j) {
-    for (uint32_t k = j + 1; k < caps_.count; ++k) {
-      ChordEnds ends;
-      if (clipper_.clip(caps_, j, k, ends)) add_chord(balls, j, k, ends);
-    }
-  }
-}
-
 // With y = 2 (x - c) the chord runs along (q x n + t n)/N, and what it adds to half the sum of distance times length
 // over the chords of a contact is beta (t+ - t-) / (8 |u| N) for P, and likewise for the two others.
-void ContactsBuilder::add_chord(const BallSet &balls, uint32_t j, uint32_t k, const ChordEnds &ends) {
+void ContactsBuilder::add_chord(const BallSet &balls, const Boundary &boundary, const FoundChord &chord) {
   ContactArrays &a = contacts_.a_;
+  const auto [j, k] = chord.cap;
   const exact::Plane &P = caps_.plane(j);
   const exact::Plane &Q = caps_.plane(k);
-  const double root = ends.free_ends() > 0 ? std::sqrt(exact::discriminant(caps_.sphere, P, Q)) : 0.0;
+  const exact::ChordLine<exact::FastLimb> line(P, Q);
+  // Its half: of a vertex the boundary knows it.
+  const double root = chord.free_ends() == 0  ? 0.0
+                      : chord.vertex != no_id ? boundary.root_discriminant(chord.vertex)
+                                              : std::sqrt(exact::discriminant(caps_.sphere, P, Q));
   const auto end_at = [&](int end, double at_vertex) {
-    const uint32_t clipper = ends.clipper[end];
-    return clipper == no_id ? at_vertex : exact::Exact::line_parameter(P, Q, caps_.plane(clipper));
+    const uint32_t clipper = chord.clipper[end];
+    if (clipper == no_id) return at_vertex;
+    return line.parameter(clipper > caps_.origin ? caps_.plane(walk_.cap_of(clipper))
+                                                 : exact::plane_of(balls.ball(caps_.origin), balls.ball(clipper)));
   };
   const double extent = end_at(1, root) - end_at(0, -root);
-  const exact::ChordFactors factors = exact::Exact::chord_factors(P, Q);
+  const exact::ChordFactors factors = line.factors();
   // Infinitely short chords may have an extent below 0 by rounding.
   const double scale = extent > 0.0 ? extent / (8 * factors.N) : 0.0;
   const auto part = [scale](double factor, const exact::Vector &v) {
@@ -156,12 +168,12 @@ void ContactsBuilder::add_chord(const BallSet &balls, uint32_t j, uint32_t k, co
     add(stored(find_contact(first, second)), part(factors.third, balls.exact_difference(first, second)));
   }
 
-  const TriangleRecord triangle{{caps_.origin, first, second}, ends.free_ends()};
+  const TriangleRecord triangle{{caps_.origin, first, second}, chord.free_ends()};
   a.triangles.push(triangle);
   ++a.simplices.of[2][static_cast<uint32_t>(triangle.kind())];
   // Each tetrahedron is an end of four chords, of which one is that of its first three balls.
-  for (const uint32_t clipper : ends.clipper) {
-    if (clipper != no_id && clipper > k) a.tetrahedra.push({{caps_.origin, first, second, caps_.ball[clipper]}});
+  for (const uint32_t clipper : chord.clipper) {
+    if (clipper != no_id && clipper > second) a.tetrahedra.push({{caps_.origin, first, second, clipper}});
   }
 }
 
@@ -178,7 +190,7 @@ void ContactsBuilder::add_free_edges(const BallSet &balls, const Boundary &bound
     surface.add(batch);
     for (uint32_t s = 0; s < batch.count; ++s) {
       if (batch.other[s] < i || !batch.has_piece(s)) continue;
-      ContactRecord *const contact = contact_of_cap(caps_.cap_of(batch.other[s]));
+      ContactRecord *const contact = contact_of_cap(walk_.cap_of(batch.other[s]));
       if (contact == nullptr) continue;
       contact->edge += batch.angle[s];  // not yet a length
       contact->code |= batch.arc[s] != 0 ? ContactRecord::arc_bit : ContactRecord::circle_bit;
@@ -194,8 +206,8 @@ Status ContactsBuilder::check_capacity() {
   needed_.contacts = clamped_count(a.contacts.required());
   if (limits_.triangles > 0) needed_.triangles = clamped_count(a.triangles.required());
   if (limits_.tetrahedra > 0) needed_.tetrahedra = clamped_count(a.tetrahedra.required());
-  const bool fits = needed_.neighbours <= limits_.neighbours && !a.contacts.overflowed() &&
-                    needed_.triangles <= limits_.triangles && needed_.tetrahedra <= limits_.tetrahedra;
+  const bool fits =
+      !a.contacts.overflowed() && needed_.triangles <= limits_.triangles && needed_.tetrahedra <= limits_.tetrahedra;
   return fits ? Status::ok : Status::capacity;
 }
 
@@ -206,17 +218,21 @@ void ContactsBuilder::measure_contacts(const BallSet &balls) {
   for (ContactRecord &contact : a.contacts.items()) {
     const auto [first, second] = contact.ball;
     const exact::LatticeBall own = balls.ball(first);
-    const exact::Plane P = exact::plane_of(own, balls.ball(second));
-    const double Delta = exact::Exact::circle_discriminant(exact::sphere_of(own), P);
-    const double square = Delta > 0.0 ? Delta / (4 * static_cast<double>(dot(P.v, P.v))) : 0.0;
+    const exact::LatticeBall other = balls.ball(second);
+    const exact::Plane P = exact::plane_of(own, other);
+    const int64_t U = dot(P.v, P.v);
+    const double square = exact::circle_discriminant(exact::sphere_of(own), P, U) / (4 * static_cast<double>(U));
     if (square == 0.0) contact.code |= ContactRecord::touching_bit;
     const double area = contact.area + 0.5 * square * contact.edge;
     contact.area = area > 0.0 && square > 0.0 ? area : 0.0;
     contact.edge *= std::sqrt(square);
     a.contact_area[first] += contact.area;
     a.contact_area[second] += contact.area;
-    a.cell_volume[first] += contact_height(balls, first, second) * contact.area;
-    a.cell_volume[second] += contact_height(balls, second, first) * contact.area;
+    // Twice the heights of the contact's plane over both centres are h and 2 |v|^2 - h over |v|.
+    const double twice_distance = 2 * std::sqrt(static_cast<double>(U));
+    const int64_t other_h = U + (other.radius - own.radius) * (other.radius + own.radius);
+    a.cell_volume[first] += static_cast<double>(P.h) / twice_distance * contact.area;
+    a.cell_volume[second] += static_cast<double>(other_h) / twice_distance * contact.area;
   }
   for (uint32_t i = 0; i < a.balls; ++i) {
     const double volume = a.cell_volume[i] / 3;
@@ -224,7 +240,9 @@ void ContactsBuilder::measure_contacts(const BallSet &balls) {
   }
 }
 
-void ContactsBuilder::make_rows(const BallSet &balls) {
+// Rows in the order in which contacts were found; then all balls in the caller's order, each to the rows of those that
+// it is in contact with.
+void ContactsBuilder::make_rows(const CubeGrid &grid) {
   ContactArrays &a = contacts_.a_;
   for (uint32_t i = 0; i <= a.balls; ++i) a.first_in_row[i] = 0;
   for (const ContactRecord &contact : a.contacts.items()) {
@@ -234,13 +252,17 @@ void ContactsBuilder::make_rows(const BallSet &balls) {
   for (uint32_t i = 0; i < a.balls; ++i) a.first_in_row[i] = end += a.first_in_row[i];
   a.first_in_row[a.balls] = end;
   // From their ends down, so that they are at their beginnings then.
+  const Span<uint32_t> found = walk_.scratch_of_contacts();
   for (uint32_t id = 0; id < a.contacts.size(); ++id) {
-    for (const uint32_t ball : a.contacts[id].ball) a.row[--a.first_in_row[ball]] = id;
+    for (const uint32_t ball : a.contacts[id].ball) found[--a.first_in_row[ball]] = id;
   }
-  for (uint32_t i = 0; i < own_balls_; ++i) {
-    sort_in_place(a.row.part(a.first_in_row[i], a.first_in_row[i + 1]), [&](uint32_t p, uint32_t q) {
-      return balls.given_before(a.contacts[p].other(i), a.contacts[q].other(i));
-    });
+  const Span<uint32_t> next = walk_.scratch_of_balls();
+  for (uint32_t i = 0; i < a.balls; ++i) next[i] = a.first_in_row[i];
+  for (uint32_t given = 0; given < a.balls; ++given) {
+    const uint32_t i = grid.grid_index(given);
+    for (const uint32_t id : found.part(a.first_in_row[i], a.first_in_row[i + 1])) {
+      a.row[next[a.contacts[id].other(i)]++] = id;
+    }
   }
 }
 

@@ -1,10 +1,9 @@
-// Fills contacts: the pass over all balls of a boundary. Every chord is clipped at the first of its three balls in the
+// Fills contacts: the pass over all balls of a boundary. Every chord is found at the first of its three balls in the
 // grid's order, and its parts of their three contacts follow from exact integers rounded once: so they keep their
 // digits where spheres nearly meet in one point.
 #pragma once
 
-#include "contacts/chord_clipper.hpp"
-#include "contacts/contacts.hpp"
+#include "contacts/chord_walk.hpp"
 
 namespace hsp {
 
@@ -21,9 +20,9 @@ class ContactsBuilder {
   void carve(Workspace &workspace, const ContactLimits &limits);
 
   // Where balls of the grid stand around, of the contacts of all others; boundary then says of those at least which are
-  // inside others. Status::capacity if a limit is too small; needed() then reports what suffices, once `neighbours`
-  // does. Of contacts that may be more than there are, by no more than the triangles.
-  Status build(const CubeGrid &grid, const Boundary &boundary);
+  // inside others. neighbours: what it needed of them. Status::capacity if a limit is too small; needed() then reports
+  // what suffices, once `neighbours` does. Of contacts that may be more than there are, by no more than the triangles.
+  Status build(const CubeGrid &grid, const Boundary &boundary, uint32_t neighbours);
 
   const Contacts &contacts() const { return contacts_; }
   // Triangles and tetrahedra count if they have limits.
@@ -36,16 +35,16 @@ class ContactsBuilder {
 
  private:
   void clear(uint32_t balls);
+  void start_ball(const Boundary &boundary);
   void recall_contacts();
-  void find_chords(const BallSet &balls);
-  void add_chord(const BallSet &balls, uint32_t j, uint32_t k, const ChordEnds &ends);
+  void add_chord(const BallSet &balls, const Boundary &boundary, const FoundChord &chord);
   void add_free_edges(const BallSet &balls, const Boundary &boundary);
   ContactRecord *contact_of_cap(uint32_t cap);
   uint32_t find_contact(uint32_t a, uint32_t b);
   ContactRecord *stored(uint32_t id);
   Status check_capacity();
   void measure_contacts(const BallSet &balls);
-  void make_rows(const BallSet &balls);
+  void make_rows(const CubeGrid &grid);
   void count_simplices(const Boundary &boundary);
 
   ContactLimits limits_;
@@ -53,7 +52,7 @@ class ContactsBuilder {
   uint32_t own_balls_ = 0;  // the first ones
   Contacts contacts_;
   Caps caps_;
-  ChordClipper clipper_;
+  ChordWalk walk_;
   Span<uint32_t> contact_of_cap_;  // [neighbours] of the ball at hand, for later balls; no_id where none is known yet
 };
 

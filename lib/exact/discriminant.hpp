@@ -1,5 +1,6 @@
-// D = W n.n - q.q of plane.hpp, rounded once. The same value as ExactPredicates::discriminant(), which is for any width
-// of limbs; this is for 64 bits and the compiler's product of 128 bits, and is asked for every vertex.
+// D = W n.n - q.q of plane.hpp, and Delta = W u.u - h^2, rounded once; 0 if they are negative. The same values as those
+// of ExactPredicates, which are for any width of limbs; these are for 64 bits and the compiler's product of 128 bits,
+// and are asked for every vertex and every contact.
 #pragma once
 
 #include "exact/exact_predicates.hpp"
@@ -62,7 +63,18 @@ inline double discriminant(const Sphere &sphere, const Plane &P, const Plane &Q)
   return rounded_or_zero(high, static_cast<uint64_t>(low));
 }
 
+// Delta = W u.u - h^2 for U = u.u, of which |Delta| < 2^125.
+inline double circle_discriminant(const Sphere &sphere, const Plane &P, int64_t U) {
+  const int128 Delta = static_cast<int128>(sphere.W) * U - static_cast<int128>(P.h) * P.h;
+  return rounded_or_zero(Delta >> 64, static_cast<uint64_t>(Delta));
+}
+
 #else
+
+inline double circle_discriminant(const Sphere &sphere, const Plane &P, int64_t) {
+  const double Delta = Exact::circle_discriminant(sphere, P);
+  return Delta > 0.0 ? Delta : 0.0;
+}
 
 inline double discriminant(const Sphere &sphere, const Plane &P, const Plane &Q) {
   return Exact::discriminant(sphere, P, Q);

@@ -1,5 +1,7 @@
 #include "exact/exact_predicates.hpp"
 
+#include "exact/chord_line.hpp"
+
 namespace hsp::exact {
 namespace {
 
@@ -259,21 +261,12 @@ int ExactPredicates<Limb>::cross_dot_cross_sign(const Vector &u, const Vector &v
 
 template <class Limb>
 ChordFactors ExactPredicates<Limb>::chord_factors(const Plane &P, const Plane &Q) {
-  using E = Evaluation<Limb>;
-  const Vector n = cross(P.v, Q.v);
-  const int64_t uv = dot(P.v, Q.v);
-  const auto N = E::dot128(n, n);
-  const auto alpha = E::times(P.h, dot(Q.v, Q.v)) - E::times(Q.h, uv);
-  const auto beta = E::times(Q.h, dot(P.v, P.v)) - E::times(P.h, uv);
-  return {alpha.to_double(), beta.to_double(), (N + N - alpha - beta).to_double(), N.to_double()};
+  return ChordLine<Limb>(P, Q).factors();
 }
 
 template <class Limb>
 double ExactPredicates<Limb>::line_parameter(const Plane &P, const Plane &Q, const Plane &R) {
-  using E = Evaluation<Limb>;
-  const Vector n = cross(P.v, Q.v);
-  // -A = H.n
-  return E::template dot_long<192>(E::H_of(P, Q, R, n), n).to_double() / E::dot128(n, R.v).to_double();
+  return ChordLine<Limb>(P, Q).parameter(R);
 }
 
 template <class Limb>

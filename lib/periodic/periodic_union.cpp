@@ -35,7 +35,7 @@ Status PeriodicUnion::build(const BallInput &input, const double vector[9], uint
   for (uint32_t k = images_.balls(); k < images_.size(); ++k) {
     boundary_.take_state(grid_.grid_index(k), grid_.grid_index(images_.ball_of(k)));
   }
-  status = contacts_.build(grid_, boundary());
+  status = contacts_.build(grid_, boundary(), boundary_.needed().neighbours);
   needed_.contacts = contacts_.needed().contacts;
   if (status != Status::ok) return status;
   status = join_balls();

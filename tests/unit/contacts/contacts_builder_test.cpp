@@ -351,7 +351,7 @@ TEST(Contacts, ReportLimitsThatSuffice) {
     CarvedMemory memory;
     hsp::ContactsBuilder builder;
     memory.carve(builder, limits);
-    const hsp::Status status = builder.build(built.grid(), built.boundary());
+    const hsp::Status status = builder.build(built.grid(), built.boundary(), built.neighbours());
     retry = builder.retry_limits();
     return status;
   };

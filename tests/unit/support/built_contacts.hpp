@@ -15,7 +15,7 @@ class BuiltContacts {
     status_ = build(boundary_memory_, boundary_, hsp::BoundaryLimits{n, 8, 8, 8, 0}, grid());
     if (status_ != hsp::Status::ok) return;
     hsp::ContactLimits limits{n, boundary_.needed().neighbours, 4, simplices, simplices};
-    status_ = build(contacts_memory_, contacts_, limits, grid(), boundary());
+    status_ = build(contacts_memory_, contacts_, limits, grid(), boundary(), neighbours());
   }
 
   hsp::Status status() const { return status_; }

@@ -1,0 +1,85 @@
+// All chords that survive, ball after ball in the grid's order, each at the first of its three balls.
+//
+// Nobody looks at all pairs of caps: a chord is found at one of its ends. The ends on the surface of the union are the
+// boundary's vertices. Every other one is a power vertex, and there four chords end, one for every three of its balls.
+// So from an end that is known the walk goes along the chord to the other one: the nearest cut by a later ball, as
+// nothing is left of chords that earlier balls cut but what those have told. There begin two more chords of the ball at
+// hand, and one of the other three balls, which is kept until the first of these has its turn.
+//
+// This finds every chord. On a sphere about the ball draw its contacts with later balls as points, chords as edges,
+// power vertices as triangles: a planar complex, of which the walk goes through a whole component from each edge that
+// bounds one. A component without such edges is a whole sphere, so the ball has no face, all balls that it is in
+// contact with are later ones, and no power vertex with an earlier ball has it: then one chord is searched for among
+// all pairs (chord_clipper.hpp). By Euler's formula a ball has less than three times as many chords with later balls as
+// later contacts, and by the same for all balls there are no more power vertices than contacts.
+#pragma once
+
+#include "boundary/boundary.hpp"
+#include "contacts/chord_clipper.hpp"
+#include "contacts/contacts.hpp"
+
+namespace hsp {
+
+struct FoundChord {
+  uint32_t cap[2];      // ascending
+  uint32_t clipper[2];  // balls that clip it at the side of p- and of p+; no_id where it ends in a vertex
+  uint32_t vertex;      // of the boundary, one that it ends in; or no_id
+  uint32_t next;        // with the same first cap and a later second one; or no_id
+
+  uint32_t free_ends() const { return (clipper[0] == no_id ? 1U : 0U) + (clipper[1] == no_id ? 1U : 0U); }
+};
+
+class ChordWalk {
+ public:
+  void carve(Workspace &workspace, const ContactLimits &limits);
+
+  // Before the first of all balls; there must be room for so many. Only the first `own` ones come.
+  void start(uint32_t balls, uint32_t own);
+  // Whether the next ball is to come with all of its caps. Else those of later balls do.
+  bool asks_for_all_caps(const Boundary &boundary, uint32_t ball) const {
+    return lost_ || (first_arrival_[ball] == no_id && !boundary.is_exposed(ball));
+  }
+  // The next ball of the boundary by its caps, without those of balls inside other ones. All balls that have caps must
+  // come, in ascending order, once.
+  void find(const Boundary &boundary, Caps &caps);
+
+  // Calls sink(chord) for the chords of the ball at hand, ascending in their caps.
+  template <class Sink>
+  void visit(const Caps &caps, Sink sink) const {
+    for (uint32_t j = caps.first_later; count_ > 0 && j < caps.count; ++j) {
+      for (uint32_t c = first_chord_[j]; c != no_id; c = chords_[c].next) sink(chords_[c]);
+    }
+  }
+  // The cap of a later ball that meets the ball at hand.
+  uint32_t cap_of(uint32_t ball) const { return cap_of_ball_[ball]; }
+
+  // When all balls have come: [2 contacts], [balls]
+  Span<uint32_t> scratch_of_contacts() { return arrival_balls_; }
+  Span<uint32_t> scratch_of_balls() { return first_arrival_; }
+
+ private:
+  void start_from_ends(const Boundary &boundary, const Caps &caps);
+  void try_pairs(const Caps &caps, bool one_is_enough);
+  FoundChord &chord_of(uint32_t j, uint32_t k);
+  void follow(const Caps &caps, bool wide);
+  uint32_t cut_of(const Caps &caps, uint32_t j, uint32_t k, uint32_t side, bool wide) const;
+  void add_power_vertex(const Caps &caps, uint32_t j, uint32_t k, uint32_t clipper, uint32_t side);
+
+  ChordClipper clipper_;
+  Span<FoundChord> chords_;     // [3 neighbours]
+  Span<uint32_t> first_chord_;  // [neighbours] by first cap
+  Span<uint32_t> cap_of_ball_;  // [balls]
+  // Arrivals: a chord of three balls, known at the fourth one of a power vertex. It ends there at the side of p+ if its
+  // two later balls are ascending, else at that of p-.
+  Span<uint32_t> first_arrival_;    // [balls] by first ball
+  Span<uint32_t> arrival_balls_;    // [2 contacts] the two later ones
+  Span<uint32_t> arrival_clipper_;  // [contacts]
+  Span<uint32_t> next_arrival_;     // [contacts]
+  uint32_t arrivals_ = 0;
+  uint32_t own_ = 0;
+  uint32_t count_ = 0;
+  uint32_t next_vertex_ = 0;  // vertices are in the order of their first balls
+  bool lost_ = false;         // there was no room for an arrival: from the next ball on all pairs are looked at
+};
+
+}  // namespace hsp

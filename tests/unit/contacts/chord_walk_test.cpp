@@ -1,0 +1,206 @@
+// Chords that the walk finds from the boundary's vertices, against those that are left of all pairs of caps.
+#include "contacts/chord_walk.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <map>
+#include <utility>
+
+#include "boundary/boundary_builder.hpp"
+#include "built_grid.hpp"
+#include "contacts/chord_cuts.hpp"
+#include "core/processor.hpp"
+#include "lattice_lengths.hpp"
+#include "random_balls.hpp"
+
+namespace {
+
+// By the balls of a chord, those that clip it.
+using Chords = std::map<std::array<uint32_t, 3>, std::pair<uint32_t, uint32_t>>;
+
+class WalkedBalls {
+ public:
+  explicit WalkedBalls(const support::BallList &balls) : built_(balls), n_(balls.size()) {
+    memory_.carve(boundary_, hsp::BoundaryLimits{n_, n_, 8 * n_ * n_ + 8, n_ * n_ + 8, 0});
+    EXPECT_EQ(boundary_.build(built_.grid()), hsp::Status::ok);
+    caps_memory_.carve(caps_, n_);
+  }
+
+  Chords by_walk(uint32_t contacts) {
+    CarvedMemory memory;
+    hsp::ChordWalk walk;
+    memory.carve(walk, hsp::ContactLimits{n_, n_, contacts, 0, 0});
+    walk.start(built_.grid().balls().n, built_.grid().balls().n);
+    Chords chords;
+    for (uint32_t i = 0; i < built_.grid().balls().n; ++i) {
+      if (!gather(i)) continue;
+      all_asked_ += walk.asks_for_all_caps(boundary_.boundary(), i) ? 1U : 0U;
+      walk.find(boundary_.boundary(), caps_);
+      uint32_t last[2] = {0, 0};
+      walk.visit(caps_, [&](const hsp::FoundChord &chord) {
+        const auto [j, k] = chord.cap;
+        EXPECT_TRUE(last[0] < j || (last[0] == j && last[1] < k));
+        last[0] = j;
+        last[1] = k;
+        chords[{i, caps_.ball[j], caps_.ball[k]}] = {chord.clipper[0], chord.clipper[1]};
+        if (chord.vertex == hsp::no_id) return;
+        const hsp::VertexRecord &vertex = boundary_.boundary().vertex(chord.vertex);
+        EXPECT_EQ(vertex.ball[0], i);
+        EXPECT_EQ(vertex.ball[1], caps_.ball[j]);
+        EXPECT_EQ(vertex.ball[2], caps_.ball[k]);
+      });
+    }
+    return chords;
+  }
+
+  Chords by_pairs() {
+    CarvedMemory memory;
+    hsp::ChordClipper clipper;
+    memory.carve(clipper, n_);
+    Chords chords;
+    for (uint32_t i = 0; i < built_.grid().balls().n; ++i) {
+      if (!gather(i)) continue;
+      clipper.start(caps_);
+      for (uint32_t j = caps_.first_later; j < caps_.count; ++j) {
+        for (uint32_t k = j + 1; k < caps_.count; ++k) {
+          hsp::ChordEnds ends;
+          if (!clipper.clip(caps_, j, k, ends)) continue;
+          const auto ball = [&](uint32_t cap) { return cap == hsp::no_id ? cap : caps_.ball[cap]; };
+          chords[{i, caps_.ball[j], caps_.ball[k]}] = {ball(ends.clipper[0]), ball(ends.clipper[1])};
+        }
+      }
+    }
+    return chords;
+  }
+
+  // How many balls the walk wanted to have with all of their caps.
+  uint32_t all_asked() const { return all_asked_; }
+
+ private:
+  bool gather(uint32_t i) {
+    const hsp::BallSet &balls = built_.grid().balls();
+    if (boundary_.boundary().is_contained(i)) return false;
+    const hsp::CubeGrid &grid = built_.grid();
+    caps_.gather(balls, grid.block_around(grid.cube_at(balls.ball(i).centre)), i, nullptr);
+    caps_.keep_if([this](uint32_t j) { return !boundary_.boundary().is_contained(j); });
+    caps_.first_later = 0;
+    while (caps_.first_later < caps_.count && caps_.ball[caps_.first_later] < i) ++caps_.first_later;
+    return true;
+  }
+
+  BuiltGrid built_;
+  uint32_t n_;
+  CarvedMemory memory_, caps_memory_;
+  hsp::BoundaryBuilder boundary_;
+  hsp::Caps caps_;
+  uint32_t all_asked_ = 0;
+};
+
+oracle::Balls any_kind_of_balls(oracle::RandomSource &random, int k) {
+  const size_t n = static_cast<size_t>(random.in(4, 24));
+  switch (k % 4) {
+    case 0:
+      return oracle::dense_balls(random, n);
+    case 1:
+      return oracle::lattice_balls(random, n);
+    case 2:
+      return oracle::degenerate_balls(random, n);
+    default:
+      return oracle::any_balls(random, n);
+  }
+}
+
+TEST(ChordWalk, FindsWhatIsLeftOfAllPairs) {
+  oracle::RandomSource random(83);
+  size_t chords = 0;
+  uint32_t all_asked = 0;
+  for (int k = 0; k < 160 && !HasFailure(); ++k) {
+    const oracle::Balls balls = any_kind_of_balls(random, k);
+    WalkedBalls walked(oracle::in_lengths(balls, 1));
+    const Chords expected = walked.by_pairs();
+    EXPECT_EQ(walked.by_walk(100 * 24), expected) << oracle::to_text(balls);
+    // Without room for what is to be kept all pairs are looked at from some ball on.
+    EXPECT_EQ(walked.by_walk(0), expected) << oracle::to_text(balls);
+    EXPECT_EQ(walked.by_walk(2), expected) << oracle::to_text(balls);
+    chords += expected.size();
+    all_asked += walked.all_asked();
+  }
+  EXPECT_GT(chords, 2000U);
+  EXPECT_GT(all_asked, 100U);
+}
+
+// A ball in a cage of later ones: nothing leads to its chords, neither vertices nor earlier balls.
+TEST(ChordWalk, FindsAllOfABallThatIsBuriedByLaterOnes) {
+  oracle::RandomSource random(84);
+  uint32_t buried = 0;
+  for (int k = 0; k < 40 && !HasFailure(); ++k) {
+    oracle::Balls balls;
+    balls.push_back({random.in(-20, 20), random.in(-20, 20), random.in(-20, 20), 400});
+    for (int64_t corner = 0; corner < 8; ++corner) {
+      const auto side = [&](int64_t bit) { return ((corner >> bit) & 1) * 600 - 300 + random.in(-30, 30); };
+      balls.push_back({side(0), side(1), side(2), 520 + random.in(-10, 10)});
+    }
+    WalkedBalls walked(oracle::in_lengths(balls, 1));
+    const Chords expected = walked.by_pairs();
+    EXPECT_EQ(walked.by_walk(1000), expected) << oracle::to_text(balls);
+    for (const auto &[chord, ends] : expected) {
+      buried += ends.first > chord[0] && ends.first != hsp::no_id && ends.second > chord[0] ? 1U : 0U;
+    }
+  }
+  EXPECT_GT(buried, 40U);
+}
+
+// Both kinds of kernels cut a ray where a loop does.
+TEST(ChordCuts, AreThoseOfALoop) {
+  oracle::RandomSource random(85);
+  const auto number = [&] { return static_cast<double>(random.in(-1000, 1000)) / 1000; };
+  for (int k = 0; k < 300; ++k) {
+    const uint32_t first = static_cast<uint32_t>(random.in(0, 5));
+    const uint32_t last = first + static_cast<uint32_t>(random.in(2, 20));
+    double ux[32], uy[32], uz[32], b[32];
+    for (uint32_t t = 0; t < 32; ++t) {
+      const bool inside = t < last;
+      ux[t] = inside ? number() : 0.0;
+      uy[t] = inside ? number() : 0.0;
+      uz[t] = inside ? number() : 0.0;
+      b[t] = inside ? number() : 4.0;
+    }
+    const hsp::ChordRay ray{{number(), number(), number()}, {number(), number(), number()}};
+    // One that the ray runs along, one that it runs along far outside.
+    for (double *coordinate : {ux, uy, uz}) coordinate[first] = coordinate[first + 1] = 0.0;
+    b[first] = 0.0;
+    b[first + 1] = 1.0;
+    hsp::NearestCut expected{hsp::ChordRay::none, hsp::ChordRay::none, 0, 0};
+    for (uint32_t t = first; t < last; ++t) {
+      const double g = ray.w[0] * ux[t] + ray.w[1] * uy[t] + ray.w[2] * uz[t];
+      const double depth = b[t] - (ray.m[0] * ux[t] + ray.m[1] * uy[t] + ray.m[2] * uz[t]);
+      if (g > -hsp::ChordRay::least_slope && g <= hsp::ChordRay::least_slope) {
+        expected.unclear += depth <= 2 * hsp::ChordRay::least_slope ? 1U : 0U;
+      }
+      if (!(g > hsp::ChordRay::least_slope)) continue;
+      const double s = depth / g;
+      if (s < expected.s) {
+        expected.second = expected.s;
+        expected.s = s;
+        expected.cap = t;
+      } else if (s < expected.second) {
+        expected.second = s;
+      }
+    }
+    const auto compare = [&](const hsp::NearestCut &found) {
+      EXPECT_EQ(found.s, expected.s);
+      EXPECT_EQ(found.second, expected.second);
+      EXPECT_EQ(found.unclear, expected.unclear);
+      if (expected.s < hsp::ChordRay::none) {
+        EXPECT_EQ(found.cap, expected.cap);
+      }
+    };
+    compare(hsp::nearest_cut({ux, uy, uz, b}, first, last, ray));
+#if HSP_AVX2
+    if (hsp::has_avx2()) compare(hsp::nearest_cut_avx2({ux, uy, uz, b}, first, last, ray));
+#endif
+  }
+}
+
+}  // namespace
