@@ -48,7 +48,7 @@ static bool compute(const struct molecule *molecule, const struct drawing *drawi
                         hsp_sticks_conflict *, hsp_sticks_limits *) =
       drawing_is_of_map(drawing) ? hsp_sticks_compute_map : hsp_sticks_compute;
   progress_show(&geometry->progress, "ordering balls and sticks");
-  int32_t status = viewing_options(&drawing->viewing, &options);
+  int32_t status = viewing_options(&drawing->viewing, molecule, &options);
   if (status == HSP_OK) status = hsp_sticks_limits_init(&limits, (uint32_t)sizeof limits, molecule->atoms);
   if (status != HSP_OK) return failure_in_library(failure, status);
   limits.sticks = count;

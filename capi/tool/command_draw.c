@@ -15,8 +15,9 @@
 #include "report.h"
 #include "residues.h"
 
-/* As wide as a page of text. */
+/* As wide as the text of a page, which .eps and .pdf are for. */
 static const double default_millimetres = 170.0;
+static const double px_per_millimetre = 96.0 / 25.4;
 
 enum { carbon = 6 };
 
@@ -52,8 +53,9 @@ static bool make_colours(const struct request *request, const struct molecule *m
   return false;
 }
 
-static bool view_options_of(const struct drawing *drawing, hsp_view_options *options, struct failure *failure) {
-  const int32_t status = viewing_options(&drawing->viewing, options);
+static bool view_options_of(const struct drawing *drawing, const struct molecule *molecule, hsp_view_options *options,
+                            struct failure *failure) {
+  const int32_t status = viewing_options(&drawing->viewing, molecule, options);
   if (drawing->pieces >= 0 && !drawing_is_of_map(drawing)) options->pieces = (uint32_t)drawing->pieces;
   if (drawing->all_balls) options->flags |= HSP_VIEW_ALL_BALLS;
   return status == HSP_OK || failure_in_library(failure, status);
@@ -66,7 +68,11 @@ static bool picture_options_of(const struct drawing *drawing, uint32_t balls, co
   options->format = (uint32_t)drawing->format;
   options->style = drawing_style(drawing, balls);
   if (drawing->unit >= 0) options->unit = (uint32_t)drawing->unit;
-  if (options->unit == HSP_UNIT_MM) options->width = default_millimetres;
+  if (options->unit == HSP_UNIT_MM) {
+    options->width = default_millimetres;
+  } else if (options->format != HSP_FORMAT_SVG) {
+    options->width = default_millimetres * px_per_millimetre;
+  }
   if (drawing->height >= 0.0) {
     options->height = drawing->height;
     options->width = 0.0; /* follows, unless it is given too */
@@ -195,8 +201,9 @@ static bool compute(const struct request *request, const struct molecule *molecu
   if (drawing_is_of_sticks(&request->drawing)) {
     return ball_and_stick_compute(molecule, &request->drawing, colour, geometry, failure);
   }
-  if (drawing_is_of_map(&request->drawing)) return geometry_compute_map(geometry, &request->drawing.viewing, failure);
-  return view_options_of(&request->drawing, &options, failure) &&
+  if (drawing_is_of_map(&request->drawing))
+    return geometry_compute_map(geometry, &request->drawing.viewing, molecule, failure);
+  return view_options_of(&request->drawing, molecule, &options, failure) &&
          (options.pieces != HSP_PIECES_OUTSIDE_ALL || geometry_compute_boundary(geometry, failure)) &&
          geometry_compute_view(geometry, &options, failure);
 }

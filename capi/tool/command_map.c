@@ -82,7 +82,7 @@ bool command_map(const struct request *request, const struct molecule *molecule,
                  struct text_buffer *out, struct failure *failure) {
   struct seen seen;
   memset(&seen, 0, sizeof seen);
-  const bool done = geometry_compute_map(geometry, &request->viewing, failure) &&
+  const bool done = geometry_compute_map(geometry, &request->viewing, molecule, failure) &&
                     read_map(geometry->work.map, molecule->atoms, &seen, failure);
   if (done && request->json) print_json(request, molecule, &seen, out);
   if (done && !request->json) print_table(request, molecule, &seen, out);

@@ -56,7 +56,7 @@ static void print_table(const struct request *request, const struct molecule *mo
 bool command_pick(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                   struct text_buffer *out, struct failure *failure) {
   hsp_map_sight sight;
-  if (!geometry_compute_map(geometry, &request->viewing, failure)) return false;
+  if (!geometry_compute_map(geometry, &request->viewing, molecule, failure)) return false;
   const int32_t status = pick(geometry->work.map, request->at.xyz, &sight);
   if (status != HSP_OK) return failure_in_library(failure, status);
   if (request->json) {

@@ -63,7 +63,8 @@ bool geometry_compute_mesh(struct geometry *geometry, bool of_surface, double ed
 bool geometry_compute_view(struct geometry *geometry, const hsp_view_options *options, struct failure *failure);
 
 /* Find what is seen, from the model alone. */
-bool geometry_compute_map(struct geometry *geometry, const struct viewing *viewing, struct failure *failure);
+bool geometry_compute_map(struct geometry *geometry, const struct viewing *viewing, const struct molecule *molecule,
+                          struct failure *failure);
 
 /* The shells of a computed topology; *shells is to be freed on true. */
 bool geometry_list_shells(const struct geometry *geometry, hsp_shell **shells, uint32_t *count,

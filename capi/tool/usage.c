@@ -293,7 +293,8 @@ static const char map_text[] =
     "Counts what is seen from a direction: faces, each of which shows one ball or the background, the edges between\n"
     "them, and vertices, where edges end. Areas are those in the view plane. Where balls stand exactly behind each\n"
     "other all are moved a little, and the table says by how much.\n"
-    "  --view X,Y,Z           the direction towards the viewer; default 0,0,1\n"
+    "  --view X,Y,Z           the direction towards the viewer; default 0,0,1. auto: the one along which the centres\n"
+    "                         spread least, with that along which they spread most across\n"
     "  --up X,Y,Z             the direction that appears upwards; default as for draw\n"
     "  --rotate X,Y,Z         instead of both, as for draw\n"
     "  --per-ball             list the balls that are seen\n"
@@ -309,7 +310,8 @@ static const char pick_text[] =
     "Y\n"
     "upwards, and depth grows towards the viewer; origin and unit are those of the file.\n"
     "  --at X,Y               the point\n"
-    "  --view X,Y,Z           the direction towards the viewer; default 0,0,1\n"
+    "  --view X,Y,Z           the direction towards the viewer; default 0,0,1. auto: the one along which the centres\n"
+    "                         spread least, with that along which they spread most across\n"
     "  --up X,Y,Z             the direction that appears upwards; default as for draw\n"
     "  --rotate X,Y,Z         instead of both, as for draw\n"
     "Example: hardsphere pick 1crn.pdb --at 10,12\n"
@@ -322,11 +324,16 @@ static const char draw_text[] =
     "Draws the balls with hidden parts removed, as true arcs: OUT is .svg, .eps or .pdf.\n"
     "  -o OUT, --output OUT   the file to write\n"
     "  --picture svg|eps|pdf  what OUT is; default by its extension, and svg if it is -\n"
-    "  --view X,Y,Z           the direction towards the viewer; default 0,0,1\n"
+    "  --view X,Y,Z           the direction towards the viewer; default 0,0,1. auto: the one along which the centres\n"
+    "                         spread least, with that along which they spread most across\n"
     "  --up X,Y,Z             the direction that appears upwards; default, and if it is that of the view, 0,1,0,\n"
     "                         or 0,0,1 if that is the view's\n"
     "  --rotate X,Y,Z         instead of both: turn the balls by X, then Y, then Z degrees about the axes to the\n"
     "                         right, upwards and towards the viewer, counter-clockwise seen from their ends\n"
+    "";
+
+/* The rest of it: longer strings are not for every compiler. */
+static const char draw_looks_text[] =
     "  --style flat|headlight|soft\n"
     "                         one colour a ball, light from the viewer, or light from the upper left; default\n"
     "                         soft up to 2000 balls, flat above\n"
@@ -339,7 +346,8 @@ static const char draw_text[] =
     "                         several times that with a --probe; a coarser rule serves above 1000 and above 20000\n"
     "  --fog F                fade far balls to the background, from 0, not at all, to 1; default 0.3\n"
     "  --outline W            the width of lines along silhouettes and intersections, 0: none; default by size\n"
-    "  --width W, --height H  the size of the picture, one follows from the other; default width 1000 px or 170 mm\n"
+    "  --width W, --height H  the size of the picture, one follows from the other; default width 1000 px, and 170 mm\n"
+    "                         for .eps, .pdf and in mm\n"
     "  --unit px|mm           of width, height and outline; default px, 1/96 inch\n"
     "  --margin M             around the balls, as a part of their larger side; default 0.03\n"
     "  --scale S              for pictures side by side and movies: S px or mm for a unit of length, instead of all\n"
@@ -439,7 +447,8 @@ void usage_of_command(struct text_buffer *out, enum command command) {
       break;
   }
   const bool boxes = command == COMMAND_BOUNDARY || command == COMMAND_MEASURE || command == COMMAND_CONTACTS;
-  text_buffer_add(out, "%s%s%s", text, boxes ? box_text : "", for_all_commands);
+  const char *more = boxes ? box_text : command == COMMAND_DRAW ? draw_looks_text : "";
+  text_buffer_add(out, "%s%s%s", text, more, for_all_commands);
 }
 
 void usage_version(struct text_buffer *out) {

@@ -8,8 +8,11 @@
 #include "hardsphere.h"
 #include "option_reader.h"
 
+struct molecule;
+
 struct viewing {
   struct option_vector view;   /* towards the viewer */
+  bool automatic;              /* along the thinnest principal axis instead */
   struct option_vector rotate; /* degrees */
   struct option_vector up;
 };
@@ -20,7 +23,7 @@ bool viewing_take_option(struct viewing *viewing, struct option_reader *reader, 
 /* Which of them go together. */
 bool viewing_check(const struct viewing *viewing, struct failure *failure);
 
-/* The same for the library, defaults included. The status of the library. */
-int32_t viewing_options(const struct viewing *viewing, hsp_view_options *options);
+/* The same for the library, defaults included, for looking at a molecule. The status of the library. */
+int32_t viewing_options(const struct viewing *viewing, const struct molecule *molecule, hsp_view_options *options);
 
 #endif

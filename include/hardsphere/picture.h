@@ -6,9 +6,12 @@
  * which views do not have. Balls and sticks: one path for each ball and half of a stick, painted back to front; or,
  * where they have no such order, around what is seen of each, as of a map. The bytes depend on these, the colours and
  * the options alone, not on the machine.
- *   SVG   elliptical arcs; each path carries the caller's ball index as data-ball
+ *   SVG   elliptical arcs; each path carries the caller's ball index as data-ball. Names of gradients begin with digits
+ *         that depend on them, so that several pictures can stand inline in one page
  *   EPS   arcs of the unit circle under a matrix: exact
  *   PDF   cubic pieces of at most 45 degrees, within 4.3e-6 of the semi-axis of the arc
+ * An ellipse whose lesser semi-axis is below an eighth of the width of the lines, and below 0.2 px, is drawn as a line,
+ * which it nearly is: along flatter ellipses many a renderer breaks the stroke. Without lines the bound is 1e-4 px.
  */
 #ifndef HARDSPHERE_PICTURE_H
 #define HARDSPHERE_PICTURE_H
@@ -49,7 +52,7 @@ typedef int32_t (*hsp_sink)(void *context, const char *bytes, size_t count);
  *  `centre` is in the middle whatever the direction, lengths are the same in every picture, and a side that is 0 is as
  *  long as the other one. What lies beyond the edges is cut off there: by the viewBox of SVG, a clip path of EPS, the
  *  MediaBox of PDF. Chosen lines depend on the scale and on the radii of all balls of the model alone. Fog still goes
- *  from the nearest to the farthest ball of the view.
+ *  from the nearest to the farthest ball of the view, or through five mean radii of the model's balls if that is more.
  *  What is fitted without a margin into a picture of the shape of its box (hsp_view_info) has the scale
  *  width / (high[0] - low[0]) and the centre origin + right (low[0] + high[0]) / 2 + up (low[1] + high[1]) / 2. */
 typedef struct hsp_picture_options {
@@ -63,7 +66,8 @@ typedef struct hsp_picture_options {
                                 no effect with a scale */
   double outline;       /**< width of the lines along silhouettes and intersections; 0 (or less than 5e-5 px): none;
                                 < 0: chosen; default -1 */
-  double fog;           /**< how far the farthest ball fades to the background, in [0, 1]; default 0.3 */
+  double fog;           /**< how far the farthest ball fades to the background, in [0, 1], if it is five mean radii or
+                                more behind the nearest; default 0.3 */
   uint32_t outline_colour; /**< 0xRRGGBB; default 0x23202B */
   uint32_t background;     /**< 0xRRGGBB; default 0xFFFFFF */
   uint32_t flags;          /**< HSP_PICTURE_*; default 0 */
@@ -87,9 +91,9 @@ HSP_API uint32_t hsp_palette_colour(uint32_t palette, uint32_t atomic_number, ui
 
 /** Write a picture of a computed view.
  *  colour [n] holds 0xRRGGBB for each ball of the model, NULL: all 0xD2CDC3. options may be NULL (defaults). title and
- *  description are NUL-terminated UTF-8 texts for the file, NULL or empty for none; what a format cannot hold is
- *  replaced by '?'. sink is called any number of times in order with at most 1024 bytes and is given `context`; bytes,
- *  if not NULL, becomes the number of bytes that the sink has taken.
+ *  description are NUL-terminated UTF-8 texts for the file, NULL or empty for none; what a format cannot hold, in EPS
+ *  all but ASCII, is replaced by '?'. sink is called any number of times in order with at most 1024 bytes and is given
+ *  `context`; bytes, if not NULL, becomes the number of bytes that the sink has taken.
  *  The sink is called only when all else is well. Uses the view's scratch memory, hence not const; results stay valid.
  *  - Property 1: the same bytes for every order of the balls, up to the values of data-ball. (Of balls that are equal
  *    in centre and radius the first one counts, with its colour.)

@@ -185,7 +185,7 @@ class EpsWriter {
     input_.paths.visit(input_.balls, path, part, [&](const ProjectedArc &plane_arc, bool first, bool closes) {
       const PageArc arc = page_.place(plane_arc);
       if (first) put_point(arc.start, "M\n");
-      if (arc.semi_axis[1] < narrowest_ellipse) {
+      if (page_.is_line(arc)) {
         visit_line(arc, [&](const PagePoint &point) { put_point(point, "L\n"); });
       } else {
         put_arc(arc);

@@ -31,6 +31,11 @@ bool xml_allows(uint32_t value) {
   return (value < 0x7F || value > 0x9F) && value != 0xFFFE && value != 0xFFFF;
 }
 
+void put_utf16_unit(ByteSink &sink, uint32_t unit) {
+  constexpr char digits[] = "0123456789ABCDEF";
+  for (int shift = 12; shift >= 0; shift -= 4) sink.put(digits[unit >> shift & 0xF]);
+}
+
 }  // namespace
 
 void put_xml_text(ByteSink &sink, const char *text) {
@@ -76,6 +81,28 @@ const char *put_parenthesized(ByteSink &sink, const char *text, uint32_t most) {
   }
   sink.put(')');
   return text;
+}
+
+void put_pdf_text(ByteSink &sink, const char *text) {
+  bool ascii = true;
+  for (const char *rest = text; *rest != '\0'; ++rest) ascii = ascii && *rest >= 0x20 && *rest < 0x7F;
+  if (ascii) {
+    put_parenthesized(sink, text);
+    return;
+  }
+  sink.put("<FEFF");
+  while (*text != '\0') {
+    const CodePoint point = decode(text);
+    text += point.length == 0 ? 1 : point.length;
+    const uint32_t value = point.length == 0 ? '?' : point.value;
+    if (value < 0x10000) {
+      put_utf16_unit(sink, value);
+    } else {
+      put_utf16_unit(sink, 0xD800 + ((value - 0x10000) >> 10));
+      put_utf16_unit(sink, 0xDC00 + ((value - 0x10000) & 0x3FF));
+    }
+  }
+  sink.put('>');
 }
 
 }  // namespace hsp

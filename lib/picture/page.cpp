@@ -24,14 +24,29 @@ double given_side(double side) {
 // px from the middle. Coordinates with ten decimals are integers below 2^62.
 constexpr double farthest_from_middle = 1e7;
 
+// px. What is flatter is nothing but a line. Where lines are drawn along it, so is what is flatter than an eighth of
+// their width, up to a fifth of a px: that is not seen, and strokes along it break.
+constexpr double flattest_ellipse = 1e-4;
+constexpr double flattest_with_lines = 0.2;
+
+// Fog covers at least so many mean radii of depth: planar molecules have next to none of it.
+constexpr double least_fog = 5.0;
+
+double mean_radius(const BallSet &balls) {
+  double sum = 0.0;
+  for (uint32_t b = 0; b < balls.n; ++b) sum += balls.r[b];
+  return balls.n > 0 ? sum / balls.n : 0.0;
+}
+
 // Lines that suit the balls: .9 px where their mean radius is 34 px. Those of a fixed frame must not depend on what is
 // seen, so that all balls count.
 double chosen_line(const PictureInput &input, bool fixed, double scale) {
-  const uint32_t count = fixed ? input.balls.n : input.paths.size();
-  if (count == 0) return 0.9;
+  const uint32_t paths = input.paths.size();
+  if (fixed ? input.balls.n == 0 : paths == 0) return 0.9;
   double sum = 0.0;
-  for (uint32_t k = 0; k < count; ++k) sum += input.balls.r[fixed ? k : input.paths.ball_of(k)];
-  return 0.9 * clamped(std::sqrt(sum / count * scale / 34.0), 0.45, 1.9);
+  for (uint32_t p = 0; p < paths && !fixed; ++p) sum += input.balls.r[input.paths.ball_of(p)];
+  const double mean = fixed ? mean_radius(input.balls) : sum / paths;
+  return 0.9 * clamped(std::sqrt(mean * scale / 34.0), 0.45, 1.9);
 }
 
 // Two sides of which one may be 0, which then follows from the other one.
@@ -114,8 +129,10 @@ Page lay_out(const PictureInput &input, const PictureOptions &options) {
   }
   page.line = options.outline < 0.0 ? chosen_line(input, fixed, page.scale) : options.outline * page.unit;
   if (page.line < thinnest_line) page.line = 0.0;
-  page.farthest = box.depth_low;
+  page.narrowest_ellipse = clamped(page.line / 8, flattest_ellipse, flattest_with_lines);
+  const double least_depth = least_fog * mean_radius(input.balls);
   page.nearest = box.depth_high;
+  page.farthest = box.depth_low < page.nearest - least_depth ? box.depth_low : page.nearest - least_depth;
   page.decimals = decimals_for((page.width > page.height ? page.width : page.height) / 1e4, 2, 6);
   return page;
 }

@@ -30,7 +30,8 @@ struct Page {
   double scale;              // px per lattice step
   double middle[2];          // what lies in the middle of the page, in view coordinates
   double line;               // width of the lines, px
-  double farthest, nearest;  // depths of centres, lattice steps
+  double narrowest_ellipse;  // least semi-axis of what is drawn as an ellipse, px
+  double farthest, nearest;  // depths between which fog grows, lattice steps; all centres are within
   int decimals;              // that make steps of at most width / 10 000
   bool possible;             // nothing lies farther from the middle than numbers in files can say
   bool cut;                  // balls lie beyond the edges
@@ -39,6 +40,9 @@ struct Page {
     return {(point[0] - middle[0]) * scale + width / 2, (point[1] - middle[1]) * scale + height / 2};
   }
   PageArc place(const ProjectedArc &arc) const;
+  // Whether an arc is drawn as a line, see visit_line: many a renderer breaks the stroke of a flatter ellipse, or loses
+  // half of its width.
+  bool is_line(const PageArc &arc) const { return arc.semi_axis[1] < narrowest_ellipse; }
   PagePoint centre_of(const PictureInput &input, uint32_t path) const {
     const Vec3 centre = input.paths.frame().centre_of(input.balls, input.paths.ball_of(path));
     const double point[2] = {centre.x, centre.y};
@@ -60,9 +64,6 @@ inline int decimals_for(double step, int decimals, int most) {
   while (decimals < most && 1.0 > step * power_of_ten[decimals]) ++decimals;
   return decimals;
 }
-
-// An ellipse narrower than this is drawn as a line: renderers are not to be trusted with it.
-constexpr double narrowest_ellipse = 1e-4;
 
 // Calls visit(point) for the corners of the line that a flat ellipse's arc is: the ends of the major axis that it
 // passes, so that it is seen in its full length, then its end.

@@ -179,7 +179,14 @@ class PdfWriter {
         put_point(arc.start);
         sink_.put("m\n");
       }
-      put_cubics(arc);
+      if (page_.is_line(arc)) {
+        visit_line(arc, [&](const PagePoint &point) {
+          put_point(point);
+          sink_.put("l\n");
+        });
+      } else {
+        put_cubics(arc);
+      }
       if (closes) sink_.put("h\n");
       any = true;
     });
@@ -216,11 +223,11 @@ class PdfWriter {
     sink_.put("<</Producer(hardsphere)");
     if (!is_blank(input_.title)) {
       sink_.put("/Title");
-      put_parenthesized(sink_, input_.title);
+      put_pdf_text(sink_, input_.title);
     }
     if (!is_blank(input_.description)) {
       sink_.put("/Subject");
-      put_parenthesized(sink_, input_.description);
+      put_pdf_text(sink_, input_.description);
     }
     sink_.put(">>");
   }

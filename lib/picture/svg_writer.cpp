@@ -75,17 +75,62 @@ class SvgWriter {
     sink_.put("/>\n");
   }
 
-  // A gradient of the unit disc for each shade, and one for each ball that refers to it and puts it into place.
+  // What gradients in the file depend on. Pictures beside each other in one page share their names only if they share
+  // what is named.
+  uint32_t key_of_gradients() const {
+    constexpr uint64_t offset_basis = 0xCBF29CE484222325u;  // Fowler, Noll and Vo: FNV-1a
+    constexpr uint64_t prime = 0x100000001B3u;
+    uint64_t key = offset_basis;
+    const auto add = [&key](uint64_t value) {
+      for (int byte = 0; byte < 8; ++byte, value >>= 8) key = (key ^ (value & 0xFF)) * prime;
+    };
+    for (uint32_t s = 0; s < paint_.shades(); ++s) {
+      for (uint32_t stop = 0; stop <= paint_.shading().intervals(); ++stop) add(paint_.shade_colour(s, stop));
+    }
+    for (uint32_t p = 0; p < input_.paths.size(); ++p) {
+      if (paint_.flat(p)) continue;
+      const Disc disc = disc_of(p);
+      add(paint_.shade_of(p));
+      add(static_cast<uint64_t>(disc.x));
+      add(static_cast<uint64_t>(disc.y));
+      add(static_cast<uint64_t>(disc.radius));
+    }
+    return static_cast<uint32_t>(key >> 40);
+  }
+  void put_name(char kind, uint32_t number) {
+    sink_.put(kind);
+    put_colour(sink_, names_);
+    sink_.put('-');
+    put_integer(sink_, number);
+  }
+
+  // Where a path's ball is, y down, in units of the last decimal.
+  struct Disc {
+    int64_t x, y, radius;
+  };
+  Disc disc_of(uint32_t path) const {
+    const PagePoint at = page_.centre_of(input_, path);
+    const int64_t radius = scaled(input_.balls.r[input_.paths.ball_of(path)] * page_.scale, page_.decimals);
+    // Renderers fail on a radius of 0.
+    return {scaled(at.x, page_.decimals), scaled(page_.height - at.y, page_.decimals), radius > 0 ? radius : 1};
+  }
+  void put_place(const char *name, int64_t place) {
+    sink_.put(name);
+    sink_.put("=\"");
+    put_scaled(sink_, place, page_.decimals);
+    sink_.put('"');
+  }
+
+  // The stops of each shade, and a gradient for each ball that refers to them. It holds all else itself: not every
+  // renderer takes over more than stops.
   void put_gradients() {
     const Shading &shading = paint_.shading();
+    names_ = key_of_gradients();
     sink_.put("<defs>\n");
     for (uint32_t s = 0; s < paint_.shades(); ++s) {
-      sink_.put("<radialGradient id=\"g");
-      put_integer(sink_, s);
-      sink_.put("\" gradientUnits=\"userSpaceOnUse\" cx=\"0\" cy=\"0\" r=\"1\"");
-      put_attribute(" fx", shading.focus_x(), 3);
-      put_attribute(" fy", -shading.focus_y(), 3);
-      sink_.put(">");
+      sink_.put("<radialGradient id=\"");
+      put_name('g', s);
+      sink_.put("\">");
       for (uint32_t stop = 0; stop <= shading.intervals(); ++stop) {
         put_attribute("<stop offset", shading.offset(stop), 6);
         put_paint(" stop-color", paint_.shade_colour(s, stop));
@@ -95,24 +140,24 @@ class SvgWriter {
     }
     for (uint32_t p = 0; p < input_.paths.size(); ++p) {
       if (paint_.flat(p)) continue;
-      const uint32_t ball = input_.paths.ball_of(p);
-      const PagePoint at = page_.centre_of(input_, p);
-      sink_.put("<radialGradient id=\"b");
-      put_integer(sink_, p);
-      sink_.put("\" xlink:href=\"#g");
-      put_integer(sink_, paint_.shade_of(p));
-      sink_.put("\" gradientTransform=\"translate(");
-      put_decimal(sink_, at.x, page_.decimals);
-      sink_.put(' ');
-      put_decimal(sink_, page_.height - at.y, page_.decimals);
-      sink_.put(")scale(");
-      // Renderers fail on a scale of 0.
-      const int64_t radius = scaled(input_.balls.r[ball] * page_.scale, page_.decimals);
-      put_scaled(sink_, radius > 0 ? radius : 1, page_.decimals);
-      sink_.put(")\"/>\n");
+      const Disc disc = disc_of(p);
+      sink_.put("<radialGradient id=\"");
+      put_name('b', p);
+      sink_.put("\" xlink:href=\"#");
+      put_name('g', paint_.shade_of(p));
+      sink_.put("\" gradientUnits=\"userSpaceOnUse\"");
+      put_place(" cx", disc.x);
+      put_place(" cy", disc.y);
+      put_place(" r", disc.radius);
+      if (shading.focus_x() != 0.0 || shading.focus_y() != 0.0) {
+        put_place(" fx", disc.x + moved(disc.radius, shading.focus_x()));
+        put_place(" fy", disc.y - moved(disc.radius, shading.focus_y()));
+      }
+      sink_.put("/>\n");
     }
     sink_.put("</defs>\n");
   }
+  static int64_t moved(int64_t radius, double share) { return scaled(static_cast<double>(radius) * share, 0); }
 
   void put_stroke(uint32_t level) {
     put_paint(" stroke", paint_.line_colour(level));
@@ -150,8 +195,8 @@ class SvgWriter {
       if (paint_.flat(p)) {
         put_paint(" fill", paint_.flat_colour(p));
       } else {
-        sink_.put(" fill=\"url(#b");
-        put_integer(sink_, p);
+        sink_.put(" fill=\"url(#");
+        put_name('b', p);
         sink_.put(")\"");
       }
       sink_.put(" d=\"");
@@ -186,7 +231,7 @@ class SvgWriter {
     int decimals = page_.decimals;
     input_.paths.visit(input_.balls, path, part, [&](const ProjectedArc &plane_arc, bool, bool) {
       const PageArc arc = page_.place(plane_arc);
-      if (arc.semi_axis[1] < narrowest_ellipse) return;
+      if (page_.is_line(arc)) return;
       const double flatness = arc.semi_axis[1] / arc.semi_axis[0];
       decimals = decimals_for((flatness < 1.0 ? flatness : 1.0) / 10, decimals, finest_decimals);
     });
@@ -201,7 +246,7 @@ class SvgWriter {
         sink_.put('M');
         put_point(arc.start, decimals);
       }
-      if (arc.semi_axis[1] < narrowest_ellipse) {
+      if (page_.is_line(arc)) {
         visit_line(arc, [&](const PagePoint &point) {
           sink_.put('L');
           put_point(point, decimals);
@@ -247,6 +292,7 @@ class SvgWriter {
   const PictureOptions &options_;
   const Page &page_;
   const Paint &paint_;
+  uint32_t names_ = 0;  // 24 bits that gradients' names begin with
 };
 
 }  // namespace

@@ -56,7 +56,8 @@ const std::vector<Scene> &scenes() {
 // From the view plane to the page, as the header describes width and margin.
 class Mapping {
  public:
-  Mapping(const hsp_view_info &info, const hsp_picture_options &options, const PictureFile &file) {
+  Mapping(const hsp_view_info &info, const hsp_picture_options &options, const PictureFile &file)
+      : flattest_(std::clamp(options.outline * (options.unit == HSP_UNIT_MM ? 96 / 25.4 : 1) / 8, 1e-4, 0.2)) {
     const double w = info.high[0] - info.low[0];
     const double h = info.high[1] - info.low[1];
     const double margin = options.margin * std::max(w, h);
@@ -77,8 +78,11 @@ class Mapping {
     return place(point);
   }
   [[nodiscard]] double scale() const { return scale_; }
+  // Ellipses with a lesser semi-axis are lines, px.
+  [[nodiscard]] double flattest() const { return flattest_; }
 
  private:
+  double flattest_;
   double scale_ = 0;
   PagePoint shift_{};
 };
@@ -123,8 +127,8 @@ std::vector<PagePoint> corners(const Mapping &map, const hsp_view_arc &arc) {
 
 void compare_arc(const Format &format, const Mapping &map, const hsp_view_arc &arc, const Loop &loop, size_t &next,
                  Worst &worst) {
-  const bool flat = map.scale() * arc.semi_axis[1] < 1e-4 && format.id != HSP_FORMAT_PDF;
-  if (flat) {
+  const double narrow = map.scale() * arc.semi_axis[1];
+  if (narrow < map.flattest()) {
     for (const PagePoint &corner : corners(map, arc)) {
       const Segment &segment = loop.segments.at(next++);
       ASSERT_EQ(segment.kind, Segment::Kind::line);
@@ -146,8 +150,9 @@ void compare_arc(const Format &format, const Mapping &map, const hsp_view_arc &a
   }
 }
 
-Worst compare(const Format &format, const Scene &scene, const hsp_picture_options &options) {
+Worst compare(const Format &format, const Scene &scene, hsp_picture_options options) {
   Worst worst;
+  options.outline = 0.9;  // what is drawn as a line depends on it
   const PictureFile file = format.read(scene.view.picture(options, "title", "description"));
   EXPECT_EQ(file.paths.size(), scene.view.pieces().size());
   if (file.paths.size() != scene.view.pieces().size()) return worst;

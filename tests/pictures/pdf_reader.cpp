@@ -75,6 +75,13 @@ PictureFile read_pdf(const std::string &text) {
       cubic.handle = {PagePoint{stack[0], stack[1]}, PagePoint{stack[2], stack[3]}};
       cubic.end = here = {stack[4], stack[5]};
       add(path, cubic);
+    } else if (word == "l") {
+      if (stack.size() != 2) throw std::runtime_error("pdf: l");
+      Segment line;
+      line.kind = Segment::Kind::line;
+      line.start = here;
+      line.end = here = {stack[0], stack[1]};
+      add(path, line);
     } else if (word == "h") {
       path.loops.back().closed = true;
     } else if (word == "B" || word == "f" || word == "W") {

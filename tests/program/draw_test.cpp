@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -128,6 +129,40 @@ TEST(Draw, ViewsAndTurnsMeet) {
 TEST(Draw, UpwardsByDefault) {
   EXPECT_TRUE(drawn(water, {"--view", "-1,0,0"}) == drawn(water, {"--rotate", "0,90,0"}));
   EXPECT_TRUE(drawn(water, {"--view", "0,1,0"}) == drawn(water, {"--view", "0,1,0", "--up", "0,0,1"}));
+}
+
+// Points along the axes, turned: the longest axis goes across, the next one upwards. What spreads alike in several
+// directions, or in none, is seen as ever.
+TEST(Draw, AlongPrincipalAxes) {
+  struct Case {
+    double along[3];    // how far points are from the origin along three axes
+    double axis[3][3];  // these
+    std::string view;   // as the table says it
+  };
+  constexpr double a = 0.6;
+  constexpr double b = 0.8;
+  for (const Case &it :
+       {Case{{5, 4, 3}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, "(0, 0, 1) towards the viewer, (0, 1, 0) up"},
+        Case{{3, 4, 5}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, "(-1, 0, 0) towards the viewer, (0, 1, 0) up"},
+        Case{{3, 5, 4}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, "(1, 0, 0) towards the viewer, (0, 0, 1) up"},
+        Case{{5, 4, 3}, {{a, b, 0}, {-b, a, 0}, {0, 0, 1}}, "(0, 0, -1) towards the viewer, (0.8, -0.6, 0) up"},
+        Case{{0, 4, 5}, {{a, 0, b}, {-b, 0, a}, {0, 1, 0}}, "(-0.6, 0, -0.8) towards the viewer, (0.8, 0, -0.6) up"},
+        Case{{4, 4, 4}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, "(0, 0, 1) towards the viewer, (0, 1, 0) up"},
+        Case{{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, "(0, 0, 1) towards the viewer, (0, 1, 0) up"}}) {
+    const TemporaryFile points("points.xyzr");
+    std::ofstream file(points.path());
+    for (int k = 0; k < 3; ++k) {
+      for (const double side : {-1.0, 1.0}) {
+        for (int c = 0; c < 3; ++c) file << 100 + side * it.along[k] * it.axis[k][c] << ' ';
+        file << "1\n";
+      }
+    }
+    file.close();
+    const TemporaryFile out("drawn.svg");
+    const Outcome outcome = draw_to(out.path(), points.path(), {"--view", "auto"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find(" " + it.view + "\n"), std::string::npos) << it.view << " in\n" << outcome.out;
+  }
 }
 
 TEST(Draw, JsonSaysWhatStandsInTheFile) {

@@ -1,4 +1,4 @@
-// Texts with markup, control characters and broken UTF-8, escaped for XML and for PostScript.
+// Texts with markup, control characters and broken UTF-8, escaped for XML, PostScript and PDF.
 #pragma once
 
 #include "cases.hpp"
@@ -49,7 +49,21 @@ inline uint32_t texts_in_parentheses() {
   });
 }
 
-inline constexpr Check picture_escaped_text[] = {{"texts_for_xml", texts_for_xml},
-                                                 {"texts_in_parentheses", texts_in_parentheses}};
+// Beyond ASCII the units of UTF-16, two of them for what needs more than one; control characters stay what they are.
+constexpr Escaped for_pdf[] = {{"a(b)\\c", "(a\\(b\\)\\\\c)"},
+                               {"", "()"},
+                               {"\xCE\xB2-\xC3\x85", "<FEFF03B2002D00C5>"},
+                               {"\xE2\x82\xAC\xF0\x9F\x98\x80", "<FEFF20ACD83DDE00>"},
+                               {"(\n", "<FEFF0028000A>"},
+                               {"x\xC3", "<FEFF0078003F>"}};
+
+inline uint32_t texts_for_pdf() {
+  return first_failing(for_pdf, [](const Escaped &c) {
+    return text_of([&c](hsp::ByteSink &sink) { hsp::put_pdf_text(sink, c.text); }).is(c.expected);
+  });
+}
+
+inline constexpr Check picture_escaped_text[] = {
+    {"texts_for_xml", texts_for_xml}, {"texts_in_parentheses", texts_in_parentheses}, {"texts_for_pdf", texts_for_pdf}};
 
 }  // namespace cases

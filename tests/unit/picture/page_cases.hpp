@@ -68,7 +68,10 @@ inline uint32_t sizes_of_pages() {
       if (at.x - reach < -1e-9 || at.x + reach > page.width + 1e-9) return false;
       if (at.y - reach < -1e-9 || at.y + reach > page.height + 1e-9) return false;
     }
-    if (c.n > 0 && (page.farthest != farthest || page.nearest != nearest)) return false;
+    // Fog grows through five mean radii at least.
+    const double least = nearest - 5 * (c.n > 1 ? (c.ball[0].r + c.ball[1].r) / 2.0 : c.ball[0].r);
+    farthest = least < farthest ? least : farthest;
+    if (c.n > 0 && (!near(page.farthest, farthest, 1e-9) || page.nearest != nearest)) return false;
     return equal(page.width, c.px_width) && equal(page.height, c.px_height) &&
            near(page.scale, c.px_scale, 1e-6 * c.px_scale) && equal(middle.x, c.px_width / 2) &&
            equal(middle.y, c.px_height / 2) && equal(page.unit * 25.4, c.millimetres ? inch : 25.4);

@@ -12,7 +12,8 @@ constexpr FileParts pdf_parts[] = {
      {"/Title", "/Subject", "/Shading"}},
     {an_inch, {"/MediaBox[0 0 72 72]", "rg 0 0 96 96 re f\n", " 96 w\n", "h\nB\n"}, {"/Title", "/Subject", "h\nf\n"}},
     {escaped_texts,
-     {"/Title(a\\(b\\)\\\\c?)", "/Subject(1 \\(2\\)?3)", "0 1 .498 rg\n", "h\nf\n"},
+     {"/Title<FEFF0061002800620029005C006300E9>", "/Subject<FEFF00310020002800320029000A0033>", "0 1 .498 rg\n",
+      "h\nf\n"},
      {" re f", "RG", "h\nB\n"}}};
 
 // The number of the object at `offset`, or 0; goes behind its first line.

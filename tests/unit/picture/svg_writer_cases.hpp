@@ -1,6 +1,7 @@
 // SVG files read back: sizes, texts, paths around circles known by hand, the order of paint, and gradients.
 #pragma once
 
+#include <cstring>
 #include <initializer_list>
 
 #include "small_picture.hpp"
@@ -136,6 +137,7 @@ inline uint32_t flat_ellipses_are_where_they_belong() {
     hsp::PictureOptions options;
     options.height = 1000;
     options.margin = 0;
+    options.outline = 0;  // with lines the flattest would be lines themselves
     const double scale = hsp::lay_out(picture_input(), options).scale;
     TextReader reader(svg(options, picture_input()).text);
     uint32_t flat = 0;
@@ -197,7 +199,18 @@ inline uint32_t svg_paints_the_farthest_first() {
   });
 }
 
-// Each ball has a gradient of its own, with its centre and radius, which refers to the shade's.
+// The letters and digits between the kind of a gradient and its number: the same for all of a picture.
+constexpr uint32_t name_length = 7;  // six hexadecimal digits and a hyphen
+struct GradientNames {
+  char text[name_length + 1] = "";
+  bool read(TextReader &reader) {
+    if (text[0] == '\0') std::strncpy(text, reader.rest(), name_length);
+    return text[name_length - 1] == '-' && reader.take(text);
+  }
+  bool is(const GradientNames &other) const { return std::strcmp(text, other.text) == 0; }
+};
+
+// Each ball has a gradient of its own, whole but for the stops, which are the shade's.
 inline uint32_t svg_gradients() {
   constexpr hsp::PictureStyle shaded[] = {hsp::PictureStyle::headlight, hsp::PictureStyle::soft};
   return first_failing(shaded, [](hsp::PictureStyle style) {
@@ -208,24 +221,27 @@ inline uint32_t svg_gradients() {
     const PictureText &text = svg(options, picture_input(colour));
     if (text.count("<radialGradient id=\"g") != 3 || text.count("<radialGradient id=\"b") != 4) return false;
     uint32_t colour_of[3] = {};
-    TextReader shades(text.text);
-    // Soft light comes from the left and from above, where y is less.
     const bool soft = style == hsp::PictureStyle::soft;
-    double focus[2];
-    if (!shades.find(" cx=\"0\" cy=\"0\" r=\"1\" fx=\"") || !shades.number(focus[0])) return false;
-    if (!shades.take("\" fy=\"") || !shades.number(focus[1])) return false;
-    if (soft ? focus[0] >= 0 || focus[1] >= 0 : focus[0] != 0 || focus[1] != 0) return false;
     if (text.count("<stop offset=\"") != 3 * (soft ? 13 : 17)) return false;
     if (text.count("<stop offset=\"0\"") != 3 || text.count("<stop offset=\"1\"") != 3) return false;
     TextReader reader(text.text);
+    GradientNames names;
     for (uint32_t p = 0; p < 4; ++p) {
       const uint32_t ball = farthest_first[p];
-      double id, shade, transform[2], radius;
-      if (!reader.find("<radialGradient id=\"b") || !reader.number(id) || id != p) return false;
-      if (!reader.take("\" xlink:href=\"#g") || !reader.number(shade) || shade >= 3) return false;
-      if (!reader.take("\" gradientTransform=\"translate(") || !reader.numbers(transform)) return false;
-      if (!reader.take(")scale(") || !reader.number(radius) || radius != 20) return false;
-      if (transform[0] != 2 * (staggered[ball].x + 10) || transform[1] != 2 * (15 - staggered[ball].y)) return false;
+      double id, shade, x, y, radius, focus[2];
+      if (!reader.find("<radialGradient id=\"b") || !names.read(reader) || !reader.number(id) || id != p) return false;
+      if (!reader.take("\" xlink:href=\"#g") || !names.read(reader) || !reader.number(shade)) return false;
+      if (!reader.take("\" gradientUnits=\"userSpaceOnUse\" cx=\"") || !reader.number(x)) return false;
+      if (!reader.take("\" cy=\"") || !reader.number(y)) return false;
+      if (!reader.take("\" r=\"") || !reader.number(radius) || radius != 20) return false;
+      if (shade >= 3 || x != 2 * (staggered[ball].x + 10) || y != 2 * (15 - staggered[ball].y)) return false;
+      // Soft light comes from the left and from above, where y is less.
+      if (soft) {
+        if (!reader.take("\" fx=\"") || !reader.number(focus[0])) return false;
+        if (!reader.take("\" fy=\"") || !reader.number(focus[1])) return false;
+        if (!near(focus[0], x - .34 * radius, .01) || !near(focus[1], y - .4 * radius, .01)) return false;
+      }
+      if (!reader.take("\"/>")) return false;
       // The same shade for the same colour.
       uint32_t &known = colour_of[static_cast<uint32_t>(shade)];
       if (known != 0 && known != colour[ball]) return false;
@@ -233,19 +249,37 @@ inline uint32_t svg_gradients() {
     }
     for (uint32_t p = 0; p < 4; ++p) {
       double id;
-      if (!reader.find(" fill=\"url(#b") || !reader.number(id) || id != p) return false;
+      if (!reader.find(" fill=\"url(#b") || !names.read(reader) || !reader.number(id) || id != p) return false;
     }
     return text.count("xmlns:xlink=\"http://www.w3.org/1999/xlink\"") == 1;
   });
 }
 
-// Renderers fail on a scale of 0, which the radius of a small ball would be rounded to.
+// Pictures inline in one page: names differ where colours, places or sizes do, and else are the same.
+inline uint32_t names_differ_between_pictures() {
+  constexpr uint32_t colours[][4] = {{7, 8, 9, 8}, {7, 8, 9, 8}, {7, 8, 9, 7}, {7, 8, 9, 8}};  // 0 and 1 are the same
+  constexpr double widths[] = {65, 65, 65, 66};
+  GradientNames names[4];
+  if (!small_view().succeeds(staggered, 4)) return 0;
+  for (uint32_t k = 0; k < 4; ++k) {
+    hsp::PictureOptions options = two_px_per_step(widths[k]);
+    options.style = hsp::PictureStyle::soft;
+    TextReader reader(svg(options, picture_input(colours[k])).text);
+    if (!reader.find("<radialGradient id=\"g") || !names[k].read(reader)) return k;
+    for (uint32_t other = 0; other < k; ++other) {
+      if (names[k].is(names[other]) != (k == 1)) return k;
+    }
+  }
+  return all_hold;
+}
+
+// Renderers fail on a radius of 0, which that of a small ball would be rounded to.
 inline uint32_t no_svg_radius_is_0() {
   hsp::PictureOptions options;
   options.style = hsp::PictureStyle::soft;
   if (!small_view().succeeds(small_beside_large, 2)) return 0;
   const PictureText &text = svg(options, picture_input());
-  return text.count(")scale(.01)") == 1 && text.count(")scale(0)") == 0 ? all_hold : 1;
+  return text.count(" r=\".01\"") == 1 && text.count(" r=\"0\"") == 0 ? all_hold : 1;
 }
 
 inline constexpr Check picture_svg_writer[] = {
@@ -255,6 +289,7 @@ inline constexpr Check picture_svg_writer[] = {
     {"parts_of_svg_files", parts_of_svg_files},
     {"svg_paints_the_farthest_first", svg_paints_the_farthest_first},
     {"svg_gradients", svg_gradients},
+    {"names_differ_between_pictures", names_differ_between_pictures},
     {"no_svg_radius_is_0", no_svg_radius_is_0}};
 
 }  // namespace cases
