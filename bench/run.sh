@@ -34,7 +34,7 @@ cmake -S "$source_folder" -B "$build_folder" -G Ninja -DCMAKE_BUILD_TYPE=Release
   -DHSP_TESTS=OFF -DHSP_TOOL=OFF -DHSP_FUZZ=OFF -DHSP_FORTRAN=OFF -DHSP_BENCH_PEERS=$peers
 suites=(bench_paper_section_2 bench_paper_section_3 bench_section_3_alternatives bench_paper_section_4_2
   bench_paper_section_5_1 bench_visibility bench_topology bench_gradients bench_surface bench_scaling bench_queries
-  bench_poses bench_periodic bench_split_work bench_degenerate)
+  bench_poses bench_periodic bench_updates bench_split_work bench_degenerate)
 if [ "$peers" = yes ]; then
   suites+=(bench_peers_surfaces bench_peers_queries bench_peers_visibility bench_peers_poses)
 fi
@@ -108,6 +108,7 @@ run_suite bench_scaling 3 0.02
 run_suite bench_queries 5 0.02
 run_suite bench_poses 3 0.02
 run_suite bench_periodic 3 0.02
+run_suite bench_updates 5 0.02
 run_suite bench_split_work 3 0.02
 run_suite bench_degenerate 5 0.02
 if [ "$peers" = yes ]; then
@@ -139,6 +140,7 @@ if [ "$old" = yes ]; then
     run_turns bench_gradients '/compute/sod_stand_in$'
     run_turns bench_degenerate .
     run_turns bench_surface '/compute/sod_stand_in$'
+    run_turns bench_updates '/move_1/sod_stand_in$'
   done
 fi
 

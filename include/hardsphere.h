@@ -11,6 +11,7 @@
  *   hardsphere/boundary.h   the boundary of the union: vertices, arcs, circles, faces (Section 4.2, Steps 1 and 2)
  *   hardsphere/measure.h    areas and volumes
  *   hardsphere/gradient.h   their derivatives
+ *   hardsphere/moving.h     all of that while a few balls move at a time
  *   hardsphere/curvature.h  integrated mean and Gaussian curvature
  *   hardsphere/contacts.h   which balls touch and by how much, shares of the union, the dual complex
  *   hardsphere/periodic.h   all of that in a box whose copies fill space: areas, volume, contacts, windings, strain
@@ -84,10 +85,10 @@
  *   function's comment names is written. Treat an unknown negative number as a general failure.
  *
  * HANDLES AFTER A FAILURE
- *   hsp_model_set and hsp_X_compute replace what the handle held, whether they succeed or not. One that fails, for
- *   whatever reason, leaves the handle as hsp_X_init makes it: a model is empty (hsp_model_get_info says so: 0 balls,
- *   step 1e-8); a boundary, surface, mesh, topology, view, map, contacts, cells, paths, a gate or a periodic union
- *   hold no results, and reading them yields HSP_E_STATE.
+ *   hsp_model_set, hsp_moving_set and hsp_X_compute replace what the handle held, whether they succeed or not. One that
+ *   fails, for whatever reason, leaves the handle as hsp_X_init makes it: a model is empty (hsp_model_get_info says so:
+ *   0 balls, step 1e-8); a boundary, surface, mesh, topology, view, map, contacts, cells, paths, a gate, a periodic
+ *   union or balls that move hold no results, and reading them yields HSP_E_STATE.
  *   All other functions leave what a handle holds as it is, whatever they return.
  */
 #ifndef HARDSPHERE_H
@@ -103,6 +104,7 @@
 #include "hardsphere/measure.h"
 #include "hardsphere/mesh.h"
 #include "hardsphere/model.h"
+#include "hardsphere/moving.h"
 #include "hardsphere/paths.h"
 #include "hardsphere/periodic.h"
 #include "hardsphere/picture.h"

@@ -36,7 +36,8 @@ typedef struct hsp_workspace {
   hsp_cells *cells;                    /**< NULL before hsp_workspace_cells */
   hsp_paths *paths;                    /**< NULL before hsp_workspace_path */
   hsp_gate *gate;                      /**< NULL before hsp_workspace_gate */
-  void *memory[11];                    /**< of the eleven handles */
+  hsp_moving *moving;                  /**< NULL before hsp_workspace_moving */
+  void *memory[12];                    /**< of the twelve handles */
   uint32_t most_balls;                 /**< what the model has room for */
   uint32_t reserved;                   /**< 0 */
   hsp_boundary_limits boundary_limits; /**< what the boundary has room for */
@@ -49,6 +50,7 @@ typedef struct hsp_workspace {
   hsp_cells_limits cells_limits;       /**< what the cells have room for */
   hsp_paths_limits paths_limits;       /**< what the paths have room for */
   hsp_gate_limits gate_limits;         /**< what the gate has room for */
+  hsp_moving_limits moving_limits;     /**< what the balls that move have room for */
 } hsp_workspace;
 
 /* Memory of another size, without its contents. */
@@ -155,8 +157,17 @@ static inline int32_t hsp_workspace_make_gate(hsp_workspace *work) {
   return status;
 }
 
+static inline int32_t hsp_workspace_make_moving(hsp_workspace *work) {
+  size_t bytes = 0;
+  int32_t status = hsp_moving_bytes(&work->moving_limits, &bytes);
+  work->moving = NULL;
+  if (status == HSP_OK) status = hsp_workspace_allocate(&work->memory[11], bytes);
+  if (status == HSP_OK) status = hsp_moving_init(work->memory[11], bytes, &work->moving_limits, &work->moving);
+  return status;
+}
+
 /** Take n balls into the model; arguments and statuses as hsp_model_set. Boundary, topology, view, surface, mesh, map,
- *  contacts, cells, paths and gate hold no results then. */
+ *  contacts, cells, paths and gate hold no results then; balls that move stay as they are. */
 static inline int32_t hsp_workspace_set(hsp_workspace *work, uint32_t n, const double *xyz, const double *radius,
                                         const hsp_model_options *options, uint32_t *first_bad) {
   if (work->model == NULL || n > work->most_balls) {
@@ -350,6 +361,30 @@ static inline int32_t hsp_workspace_gate(hsp_workspace *work, const double *from
   return status;
 }
 
+/** Take the balls of the model as balls that move; arguments and statuses as hsp_moving_set. There is room for 256
+ *  neighbours of each at least, or for all balls. */
+static inline int32_t hsp_workspace_moving(hsp_workspace *work, const double *sigma, double tension, double pressure,
+                                           uint32_t tangency, uint32_t *first_bad) {
+  int32_t status = HSP_OK;
+  if (work->moving == NULL) {
+    if (work->moving_limits.struct_size == 0) {
+      status = hsp_moving_limits_init(&work->moving_limits, sizeof work->moving_limits, work->most_balls);
+    }
+    if (status == HSP_OK) status = hsp_workspace_make_moving(work);
+    if (status != HSP_OK) return status;
+  }
+  hsp_moving_limits limits = work->moving_limits;
+  while ((status = hsp_moving_set(work->moving, work->model, sigma, tension, pressure, tangency, &limits, first_bad)) ==
+         HSP_E_CAPACITY) {
+    /* Moves need room as well. */
+    if (limits.neighbours < 256) limits.neighbours = limits.balls < 256 ? limits.balls : 256;
+    work->moving_limits = limits;
+    status = hsp_workspace_make_moving(work);
+    if (status != HSP_OK) return status;
+  }
+  return status;
+}
+
 /** Compute the solvent-excluded surface of shells [count] of the boundary that hsp_workspace_boundary has computed; of
  *  all of it if shells is NULL. */
 static inline int32_t hsp_workspace_surface_of(hsp_workspace *work, const uint32_t *shells, uint32_t count) {
@@ -416,7 +451,7 @@ static inline int32_t hsp_workspace_mesh(hsp_workspace *work, int use_surface, d
 
 /** Give all memory back; the workspace is as at first. */
 static inline void hsp_workspace_free(hsp_workspace *work) {
-  for (int i = 0; i < 11; ++i) free(work->memory[i]);
+  for (int i = 0; i < 12; ++i) free(work->memory[i]);
   memset(work, 0, sizeof *work);
 }
 

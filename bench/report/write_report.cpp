@@ -24,6 +24,7 @@
 #include "smooth_surface_tables.hpp"
 #include "speed_goals.hpp"
 #include "topology_tables.hpp"
+#include "update_tables.hpp"
 #include "visibility_tables.hpp"
 
 namespace {
@@ -87,6 +88,7 @@ void write_report(std::ostream &out, const std::filesystem::path &folder) {
   report::write_alternatives(out, run);
   plot("alternatives", "Section 3's alternatives: ball queries and memory against the number of balls");
   report::write_poses(out, run);
+  report::write_updates(out, run);
   report::write_section_4_2(out, run);
   report::write_topology(out, run);
   report::write_frames(out, run);

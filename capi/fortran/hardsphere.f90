@@ -16,7 +16,8 @@
 !   hsp_map *, hsp_sticks *,
 !   hsp_contacts *, hsp_cells *,
 !   hsp_body *, hsp_paths *,
-!   hsp_gate *, hsp_periodic *   type(c_ptr)
+!   hsp_gate *, hsp_periodic *,
+!   hsp_moving *                 type(c_ptr)
 !   void *memory                 type(c_ptr) from c_loc of an array with the TARGET attribute; the handle lives in it,
 !                                so the array must outlive the handle and must not be reallocated
 !   T *out, uint32_t capacity    out(*) with capacity elements; other extents stand behind the declarations
@@ -388,6 +389,42 @@ module hardsphere
   type, bind(C) :: hsp_image
     integer(c_int32_t) :: ball
     integer(c_int32_t) :: shift(3)
+  end type
+
+  type, bind(C) :: hsp_moving_limits
+    integer(c_int32_t) :: struct_size     ! hsp_moving_limits_init sets it
+    integer(c_int32_t) :: balls
+    integer(c_int32_t) :: neighbours
+  end type
+
+  type, bind(C) :: hsp_moving_info
+    real(c_double) :: step                ! length
+    real(c_double) :: probe               ! length
+    real(c_double) :: largest_radius      ! with the probe, length
+    integer(c_int64_t) :: vertices
+    integer(c_int64_t) :: arcs
+    integer(c_int64_t) :: circles
+    integer(c_int64_t) :: faces
+    integer(c_int64_t) :: loops
+    integer(c_int32_t) :: balls
+    integer(c_int32_t) :: exposed_balls
+    integer(c_int32_t) :: contained_balls
+    integer(c_int32_t) :: components
+    integer(c_int32_t) :: changed
+    integer(c_int32_t) :: reserved        ! 0
+  end type
+
+  type, bind(C) :: hsp_moving_ball
+    real(c_double) :: centre(3)           ! length
+    real(c_double) :: radius              ! with the probe, length
+    real(c_double) :: area                ! length^2
+    real(c_double) :: volume              ! length^3
+    real(c_double) :: d_centre(3)
+    real(c_double) :: d_radius
+    integer(c_int32_t) :: faces
+    integer(c_int32_t) :: flags           ! HSP_BALL_*
+    integer(c_int32_t) :: gradient_flags  ! HSP_GRADIENT_*
+    integer(c_int32_t) :: reserved        ! 0
   end type
 
   type, bind(C) :: hsp_group_contact
@@ -1695,6 +1732,123 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
+    ! ---- balls that move -------------------------------------------------------------------------------------------
+
+    function hsp_moving_limits_init(limits, struct_size, balls) result(status) bind(C, name="hsp_moving_limits_init")
+      import :: c_int32_t, hsp_moving_limits
+      type(hsp_moving_limits), intent(inout) :: limits
+      integer(c_int32_t), value :: struct_size
+      integer(c_int32_t), value :: balls
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_moving_bytes(limits, bytes) result(status) bind(C, name="hsp_moving_bytes")
+      import :: c_int32_t, c_size_t, hsp_moving_limits
+      type(hsp_moving_limits), intent(in) :: limits
+      integer(c_size_t), intent(inout) :: bytes
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_moving_init(memory, bytes, limits, moving) result(status) bind(C, name="hsp_moving_init")
+      import :: c_int32_t, c_ptr, c_size_t, hsp_moving_limits
+      type(c_ptr), value :: memory
+      integer(c_size_t), value :: bytes
+      type(hsp_moving_limits), intent(in) :: limits
+      type(c_ptr), intent(inout) :: moving
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_moving_set(moving, model, sigma, tension, pressure, tangency, limits, first_bad) result(status) &
+      bind(C, name="hsp_moving_set")
+      import :: c_double, c_int32_t, c_ptr, hsp_moving_limits
+      type(c_ptr), value :: moving
+      type(c_ptr), value :: model
+      real(c_double), intent(in), optional :: sigma(*)           ! n
+      real(c_double), value :: tension
+      real(c_double), value :: pressure
+      integer(c_int32_t), value :: tangency                      ! HSP_TANGENT_*
+      type(hsp_moving_limits), intent(inout), optional :: limits
+      integer(c_int32_t), intent(inout), optional :: first_bad
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_moving_move(moving, count, ball, xyz, radius, limits, first_bad) result(status) &
+      bind(C, name="hsp_moving_move")
+      import :: c_double, c_int32_t, c_ptr, hsp_moving_limits
+      type(c_ptr), value :: moving
+      integer(c_int32_t), value :: count
+      integer(c_int32_t), intent(in), optional :: ball(*)        ! count
+      real(c_double), intent(in), optional :: xyz(3, *)          ! 3, count
+      real(c_double), intent(in), optional :: radius(*)          ! count
+      type(hsp_moving_limits), intent(inout), optional :: limits
+      integer(c_int32_t), intent(inout), optional :: first_bad
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_moving_undo(moving) result(status) bind(C, name="hsp_moving_undo")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: moving
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_moving_get_info(moving, info) result(status) bind(C, name="hsp_moving_get_info")
+      import :: c_int32_t, c_ptr, hsp_moving_info
+      type(c_ptr), value :: moving
+      type(hsp_moving_info), intent(inout) :: info
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_moving_measure(moving, totals, area, volume, capacity, needed) result(status) &
+      bind(C, name="hsp_moving_measure")
+      import :: c_double, c_int32_t, c_ptr, hsp_totals
+      type(c_ptr), value :: moving
+      type(hsp_totals), intent(inout), optional :: totals
+      real(c_double), intent(inout), optional :: area(*)         ! n
+      real(c_double), intent(inout), optional :: volume(*)       ! n
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_moving_gradient(moving, energy, d_centre, d_radius, flags, capacity, needed) result(status) &
+      bind(C, name="hsp_moving_gradient")
+      import :: c_double, c_int32_t, c_ptr, hsp_energy
+      type(c_ptr), value :: moving
+      type(hsp_energy), intent(inout), optional :: energy
+      real(c_double), intent(inout), optional :: d_centre(3, *)  ! 3, n
+      real(c_double), intent(inout), optional :: d_radius(*)     ! n
+      integer(c_int32_t), intent(inout), optional :: flags(*)    ! n; HSP_GRADIENT_*
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_moving_get_balls(moving, count, ball, out) result(status) bind(C, name="hsp_moving_get_balls")
+      import :: c_int32_t, c_ptr, hsp_moving_ball
+      type(c_ptr), value :: moving
+      integer(c_int32_t), value :: count
+      integer(c_int32_t), intent(in), optional :: ball(*)        ! count
+      type(hsp_moving_ball), intent(inout), optional :: out(*)   ! count
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_moving_get_changed(moving, out, capacity, needed) result(status) &
+      bind(C, name="hsp_moving_get_changed")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: moving
+      integer(c_int32_t), intent(inout), optional :: out(*)
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_moving_get_model(moving, model) result(status) bind(C, name="hsp_moving_get_model")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: moving
+      type(c_ptr), value :: model
+      integer(c_int32_t) :: status
+    end function
+
     ! ---- the solvent-excluded surface ------------------------------------------------------------------------------
 
     function hsp_surface_limits_init(limits, struct_size, boundary) result(status) &
@@ -2910,6 +3064,13 @@ contains
     bytes = 16384_c_size_t + 384_c_size_t*int(balls, c_size_t) + 256_c_size_t*int(images, c_size_t) &
             + 384_c_size_t*int(neighbours, c_size_t) + 160_c_size_t*int(vertices, c_size_t) &
             + 80_c_size_t*int(circles, c_size_t) + 60_c_size_t*int(contacts, c_size_t)
+  end function
+
+  !> HSP_MOVING_BYTES of the header, for the size of an allocation.
+  pure function hsp_moving_bytes_bound(balls, neighbours) result(bytes)
+    integer(c_int32_t), intent(in) :: balls, neighbours
+    integer(c_size_t) :: bytes
+    bytes = 196608_c_size_t + 640_c_size_t*int(balls, c_size_t) + 1280_c_size_t*int(neighbours, c_size_t)
   end function
 
   !> HSP_MESH_BYTES of the header, for the size of an allocation.

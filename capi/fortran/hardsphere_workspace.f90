@@ -35,8 +35,9 @@ module hardsphere_workspace
     type(c_ptr) :: cells = c_null_ptr
     type(c_ptr) :: paths = c_null_ptr
     type(c_ptr) :: gate = c_null_ptr
+    type(c_ptr) :: moving = c_null_ptr
     integer(c_int32_t), private :: most_balls = 0
-    type(memory_block), private :: memory(11)
+    type(memory_block), private :: memory(12)
     type(hsp_boundary_limits), private :: boundary_limits
     type(hsp_topology_limits), private :: topology_limits
     type(hsp_view_limits), private :: view_limits
@@ -47,6 +48,7 @@ module hardsphere_workspace
     type(hsp_cells_limits), private :: cells_limits
     type(hsp_paths_limits), private :: paths_limits
     type(hsp_gate_limits), private :: gate_limits
+    type(hsp_moving_limits), private :: moving_limits
   contains
     procedure :: set => set_balls
     procedure :: compute_boundary
@@ -59,6 +61,7 @@ module hardsphere_workspace
     procedure :: compute_cells
     procedure :: find_path
     procedure :: compute_gate
+    procedure :: set_moving
     procedure, private :: make_boundary
     procedure, private :: make_topology
     procedure, private :: make_view
@@ -70,17 +73,18 @@ module hardsphere_workspace
     procedure, private :: make_cells
     procedure, private :: make_paths
     procedure, private :: make_gate
+    procedure, private :: make_moving
   end type
 
   private :: set_balls, compute_boundary, compute_topology, compute_view, compute_surface, compute_mesh, compute_map, &
-    compute_contacts, compute_cells, find_path, compute_gate, make_paths, make_gate, make_boundary, make_topology, &
-    make_view, make_surface, make_mesh, raise_mesh_limits, &
+    compute_contacts, compute_cells, find_path, compute_gate, set_moving, make_paths, make_gate, make_moving, &
+    make_boundary, make_topology, make_view, make_surface, make_mesh, raise_mesh_limits, &
     make_map, make_contacts, make_cells, allocated_to
 
 contains
 
   ! Takes n balls into the model; arguments and statuses as hsp_model_set. Boundary, topology, view, surface, mesh, map,
-  ! contacts, cells, paths and gate hold no results then.
+  ! contacts, cells, paths and gate hold no results then; balls that move stay as they are.
   function set_balls(self, n, xyz, radius, options, first_bad) result(status)
     class(hsp_workspace), intent(inout), target :: self
     integer(c_int32_t), intent(in) :: n
@@ -370,6 +374,33 @@ contains
     self%mesh_limits%points = max(self%mesh_limits%points, wanted%points)
   end function
 
+  ! Takes the balls of the model as balls that move; arguments and statuses as hsp_moving_set. There is room for 256
+  ! neighbours of each at least, or for all balls.
+  function set_moving(self, tension, pressure, tangency, sigma, first_bad) result(status)
+    class(hsp_workspace), intent(inout), target :: self
+    real(c_double), intent(in) :: tension, pressure
+    integer(c_int32_t), intent(in) :: tangency
+    real(c_double), intent(in), optional :: sigma(*)
+    integer(c_int32_t), intent(inout), optional :: first_bad
+    type(hsp_moving_limits) :: limits
+    integer(c_int32_t) :: status
+    if (.not. c_associated(self%moving)) then
+      status = hsp_moving_limits_init(self%moving_limits, int(c_sizeof(limits), c_int32_t), self%most_balls)
+      if (status == HSP_OK) status = self%make_moving()
+      if (status /= HSP_OK) return
+    end if
+    limits = self%moving_limits
+    do
+      status = hsp_moving_set(self%moving, self%model, sigma, tension, pressure, tangency, limits, first_bad)
+      if (status /= HSP_E_CAPACITY) return
+      ! Moves need room as well.
+      limits%neighbours = max(limits%neighbours, min(limits%balls, 256_c_int32_t))
+      self%moving_limits = limits
+      status = self%make_moving()
+      if (status /= HSP_OK) return
+    end do
+  end function
+
   ! Handles of the current limits, without results.
 
   function make_boundary(self) result(status)
@@ -460,6 +491,16 @@ contains
     status = hsp_gate_bytes(self%gate_limits, bytes)
     if (status == HSP_OK) status = allocated_to(self%memory(11), bytes)
     if (status == HSP_OK) status = hsp_gate_init(c_loc(self%memory(11)%bytes), bytes, self%gate_limits, self%gate)
+  end function
+
+  function make_moving(self) result(status)
+    class(hsp_workspace), intent(inout), target :: self
+    integer(c_int32_t) :: status
+    integer(c_size_t) :: bytes
+    self%moving = c_null_ptr
+    status = hsp_moving_bytes(self%moving_limits, bytes)
+    if (status == HSP_OK) status = allocated_to(self%memory(12), bytes)
+    if (status == HSP_OK) status = hsp_moving_init(c_loc(self%memory(12)%bytes), bytes, self%moving_limits, self%moving)
   end function
 
   function make_cells(self) result(status)

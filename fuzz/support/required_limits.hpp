@@ -49,6 +49,9 @@ inline size_t most_bytes(const hsp_periodic_limits &limits) {
   return HSP_PERIODIC_BYTES(limits.balls, limits.images, limits.neighbours, limits.vertices, limits.circles,
                             limits.contacts);
 }
+inline size_t most_bytes(const hsp_moving_limits &limits) {
+  return HSP_MOVING_BYTES(limits.balls, limits.neighbours);
+}
 
 // `exact`: the limits that the computation needs. `compute` takes a handle and limits to hand back and returns its
 // status, `read` takes it and returns the status of reading; where that is HSP_OK it has compared what it read.

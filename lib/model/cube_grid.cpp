@@ -9,6 +9,15 @@ namespace {
 // Balls of a large set are far from each other in the order of the input, and on their way while others are rounded.
 constexpr uint32_t fetched_ahead = 12;
 
+// Balls of a set in the caller's order, as BallRounding gives those of an input.
+struct PlacedBalls {
+  const BallSet &balls;
+  Span<const uint32_t> place;
+
+  static void fetch(uint32_t) {}
+  void round(uint32_t i, exact::LatticeBall &ball) const { ball = balls.ball(place[i]); }
+};
+
 }  // namespace
 
 CubeCoordinates CubeGrid::cube_at(const exact::Vector &point, int64_t side) {
@@ -73,14 +82,15 @@ Span<uint32_t> CubeGrid::order_of(BallRange part, const CubeAxis &axis) {
 }
 
 // A part of the balls, in its order, to the same places, as new cubes.
-void CubeGrid::put(const BallRounding &rounding, const CubeAxis &axis, BallRange part, Span<const uint32_t> order) {
+template <class Source>
+void CubeGrid::put(const Source &source, const CubeAxis &axis, BallRange part, Span<const uint32_t> order) {
   exact::LatticeBall ball;
   const uint32_t cubes_before = table_.count();
   for (uint32_t k = 0; k < order.size(); ++k) {
-    if (!small_code && k + fetched_ahead < order.size()) rounding.fetch(part.first + order[k + fetched_ahead]);
+    if (!small_code && k + fetched_ahead < order.size()) source.fetch(part.first + order[k + fetched_ahead]);
     const uint32_t input = part.first + order[k];
     const uint32_t place = part.first + k;
-    static_cast<void>(rounding.round(input, ball));
+    static_cast<void>(source.round(input, ball));
     balls_.store(place, ball);
     grid_index_[input] = place;
     CubeCoordinates cube = axis.cube_at(ball.centre);
@@ -109,13 +119,12 @@ Status CubeGrid::build(const BallInput &input, uint32_t own, uint32_t &first_bad
     balls_.store(i, ball);
     largest = ball.radius > largest ? ball.radius : largest;
   }
+  balls_.largest_radius = largest;
   const int64_t radius = rounding.expected_radius() > largest ? rounding.expected_radius() : largest;
   side_ = radius > 0 ? 2 * radius : 1;
   balls_.n = input.n;
   balls_.lattice = rounding.lattice();
   balls_.probe_steps = rounding.probe_steps();
-  balls_.largest_radius = largest;
-
   const CubeAxis axis(side_);
   const Span<const uint32_t> order = order_of({0, own}, axis);
   Span<const uint32_t> others;
@@ -136,6 +145,30 @@ Status CubeGrid::build(const BallInput &input, uint32_t own, uint32_t &first_bad
   first_ball_[table_.count()] = input.n;
   make_row_directory();
   return Status::ok;
+}
+
+void CubeGrid::build(const BallSet &balls, Span<const uint32_t> place, int64_t side) {
+  clear();
+  const PlacedBalls placed{balls, place};
+  const uint32_t n = place.size();
+  exact::LatticeBall ball;
+  for (uint32_t i = 0; i < n; ++i) {
+    placed.round(i, ball);
+    balls_.store(i, ball);
+    balls_.largest_radius = ball.radius > balls_.largest_radius ? ball.radius : balls_.largest_radius;
+  }
+  side_ = side;
+  balls_.n = n;
+  balls_.lattice = balls.lattice;
+  balls_.probe_steps = balls.probe_steps;
+  const CubeAxis axis(side_);
+  const Span<const uint32_t> order = order_of({0, n}, axis);
+  table_.clear(n);
+  put(placed, axis, {0, n}, order);
+  own_balls_ = n;
+  own_cubes_ = table_.count();
+  first_ball_[table_.count()] = n;
+  make_row_directory();
 }
 
 BallRange CubeGrid::balls_in_row(int64_t x_low, int64_t x_high, int64_t y, int64_t z) const {

@@ -34,6 +34,9 @@ class CubeGrid {
   Status build(const BallInput &input, uint32_t &first_bad) { return build(input, input.n, first_bad); }
   // The same, where balls from number `own` of the input on stand around.
   Status build(const BallInput &input, uint32_t own, uint32_t &first_bad);
+  // The same from balls that are on a lattice: the caller's ball i is balls.ball(place[i]). Cubes get the given side,
+  // twice the largest radius or more. There is room for so many balls.
+  void build(const BallSet &balls, Span<const uint32_t> place, int64_t side);
 
   const BallSet &balls() const { return balls_; }
   uint32_t capacity() const { return capacity_; }
@@ -79,7 +82,8 @@ class CubeGrid {
  private:
   void clear();
   Span<uint32_t> order_of(BallRange part, const CubeAxis &axis);
-  void put(const BallRounding &rounding, const CubeAxis &axis, BallRange part, Span<const uint32_t> order);
+  template <class Source>
+  void put(const Source &source, const CubeAxis &axis, BallRange part, Span<const uint32_t> order);
   void add_rows(const CubeCoordinates &low, const CubeCoordinates &high, CubeBlock &block) const;
 
   BallSet balls_;

@@ -102,6 +102,7 @@ Status MovingBalls::set(const CubeGrid &grid, const EnergyTerms &terms) {
     return status;
   }
   records_.begin();
+  changed_count_ = 0;
   return Status::ok;
 }
 
@@ -125,6 +126,7 @@ Status MovingBalls::move(const BallMoves &moves, uint32_t &first_bad) {
   if (may_undo_) return status;
   put_back();
   records_.begin();
+  changed_count_ = 0;
   return status;
 }
 
@@ -199,7 +201,7 @@ Status MovingBalls::update(uint32_t former) {
     return status;
   }
   components_.apply(records_, cells_, former, affected);
-  settle();
+  settle(affected);
   flag_inner_contacts(affected);
   return Status::ok;
 }
@@ -309,12 +311,18 @@ void MovingBalls::join_group() {
 }
 
 // Counts and sums, once everything else is known.
-void MovingBalls::settle() {
+void MovingBalls::settle(uint32_t affected) {
   const BallSet &balls = records_.balls;
+  changed_count_ = 0;
   for (uint32_t k = 0; k < records_.noted(); ++k) {
     const JournalEntry &entry = records_.entry(k);
     const uint32_t i = entry.ball;
     MovingBall &ball = records_.ball[i];
+    // Terms of the volume are about the component's origin, which may be another one, or elsewhere.
+    if (k < affected || ball.origin != entry.before.origin || records_.is_moved(ball.origin)) {
+      records_.list(k);
+      ++changed_count_;
+    }
     ball.own.measure.volume = ball.faces == 0 ? 0.0
                                               : volume_term(balls.r[i], ball.own.measure.area,
                                                             balls.difference(ball.origin, i), ball.own.vector_area);
@@ -372,6 +380,12 @@ MovingBalls::Sums::Term MovingBalls::term_of(uint32_t i) const {
   const EnergyTerms energy = terms();
   return {{own.measure.area, energy.weights.of(records_.balls, i) * own.measure.area, own.measure.volume,
            gradient_of_energy(lattice(), energy, own).radius}};
+}
+
+Status MovingBalls::write(CubeGrid &grid) const {
+  if (size() > grid.capacity()) return Status::capacity;
+  grid.build(records_.balls, place_.part(0, size()), cells_.side());
+  return Status::ok;
 }
 
 BallMeasure MovingBalls::totals() const {

@@ -73,9 +73,20 @@ class MovingBalls {
   const MovingBall &record(uint32_t caller) const { return records_.ball[place_[caller]]; }
   BallMeasure measure(uint32_t caller) const;
   EnergyGradient gradient(uint32_t caller) const;
-  // The balls of which anything may have changed by the last move, in any order.
-  uint32_t changed_count() const { return records_.noted(); }
-  uint32_t changed(uint32_t k) const { return records_.balls.caller[records_.entry(k).ball]; }
+  // The balls of which anything may have changed by the last move: those that moved, those that they met or meet, and
+  // those whose component has another origin, or one that moved.
+  uint32_t changed_count() const { return changed_count_; }
+  // Calls visit(caller) for each of them, in any order.
+  template <class Visit>
+  void visit_changed(Visit visit) const {
+    for (uint32_t k = 0; changed_count_ != 0 && k < records_.noted(); ++k) {
+      if (records_.entry(k).listed) visit(records_.balls.caller[records_.entry(k).ball]);
+    }
+  }
+
+  // The balls as they are as a grid of the same cubes: what a fresh computation begins with. Status::capacity, and the
+  // grid stays as it is, if it has no room for them.
+  Status write(CubeGrid &grid) const;
 
   // For tests that do without the code for wide registers.
   BoundaryPart &part() { return part_; }
@@ -96,7 +107,7 @@ class MovingBalls {
   void join_group();
   void flag_inner_contacts(uint32_t affected);
   void flag_group(uint32_t count);
-  void settle();
+  void settle(uint32_t affected);
   void put_back();
   Sums::Term term_of(uint32_t i) const;
   AreaWeights weights() const { return {weighted_ ? weight_.data() : nullptr, touching_balls_}; }
@@ -109,6 +120,7 @@ class MovingBalls {
   Sums sums_;  // area, weighted area, volume, derivative by the probe
   MovingCounts counts_, counts_before_;
   bool may_undo_ = false;
+  uint32_t changed_count_ = 0;
 
   Span<uint32_t> place_;               // [balls] of the caller's balls
   Span<exact::LatticeBall> new_ball_;  // [moves]

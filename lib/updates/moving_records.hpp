@@ -19,6 +19,7 @@ struct MovingBall {
 struct JournalEntry {
   uint32_t ball;
   bool moved;
+  bool listed;  // as one of which numbers may have changed, and not links of its component alone
   exact::LatticeBall placed;
   MovingBall before;
 };
@@ -43,12 +44,13 @@ class MovingRecords {
   void note(uint32_t i) {
     if (entry_[i] != no_id) return;
     entry_[i] = count_;
-    journal_[count_++] = {i, false, balls.ball(i), ball[i]};
+    journal_[count_++] = {i, false, false, balls.ball(i), ball[i]};
   }
   void note_moved(uint32_t i) {
     note(i);
     journal_[entry_[i]].moved = true;
   }
+  void list(uint32_t k) { journal_[k].listed = true; }
   bool is_noted(uint32_t i) const { return entry_[i] != no_id; }
   bool is_moved(uint32_t i) const { return entry_[i] != no_id && journal_[entry_[i]].moved; }
   // Those noted, in this order.

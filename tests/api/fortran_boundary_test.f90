@@ -31,6 +31,7 @@ program fortran_interface_test
   call curvatures()
   call contacts_functions()
   call bodies()
+  call balls_that_move()
   call reports_errors()
   call report_checks()
 
@@ -468,6 +469,54 @@ contains
     call check(abs(sum(d_radius*radius) + sum(d_centre*xyz) - energy%mean) < 1e-12_c_double, 'homogeneity')
     call check(maxval(abs(sum(d_centre, dim=2))) < 1e-13_c_double, 'sum of derivatives')
     call expect(hsp_boundary_morphometry(boundary, factors=factors, capacity=0_c_int32_t), HSP_OK, 'nothing asked')
+  end subroutine
+
+  ! The ball apart comes to the others and goes back.
+  subroutine balls_that_move()
+    type(c_ptr) :: moving
+    type(hsp_moving_limits) :: limits
+    type(hsp_moving_info) :: info
+    type(hsp_moving_ball) :: ball(2)
+    type(hsp_totals) :: totals, before, of_boundary
+    type(hsp_energy) :: energy
+    integer(c_int8_t), allocatable, target :: memory(:)
+    integer(c_size_t) :: bytes
+    integer(c_int32_t) :: needed, changed(n), flags(n), first_bad
+    real(c_double) :: area(n), volume(n), d_centre(3, n), d_radius(n)
+    real(c_double), parameter :: near_to_others(3, 1) = reshape([3.5_c_double, 0.0_c_double, 0.0_c_double], [3, 1])
+    call expect(hsp_moving_limits_init(limits, int(c_sizeof(limits), c_int32_t), n), HSP_OK, 'hsp_moving_limits_init')
+    call expect(hsp_moving_bytes(limits, bytes), HSP_OK, 'hsp_moving_bytes')
+    call check(bytes <= hsp_moving_bytes_bound(n, limits%neighbours), 'hsp_moving_bytes_bound')
+    allocate (memory(bytes))
+    call expect(hsp_moving_init(c_loc(memory), bytes, limits, moving), HSP_OK, 'hsp_moving_init')
+    call expect(hsp_moving_set(moving, model, tension=1.0_c_double, pressure=0.0_c_double, &
+                               tangency=HSP_TANGENT_OVERLAP, limits=limits, first_bad=first_bad), HSP_OK, 'hsp_moving_set')
+    call check(limits%neighbours == 2 .and. first_bad == HSP_NONE, 'limits that were needed')
+    call expect(hsp_moving_measure(moving, before, area, volume, n, needed), HSP_OK, 'hsp_moving_measure')
+    call expect(hsp_boundary_compute(boundary, model), HSP_OK, 'hsp_boundary_compute')
+    call expect(hsp_boundary_measure(boundary, totals=of_boundary, capacity=0_c_int32_t), HSP_OK, 'its totals')
+    call check(needed == n .and. before%area == of_boundary%area .and. before%volume == of_boundary%volume, 'the same bits')
+    call check(abs(area(4) - pi) < 1e-15_c_double, 'a ball alone')
+    call expect(hsp_moving_move(moving, 1_c_int32_t, [3_c_int32_t], near_to_others, first_bad=first_bad), HSP_OK, &
+                'hsp_moving_move')
+    call expect(hsp_moving_get_info(moving, info), HSP_OK, 'hsp_moving_get_info')
+    call check(info%balls == n .and. info%components == 1 .and. info%changed == 2, 'what has changed')
+    call check(info%vertices == 2 .and. info%circles == 1, 'what there is')
+    call expect(hsp_moving_get_changed(moving, changed, n, needed), HSP_OK, 'hsp_moving_get_changed')
+    call check(needed == 2 .and. all(changed(1:2) == [1, 3]), 'which have changed')
+    call expect(hsp_moving_gradient(moving, energy, d_centre, d_radius, flags, n, needed), HSP_OK, 'hsp_moving_gradient')
+    call expect(hsp_moving_get_balls(moving, 2_c_int32_t, changed, ball), HSP_OK, 'hsp_moving_get_balls')
+    call check(all(ball(2)%d_centre == d_centre(:, 4)) .and. ball(2)%faces == 1 .and. all(flags == 0), 'a ball')
+    call check(abs(ball(2)%centre(1) - 3.5_c_double) < 1e-14_c_double, 'where it is')
+    call expect(hsp_moving_get_model(moving, model), HSP_OK, 'hsp_moving_get_model')
+    call expect(hsp_boundary_compute(boundary, model), HSP_OK, 'hsp_boundary_compute')
+    call expect(hsp_boundary_measure(boundary, totals=of_boundary, capacity=0_c_int32_t), HSP_OK, 'its totals')
+    call check(energy%area == of_boundary%area, 'the same bits after a move')
+    call expect(hsp_moving_undo(moving), HSP_OK, 'hsp_moving_undo')
+    call expect(hsp_moving_measure(moving, totals, capacity=0_c_int32_t), HSP_OK, 'totals alone')
+    call check(totals%area == before%area .and. totals%volume == before%volume, 'as before')
+    call expect(hsp_moving_undo(moving), HSP_E_STATE, 'nothing to take back')
+    call expect(hsp_moving_get_model(moving, model), HSP_OK, 'the balls as they were')
   end subroutine
 
   subroutine bodies()

@@ -68,6 +68,7 @@ same "names of constants" "$work/constants" "$work/constants.module"
   echo '  printf("mesh bytes %zu\n", HSP_MESH_BYTES(0,0,0,0,1000));'
   echo '  printf("contacts bytes %zu\n", HSP_CONTACTS_BYTES(0,0,0,0,1000));'
   echo '  printf("periodic bytes %zu\n", HSP_PERIODIC_BYTES(1000,300,20,7,5,3));'
+  echo '  printf("moving bytes %zu\n", HSP_MOVING_BYTES(1000,17));'
   # the algebra of quarter-edges, on the first two edges and at both ends of what fits
   for q in 0 1 2 3 4 5 6 7 1073741820 1073741823 2147483647; do
     echo "  printf(\"turned %ld %ld %ld\n\", (long)HSP_QUAD_ROT(UINT32_C($q)), (long)HSP_QUAD_INVERSE_ROT(UINT32_C($q)),"
@@ -107,6 +108,7 @@ same "names of constants" "$work/constants" "$work/constants.module"
   echo "  print '(a, i0)', 'mesh bytes ', hsp_mesh_bytes_bound(0,0,0,0,1000)"
   echo "  print '(a, i0)', 'contacts bytes ', hsp_contacts_bytes_bound(0,0,0,0,1000)"
   echo "  print '(a, i0)', 'periodic bytes ', hsp_periodic_bytes_bound(1000,300,20,7,5,3)"
+  echo "  print '(a, i0)', 'moving bytes ', hsp_moving_bytes_bound(1000,17)"
   for q in 0 1 2 3 4 5 6 7 1073741820 1073741823 2147483647 HSP_NONE; do
     echo "  print '(a, 2(i0, 1x), i0)', 'turned ', hsp_quad_rot($q), hsp_quad_inverse_rot($q), hsp_quad_sym($q)"
     echo "  print '(a, i0, 1x, i0)', 'twin ', hsp_surface_twin($q), hsp_map_twin($q)"

@@ -33,6 +33,7 @@ contains
     call expect(work%compute_cells(), HSP_E_ARGUMENT, 'no model for cells')
     call expect(work%find_path(away, away, path), HSP_E_ARGUMENT, 'no model for a path')
     call expect(work%compute_gate(away), HSP_E_ARGUMENT, 'no model for a probe')
+    call expect(work%set_moving(1.0_c_double, 0.0_c_double, HSP_TANGENT_OVERLAP), HSP_E_ARGUMENT, 'no model to move')
   end subroutine
 
   ! n unit balls in a row at distance 1: each inner one loses two caps of height 1/2, and what is left is symmetric.
@@ -127,6 +128,9 @@ contains
     call expect(work%compute_gate(away, -away), HSP_OK, 'the widest probe on that way')
     call expect(hsp_gate_get(work%gate, widest), HSP_OK, 'how wide it is')
     call check(widest%passes == 1 .and. widest%radius > 0, 'some probe passes')
+    call expect(work%set_moving(1.0_c_double, 0.0_c_double, HSP_TANGENT_OVERLAP, sigma), HSP_OK, 'balls that move')
+    call expect(hsp_moving_gradient(work%moving, energy, capacity=0), HSP_OK, 'their energy')
+    call check(near(energy%area, sum(sigma*area)), 'the weighted area of balls that move')
   end subroutine
 
   subroutine refused()

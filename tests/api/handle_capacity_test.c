@@ -1,7 +1,7 @@
-/* Every limit of models, boundaries, topologies, views, contacts, cells, bodies and periodic unions, for sets of every
- * kind, at 0, 1, needed-1, needed and needed+1: HSP_E_CAPACITY with nothing written beyond what the header names, or
- * the same results as with ample memory. Memory is of exactly the size that the bytes function tells, with guard bytes
- * around it. */
+/* Every limit of models, boundaries, topologies, views, contacts, cells, bodies, periodic unions and balls that move,
+ * for sets of every kind, at 0, 1, needed-1, needed and needed+1: HSP_E_CAPACITY with nothing written beyond what the
+ * header names, or the same results as with ample memory. Memory is of exactly the size that the bytes function tells,
+ * with guard bytes around it. */
 #include <hardsphere.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,6 +12,7 @@
 #include "contacts_result.h"
 #include "guarded_memory.h"
 #include "limit_sweep.h"
+#include "moving_result.h"
 #include "output_sweep.h"
 #include "periodic_result.h"
 #include "topology_result.h"
@@ -268,7 +269,7 @@ static void sweep_views(const computed *c, uint32_t which, const char *name) {
   sweep_view(c, &options, 1, name);
 }
 
-/* ---- contacts, cells, bodies and periodic unions ---- */
+/* ---- contacts, cells, bodies, periodic unions and balls that move ---- */
 
 static void contacts_results(const void *contacts, const void *source) {
   const contacts_result *all = source;
@@ -453,6 +454,38 @@ static void sweep_periodic(const computed *c, const char *name) {
   periodic_result_release(&all);
 }
 
+static void moving_results(const void *moving, const void *source) {
+  const moving_result *all = source;
+  hsp_moving_info info;
+  hsp_totals totals;
+  hsp_energy energy;
+  CHECK_EQUAL(hsp_moving_get_info(moving, &info), HSP_OK);
+  CHECK_BYTES(&info, &all->info, sizeof info);
+  CHECK_EQUAL(hsp_moving_measure(moving, &totals, NULL, NULL, 0, NULL), HSP_OK);
+  CHECK_BYTES(&totals, &all->totals, sizeof totals);
+  CHECK_EQUAL(hsp_moving_gradient(moving, &energy, NULL, NULL, NULL, 0, NULL), HSP_OK);
+  CHECK_BYTES(&energy, &all->energy, sizeof energy);
+}
+
+static void no_moving_results(const void *moving) {
+  hsp_moving_info info;
+  uint32_t count = 12345;
+  CHECK_EQUAL(hsp_moving_get_info(moving, &info), HSP_E_STATE);
+  CHECK_EQUAL(hsp_moving_get_changed(moving, NULL, 0, &count), HSP_E_STATE);
+  CHECK_EQUAL(count, 12345);
+}
+
+static void sweep_moving(const computed *c, const char *name) {
+  moving_result all;
+  if (CHECK_EQUAL(moving_result_make(c, &all), HSP_OK)) {
+    const known_handle known = {&moving_handle, &all, &all.needed, moving_results, no_moving_results, NULL};
+    CHECK(all.enlargements <= 2);
+    CHECK_EQUAL(all.needed.neighbours, c->needed.neighbours);
+    sweep_limits(&known, name);
+  }
+  moving_result_release(&all);
+}
+
 int main(void) {
   static ball_set set;
   computed all;
@@ -475,6 +508,7 @@ int main(void) {
       sweep_topology(&all, set.name);
       sweep_views(&all, which, set.name);
       sweep_body(&all, set.name);
+      sweep_moving(&all, set.name);
       if (which % 3 == 0) sweep_contacts(&all, set.name);
       if (which % 3 == 2 && set.n <= 60) sweep_periodic(&all, set.name);
       /* They have nine limits, so that a few balls must do. */

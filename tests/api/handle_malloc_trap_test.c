@@ -391,6 +391,34 @@ static int call_periodic(void *memory, size_t bytes) {
   return bad;
 }
 
+/* Balls that move, all functions. */
+static int call_moving(hsp_model *model, void *memory, size_t bytes) {
+  static const uint32_t ball[3] = {2, 0, 1};
+  static const double to[9] = {1, 1, -2, 0, 0, 0, 3, 0, 1};
+  hsp_moving *moving = NULL;
+  hsp_moving_limits limits;
+  hsp_moving_info info;
+  hsp_moving_ball record[3];
+  hsp_totals totals;
+  hsp_energy energy;
+  double area[3], volume[3], centre[9];
+  uint32_t flags[3], changed[3], needed = 0;
+  size_t size = 0;
+  int bad = hsp_moving_limits_init(&limits, (uint32_t)sizeof limits, 3) != HSP_OK;
+  bad += hsp_moving_bytes(&limits, &size) != HSP_OK || size > bytes;
+  bad += hsp_moving_init(memory, size, &limits, &moving) != HSP_OK;
+  bad += hsp_moving_set(moving, model, NULL, 1, 1, HSP_TANGENT_OVERLAP, &limits, NULL) != HSP_OK;
+  bad += hsp_moving_move(moving, 3, ball, to, NULL, &limits, NULL) != HSP_OK;
+  bad += hsp_moving_get_changed(moving, changed, 3, &needed) != HSP_OK || needed == 0;
+  bad += hsp_moving_undo(moving) != HSP_OK;
+  bad += hsp_moving_get_info(moving, &info) != HSP_OK || info.balls != 3;
+  bad += hsp_moving_measure(moving, &totals, area, volume, 3, &needed) != HSP_OK;
+  bad += hsp_moving_gradient(moving, &energy, centre, area, flags, 3, &needed) != HSP_OK;
+  bad += hsp_moving_get_balls(moving, 3, ball, record) != HSP_OK;
+  bad += hsp_moving_get_model(moving, model) != HSP_OK;
+  return bad;
+}
+
 static int call_map(map_result *m, void *memory, size_t bytes, const uint32_t *colour) {
   hsp_map *map = NULL;
   hsp_map_limits limits;
@@ -695,6 +723,7 @@ static void trap_cells(void) {
   arm();
   bad = call_cells(model, memory, sizeof memory);
   bad += call_paths(model, memory, sizeof memory);
+  bad += call_moving(model, memory, sizeof memory);
   disarm(bad);
 }
 

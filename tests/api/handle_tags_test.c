@@ -16,6 +16,7 @@ static hsp_gate *gate;
 static hsp_body *body;
 static hsp_periodic *periodic;
 static hsp_sticks *sticks;
+static hsp_moving *moving;
 
 /* A surface of its own, as four_handles has none. */
 static void make_surface(void) {
@@ -25,13 +26,15 @@ static void make_surface(void) {
   CHECK_EQUAL(hsp_surface_compute(surface, h.boundary, NULL), HSP_OK);
 }
 
-/* Contacts, cells, paths, a gate, a body and sticks likewise. */
+/* Contacts, cells, paths, a gate, a body, sticks and balls that move likewise. */
 static void make_further(void) {
   enum { CELLS_SIZE = 1 << 18, PATHS_SIZE = 1 << 19 };
   static unsigned char contacts_memory[SIZE], cells_memory[CELLS_SIZE], body_memory[SIZE];
   static unsigned char paths_memory[PATHS_SIZE], gate_memory[CELLS_SIZE], periodic_memory[PATHS_SIZE];
   static unsigned char sticks_memory[SIZE];
   const hsp_sticks_limits of_sticks = {(uint32_t)sizeof of_sticks, BALLS, 1, 32, 64};
+  static unsigned char moving_memory[HSP_MOVING_BYTES(BALLS, BALLS)];
+  const hsp_moving_limits of_moving = {(uint32_t)sizeof of_moving, BALLS, BALLS};
   hsp_periodic_limits of_periodic;
   hsp_paths_limits of_paths;
   hsp_gate_limits of_gate;
@@ -47,6 +50,7 @@ static void make_further(void) {
   CHECK_EQUAL(hsp_gate_init(gate_memory, sizeof gate_memory, &of_gate, &gate), HSP_OK);
   CHECK_EQUAL(hsp_periodic_limits_init(&of_periodic, (uint32_t)sizeof of_periodic, BALLS), HSP_OK);
   CHECK_EQUAL(hsp_periodic_init(periodic_memory, sizeof periodic_memory, &of_periodic, &periodic), HSP_OK);
+  CHECK_EQUAL(hsp_moving_init(moving_memory, sizeof moving_memory, &of_moving, &moving), HSP_OK);
   CHECK_EQUAL(hsp_body_init(body_memory, sizeof body_memory, BALLS, &body), HSP_OK);
   CHECK_EQUAL(hsp_sticks_init(sticks_memory, sizeof sticks_memory, &of_sticks, &sticks), HSP_OK);
 }
@@ -94,6 +98,8 @@ static void refused_as_model(void *handle) {
   CHECK_EQUAL(hsp_paths_compute(paths, handle, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_gate_compute(gate, handle, four_inside, NULL, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_body_set(body, handle), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_moving_set(moving, handle, NULL, 1, 0, HSP_TANGENT_OVERLAP, NULL, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_moving_get_model(moving, handle), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_model_arrangement(handle, NULL, NULL, NULL, 0, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_model_set(handle, BALLS, four_xyz, four_radius, NULL, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_model_get_info(handle, &info), HSP_E_ARGUMENT);
@@ -332,6 +338,23 @@ static void refused_as_periodic(void *handle) {
   CHECK_EQUAL(hsp_periodic_check(handle, &needed, &id), HSP_E_ARGUMENT);
 }
 
+static void refused_as_moving(void *handle) {
+  const uint32_t ball = 0;
+  hsp_moving_info info;
+  hsp_moving_ball record;
+  uint32_t needed;
+  check_scene("%s as balls that move", scene);
+  CHECK_EQUAL(hsp_moving_set(handle, h.model, NULL, 1, 0, HSP_TANGENT_OVERLAP, NULL, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_moving_move(handle, 1, &ball, four_xyz, NULL, NULL, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_moving_undo(handle), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_moving_get_info(handle, &info), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_moving_measure(handle, NULL, NULL, NULL, 0, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_moving_gradient(handle, NULL, NULL, NULL, NULL, 0, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_moving_get_balls(handle, 1, &ball, &record), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_moving_get_changed(handle, NULL, 0, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_moving_get_model(handle, h.model), HSP_E_ARGUMENT);
+}
+
 static void refused_as_body(void *handle) {
   uint32_t needed;
   hsp_pose pose;
@@ -370,6 +393,7 @@ static void refused_as_further(void *handle) {
   refused_as_paths(handle);
   refused_as_gate(handle);
   refused_as_periodic(handle);
+  refused_as_moving(handle);
   refused_as_body(handle);
   refused_as_map(handle);
   refused_as_sticks(handle);
@@ -471,8 +495,19 @@ static void handles_of_other_kinds(void) {
   refused_as_periodic(sticks);
   refused_as_body(sticks);
   refused_as_map(sticks);
+  scene = "balls that move";
+  refused_as_one_of_five(moving);
+  refused_as_contacts(moving);
+  refused_as_cells(moving);
+  refused_as_paths(moving);
+  refused_as_gate(moving);
+  refused_as_periodic(moving);
+  refused_as_body(moving);
+  refused_as_map(moving);
+  refused_as_sticks(moving);
   scene = "a body";
   refused_as_periodic(body);
+  refused_as_moving(body);
   refused_as_one_of_five(body);
   refused_as_map(body);
   refused_as_sticks(body);
@@ -489,7 +524,7 @@ static void moved_handles(void) {
     double alignment;
   } copy;
   void *const handles[] = {h.model, h.boundary, h.topology, h.view,   surface, contacts, cells,
-                           paths,   gate,       body,       periodic, h.map,   sticks};
+                           paths,   gate,       body,       periodic, h.map,   sticks,   moving};
   size_t i;
   for (i = 0; i < sizeof handles / sizeof handles[0]; ++i) {
     unpoison(handles[i], 4096);

@@ -125,6 +125,13 @@ static int32_t read_periodic_limits(const void *given) {
   CHECK_EQUAL(hsp_periodic_init(cells_memory, sizeof cells_memory, given, &made), status);
   return status;
 }
+static int32_t read_moving_limits(const void *given) {
+  size_t bytes = 0;
+  hsp_moving *made = NULL;
+  const int32_t status = hsp_moving_bytes(given, &bytes);
+  CHECK_EQUAL(hsp_moving_init(cells_memory, sizeof cells_memory, given, &made), status);
+  return status;
+}
 static int32_t read_view_options(const void *given) {
   return hsp_view_compute(h.view, h.model, NULL, given, NULL);
 }
@@ -187,6 +194,10 @@ static int32_t write_gate_limits(void *out, uint32_t size) {
 
 static int32_t write_periodic_limits(void *out, uint32_t size) {
   return hsp_periodic_limits_init(out, size, BALLS);
+}
+
+static int32_t write_moving_limits(void *out, uint32_t size) {
+  return hsp_moving_limits_init(out, size, BALLS);
 }
 
 /* The size comes with the struct where a computation hands limits back. */
@@ -277,6 +288,25 @@ static int32_t return_periodic_limits(void *out, uint32_t size) {
   memcpy(out, &size, sizeof size);
   return hsp_periodic_compute(periodic, BALLS, four_xyz, four_radius, NULL, box, out, NULL);
 }
+static hsp_moving *make_moving(void) {
+  hsp_moving *moving = NULL;
+  hsp_moving_limits limits;
+  CHECK_EQUAL(hsp_moving_limits_init(&limits, (uint32_t)sizeof limits, BALLS), HSP_OK);
+  CHECK_EQUAL(hsp_moving_init(cells_memory, sizeof cells_memory, &limits, &moving), HSP_OK);
+  return moving;
+}
+static int32_t return_moving_limits(void *out, uint32_t size) {
+  hsp_moving *const moving = make_moving();
+  memcpy(out, &size, sizeof size);
+  return hsp_moving_set(moving, h.model, NULL, 1, 0, HSP_TANGENT_OVERLAP, out, NULL);
+}
+static int32_t return_limits_of_move(void *out, uint32_t size) {
+  const uint32_t ball = 0;
+  hsp_moving *const moving = make_moving();
+  CHECK_EQUAL(hsp_moving_set(moving, h.model, NULL, 1, 0, HSP_TANGENT_OVERLAP, NULL, NULL), HSP_OK);
+  memcpy(out, &size, sizeof size);
+  return hsp_moving_move(moving, 1, &ball, four_xyz + 3, NULL, out, NULL);
+}
 static int32_t return_view_limits(void *out, uint32_t size) {
   memcpy(out, &size, sizeof size);
   return hsp_view_compute(h.view, h.model, NULL, NULL, out);
@@ -353,6 +383,11 @@ static const struct versioned {
      sizeof(hsp_periodic_limits),
      read_periodic_limits,
      {write_periodic_limits, return_periodic_limits, NULL}},
+    {"hsp_moving_limits",
+     sizeof(hsp_moving_limits),
+     sizeof(hsp_moving_limits),
+     read_moving_limits,
+     {write_moving_limits, return_moving_limits, return_limits_of_move}},
     {"hsp_view_options",
      sizeof(hsp_view_options),
      sizeof(hsp_view_options),

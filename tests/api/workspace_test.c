@@ -25,6 +25,7 @@ static int32_t compute_all(hsp_workspace *work, const ball_set *set) {
   if (status == HSP_OK) status = hsp_workspace_cells(work);
   if (status == HSP_OK) status = hsp_workspace_path(work, far_below, far_above, &path);
   if (status == HSP_OK) status = hsp_workspace_gate(work, far_below, far_above);
+  if (status == HSP_OK) status = hsp_workspace_moving(work, NULL, 1, 0, HSP_TANGENT_OVERLAP, NULL);
   return status;
 }
 
@@ -69,6 +70,8 @@ static void check_results(hsp_workspace *work, const ball_set *set) {
   CHECK_EQUAL(hsp_boundary_measure(c.boundary, NULL, &expected, NULL, NULL, 0, NULL), HSP_OK);
   CHECK_EQUAL(hsp_boundary_measure(work->boundary, NULL, &totals, NULL, NULL, 0, NULL), HSP_OK);
   CHECK_BYTES(&totals, &expected, sizeof totals);
+  CHECK_EQUAL(hsp_moving_measure(work->moving, &totals, NULL, NULL, 0, NULL), HSP_OK);
+  CHECK_BYTES(&totals, &expected, sizeof totals);
   CHECK_EQUAL(hsp_topology_get_counts(work->topology, &topology), HSP_OK);
   CHECK_EQUAL(topology.components, counts.components);
   CHECK_EQUAL(topology.shells, counts.shells);
@@ -109,7 +112,7 @@ static void set_after_set(void) {
   hsp_workspace_free(&work);
   CHECK(work.model == NULL && work.boundary == NULL && work.topology == NULL && work.view == NULL &&
         work.surface == NULL && work.mesh == NULL && work.map == NULL && work.contacts == NULL && work.cells == NULL &&
-        work.paths == NULL && work.gate == NULL);
+        work.paths == NULL && work.gate == NULL && work.moving == NULL);
   check_scene("after it was freed");
   CHECK_EQUAL(compute_all(&work, &set), HSP_OK);
   check_results(&work, &set);
@@ -144,6 +147,7 @@ static void out_of_date(void) {
   CHECK_EQUAL(hsp_workspace_cells(&work), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_workspace_path(&work, far_below, far_above, &path), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_workspace_gate(&work, far_below, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_workspace_moving(&work, NULL, 1, 0, HSP_TANGENT_OVERLAP, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_workspace_set(&work, 0, NULL, NULL, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_workspace_boundary(&work), HSP_OK);
   for (i = 0; i < 4; ++i) {

@@ -14,7 +14,7 @@ rooms+=" view visibility sticks picture capi"
 declare -A stands_on=([core]="" [exact]="core" [model]="exact" [cells]="model" [paths]="cells" [poses]="model" [sphere]="model"
   [boundary]="sphere" [topology]="boundary" [measure]="topology" [updates]="measure" [contacts]="measure" [periodic]="contacts" [surface]="measure" [mesh]="surface"
   [view]="boundary" [visibility]="view" [sticks]="visibility" [picture]="view"
-  [capi]="paths poses periodic mesh visibility sticks picture")
+  [capi]="paths poses updates periodic mesh visibility sticks picture")
 failed=0
 
 complain() {

@@ -3,6 +3,7 @@
 #include <hardsphere.h>
 #include <inttypes.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 #include "ball_sets.h"
 #include "computed.h"
@@ -105,6 +106,41 @@ static void print_surface(const computed *c) {
   surface_result_release(&s);
 }
 
+/* Some balls in turn, each halfway to another one; the last comes back. */
+static void print_moving(const computed *c) {
+  const hsp_moving_limits limits = {(uint32_t)sizeof limits, c->n, c->n};
+  hsp_moving *moving = NULL;
+  size_t bytes = 0;
+  void *memory;
+  uint32_t k;
+  print_status("bytes of balls that move", hsp_moving_bytes(&limits, &bytes));
+  memory = test_zeros(bytes, 1);
+  print_status("init", hsp_moving_init(memory, bytes, &limits, &moving));
+  print_status("set", hsp_moving_set(moving, c->model, NULL, 1, -0.5, HSP_TANGENT_OVERLAP, NULL, NULL));
+  end_line();
+  for (k = 0; k < 6 && c->n > 0; ++k) {
+    const uint32_t ball = 7 * k % c->n, other = 3 * k % c->n;
+    double to[3];
+    hsp_energy energy = {0.0, 0.0, 0.0, 0.0};
+    hsp_moving_ball record;
+    uint32_t axis;
+    for (axis = 0; axis < 3; ++axis) to[axis] = 0.5 * (c->xyz[3 * ball + axis] + c->xyz[3 * other + axis]);
+    print_status("move", hsp_moving_move(moving, 1, &ball, to, NULL, NULL, NULL));
+    if (k == 5) print_status("undo", hsp_moving_undo(moving));
+    print_status("energy", hsp_moving_gradient(moving, &energy, NULL, NULL, NULL, 0, NULL));
+    print_doubles(&energy.value, 1);
+    print_doubles(&energy.area, 1);
+    print_doubles(&energy.volume, 1);
+    print_doubles(&energy.d_probe, 1);
+    print_status("ball", hsp_moving_get_balls(moving, 1, &other, &record));
+    printf(" %" PRIu32 " %" PRIu32 " %" PRIu32, record.faces, record.flags, record.gradient_flags);
+    print_doubles(record.d_centre, 3);
+    print_doubles(&record.volume, 1);
+    end_line();
+  }
+  free(memory);
+}
+
 int main(void) {
   static const double probes[] = {0.0, 0.4};
   static ball_set set;
@@ -127,6 +163,7 @@ int main(void) {
       print_balls(&c);
       print_gradients(&c);
       print_surface(&c);
+      print_moving(&c);
       print_topology(&c);
       print_periodic(&c);
       print_views(&c);

@@ -548,6 +548,7 @@ TEST(Examples, RefuseBadFiles) {
       {"interface", {good, bad.path()}},
       {"minimise", {bad.path()}},
       {"monte_carlo", {good, bad.path()}},
+      {"single_atoms", {bad.path()}},
       {"solvent_box", {bad.path(), "9", "9", "9"}},
       {"turntable", {bad.path(), "no_picture"}}};
   for (const auto &[example, arguments] : calls) {
@@ -557,6 +558,27 @@ TEST(Examples, RefuseBadFiles) {
     EXPECT_EQ(outcome.err.rfind(bad.path() + ":", 0), 0u) << outcome.err;
     EXPECT_EQ(run_example(example, {}).status, 2) << example;
   }
+}
+
+// It compares itself with a new computation; how many moves are taken depends on the random numbers alone.
+TEST(Examples, SingleAtomsHaveTheBitsOfANewModel) {
+  const support::BallList crambin = molecule("crambin.pdb");
+  const TemporaryFile file("crambin.xyzr", text_of(crambin, crambin.size()));
+  const Outcome outcome = run_example("single_atoms", {file.path(), "300"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::vector<std::string> lines = lines_of(outcome.out);
+  ASSERT_GE(lines.size(), 2u);
+  unsigned accepted = 0;
+  double after = 0, before = 0;
+  ASSERT_EQ(std::sscanf(lines[0].c_str(), "327 atoms, 300 moves, %u accepted: %lf kcal/mol, before %lf", &accepted,
+                        &after, &before),
+            3)
+      << lines[0];
+  EXPECT_GT(accepted, 100u);
+  EXPECT_LT(accepted, 300u);
+  EXPECT_NEAR(after, before, 5);
+  EXPECT_NE(after, before);
+  EXPECT_EQ(lines.back().rfind("a new model has the same bits: ", 0), 0u) << lines.back();
 }
 
 // A ball off the axis circles about the middle between it and another one, which is on the other side: in a frame of

@@ -151,6 +151,15 @@ struct PeriodicKind {
   static constexpr auto bytes = hsp_periodic_bytes;
   static constexpr auto init = hsp_periodic_init;
 };
+struct MovingKind {
+  using Handle = hsp_moving;
+  using Limits = hsp_moving_limits;
+  static constexpr int enlargements = 2;
+  static constexpr std::array limits = {&Limits::balls, &Limits::neighbours};
+  static constexpr const char *name = "hsp_moving";
+  static constexpr auto bytes = hsp_moving_bytes;
+  static constexpr auto init = hsp_moving_init;
+};
 
 // A handle of such a kind. Calls that fail throw std::runtime_error.
 template <class Kind>

@@ -384,6 +384,36 @@ static uint64_t periodic_hash(const void *periodic, const void *source, unsigned
   return bad ? 0 : hash;
 }
 
+/* With what is known of each ball, and of all of them as a model again. */
+static uint64_t moving_hash(const void *moving, const void *source, unsigned char *buffer, uint32_t room) {
+  double *numbers = (void *)buffer;
+  uint64_t hash = UINT64_C(0xCBF29CE484222325);
+  hsp_moving_info info;
+  hsp_totals totals;
+  hsp_energy energy;
+  uint32_t *flags, needed = 0, i;
+  int bad = 0;
+  (void)source;
+  if (hsp_moving_get_info(moving, &info) != HSP_OK || info.balls > room) return 0;
+  flags = (void *)(numbers + 4 * (size_t)info.balls);
+  /* What the last call changed is no part of what there is. */
+  info.changed = 0;
+  hash = mixed_hash(hash, &info, sizeof info);
+  bad |= hsp_moving_measure(moving, &totals, numbers, numbers + info.balls, info.balls, NULL) != HSP_OK;
+  hash = mixed_hash(mixed_hash(hash, &totals, sizeof totals), numbers, 2 * (size_t)info.balls * sizeof *numbers);
+  bad |= hsp_moving_gradient(moving, &energy, numbers, numbers + 3 * (size_t)info.balls, flags, info.balls, NULL) !=
+         HSP_OK;
+  hash = mixed_hash(mixed_hash(hash, &energy, sizeof energy), numbers, 4 * (size_t)info.balls * sizeof *numbers);
+  hash = mixed_hash(hash, flags, info.balls * sizeof *flags);
+  for (i = 0; i < info.balls; ++i) {
+    hsp_moving_ball ball;
+    bad |= hsp_moving_get_balls(moving, 1, &i, &ball) != HSP_OK;
+    hash = mixed_hash(hash, &ball, sizeof ball);
+  }
+  bad |= hsp_moving_get_changed(moving, flags, info.balls, &needed) != HSP_OK;
+  return bad ? 0 : hash;
+}
+
 /* ---- what uses scratch memory; 0 if a call fails ---- */
 
 static int use_boundary(void *boundary) {
@@ -462,6 +492,23 @@ static int use_periodic(void *periodic) {
   return hsp_periodic_check(periodic, &invariant, &id) == HSP_OK;
 }
 
+/* A move of every ball, taken back. */
+static int use_moving(void *moving) {
+  hsp_moving_info info;
+  uint32_t i;
+  int bad = hsp_moving_get_info(moving, &info) != HSP_OK;
+  for (i = 0; i < info.balls && !bad; i += 1 + info.balls / 8) {
+    hsp_moving_ball ball;
+    bad |= hsp_moving_get_balls(moving, 1, &i, &ball) != HSP_OK;
+    ball.centre[0] += 0.25 * ball.radius;
+    /* There may be no room for more neighbours. */
+    if (hsp_moving_move(moving, 1, &i, ball.centre, NULL, NULL, NULL) == HSP_OK) {
+      bad |= hsp_moving_undo(moving) != HSP_OK;
+    }
+  }
+  return !bad;
+}
+
 /* ---- a computation of any kind ---- */
 
 const kind_of_life kinds_of_life[KINDS] = {{&boundary_handle, "a boundary", boundary_hash, use_boundary},
@@ -474,7 +521,8 @@ const kind_of_life kinds_of_life[KINDS] = {{&boundary_handle, "a boundary", boun
                                            {&contacts_handle, "contacts", contacts_hash, use_contacts},
                                            {&cells_handle, "cells", cells_hash, use_cells},
                                            {&body_handle, "a body", body_hash, use_body},
-                                           {&periodic_handle, "a periodic union", periodic_hash, use_periodic}};
+                                           {&periodic_handle, "a periodic union", periodic_hash, use_periodic},
+                                           {&moving_handle, "balls that move", moving_hash, use_moving}};
 
 /* A probe half as large as the largest ball, and triangles as large as that ball. Where joints are open or borders
  * touch in a point there are no triangles. */
@@ -523,7 +571,7 @@ static int make_contacts_and_cells(computations *all) {
   all->room += all->body.overlap[0].pairs;
   if (!CHECK_EQUAL(periodic_result_make(c, &all->periodic), HSP_OK)) return 0;
   all->room += all->periodic.needed.images + all->periodic.counts.contacts;
-  return 1;
+  return CHECK_EQUAL(moving_result_make(c, &all->moving), HSP_OK);
 }
 
 int computations_make(const ball_set *set, const hsp_view_options *options, computations *all) {
@@ -544,6 +592,7 @@ int computations_make(const ball_set *set, const hsp_view_options *options, comp
 }
 
 void computations_release(computations *all) {
+  moving_result_release(&all->moving);
   periodic_result_release(&all->periodic);
   body_result_release(&all->body);
   cells_result_release(&all->cells);
@@ -559,9 +608,9 @@ void computations_release(computations *all) {
 }
 
 const void *source_of(const computations *all, int kind) {
-  const void *const sources[KINDS] = {&all->boundary, &all->topology, &all->view,    &all->surface,
-                                      &all->mesh,     &all->map,      &all->sticks,  &all->contacts,
-                                      &all->cells,    &all->body,     &all->periodic};
+  const void *const sources[KINDS] = {&all->boundary, &all->topology, &all->view,     &all->surface,
+                                      &all->mesh,     &all->map,      &all->sticks,   &all->contacts,
+                                      &all->cells,    &all->body,     &all->periodic, &all->moving};
   return sources[kind];
 }
 
@@ -571,7 +620,7 @@ void *handle_of(const computations *all, int kind) {
                                 all->mesh.mesh,         all->map.map,
                                 all->sticks.sticks,     all->contacts.contacts,
                                 all->cells.cells,       all->boundary.n > 0 ? all->body.body : NULL,
-                                all->periodic.periodic};
+                                all->periodic.periodic, all->moving.moving};
   return handles[kind];
 }
 
@@ -579,7 +628,7 @@ limit_numbers limits_of(const computations *all, int kind) {
   const void *const needed[KINDS] = {&all->boundary.needed, &all->topology.needed, &all->view.needed,
                                      &all->surface.needed,  &all->mesh.needed,     &all->map.needed,
                                      &all->sticks.needed,   &all->contacts.needed, &all->cells.needed,
-                                     &all->body.needed,     &all->periodic.needed};
+                                     &all->body.needed,     &all->periodic.needed, &all->moving.needed};
   limit_numbers limits;
   memset(&limits, 0, sizeof limits);
   memcpy(&limits, needed[kind], kinds_of_life[kind].kind->struct_size);

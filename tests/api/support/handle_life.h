@@ -8,6 +8,7 @@
 #include "contacts_result.h"
 #include "map_result.h"
 #include "mesh_result.h"
+#include "moving_result.h"
 #include "periodic_result.h"
 #include "sticks_result.h"
 #include "topology_result.h"
@@ -21,7 +22,7 @@ typedef struct kind_of_life {
   /* Calls what uses scratch memory; 0 if a call fails. */
   int (*use)(void *handle);
 } kind_of_life;
-enum { BOUNDARY, TOPOLOGY, VIEW, SURFACE, MESH, MAP, STICKS, CONTACTS, CELLS, BODY, PERIODIC, KINDS };
+enum { BOUNDARY, TOPOLOGY, VIEW, SURFACE, MESH, MAP, STICKS, CONTACTS, CELLS, BODY, PERIODIC, MOVING, KINDS };
 extern const kind_of_life kinds_of_life[KINDS];
 
 /* FNV-1a, goes on from a hash. */
@@ -43,12 +44,13 @@ typedef struct computations {
   cells_result cells; /* none of sets of more than CELLS_OF_BALLS balls, for the sake of time */
   body_result body;
   periodic_result periodic;
+  moving_result moving;
   uint32_t room; /* what no number of records exceeds */
 } computations;
 
 /* Computes the boundary of a set, and unless `options` is NULL its topology, that view and map, sticks, the smooth
- * surface and triangles of it, contacts, cells, the body and the set in a periodic box; false, after a failed check, if
- * a call fails. To be followed by computations_release. */
+ * surface and triangles of it, contacts, cells, the body, the set in a periodic box and balls that move; false, after a
+ * failed check, if a call fails. To be followed by computations_release. */
 int computations_make(const ball_set *set, const hsp_view_options *options, computations *all);
 void computations_release(computations *all);
 

@@ -63,6 +63,7 @@ class MovedUnion {
     const uint32_t n = balls.size();
     const uint32_t small = n < 64 ? n : 1;  // of sets in which all may meet
     grid_memory_.carve(grid_, n);
+    written_memory_.carve(written_, n);
     boundary_memory_.carve(builder_, hsp::BoundaryLimits{n, n, 64 + 8 * n * small, 16 + 2 * n * small});
     memory_.carve(moving_, hsp::MovingLimits{n, neighbours});
     status_ = read();
@@ -94,6 +95,7 @@ class MovedUnion {
   // Empty, or in what the balls that moved differ from the same balls.
   std::string complaint(bool wide = true) {
     if (read() != hsp::Status::ok) return "the grid";
+    if (!writes_that_grid()) return "the grid that is written";
 #if HSP_AVX2
     builder_.use_wide_code(wide && has_wide_);
 #else
@@ -113,6 +115,25 @@ class MovedUnion {
   }
 
  private:
+  // Whether the balls as they are make the grid that was read.
+  bool writes_that_grid() {
+    if (moving_.write(written_) != hsp::Status::ok) return false;
+    const hsp::BallSet &given = grid_.balls(), &balls = written_.balls();
+    bool same = given.n == balls.n && given.probe_steps == balls.probe_steps && grid_.side() == written_.side() &&
+                given.largest_radius == balls.largest_radius && grid_.cubes() == written_.cubes() &&
+                same_bits(given.lattice.step(), balls.lattice.step());
+    for (uint32_t i = 0; same && i < balls.n; ++i) {
+      same = given.x[i] == balls.x[i] && given.y[i] == balls.y[i] && given.z[i] == balls.z[i] &&
+             given.r[i] == balls.r[i] && given.caller[i] == balls.caller[i] &&
+             grid_.grid_index(i) == written_.grid_index(i);
+    }
+    for (uint32_t cube = 0; same && cube < grid_.cubes(); ++cube) {
+      same = grid_.table().coordinates(cube) == written_.table().coordinates(cube) &&
+             grid_.balls_in(cube).first == written_.balls_in(cube).first &&
+             grid_.balls_in(cube).last == written_.balls_in(cube).last;
+    }
+    return same;
+  }
   hsp::Status read() {
     uint32_t first_bad = 0;
     return grid_.build({balls_.size(), balls_.xyz.data(), balls_.radius.data(), probe_, step_, largest_}, first_bad);
@@ -146,8 +167,8 @@ class MovedUnion {
   support::BallList balls_, before_;
   double largest_, probe_, step_;
   hsp::EnergyTerms terms_;
-  CarvedMemory grid_memory_, boundary_memory_, memory_;
-  hsp::CubeGrid grid_;
+  CarvedMemory grid_memory_, written_memory_, boundary_memory_, memory_;
+  hsp::CubeGrid grid_, written_;
   hsp::BoundaryBuilder builder_;
   hsp::MovingBalls moving_;
   bool has_wide_ = hsp::has_avx2();

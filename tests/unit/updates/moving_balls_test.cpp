@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -143,6 +144,50 @@ TEST(MovingBalls, RefusedMovesChangeNothing) {
   support::BallList to;
   to.add(70, 14, 0, 9);
   ASSERT_EQ(moved.move({5}, to), Status::ok);
+  EXPECT_EQ(moved.complaint(), "");
+}
+
+// Links of a component change where others join it; what is known of those balls does not.
+TEST(MovingBalls, ListWhatHasChanged) {
+  support::BallList chain;
+  for (int k = 0; k < 9; ++k) chain.add(15.0 * k, 0, 0, 10);
+  chain.add(-400, 0, 0, 10);
+  MovedUnion moved(chain, 10.0, 4);
+  const auto changed = [&] {
+    std::vector<uint32_t> list;
+    moved.moving().visit_changed([&](uint32_t ball) { list.push_back(ball); });
+    EXPECT_EQ(list.size(), moved.moving().changed_count());
+    std::sort(list.begin(), list.end());
+    return list;
+  };
+  EXPECT_EQ(changed(), std::vector<uint32_t>{});
+  support::BallList to;
+  to.add(120, 15, 0, 10);  // the ball apart comes to the end of the chain
+  ASSERT_EQ(moved.move({9}, to), Status::ok);
+  EXPECT_EQ(changed(), (std::vector<uint32_t>{8, 9}));
+  to.xyz[0] = -15;  // to its begin, where it is the origin of all
+  to.xyz[1] = 0;
+  ASSERT_EQ(moved.move({9}, to), Status::ok);
+  EXPECT_EQ(changed().size(), 10U);
+  to.xyz[0] = -15.5;  // and as such elsewhere
+  ASSERT_EQ(moved.move({9}, to), Status::ok);
+  EXPECT_EQ(changed().size(), 10U);
+  EXPECT_EQ(moved.complaint(), "");
+}
+
+// A grid without room stays as it is.
+TEST(MovingBalls, WriteAGrid) {
+  support::BallList three;
+  for (int k = 0; k < 3; ++k) three.add(15.0 * k, 0, 0, 10);
+  MovedUnion moved(three, 10.0, 2);
+  CarvedMemory memory;
+  hsp::CubeGrid small;
+  memory.carve(small, 2U);
+  const double centre[3] = {1, 2, 3}, radius = 4;
+  uint32_t first_bad = 0;
+  ASSERT_EQ(small.build({1, centre, &radius}, first_bad), Status::ok);
+  EXPECT_EQ(moved.moving().write(small), Status::capacity);
+  EXPECT_EQ(small.balls().n, 1U);
   EXPECT_EQ(moved.complaint(), "");
 }
 

@@ -1,0 +1,181 @@
+#include "hsp_moving.hpp"
+
+#include "core/sorting.hpp"
+#include "gradient_arrays.hpp"
+#include "hsp_model.hpp"
+
+using hsp::capi::is_live;
+
+namespace {
+
+// The limits that a program gives.
+int32_t from_c(const hsp_moving_limits *given, hsp::MovingLimits &result) {
+  hsp_moving_limits limits;
+  if (!hsp::capi::read_struct(given, {}, limits)) return HSP_E_ARGUMENT;
+  if (limits.balls > HSP_MAX_BALLS || limits.neighbours > HSP_MAX_BALLS) return HSP_E_RANGE;
+  result = {limits.balls, limits.neighbours};
+  return HSP_OK;
+}
+
+hsp_moving_limits moving_to_c(const hsp::MovingLimits &limits) {
+  return {sizeof(hsp_moving_limits), limits.balls, limits.neighbours};
+}
+
+hsp_moving_ball to_c(const hsp::MovingBalls &balls, uint32_t i) {
+  const hsp::MovingBall &record = balls.record(i);
+  const hsp::exact::LatticeBall placed = balls.placed(i);
+  const hsp::exact::Lattice &lattice = balls.lattice();
+  const hsp::BallMeasure measure = balls.measure(i);
+  const hsp::EnergyGradient gradient = balls.gradient(i);
+  hsp_moving_ball result{};
+  const int64_t centre[3] = {placed.centre.x, placed.centre.y, placed.centre.z};
+  for (int k = 0; k < 3; ++k) {
+    result.centre[k] = lattice.length(static_cast<double>(centre[k]));
+    result.d_centre[k] = gradient.centre[k];
+  }
+  result.radius = lattice.length(static_cast<double>(placed.radius));
+  result.area = measure.area;
+  result.volume = measure.volume;
+  result.d_radius = gradient.radius;
+  result.faces = record.faces;
+  result.flags = record.contained ? HSP_BALL_CONTAINED : 0;
+  result.gradient_flags = gradient.one_sided ? HSP_GRADIENT_ONE_SIDED : 0;
+  return result;
+}
+
+}  // namespace
+
+int32_t hsp_moving_limits_init(hsp_moving_limits *limits, uint32_t struct_size, uint32_t balls) {
+  return hsp::capi::init_limits<hsp::MovingLimits, moving_to_c>(limits, struct_size, balls);
+}
+
+int32_t hsp_moving_bytes(const hsp_moving_limits *limits, size_t *bytes) {
+  if (bytes == nullptr) return HSP_E_ARGUMENT;
+  hsp::MovingLimits wanted;
+  if (const int32_t status = from_c(limits, wanted); status != HSP_OK) return status;
+  return hsp::capi::get_bytes<hsp_moving>(wanted, bytes);
+}
+
+int32_t hsp_moving_init(void *memory, size_t bytes, const hsp_moving_limits *limits, hsp_moving **moving) {
+  if (memory == nullptr || moving == nullptr) return HSP_E_ARGUMENT;
+  hsp::MovingLimits wanted;
+  if (const int32_t status = from_c(limits, wanted); status != HSP_OK) return status;
+  return hsp::capi::init(memory, bytes, wanted, moving);
+}
+
+int32_t hsp_moving_set(hsp_moving *moving, const hsp_model *model, const double *sigma, double tension, double pressure,
+                       uint32_t tangency, hsp_moving_limits *limits, uint32_t *first_bad) {
+  if (!is_live(moving)) return HSP_E_ARGUMENT;
+  moving->complete = false;
+  if (first_bad != nullptr) *first_bad = HSP_NONE;
+  if (!is_live(model) || !hsp::capi::may_write(limits) || !hsp::capi::is_tangency(tangency)) return HSP_E_ARGUMENT;
+  const hsp::IdRange all{0, model->balls().n};
+  if (const int32_t status = hsp::capi::check_weights(sigma, all, first_bad); status != HSP_OK) return status;
+  if (!hsp::is_finite(tension) || !hsp::is_finite(pressure)) return HSP_E_NOT_FINITE;
+  const hsp::EnergyTerms terms{{sigma, hsp::capi::to_touching_balls(tangency)}, tension, pressure};
+  return hsp::capi::finish<moving_to_c>(*moving, moving->builder.set(model->grid, terms), limits);
+}
+
+int32_t hsp_moving_move(hsp_moving *moving, uint32_t count, const uint32_t *ball, const double *xyz,
+                        const double *radius, hsp_moving_limits *limits, uint32_t *first_bad) {
+  if (first_bad != nullptr) *first_bad = HSP_NONE;
+  if (!is_live(moving) || (ball == nullptr && count > 0) || !hsp::capi::may_write(limits)) return HSP_E_ARGUMENT;
+  if (!moving->has_results()) return HSP_E_STATE;
+  uint32_t bad = HSP_NONE;
+  const hsp::Status status = moving->builder.move({count, ball, xyz, radius}, bad);
+  if (first_bad != nullptr) *first_bad = bad;
+  const bool done = status == hsp::Status::ok;
+  if (limits != nullptr && (done || status == hsp::Status::capacity)) {
+    const hsp::MovingLimits enough = done ? moving->builder.needed() : moving->builder.retry_limits();
+    hsp::capi::write_struct(moving_to_c(enough), limits, limits->struct_size);
+  }
+  return hsp::capi::to_c(status);
+}
+
+int32_t hsp_moving_undo(hsp_moving *moving) {
+  if (!is_live(moving)) return HSP_E_ARGUMENT;
+  return moving->has_results() ? hsp::capi::to_c(moving->builder.undo()) : HSP_E_STATE;
+}
+
+int32_t hsp_moving_get_info(const hsp_moving *moving, hsp_moving_info *info) {
+  if (!is_live(moving) || info == nullptr) return HSP_E_ARGUMENT;
+  if (!moving->has_results()) return HSP_E_STATE;
+  const hsp::MovingBalls &balls = moving->builder;
+  const hsp::MovingCounts &counts = balls.counts();
+  const hsp::exact::Lattice &lattice = balls.lattice();
+  *info = {lattice.step(),
+           lattice.length(static_cast<double>(balls.probe_steps())),
+           lattice.length(static_cast<double>(balls.largest_radius())),
+           counts.half_edges / 3,
+           counts.half_edges / 2,
+           counts.circle_sides / 2,
+           counts.faces,
+           counts.loops,
+           balls.size(),
+           counts.exposed,
+           counts.contained,
+           counts.components,
+           balls.changed_count(),
+           0};
+  return HSP_OK;
+}
+
+int32_t hsp_moving_measure(const hsp_moving *moving, hsp_totals *totals, double *area, double *volume,
+                           uint32_t capacity, uint32_t *needed) {
+  if (!is_live(moving)) return HSP_E_ARGUMENT;
+  if (!moving->has_results()) return HSP_E_STATE;
+  const hsp::MovingBalls &balls = moving->builder;
+  const bool wanted = area != nullptr || volume != nullptr;
+  if (!hsp::capi::fits(wanted, capacity, balls.size(), needed)) return HSP_E_CAPACITY;
+  for (uint32_t i = 0; wanted && i < balls.size(); ++i) {
+    const hsp::BallMeasure own = balls.measure(i);
+    if (area != nullptr) area[i] = own.area;
+    if (volume != nullptr) volume[i] = own.volume;
+  }
+  if (totals != nullptr) {
+    const hsp::BallMeasure all = balls.totals();
+    *totals = {all.area, all.volume};
+  }
+  return HSP_OK;
+}
+
+int32_t hsp_moving_gradient(const hsp_moving *moving, hsp_energy *energy, double *d_centre, double *d_radius,
+                            uint32_t *flags, uint32_t capacity, uint32_t *needed) {
+  if (!is_live(moving)) return HSP_E_ARGUMENT;
+  if (!moving->has_results()) return HSP_E_STATE;
+  const hsp::MovingBalls &balls = moving->builder;
+  const hsp::capi::GradientArrays arrays{d_centre, d_radius, flags};
+  if (!hsp::capi::fits(arrays.any(), capacity, balls.size(), needed)) return HSP_E_CAPACITY;
+  for (uint32_t i = 0; arrays.any() && i < balls.size(); ++i) arrays.put(i, balls.gradient(i));
+  if (energy != nullptr) *energy = hsp::capi::to_c(balls.energy());
+  return HSP_OK;
+}
+
+int32_t hsp_moving_get_balls(const hsp_moving *moving, uint32_t count, const uint32_t *ball, hsp_moving_ball *out) {
+  if (!is_live(moving) || (count > 0 && (ball == nullptr || out == nullptr))) return HSP_E_ARGUMENT;
+  if (!moving->has_results()) return HSP_E_STATE;
+  const hsp::MovingBalls &balls = moving->builder;
+  for (uint32_t k = 0; k < count; ++k) {
+    if (ball[k] >= balls.size()) return HSP_E_ID;
+  }
+  for (uint32_t k = 0; k < count; ++k) out[k] = to_c(balls, ball[k]);
+  return HSP_OK;
+}
+
+int32_t hsp_moving_get_changed(const hsp_moving *moving, uint32_t *out, uint32_t capacity, uint32_t *needed) {
+  const int32_t status = hsp::capi::check_request(
+      moving, out, capacity, needed, [](const hsp_moving &handle) { return handle.builder.changed_count(); });
+  if (status != HSP_OK) return status;
+  uint32_t written = 0;
+  moving->builder.visit_changed([&](uint32_t ball) { out[written++] = ball; });
+  hsp::sort_in_place(hsp::Span<uint32_t>(out, written), [](uint32_t a, uint32_t b) { return a < b; });
+  return HSP_OK;
+}
+
+int32_t hsp_moving_get_model(const hsp_moving *moving, hsp_model *model) {
+  if (!is_live(moving) || !is_live(model)) return HSP_E_ARGUMENT;
+  if (!moving->has_results()) return HSP_E_STATE;
+  const hsp::Status status = moving->builder.write(model->grid);
+  if (status == hsp::Status::ok) ++model->revision;
+  return hsp::capi::to_c(status);
+}

@@ -1,0 +1,16 @@
+// What is behind the handle hsp_moving.
+#pragma once
+
+#include "handle_memory.hpp"
+#include "updates/moving_balls.hpp"
+
+struct hsp_moving {
+  using Builder = hsp::MovingBalls;
+  static constexpr uint64_t kind = 0x6D6F76696E67;  // "moving" in ASCII
+
+  uintptr_t tag;
+  Builder builder;
+  bool complete = false;
+
+  bool has_results() const { return complete; }
+};
