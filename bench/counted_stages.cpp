@@ -57,6 +57,9 @@ void count_stages(const bench::Balls &balls, const Surface &surface) {
   count("boundary", balls, surface, [&] { boundary.compute(); });
   count("measure", balls, surface, [&] { boundary.measure(); });
   count("gradient", balls, surface, [&] { boundary.gradient(); });
+  bench::Contacts contacts(boundary);
+  count("contacts", balls, surface, [&] { contacts.compute(); });
+  count("curvature", balls, surface, [&] { boundary.curvature_gradient(); });
   if (surface.probe != 0) {
     bench::SmoothSurface smooth(boundary);
     count("surface", balls, surface, [&] { smooth.compute(); });

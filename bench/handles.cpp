@@ -68,6 +68,23 @@ hsp_energy Boundary::gradient() {
   return energy;
 }
 
+hsp_curvatures Boundary::curvature() {
+  hsp_curvatures totals{};
+  expect_ok(hsp_boundary_curvature(boundary_.get(), &totals, by_radius_.data(), nullptr,
+                                   static_cast<uint32_t>(by_radius_.size()), nullptr),
+            "hsp_boundary_curvature");
+  return totals;
+}
+
+hsp_morphometric_energy Boundary::curvature_gradient() {
+  const hsp_morphometry bending{0, 0, 1, 0};
+  hsp_morphometric_energy energy{};
+  expect_ok(hsp_boundary_morphometry(boundary_.get(), nullptr, &bending, &energy, by_centre_.data(), by_radius_.data(),
+                                     nullptr, static_cast<uint32_t>(by_radius_.size()), nullptr, nullptr),
+            "hsp_boundary_morphometry");
+  return energy;
+}
+
 hsp_boundary_counts Boundary::counts() const {
   hsp_boundary_counts counts{};
   expect_ok(hsp_boundary_get_counts(boundary_.get(), &counts), "hsp_boundary_get_counts");
@@ -119,6 +136,25 @@ hsp_energy SmoothSurface::weighted_gradient() {
 hsp_surface_counts SmoothSurface::counts() const {
   hsp_surface_counts counts{};
   expect_ok(hsp_surface_get_counts(surface_.get(), &counts), "hsp_surface_get_counts");
+  return counts;
+}
+
+Contacts::Contacts(const Boundary &boundary) : boundary_(&boundary) {
+  contacts_.take(support::contacts_limits_for(boundary.get()));
+  compute();
+  contacts_.take(contacts_.needed());
+  compute();
+}
+
+void Contacts::compute() {
+  contacts_.compute([this](hsp_contacts *contacts, hsp_contacts_limits *limits) {
+    return hsp_contacts_compute(contacts, boundary_->get(), limits);
+  });
+}
+
+hsp_complex Contacts::complex() const {
+  hsp_complex counts{};
+  expect_ok(hsp_contacts_get_complex(contacts_.get(), &counts), "hsp_contacts_get_complex");
   return counts;
 }
 

@@ -1,4 +1,4 @@
-// hsp_model, hsp_boundary, hsp_surface and hsp_topology in memory of their own, for the benchmarks.
+// hsp_model, hsp_boundary, hsp_surface, hsp_contacts and hsp_topology in memory of their own, for the benchmarks.
 //
 // Memory is taken before anything is timed, written once so that its pages are there, and used again by every
 // iteration: what the library asks of its users is what is timed.
@@ -57,6 +57,10 @@ class Boundary {
   // A weighted sum of areas plus the volume, with its derivatives by every centre and radius.
   hsp_energy gradient();
 
+  // Mean curvature of every ball; the mean curvature with its derivatives by every centre and radius.
+  hsp_curvatures curvature();
+  hsp_morphometric_energy curvature_gradient();
+
   hsp_boundary_counts counts() const;
   const hsp_boundary *get() const { return boundary_.get(); }
   const Model &model() const { return *model_; }
@@ -95,6 +99,21 @@ class SmoothSurface {
   std::vector<double> by_centre_;
   std::vector<double> by_radius_;
   support::OwnedSurface surface_;
+};
+
+// Contacts and cells over a boundary.
+class Contacts {
+ public:
+  // Makes room for exactly what this computed boundary needs, simplices only counted, and computes them.
+  explicit Contacts(const Boundary &boundary);
+
+  void compute();
+  hsp_complex complex() const;
+  size_t bytes() const { return contacts_.bytes(); }
+
+ private:
+  const Boundary *boundary_;
+  support::OwnedHandle<support::ContactsKind> contacts_;
 };
 
 class Topology {

@@ -95,6 +95,12 @@ Stage on_both_surfaces(const char *name, const std::string &suite, const std::st
           amount};
 }
 
+std::vector<Stage> stages_of_contacts() {
+  return {on_both_surfaces("contacts with cells", "contacts", "compute", counter_of("contacts_seconds")),
+          on_both_surfaces("mean curvature with gradient", "contacts", "compute",
+                           counter_of("curvature_gradient_seconds"))};
+}
+
 std::vector<Stage> timed_stages() {
   std::vector<Stage> stages;
   const std::pair<const char *, const char *> scaled[] = {{"model", "build"},
@@ -104,6 +110,7 @@ std::vector<Stage> timed_stages() {
                                                           {"all of these but lists", "everything"}};
   for (const auto &[name, part] : scaled) stages.push_back(on_both_surfaces(name, "scaling", part, median_seconds));
   stages.push_back(on_both_surfaces("gradient", "gradients", "compute", counter_of("gradient_seconds")));
+  for (const Stage &stage : stages_of_contacts()) stages.push_back(stage);
   stages.push_back(on_both_surfaces("Step 3", "topology", "compute", counter_of("topology_seconds")));
   stages.push_back({"smooth surface, its areas and volume", "", "surface/compute/", seconds_beyond_boundary});
   stages.push_back({"gradient of the smooth surface", "", "surface/compute/", counter_of("gradient_seconds")});
@@ -115,6 +122,7 @@ std::vector<Stage> stages_with_memory() {
   const Amount boundary_bytes = [](const Measurement &m) { return m.counter("bytes_per_atom") * m.counter("atoms"); };
   return {on_both_surfaces("boundary", "scaling", "boundary", boundary_bytes),
           on_both_surfaces("topology", "topology", "compute", counter_of("bytes")),
+          on_both_surfaces("contacts", "contacts", "compute", counter_of("bytes")),
           {"smooth surface", "", "surface/compute/", counter_of("bytes")}};
 }
 
@@ -188,6 +196,9 @@ std::vector<Goal> speed_goals() {
   const auto move_of_one = [](size_t s) {
     return least_time(std::string("updates/") + surfaces[s].name + "/move_1" + set, "moves");
   };
+  const auto over_boundary = [](size_t s, const char *ratio) {
+    return least_counter({std::string("contacts/") + surfaces[s].name + "/compute" + set}, {ratio});
+  };
   const std::string surface = "surface/compute" + set;
   const Figure for_gradient = [surface](const Run &run) -> std::optional<double> {
     const Measurement *m = run.find(surface);
@@ -230,6 +241,14 @@ std::vector<Goal> speed_goals() {
       {"bytes per ball of the smooth surface", Kind::at_most, 0, 150, 150, per_atom(surface, "bytes")},
       {"a move of one atom with areas and gradient, v", Kind::new_time, 6320, 12000, 7000, move_of_one(0)},
       {"a move of one atom with areas and gradient, s", Kind::new_time, 6320, 80000, 55000, move_of_one(1)},
+      {"contacts with cells over Steps 1 + 2, v", Kind::at_most, 0, 0.5, 0.1, over_boundary(0, "contacts_ratio")},
+      {"contacts with cells over Steps 1 + 2, s", Kind::at_most, 0, 1.2, 0.5, over_boundary(1, "contacts_ratio")},
+      {"mean curvature with gradient over Steps 1 + 2, v", Kind::at_most, 0, 0.3, 0.3,
+       over_boundary(0, "curvature_gradient_ratio")},
+      {"mean curvature with gradient over Steps 1 + 2, s", Kind::at_most, 0, 0.1, 0.1,
+       over_boundary(1, "curvature_gradient_ratio")},
+      {"exponent of contacts and curvature from 4,000 balls, largest", Kind::at_most, 0, 1.05, 1.02,
+       largest_exponent(stages_of_contacts())},
       {"alone over two threads, from 50,000 balls, v", Kind::at_least, 0, 1.6, 1.85, speed_up(0)},
       {"alone over two threads, from 50,000 balls, s", Kind::at_least, 0, 1.6, 1.85, speed_up(1)},
       {"periodic box / free space, from 4,000 balls, largest, v", Kind::at_most, 0, 1.15, 1.15, in_box(0)},

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "alternatives_tables.hpp"
+#include "contact_tables.hpp"
 #include "frame_tables.hpp"
 #include "gradient_tables.hpp"
 #include "markdown.hpp"
@@ -94,6 +95,7 @@ void write_report(std::ostream &out, const std::filesystem::path &folder) {
   report::write_frames(out, run);
   report::write_visibility(out, run);
   report::write_gradients(out, run);
+  report::write_contacts(out, run);
   report::write_smooth_surface(out, run);
   report::write_periodic(out, run);
   report::write_scaling(out, run);
