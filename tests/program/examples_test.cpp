@@ -562,7 +562,8 @@ TEST(Examples, RefuseBadFiles) {
 
 // It compares itself with a new computation; how many moves are taken depends on the random numbers alone.
 TEST(Examples, SingleAtomsHaveTheBitsOfANewModel) {
-  const support::BallList crambin = molecule("crambin.pdb");
+  const support::BallList crambin =
+      with_radii(support::read_atoms(support::own_molecule("crambin.pdb")), support::Radii::van_der_waals);
   const TemporaryFile file("crambin.xyzr", text_of(crambin, crambin.size()));
   const Outcome outcome = run_example("single_atoms", {file.path(), "300"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
