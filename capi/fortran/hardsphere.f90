@@ -3013,7 +3013,7 @@ contains
   pure function hsp_model_bytes_bound(balls) result(bytes)
     integer(c_int32_t), intent(in) :: balls
     integer(c_size_t) :: bytes
-    bytes = 1024_c_size_t + 128_c_size_t*int(balls, c_size_t)
+    bytes = 1536_c_size_t + 128_c_size_t*int(balls, c_size_t)
   end function
 
   !> HSP_BODY_BYTES of the header, for the size of an allocation.

@@ -33,7 +33,7 @@ typedef struct hsp_model hsp_model;
 HSP_API int32_t hsp_model_bytes(uint32_t balls, size_t *bytes);
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
-#define HSP_MODEL_BYTES(balls) ((size_t)1024 + (size_t)128 * (size_t)(balls))
+#define HSP_MODEL_BYTES(balls) ((size_t)1536 + (size_t)128 * (size_t)(balls))
 
 /** Make an empty model (0 balls) for at most `balls` balls in caller memory of any alignment; sets *model.
  *  Boundaries and views computed from a model that was in this memory before must be computed again before they are

@@ -167,7 +167,7 @@ static void every_set(void) {
 /* ---- a small picture ---- */
 
 static void small_picture(computed *c, view_result *v) {
-  static const double xyz[6] = {0, 0, 0, 1, 1, 1}, radius[2] = {1.5, 1.25};
+  static const double xyz[6] = {0, 0, 0, 1, 1, 9}, radius[2] = {1.5, 1.25};
   hsp_view_options looking;
   CHECK_EQUAL(hsp_view_options_init(&looking, (uint32_t)sizeof looking), HSP_OK);
   CHECK_EQUAL(computed_make(2, xyz, radius, NULL, c), HSP_OK);

@@ -162,12 +162,12 @@ TEST(PicturePages, CanBeExtreme) {
   }
 }
 
-// Gradients of balls that are smaller than any number in the file: renderers fail on a scale of 0.
+// Gradients of balls that are smaller than any number in the file: renderers fail on a radius or a scale of 0.
 TEST(PicturePages, NoGradientIsScaledToNothing) {
   const DrawnView apart({{0, 0, 0, 1}, {int64_t{1} << 49, 0, 0, 1}});
   hsp_picture_options options = picture_options(HSP_FORMAT_SVG, HSP_STYLE_SOFT);
   options.fog = 0;
-  EXPECT_EQ(count(apart.picture(options), ")scale(.01)"), 2U);
+  EXPECT_EQ(count(apart.picture(options), " r=\".01\""), 2U);
   options.format = HSP_FORMAT_EPS;
   EXPECT_EQ(count(apart.picture(options), " .0000001 0 G\n"), 2U);
   options.format = HSP_FORMAT_PDF;
