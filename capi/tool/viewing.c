@@ -8,14 +8,16 @@
 
 static bool take_view(struct viewing *viewing, struct option_reader *reader, const char *value) {
   const char *word = value != NULL ? value : reader->left > 0 ? reader->rest[0] : "";
-  if (strcmp(word, "auto") != 0) {
-    if (!option_vector(reader, "--view", value, true, &viewing->view)) return false;
-  } else {
+  if (strcmp(word, "auto") == 0) {
     if (value == NULL) option_next(reader);
-    viewing->automatic = !viewing->automatic;
-    if (!viewing->automatic) return failure_in_usage(reader->failure, "--view is given twice");
+    if (!viewing->automatic && !viewing->view.given) {
+      viewing->automatic = true;
+      return true;
+    }
+  } else if (!viewing->automatic) {
+    return option_vector(reader, "--view", value, true, &viewing->view);
   }
-  return !(viewing->automatic && viewing->view.given) || failure_in_usage(reader->failure, "--view is given twice");
+  return failure_in_usage(reader->failure, "--view is given twice");
 }
 
 bool viewing_take_option(struct viewing *viewing, struct option_reader *reader, const char *argument, bool *known) {

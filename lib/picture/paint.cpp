@@ -33,7 +33,7 @@ Paint::Paint(const PictureInput &input, const PictureOptions &options, const Pag
   shades_ = scratch.part(0, distinct);
 }
 
-// f^(5/4), f = 0 at the nearest and 1 at the farthest centre.
+// f^(5/4), f = 0 at the nearest centre and 1 where the page has its farthest depth.
 double Paint::fog_share(uint32_t path) const {
   if (!(nearest_ > farthest_)) return 0.0;
   const double depth = input_.paths.frame().centre_of(input_.balls, input_.paths.ball_of(path)).z;
