@@ -142,7 +142,7 @@ HSP_API int32_t hsp_moving_get_info(const hsp_moving *moving, hsp_moving_info *i
 HSP_API int32_t hsp_moving_measure(const hsp_moving *moving, hsp_totals *totals, double *area, double *volume,
                                    uint32_t capacity, uint32_t *needed);
 
-/** The energy that hsp_moving_set was told, and its derivatives; the arguments are those of hsp_boundary_gradient.
+/** The energy that hsp_moving_set was given, and its derivatives; the arguments are those of hsp_boundary_gradient.
  *  Cost: O(log n) for the energy, O(n) for the arrays.
  *  @retval HSP_E_ARGUMENT  moving is NULL
  *  @retval HSP_E_CAPACITY  an array is given and capacity < n; nothing but *needed is written

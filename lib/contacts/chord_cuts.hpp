@@ -1,7 +1,7 @@
 // The cap that cuts a ray along a chord first, as kernels for registers of several widths find it in doubles.
 //
 // The chord runs along m + s w on the unit sphere, from s = -1 to 1. With f = u.m - b and g = u.w a cap is entered at
-// s = -f/g where g > 0. Those with |g| <= least_slope are told apart by f alone: they hold the chord's middle and both
+// s = -f/g where g > 0. Those with |g| <= least_slope are decided by f alone: they hold the chord's middle and both
 // its ends or none of them, or are near to it. Errors of f and g together are below E <= most_error (UnitChord). So
 // where g > least_slope and s <= 2 the quotient is off by at most (E + 2 E)/(g - E) and its rounding, together less
 // than 4 E/least_slope; and what is found beyond 2 lies beyond 1.9.
