@@ -3,7 +3,7 @@
 // Nobody looks at all pairs of caps: a chord is found at one of its ends. The ends on the surface of the union are the
 // boundary's vertices. Every other one is a power vertex, and there four chords end, one for every three of its balls.
 // So from an end that is known the walk goes along the chord to the other one: the nearest cut by a later ball, as
-// nothing is left of chords that earlier balls cut but what those have told. There begin two more chords of the ball at
+// nothing is left of chords that earlier balls cut but what those found. There begin two more chords of the ball at
 // hand, and one of the other three balls, which is kept until the first of these has its turn.
 //
 // This finds every chord. On a sphere about the ball draw its contacts with later balls as points, chords as edges,

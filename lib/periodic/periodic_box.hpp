@@ -2,7 +2,7 @@
 //
 // Every point has one place in the brick of 0 .. a.x, 0 .. b.y, 0 .. c.z: like those of the box its copies fill space.
 // Inside, b and c are reduced by whole multiples of the vectors before them, to |b.x|, |c.x| <= a.x/2 and |c.y| <=
-// b.y/2. Shifts of images are multiples of the reduced vectors; what a caller is told are multiples of the given ones.
+// b.y/2. Shifts of images are multiples of the reduced vectors; callers get multiples of the given ones.
 #pragma once
 
 #include "core/status.hpp"
