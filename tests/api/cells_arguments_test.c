@@ -111,7 +111,7 @@ static void sizes(void) {
     hsp_cells_limits limits;
     size_t bytes = 0;
     int other;
-    for (other = 1; other < 10; ++other) n[other] = which == 0 || which == other ? 1000000 : 0;
+    for (other = 1; other < 10; ++other) n[other] = which == 0 || which == other ? 100000 : 0;
     n[0] = (uint32_t)sizeof limits;
     memcpy(&limits, n, sizeof limits);
     CHECK_EQUAL(hsp_cells_bytes(&limits, &bytes), HSP_OK);
