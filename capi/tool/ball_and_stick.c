@@ -7,6 +7,10 @@
 static const double default_ball_size = 0.25;
 static const double default_stick = 0.12;
 
+double ball_and_stick_size(const struct drawing *drawing) {
+  return drawing->ball_size > 0.0 ? drawing->ball_size : default_ball_size;
+}
+
 static bool set_balls(const struct molecule *molecule, double size, struct geometry *geometry,
                       struct failure *failure) {
   double *radius = calloc((size_t)molecule->atoms + 1, sizeof *radius);
@@ -85,9 +89,8 @@ bool ball_and_stick_compute(const struct molecule *molecule, const struct drawin
   hsp_stick *stick = sticks_of(bonds, count, colour);
   free(bonds);
   if (stick == NULL) return failure_of_memory(failure);
-  const double size = drawing->ball_size > 0.0 ? drawing->ball_size : default_ball_size;
-  const bool done =
-      set_balls(molecule, size, geometry, failure) && compute(molecule, drawing, stick, count, geometry, failure);
+  const bool done = set_balls(molecule, ball_and_stick_size(drawing), geometry, failure) &&
+                    compute(molecule, drawing, stick, count, geometry, failure);
   free(stick);
   return done;
 }

@@ -6,6 +6,9 @@
 #include "geometry.h"
 #include "molecule.h"
 
+/* The radii of balls, as a part of those of the atoms. */
+double ball_and_stick_size(const struct drawing *drawing);
+
 /* Find the bonds, and compute balls and sticks into the geometry, whose model becomes that of the small balls. colour:
  * that of each atom; a bond between equal ones is a whole stick. False, with the balls and sticks that are in each
  * other's way named, if these cannot be drawn. */

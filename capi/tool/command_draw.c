@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "ball_and_stick.h"
+#include "ball_colours.h"
 #include "commands.h"
 #include "input_report.h"
 #include "line_reader.h"
@@ -13,15 +14,9 @@
 #include "output_file.h"
 #include "picture_file.h"
 #include "report.h"
-#include "residues.h"
+#include "spinning.h"
 
-/* As wide as the text of a page, which .eps and .pdf are for. */
-static const double default_millimetres = 170.0;
-static const double px_per_millimetre = 96.0 / 25.4;
-
-enum { carbon = 6 };
-
-/* What was drawn. */
+/* What was drawn: of several pictures the first, with pieces, arcs and bytes of all. */
 struct drawn {
   hsp_view_info view; /* or as much of it as a map has, or balls and sticks have */
   uint32_t sticks;
@@ -30,25 +25,20 @@ struct drawn {
   double height;
   uint64_t bytes;
   double occlusion; /* as it was done */
+  uint32_t palette;
 };
 
 /* The colour of every ball, to be freed on true, and the occlusion in it. */
 static bool make_colours(const struct request *request, const struct molecule *molecule,
-                         const struct geometry *geometry, uint32_t **colour, double *occlusion,
+                         const struct geometry *geometry, uint32_t **colour, struct drawn *drawn,
                          struct failure *failure) {
   const struct drawing *drawing = &request->drawing;
-  const uint32_t palette = drawing->palette < 0 ? HSP_PALETTE_SOFT : (uint32_t)drawing->palette;
-  if (!chain_numbers_make(molecule, colour, failure)) return false;
-  for (uint32_t i = 0; i < molecule->atoms; ++i) {
-    const uint32_t chain = (*colour)[i];
-    const struct element_symbol element = molecule->label[i].element;
-    /* Where the file names no element, grey is better than the loud colour of elements that nobody knows. */
-    const uint32_t number = element.text[0] == '\0' ? carbon : element_atomic_number(element);
-    (*colour)[i] = hsp_palette_colour(palette, number, chain);
-  }
-  *occlusion = drawing_occlusion(drawing, molecule->atoms);
+  if (!ball_colours_make(drawing, molecule, colour, &drawn->palette, failure)) return false;
+  drawn->occlusion = drawing_occlusion(drawing, molecule->atoms);
   const bool by_default = drawing->occlusion < 0.0;
-  if (occlusion_darken(molecule, geometry, request->probe, occlusion, by_default, *colour, failure)) return true;
+  if (occlusion_darken(molecule, geometry, request->probe, &drawn->occlusion, by_default, *colour, failure)) {
+    return true;
+  }
   free(*colour);
   return false;
 }
@@ -68,11 +58,7 @@ static bool picture_options_of(const struct drawing *drawing, uint32_t balls, co
   options->format = (uint32_t)drawing->format;
   options->style = drawing_style(drawing, balls);
   if (drawing->unit >= 0) options->unit = (uint32_t)drawing->unit;
-  if (options->unit == HSP_UNIT_MM) {
-    options->width = default_millimetres;
-  } else if (options->format != HSP_FORMAT_SVG) {
-    options->width = default_millimetres * px_per_millimetre;
-  }
+  options->width = drawing_default_width(drawing);
   if (drawing->height >= 0.0) {
     options->height = drawing->height;
     options->width = 0.0; /* follows, unless it is given too */
@@ -85,8 +71,12 @@ static bool picture_options_of(const struct drawing *drawing, uint32_t balls, co
     options->scale = drawing->scale;
     memcpy(options->centre, drawing->centre.given ? drawing->centre.xyz : view->origin, sizeof options->centre);
   }
+  if (drawing->outline_colour >= 0) options->outline_colour = (uint32_t)drawing->outline_colour;
   if (drawing->background == DRAWING_NO_BACKGROUND) {
+    /* Nobody knows what far balls would have to fade to, unless the user says so. */
     options->flags |= HSP_PICTURE_NO_BACKGROUND;
+    if (drawing->fog_colour >= 0) options->background = (uint32_t)drawing->fog_colour;
+    if (drawing->fog_colour < 0) options->fog = 0.0;
   } else if (drawing->background >= 0) {
     options->background = (uint32_t)drawing->background;
   }
@@ -208,13 +198,40 @@ static bool compute(const struct request *request, const struct molecule *molecu
          geometry_compute_view(geometry, &options, failure);
 }
 
+/* The pictures of one turn, each a request of its own. */
+static bool draw_turn(const struct request *request, const struct molecule *molecule, const uint32_t *colour,
+                      struct geometry *geometry, struct drawn *drawn, struct failure *failure) {
+  const int pictures = request->drawing.spin;
+  struct request one = *request;
+  const int32_t status = spinning_fix_frame(&one.drawing, molecule, request->probe);
+  if (status != HSP_OK) return failure_in_library(failure, status);
+  for (int picture = 0; picture < pictures; ++picture) {
+    struct drawn next = *drawn;
+    const char *name = spinning_name(request->drawing.out, picture);
+    if (name == NULL) return failure_of_memory(failure);
+    one.drawing.out = name;
+    one.drawing.viewing.spin = 360.0 * picture / pictures;
+    if (output_is_input(name, request->file)) {
+      return failure_in_usage(failure, "-o would write over the file that is read");
+    }
+    if (!compute(&one, molecule, colour, geometry, failure)) return false;
+    if (!write_picture(&one, molecule, geometry, colour, picture == 0 ? drawn : &next, failure)) return false;
+    if (picture == 0) continue;
+    drawn->view.pieces += next.view.pieces;
+    drawn->view.arcs += next.view.arcs;
+    drawn->bytes += next.bytes;
+  }
+  return true;
+}
+
 static bool draw(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                  struct drawn *drawn, struct failure *failure) {
   uint32_t *colour = NULL;
   if (drawing_occlusion(&request->drawing, molecule->atoms) > 0.0) progress_show(&geometry->progress, "shading");
-  if (!make_colours(request, molecule, geometry, &colour, &drawn->occlusion, failure)) return false;
-  const bool done = compute(request, molecule, colour, geometry, failure) &&
-                    write_picture(request, molecule, geometry, colour, drawn, failure);
+  if (!make_colours(request, molecule, geometry, &colour, drawn, failure)) return false;
+  const bool done = request->drawing.spin > 0 ? draw_turn(request, molecule, colour, geometry, drawn, failure)
+                                              : compute(request, molecule, colour, geometry, failure) &&
+                                                    write_picture(request, molecule, geometry, colour, drawn, failure);
   free(colour);
   return done;
 }
@@ -224,7 +241,10 @@ static void print_json(const struct request *request, const struct molecule *mol
   text_buffer_add(out, "{\"n\": %" PRIu32 ", \"pieces\": %" PRIu32 ", \"arcs\": %" PRIu32 ", \"bytes\": %" PRIu64,
                   molecule->atoms, drawn->view.pieces, drawn->view.arcs, drawn->bytes);
   if (drawing_is_of_sticks(&request->drawing)) text_buffer_add(out, ", \"sticks\": %" PRIu32, drawn->sticks);
-  text_buffer_add(out, ", \"style\": \"%s\", \"width\": ", drawing_style_name(drawn->options.style));
+  if (request->drawing.spin > 0) text_buffer_add(out, ", \"pictures\": %d", request->drawing.spin);
+  text_buffer_add(out,
+                  ", \"style\": \"%s\", \"palette\": \"%s\", \"width\": ", drawing_style_name(drawn->options.style),
+                  drawing_palette_name(drawn->palette));
   json_number(out, drawn->width);
   text_buffer_add(out, ", \"height\": ");
   json_number(out, drawn->height);
@@ -244,9 +264,14 @@ static void print_table(const struct request *request, const struct molecule *mo
            drawing_style_name(drawn->options.style), drawn->width, drawn->height,
            drawn->options.unit == HSP_UNIT_MM ? "mm" : "px");
   report_row(out, "picture", value, "");
+  if (request->drawing.spin > 0) {
+    report_row_count(out, "pictures", request->drawing.spin, "of one turn, numbered from 000; view: that of the first");
+  }
   snprintf(value, sizeof value, "%s towards the viewer, %s up", direction_text(towards, drawn->view.towards),
            direction_text(up, drawn->view.up));
   report_row(out, "view", value, "");
+  report_row(out, "palette", drawing_palette_name(drawn->palette),
+             drawn->palette == HSP_PALETTE_CHAIN ? "a tint for each chain, ligands and ions by element" : "by element");
   snprintf(value, sizeof value, "%.6g", drawn->occlusion);
   report_row(out, "occlusion", value, drawn->occlusion > 0.0 ? "buried balls are darker" : "no ball is darkened");
   const bool of_map = drawing_is_of_map(&request->drawing);

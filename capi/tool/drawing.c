@@ -21,8 +21,16 @@ static const char *const format_names[FORMATS] = {"SVG", "EPS", "PDF"};
 static const char *const picture_names[FORMATS] = {"svg", "eps", "pdf"};
 
 /* Above MOST_SOFT_BALLS shading of single balls tells less than it costs in bytes. What tells something about molecules
- * of that size is how deep their balls lie, but above MOST_OCCLUDED_BALLS finding out takes longer than drawing. */
-enum { MOST_SOFT_BALLS = 2000, MOST_OCCLUDED_BALLS = 20000 };
+ * of that size is how deep their balls lie. */
+enum { MOST_SOFT_BALLS = 2000 };
+
+/* More than that is a slip of the finger. */
+enum { MOST_PICTURES = 10000 };
+
+/* As wide as the text of a page, which .eps and .pdf are for. */
+static const double default_px = 1000.0;
+static const double default_millimetres = 170.0;
+static const double px_per_millimetre = 96.0 / 25.4;
 
 struct number_option {
   const char *name;
@@ -88,28 +96,41 @@ static int hexadecimal_digit(char c) {
   return lower >= 'a' && lower <= 'f' ? lower - 'a' + 10 : -1;
 }
 
-static bool take_background(struct option_reader *reader, const char *value, int *background) {
-  if (!option_value(reader, "--background", &value, "RRGGBB or none")) return false;
-  if (*background >= 0) return twice(reader, "--background");
-  if (strcmp(value, "none") == 0) {
-    *background = DRAWING_NO_BACKGROUND;
+/* Behind --background stands a colour or none, behind the others a colour. */
+static bool take_colour(struct option_reader *reader, const char *option, bool or_none, const char *value,
+                        int *colour) {
+  if (!option_value(reader, option, &value, or_none ? "RRGGBB or none" : "RRGGBB")) return false;
+  if (*colour >= 0) return twice(reader, option);
+  if (or_none && strcmp(value, "none") == 0) {
+    *colour = DRAWING_NO_BACKGROUND;
     return true;
   }
   const char *digits = value[0] == '#' ? value + 1 : value;
-  int colour = 0;
+  int number = 0;
   bool good = strlen(digits) == 6;
   for (int i = 0; good && i < 6; ++i) {
     const int digit = hexadecimal_digit(digits[i]);
     good = digit >= 0;
-    colour = 16 * colour + digit;
+    number = 16 * number + digit;
   }
   if (good) {
-    *background = colour;
+    *colour = number;
     return true;
   }
   char shown[EXCERPT_BYTES];
-  return failure_in_usage(reader->failure, "--background: '%s' is neither RRGGBB nor none",
-                          excerpt(shown, value, strlen(value)));
+  return failure_in_usage(reader->failure, "%s: '%s' is %s", option, excerpt(shown, value, strlen(value)),
+                          or_none ? "neither RRGGBB nor none" : "not RRGGBB");
+}
+
+static bool take_spin(struct option_reader *reader, const char *value, int *spin) {
+  uint64_t pictures = 0;
+  if (!option_value(reader, "--spin", &value, "how many pictures")) return false;
+  if (*spin >= 0) return twice(reader, "--spin");
+  if (number_parse_count(value, strlen(value), &pictures) != NUMBER_OK || pictures < 1 || pictures > MOST_PICTURES) {
+    return failure_in_usage(reader->failure, "--spin must be how many pictures, from 1 to %d", (int)MOST_PICTURES);
+  }
+  *spin = (int)pictures;
+  return true;
 }
 
 static bool take_text(struct option_reader *reader, const char *option, const char *value, const char *what,
@@ -142,7 +163,16 @@ bool drawing_take_option(struct drawing *drawing, struct option_reader *reader, 
   if (option_is(argument, "--centre", &value)) {
     return option_vector(reader, "--centre", value, false, &drawing->centre);
   }
-  if (option_is(argument, "--background", &value)) return take_background(reader, value, &drawing->background);
+  if (option_is(argument, "--background", &value)) {
+    return take_colour(reader, "--background", true, value, &drawing->background);
+  }
+  if (option_is(argument, "--outline-colour", &value)) {
+    return take_colour(reader, "--outline-colour", false, value, &drawing->outline_colour);
+  }
+  if (option_is(argument, "--fog-colour", &value)) {
+    return take_colour(reader, "--fog-colour", false, value, &drawing->fog_colour);
+  }
+  if (option_is(argument, "--spin", &value)) return take_spin(reader, value, &drawing->spin);
   if (option_is(argument, "--title", &value)) {
     return take_text(reader, "--title", value, "a text", &drawing->title);
   }
@@ -192,6 +222,15 @@ bool drawing_check(struct drawing *drawing, struct failure *failure) {
   if (drawing->margin >= 0.0 && drawing->scale >= 0.0) {
     return failure_in_usage(failure, "either --margin around all that is seen, or --scale");
   }
+  if (drawing->spin > 0 && output_is_standard(drawing->out)) {
+    return failure_in_usage(failure, "--spin writes several files: standard output is one");
+  }
+  if (drawing->fog_colour >= 0 && drawing->background != DRAWING_NO_BACKGROUND) {
+    return failure_in_usage(failure, "--fog-colour is for --background none: fog has the colour of the background");
+  }
+  if (drawing->fog > 0.0 && drawing->fog_colour < 0 && drawing->background == DRAWING_NO_BACKGROUND) {
+    return failure_in_usage(failure, "--fog with --background none needs --fog-colour, the colour of what lies behind");
+  }
   if (drawing->all_balls && drawing_is_of_map(drawing)) {
     return failure_in_usage(failure, "either --all-balls, hidden ones too, or --pieces visible");
   }
@@ -222,8 +261,13 @@ uint32_t drawing_style(const struct drawing *drawing, uint32_t balls) {
 
 double drawing_occlusion(const struct drawing *drawing, uint32_t balls) {
   if (drawing->occlusion >= 0.0) return drawing->occlusion;
-  if (drawing_is_of_sticks(drawing) || balls > MOST_OCCLUDED_BALLS) return 0.0;
+  if (drawing_is_of_sticks(drawing)) return 0.0;
   return balls > MOST_SOFT_BALLS || drawing_style(drawing, balls) == HSP_STYLE_SOFT ? 0.5 : 0.0;
+}
+
+double drawing_default_width(const struct drawing *drawing) {
+  if (drawing->unit == (int)HSP_UNIT_MM) return default_millimetres;
+  return drawing->format == (int)HSP_FORMAT_SVG ? default_px : default_millimetres * px_per_millimetre;
 }
 
 const char *drawing_format_name(uint32_t format) {
@@ -232,4 +276,8 @@ const char *drawing_format_name(uint32_t format) {
 
 const char *drawing_style_name(uint32_t style) {
   return style_names[style];
+}
+
+const char *drawing_palette_name(uint32_t palette) {
+  return palette_names[palette];
 }

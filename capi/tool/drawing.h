@@ -23,6 +23,9 @@ struct drawing {
   int pieces;
   int as;         /* see drawing_is_of_sticks */
   int background; /* 0xRRGGBB, or DRAWING_NO_BACKGROUND */
+  int outline_colour;
+  int fog_colour; /* of what lies behind a picture without a background */
+  int spin;       /* pictures of one turn */
   double width;
   double height;
   double outline;
@@ -38,11 +41,11 @@ struct drawing {
 
 #define DRAWING_NO_BACKGROUND 0x1000000
 
-#define DRAWING_DEFAULT                                                                                                \
-  {                                                                                                                    \
-    .format = -1, .style = -1, .palette = -1, .unit = -1, .pieces = -1, .as = -1, .background = -1, .width = -1.0,     \
-    .height = -1.0, .outline = -1.0, .fog = -1.0, .margin = -1.0, .scale = -1.0, .occlusion = -1.0, .ball_size = -1.0, \
-    .stick = -1.0                                                                                                      \
+#define DRAWING_DEFAULT                                                                                              \
+  {                                                                                                                  \
+    .format = -1, .style = -1, .palette = -1, .unit = -1, .pieces = -1, .as = -1, .background = -1,                  \
+    .outline_colour = -1, .fog_colour = -1, .spin = -1, .width = -1.0, .height = -1.0, .outline = -1.0, .fog = -1.0, \
+    .margin = -1.0, .scale = -1.0, .occlusion = -1.0, .ball_size = -1.0, .stick = -1.0                               \
   }
 
 /* Take the argument if it is an option of `draw`, and its value from the reader; *known tells whether it is one. */
@@ -61,8 +64,12 @@ bool drawing_is_of_sticks(const struct drawing *drawing);
 uint32_t drawing_style(const struct drawing *drawing, uint32_t balls);
 double drawing_occlusion(const struct drawing *drawing, uint32_t balls);
 
-/* What people call the formats and styles. */
+/* How wide the picture is where the user gives no side, in its unit. */
+double drawing_default_width(const struct drawing *drawing);
+
+/* What people call the formats, styles and palettes. */
 const char *drawing_format_name(uint32_t format);
 const char *drawing_style_name(uint32_t style);
+const char *drawing_palette_name(uint32_t palette);
 
 #endif

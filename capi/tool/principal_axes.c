@@ -1,43 +1,84 @@
 #include "principal_axes.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
+
+#include "molecule.h"
 
 /* Rounds of rotations; each squares what is left off the diagonal, so that a dozen is ample. */
 enum { ROUNDS = 30 };
 
-/* The covariances, up to a factor that keeps them from overflowing. */
-static void find_covariances(const double *points, uint32_t count, double c[3][3]) {
-  double low[3] = {0.0, 0.0, 0.0};
-  double high[3] = {0.0, 0.0, 0.0};
-  double size = 0.0;
-  for (uint32_t i = 0; i < count; ++i) {
+/* Variances that differ by less than this part of them, or of the largest, count as equal: those of a symmetric
+ * molecule whose atoms are known to 0.01 of its size, and those across a straight one to 0.003 of its length. */
+static const double tie = 0.02;
+static const double nothing = 1e-5;
+
+/* A direction whose y is larger is too near to y for y to be upwards across it: by 41 degrees, as no direction of small
+ * whole numbers is. */
+static const double too_near = 0.76;
+
+/* Coordinates as whole numbers: sums of these do not depend on the order of their terms. */
+struct whole_points {
+  const struct molecule *molecule;
+  bool all;      /* water counts */
+  double low[3]; /* box of the points */
+  double high[3];
+  double size; /* half of its longest side */
+  uint32_t count;
+  int64_t steps; /* in that half */
+};
+
+static bool takes(const struct whole_points *points, uint32_t atom) {
+  return points->all || !atom_is_water(&points->molecule->label[atom]);
+}
+
+static int64_t whole(const struct whole_points *points, uint32_t atom, int k) {
+  const double middle = points->low[k] / 2.0 + points->high[k] / 2.0;
+  const double x = (points->molecule->xyz[3 * (size_t)atom + (size_t)k] / 2.0 - middle / 2.0) / points->size;
+  return (int64_t)floor(2.0 * x * (double)points->steps + 0.5);
+}
+
+static void find_box(struct whole_points *points) {
+  points->count = 0;
+  points->size = 0.0;
+  for (uint32_t i = 0; i < points->molecule->atoms; ++i) {
+    if (!takes(points, i)) continue;
     for (int k = 0; k < 3; ++k) {
-      const double x = points[3 * (size_t)i + (size_t)k];
-      if (i == 0 || x < low[k]) low[k] = x;
-      if (i == 0 || x > high[k]) high[k] = x;
+      const double x = points->molecule->xyz[3 * (size_t)i + (size_t)k];
+      if (points->count == 0 || x < points->low[k]) points->low[k] = x;
+      if (points->count == 0 || x > points->high[k]) points->high[k] = x;
     }
+    ++points->count;
   }
-  for (int k = 0; k < 3; ++k) {
-    const double half = high[k] / 2.0 - low[k] / 2.0;
-    if (half > size) size = half;
+  for (int k = 0; points->count > 0 && k < 3; ++k) {
+    const double half = points->high[k] / 2.0 - points->low[k] / 2.0;
+    if (half > points->size) points->size = half;
   }
-  double mean[3] = {0.0, 0.0, 0.0};
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) c[row][column] = 0.0;
-  }
-  if (!(size > 0.0)) return;
+}
+
+/* The covariances, up to a factor. As fine as sums below 2^63 allow: coordinates about their mean are at most twice as
+ * large as those about the middle of the box. */
+static void find_covariances(struct whole_points *points, double c[3][3]) {
+  int64_t mean[3] = {0, 0, 0};
+  int64_t sum[3][3] = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
+  points->steps = INT64_C(1) << 26;
+  while (points->steps * points->steps > (INT64_C(1) << 60) / points->count) points->steps /= 2;
   for (int pass = 0; pass < 2; ++pass) { /* the mean first, then about it */
-    for (uint32_t i = 0; i < count; ++i) {
-      double x[3];
-      for (int k = 0; k < 3; ++k) {
-        x[k] = (points[3 * (size_t)i + (size_t)k] / 2.0 - low[k] / 2.0) / size - (pass == 0 ? 0.0 : mean[k]);
-      }
+    for (uint32_t i = 0; i < points->molecule->atoms; ++i) {
+      if (!takes(points, i)) continue;
+      int64_t x[3];
+      for (int k = 0; k < 3; ++k) x[k] = whole(points, i, k) - (pass == 0 ? 0 : mean[k]);
       for (int row = 0; row < 3; ++row) {
-        if (pass == 0) mean[row] += x[row] / count;
-        for (int column = 0; pass == 1 && column < 3; ++column) c[row][column] += x[row] * x[column] / count;
+        if (pass == 0) mean[row] += x[row];
+        for (int column = 0; pass == 1 && column < 3; ++column) sum[row][column] += x[row] * x[column];
       }
     }
+    for (int k = 0; pass == 0 && k < 3; ++k) mean[k] /= (int64_t)points->count;
+  }
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) c[row][column] = (double)sum[row][column];
   }
 }
 
@@ -73,41 +114,76 @@ static void diagonalize(double c[3][3], double axis[3][3]) {
   }
 }
 
-static int largest_of(const double v[3]) {
-  int largest = 0;
-  for (int k = 1; k < 3; ++k) {
-    if (fabs(v[k]) > fabs(v[largest])) largest = k;
+static void cross(const double a[3], const double b[3], double out[3]) {
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    const int k = (i + 2) % 3;
+    out[i] = a[j] * b[k] - a[k] * b[j];
   }
-  return largest;
 }
 
-/* Whether an axis of spread a belongs before one of spread b; the least rounding decides nothing. */
-static int is_before(double a, double b) {
-  return a > b * (1.0 + 1e-9);
+/* Of v and -v the one on the side of the file's axis `main`, or where that says little of the others in turn: 9, 3, 1
+ * times whole numbers from -2 to 2 do not sum to 0. */
+static void take_side(const double v[3], int main, int next, int last, double out[3]) {
+  const double side = 9.0 * v[main] + 3.0 * v[next] + v[last];
+  for (int k = 0; k < 3; ++k) out[k] = side < 0.0 ? -v[k] : v[k];
 }
 
-void principal_axes(const double *points, uint32_t count, double axis[3][3]) {
+/* What is upwards across a unit vector if nothing but the file says so: y, or z where y is nearly along it. */
+static void find_upright(const double across[3], double up[3]) {
+  const int main = fabs(across[1]) > too_near ? 2 : 1;
+  double squares = 0.0;
+  for (int k = 0; k < 3; ++k) {
+    up[k] = (k == main ? 1.0 : 0.0) - across[main] * across[k];
+    squares += up[k] * up[k];
+  }
+  for (int k = 0; k < 3; ++k) up[k] /= sqrt(squares);
+}
+
+static bool is_tie(double more, double less, double largest) {
+  return more <= less * (1.0 + tie) + largest * nothing;
+}
+
+void principal_axes(const struct molecule *molecule, double axis[3][3]) {
+  struct whole_points points = {molecule, false, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, 0.0, 0, 0};
   double c[3][3];
   double found[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
   int order[3] = {0, 1, 2};
-  find_covariances(points, count, c);
+  for (int row = 0; row < 3; ++row) {
+    for (int k = 0; k < 3; ++k) axis[row][k] = found[row][k];
+  }
+  find_box(&points);
+  if (points.count == 0) {
+    points.all = true;
+    find_box(&points);
+  }
+  if (!(points.size > 0.0)) return;
+  find_covariances(&points, c);
   diagonalize(c, found);
   for (int pass = 0; pass < 2; ++pass) {
     for (int k = 0; k < 2; ++k) {
       const int here = order[k];
-      if (!is_before(c[order[k + 1]][order[k + 1]], c[here][here])) continue;
+      if (!(c[order[k + 1]][order[k + 1]] > c[here][here])) continue;
       order[k] = order[k + 1];
       order[k + 1] = here;
     }
   }
-  for (int k = 0; k < 2; ++k) {
-    const double *v = found[order[k]];
-    const double sign = v[largest_of(v)] < 0.0 ? -1.0 : 1.0;
-    for (int i = 0; i < 3; ++i) axis[k][i] = sign * v[i];
+  const double *longest = found[order[0]], *middle = found[order[1]], *shortest = found[order[2]];
+  const double spread[3] = {c[order[0]][order[0]], c[order[1]][order[1]], c[order[2]][order[2]]};
+  const bool wide = is_tie(spread[0], spread[1], spread[0]);
+  const bool deep = is_tie(spread[1], spread[2], spread[0]);
+  if (wide && deep) return;
+  if (deep) {
+    take_side(longest, 0, 1, 2, axis[0]);
+    find_upright(axis[0], axis[1]);
+    cross(axis[0], axis[1], axis[2]);
+    return;
   }
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3;
-    const int k = (i + 2) % 3;
-    axis[2][i] = axis[0][j] * axis[1][k] - axis[0][k] * axis[1][j];
+  take_side(shortest, 2, 0, 1, axis[2]);
+  if (wide) {
+    find_upright(axis[2], axis[1]);
+  } else {
+    take_side(middle, 1, 2, 0, axis[1]);
   }
+  cross(axis[1], axis[2], axis[0]);
 }

@@ -52,6 +52,14 @@ fail() {
 
 # The files that a line says it writes, one on each line.
 written() {
+  local pictures
+  pictures=$(grep -oE -e '--spin [0-9]+' <<<"$1" | sed 's/.* //' || true)
+  if [ -n "$pictures" ]; then
+    local out
+    out=$(grep -oE -e '-o [^ ]+' <<<"$1" | sed 's/.* //')
+    seq -f "${out%.*}-%03g.${out##*.}" 0 $((pictures - 1))
+    return
+  fi
   grep -oE '(> |-o |--output[ =]|--pdb-out[ =]|--map[ =])[^ ]+' <<<"$1" | sed 's/.*[ =]//' | grep -vx -e - |
     sed -E 's/(.*)\.vert$/&\n\1.face/' | sort -u || true
 }

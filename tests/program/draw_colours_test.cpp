@@ -78,6 +78,54 @@ TEST(DrawColours, Chains) {
   for (const auto &[ball, colour] : fills(file.path(), {})) EXPECT_EQ(colour, "D2CDC3") << ball;
 }
 
+// Many atoms of two chains are tinted by chain, ligands and ions by element; fewer are not, nor those of one chain.
+// Ligands and water make no chain, and modified residues are part of theirs.
+TEST(DrawColours, TintsByDefault) {
+  const auto file_of = [](int atoms, const std::string &chain_of_rest, const std::string &rest) {
+    std::string text;
+    for (int i = 0; i < atoms; ++i) {
+      const bool last = i >= atoms - 5;
+      char line[100];
+      std::snprintf(line, sizeof line, "%s  CA  %s %c%4d    %8.3f%8.3f%8.3f  1.00  0.00           C\n",
+                    last ? rest.substr(0, 11).c_str() : "ATOM      1", last ? rest.substr(11, 3).c_str() : "ALA",
+                    last ? chain_of_rest[static_cast<size_t>(atoms - 1 - i)] : 'A', i % 1000, 5.0 * (i % 15),
+                    5.0 * (i / 15 % 15), 5.0 * (i / 225));
+      text += line;
+    }
+    return text;
+  };
+  const std::vector<std::string> plain = {"--occlusion", "0"};
+  const std::string grey = "D2CDC3";
+  struct Case {
+    int atoms;
+    std::string chains;
+    std::string rest;  // record and residue of the last five atoms
+    bool tinted;       // the first one
+    bool last_tinted;
+  };
+  for (const Case &it :
+       {Case{2001, "BBBBB", "ATOM      1GLY", true, true}, Case{2000, "BBBBB", "ATOM      1GLY", false, false},
+        Case{2001, "AAAAA", "ATOM      1GLY", false, false}, Case{2001, "BBBBB", "HETATM    1MSE", true, true},
+        Case{2001, "BBBBB", "HETATM    1HEM", false, false}, Case{2001, "BBBBB", "ATOM      1HEM", true, true}}) {
+    const TemporaryFile file("chains.pdb", file_of(it.atoms, it.chains, it.rest));
+    const std::map<int, std::string> found = fills(file.path(), plain);
+    ASSERT_EQ(found.size(), static_cast<size_t>(it.atoms));
+    EXPECT_EQ(found.at(0) != grey, it.tinted) << it.atoms << it.chains << it.rest;
+    EXPECT_EQ(found.at(it.atoms - 1) != grey, it.last_tinted) << it.atoms << it.chains << it.rest;
+    EXPECT_EQ(found, fills(file.path(), {"--occlusion", "0", "--palette", it.tinted ? "chain" : "soft"}));
+  }
+  // A haem beside two chains: its carbon as Jmol has it, in whatever chain.
+  const TemporaryFile haem("haem.pdb",
+                           file_of(2001, "ABBBB", "ATOM      1GLY") +
+                               "HETATM    1  CHA HEM A   1     -20.000   0.000   0.000  1.00  0.00           C\n"
+                               "HETATM    1 ZN    ZN B   2     -20.000  20.000   0.000  1.00  0.00          ZN\n");
+  const std::map<int, std::string> found = fills(haem.path(), plain);
+  EXPECT_EQ(found.at(2001), "909090");
+  EXPECT_EQ(found.at(2002), "7D80B0");
+  EXPECT_NE(found.at(0), found.at(1999));
+  EXPECT_EQ(found.at(0), found.at(2000));
+}
+
 TEST(DrawColours, AtomsWithoutElementsAreGrey) {
   const TemporaryFile unknown("unknown.pqr", "ATOM 1 Q1 XYZ A 1 0 0 0 0 1\nATOM 2 A XYZ A 1 5 0 0 0 1\n");
   for (const std::string &file : {std::string("good/two.xyzr"), unknown.path()}) {
@@ -97,7 +145,7 @@ void expect_golden(const std::string &molecule, const std::string &extension, co
 // Whole pictures. If they are meant to change: hardsphere draw with these arguments, -o the file.
 TEST(DrawColours, GoldenPictures) {
   for (const char *extension : {".svg", ".eps", ".pdf"}) {
-    expect_golden("caffeine", extension, {"--rotate", "60,25,0", "--width", "240"});
+    expect_golden("caffeine", extension, {"--view", "0,0,1", "--rotate", "60,25,0", "--width", "240"});
   }
   // The picture in README.md.
   expect_golden("crambin", ".svg", {});

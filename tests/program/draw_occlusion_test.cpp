@@ -148,6 +148,11 @@ TEST(DrawOcclusion, IsReported) {
   EXPECT_EQ(reported({"draw", crambin, "--style", "flat"}), 0);
   EXPECT_EQ(reported({"draw", "good/one.xyzr"}), 0);
   EXPECT_EQ(reported({"draw", crowded.path()}), 0);
+  // However many there are.
+  std::string row;
+  for (int i = 0; i < 30000; ++i) row += std::to_string(i) + " 0 0 1\n";
+  const TemporaryFile many("many.xyzr", row);
+  EXPECT_EQ(reported({"draw", many.path()}), 0.5);
   EXPECT_NE(
       run_program({"draw", crambin, "-o", out.path()}).out.find("  occlusion        0.5            buried balls are"),
       std::string::npos);

@@ -105,66 +105,6 @@ TEST(Draw, TheOrderOfAtomsChangesNothingButIds) {
   }
 }
 
-// Turns are counter-clockwise seen from the positive end of the axis: a quarter turn about y brings what was at -x to
-// the front, one about x what was at y, and one about z lays x upwards.
-TEST(Draw, ViewsAndTurnsMeet) {
-  const std::string plain = drawn(crambin());
-  EXPECT_TRUE(drawn(crambin(), {"--view", "0,0,1"}) == plain);
-  EXPECT_TRUE(drawn(crambin(), {"--view=0,0,12.5", "--up", "0,1,0"}) == plain);
-  EXPECT_TRUE(drawn(crambin(), {"--rotate", "0,0,0"}) == plain);
-  EXPECT_TRUE(drawn(crambin(), {"--rotate", "360,-720,0"}) == plain);
-  struct Case {
-    std::string rotate, view, up;
-  };
-  for (const Case &it :
-       {Case{"0,90,0", "-1,0,0", "0,1,0"}, Case{"90,0,0", "0,1,0", "0,0,-1"}, Case{"0,0,90", "0,0,1", "1,0,0"},
-        Case{"90,90,0", "-1,0,0", "0,0,-1"}, Case{"0,180,0", "0,0,-1", "0,1,0"}, Case{"0,-90,0", "2,0,0", "0,5,0"}}) {
-    const std::string turned = drawn(crambin(), {"--rotate", it.rotate});
-    EXPECT_TRUE(turned == drawn(crambin(), {"--view", it.view, "--up", it.up})) << it.rotate;
-    EXPECT_FALSE(turned == plain) << it.rotate;
-  }
-}
-
-// Without --up y is up, and z where y is towards the viewer.
-TEST(Draw, UpwardsByDefault) {
-  EXPECT_TRUE(drawn(water, {"--view", "-1,0,0"}) == drawn(water, {"--rotate", "0,90,0"}));
-  EXPECT_TRUE(drawn(water, {"--view", "0,1,0"}) == drawn(water, {"--view", "0,1,0", "--up", "0,0,1"}));
-}
-
-// Points along the axes, turned: the longest axis goes across, the next one upwards. What spreads alike in several
-// directions, or in none, is seen as ever.
-TEST(Draw, AlongPrincipalAxes) {
-  struct Case {
-    double along[3];    // how far points are from the origin along three axes
-    double axis[3][3];  // these
-    std::string view;   // as the table says it
-  };
-  constexpr double a = 0.6;
-  constexpr double b = 0.8;
-  for (const Case &it :
-       {Case{{5, 4, 3}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, "(0, 0, 1) towards the viewer, (0, 1, 0) up"},
-        Case{{3, 4, 5}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, "(-1, 0, 0) towards the viewer, (0, 1, 0) up"},
-        Case{{3, 5, 4}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, "(1, 0, 0) towards the viewer, (0, 0, 1) up"},
-        Case{{5, 4, 3}, {{a, b, 0}, {-b, a, 0}, {0, 0, 1}}, "(0, 0, -1) towards the viewer, (0.8, -0.6, 0) up"},
-        Case{{0, 4, 5}, {{a, 0, b}, {-b, 0, a}, {0, 1, 0}}, "(-0.6, 0, -0.8) towards the viewer, (0.8, 0, -0.6) up"},
-        Case{{4, 4, 4}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, "(0, 0, 1) towards the viewer, (0, 1, 0) up"},
-        Case{{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, "(0, 0, 1) towards the viewer, (0, 1, 0) up"}}) {
-    const TemporaryFile points("points.xyzr");
-    std::ofstream file(points.path());
-    for (int k = 0; k < 3; ++k) {
-      for (const double side : {-1.0, 1.0}) {
-        for (int c = 0; c < 3; ++c) file << 100 + side * it.along[k] * it.axis[k][c] << ' ';
-        file << "1\n";
-      }
-    }
-    file.close();
-    const TemporaryFile out("drawn.svg");
-    const Outcome outcome = draw_to(out.path(), points.path(), {"--view", "auto"});
-    EXPECT_EQ(outcome.status, 0) << outcome.err;
-    EXPECT_NE(outcome.out.find(" " + it.view + "\n"), std::string::npos) << it.view << " in\n" << outcome.out;
-  }
-}
-
 TEST(Draw, JsonSaysWhatStandsInTheFile) {
   struct Case {
     std::vector<std::string> options;
@@ -184,8 +124,8 @@ TEST(Draw, JsonSaysWhatStandsInTheFile) {
     std::vector<std::string> arguments = {"draw", crambin(), "-o", out.path()};
     arguments.insert(arguments.end(), it.options.begin(), it.options.end());
     const Json json = run_json(arguments);
-    EXPECT_EQ(json.keys, (std::vector<std::string>{"n", "pieces", "arcs", "bytes", "style", "width", "height",
-                                                   "occlusion", "input"}));
+    EXPECT_EQ(json.keys, (std::vector<std::string>{"n", "pieces", "arcs", "bytes", "style", "palette", "width",
+                                                   "height", "occlusion", "input"}));
     const std::string svg = read_file(out.path());
     EXPECT_EQ(json["n"].number, 327);
     EXPECT_EQ(json["bytes"].number, static_cast<double>(svg.size()));
@@ -259,6 +199,7 @@ TEST(Draw, TableOfASingleBall) {
             "\n"
             "  picture          SVG, soft, 1000 x 1000 px\n"
             "  view             (0, 0, 1) towards the viewer, (0, 1, 0) up\n"
+            "  palette          soft           by element\n"
             "  occlusion        0              no ball is darkened\n"
             "  pieces           1              painted one over the other, farthest first\n"
             "  arcs             1              of circles and ellipses around them\n"
@@ -285,8 +226,8 @@ TEST(Draw, NothingToSeeIsAPictureToo) {
 // A ball behind a larger one is left out, unless all are asked for; the larger one comes last.
 TEST(Draw, HiddenBalls) {
   const TemporaryFile file("hidden.xyzr", "0 0 9 2\n0.3 0 0 1\n");
-  EXPECT_EQ(occurrences(drawn(file.path()), "data-ball="), 1u);
-  const std::string all = drawn(file.path(), {"--all-balls"});
+  EXPECT_EQ(occurrences(drawn(file.path(), {"--view", "0,0,1"}), "data-ball="), 1u);
+  const std::string all = drawn(file.path(), {"--all-balls", "--view", "0,0,1"});
   EXPECT_LT(all.find("data-ball=\"1\""), all.find("data-ball=\"0\""));
   EXPECT_NE(all.find("data-ball=\"0\""), std::string::npos);
   const std::string behind = drawn(file.path(), {"--view", "0,0,-1"});
@@ -297,8 +238,8 @@ TEST(Draw, HiddenBalls) {
 TEST(Draw, Pieces) {
   const TemporaryFile file("pair.xyzr", "0 0 0 1\n1 0 0.5 1\n");
   const TemporaryFile out("pair.svg");
-  const Json g = run_json({"draw", file.path(), "-o", out.path()});
-  const Json h = run_json({"draw", file.path(), "-o", out.path(), "--pieces", "h"});
+  const Json g = run_json({"draw", file.path(), "-o", out.path(), "--view", "0,0,1"});
+  const Json h = run_json({"draw", file.path(), "-o", out.path(), "--view", "0,0,1", "--pieces", "h"});
   EXPECT_EQ(g["arcs"].number, 3);
   EXPECT_EQ(h["arcs"].number, 4);
   EXPECT_EQ(h["pieces"].number, 2);
@@ -349,6 +290,29 @@ TEST(Draw, TitlesAndBackgrounds) {
   EXPECT_TRUE(blue == drawn(water, {"--background=#1a2b3c", "--fog", "0"}));
   const std::string none = drawn(water, {"--background", "none", "--fog", "0"});
   EXPECT_TRUE(none.size() < blue.size());
+}
+
+// Nothing fades to a colour that is not there; where it is known, balls fade to it as they do to a background.
+TEST(Draw, FogAndLinesHaveColours) {
+  const TemporaryFile file("far.xyzr", "0 0 0 1\n3 0 -40 1\n");
+  const auto flat = [&file](std::vector<std::string> options) {
+    options.insert(options.end(), {"--style", "flat", "--view", "0,0,1", "--occlusion", "0"});
+    return drawn(file.path(), options);
+  };
+  const auto without_page = [](const std::string &svg) {
+    const size_t page = svg.find("<rect");
+    return page == std::string::npos ? svg : svg.substr(0, page) + svg.substr(svg.find("/>\n", page) + 3);
+  };
+  const std::string none = flat({"--background", "none"});
+  EXPECT_EQ(occurrences(none, "<rect"), 0u);
+  EXPECT_TRUE(none == flat({"--background", "none", "--fog", "0"}));
+  EXPECT_TRUE(none == flat({"--background", "none", "--fog-colour", "000000", "--fog", "0"}));
+  EXPECT_EQ(occurrences(none, "fill=\"#d2cdc3\""), 2u) << none;
+  const std::string dark = flat({"--background", "none", "--fog-colour", "#101820"});
+  EXPECT_TRUE(dark == without_page(flat({"--background", "101820"})));
+  EXPECT_EQ(occurrences(dark, "fill=\"#d2cdc3\""), 1u) << dark;
+  EXPECT_EQ(occurrences(none, "stroke=\"#23202b\""), 1u) << none;
+  EXPECT_EQ(occurrences(flat({"--outline-colour", "FFeedd", "--fog", "0"}), "stroke=\"#ffeedd\""), 1u);
 }
 
 TEST(Draw, OptionsThatChangeThePicture) {
@@ -405,7 +369,7 @@ TEST(Draw, FullDisk) {
 
 // Bonds, halves of two colours, and what is refused.
 TEST(Draw, BallsAndSticks) {
-  const std::vector<std::string> sticks = {"--as", "ball-and-stick"};
+  const std::vector<std::string> sticks = {"--as", "ball-and-stick", "--view", "0,0,1"};
   const auto with = [&sticks](std::vector<std::string> more) {
     more.insert(more.begin(), sticks.begin(), sticks.end());
     return more;

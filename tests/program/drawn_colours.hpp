@@ -11,7 +11,8 @@ std::string crambin();
 std::vector<std::string> atoms_of(const std::string &file);
 
 // The picture that the program writes; empty, and a failure of the test, if it writes none.
-std::string drawn(const std::string &file, std::vector<std::string> options, const std::string &extension = ".svg");
+std::string drawn(const std::string &file, std::vector<std::string> options = {},
+                  const std::string &extension = ".svg");
 
 // The colour of every ball that has a piece, RRGGBB in capitals, as a flat picture without fog shows it.
 std::map<int, std::string> fills(const std::string &file, std::vector<std::string> options);

@@ -44,7 +44,7 @@ TEST(Map, HasTheFacesThatCgalCounts) {
     EXPECT_EQ(run_json({"map", file, "--view", "0,0,-1"})["faces"].number, faces) << file;
   }
   // The same of crambin upside down.
-  EXPECT_EQ(run_json({"map", molecule("crambin.pdb")})["faces"].number, 205);
+  EXPECT_EQ(run_json({"map", molecule("crambin.pdb"), "--view", "0,0,1"})["faces"].number, 205);
 }
 
 TEST(Map, AreasOfBallsSumUp) {
@@ -76,10 +76,10 @@ TEST(Pick, NamesTheBallAtAPlaceOfTheFile) {
   TemporaryFolder folder("pick");
   const std::string file = folder.path("two.xyzr");
   std::ofstream(file) << "10 20 30 2\n10 20 50 1\n";
-  const Json near = run_json({"pick", file, "--at", "10,20"});
+  const Json near = run_json({"pick", file, "--at", "10,20", "--view", "0,0,1"});
   EXPECT_EQ(near["ball"].number, 1);
   EXPECT_NEAR(near["depth"].number, 51, 1e-9);
-  const Json far = run_json({"pick", file, "--at", "11.2,20"});
+  const Json far = run_json({"pick", file, "--at", "11.2,20", "--view", "0,0,1"});
   EXPECT_EQ(far["ball"].number, 0);
   EXPECT_NEAR(far["depth"].number, 31.6, 1e-9);
   // From the right, z upwards: y grows to the right.

@@ -51,7 +51,7 @@ TEST(Progress, OnTerminalsOnly) {
       {{"measure", "--gradient", "--csv"}, {model, boundary, "measuring", "computing derivatives", "making the table"}},
       {{"voids", "--json"}, {model, boundary, "computing the topology"}},
       {{"query", "--point", "0,0,0"}, {model}},
-      {{"draw", "-o", picture.path()}, {model, "cutting and sorting", "writing"}},
+      {{"draw", "-o", picture.path()}, {model, "shading", "cutting and sorting", "writing"}},
       {{"draw", "--occlusion", "0.5", "--pieces", "h", "-o", picture.path()},
        {model, "shading", boundary, "cutting and sorting", "writing"}},
   };

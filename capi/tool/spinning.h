@@ -1,0 +1,19 @@
+/* The pictures of one turn: the same balls in the same frame, turned about the upright axis. */
+#ifndef HARDSPHERE_TOOL_SPINNING_H
+#define HARDSPHERE_TOOL_SPINNING_H
+
+#include <stdint.h>
+
+#include "arguments.h"
+#include "failure.h"
+#include "molecule.h"
+
+/* Give the drawing a frame that holds what the balls sweep, with its margins: scale, centre, width and height. Nothing
+ * is done if the user gave a scale. The status of the library. */
+int32_t spinning_fix_frame(struct drawing *drawing, const struct molecule *molecule, double probe);
+
+/* The name of one of the pictures, counted from 0: NAME-000.svg for NAME.svg. It stays until the next call, so that a
+ * failure can tell it; NULL: memory is short. */
+const char *spinning_name(const char *out, int picture);
+
+#endif

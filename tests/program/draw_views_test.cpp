@@ -1,0 +1,256 @@
+// From where hardsphere draw looks: views, turns, principal axes, and the pictures of a whole turn.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "drawn_colours.hpp"
+#include "json_outcome.hpp"
+#include "program_runner.hpp"
+#include "temporary_file.hpp"
+
+namespace {
+
+const std::string water = "good/water.pdb";
+
+Outcome draw_to(const std::string &out, const std::string &file, std::vector<std::string> options = {}) {
+  options.insert(options.begin(), {"draw", file, "-o", out});
+  return run_program(options);
+}
+
+// Turns are counter-clockwise seen from the positive end of the axis: a quarter turn about y brings what was at -x to
+// the front, one about x what was at y, and one about z lays x upwards.
+TEST(DrawViews, ViewsAndTurnsMeet) {
+  const std::string plain = drawn(crambin(), {"--view", "0,0,1"});
+  EXPECT_TRUE(drawn(crambin(), {"--view=0,0,12.5", "--up", "0,1,0"}) == plain);
+  EXPECT_TRUE(drawn(crambin(), {"--view", "0,0,1", "--rotate", "0,0,0"}) == plain);
+  EXPECT_TRUE(drawn(crambin(), {"--rotate", "360,-720,0", "--view=0,0,5"}) == plain);
+  struct Case {
+    std::string rotate, view, up;
+  };
+  for (const Case &it :
+       {Case{"0,90,0", "-1,0,0", "0,1,0"}, Case{"90,0,0", "0,1,0", "0,0,-1"}, Case{"0,0,90", "0,0,1", "1,0,0"},
+        Case{"90,90,0", "-1,0,0", "0,0,-1"}, Case{"0,180,0", "0,0,-1", "0,1,0"}, Case{"0,-90,0", "2,0,0", "0,5,0"}}) {
+    const std::string turned = drawn(crambin(), {"--view", "0,0,1", "--rotate", it.rotate});
+    EXPECT_TRUE(turned == drawn(crambin(), {"--view", it.view, "--up", it.up})) << it.rotate;
+    EXPECT_FALSE(turned == plain) << it.rotate;
+  }
+}
+
+// The view is turned, whichever it is: what was on the left, at -x, comes to the front.
+TEST(DrawViews, TurnsBeginAtTheView) {
+  const std::vector<std::string> view = {"--view", "1,0,0", "--up", "0,0,1"}; /* y on the right */
+  const auto with = [&view](std::vector<std::string> options) {
+    options.insert(options.end(), view.begin(), view.end());
+    return options;
+  };
+  EXPECT_TRUE(drawn(water, with({"--rotate", "0,90,0"})) == drawn(water, {"--view", "0,-1,0", "--up", "0,0,1"}));
+  EXPECT_TRUE(drawn(water, with({"--rotate", "90,0,0"})) == drawn(water, {"--view", "0,0,1", "--up", "-1,0,0"}));
+  EXPECT_TRUE(drawn(crambin()) == drawn(crambin(), {"--view", "auto"}));
+  EXPECT_TRUE(drawn(crambin()) == drawn(crambin(), {"--rotate", "0,0,0", "--view=auto"}));
+  EXPECT_FALSE(drawn(crambin()) == drawn(crambin(), {"--view", "0,0,1"}));
+}
+
+// Without --up y is up, and z where y is towards the viewer.
+TEST(DrawViews, UpwardsByDefault) {
+  EXPECT_TRUE(drawn(water, {"--view", "-1,0,0"}) == drawn(water, {"--view", "0,0,1", "--rotate", "0,90,0"}));
+  EXPECT_TRUE(drawn(water, {"--view", "0,1,0"}) == drawn(water, {"--view", "0,1,0", "--up", "0,0,1"}));
+}
+
+struct Spread {
+  double along[3];    // how far points are from their middle along three axes
+  double axis[3][3];  // these
+};
+
+// Six balls of a file, on both sides along each axis; noise: of every coordinate, at most.
+void write_spread(const std::string &path, const Spread &spread, double noise = 0, unsigned seed = 1) {
+  std::ofstream file(path);
+  file.precision(17);
+  for (int k = 0; k < 3; ++k) {
+    for (const double side : {-1.0, 1.0}) {
+      for (int c = 0; c < 3; ++c) {
+        seed = 1664525 * seed + 1013904223;
+        const double shift = noise * ((seed >> 8) / 8388608.0 - 1.0);
+        file << 100 + side * spread.along[k] * spread.axis[k][c] + shift << ' ';
+      }
+      file << "1\n";
+    }
+  }
+}
+
+// The longest axis goes across, the next one upwards; the viewer is where z is, else x, else y, and upwards is where y
+// is, else z, else x. What spreads alike in two directions stands upright, what does so in all is seen along z.
+TEST(DrawViews, AlongPrincipalAxes) {
+  struct Case {
+    Spread spread;
+    std::string view;  // as the table says it
+  };
+  constexpr double a = 0.6;
+  constexpr double b = 0.8;
+  for (const Case &it :
+       {Case{{{5, 4, 3}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, "(0, 0, 1) towards the viewer, (0, 1, 0) up"},
+        Case{{{3, 4, 5}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, "(1, 0, 0) towards the viewer, (0, 1, 0) up"},
+        Case{{{3, 5, 4}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, "(1, 0, 0) towards the viewer, (0, 0, 1) up"},
+        Case{{{5, 3, 4}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, "(0, 1, 0) towards the viewer, (0, 0, 1) up"},
+        Case{{{5, 4, 3}, {{a, b, 0}, {-b, a, 0}, {0, 0, 1}}}, "(0, 0, 1) towards the viewer, (-0.8, 0.6, 0) up"},
+        Case{{{5, 3, 4}, {{0, 0, 1}, {-b, a, 0}, {a, b, 0}}}, "(0.8, -0.6, 0) towards the viewer, (0.6, 0.8, 0) up"},
+        Case{{{0, 4, 5}, {{a, 0, b}, {-b, 0, a}, {0, 1, 0}}}, "(0.6, 0, 0.8) towards the viewer, (-0.8, 0, 0.6) up"},
+        Case{{{4, 4.01, 3}, {{a, b, 0}, {-b, a, 0}, {0, 0, 1}}}, "(0, 0, 1) towards the viewer, (0, 1, 0) up"},
+        Case{{{4, 4.01, 3}, {{a, 0, b}, {0, 1, 0}, {-b, 0, a}}}, "(-0.8, 0, 0.6) towards the viewer, (0, 1, 0) up"},
+        Case{{{5, 3, 3.01}, {{a, b, 0}, {-b, a, 0}, {0, 0, 1}}}, "(0.8, -0.6, 0) towards the viewer, (0, 0, 1) up"},
+        Case{{{5, 0, 0}, {{b, a, 0}, {-a, b, 0}, {0, 0, 1}}}, "(0, 0, 1) towards the viewer, (-0.6, 0.8, 0) up"},
+        Case{{{4, 4.01, 4.02}, {{a, b, 0}, {-b, a, 0}, {0, 0, 1}}}, "(0, 0, 1) towards the viewer, (0, 1, 0) up"},
+        Case{{{4, 4, 4}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, "(0, 0, 1) towards the viewer, (0, 1, 0) up"},
+        Case{{{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, "(0, 0, 1) towards the viewer, (0, 1, 0) up"}}) {
+    const TemporaryFile points("points.xyzr");
+    write_spread(points.path(), it.spread);
+    const TemporaryFile out("drawn.svg");
+    const Outcome outcome = draw_to(out.path(), points.path(), {"--view", "auto"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find(" " + it.view + "\n"), std::string::npos) << it.view << " in\n" << outcome.out;
+  }
+}
+
+// Noise moves the view as little as the atoms where molecules are symmetric, flat, or along the file's axes.
+TEST(DrawViews, PrincipalAxesDoNotHangOnNoise) {
+  const auto view_of = [](const Spread &spread, double noise, unsigned seed) {
+    const TemporaryFile points("points.xyzr");
+    write_spread(points.path(), spread, noise, seed);
+    const TemporaryFile out("drawn.svg");
+    const std::string table = draw_to(out.path(), points.path()).out;
+    std::array<double, 6> view{};
+    EXPECT_EQ(std::sscanf(table.substr(table.find("  view ")).c_str(),
+                          " view (%lf, %lf, %lf) towards the viewer, (%lf, %lf, %lf) up", &view[0], &view[1], &view[2],
+                          &view[3], &view[4], &view[5]),
+              6);
+    return view;
+  };
+  const double half = std::sqrt(0.5);
+  for (const Spread &spread :
+       {Spread{{5, 4, 3}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, Spread{{5, 4, 0}, {{0, 1, 0}, {0, 0, 1}, {1, 0, 0}}},
+        Spread{{5, 4, 3}, {{half, -half, 0}, {half, half, 0}, {0, 0, 1}}},
+        Spread{{5, 4, 3}, {{0, half, -half}, {1, 0, 0}, {0, half, half}}},
+        Spread{{4, 4, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
+        Spread{{4, 4, 0}, {{0, half, -half}, {1, 0, 0}, {0, half, half}}},
+        Spread{{5, 3, 3}, {{half, -half, 0}, {half, half, 0}, {0, 0, 1}}},
+        Spread{{5, 0, 0}, {{half, -half, 0}, {half, half, 0}, {0, 0, 1}}},
+        Spread{{4, 4, 4}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}}) {
+    const auto plain = view_of(spread, 0, 1);
+    for (unsigned seed = 1; seed <= 8; ++seed) {
+      const auto noisy = view_of(spread, 1e-3, seed);
+      for (size_t k = 0; k < 6; ++k) EXPECT_NEAR(noisy[k], plain[k], 2e-3) << seed;
+    }
+  }
+}
+
+// Water has no say in where one looks from, so that pictures with and without it agree, and map with both.
+TEST(DrawViews, WaterDoesNotTurnThePicture) {
+  std::string text = read_file(crambin());
+  text = text.substr(0, text.find("\nTER") + 1);
+  for (int i = 0; i < 60; ++i) {
+    char line[100];
+    std::snprintf(line, sizeof line, "HETATM%5d  O   HOH A%4d    %8.3f%8.3f%8.3f  1.00  0.00           O\n", 400 + i,
+                  100 + i, 12.0 + i, 10.0 + 0.5 * i, 20.0 + i);
+    text += line;
+  }
+  const TemporaryFile file("wet.pdb", text);
+  const TemporaryFile out("wet.svg");
+  const auto view_of = [&](const std::vector<std::string> &options) {
+    const std::string table = draw_to(out.path(), file.path(), options).out;
+    const size_t row = table.find("  view ");
+    return row == std::string::npos ? table : table.substr(row, table.find('\n', row) - row);
+  };
+  const std::string view = view_of({});
+  EXPECT_NE(view.find("towards the viewer"), std::string::npos) << view;
+  EXPECT_EQ(view_of({"--water"}), view);
+  EXPECT_NE(view_of({"--only", "water"}), view);
+  const Json seen = run_json({"draw", file.path(), "-o", out.path(), "--water", "--pieces", "visible"});
+  const Json map = run_json({"map", file.path()});
+  EXPECT_EQ(seen["n"].number, 387);
+  EXPECT_EQ(map["n"].number, 387);
+  EXPECT_EQ(map["edges"].number, seen["arcs"].number);
+  EXPECT_NE(run_json({"map", file.path(), "--view", "0,0,1"})["edges"].number, map["edges"].number);
+}
+
+// The whole turn in one frame: one picture after the other, numbered, in which nothing but the balls moves.
+TEST(DrawViews, ATurnInPictures) {
+  TemporaryFolder folder("turn");
+  const TemporaryFile file("pair.xyzr", "0 0 0 1\n7 0 0 2\n");
+  const std::string out = folder.path("turn.svg");
+  const auto numbered = [&folder](const std::string &number) { return folder.path("turn-" + number + ".svg"); };
+  // Seen along z, turning about y: from -1 to 9 across, hence about 4; 2 upwards. So 8 from the farther one's middle.
+  const std::vector<std::string> flat = {"draw",    file.path(), "-o",    out, "--view",   "0,0,1", "--spin",  "4",
+                                         "--style", "flat",      "--fog", "0", "--margin", "0.1",   "--width", "120"};
+  const Json json = run_json(flat);
+  EXPECT_EQ(json["pictures"].number, 4);
+  EXPECT_EQ(json["width"].number, 120);
+  EXPECT_EQ(json["height"].number, 60);
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"turn-000.svg", "turn-001.svg", "turn-002.svg", "turn-003.svg"}));
+  double bytes = 0;
+  for (const char *number : {"000", "001", "002", "003"}) {
+    const std::string svg = read_file(numbered(number));
+    bytes += static_cast<double>(svg.size());
+    EXPECT_NE(svg.find(" viewBox=\"0 0 120 60\""), std::string::npos) << number;
+  }
+  EXPECT_EQ(json["bytes"].number, bytes);
+  // 10 across and as much again for margins makes 10 px a unit.
+  EXPECT_NE(read_file(numbered("000")).find(" d=\"M10 30A10 10 "), std::string::npos) << read_file(numbered("000"));
+  EXPECT_NE(read_file(numbered("000")).find(" d=\"M70 30A20 20 "), std::string::npos);
+  // A quarter of a turn brings the left end to the front, three of them put it behind the larger ball.
+  EXPECT_NE(read_file(numbered("001")).find(" d=\"M50 30A10 10 "), std::string::npos) << read_file(numbered("001"));
+  EXPECT_NE(read_file(numbered("001")).find(" d=\"M40 30A20 20 "), std::string::npos);
+  EXPECT_NE(read_file(numbered("002")).find(" d=\"M90 30A10 10 "), std::string::npos) << read_file(numbered("002"));
+  EXPECT_EQ(read_file(numbered("003")).find(" d=\"M50 30A10 10 "), std::string::npos);
+}
+
+// Any other picture of a turn is the one by --rotate in the same frame; probes and balls with sticks make their frame.
+TEST(DrawViews, ATurnIsMadeOfTurnedViews) {
+  TemporaryFolder folder("turn");
+  for (const std::vector<std::string> &options :
+       {std::vector<std::string>{}, std::vector<std::string>{"--probe", "1.4", "--pieces", "visible"},
+        std::vector<std::string>{"--as", "ball-and-stick"}}) {
+    std::vector<std::string> arguments = {"draw", crambin(), "-o", folder.path("c.svg"), "--spin", "3", "--scale",
+                                          "20",   "--title", "c"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    EXPECT_EQ(run_program(arguments).status, 0);
+    std::vector<std::string> turned = {"--rotate", "0,120,0", "--scale", "20", "--title", "c"};
+    turned.insert(turned.end(), options.begin(), options.end());
+    EXPECT_TRUE(read_file(folder.path("c-001.svg")) == drawn(crambin(), turned));
+    turned[1] = "0,240,0";
+    EXPECT_TRUE(read_file(folder.path("c-002.svg")) == drawn(crambin(), turned));
+  }
+  // All that is seen lies within the frame, from every side: nothing is cut off.
+  const std::string caffeine = molecules_folder() + "/caffeine.pdb";
+  for (const std::vector<std::string> &options :
+       {std::vector<std::string>{"--probe", "0"}, std::vector<std::string>{"--probe", "3", "--pieces", "visible"},
+        std::vector<std::string>{"--as", "ball-and-stick", "--ball-size", "1"}}) {
+    std::vector<std::string> arguments = {"draw",   caffeine, "-o",       folder.path("f.eps"),
+                                          "--spin", "5",      "--margin", "0.001"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = run_program(arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    for (int k = 0; k < 5 && outcome.status == 0; ++k) {
+      const std::string eps = read_file(folder.path("f-00" + std::to_string(k) + ".eps"));
+      EXPECT_EQ(eps.find("rectclip"), std::string::npos) << options[0] << k;
+    }
+  }
+}
+
+TEST(DrawViews, ATurnNeverWritesOverItsInput) {
+  TemporaryFolder folder("turn");
+  const std::string file = folder.path("in-001.svg");
+  std::ofstream(file) << "0 0 0 1\n";
+  const Outcome outcome = run_program({"draw", file, "--format", "xyzr", "-o", folder.path("in.svg"), "--spin", "3"});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.err.find("would write over the file that is read"), std::string::npos) << outcome.err;
+  EXPECT_EQ(read_file(file), "0 0 0 1\n");
+  const std::string nowhere = folder.path("none/a.svg");
+  const Outcome failed = run_program({"draw", file, "--format", "xyzr", "-o", nowhere, "--spin", "3"});
+  EXPECT_EQ(failed.err, "hardsphere: " + folder.path("none/a-000.svg") + ": No such file or directory\n");
+}
+
+}  // namespace
