@@ -70,6 +70,24 @@ struct Doubles {
   friend Doubles operator-(Doubles a) { return {_mm256_xor_pd(a.v, _mm256_set1_pd(-0.0))}; }
 };
 
+// Four numbers a, b, c, d of eight things, of each side by side in memory.
+struct FourOfEight {
+  Floats a, b, c, d;
+
+  static FourOfEight load(const float *p) {
+    const auto things = [p](int k) {  // k in the lower half, k + 4 in the upper one
+      return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(p + 4 * k)), _mm_loadu_ps(p + 4 * k + 16), 1);
+    };
+    const __m256 first = things(0), second = things(1), third = things(2), fourth = things(3);
+    const __m256 ab01 = _mm256_unpacklo_ps(first, second), cd01 = _mm256_unpackhi_ps(first, second);
+    const __m256 ab23 = _mm256_unpacklo_ps(third, fourth), cd23 = _mm256_unpackhi_ps(third, fourth);
+    return {{_mm256_shuffle_ps(ab01, ab23, 0x44)},
+            {_mm256_shuffle_ps(ab01, ab23, 0xEE)},
+            {_mm256_shuffle_ps(cd01, cd23, 0x44)},
+            {_mm256_shuffle_ps(cd01, cd23, 0xEE)}};
+  }
+};
+
 struct Integers {
   static constexpr uint32_t lanes = 8;
   __m256i v;
@@ -140,6 +158,10 @@ template <int lane>
 Doubles in_all_lanes(Doubles a) {
   return {_mm256_permute4x64_pd(a.v, lane * 0x55)};
 }
+template <int lane>
+Floats in_all_lanes(Floats a) {  // one of the first four
+  return {_mm256_permute_ps(_mm256_permute2f128_ps(a.v, a.v, 0), lane * 0x55)};
+}
 // Doubles that are integers below 2^31 in size, as such.
 inline void store_integers(uint32_t *p, Doubles a) {
   _mm_storeu_si128(reinterpret_cast<__m128i *>(p), _mm256_cvttpd_epi32(a.v));
@@ -198,6 +220,12 @@ inline Integers upper_halves(Doubles low, Doubles high) {
 // By the sign bit: true for -0.
 inline LaneBits negative(Doubles a) {
   return static_cast<LaneBits>(_mm256_movemask_pd(a.v));
+}
+inline LaneBits negative(Floats a) {
+  return static_cast<LaneBits>(_mm256_movemask_ps(a.v));
+}
+inline Floats magnitude(Floats a) {
+  return {_mm256_andnot_ps(_mm256_set1_ps(-0.0F), a.v)};
 }
 inline Doubles magnitude(Doubles a) {
   return {_mm256_andnot_pd(_mm256_set1_pd(-0.0), a.v)};

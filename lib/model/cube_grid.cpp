@@ -35,6 +35,11 @@ void CubeGrid::carve(Workspace &workspace, uint32_t n) {
   balls_.carve(workspace, n);
   scratch_slots_ = workspace.take<uint32_t>(CubeTable::slots_for(n));
   scratch_links_ = workspace.take<uint32_t>(n);
+#if HSP_AVX2
+  if (has_row_directories) {
+    rounded_ = workspace.take<float>(4 * (static_cast<uint64_t>(n) + BallSet::read_behind));
+  }
+#endif
 }
 
 void CubeGrid::clear() {
@@ -64,8 +69,35 @@ void CubeGrid::make_row_directory() {
   query_grid_.inverse_side = 1.0 / side;
   query_grid_.largest_radius = static_cast<double>(balls_.largest_radius);
   query_grid_.factor = balls_.lattice.factor();
+  if (wide_) round_balls();
 #endif
 }
+
+#if HSP_AVX2
+void CubeGrid::round_balls() {
+  double extent = 0.0;
+  for (int axis = 0; axis < 3; ++axis) {
+    // The first wall of a cube in the middle; as there is a directory there are few cubes.
+    const double before = static_cast<double>(static_cast<int64_t>(query_grid_.size[axis]) / 2);
+    query_grid_.middle[axis] = (query_grid_.low[axis] + before) * query_grid_.side;
+    const double behind = (query_grid_.size[axis] - before) * query_grid_.side;
+    extent = behind > extent ? behind : extent;
+  }
+  query_grid_.middle[3] = 0.0;
+  query_grid_.extent = extent;
+  if (extent > most_extent_of_rounded * query_grid_.largest_radius) return;
+  const double *const middle = query_grid_.middle;
+  float *to = rounded_.data();
+  for (uint32_t i = 0; i < balls_.n; ++i, to += 4) {
+    to[0] = static_cast<float>(balls_.x[i] - middle[0]);
+    to[1] = static_cast<float>(balls_.y[i] - middle[1]);
+    to[2] = static_cast<float>(balls_.z[i] - middle[2]);
+    to[3] = static_cast<float>(balls_.r[i]);
+  }
+  for (uint32_t k = 0; k < 4 * BallSet::read_behind; ++k) to[k] = 0.0F;
+  query_grid_.rounded = rounded_.data();
+}
+#endif
 
 Span<uint32_t> CubeGrid::order_of(BallRange part, const CubeAxis &axis) {
   const uint32_t n = balls_.n;

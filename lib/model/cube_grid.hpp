@@ -81,6 +81,9 @@ class CubeGrid {
 
  private:
   void clear();
+#if HSP_AVX2
+  void round_balls();
+#endif
   Span<uint32_t> order_of(BallRange part, const CubeAxis &axis);
   template <class Source>
   void put(const Source &source, const CubeAxis &axis, BallRange part, Span<const uint32_t> order);
@@ -91,6 +94,7 @@ class CubeGrid {
   RowDirectory rows_;
 #if HSP_AVX2
   QueryGrid query_grid_;
+  Span<float> rounded_;  // [4 n and behind] for the directory of rows
 #endif
   Span<uint32_t> first_ball_;  // [cubes + 1]
   Span<uint32_t> grid_index_;  // [n] caller -> grid order

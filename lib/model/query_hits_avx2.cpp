@@ -58,12 +58,11 @@ inline LaneBits meeting(const QueryArrays &balls, const WideQuery &query, uint32
   return sign_bits(excess & valid);
 }
 
-// Adds the hits among the balls of the ranges, but for those of which excluded(ids) has the bits.
-template <class Excluded>
-inline void add_hits_but(const QueryArrays &balls_at, const WideQuery &query, const BallRange *ranges, uint32_t count,
-                         QueryHits &hits, Excluded excluded) {
-  // In registers: of one copy the compiler makes vectors, which have to wait for what has just been stored.
-  const QueryArrays balls{balls_at.x, balls_at.y, balls_at.z, balls_at.r, balls_at.caller};
+// Adds the hits among the balls of the ranges. meeting_of(ids, j, last): which of the eight balls from j on, with these
+// indices, are hits and before `last`.
+template <class MeetingOf>
+inline void add_hits_by(const QueryArrays &balls, const BallRange *ranges, uint32_t count, QueryHits &hits,
+                        MeetingOf meeting_of) {
   uint32_t found = hits.count;
   for (const BallRange *range = ranges; range < ranges + count; ++range) {
     uint32_t j = range->first;
@@ -71,7 +70,7 @@ inline void add_hits_but(const QueryArrays &balls_at, const WideQuery &query, co
     // Nearly always once: that is easier to predict than steps of four.
     do {
       const Integers ids = Integers::load(balls.caller + j);
-      const LaneBits meet = meeting(balls, query, j, last) & ~excluded(ids);
+      const LaneBits meet = meeting_of(ids, j, last);
       store_front(hits.ids + (found < QueryHits::room ? found : QueryHits::room), ids, FrontOrder::of_eight(meet));
       found += ones(meet);
       j += 8;
@@ -154,8 +153,12 @@ inline void merge(Integers *eights, uint32_t half) {
 void add_hits_avx2(const QueryArrays &balls, const QueryBall &query, const BallRange *ranges, uint32_t count,
                    QueryHits &hits) {
   const Integers excluded = Integers::all(query.excluded);
-  add_hits_but(balls, {Doubles::all(query.x), Doubles::all(query.y), Doubles::all(query.z), Doubles::all(query.r)},
-               ranges, count, hits, [excluded](Integers ids) { return equal(ids, excluded); });
+  const WideQuery wide{Doubles::all(query.x), Doubles::all(query.y), Doubles::all(query.z), Doubles::all(query.r)};
+  // In registers: of one copy the compiler makes vectors, which have to wait for what has just been stored.
+  const QueryArrays arrays{balls.x, balls.y, balls.z, balls.r, balls.caller};
+  add_hits_by(arrays, ranges, count, hits, [&](Integers ids, uint32_t j, uint32_t last) {
+    return meeting(arrays, wide, j, last) & ~equal(ids, excluded);
+  });
 }
 
 void write_ascending_avx2(const QueryHits &hits, uint32_t *ids) {
@@ -185,6 +188,46 @@ Doubles cubes_at(const QueryGrid &grid, Doubles value) {
   const Doubles rest = value - quotient * side;
   return quotient - (Doubles::all(1.0) - one_where_not_less(rest, Doubles::all(0.0))) + one_where_not_less(rest, side);
 }
+
+// A query among balls that are rounded to floats.
+class RoundedQuery {
+ public:
+  // `ball`: x, y, z, r on the lattice.
+  RoundedQuery(const QueryGrid &grid, const QueryArrays &balls, Doubles ball, double reach)
+      : rounded_(grid.rounded), balls_(balls), ball_(ball) {
+    const Doubles from_middle = ball - Doubles::load(grid.middle);
+    const Floats at = to_floats(from_middle, from_middle);
+    x_ = in_all_lanes<0>(at);
+    y_ = in_all_lanes<1>(at);
+    z_ = in_all_lanes<2>(at);
+    r_ = in_all_lanes<3>(at);
+    doubt_ = Floats::all(static_cast<float>(rounded_doubt(grid.extent, reach)));
+  }
+
+  // Of the eight balls from j on, those before ball `last` that meet the query.
+  LaneBits meeting(uint32_t j, uint32_t last) const {
+    const FourOfEight ball = FourOfEight::load(rounded_ + 4 * size_t{j});
+    const Floats dx = x_ - ball.a, dy = y_ - ball.b, dz = z_ - ball.c, sum = r_ + ball.d;
+    const Floats excess = fused(dz, dz, fused(dy, dy, fused_minus(dx, dx, sum * sum)));
+    const LaneBits valid = first_lanes(last - j);
+    if ((not_greater(magnitude(excess), doubt_) & valid) != 0) [[unlikely]]
+      return by_doubles(balls_, ball_, j, last);
+    return negative(excess) & valid;
+  }
+
+ private:
+  // Apart, as decided().
+  [[gnu::noinline, gnu::cold]] static LaneBits by_doubles(const QueryArrays &balls, Doubles ball, uint32_t j,
+                                                          uint32_t last) {
+    return hsp::meeting(
+        balls, {in_all_lanes<0>(ball), in_all_lanes<1>(ball), in_all_lanes<2>(ball), in_all_lanes<3>(ball)}, j, last);
+  }
+
+  const float *rounded_;
+  const QueryArrays &balls_;
+  Doubles ball_;
+  Floats x_, y_, z_, r_, doubt_;
+};
 
 // Parts of rows of cubes. Whether a row has more than eight balls cannot be predicted, so that what is behind them is a
 // range of its own.
@@ -221,13 +264,16 @@ struct Rows {
 template <class Excluded>
 [[gnu::always_inline]] inline bool find_around(const QueryGrid &grid, const QueryArrays &balls, Doubles ball,
                                                Excluded excluded, uint32_t *ids, uint32_t capacity, uint32_t &hits) {
-  const WideQuery query{in_all_lanes<0>(ball), in_all_lanes<1>(ball), in_all_lanes<2>(ball), in_all_lanes<3>(ball)};
-  const Doubles reach = query.r + Doubles::all(grid.largest_radius);
+  if (grid.rounded == nullptr) return false;
+  const Doubles reach = in_all_lanes<3>(ball) + Doubles::all(grid.largest_radius);
   Rows rows;
   if (!rows.find(grid, cubes_at(grid, ball - reach), cubes_at(grid, ball + reach))) return false;
   QueryHits found;
   found.count = 0;
-  add_hits_but(balls, query, rows.range, rows.count, found, excluded);
+  const RoundedQuery query(grid, balls, ball, first(reach));
+  add_hits_by(balls, rows.range, rows.count, found, [&query, &excluded](Integers others, uint32_t j, uint32_t last) {
+    return query.meeting(j, last) & ~excluded(others);
+  });
   if (found.count > QueryHits::room) return false;
   hits = found.count;
   if (found.count > capacity) return true;

@@ -175,6 +175,19 @@ TEST(Queries, OfDegenerateSets) {
     expect_all(oracle::degenerate_balls(random, static_cast<size_t>(random.in(1, 25))), random, 40);
 }
 
+TEST(Queries, OfSetsWhoseCoordinatesNoFloatHolds) {
+  RandomSource random(38);
+  for (int k = 0; k < 40; ++k) {
+    Balls balls = oracle::loose_balls(random, 60);
+    for (LatticeBall &ball : balls) {
+      for (int64_t *number : {&ball.x, &ball.y, &ball.z, &ball.radius}) {
+        *number = (*number << 18) + random.in(0, (1 << 18) - 1);
+      }
+    }
+    expect_all(balls, random, 200);
+  }
+}
+
 TEST(Queries, FarFromTheOriginAndAtNegativeCoordinates) {
   RandomSource random(34);
   constexpr int64_t limit = (int64_t{1} << 50) - 2000;
