@@ -21,6 +21,8 @@ set(HSP_LIBRARY_SOURCES
   lib/model/row_directory.cpp
   lib/model/ray_query.cpp
   lib/model/vertical_ray.cpp
+  lib/poses/near_pairs.cpp
+  lib/poses/near_pairs_avx2.cpp
   lib/poses/pose.cpp
   lib/poses/pose_queries.cpp
   lib/poses/rational_pose.cpp

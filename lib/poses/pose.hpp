@@ -7,7 +7,6 @@
 #pragma once
 
 #include "core/floating_point.hpp"
-#include "core/simd.hpp"
 #include "core/status.hpp"
 #include "core/vec3.hpp"
 #include "exact/lattice.hpp"
@@ -18,18 +17,6 @@ namespace hsp {
 inline Vec3 snapped(const Vec3 &p) {
   return {static_cast<double>(nearest(p.x)), static_cast<double>(nearest(p.y)), static_cast<double>(nearest(p.z))};
 }
-
-// Two points, one in each lane.
-struct PointPair {
-  PointPair(const Vec3 &a, const Vec3 &b) : x{a.x, b.x}, y{a.y, b.y}, z{a.z, b.z} {}
-  PointPair(const Lanes &all_x, const Lanes &all_y, const Lanes &all_z) : x(all_x), y(all_y), z(all_z) {}
-
-  Vec3 point(uint32_t k) const { return {x[k], y[k], z[k]}; }
-  friend PointPair operator-(const PointPair &a, const PointPair &b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-  friend Lanes dot(const PointPair &a, const PointPair &b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
-  Lanes x, y, z;
-};
 
 class Pose {
  public:
@@ -46,13 +33,6 @@ class Pose {
             (row_[1].x * p.x + row_[1].y * p.y + row_[1].z * p.z) + translation_.y,
             (row_[2].x * p.x + row_[2].y * p.y + row_[2].z * p.z) + translation_.z};
   }
-  // The same of two points, bit for bit.
-  PointPair image(const PointPair &p) const {
-    const auto row = [&p](const Vec3 &m, double t) {
-      return (all_lanes(m.x) * p.x + all_lanes(m.y) * p.y + all_lanes(m.z) * p.z) + all_lanes(t);
-    };
-    return {row(row_[0], translation_.x), row(row_[1], translation_.y), row(row_[2], translation_.z)};
-  }
   // The lattice point nearest to it, of a point within `reach` of the origin that has_room_for accepts.
   Vec3 snapped(const Vec3 &p) const { return hsp::snapped(image(p)); }
   // Whether images of points within `reach` of the origin are on the lattice: differences of their coordinates and
@@ -64,6 +44,8 @@ class Pose {
   double largest_shift() const {
     return std::fabs(translation_.x) + std::fabs(translation_.y) + std::fabs(translation_.z);
   }
+  // Of the rotation's matrix.
+  const Vec3 &row(uint32_t k) const { return row_[k]; }
   // Rounds the translation to the lattice, and returns it.
   Vec3 snap_translation() {
     translation_ = hsp::snapped(translation_);

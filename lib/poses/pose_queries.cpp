@@ -22,7 +22,7 @@ class SnappedBalls {
 
   // Of a ball of the moving molecule, or of a node: at most slack() from where it is.
   Vec3 image(const Vec3 &p) const { return pose_->image(p); }
-  PointPair image(const PointPair &p) const { return pose_->image(p); }
+  const Pose &rounded() const { return *pose_; }
   double slack() const { return slack_; }
   // Where a ball is whose image has been found.
   Vec3 place(const Vec3 &image) const { return snapped(image); }
@@ -45,7 +45,7 @@ class RationalBalls {
       : pose_(&pose), slack_(pose.slack(fixed.reach() + moving.reach())) {}
 
   Vec3 image(const Vec3 &p) const { return pose_->image(p); }
-  PointPair image(const PointPair &p) const { return pose_->image(p); }
+  const Pose &rounded() const { return pose_->rounded(); }
   double slack() const { return slack_; }
   Vec3 place(const Vec3 &image) const { return image; }
 
@@ -63,68 +63,58 @@ class RationalBalls {
   double slack_;
 };
 
-// The balls of a leaf of the moving molecule that may meet one below a node at rest.
-struct NearBalls {
-  template <class Balls>
-  NearBalls(const SphereTree &moving, const TreeNode &leaf, const TreeNode &fixed, const Balls &balls) {
-    for (uint32_t j = leaf.first; j < leaf.last; ++j) {
-      const Vec3 image = balls.image(moving.centre(j));
-      const Vec3 between = image - fixed.centre;
-      const double sum = fixed.radius + moving.radius(j) + balls.slack();
-      if (dot(between, between) > sum * sum) continue;
-      ball[count] = j;
-      centre[count++] = balls.place(image);
-    }
-  }
-  uint32_t count = 0;
-  uint32_t ball[SphereTree::leaf_size];
-  Vec3 centre[SphereTree::leaf_size];
-};
+// Whether the root spheres meet; if so the walk begins, with the pose relative to their centres.
+template <class Balls>
+bool start_walk(const SphereTree &fixed, const SphereTree &moving, const Balls &balls, FloatPose &floats,
+                PairWalk &walk) {
+  const TreeNode &a = fixed.node(0), &b = moving.node(0);
+  const Vec3 between = balls.image(b.centre) - a.centre;
+  const double sum = a.radius + b.radius + balls.slack();
+  if (dot(between, between) > sum * sum) return false;
+  const auto store = [](const Vec3 &v, float *to) {
+    to[0] = static_cast<float>(v.x);
+    to[1] = static_cast<float>(v.y);
+    to[2] = static_cast<float>(v.z);
+  };
+  for (uint32_t k = 0; k < 3; ++k) store(balls.rounded().row(k), floats.row[k]);
+  store(between, floats.shift);
+  floats.slack = static_cast<float>(2 * balls.slack() + 0x1p-19 * sum);  // of a place, of the shift, and of all floats
+  SpherePair &roots = walk.pair[0];
+  store(between, roots.moving);
+  roots.moving[3] = static_cast<float>(b.radius) + floats.slack;
+  roots.fixed_node = roots.moving_node = 0;
+  roots.fixed_level = fixed.levels().top;
+  roots.moving_level = moving.levels().top;
+  walk.waiting = 1;
+  return true;
+}
 
-// Calls visit(ball at rest, moving ball, vector between their centres), in the order of the trees, for all pairs that
-// meet, until it returns true: whether it did.
+uint32_t go_on(const SphereTree &fixed, const SphereTree &moving, const FloatPose &floats, PairWalk &walk) {
+#if HSP_AVX2
+  if (fixed.wide_code()) return find_near_pairs_avx2(fixed.levels(), moving.levels(), floats, walk);
+#endif
+  return find_near_pairs(fixed.levels(), moving.levels(), floats, walk);
+}
+
+// Calls visit(ball at rest, moving ball, vector between their centres), in an order that depends on the trees and the
+// pose alone, for all pairs that meet, until it returns true: whether it did.
 template <class Balls, class Visit>
 bool visit_meeting_pairs(const SphereTree &fixed, const SphereTree &moving, const Balls &balls, Visit visit) {
   if (fixed.empty() || moving.empty()) return false;
-  struct Task {
-    uint32_t fixed, moving;
-    Vec3 image;  // of the moving node's centre
-  };
-  Task tasks[most_waiting];
-  uint32_t count = 0;
-  const double slack = balls.slack();
-  // Whether spheres around two nodes come near one of this radius; `between`: from the one centre to the others.
-  const auto are_near = [&](const PointPair &between, const TreeNode &p, const TreeNode &q, double radius) {
-    const Lanes sum{p.radius + radius + slack, q.radius + radius + slack};
-    return dot(between, between) <= sum * sum;
-  };
-  tasks[count++] = {0, 0, balls.image(moving.node(0).centre)};
-  while (count > 0) {
-    const Task task = tasks[--count];
-    const TreeNode &a = fixed.node(task.fixed);
-    const TreeNode &b = moving.node(task.moving);
-    if (a.is_leaf() && b.is_leaf()) {
-      const NearBalls near(moving, b, a, balls);
-      for (uint32_t i = a.first; i < a.last && near.count > 0; ++i) {
-        const Vec3 c = fixed.centre(i);
-        for (uint32_t k = 0; k < near.count; ++k) {
-          const uint32_t j = near.ball[k];
-          const Vec3 between = near.centre[k] - c;
-          if (balls.meet(c, moving.centre(j), between, fixed.radius(i) + moving.radius(j)) && visit(i, j, between))
-            return true;
-        }
-      }
-    } else if (opens_fixed(a, b)) {
-      const TreeNode &p = fixed.node(task.fixed + 1), &q = fixed.node(a.second);
-      const LaneMask near = are_near(PointPair(task.image, task.image) - PointPair(p.centre, q.centre), p, q, b.radius);
-      if (near[1] != 0) tasks[count++] = {a.second, task.moving, task.image};
-      if (near[0] != 0) tasks[count++] = {task.fixed + 1, task.moving, task.image};
-    } else {
-      const TreeNode &p = moving.node(task.moving + 1), &q = moving.node(b.second);
-      const PointPair image = balls.image(PointPair(p.centre, q.centre));
-      const LaneMask near = are_near(image - PointPair(a.centre, a.centre), p, q, a.radius);
-      if (near[1] != 0) tasks[count++] = {task.fixed, b.second, image.point(1)};
-      if (near[0] != 0) tasks[count++] = {task.fixed, task.moving + 1, image.point(0)};
+  FloatPose floats;
+  PairWalk walk;
+  if (!start_walk(fixed, moving, balls, floats, walk)) return false;
+  while (const uint32_t found = go_on(fixed, moving, floats, walk)) {
+    uint32_t placed = no_id;
+    Vec3 place{};
+    for (uint32_t k = 0; k < found; ++k) {
+      const auto [i, j] = walk.found[k];
+      if (j != placed) place = balls.place(balls.image(moving.centre(j)));
+      placed = j;
+      const Vec3 c = fixed.centre(i);
+      const Vec3 between = place - c;
+      if (balls.meet(c, moving.centre(j), between, fixed.radius(i) + moving.radius(j)) && visit(i, j, between))
+        return true;
     }
   }
   return false;

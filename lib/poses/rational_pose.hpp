@@ -22,7 +22,7 @@ class RationalPose {
 
   // Somewhat rounded, in steps.
   Vec3 image(const Vec3 &p) const { return rounded_.image(p); }
-  PointPair image(const PointPair &p) const { return rounded_.image(p); }
+  const Pose &rounded() const { return rounded_; }
   bool has_room_for(double reach) const { return rounded_.has_room_for(reach); }
   // More than the length of what such an image of a point within `reach` of the origin, and distances of such images
   // from lattice points within it, are rounded by: entries of the rounded matrix are off by at most 17 units of 2^-53,

@@ -17,11 +17,38 @@ double length(const Vec3 &v) {
   return std::sqrt(dot(v, v));
 }
 
+// The levels of so many balls, without their spheres.
+SphereLevels shape_of_levels(uint32_t balls) {
+  SphereLevels levels{};
+  uint32_t spheres = balls;
+  do {
+    const uint32_t blocks = (spheres + 7) / 8;
+    levels.first[levels.top + 1] = levels.first[levels.top] + blocks;
+    ++levels.top;
+    spheres = blocks;
+  } while (spheres > 1);
+  return levels;
+}
+
+// Where the second child of more balls than a leaf has begins: groups of as many balls as possible, of the sizes 4, 8,
+// 64, 512, .., stay together, and the first child has as many of them as the second one or one more.
+uint32_t second_part_of(uint32_t first, uint32_t last) {
+  const uint32_t balls = last - first;
+  uint32_t group = SphereTree::leaf_size;
+  for (uint32_t larger = 8; larger < balls; larger *= 8) group = larger;
+  const uint32_t groups = (balls + group - 1) / group;
+  return first + (groups + 1) / 2 * group;
+}
+
 }  // namespace
 
 void SphereTree::carve(Workspace &workspace, uint32_t balls) {
-  // Leaves have at least two balls, but for a set of one.
-  nodes_ = FixedVector<TreeNode>(workspace.take<TreeNode>(balls));
+  // All leaves but the last one are full.
+  const uint32_t leaves = (balls + leaf_size - 1) / leaf_size;
+  nodes_ = FixedVector<TreeNode>(workspace.take<TreeNode>(2 * leaves));
+  const SphereLevels shape = shape_of_levels(balls);
+  blocks_ = workspace.take<SphereBlock>(shape.first[shape.top] + 1);
+  wide_code_ = workspace.wide_code();
   x_ = workspace.take<double>(balls);
   y_ = workspace.take<double>(balls);
   z_ = workspace.take<double>(balls);
@@ -40,6 +67,7 @@ Status SphereTree::build(const BallSet &balls) {
   if (balls.n > x_.size()) return Status::capacity;
   if (balls.n == 0) return Status::ok;
   sort_axes(balls);
+  start_levels(balls.n);
   struct Task {
     uint32_t first, last;
     uint32_t parent;  // whose second child it is, or no_id
@@ -52,8 +80,9 @@ Status SphereTree::build(const BallSet &balls) {
     const uint32_t k = nodes_.size();
     if (task.parent != no_id) nodes_[task.parent].second = k;
     nodes_.push(node_around(balls, task.first, task.last));
+    store_node(nodes_[k]);
     if (task.last - task.first <= leaf_size) continue;
-    const uint32_t middle = task.first + (task.last - task.first) / 2;
+    const uint32_t middle = second_part_of(task.first, task.last);
     split(balls, task.first, middle, task.last);
     tasks[count++] = {middle, task.last, k};
     tasks[count++] = {task.first, middle, no_id};
@@ -67,10 +96,44 @@ Status SphereTree::build(const BallSet &balls) {
     caller_[p] = balls.caller[i];
     const double reach = length(centre(p));
     if (reach > reach_) reach_ = reach;
+    store_sphere(0, p, centre(p), r_[p]);
   }
   // Centres of nodes are convex combinations of centres.
   reach_ = reach_ * (1 + 0x1p-48) + 1;
   return Status::ok;
+}
+
+// All places of the blocks hold spheres that are far from all others.
+void SphereTree::start_levels(uint32_t balls) {
+  levels_ = shape_of_levels(balls);
+  levels_.blocks = blocks_.data();
+  constexpr float far = 0x1p60F;
+  for (SphereBlock &block : blocks_.part(0, levels_.first[levels_.top] + 1)) {
+    for (uint32_t lane = 0; lane < 8; ++lane) {
+      block.x[lane] = far;
+      block.y[lane] = block.z[lane] = block.r[lane] = 0;
+    }
+  }
+}
+
+// A node is the sphere of all levels in which its balls have one.
+void SphereTree::store_node(const TreeNode &node) {
+  const uint32_t balls = nodes_[0].last;
+  uint64_t size = 8;
+  for (uint32_t level = 1; level <= levels_.top && node.first % size == 0; ++level, size *= 8) {
+    const uint64_t count = node.last - node.first;
+    if (count == size || (node.last == balls && count < size))
+      store_sphere(level, static_cast<uint32_t>(node.first / size), node.centre, node.radius);
+  }
+}
+
+void SphereTree::store_sphere(uint32_t level, uint32_t k, const Vec3 &centre, double radius) {
+  const Vec3 from_root = centre - nodes_[0].centre;
+  SphereBlock &block = blocks_[levels_.first[level] + k / 8];
+  block.x[k % 8] = static_cast<float>(from_root.x);
+  block.y[k % 8] = static_cast<float>(from_root.y);
+  block.z[k % 8] = static_cast<float>(from_root.z);
+  block.r[k % 8] = static_cast<float>(radius);
 }
 
 void SphereTree::sort_axes(const BallSet &balls) {

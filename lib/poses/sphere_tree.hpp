@@ -1,5 +1,7 @@
 // A molecule prepared for meeting another one: a binary tree of spheres, each around the balls below it. Children share
-// the balls of their parent evenly, by the median along the axis on which the centres are spread most (Quinlan 1994).
+// the balls of their parent along the axis on which the centres are spread most (Quinlan 1994), evenly as far as groups
+// of 8^k balls, k as large as possible, stay together. So every eight, 64, 512 and so on of the balls in order have a
+// sphere of their own, and the same tree can be walked eight spheres at a time (near_pairs.hpp).
 //
 // The tree depends on the balls alone, not on their order, but for balls that are equal.
 #pragma once
@@ -7,6 +9,7 @@
 #include "core/fixed_vector.hpp"
 #include "core/workspace.hpp"
 #include "model/ball_set.hpp"
+#include "poses/near_pairs.hpp"
 
 namespace hsp {
 
@@ -22,7 +25,7 @@ struct TreeNode {
 class SphereTree {
  public:
   static constexpr uint32_t leaf_size = 4;
-  // Halving the largest number of balls until they fit a leaf.
+  // Dividing the largest number of balls until they fit a leaf.
   static constexpr uint32_t largest_height = 27;
 
   void carve(Workspace &workspace, uint32_t balls);
@@ -38,6 +41,11 @@ class SphereTree {
   Vec3 centre(uint32_t i) const { return {x_[i], y_[i], z_[i]}; }
   double radius(uint32_t i) const { return r_[i]; }
   uint32_t caller(uint32_t i) const { return caller_[i]; }
+  // For walks eight at a time, by the code for wide registers where there is some; of a tree that is not empty.
+  const SphereLevels &levels() const { return levels_; }
+  bool wide_code() const { return wide_code_; }
+  // For tests that do without it.
+  void avoid_wide_code() { wide_code_ = false; }
   // No centre of a ball or of a node is farther from the origin.
   double reach() const { return reach_; }
   const exact::Lattice &lattice() const { return lattice_; }
@@ -46,6 +54,9 @@ class SphereTree {
   void sort_axes(const BallSet &balls);
   TreeNode node_around(const BallSet &balls, uint32_t first, uint32_t last) const;
   void split(const BallSet &balls, uint32_t first, uint32_t middle, uint32_t last);
+  void start_levels(uint32_t balls);
+  void store_node(const TreeNode &node);
+  void store_sphere(uint32_t level, uint32_t k, const Vec3 &centre, double radius);
 
   FixedVector<TreeNode> nodes_;
   Span<double> x_, y_, z_, r_;
@@ -54,6 +65,9 @@ class SphereTree {
   Span<uint32_t> along_[3];
   Span<uint32_t> waiting_;
   Span<uint8_t> in_second_;
+  Span<SphereBlock> blocks_;
+  SphereLevels levels_{};
+  bool wide_code_ = false;
   exact::Lattice lattice_;
   double reach_ = 0;
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <vector>
 
 #include "point_lattices.hpp"
@@ -71,8 +72,8 @@ std::string witness_complaint(const hsp::SphereTree &fixed, const hsp::SphereTre
 }
 
 // Empty, or what the trees say otherwise than brute force.
-std::string complaint(const Balls &fixed, const Balls &moving, const hsp::Pose &pose) {
-  const BuiltTree rest(fixed), other(moving);
+std::string complaint_about(const BuiltTree &rest, const BuiltTree &other, const Balls &fixed, const Balls &moving,
+                            const hsp::Pose &pose) {
   const Balls images = moved(moving, pose);
   const BruteForce brute(fixed, images);
   if (hsp::any_balls_meet(rest.tree(), other.tree(), pose) == brute.pairs.empty()) return "hit";
@@ -105,6 +106,24 @@ std::string complaint(const Balls &fixed, const Balls &moving, const hsp::Pose &
   return "";
 }
 
+// The same of the code for wide registers and of that for every processor; both find pairs in one order.
+std::string complaint(const Balls &fixed, const Balls &moving, const hsp::Pose &pose) {
+  BuiltTree rest(fixed);
+  const BuiltTree other(moving);
+  const auto order_of_pairs = [&] {
+    hsp::PairPlace witness;
+    hsp::any_balls_meet(rest.tree(), other.tree(), pose, witness);
+    return std::tuple(witness.fixed, witness.moving, hsp::sum_overlaps(rest.tree(), other.tree(), pose).volume);
+  };
+  std::string text = complaint_about(rest, other, fixed, moving, pose);
+  const auto order = order_of_pairs();
+  if (!text.empty() || !rest.tree().wide_code()) return text;
+  rest.avoid_wide_code();
+  if (order != order_of_pairs()) return "another order";
+  text = complaint_about(rest, other, fixed, moving, pose);
+  return text.empty() ? "" : "for every processor: " + text;
+}
+
 TEST(PoseQueries, AgreeWithBruteForce) {
   oracle::RandomSource random(6);
   for (int k = 0; k < 1500; ++k) {
@@ -115,6 +134,26 @@ TEST(PoseQueries, AgreeWithBruteForce) {
     const PoseNumbers numbers = random_pose(random, k % 7 == 0 ? 0 : 3 * size);
     ASSERT_EQ(complaint(fixed, moving, pose_of(numbers)), "") << oracle::to_text(fixed) << "\n"
                                                               << oracle::to_text(moving);
+  }
+}
+
+// Of large coordinates floats keep a part only. Each ball touches one at rest, or misses it by a step.
+TEST(PoseQueries, FindPairsThatJustTouch) {
+  oracle::RandomSource random(12);
+  for (int k = 0; k < 60; ++k) {
+    const int64_t size = int64_t{1} << random.in(12, 36);
+    const Balls moving = oracle::balls_in_box(random, static_cast<size_t>(random.in(1, 90)), size,
+                                              std::min<int64_t>(size >> 4, 1 << 29), std::min<int64_t>(size, 1 << 29));
+    const hsp::Pose pose = pose_of(random_pose(random, size));
+    Balls fixed;
+    for (LatticeBall ball : moved(moving, pose)) {
+      const int64_t radius = std::min<int64_t>(random.in(1, size >> 3), 1 << 29);
+      int64_t &coordinate = random.one_in(2) ? ball.x : ball.z;
+      coordinate += (random.one_in(2) ? 1 : -1) * (ball.radius + radius + (random.one_in(3) ? 1 : 0));
+      ball.radius = radius;
+      fixed.push_back(ball);
+    }
+    ASSERT_EQ(complaint(fixed, moving, pose), "") << size;
   }
 }
 

@@ -12,6 +12,36 @@ namespace {
 using hsp::SphereTree;
 using hsp::TreeNode;
 
+// Empty, or how the spheres of a level are not around the balls below them. Numbers are floats.
+std::string complaint_about_levels(const SphereTree &tree) {
+  const hsp::SphereLevels &levels = tree.levels();
+  const TreeNode &root = tree.node(0);
+  const double error = 0x1p-22 * root.radius;
+  uint64_t size = 1;
+  for (uint32_t level = 0; level <= levels.top; ++level, size *= 8) {
+    if (level == levels.top && size < tree.ball_count()) return "top";
+    const auto count = static_cast<uint32_t>((tree.ball_count() + size - 1) / size);
+    const uint32_t blocks = (count + 7) / 8;
+    if (level < levels.top && levels.first[level + 1] != levels.first[level] + blocks) return "blocks of a level";
+    for (uint32_t k = 0; k < 8 * blocks; ++k) {
+      const hsp::SphereBlock &block = levels.blocks[levels.first[level] + k / 8];
+      const double x = block.x[k % 8], y = block.y[k % 8], z = block.z[k % 8], r = block.r[k % 8];
+      if (k >= count) {
+        if (r != 0 || std::hypot(x, y, z) < 0x1p59) return "a sphere of nothing";
+        continue;
+      }
+      if (r > 2 * root.radius) return "too large";
+      for (uint64_t i = k * size; i < (k + 1) * size && i < tree.ball_count(); ++i) {
+        const auto ball = static_cast<uint32_t>(i);
+        const hsp::Vec3 v = tree.centre(ball) - root.centre;
+        if (std::hypot(v.x - x, v.y - y, v.z - z) + tree.radius(ball) > r + error)
+          return "a ball sticks out of a level";
+      }
+    }
+  }
+  return "";
+}
+
 // Empty, or how the nodes are no tree of spheres around all balls.
 std::string complaint(const oracle::Balls &balls) {
   const BuiltTree built(balls);
@@ -43,9 +73,14 @@ std::string complaint(const oracle::Balls &balls) {
     if (node.is_leaf()) continue;
     const TreeNode &one = tree.node(k + 1), &two = tree.node(node.second);
     if (one.first != node.first || one.last != two.first || two.last != node.last) return "not a division";
-    if (two.last - two.first - (one.last - one.first) > 1) return "uneven";
+    // Groups of four, eight, 64, .. balls, of which the first child has as many as the second or one more.
+    uint32_t group = 4;
+    while (group * (group == 4 ? 2 : 8) < size) group *= group == 4 ? 2 : 8;
+    const uint32_t in_one = one.last - one.first, in_two = two.last - two.first;
+    if (in_one % group != 0 || in_one < in_two || in_one > in_two + 2 * group - 1) return "uneven";
   }
-  return nodes == (balls.empty() ? 0 : tree.node_count()) ? "" : "nodes";
+  if (nodes != (balls.empty() ? 0 : tree.node_count())) return "nodes";
+  return balls.empty() ? "" : complaint_about_levels(tree);
 }
 
 TEST(SphereTree, HoldsAllBalls) {
@@ -56,6 +91,8 @@ TEST(SphereTree, HoldsAllBalls) {
     ASSERT_EQ(complaint(balls), "") << oracle::to_text(balls);
   }
   EXPECT_EQ(complaint(oracle::loose_balls(random, 3000)), "");
+  for (const size_t n : {63, 64, 65, 511, 512, 513, 4105})
+    EXPECT_EQ(complaint(oracle::loose_balls(random, n)), "") << n;
   EXPECT_EQ(complaint(oracle::Balls(500, {7, 8, 9, 10})), "");
 }
 

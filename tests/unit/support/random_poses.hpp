@@ -17,6 +17,7 @@ class BuiltTree {
   }
 
   const hsp::SphereTree &tree() const { return tree_; }
+  void avoid_wide_code() { tree_.avoid_wide_code(); }
   hsp::Status status() const { return status_; }
 
  private:
