@@ -10,13 +10,15 @@ packages_for_tests=(cmake ninja-build gcc g++ libc6-dev binutils gfortran pkg-co
   clang-format-14 libxml2-utils ghostscript poppler-utils librsvg2-bin)
 # What `tests/run.sh --all` needs besides: sanitizers of clang, other linkers, C libraries and processors, documentation,
 # a count of instructions.
-packages_for_all_tests=(clang clang-14 lld musl-tools libclang-rt-14-dev g++-aarch64-linux-gnu g++-s390x-linux-gnu qemu-user
+packages_for_all_tests=(clang clang-14 lld musl-tools libclang-rt-14-dev g++-arm-linux-gnueabihf g++-s390x-linux-gnu qemu-user
   doxygen python3-cffi python3-setuptools python3-dev gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-dev
   valgrind)
 # WebAssembly and the page that uses it, MPI, machines without an operating system.
-optional_packages_for_all_tests=(g++-riscv64-linux-gnu g++-arm-linux-gnueabihf wasi-libc libclang-rt-14-dev-wasm32
-  libc++-14-dev-wasm32 libc++abi-14-dev-wasm32 nodejs chromium openmpi-bin libopenmpi-dev
-  qemu-system-arm)
+optional_packages_for_all_tests=(wasi-libc libclang-rt-14-dev-wasm32 libc++-14-dev-wasm32 libc++abi-14-dev-wasm32 nodejs
+  chromium openmpi-bin libopenmpi-dev qemu-system-arm)
+# What the preset long tests besides.
+packages_for_long_tests=(g++-aarch64-linux-gnu g++-riscv64-linux-gnu g++-i686-linux-gnu googletest debootstrap dpkg-dev
+  debhelper lintian)
 # What `bench/run.sh --peers` times beside the library. FreeSASA's archive needs two libraries that it reads files with.
 packages_of_peers=(freesasa libxml2-dev libjson-c-dev libcgal-dev libnanoflann-dev gemmi-dev libfcl-dev)
 

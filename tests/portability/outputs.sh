@@ -1,11 +1,15 @@
 #!/usr/bin/env bash
 # Runs a build's programs on a list of inputs and writes what they print, and their exit statuses, into a folder.
 #   outputs.sh SOURCE-FOLDER OUTPUT-FOLDER EMULATOR PROGRAM INTERFACE-BITS ARC-TANGENT-BITS [NAMES]
-# EMULATOR may be empty. NAMES: a regular expression; only the outputs it matches. Fails if a run that has to succeed does
-# not.
+# EMULATOR may be empty. NAMES: a regular expression; only the outputs it matches. Or `few`: bits of the interface, crambin
+# and caffeine, degenerate balls, a few pictures and refusals. Fails if a run that has to succeed does not.
 set -euo pipefail
 source=$1 outputs=$2 emulator=$3 program=$4 interface_bits=$5 arc_tangent_bits=$6 names=${7:-}
 export LC_ALL=C
+if [ "$names" = few ]; then
+  names='^(interface_bits|arc_tangent_bits|(crambin|caffeine|degenerate)(\.probe)?\.(measure|boundary)|crambin\.(contacts|map)'
+  names+='|draw\.(caffeine\.soft\.svg|crambin\.faces\.pdf|degenerate\.flat\.eps)|bad\.[a-d].*)$'
+fi
 rm -rf "$outputs"
 mkdir -p "$outputs"
 cd "$source"

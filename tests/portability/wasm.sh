@@ -2,8 +2,8 @@
 # Builds library and program for WebAssembly with Debian's clang and wasi-libc, runs them under Node, and compares every
 # byte of what they print with the reference outputs, which outputs.sh has written for the native build.
 #   wasm.sh SOURCE-FOLDER WORK-FOLDER REFERENCE-FOLDER few|all
-# `few`: the outputs for crambin and caffeine, degenerate balls, a few pictures and refusals. The program is left in
-# WORK-FOLDER for other tests. Exit status 77: something is missing here.
+# `few`: those outputs that outputs.sh calls so. The program is left in WORK-FOLDER for other tests. Exit status 77:
+# something is missing here.
 set -euo pipefail
 source=$1 work=$2 reference=$3 which=$4
 here=$(cd "$(dirname "$0")" && pwd)
@@ -36,14 +36,9 @@ offered=$(awk 'NF == 3 {print $3}' "$work/symbols" | sort -u)
 refused=$(comm -23 <(echo "$asked") <(echo "$offered") | grep -vE '^(mem(cpy|move|set)|__(mul|ashl|ashr|lshr|udiv|umod|div|mod)ti3|__stack_pointer|__memory_base|__indirect_function_table)$' || true)
 [ -z "$refused" ] || { echo "the archive asks for symbols that are not allowed:" && echo "$refused" && exit 1; }
 
-names=''
-if [ "$which" = few ]; then
-  names='^(interface_bits|arc_tangent_bits|(crambin|caffeine|degenerate)(\.probe)?\.(measure|boundary)|crambin\.(contacts|map)'
-  names+='|draw\.(caffeine\.soft\.svg|crambin\.faces\.pdf|degenerate\.flat\.eps)|bad\.[a-d].*)$'
-fi
 programs=$work/build
 bash "$here/outputs.sh" "$source" "$work/outputs" "node --no-warnings $source/capi/wasm/run.mjs" \
-  "$programs/hardsphere/capi/hardsphere.wasm" "$programs/interface_bits.wasm" "$programs/arc_tangent_bits.wasm" "$names"
+  "$programs/hardsphere/capi/hardsphere.wasm" "$programs/interface_bits.wasm" "$programs/arc_tangent_bits.wasm" "${which#all}"
 failed=0
 for output in "$work/outputs"/*; do
   cmp "$reference/${output##*/}" "$output" && continue
