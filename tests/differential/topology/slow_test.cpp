@@ -12,7 +12,7 @@ using oracle::Balls;
 
 TEST(Slow, BettiNumbersOfDegenerateSets) {
   oracle::RandomSource random(81);
-  for (int k = 0; k < oracle::rounds(1000, 20000); ++k) {
+  for (int k = 0; k < oracle::rounds(400, 20000); ++k) {
     const Balls balls = oracle::degenerate_balls(random, static_cast<size_t>(random.in(4, 11)));
     ASSERT_EQ(complaint_about_smallest(balls, [](const Balls &set) { return betti_numbers_disagree(set, 2, 82); }), "");
     ASSERT_EQ(complaint_about_smallest(balls, topology_invariant_broken), "");
@@ -21,7 +21,7 @@ TEST(Slow, BettiNumbersOfDegenerateSets) {
 
 TEST(Slow, InvariantsAndOrdersOfAnySets) {
   oracle::RandomSource random(83);
-  for (int k = 0; k < oracle::rounds(375, 6000); ++k) {
+  for (int k = 0; k < oracle::rounds(150, 6000); ++k) {
     const Balls balls = oracle::any_balls(random, static_cast<size_t>(random.in(10, 50)));
     ASSERT_EQ(complaint_about_smallest(balls, topology_invariant_broken), "");
     ASSERT_EQ(complaint_about_smallest(balls, topology_orders_disagree), "");
@@ -30,7 +30,7 @@ TEST(Slow, InvariantsAndOrdersOfAnySets) {
 
 TEST(Slow, NestingOfShellsInShells) {
   oracle::RandomSource random(84);
-  for (int k = 0; k < oracle::rounds(125, 1000); ++k) {
+  for (int k = 0; k < oracle::rounds(50, 1000); ++k) {
     const Balls balls = nested_balls(random);
     ASSERT_EQ(complaint_about_smallest(balls, nesting_disagrees), "");
     ASSERT_EQ(complaint_about_smallest(balls, [](const Balls &set) { return locations_disagree(set, 40, 85); }), "");
@@ -39,7 +39,7 @@ TEST(Slow, NestingOfShellsInShells) {
 
 TEST(Slow, LocationInDegenerateSets) {
   oracle::RandomSource random(86);
-  for (int k = 0; k < oracle::rounds(2000, 15000); ++k) {
+  for (int k = 0; k < oracle::rounds(800, 15000); ++k) {
     const Balls balls = oracle::degenerate_balls(random, static_cast<size_t>(random.in(3, 14)));
     ASSERT_EQ(complaint_about_smallest(balls, [](const Balls &set) { return locations_disagree(set, 40, 87); }), "");
   }
@@ -50,13 +50,14 @@ void expect_voids_of_further_molecule(const std::string &file) {
   if (!path) GTEST_SKIP() << "skipped: no " << file << " in the folder of further molecules";
   const Balls atoms = read_molecule(*path, support::Records::protein);
   expect_voids(file + ", accessible", atoms, 1400, 0.99L);
-  expect_voids(file + ", van der Waals", atoms, 0, 0.99L);
+  if (oracle::long_tests()) expect_voids(file + ", van der Waals", atoms, 0, 0.99L);
 }
 
 TEST(Slow, VoidsOfSuperoxideDismutase) {
   expect_voids_of_further_molecule("sod_model_4392.pdb");
 }
 TEST(Slow, VoidsOfEnterotoxin) {
+  if (!oracle::long_tests()) GTEST_SKIP() << "in the long form";
   expect_voids_of_further_molecule("1tii.pdb.gz");
 }
 

@@ -6,7 +6,7 @@ namespace {
 
 TEST(PeriodicUnionSlow, IsThatOfManyCopies) {
   oracle::RandomSource random(341);
-  for (int set = 0; set < oracle::rounds(800, 10000) && !HasFailure(); ++set) {
+  for (int set = 0; set < oracle::rounds(250, 10000) && !HasFailure(); ++set) {
     expect_as_in_copies(RandomCrystal(random, set % 4 != 0));
   }
 }
