@@ -10,9 +10,9 @@
 #   bash tests/run.sh --help    prints this
 # Installs the packages that are missing, builds in build/, prints what ctest says and repeats its closing lines at the
 # end; build/logs holds all of it. The exit status is 0 only if every test succeeded. Run again it builds only what has
-# changed. On two cores the first takes some 20 minutes, packages included, --all about an hour. Where the compilers
-# for riscv64 and armhf cannot be had, their tests are skipped. CMAKE_BUILD_PARALLEL_LEVEL and CTEST_PARALLEL_LEVEL: the
-# number of jobs, as many as there are cores unless given. HSP_MOLECULES: a folder of further molecules.
+# changed. On two cores the first takes some 20 minutes, packages included, --all some 45. The number of jobs, as many as
+# there are cores unless given: CMAKE_BUILD_PARALLEL_LEVEL, CTEST_PARALLEL_LEVEL. HSP_MOLECULES: a folder of further
+# molecules.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -40,6 +40,7 @@ if [ "${presets[*]}" != dev ]; then
   install_packages "${packages_for_all_tests[@]}"
   install_optional_packages "${optional_packages_for_all_tests[@]}"
 fi
+if [[ " ${presets[*]} " == *" long "* ]]; then install_optional_packages "${packages_for_long_tests[@]}"; fi
 
 export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
 export CTEST_PARALLEL_LEVEL=${CTEST_PARALLEL_LEVEL:-$(nproc)}

@@ -23,8 +23,10 @@ fi
 case $way in
   find_package | find_package_source | subdirectory)
     where=-DCMAKE_PREFIX_PATH=$prefix
-    [ "$way" = subdirectory ] && where="-DHARDSPHERE_SOURCE=$source -DHSP_UNITY_BUILD=ON"
-    # shellcheck disable=SC2086 # two options
+    # The library is compiled here: in large units, and without optimisation.
+    [ "$way" = subdirectory ] &&
+      where="-DHARDSPHERE_SOURCE=$source -DHSP_UNITY_BUILD=ON -DCMAKE_CXX_FLAGS_RELEASE=-O0"
+    # shellcheck disable=SC2086 # several options
     cmake -S "$here/consumers/${way%_source}" -B "$work" -DLANGUAGE="$language" -DCMAKE_BUILD_TYPE=Release \
       -DCMAKE_"${language}"_COMPILER="$compiler" $where \
       >"$work/log" 2>&1 || { cat "$work/log" && exit 1; }

@@ -13,9 +13,15 @@ blocks=("$work"/blocks/*)
 
 cd "$work"
 export HOME=$work/home
-# Nothing is compiled twice here, so that large units do, whatever the blocks say of the build.
-echo 'set(HSP_UNITY_BUILD ON CACHE BOOL "")' >large_units.cmake
-export CMAKE_TOOLCHAIN_FILE=$work/large_units.cmake
+# Nothing is compiled twice or runs for long here, so that large units do, and no optimisation, whatever the blocks say
+# of the build. For a microcontroller nothing is compiled: firmware_size.sh does.
+cmake() {
+  local options=()
+  if [ "$*" = "--build firmware" ]; then set -- "$@" -- -n; fi
+  [ "$1" != -S ] || options=(-DHSP_UNITY_BUILD=ON -DCMAKE_CXX_FLAGS_RELEASE=-O0 -DCMAKE_CXX_FLAGS_MINSIZEREL=-O0)
+  CXXFLAGS=-O0 command cmake "${options[@]}" "$@"
+}
+export -f cmake
 ln -s "$source" hardsphere
 cp "$source/capi/examples/minimal.c" .
 cp "$source/capi/fortran/water.f90" .
