@@ -2,19 +2,17 @@
 # Molecules on emulated microcontrollers: from coordinates to areas, volume, gradient and topology, with the same bits as
 # here. Caffeine in 64 KiB of RAM and crambin in 1 MiB, stack included, with limits that are exact; instructions and stack
 # of each call are held to budgets.
-#   firmware_runs.sh CORTEX SOURCE-FOLDER WORK-FOLDER LIBRARY NATIVE-LIBRARY C-COMPILER
-# CORTEX: m4. LIBRARY: what firmware_size.sh leaves, compiled for it. Exit status 77: something is missing here.
+#   firmware_runs.sh CORTEX SOURCE-FOLDER WORK-FOLDER LIBRARY-FOLDER NATIVE-LIBRARY C-COMPILER
+# CORTEX: m3, m4 or m7. LIBRARY-FOLDER: what firmware_size.sh leaves, compiled for it. Exit status 77: something is missing here.
 set -euo pipefail
-cortex=$1 source=$2 work=$3 library=$4 native=$5 cc=$6
+cortex=$1 source=$2 work=$3 library=$4/libhardsphere.a native=$5 cc=$6
 here=$(cd "$(dirname "$0")/firmware" && pwd)
 for needed in arm-none-eabi-gcc qemu-system-arm; do
   command -v $needed >/dev/null || { echo "skipped: there is no $needed here" && exit 77; }
 done
 [ -e "$library" ] || { echo "skipped: there is no library for this processor" && exit 77; }
-case $cortex in
-  m4) board=mps2-an386 flags='-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16' ;;
-  *) echo "unknown processor: $cortex" && exit 1 ;;
-esac
+read -ra flags <"$4/flags"
+board=$(bash "$here/board.sh" "$cortex")
 rm -rf "$work"
 mkdir -p "$work"
 failed=0
@@ -53,8 +51,7 @@ run_molecule() { # name, bytes of RAM, bytes of stack
   "$folder/native" | grep -v '^#' >"$folder/wanted"
 
   sed -e "s/@RAM@/$ram/g" -e "s/@STACK@/$stack/g" "$here/memory.ld.in" >"$folder/memory.ld"
-  # shellcheck disable=SC2086 # the flags are words
-  arm-none-eabi-gcc $flags "${sources[@]}" "${exact[@]}" "$here/machine_mps2.c" "$library" -nostartfiles \
+  arm-none-eabi-gcc "${flags[@]}" "${sources[@]}" "${exact[@]}" "$here/machine_mps2.c" "$library" -nostartfiles \
     -T "$folder/memory.ld" --specs=nano.specs -Wl,--gc-sections,--no-warn-rwx-segments -lm -o "$folder/image.elf"
   local status=0
   timeout 100 qemu-system-arm -M "$board" -nographic -monitor none -serial null -icount shift=5 \

@@ -2,7 +2,8 @@
 # How much flash the library takes on a microcontroller: text and initialized data of whole images, newlib included,
 # compiled with -Os and linked with --gc-sections. An image larger than its budget fails.
 #   firmware_size.sh CORTEX SOURCE-FOLDER WORK-FOLDER
-# CORTEX: m4 or m7. The library is left in WORK-FOLDER, for firmware_runs.sh. Exit status 77: there is no compiler for it here.
+# CORTEX: m3, m4 or m7. What others run on it is left in WORK-FOLDER: the library, an archive of its objects with their
+# inner symbols, and the flags for the processor. Exit status 77: there is no compiler for it here.
 set -euo pipefail
 cortex=$1 source=$2 work=$3
 here=$(cd "$(dirname "$0")/firmware" && pwd)
@@ -11,7 +12,7 @@ rm -rf "$work"
 mkdir -p "$work"
 {
   cmake -S "$source" -B "$work/build" -DCMAKE_TOOLCHAIN_FILE="$here/cortex_m.cmake" -DCORTEX="$cortex" \
-    -DCMAKE_BUILD_TYPE=MinSizeRel -DHSP_WERROR=ON && cmake --build "$work/build" --parallel 2
+    -DCMAKE_BUILD_TYPE=MinSizeRel -DHSP_WERROR=ON -DHSP_UNITY_BUILD=ON && cmake --build "$work/build" --parallel 2
 } >"$work/log" 2>&1 || { tail -n 40 "$work/log" && exit 1; }
 flags=$(sed -n 's/^CMAKE_C_FLAGS:STRING=//p' "$work/build/CMakeCache.txt")
 
@@ -37,5 +38,8 @@ image 35 125 "boundary, measure, gradient and smooth surface"
 image 8 75 "a model, a view from it alone, pictures"
 image 31 135 "all of these but the smooth surface"
 mv "$work/build/libhardsphere.a" "$work/libhardsphere.a"
+find "$work/build/CMakeFiles/hardsphere_objects.dir" -type f -name '*.o*' -print0 |
+  xargs -0 arm-none-eabi-ar qcs "$work/libinner.a"
+echo "$flags" >"$work/flags"
 rm -rf "$work/build"
 exit $failed

@@ -1,17 +1,19 @@
 # Toolchain file for Cortex-M with newlib: cmake -DCMAKE_TOOLCHAIN_FILE=cortex_m.cmake -DCORTEX=m4 ...
-# CORTEX: m4 (single-precision unit, doubles in software) or m7 (double-precision unit).
+# CORTEX: m3 (no floating-point unit), m4 (single-precision unit, doubles in software) or m7 (double-precision unit).
 set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR arm)
 set(CMAKE_C_COMPILER arm-none-eabi-gcc)
 set(CMAKE_CXX_COMPILER arm-none-eabi-g++)
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
 set(CMAKE_TRY_COMPILE_PLATFORM_VARIABLES CORTEX)
-if(CORTEX STREQUAL "m4")
+if(CORTEX STREQUAL "m3")
+  set(cortex_flags "-mcpu=cortex-m3 -mthumb -mfloat-abi=soft")
+elseif(CORTEX STREQUAL "m4")
   set(cortex_flags "-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16")
 elseif(CORTEX STREQUAL "m7")
   set(cortex_flags "-mcpu=cortex-m7 -mthumb -mfloat-abi=hard -mfpu=fpv5-d16")
 else()
-  message(FATAL_ERROR "CORTEX is m4 or m7")
+  message(FATAL_ERROR "CORTEX is m3, m4 or m7")
 endif()
 set(CMAKE_C_FLAGS_INIT "${cortex_flags}")
 set(CMAKE_CXX_FLAGS_INIT "${cortex_flags}")

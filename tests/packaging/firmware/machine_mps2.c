@@ -1,5 +1,5 @@
-/* The board mps2-an386, a Cortex-M4, as QEMU has it: start-up, semihosting, and a timer that counts instructions: with
- * -icount shift=5 each takes 32 ns, and the timer's ticks are 40 ns. */
+/* The boards mps2-an385, an386 and an500, with a Cortex-M3, M4 or M7, as QEMU has them: start-up, semihosting, and a
+ * timer that counts instructions: with -icount shift=5 each takes 32 ns, and the timer's ticks are 40 ns. */
 #include "machine.h"
 
 extern unsigned char pool_begin[], stack_end[], stack_top[];

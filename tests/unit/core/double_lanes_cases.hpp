@@ -6,7 +6,7 @@
 
 namespace cases {
 
-inline uint32_t lanes_answer_one_by_one() {
+inline uint32_t double_lanes_answer_one_by_one() {
   const bool conditions[] = {check_lanes<1>() == nullptr, check_lanes<2>() == nullptr};
   return first_false(conditions);
 }
@@ -15,7 +15,7 @@ inline uint32_t vectors_of_lanes() {
   return first_false(conditions);
 }
 
-inline constexpr Check core_double_lanes[] = {{"lanes_answer_one_by_one", lanes_answer_one_by_one},
+inline constexpr Check core_double_lanes[] = {{"double_lanes_answer_one_by_one", double_lanes_answer_one_by_one},
                                               {"vectors_of_lanes", vectors_of_lanes}};
 
 }  // namespace cases

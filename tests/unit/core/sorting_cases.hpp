@@ -53,7 +53,7 @@ inline uint32_t sorted_by_place() {
     uint32_t (*place)(uint32_t item, uint32_t places);
   };
   constexpr Guess guesses[] = {{[](uint32_t item, uint32_t places) { return item * places / 200; }},
-                               {[](uint32_t, uint32_t) { return 0U; }},
+                               {[](uint32_t, uint32_t) { return UINT32_C(0); }},
                                {[](uint32_t, uint32_t places) { return places - 1; }},
                                {[](uint32_t item, uint32_t places) { return (item ^ 8U) * places / 210; }},
                                {[](uint32_t item, uint32_t places) { return places - 1 - item * places / 200; }}};

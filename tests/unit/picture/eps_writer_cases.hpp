@@ -22,7 +22,7 @@ constexpr FileParts eps_parts[] = {
 
 inline uint32_t parts_of_eps_files() {
   return first_failing(eps_parts, [](const FileParts &c) {
-    const PictureText &text = one_ball(hsp::write_eps, c.options);
+    const PictureText &text = text_of_one_ball(hsp::write_eps, c.options);
     return has_parts(text, c) && TextReader(text.text).take("%!PS-Adobe-3.0 EPSF-3.0\n%%BoundingBox: ") &&
            text.count("%%EndComments\n") == 1 && text.count("\nshowpage\n") == 1 && ends_with(text, "\n%%EOF\n");
   });
@@ -34,7 +34,7 @@ inline uint32_t long_texts() {
   return first_failing(lengths, [](uint32_t length) {
     char title[400] = {};
     for (uint32_t k = 0; k < length; ++k) title[k] = "()\\"[k % 3];
-    const PictureText &text = one_ball(hsp::write_eps, {40, false, true, true, 1, title, title});
+    const PictureText &text = text_of_one_ball(hsp::write_eps, {40, false, true, true, 1, title, title});
     TextReader reader(text.text);
     uint32_t read = 0;
     if (!reader.find("%%Title: (")) return false;

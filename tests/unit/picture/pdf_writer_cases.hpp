@@ -59,7 +59,7 @@ inline bool offsets_lead_to_objects(const PictureText &text) {
 
 inline uint32_t parts_of_pdf_files() {
   return first_failing(pdf_parts, [](const FileParts &c) {
-    const PictureText &text = one_ball(hsp::write_pdf, c.options);
+    const PictureText &text = text_of_one_ball(hsp::write_pdf, c.options);
     return has_parts(text, c) && offsets_lead_to_objects(text);
   });
 }
@@ -68,7 +68,7 @@ inline uint32_t parts_of_pdf_files() {
 inline uint32_t curves_along_circles() {
   constexpr double widths[] = {.05, 1, 40, 300, 12345, 1e6};
   return first_failing(widths, [](double width) {
-    const PictureText &text = one_ball(hsp::write_pdf, {width, false, true, false, 0, nullptr, nullptr});
+    const PictureText &text = text_of_one_ball(hsp::write_pdf, {width, false, true, false, 0, nullptr, nullptr});
     TextReader reader(text.text);
     const double middle = width / 2, r = width / 2 / 1.06;  // the margin is .03 of the width
     double first[2], from[2], c[6], total = 0;

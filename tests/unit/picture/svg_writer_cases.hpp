@@ -175,7 +175,7 @@ constexpr FileParts svg_parts[] = {
 
 inline uint32_t parts_of_svg_files() {
   return first_failing(svg_parts, [](const FileParts &c) {
-    const PictureText &text = one_ball(hsp::write_svg, c.options);
+    const PictureText &text = text_of_one_ball(hsp::write_svg, c.options);
     return has_parts(text, c) && text.count("<svg ") == 1 && ends_with(text, "</svg>\n") &&
            text.count("<g") == text.count("</g>");
   });

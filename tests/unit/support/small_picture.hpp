@@ -60,7 +60,7 @@ struct FileParts {
 
 // The picture of a ball of radius 10 and colour 0x00FF7F, with lines 0x010203, before 0xFEDCBA.
 template <class Writer>
-const PictureText &one_ball(Writer write, const FileOptions &asked) {
+const PictureText &text_of_one_ball(Writer write, const FileOptions &asked) {
   static constexpr SmallBall ball{0, 0, 0, 10};
   static constexpr uint32_t colour[] = {0x00FF7F};
   hsp::PictureOptions options;

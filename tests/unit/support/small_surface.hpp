@@ -25,6 +25,11 @@ constexpr SurfaceScene three_almost = {
     3,
     {{309000000, 0, 0, carbon}, {-154500000, 267601850, 0, carbon}, {-154500000, -267601850, 0, carbon}},
     usual_probe};
+// Three that the boundary joins and cusps part.
+constexpr SurfaceScene three_open = {
+    3,
+    {{320000000, 0, 0, carbon}, {-160000000, 277128129, 0, carbon}, {-160000000, -277128129, 0, carbon}},
+    usual_probe};
 // Four balls around a void, where probes inside and outside overlap.
 constexpr SurfaceScene void_in_tetrahedron = {4,
                                               {{179555934, 179555934, 179555934, carbon},

@@ -8,18 +8,14 @@
 
 namespace cases {
 
-constexpr SurfaceScene two_balls(int32_t r, int32_t other, int32_t distance, int32_t probe) {
+constexpr SurfaceScene two_balls_at(int32_t r, int32_t other, int32_t distance, int32_t probe) {
   return {2, {{0, 0, 0, r}, {distance, 0, 0, other}}, probe};
 }
-constexpr SurfaceScene two_far = two_balls(170000000, 170000000, 540000000, usual_probe);
-constexpr SurfaceScene two_far_large_probe = two_balls(170000000, 170000000, 540000000, 300000000);
-constexpr SurfaceScene two_spindle = two_balls(170000000, 170000000, 610000000, usual_probe);
-constexpr SurfaceScene two_spindle_unequal = two_balls(200000000, 120000000, 560000000, usual_probe);
-constexpr SurfaceScene two_small = two_balls(170000000, 30000000, 190000000, usual_probe);
-constexpr SurfaceScene three_open = {
-    3,
-    {{320000000, 0, 0, carbon}, {-160000000, 277128129, 0, carbon}, {-160000000, -277128129, 0, carbon}},
-    usual_probe};
+constexpr SurfaceScene two_far = two_balls_at(170000000, 170000000, 540000000, usual_probe);
+constexpr SurfaceScene two_far_large_probe = two_balls_at(170000000, 170000000, 540000000, 300000000);
+constexpr SurfaceScene two_spindle = two_balls_at(170000000, 170000000, 610000000, usual_probe);
+constexpr SurfaceScene two_spindle_unequal = two_balls_at(200000000, 120000000, 560000000, usual_probe);
+constexpr SurfaceScene two_small = two_balls_at(170000000, 30000000, 190000000, usual_probe);
 constexpr SurfaceScene one_ball = {1, {{5, 6, 7, 100000000}}, usual_probe};
 
 struct KnownSurface {

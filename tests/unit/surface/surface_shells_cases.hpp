@@ -5,12 +5,6 @@
 
 namespace cases {
 
-// Three balls that the boundary joins and cusps part.
-constexpr SurfaceScene three_open = {
-    3,
-    {{320000000, 0, 0, carbon}, {-160000000, 277128129, 0, carbon}, {-160000000, -277128129, 0, carbon}},
-    usual_probe};
-
 struct ShellCase {
   const SurfaceScene *scene;
   uint32_t shells;
@@ -18,7 +12,7 @@ struct ShellCase {
 constexpr ShellCase shell_cases[] = {{&three_throat, 1}, {&void_in_tetrahedron, 1}, {&spindle, 2},
                                      {&three_open, 3},   {&cut_spindle, 1},         {&four_through_a_point, 1}};
 
-inline uint32_t known_shells() {
+inline uint32_t shells_of_known_surfaces() {
   return first_failing(shell_cases, [](const ShellCase &c) {
     return small_surface().build(*c.scene) && small_surface().builder().surface().shells().count() == c.shells;
   });
@@ -54,7 +48,7 @@ inline uint32_t shells_are_components() {
   return all_hold;
 }
 
-inline constexpr Check surface_surface_shells[] = {{"known_shells", known_shells},
+inline constexpr Check surface_surface_shells[] = {{"shells_of_known_surfaces", shells_of_known_surfaces},
                                                    {"shells_are_components", shells_are_components}};
 
 }  // namespace cases
