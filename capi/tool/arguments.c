@@ -326,6 +326,10 @@ static bool take_argument(struct reading *reading, const char *argument) {
     return true;
   }
   if (request->command == COMMAND_PICK && option_is(argument, "--at", &value)) return take_at(reading, value);
+  if (request->command == COMMAND_DRAW && option_is(argument, "--highlight", &value)) {
+    return option_value(&reading->options, "--highlight", &value, "atoms, for instance chain:A or residue:57,102") &&
+           selection_add(&request->highlight, "--highlight", value, false, reading->failure);
+  }
   if (request->command == COMMAND_DRAW) {
     if (!drawing_take_option(&request->drawing, &reading->options, argument, &known)) return false;
     if (known) return true;
@@ -528,12 +532,27 @@ static bool check_files(struct reading *reading) {
     return failure_in_usage(reading->failure, "--map writes an .svg file, and its name says so");
   }
   if (output_is_input(out, request->file) || (request->weights != NULL && output_is_input(out, request->weights)) ||
-      (request->radii_file != NULL && output_is_input(out, request->radii_file))) {
+      (request->radii_file != NULL && output_is_input(out, request->radii_file)) ||
+      (draws && request->drawing.colour_file != NULL && output_is_input(out, request->drawing.colour_file))) {
     return failure_in_usage(reading->failure, "%s would write over the file that is read", option);
   }
   if (output_is_standard(out) && (request->json || request->csv)) {
     return failure_in_usage(reading->failure, "%s and %s would both go to standard output", option,
                             request->json ? "--json" : "--csv");
+  }
+  return true;
+}
+
+/* Whether the file says what colours are to stand for. */
+static bool check_colours(struct reading *reading) {
+  const struct request *request = reading->request;
+  const int colour = request->drawing.colour;
+  if ((colour == COLOUR_CHAIN || colour == COLOUR_RESIDUE) && !format_has_residues(request->format)) {
+    return failure_in_usage(reading->failure, "--colour %s has no use here: the file names no residues",
+                            colour == COLOUR_CHAIN ? "chain" : "residue");
+  }
+  if (colour == COLOUR_BFACTOR && request->format != FORMAT_PDB && request->format != FORMAT_CIF) {
+    return failure_in_usage(reading->failure, "--colour bfactor is for .pdb and .cif files");
   }
   return true;
 }
@@ -564,8 +583,10 @@ static bool check(struct reading *reading) {
                             reading->radii_seen ? "--radii" : "--radius");
   }
   if (!selection_suits(&request->selection, request->format, reading->failure)) return false;
+  if (!selection_suits(&request->highlight, request->format, reading->failure)) return false;
   if (!check_trajectory(reading) || !check_measure(reading) || !check_box(reading)) return false;
   if (request->command == COMMAND_DRAW && !drawing_check(&request->drawing, reading->failure)) return false;
+  if (request->command == COMMAND_DRAW && !check_colours(reading)) return false;
   if (request->command == COMMAND_DRAW && drawing_is_of_sticks(&request->drawing) && request->probe > 0.0) {
     return failure_in_usage(reading->failure, "--probe is not for --as ball-and-stick");
   }
@@ -584,6 +605,7 @@ bool request_parse(struct request *request, enum command command, int file, int 
   request->model = 1;
   request->frames = (struct frame_range)FRAME_RANGE_ALL;
   request->selection = (struct selection)SELECTION_EVERYTHING;
+  request->highlight = (struct selection)SELECTION_EVERYTHING;
   request->set = &radii_bondi;
   request->meshing = (struct meshing)MESHING_DEFAULT;
   request->drawing = (struct drawing)DRAWING_DEFAULT;
@@ -617,5 +639,6 @@ bool request_wants_areas(const struct request *request) {
 void request_free(struct request *request) {
   text_buffer_free(&request->overrides);
   selection_free(&request->selection);
+  selection_free(&request->highlight);
   radii_table_free(&request->table);
 }

@@ -82,6 +82,7 @@ struct request {
   struct option_vector at;        /* of `pick`: x and y */
   struct option_vector from, to;  /* of `path` and `gate` */
   struct drawing drawing;         /* of `draw` */
+  struct selection highlight;     /* likewise */
   const struct radii_set *set;
   const char *radii_file;   /* with radii by residue and atom, or NULL */
   struct radii_table table; /* of that file, or of the set; empty if there is none */

@@ -1,8 +1,11 @@
 #include "ball_colours.h"
 
 #include <stddef.h>
+#include <stdlib.h>
 
+#include "ball_values.h"
 #include "hardsphere.h"
+#include "residue_colours.h"
 #include "residue_kinds.h"
 #include "residues.h"
 
@@ -10,6 +13,25 @@
 enum { MOST_BALLS_BY_ELEMENT = 2000 };
 
 enum { CARBON = 6 };
+
+/* From blue over a warm white to red, in steps: pictures write a colour once for all balls that have it. */
+enum { RAMP_STEPS = 16 };
+static const uint32_t ramp[3] = {0x3F74B5, 0xEFE9DC, 0xC2452F};
+
+/* What is not highlighted keeps so much of its own colour. Highlighted carbon must not be grey among grey. */
+static const uint32_t plain = 0xDEDBD4;
+static const double kept = 0.25;
+static const uint32_t highlighted_carbon = 0x66B8A6;
+
+static uint32_t mixed(uint32_t a, uint32_t b, double share_of_b) {
+  uint32_t colour = 0;
+  for (int shift = 16; shift >= 0; shift -= 8) {
+    const double from = (double)(a >> shift & 0xFF);
+    const double to = (double)(b >> shift & 0xFF);
+    colour = colour << 8 | (uint32_t)(from + (to - from) * share_of_b + 0.5);
+  }
+  return colour;
+}
 
 /* Of chains of residues: what the file calls HETATM belongs to them if it is a modified residue. */
 static bool is_of_chain(const struct atom_label *label) {
@@ -29,24 +51,97 @@ static bool has_chains(const struct molecule *molecule, const uint32_t *number) 
   return false;
 }
 
-static uint32_t colour_of(const struct atom_label *label, uint32_t palette, uint32_t chain) {
-  /* Where the file names no element, grey is better than the loud colour of elements that nobody knows. */
-  const uint32_t number = label->element.text[0] == '\0' ? CARBON : element_atomic_number(label->element);
-  const bool alone = palette == HSP_PALETTE_CHAIN && !is_of_chain(label) && !atom_is_water(label);
-  return hsp_palette_colour(alone ? HSP_PALETTE_JMOL : palette, number, chain);
+/* Where the file names no element, grey is better than the loud colour of elements that nobody knows. */
+static uint32_t number_of(const struct atom_label *label) {
+  return label->element.text[0] == '\0' ? CARBON : element_atomic_number(label->element);
 }
 
-bool ball_colours_make(const struct drawing *drawing, const struct molecule *molecule, uint32_t **colour,
-                       uint32_t *palette, struct failure *failure) {
-  if (!chain_numbers_make(molecule, colour, failure)) return false;
-  *palette = HSP_PALETTE_SOFT;
-  if (drawing->palette >= 0) {
-    *palette = (uint32_t)drawing->palette;
-  } else if (molecule->atoms > MOST_BALLS_BY_ELEMENT && has_chains(molecule, *colour)) {
-    *palette = HSP_PALETTE_CHAIN;
-  }
+static uint32_t colour_of(const struct atom_label *label, uint32_t palette, uint32_t chain) {
+  const bool alone = palette == HSP_PALETTE_CHAIN && !is_of_chain(label) && !atom_is_water(label);
+  return hsp_palette_colour(alone ? HSP_PALETTE_JMOL : palette, number_of(label), chain);
+}
+
+/* Numbers of chains become colours of elements or chains. */
+static void colour_by_palette(const struct molecule *molecule, uint32_t palette, uint32_t *colour,
+                              struct ball_palette *said) {
+  said->name = drawing_palette_name(palette);
+  said->remark = palette == HSP_PALETTE_CHAIN ? "a tint for each chain, ligands and ions by element" : "by element";
+  for (uint32_t i = 0; i < molecule->atoms; ++i) colour[i] = colour_of(&molecule->label[i], palette, colour[i]);
+}
+
+static void colour_by_residue(const struct molecule *molecule, uint32_t *colour, struct ball_palette *said) {
+  said->name = "residue";
+  said->remark = "by kind of residue, ligands and ions by element";
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
-    (*colour)[i] = colour_of(&molecule->label[i], *palette, (*colour)[i]);
+    const struct atom_label *label = &molecule->label[i];
+    if (residue_colour_find(label->residue.name, &colour[i])) continue;
+    const bool alone = !is_of_chain(label) && !atom_is_water(label);
+    colour[i] = alone ? colour_of(label, HSP_PALETTE_JMOL, 0) : hsp_palette_colour(HSP_PALETTE_SOFT, CARBON, 0);
   }
+}
+
+/* Halves first, so that no difference overflows. */
+static uint32_t ramp_colour(double value, double low, double high) {
+  const double part = high > low ? (value / 2.0 - low / 2.0) / (high / 2.0 - low / 2.0) : 0.5;
+  const double within = part < 0.0 ? 0.0 : part > 1.0 ? 1.0 : part;
+  const int step = (int)(within * RAMP_STEPS + 0.5);
+  const int half = RAMP_STEPS / 2;
+  return step <= half ? mixed(ramp[0], ramp[1], (double)step / half)
+                      : mixed(ramp[1], ramp[2], (double)step / half - 1.0);
+}
+
+static bool colour_by_value(const struct drawing *drawing, const struct molecule *molecule, uint32_t *colour,
+                            struct ball_palette *said, struct failure *failure) {
+  double *value = NULL;
+  if (!ball_values_make(drawing, molecule, &value, failure)) return false;
+  said->name = "ramp";
+  said->remark = NULL;
+  said->low = drawing->range[0];
+  said->high = drawing->range[1];
+  for (uint32_t i = 0; i < molecule->atoms && !drawing->range_given; ++i) {
+    if (i == 0 || value[i] < said->low) said->low = value[i];
+    if (i == 0 || value[i] > said->high) said->high = value[i];
+  }
+  for (uint32_t i = 0; i < molecule->atoms; ++i) colour[i] = ramp_colour(value[i], said->low, said->high);
+  free(value);
   return true;
+}
+
+static bool mute_others(const struct selection *highlight, const struct molecule *molecule, bool by_element,
+                        uint32_t *colour, struct failure *failure) {
+  bool any = false;
+  if (highlight->count == 0) return true;
+  for (uint32_t i = 0; i < molecule->atoms; ++i) {
+    if (selection_takes(highlight, &molecule->label[i])) {
+      any = true;
+      if (by_element && number_of(&molecule->label[i]) == CARBON) colour[i] = highlighted_carbon;
+    } else {
+      colour[i] = mixed(plain, colour[i], kept);
+    }
+  }
+  return any || failure_in_input(failure, 0, "--highlight names no atom that is drawn");
+}
+
+bool ball_colours_make(const struct drawing *drawing, const struct selection *highlight,
+                       const struct molecule *molecule, uint32_t **colour, struct ball_palette *palette,
+                       struct failure *failure) {
+  *palette = (struct ball_palette){NULL, NULL, 0.0, 0.0};
+  if (!chain_numbers_make(molecule, colour, failure)) return false;
+  bool done = true;
+  bool by_element = false;
+  if (drawing_is_of_values(drawing)) {
+    done = colour_by_value(drawing, molecule, *colour, palette, failure);
+  } else if (drawing->colour == COLOUR_RESIDUE) {
+    colour_by_residue(molecule, *colour, palette);
+  } else {
+    const bool large = molecule->atoms > MOST_BALLS_BY_ELEMENT && has_chains(molecule, *colour);
+    const bool by_chain = drawing->colour == COLOUR_CHAIN || (drawing->colour < 0 && large);
+    const uint32_t usual = by_chain ? HSP_PALETTE_CHAIN : HSP_PALETTE_SOFT;
+    const uint32_t chosen = drawing->palette >= 0 ? (uint32_t)drawing->palette : usual;
+    by_element = chosen != HSP_PALETTE_CHAIN;
+    colour_by_palette(molecule, chosen, *colour, palette);
+  }
+  if (done && mute_others(highlight, molecule, by_element, *colour, failure)) return true;
+  free(*colour);
+  return false;
 }

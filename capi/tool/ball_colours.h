@@ -8,11 +8,21 @@
 #include "drawing.h"
 #include "failure.h"
 #include "molecule.h"
+#include "selection.h"
 
-/* The colour of every ball, 0xRRGGBB, to be freed on true, and the palette that they are from: the user's; else a tint
- * for each chain of large molecules with several, and muted colours by element of all others. Under tints, ligands and
- * ions have colours by element, stronger ones, so that they are found at a glance. False: memory is short. */
-bool ball_colours_make(const struct drawing *drawing, const struct molecule *molecule, uint32_t **colour,
-                       uint32_t *palette, struct failure *failure);
+/* What colours stand for, in the end. */
+struct ball_palette {
+  const char *name;   /* "soft", "jmol", "chain", "residue" or "ramp" */
+  const char *remark; /* how a person reads that; NULL for a ramp: */
+  double low, high;   /* between these it goes */
+};
+
+/* The colour of every ball, 0xRRGGBB, to be freed on true, and what it stands for: what the user says; else the chain
+ * in large molecules with several, and the element in all others. Where colours stand for chains or residues, ligands
+ * and ions have colours by element, stronger ones, so that they are found at a glance. What is not highlighted, if
+ * anything is, is nearly grey; among elements highlighted carbon is green. */
+bool ball_colours_make(const struct drawing *drawing, const struct selection *highlight,
+                       const struct molecule *molecule, uint32_t **colour, struct ball_palette *palette,
+                       struct failure *failure);
 
 #endif

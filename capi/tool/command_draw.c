@@ -25,7 +25,7 @@ struct drawn {
   double height;
   uint64_t bytes;
   double occlusion; /* as it was done */
-  uint32_t palette;
+  struct ball_palette palette;
 };
 
 /* The colour of every ball, to be freed on true, and the occlusion in it. */
@@ -33,7 +33,7 @@ static bool make_colours(const struct request *request, const struct molecule *m
                          const struct geometry *geometry, uint32_t **colour, struct drawn *drawn,
                          struct failure *failure) {
   const struct drawing *drawing = &request->drawing;
-  if (!ball_colours_make(drawing, molecule, colour, &drawn->palette, failure)) return false;
+  if (!ball_colours_make(drawing, &request->highlight, molecule, colour, &drawn->palette, failure)) return false;
   drawn->occlusion = drawing_occlusion(drawing, molecule->atoms);
   const bool by_default = drawing->occlusion < 0.0;
   if (occlusion_darken(molecule, geometry, request->probe, &drawn->occlusion, by_default, *colour, failure)) {
@@ -244,12 +244,19 @@ static void print_json(const struct request *request, const struct molecule *mol
   if (request->drawing.spin > 0) text_buffer_add(out, ", \"pictures\": %d", request->drawing.spin);
   text_buffer_add(out,
                   ", \"style\": \"%s\", \"palette\": \"%s\", \"width\": ", drawing_style_name(drawn->options.style),
-                  drawing_palette_name(drawn->palette));
+                  drawn->palette.name);
   json_number(out, drawn->width);
   text_buffer_add(out, ", \"height\": ");
   json_number(out, drawn->height);
   text_buffer_add(out, ", \"occlusion\": ");
   json_number(out, drawn->occlusion);
+  if (drawn->palette.remark == NULL) {
+    text_buffer_add(out, ", \"range\": [");
+    json_number(out, drawn->palette.low);
+    text_buffer_add(out, ", ");
+    json_number(out, drawn->palette.high);
+    text_buffer_add(out, "]");
+  }
   input_report_json(out, request, molecule);
   text_buffer_add(out, "}\n");
 }
@@ -270,8 +277,9 @@ static void print_table(const struct request *request, const struct molecule *mo
   snprintf(value, sizeof value, "%s towards the viewer, %s up", direction_text(towards, drawn->view.towards),
            direction_text(up, drawn->view.up));
   report_row(out, "view", value, "");
-  report_row(out, "palette", drawing_palette_name(drawn->palette),
-             drawn->palette == HSP_PALETTE_CHAIN ? "a tint for each chain, ligands and ions by element" : "by element");
+  char remark[80];
+  snprintf(remark, sizeof remark, "from blue at %.6g to red at %.6g", drawn->palette.low, drawn->palette.high);
+  report_row(out, "palette", drawn->palette.name, drawn->palette.remark != NULL ? drawn->palette.remark : remark);
   snprintf(value, sizeof value, "%.6g", drawn->occlusion);
   report_row(out, "occlusion", value, drawn->occlusion > 0.0 ? "buried balls are darker" : "no ball is darkened");
   const bool of_map = drawing_is_of_map(&request->drawing);

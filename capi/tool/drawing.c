@@ -14,6 +14,7 @@ enum { FORMATS = 3, STYLES = 3, PALETTES = 3, UNITS = 2, PIECES = 3, KINDS = 2 }
 /* In the order of their numbers in hardsphere.h; what is visible comes last. */
 static const char *const style_names[STYLES] = {"flat", "headlight", "soft"};
 static const char *const palette_names[PALETTES] = {"soft", "jmol", "chain"};
+static const char *const colour_names[COLOUR_FILE] = {"element", "chain", "residue", "area", "bfactor"};
 static const char *const unit_names[UNITS] = {"px", "mm"};
 static const char *const piece_names[PIECES] = {"g", "h", "visible"};
 static const char *const kind_names[KINDS] = {"balls", "ball-and-stick"};
@@ -122,6 +123,32 @@ static bool take_colour(struct option_reader *reader, const char *option, bool o
                           or_none ? "neither RRGGBB nor none" : "not RRGGBB");
 }
 
+static bool take_what_colours_mean(struct option_reader *reader, const char *value, struct drawing *drawing) {
+  static const char *const what = "element, chain, residue, area, bfactor or a file";
+  if (!option_value(reader, "--colour", &value, what)) return false;
+  if (drawing->colour >= 0) return twice(reader, "--colour");
+  for (int i = 0; i < COLOUR_FILE; ++i) {
+    if (strcmp(value, colour_names[i]) == 0) drawing->colour = i;
+  }
+  if (drawing->colour >= 0) return true;
+  if (strpbrk(value, "./") != NULL) { /* the words have neither */
+    drawing->colour = COLOUR_FILE;
+    drawing->colour_file = value;
+    return true;
+  }
+  char shown[EXCERPT_BYTES];
+  return failure_in_usage(reader->failure, "--colour: '%s' is not %s with a dot or slash in its name",
+                          excerpt(shown, value, strlen(value)), what);
+}
+
+static bool take_range(struct option_reader *reader, const char *value, struct drawing *drawing) {
+  if (drawing->range_given) return twice(reader, "--range");
+  drawing->range_given = true;
+  if (!option_numbers(reader, "--range", value, "LH", drawing->range)) return false;
+  return drawing->range[0] < drawing->range[1] ||
+         failure_in_usage(reader->failure, "--range goes from a lower to a higher number");
+}
+
 static bool take_spin(struct option_reader *reader, const char *value, int *spin) {
   uint64_t pictures = 0;
   if (!option_value(reader, "--spin", &value, "how many pictures")) return false;
@@ -172,6 +199,8 @@ bool drawing_take_option(struct drawing *drawing, struct option_reader *reader, 
   if (option_is(argument, "--fog-colour", &value)) {
     return take_colour(reader, "--fog-colour", false, value, &drawing->fog_colour);
   }
+  if (option_is(argument, "--colour", &value)) return take_what_colours_mean(reader, value, drawing);
+  if (option_is(argument, "--range", &value)) return take_range(reader, value, drawing);
   if (option_is(argument, "--spin", &value)) return take_spin(reader, value, &drawing->spin);
   if (option_is(argument, "--title", &value)) {
     return take_text(reader, "--title", value, "a text", &drawing->title);
@@ -225,6 +254,16 @@ bool drawing_check(struct drawing *drawing, struct failure *failure) {
   if (drawing->spin > 0 && output_is_standard(drawing->out)) {
     return failure_in_usage(failure, "--spin writes several files: standard output is one");
   }
+  if (drawing->range_given && !drawing_is_of_values(drawing)) {
+    return failure_in_usage(failure,
+                            "--range is for colours that stand for numbers: it needs --colour area, bfactor or "
+                            "a file");
+  }
+  const int palette_of = drawing->palette == (int)HSP_PALETTE_CHAIN ? COLOUR_CHAIN : COLOUR_ELEMENT;
+  if (drawing->palette >= 0 && drawing->colour >= 0 && drawing->colour != palette_of) {
+    return failure_in_usage(failure, "--palette %s is of colours by %s", palette_names[drawing->palette],
+                            colour_names[palette_of]);
+  }
   if (drawing->fog_colour >= 0 && drawing->background != DRAWING_NO_BACKGROUND) {
     return failure_in_usage(failure, "--fog-colour is for --background none: fog has the colour of the background");
   }
@@ -254,6 +293,10 @@ bool drawing_is_of_map(const struct drawing *drawing) {
   return drawing->pieces == PIECES - 1;
 }
 
+bool drawing_is_of_values(const struct drawing *drawing) {
+  return drawing->colour >= COLOUR_AREA;
+}
+
 uint32_t drawing_style(const struct drawing *drawing, uint32_t balls) {
   if (drawing->style >= 0) return (uint32_t)drawing->style;
   return balls <= MOST_SOFT_BALLS ? HSP_STYLE_SOFT : HSP_STYLE_FLAT;
@@ -261,7 +304,7 @@ uint32_t drawing_style(const struct drawing *drawing, uint32_t balls) {
 
 double drawing_occlusion(const struct drawing *drawing, uint32_t balls) {
   if (drawing->occlusion >= 0.0) return drawing->occlusion;
-  if (drawing_is_of_sticks(drawing)) return 0.0;
+  if (drawing_is_of_sticks(drawing) || drawing_is_of_values(drawing)) return 0.0;
   return balls > MOST_SOFT_BALLS || drawing_style(drawing, balls) == HSP_STYLE_SOFT ? 0.5 : 0.0;
 }
 

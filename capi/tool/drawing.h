@@ -9,6 +9,9 @@
 #include "option_reader.h"
 #include "viewing.h"
 
+/* What colours stand for. */
+enum { COLOUR_ELEMENT, COLOUR_CHAIN, COLOUR_RESIDUE, COLOUR_AREA, COLOUR_BFACTOR, COLOUR_FILE };
+
 /* Numbers and choices are negative where the user has said nothing. Choices are numbered as in hardsphere.h;
  * see drawing_is_of_map. */
 struct drawing {
@@ -19,6 +22,10 @@ struct drawing {
   int format;                  /* where the user has not said, drawing_check sets it by the extension of out */
   int style;
   int palette;
+  int colour;              /* COLOUR_* */
+  const char *colour_file; /* of COLOUR_FILE */
+  bool range_given;
+  double range[2]; /* of numbers: the ends of the ramp */
   int unit;
   int pieces;
   int as;         /* see drawing_is_of_sticks */
@@ -43,7 +50,7 @@ struct drawing {
 
 #define DRAWING_DEFAULT                                                                                              \
   {                                                                                                                  \
-    .format = -1, .style = -1, .palette = -1, .unit = -1, .pieces = -1, .as = -1, .background = -1,                  \
+    .format = -1, .style = -1, .palette = -1, .colour = -1, .unit = -1, .pieces = -1, .as = -1, .background = -1,    \
     .outline_colour = -1, .fog_colour = -1, .spin = -1, .width = -1.0, .height = -1.0, .outline = -1.0, .fog = -1.0, \
     .margin = -1.0, .scale = -1.0, .occlusion = -1.0, .ball_size = -1.0, .stick = -1.0                               \
   }
@@ -59,6 +66,9 @@ bool drawing_is_of_map(const struct drawing *drawing);
 
 /* Whether balls and sticks are drawn, and no balls of full size. */
 bool drawing_is_of_sticks(const struct drawing *drawing);
+
+/* Whether colours stand for numbers. */
+bool drawing_is_of_values(const struct drawing *drawing);
 
 /* The style and the occlusion for a number of balls, defaults included. */
 uint32_t drawing_style(const struct drawing *drawing, uint32_t balls);

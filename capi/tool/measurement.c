@@ -145,7 +145,8 @@ bool measurement_make(const struct request *request, const struct molecule *mole
                       struct measurement *measurement, struct failure *failure) {
   memset(measurement, 0, sizeof *measurement);
   const bool weighted = request->weights != NULL;
-  if (weighted && !weights_read(request->weights, molecule->atoms, &measurement->weights, failure)) return false;
+  if (weighted && !weights_read(request->weights, "weight", molecule->atoms, &measurement->weights, failure))
+    return false;
   const bool boxed = request->box.source != BOX_NONE;
   if (boxed && !periodic_result_make(request, molecule, geometry, &measurement->box, failure)) return false;
   if (!boxed && !geometry_compute_boundary(geometry, failure)) return false;

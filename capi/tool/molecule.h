@@ -42,14 +42,12 @@ struct atom_label {
   bool by_name;      /* its radius is by residue and atom */
   bool virtual_site; /* no atom, but a place beside one; becomes a ball only if the user gives its symbol a radius */
   struct serial_label serial;
+  bool has_temperature_factor;
+  double temperature_factor;
 };
 
-#define ATOM_LABEL_NONE                                \
-  {                                                    \
-    "", {"", "", "", ""}, {""}, false, false, false, { \
-      ""                                               \
-    }                                                  \
-  }
+#define ATOM_LABEL_NONE \
+  { "", {"", "", "", ""}, {""}, false, false, false, {""}, false, 0.0 }
 
 /* What a file holds beside the atoms that became balls, in atoms unless it says otherwise. */
 struct left_out {

@@ -6,6 +6,7 @@
 #include "alternate_locations.h"
 #include "characters.h"
 #include "cif_tokens.h"
+#include "number.h"
 #include "read_molecule.h"
 #include "residue_kinds.h"
 
@@ -25,6 +26,7 @@ enum item {
   X,
   Y,
   Z,
+  B_FACTOR,
   MODEL,
   ITEMS,
   OTHER_ITEM
@@ -32,10 +34,10 @@ enum item {
 
 static const char category[] = "_ATOM_SITE.";
 
-static const char *const item_names[ITEMS] = {"GROUP_PDB",     "TYPE_SYMBOL",  "AUTH_ATOM_ID",  "LABEL_ATOM_ID",
-                                              "LABEL_ALT_ID",  "AUTH_COMP_ID", "LABEL_COMP_ID", "AUTH_ASYM_ID",
-                                              "LABEL_ASYM_ID", "AUTH_SEQ_ID",  "LABEL_SEQ_ID",  "PDBX_PDB_INS_CODE",
-                                              "CARTN_X",       "CARTN_Y",      "CARTN_Z",       "PDBX_PDB_MODEL_NUM"};
+static const char *const item_names[ITEMS] = {
+    "GROUP_PDB",     "TYPE_SYMBOL",  "AUTH_ATOM_ID",  "LABEL_ATOM_ID",  "LABEL_ALT_ID",      "AUTH_COMP_ID",
+    "LABEL_COMP_ID", "AUTH_ASYM_ID", "LABEL_ASYM_ID", "AUTH_SEQ_ID",    "LABEL_SEQ_ID",      "PDBX_PDB_INS_CODE",
+    "CARTN_X",       "CARTN_Y",      "CARTN_Z",       "B_ISO_OR_EQUIV", "PDBX_PDB_MODEL_NUM"};
 
 enum { MOST_ITEMS = 256, MODEL_BYTES = 24 };
 
@@ -138,6 +140,8 @@ static void take_label(const struct row *row, struct atom_label *label) {
   label_copy(residue->number, sizeof residue->number, row_either(row, AUTH_NUMBER, LABEL_NUMBER));
   label_copy(residue->insertion, sizeof residue->insertion, row_get(row, INSERTION));
   label->hetatm = field_is(row_get(row, GROUP), "HETATM");
+  const struct field factor = without_uncertainty(row_get(row, B_FACTOR));
+  label->has_temperature_factor = number_parse(factor.text, factor.length, &label->temperature_factor) == NUMBER_OK;
 }
 
 /* Whether the row belongs to the model that is read. */

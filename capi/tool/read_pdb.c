@@ -7,6 +7,7 @@
 #include "alternate_locations.h"
 #include "characters.h"
 #include "frame_title.h"
+#include "number.h"
 #include "pdb_records.h"
 #include "read_molecule.h"
 #include "residue_kinds.h"
@@ -90,6 +91,8 @@ static bool read_atom(const struct line_reader *reader, struct alternate_locatio
   label_residue(reader, &label.residue);
   label.hetatm = pdb_record_is_hetatm(reader->text);
   label_copy(label.serial.text, sizeof label.serial.text, field_in_columns(reader->text, reader->length, 7, 11));
+  const struct field factor = field_in_columns(reader->text, reader->length, 61, 66);
+  label.has_temperature_factor = number_parse(factor.text, factor.length, &label.temperature_factor) == NUMBER_OK;
   const struct field segment = field_in_columns(reader->text, reader->length, 73, 76);
   bool keep;
   if (!alternate_locations_keep(seen, &label, segment, column(reader, 17), &keep)) return failure_of_memory(failure);

@@ -329,10 +329,6 @@ static const char draw_text[] =
     "                         and towards the viewer, counter-clockwise seen from their ends\n"
     "  --spin N               N pictures of a whole turn about the upright axis, in one frame and scale: OUT-000.svg,\n"
     "                         OUT-001.svg, ... for OUT.svg\n"
-    "";
-
-/* The rest of it: longer strings are not for every compiler. */
-static const char draw_looks_text[] =
     "  --style flat|headlight|soft\n"
     "                         one colour a ball, light from the viewer, or light from the upper left; default\n"
     "                         soft up to 2000 balls, flat above\n"
@@ -340,6 +336,19 @@ static const char draw_looks_text[] =
     "                         muted colours or Jmol's by element, or a tint for each chain and ligands and ions by\n"
     "                         element; default chain above 2000 balls with two chains or more, else soft. .xyzr files\n"
     "                         name no elements: all balls count as carbon\n"
+    "  --colour WHAT          what colours stand for: element, chain, residue (by its kind), area (that is free for a\n"
+    "                         water molecule), bfactor (of .pdb and .cif files), or a file with a dot or slash in its\n"
+    "                         name: a number for each ball that is drawn, each on its own line, # comments. Default "
+    "as\n"
+    "                         for --palette. Numbers go from blue to red, and darken nothing without --occlusion\n"
+    "  --range LOW,HIGH       which numbers are blue and red; default the least and the greatest\n"
+    "  --highlight S          mute the colours of all atoms but those that S names, as for --only; may be given "
+    "several\n"
+    "                         times\n"
+    "";
+
+/* The rest of it: longer strings are not for every compiler. */
+static const char draw_looks_text[] =
     "  --occlusion S          darken buried balls, from 0, not at all, to 1. Default 0.5 with style soft, and above\n"
     "                         2000 balls with any style; 0 for balls far more crowded than atoms, and else. For\n"
     "                         molecules it takes less than 1 s up to 20000 balls, 15 us a ball beyond, several times\n"

@@ -7,7 +7,8 @@
 #include "fields.h"
 #include "line_reader.h"
 
-static bool read_lines(struct line_reader *reader, uint32_t count, double *weights, struct failure *failure) {
+static bool read_lines(struct line_reader *reader, const char *what, uint32_t count, double *weights,
+                       struct failure *failure) {
   uint32_t read = 0;
   for (;;) {
     const enum line_status status = line_reader_next(reader, failure);
@@ -19,20 +20,20 @@ static bool read_lines(struct line_reader *reader, uint32_t count, double *weigh
     const size_t columns = fields_split(reader->text, length, &column, 1);
     if (columns == 0) continue;
     if (columns > 1) {
-      return failure_in_input(failure, reader->number, "expected one weight on a line, found %zu columns", columns);
+      return failure_in_input(failure, reader->number, "expected one %s on a line, found %zu columns", what, columns);
     }
     double weight;
-    if (!field_number(column, "weight", &weight, reader->number, failure)) return false;
+    if (!field_number(column, what, &weight, reader->number, failure)) return false;
     if (read == count) {
-      return failure_in_input(failure, reader->number, "more weights than balls: there are %" PRIu32 " balls", count);
+      return failure_in_input(failure, reader->number, "more %ss than balls: there are %" PRIu32 " balls", what, count);
     }
     weights[read++] = weight;
   }
   if (read == count) return true;
-  return failure_in_input(failure, 0, "%" PRIu32 " weights for %" PRIu32 " balls", read, count);
+  return failure_in_input(failure, 0, "%" PRIu32 " %ss for %" PRIu32 " balls", read, what, count);
 }
 
-bool weights_read(const char *path, uint32_t count, double **weights, struct failure *failure) {
+bool weights_read(const char *path, const char *what, uint32_t count, double **weights, struct failure *failure) {
   const char *file_before = failure->file;
   failure->file = input_name(path);
   struct line_reader *reader = malloc(sizeof *reader);
@@ -43,7 +44,7 @@ bool weights_read(const char *path, uint32_t count, double **weights, struct fai
   } else {
     done = line_reader_open(reader, path, failure);
     if (done) {
-      done = read_lines(reader, count, *weights, failure);
+      done = read_lines(reader, what, count, *weights, failure);
       line_reader_close(reader);
     }
   }

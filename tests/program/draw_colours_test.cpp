@@ -1,6 +1,8 @@
 // The colours of hardsphere draw: palettes; and whole pictures as they must stand, byte for byte.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <map>
 #include <set>
@@ -8,6 +10,7 @@
 #include <vector>
 
 #include "drawn_colours.hpp"
+#include "json_outcome.hpp"
 #include "program_runner.hpp"
 #include "temporary_file.hpp"
 
@@ -124,6 +127,141 @@ TEST(DrawColours, TintsByDefault) {
   EXPECT_EQ(found.at(2002), "7D80B0");
   EXPECT_NE(found.at(0), found.at(1999));
   EXPECT_EQ(found.at(0), found.at(2000));
+}
+
+// By kind, under all the names that a kind goes by; what is in no chain has the colours of elements.
+TEST(DrawColours, Residues) {
+  const std::vector<std::pair<std::string, std::string>> residues = {
+      {"ATOM  ARG", "86A9F2"}, {"ATOM  HIP", "86A9F2"}, {"ATOM  ASP", "F2806C"}, {"ATOM  ASN", "A9D59B"},
+      {"ATOM  TRP", "C7A9E0"}, {"ATOM  CYX", "F3DC74"}, {"HETATMMSE", "F3DC74"}, {"ATOM  VAL", "E3C68C"},
+      {"ATOM  GLY", "F1EDE4"}, {"ATOM   DA", "F0AC96"}, {"ATOM    C", "9FC3E6"}, {"ATOM  GUA", "B7D3A0"},
+      {"ATOM  RU5", "EED28A"}, {"ATOM  DT3", "EED28A"}, {"ATOM  ACE", "D2CDC3"}, {"ATOM  XYZ", "D2CDC3"},
+      {"HETATMHEM", "909090"}};
+  std::string text;
+  for (size_t i = 0; i < residues.size(); ++i) {
+    char line[100];
+    std::snprintf(line, sizeof line, "%s%5d  C   %s A%4d    %8.3f%8.3f%8.3f  1.00  0.00           C\n",
+                  residues[i].first.substr(0, 6).c_str(), static_cast<int>(i), residues[i].first.substr(6).c_str(),
+                  static_cast<int>(i), 5.0 * static_cast<double>(i), 0.0, 0.0);
+    text += line;
+  }
+  const TemporaryFile file("residues.pdb", text);
+  const std::map<int, std::string> found = fills(file.path(), {"--colour", "residue"});
+  ASSERT_EQ(found.size(), residues.size());
+  for (const auto &[ball, colour] : found) {
+    EXPECT_EQ(colour, residues[static_cast<size_t>(ball)].second) << residues[static_cast<size_t>(ball)].first;
+  }
+  const TemporaryFile four("four.cif",
+                           "data_x\nloop_\n_atom_site.type_symbol\n_atom_site.label_atom_id\n_atom_site.label_comp_id\n"
+                           "_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n"
+                           "C C NALA 0 0 0\nC C CYSH 5 0 0\nC C ASPH 10 0 0\nC C CGLY 15 0 0\n");
+  EXPECT_EQ(fills(four.path(), {"--colour", "residue"}),
+            (std::map<int, std::string>{{0, "E3C68C"}, {1, "F3DC74"}, {2, "F2806C"}, {3, "F1EDE4"}}));
+  EXPECT_EQ(fills(file.path(), {"--colour", "chain"}), fills(file.path(), {"--palette", "chain"}));
+  EXPECT_EQ(fills(file.path(), {"--colour", "element"}), fills(file.path(), {}));
+}
+
+// Sixteen steps from blue over white to red: a number's, between the least and the greatest or the user's.
+std::string ramp_colour(double number, double low, double high) {
+  const double part = std::min(1.0, std::max(0.0, (number - low) / (high - low)));
+  const int ends[3][3] = {{0x3F, 0x74, 0xB5}, {0xEF, 0xE9, 0xDC}, {0xC2, 0x45, 0x2F}};
+  const double step = std::floor(16 * part + 0.5) / 8;
+  char text[7] = "";
+  for (int k = 0; k < 3; ++k) {
+    const int from = ends[step <= 1 ? 0 : 1][k];
+    const int to = ends[step <= 1 ? 1 : 2][k];
+    const int level = static_cast<int>(from + (to - from) * (step <= 1 ? step : step - 1) + 0.5);
+    std::snprintf(text + 2 * k, 3, "%02X", static_cast<unsigned>(level));
+  }
+  return text;
+}
+
+TEST(DrawColours, NumbersOfAFile) {
+  const TemporaryFile file("row.xyzr", "0 0 0 1\n5 0 0 1\n10 0 0 1\n15 0 0 1\n20 0 0 1\n");
+  const double number[5] = {3, -2, 0.5, 4.25, 8};
+  const TemporaryFile numbers("numbers.txt", "3\n-2 # the least\n\n0.5\n4.25\n8\n");
+  for (const bool given : {false, true}) {
+    std::vector<std::string> options = {"--colour", numbers.path()};
+    if (given) options.insert(options.end(), {"--range", "0,4"});
+    const std::map<int, std::string> found = fills(file.path(), options);
+    ASSERT_EQ(found.size(), 5u);
+    for (int ball = 0; ball < 5; ++ball) {
+      EXPECT_EQ(found.at(ball), ramp_colour(number[ball], given ? 0 : -2, given ? 4 : 8)) << ball;
+    }
+  }
+  const TemporaryFile same("same.txt", "7\n7\n7\n7\n7\n");
+  for (const auto &[ball, colour] : fills(file.path(), {"--colour", same.path()})) EXPECT_EQ(colour, "EFE9DC") << ball;
+  const TemporaryFile out("numbers.svg");
+  const Json json = run_json({"draw", file.path(), "-o", out.path(), "--colour", numbers.path()});
+  EXPECT_EQ(json["palette"].text, "ramp");
+  EXPECT_EQ(json["range"].items.at(0).number, -2);
+  EXPECT_EQ(json["range"].items.at(1).number, 8);
+  EXPECT_EQ(json["occlusion"].number, 0);
+}
+
+// Columns 61 to 66 of a .pdb file; and the areas that measure finds with a probe of 1.4.
+TEST(DrawColours, TemperatureFactorsAndAreas) {
+  const std::vector<std::string> atoms = atoms_of(crambin());
+  const Json balls = run_json({"measure", crambin(), "--per-ball", "--probe", "1.4"})["balls"];
+  std::vector<double> factor;
+  std::vector<double> area;
+  for (size_t i = 0; i < atoms.size(); ++i) {
+    factor.push_back(std::stod(atoms[i].substr(60, 6)));
+    area.push_back(balls.items.at(i)["area"].number);
+  }
+  for (const auto &[what, numbers] : std::map<std::string, std::vector<double>>{{"bfactor", factor}, {"area", area}}) {
+    const auto [low, high] = std::minmax_element(numbers.begin(), numbers.end());
+    const std::map<int, std::string> found = fills(crambin(), {"--colour", what});
+    EXPECT_GT(found.size(), 200u);
+    std::set<std::string> different;
+    for (const auto &[ball, colour] : found) {
+      EXPECT_EQ(colour, ramp_colour(numbers[static_cast<size_t>(ball)], *low, *high)) << what << ball;
+      different.insert(colour);
+    }
+    EXPECT_GT(different.size(), 8u) << what;
+  }
+  const TemporaryFile cif("one.cif",
+                          "data_x\nloop_\n_atom_site.type_symbol\n_atom_site.label_atom_id\n_atom_site.Cartn_x\n"
+                          "_atom_site.Cartn_y\n_atom_site.Cartn_z\n_atom_site.B_iso_or_equiv\n"
+                          "C CA 0 0 0 10.5(3)\nC CB 5 0 0 30\nC CC 10 0 0 20.25\n");
+  const std::map<int, std::string> found = fills(cif.path(), {"--colour", "bfactor"});
+  ASSERT_EQ(found.size(), 3u);
+  EXPECT_EQ(found.at(0), ramp_colour(0, 0, 1));
+  EXPECT_EQ(found.at(1), ramp_colour(1, 0, 1));
+  EXPECT_EQ(found.at(2), ramp_colour(0.5, 0, 1));
+}
+
+// What is named keeps its colours, but for carbon among elements; all else keeps a quarter of them.
+TEST(DrawColours, Highlight) {
+  const std::vector<std::string> atoms = atoms_of(crambin());
+  const auto muted = [](const std::string &colour) {
+    const int grey[3] = {0xDE, 0xDB, 0xD4};
+    char text[7] = "";
+    for (size_t k = 0; k < 3; ++k) {
+      const int own = std::stoi(colour.substr(2 * k, 2), nullptr, 16);
+      std::snprintf(text + 2 * k, 3, "%02X", static_cast<unsigned>(grey[k] + (own - grey[k]) * 0.25 + 0.5));
+    }
+    return std::string(text);
+  };
+  const std::map<int, std::string> plain = fills(crambin(), {});
+  const std::map<int, std::string> some =
+      fills(crambin(), {"--highlight", "residue:CYS", "--highlight", "residue:TYR&element:O"});
+  ASSERT_EQ(some.size(), plain.size());
+  int kept = 0;
+  for (const auto &[ball, colour] : some) {
+    const std::string &atom = atoms.at(static_cast<size_t>(ball));
+    const std::string residue = atom.substr(17, 3);
+    const std::string element = atom.substr(76, 2);
+    if (residue == "CYS" || (residue == "TYR" && element == " O")) {
+      EXPECT_EQ(colour, element == " C" ? "66B8A6" : plain.at(ball)) << atom;
+      ++kept;
+    } else {
+      EXPECT_EQ(colour, muted(plain.at(ball))) << atom;
+    }
+  }
+  EXPECT_GT(kept, 20);
+  const std::map<int, std::string> tinted = fills(crambin(), {"--palette", "chain"});
+  EXPECT_EQ(fills(crambin(), {"--palette", "chain", "--highlight", "chain:A"}), tinted);
 }
 
 TEST(DrawColours, AtomsWithoutElementsAreGrey) {

@@ -1,0 +1,50 @@
+#include "ball_values.h"
+
+#include <stddef.h>
+#include <stdlib.h>
+
+#include "geometry.h"
+#include "weights.h"
+
+/* The radius of a water molecule. */
+static const double water_angstrom = 1.4;
+static const double water_nanometre = 0.14;
+
+static bool take_temperature_factors(const struct molecule *molecule, double *value, struct failure *failure) {
+  for (uint32_t i = 0; i < molecule->atoms; ++i) {
+    const struct atom_label *label = &molecule->label[i];
+    if (!label->has_temperature_factor) {
+      return failure_in_input(failure, molecule->line[i], "no temperature factor for --colour bfactor");
+    }
+    value[i] = label->temperature_factor;
+  }
+  return true;
+}
+
+static bool find_free_areas(const struct molecule *molecule, double *value, struct failure *failure) {
+  struct geometry geometry = {.work = {0}};
+  const double probe = molecule->format == FORMAT_GRO ? water_nanometre : water_angstrom;
+  bool done =
+      geometry_set_model(&geometry, molecule, probe, 0.0, failure) && geometry_compute_boundary(&geometry, failure);
+  if (done) {
+    const int32_t status = hsp_boundary_measure(geometry.work.boundary, NULL, NULL, value, NULL, molecule->atoms, NULL);
+    done = status == HSP_OK || failure_in_library(failure, status);
+  }
+  geometry_free(&geometry);
+  return done;
+}
+
+bool ball_values_make(const struct drawing *drawing, const struct molecule *molecule, double **value,
+                      struct failure *failure) {
+  if (drawing->colour == COLOUR_FILE) {
+    return weights_read(drawing->colour_file, "number", molecule->atoms, value, failure);
+  }
+  *value = malloc(((size_t)molecule->atoms + 1) * sizeof **value);
+  if (*value == NULL) return failure_of_memory(failure);
+  if (drawing->colour == COLOUR_AREA ? find_free_areas(molecule, *value, failure)
+                                     : take_temperature_factors(molecule, *value, failure)) {
+    return true;
+  }
+  free(*value);
+  return false;
+}

@@ -1,0 +1,16 @@
+/* A number for every ball, for colours that stand for numbers. */
+#ifndef HARDSPHERE_TOOL_BALL_VALUES_H
+#define HARDSPHERE_TOOL_BALL_VALUES_H
+
+#include <stdbool.h>
+
+#include "drawing.h"
+#include "failure.h"
+#include "molecule.h"
+
+/* What the drawing's colours stand for: the temperature factor of each atom; its free area for a water molecule; or the
+ * numbers of the user's file. *value [atoms] is to be freed on true. */
+bool ball_values_make(const struct drawing *drawing, const struct molecule *molecule, double **value,
+                      struct failure *failure);
+
+#endif

@@ -1,0 +1,13 @@
+/* Colours that tell what kind of residue an atom belongs to. */
+#ifndef HARDSPHERE_TOOL_RESIDUE_COLOURS_H
+#define HARDSPHERE_TOOL_RESIDUE_COLOURS_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+/* The colour of amino acids by their side chains: with a positive charge blue, with a negative one red, polar green,
+ * aromatic violet, with sulfur yellow, other ones sand, glycine nearly white; and of nucleotides by their base. False:
+ * the residue is none of these. */
+bool residue_colour_find(const char *name, uint32_t *colour);
+
+#endif
