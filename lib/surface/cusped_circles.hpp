@@ -2,9 +2,23 @@
 #pragma once
 
 #include "boundary/boundary.hpp"
+#include "core/floating_point.hpp"
 #include "core/workspace.hpp"
 
 namespace hsp {
+
+// What patches decide together is asked for a probe that is smaller by a share of 2^-24, at the same vertices: with r =
+// 0 all probes around a ball meet in its centre, where their cusps and corners lie, too. Smaller ones keep apart. This
+// is how much larger lengths are in units of it.
+inline constexpr double growth_of_lengths = 1.0 / (1.0 - 0x1p-24);
+inline double smaller_probe(const BallSet &balls) {
+  return static_cast<double>(balls.probe_steps) / growth_of_lengths;
+}
+// From the middle of a circle of this radius to its cusps, for the smaller probe; 0 if that does not reach the axis.
+inline double half_way_between_cusps(const BallSet &balls, double radius) {
+  const double p = smaller_probe(balls);
+  return radius < p ? std::sqrt((p - radius) * (p + radius)) : 0.0;
+}
 
 class CuspedCircles {
  public:

@@ -99,8 +99,7 @@ bool FlatPatches::add_side(uint32_t from, uint32_t to, double from_angle, double
     return true;
   }
   const CirclePosition circle = position_of_circle(balls_, record.ball[from], record.ball[to]);
-  const double p = static_cast<double>(balls_.probe_steps);
-  const double half = std::sqrt((p - circle.radius) * (p + circle.radius));
+  const double half = half_way_between_cusps(balls_, circle.radius);
   const Position at = grid_.position(vertex_);
   const Vec3 middle = balls_.difference(at.ball, circle.centre.ball) + (circle.centre.offset - at.offset);
   const double start = within_half_turn(direction_of(combine(1.0, middle, -half, circle.axis)) - angle_[from]);

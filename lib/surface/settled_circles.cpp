@@ -16,6 +16,8 @@ constexpr int64_t W = twice_smaller_probe * twice_smaller_probe;
 
 // Nearer to the border of a patch than this, in units of p, a corner is on it.
 constexpr double border = 1e-6;
+// Nearer to each other than this places are the same up to rounding: the smaller probe keeps others farther apart.
+constexpr double same_place = 0x1p-28;
 
 // The triangle that a vertex sees, as the numbers of its balls in the record of the vertex have it.
 struct SeenTriangle {
@@ -83,12 +85,12 @@ void SettledCircles::find_cusps(uint32_t side) {
   const uint32_t slot = record.slot_of(probe_.ball_opposite(side));
   const uint32_t across = across_cusps(balls_, boundary_, chosen_, cusped_, vertex, slot);
   if (across == no_id) return;
-  const double p = smaller_probe();
+  const double p = smaller_probe(balls_);
   const CirclePosition position =
       position_of_circle(balls_, record.ball[slot == 0 ? 1 : 0], record.ball[slot == 2 ? 1 : 2]);
   const Position at = grid_.position(vertex);
   const Vec3 centre = balls_.difference(at.ball, position.centre.ball) + (position.centre.offset - at.offset);
-  const double half = position.radius < p ? std::sqrt((p - position.radius) * (p + position.radius)) : 0.0;
+  const double half = half_way_between_cusps(balls_, position.radius);
   SideCircle &circle = circle_[side];
   circle.cusp[0] = (1.0 / p) * combine(1.0, centre, -half, position.axis);
   circle.cusp[1] = (1.0 / p) * combine(1.0, centre, half, position.axis);
@@ -169,7 +171,10 @@ Answer SettledCircles::contains(const Crossing &crossing, int sign, uint32_t r) 
   if (is_side(crossing.first)) {
     if (has_cusps(crossing.first, crossing.second)) return Answer::no;
     if (mate_[crossing.first] == no_id || !is_beyond_axis(crossing.first, point)) return Answer::yes;
-    return dot(caps_.axis(r), point) > height(r) ? Answer::yes : Answer::no;
+    const double above = dot(caps_.axis(r), point) - height(r);
+    const bool tied = !is_side(r) && !is_point(r) && std::fabs(above) < same_place;
+    const bool covered = tied ? is_covered_beside_mate(crossing.first, crossing.second, r, point) : above > 0.0;
+    return covered ? Answer::yes : Answer::no;
   }
   if (is_side(r)) return r > 0 || is_in_patches(crossing, sign) ? Answer::no : Answer::yes;
   if (is_point(r)) return Answer::no;
@@ -187,7 +192,7 @@ Answer SettledCircles::contains(const Crossing &crossing, int sign, uint32_t r) 
 // All three patches ask the same questions, in the order of the vertices. Of several vertices in one place that counts
 // whose patch the corner is deepest in.
 bool SettledCircles::is_in_patches(const Crossing &crossing, int sign) const {
-  const double p = smaller_probe();
+  const double p = smaller_probe(balls_);
   const uint32_t own = probe_.vertex();
   const Vec3 &point = crossing.point[sign > 0 ? 1 : 0];
   uint32_t vertex[3] = {own, vertex_at(crossing.first, point), vertex_at(crossing.second, point)};
@@ -203,6 +208,7 @@ bool SettledCircles::is_in_patches(const Crossing &crossing, int sign) const {
   const Vec3 from_own = p * point;
   double deepest = 0.0;
   bool at_border = false;
+  uint32_t mate = no_id;
   int answer = -1;
   for (int t = 0; t < 3; ++t) {
     const SeenTriangle triangle(balls_, boundary_, grid_.position(vertex[t]), vertex[t]);
@@ -216,6 +222,7 @@ bool SettledCircles::is_in_patches(const Crossing &crossing, int sign) const {
       const uint32_t across = across_cusps(balls_, boundary_, chosen_, cusped_, vertex[t], slot);
       const uint32_t b = vertex[(t + 1) % 3];
       const uint32_t c = vertex[(t + 2) % 3];
+      if (vertex[t] == own && is_mate(across)) mate = across;
       if (across != b && across != c) continue;
       // Two sides have their cusps here, and a crease between these: no third probe contains either of them.
       if (across == met) return false;
@@ -230,7 +237,81 @@ bool SettledCircles::is_in_patches(const Crossing &crossing, int sign) const {
     if (std::fabs(least) > std::fabs(deepest)) deepest = least;
   }
   if (!at_border) return true;
+  if (answer < 0 && mate != no_id) {
+    return owner_of_corner(own, mate, caps_.ball[crossing.first], caps_.ball[crossing.second], point) == own;
+  }
   return answer >= 0 ? answer > 0 : deepest > 0.0;
+}
+
+// The inward normal of the side between two vertices in one place, seen from the first; 0 if there is none.
+Vec3 SettledCircles::normal_towards_mate(uint32_t vertex, uint32_t mate) const {
+  for (uint32_t slot = 0; slot < 3; ++slot) {
+    if (across_cusps(balls_, boundary_, chosen_, cusped_, vertex, slot) != mate) continue;
+    return SeenTriangle(balls_, boundary_, grid_.position(vertex), vertex).inward[slot];
+  }
+  return {0.0, 0.0, 0.0};
+}
+
+// In units of the smaller probe.
+Vec3 SettledCircles::way(uint32_t from, uint32_t to) const {
+  return (1.0 / smaller_probe(balls_)) * grid_.difference(balls_, from, to);
+}
+
+// Let two vertices be in one place, with a side between them, and two more probes meet them in a point of this side: of
+// which of the two the corner of these two probes is. Seen from the lower one, with the others in their order: all four
+// have the same bits.
+uint32_t SettledCircles::owner_of_corner(uint32_t vertex, uint32_t mate, uint32_t a, uint32_t b,
+                                         const Vec3 &point) const {
+  const uint32_t lower = vertex < mate ? vertex : mate;
+  const uint32_t upper = vertex < mate ? mate : vertex;
+  const Vec3 first = way(lower, a < b ? a : b);
+  const Vec3 second = way(lower, a < b ? b : a);
+  const CircleCrossing<Vec3, double> pair(first, 0.5 * dot(first, first), second, 0.5 * dot(second, second));
+  const Vec3 corner = crossing_near(pair, point - way(probe_.vertex(), lower));
+  return dot(normal_towards_mate(lower, upper), corner) > 0.0 ? lower : upper;
+}
+
+Vec3 SettledCircles::crossing_near(const CircleCrossing<Vec3, double> &pair, const Vec3 &point) {
+  const double D = pair.discriminant(1.0);
+  const double root = D > 0.0 ? std::sqrt(D) : 0.0;
+  return pair.point(dot(pair.n, point) > 0.0 ? root : -root);
+}
+
+// Let two pairs of vertices each be in one place, and two of their sides pass through a point where their spheres meet.
+// Which one of the second pair has the corner with both of the first. Along the circle in which the two spheres meet
+// one of the sides comes first: seen from the pair with the lowest vertex, all four have the same bits.
+uint32_t SettledCircles::owner_on_side(uint32_t vertex, uint32_t mate, uint32_t first, uint32_t second,
+                                       const Vec3 &point) const {
+  const bool own_is_lower = (vertex < mate ? vertex : mate) < (first < second ? first : second);
+  const uint32_t a = own_is_lower ? vertex : first;
+  const uint32_t b = own_is_lower ? mate : second;
+  const uint32_t c = own_is_lower ? first : vertex;
+  const uint32_t d = own_is_lower ? second : mate;
+  const uint32_t lower = a < b ? a : b;
+  const uint32_t upper = a < b ? b : a;
+  const uint32_t other_lower = c < d ? c : d;
+  const uint32_t other_upper = c < d ? d : c;
+  const Vec3 normal = normal_towards_mate(lower, upper);
+  const Vec3 other_normal = normal_towards_mate(other_lower, other_upper);
+  const Vec3 to = way(lower, other_lower);
+  const CircleCrossing<Vec3, double> pair(normal, 0.0, to, 0.5 * dot(to, to));
+  const Vec3 corner = crossing_near(pair, point - way(probe_.vertex(), lower));
+  const bool on_lower_side = dot(other_normal, corner - to) > 0.0;
+  if (own_is_lower) return on_lower_side ? other_lower : other_upper;
+  const Vec3 along = cross(to, corner);
+  const bool same_way = (dot(normal, along) > 0.0) == (dot(other_normal, along) > 0.0);
+  return on_lower_side != same_way ? lower : upper;
+}
+
+// Where a cap cuts a side with a vertex in the same place behind it: whether another cap that passes through the same
+// point, up to rounding, contains it. To first order, in the plane that touches the sphere there, all three are lines.
+bool SettledCircles::is_covered_beside_mate(uint32_t side, uint32_t cap, uint32_t other, const Vec3 &point) const {
+  const uint32_t own = probe_.vertex();
+  const Vec3 border_of_cap = cross(axis(cap), point);
+  const bool rises = dot(border_of_cap, axis(other)) > 0.0;
+  const bool enters = dot(border_of_cap, axis(side)) > 0.0;
+  const bool corner_is_own = owner_of_corner(own, mate_[side], caps_.ball[cap], caps_.ball[other], point) == own;
+  return (rises == enters) == corner_is_own;
 }
 
 Answer SettledCircles::lies_inside(uint32_t k, uint32_t r) const {
@@ -308,13 +389,14 @@ uint32_t SettledCircles::parts_of(const RegionArc &arc, Span<const RegionCorner>
     const SinCos s = sin_cos(turn);
     return centre + combine(s.cosine, x, s.sine, y);
   };
+  const uint32_t first = whole ? no_id : owner_of_end(k, corners[arc.start]);
+  const uint32_t last = whole ? no_id : owner_of_end(k, corners[arc.end]);
   double cut[most_parts];
   uint32_t cuts = 0;
-  const double p = smaller_probe();
   probe_.for_each_in_place(k, [&](uint32_t u) {
     const Position place = grid_.position(u);
     const SeenTriangle triangle(balls_, boundary_, place, u);
-    const Vec3 from_u = (-1.0 / p) * grid_.difference(balls_, probe_.vertex(), u);
+    const Vec3 from_u = -way(probe_.vertex(), u);
     for (uint32_t slot = 0; slot < 3; ++slot) {
       const uint32_t across = across_cusps(balls_, boundary_, chosen_, cusped_, u, slot);
       bool is_here = false;
@@ -333,7 +415,9 @@ uint32_t SettledCircles::parts_of(const RegionArc &arc, Span<const RegionCorner>
         double turn = middle + sign * off;
         while (turn < 0.0) turn += 2 * pi;
         while (turn >= 2 * pi) turn -= 2 * pi;
-        if (!(turn < arc.angle) || cuts == most_parts - 1) continue;
+        const bool at_first = first != no_id && (turn < same_place || turn > 2 * pi - same_place);
+        if (at_first || (last != no_id && std::fabs(turn - arc.angle) < same_place)) continue;
+        if (!(turn < arc.angle) || cuts == most_parts - 3) continue;
         if (depth_in(u, at(turn), slot) > 0.0) cut[cuts++] = turn;
       }
     }
@@ -360,14 +444,43 @@ uint32_t SettledCircles::parts_of(const RegionArc &arc, Span<const RegionCorner>
   if (whole && count > 1 && parts[count - 1].across == parts[0].across) {
     parts[0].angle += parts[--count].angle;
   }
+  // Where it ends on such a side, parts without length.
+  if (first != no_id && first != parts[0].across) {
+    for (uint32_t i = count++; i > 0; --i) parts[i] = parts[i - 1];
+    parts[0] = {first, 0.0};
+  }
+  if (last != no_id && last != parts[count - 1].across) parts[count++] = {last, 0.0};
   return count;
+}
+
+// Of an arc of a cap with several vertices in its place, that ends on the side between two of them, at a corner with
+// another probe or on a side with a vertex in the same place behind it: which of the two has this corner. no_id if
+// there is no such side.
+uint32_t SettledCircles::owner_of_end(uint32_t cap, const RegionCorner &end) const {
+  const uint32_t other = end.other(cap);
+  const uint32_t own = probe_.vertex();
+  if (is_side(other) && (mate_[other] == no_id || !is_beyond_axis(other, end.point))) return no_id;
+  uint32_t owner = no_id;
+  probe_.for_each_in_place(cap, [&](uint32_t u) {
+    const SeenTriangle triangle(balls_, boundary_, grid_.position(u), u);
+    const Vec3 seen = end.point - way(own, u);
+    for (uint32_t slot = 0; slot < 3; ++slot) {
+      const uint32_t across = across_cusps(balls_, boundary_, chosen_, cusped_, u, slot);
+      bool is_here = false;
+      probe_.for_each_in_place(cap, [&](uint32_t mate) { is_here = is_here || (mate == across && mate < u); });
+      if (!is_here || !(std::fabs(dot(triangle.inward[slot], seen)) < same_place)) continue;
+      if (!(depth_in(u, end.point, slot) > 0.0)) continue;
+      owner = is_side(other) ? owner_on_side(own, mate_[other], u, across, end.point)
+                             : owner_of_corner(u, across, own, caps_.ball[other], end.point);
+    }
+  });
+  return owner;
 }
 
 // How far within the triangle that a vertex sees a point of the own sphere lies; of the sides besides one.
 double SettledCircles::depth_in(uint32_t vertex, const Vec3 &point, uint32_t besides) const {
-  const double p = smaller_probe();
   const SeenTriangle triangle(balls_, boundary_, grid_.position(vertex), vertex);
-  const Vec3 to = point - (1.0 / p) * grid_.difference(balls_, probe_.vertex(), vertex);
+  const Vec3 to = point - way(probe_.vertex(), vertex);
   double least = 2.0;
   for (uint32_t slot = 0; slot < 3; ++slot) {
     const double above = dot(to, triangle.inward[slot]);

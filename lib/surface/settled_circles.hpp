@@ -12,11 +12,13 @@
 //   whether a corner of three creases lies in the patches: if it is clearly outside of one, in none of them. If it is
 //     at a cusp, where a crease starts, it is there iff that crease enters the third cap. A crease that joins two cusps
 //     in one place enters none.
+//   two vertices in one place and two more probes that meet them in a point of the side between them: the corner of the
+//     two probes is on that side of it where the lower vertex sees it, for all four.
 //
-// All of this is asked for a probe that is smaller by a share of 2^-24, at the same vertices: with r = 0 all probes
-// around a ball meet in its centre, where their cusps and corners lie, too. Smaller ones keep apart.
+// All of this is asked for the smaller probe of cusped_circles.hpp.
 #pragma once
 
+#include "exact/circle_crossing.hpp"
 #include "surface/cusped_circles.hpp"
 #include "surface/cut_patches.hpp"
 #include "surface/free_region.hpp"
@@ -39,7 +41,7 @@ class SettledCircles {
 
   uint32_t count() const { return caps_.count; }
   Vec3 axis(uint32_t k) const { return caps_.axis(k); }
-  double height(uint32_t k) const { return growth * caps_.b[k]; }
+  double height(uint32_t k) const { return growth_of_lengths * caps_.b[k]; }
 
   Answer crossing(uint32_t j, uint32_t k, Crossing &crossing) const;
   Answer contains(const Crossing &crossing, int sign, uint32_t r) const;
@@ -53,6 +55,9 @@ class SettledCircles {
 
   // Whether a side lies beyond its cusps against a vertex in the same place.
   bool has_mates() const { return mate_[0] != no_id || mate_[1] != no_id || mate_[2] != no_id; }
+  bool is_mate(uint32_t vertex) const {
+    return vertex != no_id && (mate_[0] == vertex || mate_[1] == vertex || mate_[2] == vertex);
+  }
   // What a free arc consists of: parts of the side, creases with several vertices in one place.
   struct Part {
     uint32_t across;  // as PatchArc has it
@@ -68,14 +73,18 @@ class SettledCircles {
     Vec3 outward;  // from the axis to the vertex
     double radius;
   };
-  // Of lengths on the unit sphere, as that of the smaller probe.
-  static constexpr double growth = 1.0 / (1.0 - 0x1p-24);
-  double smaller_probe() const { return static_cast<double>(balls_.probe_steps) / growth; }
 
   bool is_beyond_axis(uint32_t side, const Vec3 &point) const {
     return circle_[side].radius + dot(point, circle_[side].outward) < 0.0;
   }
   uint32_t parts_of_side(const RegionArc &arc, Span<const RegionCorner> corners, Part (&parts)[most_parts]) const;
+  Vec3 normal_towards_mate(uint32_t vertex, uint32_t mate) const;
+  Vec3 way(uint32_t from, uint32_t to) const;
+  static Vec3 crossing_near(const CircleCrossing<Vec3, double> &pair, const Vec3 &point);
+  uint32_t owner_of_corner(uint32_t vertex, uint32_t mate, uint32_t a, uint32_t b, const Vec3 &point) const;
+  uint32_t owner_on_side(uint32_t vertex, uint32_t mate, uint32_t first, uint32_t second, const Vec3 &point) const;
+  uint32_t owner_of_end(uint32_t cap, const RegionCorner &end) const;
+  bool is_covered_beside_mate(uint32_t side, uint32_t cap, uint32_t other, const Vec3 &point) const;
   uint32_t vertex_at(uint32_t cap, const Vec3 &point) const;
   double depth_in(uint32_t vertex, const Vec3 &point, uint32_t besides = no_id) const;
 

@@ -9,7 +9,6 @@
 #include "built_surface.hpp"
 #include "lattice_lengths.hpp"
 #include "mesh/mesh_sizes.hpp"
-#include "point_lattices.hpp"
 #include "random_balls.hpp"
 
 namespace {
@@ -238,18 +237,20 @@ TEST(MeshBuilder, TrianglesOfEachPatch) {
 }
 
 TEST(MeshBuilder, OpenSurfacesAreRefused) {
-  // Corners of a box whose eight spheres meet in one point.
-  const BuiltSurface built(oracle::in_lengths(oracle::slanted_lattice({2, 2, 2}, {4, 6, 12}, 20), 1), 29.0);
+  // A vertex in the plane of three of its balls' centres that lies on two more spheres.
+  const oracle::Balls balls = {{4, 12, 0, 3},  {8, 6, 0, 3},  {8, 12, 0, 7}, {4, 6, 12, 3},
+                               {4, 12, 12, 3}, {8, 0, 12, 3}, {0, 0, 12, 5}, {4, 6, 12, 3}};
+  const BuiltSurface built(oracle::in_lengths(balls, 1), 4.0);
   ASSERT_EQ(built.status(), hsp::Status::ok);
   ASSERT_FALSE(built.surface().is_closed());
   hsp::MeshLimits limits;
-  EXPECT_EQ(hsp::expected_mesh_limits(built.balls(), built.boundary(), built.surface(), 15.0, limits),
+  EXPECT_EQ(hsp::expected_mesh_limits(built.balls(), built.boundary(), built.surface(), 5.0, limits),
             hsp::Status::check);
-  ASSERT_EQ(hsp::expected_mesh_limits(built.balls(), built.boundary(), 15.0, limits), hsp::Status::ok);
+  ASSERT_EQ(hsp::expected_mesh_limits(built.balls(), built.boundary(), 5.0, limits), hsp::Status::ok);
   CarvedMemory memory;
   hsp::MeshBuilder builder;
   memory.carve(builder, limits);
-  EXPECT_EQ(builder.build(built.balls(), built.boundary(), built.surface(), 15.0), hsp::Status::check);
+  EXPECT_EQ(builder.build(built.balls(), built.boundary(), built.surface(), 5.0), hsp::Status::check);
 }
 
 // A void in an octahedron: probes outside and inside overlap, and cusps are corners of both surfaces. With the shells

@@ -63,4 +63,22 @@ TEST(FlatPatches, JoinWhatIsBesideThem) {
   }
 }
 
+// Balls that are points without the probe: circles have their cusps in them, where the sides of a strip end.
+TEST(FlatPatches, OfBallsThatArePoints) {
+  const oracle::Balls balls = {{2, 3, 5, 2}, {3, 2, 5, 0}, {0, 3, 3, 0}, {3, 0, 3, 0}, {1, 4, 5, 0}, {2, 0, 2, 0},
+                               {2, 4, 4, 2}, {0, 0, 0, 0}, {2, 4, 4, 1}, {3, 6, 6, 0}, {3, 6, 6, 2}, {3, 6, 6, 2}};
+  const BuiltSurface built(oracle::in_lengths(balls, 1), 2);
+  ASSERT_EQ(built.status(), hsp::Status::ok);
+  EXPECT_TRUE(built.surface().is_closed());
+  EXPECT_EQ(hsp::check_surface(built.balls(), built.boundary(), built.surface()).invariant,
+            hsp::SurfaceInvariant::none);
+  uint32_t flat = 0;
+  for (uint32_t v = 0; v < built.boundary().vertex_count(); ++v) {
+    hsp::Vec3 normal;
+    const hsp::Position place = hsp::position_of_vertex(built.balls(), built.boundary(), v);
+    flat += hsp::is_flat(built.balls(), built.boundary(), place, v, normal) ? 1 : 0;
+  }
+  EXPECT_EQ(flat, 2U);
+}
+
 }  // namespace

@@ -63,20 +63,20 @@ inline uint32_t mistakes_are_named() {
   return checked() == hsp::SurfaceInvariant::none ? all_hold : 4;
 }
 
-// Corners of a box whose eight spheres meet in a point, so that many vertices are in one place: the surface is not
-// closed, and says so.
-constexpr SurfaceScene box_that_just_closes = {8,
-                                               {{0, 0, 0, 20},
-                                                {8, 12, 24, 20},
-                                                {18, -36, 12, 20},
-                                                {26, -24, 36, 20},
-                                                {72, 24, -36, 20},
-                                                {80, 36, -12, 20},
-                                                {90, -12, -24, 20},
-                                                {98, 0, 0, 20}},
-                                               29};
+// The probe at (6, 3, 6) lies in the plane of three of its balls' centres, and touches two more, which are equal: the
+// surface is not closed, and says so.
+constexpr SurfaceScene flat_and_tied = {8,
+                                        {{4, 12, 0, 3},
+                                         {8, 6, 0, 3},
+                                         {8, 12, 0, 7},
+                                         {4, 6, 12, 3},
+                                         {4, 12, 12, 3},
+                                         {8, 0, 12, 3},
+                                         {0, 0, 12, 5},
+                                         {4, 6, 12, 3}},
+                                        4};
 inline uint32_t open_joints_are_named() {
-  if (!small_surface().build(box_that_just_closes)) return 0;
+  if (!small_surface().build(flat_and_tied)) return 0;
   return small_surface().builder().surface().is_closed() || checked() != hsp::SurfaceInvariant::joints ? 1 : all_hold;
 }
 
