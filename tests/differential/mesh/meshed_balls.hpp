@@ -3,6 +3,8 @@
 
 #include <mesh_result.h>
 
+#include <vector>
+
 #include "ball_list.hpp"
 
 class MeshedBalls {
@@ -18,6 +20,9 @@ class MeshedBalls {
   bool has_closed_surface() const { return surface_.counts.open_joints == 0; }
   // The sum over all shells of the smooth surface; without a probe, of the boundary.
   int64_t surface_euler() const;
+  std::vector<hsp_surface_shell> surface_shells() const;
+  // The shell of each patch of the smooth surface.
+  std::vector<uint32_t> shells_of_patches() const;
 
  private:
   double probe_;
@@ -36,6 +41,9 @@ class MadeMesh {
   int32_t status() const { return status_; }
   const mesh_result &get() const { return mesh_; }
   int64_t euler() const { return int64_t{mesh_.counts.vertices} - int64_t{mesh_.counts.triangles} / 2; }
+  // Of one triangle, and of the tetrahedron that it makes with the origin.
+  double triangle_area(uint32_t t) const;
+  double triangle_volume(uint32_t t) const;
 
  private:
   mesh_result mesh_{};

@@ -1,7 +1,7 @@
 // Meshes of larger molecules, and of many more sets.
 #include <gtest/gtest.h>
 
-#include "mesh_expectations.hpp"
+#include "mesh_convergence.hpp"
 #include "sweep_length.hpp"
 
 namespace {
@@ -34,7 +34,20 @@ TEST(Slow, MeshesOfManySets) {
   int refused = 0;
   for (int k = 0; k < sets; ++k) refused += expect_meshes_of_set(static_cast<uint64_t>(501 + k)) ? 0 : 1;
   std::printf("%d of %d sets without a mesh\n", refused, sets);
-  EXPECT_LE(refused, sets / 625);
+  EXPECT_EQ(refused, 0);
+}
+
+TEST(Slow, MeshesOfRandomSetsConverge) {
+  ConvergenceTally boundaries, surfaces;
+  for (uint64_t seed = 1; seed <= 1000; ++seed) {
+    if (seed % 4 == 0) expect_converging_boundary(seed, 0.5, boundaries);
+    expect_converging_surface(seed, 0.5, surfaces);
+  }
+  boundaries.print("boundaries");
+  surfaces.print("smooth surfaces");
+  EXPECT_GT(surfaces.cut, 1000U);
+  EXPECT_GT(surfaces.cusped, 500U);
+  EXPECT_GT(surfaces.several_shells, 50U);
 }
 
 }  // namespace
