@@ -1,5 +1,6 @@
 // Area and volume of the solvent-excluded surface against lines through its definition, for sets whose surface meets
-// itself in every way.
+// itself in every way, and against each other: what the volume loses while the probe grows inside the same spheres is
+// the area.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 #include <vector>
 
 #include "excluded_surface.hpp"
+#include "molecule_file.hpp"
 #include "owned_handle.hpp"
 #include "random_numbers.hpp"
 
@@ -179,6 +181,62 @@ TEST(ExcludedSurface, OfOneCell) {
     expect_as_by_lines(cage.balls(), probe, 50, 3e-2, counts, 0, [&](const Point &y) { return !is_void(y); });
     expect_as_by_lines(cage.balls(), probe, 50, 3e-2, counts, 1, is_void);
   }
+}
+
+// The surfaces {f = t} at the distance t from the outside of the same spheres are parallel: V' = -A. So the volume is
+// that of the union, which knows nothing of patches, less the integral of the areas on the way, on which cusps and cuts
+// are born. Gauss's rule with eight points on each of some intervals; where something is born A has the power 3/2 of t.
+struct ParallelSurfaces {
+  double union_volume = 0, integral = 0, volume = 0;
+  uint32_t cut = 0, cusped = 0;
+
+  ParallelSurfaces(const std::vector<ProbedBall> &balls, double probe, int intervals) {
+    constexpr double node[4] = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363};
+    constexpr double weight[4] = {0.3626837833783620, 0.3137066458778873, 0.2223810344533745, 0.1012285362903763};
+    hsp_surface_counts counts;
+    union_volume = library_surface(balls, 0, counts).volume;
+    const double half = 0.5 * probe / intervals;
+    for (int k = 0; k < intervals; ++k) {
+      for (int j = 0; j < 8; ++j) {
+        const double t = half * (2 * k + 1 + (j % 2 == 0 ? node[j / 2] : -node[j / 2]));
+        integral += half * weight[j / 2] * library_surface(balls, t, counts).area;
+      }
+    }
+    volume = library_surface(balls, probe, counts).volume;
+    cut = counts.cut_patches;
+    cusped = counts.cusped_patches;
+  }
+};
+
+TEST(ExcludedSurface, VolumesFallByTheAreas) {
+  support::Random random(20261122);
+  uint32_t cut = 0, cusped = 0;
+  for (int k = 0; k < 40; ++k) {
+    const double probe = 0.8 + 0.4 * random.below(4);
+    std::vector<ProbedBall> balls(8);
+    for (ProbedBall &ball : balls) {
+      for (double &coordinate : ball.centre) coordinate = static_cast<double>(random.below(600)) / 100;
+      ball.radius = probe + 0.8 + static_cast<double>(random.below(80)) / 100;
+    }
+    SCOPED_TRACE(k);
+    const ParallelSurfaces surfaces(balls, probe, 12);
+    EXPECT_NEAR(surfaces.volume, surfaces.union_volume - surfaces.integral, 1e-6 * surfaces.union_volume);
+    cut += surfaces.cut;
+    cusped += surfaces.cusped;
+  }
+  EXPECT_GT(cut, 60U);
+  EXPECT_GT(cusped, 20U);
+}
+
+TEST(ExcludedSurface, VolumeOfCrambinFallsByTheAreas) {
+  const support::BallList atoms =
+      with_radii(support::read_atoms(support::own_molecule("crambin.pdb")), support::Radii::van_der_waals);
+  std::vector<ProbedBall> balls(atoms.size());
+  for (size_t i = 0; i < balls.size(); ++i) {
+    balls[i] = {{atoms.xyz[3 * i], atoms.xyz[3 * i + 1], atoms.xyz[3 * i + 2]}, atoms.radius[i] + 1.4};
+  }
+  const ParallelSurfaces surfaces(balls, 1.4, 12);
+  EXPECT_NEAR(surfaces.volume, surfaces.union_volume - surfaces.integral, 1e-8 * surfaces.union_volume);
 }
 
 }  // namespace

@@ -124,8 +124,19 @@ TEST(ReferenceRows, SmoothSurfacesOfTheProjectsOwnMolecules) {
   };
   compare_smooth(atoms("caffeine.pdb"),
                  {182.6053055199, 164.3407116951, 86.9990059303, 78.4289742200, 17.1773253697, 58, 0, 0}, 1e-12);
-  compare_smooth(atoms("crambin.pdb"),
-                 {2319.064883323, 4664.897270837, 860.388078879, 896.522219402, 562.154585041, 480, 38, 21}, 1e-12);
+  const support::BallList crambin = atoms("crambin.pdb");
+  struct Probed {
+    double probe;
+    SmoothRow row;
+  };
+  for (const Probed &c :
+       {Probed{1, {2653.999024201, 4368.192803430, 1142.157188, 948.779605, 563.062230, 650, 59, 33}},
+        Probed{1.4, {2319.064883323, 4664.897270837, 860.388078879, 896.522219402, 562.154585041, 480, 38, 21}},
+        Probed{3, {2091.274679908, 5207.368683474, 427.302757, 826.304128, 837.667795, 314, 13, 7}},
+        Probed{6, {2022.630997030, 5798.829886572, 217.529117, 716.857773, 1088.244106, 208, 15, 9}}}) {
+    SCOPED_TRACE(c.probe);
+    compare_smooth(crambin, c.row, 1e-12, static_cast<double>(steps_per_angstrom), c.probe);
+  }
 }
 
 // Rings, a void, and lattices, whose values are the limits of inflated balls.
