@@ -1,6 +1,11 @@
 // The smooth surface over size, by turns with the solvent-accessible boundary that it stands on: hsp_surface_compute,
-// hsp_surface_measure and hsp_surface_gradient. And triangles of that boundary.
+// hsp_surface_measure and hsp_surface_gradient. Triangles of that boundary. And the smooth surface's area and volume of
+// the two molecules of which other programs' results are known.
+#include <filesystem>
+#include <string>
+
 #include "alternation.hpp"
+#include "molecule_file.hpp"
 #include "sizes.hpp"
 #include "suite.hpp"
 
@@ -46,6 +51,26 @@ void triangles(benchmark::State &state, Subject &subject) {
   state.counters["bytes"] = static_cast<double>(mesh.bytes());
 }
 
+// What the report holds against known values.
+void area_and_volume(benchmark::State &state, Subject &subject) {
+  SmoothSurface surface(*subject.boundary);
+  hsp_surface_totals totals{};
+  for (auto iteration : state) {
+    static_cast<void>(iteration);
+    totals = surface.measure();
+  }
+  state.counters["area"] = totals.area;
+  state.counters["volume"] = totals.volume;
+}
+
+void register_accuracy(const std::string &entry, const std::filesystem::path &file, support::Records records) {
+  const Molecule molecule{entry, support::read_atoms(file, records)};
+  const SubjectRecipe recipe{"surface/accuracy/" + entry,
+                             [molecule] { return with_radii(molecule, Radii::metals_as_sulfur); }, probe,
+                             Stage::boundary};
+  register_case(recipe.key, recipe, area_and_volume)->Unit(benchmark::kMicrosecond);
+}
+
 }  // namespace
 
 void register_suite() {
@@ -56,6 +81,12 @@ void register_suite() {
   for (const Size &size : molecule_sizes()) {
     const SubjectRecipe recipe{"surface/mesh/" + size.name, size.balls, probe, Stage::boundary};
     register_case("surface/mesh/" + size.name, recipe, triangles)->Unit(benchmark::kMicrosecond);
+  }
+  register_accuracy("1CRN", support::own_molecule("crambin.pdb"), support::Records::all);
+  if (const auto path = support::further_molecule("4hhb.pdb.gz")) {
+    register_accuracy("4HHB", *path, support::Records::protein);
+  } else {
+    register_skipped("surface/accuracy/4HHB", "no 4hhb.pdb.gz in HSP_MOLECULES");
   }
 }
 
