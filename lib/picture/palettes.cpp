@@ -20,8 +20,14 @@ constexpr uint32_t by_element[] = {
 constexpr uint32_t elements = sizeof by_element / sizeof by_element[0];
 static_assert(elements == 110);
 
-constexpr uint32_t tints[12] = {0xF0AC96, 0x9FC3E6, 0xB7D3A0, 0xEED28A, 0xC9B3E2, 0x93D0C4,
-                                0xEDA9C1, 0xD8C2A2, 0xA8DAEC, 0xCBD08F, 0xB2B9EA, 0xF4C196};
+// Lightness in OKLab (Ottosson 2020) of the first four: .77, .70, .90, .83, so that they are told apart in grey print.
+// As protanopes and deuteranopes see them (Machado, Oliveira and Fernandes 2009) these are at least .09 apart, any two of
+// all twelve .045; to others .12 and .075.
+constexpr uint32_t tints[12] = {0xE8A074, 0x6BA0E1, 0xFDDC88, 0xB0D3BB, 0xC4ADCE, 0x6F9F97,
+                                0xCE785D, 0xC1F3BD, 0xEAD3F3, 0x67BFA8, 0xD9C280, 0xA099C2};
+
+// Elements but carbon are darker, and keep their hue.
+constexpr double darker = 0.12;
 
 constexpr uint32_t carbon = 6;
 
@@ -56,7 +62,7 @@ uint32_t palette_colour(Palette palette, uint32_t atomic_number, uint32_t chain)
       return by_element[atomic_number < elements ? atomic_number : 0];
     case Palette::chain: {
       const uint32_t tint = tints[chain % 12];
-      return atomic_number == carbon ? tint : mixed(tint, 0x704050, 0.16);
+      return atomic_number == carbon ? tint : mixed(tint, 0x000000, darker);
     }
     default:
       return soft_colour(atomic_number);

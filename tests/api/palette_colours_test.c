@@ -54,9 +54,9 @@ static const own_colour soft[] = {{1, {251, 250, 247}}, {6, {210, 205, 195}}, {7
                                   {15, {240, 160, 75}}, {16, {248, 214, 96}}, {26, {217, 130, 43}}};
 
 enum { TINTS = 12 };
-static const double tints[TINTS][3] = {{240, 172, 150}, {159, 195, 230}, {183, 211, 160}, {238, 210, 138},
-                                       {201, 179, 226}, {147, 208, 196}, {237, 169, 193}, {216, 194, 162},
-                                       {168, 218, 236}, {203, 208, 143}, {178, 185, 234}, {244, 193, 150}};
+static const double tints[TINTS][3] = {{232, 160, 116}, {107, 160, 225}, {253, 220, 136}, {176, 211, 187},
+                                       {196, 173, 206}, {111, 159, 151}, {206, 120, 93},  {193, 243, 189},
+                                       {234, 211, 243}, {103, 191, 168}, {217, 194, 128}, {160, 153, 194}};
 
 /* A colour with a share of another one mixed in. */
 static uint32_t mixed(const double rgb[3], const double other[3], double share) {
@@ -98,14 +98,14 @@ static void by_element(void) {
 }
 
 static void by_chain(void) {
-  static const double shade[3] = {112, 64, 80};
+  static const double black[3] = {0, 0, 0};
   uint32_t chain, number;
   for (chain = 0; chain < 3 * TINTS; ++chain) {
     const double *tint = tints[chain % TINTS];
     check_scene("chain %u", (unsigned)chain);
     for (number = 0; number <= BEYOND; ++number) {
       CHECK_EQUAL(hsp_palette_colour(HSP_PALETTE_CHAIN, number, chain),
-                  number == 6 ? plain(tint) : mixed(tint, shade, 0.16));
+                  number == 6 ? plain(tint) : mixed(tint, black, 0.12));
     }
   }
   CHECK_EQUAL(hsp_palette_colour(HSP_PALETTE_CHAIN, 6, HSP_NONE), plain(tints[HSP_NONE % TINTS]));

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -79,6 +80,71 @@ TEST(DrawColours, Chains) {
   for (const auto &[ball, colour] : found) EXPECT_EQ(colour, tint.at(expected[static_cast<size_t>(ball)])) << ball;
   // Palettes by element take no notice.
   for (const auto &[ball, colour] : fills(file.path(), {})) EXPECT_EQ(colour, "D2CDC3") << ball;
+}
+
+// A colour as people see it, in OKLab (Ottosson 2020): lightness first. blindness: the rows of a simulation by Machado,
+// Oliveira and Fernandes (2009) for linear light.
+std::array<double, 3> seen(const std::string &colour, const double blindness[3][3]) {
+  double light[3];
+  for (size_t k = 0; k < 3; ++k) {
+    const double c = std::stoi(colour.substr(2 * k, 2), nullptr, 16) / 255.0;
+    light[k] = c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+  }
+  const auto times = [](const double rows[3][3], const double v[3], double out[3]) {
+    for (int k = 0; k < 3; ++k) out[k] = rows[k][0] * v[0] + rows[k][1] * v[1] + rows[k][2] * v[2];
+  };
+  const double to_cones[3][3] = {{0.4122214708, 0.5363325363, 0.0514459929},
+                                 {0.2119034982, 0.6806995451, 0.1073969566},
+                                 {0.0883024619, 0.2817188376, 0.6299787005}};
+  const double to_lab[3][3] = {{0.2104542553, 0.7936177850, -0.0040720468},
+                               {1.9779984951, -2.4285922050, 0.4505937099},
+                               {0.0259040371, 0.7827717662, -0.8086757660}};
+  double left[3];
+  double cones[3];
+  std::array<double, 3> lab{};
+  times(blindness, light, left);
+  for (double &channel : left) channel = std::min(1.0, std::max(0.0, channel));
+  times(to_cones, left, cones);
+  for (double &cone : cones) cone = std::cbrt(cone);
+  times(to_lab, cones, lab.data());
+  return lab;
+}
+
+// Twelve chains side by side. The first four can be told apart by everybody, and in grey print.
+TEST(DrawColours, TintsAreToldApart) {
+  const double views[3][3][3] = {
+      {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+      {{0.367322, 0.860646, -0.227968}, {0.280085, 0.672501, 0.047413}, {-0.011820, 0.042940, 0.968881}},
+      {{0.152286, 1.052583, -0.204868}, {0.114503, 0.786281, 0.099216}, {-0.003882, -0.048116, 1.051998}}};
+  for (const std::string element : {" C", " N"}) {
+    std::string text;
+    for (int i = 0; i < 12; ++i) {
+      char line[100];
+      std::snprintf(line, sizeof line, "ATOM  %5d %s   ALA %c   1    %8.3f%8.3f%8.3f  1.00  0.00          %s\n", i,
+                    element.c_str(), 'A' + i, 5.0 * i, 0.0, 0.0, element.c_str());
+      text += line;
+    }
+    const TemporaryFile file("chains.pdb", text);
+    const std::map<int, std::string> tint = fills(file.path(), {"--palette", "chain"});
+    ASSERT_EQ(tint.size(), 12u);
+    for (int i = 0; i < 12; ++i) {
+      for (int j = 0; j < i; ++j) {
+        for (int view = 0; view < 3; ++view) {
+          const auto a = seen(tint.at(i), views[view]);
+          const auto b = seen(tint.at(j), views[view]);
+          const double apart =
+              std::sqrt(std::pow(a[0] - b[0], 2) + std::pow(a[1] - b[1], 2) + std::pow(a[2] - b[2], 2));
+          EXPECT_GT(apart, i < 4       ? (view == 0 ? 0.11 : 0.08)
+                           : view == 0 ? 0.065
+                                       : 0.04)
+              << i << " " << j << " " << view;
+          if (i < 4 && view == 0) {
+            EXPECT_GT(std::fabs(a[0] - b[0]), element == " C" ? 0.06 : 0.05) << i << " " << j;
+          }
+        }
+      }
+    }
+  }
 }
 
 // Many atoms of two chains are tinted by chain, ligands and ions by element; fewer are not, nor those of one chain.
