@@ -50,19 +50,42 @@ class BallCells {
     const int64_t reach = ball.radius + side_ / 2;
     const exact::Vector &c = ball.centre;
     visit_box({c.x - reach, c.y - reach, c.z - reach}, {c.x + reach, c.y + reach, c.z + reach}, [&](uint32_t j) {
-      const double dx = balls.x[j] - static_cast<double>(c.x), dy = balls.y[j] - static_cast<double>(c.y),
-                   dz = balls.z[j] - static_cast<double>(c.z), sum = balls.r[j] + static_cast<double>(ball.radius);
-      // Certainly disjoint, with the bound of caps.cpp; the others are asked exactly.
-      const double squared = dx * dx + dy * dy + dz * dz;
-      if (squared > sum * sum * (1.0 + 8 * unit_roundoff)) return;
-      if (exact::pair_relation(ball, balls.ball(j)) != exact::PairRelation::disjoint) visit(j);
+      if (is_met(balls, ball, j)) visit(j);
     });
+  }
+  // The same for two balls at once, which cost less than one after the other if they are near each other:
+  // visit(other, whether it meets the first one).
+  template <class Visit>
+  void visit_meeting(const BallSet &balls, const exact::LatticeBall &a, const exact::LatticeBall &b,
+                     Visit visit) const {
+    const int64_t reach = (a.radius > b.radius ? a.radius : b.radius) + side_ / 2;
+    const auto low = [reach](int64_t p, int64_t q) { return (p < q ? p : q) - reach; };
+    const auto high = [reach](int64_t p, int64_t q) { return (p > q ? p : q) + reach; };
+    const exact::Vector &p = a.centre, &q = b.centre;
+    visit_box({low(p.x, q.x), low(p.y, q.y), low(p.z, q.z)}, {high(p.x, q.x), high(p.y, q.y), high(p.z, q.z)},
+              [&](uint32_t j) {
+                if (is_met(balls, a, j)) {
+                  visit(j, true);
+                } else if (is_met(balls, b, j)) {
+                  visit(j, false);
+                }
+              });
   }
 
  private:
   // Boxes that are asked for have at most seven cubes along each axis.
   static constexpr int64_t most_cubes = 512;
 
+  static bool is_met(const BallSet &balls, const exact::LatticeBall &ball, uint32_t j) {
+    const exact::Vector &c = ball.centre;
+    const double dx = balls.x[j] - static_cast<double>(c.x), dy = balls.y[j] - static_cast<double>(c.y),
+                 dz = balls.z[j] - static_cast<double>(c.z), sum = balls.r[j] + static_cast<double>(ball.radius);
+    // Certainly disjoint or certainly not, with the bound of caps.cpp; the others are asked exactly.
+    const double squared = dx * dx + dy * dy + dz * dz, within = sum * sum;
+    if (squared > within * (1.0 + 8 * unit_roundoff)) return false;
+    return squared < within * (1.0 - 8 * unit_roundoff) ||
+           exact::pair_relation(ball, balls.ball(j)) != exact::PairRelation::disjoint;
+  }
   uint32_t bucket_of(uint64_t linear) const { return CubeProbe(linear, used_).slot; }
 
   Span<uint32_t> first_;  // [buckets]

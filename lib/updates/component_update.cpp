@@ -118,9 +118,10 @@ void ComponentUpdate::push(uint32_t root, uint32_t ball) {
   last_[root] = ball;
 }
 
-// Asks for the neighbours of a few balls of a set that may have been joined to another one meanwhile.
+// Asks for the neighbours of a few balls of a set that may have been joined to another one meanwhile. Few, as these
+// neighbours cost far more than finding out whether there are rivals left.
 void ComponentUpdate::search_further(const MovingRecords &records, const BallCells &cells, uint32_t root) {
-  constexpr uint32_t a_few = 8;
+  constexpr uint32_t a_few = 2;
   root = sets_.find(root);
   for (uint32_t k = 0; k < a_few && first_[root] != no_id; ++k) {
     const uint32_t i = first_[root];
@@ -150,7 +151,7 @@ void ComponentUpdate::search_further(const MovingRecords &records, const BallCel
 }
 
 bool ComponentUpdate::leaves(const MovingRecords &records, uint32_t ball) {
-  return records.is_moved(ball) || (flags_[sets_.find(ball)] & closed) != 0;
+  return records.is_moved(ball) || (searching_ && (flags_[sets_.find(ball)] & closed) != 0);
 }
 
 // Out of its ring. For its component, named by its origin, of_ is any ball that is left there.

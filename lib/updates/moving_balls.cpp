@@ -115,11 +115,7 @@ Status MovingBalls::move(const BallMoves &moves, uint32_t &first_bad) {
     const uint32_t i = place_[moves.ball[k]];
     if (!stays_put(records_.balls.ball(i), new_ball_[k])) records_.note_moved(i);
   }
-  const uint32_t moved = records_.noted();
-  for (uint32_t k = 0; k < moved; ++k) note_meeting(records_.entry(k).placed);
-  const uint32_t former = records_.noted();
-  for (uint32_t k = 0; k < moves.count; ++k) place_again(place_[moves.ball[k]], new_ball_[k]);
-  for (uint32_t k = 0; k < moved; ++k) note_meeting(records_.balls.ball(records_.entry(k).ball));
+  const uint32_t former = moves.count == 1 ? place_one(moves.ball[0]) : place_all(moves);
   const Status status = update(former);
   needed_.balls = size();
   may_undo_ = status == Status::ok;
@@ -187,6 +183,39 @@ void MovingBalls::place_again(uint32_t i, const exact::LatticeBall &ball) {
   cells_.remove(i);
   records_.balls.store(i, ball);
   cells_.insert(i, ball.centre);
+}
+
+// Notes what the balls that are noted meet where they are, places all that move anew, and notes what these meet then.
+// Returns how many had been noted before that.
+uint32_t MovingBalls::place_all(const BallMoves &moves) {
+  const uint32_t moved = records_.noted();
+  for (uint32_t k = 0; k < moved; ++k) note_meeting(records_.entry(k).placed);
+  const uint32_t former = records_.noted();
+  for (uint32_t k = 0; k < moves.count; ++k) place_again(place_[moves.ball[k]], new_ball_[k]);
+  for (uint32_t k = 0; k < moved; ++k) note_meeting(records_.balls.ball(records_.entry(k).ball));
+  return former;
+}
+
+// The same for the only ball that moves, whose neighbours are looked up once if it does not go far.
+uint32_t MovingBalls::place_one(uint32_t caller) {
+  const uint32_t i = place_[caller];
+  const exact::LatticeBall before = records_.balls.ball(i);
+  const exact::Vector &p = before.centre, &q = new_ball_[0].centre;
+  const auto is_near = [this](int64_t a, int64_t b) { return a - b < cells_.side() && b - a < cells_.side(); };
+  if (records_.noted() == 0 || !is_near(p.x, q.x) || !is_near(p.y, q.y) || !is_near(p.z, q.z))
+    return place_all({1, &caller, nullptr, nullptr});
+  uint32_t later = 0;
+  cells_.visit_meeting(records_.balls, before, new_ball_[0], [&](uint32_t j, bool met_before) {
+    if (met_before) {
+      records_.note(j);
+    } else {
+      near_ball_[later++] = j;
+    }
+  });
+  const uint32_t former = records_.noted();
+  place_again(i, new_ball_[0]);
+  for (const uint32_t j : near_ball_.part(0, later)) records_.note(j);
+  return former;
 }
 
 void MovingBalls::note_meeting(const exact::LatticeBall &ball) {
@@ -280,7 +309,11 @@ void MovingBalls::gather_around(uint32_t count) {
                    {high_.x + around, high_.y + around, high_.z + around}, [&](uint32_t j) {
                      const double sum = reach + balls.r[j];
                      if (squared_distance(balls, j) > sum * sum || in_group_[j] != 0) return;
-                     near_.store(n, balls.ball(j));
+                     near_.x[n] = balls.x[j];
+                     near_.y[n] = balls.y[j];
+                     near_.z[n] = balls.z[j];
+                     near_.r[n] = balls.r[j];
+                     near_.caller[n] = balls.caller[j];
                      near_ball_[n++] = j;
                    });
   near_.n = n;

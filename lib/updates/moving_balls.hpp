@@ -97,6 +97,8 @@ class MovingBalls {
   Status stage(const BallMoves &moves, uint32_t &first_bad);
   Status round_move(const BallMoves &moves, uint32_t k);
   void place_again(uint32_t i, const exact::LatticeBall &ball);
+  uint32_t place_all(const BallMoves &moves);
+  uint32_t place_one(uint32_t caller);
   void note_meeting(const exact::LatticeBall &ball);
   Status update(uint32_t former);
   Status compute(uint32_t affected);
