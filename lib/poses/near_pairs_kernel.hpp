@@ -118,13 +118,11 @@ class PairWalker {
     }
   }
 
-  // The balls of a moving leaf against those of one leaf at rest, or of all below a sphere of level 2.
+  // The balls of a moving leaf against those of all leaves below a sphere of level 2, or of the root if it is a leaf.
   uint32_t compare_leaves(const SpherePair &pair) {
-    const bool one_leaf = pair.fixed_level == 1;
-    const SphereBlock &leaves = block(fixed_, 1, one_leaf ? pair.fixed_node / 8 : pair.fixed_node);
-    const uint32_t first_leaf = one_leaf ? pair.fixed_node - pair.fixed_node % 8 : 8 * pair.fixed_node;
-    uint32_t bits = one_leaf ? 1U << pair.fixed_node % 8
-                             : near(load(leaves), pair.moving[0], pair.moving[1], pair.moving[2], pair.moving[3]);
+    const SphereBlock &leaves = block(fixed_, 1, pair.fixed_node);
+    const uint32_t first_leaf = 8 * pair.fixed_node;
+    uint32_t bits = near(load(leaves), pair.moving[0], pair.moving[1], pair.moving[2], pair.moving[3]);
     if (bits == 0) return 0;
     const Spheres images = image(block(moving_, 0, pair.moving_node));
     const StoredSpheres stored(images);
