@@ -39,6 +39,7 @@ set(HSP_LIBRARY_SOURCES
   lib/cells/power_polytope.cpp
   lib/cells/power_predicates.cpp
   lib/cells/side_facets.cpp
+  lib/cells/wide_cells_avx2.cpp
   lib/paths/cell_crossing.cpp
   lib/paths/cell_search.cpp
   lib/paths/free_segments.cpp

@@ -1,5 +1,7 @@
 #include "cells/cell_location.hpp"
 
+#include <limits>
+
 #include "cells/power_predicates.hpp"
 #include "model/grid_order.hpp"
 
@@ -62,17 +64,26 @@ uint32_t cell_at(const BallSet &balls, const FreeSpace &space, const exact::Vect
   const Vec3 x = exact::to_double(point);
   const double side = static_cast<double>(space.side);
   const double doubt = 64 * unit_roundoff * side * side;
+  // The least and the second least, without a branch.
   uint32_t best = 0;
-  double least = power(balls, members[0], x);
+  double least = power(balls, members[0], x), second = std::numeric_limits<double>::infinity();
   for (uint32_t k = 1; k < members.size(); ++k) {
     const double candidate = power(balls, members[k], x);
-    if (candidate > least + doubt) continue;
-    if (candidate < least - doubt || has_less_power(balls, members[k], members[best], point)) {
-      best = k;
-      least = candidate;
-    }
+    const bool is_less = candidate < least;
+    const double larger = is_less ? least : candidate;
+    second = larger < second ? larger : second;
+    best = is_less ? k : best;
+    least = is_less ? candidate : least;
   }
-  if (exact_power(balls.ball(members[best]), point).sign() <= 0) return no_id;
+  if (second <= least + doubt) {
+    const double limit = least + doubt;
+    for (uint32_t k = 0; k < members.size(); ++k) {
+      if (k == best || power(balls, members[k], x) > limit) continue;
+      if (has_less_power(balls, members[k], members[best], point)) best = k;
+    }
+    least = power(balls, members[best], x);
+  }
+  if (!(least > doubt) && (least < -doubt || exact_power(balls.ball(members[best]), point).sign() <= 0)) return no_id;
   const IdRange parts = space.parts_of(space.cover.first_entry(cube) + best);
   if (parts.size() == 1) return parts.first;
   return part_at(balls, space, parts, CubeFrame(at, space.side), point);

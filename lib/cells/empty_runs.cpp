@@ -36,12 +36,13 @@ void EmptyRuns::build(const CubeCover &cover) {
 }
 
 uint32_t EmptyRuns::find(const CubeCover &cover, const CubeCoordinates &cube) const {
-  const uint32_t layer = first_index(0, layer_count_, [&](uint32_t k) { return layers_[k].z >= cube.z; });
+  const uint32_t layer = first_not_below(0, layer_count_, cube.z, [&](uint32_t k) { return layers_[k].z; });
   if (layer == layer_count_ || layers_[layer].z != cube.z) return layers_[layer].before;
   const uint32_t row = first_row_at(layer, cube.y);
   if (row == end_of_layer(layer) || rows_[row].y != cube.y) return run_of_rows(layer, row);
   const uint32_t end = end_of_row(row);
-  const uint32_t next = first_index(rows_[row].first_cube, end, [&](uint32_t k) { return cover.cube(k).x >= cube.x; });
+  const uint32_t next =
+      first_not_below(rows_[row].first_cube, end, cube.x, [&](uint32_t k) { return cover.cube(k).x; });
   return next < end ? before_cube_[next] : rows_[row].after;
 }
 

@@ -61,9 +61,23 @@ class EmptyRuns {
   void contacts_of_rows(const CubeCover &cover, uint32_t row, uint32_t other, Visit visit) const;
   template <class Visit>
   void contacts_of_layers(const CubeCover &cover, uint32_t layer, Visit visit) const;
+  // The first of first .. last - 1 whose key is not below one that is wanted; last if there is none. Keys are integers
+  // that ascend, mostly in steps of one: then the answer is where it has to be.
+  template <class KeyAt>
+  static uint32_t first_not_below(uint32_t first, uint32_t last, int64_t wanted, KeyAt key_at) {
+    if (first == last || wanted <= key_at(first)) return first;
+    const uint64_t steps = static_cast<uint64_t>(wanted - key_at(first));
+    if (steps >= last - first) {
+      if (key_at(last - 1) < wanted) return last;
+    } else if (key_at(first + static_cast<uint32_t>(steps)) == wanted) {
+      return first + static_cast<uint32_t>(steps);
+    }
+    return first_index(first, last, [&](uint32_t k) { return key_at(k) >= wanted; });
+  }
   // The run of rows in a layer that holds y, or the row there: the first row that is not before it.
   uint32_t first_row_at(uint32_t layer, int64_t y) const {
-    return first_index(layers_[layer].first_row, end_of_layer(layer), [&](uint32_t row) { return rows_[row].y >= y; });
+    return first_not_below(layers_[layer].first_row, end_of_layer(layer), y,
+                           [&](uint32_t row) { return rows_[row].y; });
   }
   uint32_t run_of_rows(uint32_t layer, uint32_t first_row) const {
     return first_row < end_of_layer(layer) ? rows_[first_row].before : layers_[layer].after;

@@ -30,10 +30,6 @@ bool concur(const PowerPlane &a, const PowerPlane &b, const PowerPlane &line) {
   return is_one(line.near) && is_one(line.far);
 }
 
-double &along(Vec3 &y, uint32_t axis) {
-  return axis == 0 ? y.x : axis == 1 ? y.y : y.z;
-}
-
 }  // namespace
 
 void FacetOverlay::carve(Workspace &workspace, uint32_t balls) {
@@ -48,6 +44,7 @@ void FacetOverlay::carve(Workspace &workspace, uint32_t balls) {
   above_ = workspace.take<Listed>(balls);
   parts_ = FixedVector<Part>(workspace.take<Part>(parts_per_plane * planes));
   names_ = FixedVector<Name>(workspace.take<Name>(names_per_plane * planes));
+  wide_code_ = workspace.wide_code();
 }
 
 // A corner lies on a line of the facet above, at its corner if it lies on two of them.
@@ -86,30 +83,36 @@ bool FacetOverlay::share_free_corner() const {
   return false;
 }
 
-// Whether the facet below is certainly beyond one of the edges of the one above, or certainly has a corner outside the
-// ball in it.
-FacetOverlay::Meeting FacetOverlay::compare() {
+// How the corners of one facet lie to the edges of the other. Both see the same positions along the side.
+FacetSides FacetOverlay::compare(const Polygon &corners, const Polygon &lines) const {
+  const SideFacet &of = *corners.facet, &around = *lines.facet;
+  const double margin = of.doubt + 0x1p-21 * frame_.side();
+  const double *const u = corners.facets->u(of), *const w = corners.facets->w(of);
+  const FlatLine *const edges = lines.facets->lines(around);
+#if HSP_AVX2
+  if (wide_code_) return compare_facets_avx2(u, w, of.corners, edges, around.corners, margin);
+#endif
+  return compare_facets<baseline_lanes>(u, w, of.corners, edges, around.corners, margin);
+}
+
+// Whether one of the facets is certainly beyond an edge of the other, or certainly has a corner outside the ball in it.
+// A corner of a piece of two balls is outside both.
+FacetOverlay::Meeting FacetOverlay::compare() const {
   const Polygon &below = polygon_[0], &above = polygon_[1];
-  const uint32_t axis = side_.side() / 2;
-  for (uint32_t k = 0; k < below.size(); ++k) {
-    other_corners_[k].at = below.corner(k).at;
-    along(other_corners_[k].at.y, axis) = -frame_.side();
-    sides_[k] = below.corner(k).cell != no_id ? 1 : 0;
-  }
-  for (uint32_t e = 0; e < above.size(); ++e) {
-    const UnitPlane &plane = above_planes_[e];
-    bool beyond = true;
-    for (uint32_t k = 0; k < below.size(); ++k) {
-      const int side = frame_.side_of(other_corners_[k].at, plane);
-      beyond &= side < 0;
-      if (side <= 0) sides_[k] = 0;
-    }
-    if (beyond) return Meeting::apart;
-  }
-  for (uint32_t k = 0; k < below.size(); ++k) {
-    if (sides_[k] != 0) return Meeting::together;
-  }
+  if (below.size() > 64 || above.size() > 64) return Meeting::unknown;
+  const bool one_ball = below.facet->ball == above.facet->ball;
+  const FacetSides lower = compare(below, above);
+  if (lower.apart) return Meeting::apart;
+  if ((one_ball ? lower.inside & below.facet->free_corners : lower.inside) != 0) return Meeting::together;
+  const FacetSides upper = compare(above, below);
+  if (upper.apart) return Meeting::apart;
+  if ((one_ball ? upper.inside & above.facet->free_corners : upper.inside) != 0) return Meeting::together;
   return Meeting::unknown;
+}
+
+// A corner of the facet below, in the frame of the cube above.
+PlacedPoint FacetOverlay::place_below(uint32_t corner) const {
+  return polygon_[0].facets->place(*polygon_[0].facet, corner, axes_along(side_.side() / 2), -frame_.side());
 }
 
 // The piece is the whole facet below, in the frame of the cube above.
@@ -117,10 +120,7 @@ void FacetOverlay::start() {
   const Polygon &below = polygon_[0], &above = polygon_[1];
   size_ = below.size();
   for (uint32_t k = 0; k < size_; ++k) {
-    const FacetCorner &corner = below.corner(k);
-    PlacedPoint at = corner.at;
-    along(at.y, side_.side() / 2) = -frame_.side();
-    corners_[k] = {at, {k, no_id}, {k, no_id}, 0};
+    corners_[k] = {place_below(k), {k, no_id}, {k, no_id}, 0};
     const PowerPlane line = below.line(k);
     edges_[k] = {line, {k, no_id}};
   }
@@ -392,7 +392,8 @@ uint32_t FacetOverlay::list(Span<Listed> out, const Side &side, uint32_t number,
     const SideFacet &facet = side.facets.facet(k);
     if (facet.side != number) continue;
     while (other < others.size() && others[other] < facet.ball) ++other;
-    out[count++] = {k, other < others.size() && others[other] == facet.ball};
+    const bool meets_both = other < others.size() && others[other] == facet.ball;
+    out[count++] = {k, facet.ball, meets_both ? 1U : 0U, facet.low_u, facet.high_u, facet.low_w, facet.high_w};
   }
   return count;
 }
@@ -407,34 +408,39 @@ Status FacetOverlay::find(const BallSet &balls, const CubeFrame &frame, uint32_t
   names_.clear();
   const uint32_t lower_count = list(below_, below, 2 * axis + 1, above.members);
   const uint32_t upper_count = list(above_, above, 2 * axis, below.members);
+  const Listed *const lowers = below_.data();
   for (uint32_t a = 0; a < upper_count; ++a) {
-    const Listed &upper = above_[a];
-    polygon_[1] = {&above.facets, &above.facets.facet(upper.facet)};
+    const Listed over = above_[a];
+    polygon_[1] = {&above.facets, &above.facets.facet(over.facet)};
     bool has_planes = false;
     for (uint32_t b = 0; b < lower_count; ++b) {
-      const Listed &lower = below_[b];
-      polygon_[0] = {&below.facets, &below.facets.facet(lower.facet)};
-      const SideFacet &over = *polygon_[1].facet, &under = *polygon_[0].facet;
-      if (over.ball != under.ball && upper.meets_both && lower.meets_both) continue;
-      if (axis != 0 && (under.high.x < over.low.x || over.high.x < under.low.x)) continue;
-      if (axis != 1 && (under.high.y < over.low.y || over.high.y < under.low.y)) continue;
-      if (axis != 2 && (under.high.z < over.low.z || over.high.z < under.low.z)) continue;
+      const Listed &under = lowers[b];
+      if (under.high_u < over.low_u || over.high_u < under.low_u || under.high_w < over.low_w ||
+          over.high_w < under.low_w) {
+        continue;
+      }
+      if (over.ball != under.ball && (over.meets_both & under.meets_both) != 0) continue;
+      polygon_[0] = {&below.facets, &below.facets.facet(under.facet)};
+      const AdjacentCells cells{{polygon_[0].facet->cell, polygon_[1].facet->cell}};
       // A portal is chosen among all corners of the piece.
       const bool one_contact = have_one_cell_each() && !contacts.has_portals();
       if (one_contact && over.ball == under.ball && share_free_corner()) {
-        contacts.push({{under.cell, over.cell}});
+        contacts.push(cells);
+        continue;
+      }
+      const Meeting meeting = compare();
+      if (meeting == Meeting::apart) continue;
+      if (meeting == Meeting::together && one_contact) {
+        contacts.push(cells);
         continue;
       }
       if (!has_planes) {
-        for (uint32_t e = 0; e < over.corners; ++e) above_planes_[e] = frame_.plane(balls, polygon_[1].line(e));
+        for (uint32_t e = 0; e < polygon_[1].size(); ++e) {
+          above_planes_[e] = frame_.plane(balls, polygon_[1].line(e));
+        }
         has_planes = true;
       }
-      const Meeting meeting = compare();
-      if (meeting == Meeting::together && one_contact) {
-        contacts.push({{under.cell, over.cell}});
-      } else if (meeting != Meeting::apart) {
-        overlay(lower.facet, upper.facet, contacts);
-      }
+      overlay(under.facet, over.facet, contacts);
     }
   }
   const auto balls_for = [](uint64_t required, uint64_t per_plane) {

@@ -17,8 +17,8 @@
 // common, and one of these parts reaches the border: every part of a facet outside a ball does.
 //
 // Most facets belong to one cell each. Then all that is asked of two of them is whether their piece has a point outside
-// the ball, and a corner that they share, or one of the one facet that is certainly in the other, answers that without
-// the piece.
+// the ball, and a corner that they share, or one of either facet that is certainly in the other, answers that without
+// the piece; so does an edge of either that the other is certainly beyond.
 #pragma once
 
 #include "cells/free_space.hpp"
@@ -79,17 +79,19 @@ class FacetOverlay {
     uint32_t corner_between(uint32_t a, uint32_t b) const { return next(a) == b ? b : next(b) == a ? a : no_id; }
   };
 
-  // A facet with a part outside its ball, and whether that meets the other cube too.
+  // A facet with a part outside its ball, whether that meets the other cube too, and the box around it.
   struct Listed {
-    uint32_t facet;
-    bool meets_both;
+    uint32_t facet, ball, meets_both;
+    float low_u, high_u, low_w, high_w;
   };
   enum class Meeting { apart, together, unknown };
 
   static uint32_t list(Span<Listed> out, const Side &side, uint32_t number, Span<const uint32_t> others);
   bool have_one_cell_each() const;
   bool share_free_corner() const;
-  Meeting compare();
+  Meeting compare() const;
+  FacetSides compare(const Polygon &corners, const Polygon &lines) const;
+  PlacedPoint place_below(uint32_t corner) const;
   void start();
   bool cut(uint32_t edge);
   int side_of(uint32_t corner, const PowerPlane &line, const UnitPlane &plane) const;
@@ -118,6 +120,7 @@ class FacetOverlay {
   Span<UnitPlane> above_planes_;  // of the edges of the facet above
   Span<int8_t> sides_;
   Span<Listed> below_, above_;
+  [[maybe_unused]] bool wide_code_ = false;
   uint32_t size_ = 0;
   FixedVector<Part> parts_;
   FixedVector<Name> names_;

@@ -88,7 +88,7 @@ Status FreeSpaceBuilder::add_cube(const BallSet &balls, const Cube &cube) {
   for (uint32_t k = 0; k < members.size(); ++k) {
     const uint32_t first_cell = clamped_count(space.cells.required());
     space.first_part[space.cover.first_entry(cube.number) + k] = first_cell;
-    cell_.build(k);
+    cell_.build_unless_covered(k);
     if (cell_.empty()) continue;
     ++space.power_cells;
     cell_.find_free_parts();
@@ -185,7 +185,9 @@ void FreeSpaceBuilder::link_cells() {
     space.first_neighbour[c] = end;
   }
   space.first_neighbour[cells] = end;
-  for (const AdjacentCells &pair : space.contacts.items()) {
+  // From the last pair on, so that lists are nearly sorted.
+  for (uint32_t k = space.contacts.size(); k-- > 0;) {
+    const AdjacentCells pair = space.contacts[k];
     space.neighbour[--space.first_neighbour[pair.cell[0]]] = pair.cell[1];
     space.neighbour[--space.first_neighbour[pair.cell[1]]] = pair.cell[0];
   }

@@ -1,5 +1,7 @@
 #include "cells/power_cell.hpp"
 
+#include <initializer_list>
+
 #include "core/disjoint_sets.hpp"
 
 namespace hsp {
@@ -7,11 +9,15 @@ namespace hsp {
 void PowerCell::carve(Workspace &workspace, uint32_t balls) {
   polytope_.carve(workspace, balls);
   planes_ = workspace.take<UnitPlane>(PowerPolytope::most_planes(balls));
-  placed_ = workspace.take<Member>(balls);
-  candidates_ = workspace.take<Candidate>(balls);
-  out_of_game_ = workspace.take<uint8_t>(balls);
+  for (Span<double> *numbers : {&x_, &y_, &z_, &radius_, &power_}) {
+    *numbers = workspace.take<double>(static_cast<uint64_t>(balls) + 3);
+    for (double &number : *numbers) number = 0.0;  // four are read at once, and some may not be those of balls
+  }
+  candidates_ = workspace.take<PlaneCandidate>(static_cast<uint64_t>(balls) + 4);
+  in_game_ = workspace.take<uint64_t>(static_cast<uint64_t>(balls) / 64 + 1);
   part_ = workspace.take<uint32_t>(PowerPolytope::most_vertices(balls));
   free_edges_ = workspace.take<uint8_t>(PowerPolytope::most_vertices(balls));
+  wide_code_ = workspace.wide_code();
 }
 
 void PowerCell::enter(const BallSet &balls, const CubeFrame &frame, Span<const uint32_t> members) {
@@ -19,32 +25,43 @@ void PowerCell::enter(const BallSet &balls, const CubeFrame &frame, Span<const u
   frame_ = frame;
   members_ = members;
   for (uint32_t side = 0; side < cube_sides; ++side) planes_[side] = CubeFrame::side_in_doubles(side, frame.side());
+  for (uint32_t k = 0; k <= members.size() / 64; ++k) in_game_[k] = ~UINT64_C(0);
+  in_game_[members.size() / 64] = ~(~UINT64_C(0) << members.size() % 64);
   for (uint32_t k = 0; k < members.size(); ++k) {
     const Vec3 offset = frame.offset_of(balls, members[k]);
     const double radius = balls.r[members[k]];
-    placed_[k] = {offset, radius, dot(offset, offset) - radius * radius};
-    out_of_game_[k] = 0;
+    x_[k] = offset.x;
+    y_[k] = offset.y;
+    z_[k] = offset.z;
+    radius_[k] = radius;
+    power_[k] = dot(offset, offset) - radius * radius;
   }
 }
 
+// As find_dominance() has it.
+uint64_t PowerCell::dominance(uint32_t a, uint32_t first, double doubt) const {
+#if HSP_AVX2
+  if (wide_code_) return find_dominance_avx2(numbers(), a, first, frame_.side(), doubt);
+#endif
+  return find_dominance<baseline_lanes>(numbers(), a, first, frame_.side(), doubt);
+}
+
 // The power to ball j less that to ball i is, but for a factor, g_j - g_i - (c_j - c_i).y with g = |c|^2 - r^2 and
-// centres from that of the cube. Its mean over the cube is that at y = 0.
+// centres from that of the cube. Its mean over the cube is that at y = 0, and nowhere in the cube does it differ from
+// that by more than the side times the sum of the parts of c_j - c_i.
 void PowerCell::drop_dominated() {
   const double doubt = 64 * unit_roundoff * frame_.side() * frame_.side();
-  for (uint32_t a = 0; a < members_.size(); ++a) {
-    const Member &first = placed_[a];
-    for (uint32_t b = a + 1; b < members_.size(); ++b) {
-      const double mean = placed_[b].power - first.power;
-      const Vec3 v = placed_[b].offset - first.offset;
-      const double spread = frame_.side() * (std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z));
-      if (spread == 0.0) {
-        const bool first_wins = first.radius != placed_[b].radius ? first.radius > placed_[b].radius
-                                                                  : balls_->ranks_before(members_[a], members_[b]);
-        out_of_game_[first_wins ? b : a] = 1;
-      } else if (mean > spread + doubt) {
-        out_of_game_[b] = 1;
-      } else if (mean < -spread - doubt) {
-        out_of_game_[a] = 1;
+  const uint32_t members = members_.size();
+  for (uint32_t a = 0; a < members; ++a) {
+    for (uint32_t first = a + 1; first < members; first += 64) {
+      for (uint64_t left = dominance(a, first, doubt); left != 0; left &= left - 1) {
+        const uint32_t b = first + static_cast<uint32_t>(std::countr_zero(left));
+        bool first_wins = power_[b] > power_[a];
+        if (x_[a] == x_[b] && y_[a] == y_[b] && z_[a] == z_[b]) {
+          first_wins =
+              radius_[a] != radius_[b] ? radius_[a] > radius_[b] : balls_->ranks_before(members_[a], members_[b]);
+        }
+        take_out_of_game(first_wins ? b : a);
       }
     }
   }
@@ -52,29 +69,18 @@ void PowerCell::drop_dominated() {
 
 // The planes of all others in the game that come as near to the ball's centre as any point of the cube.
 uint32_t PowerCell::list_candidates(double reach) {
-  const Member own = placed_[member_];
-  const double limit = reach * reach;
-  const uint32_t members = members_.size();
-  const Member *const placed = placed_.data();
-  const uint8_t *const out_of_game = out_of_game_.data();
-  Candidate *const candidates = candidates_.data();
-  uint32_t count = 0;
-  for (uint32_t m = 0; m < members; ++m) {
-    if (m == member_ || out_of_game[m] != 0) continue;
-    const Vec3 v = placed[m].offset - own.offset;
-    const double length = dot(v, v);
-    const double h = length + (own.radius - placed[m].radius) * (own.radius + placed[m].radius);
-    const double distance = h * std::fabs(h) / length;
-    candidates[count] = {distance, m};
-    count += distance > limit ? 0 : 1;
+#if HSP_AVX2
+  if (wide_code_) {
+    return list_candidates_avx2(numbers(), in_game_.data(), member_, reach * reach, candidates_.data());
   }
-  return count;
+#endif
+  return hsp::list_candidates<baseline_lanes>(numbers(), in_game_.data(), member_, reach * reach, candidates_.data());
 }
 
 // Restores a heap, nearest plane first, after its item `hole` has been replaced.
 void PowerCell::sift_down(uint32_t hole, uint32_t count) {
-  Candidate *const items = candidates_.data();
-  const Candidate item = items[hole];
+  PlaneCandidate *const items = candidates_.data();
+  const PlaneCandidate item = items[hole];
   for (uint32_t child = 2 * hole + 1; child < count; child = 2 * hole + 1) {
     if (child + 1 < count && items[child + 1].distance < items[child].distance) ++child;
     if (!(items[child].distance < item.distance)) break;
@@ -84,12 +90,27 @@ void PowerCell::sift_down(uint32_t hole, uint32_t count) {
   items[hole] = item;
 }
 
-void PowerCell::build(uint32_t k) {
+// Whether the middle of the polytope is certainly on the near side of the planes of the first candidates. The value of
+// a plane is as in drop_dominated(), and the distance of two centres is below 4 sides.
+bool PowerCell::has_certain_point(uint32_t candidates) const {
+  const Vec3 middle = polytope_.middle(), centre = offset(member_);
+  const double side = frame_.side(), power = power_[member_];
+  const double doubt = (8 * polytope_.most_doubt() + 512 * unit_roundoff * side) * side;
+  const PlaneCandidate *const items = candidates_.data();
+  for (uint32_t c = 0; c < candidates; ++c) {
+    const uint32_t m = items[c].member;
+    if (!(power_[m] - power - dot(offset(m) - centre, middle) > doubt)) return false;
+  }
+  return true;
+}
+
+void PowerCell::cut_out(uint32_t k, bool unless_covered) {
   member_ = k;
   parts_ = 0;
-  if (out_of_game_[k] != 0) return polytope_.make_empty();
-  const Member own = placed_[k];
-  centre_ = 2.0 * own.offset;
+  if (!is_in_game(k)) return polytope_.make_empty();
+  const Vec3 own = offset(k);
+  const double radius = radius_[k];
+  centre_ = 2.0 * own;
   polytope_.start(frame_.side(), centre_);
   const double slack = 2 * frame_.plane_doubt();
   double reach = polytope_.reach() + slack;
@@ -100,24 +121,26 @@ void PowerCell::build(uint32_t k) {
     const uint32_t m = candidates_[0].member, number = cube_sides + m;
     candidates_[0] = candidates_[--count];
     sift_down(0, count);
-    planes_[number] = CubeFrame::between(own.offset, own.radius, placed_[m].offset, placed_[m].radius);
+    planes_[number] = CubeFrame::between(own, radius, offset(m), radius_[m]);
     const uint32_t beyond = polytope_.find_beyond(planes_[number], frame_, [&](const PolytopeVertex &vertex) {
       return PowerPredicates(*balls_, ball(), frame_)
           .side_of(plane(vertex.plane[0]), plane(vertex.plane[1]), plane(vertex.plane[2]), plane(number));
     });
     if (beyond == 0) continue;
     if (beyond == polytope_.size()) {
-      out_of_game_[k] = 1;
+      take_out_of_game(k);
       return polytope_.make_empty();
     }
     polytope_.cut(number, planes_.data(), frame_);
     reach = polytope_.reach() + slack;
+    if (unless_covered && reach < 2 * radius && has_certain_point(count)) return;
   }
 }
 
-bool PowerCell::is_outside(const PolytopeVertex &vertex) const {
+bool PowerCell::is_outside(uint32_t v) const {
+  const PolytopeVertex &vertex = polytope_[v];
   const double r = balls_->r[ball()];
-  const int outside = frame_.outside(vertex.squared, vertex.at.doubt, 4 * r * r);
+  const int outside = frame_.outside(polytope_.squared(v), vertex.at.doubt, 4 * r * r);
   if (outside != 0) return outside > 0;
   return PowerPredicates(*balls_, ball(), frame_)
       .is_outside(plane(vertex.plane[0]), plane(vertex.plane[1]), plane(vertex.plane[2]));
@@ -126,9 +149,11 @@ bool PowerCell::is_outside(const PolytopeVertex &vertex) const {
 // Both ends are outside.
 bool PowerCell::edge_is_free(uint32_t v, uint32_t k) const {
   const PolytopeVertex &from = polytope_[v];
-  const PolytopeVertex &to = polytope_[from.neighbour[k]];
+  const uint32_t w = from.neighbour[k];
+  const PolytopeVertex &to = polytope_[w];
   const double r = balls_->r[ball()];
-  const int outside = frame_.segment_outside(from.at, from.squared, to.at, to.squared, centre_, 4 * r * r);
+  const int outside =
+      frame_.segment_outside(from.at, polytope_.squared(v), to.at, polytope_.squared(w), centre_, 4 * r * r);
   if (outside != 0) return outside > 0;
   const uint32_t a_plane = from.plane[k == 0 ? 1 : 0], b_plane = from.plane[k == 2 ? 1 : 2];
   uint32_t last = 0;
@@ -148,20 +173,20 @@ void PowerCell::find_free_parts() {
   const double W = 4 * r * r, doubt = frame_.sphere_doubt(polytope_.most_doubt());
   uint32_t free_vertices = 0;
   for (uint32_t v = 0; v < size; ++v) {
-    const double excess = vertices[v].squared - W;
-    const bool is_free = excess > doubt || (!(excess < -doubt) && is_outside(vertices[v]));
+    const double excess = polytope_.squared(v) - W;
+    const bool is_free = excess > doubt || (!(excess < -doubt) && is_outside(v));
     outside[v] = is_free ? 8 : 0;
     part[v] = is_free ? v : no_id;
     free_vertices += is_free ? 1 : 0;
   }
   if (free_vertices == 0) return;
   // As CubeFrame::segment_outside() has it, and certain for most edges that are free.
-  const auto is_certainly_free = [&](const PolytopeVertex &from, const PolytopeVertex &to) {
-    const Vec3 edge = to.at.y - from.at.y;
-    const double length = dot(edge, edge), along = dot(centre - from.at.y, edge);
-    if (along <= 0.0) return from.squared - W > doubt;
-    if (along >= length) return to.squared - W > doubt;
-    return (from.squared - W - doubt) * length > along * along;
+  const auto is_certainly_free = [&](uint32_t v, uint32_t w) {
+    const Vec3 from = vertices[v].at.y, edge = vertices[w].at.y - from;
+    const double length = dot(edge, edge), along = dot(centre - from, edge);
+    if (along <= 0.0) return polytope_.squared(v) - W > doubt;
+    if (along >= length) return polytope_.squared(w) - W > doubt;
+    return (polytope_.squared(v) - W - doubt) * length > along * along;
   };
   // Until only one set is left, which most cells have in the end, edges join vertices.
   DisjointSets sets(part_.part(0, size));
@@ -173,7 +198,7 @@ void PowerCell::find_free_parts() {
       const uint32_t w = from.neighbour[k];
       if (w < v || outside[w] == 0) continue;
       const PolytopeVertex &to = vertices[w];
-      if (!is_certainly_free(from, to) && !edge_is_free(v, k)) continue;
+      if (!is_certainly_free(v, w) && !edge_is_free(v, k)) continue;
       const uint32_t back = to.neighbour[0] == v ? 0 : to.neighbour[1] == v ? 1 : 2;
       outside[v] = static_cast<uint8_t>(outside[v] | 1U << k);
       outside[w] = static_cast<uint8_t>(outside[w] | 1U << back);

@@ -8,6 +8,7 @@
 // no common point, all vertices and edges are outside and connected.
 #pragma once
 
+#include "cells/cube_members.hpp"
 #include "cells/power_polytope.hpp"
 #include "cells/power_predicates.hpp"
 
@@ -24,7 +25,9 @@ class PowerCell {
   void drop_dominated();
 
   // The power cell of member number k, which may be empty.
-  void build(uint32_t k);
+  void build(uint32_t k) { cut_out(k, false); }
+  // The same, but a cell that is not empty and lies in its ball may stay larger than it is: it has no free parts.
+  void build_unless_covered(uint32_t k) { cut_out(k, true); }
   // Which of its vertices are outside the ball, which edges, and its free parts.
   void find_free_parts();
 
@@ -44,28 +47,27 @@ class PowerCell {
   PowerPlane plane(uint32_t number) const {
     return number < cube_sides ? side_plane(number) : PowerPlane{ball(), members_[number - cube_sides]};
   }
+  // In doubles, of a plane on which the cell has a vertex.
+  const UnitPlane &unit_plane(uint32_t number) const { return planes_[number]; }
   // What a number says to whoever does not know the members: a side, or a ball and six.
   uint32_t code_of(uint32_t number) const {
     return number < cube_sides ? number : cube_sides + members_[number - cube_sides];
   }
 
  private:
-  // A ball that meets the cube: from the centre of the cube to its own, its radius, and the square of the one less that
-  // of the other.
-  struct Member {
-    Vec3 offset;
-    double radius, power;
-  };
-  // A plane that may cut the cell. Its squared distance from the ball's centre, with the sign of that: negative if the
-  // centre is beyond.
-  struct Candidate {
-    double distance;
-    uint32_t member;
-  };
-
+  // From the centre of the cube to that of a member.
+  Vec3 offset(uint32_t m) const { return {x_[m], y_[m], z_[m]}; }
+  MemberArrays numbers() const {
+    return {x_.data(), y_.data(), z_.data(), radius_.data(), power_.data(), members_.size()};
+  }
+  bool is_in_game(uint32_t m) const { return (in_game_[m / 64] >> m % 64 & 1) != 0; }
+  void take_out_of_game(uint32_t m) { in_game_[m / 64] &= ~(UINT64_C(1) << m % 64); }
+  uint64_t dominance(uint32_t a, uint32_t first, double doubt) const;
+  void cut_out(uint32_t k, bool unless_covered);
+  bool has_certain_point(uint32_t candidates) const;
   uint32_t list_candidates(double reach);
   void sift_down(uint32_t hole, uint32_t count);
-  bool is_outside(const PolytopeVertex &vertex) const;
+  bool is_outside(uint32_t v) const;
   bool edge_is_free(uint32_t v, uint32_t k) const;
   bool has_centre_before(uint32_t number) const;
   bool contains_disc(uint32_t number) const;
@@ -76,13 +78,14 @@ class PowerCell {
   uint32_t member_ = 0;
   Vec3 centre_{};
   PowerPolytope polytope_;
-  Span<Member> placed_;         // [members]
-  Span<UnitPlane> planes_;      // [sides + members]
-  Span<Candidate> candidates_;  // [members]
-  Span<uint8_t> out_of_game_;   // [members]
-  Span<uint32_t> part_;         // [vertices]
-  Span<uint8_t> free_edges_;    // [vertices] bits
+  Span<double> x_, y_, z_, radius_, power_;  // [members] as MemberArrays has them
+  Span<UnitPlane> planes_;                   // [sides + members]
+  Span<PlaneCandidate> candidates_;          // [members + 4]
+  Span<uint64_t> in_game_;                   // [members / 64] a bit for each
+  Span<uint32_t> part_;                      // [vertices]
+  Span<uint8_t> free_edges_;                 // [vertices] bits
   uint32_t parts_ = 0;
+  [[maybe_unused]] bool wide_code_ = false;
 };
 
 }  // namespace hsp

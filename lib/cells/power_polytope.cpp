@@ -6,15 +6,16 @@ namespace hsp {
 
 void PowerPolytope::carve(Workspace &workspace, uint32_t balls) {
   vertices_ = workspace.take<PolytopeVertex>(2 * most_vertices(balls));
-  for (Span<double> *numbers : {&x_, &y_, &z_, &value_}) {
+  for (Span<double> *numbers : {&x_, &y_, &z_, &squared_, &value_}) {
     *numbers = workspace.take<double>(2 * most_vertices(balls));
-    for (double &number : *numbers) number = 0.0;  // two are read at once, and one may not be that of a vertex
+    for (double &number : *numbers) number = 0.0;  // four are read at once, and some may not be those of vertices
   }
-  beyond_ = workspace.take<uint8_t>(2 * most_vertices(balls));
+  beyond_ = workspace.take<uint64_t>(2 * most_vertices(balls) / 64 + 1);
   holes_ = workspace.take<uint32_t>(2 * most_vertices(balls));
   open_ = workspace.take<uint32_t>(most_planes(balls));
   for (uint32_t &end : open_) end = no_id;
   count_ = 0;
+  wide_code_ = workspace.wide_code();
 }
 
 void PowerPolytope::start(double side, const Vec3 &centre) {
@@ -29,35 +30,31 @@ void PowerPolytope::start(double side, const Vec3 &centre) {
       vertex.plane[axis] = 2 * axis + (v >> axis & 1);
       vertex.neighbour[axis] = v ^ 1U << axis;
     }
-    vertex.squared = dot(vertex.at.y - centre, vertex.at.y - centre);
+    squared_[v] = dot(vertex.at.y - centre, vertex.at.y - centre);
     x_[v] = vertex.at.y.x;
     y_[v] = vertex.at.y.y;
     z_[v] = vertex.at.y.z;
   }
 }
 
-// The values of v.y - h. Returns whether any is larger than a threshold.
-bool PowerPolytope::find_values(const UnitPlane &S, double threshold) {
-  const uint32_t count = count_;
-  const double *const x = x_.data(), *const y = y_.data(), *const z = z_.data();
-  double *const values = value_.data();
-  const Lanes a = all_lanes(S.v.x), b = all_lanes(S.v.y), c = all_lanes(S.v.z), h = all_lanes(S.h);
-  const Lanes least = all_lanes(threshold);
-  LaneMask larger{};
-  for (uint32_t v = 0; v < count; v += lane_count) {
-    const Lanes value = a * load_lanes(x + v) + b * load_lanes(y + v) + c * load_lanes(z + v) - h;
-    larger |= value > least;
-    std::memcpy(values + v, &value, sizeof value);
-  }
-  return any(larger);
-}
-
 double PowerPolytope::reach() const {
   const uint32_t count = count_;
-  const PolytopeVertex *const vertices = vertices_.data();
-  double most = 0.0;
-  for (uint32_t v = 0; v < count; ++v) most = vertices[v].squared > most ? vertices[v].squared : most;
-  return std::sqrt(most) + most_doubt_;
+  const double *const squared = squared_.data();
+  double most[2] = {0.0, 0.0};
+  for (uint32_t v = 0; v + 1 < count; v += 2) {
+    most[0] = squared[v] > most[0] ? squared[v] : most[0];
+    most[1] = squared[v + 1] > most[1] ? squared[v + 1] : most[1];
+  }
+  // A simple polytope has an even number of vertices.
+  return std::sqrt(most[0] > most[1] ? most[0] : most[1]) + most_doubt_;
+}
+
+Vec3 PowerPolytope::middle() const {
+  const uint32_t count = count_;
+  const double *const x = x_.data(), *const y = y_.data(), *const z = z_.data();
+  Vec3 sum{0, 0, 0};
+  for (uint32_t v = 0; v < count; ++v) sum = sum + Vec3{x[v], y[v], z[v]};
+  return (1.0 / static_cast<double>(count)) * sum;
 }
 
 void PowerPolytope::cut(uint32_t plane, const UnitPlane *planes, const CubeFrame &frame) {
@@ -66,10 +63,12 @@ void PowerPolytope::cut(uint32_t plane, const UnitPlane *planes, const CubeFrame
   const EdgeCrossing crossing(frame);
   const Vec3 centre = centre_;
   PolytopeVertex *const vertices = vertices_.data();
-  double *const x = x_.data(), *const y = y_.data(), *const z = z_.data();
+  double *const x = x_.data(), *const y = y_.data(), *const z = z_.data(), *const squared = squared_.data();
   const double *const values = value_.data();
-  const uint8_t *const marks = beyond_.data();
   const uint32_t *const holes = holes_.data();
+  const uint64_t first_bits = beyond_[0];
+  const uint64_t *const more_bits = beyond_.data();
+  const auto is_beyond = [&](uint32_t v) { return ((old <= 64 ? first_bits : more_bits[v / 64]) >> v % 64 & 1) != 0; };
   uint32_t *const open = open_.data();
   // The edge on the new plane and on plane[k] of a new vertex: the second of its two ends finds the first one.
   const auto link = [&](uint32_t vertex, uint32_t k, uint32_t other_plane) __attribute__((always_inline)) {
@@ -81,26 +80,28 @@ void PowerPolytope::cut(uint32_t plane, const UnitPlane *planes, const CubeFrame
     vertices[first / 2].neighbour[1 - first % 2] = vertex;
   };
   // New vertices take the places of those that are cut off, once it is known what these were joined to, and then places
-  // behind the last one. The marks stay as they are meanwhile.
+  // behind the last one. The bits stay as they are meanwhile.
   uint32_t filled = 0, end = old;
   double most_doubt = most_doubt_;
   for (uint32_t hole = 0; hole < hole_count; ++hole) {
     const uint32_t w = holes[hole];
-    const PolytopeVertex gone = vertices[w];
+    const PlacedPoint gone = vertices[w].at;
+    const uint32_t planes_of[3] = {vertices[w].plane[0], vertices[w].plane[1], vertices[w].plane[2]};
+    const uint32_t next[3] = {vertices[w].neighbour[0], vertices[w].neighbour[1], vertices[w].neighbour[2]};
     const double value = values[w];
     // The edge to vertex v, on planes a and b.
     const auto cross = [&](uint32_t v, uint32_t a, uint32_t b) __attribute__((always_inline)) {
-      if (marks[v] != 0) return;
+      if (is_beyond(v)) return;
       const uint32_t to = filled <= hole ? holes[filled++] : end++;
       PolytopeVertex &left = vertices[v], &made = vertices[to];
       left.neighbour[left.neighbour[0] == w ? 0 : left.neighbour[1] == w ? 1 : 2] = to;
       PlacedPoint at;
-      if (!crossing.find(left.at, values[v], gone.at, value, at)) {
+      if (!crossing.find(left.at, values[v], gone, value, at)) {
         at = frame.common_point(planes[a], planes[b], S);
       }
       const Vec3 from_centre = at.y - centre;
       made.at = at;
-      made.squared = dot(from_centre, from_centre);
+      squared[to] = dot(from_centre, from_centre);
       made.plane[0] = a;
       made.plane[1] = b;
       made.plane[2] = plane;
@@ -112,9 +113,9 @@ void PowerPolytope::cut(uint32_t plane, const UnitPlane *planes, const CubeFrame
       link(to, 0, a);
       link(to, 1, b);
     };
-    cross(gone.neighbour[0], gone.plane[1], gone.plane[2]);
-    cross(gone.neighbour[1], gone.plane[0], gone.plane[2]);
-    cross(gone.neighbour[2], gone.plane[0], gone.plane[1]);
+    cross(next[0], planes_of[1], planes_of[2]);
+    cross(next[1], planes_of[0], planes_of[2]);
+    cross(next[2], planes_of[0], planes_of[1]);
   }
   count_ = end;
   most_doubt_ = most_doubt;
@@ -129,6 +130,7 @@ void PowerPolytope::move(uint32_t from, uint32_t to) {
   x_[to] = x_[from];
   y_[to] = y_[from];
   z_[to] = z_[from];
+  squared_[to] = squared_[from];
   for (const uint32_t w : vertices_[to].neighbour) {
     for (uint32_t &back : vertices_[w].neighbour) {
       if (back == from) back = to;

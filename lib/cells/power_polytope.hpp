@@ -4,15 +4,16 @@
 // alone.
 #pragma once
 
+#include <bit>
+
 #include "cells/cube_frame.hpp"
-#include "core/simd.hpp"
+#include "cells/vertex_sides.hpp"
 #include "core/workspace.hpp"
 
 namespace hsp {
 
 struct PolytopeVertex {
   PlacedPoint at;
-  double squared;  // of the distance from the centre of the ball
   uint32_t plane[3];
   uint32_t neighbour[3];  // [k]: along the edge on the two planes other than plane[k]
 
@@ -41,22 +42,37 @@ class PowerPolytope {
 
   uint32_t size() const { return count_; }
   const PolytopeVertex &operator[](uint32_t v) const { return vertices_[v]; }
+  // Of the distance of a vertex from the centre of the ball.
+  double squared(uint32_t v) const { return squared_[v]; }
   // No point of it is farther from the ball's centre, but for errors of the frame.
   double reach() const;
+  // The mean of its vertices, which is in it: off by no more than they are, but for roundings.
+  Vec3 middle() const;
   // No vertex is more in doubt.
   double most_doubt() const { return most_doubt_; }
 
  private:
-  bool find_values(const UnitPlane &S, double margin);
+  // Of the vertices from one on, up to 64.
+  VertexSides sides_of(uint32_t first, const UnitPlane &S, double margin) const {
+    const PointValues points{x_.data() + first, y_.data() + first, z_.data() + first, value_.data() + first};
+    const uint32_t count = count_ - first < 64 ? count_ - first : 64;
+    const PlaneNumbers plane{S.v.x, S.v.y, S.v.z, S.h};
+#if HSP_AVX2
+    if (wide_code_) return find_sides_avx2(points, count, plane, margin);
+#endif
+    return find_sides<baseline_lanes>(points, count, plane, margin);
+  }
   void move(uint32_t from, uint32_t to);
 
   Span<PolytopeVertex> vertices_;
   Span<double> x_, y_, z_;  // [vertices] their positions, number by number
+  Span<double> squared_;    // [vertices]
   Span<double> value_;      // [vertices] v.y - h of the plane that they were last held against
-  Span<uint8_t> beyond_;    // [vertices]
+  Span<uint64_t> beyond_;   // [vertices / 64] a bit for each
   Span<uint32_t> holes_;    // [vertices] those that are beyond, ascending; they leave their places to others
   Span<uint32_t> open_;     // [planes] the edge on it and the new plane that still waits for its other end
   uint32_t count_ = 0, hole_count_ = 0;
+  [[maybe_unused]] bool wide_code_ = false;
   Vec3 centre_{};
   double most_doubt_ = 0.0;  // of all vertices that there have been
 };
@@ -64,22 +80,19 @@ class PowerPolytope {
 template <class ExactSide>
 uint32_t PowerPolytope::find_beyond(const UnitPlane &S, const CubeFrame &frame, ExactSide exact_side) {
   const double margin = most_doubt_ + frame.plane_doubt();
-  if (!find_values(S, -margin)) return 0;
-  // Not by way of `this`, which marks could be part of as far as a compiler knows.
-  const uint32_t count = count_;
-  const double *const values = value_.data();
-  uint8_t *const marks = beyond_.data();
-  uint32_t *const holes = holes_.data();
   uint32_t found = 0;
-  for (uint32_t v = 0; v < count; ++v) {
-    bool beyond = values[v] > 0.0;
-    if (!(std::fabs(values[v]) > margin)) {
-      const int side = frame.side_of(vertices_[v].at, S);
-      beyond = (side != 0 ? side : exact_side(vertices_[v])) < 0;
+  for (uint32_t first = 0; first < count_; first += 64) {
+    const VertexSides sides = sides_of(first, S, margin);
+    uint64_t beyond = sides.beyond;
+    for (uint64_t left = sides.unsure; left != 0; left &= left - 1) {
+      const PolytopeVertex &vertex = vertices_[first + static_cast<uint32_t>(std::countr_zero(left))];
+      const int side = frame.side_of(vertex.at, S);
+      if ((side != 0 ? side : exact_side(vertex)) < 0) beyond |= left & (~left + 1);
     }
-    marks[v] = beyond ? 1 : 0;
-    holes[found] = v;
-    found += beyond ? 1 : 0;
+    beyond_[first / 64] = beyond;
+    for (; beyond != 0; beyond &= beyond - 1) {
+      holes_[found++] = first + static_cast<uint32_t>(std::countr_zero(beyond));
+    }
   }
   hole_count_ = found;
   return found;

@@ -1,26 +1,46 @@
 // The facets that power cells have on a side of their cube, as polygons: what is compared with those of the cube on the
-// other side.
+// other side. Positions on a side are (u, w), the coordinates along it, the earlier one first.
+//
+// The lines around a facet are kept in floats: v is a unit vector, |h| < 4 s before and < 5 s after the part across the
+// side is taken off, so that a u + b w - h is off by less than 2^-24 (2 s + 5 s) + 512 u s < 2^-21 s at a point that is
+// known exactly.
 #pragma once
+
+#include <initializer_list>
 
 #include "cells/power_cell.hpp"
 #include "core/fixed_vector.hpp"
 
 namespace hsp {
 
+// The coordinates along a side that is normal to an axis, and that across it.
+struct SideAxes {
+  double Vec3::*u, Vec3::*w, Vec3::*across;
+};
+constexpr SideAxes axes_along(uint32_t axis) {
+  return {axis == 0 ? &Vec3::y : &Vec3::x, axis == 2 ? &Vec3::y : &Vec3::z,
+          axis == 0   ? &Vec3::x
+          : axis == 1 ? &Vec3::y
+                      : &Vec3::z};
+}
+
 // A corner of a facet, and the edge from it to the next one.
 struct FacetCorner {
-  PlacedPoint at;
+  float doubt;         // huge_doubt or more if the position is not known
   uint32_t cell;       // no_id for a corner inside the ball
   uint32_t line;       // the code of the other plane of the edge
   uint32_t edge_free;  // whether the edge is outside the ball as a whole
 };
+inline constexpr float huge_doubt = 1e30F;
 
 struct SideFacet {
   uint32_t ball;
   uint32_t side;
   uint32_t first_corner, corners;
-  uint32_t cell;   // the cell of all corners outside the ball; no_id if there are several
-  Vec3 low, high;  // a box around the facet, along the side
+  uint32_t cell;                       // the cell of all corners outside the ball; no_id if there are several
+  double doubt;                        // the largest of its corners
+  uint64_t free_corners;               // a bit for each of the first 64 that is outside the ball
+  float low_u, high_u, low_w, high_w;  // a box around the facet
 };
 
 class SideFacets {
@@ -28,6 +48,12 @@ class SideFacets {
   void carve(Workspace &workspace, uint32_t facets, uint32_t corners) {
     facets_ = FixedVector<SideFacet>(workspace.take<SideFacet>(facets));
     corners_ = FixedVector<FacetCorner>(workspace.take<FacetCorner>(corners));
+    lines_ = workspace.take<FlatLine>(corners);
+    const uint64_t numbers = static_cast<uint64_t>(corners) + read_behind;
+    for (Span<double> *positions : {&u_, &w_}) {
+      *positions = workspace.take<double>(numbers);
+      for (double &number : *positions) number = 0.0;
+    }
   }
   void clear() {
     facets_.clear();
@@ -41,11 +67,29 @@ class SideFacets {
   const FixedVector<FacetCorner> &corners() const { return corners_; }
   const SideFacet &facet(uint32_t k) const { return facets_[k]; }
   const FacetCorner &corner(const SideFacet &facet, uint32_t k) const { return corners_[facet.first_corner + k]; }
+  // Where a corner is, on a side that is there along its axis.
+  PlacedPoint place(const SideFacet &facet, uint32_t k, const SideAxes &axes, double there) const {
+    const uint32_t corner = facet.first_corner + k;
+    PlacedPoint at;
+    at.y.*axes.u = u_[corner];
+    at.y.*axes.w = w_[corner];
+    at.y.*axes.across = there;
+    at.doubt = corners_[corner].doubt < huge_doubt ? static_cast<double>(corners_[corner].doubt) : no_certainty;
+    return at;
+  }
+  // Of the corners of a facet, with room for three more behind the last one, and of its edges.
+  const double *u(const SideFacet &facet) const { return u_.data() + facet.first_corner; }
+  const double *w(const SideFacet &facet) const { return w_.data() + facet.first_corner; }
+  const FlatLine *lines(const SideFacet &facet) const { return lines_.data() + facet.first_corner; }
   bool overflowed() const { return facets_.overflowed() || corners_.overflowed(); }
 
  private:
+  static constexpr uint32_t read_behind = 3;
+
   FixedVector<SideFacet> facets_;
   FixedVector<FacetCorner> corners_;
+  Span<FlatLine> lines_;  // [corners]
+  Span<double> u_, w_;    // [corners + read_behind]
 };
 
 }  // namespace hsp

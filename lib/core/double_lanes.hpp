@@ -136,6 +136,18 @@ struct DoubleLanes {
     for (uint32_t k = 0; k < n; ++k) total += a[k];
     return total;
   }
+  // A bit for each lane, lane 0 lowest: whether the mask is set there.
+  static uint64_t set_lanes(const Mask &mask) {
+#if defined(__AVX2__)
+    if constexpr (n == 4) return static_cast<uint64_t>(_mm256_movemask_pd(reinterpret_cast<__m256d>(mask)));
+#endif
+#if defined(__SSE2__)
+    if constexpr (n == 2) return static_cast<uint64_t>(_mm_movemask_pd(reinterpret_cast<__m128d>(mask)));
+#endif
+    uint64_t set = 0;
+    for (uint32_t k = 0; k < n; ++k) set |= static_cast<uint64_t>(mask[k] & 1) << k;
+    return set;
+  }
   static bool any(const Mask &mask) {
 #if defined(__AVX2__)
     if constexpr (n == 4) return _mm256_movemask_pd(reinterpret_cast<__m256d>(mask)) != 0;
