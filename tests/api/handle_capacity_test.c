@@ -1,7 +1,7 @@
-/* Every limit of models, boundaries, topologies, views, contacts, cells, bodies, periodic unions and balls that move,
- * for sets of every kind, at 0, 1, needed-1, needed and needed+1: HSP_E_CAPACITY with nothing written beyond what the
- * header names, or the same results as with ample memory. Memory is of exactly the size that the bytes function tells,
- * with guard bytes around it. */
+/* Every limit of models, boundaries, topologies, views, contacts, cells, paths, gates, bodies, periodic unions and
+ * balls that move, for sets of every kind, at 0, 1, needed-1, needed and needed+1: HSP_E_CAPACITY with nothing written
+ * beyond what the header names, or the same results as with ample memory. Memory is of exactly the size that the bytes
+ * function tells, with guard bytes around it. */
 #include <hardsphere.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,6 +14,7 @@
 #include "limit_sweep.h"
 #include "moving_result.h"
 #include "output_sweep.h"
+#include "paths_result.h"
 #include "periodic_result.h"
 #include "topology_result.h"
 #include "topology_sets.h"
@@ -385,6 +386,69 @@ static void sweep_cells(const computed *c, const char *name) {
   cells_result_release(&all);
 }
 
+/* Of a path the points, of which there are none after a failure. */
+static void paths_results(const void *paths, const void *source) {
+  const paths_result *all = source;
+  const uint32_t count = all->path.points;
+  uint32_t needed = 0;
+  guarded_memory points = guarded_take(3 * sizeof(double) * count, 0, GUARDED_PATTERN);
+  double *known = test_zeros(count, 3 * sizeof(double));
+  CHECK_EQUAL(hsp_paths_get_points(all->paths, known, count, &needed), HSP_OK);
+  CHECK_EQUAL(hsp_paths_get_points(paths, (void *)points.block, count, &needed), HSP_OK);
+  CHECK_EQUAL(needed, count);
+  CHECK_BYTES(points.block, known, points.bytes);
+  CHECK(guarded_clean(&points));
+  guarded_give_back(&points);
+  free(known);
+}
+
+static void no_paths_results(const void *paths) {
+  uint32_t needed = 12345;
+  const int32_t status = hsp_paths_get_points(paths, NULL, 0, &needed);
+  CHECK(status == HSP_E_STATE ? needed == 12345 : status == HSP_OK && needed == 0);
+}
+
+static void sweep_paths(const computed *c, const char *name) {
+  paths_result all;
+  if (CHECK_EQUAL(paths_result_make(c, &all), HSP_OK)) {
+    const known_handle known = {&paths_handle, &all, &all.needed, paths_results, no_paths_results, NULL};
+    CHECK(all.path.points >= 2 && all.path.certified == 1);
+    sweep_limits(&known, name);
+  }
+  paths_result_release(&all);
+}
+
+static void gate_results(const void *gate, const void *source) {
+  const gate_result *all = source;
+  hsp_widest_probe widest;
+  CHECK_EQUAL(hsp_gate_get(gate, &widest), HSP_OK);
+  CHECK_BYTES(&widest, &all->widest, sizeof widest);
+}
+
+static void no_gate_results(const void *gate) {
+  hsp_widest_probe widest;
+  CHECK_EQUAL(hsp_gate_get(gate, &widest), HSP_E_STATE);
+}
+
+/* In few steps, so that cells are not cut thirty times: a tetrahedron of balls that leaves its middle open. */
+static void sweep_gate(void) {
+  static const double xyz[12] = {1, 1, 1, 1, -1, -1, -1, 1, -1, -1, -1, 1}, radius[4] = {1.5, 1.5, 1.5, 1.375};
+  hsp_model_options options;
+  computed base;
+  gate_result all;
+  CHECK_EQUAL(hsp_model_options_init(&options, (uint32_t)sizeof options), HSP_OK);
+  options.step = 0.0625;
+  if (CHECK_EQUAL(computed_make(4, xyz, radius, &options, &base), HSP_OK)) {
+    if (CHECK_EQUAL(gate_result_make(&base, &all), HSP_OK)) {
+      const known_handle known = {&gate_handle, &all, &all.needed, gate_results, no_gate_results, NULL};
+      CHECK(all.widest.builds > 2 && all.widest.builds <= 40);
+      sweep_limits(&known, "a gate");
+    }
+    gate_result_release(&all);
+  }
+  computed_release(&base);
+}
+
 static void body_results(const void *body, const void *source) {
   const body_result *all = source;
   hsp_body_gap gap[BODY_POSES];
@@ -513,8 +577,10 @@ int main(void) {
       if (which % 3 == 2 && set.n <= 60) sweep_periodic(&all, set.name);
       /* They have nine limits, so that a few balls must do. */
       if (which % 3 == 1 && set.n <= 12) sweep_cells(&all, set.name);
+      if (which % 3 == 2 && set.n <= 5) sweep_paths(&all, set.name);
     }
     computed_release(&all);
   }
+  sweep_gate();
   return check_report();
 }

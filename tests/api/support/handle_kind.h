@@ -8,7 +8,7 @@
 
 /* Limits as the numbers that they consist of: struct_size, balls, neighbours and so on, and zeros. By the header at
  * most three enlargements by what a handle asks for lead to success. */
-enum { LIMIT_NUMBERS = 10, MOST_ENLARGEMENTS = 3 };
+enum { LIMIT_NUMBERS = 11, MOST_ENLARGEMENTS = 3 };
 typedef struct limit_numbers {
   uint32_t number[LIMIT_NUMBERS];
 } limit_numbers;

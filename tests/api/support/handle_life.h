@@ -9,6 +9,7 @@
 #include "map_result.h"
 #include "mesh_result.h"
 #include "moving_result.h"
+#include "paths_result.h"
 #include "periodic_result.h"
 #include "sticks_result.h"
 #include "topology_result.h"
@@ -22,13 +23,29 @@ typedef struct kind_of_life {
   /* Calls what uses scratch memory; 0 if a call fails. */
   int (*use)(void *handle);
 } kind_of_life;
-enum { BOUNDARY, TOPOLOGY, VIEW, SURFACE, MESH, MAP, STICKS, CONTACTS, CELLS, BODY, PERIODIC, MOVING, KINDS };
+enum {
+  BOUNDARY,
+  TOPOLOGY,
+  VIEW,
+  SURFACE,
+  MESH,
+  MAP,
+  STICKS,
+  CONTACTS,
+  CELLS,
+  PATHS,
+  GATE,
+  BODY,
+  PERIODIC,
+  MOVING,
+  KINDS
+};
 extern const kind_of_life kinds_of_life[KINDS];
 
 /* FNV-1a, goes on from a hash. */
 uint64_t mixed_hash(uint64_t hash, const void *bytes, size_t size);
 
-enum { CELLS_OF_BALLS = 20, STICKS_OF_BALLS = 40 };
+enum { GATES_OF_BALLS = 4, CELLS_OF_BALLS = 20, STICKS_OF_BALLS = 40 };
 
 /* All that is computed of one set. */
 typedef struct computations {
@@ -42,6 +59,8 @@ typedef struct computations {
   mesh_result mesh; /* of the surface; its handle is NULL if there is none */
   contacts_result contacts;
   cells_result cells; /* none of sets of more than CELLS_OF_BALLS balls, for the sake of time */
+  paths_result paths; /* likewise */
+  gate_result gate;   /* none of sets of more than GATES_OF_BALLS balls: cells are cut thirty times */
   body_result body;
   periodic_result periodic;
   moving_result moving;
@@ -49,12 +68,12 @@ typedef struct computations {
 } computations;
 
 /* Computes the boundary of a set, and unless `options` is NULL its topology, that view and map, sticks, the smooth
- * surface and triangles of it, contacts, cells, the body, the set in a periodic box and balls that move; false, after a
- * failed check, if a call fails. To be followed by computations_release. */
+ * surface and triangles of it, contacts, cells, path, gate, the body, the set in a periodic box and balls that move;
+ * false, after a failed check, if a call fails. To be followed by computations_release. */
 int computations_make(const ball_set *set, const hsp_view_options *options, computations *all);
 void computations_release(computations *all);
 
-/* Computes the cells and sticks of a larger set, too. */
+/* Computes the cells, a path and sticks of a larger set, too. */
 int computations_add_slow(computations *all, const hsp_view_options *options);
 
 /* The handle of a kind, NULL if there is none or, of a body, no ball, what it was computed from, and the limits that it
