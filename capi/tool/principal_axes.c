@@ -37,7 +37,8 @@ static bool takes(const struct whole_points *points, uint32_t atom) {
 static int64_t whole(const struct whole_points *points, uint32_t atom, int k) {
   const double middle = points->low[k] / 2.0 + points->high[k] / 2.0;
   const double x = (points->molecule->xyz[3 * (size_t)atom + (size_t)k] / 2.0 - middle / 2.0) / points->size;
-  return (int64_t)floor(2.0 * x * (double)points->steps + 0.5);
+  const double within = x < -0.5 ? -0.5 : x > 0.5 ? 0.5 : x; /* where doubles have no room for the middle */
+  return (int64_t)floor(2.0 * within * (double)points->steps + 0.5);
 }
 
 static void find_box(struct whole_points *points) {

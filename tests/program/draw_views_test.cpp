@@ -147,6 +147,19 @@ TEST(DrawViews, PrincipalAxesDoNotHangOnNoise) {
   }
 }
 
+// Far from the origin, where a middle between coordinates is none, and where they are hardly numbers any more.
+TEST(DrawViews, AtTheEndsOfNumbers) {
+  for (const char *text :
+       {"9007199254740992 0 0 1e10\n9007199254740994 1 0 1e10\n9007199254740994 0 2 1e10\n",
+        "1e30 0 0 1e25\n1.0000000000000002e30 0 1e13 1e25\n", "0 0 0 1\n5e-324 0 0 1\n0 1e-323 0 1\n"}) {
+    const TemporaryFile file("ends.xyzr", text);
+    const TemporaryFile out("ends.svg");
+    const Outcome outcome = draw_to(out.path(), file.path());
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(outcome.out.find("nan"), std::string::npos) << outcome.out;
+  }
+}
+
 // Water has no say in where one looks from, so that pictures with and without it agree, and map with both.
 TEST(DrawViews, WaterDoesNotTurnThePicture) {
   std::string text = read_file(crambin());
