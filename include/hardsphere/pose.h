@@ -73,7 +73,8 @@ HSP_API int32_t hsp_pose_from_matrix(const double *matrix, const double *transla
  *  or 0. first_bad may be NULL, else it becomes the first pose that is refused, or HSP_NONE; nothing else is written
  *  then.
  *
- *  Cost: about a microsecond for free poses of a hundred atoms, nearly independent of the size of the body at rest.
+ *  Cost: some two microseconds for free poses of a hundred atoms at contact, nearly independent of the size of the body
+ *  at rest.
  *  @retval HSP_E_ARGUMENT    a null pointer with poses > 0, a dead handle, or lattices of different steps
  *  @retval HSP_E_NOT_FINITE  a number of a pose is NaN or infinite
  *  @retval HSP_E_RANGE       a quaternion has length 0, or its largest component is not within 2^-300 and 2^300; a

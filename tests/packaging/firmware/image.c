@@ -1,6 +1,6 @@
 /* Firmware that uses a part of the library, to see how much flash that takes. PART is a sum of
  *   1 balls that a ball meets   2 boundary, measure and gradient   4 topology   8 views and pictures   16 other queries
- *   32 the solvent-excluded surface
+ *   32 the solvent-excluded surface   64 balls that move   128 molecule against molecule
  * A model is part of every image but the one without the library, PART < 0. Nothing here runs in the test. */
 #include <stddef.h>
 
@@ -115,9 +115,50 @@ static void draw(void) {
 }
 #endif
 
+#if PART >= 0 && (PART & 64)
+static void move_balls(void) {
+  static unsigned char memory[HSP_MOVING_BYTES(BALLS, BALLS)];
+  static hsp_moving_ball balls[BALLS];
+  static uint32_t changed[BALLS];
+  hsp_moving_limits limits;
+  hsp_moving *moving;
+  hsp_energy energy;
+  const uint32_t ball = 0;
+  uint32_t needed = 0;
+  result |= hsp_moving_limits_init(&limits, sizeof limits, BALLS);
+  result |= hsp_moving_init(memory, sizeof memory, &limits, &moving);
+  result |= hsp_moving_set(moving, model, NULL, 1, 1, HSP_TANGENT_OVERLAP, NULL, NULL);
+  result |= hsp_moving_move(moving, 1, &ball, xyz, NULL, NULL, NULL);
+  result |= hsp_moving_gradient(moving, &energy, NULL, NULL, NULL, 0, NULL);
+  result |= hsp_moving_get_changed(moving, changed, BALLS, &needed);
+  result |= hsp_moving_get_balls(moving, needed, changed, balls);
+  result |= hsp_moving_undo(moving);
+}
+#endif
+
+#if PART >= 0 && (PART & 128)
+static void meet(void) {
+  static unsigned char memory[HSP_BODY_BYTES(BALLS)];
+  hsp_body *body;
+  hsp_pose pose = {{1, 0, 0, 0}, {0, 0, 0}};
+  hsp_body_gap gap;
+  uint32_t hit;
+  result |= hsp_body_init(memory, sizeof memory, BALLS, &body);
+  result |= hsp_body_set(body, model);
+  result |= hsp_body_hits(body, body, 1, &pose, &hit, NULL);
+  result |= hsp_body_gaps(body, body, 1, &pose, &gap, NULL);
+}
+#endif
+
 int main(void) {
 #if PART >= 0
   set_model();
+#if PART & 64
+  move_balls();
+#endif
+#if PART & 128
+  meet();
+#endif
 #if PART & 1
   query();
 #endif
