@@ -7,7 +7,7 @@
 
 # What tests/run.sh needs: compilers, GoogleTest, and the programs that read pictures and look at the format.
 packages_for_tests=(cmake ninja-build gcc g++ libc6-dev binutils gfortran pkg-config libgtest-dev libbenchmark-dev
-  clang-format-14 libxml2-utils ghostscript poppler-utils librsvg2-bin)
+  clang-format-14 libxml2-utils ghostscript poppler-utils librsvg2-bin zlib1g-dev)
 # What `tests/run.sh --all` needs besides: sanitizers of clang, other linkers, C libraries and processors, documentation,
 # a count of instructions.
 packages_for_all_tests=(clang clang-14 lld musl-tools libclang-rt-14-dev g++-arm-linux-gnueabihf g++-s390x-linux-gnu qemu-user

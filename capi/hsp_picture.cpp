@@ -39,7 +39,9 @@ hsp_picture_options defaults() {
           0,
           0,
           select.scale,
-          {select.centre[0], select.centre[1], select.centre[2]}};
+          {select.centre[0], select.centre[1], select.centre[2]},
+          HSP_ADDRESS(select.memory),
+          select.memory_bytes};
 }
 
 bool has_centre(const hsp_picture_options &options) {
@@ -50,7 +52,9 @@ bool is_valid(const hsp_picture_options &options) {
   return options.format <= HSP_FORMAT_PDF && options.style <= HSP_STYLE_SOFT && options.unit <= HSP_UNIT_MM &&
          (options.flags & ~(HSP_PICTURE_NO_IDS | HSP_PICTURE_NO_BACKGROUND)) == 0 && options.reserved == 0 &&
          !(options.width == 0.0 && options.height == 0.0) && !(options.scale == 0.0 && has_centre(options)) &&
-         options.outline_colour <= largest_colour && options.background <= largest_colour;
+         options.outline_colour <= largest_colour && options.background <= largest_colour &&
+         (options.memory != 0 || options.memory_bytes == 0) && options.memory <= UINTPTR_MAX &&
+         options.memory_bytes <= SIZE_MAX;
 }
 
 bool is_finite(const hsp_picture_options &options) {
@@ -87,7 +91,9 @@ hsp::PictureOptions from_c(const hsp_picture_options &options) {
           (options.flags & HSP_PICTURE_NO_IDS) == 0,
           (options.flags & HSP_PICTURE_NO_BACKGROUND) == 0,
           options.scale,
-          {options.centre[0], options.centre[1], options.centre[2]}};
+          {options.centre[0], options.centre[1], options.centre[2]},
+          reinterpret_cast<void *>(static_cast<uintptr_t>(options.memory)),
+          static_cast<size_t>(options.memory_bytes)};
 }
 
 // Of one call: all but where its paths are from.
@@ -115,6 +121,7 @@ int32_t write_checked(const Handle *handle, const Call &call, Write write) {
   if (ready && call.colour != nullptr && !are_colours(call.colour, handle->balls().n)) return HSP_E_ARGUMENT;
   if (!is_finite(wanted)) return HSP_E_NOT_FINITE;
   if (!is_in_range(wanted)) return HSP_E_RANGE;
+  if (wanted.memory != 0 && wanted.memory_bytes < HSP_PICTURE_MEMORY) return HSP_E_MEMORY;
   if (!ready) return HSP_E_STATE;
   uint64_t taken = 0;
   const hsp::Status status = write(from_c(wanted), taken);

@@ -180,6 +180,7 @@ set(HSP_LIBRARY_SOURCES
   lib/sticks/stick_sweep.cpp
   lib/sticks/stick_view_builder.cpp
   lib/picture/byte_sink.cpp
+  lib/picture/deflate.cpp
   lib/picture/eps_writer.cpp
   lib/picture/escaped_text.cpp
   lib/picture/number_text.cpp
@@ -188,6 +189,7 @@ set(HSP_LIBRARY_SOURCES
   lib/picture/palettes.cpp
   lib/picture/pdf_writer.cpp
   lib/picture/picture.cpp
+  lib/picture/prefix_code.cpp
   lib/picture/svg_writer.cpp
   capi/hsp_status.cpp
   capi/hsp_element.cpp

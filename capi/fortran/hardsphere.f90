@@ -53,6 +53,8 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_E_RANGE = -12_c_int32_t
   integer(c_int32_t), parameter :: HSP_E_CONFLICT = -13_c_int32_t
 
+  integer(c_int32_t), parameter :: HSP_PICTURE_MEMORY = 71680_c_int32_t ! bytes
+
   integer(c_int32_t), parameter :: HSP_NONE = -1_c_int32_t              ! 0xFFFFFFFF
   integer(c_int32_t), parameter :: HSP_MAX_BALLS = 268435455_c_int32_t  ! 0x0FFFFFFF
   integer(c_int32_t), parameter :: HSP_MAX_WORKERS = 1024_c_int32_t
@@ -906,6 +908,8 @@ module hardsphere
     integer(c_int32_t) :: reserved
     real(c_double) :: scale            ! of a fixed frame: px or mm per unit of length; 0: fitted
     real(c_double) :: centre(3)        ! of a fixed frame
+    integer(c_int64_t) :: memory       ! for the compression of PDF: transfer(c_loc(memory), 0_c_int64_t), or 0
+    integer(c_int64_t) :: memory_bytes ! HSP_PICTURE_MEMORY or more, or 0
   end type
 
   ! What takes the bytes of a picture: 0 to go on, anything else to stop.

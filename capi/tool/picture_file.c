@@ -1,5 +1,7 @@
 #include "picture_file.h"
 
+#include <stdlib.h>
+
 #include "geometry.h"
 #include "output_file.h"
 
@@ -21,8 +23,8 @@ static int32_t take(void *context, const char *bytes, size_t count) {
   return 0;
 }
 
-static int32_t write_picture(const struct picture *picture, struct sink *sink, uint64_t *bytes) {
-  const hsp_picture_options *options = &picture->options;
+static int32_t write_picture(const struct picture *picture, const hsp_picture_options *options, struct sink *sink,
+                             uint64_t *bytes) {
   if (picture->sticks != NULL) {
     return hsp_picture_write_sticks(picture->sticks, picture->colour, options, picture->title, picture->description,
                                     take, sink, bytes);
@@ -40,7 +42,13 @@ bool picture_file_write(const struct picture *picture, const char *path, const s
   struct output_file file;
   if (!output_file_open(&file, path, failure)) return false;
   struct sink sink = {&file, 0, progress};
-  const int32_t status = write_picture(picture, &sink, bytes);
+  hsp_picture_options options = picture->options;
+  /* Without memory the file is correct, and larger. */
+  void *memory = options.format == HSP_FORMAT_PDF ? malloc(HSP_PICTURE_MEMORY) : NULL;
+  options.memory = HSP_ADDRESS(memory);
+  options.memory_bytes = memory != NULL ? HSP_PICTURE_MEMORY : 0;
+  const int32_t status = write_picture(picture, &options, &sink, bytes);
+  free(memory);
   if (status == HSP_OK || status == HSP_E_SINK) return output_file_finish(&file, failure);
   output_file_abandon(&file);
   return failure_in_library(failure, status);

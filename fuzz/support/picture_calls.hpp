@@ -40,6 +40,11 @@ inline hsp_picture_options picture_options(Bytes &bytes) {
       coordinate = bytes.one_in(20) ? 1e9 : (bytes.below(41) - 20.0) * (bytes.one_in(5) ? 1000 : 1);
     }
   }
+  if (bytes.one_in(2)) {
+    static std::vector<unsigned char> memory(HSP_PICTURE_MEMORY);
+    options.memory = HSP_ADDRESS(memory.data());
+    options.memory_bytes = memory.size();
+  }
   return options;
 }
 

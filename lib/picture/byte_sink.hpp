@@ -1,8 +1,11 @@
-// A buffer in front of the caller's sink. What does not fit goes out in blocks of at most 1024 bytes.
+// A buffer in front of the caller's sink. What does not fit goes out in blocks of at most 1024 bytes. In between it may
+// be compressed.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+
+#include "picture/deflate.hpp"
 
 namespace hsp {
 
@@ -20,22 +23,33 @@ class ByteSink {
     for (; *text != '\0'; ++text) put(*text);
   }
 
+  // What is put from here to finish_compressed() goes out as a zlib stream.
+  void start_compressed(Deflater &deflater) {
+    flush();
+    deflater_ = &deflater;
+  }
+  void finish_compressed();
+
   // Hands on what is in the buffer. After the function has refused, bytes are dropped.
   void flush();
 
-  // Bytes that were put, whether or not they were refused.
+  // Bytes that were put, compressed ones as they go out, whether or not they were refused. Not while they are
+  // compressed.
   uint64_t position() const { return position_ + filled_; }
   // Bytes that the function has taken.
   uint64_t taken() const { return taken_; }
   bool refused() const { return refused_; }
 
  private:
+  void hand_on(const char *bytes, size_t count);
+
   SinkFunction function_;
   void *context_;
   uint64_t position_ = 0;  // of the buffer's first byte
   uint64_t taken_ = 0;
   uint32_t filled_ = 0;
   bool refused_ = false;
+  Deflater *deflater_ = nullptr;
   char buffer_[1024];
 };
 

@@ -12,34 +12,41 @@ constexpr double longest_cubic = pi / 4 * (1 + 1e-12);
 
 constexpr uint32_t catalog = 1, page_tree = 2, only_page = 3, resources = 4, contents = 5, length_of_contents = 6,
                    about = 7;
-constexpr uint32_t objects = 7;
+// Of a compressed file: a stream that holds the resources, its length, and the table of objects.
+constexpr uint32_t packed = 8, length_of_packed = 9, table = 10;
+constexpr uint32_t objects = 10;
 
 class PdfWriter {
  public:
   PdfWriter(ByteSink &sink, const PictureInput &input, const PictureOptions &options, const Page &page,
             const Paint &paint)
-      : sink_(sink), input_(input), options_(options), page_(page), paint_(paint), decimals_(page.decimals + 2) {}
+      : sink_(sink), input_(input), options_(options), page_(page), paint_(paint), decimals_(page.decimals + 1) {}
 
+  // The resources hold a dictionary for each shade, most of the file if they are many. In a stream, which can be
+  // compressed, they may stand since PDF 1.5.
   void write() {
-    sink_.put("%PDF-1.4\n");
+    sink_.put(compressed() ? "%PDF-1.5\n" : "%PDF-1.4\n");
     put_structure();
-    begin(resources);
-    put_resources();
-    end();
-    begin(contents);
-    sink_.put("<</Length 6 0 R>>\nstream\n");
-    const uint64_t start = sink_.position();
-    put_contents();
-    const uint64_t bytes = sink_.position() - start;
-    sink_.put("endstream");
-    end();
-    begin(length_of_contents);
-    put_integer(sink_, bytes);
-    end();
+    if (compressed()) {
+      put_stream(packed, length_of_packed, "/Type/ObjStm/N 1/First 4", [this] {
+        sink_.put("4 0\n");
+        put_resources();
+      });
+    } else {
+      begin(resources);
+      put_resources();
+      end();
+    }
+    put_stream(contents, length_of_contents, "", [this] { put_contents(); });
     begin(about);
     put_about();
     end();
-    put_trailer();
+    if (compressed()) {
+      put_table_stream();
+    } else {
+      put_table();
+    }
+    sink_.put("\n%%EOF\n");
   }
 
  private:
@@ -49,6 +56,35 @@ class PdfWriter {
     sink_.put(" 0 obj\n");
   }
   void end() { sink_.put("\nendobj\n"); }
+  bool compressed() const { return options_.memory_bytes > 0; }
+
+  // A stream, and its length as an object of its own.
+  template <class Put>
+  void put_stream(uint32_t object, uint32_t length, const char *entries, Put put) {
+    begin(object);
+    sink_.put("<<");
+    sink_.put(entries);
+    sink_.put("/Length ");
+    put_integer(sink_, length);
+    sink_.put(compressed() ? " 0 R/Filter/FlateDecode>>\nstream\n" : " 0 R>>\nstream\n");
+    const uint64_t start = sink_.position();
+    if (compressed()) {
+      Workspace workspace(options_.memory, options_.memory_bytes);
+      Deflater deflater;
+      deflater.carve(workspace);
+      sink_.start_compressed(deflater);
+      put();
+      sink_.finish_compressed();
+    } else {
+      put();
+    }
+    const uint64_t bytes = sink_.position() - start;
+    sink_.put(compressed() ? "\nendstream" : "endstream");
+    end();
+    begin(length);
+    put_integer(sink_, bytes);
+    end();
+  }
 
   void put_number(double value, int decimals) {
     put_decimal(sink_, value, decimals);
@@ -232,16 +268,34 @@ class PdfWriter {
     sink_.put(">>");
   }
 
-  void put_trailer() {
+  void put_table() {
     const uint64_t start = sink_.position();
     sink_.put("xref\n0 8\n0000000000 65535 f \n");
-    for (uint32_t object = 1; object <= objects; ++object) {
+    for (uint32_t object = 1; object <= about; ++object) {
       put_integer(sink_, offset_[object], 10);
       sink_.put(" 00000 n \n");
     }
     sink_.put("trailer\n<</Size 8/Root 1 0 R/Info 7 0 R>>\nstartxref\n");
     put_integer(sink_, start);
-    sink_.put("\n%%EOF\n");
+  }
+
+  // Of each object: 0 if it is free, 1 with its offset, 2 with the stream that it stands in; and two more numbers.
+  void put_table_stream() {
+    begin(table);
+    sink_.put("<</Type/XRef/Size 11/W[1 8 2]/Root 1 0 R/Info 7 0 R/Length 121>>\nstream\n");
+    for (uint32_t object = 0; object <= objects; ++object) {
+      put_bytes(object == 0 ? 0 : object == resources ? 2 : 1, 1);
+      put_bytes(object == 0 ? 0 : object == resources ? packed : offset_[object], 8);
+      put_bytes(object == 0 ? 65535 : 0, 2);
+    }
+    sink_.put("\nendstream");
+    end();
+    sink_.put("startxref\n");
+    put_integer(sink_, offset_[table]);
+  }
+  // The highest byte first.
+  void put_bytes(uint64_t value, int bytes) {
+    for (int shift = 8 * (bytes - 1); shift >= 0; shift -= 8) sink_.put(static_cast<char>(value >> shift & 255U));
   }
 
   ByteSink &sink_;

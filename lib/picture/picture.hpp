@@ -24,6 +24,8 @@ struct PictureOptions {
   bool backdrop = true;  // paint the background
   double scale = 0.0;    // of a fixed frame, px or mm per unit of length; 0: all that is seen is fitted into the page
   double centre[3] = {0.0, 0.0, 0.0};  // what a fixed frame has in the middle
+  void *memory = nullptr;              // what a Deflater needs, for PDF; null: it is not compressed
+  size_t memory_bytes = 0;
 };
 
 constexpr uint32_t plain_colour = 0xD2CDC3;

@@ -15,7 +15,7 @@ void write_svg(ByteSink &sink, const PictureInput &input, const PictureOptions &
 void write_eps(ByteSink &sink, const PictureInput &input, const PictureOptions &options, const Page &page,
                const Paint &paint);
 
-// Portable Document Format 1.4, without compression; y up.
+// Portable Document Format 1.4, or 1.5 and compressed if the options have memory for that; y up.
 void write_pdf(ByteSink &sink, const PictureInput &input, const PictureOptions &options, const Page &page,
                const Paint &paint);
 

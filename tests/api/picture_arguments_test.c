@@ -122,6 +122,9 @@ static void bad_choices(void) {
   options = good_options();
   options.width = options.height = 0;
   check_refused(colours, &options, HSP_E_ARGUMENT);
+  options = good_options();
+  options.memory_bytes = HSP_PICTURE_MEMORY;
+  check_refused(colours, &options, HSP_E_ARGUMENT);
   for (k = 2; k < 32; ++k) {
     options = good_options();
     options.flags = HSP_PICTURE_NO_IDS | HSP_PICTURE_NO_BACKGROUND | (UINT32_C(1) << k);
@@ -255,6 +258,45 @@ static void states(void) {
   check_scene("%s", "");
 }
 
+/* With memory PDF is compressed; other formats stay as they are. */
+static void compressed(void) {
+  static unsigned char memory[HSP_PICTURE_MEMORY + 2];
+  hsp_picture_options options = good_options();
+  picture_sink plain, packed;
+  uint32_t format;
+  size_t accepts;
+  options.memory = HSP_ADDRESS(memory + 1);
+  check_refused(colours, &options, HSP_E_MEMORY);
+  options.memory_bytes = HSP_PICTURE_MEMORY - 1;
+  check_refused(colours, &options, HSP_E_MEMORY);
+  memory[0] = memory[HSP_PICTURE_MEMORY + 1] = 77;
+  for (format = HSP_FORMAT_SVG; format <= HSP_FORMAT_PDF; ++format) {
+    options = good_options();
+    options.format = format;
+    picture_sink_start(&plain, SIZE_MAX);
+    CHECK_EQUAL(write_either(view, NULL, colours, &options, &plain, NULL), HSP_OK);
+    options.memory = HSP_ADDRESS(memory + 1);
+    options.memory_bytes = HSP_PICTURE_MEMORY;
+    check_written(colours, &options);
+    picture_sink_start(&packed, SIZE_MAX);
+    CHECK_EQUAL(write_either(view, NULL, colours, &options, &packed, NULL), HSP_OK);
+    CHECK((packed.count == plain.count && memcmp(packed.bytes, plain.bytes, plain.count) == 0) ==
+          (format != HSP_FORMAT_PDF));
+    if (format == HSP_FORMAT_PDF) CHECK_BYTES(packed.bytes, "%PDF-1.5\n", 9);
+    for (accepts = 0; accepts < packed.count; accepts += 200) {
+      picture_sink sink;
+      picture_sink_start(&sink, accepts);
+      CHECK_EQUAL(write_either(view, NULL, colours, &options, &sink, NULL), HSP_E_SINK);
+      CHECK(sink.refused == 1 && sink.odd == 0 && sink.count <= accepts);
+      CHECK_BYTES(sink.bytes, packed.bytes, sink.count);
+      picture_sink_release(&sink);
+    }
+    picture_sink_release(&plain);
+    picture_sink_release(&packed);
+  }
+  CHECK(memory[0] == 77 && memory[HSP_PICTURE_MEMORY + 1] == 77);
+}
+
 /* A sink that refuses: at every byte of a small picture the status, the number of bytes taken, and no call after. */
 static void refusing_sinks(hsp_view *of_view, hsp_map *of_map) {
   hsp_picture_options options = good_options();
@@ -329,6 +371,7 @@ int main(void) {
   bad_choices();
   bad_values();
   bad_frames();
+  compressed();
   refusing_sinks(view, NULL);
   refusing_sinks(NULL, map);
   return check_report();

@@ -387,7 +387,7 @@ TEST(Draw, BallsAndSticks) {
   EXPECT_EQ(drawn(caffeine, sticks), drawn(caffeine, with({"--ball-size", "0.25", "--stick", "0.12"})));
   for (const char *extension : {".svg", ".eps", ".pdf"}) {
     const std::string picture = drawn(crambin(), with({"--style", "flat"}), extension);
-    EXPECT_GT(picture.size(), 50000U);
+    EXPECT_GT(picture.size(), 20000U);
   }
   const auto refusal = [&](const std::vector<std::string> &options) {
     return draw_to(out.path(), caffeine, options).err;
