@@ -3,7 +3,7 @@
 # they print with the reference outputs, which outputs.sh has written for the native build.
 #   same_bytes.sh SOURCE-FOLDER WORK-FOLDER REFERENCE-FOLDER WHAT PACKAGE C-COMPILER C++-COMPILER EMULATOR CPU-FEATURES
 #                 [CMAKE-OPTION...]
-# WHAT: `few` outputs (see outputs.sh), all `outputs`, or `all`, the C99 tests of the interface too. EMULATOR runs the target's programs
+# WHAT: `few` outputs (see outputs.sh) or all `outputs`; with the C99 tests of the interface `tests` and `all`. EMULATOR runs the target's programs
 # on this machine, and may be empty. CPU-FEATURES are words of /proc/cpuinfo that this machine has to have. Exit status 77:
 # something is missing here.
 set -euo pipefail
@@ -38,7 +38,10 @@ if [ -n "$emulator" ]; then
   options+=(-DCMAKE_SYSTEM_NAME=Linux -DCMAKE_EXE_LINKER_FLAGS=-static -DCMAKE_CROSSCOMPILING_EMULATOR="$emulator")
 fi
 build cmake -S "$here/target" -B "$work/build" "${options[@]}" "$@"
-build cmake --build "$work/build" --target "${what/few/outputs}" --parallel 2
+names='' target=outputs
+case $what in few | tests) names=few ;; esac
+case $what in tests | all) target=all ;; esac
+build cmake --build "$work/build" --target $target --parallel 2
 
 failed=0
 bash "$here/../packaging/archive_symbols.sh" "$work/build/hardsphere/libhardsphere.a" "$source/include/hardsphere.h" || failed=1
@@ -46,8 +49,8 @@ bash "$here/../packaging/wide_symbols.sh" "$work/build/hardsphere/CMakeFiles/har
 
 programs=$work/build
 bash "$here/outputs.sh" "$source" "$work/outputs" "$emulator" "$programs/hardsphere/capi/hardsphere" \
-  "$programs/interface_bits" "$programs/arc_tangent_bits" "$(grep -x few <<<"$what" || true)"
-[ "$what" = few ] || diff <(ls "$reference") <(ls "$work/outputs") || failed=1
+  "$programs/interface_bits" "$programs/arc_tangent_bits" "$names"
+[ -n "$names" ] || diff <(ls "$reference") <(ls "$work/outputs") || failed=1
 differing=0
 for other in "$work/outputs"/*; do
   output=$reference/${other##*/}
@@ -71,7 +74,7 @@ if [ -e "$fused" ]; then
   fi
 fi
 
-if [ "$what" = all ]; then
+if [ $target = all ]; then
   # A minute of processor time for what handles live through, which the width of integers does not change.
   left_out=malloc_trap
   [ -n "${HSP_LONG_TESTS:-}" ] || left_out+='|handle_lives'
