@@ -1,7 +1,10 @@
 // Section 2: the table of k, rho, and how many balls meet a ball, for the paper's molecules and radii; and Figure 4,
 // how large vertical decompositions are beside the library's cells. Free space: its cells by turns with Steps 1 and 2,
-// in which of them points lie, and paths between some of these; and how many times cells are cut for a widest probe.
+// in which of them points lie, and paths between some of these; and how often cells are cut for widest probes, one of
+// them out of a void.
 #include <algorithm>
+#include <chrono>
+#include <cstddef>
 
 #include "alternation.hpp"
 #include "section_2/vertical_decomposition.hpp"
@@ -27,18 +30,6 @@ Balls balls_of_figure_4(uint32_t n) {
   return balls;
 }
 
-hsp_cells_counts cells_of(const Model &model) {
-  hsp_cells_limits limits{};
-  expect_ok(hsp_cells_limits_init(&limits, sizeof limits, model.size()), "hsp_cells_limits_init");
-  support::OwnedHandle<support::CellsKind> cells;
-  cells.take(limits);
-  cells.compute(
-      [&](hsp_cells *handle, hsp_cells_limits *asked) { return hsp_cells_compute(handle, model.get(), asked); });
-  hsp_cells_counts counts{};
-  expect_ok(hsp_cells_get_counts(cells.get(), &counts), "hsp_cells_get_counts");
-  return counts;
-}
-
 // Counted once: what matters are the counts.
 void register_decompositions(const std::string &name, const SubjectRecipe &recipe, Spheres kind) {
   register_case(name, recipe,
@@ -50,7 +41,7 @@ void register_decompositions(const std::string &name, const SubjectRecipe &recip
                     space = decomposition_of_space(spheres, kind);
                     cubes = decomposition_in_cubes(spheres, kind);
                   }
-                  const hsp_cells_counts cells = cells_of(*subject.model);
+                  const hsp_cells_counts cells = FreeSpace(*subject.model).counts();
                   state.counters["space"] = static_cast<double>(space.cells);
                   state.counters["cubes"] = static_cast<double>(cubes.cells);
                   state.counters["doubtful"] = static_cast<double>(space.doubtful + cubes.doubtful);
@@ -62,33 +53,34 @@ void register_decompositions(const std::string &name, const SubjectRecipe &recip
       ->Unit(benchmark::kMillisecond);
 }
 
-struct FreeSpace {
-  explicit FreeSpace(const Model &of) : model(of) {
-    hsp_cells_limits cell_limits{};
-    hsp_paths_limits path_limits{};
-    expect_ok(hsp_cells_limits_init(&cell_limits, sizeof cell_limits, model.size()), "hsp_cells_limits_init");
-    expect_ok(hsp_paths_limits_init(&path_limits, sizeof path_limits, model.size()), "hsp_paths_limits_init");
-    path_limits.points = 100000;
-    cells.take(cell_limits);
-    compute();
-    paths.take(path_limits);
+// Room for long paths.
+struct Paths {
+  explicit Paths(const Model &model) {
+    hsp_paths_limits limits{};
+    expect_ok(hsp_paths_limits_init(&limits, sizeof limits, model.size()), "hsp_paths_limits_init");
+    limits.points = 100000;
+    paths.take(limits);
     paths.compute(
         [&](hsp_paths *made, hsp_paths_limits *asked) { return hsp_paths_compute(made, model.get(), asked); });
   }
-  void compute() {
-    cells.compute(
-        [&](hsp_cells *made, hsp_cells_limits *asked) { return hsp_cells_compute(made, model.get(), asked); });
-  }
-  uint32_t cell_at(const double *xyz) const {
-    uint32_t cell = HSP_NONE;
-    expect_ok(hsp_cells_locate(cells.get(), xyz, &cell), "hsp_cells_locate");
-    return cell;
-  }
-
-  const Model &model;
-  support::OwnedHandle<support::CellsKind> cells;
   support::OwnedHandle<support::PathsKind> paths;
 };
+
+// A point in a void that the molecule has for a probe of 1.4 Angstrom; none if there is no void.
+std::vector<double> point_in_void(const Balls &balls) {
+  Model model(balls, 1.4);
+  Boundary boundary(model);
+  Topology topology(boundary);
+  if (topology.counts().cells < 2) return {};
+  const std::vector<double> points = random_points_in_box(model, 200000);
+  for (size_t i = 0; i < points.size(); i += 3) {
+    uint32_t cell = 0;
+    expect_ok(hsp_topology_locate(topology.get(), &points[i], &cell), "hsp_topology_locate");
+    if (cell != HSP_NONE && cell != 0)
+      return {points.begin() + static_cast<ptrdiff_t>(i), points.begin() + static_cast<ptrdiff_t>(i) + 3};
+  }
+  return {};
+}
 
 // How often cells were cut for the widest probe from a point to the outside.
 uint32_t gate_builds(const Model &model, const double *from) {
@@ -104,25 +96,24 @@ uint32_t gate_builds(const Model &model, const double *from) {
   return widest.builds;
 }
 
-void free_space(benchmark::State &state, Subject &subject) {
+// bare: without a probe.
+void free_space(benchmark::State &state, Subject &subject, bool bare) {
   constexpr size_t points = 10000, ways = 20;
   constexpr uint32_t few = 1000;  // balls, so that a gate does not take seconds
   const Model &model = *subject.model;
   FreeSpace space(model);
+  const Paths paths(model);
   const std::vector<double> box = random_points_in_box(model, points);
   const std::vector<double> ends = random_points_near_surface(model, 2 * ways);
   uint64_t sum = 0;
   alternate(state, model.size(),
             {{"boundary", [&] { subject.boundary->compute(); }},
              {"cells", [&] { space.compute(); }},
-             {"locate",
-              [&] {
-                for (size_t k = 0; k < points; ++k) sum += space.cell_at(&box[3 * k]);
-              }},
+             {"locate", [&] { sum += space.locate(box); }},
              {"paths", [&] {
                 for (size_t k = 0; k < ways; ++k) {
                   hsp_path path{};
-                  expect_ok(hsp_paths_find(space.paths.get(), &ends[6 * k], &ends[6 * k + 3], &path, nullptr),
+                  expect_ok(hsp_paths_find(paths.paths.get(), &ends[6 * k], &ends[6 * k + 3], &path, nullptr),
                             "hsp_paths_find");
                   sum += path.points;
                 }
@@ -135,6 +126,14 @@ void free_space(benchmark::State &state, Subject &subject) {
     for (size_t k = 0; k < 4; ++k) builds = std::max(builds, gate_builds(model, &ends[3 * k]));
   }
   state.counters["gate_builds"] = builds;
+  const std::vector<double> in_void = bare && model.size() < few ? point_in_void(subject.balls) : std::vector<double>{};
+  state.counters["void_builds"] = 0;
+  state.counters["void_seconds"] = 0;
+  if (in_void.empty()) return;
+  const auto start = std::chrono::steady_clock::now();
+  state.counters["void_builds"] = gate_builds(model, in_void.data());
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  state.counters["void_seconds"] = taken.count();
 }
 
 }  // namespace
@@ -161,7 +160,10 @@ void register_suite() {
       const SubjectRecipe recipe{group + molecule.name,
                                  [molecule] { return with_radii(molecule, Radii::van_der_waals); }, surface.probe,
                                  Stage::boundary};
-      register_case(group + molecule.name, recipe, free_space)->Unit(benchmark::kMillisecond);
+      const bool bare = surface.probe == 0;
+      register_case(group + molecule.name, recipe, [bare](benchmark::State &state, Subject &subject) {
+        free_space(state, subject, bare);
+      })->Unit(benchmark::kMillisecond);
     }
   }
   for (const uint32_t n : {10U, 20U, 40U, 60U, 80U, 100U, 140U, 200U}) {

@@ -116,6 +116,22 @@ class Contacts {
   support::OwnedHandle<support::ContactsKind> contacts_;
 };
 
+// The cells of free space of a model.
+class FreeSpace {
+ public:
+  // Makes room for as much as it takes, and computes them.
+  explicit FreeSpace(const Model &model);
+
+  void compute();
+  hsp_cells_counts counts() const;
+  // The cells of points [count][3]. Returns how many are in none.
+  size_t locate(const std::vector<double> &points) const;
+
+ private:
+  const Model *model_;
+  support::OwnedHandle<support::CellsKind> cells_;
+};
+
 class Topology {
  public:
   // Makes room for exactly what the topology of this computed boundary needs, and computes it.
