@@ -76,7 +76,7 @@ typedef struct hsp_picture_options {
   double centre[3]; /**< of a fixed frame: the point in space in its middle, length; default 0 0 0. Without a scale it
                                 has to be that */
   uint64_t memory;  /**< HSP_ADDRESS of scratch memory of any alignment, with which PDF is compressed (Deflate) to a
-                                third to a fifth of its size; default 0: it is not. Of no effect on other formats. A
+                                half to a fifth of its size; default 0: it is not. Of no effect on other formats. A
                                 number, so that the struct is the same on every machine */
   uint64_t memory_bytes; /**< of memory, HSP_PICTURE_MEMORY or more; default 0, as it has to be without memory */
 } hsp_picture_options;

@@ -20,7 +20,7 @@ class PdfWriter {
  public:
   PdfWriter(ByteSink &sink, const PictureInput &input, const PictureOptions &options, const Page &page,
             const Paint &paint)
-      : sink_(sink), input_(input), options_(options), page_(page), paint_(paint), decimals_(page.decimals + 1) {}
+      : sink_(sink), input_(input), options_(options), page_(page), paint_(paint), decimals_(page.decimals + 2) {}
 
   // The resources hold a dictionary for each shade, most of the file if they are many. In a stream, which can be
   // compressed, they may stand since PDF 1.5.

@@ -155,7 +155,7 @@ inline uint32_t no_pdf_radius_is_0() {
   options.width = 1;
   if (!small_view().succeeds(small_beside_large, 2)) return 0;
   const PictureText &text = written(hsp::write_pdf, picture_input(), options);
-  return text.count("n .00001 0 0 .00001 ") == 1 && text.count("n 0 0 0 0 ") == 0 ? all_hold : 1;
+  return text.count("n .000001 0 0 .000001 ") == 1 && text.count("n 0 0 0 0 ") == 0 ? all_hold : 1;
 }
 
 inline constexpr Check picture_pdf_writer[] = {{"parts_of_pdf_files", parts_of_pdf_files},
