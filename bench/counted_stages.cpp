@@ -79,6 +79,10 @@ void count_stages(const bench::Balls &balls, const Surface &surface) {
   std::vector<uint32_t> ids;
   query_all_pairs(model, first, ids);
   count("query_pairs", balls, surface, [&] { query_all_pairs(model, first, ids); });
+  bench::FreeSpace space(model);
+  count("cells", balls, surface, [&] { space.compute(); });
+  const std::vector<double> box = random_points_in_box(model, model.size());
+  count("cell_locate", balls, surface, [&] { space.locate(box); });
   if (surface.probe != 0) return;  // what is drawn are van der Waals balls
   bench::View farther(model, nullptr, HSP_PIECES_OUTSIDE_FARTHER, {towards});
   count("view_farther", balls, surface, [&] { farther.compute(towards); });
