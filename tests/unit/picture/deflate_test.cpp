@@ -37,16 +37,6 @@ std::string compressed(const std::string &bytes, size_t portion) {
   return result;
 }
 
-// Numbers as pictures have them.
-std::string numbers(RandomSource &random, size_t bytes) {
-  std::string text;
-  while (text.size() < bytes) {
-    text += std::to_string(random.in(0, 999)) + '.' + std::to_string(random.in(0, 999)) + ' ';
-    if (random.one_in(6)) text += "c\n";
-  }
-  return text;
-}
-
 // Bytes of an alphabet, and repeats of what has been.
 std::string repetitive(RandomSource &random, size_t bytes, int64_t alphabet) {
   std::string text;
@@ -81,6 +71,16 @@ TEST(Deflate, DoesNotDependOnPortions) {
 }
 
 #if HSP_HAS_ZLIB
+// Numbers as pictures have them.
+std::string numbers(RandomSource &random, size_t bytes) {
+  std::string text;
+  while (text.size() < bytes) {
+    text += std::to_string(random.in(0, 999)) + '.' + std::to_string(random.in(0, 999)) + ' ';
+    if (random.one_in(6)) text += "c\n";
+  }
+  return text;
+}
+
 void expect_whole(const std::string &text) {
   const std::string stream = compressed(text, 1024);
   std::string again(text.size() + 1, '\0');
@@ -105,8 +105,8 @@ TEST(Deflate, KeepsAllBytes) {
 
 TEST(Deflate, KeepsRepeatsAtAllDistances) {
   RandomSource random(23);
-  for (const size_t distance : {1, 2, 4, 5, 8191, 8192, 8193, 16383, 16384, 16385}) {
-    for (const size_t length : {2, 3, 10, 11, 257, 258, 259, 5000}) {
+  for (const size_t distance : std::vector<size_t>{1, 2, 4, 5, 8191, 8192, 8193, 16383, 16384, 16385}) {
+    for (const size_t length : std::vector<size_t>{2, 3, 10, 11, 257, 258, 259, 5000}) {
       std::string text = repetitive(random, 100, 256);
       const std::string first = repetitive(random, distance, 256).substr(0, distance);
       text += first;
