@@ -82,8 +82,8 @@ class NearPairs : public testing::TestWithParam<Find> {};
 TEST_P(NearPairs, AreAllThatAreNotCertainlyApart) {
   oracle::RandomSource random(31);
   size_t near = 0;
-  for (const size_t n : {1, 5, 8, 9, 64, 65, 130, 600}) {
-    for (const size_t m : {1, 4, 8, 17, 64, 100}) {
+  for (const size_t n : std::vector<size_t>{1, 5, 8, 9, 64, 65, 130, 600}) {
+    for (const size_t m : std::vector<size_t>{1, 4, 8, 17, 64, 100}) {
       const BuiltTree fixed(oracle::loose_balls(random, n)), moving(oracle::loose_balls(random, m));
       const double reach = fixed.tree().reach() + 100;
       for (int k = 0; k < 6; ++k) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include <algorithm>
 #include <cmath>
 
@@ -91,7 +93,7 @@ TEST(SphereTree, HoldsAllBalls) {
     ASSERT_EQ(complaint(balls), "") << oracle::to_text(balls);
   }
   EXPECT_EQ(complaint(oracle::loose_balls(random, 3000)), "");
-  for (const size_t n : {63, 64, 65, 511, 512, 513, 4105})
+  for (const size_t n : std::vector<size_t>{63, 64, 65, 511, 512, 513, 4105})
     EXPECT_EQ(complaint(oracle::loose_balls(random, n)), "") << n;
   EXPECT_EQ(complaint(oracle::Balls(500, {7, 8, 9, 10})), "");
 }
