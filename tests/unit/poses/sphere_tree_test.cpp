@@ -2,10 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <vector>
-
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "random_poses.hpp"
 
