@@ -14,7 +14,7 @@ uint32_t below(uint32_t prime, uint32_t sum) {
   return sum < prime ? sum : sum - prime;
 }
 
-// The lengths of words are told by a code of their own: lengths, and three ways to repeat them.
+// A block begins with the lengths of its words, in a code of their own: 0 to 15, and three symbols for runs.
 constexpr uint32_t last_again = 16, few_zeros = 17, many_zeros = 18, length_symbols = 19;
 constexpr uint32_t longest_length_word = 7;
 constexpr uint8_t length_order[length_symbols] = {16, 17, 18, 0, 8, 7, 9, 6, 10, 5, 11, 4, 12, 3, 13, 2, 14, 1, 15};
@@ -154,7 +154,7 @@ void Deflater::make_codes(bool last) {
   }
   literal_code_.make(count_.part(0, literals), PrefixCode::longest_word);
   distance_code_.make(count_.part(literals, lengths), PrefixCode::longest_word);
-  // All symbols are told of, whether or not they come: their zeros take few bits.
+  // The lengths of all symbols are written, used or not: runs of zeros take few bits.
   uint8_t length_of[lengths];
   for (uint32_t s = 0; s < literals; ++s) length_of[s] = static_cast<uint8_t>(literal_code_.length(s));
   for (uint32_t s = 0; s < distances; ++s) length_of[literals + s] = static_cast<uint8_t>(distance_code_.length(s));
@@ -171,10 +171,10 @@ void Deflater::put_lengths(Span<const uint8_t> length_of) {
   visit_lengths(length_of, [&](uint32_t symbol, uint32_t, uint32_t) { ++count[symbol]; });
   PrefixCode code;
   code.make({count, length_symbols}, longest_length_word);
-  uint32_t told = length_symbols;
-  while (told > 4 && code.length(length_order[told - 1]) == 0) --told;
-  put_header({told - 4, 4});
-  for (uint32_t k = 0; k < told; ++k) put_header({code.length(length_order[k]), 3});
+  uint32_t written = length_symbols;
+  while (written > 4 && code.length(length_order[written - 1]) == 0) --written;
+  put_header({written - 4, 4});
+  for (uint32_t k = 0; k < written; ++k) put_header({code.length(length_order[k]), 3});
   visit_lengths(length_of, [&](uint32_t symbol, uint32_t rest, uint32_t bits) {
     put_header({code.word(symbol) | rest << code.length(symbol), code.length(symbol) + bits});
   });
