@@ -107,4 +107,9 @@ for (const file of files) {
   console.log(`${name}: ${await text('totals')}; ${await text('ball')}`);
 }
 if (pointed < 6) throw new Error(`only ${pointed} balls were under the pointer`);
+// Chromium's processes write into the profile until the last of them is gone: it ends by itself, then so does this.
+const ended = new Promise(done => browser.once('exit', done));
+sessionId = undefined; // a wish to the browser, not to the page
+send('Browser.close');
+await ended;
 process.exit(0);
