@@ -16,9 +16,9 @@ packages_for_all_tests=(clang clang-14 lld musl-tools libclang-rt-14-dev g++-arm
 # WebAssembly and the page that uses it, MPI, machines without an operating system.
 optional_packages_for_all_tests=(wasi-libc libclang-rt-14-dev-wasm32 libc++-14-dev-wasm32 libc++abi-14-dev-wasm32 nodejs
   chromium openmpi-bin libopenmpi-dev qemu-system-arm)
-# What the preset long tests besides.
+# What the preset long tests besides: other processors, packages, and programs that draw pictures.
 packages_for_long_tests=(g++-aarch64-linux-gnu g++-riscv64-linux-gnu g++-i686-linux-gnu googletest debootstrap dpkg-dev
-  debhelper lintian)
+  debhelper lintian cairosvg inkscape mupdf-tools)
 # What `bench/run.sh --peers` times beside the library. FreeSASA's archive needs two libraries that it reads files with.
 packages_of_peers=(freesasa libxml2-dev libjson-c-dev libcgal-dev libnanoflann-dev gemmi-dev libfcl-dev)
 
@@ -43,6 +43,7 @@ is_there() {
   case $program in
     ninja-build) program=ninja ;;
     binutils) program=ld ;;
+    mupdf-tools) program=mutool ;;
   esac
   command -v "$program" >/dev/null || [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
 }

@@ -71,6 +71,25 @@ RasterDifference difference(const Raster &a, const Raster &b) {
   return {sum / (3 * pixels), far / pixels, displaced / pixels};
 }
 
+Raster averaged(const Raster &large, size_t factor) {
+  Raster small;
+  small.width = large.width / factor;
+  small.height = large.height / factor;
+  small.rgb.reserve(3 * small.width * small.height);
+  const size_t count = factor * factor;
+  for (size_t y = 0; y < small.height; ++y) {
+    for (size_t x = 0; x < small.width; ++x) {
+      size_t sum[3] = {count / 2, count / 2, count / 2};
+      for (size_t k = 0; k < count; ++k) {
+        const uint8_t *pixel = large.pixel(x * factor + k % factor, y * factor + k / factor);
+        for (int c = 0; c < 3; ++c) sum[c] += pixel[c];
+      }
+      for (const size_t value : sum) small.rgb.push_back(static_cast<uint8_t>(value / count));
+    }
+  }
+  return small;
+}
+
 bool has_program(const std::string &name) {
   return std::system(("command -v " + name + " >/dev/null 2>&1").c_str()) == 0;
 }

@@ -27,6 +27,9 @@ struct RasterDifference {
 // Over what both pictures have; their sizes may differ by one.
 RasterDifference difference(const Raster &a, const Raster &b);
 
+// A picture `factor` times smaller: the mean of each square of pixels.
+Raster averaged(const Raster &large, size_t factor);
+
 bool has_program(const std::string &name);
 
 // Runs a command in a folder of its own with `contents` in a file named `input` there; the contents of `output`.
