@@ -317,7 +317,7 @@ static bool take_argument(struct reading *reading, const char *argument) {
     if (!meshing_take_option(&request->meshing, &reading->options, argument, &known)) return false;
     if (known) return true;
   }
-  if (request->command == COMMAND_MAP || request->command == COMMAND_PICK) {
+  if (request->command == COMMAND_MAP || request->command == COMMAND_PICK || request->command == COMMAND_MESH) {
     if (!viewing_take_option(&request->viewing, &reading->options, argument, &known)) return false;
     if (known) return true;
   }
@@ -591,7 +591,8 @@ static bool check(struct reading *reading) {
     return failure_in_usage(reading->failure, "--probe is not for --as ball-and-stick");
   }
   if (request->command == COMMAND_MESH) {
-    if (!meshing_check(&request->meshing, request->probe, reading->failure)) return false;
+    const bool viewed = viewing_is_given(&request->viewing);
+    if (!meshing_check(&request->meshing, request->probe, viewed, reading->failure)) return false;
     request->excluded_surface = request->meshing.surface == MESH_SOLVENT_EXCLUDED;
   }
   if (!check_files(reading)) return false;

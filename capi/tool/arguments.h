@@ -77,7 +77,7 @@ struct request {
   double position[3];
   double query_radius;
   struct meshing meshing;         /* of `mesh` */
-  struct viewing viewing;         /* of `map` and `pick`; of `clash` its rotation */
+  struct viewing viewing;         /* of `map`, `pick` and `mesh`; of `clash` its rotation */
   struct option_vector translate; /* of `clash` */
   struct option_vector at;        /* of `pick`: x and y */
   struct option_vector from, to;  /* of `path` and `gate` */

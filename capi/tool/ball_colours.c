@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "ball_values.h"
+#include "colour_mixed.h"
 #include "hardsphere.h"
 #include "residue_colours.h"
 #include "residue_kinds.h"
@@ -22,16 +23,6 @@ static const uint32_t ramp[3] = {0x3F74B5, 0xEFE9DC, 0xC2452F};
 static const uint32_t plain = 0xDEDBD4;
 static const double kept = 0.25;
 static const uint32_t highlighted_carbon = 0x66B8A6;
-
-static uint32_t mixed(uint32_t a, uint32_t b, double share_of_b) {
-  uint32_t colour = 0;
-  for (int shift = 16; shift >= 0; shift -= 8) {
-    const double from = (double)(a >> shift & 0xFF);
-    const double to = (double)(b >> shift & 0xFF);
-    colour = colour << 8 | (uint32_t)(from + (to - from) * share_of_b + 0.5);
-  }
-  return colour;
-}
 
 /* Of chains of residues: what the file calls HETATM belongs to them if it is a modified residue. */
 static bool is_of_chain(const struct atom_label *label) {
@@ -86,8 +77,8 @@ static uint32_t ramp_colour(double value, double low, double high) {
   const double within = part < 0.0 ? 0.0 : part > 1.0 ? 1.0 : part;
   const int step = (int)(within * RAMP_STEPS + 0.5);
   const int half = RAMP_STEPS / 2;
-  return step <= half ? mixed(ramp[0], ramp[1], (double)step / half)
-                      : mixed(ramp[1], ramp[2], (double)step / half - 1.0);
+  return step <= half ? colour_mixed(ramp[0], ramp[1], (double)step / half)
+                      : colour_mixed(ramp[1], ramp[2], (double)step / half - 1.0);
 }
 
 static bool colour_by_value(const struct drawing *drawing, const struct molecule *molecule, uint32_t *colour,
@@ -116,7 +107,7 @@ static bool mute_others(const struct selection *highlight, const struct molecule
       any = true;
       if (by_element && number_of(&molecule->label[i]) == CARBON) colour[i] = highlighted_carbon;
     } else {
-      colour[i] = mixed(plain, colour[i], kept);
+      colour[i] = colour_mixed(plain, colour[i], kept);
     }
   }
   return any || failure_in_input(failure, 0, "--highlight names no atom that is drawn");

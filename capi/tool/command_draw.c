@@ -110,11 +110,6 @@ static const char *direction_text(char out[DIRECTION_BYTES], const double direct
   return out;
 }
 
-static const char *base_name(const char *path) {
-  const char *slash = strrchr(path, '/');
-  return slash == NULL ? path : slash + 1;
-}
-
 /* The box of what is seen: no ball that is hidden reaches beyond. */
 static void find_box(const struct molecule *molecule, double probe, hsp_view_info *view) {
   const double *const axis[2] = {view->right, view->up};
@@ -176,7 +171,7 @@ static bool write_picture(const struct request *request, const struct molecule *
   char towards[DIRECTION_BYTES];
   snprintf(description, sizeof description, "%" PRIu32 " balls, seen from %s", molecule->atoms,
            direction_text(towards, drawn->view.towards));
-  const char *title = request->drawing.title != NULL ? request->drawing.title : base_name(input_name(request->file));
+  const char *title = request->drawing.title != NULL ? request->drawing.title : input_base_name(request->file);
   hsp_view *const view = drawing_is_of_map(&request->drawing) ? NULL : geometry->work.view;
   const struct picture picture = {view,  geometry->work.map, geometry->sticks, colour, drawn->options,
                                   title, description};

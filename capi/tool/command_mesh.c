@@ -7,6 +7,7 @@
 #include "commands.h"
 #include "input_report.h"
 #include "mesh_file.h"
+#include "mesh_picture.h"
 #include "output_file.h"
 #include "report.h"
 
@@ -59,6 +60,16 @@ static bool check_second_file(const struct request *request, struct failure *fai
   return !over || failure_in_usage(failure, "-o would write over the file that is read");
 }
 
+static bool write_file(const struct request *request, const struct molecule *molecule, const struct triangle_mesh *mesh,
+                       uint64_t *bytes, struct failure *failure) {
+  const struct meshing *meshing = &request->meshing;
+  if (meshing->format != MESH_SVG) return mesh_file_write(mesh, meshing->format, meshing->out, bytes, failure);
+  struct mesh_view view = {.cut = meshing->cut};
+  const int32_t status = viewing_axes(&request->viewing, molecule, view.axis);
+  if (status != HSP_OK) return failure_in_library(failure, status);
+  return mesh_picture_write(mesh, &view, molecule, input_base_name(request->file), meshing->out, bytes, failure);
+}
+
 bool command_mesh(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                   struct text_buffer *out, struct failure *failure) {
   const struct meshing *meshing = &request->meshing;
@@ -74,7 +85,7 @@ bool command_mesh(const struct request *request, const struct molecule *molecule
               geometry_compute_mesh(geometry, smooth, mesh.edge, failure) &&
               triangle_mesh_read(geometry->work.mesh, &mesh, failure);
   if (done) progress_show(&geometry->progress, "writing");
-  done = done && mesh_file_write(&mesh, meshing->format, meshing->out, &bytes, failure);
+  done = done && write_file(request, molecule, &mesh, &bytes, failure);
   if (done && !output_is_standard(meshing->out)) {
     if (request->json) {
       print_json(request, molecule, &mesh, bytes, out);

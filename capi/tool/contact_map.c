@@ -20,24 +20,6 @@ static double shade_end(int shade) {
   return part * part;
 }
 
-static void add_text(struct text_buffer *out, const char *text) {
-  for (; *text != '\0'; ++text) {
-    switch (*text) {
-      case '&':
-        text_buffer_add(out, "&amp;");
-        break;
-      case '<':
-        text_buffer_add(out, "&lt;");
-        break;
-      case '>':
-        text_buffer_add(out, "&gt;");
-        break;
-      default:
-        text_buffer_append(out, text, 1);
-    }
-  }
-}
-
 static const struct residue_label *label_of(const struct contact_map *map, uint32_t row) {
   return &map->molecule->label[map->groups->group[row].first].residue;
 }
@@ -66,10 +48,10 @@ static void add_label(struct text_buffer *out, const struct contact_map *map, ui
     if (map->groups->grouping == GROUPING_NONE) {
       text_buffer_add(out, "%" PRIu32, row);
     } else if (map->groups->grouping == GROUPING_CHAIN) {
-      add_text(out, label_of(map, row)->chain);
+      text_buffer_add_xml(out, label_of(map, row)->chain);
     } else {
-      add_text(out, label_of(map, row)->number);
-      add_text(out, label_of(map, row)->insertion);
+      text_buffer_add_xml(out, label_of(map, row)->number);
+      text_buffer_add_xml(out, label_of(map, row)->insertion);
     }
     text_buffer_add(out, "</text>\n");
   }

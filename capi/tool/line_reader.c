@@ -15,6 +15,12 @@ const char *input_name(const char *path) {
   return input_is_standard(path) ? "standard input" : path;
 }
 
+const char *input_base_name(const char *path) {
+  const char *name = input_name(path);
+  const char *slash = strrchr(name, '/');
+  return slash == NULL ? name : slash + 1;
+}
+
 FILE *input_open(const char *path, struct failure *failure) {
   if (input_is_standard(path)) return stdin;
   errno = 0;

@@ -33,6 +33,9 @@ bool input_is_standard(const char *path);
 /* What a person calls an input: its name, or "standard input". */
 const char *input_name(const char *path);
 
+/* The same without folders. */
+const char *input_base_name(const char *path);
+
 /* A file to be read, or standard input, which is not to be closed; NULL with the system's reason if that cannot be
  * done. */
 FILE *input_open(const char *path, struct failure *failure);

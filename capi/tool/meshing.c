@@ -5,8 +5,8 @@
 #include "fields.h"
 #include "output_file.h"
 
-static const char *const format_names[] = {"ply", "obj", "stl", "vert"};
-static const char *const extensions[] = {"PLY", "OBJ", "STL", "VERT"};
+static const char *const format_names[] = {"ply", "obj", "stl", "vert", "svg"};
+static const char *const extensions[] = {"PLY", "OBJ", "STL", "VERT", "SVG"};
 enum { FORMATS = sizeof format_names / sizeof format_names[0] };
 static const char *const surface_names[] = {"vdw", "sas", "ses"};
 enum { SURFACES = sizeof surface_names / sizeof surface_names[0] };
@@ -34,7 +34,8 @@ bool meshing_take_option(struct meshing *meshing, struct option_reader *reader, 
     return take_file(meshing, reader, "-o", argument[2] == '\0' ? NULL : argument + 2);
   }
   if (option_is(argument, "--triangles", &value)) {
-    return take_choice(reader, "--triangles", value, "ply, obj, stl or vert", format_names, FORMATS, &meshing->format);
+    return take_choice(reader, "--triangles", value, "ply, obj, stl, vert or svg", format_names, FORMATS,
+                       &meshing->format);
   }
   if (option_is(argument, "--surface", &value)) {
     return take_choice(reader, "--surface", value, "vdw, sas or ses", surface_names, SURFACES, &meshing->surface);
@@ -44,6 +45,10 @@ bool meshing_take_option(struct meshing *meshing, struct option_reader *reader, 
     if (meshing->edge >= 0.0) return failure_in_usage(reader->failure, "--edge is given twice");
     if (!option_length(reader, "--edge", value, &meshing->edge)) return false;
     return meshing->edge > 0.0 || failure_in_usage(reader->failure, "--edge must be above 0");
+  }
+  if (strcmp(argument, "--cut") == 0) {
+    meshing->cut = true;
+    return true;
   }
   *known = false;
   return true;
@@ -70,15 +75,19 @@ const char *meshing_surface_name(const struct meshing *meshing) {
   return surface_names[meshing->surface];
 }
 
-bool meshing_check(struct meshing *meshing, double probe, struct failure *failure) {
-  if (meshing->out == NULL) return failure_in_usage(failure, "mesh needs -o OUT, a file .ply, .obj, .stl or .vert");
+bool meshing_check(struct meshing *meshing, double probe, bool viewed, struct failure *failure) {
+  if (meshing->out == NULL)
+    return failure_in_usage(failure, "mesh needs -o OUT, a file .ply, .obj, .stl, .vert or .svg");
   if (!find_format(meshing)) {
     char shown[EXCERPT_BYTES];
-    return failure_in_usage(failure, "-o: '%s' is no .ply, .obj, .stl or .vert file",
+    return failure_in_usage(failure, "-o: '%s' is no .ply, .obj, .stl, .vert or .svg file",
                             excerpt(shown, meshing->out, strlen(meshing->out)));
   }
   if (meshing->format == MESH_MSMS && output_is_standard(meshing->out)) {
     return failure_in_usage(failure, "vert makes two files, .vert and .face: they have no place on standard output");
+  }
+  if (meshing->format != MESH_SVG && (viewed || meshing->cut)) {
+    return failure_in_usage(failure, "--view, --up, --rotate and --cut are for a picture, -o OUT.svg");
   }
   if (meshing->surface > MESH_VAN_DER_WAALS && probe == 0.0) {
     return failure_in_usage(failure, "--surface %s needs a probe, --probe 1.4", meshing_surface_name(meshing));

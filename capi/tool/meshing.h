@@ -7,7 +7,7 @@
 #include "failure.h"
 #include "option_reader.h"
 
-enum mesh_format { MESH_PLY, MESH_OBJ, MESH_STL, MESH_MSMS };
+enum mesh_format { MESH_PLY, MESH_OBJ, MESH_STL, MESH_MSMS, MESH_SVG };
 enum mesh_surface { MESH_VAN_DER_WAALS, MESH_SOLVENT_ACCESSIBLE, MESH_SOLVENT_EXCLUDED };
 
 /* Choices are negative where the user has said nothing. */
@@ -16,6 +16,7 @@ struct meshing {
   int format;      /* meshing_check sets it, by the extension of out if the user has not said */
   int surface;     /* meshing_check sets it, by the probe if the user has not said */
   double edge;     /* negative: not said */
+  bool cut;        /* of a picture: open it, so that voids are seen */
 };
 
 #define MESHING_DEFAULT \
@@ -27,7 +28,7 @@ bool meshing_take_option(struct meshing *meshing, struct option_reader *reader, 
 /* What the user calls the surface. */
 const char *meshing_surface_name(const struct meshing *meshing);
 
-/* Whether all options go together, with this probe; sets what follows from them. */
-bool meshing_check(struct meshing *meshing, double probe, struct failure *failure);
+/* Whether all options go together, with this probe, and with options of viewing; sets what follows from them. */
+bool meshing_check(struct meshing *meshing, double probe, bool viewed, struct failure *failure);
 
 #endif

@@ -48,6 +48,24 @@ void text_buffer_append(struct text_buffer *buffer, const char *bytes, size_t co
   buffer->text[buffer->length] = '\0';
 }
 
+void text_buffer_add_xml(struct text_buffer *buffer, const char *text) {
+  for (; *text != '\0'; ++text) {
+    switch (*text) {
+      case '&':
+        text_buffer_add(buffer, "&amp;");
+        break;
+      case '<':
+        text_buffer_add(buffer, "&lt;");
+        break;
+      case '>':
+        text_buffer_add(buffer, "&gt;");
+        break;
+      default:
+        text_buffer_append(buffer, ' ' <= *text && *text <= '~' ? text : "?", 1);
+    }
+  }
+}
+
 bool text_buffer_print(const struct text_buffer *buffer, struct failure *failure) {
   failure->file = NULL;
   if (buffer->out_of_memory) return failure_of_memory(failure);

@@ -25,6 +25,9 @@ void text_buffer_add(struct text_buffer *buffer, const char *format, ...) FAILUR
 /* Add bytes, whatever they are. */
 void text_buffer_append(struct text_buffer *buffer, const char *bytes, size_t count);
 
+/* Add a text as the content of an XML element; what is not ASCII, or does not print, becomes '?'. */
+void text_buffer_add_xml(struct text_buffer *buffer, const char *text);
+
 /* Everything to stdout, errors of writing included. */
 bool text_buffer_print(const struct text_buffer *buffer, struct failure *failure);
 

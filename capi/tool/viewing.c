@@ -41,6 +41,10 @@ bool viewing_check(const struct viewing *viewing, struct failure *failure) {
   return true;
 }
 
+bool viewing_is_given(const struct viewing *viewing) {
+  return viewing->automatic || viewing->view.given || viewing->up.given || viewing->rotate.given;
+}
+
 static double dot(const double a[3], const double b[3]) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }

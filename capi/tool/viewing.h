@@ -24,6 +24,9 @@ bool viewing_take_option(struct viewing *viewing, struct option_reader *reader, 
 /* Whether the angles can be turned by. */
 bool viewing_check(const struct viewing *viewing, struct failure *failure);
 
+/* Whether the user says anything. */
+bool viewing_is_given(const struct viewing *viewing);
+
 /* The same for the library, defaults included, for looking at a molecule. The status of the library. */
 int32_t viewing_options(const struct viewing *viewing, const struct molecule *molecule, hsp_view_options *options);
 

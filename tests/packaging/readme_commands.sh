@@ -13,7 +13,7 @@ PATH=$work/bin:$PATH
 
 # What the lines read.
 molecules=$source/bench/molecules inputs=$source/tests/program/inputs/good
-cp "$molecules/crambin.pdb" "$molecules/caffeine.pdb" "$work/files"
+cp "$molecules"/{crambin,caffeine,acetyl_coa,ubiquitin}.pdb "$work/files"
 cp "$molecules/crambin.pdb" "$work/files/1crn.pdb"
 gzip -c "$molecules/crambin.pdb" >"$work/files/1crn.pdb.gz"
 awk '/^(ATOM|HETATM)/ { print 1 + NR % 3 }' "$molecules/crambin.pdb" >"$work/files/sigma.txt"

@@ -1,5 +1,5 @@
-// What other programs draw: all the same, whatever the format. The reference is the PDF file, drawn by poppler four times
-// as large and averaged. Each test is skipped where one of its programs is missing.
+// What other programs draw: all the same, whatever the format. The reference is the PDF file, drawn by poppler four
+// times as large and averaged. Each test is skipped where one of its programs is missing.
 #include <gtest/gtest.h>
 
 #include <cstdio>

@@ -86,13 +86,6 @@ TEST(ContactMap, ShowsThePairsOfResidues) {
   EXPECT_NE(svg.find(">45</text>"), std::string::npos);
 }
 
-TEST(ContactMap, OfTheReadmeIsAsItStandsThere) {
-  const TemporaryFile picture("map.svg");
-  run_json(
-      {"contacts", molecules_folder() + "/crambin.pdb", "--probe", "1.4", "--by", "residue", "--map", picture.path()});
-  EXPECT_EQ(read_file(picture.path()), read_file(pictures_folder() + "/crambin_contacts.svg"));
-}
-
 TEST(ContactMap, IsRefusedWhereItHasNoPlace) {
   EXPECT_EQ(run_program({"contacts", "good/water.pdb", "good/two.xyzr", "--map", "map.svg"}).status, 2);
   EXPECT_EQ(run_program({"contacts", "good/water.pdb", "--map", "map.png"}).status, 2);
