@@ -13,6 +13,7 @@
 #include "occlusion.h"
 #include "output_file.h"
 #include "picture_file.h"
+#include "picture_frame.h"
 #include "report.h"
 #include "spinning.h"
 
@@ -21,8 +22,6 @@ struct drawn {
   hsp_view_info view; /* or as much of it as a map has, or balls and sticks have */
   uint32_t sticks;
   hsp_picture_options options;
-  double width; /* in the picture's unit */
-  double height;
   uint64_t bytes;
   double occlusion; /* as it was done */
   struct ball_palette palette;
@@ -71,6 +70,7 @@ static bool picture_options_of(const struct drawing *drawing, uint32_t balls, co
     options->scale = drawing->scale;
     memcpy(options->centre, drawing->centre.given ? drawing->centre.xyz : view->origin, sizeof options->centre);
   }
+  picture_frame_set(drawing, view, options);
   if (drawing->outline_colour >= 0) options->outline_colour = (uint32_t)drawing->outline_colour;
   if (drawing->background == DRAWING_NO_BACKGROUND) {
     /* Nobody knows what far balls would have to fade to, unless the user says so. */
@@ -81,24 +81,6 @@ static bool picture_options_of(const struct drawing *drawing, uint32_t balls, co
     options->background = (uint32_t)drawing->background;
   }
   return true;
-}
-
-/* A side that follows from the other one stays in the range that hsp_picture_write keeps it in. */
-static double clamped(double side) {
-  return side < 0.01 ? 0.01 : side > 1e6 ? 1e6 : side;
-}
-
-/* The sides of the picture where only one is given; see hsp_picture_options. */
-static void find_size(struct drawn *drawn) {
-  const hsp_view_info *view = &drawn->view;
-  const double wide = view->high[0] - view->low[0];
-  const double high = view->high[1] - view->low[1];
-  const double margin = drawn->options.margin * (wide > high ? wide : high);
-  const double across = wide + 2.0 * margin;
-  const double upright = high + 2.0 * margin;
-  const double ratio = across > 0.0 && upright > 0.0 && drawn->options.scale == 0.0 ? across / upright : 1.0;
-  drawn->width = drawn->options.width > 0.0 ? drawn->options.width : clamped(drawn->options.height * ratio);
-  drawn->height = drawn->options.height > 0.0 ? drawn->options.height : clamped(drawn->options.width / ratio);
 }
 
 /* A direction as a person reads it: with four decimals at most, and no "-0". */
@@ -134,6 +116,7 @@ static int32_t get_sticks_info(const hsp_sticks *sticks, struct drawn *drawn) {
   if (status != HSP_OK) return status;
   memcpy(view->origin, info.origin, sizeof view->origin);
   memcpy(view->towards, info.towards, sizeof view->towards);
+  memcpy(view->right, info.right, sizeof view->right);
   memcpy(view->up, info.up, sizeof view->up);
   memcpy(view->low, info.low, sizeof view->low);
   memcpy(view->high, info.high, sizeof view->high);
@@ -166,7 +149,6 @@ static bool write_picture(const struct request *request, const struct molecule *
   const int32_t status = get_info(request, molecule, geometry, drawn);
   if (status != HSP_OK) return failure_in_library(failure, status);
   if (!picture_options_of(&request->drawing, molecule->atoms, &drawn->view, &drawn->options, failure)) return false;
-  find_size(drawn);
   char description[160];
   char towards[DIRECTION_BYTES];
   snprintf(description, sizeof description, "%" PRIu32 " balls, seen from %s", molecule->atoms,
@@ -240,9 +222,9 @@ static void print_json(const struct request *request, const struct molecule *mol
   text_buffer_add(out,
                   ", \"style\": \"%s\", \"palette\": \"%s\", \"width\": ", drawing_style_name(drawn->options.style),
                   drawn->palette.name);
-  json_number(out, drawn->width);
+  json_number(out, drawn->options.width);
   text_buffer_add(out, ", \"height\": ");
-  json_number(out, drawn->height);
+  json_number(out, drawn->options.height);
   text_buffer_add(out, ", \"occlusion\": ");
   json_number(out, drawn->occlusion);
   if (drawn->palette.remark == NULL) {
@@ -263,7 +245,7 @@ static void print_table(const struct request *request, const struct molecule *mo
   char up[DIRECTION_BYTES];
   report_heading(out, request, molecule);
   snprintf(value, sizeof value, "%s, %s, %.6g x %.6g %s", drawing_format_name(drawn->options.format),
-           drawing_style_name(drawn->options.style), drawn->width, drawn->height,
+           drawing_style_name(drawn->options.style), drawn->options.width, drawn->options.height,
            drawn->options.unit == HSP_UNIT_MM ? "mm" : "px");
   report_row(out, "picture", value, "");
   if (request->drawing.spin > 0) {

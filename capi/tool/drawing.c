@@ -149,6 +149,19 @@ static bool take_range(struct option_reader *reader, const char *value, struct d
          failure_in_usage(reader->failure, "--range goes from a lower to a higher number");
 }
 
+static bool take_crop(struct option_reader *reader, const char *value, struct drawing *drawing) {
+  if (drawing->crop_given) return twice(reader, "--crop");
+  drawing->crop_given = true;
+  if (!option_numbers(reader, "--crop", value, "XYWH", drawing->crop)) return false;
+  for (int k = 0; k < 4; ++k) {
+    if (drawing->crop[k] < -1e6 || drawing->crop[k] > 1e6) {
+      return failure_in_usage(reader->failure, "--crop: numbers must be between -1000000 and 1000000");
+    }
+  }
+  return (drawing->crop[2] > 0.0 && drawing->crop[3] > 0.0) ||
+         failure_in_usage(reader->failure, "--crop: W and H must be above 0");
+}
+
 static bool take_spin(struct option_reader *reader, const char *value, int *spin) {
   uint64_t pictures = 0;
   if (!option_value(reader, "--spin", &value, "how many pictures")) return false;
@@ -201,6 +214,7 @@ bool drawing_take_option(struct drawing *drawing, struct option_reader *reader, 
   }
   if (option_is(argument, "--colour", &value)) return take_what_colours_mean(reader, value, drawing);
   if (option_is(argument, "--range", &value)) return take_range(reader, value, drawing);
+  if (option_is(argument, "--crop", &value)) return take_crop(reader, value, drawing);
   if (option_is(argument, "--spin", &value)) return take_spin(reader, value, &drawing->spin);
   if (option_is(argument, "--title", &value)) {
     return take_text(reader, "--title", value, "a text", &drawing->title);

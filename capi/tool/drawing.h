@@ -39,6 +39,8 @@ struct drawing {
   double fog;
   double margin;
   double scale; /* of a fixed frame */
+  bool crop_given;
+  double crop[4]; /* left, top, width and height of the part of the picture that is wanted, in its unit */
   double occlusion;
   double ball_size; /* of sticks: parts of the radii */
   double stick;     /* radius */

@@ -53,7 +53,7 @@ typedef int32_t (*hsp_sink)(void *context, const char *bytes, size_t count);
  *  long as the other one. What lies beyond the edges is cut off there: by the viewBox of SVG, a clip path of EPS, the
  *  MediaBox of PDF. Chosen lines depend on the scale and on the radii of all balls of the model alone. Fog still goes
  *  from the nearest to the farthest ball of the view, or through five mean radii of the model's balls if that is more.
- *  What is fitted without a margin into a picture of the shape of its box (hsp_view_info) has the scale
+ *  What is fitted without margin and lines into a picture of the shape of its box (hsp_view_info) has the scale
  *  width / (high[0] - low[0]) and the centre origin + right (low[0] + high[0]) / 2 + up (low[1] + high[1]) / 2. */
 typedef struct hsp_picture_options {
   uint32_t struct_size; /**< sizeof(hsp_picture_options) */
@@ -63,7 +63,7 @@ typedef struct hsp_picture_options {
   double width;         /**< of the picture; 0: follows from height; less than 0.01 counts as 0.01; default 1000 */
   double height;        /**< likewise, from width; default 0 */
   double margin;        /**< around the balls, as a part of the larger side of their box, in [0, 10]; default 0.03. Of
-                                no effect with a scale */
+                                no effect with a scale. Lines around them have room in any case */
   double outline;       /**< width of the lines along silhouettes and intersections; 0 (or less than 5e-5 px): none;
                                 < 0: chosen; default -1 */
   double fog;           /**< how far the farthest ball fades to the background, in [0, 1], if it is five mean radii or

@@ -16,6 +16,10 @@ double clamped(double value, double low, double high) {
   return value < low ? low : value > high ? high : value;
 }
 
+double lesser(double a, double b) {
+  return a < b ? a : b;
+}
+
 // A side as the options give it; 0 stays 0.
 double given_side(double side) {
   return side == 0.0 ? 0.0 : clamped(side, shortest_side, longest_side);
@@ -47,6 +51,12 @@ double chosen_line(const PictureInput &input, bool fixed, double scale) {
   for (uint32_t p = 0; p < paths && !fixed; ++p) sum += input.balls.r[input.paths.ball_of(p)];
   const double mean = fixed ? mean_radius(input.balls) : sum / paths;
   return 0.9 * clamped(std::sqrt(mean * scale / 34.0), 0.45, 1.9);
+}
+
+double line_of(const PictureInput &input, const PictureOptions &options, const Page &page) {
+  const bool fixed = options.scale > 0.0;
+  const double line = options.outline < 0.0 ? chosen_line(input, fixed, page.scale) : options.outline * page.unit;
+  return line < thinnest_line ? 0.0 : line;
 }
 
 // Two sides of which one may be 0, which then follows from the other one.
@@ -107,13 +117,18 @@ Page lay_out(const PictureInput &input, const PictureOptions &options) {
                                                      lattice.steps(options.centre[1]) - origin.y,
                                                      lattice.steps(options.centre[2]) - origin.z});
     page.scale = options.scale * page.unit * lattice.step();
+    page.line = line_of(input, options, page);
     page.middle[0] = centre.x;
     page.middle[1] = centre.y;
   } else {
+    if (!empty) page.scale = lesser(page.width / framed[0], page.height / framed[1]);
+    page.line = line_of(input, options, page);
     if (!empty) {
-      const double by_width = page.width / framed[0];
-      const double by_height = page.height / framed[1];
-      page.scale = by_width < by_height ? by_width : by_height;
+      // Lines along the outermost silhouettes have room for their outer half, however narrow the margin is.
+      const double room = lesser(page.line / 2, lesser(page.width, page.height) / 4);
+      if (margin * page.scale < room) {
+        page.scale = lesser((page.width - 2 * room) / size[0], (page.height - 2 * room) / size[1]);
+      }
     }
     for (int k = 0; k < 2; ++k) page.middle[k] = box.low[k] + size[k] / 2;
   }
@@ -127,8 +142,6 @@ Page lay_out(const PictureInput &input, const PictureOptions &options) {
     if (!(std::fabs(below) <= farthest_from_middle && std::fabs(above) <= farthest_from_middle)) page.possible = false;
     if (below > edge || above > edge) page.cut = true;
   }
-  page.line = options.outline < 0.0 ? chosen_line(input, fixed, page.scale) : options.outline * page.unit;
-  if (page.line < thinnest_line) page.line = 0.0;
   page.narrowest_ellipse = clamped(page.line / 8, flattest_ellipse, flattest_with_lines);
   const double least_depth = least_fog * mean_radius(input.balls);
   page.nearest = box.depth_high;

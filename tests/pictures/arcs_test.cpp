@@ -57,11 +57,14 @@ const std::vector<Scene> &scenes() {
 class Mapping {
  public:
   Mapping(const hsp_view_info &info, const hsp_picture_options &options, const PictureFile &file)
-      : flattest_(std::clamp(options.outline * (options.unit == HSP_UNIT_MM ? 96 / 25.4 : 1) / 8, 1e-4, 0.2)) {
+      : line_(options.outline * (options.unit == HSP_UNIT_MM ? 96 / 25.4 : 1)),
+        flattest_(std::clamp(line_ / 8, 1e-4, 0.2)) {
     const double w = info.high[0] - info.low[0];
     const double h = info.high[1] - info.low[1];
     const double margin = options.margin * std::max(w, h);
     scale_ = std::min(file.width / (w + 2 * margin), file.height / (h + 2 * margin));
+    const double room = std::min({line_ / 2, file.width / 4, file.height / 4});
+    if (margin * scale_ < room) scale_ = std::min((file.width - 2 * room) / w, (file.height - 2 * room) / h);
     for (size_t k = 0; k < 2; ++k) {
       shift_[k] = (k == 0 ? file.width : file.height) / 2 - scale_ * (info.low[k] + info.high[k]) / 2;
     }
@@ -82,7 +85,7 @@ class Mapping {
   [[nodiscard]] double flattest() const { return flattest_; }
 
  private:
-  double flattest_;
+  double line_, flattest_;
   double scale_ = 0;
   PagePoint shift_{};
 };
@@ -257,6 +260,7 @@ TEST(PictureArcsInPdf, AreWithinTheirBound) {
   const DrawnView one({{0, 0, 0, 1000}});
   hsp_picture_options options = picture_options(HSP_FORMAT_PDF, HSP_STYLE_FLAT);
   options.margin = 0;
+  options.outline = 0;
   options.width = 1e6;
   const PictureFile file = read_pdf(one.picture(options));
   ASSERT_EQ(file.paths.size(), 1U);

@@ -105,6 +105,23 @@ TEST(PictureSizes, LinesSuitTheBalls) {
   EXPECT_NE(one.picture(options).find("stroke-width=\"7.5591\""), std::string::npos);
 }
 
+// Without a margin the outermost lines are seen in their whole width; where they would fill the page, half is left.
+TEST(PicturePages, LeaveRoomForLines) {
+  const DrawnView one({{0, 0, 0, 1000}});
+  const DrawnView wide({{0, 0, 0, 1000}, {6000, 0, 0, 1000}});
+  hsp_picture_options options = picture_options(HSP_FORMAT_SVG, HSP_STYLE_FLAT);
+  options.margin = 0;
+  options.width = 100;
+  options.outline = 10;
+  EXPECT_NE(one.picture(options).find(" d=\"M5 50A45 45 "), std::string::npos) << one.picture(options);
+  EXPECT_NE(wide.picture(options).find(" d=\"M20 12.5A7.5 7.5 "), std::string::npos) << wide.picture(options);
+  options.outline = 200;
+  EXPECT_NE(one.picture(options).find(" d=\"M25 50A25 25 "), std::string::npos) << one.picture(options);
+  options.outline = 10;
+  options.margin = 0.125;  // 10 px of 100, half of which suffice
+  EXPECT_NE(one.picture(options).find(" d=\"M10 50A40 40 "), std::string::npos) << one.picture(options);
+}
+
 TEST(PicturePages, FollowFromTheOtherSide) {
   const DrawnView wide({{0, 0, 0, 1000}, {6000, 0, 0, 1000}});  // 8 by 2
   hsp_picture_options options = picture_options(HSP_FORMAT_SVG, HSP_STYLE_FLAT);

@@ -266,4 +266,62 @@ TEST(DrawViews, ATurnNeverWritesOverItsInput) {
   EXPECT_EQ(failed.err, "hardsphere: " + folder.path("none/a-000.svg") + ": No such file or directory\n");
 }
 
+// What follows from the other side is whole, so that no row is covered in part; what is given is as it is given.
+TEST(DrawViews, SidesThatFollowAreWhole) {
+  const TemporaryFile pair("pair.xyzr", "0 0 0 1\n7 0 0 2\n");  // 10 by 4 and a margin of .3
+  const auto size_of = [&](std::vector<std::string> options) {
+    options.insert(options.end(), {"--view", "0,0,1", "--style", "flat"});
+    const std::string svg = drawn(pair.path(), options);
+    const size_t at = svg.find(" width=");
+    return svg.substr(at, svg.find(" viewBox") - at);
+  };
+  EXPECT_EQ(size_of({}), " width=\"1000px\" height=\"434px\"");
+  EXPECT_EQ(size_of({"--height", "100"}), " width=\"231px\" height=\"100px\"");
+  EXPECT_EQ(size_of({"--width", "100.5", "--height", "44.25"}), " width=\"100.5px\" height=\"44.25px\"");
+  EXPECT_EQ(size_of({"--unit", "mm", "--width", "106"}), " width=\"106mm\" height=\"46mm\"");
+}
+
+// A part of a picture is where it was, less what is to the left of it and above.
+TEST(DrawViews, Crops) {
+  const TemporaryFile pair("pair.xyzr", "0 0 0 1\n7 0 0 2\n");
+  const std::vector<std::string> whole = {"--view", "0,0,1", "--style", "flat", "--width", "106", "--height", "46"};
+  const auto with = [&whole](std::vector<std::string> options) {
+    options.insert(options.end(), whole.begin(), whole.end());
+    return options;
+  };
+  EXPECT_NE(drawn(pair.path(), with({})).find(" d=\"M3 23A10 10 "), std::string::npos);
+  const std::string part = drawn(pair.path(), with({"--crop", "50,10,60,30"}));
+  EXPECT_NE(part.find(" width=\"60px\" height=\"30px\" viewBox=\"0 0 60 30\""), std::string::npos) << part;
+  EXPECT_NE(part.find(" d=\"M-47 13A10 10 "), std::string::npos) << part;
+  EXPECT_NE(part.find(" d=\"M13 13A20 20 "), std::string::npos) << part;
+  // Of a fixed frame: 10 px an angstrom about 3.5, 45 by 45.
+  const std::string fixed = drawn(
+      pair.path(), {"--view", "0,0,1", "--style", "flat", "--width", "45", "--scale", "10", "--crop", "1,2,30,40"});
+  EXPECT_NE(fixed.find(" d=\"M-23.5 20.5A10 10 "), std::string::npos) << fixed;
+  for (const char *as : {"balls", "ball-and-stick"}) {
+    for (const char *view : {"1,2,3", "auto"}) {
+      const std::vector<std::string> looks = {"--as",    as,     "--view",    view, "--width", "600",
+                                              "--style", "flat", "--outline", "1",  "--fog",   "0"};
+      std::vector<std::string> cropped = looks;
+      cropped.insert(cropped.end(), {"--crop=0,0,600,300"});
+      const std::string top = drawn(molecules_folder() + "/caffeine.pdb", cropped);
+      const std::string all = drawn(molecules_folder() + "/caffeine.pdb", looks);
+      // The same paths, but for roundings.
+      const size_t from = all.find(" d=\"M") + 5;
+      const size_t at = top.find(" d=\"M") + 5;
+      EXPECT_NEAR(std::stod(top.substr(at)), std::stod(all.substr(from)), 0.011) << as << view;
+      EXPECT_NEAR(std::stod(top.substr(top.find(' ', at))), std::stod(all.substr(all.find(' ', from))), 0.011);
+    }
+  }
+  for (const auto &[value, complaint] :
+       std::vector<std::pair<std::string, std::string>>{{"1,2,3", "--crop needs 4 numbers"},
+                                                        {"1,2,0,4", "W and H must be above 0"},
+                                                        {"1,2,3,-4", "W and H must be above 0"},
+                                                        {"1,2,3,4e6", "between -1000000 and 1000000"}}) {
+    const Outcome outcome = run_program({"draw", pair.path(), "-o", "out.svg", "--crop=" + value});
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_NE(outcome.err.find(complaint), std::string::npos) << outcome.err;
+  }
+}
+
 }  // namespace
