@@ -18,6 +18,7 @@ set(HSP_LIBRARY_SOURCES
   lib/model/queries.cpp
   lib/model/query_hits.cpp
   lib/model/query_hits_avx2.cpp
+  lib/model/rounded_block_avx2.cpp
   lib/model/row_directory.cpp
   lib/model/ray_query.cpp
   lib/model/vertical_ray.cpp

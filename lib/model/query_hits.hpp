@@ -45,6 +45,15 @@ struct QueryGrid {
 // No set is rounded whose extent is more of its largest radius (query_hits_avx2.cpp).
 constexpr double most_extent_of_rounded = 0x1p18;
 
+// How far the difference of squares can be wrong between a query of radius q and rounded balls. Let the reach be
+// q + r_max, the extent H, u = 2^-24. A ball's coordinates are wrong by u H, those of a query that has rows to look at
+// by u (H + reach), their difference by u of itself, and the sum of radii by 3 u reach. Up to a distance of 2 reach
+// that comes to no more than u (14 H + 44 reach) reach. Further away the difference is above 3/5 of the distance
+// squared, and that above the doubt, as long as H is no more than 2^18 reach.
+static inline double rounded_doubt(double extent, double reach) {
+  return 0x1p-24 * (16.0 * extent + 64.0 * reach) * reach;
+}
+
 // Balls meet if |c_j - c| <= r_j + r on the lattice. The differences and the sum are exact as doubles; the squares have
 // a relative error below 5 units of 2^-53, fused or not, so that only near-ties need integers.
 constexpr double meeting_doubt = 16 * 0x1p-53;

@@ -1,0 +1,33 @@
+// All balls around one cube side by side, as the floats that a set with a directory of rows has them rounded to
+// (query_hits.hpp): for the rows of neighbour lists, eight balls at a time. What floats do not decide is left to
+// integers, so that the rows are exact.
+#pragma once
+
+#include <cstdint>
+
+#include "model/query_hits.hpp"
+
+namespace hsp {
+
+struct RoundedBlock {
+  static constexpr uint32_t room = 256;
+  static constexpr uint32_t lanes = 8;
+  static constexpr uint32_t most_ranges = 9;
+
+  float x[room + lanes], y[room + lanes], z[room + lanes], r[room + lanes];
+  uint32_t caller[room + lanes];
+  BallRange range[most_ranges];  // where they come from
+  const float *rounded;
+  float doubt;  // differences of squares no further from 0 are not certain
+  uint32_t count;
+};
+
+// The balls of the ranges, and no others. False, and the block is not to be used, if there is no room for them.
+bool fill_block_avx2(RoundedBlock &block, const QueryGrid &grid, const QueryArrays &balls, const BallRange *ranges,
+                     uint32_t range_count);
+
+// How many balls of the block meet ball i, which is one of them and meets itself; and the others as hits.
+uint32_t count_in_block_avx2(const RoundedBlock &block, const QueryArrays &balls, uint32_t i);
+void find_others_in_block_avx2(const RoundedBlock &block, const QueryArrays &balls, uint32_t i, QueryHits &hits);
+
+}  // namespace hsp

@@ -1,0 +1,112 @@
+#if HSP_AVX2
+#include "model/rounded_block.hpp"
+
+#include "core/avx2_lanes.hpp"
+
+namespace hsp {
+namespace {
+
+// For what floats leave open, lane by lane. Apart, as it is rare.
+[[gnu::noinline, gnu::cold]] LaneBits decided_by_integers(const RoundedBlock &block, const QueryArrays &balls,
+                                                          uint32_t i, uint32_t from, LaneBits doubtful, LaneBits meet) {
+  for (; doubtful != 0; doubtful &= doubtful - 1) {
+    const uint32_t lane = lowest(doubtful);
+    const BallRange *range = block.range;
+    uint32_t place = from + lane;
+    for (; place >= range->last - range->first; ++range) place -= range->last - range->first;
+    const uint32_t j = range->first + place;
+    const bool meets = meet_exactly(balls.x[j] - balls.x[i], balls.y[j] - balls.y[i], balls.z[j] - balls.z[i],
+                                    balls.r[j] + balls.r[i]);
+    meet = (meet & ~(1U << lane)) | static_cast<LaneBits>(meets) << lane;
+  }
+  return meet;
+}
+
+// One ball against those of the block.
+class BlockQuery {
+ public:
+  BlockQuery(const RoundedBlock &block, const QueryArrays &balls, uint32_t i)
+      : block_(block), balls_(balls), i_(i), doubt_(Floats::all(block.doubt)) {
+    const float *const own = block.rounded + 4 * size_t{i};
+    x_ = Floats::all(own[0]);
+    y_ = Floats::all(own[1]);
+    z_ = Floats::all(own[2]);
+    r_ = Floats::all(own[3]);
+  }
+
+  // Those of the eight from number c on that meet the ball.
+  LaneBits meeting(uint32_t c) const {
+    const Floats dx = Floats::load(block_.x + c) - x_, dy = Floats::load(block_.y + c) - y_,
+                 dz = Floats::load(block_.z + c) - z_, sum = Floats::load(block_.r + c) + r_;
+    const Floats excess = fused(dz, dz, fused(dy, dy, fused_minus(dx, dx, sum * sum)));
+    const LaneBits doubtful = not_greater(magnitude(excess), doubt_);
+    if (doubtful != 0) [[unlikely]]
+      return decided_by_integers(block_, balls_, i_, c, doubtful, negative(excess));
+    return negative(excess);
+  }
+
+ private:
+  const RoundedBlock &block_;
+  const QueryArrays &balls_;
+  const uint32_t i_;
+  Floats x_, y_, z_, r_;
+  const Floats doubt_;
+};
+
+}  // namespace
+
+bool fill_block_avx2(RoundedBlock &block, const QueryGrid &grid, const QueryArrays &balls, const BallRange *ranges,
+                     uint32_t range_count) {
+  const float *const rounded = grid.rounded;
+  uint32_t count = 0;
+  for (uint32_t k = 0; k < range_count; ++k) {
+    const uint32_t first = ranges[k].first, last = ranges[k].last;
+    if (last - first > RoundedBlock::room - count) return false;
+    uint32_t to = count;
+    // Nearly always once or twice.
+    for (uint32_t j = first; j < last; j += 8, to += 8) {
+      const FourOfEight eight = FourOfEight::load(rounded + 4 * size_t{j});
+      eight.a.store(block.x + to);
+      eight.b.store(block.y + to);
+      eight.c.store(block.z + to);
+      eight.d.store(block.r + to);
+      Integers::load(balls.caller + j).store(block.caller + to);
+    }
+    block.range[k] = ranges[k];
+    count += last - first;
+  }
+  // What stands behind the last one meets nothing.
+  Floats::all(0x1p60F).store(block.x + count);
+  Floats::all(0.0F).store(block.y + count);
+  Floats::all(0.0F).store(block.z + count);
+  Floats::all(0.0F).store(block.r + count);
+  block.count = count;
+  block.rounded = rounded;
+  block.doubt = static_cast<float>(rounded_doubt(grid.extent, 2.0 * grid.largest_radius));
+  return true;
+}
+
+uint32_t count_in_block_avx2(const RoundedBlock &block, const QueryArrays &balls, uint32_t i) {
+  const BlockQuery query(block, balls, i);
+  const uint32_t count = block.count;
+  uint32_t found = 0;
+  for (uint32_t c = 0; c < count; c += 8) found += ones(query.meeting(c));
+  return found;
+}
+
+void find_others_in_block_avx2(const RoundedBlock &block, const QueryArrays &balls, uint32_t i, QueryHits &hits) {
+  const BlockQuery query(block, balls, i);
+  const Integers own = Integers::all(balls.caller[i]);
+  const uint32_t count = block.count;
+  uint32_t found = 0;
+  for (uint32_t c = 0; c < count; c += 8) {
+    const Integers ids = Integers::load(block.caller + c);
+    const LaneBits meet = query.meeting(c) & ~equal(ids, own);
+    store_front(hits.ids + (found < QueryHits::room ? found : QueryHits::room), ids, FrontOrder::of_eight(meet));
+    found += ones(meet);
+  }
+  hits.count = found;
+}
+
+}  // namespace hsp
+#endif
