@@ -543,7 +543,7 @@ static bool check_files(struct reading *reading) {
   return true;
 }
 
-/* Whether the file says what colours are to stand for. */
+/* Whether the file says what colours are to stand for, and what labels name. */
 static bool check_colours(struct reading *reading) {
   const struct request *request = reading->request;
   const int colour = request->drawing.colour;
@@ -551,8 +551,15 @@ static bool check_colours(struct reading *reading) {
     return failure_in_usage(reading->failure, "--colour %s has no use here: the file names no residues",
                             colour == COLOUR_CHAIN ? "chain" : "residue");
   }
+  if (request->drawing.label > LABEL_ATOM && !format_has_residues(request->format)) {
+    return failure_in_usage(reading->failure, "--label %s has no use here: the file names no residues",
+                            request->drawing.label == LABEL_CHAIN ? "chain" : "residue");
+  }
   if (colour == COLOUR_BFACTOR && request->format != FORMAT_PDB && request->format != FORMAT_CIF) {
     return failure_in_usage(reading->failure, "--colour bfactor is for .pdb and .cif files");
+  }
+  if (colour == COLOUR_CHARGE && request->format != FORMAT_PQR) {
+    return failure_in_usage(reading->failure, "--colour charge is for .pqr files");
   }
   return true;
 }

@@ -72,10 +72,13 @@ static void colour_by_residue(const struct molecule *molecule, uint32_t *colour,
 }
 
 /* Halves first, so that no difference overflows. */
-static uint32_t ramp_colour(double value, double low, double high) {
+uint32_t ball_palette_colour(const struct ball_palette *palette, double value) {
+  const double low = palette->low;
+  const double high = palette->high;
   const double part = high > low ? (value / 2.0 - low / 2.0) / (high / 2.0 - low / 2.0) : 0.5;
   const double within = part < 0.0 ? 0.0 : part > 1.0 ? 1.0 : part;
-  const int step = (int)(within * RAMP_STEPS + 0.5);
+  const int rising = (int)(within * RAMP_STEPS + 0.5);
+  const int step = palette->falls ? RAMP_STEPS - rising : rising;
   const int half = RAMP_STEPS / 2;
   return step <= half ? colour_mixed(ramp[0], ramp[1], (double)step / half)
                       : colour_mixed(ramp[1], ramp[2], (double)step / half - 1.0);
@@ -93,7 +96,13 @@ static bool colour_by_value(const struct drawing *drawing, const struct molecule
     if (i == 0 || value[i] < said->low) said->low = value[i];
     if (i == 0 || value[i] > said->high) said->high = value[i];
   }
-  for (uint32_t i = 0; i < molecule->atoms; ++i) colour[i] = ramp_colour(value[i], said->low, said->high);
+  said->falls = drawing->colour == COLOUR_CHARGE;
+  if (said->falls && !drawing->range_given) {
+    /* No charge is white. */
+    said->high = -said->low > said->high ? -said->low : said->high;
+    said->low = -said->high;
+  }
+  for (uint32_t i = 0; i < molecule->atoms; ++i) colour[i] = ball_palette_colour(said, value[i]);
   free(value);
   return true;
 }
@@ -116,7 +125,7 @@ static bool mute_others(const struct selection *highlight, const struct molecule
 bool ball_colours_make(const struct drawing *drawing, const struct selection *highlight,
                        const struct molecule *molecule, uint32_t **colour, struct ball_palette *palette,
                        struct failure *failure) {
-  *palette = (struct ball_palette){NULL, NULL, 0.0, 0.0};
+  *palette = (struct ball_palette){NULL, NULL, 0.0, 0.0, false};
   if (!chain_numbers_make(molecule, colour, failure)) return false;
   bool done = true;
   bool by_element = false;

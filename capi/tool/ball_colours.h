@@ -15,7 +15,11 @@ struct ball_palette {
   const char *name;   /* "soft", "jmol", "chain", "residue" or "ramp" */
   const char *remark; /* how a person reads that; NULL for a ramp: */
   double low, high;   /* between these it goes */
+  bool falls;         /* from red to blue, as is usual for charges */
 };
+
+/* The colour that a ramp has for a number. */
+uint32_t ball_palette_colour(const struct ball_palette *palette, double value);
 
 /* The colour of every ball, 0xRRGGBB, to be freed on true, and what it stands for: what the user says; else the chain
  * in large molecules with several, and the element in all others. Where colours stand for chains or residues, ligands

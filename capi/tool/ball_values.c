@@ -41,6 +41,8 @@ bool ball_values_make(const struct drawing *drawing, const struct molecule *mole
   }
   *value = malloc(((size_t)molecule->atoms + 1) * sizeof **value);
   if (*value == NULL) return failure_of_memory(failure);
+  for (uint32_t i = 0; i < molecule->atoms; ++i) (*value)[i] = molecule->label[i].charge;
+  if (drawing->colour == COLOUR_CHARGE) return true;
   if (drawing->colour == COLOUR_AREA ? find_free_areas(molecule, *value, failure)
                                      : take_temperature_factors(molecule, *value, failure)) {
     return true;

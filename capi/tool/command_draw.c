@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "annotation.h"
 #include "ball_and_stick.h"
 #include "ball_colours.h"
 #include "commands.h"
@@ -12,6 +13,7 @@
 #include "line_reader.h"
 #include "occlusion.h"
 #include "output_file.h"
+#include "page_labels.h"
 #include "picture_file.h"
 #include "picture_frame.h"
 #include "report.h"
@@ -25,6 +27,7 @@ struct drawn {
   uint64_t bytes;
   double occlusion; /* as it was done */
   struct ball_palette palette;
+  struct picture_frame frame;
 };
 
 /* The colour of every ball, to be freed on true, and the occlusion in it. */
@@ -51,7 +54,7 @@ static bool view_options_of(const struct drawing *drawing, const struct molecule
 }
 
 static bool picture_options_of(const struct drawing *drawing, uint32_t balls, const hsp_view_info *view,
-                               hsp_picture_options *options, struct failure *failure) {
+                               hsp_picture_options *options, struct picture_frame *frame, struct failure *failure) {
   const int32_t status = hsp_picture_options_init(options, (uint32_t)sizeof *options);
   if (status != HSP_OK) return failure_in_library(failure, status);
   options->format = (uint32_t)drawing->format;
@@ -70,7 +73,7 @@ static bool picture_options_of(const struct drawing *drawing, uint32_t balls, co
     options->scale = drawing->scale;
     memcpy(options->centre, drawing->centre.given ? drawing->centre.xyz : view->origin, sizeof options->centre);
   }
-  picture_frame_set(drawing, view, options);
+  picture_frame_set(drawing, view, options, frame);
   if (drawing->outline_colour >= 0) options->outline_colour = (uint32_t)drawing->outline_colour;
   if (drawing->background == DRAWING_NO_BACKGROUND) {
     /* Nobody knows what far balls would have to fade to, unless the user says so. */
@@ -144,11 +147,42 @@ static int32_t get_info(const struct request *request, const struct molecule *mo
   return HSP_OK;
 }
 
+/* What is written over the picture. Labels are where a map says that there is room. */
+static bool annotate(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
+                     const struct drawn *drawn, struct text_buffer *over, struct failure *failure) {
+  const struct drawing *drawing = &request->drawing;
+  struct ball_palette palette;
+  struct page_label *labels = NULL;
+  uint32_t *colour = NULL;
+  uint32_t count = 0;
+  bool done = ball_colours_make(drawing, &request->highlight, molecule, &colour, &palette, failure);
+  if (!done) return false;
+  if (drawing->label >= 0) {
+    done =
+        (drawing_is_of_map(drawing) || geometry_compute_map(geometry, &drawing->viewing, molecule, failure)) &&
+        page_labels_find(geometry->work.map, molecule, &request->highlight, drawing->label, &labels, &count, failure);
+  }
+  const struct annotation annotation = {drawing, molecule, &drawn->options, drawn->frame,       labels,
+                                        count,   &palette, colour,          &request->highlight};
+  done = done && annotation_write(&annotation, over, failure);
+  free(labels);
+  free(colour);
+  return done;
+}
+
 static bool write_picture(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                           const uint32_t *colour, struct drawn *drawn, struct failure *failure) {
   const int32_t status = get_info(request, molecule, geometry, drawn);
   if (status != HSP_OK) return failure_in_library(failure, status);
-  if (!picture_options_of(&request->drawing, molecule->atoms, &drawn->view, &drawn->options, failure)) return false;
+  if (!picture_options_of(&request->drawing, molecule->atoms, &drawn->view, &drawn->options, &drawn->frame, failure)) {
+    return false;
+  }
+  struct text_buffer over = TEXT_BUFFER_EMPTY;
+  const bool annotated = drawing_is_annotated(&request->drawing);
+  if (annotated && !annotate(request, molecule, geometry, drawn, &over, failure)) {
+    text_buffer_free(&over);
+    return false;
+  }
   char description[160];
   char towards[DIRECTION_BYTES];
   snprintf(description, sizeof description, "%" PRIu32 " balls, seen from %s", molecule->atoms,
@@ -156,9 +190,11 @@ static bool write_picture(const struct request *request, const struct molecule *
   const char *title = request->drawing.title != NULL ? request->drawing.title : input_base_name(request->file);
   hsp_view *const view = drawing_is_of_map(&request->drawing) ? NULL : geometry->work.view;
   const struct picture picture = {view,  geometry->work.map, geometry->sticks, colour, drawn->options,
-                                  title, description};
+                                  title, description,        over.text};
   progress_show(&geometry->progress, "writing");
-  return picture_file_write(&picture, request->drawing.out, &geometry->progress, &drawn->bytes, failure);
+  const bool done = picture_file_write(&picture, request->drawing.out, &geometry->progress, &drawn->bytes, failure);
+  text_buffer_free(&over);
+  return done;
 }
 
 /* What the picture is made of. */
@@ -255,7 +291,9 @@ static void print_table(const struct request *request, const struct molecule *mo
            direction_text(up, drawn->view.up));
   report_row(out, "view", value, "");
   char remark[80];
-  snprintf(remark, sizeof remark, "from blue at %.6g to red at %.6g", drawn->palette.low, drawn->palette.high);
+  const bool falls = drawn->palette.falls;
+  snprintf(remark, sizeof remark, "from %s at %.6g to %s at %.6g", falls ? "red" : "blue", drawn->palette.low,
+           falls ? "blue" : "red", drawn->palette.high);
   report_row(out, "palette", drawn->palette.name, drawn->palette.remark != NULL ? drawn->palette.remark : remark);
   snprintf(value, sizeof value, "%.6g", drawn->occlusion);
   report_row(out, "occlusion", value, drawn->occlusion > 0.0 ? "buried balls are darker" : "no ball is darkened");

@@ -14,9 +14,10 @@ enum { FORMATS = 3, STYLES = 3, PALETTES = 3, UNITS = 2, PIECES = 3, KINDS = 2 }
 /* In the order of their numbers in hardsphere.h; what is visible comes last. */
 static const char *const style_names[STYLES] = {"flat", "headlight", "soft"};
 static const char *const palette_names[PALETTES] = {"soft", "jmol", "chain"};
-static const char *const colour_names[COLOUR_FILE] = {"element", "chain", "residue", "area", "bfactor"};
+static const char *const colour_names[COLOUR_FILE] = {"element", "chain", "residue", "area", "bfactor", "charge"};
 static const char *const unit_names[UNITS] = {"px", "mm"};
 static const char *const piece_names[PIECES] = {"g", "h", "visible"};
+static const char *const label_names[LABELS] = {"atom", "residue", "chain"};
 static const char *const kind_names[KINDS] = {"balls", "ball-and-stick"};
 static const char *const format_names[FORMATS] = {"SVG", "EPS", "PDF"};
 static const char *const picture_names[FORMATS] = {"svg", "eps", "pdf"};
@@ -68,6 +69,7 @@ static const struct choice_option choice_options[] = {
     {"--picture", offsetof(struct drawing, format), picture_names, FORMATS, "svg, eps or pdf"},
     {"--pieces", offsetof(struct drawing, pieces), piece_names, PIECES, "g, h or visible"},
     {"--as", offsetof(struct drawing, as), kind_names, KINDS, "balls or ball-and-stick"},
+    {"--label", offsetof(struct drawing, label), label_names, LABELS, "atom, residue or chain"},
 };
 
 static bool twice(const struct option_reader *reader, const char *option) {
@@ -124,7 +126,7 @@ static bool take_colour(struct option_reader *reader, const char *option, bool o
 }
 
 static bool take_what_colours_mean(struct option_reader *reader, const char *value, struct drawing *drawing) {
-  static const char *const what = "element, chain, residue, area, bfactor or a file";
+  static const char *const what = "element, chain, residue, area, bfactor, charge or a file";
   if (!option_value(reader, "--colour", &value, what)) return false;
   if (drawing->colour >= 0) return twice(reader, "--colour");
   for (int i = 0; i < COLOUR_FILE; ++i) {
@@ -223,12 +225,13 @@ bool drawing_take_option(struct drawing *drawing, struct option_reader *reader, 
   if (strncmp(argument, "-o", 2) == 0 && argument[2] != '=') { /* -o OUT and -oOUT */
     return take_text(reader, "-o", argument[2] == '\0' ? NULL : argument + 2, "a file", &drawing->out);
   }
-  if (strcmp(argument, "--all-balls") == 0) {
-    drawing->all_balls = true;
-    return true;
-  }
-  if (strcmp(argument, "--water") == 0) {
-    drawing->water = true;
+  bool *const flag = strcmp(argument, "--all-balls") == 0   ? &drawing->all_balls
+                     : strcmp(argument, "--water") == 0     ? &drawing->water
+                     : strcmp(argument, "--scale-bar") == 0 ? &drawing->scale_bar
+                     : strcmp(argument, "--legend") == 0    ? &drawing->legend
+                                                            : NULL;
+  if (flag != NULL) {
+    *flag = true;
     return true;
   }
   *known = false;
@@ -270,8 +273,8 @@ bool drawing_check(struct drawing *drawing, struct failure *failure) {
   }
   if (drawing->range_given && !drawing_is_of_values(drawing)) {
     return failure_in_usage(failure,
-                            "--range is for colours that stand for numbers: it needs --colour area, bfactor or "
-                            "a file");
+                            "--range is for colours that stand for numbers: it needs --colour area, bfactor, "
+                            "charge or a file");
   }
   const int palette_of = drawing->palette == (int)HSP_PALETTE_CHAIN ? COLOUR_CHAIN : COLOUR_ELEMENT;
   if (drawing->palette >= 0 && drawing->colour >= 0 && drawing->colour != palette_of) {
@@ -293,6 +296,17 @@ bool drawing_check(struct drawing *drawing, struct failure *failure) {
   if (drawing_is_of_sticks(drawing) && (drawing->all_balls || drawing->occlusion > 0.0)) {
     return failure_in_usage(failure, "--all-balls and --occlusion are not for --as ball-and-stick");
   }
+  if (drawing_is_annotated(drawing) && drawing->format == (int)HSP_FORMAT_PDF) {
+    return failure_in_usage(failure,
+                            "--label, --scale-bar and --legend are for .svg and .eps files; rsvg-convert and "
+                            "epstopdf make .pdf of them");
+  }
+  if (drawing->label >= 0 && drawing_is_of_sticks(drawing)) {
+    return failure_in_usage(failure, "--label is not for --as ball-and-stick");
+  }
+  if (drawing->legend && drawing->colour == COLOUR_RESIDUE) {
+    return failure_in_usage(failure, "--legend is for colours by element, by chain and of numbers");
+  }
   if (!drawing_is_of_sticks(drawing) && (drawing->ball_size >= 0.0 || drawing->stick >= 0.0)) {
     return failure_in_usage(failure, "--ball-size and --stick are for --as ball-and-stick");
   }
@@ -305,6 +319,10 @@ bool drawing_is_of_sticks(const struct drawing *drawing) {
 
 bool drawing_is_of_map(const struct drawing *drawing) {
   return drawing->pieces == PIECES - 1;
+}
+
+bool drawing_is_annotated(const struct drawing *drawing) {
+  return drawing->label >= 0 || drawing->scale_bar || drawing->legend;
 }
 
 bool drawing_is_of_values(const struct drawing *drawing) {

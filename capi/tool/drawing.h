@@ -10,7 +10,10 @@
 #include "viewing.h"
 
 /* What colours stand for. */
-enum { COLOUR_ELEMENT, COLOUR_CHAIN, COLOUR_RESIDUE, COLOUR_AREA, COLOUR_BFACTOR, COLOUR_FILE };
+enum { COLOUR_ELEMENT, COLOUR_CHAIN, COLOUR_RESIDUE, COLOUR_AREA, COLOUR_BFACTOR, COLOUR_CHARGE, COLOUR_FILE };
+
+/* What labels name. */
+enum { LABEL_ATOM, LABEL_RESIDUE, LABEL_CHAIN, LABELS };
 
 /* Numbers and choices are negative where the user has said nothing. Choices are numbered as in hardsphere.h;
  * see drawing_is_of_map. */
@@ -44,6 +47,9 @@ struct drawing {
   double occlusion;
   double ball_size; /* of sticks: parts of the radii */
   double stick;     /* radius */
+  int label;        /* LABEL_* */
+  bool scale_bar;
+  bool legend;
   bool all_balls;
   bool water; /* is drawn, and not left out */
 };
@@ -52,9 +58,9 @@ struct drawing {
 
 #define DRAWING_DEFAULT                                                                                              \
   {                                                                                                                  \
-    .format = -1, .style = -1, .palette = -1, .colour = -1, .unit = -1, .pieces = -1, .as = -1, .background = -1,    \
-    .outline_colour = -1, .fog_colour = -1, .spin = -1, .width = -1.0, .height = -1.0, .outline = -1.0, .fog = -1.0, \
-    .margin = -1.0, .scale = -1.0, .occlusion = -1.0, .ball_size = -1.0, .stick = -1.0                               \
+    .format = -1, .style = -1, .palette = -1, .colour = -1, .unit = -1, .pieces = -1, .as = -1, .label = -1,         \
+    .background = -1, .outline_colour = -1, .fog_colour = -1, .spin = -1, .width = -1.0, .height = -1.0,             \
+    .outline = -1.0, .fog = -1.0, .margin = -1.0, .scale = -1.0, .occlusion = -1.0, .ball_size = -1.0, .stick = -1.0 \
   }
 
 /* Take the argument if it is an option of `draw`, and its value from the reader; *known tells whether it is one. */
@@ -71,6 +77,9 @@ bool drawing_is_of_sticks(const struct drawing *drawing);
 
 /* Whether colours stand for numbers. */
 bool drawing_is_of_values(const struct drawing *drawing);
+
+/* Whether anything is written over it. */
+bool drawing_is_annotated(const struct drawing *drawing);
 
 /* The style and the occlusion for a number of balls, defaults included. */
 uint32_t drawing_style(const struct drawing *drawing, uint32_t balls);

@@ -44,10 +44,11 @@ struct atom_label {
   struct serial_label serial;
   bool has_temperature_factor;
   double temperature_factor;
+  double charge; /* of .pqr files, in elementary charges */
 };
 
 #define ATOM_LABEL_NONE \
-  { "", {"", "", "", ""}, {""}, false, false, false, {""}, false, 0.0 }
+  { "", {"", "", "", ""}, {""}, false, false, false, {""}, false, 0.0, 0.0 }
 
 /* What a file holds beside the atoms that became balls, in atoms unless it says otherwise. */
 struct left_out {

@@ -17,6 +17,7 @@ struct picture {
   hsp_picture_options options;
   const char *title;
   const char *description;
+  const char *over; /* what follows the picture in its own language, or NULL; not in .pdf */
 };
 
 /* Write the picture to the file `path` (output_file.h); *bytes becomes its size. False, with the file named, if it

@@ -25,8 +25,17 @@ static void find_size(const hsp_view_info *view, hsp_picture_options *options) {
   if (options->height == 0.0) options->height = following_side(options, options->width / ratio);
 }
 
+/* Where the point in the middle of a fixed frame is seen. */
+static void find_middle(const hsp_view_info *view, const hsp_picture_options *options, double middle[2]) {
+  for (int k = 0; k < 2; ++k) {
+    const double *axis = k == 0 ? view->right : view->up;
+    middle[k] = 0.0;
+    for (int c = 0; c < 3; ++c) middle[k] += axis[c] * (options->centre[c] - view->origin[c]);
+  }
+}
+
 /* A part of the picture is a picture with a fixed frame: with the scale that all of it has, about its own middle. */
-static void crop(const struct drawing *drawing, const hsp_view_info *view, hsp_picture_options *options) {
+static void crop(const double part[4], const hsp_view_info *view, hsp_picture_options *options) {
   double middle[2] = {view->low[0] / 2.0 + view->high[0] / 2.0, view->low[1] / 2.0 + view->high[1] / 2.0};
   if (options->scale == 0.0) {
     const double wide = view->high[0] - view->low[0];
@@ -37,22 +46,61 @@ static void crop(const struct drawing *drawing, const hsp_view_info *view, hsp_p
     const double by_height = options->height / (high + 2.0 * margin);
     options->scale = by_width < by_height ? by_width : by_height;
   } else {
-    for (int k = 0; k < 2; ++k) {
-      const double *axis = k == 0 ? view->right : view->up;
-      middle[k] = 0.0;
-      for (int c = 0; c < 3; ++c) middle[k] += axis[c] * (options->centre[c] - view->origin[c]);
-    }
+    find_middle(view, options, middle);
   }
-  middle[0] += (drawing->crop[0] + drawing->crop[2] / 2.0 - options->width / 2.0) / options->scale;
-  middle[1] += (options->height / 2.0 - drawing->crop[1] - drawing->crop[3] / 2.0) / options->scale;
+  middle[0] += (part[0] + part[2] / 2.0 - options->width / 2.0) / options->scale;
+  middle[1] += (options->height / 2.0 - part[1] - part[3] / 2.0) / options->scale;
   for (int c = 0; c < 3; ++c) {
     options->centre[c] = view->origin[c] + view->right[c] * middle[0] + view->up[c] * middle[1];
   }
-  options->width = drawing->crop[2];
-  options->height = drawing->crop[3];
+  options->width = part[2];
+  options->height = part[3];
 }
 
-void picture_frame_set(const struct drawing *drawing, const hsp_view_info *view, hsp_picture_options *options) {
+/* Letters are so large a part of the page; columns for labels and the strip for scale bar and legend are so many times
+ * as wide. */
+static const double letter_share = 1.0 / 45.0;
+static const double column_letters = 6.5;
+static const double strip_letters = 2.4;
+
+/* A picture that the user has not fixed is drawn smaller, with room for what is written on its sides and below. */
+static void make_room(const struct drawing *drawing, const hsp_view_info *view, hsp_picture_options *options,
+                      struct picture_frame *frame) {
+  const double letter = letter_share * (options->width > 0.0 ? options->width : options->height);
+  const double column = drawing->label >= 0 ? column_letters * letter : 0.0;
+  const double strip = drawing->scale_bar || drawing->legend ? strip_letters * letter : 0.0;
+  if (options->width > 0.0) options->width -= 2.0 * column;
+  if (options->height > 0.0) options->height = clamped(options->height - strip);
   find_size(view, options);
-  if (drawing->crop_given) crop(drawing, view, options);
+  const double part[4] = {-column, 0.0, options->width + 2.0 * column, options->height + ceil(strip)};
+  crop(part, view, options);
+  frame->column = column;
+  frame->strip = strip;
+}
+
+void picture_frame_set(const struct drawing *drawing, const hsp_view_info *view, hsp_picture_options *options,
+                       struct picture_frame *frame) {
+  static const double px_per_millimetre = 96.0 / 25.4;
+  const bool fixed = options->scale > 0.0 || drawing->crop_given;
+  *frame = (struct picture_frame){.column = 0.0, .strip = 0.0};
+  if (drawing_is_annotated(drawing) && !fixed) {
+    make_room(drawing, view, options, frame);
+  } else {
+    find_size(view, options);
+    if (drawing->crop_given || drawing_is_annotated(drawing)) {
+      const double whole[4] = {0.0, 0.0, options->width, options->height};
+      crop(drawing->crop_given ? drawing->crop : whole, view, options);
+    }
+  }
+  const double unit = options->unit == HSP_UNIT_MM ? px_per_millimetre : 1.0;
+  double middle[2];
+  find_middle(view, options, middle);
+  frame->width = options->width * unit;
+  frame->height = options->height * unit;
+  frame->column *= unit;
+  frame->strip *= unit;
+  frame->letter = letter_share * frame->width;
+  frame->scale = options->scale * unit;
+  frame->x = frame->width / 2.0 - frame->scale * middle[0];
+  frame->y = frame->height / 2.0 + frame->scale * middle[1];
 }

@@ -125,6 +125,7 @@ static bool read_atom(const struct line_reader *reader, struct molecule *molecul
   label_copy(label.residue.chain, sizeof label.residue.chain, record.chain);
   label_number(record.number, &label.residue);
   label.hetatm = pdb_record_is_hetatm(reader->text);
+  label.charge = value[3];
   if (record.element.length == 0 || !element_symbol_parse(record.element.text, record.element.length, &label.element)) {
     /* Virtual sites have radii here as well, and names that tell nothing are no reason to refuse an atom. */
     const enum atom_kind kind = atom_kind_of(record.name, false, label.residue.name, &label.element);

@@ -1,0 +1,32 @@
+/* What is written over a picture: labels with lines to what they name, a scale bar, and what colours stand for. */
+#ifndef HARDSPHERE_TOOL_ANNOTATION_H
+#define HARDSPHERE_TOOL_ANNOTATION_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "ball_colours.h"
+#include "drawing.h"
+#include "failure.h"
+#include "molecule.h"
+#include "page_labels.h"
+#include "picture_frame.h"
+#include "text_buffer.h"
+
+struct annotation {
+  const struct drawing *drawing;
+  const struct molecule *molecule;
+  const hsp_picture_options *options;
+  struct picture_frame frame;
+  const struct page_label *labels; /* [label_count] */
+  uint32_t label_count;
+  const struct ball_palette *palette; /* what colours stand for, before occlusion: */
+  const uint32_t *colour;             /* [atoms] */
+  const struct selection *selected;   /* of these atoms */
+};
+
+/* Append it to `out`, in the language of the picture. A label stands within what it names if it has room there, else
+ * beside the molecule. False: there are more labels or more colours than have room. */
+bool annotation_write(const struct annotation *annotation, struct text_buffer *out, struct failure *failure);
+
+#endif

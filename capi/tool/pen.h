@@ -1,0 +1,38 @@
+/* Text, lines and rectangles over a picture, as SVG or PostScript. Coordinates are px from the upper left corner. */
+#ifndef HARDSPHERE_TOOL_PEN_H
+#define HARDSPHERE_TOOL_PEN_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "text_buffer.h"
+
+struct pen {
+  struct text_buffer *out;
+  bool postscript;
+  double height; /* of the page */
+};
+
+/* Before and after everything else. */
+void pen_begin(const struct pen *pen);
+void pen_end(const struct pen *pen);
+
+/* A line with round ends; of no length it is a dot. */
+void pen_line(const struct pen *pen, const double from[2], const double to[2], double width, uint32_t colour);
+
+void pen_rectangle(const struct pen *pen, const double corner[2], double width, double height, uint32_t colour);
+
+/* A text on a line at (x, y), which begins there with anchor 0, has its middle there with .5 and ends there with 1.
+ * Around its letters lies a seam, so that it is read over anything. Of an angstrom's sign (in UTF-8) and of ASCII it
+ * shows all characters, of others none. */
+struct pen_text {
+  const char *text;
+  double x, y, size, anchor;
+  uint32_t colour, seam;
+};
+void pen_write(const struct pen *pen, const struct pen_text *text);
+
+/* About how wide it becomes. */
+double pen_width(const char *text, double size);
+
+#endif

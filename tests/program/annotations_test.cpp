@@ -1,0 +1,261 @@
+// hardsphere draw --label, --scale-bar and --legend: what is written over a picture, and where.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "drawn_colours.hpp"
+#include "json_outcome.hpp"
+#include "program_runner.hpp"
+#include "temporary_file.hpp"
+
+namespace {
+
+struct Text {
+  double x, y, size;
+  std::string anchor, text;
+};
+struct Line {
+  double from[2], to[2], width;
+};
+
+double number_after(const std::string &text, const std::string &key) {
+  const size_t at = text.find(key);
+  return at == std::string::npos ? std::nan("") : std::stod(text.substr(at + key.size()));
+}
+std::string word_after(const std::string &text, const std::string &key, const std::string &end) {
+  const size_t at = text.find(key);
+  if (at == std::string::npos) return "";
+  return text.substr(at + key.size(), text.find(end, at + key.size()) - at - key.size());
+}
+
+std::vector<std::string> elements(const std::string &svg, const std::string &head) {
+  std::vector<std::string> found;
+  for (size_t at = svg.find(head); at != std::string::npos; at = svg.find(head, at + 1)) {
+    found.push_back(svg.substr(at, svg.find('\n', at) - at));
+  }
+  return found;
+}
+
+// Every text stands there twice, first its seam.
+std::vector<Text> texts_of(const std::string &svg) {
+  std::vector<Text> texts;
+  for (const std::string &one : elements(svg, "<text ")) {
+    if (one.find("fill=\"none\"") != std::string::npos) continue;
+    texts.push_back({number_after(one, " x=\""), number_after(one, " y=\""), number_after(one, "font-size=\""),
+                     word_after(one, "text-anchor=\"", "\""), word_after(one, ">", "<")});
+  }
+  return texts;
+}
+std::vector<Line> lines_of(const std::string &svg) {
+  std::vector<Line> lines;
+  for (const std::string &one : elements(svg, "<path stroke=")) {
+    const std::string to = word_after(one, "L", "\"");
+    const std::string from = word_after(one, "d=\"M", "L");
+    lines.push_back({{std::stod(from), std::stod(from.substr(from.find(' ')))},
+                     {std::stod(to), std::stod(to.substr(to.find(' ')))},
+                     number_after(one, "stroke-width=\"")});
+  }
+  return lines;
+}
+
+// A ball that is seen whole is named in its middle, with its letters half their height above the line that they are on.
+TEST(Annotations, LabelsStandInTheMiddle) {
+  const TemporaryFile pair("pair.xyz", "2\n\nC 1 2 3\nO 9 4 3\n");
+  for (const char *unit : {"px", "mm"}) {
+    const std::string svg =
+        drawn(pair.path(), {"--label", "atom", "--style", "flat", "--view", "0,0,1", "--unit", unit});
+    const std::vector<Text> texts = texts_of(svg);
+    const std::vector<std::string> paths = elements(svg, "<path data-ball=");
+    ASSERT_EQ(texts.size(), 2u);
+    ASSERT_EQ(paths.size(), 2u);
+    for (size_t k = 0; k < 2; ++k) {
+      const bool oxygen = paths[k].find("data-ball=\"1\"") != std::string::npos;
+      const Text &text = texts[oxygen ? 1 : 0];
+      EXPECT_EQ(text.text, oxygen ? "O2" : "C1");
+      EXPECT_EQ(text.anchor, "middle");
+      const double radius = number_after(paths[k], "A");
+      const std::string start = word_after(paths[k], "d=\"M", "A");
+      const double at[2] = {std::stod(start) + radius, std::stod(start.substr(start.find(' ')))};
+      EXPECT_NEAR(text.x, at[0], 0.02 * radius) << unit;
+      EXPECT_NEAR(text.y - 0.36 * text.size, at[1], 0.02 * radius) << unit;
+    }
+  }
+}
+
+// What has no room is named beside the molecule, at the end of a line that begins on one of its atoms; no label lies
+// over another one.
+TEST(Annotations, LinesLeadToWhatIsNamed) {
+  const double scale = 20;
+  const std::vector<std::string> options = {"--view",   "0,0,1",  "--style", "flat", "--scale", "20",
+                                            "--centre", "9,10,7", "--width", "800",  "--label", "residue"};
+  const std::string svg = drawn(crambin(), options);
+  const std::vector<Text> texts = texts_of(svg);
+  EXPECT_GT(texts.size(), 30u);
+  for (const Text &text : texts) {
+    if (text.anchor != "middle") {
+      EXPECT_EQ(text.anchor, text.x < 400 ? "end" : "start") << text.text;
+    }
+  }
+  const std::vector<std::string> atoms = atoms_of(crambin());
+  size_t looked_at = 0;
+  for (const Line &line : lines_of(svg)) {
+    if (line.from[0] == line.to[0] && line.from[1] == line.to[1]) continue;  // the dot at its end
+    if (line.width > 2) continue;                                            // its seam
+    const Text *named = nullptr;
+    for (const Text &text : texts) {
+      const bool near = std::fabs(text.y - 0.36 * text.size - line.from[1]) < 0.02 && text.anchor != "middle" &&
+                        std::fabs(text.x - line.from[0]) < text.size;
+      if (near) named = &text;
+    }
+    ASSERT_NE(named, nullptr);
+    const double x = 9 + (line.to[0] - 400) / scale;
+    const double y = 10 - (line.to[1] - 400) / scale;
+    const Json seen =
+        run_json({"pick", crambin(), "--view", "0,0,1", "--at", std::to_string(x) + "," + std::to_string(y)});
+    const std::string &atom = atoms.at(static_cast<size_t>(seen["ball"].number));
+    EXPECT_EQ(named->text, atom.substr(17, 3) + " " + std::to_string(std::stoi(atom.substr(22, 4))) +
+                               (atom[26] == ' ' ? "" : atom.substr(26, 1)));
+    if (++looked_at == 12) break;
+  }
+  EXPECT_EQ(looked_at, 12u);
+  for (const char *side : {"start", "end"}) {
+    std::vector<double> heights;
+    for (const Text &text : texts) {
+      if (text.anchor == side) heights.push_back(text.y);
+    }
+    std::sort(heights.begin(), heights.end());
+    EXPECT_GT(heights.front(), texts[0].size);
+    EXPECT_LT(heights.back(), 800);
+    for (size_t k = 1; k < heights.size(); ++k) EXPECT_GE(heights[k] - heights[k - 1], 1.29 * texts[0].size);
+  }
+}
+
+TEST(Annotations, OnlyWhatIsHighlightedIsNamed) {
+  const std::string svg = drawn(crambin(), {"--label", "residue", "--highlight", "residue:CYS"});
+  const std::vector<Text> texts = texts_of(svg);
+  EXPECT_GE(texts.size(), 3u);
+  for (const Text &text : texts) EXPECT_EQ(text.text.substr(0, 4), "CYS ");
+  const std::vector<Text> chain = texts_of(drawn(crambin(), {"--label", "chain"}));
+  ASSERT_EQ(chain.size(), 1u);
+  EXPECT_EQ(chain[0].text, "A");
+}
+
+// The bar is as long as its text says: 1, 2 or 5 of a power of ten, at most a fifth of the page.
+TEST(Annotations, ScaleBars) {
+  for (const auto &[scale, length] : {std::pair<int, double>{20, 5}, {12, 10}, {7, 10}, {100, 1}, {500, 0.2}}) {
+    const std::string svg = drawn(crambin(), {"--scale", std::to_string(scale), "--width", "600", "--scale-bar"});
+    const std::vector<Text> texts = texts_of(svg);
+    const std::vector<Line> lines = lines_of(svg);
+    ASSERT_EQ(texts.size(), 1u);
+    ASSERT_EQ(lines.size(), 6u);
+    EXPECT_NEAR(lines[0].to[0] - lines[0].from[0], length * scale, 0.011);
+    EXPECT_EQ(texts[0].text, (length < 1 ? "0.2" : std::to_string(static_cast<int>(length))) + " \xC3\x85");
+    EXPECT_LE(length * scale, 120);
+    EXPECT_GT(2.5 * length * scale, 120 * 0.999);
+  }
+  // With units of one's own.
+  const TemporaryFile ball("ball.xyzr", "0 0 0 7\n");
+  EXPECT_EQ(texts_of(drawn(ball.path(), {"--scale-bar"})).at(0).text, "2");
+}
+
+TEST(Annotations, LegendsOfElements) {
+  const std::string svg = drawn(molecules_folder() + "/caffeine.pdb", {"--legend", "--style", "flat", "--fog", "0"});
+  const std::vector<Text> texts = texts_of(svg);
+  ASSERT_EQ(texts.size(), 4u);
+  std::vector<std::string> names;
+  std::vector<std::string> squares;
+  for (const Text &text : texts) names.push_back(text.text);
+  for (const std::string &one : elements(svg, "<rect x=")) squares.push_back(word_after(one, "fill=\"#", "\""));
+  std::sort(names.begin(), names.end());
+  EXPECT_EQ(names, (std::vector<std::string>{"C", "H", "N", "O"}));
+  ASSERT_EQ(squares.size(), 8u);  // each in a frame
+  for (size_t k = 1; k < 8; k += 2) {
+    EXPECT_NE(svg.find(" fill=\"#" + squares[k] + "\" d="), std::string::npos) << squares[k];  // a ball has it
+  }
+}
+
+TEST(Annotations, LegendsOfNumbersAndChains) {
+  const std::string svg = drawn(crambin(), {"--legend", "--colour", "bfactor", "--range", "2.5,15"});
+  const std::vector<Text> texts = texts_of(svg);
+  ASSERT_EQ(texts.size(), 2u);
+  EXPECT_EQ(texts[0].text, "15");
+  EXPECT_EQ(texts[1].text, "2.5");
+  EXPECT_LT(texts[1].x, texts[0].x);
+  const std::vector<std::string> parts = elements(svg, "<rect x=");
+  ASSERT_EQ(parts.size(), 17u);
+  EXPECT_EQ(word_after(parts.front(), "fill=\"#", "\""), "3f74b5");
+  EXPECT_EQ(word_after(parts.back(), "fill=\"#", "\""), "c2452f");
+  const std::vector<Text> chains = texts_of(drawn(molecules_folder() + "/sod_stand_in.pdb", {"--legend"}));
+  ASSERT_EQ(chains.size(), 4u);
+}
+
+// Charges: red below nothing, blue above, white at nothing; the larger end decides.
+TEST(Annotations, Charges) {
+  const TemporaryFile ions("ions.pqr",
+                           "ATOM 1 CL X A 1 0 0 0 -0.5 1\nATOM 2 NA X A 1 5 0 0 1 1\nATOM 3 AR X A 1 9 0 0 0 1\n");
+  std::map<int, std::string> found = fills(ions.path(), {"--colour", "charge"});
+  EXPECT_EQ(found[1], "3F74B5");
+  EXPECT_EQ(found[2], "EFE9DC");
+  EXPECT_GT(std::stoi(found[0].substr(0, 2), nullptr, 16), std::stoi(found[0].substr(4, 2), nullptr, 16) + 40);
+  found = fills(ions.path(), {"--colour", "charge", "--range=-0.5,0.5"});
+  EXPECT_EQ(found[0], "C2452F");
+  const std::vector<Text> texts = texts_of(drawn(ions.path(), {"--colour", "charge", "--legend"}));
+  ASSERT_EQ(texts.size(), 2u);
+  EXPECT_EQ(texts[0].text, "1");
+  EXPECT_EQ(texts[1].text, "-1");
+}
+
+// A page has room for what is written, and what is written is within; EPS holds the same.
+TEST(Annotations, HaveRoom) {
+  const std::string file = molecules_folder() + "/caffeine.pdb";
+  const TemporaryFile out("room.svg");
+  const Json json = run_json({"draw", file, "-o", out.path(), "--label", "atom", "--scale-bar", "--legend"});
+  const std::string svg = read_file(out.path());
+  EXPECT_EQ(json["bytes"].number, static_cast<double>(svg.size()));
+  EXPECT_EQ(json["width"].number, 1000);
+  EXPECT_EQ(svg.substr(svg.size() - 13), "\n</g>\n</svg>\n");
+  for (const Text &text : texts_of(svg)) {
+    EXPECT_GT(text.y, text.size);
+    EXPECT_LT(text.y, json["height"].number);
+    const double width = 0.6 * text.size * static_cast<double>(text.text.size());
+    const double left = text.x - width * (text.anchor == "start" ? 0 : text.anchor == "middle" ? 0.5 : 1);
+    EXPECT_GT(left, 0) << text.text;
+    EXPECT_LT(left + width, 1000) << text.text;
+  }
+  const std::string eps = drawn(file, {"--label", "atom", "--scale-bar", "--legend"}, ".eps");
+  EXPECT_NE(eps.find("\\305"), std::string::npos);
+  EXPECT_NE(eps.find("\ngrestore\nshowpage\n%%Trailer\nrestore end\n%%EOF\n"), std::string::npos);
+  if (std::system("command -v gs >/dev/null 2>&1") == 0) {
+    const TemporaryFile written("room.eps", eps);
+    EXPECT_EQ(std::system(("gs -q -dSAFER -dBATCH -dNOPAUSE -sDEVICE=nullpage " + written.path()).c_str()), 0);
+  }
+}
+
+TEST(Annotations, Refusals) {
+  const std::string caffeine = molecules_folder() + "/caffeine.pdb";
+  const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
+      {{"draw", caffeine, "-o", "none/x.pdf", "--label", "atom"}, "are for .svg and .eps files"},
+      {{"draw", caffeine, "-o", "none/x.svg", "--label", "atom", "--as", "ball-and-stick"}, "--label is not for"},
+      {{"draw", caffeine, "-o", "none/x.svg", "--label", "name"}, "atom, residue or chain"},
+      {{"draw", crambin(), "-o", "none/x.svg", "--legend", "--colour", "residue"}, "--legend is for colours"},
+      {{"draw", "good/water.xyz", "-o", "none/x.svg", "--label", "chain"}, "the file names no residues"},
+      {{"draw", caffeine, "-o", "none/x.svg", "--colour", "charge"}, "--colour charge is for .pqr files"}};
+  for (const auto &[arguments, complaint] : cases) {
+    const Outcome outcome = run_program(arguments);
+    EXPECT_EQ(outcome.status, 2) << complaint;
+    EXPECT_NE(outcome.err.find(complaint), std::string::npos) << outcome.err;
+  }
+  const Outcome many = run_program({"draw", crambin(), "-o", "none/x.svg", "--label", "atom"});
+  EXPECT_EQ(many.status, 1);
+  EXPECT_NE(many.err.find("there is no room for "), std::string::npos) << many.err;
+  EXPECT_FALSE(std::filesystem::exists("none/x.svg"));
+}
+
+}  // namespace
