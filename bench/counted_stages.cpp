@@ -1,6 +1,6 @@
 // counted_stages: runs each stage of the library once, and the z-buffer that frames are measured against, for valgrind
-// to count their instructions. After each it prints a line: stage, molecule, probe, number of balls, or of poses.
-// instruction_budgets.sh runs it.
+// to count their instructions. After each it prints a line: stage, molecule, probe, number of balls, of moves or of
+// poses. instruction_budgets.sh runs it.
 // `counted_stages --build` prints how it and the library were built, --code what runs on this processor: `wide` for
 // code for AVX2 where there is some, or `scalar`.
 //
@@ -20,6 +20,7 @@
 #include "pose_workload.hpp"
 #include "query_workload.hpp"
 #include "sizes.hpp"
+#include "update_workload.hpp"
 #include "view_handle.hpp"
 #include "z_buffer/analytic_z_buffer.hpp"
 #include "z_buffer/placement.hpp"
@@ -96,6 +97,13 @@ void count_stages(const bench::Balls &balls, const Surface &surface) {
   count("z_buffer", balls, surface, [&] { z_buffer.draw(placement.place(bench::axes_towards(towards))); });
 }
 
+// One atom moves at a time: there, and back by another move.
+void count_moves(const bench::Balls &balls, const Surface &surface) {
+  constexpr uint32_t atoms = 100;
+  bench::MovingAtoms moving(balls, surface.probe, atoms, 1);
+  count_each("move_atom", balls, surface, 2 * atoms, [&] { moving.move_all(); });
+}
+
 // Molecules against the stand-in for SOD, in poses that bring them a fifth of an Angstrom near.
 void count_poses() {
   const bench::PreparedBody fixed(bench::resting_molecule());
@@ -127,7 +135,10 @@ int main(int argc, char **argv) {
     for (const bench::Molecule &molecule : bench::paper_molecules()) {
       if (molecule.name != "crambin" && molecule.name != "sod_stand_in") continue;
       const bench::Balls balls = with_radii(molecule, bench::Radii::van_der_waals);
-      for (const Surface &surface : bench::surfaces) count_stages(balls, surface);
+      for (const Surface &surface : bench::surfaces) {
+        count_stages(balls, surface);
+        count_moves(balls, surface);
+      }
     }
     count_poses();
   } catch (const std::exception &error) {

@@ -20,10 +20,8 @@ class BoundaryPart {
   Status build(const CubeGrid &grid);
   const BoundaryLimits &needed() const { return needed_; }
 
-  // Twins, shells and numbers of components are not there. The origin of a component is any ball of it.
+  // Twins, shells and numbers of components are not there. With a grid, the origin of a component is any ball of it.
   const Boundary &boundary() const { return boundary_; }
-  // For any ball of the set one of its component, or itself. Joining all of them joins what own balls meet.
-  uint32_t joined(uint32_t ball) const { return boundary_.component_origin(ball); }
   // A ball that stands around is inside others if this one is.
   void take_state(uint32_t ball, uint32_t from) { arrays().ball_state[ball] = arrays().ball_state[from]; }
   // [loops]

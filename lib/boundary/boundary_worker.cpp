@@ -83,22 +83,21 @@ void BoundaryWorker::search(const CubeGrid &grid, uint8_t *ball_state) {
     cover(block);
     const BallRange own = grid.balls_in(cube);
     const bool in_lanes = lanes.start_cube(grid, cube, block);
-    for (uint32_t i = own.first; i < own.last; ++i) search_ball(balls, block, i, in_lanes, components, ball_state);
+    for (uint32_t i = own.first; i < own.last; ++i) search_ball(balls, block, i, in_lanes, &components, ball_state);
   }
 }
 
 void BoundaryWorker::search(const BallSet &balls, const double (&centre)[3], double side, uint8_t *ball_state) {
   const CubeBlock everything{{{0, balls.n}}, 1};
   cover(everything);
-  DisjointSets components(parent_.part(0, balls.n));
   const bool in_lanes = lanes.start_block(balls, everything, 0, centre, side);
-  for (uint32_t i = 0; i < share_.balls.last; ++i) search_ball(balls, everything, i, in_lanes, components, ball_state);
+  for (uint32_t i = 0; i < share_.balls.last; ++i) search_ball(balls, everything, i, in_lanes, nullptr, ball_state);
 }
 
 void BoundaryWorker::search_ball(const BallSet &balls, const CubeBlock &block, uint32_t i, bool in_lanes,
-                                 DisjointSets &components, uint8_t *ball_state) {
-  const bool by_lanes = in_lanes && lanes.gather(balls, i, caps, &components);
-  if (!by_lanes) caps.gather(balls, block, i, &components);
+                                 DisjointSets *components, uint8_t *ball_state) {
+  const bool by_lanes = in_lanes && lanes.gather(balls, i, caps, components);
+  if (!by_lanes) caps.gather(balls, block, i, components);
   ball_state[i] = static_cast<uint8_t>((caps.contained ? BoundaryArrays::contained : 0) |
                                        (caps.count == 0 ? BoundaryArrays::without_caps : 0));
   if (caps.contained) return;

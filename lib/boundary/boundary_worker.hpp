@@ -33,7 +33,7 @@ class alignas(64) BoundaryWorker {
   // Vertices and circles of the share's balls, and which balls meet.
   void search(const CubeGrid &grid, uint8_t *ball_state);
   // The same for the first balls of a set without a grid, the share's, that are at most 1.5 sides from a centre along
-  // each axis; no radius is larger than half a side.
+  // each axis; no radius is larger than half a side. Components are not looked for.
   void search(const BallSet &balls, const double (&centre)[3], double side, uint8_t *ball_state);
 
   const BallShare &share() const { return share_; }
@@ -71,7 +71,7 @@ class alignas(64) BoundaryWorker {
 
  private:
   void cover(const CubeBlock &block);
-  void search_ball(const BallSet &balls, const CubeBlock &block, uint32_t i, bool in_lanes, DisjointSets &components,
+  void search_ball(const BallSet &balls, const CubeBlock &block, uint32_t i, bool in_lanes, DisjointSets *components,
                    uint8_t *ball_state);
 
   BallShare share_;

@@ -44,12 +44,17 @@ class BallCells {
     }
   }
 
+  // The same for every ball that may meet or touch the given one.
+  template <class Visit>
+  void visit_around(const exact::LatticeBall &ball, Visit visit) const {
+    const int64_t reach = ball.radius + side_ / 2;
+    const exact::Vector &c = ball.centre;
+    visit_box({c.x - reach, c.y - reach, c.z - reach}, {c.x + reach, c.y + reach, c.z + reach}, visit);
+  }
   // Calls visit(other) for every ball of the set that meets or touches the given one; it may itself be among them.
   template <class Visit>
   void visit_meeting(const BallSet &balls, const exact::LatticeBall &ball, Visit visit) const {
-    const int64_t reach = ball.radius + side_ / 2;
-    const exact::Vector &c = ball.centre;
-    visit_box({c.x - reach, c.y - reach, c.z - reach}, {c.x + reach, c.y + reach, c.z + reach}, [&](uint32_t j) {
+    visit_around(ball, [&](uint32_t j) {
       if (is_met(balls, ball, j)) visit(j);
     });
   }
@@ -72,10 +77,7 @@ class BallCells {
               });
   }
 
- private:
-  // Boxes that are asked for have at most seven cubes along each axis.
-  static constexpr int64_t most_cubes = 512;
-
+  // Whether ball j meets or touches the given one.
   static bool is_met(const BallSet &balls, const exact::LatticeBall &ball, uint32_t j) {
     const exact::Vector &c = ball.centre;
     const double dx = balls.x[j] - static_cast<double>(c.x), dy = balls.y[j] - static_cast<double>(c.y),
@@ -86,6 +88,10 @@ class BallCells {
     return squared < within * (1.0 - 8 * unit_roundoff) ||
            exact::pair_relation(ball, balls.ball(j)) != exact::PairRelation::disjoint;
   }
+
+ private:
+  // Boxes that are asked for have at most seven cubes along each axis.
+  static constexpr int64_t most_cubes = 512;
   uint32_t bucket_of(uint64_t linear) const { return CubeProbe(linear, used_).slot; }
 
   Span<uint32_t> first_;  // [buckets]

@@ -3,9 +3,10 @@
 namespace hsp {
 
 void ComponentUpdate::carve(Workspace &workspace, uint32_t balls) {
-  parent_ = workspace.take<uint32_t>(balls);
+  set_ = workspace.take<uint32_t>(balls);
   touched_ = workspace.take<uint32_t>(balls);
   list_ = workspace.take<uint32_t>(balls);
+  links_ = workspace.take<Link>(balls);
   first_ = workspace.take<uint32_t>(balls);
   last_ = workspace.take<uint32_t>(balls);
   following_ = workspace.take<uint32_t>(balls);
@@ -14,22 +15,70 @@ void ComponentUpdate::carve(Workspace &workspace, uint32_t balls) {
 }
 
 void ComponentUpdate::clear(uint32_t n) {
-  sets_ = DisjointSets(parent_.part(0, n));
+  sets_ = DisjointSets(set_.part(0, n));
   for (uint32_t i = 0; i < n; ++i) {
-    parent_[i] = of_[i] = no_id;
+    set_[i] = of_[i] = no_id;
     flags_[i] = 0;
   }
-  touched_count_ = 0;
+  touched_count_ = link_count_ = 0;
 }
 
-void ComponentUpdate::abandon() {
-  for (const uint32_t i : touched_.part(0, touched_count_)) parent_[i] = no_id;
-  touched_count_ = 0;
+// Breadth first, so that the trees are low.
+void ComponentUpdate::span(MovingRecords &records, const BallCells &cells) {
+  cut_ = false;
+  for (uint32_t root = 0; root < records.balls.n; ++root) {
+    if (is_touched(root)) continue;
+    const uint32_t first = touched_count_;
+    start_set(root);
+    for (uint32_t k = first; k < touched_count_; ++k) {
+      const uint32_t i = touched_[k];
+      const exact::LatticeBall ball = records.balls.ball(i);
+      cells.visit_around(ball, [&](uint32_t j) {
+        if (is_touched(j) || !BallCells::is_met(records.balls, ball, j)) return;
+        start_set(j);
+        sets_.join(root, j);
+        records.parent[j] = i;
+      });
+    }
+  }
 }
 
-void ComponentUpdate::apply(MovingRecords &records, const BallCells &cells, uint32_t former, uint32_t affected) {
-  mark_wounded(records, former);
-  find_pieces(records, cells, former, affected);
+void ComponentUpdate::begin(MovingRecords &records, uint32_t former) {
+  cut_ = false;
+  for (uint32_t k = 0; k < former; ++k) {
+    const JournalEntry &entry = records.entry(k);
+    const uint32_t i = entry.ball, parent = records.parent[i];
+    if (parent == no_id || !(entry.moved || records.is_moved(parent))) continue;
+    if (BallCells::is_met(records.balls, records.balls.ball(i), parent)) continue;
+    records.parent[i] = no_id;
+    flags_[entry.before.origin] |= wounded;
+    cut_ = true;
+  }
+  for (uint32_t k = 0; k < former; ++k) {
+    const JournalEntry &entry = records.entry(k);
+    if (entry.moved || (flags_[entry.before.origin] & wounded) != 0) touch(records, entry.ball);
+  }
+}
+
+void ComponentUpdate::connect(const MovingRecords &records, uint32_t moved, uint32_t other) {
+  touch(records, other);
+  if (unite(moved, other)) links_[link_count_++] = {moved, other};
+}
+
+void ComponentUpdate::abandon(const MovingRecords &records, uint32_t former) {
+  for (uint32_t k = 0; k < former; ++k) {
+    if (records.entry(k).moved) flags_[records.entry(k).before.origin] = 0;
+  }
+  for (const uint32_t i : touched_.part(0, touched_count_)) {
+    set_[i] = no_id;
+    flags_[i] = 0;
+  }
+  touched_count_ = link_count_ = 0;
+}
+
+void ComponentUpdate::apply(MovingRecords &records, const BallCells &cells, uint32_t former) {
+  find_pieces(records, cells, former);
+  for (const Link &pair : links_.part(0, link_count_)) link(records, pair);
 
   // Balls that moved, and whole pieces, leave their components before they are put together anew.
   list_count_ = 0;
@@ -42,29 +91,73 @@ void ComponentUpdate::apply(MovingRecords &records, const BallCells &cells, uint
     if (leaves(records, i)) records.ball[i].origin = i;
   }
   merge_sets(records);
-
-  for (uint32_t k = 0; k < former; ++k) {
-    if (records.entry(k).moved) flags_[records.entry(k).before.origin] = 0;
-  }
-  for (const uint32_t i : touched) flags_[i] = 0;
-  abandon();
+  abandon(records, former);
 }
 
-// What moved may have held its component together.
-void ComponentUpdate::mark_wounded(const MovingRecords &records, uint32_t former) {
-  for (uint32_t k = 0; k < former; ++k) {
-    if (records.entry(k).moved) flags_[records.entry(k).before.origin] |= wounded;
+void ComponentUpdate::start_set(uint32_t ball) {
+  set_[ball] = ball;
+  first_[ball] = no_id;
+  touched_[touched_count_++] = ball;
+}
+
+void ComponentUpdate::touch(const MovingRecords &records, uint32_t ball) {
+  if (is_touched(ball)) return;
+  start_set(ball);
+  const uint32_t tree = tree_of(records, ball);
+  if (!is_touched(tree)) start_set(tree);
+  unite(ball, tree);
+}
+
+// A ball that stands for all that are known to be connected with the given one as trees were left by this update: the
+// root of its tree, or the origin of a component that has lost no edge.
+uint32_t ComponentUpdate::tree_of(const MovingRecords &records, uint32_t ball) const {
+  const uint32_t origin = records.ball[ball].origin;
+  if ((flags_[origin] & wounded) == 0) return origin;
+  while (records.parent[ball] != no_id) ball = records.parent[ball];
+  return ball;
+}
+
+// Makes two sets one, with the queues of both, one after the other. False if they are one already.
+bool ComponentUpdate::unite(uint32_t a, uint32_t b) {
+  a = sets_.find(a);
+  b = sets_.find(b);
+  if (a == b) return false;
+  sets_.join(a, b);
+  const uint32_t joined = sets_.find(a);
+  const uint32_t absorbed = joined == a ? b : a;
+  if (first_[absorbed] == no_id) return true;
+  (first_[joined] == no_id ? first_[joined] : following_[last_[joined]]) = first_[absorbed];
+  last_[joined] = last_[absorbed];
+  return true;
+}
+
+// Two trees become one. Of that where the ball is nearer to the root, the way there is turned round.
+void ComponentUpdate::link(MovingRecords &records, Link link) {
+  const Span<uint32_t> parent = records.parent;
+  uint32_t a = link.a, b = link.b;
+  while (parent[a] != no_id && parent[b] != no_id) {
+    a = parent[a];
+    b = parent[b];
+  }
+  const bool from_a = parent[a] == no_id;
+  uint32_t below = from_a ? link.b : link.a;
+  for (uint32_t i = from_a ? link.a : link.b; i != no_id;) {
+    const uint32_t above = parent[i];
+    records.note(i);
+    parent[i] = below;
+    below = i;
+    i = above;
   }
 }
 
 // Every piece of a component has a ball that met one that moved. So there are no more pieces than sets with such balls,
 // and where one set is left there is one.
-void ComponentUpdate::find_pieces(const MovingRecords &records, const BallCells &cells, uint32_t former,
-                                  uint32_t affected) {
+void ComponentUpdate::find_pieces(const MovingRecords &records, const BallCells &cells, uint32_t former) {
   searching_ = false;
+  if (!cut_) return;
   while (const uint32_t rivals = find_rivals(records, former)) {
     if (!searching_) {
-      begin_search(records, affected);
+      begin_search(records);
       continue;
     }
     for (uint32_t k = 0; k < rivals; ++k) search_further(records, cells, list_[k]);
@@ -101,18 +194,23 @@ uint32_t ComponentUpdate::find_rivals(const MovingRecords &records, uint32_t for
   return list_count_;
 }
 
-void ComponentUpdate::begin_search(const MovingRecords &records, uint32_t affected) {
+// First of balls near those that moved, then of roots of trees. All that balls that moved meet is known.
+void ComponentUpdate::begin_search(const MovingRecords &records) {
   searching_ = true;
-  for (const uint32_t i : touched_.part(0, touched_count_)) first_[i] = no_id;
-  for (const uint32_t i : touched_.part(0, touched_count_)) {
-    if (records.entry_of(i) >= affected) push(sets_.find(i), i);
+  const Span<const uint32_t> touched = touched_.part(0, touched_count_);
+  for (const uint32_t i : touched) {
+    if (records.is_noted(i) && !records.is_moved(i)) push(i);
   }
-  for (const uint32_t i : touched_.part(0, touched_count_)) {
+  for (const uint32_t i : touched) {
+    if (!records.is_noted(i)) push(i);
+  }
+  for (const uint32_t i : touched) {
     if (sets_.find(i) == i && first_[i] == no_id) flags_[i] |= closed;
   }
 }
 
-void ComponentUpdate::push(uint32_t root, uint32_t ball) {
+void ComponentUpdate::push(uint32_t ball) {
+  const uint32_t root = sets_.find(ball);
   following_[ball] = no_id;
   (first_[root] == no_id ? first_[root] : following_[last_[root]]) = ball;
   last_[root] = ball;
@@ -127,25 +225,12 @@ void ComponentUpdate::search_further(const MovingRecords &records, const BallCel
     const uint32_t i = first_[root];
     first_[root] = following_[i];
     cells.visit_meeting(records.balls, records.balls.ball(i), [&](uint32_t j) {
-      const bool is_new = parent_[j] == no_id;
-      touch(j);
-      if (is_new) first_[j] = no_id;
-      const uint32_t other = sets_.find(j);
-      if (is_new) push(other, j);
-      if (other == root) return;
-      sets_.join(root, other);
-      // The queues of both, one after the other.
-      const uint32_t joined = sets_.find(root);
-      const uint32_t absorbed = joined == root ? other : root;
-      if (first_[joined] == no_id) {
-        first_[joined] = first_[absorbed];
-        last_[joined] = last_[absorbed];
-      } else if (first_[absorbed] != no_id) {
-        following_[last_[joined]] = first_[absorbed];
-        last_[joined] = last_[absorbed];
-      }
-      root = joined;
+      const uint32_t known = touched_count_;
+      touch(records, j);
+      for (const uint32_t other : touched_.part(known, touched_count_)) push(other);
+      if (unite(i, j)) links_[link_count_++] = {i, j};
     });
+    root = sets_.find(root);
   }
   if (first_[root] == no_id) flags_[root] |= closed;
 }
@@ -180,7 +265,7 @@ void ComponentUpdate::renew_origins(MovingRecords &records) {
   for (const uint32_t component : list_.part(0, list_count_)) {
     const uint32_t left = of_[component];
     of_[component] = no_id;
-    if (left == nobody || parent_[component] == no_id || !leaves(records, component)) continue;
+    if (left == nobody || !is_touched(component) || !leaves(records, component)) continue;
     uint32_t lowest = left;
     for (uint32_t i = records.ball[left].next; i != left; i = records.ball[i].next) {
       if (records.balls.ranks_before(i, lowest)) lowest = i;

@@ -51,7 +51,7 @@ void MovingBalls::carve(Workspace &workspace, const MovingLimits &limits) {
   weight_ = workspace.take<double>(limits.balls);
   part_.carve(workspace, limits_of_part(limits));
   near_.carve(workspace, limits.balls);
-  near_ball_ = workspace.take<uint32_t>(limits.balls);
+  near_ball_ = workspace.take<uint32_t>(static_cast<uint64_t>(limits.balls) + 1);
   in_group_ = workspace.take<uint8_t>(limits.balls);
   records_.balls.n = 0;
   may_undo_ = false;
@@ -90,9 +90,11 @@ Status MovingBalls::set(const CubeGrid &grid, const EnergyTerms &terms) {
     MovingBall own{};
     own.origin = own.next = own.previous = i;
     records_.ball[i] = own;
+    records_.parent[i] = no_id;
     records_.note_moved(i);
     count_ball(own, true, true, counts_);
   }
+  components_.span(records_, cells_);
   const Status status = update(n);
   needed_.balls = n;
   if (status != Status::ok) {
@@ -192,7 +194,8 @@ uint32_t MovingBalls::place_all(const BallMoves &moves) {
   for (uint32_t k = 0; k < moved; ++k) note_meeting(records_.entry(k).placed);
   const uint32_t former = records_.noted();
   for (uint32_t k = 0; k < moves.count; ++k) place_again(place_[moves.ball[k]], new_ball_[k]);
-  for (uint32_t k = 0; k < moved; ++k) note_meeting(records_.balls.ball(records_.entry(k).ball));
+  components_.begin(records_, former);
+  for (uint32_t k = 0; k < moved; ++k) note_what_meets(records_.entry(k).ball);
   return former;
 }
 
@@ -215,6 +218,11 @@ uint32_t MovingBalls::place_one(uint32_t caller) {
   const uint32_t former = records_.noted();
   place_again(i, new_ball_[0]);
   for (const uint32_t j : near_ball_.part(0, later)) records_.note(j);
+  components_.begin(records_, former);
+  for (uint32_t k = 1; k < records_.noted(); ++k) {
+    const uint32_t j = records_.entry(k).ball;
+    if (BallCells::is_met(records_.balls, new_ball_[0], j)) components_.connect(records_, i, j);
+  }
   return former;
 }
 
@@ -222,14 +230,22 @@ void MovingBalls::note_meeting(const exact::LatticeBall &ball) {
   cells_.visit_meeting(records_.balls, ball, [this](uint32_t j) { records_.note(j); });
 }
 
+// The same for a ball in its new place.
+void MovingBalls::note_what_meets(uint32_t i) {
+  cells_.visit_meeting(records_.balls, records_.balls.ball(i), [this, i](uint32_t j) {
+    records_.note(j);
+    components_.connect(records_, i, j);
+  });
+}
+
 // What is in the journal is to be computed again. The first `former` balls of it are as for ComponentUpdate.
 Status MovingBalls::update(uint32_t former) {
   const uint32_t affected = records_.noted();
   if (const Status status = compute(affected); status != Status::ok) {
-    components_.abandon();
+    components_.abandon(records_, former);
     return status;
   }
-  components_.apply(records_, cells_, former, affected);
+  components_.apply(records_, cells_, former);
   settle(affected);
   flag_inner_contacts(affected);
   return Status::ok;
@@ -256,7 +272,6 @@ Status MovingBalls::compute_group(uint32_t count) {
   const Status status = part_.build(near_, count, centre_, static_cast<double>(cells_.side()));
   if (status == Status::ok) {
     store_group(count);
-    join_group();
   }
   return status;
 }
@@ -308,14 +323,19 @@ void MovingBalls::gather_around(uint32_t count) {
   cells_.visit_box({low_.x - around, low_.y - around, low_.z - around},
                    {high_.x + around, high_.y + around, high_.z + around}, [&](uint32_t j) {
                      const double sum = reach + balls.r[j];
-                     if (squared_distance(balls, j) > sum * sum || in_group_[j] != 0) return;
-                     near_.x[n] = balls.x[j];
-                     near_.y[n] = balls.y[j];
-                     near_.z[n] = balls.z[j];
-                     near_.r[n] = balls.r[j];
-                     near_.caller[n] = balls.caller[j];
-                     near_ball_[n++] = j;
+                     // No branch, as whether this ball is taken is hard to predict.
+                     near_ball_[n] = j;
+                     n += static_cast<uint32_t>(squared_distance(balls, j) <= sum * sum) &
+                          static_cast<uint32_t>(in_group_[j] == 0);
                    });
+  for (uint32_t k = count; k < n; ++k) {
+    const uint32_t j = near_ball_[k];
+    near_.x[k] = balls.x[j];
+    near_.y[k] = balls.y[j];
+    near_.z[k] = balls.z[j];
+    near_.r[k] = balls.r[j];
+    near_.caller[k] = balls.caller[j];
+  }
   near_.n = n;
   for (uint32_t k = 0; k < count; ++k) in_group_[near_ball_[k]] = 0;
 }
@@ -332,14 +352,6 @@ void MovingBalls::store_group(uint32_t count) {
     ball.faces = boundary.faces(k).size();
     ball.contained = boundary.is_contained(k);
     ball.one_sided = ball.own.one_sided;
-    components_.touch(near_ball_[k]);
-  }
-}
-
-void MovingBalls::join_group() {
-  for (uint32_t k = 0; k < near_.n; ++k) {
-    const uint32_t other = part_.joined(k);
-    if (other != k) components_.join(near_ball_[k], near_ball_[other]);
   }
 }
 
@@ -373,6 +385,7 @@ void MovingBalls::put_back() {
     const uint32_t i = entry.ball;
     if (entry.moved) place_again(i, entry.placed);
     records_.ball[i] = entry.before;
+    records_.parent[i] = entry.parent;
   }
 }
 

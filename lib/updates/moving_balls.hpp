@@ -100,13 +100,13 @@ class MovingBalls {
   uint32_t place_all(const BallMoves &moves);
   uint32_t place_one(uint32_t caller);
   void note_meeting(const exact::LatticeBall &ball);
+  void note_what_meets(uint32_t i);
   Status update(uint32_t former);
   Status compute(uint32_t affected);
   Status compute_group(uint32_t count);
   uint32_t choose_group(uint32_t first, uint32_t last);
   void gather_around(uint32_t count);
   void store_group(uint32_t count);
-  void join_group();
   void flag_inner_contacts(uint32_t affected);
   void flag_group(uint32_t count);
   void settle(uint32_t affected);
@@ -134,7 +134,7 @@ class MovingBalls {
   // Some balls that lie together, and those around them, as a set of their own.
   BoundaryPart part_;
   BallSet near_;
-  Span<uint32_t> near_ball_;  // [balls] which they are
+  Span<uint32_t> near_ball_;  // [balls + 1] which they are
   Span<uint8_t> in_group_;    // [balls]
   double centre_[3] = {0.0, 0.0, 0.0};
   exact::Vector low_{}, high_{};  // the corners of a box around the group's centres

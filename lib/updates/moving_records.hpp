@@ -22,6 +22,7 @@ struct JournalEntry {
   bool listed;  // as one of which numbers may have changed, and not links of its component alone
   exact::LatticeBall placed;
   MovingBall before;
+  uint32_t parent;
 };
 
 class MovingRecords {
@@ -29,6 +30,7 @@ class MovingRecords {
   void carve(Workspace &workspace, uint32_t capacity) {
     balls.carve(workspace, capacity);
     ball = workspace.take<MovingBall>(capacity);
+    parent = workspace.take<uint32_t>(capacity);
     journal_ = workspace.take<JournalEntry>(capacity);
     entry_ = workspace.take<uint32_t>(capacity);
   }
@@ -44,7 +46,7 @@ class MovingRecords {
   void note(uint32_t i) {
     if (entry_[i] != no_id) return;
     entry_[i] = count_;
-    journal_[count_++] = {i, false, false, balls.ball(i), ball[i]};
+    journal_[count_++] = {i, false, false, balls.ball(i), ball[i], parent[i]};
   }
   void note_moved(uint32_t i) {
     note(i);
@@ -66,6 +68,8 @@ class MovingRecords {
 
   BallSet balls;          // any order
   Span<MovingBall> ball;  // [n]
+  // [n] a ball that meets this one: these are trees that span the components, whose roots have none, no_id.
+  Span<uint32_t> parent;
 
  private:
   Span<JournalEntry> journal_;
