@@ -5,8 +5,7 @@
 namespace oracle {
 
 BigInteger::BigInteger(Int128 value) : negative_(value < 0) {
-  __extension__ typedef unsigned __int128 Unsigned128;
-  Unsigned128 rest = negative_ ? Unsigned128{0} - static_cast<Unsigned128>(value) : static_cast<Unsigned128>(value);
+  UInt128 rest = negative_ ? UInt128{0} - static_cast<UInt128>(value) : static_cast<UInt128>(value);
   for (; rest != 0; rest >>= 32) limbs_.push_back(static_cast<uint32_t>(rest));
 }
 

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-namespace oracle {
+#include "int128.hpp"
 
-__extension__ typedef __int128 Int128;
+namespace oracle {
 
 // A vector of lattice steps; 128 bits because products of two such vectors occur as directions too.
 using Vector = std::array<Int128, 3>;

@@ -89,7 +89,7 @@ struct Common {
 };
 
 template <class A, class C>
-Number dot(const A &a, const C &b) {
+Number sum_of_products(const A &a, const C &b) {
   Number sum;
   for (size_t k = 0; k < 3; ++k) sum = sum + Number(a[k]) * Number(b[k]);
   return sum;
@@ -120,7 +120,7 @@ void compare(const BuiltFreeSpace &built, oracle::RandomSource &random, Answers 
   const Common any(planes(P), planes(Q), planes(R));
   if (any.B.sign() != 0) {
     const Plane s = planes(S);
-    const int sign = (any.B * s.h - dot(any.H, s.v)).sign() * any.B.sign();
+    const int sign = (any.B * s.h - sum_of_products(any.H, s.v)).sign() * any.B.sign();
     ASSERT_EQ(exact.side_of(P, Q, R, S), sign);
     answers.zeros += sign == 0 ? 1U : 0U;
     ++answers.vertices;
@@ -129,23 +129,23 @@ void compare(const BuiltFreeSpace &built, oracle::RandomSource &random, Answers 
   const Common own(planes(p), planes(q), planes(r));
   const Number W = number(4) * ring.weight(origin);
   const Plane u = planes(p), v = planes(q);
-  const Number N = dot(own.n, own.n);
+  const Number N = sum_of_products(own.n, own.n);
   if (own.B.sign() != 0) {
-    ASSERT_EQ(exact.is_outside(p, q, r), (W * own.B * own.B - dot(own.H, own.H)).sign() < 0);
+    ASSERT_EQ(exact.is_outside(p, q, r), (W * own.B * own.B - sum_of_products(own.H, own.H)).sign() < 0);
   }
   if (N.sign() != 0) {
     std::array<Number, 3> radical;
     for (size_t k = 0; k < 3; ++k) radical[k] = u.h * number(v.v[k]) - v.h * number(u.v[k]);
-    const bool meets = (W * N - dot(radical, radical)).sign() > 0;
+    const bool meets = (W * N - sum_of_products(radical, radical)).sign() > 0;
     ASSERT_EQ(exact.meets_line(p, q), meets);
     // On the line the point n-ward of the centre: N (z.m - h_R), from m = (radical x n) / N.
     const Common with(u, v, planes(R));
-    ASSERT_EQ(exact.side_of_middle(p, q, R), dot(with.H, with.n).sign());
+    ASSERT_EQ(exact.side_of_middle(p, q, R), sum_of_products(with.H, with.n).sign());
     ++answers.lines;
   }
-  const Number U = dot(u.v, u.v);
+  const Number U = sum_of_products(u.v, u.v);
   ASSERT_EQ(exact.meets_plane(p), (W * U - u.h * u.h).sign() > 0);
-  ASSERT_EQ(exact.side_of_disc(p, R), (U * planes(R).h - u.h * dot(u.v, planes(R).v)).sign());
+  ASSERT_EQ(exact.side_of_disc(p, R), (U * planes(R).h - u.h * sum_of_products(u.v, planes(R).v)).sign());
   if (!p.is_side()) {
     ASSERT_EQ(exact.side_of_centre(p), u.h.sign());
   }

@@ -6,13 +6,14 @@
 #include <numbers>
 
 #include "expect_cases.hpp"
+#include "int128.hpp"
 #include "random_balls.hpp"
 
 namespace {
 
 using hsp::exact::orientation;
 using hsp::exact::Vector;
-__extension__ typedef __int128 Int128;
+using oracle::Int128;
 
 // |u|, |v|, |z| < 2^31: the determinant stays below 2^93.
 int exact_sign(const Vector &u, const Vector &v, const Vector &z) {

@@ -6,10 +6,12 @@
 #include <cmath>
 #include <cstdint>
 
+#include "int128.hpp"
+
 namespace perturbation {
 
-__extension__ typedef __int128 Int128;
-__extension__ typedef unsigned __int128 UInt128;
+using oracle::Int128;
+using oracle::UInt128;
 
 class Integer {
  public:
