@@ -3,6 +3,7 @@
 # the predicates' stages answer, for one test. Programs in folders with the property
 # HSP_SHIPPED_LIBRARY, benchmarks for instance, link the archive that is installed. Libraries that both kinds of programs
 # use link hardsphere_tested, which is what suits the program. With HSP_CHECKED_LIBRARY the archive itself is checked.
+# HSP_UNITY_CHECKED compiles the checked library alone in large units: where all is compiled once, as in CI.
 include_guard(GLOBAL)
 
 set(HSP_CHECKS HSP_CHECK_INDEX=1 HSP_COUNT_STAGES=1)
@@ -12,6 +13,9 @@ if(HSP_CHECKED_LIBRARY)
   add_library(hardsphere_checked ALIAS hardsphere)
 else()
   hsp_library_objects(hardsphere_checked_objects ${HSP_CHECKS})
+  if(HSP_UNITY_CHECKED)
+    set_target_properties(hardsphere_checked_objects PROPERTIES UNITY_BUILD ON)
+  endif()
   add_library(hardsphere_checked STATIC $<TARGET_OBJECTS:hardsphere_checked_objects>)
   set_target_properties(hardsphere_checked_objects hardsphere_checked PROPERTIES EXCLUDE_FROM_ALL ON)
   get_target_property(language hardsphere LINKER_LANGUAGE)
