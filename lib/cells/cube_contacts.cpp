@@ -4,12 +4,13 @@ namespace hsp {
 
 void CubeContacts::carve(Workspace &workspace, uint32_t balls, uint32_t corners) {
   members_ = workspace.take<Member>(balls);
+  touched_ = workspace.take<uint32_t>(balls);
   corners_ = FixedVector<Corner>(workspace.take<Corner>(corners));
 }
 
 void CubeContacts::clear(uint32_t balls) {
   corners_.clear();
-  for (uint32_t k = 0; k < balls; ++k) members_[k] = {0, 0, no_id, 0, no_id};
+  for (uint32_t k = 0; k < balls; ++k) members_[k] = {0, 0, no_id, 0};
 }
 
 CubeContacts::Corner CubeContacts::sorted(uint32_t a, uint32_t b, uint32_t c, uint32_t cell) {
@@ -31,7 +32,7 @@ uint32_t CubeContacts::cell_at(const Member &member, const Corner &corner) const
 Status CubeContacts::add(const PowerCell &cell, uint32_t k, uint32_t first_cell, CellContacts &contacts) {
   const PowerPolytope &polytope = cell.polytope();
   Member &own = members_[k];
-  own = {clamped_count(corners_.required()), 0, first_cell, cell.parts(), no_id};
+  own = {clamped_count(corners_.required()), 0, first_cell, cell.parts()};
   for (uint32_t v = 0; v < polytope.size() && own.parts > 1; ++v) {
     if (cell.part_of(v) == no_id) continue;
     const uint32_t *const plane = polytope[v].plane;
@@ -49,25 +50,35 @@ Status CubeContacts::add(const PowerCell &cell, uint32_t k, uint32_t first_cell,
     }
     contacts.push(pair, cell.frame(), at);
   };
-  const uint32_t size = polytope.size();
-  for (uint32_t v = 0; v < size; ++v) {
-    if (cell.part_of(v) == no_id) continue;
-    const uint32_t own_cell = first_cell + cell.part_of(v);
-    for (uint32_t p = 0; p < 3; ++p) {
-      const uint32_t plane = polytope[v].plane[p];
-      if (plane < cube_sides || plane - cube_sides >= k) continue;
-      Member &other = members_[plane - cube_sides];
-      if (other.parts == 1 && own.parts == 1) {
-        if (other.joined != k) contacts.push({{other.first_cell, own_cell}}, cell.frame(), polytope[v].at.y);
-        other.joined = k;
-        continue;
-      }
-      const uint32_t a = polytope[v].plane[p == 0 ? 1 : 0], b = polytope[v].plane[p == 2 ? 1 : 2];
-      const uint32_t other_cell =
-          other.parts == 1 ? other.first_cell : cell_at(other, sorted(a, b, cube_sides + k, no_id));
-      if (other_cell == no_id) return Status::check;
-      add_once({{other_cell, own_cell}}, polytope[v].at.y);
+  uint32_t *const touched = touched_.data();
+  uint32_t count = 0;
+  for (uint32_t c = 0; c < cell.cutters(); ++c) {
+    const uint32_t member = cell.cutter(c);
+    touched[count] = member;
+    count += (member < k ? 1U : 0U) & (cell.first_free(cube_sides + member) != no_id ? 1U : 0U);
+  }
+  for (uint32_t c = 0; c < count; ++c) {
+    const uint32_t plane = cube_sides + touched[c], first = cell.first_free(plane);
+    const Member &other = members_[touched[c]];
+    if (other.parts == 1 && own.parts == 1) {
+      contacts.push({{other.first_cell, first_cell}}, cell.frame(), polytope.position(first));
+      continue;
     }
+    // Around the facet.
+    uint32_t v = first, back = previous_of_three(polytope[first].place_of(plane));
+    do {
+      const PolytopeVertex &vertex = polytope[v];
+      const uint32_t on = previous_of_three(back);
+      if (cell.part_of(v) != no_id) {
+        const uint32_t other_cell =
+            other.parts == 1 ? other.first_cell
+                             : cell_at(other, sorted(vertex.plane[back], vertex.plane[on], cube_sides + k, no_id));
+        if (other_cell == no_id) return Status::check;
+        add_once({{other_cell, first_cell + cell.part_of(v)}}, polytope.position(v));
+      }
+      v = vertex.neighbour(on);
+      back = vertex.back(on);
+    } while (v != first);
   }
   return Status::ok;
 }

@@ -27,12 +27,12 @@ class CubeContacts {
   struct Member {
     uint32_t first_corner, corners;
     uint32_t first_cell, parts;
-    uint32_t joined;  // the last member that was found adjacent, if both have one part
   };
   static Corner sorted(uint32_t a, uint32_t b, uint32_t c, uint32_t cell);
   uint32_t cell_at(const Member &member, const Corner &corner) const;
 
   Span<Member> members_;
+  Span<uint32_t> touched_;  // [members] those before one that have a free vertex with it
   FixedVector<Corner> corners_;
 };
 

@@ -2,58 +2,84 @@
 // registers of n doubles: power_cell.cpp and wide_cells_avx2.cpp compile it, and both find the same bits.
 #pragma once
 
+#include <limits>
+
 #include "core/double_lanes.hpp"
+#include "core/vec3.hpp"
 
 namespace hsp {
 
-// From the centre of the cube to that of a ball, its radius, and the square of the one less that of the other. Behind
-// the last ball there is room for a multiple of four.
+// From the centre of the cube to that of a ball, its radius, and the square of the one less that of the other; 1, or 0
+// for a ball that is out of the game. Behind the last ball there is room for a multiple of eight, and what is there is
+// out of the game.
 struct MemberArrays {
-  const double *x, *y, *z, *radius, *power;
+  const double *x, *y, *z, *radius, *power, *in_game;
   uint32_t count;
 };
-// A plane that may cut a power cell. Its squared distance from the ball's centre, with the sign of that: negative if
-// the centre is beyond.
-struct PlaneCandidate {
-  double distance;
-  uint32_t member;
+// The planes v.y = h between a ball and all others; the square of the distance of each from the ball's centre, with the
+// sign of that: negative if the centre is beyond. It is infinite for those that do not count any more, and behind the
+// last one, where there is room as above.
+struct PlaneArrays {
+  double *x, *y, *z, *h, *distance;
 };
+inline constexpr double done_with = std::numeric_limits<double>::infinity();
 
 #if HSP_AVX2
-uint32_t list_candidates_avx2(const MemberArrays &members, const uint64_t *in_game, uint32_t own, double limit,
-                              PlaneCandidate *candidates);
+void find_planes_avx2(const MemberArrays &members, uint32_t own, double limit, const PlaneArrays &planes);
+bool is_before_all_avx2(const MemberArrays &members, uint32_t own, const Vec3 &point, double doubt,
+                        const double *distance);
 uint64_t find_dominance_avx2(const MemberArrays &members, uint32_t a, uint32_t first, double side, double doubt);
 #endif
 
 namespace {
 
-// The planes between a ball and all others in the game, of which in_game has bits, whose squared distance is no larger
-// than a limit, in their order. Room for four more than all. Returns how many.
+// The planes between a ball and all others, as CubeFrame::between() has them. The distance is infinite, and nothing
+// else means anything, if its square is larger than a limit, or if the ball is out of the game or the same.
 template <uint32_t n>
-inline uint32_t list_candidates(const MemberArrays &members, const uint64_t *in_game, uint32_t own, double limit,
-                                PlaneCandidate *candidates) {
+inline void find_planes(const MemberArrays &members, uint32_t own, double limit, const PlaneArrays &planes) {
   using L = DoubleLanes<n>;
   using Real = typename L::Real;
   const Real x = L::all(members.x[own]), y = L::all(members.y[own]), z = L::all(members.z[own]);
   const Real radius = L::all(members.radius[own]), most = L::all(limit);
-  const uint32_t count = members.count;
-  uint32_t found = 0;
-  for (uint32_t first = 0; first < count; first += n) {
-    const Real vx = L::load(members.x + first) - x, vy = L::load(members.y + first) - y;
-    const Real vz = L::load(members.z + first) - z, other = L::load(members.radius + first);
+  const Real zero = L::all(0.0), one = L::all(1.0), never = L::all(done_with);
+  for (uint32_t first = 0; first < (members.count + 7) / 8 * 8; first += n) {
+    const Real far_x = L::load(members.x + first), far_y = L::load(members.y + first);
+    const Real far_z = L::load(members.z + first), other = L::load(members.radius + first);
+    const Real vx = far_x - x, vy = far_y - y, vz = far_z - z;
     const Real length = vx * vx + vy * vy + vz * vz;
-    const Real h = length + (radius - other) * (radius + other);
-    const Real distance = h * L::absolute(h) / length;
-    double distances[n];
-    L::store(distances, distance);
-    // That of the ball itself is not a number.
-    const uint64_t near = L::set_lanes(distance <= most) & (in_game[first / 64] >> first % 64);
-    for (uint32_t lane = 0; lane < n; ++lane) {
-      candidates[found] = {distances[lane], first + lane};
-      found += static_cast<uint32_t>(near >> lane & 1);
-    }
+    const Real powers = (other - radius) * (other + radius);
+    const Real own_h = length - powers;
+    const Real distance = own_h * L::absolute(own_h) / length;
+    // That of the ball itself is not a number, and of balls with its centre only one may be in the game.
+    const typename L::Mask near = L::both(distance <= most, L::load(members.in_game + first) > zero);
+    L::store(planes.distance + first, L::select(near, distance, never));
+    const Real scale = one / L::square_root(length);
+    const Real h = (vx * (x + far_x) + vy * (y + far_y) + vz * (z + far_z)) - powers;
+    L::store(planes.x + first, scale * vx);
+    L::store(planes.y + first, scale * vy);
+    L::store(planes.z + first, scale * vz);
+    L::store(planes.h + first, scale * h);
   }
-  return found;
+}
+
+// Whether a point, twice as far from the centre of the cube, has less power to a ball than to all others whose planes
+// are not done with, by more than a doubt. The value of a plane is as in PowerCell::drop_dominated().
+template <uint32_t n>
+inline bool is_before_all(const MemberArrays &members, uint32_t own, const Vec3 &point, double doubt,
+                          const double *distance) {
+  using L = DoubleLanes<n>;
+  using Real = typename L::Real;
+  const Real x = L::all(members.x[own]), y = L::all(members.y[own]), z = L::all(members.z[own]);
+  const Real power = L::all(members.power[own]), least = L::all(doubt);
+  const Real never = L::all(done_with);
+  const Real at_x = L::all(point.x), at_y = L::all(point.y), at_z = L::all(point.z);
+  for (uint32_t first = 0; first < members.count; first += n) {
+    const Real along = (L::load(members.x + first) - x) * at_x + (L::load(members.y + first) - y) * at_y +
+                       (L::load(members.z + first) - z) * at_z;
+    const Real more = L::load(members.power + first) - power - along;
+    if (L::any(L::both(more <= least, L::load(distance + first) < never))) return false;
+  }
+  return true;
 }
 
 // Of up to 64 balls from number `first` on a bit for each: whether one of it and ball a may have less power than the

@@ -40,8 +40,8 @@ void FacetOverlay::carve(Workspace &workspace, uint32_t balls) {
   other_edges_ = workspace.take<Edge>(2 * planes);
   above_planes_ = workspace.take<UnitPlane>(planes);
   sides_ = workspace.take<int8_t>(2 * planes);
-  below_ = workspace.take<Listed>(balls);
-  above_ = workspace.take<Listed>(balls);
+  below_ = workspace.take<Listed>(static_cast<uint64_t>(balls) + 1);
+  above_ = workspace.take<Listed>(static_cast<uint64_t>(balls) + 1);
   parts_ = FixedVector<Part>(workspace.take<Part>(parts_per_plane * planes));
   names_ = FixedVector<Name>(workspace.take<Name>(names_per_plane * planes));
   wide_code_ = workspace.wide_code();
@@ -61,28 +61,6 @@ bool FacetOverlay::have_one_cell_each() const {
   return polygon_[0].facet->cell != no_id && polygon_[1].facet->cell != no_id;
 }
 
-// Whether two facets of one ball have a corner in common, of the same two lines, that is outside the ball. Near that
-// corner both facets are the same.
-bool FacetOverlay::share_free_corner() const {
-  const Polygon &below = polygon_[0], &above = polygon_[1];
-  uint32_t before = above.corner(above.size() - 1).line;
-  for (uint32_t k = 0; k < above.size(); ++k) {
-    const FacetCorner &corner = above.corner(k);
-    if (corner.cell != no_id) {
-      uint32_t other_before = below.corner(below.size() - 1).line;
-      for (uint32_t l = 0; l < below.size(); ++l) {
-        const uint32_t line = below.corner(l).line;
-        if ((line == corner.line && other_before == before) || (line == before && other_before == corner.line)) {
-          return true;
-        }
-        other_before = line;
-      }
-    }
-    before = corner.line;
-  }
-  return false;
-}
-
 // How the corners of one facet lie to the edges of the other. Both see the same positions along the side.
 FacetSides FacetOverlay::compare(const Polygon &corners, const Polygon &lines) const {
   const SideFacet &of = *corners.facet, &around = *lines.facet;
@@ -95,19 +73,18 @@ FacetSides FacetOverlay::compare(const Polygon &corners, const Polygon &lines) c
   return compare_facets<baseline_lanes>(u, w, of.corners, edges, around.corners, margin);
 }
 
-// Whether one of the facets is certainly beyond an edge of the other, or certainly has a corner outside the ball in it.
-// A corner of a piece of two balls is outside both.
+// Whether one of the facets is certainly beyond an edge of the other, or both certainly have a piece in common: a
+// corner of one is in the other, or no edge of either has all of the other beyond it. Convex polygons without a common
+// piece have a line between them that an edge of one lies on.
 FacetOverlay::Meeting FacetOverlay::compare() const {
   const Polygon &below = polygon_[0], &above = polygon_[1];
   if (below.size() > 64 || above.size() > 64) return Meeting::unknown;
-  const bool one_ball = below.facet->ball == above.facet->ball;
   const FacetSides lower = compare(below, above);
   if (lower.apart) return Meeting::apart;
-  if ((one_ball ? lower.inside & below.facet->free_corners : lower.inside) != 0) return Meeting::together;
+  if (lower.inside != 0) return Meeting::together;
   const FacetSides upper = compare(above, below);
   if (upper.apart) return Meeting::apart;
-  if ((one_ball ? upper.inside & above.facet->free_corners : upper.inside) != 0) return Meeting::together;
-  return Meeting::unknown;
+  return upper.inside != 0 || (lower.reached && upper.reached) ? Meeting::together : Meeting::unknown;
 }
 
 // A corner of the facet below, in the frame of the cube above.
@@ -389,11 +366,14 @@ Status FacetOverlay::resolve(CellContacts &contacts) {
 uint32_t FacetOverlay::list(Span<Listed> out, const Side &side, uint32_t number, Span<const uint32_t> others) {
   uint32_t count = 0, other = 0;
   for (const uint32_t k : side.range) {
-    const SideFacet &facet = side.facets.facet(k);
-    if (facet.side != number) continue;
+    out[count].facet = k;  // and kept if it is on that side
+    count += side.facets.facet(k).side == number ? 1 : 0;
+  }
+  for (uint32_t k = 0; k < count; ++k) {
+    const SideFacet &facet = side.facets.facet(out[k].facet);
     while (other < others.size() && others[other] < facet.ball) ++other;
     const bool meets_both = other < others.size() && others[other] == facet.ball;
-    out[count++] = {k, facet.ball, meets_both ? 1U : 0U, facet.low_u, facet.high_u, facet.low_w, facet.high_w};
+    out[k] = {out[k].facet, facet.ball, meets_both ? 1U : 0U, facet.low_u, facet.high_u, facet.low_w, facet.high_w};
   }
   return count;
 }
@@ -424,7 +404,8 @@ Status FacetOverlay::find(const BallSet &balls, const CubeFrame &frame, uint32_t
       const AdjacentCells cells{{polygon_[0].facet->cell, polygon_[1].facet->cell}};
       // A portal is chosen among all corners of the piece.
       const bool one_contact = have_one_cell_each() && !contacts.has_portals();
-      if (one_contact && over.ball == under.ball && share_free_corner()) {
+      if (one_contact && over.ball == under.ball &&
+          (polygon_[0].facet->has_covered_corner | polygon_[1].facet->has_covered_corner) != 0) {
         contacts.push(cells);
         continue;
       }

@@ -16,9 +16,14 @@
 // part that touches no border of a facet touches others in it, at corners that three facets of the other cube have in
 // common, and one of these parts reaches the border: every part of a facet outside a ball does.
 //
-// Most facets belong to one cell each. Then all that is asked of two of them is whether their piece has a point outside
-// the ball, and a corner that they share, or one of either facet that is certainly in the other, answers that without
-// the piece; so does an edge of either that the other is certainly beyond.
+// Most facets belong to one cell each. Then all that is asked of two of them is whether they have a piece, as that has
+// a point outside the balls. For two balls this was said above. Two facets of one ball have the same part in the ball:
+// another ball with less power at a point of that would hold the point, and so meet both cubes. If there is such a
+// part, the arc that bounds it inside the facets belongs to both, and so do the points near the arc outside the ball,
+// since a ball that does not meet the side has more power there. If there is none, all of both facets is outside. So
+// the cells of facets of one ball touch without further questions if one of the facets has a corner in the ball. Else
+// a corner of either facet that is certainly in the other answers it, or an edge of either that the other is certainly
+// beyond, or that there is none.
 #pragma once
 
 #include "cells/free_space.hpp"
@@ -88,7 +93,6 @@ class FacetOverlay {
 
   static uint32_t list(Span<Listed> out, const Side &side, uint32_t number, Span<const uint32_t> others);
   bool have_one_cell_each() const;
-  bool share_free_corner() const;
   Meeting compare() const;
   FacetSides compare(const Polygon &corners, const Polygon &lines) const;
   PlacedPoint place_below(uint32_t corner) const;

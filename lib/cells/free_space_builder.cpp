@@ -97,21 +97,13 @@ Status FreeSpaceBuilder::add_cube(const BallSet &balls, const Cube &cube) {
     const Status status = contacts_.add(cell_, k, first_cell, space.contacts);
     if (status == Status::check) return status;
     if (status == Status::capacity) contacts_known_ = false;
-    // Of each side of the cube a vertex on it, outside the ball.
-    uint32_t on_side[cube_sides] = {no_id, no_id, no_id, no_id, no_id, no_id};
-    const uint32_t size = cell_.polytope().size();
-    for (uint32_t v = size; v-- > 0;) {
-      if (cell_.part_of(v) == no_id) continue;
-      for (const uint32_t number : cell_.polytope()[v].plane) {
-        if (number < cube_sides) on_side[number] = v;
-      }
-    }
     for (uint32_t side = 0; side < cube_sides; ++side) {
-      if (on_side[side] == no_id) continue;
+      const uint32_t first = cell_.first_free(side);
+      if (first == no_id) continue;
       if (cube.neighbour[side] == no_id) {
-        touch_run(cube, side, on_side[side], first_cell);
+        touch_run(cube, side, first, first_cell);
       } else {
-        (side % 2 == 0 ? open_ : kept_).add(cell_, side, on_side[side], first_cell);
+        (side % 2 == 0 ? open_ : kept_).add(cell_, side, first, first_cell);
       }
     }
   }
@@ -147,7 +139,7 @@ void FreeSpaceBuilder::touch_run(const Cube &cube, uint32_t side, uint32_t first
     const uint32_t part = cell_.part_of(v);
     if (part == no_id || touched_[part] != 0 || !polytope[v].has(side)) continue;
     touched_[part] = 1;
-    structure_.contacts.push({{cube.run[side], first_cell + part}}, cube.frame, polytope[v].at.y);
+    structure_.contacts.push({{cube.run[side], first_cell + part}}, cube.frame, polytope.position(v));
     if (cell_.parts() == 1) return;
   }
 }

@@ -147,13 +147,13 @@ class FreeSpaceCheck {
       const PolytopeVertex &vertex = polytope[v];
       for (uint32_t k = 0; k < 3; ++k) {
         const uint32_t a = vertex.plane[(k + 1) % 3], b = vertex.plane[(k + 2) % 3];
-        const uint32_t other = vertex.neighbour[k];
+        const uint32_t other = vertex.neighbour(k);
         if (vertex.plane[k] >= plane_count_ || a == b || other >= polytope.size() || other == v) return false;
         const PolytopeVertex &end = polytope[other];
         if (!end.has(a) || !end.has(b) || end.has(vertex.plane[k])) return false;
         for (uint32_t back = 0; back < 3; ++back) {
           const bool along = end.plane[back] != a && end.plane[back] != b;
-          if (along && end.neighbour[back] != v) return false;
+          if (along && (end.neighbour(back) != v || vertex.back(k) != back)) return false;
         }
         planes_[vertex.plane[k]] = 1;
       }

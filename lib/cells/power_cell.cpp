@@ -1,22 +1,26 @@
 #include "cells/power_cell.hpp"
 
+#include <bit>
 #include <initializer_list>
-
-#include "core/disjoint_sets.hpp"
 
 namespace hsp {
 
 void PowerCell::carve(Workspace &workspace, uint32_t balls) {
   polytope_.carve(workspace, balls);
-  planes_ = workspace.take<UnitPlane>(PowerPolytope::most_planes(balls));
-  for (Span<double> *numbers : {&x_, &y_, &z_, &radius_, &power_}) {
-    *numbers = workspace.take<double>(static_cast<uint64_t>(balls) + 3);
-    for (double &number : *numbers) number = 0.0;  // four are read at once, and some may not be those of balls
+  for (Span<double> *numbers :
+       {&x_, &y_, &z_, &radius_, &power_, &in_game_, &plane_x_, &plane_y_, &plane_z_, &plane_h_, &distance_}) {
+    *numbers = workspace.take<double>(static_cast<uint64_t>(balls) + 7);
+    for (double &number : *numbers) number = 0.0;  // eight are read at once, and some may not be those of balls
   }
-  candidates_ = workspace.take<PlaneCandidate>(static_cast<uint64_t>(balls) + 4);
-  in_game_ = workspace.take<uint64_t>(static_cast<uint64_t>(balls) / 64 + 1);
-  part_ = workspace.take<uint32_t>(PowerPolytope::most_vertices(balls));
-  free_edges_ = workspace.take<uint8_t>(PowerPolytope::most_vertices(balls));
+  const uint64_t planes = PowerPolytope::most_planes(balls), vertices = PowerPolytope::most_vertices(balls);
+  planes_ = workspace.take<UnitPlane>(planes);
+  codes_ = workspace.take<uint32_t>(planes);
+  first_free_ = workspace.take<uint32_t>(planes);
+  cutters_ = workspace.take<uint32_t>(balls);
+  part_ = workspace.take<uint32_t>(vertices);
+  waiting_ = workspace.take<uint32_t>(2 * vertices);
+  free_edges_ = workspace.take<uint8_t>(vertices);
+  outside_ = workspace.take<uint64_t>(vertices / 64 + 1);
   wide_code_ = workspace.wide_code();
 }
 
@@ -24,9 +28,10 @@ void PowerCell::enter(const BallSet &balls, const CubeFrame &frame, Span<const u
   balls_ = &balls;
   frame_ = frame;
   members_ = members;
-  for (uint32_t side = 0; side < cube_sides; ++side) planes_[side] = CubeFrame::side_in_doubles(side, frame.side());
-  for (uint32_t k = 0; k <= members.size() / 64; ++k) in_game_[k] = ~UINT64_C(0);
-  in_game_[members.size() / 64] = ~(~UINT64_C(0) << members.size() % 64);
+  for (uint32_t side = 0; side < cube_sides; ++side) {
+    planes_[side] = CubeFrame::side_in_doubles(side, frame.side());
+    codes_[side] = side;
+  }
   for (uint32_t k = 0; k < members.size(); ++k) {
     const Vec3 offset = frame.offset_of(balls, members[k]);
     const double radius = balls.r[members[k]];
@@ -35,7 +40,10 @@ void PowerCell::enter(const BallSet &balls, const CubeFrame &frame, Span<const u
     z_[k] = offset.z;
     radius_[k] = radius;
     power_[k] = dot(offset, offset) - radius * radius;
+    in_game_[k] = 1.0;
+    codes_[cube_sides + k] = cube_sides + members[k];
   }
+  for (uint32_t k = members.size(); k < members.size() + 7; ++k) in_game_[k] = 0.0;
 }
 
 // As find_dominance() has it.
@@ -68,61 +76,60 @@ void PowerCell::drop_dominated() {
 }
 
 // The planes of all others in the game that come as near to the ball's centre as any point of the cube.
-uint32_t PowerCell::list_candidates(double reach) {
+void PowerCell::find_member_planes() {
+  const double side = frame_.side();
+  const Vec3 corner{side + std::fabs(centre_.x), side + std::fabs(centre_.y), side + std::fabs(centre_.z)};
+  const double reach = std::sqrt(dot(corner, corner)) + 2 * frame_.plane_doubt();
 #if HSP_AVX2
-  if (wide_code_) {
-    return list_candidates_avx2(numbers(), in_game_.data(), member_, reach * reach, candidates_.data());
-  }
+  if (wide_code_) return find_planes_avx2(numbers(), member_, reach * reach, plane_numbers());
 #endif
-  return hsp::list_candidates<baseline_lanes>(numbers(), in_game_.data(), member_, reach * reach, candidates_.data());
+  find_planes<baseline_lanes>(numbers(), member_, reach * reach, plane_numbers());
 }
 
-// Restores a heap, nearest plane first, after its item `hole` has been replaced.
-void PowerCell::sift_down(uint32_t hole, uint32_t count) {
-  PlaneCandidate *const items = candidates_.data();
-  const PlaneCandidate item = items[hole];
-  for (uint32_t child = 2 * hole + 1; child < count; child = 2 * hole + 1) {
-    if (child + 1 < count && items[child + 1].distance < items[child].distance) ++child;
-    if (!(items[child].distance < item.distance)) break;
-    items[hole] = items[child];
-    hole = child;
-  }
-  items[hole] = item;
+// As find_cut() has it.
+uint32_t PowerCell::find_next_cut(const CutMargins &margins) {
+#if HSP_AVX2
+  if (wide_code_) return find_cut_avx2(polytope_.to_cut(), plane_numbers(), members_.size(), margins);
+#endif
+  return find_cut<baseline_lanes>(polytope_.to_cut(), plane_numbers(), members_.size(), margins);
 }
 
-// Whether the middle of the polytope is certainly on the near side of the planes of the first candidates. The value of
-// a plane is as in drop_dominated(), and the distance of two centres is below 4 sides.
-bool PowerCell::has_certain_point(uint32_t candidates) const {
-  const Vec3 middle = polytope_.middle(), centre = offset(member_);
-  const double side = frame_.side(), power = power_[member_];
+// Whether the middle of the polytope is certainly on the near side of the planes that may still cut it. The distance of
+// two centres is below 4 sides.
+bool PowerCell::has_certain_point() const {
+  const double side = frame_.side();
   const double doubt = (8 * polytope_.most_doubt() + 512 * unit_roundoff * side) * side;
-  const PlaneCandidate *const items = candidates_.data();
-  for (uint32_t c = 0; c < candidates; ++c) {
-    const uint32_t m = items[c].member;
-    if (!(power_[m] - power - dot(offset(m) - centre, middle) > doubt)) return false;
-  }
-  return true;
+#if HSP_AVX2
+  if (wide_code_) return is_before_all_avx2(numbers(), member_, polytope_.middle(), doubt, distance_.data());
+#endif
+  return is_before_all<baseline_lanes>(numbers(), member_, polytope_.middle(), doubt, distance_.data());
 }
 
+// The planes that cut most come first, and none follows that is farther than all that is left.
 void PowerCell::cut_out(uint32_t k, bool unless_covered) {
   member_ = k;
-  parts_ = 0;
+  parts_ = cutter_count_ = 0;
   if (!is_in_game(k)) return polytope_.make_empty();
-  const Vec3 own = offset(k);
-  const double radius = radius_[k];
-  centre_ = 2.0 * own;
+  centre_ = 2.0 * offset(k);
   polytope_.start(frame_.side(), centre_);
-  const double slack = 2 * frame_.plane_doubt();
-  double reach = polytope_.reach() + slack;
-  uint32_t count = list_candidates(reach);
-  // The planes that cut most come first, and none follows that is farther than all that is left.
-  for (uint32_t hole = count / 2; hole-- > 0;) sift_down(hole, count);
-  while (count > 0 && candidates_[0].distance <= reach * reach) {
-    const uint32_t m = candidates_[0].member, number = cube_sides + m;
-    candidates_[0] = candidates_[--count];
-    sift_down(0, count);
-    planes_[number] = CubeFrame::between(own, radius, offset(m), radius_[m]);
-    const uint32_t beyond = polytope_.find_beyond(planes_[number], frame_, [&](const PolytopeVertex &vertex) {
+  find_member_planes();
+  const double plane_doubt = frame_.plane_doubt(), six_sides = 6 * frame_.side();
+  double covered = -1.0;
+  for (;;) {
+    const double doubt = polytope_.most_doubt();
+    const double reach_doubt = doubt + 2 * plane_doubt;
+    // No distance in the cube is larger than 6 sides.
+    const uint32_t m = find_next_cut({doubt + plane_doubt, (2 * six_sides + reach_doubt) * reach_doubt, covered});
+    if (m == none_cuts) return;
+    if (m == is_covered) {
+      if (has_certain_point()) return;
+      covered = -1.0;
+      continue;
+    }
+    const uint32_t number = cube_sides + m;
+    const UnitPlane S{{plane_x_[m], plane_y_[m], plane_z_[m]}, plane_h_[m]};
+    planes_[number] = S;
+    const uint32_t beyond = polytope_.settle(S, frame_, [&](const PolytopeVertex &vertex) {
       return PowerPredicates(*balls_, ball(), frame_)
           .side_of(plane(vertex.plane[0]), plane(vertex.plane[1]), plane(vertex.plane[2]), plane(number));
     });
@@ -132,15 +139,15 @@ void PowerCell::cut_out(uint32_t k, bool unless_covered) {
       return polytope_.make_empty();
     }
     polytope_.cut(number, planes_.data(), frame_);
-    reach = polytope_.reach() + slack;
-    if (unless_covered && reach < 2 * radius && has_certain_point(count)) return;
+    cutters_[cutter_count_++] = m;
+    covered = unless_covered ? 4 * radius_[k] * radius_[k] : -1.0;
   }
 }
 
 bool PowerCell::is_outside(uint32_t v) const {
   const PolytopeVertex &vertex = polytope_[v];
   const double r = balls_->r[ball()];
-  const int outside = frame_.outside(polytope_.squared(v), vertex.at.doubt, 4 * r * r);
+  const int outside = frame_.outside(polytope_.squared(v), polytope_.at(v).doubt, 4 * r * r);
   if (outside != 0) return outside > 0;
   return PowerPredicates(*balls_, ball(), frame_)
       .is_outside(plane(vertex.plane[0]), plane(vertex.plane[1]), plane(vertex.plane[2]));
@@ -149,73 +156,163 @@ bool PowerCell::is_outside(uint32_t v) const {
 // Both ends are outside.
 bool PowerCell::edge_is_free(uint32_t v, uint32_t k) const {
   const PolytopeVertex &from = polytope_[v];
-  const uint32_t w = from.neighbour[k];
-  const PolytopeVertex &to = polytope_[w];
+  const uint32_t w = from.neighbour(k);
   const double r = balls_->r[ball()];
-  const int outside =
-      frame_.segment_outside(from.at, polytope_.squared(v), to.at, polytope_.squared(w), centre_, 4 * r * r);
+  const int outside = frame_.segment_outside(polytope_.at(v), polytope_.squared(v), polytope_.at(w),
+                                             polytope_.squared(w), centre_, 4 * r * r);
   if (outside != 0) return outside > 0;
-  const uint32_t a_plane = from.plane[k == 0 ? 1 : 0], b_plane = from.plane[k == 2 ? 1 : 2];
-  uint32_t last = 0;
-  while (to.plane[last] == a_plane || to.plane[last] == b_plane) ++last;
   return PowerPredicates(*balls_, ball(), frame_)
-      .is_free(plane(a_plane), plane(b_plane), plane(from.plane[k]), plane(to.plane[last]));
+      .is_free(plane(from.plane[next_of_three(k)]), plane(from.plane[previous_of_three(k)]), plane(from.plane[k]),
+               plane(polytope_[w].plane[from.back(k)]));
+}
+
+SquareSides PowerCell::compare_with_ball(uint32_t first, double limit, double margin) const {
+  const uint32_t left = polytope_.size() - first, count = left < 64 ? left : 64;
+#if HSP_AVX2
+  if (wide_code_) return compare_squares_avx2(polytope_.blocks() + first / 4, count, limit, margin);
+#endif
+  return compare_squares<baseline_lanes>(polytope_.blocks() + first / 4, count, limit, margin);
+}
+
+// Which vertices are outside the ball. Returns how many.
+uint32_t PowerCell::find_free_vertices(double limit, double doubt) {
+  const uint32_t size = polytope_.size();
+  const PolytopeVertex *const vertices = &polytope_[0];
+  uint8_t *const free_edges = free_edges_.data();
+  uint32_t *const part = part_.data(), *const first_free = first_free_.data();
+  for (uint32_t side = 0; side < cube_sides; ++side) first_free[side] = no_id;
+  for (uint32_t k = 0; k < cutter_count_; ++k) first_free[cube_sides + cutters_[k]] = no_id;
+  for (uint32_t v = 0; v < size; ++v) {
+    free_edges[v] = 0;
+    part[v] = no_id;
+  }
+  uint32_t count = 0;
+  // From the last ones on, so that the first one on a plane is what remains there.
+  for (uint32_t word = (size + 63) / 64; word-- > 0;) {
+    const SquareSides sides = compare_with_ball(64 * word, limit, doubt);
+    uint64_t outside = sides.above;
+    for (uint64_t left = sides.unsure; left != 0; left &= left - 1) {
+      if (is_outside(64 * word + static_cast<uint32_t>(std::countr_zero(left)))) outside |= left & (~left + 1);
+    }
+    outside_[word] = outside;
+    while (outside != 0) {
+      const uint32_t bit = 63 - static_cast<uint32_t>(std::countl_zero(outside)), v = 64 * word + bit;
+      outside ^= UINT64_C(1) << bit;
+      for (const uint32_t number : vertices[v].plane) first_free[number] = v;
+      ++count;
+    }
+  }
+  return count;
+}
+
+// Lists the edges whose ends are both outside, each once, as links. Returns how many.
+uint32_t PowerCell::list_edges() {
+  const PolytopeVertex *const vertices = &polytope_[0];
+  const uint64_t *const outside = outside_.data();
+  uint32_t *const edges = waiting_.data();
+  const uint32_t words = (polytope_.size() + 63) / 64;
+  uint32_t count = 0;
+  for (uint32_t word = 0; word < words; ++word) {
+    for (uint64_t left = outside[word]; left != 0; left &= left - 1) {
+      const uint32_t v = 64 * word + static_cast<uint32_t>(std::countr_zero(left));
+      for (uint32_t k = 0; k < 3; ++k) {
+        const uint32_t w = vertices[v].link[k] / 4;
+        edges[count] = 4 * v + k;  // and kept if it is one of them
+        count += static_cast<uint32_t>(outside[w / 64] >> w % 64 & (v < w ? 1U : 0U));
+      }
+    }
+  }
+  return count;
+}
+
+// Which of these edges are outside the ball as a whole. With squared lengths A and B from the centre to the ends and L
+// from end to end, the line is nearest to the centre at t = (A - B + L) / 2 of L, and at t of L the squared distance is
+// A - t (2 (A - B + L) / 2 - t) / L. Positions and centre are below 3 s from each other along each axis, so that A, B
+// and L are below 27 s^2 and off by less than 135 u s^2 for their roundings, t by less than 230 u s^2, and L times the
+// excess, as t <= L, by less than 800 u s^2 L, besides the doubt of positions: CubeFrame::sphere_doubt() has 1024.
+void PowerCell::test_edges(uint32_t count, double limit, double doubt) {
+  const PolytopeVertex *const vertices = &polytope_[0];
+  uint8_t *const free_edges = free_edges_.data();
+  const uint32_t *const edges = waiting_.data();
+  for (uint32_t e = 0; e < count; ++e) {
+    const uint32_t v = edges[e] / 4, k = edges[e] % 4;
+    const uint32_t link = vertices[v].link[k], w = link / 4;
+    const Vec3 edge = polytope_.position(w) - polytope_.position(v);
+    const double length = dot(edge, edge), from = polytope_.squared(v);
+    const double middle = 0.5 * ((from - polytope_.squared(w)) + length);
+    const double from_zero = middle > 0.0 ? middle : 0.0;
+    const double nearest = from_zero < length ? from_zero : length;
+    const double excess = (from - limit) * length - nearest * (2 * middle - nearest);
+    const double margin = doubt * length;
+    uint32_t is_free = excess > margin ? 1 : 0;
+    if (is_free == 0 && !(excess < -margin)) is_free = edge_is_free(v, k) ? 1 : 0;
+    free_edges[v] = static_cast<uint8_t>(free_edges[v] | is_free << k);
+    free_edges[w] = static_cast<uint8_t>(free_edges[w] | is_free << link % 4);
+  }
 }
 
 void PowerCell::find_free_parts() {
-  const uint32_t size = polytope_.size();
-  uint8_t *const outside = free_edges_.data();
-  uint32_t *const part = part_.data();
-  parts_ = 0;
-  const PolytopeVertex *const vertices = &polytope_[0];
-  const Vec3 centre = centre_;
   const double r = balls_->r[ball()];
-  const double W = 4 * r * r, doubt = frame_.sphere_doubt(polytope_.most_doubt());
-  uint32_t free_vertices = 0;
-  for (uint32_t v = 0; v < size; ++v) {
-    const double excess = polytope_.squared(v) - W;
-    const bool is_free = excess > doubt || (!(excess < -doubt) && is_outside(v));
-    outside[v] = is_free ? 8 : 0;
-    part[v] = is_free ? v : no_id;
-    free_vertices += is_free ? 1 : 0;
-  }
+  const double limit = 4 * r * r, doubt = frame_.sphere_doubt(polytope_.most_doubt());
+  parts_ = 0;
+  const uint32_t free_vertices = find_free_vertices(limit, doubt);
   if (free_vertices == 0) return;
-  // As CubeFrame::segment_outside() has it, and certain for most edges that are free.
-  const auto is_certainly_free = [&](uint32_t v, uint32_t w) {
-    const Vec3 from = vertices[v].at.y, edge = vertices[w].at.y - from;
-    const double length = dot(edge, edge), along = dot(centre - from, edge);
-    if (along <= 0.0) return polytope_.squared(v) - W > doubt;
-    if (along >= length) return polytope_.squared(w) - W > doubt;
-    return (polytope_.squared(v) - W - doubt) * length > along * along;
-  };
-  // Until only one set is left, which most cells have in the end, edges join vertices.
-  DisjointSets sets(part_.part(0, size));
-  uint32_t left = free_vertices;
-  for (uint32_t v = 0; v < size; ++v) {
-    if (outside[v] == 0) continue;
-    const PolytopeVertex &from = vertices[v];
-    for (uint32_t k = 0; k < 3; ++k) {
-      const uint32_t w = from.neighbour[k];
-      if (w < v || outside[w] == 0) continue;
-      const PolytopeVertex &to = vertices[w];
-      if (!is_certainly_free(v, w) && !edge_is_free(v, k)) continue;
-      const uint32_t back = to.neighbour[0] == v ? 0 : to.neighbour[1] == v ? 1 : 2;
-      outside[v] = static_cast<uint8_t>(outside[v] | 1U << k);
-      outside[w] = static_cast<uint8_t>(outside[w] | 1U << back);
-      if (left > 1 && sets.join(v, w)) --left;
+  const uint32_t edges = list_edges();
+  test_edges(edges, limit, doubt);
+  if (polytope_.size() <= 64) {
+    gather_few(edges);
+  } else {
+    gather_many(free_vertices);
+  }
+}
+
+// Free parts of up to 64 vertices: what free edges lead to from the first vertex without a part, as bits.
+void PowerCell::gather_few(uint32_t edges) {
+  const PolytopeVertex *const vertices = &polytope_[0];
+  const uint32_t *const listed = waiting_.data();
+  uint32_t *const part = part_.data();
+  const uint64_t outside = outside_[0];
+  uint64_t joined[64];
+  for (uint64_t left = outside; left != 0; left &= left - 1) joined[std::countr_zero(left)] = 0;
+  for (uint32_t e = 0; e < edges; ++e) {
+    const uint32_t v = listed[e] / 4, k = listed[e] % 4, w = vertices[v].neighbour(k);
+    const uint64_t is_free = free_edges_[v] >> k & 1;
+    joined[v] |= is_free << w;
+    joined[w] |= is_free << v;
+  }
+  for (uint64_t without = outside; without != 0;) {
+    uint64_t reached = without & (~without + 1);
+    for (uint64_t waiting = reached; waiting != 0;) {
+      const uint64_t found = joined[std::countr_zero(waiting)] & ~reached;
+      reached |= found;
+      waiting = (waiting & (waiting - 1)) | found;
     }
+    without ^= reached;
+    for (; reached != 0; reached &= reached - 1) part[std::countr_zero(reached)] = parts_;
+    ++parts_;
   }
-  if (left == 1) {
-    for (uint32_t v = 0; v < size; ++v) part[v] = outside[v] != 0 ? 0 : no_id;
-    parts_ = 1;
-    return;
-  }
-  // Numbers instead of representatives, which are the smallest of their sets.
-  for (uint32_t v = 0; v < size; ++v) {
-    if (outside[v] != 0) part[v] = sets.root(v);
-  }
-  for (uint32_t v = 0; v < size; ++v) {
-    if (outside[v] != 0) part[v] = part[v] == v ? parts_++ : part[part[v]];
+}
+
+// The same of any number of vertices, one after another.
+void PowerCell::gather_many(uint32_t free_vertices) {
+  uint32_t *const part = part_.data(), *const waiting = waiting_.data();
+  uint32_t known = 0;
+  for (uint32_t start = 0; known < free_vertices; ++start) {
+    if ((outside_[start / 64] >> start % 64 & 1) == 0 || part[start] != no_id) continue;
+    part[start] = parts_;
+    waiting[0] = start;
+    uint32_t count = 1;
+    for (uint32_t next = 0; next < count; ++next) {
+      const uint32_t v = waiting[next];
+      for (uint32_t k = 0; k < 3; ++k) {
+        const uint32_t w = polytope_[v].neighbour(k);
+        if (!is_free_edge(v, k) || part[w] != no_id) continue;
+        part[w] = parts_;
+        waiting[count++] = w;
+      }
+    }
+    known += count;
+    ++parts_;
   }
 }
 
@@ -246,7 +343,7 @@ bool PowerCell::has_centre_before(uint32_t number) const {
 bool PowerCell::meets_ball() const {
   bool centre_inside = true;
   for (uint32_t v = 0; v < polytope_.size(); ++v) {
-    if (part_[v] == no_id || (free_edges_[v] & 7) != 7) return true;
+    if (part_[v] == no_id || free_edges_[v] != 7) return true;
     for (const uint32_t number : polytope_[v].plane) centre_inside = centre_inside && has_centre_before(number);
   }
   if (centre_inside) return true;

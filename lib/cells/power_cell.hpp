@@ -50,23 +50,35 @@ class PowerCell {
   // In doubles, of a plane on which the cell has a vertex.
   const UnitPlane &unit_plane(uint32_t number) const { return planes_[number]; }
   // What a number says to whoever does not know the members: a side, or a ball and six.
-  uint32_t code_of(uint32_t number) const {
-    return number < cube_sides ? number : cube_sides + members_[number - cube_sides];
-  }
+  uint32_t code_of(uint32_t number) const { return codes_[number]; }
+  // The members whose planes have cut the cell, each once; of some no facet is left.
+  uint32_t cutters() const { return cutter_count_; }
+  uint32_t cutter(uint32_t k) const { return cutters_[k]; }
+  // The first vertex outside the ball on a side, or on the plane of a cutter; no_id if there is none.
+  uint32_t first_free(uint32_t number) const { return first_free_[number]; }
 
  private:
   // From the centre of the cube to that of a member.
   Vec3 offset(uint32_t m) const { return {x_[m], y_[m], z_[m]}; }
   MemberArrays numbers() const {
-    return {x_.data(), y_.data(), z_.data(), radius_.data(), power_.data(), members_.size()};
+    return {x_.data(), y_.data(), z_.data(), radius_.data(), power_.data(), in_game_.data(), members_.size()};
   }
-  bool is_in_game(uint32_t m) const { return (in_game_[m / 64] >> m % 64 & 1) != 0; }
-  void take_out_of_game(uint32_t m) { in_game_[m / 64] &= ~(UINT64_C(1) << m % 64); }
+  bool is_in_game(uint32_t m) const { return in_game_[m] > 0.0; }
+  void take_out_of_game(uint32_t m) { in_game_[m] = 0.0; }
   uint64_t dominance(uint32_t a, uint32_t first, double doubt) const;
   void cut_out(uint32_t k, bool unless_covered);
-  bool has_certain_point(uint32_t candidates) const;
-  uint32_t list_candidates(double reach);
-  void sift_down(uint32_t hole, uint32_t count);
+  PlaneArrays plane_numbers() {
+    return {plane_x_.data(), plane_y_.data(), plane_z_.data(), plane_h_.data(), distance_.data()};
+  }
+  void find_member_planes();
+  uint32_t find_next_cut(const CutMargins &margins);
+  bool has_certain_point() const;
+  SquareSides compare_with_ball(uint32_t first, double limit, double margin) const;
+  uint32_t find_free_vertices(double limit, double doubt);
+  uint32_t list_edges();
+  void test_edges(uint32_t count, double limit, double doubt);
+  void gather_few(uint32_t edges);
+  void gather_many(uint32_t free_vertices);
   bool is_outside(uint32_t v) const;
   bool edge_is_free(uint32_t v, uint32_t k) const;
   bool has_centre_before(uint32_t number) const;
@@ -78,13 +90,16 @@ class PowerCell {
   uint32_t member_ = 0;
   Vec3 centre_{};
   PowerPolytope polytope_;
-  Span<double> x_, y_, z_, radius_, power_;  // [members] as MemberArrays has them
-  Span<UnitPlane> planes_;                   // [sides + members]
-  Span<PlaneCandidate> candidates_;          // [members + 4]
-  Span<uint64_t> in_game_;                   // [members / 64] a bit for each
-  Span<uint32_t> part_;                      // [vertices]
-  Span<uint8_t> free_edges_;                 // [vertices] bits
-  uint32_t parts_ = 0;
+  Span<double> x_, y_, z_, radius_, power_, in_game_;              // [members + 7] as MemberArrays has them
+  Span<double> plane_x_, plane_y_, plane_z_, plane_h_, distance_;  // [members + 7] as PlaneArrays has them
+  Span<UnitPlane> planes_;                                         // [sides + members]
+  Span<uint32_t> codes_, first_free_;                              // [sides + members]
+  Span<uint32_t> cutters_;                                         // [members]
+  Span<uint32_t> part_;                                            // [vertices]
+  Span<uint32_t> waiting_;                                         // [2 vertices] edges, or vertices
+  Span<uint8_t> free_edges_;                                       // [vertices] a bit for each
+  Span<uint64_t> outside_;                                         // [vertices / 64] a bit for each
+  uint32_t parts_ = 0, cutter_count_ = 0;
   [[maybe_unused]] bool wide_code_ = false;
 };
 

@@ -12,14 +12,24 @@
 
 namespace hsp {
 
+// Its planes come in one order around every vertex, seen from outside. So who goes around a facet in that order comes
+// to a vertex along the edge opposite to plane[k], finds the facet as plane[k + 1], and goes on along the edge opposite
+// to plane[k + 2], modulo 3.
 struct PolytopeVertex {
-  PlacedPoint at;
   uint32_t plane[3];
-  uint32_t neighbour[3];  // [k]: along the edge on the two planes other than plane[k]
+  uint32_t link[3];  // [k]: the other end of the edge opposite to plane[k], and its own k, as 4 vertex + k
 
+  uint32_t neighbour(uint32_t k) const { return link[k] / 4; }
+  uint32_t back(uint32_t k) const { return link[k] % 4; }
   uint32_t place_of(uint32_t wanted) const { return plane[0] == wanted ? 0 : plane[1] == wanted ? 1 : 2; }
   bool has(uint32_t wanted) const { return plane[0] == wanted || plane[1] == wanted || plane[2] == wanted; }
 };
+constexpr uint32_t next_of_three(uint32_t k) {
+  return k == 2 ? 0 : k + 1;
+}
+constexpr uint32_t previous_of_three(uint32_t k) {
+  return k == 0 ? 2 : k - 1;
+}
 
 class PowerPolytope {
  public:
@@ -31,63 +41,64 @@ class PowerPolytope {
 
   // The whole cube, for a ball with this centre.
   void start(double side, const Vec3 &centre);
-  // What side of plane number `plane` the vertices are on, which is `S` in doubles: exact_side(vertex), +1 near or -1
-  // beyond, is asked where these do not tell. Returns how many are beyond.
+  // For find_cut().
+  CutVertices to_cut() { return {blocks_.data(), beyond_.data(), unsure_.data(), count_}; }
+  // After find_cut(), which said what it knows: which vertices are beyond plane S. exact_side(vertex), +1 near or -1
+  // beyond, is asked where doubles do not tell. Returns how many are beyond.
   template <class ExactSide>
-  uint32_t find_beyond(const UnitPlane &S, const CubeFrame &frame, ExactSide exact_side);
-  // Cuts off the vertices that are beyond plane number `plane`, that of the last find_beyond(), of which there are
-  // some; `planes` are all of them. What is beyond a plane is connected, and so is the rest.
+  uint32_t settle(const UnitPlane &S, const CubeFrame &frame, ExactSide exact_side);
+  // Cuts off the vertices that are beyond plane number `plane`, that of the last settle(), of which there are some;
+  // `planes` are all of them. What is beyond a plane is connected, and so is the rest.
   void cut(uint32_t plane, const UnitPlane *planes, const CubeFrame &frame);
   void make_empty() { count_ = 0; }
 
   uint32_t size() const { return count_; }
   const PolytopeVertex &operator[](uint32_t v) const { return vertices_[v]; }
+  Vec3 position(uint32_t v) const {
+    const VertexBlock &block = blocks_[v / 4];
+    return {block.x[v % 4], block.y[v % 4], block.z[v % 4]};
+  }
+  PlacedPoint at(uint32_t v) const { return {position(v), blocks_[v / 4].doubt[v % 4]}; }
   // Of the distance of a vertex from the centre of the ball.
-  double squared(uint32_t v) const { return squared_[v]; }
-  // No point of it is farther from the ball's centre, but for errors of the frame.
-  double reach() const;
+  double squared(uint32_t v) const { return blocks_[v / 4].squared[v % 4]; }
+  const VertexBlock *blocks() const { return blocks_.data(); }
   // The mean of its vertices, which is in it: off by no more than they are, but for roundings.
   Vec3 middle() const;
   // No vertex is more in doubt.
   double most_doubt() const { return most_doubt_; }
 
  private:
-  // Of the vertices from one on, up to 64.
-  VertexSides sides_of(uint32_t first, const UnitPlane &S, double margin) const {
-    const PointValues points{x_.data() + first, y_.data() + first, z_.data() + first, value_.data() + first};
-    const uint32_t count = count_ - first < 64 ? count_ - first : 64;
-    const PlaneNumbers plane{S.v.x, S.v.y, S.v.z, S.h};
-#if HSP_AVX2
-    if (wide_code_) return find_sides_avx2(points, count, plane, margin);
-#endif
-    return find_sides<baseline_lanes>(points, count, plane, margin);
-  }
+  // An edge that is cut: from vertex number `hole` of those beyond to `near`, a link, on planes a and b.
+  struct Crossing {
+    uint32_t hole, near, a, b;
+  };
+  template <class IsNear>
+  uint32_t find_crossings(IsNear is_near);
+  void clear_squares_behind();
   void move(uint32_t from, uint32_t to);
 
   Span<PolytopeVertex> vertices_;
-  Span<double> x_, y_, z_;  // [vertices] their positions, number by number
-  Span<double> squared_;    // [vertices]
-  Span<double> value_;      // [vertices] v.y - h of the plane that they were last held against
-  Span<uint64_t> beyond_;   // [vertices / 64] a bit for each
-  Span<uint32_t> holes_;    // [vertices] those that are beyond, ascending; they leave their places to others
-  Span<uint32_t> open_;     // [planes] the edge on it and the new plane that still waits for its other end
+  Span<VertexBlock> blocks_;  // [vertices / 4 + 2] where they are
+  Span<uint64_t> beyond_;     // [vertices / 64] a bit for each
+  Span<uint64_t> unsure_;     // [vertices / 64]
+  Span<uint32_t> holes_;      // [vertices] those that are beyond, ascending; they leave their places to others
+  Span<Crossing> crossings_;  // [vertices]
+  Span<uint32_t> made_;       // [vertices] the vertices that are made there
+  Span<uint32_t> ends_;       // [planes] of the edge on it and the new plane: the exclusive or of both ends, as links
   uint32_t count_ = 0, hole_count_ = 0;
-  [[maybe_unused]] bool wide_code_ = false;
   Vec3 centre_{};
   double most_doubt_ = 0.0;  // of all vertices that there have been
 };
 
 template <class ExactSide>
-uint32_t PowerPolytope::find_beyond(const UnitPlane &S, const CubeFrame &frame, ExactSide exact_side) {
-  const double margin = most_doubt_ + frame.plane_doubt();
+uint32_t PowerPolytope::settle(const UnitPlane &S, const CubeFrame &frame, ExactSide exact_side) {
   uint32_t found = 0;
   for (uint32_t first = 0; first < count_; first += 64) {
-    const VertexSides sides = sides_of(first, S, margin);
-    uint64_t beyond = sides.beyond;
-    for (uint64_t left = sides.unsure; left != 0; left &= left - 1) {
-      const PolytopeVertex &vertex = vertices_[first + static_cast<uint32_t>(std::countr_zero(left))];
-      const int side = frame.side_of(vertex.at, S);
-      if ((side != 0 ? side : exact_side(vertex)) < 0) beyond |= left & (~left + 1);
+    uint64_t beyond = beyond_[first / 64];
+    for (uint64_t left = unsure_[first / 64]; left != 0; left &= left - 1) {
+      const uint32_t v = first + static_cast<uint32_t>(std::countr_zero(left));
+      const int side = frame.side_of(at(v), S);
+      if ((side != 0 ? side : exact_side(vertices_[v])) < 0) beyond |= left & (~left + 1);
     }
     beyond_[first / 64] = beyond;
     for (; beyond != 0; beyond &= beyond - 1) {

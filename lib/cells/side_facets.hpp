@@ -39,7 +39,7 @@ struct SideFacet {
   uint32_t first_corner, corners;
   uint32_t cell;                       // the cell of all corners outside the ball; no_id if there are several
   double doubt;                        // the largest of its corners
-  uint64_t free_corners;               // a bit for each of the first 64 that is outside the ball
+  uint32_t has_covered_corner;         // whether one is in the ball, 1 or 0
   float low_u, high_u, low_w, high_w;  // a box around the facet
 };
 

@@ -1,65 +1,141 @@
-// On which side of a plane, or of the lines around a facet, up to 64 points lie, as far as doubles tell. For registers
-// of n doubles: power_polytope.cpp, facet_overlay.cpp and wide_cells_avx2.cpp compile it, and all find the same bits.
+// Which plane is the next one that cuts a power cell, and on which side of it, or of the lines around a facet, up to 64
+// points lie, as far as doubles tell. For registers of n doubles: power_cell.cpp, facet_overlay.cpp and
+// wide_cells_avx2.cpp compile it, and all find the same bits.
 #pragma once
 
+#include "cells/cube_members.hpp"
 #include "core/double_lanes.hpp"
+#include "core/status.hpp"
 
 namespace hsp {
 
-// Coordinates and what v.y - h is found to be; behind the last point there is room for a multiple of four.
-struct PointValues {
-  const double *x, *y, *z;
-  double *value;
+// Four vertices of a polytope: where they are, a bound for the error of that, the squares of their distances from the
+// centre of the ball, and what v.y - h of the plane is found to be that they were held against last. Behind the last
+// one there is room for a multiple of eight; squares there are 0.
+struct VertexBlock {
+  double x[4], y[4], z[4], doubt[4], squared[4], value[4];
 };
-struct PlaneNumbers {
-  double x, y, z, h;
+// All of them, of which there are at least four; and of that plane a bit for each, the first one lowest: whether it is
+// beyond by more than a margin, and whether it is within the margin.
+struct CutVertices {
+  VertexBlock *blocks;
+  uint64_t *beyond, *unsure;
+  uint32_t count;
 };
-// A bit for each point, the first one lowest: v.y - h is larger than a margin; or it is not, but above minus that.
-struct VertexSides {
-  uint64_t beyond, unsure;
+struct CutMargins {
+  double side;     // of v.y - h
+  double reach;    // of the square of the distance of the farthest vertex from the centre
+  double covered;  // find_cut() ends if that square is smaller
 };
+// What find_cut() returns for no plane.
+inline constexpr uint32_t none_cuts = no_id, is_covered = no_id - 1;
 
 // A line in the plane of a facet, u a + w b = h; the near side has less. In floats, as facets are many.
 struct FlatLine {
   float u, w, h;
 };
 // Of points in that plane those that are on the near side of all lines, by more than a margin; whether all of them are
-// beyond one line, by more than that.
+// beyond one line, by more than that; and whether each line has some of them on its near side, by more than that.
 struct FacetSides {
   uint64_t inside;
-  bool apart;
+  bool apart, reached;
+};
+// A bit for each of up to 64 vertices, the first one lowest: whether the square of its distance is larger than a limit
+// by more than a margin, and whether it is within the margin.
+struct SquareSides {
+  uint64_t above, unsure;
 };
 
 #if HSP_AVX2
-VertexSides find_sides_avx2(const PointValues &points, uint32_t count, const PlaneNumbers &plane, double margin);
+uint32_t find_cut_avx2(const CutVertices &vertices, const PlaneArrays &planes, uint32_t plane_count,
+                       const CutMargins &margins);
+SquareSides compare_squares_avx2(const VertexBlock *blocks, uint32_t count, double limit, double margin);
 FacetSides compare_facets_avx2(const double *u, const double *w, uint32_t count, const FlatLine *lines,
                                uint32_t line_count, double margin);
 #endif
 
 namespace {
 
+// The nearest plane that is no farther than the farthest vertex and has vertices beyond, or near enough to be; nearer
+// planes and this one are done with then. none_cuts if there is no such plane. is_covered, before any is done with, if
+// there are planes but no vertex is as far as is asked.
 template <uint32_t n>
-inline VertexSides find_sides(const PointValues &points, uint32_t count, const PlaneNumbers &plane, double margin) {
+inline uint32_t find_cut(const CutVertices &vertices, const PlaneArrays &planes, uint32_t plane_count,
+                         const CutMargins &margins) {
   using L = DoubleLanes<n>;
   using Real = typename L::Real;
-  const Real a = L::all(plane.x), b = L::all(plane.y), c = L::all(plane.z), h = L::all(plane.h);
-  const Real least = L::all(-margin);
-  typename L::Mask any{};
-  for (uint32_t k = 0; k < count; k += n) {
-    const Real value = a * L::load(points.x + k) + b * L::load(points.y + k) + c * L::load(points.z + k) - h;
-    any |= value > least;
-    L::store(points.value + k, value);
+  VertexBlock *const blocks = vertices.blocks;
+  double *const distances = planes.distance;
+  const uint32_t count = vertices.count;
+  const Real margin = L::all(margins.side), least = L::all(-margins.side);
+  for (;;) {
+    Real nearest = L::all(done_with);
+    for (uint32_t k = 0; k < plane_count; k += 8) {
+      for (uint32_t l = 0; l < 8; l += n) nearest = L::smaller(L::load(distances + k + l), nearest);
+    }
+    double distance = nearest[0];
+    for (uint32_t k = 1; k < n; ++k) distance = nearest[k] < distance ? nearest[k] : distance;
+    if (!(distance < done_with)) return none_cuts;
+    uint32_t plane = 0;
+    const Real wanted = L::all(distance);
+    const auto find_hits = [&] {
+      uint64_t hits = 0;
+      for (uint32_t l = 0; l < 8; l += n) hits |= L::set_lanes(L::load(distances + plane + l) == wanted) << l;
+      return hits;
+    };
+    uint64_t hits = find_hits();
+    for (; hits == 0; hits = find_hits()) plane += 8;
+    plane += static_cast<uint32_t>(__builtin_ctzll(hits));
+
+    const Real a = L::all(planes.x[plane]), b = L::all(planes.y[plane]), c = L::all(planes.z[plane]);
+    const Real h = L::all(planes.h[plane]);
+    Real farthest = L::all(0.0);
+    uint64_t found = 0;
+    for (uint32_t first = 0; first < count; first += 64) {
+      const uint32_t points = count - first < 64 ? count - first : 64;
+      uint64_t beyond = 0, near = 0;
+      for (uint32_t eight = 0; eight < points; eight += 8) {
+        VertexBlock *const pair = blocks + (first + eight) / 4;
+        uint64_t eight_beyond = 0, eight_near = 0;
+        for (uint32_t k = 0; k < 8; k += n) {
+          VertexBlock &of = pair[k / 4];
+          const uint32_t l = k % 4;
+          const Real value = a * L::load(of.x + l) + b * L::load(of.y + l) + c * L::load(of.z + l) - h;
+          L::store(of.value + l, value);
+          farthest = L::larger(L::load(of.squared + l), farthest);
+          eight_beyond |= L::set_lanes(value > margin) << k;
+          eight_near |= L::set_lanes(value <= least) << k;
+        }
+        beyond |= eight_beyond << eight;
+        near |= eight_near << eight;
+      }
+      const uint64_t all = ~UINT64_C(0) >> (64 - points);
+      vertices.beyond[first / 64] = beyond & all;
+      vertices.unsure[first / 64] = ~(beyond | near) & all;
+      found |= ~near & all;
+    }
+    double most = farthest[0];
+    for (uint32_t k = 1; k < n; ++k) most = farthest[k] > most ? farthest[k] : most;
+    if (most + margins.reach < margins.covered) return is_covered;
+    if (distance > most + margins.reach) return none_cuts;
+    distances[plane] = done_with;
+    if (found != 0) return plane;
   }
-  if (!L::any(any)) return {0, 0};  // most planes are too far away
-  const Real most = L::all(margin);
-  uint64_t beyond = 0, near = 0;
+}
+
+template <uint32_t n>
+inline SquareSides compare_squares(const VertexBlock *blocks, uint32_t count, double limit, double margin) {
+  using L = DoubleLanes<n>;
+  using Real = typename L::Real;
+  const Real bound = L::all(limit), most = L::all(margin), least = L::all(-margin);
+  uint64_t above = 0, below = 0;
   for (uint32_t k = 0; k < count; k += n) {
-    const Real value = L::load(points.value + k);
-    beyond |= L::set_lanes(value > most) << k;
-    near |= L::set_lanes(value <= least) << k;
+    const Real excess = L::load(blocks[k / 4].squared + k % 4) - bound;
+    above |= L::set_lanes(excess > most) << k;
+    below |= L::set_lanes(excess < least) << k;
   }
   const uint64_t all = ~UINT64_C(0) >> (64 - count);
-  return {beyond & all, ~(beyond | near) & all};
+  return {above & all, ~(above | below) & all};
 }
 
 template <uint32_t n>
@@ -70,6 +146,7 @@ inline FacetSides compare_facets(const double *u, const double *w, uint32_t coun
   const uint64_t all = ~UINT64_C(0) >> (64 - count);
   const Real most = L::all(margin), least = L::all(-margin);
   uint64_t inside = all;
+  bool reached = true;
   for (uint32_t line = 0; line < line_count; ++line) {
     const Real a = L::all(lines[line].u), b = L::all(lines[line].w), h = L::all(lines[line].h);
     uint64_t beyond = 0, near = 0;
@@ -78,10 +155,11 @@ inline FacetSides compare_facets(const double *u, const double *w, uint32_t coun
       beyond |= L::set_lanes(value > most) << k;
       near |= L::set_lanes(value < least) << k;
     }
-    if ((~beyond & all) == 0) return {0, true};
+    if ((~beyond & all) == 0) return {0, true, false};
     inside &= near;
+    reached = reached && (near & all) != 0;
   }
-  return {inside, false};
+  return {inside, false, reached};
 }
 
 }  // namespace

@@ -4,8 +4,13 @@
 
 namespace hsp {
 
-VertexSides find_sides_avx2(const PointValues &points, uint32_t count, const PlaneNumbers &plane, double margin) {
-  return find_sides<4>(points, count, plane, margin);
+uint32_t find_cut_avx2(const CutVertices &vertices, const PlaneArrays &planes, uint32_t plane_count,
+                       const CutMargins &margins) {
+  return find_cut<4>(vertices, planes, plane_count, margins);
+}
+
+SquareSides compare_squares_avx2(const VertexBlock *blocks, uint32_t count, double limit, double margin) {
+  return compare_squares<4>(blocks, count, limit, margin);
 }
 
 FacetSides compare_facets_avx2(const double *u, const double *w, uint32_t count, const FlatLine *lines,
@@ -13,9 +18,13 @@ FacetSides compare_facets_avx2(const double *u, const double *w, uint32_t count,
   return compare_facets<4>(u, w, count, lines, line_count, margin);
 }
 
-uint32_t list_candidates_avx2(const MemberArrays &members, const uint64_t *in_game, uint32_t own, double limit,
-                              PlaneCandidate *candidates) {
-  return list_candidates<4>(members, in_game, own, limit, candidates);
+void find_planes_avx2(const MemberArrays &members, uint32_t own, double limit, const PlaneArrays &planes) {
+  find_planes<4>(members, own, limit, planes);
+}
+
+bool is_before_all_avx2(const MemberArrays &members, uint32_t own, const Vec3 &point, double doubt,
+                        const double *distance) {
+  return is_before_all<4>(members, own, point, doubt, distance);
 }
 
 uint64_t find_dominance_avx2(const MemberArrays &members, uint32_t a, uint32_t first, double side, double doubt) {

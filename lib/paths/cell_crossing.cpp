@@ -32,7 +32,7 @@ void CellCrossing::add(const BallSet &balls, const FreeSpace &space, uint32_t ce
   const uint32_t size = polytope.size();
   for (uint32_t v = 0; v < size; ++v) {
     Stop &stop = stops_[v];
-    stop = {power_cell_.frame().rounded(polytope[v].at.y), unreached, no_id, power_cell_.part_of(v) == no_id};
+    stop = {power_cell_.frame().rounded(polytope.position(v)), unreached, no_id, power_cell_.part_of(v) == no_id};
     if (!stop.done && is_outside_ball(balls, record.ball, stop.at, to)) stop.way = distance(stop.at, to);
   }
   uint32_t best = no_id;
@@ -50,7 +50,7 @@ void CellCrossing::add(const BallSet &balls, const FreeSpace &space, uint32_t ce
       best = here;
     }
     for (uint32_t k = 0; k < 3; ++k) {
-      Stop &there = stops_[polytope[here].neighbour[k]];
+      Stop &there = stops_[polytope[here].neighbour(k)];
       const double way = stops_[here].way + distance(stops_[here].at, there.at);
       if (there.done || !power_cell_.is_free_edge(here, k) || !(way < there.way)) continue;
       there.way = way;

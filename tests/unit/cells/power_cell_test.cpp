@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <set>
 
 #include "built_free_space.hpp"
@@ -19,7 +20,7 @@ using hsp::PowerPlane;
 using oracle::Balls;
 
 struct Seen {
-  uint32_t cells = 0, empty = 0, several = 0, doubtful = 0;
+  uint32_t cells = 0, empty = 0, several = 0, doubtful = 0, most_vertices = 0, most_parts = 0;
 };
 
 using Triple = std::array<uint32_t, 3>;
@@ -37,11 +38,11 @@ void check_graph(const hsp::PowerCell &cell) {
     const PolytopeVertex &vertex = polytope[v];
     for (uint32_t k = 0; k < 3; ++k) {
       planes.insert(vertex.plane[k]);
-      const PolytopeVertex &other = polytope[vertex.neighbour[k]];
-      ASSERT_NE(vertex.neighbour[k], v);
+      const PolytopeVertex &other = polytope[vertex.neighbour(k)];
+      ASSERT_NE(vertex.neighbour(k), v);
       for (uint32_t l = 0; l < 3; ++l) ASSERT_EQ(other.has(vertex.plane[l]), l != k);
       uint32_t back = 0;
-      for (const uint32_t w : other.neighbour) back += w == v ? 1U : 0U;
+      for (uint32_t l = 0; l < 3; ++l) back += other.neighbour(l) == v ? 1U : 0U;
       ASSERT_EQ(back, 1U);
     }
   }
@@ -97,7 +98,8 @@ std::set<Triple> all_vertices(const hsp::BallSet &balls, const hsp::CubeFrame &f
   return found;
 }
 
-void check(const Balls &balls, Seen &seen) {
+// Of balls that are large enough.
+void check(const Balls &balls, Seen &seen, int64_t least_radius = 0) {
   const BuiltFreeSpace built(balls);
   const hsp::CubeCover &cover = built.space().cover;
   hsp::PowerCell cell;
@@ -109,6 +111,7 @@ void check(const Balls &balls, Seen &seen) {
     cell.enter(built.balls(), frame, members);
     cell.drop_dominated();
     for (uint32_t k = 0; k < members.size(); ++k) {
+      if (built.balls().r[members[k]] < static_cast<double>(least_radius)) continue;
       cell.build(k);
       std::set<Triple> vertices;
       for (uint32_t v = 0; v < cell.polytope().size(); ++v) vertices.insert(sorted(cell.polytope()[v].plane));
@@ -119,15 +122,17 @@ void check(const Balls &balls, Seen &seen) {
       ASSERT_NO_FATAL_FAILURE(check_graph(cell));
       cell.find_free_parts();
       seen.several += cell.parts() > 1 ? 1U : 0U;
+      seen.most_vertices = std::max(seen.most_vertices, cell.polytope().size());
+      seen.most_parts = std::max(seen.most_parts, cell.parts());
       const hsp::PowerPredicates exact(built.balls(), members[k], frame);
       for (uint32_t v = 0; v < cell.polytope().size(); ++v) {
         const PolytopeVertex &vertex = cell.polytope()[v];
         std::array<PowerPlane, 3> plane{};
         for (uint32_t l = 0; l < 3; ++l) plane[l] = cell.plane(vertex.plane[l]);
         ASSERT_EQ(cell.part_of(v) != no_id, exact.is_outside(plane[0], plane[1], plane[2]));
-        seen.doubtful += vertex.at.doubt == hsp::no_certainty ? 1U : 0U;
+        seen.doubtful += cell.polytope().at(v).doubt == hsp::no_certainty ? 1U : 0U;
         for (uint32_t l = 0; l < 3; ++l) {
-          const uint32_t w = vertex.neighbour[l];
+          const uint32_t w = vertex.neighbour(l);
           if (cell.part_of(v) == no_id || cell.part_of(w) == no_id) {
             ASSERT_FALSE(cell.is_free_edge(v, l));
             continue;
@@ -159,6 +164,24 @@ TEST(PowerCell, HasAllItsVertices) {
   EXPECT_GT(seen.cells, 1000U);
   EXPECT_GT(seen.empty, 100U);
   EXPECT_GT(seen.several, 50U);
+}
+
+// More than 64 vertices: what is found as bits takes several words then. Balls around one, in a cube whose side another
+// ball far away decides; where they are larger, only corners of the cell are outside the ball.
+TEST(PowerCell, HasManyVertices) {
+  Seen seen;
+  for (const int64_t radius : {100, 320}) {
+    Balls balls{{1200, 1200, 1200, 1000}, {20000, 1200, 1200, 1200}};
+    constexpr int around = 38;
+    for (int k = 0; k < around; ++k) {
+      const double z = (2 * k + 1.0) / around - 1, turn = 2.39996 * k, flat = std::sqrt(1 - z * z);
+      const auto along = [](double part) { return 1200 + std::llround(1000 * part); };
+      balls.push_back({along(flat * std::cos(turn)), along(flat * std::sin(turn)), along(z), radius});
+    }
+    ASSERT_NO_FATAL_FAILURE(check(balls, seen, 1000));
+  }
+  EXPECT_GT(seen.most_vertices, 64U);
+  EXPECT_GT(seen.most_parts, 30U);
 }
 
 }  // namespace

@@ -1,10 +1,13 @@
 // The kernels of vertex_sides.hpp and cube_members.hpp for registers of every width, held against plain loops.
 #include <gtest/gtest.h>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 #include <vector>
 
+#include "cells/cube_frame.hpp"
 #include "cells/cube_members.hpp"
 #include "cells/vertex_sides.hpp"
 #include "core/processor.hpp"
@@ -12,20 +15,22 @@
 
 namespace {
 
+using hsp::CutMargins;
+using hsp::CutVertices;
 using hsp::FacetSides;
 using hsp::FlatLine;
 using hsp::MemberArrays;
-using hsp::PlaneCandidate;
-using hsp::PlaneNumbers;
-using hsp::PointValues;
-using hsp::VertexSides;
+using hsp::PlaneArrays;
+using hsp::SquareSides;
+using hsp::UnitPlane;
+using hsp::VertexBlock;
 
 // Multiples of 1/8, so that sums and products are exact and some values are equal to the margin.
 class Numbers {
  public:
   Numbers(oracle::RandomSource &random, uint32_t count, int64_t most) {
     for (uint32_t k = 0; k < count; ++k) values_.push_back(static_cast<double>(random.in(-most, most)) / 8);
-    values_.resize(count + 3, 1e9);  // what is behind the last one must have no effect
+    values_.resize(count + 7, 1e9);  // what is behind the last one must have no effect
   }
   const double *data() const { return values_.data(); }
   double *data() { return values_.data(); }
@@ -39,48 +44,145 @@ uint64_t bit(uint32_t k) {
   return uint64_t{1} << k;
 }
 
-TEST(WideCells, FindSidesOfVertices) {
-  oracle::RandomSource random(1);
-  uint32_t beyond = 0, unsure = 0, nothing = 0;
-  for (int round = 0; round < 3000; ++round) {
-    const uint32_t count = static_cast<uint32_t>(random.in(1, 64));
-    const Numbers x(random, count, 20), y(random, count, 20), z(random, count, 20);
-    Numbers value(random, count, 1);
-    const PlaneNumbers plane{static_cast<double>(random.in(-2, 2)), static_cast<double>(random.in(-2, 2)),
-                             static_cast<double>(random.in(-2, 2)), static_cast<double>(random.in(-1, 12))};
-    const double margin = static_cast<double>(random.in(0, 2)) / 8;
-    VertexSides expected{0, 0};
-    std::vector<double> values;
-    for (uint32_t k = 0; k < count; ++k) {
-      values.push_back(plane.x * x[k] + plane.y * y[k] + plane.z * z[k] - plane.h);
-      if (values[k] > margin) expected.beyond |= bit(k);
-      if (values[k] > -margin && values[k] <= margin) expected.unsure |= bit(k);
+// Vertices in blocks of four; what is behind the last one must have no effect.
+class Blocks {
+ public:
+  Blocks(oracle::RandomSource &random, uint32_t count) : count_(count), blocks_(count / 4 + 2) {
+    for (uint32_t v = 0; v < 4 * blocks_.size(); ++v) {
+      const auto number = [&](int64_t most) {
+        return v < count ? static_cast<double>(random.in(-most, most)) / 8 : 1e9;
+      };
+      VertexBlock &block = blocks_[v / 4];
+      block.x[v % 4] = number(20);
+      block.y[v % 4] = number(20);
+      block.z[v % 4] = number(20);
+      block.squared[v % 4] = v < count ? std::fabs(number(200)) : 0.0;
     }
-    const auto check = [&](const VertexSides &found) {
-      ASSERT_EQ(found.beyond, expected.beyond);
-      ASSERT_EQ(found.unsure, expected.unsure);
-      for (uint32_t k = 0; k < count; ++k) ASSERT_EQ(value[k], values[k]);
+  }
+  uint32_t count() const { return count_; }
+  VertexBlock *data() { return blocks_.data(); }
+  const VertexBlock &of(uint32_t v) const { return blocks_[v / 4]; }
+  double squared(uint32_t v) const { return of(v).squared[v % 4]; }
+  double value(uint32_t v) const { return of(v).value[v % 4]; }
+  double value_at(uint32_t v, double a, double b, double c, double h) const {
+    return a * of(v).x[v % 4] + b * of(v).y[v % 4] + c * of(v).z[v % 4] - h;
+  }
+
+ private:
+  uint32_t count_;
+  std::vector<VertexBlock> blocks_;
+};
+
+struct Cut {
+  uint32_t plane;
+  std::vector<uint64_t> beyond, unsure;
+  std::vector<double> value, distance;
+};
+
+// By the definition: planes one after another, the nearest first.
+Cut cut_of(const Blocks &blocks, const PlaneArrays &planes, uint32_t plane_count, const CutMargins &margins) {
+  const uint32_t count = blocks.count();
+  Cut cut{hsp::none_cuts, std::vector<uint64_t>(count / 64 + 1), std::vector<uint64_t>(count / 64 + 1), {}, {}};
+  cut.distance.assign(planes.distance, planes.distance + plane_count);
+  double most = 0;
+  for (uint32_t v = 0; v < count; ++v) most = std::max(most, blocks.squared(v));
+  while (cut.plane == hsp::none_cuts) {
+    const auto nearest = std::min_element(cut.distance.begin(), cut.distance.end());
+    if (*nearest == hsp::done_with) return cut;
+    if (most + margins.reach < margins.covered) cut.plane = hsp::is_covered;
+    if (cut.plane == hsp::is_covered || *nearest > most + margins.reach) return cut;
+    const auto plane = static_cast<uint32_t>(nearest - cut.distance.begin());
+    *nearest = hsp::done_with;
+    cut.value.clear();
+    for (uint32_t v = 0; v < count; ++v) {
+      cut.value.push_back(blocks.value_at(v, planes.x[plane], planes.y[plane], planes.z[plane], planes.h[plane]));
+      if (cut.value[v] > -margins.side) cut.plane = plane;
+    }
+  }
+  for (uint32_t v = 0; v < cut.value.size(); ++v) {
+    if (cut.value[v] > margins.side) {
+      cut.beyond[v / 64] |= bit(v % 64);
+    } else if (cut.value[v] > -margins.side) {
+      cut.unsure[v / 64] |= bit(v % 64);
+    }
+  }
+  return cut;
+}
+
+TEST(WideCells, FindCutAndCompareSquares) {
+  oracle::RandomSource random(1);
+  uint32_t none = 0, covered = 0, beyond = 0, unsure = 0, later = 0, without_end = 0;
+  for (int round = 0; round < 3000; ++round) {
+    Blocks blocks(random, 2 * static_cast<uint32_t>(random.in(2, random.one_in(2) ? 8 : 80)));
+    const uint32_t count = blocks.count(), plane_count = static_cast<uint32_t>(random.in(1, 12));
+    Numbers x(random, plane_count, 16), y(random, plane_count, 16), z(random, plane_count, 16);
+    Numbers h(random, plane_count, 80), distance(random, plane_count, 200);
+    for (uint32_t k = 0; k < plane_count + 7; ++k) {
+      if (k >= plane_count || random.one_in(3)) distance.data()[k] = hsp::done_with;
+    }
+    const PlaneArrays planes{x.data(), y.data(), z.data(), h.data(), distance.data()};
+    // Positions may be in so much doubt that no plane is too far.
+    const double much = std::numeric_limits<double>::infinity();
+    const CutMargins margins{static_cast<double>(random.in(0, 8)) / 8,
+                             random.one_in(9)   ? much
+                             : random.one_in(2) ? 1.0
+                                                : 0.0,
+                             random.one_in(6) ? 24.0 : -1.0};
+    const Cut expected = cut_of(blocks, planes, plane_count, margins);
+    const auto distances = std::vector<double>(distance.data(), distance.data() + plane_count);
+    const auto check = [&](const auto &find) {
+      std::vector<uint64_t> beyond_bits(count / 64 + 1), unsure_bits(count / 64 + 1);
+      std::copy(distances.begin(), distances.end(), distance.data());
+      const uint32_t plane = find({blocks.data(), beyond_bits.data(), unsure_bits.data(), count});
+      ASSERT_EQ(plane, expected.plane);
+      for (uint32_t k = 0; k < plane_count; ++k) ASSERT_EQ(distance[k], expected.distance[k]);
+      if (plane >= hsp::is_covered) return;
+      ASSERT_EQ(beyond_bits, expected.beyond);
+      ASSERT_EQ(unsure_bits, expected.unsure);
+      for (uint32_t v = 0; v < count; ++v) ASSERT_EQ(blocks.value(v), expected.value[v]);
     };
-    const PointValues points{x.data(), y.data(), z.data(), value.data()};
-    ASSERT_NO_FATAL_FAILURE(check(hsp::find_sides<1>(points, count, plane, margin)));
-    ASSERT_NO_FATAL_FAILURE(check(hsp::find_sides<2>(points, count, plane, margin)));
+    ASSERT_NO_FATAL_FAILURE(
+        check([&](const CutVertices &cut) { return hsp::find_cut<1>(cut, planes, plane_count, margins); }));
+    ASSERT_NO_FATAL_FAILURE(
+        check([&](const CutVertices &cut) { return hsp::find_cut<2>(cut, planes, plane_count, margins); }));
+    const uint32_t some = count < 64 ? count : 64;
+    const double limit = static_cast<double>(random.in(0, 25)), margin = static_cast<double>(random.in(0, 16)) / 8;
+    SquareSides sides{0, 0};
+    for (uint32_t v = 0; v < some; ++v) {
+      if (blocks.squared(v) - limit > margin) sides.above |= bit(v);
+      if (std::fabs(blocks.squared(v) - limit) <= margin) sides.unsure |= bit(v);
+    }
+    const auto check_sides = [&](const SquareSides &found) {
+      ASSERT_EQ(found.above, sides.above);
+      ASSERT_EQ(found.unsure, sides.unsure);
+    };
+    ASSERT_NO_FATAL_FAILURE(check_sides(hsp::compare_squares<1>(blocks.data(), some, limit, margin)));
+    ASSERT_NO_FATAL_FAILURE(check_sides(hsp::compare_squares<2>(blocks.data(), some, limit, margin)));
 #if HSP_AVX2
     if (hsp::has_avx2()) {
-      ASSERT_NO_FATAL_FAILURE(check(hsp::find_sides_avx2(points, count, plane, margin)));
+      ASSERT_NO_FATAL_FAILURE(
+          check([&](const CutVertices &cut) { return hsp::find_cut_avx2(cut, planes, plane_count, margins); }));
+      ASSERT_NO_FATAL_FAILURE(check_sides(hsp::compare_squares_avx2(blocks.data(), some, limit, margin)));
     }
 #endif
-    beyond += expected.beyond != 0 ? 1U : 0U;
-    unsure += expected.unsure != 0 ? 1U : 0U;
-    nothing += (expected.beyond | expected.unsure) == 0 ? 1U : 0U;
+    none += expected.plane == hsp::none_cuts ? 1U : 0U;
+    covered += expected.plane == hsp::is_covered ? 1U : 0U;
+    without_end += expected.plane == hsp::none_cuts && margins.reach == much ? 1U : 0U;
+    beyond += expected.beyond[0] != 0 ? 1U : 0U;
+    unsure += expected.unsure[0] != 0 ? 1U : 0U;
+    later += expected.beyond[0] == 0 && expected.beyond.back() != 0 ? 1U : 0U;
   }
+  EXPECT_GT(none, 100U);
+  EXPECT_GT(covered, 30U);
+  EXPECT_GT(without_end, 10U);
   EXPECT_GT(beyond, 500U);
   EXPECT_GT(unsure, 200U);
-  EXPECT_GT(nothing, 20U);
+  EXPECT_GT(later, 5U);
 }
 
 TEST(WideCells, CompareFacets) {
   oracle::RandomSource random(2);
-  uint32_t apart = 0, inside = 0;
+  uint32_t apart = 0, inside = 0, reached = 0;
   for (int round = 0; round < 3000; ++round) {
     const uint32_t count = static_cast<uint32_t>(random.in(1, random.one_in(2) ? 6 : 64));
     const int64_t away = random.in(0, 30);
@@ -91,20 +193,23 @@ TEST(WideCells, CompareFacets) {
                        static_cast<float>(random.in(-2, 4))});
     }
     const double margin = static_cast<double>(random.in(0, 2)) / 8;
-    FacetSides expected{~uint64_t{0} >> (64 - count), false};
+    FacetSides expected{~uint64_t{0} >> (64 - count), false, true};
     for (const FlatLine &line : lines) {
-      uint32_t beyond = 0;
+      uint32_t beyond = 0, near = 0;
       for (uint32_t k = 0; k < count; ++k) {
         const double value = double{line.u} * u[k] + double{line.w} * w[k] - double{line.h};
         if (!(value < -margin)) expected.inside &= ~bit(k);
         beyond += value > margin ? 1 : 0;
+        near += value < -margin ? 1 : 0;
       }
+      expected.reached = expected.reached && near > 0;
       expected.apart = expected.apart || beyond == count;
     }
-    if (expected.apart) expected.inside = 0;
+    if (expected.apart) expected = {0, true, false};
     const auto check = [&](const FacetSides &found) {
       ASSERT_EQ(found.inside, expected.inside);
       ASSERT_EQ(found.apart, expected.apart);
+      ASSERT_EQ(found.reached, expected.reached);
     };
     const uint32_t line_count = static_cast<uint32_t>(lines.size());
     ASSERT_NO_FATAL_FAILURE(check(hsp::compare_facets<1>(u.data(), w.data(), count, lines.data(), line_count, margin)));
@@ -117,42 +222,64 @@ TEST(WideCells, CompareFacets) {
 #endif
     apart += expected.apart ? 1U : 0U;
     inside += expected.inside != 0 ? 1U : 0U;
+    reached += expected.reached && expected.inside == 0 ? 1U : 0U;
   }
+  EXPECT_GT(reached, 50U);
   EXPECT_GT(apart, 100U);
   EXPECT_GT(inside, 100U);
 }
 
-TEST(WideCells, ListCandidatesAndFindDominance) {
+TEST(WideCells, FindPlanesAndDominance) {
   oracle::RandomSource random(3);
-  uint32_t listed = 0, dominant = 0, concentric = 0;
+  uint32_t near = 0, dominant = 0, concentric = 0, before = 0, not_before = 0;
   for (int round = 0; round < 1000; ++round) {
     const uint32_t count = static_cast<uint32_t>(random.in(1, random.one_in(2) ? 12 : 150));
     const Numbers x(random, count, 9), y(random, count, 9), z(random, count, 9);
     const Numbers radius(random, count, 30), power(random, count, 400);
-    const MemberArrays members{x.data(), y.data(), z.data(), radius.data(), power.data(), count};
+    Numbers in_game(random, count, 0);
+    for (uint32_t k = 0; k < count + 7; ++k) in_game.data()[k] = k < count && !random.one_in(4) ? 1 : 0;
+    const MemberArrays members{x.data(), y.data(), z.data(), radius.data(), power.data(), in_game.data(), count};
     const uint32_t own = static_cast<uint32_t>(random.in(0, count - 1));
-    std::vector<uint64_t> in_game(count / 64 + 1);
-    for (uint32_t k = 0; k < count; ++k) in_game[k / 64] |= random.one_in(4) ? 0 : bit(k % 64);
     const double limit = static_cast<double>(random.in(-4, 60)) / 8;
-    std::vector<PlaneCandidate> expected;
+    const auto centre = [&](uint32_t k) { return hsp::Vec3{x[k], y[k], z[k]}; };
+    // Its distance, infinite if it does not count, and its plane.
+    std::vector<std::pair<double, UnitPlane>> expected;
     for (uint32_t k = 0; k < count; ++k) {
-      const double vx = x[k] - x[own], vy = y[k] - y[own], vz = z[k] - z[own];
-      const double length = vx * vx + vy * vy + vz * vz;
-      const double h = length + (radius[own] - radius[k]) * (radius[own] + radius[k]);
-      if (k == own || (in_game[k / 64] >> k % 64 & 1) == 0 || !(h * std::fabs(h) / length <= limit)) continue;
-      expected.push_back({h * std::fabs(h) / length, k});
+      const hsp::Vec3 v = centre(k) - centre(own);
+      const double h = dot(v, v) - (radius[k] - radius[own]) * (radius[k] + radius[own]);
+      const double distance = h * std::fabs(h) / dot(v, v);
+      const bool counts = k != own && in_game[k] > 0 && distance <= limit;
+      near += counts ? 1 : 0;
+      expected.push_back({counts ? distance : hsp::done_with,
+                          hsp::CubeFrame::between(centre(own), radius[own], centre(k), radius[k])});
     }
-    std::vector<PlaneCandidate> list(count + 4);
-    const auto check = [&](uint32_t found) {
-      ASSERT_EQ(found, expected.size());
-      for (uint32_t k = 0; k < found; ++k) {
-        ASSERT_EQ(list[k].distance, expected[k].distance);
-        ASSERT_EQ(list[k].member, expected[k].member);
+    Numbers px(random, count, 1), py(random, count, 1), pz(random, count, 1), ph(random, count, 1),
+        pd(random, count, 1);
+    const PlaneArrays planes{px.data(), py.data(), pz.data(), ph.data(), pd.data()};
+    const auto check = [&] {
+      for (uint32_t k = 0; k < count; ++k) {
+        const auto &[distance, plane] = expected[k];
+        ASSERT_EQ(pd[k], distance);
+        if (std::isinf(distance)) continue;  // done with, or of two balls with one centre
+        ASSERT_TRUE(px[k] == plane.v.x && py[k] == plane.v.y && pz[k] == plane.v.z && ph[k] == plane.h);
       }
     };
-    ASSERT_NO_FATAL_FAILURE(check(hsp::list_candidates<1>(members, in_game.data(), own, limit, list.data())));
-    ASSERT_NO_FATAL_FAILURE(check(hsp::list_candidates<2>(members, in_game.data(), own, limit, list.data())));
-    listed += static_cast<uint32_t>(expected.size());
+    hsp::find_planes<1>(members, own, limit, planes);
+    ASSERT_NO_FATAL_FAILURE(check());
+    hsp::find_planes<2>(members, own, limit, planes);
+    ASSERT_NO_FATAL_FAILURE(check());
+
+    const hsp::Vec3 point = 0.25 * centre(static_cast<uint32_t>(random.in(0, count - 1)));
+    const double least = static_cast<double>(random.in(-400, 40)) / 8;
+    bool is_before = true;
+    for (uint32_t k = 0; k < count; ++k) {
+      const bool is_less = power[k] - power[own] - dot(centre(k) - centre(own), point) > least;
+      is_before = is_before && (is_less || pd[k] == hsp::done_with);
+    }
+    ++(is_before ? before : not_before);
+    for (uint32_t k = count; k < count + 7; ++k) pd.data()[k] = hsp::done_with;
+    EXPECT_EQ(hsp::is_before_all<1>(members, own, point, least, pd.data()), is_before);
+    EXPECT_EQ(hsp::is_before_all<2>(members, own, point, least, pd.data()), is_before);
 
     const uint32_t first = static_cast<uint32_t>(random.in(0, count - 1));
     const double side = static_cast<double>(random.in(1, 8)), doubt = static_cast<double>(random.in(0, 2)) / 8;
@@ -167,12 +294,16 @@ TEST(WideCells, ListCandidatesAndFindDominance) {
     EXPECT_EQ(hsp::find_dominance<2>(members, own, first, side, doubt), dominance);
 #if HSP_AVX2
     if (hsp::has_avx2()) {
-      ASSERT_NO_FATAL_FAILURE(check(hsp::list_candidates_avx2(members, in_game.data(), own, limit, list.data())));
+      hsp::find_planes_avx2(members, own, limit, planes);
+      ASSERT_NO_FATAL_FAILURE(check());
+      EXPECT_EQ(hsp::is_before_all_avx2(members, own, point, least, pd.data()), is_before);
       EXPECT_EQ(hsp::find_dominance_avx2(members, own, first, side, doubt), dominance);
     }
 #endif
   }
-  EXPECT_GT(listed, 1000U);
+  EXPECT_GT(near, 1000U);
+  EXPECT_GT(before, 50U);
+  EXPECT_GT(not_before, 50U);
   EXPECT_GT(dominant, 100U);
   EXPECT_GT(concentric, 0U);
 }
