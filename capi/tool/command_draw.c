@@ -147,7 +147,7 @@ static int32_t get_info(const struct request *request, const struct molecule *mo
   return HSP_OK;
 }
 
-/* What is written over the picture. Labels are where a map says that there is room. */
+/* What is written over the picture. Labels are where a map of the balls says that there is room: sticks hide little. */
 static bool annotate(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                      const struct drawn *drawn, struct text_buffer *over, struct failure *failure) {
   const struct drawing *drawing = &request->drawing;
@@ -158,8 +158,9 @@ static bool annotate(const struct request *request, const struct molecule *molec
   bool done = ball_colours_make(drawing, &request->highlight, molecule, &colour, &palette, failure);
   if (!done) return false;
   if (drawing->label >= 0) {
+    const bool has_map = drawing_is_of_map(drawing) && !drawing_is_of_sticks(drawing);
     done =
-        (drawing_is_of_map(drawing) || geometry_compute_map(geometry, &drawing->viewing, molecule, failure)) &&
+        (has_map || geometry_compute_map(geometry, &drawing->viewing, molecule, failure)) &&
         page_labels_find(geometry->work.map, molecule, &request->highlight, drawing->label, &labels, &count, failure);
   }
   const struct annotation annotation = {drawing, molecule, &drawn->options, drawn->frame,       labels,

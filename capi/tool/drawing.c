@@ -301,9 +301,6 @@ bool drawing_check(struct drawing *drawing, struct failure *failure) {
                             "--label, --scale-bar and --legend are for .svg and .eps files; rsvg-convert and "
                             "epstopdf make .pdf of them");
   }
-  if (drawing->label >= 0 && drawing_is_of_sticks(drawing)) {
-    return failure_in_usage(failure, "--label is not for --as ball-and-stick");
-  }
   if (drawing->legend && drawing->colour == COLOUR_RESIDUE) {
     return failure_in_usage(failure, "--legend is for colours by element, by chain and of numbers");
   }

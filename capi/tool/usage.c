@@ -381,7 +381,7 @@ static const char draw_looks_text[] =
     "  --label atom|residue|chain\n"
     "                         names, each where most room is in what is seen of it, or beside the molecule with a "
     "line\n"
-    "                         to there; with --highlight only of the atoms that it names. Not of balls and sticks\n"
+    "                         to there; with --highlight only of the atoms that it names.\n"
     "  --scale-bar            a length to compare with\n"
     "  --legend               which colour stands for which element or chain, or number\n"
     "                         These three make the molecule smaller, so that they have room, but not in a picture\n"

@@ -89,6 +89,25 @@ TEST(Annotations, LabelsStandInTheMiddle) {
   }
 }
 
+// Balls of balls and sticks, too.
+TEST(Annotations, LabelsOfBallsAndSticks) {
+  const TemporaryFile chain("chain.xyz", "3\n\nC 0 0 0\nO 1.2 0 0\nO -1.2 0 0\n");
+  const std::vector<std::string> options = {"--as",    "ball-and-stick", "--label", "atom", "--view",  "0,0,1",
+                                            "--style", "flat",           "--scale", "300",  "--width", "1000"};
+  std::vector<std::string> visible = options;
+  visible.insert(visible.end(), {"--pieces", "visible"});
+  EXPECT_EQ(texts_of(drawn(chain.path(), visible)).size(), 3u);
+  const std::vector<Text> texts = texts_of(drawn(chain.path(), options));
+  ASSERT_EQ(texts.size(), 3u);
+  const std::vector<std::pair<std::string, double>> expected = {{"C1", 500}, {"O2", 860}, {"O3", 140}};
+  for (size_t k = 0; k < 3; ++k) {
+    EXPECT_EQ(texts[k].text, expected[k].first);
+    EXPECT_EQ(texts[k].anchor, "middle");
+    EXPECT_NEAR(texts[k].x, expected[k].second, 3);
+    EXPECT_NEAR(texts[k].y - 0.36 * texts[k].size, 500, 3);
+  }
+}
+
 // What has no room is named beside the molecule, at the end of a line that begins on one of its atoms; no label lies
 // over another one.
 TEST(Annotations, LinesLeadToWhatIsNamed) {
@@ -242,7 +261,6 @@ TEST(Annotations, Refusals) {
   const std::string caffeine = molecules_folder() + "/caffeine.pdb";
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
       {{"draw", caffeine, "-o", "none/x.pdf", "--label", "atom"}, "are for .svg and .eps files"},
-      {{"draw", caffeine, "-o", "none/x.svg", "--label", "atom", "--as", "ball-and-stick"}, "--label is not for"},
       {{"draw", caffeine, "-o", "none/x.svg", "--label", "name"}, "atom, residue or chain"},
       {{"draw", crambin(), "-o", "none/x.svg", "--legend", "--colour", "residue"}, "--legend is for colours"},
       {{"draw", "good/water.xyz", "-o", "none/x.svg", "--label", "chain"}, "the file names no residues"},
