@@ -27,13 +27,16 @@ struct PoseOf<hsp_rational_pose> {
   using type = hsp::RationalPose;
 };
 
+bool may_ask(const hsp_body *fixed, const hsp_body *moving, uint32_t poses, const void *numbers, const void *out) {
+  return is_live(fixed) && is_live(moving) && (poses == 0 || (numbers != nullptr && out != nullptr));
+}
+
 // Checks all poses before anything is written, then calls answer(k, pose) for each.
 template <class Numbers, class Answer>
 int32_t for_each_pose(const hsp_body *fixed, const hsp_body *moving, uint32_t poses, const Numbers *numbers,
                       const void *out, uint32_t *first_bad, Answer answer) {
   if (first_bad != nullptr) *first_bad = HSP_NONE;
-  if (!is_live(fixed) || !is_live(moving) || (poses > 0 && (numbers == nullptr || out == nullptr)))
-    return HSP_E_ARGUMENT;
+  if (!may_ask(fixed, moving, poses, numbers, out)) return HSP_E_ARGUMENT;
   typename PoseOf<Numbers>::type pose;
   for (uint32_t k = 0; k < poses; ++k) {
     const int32_t status = make_pose(fixed, moving, numbers[k], pose);
@@ -54,6 +57,19 @@ int32_t find_hits(const hsp_body *fixed, const hsp_body *moving, uint32_t poses,
   hsp::PairPlace witness;
   return for_each_pose(fixed, moving, poses, pose, hit, first_bad, [&](uint32_t k, const auto &at) {
     hit[k] = hsp::any_balls_meet(fixed->tree, moving->tree, at, witness) ? 1 : 0;
+  });
+}
+
+template <class Numbers>
+int32_t find_hits_along(const hsp_body *fixed, const hsp_body *moving, uint32_t poses, const Numbers *pose,
+                        double margin, uint32_t *hit, uint32_t *first_bad) {
+  if (first_bad != nullptr) *first_bad = HSP_NONE;
+  if (!may_ask(fixed, moving, poses, pose, hit)) return HSP_E_ARGUMENT;
+  if (!hsp::is_finite(margin)) return HSP_E_NOT_FINITE;
+  if (margin < 0.0) return HSP_E_RANGE;
+  hsp::GapBudget known(fixed->tree.lattice().steps(margin));
+  return for_each_pose(fixed, moving, poses, pose, hit, first_bad, [&](uint32_t k, const auto &at) {
+    hit[k] = hsp::any_balls_meet(fixed->tree, moving->tree, at, known) ? 1 : 0;
   });
 }
 
@@ -126,6 +142,16 @@ int32_t hsp_body_hits(const hsp_body *fixed, const hsp_body *moving, uint32_t po
 int32_t hsp_body_rational_hits(const hsp_body *fixed, const hsp_body *moving, uint32_t poses,
                                const hsp_rational_pose *pose, uint32_t *hit, uint32_t *first_bad) {
   return find_hits(fixed, moving, poses, pose, hit, first_bad);
+}
+
+int32_t hsp_body_hits_along(const hsp_body *fixed, const hsp_body *moving, uint32_t poses, const hsp_pose *pose,
+                            double margin, uint32_t *hit, uint32_t *first_bad) {
+  return find_hits_along(fixed, moving, poses, pose, margin, hit, first_bad);
+}
+
+int32_t hsp_body_rational_hits_along(const hsp_body *fixed, const hsp_body *moving, uint32_t poses,
+                                     const hsp_rational_pose *pose, double margin, uint32_t *hit, uint32_t *first_bad) {
+  return find_hits_along(fixed, moving, poses, pose, margin, hit, first_bad);
 }
 
 int32_t hsp_body_gaps(const hsp_body *fixed, const hsp_body *moving, uint32_t poses, const hsp_pose *pose,

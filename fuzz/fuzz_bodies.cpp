@@ -85,6 +85,36 @@ Answers rational_answers(const hsp_body *fixed, const hsp_body *moving, const hs
   return result;
 }
 
+// Poses that follow each other closely or less so: the answers are those of each alone, whatever the margin.
+void check_motion(const hsp_body *fixed, const hsp_body *moving, hsp_pose pose, hsp_rational_pose rational, double step,
+                  fuzz::Bytes &bytes) {
+  std::vector<hsp_pose> way;
+  std::vector<hsp_rational_pose> ideal_way;
+  for (int k = 0; k < 12; ++k) {
+    const double shift = step * static_cast<double>(1U << bytes.below(31));
+    pose.translation[k % 3] += bytes.one_in(2) ? shift : -shift;
+    pose.quaternion[1 + k % 3] += pose.quaternion[0] / static_cast<double>(1U << bytes.below(31));
+    rational.translation[k % 3] = pose.translation[k % 3];
+    const int32_t turn = INT32_C(1) << bytes.below(30);
+    rational.quaternion[1 + k % 3] += rational.quaternion[1 + k % 3] < 0 ? turn : -turn;
+    way.push_back(pose);
+    ideal_way.push_back(rational);
+  }
+  const uint32_t steps = bytes.below(0x10000), bits = bytes.below(16);
+  const double margin = bytes.one_in(4) ? 1e300 : step * static_cast<double>(steps << bits);
+  uint32_t hit[12], along[12], first_bad = 7;
+  const auto poses = static_cast<uint32_t>(way.size());
+  const int32_t status = hsp_body_hits(fixed, moving, poses, way.data(), hit, nullptr);
+  FUZZ_REQUIRE(hsp_body_hits_along(fixed, moving, poses, way.data(), margin, along, &first_bad) == status,
+               "status along a motion");
+  FUZZ_REQUIRE(status != HSP_OK || std::memcmp(hit, along, sizeof hit) == 0, "hits along a motion");
+  const int32_t ideal_status = hsp_body_rational_hits(fixed, moving, poses, ideal_way.data(), hit, nullptr);
+  FUZZ_REQUIRE(
+      hsp_body_rational_hits_along(fixed, moving, poses, ideal_way.data(), margin, along, &first_bad) == ideal_status,
+      "status along a rational motion");
+  FUZZ_REQUIRE(ideal_status != HSP_OK || std::memcmp(hit, along, sizeof hit) == 0, "hits along a rational motion");
+}
+
 // How far balls are from the origin, at most.
 double reach_of(const fuzz::ScaledBalls &set) {
   double reach = 0;
@@ -179,6 +209,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   FUZZ_REQUIRE(permuted.pairs == any.pairs, "pairs depend on the order of the balls");
   FUZZ_REQUIRE(std::memcmp(&permuted.gap.gap, &any.gap.gap, sizeof(double)) == 0, "the gap depends on the order");
   FUZZ_REQUIRE(std::memcmp(&permuted.overlap, &any.overlap, sizeof any.overlap) == 0, "overlaps depend on the order");
+
+  check_motion(fixed.get(), moving.get(), pose, rational, step, bytes);
 
   // A matrix of small numbers is a rotation or refused, whole.
   double matrix[9];

@@ -1116,6 +1116,19 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
+    function hsp_body_hits_along(fixed, moving, poses, pose, margin, hit, first_bad) result(status) &
+      bind(C, name="hsp_body_hits_along")
+      import :: c_double, c_int32_t, c_ptr, hsp_pose
+      type(c_ptr), value :: fixed
+      type(c_ptr), value :: moving
+      integer(c_int32_t), value :: poses
+      type(hsp_pose), intent(in) :: pose(*)
+      real(c_double), value :: margin
+      integer(c_int32_t), intent(inout) :: hit(*)
+      integer(c_int32_t), intent(inout), optional :: first_bad ! counts from 0
+      integer(c_int32_t) :: status
+    end function
+
     function hsp_body_gaps(fixed, moving, poses, pose, gap, first_bad) result(status) bind(C, name="hsp_body_gaps")
       import :: c_int32_t, c_ptr, hsp_body_gap, hsp_pose
       type(c_ptr), value :: fixed
@@ -1157,6 +1170,19 @@ module hardsphere
       type(c_ptr), value :: moving
       integer(c_int32_t), value :: poses
       type(hsp_rational_pose), intent(in) :: pose(*)
+      integer(c_int32_t), intent(inout) :: hit(*)
+      integer(c_int32_t), intent(inout), optional :: first_bad ! counts from 0
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_body_rational_hits_along(fixed, moving, poses, pose, margin, hit, first_bad) result(status) &
+      bind(C, name="hsp_body_rational_hits_along")
+      import :: c_double, c_int32_t, c_ptr, hsp_rational_pose
+      type(c_ptr), value :: fixed
+      type(c_ptr), value :: moving
+      integer(c_int32_t), value :: poses
+      type(hsp_rational_pose), intent(in) :: pose(*)
+      real(c_double), value :: margin
       integer(c_int32_t), intent(inout) :: hit(*)
       integer(c_int32_t), intent(inout), optional :: first_bad ! counts from 0
       integer(c_int32_t) :: status

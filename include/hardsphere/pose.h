@@ -82,6 +82,19 @@ HSP_API int32_t hsp_pose_from_matrix(const double *matrix, const double *transla
 HSP_API int32_t hsp_body_hits(const hsp_body *fixed, const hsp_body *moving, uint32_t poses, const hsp_pose *pose,
                               uint32_t *hit, uint32_t *first_bad);
 
+/** The same answers, sooner for the frames of a motion, of which each is near the one before. About a free pose this
+ *  also finds how far apart the bodies are, up to `margin`, a length; until a ball can have come that far, poses are
+ *  free without any query. Some ten times what a ball goes from one frame to the next serves best; with a larger margin
+ *  each query takes longer.
+ *  - Property 1: the margin has no effect on hit.
+ *
+ *  Cost: that of hsp_body_hits where bodies meet or come near each other, else a tenth of a microsecond.
+ *  @retval HSP_E_ARGUMENT    as for hsp_body_hits
+ *  @retval HSP_E_NOT_FINITE  as for hsp_body_hits, or the margin is NaN or infinite
+ *  @retval HSP_E_RANGE       as for hsp_body_hits, or the margin is negative */
+HSP_API int32_t hsp_body_hits_along(const hsp_body *fixed, const hsp_body *moving, uint32_t poses, const hsp_pose *pose,
+                                    double margin, uint32_t *hit, uint32_t *first_bad);
+
 /** The pair of balls that are nearest. Frozen. */
 typedef struct hsp_body_gap {
   double gap;      /**< length: |c - c'| - r - r', least of all pairs; negative for the pair that overlaps deepest */
@@ -138,6 +151,16 @@ typedef struct hsp_rational_pose {
  *                            than 2^51 steps */
 HSP_API int32_t hsp_body_rational_hits(const hsp_body *fixed, const hsp_body *moving, uint32_t poses,
                                        const hsp_rational_pose *pose, uint32_t *hit, uint32_t *first_bad);
+
+/** As hsp_body_hits_along, for rational poses: the answers of hsp_body_rational_hits.
+ *  - Property 1: the margin has no effect on hit.
+ *
+ *  @retval HSP_E_ARGUMENT    as for hsp_body_hits
+ *  @retval HSP_E_NOT_FINITE  as for hsp_body_rational_hits, or the margin is NaN or infinite
+ *  @retval HSP_E_RANGE       as for hsp_body_rational_hits, or the margin is negative */
+HSP_API int32_t hsp_body_rational_hits_along(const hsp_body *fixed, const hsp_body *moving, uint32_t poses,
+                                             const hsp_rational_pose *pose, double margin, uint32_t *hit,
+                                             uint32_t *first_bad);
 
 /** As hsp_body_gaps, for rational poses: of the ideal balls.
  *  @retval HSP_E_ARGUMENT    as for hsp_body_hits

@@ -63,13 +63,14 @@ class RationalBalls {
   double slack_;
 };
 
-// Whether the root spheres meet; if so the walk begins, with the pose relative to their centres.
+// Whether the root spheres are within a margin of each other; if so the walk for pairs that are begins, with the pose
+// relative to their centres. The margin is one more slack of all places.
 template <class Balls>
-bool start_walk(const SphereTree &fixed, const SphereTree &moving, const Balls &balls, FloatPose &floats,
+bool start_walk(const SphereTree &fixed, const SphereTree &moving, const Balls &balls, double margin, FloatPose &floats,
                 PairWalk &walk) {
   const TreeNode &a = fixed.node(0), &b = moving.node(0);
   const Vec3 between = balls.image(b.centre) - a.centre;
-  const double sum = a.radius + b.radius + balls.slack();
+  const double sum = a.radius + b.radius + (balls.slack() + margin);
   if (dot(between, between) > sum * sum) return false;
   const auto store = [](const Vec3 &v, float *to) {
     to[0] = static_cast<float>(v.x);
@@ -78,7 +79,8 @@ bool start_walk(const SphereTree &fixed, const SphereTree &moving, const Balls &
   };
   for (uint32_t k = 0; k < 3; ++k) store(balls.rounded().row(k), floats.row[k]);
   store(between, floats.shift);
-  floats.slack = static_cast<float>(2 * balls.slack() + 0x1p-19 * sum);  // of a place, of the shift, and of all floats
+  // Of a place, of the shift, and of all floats.
+  floats.slack = static_cast<float>((2 * balls.slack() + margin) + 0x1p-19 * sum);
   SpherePair &roots = walk.pair[0];
   store(between, roots.moving);
   roots.moving[3] = static_cast<float>(b.radius) + floats.slack;
@@ -103,7 +105,7 @@ bool visit_meeting_pairs(const SphereTree &fixed, const SphereTree &moving, cons
   if (fixed.empty() || moving.empty()) return false;
   FloatPose floats;
   PairWalk walk;
-  if (!start_walk(fixed, moving, balls, floats, walk)) return false;
+  if (!start_walk(fixed, moving, balls, 0, floats, walk)) return false;
   while (const uint32_t found = go_on(fixed, moving, floats, walk)) {
     uint32_t placed = no_id;
     Vec3 place{};
@@ -121,16 +123,74 @@ bool visit_meeting_pairs(const SphereTree &fixed, const SphereTree &moving, cons
 }
 
 template <class Balls>
+bool still_meet(const SphereTree &fixed, const SphereTree &moving, const Balls &balls, const PairPlace &witness) {
+  if (witness.fixed >= fixed.ball_count() || witness.moving >= moving.ball_count()) return false;
+  const Vec3 c = fixed.centre(witness.fixed), p = moving.centre(witness.moving);
+  return balls.meet(c, p, balls.place(balls.image(p)) - c, fixed.radius(witness.fixed) + moving.radius(witness.moving));
+}
+
+template <class Balls>
 bool any_meet(const SphereTree &fixed, const SphereTree &moving, const Balls &balls, PairPlace &witness) {
-  if (witness.fixed < fixed.ball_count() && witness.moving < moving.ball_count()) {
-    const Vec3 c = fixed.centre(witness.fixed), p = moving.centre(witness.moving);
-    const double sum = fixed.radius(witness.fixed) + moving.radius(witness.moving);
-    if (balls.meet(c, p, balls.place(balls.image(p)) - c, sum)) return true;
+  return still_meet(fixed, moving, balls, witness) ||
+         visit_meeting_pairs(fixed, moving, balls, [&](uint32_t i, uint32_t j, const Vec3 &) {
+           witness = {i, j};
+           return true;
+         });
+}
+
+// Whether no ball of the molecule goes as far as the budget between a pose and this one. From the centre of the root
+// sphere it goes as that does, and in addition by no more than the difference R - S of the rotations lengthens its
+// radius: R S^T - 1 lengthens vectors across the axis of R S^T by one factor and no other ones, so that this factor is
+// the root of half the sum of squares of the entries. Each centre and each entry is within a slack, or 2^-50, of where
+// it would be without rounding, and so is the sum.
+template <class Balls>
+bool stays_within(double budget, const SphereTree &moving, const Pose &from, const Balls &balls) {
+  const TreeNode &root = moving.node(0);
+  const Vec3 shift = balls.image(root.centre) - from.image(root.centre);
+  double squares = 0;
+  for (uint32_t k = 0; k < 3; ++k) {
+    const Vec3 difference = balls.rounded().row(k) - from.row(k);
+    squares += dot(difference, difference);
   }
-  return visit_meeting_pairs(fixed, moving, balls, [&](uint32_t i, uint32_t j, const Vec3 &) {
-    witness = {i, j};
-    return true;
-  });
+  const double turned = (std::sqrt(0.5 * squares) + 0x1p-46) * root.radius;
+  return (std::sqrt(dot(shift, shift)) + turned) * (1 + 0x1p-46) + 2 * balls.slack() < budget;
+}
+
+template <class Balls>
+bool any_meet(const SphereTree &fixed, const SphereTree &moving, const Balls &balls, GapBudget &known) {
+  if (fixed.empty() || moving.empty() || stays_within(known.budget, moving, known.from, balls)) return false;
+  if (still_meet(fixed, moving, balls, known.witness)) return true;
+  const TreeNode &a = fixed.node(0), &b = moving.node(0);
+  const double slack = balls.slack(), sum_of_roots = a.radius + b.radius;
+  const Vec3 between_roots = balls.image(b.centre) - a.centre;
+  // Beyond the size of both molecules a margin would only lose what floats can tell apart.
+  double gap = known.margin < sum_of_roots ? known.margin : sum_of_roots;
+  FloatPose floats;
+  PairWalk walk;
+  if (start_walk(fixed, moving, balls, gap, floats, walk)) {
+    while (const uint32_t found = go_on(fixed, moving, floats, walk)) {
+      for (uint32_t k = 0; k < found; ++k) {
+        const auto [i, j] = walk.found[k];
+        const Vec3 c = fixed.centre(i), p = moving.centre(j);
+        const Vec3 between = balls.place(balls.image(p)) - c;
+        const double sum = fixed.radius(i) + moving.radius(j), square = dot(between, between);
+        const double enough = sum + (gap + slack);
+        if (square > enough * enough * (1 + meeting_doubt)) continue;
+        if (balls.meet(c, p, between, sum)) {
+          known.witness = {i, j};
+          return true;
+        }
+        const double own = std::sqrt(square) - sum;
+        gap = own < gap ? own : gap;
+      }
+    }
+  } else {
+    gap = std::sqrt(dot(between_roots, between_roots)) - sum_of_roots;
+  }
+  // The gap is of rounded places, and so is what is compared with the budget.
+  known.from = balls.rounded();
+  known.budget = gap - 4 * slack;
+  return false;
 }
 
 template <class Balls>
@@ -247,6 +307,14 @@ bool any_balls_meet(const SphereTree &fixed, const SphereTree &moving, const Pos
 
 bool any_balls_meet(const SphereTree &fixed, const SphereTree &moving, const RationalPose &pose, PairPlace &witness) {
   return any_meet(fixed, moving, RationalBalls(fixed, moving, pose), witness);
+}
+
+bool any_balls_meet(const SphereTree &fixed, const SphereTree &moving, const Pose &pose, GapBudget &known) {
+  return any_meet(fixed, moving, SnappedBalls(fixed, moving, pose), known);
+}
+
+bool any_balls_meet(const SphereTree &fixed, const SphereTree &moving, const RationalPose &pose, GapBudget &known) {
+  return any_meet(fixed, moving, RationalBalls(fixed, moving, pose), known);
 }
 
 uint64_t list_meeting_pairs(const SphereTree &fixed, const SphereTree &moving, const Pose &pose,

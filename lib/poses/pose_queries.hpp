@@ -34,6 +34,22 @@ inline bool any_balls_meet(const SphereTree &fixed, const SphereTree &moving, co
   return any_balls_meet(fixed, moving, pose, none);
 }
 
+// What poses before have told of one that follows, beside the witness: none but `margin` is the caller's. As far as
+// `margin`, in steps, the walk about a free pose also finds how far apart the molecules are; until a ball may have come
+// that far, others are free without any walk. Answers do not depend on it.
+struct GapBudget {
+  explicit GapBudget(double steps) : margin(steps) {}
+
+  double margin;
+  PairPlace witness;
+  Pose from;           // a pose that is free,
+  double budget = -1;  // and stays free while no ball goes as far as this, in steps; below 0 if there is none
+};
+
+// As any_balls_meet, of the same two molecules as all poses before with this budget.
+bool any_balls_meet(const SphereTree &fixed, const SphereTree &moving, const Pose &pose, GapBudget &known);
+bool any_balls_meet(const SphereTree &fixed, const SphereTree &moving, const RationalPose &pose, GapBudget &known);
+
 struct MeetingPair {
   uint32_t fixed, moving;  // the caller's indices
 };

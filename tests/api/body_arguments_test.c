@@ -71,6 +71,9 @@ static void check_refused(const hsp_body *a, const hsp_body *b, uint32_t poses, 
   FILL(overlap);
   CHECK_EQUAL(hsp_body_hits(a, b, poses, at, hit, &first_bad), status);
   CHECK_EQUAL(first_bad, bad);
+  first_bad = 77;
+  CHECK_EQUAL(hsp_body_hits_along(a, b, poses, at, 1, hit, &first_bad), status);
+  CHECK_EQUAL(first_bad, bad);
   CHECK_EQUAL(hsp_body_gaps(a, b, poses, at, gap, &first_bad), status);
   CHECK_EQUAL(first_bad, bad);
   CHECK_EQUAL(hsp_body_overlaps(a, b, poses, at, overlap, &first_bad), status);
@@ -228,6 +231,9 @@ static void check_rational_refused(const hsp_body *a, const hsp_body *b, uint32_
   FILL(gap);
   CHECK_EQUAL(hsp_body_rational_hits(a, b, poses, at, hit, &first_bad), status);
   CHECK_EQUAL(first_bad, bad);
+  first_bad = 77;
+  CHECK_EQUAL(hsp_body_rational_hits_along(a, b, poses, at, 1, hit, &first_bad), status);
+  CHECK_EQUAL(first_bad, bad);
   CHECK_EQUAL(hsp_body_rational_gaps(a, b, poses, at, gap, &first_bad), status);
   CHECK_EQUAL(first_bad, bad);
   CHECK_EQUAL(hsp_body_rational_pairs(a, b, bad != HSP_NONE ? at + bad : at, pair, 1, &needed), status);
@@ -274,6 +280,51 @@ static void rational_poses(void) {
   for (k = 0; k < 5; ++k) CHECK(pair[2 * k] == k && pair[2 * k + 1] == k);
 }
 
+/* The answers of hsp_body_hits, whatever the margin. */
+static void motions(void) {
+  static const double margins[5] = {0, 1e-12, 0.5, 20, 1e300};
+  static const double bad_margins[4] = {-1, -1e-300, (double)INFINITY, (double)NAN};
+  hsp_pose way[200];
+  hsp_rational_pose ideal_way[200];
+  uint32_t hit[200], ideal_hit[200], found[200], first_bad, k, m, hits = 0;
+  make();
+  for (k = 0; k < 200; ++k) {
+    way[k] = pose[2];
+    way[k].translation[0] = 0.05 * (k % 100);
+    way[k].translation[2] = 2.5 - 0.01 * k;
+    memset(&ideal_way[k], 0, sizeof ideal_way[k]);
+    ideal_way[k].quaternion[0] = 3;
+    memcpy(ideal_way[k].translation, way[k].translation, sizeof way[k].translation);
+  }
+  CHECK_EQUAL(hsp_body_hits(fixed, moving, 200, way, hit, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_body_rational_hits(fixed, moving, 200, ideal_way, ideal_hit, NULL), HSP_OK);
+  for (k = 0; k < 200; ++k) hits += hit[k];
+  CHECK(hits > 50 && hits < 150);
+  for (m = 0; m < 5; ++m) {
+    first_bad = 77;
+    CHECK_EQUAL(hsp_body_hits_along(fixed, moving, 200, way, margins[m], found, &first_bad), HSP_OK);
+    CHECK_EQUAL(first_bad, HSP_NONE);
+    CHECK_BYTES(found, hit, sizeof hit);
+    CHECK_EQUAL(hsp_body_rational_hits_along(fixed, moving, 200, ideal_way, margins[m], found, NULL), HSP_OK);
+    CHECK_BYTES(found, ideal_hit, sizeof ideal_hit);
+  }
+  FILL(found);
+  for (m = 0; m < 4; ++m) {
+    const int32_t status = m < 2 ? HSP_E_RANGE : HSP_E_NOT_FINITE;
+    first_bad = 77;
+    CHECK_EQUAL(hsp_body_hits_along(fixed, moving, 200, way, bad_margins[m], found, &first_bad), status);
+    CHECK_EQUAL(first_bad, HSP_NONE);
+    CHECK_EQUAL(hsp_body_hits_along(fixed, moving, 0, NULL, bad_margins[m], NULL, NULL), status);
+    CHECK_EQUAL(hsp_body_hits_along(fixed, NULL, 1, way, bad_margins[m], found, NULL), HSP_E_ARGUMENT);
+    CHECK_EQUAL(hsp_body_rational_hits_along(fixed, moving, 200, ideal_way, bad_margins[m], found, NULL), status);
+  }
+  CHECK_UNTOUCHED(found);
+  CHECK_EQUAL(hsp_body_hits_along(fixed, moving, 0, NULL, 1, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_body_hits_along(fixed, moving, 1, way, 1, NULL, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_body_rational_hits_along(fixed, moving, 0, NULL, 1, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_body_rational_hits_along(fixed, moving, 1, NULL, 1, found, NULL), HSP_E_ARGUMENT);
+}
+
 /* A ball turned about the one that it touches goes on to touch it, and one that is a step farther never does. Snapped
  * poses cannot know. */
 static void rigid(void) {
@@ -308,6 +359,7 @@ int main(void) {
   answers();
   matrices();
   rational_poses();
+  motions();
   rigid();
   return check_report();
 }

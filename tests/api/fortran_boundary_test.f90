@@ -541,6 +541,9 @@ contains
     call check(abs(pose(2)%quaternion(1) - pose(2)%quaternion(4)) < 1e-15_c_double, 'a quarter turn')
     call expect(hsp_body_hits(body, body, 2_c_int32_t, pose, hit, first_bad), HSP_OK, 'hsp_body_hits')
     call check(all(hit == [1, 0]) .and. first_bad == HSP_NONE, 'hits')
+    hit = 7
+    call expect(hsp_body_hits_along(body, body, 2_c_int32_t, pose, 0.5_c_double, hit, first_bad), HSP_OK, 'hits along')
+    call check(all(hit == [1, 0]) .and. first_bad == HSP_NONE, 'hits along a motion')
     call expect(hsp_body_gaps(body, body, 2_c_int32_t, pose, gap), HSP_OK, 'hsp_body_gaps')
     call check(gap(1)%gap == -2*maxval(radius) .and. gap(1)%fixed == gap(1)%moving, 'the gap of a body in its place')
     call check(gap(2)%gap > 900.0_c_double, 'the gap of a body far away')
@@ -554,6 +557,9 @@ contains
     rational(2) = hsp_rational_pose([1, 0, 0, 1], [0.0_c_double, 0.0_c_double, 1000.0_c_double])
     call expect(hsp_body_rational_hits(body, body, 2_c_int32_t, rational, hit, first_bad), HSP_OK, 'rational hits')
     call check(all(hit == [1, 0]) .and. first_bad == HSP_NONE, 'hits of rational poses')
+    hit = 7
+    call expect(hsp_body_rational_hits_along(body, body, 2_c_int32_t, rational, 0.5_c_double, hit), HSP_OK, 'rational along')
+    call check(all(hit == [1, 0]), 'hits along a rational motion')
     call expect(hsp_body_rational_gaps(body, body, 2_c_int32_t, rational, gap), HSP_OK, 'rational gaps')
     call check(gap(1)%gap == -2*maxval(radius) .and. gap(2)%gap > 900.0_c_double, 'gaps of rational poses')
     call expect(hsp_body_rational_pairs(body, body, rational(1), capacity=0_c_int32_t, needed=needed), HSP_E_CAPACITY, &

@@ -673,10 +673,12 @@ static void trap_bodies(void) {
     bad += hsp_body_set(body, c.model) != HSP_OK;
     bad += hsp_pose_from_matrix(matrix, shift, &pose) != HSP_OK;
     bad += hsp_body_hits(body, body, 1, &pose, &hit, NULL) != HSP_OK || hit != 1;
+    bad += hsp_body_hits_along(body, body, 1, &pose, 1, &hit, NULL) != HSP_OK || hit != 1;
     bad += hsp_body_gaps(body, body, 1, &pose, &gap, NULL) != HSP_OK;
     bad += hsp_body_overlaps(body, body, 1, &pose, &overlap, NULL) != HSP_OK;
     bad += hsp_body_pairs(body, body, &pose, pair, 9, &needed) != HSP_OK;
     bad += hsp_body_rational_hits(body, body, 1, &rational, &hit, NULL) != HSP_OK || hit != 1;
+    bad += hsp_body_rational_hits_along(body, body, 1, &rational, 1, &hit, NULL) != HSP_OK || hit != 1;
     bad += hsp_body_rational_gaps(body, body, 1, &rational, &gap, NULL) != HSP_OK;
     bad += hsp_body_rational_pairs(body, body, &rational, pair, 9, &needed) != HSP_OK;
     disarm(bad);

@@ -365,6 +365,8 @@ static void refused_as_body(void *handle) {
   CHECK_EQUAL(hsp_body_set(handle, h.model), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_body_hits(handle, body, 0, NULL, NULL, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_body_hits(body, handle, 0, NULL, NULL, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_body_hits_along(handle, body, 0, NULL, 1, NULL, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_body_hits_along(body, handle, 0, NULL, 1, NULL, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_body_gaps(handle, body, 0, NULL, NULL, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_body_gaps(body, handle, 0, NULL, NULL, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_body_overlaps(handle, body, 0, NULL, NULL, NULL), HSP_E_ARGUMENT);
@@ -373,6 +375,8 @@ static void refused_as_body(void *handle) {
   CHECK_EQUAL(hsp_body_pairs(body, handle, &pose, NULL, 0, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_body_rational_hits(handle, body, 0, NULL, NULL, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_body_rational_hits(body, handle, 0, NULL, NULL, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_body_rational_hits_along(handle, body, 0, NULL, 1, NULL, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_body_rational_hits_along(body, handle, 0, NULL, 1, NULL, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_body_rational_gaps(handle, body, 0, NULL, NULL, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_body_rational_gaps(body, handle, 0, NULL, NULL, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_body_rational_pairs(handle, body, &rational, NULL, 0, &needed), HSP_E_ARGUMENT);

@@ -184,14 +184,18 @@ TEST(PoseQueries, AgreeFarFromTheOrigin) {
   }
 }
 
+hsp::Status make_pose(const BuiltTree &rest, const BuiltTree &other, const RationalNumbers &numbers,
+                      hsp::RationalPose &pose) {
+  const double translation[3] = {static_cast<double>(numbers.shift[0]), static_cast<double>(numbers.shift[1]),
+                                 static_cast<double>(numbers.shift[2])};
+  return hsp::make_pose(rest.tree(), other.tree(), numbers.quaternion.data(), translation, pose);
+}
+
 // Empty, or what the trees say otherwise than large integers of a rational pose.
 std::string rational_complaint(const Balls &fixed, const Balls &moving, const RationalNumbers &numbers) {
   const BuiltTree rest(fixed), other(moving);
-  const double translation[3] = {static_cast<double>(numbers.shift[0]), static_cast<double>(numbers.shift[1]),
-                                 static_cast<double>(numbers.shift[2])};
   hsp::RationalPose pose;
-  if (hsp::make_pose(rest.tree(), other.tree(), numbers.quaternion.data(), translation, pose) != hsp::Status::ok)
-    return "refused";
+  if (make_pose(rest, other, numbers, pose) != hsp::Status::ok) return "refused";
   Pairs expected;
   double gap = INFINITY, error = 0;
   for (uint32_t i = 0; i < fixed.size(); ++i)
@@ -242,10 +246,114 @@ TEST(PoseQueries, AgreeOnLatticesInRationalPoses) {
     }
 }
 
+// A motion by small steps of all sizes, among them none. Free poses that need no walk leave what is known as it is: so
+// many were answered without one.
+TEST(PoseQueries, AgreeAlongMotionsWithinTheGap) {
+  oracle::RandomSource random(13);
+  const double margins[] = {0, 2, 100, 3000, INFINITY};
+  int free = 0, without_walk = 0, hits = 0, ends = 0;
+  for (int k = 0; k < 400; ++k) {
+    const Balls fixed = oracle::any_balls(random, static_cast<size_t>(random.in(1, 12)));
+    const Balls moving = oracle::any_balls(random, static_cast<size_t>(random.in(1, 12)));
+    int64_t size = 1;
+    for (const LatticeBall &ball : fixed) size = std::max({size, std::abs(ball.x), std::abs(ball.y), std::abs(ball.z)});
+    BuiltTree rest(fixed);
+    const BuiltTree other(moving);
+    if (k % 2 == 1) rest.avoid_wide_code();
+    PoseNumbers numbers = random_pose(random, 2 * size);
+    hsp::GapBudget known(margins[k % 5]);
+    bool was_free = false;
+    for (int time = 0; time < 60; ++time) {
+      const double angle = std::pow(10.0, static_cast<double>(random.in(-6, -1)));
+      const int64_t shift = random.in(0, 1 + size / (time % 3 == 0 ? 5 : 200));
+      for (double &component : numbers.quaternion) component += angle * (random.fraction() - 0.5);
+      for (double &component : numbers.translation) component += static_cast<double>(random.in(-shift, shift));
+      const hsp::Pose pose = pose_of(numbers);
+      const double budget = known.budget;
+      const bool hit = hsp::any_balls_meet(rest.tree(), other.tree(), pose, known);
+      ASSERT_EQ(hit, !BruteForce(fixed, moved(moving, pose)).pairs.empty()) << k << ' ' << time;
+      hits += hit ? 1 : 0;
+      free += hit ? 0 : 1;
+      without_walk += !hit && known.budget == budget && budget > 0 ? 1 : 0;
+      ends += hit && was_free ? 1 : 0;
+      was_free = !hit;
+    }
+  }
+  EXPECT_GT(without_walk, free / 4);
+  EXPECT_GT(hits, 2000);
+  EXPECT_GT(ends, 50);
+}
+
+// Against walks without any knowledge, which the test above compares with large integers.
+TEST(PoseQueries, AgreeAlongRationalMotionsWithinTheGap) {
+  oracle::RandomSource random(14);
+  int free = 0, without_walk = 0, ends = 0;
+  for (int k = 0; k < 100; ++k) {
+    const Balls fixed = oracle::any_balls(random, static_cast<size_t>(random.in(1, 8)));
+    const Balls moving = oracle::any_balls(random, static_cast<size_t>(random.in(1, 8)));
+    int64_t size = 1;
+    for (const LatticeBall &ball : fixed) size = std::max({size, std::abs(ball.x), std::abs(ball.y), std::abs(ball.z)});
+    const BuiltTree rest(fixed), other(moving);
+    RationalNumbers numbers = random_rational(random, size);
+    for (int32_t &component : numbers.quaternion) component /= 4;
+    numbers.quaternion[0] |= 1;
+    hsp::GapBudget known(k % 2 == 0 ? 100 : 1e5);
+    bool was_free = false;
+    for (int time = 0; time < 40; ++time) {
+      const auto step = static_cast<int32_t>(random.in(-1 << 22, 1 << 22));
+      numbers.quaternion[static_cast<size_t>(time) % 4] += step | 1;
+      for (int64_t &component : numbers.shift) component += random.in(-1 - size / 20, 1 + size / 20);
+      hsp::RationalPose pose;
+      ASSERT_EQ(make_pose(rest, other, numbers, pose), hsp::Status::ok);
+      const double budget = known.budget;
+      const bool hit = hsp::any_balls_meet(rest.tree(), other.tree(), pose, known);
+      hsp::PairPlace none;
+      ASSERT_EQ(hit, hsp::any_balls_meet(rest.tree(), other.tree(), pose, none)) << k << ' ' << time;
+      free += hit ? 0 : 1;
+      without_walk += !hit && known.budget == budget && budget > 0 ? 1 : 0;
+      ends += hit && was_free ? 1 : 0;
+      was_free = !hit;
+    }
+  }
+  EXPECT_GT(without_walk, free / 8);
+  EXPECT_GT(ends, 30);
+}
+
+// As far as the gap, and a step less far: straight ahead, and by a turn, whose way is longer than its chord.
+TEST(PoseQueries, KnowWhereTheGapEnds) {
+  const Balls fixed{{0, 0, 0, 1000}}, moving{{3000, 0, 0, 500}};
+  const BuiltTree rest(fixed), other(moving);
+  const auto at = [](double x) { return pose_of({{1, 0, 0, 0}, {x, 0, 0}}); };
+  for (const double margin : {0.0, 1.0, 1400.0, 1600.0, 1e9}) {
+    for (const double gap : {1.0, 2.0, 3.0, 10.0, 800.0}) {
+      hsp::GapBudget known(margin);
+      EXPECT_FALSE(hsp::any_balls_meet(rest.tree(), other.tree(), at(gap - 1500), known));
+      EXPECT_FALSE(hsp::any_balls_meet(rest.tree(), other.tree(), at(-1499), known));
+      EXPECT_TRUE(hsp::any_balls_meet(rest.tree(), other.tree(), at(-1500), known)) << margin << ' ' << gap;
+      EXPECT_FALSE(hsp::any_balls_meet(rest.tree(), other.tree(), at(-4501), known));
+      EXPECT_TRUE(hsp::any_balls_meet(rest.tree(), other.tree(), at(-4500), known)) << margin << ' ' << gap;
+    }
+    hsp::GapBudget known(margin);
+    const BuiltTree above(Balls{{0, 3000, 0, 1000}});
+    int hits = 0;
+    for (int k = 0; k <= 900; ++k) {
+      const hsp::Pose pose = pose_of({{std::cos(k / 1000.0), 0, 0, std::sin(k / 1000.0)}, {0, 0, 0}});
+      const bool hit = hsp::any_balls_meet(above.tree(), other.tree(), pose, known);
+      EXPECT_EQ(hit, hsp::any_balls_meet(above.tree(), other.tree(), pose)) << margin << ' ' << k;
+      hits += hit ? 1 : 0;
+    }
+    EXPECT_GT(hits, 200);
+  }
+}
+
 TEST(PoseQueries, KnowEmptyMolecules) {
   const Balls none, one{{0, 0, 0, 5}};
   for (const auto &[fixed, moving] : {std::pair{none, none}, {none, one}, {one, none}})
     EXPECT_EQ(complaint(fixed, moving, hsp::Pose()), "");
+  const BuiltTree empty(none), ball(one);
+  hsp::GapBudget known(10);
+  EXPECT_FALSE(hsp::any_balls_meet(empty.tree(), ball.tree(), hsp::Pose(), known));
+  EXPECT_FALSE(hsp::any_balls_meet(ball.tree(), empty.tree(), hsp::Pose(), known));
 }
 
 TEST(PoseQueries, CountPairsThatThereIsNoRoomFor) {

@@ -1,6 +1,6 @@
 // Two hundred thousand poses against brute force in integers, in the long form a million: free, touching, overlapping
-// and far, of sets of any kind, of lattices against lattices and of sets against themselves, each with the witness of
-// the pose before. The code for wide registers and that for every processor take turns.
+// and far, of sets of any kind, of lattices against lattices and of sets against themselves, each with the witness and
+// the gap of poses before. The code for wide registers and that for every processor take turns.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -48,6 +48,8 @@ struct Meeting {
     std::sort(expected.begin(), expected.end());
     hits += expected.empty() ? 0 : 1;
     if (hsp::any_balls_meet(fixed_tree.tree(), moving_tree.tree(), pose, witness) == expected.empty()) return "hit";
+    if (hsp::any_balls_meet(fixed_tree.tree(), moving_tree.tree(), pose, known) == expected.empty())
+      return "hit by what is known";
     std::vector<hsp::MeetingPair> room(expected.size() + 1);
     const uint64_t count = hsp::list_meeting_pairs(fixed_tree.tree(), moving_tree.tree(), pose,
                                                    {room.data(), static_cast<uint32_t>(room.size())});
@@ -63,6 +65,7 @@ struct Meeting {
   Balls fixed, moving;
   BuiltTree fixed_tree, moving_tree;
   hsp::PairPlace witness, nearest;
+  hsp::GapBudget known{300};
   int hits = 0, touching = 0;
 };
 
