@@ -28,13 +28,23 @@ static int32_t find_widest(const hsp_map *map, uint32_t ball, bool *seen, hsp_ma
   return status;
 }
 
-static void name_label(char *out, size_t room, const struct molecule *molecule, uint32_t atom, int kind) {
+static bool has_several_chains(const struct molecule *molecule) {
+  for (uint32_t i = 1; i < molecule->atoms; ++i) {
+    if (strcmp(molecule->label[i].residue.chain, molecule->label[0].residue.chain) != 0) return true;
+  }
+  return false;
+}
+
+/* Residues of several chains with the chain's letter. */
+static void name_label(char *out, size_t room, const struct molecule *molecule, uint32_t atom, int kind, bool several) {
   const struct atom_label *label = &molecule->label[atom];
   const struct residue_label *residue = &label->residue;
   if (kind == LABEL_CHAIN) {
     snprintf(out, room, "%s", residue->chain);
   } else if (kind == LABEL_RESIDUE) {
-    snprintf(out, room, "%s %s%s", residue->name, residue->number, residue->insertion);
+    const char *const blank = several && residue->chain[0] != '\0' ? " " : "";
+    snprintf(out, room, "%s%s%s %s%s", residue->name, blank, several ? residue->chain : "", residue->number,
+             residue->insertion);
   } else if (label->name[0] != '\0') {
     snprintf(out, room, "%s", label->name);
   } else {
@@ -55,6 +65,7 @@ bool page_labels_find(const hsp_map *map, const struct molecule *molecule, const
   struct page_label *const found = calloc((size_t)molecule->atoms + 1, sizeof *found);
   uint32_t *const last = calloc((size_t)molecule->atoms + 1, sizeof *last); /* the last atom of each label */
   uint32_t made = 0;
+  const bool several = has_several_chains(molecule);
   int32_t status = found == NULL || last == NULL ? HSP_E_MEMORY : HSP_OK;
   for (uint32_t atom = 0; status == HSP_OK && atom < molecule->atoms; ++atom) {
     bool seen = false;
@@ -67,7 +78,7 @@ bool page_labels_find(const hsp_map *map, const struct molecule *molecule, const
     while (at > 0 && !belongs(molecule, atom, last[at - 1], kind)) at = kind == LABEL_CHAIN ? at - 1 : 0;
     if (at == 0) {
       at = ++made;
-      name_label(found[at - 1].text, sizeof found[at - 1].text, molecule, atom, kind);
+      name_label(found[at - 1].text, sizeof found[at - 1].text, molecule, atom, kind, several);
     }
     struct page_label *const label = &found[at - 1];
     last[at - 1] = atom;

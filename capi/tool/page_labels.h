@@ -11,7 +11,7 @@
 #include "selection.h"
 
 struct page_label {
-  char text[32];
+  char text[48];
   double at[2];  /* in view coordinates: the middle of the largest circle in any face of a ball that belongs to it */
   double radius; /* of that circle */
 };

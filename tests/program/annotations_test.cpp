@@ -161,6 +161,10 @@ TEST(Annotations, OnlyWhatIsHighlightedIsNamed) {
   const std::vector<Text> texts = texts_of(svg);
   EXPECT_GE(texts.size(), 3u);
   for (const Text &text : texts) EXPECT_EQ(text.text.substr(0, 4), "CYS ");
+  const std::vector<Text> zinc =
+      texts_of(drawn(molecules_folder() + "/sod_stand_in.pdb", {"--label", "residue", "--highlight", "residue:CU,ZN"}));
+  ASSERT_FALSE(zinc.empty());
+  for (const Text &text : zinc) EXPECT_EQ(std::count(text.text.begin(), text.text.end(), ' '), 2) << text.text;
   const std::vector<Text> chain = texts_of(drawn(crambin(), {"--label", "chain"}));
   ASSERT_EQ(chain.size(), 1u);
   EXPECT_EQ(chain[0].text, "A");
