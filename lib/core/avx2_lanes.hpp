@@ -104,6 +104,10 @@ struct Integers {
   friend Integers operator-(Integers a, Integers b) { return {_mm256_sub_epi32(a.v, b.v)}; }
   friend Integers operator&(Integers a, Integers b) { return {_mm256_and_si256(a.v, b.v)}; }
 };
+// a in lanes whose bits are all set, b in those where none is.
+inline Integers chosen(Integers all_or_none, Integers a, Integers b) {
+  return {_mm256_blendv_epi8(b.v, a.v, all_or_none.v)};
+}
 
 // a b + c, a b - c and c - a b, rounded once.
 inline Floats fused(Floats a, Floats b, Floats c) {

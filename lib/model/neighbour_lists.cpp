@@ -188,7 +188,7 @@ class RowWalk {
       uint32_t *const row = ids.data() + first[own];
       if (has_block && length <= QueryHits::room) {
         find_others_in_block_avx2(block_, balls_, i, hits);
-        write_ascending_avx2(hits, row);
+        write_ascending_avx2(hits, row, ids.size() - first[own]);
       } else {
         ask_grid(i, row, length);
       }

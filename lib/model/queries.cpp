@@ -98,9 +98,9 @@ class HitFinder {
     return hits_;
   }
   // If none are missing.
-  void write_ascending(uint32_t *ids) const {
+  void write_ascending(uint32_t *ids, [[maybe_unused]] uint32_t room) const {
 #if HSP_AVX2
-    if (grid_.wide()) return write_ascending_avx2(hits_, ids);
+    if (grid_.wide()) return write_ascending_avx2(hits_, ids, room);
 #endif
     hsp::write_ascending(hits_, ids);
   }
@@ -128,7 +128,7 @@ void collect(const CubeGrid &grid, const LatticeQuery &query, uint32_t excluded,
   result.hits = finder.hits().count;
   if (result.hits > result.capacity) return;
   if (result.hits <= QueryHits::room) {
-    finder.write_ascending(result.ids);
+    finder.write_ascending(result.ids, result.capacity);
     return;
   }
   uint32_t stored = 0;

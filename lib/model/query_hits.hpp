@@ -86,6 +86,7 @@ bool find_neighbours_avx2(const QueryGrid &grid, const QueryArrays &balls, uint3
 void sort_ascending(uint32_t *ids, uint32_t count);
 // Writes the hits, if there are no more than the room, in ascending order.
 void write_ascending(const QueryHits &hits, uint32_t *ids);
-void write_ascending_avx2(const QueryHits &hits, uint32_t *ids);
+// At ids[count ..] there may be more that is the caller's, `room` ids in all: it is read and written as it was.
+void write_ascending_avx2(const QueryHits &hits, uint32_t *ids, uint32_t room);
 
 }  // namespace hsp

@@ -120,14 +120,20 @@ inline Integers load_ids(const uint32_t *ids, uint32_t count) {
   const Integers beyond = {_mm256_cmpgt_epi32(Integers::ascending().v, Integers::all(count - 1).v)};
   return {_mm256_or_si256(Integers::load(ids).v, beyond.v)};
 }
-inline void store_ids(uint32_t *ids, Integers a, uint32_t count) {
-  const __m256i wanted = _mm256_cmpgt_epi32(Integers::all(count).v, Integers::ascending().v);
-  _mm256_maskstore_epi32(reinterpret_cast<int *>(ids), wanted, a.v);
+// To where there is room for `room` ids; what stands behind those stored stays. A store of some lanes alone is slow on
+// many processors.
+inline void store_ids(uint32_t *ids, Integers a, uint32_t count, uint32_t room) {
+  const Integers wanted = Integers::first_set(count);
+  if (room >= Integers::lanes) [[likely]] {
+    chosen(wanted, a, Integers::load(ids)).store(ids);
+  } else {
+    _mm256_maskstore_epi32(reinterpret_cast<int *>(ids), wanted.v, a.v);
+  }
 }
 
 // No more than eight hits, in ascending order.
-inline void write_few_ascending(const QueryHits &hits, uint32_t *ids) {
-  store_ids(ids, sorted(load_ids(hits.ids, hits.count)), hits.count);
+inline void write_few_ascending(const QueryHits &hits, uint32_t *ids, uint32_t room) {
+  store_ids(ids, sorted(load_ids(hits.ids, hits.count)), hits.count, room);
 }
 
 // Two sorted halves of `half` eights each, a power of two, to one.
@@ -161,9 +167,9 @@ void add_hits_avx2(const QueryArrays &balls, const QueryBall &query, const BallR
   });
 }
 
-void write_ascending_avx2(const QueryHits &hits, uint32_t *ids) {
+void write_ascending_avx2(const QueryHits &hits, uint32_t *ids, uint32_t room) {
   const uint32_t count = hits.count;
-  if (count <= 8) return write_few_ascending(hits, ids);
+  if (count <= 8) return write_few_ascending(hits, ids, room);
   // A power of two of eights, sorted each, then merged two by two.
   Integers eights[QueryHits::room / 8];
   uint32_t used = 0;
@@ -176,7 +182,8 @@ void write_ascending_avx2(const QueryHits &hits, uint32_t *ids) {
     for (uint32_t first = 0; first < all; first += 2 * half) merge(eights + first, half);
   }
   for (uint32_t k = 0; k + 1 < used; ++k) eights[k].store(ids + 8 * k);
-  store_ids(ids + 8 * (used - 1), eights[used - 1], count - 8 * (used - 1));
+  const uint32_t before = 8 * (used - 1);
+  store_ids(ids + before, eights[used - 1], count - before, room - before);
 }
 
 namespace {
@@ -278,9 +285,9 @@ template <class Excluded>
   hits = found.count;
   if (found.count > capacity) return true;
   if (found.count <= 8) {
-    write_few_ascending(found, ids);
+    write_few_ascending(found, ids, capacity);
   } else {
-    write_ascending_avx2(found, ids);
+    write_ascending_avx2(found, ids, capacity);
   }
   return true;
 }
