@@ -72,6 +72,7 @@ TEST(PathFinder, AsksForRoomForPoints) {
   BuiltPaths small(balls, needed - 1), enough(balls, needed);
   ASSERT_EQ(small.finder().find(small.balls(), from, to, other), hsp::Status::capacity);
   EXPECT_EQ(small.finder().needed_points(), needed);
+  EXPECT_EQ(small.finder().retry_limits().points, needed);
   EXPECT_EQ(small.finder().points().size(), 0U);
   ASSERT_EQ(enough.finder().find(enough.balls(), from, to, other), hsp::Status::ok);
   EXPECT_EQ(summary.length, other.length);

@@ -79,7 +79,8 @@ TEST(WidestProbe, ThroughARingOfThree) {
   const BuiltProbe built(balls, {0, 0, -3 * unit}, nullptr);
   ASSERT_EQ(built.status(), hsp::Status::ok);
   ASSERT_TRUE(built.widest().passes);
-  EXPECT_NEAR(built.widest().radius, static_cast<double>(unit), 1.0);
+  // With h = 1732051 the centre is at x = (3 unit^2 - h^2) / (6 unit).
+  EXPECT_NEAR(built.widest().radius, static_cast<double>(unit) + 666601 / 6e6, 1e-4);
   EXPECT_EQ(built.widest().gate[0], 0U);
   EXPECT_EQ(built.widest().gate[1], 1U);
   EXPECT_EQ(built.widest().gate[2], 2U);

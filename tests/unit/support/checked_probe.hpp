@@ -34,6 +34,15 @@ class BuiltProbe {
   hsp::Status status() const { return status_; }
   const hsp::WidestProbe &widest() const { return widest_; }
   uint32_t builds() const { return finder_.builds(); }
+  // Whether what it says it needed suffices for the same once more.
+  bool suffices_again(const Vector &from, const Vector *to) {
+    const hsp::ProbeLimits needed = finder_.needed();
+    CarvedMemory memory;
+    hsp::WidestProbeFinder again;
+    hsp::WidestProbe widest{};
+    memory.carve(again, needed);
+    return again.find(grid_.grid().balls(), from, to, widest) == hsp::Status::ok && widest.radius == widest_.radius;
+  }
 
  private:
   static support::BallList listed(const Balls &balls) {
@@ -110,9 +119,10 @@ inline void check_among_random_balls(oracle::RandomSource &random, int sets, See
     const Vector other = draw(2 * size);
     const Vector *const to = random.one_in(2) ? nullptr : &other;
     const double at_ends = std::min(room(balls, from), to == nullptr ? INFINITY : room(balls, *to));
-    const BuiltProbe built(balls, from, to);
+    BuiltProbe built(balls, from, to);
     ASSERT_EQ(built.status(), hsp::Status::ok);
     EXPECT_LE(built.builds(), 40U);
+    EXPECT_TRUE(built.suffices_again(from, to));
     const hsp::WidestProbe &widest = built.widest();
     if (!widest.passes) {
       ASSERT_TRUE(at_ends <= 0.0 || !joined(balls, from, to)) << oracle::to_text(balls);
