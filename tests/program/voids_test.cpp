@@ -101,10 +101,20 @@ TEST(Voids, TheWidestProbeOutOfACage) {
   const Json closed = run_json({"gate", "good/cage.xyzr", "--from", "0,0,0"});
   EXPECT_FALSE(closed["passes"].boolean);
   EXPECT_EQ(closed["gate"].items.size(), 0U);
-  // Balls as far apart as this have no place on the usual lattice when they grow until they meet.
-  const TemporaryFile far("far.xyzr", "50 0 0 1\n-50 0 0 1\n0 50 0 1\n0 -50 0 1\n0 0 50 1\n0 0 -50 1\n");
-  const Json wide = run_json({"gate", far.path(), "--from", "0,0,0"});
-  EXPECT_NEAR(wide["widest_probe"].number, 50 * std::sqrt(2.0 / 3) - 1, 1e-6);
+  // Balls as far apart as this have no place on the usual lattice when they grow until they meet; those of the second
+  // set have none on one that is ten times as coarse.
+  for (const std::string away : {"50", "500000"}) {
+    std::string balls;
+    for (const std::string sign : {"", "-"}) {
+      for (const std::string &place : {sign + away + " 0 0", "0 " + sign + away + " 0", "0 0 " + sign + away}) {
+        balls += place + " 1\n";
+      }
+    }
+    const TemporaryFile far("far.xyzr", balls);
+    const Json wide = run_json({"gate", far.path(), "--from", "0,0,0"});
+    const double distance = std::stod(away);
+    EXPECT_NEAR(wide["widest_probe"].number, distance * std::sqrt(2.0 / 3) - 1, 1e-7 * distance);
+  }
 }
 
 // A ball inside takes its volume away and adds its sphere, and is one of the balls around the void.
