@@ -4,6 +4,7 @@
 #include "picture/palettes.hpp"
 #include "picture/picture.hpp"
 #include "visibility/map_paths.hpp"
+#include "visibility/map_silhouettes.hpp"
 
 using hsp::capi::is_live;
 
@@ -41,7 +42,12 @@ hsp_picture_options defaults() {
           select.scale,
           {select.centre[0], select.centre[1], select.centre[2]},
           HSP_ADDRESS(select.memory),
-          select.memory_bytes};
+          select.memory_bytes,
+          0,
+          0,
+          {select.ink_width[0], select.ink_width[1], select.ink_width[2]},
+          {select.ink_colour[0], select.ink_colour[1], select.ink_colour[2]},
+          0};
 }
 
 bool has_centre(const hsp_picture_options &options) {
@@ -54,19 +60,24 @@ bool is_valid(const hsp_picture_options &options) {
          !(options.width == 0.0 && options.height == 0.0) && !(options.scale == 0.0 && has_centre(options)) &&
          options.outline_colour <= largest_colour && options.background <= largest_colour &&
          (options.memory != 0 || options.memory_bytes == 0) && options.memory <= UINTPTR_MAX &&
-         options.memory_bytes <= SIZE_MAX;
+         options.memory_bytes <= SIZE_MAX && options.ink <= UINTPTR_MAX && options.group <= UINTPTR_MAX &&
+         options.ink_colour[0] <= largest_colour && options.ink_colour[1] <= largest_colour &&
+         options.ink_colour[2] <= largest_colour && options.reserved_for_ink == 0;
 }
 
 bool is_finite(const hsp_picture_options &options) {
   return hsp::is_finite(options.width) && hsp::is_finite(options.height) && hsp::is_finite(options.margin) &&
          hsp::is_finite(options.outline) && hsp::is_finite(options.fog) && hsp::is_finite(options.scale) &&
-         hsp::is_finite(options.centre[0]) && hsp::is_finite(options.centre[1]) && hsp::is_finite(options.centre[2]);
+         hsp::is_finite(options.centre[0]) && hsp::is_finite(options.centre[1]) && hsp::is_finite(options.centre[2]) &&
+         hsp::is_finite(options.ink_width[0]) && hsp::is_finite(options.ink_width[1]) &&
+         hsp::is_finite(options.ink_width[2]);
 }
 
 bool is_in_range(const hsp_picture_options &options) {
   const auto within = [](double value, double low, double high) { return low <= value && value <= high; };
   return within(options.width, 0.0, longest) && within(options.height, 0.0, longest) &&
          within(options.margin, 0.0, largest_margin) && options.outline <= longest && within(options.fog, 0.0, 1.0) &&
+         options.ink_width[0] <= longest && options.ink_width[1] <= longest && options.ink_width[2] <= longest &&
          options.scale >= 0.0;
 }
 
@@ -93,7 +104,9 @@ hsp::PictureOptions from_c(const hsp_picture_options &options) {
           options.scale,
           {options.centre[0], options.centre[1], options.centre[2]},
           reinterpret_cast<void *>(static_cast<uintptr_t>(options.memory)),
-          static_cast<size_t>(options.memory_bytes)};
+          static_cast<size_t>(options.memory_bytes),
+          {options.ink_width[0], options.ink_width[1], options.ink_width[2]},
+          {options.ink_colour[0], options.ink_colour[1], options.ink_colour[2]}};
 }
 
 // Of one call: all but where its paths are from.
@@ -107,7 +120,38 @@ struct Call {
   uint64_t *bytes;
 };
 
-// write(options, taken) writes the picture of a handle with results.
+template <class Data>
+const Data *at_address(uint64_t address) {
+  return reinterpret_cast<const Data *>(static_cast<uintptr_t>(address));
+}
+
+// Whether ink, if there is any, is a map that shows what a handle with results shows.
+template <class Handle>
+bool is_ink_of(const Handle &handle, uint64_t ink) {
+  if (ink == 0) return true;
+  const hsp_map *map = at_address<hsp_map>(ink);
+  return is_live(map) && map->has_results() && map->model.is(&*handle.model) &&
+         map->structure().frame.is_same(handle.structure().frame);
+}
+bool is_ink_of(const hsp_sticks &, uint64_t ink) {
+  return ink == 0;
+}
+
+// What a picture shows but its paths.
+struct Contents {
+  const hsp::BallSet &balls;
+  const Call &call;
+  const hsp_picture_options &options;
+
+  hsp::PictureInput with(const hsp::PaintedPaths &paths) const {
+    hsp::PictureInput input{balls, paths, call.colour, call.title, call.description};
+    if (options.ink != 0) input.silhouettes = hsp::silhouettes_of(at_address<hsp_map>(options.ink)->structure());
+    input.group = at_address<uint32_t>(options.group);
+    return input;
+  }
+};
+
+// write(contents, options, taken) writes the picture of a handle with results.
 template <class Handle, class Write>
 int32_t write_checked(const Handle *handle, const Call &call, Write write) {
   if (call.bytes != nullptr) *call.bytes = 0;
@@ -119,12 +163,14 @@ int32_t write_checked(const Handle *handle, const Call &call, Write write) {
   // Without results the number of colours is not known.
   const bool ready = handle->has_results();
   if (ready && call.colour != nullptr && !are_colours(call.colour, handle->balls().n)) return HSP_E_ARGUMENT;
+  if (ready && !is_ink_of(*handle, wanted.ink)) return HSP_E_ARGUMENT;
   if (!is_finite(wanted)) return HSP_E_NOT_FINITE;
   if (!is_in_range(wanted)) return HSP_E_RANGE;
   if (wanted.memory != 0 && wanted.memory_bytes < HSP_PICTURE_MEMORY) return HSP_E_MEMORY;
   if (!ready) return HSP_E_STATE;
   uint64_t taken = 0;
-  const hsp::Status status = write(from_c(wanted), taken);
+  const Contents contents{handle->balls(), call, wanted};
+  const hsp::Status status = write(contents, from_c(wanted), taken);
   if (call.bytes != nullptr) *call.bytes = taken;
   return hsp::capi::to_c(status);
 }
@@ -153,9 +199,9 @@ uint32_t hsp_palette_colour(uint32_t palette, uint32_t atomic_number, uint32_t c
 int32_t hsp_picture_write(hsp_view *view, const uint32_t *colour, const hsp_picture_options *options, const char *title,
                           const char *description, hsp_sink sink, void *context, uint64_t *bytes) {
   const Call call{colour, options, title, description, sink, context, bytes};
-  return write_checked(view, call, [&](const hsp::PictureOptions &wanted, uint64_t &taken) {
-    return hsp::write_picture({view->balls(), hsp::paths_of(view->structure()), colour, title, description}, wanted,
-                              view->builder.scratch(), sink, context, taken);
+  return write_checked(view, call, [&](const Contents &contents, const hsp::PictureOptions &wanted, uint64_t &taken) {
+    return hsp::write_picture(contents.with(hsp::paths_of(view->structure())), wanted, view->builder.scratch(), sink,
+                              context, taken);
   });
 }
 
@@ -163,10 +209,9 @@ int32_t hsp_picture_write_map(hsp_map *map, const uint32_t *colour, const hsp_pi
                               const char *title, const char *description, hsp_sink sink, void *context,
                               uint64_t *bytes) {
   const Call call{colour, options, title, description, sink, context, bytes};
-  return write_checked(map, call, [&](const hsp::PictureOptions &wanted, uint64_t &taken) {
+  return write_checked(map, call, [&](const Contents &contents, const hsp::PictureOptions &wanted, uint64_t &taken) {
     const hsp::MapPaths paths(map->balls(), map->structure(), map->builder.scratch());
-    return hsp::write_picture({map->balls(), paths.paths(), colour, title, description}, wanted,
-                              map->builder.more_scratch(), sink, context, taken);
+    return hsp::write_picture(contents.with(paths.paths()), wanted, map->builder.more_scratch(), sink, context, taken);
   });
 }
 
@@ -174,8 +219,8 @@ int32_t hsp_picture_write_sticks(hsp_sticks *sticks, const uint32_t *colour, con
                                  const char *title, const char *description, hsp_sink sink, void *context,
                                  uint64_t *bytes) {
   const Call call{colour, options, title, description, sink, context, bytes};
-  return write_checked(sticks, call, [&](const hsp::PictureOptions &wanted, uint64_t &taken) {
-    return hsp::write_picture({sticks->balls(), sticks->builder.paths(), colour, title, description}, wanted,
-                              sticks->builder.scratch(), sink, context, taken);
+  return write_checked(sticks, call, [&](const Contents &contents, const hsp::PictureOptions &wanted, uint64_t &taken) {
+    return hsp::write_picture(contents.with(sticks->builder.paths()), wanted, sticks->builder.scratch(), sink, context,
+                              taken);
   });
 }

@@ -170,7 +170,12 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   require_short_arrays(reference.get(), bytes);
   require_answers(reference.get(), bytes);
   const auto writes = [](const map_result &m) {
-    return [&m](auto... arguments) { return hsp_picture_write_map(m.map, arguments...); };
+    // Some with ink, which is the map's own.
+    return [&m](const uint32_t *colour, const hsp_picture_options *asked, auto... arguments) {
+      hsp_picture_options chosen = *asked;
+      if (asked->width == 1000) chosen.ink = HSP_ADDRESS(m.map);
+      return hsp_picture_write_map(m.map, colour, &chosen, arguments...);
+    };
   };
   require_unchanged(reference.get());
   require_capacities(reference.get(), bytes);

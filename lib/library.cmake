@@ -166,6 +166,7 @@ set(HSP_LIBRARY_SOURCES
   lib/visibility/map_linker.cpp
   lib/visibility/map_paths.cpp
   lib/visibility/map_queries.cpp
+  lib/visibility/map_silhouettes.cpp
   lib/visibility/seen_balls.cpp
   lib/visibility/silhouette_arcs.cpp
   lib/visibility/trigonometric_roots.cpp
@@ -184,6 +185,7 @@ set(HSP_LIBRARY_SOURCES
   lib/picture/deflate.cpp
   lib/picture/eps_writer.cpp
   lib/picture/escaped_text.cpp
+  lib/picture/ink.cpp
   lib/picture/number_text.cpp
   lib/picture/page.cpp
   lib/picture/paint.cpp

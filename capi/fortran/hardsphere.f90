@@ -145,6 +145,9 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_UNIT_MM = 1_c_int32_t
   integer(c_int32_t), parameter :: HSP_PICTURE_NO_IDS = 1_c_int32_t
   integer(c_int32_t), parameter :: HSP_PICTURE_NO_BACKGROUND = 2_c_int32_t
+  integer(c_int32_t), parameter :: HSP_INK_BORDER = 0_c_int32_t
+  integer(c_int32_t), parameter :: HSP_INK_GROUP = 1_c_int32_t
+  integer(c_int32_t), parameter :: HSP_INK_DEPTH = 2_c_int32_t
   integer(c_int32_t), parameter :: HSP_PALETTE_SOFT = 0_c_int32_t
   integer(c_int32_t), parameter :: HSP_PALETTE_JMOL = 1_c_int32_t
   integer(c_int32_t), parameter :: HSP_PALETTE_CHAIN = 2_c_int32_t
@@ -910,6 +913,11 @@ module hardsphere
     real(c_double) :: centre(3)        ! of a fixed frame
     integer(c_int64_t) :: memory       ! for the compression of PDF: transfer(c_loc(memory), 0_c_int64_t), or 0
     integer(c_int64_t) :: memory_bytes ! HSP_PICTURE_MEMORY or more, or 0
+    integer(c_int64_t) :: ink          ! a map for contours: transfer(map, 0_c_int64_t), or 0
+    integer(c_int64_t) :: group        ! transfer(c_loc(group), 0_c_int64_t) of a number for each ball, or 0
+    real(c_double) :: ink_width(3)     ! 1 + HSP_INK_*; negative: chosen
+    integer(c_int32_t) :: ink_colour(3)  ! 0xRRGGBB
+    integer(c_int32_t) :: reserved_for_ink
   end type
 
   ! What takes the bytes of a picture: 0 to go on, anything else to stop.

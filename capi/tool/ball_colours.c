@@ -7,7 +7,6 @@
 #include "colour_mixed.h"
 #include "hardsphere.h"
 #include "residue_colours.h"
-#include "residue_kinds.h"
 #include "residues.h"
 
 /* With more balls than that, elements are specks; what is to be seen are chains. */
@@ -24,18 +23,11 @@ static const uint32_t plain = 0xDEDBD4;
 static const double kept = 0.25;
 static const uint32_t highlighted_carbon = 0x66B8A6;
 
-/* Of chains of residues: what the file calls HETATM belongs to them if it is a modified residue. */
-static bool is_of_chain(const struct atom_label *label) {
-  if (!label->hetatm) return true;
-  const enum residue_kind kind = residue_kind_of(label->residue.name);
-  return kind == RESIDUE_AMINO_ACID || kind == RESIDUE_NUCLEOTIDE;
-}
-
 /* Whether atoms of chains have more than one of these numbers. */
 static bool has_chains(const struct molecule *molecule, const uint32_t *number) {
   uint32_t first = UINT32_MAX;
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
-    if (!is_of_chain(&molecule->label[i])) continue;
+    if (!atom_is_of_chain(&molecule->label[i])) continue;
     if (first == UINT32_MAX) first = number[i];
     if (number[i] != first) return true;
   }
@@ -48,7 +40,7 @@ static uint32_t number_of(const struct atom_label *label) {
 }
 
 static uint32_t colour_of(const struct atom_label *label, uint32_t palette, uint32_t chain) {
-  const bool alone = palette == HSP_PALETTE_CHAIN && !is_of_chain(label) && !atom_is_water(label);
+  const bool alone = palette == HSP_PALETTE_CHAIN && !atom_is_of_chain(label) && !atom_is_water(label);
   return hsp_palette_colour(alone ? HSP_PALETTE_JMOL : palette, number_of(label), chain);
 }
 
@@ -66,7 +58,7 @@ static void colour_by_residue(const struct molecule *molecule, uint32_t *colour,
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
     const struct atom_label *label = &molecule->label[i];
     if (residue_colour_find(label->residue.name, &colour[i])) continue;
-    const bool alone = !is_of_chain(label) && !atom_is_water(label);
+    const bool alone = !atom_is_of_chain(label) && !atom_is_water(label);
     colour[i] = alone ? colour_of(label, HSP_PALETTE_JMOL, 0) : hsp_palette_colour(HSP_PALETTE_SOFT, CARBON, 0);
   }
 }

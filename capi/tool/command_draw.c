@@ -8,6 +8,7 @@
 #include "annotation.h"
 #include "ball_and_stick.h"
 #include "ball_colours.h"
+#include "ball_groups.h"
 #include "commands.h"
 #include "input_report.h"
 #include "line_reader.h"
@@ -190,11 +191,21 @@ static bool write_picture(const struct request *request, const struct molecule *
            direction_text(towards, drawn->view.towards));
   const char *title = request->drawing.title != NULL ? request->drawing.title : input_base_name(request->file);
   hsp_view *const view = drawing_is_of_map(&request->drawing) ? NULL : geometry->work.view;
+  uint32_t *group = NULL;
+  if (drawing_has_ink(&request->drawing)) {
+    if (!ball_groups_make(&request->drawing, molecule, &group, failure)) {
+      text_buffer_free(&over);
+      return false;
+    }
+    drawn->options.ink = HSP_ADDRESS(geometry->work.map);
+    drawn->options.group = HSP_ADDRESS(group);
+  }
   const struct picture picture = {view,  geometry->work.map, geometry->sticks, colour, drawn->options,
                                   title, description,        over.text};
   progress_show(&geometry->progress, "writing");
   const bool done = picture_file_write(&picture, request->drawing.out, &geometry->progress, &drawn->bytes, failure);
   text_buffer_free(&over);
+  free(group);
   return done;
 }
 
@@ -209,7 +220,9 @@ static bool compute(const struct request *request, const struct molecule *molecu
     return geometry_compute_map(geometry, &request->drawing.viewing, molecule, failure);
   return view_options_of(&request->drawing, molecule, &options, failure) &&
          (options.pieces != HSP_PIECES_OUTSIDE_ALL || geometry_compute_boundary(geometry, failure)) &&
-         geometry_compute_view(geometry, &options, failure);
+         geometry_compute_view(geometry, &options, failure) &&
+         (!drawing_has_ink(&request->drawing) ||
+          geometry_compute_map(geometry, &request->drawing.viewing, molecule, failure));
 }
 
 /* The pictures of one turn, each a request of its own. */

@@ -229,6 +229,7 @@ bool drawing_take_option(struct drawing *drawing, struct option_reader *reader, 
                      : strcmp(argument, "--water") == 0     ? &drawing->water
                      : strcmp(argument, "--scale-bar") == 0 ? &drawing->scale_bar
                      : strcmp(argument, "--legend") == 0    ? &drawing->legend
+                     : strcmp(argument, "--ink") == 0       ? &drawing->ink
                                                             : NULL;
   if (flag != NULL) {
     *flag = true;
@@ -304,6 +305,9 @@ bool drawing_check(struct drawing *drawing, struct failure *failure) {
   if (drawing->legend && drawing->colour == COLOUR_RESIDUE) {
     return failure_in_usage(failure, "--legend is for colours by element, by chain and of numbers");
   }
+  if (drawing_is_of_sticks(drawing) && drawing_has_ink(drawing)) {
+    return failure_in_usage(failure, "--ink is not for --as ball-and-stick");
+  }
   if (!drawing_is_of_sticks(drawing) && (drawing->ball_size >= 0.0 || drawing->stick >= 0.0)) {
     return failure_in_usage(failure, "--ball-size and --stick are for --as ball-and-stick");
   }
@@ -320,6 +324,10 @@ bool drawing_is_of_map(const struct drawing *drawing) {
 
 bool drawing_is_annotated(const struct drawing *drawing) {
   return drawing->label >= 0 || drawing->scale_bar || drawing->legend;
+}
+
+bool drawing_has_ink(const struct drawing *drawing) {
+  return drawing->ink;
 }
 
 bool drawing_is_of_values(const struct drawing *drawing) {

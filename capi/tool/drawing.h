@@ -52,6 +52,7 @@ struct drawing {
   bool legend;
   bool all_balls;
   bool water; /* is drawn, and not left out */
+  bool ink;
 };
 
 #define DRAWING_NO_BACKGROUND 0x1000000
@@ -74,6 +75,9 @@ bool drawing_is_of_map(const struct drawing *drawing);
 
 /* Whether balls and sticks are drawn, and no balls of full size. */
 bool drawing_is_of_sticks(const struct drawing *drawing);
+
+/* Whether contours are drawn, for which a map is needed, too. */
+bool drawing_has_ink(const struct drawing *drawing);
 
 /* Whether colours stand for numbers. */
 bool drawing_is_of_values(const struct drawing *drawing);

@@ -158,6 +158,12 @@ bool atom_is_water(const struct atom_label *label) {
   return residue_kind_of(label->residue.name) == RESIDUE_WATER;
 }
 
+bool atom_is_of_chain(const struct atom_label *label) {
+  if (!label->hetatm) return true;
+  const enum residue_kind kind = residue_kind_of(label->residue.name);
+  return kind == RESIDUE_AMINO_ACID || kind == RESIDUE_NUCLEOTIDE;
+}
+
 bool atom_is_hydrogen(const struct atom_label *label) {
   return strcmp(label->element.text, "H") == 0;
 }

@@ -117,6 +117,9 @@ bool molecule_take_radii(struct molecule *molecule, const struct radii *radii, c
 /* Whether the atom belongs to a water molecule, by the name of its residue. */
 bool atom_is_water(const struct atom_label *label);
 
+/* Whether it belongs to a chain of residues: what the file calls HETATM does if it is a modified residue. */
+bool atom_is_of_chain(const struct atom_label *label);
+
 bool atom_is_hydrogen(const struct atom_label *label);
 
 void molecule_free(struct molecule *molecule);

@@ -351,19 +351,21 @@ static const char draw_text[] =
     "  --highlight S          mute the colours of all atoms but those that S names, as for --only; may be given "
     "several\n"
     "                         times\n"
-    "";
-
-/* The rest of it: longer strings are not for every compiler. */
-static const char draw_looks_text[] =
     "  --occlusion S          darken buried balls, from 0, not at all, to 1. Default 0.5 with style soft, and above\n"
     "                         2000 balls with any style; 0 for balls far more crowded than atoms, and else. For\n"
     "                         molecules it takes less than 1 s up to 20000 balls, 15 us a ball beyond, several times\n"
     "                         that with a --probe; a coarser rule serves above 1000 and above 5000\n"
+    "";
+
+/* The rest of it: longer strings are not for every compiler. */
+static const char draw_looks_text[] =
     "  --fog F                fade far balls to the background, from 0, not at all, to 1; default 0.3, 0 without a\n"
     "                         background\n"
     "  --outline W            the width of lines along silhouettes and intersections, 0: none; default by size\n"
     "  --outline-colour RRGGBB\n"
     "                         their colour; default 23202B\n"
+    "  --ink                  contours as wide as what lies behind them is far: thickest around the molecule, thick\n"
+    "                         around chains and ligands, from nothing up elsewhere; lines get thinner, or none\n"
     "  --width W, --height H  the size of the picture, one follows from the other; default width 1000 px, and 170 mm\n"
     "                         for .eps, .pdf and in mm\n"
     "  --unit px|mm           of width, height and outline; default px, 1/96 inch\n"

@@ -22,6 +22,7 @@ constexpr uint32_t text_per_line = 120;
 //   t u [matrix] E      arc of the unit circle under a matrix; D: clockwise
 //   n F                 fill and line     x y r k G   the same with shade k of the table T
 //   k s S               put the shade with stops s into T
+//   x y x y x y V       a cubic           n J            fill, without a line
 constexpr char procedures[] =
     "/M{moveto}bind def/L{lineto}bind def/Z{closepath}bind def/A{arc}bind def/B{arcn}bind def\n"
     "/m matrix def\n"
@@ -30,6 +31,7 @@ constexpr char procedures[] =
     "/P{3{dup 255 and 255 div exch -8 bitshift}repeat pop 3 1 roll exch}bind def\n"
     "/C{P setrgbcolor}bind def\n"
     "/F{gsave C fill grestore I}bind def\n";
+constexpr char ink_procedure[] = "/V{curveto}bind def/J{gsave C fill grestore newpath}bind def\n";
 constexpr char shade_procedures[] =
     "/K{3 mul s exch 3 getinterval[exch{255 div}forall]}bind def\n"
     "/S{/s exch def T exch<</ShadingType 3/ColorSpace/DeviceRGB/Coords[f 0 0 0 1]/Extend[true true]\n"
@@ -41,7 +43,7 @@ class EpsWriter {
  public:
   EpsWriter(ByteSink &sink, const PictureInput &input, const PictureOptions &options, const Page &page,
             const Paint &paint)
-      : sink_(sink), input_(input), options_(options), page_(page), paint_(paint) {}
+      : sink_(sink), input_(input), options_(options), page_(page), paint_(paint), ink_(input, options, page, paint) {}
 
   void write() {
     put_head();
@@ -100,6 +102,7 @@ class EpsWriter {
     sink_.put("%%BeginProlog\n/hardsphere 32 dict def hardsphere begin\n");
     sink_.put(procedures);
     sink_.put(paint_.lines_along() ? "/I{stroke}bind def\n" : "/I{newpath}bind def\n");
+    if (ink_.is_drawn()) sink_.put(ink_procedure);
     if (!paint_.flat()) put_shading();
     sink_.put("%%EndProlog\n");
   }
@@ -151,6 +154,7 @@ class EpsWriter {
       } else {
         put_shaded(p);
       }
+      if (ink_.is_drawn()) put_ink(p);
     }
     if (paint_.own_lines()) sink_.put("1 setlinecap\n");
     level = fog_levels + 1;
@@ -182,16 +186,38 @@ class EpsWriter {
   }
 
   void put_path(uint32_t path, PathPart part) {
-    input_.paths.visit(input_.balls, path, part, [&](const ProjectedArc &plane_arc, bool first, bool closes) {
-      const PageArc arc = page_.place(plane_arc);
-      if (first) put_point(arc.start, "M\n");
-      if (page_.is_line(arc)) {
-        visit_line(arc, [&](const PagePoint &point) { put_point(point, "L\n"); });
-      } else {
-        put_arc(arc);
-      }
-      if (closes) sink_.put("Z\n");
+    input_.paths.visit(input_.balls, path, part, [&](const ProjectedArc &arc, bool first, bool closes) {
+      put_next(page_.place(arc), first, closes);
     });
+  }
+  void put_next(const PageArc &arc, bool first, bool closes) {
+    if (first) put_point(arc.start, "M\n");
+    if (page_.is_line(arc)) {
+      visit_line(arc, [&](const PagePoint &point) { put_point(point, "L\n"); });
+    } else {
+      put_arc(arc);
+    }
+    if (closes) sink_.put("Z\n");
+  }
+
+  void put_ink(uint32_t path) {
+    for (const InkLevel level : ink_levels) {
+      bool any = false;
+      ink_.visit(path, level, [&](const InkCurve &curve, bool first, bool closes) {
+        if (first) put_ink_point(curve.start, "M\n");
+        if (curve.behind_line) put_ink_point(curve.start, "L\n");
+        put_ink_point(curve.handle(curve.start), "");
+        put_ink_point(curve.handle(curve.end), "");
+        put_ink_point(curve.end, closes ? "V Z\n" : "V\n");
+        any = true;
+      });
+      if (any) put_packed(ink_.colour(level, paint_.fog_level(path)), " J\n");
+    }
+  }
+  void put_ink_point(const PagePoint &point, const char *command) {
+    put_number(point.x, page_.decimals);
+    put_number(point.y, page_.decimals);
+    sink_.put(command);
   }
 
   void put_arc(const PageArc &arc) {
@@ -221,6 +247,7 @@ class EpsWriter {
   const PictureOptions &options_;
   const Page &page_;
   const Paint &paint_;
+  const Ink ink_;
 };
 
 }  // namespace

@@ -42,21 +42,34 @@ double mean_radius(const BallSet &balls) {
   return balls.n > 0 ? sum / balls.n : 0.0;
 }
 
-// Lines that suit the balls: .9 px where their mean radius is 34 px. Those of a fixed frame must not depend on what is
-// seen, so that all balls count.
-double chosen_line(const PictureInput &input, bool fixed, double scale) {
+// How wide lines are that suit the balls: 1 where their mean radius is 34 px. Those of a fixed frame must not depend on
+// what is seen, so that all balls count.
+double suitable_width(const PictureInput &input, bool fixed, double scale) {
   const uint32_t paths = input.paths.size();
-  if (fixed ? input.balls.n == 0 : paths == 0) return 0.9;
+  if (fixed ? input.balls.n == 0 : paths == 0) return 1.0;
   double sum = 0.0;
   for (uint32_t p = 0; p < paths && !fixed; ++p) sum += input.balls.r[input.paths.ball_of(p)];
   const double mean = fixed ? mean_radius(input.balls) : sum / paths;
-  return 0.9 * clamped(std::sqrt(mean * scale / 34.0), 0.45, 1.9);
+  return clamped(std::sqrt(mean * scale / 34.0), 0.45, 1.9);
 }
 
-double line_of(const PictureInput &input, const PictureOptions &options, const Page &page) {
-  const bool fixed = options.scale > 0.0;
-  const double line = options.outline < 0.0 ? chosen_line(input, fixed, page.scale) : options.outline * page.unit;
-  return line < thinnest_line ? 0.0 : line;
+// px, of what is as wide as suits the balls. Beside contours lines are thin, and between many balls they are too many.
+constexpr double chosen_line = 0.9;
+constexpr double chosen_line_beside_ink = 0.5;
+constexpr uint32_t most_balls_with_lines_and_ink = 1000;
+constexpr double chosen_ink[3] = {3.1, 2.2, 2.9};
+
+// Lines and contours for the page's scale.
+void choose_widths(const PictureInput &input, const PictureOptions &options, Page &page) {
+  const double suitable = suitable_width(input, options.scale > 0.0, page.scale);
+  double chosen = chosen_line;
+  if (input.silhouettes.exist()) chosen = input.balls.n > most_balls_with_lines_and_ink ? 0.0 : chosen_line_beside_ink;
+  page.line = options.outline < 0.0 ? chosen * suitable : options.outline * page.unit;
+  if (page.line < thinnest_line) page.line = 0.0;
+  for (int k = 0; k < 3; ++k) {
+    const double width = options.ink_width[k];
+    page.ink[k] = !input.silhouettes.exist() ? 0.0 : width < 0.0 ? chosen_ink[k] * suitable : width * page.unit;
+  }
 }
 
 // Two sides of which one may be 0, which then follows from the other one.
@@ -117,15 +130,17 @@ Page lay_out(const PictureInput &input, const PictureOptions &options) {
                                                      lattice.steps(options.centre[1]) - origin.y,
                                                      lattice.steps(options.centre[2]) - origin.z});
     page.scale = options.scale * page.unit * lattice.step();
-    page.line = line_of(input, options, page);
+    choose_widths(input, options, page);
     page.middle[0] = centre.x;
     page.middle[1] = centre.y;
   } else {
     if (!empty) page.scale = lesser(page.width / framed[0], page.height / framed[1]);
-    page.line = line_of(input, options, page);
+    choose_widths(input, options, page);
     if (!empty) {
-      // Lines along the outermost silhouettes have room for their outer half, however narrow the margin is.
-      const double room = lesser(page.line / 2, lesser(page.width, page.height) / 4);
+      // Lines along the outermost silhouettes have room for their outer half, and contours for what lies outside,
+      // however narrow the margin is.
+      const double half = page.line / 2, outside = outer_share_of_ink * page.ink[0];
+      const double room = lesser(half > outside ? half : outside, lesser(page.width, page.height) / 4);
       if (margin * page.scale < room) {
         page.scale = lesser((page.width - 2 * room) / size[0], (page.height - 2 * room) / size[1]);
       }
@@ -142,8 +157,9 @@ Page lay_out(const PictureInput &input, const PictureOptions &options) {
     if (!(std::fabs(below) <= farthest_from_middle && std::fabs(above) <= farthest_from_middle)) page.possible = false;
     if (below > edge || above > edge) page.cut = true;
   }
+  page.mean_radius = mean_radius(input.balls);
   page.narrowest_ellipse = clamped(page.line / 8, flattest_ellipse, flattest_with_lines);
-  const double least_depth = least_fog * mean_radius(input.balls);
+  const double least_depth = least_fog * page.mean_radius;
   page.nearest = box.depth_high;
   page.farthest = box.depth_low < page.nearest - least_depth ? box.depth_low : page.nearest - least_depth;
   page.decimals = decimals_for((page.width > page.height ? page.width : page.height) / 1e4, 2, 6);

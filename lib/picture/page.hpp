@@ -8,6 +8,9 @@ namespace hsp {
 constexpr double points_per_px = 0.75;
 constexpr double px_per_millimetre = 480.0 / 127.0;
 
+// Of a contour's width: what lies outside its ball.
+constexpr double outer_share_of_ink = 0.62;
+
 struct PagePoint {
   double x, y;
 };
@@ -30,6 +33,8 @@ struct Page {
   double scale;              // px per lattice step
   double middle[2];          // what lies in the middle of the page, in view coordinates
   double line;               // width of the lines, px
+  double ink[3];             // width of contours where they are widest, px, by InkLevel
+  double mean_radius;        // of all balls of the model, lattice steps
   double narrowest_ellipse;  // least semi-axis of what is drawn as an ellipse, px
   double farthest, nearest;  // depths between which fog grows, lattice steps; all centres are within
   int decimals;              // that make steps of at most width / 10 000

@@ -48,11 +48,11 @@ uint32_t Paint::fog_level(uint32_t path) const {
 
 uint32_t Paint::flat_colour(uint32_t path) const {
   if (!flat()) return shade_colour(shade_of(path), shading_.intervals() / 2);
-  return mixed(input_.colour_of(input_.paths.ball_of(path)), background_, fog_ * fog_share(path));
+  return mixed(input_.colour_of(input_.paths.ball_of(path)), background_, fog(path));
 }
 
-uint32_t Paint::line_colour(uint32_t level) const {
-  return mixed(outline_, background_, fog_on_lines * fog_ * level / fog_levels);
+uint32_t Paint::faded_line(uint32_t colour, uint32_t level) const {
+  return mixed(colour, background_, fog_on_lines * fog_ * level / fog_levels);
 }
 
 uint32_t Paint::key_of(uint32_t path) const {

@@ -34,7 +34,10 @@ class Paint {
 
   // Lines fade, too; does not increase in drawing order, up to rounding.
   uint32_t fog_level(uint32_t path) const;
-  uint32_t line_colour(uint32_t level) const;
+  uint32_t line_colour(uint32_t level) const { return faded_line(outline_, level); }
+  uint32_t faded_line(uint32_t colour, uint32_t level) const;
+  // The share of the background that is mixed into a ball where fog is not rounded to levels.
+  double fog(uint32_t path) const { return fog_ * fog_share(path); }
 
  private:
   // How far into the fog, from 0 to 1.

@@ -20,7 +20,13 @@ class PdfWriter {
  public:
   PdfWriter(ByteSink &sink, const PictureInput &input, const PictureOptions &options, const Page &page,
             const Paint &paint)
-      : sink_(sink), input_(input), options_(options), page_(page), paint_(paint), decimals_(page.decimals + 2) {}
+      : sink_(sink),
+        input_(input),
+        options_(options),
+        page_(page),
+        paint_(paint),
+        ink_(input, options, page, paint),
+        decimals_(page.decimals + 2) {}
 
   // The resources hold a dictionary for each shade, most of the file if they are many. In a stream, which can be
   // compressed, they may stand since PDF 1.5.
@@ -167,6 +173,7 @@ class PdfWriter {
       } else {
         put_shaded(p);
       }
+      if (ink_.is_drawn()) put_ink(p);
     }
     if (paint_.own_lines()) sink_.put("1 J\n");
     level = fog_levels + 1;
@@ -209,24 +216,52 @@ class PdfWriter {
   // False if there is nothing in it.
   bool put_path(uint32_t path, PathPart part) {
     bool any = false;
-    input_.paths.visit(input_.balls, path, part, [&](const ProjectedArc &plane_arc, bool first, bool closes) {
-      const PageArc arc = page_.place(plane_arc);
-      if (first) {
-        put_point(arc.start);
-        sink_.put("m\n");
-      }
-      if (page_.is_line(arc)) {
-        visit_line(arc, [&](const PagePoint &point) {
-          put_point(point);
-          sink_.put("l\n");
-        });
-      } else {
-        put_cubics(arc);
-      }
-      if (closes) sink_.put("h\n");
+    input_.paths.visit(input_.balls, path, part, [&](const ProjectedArc &arc, bool first, bool closes) {
+      put_next(page_.place(arc), first, closes);
       any = true;
     });
     return any;
+  }
+  void put_next(const PageArc &arc, bool first, bool closes) {
+    if (first) {
+      put_point(arc.start);
+      sink_.put("m\n");
+    }
+    if (page_.is_line(arc)) {
+      visit_line(arc, [&](const PagePoint &point) {
+        put_point(point);
+        sink_.put("l\n");
+      });
+    } else {
+      put_cubics(arc);
+    }
+    if (closes) sink_.put("h\n");
+  }
+
+  void put_ink_point(const PagePoint &point) {
+    put_number(point.x, page_.decimals);
+    put_number(point.y, page_.decimals);
+  }
+  void put_ink(uint32_t path) {
+    for (const InkLevel level : ink_levels) {
+      bool any = false;
+      ink_.visit(path, level, [&](const InkCurve &curve, bool first, bool closes) {
+        if (!any) {
+          put_channels(ink_.colour(level, paint_.fog_level(path)));
+          sink_.put("rg\n");
+          any = true;
+        }
+        if (first || curve.behind_line) {
+          put_ink_point(curve.start);
+          sink_.put(first ? "m\n" : "l\n");
+        }
+        put_ink_point(curve.handle(curve.start));
+        put_ink_point(curve.handle(curve.end));
+        put_ink_point(curve.end);
+        sink_.put(closes ? "c\nh\n" : "c\n");
+      });
+      if (any) sink_.put("f\n");
+    }
   }
 
   void put_cubics(const PageArc &arc) {
@@ -303,6 +338,7 @@ class PdfWriter {
   const PictureOptions &options_;
   const Page &page_;
   const Paint &paint_;
+  const Ink ink_;
   int decimals_;
   uint64_t offset_[objects + 1] = {};
 };

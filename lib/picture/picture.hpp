@@ -26,6 +26,8 @@ struct PictureOptions {
   double centre[3] = {0.0, 0.0, 0.0};  // what a fixed frame has in the middle
   void *memory = nullptr;              // what a Deflater needs, for PDF; null: it is not compressed
   size_t memory_bytes = 0;
+  double ink_width[3] = {-1.0, -1.0, -1.0};  // by InkLevel; < 0: select
+  uint32_t ink_colour[3] = {0x23202B, 0x23202B, 0x23202B};
 };
 
 constexpr uint32_t plain_colour = 0xD2CDC3;
@@ -36,8 +38,11 @@ struct PictureInput {
   const uint32_t *colour;  // by the caller's index, or null: all plain
   const char *title;       // may be null
   const char *description;
+  SeenSilhouettes silhouettes{};    // of the same balls, to be drawn with ink; or none
+  const uint32_t *group = nullptr;  // by the caller's index, or null: all balls are of one
 
   uint32_t colour_of(uint32_t ball) const { return colour == nullptr ? plain_colour : colour[balls.caller[ball]]; }
+  uint32_t group_of(uint32_t ball) const { return group == nullptr ? 0 : group[balls.caller[ball]]; }
 };
 
 // scratch: as many entries as there are paths. Status::range if the balls are too large for a fixed frame;

@@ -16,7 +16,7 @@ class SvgWriter {
  public:
   SvgWriter(ByteSink &sink, const PictureInput &input, const PictureOptions &options, const Page &page,
             const Paint &paint)
-      : sink_(sink), input_(input), options_(options), page_(page), paint_(paint) {}
+      : sink_(sink), input_(input), options_(options), page_(page), paint_(paint), ink_(input, options, page, paint) {}
 
   void write() {
     put_head();
@@ -161,6 +161,9 @@ class SvgWriter {
 
   void put_stroke(uint32_t level) {
     put_paint(" stroke", paint_.line_colour(level));
+    put_line_shape();
+  }
+  void put_line_shape() {
     put_attribute(" stroke-width", page_.line, 4);
     sink_.put(" stroke-linejoin=\"round\"");
   }
@@ -177,13 +180,18 @@ class SvgWriter {
     if (open <= fog_levels) sink_.put("</g>\n");
   }
 
-  // A group of its own for each colour of lines along the paths.
+  // A group of its own for each colour of lines along the paths, or of contours, which are filled and have no lines.
   void put_paths() {
     uint32_t open = fog_levels + 1;  // the group's level, or none
     for (uint32_t p = 0; p < input_.paths.size(); ++p) {
-      const uint32_t level = paint_.lines_along() ? paint_.fog_level(p) : 0;
+      const uint32_t level = paint_.lines_along() || ink_.is_drawn() ? paint_.fog_level(p) : 0;
       if (changes_group(level, open)) {
-        if (paint_.lines_along()) put_stroke(level);
+        if (ink_.is_drawn()) {
+          put_paint(" fill", ink_.colour(InkLevel::border, level));
+          if (paint_.lines_along()) put_line_shape();
+        } else if (paint_.lines_along()) {
+          put_stroke(level);
+        }
         sink_.put(">\n");
       }
       sink_.put("<path");
@@ -199,9 +207,11 @@ class SvgWriter {
         put_name('b', p);
         sink_.put(")\"");
       }
+      if (ink_.is_drawn() && paint_.lines_along()) put_paint(" stroke", paint_.line_colour(level));
       sink_.put(" d=\"");
       put_arcs(p, PathPart::outline);
       sink_.put("\"/>\n");
+      if (ink_.is_drawn()) put_ink(p);
     }
     end_group(open);
   }
@@ -240,22 +250,82 @@ class SvgWriter {
 
   void put_arcs(uint32_t path, PathPart part) {
     const int decimals = decimals_of(path, part);
-    input_.paths.visit(input_.balls, path, part, [&](const ProjectedArc &plane_arc, bool first, bool closes) {
-      const PageArc arc = page_.place(plane_arc);
-      if (first) {
-        sink_.put('M');
-        put_point(arc.start, decimals);
-      }
-      if (page_.is_line(arc)) {
-        visit_line(arc, [&](const PagePoint &point) {
-          sink_.put('L');
-          put_point(point, decimals);
-        });
-      } else {
-        put_arc(arc, decimals);
-      }
-      if (closes) sink_.put('Z');
+    input_.paths.visit(input_.balls, path, part, [&](const ProjectedArc &arc, bool first, bool closes) {
+      put_next(page_.place(arc), first, closes, decimals);
     });
+  }
+  void put_next(const PageArc &arc, bool first, bool closes, int decimals) {
+    if (first) {
+      sink_.put('M');
+      put_point(arc.start, decimals);
+    }
+    if (page_.is_line(arc)) {
+      visit_line(arc, [&](const PagePoint &point) {
+        sink_.put('L');
+        put_point(point, decimals);
+      });
+    } else {
+      put_arc(arc, decimals);
+    }
+    if (closes) sink_.put('Z');
+  }
+
+  // Whoever clicks on ink clicks on the ball below.
+  void put_ink(uint32_t path) {
+    static constexpr const char *class_of[] = {"border", "group", "depth"};
+    for (const InkLevel level : ink_levels) {
+      bool any = false;
+      ink_.visit(path, level, [&](const InkCurve &curve, bool first, bool closes) {
+        if (!any) {
+          sink_.put("<path class=\"");
+          sink_.put(class_of[static_cast<uint32_t>(level)]);
+          sink_.put('"');
+          const uint32_t colour = ink_.colour(level, paint_.fog_level(path));
+          if (colour != ink_.colour(InkLevel::border, paint_.fog_level(path))) put_paint(" fill", colour);
+          sink_.put(" d=\"");
+          any = true;
+        }
+        put_curve(curve, first);
+        if (closes) sink_.put('Z');
+      });
+      if (any) sink_.put("\"/>\n");
+    }
+  }
+
+  // By steps from the place of the pen, which are shorter.
+  void put_curve(const InkCurve &curve, bool first) {
+    const Place start = place_of(curve.start);
+    if (first) {
+      sink_.put('M');
+      put_scaled(sink_, start.x, page_.decimals);
+      put_step(start.y);
+    } else if (curve.behind_line) {
+      sink_.put('l');
+      put_step_to(start);
+    }
+    pen_ = start;
+    sink_.put('q');
+    put_step_to(place_of(curve.control));
+    const Place end = place_of(curve.end);
+    if (end.x >= pen_.x) sink_.put(' ');
+    put_step_to(end);
+    pen_ = end;
+  }
+  // y down, in units of the last decimal.
+  struct Place {
+    int64_t x, y;
+  };
+  Place place_of(const PagePoint &point) const {
+    return {scaled(point.x, page_.decimals), scaled(page_.height - point.y, page_.decimals)};
+  }
+  void put_step_to(const Place &place) {
+    put_scaled(sink_, place.x - pen_.x, page_.decimals);
+    put_step(place.y - pen_.y);
+  }
+  // Behind another number.
+  void put_step(int64_t step) {
+    if (step >= 0) sink_.put(' ');
+    put_scaled(sink_, step, page_.decimals);
   }
 
   void put_point(const PagePoint &point, int decimals) {
@@ -292,6 +362,8 @@ class SvgWriter {
   const PictureOptions &options_;
   const Page &page_;
   const Paint &paint_;
+  const Ink ink_;
+  Place pen_{0, 0};
   uint32_t names_ = 0;  // 24 bits that gradients' names begin with
 };
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "picture/byte_sink.hpp"
-#include "picture/paint.hpp"
+#include "picture/ink.hpp"
 
 namespace hsp {
 

@@ -61,6 +61,48 @@ class PaintedPaths {
 // The pieces of a view, painted one over the other.
 PaintedPaths paths_of(const View &view);
 
+// The silhouette of a ball between two angles around its centre, counter-clockwise, in front of one ball or of the
+// background. Balls are in grid order, no_id is the background.
+struct SilhouetteArc {
+  // What lies beyond one end of an arc.
+  struct End {
+    bool goes_on;     // on the same silhouette, in front of the ball `other`
+    bool goes_under;  // unseen, under the nearer ball `other`; neither: into a crease, where it meets `behind`
+    uint32_t other;
+    uint32_t crossed;  // the ball whose silhouette it crosses there; no_id if there is none
+  };
+
+  double from, to;
+  uint32_t behind;
+  End start, end;
+};
+
+// Takes the arcs of a ball one after the other; `first` begins a run of arcs, each of which goes on where the one
+// before it ends, with angles that go on, too.
+struct SilhouetteVisitor {
+  void *context;
+  void (*take)(void *context, const SilhouetteArc &arc, bool first);
+
+  void operator()(const SilhouetteArc &arc, bool first) const { take(context, arc, first); }
+};
+
+class SeenSilhouettes {
+ public:
+  // No silhouettes.
+  SeenSilhouettes() = default;
+  // source has to outlive this. hand_out(source, ball, visitor) as below.
+  SeenSilhouettes(const void *source, void (*hand_out)(const void *, uint32_t, const SilhouetteVisitor &))
+      : source_(source), visit_(hand_out) {}
+
+  bool exist() const { return visit_ != nullptr; }
+  // Calls visitor(arc, first) for what is seen of the silhouette of a ball.
+  void visit(uint32_t ball, const SilhouetteVisitor &visitor) const { visit_(source_, ball, visitor); }
+
+ private:
+  const void *source_ = nullptr;
+  void (*visit_)(const void *, uint32_t, const SilhouetteVisitor &) = nullptr;
+};
+
 // What the silhouettes of the balls of all paths take of the view plane, and the depths of their centres; zeros without
 // paths.
 struct ViewBox {

@@ -20,6 +20,11 @@ struct ViewFrame {
   Vec3 towards{0.0, 0.0, 1.0};
   Vec3 origin{0.0, 0.0, 0.0};  // a lattice point
 
+  // Whether it has the same coordinates.
+  bool is_same(const ViewFrame &other) const {
+    const auto same = [](const Vec3 &a, const Vec3 &b) { return a.x == b.x && a.y == b.y && a.z == b.z; };
+    return same(right, other.right) && same(up, other.up) && same(towards, other.towards) && same(origin, other.origin);
+  }
   // View coordinates of a vector.
   Vec3 to_view(const Vec3 &v) const { return {dot(v, right), dot(v, up), dot(v, towards)}; }
   // View coordinates of a ball's centre. The difference is exact.

@@ -44,6 +44,12 @@ static void options_init(void) {
   CHECK_EQUAL(options.background, 0xFFFFFF);
   CHECK_EQUAL(options.flags, 0);
   CHECK_EQUAL(options.reserved, 0);
+  CHECK(options.ink == 0 && options.group == 0);
+  for (int k = 0; k < 3; ++k) {
+    CHECK(options.ink_width[k] == -1);
+    CHECK_EQUAL(options.ink_colour[k], 0x23202B);
+  }
+  CHECK_EQUAL(options.reserved_for_ink, 0);
   CHECK(options.scale == 0 && options.centre[0] == 0 && options.centre[1] == 0 && options.centre[2] == 0);
 }
 
@@ -125,6 +131,14 @@ static void bad_choices(void) {
   options = good_options();
   options.memory_bytes = HSP_PICTURE_MEMORY;
   check_refused(colours, &options, HSP_E_ARGUMENT);
+  options = good_options();
+  options.reserved_for_ink = 1;
+  check_refused(colours, &options, HSP_E_ARGUMENT);
+  for (k = 0; k < 3; ++k) {
+    options = good_options();
+    options.ink_colour[k] = 0x1000000;
+    check_refused(colours, &options, HSP_E_ARGUMENT);
+  }
   for (k = 2; k < 32; ++k) {
     options = good_options();
     options.flags = HSP_PICTURE_NO_IDS | HSP_PICTURE_NO_BACKGROUND | (UINT32_C(1) << k);
@@ -145,18 +159,43 @@ static void bad_choices(void) {
   check_scene("%s", "");
 }
 
+/* Ink needs a live, computed map of the same model from the same direction. */
+static void bad_ink(void) {
+  static const uint32_t group[BALLS] = {1, 1, 2};
+  static unsigned char other_memory[HSP_MAP_BYTES(BALLS, BALLS, EDGES)];
+  hsp_picture_options options = good_options();
+  hsp_view_options sideways;
+  hsp_map_limits limits = {.struct_size = sizeof limits, .balls = BALLS, .neighbours = BALLS, .edges = EDGES};
+  hsp_map *other;
+  options.ink = HSP_ADDRESS(map);
+  check_written(colours, &options);
+  options.group = HSP_ADDRESS(group);
+  check_written(colours, &options);
+  options.ink = HSP_ADDRESS(view);
+  check_refused(colours, &options, HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_map_init(other_memory, sizeof other_memory, &limits, &other), HSP_OK);
+  options.ink = HSP_ADDRESS(other);
+  check_refused(colours, &options, HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_view_options_init(&sideways, (uint32_t)sizeof sideways), HSP_OK);
+  sideways.towards[0] = 1;
+  CHECK_EQUAL(hsp_map_compute(other, model, &sideways, NULL), HSP_OK);
+  check_refused(colours, &options, HSP_E_ARGUMENT);
+}
+
 static double *value_of(hsp_picture_options *options, int which) {
-  double *const values[5] = {&options->width, &options->height, &options->margin, &options->outline, &options->fog};
+  double *const values[8] = {&options->width, &options->height,       &options->margin,       &options->outline,
+                             &options->fog,   &options->ink_width[0], &options->ink_width[1], &options->ink_width[2]};
   return values[which];
 }
 
 static void bad_values(void) {
   static const double odd[3] = {NAN, INFINITY, -INFINITY};
   /* in the order of value_of: the least and the largest, if there is one, and what lies beyond */
-  static const double least[5] = {0, 0, 0, -1e300, 0}, most[5] = {1e6, 1e6, 10, 1e6, 1};
+  static const double least[8] = {0, 0, 0, -1e300, 0, -1e300, -1e300, -1e300};
+  static const double most[8] = {1e6, 1e6, 10, 1e6, 1, 1e6, 1e6, 1e6};
   hsp_picture_options options;
   int which, k;
-  for (which = 0; which < 5; ++which) {
+  for (which = 0; which < 8; ++which) {
     for (k = 0; k < 3; ++k) {
       check_scene("value %d is %g", which, odd[k]);
       options = good_options();
@@ -174,7 +213,7 @@ static void bad_values(void) {
     check_written(colours, &options);
     *value_of(&options, which) = least[which];
     check_written(colours, &options);
-    if (which == 3) continue; /* any negative width of lines is good */
+    if (which == 3 || which > 4) continue; /* any negative width of lines is good */
     *value_of(&options, which) = -5e-324;
     check_refused(colours, &options, HSP_E_RANGE);
     *value_of(&options, which) = -10;
@@ -369,6 +408,7 @@ int main(void) {
   palettes();
   states();
   bad_choices();
+  bad_ink();
   bad_values();
   bad_frames();
   compressed();

@@ -40,6 +40,19 @@ class Machine {
     } else if (word == "E" || word == "D") {
       const std::vector<double> a = take(8);
       add_arc({a[6], a[7]}, {a[2], a[3]}, {a[4], a[5]}, a[0], a[1], word == "E");
+    } else if (word == "V") {
+      const std::vector<double> a = take(6);
+      Segment curve;
+      curve.kind = Segment::Kind::cubic;
+      curve.start = here_;
+      curve.handle = {{{a[0], a[1]}, {a[2], a[3]}}};
+      curve.end = {a[4], a[5]};
+      add(curve);
+    } else if (word == "J") {
+      path_.paint = colour_;
+      path_.behind = file_.paths.size();
+      file_.ink.push_back(path_);
+      path_ = {};
     } else if (word == "Z") {
       path_.loops.back().closed = true;
     } else if (word == "F") {

@@ -85,6 +85,7 @@ PictureFile read_pdf(const std::string &text) {
     } else if (word == "h") {
       path.loops.back().closed = true;
     } else if (word == "B" || word == "f" || word == "W") {
+      path.paint = word;
       if (!path.loops.empty()) file.paths.push_back(path);  // the background is a rectangle
       path = {};
     } else if (word == "S") {

@@ -6,6 +6,18 @@ double distance(const PagePoint &a, const PagePoint &b) {
   return std::hypot(a[0] - b[0], a[1] - b[1]);
 }
 
+Segment quadratic(const PagePoint &start, const PagePoint &control, const PagePoint &end) {
+  Segment curve;
+  curve.kind = Segment::Kind::cubic;
+  curve.start = start;
+  curve.end = end;
+  for (size_t k = 0; k < 2; ++k) {
+    curve.handle[0][k] = (start[k] + 2 * control[k]) / 3;
+    curve.handle[1][k] = (end[k] + 2 * control[k]) / 3;
+  }
+  return curve;
+}
+
 PagePoint Segment::at(double share) const {
   PagePoint point{};
   const double rest = 1 - share;

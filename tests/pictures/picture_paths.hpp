@@ -28,6 +28,9 @@ struct Segment {
   [[nodiscard]] PagePoint at(double share) const;
 };
 
+// A quadratic curve, which is a cubic one.
+Segment quadratic(const PagePoint &start, const PagePoint &control, const PagePoint &end);
+
 struct Loop {
   PagePoint start{};
   std::vector<Segment> segments;
@@ -38,6 +41,8 @@ struct PaintedPath {
   std::vector<Loop> loops;
   std::string paint;  // as in the file
   uint32_t ball = 0xFFFFFFFFU;
+  std::string name;   // the class of a contour, in SVG
+  size_t behind = 0;  // how many paths of balls come before a contour
 };
 
 // A file with all its paths in drawing order. Whatever is not understood throws std::runtime_error.
@@ -46,6 +51,7 @@ struct PictureFile {
   double height = 0;
   std::vector<PaintedPath> paths;
   std::vector<PaintedPath> lines;  // that are not filled
+  std::vector<PaintedPath> ink;    // contours; of the ball whose path comes before, except in PDF
 };
 
 PictureFile read_svg(const std::string &text);

@@ -40,6 +40,15 @@ class PathReader {
         loops_.back().segments.push_back(line);
       } else if (command == 'A') {
         read_arc();
+      } else if (command == 'l') {
+        Segment line;
+        line.start = here_;
+        line.end = here_ = step();
+        loops_.back().segments.push_back(line);
+      } else if (command == 'q') {
+        const PagePoint control = step();
+        loops_.back().segments.push_back(quadratic(here_, control, step()));
+        here_ = loops_.back().segments.back().end;
       } else {
         throw std::runtime_error(std::string("svg: command ") + command);
       }
@@ -63,6 +72,12 @@ class PathReader {
   PagePoint point() {
     const double x = number();
     return {x, height_ - number()};
+  }
+
+  // From here.
+  PagePoint step() {
+    const double x = number();
+    return {here_[0] + x, here_[1] - number()};
   }
 
   void read_arc() {
@@ -129,6 +144,14 @@ PictureFile read_svg(const std::string &text) {
     }
     if (!element.starts_with("<path")) continue;
     PaintedPath path;
+    path.name = attribute(element, "class");
+    if (path.name == "border" || path.name == "group" || path.name == "depth") {
+      path.ball = file.paths.back().ball;
+      path.behind = file.paths.size();
+      path.loops = PathReader(attribute(element, "d"), file.height).read();
+      file.ink.push_back(path);
+      continue;
+    }
     path.paint = attribute(element, "fill");
     const std::string ball = attribute(element, "data-ball");
     if (!ball.empty()) path.ball = static_cast<uint32_t>(std::stoul(ball));

@@ -339,6 +339,25 @@ TEST(DrawColours, AtomsWithoutElementsAreGrey) {
   }
 }
 
+// Contours: in all formats, of the chosen kinds; not of balls and sticks.
+TEST(DrawColours, InkFollowsDepth) {
+  const std::string plain = drawn(crambin(), {"--style", "flat"}), ink = drawn(crambin(), {"--style", "flat", "--ink"});
+  EXPECT_EQ(plain.find("class="), std::string::npos);
+  EXPECT_NE(ink.find("class=\"border\""), std::string::npos);
+  EXPECT_NE(ink.find("class=\"depth\""), std::string::npos);
+  EXPECT_EQ(ink.find("class=\"group\""), std::string::npos);  // one chain
+  const std::string by_residue = drawn(crambin(), {"--style", "flat", "--ink", "--colour", "residue"});
+  EXPECT_NE(by_residue.find("class=\"group\""), std::string::npos);
+  for (const char *extension : {".eps", ".pdf"}) {
+    EXPECT_GT(drawn(crambin(), {"--ink"}, extension).size(), drawn(crambin(), {}, extension).size() + 20000);
+  }
+  EXPECT_NE(drawn(crambin(), {"--ink", "--pieces", "visible"}).find("class=\"depth\""), std::string::npos);
+  const TemporaryFile out("inked.svg");
+  const Outcome refused = run_program({"draw", crambin(), "-o", out.path(), "--ink", "--as", "ball-and-stick"});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("--ink is not for --as ball-and-stick"), std::string::npos);
+}
+
 void expect_golden(const std::string &molecule, const std::string &extension, const std::vector<std::string> &options) {
   const std::string golden = read_file(pictures_folder() + "/" + molecule + extension);
   const std::string found = drawn(molecules_folder() + "/" + molecule + ".pdb", options, extension);

@@ -49,6 +49,7 @@ inline uint32_t sizes_of_pages() {
     options.width = c.width;
     options.height = c.height;
     options.margin = c.margin;
+    options.outline = 0;  // lines would want room
     const hsp::PictureInput input = picture_input();
     const hsp::Page page = hsp::lay_out(input, options);
     const hsp::PagePoint middle = page.place(c.middle);

@@ -124,6 +124,7 @@ inline uint32_t pdf_shades() {
     if (!small_view().succeeds(staggered, 4)) return false;
     hsp::PictureOptions options = two_px_per_step(65);
     options.style = style;
+    options.outline = 1e-4;  // lines that want next to no room
     const PictureText &text = written(hsp::write_pdf, picture_input(colour), options);
     if (!offsets_lead_to_objects(text)) return false;
     if (text.count("<</ShadingType 3") != 3 || text.count("<</FunctionType 2") != 3 * intervals) return false;
@@ -140,8 +141,9 @@ inline uint32_t pdf_shades() {
       if (!reader.find("q\n") || !reader.find("h\nW n") || !reader.numbers(matrix) || !reader.take(" cm /S"))
         return false;
       if (!reader.number(shade) || shade != colour[ball] - 7 || !reader.take(" sh Q\n")) return false;
-      if (matrix[0] != 20 || matrix[1] != 0 || matrix[2] != 0 || matrix[3] != 20) return false;
-      if (matrix[4] != 2 * (staggered[ball].x + 10) || matrix[5] != 2 * (staggered[ball].y + 10)) return false;
+      if (!near(matrix[0], 20, 2e-4) || matrix[1] != 0 || matrix[2] != 0 || matrix[3] != matrix[0]) return false;
+      if (!near(matrix[4], 2 * (staggered[ball].x + 10), 2e-4)) return false;
+      if (!near(matrix[5], 2 * (staggered[ball].y + 10), 2e-4)) return false;
       if (!reader.find("h\nS\n")) return false;
     }
     return text.count("\nq\n") == 4 && text.count(" Q\n") == 4;

@@ -35,6 +35,7 @@ inline hsp::PictureOptions two_px_per_step(double width) {
   hsp::PictureOptions options;
   options.width = 2 * width;
   options.margin = 0;
+  options.outline = 0;  // lines would want room
   options.fog = 0;
   return options;
 }

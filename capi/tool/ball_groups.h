@@ -1,0 +1,17 @@
+/* Which balls of a picture belong together, so that contours set them apart from others. */
+#ifndef HARDSPHERE_TOOL_BALL_GROUPS_H
+#define HARDSPHERE_TOOL_BALL_GROUPS_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "drawing.h"
+#include "failure.h"
+#include "molecule.h"
+
+/* The group of every ball, to be freed on true: chains, and each ligand, ion or water for itself; residues where
+ * colours stand for those. */
+bool ball_groups_make(const struct drawing *drawing, const struct molecule *molecule, uint32_t **group,
+                      struct failure *failure);
+
+#endif

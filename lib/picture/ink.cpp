@@ -1,0 +1,269 @@
+#include "picture/ink.hpp"
+
+#include "core/elementary.hpp"
+
+namespace hsp {
+namespace {
+
+// Of a contour's width: what lies on either side of the silhouette.
+constexpr double outer_share = outer_share_of_ink;
+constexpr double sides[] = {outer_share, outer_share - 1.0};
+
+// px, by which a contour of one level begins under the end of another one: else the background would shine through.
+constexpr double overlap = 0.3;
+constexpr double most_overlap = 0.01;  // an angle
+
+// Corners of a contour that is cut at a flat angle lie no farther aside.
+constexpr double most_skew = 2.0;
+
+// Mean radii. With a gap of so many a contour has its full width.
+constexpr double full_depth = 3.0;
+constexpr double full_group = 0.5;
+
+// px. What is nowhere wider is left out.
+constexpr double thinnest_ink = 0.02;
+
+// How far a contour may be from what its width asks for: px, or parts of the largest width if that is more.
+constexpr double most_off = 0.1;
+constexpr double most_off_of_width = 0.04;
+
+// px. A lune that is no longer need not follow its width.
+constexpr double shortest_lune = 2.0;
+
+// What lies closer to each other around a ball is in one place.
+constexpr double least_angle = 1e-12;
+
+// A lune is at most so long, an angle at the ball's centre.
+constexpr double longest_lune = 1.2;
+
+double larger(double a, double b) {
+  return a > b ? a : b;
+}
+double smaller(double a, double b) {
+  return a < b ? a : b;
+}
+
+PagePoint along(const PagePoint &from, const SinCos &direction, double length) {
+  return {from.x + length * direction.cosine, from.y + length * direction.sine};
+}
+double px_between(const PagePoint &a, const PagePoint &b) {
+  const double x = b.x - a.x, y = b.y - a.y;
+  return std::sqrt(x * x + y * y);
+}
+
+// The curve from one point to another one that is halfway at a third.
+InkCurve curve_through(const PagePoint &start, const PagePoint &middle, const PagePoint &end) {
+  return {start, {2 * middle.x - (start.x + end.x) / 2, 2 * middle.y - (start.y + end.y) / 2}, end, false};
+}
+
+// The width of a contour at an angle, and halfway to the next one.
+struct Knot {
+  double angle, width, middle;
+  double skew;  // how far the inner corner lies aside, clockwise, for one px inwards
+};
+
+// The contours of one ball that have one level.
+class BallInk {
+ public:
+  BallInk(const PictureInput &input, const Page &page, double clear, uint32_t path, InkLevel level,
+          const InkVisitor &visitor)
+      : input_(input),
+        page_(page),
+        visitor_(visitor),
+        ball_(input.paths.ball_of(path)),
+        level_(level),
+        at_(input.paths.frame().centre_of(input.balls, ball_)),
+        centre_(page.centre_of(input, path)),
+        radius_(input.balls.r[ball_] * page.scale) {
+    // What is wider than the ball is no contour of it.
+    for (int k = 0; k < 3; ++k) width_[k] = smaller(page.ink[k] * clear, radius_);
+    largest_ = larger(larger(width_[0], width_[1]), width_[2]);
+  }
+
+  void take(const SilhouetteArc &arc, bool first) {
+    if (first || level_of(arc.behind) != level_) finish();
+    if (level_of(arc.behind) == level_ && radius_ > 0.0 && largest_ > 0.0) put_knots(arc);
+  }
+
+  // Hands on what has been taken, as one loop: on the outer side there, on the inner side back.
+  void finish() {
+    const uint32_t knots = knots_;
+    knots_ = 0;
+    double widest = 0.0;
+    for (uint32_t k = 0; k < knots; ++k) widest = larger(widest, larger(knot_[k].width, knot_[k].middle));
+    if (knots < 2 || widest < thinnest_ink) return;
+    for (uint32_t k = 0; k + 1 < knots; ++k) visitor_(side(knots, k, true), k == 0, false);
+    for (uint32_t k = knots - 1; k-- > 0;) visitor_(side(knots, k, false), false, k == 0);
+  }
+
+ private:
+  static constexpr uint32_t most_lunes = 64, most_knots = most_lunes + 32;
+
+  InkLevel level_of(uint32_t behind) const {
+    if (behind == no_id) return InkLevel::border;
+    return input_.group_of(behind) == input_.group_of(ball_) ? InkLevel::depth : InkLevel::group;
+  }
+
+  // In front of a ball or the background, at a direction from the centre.
+  double width_before(uint32_t behind, const SinCos &direction) const {
+    if (behind == no_id) return width_[0];
+    const Vec3 other = input_.paths.frame().centre_of(input_.balls, behind);
+    const double r = input_.balls.r[ball_], s = input_.balls.r[behind];
+    const double x = at_.x + r * direction.cosine - other.x, y = at_.y + r * direction.sine - other.y;
+    const double squared = s * s - x * x - y * y;
+    const double gap = (at_.z - other.z - std::sqrt(larger(squared, 0.0))) / page_.mean_radius;
+    if (!(gap > 0.0)) return 0.0;
+    const double share = smaller(gap / full_depth, 1.0);
+    const double root = std::sqrt(share);
+    const double depth = width_[2] * root * std::sqrt(std::sqrt(root));
+    return level_of(behind) == InkLevel::depth ? depth : larger(depth, width_[1] * smaller(gap / full_group, 1.0));
+  }
+
+  // One arc: the widths by what lies behind, what is added at its ends, and the angles along which that falls off.
+  struct Stretch {
+    const SilhouetteArc &arc;
+    double at_start, at_end;
+    double near;
+  };
+  double width_at(const Stretch &stretch, double angle) const {
+    const SilhouetteArc &arc = stretch.arc;
+    const bool start_creases = angle == arc.from && !arc.start.goes_on && !arc.start.goes_under;
+    const bool end_creases = angle == arc.to && !arc.end.goes_on && !arc.end.goes_under;
+    const bool creases = arc.behind != no_id && (start_creases || end_creases);
+    const double from_start = 1.0 - (angle - arc.from) / stretch.near;
+    const double from_end = 1.0 - (arc.to - angle) / stretch.near;
+    return (creases ? 0.0 : width_before(arc.behind, sin_cos(angle))) +
+           (from_start > 0.0 ? stretch.at_start * from_start * from_start : 0.0) +
+           (from_end > 0.0 ? stretch.at_end * from_end * from_end : 0.0);
+  }
+  // What has to be added at one end to meet the width of the arc that goes on there.
+  double missing(const SilhouetteArc &arc, const SilhouetteArc::End &end, double angle) const {
+    if (!end.goes_on) return 0.0;
+    const SinCos direction = sin_cos(angle);
+    return larger(width_before(end.other, direction) - width_before(arc.behind, direction), 0.0);
+  }
+
+  void put_knots(const SilhouetteArc &arc) {
+    const double span = arc.to - arc.from;
+    if (!(span > 0.0)) return;
+    if (knots_ + most_lunes + 2 > most_knots) finish();
+    const double near = smaller(2 * largest_ / radius_, span);
+    const Stretch stretch{arc, missing(arc, arc.start, arc.from), missing(arc, arc.end, arc.to), near};
+    // Where what is added begins or ends.
+    const double ends[2] = {stretch.at_start > 0.0 ? arc.from + near : arc.from,
+                            stretch.at_end > 0.0 ? arc.to - near : arc.to};
+    put_lunes(stretch, {smaller(ends[0], ends[1]), larger(ends[0], ends[1])});
+  }
+
+  // A few lunes that follow the widths: each as long as it can be, or half of that and so on.
+  void put_lunes(const Stretch &stretch, const double (&corner)[2]) {
+    const double to = stretch.arc.to;
+    double from = stretch.arc.from;
+    if (knots_ == 0 && stretch.arc.start.goes_on) {
+      const double width = width_at(stretch, from);
+      put_knot({from - smaller(overlap / radius_, most_overlap), width, width, skew(stretch.arc.start, from)});
+    }
+    for (uint32_t k = 0; from < to && k < most_lunes; ++k) {
+      double end = to;
+      while (!follow(stretch, from, end)) {
+        const double before = corner[1] < end ? corner[1] : corner[0];
+        end = from < before && before < end ? before : (from + end) / 2;
+      }
+      const bool starts = from == stretch.arc.from && knots_ == 0;
+      put_knot({from, width_at(stretch, from), width_at(stretch, (from + end) / 2),
+                starts ? skew(stretch.arc.start, from) : 0.0});
+      from = end;
+    }
+    put_knot({to, width_at(stretch, to), 0.0, skew(stretch.arc.end, to)});
+  }
+  bool follow(const Stretch &stretch, double from, double to) const {
+    const double length = to - from;
+    const double off = larger(most_off, most_off_of_width * largest_);
+    if (length * radius_ <= shortest_lune) return true;
+    if (length > longest_lune) return false;
+    const double width[3] = {width_at(stretch, from), width_at(stretch, from + length / 2), width_at(stretch, to)};
+    for (const double share : sides) {
+      const InkCurve curve = curve_through(place(from, share * width[0]), place(from + length / 2, share * width[1]),
+                                           place(to, share * width[2]));
+      for (int eighth = 1; eighth < 8; eighth += 2) {
+        const double wanted = share * width_at(stretch, from + length * eighth / 8);
+        const double drawn = px_between(curve.at(eighth / 8.0), centre_) - radius_;
+        if (std::fabs(wanted - drawn) > off) return false;
+      }
+    }
+    return true;
+  }
+
+  // How far the inner corner of a contour lies aside, clockwise, for one px inwards: where silhouettes cross, a contour
+  // is cut where the inner sides of both contours meet, or along the line through both crossings of the circles,
+  // whichever leaves less of it. That is in both balls, so under the nearer one; and as no contour passes that line,
+  // beyond which it might be hidden, the two look the same whichever ball is the nearer one.
+  double skew(const SilhouetteArc::End &end, double angle) const {
+    if (end.crossed == no_id) return 0.0;
+    const Vec3 at = input_.paths.frame().centre_of(input_.balls, end.crossed);
+    const double point[2] = {at.x, at.y};
+    const PagePoint other = page_.place(point);
+    const SinCos normal = sin_cos(angle);
+    const PagePoint crossing = along(centre_, normal, radius_);
+    const double r = input_.balls.r[end.crossed] * page_.scale;
+    const PagePoint other_normal{(crossing.x - other.x) / r, (crossing.y - other.y) / r};
+    const PagePoint line{centre_.y - other.y, other.x - centre_.x};
+    const double meet = aside(other_normal, normal, 1.0);
+    const double cut = aside(line, normal, 0.0);
+    return meet > 0.0 ? smaller(meet, cut) : larger(meet, cut);
+  }
+  // Tangential part of a direction for each part along the normal.
+  static double aside(const PagePoint &direction, const SinCos &normal, double more) {
+    const double tangential = direction.y * normal.cosine - direction.x * normal.sine;
+    const double along_normal = more + direction.x * normal.cosine + direction.y * normal.sine;
+    const double sign = (tangential > 0.0) == (along_normal > 0.0) ? 1.0 : -1.0;
+    return std::fabs(tangential) > most_skew * std::fabs(along_normal) ? sign * most_skew : tangential / along_normal;
+  }
+
+  // What goes on where the last knot is takes its place.
+  void put_knot(const Knot &knot) {
+    if (knots_ > 0 && !(knot_[knots_ - 1].angle < knot.angle - least_angle)) --knots_;
+    knot_[knots_++] = knot;
+  }
+
+  PagePoint place(double angle, double beyond) const { return along(centre_, sin_cos(angle), radius_ + beyond); }
+  PagePoint corner(const Knot &knot, double share) const {
+    const double beyond = share * knot.width;
+    return place(beyond < 0.0 ? knot.angle + knot.skew * beyond / radius_ : knot.angle, beyond);
+  }
+  // From a knot to the next one on the outer side, or back on the inner side.
+  InkCurve side(uint32_t knots, uint32_t k, bool outer) const {
+    const Knot &a = knot_[k], &b = knot_[k + 1];
+    const double share = outer ? outer_share : outer_share - 1.0;
+    const PagePoint start = corner(a, share), end = corner(b, share);
+    const PagePoint middle = place((a.angle + b.angle) / 2, share * a.middle);
+    InkCurve curve = outer ? curve_through(start, middle, end) : curve_through(end, middle, start);
+    curve.behind_line = !outer && k + 2 == knots && b.width > 0.0;
+    return curve;
+  }
+
+  const PictureInput &input_;
+  const Page &page_;
+  const InkVisitor &visitor_;
+  uint32_t ball_;
+  InkLevel level_;
+  Vec3 at_;  // view coordinates
+  PagePoint centre_;
+  double radius_;  // px
+  double width_[3], largest_;
+  Knot knot_[most_knots];
+  uint32_t knots_ = 0;
+};
+
+}  // namespace
+
+void Ink::visit_contours(uint32_t path, InkLevel level, const InkVisitor &visitor) const {
+  BallInk ink(input_, page_, 1.0 - paint_.fog(path), path, level, visitor);
+  const SilhouetteVisitor taker{&ink, [](void *context, const SilhouetteArc &arc, bool first) {
+                                  static_cast<BallInk *>(context)->take(arc, first);
+                                }};
+  input_.silhouettes.visit(input_.paths.ball_of(path), taker);
+  ink.finish();
+}
+
+}  // namespace hsp
