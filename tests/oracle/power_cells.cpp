@@ -159,17 +159,19 @@ std::vector<double> cell_volumes_by_points(const Balls &balls, uint32_t points) 
     const auto place = [&](int64_t centre, uint32_t k) {
       return static_cast<double>(centre) - static_cast<double>(own.radius) + (k + 0.5) * step;
     };
+    std::vector<double> powers(balls.size());
     uint64_t inside = 0;
     for (uint32_t x = 0; x < points; ++x)
       for (uint32_t y = 0; y < points; ++y)
         for (uint32_t z = 0; z < points; ++z) {
           const Real3 at{place(own.x, x), place(own.y, y), place(own.z, z)};
-          const double least = power(own, at);
+          // By one piece of code: fused instructions in one of two would make equal balls differ.
+          for (size_t k = 0; k < balls.size(); ++k) powers[k] = power(balls[k], at);
+          const double least = powers[i];
           bool is_own = least <= 0;
           for (size_t k = 0; k < balls.size() && is_own; ++k) {
-            const double other = power(balls[k], at);
             // Of two equal balls the first one has the cell.
-            is_own = least < other || (least == other && i <= k);
+            is_own = least < powers[k] || (least == powers[k] && i <= k);
           }
           inside += is_own ? 1 : 0;
         }

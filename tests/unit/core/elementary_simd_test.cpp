@@ -116,12 +116,14 @@ TEST(ExteriorAngleSum, CountsWholeTurnsWhereRoundingCouldMislead) {
                               {1.0, 0x1p-80}, {0.0, 1.0},      {-1.0, 0x1p-100}, {-0.5, 0.5},
                               {0x1p-7, 0.0},  {-2.0, 0.0},     {0.7071, 0.7071}, {-tiny, 0.01},
                               {tiny, 0.25},   {-0.1, 0x1p-60}, {0.999, 0.001},   {-0.999, 0.001}};
+  // The exact sum, of up to 60 angles, is rounded too where long double is no longer than double.
+  const double bound = std::numeric_limits<long double>::digits < 64 ? 1e-12 : 1e-13;
   std::mt19937 random(3);
   for (int round = 0; round < 20000; ++round) {
     const unsigned kinds = 1 + random() % 16;
     std::vector<Direction> directions(1 + random() % 60);
     for (Direction &direction : directions) direction = choice[(random() % kinds + static_cast<unsigned>(round)) % 16];
-    EXPECT_LT(error_of_sum(directions), 1e-13) << "round " << round;
+    EXPECT_LT(error_of_sum(directions), bound) << "round " << round;
   }
 }
 
