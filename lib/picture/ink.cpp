@@ -7,7 +7,7 @@ namespace {
 
 // Of a contour's width: what lies on either side of the silhouette.
 constexpr double outer_share = outer_share_of_ink;
-constexpr double sides[] = {outer_share, outer_share - 1.0};
+constexpr double shares_of_sides[] = {outer_share, outer_share - 1.0};
 
 // px, by which a contour of one level begins under the end of another one: else the background would shine through.
 constexpr double overlap = 0.3;
@@ -182,7 +182,7 @@ class BallInk {
     if (length * radius_ <= shortest_lune) return true;
     if (length > longest_lune) return false;
     const double width[3] = {width_at(stretch, from), width_at(stretch, from + length / 2), width_at(stretch, to)};
-    for (const double share : sides) {
+    for (const double share : shares_of_sides) {
       const InkCurve curve = curve_through(place(from, share * width[0]), place(from + length / 2, share * width[1]),
                                            place(to, share * width[2]));
       for (int eighth = 1; eighth < 8; eighth += 2) {
