@@ -175,19 +175,20 @@ class RowWalk {
   explicit RowWalk(const CubeGrid &grid) : grid_(grid), balls_(query_arrays(grid.balls())) {}
 
   void count(Span<uint32_t> first) {
-    for_each_ball([&](uint32_t i, bool has_block) {
-      first[balls_.caller[i]] = has_block ? count_in_block_avx2(block_, balls_, i) - 1 : ask_grid(i, nullptr, 0);
+    for_each_ball([&](uint32_t i, const RoundedBlock *around) {
+      first[balls_.caller[i]] =
+          around != nullptr ? count_in_block_avx2(*around, balls_, i) - 1 : ask_grid(i, nullptr, 0);
     });
   }
 
   void list(Span<const uint32_t> first, Span<uint32_t> ids) {
     QueryHits hits;
-    for_each_ball([&](uint32_t i, bool has_block) {
+    for_each_ball([&](uint32_t i, const RoundedBlock *around) {
       const uint32_t own = balls_.caller[i], length = first[own + 1] - first[own];
       if (length == 0) return;
       uint32_t *const row = ids.data() + first[own];
-      if (has_block && length <= QueryHits::room) {
-        find_others_in_block_avx2(block_, balls_, i, hits);
+      if (around != nullptr && length <= QueryHits::room) {
+        find_others_in_block_avx2(*around, balls_, i, hits);
         write_ascending_avx2(hits, row, ids.size() - first[own]);
       } else {
         ask_grid(i, row, length);
@@ -196,17 +197,19 @@ class RowWalk {
   }
 
  private:
-  // use(i, has_block): whether all balls around ball i are in the block.
+  // use(i, around): all balls around ball i, or null if a block has no room for them. Not inlined, so that blocks of two
+  // kinds do not lie on the stack together.
   template <class Use>
-  void for_each_ball(Use use) {
+  [[gnu::noinline]] void for_each_ball(Use use) const {
+    RoundedBlock block;
     for (uint32_t cube = 0; cube < grid_.cubes(); ++cube) {
       const CubeCoordinates &at = grid_.table().coordinates(cube);
       BallRange rows[RoundedBlock::most_ranges];
       const uint32_t count = grid_.rows().find({at.x - 1, at.y - 1, at.z - 1}, {at.x + 1, at.y + 1, at.z + 1},
                                                {rows, RoundedBlock::most_ranges});
-      const bool has_block = fill_block_avx2(block_, grid_.query_grid(), balls_, rows, count);
+      const bool has_room = fill_block_avx2(block, grid_.query_grid(), balls_, rows, count);
       const BallRange own = grid_.balls_in(cube);
-      for (uint32_t i = own.first; i < own.last; ++i) use(i, has_block);
+      for (uint32_t i = own.first; i < own.last; ++i) use(i, has_room ? &block : nullptr);
     }
   }
 
@@ -220,7 +223,6 @@ class RowWalk {
 
   const CubeGrid &grid_;
   const QueryArrays balls_;
-  RoundedBlock block_;
 };
 #endif
 

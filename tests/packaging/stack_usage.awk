@@ -12,18 +12,30 @@ function quoted(key,    from, rest) {
 }
 
 # What calls through pointers reach is told by types: those of class PaintedPaths (lib/view/painted_paths.hpp) its
-# functions, those of an ArcVisitor the lambdas that take arcs.
+# functions, those of an ArcVisitor the lambdas that take arcs. Contours (lib/picture/ink.hpp) ask for silhouettes and
+# for paths, their source hands arcs to the lambda that takes them, and that curves to those of the writers.
 function reached_by(from) {
+  if (from ~ /^_ZNK3hsp3Ink14visit_contours/) return "a function of silhouettes"
+  if (from ~ /17SilhouetteVisitorE$/) return "a taker of silhouettes"
+  if (from ~ /17BallInk6finish/) return "a taker of contours"
   if (from ~ /10ArcVisitor/) return "a visitor"
   if (from ~ /12PaintedPaths|12PictureInput|[SEP][vpd][gsf]Writer|3hsp5Paint|^hsp_sticks_get_info$/) return "a function of paths"
   return "__indirect_call"
 }
 
+function add_callee(from, to) {
+  callee[from, ++callees[from]] = to
+}
+
 /^node:/ {
   title = quoted("title")
-  if (title ~ /12PaintedPaths5visitI.*_FUN/) callee["a visitor", ++callees["a visitor"]] = title
+  if (title ~ /12PaintedPaths5visitI.*_FUN/) add_callee("a visitor", title)
+  if (title ~ /17SilhouetteVisitorE$/) add_callee("a function of silhouettes", title)
+  if (title ~ /13SilhouetteArc.*_FUN/) add_callee("a taker of silhouettes", title)
+  if (title ~ /8InkCurve.*_FUN/) add_callee("a taker of contours", title)
   if (title ~ /EPKvj$|EPKvRKNS_7BallSetEjRKNS_10ArcVisitorE$/) {
-    callee["a function of paths", ++callees["a function of paths"]] = title
+    add_callee("a function of paths", title)
+    add_callee("a function of silhouettes", title)
   }
   label = quoted("label")
   if (match(label, /[0-9]+ bytes \([a-z,]+\)/)) {
@@ -44,7 +56,7 @@ function reached_by(from) {
   if (to == "__indirect_call") to = reached_by(from)
   if (!((from, to) in seen)) {
     seen[from, to] = 1
-    callee[from, ++callees[from]] = to
+    add_callee(from, to)
   }
 }
 
