@@ -197,8 +197,8 @@ class RowWalk {
   }
 
  private:
-  // use(i, around): all balls around ball i, or null if a block has no room for them. Not inlined, so that blocks of two
-  // kinds do not lie on the stack together.
+  // use(i, around): all balls around ball i, or null if a block has no room for them. Not inlined, so that blocks of
+  // two kinds do not lie on the stack together.
   template <class Use>
   [[gnu::noinline]] void for_each_ball(Use use) const {
     RoundedBlock block;

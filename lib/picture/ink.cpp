@@ -199,7 +199,7 @@ class BallInk {
   // whichever leaves less of it. That is in both balls, so under the nearer one; and as no contour passes that line,
   // beyond which it might be hidden, the two look the same whichever ball is the nearer one.
   double skew(const SilhouetteArc::End &end, double angle) const {
-    if (end.crossed == no_id) return 0.0;
+    if (end.crossed == no_id || input_.balls.r[end.crossed] == 0.0) return 0.0;
     const Vec3 at = input_.paths.frame().centre_of(input_.balls, end.crossed);
     const double point[2] = {at.x, at.y};
     const PagePoint other = page_.place(point);
@@ -217,7 +217,9 @@ class BallInk {
     const double tangential = direction.y * normal.cosine - direction.x * normal.sine;
     const double along_normal = more + direction.x * normal.cosine + direction.y * normal.sine;
     const double sign = (tangential > 0.0) == (along_normal > 0.0) ? 1.0 : -1.0;
-    return std::fabs(tangential) > most_skew * std::fabs(along_normal) ? sign * most_skew : tangential / along_normal;
+    const double most = most_skew * std::fabs(along_normal);
+    if (std::fabs(tangential) > most) return sign * most_skew;
+    return most > 0.0 ? tangential / along_normal : 0.0;  // circles around one centre have no direction
   }
 
   // What goes on where the last knot is takes its place.
