@@ -66,8 +66,13 @@ double only_root(const Piece &piece) {
       if (changes_next_to(piece, s, a, b)) break;
       s = 0.5 * (a + b);
     }
-    const double value = value_at(piece, s);
-    if (value == 0.0) break;
+    double value = value_at(piece, s);
+    if (value == 0.0) {
+      // Rounded to 0 next to such an end it is no root either.
+      if (changes_next_to(piece, s, a, b)) break;
+      s = 0.5 * (a + b);
+      value = value_at(piece, s);
+    }
     if ((value > 0.0) == (at_b > 0.0)) {
       b = s;
       at_b = value;
@@ -95,7 +100,9 @@ double refined(const TrigonometricPolynomial &f, double t) {
 }
 
 // With u = tan((t - middle) / 2), |u| <= U = tan((to - from) / 4) <= 1, times (1 + u^2)^2.
-uint32_t roots_of_half_turn(const TrigonometricPolynomial &f, double from, double to, double *root) {
+// `at_from`, `at_to`: null, or the values there, where another interval begins or ends, so that both see one sign.
+uint32_t roots_of_half_turn(const TrigonometricPolynomial &f, double from, double to, const double *at_from,
+                            const double *at_to, double *root) {
   const double middle = 0.5 * (from + to);
   const SinCos m = sin_cos(middle);
   const SinCos quarter = sin_cos(0.25 * (to - from));
@@ -117,6 +124,9 @@ uint32_t roots_of_half_turn(const TrigonometricPolynomial &f, double from, doubl
                 -U,
                 2 * U,
                 0};
+  const double scale = (1.0 + U * U) * (1.0 + U * U);
+  if (at_from != nullptr) waiting[0].b[0] = *at_from * scale;
+  if (at_to != nullptr) waiting[0].b[4] = *at_to * scale;
   uint32_t left = 1;
   uint32_t count = 0;
   while (left > 0) {
@@ -140,10 +150,11 @@ uint32_t find_roots(const TrigonometricPolynomial &f, double from, double to, do
   uint32_t count;
   if (to - from > pi) {
     const double middle = 0.5 * (from + to);
-    count = roots_of_half_turn(f, from, middle, root);
-    count += roots_of_half_turn(f, middle, to, root + count);
+    const double at_middle = f.at(sin_cos(middle));
+    count = roots_of_half_turn(f, from, middle, nullptr, &at_middle, root);
+    count += roots_of_half_turn(f, middle, to, &at_middle, nullptr, root + count);
   } else {
-    count = roots_of_half_turn(f, from, to, root);
+    count = roots_of_half_turn(f, from, to, nullptr, nullptr, root);
   }
   // Refinement may carry a root past the end of the interval.
   uint32_t kept = 0;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -77,6 +78,35 @@ TEST(TrigonometricRoots, AreNotLostWhenTheIntervalEndsAtAnother) {
         EXPECT_NEAR(root[count - 1], at, 1e-9) << at << ' ' << ulps;
       }
     }
+  }
+}
+
+// Along a crease seen edge-on the distance to a point has extrema at both ends, rounded to 0 or next to it, and may
+// have one between: the derivative is sin t (A + K cos t), here at an angle of pi / 4 less, as edge_distance.cpp asks.
+TEST(TrigonometricRoots, AreNotLostBetweenTwoOthersAtBothEnds) {
+  oracle::RandomSource random(8);
+  constexpr double eighth = std::numbers::pi / 4, root_half = 0.5 * std::numbers::sqrt2;
+  for (int time = 0; time < 20000; ++time) {
+    const double K = 2 * random.fraction() - 1, A = 0.9 * K * (2 * random.fraction() - 1);
+    if (std::abs(K) < 1e-3) continue;
+    double root[hsp::most_trigonometric_roots];
+    const uint32_t count =
+        hsp::find_roots({0.5 * K, -root_half * A, -root_half * A, -K}, -eighth, std::numbers::pi - eighth, root);
+    const double expected = std::acos(-A / K) - eighth;
+    EXPECT_TRUE(std::any_of(root, root + count, [&](double t) { return std::abs(t - expected) < 1e-9; }))
+        << "A " << A << ", K " << K;
+  }
+}
+
+// More than half a turn is asked about in two parts, which must agree on the sign where they meet.
+TEST(TrigonometricRoots, AreNotLostInTheMiddle) {
+  oracle::RandomSource random(9);
+  for (int time = 0; time < 20000; ++time) {
+    const double at = 6 * random.fraction() - 3, half = std::numbers::pi * (0.55 + 0.4 * random.fraction());
+    // sin(t - at), with roots at `at` and half a turn from it.
+    double root[hsp::most_trigonometric_roots];
+    ASSERT_EQ(hsp::find_roots({0, -std::sin(at), std::cos(at), 0}, at - half, at + half, root), 1U) << at;
+    EXPECT_NEAR(root[0], at, 1e-9);
   }
 }
 
