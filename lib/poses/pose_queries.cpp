@@ -162,7 +162,6 @@ bool any_meet(const SphereTree &fixed, const SphereTree &moving, const Balls &ba
   if (still_meet(fixed, moving, balls, known.witness)) return true;
   const TreeNode &a = fixed.node(0), &b = moving.node(0);
   const double slack = balls.slack(), sum_of_roots = a.radius + b.radius;
-  const Vec3 between_roots = balls.image(b.centre) - a.centre;
   // Beyond the size of both molecules a margin would only lose what floats can tell apart.
   double gap = known.margin < sum_of_roots ? known.margin : sum_of_roots;
   FloatPose floats;
@@ -185,7 +184,8 @@ bool any_meet(const SphereTree &fixed, const SphereTree &moving, const Balls &ba
       }
     }
   } else {
-    gap = std::sqrt(dot(between_roots, between_roots)) - sum_of_roots;
+    const Vec3 between = balls.image(b.centre) - a.centre;
+    gap = std::sqrt(dot(between, between)) - sum_of_roots;
   }
   // The gap is of rounded places, and so is what is compared with the budget.
   known.from = balls.rounded();

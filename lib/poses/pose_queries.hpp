@@ -34,9 +34,9 @@ inline bool any_balls_meet(const SphereTree &fixed, const SphereTree &moving, co
   return any_balls_meet(fixed, moving, pose, none);
 }
 
-// What poses before have told of one that follows, beside the witness: none but `margin` is the caller's. As far as
-// `margin`, in steps, the walk about a free pose also finds how far apart the molecules are; until a ball may have come
-// that far, others are free without any walk. Answers do not depend on it.
+// What earlier poses tell about the next one, besides the witness. Only `margin` is the caller's. The walk about a free
+// pose looks farther by `margin`, in steps, and so learns how far apart the molecules are. Until a ball may have come
+// that far, poses are free without a walk. Answers do not depend on it.
 struct GapBudget {
   explicit GapBudget(double steps) : margin(steps) {}
 
