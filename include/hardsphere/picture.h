@@ -9,7 +9,8 @@
  *   SVG   elliptical arcs; each path carries the caller's ball index as data-ball. Names of gradients begin with digits
  *         that depend on them, so that several pictures can stand inline in one page
  *   EPS   arcs of the unit circle under a matrix: exact
- *   PDF   cubic pieces of at most 45 degrees, within 4.3e-6 of the semi-axis of the arc
+ *   PDF   cubic pieces of at most 90 degrees: within .01 px of the arc, besides being rounded to that; to a ten
+ *         thousandth of the longer side on pages of less than 100 px
  * An ellipse whose lesser semi-axis is below an eighth of the width of the lines, and below 0.2 px, is drawn as a line,
  * which it nearly is: along flatter ellipses many a renderer breaks the stroke. Without lines the bound is 1e-4 px.
  */
@@ -76,7 +77,7 @@ typedef struct hsp_picture_options {
   double centre[3]; /**< of a fixed frame: the point in space in its middle, length; default 0 0 0. Without a scale it
                                 has to be that */
   uint64_t memory;  /**< HSP_ADDRESS of scratch memory of any alignment, with which PDF is compressed (Deflate) to a
-                                half to a fifth of its size; default 0: it is not. Of no effect on other formats. A
+                                third to a sixth of its size; default 0: it is not. Of no effect on other formats. A
                                 number, so that the struct is the same on every machine */
   uint64_t memory_bytes; /**< of memory, HSP_PICTURE_MEMORY or more; default 0, as it has to be without memory */
   uint64_t ink;   /**< HSP_ADDRESS of a computed map of the same model from the same direction, with which contours are

@@ -1,14 +1,10 @@
 #include "picture/writers.hpp"
 
-#include "core/elementary.hpp"
+#include "picture/cubic_arcs.hpp"
 #include "picture/escaped_text.hpp"
-#include "picture/number_text.hpp"
 
 namespace hsp {
 namespace {
-
-// A cubic with handles 4/3 tan(d/4) stays within 4.3e-6 of the semi-axis of an arc of d = 45 degrees.
-constexpr double longest_cubic = pi / 4 * (1 + 1e-12);
 
 constexpr uint32_t catalog = 1, page_tree = 2, only_page = 3, resources = 4, contents = 5, length_of_contents = 6,
                    about = 7;
@@ -26,7 +22,7 @@ class PdfWriter {
         page_(page),
         paint_(paint),
         ink_(input, options, page, paint),
-        decimals_(page.decimals + 2) {}
+        decimals_(page.decimals) {}
 
   // The resources hold a dictionary for each shade, most of the file if they are many. In a stream, which can be
   // compressed, they may stand since PDF 1.5.
@@ -96,10 +92,6 @@ class PdfWriter {
     put_decimal(sink_, value, decimals);
     sink_.put(' ');
   }
-  void put_point(const PagePoint &point) {
-    put_number(point.x, decimals_);
-    put_number(point.y, decimals_);
-  }
   void put_channels(uint32_t colour) {
     for (const double channel : unpacked(colour).channel) put_number(channel / 255.0, 3);
   }
@@ -151,20 +143,28 @@ class PdfWriter {
     sink_.put("]>>>>\n");
   }
 
+  // The unit of all that follows is that of the last decimal, so that numbers are integers: short, and no reader has
+  // to be exact. What belongs to a ball is written from its centre on, since what is alike is then written alike.
   void put_contents() {
-    sink_.put(".75 0 0 .75 0 0 cm 1 j ");
-    put_number(page_.line, 4);
-    sink_.put("w\n");
+    const int fine = decimals_ + 4;
+    put_decimal(sink_, points_per_px / power_of_ten[decimals_], fine);
+    sink_.put(" 0 0 ");
+    put_decimal(sink_, points_per_px / power_of_ten[decimals_], fine);
+    sink_.put(" 0 0 cm 1 j ");
+    const int line_decimals = decimals_ > 4 ? decimals_ : 4;
+    put_scaled(sink_, scaled(page_.line, line_decimals), line_decimals - decimals_);
+    sink_.put(" w\n");
     if (options_.backdrop) {
       put_channels(paint_.background());
       sink_.put("rg 0 0 ");
-      put_number(page_.width, 6);
-      put_number(page_.height, 6);
+      put_whole(scaled(page_.width, decimals_) + 1);
+      put_whole(scaled(page_.height, decimals_) + 1);
       sink_.put("re f\n");
     }
     uint32_t level = fog_levels + 1;  // of the colour in use, or of none
     for (uint32_t p = 0; p < input_.paths.size(); ++p) {
       if (paint_.lines_along()) put_line_colour(p, level);
+      begin_ball(p);
       if (paint_.flat(p)) {
         put_channels(paint_.flat_colour(p));
         sink_.put("rg\n");
@@ -174,13 +174,38 @@ class PdfWriter {
         put_shaded(p);
       }
       if (ink_.is_drawn()) put_ink(p);
+      sink_.put("Q\n");
     }
     if (paint_.own_lines()) sink_.put("1 J\n");
     level = fog_levels + 1;
     for (uint32_t p = 0; paint_.own_lines() && p < input_.paths.size(); ++p) {
       put_line_colour(p, level);
+      begin_ball(p);
       if (put_path(p, PathPart::lines)) sink_.put("S\n");
+      sink_.put("Q\n");
     }
+  }
+
+  void put_whole(int64_t n) {
+    put_scaled(sink_, n, 0);
+    // No reader has to know larger integers.
+    constexpr int64_t largest = 0x7FFFFFFF;
+    sink_.put(n > largest || n < -largest ? ". " : " ");
+  }
+  void put_point(const UnitPoint &point) {
+    put_whole(point.x - origin_.x);
+    put_whole(point.y - origin_.y);
+  }
+  void put_point(const PagePoint &point) { put_point(in_units(point, decimals_)); }
+
+  // Coordinates from its centre on, until Q.
+  void begin_ball(uint32_t path) {
+    origin_ = {0, 0};
+    sink_.put("q 1 0 0 1 ");
+    const UnitPoint centre = in_units(page_.centre_of(input_, path), decimals_);
+    put_point(centre);
+    sink_.put("cm\n");
+    origin_ = centre;
   }
 
   // level: that of the colour in use.
@@ -200,12 +225,10 @@ class PdfWriter {
     // A scale of 0 would be an error.
     const int64_t rounded = scaled(input_.balls.r[ball] * page_.scale, decimals_);
     const int64_t radius = rounded > 0 ? rounded : 1;
-    put_scaled(sink_, radius, decimals_);
-    sink_.put(" 0 0 ");
-    put_scaled(sink_, radius, decimals_);
-    sink_.put(' ');
-    put_point(page_.centre_of(input_, path));
-    sink_.put("cm /S");
+    put_whole(radius);
+    sink_.put("0 0 ");
+    put_whole(radius);
+    sink_.put("0 0 cm /S");
     put_integer(sink_, paint_.shade_of(path));
     sink_.put(" sh Q\n");
     if (!paint_.lines_along()) return;
@@ -233,15 +256,16 @@ class PdfWriter {
         sink_.put("l\n");
       });
     } else {
-      put_cubics(arc);
+      CubicArc(arc, decimals_).visit([&](const UnitPoint &from, const UnitPoint &to, const UnitPoint &end) {
+        put_point(from);
+        put_point(to);
+        put_point(end);
+        sink_.put("c\n");
+      });
     }
     if (closes) sink_.put("h\n");
   }
 
-  void put_ink_point(const PagePoint &point) {
-    put_number(point.x, page_.decimals);
-    put_number(point.y, page_.decimals);
-  }
   void put_ink(uint32_t path) {
     for (const InkLevel level : ink_levels) {
       bool any = false;
@@ -252,42 +276,16 @@ class PdfWriter {
           any = true;
         }
         if (first || curve.behind_line) {
-          put_ink_point(curve.start);
+          put_point(curve.start);
           sink_.put(first ? "m\n" : "l\n");
         }
-        put_ink_point(curve.handle(curve.start));
-        put_ink_point(curve.handle(curve.end));
-        put_ink_point(curve.end);
+        put_point(curve.handle(curve.start));
+        put_point(curve.handle(curve.end));
+        put_point(curve.end);
         sink_.put(closes ? "c\nh\n" : "c\n");
       });
       if (any) sink_.put("f\n");
     }
-  }
-
-  void put_cubics(const PageArc &arc) {
-    const uint32_t parts = parts_of(arc.span(), longest_cubic);
-    const double step = (arc.to - arc.from) / parts;
-    const SinCos quarter = sin_cos(step / 4);
-    const double handle = 4.0 / 3.0 * quarter.sine / quarter.cosine;
-    PagePoint from = arc.start;
-    SinCos direction = sin_cos(arc.from);
-    for (uint32_t k = 1; k <= parts; ++k) {
-      const double t = arc.from + step * k;
-      const SinCos next = sin_cos(t);
-      const PagePoint to = k == parts ? arc.end : arc.at(t);
-      put_point(beside(arc, from, direction, handle));
-      put_point(beside(arc, to, next, -handle));
-      put_point(to);
-      sink_.put("c\n");
-      from = to;
-      direction = next;
-    }
-  }
-
-  // A point of the arc, moved along the tangent.
-  static PagePoint beside(const PageArc &arc, const PagePoint &point, const SinCos &d, double handle) {
-    return {point.x + handle * (d.cosine * arc.minor.x - d.sine * arc.major.x),
-            point.y + handle * (d.cosine * arc.minor.y - d.sine * arc.major.y)};
   }
 
   void put_about() {
@@ -339,7 +337,8 @@ class PdfWriter {
   const Page &page_;
   const Paint &paint_;
   const Ink ink_;
-  int decimals_;
+  int decimals_;            // of the unit in the contents
+  UnitPoint origin_{0, 0};  // what coordinates count from
   uint64_t offset_[objects + 1] = {};
 };
 

@@ -15,7 +15,8 @@ void write_svg(ByteSink &sink, const PictureInput &input, const PictureOptions &
 void write_eps(ByteSink &sink, const PictureInput &input, const PictureOptions &options, const Page &page,
                const Paint &paint);
 
-// Portable Document Format 1.4, or 1.5 and compressed if the options have memory for that; y up.
+// Portable Document Format 1.4, or 1.5 and compressed if the options have memory for that; y up. The unit of the page's
+// contents is the page's last decimal, in px.
 void write_pdf(ByteSink &sink, const PictureInput &input, const PictureOptions &options, const Page &page,
                const Paint &paint);
 

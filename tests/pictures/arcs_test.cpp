@@ -100,20 +100,46 @@ struct Format {
   uint32_t id;
   const char *name;
   PictureFile (*read)(const std::string &);
-  double longest;  // parameter span of a segment
+  double longest;  // parameter span of a segment; 0: that is the format's own affair
   std::vector<double> shares;
   double gap;
   double away;
 };
 
 // SVG: two decimals, and what a renderer makes of them on narrow ellipses. EPS: 1e-6 px as lib/picture/writers.hpp
-// says. PDF: four decimals at the ends and in the middle of each cubic, where it touches the arc.
+// says. PDF: a unit of .01 px for what a cubic leaves the arc, and rounding to that unit.
 const std::vector<Format> &formats() {
   static const std::vector<Format> all = {
       {HSP_FORMAT_SVG, "SVG", read_svg, 0.9 * std::numbers::pi, {0, 0.25, 0.5, 0.75, 1}, 0, 0.06},
       {HSP_FORMAT_EPS, "EPS", read_eps, 7, {0, 0.125, 0.3, 0.5, 0.8, 1}, 1e-6, 1e-6},
-      {HSP_FORMAT_PDF, "PDF", read_pdf, std::numbers::pi / 4 * 1.0000001, {0, 0.5, 1}, 0, 1.5e-4}};
+      {HSP_FORMAT_PDF, "PDF", read_pdf, 0, {0.2, 0.5, 0.8, 1}, 1e-9, 0.02}};
   return all;
+}
+
+// The least of distance(share) for shares from 0 to 1: what is best around the best of a few, or before 1, where a
+// closed curve is as near as at 0.
+template <class Distance>
+double least(Distance of) {
+  static constexpr int parts = 16;
+  int best = 0;
+  for (int k = 1; k <= parts; ++k) {
+    if (of(1.0 * k / parts) < of(1.0 * best / parts)) best = k;
+  }
+  const auto around = [&of](int k) {
+    double low = std::max(k - 1, 0) / static_cast<double>(parts);
+    double high = std::min(k + 1, parts) / static_cast<double>(parts);
+    for (int step = 0; step < 32; ++step) {
+      const double a = low + (high - low) / 3;
+      const double b = high - (high - low) / 3;
+      if (of(a) < of(b)) {
+        high = b;
+      } else {
+        low = a;
+      }
+    }
+    return of((low + high) / 2);
+  };
+  return best > 0 ? around(best) : std::min(around(0), around(parts));
 }
 
 // The corners of an ellipse that is drawn as a line.
@@ -128,6 +154,29 @@ std::vector<PagePoint> corners(const Mapping &map, const hsp_view_arc &arc) {
   return points;
 }
 
+// Segments up to the one that ends where the arc does: all of them along the arc, and all of the arc along them.
+void compare_curves(const Format &format, const Mapping &map, const hsp_view_arc &arc, const Loop &loop, size_t &next,
+                    Worst &worst) {
+  const size_t first = next;
+  const auto on_arc = [&](double share) { return map.place(arc, arc.from + (arc.to - arc.from) * share); };
+  const auto note = [&worst](double away) { worst.away = std::max(worst.away, away); };
+  note(distance(loop.segments.at(next).start, map.place(arc.start)));
+  do {
+    const Segment &segment = loop.segments.at(next++);
+    ASSERT_EQ(segment.kind, Segment::Kind::cubic);
+    for (const double share : format.shares) {
+      note(least([&](double t) { return distance(segment.at(share), on_arc(t)); }));
+    }
+  } while (distance(loop.segments[next - 1].end, map.place(arc.end)) > format.away);
+  for (int k = 0; k <= 3; ++k) {
+    double away = 1e300;
+    for (size_t s = first; s < next; ++s) {
+      away = std::min(away, least([&](double t) { return distance(loop.segments[s].at(t), on_arc(k / 3.0)); }));
+    }
+    note(away);
+  }
+}
+
 void compare_arc(const Format &format, const Mapping &map, const hsp_view_arc &arc, const Loop &loop, size_t &next,
                  Worst &worst) {
   const double narrow = map.scale() * arc.semi_axis[1];
@@ -137,6 +186,10 @@ void compare_arc(const Format &format, const Mapping &map, const hsp_view_arc &a
       ASSERT_EQ(segment.kind, Segment::Kind::line);
       worst.away = std::max(worst.away, distance(segment.end, corner));
     }
+    return;
+  }
+  if (format.longest == 0) {
+    compare_curves(format, map, arc, loop, next, worst);
     return;
   }
   // One more where rounding makes an arc a little longer than so many parts.
@@ -255,24 +308,36 @@ TEST_P(PictureArcs, OfFlatEllipsesAreLines) {
   EXPECT_EQ(looked_at, 8);
 }
 
-// The header: cubic pieces stay within 4.3e-6 of the semi-axis. On circles that can be seen from outside.
+// The header: a unit away at most, besides rounding to it, and no longer than a quarter of a turn. On circles that can
+// be seen from outside; their number of cubics is the least with 2/27 sin^6(d / 4) / cos^2(d / 4) below a unit.
 TEST(PictureArcsInPdf, AreWithinTheirBound) {
   const DrawnView one({{0, 0, 0, 1000}});
-  hsp_picture_options options = picture_options(HSP_FORMAT_PDF, HSP_STYLE_FLAT);
-  options.margin = 0;
-  options.outline = 0;
-  options.width = 1e6;
-  const PictureFile file = read_pdf(one.picture(options));
-  ASSERT_EQ(file.paths.size(), 1U);
-  ASSERT_EQ(file.paths[0].loops.at(0).segments.size(), 8U);
-  double worst = 0;
-  for (const Segment &cubic : file.paths[0].loops[0].segments) {
-    for (int k = 0; k <= 50; ++k) {
-      worst = std::max(worst, std::fabs(distance(cubic.at(k / 50.0), {5e5, 5e5}) / 5e5 - 1));
+  for (const double radius : {0.3, 5.0, 36.0, 38.0, 500.0, 20000.0, 5e5}) {
+    hsp_picture_options options = picture_options(HSP_FORMAT_PDF, HSP_STYLE_FLAT);
+    options.margin = 0;
+    options.outline = 0;
+    options.width = 2 * radius;
+    const PictureFile file = read_pdf(one.picture(options));
+    ASSERT_EQ(file.paths.size(), 1U);
+    const std::vector<Segment> &cubics = file.paths[0].loops.at(0).segments;
+    double unit = 0.01;
+    while (unit > 2 * radius / 1e4 * (1 + 1e-9)) unit /= 10;
+    const auto deviation = [](size_t parts) {
+      const double quarter = std::numbers::pi / 2 / static_cast<double>(parts);
+      return 2.0 / 27 * std::pow(std::sin(quarter), 6) / std::pow(std::cos(quarter), 2);
+    };
+    size_t parts = 4;
+    while (deviation(parts) * radius > unit) ++parts;
+    EXPECT_EQ(cubics.size(), parts + parts % 2) << radius;  // they meet at 0 degrees, and the circle begins at 180
+    double worst = 0;
+    for (const Segment &cubic : cubics) {
+      for (int k = 0; k <= 50; ++k) {
+        worst = std::max(worst, std::fabs(distance(cubic.at(k / 50.0), {radius, radius}) - radius));
+      }
     }
+    EXPECT_LE(worst, 2 * unit) << radius;
+    EXPECT_GE(worst, 0.05 * unit) << radius;
   }
-  EXPECT_LE(worst, 4.3e-6);
-  EXPECT_GE(worst, 4e-6);
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, PictureArcs, testing::Range<size_t>(0, 3));

@@ -17,7 +17,7 @@ struct Reader {
   double away;  // what rounding may move a point by, px
 };
 const Reader readers[] = {
-    {HSP_FORMAT_SVG, read_svg, 0.011}, {HSP_FORMAT_EPS, read_eps, 1e-6}, {HSP_FORMAT_PDF, read_pdf, 1.1e-4}};
+    {HSP_FORMAT_SVG, read_svg, 0.011}, {HSP_FORMAT_EPS, read_eps, 1e-6}, {HSP_FORMAT_PDF, read_pdf, 0.011}};
 
 double number_after(const std::string &text, const std::string &key) {
   const size_t at = text.find(key);

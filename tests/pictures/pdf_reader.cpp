@@ -1,4 +1,5 @@
 // The objects of a file of pictures, found through its table, and the paths of its one page.
+#include <array>
 #include <cstdio>
 #include <sstream>
 #include <stdexcept>
@@ -28,6 +29,23 @@ std::string object(const std::string &text, unsigned number) {
   return text.substr(begin, text.find("\nendobj\n", begin) - begin);
 }
 
+// From coordinates in use to px of the page.
+using Matrix = std::array<double, 6>;
+
+Matrix before(const std::vector<double> &first, const Matrix &then) {
+  if (first.size() != 6) throw std::runtime_error("pdf: cm");
+  Matrix both{};
+  for (size_t row = 0; row < 3; ++row) {
+    for (size_t k = 0; k < 2; ++k) {
+      both[2 * row + k] = first[2 * row] * then[k] + first[2 * row + 1] * then[2 + k] + (row == 2 ? then[4 + k] : 0);
+    }
+  }
+  return both;
+}
+PagePoint place(const Matrix &matrix, double x, double y) {
+  return {x * matrix[0] + y * matrix[2] + matrix[4], x * matrix[1] + y * matrix[3] + matrix[5]};
+}
+
 void add(PaintedPath &path, const Segment &segment) {
   if (path.loops.empty() || path.loops.back().closed) throw std::runtime_error("pdf: no current point");
   path.loops.back().segments.push_back(segment);
@@ -54,6 +72,8 @@ PictureFile read_pdf(const std::string &text) {
 
   std::istringstream input(contents.substr(start, length));
   std::vector<double> stack;
+  Matrix matrix = {1 / 0.75, 0, 0, 1 / 0.75, 0, 0};
+  std::vector<Matrix> kept;
   PagePoint here{};
   PaintedPath path;
   for (std::string word; input >> word;) {
@@ -63,24 +83,32 @@ PictureFile read_pdf(const std::string &text) {
       stack.push_back(value);
       continue;
     }
-    if (word == "m") {
+    if (word == "q") {
+      kept.push_back(matrix);
+    } else if (word == "Q") {
+      if (kept.empty()) throw std::runtime_error("pdf: Q without q");
+      matrix = kept.back();
+      kept.pop_back();
+    } else if (word == "cm") {
+      matrix = before(stack, matrix);
+    } else if (word == "m") {
       if (stack.size() != 2) throw std::runtime_error("pdf: m");
       path.loops.push_back({});
-      path.loops.back().start = here = {stack[0], stack[1]};
+      path.loops.back().start = here = place(matrix, stack[0], stack[1]);
     } else if (word == "c") {
       if (stack.size() != 6) throw std::runtime_error("pdf: c");
       Segment cubic;
       cubic.kind = Segment::Kind::cubic;
       cubic.start = here;
-      cubic.handle = {PagePoint{stack[0], stack[1]}, PagePoint{stack[2], stack[3]}};
-      cubic.end = here = {stack[4], stack[5]};
+      cubic.handle = {place(matrix, stack[0], stack[1]), place(matrix, stack[2], stack[3])};
+      cubic.end = here = place(matrix, stack[4], stack[5]);
       add(path, cubic);
     } else if (word == "l") {
       if (stack.size() != 2) throw std::runtime_error("pdf: l");
       Segment line;
       line.kind = Segment::Kind::line;
       line.start = here;
-      line.end = here = {stack[0], stack[1]};
+      line.end = here = place(matrix, stack[0], stack[1]);
       add(path, line);
     } else if (word == "h") {
       path.loops.back().closed = true;
@@ -94,5 +122,6 @@ PictureFile read_pdf(const std::string &text) {
     }
     stack.clear();
   }
+  if (!kept.empty()) throw std::runtime_error("pdf: q without Q");
   return file;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "drawn_ink.hpp"
 #include "drawn_view.hpp"
 #include "molecule_balls.hpp"
 #include "picture_paths.hpp"
@@ -27,6 +28,25 @@ TEST(PictureSizes, StayWithinTheirBudgets) {
   EXPECT_LT(crambin().picture(picture_options(HSP_FORMAT_SVG, HSP_STYLE_SOFT)).size(), 170000U);
   const DrawnView large(read_molecule(support::own_molecule("sod_stand_in.pdb")));
   EXPECT_LT(large.picture(picture_options(HSP_FORMAT_SVG, HSP_STYLE_FLAT)).size(), 750000U);
+}
+
+// Pages of 170 mm, as the program makes them.
+TEST(PictureSizes, CompressedPdfStaysWithinItsBudgets) {
+  std::vector<unsigned char> memory(HSP_PICTURE_MEMORY);
+  const auto options_of = [&memory](uint32_t style) {
+    hsp_picture_options options = picture_options(HSP_FORMAT_PDF, style);
+    options.width = 170;
+    options.unit = HSP_UNIT_MM;
+    options.memory = HSP_ADDRESS(memory.data());
+    options.memory_bytes = memory.size();
+    return options;
+  };
+  EXPECT_LT(crambin().picture(options_of(HSP_STYLE_FLAT)).size(), 30000U);
+  const DrawnInk inked(read_molecule(support::own_molecule("crambin.pdb")));
+  EXPECT_LT(inked.picture(options_of(HSP_STYLE_SOFT)).size(), 90000U);
+  // Along its shortest axis, as the program draws it.
+  const DrawnInk large(read_molecule(support::own_molecule("sod_stand_in.pdb")), {0.9053, -0.4247, 0});
+  EXPECT_LT(large.picture(options_of(HSP_STYLE_FLAT)).size(), 350000U);
 }
 
 TEST(PictureSizes, ShadesAreShared) {
@@ -82,7 +102,9 @@ TEST(PictureSizes, LinesTooThinToWriteAreNone) {
         EXPECT_EQ(crambin().picture(options), without) << format << ' ' << outline;
       }
       options.outline = 6e-5;
-      EXPECT_NE(crambin().picture(options).find(".0001"), std::string::npos) << format;
+      // In PDF the unit is .01 px.
+      const char *const width = format == HSP_FORMAT_PDF ? " 1 j .01 w\n" : ".0001";
+      EXPECT_NE(crambin().picture(options).find(width), std::string::npos) << format;
     }
   }
 }
@@ -188,7 +210,7 @@ TEST(PicturePages, NoGradientIsScaledToNothing) {
   options.format = HSP_FORMAT_EPS;
   EXPECT_EQ(count(apart.picture(options), " .0000001 0 G\n"), 2U);
   options.format = HSP_FORMAT_PDF;
-  EXPECT_EQ(count(apart.picture(options), "W n .0001 0 0 .0001 "), 2U);
+  EXPECT_EQ(count(apart.picture(options), "W n 1 0 0 1 "), 2U);
 }
 
 TEST(PicturePages, BoundingBoxesAreRoundedUp) {

@@ -77,7 +77,7 @@ struct Format {
   double band;
 };
 constexpr Format formats[] = {
-    {HSP_FORMAT_SVG, read_svg, 0.06}, {HSP_FORMAT_EPS, read_eps, 1e-4}, {HSP_FORMAT_PDF, read_pdf, 0.01}};
+    {HSP_FORMAT_SVG, read_svg, 0.06}, {HSP_FORMAT_EPS, read_eps, 1e-4}, {HSP_FORMAT_PDF, read_pdf, 0.03}};
 
 oracle::PathArc line(const PagePoint &start, const PagePoint &end) {
   const double half[2] = {(end[0] - start[0]) / 2, (end[1] - start[1]) / 2};

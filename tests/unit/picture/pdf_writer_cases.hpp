@@ -5,12 +5,15 @@
 
 namespace cases {
 
-// px are 3/4 of a point.
+// px are 3/4 of a point. The unit of the contents is a hundredth of a px, on small pages a thousandth.
 constexpr FileParts pdf_parts[] = {
     {broken_points,
-     {"/MediaBox[0 0 225.3 225.3]", ".996 .863 .729 rg 0 0 300.4 300.4 re f\n", ".004 .008 .012 RG\n", " 1.5 w\n"},
+     {"/MediaBox[0 0 225.3 225.3]", ".996 .863 .729 rg 0 0 30041 30041 re f\n", ".004 .008 .012 RG\n",
+      "\n.0075 0 0 .0075 0 0 cm 1 j 150 w\n"},
      {"/Title", "/Subject", "/Shading"}},
-    {an_inch, {"/MediaBox[0 0 72 72]", "rg 0 0 96 96 re f\n", " 96 w\n", "h\nB\n"}, {"/Title", "/Subject", "h\nf\n"}},
+    {an_inch,
+     {"/MediaBox[0 0 72 72]", "rg 0 0 96001 96001 re f\n", "\n.00075 0 0 .00075 0 0 cm 1 j 96000 w\n", "h\nB\n"},
+     {"/Title", "/Subject", "h\nf\n"}},
     {escaped_texts,
      {"/Title<FEFF0061002800620029005C006300E9>", "/Subject<FEFF00310020002800320029000A0033>", "0 1 .498 rg\n",
       "h\nf\n"},
@@ -64,36 +67,73 @@ inline uint32_t parts_of_pdf_files() {
   });
 }
 
-// A ball on pages of several sizes: cubics that stay within 5e-6 of the radius.
+// A ball on pages of several sizes: integers, from its centre on, of cubics that stay within two units of the circle.
 inline uint32_t curves_along_circles() {
   constexpr double widths[] = {.05, 1, 40, 300, 12345, 1e6};
   return first_failing(widths, [](double width) {
     const PictureText &text = text_of_one_ball(hsp::write_pdf, {width, false, true, false, 0, nullptr, nullptr});
     TextReader reader(text.text);
-    const double middle = width / 2, r = width / 2 / 1.06;  // the margin is .03 of the width
-    double first[2], from[2], c[6], total = 0;
+    double unit, matrix[6], first[2], from[2], c[6], total = 0;
+    if (!reader.find("endobj\n5 0 obj") || !reader.find("stream\n") || !reader.number(unit)) return false;
+    unit /= 0.75;
+    if (!(unit <= width / 1e4 * (1 + 1e-9)) || unit > 0.0100001) return false;
+    const double r = width / 2 / 1.06 / unit;  // the margin is .03 of the width
+    if (!reader.find("q") || !reader.numbers(matrix) || !reader.take(" cm\n")) return false;
+    if (matrix[0] != 1 || matrix[1] != 0 || matrix[2] != 0 || matrix[3] != 1) return false;
+    if (!near(matrix[4], width / 2 / unit, 0.51) || matrix[5] != matrix[4]) return false;
     if (!reader.find("rg\n") || !reader.numbers(first) || !reader.take(" m\n")) return false;
     from[0] = first[0];
     from[1] = first[1];
     while (!reader.take("h\n")) {
       if (!reader.numbers(c) || !reader.take(" c\n")) return false;
       const double to[2] = {c[4], c[5]};
+      for (const double number : c) {
+        if (number != static_cast<double>(static_cast<int64_t>(number))) return false;
+      }
       for (int k = 0; k <= 8; ++k) {
         const double t = k / 8.0, u = 1 - t;
         const auto at = [&](int axis) {
           return u * u * u * from[axis] + 3 * u * u * t * c[axis] + 3 * u * t * t * c[axis + 2] + t * t * t * to[axis];
         };
-        const double x = at(0) - middle, y = at(1) - middle;
-        if (!near(std::sqrt(x * x + y * y), r, 5e-6 * r + 2e-6 * width)) return false;
+        if (!near(std::sqrt(at(0) * at(0) + at(1) * at(1)), r, 2)) return false;
       }
-      const double a[2] = {from[0] - middle, from[1] - middle}, b[2] = {to[0] - middle, to[1] - middle};
-      total += std::atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]);
+      total += std::atan2(from[0] * to[1] - from[1] * to[0], from[0] * to[0] + from[1] * to[1]);
       from[0] = to[0];
       from[1] = to[1];
     }
     // Counter-clockwise, once around.
     return near(total, 2 * hsp::pi, 1e-3) && from[0] == first[0] && from[1] == first[1];
   });
+}
+
+// Where balls are alike, so are parts of them, wherever they are: what is between 0 and 90 degrees.
+inline uint32_t pdf_repeats_itself() {
+  hsp::PictureOptions options = two_px_per_step(65);
+  options.width = 130.37;
+  if (!small_view().succeeds(staggered, 4)) return 0;
+  const PictureText &text = written(hsp::write_pdf, picture_input(), options);
+  TextReader reader(text.text);
+  char line[64];
+  for (uint32_t lines = 0; lines < 3; ++lines) {
+    if (!reader.find(lines == 0 ? " m\n" : "c\n")) return 1;
+  }
+  const char *const end = std::strchr(reader.rest(), '\n');
+  const size_t length = static_cast<size_t>(end - reader.rest());
+  if (length + 1 > sizeof line) return 2;
+  std::memcpy(line, reader.rest(), length);
+  line[length] = '\0';
+  return text.count(line) == 4 ? all_hold : 3;
+}
+
+// Integers that not every reader knows are written as reals: of a ball of 4e6 px on a page of .05 px.
+inline uint32_t pdf_has_no_large_integers() {
+  static constexpr SmallBall ball{0, 0, 0, 10};
+  hsp::PictureOptions options;
+  options.width = 0.05;
+  options.scale = 4e5;
+  if (!small_view().succeeds(&ball, 1)) return 0;
+  const PictureText &text = written(hsp::write_pdf, picture_input(), options);
+  return text.count("\n-4000000000000. 0 m\n") == 1 && text.count("4000000000000 ") == 0 ? all_hold : 1;
 }
 
 inline uint32_t pdf_paints_the_farthest_first() {
@@ -107,12 +147,13 @@ inline uint32_t pdf_paints_the_farthest_first() {
   if (!reader.find("RG\n")) return 1;
   for (const uint32_t ball : farthest_first) {
     double rgb[3];
-    if (!reader.numbers(rgb) || !reader.take(" rg\n") || !reader.find("h\nB\n")) return 2 + ball;
+    if (!reader.find(" cm\n") || !reader.numbers(rgb) || !reader.take(" rg\n") || !reader.find("h\nB\n"))
+      return 2 + ball;
     for (int k = 0; k < 3; ++k) {
       if (rgb[k] != channels[ball][k]) return 2 + ball;
     }
   }
-  return reader.take("endstream") ? all_hold : 6;
+  return reader.take("Q\nendstream") ? all_hold : 6;
 }
 
 // A shading for each colour, and for each ball its path, the shading on its disc, and its line.
@@ -137,16 +178,18 @@ inline uint32_t pdf_shades() {
       if (!reader.find("/C1[") || !reader.numbers(end)) return false;
     }
     for (const uint32_t ball : farthest_first) {
-      double matrix[6], shade;
+      double place[6], matrix[6], shade;
+      if (!reader.find("q") || !reader.numbers(place) || !reader.take(" cm\n")) return false;
+      if (!near(place[4], 200 * (staggered[ball].x + 10), 1)) return false;
+      if (!near(place[5], 200 * (staggered[ball].y + 10), 1)) return false;
       if (!reader.find("q\n") || !reader.find("h\nW n") || !reader.numbers(matrix) || !reader.take(" cm /S"))
         return false;
       if (!reader.number(shade) || shade != colour[ball] - 7 || !reader.take(" sh Q\n")) return false;
-      if (!near(matrix[0], 20, 2e-4) || matrix[1] != 0 || matrix[2] != 0 || matrix[3] != matrix[0]) return false;
-      if (!near(matrix[4], 2 * (staggered[ball].x + 10), 2e-4)) return false;
-      if (!near(matrix[5], 2 * (staggered[ball].y + 10), 2e-4)) return false;
+      if (matrix[0] != 2000 || matrix[1] != 0 || matrix[2] != 0 || matrix[3] != 2000) return false;
+      if (matrix[4] != 0 || matrix[5] != 0) return false;
       if (!reader.find("h\nS\n")) return false;
     }
-    return text.count("\nq\n") == 4 && text.count(" Q\n") == 4;
+    return text.count("\nq\n") == 4 && text.count(" Q\n") == 4 && text.count("\nQ\n") == 4;
   });
 }
 
@@ -157,11 +200,13 @@ inline uint32_t no_pdf_radius_is_0() {
   options.width = 1;
   if (!small_view().succeeds(small_beside_large, 2)) return 0;
   const PictureText &text = written(hsp::write_pdf, picture_input(), options);
-  return text.count("n .000001 0 0 .000001 ") == 1 && text.count("n 0 0 0 0 ") == 0 ? all_hold : 1;
+  return text.count("n 1 0 0 1 ") == 1 && text.count("n 0 0 0 0 ") == 0 ? all_hold : 1;
 }
 
 inline constexpr Check picture_pdf_writer[] = {{"parts_of_pdf_files", parts_of_pdf_files},
                                                {"curves_along_circles", curves_along_circles},
+                                               {"pdf_repeats_itself", pdf_repeats_itself},
+                                               {"pdf_has_no_large_integers", pdf_has_no_large_integers},
                                                {"pdf_paints_the_farthest_first", pdf_paints_the_farthest_first},
                                                {"pdf_shades", pdf_shades},
                                                {"no_pdf_radius_is_0", no_pdf_radius_is_0}};
