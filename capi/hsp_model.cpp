@@ -16,7 +16,7 @@ int32_t hsp_model_init(void *memory, size_t bytes, uint32_t balls, hsp_model **m
   const int32_t status = hsp::capi::init(memory, bytes, balls, model);
   if (status != HSP_OK) return status;
   uint32_t first_bad = 0;
-  return hsp::capi::to_c((*model)->grid.build({}, first_bad));
+  return hsp::capi::to_c((*model)->grid.build(hsp::BallInput{}, first_bad));
 }
 
 int32_t hsp_model_options_init(hsp_model_options *options, uint32_t struct_size) {
@@ -31,7 +31,7 @@ int32_t hsp_model_set(hsp_model *model, uint32_t n, const double *xyz, const dou
   uint32_t &bad = first_bad != nullptr ? *first_bad : ignored;
   hsp::BallInput input;
   const auto refuse = [&](int32_t status) {
-    static_cast<void>(model->grid.build({}, ignored));
+    static_cast<void>(model->grid.build(hsp::BallInput{}, ignored));
     bad = HSP_NONE;
     return status;
   };

@@ -9,7 +9,13 @@ namespace {
 // Balls of a large set are far from each other in the order of the input, and on their way while others are rounded.
 constexpr uint32_t fetched_ahead = 12;
 
-// Balls of a set in the caller's order, as BallRounding gives those of an input.
+// Balls on a lattice, as BallRounding gives those of an input: in the caller's order, or from places in a set.
+struct GivenBalls {
+  const BallSet &balls;
+
+  static void fetch(uint32_t) {}
+  void round(uint32_t i, exact::LatticeBall &ball) const { ball = balls.ball(i); }
+};
 struct PlacedBalls {
   const BallSet &balls;
   Span<const uint32_t> place;
@@ -99,14 +105,14 @@ void CubeGrid::round_balls() {
 }
 #endif
 
-Span<uint32_t> CubeGrid::order_of(BallRange part, const CubeAxis &axis) {
-  const uint32_t n = balls_.n;
+Span<uint32_t> CubeGrid::order_of(const BallSet &given, BallRange part, const CubeAxis &axis) {
+  const uint32_t n = given.n;
   BallSet some;
-  some.x = balls_.x.part(part.first, part.last);
-  some.y = balls_.y.part(part.first, part.last);
-  some.z = balls_.z.part(part.first, part.last);
-  some.r = balls_.r.part(part.first, part.last);
-  some.caller = balls_.caller.part(part.first, part.last);
+  some.x = given.x.part(part.first, part.last);
+  some.y = given.y.part(part.first, part.last);
+  some.z = given.z.part(part.first, part.last);
+  some.r = given.r.part(part.first, part.last);
+  some.caller = given.caller.part(part.first, part.last);
   some.n = part.last - part.first;
   return grid_order(some, axis,
                     {scratch_slots_.part(part.first, part.last), scratch_slots_.part(n + part.first, n + part.last),
@@ -134,7 +140,7 @@ void CubeGrid::put(const Source &source, const CubeAxis &axis, BallRange part, S
   }
 }
 
-Status CubeGrid::build(const BallInput &input, uint32_t own, uint32_t &first_bad) {
+Status CubeGrid::build(const BallInput &input, uint32_t &first_bad) {
   clear();
   BallRounding rounding;
   if (const Status status = rounding.prepare(input, first_bad); status != Status::ok) return status;
@@ -157,26 +163,18 @@ Status CubeGrid::build(const BallInput &input, uint32_t own, uint32_t &first_bad
   balls_.n = input.n;
   balls_.lattice = rounding.lattice();
   balls_.probe_steps = rounding.probe_steps();
-  const CubeAxis axis(side_);
-  const Span<const uint32_t> order = order_of({0, own}, axis);
-  Span<const uint32_t> others;
-  int64_t lowest = 0;
-  if (own < input.n) {
-    others = order_of({own, input.n}, axis);
-    lowest = axis.cube_at(static_cast<int64_t>(balls_.z[own + others[0]]));
-  }
-  table_.clear(input.n);
-  put(rounding, axis, {0, own}, order);
-  own_balls_ = own;
-  own_cubes_ = table_.count();
-  if (own < input.n) {
-    last_own_layer_ = own > 0 ? table_.high().z : 0;
-    lift_ = last_own_layer_ + 1 - lowest;
-    put(rounding, axis, {own, input.n}, others);
-  }
-  first_ball_[table_.count()] = input.n;
-  make_row_directory();
+  sort(rounding, balls_, input.n);
   return Status::ok;
+}
+
+void CubeGrid::build(const BallSet &given, uint32_t own) {
+  clear();
+  balls_.largest_radius = given.largest_radius;
+  balls_.n = given.n;
+  balls_.lattice = given.lattice;
+  balls_.probe_steps = given.probe_steps;
+  side_ = given.largest_radius > 0 ? 2 * given.largest_radius : 1;
+  sort(GivenBalls{given}, given, own);
 }
 
 void CubeGrid::build(const BallSet &balls, Span<const uint32_t> place, int64_t side) {
@@ -193,14 +191,60 @@ void CubeGrid::build(const BallSet &balls, Span<const uint32_t> place, int64_t s
   balls_.n = n;
   balls_.lattice = balls.lattice;
   balls_.probe_steps = balls.probe_steps;
+  sort(placed, balls_, n);
+}
+
+// From balls that are known as they are given, which may be where they are to be put: the source has them once more.
+template <class Source>
+void CubeGrid::sort(const Source &source, const BallSet &given, uint32_t own) {
+  const uint32_t n = given.n;
   const CubeAxis axis(side_);
-  const Span<const uint32_t> order = order_of({0, n}, axis);
+  const Span<const uint32_t> order = order_of(given, {0, own}, axis);
+  Span<const uint32_t> others;
+  int64_t lowest = 0;
+  if (own < n) {
+    others = order_of(given, {own, n}, axis);
+    lowest = axis.cube_at(static_cast<int64_t>(given.z[own + others[0]]));
+  }
   table_.clear(n);
-  put(placed, axis, {0, n}, order);
-  own_balls_ = n;
+  put(source, axis, {0, own}, order);
+  own_balls_ = own;
   own_cubes_ = table_.count();
+  if (own < n) {
+    last_own_layer_ = own > 0 ? table_.high().z : 0;
+    lift_ = last_own_layer_ + 1 - lowest;
+    inner_low_ = table_.low();
+    inner_high_ = table_.high();
+    put(source, axis, {own, n}, others);
+    cut_off_others();
+  }
   first_ball_[table_.count()] = n;
   make_row_directory();
+}
+
+// From the box around all own cubes each cube of another ball cuts off the fewest layers that hold it.
+void CubeGrid::cut_off_others() {
+  for (uint32_t cube = own_cubes_; cube < table_.count(); ++cube) {
+    CubeCoordinates at = table_.coordinates(cube);
+    at.z -= lift_;
+    const int64_t behind[6] = {at.x - inner_low_.x,  at.y - inner_low_.y,  at.z - inner_low_.z,
+                               inner_high_.x - at.x, inner_high_.y - at.y, inner_high_.z - at.z};
+    uint32_t least = 0;
+    for (uint32_t face = 1; face < 6; ++face) least = behind[face] < behind[least] ? face : least;
+    if (behind[least] < 0) continue;  // it is outside
+    if (least == 0) inner_low_.x = at.x + 1;
+    if (least == 1) inner_low_.y = at.y + 1;
+    if (least == 2) inner_low_.z = at.z + 1;
+    if (least == 3) inner_high_.x = at.x - 1;
+    if (least == 4) inner_high_.y = at.y - 1;
+    if (least == 5) inner_high_.z = at.z - 1;
+  }
+}
+
+// Whether no ball that only stands around is in the 27 cubes around this one.
+bool CubeGrid::is_far_from_others(const CubeCoordinates &centre) const {
+  return centre.x > inner_low_.x && centre.x < inner_high_.x && centre.y > inner_low_.y && centre.y < inner_high_.y &&
+         centre.z > inner_low_.z && centre.z < inner_high_.z;
 }
 
 BallRange CubeGrid::balls_in_row(int64_t x_low, int64_t x_high, int64_t y, int64_t z) const {
@@ -238,7 +282,7 @@ CubeBlock CubeGrid::block_around(const CubeCoordinates &centre) const {
   CubeBlock block;
   CubeCoordinates low{centre.x - 1, centre.y - 1, centre.z - 1};
   CubeCoordinates high{centre.x + 1, centre.y + 1, centre.z + 1};
-  if (!has_others()) {
+  if (!has_others() || is_far_from_others(centre)) {
     add_rows(low, high, block);
     return block;
   }

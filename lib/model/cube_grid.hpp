@@ -31,9 +31,9 @@ class CubeGrid {
   void carve(Workspace &workspace, uint32_t n);
 
   // Rounds and sorts the balls. On failure the grid is empty; first_bad names the ball.
-  Status build(const BallInput &input, uint32_t &first_bad) { return build(input, input.n, first_bad); }
-  // The same, where balls from number `own` of the input on stand around.
-  Status build(const BallInput &input, uint32_t own, uint32_t &first_bad);
+  Status build(const BallInput &input, uint32_t &first_bad);
+  // The same from balls that are on a lattice, in the caller's order. Those from number `own` on stand around.
+  void build(const BallSet &given, uint32_t own);
   // The same from balls that are on a lattice: the caller's ball i is balls.ball(place[i]). Cubes get the given side,
   // twice the largest radius or more. There is room for so many balls.
   void build(const BallSet &balls, Span<const uint32_t> place, int64_t side);
@@ -84,9 +84,13 @@ class CubeGrid {
 #if HSP_AVX2
   void round_balls();
 #endif
-  Span<uint32_t> order_of(BallRange part, const CubeAxis &axis);
+  template <class Source>
+  void sort(const Source &source, const BallSet &given, uint32_t own);
+  Span<uint32_t> order_of(const BallSet &given, BallRange part, const CubeAxis &axis);
   template <class Source>
   void put(const Source &source, const CubeAxis &axis, BallRange part, Span<const uint32_t> order);
+  void cut_off_others();
+  bool is_far_from_others(const CubeCoordinates &centre) const;
   void add_rows(const CubeCoordinates &low, const CubeCoordinates &high, CubeBlock &block) const;
 
   BallSet balls_;
@@ -101,7 +105,8 @@ class CubeGrid {
   Span<uint32_t> scratch_slots_, scratch_links_;
   uint32_t capacity_ = 0;
   uint32_t own_balls_ = 0, own_cubes_ = 0;
-  int64_t lift_ = 0, last_own_layer_ = 0;  // of cubes of balls that stand around; z of others
+  int64_t lift_ = 0, last_own_layer_ = 0;       // of cubes of balls that stand around; z of others
+  CubeCoordinates inner_low_{}, inner_high_{};  // a box of cubes where no ball stands that only stands around
   int64_t side_ = 1;
   bool wide_ = false;
 };

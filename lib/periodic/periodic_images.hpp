@@ -48,9 +48,9 @@ class PeriodicImages {
   // Of the input; the set itself has its lengths in steps.
   const exact::Lattice &lattice() const { return lattice_; }
   int64_t probe_steps() const { return probe_steps_; }
-  int64_t largest_radius() const { return largest_radius_; }
-  // All of them, for a grid.
-  BallInput in_steps() const;
+  int64_t largest_radius() const { return set_.largest_radius; }
+  // All of them, in steps, for a grid.
+  const BallSet &in_steps() const { return set_; }
 
  private:
   struct ImageShift {
@@ -58,8 +58,6 @@ class PeriodicImages {
   };
 
   Status fill(const BallInput &input, const double vector[9], uint32_t &first_bad);
-  void put(uint32_t k, const exact::Vector &centre, int64_t radius);
-  exact::LatticeBall stored(uint32_t k) const;
 
   uint32_t n_ = 0, images_ = 0;
   uint64_t counted_ = 0;
@@ -67,10 +65,10 @@ class PeriodicImages {
   Span<ImageShift> shift_;      // [images]
   Span<uint32_t> first_image_;  // [balls + 1]
   Span<BoxShift> home_;         // [balls]
-  Span<double> xyz_, radius_;   // [balls + images][3], [balls + images]
+  BallSet set_;                 // [balls + images]
   PeriodicBox box_;
   exact::Lattice lattice_;
-  int64_t probe_steps_ = 0, largest_radius_ = 0;
+  int64_t probe_steps_ = 0;
 };
 
 }  // namespace hsp

@@ -24,9 +24,7 @@ Status PeriodicUnion::build(const BallInput &input, const double vector[9], uint
   needed_.balls = input.n;
   needed_.images = clamped_count(images_.counted_images());
   if (status != Status::ok) return status;
-  uint32_t ignored = no_id;
-  status = grid_.build(images_.in_steps(), images_.balls(), ignored);
-  if (status != Status::ok) return status;
+  grid_.build(images_.in_steps(), images_.balls());
   status = boundary_.build(grid_);
   needed_.neighbours = boundary_.needed().neighbours;
   needed_.vertices = boundary_.needed().vertices;
