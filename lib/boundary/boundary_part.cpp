@@ -24,6 +24,14 @@ Status BoundaryPart::build(const CubeGrid &grid) {
   return finish(grid.balls(), grid.own_balls(), BlockSweep(grid));
 }
 
+Span<const uint32_t> BoundaryPart::join_components(const CubeGrid &grid) {
+  const Span<uint32_t> parent = arrays().component_origin.part(0, grid.balls().n);
+  // The search knows nothing of balls behind all that are around cubes.
+  for (uint32_t i = worker_[0].met().last; i < parent.size(); ++i) parent[i] = i;
+  DisjointSets(parent).flatten();
+  return parent;
+}
+
 // After the search.
 Status BoundaryPart::finish(const BallSet &balls, uint32_t own, BlockSweep sweep) {
   BoundaryArrays &a = arrays();

@@ -1,7 +1,5 @@
 #include "periodic/periodic_union.hpp"
 
-#include "periodic/periodic_queries.hpp"
-
 namespace hsp {
 
 void PeriodicUnion::carve(Workspace &workspace, const PeriodicLimits &limits) {
@@ -40,25 +38,20 @@ Status PeriodicUnion::build(const BallInput &input, const double vector[9], uint
   return status == Status::ok ? count() : status;
 }
 
-// The union and its dual complex, whose edges are contacts, have the same components and windings: Edelsbrunner 1995,
-// for all copies of the box. Balls without a contact may have no cell: they are joined to all that meet them.
+// The boundary has joined each ball in the box to those that meet it, the images as balls of their own. So an image
+// leads from the set that it is in to that of its ball, as many boxes away.
 Status PeriodicUnion::join_balls() {
   windings_.reset(images_.balls());
+  const Span<const uint32_t> root = boundary_.join_components(grid_);
   bool fits = true;
-  for (uint32_t i = 0; i < images_.balls(); ++i) {
-    const auto join = [&](uint32_t other) {
-      const BoxShift shift = images_.box().in_given_vectors(images_.shift_of(other));
-      fits = fits && windings_.join(i, images_.ball_of(other), shift);
-    };
-    const uint32_t own = grid_.grid_index(i);
-    if (contacts().row(own).empty() && !boundary().is_free_of_caps(own)) {
-      visit_neighbours_in_box(*this, i, join);
-      continue;
-    }
-    // Each once: what is across a face of the box is there again the other way round.
-    visit_contacts_of(i, [&](const PeriodicContact &contact) {
-      if (is_listed(contact)) join(contact.other);
-    });
+  for (uint32_t own = 0; own < images_.balls(); ++own) {
+    if (root[own] != own) fits = fits && windings_.join(balls().caller[root[own]], balls().caller[own], {});
+  }
+  for (uint32_t image = images_.balls(); image < images_.size(); ++image) {
+    if (!is_in_box(root[image])) continue;  // no ball meets it
+    const uint32_t k = balls().caller[image];
+    const BoxShift shift = images_.box().in_given_vectors(images_.shift_of(k));
+    fits = fits && windings_.join(balls().caller[root[image]], images_.ball_of(k), shift);
   }
   counts_.components = windings_.number();
   return fits ? Status::ok : Status::range;
@@ -66,20 +59,23 @@ Status PeriodicUnion::join_balls() {
 
 Status PeriodicUnion::count() {
   const Boundary &b = boundary();
-  uint64_t half_edges = 0, closed = 0;
-  for (uint32_t i = 0; i < images_.balls(); ++i) {
-    const uint32_t ball = grid_.grid_index(i);
-    half_edges += b.half_edges(ball).size();
-    closed += b.circles(ball).size();
-    counts_.loops += b.loops(ball).size();
-    counts_.faces += b.faces(ball).size();
-    visit_contacts_of(i, [&](const PeriodicContact &contact) { counts_.contacts += is_listed(contact) ? 1U : 0U; });
+  uint32_t half_edges = 0, closed = 0;
+  for (uint32_t own = 0; own < images_.balls(); ++own) {
+    half_edges += b.half_edges(own).size();
+    closed += b.circles(own).size();
+  }
+  uint32_t across = 0;  // contacts with images: there is one from each side
+  for (uint32_t id = 0; id < contacts().contact_count(); ++id) {
+    across += is_in_box(contacts().contact(id).ball[1]) ? 0U : 1U;
   }
   // Each vertex starts three half-edges, each arc is two of them, each circle two loops.
-  if (half_edges % 6 != 0 || closed % 2 != 0) return Status::check;
-  counts_.vertices = static_cast<uint32_t>(half_edges / 3);
-  counts_.arcs = static_cast<uint32_t>(half_edges / 2);
-  counts_.circles = static_cast<uint32_t>(closed / 2);
+  if (half_edges % 6 != 0 || closed % 2 != 0 || across % 2 != 0) return Status::check;
+  counts_.vertices = half_edges / 3;
+  counts_.arcs = half_edges / 2;
+  counts_.circles = closed / 2;
+  counts_.loops = b.loop_count();
+  counts_.faces = b.face_count();
+  counts_.contacts = contacts().contact_count() - across / 2;
   return find_shells();
 }
 
@@ -110,40 +106,43 @@ uint32_t PeriodicUnion::face_across(uint32_t ball, uint32_t half_edge) const {
   return no_id;
 }
 
-uint32_t PeriodicUnion::face_across(uint32_t ball, ClosedHalfEdge circle) const {
+// The same across a circle with an image.
+uint32_t PeriodicUnion::face_across(const CircleRecord &circle) const {
   const Boundary &b = boundary();
-  const uint32_t other = b.neighbour(circle);
-  const BoxShift back = BoxShift{} - images_.shift_of(balls().caller[other]);
-  const uint32_t opposite = grid_index_moved(other, back);
-  const uint32_t moved = grid_index_moved(ball, back);
-  for (const ClosedHalfEdge e : b.circles(opposite)) {
+  const BoxShift back = BoxShift{} - images_.shift_of(balls().caller[circle.ball[1]]);
+  const uint32_t moved = grid_index_moved(circle.ball[0], back);
+  for (const ClosedHalfEdge e : b.circles(grid_index_moved(circle.ball[1], back))) {
     if (b.neighbour(e) == moved) return b.face_of_loop(b.loop_of(e));
   }
   return no_id;
 }
 
-// Faces of balls in the box are joined across their arcs and circles.
+// Faces of balls in the box are joined across their arcs and circles, each once.
 Status PeriodicUnion::find_shells() {
   const Boundary &b = boundary();
   const Span<uint32_t> parent = boundary_.scratch().part(0, b.face_count());
   DisjointSets sets(parent);
   sets.reset();
-  for (uint32_t i = 0; i < images_.balls(); ++i) {
-    const uint32_t ball = grid_.grid_index(i);
-    for (const uint32_t e : b.half_edges(ball)) {
-      const uint32_t across = is_in_box(b.half_edge(e).circle) ? b.face_of(b.twin(e)) : face_across(ball, e);
+  const auto is_once = [&](uint32_t own, uint32_t other) {
+    return is_in_box(other) ? own < other : is_listed(balls().caller[own], balls().caller[other]);
+  };
+  for (uint32_t own = 0; own < images_.balls(); ++own) {
+    for (const uint32_t e : b.half_edges(own)) {
+      const uint32_t other = b.half_edge(e).circle;
+      if (!is_once(own, other)) continue;
+      const uint32_t across = is_in_box(other) ? b.face_of(b.twin(e)) : face_across(own, e);
       if (across == no_id) return Status::check;
       sets.join(b.face_of(e), across);
     }
-    for (const ClosedHalfEdge e : b.circles(ball)) {
-      const uint32_t across = face_across(ball, e);
-      if (across == no_id) return Status::check;
-      sets.join(b.face_of_loop(b.loop_of(e)), across);
-    }
   }
-  for (uint32_t i = 0; i < images_.balls(); ++i) {
-    for (const uint32_t face : b.faces(grid_.grid_index(i))) counts_.shells += parent[face] == face ? 1U : 0U;
+  for (uint32_t c = 0; c < b.circle_count(); ++c) {
+    const CircleRecord &circle = b.circle(c);
+    if (!is_once(circle.ball[0], circle.ball[1])) continue;
+    const uint32_t across = is_in_box(circle.ball[1]) ? b.face_of_loop(circle.loop[1]) : face_across(circle);
+    if (across == no_id) return Status::check;
+    sets.join(b.face_of_loop(circle.loop[0]), across);
   }
+  for (uint32_t face = 0; face < b.face_count(); ++face) counts_.shells += parent[face] == face ? 1U : 0U;
   return Status::ok;
 }
 

@@ -96,12 +96,13 @@ class PeriodicUnion {
       sink(PeriodicContact{i, balls().caller[record.other(own)], &record});
     }
   }
-  // Whether a contact is listed at this ball of its two: each is once. That of two copies of one ball is listed with
-  // the shift that comes after that of the ball itself.
-  bool is_listed(const PeriodicContact &contact) const {
-    const uint32_t other = images_.ball_of(contact.other);
-    return other != contact.ball ? other > contact.ball : comes_before({}, images_.shift_of(contact.other));
+  // Whether what ball i has in common with another one, or an image, is listed at ball i: at one of the two. What two
+  // copies of one ball have in common is listed with the shift that comes after that of the ball itself.
+  bool is_listed(uint32_t i, uint32_t k) const {
+    const uint32_t other = images_.ball_of(k);
+    return other != i ? other > i : comes_before({}, images_.shift_of(k));
   }
+  bool is_listed(const PeriodicContact &contact) const { return is_listed(contact.ball, contact.other); }
 
  private:
   Status join_balls();
@@ -109,7 +110,7 @@ class PeriodicUnion {
   Status find_shells();
   uint32_t grid_index_moved(uint32_t grid_ball, const BoxShift &shift) const;
   uint32_t face_across(uint32_t ball, uint32_t half_edge) const;
-  uint32_t face_across(uint32_t ball, ClosedHalfEdge circle) const;
+  uint32_t face_across(const CircleRecord &circle) const;
 
   PeriodicLimits limits_, needed_;
   PeriodicImages images_;

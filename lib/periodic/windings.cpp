@@ -38,6 +38,7 @@ constexpr uint64_t magnitude(int64_t x) {
 bool WindingLattice::add(const int64_t (&generator)[3]) {
   int64_t v[3] = {generator[0], generator[1], generator[2]};
   if (!is_small(v)) return false;
+  if (holds_all_shifts()) return true;
   int64_t rows[4][3] = {};
   for (uint32_t r = 0; r < rank; ++r) {
     for (int k = 0; k < 3; ++k) rows[r][k] = row[r][k];

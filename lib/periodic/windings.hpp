@@ -18,6 +18,7 @@ struct WindingLattice {
 
   // Adds a generator. False if numbers become too large, and then the lattice is of no use.
   bool add(const int64_t (&generator)[3]);
+  bool holds_all_shifts() const { return rank == 3 && row[0][0] == 1 && row[1][1] == 1 && row[2][2] == 1; }
   // How many copies of the component are apart from each other among those in the space that the rows span: the index
   // of the lattice among all shifts there. For rank 3 so many copies go through each other. 0 if too many for 64 bits.
   uint64_t copies() const;
