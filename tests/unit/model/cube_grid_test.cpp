@@ -37,7 +37,8 @@ TEST(CubeAt, IsTheFloorEverywhere) {
   }
 }
 
-// Balls on a lattice, of radius 8 at most; those from `own` on stand around, `in_brick` of ten wherever the others are.
+// Balls on a lattice, of radius 8 at most. Those from `own` on stand around, `in_brick` of ten of them wherever the
+// others are.
 class SetWithOthers {
  public:
   SetWithOthers(oracle::RandomSource &random, uint32_t own, uint32_t n, int64_t side, int64_t in_brick) : own_(own) {
@@ -78,9 +79,9 @@ class SetWithOthers {
 TEST(BallsThatStandAround, AreInTheBlocksOfTheCubesThatTheyAreNearTo) {
   oracle::RandomSource random(32);
   uint32_t without = 0, with = 0;
-  for (int set = 0; set < 40 && !HasFailure(); ++set) {
-    const int64_t side = random.in(1, 160);
-    const SetWithOthers built(random, 150, 150 + static_cast<uint32_t>(random.in(0, 300)), side, set % 4);
+  for (int set = 0; set < 60 && !HasFailure(); ++set) {
+    const int64_t side = random.in(1, 128);
+    const SetWithOthers built(random, 150, 150 + static_cast<uint32_t>(random.in(0, 600)), side, set % 2 * 2);
     const hsp::CubeGrid &grid = built.grid();
     ASSERT_EQ(grid.own_balls(), built.own());
     for (uint32_t i = 0; i < built.own(); ++i) {
