@@ -1,6 +1,7 @@
 #include "hsp_periodic.hpp"
 
 #include "gradient_arrays.hpp"
+#include "measure/morphometry.hpp"
 #include "measure/tangency.hpp"
 #include "model_options.hpp"
 #include "periodic/periodic_check.hpp"
@@ -188,6 +189,24 @@ int32_t hsp_periodic_measure(const hsp_periodic *periodic, hsp_periodic_totals *
   if (totals != nullptr) {
     *totals = {found.area, found.volume, found.box_volume, found.free_volume, found.contact_area};
   }
+  return HSP_OK;
+}
+
+int32_t hsp_periodic_curvature(const hsp_periodic *periodic, hsp_curvatures *totals, double *mean,
+                               int32_t *gauss_thirds, uint32_t capacity, uint32_t *needed) {
+  if (!is_live(periodic)) return HSP_E_ARGUMENT;
+  if (!periodic->has_results()) return HSP_E_STATE;
+  const bool wanted = mean != nullptr || gauss_thirds != nullptr;
+  if (!hsp::capi::fits(wanted, capacity, periodic->balls(), needed)) return HSP_E_CAPACITY;
+  const hsp::PeriodicUnion &structure = periodic->builder;
+  const hsp::exact::Lattice &lattice = structure.images().lattice();
+  const hsp::CurvatureTotals found =
+      hsp::sum_curvatures(structure.grid(), structure.boundary(), [&](uint32_t i, const hsp::BallCurvature &curvature) {
+        if (mean != nullptr) mean[i] = lattice.length(curvature.mean);
+        if (gauss_thirds != nullptr) gauss_thirds[i] = curvature.gauss;
+      });
+  // The set has its lengths in steps.
+  if (totals != nullptr) *totals = {lattice.length(found.mean), found.gauss};
   return HSP_OK;
 }
 

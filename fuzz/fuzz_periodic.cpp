@@ -59,7 +59,9 @@ void move_ball(Crystal &crystal, uint32_t i, const std::array<int, 3> &times) {
 struct Result {
   hsp_periodic_counts counts{};
   hsp_periodic_totals totals{};
-  std::vector<double> area, cell, centre, radius;
+  hsp_curvatures curvatures{};
+  std::vector<double> area, cell, mean, centre, radius;
+  std::vector<int32_t> thirds;
   std::vector<hsp_periodic_contact> contacts;
   std::vector<hsp_winding> windings;
   std::vector<uint32_t> component;
@@ -95,6 +97,11 @@ Result result_of(support::OwnedPeriodic &periodic, const Crystal &crystal) {
   result.centre.resize(3 * size_t{n});
   FUZZ_REQUIRE(hsp_periodic_measure(p, &result.totals, result.area.data(), result.cell.data(), n, nullptr) == HSP_OK,
                "measures");
+  result.mean.resize(n);
+  result.thirds.resize(n);
+  FUZZ_REQUIRE(
+      hsp_periodic_curvature(p, &result.curvatures, result.mean.data(), result.thirds.data(), n, nullptr) == HSP_OK,
+      "curvatures");
   result.contacts = support::all_records<hsp_periodic_contact>(
       [p](auto... out) { return hsp_periodic_get_contacts(p, out...); }, "hsp_periodic_get_contacts");
   result.windings = support::all_records<hsp_winding>([p](auto... out) { return hsp_periodic_get_windings(p, out...); },
@@ -123,6 +130,10 @@ void require_laws(const hsp_periodic *periodic, const Crystal &crystal, const Re
     FUZZ_REQUIRE(winding.balls == balls[k] && winding.directions <= 3 && winding.copies > 0, "a winding");
     FUZZ_REQUIRE(result.component[winding.first] == k, "the first ball of a component");
   }
+  int64_t thirds = 0;
+  for (const int32_t of_ball : result.thirds) thirds += of_ball;
+  FUZZ_REQUIRE(thirds == 6 * int64_t{c.euler}, "Gauss-Bonnet");
+  FUZZ_REQUIRE(std::isfinite(result.curvatures.mean), "the mean curvature");
   double sum[3] = {0, 0, 0};
   for (uint32_t i = 0; i < crystal.n(); ++i) {
     FUZZ_REQUIRE(result.area[i] >= 0.0 && result.cell[i] >= 0.0 && std::isfinite(result.radius[i]),
@@ -165,6 +176,9 @@ void require_same(const Result &p, const Result &q) {
   FUZZ_REQUIRE(std::memcmp(&p.counts, &q.counts, sizeof p.counts) == 0, "counts of other images");
   FUZZ_REQUIRE(std::memcmp(&p.totals, &q.totals, sizeof p.totals) == 0, "totals of other images");
   FUZZ_REQUIRE(same_numbers(p.area, q.area) && same_numbers(p.cell, q.cell), "measures of other images");
+  FUZZ_REQUIRE(std::memcmp(&p.curvatures, &q.curvatures, sizeof p.curvatures) == 0 && same_numbers(p.mean, q.mean) &&
+                   p.thirds == q.thirds,
+               "curvatures of other images");
   FUZZ_REQUIRE(same_numbers(p.centre, q.centre) && same_numbers(p.radius, q.radius), "gradients of other images");
   FUZZ_REQUIRE(std::memcmp(&p.energy, &q.energy, sizeof p.energy) == 0, "energies of other images");
   FUZZ_REQUIRE(p.strain == q.strain, "strain of other images");

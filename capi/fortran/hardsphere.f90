@@ -1689,6 +1689,18 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
+    function hsp_periodic_curvature(periodic, totals, mean, gauss_thirds, capacity, needed) result(status) &
+      bind(C, name="hsp_periodic_curvature")
+      import :: c_double, c_int32_t, c_ptr, hsp_curvatures
+      type(c_ptr), value :: periodic
+      type(hsp_curvatures), intent(inout), optional :: totals
+      real(c_double), intent(inout), optional :: mean(*)             ! n
+      integer(c_int32_t), intent(inout), optional :: gauss_thirds(*) ! n
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
+      integer(c_int32_t) :: status
+    end function
+
     function hsp_periodic_get_contacts(periodic, out, capacity, needed) result(status) &
       bind(C, name="hsp_periodic_get_contacts")
       import :: c_int32_t, c_ptr, hsp_periodic_contact

@@ -14,6 +14,7 @@
 #define HARDSPHERE_PERIODIC_H
 
 #include "contacts.h"
+#include "curvature.h"
 #include "gradient.h"
 #include "model.h"
 
@@ -130,6 +131,17 @@ typedef struct hsp_periodic_totals {
  *  @retval HSP_E_STATE     nothing computed */
 HSP_API int32_t hsp_periodic_measure(const hsp_periodic *periodic, hsp_periodic_totals *totals, double *area,
                                      double *cell_volume, uint32_t capacity, uint32_t *needed);
+
+/** Integrated curvatures of the boundary in the box, in all and by ball: as hsp_boundary_curvature. What is across the
+ *  faces of the box counts as if it were inside: edges are shared by their two balls, vertices by their three.
+ *  - Property 1: the sum of gauss_thirds is 6 times the Euler characteristic of the boundary.
+ *
+ *  Cost: O(n + vertices + circles).
+ *  @retval HSP_E_ARGUMENT  periodic is NULL
+ *  @retval HSP_E_CAPACITY  an array is given and capacity < n; nothing but *needed is written
+ *  @retval HSP_E_STATE     nothing computed */
+HSP_API int32_t hsp_periodic_curvature(const hsp_periodic *periodic, hsp_curvatures *totals, double *mean,
+                                       int32_t *gauss_thirds, uint32_t capacity, uint32_t *needed);
 
 /** A contact of a ball and an image. Frozen. */
 typedef struct hsp_periodic_contact {

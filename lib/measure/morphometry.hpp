@@ -17,12 +17,12 @@ inline double gauss_of_thirds(int64_t thirds) {
   return static_cast<double>(thirds) * (pi / 3);
 }
 
-// Calls sink(i, curvature) for every ball i of the input, in lattice steps.
+// Calls sink(i, curvature) for every ball i of the input that does not only stand around, in lattice steps.
 template <class Sink>
 CurvatureTotals sum_curvatures(const CubeGrid &grid, const Boundary &boundary, Sink sink) {
   TreeSum mean;
   int64_t thirds = 0;
-  visit_in_input_order(grid, boundary, [&](uint32_t i, uint32_t ball) {
+  visit_in_input_order(grid, boundary, {0, grid.own_balls()}, [&](uint32_t i, uint32_t ball) {
     const BallCurvature curvature = curvature_of_ball(grid.balls(), boundary, ball);
     mean.add(curvature.mean);
     thirds += curvature.gauss;

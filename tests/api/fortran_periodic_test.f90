@@ -23,12 +23,13 @@ program fortran_periodic_test
   type(hsp_periodic_limits) :: limits
   type(hsp_periodic_counts) :: counts
   type(hsp_periodic_totals) :: totals
+  type(hsp_curvatures) :: curvatures
   type(hsp_periodic_contact) :: contacts(10)
   type(hsp_winding) :: windings(n)
   type(hsp_image) :: images(10)
   type(hsp_energy) :: energy
-  real(c_double) :: area(n), cell_volume(n), d_centre(3, n), d_radius(n), d_strain(9), d_box(9), rod
-  integer(c_int32_t) :: component(n), flags(n), needed, invariant, id, bad
+  real(c_double) :: area(n), cell_volume(n), d_centre(3, n), d_radius(n), d_strain(9), d_box(9), rod, mean(n)
+  integer(c_int32_t) :: thirds(n), component(n), flags(n), needed, invariant, id, bad
   integer(c_size_t) :: bytes
 
   call check(c_sizeof(limits) == 28 .and. c_sizeof(counts) == 48 .and. c_sizeof(totals) == 40, 'sizes of records')
@@ -57,6 +58,11 @@ program fortran_periodic_test
   call check(abs(sum(cell_volume) - totals%volume) < 1e-11_c_double, 'cells')
   call check(totals%box_volume == 256 .and. totals%free_volume == 256 - totals%volume, 'volumes')
   call check(abs(totals%contact_area - 1.125_c_double*pi) < 1e-11_c_double, 'contact area')
+
+  call expect(hsp_periodic_curvature(periodic, curvatures, mean, thirds, n, needed), HSP_OK, 'hsp_periodic_curvature')
+  call check(needed == n .and. all(thirds == [0, 0, 12]) .and. abs(mean(3) - 4*pi) < 1e-12_c_double, 'curvatures')
+  call check(abs(sum(mean) - curvatures%mean) < 1e-11_c_double .and. abs(curvatures%gauss - 4*pi) < 1e-12_c_double, &
+             'sums of curvatures')
 
   call expect(hsp_periodic_get_contacts(periodic, contacts, size(contacts, kind=c_int32_t), needed), HSP_OK, &
               'hsp_periodic_get_contacts')

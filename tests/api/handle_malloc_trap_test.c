@@ -369,9 +369,11 @@ static int call_periodic(void *memory, size_t bytes) {
   hsp_periodic_limits limits;
   hsp_periodic_counts counts;
   hsp_periodic_totals totals;
+  hsp_curvatures curvatures;
   hsp_winding winding[3];
   hsp_energy energy;
   double area[3], cell[3], centre[9], strain[9], by_box[9];
+  int32_t thirds[3];
   uint32_t component[3], flags[3], needed = 0, invariant, id;
   size_t size = 0;
   int bad = hsp_periodic_limits_init(&limits, (uint32_t)sizeof limits, 3) != HSP_OK;
@@ -380,6 +382,7 @@ static int call_periodic(void *memory, size_t bytes) {
   bad += hsp_periodic_compute(periodic, 3, xyz, radius, NULL, box, &limits, NULL) != HSP_OK;
   bad += hsp_periodic_get_counts(periodic, &counts) != HSP_OK || counts.contacts == 0;
   bad += hsp_periodic_measure(periodic, &totals, area, cell, 3, &needed) != HSP_OK;
+  bad += hsp_periodic_curvature(periodic, &curvatures, area, thirds, 3, &needed) != HSP_OK;
   bad += hsp_periodic_get_contacts(periodic, contact, 64, &needed) != HSP_OK || needed == 0;
   bad += hsp_periodic_get_windings(periodic, winding, 3, &needed) != HSP_OK || needed == 0;
   bad += hsp_periodic_get_components(periodic, component, 3, &needed) != HSP_OK;

@@ -327,6 +327,7 @@ static void refused_as_periodic(void *handle) {
   CHECK_EQUAL(hsp_periodic_compute(handle, BALLS, four_xyz, four_radius, NULL, box, NULL, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_periodic_get_counts(handle, &counts), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_periodic_measure(handle, NULL, NULL, NULL, 0, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_curvature(handle, NULL, NULL, NULL, 0, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_periodic_get_contacts(handle, NULL, 0, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_periodic_get_windings(handle, NULL, 0, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_periodic_get_components(handle, NULL, 0, &needed), HSP_E_ARGUMENT);

@@ -24,7 +24,9 @@ static hsp_periodic_contact contact[OUT];
 static hsp_winding winding[BALLS];
 static hsp_image image[OUT];
 static hsp_energy energy;
-static double area[BALLS], cell[BALLS], centre[BALLS][3], by_radius[BALLS], strain[9], by_box[9];
+static double area[BALLS], cell[BALLS], mean[BALLS], centre[BALLS][3], by_radius[BALLS], strain[9], by_box[9];
+static hsp_curvatures curvatures;
+static int32_t thirds[BALLS];
 static uint32_t component[BALLS], flags[BALLS], number, invariant, id;
 
 static hsp_periodic_limits good_limits(void) {
@@ -47,6 +49,9 @@ static void compute(uint32_t n, const double *at, const double *radii, const dou
   CHECK_EQUAL(counts.reserved, 0);
   CHECK_EQUAL(hsp_periodic_measure(periodic, &totals, area, cell, BALLS, &number), HSP_OK);
   CHECK_EQUAL(number, n);
+  CHECK_EQUAL(hsp_periodic_curvature(periodic, &curvatures, mean, thirds, BALLS, &number), HSP_OK);
+  CHECK_EQUAL(number, n);
+  CHECK_NEAR(curvatures.gauss, 2 * pi * counts.euler, 1e-12);
 }
 
 static void refused_limits(void) {
@@ -92,6 +97,7 @@ static void refused_limits(void) {
 static void check_unread(const hsp_periodic *handle, int32_t status) {
   FILL(counts);
   FILL(totals);
+  FILL(curvatures);
   FILL(contact);
   FILL(winding);
   FILL(component);
@@ -101,6 +107,7 @@ static void check_unread(const hsp_periodic *handle, int32_t status) {
   FILL(invariant);
   CHECK_EQUAL(hsp_periodic_get_counts(handle, &counts), status);
   CHECK_EQUAL(hsp_periodic_measure(handle, &totals, area, cell, BALLS, &number), status);
+  CHECK_EQUAL(hsp_periodic_curvature(handle, &curvatures, mean, thirds, BALLS, &number), status);
   CHECK_EQUAL(hsp_periodic_get_contacts(handle, contact, OUT, &number), status);
   CHECK_EQUAL(hsp_periodic_get_windings(handle, winding, BALLS, &number), status);
   CHECK_EQUAL(hsp_periodic_get_components(handle, component, BALLS, &number), status);
@@ -112,6 +119,7 @@ static void check_unread(const hsp_periodic *handle, int32_t status) {
   CHECK_EQUAL(hsp_periodic_check(handle, &invariant, &id), status);
   CHECK_UNTOUCHED(counts);
   CHECK_UNTOUCHED(totals);
+  CHECK_UNTOUCHED(curvatures);
   CHECK_UNTOUCHED(contact);
   CHECK_UNTOUCHED(winding);
   CHECK_UNTOUCHED(component);
@@ -133,6 +141,12 @@ static void refused_reading(void) {
   CHECK_EQUAL(hsp_periodic_measure(periodic, NULL, NULL, cell, BALLS - 1, &number), HSP_E_CAPACITY);
   CHECK_EQUAL(number, BALLS);
   CHECK_EQUAL(hsp_periodic_measure(periodic, NULL, NULL, NULL, 0, NULL), HSP_OK);
+  FILL(curvatures);
+  CHECK_EQUAL(hsp_periodic_curvature(periodic, &curvatures, mean, NULL, BALLS - 1, &number), HSP_E_CAPACITY);
+  CHECK_EQUAL(number, BALLS);
+  CHECK_EQUAL(hsp_periodic_curvature(periodic, &curvatures, NULL, thirds, 0, NULL), HSP_E_CAPACITY);
+  CHECK_UNTOUCHED(curvatures);
+  CHECK_EQUAL(hsp_periodic_curvature(periodic, NULL, NULL, NULL, 0, NULL), HSP_OK);
   CHECK_EQUAL(hsp_periodic_get_contacts(periodic, contact, OUT, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_periodic_get_contacts(periodic, NULL, OUT, &number), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_periodic_get_contacts(periodic, NULL, 0, &number), HSP_E_CAPACITY);
@@ -287,6 +301,11 @@ static void known_values(void) {
   CHECK_NEAR(totals.volume, 15.44616388015 + 4 * pi / 3 * (1 + 0.421875), 1e-11);
   CHECK(totals.free_volume == totals.box_volume - totals.volume);
   CHECK_NEAR(totals.contact_area, 2 * pi * (1.5625 - 1), 1e-12);
+  /* Of the rod the circles have radius 3/4, and the cosine of what the normals turn by is -7/25. */
+  CHECK_NEAR(curvatures.mean, 15 * pi - 1.5 * pi * acos(-0.28), 1e-12);
+  CHECK_NEAR(mean[0], 4 * pi - 0.75 * pi * acos(-0.28), 1e-13);
+  CHECK(mean[0] == mean[1] && thirds[0] == 0 && thirds[1] == 0 && thirds[2] == 12 && thirds[3] == 12);
+  CHECK_NEAR(mean[3], 3 * pi, 1e-13);
   CHECK_EQUAL(hsp_periodic_get_windings(periodic, winding, BALLS, &number), HSP_OK);
   CHECK_EQUAL(number, 3);
   CHECK(winding[0].balls == 2 && winding[0].first == 0 && winding[0].directions == 1 && winding[0].copies == 1);
@@ -313,6 +332,8 @@ static void known_values(void) {
   compute(1, one, &large, cube);
   CHECK(counts.contacts == 3 && counts.circles == 3 && counts.euler == -4 && counts.components == 1);
   CHECK_NEAR(totals.volume, 45.160394395353, 1e-11);
+  CHECK_EQUAL(thirds[0], -24);
+  CHECK_NEAR(curvatures.mean, 42.411500823462 / 2.25 - 3 * pi * sqrt(1.0625) * acos(-2.9375 / 5.0625), 1e-11);
   CHECK_EQUAL(hsp_periodic_get_windings(periodic, winding, BALLS, &number), HSP_OK);
   CHECK(winding[0].directions == 3 && winding[0].row[0] == 1 && winding[0].row[4] == 1 && winding[0].row[8] == 1);
   CHECK_EQUAL(hsp_periodic_get_contacts(periodic, contact, OUT, &number), HSP_OK);

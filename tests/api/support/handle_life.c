@@ -372,6 +372,7 @@ static uint64_t periodic_hash(const void *periodic, const void *source, unsigned
   uint64_t hash = UINT64_C(0xCBF29CE484222325);
   hsp_periodic_counts counts;
   hsp_periodic_totals totals;
+  hsp_curvatures curvatures;
   hsp_energy energy;
   double strain[9], box[9];
   uint32_t needed = 0, i;
@@ -380,6 +381,9 @@ static uint64_t periodic_hash(const void *periodic, const void *source, unsigned
   hash = mixed_hash(hash, &counts, sizeof counts);
   bad |= hsp_periodic_measure(periodic, &totals, numbers, numbers + n, n, NULL) != HSP_OK;
   hash = mixed_hash(mixed_hash(hash, &totals, sizeof totals), numbers, 2 * (size_t)n * sizeof *numbers);
+  bad |= hsp_periodic_curvature(periodic, &curvatures, numbers, (void *)flags, n, NULL) != HSP_OK;
+  hash = mixed_hash(mixed_hash(hash, &curvatures, sizeof curvatures), numbers, (size_t)n * sizeof *numbers);
+  hash = mixed_hash(hash, flags, (size_t)n * sizeof *flags);
   bad |= hsp_periodic_get_contacts(periodic, (void *)buffer, room, &needed) != HSP_OK;
   hash = mixed_hash(hash, buffer, needed * sizeof(hsp_periodic_contact));
   bad |= hsp_periodic_get_windings(periodic, (void *)buffer, room, &needed) != HSP_OK;

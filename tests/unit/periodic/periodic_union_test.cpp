@@ -9,6 +9,7 @@
 
 #include "lattice_lengths.hpp"
 #include "measure/boundary_positions.hpp"
+#include "measure/morphometry.hpp"
 #include "molecule_file.hpp"
 #include "periodic_crystals.hpp"
 
@@ -386,6 +387,17 @@ TEST(PeriodicUnion, HasTheReferenceValuesOfCrambin) {
       for (size_t k = 0; k < 3; ++k) EXPECT_EQ(lattice.row[row][k], reference.rows[row][k]);
     }
   }
+}
+
+TEST(PeriodicUnion, HasTheMeanCurvatureOfCrambin) {
+  const support::BallList balls =
+      with_radii(support::read_atoms(support::own_molecule("crambin.pdb")), support::Radii::van_der_waals);
+  const BuiltPeriodic built(balls, {25, 0, 0, 7, 18, 0, -9, 5, 20}, 1.4, 0.0);
+  ASSERT_EQ(built.status(), hsp::Status::ok);
+  const hsp::CurvatureTotals in_steps =
+      hsp::sum_curvatures(built->grid(), built->boundary(), [](uint32_t, const hsp::BallCurvature &) {});
+  EXPECT_NEAR(built->images().lattice().length(in_steps.mean), -94.510929797134, 1e-9);
+  EXPECT_NEAR(in_steps.gauss, 2 * hsp::pi * static_cast<double>(built->counts().euler()), 1e-9);
 }
 
 // Crystals in which everything ties: touching spheres, holes, nothing left free.

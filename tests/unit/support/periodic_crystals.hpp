@@ -10,6 +10,7 @@
 #include "built_contacts.hpp"
 #include "built_periodic.hpp"
 #include "measure/areas.hpp"
+#include "measure/curvature.hpp"
 #include "periodic/periodic_check.hpp"
 #include "random_balls.hpp"
 
@@ -96,6 +97,10 @@ inline void expect_as_in_copies(const Crystal &crystal, int range = 4) {
     const double r = inside.radius[i];
     EXPECT_NEAR(built.of_ball(i).area, hsp::measure_ball(copies.balls(), copies.boundary(), there).area, 1e-10 * r * r);
     EXPECT_NEAR(built.of_ball(i).volume, copies.contacts().cell_volume(there), 1e-10 * r * r * r);
+    const hsp::BallCurvature curved = hsp::curvature_of_ball(built->balls(), built->boundary(), here);
+    const hsp::BallCurvature as_there = hsp::curvature_of_ball(copies.balls(), copies.boundary(), there);
+    EXPECT_NEAR(curved.mean, as_there.mean, 1e-10 * r);
+    EXPECT_EQ(curved.gauss, as_there.gauss);
     // Contacts by the distance of the other ball.
     const auto contacts_of = [&](const hsp::BallSet &set, const hsp::Contacts &contacts, uint32_t ball) {
       std::multimap<std::array<double, 4>, const hsp::ContactRecord *> found;
