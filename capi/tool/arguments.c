@@ -476,7 +476,6 @@ static bool check_box(struct reading *reading) {
   if (request->box.source == BOX_NONE) return true;
   const char *other = request->excluded_surface    ? "--surface ses"
                       : request->interface != NULL ? "--interface"
-                      : request->curvature         ? "--curvature"
                       : request->shells            ? "--shells"
                       : request->pdb_out != NULL   ? "--pdb-out"
                                                    : NULL;

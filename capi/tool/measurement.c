@@ -156,8 +156,11 @@ bool measurement_make(const struct request *request, const struct molecule *mole
   }
   if (weighted && !measure_weighted_area(request, molecule->atoms, geometry, measurement, failure)) return false;
   if (request->curvature) {
+    const hsp_periodic *const periodic = measurement->box.periodic;
     const int32_t status =
-        hsp_boundary_curvature(geometry->work.boundary, &measurement->curvatures, NULL, NULL, 0, NULL);
+        periodic != NULL
+            ? hsp_periodic_curvature(periodic, &measurement->curvatures, NULL, NULL, 0, NULL)
+            : hsp_boundary_curvature(geometry->work.boundary, &measurement->curvatures, NULL, NULL, 0, NULL);
     if (status != HSP_OK) return failure_in_library(failure, status);
   }
   if (!request->gradient) return true;

@@ -423,7 +423,7 @@ static const char box_text[] =
     "In a periodic box, whose copies fill space, all images of the balls count:\n"
     "  --box AX,BY,CZ         the box, or AX,0,0,BX,BY,0,CX,CY,CZ if it is skew\n"
     "  --box file             that of FILE or of the frame: CRYST1 of .pdb, of .gro, .xtc and .dcd, Lattice of .xyz\n"
-    "Not with --shells, --surface ses, --interface, --curvature and --pdb-out. JSON has box: [9], box_volume,\n"
+    "Not with --shells, --surface ses, --interface and --pdb-out. JSON has box: [9], box_volume,\n"
     "free_volume, windings: [{balls, directions, copies, rows: [[i, j, k], ...]}, ...], in how many directions each\n"
     "component goes on for ever and by which multiples of the box's vectors, strain_area: [9] and strain_volume: [9],\n"
     "derivatives by eps_xx, eps_xy, ...; a contact has shift: [i, j, k], by which its second ball is to be moved; the\n"

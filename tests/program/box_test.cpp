@@ -74,6 +74,14 @@ TEST(Box, CountsTheBoundaryAndContacts) {
   EXPECT_NEAR(sum_of(of_cells["cells"], "contact"), 2 * 6617.3802848779, 1e-8);
 }
 
+// Reference values as above.
+TEST(Box, HasTheCurvatureOfWhatIsInIt) {
+  const Json found =
+      run_json({"measure", crambin(), "--probe", "1.4", "--curvature", "--box", "25,0,0,7,18,0,-9,5,20"});
+  EXPECT_NEAR(found["mean_curvature"].number, -94.510929797134, 1e-8);
+  EXPECT_NEAR(found["gauss_curvature"].number, -4 * 3.14159265358979323846, 1e-12);
+}
+
 // One ball, which may meet its images along the third vector, in files of every format that has boxes.
 TEST(Box, IsThatOfTheFile) {
   struct {
@@ -140,7 +148,7 @@ TEST(Box, IsRefusedWhereItHasNoMeaning) {
       {{"measure", "good/two.xyzr", "--box", "10,10,0"}, 2, "must be larger than 0"},
       {{"measure", "good/two.xyzr", "--box", "10,0,1,0,10,0,0,0,10"}, 2, "BX,BY,0"},
       {{"measure", "good/two.xyzr", "--box", "9,9,9", "--box", "9,9,9"}, 2, "given twice"},
-      {{"measure", "good/two.xyzr", "--box", "9,9,9", "--curvature"}, 2, "--curvature is not for a --box"},
+      {{"measure", "good/two.xyzr", "--box", "9,9,9", "--probe", "1", "--surface", "ses"}, 2, "not for a --box"},
       {{"boundary", "good/two.xyzr", "--box", "9,9,9", "--shells"}, 2, "--shells is not for a --box"},
       {{"voids", "good/two.xyzr", "--box", "9,9,9"}, 2, "unknown option '--box'"},
       {{"measure", "good/two.xyzr", "--box", "file"}, 1, "the file has no box"},
