@@ -47,6 +47,8 @@ hsp_picture_options defaults() {
           0,
           {select.ink_width[0], select.ink_width[1], select.ink_width[2]},
           {select.ink_colour[0], select.ink_colour[1], select.ink_colour[2]},
+          0,
+          0,
           0};
 }
 
@@ -61,6 +63,7 @@ bool is_valid(const hsp_picture_options &options) {
          options.outline_colour <= largest_colour && options.background <= largest_colour &&
          (options.memory != 0 || options.memory_bytes == 0) && options.memory <= UINTPTR_MAX &&
          options.memory_bytes <= SIZE_MAX && options.ink <= UINTPTR_MAX && options.group <= UINTPTR_MAX &&
+         options.atom_class <= UINTPTR_MAX && options.atom_title <= UINTPTR_MAX &&
          options.ink_colour[0] <= largest_colour && options.ink_colour[1] <= largest_colour &&
          options.ink_colour[2] <= largest_colour && options.reserved_for_ink == 0;
 }
@@ -147,6 +150,8 @@ struct Contents {
     hsp::PictureInput input{balls, paths, call.colour, call.title, call.description};
     if (options.ink != 0) input.silhouettes = hsp::silhouettes_of(at_address<hsp_map>(options.ink)->structure());
     input.group = at_address<uint32_t>(options.group);
+    input.atom_class = at_address<const char *>(options.atom_class);
+    input.atom_title = at_address<const char *>(options.atom_title);
     return input;
   }
 };

@@ -193,6 +193,7 @@ set(HSP_LIBRARY_SOURCES
   lib/picture/pdf_writer.cpp
   lib/picture/picture.cpp
   lib/picture/prefix_code.cpp
+  lib/picture/svg_path.cpp
   lib/picture/svg_writer.cpp
   capi/hsp_status.cpp
   capi/hsp_element.cpp

@@ -918,6 +918,8 @@ module hardsphere
     real(c_double) :: ink_width(3)     ! 1 + HSP_INK_*; negative: chosen
     integer(c_int32_t) :: ink_colour(3)  ! 0xRRGGBB
     integer(c_int32_t) :: reserved_for_ink
+    integer(c_int64_t) :: atom_class   ! transfer(c_loc(names), 0_c_int64_t) of a type(c_ptr) for each ball, or 0
+    integer(c_int64_t) :: atom_title   ! likewise
   end type
 
   ! What takes the bytes of a picture: 0 to go on, anything else to stop.

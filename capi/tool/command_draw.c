@@ -9,6 +9,7 @@
 #include "ball_and_stick.h"
 #include "ball_colours.h"
 #include "ball_groups.h"
+#include "ball_names.h"
 #include "commands.h"
 #include "input_report.h"
 #include "line_reader.h"
@@ -200,10 +201,17 @@ static bool write_picture(const struct request *request, const struct molecule *
     drawn->options.ink = HSP_ADDRESS(geometry->work.map);
     drawn->options.group = HSP_ADDRESS(group);
   }
+  struct ball_names names = BALL_NAMES_NONE;
+  const bool classes = request->drawing.classes;
+  const bool tooltips = request->drawing.tooltips;
+  bool done = !(classes || tooltips) || ball_names_make(molecule, classes, tooltips, &names, failure);
+  drawn->options.atom_class = HSP_ADDRESS(names.class_of);
+  drawn->options.atom_title = HSP_ADDRESS(names.title_of);
   const struct picture picture = {view,  geometry->work.map, geometry->sticks, colour, drawn->options,
                                   title, description,        over.text};
   progress_show(&geometry->progress, "writing");
-  const bool done = picture_file_write(&picture, request->drawing.out, &geometry->progress, &drawn->bytes, failure);
+  done = done && picture_file_write(&picture, request->drawing.out, &geometry->progress, &drawn->bytes, failure);
+  ball_names_free(&names);
   text_buffer_free(&over);
   free(group);
   return done;

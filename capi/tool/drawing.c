@@ -230,6 +230,8 @@ bool drawing_take_option(struct drawing *drawing, struct option_reader *reader, 
                      : strcmp(argument, "--scale-bar") == 0 ? &drawing->scale_bar
                      : strcmp(argument, "--legend") == 0    ? &drawing->legend
                      : strcmp(argument, "--ink") == 0       ? &drawing->ink
+                     : strcmp(argument, "--classes") == 0   ? &drawing->classes
+                     : strcmp(argument, "--tooltips") == 0  ? &drawing->tooltips
                                                             : NULL;
   if (flag != NULL) {
     *flag = true;
@@ -281,6 +283,10 @@ bool drawing_check(struct drawing *drawing, struct failure *failure) {
   if (drawing->palette >= 0 && drawing->colour >= 0 && drawing->colour != palette_of) {
     return failure_in_usage(failure, "--palette %s is of colours by %s", palette_names[drawing->palette],
                             colour_names[palette_of]);
+  }
+  if ((drawing->classes || drawing->tooltips) && drawing->format != (int)HSP_FORMAT_SVG) {
+    return failure_in_usage(failure, "%s is for .svg: other formats have none",
+                            drawing->classes ? "--classes" : "--tooltips");
   }
   if (drawing->fog_colour >= 0 && drawing->background != DRAWING_NO_BACKGROUND) {
     return failure_in_usage(failure, "--fog-colour is for --background none: fog has the colour of the background");

@@ -53,6 +53,8 @@ struct drawing {
   bool all_balls;
   bool water; /* is drawn, and not left out */
   bool ink;
+  bool classes;  /* names of elements, residues and chains for style sheets */
+  bool tooltips; /* names of atoms beside the pointer */
 };
 
 #define DRAWING_NO_BACKGROUND 0x1000000

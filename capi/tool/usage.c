@@ -355,17 +355,20 @@ static const char draw_text[] =
     "                         2000 balls with any style; 0 for balls far more crowded than atoms, and else. For\n"
     "                         molecules it takes less than 1 s up to 20000 balls, 15 us a ball beyond, several times\n"
     "                         that with a --probe; a coarser rule serves above 1000 and above 5000\n"
+    "  --fog F                fade far balls to the background, from 0, not at all, to 1; default 0.3, 0 without a\n"
+    "                         background\n"
     "";
 
 /* The rest of it: longer strings are not for every compiler. */
 static const char draw_looks_text[] =
-    "  --fog F                fade far balls to the background, from 0, not at all, to 1; default 0.3, 0 without a\n"
-    "                         background\n"
     "  --outline W            the width of lines along silhouettes and intersections, 0: none; default by size\n"
     "  --outline-colour RRGGBB\n"
     "                         their colour; default 23202B\n"
     "  --ink                  contours as wide as what lies behind them is far: thickest around the molecule, thick\n"
     "                         around chains and ligands, from nothing up elsewhere; lines get thinner, or none\n"
+    "  --classes              .svg: an id for each atom, and classes for its element, residue and chain, such as el-C\n"
+    "                         res-CYS chain-A; a style sheet that sets their fill keeps the light, but not fog\n"
+    "  --tooltips             .svg: names of atoms are shown beside the pointer\n"
     "  --width W, --height H  the size of the picture, one follows from the other; default width 1000 px, and 170 mm\n"
     "                         for .eps, .pdf and in mm\n"
     "  --unit px|mm           of width, height and outline; default px, 1/96 inch\n"

@@ -6,8 +6,12 @@
  * which views do not have. Balls and sticks: one path for each ball and half of a stick, painted back to front; or,
  * where they have no such order, around what is seen of each, as of a map. The bytes depend on these, the colours and
  * the options alone, not on the machine.
- *   SVG   elliptical arcs; each path carries the caller's ball index as data-ball. Names of gradients begin with digits
- *         that depend on them, so that several pictures can stand inline in one page
+ *   SVG   elliptical arcs, and circles for balls that are seen whole; each ball carries the caller's index as
+ *         data-ball, or in an id where it has classes. In styles with light it is a group with the ball's colour around
+ *         its path, with light over it, in coordinates in which the ball's disc is the unit circle: a style sheet that
+ *         sets the fill of the group keeps the light. Fog is in both, and what a style sheet sets has that of the light
+ *         alone. Names begin with four digits or letters that depend on what is named, so that several pictures can
+ *         stand inline in one page
  *   EPS   arcs of the unit circle under a matrix: exact
  *   PDF   cubic pieces of at most 90 degrees: within .01 px of the arc, besides being rounded to that; to a ten
  *         thousandth of the longer side on pages of less than 100 px
@@ -42,7 +46,7 @@ typedef int32_t (*hsp_sink)(void *context, const char *bytes, size_t count);
 #define HSP_UNIT_PX UINT32_C(0) /**< 1/96 inch */
 #define HSP_UNIT_MM UINT32_C(1) /**< millimetres */
 
-#define HSP_PICTURE_NO_IDS UINT32_C(1) /**< SVG without data-ball */
+#define HSP_PICTURE_NO_IDS UINT32_C(1) /**< SVG without data-ball, and without ids of balls */
 /** Nothing behind the balls; fog still fades to the background colour. */
 #define HSP_PICTURE_NO_BACKGROUND UINT32_C(2)
 
@@ -87,6 +91,11 @@ typedef struct hsp_picture_options {
   double ink_width[3];       /**< HSP_INK_*: of contours where they are widest; 0: none; < 0: chosen; default -1 */
   uint32_t ink_colour[3];    /**< HSP_INK_*: 0xRRGGBB, fades like lines; default 0x23202B */
   uint32_t reserved_for_ink; /**< 0 */
+  uint64_t atom_class; /**< SVG: HSP_ADDRESS of a const char * for each ball of the model, each NULL, empty or names of
+                                classes with blanks between them, NUL-terminated UTF-8. Such balls have their index in
+                                an id, "a", four digits or letters, "-" and the index, and not in data-ball; halves of
+                                sticks have classes and data-ball. Default 0: none; of no effect on other formats */
+  uint64_t atom_title; /**< SVG: likewise texts that browsers show beside the pointer; default 0: none */
 } hsp_picture_options;
 
 /** Contours along silhouettes, areas of a width that depends on the gap g between the silhouette and what lies behind
@@ -126,7 +135,7 @@ HSP_API uint32_t hsp_palette_colour(uint32_t palette, uint32_t atomic_number, ui
  *  all but ASCII, is replaced by '?'. sink is called any number of times in order with at most 1024 bytes and is given
  *  `context`; bytes, if not NULL, becomes the number of bytes that the sink has taken.
  *  The sink is called only when all else is well. Uses the view's scratch memory, hence not const; results stay valid.
- *  - Property 1: the same bytes for every order of the balls, up to the values of data-ball. (Of balls that are equal
+ *  - Property 1: the same bytes for every order of the balls, up to their indices. (Of balls that are equal
  *    in centre and radius the first one counts, with its colour.)
  *
  *  Cost: O(pieces log pieces + arcs); bytes proportional to arcs.
@@ -155,7 +164,7 @@ HSP_API int32_t hsp_picture_write(hsp_view *view, const uint32_t *colour, const 
  *  Coordinates are rounded as in pictures of views, in SVG to 0.01 px or less on pages of up to 1000 px: by so much
  *  neighbours may overlap or leave a gap. Of a map whose balls were moved (hsp_map_info) it shows the moved ones.
  *  Uses the map's scratch memory, hence not const; results stay valid.
- *  - Property 1: the same bytes for every order of the balls, up to the values of data-ball. (Of balls that are equal
+ *  - Property 1: the same bytes for every order of the balls, up to their indices. (Of balls that are equal
  *    in centre and radius the first one counts, with its colour.)
  *
  *  Cost: O(edges log edges); bytes proportional to edges.

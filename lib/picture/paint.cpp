@@ -22,8 +22,11 @@ Paint::Paint(const PictureInput &input, const PictureOptions &options, const Pag
       farthest_(page.farthest),
       nearest_(page.nearest),
       shading_(options.style == PictureStyle::soft) {
-  if (flat()) return;
-  const uint32_t paths = input.paths.size();
+  if (!flat() && (options.format == PictureFormat::eps || options.format == PictureFormat::pdf)) find_shades(scratch);
+}
+
+void Paint::find_shades(Span<uint32_t> scratch) {
+  const uint32_t paths = input_.paths.size();
   for (uint32_t p = 0; p < paths; ++p) scratch[p] = key_of(p);
   sort_in_place(scratch.part(0, paths), [](uint32_t a, uint32_t b) { return a < b; });
   uint32_t distinct = 0;
@@ -47,7 +50,7 @@ uint32_t Paint::fog_level(uint32_t path) const {
 }
 
 uint32_t Paint::flat_colour(uint32_t path) const {
-  if (!flat()) return shade_colour(shade_of(path), shading_.intervals() / 2);
+  if (!flat()) return lit_colour(key_of(path), shading_.intervals() / 2);
   return mixed(input_.colour_of(input_.paths.ball_of(path)), background_, fog(path));
 }
 
@@ -64,9 +67,19 @@ uint32_t Paint::shade_of(uint32_t path) const {
   return first_index(0, shades_.size(), [this, key](uint32_t shade) { return shades_[shade] >= key; });
 }
 
-uint32_t Paint::shade_colour(uint32_t shade, uint32_t stop) const {
-  const Rgb lit = shading_.lit(unpacked(shades_[shade] & 0xFFFFFF), stop);
-  return packed(mixed(lit, unpacked(background_), fog_ * (shades_[shade] >> 24) / fog_levels));
+uint32_t Paint::unlit_colour(uint32_t path) const {
+  return mixed(input_.colour_of(input_.paths.ball_of(path)), background_, fog_ * fog_level(path) / fog_levels);
+}
+
+// With fog f and background b: (c m + w)(1 - f) + b f = (c (1 - f) + b f) m + a (K (1 - f) + b f), as w = a K.
+Shading::Glaze Paint::glaze(uint32_t level, uint32_t stop) const {
+  const Shading::Glaze glaze = shading_.glaze(stop);
+  return {mixed(glaze.colour, unpacked(background_), fog_ * level / fog_levels), glaze.opacity};
+}
+
+uint32_t Paint::lit_colour(uint32_t key, uint32_t stop) const {
+  const Rgb lit = shading_.lit(unpacked(key & 0xFFFFFF), stop);
+  return packed(mixed(lit, unpacked(background_), fog_ * (key >> 24) / fog_levels));
 }
 
 }  // namespace hsp

@@ -26,11 +26,16 @@ class Paint {
   bool flat(uint32_t path) const { return flat() || input_.paths.is_plain(path); }
   uint32_t flat_colour(uint32_t path) const;
 
-  // The different shades, and which of them a path has. None if the style is flat.
+  // The different shades, and which of them a path has. None if the style is flat, and in SVG, which has lights.
   const Shading &shading() const { return shading_; }
   uint32_t shades() const { return shades_.size(); }
   uint32_t shade_of(uint32_t path) const;
-  uint32_t shade_colour(uint32_t shade, uint32_t stop) const;
+  uint32_t shade_colour(uint32_t shade, uint32_t stop) const { return lit_colour(shades_[shade], stop); }
+
+  // The same as light apart from colour, for formats that can lay one over the other: what is laid over a ball's colour
+  // depends on its level of fog alone, where that is mixed into both.
+  uint32_t unlit_colour(uint32_t path) const;
+  Shading::Glaze glaze(uint32_t level, uint32_t stop) const;
 
   // Lines fade, too; does not increase in drawing order, up to rounding.
   uint32_t fog_level(uint32_t path) const;
@@ -43,6 +48,8 @@ class Paint {
   // How far into the fog, from 0 to 1.
   double fog_share(uint32_t path) const;
   uint32_t key_of(uint32_t path) const;
+  uint32_t lit_colour(uint32_t key, uint32_t stop) const;
+  void find_shades(Span<uint32_t> scratch);
 
   const PictureInput &input_;
   PictureStyle style_;

@@ -40,9 +40,17 @@ struct PictureInput {
   const char *description;
   SeenSilhouettes silhouettes{};    // of the same balls, to be drawn with ink; or none
   const uint32_t *group = nullptr;  // by the caller's index, or null: all balls are of one
+  // SVG: classes and tooltips, by the caller's index; null, as each of them may be, for none.
+  const char *const *atom_class = nullptr;
+  const char *const *atom_title = nullptr;
 
   uint32_t colour_of(uint32_t ball) const { return colour == nullptr ? plain_colour : colour[balls.caller[ball]]; }
   uint32_t group_of(uint32_t ball) const { return group == nullptr ? 0 : group[balls.caller[ball]]; }
+  const char *class_of(uint32_t ball) const { return text_of(atom_class, ball); }
+  const char *title_of(uint32_t ball) const { return text_of(atom_title, ball); }
+  const char *text_of(const char *const *texts, uint32_t ball) const {
+    return texts == nullptr ? nullptr : texts[balls.caller[ball]];
+  }
 };
 
 // scratch: as many entries as there are paths. Status::range if the balls are too large for a fixed frame;

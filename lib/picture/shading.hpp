@@ -55,6 +55,26 @@ class Shading {
     const double light = headlight_ambient + headlight_diffuse * std::sqrt(1.0 - rho * rho);
     return {{colour.channel[0] * light, colour.channel[1] * light, colour.channel[2] * light}};
   }
+  // The light of a stop as a colour to be laid over whatever colour is there: with the opacity a = 1 - m, m the mean
+  // factor, a colour c becomes c m + a K. K holds the white and, for a c of .72 in each channel, what factors of
+  // channels differ by: so it is exact for the headlight.
+  struct Glaze {
+    Rgb colour;
+    double opacity;
+  };
+  Glaze glaze(uint32_t stop) const {
+    constexpr double usual = 0.72 * 255.0;
+    const Rgb black = lit({{0.0, 0.0, 0.0}}, stop), white = lit({{255.0, 255.0, 255.0}}, stop);
+    double mean = 0.0;
+    for (int k = 0; k < 3; ++k) mean += (white.channel[k] - black.channel[k]) / (3 * 255.0);
+    Glaze glaze{{{0.0, 0.0, 0.0}}, 1.0 - mean};
+    for (int k = 0; k < 3 && glaze.opacity > 0.0; ++k) {
+      const double factor = (white.channel[k] - black.channel[k]) / 255.0;
+      const double channel = (usual * (factor - mean) + black.channel[k]) / glaze.opacity;
+      glaze.colour.channel[k] = channel < 0.0 ? 0.0 : channel > 255.0 ? 255.0 : channel;
+    }
+    return glaze;
+  }
   // Where the gradient's circles shrink to, y up.
   double focus_x() const { return soft_ ? soft_focus[0] : 0.0; }
   double focus_y() const { return soft_ ? soft_focus[1] : 0.0; }

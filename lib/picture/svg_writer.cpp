@@ -1,16 +1,16 @@
 #include "picture/writers.hpp"
 
-#include "core/elementary.hpp"
+#include <cstring>
+
 #include "picture/escaped_text.hpp"
-#include "picture/number_text.hpp"
+#include "picture/svg_path.hpp"
 
 namespace hsp {
 namespace {
 
-// Arcs given by their ends are badly conditioned near half a turn.
-constexpr double longest_span = 0.9 * pi;
-
-constexpr int finest_decimals = 10;
+// Names begin with a number below the fourth power of the count of digits and letters.
+constexpr uint32_t name_digits = 62;
+constexpr uint32_t different_names = name_digits * name_digits * name_digits * name_digits;
 
 class SvgWriter {
  public:
@@ -20,6 +20,7 @@ class SvgWriter {
 
   void write() {
     put_head();
+    if (!paint_.flat() || input_.atom_class != nullptr) names_ = key_of_names();
     if (!paint_.flat()) put_gradients();
     put_paths();
     if (paint_.own_lines()) put_lines();
@@ -65,7 +66,7 @@ class SvgWriter {
     put_decimal(sink_, page_.width, 6);
     sink_.put(' ');
     put_decimal(sink_, page_.height, 6);
-    sink_.put("\">\n");
+    sink_.put("\" role=\"img\">\n");
     put_element("title", input_.title);
     put_element("desc", input_.description);
     if (!options_.backdrop) return;
@@ -75,89 +76,99 @@ class SvgWriter {
     sink_.put("/>\n");
   }
 
-  // What gradients in the file depend on. Pictures beside each other in one page share their names only if they share
-  // what is named.
-  uint32_t key_of_gradients() const {
+  // What names in the file depend on, all of it as it is rounded there. Pictures beside each other in one page share
+  // names only if they share what is named: light, paths and balls.
+  uint32_t key_of_names() const {
     constexpr uint64_t offset_basis = 0xCBF29CE484222325u;  // Fowler, Noll and Vo: FNV-1a
     constexpr uint64_t prime = 0x100000001B3u;
     uint64_t key = offset_basis;
     const auto add = [&key](uint64_t value) {
       for (int byte = 0; byte < 8; ++byte, value >>= 8) key = (key ^ (value & 0xFF)) * prime;
     };
-    for (uint32_t s = 0; s < paint_.shades(); ++s) {
-      for (uint32_t stop = 0; stop <= paint_.shading().intervals(); ++stop) add(paint_.shade_colour(s, stop));
-    }
+    const auto add_number = [&add](double value) {
+      uint64_t bits = 0;
+      std::memcpy(&bits, &value, sizeof bits);
+      add(bits);
+    };
+    const auto add_rounded = [&](double px) { add(static_cast<uint64_t>(scaled(px, page_.decimals))); };
+    add(static_cast<uint64_t>(options_.style));
+    add(paint_.background());
+    add_number(options_.fog);
+    add(static_cast<uint64_t>(scaled(page_.line, 4)));
     for (uint32_t p = 0; p < input_.paths.size(); ++p) {
-      if (paint_.flat(p)) continue;
       const Disc disc = disc_of(p);
-      add(paint_.shade_of(p));
-      add(static_cast<uint64_t>(disc.x));
-      add(static_cast<uint64_t>(disc.y));
-      add(static_cast<uint64_t>(disc.radius));
+      add(paint_.fog_level(p));
+      add(input_.colour_of(input_.paths.ball_of(p)));
+      add_rounded(disc.centre.x);
+      add_rounded(disc.centre.y);
+      add_rounded(disc.radius);
+      if (paint_.flat(p)) continue;
+      input_.paths.visit(input_.balls, p, PathPart::outline, [&](const ProjectedArc &arc, bool, bool) {
+        const PagePoint start = page_.place(arc.start);
+        add_rounded(start.x);
+        add_rounded(start.y);
+        add_rounded(arc.ellipse.centre[0] * page_.scale);
+      });
     }
-    return static_cast<uint32_t>(key >> 40);
+    return static_cast<uint32_t>((key >> 32) % different_names);
   }
+  // Short, as each ball has up to four of them.
   void put_name(char kind, uint32_t number) {
     sink_.put(kind);
-    put_colour(sink_, names_);
+    for (uint32_t weight = different_names / name_digits; weight > 0; weight /= name_digits) {
+      const uint32_t digit = names_ / weight % name_digits;
+      sink_.put(static_cast<char>(digit < 10 ? '0' + digit : digit < 36 ? 'A' + (digit - 10) : 'a' + (digit - 36)));
+    }
     sink_.put('-');
     put_integer(sink_, number);
   }
 
-  // Where a path's ball is, y down, in units of the last decimal.
+  // A path's ball.
   struct Disc {
-    int64_t x, y, radius;
+    PagePoint centre;
+    double radius;
   };
   Disc disc_of(uint32_t path) const {
-    const PagePoint at = page_.centre_of(input_, path);
-    const int64_t radius = scaled(input_.balls.r[input_.paths.ball_of(path)] * page_.scale, page_.decimals);
+    const double radius = input_.balls.r[input_.paths.ball_of(path)] * page_.scale;
     // Renderers fail on a radius of 0.
-    return {scaled(at.x, page_.decimals), scaled(page_.height - at.y, page_.decimals), radius > 0 ? radius : 1};
+    const double least = 1.0 / power_of_ten[page_.decimals];
+    return {page_.centre_of(input_, path), radius > least ? radius : least};
   }
-  void put_place(const char *name, int64_t place) {
-    sink_.put(name);
-    sink_.put("=\"");
-    put_scaled(sink_, place, page_.decimals);
-    sink_.put('"');
+  SvgFrame frame_of_page() const { return {{0.0, page_.height}, 1.0}; }
+  // Decimals of numbers in a frame that come to those of the page.
+  int decimals_in(const SvgFrame &frame) const {
+    return decimals_for(1.0 / (frame.unit * power_of_ten[page_.decimals]), 0, finest_svg_decimals);
   }
 
-  // The stops of each shade, and a gradient for each ball that refers to them. It holds all else itself: not every
-  // renderer takes over more than stops.
+  // The light of each level of fog on a ball of radius 1, whole: not every renderer lets gradients share anything.
   void put_gradients() {
     const Shading &shading = paint_.shading();
-    names_ = key_of_gradients();
+    uint32_t seen = 0;
+    for (uint32_t p = 0; p < input_.paths.size(); ++p) {
+      if (!paint_.flat(p)) seen |= UINT32_C(1) << paint_.fog_level(p);
+    }
     sink_.put("<defs>\n");
-    for (uint32_t s = 0; s < paint_.shades(); ++s) {
+    for (uint32_t level = 0; level <= fog_levels; ++level) {
+      if ((seen >> level & 1) == 0) continue;
       sink_.put("<radialGradient id=\"");
-      put_name('g', s);
-      sink_.put("\">");
+      put_name('g', level);
+      sink_.put("\" gradientUnits=\"userSpaceOnUse\" cx=\"0\" cy=\"0\" r=\"1\"");
+      if (shading.focus_x() != 0.0 || shading.focus_y() != 0.0) {
+        put_attribute(" fx", shading.focus_x(), 4);
+        put_attribute(" fy", -shading.focus_y(), 4);
+      }
+      sink_.put('>');
       for (uint32_t stop = 0; stop <= shading.intervals(); ++stop) {
+        const Shading::Glaze glaze = paint_.glaze(level, stop);
         put_attribute("<stop offset", shading.offset(stop), 6);
-        put_paint(" stop-color", paint_.shade_colour(s, stop));
+        put_paint(" stop-color", hsp::packed(glaze.colour));
+        put_attribute(" stop-opacity", glaze.opacity, 4);
         sink_.put("/>");
       }
       sink_.put("</radialGradient>\n");
     }
-    for (uint32_t p = 0; p < input_.paths.size(); ++p) {
-      if (paint_.flat(p)) continue;
-      const Disc disc = disc_of(p);
-      sink_.put("<radialGradient id=\"");
-      put_name('b', p);
-      sink_.put("\" xlink:href=\"#");
-      put_name('g', paint_.shade_of(p));
-      sink_.put("\" gradientUnits=\"userSpaceOnUse\"");
-      put_place(" cx", disc.x);
-      put_place(" cy", disc.y);
-      put_place(" r", disc.radius);
-      if (shading.focus_x() != 0.0 || shading.focus_y() != 0.0) {
-        put_place(" fx", disc.x + moved(disc.radius, shading.focus_x()));
-        put_place(" fy", disc.y - moved(disc.radius, shading.focus_y()));
-      }
-      sink_.put("/>\n");
-    }
     sink_.put("</defs>\n");
   }
-  static int64_t moved(int64_t radius, double share) { return scaled(static_cast<double>(radius) * share, 0); }
 
   void put_stroke(uint32_t level) {
     put_paint(" stroke", paint_.line_colour(level));
@@ -180,6 +191,88 @@ class SvgWriter {
     if (open <= fog_levels) sink_.put("</g>\n");
   }
 
+  // A ball with classes has its number in an id, by which links, too, find it. The halves of sticks, of which there may
+  // be several, have none.
+  void put_ball(uint32_t path) {
+    const uint32_t ball = input_.paths.ball_of(path);
+    const bool has_class = !is_blank(input_.class_of(ball));
+    if (options_.ids && has_class && !input_.paths.is_plain(path)) {
+      sink_.put(" id=\"");
+      put_name('a', input_.balls.caller[ball]);
+      sink_.put('"');
+    } else if (options_.ids) {
+      sink_.put(" data-ball=\"");
+      put_integer(sink_, input_.balls.caller[ball]);
+      sink_.put('"');
+    }
+    if (!has_class) return;
+    sink_.put(" class=\"");
+    put_xml_text(sink_, input_.class_of(ball));
+    sink_.put('"');
+  }
+  // What browsers show beside the pointer.
+  void put_title(uint32_t path) {
+    const char *title = input_.title_of(input_.paths.ball_of(path));
+    if (is_blank(title)) return;
+    sink_.put("<title>");
+    put_xml_text(sink_, title);
+    sink_.put("</title>");
+  }
+  // Where groups do not say it.
+  void put_own_stroke(uint32_t level) {
+    if (ink_.is_drawn() && paint_.lines_along()) put_paint(" stroke", paint_.line_colour(level));
+  }
+
+  void put_flat(uint32_t path, uint32_t level) {
+    const Shape shape = shape_of(path, frame_of_page());
+    put_shape(shape);
+    put_ball(path);
+    put_paint(" fill", paint_.flat_colour(path));
+    put_own_stroke(level);
+    put_outline(path, shape);
+    if (is_blank(input_.title_of(input_.paths.ball_of(path)))) {
+      sink_.put("/>\n");
+      return;
+    }
+    sink_.put('>');
+    put_title(path);
+    sink_.put(shape.disc ? "</circle>\n" : "</path>\n");
+  }
+
+  // The ball's colour on a group around its outline, and the same outline with light over it: whoever gives the group
+  // another colour keeps the light. Lines belong to the latter. The ball's disc is the unit circle around the origin.
+  void put_lit(uint32_t path, uint32_t level) {
+    const Disc disc = disc_of(path);
+    sink_.put("<g");
+    put_ball(path);
+    put_paint(" fill", paint_.unlit_colour(path));
+    sink_.put(" transform=\"translate(");
+    put_decimal(sink_, disc.centre.x, page_.decimals);
+    sink_.put(' ');
+    put_decimal(sink_, page_.height - disc.centre.y, page_.decimals);
+    sink_.put(")scale(");
+    put_decimal(sink_, disc.radius, page_.decimals);
+    sink_.put(")\">");
+    put_title(path);
+    const Shape shape = shape_of(path, {disc.centre, disc.radius});
+    put_shape(shape);
+    sink_.put(" id=\"");
+    put_name('p', path);
+    sink_.put('"');
+    put_outline(path, shape);
+    sink_.put("/><use xlink:href=\"#");
+    put_name('p', path);
+    sink_.put("\" fill=\"url(#");
+    put_name('g', paint_.fog_level(path));
+    sink_.put(")\"");
+    if (paint_.lines_along()) {
+      put_paint(" stroke", paint_.line_colour(level));
+      put_attribute(" stroke-width", page_.line / disc.radius,
+                    decimals_for(1e-4 / disc.radius, 0, finest_svg_decimals));
+    }
+    sink_.put("/></g>\n");
+  }
+
   // A group of its own for each colour of lines along the paths, or of contours, which are filled and have no lines.
   void put_paths() {
     uint32_t open = fog_levels + 1;  // the group's level, or none
@@ -189,28 +282,18 @@ class SvgWriter {
         if (ink_.is_drawn()) {
           put_paint(" fill", ink_.colour(InkLevel::border, level));
           if (paint_.lines_along()) put_line_shape();
-        } else if (paint_.lines_along()) {
+        } else if (paint_.lines_along() && paint_.flat()) {
           put_stroke(level);
+        } else if (paint_.lines_along()) {
+          put_line_shape();
         }
         sink_.put(">\n");
       }
-      sink_.put("<path");
-      if (options_.ids) {
-        sink_.put(" data-ball=\"");
-        put_integer(sink_, input_.balls.caller[input_.paths.ball_of(p)]);
-        sink_.put('"');
-      }
       if (paint_.flat(p)) {
-        put_paint(" fill", paint_.flat_colour(p));
+        put_flat(p, level);
       } else {
-        sink_.put(" fill=\"url(#");
-        put_name('b', p);
-        sink_.put(")\"");
+        put_lit(p, level);
       }
-      if (ink_.is_drawn() && paint_.lines_along()) put_paint(" stroke", paint_.line_colour(level));
-      sink_.put(" d=\"");
-      put_arcs(p, PathPart::outline);
-      sink_.put("\"/>\n");
       if (ink_.is_drawn()) put_ink(p);
     }
     end_group(open);
@@ -229,7 +312,7 @@ class SvgWriter {
         sink_.put(" stroke-linecap=\"round\">\n");
       }
       sink_.put("<path d=\"");
-      put_arcs(p, PathPart::lines);
+      put_arcs(p, PathPart::lines, frame_of_page());
       sink_.put("\"/>\n");
     }
     end_group(open);
@@ -237,43 +320,75 @@ class SvgWriter {
 
   // A renderer finds the centre of an arc from its ends. Rounding these by u moves the centre of an ellipse with
   // semi-axes a > b along the major axis by about u a / b, hence the finer the flatter the ellipse.
-  int decimals_of(uint32_t path, PathPart part) const {
-    int decimals = page_.decimals;
+  int decimals_of(uint32_t path, PathPart part, const SvgFrame &frame) const {
+    int decimals = decimals_in(frame);
     input_.paths.visit(input_.balls, path, part, [&](const ProjectedArc &plane_arc, bool, bool) {
       const PageArc arc = page_.place(plane_arc);
       if (page_.is_line(arc)) return;
       const double flatness = arc.semi_axis[1] / arc.semi_axis[0];
-      decimals = decimals_for((flatness < 1.0 ? flatness : 1.0) / 10, decimals, finest_decimals);
+      decimals = decimals_for((flatness < 1.0 ? flatness : 1.0) / (10 * frame.unit), decimals, finest_svg_decimals);
     });
     return decimals;
   }
 
-  void put_arcs(uint32_t path, PathPart part) {
-    const int decimals = decimals_of(path, part);
-    input_.paths.visit(input_.balls, path, part, [&](const ProjectedArc &arc, bool first, bool closes) {
-      put_next(page_.place(arc), first, closes, decimals);
-    });
+  // What a path's outline is in some frame: a whole circle, or anything else.
+  struct Shape {
+    SvgFrame frame;
+    bool disc;
+    PagePoint centre;
+    double radius;
+  };
+  Shape shape_of(uint32_t path, const SvgFrame &frame) const {
+    Shape shape{frame, false, {0.0, 0.0}, 0.0};
+    uint32_t arcs = 0;
+    input_.paths.visit(input_.balls, path, PathPart::outline,
+                       [&](const ProjectedArc &plane_arc, bool first, bool closes) {
+                         const PageArc arc = page_.place(plane_arc);
+                         shape.disc = ++arcs == 1 && first && closes && arc.circle;
+                         shape.centre = arc.centre;
+                         shape.radius = arc.semi_axis[0];
+                       });
+    return shape;
   }
-  void put_next(const PageArc &arc, bool first, bool closes, int decimals) {
-    if (first) {
-      sink_.put('M');
-      put_point(arc.start, decimals);
+  void put_shape(const Shape &shape) { sink_.put(shape.disc ? "<circle" : "<path"); }
+  void put_outline(uint32_t path, const Shape &shape) {
+    const SvgFrame &frame = shape.frame;
+    if (!shape.disc) {
+      sink_.put(" d=\"");
+      put_arcs(path, PathPart::outline, frame);
+      sink_.put('"');
+      return;
     }
-    if (page_.is_line(arc)) {
-      visit_line(arc, [&](const PagePoint &point) {
-        sink_.put('L');
-        put_point(point, decimals);
-      });
-    } else {
-      put_arc(arc, decimals);
-    }
-    if (closes) sink_.put('Z');
+    const int decimals = decimals_in(frame);
+    put_coordinate(" cx", (shape.centre.x - frame.origin.x) / frame.unit, decimals);
+    put_coordinate(" cy", (frame.origin.y - shape.centre.y) / frame.unit, decimals);
+    put_attribute(" r", shape.radius / frame.unit, decimals);
+  }
+  // Which is 0 if it is left out.
+  void put_coordinate(const char *name, double value, int decimals) {
+    if (scaled(value, decimals) != 0) put_attribute(name, value, decimals);
+  }
+
+  void put_arcs(uint32_t path, PathPart part, const SvgFrame &frame) {
+    SvgPath data(sink_, frame, decimals_of(path, part, frame));
+    const int circle_decimals = decimals_in(frame);
+    input_.paths.visit(input_.balls, path, part, [&](const ProjectedArc &plane_arc, bool first, bool closes) {
+      const PageArc arc = page_.place(plane_arc);
+      if (first) data.begin(arc.start);
+      if (page_.is_line(arc)) {
+        visit_line(arc, [&](const PagePoint &point) { data.line_to(point); });
+      } else {
+        data.follow(arc, circle_decimals);
+      }
+      if (closes) data.close();
+    });
   }
 
   // Whoever clicks on ink clicks on the ball below.
   void put_ink(uint32_t path) {
     static constexpr const char *class_of[] = {"border", "group", "depth"};
     for (const InkLevel level : ink_levels) {
+      SvgPath data(sink_, frame_of_page(), page_.decimals);
       bool any = false;
       ink_.visit(path, level, [&](const InkCurve &curve, bool first, bool closes) {
         if (!any) {
@@ -285,75 +400,12 @@ class SvgWriter {
           sink_.put(" d=\"");
           any = true;
         }
-        put_curve(curve, first);
-        if (closes) sink_.put('Z');
+        if (first) data.begin(curve.start);
+        if (curve.behind_line) data.line_to(curve.start);
+        data.follow(curve);
+        if (closes) data.close();
       });
       if (any) sink_.put("\"/>\n");
-    }
-  }
-
-  // By steps from the place of the pen, which are shorter.
-  void put_curve(const InkCurve &curve, bool first) {
-    const Place start = place_of(curve.start);
-    if (first) {
-      sink_.put('M');
-      put_scaled(sink_, start.x, page_.decimals);
-      put_step(start.y);
-    } else if (curve.behind_line) {
-      sink_.put('l');
-      put_step_to(start);
-    }
-    pen_ = start;
-    sink_.put('q');
-    put_step_to(place_of(curve.control));
-    const Place end = place_of(curve.end);
-    if (end.x >= pen_.x) sink_.put(' ');
-    put_step_to(end);
-    pen_ = end;
-  }
-  // y down, in units of the last decimal.
-  struct Place {
-    int64_t x, y;
-  };
-  Place place_of(const PagePoint &point) const {
-    return {scaled(point.x, page_.decimals), scaled(page_.height - point.y, page_.decimals)};
-  }
-  void put_step_to(const Place &place) {
-    put_scaled(sink_, place.x - pen_.x, page_.decimals);
-    put_step(place.y - pen_.y);
-  }
-  // Behind another number.
-  void put_step(int64_t step) {
-    if (step >= 0) sink_.put(' ');
-    put_scaled(sink_, step, page_.decimals);
-  }
-
-  void put_point(const PagePoint &point, int decimals) {
-    put_decimal(sink_, point.x, decimals);
-    sink_.put(' ');
-    put_decimal(sink_, page_.height - point.y, decimals);
-  }
-
-  // Counter-clockwise with y up is sweep 0 with y down. No part is longer than half a turn, hence no large arc.
-  void put_arc(const PageArc &arc, int decimals) {
-    double rotation = 0.0;
-    if (!arc.circle) {
-      rotation = arc_tangent(-arc.major.y, arc.major.x) * (180.0 / pi);
-      rotation += rotation > 90.0 ? -180.0 : rotation <= -90.0 ? 180.0 : 0.0;
-    }
-    // The ends of the major axis shall move as little as by the rounding of the points.
-    const double step = 60.0 / (arc.semi_axis[0] * power_of_ten[decimals]);
-    const int rotation_decimals = decimals_for(step, 0, finest_decimals);
-    const uint32_t parts = parts_of(arc.span(), longest_span);
-    for (uint32_t k = 1; k <= parts; ++k) {
-      sink_.put('A');
-      put_decimal(sink_, arc.semi_axis[0], decimals);
-      sink_.put(' ');
-      put_decimal(sink_, arc.semi_axis[1], decimals);
-      sink_.put(' ');
-      put_decimal(sink_, rotation, rotation_decimals);
-      sink_.put(arc.to > arc.from ? " 0 0 " : " 0 1 ");
-      put_point(k == parts ? arc.end : arc.at(arc.from + (arc.to - arc.from) * k / parts), decimals);
     }
   }
 
@@ -363,8 +415,7 @@ class SvgWriter {
   const Page &page_;
   const Paint &paint_;
   const Ink ink_;
-  Place pen_{0, 0};
-  uint32_t names_ = 0;  // 24 bits that gradients' names begin with
+  uint32_t names_ = 0;  // what all names of the file begin with
 };
 
 }  // namespace

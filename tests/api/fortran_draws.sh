@@ -7,8 +7,8 @@ mkdir -p "$work"
 rm -f "$work/ring.svg"
 "$program" "$work/ring.svg"
 xmllint --noout "$work/ring.svg"
-paths=$(grep -c '<path data-ball=' "$work/ring.svg")
-colours=$(grep -o '<path data-ball="[0-9]*"[^>]*fill="#[0-9a-fA-F]*"' "$work/ring.svg" | sed 's/.*fill=//' | sort -u | wc -l)
+paths=$(grep -c ' data-ball=' "$work/ring.svg")
+colours=$(grep -o ' data-ball="[0-9]*"[^>]*fill="#[0-9a-fA-F]*"' "$work/ring.svg" | sed 's/.*fill=//' | sort -u | wc -l)
 [ "$paths" -eq 12 ] || { echo "$paths paths for 12 balls" && exit 1; }
 [ "$colours" -eq 12 ] || { echo "$colours colours for 12 chains" && exit 1; }
 # Where it cannot write it says so.

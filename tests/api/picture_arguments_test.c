@@ -50,6 +50,8 @@ static void options_init(void) {
     CHECK_EQUAL(options.ink_colour[k], 0x23202B);
   }
   CHECK_EQUAL(options.reserved_for_ink, 0);
+  CHECK_EQUAL(options.atom_class, 0);
+  CHECK_EQUAL(options.atom_title, 0);
   CHECK(options.scale == 0 && options.centre[0] == 0 && options.centre[1] == 0 && options.centre[2] == 0);
 }
 

@@ -71,7 +71,7 @@ static void check_text(const picture_sink *sink, const hsp_picture_options *opti
   if (options->format == HSP_FORMAT_SVG) {
     CHECK(occurrences(sink, "<svg") == 1 && occurrences(sink, "</svg>") == 1);
     CHECK_EQUAL(occurrences(sink, "data-ball=\""), options->flags & HSP_PICTURE_NO_IDS ? 0 : paths);
-    CHECK(occurrences(sink, "<path") >= paths);
+    CHECK(occurrences(sink, "<path") + occurrences(sink, "<circle") >= paths);
     CHECK_EQUAL(strlen(sink->bytes), sink->count);
   } else if (options->format == HSP_FORMAT_EPS) {
     CHECK(starts_with(sink, "%!PS-Adobe-3.0 EPSF-3.0"));

@@ -406,7 +406,8 @@ static void pictures(void) {
       const char *at;
       int paths = 0, plain = 0;
       CHECK_EQUAL(sink.odd, 0);
-      for (at = strstr(sink.bytes, "<path"); at != NULL; at = strstr(at + 1, "<path")) {
+      for (at = strchr(sink.bytes, '<'); at != NULL; at = strchr(at + 1, '<')) {
+        if (strncmp(at, "<path", 5) != 0 && strncmp(at, "<circle", 7) != 0) continue;
         ++paths;
         plain += strstr(at, "fill=\"#") == strstr(at, "fill=");
       }

@@ -181,4 +181,90 @@ TEST(InlinePictures, LookLikeImages) {
   EXPECT_GT(difference(expected, screenshot(page_of(""))).mean, 10);
 }
 
+// What style sheets recolour keeps its light. With librsvg and Chromium, in front of the elements of the file.
+std::string restyled(std::string file, const std::string &rules) {
+  return file.insert(file.find('>') + 1, "<style>" + rules + "</style>");
+}
+
+class Recolouring : public testing::TestWithParam<Renderer> {
+ protected:
+  // Skips where the program is missing or does not run.
+  static bool draws(const std::string &file, Raster &raster) {
+    if (!has_program(GetParam().program)) return false;
+    try {
+      raster = drawn_by(GetParam(), file);
+    } catch (const std::runtime_error &) {
+      if (GetParam().needs_desktop) return false;
+      throw;
+    }
+    return true;
+  }
+};
+
+TEST_P(Recolouring, KeepsTheRatioOfCentreAndRim) {
+  const DrawnView one({{0, 0, 0, 1000}});
+  const char *const classes[] = {"el-C"};
+  hsp_picture_options options = picture_options(HSP_FORMAT_SVG, HSP_STYLE_HEADLIGHT);
+  options.atom_class = HSP_ADDRESS(classes);
+  options.margin = 0;
+  options.outline = 0;
+  options.width = side;
+  options.height = side;
+  const std::string file = one.picture(options);
+  for (const char *rules : {"", ".el-C{fill:#3c8ce6}", ".el-C{fill:#ffe0a0}"}) {
+    Raster raster;
+    if (!draws(restyled(file, rules), raster)) GTEST_SKIP() << GetParam().program << " is missing or does not run";
+    const uint8_t *centre = raster.pixel(500, 500);
+    for (const size_t x : {100U, 900U}) {  // .8 from the centre: .36 + .64 x .6
+      for (size_t channel = 0; channel < 3; ++channel) {
+        EXPECT_NEAR(raster.pixel(x, 500)[channel], 0.744 * centre[channel], 2.5) << rules << x;
+      }
+    }
+    if (*rules == '.') {
+      for (size_t channel = 0; channel < 3; ++channel) {
+        const std::string digits = std::string(rules).substr(12 + 2 * channel, 2);
+        EXPECT_NEAR(centre[channel], std::stoi(digits, nullptr, 16), 1) << rules;
+      }
+    }
+  }
+}
+
+// Red oxygen as a style sheet has it, and as the caller has it.
+TEST_P(Recolouring, IsDrawingInThatColour) {
+  const oracle::Balls balls = read_molecule(support::own_molecule("crambin.pdb"));
+  const LibraryScene scene(balls, drawn_step);
+  const LibraryView view(scene, ViewChoice{HSP_PIECES_OUTSIDE_FARTHER, 0, false, {0, 0, 1}, {}});
+  std::vector<const char *> classes;
+  for (const oracle::LatticeBall &ball : balls) classes.push_back(ball.radius == 1520 ? "el-O" : "el-C");
+  hsp_picture_options options = picture_options(HSP_FORMAT_SVG, HSP_STYLE_SOFT);
+  options.atom_class = HSP_ADDRESS(classes.data());
+  options.fog = 0;
+  const auto drawn_in = [&](const std::vector<uint32_t> &colours) {
+    std::string text;
+    expect_ok(
+        hsp_picture_write(view.handle(), colours.data(), &options, nullptr, nullptr, append_bytes, &text, nullptr),
+        "hsp_picture_write");
+    return text;
+  };
+  std::vector<uint32_t> colours = colours_of(balls);
+  const std::string file = drawn_in(colours);
+  for (size_t k = 0; k < balls.size(); ++k) {
+    if (balls[k].radius == 1520) colours[k] = 0x2E8B57;
+  }
+  Raster by_rule;
+  Raster by_caller;
+  if (!draws(restyled(file, ".el-O{fill:#2e8b57}"), by_rule) || !draws(drawn_in(colours), by_caller)) {
+    GTEST_SKIP() << GetParam().program << " is missing or does not run";
+  }
+  EXPECT_EQ(difference(by_rule, by_caller).mean, 0);
+  Raster before;
+  ASSERT_TRUE(draws(file, before));
+  EXPECT_GT(difference(before, by_caller).mean, 2);
+}
+
+std::string name_of_renderer(const testing::TestParamInfo<Renderer> &info) {
+  return info.param.name;
+}
+INSTANTIATE_TEST_SUITE_P(Browsers, Recolouring, testing::Values(renderers[0], renderers[3]), name_of_renderer);
+
 }  // namespace

@@ -1,4 +1,6 @@
-// Elliptical arcs from their ends to their centres: appendix F.6.5 of the standard.
+// Elliptical arcs from their ends to their centres: appendix F.6.5 of the standard. A ball with light is a group whose
+// unit circle is its disc: its number and colour are the group's.
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -17,13 +19,26 @@ std::string attribute(const std::string &element, const std::string &name) {
   return element.substr(first, element.find('"', first) - first);
 }
 
+// What a path's own coordinates count from, y down, and how long 1 is.
+struct Frame {
+  PagePoint origin{0, 0};
+  double unit = 1;
+};
+
 class PathReader {
  public:
-  PathReader(const std::string &text, double height) : text_(text), height_(height) {}
+  PathReader(const std::string &text, double height, const Frame &frame = {})
+      : text_(text), height_(height), frame_(frame) {}
 
   std::vector<Loop> read() {
+    char command = '\0';
     for (skip(); place_ < text_.size(); skip()) {
-      const char command = text_[place_++];
+      // A command goes on where there is none.
+      if (std::isalpha(static_cast<unsigned char>(text_[place_])) != 0) {
+        command = text_[place_++];
+      } else if (std::string("laq").find(command) == std::string::npos) {
+        throw std::runtime_error("svg: numbers without a command");
+      }
       if (command == 'M') {
         loops_.push_back({});
         here_ = point();
@@ -33,12 +48,7 @@ class PathReader {
       if (loops_.empty() || loops_.back().closed) throw std::runtime_error("svg: a path without M");
       if (command == 'Z') {
         loops_.back().closed = true;
-      } else if (command == 'L') {
-        Segment line;
-        line.start = here_;
-        line.end = here_ = point();
-        loops_.back().segments.push_back(line);
-      } else if (command == 'A') {
+      } else if (command == 'a') {
         read_arc();
       } else if (command == 'l') {
         Segment line;
@@ -71,25 +81,25 @@ class PathReader {
   // With y up.
   PagePoint point() {
     const double x = number();
-    return {x, height_ - number()};
+    return {frame_.origin[0] + frame_.unit * x, height_ - frame_.origin[1] - frame_.unit * number()};
   }
 
   // From here.
   PagePoint step() {
     const double x = number();
-    return {here_[0] + x, here_[1] - number()};
+    return {here_[0] + frame_.unit * x, here_[1] - frame_.unit * number()};
   }
 
   void read_arc() {
-    double a = number();
-    double b = number();
+    double a = frame_.unit * number();
+    double b = frame_.unit * number();
     const double rotation = -number() * std::numbers::pi / 180;
     const bool large = number() != 0;
     const bool counter_clockwise = number() == 0;
     Segment arc;
     arc.kind = Segment::Kind::arc;
     arc.start = here_;
-    arc.end = here_ = point();
+    arc.end = here_ = step();
     if (arc.start == arc.end) return;  // which the standard wants left out
     const double c = std::cos(rotation);
     const double s = std::sin(rotation);
@@ -123,6 +133,7 @@ class PathReader {
 
   const std::string &text_;
   double height_;
+  Frame frame_;
   size_t place_ = 0;
   PagePoint here_{};
   std::vector<Loop> loops_;
@@ -130,8 +141,51 @@ class PathReader {
 
 }  // namespace
 
+// Its number in data-ball, or in an id; 0xFFFFFFFF if there is none.
+static uint32_t ball_of(const std::string &element) {
+  const std::string ball = attribute(element, "data-ball");
+  if (!ball.empty()) return static_cast<uint32_t>(std::stoul(ball));
+  const std::string id = attribute(element, "id");
+  if (!id.starts_with("a")) return 0xFFFFFFFFU;
+  return static_cast<uint32_t>(std::stoul(id.substr(id.find('-') + 1)));
+}
+
+// A whole circle, as its leftmost point and two halves.
+static Loop circle(const std::string &element, double height, const Frame &frame) {
+  const auto number = [&](const char *name) {
+    const std::string value = attribute(element, name);
+    return value.empty() ? 0.0 : std::stod(value);
+  };
+  const double radius = frame.unit * number("r");
+  Segment half;
+  half.kind = Segment::Kind::arc;
+  half.centre = {frame.origin[0] + frame.unit * number("cx"), height - frame.origin[1] - frame.unit * number("cy")};
+  half.axis[0] = {radius, 0};
+  half.axis[1] = {0, radius};
+  Loop loop;
+  loop.closed = true;
+  for (const double from : {-std::numbers::pi, 0.0}) {
+    half.from = from;
+    half.to = from + std::numbers::pi;
+    const double side = from < 0 ? -radius : radius;
+    half.start = {half.centre[0] + side, half.centre[1]};
+    half.end = {half.centre[0] - side, half.centre[1]};
+    loop.segments.push_back(half);
+  }
+  loop.start = loop.segments.front().start;
+  return loop;
+}
+
+// The loops of a path or circle.
+static std::vector<Loop> loops_of(const std::string &element, double height, const Frame &frame = {}) {
+  if (element.starts_with("<circle")) return {circle(element, height, frame)};
+  return PathReader(attribute(element, "d"), height, frame).read();
+}
+
 PictureFile read_svg(const std::string &text) {
   PictureFile file;
+  std::string lit;  // the group of a ball with light, while it is open
+  Frame frame;
   size_t place = 0;
   while ((place = text.find('<', place)) != std::string::npos) {
     const size_t end = text.find('>', place);
@@ -142,20 +196,35 @@ PictureFile read_svg(const std::string &text) {
       const std::string box = attribute(element, "viewBox");
       if (std::sscanf(box.c_str(), "0 0 %lf %lf", &file.width, &file.height) != 2) throw std::runtime_error("viewBox");
     }
-    if (!element.starts_with("<path")) continue;
+    if (element.starts_with("<g ") && element.find("transform=") != std::string::npos) {
+      lit = element;
+      const std::string transform = attribute(element, "transform");
+      const char *const form = "translate(%lf %lf)scale(%lf)";
+      if (std::sscanf(transform.c_str(), form, &frame.origin[0], &frame.origin[1], &frame.unit) != 3) {
+        throw std::runtime_error("svg: " + element);
+      }
+    }
+    if (element.starts_with("</g")) lit.clear();
+    if (!element.starts_with("<path") && !element.starts_with("<circle")) continue;
     PaintedPath path;
+    if (!lit.empty()) {
+      path.paint = attribute(lit, "fill");
+      path.ball = ball_of(lit);
+      path.loops = loops_of(element, file.height, frame);
+      file.paths.push_back(path);
+      continue;
+    }
     path.name = attribute(element, "class");
     if (path.name == "border" || path.name == "group" || path.name == "depth") {
       path.ball = file.paths.back().ball;
       path.behind = file.paths.size();
-      path.loops = PathReader(attribute(element, "d"), file.height).read();
+      path.loops = loops_of(element, file.height);
       file.ink.push_back(path);
       continue;
     }
     path.paint = attribute(element, "fill");
-    const std::string ball = attribute(element, "data-ball");
-    if (!ball.empty()) path.ball = static_cast<uint32_t>(std::stoul(ball));
-    path.loops = PathReader(attribute(element, "d"), file.height).read();
+    path.ball = ball_of(element);
+    path.loops = loops_of(element, file.height);
     (path.paint.empty() ? file.lines : file.paths).push_back(path);
   }
   return file;

@@ -358,6 +358,31 @@ TEST(DrawColours, InkFollowsDepth) {
   EXPECT_NE(refused.err.find("--ink is not for --as ball-and-stick"), std::string::npos);
 }
 
+// Elements, residues and chains as classes, with ids in the place of data-ball, and names beside the pointer.
+TEST(DrawColours, ClassesAndTooltips) {
+  const std::string plain = drawn(crambin(), {});
+  EXPECT_EQ(plain.find("class="), std::string::npos);
+  const std::string named = drawn(crambin(), {"--classes"});
+  EXPECT_NE(named.find("-17\" class=\"el-O res-CYS chain-A\" fill=\"#"), std::string::npos);
+  EXPECT_EQ(named.find("data-ball="), std::string::npos);
+  EXPECT_EQ(named.find("CYS A"), std::string::npos);
+  const std::string told = drawn(crambin(), {"--tooltips", "--style", "flat"});
+  EXPECT_NE(told.find("<title>CYS A 16 SG</title></path>"), std::string::npos);
+  EXPECT_EQ(told.find("class="), std::string::npos);
+  EXPECT_NE(told.find("data-ball="), std::string::npos);
+  EXPECT_LT(drawn(crambin(), {"--classes", "--ink"}).size(), 170000u);
+  EXPECT_LT(drawn(molecules_folder() + "/sod_stand_in.pdb", {"--ink"}).size(), 650000u);
+  // No residues, no chains.
+  const TemporaryFile pair("pair.xyz", "2\n\nC 1 2 3\nO 9 4 3\n");
+  EXPECT_NE(drawn(pair.path(), {"--classes", "--tooltips"}).find("-1\" class=\"el-O\" fill=\"#"), std::string::npos);
+  for (const std::string option : {"--classes", "--tooltips"}) {
+    const TemporaryFile out("named.eps");
+    const Outcome refused = run_program({"draw", crambin(), "-o", out.path(), option});
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_NE(refused.err.find(option + " is for .svg: other formats have none"), std::string::npos);
+  }
+}
+
 void expect_golden(const std::string &molecule, const std::string &extension, const std::vector<std::string> &options) {
   const std::string golden = read_file(pictures_folder() + "/" + molecule + extension);
   const std::string found = drawn(molecules_folder() + "/" + molecule + ".pdb", options, extension);

@@ -211,13 +211,16 @@ TEST(DrawViews, ATurnInPictures) {
   }
   EXPECT_EQ(json["bytes"].number, bytes);
   // 10 across and as much again for margins makes 10 px a unit.
-  EXPECT_NE(read_file(numbered("000")).find(" d=\"M10 30A10 10 "), std::string::npos) << read_file(numbered("000"));
-  EXPECT_NE(read_file(numbered("000")).find(" d=\"M70 30A20 20 "), std::string::npos);
+  EXPECT_NE(read_file(numbered("000")).find(" cx=\"20\" cy=\"30\" r=\"10\""), std::string::npos)
+      << read_file(numbered("000"));
+  EXPECT_NE(read_file(numbered("000")).find(" cx=\"90\" cy=\"30\" r=\"20\""), std::string::npos);
   // A quarter of a turn brings the left end to the front, three of them put it behind the larger ball.
-  EXPECT_NE(read_file(numbered("001")).find(" d=\"M50 30A10 10 "), std::string::npos) << read_file(numbered("001"));
-  EXPECT_NE(read_file(numbered("001")).find(" d=\"M40 30A20 20 "), std::string::npos);
-  EXPECT_NE(read_file(numbered("002")).find(" d=\"M90 30A10 10 "), std::string::npos) << read_file(numbered("002"));
-  EXPECT_EQ(read_file(numbered("003")).find(" d=\"M50 30A10 10 "), std::string::npos);
+  EXPECT_NE(read_file(numbered("001")).find(" cx=\"60\" cy=\"30\" r=\"10\""), std::string::npos)
+      << read_file(numbered("001"));
+  EXPECT_NE(read_file(numbered("001")).find(" cx=\"60\" cy=\"30\" r=\"20\""), std::string::npos);
+  EXPECT_NE(read_file(numbered("002")).find(" cx=\"100\" cy=\"30\" r=\"10\""), std::string::npos)
+      << read_file(numbered("002"));
+  EXPECT_EQ(read_file(numbered("003")).find(" cx=\"60\" cy=\"30\" r=\"10\""), std::string::npos);
 }
 
 // Any other picture of a turn is the one by --rotate in the same frame; probes and balls with sticks make their frame.
@@ -289,15 +292,15 @@ TEST(DrawViews, Crops) {
     options.insert(options.end(), whole.begin(), whole.end());
     return options;
   };
-  EXPECT_NE(drawn(pair.path(), with({})).find(" d=\"M3 23A10 10 "), std::string::npos);
+  EXPECT_NE(drawn(pair.path(), with({})).find(" cx=\"13\" cy=\"23\" r=\"10\""), std::string::npos);
   const std::string part = drawn(pair.path(), with({"--crop", "50,10,60,30"}));
   EXPECT_NE(part.find(" width=\"60px\" height=\"30px\" viewBox=\"0 0 60 30\""), std::string::npos) << part;
-  EXPECT_NE(part.find(" d=\"M-47 13A10 10 "), std::string::npos) << part;
-  EXPECT_NE(part.find(" d=\"M13 13A20 20 "), std::string::npos) << part;
+  EXPECT_NE(part.find(" cx=\"-37\" cy=\"13\" r=\"10\""), std::string::npos) << part;
+  EXPECT_NE(part.find(" cx=\"33\" cy=\"13\" r=\"20\""), std::string::npos) << part;
   // Of a fixed frame: 10 px an angstrom about 3.5, 45 by 45.
   const std::string fixed = drawn(
       pair.path(), {"--view", "0,0,1", "--style", "flat", "--width", "45", "--scale", "10", "--crop", "1,2,30,40"});
-  EXPECT_NE(fixed.find(" d=\"M-23.5 20.5A10 10 "), std::string::npos) << fixed;
+  EXPECT_NE(fixed.find(" cx=\"-13.5\" cy=\"20.5\" r=\"10\""), std::string::npos) << fixed;
   for (const char *as : {"balls", "ball-and-stick"}) {
     for (const char *view : {"1,2,3", "auto"}) {
       const std::vector<std::string> looks = {"--as",    as,     "--view",    view, "--width", "600",

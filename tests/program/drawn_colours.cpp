@@ -33,7 +33,7 @@ std::string drawn(const std::string &file, std::vector<std::string> options, con
 std::map<int, std::string> fills(const std::string &file, std::vector<std::string> options) {
   options.insert(options.end(), {"--style", "flat", "--fog", "0", "--all-balls"});
   const std::string svg = drawn(file, options);
-  const std::string path = "<path data-ball=\"";
+  const std::string path = " data-ball=\"";
   std::map<int, std::string> found;
   for (size_t at = svg.find(path); at != std::string::npos; at = svg.find(path, at + 1)) {
     int ball = -1;

@@ -18,6 +18,7 @@ using cases::staggered;
 std::string file(hsp::PictureStyle style, bool compressed) {
   static std::vector<unsigned char> memory(HSP_PICTURE_MEMORY);
   hsp::PictureOptions options;
+  options.format = hsp::PictureFormat::pdf;
   options.style = style;
   if (compressed) {
     options.memory = memory.data();

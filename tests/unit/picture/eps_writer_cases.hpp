@@ -149,6 +149,7 @@ inline uint32_t eps_shades() {
     const bool soft = style == hsp::PictureStyle::soft;
     if (!small_view().succeeds(staggered, 4)) return false;
     hsp::PictureOptions options = two_px_per_step(65);
+    options.format = hsp::PictureFormat::eps;
     options.style = style;
     TextReader reader(written(hsp::write_eps, picture_input(colour), options).text);
     double intervals, focus[2], count, number, first_stop[3], at[4];
@@ -184,6 +185,7 @@ inline uint32_t eps_shades() {
 // A scale of 0 would be an error.
 inline uint32_t no_eps_radius_is_0() {
   hsp::PictureOptions options;
+  options.format = hsp::PictureFormat::eps;
   options.style = hsp::PictureStyle::soft;
   options.width = .1;
   if (!small_view().succeeds(small_beside_large, 2)) return 0;

@@ -110,6 +110,7 @@ inline uint32_t shades_are_shared() {
   return first_failing(shade_sets, [](const Shades &c) {
     if (!small_view().succeeds(at_depths, at_depths_count)) return false;
     hsp::PictureOptions options;
+    options.format = hsp::PictureFormat::eps;
     options.style = hsp::PictureStyle::soft;
     options.fog = c.fog;
     const PaintOf of(options, c.colour);
@@ -134,8 +135,10 @@ inline uint32_t shades_are_lit() {
     hsp::PictureOptions options;
     options.fog = c.fog;
     options.background = c.background;
+    options.format = hsp::PictureFormat::eps;
     options.style = hsp::PictureStyle::headlight;
     const PaintOf headlight(options, own_colours);
+    // Both use the same scratch memory, and find the same shades there.
     options.style = hsp::PictureStyle::soft;
     const PaintOf soft(options, own_colours);
     for (uint32_t k = 0; k < at_depths_count; ++k) {
@@ -158,9 +161,44 @@ inline uint32_t shades_are_lit() {
   });
 }
 
+// Colour with light over it is the shade of other formats: up to rounding for the headlight, nearly for soft light.
+inline uint32_t lights_make_shades() {
+  return first_failing(fogs, [](const Fog &c) {
+    if (!small_view().succeeds(at_depths, at_depths_count)) return false;
+    for (const auto style : {hsp::PictureStyle::headlight, hsp::PictureStyle::soft}) {
+      hsp::PictureOptions options;
+      options.fog = c.fog;
+      options.background = c.background;
+      options.style = style;
+      for (uint32_t k = 0; k < at_depths_count; ++k) {
+        const uint32_t p = piece_of(k);
+        options.format = hsp::PictureFormat::svg;
+        const PaintOf light(options, own_colours);
+        const uint32_t unlit = light.paint().unlit_colour(p), level = light.paint().fog_level(p);
+        if (!lies_between(unlit, own_colours[k], c.background, c.fog * level / 10)) return false;
+        options.format = hsp::PictureFormat::eps;
+        const PaintOf shade(options, own_colours);
+        for (uint32_t stop = 0; stop <= shade.paint().shading().intervals(); ++stop) {
+          const hsp::Shading::Glaze glaze = light.paint().glaze(level, stop);
+          const uint32_t expected = shade.paint().shade_colour(shade.paint().shade_of(p), stop);
+          for (int channel = 0; channel < 3; ++channel) {
+            const int shift = 16 - 8 * channel;
+            const double laid =
+                (unlit >> shift & 255) * (1 - glaze.opacity) + glaze.colour.channel[channel] * glaze.opacity;
+            const double most = style == hsp::PictureStyle::soft ? 6 : 1 + 1e-9;
+            if (!near(laid, expected >> shift & 255, most)) return false;
+          }
+        }
+      }
+    }
+    return true;
+  });
+}
+
 inline constexpr Check picture_paint[] = {{"flat_colours_fade", flat_colours_fade},
                                           {"lines_fade_less", lines_fade_less},
                                           {"shades_are_shared", shades_are_shared},
-                                          {"shades_are_lit", shades_are_lit}};
+                                          {"shades_are_lit", shades_are_lit},
+                                          {"lights_make_shades", lights_make_shades}};
 
 }  // namespace cases

@@ -164,6 +164,7 @@ inline uint32_t pdf_shades() {
     const uint32_t intervals = style == hsp::PictureStyle::soft ? 12 : 16;
     if (!small_view().succeeds(staggered, 4)) return false;
     hsp::PictureOptions options = two_px_per_step(65);
+    options.format = hsp::PictureFormat::pdf;
     options.style = style;
     options.outline = 1e-4;  // lines that want next to no room
     const PictureText &text = written(hsp::write_pdf, picture_input(colour), options);
@@ -196,6 +197,7 @@ inline uint32_t pdf_shades() {
 // A scale of 0 would be an error.
 inline uint32_t no_pdf_radius_is_0() {
   hsp::PictureOptions options;
+  options.format = hsp::PictureFormat::pdf;
   options.style = hsp::PictureStyle::soft;
   options.width = 1;
   if (!small_view().succeeds(small_beside_large, 2)) return 0;

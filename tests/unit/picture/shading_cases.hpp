@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <initializer_list>
 
 #include "cases.hpp"
 #include "picture/shading.hpp"
@@ -60,8 +61,32 @@ inline uint32_t soft_stops_are_those_of_the_light() {
   return all_hold;
 }
 
+// Light that is laid over a colour makes of it what it makes of it at once: of every colour for the headlight, of blue
+// for soft light where it has the brightness that the glaze is for, and of all others nearly.
+inline uint32_t glazes_light_colours() {
+  constexpr double usual = .72 * 255;
+  for (const bool soft : {false, true}) {
+    const hsp::Shading shading(soft);
+    for (uint32_t k = 0; k <= shading.intervals(); ++k) {
+      const hsp::Shading::Glaze glaze = shading.glaze(k);
+      if (glaze.opacity < 0 || glaze.opacity >= 1) return k;
+      for (const double c : {0., 60., 130., usual, 255.}) {
+        const hsp::Rgb lit = shading.lit({{c, c, c}}, k);
+        for (int channel = 0; channel < 3; ++channel) {
+          if (glaze.colour.channel[channel] < 0 || glaze.colour.channel[channel] > 255) return k;
+          const double laid = c * (1 - glaze.opacity) + glaze.colour.channel[channel] * glaze.opacity;
+          const bool exact = !soft || (c == usual && channel == 2);
+          if (!near(laid, lit.channel[channel], exact ? 1e-9 : 5)) return k;
+        }
+      }
+    }
+  }
+  return all_hold;
+}
+
 inline constexpr Check picture_shading[] = {
     {"headlight_stops_are_where_they_serve_best", headlight_stops_are_where_they_serve_best},
-    {"soft_stops_are_those_of_the_light", soft_stops_are_those_of_the_light}};
+    {"soft_stops_are_those_of_the_light", soft_stops_are_those_of_the_light},
+    {"glazes_light_colours", glazes_light_colours}};
 
 }  // namespace cases

@@ -1,0 +1,100 @@
+#include "picture/svg_path.hpp"
+
+#include "core/elementary.hpp"
+
+namespace hsp {
+namespace {
+
+// A renderer finds an arc's centre from its ends, which is badly conditioned where these are nearly opposite and where
+// they nearly are the same.
+constexpr double nearly_half_a_turn = 0.9 * pi;
+constexpr double longest_span = 1.75 * pi;
+
+// Where an arc is cut so that none of its parts is such a one: a share of it, or 1.
+double cut_of(double span) {
+  if (span <= nearly_half_a_turn) return 1.0;
+  if (span < 2 * pi - nearly_half_a_turn) return 0.5;
+  return span <= longest_span ? 1.0 : 1.0 / 3;
+}
+
+int64_t magnitude(int64_t n) {
+  return n < 0 ? -n : n;
+}
+
+}  // namespace
+
+void SvgPath::begin(const PagePoint &point) {
+  put_command('M');
+  pen_ = {0, 0};
+  move_to(place_of(point));
+}
+
+void SvgPath::line_to(const PagePoint &point) {
+  put_command('l');
+  move_to(place_of(point));
+}
+
+// Counter-clockwise with y up is sweep 0 with y down.
+void SvgPath::follow(const PageArc &arc, int circle_decimals) {
+  double rotation = 0.0;
+  if (!arc.circle) {
+    rotation = arc_tangent(-arc.major.y, arc.major.x) * (180.0 / pi);
+    rotation += rotation > 90.0 ? -180.0 : rotation <= -90.0 ? 180.0 : 0.0;
+  }
+  const int axis_decimals = arc.circle ? circle_decimals : decimals_;
+  // The ends of the major axis shall move as little as by the rounding of the points.
+  const double step = 60.0 * frame_.unit / (arc.semi_axis[0] * power_of_ten[decimals_]);
+  const int rotation_decimals = decimals_for(step, 0, finest_svg_decimals);
+  const double cut = cut_of(arc.span());
+  for (double from = 0.0, to = cut; from < 1.0; from = to, to = 1.0) {
+    put_command('a');
+    for (const double axis : arc.semi_axis) put_number(scaled(axis / frame_.unit, axis_decimals), axis_decimals);
+    put_number(scaled(rotation, rotation_decimals), rotation_decimals);
+    put_number((to - from) * arc.span() > pi ? 1 : 0, 0);
+    put_number(arc.to > arc.from ? 0 : 1, 0);
+    move_to(place_of(to < 1.0 ? arc.at(arc.from + (arc.to - arc.from) * to) : arc.end));
+  }
+}
+
+void SvgPath::follow(const InkCurve &curve) {
+  const Place control = place_of(curve.control), end = place_of(curve.end);
+  // The curve's middle is halfway between the line's middle and the control point.
+  const bool straight =
+      magnitude(2 * control.x - pen_.x - end.x) <= 4 && magnitude(2 * control.y - pen_.y - end.y) <= 4;
+  if (straight && end.x == pen_.x && end.y == pen_.y) return;
+  put_command(straight ? 'l' : 'q');
+  if (!straight) put_step_to(control);
+  move_to(end);
+}
+
+void SvgPath::close() {
+  put_command('Z');
+}
+
+void SvgPath::put_command(char command) {
+  if (command == last_ && command != 'M') return;
+  sink_.put(command);
+  last_ = command;
+  apart_ = true;
+}
+
+void SvgPath::put_number(int64_t n, int decimals) {
+  const auto one = static_cast<int64_t>(power_of_ten[decimals]);
+  const bool point_first = 0 < n && n < one;
+  if (!apart_ && n >= 0 && !(point_first && fraction_)) sink_.put(' ');
+  put_scaled(sink_, n, decimals);
+  apart_ = false;
+  fraction_ = n % one != 0;
+}
+
+void SvgPath::put_step_to(const Place &place) {
+  put_number(place.x - pen_.x, decimals_);
+  put_number(place.y - pen_.y, decimals_);
+}
+
+void SvgPath::move_to(const Place &place) {
+  put_step_to(place);
+  pen_ = place;
+}
+
+}  // namespace hsp

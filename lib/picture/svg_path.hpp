@@ -1,0 +1,58 @@
+// Path data of SVG, as short as they can be: steps from point to point, a command's letter once for several in a row,
+// and nothing between numbers that a sign or a second decimal point tells apart.
+//
+// Points are rounded before steps are taken. However long a path is, no point of it is farther from where it belongs
+// than by its own rounding, and loops end where they begin.
+#pragma once
+
+#include "picture/ink.hpp"
+#include "picture/number_text.hpp"
+
+namespace hsp {
+
+// Numbers in a file never have more.
+constexpr int finest_svg_decimals = 10;
+
+// Coordinates of a path, y down: `unit` px of the page are 1.
+struct SvgFrame {
+  PagePoint origin;
+  double unit;
+};
+
+class SvgPath {
+ public:
+  SvgPath(ByteSink &sink, const SvgFrame &frame, int decimals) : sink_(sink), frame_(frame), decimals_(decimals) {}
+
+  void begin(const PagePoint &point);
+  void line_to(const PagePoint &point);
+  // From where the pen is, the arc's start. A circle's radius has `circle_decimals`, axes of ellipses have those of the
+  // points.
+  void follow(const PageArc &arc, int circle_decimals);
+  // The same, for a curve: as a line where that is the same, if it is as long as a step.
+  void follow(const InkCurve &curve);
+  void close();
+
+ private:
+  // In units of the last decimal.
+  struct Place {
+    int64_t x, y;
+  };
+  Place place_of(const PagePoint &point) const {
+    return {scaled((point.x - frame_.origin.x) / frame_.unit, decimals_),
+            scaled((frame_.origin.y - point.y) / frame_.unit, decimals_)};
+  }
+  void put_command(char command);
+  void put_number(int64_t n, int decimals);
+  void put_step_to(const Place &place);
+  void move_to(const Place &place);
+
+  ByteSink &sink_;
+  SvgFrame frame_;
+  int decimals_;
+  Place pen_{0, 0};
+  char last_ = '\0';       // the last command
+  bool apart_ = true;      // whether a number can follow as it is
+  bool fraction_ = false;  // whether the last number has a decimal point
+};
+
+}  // namespace hsp
