@@ -16,46 +16,21 @@ using Box = std::array<double, 3>;
 void free_and_periodic(benchmark::State &state, Subject &subject, const Box &side) {
   Model &model = *subject.model;
   Boundary &boundary = *subject.boundary;
-  const Balls &balls = model.balls();
   boundary.compute();
-  support::OwnedContacts contacts;
-  contacts.take(support::contacts_limits_for(boundary.get()));
-  const auto find_contacts = [&](hsp_contacts *handle, hsp_contacts_limits *limits) {
-    return hsp_contacts_compute(handle, boundary.get(), limits);
-  };
-  contacts.compute(find_contacts);
-  contacts.take(contacts.needed());
-
-  hsp_model_options options{};
-  support::expect_ok(hsp_model_options_init(&options, sizeof options), "hsp_model_options_init");
-  options.probe = model.probe();
-  const double box[9] = {side[0], 0, 0, 0, side[1], 0, 0, 0, side[2]};
-  support::OwnedPeriodic periodic;
-  hsp_periodic_limits limits{};
-  support::expect_ok(hsp_periodic_limits_init(&limits, sizeof limits, model.size()), "hsp_periodic_limits_init");
-  periodic.take(limits);
-  const auto in_box = [&](hsp_periodic *handle, hsp_periodic_limits *asked) {
-    return hsp_periodic_compute(handle, model.size(), balls.xyz.data(), balls.radius.data(), &options, box, asked,
-                                nullptr);
-  };
-  periodic.compute(in_box);
-  periodic.take(periodic.needed());
-
+  Contacts contacts(boundary);
+  Periodic periodic(model, side);
   alternate(state, model.size(),
             {{"free",
               [&] {
                 model.set();
                 boundary.compute();
-                support::expect_ok(find_contacts(contacts.get(), nullptr), "hsp_contacts_compute");
+                contacts.compute();
               }},
-             {"box", [&] { support::expect_ok(in_box(periodic.get(), nullptr), "hsp_periodic_compute"); }}});
+             {"box", [&] { periodic.compute(); }}});
 
-  hsp_periodic_counts counts{};
-  support::expect_ok(hsp_periodic_get_counts(periodic.get(), &counts), "hsp_periodic_get_counts");
-  uint32_t needed = 0;
-  hsp_contacts_get(contacts.get(), nullptr, 0, &needed);
+  const hsp_periodic_counts counts = periodic.counts();
   state.counters["images_per_atom"] = static_cast<double>(counts.images) / model.size();
-  state.counters["contacts_ratio"] = static_cast<double>(counts.contacts) / needed;
+  state.counters["contacts_ratio"] = static_cast<double>(counts.contacts) / contacts.count();
 }
 
 void add_case(const Surface &surface, const Size &size, const std::function<Box(const Balls &)> &box) {

@@ -20,6 +20,7 @@
 #include "pose_workload.hpp"
 #include "query_workload.hpp"
 #include "sizes.hpp"
+#include "tiling.hpp"
 #include "update_workload.hpp"
 #include "view_handle.hpp"
 #include "z_buffer/analytic_z_buffer.hpp"
@@ -84,6 +85,8 @@ void count_stages(const bench::Balls &balls, const Surface &surface) {
   count("cells", balls, surface, [&] { space.compute(); });
   const std::vector<double> box = random_points_in_box(model, model.size());
   count("cell_locate", balls, surface, [&] { space.locate(box); });
+  bench::Periodic periodic(model, bench::tiling_period(balls));
+  count("periodic", balls, surface, [&] { periodic.compute(); });
   if (surface.probe != 0) return;  // what is drawn are van der Waals balls
   bench::View farther(model, nullptr, HSP_PIECES_OUTSIDE_FARTHER, {towards});
   count("view_farther", balls, surface, [&] { farther.compute(towards); });

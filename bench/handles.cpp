@@ -158,6 +158,38 @@ hsp_complex Contacts::complex() const {
   return counts;
 }
 
+uint32_t Contacts::count() const {
+  uint32_t needed = 0;
+  hsp_contacts_get(contacts_.get(), nullptr, 0, &needed);
+  return needed;
+}
+
+Periodic::Periodic(const Model &model, const std::array<double, 3> &side)
+    : model_(&model), box_{side[0], 0, 0, 0, side[1], 0, 0, 0, side[2]} {
+  expect_ok(hsp_model_options_init(&options_, sizeof options_), "hsp_model_options_init");
+  options_.probe = model.probe();
+  hsp_periodic_limits limits{};
+  expect_ok(hsp_periodic_limits_init(&limits, sizeof limits, model.size()), "hsp_periodic_limits_init");
+  periodic_.take(limits);
+  compute();
+  periodic_.take(periodic_.needed());
+  compute();
+}
+
+void Periodic::compute() {
+  const Balls &balls = model_->balls();
+  periodic_.compute([&](hsp_periodic *periodic, hsp_periodic_limits *limits) {
+    return hsp_periodic_compute(periodic, model_->size(), balls.xyz.data(), balls.radius.data(), &options_, box_.data(),
+                                limits, nullptr);
+  });
+}
+
+hsp_periodic_counts Periodic::counts() const {
+  hsp_periodic_counts counts{};
+  expect_ok(hsp_periodic_get_counts(periodic_.get(), &counts), "hsp_periodic_get_counts");
+  return counts;
+}
+
 FreeSpace::FreeSpace(const Model &model) : model_(&model) {
   hsp_cells_limits limits{};
   expect_ok(hsp_cells_limits_init(&limits, sizeof limits, model.size()), "hsp_cells_limits_init");

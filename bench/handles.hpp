@@ -1,9 +1,11 @@
-// hsp_model, hsp_boundary, hsp_surface, hsp_contacts and hsp_topology in memory of their own, for the benchmarks.
+// hsp_model, hsp_boundary, hsp_surface, hsp_contacts, hsp_periodic and hsp_topology in memory of their own, for the
+// benchmarks.
 //
 // Memory is taken before anything is timed, written once so that its pages are there, and used again by every
 // iteration: what the library asks of its users is what is timed.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -109,11 +111,29 @@ class Contacts {
 
   void compute();
   hsp_complex complex() const;
+  // How many there are.
+  uint32_t count() const;
   size_t bytes() const { return contacts_.bytes(); }
 
  private:
   const Boundary *boundary_;
   support::OwnedHandle<support::ContactsKind> contacts_;
+};
+
+// The balls of a model in a periodic box with these sides.
+class Periodic {
+ public:
+  // Makes room for as much as it takes, and computes them.
+  Periodic(const Model &model, const std::array<double, 3> &side);
+
+  void compute();
+  hsp_periodic_counts counts() const;
+
+ private:
+  const Model *model_;
+  hsp_model_options options_{};
+  std::array<double, 9> box_{};
+  support::OwnedPeriodic periodic_;
 };
 
 // The cells of free space of a model.
