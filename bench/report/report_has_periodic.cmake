@@ -5,7 +5,7 @@ run_suite(${SUITE} --benchmark_filter=/crambin$ --benchmark_min_time=0.001)
 write_report()
 
 set(ratio "[0-9]+[.][0-9][0-9]")
-string(REGEX MATCHALL "[|] crambin [|] 327 [|] [0-9][.][0-9][0-9] [|] ${time} [|] ${time} [|] ${ratio} [|] 1[.][0-9][0-9] [|]\n"
+string(REGEX MATCHALL "[|] crambin [|] 327 [|] [0-9][.][0-9][0-9] [|] ${time} [|] ${time} [|] ${ratio} [|] 1[.][0-9][0-9] [|] ${ratio} [|]\n"
   rows "${report}")
 list(LENGTH rows count)
 if(NOT count EQUAL 2)
