@@ -4,6 +4,7 @@
 // that fails is named and written to the file `crash-input`, which can be run again by naming it.
 #include <algorithm>
 #include <csignal>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -88,7 +89,7 @@ int main(int argc, char **argv) {
   }
   support::Random bytes(1994);
   for (uint64_t i = 0; i < random; ++i, ++done) {
-    input.resize(bytes.next() % (longest + 1));
+    input.resize(static_cast<std::size_t>(bytes.next() % (longest + 1)));
     for (uint8_t &byte : input) byte = static_cast<uint8_t>(bytes.next() >> 56);
     run("random input " + std::to_string(i));
   }

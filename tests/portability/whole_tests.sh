@@ -20,9 +20,11 @@ mkdir -p "$work"
 build() {
   "$@" >>"$work/log" 2>&1 || { tail -n 40 "$work/log" && exit 1; }
 }
-# Linked statically, so that the emulator needs none of the target's shared libraries.
+# Linked statically, so that the emulator needs none of the target's shared libraries. The vectorizer of GCC 12 for aarch64
+# breaks off at a loop of a C99 test (vect_transform_reduction); the library is compiled without it anyway.
 target=(-DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR="${tools%%-*}" -DCMAKE_C_COMPILER="$tools-gcc"
-  -DCMAKE_CXX_COMPILER="$tools-g++" -DCMAKE_C_FLAGS="$flags" -DCMAKE_CXX_FLAGS="$flags" -DCMAKE_BUILD_TYPE=Release
+  -DCMAKE_CXX_COMPILER="$tools-g++" -DCMAKE_C_FLAGS="$flags -fno-tree-vectorize" -DCMAKE_CXX_FLAGS="$flags"
+  -DCMAKE_BUILD_TYPE=Release
   -DCMAKE_EXE_LINKER_FLAGS=-static -DCMAKE_CROSSCOMPILING_EMULATOR="$emulator")
 build cmake -S $googletest -B "$work/googletest" "${target[@]}" -DBUILD_GMOCK=OFF -DCMAKE_INSTALL_PREFIX="$work/prefix"
 build cmake --build "$work/googletest" --target install --parallel 2
@@ -30,8 +32,7 @@ build cmake -S "$source" -B "$work/build" "${target[@]}" -DCMAKE_PREFIX_PATH="$w
   -DHSP_TESTS=ON -DHSP_FUZZ=ON -DHSP_TOOL=OFF -DHSP_BENCH=OFF -DHSP_FORTRAN=OFF -DHSP_INSTALL=OFF -DHSP_SLOW_TESTS=OFF \
   -DHSP_ALL_UNIT_TESTS=ON -DHSP_UNITY_BUILD=ON -DHSP_CHECKED_LIBRARY=ON -DHSP_PRECOMPILED_GTEST=ON -DHSP_WERROR=OFF
 build cmake --build "$work/build" --parallel 2
-# Those of memory replace malloc, which a static C library does not let them.
-ctest --test-dir "$work/build" --parallel 2 --exclude-regex malloc_trap --output-on-failure >"$work/tests" || {
+ctest --test-dir "$work/build" --parallel 2 --output-on-failure >"$work/tests" || {
   tail -n 200 "$work/tests"
   exit 1
 }
