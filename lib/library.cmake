@@ -81,6 +81,8 @@ set(HSP_LIBRARY_SOURCES
   lib/measure/boundary_metric_check.cpp
   lib/measure/boundary_positions.cpp
   lib/measure/curvature.cpp
+  lib/measure/edge_kernel.cpp
+  lib/measure/edge_kernel_avx2.cpp
   lib/measure/gradients.cpp
   lib/measure/positions.cpp
   lib/measure/shell_volumes.cpp

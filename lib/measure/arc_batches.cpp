@@ -28,8 +28,7 @@ bool ArcBatches::fill() {
 }
 
 bool ArcBatches::evaluate() {
-  const BallOfSet ball{balls_.x.data(), balls_.y.data(), balls_.z.data(), balls_.r.data(),
-                       balls_.x[ball_], balls_.y[ball_], balls_.z[ball_], balls_.r[ball_]};
+  const BallOfSet ball = ball_of_set(balls_, ball_);
 #if HSP_AVX2
   if (boundary_.has_wide_code()) return evaluate_arcs_avx2(ball, batch_);
 #endif

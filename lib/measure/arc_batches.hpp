@@ -8,6 +8,12 @@
 
 namespace hsp {
 
+// One ball for kernels.
+inline BallOfSet ball_of_set(const BallSet &balls, uint32_t i) {
+  return {balls.x.data(), balls.y.data(), balls.z.data(), balls.r.data(),
+          balls.x[i],     balls.y[i],     balls.z[i],     balls.r[i]};
+}
+
 class ArcBatches {
  public:
   // The arcs and circles of the given face, or of all faces if it is no_id.

@@ -18,7 +18,8 @@
 // sign, and y_0.c_0 = +-sqrt(D)/2, so that solving the transposed system gives
 //   dM/dc_i = lambda_i y_i,   dM/dr_i = lambda_i r_i,
 //   lambda_i = sum over edges l of s_l beta_l c_l.c_i / (|c_l| sqrt(D))
-// where all products of the y are integers: 2 y_i.y_j = r_i^2 + r_j^2 - |c_i - c_j|^2.
+// where all products of the y are integers: 2 y_i.y_j = r_i^2 + r_j^2 - |c_i - c_j|^2. Every ball of a vertex solves
+// for its own lambda alone (edge_kernel.hpp): an edge or a vertex is cheaper to compute again than to remember.
 #pragma once
 
 #include "measure/gradients.hpp"
@@ -39,7 +40,17 @@ struct MeanCurvatureGradient {
   double radius = 0.0;
   bool one_sided = false;  // M has a kink here: spheres touch, or four meet in a vertex
 };
-MeanCurvatureGradient mean_curvature_gradient(const BallSet &balls, const Boundary &boundary,
-                                              const AreaWeights &weights, uint32_t k);
+
+// Whether a vertex is decided by the symbolic perturbation, four spheres or more meeting there. Molecules have none,
+// and asking once is cheaper than at every ball.
+bool has_tied_vertices(const Boundary &boundary);
+
+// Both in one pass over the ball's arcs.
+struct CurvedBallGradient {
+  BallGradient measures;
+  MeanCurvatureGradient curvature;
+};
+CurvedBallGradient curved_gradient_of_ball(const BallSet &balls, const Boundary &boundary, const AreaWeights &weights,
+                                           uint32_t k, bool any_tied);
 
 }  // namespace hsp

@@ -46,6 +46,56 @@ struct BallGradient {
 };
 BallGradient gradient_of_ball(const BallSet &balls, const Boundary &boundary, const AreaWeights &weights, uint32_t k);
 
+// The arcs of ball k in the weighted sum of areas (arc_kernel.hpp).
+class WeightedAreas {
+ public:
+  WeightedAreas(const BallSet &balls, const Boundary &boundary, const AreaWeights &weights, uint32_t k)
+      : balls_(balls), boundary_(boundary), weights_(weights), R_(balls.r[k]), weight_(weights.of(balls, k)) {}
+
+  // What does not count is taken out of the batch.
+  void add(ArcBatch &batch);
+
+  const Vec3 &by_centre() const { return centre_; }
+  double by_radius(double steradians) const { return 2 * weight_ * R_ * steradians + radius_; }
+
+ private:
+  WeightedSums sums_of(const ArcBatch &batch) const;
+  void take_out_uncounted(ArcBatch &batch) const;
+
+  const BallSet &balls_;
+  [[maybe_unused]] const Boundary &boundary_;  // says whether there is code for wide registers
+  const AreaWeights &weights_;
+  const double R_, weight_;
+  Vec3 centre_{0.0, 0.0, 0.0};
+  double radius_ = 0.0;
+};
+
+// The same for a ball with faces, for who sums more over its arcs: calls on_arcs(batch) for every batch, before what
+// does not count is taken out of it. Returns the solid angle of the faces.
+template <class OnArcs>
+double gather_gradient(const BallSet &balls, const Boundary &boundary, const AreaWeights &weights, uint32_t k,
+                       BallGradient &result, OnArcs on_arcs) {
+  WeightedAreas areas(balls, boundary, weights, k);
+  FreeSurface surface(boundary, balls.r[k]);
+  ArcBatches arcs(balls, boundary, k);
+  while (arcs.next()) {
+    ArcBatch &batch = arcs.batch();
+    surface.add(batch);
+    on_arcs(batch);
+    areas.add(batch);
+    result.one_sided = result.one_sided || batch.any_touching;
+  }
+  const double R = balls.r[k];
+  const double steradians = surface.steradians(boundary.faces(k).size(), boundary.loops(k).size());
+  result.centre = areas.by_centre();
+  result.radius = areas.by_radius(steradians);
+  result.vector_area = surface.vector_area();
+  result.measure.area = R * R * steradians;
+  result.measure.volume =
+      volume_term(R, result.measure.area, offset_from_origin(balls, boundary, k), result.vector_area);
+  return steradians;
+}
+
 // Derivatives of the area of one ball by another one, or by itself, in lattice steps.
 struct AreaDerivative {
   Vec3 centre{0.0, 0.0, 0.0};

@@ -48,20 +48,20 @@ MorphometricEnergy differentiate_morphometry(const CubeGrid &grid, const Boundar
   const EnergyTerms terms{weights, factors.tension, factors.pressure};
   EnergySum sum;
   TreeSum mean, by_probe;
-  differentiate_balls(grid, boundary, terms, {0, balls.n},
-                      [&](uint32_t i, const EnergyGradient &of_measures, const EnergyShare &share) {
-                        const uint32_t ball = grid.grid_index(i);
-                        const MeanCurvatureGradient curved = mean_curvature_gradient(balls, boundary, weights, ball);
-                        const double bending[] = {curved.centre.x, curved.centre.y, curved.centre.z};
-                        EnergyGradient gradient = of_measures;
-                        for (int axis = 0; axis < 3; ++axis) gradient.centre[axis] += factors.bending * bending[axis];
-                        gradient.radius += factors.bending * curved.radius;
-                        gradient.one_sided = gradient.one_sided || curved.one_sided;
-                        sum.add(share);
-                        mean.add(curved.mean);
-                        by_probe.add(gradient.radius);
-                        sink(i, gradient);
-                      });
+  const bool any_tied = has_tied_vertices(boundary);
+  visit_in_input_order(grid, boundary, [&](uint32_t i, uint32_t ball) {
+    const CurvedBallGradient own = curved_gradient_of_ball(balls, boundary, weights, ball, any_tied);
+    const MeanCurvatureGradient &curved = own.curvature;
+    const double bending[] = {curved.centre.x, curved.centre.y, curved.centre.z};
+    EnergyGradient gradient = gradient_of_energy(balls.lattice, terms, own.measures);
+    sum.add(share_of_energy(balls, terms, ball, own.measures, gradient));
+    for (int axis = 0; axis < 3; ++axis) gradient.centre[axis] += factors.bending * bending[axis];
+    gradient.radius += factors.bending * curved.radius;
+    gradient.one_sided = gradient.one_sided || curved.one_sided;
+    mean.add(curved.mean);
+    by_probe.add(gradient.radius);
+    sink(i, gradient);
+  });
   const Energy energy = sum.total(balls.lattice, factors.tension, factors.pressure);
   MorphometricEnergy result;
   result.volume = energy.volume;

@@ -117,6 +117,11 @@ struct EnergyShare {
   double by_probe;  // in the caller's unit
 };
 
+inline EnergyShare share_of_energy(const BallSet &balls, const EnergyTerms &terms, uint32_t ball,
+                                   const BallGradient &own, const EnergyGradient &gradient) {
+  return {terms.weights.of(balls, ball) * own.measure.area, own.measure.volume, gradient.radius};
+}
+
 // From sums of shares over all balls.
 inline Energy energy_of(const EnergyShare &sums, const exact::Lattice &lattice, double tension, double pressure) {
   Energy energy;
@@ -150,8 +155,7 @@ void differentiate_balls(const CubeGrid &grid, const Boundary &boundary, const E
   visit_in_input_order(grid, boundary, range, [&](uint32_t i, uint32_t ball) {
     const BallGradient own = gradient_of_ball(balls, boundary, terms.weights, ball);
     const EnergyGradient gradient = gradient_of_energy(balls.lattice, terms, own);
-    const EnergyShare share{terms.weights.of(balls, ball) * own.measure.area, own.measure.volume, gradient.radius};
-    sink(i, gradient, share);
+    sink(i, gradient, share_of_energy(balls, terms, ball, own, gradient));
   });
 }
 

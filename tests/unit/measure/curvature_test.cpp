@@ -41,7 +41,8 @@ class Built {
     return sum;
   }
   hsp::MeanCurvatureGradient gradient(uint32_t i, const hsp::AreaWeights &weights) const {
-    return hsp::mean_curvature_gradient(balls(), boundary(), weights, ball(i));
+    return hsp::curved_gradient_of_ball(balls(), boundary(), weights, ball(i), hsp::has_tied_vertices(boundary()))
+        .curvature;
   }
   double weighted_mean(const hsp::AreaWeights &weights) const {
     double sum = 0.0;

@@ -1,0 +1,12 @@
+#include "measure/edge_kernel.hpp"
+
+namespace hsp {
+
+double sum_edges(const BallOfSet &ball, const ArcBatch &arcs) {
+  return EdgeKernel<baseline_lanes>::sum_edges(ball, arcs);
+}
+EdgeSums differentiate_edges(const BallOfSet &ball, const ArcBatch &arcs, double weight, EdgeBatch &edges) {
+  return EdgeKernel<baseline_lanes>::differentiate(ball, arcs, weight, edges);
+}
+
+}  // namespace hsp

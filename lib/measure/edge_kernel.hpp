@@ -1,0 +1,179 @@
+// The kernels of edge_sums.hpp for registers of n doubles. edge_kernel.cpp and edge_kernel_avx2.cpp compile them; like
+// everything in files for AVX2 they have internal linkage. The formulas are those of curvature.hpp.
+#pragma once
+
+#include "core/elementary_simd.hpp"
+#include "measure/edge_sums.hpp"
+
+namespace hsp {
+namespace {
+
+// The square of an integer, exactly, as the sum of a multiple of 2^30 and of a rest below 2^48 in magnitude, for
+// integers up to 2^33. Sums and differences of a dozen of these are exact in both parts, so that their sum is rounded
+// once, whatever cancels.
+template <uint32_t n>
+struct ExactSquare {
+  using Real = typename DoubleLanes<n>::Real;
+  Real high, low;
+
+  ExactSquare(const Real &upper, const Real &lower) : high(upper), low(lower) {}
+  explicit ExactSquare(const Real &x) {
+    constexpr double to_multiples = 0x1.8p67;  // of 2^15
+    const Real head = (x + to_multiples) - to_multiples;
+    high = head * head;
+    low = (x - head) * (x + head);
+  }
+  friend ExactSquare operator+(const ExactSquare &a, const ExactSquare &b) { return {a.high + b.high, a.low + b.low}; }
+  friend ExactSquare operator-(const ExactSquare &a, const ExactSquare &b) { return {a.high - b.high, a.low - b.low}; }
+  Real rounded() const { return high + low; }
+};
+
+// The edge of two balls of radii a and b, whose centres are v apart. With s = a + b and t = a - b
+//   (2 rho d)^2 = 4 a^2 v.v - (v.v + a^2 - b^2)^2 = (s^2 - v.v)(v.v - t^2),
+//   2 a b cos(beta) = a^2 + b^2 - v.v = (s^2 + t^2 - 2 v.v)/2,
+// so all that cancels does so between integers, and the rest is products.
+template <uint32_t n>
+struct EdgeAngle {
+  using L = DoubleLanes<n>;
+  using Real = typename L::Real;
+  using Mask = typename L::Mask;
+
+  Real distance, product, cosine, beta;
+  Mask is_proper;  // else the spheres touch, product and beta are 0
+
+  EdgeAngle(const Real &a, const Real &b, const VectorOf<Real> &v) {
+    using Square = ExactSquare<n>;
+    const Square s(a + b);
+    const Square t(a - b);
+    const Square U = Square(v.x) + Square(v.y) + Square(v.z);
+    const Square to_outer = s - U;
+    const Square to_inner = U - t;
+    const Real outer = to_outer.rounded();
+    const Real inner = to_inner.rounded();
+    is_proper = L::both(outer > 0.0, inner > 0.0);
+    distance = L::square_root(U.rounded());
+    product = 0.5 * L::square_root(L::kept(is_proper, outer * inner));
+    cosine = 0.25 * (to_outer - to_inner).rounded();
+    beta = L::kept(is_proper, half_turn_angle<n>(cosine, product).sum());
+  }
+  // rho phi beta of an arc.
+  Real integral(const Real &phi, const Real &inverse_distance) const {
+    return phi * beta * (product * inverse_distance);
+  }
+};
+
+template <uint32_t n>
+struct EdgeKernel {
+  using L = DoubleLanes<n>;
+  using Real = typename L::Real;
+  using Mask = typename L::Mask;
+  using Vector = VectorOf<Real>;
+  using Edge = EdgeAngle<n>;
+
+  static Vector load(const double *x, const double *y, const double *z, uint32_t s) {
+    return {L::load(x + s), L::load(y + s), L::load(z + s)};
+  }
+  static Vector kept(const Mask &mask, const Vector &a) {
+    return {L::kept(mask, a.x), L::kept(mask, a.y), L::kept(mask, a.z)};
+  }
+  static double sum_of_lanes(const double (&lanes)[sum_lanes]) { return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]); }
+
+  // The sums of one lane of sum_lanes, of n of them.
+  struct Sums {
+    Real mean = L::all(0.0), radius = L::all(0.0);
+    Vector centre{L::all(0.0), L::all(0.0), L::all(0.0)};
+  };
+
+  static double sum_edges(const BallOfSet &ball, const ArcBatch &arcs) {
+    double lanes[sum_lanes];
+    for (uint32_t lane = 0; lane < sum_lanes; lane += n) {
+      Real sum = L::all(0.0);
+      for (uint32_t s = lane; s < arcs.count; s += sum_lanes) {
+        const Edge edge(L::all(ball.r), L::gather(ball.rs, arcs.other + s), load(arcs.vx, arcs.vy, arcs.vz, s));
+        sum += edge.integral(L::load(arcs.angle + s), 1.0 / edge.distance);
+      }
+      L::store(lanes + lane, sum);
+    }
+    return 0.5 * sum_of_lanes(lanes);
+  }
+
+  static EdgeSums differentiate(const BallOfSet &ball, const ArcBatch &arcs, double weight, EdgeBatch &edges) {
+    double mean[sum_lanes], x[sum_lanes], y[sum_lanes], z[sum_lanes], radius[sum_lanes];
+    Sums sums[sum_lanes / n];
+    for (uint32_t lane = 0; lane < sum_lanes; lane += n) add_edges(ball, arcs, weight, lane, edges, sums[lane / n]);
+    for (uint32_t lane = 0; lane < sum_lanes; lane += n) {
+      Sums &sum = sums[lane / n];
+      add_vertices(ball, arcs, lane, edges, sum);
+      L::store(mean + lane, sum.mean);
+      L::store(x + lane, sum.centre.x);
+      L::store(y + lane, sum.centre.y);
+      L::store(z + lane, sum.centre.z);
+      L::store(radius + lane, sum.radius);
+    }
+    return {-0.25 * sum_of_lanes(mean), {sum_of_lanes(x), sum_of_lanes(y), sum_of_lanes(z)}, sum_of_lanes(radius)};
+  }
+
+ private:
+  // Areas of the two balls, each over its radius; rho beta; and what ball k's centre moves of the ends of its arcs:
+  // with f = s beta (h_j/d) v/(rho d) half of (x_end - x_start) x f, which is -(s beta/(rho d)) h_j X/4 for the batch's
+  // X.
+  static void add_edges(const BallOfSet &ball, const ArcBatch &arcs, double weight, uint32_t lane, EdgeBatch &edges,
+                        Sums &sums) {
+    const double r = ball.r;
+    const double inverse_radius = r > 0.0 ? 1.0 / r : 0.0;
+    for (uint32_t s = lane; s < arcs.count; s += sum_lanes) {
+      const Real other_radius = L::gather(ball.rs, arcs.other + s);
+      const Edge edge(L::all(r), other_radius, load(arcs.vx, arcs.vy, arcs.vz, s));
+      const Real other_weight = L::load(edges.weight + s);
+      const Real shared = 0.5 * (weight + other_weight);
+      const Real strength = shared * edge.beta;
+      const Real pull = L::kept(edge.is_proper, strength / edge.product);
+      L::store(edges.radius + s, other_radius);
+      L::store(edges.cosine + s, edge.cosine);
+      L::store(edges.pull + s, pull);
+
+      const Real inverse = 1.0 / edge.distance;
+      const Real h = 0.5 * L::load(arcs.twice_height + s);
+      const Real other_h = edge.distance - h;
+      const Real phi = L::kept(edge.is_proper, L::load(arcs.angle + s));
+      const Vector X = kept(edge.is_proper, load(arcs.Xx, arcs.Xy, arcs.Xz, s));
+      const Vector u = load(arcs.ux, arcs.uy, arcs.uz, s);
+      const Real along = phi * (0.5 * (shared - pull * h * other_h) - (weight * other_h + other_weight * h) * inverse);
+      const Real across = 0.5 * (weight - other_weight) * inverse - 0.25 * pull * other_h;
+      sums.mean += shared * edge.integral(phi, inverse);
+      sums.centre = sums.centre + (along * u + across * X);
+      sums.radius += phi * ((weight - other_weight) * (r * inverse) - (weight - 0.5 * shared) * (h * inverse_radius) -
+                            0.5 * pull * (r * other_h));
+    }
+  }
+
+  // The vertex where the slot's arc starts, of ball k with balls a and b: the loop comes in along the edge with b and
+  // leaves along that with a. As c_l.c_l = (rho d)^2, c_a.c_k = g_ab g_kb - g_ka w_b, and so on, with g the products of
+  // cosines of the three edges and w the squares of the radii.
+  static void add_vertices(const BallOfSet &ball, const ArcBatch &arcs, uint32_t lane, const EdgeBatch &edges,
+                           Sums &sums) {
+    for (uint32_t s = lane; s < arcs.count; s += sum_lanes) {
+      const uint32_t *const before = arcs.previous + s;
+      const Vector to_a = load(arcs.vx, arcs.vy, arcs.vz, s);
+      const Vector to_b{L::gather(arcs.vx, before), L::gather(arcs.vy, before), L::gather(arcs.vz, before)};
+      const Real r_a = L::load(edges.radius + s);
+      const Real r_b = L::gather(edges.radius, before);
+      const Edge opposite(r_a, r_b, to_b - to_a);
+      const Real strength = 0.5 * (L::load(edges.weight + s) + L::gather(edges.weight, before)) * opposite.beta;
+      const Real g_a = L::load(edges.cosine + s);
+      const Real g_b = L::gather(edges.cosine, before);
+      const Real along_a = opposite.cosine * g_a - g_b * (r_a * r_a);
+      const Real along_b = opposite.cosine * g_b - g_a * (r_b * r_b);
+      const Real root = L::load(arcs.root_discriminant + s);
+      const Real pulled =
+          strength * opposite.product + L::load(edges.pull + s) * along_a + L::gather(edges.pull, before) * along_b;
+      const Mask is_proper = L::load_mask(arcs.arc + s) & (root > 0.0);
+      const Real lambda = L::kept(is_proper, pulled / root);
+      sums.centre = sums.centre + (0.5 * lambda) * kept(is_proper, load(arcs.px, arcs.py, arcs.pz, s));
+      sums.radius += lambda * ball.r;
+    }
+  }
+};
+
+}  // namespace
+}  // namespace hsp

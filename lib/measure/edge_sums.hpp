@@ -1,0 +1,36 @@
+// What curvature sums over the edges and vertices of one ball, beside the arcs of arc_sums.hpp: edges are where spheres
+// meet at an angle. Term k of a sum goes to lane k % 4 in every kernel, so that all give the same bits.
+#pragma once
+
+#include "measure/arc_sums.hpp"
+
+namespace hsp {
+
+// The edges of a batch, slot by slot.
+struct EdgeBatch {
+  double weight[ArcBatch::room];  // w_j of the other ball, finite up to the last whole register
+
+  // What a kernel fills in: the other ball's radius r_j; r_k r_j cos(beta); and s beta/(rho d), with s the mean of the
+  // two balls' weights, or 0 where the spheres touch.
+  double radius[ArcBatch::room], cosine[ArcBatch::room], pull[ArcBatch::room];
+};
+
+// Ball k's part of -sum over edges of s rho phi beta / 2, and what derivatives by ball k are beside those of areas.
+struct EdgeSums {
+  double mean;
+  double centre[3];
+  double radius;
+};
+
+// The kernels, and the same for AVX2 (edge_kernel.hpp). The batch is evaluated, its ball has the weight w.
+//
+// Half of the sum of rho phi beta. Edges need no weights.
+double sum_edges(const BallOfSet &ball, const ArcBatch &arcs);
+EdgeSums differentiate_edges(const BallOfSet &ball, const ArcBatch &arcs, double weight, EdgeBatch &edges);
+
+#if HSP_AVX2
+double sum_edges_avx2(const BallOfSet &ball, const ArcBatch &arcs);
+EdgeSums differentiate_edges_avx2(const BallOfSet &ball, const ArcBatch &arcs, double weight, EdgeBatch &edges);
+#endif
+
+}  // namespace hsp

@@ -1,0 +1,132 @@
+// The kernels over edges: angles of edges against integers and the C library, and the same bits from registers of one,
+// two and four doubles.
+#include "measure/edge_kernel.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "built_boundary.hpp"
+#include "core/processor.hpp"
+#include "measure/arc_batches.hpp"
+#include "random_balls.hpp"
+
+namespace {
+
+using hsp::ArcBatch;
+using hsp::EdgeBatch;
+
+// (s^2 - U) (U - t^2) and s^2 + t^2 - 2 U need no more than 64 bits for spheres that meet.
+TEST(EdgeKernel, RoundsIntegersOnce) {
+  std::mt19937_64 random(3);
+  const auto up_to = [&random](int64_t n) { return static_cast<int64_t>(random() % static_cast<uint64_t>(n + 1)); };
+  uint32_t proper = 0, cancelled = 0;
+  for (int round = 0; round < 100000; ++round) {
+    const int64_t most = INT64_C(1) << (2 + random() % 28);
+    const int64_t a = 1 + up_to(most), b = 1 + up_to(most);
+    int64_t v[3];
+    for (int64_t &x : v) x = up_to(a + b) - (a + b) / 2;
+    // Often nearly touching: then most bits cancel.
+    if (round % 2 == 0) {
+      v[0] = round % 4 == 0 ? a + b - up_to(3) : (a > b ? a - b : b - a) + up_to(3);
+      v[1] = up_to(4);
+      v[2] = up_to(4);
+    }
+    const int64_t U = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+    const int64_t outer = (a + b) * (a + b) - U;
+    const int64_t inner = U - (a - b) * (a - b);
+    if (outer < 0 || inner < 0) continue;
+    using Real = hsp::DoubleLanes<1>::Real;
+    const auto lane = [](int64_t x) { return Real{static_cast<double>(x)}; };
+    const hsp::EdgeAngle<1> edge(lane(a), lane(b), {lane(v[0]), lane(v[1]), lane(v[2])});
+    const double product = 0.5 * std::sqrt(static_cast<double>(outer) * static_cast<double>(inner));
+    const double cosine = 0.25 * static_cast<double>(outer - inner);
+    ASSERT_EQ(edge.distance[0], std::sqrt(static_cast<double>(U)));
+    ASSERT_EQ(edge.product[0], product);
+    ASSERT_EQ(edge.cosine[0], cosine);
+    ASSERT_EQ(edge.is_proper[0] != 0, product > 0.0);
+    if (product > 0.0) {
+      const double beta = std::atan2(product, cosine);
+      ASSERT_NEAR(edge.beta[0], beta, 8 * 0x1p-53 * beta);
+    } else {
+      ASSERT_EQ(edge.beta[0], 0.0);
+    }
+    proper += product > 0.0 ? 1U : 0U;
+    cancelled += static_cast<double>(outer) < 0x1p-20 * static_cast<double>(U) ? 1U : 0U;
+  }
+  EXPECT_GT(proper, 50000U);
+  EXPECT_GT(cancelled, 1000U);
+}
+
+struct Results {
+  double mean;
+  hsp::EdgeSums sums;
+  EdgeBatch edges;
+};
+
+struct Kernel {
+  double (*sum)(const hsp::BallOfSet &, const ArcBatch &);
+  hsp::EdgeSums (*differentiate)(const hsp::BallOfSet &, const ArcBatch &, double, EdgeBatch &);
+
+  [[nodiscard]] Results run(const hsp::BallOfSet &ball, const ArcBatch &arcs, const EdgeBatch &weights) const {
+    Results results{sum(ball, arcs), {}, weights};
+    results.sums = differentiate(ball, arcs, 0.375, results.edges);
+    return results;
+  }
+};
+
+template <uint32_t n>
+Kernel kernel() {
+  using K = hsp::EdgeKernel<n>;
+  return {K::sum_edges, K::differentiate};
+}
+
+void expect_same(const Results &a, const Results &b, uint32_t slots) {
+  EXPECT_EQ(a.mean, b.mean);
+  EXPECT_EQ(a.sums.mean, b.sums.mean);
+  EXPECT_EQ(a.sums.radius, b.sums.radius);
+  for (size_t axis = 0; axis < 3; ++axis) EXPECT_EQ(a.sums.centre[axis], b.sums.centre[axis]);
+  for (uint32_t s = 0; s < slots; ++s) {
+    EXPECT_EQ(a.edges.radius[s], b.edges.radius[s]);
+    EXPECT_EQ(a.edges.cosine[s], b.edges.cosine[s]);
+    EXPECT_EQ(a.edges.pull[s], b.edges.pull[s]);
+  }
+}
+
+TEST(EdgeKernel, GivesTheSameBitsForEveryWidth) {
+  oracle::RandomSource random(17);
+  uint32_t arcs_seen = 0;
+  for (int set = 0; set < 300; ++set) {
+    const size_t n = static_cast<size_t>(random.in(2, 16));
+    BuiltBoundary built(set % 2 == 0 ? oracle::loose_balls(random, n) : oracle::any_balls(random, n));
+    if (built.status() != hsp::Status::ok) continue;
+    for (uint32_t i = 0; i < built.balls().n; ++i) {
+      const hsp::BallOfSet ball = ball_of_set(built.balls(), i);
+      hsp::ArcBatches batches(built.balls(), built.boundary(), i);
+      while (batches.next()) {
+        const ArcBatch &arcs = batches.batch();
+        EdgeBatch weights{};
+        for (uint32_t s = 0; s < arcs.count; ++s) weights.weight[s] = 0.25 + 0.125 * (arcs.other[s] % 8);
+        const Results two = kernel<2>().run(ball, arcs, weights);
+        EXPECT_TRUE(std::isfinite(two.mean));
+        EXPECT_TRUE(std::isfinite(two.sums.mean));
+        EXPECT_TRUE(std::isfinite(two.sums.radius));
+        for (const double x : two.sums.centre) EXPECT_TRUE(std::isfinite(x));
+        expect_same(kernel<1>().run(ball, arcs, weights), two, arcs.count);
+        expect_same(Kernel{hsp::sum_edges, hsp::differentiate_edges}.run(ball, arcs, weights), two, arcs.count);
+#if HSP_AVX2
+        if (hsp::has_avx2()) {
+          expect_same(Kernel{hsp::sum_edges_avx2, hsp::differentiate_edges_avx2}.run(ball, arcs, weights), two,
+                      arcs.count);
+        }
+#endif
+        arcs_seen += arcs.count;
+      }
+    }
+    if (HasFailure()) FAIL() << "set " << set;
+  }
+  EXPECT_GT(arcs_seen, 2000U);
+}
+
+}  // namespace
