@@ -48,6 +48,8 @@ add_results(surface/compute/c atoms=400000 surface_seconds=0.1000 measure_second
 add_results(surface/compute/sod_stand_in
   atoms=1000 surface_seconds=0.0010 measure_seconds=0.0010 gradient_seconds=0.0015 bytes=140000.0)
 add_results(peers/surfaces/van_der_waals/sod_stand_in atoms=1000 cgal_alpha_ratio=11.0 freesasa_lr20_ratio=5.99)
+add_results(contacts/${s}/sod_stand_in
+  atoms=1000 contacts_seconds=0.0016 curvature_gradient_seconds=0.00021 contacts_ratio=1.3)
 string(SUBSTRING "${entries}" 1 -1 entries)
 file(WRITE ${folder}/made_up.json "{\"context\": {\"load_avg\": [1.75, 1, 1]}, \"benchmarks\": [${entries}]}")
 
@@ -84,6 +86,11 @@ expect_text("| alone over two threads, from 50,000 balls, v | - | - | 1.67 | 1.6
 expect_text("| alone over two threads, from 50,000 balls, s | - | - | - | 1.60 | 1.85 | not measured |")
 expect_text("| periodic box / free space, from 4,000 balls, largest, v | - | - | 1.14 | 1.15 | 1.15 | goal |")
 expect_text("| periodic box / free space, from 4,000 balls, largest, s | - | - | 1.16 | 1.15 | 1.15 | **missed** |")
+# Over Steps 1 + 2 of this version, and over those 2000 ns of 0.1.0.
+expect_text("| contacts with cells over Steps 1 + 2, s | - | - | 1.30 | 1.20 | 0.500 | **missed** |")
+expect_text("| contacts with cells over Steps 1 + 2 of 0.1.0, s | - | - | 0.800 | 1.20 | 0.500 | must |")
+expect_text("| contacts with cells over Steps 1 + 2 of 0.1.0, v | - | - | - | 0.500 | 0.100 | not measured |")
+expect_text("| mean curvature with gradient over Steps 1 + 2 of 0.1.0, s | - | - | 0.105 | 0.100 | 0.100 | **missed** |")
 expect_text("| time: Step 3 | 1.000 | 1.100 |")
 expect_text("| time: smooth surface, its areas and volume | - | 1.000 |")
 expect_text("| memory: smooth surface | - | 1.000 |")

@@ -145,6 +145,7 @@ Figure largest_exponent(const std::vector<Stage> &stages) {
 enum class Kind {
   time,      // at most; scales with version 0.1.0
   new_time,  // the same of what that version cannot do: scales with its model and Steps 1 + 2, solvent-accessible
+  share,     // of Steps 1 + 2 of version 0.1.0, of what that version cannot do
   at_most,   // a figure that is the same on every machine
   at_least,  // likewise
 };
@@ -155,6 +156,7 @@ struct Goal {
   double old_elsewhere;  // version 0.1.0 on the machine where the goals were set; 0: not measured there
   double must, goal;
   Figure figure;
+  Figure whole = {};  // that a share is of
 };
 
 // Model and Steps 1 + 2.
@@ -199,6 +201,10 @@ std::vector<Goal> speed_goals() {
   const auto over_boundary = [](size_t s, const char *ratio) {
     return least_counter({std::string("contacts/") + surfaces[s].name + "/compute" + set}, {ratio});
   };
+  const auto part_of_contacts = [](size_t s, const char *part) {
+    return least_part(std::string("contacts/") + surfaces[s].name + "/compute" + set, part);
+  };
+  const auto boundary = [&](size_t s) { return least_time(scaling[s] + "boundary" + set); };
   const std::string surface = "surface/compute" + set;
   const Figure for_gradient = [surface](const Run &run) -> std::optional<double> {
     const Measurement *m = run.find(surface);
@@ -243,10 +249,18 @@ std::vector<Goal> speed_goals() {
       {"a move of one atom with areas and gradient, s", Kind::new_time, 6320, 80000, 55000, move_of_one(1)},
       {"contacts with cells over Steps 1 + 2, v", Kind::at_most, 0, 0.5, 0.1, over_boundary(0, "contacts_ratio")},
       {"contacts with cells over Steps 1 + 2, s", Kind::at_most, 0, 1.2, 0.5, over_boundary(1, "contacts_ratio")},
+      {"contacts with cells over Steps 1 + 2 of 0.1.0, v", Kind::share, 0, 0.5, 0.1,
+       part_of_contacts(0, "contacts_seconds"), boundary(0)},
+      {"contacts with cells over Steps 1 + 2 of 0.1.0, s", Kind::share, 0, 1.2, 0.5,
+       part_of_contacts(1, "contacts_seconds"), boundary(1)},
       {"mean curvature with gradient over Steps 1 + 2, v", Kind::at_most, 0, 0.3, 0.3,
        over_boundary(0, "curvature_gradient_ratio")},
       {"mean curvature with gradient over Steps 1 + 2, s", Kind::at_most, 0, 0.1, 0.1,
        over_boundary(1, "curvature_gradient_ratio")},
+      {"mean curvature with gradient over Steps 1 + 2 of 0.1.0, v", Kind::share, 0, 0.3, 0.3,
+       part_of_contacts(0, "curvature_gradient_seconds"), boundary(0)},
+      {"mean curvature with gradient over Steps 1 + 2 of 0.1.0, s", Kind::share, 0, 0.1, 0.1,
+       part_of_contacts(1, "curvature_gradient_seconds"), boundary(1)},
       {"exponent of contacts and curvature from 4,000 balls, largest", Kind::at_most, 0, 1.05, 1.02,
        largest_exponent(stages_of_contacts())},
       {"alone over two threads, from 50,000 balls, v", Kind::at_least, 0, 1.6, 1.85, speed_up(0)},
@@ -283,19 +297,23 @@ void write_speed_goals(std::ostream &out, const Run &run, const Turns *turns) {
   for (const Goal &goal : speed_goals()) {
     const bool is_new = goal.kind == Kind::new_time;
     const bool scales = goal.kind == Kind::time || is_new;
-    const auto now = goal.figure(scales && turns != nullptr ? turns->now : run);
-    const Figure of_old = is_new ? steps_1_and_2(surfaces[1].name) : goal.figure;
+    const bool is_share = goal.kind == Kind::share;
+    const Figure of_old = is_new ? steps_1_and_2(surfaces[1].name) : is_share ? goal.whole : goal.figure;
     const auto before = turns != nullptr ? of_old(turns->old) : std::nullopt;
+    auto now = goal.figure(scales && turns != nullptr ? turns->now : run);
+    if (is_share) now = now && before ? std::optional(*now / *before) : std::nullopt;
     const double scale = scales && before ? *before / goal.old_elsewhere : 1;
     const double must = goal.must * scale;
     const double best = goal.goal * scale;
     table.row({goal.what, goal.old_elsewhere > 0 && !is_new ? three_digits(goal.old_elsewhere) : "-",
-               is_new ? "-" : shown(before), shown(now), three_digits(must), three_digits(best),
+               is_new || is_share ? "-" : shown(before), shown(now), three_digits(must), three_digits(best),
                !now                ? "not measured"
                : scales && !before ? "-"
                                    : verdict(goal, *now, must, best)});
   }
   table.write(out);
+  out << "Contacts and curvature have limits as fractions of Steps 1 + 2, set when these were version 0.1.0's. Steps "
+         "1 + 2\nhave become faster since, so both fractions are shown.\n\n";
   out << "Calls of the exact stage on molecules are counted by the test unit_exact_stage_counters. Threads are the "
          "caller's.\n\n";
 }
