@@ -9,11 +9,11 @@ namespace {
 
 // An angle as a multiple of pi/4 and the rest. The multiple is that of pi/4 as a double, exactly: pi has so many zeros
 // at the end that those up to 8 are doubles.
-template <uint32_t n>
+template <class L>
 struct AngleParts {
-  typename DoubleLanes<n>::Real multiple, rest;
+  typename L::Real multiple, rest;
 
-  typename DoubleLanes<n>::Real sum() const { return multiple + (rest + multiple * (pi_low / pi)); }
+  typename L::Real sum() const { return multiple + (rest + multiple * (pi_low / pi)); }
 };
 
 // The angle of (x, |y|), counter-clockwise from (1, 0), in [0, pi]; (x, y) must not be (0, 0), and neither component
@@ -28,13 +28,13 @@ struct AngleParts {
 // itself; the rest of another one has 1.25 + 0.55 from these, and 0.25 with what pi lacks. The sum of the parts adds
 // half a unit in the last place: 0.25 e next to pi/8, 2 e up to pi, 4 e up to 2 pi. Together at most 6.1 e, 4.1 e up to
 // pi, and 6 e of the angle.
-template <uint32_t n>
+// L: DoubleLanes or LanePairs.
+template <class L>
 #if !defined(__OPTIMIZE_SIZE__)
 [[gnu::always_inline]]
 #endif
-inline AngleParts<n>
-half_turn_angle(const typename DoubleLanes<n>::Real &x, const typename DoubleLanes<n>::Real &y) {
-  using L = DoubleLanes<n>;
+inline AngleParts<L>
+half_turn_angle(const typename L::Real &x, const typename L::Real &y) {
   using Real = typename L::Real;
   using Mask = typename L::Mask;
   const Real ax = L::absolute(x);
@@ -64,7 +64,7 @@ template <uint32_t n>
 typename DoubleLanes<n>::Real signed_angle(const typename DoubleLanes<n>::Real &x,
                                            const typename DoubleLanes<n>::Real &y) {
   using L = DoubleLanes<n>;
-  return L::negate_if(L::bits(y), half_turn_angle<n>(x, y).sum());
+  return L::negate_if(L::bits(y), half_turn_angle<L>(x, y).sum());
 }
 
 // The angle of (x, y) in [0, 2 pi].
@@ -73,7 +73,7 @@ typename DoubleLanes<n>::Real turn_angle(const typename DoubleLanes<n>::Real &x,
                                          const typename DoubleLanes<n>::Real &y) {
   using L = DoubleLanes<n>;
   const typename L::Mask below = y < 0.0;
-  AngleParts<n> angle = half_turn_angle<n>(x, y);
+  AngleParts<L> angle = half_turn_angle<L>(x, y);
   angle.multiple = L::negate_if(below, angle.multiple) + L::kept(below, L::all(2 * pi));
   angle.rest = L::negate_if(below, angle.rest);
   return angle.sum();

@@ -33,8 +33,11 @@ class MeanCurvature {
 
   void add(const ArcBatch &batch) {
     EdgeBatch edges;
-    for (uint32_t s = 0; s < batch.count; ++s) edges.weight[s] = weights_.of(balls_, batch.other[s]);
-    for (uint32_t s = batch.count; s < batch.count + sum_lanes - 1; ++s) edges.weight[s] = 0.0;
+    for (uint32_t s = 0; s < batch.count; ++s) {
+      edges.weight[s] = weights_.of(balls_, batch.other[s]);
+      edges.radius[s] = balls_.r[batch.other[s]];
+    }
+    for (uint32_t s = batch.count; s < batch.count + sum_lanes - 1; ++s) edges.weight[s] = edges.radius[s] = 0.0;
     const EdgeSums sums = sums_of(batch, edges);
     result.mean += sums.mean;
     result.centre = result.centre + Vec3{sums.centre[0], sums.centre[1], sums.centre[2]};
@@ -53,11 +56,11 @@ class MeanCurvature {
 
  private:
   EdgeSums sums_of(const ArcBatch &batch, EdgeBatch &edges) const {
-    const BallOfSet ball = ball_of_set(balls_, k_);
+    const double radius = balls_.r[k_];
 #if HSP_AVX2
-    if (boundary_.has_wide_code()) return differentiate_edges_avx2(ball, batch, weight_, edges);
+    if (boundary_.has_wide_code()) return differentiate_edges_avx2(radius, batch, weight_, edges);
 #endif
-    return differentiate_edges(ball, batch, weight_, edges);
+    return differentiate_edges(radius, batch, weight_, edges);
   }
 
   // Where D = 0 the vertex has no derivative and counts as unmoved. So nothing of its balls' motion may count there

@@ -5,8 +5,8 @@ namespace hsp {
 double sum_edges(const BallOfSet &ball, const ArcBatch &arcs) {
   return EdgeKernel<baseline_lanes>::sum_edges(ball, arcs);
 }
-EdgeSums differentiate_edges(const BallOfSet &ball, const ArcBatch &arcs, double weight, EdgeBatch &edges) {
-  return EdgeKernel<baseline_lanes>::differentiate(ball, arcs, weight, edges);
+EdgeSums differentiate_edges(double radius, const ArcBatch &arcs, double weight, EdgeBatch &edges) {
+  return EdgeKernel<baseline_lanes>::differentiate(radius, arcs, weight, edges);
 }
 
 }  // namespace hsp

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/elementary_simd.hpp"
+#include "core/lane_pairs.hpp"
 #include "measure/edge_sums.hpp"
 
 namespace hsp {
@@ -10,10 +11,10 @@ namespace {
 
 // The square of an integer, exactly, as the sum of a multiple of 2^30 and of a rest below 2^48 in magnitude, for
 // integers up to 2^33. Sums and differences of a dozen of these are exact in both parts, so that their sum is rounded
-// once, whatever cancels.
-template <uint32_t n>
+// once, whatever cancels. L: DoubleLanes or LanePairs.
+template <class L>
 struct ExactSquare {
-  using Real = typename DoubleLanes<n>::Real;
+  using Real = typename L::Real;
   Real high, low;
 
   ExactSquare(const Real &upper, const Real &lower) : high(upper), low(lower) {}
@@ -32,9 +33,8 @@ struct ExactSquare {
 //   (2 rho d)^2 = 4 a^2 v.v - (v.v + a^2 - b^2)^2 = (s^2 - v.v)(v.v - t^2),
 //   2 a b cos(beta) = a^2 + b^2 - v.v = (s^2 + t^2 - 2 v.v)/2,
 // so all that cancels does so between integers, and the rest is products.
-template <uint32_t n>
+template <class L>
 struct EdgeAngle {
-  using L = DoubleLanes<n>;
   using Real = typename L::Real;
   using Mask = typename L::Mask;
 
@@ -42,7 +42,7 @@ struct EdgeAngle {
   Mask is_proper;  // else the spheres touch, product and beta are 0
 
   EdgeAngle(const Real &a, const Real &b, const VectorOf<Real> &v) {
-    using Square = ExactSquare<n>;
+    using Square = ExactSquare<L>;
     const Square s(a + b);
     const Square t(a - b);
     const Square U = Square(v.x) + Square(v.y) + Square(v.z);
@@ -54,11 +54,7 @@ struct EdgeAngle {
     distance = L::square_root(U.rounded());
     product = 0.5 * L::square_root(L::kept(is_proper, outer * inner));
     cosine = 0.25 * (to_outer - to_inner).rounded();
-    beta = L::kept(is_proper, half_turn_angle<n>(cosine, product).sum());
-  }
-  // rho phi beta of an arc.
-  Real integral(const Real &phi, const Real &inverse_distance) const {
-    return phi * beta * (product * inverse_distance);
+    beta = L::kept(is_proper, half_turn_angle<L>(cosine, product).sum());
   }
 };
 
@@ -68,10 +64,14 @@ struct EdgeKernel {
   using Real = typename L::Real;
   using Mask = typename L::Mask;
   using Vector = VectorOf<Real>;
-  using Edge = EdgeAngle<n>;
+  using Edge = EdgeAngle<L>;
+  using Pairs = LanePairs<n>;
 
   static Vector load(const double *x, const double *y, const double *z, uint32_t s) {
     return {L::load(x + s), L::load(y + s), L::load(z + s)};
+  }
+  static Vector gather(const double *x, const double *y, const double *z, const uint32_t *index) {
+    return {L::gather(x, index), L::gather(y, index), L::gather(z, index)};
   }
   static Vector kept(const Mask &mask, const Vector &a) {
     return {L::kept(mask, a.x), L::kept(mask, a.y), L::kept(mask, a.z)};
@@ -90,87 +90,96 @@ struct EdgeKernel {
       Real sum = L::all(0.0);
       for (uint32_t s = lane; s < arcs.count; s += sum_lanes) {
         const Edge edge(L::all(ball.r), L::gather(ball.rs, arcs.other + s), load(arcs.vx, arcs.vy, arcs.vz, s));
-        sum += edge.integral(L::load(arcs.angle + s), 1.0 / edge.distance);
+        sum += integral(L::load(arcs.angle + s), edge.beta, edge.product, 1.0 / edge.distance);
       }
       L::store(lanes + lane, sum);
     }
     return 0.5 * sum_of_lanes(lanes);
   }
 
-  static EdgeSums differentiate(const BallOfSet &ball, const ArcBatch &arcs, double weight, EdgeBatch &edges) {
-    double mean[sum_lanes], x[sum_lanes], y[sum_lanes], z[sum_lanes], radius[sum_lanes];
+  static EdgeSums differentiate(double radius, const ArcBatch &arcs, double weight, EdgeBatch &edges) {
+    double mean[sum_lanes], x[sum_lanes], y[sum_lanes], z[sum_lanes], by_radius[sum_lanes];
     Sums sums[sum_lanes / n];
-    for (uint32_t lane = 0; lane < sum_lanes; lane += n) add_edges(ball, arcs, weight, lane, edges, sums[lane / n]);
+    for (uint32_t lane = 0; lane < sum_lanes; lane += n) add_edges(radius, arcs, weight, lane, edges, sums[lane / n]);
     for (uint32_t lane = 0; lane < sum_lanes; lane += n) {
       Sums &sum = sums[lane / n];
-      add_vertices(ball, arcs, lane, edges, sum);
+      add_vertices(radius, arcs, lane, edges, sum);
       L::store(mean + lane, sum.mean);
       L::store(x + lane, sum.centre.x);
       L::store(y + lane, sum.centre.y);
       L::store(z + lane, sum.centre.z);
-      L::store(radius + lane, sum.radius);
+      L::store(by_radius + lane, sum.radius);
     }
-    return {-0.25 * sum_of_lanes(mean), {sum_of_lanes(x), sum_of_lanes(y), sum_of_lanes(z)}, sum_of_lanes(radius)};
+    return {-0.25 * sum_of_lanes(mean), {sum_of_lanes(x), sum_of_lanes(y), sum_of_lanes(z)}, sum_of_lanes(by_radius)};
   }
 
  private:
+  // rho phi beta of an arc.
+  static Real integral(const Real &phi, const Real &beta, const Real &product, const Real &inverse_distance) {
+    return phi * beta * (product * inverse_distance);
+  }
+
   // Areas of the two balls, each over its radius; rho beta; and what ball k's centre moves of the ends of its arcs:
   // with f = s beta (h_j/d) v/(rho d) half of (x_end - x_start) x f, which is -(s beta/(rho d)) h_j X/4 for the batch's
-  // X.
-  static void add_edges(const BallOfSet &ball, const ArcBatch &arcs, double weight, uint32_t lane, EdgeBatch &edges,
+  // X. Beside it, as nothing of one waits for the other, the third edge of the vertex where the arc starts.
+  static void add_edges(double radius, const ArcBatch &arcs, double weight, uint32_t lane, EdgeBatch &edges,
                         Sums &sums) {
-    const double r = ball.r;
-    const double inverse_radius = r > 0.0 ? 1.0 / r : 0.0;
+    const double inverse_radius = radius > 0.0 ? 1.0 / radius : 0.0;
     for (uint32_t s = lane; s < arcs.count; s += sum_lanes) {
-      const Real other_radius = L::gather(ball.rs, arcs.other + s);
-      const Edge edge(L::all(r), other_radius, load(arcs.vx, arcs.vy, arcs.vz, s));
+      const uint32_t *const before = arcs.previous + s;
+      const Vector v = load(arcs.vx, arcs.vy, arcs.vz, s);
+      const Vector third = gather(arcs.vx, arcs.vy, arcs.vz, before) - v;
+      const Real other_radius = L::load(edges.radius + s);
+      const EdgeAngle<Pairs> both({L::all(radius), other_radius}, {other_radius, L::gather(edges.radius, before)},
+                                  {{v.x, third.x}, {v.y, third.y}, {v.z, third.z}});
+      const Mask is_proper = both.is_proper.first;
+      const Real distance = both.distance.first;
+      const Real product = both.product.first;
+      const Real beta = both.beta.first;
       const Real other_weight = L::load(edges.weight + s);
       const Real shared = 0.5 * (weight + other_weight);
-      const Real strength = shared * edge.beta;
-      const Real pull = L::kept(edge.is_proper, strength / edge.product);
-      L::store(edges.radius + s, other_radius);
-      L::store(edges.cosine + s, edge.cosine);
+      const Real third_shared = 0.5 * (other_weight + L::gather(edges.weight, before));
+      const Real pull = L::kept(is_proper, shared * beta / product);
+      L::store(edges.cosine + s, both.cosine.first);
       L::store(edges.pull + s, pull);
+      L::store(edges.third_cosine + s, both.cosine.second);
+      L::store(edges.third_force + s, third_shared * both.beta.second * both.product.second);
 
-      const Real inverse = 1.0 / edge.distance;
+      const Real inverse = 1.0 / distance;
       const Real h = 0.5 * L::load(arcs.twice_height + s);
-      const Real other_h = edge.distance - h;
-      const Real phi = L::kept(edge.is_proper, L::load(arcs.angle + s));
-      const Vector X = kept(edge.is_proper, load(arcs.Xx, arcs.Xy, arcs.Xz, s));
+      const Real other_h = distance - h;
+      const Real phi = L::kept(is_proper, L::load(arcs.angle + s));
+      const Vector X = kept(is_proper, load(arcs.Xx, arcs.Xy, arcs.Xz, s));
       const Vector u = load(arcs.ux, arcs.uy, arcs.uz, s);
       const Real along = phi * (0.5 * (shared - pull * h * other_h) - (weight * other_h + other_weight * h) * inverse);
       const Real across = 0.5 * (weight - other_weight) * inverse - 0.25 * pull * other_h;
-      sums.mean += shared * edge.integral(phi, inverse);
+      sums.mean += shared * integral(phi, beta, product, inverse);
       sums.centre = sums.centre + (along * u + across * X);
-      sums.radius += phi * ((weight - other_weight) * (r * inverse) - (weight - 0.5 * shared) * (h * inverse_radius) -
-                            0.5 * pull * (r * other_h));
+      sums.radius += phi * ((weight - other_weight) * (radius * inverse) -
+                            (weight - 0.5 * shared) * (h * inverse_radius) - 0.5 * pull * (radius * other_h));
     }
   }
 
   // The vertex where the slot's arc starts, of ball k with balls a and b: the loop comes in along the edge with b and
   // leaves along that with a. As c_l.c_l = (rho d)^2, c_a.c_k = g_ab g_kb - g_ka w_b, and so on, with g the products of
   // cosines of the three edges and w the squares of the radii.
-  static void add_vertices(const BallOfSet &ball, const ArcBatch &arcs, uint32_t lane, const EdgeBatch &edges,
-                           Sums &sums) {
+  static void add_vertices(double radius, const ArcBatch &arcs, uint32_t lane, const EdgeBatch &edges, Sums &sums) {
     for (uint32_t s = lane; s < arcs.count; s += sum_lanes) {
       const uint32_t *const before = arcs.previous + s;
-      const Vector to_a = load(arcs.vx, arcs.vy, arcs.vz, s);
-      const Vector to_b{L::gather(arcs.vx, before), L::gather(arcs.vy, before), L::gather(arcs.vz, before)};
       const Real r_a = L::load(edges.radius + s);
       const Real r_b = L::gather(edges.radius, before);
-      const Edge opposite(r_a, r_b, to_b - to_a);
-      const Real strength = 0.5 * (L::load(edges.weight + s) + L::gather(edges.weight, before)) * opposite.beta;
       const Real g_a = L::load(edges.cosine + s);
       const Real g_b = L::gather(edges.cosine, before);
-      const Real along_a = opposite.cosine * g_a - g_b * (r_a * r_a);
-      const Real along_b = opposite.cosine * g_b - g_a * (r_b * r_b);
+      const Real g_ab = L::load(edges.third_cosine + s);
+      const Real along_a = g_ab * g_a - g_b * (r_a * r_a);
+      const Real along_b = g_ab * g_b - g_a * (r_b * r_b);
       const Real root = L::load(arcs.root_discriminant + s);
       const Real pulled =
-          strength * opposite.product + L::load(edges.pull + s) * along_a + L::gather(edges.pull, before) * along_b;
+          L::load(edges.third_force + s) + L::load(edges.pull + s) * along_a + L::gather(edges.pull, before) * along_b;
       const Mask is_proper = L::load_mask(arcs.arc + s) & (root > 0.0);
       const Real lambda = L::kept(is_proper, pulled / root);
       sums.centre = sums.centre + (0.5 * lambda) * kept(is_proper, load(arcs.px, arcs.py, arcs.pz, s));
-      sums.radius += lambda * ball.r;
+      sums.radius += lambda * radius;
     }
   }
 };

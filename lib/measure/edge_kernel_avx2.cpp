@@ -6,8 +6,8 @@ namespace hsp {
 double sum_edges_avx2(const BallOfSet &ball, const ArcBatch &arcs) {
   return EdgeKernel<4>::sum_edges(ball, arcs);
 }
-EdgeSums differentiate_edges_avx2(const BallOfSet &ball, const ArcBatch &arcs, double weight, EdgeBatch &edges) {
-  return EdgeKernel<4>::differentiate(ball, arcs, weight, edges);
+EdgeSums differentiate_edges_avx2(double radius, const ArcBatch &arcs, double weight, EdgeBatch &edges) {
+  return EdgeKernel<4>::differentiate(radius, arcs, weight, edges);
 }
 
 }  // namespace hsp

@@ -9,10 +9,13 @@ namespace hsp {
 // The edges of a batch, slot by slot.
 struct EdgeBatch {
   double weight[ArcBatch::room];  // w_j of the other ball, finite up to the last whole register
+  double radius[ArcBatch::room];  // r_j, likewise
 
-  // What a kernel fills in: the other ball's radius r_j; r_k r_j cos(beta); and s beta/(rho d), with s the mean of the
-  // two balls' weights, or 0 where the spheres touch.
-  double radius[ArcBatch::room], cosine[ArcBatch::room], pull[ArcBatch::room];
+  // What a kernel fills in: r_k r_j cos(beta); s beta/(rho d), with s the mean of the two balls' weights, or 0 where
+  // the spheres touch; and of the edge of the two other balls of the vertex where the arc starts, their r_a r_b
+  // cos(beta) and s beta rho d.
+  double cosine[ArcBatch::room], pull[ArcBatch::room];
+  double third_cosine[ArcBatch::room], third_force[ArcBatch::room];
 };
 
 // Ball k's part of -sum over edges of s rho phi beta / 2, and what derivatives by ball k are beside those of areas.
@@ -22,15 +25,14 @@ struct EdgeSums {
   double radius;
 };
 
-// The kernels, and the same for AVX2 (edge_kernel.hpp). The batch is evaluated, its ball has the weight w.
-//
-// Half of the sum of rho phi beta. Edges need no weights.
+// The kernels, and the same for AVX2 (edge_kernel.hpp). The batch is evaluated. The first returns half of the sum of
+// rho phi beta; the second is of a ball of this radius and weight.
 double sum_edges(const BallOfSet &ball, const ArcBatch &arcs);
-EdgeSums differentiate_edges(const BallOfSet &ball, const ArcBatch &arcs, double weight, EdgeBatch &edges);
+EdgeSums differentiate_edges(double radius, const ArcBatch &arcs, double weight, EdgeBatch &edges);
 
 #if HSP_AVX2
 double sum_edges_avx2(const BallOfSet &ball, const ArcBatch &arcs);
-EdgeSums differentiate_edges_avx2(const BallOfSet &ball, const ArcBatch &arcs, double weight, EdgeBatch &edges);
+EdgeSums differentiate_edges_avx2(double radius, const ArcBatch &arcs, double weight, EdgeBatch &edges);
 #endif
 
 }  // namespace hsp

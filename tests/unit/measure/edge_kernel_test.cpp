@@ -39,7 +39,7 @@ TEST(EdgeKernel, RoundsIntegersOnce) {
     if (outer < 0 || inner < 0) continue;
     using Real = hsp::DoubleLanes<1>::Real;
     const auto lane = [](int64_t x) { return Real{static_cast<double>(x)}; };
-    const hsp::EdgeAngle<1> edge(lane(a), lane(b), {lane(v[0]), lane(v[1]), lane(v[2])});
+    const hsp::EdgeAngle<hsp::DoubleLanes<1>> edge(lane(a), lane(b), {lane(v[0]), lane(v[1]), lane(v[2])});
     const double product = 0.5 * std::sqrt(static_cast<double>(outer) * static_cast<double>(inner));
     const double cosine = 0.25 * static_cast<double>(outer - inner);
     ASSERT_EQ(edge.distance[0], std::sqrt(static_cast<double>(U)));
@@ -67,11 +67,11 @@ struct Results {
 
 struct Kernel {
   double (*sum)(const hsp::BallOfSet &, const ArcBatch &);
-  hsp::EdgeSums (*differentiate)(const hsp::BallOfSet &, const ArcBatch &, double, EdgeBatch &);
+  hsp::EdgeSums (*differentiate)(double, const ArcBatch &, double, EdgeBatch &);
 
   [[nodiscard]] Results run(const hsp::BallOfSet &ball, const ArcBatch &arcs, const EdgeBatch &weights) const {
     Results results{sum(ball, arcs), {}, weights};
-    results.sums = differentiate(ball, arcs, 0.375, results.edges);
+    results.sums = differentiate(ball.r, arcs, 0.375, results.edges);
     return results;
   }
 };
@@ -88,8 +88,9 @@ void expect_same(const Results &a, const Results &b, uint32_t slots) {
   EXPECT_EQ(a.sums.radius, b.sums.radius);
   for (size_t axis = 0; axis < 3; ++axis) EXPECT_EQ(a.sums.centre[axis], b.sums.centre[axis]);
   for (uint32_t s = 0; s < slots; ++s) {
-    EXPECT_EQ(a.edges.radius[s], b.edges.radius[s]);
     EXPECT_EQ(a.edges.cosine[s], b.edges.cosine[s]);
+    EXPECT_EQ(a.edges.third_cosine[s], b.edges.third_cosine[s]);
+    EXPECT_EQ(a.edges.third_force[s], b.edges.third_force[s]);
     EXPECT_EQ(a.edges.pull[s], b.edges.pull[s]);
   }
 }
@@ -107,7 +108,10 @@ TEST(EdgeKernel, GivesTheSameBitsForEveryWidth) {
       while (batches.next()) {
         const ArcBatch &arcs = batches.batch();
         EdgeBatch weights{};
-        for (uint32_t s = 0; s < arcs.count; ++s) weights.weight[s] = 0.25 + 0.125 * (arcs.other[s] % 8);
+        for (uint32_t s = 0; s < arcs.count; ++s) {
+          weights.weight[s] = 0.25 + 0.125 * (arcs.other[s] % 8);
+          weights.radius[s] = built.balls().r[arcs.other[s]];
+        }
         const Results two = kernel<2>().run(ball, arcs, weights);
         EXPECT_TRUE(std::isfinite(two.mean));
         EXPECT_TRUE(std::isfinite(two.sums.mean));

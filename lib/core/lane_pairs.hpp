@@ -1,0 +1,55 @@
+// Two vectors of n doubles side by side, with the operations of DoubleLanes that kernels need: for two independent long
+// chains of dependent operations, of which a processor does one while the other waits. Operations are written in turn,
+// so that compilers and processors see them next to each other.
+#pragma once
+
+#include "core/double_lanes.hpp"
+
+namespace hsp {
+namespace {
+
+template <uint32_t n>
+struct LanePairs {
+  using L = DoubleLanes<n>;
+
+  struct Mask {
+    typename L::Mask first, second;
+    friend Mask operator^(const Mask &a, const Mask &b) { return {a.first ^ b.first, a.second ^ b.second}; }
+  };
+  struct Real {
+    typename L::Real first, second;
+
+    friend Real operator+(const Real &a, const Real &b) { return {a.first + b.first, a.second + b.second}; }
+    friend Real operator-(const Real &a, const Real &b) { return {a.first - b.first, a.second - b.second}; }
+    friend Real operator*(const Real &a, const Real &b) { return {a.first * b.first, a.second * b.second}; }
+    friend Real operator/(const Real &a, const Real &b) { return {a.first / b.first, a.second / b.second}; }
+    friend Real operator+(double a, const Real &b) { return {a + b.first, a + b.second}; }
+    friend Real operator+(const Real &a, double b) { return {a.first + b, a.second + b}; }
+    friend Real operator-(const Real &a, double b) { return {a.first - b, a.second - b}; }
+    friend Real operator*(double a, const Real &b) { return {a * b.first, a * b.second}; }
+    friend Real operator*(const Real &a, double b) { return {a.first * b, a.second * b}; }
+    friend Mask operator>(const Real &a, const Real &b) { return {a.first > b.first, a.second > b.second}; }
+    friend Mask operator>(const Real &a, double b) { return {a.first > b, a.second > b}; }
+    friend Mask operator<(const Real &a, double b) { return {a.first < b, a.second < b}; }
+  };
+
+  static Real all(double x) { return {L::all(x), L::all(x)}; }
+  static Real kept(const Mask &mask, const Real &a) {
+    return {L::kept(mask.first, a.first), L::kept(mask.second, a.second)};
+  }
+  static Mask both(const Mask &a, const Mask &b) { return {L::both(a.first, b.first), L::both(a.second, b.second)}; }
+  static Real negate_if(const Mask &mask, const Real &a) {
+    return {L::negate_if(mask.first, a.first), L::negate_if(mask.second, a.second)};
+  }
+  static Real absolute(const Real &a) { return {L::absolute(a.first), L::absolute(a.second)}; }
+  static Real square_root(const Real &a) { return {L::square_root(a.first), L::square_root(a.second)}; }
+  static Real larger(const Real &a, const Real &b) {
+    return {L::larger(a.first, b.first), L::larger(a.second, b.second)};
+  }
+  static Real smaller(const Real &a, const Real &b) {
+    return {L::smaller(a.first, b.first), L::smaller(a.second, b.second)};
+  }
+};
+
+}  // namespace
+}  // namespace hsp
