@@ -152,21 +152,17 @@ void ContactsBuilder::add_chord(const BallSet &balls, const Boundary &boundary, 
   const exact::ChordFactors factors = line.factors();
   // Infinitely short chords may have an extent below 0 by rounding.
   const double scale = extent > 0.0 ? extent / (8 * factors.N) : 0.0;
-  const auto part = [scale](double factor, const exact::Vector &v) {
-    return scale * (factor / std::sqrt(static_cast<double>(dot(v, v))));
-  };
-  const auto add = [](ContactRecord *contact, double area) {
+  // The lengths of the three axes are the contacts' own: measure_contacts() divides by them.
+  const auto add = [scale](ContactRecord *contact, double factor) {
     if (contact == nullptr) return;
-    contact->area += area;
+    contact->area += scale * factor;
     ++contact->chords;
   };
   const uint32_t first = caps_.ball[j];
   const uint32_t second = caps_.ball[k];
-  add(contact_of_cap(j), part(factors.beta, P.v));
-  add(contact_of_cap(k), part(factors.alpha, Q.v));
-  if (first < own_balls_) {
-    add(stored(find_contact(first, second)), part(factors.third, balls.exact_difference(first, second)));
-  }
+  add(contact_of_cap(j), factors.beta);
+  add(contact_of_cap(k), factors.alpha);
+  if (first < own_balls_) add(stored(find_contact(first, second)), factors.third);
 
   const TriangleRecord triangle{{caps_.origin, first, second}, chord.free_ends()};
   a.triangles.push(triangle);
@@ -223,16 +219,16 @@ void ContactsBuilder::measure_contacts(const BallSet &balls) {
     const int64_t U = dot(P.v, P.v);
     const double square = exact::circle_discriminant(exact::sphere_of(own), P, U) / (4 * static_cast<double>(U));
     if (square == 0.0) contact.code |= ContactRecord::touching_bit;
-    const double area = contact.area + 0.5 * square * contact.edge;
+    const double distance = std::sqrt(static_cast<double>(U));
+    const double area = contact.area / distance + 0.5 * square * contact.edge;
     contact.area = area > 0.0 && square > 0.0 ? area : 0.0;
     contact.edge *= std::sqrt(square);
     a.contact_area[first] += contact.area;
     a.contact_area[second] += contact.area;
     // Twice the heights of the contact's plane over both centres are h and 2 |v|^2 - h over |v|.
-    const double twice_distance = 2 * std::sqrt(static_cast<double>(U));
     const int64_t other_h = U + (other.radius - own.radius) * (other.radius + own.radius);
-    a.cell_volume[first] += static_cast<double>(P.h) / twice_distance * contact.area;
-    a.cell_volume[second] += static_cast<double>(other_h) / twice_distance * contact.area;
+    a.cell_volume[first] += static_cast<double>(P.h) / (2 * distance) * contact.area;
+    a.cell_volume[second] += static_cast<double>(other_h) / (2 * distance) * contact.area;
   }
   for (uint32_t i = 0; i < a.balls; ++i) {
     const double volume = a.cell_volume[i] / 3;
