@@ -126,7 +126,8 @@ bool ball_colours_make(const struct drawing *drawing, const struct selection *hi
   } else if (drawing->colour == COLOUR_RESIDUE) {
     colour_by_residue(molecule, *colour, palette);
   } else {
-    const bool large = molecule->atoms > MOST_BALLS_BY_ELEMENT && has_chains(molecule, *colour);
+    const bool many = drawing->by_chain || molecule->atoms > MOST_BALLS_BY_ELEMENT;
+    const bool large = many && has_chains(molecule, *colour);
     const bool by_chain = drawing->colour == COLOUR_CHAIN || (drawing->colour < 0 && large);
     const uint32_t usual = by_chain ? HSP_PALETTE_CHAIN : HSP_PALETTE_SOFT;
     const uint32_t chosen = drawing->palette >= 0 ? (uint32_t)drawing->palette : usual;

@@ -77,6 +77,10 @@ static bool picture_options_of(const struct drawing *drawing, uint32_t balls, co
   }
   picture_frame_set(drawing, view, options, frame);
   if (drawing->outline_colour >= 0) options->outline_colour = (uint32_t)drawing->outline_colour;
+  for (int level = 0; level < INK_LEVELS; ++level) {
+    if (drawing->ink_width[level] >= 0.0) options->ink_width[level] = drawing->ink_width[level];
+    if (drawing->ink_colour[level] >= 0) options->ink_colour[level] = (uint32_t)drawing->ink_colour[level];
+  }
   if (drawing->background == DRAWING_NO_BACKGROUND) {
     /* Nobody knows what far balls would have to fade to, unless the user says so. */
     options->flags |= HSP_PICTURE_NO_BACKGROUND;

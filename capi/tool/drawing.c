@@ -6,6 +6,7 @@
 #include "characters.h"
 #include "fields.h"
 #include "hardsphere.h"
+#include "look.h"
 #include "number.h"
 #include "output_file.h"
 
@@ -70,6 +71,7 @@ static const struct choice_option choice_options[] = {
     {"--pieces", offsetof(struct drawing, pieces), piece_names, PIECES, "g, h or visible"},
     {"--as", offsetof(struct drawing, as), kind_names, KINDS, "balls or ball-and-stick"},
     {"--label", offsetof(struct drawing, label), label_names, LABELS, "atom, residue or chain"},
+    {"--look", offsetof(struct drawing, look), look_names, LOOKS, "paper, goodsell, slide or print"},
 };
 
 static bool twice(const struct option_reader *reader, const char *option) {
@@ -164,6 +166,50 @@ static bool take_crop(struct option_reader *reader, const char *value, struct dr
          failure_in_usage(reader->failure, "--crop: W and H must be above 0");
 }
 
+/* One number for all contours, or three. */
+static bool take_ink_width(struct option_reader *reader, const char *value, struct drawing *drawing) {
+  double *const width = drawing->ink_width;
+  if (!option_value(reader, "--ink-width", &value, "a number or three")) return false;
+  if (width[0] >= 0.0) return twice(reader, "--ink-width");
+  const bool three = strchr(value, ',') != NULL;
+  if (three ? !option_numbers(reader, "--ink-width", value, "BGD", width)
+            : !option_number(reader, "--ink-width", value, width)) {
+    return false;
+  }
+  for (int level = 0; level < INK_LEVELS; ++level) {
+    if (!three) width[level] = width[0];
+    if (!(width[level] >= 0.0 && width[level] <= 1e6)) {
+      return failure_in_usage(reader->failure, "--ink-width must be between 0 and 1000000");
+    }
+  }
+  drawing->ink = true;
+  return true;
+}
+
+/* Likewise. */
+static bool take_ink_colour(struct option_reader *reader, const char *value, struct drawing *drawing) {
+  enum { DIGITS = 7 }; /* with # */
+  int *const colour = drawing->ink_colour;
+  if (!option_value(reader, "--ink-colour", &value, "RRGGBB or three of them")) return false;
+  if (colour[0] >= 0) return twice(reader, "--ink-colour");
+  int given = 0;
+  for (const char *at = value; given < INK_LEVELS; ++at) {
+    char digits[DIGITS + 2]; /* one more makes it none */
+    size_t length = strcspn(at, ",");
+    if (given == INK_LEVELS - 1 || length > DIGITS + 1) length = strlen(at) < DIGITS + 1 ? strlen(at) : DIGITS + 1;
+    memcpy(digits, at, length);
+    digits[length] = '\0';
+    if (!take_colour(reader, "--ink-colour", false, digits, &colour[given])) return false;
+    ++given;
+    at += length;
+    if (*at == '\0') break;
+  }
+  if (given == 2) return failure_in_usage(reader->failure, "--ink-colour: either one RRGGBB or three, not two");
+  for (int level = given; level < INK_LEVELS; ++level) colour[level] = colour[0];
+  drawing->ink = true;
+  return true;
+}
+
 static bool take_spin(struct option_reader *reader, const char *value, int *spin) {
   uint64_t pictures = 0;
   if (!option_value(reader, "--spin", &value, "how many pictures")) return false;
@@ -214,6 +260,8 @@ bool drawing_take_option(struct drawing *drawing, struct option_reader *reader, 
   if (option_is(argument, "--fog-colour", &value)) {
     return take_colour(reader, "--fog-colour", false, value, &drawing->fog_colour);
   }
+  if (option_is(argument, "--ink-width", &value)) return take_ink_width(reader, value, drawing);
+  if (option_is(argument, "--ink-colour", &value)) return take_ink_colour(reader, value, drawing);
   if (option_is(argument, "--colour", &value)) return take_what_colours_mean(reader, value, drawing);
   if (option_is(argument, "--range", &value)) return take_range(reader, value, drawing);
   if (option_is(argument, "--crop", &value)) return take_crop(reader, value, drawing);
@@ -311,12 +359,13 @@ bool drawing_check(struct drawing *drawing, struct failure *failure) {
   if (drawing->legend && drawing->colour == COLOUR_RESIDUE) {
     return failure_in_usage(failure, "--legend is for colours by element, by chain and of numbers");
   }
-  if (drawing_is_of_sticks(drawing) && drawing_has_ink(drawing)) {
+  if (drawing_is_of_sticks(drawing) && drawing->ink) {
     return failure_in_usage(failure, "--ink is not for --as ball-and-stick");
   }
   if (!drawing_is_of_sticks(drawing) && (drawing->ball_size >= 0.0 || drawing->stick >= 0.0)) {
     return failure_in_usage(failure, "--ball-size and --stick are for --as ball-and-stick");
   }
+  look_apply(drawing);
   return true;
 }
 
@@ -333,7 +382,8 @@ bool drawing_is_annotated(const struct drawing *drawing) {
 }
 
 bool drawing_has_ink(const struct drawing *drawing) {
-  return drawing->ink;
+  const double *const width = drawing->ink_width;
+  return drawing->ink && !(width[0] == 0.0 && width[1] == 0.0 && width[2] == 0.0);
 }
 
 bool drawing_is_of_values(const struct drawing *drawing) {
@@ -348,7 +398,8 @@ uint32_t drawing_style(const struct drawing *drawing, uint32_t balls) {
 double drawing_occlusion(const struct drawing *drawing, uint32_t balls) {
   if (drawing->occlusion >= 0.0) return drawing->occlusion;
   if (drawing_is_of_sticks(drawing) || drawing_is_of_values(drawing)) return 0.0;
-  return balls > MOST_SOFT_BALLS || drawing_style(drawing, balls) == HSP_STYLE_SOFT ? 0.5 : 0.0;
+  const bool deep = drawing->darkens || balls > MOST_SOFT_BALLS;
+  return deep || drawing_style(drawing, balls) == HSP_STYLE_SOFT ? 0.5 : 0.0;
 }
 
 double drawing_default_width(const struct drawing *drawing) {

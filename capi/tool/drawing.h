@@ -15,6 +15,9 @@ enum { COLOUR_ELEMENT, COLOUR_CHAIN, COLOUR_RESIDUE, COLOUR_AREA, COLOUR_BFACTOR
 /* What labels name. */
 enum { LABEL_ATOM, LABEL_RESIDUE, LABEL_CHAIN, LABELS };
 
+/* HSP_INK_BORDER and so on. */
+enum { INK_LEVELS = 3 };
+
 /* Numbers and choices are negative where the user has said nothing. Choices are numbered as in hardsphere.h;
  * see drawing_is_of_map. */
 struct drawing {
@@ -53,23 +56,29 @@ struct drawing {
   bool all_balls;
   bool water; /* is drawn, and not left out */
   bool ink;
+  double ink_width[INK_LEVELS];
+  int ink_colour[INK_LEVELS];
+  int look;      /* in look_names */
+  bool darkens;  /* buried balls, where the user says nothing of occlusion: looks do */
+  bool by_chain; /* colours of molecules with two chains or more: likewise, of palettes */
   bool classes;  /* names of elements, residues and chains for style sheets */
   bool tooltips; /* names of atoms beside the pointer */
 };
 
 #define DRAWING_NO_BACKGROUND 0x1000000
 
-#define DRAWING_DEFAULT                                                                                              \
-  {                                                                                                                  \
-    .format = -1, .style = -1, .palette = -1, .colour = -1, .unit = -1, .pieces = -1, .as = -1, .label = -1,         \
-    .background = -1, .outline_colour = -1, .fog_colour = -1, .spin = -1, .width = -1.0, .height = -1.0,             \
-    .outline = -1.0, .fog = -1.0, .margin = -1.0, .scale = -1.0, .occlusion = -1.0, .ball_size = -1.0, .stick = -1.0 \
+#define DRAWING_DEFAULT                                                                                               \
+  {                                                                                                                   \
+    .format = -1, .style = -1, .palette = -1, .colour = -1, .unit = -1, .pieces = -1, .as = -1, .label = -1,          \
+    .background = -1, .outline_colour = -1, .fog_colour = -1, .spin = -1, .width = -1.0, .height = -1.0,              \
+    .outline = -1.0, .fog = -1.0, .margin = -1.0, .scale = -1.0, .occlusion = -1.0, .ball_size = -1.0, .stick = -1.0, \
+    .ink_width = {-1.0, -1.0, -1.0}, .ink_colour = {-1, -1, -1}, .look = -1                                           \
   }
 
 /* Take the argument if it is an option of `draw`, and its value from the reader; *known tells whether it is one. */
 bool drawing_take_option(struct drawing *drawing, struct option_reader *reader, const char *argument, bool *known);
 
-/* Which options go together, and what format the file's name asks for. */
+/* Which options go together, what format the file's name asks for, and what the look says of options not given. */
 bool drawing_check(struct drawing *drawing, struct failure *failure);
 
 /* Whether what is visible is drawn, from a map, and no pieces of a view one over the other. */

@@ -334,6 +334,12 @@ static const char draw_text[] =
     "                         and towards the viewer, counter-clockwise seen from their ends\n"
     "  --spin N               N pictures of a whole turn about the upright axis, in one frame and scale: OUT-000.svg,\n"
     "                         OUT-001.svg, ... for OUT.svg\n"
+    "  --look paper|goodsell|slide|print\n"
+    "                         several options by one name; what else is said wins. paper: contours, and buried balls\n"
+    "                         darker; goodsell: the same in flat colours, by chain where there are two, without lines\n"
+    "                         between bonded atoms; slide: before a dark background, 1600 x 900 px; print: flat, "
+    "black\n"
+    "                         lines and contours, nothing darkened or faded, for printers without colours\n"
     "  --style flat|headlight|soft\n"
     "                         one colour a ball, light from the viewer, or light from the upper left; default\n"
     "                         soft up to 2000 balls, flat above\n"
@@ -357,21 +363,23 @@ static const char draw_text[] =
     "                         that with a --probe; a coarser rule serves above 1000 and above 5000\n"
     "  --fog F                fade far balls to the background, from 0, not at all, to 1; default 0.3, 0 without a\n"
     "                         background\n"
-    "";
-
-/* The rest of it: longer strings are not for every compiler. */
-static const char draw_looks_text[] =
     "  --outline W            the width of lines along silhouettes and intersections, 0: none; default by size\n"
     "  --outline-colour RRGGBB\n"
     "                         their colour; default 23202B\n"
     "  --ink                  contours as wide as what lies behind them is far: thickest around the molecule, thick\n"
-    "                         around chains and ligands, from nothing up elsewhere; lines get thinner, or none\n"
+    "                         around chains and ligands, from nothing up elsewhere; lines get thinner, or none\n";
+
+/* The rest of it: longer strings are not for every compiler. */
+static const char draw_looks_text[] =
+    "  --ink-width W          contours with other widths, where they are widest: one, or three B,G,D before the\n"
+    "                         background, before other chains and ligands, and elsewhere; 0: none; default by size\n"
+    "  --ink-colour RRGGBB    contours in another colour, or in three, likewise; default 23202B\n"
     "  --classes              .svg: an id for each atom, and classes for its element, residue and chain, such as el-C\n"
     "                         res-CYS chain-A; a style sheet that sets their fill keeps the light, but not fog\n"
     "  --tooltips             .svg: names of atoms are shown beside the pointer\n"
     "  --width W, --height H  the size of the picture, one follows from the other; default width 1000 px, and 170 mm\n"
     "                         for .eps, .pdf and in mm\n"
-    "  --unit px|mm           of width, height and outline; default px, 1/96 inch\n"
+    "  --unit px|mm           of width, height, outline and ink-width; default px, 1/96 inch\n"
     "  --margin M             around the balls, as a part of their larger side; default 0.03\n"
     "  --scale S              for pictures side by side and movies: S px or mm for a unit of length, instead of all\n"
     "                         that is seen fitted into the picture; what lies beyond its edges is cut off\n"

@@ -358,6 +358,94 @@ TEST(DrawColours, InkFollowsDepth) {
   EXPECT_NE(refused.err.find("--ink is not for --as ball-and-stick"), std::string::npos);
 }
 
+// Widths and colours of contours: one for all kinds, or three. Widths that are 0 are no contours.
+TEST(DrawColours, InkWidthsAndColours) {
+  const std::string residues = "--colour=residue";
+  const auto inked = [&](std::vector<std::string> options) {
+    options.insert(options.end(), {"--style", "flat", "--fog", "0", residues});
+    return drawn(crambin(), options);
+  };
+  const std::string ink = inked({"--ink"});
+  EXPECT_EQ(inked({"--ink-colour", "23202b"}), ink);
+  EXPECT_EQ(inked({"--ink", "--ink-colour", "#23202B,#23202B,#23202B"}), ink);
+  const std::string coloured = inked({"--ink-colour", "010203,040506,070809"});
+  EXPECT_NE(coloured.find("<g fill=\"#010203\""), std::string::npos);
+  EXPECT_NE(coloured.find("<path class=\"group\" fill=\"#040506\""), std::string::npos);
+  EXPECT_NE(coloured.find("<path class=\"depth\" fill=\"#070809\""), std::string::npos);
+  EXPECT_EQ(inked({"--ink-width", "0"}), inked({}));
+  const std::string border = inked({"--ink-width", "3,0,0"});
+  EXPECT_NE(border.find("class=\"border\""), std::string::npos);
+  EXPECT_LT(border.size() + 20000, ink.size());  // others only where they go over into it
+  EXPECT_EQ(inked({"--ink-width=2"}), inked({"--ink-width", "2,2,2"}));
+  EXPECT_NE(inked({"--ink-width=2"}), inked({"--ink-width", "2,2,1"}));
+  const std::vector<std::pair<std::vector<std::string>, std::string>> wrong = {
+      {{"--ink-width", "1,2"}, "--ink-width needs 3 numbers"},
+      {{"--ink-width", "-1"}, "--ink-width must be between 0 and 1000000"},
+      {{"--ink-width", "1,2,2e6"}, "--ink-width must be between 0 and 1000000"},
+      {{"--ink-width", "1", "--ink-width", "1"}, "--ink-width is given twice"},
+      {{"--ink-colour", "010203,040506"}, "either one RRGGBB or three, not two"},
+      {{"--ink-colour", "01020"}, "--ink-colour: '01020' is not RRGGBB"},
+      {{"--ink-colour", "010203,,040506"}, "--ink-colour: '' is not RRGGBB"},
+      {{"--ink-colour", "010203,040506,070809,0"}, "is not RRGGBB"},
+      {{"--ink-colour", "0102030405060708,040506,070809"}, "is not RRGGBB"},
+      {{"--ink-colour", "010203", "--ink-colour", "010203"}, "--ink-colour is given twice"},
+      {{"--ink-colour", "010203", "--as", "ball-and-stick"}, "--ink is not for --as ball-and-stick"}};
+  for (const auto &[options, complaint] : wrong) {
+    const TemporaryFile out("inked.svg");
+    std::vector<std::string> line = {"draw", crambin(), "-o", out.path()};
+    line.insert(line.end(), options.begin(), options.end());
+    const Outcome refused = run_program(line);
+    EXPECT_EQ(refused.status, 2) << complaint;
+    EXPECT_NE(refused.err.find(complaint), std::string::npos) << refused.err;
+  }
+}
+
+// A look is what its options are, and any of these that is given wins.
+TEST(DrawColours, LooksArePresets) {
+  const std::vector<std::pair<std::string, std::vector<std::string>>> looks = {
+      {"paper", {"--ink", "--occlusion", "0.5"}},
+      {"goodsell", {"--ink", "--style", "flat", "--occlusion", "0.5", "--outline", "0", "--fog", "0.4"}},
+      {"slide",
+       {"--ink", "--occlusion", "0.5", "--outline", "0", "--fog", "0.45", "--background", "14171E", "--outline-colour",
+        "ECE9E2", "--ink-colour", "14171E", "--width", "1600", "--height", "900"}},
+      {"print",
+       {"--ink", "--style", "flat", "--occlusion", "0", "--fog", "0", "--outline-colour", "000000", "--ink-colour",
+        "000000"}}};
+  for (const auto &[look, same] : looks) {
+    EXPECT_EQ(drawn(crambin(), {"--look", look}), drawn(crambin(), same)) << look;
+    // The last of its options that has a value says something else now.
+    std::vector<std::string> other = same;
+    other.back() = look == "slide" ? "800" : look == "print" ? "0000ff" : "0.1";
+    const std::string option = other[other.size() - 2];
+    EXPECT_EQ(drawn(crambin(), {"--look", look, option, other.back()}),
+              look == "slide" ? drawn(crambin(), {"--ink", "--occlusion", "0.5", "--outline", "0", "--fog", "0.45",
+                                                  "--background", "14171E", "--outline-colour", "ECE9E2",
+                                                  "--ink-colour", "14171E", "--height", "800"})
+                              : drawn(crambin(), other))
+        << look;
+    // Balls and sticks have no contours, nor are they darkened.
+    const std::string sticks = drawn(molecules_folder() + "/caffeine.pdb", {"--look", look, "--as", "ball-and-stick"});
+    EXPECT_EQ(sticks.find("class=\"border\""), std::string::npos) << look;
+    EXPECT_GT(sticks.size(), 5000u) << look;
+    for (const std::string background : {"none", "00FF00"}) {
+      EXPECT_FALSE(drawn(crambin(), {"--look", look, "--background", background}).empty()) << look;
+    }
+  }
+  EXPECT_LT(drawn(crambin(), {"--look", "goodsell", "--style", "soft", "--classes"}).size(), 170000u);
+  // By chain where there are two, unless colours are asked for.
+  const TemporaryFile two("two.pdb",
+                          "ATOM      1  CA  ALA A   1       0.000   0.000   0.000  1.00  0.00           C\n"
+                          "ATOM      2  CA  ALA B   1       9.000   0.000   0.000  1.00  0.00           C\n");
+  const std::string goodsell = drawn(two.path(), {"--look", "goodsell"});
+  EXPECT_EQ(goodsell, drawn(two.path(), {"--look", "goodsell", "--palette", "chain"}));
+  EXPECT_NE(goodsell, drawn(two.path(), {"--look", "goodsell", "--palette", "soft"}));
+  EXPECT_EQ(drawn(two.path(), {"--look", "paper"}), drawn(two.path(), {"--look", "paper", "--palette", "soft"}));
+  const TemporaryFile out("look.svg");
+  const Outcome refused = run_program({"draw", crambin(), "-o", out.path(), "--look", "monet"});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("--look"), std::string::npos);
+}
+
 // Elements, residues and chains as classes, with ids in the place of data-ball, and names beside the pointer.
 TEST(DrawColours, ClassesAndTooltips) {
   const std::string plain = drawn(crambin(), {});

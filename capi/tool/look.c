@@ -1,0 +1,65 @@
+#include "look.h"
+
+#include <stdbool.h>
+
+#include "drawing.h"
+#include "hardsphere.h"
+
+const char *const look_names[LOOKS] = {"paper", "goodsell", "slide", "print"};
+
+/* Negative numbers leave the choice to `draw`. */
+struct look {
+  int style;
+  int background;
+  int outline_colour; /* of lines, and of what is written over the picture */
+  int ink_colour;
+  double outline;
+  double fog;
+  double occlusion;
+  bool darkens;         /* buried balls, also in the flat style */
+  bool by_chain;        /* colours of molecules of two chains or more, also of small ones */
+  double width, height; /* px */
+};
+
+/* In the order of their names.
+ *   paper     light and contours on white
+ *   goodsell  after D. S. Goodsell's pictures: flat colours, darker in depth, contours, no lines between bonded atoms
+ *   slide     light on dark, 16:9; contours are gaps of the background's colour
+ *   print     for printers without colours or with little ink: flat, nothing darkened or faded, black lines */
+static const struct look looks[LOOKS] = {
+    {-1, -1, -1, -1, -1.0, -1.0, -1.0, true, false, -1.0, -1.0},
+    {(int)HSP_STYLE_FLAT, -1, -1, -1, 0.0, 0.4, -1.0, true, true, -1.0, -1.0},
+    {-1, 0x14171E, 0xECE9E2, 0x14171E, 0.0, 0.45, -1.0, true, true, 1600.0, 900.0},
+    {(int)HSP_STYLE_FLAT, -1, 0x000000, 0x000000, -1.0, 0.0, 0.0, false, true, -1.0, -1.0},
+};
+
+static void choose(int *choice, int preset) {
+  if (*choice < 0) *choice = preset;
+}
+static void choose_number(double *number, double preset) {
+  if (*number < 0.0) *number = preset;
+}
+
+void look_apply(struct drawing *drawing) {
+  if (drawing->look < 0) return;
+  const struct look *look = &looks[drawing->look];
+  const bool of_sticks = drawing_is_of_sticks(drawing);
+  choose(&drawing->style, look->style);
+  /* Without a background nobody knows what far balls would have to fade to. */
+  if (drawing->background != DRAWING_NO_BACKGROUND) choose_number(&drawing->fog, look->fog);
+  choose(&drawing->background, look->background);
+  choose(&drawing->outline_colour, look->outline_colour);
+  for (int level = 0; level < INK_LEVELS; ++level) choose(&drawing->ink_colour[level], look->ink_colour);
+  if (!of_sticks) {
+    drawing->ink = true;
+    choose_number(&drawing->outline, look->outline);
+    choose_number(&drawing->occlusion, look->occlusion);
+  }
+  drawing->darkens = look->darkens;
+  drawing->by_chain = look->by_chain;
+  const bool sized = drawing->width >= 0.0 || drawing->height >= 0.0 || drawing->scale >= 0.0 || drawing->crop_given;
+  if (!sized && drawing->unit != (int)HSP_UNIT_MM) {
+    drawing->width = look->width;
+    drawing->height = look->height;
+  }
+}

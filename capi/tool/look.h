@@ -1,0 +1,13 @@
+/* Presets of `draw`: several of its options by one name. What the user says by itself wins. */
+#ifndef HARDSPHERE_TOOL_LOOK_H
+#define HARDSPHERE_TOOL_LOOK_H
+
+struct drawing;
+
+enum { LOOKS = 4 };
+extern const char *const look_names[LOOKS];
+
+/* What the user has left open, by the look that was asked for, if there is one. */
+void look_apply(struct drawing *drawing);
+
+#endif
