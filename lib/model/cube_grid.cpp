@@ -135,9 +135,10 @@ void CubeGrid::put(const Source &source, const CubeAxis &axis, BallRange part, S
     cube.z += lift_;
     if (table_.count() == cubes_before || !(cube == table_.coordinates(table_.count() - 1))) {
       first_ball_[table_.count()] = place;
-      table_.append(cube);
+      table_.push(cube);
     }
   }
+  table_.insert_from(cubes_before);
 }
 
 Status CubeGrid::build(const BallInput &input, uint32_t &first_bad) {

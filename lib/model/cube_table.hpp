@@ -7,6 +7,7 @@
 // eq. for double hashing); the longest probe met while building is recorded and reported.
 #pragma once
 
+#include "core/small_code.hpp"
 #include "core/span.hpp"
 #include "core/status.hpp"
 
@@ -67,16 +68,23 @@ class CubeTable {
   }
   // Gives the next number to a cube that is not there yet.
   void append(const CubeCoordinates &cube) {
-    uint32_t length = 1;
-    CubeProbe probe(linear_hash(cube), used_slots_);
-    for (; slots_[probe.slot] != no_id; probe.next()) ++length;
-    slots_[probe.slot] = count_;
+    push(cube);
+    insert(count_ - 1);
+  }
+  // The same for many: first all are pushed, and from then on have numbers and coordinates; then those from number
+  // `first` on are inserted, and can be found.
+  void push(const CubeCoordinates &cube) {
     if (count_ == 0) low_ = high_ = cube;
     widen(cube.x, low_.x, high_.x);
     widen(cube.y, low_.y, high_.y);
     widen(cube.z, low_.z, high_.z);
     cubes_[count_++] = cube;
-    if (length > longest_probe_) longest_probe_ = length;
+  }
+  void insert_from(uint32_t first) {
+    for (uint32_t number = first; number < count_; ++number) {
+      if (!small_code && number + fetched_ahead < count_) fetch(number + fetched_ahead);
+      insert(number);
+    }
   }
 
   uint32_t count() const { return count_; }
@@ -88,6 +96,19 @@ class CubeTable {
   const CubeCoordinates &high() const { return high_; }
 
  private:
+  // Slots of a large table are far from each other: they are on their way while other cubes are inserted.
+  static constexpr uint32_t fetched_ahead = 16;
+
+  void fetch(uint32_t number) const {
+    __builtin_prefetch(&slots_[CubeProbe(linear_hash(cubes_[number]), used_slots_).slot], 1);
+  }
+  void insert(uint32_t number) {
+    uint32_t length = 1;
+    CubeProbe probe(linear_hash(cubes_[number]), used_slots_);
+    for (; slots_[probe.slot] != no_id; probe.next()) ++length;
+    slots_[probe.slot] = number;
+    if (length > longest_probe_) longest_probe_ = length;
+  }
   static void widen(int64_t value, int64_t &low, int64_t &high) {
     low = value < low ? value : low;
     high = value > high ? value : high;

@@ -138,6 +138,9 @@ struct PlacesInSpace {
   bool same(uint32_t i, uint32_t j) const { return x(i) == x(j) && y(i) == y(j) && z(i) == z(j); }
 };
 
+// Balls of a large set are far from each other in the order of the grid. Those to be compared are on their way before.
+constexpr uint32_t fetched_ahead = 16;
+
 // So many slices of a cube leave few balls to be compared with each other.
 constexpr uint32_t enough_slice_bits = 4;
 
@@ -148,10 +151,12 @@ Span<uint32_t> grid_order(const BallSet &balls, const CubeAxis &axis, const Grid
   DigitSort sort(balls.n, scratch);
   if (balls.n == 0) return sort.order();
   PlacesInSpace places{{balls, balls.x, axis}, {balls, balls.y, axis}, {balls, balls.z, axis}};
+  bool keys_are_places = false;
   if (places.count() < 0x1p40) {
     const uint32_t bits = places.bits();
     places.x.slice(sort.passes_for(bits + enough_slice_bits).all_bits() - bits);
     sort.by(places);
+    keys_are_places = places.bits() <= 32;
   } else {
     sort.by(places.x);
     sort.by(places.y);
@@ -160,8 +165,17 @@ Span<uint32_t> grid_order(const BallSet &balls, const CubeAxis &axis, const Grid
 
   const Span<uint32_t> order = sort.order();
   const Span<uint32_t> keys = sort.keys();
-  const auto same_place = [&](uint32_t k, uint32_t l) { return keys[k] == keys[l] && places.same(order[k], order[l]); };
+  // Balls are far from each other in memory, and asked only if need be.
+  const auto same_place = [&](uint32_t k, uint32_t l) {
+    return keys[k] == keys[l] && (keys_are_places || places.same(order[k], order[l]));
+  };
+  const auto fetch_if_same = [&](uint32_t k) {
+    const bool same = keys[k - 1] == keys[k];
+    __builtin_prefetch(&balls.x[order[same ? k - 1 : 0]]);
+    __builtin_prefetch(&balls.x[order[same ? k : 0]]);
+  };
   for (uint32_t k = 1; k < balls.n; ++k) {
+    if (k + fetched_ahead < balls.n) fetch_if_same(k + fetched_ahead);
     if (!same_place(k - 1, k) || balls.x[order[k - 1]] < balls.x[order[k]]) continue;
     uint32_t first = k - 1;
     while (first > 0 && same_place(first - 1, k)) --first;
