@@ -228,8 +228,20 @@ inline LaneBits negative(Doubles a) {
 inline LaneBits negative(Floats a) {
   return static_cast<LaneBits>(_mm256_movemask_ps(a.v));
 }
+// Their sign bits: set where a or b is negative, and where both are.
+inline Floats either_negative(Floats a, Floats b) {
+  return {_mm256_or_ps(a.v, b.v)};
+}
+inline Floats both_negative(Floats a, Floats b) {
+  return {_mm256_and_ps(a.v, b.v)};
+}
 inline Floats magnitude(Floats a) {
   return {_mm256_andnot_ps(_mm256_set1_ps(-0.0F), a.v)};
+}
+// The size of one number with the sign of another.
+inline Floats with_sign_of(Floats size, Floats sign) {
+  const __m256 bit = _mm256_set1_ps(-0.0F);
+  return {_mm256_or_ps(_mm256_andnot_ps(bit, size.v), _mm256_and_ps(bit, sign.v))};
 }
 inline Doubles magnitude(Doubles a) {
   return {_mm256_andnot_pd(_mm256_set1_pd(-0.0), a.v)};

@@ -21,7 +21,7 @@ struct PairSweep {
   FloatCaps caps;
   uint32_t count = 0, first_later = 0;
   FloatCaps by_size;             // the larger caps again, by classes of size
-  FloatCaps exposed;             // later caps whose circles do not certainly lie inside a large cap as a whole
+  FloatCaps exposed;             // later caps whose circles are not certainly covered by large caps
   float *exposed_cap = nullptr;  // their numbers
   float *crossed = nullptr;      // for each the largest q of its circle and that of a large cap; both certainly cross
                                  // if it is above the bound

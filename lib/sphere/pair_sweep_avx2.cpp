@@ -1,6 +1,7 @@
 #include "sphere/pair_sweep.hpp"
 
 #if HSP_AVX2
+#include "sphere/covered_circles_avx2.hpp"
 #include "sphere/crossing_pairs_avx2.hpp"
 
 namespace hsp {
@@ -72,6 +73,17 @@ struct AmongLargeCaps {
   }
 };
 
+// What follows the last exposed circle crosses nothing.
+void end_exposed(PairSweep &sweep, uint32_t count) {
+  const Floats zero = Floats::all(0.0F);
+  zero.store(sweep.exposed.x + count);
+  zero.store(sweep.exposed.y + count);
+  zero.store(sweep.exposed.z + count);
+  Floats::all(4.0F).store(sweep.exposed.b + count);
+  zero.store(sweep.crossed + count);
+  sweep.exposed_count = count;
+}
+
 void keep_exposed(PairSweep &sweep) {
   const CapPointers<float> caps = pointers(sweep.caps), large = pointers(sweep.by_size);
   const FloatCaps exposed = sweep.exposed;
@@ -89,14 +101,28 @@ void keep_exposed(PairSweep &sweep) {
     store_front(crossed + kept, among.crossing, order);
     kept += ones(chosen);
   }
-  // What follows the last one crosses nothing.
-  const Floats zero = Floats::all(0.0F);
-  zero.store(exposed.x + kept);
-  zero.store(exposed.y + kept);
-  zero.store(exposed.z + kept);
-  Floats::all(4.0F).store(exposed.b + kept);
-  zero.store(crossed + kept);
-  sweep.exposed_count = kept;
+  end_exposed(sweep, kept);
+}
+
+// Leaves out circles that large caps certainly cover together. The pairs of a few circles are looked at sooner.
+void leave_out_covered_circles(PairSweep &sweep) {
+  const CapPointers<float> from = pointers(sweep.exposed), large = pointers(sweep.by_size);
+  const uint32_t count = sweep.exposed_count, large_caps = sweep.class_end[last_large_class];
+  if (count <= 8) return;
+  uint32_t kept = 0;
+  for (uint32_t a = 0; a < count; a += 8) {
+    const Caps8 circles = Caps8::load(from, a);
+    CoveredArcs arcs(circles);
+    for (uint32_t t = 0; t < large_caps; ++t) arcs.cover(Caps8::all_of(large, t));
+    const Floats caps = Floats::load(sweep.exposed_cap + a), crossed = Floats::load(sweep.crossed + a);
+    const LaneBits chosen = first_lanes(count - a) & ~arcs.covered();
+    const FrontOrder order = FrontOrder::of_eight(chosen);
+    store_chosen(sweep.exposed, kept, circles, order);
+    store_front(sweep.exposed_cap + kept, caps, order);
+    store_front(sweep.crossed + kept, crossed, order);
+    kept += ones(chosen);
+  }
+  end_exposed(sweep, kept);
 }
 
 // Crossing points that no cap has been found to cover so far. Their count is kept apart, as that of CrossingPairs is.
@@ -278,6 +304,7 @@ bool has_covered_point(const CapPointers<float> &caps, uint32_t count, uint32_t 
 void start_sweep(PairSweep &sweep) {
   sort_by_size(sweep);
   keep_exposed(sweep);
+  leave_out_covered_circles(sweep);
   sweep.row = 0;
   sweep.column = 1;
   sweep.crossing = 0;
