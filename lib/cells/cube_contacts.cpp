@@ -64,18 +64,20 @@ Status CubeContacts::add(const PowerCell &cell, uint32_t k, uint32_t first_cell,
       contacts.push({{other.first_cell, first_cell}}, cell.frame(), polytope.position(first));
       continue;
     }
-    // Around the facet.
+    // Around the facet. A free edge joins vertices of the same parts, on both sides of the facet.
     uint32_t v = first, back = previous_of_three(polytope[first].place_of(plane));
+    bool is_joined = false;
     do {
       const PolytopeVertex &vertex = polytope[v];
       const uint32_t on = previous_of_three(back);
-      if (cell.part_of(v) != no_id) {
+      if (cell.part_of(v) != no_id && !is_joined) {
         const uint32_t other_cell =
             other.parts == 1 ? other.first_cell
                              : cell_at(other, sorted(vertex.plane[back], vertex.plane[on], cube_sides + k, no_id));
         if (other_cell == no_id) return Status::check;
         add_once({{other_cell, first_cell + cell.part_of(v)}}, polytope.position(v));
       }
+      is_joined = cell.is_free_edge(v, on);
       v = vertex.neighbour(on);
       back = vertex.back(on);
     } while (v != first);

@@ -8,8 +8,8 @@ namespace {
 
 // Along one axis, the square of how far a position is from a cube.
 uint64_t squared_gap(int64_t position, int64_t cube, int64_t side) {
-  const int64_t before = cube * side - position;
-  const int64_t gap = before > 0 ? before : before + side < 0 ? before + side : 0;
+  const int64_t before = cube * side - position, behind = -side - before;
+  const int64_t gap = (before > 0 ? before : 0) + (behind > 0 ? behind : 0);
   return static_cast<uint64_t>(gap * gap);
 }
 
@@ -39,6 +39,12 @@ bool comes_before(const CubeCoordinates &a, const CubeCoordinates &b) {
 }
 
 }  // namespace
+
+bool meets_cube(const exact::LatticeBall &ball, const CubeCoordinates &cube, int64_t side) {
+  return squared_gap(ball.centre.x, cube.x, side) + squared_gap(ball.centre.y, cube.y, side) +
+             squared_gap(ball.centre.z, cube.z, side) <=
+         static_cast<uint64_t>(ball.radius * ball.radius);
+}
 
 void CubeCover::carve(Workspace &workspace, uint32_t cubes, uint32_t entries) {
   capacity_ = cubes;

@@ -8,6 +8,9 @@
 
 namespace hsp {
 
+// Whether a ball meets a cube of this side.
+bool meets_cube(const exact::LatticeBall &ball, const CubeCoordinates &cube, int64_t side);
+
 class CubeCover {
  public:
   // At most so many cubes, and so many pairs of a cube and a ball that meets it.

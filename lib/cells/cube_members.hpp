@@ -19,10 +19,18 @@ struct MemberArrays {
 // The planes v.y = h between a ball and all others; the square of the distance of each from the ball's centre, with the
 // sign of that: negative if the centre is beyond. It is infinite for those that do not count any more, and behind the
 // last one, where there is room as above.
+struct PlaneOrder;
 struct PlaneArrays {
   double *x, *y, *z, *h, *distance;
+  PlaneOrder *order;
 };
 inline constexpr double done_with = std::numeric_limits<double>::infinity();
+// A few planes by distance, the nearest first and of equal ones the first one, from number `next` on; `count` is 0 if
+// there are more.
+inline constexpr uint32_t most_ordered = 24;
+struct PlaneOrder {
+  uint32_t plane[most_ordered], next, count;
+};
 
 #if HSP_AVX2
 void find_planes_avx2(const MemberArrays &members, uint32_t own, double limit, const PlaneArrays &planes);
@@ -32,6 +40,29 @@ uint64_t find_dominance_avx2(const MemberArrays &members, uint32_t a, uint32_t f
 #endif
 
 namespace {
+
+// Puts planes in order by counting those before each, so that no branch depends on a distance.
+template <uint32_t n>
+inline void order_planes(const double *distance, uint32_t count, PlaneOrder &order) {
+  using L = DoubleLanes<n>;
+  using Real = typename L::Real;
+  using Mask = typename L::Mask;
+  order.next = 0;
+  order.count = count <= most_ordered ? count : 0;
+  for (uint32_t first = 0; first < order.count; first += n) {
+    const Real own = L::load(distance + first);
+    Mask places = L::bits(L::all(0.0));
+    for (uint32_t k = 0; k < first; ++k) places -= L::all(distance[k]) <= own;
+    for (uint32_t k = 0; k < n; ++k) {
+      const Real other = L::all(distance[first + k]);
+      Mask later = places;
+      for (uint32_t lane = 0; lane < n; ++lane) later[lane] = lane > k ? -1 : 0;
+      places -= (other < own) | L::both(other == own, later);
+    }
+    for (uint32_t k = first + n; k < count; ++k) places -= L::all(distance[k]) < own;
+    for (uint32_t k = 0; k < n && first + k < count; ++k) order.plane[places[k]] = first + k;
+  }
+}
 
 // The planes between a ball and all others, as CubeFrame::between() has them. The distance is infinite, and nothing
 // else means anything, if its square is larger than a limit, or if the ball is out of the game or the same.
@@ -60,6 +91,7 @@ inline void find_planes(const MemberArrays &members, uint32_t own, double limit,
     L::store(planes.z + first, scale * vz);
     L::store(planes.h + first, scale * h);
   }
+  order_planes<n>(planes.distance, members.count, *planes.order);
 }
 
 // Whether a point, twice as far from the centre of the cube, has less power to a ball than to all others whose planes

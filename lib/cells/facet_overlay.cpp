@@ -42,6 +42,7 @@ void FacetOverlay::carve(Workspace &workspace, uint32_t balls) {
   sides_ = workspace.take<int8_t>(2 * planes);
   below_ = workspace.take<Listed>(static_cast<uint64_t>(balls) + 1);
   above_ = workspace.take<Listed>(static_cast<uint64_t>(balls) + 1);
+  near_ = workspace.take<uint32_t>(static_cast<uint64_t>(balls) + 1);
   parts_ = FixedVector<Part>(workspace.take<Part>(parts_per_plane * planes));
   names_ = FixedVector<Name>(workspace.take<Name>(names_per_plane * planes));
   wide_code_ = workspace.wide_code();
@@ -362,18 +363,34 @@ Status FacetOverlay::resolve(CellContacts &contacts) {
   return Status::ok;
 }
 
-// The facets of a cube on a side that are not covered, with balls in ascending order as others are.
-uint32_t FacetOverlay::list(Span<Listed> out, const Side &side, uint32_t number, Span<const uint32_t> others) {
-  uint32_t count = 0, other = 0;
+// The facets of a cube on a side that are not covered.
+uint32_t FacetOverlay::list(Span<Listed> out, const Side &side, uint32_t number) {
+  Listed *const listed = out.data();
+  uint32_t count = 0;
   for (const uint32_t k : side.range) {
-    out[count].facet = k;  // and kept if it is on that side
+    listed[count].facet = k;  // and kept if it is on that side
     count += side.facets.facet(k).side == number ? 1 : 0;
   }
   for (uint32_t k = 0; k < count; ++k) {
-    const SideFacet &facet = side.facets.facet(out[k].facet);
-    while (other < others.size() && others[other] < facet.ball) ++other;
-    const bool meets_both = other < others.size() && others[other] == facet.ball;
-    out[k] = {out[k].facet, facet.ball, meets_both ? 1U : 0U, facet.low_u, facet.high_u, facet.low_w, facet.high_w};
+    const SideFacet &facet = side.facets.facet(listed[k].facet);
+    listed[k] = {listed[k].facet, facet.ball, facet.meets_both, facet.low_u, facet.high_u, facet.low_w, facet.high_w};
+  }
+  return count;
+}
+
+// Those below whose boxes meet that of one above, but for those of another ball if both balls meet both cubes. Nothing
+// foretells which these are, so no branch asks. Returns how many.
+uint32_t FacetOverlay::list_near(const Listed &over, uint32_t lower_count) {
+  const Listed *const lowers = below_.data();
+  uint32_t *const near = near_.data();
+  uint32_t count = 0;
+  for (uint32_t b = 0; b < lower_count; ++b) {
+    const Listed &under = lowers[b];
+    const uint32_t overlaps = (under.high_u >= over.low_u ? 1U : 0U) & (over.high_u >= under.low_u ? 1U : 0U) &
+                              (under.high_w >= over.low_w ? 1U : 0U) & (over.high_w >= under.low_w ? 1U : 0U);
+    const uint32_t may_touch = (over.ball == under.ball ? 1U : 0U) | (1U ^ (over.meets_both & under.meets_both));
+    near[count] = b;
+    count += overlaps & may_touch;
   }
   return count;
 }
@@ -386,20 +403,16 @@ Status FacetOverlay::find(const BallSet &balls, const CubeFrame &frame, uint32_t
   side_plane_ = CubeFrame::side_in_doubles(2 * axis, frame.side());
   parts_.clear();
   names_.clear();
-  const uint32_t lower_count = list(below_, below, 2 * axis + 1, above.members);
-  const uint32_t upper_count = list(above_, above, 2 * axis, below.members);
+  const uint32_t lower_count = list(below_, below, 2 * axis + 1);
+  const uint32_t upper_count = list(above_, above, 2 * axis);
   const Listed *const lowers = below_.data();
   for (uint32_t a = 0; a < upper_count; ++a) {
     const Listed over = above_[a];
     polygon_[1] = {&above.facets, &above.facets.facet(over.facet)};
     bool has_planes = false;
-    for (uint32_t b = 0; b < lower_count; ++b) {
-      const Listed &under = lowers[b];
-      if (under.high_u < over.low_u || over.high_u < under.low_u || under.high_w < over.low_w ||
-          over.high_w < under.low_w) {
-        continue;
-      }
-      if (over.ball != under.ball && (over.meets_both & under.meets_both) != 0) continue;
+    const uint32_t near_count = list_near(over, lower_count);
+    for (uint32_t n = 0; n < near_count; ++n) {
+      const Listed &under = lowers[near_[n]];
       polygon_[0] = {&below.facets, &below.facets.facet(under.facet)};
       const AdjacentCells cells{{polygon_[0].facet->cell, polygon_[1].facet->cell}};
       // A portal is chosen among all corners of the piece.

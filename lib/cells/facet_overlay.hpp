@@ -34,11 +34,10 @@ namespace hsp {
 class FacetOverlay {
  public:
   void carve(Workspace &workspace, uint32_t balls);
-  // One of the two cubes: its facets, and the balls that meet it.
+  // The facets of one of the two cubes.
   struct Side {
     const SideFacets &facets;
     IdRange range;
-    Span<const uint32_t> members;
   };
   // Finds the contacts of the facets on a side of a cube, those `above` with side 2 axis, with those of the cube below
   // it in direction `axis`, with side 2 axis + 1. frame is that of the cube above. Facets on one side come in the order
@@ -91,7 +90,8 @@ class FacetOverlay {
   };
   enum class Meeting { apart, together, unknown };
 
-  static uint32_t list(Span<Listed> out, const Side &side, uint32_t number, Span<const uint32_t> others);
+  static uint32_t list(Span<Listed> out, const Side &side, uint32_t number);
+  uint32_t list_near(const Listed &over, uint32_t lower_count);
   bool have_one_cell_each() const;
   Meeting compare() const;
   FacetSides compare(const Polygon &corners, const Polygon &lines) const;
@@ -124,6 +124,7 @@ class FacetOverlay {
   Span<UnitPlane> above_planes_;  // of the edges of the facet above
   Span<int8_t> sides_;
   Span<Listed> below_, above_;
+  Span<uint32_t> near_;  // of those below, the ones that one above may have a piece with
   [[maybe_unused]] bool wide_code_ = false;
   uint32_t size_ = 0;
   FixedVector<Part> parts_;

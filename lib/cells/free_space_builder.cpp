@@ -1,7 +1,6 @@
 #include "cells/free_space_builder.hpp"
 
 #include "core/disjoint_sets.hpp"
-#include "core/sorting.hpp"
 
 namespace hsp {
 
@@ -103,7 +102,8 @@ Status FreeSpaceBuilder::add_cube(const BallSet &balls, const Cube &cube) {
       if (cube.neighbour[side] == no_id) {
         touch_run(cube, side, first, first_cell);
       } else {
-        (side % 2 == 0 ? open_ : kept_).add(cell_, side, first, first_cell);
+        const bool meets_both = meets_cube(balls.ball(members[k]), space.cover.cube(cube.neighbour[side]), space.side);
+        (side % 2 == 0 ? open_ : kept_).add(cell_, side, first, first_cell, meets_both);
       }
     }
   }
@@ -148,9 +148,8 @@ Status FreeSpaceBuilder::touch_cubes(const BallSet &balls, const Cube &cube) {
   for (uint32_t axis = 0; axis < 3; ++axis) {
     const uint32_t below = cube.neighbour[2 * axis];
     if (below == no_id) continue;
-    const CubeCover &cover = structure_.cover;
-    const FacetOverlay::Side lower{kept_, {first_kept_[below], first_kept_[below + 1]}, cover.balls(below)};
-    const FacetOverlay::Side upper{open_, {0, open_.facets().size()}, cover.balls(cube.number)};
+    const FacetOverlay::Side lower{kept_, {first_kept_[below], first_kept_[below + 1]}};
+    const FacetOverlay::Side upper{open_, {0, open_.facets().size()}};
     const Status status = overlay_.find(balls, cube.frame, axis, lower, upper, structure_.contacts);
     if (status == Status::check) return status;
     note(needed_.cube_balls, overlay_.needed_balls());
@@ -162,30 +161,41 @@ Status FreeSpaceBuilder::touch_cubes(const BallSet &balls, const Cube &cube) {
   return Status::ok;
 }
 
-// The neighbours of each cell, from the contacts.
+// The neighbours of each cell, from the contacts: those before it, then those behind it. Cells that are entered into
+// the lists of others in ascending order stand in that order there, so no list is sorted.
 void FreeSpaceBuilder::link_cells() {
   FreeSpace &space = structure_;
   const uint32_t cells = space.cells.size();
-  for (uint32_t c = 0; c <= cells; ++c) space.first_neighbour[c] = 0;
-  for (const AdjacentCells &pair : space.contacts.items()) {
-    ++space.first_neighbour[pair.cell[0]];
-    ++space.first_neighbour[pair.cell[1]];
+  uint32_t *const first = space.first_neighbour.data(), *const end = space.region_sets.data();
+  uint32_t *const neighbour = space.neighbour.data();
+  const Span<const AdjacentCells> contacts = space.contacts.items();
+  const auto lower_of = [](const AdjacentCells &pair) {
+    return pair.cell[0] < pair.cell[1] ? pair.cell[0] : pair.cell[1];
+  };
+  for (uint32_t c = 0; c < cells; ++c) first[c] = end[c] = 0;
+  for (const AdjacentCells &pair : contacts) {
+    const uint32_t low = lower_of(pair);
+    ++end[pair.cell[0] ^ pair.cell[1] ^ low];
+    ++first[low];
   }
-  uint32_t end = 0;
+  uint32_t count = 0;
   for (uint32_t c = 0; c < cells; ++c) {
-    end += space.first_neighbour[c];
-    space.first_neighbour[c] = end;
+    const uint32_t neighbours = end[c] + first[c];
+    first[c] = end[c] = count;
+    count += neighbours;
   }
-  space.first_neighbour[cells] = end;
-  // From the last pair on, so that lists are nearly sorted.
-  for (uint32_t k = space.contacts.size(); k-- > 0;) {
-    const AdjacentCells pair = space.contacts[k];
-    space.neighbour[--space.first_neighbour[pair.cell[0]]] = pair.cell[1];
-    space.neighbour[--space.first_neighbour[pair.cell[1]]] = pair.cell[0];
+  first[cells] = count;
+  // Those before each cell, in the order of contacts; then those behind it, in their order; then those before it anew.
+  for (const AdjacentCells &pair : contacts) {
+    const uint32_t low = lower_of(pair);
+    neighbour[end[pair.cell[0] ^ pair.cell[1] ^ low]++] = low;
   }
   for (uint32_t c = 0; c < cells; ++c) {
-    sort_in_place(space.neighbour.part(space.first_neighbour[c], space.first_neighbour[c + 1]),
-                  [](uint32_t a, uint32_t b) { return a < b; });
+    for (uint32_t k = first[c], before = end[c]; k < before; ++k) neighbour[end[neighbour[k]]++] = c;
+  }
+  for (uint32_t c = 0; c < cells; ++c) end[c] = first[c];
+  for (uint32_t c = 0; c < cells; ++c) {
+    for (uint32_t k = end[c]; k < first[c + 1]; ++k) neighbour[end[neighbour[k]]++] = c;
   }
 }
 

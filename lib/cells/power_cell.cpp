@@ -7,18 +7,25 @@ namespace hsp {
 
 void PowerCell::carve(Workspace &workspace, uint32_t balls) {
   polytope_.carve(workspace, balls);
-  for (Span<double> *numbers :
-       {&x_, &y_, &z_, &radius_, &power_, &in_game_, &plane_x_, &plane_y_, &plane_z_, &plane_h_, &distance_}) {
-    *numbers = workspace.take<double>(static_cast<uint64_t>(balls) + 7);
-    for (double &number : *numbers) number = 0.0;  // eight are read at once, and some may not be those of balls
+  const auto take_numbers = [&] {
+    const Span<double> numbers = workspace.take<double>(static_cast<uint64_t>(balls) + 7);
+    for (double &number : numbers) number = 0.0;  // eight are read at once, and some may not be those of balls
+    return numbers;
+  };
+  for (Span<double> *numbers : {&x_, &y_, &z_, &radius_, &power_, &in_game_}) *numbers = take_numbers();
+  for (double **numbers : {&of_planes_.x, &of_planes_.y, &of_planes_.z, &of_planes_.h, &of_planes_.distance}) {
+    *numbers = take_numbers().data();
   }
+  order_ = workspace.take<PlaneOrder>(1);
+  of_planes_.order = order_.data();
   const uint64_t planes = PowerPolytope::most_planes(balls), vertices = PowerPolytope::most_vertices(balls);
   planes_ = workspace.take<UnitPlane>(planes);
   codes_ = workspace.take<uint32_t>(planes);
   first_free_ = workspace.take<uint32_t>(planes);
   cutters_ = workspace.take<uint32_t>(balls);
   part_ = workspace.take<uint32_t>(vertices);
-  waiting_ = workspace.take<uint32_t>(2 * vertices);
+  waiting_ = workspace.take<uint32_t>(vertices);
+  edges_ = workspace.take<EdgeEnds>(vertices + vertices / 2 + edges_behind);
   free_edges_ = workspace.take<uint8_t>(vertices);
   outside_ = workspace.take<uint64_t>(vertices / 64 + 1);
   wide_code_ = workspace.wide_code();
@@ -81,17 +88,17 @@ void PowerCell::find_member_planes() {
   const Vec3 corner{side + std::fabs(centre_.x), side + std::fabs(centre_.y), side + std::fabs(centre_.z)};
   const double reach = std::sqrt(dot(corner, corner)) + 2 * frame_.plane_doubt();
 #if HSP_AVX2
-  if (wide_code_) return find_planes_avx2(numbers(), member_, reach * reach, plane_numbers());
+  if (wide_code_) return find_planes_avx2(numbers(), member_, reach * reach, of_planes_);
 #endif
-  find_planes<baseline_lanes>(numbers(), member_, reach * reach, plane_numbers());
+  find_planes<baseline_lanes>(numbers(), member_, reach * reach, of_planes_);
 }
 
 // As find_cut() has it.
 uint32_t PowerCell::find_next_cut(const CutMargins &margins) {
 #if HSP_AVX2
-  if (wide_code_) return find_cut_avx2(polytope_.to_cut(), plane_numbers(), members_.size(), margins);
+  if (wide_code_) return find_cut_avx2(polytope_.to_cut(), of_planes_, members_.size(), margins);
 #endif
-  return find_cut<baseline_lanes>(polytope_.to_cut(), plane_numbers(), members_.size(), margins);
+  return find_cut<baseline_lanes>(polytope_.to_cut(), of_planes_, members_.size(), margins);
 }
 
 // Whether the middle of the polytope is certainly on the near side of the planes that may still cut it. The distance of
@@ -100,9 +107,9 @@ bool PowerCell::has_certain_point() const {
   const double side = frame_.side();
   const double doubt = (8 * polytope_.most_doubt() + 512 * unit_roundoff * side) * side;
 #if HSP_AVX2
-  if (wide_code_) return is_before_all_avx2(numbers(), member_, polytope_.middle(), doubt, distance_.data());
+  if (wide_code_) return is_before_all_avx2(numbers(), member_, polytope_.middle(), doubt, of_planes_.distance);
 #endif
-  return is_before_all<baseline_lanes>(numbers(), member_, polytope_.middle(), doubt, distance_.data());
+  return is_before_all<baseline_lanes>(numbers(), member_, polytope_.middle(), doubt, of_planes_.distance);
 }
 
 // The planes that cut most come first, and none follows that is farther than all that is left.
@@ -127,14 +134,14 @@ void PowerCell::cut_out(uint32_t k, bool unless_covered) {
       continue;
     }
     const uint32_t number = cube_sides + m;
-    const UnitPlane S{{plane_x_[m], plane_y_[m], plane_z_[m]}, plane_h_[m]};
+    const UnitPlane S{{of_planes_.x[m], of_planes_.y[m], of_planes_.z[m]}, of_planes_.h[m]};
     planes_[number] = S;
-    const uint32_t beyond = polytope_.settle(S, frame_, [&](const PolytopeVertex &vertex) {
+    const CutOff beyond = polytope_.settle(S, frame_, [&](const PolytopeVertex &vertex) {
       return PowerPredicates(*balls_, ball(), frame_)
           .side_of(plane(vertex.plane[0]), plane(vertex.plane[1]), plane(vertex.plane[2]), plane(number));
     });
-    if (beyond == 0) continue;
-    if (beyond == polytope_.size()) {
+    if (beyond == CutOff::nothing) continue;
+    if (beyond == CutOff::all) {
       take_out_of_game(k);
       return polytope_.make_empty();
     }
@@ -169,9 +176,9 @@ bool PowerCell::edge_is_free(uint32_t v, uint32_t k) const {
 SquareSides PowerCell::compare_with_ball(uint32_t first, double limit, double margin) const {
   const uint32_t left = polytope_.size() - first, count = left < 64 ? left : 64;
 #if HSP_AVX2
-  if (wide_code_) return compare_squares_avx2(polytope_.blocks() + first / 4, count, limit, margin);
+  if (wide_code_) return compare_squares_avx2(polytope_.arrays().squared + first, count, limit, margin);
 #endif
-  return compare_squares<baseline_lanes>(polytope_.blocks() + first / 4, count, limit, margin);
+  return compare_squares<baseline_lanes>(polytope_.arrays().squared + first, count, limit, margin);
 }
 
 // Which vertices are outside the ball. Returns how many.
@@ -205,49 +212,54 @@ uint32_t PowerCell::find_free_vertices(double limit, double doubt) {
   return count;
 }
 
-// Lists the edges whose ends are both outside, each once, as links. Returns how many.
+// Lists the edges whose ends are both outside, each once. Returns how many.
 uint32_t PowerCell::list_edges() {
   const PolytopeVertex *const vertices = &polytope_[0];
   const uint64_t *const outside = outside_.data();
-  uint32_t *const edges = waiting_.data();
+  EdgeEnds *const edges = edges_.data();
   const uint32_t words = (polytope_.size() + 63) / 64;
   uint32_t count = 0;
   for (uint32_t word = 0; word < words; ++word) {
     for (uint64_t left = outside[word]; left != 0; left &= left - 1) {
       const uint32_t v = 64 * word + static_cast<uint32_t>(std::countr_zero(left));
       for (uint32_t k = 0; k < 3; ++k) {
-        const uint32_t w = vertices[v].link[k] / 4;
-        edges[count] = 4 * v + k;  // and kept if it is one of them
+        const uint32_t link = vertices[v].link[k], w = link / 4;
+        edges[count] = {4 * v + k, link};  // and kept if it is one of them
         count += static_cast<uint32_t>(outside[w / 64] >> w % 64 & (v < w ? 1U : 0U));
       }
     }
   }
+  for (uint32_t k = 0; k < edges_behind; ++k) edges[count + k] = {0, 0};
   return count;
 }
 
-// Which of these edges are outside the ball as a whole. With squared lengths A and B from the centre to the ends and L
-// from end to end, the line is nearest to the centre at t = (A - B + L) / 2 of L, and at t of L the squared distance is
-// A - t (2 (A - B + L) / 2 - t) / L. Positions and centre are below 3 s from each other along each axis, so that A, B
-// and L are below 27 s^2 and off by less than 135 u s^2 for their roundings, t by less than 230 u s^2, and L times the
-// excess, as t <= L, by less than 800 u s^2 L, besides the doubt of positions: CubeFrame::sphere_doubt() has 1024.
-void PowerCell::test_edges(uint32_t count, double limit, double doubt) {
-  const PolytopeVertex *const vertices = &polytope_[0];
+// As compare_edges() has it.
+EdgeSides PowerCell::compare_with_ball(const EdgeEnds *edges, uint32_t count, double limit, double doubt) const {
+#if HSP_AVX2
+  if (wide_code_) return compare_edges_avx2(polytope_.arrays(), edges, count, limit, doubt);
+#endif
+  return compare_edges<baseline_lanes>(polytope_.arrays(), edges, count, limit, doubt);
+}
+
+// Calls visit(edge) for each edge that is outside the ball as a whole, and notes these.
+template <class Visit>
+void PowerCell::for_each_free_edge(double limit, double doubt, Visit visit) {
   uint8_t *const free_edges = free_edges_.data();
-  const uint32_t *const edges = waiting_.data();
-  for (uint32_t e = 0; e < count; ++e) {
-    const uint32_t v = edges[e] / 4, k = edges[e] % 4;
-    const uint32_t link = vertices[v].link[k], w = link / 4;
-    const Vec3 edge = polytope_.position(w) - polytope_.position(v);
-    const double length = dot(edge, edge), from = polytope_.squared(v);
-    const double middle = 0.5 * ((from - polytope_.squared(w)) + length);
-    const double from_zero = middle > 0.0 ? middle : 0.0;
-    const double nearest = from_zero < length ? from_zero : length;
-    const double excess = (from - limit) * length - nearest * (2 * middle - nearest);
-    const double margin = doubt * length;
-    uint32_t is_free = excess > margin ? 1 : 0;
-    if (is_free == 0 && !(excess < -margin)) is_free = edge_is_free(v, k) ? 1 : 0;
-    free_edges[v] = static_cast<uint8_t>(free_edges[v] | is_free << k);
-    free_edges[w] = static_cast<uint8_t>(free_edges[w] | is_free << link % 4);
+  const uint32_t count = list_edges();
+  for (uint32_t first = 0; first < count; first += 64) {
+    const EdgeEnds *const edges = edges_.data() + first;
+    const EdgeSides sides = compare_with_ball(edges, count - first < 64 ? count - first : 64, limit, doubt);
+    uint64_t outside = sides.outside;
+    for (uint64_t left = sides.unsure; left != 0; left &= left - 1) {
+      const uint32_t from = edges[std::countr_zero(left)].from;
+      if (edge_is_free(from / 4, from % 4)) outside |= left & (~left + 1);
+    }
+    for (; outside != 0; outside &= outside - 1) {
+      const EdgeEnds edge = edges[std::countr_zero(outside)];
+      free_edges[edge.from / 4] = static_cast<uint8_t>(free_edges[edge.from / 4] | 1U << edge.from % 4);
+      free_edges[edge.to / 4] = static_cast<uint8_t>(free_edges[edge.to / 4] | 1U << edge.to % 4);
+      visit(edge);
+    }
   }
 }
 
@@ -257,29 +269,24 @@ void PowerCell::find_free_parts() {
   parts_ = 0;
   const uint32_t free_vertices = find_free_vertices(limit, doubt);
   if (free_vertices == 0) return;
-  const uint32_t edges = list_edges();
-  test_edges(edges, limit, doubt);
   if (polytope_.size() <= 64) {
-    gather_few(edges);
+    gather_few(limit, doubt);
   } else {
+    for_each_free_edge(limit, doubt, [](const EdgeEnds &) {});
     gather_many(free_vertices);
   }
 }
 
 // Free parts of up to 64 vertices: what free edges lead to from the first vertex without a part, as bits.
-void PowerCell::gather_few(uint32_t edges) {
-  const PolytopeVertex *const vertices = &polytope_[0];
-  const uint32_t *const listed = waiting_.data();
+void PowerCell::gather_few(double limit, double doubt) {
   uint32_t *const part = part_.data();
   const uint64_t outside = outside_[0];
   uint64_t joined[64];
   for (uint64_t left = outside; left != 0; left &= left - 1) joined[std::countr_zero(left)] = 0;
-  for (uint32_t e = 0; e < edges; ++e) {
-    const uint32_t v = listed[e] / 4, k = listed[e] % 4, w = vertices[v].neighbour(k);
-    const uint64_t is_free = free_edges_[v] >> k & 1;
-    joined[v] |= is_free << w;
-    joined[w] |= is_free << v;
-  }
+  for_each_free_edge(limit, doubt, [&](const EdgeEnds &edge) {
+    joined[edge.from / 4] |= UINT64_C(1) << edge.to / 4;
+    joined[edge.to / 4] |= UINT64_C(1) << edge.from / 4;
+  });
   for (uint64_t without = outside; without != 0;) {
     uint64_t reached = without & (~without + 1);
     for (uint64_t waiting = reached; waiting != 0;) {
@@ -316,18 +323,25 @@ void PowerCell::gather_many(uint32_t free_vertices) {
   }
 }
 
-// Whether the part of a plane in the ball lies in a facet whose border is outside the ball.
+// Whether the part of a plane in the ball lies in a facet whose border is outside the ball. The middle of that disc is
+// sought by its distance from the centre of the ball, which is off by less than 8 plane doubts, as in
+// has_centre_before(). If the plane meets the ball, that is no more than about a side, so that v adds less than 16 u s,
+// and the roundings less than 64 u s: the middle is off by less than 16 plane doubts.
 bool PowerCell::contains_disc(uint32_t number) const {
   const PowerPredicates exact(*balls_, ball(), frame_);
   const double r = balls_->r[ball()];
-  const double distance = planes_[number].h - dot(planes_[number].v, centre_);
-  if (frame_.outside(distance * distance, frame_.plane_doubt(), 4 * r * r) > 0) return false;
-  if (!exact.meets_plane(plane(number))) return false;
+  const UnitPlane &disc = planes_[number];
+  const double distance = disc.h - dot(disc.v, centre_);
+  const int outside = frame_.outside(distance * distance, 8 * frame_.plane_doubt(), 4 * r * r);
+  if (outside > 0 || (outside == 0 && !exact.meets_plane(plane(number)))) return false;
+  const PlacedPoint middle{centre_ + distance * disc.v, 16 * frame_.plane_doubt()};
   for (uint32_t v = 0; v < polytope_.size(); ++v) {
     const PolytopeVertex &vertex = polytope_[v];
     if (!vertex.has(number)) continue;
-    for (uint32_t k = 0; k < 3; ++k) {
-      if (vertex.plane[k] != number && exact.side_of_disc(plane(number), plane(vertex.plane[k])) < 0) return false;
+    for (const uint32_t other : vertex.plane) {
+      if (other == number) continue;
+      const int side = frame_.side_of(middle, planes_[other]);
+      if ((side != 0 ? side : exact.side_of_disc(plane(number), plane(other))) < 0) return false;
     }
   }
   return true;
@@ -340,19 +354,23 @@ bool PowerCell::has_centre_before(uint32_t number) const {
   return PowerPredicates(*balls_, ball(), frame_).side_of_centre(plane(number)) >= 0;
 }
 
+// Without vertices in the ball, each plane with a facet has a first vertex that is outside.
 bool PowerCell::meets_ball() const {
-  bool centre_inside = true;
   for (uint32_t v = 0; v < polytope_.size(); ++v) {
     if (part_[v] == no_id || free_edges_[v] != 7) return true;
-    for (const uint32_t number : polytope_[v].plane) centre_inside = centre_inside && has_centre_before(number);
   }
-  if (centre_inside) return true;
-  for (uint32_t v = 0; v < polytope_.size(); ++v) {
-    for (const uint32_t number : polytope_[v].plane) {
-      if (contains_disc(number)) return true;
+  const auto any_facet = [&](auto holds) {
+    for (uint32_t side = 0; side < cube_sides; ++side) {
+      if (first_free(side) != no_id && holds(side)) return true;
     }
-  }
-  return false;
+    for (uint32_t k = 0; k < cutter_count_; ++k) {
+      const uint32_t number = cube_sides + cutters_[k];
+      if (first_free(number) != no_id && holds(number)) return true;
+    }
+    return false;
+  };
+  return !any_facet([&](uint32_t number) { return !has_centre_before(number); }) ||
+         any_facet([&](uint32_t number) { return contains_disc(number); });
 }
 
 }  // namespace hsp

@@ -11,6 +11,7 @@
 #include "cells/cube_members.hpp"
 #include "cells/power_polytope.hpp"
 #include "cells/power_predicates.hpp"
+#include "cells/vertex_edges.hpp"
 
 namespace hsp {
 
@@ -67,17 +68,16 @@ class PowerCell {
   void take_out_of_game(uint32_t m) { in_game_[m] = 0.0; }
   uint64_t dominance(uint32_t a, uint32_t first, double doubt) const;
   void cut_out(uint32_t k, bool unless_covered);
-  PlaneArrays plane_numbers() {
-    return {plane_x_.data(), plane_y_.data(), plane_z_.data(), plane_h_.data(), distance_.data()};
-  }
   void find_member_planes();
   uint32_t find_next_cut(const CutMargins &margins);
   bool has_certain_point() const;
   SquareSides compare_with_ball(uint32_t first, double limit, double margin) const;
   uint32_t find_free_vertices(double limit, double doubt);
   uint32_t list_edges();
-  void test_edges(uint32_t count, double limit, double doubt);
-  void gather_few(uint32_t edges);
+  EdgeSides compare_with_ball(const EdgeEnds *edges, uint32_t count, double limit, double doubt) const;
+  template <class Visit>
+  void for_each_free_edge(double limit, double doubt, Visit visit);
+  void gather_few(double limit, double doubt);
   void gather_many(uint32_t free_vertices);
   bool is_outside(uint32_t v) const;
   bool edge_is_free(uint32_t v, uint32_t k) const;
@@ -90,15 +90,17 @@ class PowerCell {
   uint32_t member_ = 0;
   Vec3 centre_{};
   PowerPolytope polytope_;
-  Span<double> x_, y_, z_, radius_, power_, in_game_;              // [members + 7] as MemberArrays has them
-  Span<double> plane_x_, plane_y_, plane_z_, plane_h_, distance_;  // [members + 7] as PlaneArrays has them
-  Span<UnitPlane> planes_;                                         // [sides + members]
-  Span<uint32_t> codes_, first_free_;                              // [sides + members]
-  Span<uint32_t> cutters_;                                         // [members]
-  Span<uint32_t> part_;                                            // [vertices]
-  Span<uint32_t> waiting_;                                         // [2 vertices] edges, or vertices
-  Span<uint8_t> free_edges_;                                       // [vertices] a bit for each
-  Span<uint64_t> outside_;                                         // [vertices / 64] a bit for each
+  Span<double> x_, y_, z_, radius_, power_, in_game_;  // [members + 7] as MemberArrays has them
+  PlaneArrays of_planes_{};                            // [members + 7]
+  Span<PlaneOrder> order_;                             // [1]
+  Span<UnitPlane> planes_;                             // [sides + members]
+  Span<uint32_t> codes_, first_free_;                  // [sides + members]
+  Span<uint32_t> cutters_;                             // [members]
+  Span<uint32_t> part_;                                // [vertices]
+  Span<uint32_t> waiting_;                             // [vertices]
+  Span<EdgeEnds> edges_;                               // [edges + edges_behind]
+  Span<uint8_t> free_edges_;                           // [vertices] a bit for each
+  Span<uint64_t> outside_;                             // [vertices / 64] a bit for each
   uint32_t parts_ = 0, cutter_count_ = 0;
   [[maybe_unused]] bool wide_code_ = false;
 };

@@ -1,5 +1,7 @@
 #include "cells/power_polytope.hpp"
 
+#include <initializer_list>
+
 namespace hsp {
 namespace {
 
@@ -19,10 +21,16 @@ constexpr PolytopeVertex cube_corners[8] = {cube_corner(0), cube_corner(1), cube
 void PowerPolytope::carve(Workspace &workspace, uint32_t balls) {
   const uint64_t most = 2 * most_vertices(balls);
   vertices_ = workspace.take<PolytopeVertex>(most);
-  blocks_ = workspace.take<VertexBlock>(most / 4 + 2);
-  for (VertexBlock &block : blocks_) block = {};  // four are read at once, and some may not be vertices
+  for (double **numbers :
+       {&to_cut_.at.x, &to_cut_.at.y, &to_cut_.at.z, &to_cut_.at.doubt, &to_cut_.at.squared, &to_cut_.at.value}) {
+    const Span<double> taken = workspace.take<double>(most + 7);
+    for (double &number : taken) number = 0.0;  // eight are read at once, and some may not be vertices
+    *numbers = taken.data();
+  }
   beyond_ = workspace.take<uint64_t>(most / 64 + 1);
   unsure_ = workspace.take<uint64_t>(most / 64 + 1);
+  to_cut_.beyond = beyond_.data();
+  to_cut_.unsure = unsure_.data();
   holes_ = workspace.take<uint32_t>(most);
   crossings_ = workspace.take<Crossing>(most);
   made_ = workspace.take<uint32_t>(most);
@@ -43,17 +51,13 @@ void PowerPolytope::start(double side, const Vec3 &centre) {
   squares(centre.y, in_y);
   squares(centre.z, in_z);
   PolytopeVertex *const vertices = vertices_.data();
-  VertexBlock *const blocks = blocks_.data();
-  for (uint32_t v = 0; v < 8; ++v) vertices[v] = cube_corners[v];
-  for (uint32_t upper = 0; upper < 2; ++upper) {
-    blocks[upper] = {{-side, side, -side, side},
-                     {-side, -side, side, side},
-                     {0, 0, 0, 0},
-                     {0, 0, 0, 0},
-                     {in_x[0] + in_y[0] + in_z[upper], in_x[1] + in_y[0] + in_z[upper], in_x[0] + in_y[1] + in_z[upper],
-                      in_x[1] + in_y[1] + in_z[upper]},
-                     {0, 0, 0, 0}};
-    for (double &z : blocks[upper].z) z = upper == 0 ? -side : side;
+  for (uint32_t v = 0; v < 8; ++v) {
+    vertices[v] = cube_corners[v];
+    to_cut_.at.x[v] = v % 2 == 0 ? -side : side;
+    to_cut_.at.y[v] = v / 2 % 2 == 0 ? -side : side;
+    to_cut_.at.z[v] = v / 4 == 0 ? -side : side;
+    to_cut_.at.doubt[v] = 0.0;
+    to_cut_.at.squared[v] = in_x[v % 2] + in_y[v / 2 % 2] + in_z[v / 4];
   }
 }
 
@@ -63,28 +67,32 @@ Vec3 PowerPolytope::middle() const {
   return (1.0 / static_cast<double>(count_)) * sum;
 }
 
-// Lists the edges from a vertex beyond the plane to one that is not: is_near(v) is 1 for such a vertex, else 0. Returns
-// how many. Around a hole these are as many as the new facet has corners.
+// Lists the vertices beyond the plane, and the edges from these to one that is not: is_near(v) is 1 for such a vertex,
+// else 0. Returns how many edges. Around a hole these are as many as the new facet has corners.
 template <class IsNear>
 uint32_t PowerPolytope::find_crossings(IsNear is_near) {
   const PolytopeVertex *const vertices = vertices_.data();
-  const uint32_t *const holes = holes_.data();
+  uint32_t *const holes = holes_.data();
   Crossing *at = crossings_.data();
   uint32_t *const ends = ends_.data();
-  const uint32_t hole_count = hole_count_;
-  for (uint32_t hole = 0; hole < hole_count; ++hole) {
-    const PolytopeVertex vertex = vertices[holes[hole]];
-    for (const uint32_t plane : vertex.plane) ends[plane] = 0;
-    // Written in any case, and kept if the other end stays.
-    const auto list = [&](uint32_t near, uint32_t a, uint32_t b) {
-      *at = {hole, near, a, b};
-      at += is_near(near / 4);
-    };
-    list(vertex.link[0], vertex.plane[1], vertex.plane[2]);
-    list(vertex.link[1], vertex.plane[2], vertex.plane[0]);
-    list(vertex.link[2], vertex.plane[0], vertex.plane[1]);
+  uint32_t hole = 0;
+  for (uint32_t first = 0; first < count_; first += 64) {
+    for (uint64_t beyond = beyond_[first / 64]; beyond != 0; beyond &= beyond - 1, ++hole) {
+      const uint32_t v = first + static_cast<uint32_t>(std::countr_zero(beyond));
+      holes[hole] = v;
+      const PolytopeVertex vertex = vertices[v];
+      for (const uint32_t plane : vertex.plane) ends[plane] = 0;
+      // Written in any case, and kept if the other end stays.
+      const auto list = [&](uint32_t near, uint32_t a, uint32_t b) {
+        *at = {hole, near, a, b};
+        at += is_near(near / 4);
+      };
+      list(vertex.link[0], vertex.plane[1], vertex.plane[2]);
+      list(vertex.link[1], vertex.plane[2], vertex.plane[0]);
+      list(vertex.link[2], vertex.plane[0], vertex.plane[1]);
+    }
   }
-  at->hole = hole_count;
+  at->hole = hole_count_ = hole;
   return static_cast<uint32_t>(at - crossings_.data());
 }
 
@@ -96,7 +104,7 @@ void PowerPolytope::cut(uint32_t plane, const UnitPlane *planes, const CubeFrame
   const EdgeCrossing crossing(frame);
   const Vec3 centre = centre_;
   PolytopeVertex *const vertices = vertices_.data();
-  VertexBlock *const blocks = blocks_.data();
+  const VertexArrays arrays = to_cut_.at;
   const uint32_t *const holes = holes_.data();
   const Crossing *const crossings = crossings_.data();
   uint32_t *const ends = ends_.data(), *const made = made_.data();
@@ -112,21 +120,18 @@ void PowerPolytope::cut(uint32_t plane, const UnitPlane *planes, const CubeFrame
     const uint32_t to = end ^ ((end ^ holes[filled]) & (0 - reuse));
     filled += reuse;
     end += 1 - reuse;
-    const VertexBlock &near_block = blocks[v / 4], &beyond_block = blocks[w / 4];
-    const uint32_t i = v % 4, j = w % 4;
-    const PlacedPoint from{{near_block.x[i], near_block.y[i], near_block.z[i]}, near_block.doubt[i]};
-    const PlacedPoint gone{{beyond_block.x[j], beyond_block.y[j], beyond_block.z[j]}, beyond_block.doubt[j]};
+    const PlacedPoint from{{arrays.x[v], arrays.y[v], arrays.z[v]}, arrays.doubt[v]};
+    const PlacedPoint gone{{arrays.x[w], arrays.y[w], arrays.z[w]}, arrays.doubt[w]};
     PlacedPoint at;
-    if (!crossing.find(from, near_block.value[i], gone, beyond_block.value[j], at)) {
+    if (!crossing.find(from, arrays.value[v], gone, arrays.value[w], at)) {
       at = frame.common_point(planes[a], planes[b], planes[plane]);
     }
     const Vec3 from_centre = at.y - centre;
-    VertexBlock &block = blocks[to / 4];
-    block.x[to % 4] = at.y.x;
-    block.y[to % 4] = at.y.y;
-    block.z[to % 4] = at.y.z;
-    block.doubt[to % 4] = at.doubt;
-    block.squared[to % 4] = dot(from_centre, from_centre);
+    arrays.x[to] = at.y.x;
+    arrays.y[to] = at.y.y;
+    arrays.z[to] = at.y.z;
+    arrays.doubt[to] = at.doubt;
+    arrays.squared[to] = dot(from_centre, from_centre);
     most_doubt = at.doubt > most_doubt ? at.doubt : most_doubt;
     made[c] = to;
     vertices[v].link[near % 4] = 4 * to + 2;
@@ -150,12 +155,10 @@ void PowerPolytope::cut(uint32_t plane, const UnitPlane *planes, const CubeFrame
   clear_squares_behind();
 }
 
-// Of the rest of two blocks. The number of vertices is even.
+// Of as many as are read.
 void PowerPolytope::clear_squares_behind() {
-  VertexBlock *const blocks = blocks_.data() + count_ / 4;
-  double *const squared = blocks[0].squared;
-  squared[count_ % 4] = squared[count_ % 4 + 1] = squared[2] = squared[3] = 0.0;
-  for (double &square : blocks[1].squared) square = 0.0;
+  double *const squared = to_cut_.at.squared + count_;
+  for (uint32_t k = 0; k < 7; ++k) squared[k] = 0.0;
 }
 
 // Moves a vertex, unless it is there, and tells its neighbours.
@@ -163,13 +166,9 @@ void PowerPolytope::move(uint32_t from, uint32_t to) {
   if (from == to) return;
   const PolytopeVertex vertex = vertices_[from];
   vertices_[to] = vertex;
-  const VertexBlock &source = blocks_[from / 4];
-  VertexBlock &target = blocks_[to / 4];
-  target.x[to % 4] = source.x[from % 4];
-  target.y[to % 4] = source.y[from % 4];
-  target.z[to % 4] = source.z[from % 4];
-  target.doubt[to % 4] = source.doubt[from % 4];
-  target.squared[to % 4] = source.squared[from % 4];
+  for (double *const numbers : {to_cut_.at.x, to_cut_.at.y, to_cut_.at.z, to_cut_.at.doubt, to_cut_.at.squared}) {
+    numbers[to] = numbers[from];
+  }
   for (uint32_t k = 0; k < 3; ++k) vertices_[vertex.neighbour(k)].link[vertex.back(k)] = 4 * to + k;
 }
 

@@ -21,7 +21,7 @@ struct PolytopeVertex {
 
   uint32_t neighbour(uint32_t k) const { return link[k] / 4; }
   uint32_t back(uint32_t k) const { return link[k] % 4; }
-  uint32_t place_of(uint32_t wanted) const { return plane[0] == wanted ? 0 : plane[1] == wanted ? 1 : 2; }
+  uint32_t place_of(uint32_t wanted) const { return (plane[1] == wanted ? 1U : 0U) + (plane[2] == wanted ? 2U : 0U); }
   bool has(uint32_t wanted) const { return plane[0] == wanted || plane[1] == wanted || plane[2] == wanted; }
 };
 constexpr uint32_t next_of_three(uint32_t k) {
@@ -30,6 +30,9 @@ constexpr uint32_t next_of_three(uint32_t k) {
 constexpr uint32_t previous_of_three(uint32_t k) {
   return k == 0 ? 2 : k - 1;
 }
+
+// How much of a polytope is beyond a plane.
+enum class CutOff { nothing, some, all };
 
 class PowerPolytope {
  public:
@@ -42,26 +45,26 @@ class PowerPolytope {
   // The whole cube, for a ball with this centre.
   void start(double side, const Vec3 &centre);
   // For find_cut().
-  CutVertices to_cut() { return {blocks_.data(), beyond_.data(), unsure_.data(), count_}; }
+  const CutVertices &to_cut() {
+    to_cut_.count = count_;
+    return to_cut_;
+  }
   // After find_cut(), which said what it knows: which vertices are beyond plane S. exact_side(vertex), +1 near or -1
-  // beyond, is asked where doubles do not tell. Returns how many are beyond.
+  // beyond, is asked where doubles do not tell. Returns how much is beyond.
   template <class ExactSide>
-  uint32_t settle(const UnitPlane &S, const CubeFrame &frame, ExactSide exact_side);
-  // Cuts off the vertices that are beyond plane number `plane`, that of the last settle(), of which there are some;
-  // `planes` are all of them. What is beyond a plane is connected, and so is the rest.
+  CutOff settle(const UnitPlane &S, const CubeFrame &frame, ExactSide exact_side);
+  // Cuts off the vertices that are beyond plane number `plane`, that of the last settle(), which are some of them;
+  // `planes` are all planes. What is beyond a plane is connected, and so is the rest.
   void cut(uint32_t plane, const UnitPlane *planes, const CubeFrame &frame);
   void make_empty() { count_ = 0; }
 
   uint32_t size() const { return count_; }
   const PolytopeVertex &operator[](uint32_t v) const { return vertices_[v]; }
-  Vec3 position(uint32_t v) const {
-    const VertexBlock &block = blocks_[v / 4];
-    return {block.x[v % 4], block.y[v % 4], block.z[v % 4]};
-  }
-  PlacedPoint at(uint32_t v) const { return {position(v), blocks_[v / 4].doubt[v % 4]}; }
+  Vec3 position(uint32_t v) const { return {to_cut_.at.x[v], to_cut_.at.y[v], to_cut_.at.z[v]}; }
+  PlacedPoint at(uint32_t v) const { return {position(v), to_cut_.at.doubt[v]}; }
   // Of the distance of a vertex from the centre of the ball.
-  double squared(uint32_t v) const { return blocks_[v / 4].squared[v % 4]; }
-  const VertexBlock *blocks() const { return blocks_.data(); }
+  double squared(uint32_t v) const { return to_cut_.at.squared[v]; }
+  const VertexArrays &arrays() const { return to_cut_.at; }
   // The mean of its vertices, which is in it: off by no more than they are, but for roundings.
   Vec3 middle() const;
   // No vertex is more in doubt.
@@ -78,7 +81,7 @@ class PowerPolytope {
   void move(uint32_t from, uint32_t to);
 
   Span<PolytopeVertex> vertices_;
-  Span<VertexBlock> blocks_;  // [vertices / 4 + 2] where they are
+  CutVertices to_cut_{};      // [vertices + 7] where they are
   Span<uint64_t> beyond_;     // [vertices / 64] a bit for each
   Span<uint64_t> unsure_;     // [vertices / 64]
   Span<uint32_t> holes_;      // [vertices] those that are beyond, ascending; they leave their places to others
@@ -91,8 +94,8 @@ class PowerPolytope {
 };
 
 template <class ExactSide>
-uint32_t PowerPolytope::settle(const UnitPlane &S, const CubeFrame &frame, ExactSide exact_side) {
-  uint32_t found = 0;
+CutOff PowerPolytope::settle(const UnitPlane &S, const CubeFrame &frame, ExactSide exact_side) {
+  bool any_near = false, any_beyond = false;
   for (uint32_t first = 0; first < count_; first += 64) {
     uint64_t beyond = beyond_[first / 64];
     for (uint64_t left = unsure_[first / 64]; left != 0; left &= left - 1) {
@@ -101,12 +104,10 @@ uint32_t PowerPolytope::settle(const UnitPlane &S, const CubeFrame &frame, Exact
       if ((side != 0 ? side : exact_side(vertices_[v])) < 0) beyond |= left & (~left + 1);
     }
     beyond_[first / 64] = beyond;
-    for (; beyond != 0; beyond &= beyond - 1) {
-      holes_[found++] = first + static_cast<uint32_t>(std::countr_zero(beyond));
-    }
+    any_beyond |= beyond != 0;
+    any_near |= beyond != ~UINT64_C(0) >> (count_ - first < 64 ? 64 - (count_ - first) : 0);
   }
-  hole_count_ = found;
-  return found;
+  return !any_beyond ? CutOff::nothing : any_near ? CutOff::some : CutOff::all;
 }
 
 }  // namespace hsp

@@ -1,12 +1,23 @@
 #include "cells/side_facets.hpp"
 
 namespace hsp {
+namespace {
 
-void SideFacets::add(const PowerCell &cell, uint32_t side, uint32_t first, uint32_t first_cell) {
+// By the axis that a side is normal to, so that no branch depends on it.
+constexpr SideAxes axes_of[3] = {axes_along(0), axes_along(1), axes_along(2)};
+constexpr double *VertexArrays::*numbers_along_u[3] = {&VertexArrays::y, &VertexArrays::x, &VertexArrays::x};
+constexpr double *VertexArrays::*numbers_along_w[3] = {&VertexArrays::z, &VertexArrays::z, &VertexArrays::y};
+
+}  // namespace
+
+void SideFacets::add(const PowerCell &cell, uint32_t side, uint32_t first, uint32_t first_cell, bool meets_both) {
   const PowerPolytope &polytope = cell.polytope();
   const PolytopeVertex *const vertices = &polytope[0];
-  const SideAxes axes = axes_along(side / 2);
-  const double there = side % 2 == 0 ? -cell.frame().side() : cell.frame().side();
+  const VertexArrays arrays = polytope.arrays();
+  const UnitPlane *const planes = &cell.unit_plane(0);
+  const SideAxes axes = axes_of[side / 2];
+  const double *const all_u = arrays.*numbers_along_u[side / 2], *const all_w = arrays.*numbers_along_w[side / 2];
+  const double there = (2.0 * (side % 2) - 1.0) * cell.frame().side();
   const uint32_t most = polytope.size();
   const uint64_t first_corner = corners_.required();
   // Corners that there is no room for are counted all the same.
@@ -15,22 +26,21 @@ void SideFacets::add(const PowerCell &cell, uint32_t side, uint32_t first, uint3
   FacetCorner *const corners = corners_.room().data() + at;
   FlatLine *const lines = lines_.data() + at;
   double *const us = u_.data() + at, *const ws = w_.data() + at;
-  const Vec3 from = polytope.position(first);
-  double low_u = from.*axes.u, high_u = low_u, low_w = from.*axes.w, high_w = low_w;
+  double low_u = all_u[first], high_u = low_u, low_w = all_w[first], high_w = low_w;
   double most_doubt = 0.0;
-  bool several = false;
-  uint32_t count = 0, covered = 0, the_cell = no_id;
+  // The lowest cell of a corner, and the highest one and 1. As no_id is the largest number, both pass over it.
+  uint32_t lowest = no_id, above_highest = 0;
+  uint32_t count = 0, covered = 0;
   // Vertex v, to which the edge opposite to its plane number `back` leads: the border goes on along that plane.
   uint32_t v = first, back = previous_of_three(vertices[first].place_of(side));
   do {
     const PolytopeVertex &vertex = vertices[v];
     const uint32_t line = vertex.plane[back], opposite = previous_of_three(back);
-    const PlacedPoint here = polytope.at(v);
-    const double u = here.y.*axes.u, w = here.y.*axes.w, doubt = here.doubt;
-    const uint32_t part = cell.part_of(v);
-    const uint32_t in_cell = part == no_id ? no_id : first_cell + part;
+    const double u = all_u[v], w = all_w[v], doubt = arrays.doubt[v];
+    const uint32_t part = cell.part_of(v), in_ball = part == no_id ? 1 : 0;
+    const uint32_t in_cell = (first_cell + part) | (0 - in_ball);  // no_id has all bits
     if (count < room) {
-      const UnitPlane &plane = cell.unit_plane(line);
+      const UnitPlane &plane = planes[line];
       us[count] = u;
       ws[count] = w;
       lines[count] = {static_cast<float>(plane.v.*axes.u), static_cast<float>(plane.v.*axes.w),
@@ -39,26 +49,25 @@ void SideFacets::add(const PowerCell &cell, uint32_t side, uint32_t first, uint3
       const float rounded = doubt < 1e29 ? static_cast<float>(doubt * (1.0 + 0x1p-20)) : huge_doubt;
       corners[count] = {rounded, in_cell, cell.code_of(line), cell.is_free_edge(v, opposite) ? 1U : 0U};
     }
-    covered |= in_cell == no_id ? 1 : 0;
-    if (in_cell != no_id) {
-      several |= the_cell != no_id && the_cell != in_cell;
-      the_cell = in_cell;
-    }
     ++count;
+    covered |= in_ball;
+    lowest = in_cell < lowest ? in_cell : lowest;
+    above_highest = in_cell + 1 > above_highest ? in_cell + 1 : above_highest;
     low_u = u < low_u ? u : low_u;
     high_u = u > high_u ? u : high_u;
     low_w = w < low_w ? w : low_w;
     high_w = w > high_w ? w : high_w;
     most_doubt = doubt > most_doubt ? doubt : most_doubt;
-    v = vertex.neighbour(opposite);
-    back = vertex.back(opposite);
+    v = vertex.link[opposite] / 4;
+    back = vertex.link[opposite] % 4;
   } while (v != first && count < most);
   corners_.set_count(first_corner + count);
   // As floats are off by less than 2^-23 of the side.
   const double spread = (most_doubt < 1e29 ? most_doubt : 1e29) + 0x1p-22 * cell.frame().side();
-  facets_.push({cell.ball(), side, clamped_count(first_corner), count, several ? no_id : the_cell, most_doubt, covered,
-                static_cast<float>(low_u - spread), static_cast<float>(high_u + spread),
-                static_cast<float>(low_w - spread), static_cast<float>(high_w + spread)});
+  facets_.push({cell.ball(), side, clamped_count(first_corner), count, lowest + 1 == above_highest ? lowest : no_id,
+                meets_both ? 1U : 0U, most_doubt, covered, static_cast<float>(low_u - spread),
+                static_cast<float>(high_u + spread), static_cast<float>(low_w - spread),
+                static_cast<float>(high_w + spread)});
 }
 
 }  // namespace hsp

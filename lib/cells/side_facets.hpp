@@ -38,6 +38,7 @@ struct SideFacet {
   uint32_t side;
   uint32_t first_corner, corners;
   uint32_t cell;                       // the cell of all corners outside the ball; no_id if there are several
+  uint32_t meets_both;                 // whether its ball meets the cube on the other side too, 1 or 0
   double doubt;                        // the largest of its corners
   uint32_t has_covered_corner;         // whether one is in the ball, 1 or 0
   float low_u, high_u, low_w, high_w;  // a box around the facet
@@ -60,8 +61,8 @@ class SideFacets {
     corners_.clear();
   }
   // The facet of a power cell on a side, where `first` is a vertex of the cell outside the ball; first_cell is that of
-  // the cell's free part 0.
-  void add(const PowerCell &cell, uint32_t side, uint32_t first, uint32_t first_cell);
+  // the cell's free part 0; meets_both: whether the ball meets the cube on the other side too.
+  void add(const PowerCell &cell, uint32_t side, uint32_t first, uint32_t first_cell, bool meets_both);
 
   const FixedVector<SideFacet> &facets() const { return facets_; }
   const FixedVector<FacetCorner> &corners() const { return corners_; }

@@ -9,16 +9,16 @@
 
 namespace hsp {
 
-// Four vertices of a polytope: where they are, a bound for the error of that, the squares of their distances from the
+// The vertices of a polytope: where they are, a bound for the error of that, the squares of their distances from the
 // centre of the ball, and what v.y - h of the plane is found to be that they were held against last. Behind the last
 // one there is room for a multiple of eight; squares there are 0.
-struct VertexBlock {
-  double x[4], y[4], z[4], doubt[4], squared[4], value[4];
+struct VertexArrays {
+  double *x, *y, *z, *doubt, *squared, *value;
 };
-// All of them, of which there are at least four; and of that plane a bit for each, the first one lowest: whether it is
-// beyond by more than a margin, and whether it is within the margin.
+// How many there are, at least four; and of that plane a bit for each, the first one lowest: whether it is beyond by
+// more than a margin, and whether it is within the margin.
 struct CutVertices {
-  VertexBlock *blocks;
+  VertexArrays at;
   uint64_t *beyond, *unsure;
   uint32_t count;
 };
@@ -49,12 +49,31 @@ struct SquareSides {
 #if HSP_AVX2
 uint32_t find_cut_avx2(const CutVertices &vertices, const PlaneArrays &planes, uint32_t plane_count,
                        const CutMargins &margins);
-SquareSides compare_squares_avx2(const VertexBlock *blocks, uint32_t count, double limit, double margin);
+SquareSides compare_squares_avx2(const double *squared, uint32_t count, double limit, double margin);
 FacetSides compare_facets_avx2(const double *u, const double *w, uint32_t count, const FlatLine *lines,
                                uint32_t line_count, double margin);
 #endif
 
 namespace {
+
+// The first one of the nearest planes, of which there are some.
+template <uint32_t n>
+inline uint32_t nearest_plane(const double *distances, uint32_t plane_count) {
+  using L = DoubleLanes<n>;
+  using Real = typename L::Real;
+  Real nearest = L::all(done_with);
+  for (uint32_t k = 0; k < plane_count; k += 8) {
+    for (uint32_t l = 0; l < 8; l += n) nearest = L::smaller(L::load(distances + k + l), nearest);
+  }
+  double distance = nearest[0];
+  for (uint32_t k = 1; k < n; ++k) distance = nearest[k] < distance ? nearest[k] : distance;
+  const Real wanted = L::all(distance);
+  for (uint32_t plane = 0;; plane += 8) {
+    uint64_t hits = 0;
+    for (uint32_t l = 0; l < 8; l += n) hits |= L::set_lanes(L::load(distances + plane + l) == wanted) << l;
+    if (hits != 0) return plane + static_cast<uint32_t>(__builtin_ctzll(hits));
+  }
+}
 
 // The nearest plane that is no farther than the farthest vertex and has vertices beyond, or near enough to be; nearer
 // planes and this one are done with then. none_cuts if there is no such plane. is_covered, before any is done with, if
@@ -64,45 +83,39 @@ inline uint32_t find_cut(const CutVertices &vertices, const PlaneArrays &planes,
                          const CutMargins &margins) {
   using L = DoubleLanes<n>;
   using Real = typename L::Real;
-  VertexBlock *const blocks = vertices.blocks;
+  const VertexArrays of = vertices.at;
   double *const distances = planes.distance;
+  PlaneOrder &order = *planes.order;
   const uint32_t count = vertices.count;
   const Real margin = L::all(margins.side), least = L::all(-margins.side);
+  Real farthest = L::all(0.0);
+  for (uint32_t v = 0; v < count; v += 8) {
+    for (uint32_t k = 0; k < 8; k += n) farthest = L::larger(L::load(of.squared + v + k), farthest);
+  }
+  double most = farthest[0];
+  for (uint32_t k = 1; k < n; ++k) most = farthest[k] > most ? farthest[k] : most;
   for (;;) {
-    Real nearest = L::all(done_with);
-    for (uint32_t k = 0; k < plane_count; k += 8) {
-      for (uint32_t l = 0; l < 8; l += n) nearest = L::smaller(L::load(distances + k + l), nearest);
-    }
-    double distance = nearest[0];
-    for (uint32_t k = 1; k < n; ++k) distance = nearest[k] < distance ? nearest[k] : distance;
+    if (order.count != 0 && order.next == order.count) return none_cuts;
+    const uint32_t plane = order.count != 0 ? order.plane[order.next] : nearest_plane<n>(distances, plane_count);
+    const double distance = distances[plane];
     if (!(distance < done_with)) return none_cuts;
-    uint32_t plane = 0;
-    const Real wanted = L::all(distance);
-    const auto find_hits = [&] {
-      uint64_t hits = 0;
-      for (uint32_t l = 0; l < 8; l += n) hits |= L::set_lanes(L::load(distances + plane + l) == wanted) << l;
-      return hits;
-    };
-    uint64_t hits = find_hits();
-    for (; hits == 0; hits = find_hits()) plane += 8;
-    plane += static_cast<uint32_t>(__builtin_ctzll(hits));
+    if (most + margins.reach < margins.covered) return is_covered;
+    if (distance > most + margins.reach) return none_cuts;
+    distances[plane] = done_with;
+    ++order.next;
 
     const Real a = L::all(planes.x[plane]), b = L::all(planes.y[plane]), c = L::all(planes.z[plane]);
     const Real h = L::all(planes.h[plane]);
-    Real farthest = L::all(0.0);
     uint64_t found = 0;
     for (uint32_t first = 0; first < count; first += 64) {
       const uint32_t points = count - first < 64 ? count - first : 64;
       uint64_t beyond = 0, near = 0;
       for (uint32_t eight = 0; eight < points; eight += 8) {
-        VertexBlock *const pair = blocks + (first + eight) / 4;
         uint64_t eight_beyond = 0, eight_near = 0;
         for (uint32_t k = 0; k < 8; k += n) {
-          VertexBlock &of = pair[k / 4];
-          const uint32_t l = k % 4;
-          const Real value = a * L::load(of.x + l) + b * L::load(of.y + l) + c * L::load(of.z + l) - h;
-          L::store(of.value + l, value);
-          farthest = L::larger(L::load(of.squared + l), farthest);
+          const uint32_t v = first + eight + k;
+          const Real value = a * L::load(of.x + v) + b * L::load(of.y + v) + c * L::load(of.z + v) - h;
+          L::store(of.value + v, value);
           eight_beyond |= L::set_lanes(value > margin) << k;
           eight_near |= L::set_lanes(value <= least) << k;
         }
@@ -114,23 +127,18 @@ inline uint32_t find_cut(const CutVertices &vertices, const PlaneArrays &planes,
       vertices.unsure[first / 64] = ~(beyond | near) & all;
       found |= ~near & all;
     }
-    double most = farthest[0];
-    for (uint32_t k = 1; k < n; ++k) most = farthest[k] > most ? farthest[k] : most;
-    if (most + margins.reach < margins.covered) return is_covered;
-    if (distance > most + margins.reach) return none_cuts;
-    distances[plane] = done_with;
     if (found != 0) return plane;
   }
 }
 
 template <uint32_t n>
-inline SquareSides compare_squares(const VertexBlock *blocks, uint32_t count, double limit, double margin) {
+inline SquareSides compare_squares(const double *squared, uint32_t count, double limit, double margin) {
   using L = DoubleLanes<n>;
   using Real = typename L::Real;
   const Real bound = L::all(limit), most = L::all(margin), least = L::all(-margin);
   uint64_t above = 0, below = 0;
   for (uint32_t k = 0; k < count; k += n) {
-    const Real excess = L::load(blocks[k / 4].squared + k % 4) - bound;
+    const Real excess = L::load(squared + k) - bound;
     above |= L::set_lanes(excess > most) << k;
     below |= L::set_lanes(excess < least) << k;
   }

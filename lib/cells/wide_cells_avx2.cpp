@@ -1,5 +1,6 @@
 #if HSP_AVX2
 #include "cells/cube_members.hpp"
+#include "cells/vertex_edges.hpp"
 #include "cells/vertex_sides.hpp"
 
 namespace hsp {
@@ -9,8 +10,13 @@ uint32_t find_cut_avx2(const CutVertices &vertices, const PlaneArrays &planes, u
   return find_cut<4>(vertices, planes, plane_count, margins);
 }
 
-SquareSides compare_squares_avx2(const VertexBlock *blocks, uint32_t count, double limit, double margin) {
-  return compare_squares<4>(blocks, count, limit, margin);
+SquareSides compare_squares_avx2(const double *squared, uint32_t count, double limit, double margin) {
+  return compare_squares<4>(squared, count, limit, margin);
+}
+
+EdgeSides compare_edges_avx2(const VertexArrays &of, const EdgeEnds *edges, uint32_t count, double limit,
+                             double doubt) {
+  return compare_edges<4>(of, edges, count, limit, doubt);
 }
 
 FacetSides compare_facets_avx2(const double *u, const double *w, uint32_t count, const FlatLine *lines,

@@ -21,6 +21,7 @@ using oracle::Balls;
 
 struct Seen {
   uint32_t cells = 0, empty = 0, several = 0, doubtful = 0, most_vertices = 0, most_parts = 0;
+  uint32_t discs = 0, doubtful_discs = 0, apart = 0;
 };
 
 using Triple = std::array<uint32_t, 3>;
@@ -98,6 +99,47 @@ std::set<Triple> all_vertices(const hsp::BallSet &balls, const hsp::CubeFrame &f
   return found;
 }
 
+// Whether a cell without vertices in its ball meets that, by integers alone: it has the centre, or a disc that a facet
+// has as a whole.
+void check_meeting(const hsp::BallSet &balls, const hsp::PowerCell &cell, Seen &seen) {
+  const hsp::PolytopeVertex *const vertices = &cell.polytope()[0];
+  const uint32_t size = cell.polytope().size();
+  const hsp::PowerPredicates exact(balls, cell.ball(), cell.frame());
+  std::set<uint32_t> planes;
+  for (uint32_t v = 0; v < size; ++v) {
+    for (uint32_t k = 0; k < 3; ++k) {
+      planes.insert(vertices[v].plane[k]);
+      if (cell.part_of(v) != no_id && cell.is_free_edge(v, k)) continue;
+      ASSERT_TRUE(cell.meets_ball());
+      return;
+    }
+  }
+  const hsp::Vec3 centre = cell.frame().centre_of(balls, cell.ball());
+  const double little = 1e-12 * cell.frame().side();
+  bool centre_inside = true, disc_inside = false;
+  for (const uint32_t number : planes) {
+    const PowerPlane plane = cell.plane(number);
+    centre_inside = centre_inside && exact.side_of_centre(plane) >= 0;
+    if (!exact.meets_plane(plane)) continue;
+    const hsp::UnitPlane &disc = cell.unit_plane(number);
+    const hsp::Vec3 middle = centre + (disc.h - dot(disc.v, centre)) * disc.v;
+    bool inside = true;
+    for (uint32_t v = 0; v < size; ++v) {
+      if (!vertices[v].has(number)) continue;
+      for (const uint32_t other : vertices[v].plane) {
+        if (other == number) continue;
+        inside = inside && exact.side_of_disc(plane, cell.plane(other)) >= 0;
+        const hsp::UnitPlane &border = cell.unit_plane(other);
+        seen.doubtful_discs += std::fabs(dot(border.v, middle) - border.h) < little ? 1U : 0U;
+      }
+    }
+    disc_inside = disc_inside || inside;
+    seen.discs += !centre_inside && inside ? 1U : 0U;
+  }
+  ASSERT_EQ(cell.meets_ball(), centre_inside || disc_inside);
+  seen.apart += centre_inside || disc_inside ? 0U : 1U;
+}
+
 // Of balls that are large enough.
 void check(const Balls &balls, Seen &seen, int64_t least_radius = 0) {
   const BuiltFreeSpace built(balls);
@@ -121,6 +163,7 @@ void check(const Balls &balls, Seen &seen, int64_t least_radius = 0) {
       if (cell.empty()) continue;
       ASSERT_NO_FATAL_FAILURE(check_graph(cell));
       cell.find_free_parts();
+      ASSERT_NO_FATAL_FAILURE(check_meeting(built.balls(), cell, seen));
       seen.several += cell.parts() > 1 ? 1U : 0U;
       seen.most_vertices = std::max(seen.most_vertices, cell.polytope().size());
       seen.most_parts = std::max(seen.most_parts, cell.parts());
@@ -164,6 +207,9 @@ TEST(PowerCell, HasAllItsVertices) {
   EXPECT_GT(seen.cells, 1000U);
   EXPECT_GT(seen.empty, 100U);
   EXPECT_GT(seen.several, 50U);
+  EXPECT_GT(seen.discs, 10U);
+  EXPECT_GT(seen.doubtful_discs, 10U);
+  EXPECT_GT(seen.apart, 10U);
 }
 
 // More than 64 vertices: what is found as bits takes several words then. Balls around one, in a cube whose side another

@@ -1,14 +1,17 @@
-// The kernels of vertex_sides.hpp and cube_members.hpp for registers of every width, held against plain loops.
+// The kernels of vertex_sides.hpp, vertex_edges.hpp and cube_members.hpp for registers of every width, held
+// against plain loops.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
 #include "cells/cube_frame.hpp"
 #include "cells/cube_members.hpp"
+#include "cells/vertex_edges.hpp"
 #include "cells/vertex_sides.hpp"
 #include "core/processor.hpp"
 #include "random_balls.hpp"
@@ -17,13 +20,16 @@ namespace {
 
 using hsp::CutMargins;
 using hsp::CutVertices;
+using hsp::EdgeEnds;
+using hsp::EdgeSides;
 using hsp::FacetSides;
 using hsp::FlatLine;
 using hsp::MemberArrays;
 using hsp::PlaneArrays;
+using hsp::PlaneOrder;
 using hsp::SquareSides;
 using hsp::UnitPlane;
-using hsp::VertexBlock;
+using hsp::VertexArrays;
 
 // Multiples of 1/8, so that sums and products are exact and some values are equal to the margin.
 class Numbers {
@@ -44,33 +50,33 @@ uint64_t bit(uint32_t k) {
   return uint64_t{1} << k;
 }
 
-// Vertices in blocks of four; what is behind the last one must have no effect.
-class Blocks {
+// Of vertices; what is behind the last one must have no effect.
+class Vertices {
  public:
-  Blocks(oracle::RandomSource &random, uint32_t count) : count_(count), blocks_(count / 4 + 2) {
-    for (uint32_t v = 0; v < 4 * blocks_.size(); ++v) {
-      const auto number = [&](int64_t most) {
-        return v < count ? static_cast<double>(random.in(-most, most)) / 8 : 1e9;
-      };
-      VertexBlock &block = blocks_[v / 4];
-      block.x[v % 4] = number(20);
-      block.y[v % 4] = number(20);
-      block.z[v % 4] = number(20);
-      block.squared[v % 4] = v < count ? std::fabs(number(200)) : 0.0;
-    }
+  Vertices(oracle::RandomSource &random, uint32_t count)
+      : count_(count),
+        x_(random, count, 20),
+        y_(random, count, 20),
+        z_(random, count, 20),
+        squared_(random, count, 200),
+        value_(random, count, 0) {
+    for (uint32_t v = 0; v < count + 7; ++v) squared_.data()[v] = v < count ? std::fabs(squared_[v]) : 0.0;
   }
   uint32_t count() const { return count_; }
-  VertexBlock *data() { return blocks_.data(); }
-  const VertexBlock &of(uint32_t v) const { return blocks_[v / 4]; }
-  double squared(uint32_t v) const { return of(v).squared[v % 4]; }
-  double value(uint32_t v) const { return of(v).value[v % 4]; }
+  VertexArrays arrays() { return {x_.data(), y_.data(), z_.data(), nullptr, squared_.data(), value_.data()}; }
+  double squared(uint32_t v) const { return squared_[v]; }
+  double value(uint32_t v) const { return value_[v]; }
   double value_at(uint32_t v, double a, double b, double c, double h) const {
-    return a * of(v).x[v % 4] + b * of(v).y[v % 4] + c * of(v).z[v % 4] - h;
+    return a * x_[v] + b * y_[v] + c * z_[v] - h;
+  }
+  double squared_length(uint32_t v, uint32_t w) const {
+    const double x = x_[w] - x_[v], y = y_[w] - y_[v], z = z_[w] - z_[v];
+    return x * x + y * y + z * z;
   }
 
  private:
   uint32_t count_;
-  std::vector<VertexBlock> blocks_;
+  Numbers x_, y_, z_, squared_, value_;
 };
 
 struct Cut {
@@ -80,12 +86,12 @@ struct Cut {
 };
 
 // By the definition: planes one after another, the nearest first.
-Cut cut_of(const Blocks &blocks, const PlaneArrays &planes, uint32_t plane_count, const CutMargins &margins) {
-  const uint32_t count = blocks.count();
+Cut cut_of(const Vertices &vertices, const PlaneArrays &planes, uint32_t plane_count, const CutMargins &margins) {
+  const uint32_t count = vertices.count();
   Cut cut{hsp::none_cuts, std::vector<uint64_t>(count / 64 + 1), std::vector<uint64_t>(count / 64 + 1), {}, {}};
   cut.distance.assign(planes.distance, planes.distance + plane_count);
   double most = 0;
-  for (uint32_t v = 0; v < count; ++v) most = std::max(most, blocks.squared(v));
+  for (uint32_t v = 0; v < count; ++v) most = std::max(most, vertices.squared(v));
   while (cut.plane == hsp::none_cuts) {
     const auto nearest = std::min_element(cut.distance.begin(), cut.distance.end());
     if (*nearest == hsp::done_with) return cut;
@@ -95,7 +101,7 @@ Cut cut_of(const Blocks &blocks, const PlaneArrays &planes, uint32_t plane_count
     *nearest = hsp::done_with;
     cut.value.clear();
     for (uint32_t v = 0; v < count; ++v) {
-      cut.value.push_back(blocks.value_at(v, planes.x[plane], planes.y[plane], planes.z[plane], planes.h[plane]));
+      cut.value.push_back(vertices.value_at(v, planes.x[plane], planes.y[plane], planes.z[plane], planes.h[plane]));
       if (cut.value[v] > -margins.side) cut.plane = plane;
     }
   }
@@ -111,16 +117,17 @@ Cut cut_of(const Blocks &blocks, const PlaneArrays &planes, uint32_t plane_count
 
 TEST(WideCells, FindCutAndCompareSquares) {
   oracle::RandomSource random(1);
-  uint32_t none = 0, covered = 0, beyond = 0, unsure = 0, later = 0, without_end = 0;
+  uint32_t none = 0, covered = 0, beyond = 0, unsure = 0, later = 0, without_end = 0, few = 0;
   for (int round = 0; round < 3000; ++round) {
-    Blocks blocks(random, 2 * static_cast<uint32_t>(random.in(2, random.one_in(2) ? 8 : 80)));
-    const uint32_t count = blocks.count(), plane_count = static_cast<uint32_t>(random.in(1, 12));
+    Vertices vertices(random, 2 * static_cast<uint32_t>(random.in(2, random.one_in(2) ? 8 : 80)));
+    const uint32_t count = vertices.count(), plane_count = static_cast<uint32_t>(random.in(1, 30));
     Numbers x(random, plane_count, 16), y(random, plane_count, 16), z(random, plane_count, 16);
     Numbers h(random, plane_count, 80), distance(random, plane_count, 200);
     for (uint32_t k = 0; k < plane_count + 7; ++k) {
       if (k >= plane_count || random.one_in(3)) distance.data()[k] = hsp::done_with;
     }
-    const PlaneArrays planes{x.data(), y.data(), z.data(), h.data(), distance.data()};
+    PlaneOrder order{};
+    const PlaneArrays planes{x.data(), y.data(), z.data(), h.data(), distance.data(), &order};
     // Positions may be in so much doubt that no plane is too far.
     const double much = std::numeric_limits<double>::infinity();
     const CutMargins margins{static_cast<double>(random.in(0, 8)) / 8,
@@ -128,18 +135,20 @@ TEST(WideCells, FindCutAndCompareSquares) {
                              : random.one_in(2) ? 1.0
                                                 : 0.0,
                              random.one_in(6) ? 24.0 : -1.0};
-    const Cut expected = cut_of(blocks, planes, plane_count, margins);
+    const Cut expected = cut_of(vertices, planes, plane_count, margins);
     const auto distances = std::vector<double>(distance.data(), distance.data() + plane_count);
+    few += plane_count <= hsp::most_ordered ? 1U : 0U;
     const auto check = [&](const auto &find) {
       std::vector<uint64_t> beyond_bits(count / 64 + 1), unsure_bits(count / 64 + 1);
       std::copy(distances.begin(), distances.end(), distance.data());
-      const uint32_t plane = find({blocks.data(), beyond_bits.data(), unsure_bits.data(), count});
+      hsp::order_planes<2>(distance.data(), plane_count, order);
+      const uint32_t plane = find({vertices.arrays(), beyond_bits.data(), unsure_bits.data(), count});
       ASSERT_EQ(plane, expected.plane);
       for (uint32_t k = 0; k < plane_count; ++k) ASSERT_EQ(distance[k], expected.distance[k]);
       if (plane >= hsp::is_covered) return;
       ASSERT_EQ(beyond_bits, expected.beyond);
       ASSERT_EQ(unsure_bits, expected.unsure);
-      for (uint32_t v = 0; v < count; ++v) ASSERT_EQ(blocks.value(v), expected.value[v]);
+      for (uint32_t v = 0; v < count; ++v) ASSERT_EQ(vertices.value(v), expected.value[v]);
     };
     ASSERT_NO_FATAL_FAILURE(
         check([&](const CutVertices &cut) { return hsp::find_cut<1>(cut, planes, plane_count, margins); }));
@@ -149,20 +158,20 @@ TEST(WideCells, FindCutAndCompareSquares) {
     const double limit = static_cast<double>(random.in(0, 25)), margin = static_cast<double>(random.in(0, 16)) / 8;
     SquareSides sides{0, 0};
     for (uint32_t v = 0; v < some; ++v) {
-      if (blocks.squared(v) - limit > margin) sides.above |= bit(v);
-      if (std::fabs(blocks.squared(v) - limit) <= margin) sides.unsure |= bit(v);
+      if (vertices.squared(v) - limit > margin) sides.above |= bit(v);
+      if (std::fabs(vertices.squared(v) - limit) <= margin) sides.unsure |= bit(v);
     }
     const auto check_sides = [&](const SquareSides &found) {
       ASSERT_EQ(found.above, sides.above);
       ASSERT_EQ(found.unsure, sides.unsure);
     };
-    ASSERT_NO_FATAL_FAILURE(check_sides(hsp::compare_squares<1>(blocks.data(), some, limit, margin)));
-    ASSERT_NO_FATAL_FAILURE(check_sides(hsp::compare_squares<2>(blocks.data(), some, limit, margin)));
+    ASSERT_NO_FATAL_FAILURE(check_sides(hsp::compare_squares<1>(vertices.arrays().squared, some, limit, margin)));
+    ASSERT_NO_FATAL_FAILURE(check_sides(hsp::compare_squares<2>(vertices.arrays().squared, some, limit, margin)));
 #if HSP_AVX2
     if (hsp::has_avx2()) {
       ASSERT_NO_FATAL_FAILURE(
           check([&](const CutVertices &cut) { return hsp::find_cut_avx2(cut, planes, plane_count, margins); }));
-      ASSERT_NO_FATAL_FAILURE(check_sides(hsp::compare_squares_avx2(blocks.data(), some, limit, margin)));
+      ASSERT_NO_FATAL_FAILURE(check_sides(hsp::compare_squares_avx2(vertices.arrays().squared, some, limit, margin)));
     }
 #endif
     none += expected.plane == hsp::none_cuts ? 1U : 0U;
@@ -172,12 +181,61 @@ TEST(WideCells, FindCutAndCompareSquares) {
     unsure += expected.unsure[0] != 0 ? 1U : 0U;
     later += expected.beyond[0] == 0 && expected.beyond.back() != 0 ? 1U : 0U;
   }
-  EXPECT_GT(none, 100U);
+  EXPECT_GT(few, 1000U);
+  EXPECT_LT(few, 2900U);
+  EXPECT_GT(none, 50U);
   EXPECT_GT(covered, 30U);
   EXPECT_GT(without_end, 10U);
   EXPECT_GT(beyond, 500U);
   EXPECT_GT(unsure, 200U);
   EXPECT_GT(later, 5U);
+}
+
+TEST(WideCells, CompareEdges) {
+  oracle::RandomSource random(4);
+  uint32_t outside = 0, unsure = 0, inside = 0;
+  for (int round = 0; round < 2000; ++round) {
+    Vertices vertices(random, static_cast<uint32_t>(random.in(4, 40)));
+    const uint32_t last = vertices.count() - 1;
+    std::vector<EdgeEnds> edges;
+    for (int64_t edge = random.in(1, random.one_in(2) ? 12 : 64); edge > 0; --edge) {
+      const auto end = [&] { return static_cast<uint32_t>(4 * random.in(0, last) + random.in(0, 2)); };
+      edges.push_back({end(), end()});
+    }
+    const uint32_t count = static_cast<uint32_t>(edges.size());
+    edges.resize(count + hsp::edges_behind, {0, 0});
+    const double limit = static_cast<double>(random.in(0, 25)), doubt = static_cast<double>(random.in(0, 8)) / 8;
+    // The nearest point of the segment to a centre at these distances from its ends, times its length.
+    EdgeSides expected{0, 0};
+    for (uint32_t k = 0; k < count; ++k) {
+      const uint32_t v = edges[k].from / 4, w = edges[k].to / 4;
+      const double length = vertices.squared_length(v, w), from = vertices.squared(v);
+      const double middle = 0.5 * (from - vertices.squared(w) + length);
+      double excess = (from - limit) * length;
+      if (middle > 0.0 && middle < length) excess -= middle * middle;
+      if (middle > 0.0 && middle >= length) excess = (vertices.squared(w) - limit) * length;
+      if (excess > doubt * length) expected.outside |= bit(k);
+      if (std::fabs(excess) <= doubt * length) expected.unsure |= bit(k);
+    }
+    const auto check = [&](const EdgeSides &found) {
+      ASSERT_EQ(found.outside, expected.outside);
+      ASSERT_EQ(found.unsure, expected.unsure);
+    };
+    const VertexArrays arrays = vertices.arrays();
+    ASSERT_NO_FATAL_FAILURE(check(hsp::compare_edges<1>(arrays, edges.data(), count, limit, doubt)));
+    ASSERT_NO_FATAL_FAILURE(check(hsp::compare_edges<2>(arrays, edges.data(), count, limit, doubt)));
+#if HSP_AVX2
+    if (hsp::has_avx2()) {
+      ASSERT_NO_FATAL_FAILURE(check(hsp::compare_edges_avx2(arrays, edges.data(), count, limit, doubt)));
+    }
+#endif
+    outside += expected.outside != 0 ? 1U : 0U;
+    unsure += expected.unsure != 0 ? 1U : 0U;
+    inside += (expected.outside | expected.unsure) == 0 ? 1U : 0U;
+  }
+  EXPECT_GT(outside, 500U);
+  EXPECT_GT(unsure, 200U);
+  EXPECT_GT(inside, 50U);
 }
 
 TEST(WideCells, CompareFacets) {
@@ -255,7 +313,8 @@ TEST(WideCells, FindPlanesAndDominance) {
     }
     Numbers px(random, count, 1), py(random, count, 1), pz(random, count, 1), ph(random, count, 1),
         pd(random, count, 1);
-    const PlaneArrays planes{px.data(), py.data(), pz.data(), ph.data(), pd.data()};
+    PlaneOrder order{};
+    const PlaneArrays planes{px.data(), py.data(), pz.data(), ph.data(), pd.data(), &order};
     const auto check = [&] {
       for (uint32_t k = 0; k < count; ++k) {
         const auto &[distance, plane] = expected[k];
@@ -263,6 +322,13 @@ TEST(WideCells, FindPlanesAndDominance) {
         if (std::isinf(distance)) continue;  // done with, or of two balls with one centre
         ASSERT_TRUE(px[k] == plane.v.x && py[k] == plane.v.y && pz[k] == plane.v.z && ph[k] == plane.h);
       }
+      ASSERT_EQ(order.next, 0U);
+      ASSERT_EQ(order.count, count <= hsp::most_ordered ? count : 0);
+      std::vector<uint32_t> sorted(order.count);
+      std::iota(sorted.begin(), sorted.end(), 0U);
+      std::stable_sort(sorted.begin(), sorted.end(),
+                       [&](uint32_t a, uint32_t b) { return expected[a].first < expected[b].first; });
+      ASSERT_TRUE(std::equal(sorted.begin(), sorted.end(), order.plane));
     };
     hsp::find_planes<1>(members, own, limit, planes);
     ASSERT_NO_FATAL_FAILURE(check());

@@ -1,0 +1,69 @@
+// Which edges of a polytope are outside a sphere, as far as doubles tell. For registers of n doubles: power_cell.cpp
+// and wide_cells_avx2.cpp compile it, and both find the same bits.
+#pragma once
+
+#include "cells/vertex_sides.hpp"
+#include "core/double_lanes.hpp"
+
+namespace hsp {
+
+// An edge by its ends, each as 4 vertex + k with the plane k that it is opposite to.
+struct EdgeEnds {
+  uint32_t from, to;
+};
+// A bit for each of up to 64 edges, the first one lowest: whether it is outside a sphere as a whole by more than a
+// margin, and whether it is within the margin. Their ends are outside, or within a margin.
+struct EdgeSides {
+  uint64_t outside, unsure;
+};
+// How many records are read behind the last one; they must name vertices.
+inline constexpr uint32_t edges_behind = 3;
+
+#if HSP_AVX2
+EdgeSides compare_edges_avx2(const VertexArrays &of, const EdgeEnds *edges, uint32_t count, double limit, double doubt);
+#endif
+
+namespace {
+
+// Where n vertices are.
+template <uint32_t n>
+inline VectorOf<typename DoubleLanes<n>::Real> positions(const VertexArrays &of, const uint32_t *v) {
+  using L = DoubleLanes<n>;
+  return {L::gather(of.x, v), L::gather(of.y, v), L::gather(of.z, v)};
+}
+
+// With squared lengths A and B from the centre to the ends and L from end to end, the line is nearest to the centre at
+// t = (A - B + L) / 2 of L, and at t of L the squared distance is A - t (2 (A - B + L) / 2 - t) / L. Positions and
+// centre are below 3 s from each other along each axis, so that A, B and L are below 27 s^2 and off by less than
+// 135 u s^2 for their roundings, t by less than 230 u s^2, and L times the excess, as t <= L, by less than 800 u s^2 L,
+// besides the doubt of positions: CubeFrame::sphere_doubt() has 1024.
+template <uint32_t n>
+inline EdgeSides compare_edges(const VertexArrays &of, const EdgeEnds *edges, uint32_t count, double limit,
+                               double doubt) {
+  using L = DoubleLanes<n>;
+  using Real = typename L::Real;
+  const Real bound = L::all(limit), most = L::all(doubt), zero = L::all(0.0), half = L::all(0.5), two = L::all(2.0);
+  uint64_t outside = 0, inside = 0;
+  for (uint32_t first = 0; first < count; first += n) {
+    uint32_t from[n], to[n];
+    for (uint32_t k = 0; k < n; ++k) {
+      from[k] = edges[first + k].from / 4;
+      to[k] = edges[first + k].to / 4;
+    }
+    const VectorOf<Real> edge = positions<n>(of, to) - positions<n>(of, from);
+    const Real from_squared = L::gather(of.squared, from);
+    const Real to_squared = L::gather(of.squared, to);
+    const Real length = dot(edge, edge);
+    const Real middle = half * ((from_squared - to_squared) + length);
+    const Real nearest = L::smaller(L::larger(middle, zero), length);
+    const Real excess = (from_squared - bound) * length - nearest * (two * middle - nearest);
+    const Real margin = most * length;
+    outside |= L::set_lanes(excess > margin) << first;
+    inside |= L::set_lanes(excess < -margin) << first;
+  }
+  const uint64_t all = ~UINT64_C(0) >> (64 - count);
+  return {outside & all, ~(outside | inside) & all};
+}
+
+}  // namespace
+}  // namespace hsp
