@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The whole test program for another processor in an emulator: unit tests of all rooms, the interface against oracles, its
-# C99 tests, fuzz inputs. GoogleTest is compiled for it from the sources that Debian has (package googletest).
+# The whole test program for another processor in an emulator: unit tests of all rooms, the interface against oracles,
+# its C99 tests, fuzz inputs. GoogleTest is compiled for it from the sources that Debian has (package googletest).
 #   whole_tests.sh SOURCE-FOLDER WORK-FOLDER TOOLS EMULATOR [FLAGS]
 # TOOLS: what the compilers' names begin with. Exit status 77: something is missing here.
 set -euo pipefail
@@ -20,8 +20,8 @@ mkdir -p "$work"
 build() {
   "$@" >>"$work/log" 2>&1 || { tail -n 40 "$work/log" && exit 1; }
 }
-# Linked statically, so that the emulator needs none of the target's shared libraries. The vectorizer of GCC 12 for aarch64
-# breaks off at a loop of a C99 test (vect_transform_reduction); the library is compiled without it anyway.
+# Linked statically, so that the emulator needs none of the target's shared libraries. The vectorizer of GCC 12 for
+# aarch64 breaks off at a loop of a C99 test (vect_transform_reduction); the library is compiled without it anyway.
 target=(-DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR="${tools%%-*}" -DCMAKE_C_COMPILER="$tools-gcc"
   -DCMAKE_CXX_COMPILER="$tools-g++" -DCMAKE_C_FLAGS="$flags -fno-tree-vectorize" -DCMAKE_CXX_FLAGS="$flags"
   -DCMAKE_BUILD_TYPE=Release
