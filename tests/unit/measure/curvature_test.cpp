@@ -12,6 +12,7 @@
 #include "measure/input_order.hpp"
 #include "molecule_file.hpp"
 #include "random_balls.hpp"
+#include "sweep_length.hpp"
 
 namespace {
 
@@ -131,6 +132,35 @@ TEST(Curvature, IsTwiceTheEulerCharacteristicForEverySet) {
     EXPECT_TRUE(std::isfinite(built.mean()));
     EXPECT_TRUE(std::isfinite(built.weighted_mean({})));
   }
+}
+
+// Not even where vertices have no derivative, four spheres or circles that touch meeting there.
+TEST(Curvature, DoesNotChangeWhenAllBallsMoveTogether) {
+  oracle::RandomSource random(34);
+  uint32_t without_derivative = 0;
+  const int sets = oracle::sets(2000);
+  for (int k = 0; k < sets; ++k) {
+    std::vector<std::array<double, 4>> balls(3 + random.below(10));
+    for (auto &ball : balls) {
+      for (size_t axis = 0; axis < 3; ++axis) ball[axis] = random.below(4);
+      ball[3] = 1 + random.below(2);
+    }
+    const Built built(list_of(balls), 0.0, 1.0);
+    ASSERT_EQ(built.status(), hsp::Status::ok);
+    const hsp::Boundary &boundary = built.boundary();
+    for (uint32_t v = 0; v < boundary.vertex_count(); ++v) {
+      without_derivative += boundary.root_discriminant(v) > 0.0 ? 0U : 1U;
+    }
+    double largest = 1.0;
+    hsp::Vec3 sum{0.0, 0.0, 0.0};
+    for (uint32_t i = 0; i < balls.size(); ++i) {
+      const hsp::Vec3 centre = built.gradient(i, {}).centre;
+      largest = std::max(largest, std::sqrt(dot(centre, centre)));
+      sum = sum + centre;
+    }
+    EXPECT_NEAR(std::sqrt(dot(sum, sum)), 0.0, 1e-11 * largest) << "set " << k;
+  }
+  EXPECT_GT(without_derivative, static_cast<uint32_t>(sets / 40));
 }
 
 TEST(Curvature, HasTheDerivativesOfDifferenceQuotients) {
