@@ -59,7 +59,7 @@ bool PeriodicBox::suits(int64_t largest_radius) const {
   return is_long(a.x) && is_long(b.y) && is_long(c.z);
 }
 
-Status PeriodicBox::wrap(exact::Vector &point, BoxShift &shift) const {
+Status PeriodicBox::wrap_outside(exact::Vector &point, BoxShift &shift) const {
   const auto &[a, b, c] = reduced_;
   exact::Vector p = point;
   int64_t times[3];

@@ -57,7 +57,13 @@ class PeriodicBox {
   bool suits(int64_t largest_radius) const;
 
   // Moves a point into the brick by whole vectors: it was `shift` away from there. Status::range if too far.
-  Status wrap(exact::Vector &point, BoxShift &shift) const;
+  Status wrap(exact::Vector &point, BoxShift &shift) const {
+    const auto &[a, b, c] = reduced_;
+    shift = {};
+    const auto is_inside = [](int64_t at, int64_t side) { return at >= 0 && at < side; };
+    if (is_inside(point.x, a.x) && is_inside(point.y, b.y) && is_inside(point.z, c.z)) return Status::ok;
+    return wrap_outside(point, shift);
+  }
   // The sum of so many vectors; must not be far beyond what images need.
   exact::Vector translation(const BoxShift &shift) const;
   // In multiples of the given vectors.
@@ -96,6 +102,8 @@ class PeriodicBox {
   const exact::Vector &given(uint32_t k) const { return given_[k]; }
 
  private:
+  Status wrap_outside(exact::Vector &point, BoxShift &shift) const;
+
   // The multiples of a side that bring a coordinate into -reach .. side + reach. They are few, so that steps cost less
   // than divisions.
   struct Multiples {

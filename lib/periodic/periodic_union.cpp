@@ -41,12 +41,9 @@ Status PeriodicUnion::build(const BallInput &input, const double vector[9], uint
 // The boundary has joined each ball in the box to those that meet it, the images as balls of their own. So an image
 // leads from the set that it is in to that of its ball, as many boxes away.
 Status PeriodicUnion::join_balls() {
-  windings_.reset(images_.balls());
   const Span<const uint32_t> root = boundary_.join_components(grid_);
+  windings_.reset(root.part(0, images_.balls()), balls().caller.part(0, images_.balls()));
   bool fits = true;
-  for (uint32_t own = 0; own < images_.balls(); ++own) {
-    if (root[own] != own) fits = fits && windings_.join(balls().caller[root[own]], balls().caller[own], {});
-  }
   for (uint32_t image = images_.balls(); image < images_.size(); ++image) {
     if (!is_in_box(root[image])) continue;  // no ball meets it
     const uint32_t k = balls().caller[image];

@@ -129,6 +129,16 @@ void Windings::reset(uint32_t balls) {
   }
 }
 
+void Windings::reset(Span<const uint32_t> root, Span<const uint32_t> ball) {
+  reset(root.size());
+  const Span<uint32_t> lowest = component_;  // for the time being: of each set
+  for (uint32_t k = 0; k < n_; ++k) lowest[k] = no_id;
+  for (uint32_t k = 0; k < n_; ++k) {
+    if (ball[k] < lowest[root[k]]) lowest[root[k]] = ball[k];
+  }
+  for (uint32_t k = 0; k < n_; ++k) parent_[ball[k]] = lowest[root[k]];
+}
+
 // With path halving: a root's offset is 0, so that a parent's may always be added.
 uint32_t Windings::find(uint32_t ball, Offset &offset) {
   offset = {{0, 0, 0}};

@@ -29,6 +29,9 @@ class Windings {
   void carve(Workspace &workspace, uint32_t balls);
 
   void reset(uint32_t balls);
+  // The same with sets of balls that have met in their places: number k of them is ball[k], and of its set root[k] is
+  // the number of one.
+  void reset(Span<const uint32_t> root, Span<const uint32_t> ball);
   // Ball i, in its place, meets ball j `shift` boxes away from its own.
   bool join(uint32_t i, uint32_t j, const BoxShift &shift);
   // Numbers the sets in the order of their first balls. Returns how many.
