@@ -460,6 +460,16 @@ TEST(DrawColours, ClassesAndTooltips) {
   EXPECT_NE(told.find("data-ball="), std::string::npos);
   EXPECT_LT(drawn(crambin(), {"--classes", "--ink"}).size(), 170000u);
   EXPECT_LT(drawn(molecules_folder() + "/sod_stand_in.pdb", {"--ink"}).size(), 650000u);
+  // An id stands for one thing: of balls and sticks for the ball.
+  const std::string sticks =
+      drawn(molecules_folder() + "/caffeine.pdb", {"--classes", "--as", "ball-and-stick", "--style", "flat"});
+  std::set<std::string> ids;
+  size_t given = 0;
+  for (size_t at = sticks.find(" id=\"a"); at != std::string::npos; at = sticks.find(" id=\"a", at + 1), ++given) {
+    ids.insert(sticks.substr(at, sticks.find('"', at + 5) - at));
+  }
+  EXPECT_EQ(given, 24u);
+  EXPECT_EQ(ids.size(), 24u);
   // No residues, no chains.
   const TemporaryFile pair("pair.xyz", "2\n\nC 1 2 3\nO 9 4 3\n");
   EXPECT_NE(drawn(pair.path(), {"--classes", "--tooltips"}).find("-1\" class=\"el-O\" fill=\"#"), std::string::npos);
