@@ -223,7 +223,7 @@ bool annotation_write(const struct annotation *annotation, struct text_buffer *o
   const struct drawing *drawing = annotation->drawing;
   const hsp_picture_options *options = annotation->options;
   const struct writer writer = {.annotation = annotation,
-                                .pen = {out, options->format == HSP_FORMAT_EPS, annotation->frame.height},
+                                .pen = {out, options->format, annotation->frame.height},
                                 .width = annotation->frame.width,
                                 .height = annotation->frame.height,
                                 .size = annotation->frame.letter,

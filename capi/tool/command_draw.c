@@ -211,8 +211,9 @@ static bool write_picture(const struct request *request, const struct molecule *
   bool done = !(classes || tooltips) || ball_names_make(molecule, classes, tooltips, &names, failure);
   drawn->options.atom_class = HSP_ADDRESS(names.class_of);
   drawn->options.atom_title = HSP_ADDRESS(names.title_of);
-  const struct picture picture = {view,  geometry->work.map, geometry->sticks, colour, drawn->options,
-                                  title, description,        over.text};
+  const struct picture picture = {view,        geometry->work.map, geometry->sticks,
+                                  colour,      drawn->options,     title,
+                                  description, over.text,          {drawn->frame.width, drawn->frame.height}};
   progress_show(&geometry->progress, "writing");
   done = done && picture_file_write(&picture, request->drawing.out, &geometry->progress, &drawn->bytes, failure);
   ball_names_free(&names);

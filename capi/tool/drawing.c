@@ -351,11 +351,6 @@ bool drawing_check(struct drawing *drawing, struct failure *failure) {
   if (drawing_is_of_sticks(drawing) && (drawing->all_balls || drawing->occlusion > 0.0)) {
     return failure_in_usage(failure, "--all-balls and --occlusion are not for --as ball-and-stick");
   }
-  if (drawing_is_annotated(drawing) && drawing->format == (int)HSP_FORMAT_PDF) {
-    return failure_in_usage(failure,
-                            "--label, --scale-bar and --legend are for .svg and .eps files; rsvg-convert and "
-                            "epstopdf make .pdf of them");
-  }
   if (drawing->legend && drawing->colour == COLOUR_RESIDUE) {
     return failure_in_usage(failure, "--legend is for colours by element, by chain and of numbers");
   }

@@ -1,26 +1,41 @@
 #include "pen.h"
 
 #include <inttypes.h>
-#include <math.h>
+#include <stdbool.h>
 #include <string.h>
 
-/* Capital a with ring: in UTF-8, and in ISO Latin 1 as PostScript has it in a string. */
-static const char ring[] = "\xC3\x85";
-static const char ring_of_postscript[] = "\\305";
+#include "hardsphere.h"
 
-static void put_colour(const struct pen *pen, uint32_t colour) {
+/* Capital a with ring: in UTF-8, and in a string of PostScript or PDF, where ISO Latin 1 and Windows agree. */
+static const char ring[] = "\xC3\x85";
+static const char ring_in_string[] = "\\305";
+
+/* Widths of its characters from ' ' to '~' and of the capital a with ring, in thousandths of the size: of Helvetica, by
+ * Adobe's font metrics, in the encoding of Windows. */
+enum { FIRST = ' ', LAST = '~', WIDTH_OF_RING = 667 };
+static const uint16_t widths[LAST - FIRST + 1] = {
+    278,  278, 355, 556, 556, 889, 667, 191, 333, 333, 389, 584, 278, 333, 278, 278, /* to '/' */
+    556,  556, 556, 556, 556, 556, 556, 556, 556, 556, 278, 278, 584, 584, 584, 556, /* to '?' */
+    1015, 667, 667, 722, 722, 667, 611, 778, 722, 278, 500, 667, 556, 833, 722, 778, /* to 'O' */
+    667,  778, 722, 667, 611, 722, 667, 944, 667, 667, 611, 278, 278, 278, 469, 556, /* to '_' */
+    333,  556, 556, 500, 556, 556, 278, 556, 556, 222, 222, 500, 222, 833, 556, 556, /* to 'o' */
+    556,  556, 333, 500, 278, 556, 500, 722, 500, 500, 500, 334, 260, 334, 584};     /* to '~' */
+
+static void put_colour(const struct pen *pen, uint32_t colour, const char *command) {
   for (int shift = 16; shift >= 0; shift -= 8) {
     text_buffer_add(pen->out, "%.4g ", (double)(colour >> shift & 0xFF) / 255.0);
   }
-  text_buffer_add(pen->out, "setrgbcolor\n");
+  text_buffer_add(pen->out, "%s\n", command);
 }
 
 void pen_begin(const struct pen *pen) {
-  if (pen->postscript) {
+  if (pen->language == HSP_FORMAT_EPS) {
     text_buffer_add(pen->out,
                     "gsave 1 setlinecap 1 setlinejoin\n/Helvetica findfont dup length dict begin{1 index/FID ne{def}"
                     "{pop pop}ifelse}forall\n/Encoding ISOLatin1Encoding def currentdict end/Written exch definefont "
                     "pop\n");
+  } else if (pen->language == HSP_FORMAT_PDF) {
+    text_buffer_add(pen->out, "q .75 0 0 .75 0 0 cm 1 J 1 j\n");
   } else {
     text_buffer_add(pen->out,
                     "<g font-family=\"Helvetica,Arial,sans-serif\" stroke-linecap=\"round\" "
@@ -29,14 +44,19 @@ void pen_begin(const struct pen *pen) {
 }
 
 void pen_end(const struct pen *pen) {
-  text_buffer_add(pen->out, pen->postscript ? "grestore\n" : "</g>\n");
+  static const char *const ends[] = {"</g>\n", "grestore\n", "Q\n"};
+  text_buffer_add(pen->out, "%s", ends[pen->language]);
 }
 
 void pen_line(const struct pen *pen, const double from[2], const double to[2], double width, uint32_t colour) {
-  if (pen->postscript) {
-    put_colour(pen, colour);
+  if (pen->language == HSP_FORMAT_EPS) {
+    put_colour(pen, colour, "setrgbcolor");
     text_buffer_add(pen->out, "%.3f setlinewidth %.2f %.2f moveto %.2f %.2f lineto stroke\n", width, from[0],
                     pen->height - from[1], to[0], pen->height - to[1]);
+  } else if (pen->language == HSP_FORMAT_PDF) {
+    put_colour(pen, colour, "RG");
+    text_buffer_add(pen->out, "%.3f w %.2f %.2f m %.2f %.2f l S\n", width, from[0], pen->height - from[1], to[0],
+                    pen->height - to[1]);
   } else {
     text_buffer_add(pen->out, "<path stroke=\"#%06" PRIx32 "\" stroke-width=\"%.3f\" d=\"M%.2f %.2fL%.2f %.2f\"/>\n",
                     colour, width, from[0], from[1], to[0], to[1]);
@@ -44,14 +64,15 @@ void pen_line(const struct pen *pen, const double from[2], const double to[2], d
 }
 
 void pen_rectangle(const struct pen *pen, const double corner[2], double width, double height, uint32_t colour) {
-  if (pen->postscript) {
-    put_colour(pen, colour);
-    text_buffer_add(pen->out, "%.2f %.2f %.2f %.2f rectfill\n", corner[0], pen->height - corner[1] - height, width,
-                    height);
-  } else {
+  if (pen->language == HSP_FORMAT_SVG) {
     text_buffer_add(pen->out, "<rect x=\"%.2f\" y=\"%.2f\" width=\"%.2f\" height=\"%.2f\" fill=\"#%06" PRIx32 "\"/>\n",
                     corner[0], corner[1], width, height, colour);
+    return;
   }
+  const bool postscript = pen->language == HSP_FORMAT_EPS;
+  put_colour(pen, colour, postscript ? "setrgbcolor" : "rg");
+  text_buffer_add(pen->out, "%.2f %.2f %.2f %.2f %s\n", corner[0], pen->height - corner[1] - height, width, height,
+                  postscript ? "rectfill" : "re f");
 }
 
 static bool is_ring(const char *c) {
@@ -59,16 +80,16 @@ static bool is_ring(const char *c) {
 }
 
 static bool is_shown(char c) {
-  return ' ' <= c && c <= '~';
+  return FIRST <= c && c <= LAST;
 }
 
 static void put_string(const struct pen *pen, const char *text) {
   for (const char *c = text; *c != '\0'; ++c) {
     const char one[2] = {*c, '\0'};
     if (is_ring(c)) {
-      text_buffer_add(pen->out, "%s", pen->postscript ? ring_of_postscript : ring);
+      text_buffer_add(pen->out, "%s", pen->language == HSP_FORMAT_SVG ? ring : ring_in_string);
       ++c;
-    } else if (is_shown(*c) && pen->postscript) {
+    } else if (is_shown(*c) && pen->language != HSP_FORMAT_SVG) {
       text_buffer_add(pen->out, "%s%s", strchr("()\\", *c) != NULL ? "\\" : "", one);
     } else if (is_shown(*c)) {
       text_buffer_add_xml(pen->out, one);
@@ -82,15 +103,46 @@ static void write_postscript(const struct pen *pen, const struct pen_text *text)
   put_string(pen, text->text);
   text_buffer_add(pen->out, ")\ndup stringwidth pop %.3g mul 0 rmoveto gsave %.3f setlinewidth\n", -text->anchor,
                   text->size / 5.0);
-  put_colour(pen, text->seam);
+  put_colour(pen, text->seam, "setrgbcolor");
   text_buffer_add(pen->out, "dup true charpath stroke grestore\n");
-  put_colour(pen, text->colour);
+  put_colour(pen, text->colour, "setrgbcolor");
   text_buffer_add(pen->out, "show\n");
 }
 
+/* In Helvetica. */
+static double exact_width(const char *text, double size) {
+  double width = 0.0;
+  for (const char *c = text; *c != '\0'; ++c) {
+    if (is_ring(c)) {
+      width += WIDTH_OF_RING;
+      ++c;
+    } else if (is_shown(*c)) {
+      width += widths[*c - FIRST];
+    }
+  }
+  return width / 1000.0 * size;
+}
+
+/* The outlines of the letters, then the letters. */
+static void write_pdf(const struct pen *pen, const struct pen_text *text) {
+  const double x = text->x - text->anchor * exact_width(text->text, text->size);
+  put_colour(pen, text->seam, "RG");
+  put_colour(pen, text->colour, "rg");
+  for (int seam = 1; seam >= 0; --seam) {
+    if (seam == 1) text_buffer_add(pen->out, "%.3f w\n", text->size / 5.0);
+    text_buffer_add(pen->out, "BT /F1 %.3f Tf %d Tr %.2f %.2f Td (", text->size, seam, x, pen->height - text->y);
+    put_string(pen, text->text);
+    text_buffer_add(pen->out, ") Tj ET\n");
+  }
+}
+
 void pen_write(const struct pen *pen, const struct pen_text *text) {
-  if (pen->postscript) {
+  if (pen->language == HSP_FORMAT_EPS) {
     write_postscript(pen, text);
+    return;
+  }
+  if (pen->language == HSP_FORMAT_PDF) {
+    write_pdf(pen, text);
     return;
   }
   const char *const anchor = text->anchor < 0.25 ? "start" : text->anchor < 0.75 ? "middle" : "end";

@@ -1,16 +1,16 @@
-/* Text, lines and rectangles over a picture, as SVG or PostScript. Coordinates are px from the upper left corner. */
+/* Text, lines and rectangles over a picture, as SVG, PostScript or operators of PDF. Coordinates are px from the upper
+ * left corner. */
 #ifndef HARDSPHERE_TOOL_PEN_H
 #define HARDSPHERE_TOOL_PEN_H
 
-#include <stdbool.h>
 #include <stdint.h>
 
 #include "text_buffer.h"
 
 struct pen {
   struct text_buffer *out;
-  bool postscript;
-  double height; /* of the page */
+  uint32_t language; /* HSP_FORMAT_* */
+  double height;     /* of the page */
 };
 
 /* Before and after everything else. */
@@ -24,7 +24,8 @@ void pen_rectangle(const struct pen *pen, const double corner[2], double width, 
 
 /* A text on a line at (x, y), which begins there with anchor 0, has its middle there with .5 and ends there with 1.
  * Around its letters lies a seam, so that it is read over anything. Of an angstrom's sign (in UTF-8) and of ASCII it
- * shows all characters, of others none. */
+ * shows all characters, of others none. In PDF the font is Helvetica, one of the fonts that every reader has, named as
+ * the library's files do. */
 struct pen_text {
   const char *text;
   double x, y, size, anchor;

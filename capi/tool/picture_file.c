@@ -5,12 +5,13 @@
 
 #include "geometry.h"
 #include "output_file.h"
+#include "pdf_update.h"
 
 /* How often progress is shown. */
 enum { BYTES_A_STEP = 1000000 };
 
-/* How files end after all that is drawn. */
-static const char *const ends[] = {"</svg>\n", "showpage\n%%Trailer\nrestore end\n%%EOF\n"};
+/* How files end after all that is drawn; of .pdf, where its table is. */
+static const char *const ends[] = {"</svg>\n", "showpage\n%%Trailer\nrestore end\n%%EOF\n", NULL};
 enum { MOST_BYTES_OF_END = 64 };
 
 struct sink {
@@ -35,13 +36,24 @@ static bool put(struct sink *sink, const char *bytes, size_t count) {
   return true;
 }
 
-/* What is written over the picture comes before the end of the file. */
-static void end(struct sink *sink, const char *over, uint64_t *bytes) {
-  const size_t count = over != NULL ? strlen(over) : 0;
+/* What is written over the picture comes before the end of the file, and in .pdf behind it. */
+static bool end(struct sink *sink, const struct picture *picture, uint64_t *bytes, struct failure *failure) {
+  if (picture->options.format == HSP_FORMAT_PDF && picture->over != NULL) {
+    struct text_buffer update = TEXT_BUFFER_EMPTY;
+    bool made = pdf_update_make(picture->over, picture->page, sink->kept, sink->held, *bytes, &update);
+    if (made && output_file_write(sink->file, sink->kept, sink->held)) {
+      output_file_write(sink->file, update.text, update.length);
+    }
+    *bytes += update.length;
+    text_buffer_free(&update);
+    return made || failure_of_memory(failure);
+  }
+  const size_t count = picture->over != NULL ? strlen(picture->over) : 0;
   *bytes += count;
-  if (count == 0 || output_file_write(sink->file, over, count)) {
+  if (count == 0 || output_file_write(sink->file, picture->over, count)) {
     output_file_write(sink->file, sink->kept, sink->held);
   }
+  return true;
 }
 
 static int32_t take(void *context, const char *bytes, size_t count) {
@@ -72,15 +84,25 @@ bool picture_file_write(const struct picture *picture, const char *path, const s
   struct output_file file;
   if (!output_file_open(&file, path, failure)) return false;
   struct sink sink = {.file = &file, .progress = progress};
-  if (picture->over != NULL) sink.keep = strlen(ends[picture->options.format]);
+  if (picture->over != NULL) {
+    const char *const after = ends[picture->options.format];
+    sink.keep = after != NULL ? strlen(after) : MOST_BYTES_OF_END;
+  }
   hsp_picture_options options = picture->options;
-  /* Without memory the file is correct, and larger. */
+  /* Without memory the file is correct, and larger; but what is written over it needs its kind of table. */
   void *memory = options.format == HSP_FORMAT_PDF ? malloc(HSP_PICTURE_MEMORY) : NULL;
+  if (options.format == HSP_FORMAT_PDF && picture->over != NULL && memory == NULL) {
+    output_file_abandon(&file);
+    return failure_of_memory(failure);
+  }
   options.memory = HSP_ADDRESS(memory);
   options.memory_bytes = memory != NULL ? HSP_PICTURE_MEMORY : 0;
   const int32_t status = write_picture(picture, &options, &sink, bytes);
   free(memory);
-  if (status == HSP_OK) end(&sink, picture->over, bytes);
+  if (status == HSP_OK && !end(&sink, picture, bytes, failure)) {
+    output_file_abandon(&file);
+    return false;
+  }
   if (status == HSP_OK || status == HSP_E_SINK) return output_file_finish(&file, failure);
   output_file_abandon(&file);
   return failure_in_library(failure, status);

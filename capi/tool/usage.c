@@ -398,7 +398,7 @@ static const char draw_looks_text[] =
     "  --scale-bar            a length to compare with\n"
     "  --legend               which colour stands for which element or chain, or number\n"
     "                         These three make the molecule smaller, so that they have room, but not in a picture\n"
-    "                         with --scale or --crop; they are for .svg and .eps\n"
+    "                         with --scale or --crop\n"
     "  --title TEXT           the title in the file; default the name of FILE\n"
     "  --water                draw water too; it is left out unless there is nothing else\n"
     "  --pieces g|h|visible   cut balls by farther ones, or by all others, which leaves seams; default g. visible:\n"

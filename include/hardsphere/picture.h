@@ -14,7 +14,9 @@
  *         stand inline in one page
  *   EPS   arcs of the unit circle under a matrix: exact
  *   PDF   cubic pieces of at most 90 degrees: within .01 px of the arc, besides being rounded to that; to a ten
- *         thousandth of the longer side on pages of less than 100 px
+ *         thousandth of the longer side on pages of less than 100 px. Of its objects, 1 is the catalogue, 3 the page
+ *         and 5 its contents, which leave the graphics state as it is; its resources, 4, have Helvetica with
+ *         WinAnsiEncoding as /F1, for texts that an incremental update adds, the first object of which may be 11
  * An ellipse whose lesser semi-axis is below an eighth of the width of the lines, and below 0.2 px, is drawn as a line,
  * which it nearly is: along flatter ellipses many a renderer breaks the stroke. Without lines the bound is 1e-4 px.
  */

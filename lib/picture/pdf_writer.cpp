@@ -112,7 +112,8 @@ class PdfWriter {
   }
 
   void put_resources() {
-    sink_.put("<</ProcSet[/PDF]");
+    sink_.put(
+        "<</ProcSet[/PDF/Text]/Font<</F1<</Type/Font/Subtype/Type1/BaseFont/Helvetica/Encoding/WinAnsiEncoding>>>>");
     if (paint_.shades() > 0) {
       sink_.put("/Shading<<\n");
       for (uint32_t s = 0; s < paint_.shades(); ++s) put_shade(s);
@@ -147,6 +148,7 @@ class PdfWriter {
   // to be exact. What belongs to a ball is written from its centre on, since what is alike is then written alike.
   void put_contents() {
     const int fine = decimals_ + 4;
+    sink_.put("q\n");
     put_decimal(sink_, points_per_px / power_of_ten[decimals_], fine);
     sink_.put(" 0 0 ");
     put_decimal(sink_, points_per_px / power_of_ten[decimals_], fine);
@@ -184,6 +186,7 @@ class PdfWriter {
       if (put_path(p, PathPart::lines)) sink_.put("S\n");
       sink_.put("Q\n");
     }
+    sink_.put("Q\n");
   }
 
   void put_whole(int64_t n) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
@@ -261,10 +262,81 @@ TEST(Annotations, HaveRoom) {
   }
 }
 
+// An object of a file that has been updated, by the table of the update or, if that does not have it, by that before.
+size_t place_of(const std::string &pdf, const std::string &table_of_update, int object) {
+  // One line for each of the objects 3, 11 and 12: in use, place, generation.
+  const size_t line = table_of_update.find("\nstream\n") + 8 + 23 * (object == 3 ? 0U : object == 11 ? 1U : 2U);
+  EXPECT_EQ(table_of_update.substr(line, 2), "01");
+  EXPECT_EQ(table_of_update.substr(line + 18, 5), "0000\n");
+  const size_t place = std::stoul(table_of_update.substr(line + 2, 16), nullptr, 16);
+  const std::string head = std::to_string(object) + " 0 obj\n";
+  EXPECT_EQ(pdf.substr(place, head.size()), head);
+  return place;
+}
+
+TEST(Annotations, AreAnUpdateOfPdfFiles) {
+  const std::string caffeine = molecules_folder() + "/caffeine.pdb";
+  const std::string pdf = drawn(caffeine, {"--label", "atom", "--scale-bar", "--legend"}, ".pdf");
+  const size_t first_end = pdf.find("%%EOF\n");
+  ASSERT_NE(first_end, std::string::npos);
+  const std::string before = pdf.substr(0, first_end + 6);
+  const std::string old_table = word_after(before, "\nstartxref\n", "\n");
+  const size_t start = std::stoul(word_after(pdf.substr(before.size()), "\nstartxref\n", "\n"));
+  const std::string table = pdf.substr(start);
+  EXPECT_EQ(table.rfind("12 0 obj\n<</Type/XRef/Size 13/Index[3 1 11 2]/W[1 8 2]/Root 1 0 R/Info 7 0 R/Prev " +
+                            old_table + "/Filter/ASCIIHexDecode/Length 70>>\nstream\n",
+                        0),
+            0U)
+      << table;
+  EXPECT_EQ(word_after(table, "stream\n", "endstream").size(), 71U);
+  EXPECT_EQ(place_of(pdf, table, 12), start);
+  const std::string page = pdf.substr(place_of(pdf, table, 3));
+  EXPECT_EQ(page.find("<</Type/Page/Parent 2 0 R/Resources 4 0 R/Contents[5 0 R 11 0 R]/MediaBox[0 0 "), 8U);
+  EXPECT_NEAR(number_after(page, "/MediaBox[0 0 "), number_after(before, "/MediaBox[0 0 "), 1e-6);
+  EXPECT_NEAR(std::stod(word_after(word_after(page, "/MediaBox[0 0 ", "]"), " ", "]")),
+              std::stod(word_after(word_after(before, "/MediaBox[0 0 ", "]"), " ", "]")), 1e-6);
+  const std::string over = pdf.substr(place_of(pdf, table, 11));
+  const auto length = static_cast<size_t>(number_after(over, "<</Length "));
+  EXPECT_EQ(over.substr(over.find("stream\n") + 7 + length, 11), "\nendstream\n");
+  EXPECT_NE(over.find("\\305) Tj"), std::string::npos);
+  if (std::system("command -v pdftotext >/dev/null 2>&1") != 0) GTEST_SKIP() << "pdftotext is missing";
+  const TemporaryFile written("labels.pdf", pdf);
+  const TemporaryFile text("labels.txt", "");
+  ASSERT_EQ(std::system(("pdftotext -enc UTF-8 " + written.path() + " " + text.path()).c_str()), 0);
+  const std::string found = read_file(text.path());
+  for (const char *label : {"C10", "N1", "O13", "H142", "2\xC3\x85"}) {
+    EXPECT_NE(found.find(label), std::string::npos) << label << " is not in " << found;
+  }
+}
+
+// Where SVG has the middle of a text, or its end, PDF begins that much to the left of it: widths of Helvetica.
+TEST(Annotations, TextsInPdfAreWhereSvgHasThem) {
+  const std::string caffeine = molecules_folder() + "/caffeine.pdb";
+  const std::vector<std::string> options = {"--label", "atom", "--width", "500", "--height", "400", "--unit", "px"};
+  const std::string svg = drawn(caffeine, options);
+  const std::string pdf = drawn(caffeine, options, ".pdf");
+  const std::map<char, double> widths = {{'C', 0.722}, {'H', 0.722}, {'N', 0.722}, {'O', 0.778}};
+  for (const Text &text : texts_of(svg)) {
+    const double width = (widths.at(text.text[0]) + 0.556 * static_cast<double>(text.text.size() - 1)) * text.size;
+    const double x = text.x - (text.anchor == "middle" ? 0.5 : text.anchor == "end" ? 1.0 : 0.0) * width;
+    char expected[128];
+    std::snprintf(expected, sizeof expected, "BT /F1 %.3f Tf 0 Tr ", text.size);
+    size_t at = pdf.find('(' + text.text + ") Tj");
+    at = pdf.find('(' + text.text + ") Tj", at + 1);  // the first one is the seam
+    ASSERT_NE(at, std::string::npos) << text.text;
+    const size_t line = pdf.rfind('\n', at) + 1;
+    EXPECT_EQ(pdf.substr(line, std::string(expected).size()), expected);
+    double found[2];
+    ASSERT_EQ(std::sscanf(pdf.c_str() + line + std::string(expected).size(), "%lf %lf Td", &found[0], &found[1]), 2);
+    EXPECT_NEAR(found[0], x, 0.02) << text.text;
+    EXPECT_NEAR(found[1], 400 - text.y, 0.02) << text.text;
+  }
+  EXPECT_GE(texts_of(svg).size(), 15U);
+}
+
 TEST(Annotations, Refusals) {
   const std::string caffeine = molecules_folder() + "/caffeine.pdb";
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
-      {{"draw", caffeine, "-o", "none/x.pdf", "--label", "atom"}, "are for .svg and .eps files"},
       {{"draw", caffeine, "-o", "none/x.svg", "--label", "name"}, "atom, residue or chain"},
       {{"draw", crambin(), "-o", "none/x.svg", "--legend", "--colour", "residue"}, "--legend is for colours"},
       {{"draw", "good/water.xyz", "-o", "none/x.svg", "--label", "chain"}, "the file names no residues"},

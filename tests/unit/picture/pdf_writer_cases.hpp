@@ -12,7 +12,8 @@ constexpr FileParts pdf_parts[] = {
       "\n.0075 0 0 .0075 0 0 cm 1 j 150 w\n"},
      {"/Title", "/Subject", "/Shading"}},
     {an_inch,
-     {"/MediaBox[0 0 72 72]", "rg 0 0 96001 96001 re f\n", "\n.00075 0 0 .00075 0 0 cm 1 j 96000 w\n", "h\nB\n"},
+     {"/Font<</F1<</Type/Font/Subtype/Type1/BaseFont/Helvetica/Encoding/WinAnsiEncoding>>>>",
+      "rg 0 0 96001 96001 re f\n", "\n.00075 0 0 .00075 0 0 cm 1 j 96000 w\n", "h\nB\n"},
      {"/Title", "/Subject", "h\nf\n"}},
     {escaped_texts,
      {"/Title<FEFF0061002800620029005C006300E9>", "/Subject<FEFF00310020002800320029000A0033>", "0 1 .498 rg\n",
@@ -74,7 +75,7 @@ inline uint32_t curves_along_circles() {
     const PictureText &text = text_of_one_ball(hsp::write_pdf, {width, false, true, false, 0, nullptr, nullptr});
     TextReader reader(text.text);
     double unit, matrix[6], first[2], from[2], c[6], total = 0;
-    if (!reader.find("endobj\n5 0 obj") || !reader.find("stream\n") || !reader.number(unit)) return false;
+    if (!reader.find("endobj\n5 0 obj") || !reader.find("stream\nq\n") || !reader.number(unit)) return false;
     unit /= 0.75;
     if (!(unit <= width / 1e4 * (1 + 1e-9)) || unit > 0.0100001) return false;
     const double r = width / 2 / 1.06 / unit;  // the margin is .03 of the width
@@ -153,7 +154,7 @@ inline uint32_t pdf_paints_the_farthest_first() {
       if (rgb[k] != channels[ball][k]) return 2 + ball;
     }
   }
-  return reader.take("Q\nendstream") ? all_hold : 6;
+  return reader.take("Q\nQ\nendstream") ? all_hold : 6;
 }
 
 // A shading for each colour, and for each ball its path, the shading on its disc, and its line.
@@ -179,10 +180,10 @@ inline uint32_t pdf_shades() {
       if (!reader.find("/C1[") || !reader.numbers(end)) return false;
     }
     for (const uint32_t ball : farthest_first) {
-      double place[6], matrix[6], shade;
-      if (!reader.find("q") || !reader.numbers(place) || !reader.take(" cm\n")) return false;
-      if (!near(place[4], 200 * (staggered[ball].x + 10), 1)) return false;
-      if (!near(place[5], 200 * (staggered[ball].y + 10), 1)) return false;
+      double place[2], matrix[6], shade;
+      if (!reader.find("q 1 0 0 1") || !reader.numbers(place) || !reader.take(" cm\n")) return false;
+      if (!near(place[0], 200 * (staggered[ball].x + 10), 1)) return false;
+      if (!near(place[1], 200 * (staggered[ball].y + 10), 1)) return false;
       if (!reader.find("q\n") || !reader.find("h\nW n") || !reader.numbers(matrix) || !reader.take(" cm /S"))
         return false;
       if (!reader.number(shade) || shade != colour[ball] - 7 || !reader.take(" sh Q\n")) return false;
@@ -190,7 +191,8 @@ inline uint32_t pdf_shades() {
       if (matrix[4] != 0 || matrix[5] != 0) return false;
       if (!reader.find("h\nS\n")) return false;
     }
-    return text.count("\nq\n") == 4 && text.count(" Q\n") == 4 && text.count("\nQ\n") == 4;
+    // And one around all of it.
+    return text.count("\nq\n") == 5 && text.count(" Q\n") == 4 && text.count("\nQ\n") == 5;
   });
 }
 
