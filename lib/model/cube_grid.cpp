@@ -7,7 +7,7 @@ namespace hsp {
 namespace {
 
 // Balls of a large set are far from each other in the order of the input, and on their way while others are rounded.
-constexpr uint32_t fetched_ahead = 12;
+constexpr uint32_t input_balls_ahead = 12;
 
 // Balls on a lattice, as BallRounding gives those of an input: in the caller's order, or from places in a set.
 struct GivenBalls {
@@ -125,7 +125,7 @@ void CubeGrid::put(const Source &source, const CubeAxis &axis, BallRange part, S
   exact::LatticeBall ball;
   const uint32_t cubes_before = table_.count();
   for (uint32_t k = 0; k < order.size(); ++k) {
-    if (!small_code && k + fetched_ahead < order.size()) source.fetch(part.first + order[k + fetched_ahead]);
+    if (!small_code && k + input_balls_ahead < order.size()) source.fetch(part.first + order[k + input_balls_ahead]);
     const uint32_t input = part.first + order[k];
     const uint32_t place = part.first + k;
     static_cast<void>(source.round(input, ball));

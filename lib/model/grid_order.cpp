@@ -139,7 +139,7 @@ struct PlacesInSpace {
 };
 
 // Balls of a large set are far from each other in the order of the grid. Those to be compared are on their way before.
-constexpr uint32_t fetched_ahead = 16;
+constexpr uint32_t compared_balls_ahead = 16;
 
 // So many slices of a cube leave few balls to be compared with each other.
 constexpr uint32_t enough_slice_bits = 4;
@@ -175,7 +175,7 @@ Span<uint32_t> grid_order(const BallSet &balls, const CubeAxis &axis, const Grid
     __builtin_prefetch(&balls.x[order[same ? k : 0]]);
   };
   for (uint32_t k = 1; k < balls.n; ++k) {
-    if (k + fetched_ahead < balls.n) fetch_if_same(k + fetched_ahead);
+    if (k + compared_balls_ahead < balls.n) fetch_if_same(k + compared_balls_ahead);
     if (!same_place(k - 1, k) || balls.x[order[k - 1]] < balls.x[order[k]]) continue;
     uint32_t first = k - 1;
     while (first > 0 && same_place(first - 1, k)) --first;
