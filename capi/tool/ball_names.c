@@ -8,6 +8,13 @@
 /* No class and no title is longer. */
 enum { NAME_BYTES = 64 };
 
+/* Names of mmCIF may have blanks, which would end a class. */
+static void join_words(char *text) {
+  for (; *text != '\0'; ++text) {
+    if (*text == ' ' || *text == '\t') *text = '_';
+  }
+}
+
 static void put_class(char *out, const struct atom_label *label) {
   const char *const words[3][2] = {
       {"el-", label->element.text}, {"res-", label->residue.name}, {"chain-", label->residue.chain}};
@@ -15,7 +22,10 @@ static void put_class(char *out, const struct atom_label *label) {
   out[0] = '\0';
   for (int k = 0; k < 3; ++k) {
     if (words[k][1][0] == '\0') continue;
-    used += (size_t)snprintf(out + used, NAME_BYTES - used, "%s%s%s", used > 0 ? " " : "", words[k][0], words[k][1]);
+    if (used > 0) out[used++] = ' ';
+    char *const class_name = out + used;
+    used += (size_t)snprintf(class_name, NAME_BYTES - used, "%s%s", words[k][0], words[k][1]);
+    join_words(class_name);
   }
 }
 

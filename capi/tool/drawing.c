@@ -171,7 +171,7 @@ static bool take_ink_width(struct option_reader *reader, const char *value, stru
   double *const width = drawing->ink_width;
   if (!option_value(reader, "--ink-width", &value, "a number or three")) return false;
   if (width[0] >= 0.0) return twice(reader, "--ink-width");
-  const bool three = strchr(value, ',') != NULL;
+  const bool three = strpbrk(value, ", \t") != NULL;
   if (three ? !option_numbers(reader, "--ink-width", value, "BGD", width)
             : !option_number(reader, "--ink-width", value, width)) {
     return false;

@@ -45,8 +45,10 @@ void look_apply(struct drawing *drawing) {
   const struct look *look = &looks[drawing->look];
   const bool of_sticks = drawing_is_of_sticks(drawing);
   choose(&drawing->style, look->style);
-  /* Without a background nobody knows what far balls would have to fade to. */
-  if (drawing->background != DRAWING_NO_BACKGROUND) choose_number(&drawing->fog, look->fog);
+  /* Without a background nobody knows what far balls would have to fade to, unless it is said. */
+  if (drawing->background != DRAWING_NO_BACKGROUND || drawing->fog_colour >= 0) {
+    choose_number(&drawing->fog, look->fog);
+  }
   choose(&drawing->background, look->background);
   choose(&drawing->outline_colour, look->outline_colour);
   for (int level = 0; level < INK_LEVELS; ++level) choose(&drawing->ink_colour[level], look->ink_colour);

@@ -70,7 +70,7 @@ static void make_room(const struct drawing *drawing, const hsp_view_info *view, 
   const double column = drawing->label >= 0 ? column_letters * letter : 0.0;
   const double strip = drawing->scale_bar || drawing->legend ? strip_letters * letter : 0.0;
   if (options->width > 0.0) options->width -= 2.0 * column;
-  if (options->height > 0.0) options->height = clamped(options->height - strip);
+  if (options->height > 0.0) options->height = clamped(options->height - ceil(strip));
   find_size(view, options);
   const double part[4] = {-column, 0.0, options->width + 2.0 * column, options->height + ceil(strip)};
   crop(part, view, options);

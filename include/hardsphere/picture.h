@@ -66,7 +66,7 @@ typedef struct hsp_picture_options {
   uint32_t struct_size; /**< sizeof(hsp_picture_options) */
   uint32_t format;      /**< HSP_FORMAT_*; default SVG */
   uint32_t style;       /**< HSP_STYLE_*; default flat */
-  uint32_t unit;        /**< HSP_UNIT_* of width, height and outline; default px */
+  uint32_t unit;        /**< HSP_UNIT_* of width, height, outline and ink_width; default px */
   double width;         /**< of the picture; 0: follows from height; less than 0.01 counts as 0.01; default 1000 */
   double height;        /**< likewise, from width; default 0 */
   double margin;        /**< around the balls, as a part of the larger side of their box, in [0, 10]; default 0.03. Of
@@ -83,7 +83,7 @@ typedef struct hsp_picture_options {
   double centre[3]; /**< of a fixed frame: the point in space in its middle, length; default 0 0 0. Without a scale it
                                 has to be that */
   uint64_t memory;  /**< HSP_ADDRESS of scratch memory of any alignment, with which PDF is compressed (Deflate) to a
-                                third to a sixth of its size; default 0: it is not. Of no effect on other formats. A
+                                third to a seventh of its size; default 0: it is not. Of no effect on other formats. A
                                 number, so that the struct is the same on every machine */
   uint64_t memory_bytes; /**< of memory, HSP_PICTURE_MEMORY or more; default 0, as it has to be without memory */
   uint64_t ink;   /**< HSP_ADDRESS of a computed map of the same model from the same direction, with which contours are
@@ -163,8 +163,8 @@ HSP_API int32_t hsp_picture_write(hsp_view *view, const uint32_t *colour, const 
  *                 silhouette and where it is the nearer one of a crease, follow each other. SVG: without data-ball, and
  *                 whoever clicks on them clicks on what is below
  *    fitted size  what is seen of the balls has the same box as in a view
- *  Coordinates are rounded as in pictures of views, in SVG to 0.01 px or less on pages of up to 1000 px: by so much
- *  neighbours may overlap or leave a gap. Of a map whose balls were moved (hsp_map_info) it shows the moved ones.
+ *  Coordinates are rounded as in pictures of views, in SVG to 0.01 px or less on pages of up to 1000 px, in styles with
+ *  light to 0.03 px: by so much neighbours may overlap or leave a gap. Of a map whose balls were moved (hsp_map_info) it shows the moved ones.
  *  Uses the map's scratch memory, hence not const; results stay valid.
  *  - Property 1: the same bytes for every order of the balls, up to their indices. (Of balls that are equal
  *    in centre and radius the first one counts, with its colour.)

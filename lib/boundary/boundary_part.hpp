@@ -25,7 +25,8 @@ class BoundaryPart {
   // A ball that stands around is inside others if this one is.
   void take_state(uint32_t ball, uint32_t from) { arrays().ball_state[ball] = arrays().ball_state[from]; }
   // With a grid, after it is built: the balls of the set, where each that was asked for is joined to all that meet it.
-  // Each has its representative as parent.
+  // One inside others is joined to one of these, which whatever meets it meets, too. Each has its representative as
+  // parent.
   Span<const uint32_t> join_components(const CubeGrid &grid);
   // [loops]
   Span<uint32_t> scratch() { return scratch_; }

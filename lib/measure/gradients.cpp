@@ -1,6 +1,7 @@
 #include "measure/gradients.hpp"
 
 namespace hsp {
+
 void WeightedAreas::add(ArcBatch &batch) {
   if (batch.any_touching) [[unlikely]]
     take_out_uncounted(batch);

@@ -220,7 +220,8 @@ class SvgWriter {
   }
   // Where groups do not say it.
   void put_own_stroke(uint32_t level) {
-    if (ink_.is_drawn() && paint_.lines_along()) put_paint(" stroke", paint_.line_colour(level));
+    const bool groups_say_it = paint_.flat() && !ink_.is_drawn();
+    if (paint_.lines_along() && !groups_say_it) put_paint(" stroke", paint_.line_colour(level));
   }
 
   void put_flat(uint32_t path, uint32_t level) {
@@ -384,7 +385,6 @@ class SvgWriter {
     });
   }
 
-  // Whoever clicks on ink clicks on the ball below.
   void put_ink(uint32_t path) {
     static constexpr const char *class_of[] = {"border", "group", "depth"};
     for (const InkLevel level : ink_levels) {

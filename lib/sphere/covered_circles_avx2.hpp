@@ -6,10 +6,10 @@
 // of the circle's point at angle t in the other cap is d(t) = A + X cos t + Y sin t with A = b u.v - c, X = r E.v and
 // Y = r F.v. It is known to within 1024 e (e = 2^-24, first order):
 //   A        73, as in cap_pair_bounds.hpp
-//   E, F     u has a length within 11 of 1 and is 11 from the true one; below, 1 / (1 + |z|) is known to 3 and no sum
-//            is above 2, so that 13 more are ample:                                                              24
+//   E, F     u has a length within 11 of 1 and is 11 from the true one; they turn with u no more than three times as
+//            far; 1 / (1 + |z|) is known to 3:                                                                   36
 //   r        for 1 - b^2 > 2^-8, so that r > 2^-4: 57 / (2 r) + 1 < 457
-//   X, Y     457 + 24 + 11 by v + 4 by the sums < 500; |X cos t + Y sin t| at eighths of a turn: 708 + 4
+//   X, Y     457 + 36 + 11 by v + 4 by the sums < 512; |X cos t + Y sin t| at eighths of a turn: 725 + 4
 //
 // If d exceeds a margin at both ends of an arc and its least value is at one of them, the arc lies inside the cap. The
 // least value is between the ends only if the direction t where X cos t + Y sin t = -B, B its largest value, is; then

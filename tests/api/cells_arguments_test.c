@@ -200,6 +200,17 @@ static void one_ball(void) {
   }
 }
 
+/* Two balls of nearly the largest radius on the lattice, which has steps of 1e-9 here: one reaches over the face of its
+ * cube, the other over the face of one two cubes on. Their squared distances from cubes need 64 bits without a sign. */
+static void large_balls(void) {
+  static const double xyz[6] = {1.050001, 1.05, 1.05, 5.250005, 1.05, 1.05}, radius[2] = {1.05, 1.05};
+  CHECK_EQUAL(hsp_model_set(model, 2, xyz, radius, NULL, NULL), HSP_OK);
+  check_has_results();
+  CHECK(counts.cubes == 12 && counts.regions == 1);
+  CHECK(cell_at(1.05, 1.05, 1.05) == HSP_NONE && cell_at(5.25, 1.05, 1.05) == HSP_NONE);
+  CHECK(cell_at(3.15, 1.05, 1.05) != HSP_NONE);
+}
+
 /* A closed cage: what is in it is a region of its own, and it is open once one ball is away. */
 static void cage(void) {
   double xyz[3 * CAGE], radius[CAGE];
@@ -312,6 +323,7 @@ int main(void) {
   sizes();
   computing();
   one_ball();
+  large_balls();
   cage();
   checking();
   arrangement();

@@ -446,6 +446,18 @@ TEST(DrawColours, LooksArePresets) {
   EXPECT_NE(refused.err.find("--look"), std::string::npos);
 }
 
+// Sticks have no light, and lines of their own between balls that have it.
+TEST(DrawColours, SticksHaveLinesBesideBallsWithLight) {
+  const std::string sticks =
+      drawn(molecules_folder() + "/caffeine.pdb", {"--as", "ball-and-stick", "--style", "soft", "--outline", "2"});
+  size_t paths = 0;
+  for (size_t at = sticks.find("<path data-ball="); at != std::string::npos;
+       at = sticks.find("<path data-ball=", at + 1), ++paths) {
+    EXPECT_NE(sticks.substr(at, sticks.find('\n', at) - at).find(" stroke=\"#"), std::string::npos);
+  }
+  EXPECT_GT(paths, 25u);
+}
+
 // Elements, residues and chains as classes, with ids in the place of data-ball, and names beside the pointer.
 TEST(DrawColours, ClassesAndTooltips) {
   const std::string plain = drawn(crambin(), {});
