@@ -6,9 +6,9 @@
 namespace hsp {
 namespace {
 
-// Along one axis, the square of how far a position is from a cube. The centre of a ball of radius r < 2^30 is no farther
-// than r from cubes that the ball meets, and 3 r from one beside such a cube: squares are below 9 * 2^60, and their
-// sums over the axes below 11 * 2^60.
+// Along one axis, the square of how far a position is from a cube. The centre of a ball of radius r < 2^30 is at most r
+// from cubes that the ball meets, and 3 r from one beside such a cube: squares are below 9 * 2^60, and their sums over
+// the axes below 11 * 2^60.
 uint64_t squared_gap(int64_t position, int64_t cube, int64_t side) {
   const int64_t before = cube * side - position, behind = -side - before;
   const int64_t gap = (before > 0 ? before : 0) + (behind > 0 ? behind : 0);
