@@ -164,7 +164,8 @@ HSP_API int32_t hsp_picture_write(hsp_view *view, const uint32_t *colour, const 
  *                 whoever clicks on them clicks on what is below
  *    fitted size  what is seen of the balls has the same box as in a view
  *  Coordinates are rounded as in pictures of views, in SVG to 0.01 px or less on pages of up to 1000 px, in styles with
- *  light to 0.03 px: by so much neighbours may overlap or leave a gap. Of a map whose balls were moved (hsp_map_info) it shows the moved ones.
+ *  light to 0.03 px: by so much neighbours may overlap or leave a gap. Of a map whose balls were moved (hsp_map_info)
+ *  it shows the moved ones.
  *  Uses the map's scratch memory, hence not const; results stay valid.
  *  - Property 1: the same bytes for every order of the balls, up to their indices. (Of balls that are equal
  *    in centre and radius the first one counts, with its colour.)
