@@ -3087,7 +3087,7 @@ contains
   pure function hsp_worker_bytes_bound(balls, neighbours, vertices, circles) result(bytes)
     integer(c_int32_t), intent(in) :: balls, neighbours, vertices, circles
     integer(c_size_t) :: bytes
-    bytes = 8192_c_size_t + 16_c_size_t*int(balls, c_size_t) + 256_c_size_t*int(neighbours, c_size_t) &
+    bytes = 13312_c_size_t + 16_c_size_t*int(balls, c_size_t) + 416_c_size_t*int(neighbours, c_size_t) &
             + 16_c_size_t*int(vertices, c_size_t) + 16_c_size_t*int(circles, c_size_t)
   end function
 

@@ -56,8 +56,8 @@ HSP_API int32_t hsp_boundary_bytes(const hsp_boundary_limits *limits, size_t *by
   ((size_t)5120 + (size_t)64 * (size_t)(balls) + (size_t)256 * (size_t)(neighbours) + \
    (size_t)160 * (size_t)(vertices) + (size_t)80 * (size_t)(circles))
 /** What every worker but the first adds to it at most. */
-#define HSP_WORKER_BYTES(balls, neighbours, vertices, circles)                        \
-  ((size_t)8192 + (size_t)16 * (size_t)(balls) + (size_t)256 * (size_t)(neighbours) + \
+#define HSP_WORKER_BYTES(balls, neighbours, vertices, circles)                         \
+  ((size_t)13312 + (size_t)16 * (size_t)(balls) + (size_t)416 * (size_t)(neighbours) + \
    (size_t)16 * (size_t)(vertices) + (size_t)16 * (size_t)(circles))
 
 /** Make an empty boundary in caller memory of any alignment; sets *boundary.

@@ -44,11 +44,9 @@ void BoundaryBuilder::carve(Workspace &workspace, const BoundaryLimits &limits) 
   const uint32_t count = larger_count(limits.workers, 1);
   workers_ = workspace.take<BoundaryWorker>(count);
   BoundaryWorker measured;  // while there is no memory
-  // Each borrows a part of the scratch memory, in whole cache lines unless it is all.
-  const uint32_t part = count == 1 ? scratch_.size() : scratch_.size() / count / 16 * 16;
   for (uint32_t w = 0; w < count; ++w) {
     BoundaryWorker &worker = workers_.empty() ? measured : workers_[w];
-    worker.carve(workspace, limits, arrays(), w, scratch_, scratch_.part(w * part, (w + 1) * part));
+    worker.carve(workspace, limits, arrays(), w, scratch_);
   }
 }
 

@@ -13,6 +13,15 @@ uint32_t cube_from(const CubeGrid &grid, uint32_t ball) {
   return first_index(0, grid.cubes(), [&grid, ball](uint32_t cube) { return grid.balls_in(cube).first >= ball; });
 }
 
+// Memory that nothing needs while balls are searched: the scratch memory, or that of the half-edges if it is more.
+Span<uint32_t> idle_while_searching(const BoundaryArrays &arrays, Span<uint32_t> scratch) {
+  const Span<HalfEdge> half_edges = arrays.half_edges;
+  const uint64_t words = uint64_t{half_edges.size()} * sizeof(HalfEdge) / sizeof(uint32_t);
+  if (words <= scratch.size()) return scratch;
+  return {reinterpret_cast<uint32_t *>(half_edges.data()),
+          static_cast<uint32_t>(words <= UINT32_MAX ? words : UINT32_MAX)};
+}
+
 }  // namespace
 
 BallShare share_of(const CubeGrid &grid, uint32_t worker, uint32_t workers) {
@@ -32,12 +41,13 @@ BallShare share_of(const CubeGrid &grid, uint32_t worker, uint32_t workers) {
 BoundaryWorker::BoundaryWorker() = default;
 
 void BoundaryWorker::carve(Workspace &workspace, const BoundaryLimits &limits, BoundaryArrays &arrays, uint32_t worker,
-                           Span<uint32_t> scratch, Span<uint32_t> borrowed) {
+                           Span<uint32_t> scratch) {
   caps.carve(workspace, limits.neighbours);
   finder_.carve(workspace, limits.neighbours);
   face_finder_.carve(workspace, limits.neighbours);
-  lanes.carve(workspace, limits.neighbours, borrowed);
+  lanes.carve(workspace, limits.neighbours);
   if (worker == 0) {
+    lanes.borrow_candidates(idle_while_searching(arrays, scratch));
     vertices_ = arrays.vertices;
     circles_ = arrays.circles;
     parent_ = arrays.component_origin;
@@ -51,6 +61,7 @@ void BoundaryWorker::carve(Workspace &workspace, const BoundaryLimits &limits, B
   parent_ = workspace.take<uint32_t>(limits.balls);
   arriving_ = parent_;  // as soon as components are joined
   leaving_ = workspace.take<uint32_t>(limits.balls);
+  lanes.take_candidates(workspace, limits.neighbours);
 }
 
 void BoundaryWorker::start(const BallShare &share) {

@@ -22,10 +22,9 @@ class alignas(64) BoundaryWorker {
  public:
   BoundaryWorker();  // not in every place where there is one
 
-  // Worker 0 finds into the boundary's own arrays; the others have copies of them. scratch [loops + balls] is common;
-  // `borrowed` is this worker's part of it.
+  // Worker 0 finds into the boundary's own arrays; the others have copies of them. scratch [loops + balls] is common.
   void carve(Workspace &workspace, const BoundaryLimits &limits, BoundaryArrays &arrays, uint32_t worker,
-             Span<uint32_t> scratch, Span<uint32_t> borrowed);
+             Span<uint32_t> scratch);
 
   // Takes a share. Nothing is found, no stage done.
   void start(const BallShare &share);

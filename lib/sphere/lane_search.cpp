@@ -29,6 +29,8 @@ FloatCaps take_caps(Parts<float> &parts) {
   return caps;
 }
 
+constexpr uint32_t arrays_of_candidates = 5;
+
 }  // namespace
 
 uint32_t count_few_clusters(const BallSet &balls, uint32_t i, const uint32_t *others, uint32_t n) {
@@ -43,7 +45,7 @@ uint32_t count_few_clusters(const BallSet &balls, uint32_t i, const uint32_t *ot
              : 0;
 }
 
-void LaneSearch::carve(Workspace &workspace, uint32_t neighbours, Span<uint32_t> borrowed) {
+void LaneSearch::carve(Workspace &workspace, uint32_t neighbours) {
   enabled = workspace.wide_code() && neighbours <= PairSweep::most_caps;
   // Rows of whole vectors.
   const uint32_t row = (neighbours + FloatCaps::spare + 7) / 8 * 8;
@@ -54,16 +56,25 @@ void LaneSearch::carve(Workspace &workspace, uint32_t neighbours, Span<uint32_t>
   sweep_.exposed_cap = floats_of_caps.take();
   sweep_.crossed = floats_of_caps.take();
   uncrossed_ = workspace.take<uint32_t>(neighbours);
+}
 
-  // Five arrays of candidates.
-  const uint32_t most = borrowed.size() / 5 / 8 * 8;
-  Parts<uint32_t> words(borrowed.data(), most);
+void LaneSearch::borrow_candidates(Span<uint32_t> words) {
+  const uint32_t most = words.size() / arrays_of_candidates / 8 * 8;
+  Parts<uint32_t> parts(words.data(), most);
   candidates_.room = most > CandidateBlock::spare ? most - CandidateBlock::spare : 0;
-  candidates_.x = reinterpret_cast<float *>(words.take());
-  candidates_.y = reinterpret_cast<float *>(words.take());
-  candidates_.z = reinterpret_cast<float *>(words.take());
-  candidates_.r = reinterpret_cast<float *>(words.take());
-  candidates_.ball = words.take();
+  candidates_.x = reinterpret_cast<float *>(parts.take());
+  candidates_.y = reinterpret_cast<float *>(parts.take());
+  candidates_.z = reinterpret_cast<float *>(parts.take());
+  candidates_.r = reinterpret_cast<float *>(parts.take());
+  candidates_.ball = parts.take();
+}
+
+void LaneSearch::take_candidates(Workspace &workspace, uint32_t neighbours) {
+  // There is no limit for the balls of a cube and those around it. Their volume is some six times that in which a
+  // ball's neighbours lie.
+  const uint32_t most = neighbours <= PairSweep::most_caps ? neighbours : PairSweep::most_caps;
+  const uint64_t room = 8 * (uint64_t{most} + 32);
+  borrow_candidates(workspace.take<uint32_t>(arrays_of_candidates * room));
 }
 
 bool LaneSearch::start_cube(const CubeGrid &grid, uint32_t cube, const CubeBlock &block) {

@@ -17,8 +17,10 @@ uint32_t count_few_clusters(const BallSet &balls, uint32_t i, const uint32_t *ot
 
 class LaneSearch {
  public:
-  // Borrows memory while balls are searched.
-  void carve(Workspace &workspace, uint32_t neighbours, Span<uint32_t> borrowed);
+  void carve(Workspace &workspace, uint32_t neighbours);
+  // Memory for the candidates of a cube, all that is needed while balls are searched: somebody else's, or its own.
+  void borrow_candidates(Span<uint32_t> words);
+  void take_candidates(Workspace &workspace, uint32_t neighbours);
 
   // For the balls of one cube, whose block of cubes is given. False if they are to be searched otherwise.
   bool start_cube(const CubeGrid &grid, uint32_t cube, const CubeBlock &block);
@@ -58,7 +60,9 @@ inline uint32_t count_few_clusters(const BallSet &, uint32_t, const uint32_t *, 
 class LaneSearch {
  public:
   static constexpr bool enabled = false;
-  void carve(Workspace &, uint32_t, Span<uint32_t>) {}
+  void carve(Workspace &, uint32_t) {}
+  void borrow_candidates(Span<uint32_t>) {}
+  void take_candidates(Workspace &, uint32_t) {}
   bool start_cube(const CubeGrid &, uint32_t, const CubeBlock &) { return false; }
   bool start_block(const BallSet &, const CubeBlock &, uint32_t, const double (&)[3], double) { return false; }
   bool gather(const BallSet &, uint32_t, Caps &, DisjointSets *) { return false; }

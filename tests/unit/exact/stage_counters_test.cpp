@@ -56,9 +56,29 @@ struct Answers {
   hsp_boundary_counts counts;
 };
 
-// The boundary through the C interface, with counters from 0.
-Answers run(const Balls &balls, double probe) {
+// The boundary through the C interface by all workers that the limits allow, with counters from 0.
+Answers compute(const hsp_model *model, const hsp_boundary_limits &limits, hsp_boundary_limits *needed = nullptr) {
   Answers result{};
+  size_t bytes = 0;
+  EXPECT_EQ(hsp_boundary_bytes(&limits, &bytes), HSP_OK);
+  std::vector<std::byte> memory(bytes);
+  hsp_boundary *boundary = nullptr;
+  EXPECT_EQ(hsp_boundary_init(memory.data(), bytes, &limits, &boundary), HSP_OK);
+  stage_counters = {};
+  const uint32_t workers = std::max(limits.workers, 1U);
+  uint32_t stages_of_work = 0;
+  EXPECT_EQ(hsp_boundary_begin(boundary, model, workers, &stages_of_work), HSP_OK);
+  for (uint32_t stage = 0; stage < stages_of_work; ++stage) {
+    for (uint32_t w = 0; w < workers; ++w) EXPECT_EQ(hsp_boundary_work(boundary, stage, w), HSP_OK);
+  }
+  EXPECT_EQ(hsp_boundary_end(boundary, needed), HSP_OK);
+  result.counters = stage_counters;
+  EXPECT_EQ(hsp_boundary_get_counts(boundary, &result.counts), HSP_OK);
+  return result;
+}
+
+// With limits that are ample, or such as are just needed by so many workers.
+Answers run(const Balls &balls, double probe, uint32_t workers = 0) {
   size_t bytes = 0;
   EXPECT_EQ(hsp_model_bytes(balls.size(), &bytes), HSP_OK);
   std::vector<std::byte> model_memory(bytes);
@@ -73,15 +93,12 @@ Answers run(const Balls &balls, double probe) {
   EXPECT_EQ(hsp_boundary_limits_init(&limits, sizeof limits, balls.size()), HSP_OK);
   limits.vertices += 64 * balls.size();
   limits.neighbours = balls.size();
-  EXPECT_EQ(hsp_boundary_bytes(&limits, &bytes), HSP_OK);
-  std::vector<std::byte> boundary_memory(bytes);
-  hsp_boundary *boundary = nullptr;
-  EXPECT_EQ(hsp_boundary_init(boundary_memory.data(), bytes, &limits, &boundary), HSP_OK);
-  stage_counters = {};
-  EXPECT_EQ(hsp_boundary_compute(boundary, model, nullptr), HSP_OK);
-  result.counters = stage_counters;
-  EXPECT_EQ(hsp_boundary_get_counts(boundary, &result.counts), HSP_OK);
-  return result;
+  hsp_boundary_limits needed;
+  EXPECT_EQ(hsp_boundary_limits_init(&needed, sizeof needed, balls.size()), HSP_OK);
+  const Answers ample = compute(model, limits, &needed);
+  if (workers == 0) return ample;
+  needed.workers = workers;
+  return compute(model, needed);
 }
 
 void print(const char *name, const Answers &run) {
@@ -207,6 +224,23 @@ TEST(StageCounters, Molecules) {
   expect_doubles_decide(run_and_print("crambin_sas", crambin, 1.4));
   expect_doubles_decide(run_and_print("caffeine_vdw", caffeine, 0.0));
   expect_doubles_decide(run_and_print("caffeine_sas", caffeine, 1.4));
+}
+
+// The wide code asks as often whatever the limits and however many share the work.
+TEST(StageCounters, MoleculesWithTheLeastMemory) {
+  for (const char *file : {"caffeine.pdb", "crambin.pdb"}) {
+    const Balls balls = read_molecule(file);
+    for (const double probe : {0.0, 1.4, 3.0}) {
+      const Answers ample = run(balls, probe);
+      for (const uint32_t workers : {1U, 16U}) {
+        const Answers least = run(balls, probe, workers);
+        for (const Question question : questions) {
+          EXPECT_EQ(least.counters.of(question, Stage::lanes), ample.counters.of(question, Stage::lanes))
+              << file << ", probe " << probe << ", workers " << workers;
+        }
+      }
+    }
+  }
 }
 
 TEST(StageCounters, ASetWithoutRule) {
