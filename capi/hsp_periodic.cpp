@@ -6,11 +6,13 @@
 #include "model_options.hpp"
 #include "periodic/periodic_check.hpp"
 #include "periodic/periodic_measures.hpp"
-#include "periodic/periodic_queries.hpp"
+#include "periodic_records.hpp"
 
 using hsp::capi::check_output;
 using hsp::capi::check_request;
 using hsp::capi::is_live;
+using hsp::capi::put_shift;
+using hsp::capi::shift_comes_before;
 
 namespace {
 
@@ -44,14 +46,6 @@ hsp_periodic_limits periodic_to_c(const hsp::PeriodicLimits &limits) {
           limits.contacts};
 }
 
-void put_shift(const hsp::BoxShift &shift, int32_t (&out)[3]) {
-  for (int k = 0; k < 3; ++k) out[k] = shift.k[k];
-}
-
-bool shift_comes_before(const int32_t (&p)[3], const int32_t (&q)[3]) {
-  return hsp::comes_before({{p[0], p[1], p[2]}}, {{q[0], q[1], q[2]}});
-}
-
 hsp_periodic_contact to_c(const hsp::PeriodicUnion &periodic, const hsp::PeriodicContact &contact) {
   const hsp::ContactRecord &record = *contact.record;
   const hsp::exact::Lattice &lattice = periodic.images().lattice();
@@ -82,26 +76,6 @@ hsp_winding to_winding(const hsp::Windings &windings, uint32_t component) {
     for (int k = 0; k < 3; ++k) result.row[3 * r + static_cast<uint32_t>(k)] = lattice.row[r][k];
   }
   return result;
-}
-
-// Balls and images into an array that the program gives: counted, then written, then in their order. visit(sink) calls
-// sink(k) for each; from: how far the place that they are seen from has been moved into the box.
-template <class Visit>
-int32_t put_images(const hsp::PeriodicImages &images, const hsp::BoxShift &from, hsp_image *out, uint32_t capacity,
-                   uint32_t *needed, Visit visit) {
-  uint32_t count = 0;
-  visit([&](uint32_t) { ++count; });
-  if (const int32_t status = check_output(out, capacity, count, needed); status != HSP_OK) return status;
-  uint32_t written = 0;
-  visit([&](uint32_t k) {
-    hsp_image &image = out[written++];
-    image.ball = images.ball_of(k);
-    put_shift(images.box().in_given_vectors(images.shift_from_caller(k) + from), image.shift);
-  });
-  hsp::sort_in_place(hsp::Span<hsp_image>(out, count), [](const hsp_image &p, const hsp_image &q) {
-    return p.ball != q.ball ? p.ball < q.ball : shift_comes_before(p.shift, q.shift);
-  });
-  return HSP_OK;
 }
 
 // Balls in others are not on the boundary. What is seen of a ball in the box is so of its images.
@@ -275,34 +249,6 @@ int32_t hsp_periodic_gradient(const hsp_periodic *periodic, const double *sigma,
     if (d_box != nullptr) d_box[k] = by_all.box[k];
   }
   return HSP_OK;
-}
-
-int32_t hsp_periodic_query_point(const hsp_periodic *periodic, const double *xyz, hsp_image *out, uint32_t capacity,
-                                 uint32_t *needed) {
-  if (!is_live(periodic) || xyz == nullptr || needed == nullptr || (out == nullptr && capacity > 0)) {
-    return HSP_E_ARGUMENT;
-  }
-  if (!periodic->has_results()) return HSP_E_STATE;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (!hsp::is_finite(xyz[axis])) return HSP_E_NOT_FINITE;
-  }
-  const hsp::PeriodicImages &images = periodic->builder.images();
-  hsp::exact::Vector point;
-  if (!images.lattice().round(xyz, point)) return HSP_E_RANGE;
-  hsp::BoxShift home;
-  if (images.box().wrap(point, home) != hsp::Status::ok) return HSP_E_RANGE;
-  return put_images(images, home, out, capacity, needed,
-                    [&](auto sink) { hsp::visit_balls_at(periodic->builder, point, 0, sink); });
-}
-
-int32_t hsp_periodic_query_neighbours(const hsp_periodic *periodic, uint32_t ball, hsp_image *out, uint32_t capacity,
-                                      uint32_t *needed) {
-  if (!is_live(periodic) || needed == nullptr || (out == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
-  if (!periodic->has_results()) return HSP_E_STATE;
-  if (ball >= periodic->balls()) return HSP_E_ID;
-  const hsp::PeriodicImages &images = periodic->builder.images();
-  return put_images(images, images.home(ball), out, capacity, needed,
-                    [&](auto sink) { hsp::visit_neighbours_in_box(periodic->builder, ball, sink); });
 }
 
 int32_t hsp_periodic_check(const hsp_periodic *periodic, uint32_t *invariant, uint32_t *id) {

@@ -1,6 +1,6 @@
 // Unions in a periodic box: the library's check of itself, contacts and neighbours from both sides, cells and windings
 // that add up, the same bytes from other images of the balls and other vectors of the box, twice the box along one of
-// them, points against all images, and limits that are too small.
+// them, points and query balls against all images, and limits that are too small.
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -147,10 +147,23 @@ void require_laws(const hsp_periodic *periodic, const Crystal &crystal, const Re
   // Contacts are among neighbours, and those are from both sides.
   using Key = std::array<int32_t, 5>;
   std::set<Key> meeting;
+  std::vector<uint32_t> first(size_t{crystal.n()} + 1), first_once(first);
+  const auto pairs_of = [periodic](uint32_t flags, uint32_t *begins) {
+    return support::all_records<hsp_image>(
+        [&](auto... out) { return hsp_periodic_query_pairs(periodic, flags, begins, out...); },
+        "hsp_periodic_query_pairs");
+  };
+  const auto pairs = pairs_of(0, first.data());
+  const auto once = pairs_of(HSP_PAIRS_ONCE, first_once.data());
+  FUZZ_REQUIRE(pairs.size() == first.back() && once.size() == first_once.back() && 2 * once.size() == pairs.size(),
+               "how many pairs");
   for (uint32_t i = 0; i < crystal.n(); ++i) {
     const auto row =
         support::all_records<hsp_image>([&](auto... out) { return hsp_periodic_query_neighbours(periodic, i, out...); },
                                         "hsp_periodic_query_neighbours");
+    FUZZ_REQUIRE(row.size() == first[i + 1] - first[i], "the length of a row");
+    FUZZ_REQUIRE(row.empty() || std::memcmp(row.data(), &pairs[first[i]], row.size() * sizeof(hsp_image)) == 0,
+                 "a row of all pairs");
     for (const hsp_image &m : row) {
       const Key key{static_cast<int32_t>(i), static_cast<int32_t>(m.ball), m.shift[0], m.shift[1], m.shift[2]};
       FUZZ_REQUIRE(meeting.insert(key).second, "a neighbour twice");
@@ -159,10 +172,19 @@ void require_laws(const hsp_periodic *periodic, const Crystal &crystal, const Re
   }
   for (const Key &k : meeting)
     FUZZ_REQUIRE(meeting.count({k[1], k[0], -k[2], -k[3], -k[4]}) == 1, "a neighbour from one side alone");
+  std::set<Key> once_each;
+  for (uint32_t i = 0; i < crystal.n(); ++i) {
+    for (uint32_t k = first_once[i]; k < first_once[i + 1]; ++k) {
+      const hsp_image &m = once[k];
+      const Key key{static_cast<int32_t>(i), static_cast<int32_t>(m.ball), m.shift[0], m.shift[1], m.shift[2]};
+      FUZZ_REQUIRE(meeting.count(key) == 1 && once_each.insert(key).second, "a pair that is not there, or twice");
+      FUZZ_REQUIRE(once_each.count({key[1], key[0], -key[2], -key[3], -key[4]}) == 0, "a pair from both sides");
+    }
+  }
   for (const hsp_periodic_contact &contact : result.contacts) {
     const Key key{static_cast<int32_t>(contact.ball[0]), static_cast<int32_t>(contact.ball[1]), contact.shift[0],
                   contact.shift[1], contact.shift[2]};
-    FUZZ_REQUIRE(contact.ball[0] <= contact.ball[1] && meeting.count(key) == 1, "a contact without neighbours");
+    FUZZ_REQUIRE(contact.ball[0] <= contact.ball[1] && once_each.count(key) == 1, "a contact without neighbours");
     FUZZ_REQUIRE(contact.area >= 0.0 && contact.edge >= 0.0 && contact.distance > 0.0, "numbers of a contact");
   }
 }
@@ -184,15 +206,21 @@ void require_same(const Result &p, const Result &q) {
   FUZZ_REQUIRE(p.strain == q.strain, "strain of other images");
 }
 
-void require_point(const hsp_periodic *periodic, const Crystal &crystal, fuzz::Bytes &bytes) {
+// All balls that meet a query ball, or hold a point.
+void require_hits(const hsp_periodic *periodic, const Crystal &crystal, fuzz::Bytes &bytes) {
   double at[3];
   for (double &x : at) x = static_cast<double>(bytes.below(40)) - 20.0;
+  const double radius = static_cast<double>(bytes.below(14));
   const auto found = support::all_records<hsp_image>(
-      [&](auto... out) { return hsp_periodic_query_point(periodic, at, out...); }, "hsp_periodic_query_point");
+      [&](auto... out) {
+        return radius == 0.0 ? hsp_periodic_query_point(periodic, at, out...)
+                             : hsp_periodic_query_ball(periodic, at, radius, out...);
+      },
+      "hsp_periodic_query_ball");
   std::vector<std::array<int64_t, 4>> expected;
   for (uint32_t i = 0; i < crystal.n(); ++i) {
     const double *const xyz = &crystal.balls.xyz[3 * size_t{i}];
-    const double r = crystal.balls.radius[i] + crystal.options.probe;
+    const double r = crystal.balls.radius[i] + crystal.options.probe + radius;
     // In a box that leans, far multiples of a or b make up for those of c.
     const double high = std::ceil((r + std::fabs(at[2] - xyz[2])) / crystal.box[8]);
     for (double c = -high; c <= high; ++c) {
@@ -210,10 +238,10 @@ void require_point(const hsp_periodic *periodic, const Crystal &crystal, fuzz::B
     }
   }
   std::sort(expected.begin(), expected.end());
-  FUZZ_REQUIRE(found.size() == expected.size(), "how many balls hold a point");
+  FUZZ_REQUIRE(found.size() == expected.size(), "how many balls meet a ball");
   for (size_t k = 0; k < found.size(); ++k) {
     const std::array<int64_t, 4> hit{found[k].ball, found[k].shift[0], found[k].shift[1], found[k].shift[2]};
-    FUZZ_REQUIRE(hit == expected[k], "which balls hold a point");
+    FUZZ_REQUIRE(hit == expected[k], "which balls meet a ball");
   }
 }
 
@@ -225,7 +253,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   support::OwnedPeriodic periodic;
   const Result reference = result_of(periodic, crystal);
   require_laws(periodic.get(), crystal, reference);
-  for (int k = 0; k < 3; ++k) require_point(periodic.get(), crystal, bytes);
+  for (int k = 0; k < 3; ++k) require_hits(periodic.get(), crystal, bytes);
 
   Crystal moved = crystal;
   for (uint32_t i = 0; i < crystal.n(); ++i) {

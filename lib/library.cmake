@@ -208,6 +208,7 @@ set(HSP_LIBRARY_SOURCES
   capi/hsp_curvature.cpp
   capi/hsp_contacts.cpp
   capi/hsp_periodic.cpp
+  capi/hsp_periodic_queries.cpp
   capi/hsp_moving.cpp
   capi/hsp_surface.cpp
   capi/hsp_surface_records.cpp

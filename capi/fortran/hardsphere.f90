@@ -1765,11 +1765,36 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
+    function hsp_periodic_query_ball(periodic, xyz, radius, out, capacity, needed) result(status) &
+      bind(C, name="hsp_periodic_query_ball")
+      import :: c_double, c_int32_t, c_ptr, hsp_image
+      type(c_ptr), value :: periodic
+      real(c_double), intent(in) :: xyz(3)
+      real(c_double), value :: radius
+      type(hsp_image), intent(inout), optional :: out(*)
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
     function hsp_periodic_query_neighbours(periodic, ball, out, capacity, needed) result(status) &
       bind(C, name="hsp_periodic_query_neighbours")
       import :: c_int32_t, c_ptr, hsp_image
       type(c_ptr), value :: periodic
       integer(c_int32_t), value :: ball
+      type(hsp_image), intent(inout), optional :: out(*)
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    ! first has n + 1 entries. Row i, from 0 on, is out(first(i + 1) + 1 : first(i + 2)).
+    function hsp_periodic_query_pairs(periodic, flags, first, out, capacity, needed) result(status) &
+      bind(C, name="hsp_periodic_query_pairs")
+      import :: c_int32_t, c_ptr, hsp_image
+      type(c_ptr), value :: periodic
+      integer(c_int32_t), value :: flags
+      integer(c_int32_t), intent(inout) :: first(*)
       type(hsp_image), intent(inout), optional :: out(*)
       integer(c_int32_t), value :: capacity
       integer(c_int32_t), intent(inout) :: needed

@@ -17,6 +17,7 @@
 #include "curvature.h"
 #include "gradient.h"
 #include "model.h"
+#include "query.h"
 
 #include <stddef.h>
 #include <stdint.h>
@@ -230,6 +231,22 @@ typedef struct hsp_image {
 HSP_API int32_t hsp_periodic_query_point(const hsp_periodic *periodic, const double *xyz, hsp_image *out,
                                          uint32_t capacity, uint32_t *needed);
 
+/** The balls and images that meet the ball with centre xyz [3] and the given radius, wherever it is, ascending in balls
+ *  and shifts. It may be larger than the box. Touching counts.
+ *  - Property 1: with the centre moved by vectors of the box the balls are the same and the shifts so much larger.
+ *
+ *  Cost: O(1) expected for radius <= r_max; for larger radii proportional to the cubes within reach, in all copies of
+ *  the box.
+ *  @retval HSP_E_ARGUMENT    a null pointer (out may be NULL with capacity 0)
+ *  @retval HSP_E_CAPACITY    capacity is smaller than *needed
+ *  @retval HSP_E_STATE       nothing computed
+ *  @retval HSP_E_NOT_FINITE  a coordinate or the radius is NaN or infinite
+ *  @retval HSP_E_NEGATIVE    the radius is negative
+ *  @retval HSP_E_RANGE       as hsp_periodic_query_point; or the radius is above 64 times the shortest of a_x, b_y and
+ *                            c_z, or there are more than 2^32 - 1 hits */
+HSP_API int32_t hsp_periodic_query_ball(const hsp_periodic *periodic, const double *xyz, double radius, hsp_image *out,
+                                        uint32_t capacity, uint32_t *needed);
+
 /** The balls and images that meet ball `ball` where it was given, ascending in balls and shifts; itself is none of
  *  them, but its images may be.
  *  - Property 1: (j, s) is listed for i exactly if (i, -s) is listed for j.
@@ -240,6 +257,25 @@ HSP_API int32_t hsp_periodic_query_point(const hsp_periodic *periodic, const dou
  *  @retval HSP_E_ID        no such ball */
 HSP_API int32_t hsp_periodic_query_neighbours(const hsp_periodic *periodic, uint32_t ball, hsp_image *out,
                                               uint32_t capacity, uint32_t *needed);
+
+/** All pairs of balls and images that meet, as rows of one array: those that meet ball i where it was given are
+ *  out[first[i]] to out[first[i + 1] - 1], ascending in balls and shifts. flags is 0 or HSP_PAIRS_ONCE. first [n + 1]
+ *  begins with 0 and ends with the number of all, which *needed becomes too. It is written on HSP_OK and on
+ *  HSP_E_CAPACITY: with out NULL and capacity 0 this function counts, and a second call with capacity first[n] lists.
+ *
+ *  For a neighbour list by a cutoff, give hsp_periodic_compute radii that are all 0 and the probe cutoff / 2.
+ *  - Property 1: without flags, row i is what hsp_periodic_query_neighbours lists for ball i.
+ *  - Property 2: with HSP_PAIRS_ONCE, row i is what of that is a larger ball; and of ball i itself one of any two
+ *    opposite shifts, the one that hsp_periodic_get_contacts has if there is a contact.
+ *
+ *  Cost: O(n) expected for sets as in Theorem 2.1, and proportional to the number of pairs if that is larger.
+ *  @retval HSP_OK          out holds all rows; or there is no pair, also with capacity 0
+ *  @retval HSP_E_ARGUMENT  a null pointer (out may be NULL with capacity 0); unknown flag
+ *  @retval HSP_E_CAPACITY  more pairs than capacity: first and *needed are set, and nothing is written to out
+ *  @retval HSP_E_STATE     nothing computed
+ *  @retval HSP_E_RANGE     more than 2^32 - 1 entries; first becomes 0 everywhere */
+HSP_API int32_t hsp_periodic_query_pairs(const hsp_periodic *periodic, uint32_t flags, uint32_t *first, hsp_image *out,
+                                         uint32_t capacity, uint32_t *needed);
 
 /** Check the results against laws that hold for every set of balls in a box: two ways to compute that have little in
  *  common. *invariant becomes 0 or the number of the first that is violated, *id the ball concerned, or HSP_NONE.

@@ -96,6 +96,12 @@ class PeriodicBox {
     }
   }
 
+  // Of the three lengths along the axes.
+  int64_t shortest_side() const {
+    const auto &[a, b, c] = reduced_;
+    const int64_t shorter = a.x < b.y ? a.x : b.y;
+    return shorter < c.z ? shorter : c.z;
+  }
   // In cubic steps, rounded thrice.
   double volume() const { return to_double(reduced_[0]).x * to_double(reduced_[1]).y * to_double(reduced_[2]).z; }
   // The given vectors on the lattice.

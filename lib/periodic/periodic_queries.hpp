@@ -6,20 +6,70 @@
 
 namespace hsp {
 
+// Query balls are no larger than so many of the shortest of the box's three lengths along the axes.
+inline constexpr int64_t widest_query = 64;
+
+// Calls sink(j) for the balls of a range of the grid that meet a ball.
+template <class Sink>
+void visit_meeting(const BallSet &set, const BallRange &range, const exact::Vector &point, int64_t radius, Sink sink) {
+  const Vec3 p = to_double(point);
+  const double r = static_cast<double>(radius);
+  for (uint32_t j = range.first; j < range.last; ++j) {
+    if (meet(set.x[j] - p.x, set.y[j] - p.y, set.z[j] - p.z, set.r[j] + r)) sink(j);
+  }
+}
+
 // Calls sink(k) for every ball or image that meets the ball around a point of the box, in the grid's order. Its radius
 // must not be larger than that of the largest ball: images that are farther away are not there.
 template <class Sink>
 void visit_balls_at(const PeriodicUnion &periodic, const exact::Vector &point, int64_t radius, Sink sink) {
   const CubeGrid &grid = periodic.grid();
   const BallSet &set = grid.balls();
-  const Vec3 p = to_double(point);
-  const double r = static_cast<double>(radius);
   const CubeBlock block = grid.block_around(grid.cube_at(point));
   for (uint32_t k = 0; k < block.ranges; ++k) {
-    for (uint32_t j = block.range[k].first; j < block.range[k].last; ++j) {
-      if (meet(set.x[j] - p.x, set.y[j] - p.y, set.z[j] - p.z, set.r[j] + r)) sink(set.caller[j]);
-    }
+    visit_meeting(set, block.range[k], point, radius, [&](uint32_t j) { sink(set.caller[j]); });
   }
+}
+
+// Calls sink(i) for every ball in the box, but no image, that meets a ball anywhere near it.
+template <class Sink>
+void visit_own_balls_at(const PeriodicUnion &periodic, const exact::Vector &point, int64_t radius, Sink sink) {
+  const CubeGrid &grid = periodic.grid();
+  const BallSet &set = grid.balls();
+  const int64_t reach = radius + set.largest_radius;
+  const CubeCoordinates low = grid.cube_at({point.x - reach, point.y - reach, point.z - reach});
+  const CubeCoordinates high = grid.cube_at({point.x + reach, point.y + reach, point.z + reach});
+  const auto visit_row = [&](const BallRange &row) {
+    // Images come behind all balls in the box.
+    const BallRange own{row.first, row.last < grid.own_balls() ? row.last : grid.own_balls()};
+    visit_meeting(set, own, point, radius, [&](uint32_t j) { sink(set.caller[j]); });
+  };
+  const double cubes = static_cast<double>(high.x - low.x + 1) * static_cast<double>(high.y - low.y + 1) *
+                       static_cast<double>(high.z - low.z + 1);
+  if (cubes > static_cast<double>(grid.own_cubes())) return visit_row({0, grid.own_balls()});
+  for (int64_t z = low.z; z <= high.z; ++z) {
+    for (int64_t y = low.y; y <= high.y; ++y) visit_row(grid.balls_in_row(low.x, high.x, y, z));
+  }
+}
+
+// Calls sink(i, shift) for every ball i and every image of it, so many boxes away from its place, that meets the ball
+// around a point of the box. Where its radius is larger than that of every ball, copies of it meet the balls in the box
+// instead of images that are not in the set.
+template <class Sink>
+void visit_images_at(const PeriodicUnion &periodic, const exact::Vector &point, int64_t radius, Sink sink) {
+  const PeriodicImages &images = periodic.images();
+  if (radius <= images.largest_radius()) {
+    return visit_balls_at(periodic, point, radius,
+                          [&](uint32_t k) { sink(images.ball_of(k), images.shift_of(k)); });
+  }
+  const PeriodicBox &box = images.box();
+  const auto visit_copy = [&](const BoxShift &shift) {
+    const exact::Vector t = box.translation(shift);
+    visit_own_balls_at(periodic, {point.x + t.x, point.y + t.y, point.z + t.z}, radius,
+                       [&](uint32_t i) { sink(i, BoxShift{} - shift); });
+  };
+  visit_copy({});
+  box.visit_images(point, radius + images.largest_radius(), visit_copy);
 }
 
 // The balls that meet the caller's ball i, without itself; its own images may be among them.
@@ -29,6 +79,25 @@ void visit_neighbours_in_box(const PeriodicUnion &periodic, uint32_t i, Sink sin
   visit_balls_at(periodic, own.centre, own.radius, [&](uint32_t k) {
     if (k != i) sink(k);
   });
+}
+
+// The same for all of them, cube by cube: calls sink(i, k) for every ball i and each ball or image k that meets it.
+template <class Sink>
+void visit_all_neighbours_in_box(const PeriodicUnion &periodic, Sink sink) {
+  const CubeGrid &grid = periodic.grid();
+  const BallSet &set = grid.balls();
+  for (uint32_t cube = 0; cube < grid.own_cubes(); ++cube) {
+    const CubeBlock block = grid.block_around(grid.table().coordinates(cube));
+    const BallRange own = grid.balls_in(cube);
+    for (uint32_t at = own.first; at < own.last; ++at) {
+      const exact::LatticeBall ball = set.ball(at);
+      for (uint32_t b = 0; b < block.ranges; ++b) {
+        visit_meeting(set, block.range[b], ball.centre, ball.radius, [&](uint32_t j) {
+          if (j != at) sink(ball.index, set.caller[j]);
+        });
+      }
+    }
+  }
 }
 
 }  // namespace hsp

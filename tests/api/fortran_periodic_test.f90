@@ -29,7 +29,7 @@ program fortran_periodic_test
   type(hsp_image) :: images(10)
   type(hsp_energy) :: energy
   real(c_double) :: area(n), cell_volume(n), d_centre(3, n), d_radius(n), d_strain(9), d_box(9), rod, mean(n)
-  integer(c_int32_t) :: thirds(n), component(n), flags(n), needed, invariant, id, bad
+  integer(c_int32_t) :: thirds(n), component(n), flags(n), first(n + 1), needed, invariant, id, bad
   integer(c_size_t) :: bytes
 
   call check(c_sizeof(limits) == 28 .and. c_sizeof(counts) == 48 .and. c_sizeof(totals) == 40, 'sizes of records')
@@ -95,6 +95,14 @@ program fortran_periodic_test
   call expect(hsp_periodic_query_neighbours(periodic, 1_c_int32_t, images, size(images, kind=c_int32_t), needed), HSP_OK, &
               'hsp_periodic_query_neighbours')
   call check(needed == 2 .and. all(images(1:2)%ball == 0) .and. images(1)%shift(1) == 3, 'neighbours')
+  call expect(hsp_periodic_query_ball(periodic, point, 1.5_c_double, images, size(images, kind=c_int32_t), needed), &
+              HSP_OK, 'hsp_periodic_query_ball')
+  call check(needed == 3 .and. images(1)%ball == 0 .and. all(images(1)%shift == [0, 1, 0]), 'at a ball')
+  call check(all(images(2)%shift == [1, 1, 0]) .and. images(3)%ball == 1, 'more of them')
+  call expect(hsp_periodic_query_pairs(periodic, HSP_PAIRS_ONCE, first, images, size(images, kind=c_int32_t), needed), &
+              HSP_OK, 'hsp_periodic_query_pairs')
+  call check(needed == 2 .and. all(first == [0, 2, 2, 2]) .and. all(images(1:2)%ball == 1), 'pairs')
+  call check(all(images(1)%shift == [-4, 0, 0]) .and. all(images(2)%shift == [-3, 0, 0]), 'shifts of pairs')
   call expect(hsp_periodic_check(periodic, invariant, id), HSP_OK, 'hsp_periodic_check')
   call check(invariant == 0 .and. id == HSP_NONE, 'no invariant is violated')
   call report_checks()

@@ -374,7 +374,7 @@ static int call_periodic(void *memory, size_t bytes) {
   hsp_energy energy;
   double area[3], cell[3], centre[9], strain[9], by_box[9];
   int32_t thirds[3];
-  uint32_t component[3], flags[3], needed = 0, invariant, id;
+  uint32_t component[3], flags[3], first[4], needed = 0, invariant, id;
   size_t size = 0;
   int bad = hsp_periodic_limits_init(&limits, (uint32_t)sizeof limits, 3) != HSP_OK;
   bad += hsp_periodic_bytes(&limits, &size) != HSP_OK || size > bytes;
@@ -389,7 +389,9 @@ static int call_periodic(void *memory, size_t bytes) {
   bad += hsp_periodic_gradient(periodic, NULL, 1, 1, HSP_TANGENT_OVERLAP, &energy, centre, area, flags, strain, by_box,
                                3, &needed, NULL) != HSP_OK;
   bad += hsp_periodic_query_point(periodic, xyz, image, 64, &needed) != HSP_OK || needed == 0;
+  bad += hsp_periodic_query_ball(periodic, xyz, 2.5, image, 64, &needed) != HSP_OK || needed == 0;
   bad += hsp_periodic_query_neighbours(periodic, 0, image, 64, &needed) != HSP_OK || needed == 0;
+  bad += hsp_periodic_query_pairs(periodic, HSP_PAIRS_ONCE, first, image, 64, &needed) != HSP_OK || needed == 0;
   bad += hsp_periodic_check(periodic, &invariant, &id) != HSP_OK;
   return bad;
 }

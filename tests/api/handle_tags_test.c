@@ -335,7 +335,9 @@ static void refused_as_periodic(void *handle) {
       hsp_periodic_gradient(handle, NULL, 1, 0, HSP_TANGENT_OVERLAP, NULL, NULL, NULL, NULL, NULL, NULL, 0, NULL, NULL),
       HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_periodic_query_point(handle, four_xyz, NULL, 0, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_query_ball(handle, four_xyz, 1, NULL, 0, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_periodic_query_neighbours(handle, 0, NULL, 0, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_query_pairs(handle, 0, &id, NULL, 0, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_periodic_check(handle, &needed, &id), HSP_E_ARGUMENT);
 }
 

@@ -27,7 +27,7 @@ static hsp_energy energy;
 static double area[BALLS], cell[BALLS], mean[BALLS], centre[BALLS][3], by_radius[BALLS], strain[9], by_box[9];
 static hsp_curvatures curvatures;
 static int32_t thirds[BALLS];
-static uint32_t component[BALLS], flags[BALLS], number, invariant, id;
+static uint32_t component[BALLS], flags[BALLS], begins[BALLS + 1], number, invariant, id;
 
 static hsp_periodic_limits good_limits(void) {
   const hsp_periodic_limits limits = {(uint32_t)sizeof limits, BALLS, IMAGES, NEIGHBOURS, VERTICES, CIRCLES, CONTACTS};
@@ -103,6 +103,7 @@ static void check_unread(const hsp_periodic *handle, int32_t status) {
   FILL(component);
   FILL(energy);
   FILL(image);
+  FILL(begins);
   FILL(number);
   FILL(invariant);
   CHECK_EQUAL(hsp_periodic_get_counts(handle, &counts), status);
@@ -115,7 +116,9 @@ static void check_unread(const hsp_periodic *handle, int32_t status) {
                                     strain, by_box, BALLS, &number, NULL),
               status);
   CHECK_EQUAL(hsp_periodic_query_point(handle, xyz, image, OUT, &number), status);
+  CHECK_EQUAL(hsp_periodic_query_ball(handle, xyz, 1, image, OUT, &number), status);
   CHECK_EQUAL(hsp_periodic_query_neighbours(handle, 0, image, OUT, &number), status);
+  CHECK_EQUAL(hsp_periodic_query_pairs(handle, 0, begins, image, OUT, &number), status);
   CHECK_EQUAL(hsp_periodic_check(handle, &invariant, &id), status);
   CHECK_UNTOUCHED(counts);
   CHECK_UNTOUCHED(totals);
@@ -125,6 +128,7 @@ static void check_unread(const hsp_periodic *handle, int32_t status) {
   CHECK_UNTOUCHED(component);
   CHECK_UNTOUCHED(energy);
   CHECK_UNTOUCHED(image);
+  CHECK_UNTOUCHED(begins);
   CHECK_UNTOUCHED(number);
   CHECK_UNTOUCHED(invariant);
 }
@@ -179,6 +183,24 @@ static void refused_reading(void) {
   CHECK_EQUAL(hsp_periodic_query_point(periodic, nowhere, image, OUT, &number), HSP_E_NOT_FINITE);
   CHECK_EQUAL(hsp_periodic_query_point(periodic, far_away, image, OUT, &number), HSP_E_RANGE);
   CHECK_EQUAL(hsp_periodic_query_point(periodic, boxes_away, image, OUT, &number), HSP_E_RANGE);
+  CHECK_EQUAL(hsp_periodic_query_ball(periodic, NULL, 1, image, OUT, &number), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_query_ball(periodic, xyz, 1, NULL, OUT, &number), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_query_ball(periodic, xyz, 1, image, OUT, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_query_ball(periodic, xyz, 1, NULL, 0, &number), HSP_E_CAPACITY);
+  CHECK_EQUAL(hsp_periodic_query_ball(periodic, nowhere, 1, image, OUT, &number), HSP_E_NOT_FINITE);
+  CHECK_EQUAL(hsp_periodic_query_ball(periodic, xyz, (double)NAN, image, OUT, &number), HSP_E_NOT_FINITE);
+  CHECK_EQUAL(hsp_periodic_query_ball(periodic, xyz, (double)INFINITY, image, OUT, &number), HSP_E_NOT_FINITE);
+  CHECK_EQUAL(hsp_periodic_query_ball(periodic, xyz, -0.5, image, OUT, &number), HSP_E_NEGATIVE);
+  CHECK_EQUAL(hsp_periodic_query_ball(periodic, far_away, 1, image, OUT, &number), HSP_E_RANGE);
+  CHECK_EQUAL(hsp_periodic_query_ball(periodic, boxes_away, 1, image, OUT, &number), HSP_E_RANGE);
+  CHECK_EQUAL(hsp_periodic_query_ball(periodic, xyz, 256.1, image, OUT, &number), HSP_E_RANGE);
+  CHECK_EQUAL(hsp_periodic_query_ball(periodic, xyz, 1e300, image, OUT, &number), HSP_E_RANGE);
+  CHECK_EQUAL(hsp_periodic_query_pairs(periodic, 2, begins, image, OUT, &number), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_query_pairs(periodic, 0, NULL, image, OUT, &number), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_query_pairs(periodic, 0, begins, NULL, OUT, &number), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_query_pairs(periodic, 0, begins, image, OUT, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_query_pairs(periodic, 0, begins, NULL, 0, &number), HSP_E_CAPACITY);
+  CHECK(number == 4 && begins[0] == 0 && begins[1] == 2 && begins[2] == 4 && begins[BALLS] == 4);
   CHECK_EQUAL(hsp_periodic_query_neighbours(periodic, BALLS, image, OUT, &number), HSP_E_ID);
   CHECK_EQUAL(hsp_periodic_query_neighbours(periodic, 0, NULL, OUT, &number), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_periodic_query_neighbours(periodic, 0, image, OUT, NULL), HSP_E_ARGUMENT);
@@ -238,6 +260,10 @@ static void refused_input(void) {
   compute(0, NULL, NULL, box);
   CHECK_EQUAL(counts.balls + counts.images + counts.faces + counts.components, 0);
   CHECK(totals.volume == 0 && totals.free_volume == totals.box_volume && totals.box_volume == 4 * 6.5 * 8);
+  CHECK_EQUAL(hsp_periodic_query_ball(periodic, xyz, 9, NULL, 0, &number), HSP_OK);
+  CHECK_EQUAL(number, 0);
+  CHECK_EQUAL(hsp_periodic_query_pairs(periodic, 0, begins, NULL, 0, &number), HSP_OK);
+  CHECK(number == 0 && begins[0] == 0);
 }
 
 /* Every limit too small, alone and all together; what comes back leads to the same results. */
