@@ -6,7 +6,7 @@
 #include "model_options.hpp"
 #include "periodic/periodic_check.hpp"
 #include "periodic/periodic_measures.hpp"
-#include "periodic_records.hpp"
+#include "periodic_shifts.hpp"
 
 using hsp::capi::check_output;
 using hsp::capi::check_request;

@@ -2,7 +2,7 @@
 #include "hsp_periodic.hpp"
 #include "model/neighbour_lists.hpp"
 #include "periodic/periodic_queries.hpp"
-#include "periodic_records.hpp"
+#include "periodic_shifts.hpp"
 
 using hsp::capi::is_live;
 
@@ -61,9 +61,8 @@ int32_t ask(const hsp_periodic *periodic, const double *xyz, double radius, hsp_
   const hsp::PeriodicImages &images = periodic->builder.images();
   QueryInBox query;
   if (const int32_t status = round_query(images, xyz, radius, query); status != HSP_OK) return status;
-  return put_images(images, query.home, out, capacity, needed, [&](auto sink) {
-    hsp::visit_images_at(periodic->builder, query.centre, query.radius, sink);
-  });
+  return put_images(images, query.home, out, capacity, needed,
+                    [&](auto sink) { hsp::visit_images_at(periodic->builder, query.centre, query.radius, sink); });
 }
 
 }  // namespace

@@ -1,12 +1,13 @@
 // Unions in a periodic box: the library's check of itself, contacts and neighbours from both sides, cells and windings
 // that add up, the same bytes from other images of the balls and other vectors of the box, twice the box along one of
-// them, points and query balls against all images, and limits that are too small.
+// them, records that fit together, points and query balls against all images, and limits that are too small.
 #include <array>
 #include <cmath>
 #include <cstring>
 #include <set>
 #include <vector>
 
+#include "box_records.hpp"
 #include "fuzz_input.hpp"
 #include "required_limits.hpp"
 
@@ -206,6 +207,21 @@ void require_same(const Result &p, const Result &q) {
   FUZZ_REQUIRE(p.strain == q.strain, "strain of other images");
 }
 
+// The records of the boundary against each other and against the balls.
+support::BoxRecords require_records(const hsp_periodic *periodic, const support::BoxedBalls &set) {
+  support::BoxRecords records(periodic);
+  const support::BoxReader reader(set, records);
+  FUZZ_REQUIRE(reader.problem().empty(), reader.problem().c_str());
+  return records;
+}
+
+// With the probe.
+support::BoxedBalls boxed(const Crystal &crystal) {
+  support::BoxedBalls set{crystal.balls, crystal.box};
+  for (double &r : set.balls.radius) r += crystal.options.probe;
+  return set;
+}
+
 // All balls that meet a query ball, or hold a point.
 void require_hits(const hsp_periodic *periodic, const Crystal &crystal, fuzz::Bytes &bytes) {
   double at[3];
@@ -264,11 +280,20 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   support::OwnedPeriodic other;
   const Result of_images = result_of(other, moved);
   require_same(reference, of_images);
+  const support::BoxedBalls set = boxed(crystal), moved_set = boxed(moved);
+  const support::BoxRecords records = require_records(periodic.get(), set);
+  const auto require_same_records = [&](const support::BoxedBalls &as, const support::BoxRecords &same) {
+    const std::string difference = support::difference_of_records(set, records, as, same);
+    FUZZ_REQUIRE(difference.empty(), difference.c_str());
+  };
+  require_same_records(moved_set, require_records(other.get(), moved_set));
   FUZZ_REQUIRE(reference.box == of_images.box, "derivatives by the box from other images");
   Crystal leaning = crystal;
   const int lean = static_cast<int>(bytes.below(5)) - 2;
   for (size_t axis = 0; axis < 3; ++axis) leaning.box[6 + axis] += lean * crystal.box[axis] + crystal.box[3 + axis];
   require_same(reference, result_of(other, leaning));
+  const support::BoxedBalls leaning_set = boxed(leaning);
+  require_same_records(leaning_set, require_records(other.get(), leaning_set));
 
   // Twice as long along one vector, with every ball and a copy of it.
   const size_t row = bytes.below(3);

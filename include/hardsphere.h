@@ -15,6 +15,7 @@
  *   hardsphere/curvature.h  integrated mean and Gaussian curvature
  *   hardsphere/contacts.h   which balls touch and by how much, shares of the union, the dual complex
  *   hardsphere/periodic.h   all of that in a box whose copies fill space: areas, volume, contacts, windings, strain
+ *   hardsphere/periodic_boundary.h  vertices, arcs, circles, faces in such a box
  *   hardsphere/surface.h    the smooth surface that a probe leaves, its area and volume (Section 4.3)
  *   hardsphere/mesh.h       boundary or smooth surface as triangles
  *   hardsphere/topology.h   the boundary as quad-edges with simple faces, shells, cells, point location (Step 3)
@@ -107,6 +108,7 @@
 #include "hardsphere/moving.h"
 #include "hardsphere/paths.h"
 #include "hardsphere/periodic.h"
+#include "hardsphere/periodic_boundary.h"
 #include "hardsphere/picture.h"
 #include "hardsphere/pose.h"
 #include "hardsphere/query.h"

@@ -396,6 +396,59 @@ module hardsphere
     integer(c_int32_t) :: shift(3)
   end type
 
+  type, bind(C) :: hsp_periodic_id
+    integer(c_int32_t) :: id
+    integer(c_int32_t) :: shift(3)
+  end type
+
+  type, bind(C) :: hsp_periodic_vertex
+    real(c_double) :: xyz(3)                   ! length
+    type(hsp_image) :: image(3)                ! its balls, the first one at its place
+    integer(c_int32_t) :: sign                 ! +1 or -1
+    integer(c_int32_t) :: flags                ! HSP_VERTEX_*
+  end type
+
+  type, bind(C) :: hsp_periodic_arc
+    real(c_double) :: centre(3)                ! of its circle, length
+    real(c_double) :: axis(3)                  ! unit vector from ball a towards ball b
+    real(c_double) :: radius                   ! length
+    real(c_double) :: angle                    ! from its first vertex to its second
+    type(hsp_image) :: image(2)                ! its balls, the first one at its place
+    type(hsp_periodic_id) :: vertex(2)         ! where it starts and where it ends
+    type(hsp_periodic_id) :: face(2)           ! on ball a and on ball b
+  end type
+
+  type, bind(C) :: hsp_periodic_circle
+    real(c_double) :: centre(3)                ! length
+    real(c_double) :: axis(3)                  ! unit vector from ball a towards ball b
+    real(c_double) :: radius                   ! length
+    type(hsp_image) :: image(2)                ! its balls, the first one at its place
+    type(hsp_periodic_id) :: face(2)           ! on ball a and on ball b
+  end type
+
+  type, bind(C) :: hsp_periodic_face
+    type(hsp_image) :: image                   ! its ball, at its place
+    integer(c_int32_t) :: loops
+    integer(c_int32_t) :: shell
+    integer(c_int32_t) :: first_loop
+    integer(c_int32_t) :: reserved             ! 0
+  end type
+
+  type, bind(C) :: hsp_periodic_loop
+    type(hsp_periodic_id) :: circle            ! HSP_NONE if it consists of arcs
+    integer(c_int32_t) :: face
+    integer(c_int32_t) :: side
+    integer(c_int32_t) :: first_arc
+    integer(c_int32_t) :: arcs
+  end type
+
+  type, bind(C) :: hsp_periodic_loop_arc
+    type(hsp_periodic_id) :: arc
+    type(hsp_periodic_id) :: vertex            ! where the loop comes to it
+    integer(c_int32_t) :: side
+    integer(c_int32_t) :: reserved             ! 0
+  end type
+
   type, bind(C) :: hsp_moving_limits
     integer(c_int32_t) :: struct_size     ! hsp_moving_limits_init sets it
     integer(c_int32_t) :: balls
@@ -1806,6 +1859,76 @@ module hardsphere
       type(c_ptr), value :: periodic
       integer(c_int32_t), intent(inout) :: invariant
       integer(c_int32_t), intent(inout) :: id
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_periodic_get_vertices(periodic, out, capacity, needed) result(status) &
+      bind(C, name="hsp_periodic_get_vertices")
+      import :: c_int32_t, c_ptr, hsp_periodic_vertex
+      type(c_ptr), value :: periodic
+      type(hsp_periodic_vertex), intent(inout), optional :: out(*)
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_periodic_get_arcs(periodic, out, capacity, needed) result(status) &
+      bind(C, name="hsp_periodic_get_arcs")
+      import :: c_int32_t, c_ptr, hsp_periodic_arc
+      type(c_ptr), value :: periodic
+      type(hsp_periodic_arc), intent(inout), optional :: out(*)
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_periodic_get_circles(periodic, out, capacity, needed) result(status) &
+      bind(C, name="hsp_periodic_get_circles")
+      import :: c_int32_t, c_ptr, hsp_periodic_circle
+      type(c_ptr), value :: periodic
+      type(hsp_periodic_circle), intent(inout), optional :: out(*)
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_periodic_get_faces(periodic, out, capacity, needed) result(status) &
+      bind(C, name="hsp_periodic_get_faces")
+      import :: c_int32_t, c_ptr, hsp_periodic_face
+      type(c_ptr), value :: periodic
+      type(hsp_periodic_face), intent(inout), optional :: out(*)
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_periodic_get_loops(periodic, out, capacity, needed) result(status) &
+      bind(C, name="hsp_periodic_get_loops")
+      import :: c_int32_t, c_ptr, hsp_periodic_loop
+      type(c_ptr), value :: periodic
+      type(hsp_periodic_loop), intent(inout), optional :: out(*)
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_periodic_get_loop_arcs(periodic, out, capacity, needed) result(status) &
+      bind(C, name="hsp_periodic_get_loop_arcs")
+      import :: c_int32_t, c_ptr, hsp_periodic_loop_arc
+      type(c_ptr), value :: periodic
+      type(hsp_periodic_loop_arc), intent(inout), optional :: out(*)
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_periodic_get_balls(periodic, out, capacity, needed) result(status) &
+      bind(C, name="hsp_periodic_get_balls")
+      import :: c_int32_t, c_ptr, hsp_ball
+      type(c_ptr), value :: periodic
+      type(hsp_ball), intent(inout), optional :: out(*)
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
       integer(c_int32_t) :: status
     end function
 

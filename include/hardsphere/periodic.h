@@ -8,8 +8,9 @@
  * rounded to the lattice of the balls once: components must have no more decimals than that for images to be images to
  * the last bit. Angles may be any: b and c are reduced by whole multiples of the vectors before them inside.
  *
- * What has no meaning without an outside is not there: voids, the outer shell, views and meshes. Components instead
- * tell in how many directions they go on for ever. */
+ * Vertices, arcs and faces as records are in hardsphere/periodic_boundary.h. What has no meaning without an outside is
+ * not there: voids, the outer shell, views and meshes. Components instead tell in how many directions they go on for
+ * ever. Neither are rays, which never leave the box. */
 #ifndef HARDSPHERE_PERIODIC_H
 #define HARDSPHERE_PERIODIC_H
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "boundary/boundary_worker.hpp"
+#include "boundary/shells.hpp"
 
 namespace hsp {
 
@@ -20,7 +21,8 @@ class BoundaryPart {
   Status build(const CubeGrid &grid);
   const BoundaryLimits &needed() const { return needed_; }
 
-  // Twins, shells and numbers of components are not there. With a grid, the origin of a component is any ball of it.
+  // Twins on other balls, shells and numbers of components are not there. With a grid, the origin of a component is any
+  // ball of it.
   const Boundary &boundary() const { return boundary_; }
   // A ball that stands around is inside others if this one is.
   void take_state(uint32_t ball, uint32_t from) { arrays().ball_state[ball] = arrays().ball_state[from]; }
@@ -28,6 +30,8 @@ class BoundaryPart {
   // One inside others is joined to one of these, which whatever meets it meets, too. Each has its representative as
   // parent.
   Span<const uint32_t> join_components(const CubeGrid &grid);
+  // Numbers the shells, from the faces that have been joined.
+  void take_shells(DisjointSets shells) { number_shells(shells, arrays()); }
   // [loops]
   Span<uint32_t> scratch() { return scratch_; }
 

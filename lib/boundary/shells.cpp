@@ -14,6 +14,10 @@ void find_shells(const Boundary &boundary, BoundaryArrays &arrays, Span<uint32_t
   for (const CircleRecord &circle : arrays.circles.items()) {
     shells.join(boundary.face_of_loop(circle.loop[0]), boundary.face_of_loop(circle.loop[1]));
   }
+  number_shells(shells, arrays);
+}
+
+void number_shells(DisjointSets shells, BoundaryArrays &arrays) {
   arrays.shell_count = 0;
   for (uint32_t face = 0; face < arrays.face_count; ++face) {
     const uint32_t representative = shells.find(face);  // the smallest face of the shell

@@ -8,4 +8,7 @@ namespace hsp {
 // Numbers the shells in the order of their first face and stores them in the faces. scratch [faces].
 void find_shells(const Boundary &boundary, BoundaryArrays &arrays, Span<uint32_t> scratch);
 
+// The same once the faces have been joined.
+void number_shells(DisjointSets shells, BoundaryArrays &arrays);
+
 }  // namespace hsp

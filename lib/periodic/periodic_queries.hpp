@@ -59,8 +59,7 @@ template <class Sink>
 void visit_images_at(const PeriodicUnion &periodic, const exact::Vector &point, int64_t radius, Sink sink) {
   const PeriodicImages &images = periodic.images();
   if (radius <= images.largest_radius()) {
-    return visit_balls_at(periodic, point, radius,
-                          [&](uint32_t k) { sink(images.ball_of(k), images.shift_of(k)); });
+    return visit_balls_at(periodic, point, radius, [&](uint32_t k) { sink(images.ball_of(k), images.shift_of(k)); });
   }
   const PeriodicBox &box = images.box();
   const auto visit_copy = [&](const BoxShift &shift) {

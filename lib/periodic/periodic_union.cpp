@@ -12,6 +12,9 @@ void PeriodicUnion::carve(Workspace &workspace, const PeriodicLimits &limits) {
   boundary_.carve(workspace, {all, limits.neighbours, limits.vertices, limits.circles, 1});
   contacts_.carve(workspace, {all, limits.neighbours, limits.contacts, 0, 0});
   windings_.carve(workspace, limits.balls);
+  listed_vertices_.carve(workspace, limits.vertices);
+  listed_half_edges_.carve(workspace, uint64_t{3} * limits.vertices);
+  listed_circles_.carve(workspace, limits.circles);
 }
 
 Status PeriodicUnion::build(const BallInput &input, const double vector[9], uint32_t &first_bad) {
@@ -73,22 +76,23 @@ Status PeriodicUnion::count() {
   counts_.loops = b.loop_count();
   counts_.faces = b.face_count();
   counts_.contacts = contacts().contact_count() - across / 2;
-  return find_shells();
+  list_vertices();
+  return join_faces();
 }
 
-// Ball or image of the grid, moved by a shift; no_id if it is not in the set.
 uint32_t PeriodicUnion::grid_index_moved(uint32_t grid_ball, const BoxShift &shift) const {
   const uint32_t k = balls().caller[grid_ball];
   const uint32_t moved = images_.find(images_.ball_of(k), images_.shift_of(k) + shift);
   return moved == no_id ? no_id : grid_.grid_index(moved);
 }
 
-// The face on the other side of an arc of a ball in the box: of the other ball's copy in the box, which has the same
-// half-edges about its own place. The one that is meant lies on the circle of the first ball, moved likewise, and
-// begins where the circle of the vertex's third ball ends: of the two points of three spheres one is such a beginning.
-uint32_t PeriodicUnion::face_across(uint32_t ball, uint32_t half_edge) const {
+// The other ball's copy in the box has the same half-edges about its own place. The one that is meant lies on the
+// circle of the first ball, moved likewise, and begins where the circle of the vertex's third ball ends: of the two
+// points of three spheres one is such a beginning.
+uint32_t PeriodicUnion::half_edge_across(uint32_t ball, uint32_t half_edge) const {
   const Boundary &b = boundary();
   const uint32_t other = b.half_edge(half_edge).circle;
+  if (is_in_box(other)) return b.twin(half_edge);
   const VertexRecord &end = b.vertex(b.end_vertex(half_edge));
   const uint32_t third = end.ball[0] ^ end.ball[1] ^ end.ball[2] ^ ball ^ other;
   const BoxShift back = BoxShift{} - images_.shift_of(balls().caller[other]);
@@ -96,51 +100,72 @@ uint32_t PeriodicUnion::face_across(uint32_t ball, uint32_t half_edge) const {
   const uint32_t circle = grid_index_moved(ball, back);
   const uint32_t previous = grid_index_moved(third, back);
   for (const uint32_t e : b.half_edges(opposite)) {
-    if (b.half_edge(e).circle == circle && b.previous_circle(opposite, b.half_edge(e)) == previous) {
-      return b.face_of(e);
-    }
+    if (b.half_edge(e).circle == circle && b.previous_circle(opposite, b.half_edge(e)) == previous) return e;
   }
   return no_id;
 }
 
-// The same across a circle with an image.
-uint32_t PeriodicUnion::face_across(const CircleRecord &circle) const {
+bool PeriodicUnion::find_across(ClosedHalfEdge own, ClosedHalfEdge &across) const {
   const Boundary &b = boundary();
-  const BoxShift back = BoxShift{} - images_.shift_of(balls().caller[circle.ball[1]]);
-  const uint32_t moved = grid_index_moved(circle.ball[0], back);
-  for (const ClosedHalfEdge e : b.circles(grid_index_moved(circle.ball[1], back))) {
-    if (b.neighbour(e) == moved) return b.face_of_loop(b.loop_of(e));
+  const uint32_t other = b.neighbour(own);
+  if (is_in_box(other)) {
+    across = {own.circle(), 1 - own.side()};
+    return true;
   }
-  return no_id;
+  const BoxShift back = BoxShift{} - images_.shift_of(balls().caller[other]);
+  const uint32_t moved = grid_index_moved(b.ball_of(own), back);
+  for (const ClosedHalfEdge e : b.circles(grid_index_moved(other, back))) {
+    if (b.neighbour(e) != moved) continue;
+    across = e;
+    return true;
+  }
+  return false;
 }
 
-// Faces of balls in the box are joined across their arcs and circles, each once.
-Status PeriodicUnion::find_shells() {
+// One whose balls are all in the box is there once. They are in ascending order.
+void PeriodicUnion::list_vertices() {
   const Boundary &b = boundary();
-  const Span<uint32_t> parent = boundary_.scratch().part(0, b.face_count());
-  DisjointSets sets(parent);
+  listed_vertices_.clear(b.vertex_count());
+  for (uint32_t v = 0; v < b.vertex_count(); ++v) {
+    const VertexRecord &vertex = b.vertex(v);
+    listed_vertices_.set_if(v, is_in_box(vertex.ball[2]) || is_in_box(in_listed_order(vertex).ball[0]));
+  }
+  listed_vertices_.count();
+}
+
+// Faces of balls in the box are joined across their arcs and circles, each where it is listed.
+Status PeriodicUnion::join_faces() {
+  const Boundary &b = boundary();
+  DisjointSets sets(boundary_.scratch().part(0, b.face_count()));
   sets.reset();
-  const auto is_once = [&](uint32_t own, uint32_t other) {
-    return is_in_box(other) ? own < other : is_listed(balls().caller[own], balls().caller[other]);
+  const auto is_once = [this](uint32_t own, uint32_t other) {
+    return is_listed(balls().caller[own], balls().caller[other]);
   };
+  listed_half_edges_.clear(b.half_edge_count());
+  listed_circles_.clear(b.circle_count());
   for (uint32_t own = 0; own < images_.balls(); ++own) {
     for (const uint32_t e : b.half_edges(own)) {
-      const uint32_t other = b.half_edge(e).circle;
-      if (!is_once(own, other)) continue;
-      const uint32_t across = is_in_box(other) ? b.face_of(b.twin(e)) : face_across(own, e);
+      if (!is_once(own, b.half_edge(e).circle)) continue;
+      const uint32_t across = half_edge_across(own, e);
       if (across == no_id) return Status::check;
-      sets.join(b.face_of(e), across);
+      listed_half_edges_.set(e);
+      sets.join(b.face_of(e), b.face_of(across));
+    }
+    for (const ClosedHalfEdge e : b.circles(own)) {
+      if (!is_once(own, b.neighbour(e))) continue;
+      ClosedHalfEdge across(0, 0);
+      if (!find_across(e, across)) return Status::check;
+      listed_circles_.set(e.circle());
+      sets.join(b.face_of_loop(b.loop_of(e)), b.face_of_loop(b.loop_of(across)));
     }
   }
-  for (uint32_t c = 0; c < b.circle_count(); ++c) {
-    const CircleRecord &circle = b.circle(c);
-    if (!is_once(circle.ball[0], circle.ball[1])) continue;
-    const uint32_t across = is_in_box(circle.ball[1]) ? b.face_of_loop(circle.loop[1]) : face_across(circle);
-    if (across == no_id) return Status::check;
-    sets.join(b.face_of_loop(circle.loop[0]), across);
-  }
-  for (uint32_t face = 0; face < b.face_count(); ++face) counts_.shells += parent[face] == face ? 1U : 0U;
-  return Status::ok;
+  listed_half_edges_.count();
+  listed_circles_.count();
+  boundary_.take_shells(sets);
+  counts_.shells = b.shell_count();
+  const bool each_once = listed_vertices_.size() == counts_.vertices && listed_half_edges_.size() == counts_.arcs &&
+                         listed_circles_.size() == counts_.circles;
+  return each_once ? Status::ok : Status::check;
 }
 
 }  // namespace hsp

@@ -11,6 +11,7 @@
 
 #include "boundary/boundary_part.hpp"
 #include "contacts/contacts_builder.hpp"
+#include "core/ranked_bits.hpp"
 #include "periodic/periodic_images.hpp"
 #include "periodic/windings.hpp"
 
@@ -96,28 +97,45 @@ class PeriodicUnion {
       sink(PeriodicContact{i, balls().caller[record.other(own)], &record});
     }
   }
-  // Whether what ball i has in common with another one, or an image, is listed at ball i: at one of the two. What two
-  // copies of one ball have in common is listed with the shift that comes after that of the ball itself.
-  bool is_listed(uint32_t i, uint32_t k) const {
-    const uint32_t other = images_.ball_of(k);
-    return other != i ? other > i : comes_before({}, images_.shift_of(k));
+  // Balls come in the caller's order, and images of one ball by where they are: lower ones first, by z, then y, then x.
+  // Every basis of the box has this order.
+  bool comes_first(uint32_t k, uint32_t other) const {
+    const uint32_t own = images_.ball_of(k), ball = images_.ball_of(other);
+    return own != ball ? own < ball : visited_before(images_.shift_of(k), images_.shift_of(other));
   }
+  // Whether what ball i has in common with another one, or an image, is listed at ball i: at one of the two, the first.
+  bool is_listed(uint32_t i, uint32_t k) const { return comes_first(i, k); }
   bool is_listed(const PeriodicContact &contact) const { return is_listed(contact.ball, contact.other); }
+
+  // Each vertex, arc and circle in the box is listed once, where the first of its balls is in the box; an arc as its
+  // half-edge on that ball. Its rank among those of its kind is its number.
+  const RankedBits &listed_vertices() const { return listed_vertices_; }
+  const RankedBits &listed_half_edges() const { return listed_half_edges_; }
+  const RankedBits &listed_circles() const { return listed_circles_; }
+  // The balls of a vertex, the first one first.
+  OrderedVertex in_listed_order(const VertexRecord &vertex) const {
+    const Span<const uint32_t> caller = balls().caller;
+    return in_order(vertex, [&](uint32_t p, uint32_t q) { return comes_first(caller[p], caller[q]); });
+  }
+  // Ball or image of the grid, moved by a shift; no_id if it is not in the set.
+  uint32_t grid_index_moved(uint32_t grid_ball, const BoxShift &shift) const;
+  // The half-edge of the same arc on the copy in the box of its other ball; no_id if there is none, which cannot be.
+  uint32_t half_edge_across(uint32_t ball, uint32_t half_edge) const;
+  // The same of a whole circle. False if there is none.
+  bool find_across(ClosedHalfEdge own, ClosedHalfEdge &across) const;
 
  private:
   Status join_balls();
   Status count();
-  Status find_shells();
-  uint32_t grid_index_moved(uint32_t grid_ball, const BoxShift &shift) const;
-  uint32_t face_across(uint32_t ball, uint32_t half_edge) const;
-  uint32_t face_across(const CircleRecord &circle) const;
-
+  void list_vertices();
+  Status join_faces();
   PeriodicLimits limits_, needed_;
   PeriodicImages images_;
   CubeGrid grid_;
   BoundaryPart boundary_;
   ContactsBuilder contacts_;
   Windings windings_;
+  RankedBits listed_vertices_, listed_half_edges_, listed_circles_;
   PeriodicCounts counts_;
 };
 

@@ -482,6 +482,9 @@ static void periodic_results(const void *periodic, const void *source) {
   uint32_t count = 0;
   guarded_memory list = guarded_take(sizeof(hsp_periodic_contact) * all->counts.contacts, 0, GUARDED_PATTERN);
   guarded_memory windings = guarded_take(sizeof(hsp_winding) * all->counts.components, 0, GUARDED_PATTERN);
+  guarded_memory vertices = guarded_take(sizeof(hsp_periodic_vertex) * all->counts.vertices, 0, GUARDED_PATTERN);
+  guarded_memory arcs = guarded_take(sizeof(hsp_periodic_arc) * all->counts.arcs, 0, GUARDED_PATTERN);
+  guarded_memory circles = guarded_take(sizeof(hsp_periodic_circle) * all->counts.circles, 0, GUARDED_PATTERN);
   guarded_memory area = guarded_take(sizeof(double) * n, 0, GUARDED_PATTERN);
   guarded_memory volume = guarded_take(sizeof(double) * n, 0, GUARDED_PATTERN);
   CHECK_EQUAL(hsp_periodic_get_counts(periodic, &counts), HSP_OK);
@@ -490,13 +493,23 @@ static void periodic_results(const void *periodic, const void *source) {
   CHECK_BYTES(list.block, all->contacts, list.bytes);
   CHECK_EQUAL(hsp_periodic_get_windings(periodic, (void *)windings.block, all->counts.components, &count), HSP_OK);
   CHECK_BYTES(windings.block, all->windings, windings.bytes);
+  CHECK_EQUAL(hsp_periodic_get_vertices(periodic, (void *)vertices.block, all->counts.vertices, &count), HSP_OK);
+  CHECK_BYTES(vertices.block, all->vertices, vertices.bytes);
+  CHECK_EQUAL(hsp_periodic_get_arcs(periodic, (void *)arcs.block, all->counts.arcs, &count), HSP_OK);
+  CHECK_BYTES(arcs.block, all->arcs, arcs.bytes);
+  CHECK_EQUAL(hsp_periodic_get_circles(periodic, (void *)circles.block, all->counts.circles, &count), HSP_OK);
+  CHECK_BYTES(circles.block, all->circles, circles.bytes);
   CHECK_EQUAL(hsp_periodic_measure(periodic, &totals, (void *)area.block, (void *)volume.block, n, NULL), HSP_OK);
   CHECK_BYTES(&totals, &all->totals, sizeof totals);
   CHECK_BYTES(area.block, all->area, area.bytes);
   CHECK_BYTES(volume.block, all->cell_volume, volume.bytes);
   CHECK(guarded_clean(&list) && guarded_clean(&windings) && guarded_clean(&area) && guarded_clean(&volume));
+  CHECK(guarded_clean(&vertices) && guarded_clean(&arcs) && guarded_clean(&circles));
   guarded_give_back(&list);
   guarded_give_back(&windings);
+  guarded_give_back(&vertices);
+  guarded_give_back(&arcs);
+  guarded_give_back(&circles);
   guarded_give_back(&area);
   guarded_give_back(&volume);
 }

@@ -361,10 +361,17 @@ static int call_paths(const hsp_model *model, void *memory, size_t bytes) {
 
 /* A periodic box, all functions. */
 static int call_periodic(void *memory, size_t bytes) {
-  static const double xyz[9] = {0, 0, 0, 3, 0, 1, 1, 1, -2}, radius[3] = {1.5, 1.5, 1.25};
+  static const double xyz[9] = {0, 0, 0, 3, 0, 1, 1, 1, -2}, radius[3] = {2, 2, 1.75};
   static const double box[9] = {5, 0, 0, 1, 4, 0, -1, 1, 4.5};
   static hsp_periodic_contact contact[64];
   static hsp_image image[64];
+  static hsp_periodic_vertex vertex[128];
+  static hsp_periodic_arc arc[192];
+  static hsp_periodic_circle circle[64];
+  static hsp_periodic_face face[64];
+  static hsp_periodic_loop loop[64];
+  static hsp_periodic_loop_arc loop_arc[384];
+  hsp_ball ball[3];
   hsp_periodic *periodic = NULL;
   hsp_periodic_limits limits;
   hsp_periodic_counts counts;
@@ -392,6 +399,13 @@ static int call_periodic(void *memory, size_t bytes) {
   bad += hsp_periodic_query_ball(periodic, xyz, 2.5, image, 64, &needed) != HSP_OK || needed == 0;
   bad += hsp_periodic_query_neighbours(periodic, 0, image, 64, &needed) != HSP_OK || needed == 0;
   bad += hsp_periodic_query_pairs(periodic, HSP_PAIRS_ONCE, first, image, 64, &needed) != HSP_OK || needed == 0;
+  bad += hsp_periodic_get_vertices(periodic, vertex, 128, &needed) != HSP_OK || needed == 0;
+  bad += hsp_periodic_get_arcs(periodic, arc, 192, &needed) != HSP_OK || needed == 0;
+  bad += hsp_periodic_get_circles(periodic, circle, 64, &needed) != HSP_OK;
+  bad += hsp_periodic_get_faces(periodic, face, 64, &needed) != HSP_OK || needed == 0;
+  bad += hsp_periodic_get_loops(periodic, loop, 64, &needed) != HSP_OK || needed == 0;
+  bad += hsp_periodic_get_loop_arcs(periodic, loop_arc, 384, &needed) != HSP_OK || needed == 0;
+  bad += hsp_periodic_get_balls(periodic, ball, 3, &needed) != HSP_OK;
   bad += hsp_periodic_check(periodic, &invariant, &id) != HSP_OK;
   return bad;
 }

@@ -338,6 +338,13 @@ static void refused_as_periodic(void *handle) {
   CHECK_EQUAL(hsp_periodic_query_ball(handle, four_xyz, 1, NULL, 0, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_periodic_query_neighbours(handle, 0, NULL, 0, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_periodic_query_pairs(handle, 0, &id, NULL, 0, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_get_vertices(handle, NULL, 0, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_get_arcs(handle, NULL, 0, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_get_circles(handle, NULL, 0, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_get_faces(handle, NULL, 0, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_get_loops(handle, NULL, 0, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_get_loop_arcs(handle, NULL, 0, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_get_balls(handle, NULL, 0, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_periodic_check(handle, &needed, &id), HSP_E_ARGUMENT);
 }
 

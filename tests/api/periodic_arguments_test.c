@@ -23,6 +23,13 @@ static hsp_periodic_totals totals;
 static hsp_periodic_contact contact[OUT];
 static hsp_winding winding[BALLS];
 static hsp_image image[OUT];
+static hsp_periodic_vertex vertex[OUT];
+static hsp_periodic_arc arc[OUT];
+static hsp_periodic_circle circle[OUT];
+static hsp_periodic_face face[OUT];
+static hsp_periodic_loop loop[OUT];
+static hsp_periodic_loop_arc loop_arc[OUT];
+static hsp_ball ball[BALLS];
 static hsp_energy energy;
 static double area[BALLS], cell[BALLS], mean[BALLS], centre[BALLS][3], by_radius[BALLS], strain[9], by_box[9];
 static hsp_curvatures curvatures;
@@ -104,6 +111,13 @@ static void check_unread(const hsp_periodic *handle, int32_t status) {
   FILL(energy);
   FILL(image);
   FILL(begins);
+  FILL(vertex);
+  FILL(arc);
+  FILL(circle);
+  FILL(face);
+  FILL(loop);
+  FILL(loop_arc);
+  FILL(ball);
   FILL(number);
   FILL(invariant);
   CHECK_EQUAL(hsp_periodic_get_counts(handle, &counts), status);
@@ -119,6 +133,13 @@ static void check_unread(const hsp_periodic *handle, int32_t status) {
   CHECK_EQUAL(hsp_periodic_query_ball(handle, xyz, 1, image, OUT, &number), status);
   CHECK_EQUAL(hsp_periodic_query_neighbours(handle, 0, image, OUT, &number), status);
   CHECK_EQUAL(hsp_periodic_query_pairs(handle, 0, begins, image, OUT, &number), status);
+  CHECK_EQUAL(hsp_periodic_get_vertices(handle, vertex, OUT, &number), status);
+  CHECK_EQUAL(hsp_periodic_get_arcs(handle, arc, OUT, &number), status);
+  CHECK_EQUAL(hsp_periodic_get_circles(handle, circle, OUT, &number), status);
+  CHECK_EQUAL(hsp_periodic_get_faces(handle, face, OUT, &number), status);
+  CHECK_EQUAL(hsp_periodic_get_loops(handle, loop, OUT, &number), status);
+  CHECK_EQUAL(hsp_periodic_get_loop_arcs(handle, loop_arc, OUT, &number), status);
+  CHECK_EQUAL(hsp_periodic_get_balls(handle, ball, BALLS, &number), status);
   CHECK_EQUAL(hsp_periodic_check(handle, &invariant, &id), status);
   CHECK_UNTOUCHED(counts);
   CHECK_UNTOUCHED(totals);
@@ -129,6 +150,13 @@ static void check_unread(const hsp_periodic *handle, int32_t status) {
   CHECK_UNTOUCHED(energy);
   CHECK_UNTOUCHED(image);
   CHECK_UNTOUCHED(begins);
+  CHECK_UNTOUCHED(vertex);
+  CHECK_UNTOUCHED(arc);
+  CHECK_UNTOUCHED(circle);
+  CHECK_UNTOUCHED(face);
+  CHECK_UNTOUCHED(loop);
+  CHECK_UNTOUCHED(loop_arc);
+  CHECK_UNTOUCHED(ball);
   CHECK_UNTOUCHED(number);
   CHECK_UNTOUCHED(invariant);
 }
@@ -206,6 +234,79 @@ static void refused_reading(void) {
   CHECK_EQUAL(hsp_periodic_query_neighbours(periodic, 0, image, OUT, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_periodic_check(periodic, NULL, &id), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_periodic_check(periodic, &invariant, NULL), HSP_E_ARGUMENT);
+}
+
+/* What every list of records refuses. */
+#define CHECK_LIST(function, out)                                            \
+  do {                                                                       \
+    uint32_t there = 0;                                                      \
+    CHECK_EQUAL(function(periodic, NULL, OUT, &there), HSP_E_ARGUMENT);      \
+    CHECK_EQUAL(function(periodic, out, OUT, NULL), HSP_E_ARGUMENT);         \
+    CHECK_EQUAL(function(periodic, NULL, 0, &there), HSP_E_CAPACITY);        \
+    CHECK(there > 0 && there <= OUT);                                        \
+    FILL(out);                                                               \
+    CHECK_EQUAL(function(periodic, out, there - 1, &there), HSP_E_CAPACITY); \
+    CHECK_UNTOUCHED(out);                                                    \
+    CHECK_EQUAL(function(periodic, out, there, &there), HSP_OK);             \
+  } while (0)
+
+static void refused_records(void) {
+  make();
+  compute(BALLS, xyz, radius, box);
+  CHECK_LIST(hsp_periodic_get_circles, circle);
+  CHECK_LIST(hsp_periodic_get_faces, face);
+  CHECK_LIST(hsp_periodic_get_loops, loop);
+  CHECK_LIST(hsp_periodic_get_balls, ball);
+  compute(BALLS, xyz, radius, small);
+  CHECK_LIST(hsp_periodic_get_vertices, vertex);
+  CHECK_LIST(hsp_periodic_get_arcs, arc);
+  CHECK_LIST(hsp_periodic_get_loop_arcs, loop_arc);
+}
+
+/* The rod along a: two circles, between a ball and two images of the other one. */
+static void known_records(void) {
+  uint32_t k;
+  make();
+  compute(BALLS, xyz, radius, box);
+  CHECK_EQUAL(hsp_periodic_get_vertices(periodic, NULL, 0, &number), HSP_OK);
+  CHECK_EQUAL(number, 0);
+  CHECK_EQUAL(hsp_periodic_get_loop_arcs(periodic, NULL, 0, &number), HSP_OK);
+  CHECK_EQUAL(number, 0);
+  CHECK_EQUAL(hsp_periodic_get_balls(periodic, ball, BALLS, &number), HSP_OK);
+  CHECK_EQUAL(number, BALLS);
+  CHECK_EQUAL(hsp_periodic_get_faces(periodic, face, OUT, &number), HSP_OK);
+  CHECK_EQUAL(number, 4);
+  for (k = 0; k < BALLS; ++k) {
+    const uint32_t f = ball[k].first_face;
+    CHECK(ball[k].faces == 1 && ball[k].flags == 0 && face[f].image.ball == k && face[f].reserved == 0);
+    CHECK_EQUAL(ball[k].component, k < 2 ? 0 : k - 1);
+    CHECK_EQUAL(face[f].loops, k < 2 ? 2 : 0);
+  }
+  /* Ball 0 is at its place, 0 0 0; ball 1, given at 14 0 0, has its own at 2 0 0, three boxes back. */
+  CHECK(face[ball[0].first_face].image.shift[0] == 0 && face[ball[1].first_face].image.shift[0] == -3);
+  CHECK_EQUAL(face[ball[0].first_face].shell, face[ball[1].first_face].shell);
+  CHECK_EQUAL(hsp_periodic_get_circles(periodic, circle, OUT, &number), HSP_OK);
+  CHECK_EQUAL(number, 2);
+  for (k = 0; k < 2; ++k) {
+    const int right = circle[k].centre[0] > 0;
+    CHECK(circle[k].image[0].ball == 0 && circle[k].image[0].shift[0] == 0 && circle[k].image[1].ball == 1);
+    CHECK_EQUAL(circle[k].image[1].shift[0], right ? -3 : -4);
+    CHECK_NEAR(circle[k].centre[0], right ? 1 : -1, 1e-15);
+    CHECK_NEAR(circle[k].axis[0], right ? 1 : -1, 1e-15);
+    CHECK_NEAR(circle[k].radius, 0.75, 1e-15);
+    CHECK(circle[k].face[0].id == ball[0].first_face && circle[k].face[0].shift[0] == 0);
+    CHECK(circle[k].face[1].id == ball[1].first_face && circle[k].face[1].shift[0] == (right ? 0 : -1));
+  }
+  CHECK(circle[0].centre[0] != circle[1].centre[0]);
+  CHECK_EQUAL(hsp_periodic_get_loops(periodic, loop, OUT, &number), HSP_OK);
+  CHECK_EQUAL(number, 4);
+  for (k = 0; k < number; ++k) {
+    const hsp_periodic_circle *const c = &circle[loop[k].circle.id];
+    const int right = c->centre[0] > 0, own = loop[k].face == ball[0].first_face;
+    CHECK(loop[k].arcs == 0 && loop[k].first_arc == 0 && loop[k].side == (own ? 0U : 1U));
+    CHECK_EQUAL(loop[k].circle.shift[0], own || right ? 0 : 1);
+    CHECK(loop[k].circle.shift[1] == 0 && loop[k].circle.shift[2] == 0);
+  }
 }
 
 static void check_refused(uint32_t n, const double *at, const double *radii, const hsp_model_options *options,
@@ -471,9 +572,11 @@ static void laws(void) {
 int main(void) {
   refused_limits();
   refused_reading();
+  refused_records();
   refused_input();
   too_little_room();
   known_values();
+  known_records();
   known_queries();
   laws();
   return check_report();

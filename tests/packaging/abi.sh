@@ -74,12 +74,13 @@ done
 
 # No padding but at no field either: records can be compared and hashed as bytes.
 awk '/^#/ { next }
+  NR == FNR { if (NF == 2) size_of[$1] = $2; next }
   NF == 2 { if (name != "" && end != size) { print name " ends with padding"; bad = 1 }
             name = $1; size = $2; end = 0; next }
-  { width = $3 ~ /32/ ? 4 : $3 ~ /64|double/ ? 8 : 0
+  { width = $3 in size_of ? size_of[$3] : $3 ~ /32/ ? 4 : $3 ~ /64|double/ ? 8 : 0
     if (!width || $2 != end) { print $1 " has padding before it"; bad = 1 }
     end = $2 + width * $4 }
-  END { if (end != size) { print name " ends with padding"; bad = 1 } exit bad }' "$work/structs.txt" || failed=1
+  END { if (end != size) { print name " ends with padding"; bad = 1 } exit bad }' "$work/structs.txt" "$work/structs.txt" || failed=1
 
 compared=0
 clang=$(command -v clang-14 || command -v clang || true)

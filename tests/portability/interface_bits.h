@@ -19,7 +19,7 @@ void print_gradients(const computed *c);
 /* Vertices, edges, simple faces, shells, components, cells and scans. */
 void print_topology(const computed *c);
 
-/* The same balls in a periodic box: counts, areas, cells, contacts, windings, a gradient and the strain's. */
+/* The same balls in a periodic box: counts, areas, cells, contacts, records, windings, a gradient and the strain's. */
 void print_periodic(const computed *c);
 
 /* Pieces, loops and arcs of several views; bytes of pictures as hashes; colours. */

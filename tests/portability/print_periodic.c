@@ -7,6 +7,52 @@
 
 static double centre[3 * BALL_SET_MOST], radius[BALL_SET_MOST], strain[9], box[9];
 
+static void print_image(const hsp_image *image) {
+  printf(" %" PRIu32 " %" PRId32 " %" PRId32 " %" PRId32, image->ball, image->shift[0], image->shift[1],
+         image->shift[2]);
+}
+
+static void print_id(const hsp_periodic_id *id) {
+  printf(" %" PRIu32 " %" PRId32 " %" PRId32 " %" PRId32, id->id, id->shift[0], id->shift[1], id->shift[2]);
+}
+
+static void print_records(const periodic_result *p) {
+  uint32_t i, k;
+  for (i = 0; i < p->counts.vertices; ++i) {
+    const hsp_periodic_vertex *vertex = &p->vertices[i];
+    printf("periodic vertex %" PRId32, vertex->sign);
+    print_numbers(&vertex->flags, 1);
+    for (k = 0; k < 3; ++k) print_image(&vertex->image[k]);
+    print_doubles(vertex->xyz, 3);
+    end_line();
+  }
+  for (i = 0; i < p->counts.arcs; ++i) {
+    const hsp_periodic_arc *arc = &p->arcs[i];
+    printf("periodic arc");
+    for (k = 0; k < 2; ++k) {
+      print_image(&arc->image[k]);
+      print_id(&arc->vertex[k]);
+      print_id(&arc->face[k]);
+    }
+    print_doubles(arc->centre, 3);
+    print_doubles(arc->axis, 3);
+    print_doubles(&arc->radius, 1);
+    print_doubles(&arc->angle, 1);
+    end_line();
+  }
+  for (i = 0; i < p->counts.circles; ++i) {
+    const hsp_periodic_circle *circle = &p->circles[i];
+    printf("periodic circle");
+    for (k = 0; k < 2; ++k) {
+      print_image(&circle->image[k]);
+      print_id(&circle->face[k]);
+    }
+    print_doubles(circle->centre, 3);
+    print_doubles(&circle->radius, 1);
+    end_line();
+  }
+}
+
 static void print_periodic_results(const periodic_result *p) {
   const hsp_periodic_counts *n = &p->counts;
   uint32_t i;
@@ -30,6 +76,7 @@ static void print_periodic_results(const periodic_result *p) {
     print_doubles(&contact->distance, 1);
     end_line();
   }
+  print_records(p);
   for (i = 0; i < n->components; ++i) {
     uint32_t k;
     printf("winding %" PRIu32 " %" PRIu32 " %" PRIu32, p->windings[i].first, p->windings[i].directions,

@@ -62,8 +62,14 @@ int32_t periodic_result_make(const computed *base, periodic_result *p) {
   p->cell_volume = test_zeros(base->n, sizeof *p->cell_volume);
   p->contacts = test_zeros(p->counts.contacts, sizeof *p->contacts);
   p->windings = test_zeros(p->counts.components, sizeof *p->windings);
+  p->vertices = test_zeros(p->counts.vertices, sizeof *p->vertices);
+  p->arcs = test_zeros(p->counts.arcs, sizeof *p->arcs);
+  p->circles = test_zeros(p->counts.circles, sizeof *p->circles);
   status = hsp_periodic_measure(p->periodic, &p->totals, p->area, p->cell_volume, base->n, NULL);
   if (status == HSP_OK) status = hsp_periodic_get_contacts(p->periodic, p->contacts, p->counts.contacts, &needed);
+  if (status == HSP_OK) status = hsp_periodic_get_vertices(p->periodic, p->vertices, p->counts.vertices, &needed);
+  if (status == HSP_OK) status = hsp_periodic_get_arcs(p->periodic, p->arcs, p->counts.arcs, &needed);
+  if (status == HSP_OK) status = hsp_periodic_get_circles(p->periodic, p->circles, p->counts.circles, &needed);
   if (status != HSP_OK) return status;
   return hsp_periodic_get_windings(p->periodic, p->windings, p->counts.components, &needed);
 }
@@ -74,5 +80,8 @@ void periodic_result_release(periodic_result *p) {
   free(p->cell_volume);
   free(p->contacts);
   free(p->windings);
+  free(p->vertices);
+  free(p->arcs);
+  free(p->circles);
   memset(p, 0, sizeof *p);
 }

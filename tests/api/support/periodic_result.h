@@ -18,6 +18,9 @@ typedef struct periodic_result {
   hsp_periodic_totals totals;
   double *area, *cell_volume; /* [n] */
   hsp_periodic_contact *contacts;
+  hsp_periodic_vertex *vertices;
+  hsp_periodic_arc *arcs;
+  hsp_periodic_circle *circles;
   hsp_winding *windings; /* [components] */
 } periodic_result;
 
