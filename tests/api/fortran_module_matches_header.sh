@@ -125,6 +125,7 @@ bash "$here/../packaging/header_structs.sh" "$header" "$cc" | sed -E 's/ uint/ i
 awk '/^ *type, bind\(C\) ::/ {line = $NF; inside = 1; next}
      inside && /end type/ {print line; inside = 0}
      inside && /::/ {sub(/!.*/, ""); type = $0 ~ /real\(c_double\)/ ? "double" : $0 ~ /c_int64_t/ ? "int64" : "int32";
+                     if (match($0, /type\(hsp_[a-z0-9_]+\)/)) type = substr($0, RSTART + 5, RLENGTH - 6)
                      line = line " " type ":" $NF}' "$module" | sort >"$work/structs.module"
 same structs "$work/structs.header" "$work/structs.module"
 
