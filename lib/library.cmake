@@ -10,6 +10,7 @@ set(HSP_LIBRARY_SOURCES
   lib/model/ball_set.cpp
   lib/model/block_sweep.cpp
   lib/model/cube_grid.cpp
+  lib/model/digit_sort.cpp
   lib/model/grid_order.cpp
   lib/model/element_radii.cpp
   lib/model/neighbour_lists.cpp

@@ -55,6 +55,7 @@ Status BallRounding::prepare(const BallInput &input, uint32_t &first_bad) {
       largest_ball = i;
     }
   }
+  largest_ = largest;
   if (expected) {
     largest = most;
     largest_ball = no_id;
@@ -73,6 +74,35 @@ Status BallRounding::prepare(const BallInput &input, uint32_t &first_bad) {
   probe_steps_ = nearest(probe);
   expected_radius_ = nearest(radius) + probe_steps_;
   return Status::ok;
+}
+
+Status BallRounding::find_box(LatticeBox &box, uint32_t &first_bad) const {
+  // Rounding keeps the order of numbers, so the least and the largest of all tell whether all are on the lattice. The
+  // sum is NaN if a coordinate is, and else only if two are infinite, which the least or the largest tells too.
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  double low[3] = {infinity, infinity, infinity};
+  double high[3] = {-infinity, -infinity, -infinity};
+  double sum[3] = {0.0, 0.0, 0.0};
+  const double *xyz = input_.xyz;
+  for (uint32_t i = 0; i < input_.n; ++i, xyz += 3) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const double value = xyz[axis];
+      low[axis] = value < low[axis] ? value : low[axis];
+      high[axis] = value > high[axis] ? value : high[axis];
+      sum[axis] += value;
+    }
+  }
+  exact::LatticeBall largest;
+  const bool comparable = sum[0] == sum[0] && sum[1] == sum[1] && sum[2] == sum[2];
+  if (comparable && lattice_.round(low, box.low) && lattice_.round(high, box.high) &&
+      round_ball(lattice_, probe_steps_, low, largest_, 0, largest) == Status::ok) {
+    return Status::ok;
+  }
+  for (uint32_t i = 0; i < input_.n; ++i) {
+    first_bad = i;
+    if (const Status status = round(i, largest); status != Status::ok) return status;
+  }
+  return Status::range;
 }
 
 }  // namespace hsp

@@ -25,11 +25,19 @@ struct BallInput {
 Status round_ball(const exact::Lattice &lattice, int64_t probe_steps, const double *xyz, double radius, uint32_t i,
                   exact::LatticeBall &ball);
 
+// The least box around some centres.
+struct LatticeBox {
+  exact::Vector low{}, high{};
+};
+
 // Rounds balls of an input to their lattice one at a time, so that no second copy of the set is needed.
 class BallRounding {
  public:
   // Checks probe, step and all radii, and chooses the lattice. first_bad: the offending ball, or no_id.
   Status prepare(const BallInput &input, uint32_t &first_bad);
+  // After prepare(), for one ball or more: whether all have a place on the lattice, as by round(), which then need not
+  // be asked; and the box around them. first_bad: the first that has none.
+  Status find_box(LatticeBox &box, uint32_t &first_bad) const;
   // Begins to read ball i of the input from memory.
   void fetch(uint32_t i) const {
     const double *const xyz = input_.xyz + 3 * static_cast<size_t>(i);
@@ -41,6 +49,14 @@ class BallRounding {
   Status round(uint32_t i, exact::LatticeBall &ball) const {
     return round_ball(lattice_, probe_steps_, input_.xyz + 3 * static_cast<size_t>(i), input_.radius[i], i, ball);
   }
+  // The same for balls that are known to have a place on the lattice.
+  exact::Vector centre(uint32_t i) const {
+    const double *const xyz = input_.xyz + 3 * static_cast<size_t>(i);
+    return {nearest(lattice_.steps(xyz[0])), nearest(lattice_.steps(xyz[1])), nearest(lattice_.steps(xyz[2]))};
+  }
+  exact::LatticeBall ball(uint32_t i) const { return {centre(i), rounded_radius(input_.radius[i]), i}; }
+  // The largest of all radii, probe included, if all balls have a place on the lattice and there are any.
+  int64_t largest_radius() const { return rounded_radius(largest_); }
 
   const exact::Lattice &lattice() const { return lattice_; }
   int64_t probe_steps() const { return probe_steps_; }
@@ -48,8 +64,11 @@ class BallRounding {
   int64_t expected_radius() const { return expected_radius_; }
 
  private:
+  int64_t rounded_radius(double radius) const { return nearest(lattice_.steps(radius)) + probe_steps_; }
+
   BallInput input_;
   exact::Lattice lattice_;
+  double largest_ = 0.0;  // radius of the input
   int64_t probe_steps_ = 0;
   int64_t expected_radius_ = 0;
 };

@@ -7,22 +7,66 @@ namespace hsp {
 namespace {
 
 // Balls of a large set are far from each other in the order of the input, and on their way while others are rounded.
-constexpr uint32_t input_balls_ahead = 12;
+constexpr uint32_t input_balls_ahead = 24;
 
-// Balls on a lattice, as BallRounding gives those of an input: in the caller's order, or from places in a set.
+// Balls of an input that all have a place on the lattice, in the caller's order.
+struct InputBalls {
+  BallRounding rounding;
+
+  void fetch(uint32_t i) const { rounding.fetch(i); }
+  exact::LatticeBall ball(uint32_t i) const {
+    if (!small_code) return rounding.ball(i);
+    exact::LatticeBall ball;
+    static_cast<void>(rounding.round(i, ball));
+    return ball;
+  }
+  exact::Vector centre(uint32_t i) const { return rounding.centre(i); }
+};
+// Balls that are on a lattice: in the caller's order, or from places in a set.
 struct GivenBalls {
   const BallSet &balls;
 
   static void fetch(uint32_t) {}
-  void round(uint32_t i, exact::LatticeBall &ball) const { ball = balls.ball(i); }
+  exact::LatticeBall ball(uint32_t i) const { return balls.ball(i); }
+  exact::Vector centre(uint32_t i) const { return ball(i).centre; }
 };
 struct PlacedBalls {
   const BallSet &balls;
   Span<const uint32_t> place;
 
   static void fetch(uint32_t) {}
-  void round(uint32_t i, exact::LatticeBall &ball) const { ball = balls.ball(place[i]); }
+  exact::LatticeBall ball(uint32_t i) const { return balls.ball(place[i]); }
+  exact::Vector centre(uint32_t i) const { return ball(i).centre; }
 };
+
+// Those from number `first` on.
+template <class Source>
+struct BallsFrom {
+  Source source;
+  uint32_t first;
+
+  void fetch(uint32_t i) const { source.fetch(first + i); }
+  exact::LatticeBall ball(uint32_t i) const { return source.ball(first + i); }
+  exact::Vector centre(uint32_t i) const { return source.centre(first + i); }
+};
+
+void widen(int64_t value, int64_t &low, int64_t &high) {
+  low = value < low ? value : low;
+  high = value > high ? value : high;
+}
+
+template <class Source>
+LatticeBox box_around(const Source &source, BallRange part) {
+  LatticeBox box;
+  for (uint32_t i = part.first; i < part.last; ++i) {
+    const exact::Vector centre = source.centre(i);
+    if (i == part.first) box = {centre, centre};
+    widen(centre.x, box.low.x, box.high.x);
+    widen(centre.y, box.low.y, box.high.y);
+    widen(centre.z, box.low.z, box.high.z);
+  }
+  return box;
+}
 
 }  // namespace
 
@@ -36,11 +80,14 @@ void CubeGrid::carve(Workspace &workspace, uint32_t n) {
   const auto slots = workspace.take<uint32_t>(CubeTable::slots_for(n));
   const auto cubes = workspace.take<CubeCoordinates>(n);
   table_ = CubeTable(slots, cubes);
-  first_ball_ = workspace.take<uint32_t>(static_cast<uint64_t>(n) + 1);
-  grid_index_ = workspace.take<uint32_t>(n);
+  first_ball_ = workspace.take<uint32_t>(n < 4 ? 4 : static_cast<uint64_t>(n) + 1);
+  const auto two_for_each = workspace.take<uint32_t>(2 * static_cast<uint64_t>(n));
+  if (!two_for_each.empty()) {
+    grid_index_ = two_for_each.part(0, n);
+    scratch_links_ = two_for_each.part(n, 2 * n);
+  }
   balls_.carve(workspace, n);
   scratch_slots_ = workspace.take<uint32_t>(CubeTable::slots_for(n));
-  scratch_links_ = workspace.take<uint32_t>(n);
 #if HSP_AVX2
   if (has_row_directories) {
     rounded_ = workspace.take<float>(4 * (static_cast<uint64_t>(n) + BallSet::read_behind));
@@ -105,32 +152,52 @@ void CubeGrid::round_balls() {
 }
 #endif
 
-Span<uint32_t> CubeGrid::order_of(const BallSet &given, BallRange part, const CubeAxis &axis) {
-  const uint32_t n = given.n;
-  BallSet some;
-  some.x = given.x.part(part.first, part.last);
-  some.y = given.y.part(part.first, part.last);
-  some.z = given.z.part(part.first, part.last);
-  some.r = given.r.part(part.first, part.last);
-  some.caller = given.caller.part(part.first, part.last);
-  some.n = part.last - part.first;
-  return grid_order(some, axis,
-                    {scratch_slots_.part(part.first, part.last), scratch_slots_.part(n + part.first, n + part.last),
-                     grid_index_.part(part.first, part.last), scratch_links_.part(part.first, part.last), first_ball_});
+// In small code by the balls that are given, else by the source's in the box.
+template <class Source>
+GridOrder CubeGrid::order_of(const Source &source, const BallSet &given, const LatticeBox &box, const CubeAxis &axis,
+                             BallRange part) {
+  const Span<uint32_t> entries = scratch_slots_.part(2 * part.first, 2 * part.last);
+  if (small_code) {
+    BallSet some;
+    some.x = given.x.part(part.first, part.last);
+    some.y = given.y.part(part.first, part.last);
+    some.z = given.z.part(part.first, part.last);
+    some.r = given.r.part(part.first, part.last);
+    some.caller = given.caller.part(part.first, part.last);
+    some.n = part.last - part.first;
+    return grid_order_by_comparing(some, axis, entries);
+  }
+  const Span<uint32_t> other_entries(grid_index_.data(), 2 * grid_index_.size());
+  return grid_order(BallsFrom<Source>{source, part.first}, box, axis,
+                    {entries, other_entries.part(2 * part.first, 2 * part.last), first_ball_});
 }
 
 // A part of the balls, in its order, to the same places, as new cubes.
 template <class Source>
-void CubeGrid::put(const Source &source, const CubeAxis &axis, BallRange part, Span<const uint32_t> order) {
-  exact::LatticeBall ball;
+void CubeGrid::put(const Source &given, const CubeAxis &axis, BallRange part, const GridOrder &order) {
+  const BallsFrom<Source> source{given, part.first};  // a copy: the compiler knows that it is not written to
+  const uint32_t n = order.size();
   const uint32_t cubes_before = table_.count();
-  for (uint32_t k = 0; k < order.size(); ++k) {
-    if (!small_code && k + input_balls_ahead < order.size()) source.fetch(part.first + order[k + input_balls_ahead]);
-    const uint32_t input = part.first + order[k];
+  uint32_t settled = order.keys_tell_cubes ? 0 : n;  // before that, balls of equal keys are in order
+  for (uint32_t k = 0; k < n; ++k) {
+    if (!small_code && k + input_balls_ahead < n) {
+      const uint32_t ahead = order.ball(k + input_balls_ahead);
+      source.fetch(ahead);
+      __builtin_prefetch(&grid_index_[part.first + ahead], 1);
+    }
     const uint32_t place = part.first + k;
-    static_cast<void>(source.round(input, ball));
+    const exact::LatticeBall ball = source.ball(order.ball(k));
     balls_.store(place, ball);
-    grid_index_[input] = place;
+    grid_index_[part.first + order.ball(k)] = place;
+    if (order.keys_tell_cubes && k > 0 && order.cube_key(k) == order.cube_key(k - 1)) {
+      if (!small_code && order.same_key(k, k - 1) && balls_.x[place - 1] >= balls_.x[place] && k >= settled) {
+        // Once more from the first of them.
+        const BallRange run = sort_equal_keys(source, order, k);
+        settled = run.last;
+        k = run.first - 1;
+      }
+      continue;
+    }
     CubeCoordinates cube = axis.cube_at(ball.centre);
     cube.z += lift_;
     if (table_.count() == cubes_before || !(cube == table_.coordinates(table_.count() - 1))) {
@@ -138,19 +205,12 @@ void CubeGrid::put(const Source &source, const CubeAxis &axis, BallRange part, S
       table_.push(cube);
     }
   }
-  table_.insert_from(cubes_before);
 }
 
-Status CubeGrid::build(const BallInput &input, uint32_t &first_bad) {
-  clear();
-  BallRounding rounding;
-  if (const Status status = rounding.prepare(input, first_bad); status != Status::ok) return status;
-
-  // Every ball is rounded twice, in the order of the input for r_max and the cubes, and then into its place: that is
-  // cheaper than a second copy of the set.
-  int64_t largest = 0;
+// For small code: all balls as they are given.
+Status CubeGrid::store_all(const BallRounding &rounding, uint32_t n, uint32_t &first_bad, int64_t &largest) {
   exact::LatticeBall ball;
-  for (uint32_t i = 0; i < input.n; ++i) {
+  for (uint32_t i = 0; i < n; ++i) {
     if (const Status status = rounding.round(i, ball); status != Status::ok) {
       first_bad = i;
       return status;
@@ -158,13 +218,30 @@ Status CubeGrid::build(const BallInput &input, uint32_t &first_bad) {
     balls_.store(i, ball);
     largest = ball.radius > largest ? ball.radius : largest;
   }
+  return Status::ok;
+}
+
+Status CubeGrid::build(const BallInput &input, uint32_t &first_bad) {
+  clear();
+  BallRounding rounding;
+  if (const Status status = rounding.prepare(input, first_bad); status != Status::ok) return status;
+
+  // Every ball is rounded twice, for its cube and then into its place: that is cheaper than a second copy of the set.
+  LatticeBox box;
+  int64_t largest = 0;
+  if (small_code) {
+    if (const Status status = store_all(rounding, input.n, first_bad, largest); status != Status::ok) return status;
+  } else if (input.n > 0) {
+    if (const Status status = rounding.find_box(box, first_bad); status != Status::ok) return status;
+    largest = rounding.largest_radius();
+  }
   balls_.largest_radius = largest;
   const int64_t radius = rounding.expected_radius() > largest ? rounding.expected_radius() : largest;
   side_ = radius > 0 ? 2 * radius : 1;
   balls_.n = input.n;
   balls_.lattice = rounding.lattice();
   balls_.probe_steps = rounding.probe_steps();
-  sort(rounding, balls_, input.n);
+  sort(InputBalls{rounding}, balls_, box, input.n);
   return Status::ok;
 }
 
@@ -175,39 +252,40 @@ void CubeGrid::build(const BallSet &given, uint32_t own) {
   balls_.lattice = given.lattice;
   balls_.probe_steps = given.probe_steps;
   side_ = given.largest_radius > 0 ? 2 * given.largest_radius : 1;
-  sort(GivenBalls{given}, given, own);
+  const GivenBalls source{given};
+  sort(source, given, box_around(source, {0, own}), own);
 }
 
 void CubeGrid::build(const BallSet &balls, Span<const uint32_t> place, int64_t side) {
   clear();
   const PlacedBalls placed{balls, place};
   const uint32_t n = place.size();
-  exact::LatticeBall ball;
   for (uint32_t i = 0; i < n; ++i) {
-    placed.round(i, ball);
-    balls_.store(i, ball);
+    const exact::LatticeBall ball = placed.ball(i);
     balls_.largest_radius = ball.radius > balls_.largest_radius ? ball.radius : balls_.largest_radius;
+    if (small_code) balls_.store(i, ball);
   }
   side_ = side;
   balls_.n = n;
   balls_.lattice = balls.lattice;
   balls_.probe_steps = balls.probe_steps;
-  sort(placed, balls_, n);
+  sort(placed, balls_, box_around(placed, {0, n}), n);
 }
 
-// From balls that are known as they are given, which may be where they are to be put: the source has them once more.
+// The box is that around the own balls. Small code needs to know the balls as they are given, too: they may be where
+// they are to be put, as the source has them once more.
 template <class Source>
-void CubeGrid::sort(const Source &source, const BallSet &given, uint32_t own) {
-  const uint32_t n = given.n;
+void CubeGrid::sort(const Source &source, const BallSet &given, const LatticeBox &box, uint32_t own) {
+  const uint32_t n = balls_.n;
   const CubeAxis axis(side_);
-  const Span<const uint32_t> order = order_of(given, {0, own}, axis);
-  Span<const uint32_t> others;
+  const GridOrder order = order_of(source, given, box, axis, {0, own});
+  GridOrder others{};
   int64_t lowest = 0;
   if (own < n) {
-    others = order_of(given, {own, n}, axis);
-    lowest = axis.cube_at(static_cast<int64_t>(given.z[own + others[0]]));
+    const LatticeBox box_of_others = box_around(source, {own, n});
+    others = order_of(source, given, box_of_others, axis, {own, n});
+    lowest = axis.cube_at(box_of_others.low.z);
   }
-  table_.clear(n);
   put(source, axis, {0, own}, order);
   own_balls_ = own;
   own_cubes_ = table_.count();
@@ -219,6 +297,7 @@ void CubeGrid::sort(const Source &source, const BallSet &given, uint32_t own) {
     put(source, axis, {own, n}, others);
     cut_off_others();
   }
+  table_.insert_all();
   first_ball_[table_.count()] = n;
   make_row_directory();
 }

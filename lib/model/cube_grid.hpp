@@ -17,6 +17,7 @@
 namespace hsp {
 
 class CubeAxis;
+struct GridOrder;
 
 // The balls of the up to 27 cubes around a position: one range per row of cubes, in ascending order; then as many of
 // balls that stand around, if there are such.
@@ -84,11 +85,14 @@ class CubeGrid {
 #if HSP_AVX2
   void round_balls();
 #endif
+  Status store_all(const BallRounding &rounding, uint32_t n, uint32_t &first_bad, int64_t &largest);
   template <class Source>
-  void sort(const Source &source, const BallSet &given, uint32_t own);
-  Span<uint32_t> order_of(const BallSet &given, BallRange part, const CubeAxis &axis);
+  void sort(const Source &source, const BallSet &given, const LatticeBox &box, uint32_t own);
   template <class Source>
-  void put(const Source &source, const CubeAxis &axis, BallRange part, Span<const uint32_t> order);
+  GridOrder order_of(const Source &source, const BallSet &given, const LatticeBox &box, const CubeAxis &axis,
+                     BallRange part);
+  template <class Source>
+  void put(const Source &source, const CubeAxis &axis, BallRange part, const GridOrder &order);
   void cut_off_others();
   bool is_far_from_others(const CubeCoordinates &centre) const;
   void add_rows(const CubeCoordinates &low, const CubeCoordinates &high, CubeBlock &block) const;
@@ -100,7 +104,7 @@ class CubeGrid {
   QueryGrid query_grid_;
   Span<float> rounded_;  // [4 n and behind] for the directory of rows
 #endif
-  Span<uint32_t> first_ball_;  // [cubes + 1]
+  Span<uint32_t> first_ball_;  // [cubes + 1, and at least 4]
   Span<uint32_t> grid_index_;  // [n] caller -> grid order
   Span<uint32_t> scratch_slots_, scratch_links_;
   uint32_t capacity_ = 0;

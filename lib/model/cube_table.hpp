@@ -1,5 +1,5 @@
 // The cubes of Section 3 in an open-addressing table with double hashing: cube coordinates -> cube number. Its size
-// depends on the number of balls alone, not on the extent of the set.
+// depends on the number of cubes that hold balls alone, not on the extent of the set.
 //
 // The number of slots is a power of two at least twice the number of cubes, the second hash is odd: every probe
 // sequence visits all slots and ends at an empty one. With load at most 1/2 and independent hashes a search that fails
@@ -53,9 +53,7 @@ class CubeTable {
   // Removes all cubes; from now on there are as many slots as `cubes` cubes need.
   void clear(uint32_t cubes) {
     count_ = 0;
-    longest_probe_ = 0;
-    used_slots_ = static_cast<uint32_t>(slots_for(cubes));
-    for (uint32_t k = 0; k < used_slots_; ++k) slots_[k] = no_id;
+    clear_slots(cubes);
   }
 
   uint32_t find(const CubeCoordinates &cube) const { return find(cube, linear_hash(cube)); }
@@ -71,8 +69,8 @@ class CubeTable {
     push(cube);
     insert(count_ - 1);
   }
-  // The same for many: first all are pushed, and from then on have numbers and coordinates; then those from number
-  // `first` on are inserted, and can be found.
+  // The same for many, after clear(): first all are pushed, and from then on have numbers and coordinates; then all are
+  // inserted, and can be found among as many slots as they need.
   void push(const CubeCoordinates &cube) {
     if (count_ == 0) low_ = high_ = cube;
     widen(cube.x, low_.x, high_.x);
@@ -80,8 +78,9 @@ class CubeTable {
     widen(cube.z, low_.z, high_.z);
     cubes_[count_++] = cube;
   }
-  void insert_from(uint32_t first) {
-    for (uint32_t number = first; number < count_; ++number) {
+  void insert_all() {
+    clear_slots(count_);
+    for (uint32_t number = 0; number < count_; ++number) {
       if (!small_code && number + fetched_ahead < count_) fetch(number + fetched_ahead);
       insert(number);
     }
@@ -97,8 +96,13 @@ class CubeTable {
 
  private:
   // Slots of a large table are far from each other: they are on their way while other cubes are inserted.
-  static constexpr uint32_t fetched_ahead = 16;
+  static constexpr uint32_t fetched_ahead = 32;
 
+  void clear_slots(uint32_t cubes) {
+    longest_probe_ = 0;
+    used_slots_ = static_cast<uint32_t>(slots_for(cubes));
+    for (uint32_t k = 0; k < used_slots_; ++k) slots_[k] = no_id;
+  }
   void fetch(uint32_t number) const {
     __builtin_prefetch(&slots_[CubeProbe(linear_hash(cubes_[number]), used_slots_).slot], 1);
   }

@@ -2,10 +2,18 @@
 // cubes of one row, with equal y and z, follow each other, and so do the balls of neighbouring cubes of a row: one
 // search in the hash table finds all of them. The order depends on the balls alone, not on that of the input (but for
 // balls that are equal), so that neither does anything that runs in the order of ids.
+//
+// Balls come from a source, which may compute them when they are asked for: source.centre(i) and source.ball(i) are
+// ball i on the lattice.
 #pragma once
 
+#include <bit>
+
+#include "core/sorting.hpp"
+#include "model/ball_range.hpp"
 #include "model/ball_set.hpp"
 #include "model/cube_table.hpp"
+#include "model/digit_sort.hpp"
 
 namespace hsp {
 
@@ -32,15 +40,188 @@ class CubeAxis {
   double reciprocal_;
 };
 
-// Scratch memory: an entry per ball in each but the last, and at least 2 counters, of which up to 2048 are used.
+// Scratch memory: two numbers per ball in each of the first two, and counters as a DigitSort needs. The order will be
+// in the first.
 struct GridOrderScratch {
-  Span<uint32_t> order, other_order, keys, other_keys, counters;
+  Span<uint32_t> entries, other_entries, counters;
 };
 
-// Returns the numbers of the balls in grid order, in scratch.order or scratch.other_order. O(n) if no more than a
-// bounded number of balls lie in one cube.
-Span<uint32_t> grid_order(const BallSet &balls, const CubeAxis &axis, const GridOrderScratch &scratch);
-// The same in less code: O(n log n). order [n].
-Span<uint32_t> grid_order_by_comparing(const BallSet &balls, const CubeAxis &axis, Span<uint32_t> order);
+// Balls in grid order, by their numbers in the source. Where keys tell cubes, balls of equal keys are not in order yet:
+// they are few, and looked at when balls are read anyway.
+struct GridOrder {
+  Span<uint32_t> entries;  // [2 n] a key and a ball each
+  bool keys_tell_cubes;    // whether balls are in one cube if and only if their keys are, but for the lowest bits
+  uint32_t slice_bits;     // how many
+
+  uint32_t size() const { return entries.size() / 2; }
+  uint32_t ball(uint32_t k) const { return entries[2 * k + 1]; }
+  uint32_t cube_key(uint32_t k) const { return entries[2 * k] >> slice_bits; }
+  bool same_key(uint32_t k, uint32_t l) const { return entries[2 * k] == entries[2 * l]; }
+};
+
+// Numbers of the cubes of a box, in the order of the grid, each cut into slices of equal width along x; and of the
+// cubes along each axis, from 0 on.
+class PlacesInBox {
+ public:
+  PlacesInBox(const LatticeBox &box, const CubeAxis &axis) : axis_(axis), first_(axis.cube_at(box.low)) {
+    const CubeCoordinates last = axis.cube_at(box.high);
+    count_x_ = static_cast<uint64_t>(last.x - first_.x) + 1;
+    count_y_ = static_cast<uint64_t>(last.y - first_.y) + 1;
+    count_z_ = static_cast<uint64_t>(last.z - first_.z) + 1;
+    slice(0);
+  }
+  void slice(uint32_t bits) {
+    slice_bits_ = bits;
+    slices_per_step_ = static_cast<double>(UINT64_C(1) << bits) / static_cast<double>(axis_.side());
+  }
+
+  // Of cubes: at least that many.
+  double cubes() const {
+    return static_cast<double>(count_x_) * static_cast<double>(count_y_) * static_cast<double>(count_z_);
+  }
+  // Of all numbers, if there are no more than 2^64 of them; and of those along each axis.
+  uint32_t bits() const { return bits_below((count_x_ * count_y_ * count_z_) << slice_bits_); }
+  uint32_t bits_x() const { return bits_below(count_x_); }
+  uint32_t bits_y() const { return bits_below(count_y_); }
+  uint32_t bits_z() const { return bits_below(count_z_); }
+
+  // That of a centre, and its slice: the quotient is below the number of slices by at least 1 / side, so that rounding
+  // does not reach it.
+  uint64_t operator()(const exact::Vector &centre) const {
+    const int64_t x = axis_.cube_at(centre.x);
+    const double inside = static_cast<double>(centre.x - x * axis_.side());
+    const uint64_t row = z(centre) * count_y_ + y(centre);
+    const uint64_t cube = row * count_x_ + static_cast<uint64_t>(x - first_.x);
+    return (cube << slice_bits_) + static_cast<uint64_t>(static_cast<int64_t>(inside * slices_per_step_));
+  }
+  uint64_t x(const exact::Vector &centre) const { return static_cast<uint64_t>(axis_.cube_at(centre.x) - first_.x); }
+  uint64_t y(const exact::Vector &centre) const { return static_cast<uint64_t>(axis_.cube_at(centre.y) - first_.y); }
+  uint64_t z(const exact::Vector &centre) const { return static_cast<uint64_t>(axis_.cube_at(centre.z) - first_.z); }
+  bool same_cube(const exact::Vector &a, const exact::Vector &b) const { return axis_.cube_at(a) == axis_.cube_at(b); }
+
+ private:
+  // How many bits the numbers below `count` have.
+  static uint32_t bits_below(uint64_t count) {
+    return count < 2 ? 0 : static_cast<uint32_t>(std::bit_width(count - 1));
+  }
+
+  CubeAxis axis_;
+  CubeCoordinates first_;
+  uint64_t count_x_, count_y_, count_z_;  // of cubes
+  double slices_per_step_;
+  uint32_t slice_bits_;
+};
+
+namespace grid_order_parts {
+
+// Passes of sort_by().
+inline uint32_t passes_for(const DigitSort &sort, uint32_t bits) {
+  uint32_t passes = 0;
+  for (uint32_t shift = 0; shift < bits || shift == 0; shift += 32) {
+    passes += sort.passes_for(bits - shift < 32 ? bits - shift : 32).count;
+  }
+  return passes;
+}
+
+// Sorts by a key of so many bits, 32 of them at a time. The first time the balls are in the order of their numbers.
+template <class Source, class Key>
+void sort_by(DigitSort &sort, const Source &source, bool first_time, uint32_t bits, const Key &key) {
+  for (uint32_t shift = 0; shift < bits || shift == 0; shift += 32) {
+    sort.begin(bits - shift < 32 ? bits - shift : 32);
+    const Span<uint32_t> entries = sort.entries(), counts = sort.key_counts();
+    const uint32_t mask = sort.mask();
+    for (uint32_t k = 0; k < entries.size() / 2; ++k) {
+      const uint32_t ball = first_time ? k : entries[2 * k + 1];
+      const uint32_t part = static_cast<uint32_t>(key(source.centre(ball)) >> shift);
+      entries[2 * k] = part;
+      entries[2 * k + 1] = ball;
+      ++counts[part & mask];
+    }
+    sort.sort();
+    first_time = false;
+  }
+}
+
+// So many slices of a cube leave few balls whose order is left to compare.
+inline constexpr uint32_t enough_slice_bits = 4;
+// Of entries with equal keys: by rank.
+template <class Source>
+void sort_by_rank(const Source &source, Span<uint32_t> entries) {
+  const uint32_t n = entries.size() / 2;
+  const uint32_t key = entries[0];
+  for (uint32_t k = 0; k < n; ++k) entries[k] = entries[2 * k + 1];
+  sort_in_place(entries.part(0, n),
+                [&source](uint32_t a, uint32_t b) { return exact::ranks_before(source.ball(a), source.ball(b)); });
+  for (uint32_t k = n; k-- > 0;) {
+    entries[2 * k + 1] = entries[k];
+    entries[2 * k] = key;
+  }
+}
+
+// The entries around number k that are `alike`, which are one behind the other.
+template <class Alike>
+BallRange run_around(uint32_t k, uint32_t n, const Alike &alike) {
+  BallRange run{k, k + 1};
+  while (run.first > 0 && alike(run.first - 1, k)) --run.first;
+  while (run.last < n && alike(run.last, k)) ++run.last;
+  return run;
+}
+
+// Where keys do not tell cubes: balls of one cube that are not in order.
+template <class Source>
+void sort_cubes_by_rank(const Source &source, const PlacesInBox &places, const GridOrder &order) {
+  const auto same_cube = [&](uint32_t k, uint32_t l) {
+    return order.same_key(k, l) && places.same_cube(source.centre(order.ball(k)), source.centre(order.ball(l)));
+  };
+  for (uint32_t k = 1; k < order.size(); ++k) {
+    if (!same_cube(k - 1, k) || source.centre(order.ball(k - 1)).x < source.centre(order.ball(k)).x) continue;
+    const BallRange run = run_around(k, order.size(), same_cube);
+    sort_by_rank(source, order.entries.part(2 * run.first, 2 * run.last));
+    k = run.last;
+  }
+}
+
+}  // namespace grid_order_parts
+
+// Brings the entries with the key of number k into the order of rank; returns which these are.
+template <class Source>
+BallRange sort_equal_keys(const Source &source, const GridOrder &order, uint32_t k) {
+  const auto same_key = [&](uint32_t i, uint32_t j) { return order.same_key(i, j); };
+  const BallRange run = grid_order_parts::run_around(k, order.size(), same_key);
+  grid_order_parts::sort_by_rank(source, order.entries.part(2 * run.first, 2 * run.last));
+  return run;
+}
+
+// The order of the balls of the source in the box around them, as many as there is scratch memory for. O(n) if no more
+// than a bounded number of balls lie in one cube.
+template <class Source>
+GridOrder grid_order(const Source &source, const LatticeBox &box, const CubeAxis &axis,
+                     const GridOrderScratch &scratch) {
+  using namespace grid_order_parts;
+  DigitSort sort(scratch.entries, scratch.other_entries, scratch.counters);
+  GridOrder order{scratch.entries, false, 0};
+  if (order.size() == 0) return order;
+  PlacesInBox places(box, axis);
+  if (places.cubes() < 0x1p40) {
+    const uint32_t bits = places.bits();
+    order.slice_bits = sort.passes_for(bits + enough_slice_bits).all_bits() - bits;
+    places.slice(order.slice_bits);
+    order.keys_tell_cubes = places.bits() <= 32;
+    if (passes_for(sort, places.bits()) % 2 != 0) sort.exchange();
+    sort_by(sort, source, true, places.bits(), places);
+  } else {
+    const uint32_t passes =
+        passes_for(sort, places.bits_x()) + passes_for(sort, places.bits_y()) + passes_for(sort, places.bits_z());
+    if (passes % 2 != 0) sort.exchange();
+    sort_by(sort, source, true, places.bits_x(), [&](const exact::Vector &centre) { return places.x(centre); });
+    sort_by(sort, source, false, places.bits_y(), [&](const exact::Vector &centre) { return places.y(centre); });
+    sort_by(sort, source, false, places.bits_z(), [&](const exact::Vector &centre) { return places.z(centre); });
+  }
+  if (!order.keys_tell_cubes) sort_cubes_by_rank(source, places, order);
+  return order;
+}
+
+// The same in less code, without keys: O(n log n). entries [2 n].
+GridOrder grid_order_by_comparing(const BallSet &balls, const CubeAxis &axis, Span<uint32_t> entries);
 
 }  // namespace hsp

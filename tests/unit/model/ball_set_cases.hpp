@@ -94,6 +94,39 @@ inline uint32_t balls_are_rounded() {
   });
 }
 
+// The same balls, all at once; the other ball is in front or behind.
+inline uint32_t boxes_are_found() {
+  return first_failing(rounded_balls, [](const RoundedBall &c) {
+    for (uint32_t place = 0; place < 2; ++place) {
+      double xyz[6] = {7, 7, 7, 7, 7, 7};
+      double radius[2] = {0.0, 0.0};
+      for (uint32_t axis = 0; axis < 3; ++axis) xyz[3 * place + axis] = c.xyz[axis];
+      radius[place] = c.radius;
+      hsp::BallRounding rounding;
+      uint32_t first_bad = 0;
+      hsp::LatticeBox box;
+      if (rounding.prepare({2, xyz, radius, c.probe, c.step}, first_bad) != hsp::Status::ok) return false;
+      if (rounding.find_box(box, first_bad) != c.status) return false;
+      if (c.status != hsp::Status::ok) {
+        if (first_bad != place) return false;
+        continue;
+      }
+      const hsp::exact::LatticeBall ball = rounding.ball(place);
+      const hsp::exact::Vector other = rounding.centre(1 - place);
+      const auto spans = [](int64_t low, int64_t high, int64_t a, int64_t b) {
+        return low == (a < b ? a : b) && high == (a < b ? b : a);
+      };
+      if (!(ball.centre.x == c.centre.x && ball.centre.y == c.centre.y && ball.centre.z == c.centre.z)) return false;
+      if (ball.radius != c.steps || ball.index != place || rounding.largest_radius() != c.steps) return false;
+      if (!spans(box.low.x, box.high.x, other.x, c.centre.x) || !spans(box.low.y, box.high.y, other.y, c.centre.y) ||
+          !spans(box.low.z, box.high.z, other.z, c.centre.z)) {
+        return false;
+      }
+    }
+    return true;
+  });
+}
+
 // In the order of rank: x, y, z, radius, and the caller's index.
 constexpr hsp::exact::LatticeBall by_rank[] = {{{-(INT64_C(1) << 50), 9, 9}, 9, 5},
                                                {{0, -7, 9}, 9, 6},
@@ -131,6 +164,7 @@ inline uint32_t sets_keep_balls() {
 
 inline constexpr Check model_ball_set[] = {{"inputs_are_checked", inputs_are_checked},
                                            {"balls_are_rounded", balls_are_rounded},
+                                           {"boxes_are_found", boxes_are_found},
                                            {"sets_keep_balls", sets_keep_balls}};
 
 }  // namespace cases

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <tuple>
 #include <vector>
 
 #include "carved_memory.hpp"
@@ -34,6 +36,65 @@ TEST(CubeAt, IsTheFloorEverywhere) {
     // Next to the walls, where an estimate goes wrong first.
     if (k % 2 == 0) value = value / side * side + random.in(-1, 1);
     expect_floor(value, side);
+  }
+}
+
+// Balls of an input stand in the order of their cubes, and those of one cube by rank: with ties of every kind, with
+// many balls in one place, and with balls so far from each other that their cubes have no numbers of 32 bits.
+TEST(GridOfAnInput, IsInTheOrderOfCubesAndRank) {
+  oracle::RandomSource random(33);
+  for (int round = 0; round < 600; ++round) {
+    const uint32_t n = static_cast<uint32_t>(random.in(0, 90));
+    const int64_t width = int64_t{1} << random.in(0, round % 3 == 0 ? 40 : 8);
+    std::vector<double> xyz, radius;
+    for (uint32_t k = 0; k < n; ++k) {
+      for (size_t axis = 0; axis < 3; ++axis) {
+        const bool like_another = k > 0 && random.in(0, 2) == 0;
+        const size_t other = static_cast<size_t>(random.in(0, k == 0 ? 0 : int64_t{k} - 1));
+        xyz.push_back(like_another ? xyz[3 * other + axis] : static_cast<double>(random.in(-width, width)));
+      }
+      radius.push_back(static_cast<double>(random.in(1, 3)));
+    }
+    CarvedMemory memory;
+    hsp::CubeGrid grid;
+    memory.carve(grid, n + 5);
+    uint32_t first_bad = 0;
+    hsp::BallInput input;
+    input.n = n;
+    input.xyz = xyz.data();
+    input.radius = radius.data();
+    input.step = 1.0;
+    ASSERT_EQ(grid.build(input, first_bad), hsp::Status::ok);
+    const hsp::BallSet &balls = grid.balls();
+    ASSERT_EQ(balls.n, n);
+    int64_t largest = 0;
+    for (uint32_t i = 0; i < n; ++i) {
+      const hsp::exact::LatticeBall ball = balls.ball(i);
+      ASSERT_EQ(grid.grid_index(ball.index), i);
+      ASSERT_EQ(static_cast<double>(ball.radius), radius[ball.index]);
+      for (size_t axis = 0; axis < 3; ++axis) {
+        const int64_t at[3] = {ball.centre.x, ball.centre.y, ball.centre.z};
+        ASSERT_EQ(static_cast<double>(at[axis]), xyz[3 * size_t{ball.index} + axis]);
+      }
+      largest = std::max(largest, ball.radius);
+      if (i == 0) continue;
+      const hsp::exact::LatticeBall before = balls.ball(i - 1);
+      const auto cube = [&](const hsp::exact::LatticeBall &b) {
+        return std::tuple(floor_of(b.centre.z, grid.side()), floor_of(b.centre.y, grid.side()),
+                          floor_of(b.centre.x, grid.side()));
+      };
+      ASSERT_TRUE(cube(before) != cube(ball) ? cube(before) < cube(ball) : hsp::exact::ranks_before(before, ball))
+          << "round " << round << ", ball " << i << " of " << n;
+    }
+    ASSERT_EQ(balls.largest_radius, largest);
+    for (uint32_t c = 0; c < grid.cubes(); ++c) {
+      ASSERT_EQ(grid.table().find(grid.table().coordinates(c)), c);
+      const hsp::BallRange range = grid.balls_in(c);
+      ASSERT_LT(range.first, range.last);
+      for (uint32_t i = range.first; i < range.last; ++i) {
+        ASSERT_EQ(grid.cube_at(balls.ball(i).centre), grid.table().coordinates(c));
+      }
+    }
   }
 }
 

@@ -42,18 +42,20 @@ void expect_like_a_map(const std::vector<hsp::CubeCoordinates> &cubes, uint32_t 
   EXPECT_LE(own.table.longest_probe(), most_probes);
 }
 
-// Cubes that are inserted together, in two parts, have the numbers and the table of those inserted one by one.
+// Cubes that are inserted together have the numbers and the table of those inserted one by one; where there is room for
+// more, too.
 TEST(CubeTable, ManyAtOnce) {
-  for (const uint32_t n : {0U, 1U, 15U, 16U, 17U, 1000U}) {
-    Table one_by_one(n), together(n);
+  for (const uint32_t n : {0U, 1U, 31U, 32U, 33U, 1000U}) {
+    Table one_by_one(n), together(9 * n);
     for (uint32_t k = 0; k < n; ++k) one_by_one.table.append({k % 10, k / 10, -7});
-    for (uint32_t first = 0, end = n / 3; first < n; first = end, end = n) {
-      for (uint32_t k = first; k < end; ++k) together.table.push({k % 10, k / 10, -7});
-      together.table.insert_from(first);
-    }
+    for (uint32_t k = 0; k < n; ++k) together.table.push({k % 10, k / 10, -7});
+    together.table.insert_all();
+    ASSERT_EQ(together.table.slots(), one_by_one.table.slots());
+    together.slots.resize(one_by_one.slots.size());
     EXPECT_EQ(together.slots, one_by_one.slots);
     EXPECT_EQ(together.table.count(), n);
     for (uint32_t k = 0; k < n; ++k) EXPECT_EQ(together.table.find({k % 10, k / 10, -7}), k);
+    EXPECT_EQ(together.table.find({0, 0, 7}), hsp::no_id);
     EXPECT_EQ(together.table.longest_probe(), one_by_one.table.longest_probe());
     if (n == 0) continue;
     EXPECT_EQ(together.table.low(), one_by_one.table.low());

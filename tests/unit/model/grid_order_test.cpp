@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <string>
 #include <tuple>
 #include <vector>
 
@@ -36,6 +37,31 @@ struct Set {
   hsp::BallSet balls;
 };
 
+struct SourceOf {
+  const hsp::BallSet &balls;
+
+  hsp::exact::LatticeBall ball(uint32_t i) const { return balls.ball(i); }
+  hsp::exact::Vector centre(uint32_t i) const { return ball(i).centre; }
+};
+
+hsp::LatticeBox box_around(const std::vector<hsp::exact::LatticeBall> &balls) {
+  hsp::LatticeBox box;
+  if (!balls.empty()) box = {balls[0].centre, balls[0].centre};
+  for (const hsp::exact::LatticeBall &ball : balls) {
+    box.low = {std::min(box.low.x, ball.centre.x), std::min(box.low.y, ball.centre.y),
+               std::min(box.low.z, ball.centre.z)};
+    box.high = {std::max(box.high.x, ball.centre.x), std::max(box.high.y, ball.centre.y),
+                std::max(box.high.z, ball.centre.z)};
+  }
+  return box;
+}
+
+std::vector<uint32_t> balls_of(const hsp::GridOrder &order) {
+  std::vector<uint32_t> balls(order.size());
+  for (uint32_t k = 0; k < order.size(); ++k) balls[k] = order.ball(k);
+  return balls;
+}
+
 void expect_order(std::vector<hsp::exact::LatticeBall> given, int64_t side, uint32_t spare_counters) {
   for (uint32_t i = 0; i < given.size(); ++i) given[i].index = i;
   const Set set(given);
@@ -49,13 +75,21 @@ void expect_order(std::vector<hsp::exact::LatticeBall> given, int64_t side, uint
   std::sort(expected.begin(), expected.end(), [&](uint32_t a, uint32_t b) {
     return cube(a) != cube(b) ? cube(a) < cube(b) : hsp::exact::ranks_before(given[a], given[b]);
   });
-  std::vector<uint32_t> order(set.n), other_order(set.n), keys(set.n), other_keys(set.n), counters(2 + spare_counters);
-  const hsp::Span<uint32_t> found = hsp::grid_order(
-      set.balls, axis, {span_of(order), span_of(other_order), span_of(keys), span_of(other_keys), span_of(counters)});
-  EXPECT_EQ(std::vector<uint32_t>(found.begin(), found.end()), expected)
-      << set.n << " balls, side " << side << ", " << counters.size() << " counters";
-  hsp::grid_order_by_comparing(set.balls, axis, span_of(order));
-  EXPECT_EQ(order, expected) << set.n << " balls, side " << side << ", by comparing";
+  std::vector<uint32_t> entries(2 * set.n), other_entries(2 * set.n), counters(4 + spare_counters);
+  const hsp::GridOrder found = hsp::grid_order(SourceOf{set.balls}, box_around(given), axis,
+                                               {span_of(entries), span_of(other_entries), span_of(counters)});
+  const auto where = [&] {
+    return std::to_string(set.n) + " balls, side " + std::to_string(side) + ", " + std::to_string(counters.size()) +
+           " counters";
+  };
+  EXPECT_EQ(found.entries.data(), entries.data());
+  for (uint32_t k = 0; found.keys_tell_cubes && k < set.n;) k = sort_equal_keys(SourceOf{set.balls}, found, k).last;
+  EXPECT_EQ(balls_of(found), expected) << where();
+  for (uint32_t k = 1; found.keys_tell_cubes && k < set.n; ++k) {
+    ASSERT_EQ(found.cube_key(k - 1) == found.cube_key(k), cube(expected[k - 1]) == cube(expected[k])) << where();
+  }
+  EXPECT_EQ(balls_of(hsp::grid_order_by_comparing(set.balls, axis, span_of(entries))), expected)
+      << where() << ", by comparing";
 }
 
 TEST(GridOrder, IsByCubeAndRank) {

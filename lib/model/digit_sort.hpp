@@ -1,0 +1,44 @@
+// Sorts by digits, the lowest first (Knuth, TAOCP 3, section 5.2.5, algorithm R): each pass is a stable counting sort.
+// An entry is a key and a ball, side by side in two numbers, so that a pass writes one stream for each digit; and while
+// it moves them it counts those of the next pass, so that it reads them once.
+#pragma once
+
+#include "core/span.hpp"
+
+namespace hsp {
+
+class DigitSort {
+ public:
+  // Entries for n balls in each of the two, and at least 4 counters, of which up to 4096 are used.
+  DigitSort(Span<uint32_t> entries, Span<uint32_t> other_entries, Span<uint32_t> counters);
+
+  // Passes that tell so many bits apart, in equal parts: two short ones cost less than a short and a long one, whose
+  // counters and destinations do not fit the nearest memory.
+  struct Passes {
+    uint32_t count, bits;
+    uint32_t all_bits() const { return count * bits; }
+  };
+  Passes passes_for(uint32_t bits) const;
+
+  // By a key of up to 32 bits; balls of equal keys stay in their order. First entries() and key_counts() are to be
+  // filled, with the number of keys for each value of their lowest bits, which the mask tells.
+  void begin(uint32_t bits);
+  const Span<uint32_t> &entries() const { return entries_; }
+  Span<uint32_t> key_counts() const { return counters_.part(0, mask() + 1); }
+  uint32_t mask() const { return (UINT32_C(1) << passes_.bits) - 1; }
+  // The sorted entries are then in entries(): in the same array as before after an even number of passes.
+  void sort();
+  // The entries are to be in the other array.
+  void exchange() {
+    const Span<uint32_t> entries = entries_;
+    entries_ = other_entries_;
+    other_entries_ = entries;
+  }
+
+ private:
+  Span<uint32_t> entries_, other_entries_, counters_;
+  uint32_t most_bits_ = 0;
+  Passes passes_{1, 0};
+};
+
+}  // namespace hsp
