@@ -52,8 +52,8 @@ int32_t round_query(const hsp::PeriodicImages &images, const double *xyz, double
   return images.box().wrap(query.centre, query.home) == hsp::Status::ok ? HSP_OK : HSP_E_RANGE;
 }
 
-int32_t ask(const hsp_periodic *periodic, const double *xyz, double radius, hsp_image *out, uint32_t capacity,
-            uint32_t *needed) {
+int32_t ask_in_box(const hsp_periodic *periodic, const double *xyz, double radius, hsp_image *out, uint32_t capacity,
+                   uint32_t *needed) {
   if (!is_live(periodic) || xyz == nullptr || needed == nullptr || (out == nullptr && capacity > 0)) {
     return HSP_E_ARGUMENT;
   }
@@ -69,12 +69,12 @@ int32_t ask(const hsp_periodic *periodic, const double *xyz, double radius, hsp_
 
 int32_t hsp_periodic_query_point(const hsp_periodic *periodic, const double *xyz, hsp_image *out, uint32_t capacity,
                                  uint32_t *needed) {
-  return ask(periodic, xyz, 0.0, out, capacity, needed);
+  return ask_in_box(periodic, xyz, 0.0, out, capacity, needed);
 }
 
 int32_t hsp_periodic_query_ball(const hsp_periodic *periodic, const double *xyz, double radius, hsp_image *out,
                                 uint32_t capacity, uint32_t *needed) {
-  return ask(periodic, xyz, radius, out, capacity, needed);
+  return ask_in_box(periodic, xyz, radius, out, capacity, needed);
 }
 
 int32_t hsp_periodic_query_neighbours(const hsp_periodic *periodic, uint32_t ball, hsp_image *out, uint32_t capacity,

@@ -8,8 +8,8 @@
 #include "random_numbers.h"
 #include "untouched.h"
 
-enum { BALLS = 6, MOST = 60000 };
-static unsigned char memory[HSP_PERIODIC_BYTES(BALLS, 4000, 200, 9000, 3000, 9000)];
+enum { FEW = 6, BALLS = 300, MOST = 60000 };
+static unsigned char memory[HSP_PERIODIC_BYTES(BALLS, 4000, 200, 9000, 4000, 9000)];
 static hsp_periodic *periodic;
 static hsp_image found[MOST], expected[MOST], rows[MOST];
 static uint32_t found_count, expected_count, first[BALLS + 1];
@@ -29,7 +29,7 @@ static void choose(uint64_t *random, int set, crystal *c) {
   uint32_t i;
   int k;
   memset(c, 0, sizeof *c);
-  c->n = 1 + (uint32_t)random_below(random, BALLS);
+  c->n = 1 + (uint32_t)random_below(random, FEW);
   for (k = 0; k < 3; ++k) c->box[4 * k] = thin ? quarters(random, 5, 8) : quarters(random, 16, 26);
   if (set % 2 == 1) {
     c->box[3] = quarters(random, -12, 12);
@@ -42,8 +42,22 @@ static void choose(uint64_t *random, int set, crystal *c) {
   }
 }
 
+/* Many small balls, so that a query ball that is larger than all of them goes by cubes; in a flat box it goes around
+ * it, where cubes of images are, too. */
+static void choose_many(uint64_t *random, int flat, crystal *c) {
+  uint32_t i;
+  memset(c, 0, sizeof *c);
+  c->n = BALLS;
+  for (i = 0; i < 9; i += 4) c->box[i] = quarters(random, 60, 70);
+  if (flat) c->box[8] = quarters(random, 8, 14);
+  c->box[3] = quarters(random, -12, 12);
+  c->box[7] = quarters(random, -12, 12);
+  for (i = 0; i < 3 * c->n; ++i) c->xyz[i] = quarters(random, -60, 60);
+  for (i = 0; i < c->n; ++i) c->radius[i] = quarters(random, 1, 3);
+}
+
 static void compute(const crystal *c) {
-  const hsp_periodic_limits limits = {(uint32_t)sizeof limits, BALLS, 4000, 200, 9000, 3000, 9000};
+  const hsp_periodic_limits limits = {(uint32_t)sizeof limits, BALLS, 4000, 200, 9000, 4000, 9000};
   hsp_model_options options;
   CHECK_EQUAL(hsp_model_options_init(&options, (uint32_t)sizeof options), HSP_OK);
   options.step = 0.25;
@@ -192,7 +206,7 @@ static void contacts_are_pairs(const crystal *c) {
 /* A list by a cutoff, as simulations ask for it: atoms of a simple cubic crystal, 6 and 12 neighbours. */
 static void by_cutoff(void) {
   static const double at[3] = {1, 2, 3}, none = 0, box[9] = {3, 0, 0, 0, 3, 0, 0, 0, 3};
-  const hsp_periodic_limits limits = {(uint32_t)sizeof limits, BALLS, 4000, 200, 9000, 3000, 9000};
+  const hsp_periodic_limits limits = {(uint32_t)sizeof limits, BALLS, 4000, 200, 9000, 4000, 9000};
   static const struct {
     double cutoff;
     uint32_t pairs;
@@ -213,8 +227,7 @@ static void by_cutoff(void) {
 /* The widest query ball that is answered, and the narrowest that is not. */
 static void widest(void) {
   static const double at[3] = {0.5, 0.5, 0.5}, radius = 0.25, box[9] = {40, 0, 0, 0, 1, 0, 0, 0, 40};
-  crystal c;
-  memset(&c, 0, sizeof c);
+  static crystal c;
   c.n = 1;
   c.radius[0] = radius;
   memcpy(c.box, box, sizeof box);
@@ -228,16 +241,22 @@ static void widest(void) {
 }
 
 int main(void) {
+  static crystal c;
   uint64_t random = 71;
   int set;
   for (set = 0; set < 24; ++set) {
-    crystal c;
     check_scene("set %d", set);
     choose(&random, set, &c);
     compute(&c);
     at_balls(&random, &c);
     all_pairs(&c);
     contacts_are_pairs(&c);
+  }
+  for (set = 0; set < 6; ++set) {
+    check_scene("many balls %d", set);
+    choose_many(&random, set % 2, &c);
+    compute(&c);
+    at_balls(&random, &c);
   }
   check_scene("known");
   by_cutoff();
