@@ -8,12 +8,45 @@ using hsp::capi::is_live;
 
 namespace {
 
+// Most rows are in order already.
 void sort_images(hsp_image *out, uint32_t count) {
-  hsp::sort_in_place(hsp::Span<hsp_image>(out, count), hsp::capi::image_comes_before);
+  uint32_t at = 1;
+  while (at < count && hsp::capi::image_comes_before(out[at - 1], out[at])) ++at;
+  if (at >= count) return;
+  // A lambda, not the function: sorting would call it through a pointer.
+  hsp::sort_in_place(hsp::Span<hsp_image>(out, count),
+                     [](const hsp_image &p, const hsp_image &q) { return hsp::capi::image_comes_before(p, q); });
+}
+
+void put_image(const hsp::PeriodicImages &images, const hsp::BoxShift &from, uint32_t ball, const hsp::BoxShift &shift,
+               hsp_image &image) {
+  image.ball = ball;
+  hsp::capi::put_shift(images.box().in_given_vectors(shift - images.home(ball) + from), image.shift);
+}
+
+// Hits that have all been kept and are wanted(k), in their order; returns how many. from: how far the place that they
+// are seen from has been moved into the box.
+template <class Wanted>
+uint32_t put_hits(const hsp::PeriodicUnion &periodic, const hsp::QueryHits &hits, const hsp::BoxShift &from,
+                  hsp_image *out, Wanted wanted) {
+  const hsp::PeriodicImages &images = periodic.images();
+  hsp::OrderedHits ordered;
+  hsp::put_in_order(periodic, hits, ordered);
+  uint32_t written = 0;
+  for (uint32_t at = 0; at < ordered.count; ++at) {
+    const uint32_t k = ordered.ids[at];
+    if (!wanted(k)) continue;
+    hsp_image image;
+    put_image(images, from, images.ball_of(k), images.shift_of(k), image);
+    uint32_t place = written++;
+    for (; place > 0 && hsp::capi::image_comes_before(image, out[place - 1]); --place) out[place] = out[place - 1];
+    out[place] = image;
+  }
+  return written;
 }
 
 // Balls and images into an array that the program gives: counted, then written, then in their order. visit(sink) calls
-// sink(ball, shift) for each; from: how far the place that they are seen from has been moved into the box.
+// sink(ball, shift) for each.
 template <class Visit>
 int32_t put_images(const hsp::PeriodicImages &images, const hsp::BoxShift &from, hsp_image *out, uint32_t capacity,
                    uint32_t *needed, Visit visit) {
@@ -23,13 +56,30 @@ int32_t put_images(const hsp::PeriodicImages &images, const hsp::BoxShift &from,
   const uint32_t found = static_cast<uint32_t>(count);
   if (const int32_t status = hsp::capi::check_output(out, capacity, found, needed); status != HSP_OK) return status;
   uint32_t written = 0;
-  visit([&](uint32_t ball, const hsp::BoxShift &shift) {
-    hsp_image &image = out[written++];
-    image.ball = ball;
-    hsp::capi::put_shift(images.box().in_given_vectors(shift - images.home(ball) + from), image.shift);
-  });
+  visit([&](uint32_t ball, const hsp::BoxShift &shift) { put_image(images, from, ball, shift, out[written++]); });
   sort_images(out, found);
   return HSP_OK;
+}
+
+// What meets a ball around a place of the box, but for ball `excluded`.
+int32_t put_meeting(const hsp::PeriodicUnion &periodic, const hsp::exact::Vector &centre, int64_t radius,
+                    uint32_t excluded, const hsp::BoxShift &from, hsp_image *out, uint32_t capacity, uint32_t *needed) {
+  const hsp::PeriodicImages &images = periodic.images();
+  if (radius <= images.largest_radius()) {
+    const hsp::CubeGrid &grid = periodic.grid();
+    hsp::QueryHits hits;
+    hsp::find_in_block(grid, grid.block_around(grid.cube_at(centre)), centre, radius, excluded, hits);
+    if (hits.count <= hsp::QueryHits::room) {
+      const int32_t status = hsp::capi::check_output(out, capacity, hits.count, needed);
+      if (status == HSP_OK) put_hits(periodic, hits, from, out, [](uint32_t) { return true; });
+      return status;
+    }
+  }
+  return put_images(images, from, out, capacity, needed, [&](auto sink) {
+    hsp::visit_images_at(periodic, centre, radius, [&](uint32_t ball, const hsp::BoxShift &shift) {
+      if (ball != excluded || !shift.is_zero()) sink(ball, shift);
+    });
+  });
 }
 
 // A place in the box, so many boxes away from where it was given, and a radius.
@@ -58,11 +108,10 @@ int32_t ask_in_box(const hsp_periodic *periodic, const double *xyz, double radiu
     return HSP_E_ARGUMENT;
   }
   if (!periodic->has_results()) return HSP_E_STATE;
-  const hsp::PeriodicImages &images = periodic->builder.images();
   QueryInBox query;
-  if (const int32_t status = round_query(images, xyz, radius, query); status != HSP_OK) return status;
-  return put_images(images, query.home, out, capacity, needed,
-                    [&](auto sink) { hsp::visit_images_at(periodic->builder, query.centre, query.radius, sink); });
+  const int32_t status = round_query(periodic->builder.images(), xyz, radius, query);
+  if (status != HSP_OK) return status;
+  return put_meeting(periodic->builder, query.centre, query.radius, hsp::no_id, query.home, out, capacity, needed);
 }
 
 }  // namespace
@@ -82,11 +131,9 @@ int32_t hsp_periodic_query_neighbours(const hsp_periodic *periodic, uint32_t bal
   if (!is_live(periodic) || needed == nullptr || (out == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
   if (!periodic->has_results()) return HSP_E_STATE;
   if (ball >= periodic->balls()) return HSP_E_ID;
-  const hsp::PeriodicImages &images = periodic->builder.images();
-  return put_images(images, images.home(ball), out, capacity, needed, [&](auto sink) {
-    hsp::visit_neighbours_in_box(periodic->builder, ball,
-                                 [&](uint32_t k) { sink(images.ball_of(k), images.shift_of(k)); });
-  });
+  const hsp::PeriodicUnion &structure = periodic->builder;
+  const hsp::exact::LatticeBall own = structure.balls().ball(structure.grid().grid_index(ball));
+  return put_meeting(structure, own.centre, own.radius, ball, structure.images().home(ball), out, capacity, needed);
 }
 
 int32_t hsp_periodic_query_pairs(const hsp_periodic *periodic, uint32_t flags, uint32_t *first, hsp_image *out,
@@ -99,21 +146,36 @@ int32_t hsp_periodic_query_pairs(const hsp_periodic *periodic, uint32_t flags, u
   const hsp::PeriodicUnion &structure = periodic->builder;
   const hsp::PeriodicImages &images = structure.images();
   const uint32_t n = images.balls();
-  const auto visit = [&](auto sink) {
-    hsp::visit_all_neighbours_in_box(structure, [&](uint32_t i, uint32_t k) {
-      if (flags == 0 || structure.is_listed(i, k)) sink(i, k);
+  const auto wanted = [&](uint32_t i, uint32_t k) { return flags == 0 || structure.is_listed(i, k); };
+  // Calls few(i, hits) for each ball and all that meet it, or many(i, k) for each of more than there is room for.
+  const auto visit = [&](auto few, auto many) {
+    hsp::QueryHits hits;
+    hsp::visit_blocks_in_box(structure, [&](uint32_t i, const hsp::CubeBlock &block) {
+      const hsp::exact::LatticeBall own = structure.balls().ball(structure.grid().grid_index(i));
+      hsp::find_in_block(structure.grid(), block, own.centre, own.radius, i, hits);
+      if (hits.count <= hsp::QueryHits::room) return few(i, hits);
+      hsp::visit_neighbours_in_box(structure, i, [&](uint32_t k) {
+        if (wanted(i, k)) many(i, k);
+      });
     });
   };
   const hsp::Span<uint32_t> begins(first, n + 1);
   for (uint32_t &length : begins) length = 0;
-  visit([&](uint32_t i, uint32_t) { ++begins[i]; });
+  visit(
+      [&](uint32_t i, const hsp::QueryHits &hits) {
+        for (uint32_t at = 0; at < hits.count; ++at) begins[i] += wanted(i, hits.ids[at]) ? 1U : 0U;
+      },
+      [&](uint32_t i, uint32_t) { ++begins[i]; });
   if (!hsp::sum_up(begins)) return HSP_E_RANGE;
   if (const int32_t status = hsp::capi::check_output(out, capacity, begins[n], needed); status != HSP_OK) return status;
-  visit([&](uint32_t i, uint32_t k) {
-    hsp_image &image = out[begins[i]++];
-    image.ball = images.ball_of(k);
-    hsp::capi::put_shift(images.caller_shift(i, k), image.shift);
-  });
+  visit(
+      [&](uint32_t i, const hsp::QueryHits &hits) {
+        begins[i] +=
+            put_hits(structure, hits, images.home(i), out + begins[i], [&](uint32_t k) { return wanted(i, k); });
+      },
+      [&](uint32_t i, uint32_t k) {
+        put_image(images, images.home(i), images.ball_of(k), images.shift_of(k), out[begins[i]++]);
+      });
   // Rows have been filled to their ends, which is where the next ones begin.
   uint32_t begin = 0;
   for (uint32_t i = 0; i < n; ++i) {

@@ -101,6 +101,7 @@ set(HSP_LIBRARY_SOURCES
   lib/periodic/periodic_check.cpp
   lib/periodic/periodic_images.cpp
   lib/periodic/periodic_measures.cpp
+  lib/periodic/periodic_queries.cpp
   lib/periodic/periodic_records.cpp
   lib/periodic/periodic_union.cpp
   lib/periodic/windings.cpp

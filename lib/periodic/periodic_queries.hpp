@@ -1,7 +1,7 @@
 // Which balls of a periodic box, and which images of them, meet a ball in the box.
 #pragma once
 
-#include "model/query_hits.hpp"
+#include "model/queries.hpp"
 #include "periodic/periodic_union.hpp"
 
 namespace hsp {
@@ -80,23 +80,28 @@ void visit_neighbours_in_box(const PeriodicUnion &periodic, uint32_t i, Sink sin
   });
 }
 
-// The same for all of them, cube by cube: calls sink(i, k) for every ball i and each ball or image k that meets it.
+// The same for all of them, cube by cube: calls sink(i, block) for every ball i of the input, with what is around it.
 template <class Sink>
-void visit_all_neighbours_in_box(const PeriodicUnion &periodic, Sink sink) {
+void visit_blocks_in_box(const PeriodicUnion &periodic, Sink sink) {
   const CubeGrid &grid = periodic.grid();
-  const BallSet &set = grid.balls();
   for (uint32_t cube = 0; cube < grid.own_cubes(); ++cube) {
     const CubeBlock block = grid.block_around(grid.table().coordinates(cube));
     const BallRange own = grid.balls_in(cube);
-    for (uint32_t at = own.first; at < own.last; ++at) {
-      const exact::LatticeBall ball = set.ball(at);
-      for (uint32_t b = 0; b < block.ranges; ++b) {
-        visit_meeting(set, block.range[b], ball.centre, ball.radius, [&](uint32_t j) {
-          if (j != at) sink(ball.index, set.caller[j]);
-        });
-      }
-    }
+    for (uint32_t at = own.first; at < own.last; ++at) sink(grid.balls().caller[at], block);
   }
 }
+
+// The balls and images in a block that meet a ball around a point of the box, but for ball `excluded`. Its radius must
+// not be larger than that of the largest ball.
+void find_in_block(const CubeGrid &grid, const CubeBlock &block, const exact::Vector &point, int64_t radius,
+                   uint32_t excluded, QueryHits &hits);
+
+// Hits that have all been kept, ascending by their balls: first the ball in the box, then its images as they are
+// numbered.
+struct OrderedHits {
+  uint32_t ids[QueryHits::room + 8];
+  uint32_t count;
+};
+void put_in_order(const PeriodicUnion &periodic, const QueryHits &hits, OrderedHits &ordered);
 
 }  // namespace hsp
