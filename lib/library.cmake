@@ -51,6 +51,7 @@ set(HSP_LIBRARY_SOURCES
   lib/sphere/cap_clusters.cpp
   lib/sphere/candidate_block_avx2.cpp
   lib/sphere/caps.cpp
+  lib/sphere/cube_candidates.cpp
   lib/sphere/few_caps_avx2.cpp
   lib/sphere/float_caps_avx2.cpp
   lib/sphere/great_circles.cpp
@@ -94,7 +95,11 @@ set(HSP_LIBRARY_SOURCES
   lib/contacts/chord_clipper.cpp
   lib/contacts/chord_kernel.cpp
   lib/contacts/chord_kernel_avx2.cpp
+  lib/contacts/chord_parts.cpp
+  lib/contacts/chord_parts_avx2.cpp
   lib/contacts/chord_walk.cpp
+  lib/contacts/contact_measures.cpp
+  lib/contacts/contact_measures_avx2.cpp
   lib/contacts/contacts_builder.cpp
   lib/contacts/contacts_check.cpp
   lib/periodic/periodic_box.cpp

@@ -36,18 +36,17 @@ struct ChordKernel {
       best = L::smaller(s, best);
       found = L::bits(L::select(closer, L::number(Mask{} + static_cast<int64_t>(t)), L::number(found)));
     }
-    NearestCut result{best[0], second[0], static_cast<uint32_t>(found[0]), static_cast<uint32_t>(-L::sum(unclear))};
-    for (uint32_t lane = 1; lane < n; ++lane) {
-      const bool closer = best[lane] < result.s;
-      const double other = closer ? result.s : best[lane];
-      if (closer) {
-        result.s = best[lane];
-        result.cap = static_cast<uint32_t>(found[lane]) + lane;
-      }
-      if (other < result.second) result.second = other;
-      if (second[lane] < result.second) result.second = second[lane];
-    }
-    return result;
+    // The lane of the least, and the next one of all others or behind it in its lane; the same where two are equal.
+    double least = best[0];
+    for (uint32_t lane = 1; lane < n; ++lane) least = best[lane] < least ? best[lane] : least;
+    const Mask is_least = best == least;
+    const uint64_t set = L::set_lanes(is_least);
+    const Real behind = L::select(is_least, second, best);
+    double next = behind[0];
+    for (uint32_t lane = 1; lane < n; ++lane) next = behind[lane] < next ? behind[lane] : next;
+    if ((set & (set - 1)) != 0) next = least;
+    const uint32_t lane = static_cast<uint32_t>(__builtin_ctzll(set));
+    return {least, next, static_cast<uint32_t>(found[lane]) + lane, static_cast<uint32_t>(-L::sum(unclear))};
   }
 };
 

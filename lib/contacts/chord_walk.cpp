@@ -159,20 +159,10 @@ uint32_t ChordWalk::cut_of(const Caps &caps, uint32_t j, uint32_t k, uint32_t si
 // right-handed system; and the other way round. Seen from ball a, whose chord with b and c ends at the ball at hand, it
 // is the other way round too.
 void ChordWalk::add_power_vertex(const Caps &caps, uint32_t j, uint32_t k, uint32_t clipper, uint32_t side) {
-  uint32_t a = j;
-  uint32_t b = k;
-  uint32_t c = clipper;
-  uint32_t even = side;
-  if (c < b) {
-    c = k;
-    b = clipper;
-    even = 1 - side;
-    if (b < a) {
-      b = j;
-      a = clipper;
-      even = side;
-    }
-  }
+  const uint32_t a = clipper < j ? clipper : j;
+  const uint32_t c = clipper < k ? k : clipper;
+  const uint32_t b = j ^ k ^ clipper ^ a ^ c;
+  const uint32_t even = side ^ (b == clipper ? 1U : 0U);
   const uint32_t second = caps.ball[b];
   const uint32_t third = caps.ball[c];
   chord_of(a, b).clipper[even] = third;

@@ -1,6 +1,8 @@
 #include "contacts/contacts_builder.hpp"
 
-#include "exact/chord_line.hpp"
+#include <limits>
+
+#include "contacts/contact_measures.hpp"
 #include "exact/discriminant.hpp"
 #include "measure/areas.hpp"
 #include "model/block_sweep.hpp"
@@ -10,14 +12,16 @@ namespace {
 
 // A contact that was counted, but for which there was no room.
 constexpr uint32_t no_room = no_id - 1;
+// Of an end of a chord that something clips.
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-// The balls of a block that come after ball i.
-CubeBlock part_behind(const CubeBlock &block, uint32_t i) {
+// The balls of a block from ball i on.
+CubeBlock part_from(const CubeBlock &block, uint32_t i) {
   CubeBlock part;
   part.ranges = 0;
   for (uint32_t k = 0; k < block.ranges; ++k) {
     const BallRange &range = block.range[k];
-    if (range.last > i + 1) part.range[part.ranges++] = {range.first > i ? range.first : i + 1, range.last};
+    if (range.last > i) part.range[part.ranges++] = {range.first > i ? range.first : i, range.last};
   }
   return part;
 }
@@ -52,13 +56,16 @@ Status ContactsBuilder::build(const CubeGrid &grid, const Boundary &boundary, ui
   needed_.neighbours = neighbours;
   if (balls.n > limits_.balls || neighbours > limits_.neighbours) return Status::capacity;
   walk_.start(balls.n, own_balls_);
+  candidates_.borrow(contacts_.a_.row);
   BlockSweep sweep(grid);
   for (uint32_t cube = 0; cube < grid.own_cubes(); ++cube) {
     const CubeBlock &block = sweep.block_around(cube);
     const BallRange own = grid.balls_in(cube);
+    const bool in_lanes =
+        boundary.has_wide_code() && candidates_.start_cube(grid, cube, own.first, part_from(block, own.first));
     for (uint32_t i = own.first; i < own.last; ++i) {
       if (boundary.is_contained(i)) continue;
-      caps_.gather(balls, walk_.asks_for_all_caps(boundary, i) ? block : part_behind(block, i), i, nullptr);
+      gather_caps(balls, boundary, block, i, in_lanes);
       start_ball(boundary);
       walk_.find(boundary, caps_);
       recall_contacts();
@@ -66,8 +73,9 @@ Status ContactsBuilder::build(const CubeGrid &grid, const Boundary &boundary, ui
       add_free_edges(balls, boundary);
     }
   }
+  measure_chords(balls, boundary);
   if (const Status status = check_capacity(); status != Status::ok) return status;
-  measure_contacts(balls);
+  measure_contacts(balls, boundary);
   make_rows(grid);
   count_simplices(boundary);
   return Status::ok;
@@ -76,6 +84,7 @@ Status ContactsBuilder::build(const CubeGrid &grid, const Boundary &boundary, ui
 void ContactsBuilder::clear(uint32_t balls) {
   ContactArrays &a = contacts_.a_;
   needed_ = {balls, 0, 0, 0, 0};
+  chords_.count = 0;
   a.contacts.clear();
   a.triangles.clear();
   a.tetrahedra.clear();
@@ -85,10 +94,6 @@ void ContactsBuilder::clear(uint32_t balls) {
   // While contacts are found, the first one of each ball with later balls.
   for (uint32_t i = 0; i <= balls; ++i) a.first_in_row[i] = no_id;
   for (uint32_t i = 0; i < balls; ++i) a.cell_volume[i] = a.contact_area[i] = 0.0;
-}
-
-ContactRecord *ContactsBuilder::stored(uint32_t id) {
-  return id == no_room ? nullptr : &contacts_.a_.contacts[id];
 }
 
 uint32_t ContactsBuilder::find_contact(uint32_t a, uint32_t b) {
@@ -104,6 +109,17 @@ uint32_t ContactsBuilder::find_contact(uint32_t a, uint32_t b) {
   arrays.links[id] = first;
   first = id;
   return id;
+}
+
+// Those of later balls, or all.
+void ContactsBuilder::gather_caps(const BallSet &balls, const Boundary &boundary, const CubeBlock &block, uint32_t i,
+                                  bool in_lanes) {
+  if (walk_.asks_for_all_caps(boundary, i)) return caps_.gather(balls, block, i, nullptr);
+  if (in_lanes) {
+    const uint32_t found = candidates_.later(i, caps_.ball.data(), caps_.capacity());
+    if (found <= caps_.capacity()) return caps_.gather_given(balls, i, found);
+  }
+  caps_.gather(balls, part_from(block, i + 1), i, nullptr);
 }
 
 void ContactsBuilder::start_ball(const Boundary &boundary) {
@@ -124,52 +140,76 @@ void ContactsBuilder::recall_contacts() {
   }
 }
 
-ContactRecord *ContactsBuilder::contact_of_cap(uint32_t cap) {
+uint32_t ContactsBuilder::contact_of_cap(uint32_t cap) {
   uint32_t &id = contact_of_cap_[cap];
   if (id == no_id) id = find_contact(caps_.origin, caps_.ball[cap]);
-  return stored(id);
+  return id;
 }
 
-// With y = 2 (x - c) the chord runs along (q x n + t n)/N, and what it adds to half the sum of distance times length
-// over the chords of a contact is beta (t+ - t-) / (8 |u| N) for P, and likewise for the two others.
 void ContactsBuilder::add_chord(const BallSet &balls, const Boundary &boundary, const FoundChord &chord) {
   ContactArrays &a = contacts_.a_;
   const auto [j, k] = chord.cap;
-  const exact::Plane &P = caps_.plane(j);
-  const exact::Plane &Q = caps_.plane(k);
-  const exact::ChordLine<exact::FastLimb> line(P, Q);
-  // Its half: of a vertex the boundary knows it.
-  const double root = chord.free_ends() == 0  ? 0.0
-                      : chord.vertex != no_id ? boundary.root_discriminant(chord.vertex)
-                                              : std::sqrt(exact::discriminant(caps_.sphere, P, Q));
-  const auto end_at = [&](int end, double at_vertex) {
-    const uint32_t clipper = chord.clipper[end];
-    if (clipper == no_id) return at_vertex;
-    return line.parameter(clipper > caps_.origin ? caps_.plane(walk_.cap_of(clipper))
-                                                 : exact::plane_of(balls.ball(caps_.origin), balls.ball(clipper)));
-  };
-  const double extent = end_at(1, root) - end_at(0, -root);
-  const exact::ChordFactors factors = line.factors();
-  // Infinitely short chords may have an extent below 0 by rounding.
-  const double scale = extent > 0.0 ? extent / (8 * factors.N) : 0.0;
-  // The lengths of the three axes are the contacts' own: measure_contacts() divides by them.
-  const auto add = [scale](ContactRecord *contact, double factor) {
-    if (contact == nullptr) return;
-    contact->area += scale * factor;
-    ++contact->chords;
-  };
+  const uint32_t own = caps_.origin;
   const uint32_t first = caps_.ball[j];
   const uint32_t second = caps_.ball[k];
-  add(contact_of_cap(j), factors.beta);
-  add(contact_of_cap(k), factors.alpha);
-  if (first < own_balls_) add(stored(find_contact(first, second)), factors.third);
 
-  const TriangleRecord triangle{{caps_.origin, first, second}, chord.free_ends()};
+  const uint32_t s = chords_.count++;
+  chords_.ball[0][s] = own;
+  chords_.ball[1][s] = first;
+  chords_.ball[2][s] = second;
+  chords_.contact[0][s] = contact_of_cap(j);
+  chords_.contact[1][s] = contact_of_cap(k);
+  chords_.contact[2][s] = first < own_balls_ ? find_contact(first, second) : no_room;
+  const uint32_t free_ends = chord.free_ends();
+  // Its half: of a vertex the boundary knows it.
+  const double root = free_ends == 0 ? 0.0
+                      : chord.vertex != no_id
+                          ? boundary.root_discriminant(chord.vertex)
+                          : std::sqrt(exact::discriminant(caps_.sphere, caps_.plane(j), caps_.plane(k)));
+  for (uint32_t end = 0; end < 2; ++end) {
+    const bool is_free = chord.clipper[end] == no_id;
+    chords_.clipper[end][s] = is_free ? second : chord.clipper[end];
+    chords_.free_end[end][s] = !is_free ? not_a_number : end == 0 ? -root : root;
+  }
+  if (chords_.count == ChordBatch::capacity) measure_chords(balls, boundary);
+
+  const TriangleRecord triangle{{own, first, second}, free_ends};
   a.triangles.push(triangle);
   ++a.simplices.of[2][static_cast<uint32_t>(triangle.kind())];
   // Each tetrahedron is an end of four chords, of which one is that of its first three balls.
   for (const uint32_t clipper : chord.clipper) {
-    if (clipper != no_id && clipper > second) a.tetrahedra.push({{caps_.origin, first, second, clipper}});
+    if (clipper != no_id && clipper > second) a.tetrahedra.push({{own, first, second, clipper}});
+  }
+}
+
+// The lengths of the three axes are the contacts' own: measure_contacts() divides by them.
+void ContactsBuilder::measure_chords(const BallSet &balls, [[maybe_unused]] const Boundary &boundary) {
+  const uint32_t count = chords_.count;
+  if (count == 0) return;
+  chords_.count = 0;
+#if HSP_AVX2
+  if (boundary.has_wide_code()) {
+    const BallArrays arrays = arrays_of(balls);
+    for (uint32_t s = count; s % 4 != 0; ++s) chords_.repeat(count - 1, s);
+    for (uint32_t s = 0; s < count; s += 4) {
+      uint32_t uncertain = measure_in_lanes(arrays, chords_, s);
+      for (; uncertain != 0; uncertain &= uncertain - 1) {
+        measure_in_integers(balls, chords_, s + static_cast<uint32_t>(__builtin_ctz(uncertain)));
+      }
+    }
+  } else
+#endif
+  {
+    for (uint32_t s = 0; s < count; ++s) measure_in_integers(balls, chords_, s);
+  }
+  for (uint32_t s = 0; s < count; ++s) {
+    for (uint32_t pair = 0; pair < 3; ++pair) {
+      const uint32_t id = chords_.contact[pair][s];
+      if (id == no_room) continue;
+      ContactRecord &contact = contacts_.a_.contacts[id];
+      contact.area += chords_.part[pair][s];
+      ++contact.chords;
+    }
   }
 }
 
@@ -186,10 +226,11 @@ void ContactsBuilder::add_free_edges(const BallSet &balls, const Boundary &bound
     surface.add(batch);
     for (uint32_t s = 0; s < batch.count; ++s) {
       if (batch.other[s] < i || !batch.has_piece(s)) continue;
-      ContactRecord *const contact = contact_of_cap(walk_.cap_of(batch.other[s]));
-      if (contact == nullptr) continue;
-      contact->edge += batch.angle[s];  // not yet a length
-      contact->code |= batch.arc[s] != 0 ? ContactRecord::arc_bit : ContactRecord::circle_bit;
+      const uint32_t id = contact_of_cap(walk_.cap_of(batch.other[s]));
+      if (id == no_room) continue;
+      ContactRecord &contact = contacts_.a_.contacts[id];
+      contact.edge += batch.angle[s];  // not yet a length
+      contact.code |= batch.arc[s] != 0 ? ContactRecord::arc_bit : ContactRecord::circle_bit;
     }
   }
   // r A, the part of three times the volume about the centre.
@@ -209,26 +250,33 @@ Status ContactsBuilder::check_capacity() {
 
 // Areas, and cells as cones over their faces and contacts. The order of the sums is that in which contacts are found,
 // which does not depend on the order of the input.
-void ContactsBuilder::measure_contacts(const BallSet &balls) {
+void ContactsBuilder::measure_contacts(const BallSet &balls, [[maybe_unused]] const Boundary &boundary) {
   ContactArrays &a = contacts_.a_;
-  for (ContactRecord &contact : a.contacts.items()) {
-    const auto [first, second] = contact.ball;
-    const exact::LatticeBall own = balls.ball(first);
-    const exact::LatticeBall other = balls.ball(second);
-    const exact::Plane P = exact::plane_of(own, other);
-    const int64_t U = dot(P.v, P.v);
-    const double square = exact::circle_discriminant(exact::sphere_of(own), P, U) / (4 * static_cast<double>(U));
-    if (square == 0.0) contact.code |= ContactRecord::touching_bit;
-    const double distance = std::sqrt(static_cast<double>(U));
-    const double area = contact.area / distance + 0.5 * square * contact.edge;
-    contact.area = area > 0.0 && square > 0.0 ? area : 0.0;
-    contact.edge *= std::sqrt(square);
-    a.contact_area[first] += contact.area;
-    a.contact_area[second] += contact.area;
-    // Twice the heights of the contact's plane over both centres are h and 2 |v|^2 - h over |v|.
-    const int64_t other_h = U + (other.radius - own.radius) * (other.radius + own.radius);
-    a.cell_volume[first] += static_cast<double>(P.h) / (2 * distance) * contact.area;
-    a.cell_volume[second] += static_cast<double>(other_h) / (2 * distance) * contact.area;
+  ContactMeasures measures;
+  for (uint32_t first = 0; first < a.contacts.size(); first += ContactMeasures::capacity) {
+    const uint32_t left = a.contacts.size() - first;
+    const uint32_t count = left < ContactMeasures::capacity ? left : ContactMeasures::capacity;
+    for (uint32_t s = 0; s < ContactMeasures::capacity; ++s) {
+      const ContactRecord &contact = a.contacts[first + (s < count ? s : 0)];
+      measures.ball[0][s] = contact.ball[0];
+      measures.ball[1][s] = contact.ball[1];
+      measures.area[s] = contact.area;
+      measures.edge[s] = contact.edge;
+    }
+    bool certain = false;
+#if HSP_AVX2
+    certain = boundary.has_wide_code() && measure_contacts_in_lanes(arrays_of(balls), measures);
+#endif
+    for (uint32_t s = 0; s < count; ++s) {
+      ContactRecord &contact = a.contacts[first + s];
+      if (!certain && measure_contact_in_integers(balls, measures, s)) contact.code |= ContactRecord::touching_bit;
+      contact.area = measures.area[s];
+      contact.edge = measures.edge[s];
+      for (uint32_t side = 0; side < 2; ++side) {
+        a.contact_area[contact.ball[side]] += measures.area[s];
+        a.cell_volume[contact.ball[side]] += measures.cone[side][s];
+      }
+    }
   }
   for (uint32_t i = 0; i < a.balls; ++i) {
     const double volume = a.cell_volume[i] / 3;

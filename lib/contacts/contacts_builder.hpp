@@ -3,7 +3,9 @@
 // digits where spheres nearly meet in one point.
 #pragma once
 
+#include "contacts/chord_parts.hpp"
 #include "contacts/chord_walk.hpp"
+#include "sphere/cube_candidates.hpp"
 
 namespace hsp {
 
@@ -35,15 +37,16 @@ class ContactsBuilder {
 
  private:
   void clear(uint32_t balls);
+  void gather_caps(const BallSet &balls, const Boundary &boundary, const CubeBlock &block, uint32_t i, bool in_lanes);
   void start_ball(const Boundary &boundary);
   void recall_contacts();
   void add_chord(const BallSet &balls, const Boundary &boundary, const FoundChord &chord);
+  void measure_chords(const BallSet &balls, const Boundary &boundary);
   void add_free_edges(const BallSet &balls, const Boundary &boundary);
-  ContactRecord *contact_of_cap(uint32_t cap);
+  uint32_t contact_of_cap(uint32_t cap);
   uint32_t find_contact(uint32_t a, uint32_t b);
-  ContactRecord *stored(uint32_t id);
   Status check_capacity();
-  void measure_contacts(const BallSet &balls);
+  void measure_contacts(const BallSet &balls, const Boundary &boundary);
   void make_rows(const CubeGrid &grid);
   void count_simplices(const Boundary &boundary);
 
@@ -51,8 +54,10 @@ class ContactsBuilder {
   ContactLimits needed_;
   uint32_t own_balls_ = 0;  // the first ones
   Contacts contacts_;
+  CubeCandidates candidates_;
   Caps caps_;
   ChordWalk walk_;
+  ChordBatch chords_;              // that have been found, but not yet measured
   Span<uint32_t> contact_of_cap_;  // [neighbours] of the ball at hand, for later balls; no_id where none is known yet
 };
 

@@ -155,6 +155,10 @@ inline Doubles truncated(Doubles a) {
 inline Doubles one_where_not_less(Doubles a, Doubles b) {
   return {_mm256_and_pd(_mm256_cmp_pd(a.v, b.v, _CMP_GE_OQ), _mm256_set1_pd(1.0))};
 }
+// a where it is a number, else b.
+inline Doubles where_number(Doubles a, Doubles b) {
+  return {_mm256_blendv_pd(a.v, b.v, _mm256_cmp_pd(a.v, a.v, _CMP_UNORD_Q))};
+}
 inline double first(Doubles a) {
   return _mm256_cvtsd_f64(a.v);
 }

@@ -36,5 +36,7 @@ void end_candidates(CandidateBlock &block);
 // which `earlier` stand before it. Returns their number, or a larger one than `most` if they are more. Room for most +
 // spare_ids.
 uint32_t near_candidates(const CandidateBlock &block, uint32_t own, uint32_t *near, uint32_t most, uint32_t &earlier);
+// The same of the candidates behind `own` alone.
+uint32_t later_candidates(const CandidateBlock &block, uint32_t own, uint32_t *near, uint32_t most);
 
 }  // namespace hsp

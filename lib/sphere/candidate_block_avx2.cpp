@@ -14,6 +14,43 @@ Floats relative(const double *p, uint32_t count, Doubles origin) {
   return to_floats(low - origin, high - origin);
 }
 
+// Collects those near one candidate.
+class NearLanes {
+ public:
+  NearLanes(const CandidateBlock &block, uint32_t own, uint32_t *near, uint32_t most)
+      : x_(Floats::all_of(block.x + own)),
+        y_(Floats::all_of(block.y + own)),
+        z_(Floats::all_of(block.z + own)),
+        r_(Floats::all_of(block.r + own)),
+        margin_(Floats::all(block.margin)),
+        block_(block),
+        near_(near),
+        most_(most) {}
+
+  uint32_t found() const { return found_; }
+  // Of eight candidates from c on.
+  LaneBits lanes(uint32_t c) const {
+    const Floats dx = Floats::load(block_.x + c) - x_, dy = Floats::load(block_.y + c) - y_,
+                 dz = Floats::load(block_.z + c) - z_, sum = Floats::load(block_.r + c) + r_;
+    return not_less(margin_, fused(dx, dx, fused(dy, dy, minus_fused(sum, sum, dz * dz))));
+  }
+  void keep(uint32_t c, LaneBits chosen) {
+    store_front(near_ + found_, Integers::load(block_.ball + c), FrontOrder::of_eight(chosen));
+    found_ += ones(chosen);
+  }
+  // What stands behind the last one is near to nothing.
+  void keep_near(uint32_t first, uint32_t last) {
+    for (uint32_t c = first; c < last && found_ <= most_; c += 8) keep(c, lanes(c));
+  }
+
+ private:
+  const Floats x_, y_, z_, r_, margin_;
+  const CandidateBlock block_;
+  uint32_t *const near_;
+  const uint32_t most_;
+  uint32_t found_ = 0;
+};
+
 }  // namespace
 
 void add_candidates(CandidateBlock &block, const BallArrays &balls, uint32_t first, uint32_t last,
@@ -39,35 +76,23 @@ void end_candidates(CandidateBlock &block) {
 }
 
 uint32_t near_candidates(const CandidateBlock &block, uint32_t own, uint32_t *near, uint32_t most, uint32_t &earlier) {
-  const float *const xs = block.x, *const ys = block.y, *const zs = block.z, *const rs = block.r;
-  const uint32_t *const ids = block.ball;
-  const Floats x = Floats::all_of(xs + own), y = Floats::all_of(ys + own), z = Floats::all_of(zs + own),
-               r = Floats::all_of(rs + own);
-  const Floats margin = Floats::all(block.margin);
-  uint32_t found = 0;
-  const auto near_lanes = [=](uint32_t c) {
-    const Floats dx = Floats::load(xs + c) - x, dy = Floats::load(ys + c) - y, dz = Floats::load(zs + c) - z,
-                 sum = Floats::load(rs + c) + r;
-    return not_less(margin, fused(dx, dx, fused(dy, dy, minus_fused(sum, sum, dz * dz))));
-  };
-  const auto keep = [&](uint32_t c, LaneBits chosen) {
-    store_front(near + found, Integers::load(ids + c), FrontOrder::of_eight(chosen));
-    found += ones(chosen);
-  };
-  // What stands behind the last one is near to nothing.
-  const auto keep_near = [&](uint32_t first, uint32_t last) {
-    for (uint32_t c = first; c < last && found <= most; c += 8) keep(c, near_lanes(c));
-  };
+  NearLanes around(block, own, near, most);
   const uint32_t with_own = own & ~7U;
-  keep_near(0, with_own);
-  earlier = found;
-  if (found > most) return found;
+  around.keep_near(0, with_own);
+  earlier = around.found();
+  if (around.found() > most) return around.found();
   const LaneBits own_lane = 1U << (own - with_own);
-  const LaneBits chosen = near_lanes(with_own) & ~own_lane;
-  keep(with_own, chosen);
+  const LaneBits chosen = around.lanes(with_own) & ~own_lane;
+  around.keep(with_own, chosen);
   earlier += ones(chosen & (own_lane - 1U));
-  keep_near(with_own + 8, block.count);
-  return found;
+  around.keep_near(with_own + 8, block.count);
+  return around.found();
+}
+
+uint32_t later_candidates(const CandidateBlock &block, uint32_t own, uint32_t *near, uint32_t most) {
+  NearLanes around(block, own, near, most);
+  around.keep_near(own + 1, block.count);
+  return around.found();
 }
 
 }  // namespace hsp

@@ -50,7 +50,7 @@ struct Caps {
   // components, if given.
   void gather(const BallSet &balls, const CubeBlock &block, uint32_t i, DisjointSets *components);
 
-  // The caps of ball i by n balls alone, which are in `ball` in any order and meet ball i.
+  // The caps of ball i by n other balls alone, which are in `ball` in any order and not certainly disjoint from it.
   void gather_given(const BallSet &balls, uint32_t i, uint32_t n);
 
 #if HSP_AVX2

@@ -5,22 +5,21 @@ namespace hsp {
 namespace {
 
 // Consecutive parts of one array.
-template <class T>
 class Parts {
  public:
-  explicit Parts(T *first, uint32_t size) : next_(first), size_(size) {}
-  T *take() {
-    T *const part = next_;
+  explicit Parts(float *first, uint32_t size) : next_(first), size_(size) {}
+  float *take() {
+    float *const part = next_;
     if (part != nullptr) next_ += size_;
     return part;
   }
 
  private:
-  T *next_;
+  float *next_;
   uint32_t size_;
 };
 
-FloatCaps take_caps(Parts<float> &parts) {
+FloatCaps take_caps(Parts &parts) {
   FloatCaps caps;
   caps.x = parts.take();
   caps.y = parts.take();
@@ -28,8 +27,6 @@ FloatCaps take_caps(Parts<float> &parts) {
   caps.b = parts.take();
   return caps;
 }
-
-constexpr uint32_t arrays_of_candidates = 5;
 
 }  // namespace
 
@@ -49,7 +46,7 @@ void LaneSearch::carve(Workspace &workspace, uint32_t neighbours) {
   enabled = workspace.wide_code() && neighbours <= PairSweep::most_caps;
   // Rows of whole vectors.
   const uint32_t row = (neighbours + FloatCaps::spare + 7) / 8 * 8;
-  Parts<float> floats_of_caps(workspace.take<float>(14 * static_cast<uint64_t>(row)).data(), row);
+  Parts floats_of_caps(workspace.take<float>(14 * static_cast<uint64_t>(row)).data(), row);
   sweep_.caps = take_caps(floats_of_caps);
   sweep_.by_size = take_caps(floats_of_caps);
   sweep_.exposed = take_caps(floats_of_caps);
@@ -58,57 +55,27 @@ void LaneSearch::carve(Workspace &workspace, uint32_t neighbours) {
   uncrossed_ = workspace.take<uint32_t>(neighbours);
 }
 
-void LaneSearch::borrow_candidates(Span<uint32_t> words) {
-  const uint32_t most = words.size() / arrays_of_candidates / 8 * 8;
-  Parts<uint32_t> parts(words.data(), most);
-  candidates_.room = most > CandidateBlock::spare ? most - CandidateBlock::spare : 0;
-  candidates_.x = reinterpret_cast<float *>(parts.take());
-  candidates_.y = reinterpret_cast<float *>(parts.take());
-  candidates_.z = reinterpret_cast<float *>(parts.take());
-  candidates_.r = reinterpret_cast<float *>(parts.take());
-  candidates_.ball = parts.take();
-}
-
 void LaneSearch::take_candidates(Workspace &workspace, uint32_t neighbours) {
   // There is no limit for the balls of a cube and those around it. Their volume is some six times that in which a
   // ball's neighbours lie.
   const uint32_t most = neighbours <= PairSweep::most_caps ? neighbours : PairSweep::most_caps;
   const uint64_t room = 8 * (uint64_t{most} + 32);
-  borrow_candidates(workspace.take<uint32_t>(arrays_of_candidates * room));
+  candidates_.borrow(workspace.take<uint32_t>(CubeCandidates::number_of_arrays * room));
 }
 
 bool LaneSearch::start_cube(const CubeGrid &grid, uint32_t cube, const CubeBlock &block) {
-  if (!enabled) return false;
-  const CubeCoordinates &at = grid.table().coordinates(cube);
-  const auto middle = [&grid](int64_t c) { return static_cast<double>(c * grid.side() + grid.side() / 2); };
-  const double centre[3] = {middle(at.x), middle(at.y), middle(at.z)};
-  return start_block(grid.balls(), block, grid.balls_in(cube).first, centre, static_cast<double>(grid.side()));
+  return enabled && candidates_.start_cube(grid, cube, grid.balls_in(cube).first, block);
 }
 
 bool LaneSearch::start_block(const BallSet &balls, const CubeBlock &block, uint32_t first_own,
                              const double (&centre)[3], double side) {
-  if (!enabled) return false;
-  uint32_t total = 0;
-  for (uint32_t k = 0; k < block.ranges; ++k) total += block.range[k].last - block.range[k].first;
-  if (total > candidates_.room) return false;
-  candidates_.margin = static_cast<float>(side * side * CandidateBlock::margin_of_squared_side);
-  candidates_.count = 0;
-  first_own_ = first_own;
-  const BallArrays arrays = arrays_of(balls);
-  for (uint32_t k = 0; k < block.ranges; ++k) {
-    const BallRange range = block.range[k];
-    if (range.first <= first_own && first_own < range.last) own_place_ = candidates_.count + (first_own - range.first);
-    add_candidates(candidates_, arrays, range.first, range.last, centre);
-  }
-  end_candidates(candidates_);
-  return true;
+  return enabled && candidates_.start_block(balls, block, first_own, centre, side);
 }
 
 bool LaneSearch::gather(const BallSet &balls, uint32_t i, Caps &caps, DisjointSets *components) {
-  const uint32_t place = own_place_ + (i - first_own_);
   uint32_t *const near = caps.ball.data();
   uint32_t earlier = 0;
-  const uint32_t found = near_candidates(candidates_, place, near, caps.capacity(), earlier);
+  const uint32_t found = candidates_.near(i, near, caps.capacity(), earlier);
   if (found > caps.capacity()) return false;
   if (!make_float_caps(arrays_of(balls), i, near, found, sweep_.caps)) return false;
   caps.take_circles(balls, i, found, earlier, components);

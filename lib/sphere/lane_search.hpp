@@ -3,7 +3,7 @@
 // such code.
 #pragma once
 
-#include "sphere/candidate_block.hpp"
+#include "sphere/cube_candidates.hpp"
 #include "sphere/few_caps.hpp"
 #include "sphere/pair_sweep.hpp"
 #include "sphere/vertex_finder.hpp"
@@ -19,7 +19,7 @@ class LaneSearch {
  public:
   void carve(Workspace &workspace, uint32_t neighbours);
   // Memory for the candidates of a cube, all that is needed while balls are searched: somebody else's, or its own.
-  void borrow_candidates(Span<uint32_t> words);
+  void borrow_candidates(Span<uint32_t> words) { candidates_.borrow(words); }
   void take_candidates(Workspace &workspace, uint32_t neighbours);
 
   // For the balls of one cube, whose block of cubes is given. False if they are to be searched otherwise.
@@ -44,9 +44,7 @@ class LaneSearch {
   void find_many(const BallSet &balls, Caps &caps, VertexFinder &finder, FixedVector<VertexRecord> &vertices,
                  FixedVector<CircleRecord> &circles);
 
-  CandidateBlock candidates_;
-  uint32_t first_own_ = 0;  // ball of the cube
-  uint32_t own_place_ = 0;  // and its number among the candidates
+  CubeCandidates candidates_;
   PairSweep sweep_;
   Span<uint32_t> uncrossed_;
 };

@@ -120,6 +120,9 @@ TEST(CandidateBlock, NoneThatMeetsIsLeftOut) {
                   2.0 * static_cast<double>(candidates.block.margin) + 1e-9 * square(side));
       }
     }
+    std::vector<uint32_t> later(n + hsp::spare_ids);
+    ASSERT_EQ(hsp::later_candidates(candidates.block, own, later.data(), n), found - earlier);
+    ASSERT_TRUE(std::equal(near.begin() + earlier, near.begin() + found, later.begin()));
     // More than asked for.
     if (found > 9) {
       ASSERT_GT(hsp::near_candidates(candidates.block, own, near.data(), found - 1, earlier), found - 1);

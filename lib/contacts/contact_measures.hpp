@@ -1,0 +1,34 @@
+// Areas and lengths of contacts, and what they add to cells, from what their chords and arcs add up to: from exact
+// polynomials rounded once, in integers, or four at a time with numbers of two doubles (contact_measures_avx2.cpp),
+// which gives the same bits, or none where that is not certain.
+//
+// Errors of the numbers of two doubles in units of u^2, where u = 2^-53, for Delta = W v.v - h^2 and S = W v.v + h^2:
+// products 1 and 1 left out, 5 and 3 by rounding; a difference of at most 6 u S and a sum of at most 7 u S. Taken to be
+// below 256 = 2^-98 / u^2.
+#pragma once
+
+#include "model/ball_set.hpp"
+#include "sphere/near_balls.hpp"
+
+namespace hsp {
+
+struct ContactMeasures {
+  static constexpr uint32_t capacity = 4;
+
+  uint32_t ball[2][capacity];
+  // Half the sum of distance times length over the chords, times the distance of the balls; then the area.
+  double area[capacity];
+  // The angle of the free part of the circle; then its length.
+  double edge[capacity];
+  // Three times the volumes of the cones over the contact, with their tips in the two centres.
+  double cone[2][capacity];
+};
+
+// Contact s. Returns whether the two balls only touch.
+bool measure_contact_in_integers(const BallSet &balls, ContactMeasures &contacts, uint32_t s);
+#if HSP_AVX2
+// All four. False if one of them is not certain; then they are left as they were.
+bool measure_contacts_in_lanes(const BallArrays &balls, ContactMeasures &contacts);
+#endif
+
+}  // namespace hsp

@@ -1,0 +1,44 @@
+#include "sphere/cube_candidates.hpp"
+
+#if HSP_AVX2
+namespace hsp {
+
+void CubeCandidates::borrow(Span<uint32_t> memory) {
+  const uint32_t most = memory.size() / number_of_arrays / 8 * 8;
+  block_.room = most > CandidateBlock::spare ? most - CandidateBlock::spare : 0;
+  if (block_.room == 0) return;
+  uint32_t *const words = memory.data();
+  block_.x = reinterpret_cast<float *>(words);
+  block_.y = reinterpret_cast<float *>(words + most);
+  block_.z = reinterpret_cast<float *>(words + 2 * most);
+  block_.r = reinterpret_cast<float *>(words + 3 * most);
+  block_.ball = words + 4 * most;
+}
+
+bool CubeCandidates::start_cube(const CubeGrid &grid, uint32_t cube, uint32_t first_own, const CubeBlock &block) {
+  const CubeCoordinates &at = grid.table().coordinates(cube);
+  const auto middle = [&grid](int64_t c) { return static_cast<double>(c * grid.side() + grid.side() / 2); };
+  const double centre[3] = {middle(at.x), middle(at.y), middle(at.z)};
+  return start_block(grid.balls(), block, first_own, centre, static_cast<double>(grid.side()));
+}
+
+bool CubeCandidates::start_block(const BallSet &balls, const CubeBlock &block, uint32_t first_own,
+                                 const double (&centre)[3], double side) {
+  uint32_t total = 0;
+  for (uint32_t k = 0; k < block.ranges; ++k) total += block.range[k].last - block.range[k].first;
+  if (total > block_.room) return false;
+  block_.margin = static_cast<float>(side * side * CandidateBlock::margin_of_squared_side);
+  block_.count = 0;
+  first_own_ = first_own;
+  const BallArrays arrays = arrays_of(balls);
+  for (uint32_t k = 0; k < block.ranges; ++k) {
+    const BallRange range = block.range[k];
+    if (range.first <= first_own && first_own < range.last) own_place_ = block_.count + (first_own - range.first);
+    add_candidates(block_, arrays, range.first, range.last, centre);
+  }
+  end_candidates(block_);
+  return true;
+}
+
+}  // namespace hsp
+#endif

@@ -1,0 +1,53 @@
+// The candidates around one cube after the other (candidate_block.hpp), in memory that somebody lends. Empty in
+// libraries without code for wide registers.
+#pragma once
+
+#include "sphere/candidate_block.hpp"
+#include "sphere/caps.hpp"
+
+namespace hsp {
+
+#if HSP_AVX2
+
+class CubeCandidates {
+ public:
+  static constexpr uint32_t number_of_arrays = 5;  // that the memory is shared out among
+
+  void borrow(Span<uint32_t> memory);
+
+  // For the balls of one cube from `first_own` on: those in the block are their candidates. False if there is no room
+  // for them.
+  bool start_cube(const CubeGrid &grid, uint32_t cube, uint32_t first_own, const CubeBlock &block);
+  // The same for balls from `first_own` on that are at most 1.5 sides from a centre along each axis.
+  bool start_block(const BallSet &balls, const CubeBlock &block, uint32_t first_own, const double (&centre)[3],
+                   double side);
+
+  // Those that are not certainly disjoint from ball i, in the order of the block, as near_candidates and
+  // later_candidates say.
+  uint32_t near(uint32_t i, uint32_t *ids, uint32_t most, uint32_t &earlier) const {
+    return near_candidates(block_, place(i), ids, most, earlier);
+  }
+  uint32_t later(uint32_t i, uint32_t *ids, uint32_t most) const {
+    return later_candidates(block_, place(i), ids, most);
+  }
+
+ private:
+  uint32_t place(uint32_t i) const { return own_place_ + (i - first_own_); }
+
+  CandidateBlock block_;
+  uint32_t first_own_ = 0;  // ball of the cube
+  uint32_t own_place_ = 0;  // and its number among the candidates
+};
+
+#else
+
+class CubeCandidates {
+ public:
+  void borrow(Span<uint32_t>) {}
+  bool start_cube(const CubeGrid &, uint32_t, uint32_t, const CubeBlock &) { return false; }
+  uint32_t later(uint32_t, uint32_t *, uint32_t) const { return 0; }
+};
+
+#endif
+
+}  // namespace hsp

@@ -1,0 +1,58 @@
+// The planes of four pairs of balls, exactly: plane_of of exact/plane.hpp in lanes. For files *_avx2.cpp alone;
+// everything has internal linkage.
+#pragma once
+
+#include "exact/twofold_avx2.hpp"
+#include "sphere/near_balls.hpp"
+
+namespace hsp {
+namespace {
+
+// Four integer vectors below 2^31 in size.
+struct LaneVectors {
+  LongIntegers x, y, z;
+
+  friend LongIntegers dot(const LaneVectors &a, const LaneVectors &b) {
+    return hsp::product(a.x, b.x) + hsp::product(a.y, b.y) + hsp::product(a.z, b.z);
+  }
+};
+
+// Four balls.
+struct LaneBalls {
+  Doubles x, y, z, r;
+
+  LaneBalls(const BallArrays &balls, const uint32_t *ids)
+      : x(Doubles::at(balls.x, ids)),
+        y(Doubles::at(balls.y, ids)),
+        z(Doubles::at(balls.z, ids)),
+        r(Doubles::at(balls.r, ids)) {}
+};
+
+// The planes of one other ball of each.
+struct LanePlanes {
+  Doubles x, y, z;  // the vector to the other centre
+  LaneVectors v;    // the same
+  LongIntegers U;   // its square
+  LongIntegers h;
+
+  LanePlanes(const LaneBalls &own, const LaneBalls &other)
+      : x(other.x - own.x),
+        y(other.y - own.y),
+        z(other.z - own.z),
+        v{LongIntegers::from(x), LongIntegers::from(y), LongIntegers::from(z)},
+        U(dot(v, v)),
+        h(U - hsp::product(LongIntegers::from(other.r - own.r), LongIntegers::from(other.r + own.r))) {}
+};
+
+// The components of u x v.
+struct LaneNormals {
+  Twofold x, y, z;
+
+  LaneNormals(const LaneVectors &u, const LaneVectors &v)
+      : x(from(hsp::product(u.y, v.z) - hsp::product(u.z, v.y))),
+        y(from(hsp::product(u.z, v.x) - hsp::product(u.x, v.z))),
+        z(from(hsp::product(u.x, v.y) - hsp::product(u.y, v.x))) {}
+};
+
+}  // namespace
+}  // namespace hsp
