@@ -419,6 +419,43 @@ TEST(PeriodicUnion, DecidesTiesOfCrystalsAlikeInAllCopies) {
   EXPECT_NEAR(filled.of_ball(0).volume, 64.0, 1e-11);  // its cell is the box
 }
 
+// A cage of eight balls: each circle of two neighbours has an arc outside and one in the void, also where a wall of the
+// box runs between them.
+TEST(PeriodicUnion, KeepsShellsApartThatShareCirclesAcrossWalls) {
+  for (const std::array<double, 3> &middle :
+       {std::array<double, 3>{10, 10, 10}, {0, 10, 10}, {10, 0, 0}, {0, 0, 0}, {0.5, 19.5, 0}}) {
+    std::vector<std::array<double, 4>> cage;
+    for (int k = 0; k < 8; ++k) {
+      cage.push_back({middle[0] + k % 2 * 2.0 - 1, middle[1] + k / 2 % 2 * 2.0 - 1, middle[2] + k / 4 * 2.0 - 1, 1.5});
+    }
+    const BuiltPeriodic built(balls_of(cage), cube(20), 0.0, 0.5);
+    ASSERT_EQ(built.status(), hsp::Status::ok);
+    EXPECT_EQ(built->counts().shells, 2U);
+    EXPECT_EQ(built->counts().faces, 16U);
+  }
+}
+
+// Each contact is listed at one of its two balls, also if both are copies of one ball.
+TEST(PeriodicUnion, ListsEachContactOnce) {
+  oracle::RandomSource random(325);
+  uint32_t of_one_ball = 0;
+  for (int set = 0; set < 20; ++set) {
+    const RandomCrystal crystal(random, set % 2 == 0);
+    const BuiltPeriodic built(crystal.balls, crystal.box);
+    ASSERT_EQ(built.status(), hsp::Status::ok);
+    uint32_t listed = 0;
+    for (uint32_t i = 0; i < built.balls(); ++i) {
+      built->visit_contacts_of(i, [&](const hsp::PeriodicContact &contact) {
+        if (!built->is_listed(contact)) return;
+        ++listed;
+        of_one_ball += built->images().ball_of(contact.other) == i ? 1U : 0U;
+      });
+    }
+    EXPECT_EQ(listed, built->counts().contacts);
+  }
+  EXPECT_GT(of_one_ball, 10U);
+}
+
 // Components of balls that only touch, of one inside another one, and of one that is covered by others but inside none
 // of them: it has no cell and no contact.
 TEST(PeriodicUnion, JoinsBallsWithoutCells) {
