@@ -34,12 +34,6 @@ void for_each_cube(const exact::LatticeBall &ball, const CubeAxis &axis, Visit v
   }
 }
 
-bool comes_before(const CubeCoordinates &a, const CubeCoordinates &b) {
-  if (a.z != b.z) return a.z < b.z;
-  if (a.y != b.y) return a.y < b.y;
-  return a.x < b.x;
-}
-
 }  // namespace
 
 bool meets_cube(const exact::LatticeBall &ball, const CubeCoordinates &cube, int64_t side) {
@@ -67,8 +61,13 @@ bool CubeCover::build(const CubeGrid &grid) {
   for (uint32_t i = 0; i < balls.n; ++i) {
     for_each_cube(balls.ball(i), axis, [&](const CubeCoordinates &cube) {
       ++entries;
-      if (table_.find(cube) != no_id) return;
-      if (cubes++ < capacity_) table_.append(cube);
+      const uint32_t known = table_.find(cube);
+      if (known != no_id) {
+        ++first_entry_[known];
+      } else if (cubes++ < capacity_) {
+        first_entry_[table_.count()] = 1;
+        table_.append(cube);
+      }
     });
   }
   needed_cubes_ = clamped_count(cubes);
@@ -78,18 +77,16 @@ bool CubeCover::build(const CubeGrid &grid) {
   const Span<CubeCoordinates> sorted = sorted_.part(0, needed_cubes_);
   for (uint32_t k = 0; k < sorted.size(); ++k) sorted[k] = table_.coordinates(k);
   sort_in_place(sorted, [](const CubeCoordinates &a, const CubeCoordinates &b) { return comes_before(a, b); });
+  // How many balls meet each, in that order; there are no fewer entries than cubes.
+  for (uint32_t k = 0; k < needed_cubes_; ++k) entries_[k] = first_entry_[table_.find(sorted[k])];
   table_.clear(needed_cubes_);
   for (const CubeCoordinates &cube : sorted) table_.append(cube);
-
-  for (uint32_t k = 0; k <= needed_cubes_; ++k) first_entry_[k] = 0;
-  const auto count = [&](const CubeCoordinates &cube) { ++first_entry_[table_.find(cube)]; };
-  for (uint32_t i = 0; i < balls.n; ++i) for_each_cube(balls.ball(i), axis, count);
   // Each becomes where the cube's entries end, and then, entry by entry from the last ball on, where they begin.
   uint32_t end = 0;
   most_balls_ = 0;
   for (uint32_t k = 0; k < needed_cubes_; ++k) {
-    most_balls_ = larger_count(most_balls_, first_entry_[k]);
-    end += first_entry_[k];
+    most_balls_ = larger_count(most_balls_, entries_[k]);
+    end += entries_[k];
     first_entry_[k] = end;
   }
   first_entry_[needed_cubes_] = end;

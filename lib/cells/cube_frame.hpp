@@ -144,36 +144,4 @@ class CubeFrame {
   Vec3 centre_{};
 };
 
-// Where a plane crosses an edge from a point p on its near side to q beyond it: y = p + t (q - p) with
-// t = f(p) / (f(p) - f(q)), f = v.y - h. Let p and q be off by at most d, so that f is off by e = d + 512 u s. The
-// point at t of the true edge differs from y by d, and f there is at most e. Along that edge f grows by
-// f(q) - f(p) - 2 e or more over at most |q - p| + 2 d. So y is off by less than d + 1.01 e |q - p| / (f(q) - f(p)) +
-// 64 u s, the last term for the roundings, as d < 2^-27 s and f(q) - f(p) > 2^-12 s. Doubts add up from cut to cut;
-// where they are larger, three planes have to be solved.
-class EdgeCrossing {
- public:
-  explicit EdgeCrossing(const CubeFrame &frame)
-      : least_rise_(0x1p-12 * frame.side()),
-        most_doubt_(0x1p-27 * frame.side()),
-        rounding_(64 * unit_roundoff * frame.side()),
-        plane_doubt_(frame.plane_doubt()) {}
-
-  // Where f is near_value at one point and beyond_value at the other; false if this would be in too much doubt.
-  bool find(const PlacedPoint &near, double near_value, const PlacedPoint &beyond, double beyond_value,
-            PlacedPoint &crossing) const {
-    const double rise = beyond_value - near_value;
-    if (!(rise > least_rise_)) return false;
-    const double scale = 1.0 / rise;
-    const Vec3 edge = beyond.y - near.y;
-    const double length = std::fabs(edge.x) + std::fabs(edge.y) + std::fabs(edge.z);
-    const double doubt = near.doubt > beyond.doubt ? near.doubt : beyond.doubt;
-    crossing = {near.y + (-near_value * scale) * edge,
-                doubt + rounding_ + (1.01 * (doubt + plane_doubt_)) * (length * scale)};
-    return crossing.doubt < most_doubt_;
-  }
-
- private:
-  double least_rise_, most_doubt_, rounding_, plane_doubt_;
-};
-
 }  // namespace hsp

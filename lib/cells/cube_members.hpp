@@ -47,6 +47,8 @@ inline void order_planes(const double *distance, uint32_t count, PlaneOrder &ord
   using L = DoubleLanes<n>;
   using Real = typename L::Real;
   using Mask = typename L::Mask;
+  constexpr double lane_numbers[4] = {0.0, 1.0, 2.0, 3.0};
+  const Real lanes = L::load(lane_numbers);
   order.next = 0;
   order.count = count <= most_ordered ? count : 0;
   for (uint32_t first = 0; first < order.count; first += n) {
@@ -55,8 +57,7 @@ inline void order_planes(const double *distance, uint32_t count, PlaneOrder &ord
     for (uint32_t k = 0; k < first; ++k) places -= L::all(distance[k]) <= own;
     for (uint32_t k = 0; k < n; ++k) {
       const Real other = L::all(distance[first + k]);
-      Mask later = places;
-      for (uint32_t lane = 0; lane < n; ++lane) later[lane] = lane > k ? -1 : 0;
+      const Mask later = lanes > L::all(static_cast<double>(k));
       places -= (other < own) | L::both(other == own, later);
     }
     for (uint32_t k = first + n; k < count; ++k) places -= L::all(distance[k]) < own;

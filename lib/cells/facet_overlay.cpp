@@ -88,6 +88,36 @@ FacetOverlay::Meeting FacetOverlay::compare() const {
   return upper.inside != 0 || (lower.reached && upper.reached) ? Meeting::together : Meeting::unknown;
 }
 
+// Where two facets of one ball have the same lines they are one polygon, seen from two sides: every corner of the piece
+// is a corner of both. Adds its parts and returns true if that is so. These parts have no names, as no others lie in
+// these facets.
+bool FacetOverlay::add_parts_of_equals(uint32_t below, uint32_t above) {
+  const Polygon &lower = polygon_[0], &upper = polygon_[1];
+  const uint32_t size = lower.size();
+  if (upper.size() != size) return false;
+  uint32_t at = 0;  // the edge above that is edge 0 below
+  while (at < size && upper.corner(at).line != lower.corner(0).line) ++at;
+  if (at == size) return false;
+  for (uint32_t k = 1, e = upper.previous(at); k < size; ++k, e = upper.previous(e)) {
+    if (upper.corner(e).line != lower.corner(k).line) return false;
+  }
+  const uint64_t known = parts_.required();
+  bool from_free = lower.corner(size - 1).edge_free != 0;
+  for (uint32_t k = 0, same = upper.next(at); k < size; ++k, same = upper.previous(same)) {
+    const FacetCorner &corner = lower.corner(k);
+    // A part begins where the edge before it is not free.
+    if (corner.cell != no_id && !from_free) {
+      parts_.push({{below, above}, {corner.cell, upper.corner(same).cell}, clamped_count(names_.required()), {}});
+    }
+    from_free = corner.edge_free != 0;
+  }
+  if (parts_.required() == known) {  // all edges are free
+    const uint32_t cells[2] = {lower.corner(0).cell, upper.corner(upper.next(at)).cell};
+    parts_.push({{below, above}, {cells[0], cells[1]}, clamped_count(names_.required()), {}});
+  }
+  return true;
+}
+
 // A corner of the facet below, in the frame of the cube above.
 PlacedPoint FacetOverlay::place_below(uint32_t corner) const {
   return polygon_[0].facets->place(*polygon_[0].facet, corner, axes_along(side_.side() / 2), -frame_.side());
@@ -417,8 +447,9 @@ Status FacetOverlay::find(const BallSet &balls, const CubeFrame &frame, uint32_t
       const AdjacentCells cells{{polygon_[0].facet->cell, polygon_[1].facet->cell}};
       // A portal is chosen among all corners of the piece.
       const bool one_contact = have_one_cell_each() && !contacts.has_portals();
-      if (one_contact && over.ball == under.ball &&
-          (polygon_[0].facet->has_covered_corner | polygon_[1].facet->has_covered_corner) != 0) {
+      const uint32_t is_certain = (one_contact ? 1U : 0U) & (over.ball == under.ball ? 1U : 0U) &
+                                  (polygon_[0].facet->has_covered_corner | polygon_[1].facet->has_covered_corner);
+      if (is_certain != 0) {  // one branch, as each of its parts is as likely as not
         contacts.push(cells);
         continue;
       }
@@ -426,6 +457,10 @@ Status FacetOverlay::find(const BallSet &balls, const CubeFrame &frame, uint32_t
       if (meeting == Meeting::apart) continue;
       if (meeting == Meeting::together && one_contact) {
         contacts.push(cells);
+        continue;
+      }
+      if (over.ball == under.ball && !contacts.has_portals() && !have_one_cell_each() &&
+          add_parts_of_equals(under.facet, over.facet)) {
         continue;
       }
       if (!has_planes) {

@@ -95,6 +95,7 @@ class FacetOverlay {
   bool have_one_cell_each() const;
   Meeting compare() const;
   FacetSides compare(const Polygon &corners, const Polygon &lines) const;
+  bool add_parts_of_equals(uint32_t below, uint32_t above);
   PlacedPoint place_below(uint32_t corner) const;
   void start();
   bool cut(uint32_t edge);

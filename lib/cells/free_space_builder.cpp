@@ -1,5 +1,7 @@
 #include "cells/free_space_builder.hpp"
 
+#include <bit>
+
 #include "core/disjoint_sets.hpp"
 
 namespace hsp {
@@ -35,6 +37,7 @@ Status FreeSpaceBuilder::build(const CubeGrid &grid) {
   if (needed_.cube_balls > limits_.cube_balls) return Status::capacity;
 
   add_runs();
+  for (uint32_t &next : beside_) next = 0;
   for (uint32_t k = 0; k < space.cover.cubes(); ++k) {
     const Status status = add_cube(balls, surroundings(k));
     if (status != Status::ok) return status;
@@ -64,13 +67,17 @@ void FreeSpaceBuilder::add_runs() {
   space.runs.for_each_contact(space.cover, [&](uint32_t a, uint32_t b) { space.contacts.push({{a, b}}); });
 }
 
-FreeSpaceBuilder::Cube FreeSpaceBuilder::surroundings(uint32_t number) const {
+// To be asked of each cube in turn: as these come in order, so do those on one side of them.
+FreeSpaceBuilder::Cube FreeSpaceBuilder::surroundings(uint32_t number) {
   const CubeCover &cover = structure_.cover;
   const CubeCoordinates &at = cover.cube(number);
   Cube cube{number, CubeFrame(at, structure_.side), {}, {}};
   for (uint32_t side = 0; side < cube_sides; ++side) {
     const CubeCoordinates there = beside(at, side);
-    cube.neighbour[side] = cover.find(there);
+    uint32_t next = beside_[side];
+    while (next < cover.cubes() && comes_before(cover.cube(next), there)) ++next;
+    beside_[side] = next;
+    cube.neighbour[side] = next < cover.cubes() && cover.cube(next) == there ? next : no_id;
     cube.run[side] = cube.neighbour[side] == no_id ? structure_.runs.find(cover, there) : no_id;
   }
   return cube;
@@ -96,9 +103,12 @@ Status FreeSpaceBuilder::add_cube(const BallSet &balls, const Cube &cube) {
     const Status status = contacts_.add(cell_, k, first_cell, space.contacts);
     if (status == Status::check) return status;
     if (status == Status::capacity) contacts_known_ = false;
-    for (uint32_t side = 0; side < cube_sides; ++side) {
-      const uint32_t first = cell_.first_free(side);
-      if (first == no_id) continue;
+    // Which sides have free vertices cannot be foreseen.
+    uint32_t free_sides = 0;
+    for (uint32_t side = 0; side < cube_sides; ++side)
+      free_sides |= (cell_.first_free(side) != no_id ? 1U : 0U) << side;
+    for (; free_sides != 0; free_sides &= free_sides - 1) {
+      const uint32_t side = static_cast<uint32_t>(std::countr_zero(free_sides)), first = cell_.first_free(side);
       if (cube.neighbour[side] == no_id) {
         touch_run(cube, side, first, first_cell);
       } else {

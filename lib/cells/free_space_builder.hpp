@@ -38,7 +38,7 @@ class FreeSpaceBuilder {
   void add_parts(const Cube &cube);
   void touch_run(const Cube &cube, uint32_t side, uint32_t first, uint32_t first_cell);
   Status touch_cubes(const BallSet &balls, const Cube &cube);
-  Cube surroundings(uint32_t number) const;
+  Cube surroundings(uint32_t number);
   void note(uint32_t &needed, uint64_t count) const { needed = larger_count(needed, clamped_count(count)); }
   bool gather_needs();
   void link_cells();
@@ -49,10 +49,11 @@ class FreeSpaceBuilder {
   PowerCell cell_;
   CubeContacts contacts_;
   FacetOverlay overlay_;
-  SideFacets kept_;            // facets on upper sides, for the cubes that follow
-  SideFacets open_;            // facets of one cube on its lower sides
-  Span<uint32_t> first_kept_;  // [cubes + 1]
-  Span<uint8_t> touched_;      // [corners of one cell] parts that a run touches
+  SideFacets kept_;                // facets on upper sides, for the cubes that follow
+  SideFacets open_;                // facets of one cube on its lower sides
+  Span<uint32_t> first_kept_;      // [cubes + 1]
+  Span<uint8_t> touched_;          // [corners of one cell] parts that a run touches
+  uint32_t beside_[cube_sides]{};  // the first cube that is not before the one on a side of the last cube
   bool contacts_known_ = true;
 };
 

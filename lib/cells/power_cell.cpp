@@ -118,7 +118,7 @@ void PowerCell::cut_out(uint32_t k, bool unless_covered) {
   parts_ = cutter_count_ = 0;
   if (!is_in_game(k)) return polytope_.make_empty();
   centre_ = 2.0 * offset(k);
-  polytope_.start(frame_.side(), centre_);
+  polytope_.start(frame_, centre_);
   find_member_planes();
   const double plane_doubt = frame_.plane_doubt(), six_sides = 6 * frame_.side();
   double covered = -1.0;

@@ -31,16 +31,19 @@ void PowerPolytope::carve(Workspace &workspace, uint32_t balls) {
   unsure_ = workspace.take<uint64_t>(most / 64 + 1);
   to_cut_.beyond = beyond_.data();
   to_cut_.unsure = unsure_.data();
-  holes_ = workspace.take<uint32_t>(most);
-  crossings_ = workspace.take<Crossing>(most);
-  made_ = workspace.take<uint32_t>(most);
+  holes_ = workspace.take<uint32_t>(most + 1);
+  crossings_ = workspace.take<CrossedEdge>(most + crossings_behind);
+  for (CrossedEdge &edge : crossings_) edge = {0, 0, 0, 0};  // some are read that may not have been written
+  made_ = workspace.take<uint32_t>(most + crossings_behind);
   ends_ = workspace.take<uint32_t>(most_planes(balls));
   count_ = 0;
+  wide_code_ = workspace.wide_code();
 }
 
-void PowerPolytope::start(double side, const Vec3 &centre) {
+void PowerPolytope::start(const CubeFrame &frame, const Vec3 &centre) {
+  const double side = frame.side();
   count_ = 8;
-  centre_ = centre;
+  bounds_ = crossing_bounds(frame, centre);
   most_doubt_ = 0.0;
   const auto squares = [&](double along, double square[2]) {
     square[0] = (-side - along) * (-side - along);
@@ -51,13 +54,17 @@ void PowerPolytope::start(double side, const Vec3 &centre) {
   squares(centre.y, in_y);
   squares(centre.z, in_z);
   PolytopeVertex *const vertices = vertices_.data();
-  for (uint32_t v = 0; v < 8; ++v) {
-    vertices[v] = cube_corners[v];
-    to_cut_.at.x[v] = v % 2 == 0 ? -side : side;
-    to_cut_.at.y[v] = v / 2 % 2 == 0 ? -side : side;
-    to_cut_.at.z[v] = v / 4 == 0 ? -side : side;
-    to_cut_.at.doubt[v] = 0.0;
-    to_cut_.at.squared[v] = in_x[v % 2] + in_y[v / 2 % 2] + in_z[v / 4];
+  for (uint32_t v = 0; v < 8; ++v) vertices[v] = cube_corners[v];
+  // Two corners at a time.
+  using L = DoubleLanes<2>;
+  const L::Real in_x_both{in_x[0], in_x[1]}, both_x{-side, side};
+  for (uint32_t v = 0; v < 8; v += 2) {
+    const uint32_t y = v / 2 % 2, z = v / 4;
+    L::store(to_cut_.at.x + v, both_x);
+    L::store(to_cut_.at.y + v, L::all(y == 0 ? -side : side));
+    L::store(to_cut_.at.z + v, L::all(z == 0 ? -side : side));
+    L::store(to_cut_.at.doubt + v, L::all(0.0));
+    L::store(to_cut_.at.squared + v, in_x_both + L::all(in_y[y]) + L::all(in_z[z]));
   }
 }
 
@@ -73,7 +80,7 @@ template <class IsNear>
 uint32_t PowerPolytope::find_crossings(IsNear is_near) {
   const PolytopeVertex *const vertices = vertices_.data();
   uint32_t *const holes = holes_.data();
-  Crossing *at = crossings_.data();
+  CrossedEdge *at = crossings_.data();
   uint32_t *const ends = ends_.data();
   uint32_t hole = 0;
   for (uint32_t first = 0; first < count_; first += 64) {
@@ -84,7 +91,7 @@ uint32_t PowerPolytope::find_crossings(IsNear is_near) {
       for (const uint32_t plane : vertex.plane) ends[plane] = 0;
       // Written in any case, and kept if the other end stays.
       const auto list = [&](uint32_t near, uint32_t a, uint32_t b) {
-        *at = {hole, near, a, b};
+        *at = {v, near, a, b};
         at += is_near(near / 4);
       };
       list(vertex.link[0], vertex.plane[1], vertex.plane[2]);
@@ -92,7 +99,8 @@ uint32_t PowerPolytope::find_crossings(IsNear is_near) {
       list(vertex.link[2], vertex.plane[0], vertex.plane[1]);
     }
   }
-  at->hole = hole_count_ = hole;
+  holes[hole] = at->gone = count_;
+  hole_count_ = hole;
   return static_cast<uint32_t>(at - crossings_.data());
 }
 
@@ -101,40 +109,22 @@ void PowerPolytope::cut(uint32_t plane, const UnitPlane *planes, const CubeFrame
   const uint64_t *const beyond = beyond_.data();
   const uint32_t count = count_ <= 64 ? find_crossings([&](uint32_t v) { return first_near >> v & 1; })
                                       : find_crossings([&](uint32_t v) { return ~beyond[v / 64] >> v % 64 & 1; });
-  const EdgeCrossing crossing(frame);
-  const Vec3 centre = centre_;
   PolytopeVertex *const vertices = vertices_.data();
-  const VertexArrays arrays = to_cut_.at;
   const uint32_t *const holes = holes_.data();
-  const Crossing *const crossings = crossings_.data();
+  const CrossedEdge *const crossings = crossings_.data();
   uint32_t *const ends = ends_.data(), *const made = made_.data();
   // New vertices take the places of those that are cut off, once these have no more edges to be cut, and then places
   // behind the last one.
   uint32_t filled = 0, end = count_;
-  double most_doubt = most_doubt_;
   for (uint32_t c = 0; c < count; ++c) {
-    const uint32_t w = holes[crossings[c].hole], near = crossings[c].near, v = near / 4;
-    const uint32_t a = crossings[c].a, b = crossings[c].b;
+    const uint32_t near = crossings[c].near, a = crossings[c].a, b = crossings[c].b;
     // One or the other, which cannot be foreseen, without a branch.
-    const uint32_t reuse = filled < crossings[c + 1].hole ? 1 : 0;
-    const uint32_t to = end ^ ((end ^ holes[filled]) & (0 - reuse));
+    const uint32_t hole = holes[filled], reuse = hole < crossings[c + 1].gone ? 1 : 0;
+    const uint32_t to = end ^ ((end ^ hole) & (0 - reuse));
     filled += reuse;
     end += 1 - reuse;
-    const PlacedPoint from{{arrays.x[v], arrays.y[v], arrays.z[v]}, arrays.doubt[v]};
-    const PlacedPoint gone{{arrays.x[w], arrays.y[w], arrays.z[w]}, arrays.doubt[w]};
-    PlacedPoint at;
-    if (!crossing.find(from, arrays.value[v], gone, arrays.value[w], at)) {
-      at = frame.common_point(planes[a], planes[b], planes[plane]);
-    }
-    const Vec3 from_centre = at.y - centre;
-    arrays.x[to] = at.y.x;
-    arrays.y[to] = at.y.y;
-    arrays.z[to] = at.y.z;
-    arrays.doubt[to] = at.doubt;
-    arrays.squared[to] = dot(from_centre, from_centre);
-    most_doubt = at.doubt > most_doubt ? at.doubt : most_doubt;
     made[c] = to;
-    vertices[v].link[near % 4] = 4 * to + 2;
+    vertices[near / 4].link[near % 4] = 4 * to + 2;
     vertices[to].plane[0] = a;
     vertices[to].plane[1] = b;
     vertices[to].plane[2] = plane;
@@ -143,16 +133,50 @@ void PowerPolytope::cut(uint32_t plane, const UnitPlane *planes, const CubeFrame
     ends[b] ^= 4 * to;
     ends[a] ^= 4 * to + 1;
   }
+  for (uint32_t k = 0; k < crossings_behind; ++k) made[count + k] = end;
+  cross(count);
+  const double *const doubts = to_cut_.at.doubt;
+  double most_doubt = most_doubt_;
   for (uint32_t c = 0; c < count; ++c) {
     const uint32_t to = made[c];
+    most_doubt = doubts[to] > most_doubt ? doubts[to] : most_doubt;
     vertices[to].link[0] = ends[crossings[c].b] ^ 4 * to;
     vertices[to].link[1] = ends[crossings[c].a] ^ (4 * to + 1);
   }
+  if (most_doubt < no_certainty) {
+    most_doubt_ = most_doubt;
+  } else {
+    solve_uncertain(count, planes, frame);
+  }
   count_ = end;
-  most_doubt_ = most_doubt;
   // The last vertices take the places that are left, from the last one on.
   for (uint32_t hole = hole_count_; hole > filled; --hole) move(--count_, holes[hole - 1]);
   clear_squares_behind();
+}
+
+// As cross_edges() has it.
+void PowerPolytope::cross(uint32_t count) const {
+#if HSP_AVX2
+  if (wide_code_) return cross_edges_avx2(to_cut_.at, crossings_.data(), made_.data(), count, bounds_);
+#endif
+  cross_edges<baseline_lanes>(to_cut_.at, crossings_.data(), made_.data(), count, bounds_);
+}
+
+// New vertices in too much doubt are where their three planes meet.
+void PowerPolytope::solve_uncertain(uint32_t count, const UnitPlane *planes, const CubeFrame &frame) {
+  for (const uint32_t v : made_.part(0, count)) {
+    if (to_cut_.at.doubt[v] >= no_certainty) {
+      const uint32_t *const plane = vertices_[v].plane;
+      const PlacedPoint at = frame.common_point(planes[plane[0]], planes[plane[1]], planes[plane[2]]);
+      const Vec3 from_centre = at.y - bounds_.centre;
+      to_cut_.at.x[v] = at.y.x;
+      to_cut_.at.y[v] = at.y.y;
+      to_cut_.at.z[v] = at.y.z;
+      to_cut_.at.doubt[v] = at.doubt;
+      to_cut_.at.squared[v] = dot(from_centre, from_centre);
+    }
+    if (to_cut_.at.doubt[v] > most_doubt_) most_doubt_ = to_cut_.at.doubt[v];
+  }
 }
 
 // Of as many as are read.

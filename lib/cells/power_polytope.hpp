@@ -7,6 +7,7 @@
 #include <bit>
 
 #include "cells/cube_frame.hpp"
+#include "cells/edge_crossings.hpp"
 #include "cells/vertex_sides.hpp"
 #include "core/workspace.hpp"
 
@@ -43,7 +44,7 @@ class PowerPolytope {
   void carve(Workspace &workspace, uint32_t balls);
 
   // The whole cube, for a ball with this centre.
-  void start(double side, const Vec3 &centre);
+  void start(const CubeFrame &frame, const Vec3 &centre);
   // For find_cut().
   const CutVertices &to_cut() {
     to_cut_.count = count_;
@@ -71,26 +72,26 @@ class PowerPolytope {
   double most_doubt() const { return most_doubt_; }
 
  private:
-  // An edge that is cut: from vertex number `hole` of those beyond to `near`, a link, on planes a and b.
-  struct Crossing {
-    uint32_t hole, near, a, b;
-  };
   template <class IsNear>
   uint32_t find_crossings(IsNear is_near);
+  void cross(uint32_t count) const;
+  void solve_uncertain(uint32_t count, const UnitPlane *planes, const CubeFrame &frame);
   void clear_squares_behind();
   void move(uint32_t from, uint32_t to);
 
   Span<PolytopeVertex> vertices_;
-  CutVertices to_cut_{};      // [vertices + 7] where they are
-  Span<uint64_t> beyond_;     // [vertices / 64] a bit for each
-  Span<uint64_t> unsure_;     // [vertices / 64]
-  Span<uint32_t> holes_;      // [vertices] those that are beyond, ascending; they leave their places to others
-  Span<Crossing> crossings_;  // [vertices]
-  Span<uint32_t> made_;       // [vertices] the vertices that are made there
-  Span<uint32_t> ends_;       // [planes] of the edge on it and the new plane: the exclusive or of both ends, as links
+  CutVertices to_cut_{};   // [vertices + 7] where they are
+  Span<uint64_t> beyond_;  // [vertices / 64] a bit for each
+  Span<uint64_t> unsure_;  // [vertices / 64]
+  // Those that are beyond, ascending; they leave their places to others. Then the number of vertices.
+  Span<uint32_t> holes_;         // [vertices + 1]
+  Span<CrossedEdge> crossings_;  // [vertices + crossings_behind]
+  Span<uint32_t> made_;          // [vertices + crossings_behind] the vertices that are made there
+  Span<uint32_t> ends_;  // [planes] of the edge on it and the new plane: the exclusive or of both ends, as links
   uint32_t count_ = 0, hole_count_ = 0;
-  Vec3 centre_{};
+  CrossingBounds bounds_{};
   double most_doubt_ = 0.0;  // of all vertices that there have been
+  [[maybe_unused]] bool wide_code_ = false;
 };
 
 template <class ExactSide>

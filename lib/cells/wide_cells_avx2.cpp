@@ -1,5 +1,6 @@
 #if HSP_AVX2
 #include "cells/cube_members.hpp"
+#include "cells/edge_crossings.hpp"
 #include "cells/vertex_edges.hpp"
 #include "cells/vertex_sides.hpp"
 
@@ -22,6 +23,11 @@ EdgeSides compare_edges_avx2(const VertexArrays &of, const EdgeEnds *edges, uint
 FacetSides compare_facets_avx2(const double *u, const double *w, uint32_t count, const FlatLine *lines,
                                uint32_t line_count, double margin) {
   return compare_facets<4>(u, w, count, lines, line_count, margin);
+}
+
+void cross_edges_avx2(const VertexArrays &of, const CrossedEdge *edges, const uint32_t *to, uint32_t count,
+                      const CrossingBounds &bounds) {
+  cross_edges<4>(of, edges, to, count, bounds);
 }
 
 void find_planes_avx2(const MemberArrays &members, uint32_t own, double limit, const PlaneArrays &planes) {

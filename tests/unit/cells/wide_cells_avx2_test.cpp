@@ -1,5 +1,5 @@
-// The kernels of vertex_sides.hpp, vertex_edges.hpp and cube_members.hpp for registers of every width, held
-// against plain loops.
+// The kernels of vertex_sides.hpp, vertex_edges.hpp, edge_crossings.hpp and cube_members.hpp for registers of every
+// width, held against plain loops.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,6 +11,7 @@
 
 #include "cells/cube_frame.hpp"
 #include "cells/cube_members.hpp"
+#include "cells/edge_crossings.hpp"
 #include "cells/vertex_edges.hpp"
 #include "cells/vertex_sides.hpp"
 #include "core/processor.hpp"
@@ -18,6 +19,8 @@
 
 namespace {
 
+using hsp::CrossedEdge;
+using hsp::CrossingBounds;
 using hsp::CutMargins;
 using hsp::CutVertices;
 using hsp::EdgeEnds;
@@ -29,6 +32,7 @@ using hsp::PlaneArrays;
 using hsp::PlaneOrder;
 using hsp::SquareSides;
 using hsp::UnitPlane;
+using hsp::Vec3;
 using hsp::VertexArrays;
 
 // Multiples of 1/8, so that sums and products are exact and some values are equal to the margin.
@@ -236,6 +240,89 @@ TEST(WideCells, CompareEdges) {
   EXPECT_GT(outside, 500U);
   EXPECT_GT(unsure, 200U);
   EXPECT_GT(inside, 50U);
+}
+
+// Numbers of all vertices, with room for new ones and for what is read behind the last edge.
+struct Corners {
+  std::vector<double> x, y, z, doubt, squared, value;
+  VertexArrays arrays() { return {x.data(), y.data(), z.data(), doubt.data(), squared.data(), value.data()}; }
+  bool operator==(const Corners &) const = default;
+};
+
+// A new vertex on every edge, one after another.
+void cross_one_by_one(Corners &corners, const std::vector<CrossedEdge> &edges, const std::vector<uint32_t> &to,
+                      uint32_t count, const CrossingBounds &bounds) {
+  const Corners before = corners;
+  const auto position = [&](uint32_t v) { return Vec3{before.x[v], before.y[v], before.z[v]}; };
+  for (uint32_t k = 0; k < count; ++k) {
+    const uint32_t v = edges[k].near / 4, w = edges[k].gone, made = to[k];
+    const double rise = before.value[w] - before.value[v], doubt = std::max(before.doubt[v], before.doubt[w]);
+    const Vec3 edge = position(w) - position(v), at = position(v) + (-before.value[v] * (1.0 / rise)) * edge;
+    const double length = std::fabs(edge.x) + std::fabs(edge.y) + std::fabs(edge.z);
+    const double sum = doubt + bounds.rounding + (1.01 * (doubt + bounds.plane_doubt)) * (length * (1.0 / rise));
+    corners.x[made] = at.x;
+    corners.y[made] = at.y;
+    corners.z[made] = at.z;
+    corners.doubt[made] = rise > bounds.least_rise && sum < bounds.most_doubt ? sum : hsp::no_certainty;
+    corners.squared[made] = dot(at - bounds.centre, at - bounds.centre);
+  }
+}
+
+TEST(WideCells, CrossEdges) {
+  oracle::RandomSource random(5);
+  uint32_t known = 0, steep = 0, doubtful = 0;
+  for (int round = 0; round < 1000; ++round) {
+    const auto number = [&](int64_t most) { return static_cast<double>(random.in(-most, most)) / 8; };
+    const uint32_t vertices = static_cast<uint32_t>(random.in(4, 40)), count = static_cast<uint32_t>(random.in(1, 20));
+    Corners corners;
+    for (std::vector<double> *numbers : {&corners.x, &corners.y, &corners.z, &corners.squared, &corners.value}) {
+      for (uint32_t v = 0; v < vertices + count + 1; ++v) numbers->push_back(number(80));
+    }
+    for (uint32_t v = 0; v < vertices + count + 1; ++v) corners.doubt.push_back(std::fabs(number(4)));
+    const CrossingBounds bounds{{number(9), number(9), number(9)}, 0.5, 4.0, 0.125, 0.25};
+    std::vector<CrossedEdge> edges;
+    std::vector<uint32_t> to;
+    for (uint32_t k = 0; k < count; ++k) {
+      const uint32_t near = static_cast<uint32_t>(random.in(0, vertices - 1));
+      const uint32_t gone = (near + static_cast<uint32_t>(random.in(1, vertices - 1))) % vertices;
+      corners.value[near] = -std::fabs(corners.value[near]) - 0.125;
+      edges.push_back({gone, 4 * near + static_cast<uint32_t>(random.in(0, 2)), 0, 0});
+      to.push_back(vertices + k);
+    }
+    for (const CrossedEdge &edge : edges) {
+      if (corners.value[edge.gone] == corners.value[edge.near / 4]) corners.value[edge.gone] += 0.125;
+    }
+    if (random.one_in(2)) to.back() = edges.back().gone;  // whose place it takes
+    edges.resize(count + hsp::crossings_behind, {0, 0, 0, 0});
+    to.resize(count + hsp::crossings_behind, vertices + count);
+    Corners expected = corners;
+    cross_one_by_one(expected, edges, to, count, bounds);
+    const auto check = [&](const auto &cross) {
+      Corners found = corners;
+      cross(found.arrays(), edges.data(), to.data(), count, bounds);
+      for (std::vector<double> Corners::*of :
+           {&Corners::x, &Corners::y, &Corners::z, &Corners::doubt, &Corners::squared, &Corners::value}) {
+        (found.*of).back() = (expected.*of).back();  // may be written
+      }
+      ASSERT_EQ(found, expected);
+    };
+    ASSERT_NO_FATAL_FAILURE(check(hsp::cross_edges<1>));
+    ASSERT_NO_FATAL_FAILURE(check(hsp::cross_edges<2>));
+#if HSP_AVX2
+    if (hsp::has_avx2()) {
+      ASSERT_NO_FATAL_FAILURE(check(hsp::cross_edges_avx2));
+    }
+#endif
+    for (uint32_t k = 0; k < count; ++k) {
+      const double rise = corners.value[edges[k].gone] - corners.value[edges[k].near / 4];
+      known += expected.doubt[to[k]] < 4.0 ? 1U : 0U;
+      steep += rise <= 0.5 ? 1U : 0U;
+      doubtful += rise > 0.5 && expected.doubt[to[k]] >= 4.0 ? 1U : 0U;
+    }
+  }
+  EXPECT_GT(known, 500U);
+  EXPECT_GT(steep, 100U);
+  EXPECT_GT(doubtful, 100U);
 }
 
 TEST(WideCells, CompareFacets) {

@@ -1,0 +1,83 @@
+// Where a plane crosses edges of a polytope, as far as doubles tell. For registers of n doubles: power_polytope.cpp and
+// wide_cells_avx2.cpp compile it, and both find the same bits.
+#pragma once
+
+#include "cells/cube_frame.hpp"
+#include "cells/vertex_sides.hpp"
+#include "core/double_lanes.hpp"
+
+namespace hsp {
+
+// An edge that is cut: from vertex `gone`, which is beyond, to `near`, a link, on planes a and b.
+struct CrossedEdge {
+  uint32_t gone, near, a, b;
+};
+// How many records are read behind the last one; their vertices must be there, and their places have to be others.
+inline constexpr uint32_t crossings_behind = 3;
+
+// With the centre that squares of distances are measured from.
+struct CrossingBounds {
+  Vec3 centre;
+  double least_rise, most_doubt, rounding, plane_doubt;
+};
+inline CrossingBounds crossing_bounds(const CubeFrame &frame, const Vec3 &centre) {
+  return {centre, 0x1p-12 * frame.side(), 0x1p-27 * frame.side(), 64 * unit_roundoff * frame.side(),
+          frame.plane_doubt()};
+}
+
+#if HSP_AVX2
+void cross_edges_avx2(const VertexArrays &of, const CrossedEdge *edges, const uint32_t *to, uint32_t count,
+                      const CrossingBounds &bounds);
+#endif
+
+namespace {
+
+// Where a plane crosses an edge from a point p on its near side to q beyond it: y = p + t (q - p) with
+// t = f(p) / (f(p) - f(q)), f = v.y - h, the `value`. Let p and q be off by at most d, so that f is off by e = d + 512
+// u s. The point at t of the true edge differs from y by d, and f there is at most e. Along that edge f grows by
+// f(q) - f(p) - 2 e or more over at most |q - p| + 2 d. So y is off by less than d + 1.01 e |q - p| / (f(q) - f(p)) +
+// 64 u s, the last term for the roundings, as d < 2^-27 s and f(q) - f(p) > 2^-12 s. Doubts add up from cut to cut;
+// where they are larger, three planes have to be solved: `doubt` is no_certainty there.
+//
+// Edge k makes vertex to[k]; no edge that follows has one of these as its end.
+template <uint32_t n>
+inline void cross_edges(const VertexArrays &of, const CrossedEdge *edges, const uint32_t *to, uint32_t count,
+                        const CrossingBounds &bounds) {
+  using L = DoubleLanes<n>;
+  using Real = typename L::Real;
+  const Real least_rise = L::all(bounds.least_rise), most_doubt = L::all(bounds.most_doubt), one = L::all(1.0);
+  const Real rounding = L::all(bounds.rounding), plane_doubt = L::all(bounds.plane_doubt), more = L::all(1.01);
+  const Real never = L::all(no_certainty);
+  const VectorOf<Real> centre{L::all(bounds.centre.x), L::all(bounds.centre.y), L::all(bounds.centre.z)};
+  for (const CrossedEdge *const end = edges + count; edges < end; edges += n, to += n) {
+    uint32_t near[n], gone[n];
+    for (uint32_t k = 0; k < n; ++k) {
+      near[k] = edges[k].near / 4;
+      gone[k] = edges[k].gone;
+    }
+    const Real near_value = L::gather(of.value, near);
+    const Real rise = L::gather(of.value, gone) - near_value;
+    const Real scale = one / rise;
+    const VectorOf<Real> from{L::gather(of.x, near), L::gather(of.y, near), L::gather(of.z, near)};
+    const VectorOf<Real> edge =
+        VectorOf<Real>{L::gather(of.x, gone), L::gather(of.y, gone), L::gather(of.z, gone)} - from;
+    const Real length = L::absolute(edge.x) + L::absolute(edge.y) + L::absolute(edge.z);
+    const Real doubt = L::larger(L::gather(of.doubt, near), L::gather(of.doubt, gone));
+    const VectorOf<Real> at = from + (-near_value * scale) * edge;
+    const VectorOf<Real> from_centre = at - centre;
+    const Real squared = dot(from_centre, from_centre);
+    const Real sum = doubt + rounding + (more * (doubt + plane_doubt)) * (length * scale);
+    const Real known = L::select(L::both(rise > least_rise, sum < most_doubt), sum, never);
+    for (uint32_t k = 0; k < n; ++k) {
+      const uint32_t v = to[k];
+      of.x[v] = at.x[k];
+      of.y[v] = at.y[k];
+      of.z[v] = at.z[k];
+      of.doubt[v] = known[k];
+      of.squared[v] = squared[k];
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hsp
