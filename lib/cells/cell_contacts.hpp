@@ -5,6 +5,7 @@
 #include "cells/cube_frame.hpp"
 #include "core/fixed_vector.hpp"
 #include "core/workspace.hpp"
+#include "exact/wide_integer.hpp"
 
 namespace hsp {
 
@@ -30,6 +31,12 @@ class CellContacts {
     pairs_.push(pair);
   }
 
+  // The portal of pair k becomes this position if that is farther from the centre of a ball.
+  void widen(uint32_t k, const CubeFrame &frame, const Vec3 &at, const exact::Vector &centre) {
+    const exact::Vector other = frame.rounded(at);
+    if ((squared_distance(other, centre) - squared_distance(portals_[k], centre)).sign() > 0) portals_[k] = other;
+  }
+
   uint64_t required() const { return pairs_.required(); }
   bool overflowed() const { return pairs_.overflowed(); }
   uint32_t size() const { return pairs_.size(); }
@@ -42,6 +49,14 @@ class CellContacts {
   const exact::Vector &portal(uint32_t k) const { return portals_[k]; }
 
  private:
+  static exact::WideInteger<exact::FastLimb, 128> squared_distance(const exact::Vector &a, const exact::Vector &b) {
+    const auto square = [](int64_t along) {
+      const auto exactly = exact::WideInteger<exact::FastLimb, 64>::from(along);
+      return exact::product<128>(exactly, exactly);
+    };
+    return square(a.x - b.x) + square(a.y - b.y) + square(a.z - b.z);
+  }
+
   FixedVector<AdjacentCells> pairs_;
   Span<exact::Vector> portals_;
 };

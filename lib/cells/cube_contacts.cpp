@@ -29,7 +29,8 @@ uint32_t CubeContacts::cell_at(const Member &member, const Corner &corner) const
   return no_id;
 }
 
-Status CubeContacts::add(const PowerCell &cell, uint32_t k, uint32_t first_cell, CellContacts &contacts) {
+Status CubeContacts::add(const BallSet &balls, const PowerCell &cell, uint32_t k, uint32_t first_cell,
+                         CellContacts &contacts) {
   const PowerPolytope &polytope = cell.polytope();
   Member &own = members_[k];
   own = {clamped_count(corners_.required()), 0, first_cell, cell.parts()};
@@ -41,14 +42,20 @@ Status CubeContacts::add(const PowerCell &cell, uint32_t k, uint32_t first_cell,
   }
   if (corners_.overflowed()) return Status::capacity;
 
+  // Of the corners that two parts have in common the one that is farthest from their balls is their portal. It has the
+  // same power to both, and the larger that is, the farther are both.
+  const exact::Vector centre = balls.ball(cell.ball()).centre;
   const uint64_t first_contact = contacts.required();
-  const auto add_once = [&](const AdjacentCells &pair, const Vec3 &at) {
+  const auto add_once = [&](const AdjacentCells &pair, const PlacedPoint &at) {
     const uint64_t stored = contacts.size();
     for (uint64_t c = first_contact; c < stored; ++c) {
-      const AdjacentCells &known = contacts[static_cast<uint32_t>(c)];
-      if (known.cell[0] == pair.cell[0] && known.cell[1] == pair.cell[1]) return;
+      const uint32_t number = static_cast<uint32_t>(c);
+      const AdjacentCells &known = contacts[number];
+      if (known.cell[0] != pair.cell[0] || known.cell[1] != pair.cell[1]) continue;
+      if (contacts.has_portals() && at.doubt < no_certainty) contacts.widen(number, cell.frame(), at.y, centre);
+      return;
     }
-    contacts.push(pair, cell.frame(), at);
+    contacts.push(pair, cell.frame(), at.y);
   };
   uint32_t *const touched = touched_.data();
   uint32_t count = 0;
@@ -60,23 +67,26 @@ Status CubeContacts::add(const PowerCell &cell, uint32_t k, uint32_t first_cell,
   for (uint32_t c = 0; c < count; ++c) {
     const uint32_t plane = cube_sides + touched[c], first = cell.first_free(plane);
     const Member &other = members_[touched[c]];
-    if (other.parts == 1 && own.parts == 1) {
-      contacts.push({{other.first_cell, first_cell}}, cell.frame(), polytope.position(first));
+    if (other.parts == 1 && own.parts == 1 && !contacts.has_portals()) {
+      contacts.push({{other.first_cell, first_cell}});
       continue;
     }
     // Around the facet. A free edge joins vertices of the same parts, on both sides of the facet.
     uint32_t v = first, back = previous_of_three(polytope[first].place_of(plane));
+    AdjacentCells pair{};
     bool is_joined = false;
     do {
       const PolytopeVertex &vertex = polytope[v];
       const uint32_t on = previous_of_three(back);
-      if (cell.part_of(v) != no_id && !is_joined) {
+      const bool is_free = cell.part_of(v) != no_id;
+      if (is_free && !is_joined) {
         const uint32_t other_cell =
             other.parts == 1 ? other.first_cell
                              : cell_at(other, sorted(vertex.plane[back], vertex.plane[on], cube_sides + k, no_id));
         if (other_cell == no_id) return Status::check;
-        add_once({{other_cell, first_cell + cell.part_of(v)}}, polytope.position(v));
+        pair = {{other_cell, first_cell + cell.part_of(v)}};
       }
+      if (is_free && (!is_joined || contacts.has_portals())) add_once(pair, polytope.at(v));
       is_joined = cell.is_free_edge(v, on);
       v = vertex.neighbour(on);
       back = vertex.back(on);

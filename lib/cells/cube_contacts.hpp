@@ -16,7 +16,7 @@ class CubeContacts {
   void clear(uint32_t balls);
   // The power cell of member k of the cube, whose free parts are cells from first_cell on: finds those of members
   // before that are adjacent. Status::capacity: needed_corners() so far. Status::check cannot happen.
-  Status add(const PowerCell &cell, uint32_t k, uint32_t first_cell, CellContacts &contacts);
+  Status add(const BallSet &balls, const PowerCell &cell, uint32_t k, uint32_t first_cell, CellContacts &contacts);
   uint64_t needed_corners() const { return corners_.required(); }
 
  private:

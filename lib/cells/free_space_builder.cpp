@@ -100,7 +100,7 @@ Status FreeSpaceBuilder::add_cube(const BallSet &balls, const Cube &cube) {
     cell_.find_free_parts();
     if (cell_.parts() == 0) continue;
     add_parts(cube);
-    const Status status = contacts_.add(cell_, k, first_cell, space.contacts);
+    const Status status = contacts_.add(balls, cell_, k, first_cell, space.contacts);
     if (status == Status::check) return status;
     if (status == Status::capacity) contacts_known_ = false;
     // Which sides have free vertices cannot be foreseen.

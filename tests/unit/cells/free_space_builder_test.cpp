@@ -285,6 +285,36 @@ TEST(FreeSpace, OfFacetsInsideFacets) {
   EXPECT_GT(crossings, 500U);
 }
 
+// The facets between two balls are rectangles, whole but for a disc around one corner: paths go through the corner that
+// is farthest from the balls.
+TEST(FreeSpace, HasPortalsFarFromTheBalls) {
+  const Balls balls{{500, 300, 300, 1000}, {1500, 300, 300, 1000}};
+  BuiltFreeSpace built(balls);
+  hsp::FreeSpaceLimits limits;
+  ASSERT_EQ(hsp::default_limits(2, limits), hsp::Status::ok);
+  CarvedMemory memory;
+  hsp::FreeSpaceBuilder builder;
+  memory.carve(builder, limits, true);
+  ASSERT_EQ(builder.build(built.grid()), hsp::Status::ok);
+  const FreeSpace &space = builder.structure();
+  const auto farther = [&](int64_t cube, int64_t centre) {
+    const int64_t low = cube * space.side, high = low + space.side;
+    return centre - low > high - centre ? low : high;
+  };
+  uint32_t facets = 0;
+  for (uint32_t k = 0; k < space.contacts.size(); ++k) {
+    const FreeCell &a = space.cell(space.contacts[k].cell[0]), &b = space.cell(space.contacts[k].cell[1]);
+    if (a.cube == no_id || a.cube != b.cube) continue;
+    const hsp::CubeCoordinates &cube = space.cover.cube(a.cube);
+    const hsp::exact::Vector &portal = space.contacts.portal(k);
+    EXPECT_EQ(portal.x, 1000);
+    EXPECT_EQ(portal.y, farther(cube.y, 300));
+    EXPECT_EQ(portal.z, farther(cube.z, 300));
+    ++facets;
+  }
+  EXPECT_GE(facets, 4U);
+}
+
 // Centres and radii as large as a lattice may have them.
 TEST(FreeSpace, OfTheLargestNumbers) {
   oracle::RandomSource random(6);
