@@ -1,10 +1,11 @@
 // Section 2: the table of k, rho, and how many balls meet a ball, for the paper's molecules and radii; and Figure 4,
 // how large vertical decompositions are beside the library's cells. Free space: its cells by turns with Steps 1 and 2,
-// in which of them points lie, and paths between some of these; and how often cells are cut for widest probes, one of
-// them out of a void.
+// in which of them points lie, and, of molecules, paths between some of these; and how often cells are cut for widest
+// probes, one of them out of a void.
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <optional>
 
 #include "alternation.hpp"
 #include "section_2/vertical_decomposition.hpp"
@@ -99,28 +100,33 @@ uint32_t gate_builds(const Model &model, const double *from) {
 // bare: without a probe.
 void free_space(benchmark::State &state, Subject &subject, bool bare) {
   constexpr size_t points = 10000, ways = 20;
-  constexpr uint32_t few = 1000;  // balls, so that a gate does not take seconds
+  constexpr uint32_t few = 1000;   // balls, so that a gate does not take seconds
+  constexpr uint32_t many = 5000;  // of which paths are not asked for
   const Model &model = *subject.model;
   FreeSpace space(model);
-  const Paths paths(model);
   const std::vector<double> box = random_points_in_box(model, points);
-  const std::vector<double> ends = random_points_near_surface(model, 2 * ways);
   uint64_t sum = 0;
-  alternate(state, model.size(),
-            {{"boundary", [&] { subject.boundary->compute(); }},
-             {"cells", [&] { space.compute(); }},
-             {"locate", [&] { sum += space.locate(box); }},
-             {"paths", [&] {
-                for (size_t k = 0; k < ways; ++k) {
-                  hsp_path path{};
-                  expect_ok(hsp_paths_find(paths.paths.get(), &ends[6 * k], &ends[6 * k + 3], &path, nullptr),
-                            "hsp_paths_find");
-                  sum += path.points;
-                }
-              }}});
+  std::vector<Part> turns = {{"boundary", [&] { subject.boundary->compute(); }},
+                             {"cells", [&] { space.compute(); }},
+                             {"locate", [&] { sum += space.locate(box); }}};
+  std::optional<Paths> paths;
+  std::vector<double> ends;
+  if (model.size() < many) {
+    paths.emplace(model);
+    ends = random_points_near_surface(model, 2 * ways);
+    turns.push_back({"paths", [&] {
+                       for (size_t k = 0; k < ways; ++k) {
+                         hsp_path path{};
+                         expect_ok(hsp_paths_find(paths->paths.get(), &ends[6 * k], &ends[6 * k + 3], &path, nullptr),
+                                   "hsp_paths_find");
+                         sum += path.points;
+                       }
+                     }});
+  }
+  alternate(state, model.size(), turns);
   benchmark::DoNotOptimize(sum);
   state.counters["locate_each"] = state.counters["locate_seconds"] / static_cast<double>(points);
-  state.counters["path_each"] = state.counters["paths_seconds"] / static_cast<double>(ways);
+  state.counters["path_each"] = paths ? state.counters["paths_seconds"] / static_cast<double>(ways) : 0;
   uint32_t builds = 0;
   if (model.size() < few) {
     for (size_t k = 0; k < 4; ++k) builds = std::max(builds, gate_builds(model, &ends[3 * k]));
@@ -156,12 +162,11 @@ void register_suite() {
   }
   for (const Surface &surface : surfaces) {
     const std::string group = std::string("section_2/free_space/") + surface.name + '/';
-    for (const Molecule &molecule : paper_molecules()) {
-      const SubjectRecipe recipe{group + molecule.name,
-                                 [molecule] { return with_radii(molecule, Radii::van_der_waals); }, surface.probe,
-                                 Stage::boundary};
+    for (const Size &size : all_sizes()) {
+      if (size.name.ends_with("_x216")) continue;  // gigabytes
+      const SubjectRecipe recipe{group + size.name, size.balls, surface.probe, Stage::boundary};
       const bool bare = surface.probe == 0;
-      register_case(group + molecule.name, recipe, [bare](benchmark::State &state, Subject &subject) {
+      register_case(group + size.name, recipe, [bare](benchmark::State &state, Subject &subject) {
         free_space(state, subject, bare);
       })->Unit(benchmark::kMillisecond);
     }

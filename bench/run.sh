@@ -141,6 +141,7 @@ if [ "$old" = yes ]; then
     run_turns bench_gradients '/compute/sod_stand_in$'
     run_turns bench_degenerate .
     run_turns bench_surface '/compute/sod_stand_in$'
+    run_turns bench_paper_section_2 'free_space/.*/sod_stand_in$'
     run_turns bench_updates '/move_1/sod_stand_in$'
   done
 fi
