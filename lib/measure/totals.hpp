@@ -25,23 +25,35 @@ class MeasureSum {
   TreeSum area_, volume_;
 };
 
-// Calls sink(i, measure) for every ball i of a range of the input, with its measure in lattice steps. selected may be
-// null; the faces of balls i with selected[i] == 0 count as 0.
+// Whether ball i of the input, with that index in the grid's order, has faces that count. selected may be null; the
+// faces of balls i with selected[i] == 0 count as 0.
+inline bool has_counted_faces(const Boundary &boundary, const uint8_t *selected, uint32_t i, uint32_t ball) {
+  return (selected == nullptr || selected[i] != 0) && boundary.is_exposed(ball);
+}
+
+// Calls sink(i, measure) for every ball i of a range of the input, with its measure in lattice steps.
 template <class Sink>
 void measure_balls(const CubeGrid &grid, const Boundary &boundary, const uint8_t *selected, IdRange range, Sink sink) {
   visit_in_input_order(grid, boundary, range, [&](uint32_t i, uint32_t ball) {
     BallMeasure measure;
-    if (selected == nullptr || selected[i] != 0) measure = measure_ball(grid.balls(), boundary, ball);
+    if (has_counted_faces(boundary, selected, i, ball)) measure = measure_ball(grid.balls(), boundary, ball);
     sink(i, measure);
   });
 }
 
-// The same for all balls, in the caller's unit; returns the sums.
+// The same for all balls, in the caller's unit; returns the sums. Nothing is 0 in every unit: only balls that have
+// faces need the divisions.
 template <class Sink>
 BallMeasure measure_union(const CubeGrid &grid, const Boundary &boundary, const uint8_t *selected, Sink sink) {
   const exact::Lattice &lattice = grid.balls().lattice;
   MeasureSum sum;
-  measure_balls(grid, boundary, selected, {0, grid.balls().n}, [&](uint32_t i, const BallMeasure &measure) {
+  visit_in_input_order(grid, boundary, [&](uint32_t i, uint32_t ball) {
+    if (!has_counted_faces(boundary, selected, i, ball)) {
+      sum.add({});
+      sink(i, BallMeasure{});
+      return;
+    }
+    const BallMeasure measure = measure_ball(grid.balls(), boundary, ball);
     sum.add(measure);
     sink(i, in_caller_units(lattice, measure));
   });
@@ -152,7 +164,12 @@ template <class Sink>
 void differentiate_balls(const CubeGrid &grid, const Boundary &boundary, const EnergyTerms &terms, IdRange range,
                          Sink sink) {
   const BallSet &balls = grid.balls();
+  const EnergyGradient of_none = gradient_of_energy(balls.lattice, terms, {});  // of balls without faces: with signs
   visit_in_input_order(grid, boundary, range, [&](uint32_t i, uint32_t ball) {
+    if (!boundary.is_exposed(ball)) {
+      sink(i, of_none, share_of_energy(balls, terms, ball, {}, of_none));
+      return;
+    }
     const BallGradient own = gradient_of_ball(balls, boundary, terms.weights, ball);
     const EnergyGradient gradient = gradient_of_energy(balls.lattice, terms, own);
     sink(i, gradient, share_of_energy(balls, terms, ball, own, gradient));
