@@ -5,7 +5,6 @@
 #include "contacts/contact_measures.hpp"
 #include "exact/discriminant.hpp"
 #include "measure/areas.hpp"
-#include "model/block_sweep.hpp"
 
 namespace hsp {
 namespace {
@@ -49,36 +48,16 @@ void ContactsBuilder::carve(Workspace &workspace, const ContactLimits &limits) {
   contact_of_cap_ = workspace.take<uint32_t>(limits.neighbours);
 }
 
-Status ContactsBuilder::build(const CubeGrid &grid, const Boundary &boundary, uint32_t neighbours) {
-  const BallSet &balls = grid.balls();
-  clear(balls.n);
+bool ContactsBuilder::start(const CubeGrid &grid, uint32_t neighbours) {
+  const uint32_t balls = grid.balls().n;
+  clear(balls);
   own_balls_ = grid.own_balls();
+  lost_across_ = 0;
   needed_.neighbours = neighbours;
-  if (balls.n > limits_.balls || neighbours > limits_.neighbours) return Status::capacity;
-  walk_.start(balls.n, own_balls_);
+  if (balls > limits_.balls || neighbours > limits_.neighbours) return false;
+  walk_.start(balls, own_balls_);
   candidates_.borrow(contacts_.a_.row);
-  BlockSweep sweep(grid);
-  for (uint32_t cube = 0; cube < grid.own_cubes(); ++cube) {
-    const CubeBlock &block = sweep.block_around(cube);
-    const BallRange own = grid.balls_in(cube);
-    const bool in_lanes =
-        boundary.has_wide_code() && candidates_.start_cube(grid, cube, own.first, part_from(block, own.first));
-    for (uint32_t i = own.first; i < own.last; ++i) {
-      if (boundary.is_contained(i)) continue;
-      gather_caps(balls, boundary, block, i, in_lanes);
-      start_ball(boundary);
-      walk_.find(boundary, caps_);
-      recall_contacts();
-      walk_.visit(caps_, [&](const FoundChord &chord) { add_chord(balls, boundary, chord); });
-      add_free_edges(balls, boundary);
-    }
-  }
-  measure_chords(balls, boundary);
-  if (const Status status = check_capacity(); status != Status::ok) return status;
-  measure_contacts(balls, boundary);
-  make_rows(grid);
-  count_simplices(boundary);
-  return Status::ok;
+  return true;
 }
 
 void ContactsBuilder::clear(uint32_t balls) {
@@ -105,7 +84,10 @@ uint32_t ContactsBuilder::find_contact(uint32_t a, uint32_t b) {
   const bool fits = arrays.contacts.required() < arrays.contacts.capacity();
   const uint32_t id = arrays.contacts.size();
   arrays.contacts.push({{a, b}, 0, 0, 0.0, 0.0});
-  if (!fits) return no_room;
+  if (!fits) {
+    lost_across_ += b < own_balls_ ? 0U : 1U;
+    return no_room;
+  }
   arrays.links[id] = first;
   first = id;
   return id;
@@ -122,7 +104,15 @@ void ContactsBuilder::gather_caps(const BallSet &balls, const Boundary &boundary
   caps_.gather(balls, part_from(block, i + 1), i, nullptr);
 }
 
-void ContactsBuilder::start_ball(const Boundary &boundary) {
+bool ContactsBuilder::start_cube(const CubeGrid &grid, const Boundary &boundary, uint32_t cube,
+                                 const CubeBlock &block) {
+  const uint32_t first = grid.balls_in(cube).first;
+  return boundary.has_wide_code() && candidates_.start_cube(grid, cube, first, part_from(block, first));
+}
+
+void ContactsBuilder::start_ball(const BallSet &balls, const Boundary &boundary, const CubeBlock &block, uint32_t i,
+                                 bool in_lanes) {
+  gather_caps(balls, boundary, block, i, in_lanes);
   const auto is_inside = [&boundary](uint32_t ball) { return boundary.is_contained(ball); };
   bool any_inside = false;
   for (uint32_t k = 0; k < caps_.count; ++k) any_inside = any_inside || is_inside(caps_.ball[k]);
@@ -132,8 +122,9 @@ void ContactsBuilder::start_ball(const Boundary &boundary) {
   for (uint32_t k = caps_.first_later; k < caps_.count; ++k) contact_of_cap_[k] = no_id;
 }
 
-// The contacts of the ball at hand with later ones that chords at earlier balls have.
-void ContactsBuilder::recall_contacts() {
+// And the contacts of the ball at hand with later ones that chords at other balls have.
+void ContactsBuilder::find_chords(const Boundary &boundary) {
+  walk_.find(boundary, caps_);
   const ContactArrays &a = contacts_.a_;
   for (uint32_t id = a.first_in_row[caps_.origin]; id != no_id; id = a.links[id]) {
     contact_of_cap_[walk_.cap_of(a.contacts[id].ball[1])] = id;
@@ -143,10 +134,11 @@ void ContactsBuilder::recall_contacts() {
 uint32_t ContactsBuilder::contact_of_cap(uint32_t cap) {
   uint32_t &id = contact_of_cap_[cap];
   if (id == no_id) id = find_contact(caps_.origin, caps_.ball[cap]);
-  return id;
+  return id == elsewhere ? no_room : id;
 }
 
-void ContactsBuilder::add_chord(const BallSet &balls, const Boundary &boundary, const FoundChord &chord) {
+void ContactsBuilder::add_chord(const BallSet &balls, const Boundary &boundary, const FoundChord &chord,
+                                const ContactPlace &last) {
   ContactArrays &a = contacts_.a_;
   const auto [j, k] = chord.cap;
   const uint32_t own = caps_.origin;
@@ -159,7 +151,7 @@ void ContactsBuilder::add_chord(const BallSet &balls, const Boundary &boundary, 
   chords_.ball[2][s] = second;
   chords_.contact[0][s] = contact_of_cap(j);
   chords_.contact[1][s] = contact_of_cap(k);
-  chords_.contact[2][s] = first < own_balls_ ? find_contact(first, second) : no_room;
+  chords_.contact[2][s] = last.ball[0] != no_id ? find_contact(last.ball[0], last.ball[1]) : no_room;
   const uint32_t free_ends = chord.free_ends();
   // Its half: of a vertex the boundary knows it.
   const double root = free_ends == 0 ? 0.0
@@ -278,6 +270,10 @@ void ContactsBuilder::measure_contacts(const BallSet &balls, [[maybe_unused]] co
       }
     }
   }
+}
+
+void ContactsBuilder::close_cells() {
+  ContactArrays &a = contacts_.a_;
   for (uint32_t i = 0; i < a.balls; ++i) {
     const double volume = a.cell_volume[i] / 3;
     a.cell_volume[i] = volume > 0.0 ? volume : 0.0;

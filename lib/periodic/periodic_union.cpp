@@ -34,7 +34,7 @@ Status PeriodicUnion::build(const BallInput &input, const double vector[9], uint
   for (uint32_t k = images_.balls(); k < images_.size(); ++k) {
     boundary_.take_state(grid_.grid_index(k), grid_.grid_index(images_.ball_of(k)));
   }
-  status = contacts_.build(grid_, boundary(), boundary_.needed().neighbours);
+  status = contacts_.build(grid_, boundary(), boundary_.needed().neighbours, ImagesInGrid(grid_, images_));
   needed_.contacts = contacts_.needed().contacts;
   if (status != Status::ok) return status;
   status = join_balls();
@@ -81,9 +81,7 @@ Status PeriodicUnion::count() {
 }
 
 uint32_t PeriodicUnion::grid_index_moved(uint32_t grid_ball, const BoxShift &shift) const {
-  const uint32_t k = balls().caller[grid_ball];
-  const uint32_t moved = images_.find(images_.ball_of(k), images_.shift_of(k) + shift);
-  return moved == no_id ? no_id : grid_.grid_index(moved);
+  return ImagesInGrid(grid_, images_).moved(grid_ball, shift);
 }
 
 // The other ball's copy in the box has the same half-edges about its own place. The one that is meant lies on the
@@ -95,10 +93,10 @@ uint32_t PeriodicUnion::half_edge_across(uint32_t ball, uint32_t half_edge) cons
   if (is_in_box(other)) return b.twin(half_edge);
   const VertexRecord &end = b.vertex(b.end_vertex(half_edge));
   const uint32_t third = end.ball[0] ^ end.ball[1] ^ end.ball[2] ^ ball ^ other;
-  const BoxShift back = BoxShift{} - images_.shift_of(balls().caller[other]);
-  const uint32_t opposite = grid_index_moved(other, back);
-  const uint32_t circle = grid_index_moved(ball, back);
-  const uint32_t previous = grid_index_moved(third, back);
+  const ImagesInGrid images(grid_, images_);
+  const uint32_t opposite = images.ball_of(other);
+  const uint32_t circle = images.moved_back(ball, other);
+  const uint32_t previous = images.moved_back(third, other);
   for (const uint32_t e : b.half_edges(opposite)) {
     if (b.half_edge(e).circle == circle && b.previous_circle(opposite, b.half_edge(e)) == previous) return e;
   }
@@ -112,9 +110,9 @@ bool PeriodicUnion::find_across(ClosedHalfEdge own, ClosedHalfEdge &across) cons
     across = {own.circle(), 1 - own.side()};
     return true;
   }
-  const BoxShift back = BoxShift{} - images_.shift_of(balls().caller[other]);
-  const uint32_t moved = grid_index_moved(b.ball_of(own), back);
-  for (const ClosedHalfEdge e : b.circles(grid_index_moved(other, back))) {
+  const ImagesInGrid images(grid_, images_);
+  const uint32_t moved = images.moved_back(b.ball_of(own), other);
+  for (const ClosedHalfEdge e : b.circles(images.ball_of(other))) {
     if (b.neighbour(e) != moved) continue;
     across = e;
     return true;

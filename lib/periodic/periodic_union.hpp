@@ -62,6 +62,30 @@ struct PeriodicContact {
   const ContactRecord *record;
 };
 
+// The images by their numbers in the grid, for who finds contacts.
+class ImagesInGrid {
+ public:
+  ImagesInGrid(const CubeGrid &grid, const PeriodicImages &images) : grid_(grid), images_(images) {}
+
+  static constexpr bool there = true;
+  bool comes_before_its_ball(uint32_t image) const { return comes_before(shift_of(image), {}); }
+  uint32_t ball_of(uint32_t image) const { return grid_.grid_index(images_.ball_of(number(image))); }
+  uint32_t moved_back(uint32_t other, uint32_t image) const { return moved(other, BoxShift{} - shift_of(image)); }
+  // Ball or image, moved by a shift; no_id if it is not in the set.
+  uint32_t moved(uint32_t ball, const BoxShift &shift) const {
+    const uint32_t k = number(ball);
+    const uint32_t moved = images_.find(images_.ball_of(k), images_.shift_of(k) + shift);
+    return moved == no_id ? no_id : grid_.grid_index(moved);
+  }
+
+ private:
+  uint32_t number(uint32_t ball) const { return grid_.balls().caller[ball]; }
+  BoxShift shift_of(uint32_t ball) const { return images_.shift_of(number(ball)); }
+
+  const CubeGrid &grid_;
+  const PeriodicImages &images_;
+};
+
 class PeriodicUnion {
  public:
   void carve(Workspace &workspace, const PeriodicLimits &limits);

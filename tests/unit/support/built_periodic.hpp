@@ -26,11 +26,14 @@ class BuiltPeriodic {
       status_ = periodic_.build(input, box.data(), first_bad_);
       if (status_ != hsp::Status::capacity) return;
       limits = periodic_.retry_limits();
+      ++retries_;
     }
   }
 
   hsp::Status status() const { return status_; }
   uint32_t first_bad() const { return first_bad_; }
+  // From limits that are too small.
+  uint32_t retries() const { return retries_; }
   const hsp::PeriodicUnion &get() const { return periodic_; }
   const hsp::PeriodicUnion *operator->() const { return &periodic_; }
   uint32_t balls() const { return periodic_.images().balls(); }
@@ -47,4 +50,5 @@ class BuiltPeriodic {
   hsp::PeriodicUnion periodic_;
   hsp::Status status_ = hsp::Status::state;
   uint32_t first_bad_ = 0;
+  uint32_t retries_ = 0;
 };

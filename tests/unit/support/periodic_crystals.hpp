@@ -70,6 +70,28 @@ struct RandomCrystal : Crystal {
 inline void expect_laws(const BuiltPeriodic &built) {
   const hsp::PeriodicViolation violation = hsp::check_periodic(built.get());
   EXPECT_EQ(violation.invariant, hsp::PeriodicInvariant::none) << "ball " << violation.id;
+  // Each of images, neighbours, vertices with circles, and contacts takes one more try.
+  EXPECT_LE(built.retries(), 4U);
+}
+
+// A contact with an image is one, from whichever of its two balls it is seen.
+inline void expect_one_contact_from_both_sides(const BuiltPeriodic &built) {
+  for (uint32_t i = 0; i < built.balls(); ++i) {
+    built->visit_contacts_of(i, [&](const hsp::PeriodicContact &contact) {
+      const hsp::BoxShift shift = built->images().shift_of(contact.other);
+      const uint32_t back = built->images().find(i, hsp::BoxShift{} - shift);
+      uint32_t found = 0;
+      built->visit_contacts_of(built->images().ball_of(contact.other), [&](const hsp::PeriodicContact &seen) {
+        if (seen.other != back) return;
+        ++found;
+        EXPECT_EQ(seen.record->area, contact.record->area);
+        EXPECT_EQ(seen.record->edge, contact.record->edge);
+        EXPECT_EQ(seen.record->chords, contact.record->chords);
+        EXPECT_EQ(seen.record->code, contact.record->code);
+      });
+      EXPECT_EQ(found, 1U);
+    });
+  }
 }
 
 // What is known of each ball: everything that is counted there, and numbers.
@@ -77,6 +99,7 @@ inline void expect_as_in_copies(const Crystal &crystal, int range = 4) {
   const BuiltPeriodic built(crystal.balls, crystal.box);
   ASSERT_EQ(built.status(), hsp::Status::ok);
   expect_laws(built);
+  expect_one_contact_from_both_sides(built);
   // Radii are at most 3, boxes at least 4 high along each axis, and vectors lean by as much as they are high.
   support::BallList inside;
   for (uint32_t i = 0; i < built.balls(); ++i) {
